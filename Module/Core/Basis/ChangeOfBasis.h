@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Basis/Space.h"
+
+#include <functional>
+#include <span>
+#include <vector>
+
+// From a source's basis to the canonical one. The matrices are made and applied in long double (64
+// bits of mantissa on x86), once per kind of element, and rounded to double at the end.
+namespace pixelexact
+{
+using LongVec3 = std::array<long double, 3>;
+
+/// One-dimensional and simplicial families of source bases.
+enum class Family : std::uint8_t
+{
+  EquispacedLagrange, ///< nodes equispaced with both ends; order 0: the centre
+  Bernstein
+};
+
+/// Values of all canonical modes at xi, in order of storage; `out` holds space.Modes().
+void EvaluateModes(const Space& space, const LongVec3& xi, long double* out);
+
+/// A linear map from source coefficients to canonical ones, kept as Kronecker factors where the
+/// shape allows (hexahedron: three lines; prism: triangle and line), dense otherwise.
+class ChangeOfBasis
+{
+public:
+  /// Hexahedron of space.order. `source[(i (q+1) + j) (r+1) + k]` is the position, in the source's
+  /// cell, of the function that is number i, j, k along xi1, xi2, xi3.
+  static ChangeOfBasis Hexahedron(
+    const Space& space, Family family, std::span<const int> source);
+
+  /// Prism with triangle order space.order[0] = space.order[2] and line order space.order[1].
+  /// Triangle functions are numbered by (i, k), i + k <= n, k fastest, i and k counting towards
+  /// the vertices xi1 = 1 and xi3 = 1; `source[t (q+1) + j]` is the position in the cell of
+  /// triangle function t times line function j (along xi2).
+  static ChangeOfBasis Prism(const Space& space, Family family, std::span<const int> source);
+
+  /// Tetrahedron of uniform order n: functions numbered by (i, j, k), i + j + k <= n, k fastest,
+  /// counting towards the vertices xi1 = 1, xi2 = 1, xi3 = 1.
+  static ChangeOfBasis Tetrahedron(const Space& space, Family family, std::span<const int> source);
+
+  /// Any source functions that lie in `space`: `functions(xi, values)` writes the `sources` values
+  /// at xi. Throws InvalidData where the functions do not lie in the space (up to 1e-10).
+  static ChangeOfBasis FromFunctions(const Space& space, int sources,
+    const std::function<void(const LongVec3&, long double*)>& functions);
+
+  [[nodiscard]] const Space& Target() const { return TargetSpace; }
+  [[nodiscard]] int SourceSize() const { return static_cast<int>(SourceOf.size()); }
+
+  /// canonical[mode] = sum over s of M[mode][s] (values[s] - shift). Shifting is exact where the
+  /// basis sums to one; used for geometry, whose modes are wanted relative to a centre. Safe to
+  /// call from several threads.
+  void Apply(std::span<const double> values, double shift, std::span<double> canonical) const;
+
+  /// sum over s of |M[mode][s]|: how much noise of one unit in every source value can weigh in a
+  /// mode.
+  [[nodiscard]] std::span<const double> Amplification() const { return RowNorm; }
+
+private:
+  struct Factor
+  {
+    int rows = 0;
+    int columns = 0;
+    std::vector<long double> matrix; ///< row-major
+  };
+  ChangeOfBasis(const Space& space, std::vector<Factor> factors, std::span<const int> source,
+    std::vector<int> modeOf);
+  static Factor Solve(int modes, int sources, const std::vector<long double>& modesAtPoints,
+    const std::vector<long double>& sourcesAtPoints);
+  static Factor LineFactor(int order, Family family);
+  static Factor TriangleFactor(int order, Family family);
+
+  Space TargetSpace;
+  std::vector<Factor> Factors;
+  std::vector<int> SourceOf; ///< position in the source of each combination of factor columns
+  std::vector<int> ModeOf;   ///< mode of each combination of factor rows
+  std::vector<double> RowNorm;
+};
+} // namespace pixelexact

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Bernstein/BernsteinForm.h"
+
+#include "Core/Math/Rounding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <mutex>
+
+namespace pixelexact
+{
+namespace
+{
+long double Binomial(int n, int k)
+{
+  if (k < 0 || k > n)
+  {
+    return 0.0L;
+  }
+  long double result = 1.0L;
+  for (int i = 1; i <= std::min(k, n - k); ++i)
+  {
+    result = result * (n - std::min(k, n - k) + i) / i;
+  }
+  return result;
+}
+
+/// h^power P_n^{(alpha,0)} in Bernstein form of `degree`.
+std::vector<double> UnivariateRow(int alpha, int n, int power, int degree)
+{
+  const int low = n + power;
+  std::vector<long double> b(low + 1, 0.0L);
+  for (int i = 0; i <= n; ++i)
+  {
+    const long double sign = (n - i) % 2 == 0 ? 1.0L : -1.0L;
+    b[i] = sign * Binomial(n + alpha, i) * Binomial(n, i) / Binomial(low, i);
+  }
+  std::vector<double> raised(degree + 1);
+  for (int j = 0; j <= degree; ++j)
+  {
+    long double sum = 0.0L;
+    for (int i = std::max(0, j - (degree - low)); i <= std::min(low, j); ++i)
+    {
+      sum += Binomial(j, i) * Binomial(degree - j, low - i) * b[i];
+    }
+    raised[j] = static_cast<double>(sum / Binomial(degree, low));
+  }
+  return raised;
+}
+
+std::vector<std::vector<double>> UnivariateRows(int alpha, int last, int power, int degree)
+{
+  std::vector<std::vector<double>> rows;
+  for (int n = 0; n <= last; ++n)
+  {
+    rows.push_back(UnivariateRow(alpha, n, power, degree));
+  }
+  return rows;
+}
+
+template <bool kAbsolute>
+double Magnitude(double v)
+{
+  return kAbsolute ? std::fabs(v) : v;
+}
+} // namespace
+
+BernsteinForm::BernsteinForm(const Space& space)
+  : TheSpace(space)
+  , TheDegree(space.TensorDegree())
+{
+  const auto [P, Q, R] = TheDegree;
+  X = UnivariateRows(0, P, 0, P);
+  const bool tetrahedron = space.shape == Shape::Tetrahedron;
+  for (int p = 0; p <= (tetrahedron ? P : 0); ++p)
+  {
+    Y.push_back(tetrahedron ? UnivariateRows(2 * p + 1, Q - p, p, Q) : UnivariateRows(0, Q, 0, Q));
+  }
+  if (space.shape == Shape::Hexahedron || space.form == Form::Tensor)
+  {
+    Z.push_back(UnivariateRows(0, R, 0, R));
+    return;
+  }
+  const bool prism = space.shape == Shape::Prism;
+  const int families = prism ? P : (tetrahedron ? Q : std::max(P, Q));
+  for (int n = 0; n <= families; ++n)
+  {
+    Z.push_back(UnivariateRows(prism ? 2 * n + 1 : 2 * n + 2, R - n, n, R));
+  }
+}
+
+const BernsteinForm& BernsteinForm::Of(const Space& space)
+{
+  static std::mutex mutex;
+  static std::map<Space, std::unique_ptr<const BernsteinForm>> forms;
+  const std::scoped_lock lock(mutex);
+  auto& form = forms[space];
+  if (!form)
+  {
+    form.reset(new BernsteinForm(space));
+  }
+  return *form;
+}
+
+int BernsteinForm::Size() const
+{
+  return (TheDegree[0] + 1) * (TheDegree[1] + 1) * (TheDegree[2] + 1);
+}
+
+template <bool kAbsolute>
+void BernsteinForm::Contract(const double* modes, std::span<double> bernstein) const
+{
+  const auto [P, Q, R] = TheDegree;
+  std::vector<double> line(R + 1);
+  std::vector<double> layer(static_cast<std::size_t>(Q + 1) * (R + 1));
+  std::ranges::fill(bernstein, 0.0);
+  for (int p = 0; p <= P; ++p)
+  {
+    std::ranges::fill(layer, 0.0);
+    const Rows& y = Y[Y.size() > 1 ? p : 0];
+    for (int q = 0; q <= TheSpace.LastQ(p); ++q)
+    {
+      std::ranges::fill(line, 0.0);
+      // The third factor's family: the power of h it carries.
+      int n = 0;
+      if (Z.size() > 1)
+      {
+        n = TheSpace.shape == Shape::Prism ? p
+          : TheSpace.shape == Shape::Tetrahedron ? p + q
+                                                 : std::max(p, q);
+      }
+      for (int r = 0; r <= TheSpace.LastR(p, q); ++r)
+      {
+        const double c = Magnitude<kAbsolute>(*modes++);
+        const auto& z = Z[n][r];
+        for (int k = 0; k <= R; ++k)
+        {
+          line[k] += c * Magnitude<kAbsolute>(z[k]);
+        }
+      }
+      for (int j = 0; j <= Q; ++j)
+      {
+        const double factor = Magnitude<kAbsolute>(y[q][j]);
+        for (int k = 0; k <= R; ++k)
+        {
+          layer[j * (R + 1) + k] += factor * line[k];
+        }
+      }
+    }
+    for (int i = 0; i <= P; ++i)
+    {
+      const double factor = Magnitude<kAbsolute>(X[p][i]);
+      double* out = &bernstein[static_cast<std::size_t>(i) * layer.size()];
+      for (std::size_t jk = 0; jk < layer.size(); ++jk)
+      {
+        out[jk] += factor * layer[jk];
+      }
+    }
+  }
+}
+
+void BernsteinForm::Convert(const double* modes, std::span<double> bernstein) const
+{
+  Contract<false>(modes, bernstein);
+}
+
+double BernsteinForm::ErrorBound(const double* modes) const
+{
+  std::vector<double> sums(Size());
+  Contract<true>(modes, sums);
+  const int operations = TheDegree[0] + TheDegree[1] + TheDegree[2] + 9;
+  // The sums of magnitudes are themselves rounded: one more factor 1 + gamma covers that.
+  return std::ranges::max(sums) * Gamma(operations) * (1.0 + Gamma(2 * operations));
+}
+
+Vec3 BernsteinForm::GridPoint(int i, int j, int k) const
+{
+  const auto at = [](int index, int degree)
+  { return degree == 0 ? 0.0 : static_cast<double>(2 * index - degree) / degree; };
+  return { at(i, TheDegree[0]), at(j, TheDegree[1]), at(k, TheDegree[2]) };
+}
+
+Hull HullOf(std::span<const double> bernstein)
+{
+  const auto [low, high] = std::ranges::minmax_element(bernstein);
+  return { *low, *high };
+}
+
+void Halve(const std::array<int, 3>& degree, int direction, std::span<double> bernstein,
+  std::span<double> upper)
+{
+  const int n = degree[direction];
+  std::size_t stride = 1;
+  for (int d = 2; d > direction; --d)
+  {
+    stride *= degree[d] + 1;
+  }
+  const std::size_t block = stride * (n + 1);
+  for (std::size_t start = 0; start < bernstein.size(); start += block)
+  {
+    for (std::size_t offset = start; offset < start + stride; ++offset)
+    {
+      double* b = &bernstein[offset];
+      double* u = &upper[offset];
+      // Each sweep leaves one coefficient of either half in place.
+      u[n * stride] = b[n * stride];
+      for (int level = 1; level <= n; ++level)
+      {
+        for (int i = n; i >= level; --i)
+        {
+          b[i * stride] = 0.5 * (b[(i - 1) * stride] + b[i * stride]);
+        }
+        u[(n - level) * stride] = b[n * stride];
+      }
+    }
+  }
+}
+} // namespace pixelexact

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Basis/Space.h"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace pixelexact
+{
+/// The tensor-product Bernstein form, in eta over the cube, of functions given by canonical modes.
+/// The values over the whole shape lie in the hull of the coefficients; halving the domain brings
+/// them quadratically closer.
+///
+/// Each mode is a product of three univariate polynomials in eta whose Bernstein coefficients have
+/// a closed form: h^m P_n^{(a,0)} has (-1)^{n-i} C(n+a,i) C(n,i) / C(n+m,i) in degree n + m, then
+/// raised to the space's degree. They are computed in long double and rounded once, so a converted
+/// coefficient B of modes c is off by at most
+///   gamma(P + Q + R + 9) * sum |c| |X| |Y| |Z|
+/// (P + Q + R + 3 additions, 3 rounded factors, 3 products), which ErrorBound evaluates.
+class BernsteinForm
+{
+public:
+  /// The conversion of a space; made on first use, kept, safe to call from several threads.
+  static const BernsteinForm& Of(const Space& space);
+
+  [[nodiscard]] const std::array<int, 3>& Degree() const { return TheDegree; }
+  /// The number of coefficients: the product of degrees + 1; index (i (Q+1) + j) (R+1) + k.
+  [[nodiscard]] int Size() const;
+
+  /// Bernstein coefficients of one component.
+  void Convert(const double* modes, std::span<double> bernstein) const;
+
+  /// A bound of the rounding error of every coefficient that Convert makes of these modes.
+  [[nodiscard]] double ErrorBound(const double* modes) const;
+
+  /// The grid point of eta that belongs to a coefficient: a function that is affine in each eta
+  /// has its values there as its coefficients.
+  [[nodiscard]] Vec3 GridPoint(int i, int j, int k) const;
+
+private:
+  explicit BernsteinForm(const Space& space);
+  template <bool kAbsolute>
+  void Contract(const double* modes, std::span<double> bernstein) const;
+
+  using Rows = std::vector<std::vector<double>>; ///< [function][coefficient]
+  Space TheSpace;
+  std::array<int, 3> TheDegree;
+  Rows X;                        ///< [p]
+  std::vector<Rows> Y;           ///< [p of the family][q]
+  std::vector<Rows> Z;           ///< [n of the family][r]
+};
+
+/// The least and the largest coefficient: the hull.
+struct Hull
+{
+  double lower;
+  double upper;
+};
+Hull HullOf(std::span<const double> bernstein);
+
+/// Splits coefficients of the given degree at the middle of direction d (de Casteljau): `bernstein`
+/// becomes the lower half's, `upper` the upper half's. Rounding adds at most
+/// gamma(degree[d]) max |b|.
+void Halve(const std::array<int, 3>& degree, int direction, std::span<double> bernstein,
+  std::span<double> upper);
+} // namespace pixelexact

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Element/Kernels.h"
+
+namespace pixelexact
+{
+KernelSet KernelsFor(const Space& space)
+{
+  switch (space.shape)
+  {
+    case Shape::Hexahedron:
+      return HexahedronKernels(space);
+    case Shape::Prism:
+      return PrismKernels(space);
+    case Shape::Tetrahedron:
+      return TetrahedronKernels(space);
+    default:
+      return PyramidKernels(space);
+  }
+}
+} // namespace pixelexact

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Basis/Space.h"
+
+// The batch kernels: many points of one element, as many at a time as the instruction set has
+// lanes. Chosen once per (batch, element) by space; each is compiled for every instruction set and
+// dispatched at run time.
+namespace pixelexact
+{
+/// Arrays handed to the kernels are padded to a multiple of this, with points that may be computed.
+inline constexpr int kLanePadding = 8;
+
+constexpr int PaddedCount(int count)
+{
+  return (count + kLanePadding - 1) / kLanePadding * kLanePadding;
+}
+
+/// `count` points, coordinate by coordinate; the arrays hold PaddedCount(count) doubles.
+struct LanePoints
+{
+  const double* x[3];
+  int count;
+};
+
+/// The inverse map's data of one element, in its own units: y = (x - centre) / size.
+struct InverseProblem
+{
+  Space space;
+  const double* coefficients; ///< of Phi, three components, in the element's units
+  double centre[3];
+  double inverseSize;
+  double origin[3];           ///< frame: y at xi = start
+  double start[3];            ///< frame: xi there
+  double inverse[9];          ///< frame: row-major inverse Jacobian; 0: Newton begins at `start`
+  double uncertainty[3];      ///< of Phi and y, per coordinate, in the element's units
+  bool affine;                ///< Phi is its frame, up to the uncertainty
+};
+
+/// What Newton's iteration found for a point.
+enum class NewtonStatus : std::uint8_t
+{
+  RootOutside = 0, ///< converged to a xi beyond the faces' tolerance
+  RootInside = 1,  ///< converged to a xi in the shape or within the faces' tolerance
+  NotConverged = 2
+};
+
+/// Arrays of PaddedCount(count).
+struct InverseResult
+{
+  double* xi[3];
+  double* status;   ///< NewtonStatus as a number
+  double* margin;   ///< Margin(shape, xi)
+  double* residual; ///< the last Newton correction, max norm in xi
+};
+
+struct KernelSet
+{
+  /// out[c][i] = sum of component c at point i. `coefficients` is component-major.
+  void (*value)(const Space&, const double* coefficients, int components, const LanePoints& xi,
+    double* const* out);
+  /// Also gradient[3 c + d][i] = derivative of component c by xi_d.
+  void (*gradient)(const Space&, const double* coefficients, int components, const LanePoints& xi,
+    double* const* out, double* const* gradient);
+  /// Newton's iteration for Phi(xi) = x from the frame's preimage of x. The result of a point
+  /// depends on that point and the element alone, not on its neighbours in the batch.
+  void (*invert)(const InverseProblem&, const LanePoints& x, const InverseResult& out);
+};
+
+/// The kernels of a valid space.
+KernelSet KernelsFor(const Space& space);
+
+/// The instruction set in use, for reports: "AVX3", "AVX2", "SSE2", ...
+const char* InstructionSet();
+
+KernelSet HexahedronKernels(const Space& space);
+KernelSet PrismKernels(const Space& space);
+KernelSet TetrahedronKernels(const Space& space);
+KernelSet PyramidKernels(const Space& space);
+} // namespace pixelexact

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Element/Kernels.h"
+#include "Core/Element/Mesh.h"
+
+namespace pixelexact
+{
+/// Turns gradients with respect to xi into gradients with respect to x, in place: each is
+/// multiplied by the inverse transposed Jacobian of the element's map at its xi. `gradient` holds
+/// 3 arrays per component, as KernelSet::gradient writes them. Where the Jacobian is singular the
+/// result is infinite or NaN.
+void ToWorldGradient(const Mesh& mesh, int element, const LanePoints& xi, int components,
+  double* const* gradient);
+} // namespace pixelexact

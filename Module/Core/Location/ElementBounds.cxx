@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Location/ElementBounds.h"
+
+#include "Core/Bernstein/BernsteinForm.h"
+#include "Core/Location/Injectivity.h"
+#include "Core/Math/Rounding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace pixelexact
+{
+namespace
+{
+/// Rounding of one evaluation of Phi by the kernels, per unit of the sum of |c| |mode|: the
+/// recurrences' and the sums' operations in a row.
+double EvaluationError(const Space& space)
+{
+  return Gamma(4 * (space.order[0] + space.order[1] + space.order[2]) + 16);
+}
+
+/// Phi's value and Jacobian (row-major) at the shape's centre.
+void EvaluateCentre(const Space& space, const double* coefficients, double* value, double* jacobian)
+{
+  const Vec3 centre = Centre(space.shape);
+  double x[3][kLanePadding];
+  for (int d = 0; d < 3; ++d)
+  {
+    std::fill_n(x[d], kLanePadding, centre[d]);
+  }
+  double out[3][kLanePadding];
+  double gradient[9][kLanePadding];
+  double* outTo[3];
+  double* gradientTo[9];
+  for (int c = 0; c < 3; ++c)
+  {
+    outTo[c] = out[c];
+  }
+  for (int k = 0; k < 9; ++k)
+  {
+    gradientTo[k] = gradient[k];
+  }
+  KernelsFor(space).gradient(
+    space, coefficients, 3, { { x[0], x[1], x[2] }, 1 }, outTo, gradientTo);
+  for (int c = 0; c < 3; ++c)
+  {
+    value[c] = out[c][0];
+  }
+  for (int k = 0; k < 9; ++k)
+  {
+    jacobian[k] = gradient[k][0];
+  }
+}
+
+/// False where the matrix cannot be inverted.
+bool Invert(const double* m, double* inverse)
+{
+  const double c0 = m[4] * m[8] - m[5] * m[7];
+  const double c1 = m[5] * m[6] - m[3] * m[8];
+  const double c2 = m[3] * m[7] - m[4] * m[6];
+  const double s = 1.0 / (m[0] * c0 + m[1] * c1 + m[2] * c2);
+  const double result[9] = { c0 * s, (m[2] * m[7] - m[1] * m[8]) * s, (m[1] * m[5] - m[2] * m[4]) * s,
+    c1 * s, (m[0] * m[8] - m[2] * m[6]) * s, (m[2] * m[3] - m[0] * m[5]) * s, c2 * s,
+    (m[1] * m[6] - m[0] * m[7]) * s, (m[0] * m[4] - m[1] * m[3]) * s };
+  std::copy_n(result, 9, inverse);
+  return std::all_of(result, result + 9, [](double v) { return std::isfinite(v); });
+}
+
+struct ComponentHulls
+{
+  std::vector<double> bernstein[3];
+  double error[3];     ///< of every coefficient
+  double magnitude[3]; ///< bound of the sum of |c| |mode|
+};
+
+ComponentHulls MakeHulls(const Space& space, const double* coefficients)
+{
+  const auto& form = BernsteinForm::Of(space);
+  const int modes = space.Modes();
+  ComponentHulls hulls;
+  for (int c = 0; c < 3; ++c)
+  {
+    const double* component = coefficients + static_cast<std::ptrdiff_t>(c) * modes;
+    hulls.bernstein[c].resize(form.Size());
+    form.Convert(component, hulls.bernstein[c]);
+    hulls.error[c] = form.ErrorBound(component);
+    hulls.magnitude[c] = 0.0;
+    for (int k = 0; k < modes; ++k)
+    {
+      hulls.magnitude[c] += std::fabs(component[k]);
+    }
+  }
+  return hulls;
+}
+
+void MakeBox(const Mesh& mesh, int element, const ComponentHulls& hulls, ElementBounds& bounds)
+{
+  const double size = mesh.size[element];
+  for (int c = 0; c < 3; ++c)
+  {
+    const Hull hull = HullOf(hulls.bernstein[c]);
+    const double centre = mesh.centre[3 * static_cast<std::size_t>(element) + c];
+    const double lower = NextDown(centre + NextDown(size * NextDown(hull.lower - hulls.error[c])));
+    const double upper = NextUp(centre + NextUp(size * NextUp(hull.upper + hulls.error[c])));
+    // A point meant to lie on a face is known to half an ulp of its coordinates, the face to the
+    // mesh's uncertainty.
+    const double slack =
+      mesh.uncertainty[element] + 4.0 * kUnitRoundoff * std::max(std::fabs(lower), std::fabs(upper));
+    bounds.box.lower[c] = NextDown(lower - slack);
+    bounds.box.upper[c] = NextUp(upper + slack);
+    const double evaluation =
+      EvaluationError(mesh.map.SpaceOf(element)) * hulls.magnitude[c];
+    bounds.uncertainty[c] = slack / size + evaluation;
+  }
+}
+
+void MakeFrame(const Space& space, const double* coefficients, const ComponentHulls& hulls,
+  ElementBounds& bounds)
+{
+  double jacobian[9];
+  EvaluateCentre(space, coefficients, bounds.origin, jacobian);
+  bounds.framed = Invert(jacobian, bounds.inverse);
+  if (!bounds.framed)
+  {
+    return;
+  }
+  const auto& form = BernsteinForm::Of(space);
+  const Vec3 centre = Centre(space.shape);
+  std::fill_n(bounds.lower, 3, std::numeric_limits<double>::infinity());
+  std::fill_n(bounds.upper, 3, -std::numeric_limits<double>::infinity());
+  const auto [P, Q, R] = form.Degree();
+  std::size_t at = 0;
+  for (int i = 0; i <= P; ++i)
+  {
+    for (int j = 0; j <= Q; ++j)
+    {
+      for (int k = 0; k <= R; ++k, ++at)
+      {
+        // xi is affine in each eta, so its Bernstein coefficients are its values on the grid.
+        const Vec3 xi = TensorToReference(space.shape, form.GridPoint(i, j, k));
+        for (int d = 0; d < 3; ++d)
+        {
+          double t = centre[d] - xi[d];
+          for (int c = 0; c < 3; ++c)
+          {
+            t += bounds.inverse[3 * d + c] * (hulls.bernstein[c][at] - bounds.origin[c]);
+          }
+          bounds.lower[d] = std::min(bounds.lower[d], t);
+          bounds.upper[d] = std::max(bounds.upper[d], t);
+        }
+      }
+    }
+  }
+  double largest = 0.0;
+  double rounding = 0.0;
+  for (int d = 0; d < 3; ++d)
+  {
+    largest = std::max({ largest, -bounds.lower[d], bounds.upper[d] });
+    // The hull's own error, that of Phi and y, and of the products here and in MightContain, whose
+    // factors y are of size 1.
+    double slack = Gamma(16) * 4.0;
+    for (int c = 0; c < 3; ++c)
+    {
+      const double weight = std::fabs(bounds.inverse[3 * d + c]);
+      slack += weight *
+        (hulls.error[c] + 2.0 * bounds.uncertainty[c] + Gamma(16) * (4.0 + hulls.magnitude[c]));
+    }
+    rounding = std::max(rounding, slack);
+    bounds.lower[d] -= slack;
+    bounds.upper[d] += slack;
+  }
+  bounds.affine = largest <= rounding;
+  bounds.injectiveMargin = bounds.affine ? std::numeric_limits<double>::infinity()
+                                         : InjectiveMargin(space, coefficients, bounds.inverse);
+}
+} // namespace
+
+ElementBounds MakeElementBounds(const Mesh& mesh, int element)
+{
+  const Space& space = mesh.map.SpaceOf(element);
+  const double* coefficients = mesh.map.Coefficients(element);
+  const ComponentHulls hulls = MakeHulls(space, coefficients);
+  ElementBounds bounds;
+  MakeBox(mesh, element, hulls, bounds);
+  MakeFrame(space, coefficients, hulls, bounds);
+  return bounds;
+}
+
+bool ElementBounds::MightContain(
+  Shape shape, const Vec3& elementCentre, double inverseSize, const Vec3& x) const
+{
+  if (!box.Contains(x))
+  {
+    return false;
+  }
+  if (!framed)
+  {
+    return true;
+  }
+  const Vec3 centre = Centre(shape);
+  double y[3];
+  for (int d = 0; d < 3; ++d)
+  {
+    y[d] = (x[d] - elementCentre[d]) * inverseSize - origin[d];
+  }
+  double low[3];
+  bool possible = true;
+  for (int d = 0; d < 3; ++d)
+  {
+    const double start = centre[d] + inverse[3 * d] * y[0] + inverse[3 * d + 1] * y[1] +
+      inverse[3 * d + 2] * y[2];
+    low[d] = start - upper[d];
+    // Written so that a NaN excludes nothing.
+    possible = possible && !(low[d] > 1.0) && !(start - lower[d] < -1.0);
+  }
+  switch (shape)
+  {
+    case Shape::Hexahedron:
+      return possible;
+    case Shape::Prism:
+      return possible && !(low[0] + low[2] > 0.0);
+    case Shape::Tetrahedron:
+      return possible && !(low[0] + low[1] + low[2] > -1.0);
+    default:
+      return possible && !(low[0] + low[2] > 0.0) && !(low[1] + low[2] > 0.0);
+  }
+}
+
+InverseProblem MakeInverseProblem(const Mesh& mesh, int element, const ElementBounds& bounds)
+{
+  InverseProblem problem{};
+  problem.space = mesh.map.SpaceOf(element);
+  problem.coefficients = mesh.map.Coefficients(element);
+  problem.inverseSize = 1.0 / mesh.size[element];
+  const Vec3 start = Centre(problem.space.shape);
+  for (int d = 0; d < 3; ++d)
+  {
+    problem.centre[d] = mesh.centre[3 * static_cast<std::size_t>(element) + d];
+    problem.origin[d] = bounds.origin[d];
+    problem.start[d] = start[d];
+    problem.uncertainty[d] = bounds.uncertainty[d];
+  }
+  // Without a frame Newton begins at the shape's centre.
+  std::copy_n(bounds.inverse, 9, problem.inverse);
+  if (!bounds.framed)
+  {
+    std::fill_n(problem.inverse, 9, 0.0);
+  }
+  problem.affine = bounds.affine;
+  return problem;
+}
+} // namespace pixelexact

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Base/Verdict.h"
+#include "Core/Element/Mesh.h"
+
+#include <atomic>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace pixelexact
+{
+struct ElementBounds;
+class Bvh;
+
+/// Which points of a batch lie in which element, told element by element.
+class LocationSink
+{
+public:
+  virtual ~LocationSink() = default;
+  /// `count` points of the batch lie in `element`: `index[i]` in the batch, `xi[d][i]` their
+  /// reference coordinates (padded for the kernels), `residual[i]` the size in xi of the last
+  /// Newton correction. The arrays live until the call returns.
+  virtual void Inside(int element, std::span<const int> index, const double* const xi[3],
+    const double* residual) = 0;
+  /// Point `index` could not be decided; `element` is the first that might hold it.
+  virtual void Undecided(int index, int element) = 0;
+};
+
+/// How often each path was taken; sums over all calls, for reports and tests.
+struct LocationCounters
+{
+  std::atomic<std::int64_t> queries{ 0 };    ///< BVH queries
+  std::atomic<std::int64_t> candidates{ 0 }; ///< (point, element) pairs past box and frame
+  std::atomic<std::int64_t> careful{ 0 };    ///< pairs that Newton left to the careful path
+  std::atomic<std::int64_t> unknown{ 0 };    ///< points left undecided
+};
+
+/// Finds the elements that hold points (paper, section 5.1.2, with a point query in the place of
+/// the paper's secondary ray, so that points outside of the mesh are told as such).
+///
+/// A point on a shared face belongs to the lowest element number whose inverse map is decided by
+/// the fast path. The answer for a point depends on the point and the mesh alone, not on the batch
+/// it came in, on threads or on the order of work.
+///
+/// Verdicts: a point is `Inside` with a converged inverse (residual of rounding size) in the shape
+/// or beyond its faces by no more than rounding and conditioning explain. It is outside of an
+/// element when the element's box, its affine frame with its deviation, the uniqueness of a root
+/// outside, or subdivision exclude it; otherwise it is undecided.
+class Locator
+{
+public:
+  /// Builds bounds and BVH, in parallel. The mesh must be valid (Validate); its arrays must outlive
+  /// the locator. An empty mesh is allowed and holds no point.
+  explicit Locator(const Mesh& mesh);
+  ~Locator();
+  Locator(const Locator&) = delete;
+  Locator& operator=(const Locator&) = delete;
+
+  /// Serial: for use inside of a parallel loop. Points that are outside of every element are told
+  /// to nobody. Points with NaN or infinite coordinates are outside.
+  /// Best called with points that lie close together, a few hundred to a few thousand.
+  void Locate(std::span<const Vec3> points, LocationSink& sink) const;
+
+  [[nodiscard]] const Mesh& GetMesh() const { return TheMesh; }
+  /// The box of the whole mesh, certified; lower > upper for an empty mesh.
+  [[nodiscard]] const Box3& Bounds() const { return MeshBounds; }
+  [[nodiscard]] const Box3& ElementBox(int element) const;
+  [[nodiscard]] const LocationCounters& Counters() const { return TheCounters; }
+  /// Bytes held beside the mesh's own arrays.
+  [[nodiscard]] std::size_t MemoryUsage() const;
+
+private:
+  class Batch;
+  Mesh TheMesh;
+  Box3 MeshBounds;
+  std::vector<ElementBounds> Elements;
+  std::unique_ptr<Bvh> Hierarchy;
+  mutable LocationCounters TheCounters;
+};
+} // namespace pixelexact

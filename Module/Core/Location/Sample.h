@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Location/Locator.h"
+
+namespace pixelexact
+{
+/// Where samples go: one entry per point, or empty where not wanted. Points outside keep what the
+/// arrays held before; Clear() sets that to "nothing".
+struct SampleTarget
+{
+  std::span<std::int32_t> element; ///< element number, -1 none; of undecided points a candidate
+  std::span<Vec3> xi;              ///< reference coordinates; NaN where not inside
+  std::span<Verdict> verdict;
+  std::span<double> residual;      ///< last Newton correction in xi, max norm
+  std::span<double> value;         ///< components per point, point by point
+  std::span<double> gradient;      ///< 3 per component: d value_c / d x_d in world units
+
+  /// element -1, verdict outside, everything else NaN.
+  void Clear() const;
+};
+
+/// Locates points and, where they are inside, evaluates `field` (which may be null) at their xi at
+/// once, while the element's coefficients are in cache. Serial; points should be close together.
+/// Clears the target first. Target spans must be empty or sized for the points.
+void SampleTile(const Locator& locator, const Field* field, std::span<const Vec3> points,
+  const SampleTarget& target);
+
+/// The same for any number of points in any order, in parallel; the result is independent of the
+/// number of threads.
+void Sample(const Locator& locator, const Field* field, std::span<const Vec3> points,
+  const SampleTarget& target);
+
+/// Values (and world gradients, where the span is not empty) of `field` at given xi of one
+/// element; no location.
+void EvaluateAt(const Mesh& mesh, const Field& field, int element, std::span<const Vec3> xi,
+  std::span<double> value, std::span<double> gradient);
+
+/// World points Phi(xi) of one element.
+void MapForward(const Mesh& mesh, int element, std::span<const Vec3> xi, std::span<Vec3> x);
+} // namespace pixelexact

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The one place that knows Highway: a number type `Lanes` that holds as many doubles as the
+// instruction set allows, with the operations that the kernels' templates use. Included once per
+// instruction set, hence the toggling guard (Highway's convention).
+#if defined(PIXELEXACT_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef PIXELEXACT_LANES_INL_H
+#undef PIXELEXACT_LANES_INL_H
+#else
+#define PIXELEXACT_LANES_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace pixelexact::HWY_NAMESPACE
+{
+using LaneTag = hwy::HWY_NAMESPACE::ScalableTag<double>;
+using LaneVector = hwy::HWY_NAMESPACE::Vec<LaneTag>;
+using LaneMask = hwy::HWY_NAMESPACE::Mask<LaneTag>;
+
+HWY_INLINE int LaneCount()
+{
+  return static_cast<int>(hwy::HWY_NAMESPACE::Lanes(LaneTag()));
+}
+
+/// A pack of doubles with the arithmetic of a number.
+struct Lanes
+{
+  LaneVector v;
+};
+
+HWY_INLINE Lanes operator+(Lanes a, Lanes b)
+{
+  return { hwy::HWY_NAMESPACE::Add(a.v, b.v) };
+}
+HWY_INLINE Lanes operator-(Lanes a, Lanes b)
+{
+  return { hwy::HWY_NAMESPACE::Sub(a.v, b.v) };
+}
+HWY_INLINE Lanes operator*(Lanes a, Lanes b)
+{
+  return { hwy::HWY_NAMESPACE::Mul(a.v, b.v) };
+}
+HWY_INLINE Lanes operator/(Lanes a, Lanes b)
+{
+  return { hwy::HWY_NAMESPACE::Div(a.v, b.v) };
+}
+HWY_INLINE Lanes MulAdd(Lanes a, Lanes b, Lanes c)
+{
+  return { hwy::HWY_NAMESPACE::MulAdd(a.v, b.v, c.v) };
+}
+/// c - a b
+HWY_INLINE Lanes NegMulAdd(Lanes a, Lanes b, Lanes c)
+{
+  return { hwy::HWY_NAMESPACE::NegMulAdd(a.v, b.v, c.v) };
+}
+HWY_INLINE Lanes Min(Lanes a, Lanes b)
+{
+  return { hwy::HWY_NAMESPACE::Min(a.v, b.v) };
+}
+HWY_INLINE Lanes Max(Lanes a, Lanes b)
+{
+  return { hwy::HWY_NAMESPACE::Max(a.v, b.v) };
+}
+HWY_INLINE Lanes Abs(Lanes a)
+{
+  return { hwy::HWY_NAMESPACE::Abs(a.v) };
+}
+HWY_INLINE LaneMask operator<(Lanes a, Lanes b)
+{
+  return hwy::HWY_NAMESPACE::Lt(a.v, b.v);
+}
+HWY_INLINE LaneMask operator<=(Lanes a, Lanes b)
+{
+  return hwy::HWY_NAMESPACE::Le(a.v, b.v);
+}
+HWY_INLINE LaneMask operator>=(Lanes a, Lanes b)
+{
+  return hwy::HWY_NAMESPACE::Ge(a.v, b.v);
+}
+HWY_INLINE Lanes Select(LaneMask mask, Lanes yes, Lanes no)
+{
+  return { hwy::HWY_NAMESPACE::IfThenElse(mask, yes.v, no.v) };
+}
+HWY_INLINE LaneMask And(LaneMask a, LaneMask b)
+{
+  return hwy::HWY_NAMESPACE::And(a, b);
+}
+HWY_INLINE LaneMask Or(LaneMask a, LaneMask b)
+{
+  return hwy::HWY_NAMESPACE::Or(a, b);
+}
+/// a and not b
+HWY_INLINE LaneMask AndNot(LaneMask a, LaneMask b)
+{
+  return hwy::HWY_NAMESPACE::AndNot(b, a);
+}
+HWY_INLINE bool None(LaneMask mask)
+{
+  return hwy::HWY_NAMESPACE::AllFalse(LaneTag(), mask);
+}
+HWY_INLINE Lanes Load(const double* from)
+{
+  return { hwy::HWY_NAMESPACE::LoadU(LaneTag(), from) };
+}
+HWY_INLINE void Store(Lanes a, double* to)
+{
+  hwy::HWY_NAMESPACE::StoreU(a.v, LaneTag(), to);
+}
+
+/// What the evaluation templates need to know of their number type. The scalar is the type of the
+/// recurrences' constants.
+template <class T>
+struct NumberTraits
+{
+  using Scalar = T;
+  static HWY_INLINE T Splat(double value) { return static_cast<T>(value); }
+  static HWY_INLINE T SplatScalar(T value) { return value; }
+};
+template <>
+struct NumberTraits<Lanes>
+{
+  using Scalar = double;
+  static HWY_INLINE Lanes Splat(double value)
+  {
+    return { hwy::HWY_NAMESPACE::Set(LaneTag(), value) };
+  }
+  static HWY_INLINE Lanes SplatScalar(double value) { return Splat(value); }
+};
+
+HWY_INLINE long double MulAdd(long double a, long double b, long double c)
+{
+  return a * b + c;
+}
+HWY_INLINE long double NegMulAdd(long double a, long double b, long double c)
+{
+  return c - a * b;
+}
+/// The quotient y / t of collapsed coordinates, kept finite at the collapsed vertex (t = 0), where
+/// y is of t's size.
+HWY_INLINE long double CollapsedQuotient(long double y, long double t)
+{
+  if (t > 1e-8L || t < -1e-8L)
+  {
+    return y / t;
+  }
+  const long double quotient = t != 0.0L ? y / t : 0.0L;
+  return quotient < -1.0L ? -1.0L : (quotient > 1.0L ? 1.0L : quotient);
+}
+HWY_INLINE Lanes CollapsedQuotient(Lanes y, Lanes t)
+{
+  using Traits = NumberTraits<Lanes>;
+  const Lanes zero = Traits::Splat(0.0);
+  const Lanes one = Traits::Splat(1.0);
+  const LaneMask regular = Abs(t) >= Traits::Splat(1e-8);
+  const LaneMask vanishing = Abs(t) <= zero;
+  const Lanes quotient = Select(vanishing, zero, y / Select(vanishing, one, t));
+  return Select(regular, quotient, Max(Min(quotient, one), zero - one));
+}
+HWY_INLINE long double SafeReciprocal(long double t)
+{
+  return 1.0L / (t > 1e-30L || t < -1e-30L ? t : 1e-30L);
+}
+HWY_INLINE Lanes SafeReciprocal(Lanes t)
+{
+  using Traits = NumberTraits<Lanes>;
+  const Lanes tiny = Traits::Splat(1e-30);
+  return Traits::Splat(1.0) / Select(Abs(t) < tiny, tiny, t);
+}
+} // namespace pixelexact::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
+namespace pixelexact
+{
+using Vec3 = glm::dvec3;
+/// Column-major, as GLM: m[j] is column j. A Jacobian holds dPhi/dxi_j in column j.
+using Mat3 = glm::dmat3;
+
+/// An axis-aligned box; empty when lower > upper.
+struct Box3
+{
+  Vec3 lower{ 0.0 };
+  Vec3 upper{ 0.0 };
+
+  [[nodiscard]] bool Contains(const Vec3& x) const
+  {
+    // Written so that a NaN coordinate is not contained.
+    return x.x >= lower.x && x.x <= upper.x && x.y >= lower.y && x.y <= upper.y && x.z >= lower.z &&
+      x.z <= upper.z;
+  }
+};
+} // namespace pixelexact

@@ -1,0 +1,380 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MeshBuilder.h"
+
+#include "Core/Location/Sample.h"
+
+#include <tbb/global_control.h>
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+namespace pixelexact::testing
+{
+namespace
+{
+struct Samples
+{
+  explicit Samples(std::size_t count, std::size_t components = 0)
+    : element(count)
+    , xi(count)
+    , verdict(count)
+    , residual(count)
+    , value(count * components)
+    , gradient(3 * count * components)
+  {
+  }
+  SampleTarget Target() { return { element, xi, verdict, residual, value, gradient }; }
+  std::vector<std::int32_t> element;
+  std::vector<Vec3> xi;
+  std::vector<Verdict> verdict;
+  std::vector<double> residual;
+  std::vector<double> value;
+  std::vector<double> gradient;
+};
+
+double MaxNorm(const Vec3& v)
+{
+  return std::max({ std::fabs(v.x), std::fabs(v.y), std::fabs(v.z) });
+}
+
+/// Two curved hexahedra that share the face xi1 = 1 of the first, xi1 = -1 of the second.
+MeshBuilder TwoHexahedra()
+{
+  MeshBuilder mesh;
+  const Space space = UniformSpace(Shape::Hexahedron, 4);
+  const auto bend = [](const LongVec3& u) -> LongVec3
+  {
+    const auto [a, b, c] = u;
+    return { a + 0.1L * b * b + 0.05L * c * c * c, b + 0.1L * a * c, c + 0.08L * a * b * b };
+  };
+  mesh.Add(space, [=](const LongVec3& xi) { return bend({ (xi[0] - 1) / 2, xi[1], xi[2] }); });
+  mesh.Add(space, [=](const LongVec3& xi) { return bend({ (xi[0] + 1) / 2, xi[1], xi[2] }); });
+  return mesh;
+}
+} // namespace
+
+class LocatorShapes : public ::testing::TestWithParam<Shape>
+{
+};
+
+TEST_P(LocatorShapes, FindsEveryInsidePoint)
+{
+  MeshBuilder mesh;
+  mesh.Add(UniformSpace(GetParam(), 3), Curved);
+  const Locator locator(mesh.View());
+  Random random(31);
+  std::vector<Vec3> xi;
+  std::vector<Vec3> x;
+  for (int i = 0; i < 20000; ++i)
+  {
+    xi.push_back(random.Inside(GetParam()));
+    x.push_back(ToDouble(Curved(ToLong(xi.back()))));
+  }
+  Samples samples(x.size());
+  Sample(locator, nullptr, x, samples.Target());
+  std::vector<Vec3> forward(x.size());
+  MapForward(mesh.View(), 0, samples.xi, forward);
+  for (std::size_t i = 0; i < x.size(); ++i)
+  {
+    ASSERT_EQ(samples.verdict[i], Verdict::Inside) << i;
+    EXPECT_EQ(samples.element[i], 0);
+    // The Jacobian is within 40 % of the identity: xi is as good as x, to a few roundings.
+    EXPECT_LT(MaxNorm(samples.xi[i] - xi[i]), 4e-15);
+    EXPECT_LT(MaxNorm(forward[i] - x[i]), 2e-15);
+  }
+  EXPECT_EQ(locator.Counters().unknown, 0);
+}
+
+TEST_P(LocatorShapes, TellsOutsideForImagesOfOutsidePoints)
+{
+  MeshBuilder mesh;
+  mesh.Add(UniformSpace(GetParam(), 3), Curved);
+  const Locator locator(mesh.View());
+  Random random(32);
+  std::vector<Vec3> x;
+  while (x.size() < 3000)
+  {
+    // Curved is injective on the cube enlarged to 1.5: its image of an outside xi is outside.
+    const Vec3 xi(random(-1.5, 1.5), random(-1.5, 1.5), random(-1.5, 1.5));
+    const double margin = Margin(GetParam(), xi);
+    if (margin < -1e-12)
+    {
+      x.push_back(ToDouble(Curved(ToLong(xi))));
+    }
+  }
+  // Close to the faces, down to 1e-12 of the size.
+  for (double distance = 1e-12; distance < 0.1; distance *= 10.0)
+  {
+    for (int i = 0; i < 20; ++i)
+    {
+      Vec3 eta(random(), random(), -1.0);
+      Vec3 xi = TensorToReference(GetParam(), eta);
+      xi.z -= distance;
+      x.push_back(ToDouble(Curved(ToLong(xi))));
+    }
+  }
+  Samples samples(x.size());
+  Sample(locator, nullptr, x, samples.Target());
+  for (std::size_t i = 0; i < x.size(); ++i)
+  {
+    ASSERT_EQ(samples.verdict[i], Verdict::Outside) << i;
+    EXPECT_EQ(samples.element[i], -1);
+  }
+}
+
+TEST_P(LocatorShapes, SizesAndOffsetsOverManyDecades)
+{
+  Random random(33);
+  for (const double size : { 0x1p-498, 0x1p-100, 0x1p-20, 0x1p40, 0x1p498 })
+  {
+    MeshBuilder mesh;
+    const auto map = [&](const LongVec3& xi)
+    {
+      LongVec3 x = Curved(xi);
+      for (auto& c : x)
+      {
+        c *= size;
+      }
+      return x;
+    };
+    mesh.Add(UniformSpace(GetParam(), 3), map, Vec3(0.0), size);
+    const Locator locator(mesh.View());
+    std::vector<Vec3> x;
+    for (int i = 0; i < 500; ++i)
+    {
+      x.push_back(ToDouble(map(ToLong(random.Inside(GetParam())))));
+    }
+    Samples samples(x.size());
+    Sample(locator, nullptr, x, samples.Target());
+    EXPECT_EQ(std::ranges::count(samples.verdict, Verdict::Inside), 500) << size;
+  }
+  // 1e8 sizes away from the origin: x itself knows xi to 1e-8 only, and must still be found.
+  MeshBuilder mesh;
+  const Vec3 far(1e8, -1e8, 1e8);
+  const auto map = [&](const LongVec3& xi)
+  {
+    LongVec3 x = Curved(xi);
+    for (int d = 0; d < 3; ++d)
+    {
+      x[d] += far[d];
+    }
+    return x;
+  };
+  mesh.Add(UniformSpace(GetParam(), 3), map, far, 1.0);
+  const Locator locator(mesh.View());
+  std::vector<Vec3> x;
+  for (int i = 0; i < 500; ++i)
+  {
+    x.push_back(ToDouble(map(ToLong(random.Inside(GetParam())))));
+  }
+  Samples samples(x.size());
+  Sample(locator, nullptr, x, samples.Target());
+  EXPECT_EQ(std::ranges::count(samples.verdict, Verdict::Inside), 500);
+}
+
+INSTANTIATE_TEST_SUITE_P(AllShapes, LocatorShapes, ::testing::ValuesIn(kShapes),
+  [](const auto& info) { return std::string(Name(info.param)); });
+
+TEST(Locator, SharedFacePointsBelongToTheLowestElementAndNoneIsLost)
+{
+  const MeshBuilder mesh = TwoHexahedra();
+  const Locator locator(mesh.View());
+  Random random(34);
+  std::vector<Vec3> xi;
+  for (int i = 0; i < 20000; ++i)
+  {
+    xi.emplace_back(1.0, random(), random());
+  }
+  std::vector<Vec3> x(xi.size());
+  MapForward(mesh.View(), 0, xi, x);
+  Samples samples(x.size());
+  Sample(locator, nullptr, x, samples.Target());
+  EXPECT_EQ(std::ranges::count(samples.verdict, Verdict::Inside), 20000);
+  EXPECT_EQ(std::ranges::count(samples.element, 0), 20000);
+}
+
+TEST(Locator, ValuesAndGradientsOfAManufacturedField)
+{
+  const MeshBuilder mesh = TwoHexahedra();
+  ExpansionBuilder values(2);
+  for (int e = 0; e < 2; ++e)
+  {
+    // Linear in x through the map: u0 = 1 + 2 x - y, u1 = z.
+    values.Add(UniformSpace(Shape::Hexahedron, 4),
+      [e](const LongVec3& xi, long double* u)
+      {
+        const long double a = e == 0 ? (xi[0] - 1) / 2 : (xi[0] + 1) / 2;
+        const auto [unused, b, c] = xi;
+        u[0] = 1 + 2 * (a + 0.1L * b * b + 0.05L * c * c * c) - (b + 0.1L * a * c);
+        u[1] = c + 0.08L * a * b * b;
+      });
+  }
+  const Field field{ "u", values.View() };
+  Validate(field, mesh.View());
+  const Locator locator(mesh.View());
+  Random random(35);
+  std::vector<Vec3> x;
+  for (int i = 0; i < 5000; ++i)
+  {
+    x.emplace_back(random(-0.7, 0.7), random(-0.7, 0.7), random(-0.7, 0.7));
+  }
+  Samples samples(x.size(), 2);
+  Sample(locator, &field, x, samples.Target());
+  for (std::size_t i = 0; i < x.size(); ++i)
+  {
+    ASSERT_EQ(samples.verdict[i], Verdict::Inside);
+    EXPECT_NEAR(samples.value[2 * i], 1.0 + 2.0 * x[i].x - x[i].y, 1e-14);
+    EXPECT_NEAR(samples.value[2 * i + 1], x[i].z, 1e-14);
+    const double expected[6] = { 2.0, -1.0, 0.0, 0.0, 0.0, 1.0 };
+    for (int k = 0; k < 6; ++k)
+    {
+      EXPECT_NEAR(samples.gradient[6 * i + k], expected[k], 1e-13);
+    }
+  }
+}
+
+TEST(Locator, SameBitsForAnyBatchAndNumberOfThreads)
+{
+  const MeshBuilder mesh = TwoHexahedra();
+  const Locator locator(mesh.View());
+  const Field phi{ "Phi", mesh.View().map };
+  Random random(36);
+  std::vector<Vec3> x;
+  for (int i = 0; i < 4000; ++i)
+  {
+    x.emplace_back(random(-1.2, 1.2), random(-1.2, 1.2), random(-1.2, 1.2));
+  }
+  Samples many(x.size(), 3);
+  Sample(locator, &phi, x, many.Target());
+  Samples serial(x.size(), 3);
+  {
+    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+    Sample(locator, &phi, x, serial.Target());
+  }
+  EXPECT_EQ(
+    std::memcmp(many.value.data(), serial.value.data(), many.value.size() * sizeof(double)), 0);
+  for (std::size_t i = 0; i < x.size(); ++i)
+  {
+    Samples alone(1, 3);
+    SampleTile(locator, &phi, { &x[i], 1 }, alone.Target());
+    ASSERT_EQ(alone.verdict[0], many.verdict[i]);
+    ASSERT_EQ(alone.element[0], many.element[i]);
+    ASSERT_EQ(std::memcmp(alone.value.data(), &many.value[3 * i], 3 * sizeof(double)), 0);
+  }
+}
+
+TEST(Locator, PointsThatAreNoPoints)
+{
+  const MeshBuilder mesh = TwoHexahedra();
+  const Locator locator(mesh.View());
+  const double nan = std::nan("");
+  const double infinity = std::numeric_limits<double>::infinity();
+  const std::vector<Vec3> x{ { nan, 0.0, 0.0 }, { 0.0, infinity, 0.0 }, { 0.0, 0.0, -infinity },
+    { 1e300, 1e300, 1e300 } };
+  Samples samples(x.size());
+  Sample(locator, nullptr, x, samples.Target());
+  EXPECT_EQ(std::ranges::count(samples.verdict, Verdict::Outside), 4);
+}
+
+TEST(Locator, EmptyMeshHoldsNothing)
+{
+  const Locator locator{ Mesh{} };
+  const std::vector<Vec3> x{ Vec3(0.0) };
+  Samples samples(1);
+  Sample(locator, nullptr, x, samples.Target());
+  EXPECT_EQ(samples.verdict[0], Verdict::Outside);
+  EXPECT_GT(locator.Bounds().lower.x, locator.Bounds().upper.x);
+}
+
+TEST(Locator, ZeroVolumeElementHidesNoNeighbour)
+{
+  MeshBuilder mesh;
+  const Space space = UniformSpace(Shape::Hexahedron, 1);
+  mesh.Add(space, [](const LongVec3& xi) -> LongVec3 { return { xi[0], xi[1], 0.0L }; });
+  mesh.Add(space, [](const LongVec3& xi) { return xi; });
+  const Locator locator(mesh.View());
+  std::vector<Vec3> x;
+  Random random(37);
+  for (int i = 0; i < 200; ++i)
+  {
+    x.emplace_back(random(), random(), i % 2 == 0 ? 0.0 : random());
+  }
+  Samples samples(x.size());
+  Sample(locator, nullptr, x, samples.Target());
+  EXPECT_EQ(std::ranges::count(samples.verdict, Verdict::Inside), 200);
+  EXPECT_EQ(std::ranges::count(samples.element, 1), 200);
+}
+
+TEST(Locator, LeftHandedElementIsFoundToo)
+{
+  MeshBuilder mesh;
+  mesh.Add(UniformSpace(Shape::Tetrahedron, 3),
+    [](const LongVec3& xi)
+    {
+      LongVec3 x = Curved(xi);
+      x[0] = -x[0];
+      return x;
+    });
+  const Locator locator(mesh.View());
+  Random random(38);
+  std::vector<Vec3> x;
+  for (int i = 0; i < 1000; ++i)
+  {
+    x.push_back(ToDouble(Curved(ToLong(random.Inside(Shape::Tetrahedron)))));
+    x.back().x = -x.back().x;
+  }
+  Samples samples(x.size());
+  Sample(locator, nullptr, x, samples.Target());
+  EXPECT_EQ(std::ranges::count(samples.verdict, Verdict::Inside), 1000);
+}
+
+TEST(Locator, StronglyBentElementLosesNoPoint)
+{
+  // Half a ring of order 8: the frame is useless, Newton from it fails for many points.
+  MeshBuilder mesh;
+  const Space space{ Shape::Hexahedron, Form::Collapsed, { 8, 2, 1 } };
+  const auto map = [](const LongVec3& xi) -> LongVec3
+  {
+    // Taylor polynomials of cos and sin up to degree 8: a polynomial map, nearly a circle.
+    const long double w = 2.2L * xi[0];
+    long double cosine = 0.0L;
+    long double sine = 0.0L;
+    long double term = 1.0L;
+    for (int k = 0; k <= 8; ++k)
+    {
+      (k % 2 == 0 ? cosine : sine) += (k % 4 < 2 ? term : -term);
+      term = term * w / (k + 1);
+    }
+    const long double radius = 1.5L + 0.5L * xi[1];
+    return { radius * cosine, radius * sine, xi[2] };
+  };
+  mesh.Add(space, map);
+  const Locator locator(mesh.View());
+  Random random(39);
+  std::vector<Vec3> x;
+  std::vector<Vec3> xi;
+  for (int i = 0; i < 3000; ++i)
+  {
+    xi.push_back(random.Inside(Shape::Hexahedron));
+    x.push_back(ToDouble(map(ToLong(xi.back()))));
+  }
+  const std::size_t inside = x.size();
+  for (int i = 0; i < 300; ++i)
+  {
+    // In the ring's hole.
+    x.emplace_back(random(-0.5, 0.5), random(-0.5, 0.5), random(-0.9, 0.9));
+  }
+  Samples samples(x.size());
+  Sample(locator, nullptr, x, samples.Target());
+  for (std::size_t i = 0; i < x.size(); ++i)
+  {
+    ASSERT_EQ(samples.verdict[i], i < inside ? Verdict::Inside : Verdict::Outside) << i;
+    if (i < inside)
+    {
+      EXPECT_LT(MaxNorm(samples.xi[i] - xi[i]), 1e-13);
+    }
+  }
+  EXPECT_EQ(locator.Counters().unknown, 0);
+}
+} // namespace pixelexact::testing
