@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Math/Vec.h"
+
+#include <array>
+
+namespace pixelexact
+{
+/// x(t) = origin + t direction, direction of unit length (paper, equation 1).
+struct Ray
+{
+  Vec3 origin;
+  Vec3 direction;
+};
+
+/// A camera as VTK's users know it (vtkCamera's meaning of every member).
+struct CameraView
+{
+  Vec3 position{ 0.0, 0.0, 1.0 };
+  Vec3 focalPoint{ 0.0 };
+  Vec3 viewUp{ 0.0, 1.0, 0.0 };
+  bool parallel = false;
+  double viewAngle = 30.0; ///< degrees; vertical, or horizontal if so asked
+  bool horizontalViewAngle = false;
+  double parallelScale = 1.0; ///< half the height of the view in world units
+  std::array<double, 2> windowCenter{ 0.0, 0.0 };
+};
+
+/// The rays of an image of width x height pixels. Pixel (i, j) covers [i, i+1] x [j, j+1], its
+/// centre is (i + 0.5, j + 0.5), and (0, 0) is the lower left corner of the image.
+class Camera
+{
+public:
+  /// Depends on the view alone, not on a clipping range, so that every user of the same view gets
+  /// the same rays, bit for bit. Throws Error when position and focal point coincide, view-up is
+  /// parallel to the view direction, an angle or scale is out of range, or a number is not finite.
+  Camera(const CameraView& view, int width, int height);
+
+  /// From the inverse of a composite projection matrix (row-major, normalised device coordinates
+  /// z in [-1,1] to world), for cameras that no CameraView describes: sheared, oblique, or with
+  /// explicit matrices. Throws Error when the matrix describes no camera.
+  Camera(const std::array<double, 16>& inverseProjection, int width, int height);
+
+  /// The ray through image position (px, py), in pixels.
+  [[nodiscard]] Ray At(double px, double py) const;
+
+  [[nodiscard]] int Width() const { return ImageWidth; }
+  [[nodiscard]] int Height() const { return ImageHeight; }
+  /// The direction of view (of the image's centre), unit length.
+  [[nodiscard]] Vec3 ViewDirection() const;
+
+private:
+  // Origin and direction are linear in the normalised device coordinates (u, v) in [-1,1]^2.
+  struct Linear
+  {
+    Vec3 constant{ 0.0 };
+    Vec3 u{ 0.0 };
+    Vec3 v{ 0.0 };
+  };
+  Linear Origin;
+  Linear Direction;
+  int ImageWidth;
+  int ImageHeight;
+};
+} // namespace pixelexact

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Math/Vec.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace pixelexact
+{
+/// The buffers that a frame may hold; a set of them is an OR.
+enum class Buffer : std::uint32_t
+{
+  None = 0,
+  Value = 1U << 0,
+  Position = 1U << 1,
+  Normal = 1U << 2,
+  Xi = 1U << 3,
+  Element = 1U << 4,
+  Depth = 1U << 5,
+  Verdict = 1U << 6,
+  Color = 1U << 7
+};
+constexpr Buffer operator|(Buffer a, Buffer b)
+{
+  return static_cast<Buffer>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b));
+}
+constexpr bool Has(Buffer set, Buffer wanted)
+{
+  return (static_cast<std::uint32_t>(set) & static_cast<std::uint32_t>(wanted)) != 0;
+}
+
+/// A pixel's verdict. It differs from a point's: a ray may hit nothing.
+enum class PixelVerdict : std::uint8_t
+{
+  Nothing = 0, ///< no surface hit, or every hit proven outside of the mesh
+  Exact = 1,
+  Unknown = 2
+};
+
+/// Samples on one lattice: the pixels' centres, or their corners. Lower-left first, row by row.
+/// Only the buffers asked for are allocated; the others are empty.
+struct SampleBuffers
+{
+  int width = 0;
+  int height = 0;
+  std::vector<double> value;          ///< NaN where the verdict is not Exact
+  std::vector<Vec3> position;         ///< NaN where the verdict is Nothing
+  std::vector<Vec3> normal;           ///< of the cut-surface; NaN where the verdict is Nothing
+  std::vector<Vec3> xi;               ///< NaN where the verdict is not Exact
+  std::vector<std::int64_t> element;  ///< mesh element, -1 none
+  std::vector<double> depth;          ///< distance along the unit ray; infinite: nothing
+  std::vector<std::uint8_t> verdict;  ///< PixelVerdict
+
+  void Allocate(Buffer wanted, int newWidth, int newHeight);
+  [[nodiscard]] std::size_t Size() const
+  {
+    return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  }
+};
+
+/// What a frame did, for reports and tests.
+struct FrameCounters
+{
+  std::int64_t rays = 0;
+  std::int64_t surfaceHits = 0;
+  std::int64_t nothing = 0;  ///< centre samples by verdict
+  std::int64_t exact = 0;
+  std::int64_t unknown = 0;
+  std::int64_t nonFinite = 0; ///< exact samples whose value is NaN or infinite
+  double seconds = 0.0;
+};
+
+struct Frame
+{
+  int width = 0;
+  int height = 0;
+  SampleBuffers centres;             ///< width x height
+  SampleBuffers corners;             ///< (width + 1) x (height + 1), where a module asked for them
+  std::vector<std::uint8_t> color;   ///< RGBA per pixel, straight alpha; 0 where nothing is drawn
+  FrameCounters counters;
+};
+} // namespace pixelexact

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MeshBuilder.h"
+
+#include "Trace/ColorMapping.h"
+#include "Trace/Plane.h"
+
+#include "Core/Base/Error.h"
+#include "Core/Location/Sample.h"
+
+#include <glm/geometric.hpp>
+#include <tbb/global_control.h>
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+namespace pixelexact::testing
+{
+namespace
+{
+/// A cube [-1,1]^3 of 2 x 2 x 2 elements, inner faces bent, with the field x + 10 y + 100 z and a
+/// second component that is NaN in the first element.
+class Block
+{
+public:
+  Block()
+  {
+    const Space space = UniformSpace(Shape::Hexahedron, 4);
+    for (int e = 0; e < 8; ++e)
+    {
+      const auto map = [e](const LongVec3& xi) -> LongVec3
+      {
+        const long double a = (xi[0] + (e & 1 ? 1 : -1)) / 2;
+        const long double b = (xi[1] + (e & 2 ? 1 : -1)) / 2;
+        const long double c = (xi[2] + (e & 4 ? 1 : -1)) / 2;
+        // Vanishes on the cube's boundary where it must: the cube stays a cube.
+        return { a + 0.2L * (1 - a * a) * b * c, b + 0.2L * (1 - b * b) * a, c };
+      };
+      Elements.Add(space, map);
+      Values.Add(space,
+        [&](const LongVec3& xi, long double* u)
+        {
+          const LongVec3 x = map(xi);
+          u[0] = x[0] + 10 * x[1] + 100 * x[2];
+          u[1] = 1;
+        });
+    }
+    Values.Coefficients[static_cast<std::size_t>(space.Modes())] = std::nan("");
+    TheField = { "u", Values.View() };
+    TheLocator = std::make_unique<Locator>(Elements.View());
+    TheScene.locator = TheLocator.get();
+    TheScene.field = &TheField;
+  }
+
+  Scene& WithPlane(const Vec3& origin, const Vec3& normal)
+  {
+    TheScene.surfaces.push_back(std::make_shared<Plane>(origin, normal));
+    return TheScene;
+  }
+
+  Field TheField;
+  Scene TheScene;
+
+private:
+  MeshBuilder Elements;
+  ExpansionBuilder Values{ 2 };
+  std::unique_ptr<Locator> TheLocator;
+};
+
+Camera ViewAlongZ(int width, int height, double scale = 1.25)
+{
+  CameraView view;
+  view.position = { 0.0, 0.0, 5.0 };
+  view.parallel = true;
+  view.parallelScale = scale;
+  return { view, width, height };
+}
+
+constexpr Buffer kAll = Buffer::Value | Buffer::Position | Buffer::Normal | Buffer::Xi |
+  Buffer::Element | Buffer::Depth | Buffer::Verdict;
+
+class Counting final : public FrameModule
+{
+public:
+  explicit Counting(const SampleNeeds& needs)
+    : Wanted(needs)
+  {
+  }
+  [[nodiscard]] SampleNeeds Needs() const override { return Wanted; }
+  void Process(Frame& /*frame*/) const override {}
+
+private:
+  SampleNeeds Wanted;
+};
+} // namespace
+
+TEST(Tracer, EveryPixelIsExactOrNothing)
+{
+  Block block;
+  const Scene& scene = block.WithPlane({ 0.0, 0.0, 0.1 }, { 0.1, 0.2, 1.0 });
+  const Camera camera = ViewAlongZ(150, 150);
+  const Frame frame = Trace(scene, camera, {}, { kAll, Buffer::None });
+  const auto& buffers = frame.centres;
+  const Vec3 normal = glm::normalize(Vec3(0.1, 0.2, 1.0));
+  int exact = 0;
+  for (int j = 0; j < 150; ++j)
+  {
+    for (int i = 0; i < 150; ++i)
+    {
+      const std::size_t at = static_cast<std::size_t>(j) * 150 + i;
+      const Ray ray = camera.At(i + 0.5, j + 0.5);
+      // The cube's cross-section is convex: no pinhole can hide in this condition.
+      const double z = 0.1 - (0.1 * ray.origin.x + 0.2 * ray.origin.y);
+      const bool inside = std::fabs(ray.origin.x) < 1.0 && std::fabs(ray.origin.y) < 1.0 &&
+        std::fabs(z) < 1.0;
+      ASSERT_EQ(buffers.verdict[at],
+        static_cast<std::uint8_t>(inside ? PixelVerdict::Exact : PixelVerdict::Nothing))
+        << i << " " << j;
+      if (!inside)
+      {
+        EXPECT_TRUE(std::isnan(buffers.value[at]));
+        EXPECT_EQ(buffers.element[at], -1);
+        EXPECT_EQ(buffers.depth[at], kNoHit);
+        continue;
+      }
+      ++exact;
+      const Vec3& x = buffers.position[at];
+      EXPECT_NEAR(glm::dot(normal, x - Vec3(0.0, 0.0, 0.1)), 0.0, 1e-15);
+      EXPECT_NEAR(glm::length(x - (ray.origin + buffers.depth[at] * ray.direction)), 0.0, 1e-14);
+      EXPECT_NEAR(buffers.value[at], x.x + 10.0 * x.y + 100.0 * x.z, 2e-13);
+      EXPECT_NEAR(glm::length(buffers.normal[at] - normal), 0.0, 1e-15);
+      EXPECT_GE(Margin(Shape::Hexahedron, buffers.xi[at]), -1e-13);
+    }
+  }
+  EXPECT_EQ(frame.counters.exact, exact);
+  EXPECT_EQ(frame.counters.unknown, 0);
+  EXPECT_EQ(frame.counters.nothing, 150 * 150 - exact);
+  EXPECT_EQ(frame.counters.rays, 150 * 150);
+}
+
+TEST(Tracer, ValueIsThatOfTheProbeAtThePosition)
+{
+  Block block;
+  const Scene& scene = block.WithPlane(Vec3(0.0), { 0.3, -0.4, 1.0 });
+  CameraView view;
+  view.position = { 1.0, 2.0, 6.0 };
+  const Frame frame = Trace(scene, Camera(view, 97, 61), {}, { kAll, Buffer::None });
+  const auto count = frame.centres.Size();
+  std::vector<double> value(2 * count);
+  std::vector<std::int32_t> element(count);
+  SampleTarget target;
+  target.value = value;
+  target.element = element;
+  Sample(*scene.locator, scene.field, frame.centres.position, target);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    if (frame.centres.verdict[i] == static_cast<std::uint8_t>(PixelVerdict::Exact))
+    {
+      EXPECT_EQ(frame.centres.value[i], value[2 * i]);
+      EXPECT_EQ(frame.centres.element[i], element[i]);
+    }
+  }
+}
+
+TEST(Tracer, SameBitsForAnyNumberOfThreads)
+{
+  Block block;
+  const Scene& scene = block.WithPlane(Vec3(0.0), { 0.3, -0.4, 1.0 });
+  const Camera camera = ViewAlongZ(201, 133);
+  const Frame many = Trace(scene, camera, {}, { kAll, Buffer::None });
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
+  const Frame one = Trace(scene, camera, {}, { kAll, Buffer::None });
+  const auto bytes = many.centres.value.size() * sizeof(double);
+  EXPECT_EQ(std::memcmp(many.centres.value.data(), one.centres.value.data(), bytes), 0);
+  EXPECT_EQ(std::memcmp(many.centres.xi.data(), one.centres.xi.data(), 3 * bytes), 0);
+  EXPECT_EQ(many.centres.verdict, one.centres.verdict);
+}
+
+TEST(Tracer, RaysGoOnBehindSurfacesOutsideOfTheMesh)
+{
+  Block block;
+  // The first plane lies in front of the mesh everywhere.
+  block.WithPlane({ 0.0, 0.0, 2.0 }, { 0.0, 0.0, 1.0 });
+  const Scene& scene = block.WithPlane(Vec3(0.0), { 0.0, 0.0, 1.0 });
+  const Frame frame =
+    Trace(scene, ViewAlongZ(20, 20, 0.9), {}, { Buffer::Depth | Buffer::Verdict, Buffer::None });
+  EXPECT_EQ(frame.counters.exact, 400);
+  EXPECT_EQ(frame.centres.depth[210], 5.0);
+  // And the nearer one wins where both are inside.
+  block.WithPlane({ 0.0, 0.0, 0.5 }, { 0.0, 0.0, 1.0 });
+  const Frame nearer =
+    Trace(block.TheScene, ViewAlongZ(20, 20, 0.9), {}, { Buffer::Depth, Buffer::None });
+  EXPECT_EQ(nearer.centres.depth[210], 4.5);
+}
+
+TEST(Tracer, CastsTheUnionOfWhatModulesNeedAndNoMore)
+{
+  Block block;
+  const Scene& scene = block.WithPlane(Vec3(0.0), { 0.0, 0.0, 1.0 });
+  const Counting centres({ Buffer::Value, Buffer::None });
+  const Counting corners({ Buffer::None, Buffer::Value | Buffer::Verdict });
+  const Camera camera = ViewAlongZ(40, 30);
+  const Frame first = Trace(scene, camera, { &centres });
+  EXPECT_EQ(first.counters.rays, 40 * 30);
+  EXPECT_EQ(first.corners.Size(), 0U);
+  EXPECT_TRUE(first.centres.position.empty());
+  const Frame both = Trace(scene, camera, { &centres, &corners, &centres });
+  EXPECT_EQ(both.counters.rays, 40 * 30 + 41 * 31);
+  // A corner sample lies where the pixels around it say: check one against the field.
+  const Ray ray = camera.At(20.0, 15.0);
+  EXPECT_NEAR(both.corners.value[15 * 41 + 20], ray.origin.x + 10.0 * ray.origin.y, 1e-13);
+}
+
+TEST(Tracer, ComponentsMagnitudeAndNan)
+{
+  Block block;
+  Scene& scene = block.WithPlane({ 0.0, 0.0, -0.5 }, { 0.0, 0.0, 1.0 });
+  scene.component = 1;
+  const Frame component =
+    Trace(scene, ViewAlongZ(20, 20, 0.9), {}, { Buffer::Value | Buffer::Verdict, Buffer::None });
+  EXPECT_EQ(component.counters.exact, 400);
+  // The first element covers about a quarter of the cross-section; its NaN stays within it.
+  EXPECT_GT(component.counters.nonFinite, 50);
+  EXPECT_LT(component.counters.nonFinite, 200);
+  scene.component = Scene::kMagnitude;
+  const Frame magnitude = Trace(scene, ViewAlongZ(20, 20, 0.9), {}, { kAll, Buffer::None });
+  const std::size_t at = 399;
+  const Vec3& x = magnitude.centres.position[at];
+  EXPECT_NEAR(magnitude.centres.value[at], std::hypot(x.x + 10 * x.y + 100 * x.z, 1.0), 1e-12);
+}
+
+TEST(Tracer, ColoursByVerdict)
+{
+  Block block;
+  const Scene& scene = block.WithPlane(Vec3(0.0), { 0.0, 0.0, 1.0 });
+  const ColorMapping module(
+    [](std::span<const double> values, std::uint8_t* rgba)
+    {
+      for (const double v : values)
+      {
+        const std::uint8_t color[4] = { v > 0.0 ? std::uint8_t{ 200 } : std::uint8_t{ 100 }, 1, 2,
+          255 };
+        rgba = std::copy_n(color, 4, rgba);
+      }
+    });
+  const Frame frame = Trace(scene, ViewAlongZ(60, 60), { &module });
+  for (std::size_t i = 0; i < frame.centres.Size(); ++i)
+  {
+    const bool exact = frame.centres.verdict[i] == static_cast<std::uint8_t>(PixelVerdict::Exact);
+    EXPECT_EQ(frame.color[4 * i + 3], exact ? 255 : 0);
+    if (exact)
+    {
+      EXPECT_EQ(frame.color[4 * i], frame.centres.value[i] > 0.0 ? 200 : 100);
+    }
+  }
+}
+
+TEST(Tracer, ProgressCanAbort)
+{
+  Block block;
+  const Scene& scene = block.WithPlane(Vec3(0.0), { 0.0, 0.0, 1.0 });
+  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  double last = 0.0;
+  const Camera camera = ViewAlongZ(200, 200);
+  Trace(scene, camera, {}, { Buffer::Verdict, Buffer::None },
+    [&](double done)
+    {
+      EXPECT_GT(done, last);
+      last = done;
+      return true;
+    });
+  EXPECT_EQ(last, 1.0);
+  const Frame aborted = Trace(scene, camera, {}, { Buffer::Verdict, Buffer::None },
+    [](double done) { return done < 0.5; });
+  EXPECT_LT(aborted.counters.rays, 200 * 200);
+}
+
+TEST(Tracer, RefusesScenesThatShowNothing)
+{
+  Block block;
+  const Camera camera = ViewAlongZ(8, 8);
+  EXPECT_THROW(Trace(block.TheScene, camera, {}), Error);
+  Scene& scene = block.WithPlane(Vec3(0.0), { 0.0, 0.0, 1.0 });
+  scene.component = 2;
+  EXPECT_THROW(Trace(scene, camera, {}), Error);
+  scene.component = 0;
+  scene.field = nullptr;
+  EXPECT_THROW(Trace(scene, camera, {}), Error);
+}
+} // namespace pixelexact::testing
