@@ -13,7 +13,8 @@ using ColorMap = std::function<void(std::span<const double> values, std::uint8_t
 class ColorMapping final : public FrameModule
 {
 public:
-  explicit ColorMapping(ColorMap map, std::array<std::uint8_t, 4> unknownColor = { 255, 0, 255, 255 });
+  explicit ColorMapping(
+    ColorMap map, std::array<std::uint8_t, 4> unknownColor = { 255, 0, 255, 255 });
 
   [[nodiscard]] SampleNeeds Needs() const override;
   void Process(Frame& frame) const override;

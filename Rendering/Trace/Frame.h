@@ -45,13 +45,13 @@ struct SampleBuffers
 {
   int width = 0;
   int height = 0;
-  std::vector<double> value;          ///< NaN where the verdict is not Exact
-  std::vector<Vec3> position;         ///< NaN where the verdict is Nothing
-  std::vector<Vec3> normal;           ///< of the cut-surface; NaN where the verdict is Nothing
-  std::vector<Vec3> xi;               ///< NaN where the verdict is not Exact
-  std::vector<std::int64_t> element;  ///< mesh element, -1 none
-  std::vector<double> depth;          ///< distance along the unit ray; infinite: nothing
-  std::vector<std::uint8_t> verdict;  ///< PixelVerdict
+  std::vector<double> value;         ///< NaN where the verdict is not Exact
+  std::vector<Vec3> position;        ///< NaN where the verdict is Nothing
+  std::vector<Vec3> normal;          ///< of the cut-surface; NaN where the verdict is Nothing
+  std::vector<Vec3> xi;              ///< NaN where the verdict is not Exact
+  std::vector<std::int64_t> element; ///< mesh element, -1 none
+  std::vector<double> depth;         ///< distance along the unit ray; infinite: nothing
+  std::vector<std::uint8_t> verdict; ///< PixelVerdict
 
   void Allocate(Buffer wanted, int newWidth, int newHeight);
   [[nodiscard]] std::size_t Size() const
@@ -65,7 +65,7 @@ struct FrameCounters
 {
   std::int64_t rays = 0;
   std::int64_t surfaceHits = 0;
-  std::int64_t nothing = 0;  ///< centre samples by verdict
+  std::int64_t nothing = 0; ///< centre samples by verdict
   std::int64_t exact = 0;
   std::int64_t unknown = 0;
   std::int64_t nonFinite = 0; ///< exact samples whose value is NaN or infinite
@@ -76,9 +76,9 @@ struct Frame
 {
   int width = 0;
   int height = 0;
-  SampleBuffers centres;             ///< width x height
-  SampleBuffers corners;             ///< (width + 1) x (height + 1), where a module asked for them
-  std::vector<std::uint8_t> color;   ///< RGBA per pixel, straight alpha; 0 where nothing is drawn
+  SampleBuffers centres;           ///< width x height
+  SampleBuffers corners;           ///< (width + 1) x (height + 1), where a module asked for them
+  std::vector<std::uint8_t> color; ///< RGBA per pixel, straight alpha; 0 where nothing is drawn
   FrameCounters counters;
 };
 } // namespace pixelexact

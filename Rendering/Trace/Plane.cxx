@@ -14,7 +14,8 @@ Plane::Plane(const Vec3& origin, const Vec3& normal)
   : Origin(origin)
 {
   // Scaled first, so that the length neither overflows nor underflows.
-  const double largest = std::max({ std::fabs(normal.x), std::fabs(normal.y), std::fabs(normal.z) });
+  const double largest =
+    std::max({ std::fabs(normal.x), std::fabs(normal.y), std::fabs(normal.z) });
   if (!std::isfinite(origin.x + origin.y + origin.z) ||
     !std::isfinite(normal.x + normal.y + normal.z))
   {

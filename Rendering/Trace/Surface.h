@@ -18,8 +18,8 @@ public:
 
   /// For each ray the smallest t > tMin[i] at which it meets the surface, kNoHit where there is
   /// none. `position[i]` is the point of the surface there, on ray and surface up to rounding.
-  virtual void NextHit(std::span<const Ray> rays, std::span<const double> tMin,
-    std::span<double> t, std::span<Vec3> position) const = 0;
+  virtual void NextHit(std::span<const Ray> rays, std::span<const double> tMin, std::span<double> t,
+    std::span<Vec3> position) const = 0;
 
   /// The unit normal at a point of the surface.
   [[nodiscard]] virtual Vec3 Normal(const Vec3& position) const = 0;

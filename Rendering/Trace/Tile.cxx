@@ -119,8 +119,8 @@ private:
     target.verdict = Verdicts;
     target.xi = Xi;
     target.value = Values;
-    SampleTile(*TheScene.locator, Buffers.value.empty() ? nullptr : TheScene.field, Position,
-      target);
+    SampleTile(
+      *TheScene.locator, Buffers.value.empty() ? nullptr : TheScene.field, Position, target);
     for (std::size_t i = 0; i < count; ++i)
     {
       if (Verdicts[i] != Verdict::Outside)
@@ -180,8 +180,8 @@ private:
       return values[std::max(TheScene.component, 0)];
     }
     // hypot neither overflows nor underflows on the way.
-    return std::accumulate(values.begin(), values.end(), 0.0,
-      [](double sum, double v) { return std::hypot(sum, v); });
+    return std::accumulate(
+      values.begin(), values.end(), 0.0, [](double sum, double v) { return std::hypot(sum, v); });
   }
 
   const Scene& TheScene;

@@ -149,8 +149,7 @@ Frame Trace(const Scene& scene, const Camera& camera,
   }
   if (needs.corners != Buffer::None)
   {
-    frame.counters.rays +=
-      TraceLattice(scene, camera, { &frame.corners, 0.0 }, reporter).rays;
+    frame.counters.rays += TraceLattice(scene, camera, { &frame.corners, 0.0 }, reporter).rays;
   }
   for (const auto* module : modules)
   {

@@ -125,8 +125,9 @@ TEST(BernsteinForm, HalvesAreTheSameFunction)
         LongVec3 inUpper = local;
         inLower[direction] = (local[direction] - 1) / 2;
         inUpper[direction] = (local[direction] + 1) / 2;
-        const auto difference = [&](const std::vector<double>& half, const LongVec3& at)
-        { return static_cast<double>(At(form.Degree(), half, local) - At(form.Degree(), whole, at)); };
+        const auto difference = [&](const std::vector<double>& half, const LongVec3& at) {
+          return static_cast<double>(At(form.Degree(), half, local) - At(form.Degree(), whole, at));
+        };
         EXPECT_NEAR(difference(lower, inLower), 0.0, 1e-15 * largest);
         EXPECT_NEAR(difference(upper, inUpper), 0.0, 1e-15 * largest);
       }
@@ -141,8 +142,8 @@ TEST(BernsteinForm, ReferenceCoordinatesAreTheirGridValues)
     const auto& form = BernsteinForm::Of(space);
     for (int d = 0; d < 3; ++d)
     {
-      const auto change = ChangeOfBasis::FromFunctions(space, 1,
-        [d](const LongVec3& xi, long double* value) { *value = xi[d]; });
+      const auto change = ChangeOfBasis::FromFunctions(
+        space, 1, [d](const LongVec3& xi, long double* value) { *value = xi[d]; });
       std::vector<double> modes(space.Modes());
       change.Apply(std::vector<double>{ 1.0 }, 0.0, modes);
       std::vector<double> bernstein(form.Size());

@@ -83,8 +83,8 @@ TEST(ChangeOfBasis, LagrangeHexahedronWithOrdersOfItsOwn)
       {
         for (int k = 0; k <= order[2]; ++k)
         {
-          nodal.push_back(static_cast<double>(Manufactured(space,
-            { 2.0L * i / order[0] - 1, 2.0L * j / order[1] - 1, 2.0L * k / order[2] - 1 })));
+          nodal.push_back(static_cast<double>(Manufactured(
+            space, { 2.0L * i / order[0] - 1, 2.0L * j / order[1] - 1, 2.0L * k / order[2] - 1 })));
         }
       }
     }
@@ -124,8 +124,8 @@ TEST(ChangeOfBasis, LagrangePrismAndTetrahedron)
       {
         for (int k = 0; k <= n - i - j; ++k)
         {
-          nodal.push_back(static_cast<double>(Manufactured(
-            tetrahedron, { 2.0L * i / n - 1, 2.0L * j / n - 1, 2.0L * k / n - 1 })));
+          nodal.push_back(static_cast<double>(
+            Manufactured(tetrahedron, { 2.0L * i / n - 1, 2.0L * j / n - 1, 2.0L * k / n - 1 })));
         }
       }
     }
@@ -181,12 +181,11 @@ TEST(ChangeOfBasis, ShiftIsSubtractedBeforeRounding)
 TEST(ChangeOfBasis, RefusesFunctionsOutsideTheSpaceAndNumberingsThatAreNone)
 {
   const Space space = UniformSpace(Shape::Hexahedron, 1);
-  EXPECT_THROW(ChangeOfBasis::FromFunctions(space, 1,
-                 [](const LongVec3& xi, long double* v) { *v = xi[0] * xi[0]; }),
+  EXPECT_THROW(ChangeOfBasis::FromFunctions(
+                 space, 1, [](const LongVec3& xi, long double* v) { *v = xi[0] * xi[0]; }),
     InvalidData);
   std::vector<int> twice(8, 0);
-  EXPECT_THROW(
-    ChangeOfBasis::Hexahedron(space, Family::EquispacedLagrange, twice), InvalidData);
+  EXPECT_THROW(ChangeOfBasis::Hexahedron(space, Family::EquispacedLagrange, twice), InvalidData);
 }
 
 TEST(ChangeOfBasis, AllShapesHoldTheCurvedMap)
@@ -194,8 +193,8 @@ TEST(ChangeOfBasis, AllShapesHoldTheCurvedMap)
   for (const Shape shape : kShapes)
   {
     const Space space = UniformSpace(shape, 3);
-    const auto change = ChangeOfBasis::FromFunctions(space, 1,
-      [](const LongVec3& xi, long double* v) { *v = Curved(xi)[1]; });
+    const auto change = ChangeOfBasis::FromFunctions(
+      space, 1, [](const LongVec3& xi, long double* v) { *v = Curved(xi)[1]; });
     std::vector<double> modes(space.Modes());
     change.Apply(std::vector<double>{ 1.0 }, 0.0, modes);
     Random random(11);

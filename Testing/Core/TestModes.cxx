@@ -173,8 +173,7 @@ TEST(Modes, KernelValuesAgreeWithTheClosedForm)
         [&](int p, int q, int r, int mode)
         {
           coefficients[mode] = random();
-          const long double term =
-            coefficients[mode] * ClosedForm(space, ToLong(at), p, q, r);
+          const long double term = coefficients[mode] * ClosedForm(space, ToLong(at), p, q, r);
           expected += term;
           scale += std::fabs(static_cast<double>(term));
         });

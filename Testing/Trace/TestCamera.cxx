@@ -31,8 +31,8 @@ CameraView Straight()
 }
 
 /// The four columns of a matrix, as rows of an array.
-std::array<double, 16> FromColumns(
-  const Vec3& a, double aw, const Vec3& b, double bw, const Vec3& c, double cw, const Vec3& d, double dw)
+std::array<double, 16> FromColumns(const Vec3& a, double aw, const Vec3& b, double bw,
+  const Vec3& c, double cw, const Vec3& d, double dw)
 {
   return { a.x, b.x, c.x, d.x, a.y, b.y, c.y, d.y, a.z, b.z, c.z, d.z, aw, bw, cw, dw };
 }

@@ -111,8 +111,8 @@ TEST(Tracer, EveryPixelIsExactOrNothing)
       const Ray ray = camera.At(i + 0.5, j + 0.5);
       // The cube's cross-section is convex: no pinhole can hide in this condition.
       const double z = 0.1 - (0.1 * ray.origin.x + 0.2 * ray.origin.y);
-      const bool inside = std::fabs(ray.origin.x) < 1.0 && std::fabs(ray.origin.y) < 1.0 &&
-        std::fabs(z) < 1.0;
+      const bool inside =
+        std::fabs(ray.origin.x) < 1.0 && std::fabs(ray.origin.y) < 1.0 && std::fabs(z) < 1.0;
       ASSERT_EQ(buffers.verdict[at],
         static_cast<std::uint8_t>(inside ? PixelVerdict::Exact : PixelVerdict::Nothing))
         << i << " " << j;
@@ -270,8 +270,8 @@ TEST(Tracer, ProgressCanAbort)
       return true;
     });
   EXPECT_EQ(last, 1.0);
-  const Frame aborted = Trace(scene, camera, {}, { Buffer::Verdict, Buffer::None },
-    [](double done) { return done < 0.5; });
+  const Frame aborted = Trace(
+    scene, camera, {}, { Buffer::Verdict, Buffer::None }, [](double done) { return done < 0.5; });
   EXPECT_LT(aborted.counters.rays, 200 * 200);
 }
 

@@ -11,12 +11,7 @@ namespace pixelexact
 /// lies in the reference shape, up to the tolerance that rounding and conditioning explain.
 /// `Outside` is said only with a reason that excludes every xi of the shape (hull, frame,
 /// injectivity). Everything else is `Unknown`: it is counted and shown, never painted over.
-enum class [[nodiscard]] Verdict : std::uint8_t
-{
-  Outside = 0,
-  Inside = 1,
-  Unknown = 2
-};
+enum class [[nodiscard]] Verdict : std::uint8_t{ Outside = 0, Inside = 1, Unknown = 2 };
 
 constexpr const char* Name(Verdict verdict)
 {

@@ -209,8 +209,8 @@ ChangeOfBasis::Factor ChangeOfBasis::TriangleFactor(int order, Family family)
     for (int k = 0; k <= order - i; ++k, ++node)
     {
       const LongVec3 xi = !nodal ? points[node]
-        : order == 0            ? LongVec3{ -1.0L / 3, 0, -1.0L / 3 }
-                                : LongVec3{ Equispaced(i, order), 0, Equispaced(k, order) };
+        : order == 0             ? LongVec3{ -1.0L / 3, 0, -1.0L / 3 }
+                                 : LongVec3{ Equispaced(i, order), 0, Equispaced(k, order) };
       EvaluateModes(triangle, xi, &modes[std::size_t(node) * count]);
       if (nodal)
       {

@@ -30,8 +30,7 @@ class ChangeOfBasis
 public:
   /// Hexahedron of space.order. `source[(i (q+1) + j) (r+1) + k]` is the position, in the source's
   /// cell, of the function that is number i, j, k along xi1, xi2, xi3.
-  static ChangeOfBasis Hexahedron(
-    const Space& space, Family family, std::span<const int> source);
+  static ChangeOfBasis Hexahedron(const Space& space, Family family, std::span<const int> source);
 
   /// Prism with triangle order space.order[0] = space.order[2] and line order space.order[1].
   /// Triangle functions are numbered by (i, k), i + k <= n, k fastest, i and k counting towards

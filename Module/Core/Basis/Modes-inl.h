@@ -334,8 +334,7 @@ public:
     for (int p = 0; p <= order.p(); ++p)
     {
       const int row = kGradient ? p : 0;
-      FillScaled<kGradient>(
-        Table::Row(2 * p + 1), order.q() - p, y2, t2, b[p], b2[row], b3[row]);
+      FillScaled<kGradient>(Table::Row(2 * p + 1), order.q() - p, y2, t2, b[p], b2[row], b3[row]);
       if constexpr (kGradient)
       {
         // In both families y grows and t falls by a half per unit of the collapsing xi.
@@ -484,10 +483,10 @@ public:
     ValueAndGradient<T> out{ zero, { zero, zero, zero } };
     for (int p = 0; p <= order.p(); ++p)
     {
-      T sumQ = zero;      // value
-      T sumQ3 = zero;     // derivative by xi3 at fixed eta1, eta2
-      T reduced = zero;   // value / t
-      T reduced2 = zero;  // derivative by eta2, / t
+      T sumQ = zero;     // value
+      T sumQ3 = zero;    // derivative by xi3 at fixed eta1, eta2
+      T reduced = zero;  // value / t
+      T reduced2 = zero; // derivative by eta2, / t
       for (int q = 0; q <= order.q(); ++q)
       {
         const int m = std::max(p, q);

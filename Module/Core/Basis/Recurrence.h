@@ -57,8 +57,8 @@ private:
     {
       for (int n = 0; n < kMaxOrder; ++n)
       {
-        Steps[alpha][n] = alpha == 0 ? Recurrence<Scalar>::Legendre(n)
-                                     : Recurrence<Scalar>::Jacobi(alpha, n);
+        Steps[alpha][n] =
+          alpha == 0 ? Recurrence<Scalar>::Legendre(n) : Recurrence<Scalar>::Jacobi(alpha, n);
       }
     }
   }

@@ -127,7 +127,7 @@ void BernsteinForm::Contract(const double* modes, std::span<double> bernstein) c
       int n = 0;
       if (Z.size() > 1)
       {
-        n = TheSpace.shape == Shape::Prism ? p
+        n = TheSpace.shape == Shape::Prism       ? p
           : TheSpace.shape == Shape::Tetrahedron ? p + q
                                                  : std::max(p, q);
       }

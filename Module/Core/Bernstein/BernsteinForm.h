@@ -47,9 +47,9 @@ private:
   using Rows = std::vector<std::vector<double>>; ///< [function][coefficient]
   Space TheSpace;
   std::array<int, 3> TheDegree;
-  Rows X;                        ///< [p]
-  std::vector<Rows> Y;           ///< [p of the family][q]
-  std::vector<Rows> Z;           ///< [n of the family][r]
+  Rows X;              ///< [p]
+  std::vector<Rows> Y; ///< [p of the family][q]
+  std::vector<Rows> Z; ///< [n of the family][r]
 };
 
 /// The least and the largest coefficient: the hull.

@@ -109,18 +109,17 @@ HWY_INLINE Lanes WidenedMargin(Shape shape, const Point<Lanes>& xi, const Point<
 {
   const Lanes one = Splat(1.0);
   const Lanes zero = Splat(0.0);
-  const Lanes low = Min(Min(one + xi.x[0] + t.x[0], one + xi.x[1] + t.x[1]), one + xi.x[2] + t.x[2]);
+  const Lanes low =
+    Min(Min(one + xi.x[0] + t.x[0], one + xi.x[1] + t.x[1]), one + xi.x[2] + t.x[2]);
   switch (shape)
   {
     case Shape::Hexahedron:
-      return Min(low,
-        Min(Min(one - xi.x[0] + t.x[0], one - xi.x[1] + t.x[1]), one - xi.x[2] + t.x[2]));
-    case Shape::Prism:
       return Min(
-        low, Min(one - xi.x[1] + t.x[1], zero - (xi.x[0] + xi.x[2]) + (t.x[0] + t.x[2])));
+        low, Min(Min(one - xi.x[0] + t.x[0], one - xi.x[1] + t.x[1]), one - xi.x[2] + t.x[2]));
+    case Shape::Prism:
+      return Min(low, Min(one - xi.x[1] + t.x[1], zero - (xi.x[0] + xi.x[2]) + (t.x[0] + t.x[2])));
     case Shape::Tetrahedron:
-      return Min(low,
-        zero - (one + xi.x[0] + xi.x[1] + xi.x[2]) + (t.x[0] + t.x[1] + t.x[2]));
+      return Min(low, zero - (one + xi.x[0] + xi.x[1] + xi.x[2]) + (t.x[0] + t.x[1] + t.x[2]));
     default:
       return Min(low,
         Min(zero - (xi.x[0] + xi.x[2]) + (t.x[0] + t.x[2]),
@@ -234,8 +233,8 @@ void InvertKernel(const InverseProblem& problem, const LanePoints& x, const Inve
       tolerance.x[d] = zero;
       for (int k = 0; k < 3; ++k)
       {
-        tolerance.x[d] = MulAdd(Abs(state.inverse.m[3 * d + k]), Splat(problem.uncertainty[k]),
-          tolerance.x[d]);
+        tolerance.x[d] =
+          MulAdd(Abs(state.inverse.m[3 * d + k]), Splat(problem.uncertainty[k]), tolerance.x[d]);
       }
     }
     const Lanes length = MaxAbs(correction);
@@ -258,8 +257,7 @@ void InvertKernel(const InverseProblem& problem, const LanePoints& x, const Inve
 template <template <class, class, bool> class Modes, class Order>
 KernelSet MakeKernelSet()
 {
-  return { &ValueKernel<Modes, Order>, &GradientKernel<Modes, Order>,
-    &InvertKernel<Modes, Order> };
+  return { &ValueKernel<Modes, Order>, &GradientKernel<Modes, Order>, &InvertKernel<Modes, Order> };
 }
 
 /// Kernels with the order compiled in for the usual uniform orders, generic ones above.

@@ -30,11 +30,11 @@ struct InverseProblem
   const double* coefficients; ///< of Phi, three components, in the element's units
   double centre[3];
   double inverseSize;
-  double origin[3];           ///< frame: y at xi = start
-  double start[3];            ///< frame: xi there
-  double inverse[9];          ///< frame: row-major inverse Jacobian; 0: Newton begins at `start`
-  double uncertainty[3];      ///< of Phi and y, per coordinate, in the element's units
-  bool affine;                ///< Phi is its frame, up to the uncertainty
+  double origin[3];      ///< frame: y at xi = start
+  double start[3];       ///< frame: xi there
+  double inverse[9];     ///< frame: row-major inverse Jacobian; 0: Newton begins at `start`
+  double uncertainty[3]; ///< of Phi and y, per coordinate, in the element's units
+  bool affine;           ///< Phi is its frame, up to the uncertainty
 };
 
 /// What Newton's iteration found for a point.

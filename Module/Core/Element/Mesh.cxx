@@ -46,7 +46,8 @@ void Validate(const Expansion& expansion, const std::string& what)
     }
   }
   std::vector<std::int64_t> length(expansion.spaces.size());
-  std::ranges::transform(expansion.spaces, length.begin(), [&](const Space& space)
+  std::ranges::transform(expansion.spaces, length.begin(),
+    [&](const Space& space)
     { return static_cast<std::int64_t>(space.Modes()) * expansion.components; });
   const auto available = static_cast<std::int64_t>(expansion.coefficients.size());
   for (std::size_t e = 0; e < count; ++e)
@@ -60,9 +61,8 @@ void Validate(const Expansion& expansion, const std::string& what)
     if (offset < 0 || offset > available - length[space])
     {
       Fail(what, static_cast<int>(e),
-        "coefficients " + std::to_string(offset) + " to " +
-          std::to_string(offset + length[space]) + " lie outside the array of " +
-          std::to_string(available));
+        "coefficients " + std::to_string(offset) + " to " + std::to_string(offset + length[space]) +
+          " lie outside the array of " + std::to_string(available));
     }
   }
 }
@@ -88,8 +88,8 @@ void Validate(const Mesh& mesh)
     {
       Fail("mesh", element, "its centre, size or uncertainty is not a finite number");
     }
-    const std::span<const double> coefficients(
-      mesh.map.Coefficients(element), 3 * static_cast<std::size_t>(mesh.map.SpaceOf(element).Modes()));
+    const std::span<const double> coefficients(mesh.map.Coefficients(element),
+      3 * static_cast<std::size_t>(mesh.map.SpaceOf(element).Modes()));
     if (!std::ranges::all_of(coefficients, finite))
     {
       Fail("mesh", element, "a coordinate coefficient is NaN or infinite");
@@ -106,7 +106,8 @@ void Validate(const Field& field, const Mesh& mesh)
   {
     if (field.values.SpaceOf(e).shape != mesh.ShapeOf(e))
     {
-      Fail(what, e, std::string("a ") + Name(field.values.SpaceOf(e).shape) + "'s space on a " +
+      Fail(what, e,
+        std::string("a ") + Name(field.values.SpaceOf(e).shape) + "'s space on a " +
           Name(mesh.ShapeOf(e)));
     }
   }

@@ -15,9 +15,9 @@ namespace pixelexact
 /// `coefficients[offset[e] + c * modes + mode]`, component by component.
 struct Expansion
 {
-  std::span<const Space> spaces;              ///< the distinct spaces
-  std::span<const std::int32_t> spaceOf;      ///< per element, index into spaces
-  std::span<const std::int64_t> offset;       ///< per element
+  std::span<const Space> spaces;         ///< the distinct spaces
+  std::span<const std::int32_t> spaceOf; ///< per element, index into spaces
+  std::span<const std::int64_t> offset;  ///< per element
   std::span<const double> coefficients;
   int components = 1;
 
@@ -34,9 +34,9 @@ struct Expansion
 /// arithmetic.
 struct Mesh
 {
-  Expansion map;                   ///< three components, in units of the element
-  std::span<const double> centre;  ///< 3 per element
-  std::span<const double> size;    ///< per element, a power of two
+  Expansion map;                  ///< three components, in units of the element
+  std::span<const double> centre; ///< 3 per element
+  std::span<const double> size;   ///< per element, a power of two
   /// Per element, world units: how far the true map may be from the stored one, by the rounding of
   /// the source's coordinates and by modes dropped as noise. Faces are as uncertain as this.
   std::span<const double> uncertainty;

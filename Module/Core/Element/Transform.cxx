@@ -7,8 +7,8 @@
 
 namespace pixelexact
 {
-void ToWorldGradient(const Mesh& mesh, int element, const LanePoints& xi, int components,
-  double* const* gradient)
+void ToWorldGradient(
+  const Mesh& mesh, int element, const LanePoints& xi, int components, double* const* gradient)
 {
   const Space& space = mesh.map.SpaceOf(element);
   const auto stride = static_cast<std::size_t>(PaddedCount(xi.count));

@@ -10,6 +10,6 @@ namespace pixelexact
 /// multiplied by the inverse transposed Jacobian of the element's map at its xi. `gradient` holds
 /// 3 arrays per component, as KernelSet::gradient writes them. Where the Jacobian is singular the
 /// result is infinite or NaN.
-void ToWorldGradient(const Mesh& mesh, int element, const LanePoints& xi, int components,
-  double* const* gradient);
+void ToWorldGradient(
+  const Mesh& mesh, int element, const LanePoints& xi, int components, double* const* gradient);
 } // namespace pixelexact

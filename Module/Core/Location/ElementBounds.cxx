@@ -60,9 +60,10 @@ bool Invert(const double* m, double* inverse)
   const double c1 = m[5] * m[6] - m[3] * m[8];
   const double c2 = m[3] * m[7] - m[4] * m[6];
   const double s = 1.0 / (m[0] * c0 + m[1] * c1 + m[2] * c2);
-  const double result[9] = { c0 * s, (m[2] * m[7] - m[1] * m[8]) * s, (m[1] * m[5] - m[2] * m[4]) * s,
-    c1 * s, (m[0] * m[8] - m[2] * m[6]) * s, (m[2] * m[3] - m[0] * m[5]) * s, c2 * s,
-    (m[1] * m[6] - m[0] * m[7]) * s, (m[0] * m[4] - m[1] * m[3]) * s };
+  const double result[9] = { c0 * s, (m[2] * m[7] - m[1] * m[8]) * s,
+    (m[1] * m[5] - m[2] * m[4]) * s, c1 * s, (m[0] * m[8] - m[2] * m[6]) * s,
+    (m[2] * m[3] - m[0] * m[5]) * s, c2 * s, (m[1] * m[6] - m[0] * m[7]) * s,
+    (m[0] * m[4] - m[1] * m[3]) * s };
   std::copy_n(result, 9, inverse);
   return std::all_of(result, result + 9, [](double v) { return std::isfinite(v); });
 }
@@ -105,12 +106,11 @@ void MakeBox(const Mesh& mesh, int element, const ComponentHulls& hulls, Element
     const double upper = NextUp(centre + NextUp(size * NextUp(hull.upper + hulls.error[c])));
     // A point meant to lie on a face is known to half an ulp of its coordinates, the face to the
     // mesh's uncertainty.
-    const double slack =
-      mesh.uncertainty[element] + 4.0 * kUnitRoundoff * std::max(std::fabs(lower), std::fabs(upper));
+    const double slack = mesh.uncertainty[element] +
+      4.0 * kUnitRoundoff * std::max(std::fabs(lower), std::fabs(upper));
     bounds.box.lower[c] = NextDown(lower - slack);
     bounds.box.upper[c] = NextUp(upper + slack);
-    const double evaluation =
-      EvaluationError(mesh.map.SpaceOf(element)) * hulls.magnitude[c];
+    const double evaluation = EvaluationError(mesh.map.SpaceOf(element)) * hulls.magnitude[c];
     bounds.uncertainty[c] = slack / size + evaluation;
   }
 }
@@ -208,8 +208,8 @@ bool ElementBounds::MightContain(
   bool possible = true;
   for (int d = 0; d < 3; ++d)
   {
-    const double start = centre[d] + inverse[3 * d] * y[0] + inverse[3 * d + 1] * y[1] +
-      inverse[3 * d + 2] * y[2];
+    const double start =
+      centre[d] + inverse[3 * d] * y[0] + inverse[3 * d + 1] * y[1] + inverse[3 * d + 2] * y[2];
     low[d] = start - upper[d];
     // Written so that a NaN excludes nothing.
     possible = possible && !(low[d] > 1.0) && !(start - lower[d] < -1.0);

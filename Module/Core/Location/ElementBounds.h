@@ -18,21 +18,21 @@ namespace pixelexact
 /// xi_0 = A^-1 (y - Phi(xi_c)) + xi_c.
 struct ElementBounds
 {
-  Box3 box;                    ///< of the element's image, widened by its uncertainty
-  double origin[3] = {};       ///< Phi(xi_c)
-  double inverse[9] = {};      ///< A^-1, row-major
-  double lower[3] = {};        ///< of the deviation, rounding included
+  Box3 box;               ///< of the element's image, widened by its uncertainty
+  double origin[3] = {};  ///< Phi(xi_c)
+  double inverse[9] = {}; ///< A^-1, row-major
+  double lower[3] = {};   ///< of the deviation, rounding included
   double upper[3] = {};
-  double uncertainty[3] = {};  ///< of Phi and y together, in the element's units
+  double uncertainty[3] = {}; ///< of Phi and y together, in the element's units
   /// Phi is injective on the shape enlarged until Margin = -injectiveMargin: a root found there,
   /// outside of the shape, proves that the shape holds none. 0: not known.
   double injectiveMargin = 0.0;
-  bool framed = false;         ///< the Jacobian at the centre can be inverted
-  bool affine = false;         ///< the deviation is of rounding size
+  bool framed = false; ///< the Jacobian at the centre can be inverted
+  bool affine = false; ///< the deviation is of rounding size
 
   /// Whether some xi of the shape might map to world point x; false is a proof that none does.
-  [[nodiscard]] bool MightContain(Shape shape, const Vec3& elementCentre, double inverseSize,
-    const Vec3& x) const;
+  [[nodiscard]] bool MightContain(
+    Shape shape, const Vec3& elementCentre, double inverseSize, const Vec3& x) const;
 };
 
 /// The bounds of one element of a valid mesh.

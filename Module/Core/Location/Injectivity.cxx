@@ -91,7 +91,8 @@ public:
       { { x[0], x[1], x[2] }, 1 }, ValueTo.data(), GradientTo.data());
     for (std::size_t k = 0; k < Modes; ++k)
     {
-      out[k] = direction < 0 ? *ValueTo[k] : *GradientTo[3 * k + static_cast<std::size_t>(direction)];
+      out[k] =
+        direction < 0 ? *ValueTo[k] : *GradientTo[3 * k + static_cast<std::size_t>(direction)];
     }
   }
 

@@ -80,6 +80,12 @@ public:
   }
 
 private:
+  struct Doubt
+  {
+    int index;
+    int element;
+  };
+
   void Cluster(std::span<int> indices)
   {
     Box3 region{ Points[indices[0]], Points[indices[0]] };
@@ -206,37 +212,44 @@ private:
     Sink.Inside(element, Found, xi, result.residual);
   }
 
-  /// The careful path, for points that no element's fast path holds.
+  /// The careful path, for points that no element's fast path holds. Element by element, so that
+  /// what an element needs is made once.
   void Decide()
   {
-    std::erase_if(Doubtful, [&](const Doubt& doubt)
-      { return std::ranges::find(Remaining, doubt.index) == Remaining.end(); });
-    std::ranges::stable_sort(Doubtful, {}, &Doubt::index);
+    std::ranges::sort(Remaining);
+    std::erase_if(Doubtful,
+      [&](const Doubt& doubt) { return !std::ranges::binary_search(Remaining, doubt.index); });
+    Undecided.clear();
+    Found.clear();
+    // Doubts were raised in ascending order of elements.
     for (std::size_t begin = 0; begin < Doubtful.size();)
     {
-      const int index = Doubtful[begin].index;
-      int undecided = -1;
-      bool found = false;
-      for (; begin < Doubtful.size() && Doubtful[begin].index == index; ++begin)
+      const int element = Doubtful[begin].element;
+      CarefulInverse careful(TheMesh, element, Owner.Elements[element]);
+      for (; begin < Doubtful.size() && Doubtful[begin].element == element; ++begin)
       {
-        if (!found)
+        if (std::ranges::find(Found, Doubtful[begin].index) == Found.end())
         {
-          found = DecideOne(index, Doubtful[begin].element, undecided);
+          DecideOne(careful, Doubtful[begin]);
         }
       }
-      if (!found && undecided >= 0)
+    }
+    for (const Doubt& doubt : Undecided)
+    {
+      if (std::ranges::find(Found, doubt.index) == Found.end())
       {
+        // Further elements that could not be decided either are not told.
+        Found.push_back(doubt.index);
         ++Unknown;
-        Sink.Undecided(index, undecided);
+        Sink.Undecided(doubt.index, doubt.element);
       }
     }
   }
 
-  bool DecideOne(int index, int element, int& undecided)
+  void DecideOne(CarefulInverse& careful, const Doubt& doubt)
   {
     ++Careful;
-    const CarefulResult result =
-      CarefulInverse(TheMesh, element, Owner.Elements[element], Points[index]);
+    const CarefulResult result = careful.Decide(Points[doubt.index]);
     if (result.verdict == Verdict::Inside)
     {
       std::array<std::array<double, kLanePadding>, 3> xi;
@@ -245,21 +258,14 @@ private:
         xi[d].fill(result.xi[d]);
       }
       const double* const lanes[3] = { xi[0].data(), xi[1].data(), xi[2].data() };
-      Sink.Inside(element, std::span<const int>(&index, 1), lanes, &result.residual);
-      return true;
+      Sink.Inside(doubt.element, std::span<const int>(&doubt.index, 1), lanes, &result.residual);
+      Found.push_back(doubt.index);
     }
-    if (result.verdict == Verdict::Unknown && undecided < 0)
+    else if (result.verdict == Verdict::Unknown)
     {
-      undecided = element;
+      Undecided.push_back(doubt);
     }
-    return false;
   }
-
-  struct Doubt
-  {
-    int index;
-    int element;
-  };
 
   const Locator& Owner;
   const Mesh& TheMesh;
@@ -270,6 +276,7 @@ private:
   std::vector<int> Selected;  ///< positions in Remaining
   std::vector<int> Found;
   std::vector<Doubt> Doubtful;
+  std::vector<Doubt> Undecided;
   std::int64_t Queries = 0;
   std::int64_t Candidates = 0;
   std::int64_t Careful = 0;

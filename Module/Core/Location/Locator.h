@@ -22,8 +22,8 @@ public:
   /// `count` points of the batch lie in `element`: `index[i]` in the batch, `xi[d][i]` their
   /// reference coordinates (padded for the kernels), `residual[i]` the size in xi of the last
   /// Newton correction. The arrays live until the call returns.
-  virtual void Inside(int element, std::span<const int> index, const double* const xi[3],
-    const double* residual) = 0;
+  virtual void Inside(
+    int element, std::span<const int> index, const double* const xi[3], const double* residual) = 0;
   /// Point `index` could not be decided; `element` is the first that might hold it.
   virtual void Undecided(int index, int element) = 0;
 };

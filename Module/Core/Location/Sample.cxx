@@ -108,8 +108,8 @@ private:
     const KernelSet kernels = KernelsFor(space);
     if (gradient)
     {
-      kernels.gradient(space, values.Coefficients(element), values.components, xi, out,
-        out + components);
+      kernels.gradient(
+        space, values.Coefficients(element), values.components, xi, out, out + components);
       ToWorldGradient(TheMesh, element, xi, values.components, out + components);
       Scatter(index, out + components, 3 * components, Target.gradient);
     }
@@ -123,8 +123,8 @@ private:
     }
   }
 
-  static void Scatter(std::span<const int> index, double* const* from, std::size_t width,
-    std::span<double> to)
+  static void Scatter(
+    std::span<const int> index, double* const* from, std::size_t width, std::span<double> to)
   {
     for (std::size_t c = 0; c < width; ++c)
     {
@@ -144,7 +144,8 @@ private:
 void RequireSizes(const Field* field, std::size_t points, const SampleTarget& target)
 {
   const std::size_t components = field ? static_cast<std::size_t>(field->values.components) : 0;
-  const auto fits = [](std::size_t size, std::size_t wanted) { return size == 0 || size == wanted; };
+  const auto fits = [](std::size_t size, std::size_t wanted)
+  { return size == 0 || size == wanted; };
   if (!fits(target.element.size(), points) || !fits(target.xi.size(), points) ||
     !fits(target.verdict.size(), points) || !fits(target.residual.size(), points) ||
     !fits(target.value.size(), points * components) ||
@@ -267,9 +268,12 @@ void Sample(const Locator& locator, const Field* field, std::span<const Vec3> po
   };
   std::vector<Keyed> order(points.size());
   tbb::parallel_for(std::size_t{ 0 }, points.size(),
-    [&](std::size_t i) { order[i] = { MortonCode(points[i], locator.Bounds()), i }; });
+    [&](std::size_t i) {
+      order[i] = { MortonCode(points[i], locator.Bounds()), i };
+    });
   // Ties are broken by place, so that batches are the same for any number of threads.
-  tbb::parallel_sort(order.begin(), order.end(), [](const Keyed& a, const Keyed& b)
+  tbb::parallel_sort(order.begin(), order.end(),
+    [](const Keyed& a, const Keyed& b)
     { return a.code != b.code ? a.code < b.code : a.place < b.place; });
   const std::size_t batches = (points.size() + kBatch - 1) / kBatch;
   tbb::parallel_for(std::size_t{ 0 }, batches,

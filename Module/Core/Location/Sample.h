@@ -12,9 +12,9 @@ struct SampleTarget
   std::span<std::int32_t> element; ///< element number, -1 none; of undecided points a candidate
   std::span<Vec3> xi;              ///< reference coordinates; NaN where not inside
   std::span<Verdict> verdict;
-  std::span<double> residual;      ///< last Newton correction in xi, max norm
-  std::span<double> value;         ///< components per point, point by point
-  std::span<double> gradient;      ///< 3 per component: d value_c / d x_d in world units
+  std::span<double> residual; ///< last Newton correction in xi, max norm
+  std::span<double> value;    ///< components per point, point by point
+  std::span<double> gradient; ///< 3 per component: d value_c / d x_d in world units
 
   /// element -1, verdict outside, everything else NaN.
   void Clear() const;
