@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef CellBasis_h
+#define CellBasis_h
+
+#include "Core/Basis/ChangeOfBasis.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+// The basis of each kind of VTK cell, and its way into the canonical one.
+//
+// VTK's parametric coordinates (r, s, t) in [0,1] become our reference coordinates by
+//   hexahedron, tetrahedron   xi = 2 (r, s, t) - 1
+//   wedge                     xi = (2 r - 1, 1 - 2 t, 2 s - 1): triangle in xi1 and xi3, line in
+//                             xi2, reversed so that the handedness stays
+//   pyramid                   eta = 2 (r, s, t) - 1, collapsed to xi: VTK's are those of the cube
+namespace pixelexact
+{
+/// Cells of one kind share one basis.
+struct CellKind
+{
+  int type = 0;   ///< VTK_...
+  int points = 0; ///< number of points
+  /// Degrees along r, s, t as the file gives them (HigherOrderDegrees); 0: to be told from the
+  /// number of points.
+  std::array<int, 3> degrees{ 0, 0, 0 };
+
+  auto operator<=>(const CellKind&) const = default;
+};
+
+struct CellBasis
+{
+  CellKind kind;
+  ChangeOfBasis change;
+  /// For Lagrange cells: positions in the cell of the nodes along the three edges that leave the
+  /// vertex r = s = t = 0, from one end to the other. Empty otherwise.
+  std::array<std::vector<int>, 3> edges;
+
+  [[nodiscard]] const Space& GetSpace() const { return change.Target(); }
+};
+
+/// "vtkLagrangeWedge" and the like, or "cell type 99".
+std::string CellTypeName(int type);
+
+/// Topological dimension of a cell type; -1 for types that VTK does not know.
+int CellDimension(int type);
+
+/// The basis of a three-dimensional kind of cell. Throws Unsupported for types that have none
+/// here, InvalidData where the number of points fits no order. Messages begin with the type's name.
+CellBasis MakeCellBasis(const CellKind& kind);
+
+/// VTK's cells of fixed order: linear, quadratic and their relatives. False: not such a type.
+bool IsFixedCell(int type);
+CellBasis MakeFixedCellBasis(const CellKind& kind);
+
+/// VTK's Lagrange and Bezier cells of any order. Bezier: with equal rational weights.
+bool IsHigherOrderCell(int type);
+CellBasis MakeHigherOrderCellBasis(const CellKind& kind);
+
+/// The map of a Lagrange wedge whose nodes inside the quadrilateral r = 0 run the other way along
+/// s: how MFEM writes them. The kind must be one of order >= 3 in the triangle and >= 2 along t.
+ChangeOfBasis MakeMirroredWedge(const CellKind& kind);
+
+/// The map from samples of a VTK cell's own interpolation functions.
+ChangeOfBasis SampleCell(const CellKind& kind, const Space& space);
+} // namespace pixelexact
+#endif

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef GridConversion_h
+#define GridConversion_h
+
+#include "vtkType.h"
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+class vtkUnstructuredGrid;
+
+namespace pixelexact
+{
+struct ConversionOptions
+{
+  std::vector<std::string> fields;      ///< names of arrays to convert; none: all (SelectFields)
+  bool diagnose = true;                 ///< look for signs of a faulty file
+  std::function<void(double)> progress; ///< may be empty; called from the calling thread
+};
+
+struct ConversionReport
+{
+  vtkIdType skippedCells = 0;
+  std::map<std::string, int> nonFinite; ///< per field: elements with NaN or infinite coefficients
+  std::vector<std::string> diagnostics; ///< lines for the user
+};
+
+/// Makes `output` a grid of the input's three-dimensional cells with their coefficients and those
+/// of its fields, made from points and nodal values. Parallel. Throws Error naming the cell or
+/// array; the output is then undefined.
+ConversionReport ConvertGrid(
+  vtkUnstructuredGrid* input, const ConversionOptions& options, vtkUnstructuredGrid* output);
+} // namespace pixelexact
+#endif

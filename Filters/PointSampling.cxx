@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PointSampling.h"
+
+#include "Core/Base/Error.h"
+#include "Core/Location/Sample.h"
+
+#include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkTypeInt64Array.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace pixelexact
+{
+namespace
+{
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+
+vtkSmartPointer<vtkDoubleArray> NewDoubles(
+  const std::string& name, int components, std::size_t tuples)
+{
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName(name.c_str());
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(tuples));
+  array->Fill(kNothing);
+  return array;
+}
+} // namespace
+
+std::vector<Vec3> PointsOf(vtkDataSet* data)
+{
+  std::vector<Vec3> points(data->GetNumberOfPoints());
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    double x[3];
+    data->GetPoint(static_cast<vtkIdType>(i), x);
+    points[i] = { x[0], x[1], x[2] };
+  }
+  return points;
+}
+
+PointSampling::PointSampling(const HighOrderModel& model, std::vector<Vec3> points)
+  : Model(model)
+  , Points(std::move(points))
+  , Element(Points.size())
+  , Xi(Points.size())
+  , TheVerdicts(Points.size())
+  , Residual(Points.size())
+{
+  SampleTarget target;
+  target.element = Element;
+  target.xi = Xi;
+  target.verdict = TheVerdicts;
+  target.residual = Residual;
+  Sample(model.GetLocator(), nullptr, Points, target);
+
+  for (int i = 0; i < static_cast<int>(Points.size()); ++i)
+  {
+    if (TheVerdicts[i] == Verdict::Inside)
+    {
+      Order.push_back(i);
+    }
+  }
+  std::ranges::stable_sort(Order, {}, [this](int i) { return Element[i]; });
+  for (int k = 0; k < static_cast<int>(Order.size()); ++k)
+  {
+    if (k == 0 || Element[Order[k]] != Element[Order[k - 1]])
+    {
+      Starts.push_back(k);
+    }
+  }
+  Starts.push_back(static_cast<int>(Order.size()));
+}
+
+void PointSampling::AddFields(const SamplingOptions& options, vtkPointData* output) const
+{
+  for (const auto& name : options.fields)
+  {
+    const Field* field = Model.FindField(name);
+    if (!field)
+    {
+      std::string known;
+      for (const auto& other : Model.Fields())
+      {
+        known += (known.empty() ? "" : ", ") + other.name;
+      }
+      throw InvalidData("there is no high-order field '" + name +
+        "'; the grid has: " + (known.empty() ? "none" : known) + ".");
+    }
+    AddField(*field, options.gradients, output);
+  }
+  if (options.fields.empty())
+  {
+    for (const auto& field : Model.Fields())
+    {
+      AddField(field, options.gradients, output);
+    }
+  }
+}
+
+void PointSampling::AddField(const Field& field, bool gradients, vtkPointData* output) const
+{
+  const int components = field.values.components;
+  const auto values = NewDoubles(field.name, components, Points.size());
+  const auto slopes =
+    NewDoubles(field.name + "_Gradient", 3 * components, gradients ? Points.size() : 0);
+  tbb::parallel_for(std::size_t(0), Starts.size() - 1,
+    [&](std::size_t run)
+    {
+      const auto first = static_cast<std::size_t>(Starts[run]);
+      const auto count = static_cast<std::size_t>(Starts[run + 1]) - first;
+      std::vector<Vec3> xi(count);
+      std::vector<double> value(count * components);
+      std::vector<double> gradient(gradients ? 3 * value.size() : 0);
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        xi[i] = Xi[Order[first + i]];
+      }
+      EvaluateAt(Model.GetMesh(), field, Element[Order[first]], xi, value, gradient);
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        const int point = Order[first + i];
+        std::copy_n(&value[i * components], components,
+          values->GetPointer(static_cast<vtkIdType>(point) * components));
+        if (gradients)
+        {
+          std::copy_n(&gradient[3 * i * components], 3 * components,
+            slopes->GetPointer(3 * static_cast<vtkIdType>(point) * components));
+        }
+      }
+    });
+  output->AddArray(values);
+  if (gradients)
+  {
+    output->AddArray(slopes);
+  }
+}
+
+void PointSampling::AddLocations(vtkPointData* output) const
+{
+  const auto count = static_cast<vtkIdType>(Points.size());
+  const auto xi = NewDoubles("Xi", 3, Points.size());
+  const auto residual = NewDoubles("Residual", 1, Points.size());
+  vtkNew<vtkTypeInt64Array> element;
+  element->SetName("Element");
+  element->SetNumberOfValues(count);
+  vtkNew<vtkUnsignedCharArray> verdict;
+  verdict->SetName("Verdict");
+  verdict->SetNumberOfValues(count);
+  const auto source = Model.SourceCells();
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    for (int d = 0; d < 3; ++d)
+    {
+      xi->SetTypedComponent(i, d, Xi[i][d]);
+    }
+    residual->SetValue(i, Residual[i]);
+    element->SetValue(i, Element[i] < 0 ? -1 : source[Element[i]]);
+    verdict->SetValue(i, static_cast<unsigned char>(TheVerdicts[i]));
+  }
+  output->AddArray(xi);
+  output->AddArray(element);
+  output->AddArray(verdict);
+  output->AddArray(residual);
+}
+} // namespace pixelexact

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PointSampling_h
+#define PointSampling_h
+
+#include "HighOrderModel.h"
+
+#include "Core/Base/Verdict.h"
+
+#include <string>
+#include <vector>
+
+class vtkDataArray;
+class vtkDataSet;
+class vtkPointData;
+
+namespace pixelexact
+{
+struct SamplingOptions
+{
+  std::vector<std::string> fields; ///< none: all
+  bool gradients = false;
+};
+
+/// Locates points once, then evaluates any number of fields there. Parallel.
+class PointSampling
+{
+public:
+  PointSampling(const HighOrderModel& model, std::vector<Vec3> points);
+
+  /// Adds to `output`, one tuple per point: each field (NaN where not inside) and, if asked for,
+  /// <field>_Gradient (3 per component, d/dx, d/dy, d/dz in world units). Throws InvalidData for a
+  /// field that is not there.
+  void AddFields(const SamplingOptions& options, vtkPointData* output) const;
+
+  /// Adds Xi (reference coordinates, NaN where not inside), Element (number of the source cell, -1
+  /// outside, a candidate where undecided), Verdict (0 outside, 1 inside, 2 unknown) and Residual
+  /// (the last correction of Newton's iteration, in xi).
+  void AddLocations(vtkPointData* output) const;
+
+  [[nodiscard]] std::span<const Verdict> Verdicts() const { return TheVerdicts; }
+
+private:
+  void AddField(const Field& field, bool gradients, vtkPointData* output) const;
+
+  const HighOrderModel& Model;
+  std::vector<Vec3> Points;
+  std::vector<std::int32_t> Element;
+  std::vector<Vec3> Xi;
+  std::vector<Verdict> TheVerdicts;
+  std::vector<double> Residual;
+  std::vector<int> Order;  ///< points inside, sorted by element
+  std::vector<int> Starts; ///< of the elements' runs in Order, and the end
+};
+
+std::vector<Vec3> PointsOf(vtkDataSet* data);
+} // namespace pixelexact
+#endif

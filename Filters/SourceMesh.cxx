@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SourceMesh.h"
+
+#include "Core/Base/Error.h"
+
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pixelexact
+{
+namespace
+{
+bool IsHidden(vtkDataArray* ghosts, vtkIdType cell)
+{
+  return ghosts &&
+    (static_cast<int>(ghosts->GetComponent(cell, 0)) & vtkDataSetAttributes::HIDDENCELL) != 0;
+}
+
+std::array<int, 3> GivenDegrees(vtkUnstructuredGrid* grid, vtkIdType cell)
+{
+  vtkDataArray* degrees = grid->GetCellData()->GetHigherOrderDegrees();
+  if (!degrees || degrees->GetNumberOfComponents() != 3)
+  {
+    return { 0, 0, 0 };
+  }
+  std::array<int, 3> n{};
+  for (int d = 0; d < 3; ++d)
+  {
+    const double value = degrees->GetComponent(cell, d);
+    n[d] = value >= 0.0 && value <= 1000.0 ? static_cast<int>(value) : -1;
+  }
+  return n;
+}
+
+/// With equal weights a rational Bezier cell is a polynomial one.
+bool HasEqualWeights(vtkUnstructuredGrid* grid, std::span<const vtkIdType> points)
+{
+  vtkDataArray* weights = grid->GetPointData()->GetRationalWeights();
+  if (!weights || points.empty())
+  {
+    return true;
+  }
+  const double first = weights->GetComponent(points[0], 0);
+  return first != 0.0 && std::isfinite(first) &&
+    std::ranges::all_of(points, [&](vtkIdType p) { return weights->GetComponent(p, 0) == first; });
+}
+
+std::string NameCell(vtkIdType cell, int type)
+{
+  return "cell " + std::to_string(cell) + " (" + CellTypeName(type) + ")";
+}
+} // namespace
+
+vtkSmartPointer<vtkDoubleArray> AsDoubles(vtkDataArray* array)
+{
+  if (auto* doubles = vtkDoubleArray::FastDownCast(array))
+  {
+    return doubles;
+  }
+  const auto copy = vtkSmartPointer<vtkDoubleArray>::New();
+  copy->DeepCopy(array);
+  return copy;
+}
+
+SourceMesh::SourceMesh(vtkUnstructuredGrid* grid)
+{
+  vtkDataArray* ghosts = grid->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName());
+  std::map<int, int> dimensions;
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    const int type = grid->GetCellType(cell);
+    const auto [known, isNew] = dimensions.try_emplace(type);
+    if (isNew)
+    {
+      known->second = CellDimension(type);
+    }
+    const int dimension = known->second;
+    if ((dimension >= 0 && dimension < 3) || IsHidden(ghosts, cell))
+    {
+      ++Skipped;
+      continue;
+    }
+    AddCell(grid, cell, type);
+  }
+  if (Cells.empty())
+  {
+    throw InvalidData("the grid has no three-dimensional cell (" + std::to_string(Skipped) +
+      " of other dimensions); check that the file holds a volume mesh.");
+  }
+  if (Cells.size() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
+  {
+    throw Unsupported("the grid has more than 2^31 - 1 cells; split it.");
+  }
+  Roundoff = grid->GetPoints()->GetDataType() == VTK_FLOAT
+    ? static_cast<double>(std::numeric_limits<float>::epsilon()) / 2
+    : std::numeric_limits<double>::epsilon() / 2;
+  Points3 = AsDoubles(grid->GetPoints()->GetData());
+  Xyz = { Points3->GetPointer(0), static_cast<std::size_t>(Points3->GetNumberOfValues()) };
+  CheckCoordinates();
+}
+
+void SourceMesh::AddCell(vtkUnstructuredGrid* grid, vtkIdType cell, int type)
+{
+  vtkNew<vtkIdList> ids;
+  grid->GetCellPoints(cell, ids);
+  const std::span<const vtkIdType> points(
+    ids->GetPointer(0), static_cast<std::size_t>(ids->GetNumberOfIds()));
+  CellKind kind{ type, static_cast<int>(points.size()), { 0, 0, 0 } };
+  for (const auto id : points)
+  {
+    if (id < 0 || id >= grid->GetNumberOfPoints())
+    {
+      throw InvalidData(NameCell(cell, kind.type) + " names point " + std::to_string(id) + " of " +
+        std::to_string(grid->GetNumberOfPoints()) + "; the file's connectivity is damaged.");
+    }
+  }
+  if (IsHigherOrderCell(kind.type))
+  {
+    kind.degrees = GivenDegrees(grid, cell);
+    if (kind.type >= VTK_BEZIER_TETRAHEDRON && !HasEqualWeights(grid, points))
+    {
+      throw Unsupported(NameCell(cell, kind.type) +
+        " has unequal rational weights; rational cells are not polynomials: elevate or refit the "
+        "cell without weights.");
+    }
+  }
+  auto& basis = BasisOfKind[kind];
+  if (!basis)
+  {
+    try
+    {
+      basis = &Bases.emplace_back(MakeCellBasis(kind));
+    }
+    catch (const Unsupported& error)
+    {
+      throw Unsupported("cell " + std::to_string(cell) + ": " + error.what());
+    }
+    catch (const InvalidData& error)
+    {
+      throw InvalidData("cell " + std::to_string(cell) + ": " + error.what());
+    }
+  }
+  Cells.push_back(cell);
+  BasisOf.push_back(basis);
+  PointIds.insert(PointIds.end(), points.begin(), points.end());
+  Offsets.push_back(PointIds.size());
+}
+
+void SourceMesh::CheckCoordinates() const
+{
+  int bad = 0;
+  int first = -1;
+  for (int e = 0; e < Elements(); ++e)
+  {
+    const bool finite = std::ranges::all_of(Points(e),
+      [&](vtkIdType p)
+      {
+        return std::isfinite(Xyz[3 * p]) && std::isfinite(Xyz[3 * p + 1]) &&
+          std::isfinite(Xyz[3 * p + 2]);
+      });
+    if (!finite)
+    {
+      first = bad++ == 0 ? e : first;
+    }
+  }
+  if (bad > 0)
+  {
+    throw InvalidData(Describe(first) + " has a point whose coordinates are NaN or infinite" +
+      (bad > 1 ? ", and " + std::to_string(bad - 1) + " more cells do" : "") +
+      "; repair the points or take these cells out.");
+  }
+}
+
+std::string SourceMesh::Describe(int element) const
+{
+  return NameCell(Cells[element], BasisOf[element]->kind.type);
+}
+
+void SourceMesh::Gather(int element, std::span<const double> values, int components, int component,
+  std::vector<double>& out) const
+{
+  const auto points = Points(element);
+  out.resize(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    out[i] = values[static_cast<std::size_t>(points[i]) * components + component];
+  }
+}
+} // namespace pixelexact

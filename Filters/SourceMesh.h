@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SourceMesh_h
+#define SourceMesh_h
+
+#include "CellBasis.h"
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <deque>
+#include <map>
+#include <span>
+#include <vector>
+
+class vtkDataArray;
+class vtkDoubleArray;
+class vtkUnstructuredGrid;
+
+namespace pixelexact
+{
+/// The three-dimensional cells of a grid, in the grid's order, with basis and points. Keeps no
+/// reference to the grid; safe to read from several threads.
+class SourceMesh
+{
+public:
+  /// Throws Unsupported or InvalidData, naming the cell, for cells without a basis, rational Bezier
+  /// cells, points that are not there, coordinates that are NaN or infinite; InvalidData for a grid
+  /// without any three-dimensional cell.
+  explicit SourceMesh(vtkUnstructuredGrid* grid);
+
+  [[nodiscard]] int Elements() const { return static_cast<int>(Cells.size()); }
+  /// Number of the element's cell in the grid.
+  [[nodiscard]] vtkIdType Cell(int element) const { return Cells[element]; }
+  [[nodiscard]] const CellBasis& Basis(int element) const { return *BasisOf[element]; }
+  [[nodiscard]] std::span<const vtkIdType> Points(int element) const
+  {
+    return std::span(PointIds).subspan(
+      Offsets[element], static_cast<std::size_t>(Offsets[element + 1] - Offsets[element]));
+  }
+  /// Cells of lower dimension, empty and hidden ones.
+  [[nodiscard]] vtkIdType SkippedCells() const { return Skipped; }
+  /// "cell 12 (vtkLagrangeWedge)"
+  [[nodiscard]] std::string Describe(int element) const;
+
+  /// Half the distance of 1 to the next number of the type of the grid's coordinates.
+  [[nodiscard]] double CoordinateRoundoff() const { return Roundoff; }
+  /// x, y, z per point of the grid.
+  [[nodiscard]] std::span<const double> Coordinates() const { return Xyz; }
+
+  /// Component `component` of `values`, `components` per point, at the element's points.
+  void Gather(int element, std::span<const double> values, int components, int component,
+    std::vector<double>& out) const;
+
+private:
+  void AddCell(vtkUnstructuredGrid* grid, vtkIdType cell, int type);
+  void CheckCoordinates() const;
+
+  std::deque<CellBasis> Bases;
+  std::map<CellKind, const CellBasis*> BasisOfKind;
+  std::vector<vtkIdType> Cells;
+  std::vector<const CellBasis*> BasisOf;
+  std::vector<vtkIdType> PointIds;
+  std::vector<std::size_t> Offsets{ 0 };
+  vtkIdType Skipped = 0;
+  double Roundoff = 0.0;
+  vtkSmartPointer<vtkDoubleArray> Points3;
+  std::span<const double> Xyz;
+};
+
+/// The array itself where it holds contiguous doubles, else a copy that does.
+vtkSmartPointer<vtkDoubleArray> AsDoubles(vtkDataArray* array);
+} // namespace pixelexact
+#endif

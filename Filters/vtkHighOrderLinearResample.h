@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHighOrderLinearResample
+ * @brief   high-order fields resampled to a regular grid: a linear baseline
+ *
+ * Fields are exact at the nodes of the vtkImageData, up to rounding, and only there: VTK's filters
+ * interpolate linearly between them. What that costs is what vtkHighOrderGrid is for.
+ *
+ * Nodes outside of the mesh, or undecided, hold NaN, have 0 in the point array vtkValidPointMask
+ * and are blanked, as are the cells that touch them, so that vtkCutter, vtkContourFilter and others
+ * leave them out. The output is a vtkUniformGrid, the vtkImageData whose blanking filters respect.
+ */
+
+#ifndef vtkHighOrderLinearResample_h
+#define vtkHighOrderLinearResample_h
+
+#include "PixelExactFiltersModule.h"
+#include "vtkImageAlgorithm.h"
+
+#include <memory> // for the model
+#include <string> // for names
+#include <vector> // for names
+
+namespace pixelexact
+{
+class ModelSource;
+}
+
+class PIXELEXACTFILTERS_EXPORT vtkHighOrderLinearResample : public vtkImageAlgorithm
+{
+public:
+  static vtkHighOrderLinearResample* New();
+  vtkTypeMacro(vtkHighOrderLinearResample, vtkImageAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Number of nodes along x, y and z; each at least 1. Default 64 each.
+   */
+  vtkSetVector3Macro(Dimensions, int);
+  vtkGetVector3Macro(Dimensions, int);
+  ///@}
+
+  ///@{
+  /**
+   * The box (xmin, xmax, ymin, ymax, zmin, zmax) whose corners are nodes. With xmin > xmax, the
+   * default, the box of the grid's points.
+   */
+  vtkSetVector6Macro(SamplingBounds, double);
+  vtkGetVector6Macro(SamplingBounds, double);
+  ///@}
+
+  ///@{
+  /**
+   * Names of the fields to resample; none: all. A name that the grid lacks is an error.
+   */
+  void AddField(const std::string& name);
+  void ClearFields();
+  ///@}
+
+protected:
+  vtkHighOrderLinearResample();
+  ~vtkHighOrderLinearResample() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkHighOrderLinearResample(const vtkHighOrderLinearResample&) = delete;
+  void operator=(const vtkHighOrderLinearResample&) = delete;
+
+  int Dimensions[3] = { 64, 64, 64 };
+  double SamplingBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
+  std::vector<std::string> Fields;
+  std::unique_ptr<pixelexact::ModelSource> Source;
+};
+
+#endif

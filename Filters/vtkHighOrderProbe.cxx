@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHighOrderProbe.h"
+
+#include "ModelSource.h"
+#include "PointSampling.h"
+
+#include "vtkDataSet.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <exception>
+
+vtkStandardNewMacro(vtkHighOrderProbe);
+
+vtkHighOrderProbe::vtkHighOrderProbe()
+  : Source(std::make_unique<pixelexact::ModelSource>())
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+vtkHighOrderProbe::~vtkHighOrderProbe() = default;
+
+void vtkHighOrderProbe::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Fields:";
+  for (const auto& name : this->Fields)
+  {
+    os << " " << name;
+  }
+  os << (this->Fields.empty() ? " all\n" : "\n");
+  os << indent << "ComputeGradients: " << this->ComputeGradients << "\n";
+}
+
+void vtkHighOrderProbe::SetSourceConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(1, output);
+}
+
+void vtkHighOrderProbe::SetSourceData(vtkUnstructuredGrid* grid)
+{
+  this->SetInputData(1, grid);
+}
+
+void vtkHighOrderProbe::AddField(const std::string& name)
+{
+  this->Fields.push_back(name);
+  this->Modified();
+}
+
+void vtkHighOrderProbe::ClearFields()
+{
+  this->Fields.clear();
+  this->Modified();
+}
+
+int vtkHighOrderProbe::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(
+    vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkDataSet" : "vtkUnstructuredGrid");
+  return 1;
+}
+
+int vtkHighOrderProbe::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (!this->Superclass::RequestUpdateExtent(request, inputVector, outputVector))
+  {
+    return 0;
+  }
+  // All of the grid, whatever piece of the points is asked for.
+  if (auto* grid = inputVector[1]->GetInformationObject(0))
+  {
+    grid->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
+    grid->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+    grid->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  }
+  return 1;
+}
+
+int vtkHighOrderProbe::RequestData(vtkInformation* /*request*/, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector)
+{
+  auto* points = vtkDataSet::GetData(inputVector[0]);
+  auto* grid = vtkUnstructuredGrid::GetData(inputVector[1]);
+  auto* output = vtkDataSet::GetData(outputVector);
+  try
+  {
+    output->CopyStructure(points);
+    const auto model = this->Source->Get(grid, this);
+    this->UpdateProgress(0.2);
+    const pixelexact::PointSampling sampling(*model, pixelexact::PointsOf(points));
+    this->UpdateProgress(0.7);
+    sampling.AddFields({ this->Fields, this->ComputeGradients }, output->GetPointData());
+    sampling.AddLocations(output->GetPointData());
+    return 1;
+  }
+  catch (const std::exception& error) // memory may run out too
+  {
+    output->Initialize();
+    vtkErrorMacro(<< error.what());
+    return 0;
+  }
+}

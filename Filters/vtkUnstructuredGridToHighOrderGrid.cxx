@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkUnstructuredGridToHighOrderGrid.h"
+
+#include "Core/Base/Error.h"
+#include "GridConversion.h"
+#include "OutputGrid.h"
+#include "vtkHighOrderGrid.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <exception>
+
+vtkStandardNewMacro(vtkUnstructuredGridToHighOrderGrid);
+
+using namespace pixelexact;
+
+vtkUnstructuredGridToHighOrderGrid::vtkUnstructuredGridToHighOrderGrid() = default;
+vtkUnstructuredGridToHighOrderGrid::~vtkUnstructuredGridToHighOrderGrid() = default;
+
+void vtkUnstructuredGridToHighOrderGrid::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Fields:";
+  for (const auto& name : this->Fields)
+  {
+    os << " " << name;
+  }
+  os << (this->Fields.empty() ? " all\n" : "\n");
+  os << indent << "Diagnose: " << this->Diagnose << "\n";
+  os << indent << "NumberOfSkippedCells: " << this->NumberOfSkippedCells << "\n";
+  for (const auto& line : this->Diagnostics)
+  {
+    os << indent << line << "\n";
+  }
+}
+
+void vtkUnstructuredGridToHighOrderGrid::AddField(const std::string& name)
+{
+  this->Fields.push_back(name);
+  this->Modified();
+}
+
+void vtkUnstructuredGridToHighOrderGrid::ClearFields()
+{
+  this->Fields.clear();
+  this->Modified();
+}
+
+int vtkUnstructuredGridToHighOrderGrid::GetNumberOfNonFiniteElements(const std::string& field)
+{
+  const auto found = this->NonFiniteElements.find(field);
+  return found == this->NonFiniteElements.end() ? 0 : found->second;
+}
+
+int vtkUnstructuredGridToHighOrderGrid::GetNumberOfDiagnostics()
+{
+  return static_cast<int>(this->Diagnostics.size());
+}
+
+std::string vtkUnstructuredGridToHighOrderGrid::GetDiagnostic(int index)
+{
+  return index >= 0 && index < this->GetNumberOfDiagnostics() ? this->Diagnostics[index]
+                                                              : std::string();
+}
+
+vtkHighOrderGrid* vtkUnstructuredGridToHighOrderGrid::GetHighOrderOutput()
+{
+  return vtkHighOrderGrid::SafeDownCast(this->GetOutputDataObject(0));
+}
+
+// RequestDataObject is not virtual in vtkUnstructuredGridAlgorithm.
+vtkTypeBool vtkUnstructuredGridToHighOrderGrid::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
+  {
+    if (!vtkHighOrderGrid::GetData(outputVector))
+    {
+      vtkNew<vtkHighOrderGrid> output;
+      outputVector->GetInformationObject(0)->Set(vtkDataObject::DATA_OBJECT(), output);
+    }
+    return 1;
+  }
+  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+}
+
+void vtkUnstructuredGridToHighOrderGrid::Report(const std::string& line)
+{
+  this->Diagnostics.push_back(line);
+  vtkWarningMacro(<< line);
+}
+
+int vtkUnstructuredGridToHighOrderGrid::RequestData(vtkInformation* /*request*/,
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  auto* input = vtkUnstructuredGrid::GetData(inputVector[0]);
+  auto* output = vtkHighOrderGrid::SafeDownCast(vtkDataObject::GetData(outputVector));
+  this->NumberOfSkippedCells = 0;
+  this->NonFiniteElements.clear();
+  this->Diagnostics.clear();
+  try
+  {
+    if (!input || !output)
+    {
+      throw InvalidData("there is no input grid; connect a vtkUnstructuredGrid.");
+    }
+    if (HasSolverCoefficients(input))
+    {
+      const std::string problem = vtkHighOrderGrid::CheckCoefficients(input);
+      if (problem.empty())
+      {
+        output->ShallowCopy(input);
+        return 1;
+      }
+      this->Report(
+        "the solver's own coefficients no longer fit and are replaced by nodal ones: " + problem);
+    }
+    const auto report = ConvertGrid(input,
+      { this->Fields, this->Diagnose, [this](double done) { this->UpdateProgress(done); } },
+      output);
+    this->NumberOfSkippedCells = report.skippedCells;
+    this->NonFiniteElements = report.nonFinite;
+    for (const auto& line : report.diagnostics)
+    {
+      this->Report(line);
+    }
+    return 1;
+  }
+  catch (const std::exception& error) // memory may run out too
+  {
+    if (output)
+    {
+      output->Initialize();
+    }
+    vtkErrorMacro(<< error.what());
+    return 0;
+  }
+}

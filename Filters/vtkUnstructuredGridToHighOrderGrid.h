@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkUnstructuredGridToHighOrderGrid
+ * @brief   gives an unstructured grid its exact high-order polynomials
+ *
+ * Takes linear, quadratic, Lagrange and Bezier tetrahedra, hexahedra, wedges and pyramids (Lagrange
+ * and Bezier: no pyramids; Bezier: equal weights) and makes a vtkHighOrderGrid of the same points
+ * and cells, with the coefficients of the geometry and of the fields. Point data become fields of
+ * the cells' orders, cell data fields that are constant in each cell. Cells of lower dimension are
+ * left out and counted.
+ *
+ * A grid that carries coefficients already, for instance one whose points were moved since, is
+ * converted anew from its points and nodal values; coefficients that a reader took from a solver's
+ * own file are kept as long as they are not stale.
+ *
+ * What looks wrong in the file but can be converted is told as warnings and in GetDiagnostic().
+ */
+
+#ifndef vtkUnstructuredGridToHighOrderGrid_h
+#define vtkUnstructuredGridToHighOrderGrid_h
+
+#include "PixelExactFiltersModule.h"
+#include "vtkUnstructuredGridAlgorithm.h"
+
+#include <map>    // for counts
+#include <string> // for names
+#include <vector> // for names
+
+class vtkHighOrderGrid;
+
+class PIXELEXACTFILTERS_EXPORT vtkUnstructuredGridToHighOrderGrid
+  : public vtkUnstructuredGridAlgorithm
+{
+public:
+  static vtkUnstructuredGridToHighOrderGrid* New();
+  vtkTypeMacro(vtkUnstructuredGridToHighOrderGrid, vtkUnstructuredGridAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Names of the arrays of point and cell data to convert. None: all that are numeric and no
+   * bookkeeping (ids, ghost flags, weights, degrees). A name that the input lacks is an error.
+   */
+  void AddField(const std::string& name);
+  void ClearFields();
+  ///@}
+
+  ///@{
+  /**
+   * Whether to look for signs of a faulty file (mirrored wedges, warped nodes, inverted elements).
+   * On by default.
+   */
+  vtkSetMacro(Diagnose, bool);
+  vtkGetMacro(Diagnose, bool);
+  vtkBooleanMacro(Diagnose, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Of the last execution: cells left out; elements of a field with a coefficient that is NaN or
+   * infinite; lines about what looks wrong.
+   */
+  vtkGetMacro(NumberOfSkippedCells, vtkIdType);
+  int GetNumberOfNonFiniteElements(const std::string& field);
+  int GetNumberOfDiagnostics();
+  std::string GetDiagnostic(int index);
+  ///@}
+
+  vtkHighOrderGrid* GetHighOrderOutput();
+
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+protected:
+  vtkUnstructuredGridToHighOrderGrid();
+  ~vtkUnstructuredGridToHighOrderGrid() override;
+
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkUnstructuredGridToHighOrderGrid(const vtkUnstructuredGridToHighOrderGrid&) = delete;
+  void operator=(const vtkUnstructuredGridToHighOrderGrid&) = delete;
+
+  void Report(const std::string& line);
+
+  std::vector<std::string> Fields;
+  bool Diagnose = true;
+  vtkIdType NumberOfSkippedCells = 0;
+  std::map<std::string, int> NonFiniteElements;
+  std::vector<std::string> Diagnostics;
+};
+
+#endif

@@ -1,0 +1,67 @@
+# Everything found outside the project. PixelExactConfig.cmake.in repeats what users of the
+# installed libraries need.
+
+# VTK's Python wrapping is built for the distribution's interpreter, which another python3 that
+# comes first on the PATH would hide.
+if(NOT DEFINED Python3_EXECUTABLE AND EXISTS "/usr/bin/python3")
+  set(Python3_EXECUTABLE "/usr/bin/python3" CACHE FILEPATH "The Python that VTK is built for")
+endif()
+# VTK's own package looks for Python once more and must find the same one.
+set(Python3_FIND_STRATEGY LOCATION)
+if(PIXELEXACT_BUILD_PYTHON)
+  find_package(Python3 REQUIRED COMPONENTS Interpreter Development.Module)
+else()
+  find_package(Python3 REQUIRED COMPONENTS Interpreter)
+endif()
+
+find_package(TBB REQUIRED)
+find_package(glm REQUIRED)
+find_package(hwy REQUIRED)
+find_package(Eigen3 REQUIRED NO_MODULE)
+
+# Embree 3 and 4 differ in their headers; the sources ask for both with __has_include.
+find_package(embree 4 QUIET)
+if(NOT embree_FOUND)
+  find_package(embree 3 REQUIRED)
+endif()
+
+# By name: a find_package(VTK) without components demands Qt.
+set(PIXELEXACT_VTK_COMPONENTS
+  CommonCore
+  CommonDataModel
+  CommonExecutionModel
+  CommonMath
+  CommonMisc
+  CommonSystem
+  CommonTransforms
+  FiltersCore
+  FiltersExtraction
+  FiltersGeneral
+  FiltersGeometry
+  FiltersModeling
+  FiltersSources
+  IOGeometry
+  IOImage
+  IOLegacy
+  IOXML
+  ImagingCore
+  RenderingCore
+  RenderingOpenGL2)
+set(vtk_build_components)
+if(PIXELEXACT_BUILD_PYTHON)
+  list(APPEND vtk_build_components Python WrappingPythonCore)
+endif()
+if(PIXELEXACT_BUILD_TESTING)
+  list(APPEND vtk_build_components
+    InteractionStyle RenderingAnnotation RenderingFreeType TestingRendering)
+endif()
+find_package(VTK 9.1 REQUIRED COMPONENTS ${PIXELEXACT_VTK_COMPONENTS} ${vtk_build_components})
+
+find_package(CLI11 REQUIRED)
+
+if(PIXELEXACT_BUILD_TESTING)
+  find_package(GTest REQUIRED)
+endif()
+if(PIXELEXACT_BUILD_BENCHMARKS)
+  find_package(benchmark REQUIRED)
+endif()

@@ -1,0 +1,22 @@
+# pixelexact_add_library(NAME INCLUDE_ROOT DIR SUBDIR DIR SOURCES ...)
+#
+# A VTK-free shared library: exported with the VTK modules, its headers installed so that the same
+# #include "SUBDIR/..." works against the build and the install tree.
+function(pixelexact_add_library name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "INCLUDE_ROOT;SUBDIR" "SOURCES")
+
+  add_library(${name} SHARED ${arg_SOURCES})
+  add_library(PixelExact::${name} ALIAS ${name})
+  target_compile_features(${name} PUBLIC cxx_std_20)
+  target_include_directories(${name} PUBLIC
+    $<BUILD_INTERFACE:${arg_INCLUDE_ROOT}>
+    $<INSTALL_INTERFACE:${PIXELEXACT_INCLUDE_DESTINATION}>)
+  # Proofs by rounding need every operation rounded as written. PUBLIC: the headers hold some.
+  target_compile_options(${name} PUBLIC -ffp-contract=off)
+  target_link_libraries(${name} PRIVATE $<BUILD_INTERFACE:PixelExactWarnings>)
+
+  install(TARGETS ${name} EXPORT PixelExact)
+  install(DIRECTORY "${arg_INCLUDE_ROOT}/${arg_SUBDIR}/"
+    DESTINATION "${PIXELEXACT_INCLUDE_DESTINATION}/${arg_SUBDIR}"
+    FILES_MATCHING PATTERN "*.h")
+endfunction()

@@ -1,0 +1,44 @@
+# The three VTK modules: each is the folder of its vtk.module file.
+
+# pixelexact_add_vtk_module(NAME [NOWRAP_HEADERS ...])
+#
+# Adds a module from the sources beside the calling CMakeLists.txt: vtk*.cxx are its public classes,
+# wrapped and installed; sources of other names are its own affair. NOWRAP_HEADERS: headers among
+# those that users in C++ need.
+function(pixelexact_add_vtk_module name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "NOWRAP_HEADERS")
+  file(GLOB classes CONFIGURE_DEPENDS RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}" "vtk*.cxx")
+  list(TRANSFORM classes REPLACE "\\.cxx$" "")
+  file(GLOB sources CONFIGURE_DEPENDS RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}" "[A-Z]*.cxx")
+  file(GLOB private_headers CONFIGURE_DEPENDS RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}" "[A-Z]*.h")
+  list(REMOVE_ITEM private_headers ${arg_NOWRAP_HEADERS})
+  vtk_module_add_module(${name}
+    CLASSES ${classes}
+    SOURCES ${sources}
+    PRIVATE_HEADERS ${private_headers}
+    NOWRAP_HEADERS ${arg_NOWRAP_HEADERS})
+endfunction()
+
+set(PIXELEXACT_MODULES
+  PixelExact::PixelExactDataModel
+  PixelExact::PixelExactFilters
+  PixelExact::PixelExactRendering)
+
+vtk_module_scan(
+  MODULE_FILES
+    "${PROJECT_SOURCE_DIR}/Module/vtk.module"
+    "${PROJECT_SOURCE_DIR}/Filters/vtk.module"
+    "${PROJECT_SOURCE_DIR}/Rendering/vtk.module"
+  PROVIDES_MODULES modules
+  WANT_BY_DEFAULT ON
+  ENABLE_TESTS OFF)
+
+vtk_module_build(
+  MODULES ${modules}
+  PACKAGE PixelExact
+  INSTALL_EXPORT PixelExact
+  UTILITY_TARGET PixelExactWarnings
+  ENABLE_WRAPPING ${PIXELEXACT_BUILD_PYTHON}
+  HEADERS_DESTINATION "${PIXELEXACT_INCLUDE_DESTINATION}"
+  CMAKE_DESTINATION "${PIXELEXACT_CMAKE_DESTINATION}"
+  TEST_DIRECTORY_NAME NONE)

@@ -1,0 +1,21 @@
+# The Python package `pixelexact`: one extension module per VTK module, and an __init__.py that
+# offers all of their classes.
+
+vtk_module_wrap_python(
+  MODULES ${PIXELEXACT_MODULES}
+  TARGET PixelExact::PixelExactPython
+  WRAPPED_MODULES wrapped_modules
+  PYTHON_PACKAGE pixelexact
+  MODULE_DESTINATION "${PIXELEXACT_PYTHON_DESTINATION}"
+  LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+  CMAKE_DESTINATION "${PIXELEXACT_CMAKE_DESTINATION}"
+  BUILD_STATIC OFF)
+
+set(PIXELEXACT_PYTHON_IMPORTS "")
+foreach(module IN LISTS wrapped_modules)
+  string(REPLACE "PixelExact::" "" name "${module}")
+  string(APPEND PIXELEXACT_PYTHON_IMPORTS "from .${name} import *\n")
+endforeach()
+set(init_file "${PROJECT_BINARY_DIR}/${PIXELEXACT_PYTHON_DESTINATION}/pixelexact/__init__.py")
+configure_file("${CMAKE_CURRENT_LIST_DIR}/__init__.py.in" "${init_file}" @ONLY)
+install(FILES "${init_file}" DESTINATION "${PIXELEXACT_PYTHON_DESTINATION}/pixelexact")

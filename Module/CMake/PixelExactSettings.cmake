@@ -1,0 +1,39 @@
+# Settings shared by every target: build type, language, where things go, warnings, sanitizers.
+
+get_property(multi_config GLOBAL PROPERTY GENERATOR_IS_MULTI_CONFIG)
+if(NOT multi_config AND NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(BUILD_SHARED_LIBS ON)
+
+# The same layout in the build and in the install tree, on every distribution.
+set(CMAKE_INSTALL_LIBDIR lib CACHE PATH "Where libraries go below the prefix")
+include(GNUInstallDirs)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/${CMAKE_INSTALL_BINDIR}")
+set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
+set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
+set(PIXELEXACT_INCLUDE_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/PixelExact")
+set(PIXELEXACT_CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/PixelExact")
+set(PIXELEXACT_PYTHON_DESTINATION "${CMAKE_INSTALL_LIBDIR}/python3/dist-packages")
+
+# An installed tree may be moved: libraries find each other relative to themselves.
+file(RELATIVE_PATH bin_to_lib "/${CMAKE_INSTALL_BINDIR}" "/${CMAKE_INSTALL_LIBDIR}")
+set(CMAKE_INSTALL_RPATH "$ORIGIN" "$ORIGIN/${bin_to_lib}")
+
+# Flags of our own sources. An interface target and not global flags, because the wrapping code
+# that VTK generates does not compile without warnings.
+add_library(PixelExactWarnings INTERFACE)
+target_compile_options(PixelExactWarnings INTERFACE
+  -Wall -Wextra -Wshadow -Wnon-virtual-dtor
+  $<$<BOOL:${PIXELEXACT_WARNINGS_AS_ERRORS}>:-Werror>)
+
+if(PIXELEXACT_SANITIZE)
+  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all
+    -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=address,undefined)
+endif()

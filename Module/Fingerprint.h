@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Fingerprint_h
+#define Fingerprint_h
+
+#include "HighOrderArrays.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+// 64-bit hashes that tell whether a cell and the values at its points are still those from which
+// coefficients were made. A change goes unnoticed with a probability of about 2^-64 per cell; they
+// guard against accidents, not against forgery.
+namespace pixelexact
+{
+/// Per cell: type, number of points and the coordinates of its points, in order, as doubles (so
+/// that float points may be stored as double), the two zeros being one number.
+std::vector<std::int64_t> CellFingerprints(vtkUnstructuredGrid* grid);
+
+/// Per cell: the values of `source` at its points, in order, or its own for Origin::CellData.
+std::vector<std::int64_t> ValueFingerprints(
+  vtkUnstructuredGrid* grid, vtkDataArray* source, Origin origin);
+
+/// The array that a field of this name and origin was made from; null where it is not there.
+vtkDataArray* FieldSource(vtkUnstructuredGrid* grid, const std::string& name, Origin origin);
+} // namespace pixelexact
+#endif

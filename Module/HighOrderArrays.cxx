@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "HighOrderArrays.h"
+
+#include "Core/Base/Error.h"
+#include "Fingerprint.h"
+
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkTypeInt64Array.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <map>
+
+namespace pixelexact
+{
+namespace
+{
+template <class Array, class T>
+void Add(vtkFieldData* data, const std::string& name, std::span<const T> values, int components = 1)
+{
+  vtkNew<Array> array;
+  array->SetName(name.c_str());
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()) / components);
+  std::ranges::copy(values, array->GetPointer(0));
+  data->AddArray(array);
+}
+
+void AddExpansion(
+  vtkFieldData* data, const std::string& prefix, const ExpansionArrays& expansion, Origin origin)
+{
+  std::vector<unsigned char> spaces;
+  for (const auto& space : expansion.spaces)
+  {
+    spaces.insert(spaces.end(),
+      { static_cast<unsigned char>(space.shape), static_cast<unsigned char>(space.form),
+        space.order[0], space.order[1], space.order[2] });
+  }
+  Add<vtkUnsignedCharArray, unsigned char>(data, prefix + "Spaces", spaces, 5);
+  Add<vtkIntArray, std::int32_t>(data, prefix + "Space", expansion.spaceOf);
+  Add<vtkTypeInt64Array, std::int64_t>(data, prefix + "Offset", expansion.offset);
+  const auto kind = static_cast<unsigned char>(origin);
+  Add<vtkUnsignedCharArray, unsigned char>(data, prefix + "Origin", { &kind, 1 });
+  // Added itself, not copied: it is the largest of all. The caller keeps no other use for it.
+  expansion.coefficients->SetName((prefix + "Coefficients").c_str());
+  data->AddArray(expansion.coefficients);
+}
+
+void RemovePrefix(vtkFieldData* data, const std::string& prefix)
+{
+  for (int i = data->GetNumberOfArrays() - 1; i >= 0; --i)
+  {
+    const char* name = data->GetArrayName(i);
+    if (name && std::string(name).starts_with(prefix))
+    {
+      data->RemoveArray(name);
+    }
+  }
+}
+} // namespace
+
+void ExpansionArrays::Allocate(std::span<const Space> spaceOfElement, int numberOfComponents)
+{
+  std::map<Space, std::pair<std::int32_t, std::int64_t>> known; // index, coefficients
+  components = numberOfComponents;
+  spaceOf.clear();
+  offset.clear();
+  std::int64_t total = 0;
+  for (const auto& space : spaceOfElement)
+  {
+    auto [at, isNew] = known.try_emplace(space);
+    if (isNew)
+    {
+      at->second = { static_cast<std::int32_t>(spaces.size()),
+        static_cast<std::int64_t>(space.Modes()) * components };
+      spaces.push_back(space);
+    }
+    spaceOf.push_back(at->second.first);
+    offset.push_back(total);
+    total += at->second.second;
+  }
+  coefficients = vtkSmartPointer<vtkDoubleArray>::New();
+  coefficients->SetNumberOfValues(total);
+}
+
+double* ExpansionArrays::Coefficients(std::size_t element) const
+{
+  return coefficients->GetPointer(offset[element]);
+}
+
+bool HasHighOrderArrays(vtkUnstructuredGrid* grid)
+{
+  return grid && grid->GetFieldData() &&
+    grid->GetFieldData()->HasArray((std::string(kMeshPrefix) + "Coefficients").c_str());
+}
+
+void RemoveHighOrderArrays(vtkUnstructuredGrid* grid)
+{
+  RemovePrefix(grid->GetFieldData(), kMeshPrefix);
+  RemovePrefix(grid->GetFieldData(), kFieldPrefix);
+  grid->GetCellData()->RemoveArray(kElementIds);
+}
+
+void StoreMesh(vtkUnstructuredGrid* grid, const MeshArrays& mesh, Origin origin)
+{
+  const auto cells = static_cast<std::size_t>(grid->GetNumberOfCells());
+  if (mesh.map.spaceOf.size() != cells || mesh.sourceCell.size() != cells)
+  {
+    throw InvalidData("a mesh of " + std::to_string(mesh.map.spaceOf.size()) +
+      " elements cannot be stored in a grid of " + std::to_string(cells) +
+      " cells; give it one cell per element.");
+  }
+  RemoveHighOrderArrays(grid);
+  vtkFieldData* data = grid->GetFieldData();
+  const std::string prefix = kMeshPrefix;
+  AddExpansion(data, prefix, mesh.map, origin);
+  Add<vtkDoubleArray, double>(data, prefix + "Centre", mesh.centre, 3);
+  Add<vtkDoubleArray, double>(data, prefix + "Size", mesh.size);
+  Add<vtkDoubleArray, double>(data, prefix + "Uncertainty", mesh.uncertainty);
+  Add<vtkTypeInt64Array, std::int64_t>(data, prefix + "SourceCell", mesh.sourceCell);
+  const auto prints = CellFingerprints(grid);
+  Add<vtkTypeInt64Array, std::int64_t>(data, prefix + "Fingerprint", prints);
+
+  vtkNew<vtkTypeInt64Array> ids;
+  ids->SetName(kElementIds);
+  ids->SetNumberOfValues(grid->GetNumberOfCells());
+  for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
+  {
+    ids->SetValue(i, i);
+  }
+  grid->GetCellData()->AddArray(ids);
+}
+
+void StoreField(
+  vtkUnstructuredGrid* grid, const std::string& name, const ExpansionArrays& values, Origin origin)
+{
+  vtkFieldData* data = grid->GetFieldData();
+  const std::string prefix = kFieldPrefix + name + ".";
+  // AddArray replaces an array of the same name; of those of an earlier version only this one might
+  // be left over.
+  data->RemoveArray((prefix + "Fingerprint").c_str());
+  AddExpansion(data, prefix, values, origin);
+  const std::int32_t components = values.components;
+  Add<vtkIntArray, std::int32_t>(data, prefix + "Components", { &components, 1 });
+  if (origin == Origin::Coefficients)
+  {
+    return;
+  }
+  vtkDataArray* source = FieldSource(grid, name, origin);
+  if (!source)
+  {
+    throw InvalidData("field '" + name + "' cannot be stored as made from nodal values: the grid " +
+      "has no array of that name; add the array first.");
+  }
+  const auto prints = ValueFingerprints(grid, source, origin);
+  Add<vtkTypeInt64Array, std::int64_t>(data, prefix + "Fingerprint", prints);
+}
+
+std::vector<std::string> StoredFieldNames(vtkUnstructuredGrid* grid)
+{
+  const std::string prefix = kFieldPrefix;
+  const std::string suffix = ".Coefficients";
+  std::vector<std::string> names;
+  vtkFieldData* data = grid->GetFieldData();
+  for (int i = 0; data && i < data->GetNumberOfArrays(); ++i)
+  {
+    const char* arrayName = data->GetArrayName(i);
+    const std::string name = arrayName ? arrayName : "";
+    if (name.starts_with(prefix) && name.ends_with(suffix) &&
+      name.size() > prefix.size() + suffix.size())
+    {
+      names.push_back(name.substr(prefix.size(), name.size() - prefix.size() - suffix.size()));
+    }
+  }
+  return names;
+}
+} // namespace pixelexact

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef HighOrderArrays_h
+#define HighOrderArrays_h
+
+#include "PixelExactDataModelModule.h"
+
+#include "Core/Element/Mesh.h"
+
+#include "vtkSmartPointer.h"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+class vtkDataArray;
+class vtkDataSet;
+class vtkDoubleArray;
+class vtkUnstructuredGrid;
+
+// How a mesh and its fields lie in the arrays of a vtkUnstructuredGrid, and how they get there.
+//
+// FieldData, E elements (arrays marked * have a fixed size of their own):
+//   PixelExact.Mesh.Spaces*       uint8 x 5   distinct spaces: shape, form, three orders
+//   PixelExact.Mesh.Space         int32       per element: which of them
+//   PixelExact.Mesh.Offset        int64       per element: its first coefficient
+//   PixelExact.Mesh.Coefficients* double      component by component, as in Expansion
+//   PixelExact.Mesh.Centre        double x 3
+//   PixelExact.Mesh.Size          double
+//   PixelExact.Mesh.Uncertainty   double
+//   PixelExact.Mesh.SourceCell    int64       per element: number of its cell in the source
+//   PixelExact.Mesh.Fingerprint   int64       per element: hash of the cell it was made with
+//   PixelExact.Mesh.Origin*       uint8       see Origin
+// and the same for each field under PixelExact.Field.<name>: Spaces, Space, Offset, Coefficients,
+// Origin, Components* (int32); Fingerprint only where the field was made from nodal values.
+// CellData: PixelExactElementId, int64: the element of each cell.
+//
+// FieldData survives what VTK does to a data set, even when cells are dropped or points are moved;
+// the fingerprints tell what still fits (HighOrderModel).
+namespace pixelexact
+{
+inline constexpr const char* kMeshPrefix = "PixelExact.Mesh.";
+inline constexpr const char* kFieldPrefix = "PixelExact.Field.";
+inline constexpr const char* kElementIds = "PixelExactElementId";
+
+/// Where coefficients come from.
+enum class Origin : std::uint8_t
+{
+  Coefficients = 0, ///< the coefficients of a solver's own file
+  PointData = 1,    ///< nodal values at the cells' points
+  CellData = 2      ///< one value per cell
+};
+
+/// Arrays of one expansion, to be filled and handed to StoreMesh or StoreField.
+struct PIXELEXACTDATAMODEL_EXPORT ExpansionArrays
+{
+  std::vector<Space> spaces;
+  std::vector<std::int32_t> spaceOf;
+  std::vector<std::int64_t> offset;
+  vtkSmartPointer<vtkDoubleArray> coefficients;
+  int components = 1;
+
+  /// Sets spaceOf and offset for elements of the given spaces, one after the other, and allocates
+  /// the coefficients.
+  void Allocate(std::span<const Space> spaceOfElement, int numberOfComponents);
+  [[nodiscard]] double* Coefficients(std::size_t element) const;
+};
+
+struct MeshArrays
+{
+  ExpansionArrays map;
+  std::vector<double> centre; ///< 3 per element
+  std::vector<double> size;
+  std::vector<double> uncertainty;
+  std::vector<std::int64_t> sourceCell;
+};
+
+/// Whether the grid carries the arrays of a mesh; says nothing of whether they fit.
+PIXELEXACTDATAMODEL_EXPORT bool HasHighOrderArrays(vtkUnstructuredGrid* grid);
+
+/// Removes every array of ours from FieldData and CellData.
+PIXELEXACTDATAMODEL_EXPORT void RemoveHighOrderArrays(vtkUnstructuredGrid* grid);
+
+/// Adds a mesh whose element e is the grid's cell e, and fingerprints the cells as they are now.
+/// Throws InvalidData where the number of elements is not the number of cells.
+PIXELEXACTDATAMODEL_EXPORT void StoreMesh(
+  vtkUnstructuredGrid* grid, const MeshArrays& mesh, Origin origin);
+
+/// Adds or replaces a field on the mesh stored before. With origin PointData or CellData the array
+/// of that name must be there: its values are fingerprinted.
+PIXELEXACTDATAMODEL_EXPORT void StoreField(
+  vtkUnstructuredGrid* grid, const std::string& name, const ExpansionArrays& values, Origin origin);
+
+/// Names of the fields whose coefficients are in FieldData, in their order there.
+PIXELEXACTDATAMODEL_EXPORT std::vector<std::string> StoredFieldNames(vtkUnstructuredGrid* grid);
+} // namespace pixelexact
+#endif
