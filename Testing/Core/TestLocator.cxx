@@ -174,7 +174,7 @@ TEST_P(LocatorShapes, SizesAndOffsetsOverManyDecades)
 }
 
 INSTANTIATE_TEST_SUITE_P(AllShapes, LocatorShapes, ::testing::ValuesIn(kShapes),
-  [](const auto& info) { return std::string(Name(info.param)); });
+  [](const auto& shape) { return std::string(Name(shape.param)); });
 
 TEST(Locator, SharedFacePointsBelongToTheLowestElementAndNoneIsLost)
 {

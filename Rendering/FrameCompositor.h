@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Trace/Frame.h"
+
+#include "vtkNew.h"
+#include "vtkWeakPointer.h"
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkActor;
+class vtkMapper;
+class vtkOpenGLQuadHelper;
+class vtkOpenGLRenderWindow;
+class vtkRenderer;
+class vtkTextureObject;
+class vtkWindow;
+
+namespace pixelexact
+{
+/// The two rows of a projection matrix that make a depth: z and w of a point (x, 1).
+struct DepthRows
+{
+  std::array<double, 4> z{};
+  std::array<double, 4> w{};
+
+  bool operator==(const DepthRows&) const = default;
+};
+
+/// Window depth of each pixel, in [0, 1], from its position; kNoDepth where there is none or the
+/// point lies beyond the far plane. Points before the near plane by rounding come to lie on it.
+void WindowDepth(const SampleBuffers& samples, const DepthRows& rows, std::vector<float>& depth);
+inline constexpr float kNoDepth = 2.0F;
+
+/// What is drawn. Versions are at least 0 and change with the arrays' contents.
+struct Pixels
+{
+  const std::vector<std::uint8_t>& rgba; ///< straight alpha
+  const std::vector<float>& depths;
+  int width = 0;
+  int height = 0;
+  double opacity = 1.0;
+  std::int64_t colorsVersion = 0;
+  std::int64_t depthsVersion = 0;
+};
+
+/// Puts pixels and their depths into the framebuffer beside what OpenGL draws there, so that either
+/// hides the other by depth, to the pixel. One texel is one pixel: no filtering, whatever the
+/// viewport, the number of samples or the pass that binds the framebuffer.
+class FrameCompositor
+{
+public:
+  FrameCompositor();
+  ~FrameCompositor();
+  FrameCompositor(const FrameCompositor&) = delete;
+  FrameCompositor& operator=(const FrameCompositor&) = delete;
+
+  /// The viewport that OpenGL draws into: x, y, width, height. Not the renderer's where a pass
+  /// renders to a framebuffer of its own (vtkSSAAPass).
+  static std::array<int, 4> Viewport(vtkRenderer* renderer);
+
+  /// Draws into the renderer's current framebuffer and viewport, which must have the pixels' size.
+  /// With an actor in its translucent phase the colours go to whatever pass sorts them there
+  /// (order-independent translucency, depth peeling).
+  void Draw(vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper, const Pixels& pixels);
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  vtkOpenGLQuadHelper* Quad(vtkActor* actor, vtkMapper* mapper);
+  void Upload(const Pixels& pixels);
+
+  vtkNew<vtkTextureObject> Colors;
+  vtkNew<vtkTextureObject> Depths;
+  // By fragment shader: passes have their say in it.
+  std::map<std::string, std::unique_ptr<vtkOpenGLQuadHelper>> Quads;
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window; ///< whose context holds the textures
+  std::int64_t ColorsVersion = -1;              ///< of the textures' contents, -1: none
+  std::int64_t DepthsVersion = -1;
+};
+} // namespace pixelexact

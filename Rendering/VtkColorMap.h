@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "PixelExactRenderingModule.h"
+#include "Trace/ColorMapping.h"
+
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+class vtkColorTransferFunction;
+class vtkScalarsToColors;
+
+namespace pixelexact
+{
+/// VTK's own mapping of every single value: range, log scale (and its treatment of values <= 0),
+/// NaN, below- and above-range colours are the table's. Builds the table; the result keeps it alive
+/// and may be called from several threads as long as nobody changes the table.
+/// Throws Error for a null table, Unsupported for one that takes vectors for RGB colours.
+[[nodiscard]] PIXELEXACTRENDERING_EXPORT ColorMap ToColorMap(vtkScalarsToColors* table);
+
+/// Scene::component as VTK's mappers choose it: 0 for a field of one component, else the table's
+/// vector component or the magnitude. A null table chooses like a new one: component 0.
+/// Throws Error when the field has no such component.
+[[nodiscard]] PIXELEXACTRENDERING_EXPORT int ComponentOf(
+  vtkScalarsToColors* table, int fieldComponents);
+
+/// Names of the colour maps that MakeColorMap knows.
+[[nodiscard]] PIXELEXACTRENDERING_EXPORT std::vector<std::string> ColorMapNames();
+
+/// A new colour map over [range[0], range[1]]; values beyond take the colours of the ends, NaN a
+/// colour that is not in the map. Throws Error listing the names for an unknown one, and for a
+/// range that is not finite or runs backwards.
+[[nodiscard]] PIXELEXACTRENDERING_EXPORT vtkSmartPointer<vtkColorTransferFunction> MakeColorMap(
+  const std::string& name, const std::array<double, 2>& range);
+} // namespace pixelexact

@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHighOrderMapper.h"
+
+#include "FrameDrawer.h"
+#include "FrameImage.h"
+#include "HighOrderModel.h"
+
+#include "Core/Base/Error.h"
+#include "Core/Location/Locator.h"
+
+#include "vtkCommand.h"
+#include "vtkExecutive.h"
+#include "vtkImageData.h"
+#include "vtkImplicitFunction.h"
+#include "vtkInformation.h"
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkScalarsToColors.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <vector>
+
+vtkStandardNewMacro(vtkHighOrderMapper);
+
+struct vtkHighOrderMapper::Internals
+{
+  std::vector<vtkSmartPointer<vtkImplicitFunction>> Cuts;
+  pixelexact::FrameDrawer Drawer;
+  vtkSmartPointer<vtkImageData> Buffers;
+  std::int64_t BuffersVersion = -1; ///< of the frame that Buffers hold
+
+  pixelexact::FrameRequest Request(vtkHighOrderMapper* self) const;
+};
+
+//------------------------------------------------------------------------------
+pixelexact::FrameRequest vtkHighOrderMapper::Internals::Request(vtkHighOrderMapper* self) const
+{
+  if (Cuts.empty())
+  {
+    throw pixelexact::Error("nothing to cut with: call SetCutFunction");
+  }
+  pixelexact::FrameRequest request;
+  request.grid = self->GetInput();
+  request.field = self->FieldName.empty() ? pixelexact::FieldOf(self)
+                                          : pixelexact::FieldChoice{ .name = self->FieldName };
+  request.cuts.assign(Cuts.begin(), Cuts.end());
+  std::copy_n(self->UnknownColor, 4, request.unknownColor.begin());
+  if (self->GetScalarVisibility())
+  {
+    request.table = self->GetLookupTable();
+    if (!self->GetUseLookupTableScalarRange())
+    {
+      request.table->SetRange(self->GetScalarRange());
+    }
+  }
+  return request;
+}
+
+//------------------------------------------------------------------------------
+vtkHighOrderMapper::vtkHighOrderMapper()
+  : Data(std::make_unique<Internals>())
+{
+}
+
+//------------------------------------------------------------------------------
+vtkHighOrderMapper::~vtkHighOrderMapper() = default;
+
+//------------------------------------------------------------------------------
+int vtkHighOrderMapper::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderMapper::SetInputData(vtkUnstructuredGrid* grid)
+{
+  this->SetInputDataInternal(0, grid);
+}
+
+//------------------------------------------------------------------------------
+vtkUnstructuredGrid* vtkHighOrderMapper::GetInput()
+{
+  return vtkUnstructuredGrid::SafeDownCast(this->GetExecutive()->GetInputData(0, 0));
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderMapper::SetCutFunction(vtkImplicitFunction* function)
+{
+  auto& cuts = this->Data->Cuts;
+  const std::size_t wanted = function != nullptr ? 1 : 0;
+  if (cuts.size() != wanted || (wanted == 1 && cuts[0] != function))
+  {
+    cuts.assign(wanted, function);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderMapper::AddCutFunction(vtkImplicitFunction* function)
+{
+  if (function != nullptr)
+  {
+    this->Data->Cuts.emplace_back(function);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderMapper::RemoveCutFunction(vtkImplicitFunction* function)
+{
+  if (std::erase(this->Data->Cuts, function) > 0)
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderMapper::RemoveAllCutFunctions()
+{
+  this->SetCutFunction(nullptr);
+}
+
+//------------------------------------------------------------------------------
+int vtkHighOrderMapper::GetNumberOfCutFunctions()
+{
+  return static_cast<int>(this->Data->Cuts.size());
+}
+
+//------------------------------------------------------------------------------
+vtkImplicitFunction* vtkHighOrderMapper::GetCutFunction(int index)
+{
+  return index >= 0 && index < this->GetNumberOfCutFunctions()
+    ? this->Data->Cuts[static_cast<std::size_t>(index)].Get()
+    : nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkHighOrderMapper::GetMTime()
+{
+  vtkMTimeType time = this->Superclass::GetMTime();
+  for (const auto& cut : this->Data->Cuts)
+  {
+    time = std::max(time, cut->GetMTime());
+  }
+  return time;
+}
+
+//------------------------------------------------------------------------------
+double* vtkHighOrderMapper::GetBounds()
+{
+  vtkMath::UninitializeBounds(this->Bounds);
+  if (this->GetNumberOfInputConnections(0) == 0)
+  {
+    return this->Bounds;
+  }
+  if (!this->Static)
+  {
+    this->Update();
+  }
+  vtkUnstructuredGrid* grid = this->GetInput();
+  if (grid == nullptr)
+  {
+    return this->Bounds;
+  }
+  try
+  {
+    const pixelexact::Box3& box = this->Data->Drawer.Source().ModelOf(grid)->GetLocator().Bounds();
+    for (int i = 0; i < 3 && box.lower.x <= box.upper.x; ++i)
+    {
+      this->Bounds[2 * i] = box.lower[i];
+      this->Bounds[2 * i + 1] = box.upper[i];
+    }
+  }
+  catch (const pixelexact::Error&)
+  {
+    // Render says what is wrong; until then the points' box lets a camera be placed.
+    grid->GetBounds(this->Bounds);
+  }
+  return this->Bounds;
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkHighOrderMapper::GetBuffers()
+{
+  Internals& data = *this->Data;
+  pixelexact::FrameSource& source = data.Drawer.Source();
+  const pixelexact::Frame* frame = nullptr;
+  try
+  {
+    frame = source.FrameWithAllBuffers();
+  }
+  catch (const pixelexact::Error& error)
+  {
+    vtkErrorMacro(<< error.what());
+  }
+  if (frame == nullptr)
+  {
+    data.Buffers = nullptr;
+    return nullptr;
+  }
+  if (data.Buffers == nullptr || data.BuffersVersion != source.Version())
+  {
+    data.Buffers = pixelexact::ToImageData(*frame, source.Model()->SourceCells());
+    data.BuffersVersion = source.Version();
+  }
+  return data.Buffers;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkHighOrderMapper::GetNumberOfModelBuilds()
+{
+  return this->Data->Drawer.Source().Counters().models;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkHighOrderMapper::GetNumberOfTraces()
+{
+  return this->Data->Drawer.Source().Counters().traces;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkHighOrderMapper::GetNumberOfColorings()
+{
+  return this->Data->Drawer.Source().Counters().colorings;
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderMapper::Render(vtkRenderer* renderer, vtkActor* actor)
+{
+  // A selector wants the ids of props in the place of colours, which the pixels do not carry.
+  if (renderer->GetSelector() != nullptr)
+  {
+    return;
+  }
+  if (this->GetNumberOfInputConnections(0) == 0)
+  {
+    vtkErrorMacro(<< "No input!");
+    return;
+  }
+  this->InvokeEvent(vtkCommand::StartEvent, nullptr);
+  if (!this->Static)
+  {
+    this->Update();
+  }
+  this->InvokeEvent(vtkCommand::EndEvent, nullptr);
+  this->SetAbortExecute(0);
+  vtkRenderWindow* window = renderer->GetRenderWindow();
+  const vtkIdType traces = this->GetNumberOfTraces();
+  const pixelexact::Progress progress = [this, window](double done)
+  {
+    this->UpdateProgress(done);
+    return !this->GetAbortExecute() && !window->CheckAbortStatus();
+  };
+  pixelexact::FrameDrawer& drawer = this->Data->Drawer;
+  try
+  {
+    drawer.Draw(this->Data->Request(this), renderer, actor, this, progress);
+    if (this->GetNumberOfTraces() != traces)
+    {
+      this->UpdateProgress(1.0);
+      this->TimeToDraw = drawer.Source().LastFrame()->counters.seconds;
+    }
+  }
+  catch (const pixelexact::Error& error)
+  {
+    vtkErrorMacro(<< error.what());
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Data->Drawer.ReleaseGraphicsResources(window);
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderMapper::ShallowCopy(vtkAbstractMapper* mapper)
+{
+  if (auto* other = vtkHighOrderMapper::SafeDownCast(mapper))
+  {
+    this->SetInputConnection(
+      other->GetNumberOfInputConnections(0) > 0 ? other->GetInputConnection(0, 0) : nullptr);
+    this->FieldName = other->FieldName;
+    this->SetUnknownColor(other->UnknownColor);
+    this->Data->Cuts = other->Data->Cuts;
+    this->Modified();
+  }
+  this->Superclass::ShallowCopy(mapper);
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FieldName: " << (this->FieldName.empty() ? "(first)" : this->FieldName) << "\n";
+  os << indent << "CutFunctions: " << this->Data->Cuts.size() << "\n";
+  for (const auto& cut : this->Data->Cuts)
+  {
+    cut->PrintSelf(os, indent.GetNextIndent());
+  }
+  os << indent << "UnknownColor: " << int{ this->UnknownColor[0] } << ", "
+     << int{ this->UnknownColor[1] } << ", " << int{ this->UnknownColor[2] } << ", "
+     << int{ this->UnknownColor[3] } << "\n";
+  os << indent << "Models: " << this->GetNumberOfModelBuilds()
+     << ", traces: " << this->GetNumberOfTraces() << ", colorings: " << this->GetNumberOfColorings()
+     << "\n";
+}

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHighOrderMapper
+ * @brief   draws a high-order field on cut-surfaces, every pixel from the exact field
+ *
+ * Takes a vtkUnstructuredGrid that carries PixelExact's arrays (vtkHighOrderGrid, or what
+ * vtkUnstructuredGridToHighOrderGrid made) and works with a stock vtkActor: for each pixel the
+ * point where its ray meets a cut-surface is found, and the field's own polynomials are evaluated
+ * there. There is no mesh of triangles and no interpolation. Pixels and depths go into the
+ * framebuffer, so that ordinary geometry hides the cut and is hidden by it, to the pixel.
+ *
+ * - What is cut: SetCutFunction, AddCutFunction. Functions are written in the data's coordinates;
+ *   the actor's matrix moves cut and field together.
+ * - Which field: SetFieldName; else SelectColorArray; else SetInputArrayToProcess(0, ...); else the
+ *   first field that the grid carries.
+ * - Colours: the lookup table, with its VectorMode and VectorComponent, over ScalarRange or, with
+ *   UseLookupTableScalarRange, over the table's own range. With ScalarVisibility off, the actor's
+ *   colour. A pixel whose element could not be decided gets the UnknownColor.
+ * - Opacity and visibility are the actor's, clipping planes the mapper's.
+ *
+ * What is kept: the field's locator while the grid is unchanged, and the last frame while view and
+ * scene are; a changed lookup table only recolours it. See GetNumberOfTraces().
+ *
+ * Lookup tables with translucent colours are blended over what is drawn before; for sorted
+ * translucency give the actor an opacity below 1. Hardware selection does not see the cut.
+ */
+
+#ifndef vtkHighOrderMapper_h
+#define vtkHighOrderMapper_h
+
+#include "PixelExactRenderingModule.h"
+#include "vtkMapper.h"
+
+#include <memory> // for the implementation
+#include <string> // for the field's name
+
+class vtkImageData;
+class vtkImplicitFunction;
+class vtkUnstructuredGrid;
+
+class PIXELEXACTRENDERING_EXPORT vtkHighOrderMapper : public vtkMapper
+{
+public:
+  static vtkHighOrderMapper* New();
+  vtkTypeMacro(vtkHighOrderMapper, vtkMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The grid. It may be a plain vtkUnstructuredGrid, as files and filters give them back; what
+   * counts are its arrays.
+   */
+  void SetInputData(vtkUnstructuredGrid* grid);
+  vtkUnstructuredGrid* GetInput();
+  ///@}
+
+  ///@{
+  /**
+   * The field to show. Empty (the default): see the class's description.
+   */
+  vtkSetStdStringFromCharMacro(FieldName);
+  vtkGetCharFromStdStringMacro(FieldName);
+  ///@}
+
+  ///@{
+  /**
+   * The cut-surfaces. SetCutFunction replaces all of them by one; null functions are none. Where
+   * the nearest surface lies outside of the mesh, the next one shows. vtkPlane is supported, with
+   * its transform.
+   */
+  void SetCutFunction(vtkImplicitFunction* function);
+  void AddCutFunction(vtkImplicitFunction* function);
+  void RemoveCutFunction(vtkImplicitFunction* function);
+  void RemoveAllCutFunctions();
+  int GetNumberOfCutFunctions();
+  vtkImplicitFunction* GetCutFunction(int index);
+  ///@}
+
+  ///@{
+  /**
+   * RGBA of the pixels whose element could not be decided. The default is magenta.
+   */
+  vtkSetVector4Macro(UnknownColor, unsigned char);
+  vtkGetVector4Macro(UnknownColor, unsigned char);
+  ///@}
+
+  /**
+   * The last frame as an image of the viewport's size, lower left pixel first, with the point
+   * arrays Value, Position, Normal, Xi, Element, Depth, Verdict and Color; null before the first
+   * frame and after one that failed. Positions and depths (along the unit ray) are in the data's
+   * coordinates, elements are the cells of the source.
+   *
+   * A frame is traced with what drawing needs; the rest is traced by the first call for a frame.
+   */
+  vtkImageData* GetBuffers();
+
+  ///@{
+  /**
+   * How often, in this mapper's life, a model of a grid was made, rays were traced, and a frame was
+   * coloured.
+   */
+  vtkIdType GetNumberOfModelBuilds();
+  vtkIdType GetNumberOfTraces();
+  vtkIdType GetNumberOfColorings();
+  ///@}
+
+  void Render(vtkRenderer* renderer, vtkActor* actor) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+  void ShallowCopy(vtkAbstractMapper* mapper) override;
+
+  /**
+   * Changes with the cut functions, too.
+   */
+  vtkMTimeType GetMTime() override;
+
+  ///@{
+  /**
+   * A box that holds the field's whole domain, curved faces included.
+   */
+  double* GetBounds() VTK_SIZEHINT(6) override;
+  void GetBounds(double bounds[6]) override { this->vtkMapper::GetBounds(bounds); }
+  ///@}
+
+  /**
+   * Always drawn with the opaque geometry, unless the actor's opacity is below 1.
+   */
+  bool HasOpaqueGeometry() override { return true; }
+  bool HasTranslucentPolygonalGeometry() override { return false; }
+
+protected:
+  vtkHighOrderMapper();
+  ~vtkHighOrderMapper() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+
+  std::string FieldName;
+  unsigned char UnknownColor[4] = { 255, 0, 255, 255 };
+
+private:
+  vtkHighOrderMapper(const vtkHighOrderMapper&) = delete;
+  void operator=(const vtkHighOrderMapper&) = delete;
+
+  struct Internals;
+  std::unique_ptr<Internals> Data;
+};
+
+#endif

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CutScene.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+#include "vtkSphere.h"
+
+#include <cstring>
+#include <limits>
+
+namespace pixelexact
+{
+namespace
+{
+using testing::CutScene;
+using testing::Window;
+
+/// Renders and returns what the mapper complained about.
+class HighOrderMapperErrors : public ::testing::Test
+{
+protected:
+  HighOrderMapperErrors()
+  {
+    Scene.Mapper->AddObserver(vtkCommand::ErrorEvent, Errors);
+    Window.Renderer->AddActor(Scene.Cut);
+    CutScene::Look(Window.Renderer, false);
+  }
+
+  std::string Render()
+  {
+    Errors->Text.clear();
+    Window.RenderWindow->Render();
+    return Errors->Text;
+  }
+
+  CutScene Scene;
+  testing::Window Window;
+  vtkNew<testing::ErrorObserver> Errors;
+};
+
+bool Contains(const std::string& text, const char* part)
+{
+  return text.find(part) != std::string::npos;
+}
+} // namespace
+
+TEST_F(HighOrderMapperErrors, NoneInASoundScene)
+{
+  EXPECT_EQ(Render(), "");
+  EXPECT_NE(Scene.Mapper->GetBuffers(), nullptr);
+}
+
+TEST_F(HighOrderMapperErrors, GridWithoutArrays)
+{
+  vtkNew<vtkUnstructuredGrid> plain;
+  plain->CopyStructure(Scene.Grid);
+  Scene.Mapper->SetInputData(plain);
+  EXPECT_TRUE(Contains(Render(), "vtkUnstructuredGridToHighOrderGrid")) << Errors->Text;
+  EXPECT_EQ(Scene.Mapper->GetBuffers(), nullptr);
+  // The camera can be placed nevertheless.
+  EXPECT_EQ(Scene.Mapper->GetBounds()[0], -1.0);
+}
+
+TEST_F(HighOrderMapperErrors, UnknownField)
+{
+  EXPECT_EQ(Render(), "");
+  Scene.Mapper->SetFieldName("pressure");
+  const std::string text = Render();
+  EXPECT_TRUE(Contains(text, "'pressure'") && Contains(text, "u, v, nan")) << text;
+  EXPECT_EQ(Scene.Mapper->GetBuffers(), nullptr);
+  Scene.Mapper->SetFieldName("u");
+  EXPECT_EQ(Render(), "");
+  EXPECT_NE(Scene.Mapper->GetBuffers(), nullptr);
+  Scene.Mapper->SetFieldName(nullptr);
+  Scene.Mapper->SelectColorArray(3);
+  EXPECT_TRUE(Contains(Render(), "number 3")) << Errors->Text;
+}
+
+TEST_F(HighOrderMapperErrors, ImpossibleCuts)
+{
+  Scene.Mapper->RemoveAllCutFunctions();
+  EXPECT_TRUE(Contains(Render(), "SetCutFunction")) << Errors->Text;
+  vtkNew<vtkSphere> sphere;
+  Scene.Mapper->SetCutFunction(sphere);
+  EXPECT_TRUE(Contains(Render(), "vtkSphere")) << Errors->Text;
+  Scene.Mapper->SetCutFunction(Scene.Function);
+  Scene.Function->SetNormal(0.0, 0.0, 0.0);
+  EXPECT_TRUE(Contains(Render(), "normal")) << Errors->Text;
+  EXPECT_EQ(Scene.Mapper->GetBuffers(), nullptr);
+}
+
+TEST_F(HighOrderMapperErrors, ComponentOutOfRange)
+{
+  Scene.Mapper->SetFieldName("v");
+  Scene.Table->SetVectorComponent(3);
+  EXPECT_TRUE(Contains(Render(), "component 3")) << Errors->Text;
+}
+
+TEST_F(HighOrderMapperErrors, CameraThatIsNone)
+{
+  Window.Renderer->GetActiveCamera()->SetPosition(
+    std::numeric_limits<double>::quiet_NaN(), 0.0, 1.0);
+  EXPECT_NE(Render(), "");
+  EXPECT_EQ(Scene.Mapper->GetBuffers(), nullptr);
+  CutScene::Look(Window.Renderer, false);
+  EXPECT_EQ(Render(), "");
+}
+
+TEST_F(HighOrderMapperErrors, FlatActor)
+{
+  vtkNew<vtkMatrix4x4> flat;
+  flat->SetElement(2, 2, 0.0);
+  Scene.Cut->SetUserMatrix(flat);
+  EXPECT_NE(Render(), "");
+  EXPECT_EQ(Scene.Mapper->GetBuffers(), nullptr);
+}
+
+TEST_F(HighOrderMapperErrors, AbortedFramesAreTracedAnew)
+{
+  struct Watch
+  {
+    vtkHighOrderMapper* mapper;
+    bool abort;
+    int calls;
+    double last;
+  } watch{ Scene.Mapper, true, 0, 0.0 };
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&watch);
+  command->SetCallback(
+    [](vtkObject*, unsigned long, void* client, void* data)
+    {
+      auto* w = static_cast<Watch*>(client);
+      ++w->calls;
+      w->last = *static_cast<double*>(data);
+      w->mapper->SetAbortExecute(w->abort);
+    });
+  Scene.Mapper->AddObserver(vtkCommand::ProgressEvent, command);
+  EXPECT_EQ(Render(), "");
+  EXPECT_GT(watch.calls, 0);
+  EXPECT_EQ(Scene.Mapper->GetNumberOfTraces(), 1);
+  watch.abort = false;
+  EXPECT_EQ(Render(), "");
+  EXPECT_EQ(watch.last, 1.0);
+  EXPECT_EQ(Scene.Mapper->GetNumberOfTraces(), 2);
+  EXPECT_EQ(Render(), "");
+  EXPECT_EQ(Scene.Mapper->GetNumberOfTraces(), 2);
+  const Frame frame =
+    Scene.Traced(Window.Renderer, testing::Window::kWidth, testing::Window::kHeight, Buffer::Value);
+  vtkDataArray* value = Scene.Mapper->GetBuffers()->GetPointData()->GetArray("Value");
+  EXPECT_EQ(std::memcmp(frame.centres.value.data(), value->GetVoidPointer(0),
+              frame.centres.value.size() * sizeof(double)),
+    0);
+}
+} // namespace pixelexact
