@@ -4,6 +4,8 @@
 #include "Core/Base/Error.h"
 
 #include "vtkColorTransferFunction.h"
+#include "vtkLookupTable.h"
+#include "vtkNew.h"
 #include "vtkScalarsToColors.h"
 #include "vtkType.h"
 
@@ -11,6 +13,7 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace pixelexact
 {
@@ -45,6 +48,9 @@ constexpr std::uint32_t kJet[] = { 0x000080, 0x0000ff, 0x0080ff, 0x00ffff, 0x80f
   0xff8000, 0xff0000, 0x800000 };
 constexpr std::uint32_t kRainbow[] = { 0x0000ff, 0x00ffff, 0x00ff00, 0xffff00, 0xff0000 };
 constexpr std::uint32_t kGrayscale[] = { 0x000000, 0xffffff };
+
+/// Steps of a table: four for each of the 256 that a byte can show.
+constexpr int kTableSize = 1024;
 
 constexpr std::uint32_t kGray = 0x808080;
 constexpr NamedMap kMaps[] = {
@@ -128,7 +134,7 @@ std::vector<std::string> ColorMapNames()
   return names;
 }
 
-vtkSmartPointer<vtkColorTransferFunction> MakeColorMap(
+vtkSmartPointer<vtkLookupTable> MakeColorMap(
   const std::string& name, const std::array<double, 2>& range)
 {
   const auto* found = std::find_if(
@@ -155,18 +161,27 @@ vtkSmartPointer<vtkColorTransferFunction> MakeColorMap(
     lower -= half;
     upper += half;
   }
-  auto map = vtkSmartPointer<vtkColorTransferFunction>::New();
-  SetSpace(map, found->between);
+  vtkNew<vtkColorTransferFunction> colors;
+  SetSpace(colors, found->between);
   const std::size_t last = found->colors.size() - 1;
   for (std::size_t i = 0; i <= last; ++i)
   {
     const double part = static_cast<double>(i) / static_cast<double>(last);
     const std::uint32_t color = found->colors[i];
-    // Both ends exactly, whatever the rounding in between.
-    const double x = i == last ? upper : lower + part * (upper - lower);
-    map->AddRGBPoint(x, Channel(color, 16), Channel(color, 8), Channel(color, 0));
+    colors->AddRGBPoint(part, Channel(color, 16), Channel(color, 8), Channel(color, 0));
   }
-  map->SetNanColor(Channel(found->nan, 16), Channel(found->nan, 8), Channel(found->nan, 0));
-  return map;
+  // A table: finding a colour costs a hundredth of interpolating it in CIELAB.
+  std::vector<double> samples(3 * kTableSize);
+  colors->GetTable(0.0, 1.0, kTableSize, samples.data());
+  auto table = vtkSmartPointer<vtkLookupTable>::New();
+  table->SetNumberOfTableValues(kTableSize);
+  table->SetTableRange(lower, upper);
+  for (int i = 0; i < kTableSize; ++i)
+  {
+    const double* rgb = &samples[3 * static_cast<std::size_t>(i)];
+    table->SetTableValue(i, rgb[0], rgb[1], rgb[2]);
+  }
+  table->SetNanColor(Channel(found->nan, 16), Channel(found->nan, 8), Channel(found->nan, 0), 1.0);
+  return table;
 }
 } // namespace pixelexact

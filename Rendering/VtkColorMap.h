@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-class vtkColorTransferFunction;
+class vtkLookupTable;
 class vtkScalarsToColors;
 
 namespace pixelexact
@@ -30,9 +30,9 @@ namespace pixelexact
 /// Names of the colour maps that MakeColorMap knows.
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT std::vector<std::string> ColorMapNames();
 
-/// A new colour map over [range[0], range[1]]; values beyond take the colours of the ends, NaN a
-/// colour that is not in the map. Throws Error listing the names for an unknown one, and for a
-/// range that is not finite or runs backwards.
-[[nodiscard]] PIXELEXACTRENDERING_EXPORT vtkSmartPointer<vtkColorTransferFunction> MakeColorMap(
+/// A new colour map over [range[0], range[1]], as a table of 1024 colours; values beyond take the
+/// colours of the ends, NaN a colour that is not in the map. Throws Error listing the names for an
+/// unknown one, and for a range that is not finite or runs backwards.
+[[nodiscard]] PIXELEXACTRENDERING_EXPORT vtkSmartPointer<vtkLookupTable> MakeColorMap(
   const std::string& name, const std::array<double, 2>& range);
 } // namespace pixelexact
