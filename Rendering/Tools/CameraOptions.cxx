@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CameraOptions.h"
+
+#include "Command.h"
+#include "Options.h"
+
+#include "Core/Base/Error.h"
+#include "VtkCamera.h"
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+
+namespace pixelexact
+{
+namespace
+{
+Vec3 ToVec3(const std::vector<double>& v)
+{
+  return { v[0], v[1], v[2] };
+}
+
+/// z points up, as in most drawings of solids, except where one looks along it.
+Vec3 UsualUp(const Vec3& towardsViewer)
+{
+  const bool alongZ =
+    std::abs(towardsViewer.z) > 0.9 * std::hypot(towardsViewer.x, towardsViewer.y, towardsViewer.z);
+  return alongZ ? Vec3(0.0, 1.0, 0.0) : Vec3(0.0, 0.0, 1.0);
+}
+} // namespace
+
+void CameraOptions::AddTo(CLI::App& command)
+{
+  const char* group = "Camera (default: the whole data set, along the first surface's normal)";
+  CLI::Option* position =
+    AddNumbersOption(command, "--camera-position", Position, 3, "x,y,z", "Where the camera stands");
+  CLI::Option* focus =
+    AddNumbersOption(command, "--focal-point", FocalPoint, 3, "x,y,z", "What it looks at");
+  CLI::Option* up =
+    AddNumbersOption(command, "--view-up", ViewUp, 3, "x,y,z", "What is up in the image");
+  CLI::Option* angle =
+    command
+      .add_option("--view-angle", ViewAngle, "Vertical angle of a perspective view (default: 30)")
+      ->type_name("DEGREES");
+  CLI::Option* scale = command
+                         .add_option("--parallel-scale", ParallelScale,
+                           "Parallel view; half of the image's height in world units")
+                         ->type_name("LENGTH");
+  position->needs(focus)->group(group);
+  focus->needs(position)->group(group);
+  up->group(group);
+  angle->excludes(scale)->group(group);
+  scale->group(group);
+}
+
+void CameraOptions::Check() const
+{
+  if (ViewAngle && !(*ViewAngle > 0.0 && *ViewAngle < 180.0))
+  {
+    throw UsageError("--view-angle: expected degrees above 0 and below 180");
+  }
+  // Any box and direction that the view-up given is not parallel to will do.
+  const bool upAlongZ = !ViewUp.empty() && ViewUp[0] == 0.0 && ViewUp[1] == 0.0;
+  (void)Make(
+    { Vec3(-1.0), Vec3(1.0) }, upAlongZ ? Vec3(1.0, 0.0, 0.0) : Vec3(0.0, 0.0, 1.0), { 1, 1 });
+}
+
+CameraView CameraOptions::Make(const Box3& bounds, const Vec3& normal, const ImageSize& size) const
+{
+  const bool parallel = ParallelScale.has_value();
+  CameraView view;
+  try
+  {
+    if (Position.empty())
+    {
+      const Vec3 up = ViewUp.empty() ? UsualUp(normal) : ToVec3(ViewUp);
+      view =
+        ViewOfBox(bounds, normal, size.width, size.height, up, parallel, ViewAngle.value_or(30.0));
+    }
+    else
+    {
+      view.position = ToVec3(Position);
+      view.focalPoint = ToVec3(FocalPoint);
+      view.viewUp = ViewUp.empty() ? UsualUp(view.position - view.focalPoint) : ToVec3(ViewUp);
+      view.parallel = parallel;
+      view.viewAngle = ViewAngle.value_or(view.viewAngle);
+    }
+    view.parallelScale = ParallelScale.value_or(view.parallelScale);
+    // As a vtkCamera would hold it, so that the mapper's rays for the same options are these.
+    view = AsHeld(view);
+    (void)Camera(view, size.width, size.height);
+  }
+  catch (const Error& error)
+  {
+    throw UsageError(error.what());
+  }
+  return view;
+}
+} // namespace pixelexact

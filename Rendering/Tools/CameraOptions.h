@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Options.h"
+
+#include "Core/Math/Vec.h"
+#include "Trace/Camera.h"
+
+#include <CLI/CLI.hpp>
+
+#include <optional>
+#include <vector>
+
+namespace pixelexact
+{
+/// The camera of the command line. What is not given is chosen so that the whole data set is seen
+/// along the first surface's normal.
+class CameraOptions
+{
+public:
+  void AddTo(CLI::App& command);
+
+  /// Throws UsageError when the options contradict each other.
+  [[nodiscard]] CameraView Make(
+    const Box3& bounds, const Vec3& normal, const ImageSize& size) const;
+  /// The part of Make's checks that needs no data, for failing before the file is read.
+  void Check() const;
+
+private:
+  std::vector<double> Position;
+  std::vector<double> FocalPoint;
+  std::vector<double> ViewUp;
+  std::optional<double> ViewAngle;
+  std::optional<double> ParallelScale;
+};
+} // namespace pixelexact

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ColorOptions.h"
+
+#include "Command.h"
+#include "Options.h"
+
+#include "Core/Base/Error.h"
+#include "VtkColorMap.h"
+
+#include <vtkLookupTable.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pixelexact
+{
+namespace
+{
+std::array<double, 2> Log10(const std::array<double, 2>& range)
+{
+  return { std::log10(range[0]), std::log10(range[1]) };
+}
+
+/// The colours of `map`, which spans powers of ten, by value: what has no logarithm gets the colour
+/// of NaN.
+ColorMap ByLogarithm(ColorMap map)
+{
+  return [map = std::move(map)](std::span<const double> values, std::uint8_t* rgba)
+  {
+    std::vector<double> logarithms(values.size());
+    std::transform(values.begin(), values.end(), logarithms.begin(),
+      [](double v) { return v > 0.0 ? std::log10(v) : std::numeric_limits<double>::quiet_NaN(); });
+    map(logarithms, rgba);
+  };
+}
+
+std::string Names()
+{
+  std::string names;
+  for (const std::string& name : ColorMapNames())
+  {
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  return names;
+}
+
+void CheckColor(const char* option, const std::vector<double>& color)
+{
+  if (std::any_of(color.begin(), color.end(), [](double c) { return c < 0.0 || c > 1.0; }))
+  {
+    throw UsageError(std::string(option) + ": red, green and blue lie between 0 and 1");
+  }
+}
+} // namespace
+
+void ColorOptions::AddTo(CLI::App& command)
+{
+  const char* group = "Colours";
+  AddNumbersOption(command, "--range", Range, 2, "a,b",
+    "Values of the colour map's ends (default: those on the cut)")
+    ->group(group);
+  command.add_option("--colormap", Map, "Colour map: " + Names() + " (default: viridis)")
+    ->type_name("NAME")
+    ->group(group);
+  command.add_flag("--log", Log, "Colour by the logarithm of the value")->group(group);
+  AddNumbersOption(command, "--nan-color", NanColor, 3, "r,g,b",
+    "Colour of values that are no numbers, 0 to 1 each (default: the map's)")
+    ->group(group);
+  AddNumbersOption(command, "--background", Background, 3, "r,g,b",
+    "Colour where there is nothing, 0 to 1 each (default: white)")
+    ->group(group);
+}
+
+void ColorOptions::Check() const
+{
+  CheckColor("--nan-color", NanColor);
+  CheckColor("--background", Background);
+  if (!Range.empty() && !(Range[0] < Range[1]))
+  {
+    throw UsageError("--range: the first value must be below the second");
+  }
+  if (Log && !Range.empty() && !(Range[0] > 0.0))
+  {
+    throw UsageError("--range: --log needs values above 0");
+  }
+  const std::vector<std::string> names = ColorMapNames();
+  if (std::find(names.begin(), names.end(), Map) == names.end())
+  {
+    throw UsageError("--colormap: there is no '" + Map + "'; there are " + Names());
+  }
+}
+
+std::array<double, 2> ColorOptions::RangeFor(const Frame& frame) const
+{
+  if (!Range.empty())
+  {
+    return { Range[0], Range[1] };
+  }
+  const double lowest = Log ? 0.0 : -std::numeric_limits<double>::infinity();
+  return ValueRange(frame, lowest).value_or(Log ? std::array{ 1.0, 10.0 } : std::array{ 0.0, 1.0 });
+}
+
+ColorMapping ColorOptions::MappingOver(const std::array<double, 2>& range) const
+{
+  const auto table = MakeColorMap(Map, Log ? Log10(range) : range);
+  if (!NanColor.empty())
+  {
+    table->SetNanColor(NanColor[0], NanColor[1], NanColor[2], 1.0);
+  }
+  const ColorMap map = ToColorMap(table);
+  return ColorMapping(Log ? ByLogarithm(map) : map);
+}
+
+std::vector<std::uint8_t> ColorOptions::Flatten(const Frame& frame) const
+{
+  const std::size_t pixels = frame.color.size() / 4;
+  std::vector<std::uint8_t> rgb(3 * pixels);
+  for (std::size_t i = 0; i < pixels; ++i)
+  {
+    const std::uint8_t* color = &frame.color[4 * i];
+    const double alpha = color[3] / 255.0;
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      const double mixed = alpha * color[c] + (1.0 - alpha) * 255.0 * Background[c];
+      rgb[3 * i + c] = static_cast<std::uint8_t>(std::lround(mixed));
+    }
+  }
+  return rgb;
+}
+
+std::optional<std::array<double, 2>> ValueRange(const Frame& frame, double lowest)
+{
+  std::optional<std::array<double, 2>> range;
+  const SampleBuffers& samples = frame.centres;
+  for (std::size_t i = 0; i < samples.value.size(); ++i)
+  {
+    const double value = samples.value[i];
+    if (samples.verdict[i] != static_cast<std::uint8_t>(PixelVerdict::Exact) ||
+      !std::isfinite(value) || value <= lowest)
+    {
+      continue;
+    }
+    range = range ? std::array{ std::min((*range)[0], value), std::max((*range)[1], value) }
+                  : std::array{ value, value };
+  }
+  return range;
+}
+} // namespace pixelexact

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Trace/ColorMapping.h"
+
+#include <CLI/CLI.hpp>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+class vtkImageData;
+
+namespace pixelexact
+{
+/// How values become colours, and what is behind them.
+class ColorOptions
+{
+public:
+  void AddTo(CLI::App& command);
+
+  /// Throws UsageError for what the command line alone shows to be wrong.
+  void Check() const;
+
+  /// The range given, else that of the frame's exact values (with --log of the positive ones);
+  /// [0, 1], or [1, 10] with --log, where there is none.
+  [[nodiscard]] std::array<double, 2> RangeFor(const Frame& frame) const;
+  [[nodiscard]] ColorMapping MappingOver(const std::array<double, 2>& range) const;
+
+  /// The frame's colours in front of the background, RGB.
+  [[nodiscard]] std::vector<std::uint8_t> Flatten(const Frame& frame) const;
+
+private:
+  std::string Map = "viridis";
+  std::vector<double> Range;
+  bool Log = false;
+  std::vector<double> NanColor;
+  std::vector<double> Background{ 1.0, 1.0, 1.0 };
+};
+
+/// The smallest and largest finite value of the exact pixels, of those above `lowest`; none: empty.
+std::optional<std::array<double, 2>> ValueRange(const Frame& frame, double lowest);
+} // namespace pixelexact

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Command.h"
+#include "Json.h"
+#include "Options.h"
+
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <optional>
+
+namespace
+{
+// What scripts rely on.
+constexpr int kDone = 0;
+constexpr int kWorkFailed = 1;
+constexpr int kWrongUsage = 2;
+
+constexpr const char* kFooter = R"(
+Exit status: 0 done, 1 the work failed, 2 wrong usage.
+
+  pixelexact info toroid.vtu
+  pixelexact render toroid.vtu --field u --plane 0,0,0,0,0,1 --output toroid.png
+)";
+
+int Fail(int status, const std::string& message, bool json)
+{
+  std::cerr << "pixelexact: " << message << '\n';
+  if (json)
+  {
+    std::cout << pixelexact::json::Object().Add("error", message).String() << '\n';
+  }
+  return status;
+}
+
+/// Runs what the command line asked for.
+int Perform(const pixelexact::Action& action, const pixelexact::CommonOptions& common)
+{
+  std::optional<tbb::global_control> limit;
+  if (common.threads > 0)
+  {
+    limit.emplace(
+      tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(common.threads));
+  }
+  try
+  {
+    action();
+    if (!std::cout.flush())
+    {
+      return Fail(kWorkFailed, "cannot write to standard output", false);
+    }
+    return kDone;
+  }
+  catch (const pixelexact::UsageError& error)
+  {
+    return Fail(kWrongUsage, error.what(), common.json);
+  }
+  catch (const std::bad_alloc&)
+  {
+    return Fail(kWorkFailed, "out of memory", common.json);
+  }
+  catch (const std::exception& error)
+  {
+    return Fail(kWorkFailed, error.what(), common.json);
+  }
+}
+
+int Run(const std::vector<std::string>& words)
+{
+  CLI::App program("Pixel-exact pictures of high-order finite-element fields.", "pixelexact");
+  program.set_version_flag("--version", "pixelexact " PIXELEXACT_VERSION);
+  program.require_subcommand(1);
+  program.footer(kFooter);
+
+  pixelexact::CommonOptions common;
+  pixelexact::Action action;
+  pixelexact::AddInfoCommand(program, common, action);
+  pixelexact::AddProbeCommand(program, common, action);
+  pixelexact::AddRenderCommand(program, common, action);
+  pixelexact::AddBenchCommand(program, common, action);
+  for (CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
+  {
+    pixelexact::AddCommonOptions(*command, common);
+    command->set_version_flag("--version", "pixelexact " PIXELEXACT_VERSION);
+  }
+
+  try
+  {
+    std::vector<std::string> arguments = pixelexact::JoinOptionValues(program, words);
+    // CLI11 takes them from the back.
+    std::reverse(arguments.begin(), arguments.end());
+    program.parse(std::move(arguments));
+  }
+  catch (const CLI::ParseError& error)
+  {
+    return program.exit(error) == kDone ? kDone : kWrongUsage;
+  }
+  return Perform(action, common);
+}
+} // namespace
+
+int main(int argc, char** argv)
+{
+  try
+  {
+    return Run({ argv + 1, argv + argc });
+  }
+  catch (...)
+  {
+    // Perform tells what commands throw; this is beyond words.
+    std::fputs("pixelexact: internal error\n", stderr);
+    return kWorkFailed;
+  }
+}

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Model.h"
+
+#include "Input.h"
+#include "Report.h"
+#include "VtkMessages.h"
+
+#include "Core/Base/Error.h"
+#include "HighOrderArrays.h"
+#include "vtkHighOrderGrid.h"
+#include "vtkUnstructuredGridToHighOrderGrid.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkCellData.h>
+#include <vtkCommand.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
+
+namespace pixelexact
+{
+namespace
+{
+bool HasArray(vtkUnstructuredGrid& grid, const std::string& name)
+{
+  return grid.GetPointData()->HasArray(name.c_str()) != 0 ||
+    grid.GetCellData()->HasArray(name.c_str()) != 0;
+}
+
+void Convert(LoadedModel& input, const std::string& field)
+{
+  const VtkMessages messages;
+  vtkNew<vtkUnstructuredGridToHighOrderGrid> converter;
+  converter->SetInputData(input.grid);
+  if (HasArray(*input.grid, field))
+  {
+    converter->AddField(field);
+  }
+  ProgressLine line("converting");
+  vtkNew<vtkCallbackCommand> onProgress;
+  onProgress->SetClientData(&line);
+  onProgress->SetCallback([](vtkObject*, unsigned long, void* client, void* part)
+    { (*static_cast<ProgressLine*>(client))(*static_cast<double*>(part)); });
+  converter->AddObserver(vtkCommand::ProgressEvent, onProgress);
+  converter->Update();
+  if (const std::string error = messages.FirstError(); !error.empty())
+  {
+    throw InvalidData(error);
+  }
+  input.grid = converter->GetHighOrderOutput();
+  input.converted = true;
+  input.skippedCells = converter->GetNumberOfSkippedCells();
+  for (int i = 0; i < converter->GetNumberOfDiagnostics(); ++i)
+  {
+    input.diagnostics.push_back(converter->GetDiagnostic(i));
+  }
+}
+} // namespace
+
+LoadedModel LoadModel(
+  const std::vector<std::string>& files, const std::string& field, Stopwatch& stopwatch)
+{
+  LoadedModel input;
+  input.grid = ReadInput(files);
+  stopwatch.Stage("read");
+  try
+  {
+    if (!HasHighOrderArrays(input.grid))
+    {
+      Convert(input, field);
+    }
+    input.model = HighOrderModel::From(input.grid);
+  }
+  catch (const Error& error)
+  {
+    throw Error("'" + files[0] + "': " + error.what());
+  }
+  stopwatch.Stage("convert");
+  return input;
+}
+
+void WarnOfDiagnostics(const LoadedModel& input)
+{
+  for (const std::string& line : input.diagnostics)
+  {
+    Warn(line);
+  }
+}
+
+const Field& FieldNamed(const HighOrderModel& model, const std::string& name)
+{
+  const Field* field = model.FindField(name);
+  if (field == nullptr)
+  {
+    std::string names;
+    for (const Field& other : model.Fields())
+    {
+      names += (names.empty() ? "" : ", ") + ("'" + other.name + "'");
+    }
+    throw Error("there is no field '" + name + "'; " +
+      (names.empty() ? "the input has no fields" : "there are " + names));
+  }
+  return *field;
+}
+
+std::array<int, 2> OrderRange(const Expansion& expansion)
+{
+  std::array<int, 2> range{ 0, -1 };
+  for (int e = 0; e < expansion.Elements(); ++e)
+  {
+    const int order = expansion.SpaceOf(e).MaxOrder();
+    range[0] = e == 0 ? order : std::min(range[0], order);
+    range[1] = std::max(range[1], order);
+  }
+  return range;
+}
+
+std::string OrderText(const std::array<int, 2>& range)
+{
+  if (range[1] < range[0])
+  {
+    return "none";
+  }
+  return std::to_string(range[0]) +
+    (range[0] == range[1] ? std::string() : " to " + std::to_string(range[1]));
+}
+
+std::string FieldKind(const Field& field)
+{
+  const int components = field.values.components;
+  return " (" + (components == 1 ? std::string() : std::to_string(components) + " components, ") +
+    "order " + OrderText(OrderRange(field.values)) + ")";
+}
+} // namespace pixelexact

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Trace/Frame.h"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace pixelexact
+{
+/// Writes RGB pixels, lower left first. Throws Error when the file cannot be written.
+void WritePng(const std::string& file, int width, int height, const std::vector<std::uint8_t>& rgb);
+
+/// Writes all buffers that the frame holds. Throws Error when the file cannot be written.
+void WriteBuffers(
+  const std::string& file, const Frame& frame, std::span<const std::int64_t> sourceCells);
+} // namespace pixelexact

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Command.h"
+#include "Json.h"
+#include "Picture.h"
+#include "Report.h"
+#include "Shot.h"
+
+#include "Core/Base/Error.h"
+#include "Core/Location/Locator.h"
+
+#include <filesystem>
+#include <iostream>
+#include <limits>
+#include <memory>
+
+namespace pixelexact
+{
+namespace
+{
+struct RenderOptions
+{
+  ShotOptions shot;
+  std::string output;
+  std::string buffers;
+  std::string contours;
+  std::string precision = "double";
+};
+
+json::Object ToJson(const CameraView& view)
+{
+  const auto numbers = [](const Vec3& v) { return std::array{ v.x, v.y, v.z }; };
+  json::Object camera;
+  camera.Add("position", numbers(view.position)).Add("focal_point", numbers(view.focalPoint));
+  camera.Add("view_up", numbers(view.viewUp));
+  return view.parallel ? camera.Add("parallel_scale", view.parallelScale)
+                       : camera.Add("view_angle", view.viewAngle);
+}
+
+void PrintJson(const Shot& shot, const Frame& frame,
+  const std::optional<std::array<double, 2>>& values, const std::array<double, 2>& colors,
+  const Stopwatch& stopwatch)
+{
+  json::Object pixels;
+  pixels.Add("exact", frame.counters.exact).Add("nothing", frame.counters.nothing);
+  pixels.Add("unknown", frame.counters.unknown);
+  const LocationCounters& counters = shot.scene.locator->Counters();
+  json::Object location;
+  location.Add("queries", counters.queries.load()).Add("candidates", counters.candidates.load());
+  location.Add("careful", counters.careful.load()).Add("unknown", counters.unknown.load());
+
+  json::Object summary;
+  summary.Add("elements", shot.input.model->GetMesh().Elements());
+  summary.Add("field", shot.scene.field->name).Add("component", ComponentName(shot.scene));
+  summary.Add("width", frame.width).Add("height", frame.height).Add("pixels", pixels);
+  summary.Add("non_finite", frame.counters.nonFinite);
+  summary.Raw("value_range", values ? json::Array(*values) : "null");
+  summary.Add("color_range", colors).Add("camera", ToJson(shot.view));
+  summary.Add("location", location).Add("seconds", ToJson(stopwatch));
+  std::cout << summary.String() << '\n';
+}
+
+void PrintTable(const Shot& shot, const Frame& frame,
+  const std::optional<std::array<double, 2>>& values, const Stopwatch& stopwatch)
+{
+  Table table;
+  table.Row("elements", std::to_string(shot.input.model->GetMesh().Elements()));
+  const Field& field = *shot.scene.field;
+  table.Row("field",
+    field.name + FieldKind(field) +
+      (field.values.components > 1 ? ", " + ComponentName(shot.scene) : std::string()));
+  table.Row("size", std::to_string(frame.width) + " x " + std::to_string(frame.height));
+  table.Row("pixels",
+    std::to_string(frame.counters.exact) + " exact, " + std::to_string(frame.counters.nothing) +
+      " nothing, " + std::to_string(frame.counters.unknown) + " unknown");
+  table.Row("non-finite", std::to_string(frame.counters.nonFinite));
+  table.Row("values", values ? Short((*values)[0]) + " to " + Short((*values)[1]) : "none");
+  AddStages(table, stopwatch);
+  table.Print();
+}
+
+void WarnOf(const Frame& frame)
+{
+  if (frame.counters.exact == 0 && frame.counters.unknown == 0)
+  {
+    Warn("no pixel meets the mesh on a surface; the picture shows the background alone");
+  }
+  if (frame.counters.unknown > 0)
+  {
+    Warn(std::to_string(frame.counters.unknown) +
+      " pixels could not be decided and are shown as unknown");
+  }
+}
+
+/// A file of another kind than its name says would mislead whoever opens it.
+void CheckSuffix(const char* option, const std::string& file, const char* suffix)
+{
+  if (!file.empty() && std::filesystem::path(file).extension() != suffix)
+  {
+    throw UsageError(
+      std::string(option) + ": '" + file + "' is written as " + suffix + "; name it so");
+  }
+}
+
+void Render(const RenderOptions& options, const CommonOptions& common)
+{
+  if (!options.contours.empty())
+  {
+    throw Unsupported("--contours is not available yet; leave it out");
+  }
+  if (options.precision == "float")
+  {
+    throw Unsupported("--precision float is not available yet; leave it out");
+  }
+  CheckSuffix("--output", options.output, ".png");
+  CheckSuffix("--buffers", options.buffers, ".vti");
+  Stopwatch stopwatch;
+  const Shot shot = Prepare(options.shot, stopwatch);
+
+  Buffer wanted = Buffer::Value | Buffer::Verdict;
+  if (!options.buffers.empty())
+  {
+    wanted =
+      wanted | Buffer::Position | Buffer::Normal | Buffer::Xi | Buffer::Element | Buffer::Depth;
+  }
+  Frame frame = [&]
+  {
+    ProgressLine line("tracing");
+    return Trace(shot.scene, shot.MakeCamera(), {}, { wanted, Buffer::None }, std::ref(line));
+  }();
+  // Afterwards, because the default range is that of the values found.
+  const std::array<double, 2> range = options.shot.colors.RangeFor(frame);
+  options.shot.colors.MappingOver(range).Process(frame);
+  const auto values = ValueRange(frame, -std::numeric_limits<double>::infinity());
+  stopwatch.Stage("trace+colour");
+
+  WritePng(options.output, frame.width, frame.height, options.shot.colors.Flatten(frame));
+  if (!options.buffers.empty())
+  {
+    WriteBuffers(options.buffers, frame, shot.input.model->SourceCells());
+  }
+  stopwatch.Stage("write");
+
+  WarnOf(frame);
+  if (common.json)
+  {
+    PrintJson(shot, frame, values, range, stopwatch);
+  }
+  else
+  {
+    PrintTable(shot, frame, values, stopwatch);
+  }
+}
+} // namespace
+
+void AddRenderCommand(CLI::App& program, const CommonOptions& common, Action& action)
+{
+  CLI::App* command =
+    program.add_subcommand("render", "Cut a field by surfaces and colour every pixel exactly");
+  const auto options = std::make_shared<RenderOptions>();
+  options->shot.AddTo(*command);
+  command->add_option("--output", options->output, "PNG image to write")
+    ->required()
+    ->type_name("IMAGE.png");
+  command
+    ->add_option("--buffers", options->buffers,
+      "Also write what was found at each pixel: value, position, normal, xi, element, depth, "
+      "verdict, colour")
+    ->type_name("OUT.vti");
+  command->add_option("--contours", options->contours, "Contour lines (not available yet)")
+    ->type_name("N|v1,v2,...");
+  command
+    ->add_option("--precision", options->precision, "float is not available yet (default: double)")
+    ->check(CLI::IsMember({ "double", "float" }));
+  command->callback(
+    [options, &common, &action] { action = [options, &common] { Render(*options, common); }; });
+}
+} // namespace pixelexact

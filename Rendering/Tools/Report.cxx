@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Report.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+
+namespace pixelexact
+{
+void Stopwatch::Stage(const std::string& name)
+{
+  const Clock::time_point now = Clock::now();
+  Seconds.emplace_back(name, std::chrono::duration<double>(now - Begin).count());
+  Begin = now;
+}
+
+void Table::Row(const std::string& name, const std::string& value)
+{
+  Rows.emplace_back(name, value);
+}
+
+void Table::Print() const
+{
+  std::size_t width = 0;
+  for (const auto& [name, value] : Rows)
+  {
+    width = std::max(width, name.size());
+  }
+  for (const auto& [name, value] : Rows)
+  {
+    std::cout << name << std::string(width - name.size() + 2, ' ') << value << '\n';
+  }
+}
+
+void AddStages(Table& table, const Stopwatch& stopwatch)
+{
+  std::string name = "seconds";
+  for (const auto& [stage, seconds] : stopwatch.Stages())
+  {
+    table.Row(name, Short(seconds) + " " + stage);
+    name.clear();
+  }
+}
+
+json::Object ToJson(const Stopwatch& stopwatch)
+{
+  json::Object stages;
+  for (const auto& [stage, seconds] : stopwatch.Stages())
+  {
+    stages.Add(stage, seconds);
+  }
+  return stages;
+}
+
+ProgressLine::ProgressLine(std::string label)
+  : Label(std::move(label))
+  , Terminal(isatty(STDERR_FILENO) != 0)
+{
+}
+
+ProgressLine::~ProgressLine()
+{
+  if (Terminal && Shown >= 0)
+  {
+    std::cerr << "\r\033[K" << std::flush;
+  }
+}
+
+bool ProgressLine::operator()(double part)
+{
+  const int percent = static_cast<int>(100.0 * std::clamp(part, 0.0, 1.0));
+  if (Terminal && percent != Shown)
+  {
+    Shown = percent;
+    std::cerr << '\r' << Label << ' ' << percent << " %" << std::flush;
+  }
+  return true;
+}
+
+void Warn(const std::string& message)
+{
+  std::cerr << "pixelexact: warning: " << message << '\n';
+}
+
+std::string Short(double number)
+{
+  if (std::isnan(number))
+  {
+    return "nan";
+  }
+  std::array<char, 32> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "%.6g", number);
+  return buffer.data();
+}
+} // namespace pixelexact

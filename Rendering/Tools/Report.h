@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Json.h"
+
+#include <chrono>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+// What a command tells while it works and when it is done.
+namespace pixelexact
+{
+/// Seconds by stage of the work, in the order in which the stages ended.
+class Stopwatch
+{
+public:
+  /// The stage `name` ends now; it began when the one before ended.
+  void Stage(const std::string& name);
+  [[nodiscard]] const std::vector<std::pair<std::string, double>>& Stages() const
+  {
+    return Seconds;
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point Begin = Clock::now();
+  std::vector<std::pair<std::string, double>> Seconds;
+};
+
+/// Rows "name   value" with aligned values; a row without a name continues the one above.
+class Table
+{
+public:
+  void Row(const std::string& name, const std::string& value);
+  void Print() const;
+
+private:
+  std::vector<std::pair<std::string, std::string>> Rows;
+};
+
+void AddStages(Table& table, const Stopwatch& stopwatch);
+json::Object ToJson(const Stopwatch& stopwatch);
+
+/// Shows how far the work is, on stderr, when that is a terminal; clears its line when done.
+class ProgressLine
+{
+public:
+  explicit ProgressLine(std::string label);
+  ~ProgressLine();
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  /// `part` from 0 to 1. Always true: nothing aborts.
+  bool operator()(double part);
+
+private:
+  std::string Label;
+  bool Terminal;
+  int Shown = -1;
+};
+
+void Warn(const std::string& message);
+
+/// `%.6g`, with NaN as "nan".
+std::string Short(double number);
+} // namespace pixelexact

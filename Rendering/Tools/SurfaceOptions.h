@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Trace/Surface.h"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace pixelexact
+{
+/// The cut-surfaces of the command line, in the order of their kinds in the help.
+class SurfaceOptions
+{
+public:
+  void AddTo(CLI::App& command);
+
+  /// Throws UsageError when there is none or a number describes no surface, Unsupported for a
+  /// surface that is declared but not available yet.
+  [[nodiscard]] std::vector<std::shared_ptr<const Surface>> Make() const;
+
+private:
+  std::vector<std::vector<double>> Planes;
+  std::vector<std::string> NotYet; ///< names of the options given that are not available yet
+};
+} // namespace pixelexact

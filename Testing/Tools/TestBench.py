@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""pixelexact bench: times that are times, of the work that render does."""
+
+import unittest
+
+from tool import MIDDLE, ToolTest, case
+
+
+class Bench(ToolTest):
+    def test_summary(self):
+        shot = [case("escher_tet_g3_p3"), "--field", "u", *MIDDLE, "--size", "60x60"]
+        summary = self.summary("bench", *shot, "--repeat", "3", "--threads", "1")
+        render = self.summary("render", *shot, "--output", self.folder / "image.png")
+        self.assertEqual(summary["points"], render["pixels"]["exact"])
+        self.assertEqual(summary["threads"], 1)
+        self.assertEqual(len(summary["frame_seconds"]), 3)
+        median = sorted(summary["frame_seconds"])[1]
+        self.assertEqual(summary["median_frame_seconds"], median)
+        self.assertGreater(median, 0)
+        self.assertAlmostEqual(summary["points_per_second"] * median / summary["points"], 1)
+        self.assertAlmostEqual(
+            summary["ratio_to_kernel"] * summary["kernel_seconds"] / median, 1
+        )
+
+    def test_nothing_to_measure(self):
+        base = ["bench", case("escher_tet_g3_p3"), "--field", "u", "--size", "9x9"]
+        summary = self.summary(*base, "--plane", "0,0,9,0,0,1")
+        self.assertEqual(summary["points"], 0)
+
+    def test_errors(self):
+        self.fails(1, "bench", "--field", "u", *MIDDLE, names=["INPUT"])
+        self.fails(2, "bench", case("escher_tet_g3_p3"), "--field", "u", names=["--plane"])
+        base = ["bench", case("escher_tet_g3_p3"), "--field", "u"]
+        self.fails(2, *base, *MIDDLE, "--repeat", "0", names=["--repeat"])
+
+
+if __name__ == "__main__":
+    unittest.main()

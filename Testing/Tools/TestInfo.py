@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""pixelexact info: what a file holds."""
+
+import unittest
+
+import numpy as np
+
+from tool import CASES, CUBE, ToolTest, case, plain_grid
+
+# Shape, number of elements, orders of the geometry, order at which the file stores it, continuity.
+FACTS = {
+    "toroid_hex_g3_p6": ("hexahedron", 48, {"3"}, "6", "continuous"),
+    "escher_tet_g3_p3": ("tetrahedron", 42, {"3"}, "3", "continuous"),
+    "toroid_prism_g3_p4": ("prism", 48, {"3"}, "4", "continuous"),
+    "fichera_hex_g3_p4": ("hexahedron", 56, {"3"}, "4", "continuous"),
+    "periodic_hex_dg_g3_p4": ("hexahedron", 27, {"3"}, "4", "discontinuous"),
+    "dolfinx_hex_g2_p4": ("hexahedron", 54, {"1", "2"}, "4", "continuous"),
+}
+
+
+class Info(ToolTest):
+    def write(self, text):
+        path = self.folder / "mesh.vtu"
+        path.write_text(text, encoding="utf-8")
+        return path
+
+    def test_cases(self):
+        for name, (shape, elements, orders, stored, continuity) in FACTS.items():
+            with self.subTest(name=name):
+                summary = self.summary("info", case(name))
+                self.assertEqual(summary["elements"], elements)
+                self.assertEqual(summary["shapes"], {shape: elements})
+                self.assertEqual(set(summary["geometry_orders"]), orders)
+                self.assertEqual(sum(summary["geometry_orders"].values()), elements)
+                self.assertEqual(summary["stored_geometry_orders"], {stored: elements})
+                self.assertEqual(summary["skipped_cells"], 0)
+                field = next(f for f in summary["fields"] if f["name"] == "u")
+                self.assertEqual(field["orders"], {str(CASES[name]): elements})
+                self.assertEqual(field["components"], 1)
+                self.assertEqual(field["continuity"], continuity)
+                self.assertEqual(field["non_finite_elements"], 0)
+
+    def test_text(self):
+        text = self.succeeds("info", case("toroid_hex_g3_p6")).stdout
+        field = "u: scalar, order 6, continuous"
+        for word in ["48 hexahedron", "order 3", "stored as order 6", field]:
+            self.assertIn(word, text)
+
+    def test_bounds(self):
+        summary = self.summary("info", case("toroid_hex_g3_p6"))
+        low_x, high_x, _, _, low_z, high_z = summary["node_bounds"]
+        self.assertAlmostEqual(low_x, -1.4)
+        self.assertLess(high_x, 1.4)
+        self.assertAlmostEqual(low_z, -0.4)
+        self.assertAlmostEqual(high_z, 0.4)
+
+    def test_mixed_shapes_fields_and_skipped_cells(self):
+        points = CUBE + [[0.5, 0.5, 2.0], [2.0, 0.5, 0.0], [2.0, 0.5, 1.0], [-1.0, 0.5, 0.5]]
+        cells = [
+            (9, [0, 1, 2, 3]),
+            (12, list(range(8))),
+            (14, [4, 5, 6, 7, 8]),
+            (13, [1, 9, 2, 5, 10, 6]),
+            (10, [0, 3, 7, 11]),
+        ]
+        scalars = [x + y for x, y, _ in points]
+        material = ("material", [9.0, 1.0, 2.0, 3.0, 4.0])
+        text = plain_grid(points, cells, [("u", scalars), ("v", points)], [material])
+        summary = self.summary("info", self.write(text))
+        self.assertEqual(summary["elements"], 4)
+        self.assertEqual(summary["skipped_cells"], 1)
+        shapes = {"hexahedron": 1, "prism": 1, "tetrahedron": 1, "pyramid": 1}
+        self.assertEqual(summary["shapes"], shapes)
+        fields = {field["name"]: field for field in summary["fields"]}
+        self.assertEqual(fields["u"]["continuity"], "continuous")
+        self.assertEqual(fields["v"]["components"], 3)
+        self.assertEqual(fields["v"]["continuity"], "continuous")
+        self.assertEqual(fields["material"]["orders"], {"0": 4})
+        self.assertEqual(fields["material"]["continuity"], "discontinuous")
+
+    def test_a_single_element_has_no_neighbour_to_compare_with(self):
+        text = plain_grid(np.eye(4, 3), [(10, [0, 1, 2, 3])], [("u", np.arange(4.0))])
+        summary = self.summary("info", self.write(text))
+        self.assertEqual(summary["fields"][0]["continuity"], "unknown")
+
+    def test_a_name_that_json_must_escape(self):
+        text = plain_grid(np.eye(4, 3), [(10, [0, 1, 2, 3])], [("a&quot;\\ é", np.arange(4.0))])
+        summary = self.summary("info", self.write(text))
+        self.assertEqual(summary["fields"][0]["name"], 'a"\\ é')
+
+    def test_no_fields(self):
+        text = plain_grid(np.eye(4, 3), [(10, [0, 1, 2, 3])])
+        self.assertEqual(self.summary("info", self.write(text))["fields"], [])
+
+
+if __name__ == "__main__":
+    unittest.main()

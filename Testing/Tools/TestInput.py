@@ -1,0 +1,191 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Input files that are missing, damaged or of the wrong kind end with status 1 and one message."""
+
+import os
+import re
+import unittest
+
+import numpy as np
+
+from tool import CASES, ToolTest, case, plain_grid, read_csv, run, unit_cube_grid
+
+
+class FileTest(ToolTest):
+    def write(self, name, text):
+        path = self.folder / name
+        if isinstance(text, bytes):
+            path.write_bytes(text)
+        else:
+            path.write_text(text, encoding="utf-8")
+        return path
+
+    def refuses(self, path, *names):
+        self.fails(1, "info", path, names=[path, *names])
+
+
+class BadFiles(FileTest):
+    def test_paths(self):
+        self.refuses(self.folder / "absent.vtu", "no such file")
+        self.refuses(self.folder, "folder")
+        folder = self.folder / "folder.vtu"
+        folder.mkdir()
+        self.refuses(folder, "folder")
+        self.refuses(self.write("empty.vtu", ""), "empty")
+        self.refuses(self.write("mesh.stl", "solid"), ".vtu")
+        self.refuses(self.write("mesh", "solid"), ".vtu")
+
+    @unittest.skipIf(os.geteuid() == 0, "everything is readable to root")
+    def test_permissions(self):
+        path = self.write("secret.vtu", unit_cube_grid())
+        path.chmod(0)
+        self.refuses(path, "permissions")
+
+    def test_formats_to_come(self):
+        for suffix in ["mesh", "gf", "saved", "xml", "fld", "chk", "rst"]:
+            self.refuses(self.write("file." + suffix, "x"), "not supported yet")
+
+    def test_wrong_content(self):
+        self.refuses(self.write("noise.vtu", bytes(range(256)) * 10))
+        self.refuses(self.write("text.vtu", "no XML here\n"))
+        self.refuses(self.write("other.vtu", "<html><body>404</body></html>"))
+        self.refuses(self.write("noise.vtk", bytes(range(256)) * 10))
+        self.refuses(self.write("text.vtk", "no VTK here\n"))
+        other = unit_cube_grid().replace("UnstructuredGrid", "PolyData")
+        self.refuses(self.write("polydata.vtu", other))
+        image = (
+            "# vtk DataFile Version 3.0\nx\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 1 1 1\n"
+            "ORIGIN 0 0 0\nSPACING 1 1 1\n"
+        )
+        self.refuses(self.write("image.vtk", image))
+
+    def test_malformed_xml(self):
+        sound = unit_cube_grid()
+        for find, replacement in [
+            ("</Points>", ""),
+            ("</VTKFile>", ""),
+            ("<Cells>", "<Cells"),
+            ('Name="connectivity"', 'Name="connect"'),
+            ('Name="offsets"', 'Name="off"'),
+            ('Name="types"', 'Name="type"'),
+            ('NumberOfPoints="8"', 'NumberOfPoints="9"'),
+            ('NumberOfPoints="8"', 'NumberOfPoints="7"'),
+            ('NumberOfPoints="8"', 'NumberOfPoints="-8"'),
+            ('NumberOfPoints="8"', 'NumberOfPoints="many"'),
+            ('NumberOfCells="1"', 'NumberOfCells="2"'),
+            ('NumberOfCells="1"', 'NumberOfCells="1000000"'),
+            ('type="Float64" Name="Points"', 'type="Quadruple" Name="Points"'),
+            ('format="ascii"', 'format="binary"'),
+        ]:
+            with self.subTest(find=find, replacement=replacement):
+                self.assertIn(find, sound)
+                self.refuses(self.write("damaged.vtu", sound.replace(find, replacement, 1)))
+
+    def test_cells_beyond_the_points(self):
+        points = np.eye(4, 3)
+        for ids in [[0, 1, 2, 4], [0, 1, 2, -1], [0, 1, 2, 10**12]]:
+            path = self.write("beyond.vtu", plain_grid(points, [(10, ids)]))
+            self.refuses(path, "point")
+        # A cell with fewer points than its type has.
+        self.fails(1, "info", self.write("few.vtu", plain_grid(points, [(10, [0, 1, 2])])))
+        self.fails(1, "info", self.write("few.vtu", plain_grid(points, [(71, [0, 1, 2, 3, 0])])))
+
+    def test_arrays_of_wrong_size(self):
+        points = np.eye(4, 3)
+        for size in [0, 1, 3]:
+            fields = [("u", np.arange(float(size)))]
+            self.refuses(self.write("size.vtu", plain_grid(points, [(10, [0, 1, 2, 3])], fields)))
+
+    def test_coordinates_that_are_no_numbers(self):
+        for bad in ["nan", "inf", "-inf"]:
+            points = np.eye(4, 3)
+            text = plain_grid(points, [(10, [0, 1, 2, 3])])
+            text = text.replace("1.0 0.0 0.0", f"{bad} 0.0 0.0", 1)
+            done = run("info", self.write("nan.vtu", text))
+            self.assertIn(done.returncode, [0, 1])
+            self.assertNotEqual(done.stdout + done.stderr, "")
+
+    def test_legacy_files(self):
+        head = "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\n"
+        points = "POINTS 4 double\n0 0 0 1 0 0 0 1 0 0 0 1\n"
+        cells = "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n"
+        field = "POINT_DATA 4\nSCALARS u double 1\nLOOKUP_TABLE default\n0 1 2 3\n"
+        sound = self.write("sound.vtk", head + points + cells + field)
+        self.assertIn("u", self.succeeds("info", sound).stdout)
+        self.refuses(self.write("cut.vtk", head + points[:30]))
+        self.refuses(self.write("ids.vtk", head + points + cells.replace("2 3", "2 7")), "point")
+
+    def test_legacy_file_cut_short(self):
+        head = "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\n"
+        points = "POINTS 4 double\n0 0 0 1 0 0 0 1 0 0 0 1\n"
+        text = head + points + "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n"
+        for length in range(0, len(text), 7):
+            done = run("info", self.write("cut.vtk", text[:length]))
+            self.assertIn(done.returncode, [0, 1], f"{length}: {done.stderr}")
+
+
+class Truncated(ToolTest):
+    def test_every_file_at_many_lengths(self):
+        for name in CASES:
+            content = case(name).read_bytes()
+            path = self.folder / "cut.vtu"
+            lengths = np.unique(np.linspace(1, len(content) - 12, 24).astype(int))
+            # Also inside of each of the file's tags.
+            tags = [match.end() - 3 for match in re.finditer(rb"<[^>]*>", content)]
+            for length in [*lengths, *tags]:
+                if length >= len(content) - 2:
+                    continue
+                path.write_bytes(content[:length])
+                done = run("info", path)
+                self.assertEqual(done.returncode, 1, f"{name} cut at {length}: {done.stdout}")
+                self.assertIn(str(path), done.stderr)
+                self.assertLess(len(done.stderr.splitlines()), 2, done.stderr)
+
+    def test_damaged_bytes(self):
+        """Whatever a damaged file holds, the tool ends by itself: done, or with a message."""
+        random = np.random.default_rng(7)
+        content = bytearray(case("escher_tet_g3_p3").read_bytes())
+        path = self.folder / "damaged.vtu"
+        for _ in range(60):
+            damaged = bytearray(content)
+            for position in random.integers(0, len(content), 3):
+                damaged[position] = random.integers(1, 256)
+            path.write_bytes(damaged)
+            done = run("info", path)
+            self.assertIn(done.returncode, [0, 1], done.stderr)
+            if done.returncode == 1:
+                self.assertIn(str(path), done.stderr)
+
+
+class EmptyMesh(FileTest):
+    """Without a volume there is nothing to cut, and every command says so."""
+
+    def refused_by_all(self, path):
+        points = self.write("points.csv", "x,y,z\n0,0,0\n")
+        field = [path, "--field", "u", "--output", self.folder / "out.png"]
+        self.refuses(path, "volume")
+        self.fails(1, "probe", *field, "--points", points, names=[path, "volume"])
+        self.fails(1, "render", *field, "--plane", "0,0,0,0,0,1", names=[path, "volume"])
+
+    def test_empty_mesh(self):
+        self.refused_by_all(self.write("empty.vtu", plain_grid([], [])))
+
+    def test_no_volume_cell(self):
+        fields = [("u", np.arange(3.0))]
+        text = plain_grid(np.eye(3), [(5, [0, 1, 2])], fields)
+        self.refused_by_all(self.write("triangle.vtu", text))
+
+    def test_cells_of_lower_dimension_are_skipped_and_counted(self):
+        points = np.eye(4, 3)
+        cells = [(5, [0, 1, 2]), (10, [0, 1, 2, 3]), (3, [0, 1])]
+        path = self.write("mixed.vtu", plain_grid(points, cells, [("u", np.arange(4.0))]))
+        summary = self.summary("info", path)
+        self.assertEqual((summary["elements"], summary["skipped_cells"]), (1, 2))
+        centre = self.write("points.csv", "x,y,z\n.2,.2,.2\n")
+        out = self.folder / "out.csv"
+        self.succeeds("probe", path, "--field", "u", "--points", centre, "--output", out)
+        # The number of the cell in the file.
+        self.assertEqual(read_csv(out)[0]["element"], "1")
+
+
+if __name__ == "__main__":
+    unittest.main()

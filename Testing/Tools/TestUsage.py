@@ -1,0 +1,172 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The command line: help, version, and wrong usage, which ends with status 2."""
+
+import unittest
+
+from tool import MIDDLE, ToolTest, case, run, strict_json, unit_cube_grid
+
+COMMANDS = ["info", "probe", "render", "bench"]
+
+
+class Help(ToolTest):
+    def test_help_everywhere(self):
+        self.assertIn("render", self.succeeds("--help").stdout)
+        for command in COMMANDS:
+            text = self.succeeds(command, "--help").stdout
+            self.assertIn("--threads", text)
+            self.assertIn("--json", text)
+
+    def test_version_everywhere(self):
+        for arguments in [["--version"]] + [[command, "--version"] for command in COMMANDS]:
+            self.assertRegex(self.succeeds(*arguments).stdout, r"^pixelexact \d+\.\d+\.\d+")
+
+
+class WrongUsage(ToolTest):
+    def setUp(self):
+        super().setUp()
+        self.cube = self.folder / "cube.vtu"
+        self.cube.write_text(unit_cube_grid(), encoding="utf-8")
+        self.image = self.folder / "image.png"
+
+    def render(self, *options):
+        return ["render", self.cube, "--field", "u", "--output", self.image, *options]
+
+    def test_commands(self):
+        self.fails(2)
+        self.fails(2, "paint")
+        self.fails(2, "--paint")
+        self.fails(2, "info")
+        self.fails(2, "info", self.cube, "--paint")
+        self.fails(2, "probe", self.cube, "--field", "u", "--points", "p.csv")
+        self.fails(2, "probe", self.cube, "--points", "p.csv", "--output", "o.csv")
+
+    def test_threads(self):
+        for number in ["0", "-1", "two", "1.5", ""]:
+            self.fails(2, "info", self.cube, "--threads", number)
+
+    def test_sizes(self):
+        for size in ["0x5", "5x0", "5", "x", "5x", "-5x5", "5x5x5", "5.0x5", "5 x 5", "", "5X5"]:
+            self.fails(2, *self.render(*MIDDLE, "--size", size), names=["--size"])
+        self.fails(2, *self.render(*MIDDLE, "--size", "99999999999x2"))
+        self.fails(2, *self.render(*MIDDLE, "--size", "2000000x2000000"))
+
+    def test_planes(self):
+        for plane in ["", "0,0,0,0,0", "0,0,0,0,0,1,2", "0,0,0,0,0,a", "0,0,0,0,0,1,"]:
+            self.fails(2, *self.render("--plane", plane), names=["--plane"])
+        for plane in ["nan,0,0,0,0,1", "0,0,0,inf,0,1", "0,0,0,0,0,1e999", "0,0,0,0x1,0,1"]:
+            self.fails(2, *self.render("--plane", plane), names=["--plane"])
+        for plane in ["0,0,0,0,0,0", "1,2,3,-0,0,-0.0"]:
+            self.fails(2, *self.render("--plane", plane), names=["--plane"])
+        self.fails(2, *self.render(), names=["--plane"])
+        self.fails(2, *self.render("--plane"))
+
+    def test_cameras(self):
+        plane = ["--plane", "0.5,0,0,1,0,0"]
+        for wrong in [
+            ["--camera-position", "1,2"],
+            ["--camera-position", "5,0,0"],
+            ["--focal-point", "5,0,0"],
+            ["--camera-position", "5,0,0", "--focal-point", "5,0,0"],
+            ["--camera-position", "5,0,0", "--focal-point", "0,0,0", "--view-up", "2,0,0"],
+            ["--view-angle", "0"],
+            ["--view-angle", "180"],
+            ["--view-angle", "nan"],
+            ["--parallel-scale", "0"],
+            ["--parallel-scale", "-1"],
+            ["--view-angle", "30", "--parallel-scale", "1"],
+        ]:
+            self.fails(2, *self.render(*plane, *wrong))
+
+    def test_colours(self):
+        plane = ["--plane", "0.5,0,0,1,0,0"]
+        for wrong in [
+            ["--range", "1"],
+            ["--range", "1,0"],
+            ["--range", "1,1"],
+            ["--range", "nan,1"],
+            ["--colormap", "no such map"],
+            ["--component", "x"],
+            ["--component", "-1"],
+            ["--background", "1,2"],
+            ["--background", "2,0,0"],
+            ["--nan-color", "0,0,-1"],
+            ["--log", "--range", "0,1"],
+            ["--log", "--range", "-1,1"],
+        ]:
+            self.fails(2, *self.render(*plane, *wrong))
+
+    def test_outputs_of_another_kind(self):
+        base = ["render", self.cube, "--field", "u", *MIDDLE]
+        self.fails(2, *base, "--output", self.folder / "image.jpg", names=["--output", ".png"])
+        image = ["--output", self.image]
+        self.fails(2, *base, *image, "--buffers", self.image, names=["--buffers", ".vti"])
+
+    def test_an_input_too_many(self):
+        self.fails(2, "info", self.cube, self.cube, names=["cube.vtu"])
+
+
+class OptionValues(ToolTest):
+    def test_values_that_begin_with_a_minus_sign(self):
+        source = case("toroid_hex_g3_p6")
+        pictures = []
+        for plane in [["--plane", "-0.5,0,0,-1,0,0"], ["--plane=-0.5,0,0,-1,0,0"]]:
+            for bounds in [["--range", "-.5,1"], ["--range=-.5,1"]]:
+                image = self.folder / f"{len(pictures)}.png"
+                options = [*plane, *bounds, "--size", "20x20", "--output", image]
+                self.succeeds("render", source, "--field", "u", *options)
+                pictures.append(image.read_bytes())
+        self.assertEqual(len(set(pictures)), 1)
+
+    def test_input_after_an_option(self):
+        planes = ["--plane", "-0.5,0,0,1,0,0", *MIDDLE]
+        options = ["--field", "u", "--size", "9x9", "--output", self.folder / "image.png"]
+        summary = self.summary("render", *planes, case("escher_tet_g3_p3"), *options)
+        self.assertEqual(summary["elements"], 42)
+
+    def test_names_that_begin_with_a_minus_sign(self):
+        cube, points = self.folder / "cube.vtu", self.folder / "-points.csv"
+        cube.write_text(unit_cube_grid(), encoding="utf-8")
+        points.write_text("x,y,z\n.5,.5,.5\n", encoding="utf-8")
+        table = ["--points", points.name, "--output", "-out.csv"]
+        done = run("probe", cube, "--field", "u", *table, folder=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertTrue((self.folder / "-out.csv").exists())
+
+
+class NotYet(ToolTest):
+    """What the interface names and this version lacks says so, by the option's name."""
+
+    def test_surfaces_and_modes(self):
+        source, image = case("escher_tet_g3_p3"), self.folder / "i.png"
+        base = ["render", source, "--field", "u", "--output", image]
+        for option in [
+            ["--sphere", "0,0,0,1"],
+            ["--cylinder", "0,0,0,0,0,1,1"],
+            ["--cone", "0,0,0,0,0,1,30"],
+            ["--quadric", "1,1,1,0,0,0,0,0,0,-1"],
+            ["--torus", "0,0,0,0,0,1,1,0.5"],
+            ["--patch", "patches.txt"],
+            ["--isosurface", "u=0.5"],
+            ["--surface", "cut.vtp"],
+            ["--boundary"],
+        ]:
+            done = self.fails(1, *base, *option, names=[option[0], "not available yet"])
+            self.assertFalse(image.exists(), done.stderr)
+        plane = list(MIDDLE)
+        self.fails(1, *base, *plane, "--contours", "10", names=["--contours", "not available yet"])
+        self.fails(1, *base, *plane, "--precision", "float", names=["--precision"])
+        self.fails(2, *base, *plane, "--precision", "half", names=["--precision"])
+        self.succeeds(*base, *plane, "--precision", "double", "--size", "9x9")
+
+    def test_certify(self):
+        done = self.fails(1, "info", case("escher_tet_g3_p3"), "--certify", names=["--certify"])
+        self.assertIn("not available yet", done.stderr)
+
+    def test_the_error_is_told_in_json_too(self):
+        done = run("info", case("escher_tet_g3_p3"), "--certify", "--json")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("--certify", strict_json(done.stdout)["error"])
+
+
+if __name__ == "__main__":
+    unittest.main()
