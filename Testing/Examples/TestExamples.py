@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The Python examples run and make pictures of what they say."""
+
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+EXAMPLES = Path(__file__).resolve().parent.parent.parent / "Examples"
+
+
+def colors(path):
+    """Width, height and number of colours of a PNG."""
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    from vtkmodules.vtkIOImage import vtkPNGReader
+
+    reader = vtkPNGReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    width, height, _ = reader.GetOutput().GetDimensions()
+    pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
+    return width, height, len({tuple(pixel) for pixel in pixels.tolist()})
+
+
+class Examples(unittest.TestCase):
+    def setUp(self):
+        self.folder = Path(tempfile.mkdtemp(prefix="pixelexact-"))
+        self.addCleanup(shutil.rmtree, self.folder)
+        self.image = self.folder / "image.png"
+
+    def run_example(self, name, *arguments):
+        done = subprocess.run(
+            [sys.executable, str(EXAMPLES / name), *map(str, arguments)],
+            cwd=self.folder,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+            timeout=300,
+            check=False,
+        )
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.stderr, "")
+        return done.stdout
+
+    def test_five_lines(self):
+        mesh = EXAMPLES.parent / "Data" / "toroid_hex_g3_p6.vtu"
+        self.run_example("five_lines.py", mesh, self.image)
+        width, height, count = colors(self.image)
+        self.assertEqual((width, height), (800, 800))
+        self.assertGreater(count, 200)
+
+    def test_readme_picture(self):
+        self.run_example("readme_picture.py", self.image, 240)
+        width, height, count = colors(self.image)
+        self.assertEqual((width, height), (240, 150))
+        self.assertGreater(count, 200)
+
+    def test_linear_comparison(self):
+        """Second order: half the spacing, about a quarter of the error."""
+        text = self.run_example("linear_comparison.py", self.image, 100, "24,48")
+        means = [float(mean) for mean in re.findall(r"mean (\S+)", text)]
+        self.assertEqual(len(means), 3)
+        self.assertGreater(means[1] / means[2], 2.5)
+        self.assertLess(means[1] / means[2], 6.5)
+        self.assertGreater(colors(self.image)[2], 200)
+
+
+if __name__ == "__main__":
+    unittest.main()
