@@ -25,35 +25,30 @@ if(NOT embree_FOUND)
   find_package(embree 3 REQUIRED)
 endif()
 
-# By name: a find_package(VTK) without components demands Qt.
+# By name: a find_package(VTK) without components demands Qt. The first list is what the modules
+# depend on, hence what users of the installed package need too.
 set(PIXELEXACT_VTK_COMPONENTS
   CommonCore
   CommonDataModel
   CommonExecutionModel
   CommonMath
-  CommonMisc
-  CommonSystem
   CommonTransforms
-  FiltersCore
-  FiltersExtraction
-  FiltersGeneral
-  FiltersGeometry
-  FiltersModeling
-  FiltersSources
-  IOGeometry
-  IOImage
-  IOLegacy
-  IOXML
-  ImagingCore
   RenderingCore
   RenderingOpenGL2)
-set(vtk_build_components)
+set(vtk_build_components IOImage IOLegacy IOXML)
 if(PIXELEXACT_BUILD_PYTHON)
   list(APPEND vtk_build_components Python WrappingPythonCore)
 endif()
-if(PIXELEXACT_BUILD_TESTING)
+if(PIXELEXACT_BUILD_TESTING OR PIXELEXACT_BUILD_BENCHMARKS)
   list(APPEND vtk_build_components
-    InteractionStyle RenderingAnnotation RenderingFreeType TestingRendering)
+    FiltersCore
+    FiltersExtraction
+    FiltersGeneral
+    FiltersSources
+    InteractionStyle
+    RenderingAnnotation
+    RenderingFreeType
+    TestingRendering)
 endif()
 find_package(VTK 9.1 REQUIRED COMPONENTS ${PIXELEXACT_VTK_COMPONENTS} ${vtk_build_components})
 

@@ -1,0 +1,127 @@
+#!/usr/bin/env python3
+"""Checks that no #include runs against the direction in which the project is built.
+
+Usage: check_layers.py [PROJECT_ROOT]
+
+Prints one line per offence, `file:line: what`, and exits with 1 if there was any.
+"""
+
+import os
+import re
+import sys
+from pathlib import Path, PurePosixPath
+
+# A file of a layer may include its own layer and those before it.
+CORE_LAYERS = ["Base", "Math", "Shape", "Basis", "Bernstein", "Element", "Location"]
+
+# What the files of each room may include. Filters and Rendering do not know each other, and nothing
+# includes the programs that stand on top.
+ALLOWED = {
+    "Core": {"Core"},
+    "DataModel": {"Core", "DataModel"},
+    "Filters": {"Core", "DataModel", "Filters"},
+    "Trace": {"Core", "Trace"},
+    "Rendering": {"Core", "DataModel", "Trace", "Rendering"},
+    "Tools": {"Core", "DataModel", "Filters", "Trace", "Rendering", "Tools"},
+    "ParaView": {"Core", "DataModel", "Filters", "Trace", "Rendering", "ParaView"},
+}
+VTK_FREE = {"Core", "Trace"}
+
+# Folders from which the compiler resolves includes; sources below are the ones checked.
+INCLUDE_ROOTS = ["Module", "Filters", "Rendering"]
+SUFFIXES = {".h", ".cxx", ".txx"}
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
+
+
+def room(path):
+    """The room of a file given by its path below the project root, or None outside of all."""
+    parts = PurePosixPath(path).parts
+    if parts[0] == "Module":
+        return "Core" if parts[1] == "Core" else "DataModel"
+    if parts[0] == "Filters":
+        return "Filters"
+    if parts[0] == "Rendering":
+        return parts[1] if parts[1] in ("Trace", "Tools", "ParaView") else "Rendering"
+    return None
+
+
+def layer(path):
+    """The layer of a file of Core, or None if it lies in no known one."""
+    parts = PurePosixPath(path).parts
+    name = parts[2] if len(parts) > 3 else None
+    return name if name in CORE_LAYERS else None
+
+
+def resolve(root, path, name):
+    """The project's file that `path` means by including `name`, as a path below root, or None."""
+    for folder in [os.path.dirname(path)] + INCLUDE_ROOTS:
+        candidate = os.path.normpath(os.path.join(folder, name))
+        if (root / candidate).is_file() and not candidate.startswith(".."):
+            return PurePosixPath(candidate).as_posix()
+    return None
+
+
+def check_external(path, name):
+    """What is wrong with `path` including the foreign header `name`, or None."""
+    base = PurePosixPath(path).name
+    if room(path) in VTK_FREE and re.match(r"vtk[^/]*\.h$", PurePosixPath(name).name):
+        return f"{room(path)} is free of VTK, but this includes {name}"
+    if name.startswith("hwy/"):
+        lanes = path.startswith("Module/Core/Math/Lanes")
+        # Highway compiles a kernel once per instruction set by letting it include itself.
+        kernel = path.startswith("Module/Core/Element/") and base.endswith(".cxx")
+        if not lanes and not (kernel and name in ("hwy/foreach_target.h", "hwy/highway.h")):
+            return f"only Core/Math/Lanes*.h knows Highway, but this includes {name}"
+    if re.match(r"embree\d*/", name) and not path.startswith("Module/Core/Location/Embree"):
+        return f"only Core/Location/Embree* knows Embree, but this includes {name}"
+    return None
+
+
+def check_internal(path, target):
+    """What is wrong with `path` including the project's file `target`, or None."""
+    to = room(target)
+    if to not in ALLOWED[room(path)]:
+        return f"{room(path)} may not include {target}" + (f" ({to})" if to else "")
+    if to == room(path) == "Core":
+        if layer(target) is None:
+            return f"{target} lies in no layer of Core"
+        if CORE_LAYERS.index(layer(target)) > CORE_LAYERS.index(layer(path)):
+            return f"layer {layer(path)} may not include {target} (layer {layer(target)} is above)"
+    return None
+
+
+def offences(root):
+    """Yields (path, line, what) for each include that runs the wrong way."""
+    root = Path(root)
+    files = sorted(
+        file.relative_to(root).as_posix()
+        for top in INCLUDE_ROOTS
+        for file in (root / top).rglob("*")
+        if file.suffix in SUFFIXES
+    )
+    for path in files:
+        if room(path) == "Core" and layer(path) is None:
+            yield path, 1, "lies in no layer of Core: " + ", ".join(CORE_LAYERS)
+            continue
+        text = (root / path).read_text(encoding="utf-8")
+        for number, line in enumerate(text.splitlines(), 1):
+            match = INCLUDE.match(line)
+            if not match:
+                continue
+            target = resolve(root, path, match[1])
+            what = check_internal(path, target) if target else check_external(path, match[1])
+            if what:
+                yield path, number, what
+
+
+def main():
+    root = sys.argv[1] if len(sys.argv) > 1 else "."
+    found = list(offences(root))
+    for path, number, what in found:
+        print(f"{path}:{number}: {what}")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# Installs what PixelExact needs on Debian 12 or newer, and only what is missing.
+#
+#   install-dependencies.sh            to build and run
+#   install-dependencies.sh --testing  to test as well
+set -euo pipefail
+
+packages=(
+  ca-certificates cmake g++ ninja-build
+  libcli11-dev libeigen3-dev libembree-dev libglm-dev libhwy-dev libtbb-dev libvtk9-dev
+  python3 python3-dev python3-vtk9
+)
+if [[ "${1:-}" == --testing ]]; then
+  packages+=(
+    clang-format clang-tidy libbenchmark-dev libgmp-dev libgtest-dev libmpfr-dev python3-numpy
+    xauth xvfb
+  )
+fi
+
+missing=()
+for package in "${packages[@]}"; do
+  status=$(dpkg-query -W -f '${Status}' "$package" 2>/dev/null || true)
+  if [[ "$status" != "install ok installed" ]]; then
+    missing+=("$package")
+  fi
+done
+if [[ ${#missing[@]} -eq 0 ]]; then
+  exit 0
+fi
+
+as_root=()
+if [[ $EUID -ne 0 ]]; then
+  as_root=(sudo)
+fi
+"${as_root[@]}" apt-get update -q
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+  apt-get install -q -y --no-install-recommends "${missing[@]}"

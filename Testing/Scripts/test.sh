@@ -1,0 +1,120 @@
+#!/usr/bin/env bash
+# Everything that must hold before a change goes in. Runs on a clean Debian 12 or newer.
+#
+# PIXELEXACT_TEST_STAGES selects from (default: all, in this order)
+#   dependencies build test sanitize format tidy
+# The last line reads "N passed, N failed": tests of both builds, and one for each other stage.
+set -uo pipefail
+cd "$(dirname "$0")/../.."
+
+stages=${PIXELEXACT_TEST_STAGES:-dependencies build test sanitize format tidy}
+build=build
+sanitize_build=build-sanitize
+jobs=$(nproc)
+passed=0
+failed=0
+timings=""
+
+launcher=()
+if command -v ccache >/dev/null; then
+  launcher=(-D CMAKE_C_COMPILER_LAUNCHER=ccache -D CMAKE_CXX_COMPILER_LAUNCHER=ccache)
+fi
+
+# Runs ctest in a build folder and adds its tests to the totals. Skipped tests count as neither.
+run_ctest() {
+  local folder=$1
+  shift
+  local log="$folder/ctest.log"
+  ctest --test-dir "$folder" --parallel "$jobs" --output-on-failure --no-tests=error "$@" |
+    tee "$log"
+  local summary suite_failed suite_total suite_skipped
+  summary=$(sed -n 's/.* \([0-9]*\) tests failed out of \([0-9]*\)$/\1 \2/p' "$log")
+  if [[ -z "$summary" ]]; then
+    count 1
+    return
+  fi
+  read -r suite_failed suite_total <<<"$summary"
+  suite_skipped=$(grep -c '[*][*][*]Skipped' "$log")
+  passed=$((passed + suite_total - suite_failed - suite_skipped))
+  failed=$((failed + suite_failed))
+}
+
+# Counts a stage that is not a suite of tests as one.
+count() {
+  if [[ $1 -eq 0 ]]; then
+    passed=$((passed + 1))
+  else
+    failed=$((failed + 1))
+  fi
+}
+
+stage_dependencies() {
+  ./Testing/Scripts/install-dependencies.sh --testing
+  count $?
+}
+
+stage_build() {
+  cmake -S . -B "$build" -G Ninja "${launcher[@]}" \
+    -D PIXELEXACT_WARNINGS_AS_ERRORS=ON \
+    -D PIXELEXACT_BUILD_TESTING=ON \
+    -D PIXELEXACT_BUILD_PYTHON=ON \
+    -D PIXELEXACT_BUILD_BENCHMARKS=ON &&
+    cmake --build "$build" --parallel "$jobs"
+  count $?
+}
+
+stage_test() {
+  run_ctest "$build"
+}
+
+# Assertions are on and -O1 keeps the stack traces. No Python, no OpenGL: an interpreter or a driver
+# without sanitizers cannot load our libraries.
+stage_sanitize() {
+  cmake -S . -B "$sanitize_build" -G Ninja "${launcher[@]}" \
+    -D CMAKE_BUILD_TYPE=Debug \
+    -D CMAKE_CXX_FLAGS_DEBUG="-O1 -g1" \
+    -D PIXELEXACT_SANITIZE=ON \
+    -D PIXELEXACT_BUILD_TESTING=ON \
+    -D PIXELEXACT_BUILD_PYTHON=OFF &&
+    cmake --build "$sanitize_build" --parallel "$jobs" --target PixelExactTests
+  count $?
+  run_ctest "$sanitize_build" --label-exclude slow
+}
+
+# Only one version's idea of the format can hold: other versions differ in details.
+stage_format() {
+  local version
+  version=$(clang-format --version | sed 's/.*version \([0-9]*\).*/\1/')
+  if [[ "$version" != 14 ]]; then
+    echo "skipped: the sources are formatted with clang-format 14, this is $version"
+    return
+  fi
+  find Module Filters Rendering Testing Examples -name '*.h' -o -name '*.cxx' |
+    xargs clang-format --dry-run -Werror
+  count $?
+}
+
+# One of Highway's instruction sets is enough to read a kernel.
+stage_tidy() {
+  run-clang-tidy -quiet -j "$jobs" -p "$build" -extra-arg=-DHWY_COMPILE_ONLY_STATIC \
+    "^$PWD/(Module|Filters|Rendering)/.*\.cxx\$"
+  count $?
+}
+
+for stage in $stages; do
+  if ! declare -F "stage_$stage" >/dev/null; then
+    echo "no such stage: $stage" >&2
+    exit 2
+  fi
+  printf '\n== %s\n' "$stage"
+  start=$SECONDS
+  "stage_$stage"
+  timings+="$(printf '%6d s  %s' $((SECONDS - start)) "$stage")"$'\n'
+  # Nothing that follows could work.
+  if [[ $stage == dependencies && $failed -gt 0 ]]; then
+    break
+  fi
+done
+
+printf '\n%s\n%d passed, %d failed\n' "$timings" "$passed" "$failed"
+[[ $failed -eq 0 ]]
