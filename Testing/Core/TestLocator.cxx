@@ -103,24 +103,41 @@ TEST_P(LocatorShapes, TellsOutsideForImagesOfOutsidePoints)
       x.push_back(ToDouble(Curved(ToLong(xi))));
     }
   }
-  // Close to the faces, down to 1e-12 of the size.
+  // Close to all faces, down to 1e-12 of the size.
   for (double distance = 1e-12; distance < 0.1; distance *= 10.0)
   {
-    for (int i = 0; i < 20; ++i)
+    for (int i = 0; i < 60; ++i)
     {
-      Vec3 eta(random(), random(), -1.0);
-      Vec3 xi = TensorToReference(GetParam(), eta);
-      xi.z -= distance;
-      x.push_back(ToDouble(Curved(ToLong(xi))));
+      Vec3 eta(random(), random(), random());
+      // No shape but the hexahedron has a face at eta3 = 1.
+      const int direction = i % 3;
+      const bool upper = i % 2 == 0 && (direction < 2 || GetParam() == Shape::Hexahedron);
+      eta[direction] = upper ? 1.0 + distance : -1.0 - distance;
+      const Vec3 xi = TensorToReference(GetParam(), eta);
+      // Towards collapsed edges the distance shrinks, down to what rounding allows as inside.
+      if (Margin(GetParam(), xi) < -1e-13)
+      {
+        x.push_back(ToDouble(Curved(ToLong(xi))));
+      }
     }
   }
   Samples samples(x.size());
   Sample(locator, nullptr, x, samples.Target());
+  int unknown = 0;
   for (std::size_t i = 0; i < x.size(); ++i)
   {
+    if (samples.verdict[i] == Verdict::Unknown)
+    {
+      ++unknown;
+      // Pyramids are subdivided in eta alone, where small boxes at the apex stay bent.
+      EXPECT_EQ(GetParam(), Shape::Pyramid) << i;
+      EXPECT_LT(MaxNorm(x[i] - ToDouble(Curved({ -1, -1, 1 }))), 0.01) << i;
+      continue;
+    }
     ASSERT_EQ(samples.verdict[i], Verdict::Outside) << i;
     EXPECT_EQ(samples.element[i], -1);
   }
+  EXPECT_LE(unknown, 5);
 }
 
 TEST_P(LocatorShapes, SizesAndOffsetsOverManyDecades)

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace pixelexact
@@ -84,6 +85,7 @@ private:
   {
     int index;
     int element;
+    Vec3 root; ///< where Newton converged to, outside of the shape; NaN where it did not
   };
 
   void Cluster(std::span<int> indices)
@@ -189,7 +191,10 @@ private:
       else if (result.status[k] == static_cast<double>(NewtonStatus::NotConverged) ||
         !(result.margin[k] >= -bounds.injectiveMargin))
       {
-        Doubtful.push_back({ index, element });
+        const bool converged = result.status[k] == static_cast<double>(NewtonStatus::RootOutside);
+        Doubtful.push_back({ index, element,
+          converged ? Vec3(result.xi[0][k], result.xi[1][k], result.xi[2][k])
+                    : Vec3(std::numeric_limits<double>::quiet_NaN()) });
       }
     }
     if (inside > 0)
@@ -249,7 +254,7 @@ private:
   void DecideOne(CarefulInverse& careful, const Doubt& doubt)
   {
     ++Careful;
-    const CarefulResult result = careful.Decide(Points[doubt.index]);
+    const SubdivisionResult result = careful.Decide(Points[doubt.index], doubt.root);
     if (result.verdict == Verdict::Inside)
     {
       std::array<std::array<double, kLanePadding>, 3> xi;
