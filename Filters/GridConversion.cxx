@@ -51,6 +51,7 @@ void ConvertMesh(const SourceMesh& mesh, vtkUnstructuredGrid* grid)
 
   MeshArrays arrays;
   std::vector<Space> spaces;
+  spaces.reserve(static_cast<std::size_t>(mesh.Elements()));
   for (int e = 0; e < mesh.Elements(); ++e)
   {
     const auto& g = geometry[e];
@@ -72,6 +73,7 @@ int ConvertPointField(const SourceMesh& mesh, vtkDataArray* values, vtkUnstructu
 {
   const int components = values->GetNumberOfComponents();
   std::vector<Space> spaces;
+  spaces.reserve(static_cast<std::size_t>(mesh.Elements()));
   for (int e = 0; e < mesh.Elements(); ++e)
   {
     spaces.push_back(mesh.Basis(e).GetSpace());
@@ -105,6 +107,7 @@ int ConvertCellField(const SourceMesh& mesh, vtkDataArray* values, vtkUnstructur
 {
   const int components = values->GetNumberOfComponents();
   std::vector<Space> spaces;
+  spaces.reserve(static_cast<std::size_t>(mesh.Elements()));
   for (int e = 0; e < mesh.Elements(); ++e)
   {
     spaces.push_back(UniformSpace(mesh.Basis(e).GetSpace().shape, 0));

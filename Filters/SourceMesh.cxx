@@ -68,7 +68,7 @@ vtkSmartPointer<vtkDoubleArray> AsDoubles(vtkDataArray* array)
   {
     return doubles;
   }
-  const auto copy = vtkSmartPointer<vtkDoubleArray>::New();
+  auto copy = vtkSmartPointer<vtkDoubleArray>::New();
   copy->DeepCopy(array);
   return copy;
 }
