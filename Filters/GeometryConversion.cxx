@@ -2,6 +2,8 @@
 #include "GeometryConversion.h"
 
 #include "Core/Base/Error.h"
+#include "Core/Basis/ModeBound.h"
+#include "Core/Element/ElementUnits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,61 +30,26 @@ namespace
 {
 constexpr double kCoordinateRoundings = 4.0;
 constexpr double kLargestLoss = 1e-6; ///< in units of the element
-constexpr int kLargestExponent = 1000;
-constexpr int kSmallestExponent = -900;
 
-double Binomial(int n, int k)
+ElementUnits UnitsOf(const SourceMesh& mesh, int element)
 {
-  double result = 1.0;
-  for (int i = 1; i <= k; ++i)
-  {
-    result = result * (n - k + i) / i;
-  }
-  return result;
-}
-
-struct Frame
-{
-  std::array<double, 3> centre{};
-  int exponent = 0; ///< size = 2^exponent
-  double largest = 0.0;
-};
-
-Frame FrameOf(const SourceMesh& mesh, int element)
-{
-  Frame frame;
+  Vec3 low(INFINITY);
+  Vec3 high(-INFINITY);
   const auto xyz = mesh.Coordinates();
-  double half = 0.0;
-  for (int d = 0; d < 3; ++d)
+  for (const auto p : mesh.Points(element))
   {
-    double low = INFINITY;
-    double high = -INFINITY;
-    for (const auto p : mesh.Points(element))
-    {
-      low = std::min(low, xyz[3 * p + d]);
-      high = std::max(high, xyz[3 * p + d]);
-    }
-    // Halved before they are added: the sum may overflow.
-    frame.centre[d] = low / 2 + high / 2;
-    frame.largest = std::max({ frame.largest, std::fabs(low), std::fabs(high) });
-    half = std::max({ half, high - frame.centre[d], frame.centre[d] - low });
+    const Vec3 x(xyz[3 * p], xyz[3 * p + 1], xyz[3 * p + 2]);
+    low = glm::min(low, x);
+    high = glm::max(high, x);
   }
-  if (half > 0.0)
+  try
   {
-    std::frexp(half, &frame.exponent);
+    return MakeElementUnits(low, high);
   }
-  else
+  catch (const InvalidData& error)
   {
-    // A cell shrunk to a point: the resolution of its coordinates stands for its size.
-    frame.exponent = frame.largest > 0.0 ? std::ilogb(frame.largest) - 52 : kSmallestExponent;
+    throw InvalidData(mesh.Describe(element) + " " + error.what());
   }
-  if (frame.exponent > kLargestExponent)
-  {
-    throw InvalidData(mesh.Describe(element) +
-      " is too large for double arithmetic; give the coordinates in larger units.");
-  }
-  frame.exponent = std::max(frame.exponent, kSmallestExponent);
-  return frame;
 }
 
 /// Decides about trailing orders by the rule above.
@@ -216,33 +183,9 @@ private:
 };
 } // namespace
 
-double ModeBound(const Space& space, int p, int q, int r)
-{
-  // With h = (1 - z) / 2 and P = P_r^{(a,0)}: |P| <= C(r + a, r) (Szego, Orthogonal Polynomials,
-  // theorem 7.32.1), and h^{a/2} |P| <= 1, for h^{a/2} P is an element of a unitary matrix
-  // (Wigner's d). A factor h^n P with n <= a / 2 is therefore at most min(C h^n, h^{n - a/2}),
-  // whose peak is C^{1 - 2 n / a}: an n-th power against one of n - a/2.
-  const auto factor = [](int n, int a, int degree)
-  { return a == 0 ? 1.0 : std::pow(Binomial(degree + a, degree), 1.0 - 2.0 * n / a); };
-  switch (space.shape)
-  {
-    case Shape::Prism:
-      return factor(p, 2 * p + 1, r);
-    case Shape::Tetrahedron:
-      return factor(p, 2 * p + 1, q) * factor(p + q, 2 * (p + q) + 2, r);
-    case Shape::Pyramid:
-    {
-      const int m = std::max(p, q);
-      return space.form == Form::Tensor ? 1.0 : factor(m, 2 * m + 2, r);
-    }
-    default:
-      return 1.0;
-  }
-}
-
 ElementGeometry ConvertGeometry(const SourceMesh& mesh, int element)
 {
-  const Frame frame = FrameOf(mesh, element);
+  const ElementUnits units = UnitsOf(mesh, element);
   const ChangeOfBasis& change = mesh.Basis(element).change;
   const Space full = change.Target();
   const auto count = static_cast<std::size_t>(full.Modes());
@@ -251,14 +194,14 @@ ElementGeometry ConvertGeometry(const SourceMesh& mesh, int element)
   for (int c = 0; c < 3; ++c)
   {
     mesh.Gather(element, mesh.Coordinates(), 3, c, nodes);
-    change.Apply(nodes, frame.centre[c], std::span(modes).subspan(c * count, count));
+    change.Apply(nodes, units.centre[c], std::span(modes).subspan(c * count, count));
   }
   ElementGeometry geometry;
-  geometry.centre = frame.centre;
-  geometry.size = std::ldexp(1.0, frame.exponent);
+  geometry.centre = { units.centre.x, units.centre.y, units.centre.z };
+  geometry.size = std::ldexp(1.0, units.exponent);
   const double u = mesh.CoordinateRoundoff();
   const Reduction reduction(full, change.Amplification(), modes,
-    kCoordinateRoundings * u * frame.largest, kLargestLoss * geometry.size);
+    kCoordinateRoundings * u * units.largest, kLargestLoss * geometry.size);
   geometry.space = reduction.Reduce();
   geometry.uncertainty = reduction.Uncertainty(geometry.space);
   for (int c = 0; c < 3; ++c)
@@ -269,7 +212,7 @@ ElementGeometry ConvertGeometry(const SourceMesh& mesh, int element)
         if (Reduction::Has(geometry.space, p, q, r))
         {
           // A power of two: exact.
-          geometry.coefficients.push_back(std::ldexp(modes[c * count + mode], -frame.exponent));
+          geometry.coefficients.push_back(std::ldexp(modes[c * count + mode], -units.exponent));
         }
       });
   }

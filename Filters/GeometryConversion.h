@@ -20,8 +20,5 @@ struct ElementGeometry
 /// file's coordinates (isoparametric files store geometry of order 3 at the field's order 6).
 /// Throws InvalidData where the element is too large for doubles.
 ElementGeometry ConvertGeometry(const SourceMesh& mesh, int element);
-
-/// An upper bound of |mode (p, q, r)| on the shape.
-double ModeBound(const Space& space, int p, int q, int r);
 } // namespace pixelexact
 #endif

@@ -205,4 +205,97 @@ TEST(ChangeOfBasis, AllShapesHoldTheCurvedMap)
     }
   }
 }
+TEST(LineFunctions, GaussRulesAreTheRootsOfLegendre)
+{
+  // Closed forms for few points; for many, the recurrence's own value at the roots.
+  const auto lobatto = GaussLobattoPoints(5);
+  EXPECT_NEAR(static_cast<double>(lobatto[1] + std::sqrt(3.0L / 7)), 0.0, 1e-18);
+  EXPECT_EQ(lobatto[2], 0.0L);
+  const auto gauss = GaussPoints(4);
+  EXPECT_NEAR(
+    static_cast<double>(gauss[0] + std::sqrt(3.0L / 7 + 2.0L / 7 * std::sqrt(1.2L))), 0.0, 1e-18);
+  for (const int n : { 1, 2, 7, 16, 33 })
+  {
+    const auto points = GaussPoints(n);
+    ASSERT_TRUE(std::ranges::is_sorted(points));
+    for (const long double z : points)
+    {
+      EXPECT_NEAR(static_cast<double>(std::legendre(n, z)), 0.0, 1e-16);
+    }
+  }
+}
+
+TEST(LineFunctions, LagrangeIsNodalAndBernsteinSumsToOne)
+{
+  const auto points = GaussLobattoPoints(9);
+  const LineFunctions lagrange = Lagrange(points);
+  std::vector<long double> values(9);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    lagrange.evaluate(points[i], values.data());
+    for (std::size_t j = 0; j < points.size(); ++j)
+    {
+      EXPECT_NEAR(static_cast<double>(values[j]), i == j ? 1.0 : 0.0, 1e-18);
+    }
+  }
+  values.resize(21);
+  Bernstein(20).evaluate(0.3L, values.data());
+  EXPECT_NEAR(
+    static_cast<double>(std::accumulate(values.begin(), values.end(), -1.0L)), 0.0, 1e-18);
+}
+
+TEST(ChangeOfBasis, LinesOfGaussPointsReproduceAHexahedron)
+{
+  const Space space{ Shape::Hexahedron, Form::Collapsed, { 3, 5, 8 } };
+  std::array<std::vector<long double>, 3> points;
+  std::array<LineFunctions, 3> lines;
+  for (int d = 0; d < 3; ++d)
+  {
+    points[d] = d == 1 ? GaussPoints(space.order[d] + 1) : GaussLobattoPoints(space.order[d] + 1);
+    lines[d] = Lagrange(points[d]);
+  }
+  std::vector<double> nodal;
+  for (const auto a : points[0])
+  {
+    for (const auto b : points[1])
+    {
+      for (const auto c : points[2])
+      {
+        nodal.push_back(static_cast<double>(Manufactured(space, { a, b, c })));
+      }
+    }
+  }
+  const auto change =
+    ChangeOfBasis::FromLines(space, lines, Identity(static_cast<int>(nodal.size())));
+  ExpectReproduced(space, change, nodal, Tolerance(change, 4.0));
+  EXPECT_THROW(ChangeOfBasis::FromLines(UniformSpace(Shape::Hexahedron, 3), lines,
+                 Identity(static_cast<int>(nodal.size()))),
+    InvalidData);
+}
+
+TEST(ChangeOfBasis, TriangleTimesLineReproducesAPrism)
+{
+  // Monomials on the triangle, Bernstein's polynomials on the line.
+  const Space space{ Shape::Prism, Form::Collapsed, { 2, 3, 2 } };
+  const auto change = ChangeOfBasis::FromTriangleAndLine(
+    space, 6,
+    [](long double a, long double c, long double* v)
+    {
+      const long double monomials[6] = { 1, a, c, a * a, a * c, c * c };
+      std::copy(monomials, monomials + 6, v);
+    },
+    Bernstein(3), Identity(24));
+  // (a c) ((1 + b) / 2)^3
+  std::vector<double> source(24, 0.0);
+  source[4 * 4 + 3] = 1.0;
+  std::vector<double> modes(space.Modes());
+  change.Apply(source, 0.0, modes);
+  Random random(5);
+  for (int trial = 0; trial < 20; ++trial)
+  {
+    const LongVec3 xi = ToLong(random.Inside(space.shape));
+    const long double expected = xi[0] * xi[2] * std::pow((1 + xi[1]) / 2, 3);
+    EXPECT_NEAR(static_cast<double>(At(space, modes, xi) - expected), 0.0, 1e-15);
+  }
+}
 } // namespace pixelexact::testing

@@ -2,9 +2,7 @@
 #include "Core/Basis/ChangeOfBasis.h"
 
 #include "Core/Base/Error.h"
-#include "Core/Basis/Modes-inl.h"
-
-#include <Eigen/LU>
+#include "Core/Basis/BasisFactor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,17 +13,6 @@ namespace pixelexact
 {
 namespace
 {
-using LongMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-using Eigen::Map;
-
-template <template <class, class, bool> class Modes>
-void Evaluate(const Space& space, const LongVec3& xi, long double* out)
-{
-  const Modes<long double, HWY_NAMESPACE::AnyOrder, false> modes(
-    space, HWY_NAMESPACE::Point<long double>{ { xi[0], xi[1], xi[2] } });
-  ForEachMode(space, [&](int p, int q, int r, int mode) { out[mode] = modes.Mode(p, q, r); });
-}
-
 long double Power(long double base, int exponent)
 {
   long double result = 1.0L;
@@ -52,148 +39,30 @@ long double Equispaced(int i, int order)
   return order == 0 ? 0.0L : 2.0L * i / order - 1.0L;
 }
 
-/// Chebyshev's points in [-1,1]: well conditioned at every order.
-long double Chebyshev(int i, int order)
+LineFunctions Line(int order, Family family)
 {
-  return -std::cos(std::numbers::pi_v<long double> * (2 * i + 1) / (2 * (order + 1)));
+  return family == Family::Bernstein ? Bernstein(order) : Lagrange(ClosedUniformPoints(order + 1));
 }
 
-/// Points at which interpolation in `space` is unique: the tensor grid of Chebyshev's points for
-/// tensor spaces, and for collapsed ones their images, thinned out to the modes' staircase.
-std::vector<LongVec3> UnisolventPoints(const Space& space)
+/// The triangle of a prism: its modes (p, 0, r), functions of (xi1, xi3).
+Space TriangleOf(const Space& prism)
 {
-  std::vector<LongVec3> points;
-  points.reserve(space.Modes());
-  const auto [P, Q, R] = space.order;
+  return { Shape::Prism, Form::Collapsed, { prism.order[0], 0, prism.order[2] } };
+}
+
+/// The prism's mode for each mode of the triangle, slowest, and of the line.
+std::vector<int> PrismModes(const Space& space)
+{
+  std::vector<int> modeOf(space.Modes());
+  std::vector<int> triangleMode((space.order[0] + 1) * (space.order[2] + 1));
+  const auto at = [&](int p, int r) -> int& { return triangleMode[p * (space.order[2] + 1) + r]; };
+  ForEachMode(TriangleOf(space), [&](int p, int /*q*/, int r, int mode) { at(p, r) = mode; });
   ForEachMode(space,
-    [&, P = P, Q = Q, R = R](int p, int q, int r, int /*mode*/)
-    {
-      // On the layer that belongs to q and r, only so many p's remain: spread them anew.
-      const long double e3 = Chebyshev(r, R);
-      LongVec3 eta{ Chebyshev(p, P), Chebyshev(q, Q), e3 };
-      switch (space.shape)
-      {
-        case Shape::Hexahedron:
-          points.push_back(eta);
-          return;
-        case Shape::Prism:
-          eta[0] = Chebyshev(p, std::min<int>(P, R - r));
-          points.push_back({ (1 + eta[0]) * (1 - e3) / 2 - 1, eta[1], e3 });
-          return;
-        case Shape::Tetrahedron:
-          eta[0] = Chebyshev(p, std::min<int>({ P, Q - q, R - r - q }));
-          eta[1] = Chebyshev(q, std::min<int>(Q, R - r));
-          points.push_back({ (1 + eta[0]) * (1 - eta[1]) * (1 - e3) / 4 - 1,
-            (1 + eta[1]) * (1 - e3) / 2 - 1, e3 });
-          return;
-        default:
-          if (space.form == Form::Collapsed)
-          {
-            eta[0] = Chebyshev(p, std::min<int>(P, R - r));
-            eta[1] = Chebyshev(q, std::min<int>(Q, R - r));
-          }
-          points.push_back(
-            { (1 + eta[0]) * (1 - e3) / 2 - 1, (1 + eta[1]) * (1 - e3) / 2 - 1, e3 });
-      }
-    });
-  return points;
-}
-} // namespace
-
-void EvaluateModes(const Space& space, const LongVec3& xi, long double* out)
-{
-  using namespace HWY_NAMESPACE;
-  switch (space.shape)
-  {
-    case Shape::Hexahedron:
-      return Evaluate<HexahedronModes>(space, xi, out);
-    case Shape::Prism:
-      return Evaluate<PrismModes>(space, xi, out);
-    case Shape::Tetrahedron:
-      return Evaluate<TetrahedronModes>(space, xi, out);
-    default:
-      return space.form == Form::Tensor ? Evaluate<TensorPyramidModes>(space, xi, out)
-                                        : Evaluate<PyramidModes>(space, xi, out);
-  }
+    [&](int p, int q, int r, int mode) { modeOf[at(p, r) * (space.order[1] + 1) + q] = mode; });
+  return modeOf;
 }
 
-ChangeOfBasis::ChangeOfBasis(const Space& space, std::vector<Factor> factors,
-  std::span<const int> source, std::vector<int> modeOf)
-  : TargetSpace(space)
-  , Factors(std::move(factors))
-  , SourceOf(source.begin(), source.end())
-  , ModeOf(std::move(modeOf))
-{
-  std::size_t columns = 1;
-  std::vector<double> norm{ 1.0 };
-  for (const auto& factor : Factors)
-  {
-    columns *= factor.columns;
-    std::vector<double> next;
-    next.reserve(norm.size() * factor.rows);
-    for (const double outer : norm)
-    {
-      for (int row = 0; row < factor.rows; ++row)
-      {
-        double sum = 0.0;
-        for (int column = 0; column < factor.columns; ++column)
-        {
-          sum += std::fabs(static_cast<double>(factor.matrix[row * factor.columns + column]));
-        }
-        next.push_back(outer * sum);
-      }
-    }
-    norm = std::move(next);
-  }
-  std::vector<bool> seen(columns, false);
-  for (const int s : SourceOf)
-  {
-    if (SourceOf.size() != columns || s < 0 || s >= static_cast<int>(columns) || seen[s])
-    {
-      throw InvalidData("a change of basis needs each of its " + std::to_string(columns) +
-        " source functions once; the numbering given is no permutation of them.");
-    }
-    seen[s] = true;
-  }
-  RowNorm.resize(norm.size());
-  for (std::size_t i = 0; i < norm.size(); ++i)
-  {
-    RowNorm[ModeOf[i]] = norm[i];
-  }
-}
-
-ChangeOfBasis::Factor ChangeOfBasis::Solve(int modes, int sources,
-  const std::vector<long double>& modesAtPoints, const std::vector<long double>& sourcesAtPoints)
-{
-  Factor factor{ modes, sources, std::vector<long double>(std::size_t(modes) * sources) };
-  const Map<const LongMatrix> v(modesAtPoints.data(), modes, modes);
-  const Map<const LongMatrix> f(sourcesAtPoints.data(), modes, sources);
-  Map<LongMatrix>(factor.matrix.data(), modes, sources) = v.partialPivLu().solve(f);
-  return factor;
-}
-
-ChangeOfBasis::Factor ChangeOfBasis::LineFactor(int order, Family family)
-{
-  const int n = order + 1;
-  std::vector<long double> modes(std::size_t(n) * n);
-  std::vector<long double> sources(modes.size(), 0.0L);
-  for (int i = 0; i < n; ++i)
-  {
-    const bool nodal = family == Family::EquispacedLagrange;
-    const long double z = nodal ? Equispaced(i, order) : Chebyshev(i, order);
-    HWY_NAMESPACE::FillPolynomials<false>(RecurrenceTable<long double>::Row(0), order, z,
-      &modes[std::size_t(i) * n], static_cast<long double*>(nullptr));
-    for (int k = 0; k < n; ++k)
-    {
-      sources[std::size_t(i) * n + k] = nodal
-        ? static_cast<long double>(i == k)
-        : Binomial(order, k) * Power((1 + z) / 2, k) * Power((1 - z) / 2, order - k);
-    }
-  }
-  return Solve(n, n, modes, sources);
-}
-
-ChangeOfBasis::Factor ChangeOfBasis::TriangleFactor(int order, Family family)
+BasisFactor TriangleFactor(int order, Family family)
 {
   // The triangle of the prism at line order 0: modes (p, 0, r), functions of (xi1, xi3).
   const auto n = static_cast<std::uint8_t>(order);
@@ -231,36 +100,69 @@ ChangeOfBasis::Factor ChangeOfBasis::TriangleFactor(int order, Family family)
       }
     }
   }
-  return Solve(count, count, modes, sources);
+  return SolveFactor(count, count, modes, sources);
+}
+
+} // namespace
+
+ChangeOfBasis::ChangeOfBasis(const Space& space, std::vector<BasisFactor> factors,
+  std::span<const int> source, std::vector<int> modeOf)
+  : TargetSpace(space)
+  , Factors(std::move(factors))
+  , SourceOf(source.begin(), source.end())
+  , ModeOf(std::move(modeOf))
+{
+  std::size_t columns = 1;
+  std::vector<double> norm{ 1.0 };
+  for (const auto& factor : Factors)
+  {
+    columns *= factor.columns;
+    std::vector<double> next;
+    next.reserve(norm.size() * factor.rows);
+    for (const double outer : norm)
+    {
+      for (int row = 0; row < factor.rows; ++row)
+      {
+        double sum = 0.0;
+        for (int column = 0; column < factor.columns; ++column)
+        {
+          sum += std::fabs(static_cast<double>(factor.matrix[row * factor.columns + column]));
+        }
+        next.push_back(outer * sum);
+      }
+    }
+    norm = std::move(next);
+  }
+  std::vector<int> sorted = SourceOf;
+  std::ranges::sort(sorted);
+  if (sorted.size() != columns || (columns > 0 && sorted.front() < 0) ||
+    std::ranges::adjacent_find(sorted) != sorted.end())
+  {
+    throw InvalidData("a change of basis needs a place of its own for each of its " +
+      std::to_string(columns) + " source functions; the numbering given has others.");
+  }
+  RowNorm.resize(norm.size());
+  for (std::size_t i = 0; i < norm.size(); ++i)
+  {
+    RowNorm[ModeOf[i]] = norm[i];
+  }
 }
 
 ChangeOfBasis ChangeOfBasis::Hexahedron(
   const Space& space, Family family, std::span<const int> source)
 {
-  std::vector<Factor> factors;
-  for (const auto order : space.order)
-  {
-    factors.push_back(LineFactor(order, family));
-  }
-  std::vector<int> modeOf(space.Modes());
-  std::iota(modeOf.begin(), modeOf.end(), 0);
-  return { space, std::move(factors), source, std::move(modeOf) };
+  std::array<LineFunctions, 3> lines;
+  std::ranges::transform(
+    space.order, lines.begin(), [family](int order) { return Line(order, family); });
+  return FromLines(space, lines, source);
 }
 
 ChangeOfBasis ChangeOfBasis::Prism(const Space& space, Family family, std::span<const int> source)
 {
-  const int lineOrder = space.order[1];
-  std::vector<int> modeOf(space.Modes());
-  // Triangle modes (p, r) are numbered p slowest, as in the space itself.
-  ForEachMode(space,
-    [&](int p, int q, int r, int mode)
-    {
-      const int n = space.order[2];
-      const int triangleMode = p * (n + 1) - p * (p - 1) / 2 + r;
-      modeOf[triangleMode * (lineOrder + 1) + q] = mode;
-    });
-  return { space, { TriangleFactor(space.order[0], family), LineFactor(lineOrder, family) }, source,
-    std::move(modeOf) };
+  return { space,
+    { TriangleFactor(space.order[0], family),
+      LineFactor(space.order[1], Line(space.order[1], family)) },
+    source, PrismModes(space) };
 }
 
 ChangeOfBasis ChangeOfBasis::Tetrahedron(
@@ -310,53 +212,41 @@ ChangeOfBasis ChangeOfBasis::Tetrahedron(
   }
   std::vector<int> modeOf(count);
   std::iota(modeOf.begin(), modeOf.end(), 0);
-  return { space, { Solve(count, count, modes, sources) }, source, std::move(modeOf) };
+  return { space, { SolveFactor(count, count, modes, sources) }, source, std::move(modeOf) };
+}
+
+ChangeOfBasis ChangeOfBasis::FromLines(
+  const Space& space, const std::array<LineFunctions, 3>& lines, std::span<const int> source)
+{
+  std::vector<BasisFactor> factors;
+  for (int d = 0; d < 3; ++d)
+  {
+    factors.push_back(LineFactor(space.order[d], lines[d]));
+  }
+  std::vector<int> modeOf(space.Modes());
+  std::iota(modeOf.begin(), modeOf.end(), 0);
+  return { space, std::move(factors), source, std::move(modeOf) };
+}
+
+ChangeOfBasis ChangeOfBasis::FromTriangleAndLine(const Space& space, int triangleFunctions,
+  const std::function<void(long double xi1, long double xi3, long double*)>& triangle,
+  const LineFunctions& line, std::span<const int> source)
+{
+  return { space,
+    { SolidFactor(TriangleOf(space), triangleFunctions,
+        [&triangle](const LongVec3& xi, long double* values) { triangle(xi[0], xi[2], values); }),
+      LineFactor(space.order[1], line) },
+    source, PrismModes(space) };
 }
 
 ChangeOfBasis ChangeOfBasis::FromFunctions(const Space& space, int sources,
   const std::function<void(const LongVec3&, long double*)>& functions)
 {
-  const int count = space.Modes();
-  const auto points = UnisolventPoints(space);
-  std::vector<long double> modes(std::size_t(count) * count);
-  std::vector<long double> values(std::size_t(count) * sources);
-  for (int i = 0; i < count; ++i)
-  {
-    EvaluateModes(space, points[i], &modes[std::size_t(i) * count]);
-    functions(points[i], &values[std::size_t(i) * sources]);
-  }
-  Factor factor = Solve(count, sources, modes, values);
-  // Functions outside of the space would be altered by the interpolation: check between the points.
-  std::vector<long double> atPoint(count);
-  std::vector<long double> expected(sources);
-  for (std::size_t i = 0; i + 1 < points.size(); ++i)
-  {
-    LongVec3 xi;
-    for (int d = 0; d < 3; ++d)
-    {
-      xi[d] = 0.3L * points[i][d] + 0.7L * points[i + 1][d];
-    }
-    EvaluateModes(space, xi, atPoint.data());
-    functions(xi, expected.data());
-    for (int s = 0; s < sources; ++s)
-    {
-      long double sum = -expected[s];
-      for (int m = 0; m < count; ++m)
-      {
-        sum += factor.matrix[std::size_t(m) * sources + s] * atPoint[m];
-      }
-      if (!(std::fabs(sum) <= 1e-10L * std::max(1.0L, std::fabs(expected[s]))))
-      {
-        throw InvalidData("source function " + std::to_string(s) + " does not lie in the " +
-          Name(space.shape) + "'s space of order " + std::to_string(space.MaxOrder()) + ".");
-      }
-    }
-  }
   std::vector<int> source(sources);
   std::iota(source.begin(), source.end(), 0);
-  std::vector<int> modeOf(count);
+  std::vector<int> modeOf(space.Modes());
   std::iota(modeOf.begin(), modeOf.end(), 0);
-  return { space, { std::move(factor) }, source, std::move(modeOf) };
+  return { space, { SolidFactor(space, sources, functions) }, source, std::move(modeOf) };
 }
 
 void ChangeOfBasis::Apply(

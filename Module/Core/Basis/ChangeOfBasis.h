@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Core/Basis/Space.h"
+#include "Core/Basis/BasisFactor.h"
 
 #include <functional>
 #include <span>
@@ -11,17 +11,12 @@
 // bits of mantissa on x86), once per kind of element, and rounded to double at the end.
 namespace pixelexact
 {
-using LongVec3 = std::array<long double, 3>;
-
 /// One-dimensional and simplicial families of source bases.
 enum class Family : std::uint8_t
 {
   EquispacedLagrange, ///< nodes equispaced with both ends; order 0: the centre
   Bernstein
 };
-
-/// Values of all canonical modes at xi, in order of storage; `out` holds space.Modes().
-void EvaluateModes(const Space& space, const LongVec3& xi, long double* out);
 
 /// A linear map from source coefficients to canonical ones, kept as Kronecker factors where the
 /// shape allows (hexahedron: three lines; prism: triangle and line), dense otherwise.
@@ -42,6 +37,19 @@ public:
   /// counting towards the vertices xi1 = 1, xi2 = 1, xi3 = 1.
   static ChangeOfBasis Tetrahedron(const Space& space, Family family, std::span<const int> source);
 
+  /// Hexahedron with tensor products of any line functions: `source[(i n2 + j) n3 + k]` is the
+  /// position of the product of functions i, j, k along xi1, xi2, xi3 in the source's element,
+  /// which may hold others as well. Throws InvalidData where a line's functions exceed the space's
+  /// order.
+  static ChangeOfBasis FromLines(
+    const Space& space, const std::array<LineFunctions, 3>& lines, std::span<const int> source);
+
+  /// Prism with products of functions on the triangle, of (xi1, xi3), and on the line, of xi2:
+  /// `source[t n + j]`, n the number of line functions. Throws as FromLines.
+  static ChangeOfBasis FromTriangleAndLine(const Space& space, int triangleFunctions,
+    const std::function<void(long double xi1, long double xi3, long double*)>& triangle,
+    const LineFunctions& line, std::span<const int> source);
+
   /// Any source functions that lie in `space`: `functions(xi, values)` writes the `sources` values
   /// at xi. Throws InvalidData where the functions do not lie in the space (up to 1e-10).
   static ChangeOfBasis FromFunctions(const Space& space, int sources,
@@ -60,21 +68,11 @@ public:
   [[nodiscard]] std::span<const double> Amplification() const { return RowNorm; }
 
 private:
-  struct Factor
-  {
-    int rows = 0;
-    int columns = 0;
-    std::vector<long double> matrix; ///< row-major
-  };
-  ChangeOfBasis(const Space& space, std::vector<Factor> factors, std::span<const int> source,
+  ChangeOfBasis(const Space& space, std::vector<BasisFactor> factors, std::span<const int> source,
     std::vector<int> modeOf);
-  static Factor Solve(int modes, int sources, const std::vector<long double>& modesAtPoints,
-    const std::vector<long double>& sourcesAtPoints);
-  static Factor LineFactor(int order, Family family);
-  static Factor TriangleFactor(int order, Family family);
 
   Space TargetSpace;
-  std::vector<Factor> Factors;
+  std::vector<BasisFactor> Factors;
   std::vector<int> SourceOf; ///< position in the source of each combination of factor columns
   std::vector<int> ModeOf;   ///< mode of each combination of factor rows
   std::vector<double> RowNorm;

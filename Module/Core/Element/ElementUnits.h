@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Math/Vec.h"
+
+namespace pixelexact
+{
+/// The units in which an element's map is stored (Mesh in Core/Element/Mesh.h).
+struct ElementUnits
+{
+  Vec3 centre{ 0.0 };
+  int exponent = 0;     ///< size = 2^exponent
+  double largest = 0.0; ///< the largest |coordinate| of the box
+};
+
+/// The units of an element whose nodes lie in the box from `low` to `high`. Throws InvalidData,
+/// "is too large ...", where the size exceeds what double arithmetic can square.
+ElementUnits MakeElementUnits(const Vec3& low, const Vec3& high);
+} // namespace pixelexact
