@@ -25,6 +25,30 @@ void RequireSize(const std::string& what, std::size_t actual, std::size_t expect
       std::to_string(expected) + " are needed; convert the data set again from its source.");
   }
 }
+
+/// Only a vector can be mapped like one.
+void RequireComponents(const std::string& what, const Field& field)
+{
+  switch (field.mapping)
+  {
+    case Mapping::Identity:
+    case Mapping::Density:
+      return;
+    case Mapping::Covariant:
+    case Mapping::Contravariant:
+      if (field.values.components != 3)
+      {
+        throw InvalidData(what + " has " + std::to_string(field.values.components) +
+          " components, but its mapping is one of vectors, which have 3; convert the data set "
+          "again "
+          "from its source.");
+      }
+      return;
+  }
+  throw InvalidData(what + " has the unknown mapping " +
+    std::to_string(static_cast<int>(field.mapping)) +
+    "; convert the data set again from its source.");
+}
 } // namespace
 
 void Validate(const Expansion& expansion, const std::string& what)
@@ -101,6 +125,7 @@ void Validate(const Field& field, const Mesh& mesh)
 {
   const std::string what = "field '" + field.name + "'";
   Validate(field.values, what);
+  RequireComponents(what, field);
   RequireSize(what + " elements", field.values.spaceOf.size(), mesh.map.spaceOf.size());
   for (int e = 0; e < mesh.Elements(); ++e)
   {

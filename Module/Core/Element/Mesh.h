@@ -45,10 +45,20 @@ struct Mesh
   [[nodiscard]] Shape ShapeOf(int element) const { return map.SpaceOf(element).shape; }
 };
 
+/// How a field's reference values become world values.
+enum class Mapping : std::uint8_t
+{
+  Identity = 0,      ///< u(x) = F(xi)
+  Covariant = 1,     ///< H(curl): u = J^-T F, three components
+  Contravariant = 2, ///< H(div): u = J F / det J, three components (Piola)
+  Density = 3        ///< u = F / det J
+};
+
 struct Field
 {
   std::string name;
-  Expansion values;
+  Expansion values; ///< of F
+  Mapping mapping = Mapping::Identity;
 };
 
 /// Checks that an expansion's arrays agree: spaces valid, indices and offsets within bounds,
@@ -56,7 +66,8 @@ struct Field
 void Validate(const Expansion& expansion, const std::string& what);
 /// The same for a mesh, and that centres, sizes and coefficients are finite and sizes positive.
 void Validate(const Mesh& mesh);
-/// The same for a field on a mesh: also that shapes and number of elements agree. Coefficients may
-/// be NaN or infinite: that is the solver's data, and it is shown as such.
+/// The same for a field on a mesh: also that shapes and number of elements agree and that the
+/// mapping suits the components. Coefficients may be NaN or infinite: that is the solver's data,
+/// and it is shown as such.
 void Validate(const Field& field, const Mesh& mesh);
 } // namespace pixelexact

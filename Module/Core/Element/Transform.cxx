@@ -3,12 +3,9 @@
 
 #include <glm/matrix.hpp>
 
-#include <vector>
-
 namespace pixelexact
 {
-void ToWorldGradient(
-  const Mesh& mesh, int element, const LanePoints& xi, int components, double* const* gradient)
+std::vector<Mat3> Jacobians(const Mesh& mesh, int element, const LanePoints& xi)
 {
   const Space& space = mesh.map.SpaceOf(element);
   const auto stride = static_cast<std::size_t>(PaddedCount(xi.count));
@@ -19,18 +16,28 @@ void ToWorldGradient(
     arrays[k] = &storage[k * stride];
   }
   KernelsFor(space).gradient(space, mesh.map.Coefficients(element), 3, xi, arrays, arrays + 3);
-  const double inverseSize = 1.0 / mesh.size[element];
+  std::vector<Mat3> jacobians(xi.count);
   for (int i = 0; i < xi.count; ++i)
   {
-    Mat3 jacobian;
     for (int c = 0; c < 3; ++c)
     {
       for (int d = 0; d < 3; ++d)
       {
-        jacobian[d][c] = arrays[3 + 3 * c + d][i];
+        jacobians[i][d][c] = arrays[3 + 3 * c + d][i];
       }
     }
-    const Mat3 transform = glm::transpose(glm::inverse(jacobian));
+  }
+  return jacobians;
+}
+
+void ToWorldGradient(
+  const Mesh& mesh, int element, const LanePoints& xi, int components, double* const* gradient)
+{
+  const auto jacobians = Jacobians(mesh, element, xi);
+  const double inverseSize = 1.0 / mesh.size[element];
+  for (int i = 0; i < xi.count; ++i)
+  {
+    const Mat3 transform = glm::transpose(glm::inverse(jacobians[i]));
     for (int c = 0; c < components; ++c)
     {
       double* const* g = gradient + 3 * c;

@@ -2,8 +2,8 @@
 #include "Core/Location/Sample.h"
 
 #include "Core/Base/Error.h"
+#include "Core/Element/FieldMapping.h"
 #include "Core/Element/Kernels.h"
-#include "Core/Element/Transform.h"
 
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
@@ -110,12 +110,16 @@ private:
     {
       kernels.gradient(
         space, values.Coefficients(element), values.components, xi, out, out + components);
-      ToWorldGradient(TheMesh, element, xi, values.components, out + components);
-      Scatter(index, out + components, 3 * components, Target.gradient);
     }
     else
     {
       kernels.value(space, values.Coefficients(element), values.components, xi, out);
+    }
+    ApplyMapping(TheMesh, element, TheField->mapping, xi, values.components, out,
+      gradient ? out + components : nullptr);
+    if (gradient)
+    {
+      Scatter(index, out + components, 3 * components, Target.gradient);
     }
     if (!Target.value.empty())
     {
