@@ -6,6 +6,7 @@
 #include "GeometryConversion.h"
 #include "HighOrderArrays.h"
 #include "HighOrderModel.h"
+#include "KeptMesh.h"
 #include "MeshDiagnostics.h"
 #include "OutputGrid.h"
 
@@ -125,10 +126,18 @@ int ConvertCellField(const SourceMesh& mesh, vtkDataArray* values, vtkUnstructur
   StoreField(grid, values->GetName(), arrays, Origin::CellData);
   return nonFinite;
 }
+
+std::vector<std::string> DiagnoseMesh(const SourceMesh& mesh, const HighOrderModel& model)
+{
+  auto lines = DiagnoseNodes(mesh);
+  const auto more = DiagnoseJacobian(model.GetMesh(), model.SourceCells());
+  lines.insert(lines.end(), more.begin(), more.end());
+  return lines;
+}
 } // namespace
 
-ConversionReport ConvertGrid(
-  vtkUnstructuredGrid* input, const ConversionOptions& options, vtkUnstructuredGrid* output)
+ConversionReport ConvertGrid(vtkUnstructuredGrid* input, const ConversionOptions& options,
+  KeptMesh& kept, vtkUnstructuredGrid* output)
 {
   const auto progress = [&](double done)
   {
@@ -140,13 +149,13 @@ ConversionReport ConvertGrid(
   const SourceMesh mesh(input);
   ConversionReport report;
   report.skippedCells = mesh.SkippedCells();
-  if (options.diagnose)
-  {
-    report.diagnostics = DiagnoseNodes(mesh);
-  }
   progress(0.1);
   CopyElements(input, mesh, output);
-  ConvertMesh(mesh, output);
+  if (!kept.AddTo(mesh, output))
+  {
+    ConvertMesh(mesh, output);
+    kept.Keep(mesh, output);
+  }
   progress(0.5);
   const FieldArrays fields = SelectFields(output, options.fields);
   for (auto* array : fields.points)
@@ -157,6 +166,16 @@ ConversionReport ConvertGrid(
   {
     report.nonFinite[array->GetName()] = ConvertCellField(mesh, array, output);
   }
+  progress(0.9);
+  const auto model = HighOrderModel::From(output); // checks what was made
+  if (options.diagnose)
+  {
+    if (!kept.diagnostics)
+    {
+      kept.diagnostics = DiagnoseMesh(mesh, *model);
+    }
+    report.diagnostics = *kept.diagnostics;
+  }
   for (const auto& [name, count] : report.nonFinite)
   {
     if (count > 0)
@@ -165,13 +184,6 @@ ConversionReport ConvertGrid(
         std::to_string(count) + " of " + std::to_string(mesh.Elements()) +
         " elements; they are kept and shown as they are.");
     }
-  }
-  progress(0.9);
-  const auto model = HighOrderModel::From(output); // checks what was made
-  if (options.diagnose)
-  {
-    const auto lines = DiagnoseJacobian(model->GetMesh(), model->SourceCells());
-    report.diagnostics.insert(report.diagnostics.end(), lines.begin(), lines.end());
   }
   return report;
 }

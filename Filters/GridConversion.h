@@ -13,6 +13,8 @@ class vtkUnstructuredGrid;
 
 namespace pixelexact
 {
+class KeptMesh;
+
 struct ConversionOptions
 {
   std::vector<std::string> fields;      ///< names of arrays to convert; none: all (SelectFields)
@@ -28,9 +30,10 @@ struct ConversionReport
 };
 
 /// Makes `output` a grid of the input's three-dimensional cells with their coefficients and those
-/// of its fields, made from points and nodal values. Parallel. Throws Error naming the cell or
-/// array; the output is then undefined.
-ConversionReport ConvertGrid(
-  vtkUnstructuredGrid* input, const ConversionOptions& options, vtkUnstructuredGrid* output);
+/// of its fields, made from points and nodal values; the mesh is taken from `kept` where that has
+/// it, and kept there for the next time step. Parallel. Throws Error naming the cell or array; the
+/// output is then undefined.
+ConversionReport ConvertGrid(vtkUnstructuredGrid* input, const ConversionOptions& options,
+  KeptMesh& kept, vtkUnstructuredGrid* output);
 } // namespace pixelexact
 #endif

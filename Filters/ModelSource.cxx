@@ -4,13 +4,18 @@
 #include "Core/Base/Error.h"
 #include "GridConversion.h"
 #include "HighOrderArrays.h"
+#include "KeptMesh.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkUnstructuredGrid.h"
 
 namespace pixelexact
 {
-ModelSource::ModelSource() = default;
+ModelSource::ModelSource()
+  : Kept(std::make_unique<KeptMesh>())
+{
+}
+
 ModelSource::~ModelSource() = default;
 
 std::shared_ptr<HighOrderModel> ModelSource::Get(vtkUnstructuredGrid* grid, vtkAlgorithm* owner)
@@ -22,6 +27,7 @@ std::shared_ptr<HighOrderModel> ModelSource::Get(vtkUnstructuredGrid* grid, vtkA
   if (HasHighOrderArrays(grid))
   {
     this->Converted = nullptr;
+    this->Kept->Forget();
     this->Model = HighOrderModel::From(grid);
     return this->Model;
   }
@@ -29,7 +35,7 @@ std::shared_ptr<HighOrderModel> ModelSource::Get(vtkUnstructuredGrid* grid, vtkA
   {
     this->Converted = nullptr;
     const auto converted = vtkSmartPointer<vtkUnstructuredGrid>::New();
-    const auto report = ConvertGrid(grid, {}, converted);
+    const auto report = ConvertGrid(grid, {}, *this->Kept, converted);
     for (const auto& line : report.diagnostics)
     {
       vtkWarningWithObjectMacro(owner, << line);

@@ -14,6 +14,8 @@ class vtkUnstructuredGrid;
 
 namespace pixelexact
 {
+class KeptMesh;
+
 /// The model of a filter's input grid, which may carry coefficients or be a plain one; that is then
 /// converted, and the conversion kept until the grid changes.
 class ModelSource
@@ -29,7 +31,9 @@ private:
   vtkSmartPointer<vtkUnstructuredGrid> Converted;
   const vtkUnstructuredGrid* Source = nullptr;
   vtkMTimeType SourceTime = 0;
+  // Held until the next one is made, which may share its locator.
   std::shared_ptr<HighOrderModel> Model;
+  std::unique_ptr<KeptMesh> Kept;
 };
 } // namespace pixelexact
 #endif

@@ -3,6 +3,7 @@
 
 #include "Core/Base/Error.h"
 #include "GridConversion.h"
+#include "KeptMesh.h"
 #include "OutputGrid.h"
 #include "vtkHighOrderGrid.h"
 
@@ -18,7 +19,11 @@ vtkStandardNewMacro(vtkUnstructuredGridToHighOrderGrid);
 
 using namespace pixelexact;
 
-vtkUnstructuredGridToHighOrderGrid::vtkUnstructuredGridToHighOrderGrid() = default;
+vtkUnstructuredGridToHighOrderGrid::vtkUnstructuredGridToHighOrderGrid()
+  : Kept(std::make_unique<KeptMesh>())
+{
+}
+
 vtkUnstructuredGridToHighOrderGrid::~vtkUnstructuredGridToHighOrderGrid() = default;
 
 void vtkUnstructuredGridToHighOrderGrid::PrintSelf(ostream& os, vtkIndent indent)
@@ -121,7 +126,7 @@ int vtkUnstructuredGridToHighOrderGrid::RequestData(vtkInformation* /*request*/,
     }
     const auto report = ConvertGrid(input,
       { this->Fields, this->Diagnose, [this](double done) { this->UpdateProgress(done); } },
-      output);
+      *this->Kept, output);
     this->NumberOfSkippedCells = report.skippedCells;
     this->NonFiniteElements = report.nonFinite;
     for (const auto& line : report.diagnostics)

@@ -13,6 +13,10 @@
  * converted anew from its points and nodal values; coefficients that a reader took from a solver's
  * own file are kept as long as they are not stale.
  *
+ * Where the cells and points are those of the last execution, as in the next time step of a series,
+ * the output holds the same mesh arrays again, only fields are converted, and whoever locates
+ * points in it (vtkHighOrderMapper, vtkHighOrderProbe) goes on with the locator that it has.
+ *
  * What looks wrong in the file but can be converted is told as warnings and in GetDiagnostic().
  */
 
@@ -23,10 +27,16 @@
 #include "vtkUnstructuredGridAlgorithm.h"
 
 #include <map>    // for counts
+#include <memory> // for the mesh
 #include <string> // for names
 #include <vector> // for names
 
 class vtkHighOrderGrid;
+
+namespace pixelexact
+{
+class KeptMesh;
+}
 
 class PIXELEXACTFILTERS_EXPORT vtkUnstructuredGridToHighOrderGrid
   : public vtkUnstructuredGridAlgorithm
@@ -89,6 +99,7 @@ private:
   vtkIdType NumberOfSkippedCells = 0;
   std::map<std::string, int> NonFiniteElements;
   std::vector<std::string> Diagnostics;
+  std::unique_ptr<pixelexact::KeptMesh> Kept; ///< of the last execution
 };
 
 #endif

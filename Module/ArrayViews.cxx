@@ -118,4 +118,16 @@ ExpansionView ViewExpansion(
   view.origin = static_cast<Origin>(origin);
   return view;
 }
+
+Mapping ReadMapping(vtkUnstructuredGrid* grid, const std::string& prefix)
+{
+  const std::string name = prefix + "Mapping";
+  if (!grid->GetFieldData()->HasArray(name.c_str()))
+  {
+    return Mapping::Identity;
+  }
+  ArrayKeeper keeper;
+  // Validate(Field) judges the number.
+  return static_cast<Mapping>(ViewArray<std::uint8_t>(grid, name, 1, 1, keeper)[0]);
+}
 } // namespace pixelexact

@@ -36,5 +36,8 @@ struct ExpansionView
 /// The expansion under `prefix`, of `elements` elements (negative: as many as there are).
 ExpansionView ViewExpansion(
   vtkUnstructuredGrid* grid, const std::string& prefix, vtkIdType elements, ArrayKeeper& keeper);
+
+/// The mapping of the field under `prefix`; Identity where none is stored.
+Mapping ReadMapping(vtkUnstructuredGrid* grid, const std::string& prefix);
 } // namespace pixelexact
 #endif

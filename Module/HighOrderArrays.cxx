@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HighOrderArrays.h"
 
+#include "ArrayViews.h"
 #include "Core/Base/Error.h"
 #include "Fingerprint.h"
 
@@ -136,15 +137,29 @@ void StoreMesh(vtkUnstructuredGrid* grid, const MeshArrays& mesh, Origin origin)
   grid->GetCellData()->AddArray(ids);
 }
 
+bool StoredMeshFits(vtkUnstructuredGrid* grid)
+{
+  ArrayKeeper keeper;
+  const auto then = ViewArray<std::int64_t>(
+    grid, std::string(kMeshPrefix) + "Fingerprint", 1, grid->GetNumberOfCells(), keeper);
+  return std::ranges::equal(CellFingerprints(grid), then);
+}
+
 void StoreField(
   vtkUnstructuredGrid* grid, const std::string& name, const ExpansionArrays& values, Origin origin)
 {
   vtkFieldData* data = grid->GetFieldData();
   const std::string prefix = kFieldPrefix + name + ".";
-  // AddArray replaces an array of the same name; of those of an earlier version only this one might
-  // be left over.
+  // AddArray replaces an array of the same name; of those of an earlier version only these might be
+  // left over.
   data->RemoveArray((prefix + "Fingerprint").c_str());
+  data->RemoveArray((prefix + "Mapping").c_str());
   AddExpansion(data, prefix, values, origin);
+  if (values.mapping != Mapping::Identity)
+  {
+    const auto mapping = static_cast<unsigned char>(values.mapping);
+    Add<vtkUnsignedCharArray, unsigned char>(data, prefix + "Mapping", { &mapping, 1 });
+  }
   const std::int32_t components = values.components;
   Add<vtkIntArray, std::int32_t>(data, prefix + "Components", { &components, 1 });
   if (origin == Origin::Coefficients)

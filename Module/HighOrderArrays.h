@@ -32,8 +32,9 @@ class vtkUnstructuredGrid;
 //   PixelExact.Mesh.Fingerprint   int64       per element: hash of the cell it was made with
 //   PixelExact.Mesh.Origin*       uint8       see Origin
 // and the same for each field under PixelExact.Field.<name>: Spaces, Space, Offset, Coefficients,
-// Origin, Components* (int32); Fingerprint only where the field was made from nodal values.
-// CellData: PixelExactElementId, int64: the element of each cell.
+// Origin, Components* (int32); Fingerprint only where the field was made from nodal values;
+// Mapping* (uint8, see Mapping in Core/Element/Mesh.h) only where it is not Identity. CellData:
+// PixelExactElementId, int64: the element of each cell.
 //
 // FieldData survives what VTK does to a data set, even when cells are dropped or points are moved;
 // the fingerprints tell what still fits (HighOrderModel).
@@ -59,6 +60,7 @@ struct PIXELEXACTDATAMODEL_EXPORT ExpansionArrays
   std::vector<std::int64_t> offset;
   vtkSmartPointer<vtkDoubleArray> coefficients;
   int components = 1;
+  Mapping mapping = Mapping::Identity; ///< of a field; a mesh has none
 
   /// Sets spaceOf and offset for elements of the given spaces, one after the other, and allocates
   /// the coefficients.
@@ -85,6 +87,10 @@ PIXELEXACTDATAMODEL_EXPORT void RemoveHighOrderArrays(vtkUnstructuredGrid* grid)
 /// Throws InvalidData where the number of elements is not the number of cells.
 PIXELEXACTDATAMODEL_EXPORT void StoreMesh(
   vtkUnstructuredGrid* grid, const MeshArrays& mesh, Origin origin);
+
+/// Whether the stored mesh was made of the grid's cells as they are now, cell e being element e; by
+/// the fingerprints.
+PIXELEXACTDATAMODEL_EXPORT bool StoredMeshFits(vtkUnstructuredGrid* grid);
 
 /// Adds or replaces a field on the mesh stored before. With origin PointData or CellData the array
 /// of that name must be there: its values are fingerprinted.

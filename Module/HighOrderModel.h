@@ -23,8 +23,11 @@ class Locator;
 class PIXELEXACTDATAMODEL_EXPORT HighOrderModel
 {
 public:
-  /// The model of `grid` as it is now; the same one again, with its locator, while somebody holds
-  /// it and the grid is unchanged.
+  /// The model of `grid` as it is now; the same one again while somebody holds it and the grid is
+  /// unchanged. Another grid or state whose mesh arrays (PixelExact.Mesh.*, PixelExactElementId)
+  /// are the same objects, unmodified, has a model of its own but shares mesh and locator, while
+  /// somebody holds a model with them: hold the old one while asking for that of the next time
+  /// step.
   ///
   /// Cells may have been dropped, whole, since the coefficients were made (Threshold,
   /// ExtractCells); the coefficients are not copied. Anything else that was done to the cells,
@@ -41,7 +44,7 @@ public:
   /// Null where there is no field of that name.
   [[nodiscard]] const Field* FindField(const std::string& name) const;
 
-  /// Built, in parallel, by the first call.
+  /// Built, in parallel, by the first call of all models that share it.
   [[nodiscard]] const Locator& GetLocator() const;
   [[nodiscard]] bool HasLocator() const;
 

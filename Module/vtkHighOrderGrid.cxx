@@ -75,7 +75,8 @@ std::shared_ptr<HighOrderModel> vtkHighOrderGrid::GetModel()
 {
   if (!this->Model || !this->Model->IsCurrent(this))
   {
-    this->Model.reset(); // before a failure: a stale model is not to be kept alive
+    // Alive until the new one is made, which may share its locator, but not after a failure.
+    const auto stale = std::move(this->Model);
     this->Model = HighOrderModel::From(this);
   }
   return this->Model;

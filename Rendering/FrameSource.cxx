@@ -64,6 +64,8 @@ const std::shared_ptr<HighOrderModel>& FrameSource::ModelOf(vtkUnstructuredGrid*
   }
   if (!TheModel || !TheModel->IsCurrent(grid))
   {
+    // Alive until the new one is made, which may share its locator.
+    const std::shared_ptr<HighOrderModel> stale = TheModel;
     Clear();
     TheModel = HighOrderModel::From(grid);
     ++TheCounters.models;

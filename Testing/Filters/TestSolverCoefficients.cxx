@@ -88,6 +88,34 @@ TEST(SolverCoefficients, NamesMayContainDots)
   EXPECT_DOUBLE_EQ(value->GetValue(0), 3.0);
 }
 
+TEST(SolverCoefficients, KeepTheirMapping)
+{
+  const auto grid = Converted(Boxes(1));
+  const auto store = [&](int components, Mapping mapping)
+  {
+    const Space space = UniformSpace(Shape::Hexahedron, 0);
+    ExpansionArrays v;
+    v.Allocate({ &space, 1 }, components);
+    v.coefficients->Fill(1.0);
+    v.mapping = mapping;
+    StoreField(grid, "v", v, Origin::Coefficients);
+    return vtkHighOrderGrid::CheckCoefficients(grid);
+  };
+  for (const auto mapping : { Mapping::Covariant, Mapping::Contravariant })
+  {
+    EXPECT_EQ(store(3, mapping), "");
+    EXPECT_EQ(HighOrderModel::From(grid)->FindField("v")->mapping, mapping);
+    EXPECT_NE(store(1, mapping).find("components"), std::string::npos);
+    EXPECT_NE(store(4, mapping).find("components"), std::string::npos);
+  }
+  EXPECT_EQ(store(1, Mapping::Density), "");
+  EXPECT_EQ(HighOrderModel::From(grid)->FindField("v")->mapping, Mapping::Density);
+  EXPECT_NE(store(3, static_cast<Mapping>(9)).find("unknown mapping 9"), std::string::npos);
+  // Nothing of the earlier mappings is left over.
+  EXPECT_EQ(store(1, Mapping::Identity), "");
+  EXPECT_EQ(HighOrderModel::From(grid)->FindField("v")->mapping, Mapping::Identity);
+}
+
 TEST(SolverCoefficients, NeedOneElementPerCell)
 {
   const auto grid = Boxes(2);

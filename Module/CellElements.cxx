@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CellElements.h"
+
+#include "Core/Base/Error.h"
+
+#include "vtkCellData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace pixelexact
+{
+namespace
+{
+constexpr const char* kRemedy = "; run vtkUnstructuredGridToHighOrderGrid again.";
+
+[[noreturn]] void Fail(std::size_t cell, const std::string& problem)
+{
+  throw StaleData("cell " + std::to_string(cell) + " " + problem + kRemedy);
+}
+} // namespace
+
+CellElements::CellElements(vtkUnstructuredGrid* grid, vtkIdType elements)
+  : Element(grid->GetNumberOfCells())
+{
+  if (grid->GetCellData()->HasArray(kElementIds))
+  {
+    ArrayKeeper keeper;
+    std::ranges::copy(ViewElementIds(grid, keeper), Element.begin());
+  }
+  else if (grid->GetNumberOfCells() == elements)
+  {
+    std::iota(Element.begin(), Element.end(), 0);
+  }
+  else
+  {
+    throw StaleData(std::string("the grid has ") + std::to_string(grid->GetNumberOfCells()) +
+      " cells and coefficients of " + std::to_string(elements) + " elements, but no cell array '" +
+      kElementIds + "' that tells which is which; pass that array on, or" + (kRemedy + 1));
+  }
+  std::vector<bool> seen(elements, false);
+  for (std::size_t cell = 0; cell < Element.size(); ++cell)
+  {
+    const auto element = Element[cell];
+    if (element < 0 || element >= elements)
+    {
+      Fail(cell, "names element " + std::to_string(element) + " of " + std::to_string(elements));
+    }
+    if (seen[element])
+    {
+      Fail(cell,
+        "and another one both claim element " + std::to_string(element) +
+          "; data sets were appended");
+    }
+    seen[element] = true;
+  }
+  Whole = static_cast<vtkIdType>(Element.size()) == elements && std::ranges::is_sorted(Element);
+}
+
+void CellElements::Compare(std::span<const std::int64_t> now, std::span<const std::int64_t> then,
+  const std::string& problem) const
+{
+  for (std::size_t cell = 0; cell < Element.size(); ++cell)
+  {
+    if (now[cell] != then[Element[cell]])
+    {
+      Fail(cell, problem);
+    }
+  }
+}
+
+Expansion ViewStorage::Assemble(ExpansionView view, const CellElements& cells, int components)
+{
+  Expansion expansion;
+  expansion.spaces = spaces.emplace_back(std::move(view.spaces));
+  expansion.spaceOf = cells.Select(view.spaceOf, ints);
+  expansion.offset = cells.Select(view.offset, longs);
+  expansion.coefficients = view.coefficients;
+  expansion.components = components;
+  return expansion;
+}
+} // namespace pixelexact

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef CellElements_h
+#define CellElements_h
+
+#include "ArrayViews.h"
+#include "Core/Element/Mesh.h"
+
+#include <cstdint>
+#include <deque>
+#include <span>
+#include <string>
+#include <vector>
+
+class vtkUnstructuredGrid;
+
+namespace pixelexact
+{
+/// Which of the stored elements each cell of a grid is.
+class CellElements
+{
+public:
+  /// Of `elements` stored ones. Throws StaleData where cells were added or claim one element twice.
+  CellElements(vtkUnstructuredGrid* grid, vtkIdType elements);
+
+  [[nodiscard]] std::size_t Cells() const { return Element.size(); }
+
+  /// Throws StaleData, with `problem`, for the first cell whose value differs from its element's.
+  void Compare(std::span<const std::int64_t> now, std::span<const std::int64_t> then,
+    const std::string& problem) const;
+
+  /// `values`, `stride` per element, in the order of the cells; a copy only where that is another.
+  template <class T>
+  std::span<const T> Select(
+    std::span<const T> values, std::deque<std::vector<T>>& copies, int stride = 1) const
+  {
+    if (Whole)
+    {
+      return values;
+    }
+    auto& copy = copies.emplace_back();
+    copy.reserve(Element.size() * stride);
+    for (const auto element : Element)
+    {
+      const auto from = values.subspan(element * stride, stride);
+      copy.insert(copy.end(), from.begin(), from.end());
+    }
+    return copy;
+  }
+
+private:
+  std::vector<std::int64_t> Element;
+  bool Whole = false; ///< cell i is element i
+};
+
+/// What views of a grid point to: its arrays, and copies where the cells have another order.
+struct ViewStorage
+{
+  ArrayKeeper arrays;
+  std::deque<std::vector<Space>> spaces;
+  std::deque<std::vector<std::int32_t>> ints;
+  std::deque<std::vector<std::int64_t>> longs;
+  std::deque<std::vector<double>> doubles;
+
+  Expansion Assemble(ExpansionView view, const CellElements& cells, int components);
+};
+} // namespace pixelexact
+#endif

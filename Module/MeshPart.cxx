@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MeshPart.h"
+
+#include "Core/Location/Locator.h"
+#include "Fingerprint.h"
+
+#include "vtkCellData.h"
+#include "vtkFieldData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+
+namespace pixelexact
+{
+namespace
+{
+/// Parts that somebody holds.
+struct Registry
+{
+  std::mutex mutex;
+  std::vector<std::weak_ptr<const MeshPart>> parts;
+
+  static Registry& Instance()
+  {
+    static Registry registry;
+    return registry;
+  }
+};
+} // namespace
+
+// Points and cells are not in it: the fingerprints tell whether they are the same.
+MeshPart::Key MeshPart::KeyOf(vtkUnstructuredGrid* grid)
+{
+  Key key;
+  const auto add = [&key](vtkAbstractArray* array) { key.emplace_back(array, array->GetMTime()); };
+  vtkFieldData* data = grid->GetFieldData();
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = data->GetAbstractArray(i);
+    if (array->GetName() && std::string(array->GetName()).starts_with(kMeshPrefix))
+    {
+      add(array);
+    }
+  }
+  std::ranges::sort(key); // filters may change their order
+  if (vtkAbstractArray* ids = grid->GetCellData()->GetAbstractArray(kElementIds))
+  {
+    add(ids);
+  }
+  return key;
+}
+
+MeshPart::MeshPart(vtkUnstructuredGrid* grid, Key key)
+  : Arrays(std::move(key))
+{
+  const std::string prefix = kMeshPrefix;
+  auto& keeper = Storage.arrays;
+  auto view = ViewExpansion(grid, prefix, -1, keeper);
+  Stored = static_cast<vtkIdType>(view.spaceOf.size());
+  const auto centre = ViewArray<double>(grid, prefix + "Centre", 3, Stored, keeper);
+  const auto size = ViewArray<double>(grid, prefix + "Size", 1, Stored, keeper);
+  const auto uncertainty = ViewArray<double>(grid, prefix + "Uncertainty", 1, Stored, keeper);
+  const auto source = ViewArray<std::int64_t>(grid, prefix + "SourceCell", 1, Stored, keeper);
+  Fingerprints = ViewArray<std::int64_t>(grid, prefix + "Fingerprint", 1, Stored, keeper);
+
+  TheCells = std::make_unique<CellElements>(grid, Stored);
+  CompareCells(grid);
+  TheMesh.map = Storage.Assemble(std::move(view), *TheCells, 3);
+  TheMesh.centre = TheCells->Select(centre, Storage.doubles, 3);
+  TheMesh.size = TheCells->Select(size, Storage.doubles);
+  TheMesh.uncertainty = TheCells->Select(uncertainty, Storage.doubles);
+  Sources = TheCells->Select(source, Storage.longs);
+  Validate(TheMesh);
+}
+
+MeshPart::~MeshPart() = default;
+
+void MeshPart::CompareCells(vtkUnstructuredGrid* grid) const
+{
+  TheCells->Compare(CellFingerprints(grid), Fingerprints,
+    "is not the one that its coefficients were made from: it was cut, or its points were moved");
+}
+
+std::shared_ptr<const MeshPart> MeshPart::Of(vtkUnstructuredGrid* grid)
+{
+  auto& registry = Registry::Instance();
+  const std::scoped_lock lock(registry.mutex);
+  std::erase_if(registry.parts, [](const auto& part) { return part.expired(); });
+  Key key = KeyOf(grid);
+  for (const auto& known : registry.parts)
+  {
+    // A grid without element ids may have lost cells.
+    if (auto part = known.lock(); part && part->Arrays == key &&
+        part->Cells().Cells() == static_cast<std::size_t>(grid->GetNumberOfCells()))
+    {
+      part->CompareCells(grid);
+      return part;
+    }
+  }
+  std::shared_ptr<const MeshPart> part(new MeshPart(grid, std::move(key)));
+  registry.parts.push_back(part);
+  return part;
+}
+
+const Locator& MeshPart::GetLocator() const
+{
+  std::call_once(LocatorOnce,
+    [this]
+    {
+      TheLocator = std::make_unique<Locator>(TheMesh);
+      LocatorMade = true;
+    });
+  return *TheLocator;
+}
+} // namespace pixelexact

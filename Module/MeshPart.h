@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef MeshPart_h
+#define MeshPart_h
+
+#include "CellElements.h"
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <utility>
+
+class vtkAbstractArray;
+
+namespace pixelexact
+{
+class Locator;
+
+/// The mesh in a grid's arrays, with its locator. Grids that hold the same arrays of the mesh, not
+/// modified since, share one: a shallow copy, another time step. It keeps the arrays alive.
+class MeshPart
+{
+public:
+  /// The part of `grid` as it is now; one that somebody holds, where its arrays are the same. The
+  /// grid's cells are compared with their fingerprints in any case. Throws as HighOrderModel::From.
+  static std::shared_ptr<const MeshPart> Of(vtkUnstructuredGrid* grid);
+
+  ~MeshPart();
+  MeshPart(const MeshPart&) = delete;
+  MeshPart& operator=(const MeshPart&) = delete;
+
+  [[nodiscard]] const Mesh& GetMesh() const { return TheMesh; }
+  /// Of the grid's cells among the stored elements, of which there are StoredElements().
+  [[nodiscard]] const CellElements& Cells() const { return *TheCells; }
+  [[nodiscard]] vtkIdType StoredElements() const { return Stored; }
+  [[nodiscard]] std::span<const std::int64_t> SourceCells() const { return Sources; }
+
+  /// Built, in parallel, by the first call.
+  [[nodiscard]] const Locator& GetLocator() const;
+  [[nodiscard]] bool HasLocator() const { return LocatorMade; }
+
+private:
+  /// Arrays, kept alive so that no other can have their address, and their states.
+  using Key = std::vector<std::pair<vtkSmartPointer<vtkAbstractArray>, vtkMTimeType>>;
+
+  MeshPart(vtkUnstructuredGrid* grid, Key key);
+  static Key KeyOf(vtkUnstructuredGrid* grid);
+  void CompareCells(vtkUnstructuredGrid* grid) const;
+
+  Key Arrays;
+  ViewStorage Storage;
+  Mesh TheMesh;
+  std::unique_ptr<CellElements> TheCells;
+  vtkIdType Stored = 0;
+  std::span<const std::int64_t> Sources;
+  std::span<const std::int64_t> Fingerprints; ///< per stored element
+  mutable std::once_flag LocatorOnce;
+  mutable std::unique_ptr<Locator> TheLocator;
+  mutable std::atomic<bool> LocatorMade{ false };
+};
+} // namespace pixelexact
+#endif
