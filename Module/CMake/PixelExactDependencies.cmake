@@ -18,6 +18,8 @@ find_package(TBB REQUIRED)
 find_package(glm REQUIRED)
 find_package(hwy REQUIRED)
 find_package(Eigen3 REQUIRED NO_MODULE)
+find_package(ZLIB REQUIRED)
+find_package(pugixml REQUIRED)
 
 # Embree 3 and 4 differ in their headers; the sources ask for both with __has_include.
 find_package(embree 4 QUIET)
@@ -33,15 +35,16 @@ set(PIXELEXACT_VTK_COMPONENTS
   CommonExecutionModel
   CommonMath
   CommonTransforms
+  FiltersCore
+  IOXML
   RenderingCore
   RenderingOpenGL2)
-set(vtk_build_components IOImage IOLegacy IOXML)
+set(vtk_build_components IOImage IOLegacy)
 if(PIXELEXACT_BUILD_PYTHON)
   list(APPEND vtk_build_components Python WrappingPythonCore)
 endif()
 if(PIXELEXACT_BUILD_TESTING OR PIXELEXACT_BUILD_BENCHMARKS)
   list(APPEND vtk_build_components
-    FiltersCore
     FiltersExtraction
     FiltersGeneral
     FiltersSources

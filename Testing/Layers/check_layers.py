@@ -19,13 +19,14 @@ CORE_LAYERS = ["Base", "Math", "Shape", "Basis", "Bernstein", "Element", "Locati
 ALLOWED = {
     "Core": {"Core"},
     "DataModel": {"Core", "DataModel"},
-    "Filters": {"Core", "DataModel", "Filters"},
+    "Formats": {"Core", "Formats"},
+    "Filters": {"Core", "DataModel", "Formats", "Filters"},
     "Trace": {"Core", "Trace"},
     "Rendering": {"Core", "DataModel", "Trace", "Rendering"},
-    "Tools": {"Core", "DataModel", "Filters", "Trace", "Rendering", "Tools"},
+    "Tools": {"Core", "DataModel", "Formats", "Filters", "Trace", "Rendering", "Tools"},
     "ParaView": {"Core", "DataModel", "Filters", "Trace", "Rendering", "ParaView"},
 }
-VTK_FREE = {"Core", "Trace"}
+VTK_FREE = {"Core", "Formats", "Trace"}
 
 # Folders from which the compiler resolves includes; sources below are the ones checked.
 INCLUDE_ROOTS = ["Module", "Filters", "Rendering"]
@@ -40,7 +41,7 @@ def room(path):
     if parts[0] == "Module":
         return "Core" if parts[1] == "Core" else "DataModel"
     if parts[0] == "Filters":
-        return "Filters"
+        return "Formats" if parts[1] == "Formats" else "Filters"
     if parts[0] == "Rendering":
         return parts[1] if parts[1] in ("Trace", "Tools", "ParaView") else "Rendering"
     return None

@@ -7,7 +7,8 @@ set -euo pipefail
 
 packages=(
   ca-certificates cmake g++ ninja-build
-  libcli11-dev libeigen3-dev libembree-dev libglm-dev libhwy-dev libtbb-dev libvtk9-dev
+  libcli11-dev libeigen3-dev libembree-dev libglm-dev libhwy-dev libpugixml-dev libtbb-dev
+  libvtk9-dev zlib1g-dev
   python3 python3-dev python3-vtk9
 )
 if [[ "${1:-}" == --testing ]]; then

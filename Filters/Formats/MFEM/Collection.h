@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Formats/ElementBasis.h"
+
+#include "Core/Element/Mesh.h"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+
+// MFEM's finite element collections: the only file set that knows its bases. Local orders are
+// MFEM's: unknowns of the vertices, edges, faces, interior.
+namespace pixelexact::mfem
+{
+enum class Geometry : std::uint8_t
+{
+  Point = 0,
+  Segment = 1,
+  Triangle = 2,
+  Square = 3,
+  Tetrahedron = 4,
+  Cube = 5,
+  Prism = 6,
+  Pyramid = 7
+};
+
+enum class Continuity : std::uint8_t
+{
+  H1,
+  HCurl,
+  HDiv,
+  L2
+};
+
+class Collection
+{
+public:
+  /// From its name in a file: "H1_3D_P4", "H1@U_3D_P2", "H1Pos_3D_P3", "L2_T2_3D_P1",
+  /// "L2Int_3D_P2", "ND_3D_P2", "RT_3D_P1", "Linear", "Quadratic", "Cubic", "Const3D",
+  /// "LinearDiscont3D", ... Throws Unsupported (NURBS, trace and 2-D collections) with a remedy,
+  /// InvalidData for what is no collection's name.
+  static Collection Parse(const std::string& name);
+  Collection(Collection&&) noexcept;
+  Collection& operator=(Collection&&) noexcept;
+  ~Collection();
+
+  [[nodiscard]] Continuity GetContinuity() const;
+  [[nodiscard]] Mapping GetMapping() const;
+  [[nodiscard]] bool IsVector() const;           ///< vector-valued functions: H(curl), H(div)
+  [[nodiscard]] int Order() const;               ///< the number in the name
+  [[nodiscard]] std::string Description() const; ///< for people
+
+  /// Unknowns that belong to the inside of an entity (MFEM's DofForGeometry).
+  [[nodiscard]] int Unknowns(Geometry geometry) const;
+
+  /// How an element sees an entity's unknowns when its orientation to it is `orientation` (MFEM's
+  /// numbering: segments +1, -1; triangles 0 to 5; squares 0 to 7). Entry i is the entity's unknown
+  /// n, or -1 - n for its negative (MFEM's DofOrderForOrientation).
+  [[nodiscard]] std::span<const int> UnknownOrder(Geometry geometry, int orientation) const;
+
+  /// Whether pairs of unknowns on triangles are also mixed (H(curl) of order 2 and up), and the
+  /// matrix that takes the stored pair to the element's: row-major, for MFEM's triangle
+  /// orientation. Applied after UnknownOrder's gathering to unknowns (2 i, 2 i + 1) of the face.
+  [[nodiscard]] bool MixesTriangleUnknowns() const;
+  [[nodiscard]] std::array<double, 4> TriangleMixing(int orientation) const;
+
+  /// The basis on a solid shape, made at first use. Throws Unsupported where MFEM defines none.
+  [[nodiscard]] const ElementBasis& Basis(Geometry solid) const;
+
+private:
+  Collection();
+  struct Internals;
+  std::unique_ptr<Internals> Data;
+};
+} // namespace pixelexact::mfem

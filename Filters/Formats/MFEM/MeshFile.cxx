@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Formats/MFEM/MeshFile.h"
+
+#include "Formats/MFEM/GeometryTable.h"
+#include "Formats/MFEM/RefinementForest.h"
+
+#include <algorithm>
+
+namespace pixelexact::mfem
+{
+namespace
+{
+constexpr std::size_t kShortestCell = 10; ///< "1 4 0 1 2 3"
+constexpr int kMostVertices = 1 << 30;
+
+/// Words of a section that comes before the vertices.
+struct Sections
+{
+  bool dimension = false;
+  bool elements = false;
+  bool vertices = false;
+};
+
+std::vector<Cell> ReadCells(TextScanner& scanner, const char* what, bool solid)
+{
+  const int count = scanner.Count(what, solid ? kShortestCell : kShortestCell - 2);
+  std::vector<Cell> cells;
+  cells.reserve(count);
+  for (int i = 0; i < count; ++i)
+  {
+    cells.push_back(ReadCell(scanner, kMostVertices, solid));
+  }
+  return cells;
+}
+
+/// Named lists of attributes (version 1.3).
+void ReadAttributeSets(TextScanner& scanner, bool boundary, std::vector<Group>& groups)
+{
+  const int sets = scanner.Count("the number of attribute sets", 4);
+  for (int i = 0; i < sets; ++i)
+  {
+    const std::string name = scanner.QuotedWord("the name of an attribute set");
+    const int size = scanner.Count("the size of an attribute set", 2);
+    for (int k = 0; k < size; ++k)
+    {
+      groups.push_back({ scanner.Integer("an attribute"), name, boundary });
+    }
+  }
+}
+
+/// The tree of old non-conforming files: their leaves and vertices are numbered as they stand.
+void SkipTree(TextScanner& scanner, std::string_view section)
+{
+  const int count = scanner.Count("the number of tree entries", 4);
+  for (int i = 0; i < count; ++i)
+  {
+    int numbers = 3;
+    if (section == "coarse_elements")
+    {
+      numbers = ChildrenOf(scanner.Integer("a refinement type", 0, 7));
+    }
+    for (int k = 0; k < numbers; ++k)
+    {
+      scanner.Integer("a number of the refinement tree");
+    }
+  }
+}
+
+void ReadVertices(TextScanner& scanner, MeshFile& mesh)
+{
+  mesh.vertices = scanner.Integer("the number of vertices", 0, kMostVertices);
+  if (scanner.Peek() == "nodes")
+  {
+    return;
+  }
+  if (scanner.Integer("the vertices' dimension") != 3)
+  {
+    scanner.FailUnsupported("only meshes in three-dimensional space are read.");
+  }
+  mesh.coordinates.reserve(
+    std::min<std::size_t>(3 * static_cast<std::size_t>(mesh.vertices), scanner.Remaining() / 2));
+  for (int i = 0; i < 3 * mesh.vertices; ++i)
+  {
+    mesh.coordinates.push_back(scanner.Number("a vertex coordinate"));
+  }
+}
+
+/// Reads one section. False: the word is none of a mesh's, what follows is something else.
+bool ReadSection(TextScanner& scanner, MeshFile& mesh, Sections& seen)
+{
+  const std::string_view section = scanner.Peek();
+  if (seen.vertices && section != "nodes" && section != "communication_groups" &&
+    section != "mfem_mesh_end")
+  {
+    return false;
+  }
+  scanner.Word("a section of the mesh");
+  if (section == "dimension")
+  {
+    RequireThreeDimensions(scanner);
+    seen.dimension = true;
+  }
+  else if (section == "elements")
+  {
+    mesh.elements = ReadCells(scanner, "the number of elements", true);
+    seen.elements = true;
+  }
+  else if (section == "boundary")
+  {
+    mesh.boundary = ReadCells(scanner, "the number of boundary elements", false);
+  }
+  else if (section == "attribute_sets" || section == "bdr_attribute_sets")
+  {
+    ReadAttributeSets(scanner, section == "bdr_attribute_sets", mesh.groups);
+  }
+  else if (section == "vertex_parents" || section == "coarse_elements")
+  {
+    SkipTree(scanner, section);
+  }
+  else if (section == "vertices")
+  {
+    ReadVertices(scanner, mesh);
+    seen.vertices = true;
+  }
+  else if (section == "nodes" && seen.vertices)
+  {
+    mesh.nodes = ReadGridFunction(scanner);
+  }
+  else if (section == "mfem_mesh_end" && seen.vertices)
+  {
+    return false;
+  }
+  else if (section == "communication_groups")
+  {
+    scanner.FailUnsupported("this is one piece of a parallel mesh; save the whole mesh "
+                            "(ParMesh::PrintAsOne or SaveAsOne) and read that.");
+  }
+  else
+  {
+    scanner.Fail("'" + std::string(section.substr(0, 40)) +
+      "' is no section of a mesh; the file is damaged or of another format.");
+  }
+  return true;
+}
+
+void CheckVertices(TextScanner& scanner, const MeshFile& mesh)
+{
+  for (const auto* cells : { &mesh.elements, &mesh.boundary })
+  {
+    for (std::size_t i = 0; i < cells->size(); ++i)
+    {
+      const Cell& cell = (*cells)[i];
+      const auto vertices = std::span(cell.vertices).first(TableOf(cell.geometry).vertices);
+      const int largest = std::ranges::max(vertices);
+      if (largest >= mesh.vertices)
+      {
+        scanner.Fail(std::string(cells == &mesh.elements ? "element " : "boundary element ") +
+          std::to_string(i) + " has the vertex " + std::to_string(largest) +
+          ", but the mesh has only " + std::to_string(mesh.vertices) +
+          " of them; the file contradicts itself.");
+      }
+    }
+  }
+}
+
+/// MFEM drops vertices that no element has, and numbers the others anew.
+void RemoveUnusedVertices(MeshFile& mesh)
+{
+  std::vector<int> number;
+  for (const Cell& cell : mesh.elements)
+  {
+    const auto vertices = std::span(cell.vertices).first(TableOf(cell.geometry).vertices);
+    number.insert(number.end(), vertices.begin(), vertices.end());
+  }
+  std::ranges::sort(number);
+  number.erase(std::unique(number.begin(), number.end()), number.end());
+  if (static_cast<int>(number.size()) == mesh.vertices)
+  {
+    return;
+  }
+  const auto renumber = [&](Cell& cell)
+  {
+    for (int& v : std::span(cell.vertices).first(TableOf(cell.geometry).vertices))
+    {
+      v = static_cast<int>(std::ranges::lower_bound(number, v) - number.begin());
+    }
+  };
+  // A boundary element with a vertex of no element belongs to nothing.
+  std::erase_if(mesh.boundary,
+    [&](const Cell& cell)
+    {
+      return !std::ranges::all_of(std::span(cell.vertices).first(TableOf(cell.geometry).vertices),
+        [&](int v) { return std::ranges::binary_search(number, v); });
+    });
+  std::ranges::for_each(mesh.elements, renumber);
+  std::ranges::for_each(mesh.boundary, renumber);
+  for (std::size_t i = 0; i < number.size() && !mesh.coordinates.empty(); ++i)
+  {
+    std::copy_n(
+      &mesh.coordinates[3 * static_cast<std::size_t>(number[i])], 3, &mesh.coordinates[3 * i]);
+  }
+  mesh.coordinates.resize(std::min(mesh.coordinates.size(), 3 * number.size()));
+  mesh.vertices = static_cast<int>(number.size());
+}
+
+MeshFile ReadConforming(TextScanner& scanner, bool legacy)
+{
+  MeshFile mesh;
+  Sections seen;
+  while (!(seen.vertices && scanner.Peek().empty()) && ReadSection(scanner, mesh, seen))
+  {
+  }
+  if (!seen.dimension || !seen.elements || !seen.vertices)
+  {
+    scanner.Fail("the mesh lacks its section 'dimension', 'elements' or 'vertices'.");
+  }
+  CheckVertices(scanner, mesh);
+  if (!legacy)
+  {
+    RemoveUnusedVertices(mesh);
+  }
+  return mesh;
+}
+} // namespace
+
+void RequireThreeDimensions(TextScanner& scanner)
+{
+  const int dimension = scanner.Integer("the dimension");
+  if (dimension != 3)
+  {
+    scanner.FailUnsupported("the mesh has " + std::to_string(dimension) +
+      " dimensions; only three-dimensional ones are read.");
+  }
+}
+
+Cell ReadCell(TextScanner& scanner, int vertices, bool solid)
+{
+  Cell cell;
+  cell.attribute = scanner.Integer("an attribute");
+  const int geometry = scanner.Integer("an element's geometry type", 0, 7);
+  cell.geometry = static_cast<Geometry>(geometry);
+  const bool isSolid = geometry >= static_cast<int>(Geometry::Tetrahedron);
+  const bool isFace = cell.geometry == Geometry::Triangle || cell.geometry == Geometry::Square;
+  if (solid ? !isSolid : !isFace)
+  {
+    scanner.Fail("geometry type " + std::to_string(geometry) +
+      (solid ? " is no solid's: elements are tetrahedra (4), cubes (5), prisms (6) or pyramids (7)."
+             : " is no face's: boundary elements are triangles (2) or squares (3)."));
+  }
+  for (int& v : std::span(cell.vertices).first(TableOf(cell.geometry).vertices))
+  {
+    v = scanner.Integer("a vertex", 0, vertices - 1);
+  }
+  return cell;
+}
+
+MeshFile ReadMesh(TextScanner& scanner)
+{
+  scanner.Expect("MFEM");
+  const std::string_view kind = scanner.Word("the kind of mesh");
+  if (kind == "NURBS" || kind == "INLINE")
+  {
+    scanner.FailUnsupported(std::string(kind) +
+      " meshes are not read; load the mesh with MFEM, give it polynomial nodes "
+      "(Mesh::SetCurvature) and save that.");
+  }
+  if (kind == "NC")
+  {
+    scanner.Expect("mesh");
+    const std::string_view version = scanner.Word("the version");
+    if (version != "v1.0" && version != "v1.1")
+    {
+      scanner.FailUnsupported("version " + std::string(version.substr(0, 10)) +
+        " of non-conforming meshes is not known; v1.0 and v1.1 are.");
+    }
+    return ReadNonconforming(scanner, version == "v1.1");
+  }
+  if (kind != "mesh")
+  {
+    scanner.Fail("this is no MFEM mesh; its first line should be 'MFEM mesh v1.0' or alike.");
+  }
+  const std::string_view version = scanner.Word("the version");
+  if (version != "v1.0" && version != "v1.1" && version != "v1.2" && version != "v1.3")
+  {
+    scanner.FailUnsupported("version " + std::string(version.substr(0, 10)) +
+      " of meshes is not known; v1.0 to v1.3 are.");
+  }
+  return ReadConforming(scanner, version == "v1.1");
+}
+} // namespace pixelexact::mfem

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Formats/MFEM/Collection.h"
+#include "Formats/MFEM/GridFunctionFile.h"
+#include "Formats/SolverModel.h"
+
+#include <array>
+#include <optional>
+
+namespace pixelexact::mfem
+{
+struct Cell
+{
+  Geometry geometry = Geometry::Point;
+  int attribute = 0;
+  std::array<int, 8> vertices{};
+};
+
+/// What an MFEM mesh file holds, as numbered by MFEM once it has read it.
+struct MeshFile
+{
+  std::vector<Cell> elements; ///< leaves of the refinement, in MFEM's order
+  std::vector<Cell> boundary;
+  int vertices = 0;
+  std::vector<double> coordinates; ///< three per vertex; empty where there are nodes
+  std::optional<GridFunctionFile> nodes;
+  std::vector<Group> groups;
+};
+
+/// Reads a mesh of any version; what follows it stays in the scanner. Throws InvalidData and
+/// Unsupported.
+MeshFile ReadMesh(TextScanner& scanner);
+
+/// Reads the dimension; throws Unsupported for others than three.
+void RequireThreeDimensions(TextScanner& scanner);
+
+/// An element or a boundary element: attribute, geometry, vertices below `vertices`.
+Cell ReadCell(TextScanner& scanner, int vertices, bool solid);
+} // namespace pixelexact::mfem

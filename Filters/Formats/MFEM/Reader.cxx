@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Formats/MFEM/Reader.h"
+
+#include "Core/Base/Error.h"
+#include "Formats/Assembly.h"
+#include "Formats/MFEM/FunctionSpace.h"
+#include "Formats/MFEM/GeometryTable.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace pixelexact::mfem
+{
+namespace
+{
+using Bases = std::vector<const ElementBasis*>;
+
+Bases BasesOf(const MeshFile& mesh, const Collection& collection)
+{
+  Bases bases;
+  bases.reserve(mesh.elements.size());
+  for (const Cell& cell : mesh.elements)
+  {
+    bases.push_back(&collection.Basis(cell.geometry));
+  }
+  return bases;
+}
+
+/// Bases are made only when the values are known to fit: a damaged name may ask for order 32.
+void RequireValues(const GridFunctionFile& file, const FunctionSpace& space,
+  const std::string& where, const MeshFile& mesh)
+{
+  const std::int64_t expected = space.Size() * file.components;
+  if (static_cast<std::int64_t>(file.values.size()) != expected)
+  {
+    throw InvalidData(where + " holds " + std::to_string(file.values.size()) + " values, but " +
+      file.collection + " with VDim " + std::to_string(file.components) + " on this mesh of " +
+      std::to_string(mesh.elements.size()) + " elements has " + std::to_string(expected) +
+      "; the file is cut short or belongs to another mesh.");
+  }
+}
+
+Collection ParseCollection(const std::string& name, const std::string& where)
+{
+  try
+  {
+    return Collection::Parse(name);
+  }
+  catch (const Unsupported& error)
+  {
+    throw Unsupported(where + ": " + error.what());
+  }
+  catch (const InvalidData& error)
+  {
+    throw InvalidData(where + ": " + error.what());
+  }
+}
+
+/// Unused entries of cell.vertices are zero.
+Corners CornersOf(const Cell& cell)
+{
+  Corners corners{};
+  std::ranges::copy(cell.vertices, corners.begin());
+  return corners;
+}
+
+/// The linear map of a mesh without nodes.
+GridFunctionFile LinearNodes(MeshFile& mesh)
+{
+  return { "Linear", 3, false, std::move(mesh.coordinates) };
+}
+
+class ModelBuilder
+{
+public:
+  ModelBuilder(MeshFile mesh, std::string meshName)
+    : File(std::move(mesh))
+    , MeshName(std::move(meshName))
+    , Entities(File)
+  {
+    if (File.elements.empty())
+    {
+      throw InvalidData(MeshName + ": the mesh has no elements; there is nothing to show.");
+    }
+    AddMap();
+    AddGroups();
+  }
+
+  void AddField(const GridFunctionFile& file, const std::string& where, const std::string& name);
+
+  SolverModel Model;
+
+private:
+  void AddMap();
+  void AddGroups();
+
+  MeshFile File;
+  std::string MeshName;
+  Topology Entities;
+};
+
+void ModelBuilder::AddMap()
+{
+  const GridFunctionFile nodes = File.nodes ? std::move(*File.nodes) : LinearNodes(File);
+  File.nodes.reset();
+  const std::string where = MeshName + ": the mesh's nodes (" + nodes.collection + ")";
+  const Collection collection = ParseCollection(nodes.collection, MeshName);
+  if (collection.IsVector() || collection.GetMapping() != Mapping::Identity ||
+    nodes.components != 3)
+  {
+    throw InvalidData(where + " are no positions: they need an H1 or L2 collection with VDim 3.");
+  }
+  const FunctionSpace space(File, Entities, collection);
+  RequireValues(nodes, space, where, File);
+  const Bases bases = BasesOf(File, collection);
+  AssembleMap(
+    bases,
+    [&](std::size_t e, std::span<double> source)
+    { space.Gather(e, nodes.values, 3, nodes.byNodes, source); },
+    [&](std::size_t e) { return MeshName + ": element " + std::to_string(e); }, Model.mesh);
+}
+
+void ModelBuilder::AddGroups()
+{
+  SolverMesh& mesh = Model.mesh;
+  for (std::size_t e = 0; e < File.elements.size(); ++e)
+  {
+    mesh.number.push_back(static_cast<std::int64_t>(e));
+    mesh.corners.push_back(CornersOf(File.elements[e]));
+    mesh.attribute.push_back(File.elements[e].attribute);
+  }
+  for (const Cell& cell : File.boundary)
+  {
+    const auto owner =
+      Entities.FindFace(std::span(cell.vertices).first(TableOf(cell.geometry).vertices));
+    if (owner)
+    {
+      const auto& faces = TableOf(File.elements[owner->element].geometry).faces;
+      mesh.boundary.push_back({ owner->element, faces[owner->localFace].vtkFace, cell.attribute });
+    }
+  }
+  if (mesh.boundary.size() < File.boundary.size())
+  {
+    Model.notes.push_back(MeshName + ": " +
+      std::to_string(File.boundary.size() - mesh.boundary.size()) + " of " +
+      std::to_string(File.boundary.size()) + " boundary elements are no face of an element.");
+  }
+  mesh.groups = std::move(File.groups);
+}
+
+void ModelBuilder::AddField(
+  const GridFunctionFile& file, const std::string& where, const std::string& name)
+{
+  const Collection collection = ParseCollection(file.collection, where);
+  if (collection.IsVector() && file.components != 1)
+  {
+    throw Unsupported(where + ": " + file.collection + " with VDim " +
+      std::to_string(file.components) +
+      " (several vector fields in one) is not read; save them one by one.");
+  }
+  const FunctionSpace space(File, Entities, collection);
+  RequireValues(file, space, where, File);
+  const Bases bases = BasesOf(File, collection);
+  SolverField field;
+  field.name = name;
+  field.mapping = collection.GetMapping();
+  field.basis = collection.Description();
+  field.continuous = collection.GetContinuity() == Continuity::H1;
+  field.values = AssembleField(bases, collection.IsVector() ? 3 : file.components,
+    [&](std::size_t e, std::span<double> source)
+    { space.Gather(e, file.values, file.components, file.byNodes, source); });
+  Model.fields.push_back(std::move(field));
+}
+
+/// "u" of "results/u.gf" and of "u.gf.gz".
+std::string FieldName(const std::string& path)
+{
+  std::filesystem::path file = std::filesystem::path(path).filename();
+  if (file.extension() == ".gz")
+  {
+    file = file.stem();
+  }
+  return file.stem().string();
+}
+
+/// What may stand before a mesh in a stream.
+bool IsStreamKeyword(std::string_view word)
+{
+  return word == "solution" || word == "mesh" || word == "fem3d_data" || word == "vfem3d_data" ||
+    word == "fem3d_gf_data" || word == "vfem3d_gf_data" || word == "fem3d_gf_data_keys" ||
+    word == "vfem3d_gf_data_keys";
+}
+} // namespace
+
+SolverModel Read(const NamedText& mesh, const std::vector<NamedText>& gridFunctions)
+{
+  TextScanner scanner(mesh);
+  ModelBuilder builder(ReadMesh(scanner), mesh.name);
+  for (const NamedText& text : gridFunctions)
+  {
+    TextScanner fieldScanner(text);
+    const GridFunctionFile file = ReadGridFunction(fieldScanner);
+    if (!fieldScanner.Peek().empty())
+    {
+      fieldScanner.Fail("there is something else than numbers behind the header.");
+    }
+    builder.AddField(file, text.name, FieldName(text.name));
+  }
+  return std::move(builder.Model);
+}
+
+SolverModel ReadStream(const NamedText& saved)
+{
+  TextScanner scanner(saved);
+  const std::string_view keyword = scanner.Peek();
+  if (keyword == "parallel" || keyword == "quadrature")
+  {
+    scanner.FailUnsupported("streams of the kind '" + std::string(keyword) +
+      "' are not read; send the whole solution as one grid function.");
+  }
+  if (!IsStreamKeyword(keyword))
+  {
+    scanner.Fail("this is no GLVis stream: it should begin with 'solution' or 'mesh'.");
+  }
+  scanner.Word("the kind of stream");
+  ModelBuilder builder(ReadMesh(scanner), saved.name);
+  if (scanner.Peek() == "mfem_mesh_end")
+  {
+    scanner.Word("the end of the mesh");
+  }
+  // What follows the numbers are commands to GLVis.
+  if (keyword != "mesh")
+  {
+    builder.AddField(ReadGridFunction(scanner), saved.name, "solution");
+  }
+  return std::move(builder.Model);
+}
+} // namespace pixelexact::mfem

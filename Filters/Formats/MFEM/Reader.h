@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Formats/SolverModel.h"
+
+#include <string_view>
+
+namespace pixelexact::mfem
+{
+/// A file's content with the name that messages give it.
+struct NamedText
+{
+  std::string name;      ///< the file's path
+  std::string_view text; ///< kept alive by the caller
+};
+
+/// An MFEM mesh (v1.0 to v1.3, NC v1.0 to v1.1) with grid functions on it. A field is named after
+/// its file, without folder and suffix. Throws InvalidData or Unsupported: "<file>, line <n>: what;
+/// remedy".
+SolverModel Read(const NamedText& mesh, const std::vector<NamedText>& gridFunctions);
+
+/// A GLVis stream: keyword, mesh, grid function (named `solution`), commands. Several in one file:
+/// the last one, with a note.
+SolverModel ReadStream(const NamedText& saved);
+} // namespace pixelexact::mfem

@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Formats/MFEM/RefinementForest.h"
+
+#include "Formats/MFEM/GeometryTable.h"
+#include "Formats/MFEM/HilbertCurve.h"
+#include "Formats/MFEM/VertexHierarchy.h"
+
+#include <algorithm>
+#include <bit>
+#include <map>
+#include <unordered_map>
+
+namespace pixelexact::mfem
+{
+namespace
+{
+constexpr int kAllDirections = 7;
+constexpr int kMostNodes = 1 << 30;
+constexpr int kStates = 24;
+constexpr int kDeepestTree = 64;
+constexpr std::size_t kShortestElement = 4;
+
+/// An element of any level; leaves have vertices ("nodes" in the file), others have children.
+struct TreeElement
+{
+  Cell cell;
+  int refinement = 0;
+  std::array<int, 8> children{};
+  bool used = false;
+  bool isChild = false;
+};
+
+class Forest
+{
+public:
+  explicit Forest(TextScanner& scanner, bool scaled)
+    : Scanner(scanner)
+    , Scaled(scaled)
+  {
+  }
+
+  MeshFile Read();
+
+private:
+  void ReadHeader();
+  void ReadElement(int index, int count);
+  void ReadBoundary();
+  void ReadRootStates();
+  void ReadSection(std::string_view section);
+  void LinkChildren();
+  void CollectAllLeaves();
+  void CollectLeaves(int element, int state, int depth);
+  void NumberVertices();
+  void CollectBoundary();
+  void ReadPositions();
+
+  TextScanner& Scanner;
+  bool Scaled;
+  int Rank = 0;
+  std::vector<TreeElement> Elements;
+  std::vector<int> Leaves;
+  std::vector<int> RootStates;
+  VertexHierarchy Hierarchy;
+  std::map<std::array<int, 4>, int> BoundaryAttribute; ///< by sorted nodes, -1 filling up
+  std::unordered_map<int, int> VertexOf;               ///< by node
+  std::vector<int> NodeOf;                             ///< by vertex
+  MeshFile Mesh;
+};
+
+std::array<int, 4> Sorted(std::span<const int> nodes)
+{
+  std::array<int, 4> key{ -1, -1, -1, -1 };
+  std::ranges::copy(nodes, key.begin());
+  std::ranges::sort(key);
+  return key;
+}
+
+void Forest::ReadHeader()
+{
+  Scanner.Expect("dimension");
+  RequireThreeDimensions(Scanner);
+  if (Scanner.Peek() == "rank")
+  {
+    Scanner.Word("rank");
+    Rank = Scanner.Integer("the rank");
+  }
+  if (Scanner.Peek() == "sfc_version")
+  {
+    Scanner.Word("sfc_version");
+    Scanner.Integer("the version of the space-filling curve", 0, 0);
+  }
+}
+
+void Forest::ReadElement(int index, int count)
+{
+  TreeElement& element = Elements[index];
+  const int rank = Scanner.Integer("a rank");
+  element.cell.attribute = Scanner.Integer("an attribute");
+  const int geometry = Scanner.Integer("an element's geometry type", -1, 7);
+  if (geometry < 0)
+  {
+    return; // a place that was left free
+  }
+  element.used = true;
+  element.cell.geometry = static_cast<Geometry>(geometry);
+  if (geometry < static_cast<int>(Geometry::Tetrahedron))
+  {
+    Scanner.Fail("geometry type " + std::to_string(geometry) + " is no solid's.");
+  }
+  element.refinement = Scanner.Integer("a refinement type", 0, kAllDirections);
+  if (element.refinement != 0)
+  {
+    for (int& child : std::span(element.children).first(ChildrenOf(element.refinement)))
+    {
+      child = Scanner.Integer("a child", 0, count - 1);
+    }
+    return;
+  }
+  if (rank != Rank)
+  {
+    Scanner.FailUnsupported("this is one piece of a parallel mesh (rank " + std::to_string(rank) +
+      " beside " + std::to_string(Rank) + "); save the whole mesh and read that.");
+  }
+  for (int& node : std::span(element.cell.vertices).first(TableOf(element.cell.geometry).vertices))
+  {
+    node = Scanner.Integer("a vertex", 0, kMostNodes);
+  }
+}
+
+void Forest::ReadBoundary()
+{
+  const int count = Scanner.Count("the number of boundary elements", kShortestElement);
+  for (int i = 0; i < count; ++i)
+  {
+    const Cell cell = ReadCell(Scanner, kMostNodes, false);
+    BoundaryAttribute[Sorted(std::span(cell.vertices).first(TableOf(cell.geometry).vertices))] =
+      cell.attribute;
+  }
+}
+
+void Forest::ReadRootStates()
+{
+  const int count = Scanner.Count("the number of root states", 2);
+  for (int i = 0; i < count; ++i)
+  {
+    RootStates.push_back(Scanner.Integer("a root state", 0, kStates - 1));
+  }
+}
+
+void Forest::LinkChildren()
+{
+  for (const TreeElement& element : Elements)
+  {
+    for (const int child : std::span(element.children).first(ChildrenOf(element.refinement)))
+    {
+      if (Elements[child].isChild || !Elements[child].used)
+      {
+        Scanner.Fail("element " + std::to_string(child) +
+          (Elements[child].used ? " has two parents" : " is a child but not there") +
+          "; the refinement tree is damaged.");
+      }
+      Elements[child].isChild = true;
+    }
+  }
+}
+
+void Forest::CollectLeaves(int element, int state, int depth)
+{
+  const TreeElement& e = Elements[element];
+  if (depth > kDeepestTree)
+  {
+    Scanner.Fail("the refinement tree is deeper than " + std::to_string(kDeepestTree) +
+      " levels; it is damaged.");
+  }
+  if (e.refinement == 0)
+  {
+    Leaves.push_back(element);
+    return;
+  }
+  if (e.cell.geometry == Geometry::Cube && e.refinement == kAllDirections)
+  {
+    const HilbertState& curve = HilbertCurve(state);
+    for (int i = 0; i < 8; ++i)
+    {
+      CollectLeaves(e.children[curve.child[i]], curve.state[i], depth + 1);
+    }
+    return;
+  }
+  for (const int child : std::span(e.children).first(ChildrenOf(e.refinement)))
+  {
+    CollectLeaves(child, state, depth + 1);
+  }
+}
+
+void Forest::CollectAllLeaves()
+{
+  std::size_t root = 0;
+  for (std::size_t i = 0; i < Elements.size(); ++i)
+  {
+    if (Elements[i].used && !Elements[i].isChild)
+    {
+      CollectLeaves(static_cast<int>(i), root < RootStates.size() ? RootStates[root] : 0, 0);
+      ++root;
+    }
+  }
+}
+
+void Forest::NumberVertices()
+{
+  std::vector<int> coarse;
+  std::vector<int> fine; // in the leaves' order
+  for (const int leaf : Leaves)
+  {
+    const Cell& cell = Elements[leaf].cell;
+    for (const int node : std::span(cell.vertices).first(TableOf(cell.geometry).vertices))
+    {
+      if (VertexOf.try_emplace(node, -1).second)
+      {
+        (Hierarchy.HasParents(node) ? fine : coarse).push_back(node);
+      }
+    }
+  }
+  std::ranges::sort(coarse);
+  NodeOf = coarse;
+  NodeOf.insert(NodeOf.end(), fine.begin(), fine.end());
+  for (std::size_t v = 0; v < NodeOf.size(); ++v)
+  {
+    VertexOf[NodeOf[v]] = static_cast<int>(v);
+  }
+  Mesh.vertices = static_cast<int>(NodeOf.size());
+  for (const int leaf : Leaves)
+  {
+    Cell cell = Elements[leaf].cell;
+    for (int& node : std::span(cell.vertices).first(TableOf(cell.geometry).vertices))
+    {
+      node = VertexOf.at(node);
+    }
+    Mesh.elements.push_back(cell);
+  }
+}
+
+void Forest::CollectBoundary()
+{
+  for (std::size_t e = 0; e < Leaves.size() && !BoundaryAttribute.empty(); ++e)
+  {
+    const Cell& nodes = Elements[Leaves[e]].cell;
+    for (const LocalFace& face : TableOf(nodes.geometry).faces)
+    {
+      Cell cell{ face.geometry, 0, {} };
+      const int corners = TableOf(face.geometry).vertices;
+      std::array<int, 4> key{};
+      for (int k = 0; k < corners; ++k)
+      {
+        key[k] = nodes.vertices[face.vertices[k]];
+        cell.vertices[k] = Mesh.elements[e].vertices[face.vertices[k]];
+      }
+      const auto found = BoundaryAttribute.find(Sorted(std::span(key).first(corners)));
+      if (found != BoundaryAttribute.end())
+      {
+        cell.attribute = found->second;
+        Mesh.boundary.push_back(cell);
+      }
+    }
+  }
+}
+
+void Forest::ReadPositions()
+{
+  Hierarchy.ReadCoordinates(Scanner);
+  for (const int node : NodeOf)
+  {
+    const auto x = Hierarchy.Position(Scanner, node);
+    Mesh.coordinates.insert(Mesh.coordinates.end(), x.begin(), x.end());
+  }
+}
+
+void Forest::ReadSection(std::string_view section)
+{
+  if (section == "boundary")
+  {
+    ReadBoundary();
+  }
+  else if (section == "vertex_parents")
+  {
+    Hierarchy.ReadParents(Scanner, Scaled);
+  }
+  else if (section == "root_state")
+  {
+    ReadRootStates();
+  }
+  else
+  {
+    Scanner.Fail("'" + std::string(section.substr(0, 40)) +
+      "' is no section of a non-conforming mesh that is read here.");
+  }
+}
+
+MeshFile Forest::Read()
+{
+  ReadHeader();
+  Scanner.Expect("elements");
+  const int count = Scanner.Count("the number of elements", kShortestElement);
+  Elements.resize(count);
+  for (int i = 0; i < count; ++i)
+  {
+    ReadElement(i, count);
+  }
+  LinkChildren();
+  std::string_view section;
+  while ((section = Scanner.Word("a section of the mesh")) != "coordinates" && section != "nodes")
+  {
+    ReadSection(section);
+  }
+  CollectAllLeaves();
+  NumberVertices();
+  CollectBoundary();
+  if (section == "nodes")
+  {
+    Mesh.nodes = ReadGridFunction(Scanner);
+  }
+  else
+  {
+    ReadPositions();
+  }
+  if (Scanner.Peek() == "mfem_mesh_end")
+  {
+    Scanner.Word("the end of the mesh");
+  }
+  return std::move(Mesh);
+}
+} // namespace
+
+int ChildrenOf(int refinement)
+{
+  return refinement == 0 ? 0 : 1 << std::popcount(static_cast<unsigned>(refinement));
+}
+
+MeshFile ReadNonconforming(TextScanner& scanner, bool scaled)
+{
+  return Forest(scanner, scaled).Read();
+}
+} // namespace pixelexact::mfem

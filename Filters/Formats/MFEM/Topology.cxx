@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Formats/MFEM/Topology.h"
+
+#include "Formats/MFEM/GeometryTable.h"
+
+#include <algorithm>
+
+namespace pixelexact::mfem
+{
+namespace
+{
+/// MFEM's number of the permutation from `base` to `seen`. Vertices that coincide, as in small
+/// periodic meshes, leave it ambiguous; the first match counts.
+int TriangleOrientation(const std::array<int, 4>& base, const std::array<int, 4>& seen)
+{
+  if (seen[0] == base[0])
+  {
+    return seen[1] == base[1] ? 0 : 5;
+  }
+  if (seen[0] == base[1])
+  {
+    return seen[1] == base[0] ? 1 : 2;
+  }
+  return seen[1] == base[0] ? 4 : 3;
+}
+
+int SquareOrientation(const std::array<int, 4>& base, const std::array<int, 4>& seen)
+{
+  const auto i = static_cast<int>(std::ranges::find(seen, base[0]) - seen.begin()) % 4;
+  return seen[(i + 1) % 4] == base[1] ? 2 * i : 2 * i + 1;
+}
+} // namespace
+
+Topology::FaceKey Topology::KeyOf(std::span<const int> vertices)
+{
+  FaceKey key{ -1, -1, -1, -1 };
+  std::ranges::copy(vertices, key.begin());
+  std::ranges::sort(key);
+  return key;
+}
+
+Topology::Topology(const MeshFile& mesh)
+{
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+  {
+    FirstEdge.push_back(EdgeIncidences.size());
+    FirstFace.push_back(FaceIncidences.size());
+    AddEdges(mesh.elements[e]);
+    AddFaces(mesh.elements[e], static_cast<int>(e));
+  }
+  FirstEdge.push_back(EdgeIncidences.size());
+  FirstFace.push_back(FaceIncidences.size());
+}
+
+void Topology::AddEdges(const Cell& cell)
+{
+  for (const auto& edge : TableOf(cell.geometry).edges)
+  {
+    const int a = cell.vertices[edge[0]];
+    const int b = cell.vertices[edge[1]];
+    const auto [at, isNew] =
+      EdgeOf.try_emplace({ std::min(a, b), std::max(a, b) }, static_cast<int>(EdgeOf.size()));
+    EdgeIncidences.push_back({ at->second, a < b ? 1 : -1 });
+  }
+}
+
+void Topology::AddFaces(const Cell& cell, int element)
+{
+  const auto faces = TableOf(cell.geometry).faces;
+  for (std::size_t local = 0; local < faces.size(); ++local)
+  {
+    const LocalFace& face = faces[local];
+    const int corners = TableOf(face.geometry).vertices;
+    std::array<int, 4> seen{ -1, -1, -1, -1 };
+    for (int k = 0; k < corners; ++k)
+    {
+      seen[k] = cell.vertices[face.vertices[k]];
+    }
+    const auto [at, isNew] =
+      FaceOf.try_emplace(KeyOf(std::span(seen).first(corners)), static_cast<int>(FaceList.size()));
+    if (isNew)
+    {
+      FaceList.push_back({ seen, { element, static_cast<int>(local) } });
+      FaceGeometries.push_back(face.geometry);
+    }
+    const auto& base = FaceList[at->second].vertices;
+    FaceIncidences.push_back({ at->second,
+      face.geometry == Geometry::Triangle ? TriangleOrientation(base, seen)
+                                          : SquareOrientation(base, seen) });
+  }
+}
+
+std::span<const Incidence> Topology::EdgesOf(std::size_t element) const
+{
+  return std::span(EdgeIncidences)
+    .subspan(FirstEdge[element], FirstEdge[element + 1] - FirstEdge[element]);
+}
+
+std::span<const Incidence> Topology::FacesOf(std::size_t element) const
+{
+  return std::span(FaceIncidences)
+    .subspan(FirstFace[element], FirstFace[element + 1] - FirstFace[element]);
+}
+
+std::optional<Topology::Owner> Topology::FindFace(std::span<const int> vertices) const
+{
+  const auto found = FaceOf.find(KeyOf(vertices));
+  return found == FaceOf.end() ? std::nullopt : std::optional(FaceList[found->second].owner);
+}
+} // namespace pixelexact::mfem

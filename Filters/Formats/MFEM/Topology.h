@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Formats/MFEM/MeshFile.h"
+
+#include <array>
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace pixelexact::mfem
+{
+/// An element's relation to one of its edges or faces.
+struct Incidence
+{
+  int entity = 0;
+  /// Edges: +1 from the lower vertex number to the higher, -1 otherwise. Faces: MFEM's number of
+  /// the permutation from the face's vertices, as its first element has them, to this element's.
+  int orientation = 0;
+};
+
+/// Edges and faces of a mesh, numbered as MFEM does: in the order in which the elements come upon
+/// them. Where elements of different refinement meet, each has faces of its own.
+class Topology
+{
+public:
+  explicit Topology(const MeshFile& mesh);
+
+  [[nodiscard]] int Edges() const { return static_cast<int>(EdgeOf.size()); }
+  [[nodiscard]] int Faces() const { return static_cast<int>(FaceGeometries.size()); }
+  [[nodiscard]] Geometry FaceGeometry(int face) const { return FaceGeometries[face]; }
+  [[nodiscard]] std::span<const Incidence> EdgesOf(std::size_t element) const;
+  [[nodiscard]] std::span<const Incidence> FacesOf(std::size_t element) const;
+
+  /// The first element that has a face of the given vertices, and the face's number there.
+  struct Owner
+  {
+    int element;
+    int localFace;
+  };
+  [[nodiscard]] std::optional<Owner> FindFace(std::span<const int> vertices) const;
+
+private:
+  using FaceKey = std::array<int, 4>;
+  struct Face
+  {
+    FaceKey vertices; ///< in the first element's order; the fourth is -1 for triangles
+    Owner owner;
+  };
+  static FaceKey KeyOf(std::span<const int> vertices);
+  void AddEdges(const Cell& cell);
+  void AddFaces(const Cell& cell, int element);
+
+  std::map<std::array<int, 2>, int> EdgeOf;
+  std::map<FaceKey, int> FaceOf;
+  std::vector<Face> FaceList;
+  std::vector<Geometry> FaceGeometries;
+  std::vector<Incidence> EdgeIncidences;
+  std::vector<Incidence> FaceIncidences;
+  std::vector<std::size_t> FirstEdge; ///< per element, and one more
+  std::vector<std::size_t> FirstFace;
+};
+} // namespace pixelexact::mfem

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Formats/MFEM/VectorSpaces.h"
+
+#include <algorithm>
+#include <array>
+
+namespace pixelexact::mfem
+{
+namespace
+{
+constexpr long double kTetrahedronCentre = 1 / 4.0L;
+constexpr long double kTriangleCentre = 1 / 3.0L;
+
+LongVec3 Scaled(long double factor, const LongVec3& a)
+{
+  return { factor * a[0], factor * a[1], factor * a[2] };
+}
+
+/// The modes of full order, and of those the ones that do not depend on the first coordinate.
+struct TopModes
+{
+  std::vector<int> all;
+  std::vector<int> withoutFirst;
+};
+
+TopModes TopModesOf(const Space& space)
+{
+  TopModes top;
+  ForEachMode(space,
+    [&](int p, int q, int r, int mode)
+    {
+      if (p + q + r == space.MaxOrder())
+      {
+        top.all.push_back(mode);
+        if (p == 0)
+        {
+          top.withoutFirst.push_back(mode);
+        }
+      }
+    });
+  return top;
+}
+
+/// Polynomials in the plane of the prism's triangle.
+struct PlaneFunctions
+{
+  int count;
+  std::function<void(long double x, long double y, std::vector<std::array<long double, 2>>&)>
+    evaluate;
+};
+
+Space TriangleSpace(int order)
+{
+  const auto n = static_cast<std::uint8_t>(order);
+  return { Shape::Prism, Form::Collapsed, { n, 0, n } };
+}
+
+std::vector<long double> TriangleModes(int order, long double x, long double y)
+{
+  const Space space = TriangleSpace(order);
+  std::vector<long double> modes(space.Modes());
+  EvaluateModes(space, { 2 * x - 1, 0, 2 * y - 1 }, modes.data());
+  return modes;
+}
+
+/// Both components of every polynomial of order m, and those of order m + 1 that the kind adds.
+PlaneFunctions Plane(Continuity kind, int m)
+{
+  const Space space = TriangleSpace(m);
+  const auto top = TopModesOf(space).all;
+  return { 2 * space.Modes() + static_cast<int>(top.size()),
+    [kind, m, top](long double x, long double y, std::vector<std::array<long double, 2>>& values)
+    {
+      const auto modes = TriangleModes(m, x, y);
+      values.clear();
+      for (const long double mode : modes)
+      {
+        values.push_back({ mode, 0 });
+        values.push_back({ 0, mode });
+      }
+      const long double dx = x - kTriangleCentre;
+      const long double dy = y - kTriangleCentre;
+      for (const int t : top)
+      {
+        values.push_back(kind == Continuity::HCurl
+            ? std::array{ modes[t] * dy, -modes[t] * dx }
+            : std::array{ modes[t] * dx, modes[t] * dy });
+      }
+    } };
+}
+
+/// Legendre's polynomials on [0,1].
+std::vector<long double> LineModes(int order, long double z)
+{
+  std::vector<long double> modes(order + 1, 1.0L);
+  for (int i = 1; i <= order; ++i)
+  {
+    modes[i] = ((2 * i - 1) * (2 * z - 1) * modes[i - 1] - (i > 1 ? (i - 1) * modes[i - 2] : 0)) / i;
+  }
+  return modes;
+}
+
+void CurlPyramid(const LongVec3& unit, LongVec3* values)
+{
+  const long double z = unit[2];
+  const long double low = 1 - z;
+  const long double x = unit[0] / low;
+  const long double y = unit[1] / low;
+  const long double bend = x * y * (1 - 2 * z);
+  values[0] = { (1 - y) * low, 0, x * (1 - y) * low };
+  values[1] = { 0, x * low, x * y * low };
+  values[2] = { y * low, 0, x * y * low };
+  values[3] = { 0, (1 - x) * low, (1 - x) * y * low };
+  values[4] = { (1 - y) * z, (1 - x) * z, 1 - unit[0] - unit[1] + bend };
+  values[5] = { -(1 - y) * z, x * z, unit[0] - bend };
+  values[6] = { -y * z, -x * z, bend };
+  values[7] = { y * z, -(1 - x) * z, unit[1] - bend };
+}
+
+void DivPyramid(const LongVec3& unit, LongVec3* values)
+{
+  const long double z = unit[2];
+  const long double x = unit[0] / (1 - z);
+  const long double y = unit[1] / (1 - z);
+  values[0] = { unit[0], unit[1], z - 1 };
+  values[1] = { -x * z / 2, y - 1 - y * z / 2, z / 2 };
+  values[2] = { x - x * z / 2, -y * z / 2, z / 2 };
+  values[3] = { -x * z / 2, y - y * z / 2, z / 2 };
+  values[4] = { x - 1 - x * z / 2, -y * z / 2, z / 2 };
+}
+} // namespace
+
+VectorSpace TetrahedronSpace(Continuity kind, int order)
+{
+  const bool curl = kind == Continuity::HCurl;
+  const Space space = UniformSpace(Shape::Tetrahedron, curl ? order - 1 : order);
+  const TopModes top = TopModesOf(space);
+  const auto tops = static_cast<int>(top.all.size());
+  const auto last = static_cast<int>(top.withoutFirst.size());
+  return { 3 * space.Modes() + (curl ? 2 * tops + last : tops),
+    [curl, space, top](const LongVec3& unit, LongVec3* values)
+    {
+      std::vector<long double> modes(space.Modes());
+      EvaluateModes(
+        space, { 2 * unit[0] - 1, 2 * unit[1] - 1, 2 * unit[2] - 1 }, modes.data());
+      for (const long double mode : modes)
+      {
+        *values++ = { mode, 0, 0 };
+        *values++ = { 0, mode, 0 };
+        *values++ = { 0, 0, mode };
+      }
+      const long double x = unit[0] - kTetrahedronCentre;
+      const long double y = unit[1] - kTetrahedronCentre;
+      const long double z = unit[2] - kTetrahedronCentre;
+      for (const int t : top.all)
+      {
+        if (!curl)
+        {
+          *values++ = Scaled(modes[t], { x, y, z });
+          continue;
+        }
+        *values++ = Scaled(modes[t], { y, -x, 0 });
+        *values++ = Scaled(modes[t], { z, 0, -x });
+      }
+      // The third rotation adds what has no factor x: x (0, z, -y) = y (z, 0, -x) - z (y, -x, 0).
+      for (std::size_t i = 0; curl && i < top.withoutFirst.size(); ++i)
+      {
+        *values++ = Scaled(modes[top.withoutFirst[i]], { 0, z, -y });
+      }
+    } };
+}
+
+VectorSpace PrismSpace(Continuity kind, int order)
+{
+  const bool curl = kind == Continuity::HCurl;
+  const auto plane = Plane(kind, curl ? order - 1 : order);
+  const int lying = order;                          // line order of the components in the plane
+  const int upright = curl ? order - 1 : order + 1; // and of the one across it
+  return { plane.count * (lying + 1) + TriangleSpace(order).Modes() * (upright + 1),
+    [plane, lying, upright, order](const LongVec3& unit, LongVec3* values)
+    {
+      const auto line = LineModes(std::max(lying, upright), unit[2]);
+      std::vector<std::array<long double, 2>> inPlane;
+      plane.evaluate(unit[0], unit[1], inPlane);
+      for (int q = 0; q <= lying; ++q)
+      {
+        for (const auto& [x, y] : inPlane)
+        {
+          *values++ = { x * line[q], y * line[q], 0 };
+        }
+      }
+      const auto modes = TriangleModes(order, unit[0], unit[1]);
+      for (int q = 0; q <= upright; ++q)
+      {
+        for (const long double mode : modes)
+        {
+          *values++ = { 0, 0, mode * line[q] };
+        }
+      }
+    } };
+}
+
+VectorSpace LowestPyramidSpace(Continuity kind)
+{
+  return kind == Continuity::HCurl ? VectorSpace{ 8, CurlPyramid } : VectorSpace{ 5, DivPyramid };
+}
+} // namespace pixelexact::mfem

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Basis/BasisFactor.h"
+#include "Formats/ElementBasis.h"
+
+namespace pixelexact::nektar
+{
+/// The part of the modified basis that does not vanish on a solid's boundary, as functions of
+/// values on its faces. Nektar++ builds an element's map from its faces alone: one after the other,
+/// each sets the coefficients of the modes that it sees. Where neighbours differ by the rounding of
+/// the file, the last one has what they share; so every face has nodes of its own here.
+struct BoundaryBasis
+{
+  struct Node
+  {
+    int face = 0;                         ///< of the solid
+    std::array<long double, 4> weights{}; ///< of that face's vertices, in the solid's order
+  };
+  std::vector<Node> nodes;
+  ElementBasis basis;
+};
+
+BoundaryBasis MakeBoundaryBasis(Shape shape, int order);
+} // namespace pixelexact::nektar

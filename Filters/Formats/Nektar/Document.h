@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Formats/Nektar/Reader.h"
+
+#include <cstdint>
+#include <cstring>
+#include <pugixml.hpp>
+#include <string>
+#include <vector>
+
+namespace pixelexact::nektar
+{
+/// A Nektar++ XML file. Entities beyond XML's own five are not expanded, a document type is
+/// refused.
+class Document
+{
+public:
+  /// Throws InvalidData: "<file>: ..." for what is no XML or has no NEKTAR element.
+  explicit Document(const NamedText& file);
+
+  [[nodiscard]] pugi::xml_node Root() const { return Xml.child("NEKTAR"); }
+  [[nodiscard]] const std::string& Name() const { return FileName; }
+
+  /// "<file>, <TAG ID=...>".
+  [[nodiscard]] std::string Place(const pugi::xml_node& node) const;
+  [[noreturn]] void Fail(const pugi::xml_node& node, const std::string& problem) const;
+  [[noreturn]] void FailUnsupported(const pugi::xml_node& node, const std::string& problem) const;
+
+  /// Whether the element's text is a compressed block; fails for forms that are not known.
+  [[nodiscard]] bool IsCompressed(const pugi::xml_node& node) const;
+  /// The fixed-size records of a compressed block, at most `most` of them.
+  template <class Record>
+  std::vector<Record> Records(const pugi::xml_node& node, std::size_t most) const
+  {
+    std::vector<Record> records;
+    const auto bytes = Bytes(node, most * sizeof(Record));
+    if (bytes.size() % sizeof(Record) != 0)
+    {
+      Fail(node,
+        "the compressed data hold " + std::to_string(bytes.size()) +
+          " bytes, which is no multiple of a record's " + std::to_string(sizeof(Record)) +
+          "; the file is damaged.");
+    }
+    records.resize(bytes.size() / sizeof(Record));
+    if (!records.empty())
+    {
+      std::memcpy(records.data(), bytes.data(), bytes.size());
+    }
+    return records;
+  }
+
+  /// Whole numbers in an element's text; fails unless there are `count` of them.
+  std::vector<std::int64_t> Integers(const pugi::xml_node& node, std::size_t count) const;
+  /// Numbers in an element's text.
+  std::vector<double> Numbers(const pugi::xml_node& node) const;
+  /// An attribute that must be a whole number that is not negative.
+  std::int64_t Id(const pugi::xml_node& node, const char* attribute) const;
+  /// A list such as "0-65,70"; fails for more than `most` numbers.
+  std::vector<std::int64_t> List(
+    const pugi::xml_node& node, std::string_view text, std::size_t most) const;
+
+  /// No compressed block of the file may expand to more: a thousandfold, zlib's limit.
+  [[nodiscard]] std::size_t MostBytes() const { return MostExpanded; }
+
+private:
+  [[nodiscard]] std::vector<std::byte> Bytes(const pugi::xml_node& node, std::size_t most) const;
+
+  std::string FileName;
+  pugi::xml_document Xml;
+  std::size_t MostExpanded;
+};
+
+/// Without blanks at the ends.
+std::string_view Trim(std::string_view text);
+} // namespace pixelexact::nektar

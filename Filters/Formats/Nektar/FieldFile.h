@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Formats/Nektar/Document.h"
+
+#include "Core/Shape/Shape.h"
+
+#include <array>
+#include <optional>
+
+namespace pixelexact::nektar
+{
+/// What a family of functions is along each direction, and how many there are.
+struct Expansion3
+{
+  Shape shape = Shape::Hexahedron;
+  std::array<std::string, 3> families; ///< "Modified_A", ...
+  std::array<int, 3> count{};
+
+  auto operator<=>(const Expansion3&) const = default;
+};
+
+/// An element's coefficients in a block.
+struct ElementData
+{
+  std::int64_t id = 0;
+  int expansion = 0;      ///< index in FieldBlock::expansions
+  std::size_t offset = 0; ///< of its first coefficient among those of one field
+  std::size_t count = 0;
+};
+
+/// One ELEMENTS block.
+struct FieldBlock
+{
+  std::vector<std::string> fields;
+  std::vector<Expansion3> expansions;
+  std::vector<ElementData> elements;
+  std::size_t perField = 0;
+  std::vector<double> values; ///< field by field
+};
+
+struct FieldFile
+{
+  std::optional<double> time;
+  std::vector<FieldBlock> blocks;
+};
+
+/// Reads a part of a field file. Throws InvalidData and Unsupported.
+FieldFile ReadFieldFile(const NamedText& file);
+
+/// "Modified_A x Modified_A x Modified_B".
+std::string Describe(const Expansion3& expansion);
+} // namespace pixelexact::nektar

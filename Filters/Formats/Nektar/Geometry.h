@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Formats/Nektar/Document.h"
+
+#include "Core/Shape/Shape.h"
+#include "Formats/SolverModel.h"
+
+#include <array>
+#include <unordered_map>
+
+namespace pixelexact::nektar
+{
+using Point = std::array<double, 3>;
+
+/// How a curve's points are distributed.
+enum class Distribution : std::uint8_t
+{
+  Equispaced,
+  GaussLobatto,
+  LobattoChebyshev,
+  TriangleEquispaced,
+  TriangleWarped ///< Gauss-Lobatto on the edges: Nektar++'s Elec, Fekete and SPI up to order 3
+};
+
+/// Points on a curved edge or face, in its own order.
+struct Curve
+{
+  Distribution distribution = Distribution::Equispaced;
+  int order = 1; ///< points along an edge, less one
+  std::vector<Point> points;
+};
+
+struct Edge
+{
+  std::array<std::int64_t, 2> vertices{};
+  int curve = -1; ///< index in Geometry::curves, or -1
+};
+
+/// A face by its edges; triangles have three. Its vertices are in its own order.
+struct Face
+{
+  int corners = 0;
+  std::array<std::int64_t, 4> edges{};
+  std::array<std::int64_t, 4> vertices{};
+  int curve = -1;
+};
+
+struct Solid
+{
+  std::int64_t id = 0;
+  Shape shape = Shape::Hexahedron;
+  std::array<std::int64_t, 6> faces{};
+};
+
+/// A session's GEOMETRY, with all references resolved or refused.
+struct Geometry
+{
+  std::unordered_map<std::int64_t, Point> vertices;
+  std::unordered_map<std::int64_t, Edge> edges;
+  std::unordered_map<std::int64_t, Face> faces;
+  std::vector<Solid> solids; ///< hexahedra, prisms, pyramids, tetrahedra as the file has them
+  std::vector<Curve> curves;
+  /// Per composite: its number, name, and the ids of its solids or faces.
+  struct Composite
+  {
+    int number = 0;
+    std::string name;
+    bool boundary = false;
+    std::vector<std::int64_t> members;
+  };
+  std::vector<Composite> composites;
+};
+
+/// Reads the GEOMETRY element of a document. Throws InvalidData and Unsupported.
+Geometry ReadGeometry(const Document& document);
+} // namespace pixelexact::nektar

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Basis/BasisFactor.h"
+#include "Core/Shape/Shape.h"
+
+#include <array>
+#include <vector>
+
+// The modified basis (Karniadakis and Sherwin, section 3.2), as Nektar++ orders and uses it.
+namespace pixelexact::nektar
+{
+/// A mode by its three indices.
+struct Mode
+{
+  int p;
+  int q;
+  int r;
+};
+
+/// The modes of a shape with so many modes along each direction, in the order of the files.
+std::vector<Mode> ModesOf(Shape shape, const std::array<int, 3>& count);
+
+/// Whether a mode of the modified basis vanishes on the shape's boundary.
+bool IsInterior(Shape shape, const Mode& mode);
+
+/// A_n(z): the vertex functions (1 - z) / 2 and (1 + z) / 2, then bubbles.
+long double ModifiedA(int n, long double z);
+
+/// The mode's value at xi of the shape's inside.
+long double ModifiedMode(Shape shape, const Mode& mode, const LongVec3& xi);
+
+/// The same for the orthogonal basis; pyramids throw Unsupported.
+long double OrthogonalMode(Shape shape, const Mode& mode, const LongVec3& xi);
+} // namespace pixelexact::nektar

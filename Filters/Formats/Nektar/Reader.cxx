@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Formats/Nektar/Reader.h"
+
+#include "Core/Base/Error.h"
+#include "Formats/Assembly.h"
+#include "Formats/Nektar/BoundaryBasis.h"
+#include "Formats/Nektar/FaceMaps.h"
+#include "Formats/Nektar/FieldBasis.h"
+#include "Formats/Nektar/SolidTable.h"
+
+#include <algorithm>
+#include <map>
+#include <unordered_map>
+
+namespace pixelexact::nektar
+{
+namespace
+{
+/// A solid with its vertices found.
+struct Element
+{
+  const Solid* solid;
+  std::array<std::int64_t, 8> vertices{};
+};
+
+/// A vertex is what the faces that meet there have in common.
+std::int64_t CommonVertex(
+  const Geometry& geometry, const Solid& solid, const std::array<int, 3>& meeting)
+{
+  const auto has = [&](int face, std::int64_t v)
+  {
+    const Face& f = geometry.faces.at(solid.faces[face]);
+    return std::ranges::count(std::span(f.vertices).first(f.corners), v) > 0;
+  };
+  const Face& first = geometry.faces.at(solid.faces[meeting[0]]);
+  for (const auto v : std::span(first.vertices).first(first.corners))
+  {
+    if (has(meeting[1], v) && has(meeting[2], v))
+    {
+      return v;
+    }
+  }
+  throw InvalidData("element " + std::to_string(solid.id) +
+    ": its faces do not close; they are not listed in Nektar++'s order.");
+}
+
+class ModelBuilder
+{
+public:
+  ModelBuilder(const Geometry& geometry, std::string name)
+    : Source(geometry)
+    , Name(std::move(name))
+  {
+    FindElements();
+    AddMap();
+    AddCorners();
+    AddComposites();
+  }
+
+  void AddFields(const std::vector<NamedText>& parts);
+
+  SolverModel Model;
+
+private:
+  void FindElements();
+  void AddMap();
+  void AddCorners();
+  void AddComposites();
+  LongVec3 PositionOf(
+    const FaceMaps& maps, const Element& element, const BoundaryBasis::Node& node) const;
+
+  const Geometry& Source;
+  std::string Name;
+  std::vector<Element> Elements;
+  std::unordered_map<std::int64_t, int> ElementOf; ///< by id
+};
+
+void ModelBuilder::FindElements()
+{
+  for (const Solid& solid : Source.solids)
+  {
+    const SolidTable& table = TableOf(solid.shape);
+    Element element{ &solid, {} };
+    for (std::size_t f = 0; f < table.faces.size(); ++f)
+    {
+      if (Source.faces.at(solid.faces[f]).corners != table.faces[f].corners)
+      {
+        throw InvalidData(Name + ": face " + std::to_string(f) + " of element " +
+          std::to_string(solid.id) + " has the wrong number of edges for a " +
+          pixelexact::Name(solid.shape) + ".");
+      }
+    }
+    for (std::size_t v = 0; v < table.meeting.size(); ++v)
+    {
+      try
+      {
+        element.vertices[v] = CommonVertex(Source, solid, table.meeting[v]);
+      }
+      catch (const InvalidData& error)
+      {
+        throw InvalidData(Name + ": " + error.what());
+      }
+    }
+    if (!ElementOf.try_emplace(solid.id, static_cast<int>(Elements.size())).second)
+    {
+      throw InvalidData(Name + ": there are two elements of number " + std::to_string(solid.id) +
+        "; the file contradicts itself.");
+    }
+    Elements.push_back(element);
+  }
+  if (Elements.empty())
+  {
+    throw InvalidData(Name + ": there are no solid elements; only 3-D meshes are read.");
+  }
+}
+
+/// Where the element's own order of a face's vertices meets the face's.
+LongVec3 ModelBuilder::PositionOf(
+  const FaceMaps& maps, const Element& element, const BoundaryBasis::Node& node) const
+{
+  const SolidFace& local = TableOf(element.solid->shape).faces[node.face];
+  const Face& face = Source.faces.at(element.solid->faces[node.face]);
+  std::array<long double, 4> weights{};
+  for (int k = 0; k < local.corners; ++k)
+  {
+    const auto vertices = std::span(face.vertices).first(face.corners);
+    const auto found = std::ranges::find(vertices, element.vertices[local.vertices[k]]);
+    if (found == vertices.end())
+    {
+      throw InvalidData(Name + ": the faces of element " + std::to_string(element.solid->id) +
+        " are not listed in Nektar++'s order.");
+    }
+    weights[found - vertices.begin()] = node.weights[k];
+  }
+  return maps.At(face, weights);
+}
+
+void ModelBuilder::AddMap()
+{
+  const FaceMaps maps(Source);
+  std::map<std::pair<Shape, int>, BoundaryBasis> known;
+  std::vector<const ElementBasis*> bases;
+  std::vector<const BoundaryBasis*> boundaries;
+  for (const Element& element : Elements)
+  {
+    int order = 1;
+    for (std::size_t f = 0; f < TableOf(element.solid->shape).faces.size(); ++f)
+    {
+      order = std::max(order, maps.OrderOf(Source.faces.at(element.solid->faces[f])));
+    }
+    const std::pair key(element.solid->shape, order);
+    if (!known.contains(key))
+    {
+      known[key] = MakeBoundaryBasis(element.solid->shape, order);
+    }
+    boundaries.push_back(&known.at(key));
+    bases.push_back(&known.at(key).basis);
+  }
+  AssembleMap(
+    bases,
+    [&](std::size_t e, std::span<double> source)
+    {
+      const auto& nodes = boundaries[e]->nodes;
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+      {
+        const LongVec3 x = PositionOf(maps, Elements[e], nodes[i]);
+        for (std::size_t c = 0; c < 3; ++c)
+        {
+          source[c * nodes.size() + i] = static_cast<double>(x[c]);
+        }
+      }
+    },
+    [&](std::size_t e) { return Name + ": element " + std::to_string(Elements[e].solid->id); },
+    Model.mesh);
+}
+
+void ModelBuilder::AddCorners()
+{
+  for (const Element& element : Elements)
+  {
+    Model.mesh.number.push_back(element.solid->id);
+    Corners& corners = Model.mesh.corners.emplace_back();
+    const auto& vtk = TableOf(element.solid->shape).vtkVertex;
+    for (std::size_t k = 0; k < vtk.size(); ++k)
+    {
+      corners[k] = element.vertices[vtk[k]];
+    }
+  }
+}
+
+void ModelBuilder::AddComposites()
+{
+  SolverMesh& mesh = Model.mesh;
+  mesh.attribute.assign(Elements.size(), 0);
+  std::unordered_map<std::int64_t, BoundaryFace> owner; // faces of one element; -1: of two
+  for (std::size_t e = 0; e < Elements.size(); ++e)
+  {
+    const auto& faces = TableOf(Elements[e].solid->shape).faces;
+    for (std::size_t f = 0; f < faces.size(); ++f)
+    {
+      owner.try_emplace(Elements[e].solid->faces[f],
+        BoundaryFace{ static_cast<std::int32_t>(e), faces[f].vtkFace, 0 });
+    }
+  }
+  std::vector<bool> taken(Elements.size(), false);
+  bool several = false;
+  for (const auto& composite : Source.composites)
+  {
+    mesh.groups.push_back({ composite.number, composite.name, composite.boundary });
+    for (const auto id : composite.members)
+    {
+      if (const auto face = owner.find(id); composite.boundary && face != owner.end())
+      {
+        mesh.boundary.push_back({ face->second.element, face->second.face, composite.number });
+      }
+      if (const auto element = ElementOf.find(id);
+          !composite.boundary && element != ElementOf.end())
+      {
+        several = several || taken[element->second];
+        mesh.attribute[element->second] =
+          taken[element->second] ? mesh.attribute[element->second] : composite.number;
+        taken[element->second] = true;
+      }
+    }
+  }
+  if (several)
+  {
+    Model.notes.push_back(
+      Name + ": elements lie in several composites; Attribute holds the first one of each.");
+  }
+}
+
+/// Where an element's coefficients are, and in which basis.
+struct Placement
+{
+  const FieldBlock* block = nullptr;
+  const ElementData* data = nullptr;
+  const ElementBasis* basis = nullptr;
+};
+
+void ModelBuilder::AddFields(const std::vector<NamedText>& parts)
+{
+  std::vector<FieldFile> files;
+  std::vector<Placement> places(Elements.size());
+  std::map<Expansion3, ElementBasis> bases;
+  std::vector<std::string> names;
+  std::string basisName;
+  files.reserve(parts.size());
+  for (const NamedText& part : parts)
+  {
+    const FieldFile& file = files.emplace_back(ReadFieldFile(part));
+    Model.time = file.time ? file.time : Model.time;
+    for (const FieldBlock& block : file.blocks)
+    {
+      if (names.empty())
+      {
+        names = block.fields;
+        basisName = Describe(block.expansions.empty() ? Expansion3{} : block.expansions.front());
+      }
+      if (block.fields != names)
+      {
+        throw InvalidData(part.name +
+          ": its blocks hold different fields; write them anew with "
+          "FieldConvert.");
+      }
+      for (const ElementData& data : block.elements)
+      {
+        const auto element = ElementOf.find(data.id);
+        const Expansion3& expansion = block.expansions[data.expansion];
+        if (element == ElementOf.end() || Elements[element->second].solid->shape != expansion.shape)
+        {
+          throw InvalidData(part.name + ": it has coefficients for " +
+            pixelexact::Name(expansion.shape) + " " + std::to_string(data.id) +
+            ", which the mesh of " + std::to_string(Elements.size()) + " elements (" + Name +
+            ") has not; the two do not belong together.");
+        }
+        Placement& place = places[element->second];
+        if (place.data)
+        {
+          throw InvalidData(
+            part.name + ": element " + std::to_string(data.id) + " has coefficients twice.");
+        }
+        try
+        {
+          auto at = bases.find(expansion);
+          at = at != bases.end() ? at : bases.emplace(expansion, MakeFieldBasis(expansion)).first;
+          place = { &block, &data, &at->second };
+        }
+        catch (const Unsupported& error)
+        {
+          throw Unsupported(part.name + ": " + error.what());
+        }
+        catch (const InvalidData& error)
+        {
+          throw InvalidData(part.name + ": " + error.what());
+        }
+      }
+    }
+  }
+  const auto missing = std::ranges::count(places, nullptr, &Placement::data);
+  if (missing > 0 || names.empty())
+  {
+    const auto first = std::ranges::find(places, nullptr, &Placement::data);
+    throw InvalidData(parts.front().name + ": it holds coefficients for " +
+      std::to_string(Elements.size() - missing) + " of the mesh's " +
+      std::to_string(Elements.size()) + " elements; element " +
+      (missing > 0 ? std::to_string(Elements[first - places.begin()].solid->id) : "0") +
+      " has none. The field belongs to another mesh, or parts are missing.");
+  }
+  std::vector<const ElementBasis*> ordered;
+  std::ranges::transform(places, std::back_inserter(ordered), &Placement::basis);
+  for (std::size_t f = 0; f < names.size(); ++f)
+  {
+    SolverField field;
+    field.name = names[f];
+    field.basis = basisName;
+    field.values = AssembleField(ordered, 1,
+      [&](std::size_t e, std::span<double> source)
+      {
+        const Placement& place = places[e];
+        std::copy_n(&place.block->values[f * place.block->perField + place.data->offset],
+          place.data->count, source.begin());
+      });
+    Model.fields.push_back(std::move(field));
+  }
+}
+} // namespace
+
+SolverModel Read(const std::vector<NamedText>& sessions, const std::vector<NamedText>& fieldParts)
+{
+  for (const NamedText& session : sessions)
+  {
+    const Document document(session);
+    if (document.Root().child("GEOMETRY"))
+    {
+      const Geometry geometry = ReadGeometry(document);
+      ModelBuilder builder(geometry, session.name);
+      if (!fieldParts.empty())
+      {
+        builder.AddFields(fieldParts);
+      }
+      return std::move(builder.Model);
+    }
+  }
+  throw InvalidData((sessions.empty() ? std::string("no session") : sessions.front().name) +
+    ": no file has an element GEOMETRY; name the file that holds the mesh as well.");
+}
+} // namespace pixelexact::nektar

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Element/Mesh.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+// What a solver's own files hold, in the canonical bases, before it is put into VTK's arrays: the
+// result of every reader in this folder. Nothing here knows VTK.
+namespace pixelexact
+{
+/// Coefficients in one block that can be handed on without a copy.
+struct CoefficientBlock
+{
+  std::unique_ptr<double[]> data;
+  std::size_t size = 0;
+};
+
+/// Expansion (Core/Element/Mesh.h) that owns its arrays.
+struct SolverExpansion
+{
+  std::vector<Space> spaces;         ///< the distinct ones
+  std::vector<std::int32_t> spaceOf; ///< per element
+  std::vector<std::int64_t> offset;  ///< per element
+  CoefficientBlock coefficients;
+  int components = 1;
+};
+
+/// The vertices' places in VTK's linear cells: hexahedron 8, prism 6, pyramid 5, tetrahedron 4.
+using Corners = std::array<std::int64_t, 8>;
+
+/// A face of an element that lies in a named part of the boundary.
+struct BoundaryFace
+{
+  std::int32_t element = 0;
+  std::int8_t face = 0; ///< in the numbering of VTK's linear cell
+  std::int32_t attribute = 0;
+};
+
+/// Elements or boundary faces that the file gives a name or number of its own.
+struct Group
+{
+  std::int32_t id = 0; ///< attribute or composite number
+  std::string name;    ///< empty where the file gives none
+  bool boundary = false;
+};
+
+struct SolverMesh
+{
+  SolverExpansion map; ///< three components, in units of the element
+  std::vector<double> centre;
+  std::vector<double> size;
+  std::vector<double> uncertainty;
+  std::vector<std::int64_t> number;    ///< per element: its number in the solver's file
+  std::vector<Corners> corners;        ///< per element: vertex numbers of the file, VTK's order
+  std::vector<std::int32_t> attribute; ///< per element: material or composite; may be empty
+  std::vector<BoundaryFace> boundary;
+  std::vector<Group> groups;
+};
+
+struct SolverField
+{
+  std::string name;
+  SolverExpansion values;
+  Mapping mapping = Mapping::Identity;
+  std::string basis;       ///< for people: "H1, Gauss-Lobatto nodes", "Modified_A x3"
+  bool continuous = false; ///< one value where elements meet, by construction
+};
+
+struct SolverModel
+{
+  SolverMesh mesh;
+  std::vector<SolverField> fields;
+  std::optional<double> time;
+  /// What was noticed in the file that a user should know, one line each.
+  std::vector<std::string> notes;
+};
+} // namespace pixelexact

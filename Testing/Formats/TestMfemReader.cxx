@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SolverModelViews.h"
+
+#include "Core/Base/Error.h"
+#include "Formats/MFEM/HilbertCurve.h"
+#include "Formats/MFEM/Reader.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace pixelexact::testing
+{
+namespace
+{
+using mfem::NamedText;
+
+/// A unit cube's vertices in MFEM's order, as text.
+constexpr const char* kCubeVertices = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n";
+
+std::string OneCube(const std::string& attributes = "7")
+{
+  return "MFEM mesh v1.0\r\n# a comment\n\ndimension\n3\n\nelements\n1\n" + attributes +
+    " 5 0 1 2 3 4 5 6 7\n\nboundary\n1\n3 3 1 2 6 5\n\nvertices\n8\n3\n" + kCubeVertices;
+}
+
+SolverModel ReadTexts(const std::string& mesh, const std::vector<std::string>& fields = {})
+{
+  std::vector<NamedText> texts;
+  for (const auto& field : fields)
+  {
+    texts.push_back({ "folder/u.gf", field });
+  }
+  return mfem::Read({ "folder/a.mesh", mesh }, texts);
+}
+
+std::string Message(const std::string& mesh, const std::vector<std::string>& fields = {})
+{
+  try
+  {
+    ReadTexts(mesh, fields);
+  }
+  catch (const Error& error)
+  {
+    return error.what();
+  }
+  return {};
+}
+
+void ExpectMessage(const std::string& message, const std::vector<std::string>& parts)
+{
+  for (const auto& part : parts)
+  {
+    EXPECT_NE(message.find(part), std::string::npos) << "'" << part << "' in: " << message;
+  }
+}
+
+std::string Field(const std::string& collection, int vdim, int ordering, const std::string& values)
+{
+  return "FiniteElementSpace\nFiniteElementCollection: " + collection +
+    "\nVDim: " + std::to_string(vdim) + "\nOrdering: " + std::to_string(ordering) + "\n\n" + values;
+}
+} // namespace
+
+TEST(MfemReader, StraightCubeWithAttributesAndBoundary)
+{
+  const SolverModel model = ReadTexts(OneCube());
+  const Vec3 x = PointAt(model, 0, { -0.5, 0.0, 0.75 });
+  EXPECT_NEAR(x.x, 0.25, 1e-16);
+  EXPECT_NEAR(x.y, 0.5, 1e-16);
+  EXPECT_NEAR(x.z, 0.875, 1e-16);
+  EXPECT_EQ(model.mesh.attribute.at(0), 7);
+  ASSERT_EQ(model.mesh.boundary.size(), 1U);
+  EXPECT_EQ(model.mesh.boundary[0].attribute, 3);
+  EXPECT_EQ(model.mesh.boundary[0].face, 1); // x = 1 is VTK's second face
+}
+
+TEST(MfemReader, BothOrderingsOfAVectorField)
+{
+  // f = (x + 2 y, z) at the vertices.
+  const double corners[8][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
+    { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } };
+  std::string first;
+  std::string second;
+  std::string interleaved;
+  for (const auto& c : corners)
+  {
+    const std::string a = std::to_string(c[0] + 2 * c[1]) + "\n";
+    const std::string b = std::to_string(c[2]) + "\n";
+    first += a;
+    second += b;
+    interleaved += a + b;
+  }
+  const SolverModel model = ReadTexts(
+    OneCube(), { Field("H1_3D_P1", 2, 0, first + second), Field("Linear", 2, 1, interleaved) });
+  for (std::size_t f = 0; f < 2; ++f)
+  {
+    const auto value = ValueAt(model, f, 0, { 0.2, -0.4, 0.6 });
+    EXPECT_NEAR(value[0], 0.6 + 2 * 0.3, 1e-15);
+    EXPECT_NEAR(value[1], 0.8, 1e-15);
+  }
+  EXPECT_EQ(model.fields[0].name, "u");
+  EXPECT_TRUE(model.fields[0].continuous);
+}
+
+TEST(MfemReader, UnusedVerticesAreDroppedAsMfemDoes)
+{
+  const std::string mesh = "MFEM mesh v1.0\ndimension\n3\nelements\n1\n1 4 0 2 3 4\nboundary\n0\n"
+                           "vertices\n5\n3\n0 0 0\n9 9 9\n1 0 0\n0 1 0\n0 0 1\n";
+  const SolverModel model = ReadTexts(mesh, { Field("H1_3D_P1", 1, 0, "1 2 3 4") });
+  EXPECT_NEAR(PointAt(model, 0, { 1, -1, -1 }).x, 1.0, 1e-16);
+  EXPECT_NEAR(ValueAt(model, 0, 0, { 1, -1, -1 })[0], 2.0, 1e-15);
+}
+
+TEST(MfemReader, RefinedCubeWithoutNodes)
+{
+  // One cube split along x: vertices 8 to 11 on the edges in x.
+  const std::string mesh =
+    std::string("MFEM NC mesh v1.0\ndimension\n3\nelements\n3\n-1 1 5 1 1 2\n"
+                "0 1 5 0 0 8 9 3 4 10 11 7\n0 2 5 0 8 1 2 9 10 5 6 11\n"
+                "boundary\n1\n4 3 8 1 2 9\nvertex_parents\n4\n8 0 1\n9 2 3\n10 4 5\n11 6 7\n"
+                "coordinates\n8\n3\n") +
+    kCubeVertices;
+  const SolverModel model = ReadTexts(mesh);
+  ASSERT_EQ(model.mesh.number.size(), 2U);
+  EXPECT_NEAR(PointAt(model, 1, { 0, 0, 0 }).x, 0.75, 1e-16);
+  EXPECT_EQ(model.mesh.attribute[1], 2);
+  ASSERT_EQ(model.mesh.boundary.size(), 1U);
+  EXPECT_EQ(model.mesh.boundary[0].element, 1);
+}
+
+TEST(MfemReader, HilbertCurveVisitsNeighboursOneAfterTheOther)
+{
+  const int x[8] = { 0, 1, 1, 0, 0, 1, 1, 0 };
+  const int y[8] = { 0, 0, 1, 1, 0, 0, 1, 1 };
+  const int z[8] = { 0, 0, 0, 0, 1, 1, 1, 1 };
+  std::set<std::array<int, 8>> states;
+  for (int s = 0; s < 24; ++s)
+  {
+    const auto& state = mfem::HilbertCurve(s);
+    states.insert(state.child);
+    for (int i = 0; i < 7; ++i)
+    {
+      const int a = state.child[i];
+      const int b = state.child[i + 1];
+      EXPECT_EQ(std::abs(x[a] - x[b]) + std::abs(y[a] - y[b]) + std::abs(z[a] - z[b]), 1);
+      // The curve leaves a child next to where it enters the following one.
+      const int out = mfem::HilbertCurve(state.state[i]).child[7];
+      const int in = mfem::HilbertCurve(state.state[i + 1]).child[0];
+      EXPECT_EQ(std::abs(2 * (x[a] - x[b]) + x[out] - x[in]) +
+          std::abs(2 * (y[a] - y[b]) + y[out] - y[in]) +
+          std::abs(2 * (z[a] - z[b]) + z[out] - z[in]),
+        1);
+    }
+  }
+  EXPECT_EQ(states.size(), 24U);
+}
+
+TEST(MfemReader, StreamsEndWithCommands)
+{
+  const std::string text = "solution\n" + OneCube() + "\n" + Field("L2_3D_P0", 1, 0, "42\n") +
+    "keys maaaa\nautopause on\n";
+  const SolverModel model = mfem::ReadStream({ "a.saved", text });
+  EXPECT_EQ(model.fields.at(0).name, "solution");
+  EXPECT_EQ(ValueAt(model, 0, 0, { 0, 0, 0 })[0], 42.0);
+  EXPECT_FALSE(model.fields[0].continuous);
+}
+
+TEST(MfemReader, AttributeSetsAreGroups)
+{
+  std::string mesh = OneCube();
+  mesh.replace(mesh.find("v1.0"), 4, "v1.3");
+  mesh.insert(mesh.find("boundary"), "attribute_sets\n1\n\"the rod\"\n2\n7 8\n\n");
+  mesh.insert(mesh.find("vertices"), "bdr_attribute_sets\n1\nend\n1\n3\n\n");
+  mesh += "\nmfem_mesh_end\n";
+  const SolverModel model = ReadTexts(mesh);
+  ASSERT_EQ(model.mesh.groups.size(), 3U);
+  EXPECT_EQ(model.mesh.groups[0].name, "the rod");
+  EXPECT_EQ(model.mesh.groups[1].id, 8);
+  EXPECT_TRUE(model.mesh.groups[2].boundary);
+}
+
+TEST(MfemReader, MessagesNameFileLineAndRemedy)
+{
+  ExpectMessage(Message(""), { "a.mesh, line 1", "cut short" });
+  ExpectMessage(Message("hello"), { "a.mesh, line 1", "'hello'" });
+  ExpectMessage(Message("MFEM mesh v7.0"), { "v7.0", "v1.0 to v1.3" });
+  ExpectMessage(Message("MFEM NURBS mesh v1.0"), { "NURBS", "SetCurvature" });
+  ExpectMessage(Message("MFEM mesh v1.0\ndimension\n2\n"), { "line 3", "2 dimensions" });
+
+  std::string mesh = OneCube();
+  mesh.replace(mesh.find("elements\n1"), 10, "elements\n99999999");
+  ExpectMessage(Message(mesh), { "line 8", "99999999", "more bytes" });
+  mesh = OneCube();
+  mesh.replace(mesh.find("elements\n1"), 10, "elements\n99999999999999");
+  ExpectMessage(Message(mesh), { "no whole number" });
+  mesh = OneCube();
+  mesh.replace(mesh.find("6 7\n"), 3, "6 8");
+  ExpectMessage(Message(mesh), { "element 0", "vertex 8", "only 8" });
+  mesh = OneCube();
+  mesh.replace(mesh.find(" 5 0 1"), 2, " 3");
+  ExpectMessage(Message(mesh), { "no solid" });
+  mesh = OneCube();
+  mesh.replace(mesh.rfind("1 1 1"), 5, "1 x 1");
+  ExpectMessage(Message(mesh), { "'x'", "no number" });
+  mesh = OneCube();
+  mesh.replace(mesh.rfind("1 1 1"), 5, "1 nan 1");
+  ExpectMessage(Message(mesh), { "element 0", "NaN" });
+  ExpectMessage(Message(OneCube().substr(0, 120)), { "cut short" });
+}
+
+TEST(MfemReader, FieldsThatDoNotFitAreRefusedWithBothNumbers)
+{
+  ExpectMessage(Message(OneCube(), { Field("H1_3D_P2", 1, 0, "1 2 3") }), { "u.gf", "3", "27" });
+  ExpectMessage(Message(OneCube(), { Field("H1_3D_P2", 1, 0, "1 2 three") }), { "u.gf, line" });
+  ExpectMessage(Message(OneCube(), { Field("Nonsense_9", 1, 0, "1") }), { "u.gf", "Nonsense_9" });
+  ExpectMessage(Message(OneCube(), { "FiniteElementSpace\nFiniteElementCollection: L2_3D_P0\n" }),
+    { "u.gf", "cut short" });
+  ExpectMessage(Message(OneCube(), { Field("NURBS2", 1, 0, "1") }), { "u.gf", "NURBS" });
+}
+
+TEST(MfemReader, DamagedRefinementTrees)
+{
+  const std::string head = "MFEM NC mesh v1.0\ndimension\n3\nelements\n";
+  ExpectMessage(Message(head + "2\n-1 1 5 1 1 1\n0 1 5 0 0 1 2 3 4 5 6 7\n"), { "two parents" });
+  ExpectMessage(Message(head + "1\n-1 1 5 1 4 5\n"), { "a child is 4" });
+  const std::string cube = "1\n0 1 5 0 0 1 2 3 4 5 6 7\n";
+  ExpectMessage(Message(head + cube + "coordinates\n1\n3\n0 0 0\n"), { "neither coordinates" });
+  ExpectMessage(
+    Message(head + cube + "vertex_parents\n2\n0 1 1\n1 0 0\ncoordinates\n8\n3\n" + kCubeVertices),
+    { "generations" });
+}
+} // namespace pixelexact::testing
