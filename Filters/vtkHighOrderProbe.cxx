@@ -65,6 +65,24 @@ int vtkHighOrderProbe::FillInputPortInformation(int port, vtkInformation* info)
   return 1;
 }
 
+int vtkHighOrderProbe::RequestInformation(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (!this->Superclass::RequestInformation(request, inputVector, outputVector))
+  {
+    return 0;
+  }
+  // The time is the grid's; the pipeline by itself takes it from the points.
+  vtkInformation* grid = inputVector[1]->GetInformationObject(0);
+  if (grid && grid->Has(vtkStreamingDemandDrivenPipeline::TIME_RANGE()))
+  {
+    vtkInformation* output = outputVector->GetInformationObject(0);
+    output->CopyEntry(grid, vtkStreamingDemandDrivenPipeline::TIME_STEPS());
+    output->CopyEntry(grid, vtkStreamingDemandDrivenPipeline::TIME_RANGE());
+  }
+  return 1;
+}
+
 int vtkHighOrderProbe::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "GridParts.h"
+
+#include "CellBasis.h"
+#include "Core/Base/Error.h"
+#include "GridCheck.h"
+#include "HighOrderArrays.h"
+#include "OutputGrid.h"
+#include "ReaderMessages.h"
+
+#include "vtkAppendFilter.h"
+#include "vtkCellData.h"
+#include "vtkCellTypes.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkErrorCode.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkXMLUnstructuredGridReader.h"
+
+#include <filesystem>
+#include <new>
+#include <set>
+
+namespace pixelexact
+{
+namespace
+{
+using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
+
+std::string Cannot(const GridPart& part)
+{
+  return "cannot read '" + part.file + "'" +
+    (part.list.empty() ? "" : ", which '" + part.list + "' names") + ": ";
+}
+
+Grid ReadXml(const std::string& file)
+{
+  std::error_code failure;
+  if (!std::filesystem::exists(file, failure))
+  {
+    throw InvalidData("there is no such file");
+  }
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  if (!reader->CanReadFile(file.c_str()))
+  {
+    throw InvalidData("it is not a VTK XML file of type UnstructuredGrid, or cut short");
+  }
+  vtkNew<ReaderMessages> messages;
+  messages->Watch(reader);
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  if (!messages->first.empty())
+  {
+    throw InvalidData(messages->first);
+  }
+  if (reader->GetErrorCode() != vtkErrorCode::NoError)
+  {
+    throw InvalidData(vtkErrorCode::GetStringFromErrorCode(reader->GetErrorCode()));
+  }
+  Grid grid = reader->GetOutput();
+  CheckConsistency(*grid);
+  return grid;
+}
+
+Grid ReadPart(const GridPart& part)
+{
+  try
+  {
+    return ReadXml(part.file);
+  }
+  catch (const Error& error)
+  {
+    throw Error(Cannot(part) + error.what());
+  }
+  catch (const std::bad_alloc&)
+  {
+    // A damaged header asks for any amount; so does a file that is too large.
+    throw Error(Cannot(part) + "it asks for more memory than there is");
+  }
+}
+
+/// The .vtu files of all parts. Surfaces (.vtp) that a collection lists beside the volume are
+/// noted.
+std::vector<GridPart> ListFiles(const std::vector<GridPart>& parts, std::vector<std::string>& notes)
+{
+  std::vector<GridPart> files;
+  for (const auto& part : parts)
+  {
+    const std::string suffix = LowerSuffix(part.file);
+    if (suffix == ".pvtu")
+    {
+      const auto pieces = ReadPieces(part);
+      files.insert(files.end(), pieces.begin(), pieces.end());
+    }
+    else if (suffix == ".vtp" || suffix == ".pvtp")
+    {
+      notes.push_back("'" + part.file + "' holds surfaces and is left out.");
+    }
+    else
+    {
+      files.push_back(part);
+    }
+  }
+  for (const auto& file : files)
+  {
+    if (LowerSuffix(file.file) != ".vtu")
+    {
+      throw Unsupported(
+        Cannot(file) + "only .vtu and .pvtu files can be parts of a grid; write it as such");
+    }
+  }
+  if (files.empty())
+  {
+    throw Error(Cannot(parts.front()) + "it holds no volume");
+  }
+  return files;
+}
+
+bool HasVolume(vtkUnstructuredGrid* grid)
+{
+  vtkNew<vtkCellTypes> types;
+  grid->GetCellTypes(types);
+  for (int i = 0; i < types->GetNumberOfTypes(); ++i)
+  {
+    const int dimension = CellDimension(types->GetCellType(i));
+    if (dimension < 0 || dimension > 2)
+    {
+      return true; // or unknown: the converter says what it is
+    }
+  }
+  return false;
+}
+
+/// Takes out what only a grid of one part may have.
+void StripPart(const GridPart& part, vtkUnstructuredGrid* grid)
+{
+  if (HasSolverCoefficients(grid))
+  {
+    throw Unsupported(Cannot(part) +
+      "it carries a solver's own coefficients, which are not put together from several parts; "
+      "write one file per time step");
+  }
+  RemoveHighOrderArrays(grid);
+  vtkDataArray* ghosts = grid->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName());
+  for (vtkIdType cell = 0; ghosts && cell < grid->GetNumberOfCells(); ++cell)
+  {
+    if ((static_cast<int>(ghosts->GetComponent(cell, 0)) & vtkDataSetAttributes::DUPLICATECELL) !=
+      0)
+    {
+      grid->RemoveGhostCells();
+      return;
+    }
+  }
+}
+
+using Names = std::set<std::pair<std::string, std::string>>; // kind, name
+Names ArrayNames(vtkUnstructuredGrid* grid)
+{
+  Names names;
+  const auto add = [&names](const char* kind, vtkDataSetAttributes* data)
+  {
+    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+    {
+      names.emplace(kind, data->GetArrayName(i) ? data->GetArrayName(i) : "");
+    }
+  };
+  add("point", grid->GetPointData());
+  add("cell", grid->GetCellData());
+  return names;
+}
+
+Grid Append(const std::vector<Grid>& grids, std::vector<std::string>& notes)
+{
+  vtkNew<vtkAppendFilter> append;
+  append->MergePointsOff();
+  append->SetOutputPointsPrecision(vtkAlgorithm::DEFAULT_PRECISION);
+  Names names;
+  for (const auto& grid : grids)
+  {
+    append->AddInputData(grid);
+    names.merge(ArrayNames(grid));
+  }
+  append->Update();
+  const Names kept = ArrayNames(append->GetOutput());
+  for (const auto& [kind, name] : names)
+  {
+    if (!kept.contains({ kind, name }))
+    {
+      notes.emplace_back("the ")
+        .append(kind)
+        .append(" array '")
+        .append(name)
+        .append("' is not in all parts alike and is left out.");
+    }
+  }
+  return append->GetOutput();
+}
+} // namespace
+
+ReadGrid ReadParts(const std::vector<GridPart>& parts)
+{
+  ReadGrid result;
+  const auto files = ListFiles(parts, result.notes);
+  if (files.size() == 1)
+  {
+    result.grid = ReadPart(files[0]);
+    return result;
+  }
+  std::vector<Grid> volumes;
+  for (const auto& file : files)
+  {
+    const Grid grid = ReadPart(file);
+    StripPart(file, grid);
+    if (HasVolume(grid))
+    {
+      volumes.push_back(grid);
+    }
+    else if (grid->GetNumberOfCells() > 0) // an idle process writes an empty file
+    {
+      result.notes.push_back("'" + file.file + "' holds no volume and is left out.");
+    }
+  }
+  if (volumes.empty())
+  {
+    throw Error(Cannot(parts.front()) + "it holds no volume");
+  }
+  result.grid = volumes.size() == 1 ? volumes[0] : Append(volumes, result.notes);
+  return result;
+}
+} // namespace pixelexact

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ReaderMessages.h"
+
+#include "vtkXMLReader.h"
+
+namespace pixelexact
+{
+void ReaderMessages::Execute(vtkObject* /*caller*/, unsigned long /*event*/, void* data)
+{
+  if (first.empty() && data)
+  {
+    first = MessageEssence(static_cast<const char*>(data));
+  }
+}
+
+void ReaderMessages::Watch(vtkXMLReader* reader)
+{
+  reader->SetReaderErrorObserver(this);
+  reader->SetParserErrorObserver(this);
+  // Readers warn of what they leave out: the rest is not what the file's author meant.
+  reader->AddObserver(vtkCommand::WarningEvent, this);
+}
+
+std::string MessageEssence(std::string_view text)
+{
+  if (const auto line = text.find('\n'); line != std::string_view::npos)
+  {
+    text.remove_prefix(line + 1);
+  }
+  if (const auto object = text.find("): "); object != std::string_view::npos)
+  {
+    text.remove_prefix(object + 3);
+  }
+  std::string essence;
+  for (const char c : text)
+  {
+    const bool space = c == '\n' || c == '\r' || c == '\t' || c == ' ';
+    if (!space)
+    {
+      essence += c;
+    }
+    else if (!essence.empty() && essence.back() != ' ')
+    {
+      essence += ' ';
+    }
+  }
+  while (!essence.empty() && (essence.back() == ' ' || essence.back() == '.'))
+  {
+    essence.pop_back();
+  }
+  return essence;
+}
+} // namespace pixelexact

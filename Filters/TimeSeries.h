@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TimeSeries_h
+#define TimeSeries_h
+
+#include "PixelExactFiltersModule.h"
+
+#include <string>
+#include <vector>
+
+// Which .vtu files make up which time step. Throws Error, naming the file, for lists that cannot be
+// read.
+namespace pixelexact
+{
+/// A file of a grid that may have several.
+struct GridPart
+{
+  std::string file;
+  std::string list; ///< the file that names it; empty: the user did
+};
+
+struct TimeStep
+{
+  double time = 0.0;
+  std::vector<GridPart> parts;
+};
+
+/// The steps of a collection (.pvd) by ascending time, its parts in the order of the file.
+PIXELEXACTFILTERS_EXPORT std::vector<TimeStep> ReadCollection(const std::string& file);
+
+/// One step per file, at the times 0, 1, 2...
+PIXELEXACTFILTERS_EXPORT std::vector<TimeStep> NumberFiles(const std::vector<std::string>& files);
+
+/// The pieces of a parallel file (.pvtu).
+std::vector<GridPart> ReadPieces(const GridPart& part);
+
+/// The suffix in lower case, with its point.
+PIXELEXACTFILTERS_EXPORT std::string LowerSuffix(const std::string& file);
+} // namespace pixelexact
+#endif

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHighOrderFileReader.h"
+
+#include "Core/Base/Error.h"
+#include "Formats/SolverModel.h"
+#include "SolverGrid.h"
+#include "vtkHighOrderGrid.h"
+
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <exception>
+
+using namespace pixelexact;
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+vtkHighOrderFileReader::vtkHighOrderFileReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+vtkHighOrderFileReader::~vtkHighOrderFileReader() = default;
+
+void vtkHighOrderFileReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName.empty() ? "none" : this->FileName) << "\n";
+  os << indent << "Steps: " << this->Times.size() << "\n";
+  for (const auto& line : this->Diagnostics)
+  {
+    os << indent << line << "\n";
+  }
+}
+
+void vtkHighOrderFileReader::SetFileName(const char* name)
+{
+  const std::string wanted = name ? name : "";
+  if (this->FileName != wanted)
+  {
+    this->FileName = wanted;
+    this->Modified();
+  }
+}
+
+const char* vtkHighOrderFileReader::GetFileName()
+{
+  return this->FileName.c_str();
+}
+
+int vtkHighOrderFileReader::GetNumberOfDiagnostics()
+{
+  return static_cast<int>(this->Diagnostics.size());
+}
+
+std::string vtkHighOrderFileReader::GetDiagnostic(int index)
+{
+  return index >= 0 && index < this->GetNumberOfDiagnostics() ? this->Diagnostics[index]
+                                                              : std::string();
+}
+
+vtkHighOrderGrid* vtkHighOrderFileReader::GetHighOrderOutput()
+{
+  return vtkHighOrderGrid::SafeDownCast(this->GetOutputDataObject(0));
+}
+
+std::vector<double> vtkHighOrderFileReader::ReadTimes()
+{
+  return {};
+}
+
+// RequestDataObject is not virtual in vtkUnstructuredGridAlgorithm.
+vtkTypeBool vtkHighOrderFileReader::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
+  {
+    if (!vtkHighOrderGrid::GetData(outputVector))
+    {
+      vtkNew<vtkHighOrderGrid> output;
+      outputVector->GetInformationObject(0)->Set(vtkDataObject::DATA_OBJECT(), output);
+    }
+    return 1;
+  }
+  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+}
+
+int vtkHighOrderFileReader::RequestInformation(vtkInformation* /*request*/,
+  vtkInformationVector** /*inputVector*/, vtkInformationVector* outputVector)
+{
+  vtkInformation* output = outputVector->GetInformationObject(0);
+  output->Remove(Pipeline::TIME_STEPS());
+  output->Remove(Pipeline::TIME_RANGE());
+  try
+  {
+    this->Times = this->ReadTimes();
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< error.what());
+    return 0;
+  }
+  if (!this->Times.empty())
+  {
+    const double range[2] = { this->Times.front(), this->Times.back() };
+    output->Set(Pipeline::TIME_STEPS(), this->Times.data(), static_cast<int>(this->Times.size()));
+    output->Set(Pipeline::TIME_RANGE(), range, 2);
+  }
+  return 1;
+}
+
+int vtkHighOrderFileReader::RequestedStep(vtkInformation* output)
+{
+  if (this->Times.empty() || !output->Has(Pipeline::UPDATE_TIME_STEP()))
+  {
+    return 0;
+  }
+  const double time = output->Get(Pipeline::UPDATE_TIME_STEP());
+  const auto after = std::ranges::upper_bound(this->Times, time);
+  return std::max(0, static_cast<int>(after - this->Times.begin()) - 1);
+}
+
+void vtkHighOrderFileReader::Report(std::vector<std::string> lines)
+{
+  this->Diagnostics = std::move(lines);
+  for (const auto& line : this->Diagnostics)
+  {
+    vtkWarningMacro(<< line);
+  }
+}
+
+int vtkHighOrderFileReader::RequestData(vtkInformation* /*request*/,
+  vtkInformationVector** /*inputVector*/, vtkInformationVector* outputVector)
+{
+  auto* output = vtkHighOrderGrid::GetData(outputVector);
+  output->Initialize();
+  this->Diagnostics.clear();
+  try
+  {
+    if (this->FileName.empty())
+    {
+      throw InvalidData("no file is named; call SetFileName.");
+    }
+    const int step = this->RequestedStep(outputVector->GetInformationObject(0));
+    const bool wantMesh = !this->MeshGrid || this->MeshTime < this->GetMTime();
+    SolverModel model = this->ReadModel(step, wantMesh);
+    this->UpdateProgress(0.6);
+    if (wantMesh)
+    {
+      this->MeshGrid = vtkSmartPointer<vtkHighOrderGrid>::New();
+      StoreSolverMesh(std::move(model.mesh), this->MeshGrid);
+      this->MeshTime.Modified();
+    }
+    output->ShallowCopy(this->MeshGrid);
+    // A list of its own: the fields of a step must not be added to what steps share.
+    vtkNew<vtkFieldData> fieldData;
+    fieldData->ShallowCopy(this->MeshGrid->GetFieldData());
+    output->SetFieldData(fieldData);
+    this->UpdateProgress(0.8);
+    for (auto& field : model.fields)
+    {
+      StoreSolverField(std::move(field), output);
+    }
+    if (!this->Times.empty())
+    {
+      output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), this->Times[step]);
+    }
+    this->Report(std::move(model.notes));
+    return 1;
+  }
+  catch (const std::exception& error)
+  {
+    // Half of what was asked for is not kept.
+    output->Initialize();
+    this->MeshGrid = nullptr;
+    vtkErrorMacro(<< error.what());
+    return 0;
+  }
+}

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHighOrderFileReader
+ * @brief   what the readers of solvers' own files have in common
+ *
+ * Output is a vtkHighOrderGrid: every coefficient of the files, in the canonical bases, and beside
+ * them VTK's linear cells between the elements' vertices. Its arrays: CellData `Attribute` and
+ * `BoundaryAttribute` (per face of the cell, -1 inside), and per field its values at the vertices
+ * (PointData, where the field is continuous by construction) or at the elements' centres
+ * (CellData). These serve VTK's own drawing and selection; what this project computes comes from
+ * the coefficients.
+ *
+ * A new time step keeps the mesh's arrays, and with them the locator; after Modified() the mesh is
+ * read anew. Where files hold times, they are the steps of the pipeline; the step nearest below the
+ * time asked for is read, the first one without such a request.
+ *
+ * Errors go to vtkErrorMacro, with file, line or tag, and remedy; the output is then empty. What
+ * was noticed in the files is told as warnings and in GetDiagnostic().
+ */
+
+#ifndef vtkHighOrderFileReader_h
+#define vtkHighOrderFileReader_h
+
+#include "PixelExactFiltersModule.h"
+#include "vtkSmartPointer.h" // for the mesh
+#include "vtkTimeStamp.h"    // for its age
+#include "vtkUnstructuredGridAlgorithm.h"
+
+#include <string> // for names
+#include <vector> // for names
+
+class vtkHighOrderGrid;
+
+namespace pixelexact
+{
+struct SolverModel;
+}
+
+class PIXELEXACTFILTERS_EXPORT vtkHighOrderFileReader : public vtkUnstructuredGridAlgorithm
+{
+public:
+  vtkTypeMacro(vtkHighOrderFileReader, vtkUnstructuredGridAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The file that holds the mesh.
+   */
+  virtual void SetFileName(const char* name);
+  virtual const char* GetFileName();
+  ///@}
+
+  ///@{
+  /**
+   * Of the last execution: lines about what looks wrong in the files.
+   */
+  int GetNumberOfDiagnostics();
+  std::string GetDiagnostic(int index);
+  ///@}
+
+  vtkHighOrderGrid* GetHighOrderOutput();
+
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+protected:
+  vtkHighOrderFileReader();
+  ~vtkHighOrderFileReader() override;
+
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  /**
+   * Reads the fields of `step`, and the mesh where `wantMesh` says so: it may be left empty
+   * otherwise. Throws pixelexact::Error.
+   */
+  virtual pixelexact::SolverModel ReadModel(int step, bool wantMesh) = 0;
+
+  /**
+   * Times of the steps, ascending; empty for files without time. Throws pixelexact::Error.
+   */
+  virtual std::vector<double> ReadTimes();
+
+  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  std::string FileName;
+
+private:
+  vtkHighOrderFileReader(const vtkHighOrderFileReader&) = delete;
+  void operator=(const vtkHighOrderFileReader&) = delete;
+
+  void Report(std::vector<std::string> lines);
+  int RequestedStep(vtkInformation* output);
+
+  std::vector<double> Times;
+  std::vector<std::string> MeshNotes;
+  std::vector<std::string> Diagnostics;
+  vtkSmartPointer<vtkHighOrderGrid> MeshGrid; ///< without fields; what steps share
+  vtkTimeStamp MeshTime;
+};
+
+#endif

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkMFEMReader
+ * @brief   reads MFEM meshes and grid functions
+ *
+ * The mesh (SetFileName): MFEM mesh v1.0 to v1.3 and NC mesh v1.0, straight or with nodes of any
+ * order, tetrahedra, hexahedra, prisms and pyramids, conforming or not, periodic too. Grid
+ * functions (AddGridFunctionFileName) become fields named after their files: H1, L2, H(curl) and
+ * H(div) of any order and basis type. Files may be gzip-compressed. Module/Documentation/readers.md
+ * says what is refused.
+ */
+
+#ifndef vtkMFEMReader_h
+#define vtkMFEMReader_h
+
+#include "PixelExactFiltersModule.h"
+#include "vtkHighOrderFileReader.h"
+
+class PIXELEXACTFILTERS_EXPORT vtkMFEMReader : public vtkHighOrderFileReader
+{
+public:
+  static vtkMFEMReader* New();
+  vtkTypeMacro(vtkMFEMReader, vtkHighOrderFileReader);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Grid functions on the mesh, each a field that is named after its file (`u.gf`: `u`).
+   */
+  void AddGridFunctionFileName(const char* name);
+  void ClearGridFunctionFileNames();
+  ///@}
+
+protected:
+  vtkMFEMReader();
+  ~vtkMFEMReader() override;
+
+  pixelexact::SolverModel ReadModel(int step, bool wantMesh) override;
+
+private:
+  vtkMFEMReader(const vtkMFEMReader&) = delete;
+  void operator=(const vtkMFEMReader&) = delete;
+
+  std::vector<std::string> GridFunctions;
+};
+
+#endif

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNektarReader.h"
+
+#include "Formats/FileText.h"
+#include "Formats/Nektar/FieldSeries.h"
+#include "Formats/Nektar/Reader.h"
+
+#include "vtkObjectFactory.h"
+
+#include <algorithm>
+#include <numeric>
+
+vtkStandardNewMacro(vtkNektarReader);
+
+using namespace pixelexact;
+
+namespace
+{
+/// Texts and the views of them that the parser takes.
+struct Texts
+{
+  explicit Texts(const std::vector<std::string>& files)
+  {
+    for (const auto& file : files)
+    {
+      Storage.push_back(ReadFileText(file));
+    }
+    for (std::size_t i = 0; i < files.size(); ++i)
+    {
+      Named.push_back({ files[i], Storage[i] });
+    }
+  }
+  std::vector<std::string> Storage;
+  std::vector<nektar::NamedText> Named;
+};
+} // namespace
+
+vtkNektarReader::vtkNektarReader() = default;
+vtkNektarReader::~vtkNektarReader() = default;
+
+void vtkNektarReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  for (const auto& name : this->Sessions)
+  {
+    os << indent << "Session: " << name << "\n";
+  }
+  for (const auto& name : this->FieldFiles)
+  {
+    os << indent << "FieldFile: " << name << "\n";
+  }
+}
+
+void vtkNektarReader::AddSessionFileName(const char* name)
+{
+  this->Sessions.emplace_back(name ? name : "");
+  this->Modified();
+}
+
+void vtkNektarReader::ClearSessionFileNames()
+{
+  this->Sessions.clear();
+  this->Modified();
+}
+
+void vtkNektarReader::AddFieldFileName(const char* name)
+{
+  this->FieldFiles.emplace_back(name ? name : "");
+  this->Modified();
+}
+
+void vtkNektarReader::ClearFieldFileNames()
+{
+  this->FieldFiles.clear();
+  this->Modified();
+}
+
+std::vector<double> vtkNektarReader::ReadTimes()
+{
+  std::vector<double> times;
+  for (const auto& file : this->FieldFiles)
+  {
+    const auto time = nektar::FieldTime(file);
+    if (!time)
+    {
+      times.clear();
+      break;
+    }
+    times.push_back(*time);
+  }
+  this->FileOfStep.resize(this->FieldFiles.size());
+  std::iota(this->FileOfStep.begin(), this->FileOfStep.end(), 0);
+  if (times.empty() && this->FieldFiles.size() > 1)
+  {
+    times.assign(this->FileOfStep.begin(), this->FileOfStep.end());
+  }
+  if (!times.empty())
+  {
+    std::ranges::stable_sort(this->FileOfStep, {}, [&](int file) { return times[file]; });
+  }
+  std::ranges::stable_sort(times);
+  return times;
+}
+
+SolverModel vtkNektarReader::ReadModel(int step, bool /*wantMesh*/)
+{
+  std::vector<std::string> sessions{ this->FileName };
+  sessions.insert(sessions.end(), this->Sessions.begin(), this->Sessions.end());
+  std::vector<std::string> parts;
+  if (!this->FieldFiles.empty())
+  {
+    parts = nektar::FieldParts(this->FieldFiles[this->FileOfStep[step]]);
+  }
+  const Texts session(sessions);
+  const Texts fields(parts);
+  return nektar::Read(session.Named, fields.Named);
+}

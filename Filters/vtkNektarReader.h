@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkNektarReader
+ * @brief   reads Nektar++ sessions and field files
+ *
+ * The session (SetFileName) holds the geometry: XML, plain or compressed, three-dimensional.
+ * Further session files (AddSessionFileName) may hold the rest. Field files (AddFieldFileName:
+ * `.fld`,
+ * `.chk`, `.rst`, XML; a folder for those of parallel runs) become fields of the names in them.
+ * Several field files are time steps, ordered by the time in their metadata, or where one has none
+ * by the order given and numbered from 0. HDF5 files are refused.
+ * Module/Documentation/readers.md says what is read and what is not.
+ */
+
+#ifndef vtkNektarReader_h
+#define vtkNektarReader_h
+
+#include "PixelExactFiltersModule.h"
+#include "vtkHighOrderFileReader.h"
+
+class PIXELEXACTFILTERS_EXPORT vtkNektarReader : public vtkHighOrderFileReader
+{
+public:
+  static vtkNektarReader* New();
+  vtkTypeMacro(vtkNektarReader, vtkHighOrderFileReader);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Further files of the session.
+   */
+  void AddSessionFileName(const char* name);
+  void ClearSessionFileNames();
+  ///@}
+
+  ///@{
+  /**
+   * Field files, one per time step.
+   */
+  void AddFieldFileName(const char* name);
+  void ClearFieldFileNames();
+  ///@}
+
+protected:
+  vtkNektarReader();
+  ~vtkNektarReader() override;
+
+  pixelexact::SolverModel ReadModel(int step, bool wantMesh) override;
+  std::vector<double> ReadTimes() override;
+
+private:
+  vtkNektarReader(const vtkNektarReader&) = delete;
+  void operator=(const vtkNektarReader&) = delete;
+
+  std::vector<std::string> Sessions;
+  std::vector<std::string> FieldFiles;
+  std::vector<int> FileOfStep;
+};
+
+#endif

@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the readers of solvers' own files do beside giving the right numbers: round trips, time
+// steps, selection, refusals.
+#include "OracleCheck.h"
+
+#include "vtkCellData.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkMFEMReader.h"
+#include "vtkNektarReader.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStringArray.h"
+#include "vtkThreshold.h"
+#include "vtkXMLUnstructuredGridWriter.h"
+
+#include <cstring>
+#include <random>
+
+namespace
+{
+using namespace pixelexact;
+using namespace pixelexact::testing;
+
+const std::filesystem::path kData(PIXELEXACT_DATA_DIR);
+
+std::string Text(const std::filesystem::path& file)
+{
+  std::ifstream in(file, std::ios::binary);
+  return { std::istreambuf_iterator<char>(in), {} };
+}
+
+/// A folder that goes with the test.
+class Scratch
+{
+public:
+  Scratch()
+    : Folder(std::filesystem::temp_directory_path() /
+        ("pixelexact-" +
+          std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()) +
+          std::to_string(std::random_device()())))
+  {
+    std::filesystem::create_directories(Folder);
+  }
+  ~Scratch() { std::filesystem::remove_all(Folder); }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+
+  std::string Write(const std::string& name, const std::string& text) const
+  {
+    const auto file = Folder / name;
+    std::filesystem::create_directories(file.parent_path());
+    std::ofstream(file, std::ios::binary) << text;
+    return file.string();
+  }
+  [[nodiscard]] std::string Path(const std::string& name) const { return (Folder / name).string(); }
+
+private:
+  std::filesystem::path Folder;
+};
+
+vtkSmartPointer<vtkMFEMReader> Darcy()
+{
+  const auto folder = kData / "mfem_escher_tet_darcy_p3";
+  auto reader = vtkSmartPointer<vtkMFEMReader>::New();
+  reader->SetFileName((folder / "mfem_escher_tet_darcy_p3.mesh").c_str());
+  reader->AddGridFunctionFileName((folder / "pressure.gf").c_str());
+  reader->AddGridFunctionFileName((folder / "flux.gf").c_str());
+  return reader;
+}
+
+vtkSmartPointer<vtkMFEMReader> Zoo()
+{
+  const auto folder = kData / "mfem49_tinyzoo_g3_p5";
+  auto reader = vtkSmartPointer<vtkMFEMReader>::New();
+  reader->SetFileName((folder / "mfem49_tinyzoo_g3_p5.mesh").c_str());
+  reader->AddGridFunctionFileName((folder / "u.gf").c_str());
+  return reader;
+}
+
+vtkSmartPointer<vtkNektarReader> VariableOrder()
+{
+  const auto folder = kData / "nek_tet_varp";
+  auto reader = vtkSmartPointer<vtkNektarReader>::New();
+  reader->SetFileName((folder / "nek_tet_varp.xml").c_str());
+  reader->AddFieldFileName((folder / "nek_tet_varp.fld").c_str());
+  return reader;
+}
+
+template <class T>
+void ExpectSameBytes(std::span<const T> a, std::span<const T> b, const std::string& what)
+{
+  ASSERT_EQ(a.size(), b.size()) << what;
+  EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size_bytes()), 0) << what;
+}
+
+void ExpectSame(const Expansion& a, const Expansion& b, const std::string& what)
+{
+  ExpectSameBytes(a.spaces, b.spaces, what);
+  ExpectSameBytes(a.spaceOf, b.spaceOf, what);
+  ExpectSameBytes(a.offset, b.offset, what);
+  ExpectSameBytes(a.coefficients, b.coefficients, what);
+  EXPECT_EQ(a.components, b.components) << what;
+}
+
+/// Through a compressed .vtu and back: every bit of mesh and fields.
+void ExpectRoundTrip(vtkHighOrderFileReader* reader)
+{
+  vtkNew<Messages> messages;
+  messages->Watch(reader);
+  reader->Update();
+  ASSERT_EQ(messages->errors, "");
+  const Scratch scratch;
+  const std::string file = scratch.Path("saved.vtu");
+  vtkNew<vtkXMLUnstructuredGridWriter> writer;
+  writer->SetInputData(reader->GetHighOrderOutput());
+  writer->SetFileName(file.c_str());
+  writer->SetCompressorTypeToZLib();
+  ASSERT_EQ(writer->Write(), 1);
+
+  const auto back = ReadGrid(file);
+  const auto before = HighOrderModel::From(reader->GetHighOrderOutput());
+  const auto after = HighOrderModel::From(back);
+  ExpectSame(before->GetMesh().map, after->GetMesh().map, "map");
+  ExpectSameBytes(before->GetMesh().centre, after->GetMesh().centre, "centre");
+  ExpectSameBytes(before->GetMesh().size, after->GetMesh().size, "size");
+  ExpectSameBytes(before->GetMesh().uncertainty, after->GetMesh().uncertainty, "uncertainty");
+  ExpectSameBytes(before->SourceCells(), after->SourceCells(), "source cells");
+  ASSERT_EQ(before->Fields().size(), after->Fields().size());
+  for (std::size_t f = 0; f < before->Fields().size(); ++f)
+  {
+    const Field& field = before->Fields()[f];
+    EXPECT_EQ(field.name, after->Fields()[f].name);
+    EXPECT_EQ(field.mapping, after->Fields()[f].mapping);
+    ExpectSame(field.values, after->Fields()[f].values, field.name);
+  }
+}
+
+TEST(NativeReaders, RoundTripOfVectorElements)
+{
+  ExpectRoundTrip(Darcy());
+}
+
+TEST(NativeReaders, RoundTripOfAllShapes)
+{
+  ExpectRoundTrip(Zoo());
+}
+
+TEST(NativeReaders, RoundTripOfVariableOrder)
+{
+  ExpectRoundTrip(VariableOrder());
+}
+
+TEST(NativeReaders, TellTheBasesAndTheGroups)
+{
+  const auto reader = Darcy();
+  reader->Update();
+  vtkUnstructuredGrid* grid = reader->GetOutput();
+  auto* basis = vtkStringArray::SafeDownCast(
+    grid->GetFieldData()->GetAbstractArray("PixelExact.Field.flux.Basis"));
+  ASSERT_NE(basis, nullptr);
+  EXPECT_NE(basis->GetValue(0).find("H(div)"), std::string::npos) << basis->GetValue(0);
+  EXPECT_NE(grid->GetCellData()->GetArray("Attribute"), nullptr);
+  // The mesh's 48 boundary triangles have attributes.
+  vtkDataArray* boundary = grid->GetCellData()->GetArray("BoundaryAttribute");
+  ASSERT_NE(boundary, nullptr);
+  int faces = 0;
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    for (int face = 0; face < boundary->GetNumberOfComponents(); ++face)
+    {
+      faces += boundary->GetComponent(cell, face) >= 0.0 ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(faces, 48);
+}
+
+TEST(NativeReaders, CellsSelectedByVtkKeepTheirCoefficients)
+{
+  const auto reader = Zoo();
+  vtkNew<vtkThreshold> threshold;
+  threshold->SetInputConnection(reader->GetOutputPort());
+  threshold->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "PixelExactElementId");
+  threshold->SetThresholdFunction(vtkThreshold::THRESHOLD_BETWEEN);
+  threshold->SetLowerThreshold(2);
+  threshold->SetUpperThreshold(2);
+  threshold->Update();
+  vtkUnstructuredGrid* grid = threshold->GetOutput();
+  ASSERT_EQ(grid->GetNumberOfCells(), 1);
+  const Table table = ReadTable(kData / "mfem49_tinyzoo_g3_p5" / "oracle_u.csv");
+  const auto model = HighOrderModel::From(grid);
+  const Shape shape = model->GetMesh().ShapeOf(0);
+  EXPECT_EQ(shape, Shape::Pyramid);
+  int points = 0;
+  for (std::size_t i = 0; i < table.at("u").size(); ++i)
+  {
+    if (table.at("element")[i] == 2.0)
+    {
+      const Vec3 xi = OracleXi(table, shape, i);
+      double value = 0.0;
+      EvaluateAt(
+        model->GetMesh(), *model->FindField("u"), 0, std::span(&xi, 1), std::span(&value, 1), {});
+      EXPECT_NEAR(value, table.at("u")[i], 1e-12);
+      ++points;
+    }
+  }
+  EXPECT_GT(points, 10);
+}
+
+TEST(NativeReaders, FieldFilesAreTimeSteps)
+{
+  // The same field at two times, the second one given first.
+  const auto folder = kData / "nek_hex_aniso_p3p5p7";
+  const std::string field = Text(folder / "nek_hex_aniso_p3p5p7.fld");
+  const auto withTime = [&](const std::string& time)
+  {
+    std::string text = field;
+    text.insert(text.find("</Metadata>"), "<Time>" + time + "</Time>");
+    return text;
+  };
+  const Scratch scratch;
+  vtkNew<vtkNektarReader> reader;
+  reader->SetFileName((folder / "nek_hex_aniso_p3p5p7.xml").c_str());
+  reader->AddFieldFileName(scratch.Write("b.chk", withTime("2.5")).c_str());
+  reader->AddFieldFileName(scratch.Write("a.chk", withTime("0.5")).c_str());
+  reader->UpdateInformation();
+  vtkInformation* information = reader->GetOutputInformation(0);
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  ASSERT_EQ(information->Length(Pipeline::TIME_STEPS()), 2);
+  EXPECT_EQ(information->Get(Pipeline::TIME_STEPS())[0], 0.5);
+  EXPECT_EQ(information->Get(Pipeline::TIME_STEPS())[1], 2.5);
+
+  reader->UpdateTimeStep(0.5);
+  const auto first = HighOrderModel::From(reader->GetHighOrderOutput());
+  const Locator* locator = &first->GetLocator();
+  reader->UpdateTimeStep(2.5);
+  const auto second = HighOrderModel::From(reader->GetHighOrderOutput());
+  EXPECT_EQ(
+    reader->GetHighOrderOutput()->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP()), 2.5);
+  EXPECT_NE(first, second);
+  EXPECT_EQ(locator, &second->GetLocator());
+}
+
+TEST(NativeReaders, FoldersOfPartsAreOneField)
+{
+  // The two shapes of a mixed mesh cannot be had from Data/: one part is enough to be a folder.
+  const auto folder = kData / "nek_tet_varp";
+  const Scratch scratch;
+  scratch.Write("u.fld/P0000000.fld", Text(folder / "nek_tet_varp.fld"));
+  vtkNew<vtkNektarReader> reader;
+  vtkNew<Messages> messages;
+  messages->Watch(reader);
+  reader->SetFileName((folder / "nek_tet_varp.xml").c_str());
+  reader->AddFieldFileName(scratch.Path("u.fld").c_str());
+  reader->Update();
+  ASSERT_EQ(messages->errors, "");
+  EXPECT_NE(HighOrderModel::From(reader->GetHighOrderOutput())->FindField("u"), nullptr);
+}
+
+/// The reader says `expected` and gives nothing.
+void ExpectRefusal(vtkHighOrderFileReader* reader, const std::string& expected)
+{
+  vtkNew<Messages> messages;
+  messages->Watch(reader);
+  reader->Update();
+  EXPECT_NE(messages->errors.find(expected), std::string::npos) << messages->errors;
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfCells(), 0);
+}
+
+TEST(NativeReaders, RefuseAFieldOfAnotherMesh)
+{
+  const auto reader = Darcy();
+  reader->AddGridFunctionFileName((kData / "mfem49_tinyzoo_g3_p5" / "u.gf").c_str());
+  ExpectRefusal(reader, "u.gf");
+
+  const auto nektar = VariableOrder();
+  nektar->ClearFieldFileNames();
+  nektar->AddFieldFileName((kData / "nek_hex_aniso_p3p5p7" / "nek_hex_aniso_p3p5p7.fld").c_str());
+  ExpectRefusal(nektar, "nek_hex_aniso_p3p5p7.fld");
+}
+
+TEST(NativeReaders, RefuseWhatIsNotThere)
+{
+  vtkNew<vtkMFEMReader> unnamed;
+  ExpectRefusal(unnamed, "SetFileName");
+  vtkNew<vtkMFEMReader> missing;
+  missing->SetFileName("/nowhere/a.mesh");
+  ExpectRefusal(missing, "/nowhere/a.mesh");
+  const auto twice = Darcy();
+  twice->AddGridFunctionFileName((kData / "mfem_escher_tet_darcy_p3" / "pressure.gf").c_str());
+  ExpectRefusal(twice, "pressure");
+}
+
+TEST(NativeReaders, RefuseEveryTruncation)
+{
+  const std::string mesh = Text(kData / "mfem49_tinyzoo_g3_p5" / "mfem49_tinyzoo_g3_p5.mesh");
+  const Scratch scratch;
+  for (std::size_t size = 0; size + 40 < mesh.size(); size += 397)
+  {
+    vtkNew<vtkMFEMReader> reader;
+    reader->SetFileName(scratch.Write("cut.mesh", mesh.substr(0, size)).c_str());
+    ExpectRefusal(reader, "cut.mesh");
+  }
+  const std::string session = Text(kData / "nek_pyramid_curved_p6" / "nek_pyramid_curved_p6.xml");
+  for (std::size_t size = 0; size < session.size() - 40; size += 97)
+  {
+    vtkNew<vtkNektarReader> reader;
+    reader->SetFileName(scratch.Write("cut.xml", session.substr(0, size)).c_str());
+    ExpectRefusal(reader, "cut.xml");
+  }
+}
+} // namespace
