@@ -66,7 +66,7 @@ Measured Measure(const Shot& shot, const BenchOptions& options)
 
 void Bench(const BenchOptions& options, const CommonOptions& common)
 {
-  if (options.shot.files.empty())
+  if (options.shot.input.files.empty())
   {
     throw Unsupported("bench without INPUT is not available yet; name a mesh file");
   }
@@ -85,6 +85,7 @@ void Bench(const BenchOptions& options, const CommonOptions& common)
     json::Object summary;
     summary.Add("elements", shot.input.model->GetMesh().Elements());
     summary.Add("field", shot.scene.field->name).Add("component", ComponentName(shot.scene));
+    AddTime(summary, shot.input);
     summary.Add("width", shot.size.width).Add("height", shot.size.height);
     summary.Add("points", measured.points).Add("threads", threads);
     summary.Add("instruction_set", InstructionSet()).Add("frame_seconds", measured.frames);
@@ -97,6 +98,7 @@ void Bench(const BenchOptions& options, const CommonOptions& common)
   Table table;
   table.Row("elements", std::to_string(shot.input.model->GetMesh().Elements()));
   table.Row("field", shot.scene.field->name + FieldKind(*shot.scene.field));
+  AddTime(table, shot.input);
   table.Row("size", std::to_string(shot.size.width) + " x " + std::to_string(shot.size.height));
   table.Row("threads", std::to_string(threads) + ", " + InstructionSet());
   table.Row("points", std::to_string(measured.points) + " exact pixels");

@@ -5,6 +5,7 @@
 #include "Json.h"
 #include "Model.h"
 #include "Report.h"
+#include "SolverFacts.h"
 #include "StoredOrder.h"
 
 #include "Core/Base/Error.h"
@@ -24,12 +25,13 @@ namespace
 {
 struct InfoOptions
 {
-  std::vector<std::string> files;
+  InputRequest input;
   bool certify = false;
 };
 
-/// Elements by polynomial order.
-using OrderCounts = std::map<int, std::int64_t>;
+/// Elements by polynomial orders along the three directions.
+using Orders = std::array<int, 3>;
+using OrderCounts = std::map<Orders, std::int64_t>;
 
 struct FieldFacts
 {
@@ -37,6 +39,7 @@ struct FieldFacts
   OrderCounts orders;
   Continuity continuity;
   std::int64_t nonFiniteElements = 0;
+  std::string basis; ///< as the solver's file names it
 };
 
 struct Facts
@@ -46,14 +49,35 @@ struct Facts
   OrderCounts orders;       ///< of the geometry, without orders that hold nothing but rounding
   std::vector<FieldFacts> fields;
   std::array<double, 6> bounds{}; ///< of the nodes: x, y, z, lower and upper each
+  SolverFacts solver;
 };
+
+Orders OrdersOf(const Space& space)
+{
+  Orders orders{ space.order[0], space.order[1], space.order[2] };
+  if (space.form == Form::Tensor)
+  {
+    // The third one only makes room for the factors of the pyramid's collapse.
+    orders[2] = std::max(orders[0], orders[1]);
+  }
+  return orders;
+}
+
+/// "3", or where the directions differ "3 x 5 x 7".
+std::string Label(const Orders& orders)
+{
+  const auto [p, q, r] = orders;
+  return p == q && q == r
+    ? std::to_string(p)
+    : std::to_string(p) + " x " + std::to_string(q) + " x " + std::to_string(r);
+}
 
 OrderCounts CountOrders(const Expansion& expansion)
 {
   OrderCounts counts;
   for (int e = 0; e < expansion.Elements(); ++e)
   {
-    ++counts[expansion.SpaceOf(e).MaxOrder()];
+    ++counts[OrdersOf(expansion.SpaceOf(e))];
   }
   return counts;
 }
@@ -78,10 +102,11 @@ Facts Gather(const LoadedModel& input)
   for (int e = 0; e < mesh.Elements(); ++e)
   {
     ++facts.shapes[static_cast<std::size_t>(mesh.ShapeOf(e))];
-    const int stored = StoredOrder(*input.grid, e);
+    // The cells beside a solver's own coefficients are but their corners.
+    const int stored = input.converted ? StoredOrder(*input.grid, e) : 0;
     if (stored > 0)
     {
-      ++facts.storedOrders[stored];
+      ++facts.storedOrders[{ stored, stored, stored }];
     }
   }
   facts.orders = CountOrders(mesh.map);
@@ -90,9 +115,10 @@ Facts Gather(const LoadedModel& input)
   for (std::size_t f = 0; f < fields.size(); ++f)
   {
     facts.fields.push_back({ &fields[f], CountOrders(fields[f].values), continuity[f],
-      CountNonFinite(fields[f].values) });
+      CountNonFinite(fields[f].values), BasisOf(*input.grid, fields[f].name) });
   }
   input.grid->GetBounds(facts.bounds.data());
+  facts.solver = GatherSolverFacts(*input.grid);
   return facts;
 }
 
@@ -109,9 +135,9 @@ const char* ContinuityName(const Continuity& continuity)
 std::string Text(const OrderCounts& counts)
 {
   std::string text;
-  for (const auto& [order, count] : counts)
+  for (const auto& [orders, count] : counts)
   {
-    text += (text.empty() ? "" : ", ") + std::to_string(order) +
+    text += (text.empty() ? "" : ", ") + Label(orders) +
       (counts.size() > 1 ? " (" + std::to_string(count) + " elements)" : std::string());
   }
   return text.empty() ? "none" : text;
@@ -143,6 +169,7 @@ void PrintTable(const LoadedModel& input, const Facts& facts)
   table.Row("nodes",
     "x " + Short(b[0]) + " to " + Short(b[1]) + ", y " + Short(b[2]) + " to " + Short(b[3]) +
       ", z " + Short(b[4]) + " to " + Short(b[5]));
+  AddTime(table, input);
   std::string name = "fields";
   for (const FieldFacts& field : facts.fields)
   {
@@ -153,6 +180,10 @@ void PrintTable(const LoadedModel& input, const Facts& facts)
     if (field.continuity.comparisons > 0)
     {
       text += std::string(", ") + ContinuityName(field.continuity);
+    }
+    if (!field.basis.empty())
+    {
+      text += ", " + field.basis;
     }
     if (field.nonFiniteElements > 0)
     {
@@ -165,6 +196,7 @@ void PrintTable(const LoadedModel& input, const Facts& facts)
   {
     table.Row(name, "none");
   }
+  AddTo(table, facts.solver);
   table.Row(
     "coefficients", input.converted ? "made from the file's nodal values" : "as in the file");
   table.Print();
@@ -173,9 +205,9 @@ void PrintTable(const LoadedModel& input, const Facts& facts)
 json::Object ToJson(const OrderCounts& counts)
 {
   json::Object object;
-  for (const auto& [order, count] : counts)
+  for (const auto& [orders, count] : counts)
   {
-    object.Add(std::to_string(order), count);
+    object.Add(Label(orders), count);
   }
   return object;
 }
@@ -196,6 +228,7 @@ void PrintJson(const LoadedModel& input, const Facts& facts)
     json::Object field;
     field.Add("name", one.field->name).Add("components", one.field->values.components);
     field.Add("orders", ToJson(one.orders));
+    field.Add("basis", one.basis);
     field.Add("continuity", ContinuityName(one.continuity));
     field.Add("largest_jump", one.continuity.largestJump);
     field.Add("non_finite_elements", one.nonFiniteElements);
@@ -212,6 +245,9 @@ void PrintJson(const LoadedModel& input, const Facts& facts)
   summary.Add("geometry_orders", ToJson(facts.orders));
   summary.Add("stored_geometry_orders", ToJson(facts.storedOrders));
   summary.Add("node_bounds", facts.bounds).Add("fields", fields);
+  AddTo(summary, facts.solver);
+  AddTime(summary, input);
+  summary.Add("times", input.times);
   summary.Add("converted", input.converted).Raw("diagnostics", json::Array(diagnostics));
   std::cout << summary.String() << '\n';
 }
@@ -223,7 +259,7 @@ void Info(const InfoOptions& options, const CommonOptions& common)
     throw Unsupported("--certify is not available yet; leave it out");
   }
   Stopwatch stopwatch;
-  const LoadedModel input = LoadModel(options.files, {}, stopwatch);
+  const LoadedModel input = LoadModel(options.input, {}, stopwatch);
   const Facts facts = Gather(input);
   if (common.json)
   {
@@ -239,7 +275,7 @@ void AddInfoCommand(CLI::App& program, const CommonOptions& common, Action& acti
 {
   CLI::App* command = program.add_subcommand("info", "Tell what a mesh file holds");
   const auto options = std::make_shared<InfoOptions>();
-  AddInputOption(*command, options->files);
+  options->input.AddTo(*command);
   command->add_flag("--certify", options->certify,
     "Also prove field ranges and the sign of det J (not available yet)");
   command->callback(

@@ -2,23 +2,19 @@
 #include "Input.h"
 
 #include "Command.h"
-#include "VtkMessages.h"
+#include "NativeInput.h"
+#include "Report.h"
+#include "VtkInput.h"
 
 #include "Core/Base/Error.h"
+#include "GridCheck.h"
+#include "TimeSeries.h"
 
-#include <vtkCellArray.h>
-#include <vtkCellArrayIterator.h>
-#include <vtkCellData.h>
-#include <vtkErrorCode.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
 #include <vtkUnstructuredGrid.h>
-#include <vtkUnstructuredGridReader.h>
-#include <vtkXMLUnstructuredGridReader.h>
 
 #include <algorithm>
 #include <array>
-#include <cctype>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <new>
@@ -27,14 +23,6 @@ namespace pixelexact
 {
 namespace
 {
-using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
-using Files = std::vector<std::string>;
-
-[[noreturn]] void CannotRead(const std::string& file, const std::string& why)
-{
-  throw Error("cannot read '" + file + "': " + why);
-}
-
 /// What the operating system can tell before a reader guesses.
 void CheckFile(const std::string& file)
 {
@@ -46,6 +34,12 @@ void CheckFile(const std::string& file)
   }
   if (std::filesystem::is_directory(status))
   {
+    // Parallel runs of Nektar++ write a folder of parts.
+    const std::string suffix = LowerSuffix(file);
+    if (suffix == ".fld" || suffix == ".chk" || suffix == ".rst")
+    {
+      return;
+    }
     CannotRead(file, "it is a folder; name a file");
   }
   std::ifstream stream(file, std::ios::binary);
@@ -59,7 +53,46 @@ void CheckFile(const std::string& file)
   }
 }
 
-void CheckAlone(const Files& files)
+// A new format is a line here and a function elsewhere.
+struct Format
+{
+  const char* suffix;
+  const char* what;
+  InputGrid (*read)(const InputRequest&);
+};
+constexpr std::array kFormats{
+  Format{ ".vtu", "VTK XML", &ReadXmlFiles },
+  Format{ ".pvtu", "VTK XML, in pieces", &ReadXmlFiles },
+  Format{ ".pvd", "collection of VTK XML files", &ReadXmlCollection },
+  Format{ ".vtk", "VTK legacy", &ReadLegacyFile },
+  Format{ ".mesh", "MFEM", &ReadMfemFiles },
+  Format{ ".gf", "MFEM", &RefuseFieldFile },
+  Format{ ".saved", "GLVis", &ReadGlvisFile },
+  Format{ ".xml", "Nektar++", &ReadNektarFiles },
+  Format{ ".fld", "Nektar++", &RefuseFieldFile },
+  Format{ ".chk", "Nektar++", &RefuseFieldFile },
+  Format{ ".rst", "Nektar++", &RefuseFieldFile },
+};
+
+/// Of "x.mesh.gz" that of the mesh.
+std::string SuffixOf(const std::string& file)
+{
+  const std::string suffix = LowerSuffix(file);
+  return suffix == ".gz" ? LowerSuffix(file.substr(0, file.size() - suffix.size())) : suffix;
+}
+
+std::string Span(std::span<const double> times)
+{
+  return Short(times.front()) + " to " + Short(times.back());
+}
+} // namespace
+
+void CannotRead(const std::string& file, const std::string& why)
+{
+  throw Error("cannot read '" + file + "': " + why);
+}
+
+void CheckAlone(const std::vector<std::string>& files)
 {
   if (files.size() > 1)
   {
@@ -68,178 +101,86 @@ void CheckAlone(const Files& files)
   }
 }
 
-/// Cells that point beyond the points and arrays of other lengths than their data set's would be
-/// read out of bounds later.
-void CheckConsistency(vtkUnstructuredGrid& grid)
+int ChooseStep(const InputRequest& request, std::span<const double> times)
 {
-  const vtkIdType points = grid.GetNumberOfPoints();
-  const vtkIdType cells = grid.GetNumberOfCells();
-  // A file that ends before its cells leaves none of the arrays.
-  if (vtkCellArray* connectivity = cells > 0 ? grid.GetCells() : nullptr)
+  const std::string& file = request.files[0];
+  if (times.empty() && (request.time || request.step.value_or(0) > 0))
   {
-    if (grid.GetCellTypesArray()->GetNumberOfTuples() != cells)
+    throw Error("'" + file + "' has no time steps; leave out --time and --time-step");
+  }
+  if (request.step)
+  {
+    if (*request.step > 0 && *request.step >= static_cast<int>(times.size()))
     {
-      throw InvalidData("the numbers of cells and of cell types differ");
+      throw Error("--time-step: '" + file + "' has " + std::to_string(times.size()) +
+        " time steps, counted from 0");
     }
-    if (!connectivity->IsValid())
-    {
-      throw InvalidData("the offsets of its cells do not fit their list of points");
-    }
-    vtkIdType cell = 0;
-    const auto iterator = vtk::TakeSmartPointer(connectivity->NewIterator());
-    for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal();
-         iterator->GoToNextCell(), ++cell)
-    {
-      vtkIdType count = 0;
-      const vtkIdType* ids = nullptr;
-      iterator->GetCurrentCell(count, ids);
-      if (std::any_of(ids, ids + count, [points](vtkIdType id) { return id < 0 || id >= points; }))
-      {
-        throw InvalidData(
-          "cell " + std::to_string(cell) + " has a point that the file does not hold");
-      }
-    }
+    return *request.step;
   }
-  const auto checkArrays = [](vtkDataSetAttributes& data, vtkIdType expected, const char* what)
+  if (!request.time)
   {
-    for (int i = 0; i < data.GetNumberOfArrays(); ++i)
-    {
-      const vtkAbstractArray* array = data.GetAbstractArray(i);
-      if (array->GetNumberOfTuples() != expected)
-      {
-        const char* name = data.GetArrayName(i);
-        throw InvalidData(std::string(what) + " array '" + (name != nullptr ? name : "") +
-          "' holds " + std::to_string(array->GetNumberOfTuples()) + " values for " +
-          std::to_string(expected) + " " + what + "s");
-      }
-    }
-  };
-  checkArrays(*grid.GetPointData(), points, "point");
-  checkArrays(*grid.GetCellData(), cells, "cell");
+    return 0;
+  }
+  const double time = *request.time;
+  // As printed, a time may be a little beyond.
+  const double slack = 1e-5 * std::max(std::abs(times.front()), std::abs(times.back()));
+  if (time < times.front() - slack || time > times.back() + slack)
+  {
+    throw Error("--time: the times of '" + file + "' are " + Span(times));
+  }
+  const auto nearest = std::ranges::min_element(
+    times, {}, [time](double candidate) { return std::abs(candidate - time); });
+  return static_cast<int>(nearest - times.begin());
 }
 
-template <class Reader>
-Grid ReadWith(Reader& reader, const std::string& file)
+InputGrid ReadInput(const InputRequest& request)
 {
-  const VtkMessages messages;
-  reader.SetFileName(file.c_str());
-  reader.Update();
-  if (const std::string error = messages.FirstError(); !error.empty())
-  {
-    CannotRead(file, error);
-  }
-  if (reader.GetErrorCode() != vtkErrorCode::NoError)
-  {
-    CannotRead(file, vtkErrorCode::GetStringFromErrorCode(reader.GetErrorCode()));
-  }
-  // Readers warn of what they leave out: the rest is not what the file's author meant.
-  if (const std::string warning = messages.FirstWarning(); !warning.empty())
-  {
-    CannotRead(file, warning);
-  }
-  return reader.GetOutput();
-}
-
-Grid ReadXml(const Files& files)
-{
-  CheckAlone(files);
-  vtkNew<vtkXMLUnstructuredGridReader> reader;
-  if (!reader->CanReadFile(files[0].c_str()))
-  {
-    CannotRead(files[0], "it is not a VTK XML file of type UnstructuredGrid, or cut short");
-  }
-  return ReadWith(*reader, files[0]);
-}
-
-Grid ReadLegacy(const Files& files)
-{
-  CheckAlone(files);
-  vtkNew<vtkUnstructuredGridReader> reader;
-  {
-    const VtkMessages messages;
-    reader->SetFileName(files[0].c_str());
-    if (!reader->IsFileUnstructuredGrid())
-    {
-      CannotRead(files[0], "it is not a legacy VTK file that holds an UNSTRUCTURED_GRID");
-    }
-  }
-  reader->ReadAllScalarsOn();
-  reader->ReadAllVectorsOn();
-  reader->ReadAllFieldsOn();
-  return ReadWith(*reader, files[0]);
-}
-
-Grid NotYet(const Files& files)
-{
-  CannotRead(files[0],
-    "files of this kind are not supported yet; "
-    "write it as .vtu with Lagrange cells");
-}
-
-// A new format is a line here and a function above.
-struct Format
-{
-  const char* suffix;
-  const char* what;
-  Grid (*read)(const Files&);
-};
-constexpr std::array kFormats{
-  Format{ ".vtu", "VTK XML", &ReadXml },
-  Format{ ".vtk", "VTK legacy", &ReadLegacy },
-  Format{ ".mesh", "MFEM", &NotYet },
-  Format{ ".gf", "MFEM", &NotYet },
-  Format{ ".saved", "GLVis", &NotYet },
-  Format{ ".xml", "Nektar++", &NotYet },
-  Format{ ".fld", "Nektar++", &NotYet },
-  Format{ ".chk", "Nektar++", &NotYet },
-  Format{ ".rst", "Nektar++", &NotYet },
-};
-
-std::string LowerSuffix(const std::string& file)
-{
-  std::string suffix = std::filesystem::path(file).extension().string();
-  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return suffix;
-}
-} // namespace
-
-vtkSmartPointer<vtkUnstructuredGrid> ReadInput(const std::vector<std::string>& files)
-{
-  for (const std::string& file : files)
+  for (const std::string& file : request.files)
   {
     CheckFile(file);
   }
-  const std::string suffix = LowerSuffix(files[0]);
+  const std::string& first = request.files[0];
+  const std::string suffix = SuffixOf(first);
   const auto format = std::find_if(kFormats.begin(), kFormats.end(),
     [&suffix](const Format& candidate) { return suffix == candidate.suffix; });
   if (format == kFormats.end())
   {
-    CannotRead(files[0], "its suffix is of no format known here; .vtu and .vtk are read");
+    CannotRead(first,
+      "its suffix is of no format known here; .vtu, .pvtu, .pvd, .vtk, .mesh, .saved and .xml are "
+      "read");
   }
   try
   {
-    Grid grid = format->read(files);
-    CheckConsistency(*grid);
-    return grid;
+    InputGrid input = format->read(request);
+    CheckConsistency(*input.grid);
+    return input;
   }
   catch (const InvalidData& error)
   {
-    CannotRead(files[0], error.what());
+    CannotRead(first, error.what());
   }
   catch (const std::bad_alloc&)
   {
     // A damaged header asks for any amount; so does a file that is too large.
-    CannotRead(files[0], "it asks for more memory than there is");
+    CannotRead(first, "it asks for more memory than there is");
   }
 }
 
-void AddInputOption(CLI::App& command, std::vector<std::string>& files)
+void InputRequest::AddTo(CLI::App& command)
 {
   command
     .add_option("INPUT", files,
-      "The mesh file (.vtu or .vtk) and, where the format keeps them apart, its field files")
+      "The mesh file (.vtu, .pvtu, .pvd, .vtk, .mesh, .saved or .xml) and, where the format keeps "
+      "them apart, its field files (.gf; .fld, .chk or .rst); numbered .vtu or .pvtu files and "
+      "several Nektar++ field files make a time series")
     ->required()
     ->type_name("FILE");
+  CLI::Option* number =
+    command.add_option("--time-step", step, "Time step, counted from 0 (default: the first)")
+      ->type_name("N")
+      ->check(CLI::NonNegativeNumber);
+  command.add_option("--time", time, "Time; of the steps the nearest one")
+    ->type_name("T")
+    ->excludes(number);
 }
 } // namespace pixelexact

@@ -18,6 +18,7 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace pixelexact
 {
@@ -59,11 +60,14 @@ void Convert(LoadedModel& input, const std::string& field)
 }
 } // namespace
 
-LoadedModel LoadModel(
-  const std::vector<std::string>& files, const std::string& field, Stopwatch& stopwatch)
+LoadedModel LoadModel(const InputRequest& request, const std::string& field, Stopwatch& stopwatch)
 {
+  InputGrid read = ReadInput(request);
   LoadedModel input;
-  input.grid = ReadInput(files);
+  input.grid = read.grid;
+  input.times = std::move(read.times);
+  input.step = read.step;
+  input.diagnostics = std::move(read.notes);
   stopwatch.Stage("read");
   try
   {
@@ -75,10 +79,30 @@ LoadedModel LoadModel(
   }
   catch (const Error& error)
   {
-    throw Error("'" + files[0] + "': " + error.what());
+    throw Error("'" + request.files[0] + "': " + error.what());
   }
   stopwatch.Stage("convert");
   return input;
+}
+
+void AddTime(Table& table, const LoadedModel& input)
+{
+  if (!input.times.empty())
+  {
+    table.Row("time",
+      Short(input.times[static_cast<std::size_t>(input.step)]) + ", step " +
+        std::to_string(input.step) + " of " + std::to_string(input.times.size()) + " from " +
+        Short(input.times.front()) + " to " + Short(input.times.back()));
+  }
+}
+
+void AddTime(json::Object& summary, const LoadedModel& input)
+{
+  if (!input.times.empty())
+  {
+    summary.Add("time_step", input.step);
+    summary.Add("time", input.times[static_cast<std::size_t>(input.step)]);
+  }
 }
 
 void WarnOfDiagnostics(const LoadedModel& input)

@@ -12,9 +12,16 @@
 
 class vtkUnstructuredGrid;
 
+namespace pixelexact::json
+{
+class Object;
+}
+
 namespace pixelexact
 {
 class Stopwatch;
+class Table;
+struct InputRequest;
 
 /// An input, converted where it is plain.
 struct LoadedModel
@@ -24,13 +31,18 @@ struct LoadedModel
   bool converted = false;               ///< else the file carried our coefficients
   vtkIdType skippedCells = 0;           ///< of the file, that are no element
   std::vector<std::string> diagnostics; ///< what looks wrong in the file
+  std::vector<double> times;            ///< of the time steps; none: the input knows no time
+  int step = 0;                         ///< the one that this is
 };
 
 /// Reads and converts, telling the seconds as stages "read" and "convert". Of a plain file only
 /// `field` is converted, all of them where that is empty or not there. Throws Error, naming the
 /// file.
-LoadedModel LoadModel(
-  const std::vector<std::string>& files, const std::string& field, Stopwatch& stopwatch);
+LoadedModel LoadModel(const InputRequest& request, const std::string& field, Stopwatch& stopwatch);
+
+/// Tells which time step this is; nothing where the input knows no time.
+void AddTime(Table& table, const LoadedModel& input);
+void AddTime(json::Object& summary, const LoadedModel& input);
 
 /// Says on stderr what looks wrong in the file.
 void WarnOfDiagnostics(const LoadedModel& input);

@@ -23,7 +23,7 @@ namespace
 {
 struct ProbeOptions
 {
-  std::vector<std::string> files;
+  InputRequest input;
   std::string field;
   std::string points;
   std::string output;
@@ -139,7 +139,7 @@ void Probe(const ProbeOptions& options, const CommonOptions& common)
   // First what is quick and goes wrong often.
   const std::vector<Vec3> points = ReadPoints(options.points);
   stopwatch.Stage("points");
-  const LoadedModel input = LoadModel(options.files, options.field, stopwatch);
+  const LoadedModel input = LoadModel(options.input, options.field, stopwatch);
   WarnOfDiagnostics(input);
   const Field& field = FieldNamed(*input.model, options.field);
   const int components = field.values.components;
@@ -157,6 +157,7 @@ void Probe(const ProbeOptions& options, const CommonOptions& common)
   {
     json::Object summary;
     summary.Add("field", field.name).Add("components", components);
+    AddTime(summary, input);
     summary.Add("points", points.size()).Add("inside", counts.inside);
     summary.Add("outside", counts.outside).Add("unknown", counts.unknown);
     summary.Add("non_finite", counts.nonFinite).Add("seconds", ToJson(stopwatch));
@@ -165,6 +166,7 @@ void Probe(const ProbeOptions& options, const CommonOptions& common)
   }
   Table table;
   table.Row("field", field.name + FieldKind(field));
+  AddTime(table, input);
   table.Row("points",
     std::to_string(points.size()) + ": " + std::to_string(counts.inside) + " inside, " +
       std::to_string(counts.outside) + " outside, " + std::to_string(counts.unknown) + " unknown");
@@ -181,7 +183,7 @@ void AddProbeCommand(CLI::App& program, const CommonOptions& common, Action& act
 {
   CLI::App* command = program.add_subcommand("probe", "Evaluate a field at the points of a table");
   const auto options = std::make_shared<ProbeOptions>();
-  AddInputOption(*command, options->files);
+  options->input.AddTo(*command);
   command->add_option("--field", options->field, "Name of the field")
     ->required()
     ->type_name("NAME");

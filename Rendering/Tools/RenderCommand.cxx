@@ -51,6 +51,7 @@ void PrintJson(const Shot& shot, const Frame& frame,
   json::Object summary;
   summary.Add("elements", shot.input.model->GetMesh().Elements());
   summary.Add("field", shot.scene.field->name).Add("component", ComponentName(shot.scene));
+  AddTime(summary, shot.input);
   summary.Add("width", frame.width).Add("height", frame.height).Add("pixels", pixels);
   summary.Add("non_finite", frame.counters.nonFinite);
   summary.Raw("value_range", values ? json::Array(*values) : "null");
@@ -68,6 +69,7 @@ void PrintTable(const Shot& shot, const Frame& frame,
   table.Row("field",
     field.name + FieldKind(field) +
       (field.values.components > 1 ? ", " + ComponentName(shot.scene) : std::string()));
+  AddTime(table, shot.input);
   table.Row("size", std::to_string(frame.width) + " x " + std::to_string(frame.height));
   table.Row("pixels",
     std::to_string(frame.counters.exact) + " exact, " + std::to_string(frame.counters.nothing) +

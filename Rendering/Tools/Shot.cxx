@@ -2,7 +2,6 @@
 #include "Shot.h"
 
 #include "Command.h"
-#include "Input.h"
 #include "Report.h"
 
 #include "Core/Base/Error.h"
@@ -36,7 +35,7 @@ int ParseComponent(const std::string& text)
 
 void ShotOptions::AddTo(CLI::App& command)
 {
-  AddInputOption(command, files);
+  input.AddTo(command);
   command.add_option("--field", field, "Name of the field")->required()->type_name("NAME");
   command
     .add_option_function<std::string>(
@@ -60,7 +59,7 @@ Shot Prepare(const ShotOptions& options, Stopwatch& stopwatch)
   Shot shot;
   shot.size = options.size;
   shot.scene.surfaces = options.surfaces.Make();
-  shot.input = LoadModel(options.files, options.field, stopwatch);
+  shot.input = LoadModel(options.input, options.field, stopwatch);
   WarnOfDiagnostics(shot.input);
   const HighOrderModel& model = *shot.input.model;
   shot.scene.field = &FieldNamed(model, options.field);

@@ -3,6 +3,7 @@
 
 #include "CameraOptions.h"
 #include "ColorOptions.h"
+#include "Input.h"
 #include "Model.h"
 #include "Options.h"
 #include "SurfaceOptions.h"
@@ -11,7 +12,6 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace pixelexact
 {
@@ -20,7 +20,7 @@ class Stopwatch;
 /// What is seen from where, as render and bench are told.
 struct ShotOptions
 {
-  std::vector<std::string> files;
+  InputRequest input;
   std::string field;
   std::optional<int> component; ///< none: the value of a scalar, the magnitude of a vector
   SurfaceOptions surfaces;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VtkMessages.h"
 
+#include "ReaderMessages.h"
+
 #include <vtkLogger.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
-
-#include <string_view>
 
 namespace pixelexact
 {
@@ -36,37 +36,6 @@ private:
   }
 };
 vtkStandardNewMacro(RecordingWindow);
-
-/// "ERROR: In x.cxx, line 7\nvtkReader (0x5581): Cannot read." becomes "Cannot read.", on one line.
-std::string Essence(std::string_view text)
-{
-  if (const auto line = text.find('\n'); line != std::string_view::npos)
-  {
-    text.remove_prefix(line + 1);
-  }
-  if (const auto object = text.find("): "); object != std::string_view::npos)
-  {
-    text.remove_prefix(object + 3);
-  }
-  std::string essence;
-  for (const char c : text)
-  {
-    const bool space = c == '\n' || c == '\r' || c == '\t' || c == ' ';
-    if (!space)
-    {
-      essence += c;
-    }
-    else if (!essence.empty() && essence.back() != ' ')
-    {
-      essence += ' ';
-    }
-  }
-  while (!essence.empty() && (essence.back() == ' ' || essence.back() == '.'))
-  {
-    essence.pop_back();
-  }
-  return essence;
-}
 } // namespace
 
 VtkMessages::VtkMessages()
@@ -85,11 +54,11 @@ VtkMessages::~VtkMessages()
 
 std::string VtkMessages::FirstError() const
 {
-  return Essence(static_cast<RecordingWindow*>(Recorder.Get())->FirstError);
+  return MessageEssence(static_cast<RecordingWindow*>(Recorder.Get())->FirstError);
 }
 
 std::string VtkMessages::FirstWarning() const
 {
-  return Essence(static_cast<RecordingWindow*>(Recorder.Get())->FirstWarning);
+  return MessageEssence(static_cast<RecordingWindow*>(Recorder.Get())->FirstWarning);
 }
 } // namespace pixelexact

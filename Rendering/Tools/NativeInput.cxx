@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "NativeInput.h"
+
+#include "Command.h"
+#include "VtkMessages.h"
+
+#include "Core/Base/Error.h"
+#include "TimeSeries.h"
+#include "vtkGLVisReader.h"
+#include "vtkHighOrderGrid.h"
+#include "vtkMFEMReader.h"
+#include "vtkNektarReader.h"
+
+#include <vtkInformation.h>
+#include <vtkNew.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+
+namespace pixelexact
+{
+namespace
+{
+InputGrid ReadWith(vtkHighOrderFileReader& reader, const InputRequest& request)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  const VtkMessages messages;
+  const auto check = [&]
+  {
+    // The reader's own message names the file.
+    if (const std::string error = messages.FirstError(); !error.empty())
+    {
+      throw Error(error);
+    }
+  };
+  InputGrid input;
+  reader.SetFileName(request.files[0].c_str());
+  reader.UpdateInformation();
+  check();
+  vtkInformation* information = reader.GetOutputInformation(0);
+  if (information->Has(Pipeline::TIME_STEPS()))
+  {
+    const double* times = information->Get(Pipeline::TIME_STEPS());
+    input.times.assign(times, times + information->Length(Pipeline::TIME_STEPS()));
+  }
+  input.step = ChooseStep(request, input.times);
+  if (input.times.empty())
+  {
+    reader.Update();
+  }
+  else
+  {
+    reader.UpdateTimeStep(input.times[static_cast<std::size_t>(input.step)]);
+  }
+  check();
+  input.grid = reader.GetOutput();
+  for (int i = 0; i < reader.GetNumberOfDiagnostics(); ++i)
+  {
+    input.notes.push_back(reader.GetDiagnostic(i));
+  }
+  return input;
+}
+} // namespace
+
+InputGrid ReadMfemFiles(const InputRequest& request)
+{
+  vtkNew<vtkMFEMReader> reader;
+  for (std::size_t i = 1; i < request.files.size(); ++i)
+  {
+    reader->AddGridFunctionFileName(request.files[i].c_str());
+  }
+  return ReadWith(*reader, request);
+}
+
+InputGrid ReadGlvisFile(const InputRequest& request)
+{
+  CheckAlone(request.files);
+  vtkNew<vtkGLVisReader> reader;
+  return ReadWith(*reader, request);
+}
+
+InputGrid ReadNektarFiles(const InputRequest& request)
+{
+  vtkNew<vtkNektarReader> reader;
+  for (std::size_t i = 1; i < request.files.size(); ++i)
+  {
+    const std::string& file = request.files[i];
+    if (LowerSuffix(file) == ".xml")
+    {
+      reader->AddSessionFileName(file.c_str());
+    }
+    else
+    {
+      reader->AddFieldFileName(file.c_str());
+    }
+  }
+  return ReadWith(*reader, request);
+}
+
+InputGrid RefuseFieldFile(const InputRequest& request)
+{
+  throw UsageError("'" + request.files[0] +
+    "' holds a field without its mesh; name the mesh file before it (x.mesh u.gf, x.xml u.fld)");
+}
+} // namespace pixelexact

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Input.h"
+
+// The solvers' own formats, for Input.cxx. They throw as ReadInput.
+namespace pixelexact
+{
+/// x.mesh [u.gf ...]
+InputGrid ReadMfemFiles(const InputRequest& request);
+/// x.saved
+InputGrid ReadGlvisFile(const InputRequest& request);
+/// x.xml [more.xml ...] [u.fld ...]; several field files are time steps.
+InputGrid ReadNektarFiles(const InputRequest& request);
+/// A field file in the first place.
+InputGrid RefuseFieldFile(const InputRequest& request);
+} // namespace pixelexact

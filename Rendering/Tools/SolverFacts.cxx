@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SolverFacts.h"
+
+#include "Json.h"
+#include "Report.h"
+
+#include "HighOrderArrays.h"
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkStringArray.h>
+#include <vtkUnstructuredGrid.h>
+
+namespace pixelexact
+{
+namespace
+{
+using Counts = std::map<int, std::int64_t>;
+
+constexpr int kMostListed = 12;
+
+Counts Count(vtkDataArray* array)
+{
+  Counts counts;
+  for (vtkIdType i = 0; array != nullptr && i < array->GetNumberOfTuples(); ++i)
+  {
+    for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+    {
+      const int value = static_cast<int>(array->GetComponent(i, c));
+      // Faces inside have -1.
+      if (value >= 0)
+      {
+        ++counts[value];
+      }
+    }
+  }
+  return counts;
+}
+
+std::string NameOf(const SolverFacts& facts, int id, bool boundary)
+{
+  std::string names;
+  for (const auto& group : facts.groups)
+  {
+    if (group.id == id && group.boundary == boundary)
+    {
+      names += (names.empty() ? " '" : ", '") + group.name + "'";
+    }
+  }
+  return names;
+}
+
+void AddRow(Table& table, const char* label, const char* what, const SolverFacts& facts,
+  const Counts& counts, bool boundary)
+{
+  std::string text;
+  int listed = 0;
+  for (const auto& [id, count] : counts)
+  {
+    if (++listed > kMostListed)
+    {
+      text += ", and " + std::to_string(counts.size() - kMostListed) + " more";
+      break;
+    }
+    text += (text.empty() ? "" : ", ") + std::to_string(id) + NameOf(facts, id, boundary) + " (" +
+      std::to_string(count) + " " + what + ")";
+  }
+  if (!text.empty())
+  {
+    table.Row(label, text);
+  }
+}
+
+json::Object ToJson(const Counts& counts)
+{
+  json::Object object;
+  for (const auto& [id, count] : counts)
+  {
+    object.Add(std::to_string(id), count);
+  }
+  return object;
+}
+} // namespace
+
+SolverFacts GatherSolverFacts(vtkUnstructuredGrid& grid)
+{
+  SolverFacts facts;
+  vtkFieldData* data = grid.GetFieldData();
+  vtkDataArray* ids = data->GetArray("PixelExact.Groups.Id");
+  vtkDataArray* boundary = data->GetArray("PixelExact.Groups.Boundary");
+  auto* names = vtkStringArray::SafeDownCast(data->GetAbstractArray("PixelExact.Groups.Name"));
+  // Any grid may carry arrays of these names.
+  const bool sound = ids != nullptr && boundary != nullptr && names != nullptr &&
+    ids->GetNumberOfValues() == names->GetNumberOfValues() &&
+    boundary->GetNumberOfValues() == names->GetNumberOfValues();
+  for (vtkIdType i = 0; sound && i < names->GetNumberOfValues(); ++i)
+  {
+    if (!names->GetValue(i).empty())
+    {
+      facts.groups.push_back({ static_cast<int>(ids->GetComponent(i, 0)),
+        boundary->GetComponent(i, 0) != 0.0, names->GetValue(i) });
+    }
+  }
+  if (HasHighOrderArrays(&grid))
+  {
+    facts.attributes = Count(grid.GetCellData()->GetArray("Attribute"));
+    facts.boundaryAttributes = Count(grid.GetCellData()->GetArray("BoundaryAttribute"));
+  }
+  return facts;
+}
+
+std::string BasisOf(vtkUnstructuredGrid& grid, const std::string& field)
+{
+  auto* basis = vtkStringArray::SafeDownCast(
+    grid.GetFieldData()->GetAbstractArray((kFieldPrefix + field + ".Basis").c_str()));
+  return basis != nullptr && basis->GetNumberOfValues() > 0 ? basis->GetValue(0) : std::string();
+}
+
+void AddTo(Table& table, const SolverFacts& facts)
+{
+  AddRow(table, "attributes", "element", facts, facts.attributes, false);
+  AddRow(table, "boundary", "face", facts, facts.boundaryAttributes, true);
+}
+
+void AddTo(json::Object& summary, const SolverFacts& facts)
+{
+  summary.Add("attributes", ToJson(facts.attributes));
+  summary.Add("boundary_attributes", ToJson(facts.boundaryAttributes));
+  std::vector<json::Object> groups;
+  for (const auto& group : facts.groups)
+  {
+    json::Object object;
+    object.Add("id", group.id).Add("name", group.name).Add("boundary", group.boundary);
+    groups.push_back(object);
+  }
+  summary.Add("groups", groups);
+}
+} // namespace pixelexact

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+class vtkUnstructuredGrid;
+
+namespace pixelexact
+{
+namespace json
+{
+class Object;
+}
+class Table;
+
+/// What a solver's own file tells beside mesh and coefficients.
+struct SolverFacts
+{
+  struct Group
+  {
+    int id = 0;
+    bool boundary = false;
+    std::string name;
+  };
+  std::map<int, std::int64_t> attributes;         ///< elements by attribute or composite
+  std::map<int, std::int64_t> boundaryAttributes; ///< faces by attribute or composite
+  std::vector<Group> groups;                      ///< those with names
+};
+
+SolverFacts GatherSolverFacts(vtkUnstructuredGrid& grid);
+
+/// The basis that the solver's file names for a field; empty where it does not.
+std::string BasisOf(vtkUnstructuredGrid& grid, const std::string& field);
+
+void AddTo(Table& table, const SolverFacts& facts);
+void AddTo(json::Object& summary, const SolverFacts& facts);
+} // namespace pixelexact

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VtkInput.h"
+
+#include "Command.h"
+#include "VtkMessages.h"
+
+#include "GridParts.h"
+#include "TimeSeries.h"
+
+#include <vtkErrorCode.h>
+#include <vtkNew.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkUnstructuredGridReader.h>
+
+#include <algorithm>
+#include <cctype>
+#include <iterator>
+#include <utility>
+
+namespace pixelexact
+{
+namespace
+{
+using Files = std::vector<std::string>;
+
+InputGrid ReadStep(
+  const InputRequest& request, const std::vector<TimeStep>& steps, std::vector<double> times)
+{
+  InputGrid input;
+  input.times = std::move(times);
+  input.step = ChooseStep(request, input.times);
+  const VtkMessages messages; // keeps VTK's log off stderr; what is wrong comes as Error
+  ReadGrid read = ReadParts(steps[static_cast<std::size_t>(input.step)].parts);
+  input.grid = read.grid;
+  input.notes = std::move(read.notes);
+  return input;
+}
+
+std::vector<double> Times(const std::vector<TimeStep>& steps)
+{
+  std::vector<double> times;
+  std::ranges::transform(steps, std::back_inserter(times), &TimeStep::time);
+  return times;
+}
+
+bool IsDigit(char c)
+{
+  return std::isdigit(static_cast<unsigned char>(c)) != 0;
+}
+
+/// A name cut at a number: where that begins and ends.
+struct Number
+{
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+/// The number in which two names differ: what is before and behind it is the same.
+Number Differing(const std::string& a, const std::string& b)
+{
+  std::size_t begin = 0;
+  while (begin < std::min(a.size(), b.size()) && a[begin] == b[begin])
+  {
+    ++begin;
+  }
+  while (begin > 0 && IsDigit(a[begin - 1]))
+  {
+    --begin;
+  }
+  std::size_t end = begin;
+  while (end < a.size() && IsDigit(a[end]))
+  {
+    ++end;
+  }
+  return { begin, end };
+}
+
+/// The number in a name that has it where `number` says in `model`; empty where the names differ in
+/// more.
+std::string NumberIn(const std::string& name, const std::string& model, const Number& number)
+{
+  const std::string before = model.substr(0, number.begin);
+  const std::string behind = model.substr(number.end);
+  if (name.size() <= before.size() + behind.size() || !name.starts_with(before) ||
+    !name.ends_with(behind))
+  {
+    return {};
+  }
+  const std::string digits =
+    name.substr(before.size(), name.size() - before.size() - behind.size());
+  return std::ranges::all_of(digits, IsDigit) ? digits : std::string();
+}
+
+/// The files by their numbers. UsageError where their names differ in more than one number.
+Files SortSeries(const Files& files)
+{
+  const Number number = Differing(files[0], files[1]);
+  using Numbered = std::pair<std::string, std::string>;
+  std::vector<Numbered> numbered;
+  for (const std::string& file : files)
+  {
+    std::string digits = NumberIn(file, files[0], number);
+    if (digits.empty())
+    {
+      throw UsageError("'" + files[0] + "' holds mesh and fields, and '" + file +
+        "' is no other time step of it, which would differ in one number; name one file alone");
+    }
+    digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size() - 1));
+    numbered.emplace_back(std::move(digits), file);
+  }
+  std::ranges::stable_sort(numbered,
+    [](const Numbered& a, const Numbered& b)
+    {
+      return std::pair(a.first.size(), std::string_view(a.first)) <
+        std::pair(b.first.size(), std::string_view(b.first));
+    });
+  Files sorted;
+  std::ranges::transform(numbered, std::back_inserter(sorted), &Numbered::second);
+  return sorted;
+}
+
+template <class Reader>
+vtkSmartPointer<vtkUnstructuredGrid> ReadWith(Reader& reader, const std::string& file)
+{
+  const VtkMessages messages;
+  reader.SetFileName(file.c_str());
+  reader.Update();
+  if (const std::string error = messages.FirstError(); !error.empty())
+  {
+    CannotRead(file, error);
+  }
+  if (reader.GetErrorCode() != vtkErrorCode::NoError)
+  {
+    CannotRead(file, vtkErrorCode::GetStringFromErrorCode(reader.GetErrorCode()));
+  }
+  // Readers warn of what they leave out: the rest is not what the file's author meant.
+  if (const std::string warning = messages.FirstWarning(); !warning.empty())
+  {
+    CannotRead(file, warning);
+  }
+  return reader.GetOutput();
+}
+} // namespace
+
+InputGrid ReadXmlFiles(const InputRequest& request)
+{
+  if (request.files.size() == 1)
+  {
+    return ReadStep(request, NumberFiles(request.files), {});
+  }
+  const auto steps = NumberFiles(SortSeries(request.files));
+  return ReadStep(request, steps, Times(steps));
+}
+
+InputGrid ReadXmlCollection(const InputRequest& request)
+{
+  CheckAlone(request.files);
+  const auto steps = ReadCollection(request.files[0]);
+  return ReadStep(request, steps, Times(steps));
+}
+
+InputGrid ReadLegacyFile(const InputRequest& request)
+{
+  CheckAlone(request.files);
+  ChooseStep(request, {});
+  const std::string& file = request.files[0];
+  vtkNew<vtkUnstructuredGridReader> reader;
+  {
+    const VtkMessages messages;
+    reader->SetFileName(file.c_str());
+    if (!reader->IsFileUnstructuredGrid())
+    {
+      CannotRead(file, "it is not a legacy VTK file that holds an UNSTRUCTURED_GRID");
+    }
+  }
+  reader->ReadAllScalarsOn();
+  reader->ReadAllVectorsOn();
+  reader->ReadAllFieldsOn();
+  InputGrid input;
+  input.grid = ReadWith(*reader, file);
+  return input;
+}
+} // namespace pixelexact
