@@ -202,7 +202,24 @@ void PrintTable(const LoadedModel& input, const Facts& facts)
   table.Print();
 }
 
+/// Elements by the highest of their orders.
 json::Object ToJson(const OrderCounts& counts)
+{
+  std::map<int, std::int64_t> highest;
+  for (const auto& [orders, count] : counts)
+  {
+    highest[std::ranges::max(orders)] += count;
+  }
+  json::Object object;
+  for (const auto& [order, count] : highest)
+  {
+    object.Add(std::to_string(order), count);
+  }
+  return object;
+}
+
+/// Elements by "3 x 5 x 7".
+json::Object DirectionsToJson(const OrderCounts& counts)
 {
   json::Object object;
   for (const auto& [orders, count] : counts)
@@ -228,6 +245,7 @@ void PrintJson(const LoadedModel& input, const Facts& facts)
     json::Object field;
     field.Add("name", one.field->name).Add("components", one.field->values.components);
     field.Add("orders", ToJson(one.orders));
+    field.Add("orders_per_direction", DirectionsToJson(one.orders));
     field.Add("basis", one.basis);
     field.Add("continuity", ContinuityName(one.continuity));
     field.Add("largest_jump", one.continuity.largestJump);

@@ -40,9 +40,15 @@ class BadFiles(FileTest):
         path.chmod(0)
         self.refuses(path, "permissions")
 
-    def test_formats_to_come(self):
-        for suffix in ["mesh", "gf", "saved", "xml", "fld", "chk", "rst"]:
-            self.refuses(self.write("file." + suffix, "x"), "not supported yet")
+    def test_noise_in_solvers_files(self):
+        for suffix in ["mesh", "saved", "xml"]:
+            self.refuses(self.write("text." + suffix, "x"))
+            self.refuses(self.write("noise." + suffix, bytes(range(256)) * 10))
+
+    def test_field_files_need_their_mesh(self):
+        for suffix in ["gf", "fld", "chk", "rst"]:
+            path = self.write("field." + suffix, "x")
+            self.fails(2, "info", path, names=[path, "mesh"])
 
     def test_wrong_content(self):
         self.refuses(self.write("noise.vtu", bytes(range(256)) * 10))

@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Solvers' own files on the command line."""
+
+import gzip
+import unittest
+
+import numpy as np
+
+from tool import DATA, ToolTest, columns, read_csv
+
+ZOO = DATA / "mfem49_tinyzoo_g3_p5"
+DARCY = DATA / "mfem_escher_tet_darcy_p3"
+ANISOTROPIC = DATA / "nek_hex_aniso_p3p5p7"
+
+
+class Native(ToolTest):
+    def probe(self, files, field, oracle):
+        out = self.folder / "out.csv"
+        self.succeeds("probe", *files, "--field", field, "--points", oracle, "--output", out)
+        return columns(read_csv(oracle)), columns(read_csv(out))
+
+    def test_mfem_scalar_on_all_shapes(self):
+        files = [ZOO / "mfem49_tinyzoo_g3_p5.mesh", ZOO / "u.gf"]
+        oracle, found = self.probe(files, "u", ZOO / "oracle_u.csv")
+        self.assertEqual(set(found["verdict"]), {"inside"})
+        np.testing.assert_allclose(found["value"], oracle["u"], rtol=0, atol=1e-12)
+
+    def test_mfem_vector_elements(self):
+        files = [DARCY / "mfem_escher_tet_darcy_p3.mesh", DARCY / "pressure.gf", DARCY / "flux.gf"]
+        oracle, found = self.probe(files, "flux", DARCY / "oracle_flux.csv")
+        for k in range(3):
+            np.testing.assert_allclose(found[f"value_{k}"], oracle[f"u{k}"], rtol=0, atol=1e-11)
+
+    def test_compressed_files_and_streams(self):
+        mesh = (ZOO / "mfem49_tinyzoo_g3_p5.mesh").read_bytes()
+        field = (ZOO / "u.gf").read_bytes()
+        packed = [self.folder / "zoo.mesh.gz", self.folder / "u.gf.gz"]
+        for path, data in zip(packed, [mesh, field]):
+            path.write_bytes(gzip.compress(data))
+        stream = self.folder / "zoo.saved"
+        stream.write_bytes(b"solution\n" + mesh + b"\n" + field + b"\nkeys AaRjlm\n")
+        oracle, found = self.probe(packed, "u", ZOO / "oracle_u.csv")
+        np.testing.assert_allclose(found["value"], oracle["u"], rtol=0, atol=1e-12)
+        oracle, found = self.probe([stream], "solution", ZOO / "oracle_u.csv")
+        np.testing.assert_allclose(found["value"], oracle["u"], rtol=0, atol=1e-12)
+
+    def test_nektar(self):
+        name = ANISOTROPIC.name
+        files = [ANISOTROPIC / f"{name}.xml", ANISOTROPIC / f"{name}.fld"]
+        oracle, found = self.probe(files, "u", ANISOTROPIC / "oracle.csv")
+        np.testing.assert_allclose(found["value"], oracle["u"], rtol=0, atol=1e-13)
+        np.testing.assert_array_equal(found["element"], oracle["element"])
+
+    def test_info(self):
+        name = ANISOTROPIC.name
+        files = [ANISOTROPIC / f"{name}.xml", ANISOTROPIC / f"{name}.fld"]
+        summary = self.summary("info", *files)
+        self.assertEqual(summary["fields"][0]["orders_per_direction"], {"3 x 5 x 7": 8})
+        self.assertEqual(summary["fields"][0]["basis"], "Modified_A x Modified_A x Modified_A")
+        self.assertEqual(summary["attributes"], {"0": 8})
+        self.assertEqual(sum(summary["boundary_attributes"].values()), 24)
+        self.assertFalse(summary["converted"])
+
+    def test_picture_of_a_flux(self):
+        picture = self.folder / "flux.png"
+        self.succeeds("render", DARCY / "mfem_escher_tet_darcy_p3.mesh", DARCY / "flux.gf", "--field",
+                      "flux", "--plane", "0,0,0,0,0,1", "--size", "200x200", "--output", picture)
+        self.assertGreater(picture.stat().st_size, 1000)
+
+    def test_field_of_another_mesh(self):
+        self.fails(1, "info", ZOO / "mfem49_tinyzoo_g3_p5.mesh", DARCY / "pressure.gf",
+                   names=["pressure.gf"])
+
+
+if __name__ == "__main__":
+    unittest.main()
