@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Location/ElementBounds.h"
 
+#include "Core/Basis/ModeBound.h"
 #include "Core/Bernstein/BernsteinForm.h"
 #include "Core/Location/Injectivity.h"
 #include "Core/Math/Rounding.h"
@@ -73,7 +74,21 @@ struct ComponentHulls
   std::vector<double> bernstein[3];
   double error[3];     ///< of every coefficient
   double magnitude[3]; ///< bound of the sum of |c| |mode|
+  double first[3];     ///< the first mode's coefficient
+  double spread[3];    ///< bound of the distance from it
 };
+
+/// sum over all modes but the first, which is 1, of |c| |mode|: a bound that does not suffer from
+/// the growth of Bernstein coefficients with the order, which makes hulls of order 20 useless.
+double SpreadOf(const Space& space, const double* component)
+{
+  double sum = 0.0;
+  ForEachMode(space,
+    [&](int p, int q, int r, int mode)
+    { sum += mode == 0 ? 0.0 : std::fabs(component[mode]) * ModeBound(space, p, q, r); });
+  // The sum's rounding, and that of the bounds.
+  return sum * (1.0 + Gamma(space.Modes() + 64));
+}
 
 ComponentHulls MakeHulls(const Space& space, const double* coefficients)
 {
@@ -86,6 +101,8 @@ ComponentHulls MakeHulls(const Space& space, const double* coefficients)
     hulls.bernstein[c].resize(form.Size());
     form.Convert(component, hulls.bernstein[c]);
     hulls.error[c] = form.ErrorBound(component);
+    hulls.spread[c] = SpreadOf(space, component);
+    hulls.first[c] = component[0];
     hulls.magnitude[c] = 0.0;
     for (int k = 0; k < modes; ++k)
     {
@@ -102,8 +119,12 @@ void MakeBox(const Mesh& mesh, int element, const ComponentHulls& hulls, Element
   {
     const Hull hull = HullOf(hulls.bernstein[c]);
     const double centre = mesh.centre[3 * static_cast<std::size_t>(element) + c];
-    const double lower = NextDown(centre + NextDown(size * NextDown(hull.lower - hulls.error[c])));
-    const double upper = NextUp(centre + NextUp(size * NextUp(hull.upper + hulls.error[c])));
+    const double least =
+      std::max(NextDown(hull.lower - hulls.error[c]), NextDown(hulls.first[c] - hulls.spread[c]));
+    const double most =
+      std::min(NextUp(hull.upper + hulls.error[c]), NextUp(hulls.first[c] + hulls.spread[c]));
+    const double lower = NextDown(centre + NextDown(size * least));
+    const double upper = NextUp(centre + NextUp(size * most));
     // A point meant to lie on a face is known to half an ulp of its coordinates, the face to the
     // mesh's uncertainty.
     const double slack = mesh.uncertainty[element] +
