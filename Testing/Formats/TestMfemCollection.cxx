@@ -1,130 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Formats/MFEM/Collection.h"
+#include "MfemElements.h"
 
-#include "Core/Base/Error.h"
-#include "Core/Basis/BasisFactor.h"
+#include "Formats/MFEM/VectorUnknowns.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numeric>
 #include <set>
 
-// Values of MFEM's bases at points of its unit elements, by way of the canonical coefficients.
 namespace pixelexact::mfem
 {
 namespace
 {
-using Point = std::array<long double, 3>;
-
-constexpr std::array kSolids{ Geometry::Tetrahedron, Geometry::Cube, Geometry::Prism,
-  Geometry::Pyramid };
-
-LongVec3 ToXi(Geometry solid, const Point& x)
-{
-  if (solid == Geometry::Prism)
-  {
-    return { 2 * x[0] - 1, 1 - 2 * x[2], 2 * x[1] - 1 };
-  }
-  return { 2 * x[0] - 1, 2 * x[1] - 1, 2 * x[2] - 1 };
-}
-
-/// Points inside of the unit element, of no symmetry.
-std::vector<Point> Inside(Geometry solid)
-{
-  std::vector<Point> points;
-  for (int i = 0; i < 7; ++i)
-  {
-    Point x{ 0.11L + 0.12L * i, 0.87L - 0.11L * i, 0.09L + 0.117L * ((3 * i) % 7) };
-    if (solid == Geometry::Tetrahedron || solid == Geometry::Pyramid)
-    {
-      x[0] *= 1 - x[2];
-      x[1] *= 1 - x[2];
-    }
-    if (solid == Geometry::Tetrahedron || solid == Geometry::Prism)
-    {
-      x[0] *= 1 - x[1] / (solid == Geometry::Prism ? 1 : 1 - x[2]);
-    }
-    points.push_back(x);
-  }
-  return points;
-}
-
-/// One part's value for given source coefficients.
-long double Value(
-  const ChangeOfBasis& part, Geometry solid, const std::vector<double>& source, const Point& x)
-{
-  const int modes = part.Target().Modes();
-  std::vector<double> canonical(modes);
-  part.Apply(source, 0.0, canonical);
-  std::vector<long double> mode(modes);
-  EvaluateModes(part.Target(), ToXi(solid, x), mode.data());
-  return std::inner_product(mode.begin(), mode.end(), canonical.begin(), 0.0L);
-}
-
-std::vector<double> Unit(int n, int at)
-{
-  std::vector<double> unit(n, 0.0);
-  unit[at] = 1.0;
-  return unit;
-}
-
-std::vector<Point> Vertices(Geometry solid)
-{
-  switch (solid)
-  {
-    case Geometry::Tetrahedron:
-      return { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
-    case Geometry::Cube:
-      return { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 1 },
-        { 1, 1, 1 }, { 0, 1, 1 } };
-    case Geometry::Prism:
-      return { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 1 }, { 0, 1, 1 } };
-    default:
-      return { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
-  }
-}
-
-/// MFEM's edges.
-std::vector<std::array<int, 2>> Edges(Geometry solid)
-{
-  switch (solid)
-  {
-    case Geometry::Tetrahedron:
-      return { { 0, 1 }, { 0, 2 }, { 0, 3 }, { 1, 2 }, { 1, 3 }, { 2, 3 } };
-    case Geometry::Cube:
-      return { { 0, 1 }, { 1, 2 }, { 3, 2 }, { 0, 3 }, { 4, 5 }, { 5, 6 }, { 7, 6 }, { 4, 7 },
-        { 0, 4 }, { 1, 5 }, { 2, 6 }, { 3, 7 } };
-    case Geometry::Prism:
-      return { { 0, 1 }, { 1, 2 }, { 2, 0 }, { 3, 4 }, { 4, 5 }, { 5, 3 }, { 0, 3 }, { 1, 4 },
-        { 2, 5 } };
-    default:
-      return { { 0, 1 }, { 1, 2 }, { 3, 2 }, { 0, 3 }, { 0, 4 }, { 1, 4 }, { 2, 4 }, { 3, 4 } };
-  }
-}
-
-/// MFEM's faces.
-std::vector<std::vector<int>> Faces(Geometry solid)
-{
-  switch (solid)
-  {
-    case Geometry::Tetrahedron:
-      return { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 } };
-    case Geometry::Cube:
-      return { { 3, 2, 1, 0 }, { 0, 1, 5, 4 }, { 1, 2, 6, 5 }, { 2, 3, 7, 6 }, { 3, 0, 4, 7 },
-        { 4, 5, 6, 7 } };
-    case Geometry::Prism:
-      return { { 0, 2, 1 }, { 3, 4, 5 }, { 0, 1, 4, 3 }, { 1, 2, 5, 4 }, { 2, 0, 3, 5 } };
-    default:
-      return { { 3, 2, 1, 0 }, { 0, 1, 4 }, { 1, 2, 4 }, { 2, 3, 4 }, { 3, 0, 4 } };
-  }
-}
-
-Geometry FaceGeometry(const std::vector<int>& face)
-{
-  return face.size() == 3 ? Geometry::Triangle : Geometry::Square;
-}
-
 /// The unknowns of an element by its entities.
 int Counted(const Collection& collection, Geometry solid)
 {
@@ -136,18 +23,6 @@ int Counted(const Collection& collection, Geometry solid)
     sum += collection.Unknowns(FaceGeometry(face));
   }
   return sum;
-}
-
-bool HasBasis(const Collection& collection, Geometry solid)
-{
-  try
-  {
-    return collection.Basis(solid).sources > 0;
-  }
-  catch (const Unsupported&)
-  {
-    return false;
-  }
 }
 } // namespace
 
@@ -361,5 +236,60 @@ TEST(MfemCollection, RefusesWithRemedy)
   {
     EXPECT_THROW((void)Collection::Parse(name), InvalidData) << name;
   }
+}
+TEST(MfemCollection, VectorBasesReproduceLinearFields)
+{
+  const auto field = [](const auto& x)
+  {
+    return Point{ 1 + 2 * x[0] - x[1] + 3 * x[2], -2 + x[0] + 5 * x[1] - x[2],
+      4 - 3 * x[0] + x[1] + 2 * x[2] };
+  };
+  for (const char* text :
+    { "ND_3D_P2", "ND_3D_P4", "ND@Uo_3D_P2", "RT_3D_P1", "RT_3D_P3", "RT@co_3D_P2", "RT1_3D" })
+  {
+    const auto collection = Collection::Parse(text);
+    const auto name = ParseCollectionName(text);
+    for (const Geometry solid : { Geometry::Tetrahedron, Geometry::Cube, Geometry::Prism })
+    {
+      if (!HasBasis(collection, solid))
+      {
+        continue;
+      }
+      std::vector<double> source;
+      for (const VectorUnknown& unknown : VectorUnknowns(name, solid))
+      {
+        const Point v = field(unknown.node);
+        source.push_back(static_cast<double>(
+          std::inner_product(v.begin(), v.end(), unknown.direction.begin(), 0.0L)));
+      }
+      for (const auto& x : Inside(solid))
+      {
+        const Point value = UnitVector(collection, solid, source, x);
+        for (int d = 0; d < 3; ++d)
+        {
+          EXPECT_NEAR(value[d], field(x)[d], 2e-13L) << text << " on " << int(solid);
+        }
+      }
+    }
+  }
+}
+
+TEST(MfemCollection, MixesAsWritten)
+{
+  const auto collection = Collection::Parse("ND_3D_P2");
+  EXPECT_TRUE(collection.MixesTriangleUnknowns());
+  EXPECT_FALSE(Collection::Parse("ND_3D_P1").MixesTriangleUnknowns());
+  EXPECT_FALSE(Collection::Parse("RT_3D_P2").MixesTriangleUnknowns());
+  // A triangle seen with corners (a, b, c) as (b, a, c): along a to b and a to c become a to b
+  // backwards, and b to c.
+  const std::array<double, 4> expected{ -1, 0, -1, 1 };
+  EXPECT_EQ(collection.TriangleMixing(1), expected);
+}
+
+TEST(MfemCollection, RefusesOrdersThatWouldTakeTooLong)
+{
+  EXPECT_THROW((void)Collection::Parse("H1_3D_P30").Basis(Geometry::Tetrahedron), Unsupported);
+  EXPECT_THROW((void)Collection::Parse("ND_3D_P20").Basis(Geometry::Prism), Unsupported);
+  EXPECT_EQ(Collection::Parse("H1_3D_P32").Basis(Geometry::Cube).sources, 33 * 33 * 33);
 }
 } // namespace pixelexact::mfem

@@ -2,6 +2,7 @@
 #include "Formats/MFEM/Collection.h"
 
 #include "Core/Base/Error.h"
+#include "Core/Basis/Space.h"
 #include "Formats/MFEM/CollectionName.h"
 #include "Formats/MFEM/EntityOrder.h"
 #include "Formats/MFEM/PyramidElements.h"
@@ -17,8 +18,24 @@ namespace pixelexact::mfem
 {
 namespace
 {
-/// Bases on these shapes are dense: beyond this order they take minutes to make.
-constexpr int kLargestDenseOrder = 16;
+/// Where bases are dense, beyond these orders they take minutes to make.
+int LargestOrder(const CollectionName& name, Geometry solid)
+{
+  if (name.continuity == Continuity::HCurl || name.continuity == Continuity::HDiv)
+  {
+    const bool byLines = solid == Geometry::Cube && name.continuity == Continuity::HDiv;
+    return byLines ? kMaxOrder : solid >= Geometry::Prism ? 6 : 8;
+  }
+  switch (solid)
+  {
+    case Geometry::Cube:
+      return kMaxOrder;
+    case Geometry::Pyramid:
+      return name.continuity == Continuity::H1 ? 8 : 12;
+    default:
+      return 16;
+  }
+}
 
 std::size_t At(Geometry geometry)
 {
@@ -57,10 +74,12 @@ ElementBasis MakeBasis(const CollectionName& name, Geometry solid)
     throw Unsupported("MFEM defines the finite element collection '" + name.text +
       "' on other shapes than " + PluralOf(solid) + ".");
   }
-  if (name.order > kLargestDenseOrder && solid != Geometry::Cube && solid != Geometry::Prism)
+  const int largest = LargestOrder(name, solid);
+  if (name.order > largest)
   {
     throw Unsupported("the finite element collection '" + name.text + "' on " + PluralOf(solid) +
-      ": orders above " + std::to_string(kLargestDenseOrder) + " are refused there.");
+      ": orders above " + std::to_string(largest) +
+      " are refused there; project the field to a lower order in MFEM (ProjectGridFunction).");
   }
   if (name.continuity == Continuity::HCurl || name.continuity == Continuity::HDiv)
   {

@@ -5,6 +5,7 @@
 
 #include "Core/Element/Mesh.h"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>

@@ -3,9 +3,9 @@
 
 #include "Core/Base/Error.h"
 #include "Core/Basis/Space.h"
+#include "Formats/MFEM/NamedCollections.h"
 
 #include <array>
-#include <optional>
 #include <string_view>
 
 namespace pixelexact::mfem
@@ -13,26 +13,8 @@ namespace pixelexact::mfem
 namespace
 {
 constexpr std::string_view kBasisLetters = "gGPuUoSci";
-/// Longer names are shown shortened in messages.
-constexpr std::size_t kLongestShown = 60;
 /// Numbers in names have at most so many digits.
 constexpr int kMostDigits = 4;
-
-std::string Quoted(const std::string& text)
-{
-  std::string shown = "'";
-  for (const char c : text.substr(0, kLongestShown))
-  {
-    shown += c >= ' ' && c <= '~' ? c : '?';
-  }
-  return shown + (text.size() > kLongestShown ? "...'" : "'");
-}
-
-[[noreturn]] void Refuse(const std::string& text, const std::string& reason)
-{
-  throw Unsupported(
-    "the finite element collection " + Quoted(text) + " is not supported: " + reason + ".");
-}
 
 [[noreturn]] void RejectName(const std::string& text)
 {
@@ -118,7 +100,7 @@ public:
     }
     if (dimension != 3)
     {
-      Refuse(Text,
+      RefuseCollection(Text,
         "it is one of " + std::to_string(dimension) +
           "-D elements; PixelExact shows solid elements");
     }
@@ -130,7 +112,7 @@ public:
     // H(div) functions reach one order beyond the number in their name.
     if (name.order + (name.continuity == Continuity::HDiv ? 1 : 0) > kMaxOrder)
     {
-      Refuse(Text, "orders above " + std::to_string(kMaxOrder) + " are refused");
+      RefuseCollection(Text, "orders above " + std::to_string(kMaxOrder) + " are refused");
     }
   }
 
@@ -140,7 +122,7 @@ private:
     const int space = Number();
     if (space > 1)
     {
-      Refuse(Text, "MFEM has pyramid spaces 0 and 1 only");
+      RefuseCollection(Text, "MFEM has pyramid spaces 0 and 1 only");
     }
     name.pyramid = static_cast<PyramidSpace>(space);
   }
@@ -161,89 +143,6 @@ bool HasEnds(LineBasis basis)
     basis == LineBasis::ClosedGaussLegendre;
 }
 
-std::optional<CollectionName> Legacy(const std::string& text)
-{
-  struct Entry
-  {
-    std::string_view name;
-    Continuity continuity;
-    int order;
-    bool shared;
-  };
-  static constexpr std::array kEntries{
-    Entry{ "Linear", Continuity::H1, 1, true },
-    Entry{ "Quadratic", Continuity::H1, 2, true },
-    Entry{ "Cubic", Continuity::H1, 3, true },
-    Entry{ "Const3D", Continuity::L2, 0, false },
-    Entry{ "LinearDiscont3D", Continuity::L2, 1, false },
-    Entry{ "QuadraticDiscont3D", Continuity::L2, 2, false },
-    Entry{ "ND1_3D", Continuity::HCurl, 1, true },
-    Entry{ "RT0_3D", Continuity::HDiv, 0, true },
-    Entry{ "RT1_3D", Continuity::HDiv, 1, true },
-  };
-  for (const Entry& entry : kEntries)
-  {
-    if (text == entry.name)
-    {
-      CollectionName name;
-      name.text = text;
-      name.continuity = entry.continuity;
-      name.order = entry.order;
-      name.closed = LineBasis::ClosedUniform;
-      name.open = LineBasis::OpenUniform;
-      name.shared = entry.shared;
-      name.legacy = true;
-      return name;
-    }
-  }
-  return std::nullopt;
-}
-
-void RefuseOthers(const std::string& text)
-{
-  struct Entry
-  {
-    std::string_view begin;
-    const char* reason;
-  };
-  static constexpr std::array kEntries{
-    Entry{ "NURBS",
-      "it is a NURBS space; project the field to an H1 or L2 space in MFEM "
-      "(ProjectGridFunction) and save that" },
-    Entry{ "H1_Trace", "trace spaces live on faces; save the field itself" },
-    Entry{ "H1Pos_Trace", "trace spaces live on faces; save the field itself" },
-    Entry{ "RT_Trace", "trace spaces live on faces; save the field itself" },
-    Entry{ "RT_ValTrace", "trace spaces live on faces; save the field itself" },
-    Entry{ "ND_Trace", "trace spaces live on faces; save the field itself" },
-    Entry{ "DG_I", "interface spaces live on faces; save the field itself" },
-    Entry{ "H1Ser_", "serendipity spaces are not read; project the field to H1 and save that" },
-    Entry{ "RT_R", "it is one of 1-D or 2-D elements; PixelExact shows solid elements" },
-    Entry{ "ND_R", "it is one of 1-D or 2-D elements; PixelExact shows solid elements" },
-    Entry{ "Local_", "local spaces are not read; project the field to H1 or L2 and save that" },
-    Entry{ "LinearNonConf3D", "project the field to L2 and save that" },
-    Entry{ "CrouzeixRaviart", "it is one of 2-D elements; PixelExact shows solid elements" },
-    Entry{ "QuadraticPos", "it is one of 2-D elements; PixelExact shows solid elements" },
-    Entry{ "P1OnQuad", "it is one of 2-D elements; PixelExact shows solid elements" },
-  };
-  for (const Entry& entry : kEntries)
-  {
-    if (text.starts_with(entry.begin))
-    {
-      Refuse(text, entry.reason);
-    }
-  }
-  static constexpr std::array kPlane{ "Const2D", "LinearDiscont2D", "GaussLinearDiscont2D",
-    "QuadraticDiscont2D", "GaussQuadraticDiscont2D", "CubicDiscont2D", "RT0_2D", "RT1_2D",
-    "RT2_2D" };
-  for (const char* name : kPlane)
-  {
-    if (text == name)
-    {
-      Refuse(text, "it is one of 2-D elements; PixelExact shows solid elements");
-    }
-  }
-}
-
 void ParseH1(Parser& parser, CollectionName& name)
 {
   if (parser.Skip("Pos"))
@@ -257,7 +156,7 @@ void ParseH1(Parser& parser, CollectionName& name)
   parser.DimensionAndOrder(name, 1);
   if (name.closed != LineBasis::Positive && !HasEnds(name.closed))
   {
-    Refuse(name.text, "MFEM has no continuous space with " + Describe(name.closed));
+    RefuseCollection(name.text, "MFEM has no continuous space with " + Describe(name.closed));
   }
 }
 
@@ -279,7 +178,8 @@ void ParseL2(Parser& parser, CollectionName& name)
   parser.DimensionAndOrder(name, 0);
   if (name.closed != LineBasis::Positive && !IsNodal(name.closed))
   {
-    Refuse(name.text, "discontinuous spaces with " + Describe(name.closed) + " are not read");
+    RefuseCollection(
+      name.text, "discontinuous spaces with " + Describe(name.closed) + " are not read");
   }
 }
 
@@ -294,7 +194,7 @@ void ParseVector(Parser& parser, CollectionName& name, int least)
   if (!HasEnds(name.closed) ||
     !(IsNodal(name.open) || name.open == LineBasis::IntegratedGaussLobatto))
   {
-    Refuse(name.text,
+    RefuseCollection(name.text,
       "MFEM has no such space with " + Describe(name.closed) + " and " + Describe(name.open));
   }
 }
@@ -302,11 +202,11 @@ void ParseVector(Parser& parser, CollectionName& name, int least)
 
 CollectionName ParseCollectionName(const std::string& text)
 {
-  if (auto legacy = Legacy(text))
+  if (auto fixed = FixedCollection(text))
   {
-    return *legacy;
+    return *fixed;
   }
-  RefuseOthers(text);
+  RefuseOtherCollections(text);
   CollectionName name;
   name.text = text;
   Parser parser(text);

@@ -4,6 +4,7 @@
 #include "Core/Base/Error.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace pixelexact::mfem
@@ -36,6 +37,29 @@ std::vector<long double> Equispaced(int n, int first, int last)
   }
   return points;
 }
+
+/// The derivative at z of Lagrange's polynomial of point `at`.
+long double LagrangeSlope(const std::vector<long double>& points, std::size_t at, long double z)
+{
+  long double slope = 0.0L;
+  for (std::size_t left = 0; left < points.size(); ++left)
+  {
+    if (left == at)
+    {
+      continue;
+    }
+    long double product = 1 / (points[at] - points[left]);
+    for (std::size_t k = 0; k < points.size(); ++k)
+    {
+      if (k != at && k != left)
+      {
+        product *= (z - points[k]) / (points[at] - points[k]);
+      }
+    }
+    slope += product;
+  }
+  return slope;
+}
 } // namespace
 
 std::vector<long double> LinePoints(LineBasis basis, int n)
@@ -47,6 +71,7 @@ std::vector<long double> LinePoints(LineBasis basis, int n)
   switch (basis)
   {
     case LineBasis::GaussLegendre:
+    case LineBasis::IntegratedGaussLobatto:
       return GaussPoints(n);
     case LineBasis::GaussLobatto:
       return GaussLobattoPoints(n);
@@ -66,6 +91,20 @@ std::vector<long double> LinePoints(LineBasis basis, int n)
 LineFunctions LineOf(LineBasis basis, int count)
 {
   return basis == LineBasis::Positive ? Bernstein(count - 1) : Lagrange(LinePoints(basis, count));
+}
+
+LineFunctions IntegratedOf(LineBasis closed, int count)
+{
+  return { count,
+    [points = LinePoints(closed, count + 1), count](long double z, long double* values)
+    {
+      long double sum = 0.0L;
+      for (int i = 0; i < count; ++i)
+      {
+        sum -= 2 * LagrangeSlope(points, i, z);
+        values[i] = sum;
+      }
+    } };
 }
 
 LineFunctions Mirrored(LineFunctions line)
@@ -97,20 +136,25 @@ std::vector<long double> DualMatrix(int count, const std::vector<long double>& f
 }
 
 SolidFunctions Combined(
-  SolidFunctions functions, int terms, std::vector<long double> matrix, int count)
+  SolidFunctions functions, int terms, const std::vector<long double>& matrix, int count)
 {
-  return [inner = std::move(functions), terms, matrix = std::move(matrix), count](
+  std::vector<long double> columns(matrix.size()); // one after the other, as they are summed
+  for (int m = 0; m < terms; ++m)
+  {
+    for (int j = 0; j < count; ++j)
+    {
+      columns[std::size_t(j) * terms + m] = matrix[std::size_t(m) * count + j];
+    }
+  }
+  return [inner = std::move(functions), terms, columns = std::move(columns), count](
            const LongVec3& xi, long double* values)
   {
     std::vector<long double> term(terms);
     inner(xi, term.data());
-    std::fill(values, values + count, 0.0L);
-    for (int m = 0; m < terms; ++m)
+    for (int j = 0; j < count; ++j)
     {
-      for (int j = 0; j < count; ++j)
-      {
-        values[j] += term[m] * matrix[std::size_t(m) * count + j];
-      }
+      values[j] =
+        std::inner_product(term.begin(), term.end(), &columns[std::size_t(j) * terms], 0.0L);
     }
   };
 }

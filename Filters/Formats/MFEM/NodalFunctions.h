@@ -12,10 +12,13 @@
 // What MFEM's bases are made of: points on the line, and functions that are dual to functionals.
 namespace pixelexact::mfem
 {
-/// n points of a nodal line basis in [-1,1], ascending.
+/// n points of a line basis in [-1,1], ascending; integrated functions have Gauss's.
 std::vector<long double> LinePoints(LineBasis basis, int n);
 /// The functions of a line basis, `count` of them, of order count - 1.
 LineFunctions LineOf(LineBasis basis, int count);
+/// `count` functions whose integrals over the intervals between count + 1 closed points, in [0,1],
+/// are one or zero; from the derivatives of the points' Lagrange polynomials, as MFEM makes them.
+LineFunctions IntegratedOf(LineBasis closed, int count);
 /// The same functions of -z.
 LineFunctions Mirrored(LineFunctions line);
 /// The same functions, times a factor.
@@ -31,7 +34,7 @@ std::vector<long double> DualMatrix(int count, const std::vector<long double>& f
 
 /// The sums that such a matrix (`terms` rows, `count` columns) stands for.
 SolidFunctions Combined(
-  SolidFunctions functions, int terms, std::vector<long double> matrix, int count);
+  SolidFunctions functions, int terms, const std::vector<long double>& matrix, int count);
 
 /// The functions of `space` that are one at one of the nodes, and zero at the others.
 SolidFunctions Cardinal(const Space& space, const std::vector<LongVec3>& nodes);

@@ -31,13 +31,13 @@ LongVec3 LatticeNode(const std::vector<long double>& unit, const LatticePoint& p
 {
   const auto [i, j, k] = point;
   const int p = static_cast<int>(unit.size()) - 1;
-  if (k == p)
-  {
-    return { 0, 0, 1 };
-  }
   const long double besideX = unit[i] + unit[p - i - k];
   const long double besideY = unit[j] + unit[p - j - k];
   const long double weight = (besideX + unit[k]) * (besideY + unit[k]) * unit[p - k];
+  if (weight == 0) // the apex, where the line has ends
+  {
+    return { 0, 0, 1 };
+  }
   return { unit[i] * besideY / weight, unit[j] * besideX / weight, unit[k] * unit[p - k] / weight };
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/MFEM/VectorElements.h"
 
-#include "Core/Base/Error.h"
+#include "Formats/MFEM/FuentesVectors.h"
 #include "Formats/MFEM/NodalFunctions.h"
 #include "Formats/MFEM/VectorSpaces.h"
 #include "Formats/MFEM/VectorUnknowns.h"
@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 namespace pixelexact::mfem
 {
@@ -59,8 +61,7 @@ Shape ShapeOf(Geometry solid)
 
 /// The functions of `space` that are dual to the unknowns; row m, column j of the result as in
 /// DualMatrix.
-std::vector<long double> Dual(
-  const VectorSpace& space, const std::vector<VectorUnknown>& unknowns)
+std::vector<long double> Dual(const VectorSpace& space, const std::vector<VectorUnknown>& unknowns)
 {
   const auto n = static_cast<std::size_t>(space.count);
   std::vector<long double> functionals(n * n);
@@ -71,8 +72,8 @@ std::vector<long double> Dual(
     const LongVec3& direction = unknowns[k].direction;
     for (std::size_t m = 0; m < n; ++m)
     {
-      functionals[k * n + m] = values[m][0] * direction[0] + values[m][1] * direction[1] +
-        values[m][2] * direction[2];
+      functionals[k * n + m] =
+        values[m][0] * direction[0] + values[m][1] * direction[1] + values[m][2] * direction[2];
     }
   }
   return DualMatrix(space.count, functionals);
@@ -109,8 +110,9 @@ void HalveTriangles(const CollectionName& name, Geometry solid, std::vector<Vect
   {
     return;
   }
-  const std::size_t triangles = solid == Geometry::Prism ? 2 : all.size();
-  for (std::size_t i = 0; i < triangles; ++i)
+  const std::size_t first = solid == Geometry::Pyramid ? 1 : 0;
+  const std::size_t end = solid == Geometry::Prism ? 2 : all.size();
+  for (std::size_t i = first; i < end; ++i)
   {
     for (long double& part : all[i].direction)
     {
@@ -119,37 +121,36 @@ void HalveTriangles(const CollectionName& name, Geometry solid, std::vector<Vect
   }
 }
 
-ElementBasis OnSimplexOrPrism(const CollectionName& name, Geometry solid)
+VectorSpace SpaceOn(const CollectionName& name, Geometry solid)
 {
-  const VectorSpace space = solid == Geometry::Prism
-    ? PrismSpace(name.continuity, name.order)
-    : TetrahedronSpace(name.continuity, name.order);
-  auto unknowns = VectorUnknowns(name, solid);
-  HalveTriangles(name, solid, unknowns);
-  const int degree = name.order + (name.continuity == Continuity::HDiv ? 1 : 0);
-  return Dense(UniformSpace(ShapeOf(solid), degree), space, Dual(space, unknowns),
-    { name.continuity, solid });
+  switch (solid)
+  {
+    case Geometry::Prism:
+      return PrismSpace(name.continuity, name.order);
+    case Geometry::Pyramid:
+      return name.continuity == Continuity::HCurl ? FuentesCurl(name.order)
+                                                  : FuentesDiv(name.order);
+    default:
+      return TetrahedronSpace(name.continuity, name.order);
+  }
 }
 
-ElementBasis OnPyramid(const CollectionName& name)
+ElementBasis ByUnknowns(const CollectionName& name, Geometry solid)
 {
-  const bool curl = name.continuity == Continuity::HCurl;
-  if (name.order != (curl ? 1 : 0))
+  const VectorSpace space = SpaceOn(name, solid);
+  auto unknowns = VectorUnknowns(name, solid);
+  HalveTriangles(name, solid, unknowns);
+  Space target =
+    UniformSpace(ShapeOf(solid), name.order + (name.continuity == Continuity::HDiv ? 1 : 0));
+  if (solid == Geometry::Pyramid)
   {
-    throw Unsupported("pyramids of the finite element collection '" + name.text +
-      "' are not read beyond the lowest order; project the field to L2 in MFEM "
-      "(ProjectGridFunction) and save that.");
+    target.form = Form::Tensor;
   }
-  const VectorSpace space = LowestPyramidSpace(name.continuity);
-  std::vector<long double> matrix(std::size_t(space.count) * space.count, 0.0L);
-  for (int i = 0; i < space.count; ++i)
-  {
-    const bool triangle = !curl && i > 0;
-    matrix[std::size_t(i) * space.count + i] = name.legacy && triangle ? 2.0L : 1.0L;
-  }
-  return Dense({ Shape::Pyramid, Form::Tensor, { 1, 1, 1 } }, space, matrix,
-    { name.continuity, Geometry::Pyramid });
+  return Dense(target, space, Dual(space, unknowns), { name.continuity, solid });
 }
+
+/// Points in [0,1] by component and axis.
+using Lines = std::array<std::array<std::vector<long double>, 3>, 3>;
 
 /// One unknown of a cube: the functions along the axes whose product it is, and its sign.
 struct Product
@@ -159,8 +160,7 @@ struct Product
   int sign;
 };
 
-Product ProductOf(const std::array<std::array<std::vector<long double>, 3>, 3>& lines,
-  const VectorUnknown& unknown)
+Product ProductOf(const Lines& lines, const VectorUnknown& unknown)
 {
   Product product{};
   while (unknown.direction[product.component] == 0)
@@ -172,8 +172,8 @@ Product ProductOf(const std::array<std::array<std::vector<long double>, 3>, 3>& 
   {
     // The nearest one: the node may have been rounded.
     const auto& line = lines[product.component][axis];
-    const auto nearest = std::ranges::min_element(line, {}, [&](long double point)
-      { return std::fabs(point - unknown.node[axis]); });
+    const auto nearest = std::ranges::min_element(
+      line, {}, [&](long double point) { return std::fabs(point - unknown.node[axis]); });
     product.place[axis] = static_cast<int>(nearest - line.begin());
   }
   return product;
@@ -185,10 +185,9 @@ LineFunctions LagrangeOnUnit(std::vector<long double> points)
   return Lagrange(std::move(points));
 }
 
-ElementBasis OnCube(const CollectionName& name)
+Lines LinesOf(const CollectionName& name)
 {
-  const auto unknowns = VectorUnknowns(name, Geometry::Cube);
-  std::array<std::array<std::vector<long double>, 3>, 3> lines;
+  Lines lines;
   for (int component = 0; component < 3; ++component)
   {
     for (int axis = 0; axis < 3; ++axis)
@@ -196,37 +195,84 @@ ElementBasis OnCube(const CollectionName& name)
       lines[component][axis] = CubeLine(name, component, axis);
     }
   }
-  std::vector<Product> products(unknowns.size());
-  std::ranges::transform(unknowns, products.begin(),
-    [&lines](const VectorUnknown& unknown) { return ProductOf(lines, unknown); });
-  const ToReference toReference(name.continuity, Geometry::Cube);
-  const int degree = name.order + (name.continuity == Continuity::HDiv ? 1 : 0);
-  const Space space = UniformSpace(Shape::Hexahedron, degree);
-  const int count = static_cast<int>(products.size());
-  ElementBasis basis;
-  basis.sources = count;
-  for (int d = 0; d < 3; ++d)
+  return lines;
+}
+
+/// Component d by products of lines: H(div), where an unknown's sign depends on its place along d
+/// alone.
+ChangeOfBasis ByLines(const Space& space, int d, const std::vector<Product>& products,
+  std::array<LineFunctions, 3> lines, long double weight)
+{
+  const std::array<int, 3> counts{ lines[0].count, lines[1].count, lines[2].count };
+  std::vector<int> source(products.size() / 3);
+  std::vector<long double> factor(counts[d]);
+  for (std::size_t unknown = 0; unknown < products.size(); ++unknown)
   {
-    std::array<LineFunctions, 3> functions;
-    std::ranges::transform(lines[d], functions.begin(), LagrangeOnUnit);
-    const auto values = [&](const LongVec3& xi, long double* out)
+    const auto& [place, component, sign] = products[unknown];
+    if (component == d)
+    {
+      source[(std::size_t(place[0]) * counts[1] + place[1]) * counts[2] + place[2]] =
+        static_cast<int>(unknown);
+      factor[place[d]] = sign * weight;
+    }
+  }
+  lines[d].evaluate = [inner = std::move(lines[d].evaluate), factor](
+                        long double z, long double* values)
+  {
+    inner(z, values);
+    std::transform(factor.begin(), factor.end(), values, values, std::multiplies<>());
+  };
+  return ChangeOfBasis::FromLines(space, lines, source);
+}
+
+/// Component d of H(curl), whose signs are no product.
+ChangeOfBasis ByProducts(const Space& space, int d, const std::vector<Product>& products,
+  std::array<LineFunctions, 3> lines, long double weight)
+{
+  return ChangeOfBasis::FromFunctions(space, static_cast<int>(products.size()),
+    [&](const LongVec3& xi, long double* out)
     {
       std::array<std::vector<long double>, 3> at;
       for (int axis = 0; axis < 3; ++axis)
       {
-        at[axis].resize(functions[axis].count);
-        functions[axis].evaluate(xi[axis], at[axis].data());
+        at[axis].resize(lines[axis].count);
+        lines[axis].evaluate(xi[axis], at[axis].data());
       }
       std::ranges::transform(products, out,
         [&](const Product& product)
         {
-          return product.component != d
+          const auto& [place, component, sign] = product;
+          return component != d
             ? 0.0L
-            : product.sign * toReference.Weight(d) * at[0][product.place[0]] *
-              at[1][product.place[1]] * at[2][product.place[2]];
+            : sign * weight * at[0][place[0]] * at[1][place[1]] * at[2][place[2]];
         });
-    };
-    basis.parts.push_back(ChangeOfBasis::FromFunctions(space, count, values));
+    });
+}
+
+ElementBasis OnCube(const CollectionName& name)
+{
+  const auto unknowns = VectorUnknowns(name, Geometry::Cube);
+  const Lines lines = LinesOf(name);
+  std::vector<Product> products(unknowns.size());
+  std::ranges::transform(unknowns, products.begin(),
+    [&lines](const VectorUnknown& unknown) { return ProductOf(lines, unknown); });
+  const ToReference toReference(name.continuity, Geometry::Cube);
+  const bool curl = name.continuity == Continuity::HCurl;
+  const Space space = UniformSpace(Shape::Hexahedron, curl ? name.order : name.order + 1);
+  ElementBasis basis;
+  basis.sources = static_cast<int>(products.size());
+  for (int d = 0; d < 3; ++d)
+  {
+    std::array<LineFunctions, 3> functions;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const auto& line = lines[d][axis];
+      const bool integrated = name.open == LineBasis::IntegratedGaussLobatto && (axis == d) == curl;
+      functions[axis] = integrated ? IntegratedOf(name.closed, static_cast<int>(line.size()))
+                                   : LagrangeOnUnit(line);
+    }
+    basis.parts.push_back(
+      (curl ? ByProducts : ByLines)(space, d, products, functions, toReference.Weight(d)));
   }
   return basis;
 }
@@ -234,14 +280,6 @@ ElementBasis OnCube(const CollectionName& name)
 
 ElementBasis VectorBasis(const CollectionName& name, Geometry solid)
 {
-  switch (solid)
-  {
-    case Geometry::Cube:
-      return OnCube(name);
-    case Geometry::Pyramid:
-      return OnPyramid(name);
-    default:
-      return OnSimplexOrPrism(name, solid);
-  }
+  return solid == Geometry::Cube ? OnCube(name) : ByUnknowns(name, solid);
 }
 } // namespace pixelexact::mfem

@@ -82,9 +82,8 @@ PlaneFunctions Plane(Continuity kind, int m)
       const long double dy = y - kTriangleCentre;
       for (const int t : top)
       {
-        values.push_back(kind == Continuity::HCurl
-            ? std::array{ modes[t] * dy, -modes[t] * dx }
-            : std::array{ modes[t] * dx, modes[t] * dy });
+        values.push_back(kind == Continuity::HCurl ? std::array{ modes[t] * dy, -modes[t] * dx }
+                                                   : std::array{ modes[t] * dx, modes[t] * dy });
       }
     } };
 }
@@ -95,38 +94,10 @@ std::vector<long double> LineModes(int order, long double z)
   std::vector<long double> modes(order + 1, 1.0L);
   for (int i = 1; i <= order; ++i)
   {
-    modes[i] = ((2 * i - 1) * (2 * z - 1) * modes[i - 1] - (i > 1 ? (i - 1) * modes[i - 2] : 0)) / i;
+    modes[i] =
+      ((2 * i - 1) * (2 * z - 1) * modes[i - 1] - (i > 1 ? (i - 1) * modes[i - 2] : 0)) / i;
   }
   return modes;
-}
-
-void CurlPyramid(const LongVec3& unit, LongVec3* values)
-{
-  const long double z = unit[2];
-  const long double low = 1 - z;
-  const long double x = unit[0] / low;
-  const long double y = unit[1] / low;
-  const long double bend = x * y * (1 - 2 * z);
-  values[0] = { (1 - y) * low, 0, x * (1 - y) * low };
-  values[1] = { 0, x * low, x * y * low };
-  values[2] = { y * low, 0, x * y * low };
-  values[3] = { 0, (1 - x) * low, (1 - x) * y * low };
-  values[4] = { (1 - y) * z, (1 - x) * z, 1 - unit[0] - unit[1] + bend };
-  values[5] = { -(1 - y) * z, x * z, unit[0] - bend };
-  values[6] = { -y * z, -x * z, bend };
-  values[7] = { y * z, -(1 - x) * z, unit[1] - bend };
-}
-
-void DivPyramid(const LongVec3& unit, LongVec3* values)
-{
-  const long double z = unit[2];
-  const long double x = unit[0] / (1 - z);
-  const long double y = unit[1] / (1 - z);
-  values[0] = { unit[0], unit[1], z - 1 };
-  values[1] = { -x * z / 2, y - 1 - y * z / 2, z / 2 };
-  values[2] = { x - x * z / 2, -y * z / 2, z / 2 };
-  values[3] = { -x * z / 2, y - y * z / 2, z / 2 };
-  values[4] = { x - 1 - x * z / 2, -y * z / 2, z / 2 };
 }
 } // namespace
 
@@ -141,8 +112,7 @@ VectorSpace TetrahedronSpace(Continuity kind, int order)
     [curl, space, top](const LongVec3& unit, LongVec3* values)
     {
       std::vector<long double> modes(space.Modes());
-      EvaluateModes(
-        space, { 2 * unit[0] - 1, 2 * unit[1] - 1, 2 * unit[2] - 1 }, modes.data());
+      EvaluateModes(space, { 2 * unit[0] - 1, 2 * unit[1] - 1, 2 * unit[2] - 1 }, modes.data());
       for (const long double mode : modes)
       {
         *values++ = { mode, 0, 0 };
@@ -198,10 +168,5 @@ VectorSpace PrismSpace(Continuity kind, int order)
         }
       }
     } };
-}
-
-VectorSpace LowestPyramidSpace(Continuity kind)
-{
-  return kind == Continuity::HCurl ? VectorSpace{ 8, CurlPyramid } : VectorSpace{ 5, DivPyramid };
 }
 } // namespace pixelexact::mfem

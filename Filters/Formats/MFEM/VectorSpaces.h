@@ -20,7 +20,4 @@ struct VectorSpace
 
 VectorSpace TetrahedronSpace(Continuity kind, int order);
 VectorSpace PrismSpace(Continuity kind, int order);
-
-/// MFEM's functions of lowest order on the pyramid, in its local order: 8 of H(curl), 5 of H(div).
-VectorSpace LowestPyramidSpace(Continuity kind);
 } // namespace pixelexact::mfem

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/MFEM/VectorUnknowns.h"
 
-#include "Formats/MFEM/NodalFunctions.h"
+#include "Formats/MFEM/VectorUnknownBuilder.h"
 
 #include <algorithm>
 #include <array>
@@ -11,235 +11,13 @@ namespace pixelexact::mfem
 {
 namespace
 {
-using Line = std::vector<long double>;
-
 constexpr LongVec3 kX{ 1, 0, 0 };
 constexpr LongVec3 kY{ 0, 1, 0 };
 constexpr LongVec3 kZ{ 0, 0, 1 };
 
-LongVec3 Difference(const LongVec3& a, const LongVec3& b)
-{
-  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
-}
-
-LongVec3 Cross(const LongVec3& a, const LongVec3& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-
-LongVec3 Negated(const LongVec3& a)
-{
-  return { -a[0], -a[1], -a[2] };
-}
-
-LongVec3 Moved(
-  const LongVec3& a, long double u, const LongVec3& along, long double v, const LongVec3& across)
-{
-  LongVec3 point{};
-  for (int d = 0; d < 3; ++d)
-  {
-    point[d] = a[d] + u * along[d] + v * across[d];
-  }
-  return point;
-}
-
-Line UnitLine(LineBasis basis, int n)
-{
-  if (n <= 0)
-  {
-    return {};
-  }
-  Line line = LinePoints(basis, n);
-  std::ranges::transform(line, line.begin(), [](long double z) { return (1 + z) / 2; });
-  return line;
-}
-
-Line WithoutEnds(const Line& line)
-{
-  return { line.begin() + 1, line.end() - 1 };
-}
-
-/// Unknowns entity by entity, as an element of either kind numbers them.
-class Builder
-{
-public:
-  Builder(Continuity kind, LineBasis closed, LineBasis open, int order)
-    : Tangential(kind == Continuity::HCurl)
-    , Order(order)
-    , Open(UnitLine(open, Tangential ? order : order + 1))
-    , Closed(UnitLine(closed, Tangential ? order + 1 : order + 2))
-    , Between(WithoutEnds(Closed))
-    , OnFace(UnitLine(open, Tangential ? order - 1 : order + 1))
-    , InSolid(UnitLine(open, Tangential ? order - 2 : order))
-  {
-  }
-
-  void Edge(const LongVec3& a, const LongVec3& b)
-  {
-    if (!Tangential)
-    {
-      return;
-    }
-    const LongVec3 along = Difference(b, a);
-    for (const long double u : Open)
-    {
-      Unknowns.push_back({ Moved(a, u, along, 0, along), along });
-    }
-  }
-
-  void Triangle(const LongVec3& a, const LongVec3& b, const LongVec3& c)
-  {
-    const LongVec3 along = Difference(b, a);
-    const LongVec3 across = Difference(c, a);
-    OnTriangle(OnFace, a, along, across,
-      Tangential ? std::vector{ along, across } : std::vector{ Cross(along, across) });
-  }
-
-  /// `b` and `d` are the neighbours of `a`.
-  void Square(const LongVec3& a, const LongVec3& b, const LongVec3& d)
-  {
-    const LongVec3 along = Difference(b, a);
-    const LongVec3 across = Difference(d, a);
-    if (!Tangential)
-    {
-      Grid(a, along, Open, across, Open, Cross(along, across));
-      return;
-    }
-    Grid(a, along, Open, across, Between, along);
-    Grid(a, along, Between, across, Open, across);
-  }
-
-  void InsideTetrahedron()
-  {
-    const int n = static_cast<int>(InSolid.size());
-    for (int k = 0; k < n; ++k)
-    {
-      for (int j = 0; j + k < n; ++j)
-      {
-        for (int i = 0; i + j + k < n; ++i)
-        {
-          const LongVec3 part{ InSolid[i], InSolid[j], InSolid[k] };
-          const long double sum = part[0] + part[1] + part[2] + InSolid[n - 1 - i - j - k];
-          const LongVec3 node{ part[0] / sum, part[1] / sum, part[2] / sum };
-          for (const LongVec3& axis : { kX, kY, kZ })
-          {
-            Unknowns.push_back({ node, Tangential ? axis : Negated(axis) });
-          }
-        }
-      }
-    }
-  }
-
-  void InsidePrism()
-  {
-    for (const long double z : Tangential ? Between : Open)
-    {
-      OnTriangle(Tangential ? OnFace : InSolid, { 0, 0, z }, kX, kY,
-        Tangential ? std::vector{ kX, kY } : std::vector{ Negated(kY), Negated(kX) });
-    }
-    for (const long double z : Tangential ? Open : Between)
-    {
-      if (Tangential)
-      {
-        InsideClosedTriangle(z);
-      }
-      else
-      {
-        OnTriangle(OnFace, { 0, 0, z }, kX, kY, { kZ });
-      }
-    }
-  }
-
-  void InsideCube()
-  {
-    const std::array axes{ kX, kY, kZ };
-    for (int component = 0; component < 3; ++component)
-    {
-      const auto line = [&](int axis) -> const Line&
-      { return (axis == component) == Tangential ? Open : Between; };
-      for (const long double z : line(2))
-      {
-        for (const long double y : line(1))
-        {
-          for (std::size_t i = 0; i < line(0).size(); ++i)
-          {
-            Unknowns.push_back({ { line(0)[i], y, z }, axes[component] });
-            Orient(component);
-          }
-        }
-      }
-    }
-  }
-
-  [[nodiscard]] std::vector<VectorUnknown> Take() { return std::move(Unknowns); }
-
-private:
-  /// Normals inside of a cube point away from its centre, those on it forwards.
-  void Orient(int component)
-  {
-    VectorUnknown& unknown = Unknowns.back();
-    const auto place = std::ranges::find(Closed, unknown.node[component]) - Closed.begin();
-    if (!Tangential && place <= Order / 2)
-    {
-      unknown.direction = Negated(unknown.direction);
-    }
-  }
-
-  void OnTriangle(const Line& line, const LongVec3& a, const LongVec3& along,
-    const LongVec3& across, const std::vector<LongVec3>& directions)
-  {
-    const int n = static_cast<int>(line.size());
-    for (int j = 0; j < n; ++j)
-    {
-      for (int i = 0; i + j < n; ++i)
-      {
-        const long double sum = line[i] + line[j] + line[n - 1 - i - j];
-        for (const LongVec3& direction : directions)
-        {
-          Unknowns.push_back({ Moved(a, line[i] / sum, along, line[j] / sum, across), direction });
-        }
-      }
-    }
-  }
-
-  /// Upright unknowns at the nodes inside of the continuous element's triangle.
-  void InsideClosedTriangle(long double z)
-  {
-    for (int j = 1; j < Order; ++j)
-    {
-      for (int i = 1; i + j < Order; ++i)
-      {
-        const long double sum = Closed[i] + Closed[j] + Closed[Order - i - j];
-        Unknowns.push_back({ { Closed[i] / sum, Closed[j] / sum, z }, kZ });
-      }
-    }
-  }
-
-  void Grid(const LongVec3& a, const LongVec3& along, const Line& us, const LongVec3& across,
-    const Line& vs, const LongVec3& direction)
-  {
-    for (const long double v : vs)
-    {
-      for (const long double u : us)
-      {
-        Unknowns.push_back({ Moved(a, u, along, v, across), direction });
-      }
-    }
-  }
-
-  bool Tangential;
-  int Order;
-  Line Open;
-  Line Closed;
-  Line Between; ///< closed without its ends
-  Line OnFace;  ///< of triangles
-  Line InSolid; ///< of tetrahedra and, for normals, prisms' triangles
-  std::vector<VectorUnknown> Unknowns;
-};
-
 using Corner = LongVec3;
 
-std::vector<VectorUnknown> Tetrahedron(Builder builder)
+std::vector<VectorUnknown> Tetrahedron(VectorUnknownBuilder builder)
 {
   const std::array<Corner, 4> v{ { { 0, 0, 0 }, kX, kY, kZ } };
   builder.Edge(v[0], v[1]);
@@ -256,7 +34,7 @@ std::vector<VectorUnknown> Tetrahedron(Builder builder)
   return builder.Take();
 }
 
-std::vector<VectorUnknown> Prism(Builder builder)
+std::vector<VectorUnknown> Prism(VectorUnknownBuilder builder)
 {
   const std::array<Corner, 6> v{ { { 0, 0, 0 }, kX, kY, kZ, { 1, 0, 1 }, { 0, 1, 1 } } };
   for (int layer : { 0, 3 })
@@ -278,7 +56,7 @@ std::vector<VectorUnknown> Prism(Builder builder)
   return builder.Take();
 }
 
-std::vector<VectorUnknown> Cube(Builder builder)
+std::vector<VectorUnknown> Cube(VectorUnknownBuilder builder)
 {
   const std::array<Corner, 8> v{ { { 0, 0, 0 }, kX, { 1, 1, 0 }, kY, kZ, { 1, 0, 1 }, { 1, 1, 1 },
     { 0, 1, 1 } } };
@@ -302,6 +80,25 @@ std::vector<VectorUnknown> Cube(Builder builder)
   builder.InsideCube();
   return builder.Take();
 }
+std::vector<VectorUnknown> Pyramid(VectorUnknownBuilder builder)
+{
+  const std::array<Corner, 5> v{ { { 0, 0, 0 }, kX, { 1, 1, 0 }, kY, kZ } };
+  builder.Edge(v[0], v[1]);
+  builder.Edge(v[1], v[2]);
+  builder.Edge(v[3], v[2]);
+  builder.Edge(v[0], v[3]);
+  for (int i = 0; i < 4; ++i)
+  {
+    builder.Edge(v[i], v[4]);
+  }
+  builder.Square(v[3], v[2], v[0]);
+  for (int i = 0; i < 4; ++i)
+  {
+    builder.Triangle(v[i], v[(i + 1) % 4], v[4]);
+  }
+  builder.InsidePyramid();
+  return builder.Take();
+}
 } // namespace
 
 std::vector<VectorUnknown> VectorUnknowns(const CollectionName& name, Geometry solid)
@@ -319,14 +116,24 @@ std::vector<VectorUnknown> VectorUnknowns(const CollectionName& name, Geometry s
     }
     return unknowns;
   }
-  Builder builder(name.continuity, LineBasis::GaussLobatto, LineBasis::GaussLegendre, name.order);
-  return solid == Geometry::Prism ? Prism(std::move(builder)) : Tetrahedron(std::move(builder));
+  VectorUnknownBuilder builder(
+    name.continuity, LineBasis::GaussLobatto, LineBasis::GaussLegendre, name.order);
+  switch (solid)
+  {
+    case Geometry::Prism:
+      return Prism(std::move(builder));
+    case Geometry::Pyramid:
+      return Pyramid(std::move(builder));
+    default:
+      return Tetrahedron(std::move(builder));
+  }
 }
 
 std::vector<long double> CubeLine(const CollectionName& name, int component, int axis)
 {
   const bool tangential = name.continuity == Continuity::HCurl;
   const int n = tangential ? name.order : name.order + 1;
-  return (component == axis) == tangential ? UnitLine(name.open, n) : UnitLine(name.closed, n + 1);
+  return (component == axis) == tangential ? UnitPoints(name.open, n)
+                                           : UnitPoints(name.closed, n + 1);
 }
 } // namespace pixelexact::mfem

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Formats/MFEM/CollectionName.h"
+
+#include <optional>
+#include <string>
+
+// MFEM's collections with names of their own: those of fixed order, and those that are not read.
+namespace pixelexact::mfem
+{
+/// Throws Unsupported: the collection in quotes, and why.
+[[noreturn]] void RefuseCollection(const std::string& text, const std::string& reason);
+
+/// For messages: in quotes, shortened, without control characters.
+std::string Quoted(const std::string& text);
+
+/// A collection of fixed order.
+std::optional<CollectionName> FixedCollection(const std::string& text);
+
+/// Throws for names of collections that are not read.
+void RefuseOtherCollections(const std::string& text);
+} // namespace pixelexact::mfem
