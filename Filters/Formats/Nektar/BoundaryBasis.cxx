@@ -16,6 +16,9 @@ namespace
 /// The modes are of the order of 1.
 constexpr long double kVanishing = 1e-12L;
 
+/// Dense matrices of all modes: higher orders take minutes.
+constexpr int kHighestOrder = 10;
+
 using Weights = std::array<long double, 4>;
 
 /// Gauss-Lobatto points of a face, as weights of its vertices; on triangles drawn inwards so that
@@ -109,6 +112,11 @@ FaceFactor MakeFaceFactor(
 
 BoundaryBasis MakeBoundaryBasis(Shape shape, int order)
 {
+  if (order > kHighestOrder)
+  {
+    throw Unsupported("curved edges and faces of order " + std::to_string(order) +
+      " are not read; up to order " + std::to_string(kHighestOrder) + " they are.");
+  }
   const SolidTable& table = TableOf(shape);
   auto modes = ModesOf(shape, { order + 1, order + 1, order + 1 });
   std::erase_if(modes, [shape](const Mode& mode) { return IsInterior(shape, mode); });

@@ -21,5 +21,6 @@ struct BoundaryBasis
   ElementBasis basis;
 };
 
+/// Throws Unsupported above order 10.
 BoundaryBasis MakeBoundaryBasis(Shape shape, int order);
 } // namespace pixelexact::nektar

@@ -5,7 +5,7 @@
 #include "Formats/Assembly.h"
 #include "Formats/Nektar/BoundaryBasis.h"
 #include "Formats/Nektar/FaceMaps.h"
-#include "Formats/Nektar/FieldBasis.h"
+#include "Formats/Nektar/FieldAssembly.h"
 #include "Formats/Nektar/SolidTable.h"
 
 #include <algorithm>
@@ -56,8 +56,6 @@ public:
     AddCorners();
     AddComposites();
   }
-
-  void AddFields(const std::vector<NamedText>& parts);
 
   SolverModel Model;
 
@@ -151,7 +149,15 @@ void ModelBuilder::AddMap()
     const std::pair key(element.solid->shape, order);
     if (!known.contains(key))
     {
-      known[key] = MakeBoundaryBasis(element.solid->shape, order);
+      try
+      {
+        known[key] = MakeBoundaryBasis(element.solid->shape, order);
+      }
+      catch (const Unsupported& error)
+      {
+        throw Unsupported(
+          Name + ": element " + std::to_string(element.solid->id) + ": " + error.what());
+      }
     }
     boundaries.push_back(&known.at(key));
     bases.push_back(&known.at(key).basis);
@@ -229,101 +235,6 @@ void ModelBuilder::AddComposites()
       Name + ": elements lie in several composites; Attribute holds the first one of each.");
   }
 }
-
-/// Where an element's coefficients are, and in which basis.
-struct Placement
-{
-  const FieldBlock* block = nullptr;
-  const ElementData* data = nullptr;
-  const ElementBasis* basis = nullptr;
-};
-
-void ModelBuilder::AddFields(const std::vector<NamedText>& parts)
-{
-  std::vector<FieldFile> files;
-  std::vector<Placement> places(Elements.size());
-  std::map<Expansion3, ElementBasis> bases;
-  std::vector<std::string> names;
-  std::string basisName;
-  files.reserve(parts.size());
-  for (const NamedText& part : parts)
-  {
-    const FieldFile& file = files.emplace_back(ReadFieldFile(part));
-    Model.time = file.time ? file.time : Model.time;
-    for (const FieldBlock& block : file.blocks)
-    {
-      if (names.empty())
-      {
-        names = block.fields;
-        basisName = Describe(block.expansions.empty() ? Expansion3{} : block.expansions.front());
-      }
-      if (block.fields != names)
-      {
-        throw InvalidData(part.name +
-          ": its blocks hold different fields; write them anew with "
-          "FieldConvert.");
-      }
-      for (const ElementData& data : block.elements)
-      {
-        const auto element = ElementOf.find(data.id);
-        const Expansion3& expansion = block.expansions[data.expansion];
-        if (element == ElementOf.end() || Elements[element->second].solid->shape != expansion.shape)
-        {
-          throw InvalidData(part.name + ": it has coefficients for " +
-            pixelexact::Name(expansion.shape) + " " + std::to_string(data.id) +
-            ", which the mesh of " + std::to_string(Elements.size()) + " elements (" + Name +
-            ") has not; the two do not belong together.");
-        }
-        Placement& place = places[element->second];
-        if (place.data)
-        {
-          throw InvalidData(
-            part.name + ": element " + std::to_string(data.id) + " has coefficients twice.");
-        }
-        try
-        {
-          auto at = bases.find(expansion);
-          at = at != bases.end() ? at : bases.emplace(expansion, MakeFieldBasis(expansion)).first;
-          place = { &block, &data, &at->second };
-        }
-        catch (const Unsupported& error)
-        {
-          throw Unsupported(part.name + ": " + error.what());
-        }
-        catch (const InvalidData& error)
-        {
-          throw InvalidData(part.name + ": " + error.what());
-        }
-      }
-    }
-  }
-  const auto missing = std::ranges::count(places, nullptr, &Placement::data);
-  if (missing > 0 || names.empty())
-  {
-    const auto first = std::ranges::find(places, nullptr, &Placement::data);
-    throw InvalidData(parts.front().name + ": it holds coefficients for " +
-      std::to_string(Elements.size() - missing) + " of the mesh's " +
-      std::to_string(Elements.size()) + " elements; element " +
-      (missing > 0 ? std::to_string(Elements[first - places.begin()].solid->id) : "0") +
-      " has none. The field belongs to another mesh, or parts are missing.");
-  }
-  std::vector<const ElementBasis*> ordered;
-  std::ranges::transform(places, std::back_inserter(ordered), &Placement::basis);
-  for (std::size_t f = 0; f < names.size(); ++f)
-  {
-    SolverField field;
-    field.name = names[f];
-    field.basis = basisName;
-    field.values = AssembleField(ordered, 1,
-      [&](std::size_t e, std::span<double> source)
-      {
-        const Placement& place = places[e];
-        std::copy_n(&place.block->values[f * place.block->perField + place.data->offset],
-          place.data->count, source.begin());
-      });
-    Model.fields.push_back(std::move(field));
-  }
-}
 } // namespace
 
 SolverModel Read(const std::vector<NamedText>& sessions, const std::vector<NamedText>& fieldParts)
@@ -337,7 +248,7 @@ SolverModel Read(const std::vector<NamedText>& sessions, const std::vector<Named
       ModelBuilder builder(geometry, session.name);
       if (!fieldParts.empty())
       {
-        builder.AddFields(fieldParts);
+        AddFields(fieldParts, session.name, builder.Model);
       }
       return std::move(builder.Model);
     }

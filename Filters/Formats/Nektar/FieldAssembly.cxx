@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Formats/Nektar/FieldAssembly.h"
+
+#include "Core/Base/Error.h"
+#include "Formats/Assembly.h"
+#include "Formats/Nektar/FieldBasis.h"
+
+#include <algorithm>
+#include <map>
+#include <unordered_map>
+
+namespace pixelexact::nektar
+{
+namespace
+{
+/// Where an element's coefficients are, and in which basis.
+struct Placement
+{
+  const FieldBlock* block = nullptr;
+  const ElementData* data = nullptr;
+  const ElementBasis* basis = nullptr;
+};
+
+} // namespace
+
+void AddFields(const std::vector<NamedText>& parts, const std::string& meshName, SolverModel& model)
+{
+  const SolverMesh& mesh = model.mesh;
+  std::unordered_map<std::int64_t, int> elementOf;
+  for (std::size_t e = 0; e < mesh.number.size(); ++e)
+  {
+    elementOf[mesh.number[e]] = static_cast<int>(e);
+  }
+  const auto shapeOf = [&mesh](int e) { return mesh.map.spaces[mesh.map.spaceOf[e]].shape; };
+  std::vector<FieldFile> files;
+  std::vector<Placement> places(mesh.number.size());
+  std::map<Expansion3, ElementBasis> bases;
+  std::vector<std::string> names;
+  std::string basisName;
+  files.reserve(parts.size());
+  for (const NamedText& part : parts)
+  {
+    const FieldFile& file = files.emplace_back(ReadFieldFile(part));
+    model.time = file.time ? file.time : model.time;
+    for (const FieldBlock& block : file.blocks)
+    {
+      if (names.empty())
+      {
+        names = block.fields;
+        basisName = Describe(block.expansions.empty() ? Expansion3{} : block.expansions.front());
+      }
+      if (block.fields != names)
+      {
+        throw InvalidData(part.name +
+          ": its blocks hold different fields; write them anew with "
+          "FieldConvert.");
+      }
+      for (const ElementData& data : block.elements)
+      {
+        const auto element = elementOf.find(data.id);
+        const Expansion3& expansion = block.expansions[data.expansion];
+        if (element == elementOf.end() || shapeOf(element->second) != expansion.shape)
+        {
+          throw InvalidData(part.name + ": it has coefficients for " + Name(expansion.shape) + " " +
+            std::to_string(data.id) + ", which the mesh of " + std::to_string(mesh.number.size()) +
+            " elements (" + meshName + ") has not; the two do not belong together.");
+        }
+        Placement& place = places[element->second];
+        if (place.data)
+        {
+          throw InvalidData(
+            part.name + ": element " + std::to_string(data.id) + " has coefficients twice.");
+        }
+        try
+        {
+          auto at = bases.find(expansion);
+          at = at != bases.end() ? at : bases.emplace(expansion, MakeFieldBasis(expansion)).first;
+          place = { &block, &data, &at->second };
+        }
+        catch (const Unsupported& error)
+        {
+          throw Unsupported(part.name + ": " + error.what());
+        }
+        catch (const InvalidData& error)
+        {
+          throw InvalidData(part.name + ": " + error.what());
+        }
+      }
+    }
+  }
+  const auto missing = std::ranges::count(places, nullptr, &Placement::data);
+  if (missing > 0 || names.empty())
+  {
+    const auto first = std::ranges::find(places, nullptr, &Placement::data);
+    throw InvalidData(parts.front().name + ": it holds coefficients for " +
+      std::to_string(mesh.number.size() - missing) + " of the mesh's " +
+      std::to_string(mesh.number.size()) + " elements; element " +
+      (missing > 0 ? std::to_string(mesh.number[first - places.begin()]) : "0") +
+      " has none. The field belongs to another mesh, or parts are missing.");
+  }
+  std::vector<const ElementBasis*> ordered;
+  std::ranges::transform(places, std::back_inserter(ordered), &Placement::basis);
+  for (std::size_t f = 0; f < names.size(); ++f)
+  {
+    SolverField field;
+    field.name = names[f];
+    field.basis = basisName;
+    field.values = AssembleField(ordered, 1,
+      [&](std::size_t e, std::span<double> source)
+      {
+        const Placement& place = places[e];
+        std::copy_n(&place.block->values[f * place.block->perField + place.data->offset],
+          place.data->count, source.begin());
+      });
+    model.fields.push_back(std::move(field));
+  }
+}
+} // namespace pixelexact::nektar
