@@ -13,8 +13,8 @@ packages=(
 )
 if [[ "${1:-}" == --testing ]]; then
   packages+=(
-    clang-format clang-tidy libbenchmark-dev libgmp-dev libgtest-dev libmpfr-dev python3-numpy
-    xauth xvfb
+    clang clang-format clang-tidy libbenchmark-dev libclang-rt-dev libgmp-dev libgtest-dev
+    libmpfr-dev python3-numpy xauth xvfb
   )
 fi
 

@@ -2,14 +2,15 @@
 # Everything that must hold before a change goes in. Runs on a clean Debian 12 or newer.
 #
 # PIXELEXACT_TEST_STAGES selects from (default: all, in this order)
-#   dependencies build test sanitize format tidy
+#   dependencies build test sanitize fuzz format tidy
 # The last line reads "N passed, N failed": tests of both builds, and one for each other stage.
 set -uo pipefail
 cd "$(dirname "$0")/../.."
 
-stages=${PIXELEXACT_TEST_STAGES:-dependencies build test sanitize format tidy}
+stages=${PIXELEXACT_TEST_STAGES:-dependencies build test sanitize fuzz format tidy}
 build=build
 sanitize_build=build-sanitize
+fuzz_build=build-fuzz
 jobs=$(nproc)
 passed=0
 failed=0
@@ -79,6 +80,14 @@ stage_sanitize() {
     cmake --build "$sanitize_build" --parallel "$jobs" --target PixelExactTests
   count $?
   run_ctest "$sanitize_build" --label-exclude slow
+}
+
+# The parsers of the solvers' files, on any bytes. Both fuzzers run at once.
+stage_fuzz() {
+  cmake -S Testing/Fuzz -B "$fuzz_build" -G Ninja "${launcher[@]}" -D CMAKE_CXX_COMPILER=clang++ &&
+    cmake --build "$fuzz_build" --parallel "$jobs" &&
+    ./Testing/Fuzz/run.sh "$fuzz_build" 60
+  count $?
 }
 
 # Only one version's idea of the format can hold: other versions differ in details.

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Any bytes as a session and, behind a line that separates them, a field file.
+#include "Core/Base/Error.h"
+#include "Formats/Nektar/Reader.h"
+
+#include <cstddef>
+#include <cstdint>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  constexpr std::string_view kSeparator = "\n---- field file ----\n";
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  const auto at = text.find(kSeparator);
+  std::vector<pixelexact::nektar::NamedText> fields;
+  if (at != std::string_view::npos)
+  {
+    fields.push_back({ "input.fld", text.substr(at + kSeparator.size()) });
+  }
+  try
+  {
+    pixelexact::nektar::Read({ { "input.xml", text.substr(0, at) } }, fields);
+  }
+  catch (const pixelexact::Error&)
+  {
+    // The answer that a bad file should get; anything else ends the process.
+  }
+  return 0;
+}
