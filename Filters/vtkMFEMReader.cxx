@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMFEMReader.h"
 
-#include "Formats/FileText.h"
 #include "Formats/MFEM/Reader.h"
 
 #include "vtkObjectFactory.h"
@@ -36,14 +35,5 @@ void vtkMFEMReader::ClearGridFunctionFileNames()
 
 SolverModel vtkMFEMReader::ReadModel(int /*step*/, bool /*wantMesh*/)
 {
-  const std::string mesh = ReadFileText(this->FileName);
-  std::vector<std::string> texts;
-  texts.reserve(this->GridFunctions.size());
-  std::vector<mfem::NamedText> fields;
-  for (const auto& name : this->GridFunctions)
-  {
-    texts.push_back(ReadFileText(name));
-    fields.push_back({ name, texts.back() });
-  }
-  return mfem::Read({ this->FileName, mesh }, fields);
+  return mfem::ReadFiles(this->FileName, this->GridFunctions);
 }

@@ -23,8 +23,17 @@ int LargestOrder(const CollectionName& name, Geometry solid)
 {
   if (name.continuity == Continuity::HCurl || name.continuity == Continuity::HDiv)
   {
-    const bool byLines = solid == Geometry::Cube && name.continuity == Continuity::HDiv;
-    return byLines ? kMaxOrder : solid >= Geometry::Prism ? 6 : 8;
+    switch (solid)
+    {
+      case Geometry::Cube:
+        return name.continuity == Continuity::HDiv ? kMaxOrder : 8;
+      case Geometry::Prism:
+        return 16;
+      case Geometry::Pyramid:
+        return 6;
+      default:
+        return 8;
+    }
   }
   switch (solid)
   {

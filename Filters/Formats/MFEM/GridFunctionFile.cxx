@@ -5,6 +5,7 @@ namespace pixelexact::mfem
 {
 namespace
 {
+constexpr std::size_t kUsualBytes = 16;
 constexpr int kMostComponents = 1 << 16;
 
 /// The sections of a version 1.0 header.
@@ -45,6 +46,8 @@ GridFunctionFile ReadGridFunction(TextScanner& scanner)
     }
     ReadSections(scanner);
   }
+  // A number takes some 20 bytes, or, where it is short, the list grows as it goes.
+  file.values.reserve(scanner.Remaining() / kUsualBytes);
   double value = 0.0;
   while (scanner.TryNumber(value))
   {

@@ -3,6 +3,7 @@
 
 #include "Core/Base/Error.h"
 #include "Formats/Assembly.h"
+#include "Formats/FileText.h"
 #include "Formats/MFEM/FunctionSpace.h"
 #include "Formats/MFEM/GeometryTable.h"
 
@@ -183,6 +184,31 @@ std::string FieldName(const std::string& path)
   return file.stem().string();
 }
 
+MeshFile ParseMesh(const NamedText& text)
+{
+  TextScanner scanner(text);
+  return ReadMesh(scanner);
+}
+
+GridFunctionFile ParseGridFunction(const NamedText& text)
+{
+  TextScanner scanner(text);
+  GridFunctionFile file = ReadGridFunction(scanner);
+  if (!scanner.Peek().empty())
+  {
+    scanner.Fail("there is something else than numbers behind the header.");
+  }
+  return file;
+}
+
+/// What a parser makes of a file, whose text is gone before anything is assembled.
+template <class Result>
+Result LoadFile(const std::string& path, Result (*parse)(const NamedText&))
+{
+  const std::string text = ReadFileText(path);
+  return parse({ path, text });
+}
+
 /// What may stand before a mesh in a stream.
 bool IsStreamKeyword(std::string_view word)
 {
@@ -194,17 +220,20 @@ bool IsStreamKeyword(std::string_view word)
 
 SolverModel Read(const NamedText& mesh, const std::vector<NamedText>& gridFunctions)
 {
-  TextScanner scanner(mesh);
-  ModelBuilder builder(ReadMesh(scanner), mesh.name);
+  ModelBuilder builder(ParseMesh(mesh), mesh.name);
   for (const NamedText& text : gridFunctions)
   {
-    TextScanner fieldScanner(text);
-    const GridFunctionFile file = ReadGridFunction(fieldScanner);
-    if (!fieldScanner.Peek().empty())
-    {
-      fieldScanner.Fail("there is something else than numbers behind the header.");
-    }
-    builder.AddField(file, text.name, FieldName(text.name));
+    builder.AddField(ParseGridFunction(text), text.name, FieldName(text.name));
+  }
+  return std::move(builder.Model);
+}
+
+SolverModel ReadFiles(const std::string& mesh, const std::vector<std::string>& gridFunctions)
+{
+  ModelBuilder builder(LoadFile(mesh, &ParseMesh), mesh);
+  for (const std::string& file : gridFunctions)
+  {
+    builder.AddField(LoadFile(file, &ParseGridFunction), file, FieldName(file));
   }
   return std::move(builder.Model);
 }

@@ -19,6 +19,9 @@ struct NamedText
 /// remedy".
 SolverModel Read(const NamedText& mesh, const std::vector<NamedText>& gridFunctions);
 
+/// The same from files, one after the other: no more than one file's text is in memory at a time.
+SolverModel ReadFiles(const std::string& mesh, const std::vector<std::string>& gridFunctions);
+
 /// A GLVis stream: keyword, mesh, grid function (named `solution`), commands. Several in one file:
 /// the last one, with a note.
 SolverModel ReadStream(const NamedText& saved);

@@ -3,6 +3,7 @@
 
 #include "Formats/MFEM/FuentesVectors.h"
 #include "Formats/MFEM/NodalFunctions.h"
+#include "Formats/MFEM/PrismVectors.h"
 #include "Formats/MFEM/VectorSpaces.h"
 #include "Formats/MFEM/VectorUnknowns.h"
 
@@ -16,47 +17,16 @@ namespace pixelexact::mfem
 {
 namespace
 {
-/// How a field's components in MFEM's unit element become those in ours: with A the derivative of
-/// the unit coordinates by xi, H(curl) multiplies by A^T, H(div) by det A A^-1. A is half a signed
-/// permutation, so both are one, times a factor.
-class ToReference
+/// From a field's components in MFEM's unit element to those in ours, whose edges are twice as
+/// long.
+long double ToReference(Continuity kind)
 {
-public:
-  ToReference(Continuity kind, Geometry solid)
-    : Prism(solid == Geometry::Prism)
-    , Factor(kind == Continuity::HCurl ? 1 / 2.0L : 1 / 4.0L)
-  {
-  }
+  return kind == Continuity::HCurl ? 1 / 2.0L : 1 / 4.0L;
+}
 
-  /// The unit axis that becomes xi_d.
-  [[nodiscard]] int Axis(int d) const { return Prism && d > 0 ? 3 - d : d; }
-  [[nodiscard]] long double Weight(int d) const { return Prism && d == 1 ? -Factor : Factor; }
-
-  [[nodiscard]] LongVec3 Unit(const LongVec3& xi) const
-  {
-    const auto half = [](long double z) { return (1 + z) / 2; };
-    return Prism ? LongVec3{ half(xi[0]), half(xi[2]), half(-xi[1]) }
-                 : LongVec3{ half(xi[0]), half(xi[1]), half(xi[2]) };
-  }
-
-private:
-  bool Prism;
-  long double Factor;
-};
-
-Shape ShapeOf(Geometry solid)
+LongVec3 Unit(const LongVec3& xi)
 {
-  switch (solid)
-  {
-    case Geometry::Cube:
-      return Shape::Hexahedron;
-    case Geometry::Prism:
-      return Shape::Prism;
-    case Geometry::Pyramid:
-      return Shape::Pyramid;
-    default:
-      return Shape::Tetrahedron;
-  }
+  return { (1 + xi[0]) / 2, (1 + xi[1]) / 2, (1 + xi[2]) / 2 };
 }
 
 /// The functions of `space` that are dual to the unknowns; row m, column j of the result as in
@@ -81,7 +51,7 @@ std::vector<long double> Dual(const VectorSpace& space, const std::vector<Vector
 
 /// Sums of the functions of `space`, as `matrix` says, into `target`.
 ElementBasis Dense(const Space& target, const VectorSpace& space,
-  const std::vector<long double>& matrix, const ToReference& toReference)
+  const std::vector<long double>& matrix, long double factor)
 {
   ElementBasis basis;
   basis.sources = space.count;
@@ -90,10 +60,10 @@ ElementBasis Dense(const Space& target, const VectorSpace& space,
     const auto component = [&](const LongVec3& xi, long double* out)
     {
       std::vector<LongVec3> values(space.count);
-      space.evaluate(toReference.Unit(xi), values.data());
+      space.evaluate(Unit(xi), values.data());
       for (int m = 0; m < space.count; ++m)
       {
-        out[m] = toReference.Weight(d) * values[m][toReference.Axis(d)];
+        out[m] = factor * values[m][d];
       }
     };
     basis.parts.push_back(ChangeOfBasis::FromFunctions(
@@ -106,7 +76,7 @@ ElementBasis Dense(const Space& target, const VectorSpace& space,
 /// twice that.
 void HalveTriangles(const CollectionName& name, Geometry solid, std::vector<VectorUnknown>& all)
 {
-  if (!name.legacy || name.continuity != Continuity::HDiv || solid == Geometry::Cube)
+  if (!name.legacy || name.continuity != Continuity::HDiv)
   {
     return;
   }
@@ -123,30 +93,23 @@ void HalveTriangles(const CollectionName& name, Geometry solid, std::vector<Vect
 
 VectorSpace SpaceOn(const CollectionName& name, Geometry solid)
 {
-  switch (solid)
+  if (solid == Geometry::Tetrahedron)
   {
-    case Geometry::Prism:
-      return PrismSpace(name.continuity, name.order);
-    case Geometry::Pyramid:
-      return name.continuity == Continuity::HCurl ? FuentesCurl(name.order)
-                                                  : FuentesDiv(name.order);
-    default:
-      return TetrahedronSpace(name.continuity, name.order);
+    return TetrahedronSpace(name.continuity, name.order);
   }
+  return name.continuity == Continuity::HCurl ? FuentesCurl(name.order) : FuentesDiv(name.order);
 }
 
-ElementBasis ByUnknowns(const CollectionName& name, Geometry solid)
+ElementBasis ByUnknowns(
+  const CollectionName& name, Geometry solid, const std::vector<VectorUnknown>& unknowns)
 {
   const VectorSpace space = SpaceOn(name, solid);
-  auto unknowns = VectorUnknowns(name, solid);
-  HalveTriangles(name, solid, unknowns);
-  Space target =
-    UniformSpace(ShapeOf(solid), name.order + (name.continuity == Continuity::HDiv ? 1 : 0));
-  if (solid == Geometry::Pyramid)
-  {
-    target.form = Form::Tensor;
-  }
-  return Dense(target, space, Dual(space, unknowns), { name.continuity, solid });
+  const auto n =
+    static_cast<std::uint8_t>(name.order + (name.continuity == Continuity::HDiv ? 1 : 0));
+  const Space target = solid == Geometry::Pyramid
+    ? Space{ Shape::Pyramid, Form::Tensor, { n, n, n } }
+    : UniformSpace(Shape::Tetrahedron, n);
+  return Dense(target, space, Dual(space, unknowns), ToReference(name.continuity));
 }
 
 /// Points in [0,1] by component and axis.
@@ -256,7 +219,6 @@ ElementBasis OnCube(const CollectionName& name)
   std::vector<Product> products(unknowns.size());
   std::ranges::transform(unknowns, products.begin(),
     [&lines](const VectorUnknown& unknown) { return ProductOf(lines, unknown); });
-  const ToReference toReference(name.continuity, Geometry::Cube);
   const bool curl = name.continuity == Continuity::HCurl;
   const Space space = UniformSpace(Shape::Hexahedron, curl ? name.order : name.order + 1);
   ElementBasis basis;
@@ -272,7 +234,7 @@ ElementBasis OnCube(const CollectionName& name)
                                    : LagrangeOnUnit(line);
     }
     basis.parts.push_back(
-      (curl ? ByProducts : ByLines)(space, d, products, functions, toReference.Weight(d)));
+      (curl ? ByProducts : ByLines)(space, d, products, functions, ToReference(name.continuity)));
   }
   return basis;
 }
@@ -280,6 +242,13 @@ ElementBasis OnCube(const CollectionName& name)
 
 ElementBasis VectorBasis(const CollectionName& name, Geometry solid)
 {
-  return solid == Geometry::Cube ? OnCube(name) : ByUnknowns(name, solid);
+  if (solid == Geometry::Cube)
+  {
+    return OnCube(name);
+  }
+  auto unknowns = VectorUnknowns(name, solid);
+  HalveTriangles(name, solid, unknowns);
+  return solid == Geometry::Prism ? PrismVectors(name, unknowns)
+                                  : ByUnknowns(name, solid, unknowns);
 }
 } // namespace pixelexact::mfem

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/MFEM/VectorSpaces.h"
 
-#include <algorithm>
-#include <array>
-
 namespace pixelexact::mfem
 {
 namespace
@@ -39,65 +36,6 @@ TopModes TopModesOf(const Space& space)
       }
     });
   return top;
-}
-
-/// Polynomials in the plane of the prism's triangle.
-struct PlaneFunctions
-{
-  int count;
-  std::function<void(long double x, long double y, std::vector<std::array<long double, 2>>&)>
-    evaluate;
-};
-
-Space TriangleSpace(int order)
-{
-  const auto n = static_cast<std::uint8_t>(order);
-  return { Shape::Prism, Form::Collapsed, { n, 0, n } };
-}
-
-std::vector<long double> TriangleModes(int order, long double x, long double y)
-{
-  const Space space = TriangleSpace(order);
-  std::vector<long double> modes(space.Modes());
-  EvaluateModes(space, { 2 * x - 1, 0, 2 * y - 1 }, modes.data());
-  return modes;
-}
-
-/// Both components of every polynomial of order m, and those of order m + 1 that the kind adds.
-PlaneFunctions Plane(Continuity kind, int m)
-{
-  const Space space = TriangleSpace(m);
-  const auto top = TopModesOf(space).all;
-  return { 2 * space.Modes() + static_cast<int>(top.size()),
-    [kind, m, top](long double x, long double y, std::vector<std::array<long double, 2>>& values)
-    {
-      const auto modes = TriangleModes(m, x, y);
-      values.clear();
-      for (const long double mode : modes)
-      {
-        values.push_back({ mode, 0 });
-        values.push_back({ 0, mode });
-      }
-      const long double dx = x - kTriangleCentre;
-      const long double dy = y - kTriangleCentre;
-      for (const int t : top)
-      {
-        values.push_back(kind == Continuity::HCurl ? std::array{ modes[t] * dy, -modes[t] * dx }
-                                                   : std::array{ modes[t] * dx, modes[t] * dy });
-      }
-    } };
-}
-
-/// Legendre's polynomials on [0,1].
-std::vector<long double> LineModes(int order, long double z)
-{
-  std::vector<long double> modes(order + 1, 1.0L);
-  for (int i = 1; i <= order; ++i)
-  {
-    modes[i] =
-      ((2 * i - 1) * (2 * z - 1) * modes[i - 1] - (i > 1 ? (i - 1) * modes[i - 2] : 0)) / i;
-  }
-  return modes;
 }
 } // namespace
 
@@ -140,32 +78,32 @@ VectorSpace TetrahedronSpace(Continuity kind, int order)
     } };
 }
 
-VectorSpace PrismSpace(Continuity kind, int order)
+Space TriangleSpace(int order)
 {
-  const bool curl = kind == Continuity::HCurl;
-  const auto plane = Plane(kind, curl ? order - 1 : order);
-  const int lying = order;                          // line order of the components in the plane
-  const int upright = curl ? order - 1 : order + 1; // and of the one across it
-  return { plane.count * (lying + 1) + TriangleSpace(order).Modes() * (upright + 1),
-    [plane, lying, upright, order](const LongVec3& unit, LongVec3* values)
+  const auto n = static_cast<std::uint8_t>(order);
+  return { Shape::Prism, Form::Collapsed, { n, 0, n } };
+}
+
+PlaneSpace TriangleVectors(Continuity kind, int order)
+{
+  const Space space = TriangleSpace(kind == Continuity::HCurl ? order - 1 : order);
+  const auto top = TopModesOf(space).all;
+  return { 2 * space.Modes() + static_cast<int>(top.size()),
+    [kind, space, top](long double x, long double y, std::array<long double, 2>* values)
     {
-      const auto line = LineModes(std::max(lying, upright), unit[2]);
-      std::vector<std::array<long double, 2>> inPlane;
-      plane.evaluate(unit[0], unit[1], inPlane);
-      for (int q = 0; q <= lying; ++q)
+      std::vector<long double> modes(space.Modes());
+      EvaluateModes(space, { 2 * x - 1, 0, 2 * y - 1 }, modes.data());
+      for (const long double mode : modes)
       {
-        for (const auto& [x, y] : inPlane)
-        {
-          *values++ = { x * line[q], y * line[q], 0 };
-        }
+        *values++ = { mode, 0 };
+        *values++ = { 0, mode };
       }
-      const auto modes = TriangleModes(order, unit[0], unit[1]);
-      for (int q = 0; q <= upright; ++q)
+      const long double dx = x - kTriangleCentre;
+      const long double dy = y - kTriangleCentre;
+      for (const int t : top)
       {
-        for (const long double mode : modes)
-        {
-          *values++ = { 0, 0, mode * line[q] };
-        }
+        *values++ = kind == Continuity::HCurl ? std::array{ modes[t] * dy, -modes[t] * dx }
+                                              : std::array{ modes[t] * dx, modes[t] * dy };
       }
     } };
 }

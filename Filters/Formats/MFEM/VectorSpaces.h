@@ -5,6 +5,7 @@
 
 #include "Core/Basis/BasisFactor.h"
 
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -19,5 +20,16 @@ struct VectorSpace
 };
 
 VectorSpace TetrahedronSpace(Continuity kind, int order);
-VectorSpace PrismSpace(Continuity kind, int order);
+
+/// The same in the plane, at a point of the unit triangle.
+struct PlaneSpace
+{
+  int count = 0;
+  std::function<void(long double x, long double y, std::array<long double, 2>* values)> evaluate;
+};
+
+PlaneSpace TriangleVectors(Continuity kind, int order);
+
+/// Polynomials on the triangle: a prism's space, of (xi1, xi3) = 2 (x, y) - 1 alone.
+Space TriangleSpace(int order);
 } // namespace pixelexact::mfem
