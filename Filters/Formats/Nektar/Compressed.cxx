@@ -16,13 +16,13 @@ constexpr std::string_view kDigits =
   "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 constexpr std::size_t kBlock = std::size_t{ 1 } << 16U;
 
-std::array<signed char, 256> MakeDigitTable()
+std::array<int, 256> MakeDigitTable()
 {
-  std::array<signed char, 256> table{};
+  std::array<int, 256> table{};
   table.fill(-1);
   for (std::size_t i = 0; i < kDigits.size(); ++i)
   {
-    table[static_cast<unsigned char>(kDigits[i])] = static_cast<signed char>(i);
+    table[static_cast<unsigned char>(kDigits[i])] = static_cast<int>(i);
   }
   return table;
 }

@@ -54,7 +54,7 @@ std::optional<int> OrderOf(std::size_t points, bool face, bool triangular)
 {
   for (int order = 1; order <= kHighestCurveOrder; ++order)
   {
-    const auto n = static_cast<std::size_t>(order + 1);
+    const auto n = static_cast<std::size_t>(order) + 1;
     if (points == (!face ? n : triangular ? n * (n + 1) / 2 : n * n))
     {
       return order;

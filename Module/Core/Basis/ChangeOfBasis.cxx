@@ -218,11 +218,8 @@ ChangeOfBasis ChangeOfBasis::Tetrahedron(
 ChangeOfBasis ChangeOfBasis::FromLines(
   const Space& space, const std::array<LineFunctions, 3>& lines, std::span<const int> source)
 {
-  std::vector<BasisFactor> factors;
-  for (int d = 0; d < 3; ++d)
-  {
-    factors.push_back(LineFactor(space.order[d], lines[d]));
-  }
+  std::vector<BasisFactor> factors{ LineFactor(space.order[0], lines[0]),
+    LineFactor(space.order[1], lines[1]), LineFactor(space.order[2], lines[2]) };
   std::vector<int> modeOf(space.Modes());
   std::iota(modeOf.begin(), modeOf.end(), 0);
   return { space, std::move(factors), source, std::move(modeOf) };
