@@ -64,7 +64,7 @@ void AddRow(Table& table, const char* label, const char* what, const SolverFacts
       break;
     }
     text += (text.empty() ? "" : ", ") + std::to_string(id) + NameOf(facts, id, boundary) + " (" +
-      std::to_string(count) + " " + what + ")";
+      std::to_string(count) + " " + what + (count == 1 ? ")" : "s)");
   }
   if (!text.empty())
   {

@@ -217,6 +217,7 @@ TEST(MfemReader, FieldsThatDoNotFitAreRefusedWithBothNumbers)
   ExpectMessage(Message(OneCube(), { "FiniteElementSpace\nFiniteElementCollection: L2_3D_P0\n" }),
     { "u.gf", "cut short" });
   ExpectMessage(Message(OneCube(), { Field("NURBS2", 1, 0, "1") }), { "u.gf", "NURBS" });
+  ExpectMessage(Message(OneCube(), { Field("L2_3D_P33", 1, 0, "1") }), { "u.gf", "33" });
 }
 
 TEST(MfemReader, DamagedRefinementTrees)

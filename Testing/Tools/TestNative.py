@@ -61,6 +61,11 @@ class Native(ToolTest):
         self.assertEqual(sum(summary["boundary_attributes"].values()), 24)
         self.assertFalse(summary["converted"])
 
+    def test_groups_in_words(self):
+        text = self.succeeds("info", DARCY / "mfem_escher_tet_darcy_p3.mesh", DARCY / "flux.gf").stdout
+        for word in ["1 (42 elements)", "1 (1 face)", "36 more", "H(div)"]:
+            self.assertIn(word, text)
+
     def test_picture_of_a_flux(self):
         picture = self.folder / "flux.png"
         self.succeeds("render", DARCY / "mfem_escher_tet_darcy_p3.mesh", DARCY / "flux.gf", "--field",

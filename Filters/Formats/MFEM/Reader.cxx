@@ -16,13 +16,20 @@ namespace
 {
 using Bases = std::vector<const ElementBasis*>;
 
-Bases BasesOf(const MeshFile& mesh, const Collection& collection)
+Bases BasesOf(const MeshFile& mesh, const Collection& collection, const std::string& where)
 {
   Bases bases;
   bases.reserve(mesh.elements.size());
-  for (const Cell& cell : mesh.elements)
+  try
   {
-    bases.push_back(&collection.Basis(cell.geometry));
+    for (const Cell& cell : mesh.elements)
+    {
+      bases.push_back(&collection.Basis(cell.geometry));
+    }
+  }
+  catch (const Unsupported& error)
+  {
+    throw Unsupported(where + ": " + error.what());
   }
   return bases;
 }
@@ -113,7 +120,7 @@ void ModelBuilder::AddMap()
   }
   const FunctionSpace space(File, Entities, collection);
   RequireValues(nodes, space, where, File);
-  const Bases bases = BasesOf(File, collection);
+  const Bases bases = BasesOf(File, collection, MeshName);
   AssembleMap(
     bases,
     [&](std::size_t e, std::span<double> source)
@@ -161,7 +168,7 @@ void ModelBuilder::AddField(
   }
   const FunctionSpace space(File, Entities, collection);
   RequireValues(file, space, where, File);
-  const Bases bases = BasesOf(File, collection);
+  const Bases bases = BasesOf(File, collection, where);
   SolverField field;
   field.name = name;
   field.mapping = collection.GetMapping();
