@@ -3,7 +3,8 @@
 #
 # PIXELEXACT_TEST_STAGES selects from (default: all, in this order)
 #   dependencies build test sanitize fuzz format tidy
-# The last line reads "N passed, N failed": tests of both builds, and one for each other stage.
+# The last line reads "N passed, N failed": tests of both builds, and one for each other stage. What
+# failed is said once more before it, so that the end of a log is enough to go on.
 set -uo pipefail
 cd "$(dirname "$0")/../.."
 
@@ -15,6 +16,8 @@ jobs=$(nproc)
 passed=0
 failed=0
 timings=""
+failures=""
+stage=""
 
 launcher=()
 if command -v ccache >/dev/null; then
@@ -38,14 +41,28 @@ run_ctest() {
   suite_skipped=$(grep -c '[*][*][*]Skipped' "$log")
   passed=$((passed + suite_total - suite_failed - suite_skipped))
   failed=$((failed + suite_failed))
+  if [[ $suite_failed -gt 0 ]]; then
+    failures+="$(failed_tests "$log")"$'\n'
+  fi
 }
 
-# Counts a stage that is not a suite of tests as one.
+# What each failed test of a ctest log printed, at most 60 lines of each.
+failed_tests() {
+  awk '/^ *[0-9]+\/[0-9]+ Test|^ *Start +[0-9]+:/ { shown = 0 }
+       /^ *[0-9]+\/[0-9]+ Test.*[*][*][*]/ && !/[*][*][*]Skipped/ { shown = 60 }
+       shown > 0 { print; --shown }' "$1"
+}
+
+# Counts a stage that is not a suite of tests as one; $2 is the log that ends with its reason.
 count() {
   if [[ $1 -eq 0 ]]; then
     passed=$((passed + 1))
   else
     failed=$((failed + 1))
+    failures+="stage $stage failed with exit code $1"$'\n'
+    if [[ -n "${2:-}" ]]; then
+      failures+="$(tail -n 60 "$2")"$'\n'
+    fi
   fi
 }
 
@@ -60,8 +77,8 @@ stage_build() {
     -D PIXELEXACT_BUILD_TESTING=ON \
     -D PIXELEXACT_BUILD_PYTHON=ON \
     -D PIXELEXACT_BUILD_BENCHMARKS=ON &&
-    cmake --build "$build" --parallel "$jobs"
-  count $?
+    cmake --build "$build" --parallel "$jobs" | tee "$build/build.log"
+  count $? "$build/build.log"
 }
 
 stage_test() {
@@ -77,8 +94,9 @@ stage_sanitize() {
     -D PIXELEXACT_SANITIZE=ON \
     -D PIXELEXACT_BUILD_TESTING=ON \
     -D PIXELEXACT_BUILD_PYTHON=OFF &&
-    cmake --build "$sanitize_build" --parallel "$jobs" --target PixelExactTests
-  count $?
+    cmake --build "$sanitize_build" --parallel "$jobs" --target PixelExactTests |
+    tee "$sanitize_build/build.log"
+  count $? "$sanitize_build/build.log"
   run_ctest "$sanitize_build" --label-exclude slow
 }
 
@@ -86,8 +104,8 @@ stage_sanitize() {
 stage_fuzz() {
   cmake -S Testing/Fuzz -B "$fuzz_build" -G Ninja "${launcher[@]}" -D CMAKE_CXX_COMPILER=clang++ &&
     cmake --build "$fuzz_build" --parallel "$jobs" &&
-    ./Testing/Fuzz/run.sh "$fuzz_build" 60
-  count $?
+    ./Testing/Fuzz/run.sh "$fuzz_build" 60 2>&1 | tee "$fuzz_build/fuzz.log"
+  count $? "$fuzz_build/fuzz.log"
 }
 
 # Only one version's idea of the format can hold: other versions differ in details.
@@ -99,15 +117,17 @@ stage_format() {
     return
   fi
   find Module Filters Rendering Testing Examples -name '*.h' -o -name '*.cxx' |
-    xargs clang-format --dry-run -Werror
-  count $?
+    xargs clang-format --dry-run -Werror 2>&1 | tee "$build/format.log"
+  count $? "$build/format.log"
 }
 
-# One of Highway's instruction sets is enough to read a kernel.
+# One of Highway's instruction sets is enough to read a kernel. The tool's own commands and its counts
+# of warnings in system headers are left out of the log.
 stage_tidy() {
   run-clang-tidy -quiet -j "$jobs" -p "$build" -extra-arg=-DHWY_COMPILE_ONLY_STATIC \
-    "^$PWD/(Module|Filters|Rendering)/.*\.cxx\$"
-  count $?
+    "^$PWD/(Module|Filters|Rendering)/.*\.cxx\$" 2>&1 |
+    { grep -v -E '^(clang-tidy|[0-9]+ warnings? generated|$)' || true; } | tee "$build/tidy.log"
+  count $? "$build/tidy.log"
 }
 
 for stage in $stages; do
@@ -125,5 +145,8 @@ for stage in $stages; do
   fi
 done
 
+if [[ -n "$failures" ]]; then
+  printf '\n== failures\n%s' "$failures"
+fi
 printf '\n%s\n%d passed, %d failed\n' "$timings" "$passed" "$failed"
 [[ $failed -eq 0 ]]
