@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Bernstein/Krawczyk.h"
+
+#include <cmath>
+#include <utility>
+
+namespace pixelexact
+{
+namespace
+{
+struct LinearModel
+{
+  Parameters value{};
+  SmallMatrix jacobian{};
+};
+
+LinearModel ModelAt(const SquareSystem& system, const Parameters& t)
+{
+  LinearModel model;
+  for (int k = 0; k < system.size; ++k)
+  {
+    const Jet jet = EvaluateJet(system.degree, system.Polynomial(k), t);
+    model.value[static_cast<std::size_t>(k)] = jet.value;
+    model.jacobian[static_cast<std::size_t>(k)] = jet.gradient;
+  }
+  return model;
+}
+
+Parameters CentreOf(int size)
+{
+  Parameters centre{};
+  std::fill_n(centre.begin(), size, 0.5);
+  return centre;
+}
+
+/// Newton's iteration from the centre; where it leaves the cube, the centre.
+Parameters NewtonPoint(const SquareSystem& system, double reach)
+{
+  constexpr int kSteps = 10;
+  const auto n = static_cast<std::size_t>(system.size);
+  Parameters t = CentreOf(system.size);
+  for (int step = 0; step < kSteps; ++step)
+  {
+    const LinearModel model = ModelAt(system, t);
+    const auto inverse = Inverse(system.size, model.jacobian);
+    if (!inverse)
+    {
+      return CentreOf(system.size);
+    }
+    double longest = 0.0;
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      double delta = 0.0;
+      for (std::size_t k = 0; k < n; ++k)
+      {
+        delta += (*inverse)[i][k] * model.value[k];
+      }
+      t[i] -= delta;
+      longest = std::max(longest, std::fabs(delta));
+      if (!(t[i] > -reach && t[i] < 1.0 + reach))
+      {
+        return CentreOf(system.size);
+      }
+    }
+    if (longest < 1e-15)
+    {
+      break;
+    }
+  }
+  return t;
+}
+
+using IntervalMatrix = std::array<ParameterIntervals, 3>;
+
+/// C f'(U), C a matrix of numbers.
+IntervalMatrix Precondition(const SquareSystem& system, const SmallMatrix& inverse, double reach)
+{
+  const auto n = static_cast<std::size_t>(system.size);
+  IntervalMatrix result{};
+  for (std::size_t k = 0; k < n; ++k)
+  {
+    for (std::size_t j = 0; j < n; ++j)
+    {
+      const Interval slope = EncloseDerivative(system.degree, static_cast<int>(j),
+        system.Polynomial(static_cast<int>(k)), system.error[k], reach);
+      for (std::size_t i = 0; i < n; ++i)
+      {
+        result[i][j] += Interval(inverse[i][k]) * slope;
+      }
+    }
+  }
+  return result;
+}
+
+/// fixed + deviation (box - m).
+ParameterIntervals Image(std::size_t n, const ParameterIntervals& fixed,
+  const IntervalMatrix& deviation, const ParameterIntervals& box, const Parameters& m)
+{
+  ParameterIntervals image = fixed;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    for (std::size_t j = 0; j < n; ++j)
+    {
+      image[i] += deviation[i][j] * (box[j] - Interval(m[j]));
+    }
+  }
+  return image;
+}
+} // namespace
+
+std::optional<SmallMatrix> Inverse(int size, SmallMatrix matrix)
+{
+  const auto n = static_cast<std::size_t>(size);
+  SmallMatrix inverse{};
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    inverse[i][i] = 1.0;
+  }
+  for (std::size_t column = 0; column < n; ++column)
+  {
+    std::size_t pivot = column;
+    for (std::size_t row = column + 1; row < n; ++row)
+    {
+      pivot = std::fabs(matrix[row][column]) > std::fabs(matrix[pivot][column]) ? row : pivot;
+    }
+    std::swap(matrix[pivot], matrix[column]);
+    std::swap(inverse[pivot], inverse[column]);
+    const double scale = 1.0 / matrix[column][column];
+    for (std::size_t j = 0; j < n; ++j)
+    {
+      matrix[column][j] *= scale;
+      inverse[column][j] *= scale;
+    }
+    for (std::size_t row = 0; row < n; ++row)
+    {
+      const double factor = row == column ? 0.0 : matrix[row][column];
+      for (std::size_t j = 0; j < n; ++j)
+      {
+        matrix[row][j] -= factor * matrix[column][j];
+        inverse[row][j] -= factor * inverse[column][j];
+      }
+    }
+  }
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    for (std::size_t j = 0; j < n; ++j)
+    {
+      if (!std::isfinite(inverse[i][j]))
+      {
+        return std::nullopt;
+      }
+    }
+  }
+  return inverse;
+}
+
+std::optional<KrawczykImage> ApplyKrawczyk(const SquareSystem& system, double reach)
+{
+  const auto n = static_cast<std::size_t>(system.size);
+  const Parameters m = NewtonPoint(system, reach);
+  const auto inverse = Inverse(system.size, ModelAt(system, m).jacobian);
+  if (!inverse)
+  {
+    return std::nullopt;
+  }
+  IntervalMatrix deviation = Precondition(system, *inverse, reach);
+  ParameterIntervals fixed{};
+  ParameterIntervals cube{};
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    fixed[i] = m[i];
+    cube[i] = { -reach, 1.0 + reach };
+    for (std::size_t j = 0; j < n; ++j)
+    {
+      deviation[i][j] = Interval(i == j ? 1.0 : 0.0) - deviation[i][j];
+    }
+    for (std::size_t k = 0; k < n; ++k)
+    {
+      fixed[i] -= Interval((*inverse)[i][k]) *
+        EncloseValue(system.degree, system.Polynomial(static_cast<int>(k)), system.error[k], m);
+    }
+  }
+  KrawczykImage result;
+  result.image = Image(n, fixed, deviation, cube, m);
+  result.unique = true;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    result.unique = result.unique && cube[i].ContainsInside(result.image[i]);
+  }
+  // The root lies in the image of whatever holds it.
+  constexpr int kTightenings = 40;
+  for (int step = 0; result.unique && step < kTightenings; ++step)
+  {
+    const ParameterIntervals next = Image(n, fixed, deviation, result.image, m);
+    bool tighter = false;
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      const Interval both = Intersect(result.image[i], next[i]);
+      tighter = tighter || both.Width() < 0.9 * result.image[i].Width();
+      result.image[i] = both;
+    }
+    if (!tighter)
+    {
+      break;
+    }
+  }
+  return result;
+}
+} // namespace pixelexact

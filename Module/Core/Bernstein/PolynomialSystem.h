@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Bernstein/TensorPolynomial.h"
+#include "Core/Shape/Shape.h"
+
+#include <span>
+#include <vector>
+
+namespace pixelexact
+{
+/// One polynomial over the unit cube. Its coefficients are known up to `error`: whatever is proven,
+/// is proven for every polynomial within it.
+struct TensorPolynomial
+{
+  Degrees degree{};
+  std::vector<double> coefficients; ///< index (i (n_1 + 1) + j) (n_2 + 1) + k
+  double error = 0.0;
+};
+
+/// All t with normal . t <= offset.
+struct HalfSpace
+{
+  Parameters normal{};
+  double offset = 0.0;
+};
+
+/// f_k(t) = 0 for one to three polynomials of one to three parameters, over the part of the unit
+/// cube that lies in all half-spaces.
+class PolynomialSystem
+{
+public:
+  /// Polynomials are elevated to common degrees. Directions from `variables` on must have degree 0.
+  /// Throws InvalidData for anything else than 1 to 3 variables and polynomials, degrees above
+  /// kMaxDegree, wrong numbers of coefficients, or a negative error. Coefficients that are not
+  /// finite are allowed, and nothing will be proven with them.
+  PolynomialSystem(int variables, std::span<const TensorPolynomial> polynomials,
+    std::vector<HalfSpace> domain = {});
+
+  [[nodiscard]] int Variables() const { return TheVariables; }
+  [[nodiscard]] int Equations() const { return static_cast<int>(Error.size()); }
+  [[nodiscard]] const Degrees& Degree() const { return TheDegree; }
+  /// Of all polynomials, one after the other.
+  [[nodiscard]] std::span<const double> Coefficients() const { return TheCoefficients; }
+  /// Of each polynomial's coefficients.
+  [[nodiscard]] std::span<const double> Errors() const { return Error; }
+  [[nodiscard]] std::span<const HalfSpace> Domain() const { return TheDomain; }
+
+private:
+  int TheVariables;
+  Degrees TheDegree{};
+  std::vector<double> TheCoefficients;
+  std::vector<double> Error;
+  std::vector<HalfSpace> TheDomain;
+};
+
+/// The half-spaces that cut a shape's reference domain out of its cube, for polynomials in
+/// t = (xi + 1) / 2. Hexahedra need none.
+std::vector<HalfSpace> ReferenceDomain(Shape shape);
+} // namespace pixelexact

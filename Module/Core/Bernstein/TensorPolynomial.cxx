@@ -1,0 +1,361 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Bernstein/TensorPolynomial.h"
+
+#include "Core/Math/Rounding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace pixelexact
+{
+namespace
+{
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+using Line = std::array<double, kMaxDegree + 1>;
+
+/// Calls visit(offset) for the first coefficient of every line along a direction.
+template <class Visit>
+void ForEachLine(const Degrees& degree, int direction, std::size_t count, Visit&& visit)
+{
+  const std::size_t stride = StrideOf(degree, direction);
+  const std::size_t block =
+    stride * static_cast<std::size_t>(degree[static_cast<std::size_t>(direction)] + 1);
+  for (std::size_t start = 0; start < count; start += block)
+  {
+    for (std::size_t offset = start; offset < start + stride; ++offset)
+    {
+      visit(offset);
+    }
+  }
+}
+
+/// B_0 .. B_n at t, by convex combinations.
+void FillBasis(int n, double t, Line& basis)
+{
+  basis[0] = 1.0;
+  for (int level = 1; level <= n; ++level)
+  {
+    basis[static_cast<std::size_t>(level)] = t * basis[static_cast<std::size_t>(level - 1)];
+    for (auto i = static_cast<std::size_t>(level - 1); i > 0; --i)
+    {
+      basis[i] = (1.0 - t) * basis[i] + t * basis[i - 1];
+    }
+    basis[0] *= 1.0 - t;
+  }
+}
+
+/// Derivatives of B_0 .. B_n at t.
+void FillDerivatives(int n, double t, Line& derivative)
+{
+  Line lower{};
+  FillBasis(n - 1, t, lower);
+  for (std::size_t i = 0; i <= static_cast<std::size_t>(n); ++i)
+  {
+    const double left = i > 0 ? lower[i - 1] : 0.0;
+    const double right = i < static_cast<std::size_t>(n) ? lower[i] : 0.0;
+    derivative[i] = n * (left - right);
+  }
+}
+
+int TotalDegree(const Degrees& degree)
+{
+  return degree[0] + degree[1] + degree[2];
+}
+
+/// The sum of the magnitudes of B_0 .. B_n at t, rounded up.
+double Lebesgue(int n, double t)
+{
+  const double base = std::fabs(t) + std::fabs(1.0 - t);
+  return base <= 1.0 ? 1.0 : std::pow(base * (1.0 + Gamma(2)), n) * (1.0 + Gamma(2 * n + 8));
+}
+
+double Binomial(int n, int k)
+{
+  double result = 1.0;
+  for (int i = 1; i <= k; ++i)
+  {
+    result = result * (n - k + i) / i;
+  }
+  return result;
+}
+} // namespace
+
+double LargestMagnitude(std::span<const double> coefficients)
+{
+  double largest = 0.0;
+  for (const double b : coefficients)
+  {
+    // Written so that a NaN makes the result NaN.
+    largest = std::fabs(b) <= largest ? largest : std::fabs(b);
+  }
+  return largest;
+}
+
+void Restrict(
+  const Degrees& degree, int direction, double from, double to, std::span<double> coefficients)
+{
+  const int n = degree[static_cast<std::size_t>(direction)];
+  const std::size_t stride = StrideOf(degree, direction);
+  const double rest = from < 1.0 ? std::clamp((to - from) / (1.0 - from), 0.0, 1.0) : 1.0;
+  ForEachLine(degree, direction, coefficients.size(),
+    [&](std::size_t offset)
+    {
+      const auto at = [&](int i) -> double&
+      { return coefficients[offset + static_cast<std::size_t>(i) * stride]; };
+      if (from > 0.0)
+      {
+        // The upper part: what remains in place of a sweep from below.
+        for (int level = 1; level <= n; ++level)
+        {
+          for (int i = 0; i <= n - level; ++i)
+          {
+            at(i) = (1.0 - from) * at(i) + from * at(i + 1);
+          }
+        }
+      }
+      if (rest < 1.0)
+      {
+        for (int level = 1; level <= n; ++level)
+        {
+          for (int i = n; i >= level; --i)
+          {
+            at(i) = (1.0 - rest) * at(i - 1) + rest * at(i);
+          }
+        }
+      }
+    });
+}
+
+double RestrictionError(int degree, double magnitude)
+{
+  // Four roundings a level in either sweep. `from` and `to` are off by u, which moves coefficients
+  // by at most 2 n u times their magnitude; `rest` by 4 u / (1 - from), against differences that
+  // the first sweep has shrunk by 1 - from.
+  return Gamma(24 * degree) * magnitude + 16.0 * degree * std::numeric_limits<double>::denorm_min();
+}
+
+void Elevate(const Degrees& from, const Degrees& to, std::span<const double> coefficients,
+  std::span<double> elevated)
+{
+  std::vector<double> current(coefficients.begin(), coefficients.end());
+  Degrees degree = from;
+  for (int d = 0; d < 3; ++d)
+  {
+    const int n = from[static_cast<std::size_t>(d)];
+    const int m = to[static_cast<std::size_t>(d)];
+    if (m == n)
+    {
+      continue;
+    }
+    Degrees next = degree;
+    next[static_cast<std::size_t>(d)] = m;
+    std::vector<double> raised(CoefficientCount(next), 0.0);
+    const std::size_t stride = StrideOf(degree, d);
+    const std::size_t lines = current.size() / (stride * static_cast<std::size_t>(n + 1));
+    for (std::size_t line = 0; line < lines; ++line)
+    {
+      for (std::size_t inner = 0; inner < stride; ++inner)
+      {
+        for (int j = 0; j <= m; ++j)
+        {
+          double sum = 0.0;
+          for (int i = std::max(0, j - (m - n)); i <= std::min(n, j); ++i)
+          {
+            const double weight = Binomial(j, i) * Binomial(m - j, n - i) / Binomial(m, n);
+            sum += weight *
+              current[(line * static_cast<std::size_t>(n + 1) + static_cast<std::size_t>(i)) *
+                  stride +
+                inner];
+          }
+          raised[(line * static_cast<std::size_t>(m + 1) + static_cast<std::size_t>(j)) * stride +
+            inner] = sum;
+        }
+      }
+    }
+    current = std::move(raised);
+    degree = next;
+  }
+  std::ranges::copy(current, elevated.begin());
+}
+
+double ElevationError(const Degrees& to, double magnitude)
+{
+  // Three binomials of up to 2 m roundings each, their product, and a sum of at most m + 1 terms,
+  // in each direction; the weights of a sum add up to one.
+  return Gamma(8 * (TotalDegree(to) + 6)) * magnitude +
+    (TotalDegree(to) + 3) * std::numeric_limits<double>::denorm_min();
+}
+
+Jet EvaluateJet(const Degrees& degree, std::span<const double> coefficients, const Parameters& t)
+{
+  std::array<Line, 3> basis{};
+  std::array<Line, 3> slope{};
+  for (std::size_t d = 0; d < 3; ++d)
+  {
+    FillBasis(degree[d], t[d], basis[d]);
+    if (degree[d] > 0)
+    {
+      FillDerivatives(degree[d], t[d], slope[d]);
+    }
+  }
+  Jet jet;
+  const double* b = coefficients.data();
+  for (std::size_t i = 0; i <= static_cast<std::size_t>(degree[0]); ++i)
+  {
+    double row = 0.0;
+    double row1 = 0.0;
+    double row2 = 0.0;
+    for (std::size_t j = 0; j <= static_cast<std::size_t>(degree[1]); ++j)
+    {
+      double line = 0.0;
+      double line2 = 0.0;
+      for (std::size_t k = 0; k <= static_cast<std::size_t>(degree[2]); ++k, ++b)
+      {
+        line += *b * basis[2][k];
+        line2 += *b * slope[2][k];
+      }
+      row += basis[1][j] * line;
+      row1 += slope[1][j] * line;
+      row2 += basis[1][j] * line2;
+    }
+    jet.value += basis[0][i] * row;
+    jet.gradient[0] += slope[0][i] * row;
+    jet.gradient[1] += basis[0][i] * row1;
+    jet.gradient[2] += basis[0][i] * row2;
+  }
+  return jet;
+}
+
+Interval EncloseValue(
+  const Degrees& degree, std::span<const double> coefficients, double error, const Parameters& t)
+{
+  const double value = EvaluateJet(degree, coefficients, t).value;
+  double lebesgue = 1.0;
+  for (std::size_t d = 0; d < 3; ++d)
+  {
+    lebesgue *= Lebesgue(degree[d], t[d]);
+  }
+  // Per direction: 3 roundings a level of the basis, one product and n + 1 sums.
+  const double rounding = Gamma(5 * TotalDegree(degree) + 16) * LargestMagnitude(coefficients) +
+    64.0 * (TotalDegree(degree) + 1) * std::numeric_limits<double>::denorm_min();
+  const double radius = (error + rounding) * lebesgue * (1.0 + Gamma(16));
+  return radius <= kInfinity ? Interval::Around(value, radius) : Interval::Everything();
+}
+
+Interval EncloseDerivative(const Degrees& degree, int direction,
+  std::span<const double> coefficients, double error, double reach)
+{
+  const int n = degree[static_cast<std::size_t>(direction)];
+  if (n == 0)
+  {
+    return 0.0;
+  }
+  const std::size_t stride = StrideOf(degree, direction);
+  double least = kInfinity;
+  double most = -kInfinity;
+  bool sound = true;
+  ForEachLine(degree, direction, coefficients.size(),
+    [&](std::size_t offset)
+    {
+      for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i)
+      {
+        const double difference =
+          coefficients[offset + (i + 1) * stride] - coefficients[offset + i * stride];
+        least = std::min(least, difference);
+        most = std::max(most, difference);
+        sound = sound && difference == difference;
+      }
+    });
+  if (!sound)
+  {
+    return Interval::Everything();
+  }
+  const Interval difference = rounding::Outward(least, most) + Interval(-2.0 * error, 2.0 * error);
+  const double middle = difference.Middle();
+  const double growth =
+    std::pow(1.0 + 2.0 * reach, TotalDegree(degree) - 1) * (1.0 + Gamma(4 * 3 * kMaxDegree));
+  const double radius = rounding::Above(difference.RadiusAround(middle) * growth);
+  return Interval(n) * Interval::Around(middle, radius);
+}
+
+Section ClipToZero(
+  const Degrees& degree, int direction, std::span<const double> coefficients, double error)
+{
+  const auto n = static_cast<std::size_t>(degree[static_cast<std::size_t>(direction)]);
+  const std::size_t stride = StrideOf(degree, direction);
+  Line low;
+  Line high;
+  low.fill(kInfinity);
+  high.fill(-kInfinity);
+  bool sound = true;
+  ForEachLine(degree, direction, coefficients.size(),
+    [&](std::size_t offset)
+    {
+      for (std::size_t i = 0; i <= n; ++i)
+      {
+        const double b = coefficients[offset + i * stride];
+        low[i] = std::min(low[i], b);
+        high[i] = std::max(high[i], b);
+        sound = sound && std::fabs(b) < kInfinity;
+      }
+    });
+  if (!sound || !(error < kInfinity))
+  {
+    return {};
+  }
+  for (std::size_t i = 0; i <= n; ++i)
+  {
+    low[i] = rounding::Below(low[i] - error);
+    high[i] = rounding::Above(high[i] + error);
+  }
+  const double least = *std::min_element(low.begin(), low.begin() + static_cast<long>(n) + 1);
+  const double most = *std::max_element(high.begin(), high.begin() + static_cast<long>(n) + 1);
+  if (least > 0.0 || most < 0.0)
+  {
+    return { 1.0, 0.0 };
+  }
+  if (n == 0)
+  {
+    return {};
+  }
+  // The lower hull is not positive between the outermost chords that cross zero; the same with
+  // signs changed for the upper one. Crossings are off by a few roundings: far less than the slack.
+  constexpr double kSlack = 1e-9;
+  Section section;
+  const auto narrow = [&](const Line& edge, double sign)
+  {
+    double from = kInfinity;
+    double to = -kInfinity;
+    for (std::size_t i = 0; i <= n; ++i)
+    {
+      const double b = sign * edge[i];
+      const auto at = static_cast<double>(i) / static_cast<double>(n);
+      if (b <= 0.0)
+      {
+        from = std::min(from, at);
+        to = std::max(to, at);
+        continue;
+      }
+      for (std::size_t j = 0; j <= n; ++j)
+      {
+        const double other = sign * edge[j];
+        if (other <= 0.0)
+        {
+          const double step = (static_cast<double>(j) - static_cast<double>(i)) /
+            static_cast<double>(n) * (b / (b - other));
+          from = std::min(from, at + step);
+          to = std::max(to, at + step);
+        }
+      }
+    }
+    section.from = std::max(section.from, from - kSlack);
+    section.to = std::min(section.to, to + kSlack);
+  };
+  narrow(low, 1.0);
+  narrow(high, -1.0);
+  return section;
+}
+} // namespace pixelexact
