@@ -12,7 +12,7 @@ for format in Mfem Nektar; do
   # Inputs found on the way stay in the build folder.
   mkdir -p "found/$format"
   "./Fuzz$format" -max_total_time="$seconds" -timeout=20 -rss_limit_mb=2048 -max_len=16384 \
-    -print_final_stats=1 -dict="$here/$format.dict" "found/$format" "$here/Corpus/$format" \
+    -seed=1 -print_final_stats=1 -dict="$here/$format.dict" "found/$format" "$here/Corpus/$format" \
     >"Fuzz$format.log" 2>&1 &
   runs+=($!)
 done

@@ -81,7 +81,10 @@ public:
       {
         const auto numbers = File.Numbers(node);
         std::vector<Point> points(numbers.size() / 3);
-        std::memcpy(points.data(), numbers.data(), points.size() * sizeof(Point));
+        for (std::size_t i = 0; i < points.size(); ++i)
+        {
+          std::copy_n(&numbers[3 * i], 3, points[i].begin());
+        }
         const std::string_view type = Trim(node.attribute("TYPE").value());
         const auto* known = std::ranges::find(kPointTypes, type, &PointType::name);
         const std::int64_t expected = File.Id(node, "NUMPOINTS");
