@@ -13,57 +13,21 @@ namespace pixelexact
 {
 namespace
 {
-long double Binomial(int n, int k)
+/// Rows of h^power P_n^{(alpha,0)}, n from 0 to `last`.
+std::vector<FactorRow> UnivariateRows(int alpha, int last, int power, int degree)
 {
-  if (k < 0 || k > n)
-  {
-    return 0.0L;
-  }
-  long double result = 1.0L;
-  for (int i = 1; i <= std::min(k, n - k); ++i)
-  {
-    result = result * (n - std::min(k, n - k) + i) / i;
-  }
-  return result;
-}
-
-/// h^power P_n^{(alpha,0)} in Bernstein form of `degree`.
-std::vector<double> UnivariateRow(int alpha, int n, int power, int degree)
-{
-  const int low = n + power;
-  std::vector<long double> b(low + 1, 0.0L);
-  for (int i = 0; i <= n; ++i)
-  {
-    const long double sign = (n - i) % 2 == 0 ? 1.0L : -1.0L;
-    b[i] = sign * Binomial(n + alpha, i) * Binomial(n, i) / Binomial(low, i);
-  }
-  std::vector<double> raised(degree + 1);
-  for (int j = 0; j <= degree; ++j)
-  {
-    long double sum = 0.0L;
-    for (int i = std::max(0, j - (degree - low)); i <= std::min(low, j); ++i)
-    {
-      sum += Binomial(j, i) * Binomial(degree - j, low - i) * b[i];
-    }
-    raised[j] = static_cast<double>(sum / Binomial(degree, low));
-  }
-  return raised;
-}
-
-std::vector<std::vector<double>> UnivariateRows(int alpha, int last, int power, int degree)
-{
-  std::vector<std::vector<double>> rows;
+  std::vector<FactorRow> rows;
   for (int n = 0; n <= last; ++n)
   {
-    rows.push_back(UnivariateRow(alpha, n, power, degree));
+    rows.push_back(MakeFactorRow({ alpha, n, power }, Factor::Plain, degree, 0, 0));
   }
   return rows;
 }
 
 template <bool kAbsolute>
-double Magnitude(double v)
+const std::vector<double>& RowOf(const FactorRow& row)
 {
-  return kAbsolute ? std::fabs(v) : v;
+  return kAbsolute ? row.magnitude : row.value;
 }
 } // namespace
 
@@ -133,16 +97,17 @@ void BernsteinForm::Contract(const double* modes, std::span<double> bernstein) c
       }
       for (int r = 0; r <= TheSpace.LastR(p, q); ++r)
       {
-        const double c = Magnitude<kAbsolute>(*modes++);
-        const auto& z = Z[n][r];
+        const double c = kAbsolute ? std::fabs(*modes) : *modes;
+        ++modes;
+        const auto& z = RowOf<kAbsolute>(Z[n][r]);
         for (int k = 0; k <= R; ++k)
         {
-          line[k] += c * Magnitude<kAbsolute>(z[k]);
+          line[k] += c * z[k];
         }
       }
       for (int j = 0; j <= Q; ++j)
       {
-        const double factor = Magnitude<kAbsolute>(y[q][j]);
+        const double factor = RowOf<kAbsolute>(y[q])[j];
         for (int k = 0; k <= R; ++k)
         {
           layer[j * (R + 1) + k] += factor * line[k];
@@ -151,7 +116,7 @@ void BernsteinForm::Contract(const double* modes, std::span<double> bernstein) c
     }
     for (int i = 0; i <= P; ++i)
     {
-      const double factor = Magnitude<kAbsolute>(X[p][i]);
+      const double factor = RowOf<kAbsolute>(X[p])[i];
       double* out = &bernstein[static_cast<std::size_t>(i) * layer.size()];
       for (std::size_t jk = 0; jk < layer.size(); ++jk)
       {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Core/Basis/Space.h"
+#include "Core/Bernstein/FactorRow.h"
 
 #include <array>
 #include <span>
@@ -15,8 +16,8 @@ namespace pixelexact
 ///
 /// Each mode is a product of three univariate polynomials in eta whose Bernstein coefficients have
 /// a closed form: h^m P_n^{(a,0)} has (-1)^{n-i} C(n+a,i) C(n,i) / C(n+m,i) in degree n + m, then
-/// raised to the space's degree. They are computed in long double and rounded once, so a converted
-/// coefficient B of modes c is off by at most
+/// raised to the space's degree. They are rounded once (FactorRow.h), so a converted coefficient B
+/// of modes c is off by at most
 ///   gamma(P + Q + R + 9) * sum |c| |X| |Y| |Z|
 /// (P + Q + R + 3 additions, 3 rounded factors, 3 products), which ErrorBound evaluates.
 class BernsteinForm
@@ -44,7 +45,7 @@ private:
   template <bool kAbsolute>
   void Contract(const double* modes, std::span<double> bernstein) const;
 
-  using Rows = std::vector<std::vector<double>>; ///< [function][coefficient]
+  using Rows = std::vector<FactorRow>; ///< by function
   Space TheSpace;
   std::array<int, 3> TheDegree;
   Rows X;              ///< [p]

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Bernstein/PieceForm.h"
+
+#include "Core/Math/Rounding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <utility>
+
+namespace pixelexact
+{
+namespace
+{
+constexpr auto kPlain = Factor::Plain;
+constexpr auto kSlope = Factor::Slope;
+constexpr auto kTilted = Factor::Tilted;
+
+using Product = std::array<Factor, 3>;
+
+/// The products of which a part consists (see the table in PieceForm.h).
+std::vector<Product> ProductsOf(const Space& space, Part part)
+{
+  if (part == Part::Value)
+  {
+    return { { kPlain, kPlain, kPlain } };
+  }
+  const bool tetrahedron = space.shape == Shape::Tetrahedron;
+  const Factor overH = space.form == Form::Tensor ? Factor::Closed : Factor::Lowered;
+  const Factor y = tetrahedron ? overH : kPlain;
+  const bool collapses1 = space.shape != Shape::Hexahedron;
+  const bool collapses2 = tetrahedron || space.shape == Shape::Pyramid;
+  switch (part)
+  {
+    case Part::ByXi1:
+      return { { kSlope, y, collapses1 ? overH : kPlain } };
+    case Part::ByXi2:
+    {
+      std::vector<Product> products{ { kPlain, kSlope, collapses2 ? overH : kPlain } };
+      if (tetrahedron)
+      {
+        products.push_back({ kTilted, y, overH });
+      }
+      return products;
+    }
+    default:
+    {
+      std::vector<Product> products{ { kPlain, kPlain, kSlope } };
+      if (collapses1)
+      {
+        products.push_back({ kTilted, y, overH });
+      }
+      if (collapses2)
+      {
+        products.push_back({ kPlain, kTilted, overH });
+      }
+      return products;
+    }
+  }
+}
+
+/// The factor of a direction's family and number.
+FactorKey KeyOf(const Space& space, int direction, int family, int n)
+{
+  const bool collapsed = space.form == Form::Collapsed;
+  if (direction == 1 && space.shape == Shape::Tetrahedron)
+  {
+    return { 2 * family + 1, n, family };
+  }
+  if (direction == 2 && collapsed && space.shape != Shape::Hexahedron)
+  {
+    return { space.shape == Shape::Prism ? 2 * family + 1 : 2 * family + 2, n, family };
+  }
+  return { 0, n, 0 };
+}
+} // namespace
+
+PieceForm::PieceForm(const Space& space, int level)
+  : TheSpace(space)
+  , TheLevel(level)
+  , TheDegree(space.TensorDegree())
+{
+  const auto [P, Q, R] = TheDegree;
+  const bool tetrahedron = space.shape == Shape::Tetrahedron;
+  Families[1] = tetrahedron ? P + 1 : 1;
+  if (space.shape != Shape::Hexahedron && space.form == Form::Collapsed)
+  {
+    Families[2] = 1 + (space.shape == Shape::Prism ? P : (tetrahedron ? Q : std::max(P, Q)));
+  }
+  for (const Part part : { Part::Value, Part::ByXi1, Part::ByXi2, Part::ByXi3 })
+  {
+    for (const Product& product : ProductsOf(space, part))
+    {
+      Terms[static_cast<std::size_t>(static_cast<int>(part) + 1)].push_back({ product });
+      MakeTables(product);
+    }
+  }
+}
+
+void PieceForm::MakeTables(const std::array<Factor, 3>& factor)
+{
+  for (std::size_t d = 0; d < 3; ++d)
+  {
+    auto& table = Tables[d][static_cast<std::size_t>(factor[d])];
+    if (!table.empty())
+    {
+      continue;
+    }
+    const int degree = TheDegree[d];
+    for (int piece = 0; piece < (1 << TheLevel); ++piece)
+    {
+      for (int family = 0; family < Families[d]; ++family)
+      {
+        for (int n = 0; n <= degree; ++n)
+        {
+          const FactorKey key = KeyOf(TheSpace, static_cast<int>(d), family, n);
+          table.push_back(key.n + key.power <= degree
+              ? MakeFactorRow(key, factor[d], degree, TheLevel, piece)
+              : FactorRow{});
+        }
+      }
+    }
+  }
+}
+
+int PieceForm::LevelOf(int order)
+{
+  return order <= 5 ? 0 : (order <= 11 ? 1 : (order <= 23 ? 2 : 3));
+}
+
+const PieceForm& PieceForm::Of(const Space& space)
+{
+  return Of(space, LevelOf(space.MaxOrder()));
+}
+
+const PieceForm& PieceForm::Of(const Space& space, int level)
+{
+  static std::mutex mutex;
+  static std::map<std::pair<Space, int>, std::unique_ptr<const PieceForm>> forms;
+  const std::scoped_lock lock(mutex);
+  auto& form = forms[{ space, level }];
+  if (!form)
+  {
+    form.reset(new PieceForm(space, level));
+  }
+  return *form;
+}
+
+std::size_t PieceForm::Size() const
+{
+  return static_cast<std::size_t>(TheDegree[0] + 1) * static_cast<std::size_t>(TheDegree[1] + 1) *
+    static_cast<std::size_t>(TheDegree[2] + 1);
+}
+
+std::array<int, 3> PieceForm::FamilyOf(int p, int q) const
+{
+  switch (TheSpace.shape)
+  {
+    case Shape::Prism:
+      return { 0, 0, p };
+    case Shape::Tetrahedron:
+      return { 0, p, p + q };
+    case Shape::Pyramid:
+      return { 0, 0, TheSpace.form == Form::Tensor ? 0 : std::max(p, q) };
+    default:
+      return { 0, 0, 0 };
+  }
+}
+
+const FactorRow& PieceForm::RowOf(int direction, Factor factor, int piece, int family, int n) const
+{
+  const auto d = static_cast<std::size_t>(direction);
+  return Tables[d][static_cast<std::size_t>(factor)]
+               [static_cast<std::size_t>((piece * Families[d] + family) * (TheDegree[d] + 1) + n)];
+}
+
+void PieceForm::AddTerm(
+  const Term& term, const Piece& piece, const double* modes, std::span<double> out) const
+{
+  const auto [P, Q, R] = TheDegree;
+  const auto width = static_cast<std::size_t>(R) + 1;
+  std::vector<double> line(width);
+  std::vector<double> layer(width * (static_cast<std::size_t>(Q) + 1));
+  for (int p = 0; p <= P; ++p)
+  {
+    std::ranges::fill(layer, 0.0);
+    for (int q = 0; q <= TheSpace.LastQ(p); ++q)
+    {
+      const auto family = FamilyOf(p, q);
+      std::ranges::fill(line, 0.0);
+      for (int r = 0; r <= TheSpace.LastR(p, q); ++r)
+      {
+        const double c = *modes++;
+        const auto& z = RowOf(2, term.factor[2], piece[2], family[2], r).value;
+        for (std::size_t k = 0; k < width; ++k)
+        {
+          line[k] += c * z[k];
+        }
+      }
+      const auto& y = RowOf(1, term.factor[1], piece[1], family[1], q).value;
+      for (std::size_t j = 0; j < y.size(); ++j)
+      {
+        for (std::size_t k = 0; k < width; ++k)
+        {
+          layer[j * width + k] += y[j] * line[k];
+        }
+      }
+    }
+    const auto& x = RowOf(0, term.factor[0], piece[0], 0, p).value;
+    for (std::size_t i = 0; i < x.size(); ++i)
+    {
+      double* to = &out[i * layer.size()];
+      for (std::size_t jk = 0; jk < layer.size(); ++jk)
+      {
+        to[jk] += x[i] * layer[jk];
+      }
+    }
+  }
+}
+
+void PieceForm::Convert(
+  Part part, const Piece& piece, const double* modes, std::span<double> out) const
+{
+  std::ranges::fill(out, 0.0);
+  for (const Term& term : Terms[static_cast<std::size_t>(static_cast<int>(part) + 1)])
+  {
+    AddTerm(term, piece, modes, out);
+  }
+}
+
+double PieceForm::ErrorBound(Part part, const Piece& piece, const double* modes) const
+{
+  double sum = 0.0;
+  for (const Term& term : Terms[static_cast<std::size_t>(static_cast<int>(part) + 1)])
+  {
+    ForEachMode(TheSpace,
+      [&](int p, int q, int r, int mode)
+      {
+        const auto family = FamilyOf(p, q);
+        sum += std::fabs(modes[mode]) * RowOf(0, term.factor[0], piece[0], 0, p).largest *
+          RowOf(1, term.factor[1], piece[1], family[1], q).largest *
+          RowOf(2, term.factor[2], piece[2], family[2], r).largest;
+      });
+  }
+  const int operations = TheDegree[0] + TheDegree[1] + TheDegree[2] + 12;
+  // The sum's own rounding is far below the slack; so is what underflows.
+  return sum * Gamma(operations) * (1.0 + 0x1p-30) + 0x1p-900;
+}
+
+bool PieceForm::IsClosed(const Space& space, const double* modes)
+{
+  if (space.form != Form::Tensor)
+  {
+    return true;
+  }
+  double all = 0.0;
+  double open = 0.0;
+  double column = 0.0;
+  ForEachMode(space,
+    [&](int p, int q, int r, int mode)
+    {
+      column = (r == 0 ? 0.0 : column) + modes[mode];
+      all += std::fabs(modes[mode]);
+      if (r == space.LastR(p, q) && p + q > 0)
+      {
+        open += std::fabs(column);
+      }
+    });
+  return open <= 64.0 * kUnitRoundoff * all;
+}
+} // namespace pixelexact
