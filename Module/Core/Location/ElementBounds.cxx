@@ -103,11 +103,7 @@ ComponentHulls MakeHulls(const Space& space, const double* coefficients)
     hulls.error[c] = form.ErrorBound(component);
     hulls.spread[c] = SpreadOf(space, component);
     hulls.first[c] = component[0];
-    hulls.magnitude[c] = 0.0;
-    for (int k = 0; k < modes; ++k)
-    {
-      hulls.magnitude[c] += std::fabs(component[k]);
-    }
+    hulls.magnitude[c] = std::fabs(component[0]) + hulls.spread[c];
   }
   return hulls;
 }

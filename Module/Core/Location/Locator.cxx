@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Location/Locator.h"
 
-#include "Core/Location/CarefulInverse.h"
 #include "Core/Location/ElementBounds.h"
 #include "Core/Location/EmbreeBvh.h"
+#include "Core/Location/InversionTrees.h"
 
 #include <tbb/parallel_for.h>
 
@@ -230,12 +230,12 @@ private:
     for (std::size_t begin = 0; begin < Doubtful.size();)
     {
       const int element = Doubtful[begin].element;
-      CarefulInverse careful(TheMesh, element, Owner.Elements[element]);
+      const auto careful = Owner.Trees->Of(element);
       for (; begin < Doubtful.size() && Doubtful[begin].element == element; ++begin)
       {
         if (std::ranges::find(Found, Doubtful[begin].index) == Found.end())
         {
-          DecideOne(careful, Doubtful[begin]);
+          DecideOne(*careful, Doubtful[begin]);
         }
       }
     }
@@ -251,19 +251,21 @@ private:
     }
   }
 
-  void DecideOne(CarefulInverse& careful, const Doubt& doubt)
+  void DecideOne(InversionTree& careful, const Doubt& doubt)
   {
     ++Careful;
-    const SubdivisionResult result = careful.Decide(Points[doubt.index], doubt.root);
+    const Preimages result =
+      careful.Find(Points[doubt.index], doubt.root, InversionTree::Wanted::First);
     if (result.verdict == Verdict::Inside)
     {
+      const InverseRoot& root = result.roots.front();
       std::array<std::array<double, kLanePadding>, 3> xi;
       for (int d = 0; d < 3; ++d)
       {
-        xi[d].fill(result.xi[d]);
+        xi[d].fill(root.xi[d]);
       }
       const double* const lanes[3] = { xi[0].data(), xi[1].data(), xi[2].data() };
-      Sink.Inside(doubt.element, std::span<const int>(&doubt.index, 1), lanes, &result.residual);
+      Sink.Inside(doubt.element, std::span<const int>(&doubt.index, 1), lanes, &root.residual);
       Found.push_back(doubt.index);
     }
     else if (result.verdict == Verdict::Unknown)
@@ -294,6 +296,7 @@ Locator::Locator(const Mesh& mesh)
 {
   tbb::parallel_for(
     0, mesh.Elements(), [&](int e) { Elements[e] = MakeElementBounds(TheMesh, e); });
+  Trees = std::make_unique<InversionTrees>(TheMesh, Elements);
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   MeshBounds = { Vec3(kInfinity), Vec3(-kInfinity) };
   std::vector<Box3> boxes;
@@ -324,6 +327,7 @@ const Box3& Locator::ElementBox(int element) const
 
 std::size_t Locator::MemoryUsage() const
 {
-  return Elements.capacity() * sizeof(ElementBounds) + (Hierarchy ? Hierarchy->MemoryUsage() : 0);
+  return Elements.capacity() * sizeof(ElementBounds) + (Hierarchy ? Hierarchy->MemoryUsage() : 0) +
+    Trees->MemoryUsage();
 }
 } // namespace pixelexact

@@ -13,6 +13,7 @@ namespace pixelexact
 {
 struct ElementBounds;
 class Bvh;
+class InversionTrees;
 
 /// Which points of a batch lie in which element, told element by element.
 class LocationSink
@@ -25,6 +26,27 @@ public:
   virtual void Inside(
     int element, std::span<const int> index, const double* const xi[3], const double* residual) = 0;
   /// Point `index` could not be decided; `element` is the first that might hold it.
+  virtual void Undecided(int index, int element) = 0;
+};
+
+/// A xi that an element maps to a point.
+struct Preimage
+{
+  int element = -1;
+  Vec3 xi{ 0.0 };
+  /// Within the faces' tolerance of a face: a neighbour may hold the point as well.
+  bool onFace = false;
+};
+
+/// Every preimage of the points of a batch.
+class PreimageSink
+{
+public:
+  virtual ~PreimageSink() = default;
+  /// A preimage of point `index`, proven to be the only one near its xi. Elements come in any
+  /// order.
+  virtual void Found(int index, const Preimage& preimage) = 0;
+  /// Whether `element` holds point `index`, or how often, could not be decided.
   virtual void Undecided(int index, int element) = 0;
 };
 
@@ -63,6 +85,10 @@ public:
   /// Best called with points that lie close together, a few hundred to a few thousand.
   void Locate(std::span<const Vec3> points, LocationSink& sink) const;
 
+  /// All preimages of the points in all elements: none proves a gap, several that are not all on
+  /// faces an overlap or a fold. Serial; slower than Locate, for meshes that are being debugged.
+  void LocateAll(std::span<const Vec3> points, PreimageSink& sink) const;
+
   [[nodiscard]] const Mesh& GetMesh() const { return TheMesh; }
   /// The box of the whole mesh, certified; lower > upper for an empty mesh.
   [[nodiscard]] const Box3& Bounds() const { return MeshBounds; }
@@ -77,6 +103,7 @@ private:
   Box3 MeshBounds;
   std::vector<ElementBounds> Elements;
   std::unique_ptr<Bvh> Hierarchy;
+  std::unique_ptr<InversionTrees> Trees;
   mutable LocationCounters TheCounters;
 };
 } // namespace pixelexact

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Location/EmbreeBvh.h"
+#include "Core/Location/InversionTrees.h"
+#include "Core/Location/Locator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pixelexact
+{
+namespace
+{
+/// What Newton's iteration alone proves of a point in an element whose map is injective.
+struct FastAnswer
+{
+  bool decided = false;
+  bool inside = false;
+  Vec3 xi{ std::numeric_limits<double>::quiet_NaN() }; ///< the root, where the iteration converged
+};
+
+FastAnswer AskNewton(const InverseProblem& problem, const ElementBounds& bounds, const Vec3& x)
+{
+  double lanes[9][kLanePadding];
+  for (int d = 0; d < 3; ++d)
+  {
+    std::fill_n(lanes[d], kLanePadding, x[d]);
+  }
+  const InverseResult result{ { lanes[3], lanes[4], lanes[5] }, lanes[6], lanes[7], lanes[8] };
+  KernelsFor(problem.space).invert(problem, { { lanes[0], lanes[1], lanes[2] }, 1 }, result);
+  FastAnswer answer;
+  if (lanes[6][0] == static_cast<double>(NewtonStatus::NotConverged))
+  {
+    return answer;
+  }
+  answer.xi = { lanes[3][0], lanes[4][0], lanes[5][0] };
+  answer.inside = lanes[6][0] == static_cast<double>(NewtonStatus::RootInside);
+  // The only root of the region in which the map is injective.
+  answer.decided = bounds.injectiveMargin > 0.0 && lanes[7][0] >= -bounds.injectiveMargin;
+  return answer;
+}
+} // namespace
+
+void Locator::LocateAll(std::span<const Vec3> points, PreimageSink& sink) const
+{
+  std::vector<int> candidates;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const Vec3& x = points[i];
+    const int index = static_cast<int>(i);
+    if (!MeshBounds.Contains(x))
+    {
+      continue;
+    }
+    candidates.clear();
+    Hierarchy->Query({ x, x }, candidates);
+    for (const int element : candidates)
+    {
+      const ElementBounds& bounds = Elements[static_cast<std::size_t>(element)];
+      const InverseProblem problem = MakeInverseProblem(TheMesh, element, bounds);
+      const Vec3 centre(problem.centre[0], problem.centre[1], problem.centre[2]);
+      if (!bounds.MightContain(problem.space.shape, centre, problem.inverseSize, x))
+      {
+        continue;
+      }
+      const FastAnswer fast = AskNewton(problem, bounds, x);
+      if (fast.decided)
+      {
+        if (fast.inside)
+        {
+          sink.Found(index, { element, fast.xi, IsOnFace(problem, fast.xi) });
+        }
+        continue;
+      }
+      const Vec3 known = fast.inside ? Vec3(std::numeric_limits<double>::quiet_NaN()) : fast.xi;
+      const Preimages all = Trees->Of(element)->Find(x, known, InversionTree::Wanted::All);
+      for (const InverseRoot& root : all.roots)
+      {
+        sink.Found(index, { element, root.xi, root.onFace });
+      }
+      if (!all.complete)
+      {
+        sink.Undecided(index, element);
+      }
+    }
+  }
+}
+} // namespace pixelexact

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Location/Locator.h"
+
+#include <span>
+
+namespace pixelexact
+{
+/// How often a mesh covers a point.
+enum class Coverage : std::uint8_t
+{
+  None = 0,     ///< no element holds the point, by proof: outside, or a gap
+  Once = 1,     ///< one preimage, or several that all lie on faces: what a sound mesh has
+  Several = 2,  ///< two or more, not all of them on faces: an overlap, or a fold within an element
+  Undecided = 3 ///< an element could not be decided
+};
+
+const char* Name(Coverage coverage);
+
+struct Owners
+{
+  std::int32_t preimages = 0; ///< in all elements
+  std::int32_t elements = 0;  ///< that hold the point
+  Coverage coverage = Coverage::None;
+};
+
+/// Counts every preimage of each point, in parallel; `owners` has one entry per point. The answer
+/// depends on point and mesh alone. Points with NaN or infinite coordinates have no owner.
+void FindOwners(const Locator& locator, std::span<const Vec3> points, std::span<Owners> owners);
+
+/// The same for points that lie close together, serially: for use inside of a parallel loop.
+void FindOwnersOfTile(
+  const Locator& locator, std::span<const Vec3> points, std::span<Owners> owners);
+} // namespace pixelexact
