@@ -172,7 +172,7 @@ TEST(Owners, TellGapsOverlapsAndSharedFaces)
   std::vector<Vec3> points;
   const std::vector<Case> cases{ { 0.5, Coverage::Once, 1 }, { 0.9, Coverage::Several, 2 },
     { 1.5, Coverage::Once, 1 }, { 1.9, Coverage::None, 0 }, { 2.5, Coverage::Once, 1 },
-    { 3.0, Coverage::Once, 2 }, { 4.1, Coverage::None, 0 }, { 1.0, Coverage::Several, 2 } };
+    { 3.0, Coverage::Once, 2 }, { 4.1, Coverage::None, 0 }, { 1.0, Coverage::Once, 2 } };
   for (const Case& c : cases)
   {
     points.emplace_back(c.x, 0.5, 0.5);

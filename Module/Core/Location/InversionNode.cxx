@@ -309,6 +309,14 @@ void MakeFrame(const Space& space, const double* modes, const ElementBounds& bou
   }
 }
 
+std::array<double, 3> EvaluateMap(const Space& space, const double* modes, const Vec3& xi)
+{
+  std::array<double, 3> value;
+  SmallMatrix jacobian;
+  EvaluateAt(space, modes, xi, value, jacobian);
+  return value;
+}
+
 std::optional<SmallMatrix> InverseJacobian(const Space& space, const double* modes, const Vec3& xi)
 {
   std::array<double, 3> value;

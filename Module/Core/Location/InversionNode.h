@@ -56,6 +56,9 @@ struct InversionNode
 void MakeFrame(const Space& space, const double* modes, const ElementBounds& bounds,
   const BoxCoefficients& phi, InversionNode& node);
 
+/// Phi at a point, in plain arithmetic.
+std::array<double, 3> EvaluateMap(const Space& space, const double* modes, const Vec3& xi);
+
 /// The inverse Jacobian of Phi by xi, [xi][y], in plain arithmetic; nothing where it is singular.
 std::optional<SmallMatrix> InverseJacobian(const Space& space, const double* modes, const Vec3& xi);
 

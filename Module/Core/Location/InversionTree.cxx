@@ -24,6 +24,8 @@ constexpr double kSameRoot = 1e-12;
 
 constexpr Part kParts[3] = { Part::ByXi1, Part::ByXi2, Part::ByXi3 };
 
+constexpr Vec3 kApex{ -1.0, -1.0, 1.0 };
+
 /// Beside the faces and next to its apex, a pyramid's map is continued as a constant
 /// (CollapsedQuotient): what the iteration finds there need not be a root.
 bool IsSmoothAt(Shape shape, const Vec3& xi)
@@ -92,6 +94,7 @@ public:
     {
       Roots.push_back({ known, 0.0, false, false });
     }
+    AddApex();
     for (const auto& piece : Tree.Pieces)
     {
       Visit(*piece, false);
@@ -157,14 +160,60 @@ private:
     }
   }
 
+  /// A pyramid's map is not smooth at its apex: the iteration may miss it. Frames and hulls, which
+  /// hold the uncertainty twice over and the rounding of the coefficients, cannot exclude points
+  /// that are nearer to it than some uncertainties.
+  void AddApex()
+  {
+    const auto& problem = Tree.Problem;
+    if (problem.space.shape != Shape::Pyramid)
+    {
+      return;
+    }
+    const std::array<double, 3> apex = EvaluateMap(problem.space, Tree.Modes, kApex);
+    bool within = true;
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      within = within && std::fabs(apex[c] - Y[c]) <= 8.0 * problem.uncertainty[c];
+    }
+    if (within)
+    {
+      Roots.push_back({ kApex, 0.0, true, true });
+    }
+  }
+
+  /// Whether every xi of the box is so near to a known root that no other could be told from it.
+  [[nodiscard]] bool IsAtRoot(const EtaBox& box) const
+  {
+    const Shape shape = Tree.Problem.space.shape;
+    return std::ranges::any_of(Roots,
+      [&](const InverseRoot& root)
+      {
+        bool near = true;
+        for (unsigned corner = 0; near && corner < 8; ++corner)
+        {
+          const Vec3 eta((corner & 1U) != 0U ? box.upper.x : box.lower.x,
+            (corner & 2U) != 0U ? box.upper.y : box.lower.y,
+            (corner & 4U) != 0U ? box.upper.z : box.lower.z);
+          const Vec3 apart = glm::abs(TensorToReference(shape, eta) - root.xi);
+          near = std::max({ apart.x, apart.y, apart.z }) <= kSameRoot;
+        }
+        return near;
+      });
+  }
+
+  /// Whether a known root lies in the box or in its reach.
+  [[nodiscard]] bool HoldsRoot(const EtaBox& box) const
+  {
+    const Shape shape = Tree.Problem.space.shape;
+    return std::ranges::any_of(Roots,
+      [&](const InverseRoot& root) { return Reaches(shape, box, Reach, root.xi, kSameRoot); });
+  }
+
   /// Whether the box can hold no root but a known one.
   bool IsSettled(Node& node)
   {
-    return std::ranges::any_of(Roots,
-             [&](const InverseRoot& root) {
-               return Reaches(Tree.Problem.space.shape, node.known.box, Reach, root.xi, kSameRoot);
-             }) &&
-      Tree.IsRegular(node);
+    return IsAtRoot(node.known.box) || (HoldsRoot(node.known.box) && Tree.IsRegular(node));
   }
 
   /// Two runs of the iteration to one root differ by rounding.

@@ -50,9 +50,8 @@ public:
       {
         continue;
       }
-      const bool several = owners.preimages > 1 && Inner[i] > 0;
       owners.coverage = owners.preimages == 0 ? Coverage::None
-        : several                             ? Coverage::Several
+        : Inner[i] > 1                        ? Coverage::Several
                                               : Coverage::Once;
     }
   }

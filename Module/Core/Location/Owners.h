@@ -10,9 +10,12 @@ namespace pixelexact
 /// How often a mesh covers a point.
 enum class Coverage : std::uint8_t
 {
-  None = 0,     ///< no element holds the point, by proof: outside, or a gap
-  Once = 1,     ///< one preimage, or several that all lie on faces: what a sound mesh has
-  Several = 2,  ///< two or more, not all of them on faces: an overlap, or a fold within an element
+  None = 0, ///< no element holds the point, by proof: outside, or a gap
+  /// One preimage, or several of which at most one is not on a face: what a sound mesh has.
+  Once = 1,
+  /// Two or more that are on no face: an overlap, or a fold within an element. Within the faces'
+  /// tolerance of an overlap's own boundary, the answer is Once.
+  Several = 2,
   Undecided = 3 ///< an element could not be decided
 };
 
