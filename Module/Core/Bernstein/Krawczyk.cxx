@@ -14,10 +14,10 @@ struct LinearModel
   SmallMatrix jacobian{};
 };
 
-LinearModel ModelAt(const SquareSystem& system, const Parameters& t)
+LinearModel ModelAt(const LocalSystem& system, const Parameters& t)
 {
   LinearModel model;
-  for (int k = 0; k < system.size; ++k)
+  for (int k = 0; k < system.variables; ++k)
   {
     const Jet jet = EvaluateJet(system.degree, system.Polynomial(k), t);
     model.value[static_cast<std::size_t>(k)] = jet.value;
@@ -34,18 +34,18 @@ Parameters CentreOf(int size)
 }
 
 /// Newton's iteration from the centre; where it leaves the cube, the centre.
-Parameters NewtonPoint(const SquareSystem& system, double reach)
+Parameters NewtonPoint(const LocalSystem& system, double reach)
 {
   constexpr int kSteps = 10;
-  const auto n = static_cast<std::size_t>(system.size);
-  Parameters t = CentreOf(system.size);
+  const auto n = static_cast<std::size_t>(system.variables);
+  Parameters t = CentreOf(system.variables);
   for (int step = 0; step < kSteps; ++step)
   {
     const LinearModel model = ModelAt(system, t);
-    const auto inverse = Inverse(system.size, model.jacobian);
+    const auto inverse = Inverse(system.variables, model.jacobian);
     if (!inverse)
     {
-      return CentreOf(system.size);
+      return CentreOf(system.variables);
     }
     double longest = 0.0;
     for (std::size_t i = 0; i < n; ++i)
@@ -59,7 +59,7 @@ Parameters NewtonPoint(const SquareSystem& system, double reach)
       longest = std::max(longest, std::fabs(delta));
       if (!(t[i] > -reach && t[i] < 1.0 + reach))
       {
-        return CentreOf(system.size);
+        return CentreOf(system.variables);
       }
     }
     if (longest < 1e-15)
@@ -73,9 +73,9 @@ Parameters NewtonPoint(const SquareSystem& system, double reach)
 using IntervalMatrix = std::array<ParameterIntervals, 3>;
 
 /// C f'(U), C a matrix of numbers.
-IntervalMatrix Precondition(const SquareSystem& system, const SmallMatrix& inverse, double reach)
+IntervalMatrix Precondition(const LocalSystem& system, const SmallMatrix& inverse, double reach)
 {
-  const auto n = static_cast<std::size_t>(system.size);
+  const auto n = static_cast<std::size_t>(system.variables);
   IntervalMatrix result{};
   for (std::size_t k = 0; k < n; ++k)
   {
@@ -154,11 +154,11 @@ std::optional<SmallMatrix> Inverse(int size, SmallMatrix matrix)
   return inverse;
 }
 
-std::optional<KrawczykImage> ApplyKrawczyk(const SquareSystem& system, double reach)
+std::optional<KrawczykImage> ApplyKrawczyk(const LocalSystem& system, double reach)
 {
-  const auto n = static_cast<std::size_t>(system.size);
+  const auto n = static_cast<std::size_t>(system.variables);
   const Parameters m = NewtonPoint(system, reach);
-  const auto inverse = Inverse(system.size, ModelAt(system, m).jacobian);
+  const auto inverse = Inverse(system.variables, ModelAt(system, m).jacobian);
   if (!inverse)
   {
     return std::nullopt;

@@ -6,13 +6,14 @@
 #include <optional>
 #include <span>
 
-// Systems of as many polynomials as variables, n, over the unit cube: coefficients polynomial by
-// polynomial, of common degrees, each known up to its polynomial's error.
 namespace pixelexact
 {
-struct SquareSystem
+/// Polynomials over a box, in the box's own coordinates t in [0,1]^n: coefficients polynomial by
+/// polynomial, of common degrees, each known up to its polynomial's error.
+struct LocalSystem
 {
-  int size = 0; ///< n
+  int variables = 0; ///< n
+  int equations = 0;
   Degrees degree{};
   std::span<const double> coefficients;
   std::span<const double> error; ///< per polynomial
@@ -30,7 +31,8 @@ using SmallMatrix = std::array<std::array<double, 3>, 3>;
 /// The inverse by elimination; nothing where it is not finite.
 std::optional<SmallMatrix> Inverse(int size, SmallMatrix matrix);
 
-/// What Krawczyk's operator says of the cube U = [-reach, 1 + reach]^n:
+/// What Krawczyk's operator says, for as many polynomials as variables, of the cube U = [-reach, 1
+/// + reach]^n:
 ///   K(U) = m - C f(m) + (I - C f'(U)) (U - m),
 /// m the root that Newton's iteration finds in U or else the centre, C near f'(m)^-1. Every root in
 /// U lies in K(U), and where K(U) lies inside U there is exactly one (R. Krawczyk, Newton-
@@ -43,5 +45,5 @@ struct KrawczykImage
 };
 
 /// Nothing where f'(m) cannot be inverted.
-std::optional<KrawczykImage> ApplyKrawczyk(const SquareSystem& system, double reach);
+std::optional<KrawczykImage> ApplyKrawczyk(const LocalSystem& system, double reach);
 } // namespace pixelexact

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Bernstein/RootFinder.h"
+
+namespace pixelexact
+{
+/// The isolated roots found so far, each listed once.
+class RootList
+{
+public:
+  explicit RootList(const PolynomialSystem& system)
+    : System(system)
+  {
+  }
+
+  /// Lists the one root that `root.alone` holds, in `root.enclosure`, unless it is listed already
+  /// or outside of the domain. False where it cannot be told from a listed one.
+  bool Add(IsolatedRoot root);
+
+  /// Whether a half-space of the domain leaves nothing of the box.
+  [[nodiscard]] bool IsOutsideDomain(const ParameterBox& box) const;
+  /// Whether a listed root is known to be the only one anywhere in the box.
+  [[nodiscard]] bool IsSettled(const ParameterBox& box) const;
+
+  std::vector<IsolatedRoot> Take() { return std::move(Roots); }
+
+private:
+  [[nodiscard]] bool Place(IsolatedRoot& root) const;
+
+  const PolynomialSystem& System;
+  std::vector<IsolatedRoot> Roots;
+};
+} // namespace pixelexact
