@@ -9,6 +9,8 @@
 
 #include "Core/Basis/Modes-inl.h"
 #include "Core/Element/Kernels.h"
+#include "Core/Element/Matrix-inl.h"
+#include "Core/Element/Overflow-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
@@ -21,11 +23,6 @@ inline constexpr double kLargestCorrection = 1e-10;
 inline constexpr int kMaxNewtonSteps = 24;
 /// A root farther out than this cannot be the element's; the careful path decides.
 inline constexpr double kFarOut = 8.0;
-
-HWY_INLINE Lanes Splat(double value)
-{
-  return NumberTraits<Lanes>::Splat(value);
-}
 
 HWY_INLINE Point<Lanes> LoadPoint(const LanePoints& points, int at)
 {
@@ -40,10 +37,17 @@ void ValueKernel(const Space& space, const double* coefficients, int components,
   const int lanes = LaneCount();
   for (int i = 0; i < xi.count; i += lanes)
   {
-    const Modes<Lanes, Order, false> modes(space, LoadPoint(xi, i));
+    const Point<Lanes> at = LoadPoint(xi, i);
+    const Modes<Lanes, Order, false> modes(space, at);
     for (int c = 0; c < components; ++c)
     {
-      Store(modes.Value(coefficients + static_cast<std::ptrdiff_t>(c) * modeCount), out[c] + i);
+      const double* component = coefficients + static_cast<std::ptrdiff_t>(c) * modeCount;
+      Lanes value = modes.Value(component);
+      if (HWY_UNLIKELY(!All(IsFinite(value))))
+      {
+        RescueValue<Modes>(space, component, at, value);
+      }
+      Store(value, out[c] + i);
     }
   }
 }
@@ -56,10 +60,17 @@ void GradientKernel(const Space& space, const double* coefficients, int componen
   const int lanes = LaneCount();
   for (int i = 0; i < xi.count; i += lanes)
   {
-    const Modes<Lanes, Order, true> modes(space, LoadPoint(xi, i));
+    const Point<Lanes> at = LoadPoint(xi, i);
+    const Modes<Lanes, Order, true> modes(space, at);
     for (int c = 0; c < components; ++c)
     {
-      const auto e = modes.Evaluate(coefficients + static_cast<std::ptrdiff_t>(c) * modeCount);
+      const double* component = coefficients + static_cast<std::ptrdiff_t>(c) * modeCount;
+      auto e = modes.Evaluate(component);
+      const LaneMask finite = IsFinite(e.value + e.gradient[0] + e.gradient[1] + e.gradient[2]);
+      if (HWY_UNLIKELY(!All(finite)))
+      {
+        RescueGradient<Modes>(space, component, at, finite, e);
+      }
       Store(e.value, out[c] + i);
       for (int d = 0; d < 3; ++d)
       {
@@ -67,41 +78,6 @@ void GradientKernel(const Space& space, const double* coefficients, int componen
       }
     }
   }
-}
-
-/// A 3 x 3 matrix of lanes, row-major.
-struct Matrix
-{
-  Lanes m[9];
-};
-
-HWY_INLINE Point<Lanes> Apply(const Matrix& a, const Point<Lanes>& x)
-{
-  Point<Lanes> y;
-  for (int i = 0; i < 3; ++i)
-  {
-    y.x[i] = MulAdd(a.m[3 * i], x.x[0], MulAdd(a.m[3 * i + 1], x.x[1], a.m[3 * i + 2] * x.x[2]));
-  }
-  return y;
-}
-
-/// The inverse by cofactors; infinite or NaN where the matrix is singular.
-HWY_INLINE Matrix Inverse(const Matrix& a)
-{
-  const auto& m = a.m;
-  const Lanes c0 = NegMulAdd(m[5], m[7], m[4] * m[8]);
-  const Lanes c1 = NegMulAdd(m[3], m[8], m[5] * m[6]);
-  const Lanes c2 = NegMulAdd(m[4], m[6], m[3] * m[7]);
-  const Lanes det = MulAdd(m[0], c0, MulAdd(m[1], c1, m[2] * c2));
-  const Lanes s = Splat(1.0) / det;
-  return { { c0 * s, NegMulAdd(m[1], m[8], m[2] * m[7]) * s, NegMulAdd(m[2], m[4], m[1] * m[5]) * s,
-    c1 * s, NegMulAdd(m[2], m[6], m[0] * m[8]) * s, NegMulAdd(m[0], m[5], m[2] * m[3]) * s, c2 * s,
-    NegMulAdd(m[0], m[7], m[1] * m[6]) * s, NegMulAdd(m[1], m[3], m[0] * m[4]) * s } };
-}
-
-HWY_INLINE Lanes MaxAbs(const Point<Lanes>& x)
-{
-  return Max(Max(Abs(x.x[0]), Abs(x.x[1])), Abs(x.x[2]));
 }
 
 /// Signed distances to the faces; each widened by the tolerance t of the coordinates it is made of.
@@ -127,6 +103,29 @@ HWY_INLINE Lanes WidenedMargin(Shape shape, const Point<Lanes>& xi, const Point<
   }
 }
 
+/// What a step's length is measured by. A pyramid's map bends on the scale of the distance to its
+/// apex, all others on that of the shape.
+HWY_INLINE Lanes StepScale(Shape shape, const Point<Lanes>& xi)
+{
+  const Lanes one = Splat(1.0);
+  return shape == Shape::Pyramid ? Min(one, Splat(0.5) * Abs(one - xi.x[2])) : one;
+}
+
+/// Next to its apex a pyramid's functions are constant past the faces (CollapsedQuotient), and an
+/// iteration that gets there does not come back. It goes on from the point that has the value.
+HWY_INLINE void BackOntoCone(Point<Lanes>& xi)
+{
+  const Lanes zero = Splat(0.0);
+  const Lanes one = Splat(1.0);
+  const Lanes width = one - xi.x[2];
+  const LaneMask close = Abs(width) < Splat(2e-8);
+  for (int d = 0; d < 2; ++d)
+  {
+    const Lanes at = Max(Min(one + xi.x[d], Max(width, zero)), Min(width, zero));
+    xi.x[d] = Select(close, at - one, xi.x[d]);
+  }
+}
+
 struct NewtonState
 {
   Point<Lanes> xi;
@@ -144,6 +143,7 @@ HWY_INLINE NewtonState Iterate(
   const Lanes one = Splat(1.0);
   NewtonState state{ xi, {}, zero };
   LaneMask active = zero <= zero;
+  Lanes last = one;
   for (int step = 0; step < kMaxNewtonSteps && !None(active); ++step)
   {
     const Modes<Lanes, Order, true> modes(problem.space, state.xi);
@@ -162,12 +162,23 @@ HWY_INLINE NewtonState Iterate(
     const Matrix inverse = Inverse(jacobian);
     const Point<Lanes> delta = Apply(inverse, residual);
     const Lanes length = MaxAbs(delta);
+    last = Select(active, length, last);
     // Steps longer than the shape are shortened: far from the root they say no more than a
     // direction.
     const Lanes scale = Select(length <= one, one, one / length);
+    Point<Lanes> next;
     for (int d = 0; d < 3; ++d)
     {
-      state.xi.x[d] = Select(active, NegMulAdd(scale, delta.x[d], state.xi.x[d]), state.xi.x[d]);
+      next.x[d] = NegMulAdd(scale, delta.x[d], state.xi.x[d]);
+    }
+    const bool pyramid = problem.space.shape == Shape::Pyramid;
+    if (pyramid)
+    {
+      BackOntoCone(next);
+    }
+    for (int d = 0; d < 3; ++d)
+    {
+      state.xi.x[d] = Select(active, next.x[d], state.xi.x[d]);
     }
     for (int k = 0; k < 9; ++k)
     {
@@ -177,9 +188,20 @@ HWY_INLINE NewtonState Iterate(
     const LaneMask sound = And(length >= zero, MaxAbs(state.xi) <= Splat(kFarOut));
     const LaneMask lost = AndNot(active, sound);
     state.failed = Select(lost, one, state.failed);
-    active = AndNot(AndNot(active, lost), length <= Splat(kSmallStep));
+    Lanes small = Splat(kSmallStep);
+    if (pyramid)
+    {
+      small = Max(small * StepScale(problem.space.shape, state.xi),
+        MaxAbs(ToleranceOf(inverse, problem.uncertainty)));
+    }
+    active = AndNot(AndNot(active, lost), length <= small);
   }
-  state.failed = Select(active, one, state.failed);
+  if (!None(active))
+  {
+    // Where the Jacobian nearly vanishes steps do not get smaller than rounding.
+    const LaneMask rounding = last <= MaxAbs(ToleranceOf(state.inverse, problem.uncertainty));
+    state.failed = Select(AndNot(active, rounding), one, state.failed);
+  }
   return state;
 }
 
@@ -226,24 +248,23 @@ void InvertKernel(const InverseProblem& problem, const LanePoints& x, const Inve
         modes.Value(problem.coefficients + static_cast<std::ptrdiff_t>(c) * modeCount) - y.x[c];
     }
     const Point<Lanes> correction = Apply(state.inverse, residual);
-    Point<Lanes> tolerance;
+    const Point<Lanes> tolerance = ToleranceOf(state.inverse, problem.uncertainty);
     for (int d = 0; d < 3; ++d)
     {
       state.xi.x[d] = state.xi.x[d] - correction.x[d];
-      tolerance.x[d] = zero;
-      for (int k = 0; k < 3; ++k)
-      {
-        tolerance.x[d] =
-          MulAdd(Abs(state.inverse.m[3 * d + k]), Splat(problem.uncertainty[k]), tolerance.x[d]);
-      }
     }
     const Lanes length = MaxAbs(correction);
-    const LaneMask converged = And(state.failed <= zero,
-      length <= Max(Splat(kLargestCorrection), Splat(4.0) * MaxAbs(tolerance)));
+    const Lanes largest = Splat(kLargestCorrection) * StepScale(problem.space.shape, state.xi);
+    LaneMask converged =
+      And(state.failed <= zero, length <= Max(largest, Splat(4.0) * MaxAbs(tolerance)));
     const Point<Lanes> none{ { zero, zero, zero } };
     const Lanes margin = WidenedMargin(problem.space.shape, state.xi, none);
-    const LaneMask inside =
-      And(converged, WidenedMargin(problem.space.shape, state.xi, tolerance) >= zero);
+    const LaneMask within = WidenedMargin(problem.space.shape, state.xi, tolerance) >= zero;
+    if (problem.space.shape == Shape::Pyramid)
+    {
+      converged = AndNot(converged, Abs(Splat(1.0) - state.xi.x[2]) <= Splat(kApexRegion));
+    }
+    const LaneMask inside = And(converged, within);
     for (int d = 0; d < 3; ++d)
     {
       Store(state.xi.x[d], out.xi[d] + i);

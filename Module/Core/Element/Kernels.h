@@ -45,6 +45,11 @@ enum class NewtonStatus : std::uint8_t
   NotConverged = 2
 };
 
+/// Nearer to a pyramid's apex than this, in xi3, its map is not continued beyond the faces as the
+/// function that it is (CollapsedQuotient), and its Jacobian turns with the direction: the
+/// iteration is not trusted there, and NotConverged.
+inline constexpr double kApexRegion = 1e-7;
+
 /// Arrays of PaddedCount(count).
 struct InverseResult
 {

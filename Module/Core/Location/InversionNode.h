@@ -2,11 +2,13 @@
 #pragma once
 
 #include "Core/Bernstein/Krawczyk.h"
+#include "Core/Location/BoxCoefficients.h"
 #include "Core/Location/ElementBounds.h"
 #include "Core/Math/Interval.h"
 
 #include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace pixelexact
@@ -18,14 +20,6 @@ struct EtaBox
 {
   Vec3 lower{ -1.0 };
   Vec3 upper{ 1.0 };
-};
-
-/// Bernstein coefficients in eta over a box of some functions, one after the other, with a bound
-/// of the error of each function's.
-struct BoxCoefficients
-{
-  std::vector<double> values;
-  std::vector<double> error;
 };
 
 /// What is known of Phi over a box, for any right-hand side y: made once, asked for many points.
@@ -42,12 +36,20 @@ struct InversionNode
   std::array<double, 3> origin{};
   std::array<double, 9> inverse{}; ///< A^-1, row-major
   std::array<Interval, 3> deviation;
-  int widest = 0; ///< the direction of eta along which the deviation varies most
+  std::array<double, 3> slack{}; ///< in the deviation, for uncertainty and rounding
+  int widest = 0;                ///< the direction of eta along which the deviation varies most
 
   /// Whether the box may hold a preimage; false is a proof that it holds none.
   [[nodiscard]] bool MightHold(Shape shape, const std::array<double, 3>& y) const;
   /// A guess of the preimage: xi_0, moved into the cube.
   [[nodiscard]] Vec3 Guess(const std::array<double, 3>& y) const;
+  /// A^-1 d.
+  [[nodiscard]] Vec3 Step(const std::array<double, 3>& d) const;
+  /// xi_0.
+  [[nodiscard]] Vec3 Root(const std::array<double, 3>& y) const;
+  /// Whether the deviation is hardly more than uncertainty and rounding: xi_0 is the root, if there
+  /// is one, up to the faces' tolerance, and no smaller box tells more.
+  [[nodiscard]] bool IsAffine() const;
   /// Whether the deviation is small against the box, so that the map may be regular on it.
   [[nodiscard]] bool IsNearlyAffine() const;
 };
@@ -66,10 +68,10 @@ std::optional<SmallMatrix> InverseJacobian(const Space& space, const double* mod
 double ReachOf(const std::array<int, 3>& degree);
 
 /// Whether Phi is injective on the box, reaching beyond its ends by ReachOf (but not beyond a
-/// collapsed end): over the convex polytope the Jacobian by xi lies in an interval matrix, which M
-/// times makes strictly diagonally dominant, so that M (Phi(b) - Phi(a)), a mean Jacobian times
-/// b - a, vanishes for a = b alone. `slopes`: nine functions d Phi_c / d xi_j over the box,
-/// c slowest.
+/// collapsed end): over the convex polytope M times the Jacobian by xi, M about the inverse of its
+/// middle, lies in an interval matrix that is strictly diagonally dominant, so that
+/// M (Phi(b) - Phi(a)), a mean of that times b - a, vanishes for a = b alone. `slopes`: nine
+/// functions d Phi_c / d xi_j over the box, c slowest.
 bool IsRegular(const std::array<int, 3>& degree, const BoxCoefficients& slopes);
 
 /// Whether xi lies in the box, with that reach, or beyond it by no more than `tolerance`.

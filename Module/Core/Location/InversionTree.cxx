@@ -24,38 +24,6 @@ constexpr double kSameRoot = 1e-12;
 
 constexpr Part kParts[3] = { Part::ByXi1, Part::ByXi2, Part::ByXi3 };
 
-constexpr Vec3 kApex{ -1.0, -1.0, 1.0 };
-
-/// Beside the faces and next to its apex, a pyramid's map is continued as a constant
-/// (CollapsedQuotient): what the iteration finds there need not be a root.
-bool IsSmoothAt(Shape shape, const Vec3& xi)
-{
-  return shape != Shape::Pyramid || 1.0 - xi.z > 1e-7;
-}
-
-/// Halves functions along a direction: `lower` becomes the lower half, the upper one is returned.
-BoxCoefficients HalveAll(const std::array<int, 3>& degree, int direction, BoxCoefficients& lower)
-{
-  BoxCoefficients upper;
-  upper.values.resize(lower.values.size());
-  const std::size_t functions = lower.error.size();
-  const std::size_t size = lower.values.size() / functions;
-  for (std::size_t f = 0; f < functions; ++f)
-  {
-    const auto part = std::span(lower.values).subspan(f * size, size);
-    double largest = 0.0;
-    for (const double b : part)
-    {
-      largest = std::max(largest, std::fabs(b));
-    }
-    // The coefficients shrink with the box, and with them what each halving rounds.
-    lower.error[f] =
-      NextUp(lower.error[f] + Gamma(degree[static_cast<std::size_t>(direction)] + 1) * largest);
-    Halve(degree, direction, part, std::span(upper.values).subspan(f * size, size));
-  }
-  upper.error = lower.error;
-  return upper;
-}
 } // namespace
 
 struct InversionTree::Node
@@ -90,11 +58,10 @@ public:
 
   Preimages Run(const Vec3& known)
   {
-    if (std::isfinite(known.x + known.y + known.z) && IsSmoothAt(Tree.Problem.space.shape, known))
+    if (std::isfinite(known.x + known.y + known.z))
     {
       Roots.push_back({ known, 0.0, false, false });
     }
-    AddApex();
     for (const auto& piece : Tree.Pieces)
     {
       Visit(*piece, false);
@@ -133,13 +100,18 @@ private:
       Undecided = true;
       return;
     }
-    if (!searched && node.known.IsNearlyAffine())
+    if (IsAtApex(node.known))
+    {
+      Add(AtApex(node.known));
+      return;
+    }
+    if (searched ? node.known.IsAffine() : node.known.IsNearlyAffine())
     {
       if (IsSettled(node))
       {
         return;
       }
-      if (const auto root = Tree.FindRoot(X, node.known.Guess(Y)))
+      if (const auto root = FindInverseRoot(Tree.Problem, X, node.known.Guess(Y)))
       {
         Add(*root);
         if (IsDone() || IsSettled(node))
@@ -160,26 +132,32 @@ private:
     }
   }
 
-  /// A pyramid's map is not smooth at its apex: the iteration may miss it. Frames and hulls, which
-  /// hold the uncertainty twice over and the rounding of the coefficients, cannot exclude points
-  /// that are nearer to it than some uncertainties.
-  void AddApex()
+  /// Next to a pyramid's apex there is no root beyond the faces to be held against the tolerance.
+  /// Where it is all that keeps a box from excluding the point, the point is within it.
+  [[nodiscard]] bool IsAtApex(const InversionNode& node) const
+  {
+    const double rounding = std::max({ node.slack[0], node.slack[1], node.slack[2] });
+    return Tree.Problem.space.shape == Shape::Pyramid &&
+      1.0 - node.box.lower.z <= std::max(kApexRegion, 4.0 * rounding) && node.IsAffine();
+  }
+
+  /// The root, or the xi of the pyramid next to it.
+  [[nodiscard]] InverseRoot AtApex(const InversionNode& node) const
   {
     const auto& problem = Tree.Problem;
-    if (problem.space.shape != Shape::Pyramid)
+    Vec3 root = node.Root(Y);
+    Vec3 xi(0.0);
+    constexpr int kSteps = 4;
+    for (int step = 0; step < kSteps; ++step)
     {
-      return;
+      const double z = std::clamp(root.z, -1.0, 1.0);
+      xi = { std::clamp(root.x, -1.0, -z), std::clamp(root.y, -1.0, -z), z };
+      const std::array<double, 3> image = EvaluateMap(problem.space, Tree.Modes, xi);
+      root = xi + node.Step({ Y[0] - image[0], Y[1] - image[1], Y[2] - image[2] });
     }
-    const std::array<double, 3> apex = EvaluateMap(problem.space, Tree.Modes, kApex);
-    bool within = true;
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      within = within && std::fabs(apex[c] - Y[c]) <= 8.0 * problem.uncertainty[c];
-    }
-    if (within)
-    {
-      Roots.push_back({ kApex, 0.0, true, true });
-    }
+    const Vec3 correction = glm::abs(root - xi);
+    return { xi, std::max({ correction.x, correction.y, correction.z }), true,
+      IsOnFace(problem, xi) };
   }
 
   /// Whether every xi of the box is so near to a known root that no other could be told from it.
@@ -246,13 +224,9 @@ InversionTree::InversionTree(const Mesh& mesh, int element, const ElementBounds&
   : Modes(mesh.map.Coefficients(element))
   , Bounds(bounds)
   , Problem(MakeInverseProblem(mesh, element, bounds))
-  , Kernels(KernelsFor(Problem.space))
   , Form(PieceForm::Of(Problem.space))
   , HasSlopes(true)
 {
-  // A frame of zero slope lets the kernel's iteration begin where we want it.
-  std::fill_n(Problem.inverse, 9, 0.0);
-  Problem.affine = false;
   for (std::size_t c = 0; c < 3; ++c)
   {
     HasSlopes = HasSlopes &&
@@ -299,16 +273,14 @@ void InversionTree::Begin()
 BoxCoefficients InversionTree::ConvertPiece(const std::array<int, 3>& piece, bool slopes) const
 {
   const auto modes = static_cast<std::size_t>(Problem.space.Modes());
-  const std::size_t functions = slopes ? 9 : 3;
   BoxCoefficients result;
-  result.values.resize(functions * Form.Size());
-  for (std::size_t f = 0; f < functions; ++f)
+  std::vector<double> converted(Form.Size());
+  for (std::size_t f = 0; f < (slopes ? 9U : 3U); ++f)
   {
     const Part part = slopes ? kParts[f % 3] : Part::Value;
     const double* component = Modes + (slopes ? f / 3 : f) * modes;
-    Form.Convert(
-      part, piece, component, std::span(result.values).subspan(f * Form.Size(), Form.Size()));
-    result.error.push_back(Form.ErrorBound(part, piece, component));
+    Form.Convert(part, piece, component, converted);
+    result.Add(converted, Form.ErrorBound(part, piece, component));
   }
   return result;
 }
@@ -317,6 +289,7 @@ std::unique_ptr<InversionTree::Node> InversionTree::MakeNode(const EtaBox& box, 
 {
   auto node = std::make_unique<Node>();
   node->known.box = box;
+  phi.Recentre();
   MakeFrame(Problem.space, Modes, Bounds, phi, node->known);
   node->phi = std::move(phi);
   Account(node->phi, 1);
@@ -354,7 +327,7 @@ bool InversionTree::Split(Node& node)
   upper.lower[direction] = middle;
   Account(node.phi, -1);
   BoxCoefficients phi = std::move(node.phi);
-  BoxCoefficients above = HalveAll(Form.Degree(), direction, phi);
+  BoxCoefficients above = phi.Halve(Form.Degree(), direction);
   node.children = { MakeNode(lower, std::move(phi)), MakeNode(upper, std::move(above)) };
   for (const auto& child : node.children)
   {
@@ -397,7 +370,7 @@ const BoxCoefficients& InversionTree::SlopesOf(Node& node)
     else
     {
       node.slopes = SlopesOf(*node.parent);
-      BoxCoefficients above = HalveAll(Form.Degree(), node.parent->direction, node.slopes);
+      BoxCoefficients above = node.slopes.Halve(Form.Degree(), node.parent->direction);
       if (node.isUpper)
       {
         node.slopes = std::move(above);
@@ -408,50 +381,4 @@ const BoxCoefficients& InversionTree::SlopesOf(Node& node)
   return node.slopes;
 }
 
-std::optional<InverseRoot> InversionTree::FindRoot(const Vec3& x, const Vec3& start) const
-{
-  InverseProblem problem = Problem;
-  double lanes[9][kLanePadding];
-  for (int d = 0; d < 3; ++d)
-  {
-    problem.start[d] = start[d];
-    std::fill_n(lanes[d], kLanePadding, x[d]);
-  }
-  const InverseResult result{ { lanes[3], lanes[4], lanes[5] }, lanes[6], lanes[7], lanes[8] };
-  Kernels.invert(problem, { { lanes[0], lanes[1], lanes[2] }, 1 }, result);
-  if (lanes[6][0] == static_cast<double>(NewtonStatus::NotConverged))
-  {
-    return std::nullopt;
-  }
-  InverseRoot root{ { lanes[3][0], lanes[4][0], lanes[5][0] }, lanes[8][0], false, false };
-  root.inside = lanes[6][0] == static_cast<double>(NewtonStatus::RootInside);
-  if (!root.inside && !IsSmoothAt(Problem.space.shape, root.xi))
-  {
-    return std::nullopt;
-  }
-  root.onFace = root.inside && IsOnFace(Problem, root.xi);
-  return root;
-}
-
-Vec3 FaceTolerance(const InverseProblem& problem, const Vec3& xi)
-{
-  const auto inverse = InverseJacobian(problem.space, problem.coefficients, xi);
-  Vec3 tolerance(0.0);
-  for (int d = 0; inverse && d < 3; ++d)
-  {
-    for (int c = 0; c < 3; ++c)
-    {
-      tolerance[d] +=
-        std::fabs((*inverse)[static_cast<std::size_t>(d)][static_cast<std::size_t>(c)]) *
-        problem.uncertainty[c];
-    }
-  }
-  return tolerance;
-}
-
-bool IsOnFace(const InverseProblem& problem, const Vec3& xi)
-{
-  const Vec3 tolerance = FaceTolerance(problem, xi);
-  return !(Margin(problem.space.shape, xi) > tolerance.x + tolerance.y + tolerance.z);
-}
 } // namespace pixelexact

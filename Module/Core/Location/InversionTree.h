@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Core/Base/Verdict.h"
+#include "Core/Location/InverseRoot.h"
 #include "Core/Location/InversionNode.h"
 
 #include <atomic>
@@ -13,20 +14,6 @@
 namespace pixelexact
 {
 class PieceForm;
-
-/// A xi where Newton's iteration converged.
-struct InverseRoot
-{
-  Vec3 xi{ 0.0 };
-  double residual = 0.0; ///< the last correction, max norm in xi
-  bool inside = false;   ///< in the shape or within the faces' tolerance of it
-  bool onFace = false;   ///< within the faces' tolerance of a face
-};
-
-/// The faces' tolerance at xi: |J^-1| times the uncertainty of Phi and y, in each xi.
-Vec3 FaceTolerance(const InverseProblem& problem, const Vec3& xi);
-/// Whether xi lies within that tolerance of a face.
-bool IsOnFace(const InverseProblem& problem, const Vec3& xi);
 
 /// What an element holds of a point.
 struct Preimages
@@ -77,13 +64,11 @@ private:
   bool IsRegular(Node& node);
   const BoxCoefficients& SlopesOf(Node& node);
   [[nodiscard]] BoxCoefficients ConvertPiece(const std::array<int, 3>& piece, bool slopes) const;
-  [[nodiscard]] std::optional<InverseRoot> FindRoot(const Vec3& x, const Vec3& start) const;
   void Account(const BoxCoefficients& coefficients, int sign);
 
   const double* Modes;
   ElementBounds Bounds;
   InverseProblem Problem;
-  KernelSet Kernels;
   const PieceForm& Form;
   bool HasSlopes; ///< the derivatives by xi are polynomials
   std::vector<std::unique_ptr<Node>> Pieces;

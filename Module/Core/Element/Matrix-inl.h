@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// 3 x 3 matrices of lanes, for the inverse map.
+#if defined(PIXELEXACT_MATRIX_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef PIXELEXACT_MATRIX_INL_H
+#undef PIXELEXACT_MATRIX_INL_H
+#else
+#define PIXELEXACT_MATRIX_INL_H
+#endif
+
+#include "Core/Basis/Modes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace pixelexact::HWY_NAMESPACE
+{
+HWY_INLINE Lanes Splat(double value)
+{
+  return NumberTraits<Lanes>::Splat(value);
+}
+
+/// A 3 x 3 matrix of lanes, row-major.
+struct Matrix
+{
+  Lanes m[9];
+};
+
+HWY_INLINE Point<Lanes> Apply(const Matrix& a, const Point<Lanes>& x)
+{
+  Point<Lanes> y;
+  for (int i = 0; i < 3; ++i)
+  {
+    y.x[i] = MulAdd(a.m[3 * i], x.x[0], MulAdd(a.m[3 * i + 1], x.x[1], a.m[3 * i + 2] * x.x[2]));
+  }
+  return y;
+}
+
+/// The inverse by cofactors; infinite or NaN where the matrix is singular.
+HWY_INLINE Matrix Inverse(const Matrix& a)
+{
+  const auto& m = a.m;
+  const Lanes c0 = NegMulAdd(m[5], m[7], m[4] * m[8]);
+  const Lanes c1 = NegMulAdd(m[3], m[8], m[5] * m[6]);
+  const Lanes c2 = NegMulAdd(m[4], m[6], m[3] * m[7]);
+  const Lanes det = MulAdd(m[0], c0, MulAdd(m[1], c1, m[2] * c2));
+  const Lanes s = Splat(1.0) / det;
+  return { { c0 * s, NegMulAdd(m[1], m[8], m[2] * m[7]) * s, NegMulAdd(m[2], m[4], m[1] * m[5]) * s,
+    c1 * s, NegMulAdd(m[2], m[6], m[0] * m[8]) * s, NegMulAdd(m[0], m[5], m[2] * m[3]) * s, c2 * s,
+    NegMulAdd(m[0], m[7], m[1] * m[6]) * s, NegMulAdd(m[1], m[3], m[0] * m[4]) * s } };
+}
+
+HWY_INLINE Lanes MaxAbs(const Point<Lanes>& x)
+{
+  return Max(Max(Abs(x.x[0]), Abs(x.x[1])), Abs(x.x[2]));
+}
+
+/// sum over k of |M_dk| u_k: how far the uncertainty of Phi and y takes xi.
+HWY_INLINE Point<Lanes> ToleranceOf(const Matrix& inverse, const double* uncertainty)
+{
+  Point<Lanes> tolerance;
+  for (int d = 0; d < 3; ++d)
+  {
+    tolerance.x[d] = Splat(0.0);
+    for (int k = 0; k < 3; ++k)
+    {
+      tolerance.x[d] = MulAdd(Abs(inverse.m[3 * d + k]), Splat(uncertainty[k]), tolerance.x[d]);
+    }
+  }
+  return tolerance;
+}
+} // namespace pixelexact::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

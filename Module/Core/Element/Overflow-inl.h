@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Values and gradients whose sums overflow on the way although they themselves do not.
+//
+// Modes of high orders on collapsed shapes are products of factors to 1e13 with others that take
+// them back: at order 24, coefficients of 1e300 overflow within. Sums of coefficients scaled by a
+// power of two are the same sums, so they are made once more with smaller ones.
+#if defined(PIXELEXACT_OVERFLOW_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef PIXELEXACT_OVERFLOW_INL_H
+#undef PIXELEXACT_OVERFLOW_INL_H
+#else
+#define PIXELEXACT_OVERFLOW_INL_H
+#endif
+
+#include "Core/Basis/Modes-inl.h"
+#include "Core/Element/Matrix-inl.h"
+
+#include <limits>
+#include <vector>
+
+HWY_BEFORE_NAMESPACE();
+namespace pixelexact::HWY_NAMESPACE
+{
+/// A NaN compares false.
+HWY_INLINE LaneMask IsFinite(Lanes a)
+{
+  return Abs(a) <= Splat(std::numeric_limits<double>::max());
+}
+
+HWY_INLINE bool All(LaneMask mask)
+{
+  const Lanes zero = Splat(0.0);
+  return None(AndNot(zero <= zero, mask));
+}
+
+/// Exact, and enough for any number of modes.
+inline constexpr double kOverflowScale = 0x1p-256;
+
+inline std::vector<double> ScaledDown(const double* coefficients, int count)
+{
+  std::vector<double> scaled(coefficients, coefficients + count);
+  for (double& c : scaled)
+  {
+    c *= kOverflowScale;
+  }
+  return scaled;
+}
+
+/// Puts the value where it is not finite. Lanes that are keep what they have: a point's result does
+/// not depend on its neighbours.
+template <template <class, class, bool> class Modes>
+HWY_NOINLINE void RescueValue(
+  const Space& space, const double* coefficients, const Point<Lanes>& xi, Lanes& value)
+{
+  const auto scaled = ScaledDown(coefficients, space.Modes());
+  const Lanes rescued =
+    Modes<Lanes, AnyOrder, false>(space, xi).Value(scaled.data()) * Splat(1.0 / kOverflowScale);
+  value = Select(IsFinite(value), value, rescued);
+}
+
+/// The same for value and gradient, in lanes where one of them or their sum is not finite.
+template <template <class, class, bool> class Modes>
+HWY_NOINLINE void RescueGradient(const Space& space, const double* coefficients,
+  const Point<Lanes>& xi, LaneMask finite, ValueAndGradient<Lanes>& e)
+{
+  const auto scaled = ScaledDown(coefficients, space.Modes());
+  const Lanes back = Splat(1.0 / kOverflowScale);
+  const auto rescued = Modes<Lanes, AnyOrder, true>(space, xi).Evaluate(scaled.data());
+  e.value = Select(finite, e.value, rescued.value * back);
+  for (int d = 0; d < 3; ++d)
+  {
+    e.gradient[d] = Select(finite, e.gradient[d], rescued.gradient[d] * back);
+  }
+}
+} // namespace pixelexact::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
