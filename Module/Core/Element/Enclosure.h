@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Element/Kernels.h"
+#include "Core/Element/Mesh.h"
+#include "Core/Math/Interval.h"
+
+namespace pixelexact
+{
+struct EnclosureOptions
+{
+  /// Whether the map may be anything within Mesh::uncertainty of the stored one, as the source's
+  /// own map is; false: the stored map, exactly.
+  bool meshUncertainty = true;
+};
+
+/// Intervals that hold a field's values at world points, the error of the inverse map included.
+///
+/// `xi` are approximate preimages in `element` of the points `x` (a Locator's); arrays as for the
+/// kernels, of PaddedCount(xi.count). Writes `lower[c][i]` and `upper[c][i]` for component c of
+/// the world value (Mapping included) at point i, to arrays of PaddedCount(xi.count).
+///
+/// What is proven: the stored map Phi, continued beyond the shape as the function that it is, has
+/// exactly one preimage of `x[i]` in a small box around `xi[i]`, and the stored field's exact
+/// value there lies in the interval. With meshUncertainty, the same of every point within
+/// uncertainty[element] of `x[i]` along each axis: whatever map the source had.
+///
+/// Where nothing can be proven, the interval is everything, -inf to inf: a Jacobian that is
+/// singular, or nearly, in the box; a NaN or infinite coefficient; the apex of a pyramid; an xi
+/// that is no preimage; a size that is no power of two or outside of 2^-900 to 2^900.
+///
+/// Method: interval Newton in Krawczyk's form (R. Krawczyk, Newton-Algorithmen zur Bestimmung von
+/// Nullstellen mit Fehlerschranken, Computing 4, 1969; S. Rump, Verification methods, Acta Numerica
+/// 19, 2010, section 13) with epsilon-inflation, then the mean value form. Assumes rounding to
+/// nearest. A point's interval depends on that point, its xi and the element alone.
+void EncloseValues(const Mesh& mesh, const Field& field, int element, const LanePoints& xi,
+  const LanePoints& x, double* const* lower, double* const* upper,
+  const EnclosureOptions& options = {});
+
+/// What the lanes work on; see EnclosureKernels.cxx.
+struct EnclosureTask
+{
+  Space mapSpace;
+  const double* mapCoefficients; ///< of Phi, in the element's units
+  double centre[3];
+  double inverseSize;
+  double uncertainty; ///< of Phi - y, in the element's units
+  Space space;
+  const double* coefficients; ///< of the field
+  int components;
+  Mapping mapping;
+};
+
+/// Middle and radius of the field's values in the element's units: J and its inverse are those of
+/// Phi. Nothing is known where they are not both finite.
+void EncloseInLanes(const EnclosureTask& task, const LanePoints& xi, const LanePoints& x,
+  double* const* middle, double* const* radius);
+} // namespace pixelexact

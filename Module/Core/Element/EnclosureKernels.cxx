@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "Core/Element/EnclosureKernels.cxx"
+#include <hwy/foreach_target.h>
+
+#include "Core/Element/BallKernels-inl.h"
+#include "Core/Element/Enclosure.h"
+#include "Core/Element/Kernels-inl.h"
+
+#include <limits>
+
+// With y = (x - centre) / size, r = Phi(xi0) - y, C about the inverse Jacobian and X a box around
+// xi0 of radius rho, every zero of C (Phi - y) in X lies in
+//   K = xi0 - C r + (I - C J(X)) (X - xi0),
+// and if K lies inside of X there is one, by Brouwer's theorem; C and every matrix in J(X) are then
+// regular, so that it is a preimage of y and the only one in X.
+HWY_BEFORE_NAMESPACE();
+namespace pixelexact::HWY_NAMESPACE
+{
+/// A first box: curvature hardly shows in it, rounding of Phi even less.
+inline constexpr double kFirstRadius = 0x1p-32;
+/// Where the first box tells nothing, not even a Newton step: near a pyramid's apex.
+inline constexpr double kSmallRadius = 0x1p-48;
+inline constexpr int kMaxBoxes = 3;
+inline constexpr int kMaxInflations = 4;
+/// Mapped vectors have three.
+inline constexpr int kComponentsAtOnce = 3;
+
+/// Where the preimages are: xi0 + deviation, within `radius` of xi0.
+struct PreimageBox
+{
+  Point<Ball> deviation;
+  Point<Lanes> radius;
+};
+
+/// Krawczyk's test for one pack of points.
+class KrawczykTest
+{
+public:
+  HWY_INLINE KrawczykTest(
+    const EnclosureTask& task, const BallKernels& kernels, const Point<Lanes>& xi)
+    : Task(task)
+    , Kernels(kernels)
+    , Xi(xi)
+  {
+  }
+
+  /// Boxes of lanes that could not be proven are infinite.
+  HWY_INLINE PreimageBox Run(const Point<Lanes>& x)
+  {
+    const Lanes infinity = Splat(std::numeric_limits<double>::infinity());
+    const Lanes zero = Splat(0.0);
+    Evaluate(x);
+    PreimageBox box;
+    Point<Lanes> size;
+    for (int d = 0; d < 3; ++d)
+    {
+      box.deviation.x[d] = { zero, infinity };
+      box.radius.x[d] = infinity;
+      size.x[d] = Splat(kFirstRadius);
+    }
+    LaneMask open = zero <= zero;
+    for (int k = 0; k < kMaxBoxes && !None(open); ++k)
+    {
+      Linearise(size);
+      open = AndNot(open, Contract(size, open, box));
+      const Lanes step =
+        Splat(8.0) * Max(Max(Step.x[0].Magnitude(), Step.x[1].Magnitude()), Step.x[2].Magnitude());
+      for (int d = 0; d < 3; ++d)
+      {
+        const Lanes own = Max(Splat(8.0) * Step.x[d].Magnitude(), Splat(0x1p-20) * step);
+        size.x[d] = Select(step < infinity, own, Splat(kSmallRadius));
+      }
+    }
+    return box;
+  }
+
+private:
+  /// r, from the difference of x and centre without rounding.
+  HWY_INLINE void Evaluate(const Point<Lanes>& x)
+  {
+    const Lanes zero = Splat(0.0);
+    Kernels.values(
+      Task.mapSpace, Task.mapCoefficients, 3, BoxAround(Xi, { { zero, zero, zero } }), Residual.x);
+    const Lanes inverseSize = Splat(Task.inverseSize);
+    for (int d = 0; d < 3; ++d)
+    {
+      const Pair difference = ExactSum(x.x[d], Splat(-Task.centre[d]));
+      const Ball high{ difference.high * inverseSize, Splat(ball::kTiny) };
+      const Ball low{ difference.low * inverseSize, Splat(Task.uncertainty + ball::kTiny) };
+      Residual.x[d] = (Residual.x[d] - high) - low;
+    }
+  }
+
+  /// C r and bounds of |I - C J(X)|.
+  HWY_INLINE void Linearise(const Point<Lanes>& size)
+  {
+    Ball value[3];
+    Ball jacobian[9];
+    Kernels.gradients(Task.mapSpace, Task.mapCoefficients, 3, BoxAround(Xi, size), value, jacobian);
+    Matrix middle;
+    for (int k = 0; k < 9; ++k)
+    {
+      middle.m[k] = jacobian[k].middle;
+    }
+    const Matrix inverse = Inverse(middle);
+    for (int i = 0; i < 3; ++i)
+    {
+      const Ball row[3] = { Ball::Exactly(inverse.m[3 * i]), Ball::Exactly(inverse.m[3 * i + 1]),
+        Ball::Exactly(inverse.m[3 * i + 2]) };
+      Step.x[i] =
+        MulAdd(row[0], Residual.x[0], MulAdd(row[1], Residual.x[1], row[2] * Residual.x[2]));
+      for (int j = 0; j < 3; ++j)
+      {
+        const Ball one = Ball::Exactly(Splat(i == j ? 1.0 : 0.0));
+        Distance.m[3 * i + j] = NegMulAdd(row[0], jacobian[j],
+          NegMulAdd(row[1], jacobian[3 + j], NegMulAdd(row[2], jacobian[6 + j], one)))
+                                  .Magnitude();
+      }
+    }
+  }
+
+  /// Looks for a box within `size` that K proves, growing it as K asks, and returns the lanes
+  /// where it found one; `box` changes in these alone.
+  HWY_INLINE LaneMask Contract(const Point<Lanes>& size, LaneMask open, PreimageBox& box)
+  {
+    Point<Lanes> rho;
+    for (int d = 0; d < 3; ++d)
+    {
+      rho.x[d] = Splat(2.0) * Step.x[d].Magnitude();
+    }
+    LaneMask found = AndNot(open, open);
+    for (int inflation = 0; inflation < kMaxInflations && !None(AndNot(open, found)); ++inflation)
+    {
+      LaneMask proven = AndNot(open, found);
+      Point<Lanes> spread;
+      Point<Lanes> reach;
+      for (int i = 0; i < 3; ++i)
+      {
+        spread.x[i] = ball::RoundUp(MulAdd(Distance.m[3 * i], rho.x[0],
+          MulAdd(Distance.m[3 * i + 1], rho.x[1], Distance.m[3 * i + 2] * rho.x[2])));
+        reach.x[i] = ball::RoundUp(Step.x[i].Magnitude() + spread.x[i]);
+        proven = And(proven, And(reach.x[i] < rho.x[i], rho.x[i] <= size.x[i]));
+      }
+      for (int i = 0; i < 3; ++i)
+      {
+        const Ball& step = Step.x[i];
+        Ball& deviation = box.deviation.x[i];
+        deviation.middle = Select(proven, Splat(0.0) - step.middle, deviation.middle);
+        deviation.radius =
+          Select(proven, ball::RoundUp(step.radius + spread.x[i]), deviation.radius);
+        box.radius.x[i] = Select(proven, reach.x[i], box.radius.x[i]);
+        rho.x[i] = Splat(2.0) * reach.x[i];
+      }
+      found = Or(found, proven);
+    }
+    return found;
+  }
+
+  const EnclosureTask& Task;
+  const BallKernels& Kernels;
+  const Point<Lanes>& Xi;
+  Point<Ball> Residual;
+  Point<Ball> Step;
+  Matrix Distance;
+};
+
+/// F's values become the world's, but for powers of the element's size.
+HWY_INLINE void MapBalls(Mapping mapping, const Ball* jacobian, int components, Ball* value)
+{
+  const auto minor = [jacobian](int i, int j)
+  {
+    const auto at = [&](int k, int l) { return jacobian[3 * ((i + k) % 3) + (j + l) % 3]; };
+    return NegMulAdd(at(1, 2), at(2, 1), at(1, 1) * at(2, 2));
+  };
+  const Ball determinant =
+    MulAdd(jacobian[0], minor(0, 0), MulAdd(jacobian[1], minor(0, 1), jacobian[2] * minor(0, 2)));
+  if (mapping == Mapping::Density)
+  {
+    for (int c = 0; c < components; ++c)
+    {
+      value[c] = value[c] / determinant;
+    }
+    return;
+  }
+  const Ball F[3] = { value[0], value[1], value[2] };
+  for (int i = 0; i < 3; ++i)
+  {
+    // Row i of J, or of the cofactors, which are det J times J^-T.
+    const auto factor = [&](int j)
+    { return mapping == Mapping::Contravariant ? jacobian[3 * i + j] : minor(i, j); };
+    value[i] = MulAdd(factor(0), F[0], MulAdd(factor(1), F[1], factor(2) * F[2])) / determinant;
+  }
+}
+
+/// Some of the field's components over one pack's box: by the mean value form or directly,
+/// whichever is narrower.
+void EncloseField(const EnclosureTask& task, const BallKernels& kernels, const Point<Lanes>& xi,
+  const PreimageBox& box, int first, int count, Ball* value)
+{
+  const double* coefficients =
+    task.coefficients + static_cast<std::ptrdiff_t>(first) * task.space.Modes();
+  Ball direct[kComponentsAtOnce];
+  Ball gradient[3 * kComponentsAtOnce];
+  const Lanes zero = Splat(0.0);
+  kernels.values(task.space, coefficients, count, BoxAround(xi, { { zero, zero, zero } }), value);
+  kernels.gradients(task.space, coefficients, count, BoxAround(xi, box.radius), direct, gradient);
+  for (int c = 0; c < count; ++c)
+  {
+    for (int d = 0; d < 3; ++d)
+    {
+      value[c] = MulAdd(gradient[3 * c + d], box.deviation.x[d], value[c]);
+    }
+    const LaneMask narrower = direct[c].radius < value[c].radius;
+    value[c] = { Select(narrower, direct[c].middle, value[c].middle),
+      Select(narrower, direct[c].radius, value[c].radius) };
+  }
+}
+
+void EnclosePacks(const EnclosureTask& task, const LanePoints& xi, const LanePoints& x,
+  double* const* middle, double* const* radius)
+{
+  const BallKernels mapKernels = BallKernelsFor(task.mapSpace);
+  const BallKernels kernels = BallKernelsFor(task.space);
+  const Lanes infinity = Splat(std::numeric_limits<double>::infinity());
+  const int lanes = LaneCount();
+  for (int i = 0; i < xi.count; i += lanes)
+  {
+    const Point<Lanes> at = LoadPoint(xi, i);
+    const PreimageBox box = KrawczykTest(task, mapKernels, at).Run(LoadPoint(x, i));
+    const LaneMask proven = box.radius.x[0] < infinity;
+    Ball jacobian[9];
+    if (task.mapping != Mapping::Identity)
+    {
+      Ball phi[3];
+      mapKernels.gradients(
+        task.mapSpace, task.mapCoefficients, 3, BoxAround(at, box.radius), phi, jacobian);
+    }
+    for (int first = 0; first < task.components; first += kComponentsAtOnce)
+    {
+      Ball value[kComponentsAtOnce];
+      const int count = std::min(task.components - first, kComponentsAtOnce);
+      EncloseField(task, kernels, at, box, first, count, value);
+      if (task.mapping != Mapping::Identity)
+      {
+        MapBalls(task.mapping, jacobian, count, value);
+      }
+      for (int c = 0; c < count; ++c)
+      {
+        Store(value[c].middle, middle[first + c] + i);
+        // A constant is known wherever it is taken, but not that there is a preimage.
+        Store(Select(proven, value[c].radius, infinity), radius[first + c] + i);
+      }
+    }
+  }
+}
+} // namespace pixelexact::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace pixelexact
+{
+HWY_EXPORT(EnclosePacks);
+
+void EncloseInLanes(const EnclosureTask& task, const LanePoints& xi, const LanePoints& x,
+  double* const* middle, double* const* radius)
+{
+  HWY_DYNAMIC_DISPATCH(EnclosePacks)(task, xi, x, middle, radius);
+}
+} // namespace pixelexact
+#endif
