@@ -2,10 +2,12 @@
 #include "PointSampling.h"
 
 #include "Core/Base/Error.h"
+#include "Core/Location/Owners.h"
 #include "Core/Location/Sample.h"
 
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkTypeInt64Array.h"
@@ -81,6 +83,14 @@ PointSampling::PointSampling(const HighOrderModel& model, std::vector<Vec3> poin
 
 void PointSampling::AddFields(const SamplingOptions& options, vtkPointData* output) const
 {
+  const auto add = [&](const Field& field)
+  {
+    AddField(field, options.gradients, output);
+    if (options.enclosures)
+    {
+      AddEnclosures(field, output);
+    }
+  };
   for (const auto& name : options.fields)
   {
     const Field* field = Model.FindField(name);
@@ -94,13 +104,13 @@ void PointSampling::AddFields(const SamplingOptions& options, vtkPointData* outp
       throw InvalidData("there is no high-order field '" + name +
         "'; the grid has: " + (known.empty() ? "none" : known) + ".");
     }
-    AddField(*field, options.gradients, output);
+    add(*field);
   }
   if (options.fields.empty())
   {
     for (const auto& field : Model.Fields())
     {
-      AddField(field, options.gradients, output);
+      add(field);
     }
   }
 }
@@ -143,6 +153,37 @@ void PointSampling::AddField(const Field& field, bool gradients, vtkPointData* o
   }
 }
 
+void PointSampling::AddEnclosures(const Field& field, vtkPointData* output) const
+{
+  const int components = field.values.components;
+  const auto lower = NewDoubles(field.name + "_lower", components, Points.size());
+  const auto upper = NewDoubles(field.name + "_upper", components, Points.size());
+  tbb::parallel_for(std::size_t(0), Starts.size() - 1,
+    [&](std::size_t run)
+    {
+      const auto first = static_cast<std::size_t>(Starts[run]);
+      const auto count = static_cast<std::size_t>(Starts[run + 1]) - first;
+      std::vector<Vec3> xi(count);
+      std::vector<Vec3> x(count);
+      std::vector<double> least(count * components);
+      std::vector<double> most(least.size());
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        xi[i] = Xi[Order[first + i]];
+        x[i] = Points[Order[first + i]];
+      }
+      EncloseAt(Model.GetMesh(), field, Element[Order[first]], xi, x, least, most);
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        const vtkIdType at = static_cast<vtkIdType>(Order[first + i]) * components;
+        std::copy_n(&least[i * components], components, lower->GetPointer(at));
+        std::copy_n(&most[i * components], components, upper->GetPointer(at));
+      }
+    });
+  output->AddArray(lower);
+  output->AddArray(upper);
+}
+
 void PointSampling::AddLocations(vtkPointData* output) const
 {
   const auto count = static_cast<vtkIdType>(Points.size());
@@ -169,5 +210,24 @@ void PointSampling::AddLocations(vtkPointData* output) const
   output->AddArray(element);
   output->AddArray(verdict);
   output->AddArray(residual);
+}
+
+void PointSampling::AddOwners(vtkPointData* output) const
+{
+  std::vector<Owners> found(Points.size());
+  FindOwners(Model.GetLocator(), Points, found);
+  vtkNew<vtkIntArray> owners;
+  owners->SetName("Owners");
+  owners->SetNumberOfValues(static_cast<vtkIdType>(found.size()));
+  vtkNew<vtkUnsignedCharArray> coverage;
+  coverage->SetName("Coverage");
+  coverage->SetNumberOfValues(static_cast<vtkIdType>(found.size()));
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    owners->SetValue(static_cast<vtkIdType>(i), found[i].preimages);
+    coverage->SetValue(static_cast<vtkIdType>(i), static_cast<unsigned char>(found[i].coverage));
+  }
+  output->AddArray(owners);
+  output->AddArray(coverage);
 }
 } // namespace pixelexact

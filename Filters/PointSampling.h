@@ -19,6 +19,7 @@ struct SamplingOptions
 {
   std::vector<std::string> fields; ///< none: all
   bool gradients = false;
+  bool enclosures = false;
 };
 
 /// Locates points once, then evaluates any number of fields there. Parallel.
@@ -28,8 +29,8 @@ public:
   PointSampling(const HighOrderModel& model, std::vector<Vec3> points);
 
   /// Adds to `output`, one tuple per point: each field (NaN where not inside) and, if asked for,
-  /// <field>_Gradient (3 per component, d/dx, d/dy, d/dz in world units). Throws InvalidData for a
-  /// field that is not there.
+  /// <field>_Gradient (3 per component, d/dx, d/dy, d/dz in world units), <field>_lower and
+  /// <field>_upper (see EncloseValues). Throws InvalidData for a field that is not there.
   void AddFields(const SamplingOptions& options, vtkPointData* output) const;
 
   /// Adds Xi (reference coordinates, NaN where not inside), Element (number of the source cell, -1
@@ -37,10 +38,15 @@ public:
   /// (the last correction of Newton's iteration, in xi).
   void AddLocations(vtkPointData* output) const;
 
+  /// Adds Owners (int, preimages in all elements) and Coverage (unsigned char: 0 none, 1 once, 2
+  /// several, 3 undecided; see Owners.h).
+  void AddOwners(vtkPointData* output) const;
+
   [[nodiscard]] std::span<const Verdict> Verdicts() const { return TheVerdicts; }
 
 private:
   void AddField(const Field& field, bool gradients, vtkPointData* output) const;
+  void AddEnclosures(const Field& field, vtkPointData* output) const;
 
   const HighOrderModel& Model;
   std::vector<Vec3> Points;

@@ -34,6 +34,8 @@ void vtkHighOrderProbe::PrintSelf(ostream& os, vtkIndent indent)
   }
   os << (this->Fields.empty() ? " all\n" : "\n");
   os << indent << "ComputeGradients: " << this->ComputeGradients << "\n";
+  os << indent << "Enclosures: " << this->Enclosures << "\n";
+  os << indent << "Owners: " << this->Owners << "\n";
 }
 
 void vtkHighOrderProbe::SetSourceConnection(vtkAlgorithmOutput* output)
@@ -113,8 +115,13 @@ int vtkHighOrderProbe::RequestData(vtkInformation* /*request*/, vtkInformationVe
     this->UpdateProgress(0.2);
     const pixelexact::PointSampling sampling(*model, pixelexact::PointsOf(points));
     this->UpdateProgress(0.7);
-    sampling.AddFields({ this->Fields, this->ComputeGradients }, output->GetPointData());
+    sampling.AddFields(
+      { this->Fields, this->ComputeGradients, this->Enclosures }, output->GetPointData());
     sampling.AddLocations(output->GetPointData());
+    if (this->Owners)
+    {
+      sampling.AddOwners(output->GetPointData());
+    }
     return 1;
   }
   catch (const std::exception& error) // memory may run out too

@@ -5,13 +5,20 @@
  *
  * Port 0 takes the points (any data set), port 1 the grid: one that carries high-order
  * coefficients, or a plain vtkUnstructuredGrid, which is converted. The output has the structure of
- * port 0 and the point arrays <field>            value; NaN where the point is not inside
- *   <field>_Gradient   on request, 3 per component: d/dx, d/dy, d/dz
- *   Xi                 reference coordinates in the element; NaN where not inside
- *   Element            number of the cell in the source; -1 outside
- *   Verdict            0 outside, 1 inside, 2 unknown: could not be decided in the budget. Element
- * is then one that may hold the point Residual           last correction of Newton's iteration, in
- * xi
+ * port 0 and these point arrays:
+ *
+ * - `<field>`: value; NaN where the point is not inside
+ * - `<field>_Gradient`: on request, 3 per component: d/dx, d/dy, d/dz
+ * - `<field>_lower`, `<field>_upper`: on request, an interval per component that is proven to hold
+ *   the field's value at the point, the error of the inverse map included; infinite where nothing
+ *   is proven, NaN where the point is not inside
+ * - `Xi`: reference coordinates in the element; NaN where not inside
+ * - `Element`: number of the cell in the source; -1 outside
+ * - `Verdict`: 0 outside, 1 inside, 2 unknown: could not be decided in the budget; Element is then
+ *   one that may hold the point
+ * - `Residual`: last correction of Newton's iteration, in xi
+ * - `Owners`, `Coverage`: on request, how many preimages the point has in all elements, and 0 none
+ *   (outside, or a gap), 1 once, 2 several (an overlap, or a fold), 3 undecided
  */
 
 #ifndef vtkHighOrderProbe_h
@@ -63,6 +70,25 @@ public:
   vtkBooleanMacro(ComputeGradients, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether to add enclosures of the values: some 20 to 50 times the cost of a value. Off by
+   * default.
+   */
+  vtkSetMacro(Enclosures, bool);
+  vtkGetMacro(Enclosures, bool);
+  vtkBooleanMacro(Enclosures, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether to count the owners of each point: for meshes that are being debugged. Off by default.
+   */
+  vtkSetMacro(Owners, bool);
+  vtkGetMacro(Owners, bool);
+  vtkBooleanMacro(Owners, bool);
+  ///@}
+
 protected:
   vtkHighOrderProbe();
   ~vtkHighOrderProbe() override;
@@ -81,6 +107,8 @@ private:
 
   std::vector<std::string> Fields;
   bool ComputeGradients = false;
+  bool Enclosures = false;
+  bool Owners = false;
   std::unique_ptr<pixelexact::ModelSource> Source;
 };
 

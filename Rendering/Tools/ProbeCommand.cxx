@@ -4,18 +4,13 @@
 #include "Input.h"
 #include "Json.h"
 #include "Model.h"
+#include "ProbeTable.h"
 #include "Report.h"
 
-#include "Core/Base/Error.h"
-#include "Core/Location/Sample.h"
-
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <fstream>
 #include <iostream>
-#include <limits>
 #include <memory>
+#include <sstream>
 
 namespace pixelexact
 {
@@ -27,110 +22,63 @@ struct ProbeOptions
   std::string field;
   std::string points;
   std::string output;
-  bool gradient = false;
+  ProbeColumns columns;
 };
 
-/// Where each point lies and what the field is there.
-struct Samples
+/// Two digits say all that there is to say of a width.
+std::string Short(double number)
 {
-  Samples(std::size_t points, int components, bool withGradient)
-    : element(points)
-    , xi(points)
-    , verdict(points)
-    , value(points * static_cast<std::size_t>(components))
-    , gradient(withGradient ? 3 * value.size() : 0)
-  {
-  }
-  [[nodiscard]] SampleTarget Target() { return { element, xi, verdict, {}, value, gradient }; }
-
-  std::vector<std::int32_t> element;
-  std::vector<Vec3> xi;
-  std::vector<Verdict> verdict;
-  std::vector<double> value;
-  std::vector<double> gradient;
-};
-
-std::string Header(int components, bool gradient)
-{
-  std::string header = "x,y,z";
-  const auto name = [components](int c)
-  { return components == 1 ? std::string("value") : "value_" + std::to_string(c); };
-  for (int c = 0; c < components; ++c)
-  {
-    header += "," + name(c);
-  }
-  for (int c = 0; gradient && c < components; ++c)
-  {
-    header += "," + name(c) + "_x," + name(c) + "_y," + name(c) + "_z";
-  }
-  return header + ",element,xi_0,xi_1,xi_2,verdict\n";
+  std::ostringstream text;
+  text.precision(2);
+  text << number;
+  return text.str();
 }
 
-void AppendNumbers(std::string& line, std::span<const double> numbers)
+void AddEnclosures(json::Object& summary, const ProbeSamples& samples)
 {
-  for (const double number : numbers)
+  const EnclosureWidths widths = MeasureEnclosures(samples);
+  json::Object enclosures;
+  enclosures.Add("median_width", widths.median).Add("largest_width", widths.largest);
+  enclosures.Add("unbounded", widths.unbounded);
+  summary.Add("enclosures", enclosures);
+}
+
+void AddEnclosures(Table& table, const ProbeSamples& samples)
+{
+  const EnclosureWidths widths = MeasureEnclosures(samples);
+  table.Row("enclosures",
+    "median width " + Short(widths.median) + ", largest " + Short(widths.largest) +
+      " of the range of values");
+  if (widths.unbounded > 0)
   {
-    AppendNumber(line, number);
-    line += ',';
+    table.Row("", std::to_string(widths.unbounded) + " unbounded");
   }
 }
 
-void Write(const std::string& file, std::span<const Vec3> points, const Samples& samples,
-  int components, bool gradient, std::span<const std::int64_t> sourceCells)
+constexpr std::array kCoverages{ Coverage::None, Coverage::Once, Coverage::Several,
+  Coverage::Undecided };
+
+void AddCoverage(json::Object& summary, const ProbeSamples& samples)
 {
-  std::ofstream stream(file, std::ios::binary);
-  stream << Header(components, gradient);
-  const auto width = static_cast<std::size_t>(components);
-  std::string line;
-  for (std::size_t i = 0; i < points.size(); ++i)
+  const CoverageCounts counts = CountCoverage(samples);
+  json::Object coverage;
+  for (const Coverage kind : kCoverages)
   {
-    line.clear();
-    AppendNumbers(line, std::array{ points[i].x, points[i].y, points[i].z });
-    AppendNumbers(line, std::span(samples.value).subspan(i * width, width));
-    if (gradient)
-    {
-      AppendNumbers(line, std::span(samples.gradient).subspan(3 * i * width, 3 * width));
-    }
-    const std::int32_t element = samples.element[i];
-    line += std::to_string(element < 0 ? -1 : sourceCells[static_cast<std::size_t>(element)]) + ',';
-    AppendNumbers(line, std::array{ samples.xi[i].x, samples.xi[i].y, samples.xi[i].z });
-    line += Name(samples.verdict[i]);
-    line += '\n';
-    stream << line;
+    coverage.Add(Name(kind), counts[static_cast<std::size_t>(kind)]);
   }
-  if (!stream.flush())
-  {
-    throw Error("cannot write '" + file + "'; does its folder exist and is there room?");
-  }
+  summary.Add("coverage", coverage);
 }
 
-struct Counts
+void AddCoverage(Table& table, const ProbeSamples& samples)
 {
-  std::size_t inside = 0;
-  std::size_t outside = 0;
-  std::size_t unknown = 0;
-  std::size_t nonFinite = 0;
-};
-
-Counts Count(const Samples& samples, int components)
-{
-  Counts counts;
-  const auto width = static_cast<std::size_t>(components);
-  for (std::size_t i = 0; i < samples.verdict.size(); ++i)
+  const CoverageCounts counts = CountCoverage(samples);
+  std::string text;
+  for (const Coverage kind : kCoverages)
   {
-    const Verdict verdict = samples.verdict[i];
-    counts.outside += verdict == Verdict::Outside ? 1 : 0;
-    counts.unknown += verdict == Verdict::Unknown ? 1 : 0;
-    if (verdict == Verdict::Inside)
-    {
-      ++counts.inside;
-      const auto value = std::span(samples.value).subspan(i * width, width);
-      const bool finite =
-        std::all_of(value.begin(), value.end(), [](double v) { return std::isfinite(v); });
-      counts.nonFinite += finite ? 0 : 1;
-    }
+    text += (text.empty() ? "" : ", ") + std::to_string(counts[static_cast<std::size_t>(kind)]) +
+      " " + Name(kind);
   }
-  return counts;
+  table.Row("covered", text);
 }
 
 void Probe(const ProbeOptions& options, const CommonOptions& common)
@@ -142,25 +90,38 @@ void Probe(const ProbeOptions& options, const CommonOptions& common)
   const LoadedModel input = LoadModel(options.input, options.field, stopwatch);
   WarnOfDiagnostics(input);
   const Field& field = FieldNamed(*input.model, options.field);
-  const int components = field.values.components;
   const Locator& locator = input.model->GetLocator();
   stopwatch.Stage("bounds+bvh");
 
-  Samples samples(points.size(), components, options.gradient);
+  ProbeSamples samples(points.size(), field.values.components, options.columns);
   Sample(locator, &field, points, samples.Target());
   stopwatch.Stage("probe");
-  Write(options.output, points, samples, components, options.gradient, input.model->SourceCells());
+  if (options.columns.owners)
+  {
+    FindOwners(locator, points, samples.owners);
+    stopwatch.Stage("owners");
+  }
+  WriteProbeTable(options.output, points, samples, input.model->SourceCells());
   stopwatch.Stage("write");
 
-  const Counts counts = Count(samples, components);
+  const ProbeCounts counts = CountProbes(samples);
   if (common.json)
   {
     json::Object summary;
-    summary.Add("field", field.name).Add("components", components);
+    summary.Add("field", field.name).Add("components", field.values.components);
     AddTime(summary, input);
     summary.Add("points", points.size()).Add("inside", counts.inside);
     summary.Add("outside", counts.outside).Add("unknown", counts.unknown);
-    summary.Add("non_finite", counts.nonFinite).Add("seconds", ToJson(stopwatch));
+    summary.Add("non_finite", counts.nonFinite);
+    if (options.columns.enclosures)
+    {
+      AddEnclosures(summary, samples);
+    }
+    if (options.columns.owners)
+    {
+      AddCoverage(summary, samples);
+    }
+    summary.Add("seconds", ToJson(stopwatch));
     std::cout << summary.String() << '\n';
     return;
   }
@@ -173,6 +134,14 @@ void Probe(const ProbeOptions& options, const CommonOptions& common)
   if (counts.nonFinite > 0)
   {
     table.Row("non-finite", std::to_string(counts.nonFinite) + " of the values inside");
+  }
+  if (options.columns.enclosures)
+  {
+    AddEnclosures(table, samples);
+  }
+  if (options.columns.owners)
+  {
+    AddCoverage(table, samples);
   }
   AddStages(table, stopwatch);
   table.Print();
@@ -200,7 +169,13 @@ void AddProbeCommand(CLI::App& program, const CommonOptions& common, Action& act
     ->required()
     ->type_name("FILE");
   command->add_flag(
-    "--gradient", options->gradient, "Also write the gradient in world coordinates");
+    "--gradient", options->columns.gradient, "Also write the gradient in world coordinates");
+  command->add_flag("--enclosures", options->columns.enclosures,
+    "Also write value_lower and value_upper: an interval that is proven to hold the field's value "
+    "at the point, the error of the inverse map included (-inf to inf where nothing is proven)");
+  command->add_flag("--owners", options->columns.owners,
+    "Also write how often the mesh covers each point: owners, the preimages in all elements, and "
+    "coverage: none (outside, or a gap), once, several (an overlap, or a fold), undecided");
   command->callback(
     [options, &common, &action] { action = [options, &common] { Probe(*options, common); }; });
 }

@@ -15,6 +15,11 @@ struct SampleTarget
   std::span<double> residual; ///< last Newton correction in xi, max norm
   std::span<double> value;    ///< components per point, point by point
   std::span<double> gradient; ///< 3 per component: d value_c / d x_d in world units
+  /// Components per point: the value's enclosure, proven to hold the field's value at the point
+  /// asked for, inversion error included (Enclosure.h); -inf to inf where nothing is proven, NaN
+  /// where not inside. Both or none.
+  std::span<double> valueLower = {};
+  std::span<double> valueUpper = {};
 
   /// element -1, verdict outside, everything else NaN.
   void Clear() const;
@@ -35,6 +40,11 @@ void Sample(const Locator& locator, const Field* field, std::span<const Vec3> po
 /// element; no location.
 void EvaluateAt(const Mesh& mesh, const Field& field, int element, std::span<const Vec3> xi,
   std::span<double> value, std::span<double> gradient);
+
+/// Enclosures of the values of `field` at world points x, whose preimages in one element are near
+/// xi (see EncloseValues, with the mesh's uncertainty).
+void EncloseAt(const Mesh& mesh, const Field& field, int element, std::span<const Vec3> xi,
+  std::span<const Vec3> x, std::span<double> lower, std::span<double> upper);
 
 /// World points Phi(xi) of one element.
 void MapForward(const Mesh& mesh, int element, std::span<const Vec3> xi, std::span<Vec3> x);

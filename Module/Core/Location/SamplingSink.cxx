@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Location/SamplingSink.h"
+
+#include "Core/Base/Error.h"
+#include "Core/Element/Enclosure.h"
+#include "Core/Element/FieldMapping.h"
+
+#include <algorithm>
+
+namespace pixelexact
+{
+namespace
+{
+void Scatter(
+  std::span<const int> index, double* const* from, std::size_t width, std::span<double> to)
+{
+  for (std::size_t c = 0; c < width; ++c)
+  {
+    for (std::size_t k = 0; k < index.size(); ++k)
+    {
+      to[static_cast<std::size_t>(index[k]) * width + c] = from[c][k];
+    }
+  }
+}
+} // namespace
+
+double* const* OutputArrays::Get(std::size_t arrays, std::size_t stride)
+{
+  if (Storage.size() < arrays * stride)
+  {
+    Storage.resize(arrays * stride);
+  }
+  Pointers.resize(arrays);
+  for (std::size_t k = 0; k < arrays; ++k)
+  {
+    Pointers[k] = &Storage[k * stride];
+  }
+  return Pointers.data();
+}
+
+SamplingSink::SamplingSink(
+  const Mesh& mesh, const Field* field, std::span<const Vec3> points, const SampleTarget& target)
+  : TheMesh(mesh)
+  , TheField(field)
+  , Points(points)
+  , Target(target)
+{
+}
+
+void SamplingSink::Inside(
+  int element, std::span<const int> index, const double* const xi[3], const double* residual)
+{
+  for (std::size_t k = 0; k < index.size(); ++k)
+  {
+    const auto i = static_cast<std::size_t>(index[k]);
+    if (!Target.element.empty())
+    {
+      Target.element[i] = element;
+    }
+    if (!Target.xi.empty())
+    {
+      Target.xi[i] = { xi[0][k], xi[1][k], xi[2][k] };
+    }
+    if (!Target.verdict.empty())
+    {
+      Target.verdict[i] = Verdict::Inside;
+    }
+    if (!Target.residual.empty())
+    {
+      Target.residual[i] = residual[k];
+    }
+  }
+  if (TheField)
+  {
+    const LanePoints at{ { xi[0], xi[1], xi[2] }, static_cast<int>(index.size()) };
+    if (!Target.value.empty() || !Target.gradient.empty())
+    {
+      EvaluateField(element, index, at);
+    }
+    if (!Target.valueLower.empty())
+    {
+      EncloseField(element, index, at);
+    }
+  }
+}
+
+void SamplingSink::Undecided(int index, int element)
+{
+  const auto i = static_cast<std::size_t>(index);
+  if (!Target.element.empty())
+  {
+    Target.element[i] = element;
+  }
+  if (!Target.verdict.empty())
+  {
+    Target.verdict[i] = Verdict::Unknown;
+  }
+}
+
+void SamplingSink::EvaluateField(int element, std::span<const int> index, const LanePoints& xi)
+{
+  const auto& values = TheField->values;
+  const Space& space = values.SpaceOf(element);
+  const auto components = static_cast<std::size_t>(values.components);
+  const auto stride = static_cast<std::size_t>(PaddedCount(xi.count));
+  const bool gradient = !Target.gradient.empty();
+  double* const* out = Arrays.Get(components * (gradient ? 4 : 1), stride);
+  const KernelSet kernels = KernelsFor(space);
+  if (gradient)
+  {
+    kernels.gradient(
+      space, values.Coefficients(element), values.components, xi, out, out + components);
+  }
+  else
+  {
+    kernels.value(space, values.Coefficients(element), values.components, xi, out);
+  }
+  ApplyMapping(TheMesh, element, TheField->mapping, xi, values.components, out,
+    gradient ? out + components : nullptr);
+  if (gradient)
+  {
+    Scatter(index, out + components, 3 * components, Target.gradient);
+  }
+  if (!Target.value.empty())
+  {
+    Scatter(index, out, components, Target.value);
+  }
+}
+
+void SamplingSink::EncloseField(int element, std::span<const int> index, const LanePoints& xi)
+{
+  const auto components = static_cast<std::size_t>(TheField->values.components);
+  const auto stride = static_cast<std::size_t>(PaddedCount(xi.count));
+  double* const* arrays = Arrays.Get(3 + 2 * components, stride);
+  for (std::size_t k = 0; k < stride; ++k)
+  {
+    const Vec3& x = Points[static_cast<std::size_t>(index[std::min(k, index.size() - 1)])];
+    for (int d = 0; d < 3; ++d)
+    {
+      arrays[d][k] = x[d];
+    }
+  }
+  double* const* lower = arrays + 3;
+  double* const* upper = lower + components;
+  EncloseValues(TheMesh, *TheField, element, xi, { { arrays[0], arrays[1], arrays[2] }, xi.count },
+    lower, upper);
+  Scatter(index, lower, components, Target.valueLower);
+  Scatter(index, upper, components, Target.valueUpper);
+}
+
+void RequireSizes(const Field* field, std::size_t points, const SampleTarget& target)
+{
+  const std::size_t components = field ? static_cast<std::size_t>(field->values.components) : 0;
+  const auto fits = [](std::size_t size, std::size_t wanted)
+  { return size == 0 || size == wanted; };
+  if (!fits(target.element.size(), points) || !fits(target.xi.size(), points) ||
+    !fits(target.verdict.size(), points) || !fits(target.residual.size(), points) ||
+    !fits(target.value.size(), points * components) ||
+    !fits(target.gradient.size(), 3 * points * components) ||
+    !fits(target.valueLower.size(), points * components) ||
+    target.valueUpper.size() != target.valueLower.size())
+  {
+    throw Error("sample arrays must be empty or hold one entry for each of the " +
+      std::to_string(points) + " points.");
+  }
+}
+} // namespace pixelexact

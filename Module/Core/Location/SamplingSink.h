@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Element/Kernels.h"
+#include "Core/Location/Sample.h"
+
+namespace pixelexact
+{
+/// Kernel output arrays, grown as needed.
+class OutputArrays
+{
+public:
+  double* const* Get(std::size_t arrays, std::size_t stride);
+
+private:
+  std::vector<double> Storage;
+  std::vector<double*> Pointers;
+};
+
+/// Writes what a locator finds of `points`, and the field's values there; `field` may be null, and
+/// without enclosures `points` are not looked at. All must outlive the sink.
+class SamplingSink final : public LocationSink
+{
+public:
+  SamplingSink(
+    const Mesh& mesh, const Field* field, std::span<const Vec3> points, const SampleTarget& target);
+
+  void Inside(int element, std::span<const int> index, const double* const xi[3],
+    const double* residual) override;
+  void Undecided(int index, int element) override;
+
+private:
+  void EvaluateField(int element, std::span<const int> index, const LanePoints& xi);
+  void EncloseField(int element, std::span<const int> index, const LanePoints& xi);
+
+  const Mesh& TheMesh;
+  const Field* TheField;
+  std::span<const Vec3> Points;
+  const SampleTarget& Target;
+  OutputArrays Arrays;
+};
+
+/// Throws Error unless the target's arrays are empty or fit the points and the field.
+void RequireSizes(const Field* field, std::size_t points, const SampleTarget& target);
+} // namespace pixelexact

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Location/Owners.h"
+#include "Core/Location/Sample.h"
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace pixelexact
+{
+/// What `probe` is to find beside the values.
+struct ProbeColumns
+{
+  bool gradient = false;
+  bool enclosures = false;
+  bool owners = false;
+};
+
+/// Where each point lies and what the field is there.
+struct ProbeSamples
+{
+  ProbeSamples(std::size_t points, int componentCount, const ProbeColumns& columns)
+    : components(static_cast<std::size_t>(componentCount))
+    , element(points)
+    , xi(points)
+    , verdict(points)
+    , value(points * components)
+    , gradient(columns.gradient ? 3 * value.size() : 0)
+    , lower(columns.enclosures ? value.size() : 0)
+    , upper(lower.size())
+    , owners(columns.owners ? points : 0)
+  {
+  }
+  [[nodiscard]] SampleTarget Target()
+  {
+    return { element, xi, verdict, {}, value, gradient, lower, upper };
+  }
+
+  std::size_t components;
+  std::vector<std::int32_t> element;
+  std::vector<Vec3> xi;
+  std::vector<Verdict> verdict;
+  std::vector<double> value;
+  std::vector<double> gradient;
+  std::vector<double> lower;
+  std::vector<double> upper;
+  std::vector<Owners> owners;
+};
+
+/// Writes a row per point. Throws Error naming the file.
+void WriteProbeTable(const std::string& file, std::span<const Vec3> points,
+  const ProbeSamples& samples, std::span<const std::int64_t> sourceCells);
+
+struct ProbeCounts
+{
+  std::size_t inside = 0;
+  std::size_t outside = 0;
+  std::size_t unknown = 0;
+  std::size_t nonFinite = 0;
+};
+ProbeCounts CountProbes(const ProbeSamples& samples);
+
+/// Widths of the enclosures of points inside, by the range of the values that were found, component
+/// by component; NaN where there are none, or no range.
+struct EnclosureWidths
+{
+  double median = std::numeric_limits<double>::quiet_NaN();
+  double largest = std::numeric_limits<double>::quiet_NaN(); ///< of the bounded ones
+  std::size_t unbounded = 0; ///< enclosures that say nothing, not among the widths
+};
+EnclosureWidths MeasureEnclosures(const ProbeSamples& samples);
+
+/// Points by coverage, indexed by Coverage.
+using CoverageCounts = std::array<std::size_t, 4>;
+CoverageCounts CountCoverage(const ProbeSamples& samples);
+} // namespace pixelexact
