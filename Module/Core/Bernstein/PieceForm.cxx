@@ -246,7 +246,7 @@ double PieceForm::ErrorBound(Part part, const Piece& piece, const double* modes)
   }
   const int operations = TheDegree[0] + TheDegree[1] + TheDegree[2] + 12;
   // The sum's own rounding is far below the slack; so is what underflows.
-  return sum * Gamma(operations) * (1.0 + 0x1p-30) + 0x1p-900;
+  return sum > 0.0 ? sum * Gamma(operations) * (1.0 + 0x1p-30) + 0x1p-900 : 0.0;
 }
 
 bool PieceForm::IsClosed(const Space& space, const double* modes)

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Bernstein/RangeSearch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace pixelexact
+{
+namespace
+{
+/// 64 MiB a search.
+constexpr std::size_t kMostHeld = std::size_t{ 1 } << 23U;
+/// Boxes are not made longer than this, in halvings, compared with their shortest side.
+constexpr int kMostUneven = 20;
+/// Where an enclosure reaches beyond what is attained by less than this many times the width of the
+/// enclosure of a point, halving is of no use.
+constexpr double kRoundingOnly = 8.0;
+/// Gaps below this part of the largest magnitude are rounding.
+constexpr double kFloor = 0x1p-40;
+/// So are gaps below this; functions are searched in units of their coefficients.
+constexpr double kSmallest = 0x1p-400;
+
+int Total(const std::array<int, 3>& halvings)
+{
+  return halvings[0] + halvings[1] + halvings[2];
+}
+
+int SplitDirection(const RangeBox& box, int difference)
+{
+  const int least = std::ranges::min(box.halvings);
+  int best = -1;
+  double most = 0.0;
+  for (int d = 0; d < 3; ++d)
+  {
+    if (box.halvings[static_cast<std::size_t>(d)] - least > kMostUneven)
+    {
+      continue;
+    }
+    double variation = 0.0;
+    for (const BoxPolynomial& polynomial : box.polynomials)
+    {
+      variation += polynomial.Variation(d, difference);
+    }
+    if (variation > most)
+    {
+      most = variation;
+      best = d;
+    }
+  }
+  return best >= 0
+    ? best
+    : static_cast<int>(std::ranges::min_element(box.halvings) - box.halvings.begin());
+}
+} // namespace
+
+Interval RangeFunction::AtLikelyMinimum(std::span<const BoxPolynomial> /*polynomials*/) const
+{
+  return Interval::Everything();
+}
+
+double AllowedGap(const CertifiedRange& range, double tolerance)
+{
+  const double width = std::max(range.attained.upper - range.attained.lower, 0.0);
+  const double allowed =
+    std::max({ tolerance * width, kFloor * range.outer.Magnitude(), kSmallest });
+  return std::isfinite(allowed) ? allowed : kSmallest;
+}
+
+bool IsWithin(const CertifiedRange& range, double tolerance)
+{
+  const double allowed = AllowedGap(range, tolerance);
+  return range.GapBelow() <= allowed && range.GapAbove() <= allowed;
+}
+
+Interval RangeBox::Look(const RangeFunction& function)
+{
+  bound = Intersect(bound, function.Enclose(polynomials));
+  rounding = 0.0;
+  Interval attained = CertifiedRange{}.attained;
+  for (unsigned corner = 0; corner < 8; ++corner)
+  {
+    const Interval at = function.AtCorner(polynomials, corner);
+    const Interval value = Intersect(bound, at);
+    rounding = std::max(rounding, at.IsFinite() ? at.Width() : 0.0);
+    attained.lower = std::min(attained.lower, value.upper);
+    attained.upper = std::max(attained.upper, value.lower);
+  }
+  return attained;
+}
+
+RangeBox RangeBox::Halve(const RangeFunction& function)
+{
+  if (remake)
+  {
+    polynomials = remake();
+    remake = nullptr;
+  }
+  const int direction = SplitDirection(*this, function.TellingDifference());
+  ++halvings[static_cast<std::size_t>(direction)];
+  RangeBox upper;
+  upper.bound = bound;
+  upper.halvings = halvings;
+  for (BoxPolynomial& polynomial : polynomials)
+  {
+    upper.polynomials.push_back(polynomial.Halve(direction));
+  }
+  return upper;
+}
+
+std::size_t RangeBox::Held() const
+{
+  std::size_t count = 0;
+  for (const BoxPolynomial& polynomial : polynomials)
+  {
+    count += polynomial.b.size();
+  }
+  return count;
+}
+
+RangeSearch::RangeSearch(const RangeFunction& function, const Interval& known)
+  : Function(function)
+  , Attained(known)
+{
+}
+
+void RangeSearch::Add(RangeBox box)
+{
+  Attained = Join(Attained, box.Look(Function));
+  ++Count;
+  const bool every = Total(box.halvings) % 3 == 0;
+  if (every && box.bound.lower < Attained.lower)
+  {
+    const Interval value = Function.AtLikelyMinimum(box.polynomials);
+    Attained = Join(Attained, { value.upper, value.lower });
+  }
+  if (box.remake)
+  {
+    box.polynomials.clear();
+    box.polynomials.shrink_to_fit();
+  }
+  if (!Attained.Contains(box.bound))
+  {
+    Held += box.Held();
+    Boxes.push_back(std::move(box));
+  }
+}
+
+CertifiedRange RangeSearch::Current() const
+{
+  CertifiedRange range;
+  range.attained = Attained;
+  range.boxes = Count;
+  // Boxes that were left out hold values between the attained ones alone.
+  range.outer = { Attained.lower, Attained.upper };
+  for (const RangeBox& box : Boxes)
+  {
+    range.outer.lower = std::min(range.outer.lower, box.bound.lower);
+    range.outer.upper = std::max(range.outer.upper, box.bound.upper);
+  }
+  if (range.outer.IsEmpty())
+  {
+    std::swap(range.outer.lower, range.outer.upper);
+  }
+  return range;
+}
+
+bool RangeSearch::Refine(End end)
+{
+  const auto reach = [end](const RangeBox& box)
+  { return end == End::Lower ? -box.bound.lower : box.bound.upper; };
+  const auto worst = std::ranges::max_element(
+    Boxes, [&](const RangeBox& a, const RangeBox& b) { return reach(a) < reach(b); });
+  if (worst == Boxes.end())
+  {
+    return false;
+  }
+  const double beyond = reach(*worst) - (end == End::Lower ? -Attained.lower : Attained.upper);
+  if (Held > kMostHeld || !(beyond > 0.0) || beyond <= kRoundingOnly * worst->rounding)
+  {
+    return false;
+  }
+  RangeBox lower = std::move(*worst);
+  *worst = std::move(Boxes.back());
+  Boxes.pop_back();
+  Held -= lower.Held();
+  RangeBox upper = lower.Halve(Function);
+  Add(std::move(lower));
+  Add(std::move(upper));
+  return true;
+}
+
+CertifiedRange SearchRange(RangeSearch& search, double tolerance, double gap, int budget)
+{
+  CertifiedRange range = search.Current();
+  while (true)
+  {
+    const double allowed = std::max(gap, AllowedGap(range, tolerance));
+    range.met = range.GapBelow() <= allowed && range.GapAbove() <= allowed;
+    if (range.met || range.boxes >= budget)
+    {
+      return range;
+    }
+    const bool below = range.GapBelow() > range.GapAbove();
+    if (!search.Refine(below ? RangeSearch::End::Lower : RangeSearch::End::Upper) &&
+      !search.Refine(below ? RangeSearch::End::Upper : RangeSearch::End::Lower))
+    {
+      return range;
+    }
+    range = search.Current();
+  }
+}
+} // namespace pixelexact

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Element/QuantityFunction.h"
+
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace pixelexact
+{
+namespace
+{
+/// The cofactor of J_ij in J, nine numbers row-major.
+template <class T>
+T Cofactor(std::span<const T> J, std::size_t i, std::size_t j)
+{
+  const std::size_t i1 = (i + 1) % 3;
+  const std::size_t i2 = (i + 2) % 3;
+  const std::size_t j1 = (j + 1) % 3;
+  const std::size_t j2 = (j + 2) % 3;
+  return J[3 * i1 + j1] * J[3 * i2 + j2] - J[3 * i1 + j2] * J[3 * i2 + j1];
+}
+
+template <class T>
+T Determinant(std::span<const T> J)
+{
+  return J[0] * Cofactor(J, 0, 0) + J[1] * Cofactor(J, 0, 1) + J[2] * Cofactor(J, 0, 2);
+}
+
+/// Component k of J^-T v det J.
+template <class T>
+T Covariant(std::span<const T> J, std::span<const T> v, std::size_t k)
+{
+  return Cofactor(J, k, 0) * v[0] + Cofactor(J, k, 1) * v[1] + Cofactor(J, k, 2) * v[2];
+}
+
+/// Component k of J v.
+template <class T>
+T Contravariant(std::span<const T> J, std::span<const T> v, std::size_t k)
+{
+  return J[3 * k] * v[0] + J[3 * k + 1] * v[1] + J[3 * k + 2] * v[2];
+}
+
+template <class T>
+T SquaredNorm(const std::vector<T>& v)
+{
+  T sum(0.0);
+  for (const T& component : v)
+  {
+    sum = sum + Square(component);
+  }
+  return sum;
+}
+
+std::vector<AffineForm> AffineForms(std::span<const BoxPolynomial> polynomials)
+{
+  std::vector<AffineForm> forms;
+  for (const BoxPolynomial& polynomial : polynomials)
+  {
+    forms.push_back(polynomial.Affine());
+  }
+  return forms;
+}
+
+/// The norm of v over the box. Beside the sum of squares, which is sharp where v is large: |v| is
+/// not below n . v for any |n| <= 1, which is sharp down to where v vanishes.
+Interval NormRange(const std::vector<AffineForm>& v)
+{
+  Interval norm = Sqrt(SquaredNorm(v).Range());
+  double length = 0.0;
+  for (const AffineForm& component : v)
+  {
+    length = std::hypot(length, component.a);
+  }
+  if (length > 0x1p-900)
+  {
+    AffineForm along;
+    for (const AffineForm& component : v)
+    {
+      along = along + component * AffineForm(component.a / length * (1.0 - 0x1p-40));
+    }
+    norm.lower = std::max(norm.lower, along.Range().lower);
+  }
+  return norm;
+}
+
+/// Where the affine parts are smallest, by least squares: a zero of v, up to O(w^2), where it has
+/// one in the box.
+std::array<double, 3> LeastNorm(const std::vector<AffineForm>& v)
+{
+  Mat3 normal(0.0);
+  Vec3 right(0.0);
+  for (const AffineForm& component : v)
+  {
+    const Vec3 b(component.b[0], component.b[1], component.b[2]);
+    right -= component.a * b;
+    normal += glm::outerProduct(b, b);
+  }
+  const double trace = normal[0][0] + normal[1][1] + normal[2][2];
+  normal += Mat3(trace * 1e-10);
+  const Vec3 t = glm::inverse(normal) * right;
+  const auto clamped = [](double x) { return x > -1.0 ? std::min(x, 1.0) : -1.0; };
+  return { clamped(t.x), clamped(t.y), clamped(t.z) };
+}
+} // namespace
+
+QuantityFunction::QuantityFunction(const RangeQuestion& question)
+  : TheQuantity(question.quantity)
+  , TheMapping(question.field && question.quantity != Quantity::Jacobian ? question.field->mapping
+                                                                         : Mapping::Identity)
+  , Index(static_cast<std::size_t>(
+      question.quantity == Quantity::GradientComponent ? question.direction : question.component))
+{
+}
+
+bool QuantityFunction::IsPlain() const
+{
+  return TheQuantity == Quantity::Component && TheMapping == Mapping::Identity;
+}
+
+bool QuantityFunction::IsMagnitude() const
+{
+  return TheQuantity == Quantity::Magnitude || TheQuantity == Quantity::GradientMagnitude;
+}
+
+int QuantityFunction::PowerOfLength() const
+{
+  switch (TheQuantity)
+  {
+    case Quantity::Jacobian:
+      return 3;
+    case Quantity::GradientComponent:
+    case Quantity::GradientMagnitude:
+      return -1;
+    default:
+      break;
+  }
+  switch (TheMapping)
+  {
+    case Mapping::Covariant:
+      return -1;
+    case Mapping::Contravariant:
+      return -2;
+    case Mapping::Density:
+      return -3;
+    default:
+      return 0;
+  }
+}
+
+int QuantityFunction::TellingDifference() const
+{
+  return IsPlain() ? 2 : 1;
+}
+
+template <class T>
+std::vector<T> QuantityFunction::Combine(std::span<const T> p) const
+{
+  if (TheQuantity == Quantity::Jacobian)
+  {
+    return { Determinant(p) };
+  }
+  const bool gradient =
+    TheQuantity == Quantity::GradientComponent || TheQuantity == Quantity::GradientMagnitude;
+  if (!gradient && TheMapping == Mapping::Identity)
+  {
+    return { p.begin(), p.end() };
+  }
+  const std::span<const T> J = p.first(9);
+  const std::span<const T> v = p.subspan(9);
+  const T inverse = Reciprocal(Determinant(J));
+  const auto component = [&](std::size_t k) -> T
+  {
+    switch (gradient ? Mapping::Covariant : TheMapping)
+    {
+      case Mapping::Covariant:
+        return Covariant(J, v, k) * inverse;
+      case Mapping::Contravariant:
+        return Contravariant(J, v, k) * inverse;
+      default:
+        return v[k] * inverse;
+    }
+  };
+  if (IsMagnitude())
+  {
+    std::vector<T> all;
+    for (std::size_t k = 0; k < v.size(); ++k)
+    {
+      all.push_back(component(k));
+    }
+    return all;
+  }
+  // Of a density only the component sought is there.
+  return { component(!gradient && TheMapping == Mapping::Density ? 0 : Index) };
+}
+
+Interval QuantityFunction::Enclose(std::span<const BoxPolynomial> polynomials) const
+{
+  if (IsPlain())
+  {
+    return polynomials[0].Hull();
+  }
+  const std::vector<AffineForm> v = Combine<AffineForm>(AffineForms(polynomials));
+  return IsMagnitude() ? NormRange(v) : v[0].Range();
+}
+
+Interval QuantityFunction::Value(const std::vector<Interval>& polynomials) const
+{
+  const std::vector<Interval> v = Combine<Interval>(polynomials);
+  return IsMagnitude() ? Sqrt(SquaredNorm(v)) : v[0];
+}
+
+Interval QuantityFunction::AtCorner(
+  std::span<const BoxPolynomial> polynomials, unsigned corner) const
+{
+  std::vector<Interval> values;
+  for (const BoxPolynomial& polynomial : polynomials)
+  {
+    values.push_back(polynomial.AtCorner(corner));
+  }
+  return Value(values);
+}
+
+Interval QuantityFunction::AtLikelyMinimum(std::span<const BoxPolynomial> polynomials) const
+{
+  if (!IsMagnitude())
+  {
+    return Interval::Everything();
+  }
+  const auto t = LeastNorm(Combine<AffineForm>(AffineForms(polynomials)));
+  std::vector<Interval> values;
+  for (const BoxPolynomial& polynomial : polynomials)
+  {
+    values.push_back(polynomial.At(t));
+  }
+  return Value(values);
+}
+} // namespace pixelexact

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Element/Ranges.h"
+
+namespace pixelexact
+{
+/// A quantity (Ranges.h) as an expression in polynomials. Their order: the nine dPhi_i / dxi_j,
+/// i slowest, where the quantity needs the map; then the field's values, or the derivatives of the
+/// component by xi.
+class QuantityFunction final : public RangeFunction
+{
+public:
+  explicit QuantityFunction(const RangeQuestion& question);
+
+  [[nodiscard]] Interval Enclose(std::span<const BoxPolynomial> polynomials) const override;
+  [[nodiscard]] Interval AtCorner(
+    std::span<const BoxPolynomial> polynomials, unsigned corner) const override;
+  [[nodiscard]] Interval AtLikelyMinimum(std::span<const BoxPolynomial> polynomials) const override;
+  [[nodiscard]] int TellingDifference() const override;
+
+  /// The quantity is of dimension length^this, times the field's.
+  [[nodiscard]] int PowerOfLength() const;
+
+private:
+  /// The quantity, or the vector whose norm it is.
+  template <class T>
+  [[nodiscard]] std::vector<T> Combine(std::span<const T> p) const;
+  [[nodiscard]] Interval Value(const std::vector<Interval>& polynomials) const;
+  [[nodiscard]] bool IsPlain() const;
+  [[nodiscard]] bool IsMagnitude() const;
+
+  Quantity TheQuantity;
+  Mapping TheMapping;
+  std::size_t Index; ///< of the component that is sought among those that Combine could give
+};
+} // namespace pixelexact

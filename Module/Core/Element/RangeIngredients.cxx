@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Element/RangeIngredients.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pixelexact
+{
+namespace
+{
+/// Of what is zero throughout.
+constexpr int kZeroExponent = -1100;
+/// Rounding errors of conversion, relative to the largest mode, that do no harm.
+constexpr double kHarmless = 1e-11;
+} // namespace
+
+ScaledModes::ScaledModes(const Space& itsSpace, const double* modes, int components)
+  : space(itsSpace)
+  , width(static_cast<std::size_t>(space.Modes()))
+  , values(modes, modes + width * static_cast<std::size_t>(components))
+{
+  double largest = 0.0;
+  for (const double c : values)
+  {
+    finite = finite && std::isfinite(c);
+    largest = std::max(largest, std::fabs(c));
+  }
+  if (!finite)
+  {
+    return;
+  }
+  exponent = largest > 0.0 ? std::ilogb(largest) + 1 : kZeroExponent;
+  for (double& c : values)
+  {
+    c = std::ldexp(c, -exponent);
+  }
+}
+
+BoxPolynomial RangeIngredient::Over(
+  int level, const PieceForm::Piece& piece, const Box3& within) const
+{
+  const PieceForm& form = PieceForm::Of(modes->space, level);
+  BoxPolynomial polynomial{ form.Degree(), std::vector<double>(form.Size()) };
+  form.Convert(part, piece, Modes(), polynomial.b);
+  polynomial.error = form.ErrorBound(part, piece, Modes());
+  if (part != Part::Value && !PieceForm::IsClosed(modes->space, Modes()))
+  {
+    polynomial.error = std::numeric_limits<double>::infinity();
+  }
+  for (int d = 0; d < 3; ++d)
+  {
+    if (within.lower[d] > -1.0 || within.upper[d] < 1.0)
+    {
+      polynomial.Restrict(d, within.lower[d], within.upper[d]);
+    }
+  }
+  return polynomial;
+}
+
+void AddDerivatives(
+  const ScaledModes& modes, int first, int count, std::vector<RangeIngredient>& ingredients)
+{
+  for (int c = first; c < first + count; ++c)
+  {
+    for (const Part part : { Part::ByXi1, Part::ByXi2, Part::ByXi3 })
+    {
+      ingredients.push_back({ &modes, c, part });
+    }
+  }
+}
+
+int LevelFor(const std::vector<RangeIngredient>& ingredients)
+{
+  int level = 0;
+  for (const RangeIngredient& one : ingredients)
+  {
+    const Space& space = one.modes->space;
+    const int most = PieceForm::LevelOf(space.MaxOrder());
+    if (most > level &&
+      !(PieceForm::Of(space, 0).ErrorBound(one.part, { 0, 0, 0 }, one.Modes()) <= kHarmless))
+    {
+      level = most;
+    }
+  }
+  return level;
+}
+} // namespace pixelexact

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Bernstein/BoxPolynomial.h"
+#include "Core/Bernstein/PieceForm.h"
+#include "Core/Math/Vec.h"
+
+#include <vector>
+
+namespace pixelexact
+{
+/// Modes of some components, scaled by a common power of two so that the largest magnitude is in
+/// [1/2, 1): no product with the tables over- or underflows.
+struct ScaledModes
+{
+  ScaledModes(const Space& itsSpace, const double* modes, int components);
+
+  Space space;
+  std::size_t width; ///< modes of a component
+  std::vector<double> values;
+  int exponent = 0;   ///< value = scaled value times 2^exponent
+  bool finite = true; ///< all of them
+};
+
+/// A polynomial in eta that a quantity of an element is made of.
+struct RangeIngredient
+{
+  const ScaledModes* modes;
+  int component;
+  Part part;
+
+  [[nodiscard]] const double* Modes() const
+  {
+    return modes->values.data() + modes->width * static_cast<std::size_t>(component);
+  }
+  /// Over the part `within`, in its own [-1,1]^3, of a piece of the cube. Derivatives that are not
+  /// bounded at a pyramid's apex (PieceForm::IsClosed) have an infinite error.
+  [[nodiscard]] BoxPolynomial Over(
+    int level, const PieceForm::Piece& piece, const Box3& within) const;
+};
+
+/// Appends the three derivatives by xi of `count` components.
+void AddDerivatives(
+  const ScaledModes& modes, int first, int count, std::vector<RangeIngredient>& ingredients);
+
+/// The level of pieces on which all of them are converted: 0 where the bound of the rounding errors
+/// allows it, as it does for coefficients that decay, at any order.
+int LevelFor(const std::vector<RangeIngredient>& ingredients);
+} // namespace pixelexact

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Bernstein/RangeSearch.h"
+#include "Core/Element/Mesh.h"
+#include "Core/Math/Vec.h"
+
+#include <functional>
+#include <memory>
+
+namespace pixelexact
+{
+/// What of an element a range is asked for.
+enum class Quantity : std::uint8_t
+{
+  /// A component of the field's world value (see Mapping).
+  Component,
+  /// The Euclidean norm of the field's world value, all components.
+  Magnitude,
+  /// A component of the world gradient of a component: d value_c / d x_d. Mapping::Identity alone.
+  GradientComponent,
+  /// The Euclidean norm of the world gradient of a component. Mapping::Identity alone.
+  GradientMagnitude,
+  /// det J, J = d Phi / d xi in world units: volume per volume of the reference shape.
+  Jacobian
+};
+
+struct RangeQuestion
+{
+  Quantity quantity = Quantity::Component;
+  const Field* field = nullptr; ///< unless Quantity::Jacobian
+  int component = 0;            ///< of the field
+  int direction = 0;            ///< of GradientComponent: x, y, z
+};
+
+/// Whether there is an answer: of mapped fields (H(curl), H(div), densities), whose gradients need
+/// second derivatives of the map, gradients are not certified.
+bool IsAnswerable(const RangeQuestion& question);
+
+struct RangeEffort
+{
+  /// The outer ends are to lie within this part of the attained range of values that are attained;
+  /// 0.0 < tolerance.
+  double tolerance = 1e-3;
+  int boxes = 2000; ///< looked at, per element
+};
+
+/// The cube in eta: the whole element.
+inline constexpr Box3 kWholeElement{ Vec3(-1.0), Vec3(1.0) };
+
+/// A quantity of one element over a box of eta, ready to be searched; made by RangeOf and by who
+/// searches several elements together.
+class ElementRange
+{
+public:
+  /// Throws Unsupported where the question has no answer. `part` must lie in the cube and not be
+  /// empty. The views must outlive the object.
+  ElementRange(
+    const Mesh& mesh, int element, const RangeQuestion& question, const Box3& part = kWholeElement);
+  ~ElementRange();
+  ElementRange(const ElementRange&) = delete;
+  ElementRange& operator=(const ElementRange&) = delete;
+
+  /// False where a coefficient of the field is NaN or infinite: nothing can be said then.
+  [[nodiscard]] bool IsFinite() const;
+  /// The function, and the boxes that cover the part, in units of 2^Exponent().
+  [[nodiscard]] const RangeFunction& Function() const;
+  void ForEachBox(const std::function<void(RangeBox)>& visit) const;
+  /// The search with these boxes. `known` as RangeSearch takes it, in these units.
+  [[nodiscard]] std::unique_ptr<RangeSearch> Begin(
+    const Interval& known = CertifiedRange{}.attained) const;
+  [[nodiscard]] int Exponent() const;
+
+private:
+  struct Internals;
+  std::unique_ptr<Internals> Data;
+};
+
+/// The range of a quantity over an element, or over a part of it given as a box in eta (see
+/// TensorToReference): of the functions that the stored coefficients define, exactly; the mesh's
+/// uncertainty (how far the true map may be from the stored one) is not included.
+///
+/// Enclosures tighten quadratically: halving a box quarters the distance of the outer ends from the
+/// attained ones, until what is left is the bound of rounding errors (see
+/// Documentation/certified-ranges.md for its size). `met` is false where the budget, or 64 MiB,
+/// were spent first. Where det J may vanish, gradients and mapped values are not bounded, and the
+/// outer ends infinite. In a pyramid's Tensor form derivatives are those of the function closed at
+/// the apex (PieceForm.h); where that is not the stored one up to rounding, they are not bounded.
+CertifiedRange RangeOf(const Mesh& mesh, int element, const RangeQuestion& question,
+  const RangeEffort& effort = {}, const Box3& part = kWholeElement);
+
+/// value times 2^exponent, rounded outwards.
+Interval Scaled(const Interval& value, int exponent);
+CertifiedRange Scaled(const CertifiedRange& range, int exponent);
+} // namespace pixelexact
