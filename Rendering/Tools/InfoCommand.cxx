@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "CertifiedFacts.h"
 #include "Command.h"
 #include "Continuity.h"
 #include "Input.h"
 #include "Json.h"
 #include "Model.h"
+#include "OrderCounts.h"
 #include "Report.h"
 #include "SolverFacts.h"
 #include "StoredOrder.h"
-
-#include "Core/Base/Error.h"
 
 #include <vtkUnstructuredGrid.h>
 
@@ -16,8 +16,8 @@
 #include <array>
 #include <cmath>
 #include <iostream>
-#include <map>
 #include <memory>
+#include <optional>
 
 namespace pixelexact
 {
@@ -28,10 +28,6 @@ struct InfoOptions
   InputRequest input;
   bool certify = false;
 };
-
-/// Elements by polynomial orders along the three directions.
-using Orders = std::array<int, 3>;
-using OrderCounts = std::map<Orders, std::int64_t>;
 
 struct FieldFacts
 {
@@ -50,37 +46,8 @@ struct Facts
   std::vector<FieldFacts> fields;
   std::array<double, 6> bounds{}; ///< of the nodes: x, y, z, lower and upper each
   SolverFacts solver;
+  std::optional<CertifiedFacts> certified; ///< on request
 };
-
-Orders OrdersOf(const Space& space)
-{
-  Orders orders{ space.order[0], space.order[1], space.order[2] };
-  if (space.form == Form::Tensor)
-  {
-    // The third one only makes room for the factors of the pyramid's collapse.
-    orders[2] = std::max(orders[0], orders[1]);
-  }
-  return orders;
-}
-
-/// "3", or where the directions differ "3 x 5 x 7".
-std::string Label(const Orders& orders)
-{
-  const auto [p, q, r] = orders;
-  return p == q && q == r
-    ? std::to_string(p)
-    : std::to_string(p) + " x " + std::to_string(q) + " x " + std::to_string(r);
-}
-
-OrderCounts CountOrders(const Expansion& expansion)
-{
-  OrderCounts counts;
-  for (int e = 0; e < expansion.Elements(); ++e)
-  {
-    ++counts[OrdersOf(expansion.SpaceOf(e))];
-  }
-  return counts;
-}
 
 std::int64_t CountNonFinite(const Expansion& expansion)
 {
@@ -129,18 +96,6 @@ const char* ContinuityName(const Continuity& continuity)
     return "unknown";
   }
   return continuity.IsContinuous() ? "continuous" : "discontinuous";
-}
-
-/// "3" or, for several, "3 (40 elements), 4 (2 elements)".
-std::string Text(const OrderCounts& counts)
-{
-  std::string text;
-  for (const auto& [orders, count] : counts)
-  {
-    text += (text.empty() ? "" : ", ") + Label(orders) +
-      (counts.size() > 1 ? " (" + std::to_string(count) + " elements)" : std::string());
-  }
-  return text.empty() ? "none" : text;
 }
 
 void PrintTable(const LoadedModel& input, const Facts& facts)
@@ -197,36 +152,13 @@ void PrintTable(const LoadedModel& input, const Facts& facts)
     table.Row(name, "none");
   }
   AddTo(table, facts.solver);
+  if (facts.certified)
+  {
+    AddTo(table, *facts.certified);
+  }
   table.Row(
     "coefficients", input.converted ? "made from the file's nodal values" : "as in the file");
   table.Print();
-}
-
-/// Elements by the highest of their orders.
-json::Object ToJson(const OrderCounts& counts)
-{
-  std::map<int, std::int64_t> highest;
-  for (const auto& [orders, count] : counts)
-  {
-    highest[std::ranges::max(orders)] += count;
-  }
-  json::Object object;
-  for (const auto& [order, count] : highest)
-  {
-    object.Add(std::to_string(order), count);
-  }
-  return object;
-}
-
-/// Elements by "3 x 5 x 7".
-json::Object DirectionsToJson(const OrderCounts& counts)
-{
-  json::Object object;
-  for (const auto& [orders, count] : counts)
-  {
-    object.Add(Label(orders), count);
-  }
-  return object;
 }
 
 void PrintJson(const LoadedModel& input, const Facts& facts)
@@ -250,6 +182,10 @@ void PrintJson(const LoadedModel& input, const Facts& facts)
     field.Add("continuity", ContinuityName(one.continuity));
     field.Add("largest_jump", one.continuity.largestJump);
     field.Add("non_finite_elements", one.nonFiniteElements);
+    if (facts.certified)
+    {
+      field.Add("certified", ToJson(facts.certified->fields[fields.size()]));
+    }
     fields.push_back(field);
   }
   std::vector<std::string> diagnostics;
@@ -264,6 +200,10 @@ void PrintJson(const LoadedModel& input, const Facts& facts)
   summary.Add("stored_geometry_orders", ToJson(facts.storedOrders));
   summary.Add("node_bounds", facts.bounds).Add("fields", fields);
   AddTo(summary, facts.solver);
+  if (facts.certified)
+  {
+    AddTo(summary, *facts.certified);
+  }
   AddTime(summary, input);
   summary.Add("times", input.times);
   summary.Add("converted", input.converted).Raw("diagnostics", json::Array(diagnostics));
@@ -272,13 +212,13 @@ void PrintJson(const LoadedModel& input, const Facts& facts)
 
 void Info(const InfoOptions& options, const CommonOptions& common)
 {
-  if (options.certify)
-  {
-    throw Unsupported("--certify is not available yet; leave it out");
-  }
   Stopwatch stopwatch;
   const LoadedModel input = LoadModel(options.input, {}, stopwatch);
-  const Facts facts = Gather(input);
+  Facts facts = Gather(input);
+  if (options.certify)
+  {
+    facts.certified = Certify(input);
+  }
   if (common.json)
   {
     PrintJson(input, facts);
@@ -295,7 +235,8 @@ void AddInfoCommand(CLI::App& program, const CommonOptions& common, Action& acti
   const auto options = std::make_shared<InfoOptions>();
   options->input.AddTo(*command);
   command->add_flag("--certify", options->certify,
-    "Also prove field ranges and the sign of det J (not available yet)");
+    "Also prove the ranges of the fields, of their gradients and of det J, and which elements are "
+    "valid");
   command->callback(
     [options, &common, &action] { action = [options, &common] { Info(*options, common); }; });
 }

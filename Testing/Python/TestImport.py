@@ -8,6 +8,7 @@ import pixelexact
 ABSTRACT = ["vtkHighOrderFileReader"]
 CLASSES = [
     "vtkGLVisReader",
+    "vtkHighOrderCertifier",
     "vtkHighOrderGrid",
     "vtkHighOrderLinearResample",
     "vtkHighOrderMapper",

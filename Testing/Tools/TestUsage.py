@@ -158,14 +158,12 @@ class NotYet(ToolTest):
         self.fails(2, *base, *plane, "--precision", "half", names=["--precision"])
         self.succeeds(*base, *plane, "--precision", "double", "--size", "9x9")
 
-    def test_certify(self):
-        done = self.fails(1, "info", case("escher_tet_g3_p3"), "--certify", names=["--certify"])
-        self.assertIn("not available yet", done.stderr)
-
     def test_the_error_is_told_in_json_too(self):
-        done = run("info", case("escher_tet_g3_p3"), "--certify", "--json")
+        image = self.folder / "i.png"
+        base = ["render", case("escher_tet_g3_p3"), "--field", "u", "--output", image, "--json"]
+        done = run(*base, "--sphere", "0,0,0,1")
         self.assertEqual(done.returncode, 1)
-        self.assertIn("--certify", strict_json(done.stdout)["error"])
+        self.assertIn("--sphere", strict_json(done.stdout)["error"])
 
 
 if __name__ == "__main__":

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHighOrderCertifier.h"
+
+#include "Core/Base/Error.h"
+#include "Core/Element/Validity.h"
+#include "HighOrderArrays.h"
+#include "ModelSource.h"
+
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <cmath>
+#include <exception>
+
+vtkStandardNewMacro(vtkHighOrderCertifier);
+
+namespace
+{
+using namespace pixelexact;
+
+constexpr unsigned char kNoElement = 255;
+
+/// Two arrays of bounds, NaN to begin with.
+class BoundArrays
+{
+public:
+  BoundArrays(const std::string& lower, const std::string& upper, int components, vtkIdType cells)
+    : Lower(Make(lower, components, cells))
+    , Upper(Make(upper, components, cells))
+  {
+  }
+  void Set(vtkIdType cell, int component, const CertifiedRange& range)
+  {
+    if (range.finite)
+    {
+      Lower->SetTypedComponent(cell, component, range.outer.lower);
+      Upper->SetTypedComponent(cell, component, range.outer.upper);
+    }
+  }
+  void AddTo(vtkCellData* data) const
+  {
+    data->AddArray(Lower);
+    data->AddArray(Upper);
+  }
+
+private:
+  static vtkSmartPointer<vtkDoubleArray> Make(
+    const std::string& name, int components, vtkIdType cells)
+  {
+    auto array = vtkSmartPointer<vtkDoubleArray>::New();
+    array->SetName(name.c_str());
+    array->SetNumberOfComponents(components);
+    array->SetNumberOfTuples(cells);
+    array->Fill(std::nan(""));
+    return array;
+  }
+  vtkSmartPointer<vtkDoubleArray> Lower;
+  vtkSmartPointer<vtkDoubleArray> Upper;
+};
+
+/// The cell of each element.
+std::vector<vtkIdType> CellsOf(vtkUnstructuredGrid* grid, const HighOrderModel& model)
+{
+  // A plain grid's conversion may have left out cells.
+  const bool same = HasHighOrderArrays(grid);
+  std::vector<vtkIdType> cells;
+  for (int e = 0; e < model.GetMesh().Elements(); ++e)
+  {
+    cells.push_back(same ? e : model.SourceCells()[static_cast<std::size_t>(e)]);
+  }
+  return cells;
+}
+} // namespace
+
+vtkHighOrderCertifier::vtkHighOrderCertifier()
+  : Source(std::make_unique<ModelSource>())
+{
+}
+
+vtkHighOrderCertifier::~vtkHighOrderCertifier() = default;
+
+void vtkHighOrderCertifier::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FieldName: " << this->FieldName << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "MaximumBoxes: " << this->MaximumBoxes << "\n";
+}
+
+int vtkHighOrderCertifier::FillInputPortInformation(int /*port*/, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  return 1;
+}
+
+int vtkHighOrderCertifier::RequestData(vtkInformation* /*request*/,
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  auto* grid = vtkUnstructuredGrid::GetData(inputVector[0]);
+  auto* output = vtkUnstructuredGrid::GetData(outputVector);
+  try
+  {
+    const auto model = this->Source->Get(grid, this);
+    const Mesh& mesh = model->GetMesh();
+    const auto cells = CellsOf(grid, *model);
+    const vtkIdType count = grid->GetNumberOfCells();
+    const RangeEffort effort{ this->Tolerance, this->MaximumBoxes };
+    const Field* field = nullptr;
+    if (!this->FieldName.empty())
+    {
+      field = model->FindField(this->FieldName);
+      if (!field)
+      {
+        throw InvalidData("there is no field '" + this->FieldName + "' to certify.");
+      }
+    }
+    // Parts of the work, of about the same length each.
+    const double parts = 2.0 + (field ? field->values.components : 0);
+    double done = 0.0;
+    const auto next = [&]() -> RangeProgress
+    {
+      const double from = done / parts;
+      done += 1.0;
+      return [this, from, parts](double part) { this->UpdateProgress(from + part / parts); };
+    };
+
+    const auto validity = ValidityOf(mesh, effort, next());
+    const auto jacobian = ElementRanges(mesh, { Quantity::Jacobian }, effort, next());
+    vtkNew<vtkUnsignedCharArray> verdict;
+    verdict->SetName("Verdict");
+    verdict->SetNumberOfValues(count);
+    verdict->FillValue(kNoElement);
+    BoundArrays bounds("JacobianLower", "JacobianUpper", 1, count);
+    for (std::size_t e = 0; e < cells.size(); ++e)
+    {
+      verdict->SetValue(cells[e], static_cast<unsigned char>(validity[e].validity));
+      // Both hold: the search for the sign may know more of the end at zero.
+      CertifiedRange both = jacobian[e];
+      both.outer = Intersect(both.outer, validity[e].jacobian.outer);
+      bounds.Set(cells[e], 0, both);
+    }
+    output->ShallowCopy(grid);
+    output->GetCellData()->AddArray(verdict);
+    bounds.AddTo(output->GetCellData());
+    if (field)
+    {
+      const int components = field->values.components;
+      BoundArrays values(this->FieldName + "_lower", this->FieldName + "_upper", components, count);
+      for (int c = 0; c < components; ++c)
+      {
+        const auto ranges = ElementRanges(mesh, { Quantity::Component, field, c }, effort, next());
+        for (std::size_t e = 0; e < cells.size(); ++e)
+        {
+          values.Set(cells[e], c, ranges[e]);
+        }
+      }
+      values.AddTo(output->GetCellData());
+    }
+    return 1;
+  }
+  catch (const std::exception& error) // memory may run out too
+  {
+    output->Initialize();
+    vtkErrorMacro(<< error.what());
+    return 0;
+  }
+}

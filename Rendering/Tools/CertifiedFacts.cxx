@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CertifiedFacts.h"
+
+#include "Model.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+
+namespace pixelexact
+{
+namespace
+{
+constexpr std::size_t kMostListed = 10;
+
+/// Passes progress on as a part of the whole work.
+class Steps
+{
+public:
+  Steps(ProgressLine& line, std::size_t count)
+    : Line(line)
+    , Count(static_cast<double>(count))
+  {
+  }
+  RangeProgress Next()
+  {
+    const double from = Done / Count;
+    Done += 1.0;
+    return [this, from](double part) { Line(from + part / Count); };
+  }
+
+private:
+  ProgressLine& Line;
+  double Count;
+  double Done = 0.0;
+};
+
+std::size_t StepsOf(const Field& field)
+{
+  return static_cast<std::size_t>(field.values.components) + 1;
+}
+
+CertifiedField CertifyField(const Mesh& mesh, const Field& field, Steps& steps)
+{
+  CertifiedField facts;
+  facts.name = field.name;
+  const auto ask = [&](Quantity quantity, int component) {
+    return RangeOf(mesh, { quantity, &field, component }, RangeEffort{}, steps.Next());
+  };
+  for (int c = 0; c < field.values.components; ++c)
+  {
+    facts.components.push_back(ask(Quantity::Component, c));
+  }
+  if (field.values.components > 1)
+  {
+    facts.magnitude = ask(Quantity::Magnitude, 0);
+    return facts;
+  }
+  facts.gradientIsAnswerable = IsAnswerable({ Quantity::GradientMagnitude, &field });
+  if (facts.gradientIsAnswerable)
+  {
+    facts.gradient = ask(Quantity::GradientMagnitude, 0);
+  }
+  return facts;
+}
+
+/// How far the outer ends may be beyond the values, relative to the attained range.
+double RelativeExcess(const CertifiedRange& range)
+{
+  const double width = range.attained.upper - range.attained.lower;
+  return std::max(range.GapBelow() + range.GapAbove(), 0.0) / std::max(width, 0.0);
+}
+
+/// With this many digits, rounded downwards or upwards.
+std::string Digits(double number, bool upwards, int digits)
+{
+  std::array<char, 40> text{};
+  const auto print = [&](double v)
+  {
+    std::snprintf(text.data(), text.size(), "%.*g", digits, v);
+    return std::strtod(text.data(), nullptr);
+  };
+  const double printed = print(number);
+  if (upwards ? printed < number : printed > number)
+  {
+    print(number + (upwards ? 1e-9 : -1e-9) * std::fabs(number));
+  }
+  return text.data();
+}
+
+/// `outward`: of a range that holds something, else of one that is held.
+std::string Text(const Interval& range, bool outward)
+{
+  // Ten digits, unless the range is narrower than they show.
+  const int digits = range.Width() > 1e-7 * range.Magnitude() ? 10 : 17;
+  return "[" + Digits(range.lower, !outward, digits) + ", " + Digits(range.upper, outward, digits) +
+    "]";
+}
+
+std::string Text(const MeshRange& range)
+{
+  std::string text;
+  if (range.range.outer.IsEmpty())
+  {
+    text = "nothing finite";
+  }
+  else if (!range.range.outer.IsFinite())
+  {
+    text = "no bound found in " + std::to_string(range.unbounded) + " elements";
+  }
+  else
+  {
+    text = "in " + Text(range.range.outer, true);
+    if (!range.range.attained.IsEmpty())
+    {
+      text += ", attains " + Text(range.range.attained, false);
+    }
+    text += range.range.met ? "" : " (budget spent)";
+  }
+  if (range.notFinite > 0)
+  {
+    text += "; not finite in " + std::to_string(range.notFinite) + " elements, left out";
+  }
+  return text;
+}
+
+void AddTo(json::Object& object, const MeshRange& range)
+{
+  // Numbers that are not known become null.
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const bool attains = !range.range.attained.IsEmpty();
+  const bool holds = !range.range.outer.IsEmpty();
+  object.Add("lower", holds ? range.range.outer.lower : kInfinity);
+  object.Add("upper", holds ? range.range.outer.upper : kInfinity);
+  object.Add("attained_lower", attains ? range.range.attained.lower : kInfinity);
+  object.Add("attained_upper", attains ? range.range.attained.upper : kInfinity);
+  object.Add("relative_excess", RelativeExcess(range.range));
+  object.Add("tolerance_met", range.range.met).Add("boxes", range.boxes);
+  object.Add("not_finite_elements", range.notFinite);
+  object.Add("unbounded_elements", range.unbounded);
+}
+
+json::Object ToJson(const MeshRange& range)
+{
+  json::Object object;
+  AddTo(object, range);
+  return object;
+}
+
+std::string List(const std::vector<std::int64_t>& cells, std::int64_t count)
+{
+  std::string text;
+  for (const std::int64_t cell : cells)
+  {
+    text += (text.empty() ? " (" : ", ") + std::to_string(cell);
+  }
+  return text.empty() ? text
+                      : text + (static_cast<std::int64_t>(cells.size()) < count ? ", ...)" : ")");
+}
+} // namespace
+
+CertifiedFacts Certify(const LoadedModel& input)
+{
+  const auto begin = std::chrono::steady_clock::now();
+  const Mesh& mesh = input.model->GetMesh();
+  ProgressLine line("certifying");
+  std::size_t count = 2;
+  for (const Field& field : input.model->Fields())
+  {
+    count += StepsOf(field);
+  }
+  Steps steps(line, count);
+  CertifiedFacts facts;
+  const auto verdicts = ValidityOf(mesh, RangeEffort{}, steps.Next());
+  double lower = std::numeric_limits<double>::infinity();
+  for (std::size_t e = 0; e < verdicts.size(); ++e)
+  {
+    const auto validity = static_cast<std::size_t>(verdicts[e].validity);
+    ++facts.count[validity];
+    lower = std::min(lower, verdicts[e].jacobian.outer.lower);
+    if (verdicts[e].validity != Validity::Valid && facts.first[validity].size() < kMostListed)
+    {
+      facts.first[validity].push_back(input.model->SourceCells()[e]);
+    }
+  }
+  facts.jacobian = RangeOf(mesh, { Quantity::Jacobian }, RangeEffort{}, steps.Next());
+  // Both bounds hold; where all elements are valid this one is positive.
+  facts.jacobian.range.outer.lower = std::max(facts.jacobian.range.outer.lower, lower);
+  for (const Field& field : input.model->Fields())
+  {
+    facts.fields.push_back(CertifyField(mesh, field, steps));
+  }
+  facts.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return facts;
+}
+
+void AddTo(Table& table, const CertifiedFacts& facts)
+{
+  std::string name = "certified";
+  const auto row = [&](const std::string& text)
+  {
+    table.Row(name, text);
+    name.clear();
+  };
+  for (const CertifiedField& field : facts.fields)
+  {
+    for (std::size_t c = 0; c < field.components.size(); ++c)
+    {
+      row(field.name +
+        (field.components.size() > 1 ? " (component " + std::to_string(c) + ")" : std::string()) +
+        " " + Text(field.components[c]));
+    }
+    if (field.magnitude)
+    {
+      row("|" + field.name + "| " + Text(*field.magnitude));
+    }
+    if (field.gradient)
+    {
+      row("|grad " + field.name + "| " + Text(*field.gradient));
+    }
+    if (!field.gradientIsAnswerable)
+    {
+      row("|grad " + field.name + "| not certified: a density's gradient");
+    }
+  }
+  row("det J " + Text(facts.jacobian) + ", world volume per volume of the reference shape");
+  std::string verdicts;
+  for (const Validity validity : { Validity::Valid, Validity::Inverted, Validity::Undecided })
+  {
+    const auto i = static_cast<std::size_t>(validity);
+    verdicts += (verdicts.empty() ? "" : ", ") + std::to_string(facts.count[i]) + " " +
+      Name(validity) + List(facts.first[i], facts.count[i]);
+  }
+  row("elements: " + verdicts);
+  row("proven in " + Short(facts.seconds) + " s");
+}
+
+void AddTo(json::Object& summary, const CertifiedFacts& facts)
+{
+  json::Object jacobian;
+  for (const Validity validity : { Validity::Valid, Validity::Inverted, Validity::Undecided })
+  {
+    jacobian.Add(Name(validity), facts.count[static_cast<std::size_t>(validity)]);
+  }
+  for (const Validity validity : { Validity::Inverted, Validity::Undecided })
+  {
+    std::vector<std::string> cells;
+    for (const std::int64_t cell : facts.first[static_cast<std::size_t>(validity)])
+    {
+      cells.push_back(std::to_string(cell));
+    }
+    jacobian.Raw(std::string(Name(validity)) + "_elements", json::Array(cells));
+  }
+  AddTo(jacobian, facts.jacobian);
+  summary.Add("jacobian", jacobian);
+  summary.Add("certify_seconds", facts.seconds);
+}
+
+json::Object ToJson(const CertifiedField& field)
+{
+  json::Object object;
+  std::vector<json::Object> components;
+  for (const MeshRange& range : field.components)
+  {
+    components.push_back(ToJson(range));
+  }
+  object.Add("components", components);
+  if (field.magnitude)
+  {
+    object.Add("magnitude", ToJson(*field.magnitude));
+  }
+  if (field.gradient)
+  {
+    object.Add("gradient_magnitude", ToJson(*field.gradient));
+  }
+  return object;
+}
+} // namespace pixelexact

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OrderCounts.h"
+
+#include <algorithm>
+
+namespace pixelexact
+{
+namespace
+{
+Orders OrdersOf(const Space& space)
+{
+  Orders orders{ space.order[0], space.order[1], space.order[2] };
+  if (space.form == Form::Tensor)
+  {
+    // The third one only makes room for the factors of the pyramid's collapse.
+    orders[2] = std::max(orders[0], orders[1]);
+  }
+  return orders;
+}
+
+/// "3", or where the directions differ "3 x 5 x 7".
+std::string Label(const Orders& orders)
+{
+  const auto [p, q, r] = orders;
+  return p == q && q == r
+    ? std::to_string(p)
+    : std::to_string(p) + " x " + std::to_string(q) + " x " + std::to_string(r);
+}
+} // namespace
+
+OrderCounts CountOrders(const Expansion& expansion)
+{
+  OrderCounts counts;
+  for (int e = 0; e < expansion.Elements(); ++e)
+  {
+    ++counts[OrdersOf(expansion.SpaceOf(e))];
+  }
+  return counts;
+}
+
+std::string Text(const OrderCounts& counts)
+{
+  std::string text;
+  for (const auto& [orders, count] : counts)
+  {
+    text += (text.empty() ? "" : ", ") + Label(orders) +
+      (counts.size() > 1 ? " (" + std::to_string(count) + " elements)" : std::string());
+  }
+  return text.empty() ? "none" : text;
+}
+
+json::Object ToJson(const OrderCounts& counts)
+{
+  std::map<int, std::int64_t> highest;
+  for (const auto& [orders, count] : counts)
+  {
+    highest[std::ranges::max(orders)] += count;
+  }
+  json::Object object;
+  for (const auto& [order, count] : highest)
+  {
+    object.Add(std::to_string(order), count);
+  }
+  return object;
+}
+
+json::Object DirectionsToJson(const OrderCounts& counts)
+{
+  json::Object object;
+  for (const auto& [orders, count] : counts)
+  {
+    object.Add(Label(orders), count);
+  }
+  return object;
+}
+} // namespace pixelexact

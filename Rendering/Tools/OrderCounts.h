@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Json.h"
+
+#include "Core/Element/Mesh.h"
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+
+// How many elements have which polynomial orders, and how that is told.
+namespace pixelexact
+{
+/// Elements by polynomial orders along the three directions.
+using Orders = std::array<int, 3>;
+using OrderCounts = std::map<Orders, std::int64_t>;
+
+OrderCounts CountOrders(const Expansion& expansion);
+
+/// "3" or, for several, "3 (40 elements), 4 (2 elements)".
+std::string Text(const OrderCounts& counts);
+/// Elements by the highest of their orders.
+json::Object ToJson(const OrderCounts& counts);
+/// Elements by "3 x 5 x 7".
+json::Object DirectionsToJson(const OrderCounts& counts);
+} // namespace pixelexact
