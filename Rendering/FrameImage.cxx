@@ -5,6 +5,7 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkTypeInt32Array.h"
 #include "vtkTypeInt64Array.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -83,6 +84,14 @@ vtkSmartPointer<vtkImageData> ToImageData(
   }
   AddDoubles(image, "Depth", samples.depth);
   AddBytes(image, "Verdict", 1, samples.verdict);
+  if (!samples.owners.empty())
+  {
+    std::copy(samples.owners.begin(), samples.owners.end(),
+      AddArray<vtkTypeInt32Array>(image, "Owners", 1, samples.owners.size()));
+  }
+  AddBytes(image, "Coverage", 1, samples.coverage);
+  AddDoubles(image, "Value_lower", samples.valueLower);
+  AddDoubles(image, "Value_upper", samples.valueUpper);
   AddBytes(image, "Color", 4, frame.color);
   return image;
 }

@@ -44,6 +44,7 @@ std::string Names()
   }
   return names;
 }
+} // namespace
 
 void CheckColor(const char* option, const std::vector<double>& color)
 {
@@ -52,7 +53,6 @@ void CheckColor(const char* option, const std::vector<double>& color)
     throw UsageError(std::string(option) + ": red, green and blue lie between 0 and 1");
   }
 }
-} // namespace
 
 void ColorOptions::AddTo(CLI::App& command)
 {
@@ -103,13 +103,18 @@ std::array<double, 2> ColorOptions::RangeFor(const Frame& frame) const
 
 ColorMapping ColorOptions::MappingOver(const std::array<double, 2>& range) const
 {
+  return ColorMapping(MapOver(range));
+}
+
+ColorMap ColorOptions::MapOver(const std::array<double, 2>& range) const
+{
   const auto table = MakeColorMap(Map, Log ? Log10(range) : range);
   if (!NanColor.empty())
   {
     table->SetNanColor(NanColor[0], NanColor[1], NanColor[2], 1.0);
   }
   const ColorMap map = ToColorMap(table);
-  return ColorMapping(Log ? ByLogarithm(map) : map);
+  return Log ? ByLogarithm(map) : map;
 }
 
 std::vector<std::uint8_t> ColorOptions::Flatten(const Frame& frame) const

@@ -27,6 +27,8 @@ public:
   /// [0, 1], or [1, 10] with --log, where there is none.
   [[nodiscard]] std::array<double, 2> RangeFor(const Frame& frame) const;
   [[nodiscard]] ColorMapping MappingOver(const std::array<double, 2>& range) const;
+  /// The map alone.
+  [[nodiscard]] ColorMap MapOver(const std::array<double, 2>& range) const;
 
   /// The frame's colours in front of the background, RGB.
   [[nodiscard]] std::vector<std::uint8_t> Flatten(const Frame& frame) const;
@@ -38,6 +40,9 @@ private:
   std::vector<double> NanColor;
   std::vector<double> Background{ 1.0, 1.0, 1.0 };
 };
+
+/// Throws UsageError where an option's red, green or blue is not within 0 to 1.
+void CheckColor(const char* option, const std::vector<double>& color);
 
 /// The smallest and largest finite value of the exact pixels, of those above `lowest`; none: empty.
 std::optional<std::array<double, 2>> ValueRange(const Frame& frame, double lowest);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Command.h"
+#include "DebugOptions.h"
 #include "Json.h"
 #include "Picture.h"
 #include "Report.h"
@@ -20,6 +21,7 @@ namespace
 struct RenderOptions
 {
   ShotOptions shot;
+  DebugOptions debug;
   std::string output;
   std::string buffers;
   std::string contours;
@@ -38,7 +40,7 @@ json::Object ToJson(const CameraView& view)
 
 void PrintJson(const Shot& shot, const Frame& frame,
   const std::optional<std::array<double, 2>>& values, const std::array<double, 2>& colors,
-  const Stopwatch& stopwatch)
+  const DebugOptions& debug, const Stopwatch& stopwatch)
 {
   json::Object pixels;
   pixels.Add("exact", frame.counters.exact).Add("nothing", frame.counters.nothing);
@@ -56,12 +58,14 @@ void PrintJson(const Shot& shot, const Frame& frame,
   summary.Add("non_finite", frame.counters.nonFinite);
   summary.Raw("value_range", values ? json::Array(*values) : "null");
   summary.Add("color_range", colors).Add("camera", ToJson(shot.view));
+  debug.AddTo(summary);
   summary.Add("location", location).Add("seconds", ToJson(stopwatch));
   std::cout << summary.String() << '\n';
 }
 
 void PrintTable(const Shot& shot, const Frame& frame,
-  const std::optional<std::array<double, 2>>& values, const Stopwatch& stopwatch)
+  const std::optional<std::array<double, 2>>& values, const DebugOptions& debug,
+  const Stopwatch& stopwatch)
 {
   Table table;
   table.Row("elements", std::to_string(shot.input.model->GetMesh().Elements()));
@@ -76,6 +80,7 @@ void PrintTable(const Shot& shot, const Frame& frame,
       " nothing, " + std::to_string(frame.counters.unknown) + " unknown");
   table.Row("non-finite", std::to_string(frame.counters.nonFinite));
   table.Row("values", values ? Short((*values)[0]) + " to " + Short((*values)[1]) : "none");
+  debug.AddTo(table);
   AddStages(table, stopwatch);
   table.Print();
 }
@@ -115,10 +120,12 @@ void Render(const RenderOptions& options, const CommonOptions& common)
   }
   CheckSuffix("--output", options.output, ".png");
   CheckSuffix("--buffers", options.buffers, ".vti");
+  DebugOptions debug = options.debug;
+  debug.Check();
   Stopwatch stopwatch;
   const Shot shot = Prepare(options.shot, stopwatch);
 
-  Buffer wanted = Buffer::Value | Buffer::Verdict;
+  Buffer wanted = Buffer::Value | Buffer::Verdict | debug.Needs();
   if (!options.buffers.empty())
   {
     wanted =
@@ -131,7 +138,7 @@ void Render(const RenderOptions& options, const CommonOptions& common)
   }();
   // Afterwards, because the default range is that of the values found.
   const std::array<double, 2> range = options.shot.colors.RangeFor(frame);
-  options.shot.colors.MappingOver(range).Process(frame);
+  debug.Paint(frame, shot, options.shot.colors, range);
   const auto values = ValueRange(frame, -std::numeric_limits<double>::infinity());
   stopwatch.Stage("trace+colour");
 
@@ -145,11 +152,11 @@ void Render(const RenderOptions& options, const CommonOptions& common)
   WarnOf(frame);
   if (common.json)
   {
-    PrintJson(shot, frame, values, range, stopwatch);
+    PrintJson(shot, frame, values, range, debug, stopwatch);
   }
   else
   {
-    PrintTable(shot, frame, values, stopwatch);
+    PrintTable(shot, frame, values, debug, stopwatch);
   }
 }
 } // namespace
@@ -160,6 +167,7 @@ void AddRenderCommand(CLI::App& program, const CommonOptions& common, Action& ac
     program.add_subcommand("render", "Cut a field by surfaces and colour every pixel exactly");
   const auto options = std::make_shared<RenderOptions>();
   options->shot.AddTo(*command);
+  options->debug.AddTo(*command);
   command->add_option("--output", options->output, "PNG image to write")
     ->required()
     ->type_name("IMAGE.png");

@@ -18,5 +18,9 @@ void SampleBuffers::Allocate(Buffer wanted, int newWidth, int newHeight)
   element.assign(size(Buffer::Element), -1);
   depth.assign(size(Buffer::Depth), std::numeric_limits<double>::infinity());
   verdict.assign(size(Buffer::Verdict), static_cast<std::uint8_t>(PixelVerdict::Nothing));
+  owners.assign(size(Buffer::Coverage), -1);
+  coverage.assign(size(Buffer::Coverage), kNotCovered);
+  valueLower.assign(size(Buffer::Enclosure), kNan);
+  valueUpper.assign(size(Buffer::Enclosure), kNan);
 }
 } // namespace pixelexact

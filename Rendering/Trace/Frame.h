@@ -20,7 +20,9 @@ enum class Buffer : std::uint32_t
   Element = 1U << 4,
   Depth = 1U << 5,
   Verdict = 1U << 6,
-  Color = 1U << 7
+  Color = 1U << 7,
+  Coverage = 1U << 8, ///< Owners and Coverage together
+  Enclosure = 1U << 9 ///< the value's lower and upper bound
 };
 constexpr Buffer operator|(Buffer a, Buffer b)
 {
@@ -39,6 +41,9 @@ enum class PixelVerdict : std::uint8_t
   Unknown = 2
 };
 
+/// In the coverage buffer: no hit within the mesh's bounds.
+inline constexpr std::uint8_t kNotCovered = 255;
+
 /// Samples on one lattice: the pixels' centres, or their corners. Lower-left first, row by row.
 /// Only the buffers asked for are allocated; the others are empty.
 struct SampleBuffers
@@ -52,6 +57,14 @@ struct SampleBuffers
   std::vector<std::int64_t> element; ///< mesh element, -1 none
   std::vector<double> depth;         ///< distance along the unit ray; infinite: nothing
   std::vector<std::uint8_t> verdict; ///< PixelVerdict
+  /// Preimages of the hit in all elements: of the hit that is seen, where none is, of the last one
+  /// within the mesh's bounds; -1 where there is none.
+  std::vector<std::int32_t> owners;
+  std::vector<std::uint8_t> coverage; ///< Coverage of the same hit, or kNotCovered
+  /// An interval that is proven to hold the field's value at the position, the error of the inverse
+  /// map included; infinite where nothing is proven, NaN where the verdict is not Exact.
+  std::vector<double> valueLower;
+  std::vector<double> valueUpper;
 
   void Allocate(Buffer wanted, int newWidth, int newHeight);
   [[nodiscard]] std::size_t Size() const

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trace/Tile.h"
 
+#include "Core/Location/Owners.h"
 #include "Core/Location/Sample.h"
+#include "Core/Math/Interval.h"
 
 #include <algorithm>
 #include <cmath>
@@ -119,13 +121,36 @@ private:
     target.verdict = Verdicts;
     target.xi = Xi;
     target.value = Values;
-    SampleTile(
-      *TheScene.locator, Buffers.value.empty() ? nullptr : TheScene.field, Position, target);
+    Lower.resize(Buffers.valueLower.empty() ? 0 : count * components);
+    Upper.resize(Lower.size());
+    target.valueLower = Lower;
+    target.valueUpper = Upper;
+    const bool evaluate = !Buffers.value.empty() || !Buffers.valueLower.empty();
+    SampleTile(*TheScene.locator, evaluate ? TheScene.field : nullptr, Position, target);
+    if (!Buffers.coverage.empty())
+    {
+      CountOwners();
+    }
     for (std::size_t i = 0; i < count; ++i)
     {
       if (Verdicts[i] != Verdict::Outside)
       {
         Write(i, components);
+      }
+    }
+  }
+
+  void CountOwners()
+  {
+    Found.resize(Position.size());
+    FindOwnersOfTile(*TheScene.locator, Position, Found);
+    const Box3& bounds = TheScene.locator->Bounds();
+    for (std::size_t i = 0; i < Position.size(); ++i)
+    {
+      if (Verdicts[i] != Verdict::Outside || bounds.Contains(Position[i]))
+      {
+        Buffers.owners[Place[i]] = Found[i].preimages;
+        Buffers.coverage[Place[i]] = static_cast<std::uint8_t>(Found[i].coverage);
       }
     }
   }
@@ -171,6 +196,28 @@ private:
       Counters.nonFinite += std::isfinite(value) ? 0 : 1;
       Buffers.value[at] = value;
     }
+    if (exact && !Buffers.valueLower.empty())
+    {
+      const Interval value = Enclosure(i * components, components);
+      Buffers.valueLower[at] = value.lower;
+      Buffers.valueUpper[at] = value.upper;
+    }
+  }
+
+  /// Of the component that is shown, from those of all components.
+  [[nodiscard]] Interval Enclosure(std::size_t first, std::size_t components) const
+  {
+    if (TheScene.component != Scene::kMagnitude || components == 1)
+    {
+      const std::size_t at = first + static_cast<std::size_t>(std::max(TheScene.component, 0));
+      return { Lower[at], Upper[at] };
+    }
+    Interval sum(0.0);
+    for (std::size_t at = first; at < first + components; ++at)
+    {
+      sum += Square({ Lower[at], Upper[at] });
+    }
+    return Sqrt(sum);
   }
 
   [[nodiscard]] double Component(std::span<const double> values) const
@@ -199,6 +246,9 @@ private:
   std::vector<Verdict> Verdicts;
   std::vector<Vec3> Xi;
   std::vector<double> Values;
+  std::vector<double> Lower;
+  std::vector<double> Upper;
+  std::vector<Owners> Found;
 };
 } // namespace
 

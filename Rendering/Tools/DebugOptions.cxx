@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DebugOptions.h"
+
+#include "ColorOptions.h"
+#include "Command.h"
+#include "Json.h"
+#include "Options.h"
+#include "Report.h"
+#include "Shot.h"
+
+#include "Core/Location/Owners.h"
+#include "Trace/DebugColors.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pixelexact
+{
+namespace
+{
+constexpr std::size_t kCoverages = 4;
+constexpr std::size_t kValidities = 3;
+
+std::string TextOf(std::span<const ColorMeaning> legend)
+{
+  std::string text;
+  for (const ColorMeaning& entry : legend)
+  {
+    text +=
+      (text.empty() ? "" : ", ") + std::string(entry.name) + ": " + std::string(entry.meaning);
+  }
+  return text;
+}
+
+/// Of the elements that are seen; the others' do not matter.
+std::vector<Validity> VerdictsSeen(const Frame& frame, const Mesh& mesh)
+{
+  std::vector<Validity> verdicts(static_cast<std::size_t>(mesh.Elements()), Validity::Undecided);
+  std::vector<std::int64_t> seen(frame.centres.element);
+  std::ranges::sort(seen);
+  const auto twice = std::ranges::unique(seen);
+  seen.erase(twice.begin(), twice.end());
+  tbb::parallel_for(std::size_t(0), seen.size(),
+    [&](std::size_t i)
+    {
+      if (seen[i] >= 0)
+      {
+        const auto element = static_cast<int>(seen[i]);
+        verdicts[static_cast<std::size_t>(element)] = ValidityOf(mesh, element).validity;
+      }
+    });
+  return verdicts;
+}
+
+Rgba ToRgba(const std::vector<double>& color)
+{
+  const auto byte = [](double c) { return static_cast<std::uint8_t>(std::lround(255.0 * c)); };
+  return { byte(color[0]), byte(color[1]), byte(color[2]), 255 };
+}
+} // namespace
+
+void DebugOptions::AddTo(CLI::App& command)
+{
+  const char* group = "Soundness";
+  command
+    .add_flag("--owners", Owners,
+      "Paint how often the mesh covers each pixel's point (" + TextOf(CoverageColors::Legend()) +
+        "); with --buffers also Owners and Coverage")
+    ->group(group);
+  command
+    .add_option("--show", Show,
+      "What is painted: the field (default), or validity, the proven sign of the Jacobian "
+      "determinant of each pixel's element (" +
+        TextOf(ValidityColors::Legend()) + ")")
+    ->check(CLI::IsMember({ "field", "validity" }))
+    ->group(group);
+  command
+    .add_flag("--enclosures", Enclosures,
+      "Bound each pixel's value by an interval that is proven to hold it: Value_lower, Value_upper "
+      "with --buffers")
+    ->group(group);
+  command
+    .add_flag("--show-undecided", ShowUndecided,
+      "Paint pixels whose colour the enclosure of the value does not decide")
+    ->group(group);
+  AddNumbersOption(command, "--undecided-color", UndecidedColor, 3, "r,g,b",
+    "Their colour, 0 to 1 each (default: 1,0,0.5)")
+    ->group(group);
+}
+
+void DebugOptions::Check() const
+{
+  if (Owners && Show != "field")
+  {
+    throw UsageError("--owners and --show validity paint the same pixels; choose one");
+  }
+  if (ShowUndecided && (Owners || Show != "field"))
+  {
+    throw UsageError("--show-undecided needs the field's colours; leave out --owners and --show");
+  }
+  CheckColor("--undecided-color", UndecidedColor);
+}
+
+Buffer DebugOptions::Needs() const
+{
+  return (Owners ? Buffer::Coverage : Buffer::None) |
+    (Show == "validity" ? Buffer::Element : Buffer::None) |
+    (Enclosures || ShowUndecided ? Buffer::Enclosure : Buffer::None);
+}
+
+void DebugOptions::Paint(
+  Frame& frame, const Shot& shot, const ColorOptions& colors, const std::array<double, 2>& range)
+{
+  if (Owners)
+  {
+    CoverageColors().Process(frame);
+    CountCoverage(frame);
+  }
+  else if (Show == "validity")
+  {
+    PaintValidity(frame, shot);
+  }
+  else
+  {
+    colors.MappingOver(range).Process(frame);
+  }
+  if (ShowUndecided)
+  {
+    const UndecidedColors undecided(colors.MapOver(range), ToRgba(UndecidedColor));
+    ColorUndecided = std::ranges::count(undecided.Find(frame), 1);
+    undecided.Process(frame);
+  }
+  if (Enclosures || ShowUndecided)
+  {
+    CountEnclosures(frame);
+  }
+}
+
+void DebugOptions::PaintValidity(Frame& frame, const Shot& shot)
+{
+  const std::vector<Validity> verdicts = VerdictsSeen(frame, shot.input.model->GetMesh());
+  ValidityColors(verdicts).Process(frame);
+  Validities.assign(kValidities, 0);
+  for (std::size_t i = 0; i < frame.centres.element.size(); ++i)
+  {
+    if (frame.centres.verdict[i] == static_cast<std::uint8_t>(PixelVerdict::Exact))
+    {
+      const auto element = static_cast<std::size_t>(frame.centres.element[i]);
+      ++Validities[static_cast<std::size_t>(verdicts[element])];
+    }
+  }
+}
+
+void DebugOptions::CountCoverage(const Frame& frame)
+{
+  Coverages.assign(kCoverages, 0);
+  for (const std::uint8_t coverage : frame.centres.coverage)
+  {
+    if (coverage != kNotCovered)
+    {
+      ++Coverages[coverage];
+    }
+  }
+}
+
+void DebugOptions::CountEnclosures(const Frame& frame)
+{
+  const SampleBuffers& samples = frame.centres;
+  for (std::size_t i = 0; i < samples.valueLower.size(); ++i)
+  {
+    const double width = samples.valueUpper[i] - samples.valueLower[i];
+    if (std::isfinite(width))
+    {
+      Widest = std::max(Widest, width);
+    }
+    else if (samples.verdict[i] == static_cast<std::uint8_t>(PixelVerdict::Exact))
+    {
+      ++Unbounded;
+    }
+  }
+}
+
+void DebugOptions::AddTo(Table& table) const
+{
+  const auto row = [&table](const char* name, const Counts& counts, const auto& nameOf)
+  {
+    std::string text;
+    for (std::size_t i = 0; i < counts.size(); ++i)
+    {
+      text += (i == 0 ? "" : ", ") + std::to_string(counts[i]) + " " + nameOf(i);
+    }
+    if (!counts.empty())
+    {
+      table.Row(name, text);
+    }
+  };
+  row("coverage", Coverages, [](std::size_t i) { return Name(static_cast<Coverage>(i)); });
+  row("validity", Validities, [](std::size_t i) { return Name(static_cast<Validity>(i)); });
+  if (Enclosures || ShowUndecided)
+  {
+    table.Row("enclosures",
+      "widest " + Short(Widest) + ", " + std::to_string(Unbounded) + " without bounds");
+  }
+  if (ShowUndecided)
+  {
+    table.Row("colours", std::to_string(ColorUndecided) + " undecided");
+  }
+}
+
+void DebugOptions::AddTo(json::Object& summary) const
+{
+  const auto add = [&summary](const char* name, const Counts& counts, const auto& nameOf)
+  {
+    json::Object object;
+    for (std::size_t i = 0; i < counts.size(); ++i)
+    {
+      object.Add(nameOf(i), counts[i]);
+    }
+    if (!counts.empty())
+    {
+      summary.Add(name, object);
+    }
+  };
+  add("coverage", Coverages, [](std::size_t i) { return Name(static_cast<Coverage>(i)); });
+  add("validity", Validities, [](std::size_t i) { return Name(static_cast<Validity>(i)); });
+  if (Enclosures || ShowUndecided)
+  {
+    json::Object enclosures;
+    enclosures.Add("widest", Widest).Add("unbounded", Unbounded);
+    summary.Add("enclosures", enclosures);
+  }
+  if (ShowUndecided)
+  {
+    summary.Add("color_undecided", ColorUndecided);
+  }
+}
+} // namespace pixelexact
