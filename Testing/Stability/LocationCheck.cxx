@@ -4,6 +4,7 @@
 #include "Stability/Report.h"
 #include "Stability/RoundingTape.h"
 
+#include "Core/Basis/ModeBound.h"
 #include "Core/Math/Rounding.h"
 
 #include <algorithm>
@@ -183,10 +184,9 @@ std::array<double, 3> LocationCheck::Uncertainty() const
   {
     const auto d = static_cast<int>(c);
     double sum = 0.0;
-    for (int k = 0; k < MapSpace.Modes(); ++k)
-    {
-      sum += std::fabs(Component(c)[k]);
-    }
+    ForEachMode(MapSpace,
+      [&](int i, int j, int k, int mode)
+      { sum += std::fabs(Component(c)[mode]) * ModeBound(MapSpace, i, j, k); });
     const double known =
       4.0 * kUnitRoundoff * std::max(std::fabs(Box.lower[d]), std::fabs(Box.upper[d]));
     uncertainty[c] = (Elements.uncertainty[Element] + known) / Elements.size[Element] +

@@ -129,8 +129,9 @@ HWY_INLINE void BackOntoCone(Point<Lanes>& xi)
 struct NewtonState
 {
   Point<Lanes> xi;
-  Matrix inverse; ///< of the last Jacobian
-  Lanes failed;   ///< 1 where the iteration gave up, else 0
+  Matrix inverse;  ///< of the last Jacobian
+  Lanes failed;    ///< 1 where the iteration gave up, else 0
+  Lanes unsettled; ///< the last step, where steps do not get smaller, else 0
 };
 
 /// Full Newton steps until every lane is at kSmallStep or has failed. Lanes that are done keep
@@ -141,7 +142,7 @@ HWY_INLINE NewtonState Iterate(
 {
   const Lanes zero = Splat(0.0);
   const Lanes one = Splat(1.0);
-  NewtonState state{ xi, {}, zero };
+  NewtonState state{ xi, {}, zero, zero };
   LaneMask active = zero <= zero;
   Lanes last = one;
   for (int step = 0; step < kMaxNewtonSteps && !None(active); ++step)
@@ -188,12 +189,7 @@ HWY_INLINE NewtonState Iterate(
     const LaneMask sound = And(length >= zero, MaxAbs(state.xi) <= Splat(kFarOut));
     const LaneMask lost = AndNot(active, sound);
     state.failed = Select(lost, one, state.failed);
-    Lanes small = Splat(kSmallStep);
-    if (pyramid)
-    {
-      small = Max(small * StepScale(problem.space.shape, state.xi),
-        MaxAbs(ToleranceOf(inverse, problem.uncertainty)));
-    }
+    const Lanes small = Splat(kSmallStep) * StepScale(problem.space.shape, state.xi);
     active = AndNot(AndNot(active, lost), length <= small);
   }
   if (!None(active))
@@ -201,6 +197,7 @@ HWY_INLINE NewtonState Iterate(
     // Where the Jacobian nearly vanishes steps do not get smaller than rounding.
     const LaneMask rounding = last <= MaxAbs(ToleranceOf(state.inverse, problem.uncertainty));
     state.failed = Select(AndNot(active, rounding), one, state.failed);
+    state.unsettled = Select(And(active, rounding), last, zero);
   }
   return state;
 }
@@ -230,7 +227,7 @@ void InvertKernel(const InverseProblem& problem, const LanePoints& x, const Inve
     {
       start.x[d] = start.x[d] + Splat(problem.start[d]);
     }
-    NewtonState state{ start, frame, zero };
+    NewtonState state{ start, frame, zero, zero };
     if (!problem.affine)
     {
       for (int d = 0; d < 3; ++d)
@@ -260,6 +257,14 @@ void InvertKernel(const InverseProblem& problem, const LanePoints& x, const Inve
     const Point<Lanes> none{ { zero, zero, zero } };
     const Lanes margin = WidenedMargin(problem.space.shape, state.xi, none);
     const LaneMask within = WidenedMargin(problem.space.shape, state.xi, tolerance) >= zero;
+    // Outside is said where it does not matter that the iteration has not settled.
+    Point<Lanes> reach;
+    for (int d = 0; d < 3; ++d)
+    {
+      reach.x[d] = MulAdd(Splat(4.0), state.unsettled, tolerance.x[d]);
+    }
+    const LaneMask near = WidenedMargin(problem.space.shape, state.xi, reach) >= zero;
+    converged = AndNot(converged, AndNot(near, within));
     if (problem.space.shape == Shape::Pyramid)
     {
       converged = AndNot(converged, Abs(Splat(1.0) - state.xi.x[2]) <= Splat(kApexRegion));

@@ -104,7 +104,7 @@ bool InversionNode::IsAffine() const
   bool affine = framed;
   for (std::size_t d = 0; d < 3; ++d)
   {
-    affine = affine && deviation[d].Width() <= 3.0 * slack[d];
+    affine = affine && deviation[d].Width() <= 2.25 * slack[d];
   }
   return affine;
 }
