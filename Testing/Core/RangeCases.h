@@ -46,7 +46,7 @@ struct RangeCase
   {
     space = { fieldSpace };
     values = std::move(coefficients);
-    field.name = "f";
+    field.name = std::string("f");
     field.values = { space, spaceOf, offset, values, components };
     field.mapping = mapping;
   }
