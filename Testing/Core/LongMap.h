@@ -54,8 +54,12 @@ private:
 
   void FillModes(const Space& space, const LongVec3& xi)
   {
-    const auto [P, Q, R] = space.order;
-    const auto [x1, x2, x3] = xi;
+    const int P = space.order[0];
+    const int Q = space.order[1];
+    const int R = space.order[2];
+    const long double x1 = xi[0];
+    const long double x2 = xi[1];
+    const long double x3 = xi[2];
     const long double h3 = (1 - x3) / 2;
     const long double y1 = 1 + x1 - h3;
     const long double y2 = 1 + x2 - h3;

@@ -248,6 +248,40 @@ TEST(RootFinder, GridsOfRootsBehindAMixingMatrix)
   }
 }
 
+/// Equations that differ by a millionth of their size: what a stretched element's map is.
+TEST(RootFinder, NearlyDependentEquations)
+{
+  Random random(9);
+  for (int degree = 1; degree <= 4; ++degree)
+  {
+    std::vector<std::vector<Quad>> roots(2);
+    std::vector<QuadPolynomial> p;
+    for (int k = 0; k < 2; ++k)
+    {
+      for (int i = 0; i < degree; ++i)
+      {
+        roots[static_cast<std::size_t>(k)].emplace_back((i + random(0.2, 0.8)) / degree);
+      }
+      p.push_back(Product(k, roots[static_cast<std::size_t>(k)]) *
+        QuadPolynomial::Constant(std::pow(2.5, degree)));
+    }
+    const std::vector<QuadPolynomial> mixed{ p[0] + p[1],
+      p[0] + QuadPolynomial::Constant(Quad(1.0 + 0x1p-20)) * p[1] };
+    std::vector<QuadPoint> inside;
+    for (const Quad a : roots[0])
+    {
+      for (const Quad b : roots[1])
+      {
+        inside.push_back({ a, b, Quad(0) });
+      }
+    }
+    const auto result = FindRoots(QuadSystem(mixed).Rounded(), { .budget = 20000 });
+    const Tally tally = ExpectSound(result, 2, inside);
+    EXPECT_EQ(tally.undecided, 0) << "degree " << degree;
+    EXPECT_TRUE(result.IsComplete()) << "degree " << degree;
+  }
+}
+
 /// Random coefficients; roots are searched for by Newton's iteration from a grid of starts.
 TEST(RootFinder, RandomSystemsAgainstBruteForce)
 {

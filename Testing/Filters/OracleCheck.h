@@ -78,7 +78,7 @@ inline void MeasureValues(
   vtkNew<vtkHighOrderProbe> probe;
   probe->SetInputData(where);
   probe->SetSourceData(grid);
-  probe->AddField(field.c_str());
+  probe->AddField(field);
   probe->ComputeGradientsOn();
   probe->Update();
   vtkPointData* found = vtkDataSet::SafeDownCast(probe->GetOutputDataObject(0))->GetPointData();

@@ -4,11 +4,14 @@
 #include "Stability/LocationCheck.h"
 
 #include "Core/Basis/ModeBound.h"
+#include "Core/Element/Kernels.h"
+#include "Core/Location/ElementBounds.h"
 #include "Core/Location/Sample.h"
 #include "Core/Math/Rounding.h"
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <chrono>
 
 namespace pixelexact::testing
@@ -60,6 +63,7 @@ public:
   void Inside(int count, std::vector<ScatterPoint>* scatter)
   {
     const auto points = MakePoints(Subject.inside, count, 72);
+    CountSteps(points.x);
     const auto found = Locate(points.x);
     std::vector<PointErrors> measured(points.x.size());
     tbb::parallel_for(std::size_t{ 0 }, points.x.size(),
@@ -96,6 +100,7 @@ public:
   Row Finish()
   {
     result.careful = Finder.Counters().careful;
+    result.boxes = Finder.Counters().mostBoxes;
     return result;
   }
 
@@ -141,6 +146,25 @@ private:
       found.push_back({ verdict[i], element[i], xi[i], residual[i], value[i] });
     }
     return found;
+  }
+
+  /// Of the fast path, from the element's frame; where it does not converge, all that it may.
+  void CountSteps(const std::vector<Vec3>& x)
+  {
+    const ElementBounds bounds = MakeElementBounds(Elements, Subject.element);
+    const InverseProblem problem = MakeInverseProblem(Elements, Subject.element, bounds);
+    for (const Vec3& point : x)
+    {
+      double lanes[10][kLanePadding];
+      for (int d = 0; d < 3; ++d)
+      {
+        std::fill_n(lanes[d], kLanePadding, point[d]);
+      }
+      KernelsFor(problem.space)
+        .invert(problem, { { lanes[0], lanes[1], lanes[2] }, 1 },
+          { { lanes[3], lanes[4], lanes[5] }, lanes[6], lanes[7], lanes[8], lanes[9] });
+      result.steps = std::max(result.steps, static_cast<int>(lanes[9][0]));
+    }
   }
 
   void Add(const FoundPoint& found, const PointErrors& measured)

@@ -37,6 +37,8 @@ void Merge(Row& worst, const Row& other)
   Merge(worst.inside, other.inside);
   Merge(worst.outside, other.outside);
   worst.careful += other.careful;
+  worst.steps = std::max(worst.steps, other.steps);
+  worst.boxes = std::max(worst.boxes, other.boxes);
   Raise(worst.xiError, other.xiError);
   Raise(worst.xiOverBound, other.xiOverBound);
   Raise(worst.backwardOverBound, other.backwardOverBound);
@@ -73,19 +75,19 @@ double InUlps(double error, double value)
 void WriteRows(const std::vector<Row>& rows, std::ostream& out)
 {
   out << "sweep,shape,order,parameter,at,condition,inside_right,inside_wrong,inside_unknown,"
-         "outside_right,outside_wrong,outside_unknown,careful,xi_error,xi_over_bound,"
+         "outside_right,outside_wrong,outside_unknown,careful,steps,boxes,xi_error,xi_over_bound,"
          "backward_over_bound,value_ulps,value_magnitude_ulps,value_over_bound,gradient_ulps,"
          "gradient_magnitude_ulps,gradient_over_bound,seconds\n";
   for (const Row& row : rows)
   {
-    out << '"' << row.sweep << "\"," << row.shape << ',' << row.order << ",\"" << row.parameter
+    out << '"' << row.sweep << "\",\"" << row.shape << "\"," << row.order << ",\"" << row.parameter
         << "\"," << row.at << ',' << row.condition;
     for (const Verdicts& verdicts : { row.inside, row.outside })
     {
       out << ',' << verdicts.right << ',' << verdicts.wrong << ',' << verdicts.unknown;
     }
-    out << ',' << row.careful << ',' << row.xiError << ',' << row.xiOverBound << ','
-        << row.backwardOverBound;
+    out << ',' << row.careful << ',' << row.steps << ',' << row.boxes << ',' << row.xiError << ','
+        << row.xiOverBound << ',' << row.backwardOverBound;
     for (const Errors& errors : { row.value, row.gradient })
     {
       out << ',' << errors.inUlps << ',' << errors.inMagnitudeUlps << ',' << errors.overBound;
@@ -99,8 +101,8 @@ void WriteScatter(const std::vector<ScatterPoint>& points, std::ostream& out)
   out << "sweep,shape,at,condition,error,bound\n";
   for (const auto& point : points)
   {
-    out << '"' << point.sweep << "\"," << point.shape << ',' << point.at << ',' << point.condition
-        << ',' << point.error << ',' << point.bound << '\n';
+    out << '"' << point.sweep << "\",\"" << point.shape << "\"," << point.at << ','
+        << point.condition << ',' << point.error << ',' << point.bound << '\n';
   }
 }
 
@@ -122,9 +124,10 @@ void WriteSummary(const std::vector<Row>& rows, std::ostream& out)
     }
   }
   out << "| sweep | shape | condition to | points in | wrong | unknown | points out | wrong |"
-         " unknown | careful | xi, 2^-53 | of bound | value, ulp | ulp of sum | of bound |"
+         " unknown | careful | steps | boxes | xi, 2^-53 | of bound | value, ulp | ulp of sum | of "
+         "bound |"
          " gradient, ulp of sum | of bound |\n"
-         "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+         "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
   for (const Row& row : worst)
   {
     out << "| " << row.sweep << " | " << row.shape << " | " << Short(row.condition);
@@ -133,10 +136,10 @@ void WriteSummary(const std::vector<Row>& rows, std::ostream& out)
       out << " | " << verdicts.right + verdicts.wrong + verdicts.unknown << " | " << verdicts.wrong
           << " | " << verdicts.unknown;
     }
-    out << " | " << row.careful << " | " << Short(row.xiError) << " | " << Short(row.xiOverBound)
-        << " | " << Short(row.value.inUlps) << " | " << Short(row.value.inMagnitudeUlps) << " | "
-        << Short(row.value.overBound) << " | " << Short(row.gradient.inMagnitudeUlps) << " | "
-        << Short(row.gradient.overBound) << " |\n";
+    out << " | " << row.careful << " | " << row.steps << " | " << row.boxes << " | "
+        << Short(row.xiError) << " | " << Short(row.xiOverBound) << " | " << Short(row.value.inUlps)
+        << " | " << Short(row.value.inMagnitudeUlps) << " | " << Short(row.value.overBound) << " | "
+        << Short(row.gradient.inMagnitudeUlps) << " | " << Short(row.gradient.overBound) << " |\n";
   }
 }
 } // namespace pixelexact::testing

@@ -38,6 +38,8 @@ struct Row
   Verdicts inside;
   Verdicts outside;
   std::int64_t careful = 0; ///< pairs of point and element left to the careful path
+  int steps = 0;            ///< the most that Newton's iteration took
+  int boxes = 0;            ///< the most that the careful path looked at for one of them
   double xiError = 0.0;     ///< in units of 2^-53
   double xiOverBound = 0.0;
   double backwardOverBound = 0.0; ///< of Phi(xi) - x

@@ -20,6 +20,8 @@ from matplotlib import pyplot  # noqa: E402: the backend comes first
 SHAPES = ["hexahedron", "prism", "tetrahedron", "pyramid", "pyramid, Tensor"]
 COLORS = dict(zip(SHAPES, ["#0072b2", "#e69f00", "#009e73", "#cc79a7", "#d55e00"]))
 NOT_MEASURABLE = 1e-3
+# Sums that cancel altogether have no condition.
+LARGEST_CONDITION = 1e30
 
 
 def read(path):
@@ -37,6 +39,7 @@ def number(text):
 def scatter(points, title, unit, path):
     """Errors against condition, with the largest bound of any point at about that condition."""
     figure, axes = pyplot.subplots(figsize=(7, 4.5))
+    points = [p for p in points if p["condition"] < LARGEST_CONDITION]
     for shape in SHAPES:
         some = [p for p in points if p["shape"] == shape]
         axes.plot([p["condition"] for p in some],

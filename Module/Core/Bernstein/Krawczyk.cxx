@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Bernstein/Krawczyk.h"
 
+#include "Core/Math/Rounding.h"
+
 #include <cmath>
 #include <utility>
+#include <vector>
 
 namespace pixelexact
 {
@@ -72,21 +75,32 @@ Parameters NewtonPoint(const LocalSystem& system, double reach)
 
 using IntervalMatrix = std::array<ParameterIntervals, 3>;
 
-/// C f'(U), C a matrix of numbers.
+/// (C f)'(U), C a matrix of numbers: of the products' coefficients, for C times the hulls of f'
+/// would say nothing of a system whose equations are nearly dependent.
 IntervalMatrix Precondition(const LocalSystem& system, const SmallMatrix& inverse, double reach)
 {
   const auto n = static_cast<std::size_t>(system.variables);
   IntervalMatrix result{};
-  for (std::size_t k = 0; k < n; ++k)
+  std::vector<double> product;
+  for (std::size_t i = 0; i < n; ++i)
   {
+    double error = 0.0;
+    product.assign(system.Polynomial(0).size(), 0.0);
+    for (std::size_t k = 0; k < n; ++k)
+    {
+      const auto f = system.Polynomial(static_cast<int>(k));
+      const double factor = inverse[i][k];
+      for (std::size_t at = 0; at < product.size(); ++at)
+      {
+        product[at] += factor * f[at];
+      }
+      // A product and up to three sums.
+      error += std::fabs(factor) * (system.error[k] + Gamma(4) * LargestMagnitude(f));
+    }
+    error = error * (1.0 + Gamma(16)) + 0x1p-1000;
     for (std::size_t j = 0; j < n; ++j)
     {
-      const Interval slope = EncloseDerivative(system.degree, static_cast<int>(j),
-        system.Polynomial(static_cast<int>(k)), system.error[k], reach);
-      for (std::size_t i = 0; i < n; ++i)
-      {
-        result[i][j] += Interval(inverse[i][k]) * slope;
-      }
+      result[i][j] = EncloseDerivative(system.degree, static_cast<int>(j), product, error, reach);
     }
   }
   return result;

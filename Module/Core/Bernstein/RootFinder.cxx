@@ -15,6 +15,8 @@ namespace
 constexpr double kFarther = 32.0;
 /// Only boxes narrower than this are asked whether splitting is worthwhile.
 constexpr double kNarrow = 0x1p-6;
+/// A side is narrow, compared with the longest.
+constexpr double kUneven = 1.0 / 16.0;
 
 class Search
 {
@@ -146,6 +148,7 @@ private:
       return isListed ? Outcome::Empty : Outcome::Split;
     }
     Sections sections{};
+    const double longest = std::ranges::max(Boxes.Width());
     for (std::size_t d = 0; d < N; ++d)
     {
       const Interval part = Intersect(found->image[d], { 0.0, 1.0 });
@@ -153,7 +156,10 @@ private:
       {
         return Outcome::Empty;
       }
-      sections[d] = { part.lower, part.upper };
+      // The narrow sides of a long box wait for the others: near to what the errors make of a root,
+      // nothing could be proven any more.
+      const bool isNarrow = Boxes.Width()[d] < kUneven * longest;
+      sections[d] = isNarrow ? Section{ 0.0, 1.0 } : Section{ part.lower, part.upper };
     }
     return Boxes.Shrink(sections) ? Outcome::Smaller : Outcome::Split;
   }

@@ -32,7 +32,7 @@ SmallMatrix MeanJacobian(const LocalSystem& system)
     for (int d = 0; d < system.variables; ++d)
     {
       const std::size_t stride = StrideOf(system.degree, d);
-      const auto count = static_cast<std::size_t>(system.degree[static_cast<std::size_t>(d)] + 1);
+      const auto count = static_cast<std::size_t>(system.degree[static_cast<std::size_t>(d)]) + 1;
       double sum = 0.0;
       for (std::size_t at = 0; at < size; ++at)
       {

@@ -129,8 +129,9 @@ HWY_INLINE void BackOntoCone(Point<Lanes>& xi)
 struct NewtonState
 {
   Point<Lanes> xi;
-  Matrix inverse;  ///< of the last Jacobian
-  Lanes failed;    ///< 1 where the iteration gave up, else 0
+  Matrix inverse; ///< of the last Jacobian
+  Lanes failed;   ///< 1 where the iteration gave up, else 0
+  Lanes steps;
   Lanes unsettled; ///< the last step, where steps do not get smaller, else 0
 };
 
@@ -142,7 +143,7 @@ HWY_INLINE NewtonState Iterate(
 {
   const Lanes zero = Splat(0.0);
   const Lanes one = Splat(1.0);
-  NewtonState state{ xi, {}, zero, zero };
+  NewtonState state{ xi, {}, zero, zero, zero };
   LaneMask active = zero <= zero;
   Lanes last = one;
   for (int step = 0; step < kMaxNewtonSteps && !None(active); ++step)
@@ -164,6 +165,7 @@ HWY_INLINE NewtonState Iterate(
     const Point<Lanes> delta = Apply(inverse, residual);
     const Lanes length = MaxAbs(delta);
     last = Select(active, length, last);
+    state.steps = Select(active, state.steps + one, state.steps);
     // Steps longer than the shape are shortened: far from the root they say no more than a
     // direction.
     const Lanes scale = Select(length <= one, one, one / length);
@@ -227,7 +229,7 @@ void InvertKernel(const InverseProblem& problem, const LanePoints& x, const Inve
     {
       start.x[d] = start.x[d] + Splat(problem.start[d]);
     }
-    NewtonState state{ start, frame, zero, zero };
+    NewtonState state{ start, frame, zero, zero, zero };
     if (!problem.affine)
     {
       for (int d = 0; d < 3; ++d)
@@ -277,6 +279,10 @@ void InvertKernel(const InverseProblem& problem, const LanePoints& x, const Inve
     Store(Select(inside, Splat(1.0), Select(converged, zero, Splat(2.0))), out.status + i);
     Store(margin, out.margin + i);
     Store(length, out.residual + i);
+    if (out.steps)
+    {
+      Store(state.steps, out.steps + i);
+    }
   }
 }
 

@@ -54,9 +54,10 @@ inline constexpr double kApexRegion = 1e-7;
 struct InverseResult
 {
   double* xi[3];
-  double* status;   ///< NewtonStatus as a number
-  double* margin;   ///< Margin(shape, xi)
-  double* residual; ///< the last Newton correction, max norm in xi
+  double* status;          ///< NewtonStatus as a number
+  double* margin;          ///< Margin(shape, xi)
+  double* residual;        ///< the last Newton correction, max norm in xi
+  double* steps = nullptr; ///< of the iteration, where wanted
 };
 
 struct KernelSet

@@ -9,20 +9,20 @@
 namespace pixelexact
 {
 std::optional<InverseRoot> FindInverseRoot(
-  const InverseProblem& at, const Vec3& x, const Vec3& start)
+  const InverseProblem& problem, const Vec3& x, const Vec3& start)
 {
-  InverseProblem problem = at;
+  InverseProblem asked = problem;
   // A frame of zero slope lets the kernel's iteration begin where we want it.
-  std::fill_n(problem.inverse, 9, 0.0);
-  problem.affine = false;
+  std::fill_n(asked.inverse, 9, 0.0);
+  asked.affine = false;
   double lanes[9][kLanePadding];
   for (int d = 0; d < 3; ++d)
   {
-    problem.start[d] = start[d];
+    asked.start[d] = start[d];
     std::fill_n(lanes[d], kLanePadding, x[d]);
   }
   const InverseResult result{ { lanes[3], lanes[4], lanes[5] }, lanes[6], lanes[7], lanes[8] };
-  KernelsFor(problem.space).invert(problem, { { lanes[0], lanes[1], lanes[2] }, 1 }, result);
+  KernelsFor(problem.space).invert(asked, { { lanes[0], lanes[1], lanes[2] }, 1 }, result);
   if (lanes[6][0] == static_cast<double>(NewtonStatus::NotConverged))
   {
     return std::nullopt;

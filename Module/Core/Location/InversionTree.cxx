@@ -75,6 +75,7 @@ public:
       }
     }
     result.complete = !Undecided;
+    result.boxes = kBudget - std::max(Budget, 0);
     result.verdict = !result.roots.empty() ? Verdict::Inside
       : Undecided                          ? Verdict::Unknown
                                            : Verdict::Outside;

@@ -23,6 +23,7 @@ struct Preimages
   /// In the shape. All of them, where all were asked for and `complete` is set.
   std::vector<InverseRoot> roots;
   bool complete = false;
+  int boxes = 0; ///< looked at
 };
 
 /// The certified inverse of an element's map: a tree of boxes in eta, each with a frame of

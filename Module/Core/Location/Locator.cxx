@@ -78,6 +78,10 @@ public:
     counters.candidates += Candidates;
     counters.careful += Careful;
     counters.unknown += Unknown;
+    int most = counters.mostBoxes;
+    while (most < MostBoxes && !counters.mostBoxes.compare_exchange_weak(most, MostBoxes))
+    {
+    }
   }
 
 private:
@@ -256,6 +260,7 @@ private:
     ++Careful;
     const Preimages result =
       careful.Find(Points[doubt.index], doubt.root, InversionTree::Wanted::First);
+    MostBoxes = std::max(MostBoxes, result.boxes);
     if (result.verdict == Verdict::Inside)
     {
       const InverseRoot& root = result.roots.front();
@@ -287,6 +292,7 @@ private:
   std::int64_t Queries = 0;
   std::int64_t Candidates = 0;
   std::int64_t Careful = 0;
+  int MostBoxes = 0;
   std::int64_t Unknown = 0;
 };
 

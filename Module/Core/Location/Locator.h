@@ -57,6 +57,7 @@ struct LocationCounters
   std::atomic<std::int64_t> candidates{ 0 }; ///< (point, element) pairs past box and frame
   std::atomic<std::int64_t> careful{ 0 };    ///< pairs that Newton left to the careful path
   std::atomic<std::int64_t> unknown{ 0 };    ///< points left undecided
+  std::atomic<int> mostBoxes{ 0 };           ///< that the careful path looked at for one pair
 };
 
 /// Finds the elements that hold points (paper, section 5.1.2, with a point query in the place of
