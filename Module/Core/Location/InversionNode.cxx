@@ -12,27 +12,22 @@ namespace pixelexact
 namespace
 {
 /// s_d: the extent of the shape that eta_d is relative to.
-template <class Number>
-Number Extent(Shape shape, int direction, const std::array<Number, 3>& xi)
+double Extent(Shape shape, int direction, const Vec3& xi)
 {
-  const Number one(1.0);
-  const Number half(0.5);
   if (shape == Shape::Tetrahedron && direction == 0)
   {
-    return half * (-xi[1] - xi[2]);
+    return 0.5 * (-xi.y - xi.z);
   }
   const bool collapses = direction == 0
     ? shape != Shape::Hexahedron
     : direction == 1 && (shape == Shape::Tetrahedron || shape == Shape::Pyramid);
-  return collapses ? half * (one - xi[2]) : one;
+  return collapses ? 0.5 * (1.0 - xi.z) : 1.0;
 }
 
 /// 1 + xi_d - (1 + b) s_d: positive beyond the end eta_d = b.
-template <class Number>
-Number Beyond(Shape shape, int direction, double end, const std::array<Number, 3>& xi)
+double Beyond(double end, double xi, double extent)
 {
-  return Number(1.0) + xi[static_cast<std::size_t>(direction)] -
-    (Number(1.0) + Number(end)) * Extent(shape, direction, xi);
+  return 1.0 + xi - (1.0 + end) * extent;
 }
 
 /// Whether eta_d = 1 is a collapsed edge or vertex.
@@ -57,21 +52,25 @@ bool InversionNode::MightHold(Shape shape, const std::array<double, 3>& y) const
   {
     return true;
   }
-  // The rounding of these products is within the deviation.
-  std::array<Interval, 3> xi;
-  for (std::size_t d = 0; d < 3; ++d)
-  {
-    double start = centre[static_cast<int>(d)];
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      start += inverse[3 * d + c] * (y[c] - origin[c]);
-    }
-    xi[d] = Interval(start) - deviation[d];
-  }
+  const Vec3 root = Root(y); // its rounding is within the deviation
+  Vec3 least;
+  Vec3 most;
+  double size = 0.0;
   for (int d = 0; d < 3; ++d)
   {
-    if (Beyond(shape, d, box.upper[d], xi).lower > 0.0 ||
-      Beyond(shape, d, box.lower[d], xi).upper < 0.0)
+    const Interval& around = deviation[static_cast<std::size_t>(d)];
+    least[d] = root[d] - around.upper;
+    most[d] = root[d] - around.lower;
+    size = std::max({ size, std::fabs(least[d]), std::fabs(most[d]) });
+  }
+  // Of two differences before, an extent of two terms, twice it, and two sums. What is not finite
+  // is not beyond.
+  const double rounding = kUnitRoundoff * (8.0 + 16.0 * size);
+  for (int d = 0; d < 3; ++d)
+  {
+    // Extents fall as the other coordinates grow.
+    if (Beyond(box.upper[d], least[d], Extent(shape, d, least)) > rounding ||
+      Beyond(box.lower[d], most[d], Extent(shape, d, most)) < -rounding)
     {
       return false;
     }
@@ -109,7 +108,7 @@ bool InversionNode::IsAffine() const
   return affine;
 }
 
-bool InversionNode::IsNearlyAffine() const
+bool InversionNode::IsNearlyAffine(double part) const
 {
   double largest = 0.0;
   for (std::size_t d = 0; d < 3; ++d)
@@ -117,8 +116,8 @@ bool InversionNode::IsNearlyAffine() const
     largest = std::max(largest, deviation[d].Magnitude());
   }
   return framed &&
-    largest <=
-    std::max({ box.upper.x - box.lower.x, box.upper.y - box.lower.y, box.upper.z - box.lower.z });
+    largest <= part *
+      std::max({ box.upper.x - box.lower.x, box.upper.y - box.lower.y, box.upper.z - box.lower.z });
 }
 
 double ReachOf(const std::array<int, 3>& degree)
@@ -195,14 +194,15 @@ bool IsRegular(const std::array<int, 3>& degree, const BoxCoefficients& slopes)
 
 bool Reaches(Shape shape, const EtaBox& box, double reach, const Vec3& xi, double tolerance)
 {
-  const std::array<double, 3> at{ xi.x, xi.y, xi.z };
   for (int d = 0; d < 3; ++d)
   {
     const double margin = reach * (box.upper[d] - box.lower[d]);
     const double lower = box.lower[d] - margin;
     const double upper =
       CollapsesAt(shape, d) ? std::min(1.0, box.upper[d] + margin) : box.upper[d] + margin;
-    if (!(Beyond(shape, d, upper, at) <= tolerance) || !(Beyond(shape, d, lower, at) >= -tolerance))
+    const double extent = Extent(shape, d, xi);
+    if (!(Beyond(upper, xi[d], extent) <= tolerance) ||
+      !(Beyond(lower, xi[d], extent) >= -tolerance))
     {
       return false;
     }

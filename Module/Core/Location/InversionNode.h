@@ -50,8 +50,9 @@ struct InversionNode
   /// Whether the deviation is hardly more than uncertainty and rounding: xi_0 is the root, if there
   /// is one, up to the faces' tolerance, and no smaller box tells more.
   [[nodiscard]] bool IsAffine() const;
-  /// Whether the deviation is small against the box, so that the map may be regular on it.
-  [[nodiscard]] bool IsNearlyAffine() const;
+  /// Whether the deviation is at most this part of the box: the smaller it is, the likelier is the
+  /// map regular on the box, and xi_0 near to the root.
+  [[nodiscard]] bool IsNearlyAffine(double part) const;
 };
 
 /// Fills in all but the box. `phi`: three functions over the box; `bounds`: of the element.

@@ -61,6 +61,8 @@ public:
     if (std::isfinite(known.x + known.y + known.z))
     {
       Roots.push_back({ known, 0.0, false, false });
+      // It is hardly ever that there is another root.
+      NearlyAffine = 0.125;
     }
     for (const auto& piece : Tree.Pieces)
     {
@@ -106,7 +108,7 @@ private:
       Add(AtApex(node.known));
       return;
     }
-    if (searched ? node.known.IsAffine() : node.known.IsNearlyAffine())
+    if (searched ? node.known.IsAffine() : node.known.IsNearlyAffine(NearlyAffine))
     {
       if (IsSettled(node))
       {
@@ -219,6 +221,7 @@ private:
   std::vector<InverseRoot> Roots; ///< inside or not
   int Budget = kBudget;
   bool Undecided = false;
+  double NearlyAffine = 1.0; ///< boxes from which Newton's iteration is begun
 };
 
 InversionTree::InversionTree(const Mesh& mesh, int element, const ElementBounds& bounds)
