@@ -84,6 +84,27 @@ namespace pixelexact::testing
 using HWY_NAMESPACE::Quad;
 using QuadVec3 = std::array<Quad, 3>;
 
+/// As TensorToReference.
+inline QuadVec3 ToXi(Shape shape, const QuadVec3& eta)
+{
+  const Quad one(1);
+  const Quad half(0.5);
+  const auto collapse = [&](const Quad& a, const Quad& b)
+  { return (one + a) * (one - b) * half - one; };
+  switch (shape)
+  {
+    case Shape::Hexahedron:
+      return eta;
+    case Shape::Prism:
+      return { collapse(eta[0], eta[2]), eta[1], eta[2] };
+    case Shape::Tetrahedron:
+      return { (one + eta[0]) * (one - eta[1]) * (one - eta[2]) * half * half - one,
+        collapse(eta[1], eta[2]), eta[2] };
+    default:
+      return { collapse(eta[0], eta[2]), collapse(eta[1], eta[2]), eta[2] };
+  }
+}
+
 struct QuadValue
 {
   Quad value;

@@ -60,31 +60,10 @@ struct RangeCase
   Field field;
 };
 
-inline QuadVec3 QuadXi(Shape shape, const Vec3& at)
-{
-  const Quad one(1);
-  const Quad half(0.5);
-  const std::array<Quad, 3> eta{ Quad(at.x), Quad(at.y), Quad(at.z) };
-  const auto collapse = [&](const Quad& a, const Quad& b)
-  { return (one + a) * (one - b) * half - one; };
-  switch (shape)
-  {
-    case Shape::Hexahedron:
-      return eta;
-    case Shape::Prism:
-      return { collapse(eta[0], eta[2]), eta[1], eta[2] };
-    case Shape::Tetrahedron:
-      return { (one + eta[0]) * (one - eta[1]) * (one - eta[2]) * half * half - one,
-        collapse(eta[1], eta[2]), eta[2] };
-    default:
-      return { collapse(eta[0], eta[2]), collapse(eta[1], eta[2]), eta[2] };
-  }
-}
-
 /// A quantity at eta; of norms the square. Not at a pyramid's apex.
 inline Quad QuantityQuad(const RangeCase& one, const RangeQuestion& question, const Vec3& eta)
 {
-  const QuadVec3 xi = QuadXi(one.mesh.ShapeOf(0), eta);
+  const QuadVec3 xi = ToXi(one.mesh.ShapeOf(0), { Quad(eta.x), Quad(eta.y), Quad(eta.z) });
   const auto square = [](const std::vector<Quad>& v)
   {
     Quad sum;
