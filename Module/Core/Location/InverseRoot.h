@@ -18,7 +18,8 @@ struct InverseRoot
   bool onFace = false; ///< within the faces' tolerance of a face
 };
 
-/// The faces' tolerance at xi: |J^-1| times the uncertainty of Phi and y, in each xi.
+/// The faces' tolerance at xi: |J^-1| times the uncertainty of Phi and y, in each xi; zero where J
+/// is singular.
 Vec3 FaceTolerance(const InverseProblem& problem, const Vec3& xi);
 /// Whether xi lies within that tolerance of a face.
 bool IsOnFace(const InverseProblem& problem, const Vec3& xi);

@@ -61,6 +61,7 @@ public:
     if (std::isfinite(known.x + known.y + known.z))
     {
       Roots.push_back({ known, 0.0, false, false });
+      Errors.push_back(FaceTolerance(Tree.Problem, known));
       // It is hardly ever that there is another root.
       NearlyAffine = 0.125;
     }
@@ -187,8 +188,18 @@ private:
   [[nodiscard]] bool HoldsRoot(const EtaBox& box) const
   {
     const Shape shape = Tree.Problem.space.shape;
-    return std::ranges::any_of(Roots,
-      [&](const InverseRoot& root) { return Reaches(shape, box, Reach, root.xi, kSameRoot); });
+    for (std::size_t i = 0; i < Roots.size(); ++i)
+    {
+      // Where the root really is, it must be in the reach; nobody knows where that is if its
+      // Jacobian is singular.
+      const double error = std::max({ Errors[i].x, Errors[i].y, Errors[i].z });
+      if (error > 0.0 &&
+        Reaches(shape, box, Reach, Roots[i].xi, kSameRoot - std::max(error - kSameRoot, 0.0)))
+      {
+        return true;
+      }
+    }
+    return false;
   }
 
   /// Whether the box can hold no root but a known one.
@@ -200,16 +211,18 @@ private:
   /// Two runs of the iteration to one root differ by rounding.
   void Add(const InverseRoot& root)
   {
+    const Vec3 error = FaceTolerance(Tree.Problem, root.xi);
     const auto isSame = [&](const InverseRoot& known)
     {
       const Vec3 apart = glm::abs(known.xi - root.xi);
-      const Vec3 tolerance = 4.0 * FaceTolerance(Tree.Problem, root.xi) + Vec3(kSameRoot);
+      const Vec3 tolerance = 4.0 * error + Vec3(kSameRoot);
       return apart.x <= tolerance.x && apart.y <= tolerance.y && apart.z <= tolerance.z &&
         known.inside == root.inside;
     };
     if (std::ranges::none_of(Roots, isSame))
     {
       Roots.push_back(root);
+      Errors.push_back(error);
     }
   }
 
@@ -219,6 +232,7 @@ private:
   double Reach;
   bool All;
   std::vector<InverseRoot> Roots; ///< inside or not
+  std::vector<Vec3> Errors;       ///< how far rounding may have moved each
   int Budget = kBudget;
   bool Undecided = false;
   double NearlyAffine = 1.0; ///< boxes from which Newton's iteration is begun
