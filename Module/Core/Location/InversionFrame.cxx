@@ -71,7 +71,7 @@ public:
     std::size_t stride = Size;
     for (std::size_t direction = 0; direction < 3; ++direction)
     {
-      const auto count = static_cast<std::size_t>(Degree[direction] + 1);
+      const auto count = static_cast<std::size_t>(Degree[direction]) + 1;
       stride /= count;
       double largest = 0.0;
       for (std::size_t at = 0; at < Size; ++at)
