@@ -40,8 +40,7 @@ std::vector<Validity> VerdictsSeen(const Frame& frame, const Mesh& mesh)
   std::vector<Validity> verdicts(static_cast<std::size_t>(mesh.Elements()), Validity::Undecided);
   std::vector<std::int64_t> seen(frame.centres.element);
   std::ranges::sort(seen);
-  const auto twice = std::ranges::unique(seen);
-  seen.erase(twice.begin(), twice.end());
+  seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
   tbb::parallel_for(std::size_t(0), seen.size(),
     [&](std::size_t i)
     {
