@@ -71,6 +71,7 @@ std::vector<vtkIdType> CellsOf(vtkUnstructuredGrid* grid, const HighOrderModel& 
   // A plain grid's conversion may have left out cells.
   const bool same = HasHighOrderArrays(grid);
   std::vector<vtkIdType> cells;
+  cells.reserve(static_cast<std::size_t>(model.GetMesh().Elements()));
   for (int e = 0; e < model.GetMesh().Elements(); ++e)
   {
     cells.push_back(same ? e : model.SourceCells()[static_cast<std::size_t>(e)]);

@@ -14,6 +14,12 @@ namespace pixelexact
 {
 namespace
 {
+std::size_t IndexOf(Part part)
+{
+  const int index = static_cast<int>(part) - static_cast<int>(Part::Value);
+  return static_cast<std::size_t>(index);
+}
+
 constexpr auto kPlain = Factor::Plain;
 constexpr auto kSlope = Factor::Slope;
 constexpr auto kTilted = Factor::Tilted;
@@ -93,7 +99,7 @@ PieceForm::PieceForm(const Space& space, int level)
   {
     for (const Product& product : ProductsOf(space, part))
     {
-      Terms[static_cast<std::size_t>(static_cast<int>(part) + 1)].push_back({ product });
+      Terms[IndexOf(part)].push_back({ product });
       MakeTables(product);
     }
   }
@@ -172,8 +178,8 @@ std::array<int, 3> PieceForm::FamilyOf(int p, int q) const
 const FactorRow& PieceForm::RowOf(int direction, Factor factor, int piece, int family, int n) const
 {
   const auto d = static_cast<std::size_t>(direction);
-  return Tables[d][static_cast<std::size_t>(factor)]
-               [static_cast<std::size_t>((piece * Families[d] + family) * (TheDegree[d] + 1) + n)];
+  const int at = (piece * Families[d] + family) * (TheDegree[d] + 1) + n;
+  return Tables[d][static_cast<std::size_t>(factor)][static_cast<std::size_t>(at)];
 }
 
 void PieceForm::AddTerm(
@@ -224,7 +230,7 @@ void PieceForm::Convert(
   Part part, const Piece& piece, const double* modes, std::span<double> out) const
 {
   std::ranges::fill(out, 0.0);
-  for (const Term& term : Terms[static_cast<std::size_t>(static_cast<int>(part) + 1)])
+  for (const Term& term : Terms[IndexOf(part)])
   {
     AddTerm(term, piece, modes, out);
   }
@@ -233,7 +239,7 @@ void PieceForm::Convert(
 double PieceForm::ErrorBound(Part part, const Piece& piece, const double* modes) const
 {
   double sum = 0.0;
-  for (const Term& term : Terms[static_cast<std::size_t>(static_cast<int>(part) + 1)])
+  for (const Term& term : Terms[IndexOf(part)])
   {
     ForEachMode(TheSpace,
       [&](int p, int q, int r, int mode)

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 namespace pixelexact
@@ -209,11 +210,8 @@ MeshRange RangeOf(const Mesh& mesh, const RangeQuestion& question, const RangeEf
       "', an H(curl), H(div) or density field, cannot be certified.");
   }
   Rounds rounds(mesh, question, effort);
-  std::vector<int> elements;
-  for (int e = 0; e < mesh.Elements(); ++e)
-  {
-    elements.push_back(e);
-  }
+  std::vector<int> elements(static_cast<std::size_t>(mesh.Elements()));
+  std::iota(elements.begin(), elements.end(), 0);
   double done = 0.0;
   for (int budget = 1; !elements.empty(); budget = std::min(budget * 8, effort.boxes))
   {
