@@ -13,43 +13,17 @@
 #define PIXELEXACT_MODES_INL_H
 #endif
 
+#include "Core/Basis/OrderLoops-inl.h"
 #include "Core/Basis/Recurrence.h"
 #include "Core/Math/Lanes-inl.h"
-
-#include <algorithm>
 
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
-/// Orders known at compile time: the loops over modes unroll.
-template <int P>
-struct FixedOrder
-{
-  static constexpr int kCapacity = P + 1;
-  explicit FixedOrder(const Space& /*space*/) {}
-  static constexpr int p() { return P; }
-  static constexpr int q() { return P; }
-  static constexpr int r() { return P; }
-};
-
-/// Orders known at run time.
-struct AnyOrder
-{
-  static constexpr int kCapacity = kMaxOrder + 1;
-  explicit AnyOrder(const Space& space)
-    : order(space.order)
-  {
-  }
-  [[nodiscard]] int p() const { return order[0]; }
-  [[nodiscard]] int q() const { return order[1]; }
-  [[nodiscard]] int r() const { return order[2]; }
-  std::array<std::uint8_t, 3> order;
-};
-
 /// P_0 .. P_last at z, and on request their derivatives.
-template <bool kGradient, class T>
+template <bool kGradient, class T, class Last>
 HWY_INLINE void FillPolynomials(const RecurrenceStep<typename NumberTraits<T>::Scalar>* step,
-  int last, T z, T* value, T* derivative)
+  Last last, T z, T* value, T* derivative)
 {
   using Traits = NumberTraits<T>;
   value[0] = Traits::Splat(1.0);
@@ -66,23 +40,25 @@ HWY_INLINE void FillPolynomials(const RecurrenceStep<typename NumberTraits<T>::S
   {
     derivative[1] = Traits::SplatScalar(step[0].a);
   }
-  for (int n = 1; n < last; ++n)
-  {
-    const T a = Traits::SplatScalar(step[n].a);
-    const T c = Traits::SplatScalar(step[n].c);
-    const T slope = MulAdd(a, z, Traits::SplatScalar(step[n].b));
-    value[n + 1] = NegMulAdd(c, value[n - 1], slope * value[n]);
-    if constexpr (kGradient)
+  ForEachUpTo(last - Const<2>(),
+    [&](auto k) PIXELEXACT_INLINED
     {
-      derivative[n + 1] =
-        NegMulAdd(c, derivative[n - 1], MulAdd(slope, derivative[n], a * value[n]));
-    }
-  }
+      const auto n = k + Const<1>();
+      const T a = Traits::SplatScalar(step[n].a);
+      const T c = Traits::SplatScalar(step[n].c);
+      const T slope = MulAdd(a, z, Traits::SplatScalar(step[n].b));
+      value[n + 1] = NegMulAdd(c, value[n - 1], slope * value[n]);
+      if constexpr (kGradient)
+      {
+        derivative[n + 1] =
+          NegMulAdd(c, derivative[n - 1], MulAdd(slope, derivative[n], a * value[n]));
+      }
+    });
 }
 
 /// t^n P_n(y / t) for n = 0 .. last, and on request the derivatives by y and by t.
-template <bool kGradient, class T>
-HWY_INLINE void FillScaled(const RecurrenceStep<typename NumberTraits<T>::Scalar>* step, int last,
+template <bool kGradient, class T, class Last>
+HWY_INLINE void FillScaled(const RecurrenceStep<typename NumberTraits<T>::Scalar>* step, Last last,
   T y, T t, T* value, T* byY, T* byT)
 {
   using Traits = NumberTraits<T>;
@@ -105,22 +81,24 @@ HWY_INLINE void FillScaled(const RecurrenceStep<typename NumberTraits<T>::Scalar
     byT[1] = b0;
   }
   const T square = t * t;
-  for (int n = 1; n < last; ++n)
-  {
-    const T a = Traits::SplatScalar(step[n].a);
-    const T b = Traits::SplatScalar(step[n].b);
-    const T c = Traits::SplatScalar(step[n].c);
-    const T slope = MulAdd(a, y, b * t);
-    const T cSquare = c * square;
-    value[n + 1] = NegMulAdd(cSquare, value[n - 1], slope * value[n]);
-    if constexpr (kGradient)
+  ForEachUpTo(last - Const<2>(),
+    [&](auto k) PIXELEXACT_INLINED
     {
-      byY[n + 1] = NegMulAdd(cSquare, byY[n - 1], MulAdd(slope, byY[n], a * value[n]));
-      const T twice = (c + c) * t;
-      byT[n + 1] = NegMulAdd(
-        twice, value[n - 1], NegMulAdd(cSquare, byT[n - 1], MulAdd(slope, byT[n], b * value[n])));
-    }
-  }
+      const auto n = k + Const<1>();
+      const T a = Traits::SplatScalar(step[n].a);
+      const T b = Traits::SplatScalar(step[n].b);
+      const T c = Traits::SplatScalar(step[n].c);
+      const T slope = MulAdd(a, y, b * t);
+      const T cSquare = c * square;
+      value[n + 1] = NegMulAdd(cSquare, value[n - 1], slope * value[n]);
+      if constexpr (kGradient)
+      {
+        byY[n + 1] = NegMulAdd(cSquare, byY[n - 1], MulAdd(slope, byY[n], a * value[n]));
+        const T twice = (c + c) * t;
+        byT[n + 1] = NegMulAdd(
+          twice, value[n - 1], NegMulAdd(cSquare, byT[n - 1], MulAdd(slope, byT[n], b * value[n])));
+      }
+    });
 }
 
 /// A point in lanes or as a scalar triple.
@@ -162,15 +140,15 @@ public:
     for (int p = 0; p <= order.p(); ++p)
     {
       T sumQ = Traits::Splat(0.0);
-      for (int q = 0; q <= order.q(); ++q)
-      {
-        T sumR = Traits::Splat(0.0);
-        for (int r = 0; r <= order.r(); ++r)
+      ForEachUpTo(order.q(),
+        [&](auto q) PIXELEXACT_INLINED
         {
-          sumR = MulAdd(Traits::Splat(*coefficient++), c[r], sumR);
-        }
-        sumQ = MulAdd(sumR, b[q], sumQ);
-      }
+          T sumR = Traits::Splat(0.0);
+          ForEachUpTo(order.r(),
+            [&](auto r) PIXELEXACT_INLINED
+            { sumR = MulAdd(Traits::Splat(*coefficient++), c[r], sumR); });
+          sumQ = MulAdd(sumR, b[q], sumQ);
+        });
       total = MulAdd(sumQ, a[p], total);
     }
     return total;
@@ -186,20 +164,22 @@ public:
       T sumQ = zero;
       T sumQ2 = zero;
       T sumQ3 = zero;
-      for (int q = 0; q <= order.q(); ++q)
-      {
-        T sumR = zero;
-        T sumR3 = zero;
-        for (int r = 0; r <= order.r(); ++r)
+      ForEachUpTo(order.q(),
+        [&](auto q) PIXELEXACT_INLINED
         {
-          const T u = Traits::Splat(*coefficient++);
-          sumR = MulAdd(u, c[r], sumR);
-          sumR3 = MulAdd(u, dc[r], sumR3);
-        }
-        sumQ = MulAdd(sumR, b[q], sumQ);
-        sumQ2 = MulAdd(sumR, db[q], sumQ2);
-        sumQ3 = MulAdd(sumR3, b[q], sumQ3);
-      }
+          T sumR = zero;
+          T sumR3 = zero;
+          ForEachUpTo(order.r(),
+            [&](auto r) PIXELEXACT_INLINED
+            {
+              const T u = Traits::Splat(*coefficient++);
+              sumR = MulAdd(u, c[r], sumR);
+              sumR3 = MulAdd(u, dc[r], sumR3);
+            });
+          sumQ = MulAdd(sumR, b[q], sumQ);
+          sumQ2 = MulAdd(sumR, db[q], sumQ2);
+          sumQ3 = MulAdd(sumR3, b[q], sumQ3);
+        });
       out.value = MulAdd(sumQ, a[p], out.value);
       out.gradient[0] = MulAdd(sumQ, da[p], out.gradient[0]);
       out.gradient[1] = MulAdd(sumQ2, a[p], out.gradient[1]);
@@ -236,16 +216,17 @@ public:
     const T y = one + xi.x[0] - t;
     FillScaled<kGradient>(Table::Row(0), order.p(), y, t, a, a1, a3);
     FillPolynomials<kGradient>(Table::Row(0), order.q(), xi.x[1], b, db);
-    for (int p = 0; p <= order.p(); ++p)
-    {
-      if constexpr (kGradient)
+    ForEachUpTo(order.p(),
+      [&](auto p) PIXELEXACT_INLINED
       {
-        // y grows, t falls by a half per unit of xi3.
-        a3[p] = half * (a1[p] - a3[p]);
-      }
-      FillPolynomials<kGradient>(
-        Table::Row(2 * p + 1), order.r() - p, xi.x[2], c[p], dc[kGradient ? p : 0]);
-    }
+        if constexpr (kGradient)
+        {
+          // y grows, t falls by a half per unit of xi3.
+          a3[p] = half * (a1[p] - a3[p]);
+        }
+        FillPolynomials<kGradient>(
+          Table::Row(2 * p + 1), order.r() - p, xi.x[2], c[p], dc[kGradient ? p : 0]);
+      });
   }
 
   HWY_INLINE T Mode(int p, int q, int r) const { return a[p] * b[q] * c[p][r]; }
@@ -253,20 +234,21 @@ public:
   HWY_INLINE T Value(const double* coefficient) const
   {
     T total = Traits::Splat(0.0);
-    for (int p = 0; p <= order.p(); ++p)
-    {
-      T sumQ = Traits::Splat(0.0);
-      for (int q = 0; q <= order.q(); ++q)
+    ForEachUpTo(order.p(),
+      [&](auto p) PIXELEXACT_INLINED
       {
-        T sumR = Traits::Splat(0.0);
-        for (int r = 0; r <= order.r() - p; ++r)
-        {
-          sumR = MulAdd(Traits::Splat(*coefficient++), c[p][r], sumR);
-        }
-        sumQ = MulAdd(sumR, b[q], sumQ);
-      }
-      total = MulAdd(sumQ, a[p], total);
-    }
+        T sumQ = Traits::Splat(0.0);
+        ForEachUpTo(order.q(),
+          [&](auto q) PIXELEXACT_INLINED
+          {
+            T sumR = Traits::Splat(0.0);
+            ForEachUpTo(order.r() - p,
+              [&](auto r) PIXELEXACT_INLINED
+              { sumR = MulAdd(Traits::Splat(*coefficient++), c[p][r], sumR); });
+            sumQ = MulAdd(sumR, b[q], sumQ);
+          });
+        total = MulAdd(sumQ, a[p], total);
+      });
     return total;
   }
 
@@ -274,30 +256,33 @@ public:
   {
     const T zero = Traits::Splat(0.0);
     ValueAndGradient<T> out{ zero, { zero, zero, zero } };
-    for (int p = 0; p <= order.p(); ++p)
-    {
-      T sumQ = zero;
-      T sumQ2 = zero;
-      T sumQ3 = zero;
-      for (int q = 0; q <= order.q(); ++q)
+    ForEachUpTo(order.p(),
+      [&](auto p) PIXELEXACT_INLINED
       {
-        T sumR = zero;
-        T sumR3 = zero;
-        for (int r = 0; r <= order.r() - p; ++r)
-        {
-          const T u = Traits::Splat(*coefficient++);
-          sumR = MulAdd(u, c[p][r], sumR);
-          sumR3 = MulAdd(u, dc[p][r], sumR3);
-        }
-        sumQ = MulAdd(sumR, b[q], sumQ);
-        sumQ2 = MulAdd(sumR, db[q], sumQ2);
-        sumQ3 = MulAdd(sumR3, b[q], sumQ3);
-      }
-      out.value = MulAdd(sumQ, a[p], out.value);
-      out.gradient[0] = MulAdd(sumQ, a1[p], out.gradient[0]);
-      out.gradient[1] = MulAdd(sumQ2, a[p], out.gradient[1]);
-      out.gradient[2] = MulAdd(sumQ3, a[p], MulAdd(sumQ, a3[p], out.gradient[2]));
-    }
+        T sumQ = zero;
+        T sumQ2 = zero;
+        T sumQ3 = zero;
+        ForEachUpTo(order.q(),
+          [&](auto q) PIXELEXACT_INLINED
+          {
+            T sumR = zero;
+            T sumR3 = zero;
+            ForEachUpTo(order.r() - p,
+              [&](auto r) PIXELEXACT_INLINED
+              {
+                const T u = Traits::Splat(*coefficient++);
+                sumR = MulAdd(u, c[p][r], sumR);
+                sumR3 = MulAdd(u, dc[p][r], sumR3);
+              });
+            sumQ = MulAdd(sumR, b[q], sumQ);
+            sumQ2 = MulAdd(sumR, db[q], sumQ2);
+            sumQ3 = MulAdd(sumR3, b[q], sumQ3);
+          });
+        out.value = MulAdd(sumQ, a[p], out.value);
+        out.gradient[0] = MulAdd(sumQ, a1[p], out.gradient[0]);
+        out.gradient[1] = MulAdd(sumQ2, a[p], out.gradient[1]);
+        out.gradient[2] = MulAdd(sumQ3, a[p], MulAdd(sumQ, a3[p], out.gradient[2]));
+      });
     return out;
   }
 
@@ -331,25 +316,25 @@ public:
     FillScaled<kGradient>(Table::Row(0), order.p(), y1, t1, a, a1, a2);
     const T t2 = half * (one - xi.x[2]);
     const T y2 = one + xi.x[1] - t2;
-    for (int p = 0; p <= order.p(); ++p)
-    {
-      const int row = kGradient ? p : 0;
-      FillScaled<kGradient>(Table::Row(2 * p + 1), order.q() - p, y2, t2, b[p], b2[row], b3[row]);
-      if constexpr (kGradient)
+    ForEachUpTo(order.p(),
+      [&](auto p) PIXELEXACT_INLINED
       {
-        // In both families y grows and t falls by a half per unit of the collapsing xi.
-        a2[p] = half * (a1[p] - a2[p]);
-        for (int q = 0; q <= order.q() - p; ++q)
+        const int row = kGradient ? p : 0;
+        FillScaled<kGradient>(Table::Row(2 * p + 1), order.q() - p, y2, t2, b[p], b2[row], b3[row]);
+        if constexpr (kGradient)
         {
-          b3[p][q] = half * (b2[p][q] - b3[p][q]);
+          // In both families y grows and t falls by a half per unit of the collapsing xi.
+          a2[p] = half * (a1[p] - a2[p]);
+          ForEachUpTo(order.q() - p,
+            [&](auto q) PIXELEXACT_INLINED { b3[p][q] = half * (b2[p][q] - b3[p][q]); });
         }
-      }
-    }
-    for (int n = 0; n <= order.q(); ++n)
-    {
-      FillPolynomials<kGradient>(
-        Table::Row(2 * n + 2), order.r() - n, xi.x[2], c[n], dc[kGradient ? n : 0]);
-    }
+      });
+    ForEachUpTo(order.q(),
+      [&](auto n) PIXELEXACT_INLINED
+      {
+        FillPolynomials<kGradient>(
+          Table::Row(2 * n + 2), order.r() - n, xi.x[2], c[n], dc[kGradient ? n : 0]);
+      });
   }
 
   HWY_INLINE T Mode(int p, int q, int r) const { return a[p] * b[p][q] * c[p + q][r]; }
@@ -357,20 +342,21 @@ public:
   HWY_INLINE T Value(const double* coefficient) const
   {
     T total = Traits::Splat(0.0);
-    for (int p = 0; p <= order.p(); ++p)
-    {
-      T sumQ = Traits::Splat(0.0);
-      for (int q = 0; q <= order.q() - p; ++q)
+    ForEachUpTo(order.p(),
+      [&](auto p) PIXELEXACT_INLINED
       {
-        T sumR = Traits::Splat(0.0);
-        for (int r = 0; r <= order.r() - p - q; ++r)
-        {
-          sumR = MulAdd(Traits::Splat(*coefficient++), c[p + q][r], sumR);
-        }
-        sumQ = MulAdd(sumR, b[p][q], sumQ);
-      }
-      total = MulAdd(sumQ, a[p], total);
-    }
+        T sumQ = Traits::Splat(0.0);
+        ForEachUpTo(order.q() - p,
+          [&](auto q) PIXELEXACT_INLINED
+          {
+            T sumR = Traits::Splat(0.0);
+            ForEachUpTo(order.r() - p - q,
+              [&](auto r) PIXELEXACT_INLINED
+              { sumR = MulAdd(Traits::Splat(*coefficient++), c[p + q][r], sumR); });
+            sumQ = MulAdd(sumR, b[p][q], sumQ);
+          });
+        total = MulAdd(sumQ, a[p], total);
+      });
     return total;
   }
 
@@ -378,31 +364,34 @@ public:
   {
     const T zero = Traits::Splat(0.0);
     ValueAndGradient<T> out{ zero, { zero, zero, zero } };
-    for (int p = 0; p <= order.p(); ++p)
-    {
-      T sumQ = zero;
-      T sumQ2 = zero;
-      T sumQ3 = zero;
-      for (int q = 0; q <= order.q() - p; ++q)
+    ForEachUpTo(order.p(),
+      [&](auto p) PIXELEXACT_INLINED
       {
-        T sumR = zero;
-        T sumR3 = zero;
-        for (int r = 0; r <= order.r() - p - q; ++r)
-        {
-          const T u = Traits::Splat(*coefficient++);
-          sumR = MulAdd(u, c[p + q][r], sumR);
-          sumR3 = MulAdd(u, dc[p + q][r], sumR3);
-        }
-        sumQ = MulAdd(sumR, b[p][q], sumQ);
-        sumQ2 = MulAdd(sumR, b2[p][q], sumQ2);
-        sumQ3 = MulAdd(sumR, b3[p][q], MulAdd(sumR3, b[p][q], sumQ3));
-      }
-      const T slope = sumQ * a2[p];
-      out.value = MulAdd(sumQ, a[p], out.value);
-      out.gradient[0] = MulAdd(sumQ, a1[p], out.gradient[0]);
-      out.gradient[1] = MulAdd(sumQ2, a[p], out.gradient[1] + slope);
-      out.gradient[2] = MulAdd(sumQ3, a[p], out.gradient[2] + slope);
-    }
+        T sumQ = zero;
+        T sumQ2 = zero;
+        T sumQ3 = zero;
+        ForEachUpTo(order.q() - p,
+          [&](auto q) PIXELEXACT_INLINED
+          {
+            T sumR = zero;
+            T sumR3 = zero;
+            ForEachUpTo(order.r() - p - q,
+              [&](auto r) PIXELEXACT_INLINED
+              {
+                const T u = Traits::Splat(*coefficient++);
+                sumR = MulAdd(u, c[p + q][r], sumR);
+                sumR3 = MulAdd(u, dc[p + q][r], sumR3);
+              });
+            sumQ = MulAdd(sumR, b[p][q], sumQ);
+            sumQ2 = MulAdd(sumR, b2[p][q], sumQ2);
+            sumQ3 = MulAdd(sumR, b3[p][q], MulAdd(sumR3, b[p][q], sumQ3));
+          });
+        const T slope = sumQ * a2[p];
+        out.value = MulAdd(sumQ, a[p], out.value);
+        out.gradient[0] = MulAdd(sumQ, a1[p], out.gradient[0]);
+        out.gradient[1] = MulAdd(sumQ2, a[p], out.gradient[1] + slope);
+        out.gradient[2] = MulAdd(sumQ3, a[p], out.gradient[2] + slope);
+      });
     return out;
   }
 
@@ -442,38 +431,40 @@ public:
     FillPolynomials<kGradient>(Table::Row(0), order.p(), eta1, a, da);
     FillPolynomials<kGradient>(Table::Row(0), order.q(), eta2, b, db);
     power[0] = one;
-    for (int m = 0; m <= std::max(order.p(), order.q()); ++m)
-    {
-      power[m + 1] = power[m] * t;
-      FillPolynomials<kGradient>(
-        Table::Row(2 * m + 2), order.r() - m, xi.x[2], c[m], dc[kGradient ? m : 0]);
-    }
+    ForEachUpTo(Larger(order.p(), order.q()),
+      [&](auto m) PIXELEXACT_INLINED
+      {
+        power[m + 1] = power[m] * t;
+        FillPolynomials<kGradient>(
+          Table::Row(2 * m + 2), order.r() - m, xi.x[2], c[m], dc[kGradient ? m : 0]);
+      });
   }
 
   HWY_INLINE T Mode(int p, int q, int r) const
   {
-    const int m = std::max(p, q);
+    const auto m = Larger(p, q);
     return a[p] * b[q] * power[m] * c[m][r];
   }
 
   HWY_INLINE T Value(const double* coefficient) const
   {
     T total = Traits::Splat(0.0);
-    for (int p = 0; p <= order.p(); ++p)
-    {
-      T sumQ = Traits::Splat(0.0);
-      for (int q = 0; q <= order.q(); ++q)
+    ForEachUpTo(order.p(),
+      [&](auto p) PIXELEXACT_INLINED
       {
-        const int m = std::max(p, q);
-        T sumR = Traits::Splat(0.0);
-        for (int r = 0; r <= order.r() - m; ++r)
-        {
-          sumR = MulAdd(Traits::Splat(*coefficient++), c[m][r], sumR);
-        }
-        sumQ = MulAdd(sumR * power[m], b[q], sumQ);
-      }
-      total = MulAdd(sumQ, a[p], total);
-    }
+        T sumQ = Traits::Splat(0.0);
+        ForEachUpTo(order.q(),
+          [&](auto q) PIXELEXACT_INLINED
+          {
+            const auto m = Larger(p, q);
+            T sumR = Traits::Splat(0.0);
+            ForEachUpTo(order.r() - m,
+              [&](auto r) PIXELEXACT_INLINED
+              { sumR = MulAdd(Traits::Splat(*coefficient++), c[m][r], sumR); });
+            sumQ = MulAdd(sumR * power[m], b[q], sumQ);
+          });
+        total = MulAdd(sumQ, a[p], total);
+      });
     return total;
   }
 
@@ -481,43 +472,46 @@ public:
   {
     const T zero = Traits::Splat(0.0);
     ValueAndGradient<T> out{ zero, { zero, zero, zero } };
-    for (int p = 0; p <= order.p(); ++p)
-    {
-      T sumQ = zero;     // value
-      T sumQ3 = zero;    // derivative by xi3 at fixed eta1, eta2
-      T reduced = zero;  // value / t
-      T reduced2 = zero; // derivative by eta2, / t
-      for (int q = 0; q <= order.q(); ++q)
+    ForEachUpTo(order.p(),
+      [&](auto p) PIXELEXACT_INLINED
       {
-        const int m = std::max(p, q);
-        T sumR = zero;
-        T sumR3 = zero;
-        for (int r = 0; r <= order.r() - m; ++r)
-        {
-          const T u = Traits::Splat(*coefficient++);
-          sumR = MulAdd(u, c[m][r], sumR);
-          sumR3 = MulAdd(u, dc[m][r], sumR3);
-        }
-        const T scaled = sumR * power[m];
-        T scaled3 = sumR3 * power[m];
-        if (m > 0)
-        {
-          const T lower = sumR * power[m - 1];
-          scaled3 = MulAdd(Traits::Splat(-0.5 * m), lower, scaled3);
-          reduced = MulAdd(lower, b[q], reduced);
-          reduced2 = MulAdd(lower, db[q], reduced2);
-        }
-        sumQ = MulAdd(scaled, b[q], sumQ);
-        sumQ3 = MulAdd(scaled3, b[q], sumQ3);
-      }
-      const T by1 = reduced * da[p];
-      const T by2 = reduced2 * a[p];
-      out.value = MulAdd(sumQ, a[p], out.value);
-      out.gradient[0] = out.gradient[0] + by1;
-      out.gradient[1] = out.gradient[1] + by2;
-      out.gradient[2] =
-        MulAdd(sumQ3, a[p], MulAdd(by1, slope1, MulAdd(by2, slope2, out.gradient[2])));
-    }
+        T sumQ = zero;     // value
+        T sumQ3 = zero;    // derivative by xi3 at fixed eta1, eta2
+        T reduced = zero;  // value / t
+        T reduced2 = zero; // derivative by eta2, / t
+        ForEachUpTo(order.q(),
+          [&](auto q) PIXELEXACT_INLINED
+          {
+            const auto m = Larger(p, q);
+            T sumR = zero;
+            T sumR3 = zero;
+            ForEachUpTo(order.r() - m,
+              [&](auto r) PIXELEXACT_INLINED
+              {
+                const T u = Traits::Splat(*coefficient++);
+                sumR = MulAdd(u, c[m][r], sumR);
+                sumR3 = MulAdd(u, dc[m][r], sumR3);
+              });
+            const T scaled = sumR * power[m];
+            T scaled3 = sumR3 * power[m];
+            if (m > 0)
+            {
+              const T lower = sumR * power[m - 1];
+              scaled3 = MulAdd(Traits::Splat(-0.5 * m), lower, scaled3);
+              reduced = MulAdd(lower, b[q], reduced);
+              reduced2 = MulAdd(lower, db[q], reduced2);
+            }
+            sumQ = MulAdd(scaled, b[q], sumQ);
+            sumQ3 = MulAdd(scaled3, b[q], sumQ3);
+          });
+        const T by1 = reduced * da[p];
+        const T by2 = reduced2 * a[p];
+        out.value = MulAdd(sumQ, a[p], out.value);
+        out.gradient[0] = out.gradient[0] + by1;
+        out.gradient[1] = out.gradient[1] + by2;
+        out.gradient[2] =
+          MulAdd(sumQ3, a[p], MulAdd(by1, slope1, MulAdd(by2, slope2, out.gradient[2])));
+      });
     return out;
   }
 

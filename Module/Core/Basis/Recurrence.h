@@ -39,29 +39,44 @@ public:
   }
 };
 
-/// Constants computed once: Step(alpha, n) for alpha 0 (Legendre) to 2 kMaxOrder + 2.
+/// Steps n = 0 .. kMaxOrder - 1 for alpha 0 (Legendre) to 2 kMaxOrder + 2.
 template <class Scalar>
-class RecurrenceTable
-{
-public:
-  static const RecurrenceStep<Scalar>* Row(int alpha)
-  {
-    static const RecurrenceTable table;
-    return table.Steps[alpha].data();
-  }
+using Recurrences = std::array<std::array<RecurrenceStep<Scalar>, kMaxOrder>, 2 * kMaxOrder + 3>;
 
-private:
-  RecurrenceTable()
+template <class Scalar>
+constexpr Recurrences<Scalar> MakeRecurrences()
+{
+  Recurrences<Scalar> steps{};
+  for (int alpha = 0; alpha <= 2 * kMaxOrder + 2; ++alpha)
   {
-    for (int alpha = 0; alpha <= 2 * kMaxOrder + 2; ++alpha)
+    for (int n = 0; n < kMaxOrder; ++n)
     {
-      for (int n = 0; n < kMaxOrder; ++n)
-      {
-        Steps[alpha][n] =
-          alpha == 0 ? Recurrence<Scalar>::Legendre(n) : Recurrence<Scalar>::Jacobi(alpha, n);
-      }
+      steps[alpha][n] =
+        alpha == 0 ? Recurrence<Scalar>::Legendre(n) : Recurrence<Scalar>::Jacobi(alpha, n);
     }
   }
-  std::array<std::array<RecurrenceStep<Scalar>, kMaxOrder>, 2 * kMaxOrder + 3> Steps;
+  return steps;
+}
+
+/// Constants computed once.
+template <class Scalar>
+struct RecurrenceTable
+{
+  static const RecurrenceStep<Scalar>* Row(int alpha)
+  {
+    static const auto steps = MakeRecurrences<Scalar>();
+    return steps[static_cast<std::size_t>(alpha)].data();
+  }
+};
+
+/// Those of the kernels are known to the compiler.
+inline constexpr auto kRecurrences = MakeRecurrences<double>();
+template <>
+struct RecurrenceTable<double>
+{
+  static constexpr const RecurrenceStep<double>* Row(int alpha)
+  {
+    return kRecurrences[static_cast<std::size_t>(alpha)].data();
+  }
 };
 } // namespace pixelexact

@@ -98,12 +98,12 @@ private:
     Ball value[3];
     Ball jacobian[9];
     Kernels.gradients(Task.mapSpace, Task.mapCoefficients, 3, BoxAround(Xi, size), value, jacobian);
-    Matrix middle;
+    Matrix<Lanes> middle;
     for (int k = 0; k < 9; ++k)
     {
       middle.m[k] = jacobian[k].middle;
     }
-    const Matrix inverse = Inverse(middle);
+    const Matrix<Lanes> inverse = Inverse(middle);
     for (int i = 0; i < 3; ++i)
     {
       const Ball row[3] = { Ball::Exactly(inverse.m[3 * i]), Ball::Exactly(inverse.m[3 * i + 1]),
@@ -162,7 +162,7 @@ private:
   const Point<Lanes>& Xi;
   Point<Ball> Residual;
   Point<Ball> Step;
-  Matrix Distance;
+  Matrix<Lanes> Distance;
 };
 
 /// F's values become the world's, but for powers of the element's size.
@@ -226,8 +226,8 @@ void EnclosePacks(const EnclosureTask& task, const LanePoints& xi, const LanePoi
   const int lanes = LaneCount();
   for (int i = 0; i < xi.count; i += lanes)
   {
-    const Point<Lanes> at = LoadPoint(xi, i);
-    const PreimageBox box = KrawczykTest(task, mapKernels, at).Run(LoadPoint(x, i));
+    const Point<Lanes> at = LoadPoint<Lanes>(xi, i);
+    const PreimageBox box = KrawczykTest(task, mapKernels, at).Run(LoadPoint<Lanes>(x, i));
     const LaneMask proven = box.radius.x[0] < infinity;
     Ball jacobian[9];
     if (task.mapping != Mapping::Identity)

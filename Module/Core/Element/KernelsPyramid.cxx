@@ -14,7 +14,7 @@ KernelSet PyramidKernelSet(const Space& space)
   {
     return SelectKernelSet<TensorPyramidModes, 1, 2>(space);
   }
-  return SelectKernelSet<PyramidModes, 1, 2, 3, 4>(space);
+  return SelectKernelSet<PyramidModes, 1, 2, 3, 4, 5, 6, 7, 8>(space);
 }
 } // namespace pixelexact::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

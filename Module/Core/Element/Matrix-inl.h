@@ -9,6 +9,7 @@
 
 #include "Core/Basis/Modes-inl.h"
 #include "Core/Math/Pair-inl.h"
+#include "Core/Math/TwoLanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
@@ -18,15 +19,17 @@ HWY_INLINE Lanes Splat(double value)
   return NumberTraits<Lanes>::Splat(value);
 }
 
-/// A 3 x 3 matrix of lanes, row-major.
+/// A 3 x 3 matrix, row-major.
+template <class T>
 struct Matrix
 {
-  Lanes m[9];
+  T m[9];
 };
 
-HWY_INLINE Point<Lanes> Apply(const Matrix& a, const Point<Lanes>& x)
+template <class T>
+HWY_INLINE Point<T> Apply(const Matrix<T>& a, const Point<T>& x)
 {
-  Point<Lanes> y;
+  Point<T> y;
   for (int i = 0; i < 3; ++i)
   {
     y.x[i] = MulAdd(a.m[3 * i], x.x[0], MulAdd(a.m[3 * i + 1], x.x[1], a.m[3 * i + 2] * x.x[2]));
@@ -47,37 +50,46 @@ HWY_INLINE Lanes Minor(Lanes a, Lanes b, Lanes c, Lanes d)
   return (ab.high - cd.high) + (ab.low - cd.low);
 #endif
 }
+HWY_INLINE TwoLanes Minor(TwoLanes a, TwoLanes b, TwoLanes c, TwoLanes d)
+{
+  return { Minor(a.low, b.low, c.low, d.low), Minor(a.high, b.high, c.high, d.high) };
+}
 
 /// The inverse by cofactors; infinite or NaN where the matrix is singular. Accurate to the
 /// condition number: of an element stretched 1:10^8 plain cofactors would be rounding alone.
-HWY_INLINE Matrix Inverse(const Matrix& a)
+template <class T>
+HWY_INLINE Matrix<T> Inverse(const Matrix<T>& a)
 {
   const auto& m = a.m;
-  const Lanes c0 = Minor(m[4], m[8], m[5], m[7]);
-  const Lanes c1 = Minor(m[5], m[6], m[3], m[8]);
-  const Lanes c2 = Minor(m[3], m[7], m[4], m[6]);
-  const Lanes det = MulAdd(m[0], c0, MulAdd(m[1], c1, m[2] * c2));
-  const Lanes s = Splat(1.0) / det;
+  const T c0 = Minor(m[4], m[8], m[5], m[7]);
+  const T c1 = Minor(m[5], m[6], m[3], m[8]);
+  const T c2 = Minor(m[3], m[7], m[4], m[6]);
+  const T det = MulAdd(m[0], c0, MulAdd(m[1], c1, m[2] * c2));
+  const T s = NumberTraits<T>::Splat(1.0) / det;
   return { { c0 * s, Minor(m[2], m[7], m[1], m[8]) * s, Minor(m[1], m[5], m[2], m[4]) * s, c1 * s,
     Minor(m[0], m[8], m[2], m[6]) * s, Minor(m[2], m[3], m[0], m[5]) * s, c2 * s,
     Minor(m[1], m[6], m[0], m[7]) * s, Minor(m[0], m[4], m[1], m[3]) * s } };
 }
 
-HWY_INLINE Lanes MaxAbs(const Point<Lanes>& x)
+template <class T>
+HWY_INLINE T MaxAbs(const Point<T>& x)
 {
   return Max(Max(Abs(x.x[0]), Abs(x.x[1])), Abs(x.x[2]));
 }
 
 /// sum over k of |M_dk| u_k: how far the uncertainty of Phi and y takes xi.
-HWY_INLINE Point<Lanes> ToleranceOf(const Matrix& inverse, const double* uncertainty)
+template <class T>
+HWY_INLINE Point<T> ToleranceOf(const Matrix<T>& inverse, const double* uncertainty)
 {
-  Point<Lanes> tolerance;
+  using Traits = NumberTraits<T>;
+  Point<T> tolerance;
   for (int d = 0; d < 3; ++d)
   {
-    tolerance.x[d] = Splat(0.0);
+    tolerance.x[d] = Traits::Splat(0.0);
     for (int k = 0; k < 3; ++k)
     {
-      tolerance.x[d] = MulAdd(Abs(inverse.m[3 * d + k]), Splat(uncertainty[k]), tolerance.x[d]);
+      tolerance.x[d] =
+        MulAdd(Abs(inverse.m[3 * d + k]), Traits::Splat(uncertainty[k]), tolerance.x[d]);
     }
   }
   return tolerance;

@@ -14,24 +14,11 @@
 #include "Core/Basis/Modes-inl.h"
 #include "Core/Element/Matrix-inl.h"
 
-#include <limits>
 #include <vector>
 
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
-/// A NaN compares false.
-HWY_INLINE LaneMask IsFinite(Lanes a)
-{
-  return Abs(a) <= Splat(std::numeric_limits<double>::max());
-}
-
-HWY_INLINE bool All(LaneMask mask)
-{
-  const Lanes zero = Splat(0.0);
-  return None(AndNot(zero <= zero, mask));
-}
-
 /// Exact, and enough for any number of modes.
 inline constexpr double kOverflowScale = 0x1p-256;
 
@@ -47,24 +34,24 @@ inline std::vector<double> ScaledDown(const double* coefficients, int count)
 
 /// Puts the value where it is not finite. Lanes that are keep what they have: a point's result does
 /// not depend on its neighbours.
-template <template <class, class, bool> class Modes>
+template <template <class, class, bool> class Modes, class T>
 HWY_NOINLINE void RescueValue(
-  const Space& space, const double* coefficients, const Point<Lanes>& xi, Lanes& value)
+  const Space& space, const double* coefficients, const Point<T>& xi, T& value)
 {
   const auto scaled = ScaledDown(coefficients, space.Modes());
-  const Lanes rescued =
-    Modes<Lanes, AnyOrder, false>(space, xi).Value(scaled.data()) * Splat(1.0 / kOverflowScale);
+  const T rescued = Modes<T, AnyOrder, false>(space, xi).Value(scaled.data()) *
+    NumberTraits<T>::Splat(1.0 / kOverflowScale);
   value = Select(IsFinite(value), value, rescued);
 }
 
 /// The same for value and gradient, in lanes where one of them or their sum is not finite.
-template <template <class, class, bool> class Modes>
-HWY_NOINLINE void RescueGradient(const Space& space, const double* coefficients,
-  const Point<Lanes>& xi, LaneMask finite, ValueAndGradient<Lanes>& e)
+template <template <class, class, bool> class Modes, class T, class Mask>
+HWY_NOINLINE void RescueGradient(const Space& space, const double* coefficients, const Point<T>& xi,
+  Mask finite, ValueAndGradient<T>& e)
 {
   const auto scaled = ScaledDown(coefficients, space.Modes());
-  const Lanes back = Splat(1.0 / kOverflowScale);
-  const auto rescued = Modes<Lanes, AnyOrder, true>(space, xi).Evaluate(scaled.data());
+  const T back = NumberTraits<T>::Splat(1.0 / kOverflowScale);
+  const auto rescued = Modes<T, AnyOrder, true>(space, xi).Evaluate(scaled.data());
   e.value = Select(finite, e.value, rescued.value * back);
   for (int d = 0; d < 3; ++d)
   {

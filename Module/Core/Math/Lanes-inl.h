@@ -11,6 +11,14 @@
 
 #include <hwy/highway.h>
 
+#include <limits>
+
+/// Of a lambda: compiled for the instruction set at hand, and into the function that calls it, so
+/// that what it captures stays in registers.
+#ifndef PIXELEXACT_INLINED
+#define PIXELEXACT_INLINED HWY_ATTR __attribute__((always_inline))
+#endif
+
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
@@ -99,9 +107,15 @@ HWY_INLINE bool None(LaneMask mask)
 {
   return hwy::HWY_NAMESPACE::AllFalse(LaneTag(), mask);
 }
-HWY_INLINE Lanes Load(const double* from)
+HWY_INLINE bool All(LaneMask mask)
 {
-  return { hwy::HWY_NAMESPACE::LoadU(LaneTag(), from) };
+  return hwy::HWY_NAMESPACE::AllTrue(LaneTag(), mask);
+}
+/// A NaN is not.
+HWY_INLINE LaneMask IsFinite(Lanes a)
+{
+  return hwy::HWY_NAMESPACE::Le(hwy::HWY_NAMESPACE::Abs(a.v),
+    hwy::HWY_NAMESPACE::Set(LaneTag(), std::numeric_limits<double>::max()));
 }
 HWY_INLINE void Store(Lanes a, double* to)
 {
@@ -121,6 +135,12 @@ template <>
 struct NumberTraits<Lanes>
 {
   using Scalar = double;
+  using Mask = LaneMask;
+  static HWY_INLINE int Count() { return LaneCount(); }
+  static HWY_INLINE Lanes Load(const double* from)
+  {
+    return { hwy::HWY_NAMESPACE::LoadU(LaneTag(), from) };
+  }
   static HWY_INLINE Lanes Splat(double value)
   {
     return { hwy::HWY_NAMESPACE::Set(LaneTag(), value) };

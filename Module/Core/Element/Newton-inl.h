@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Newton's iteration for Phi(xi) = y, many points of one element at a time, and what its result
+// says of the shape; see Kernels.h. T is Lanes or TwoLanes.
+#if defined(PIXELEXACT_NEWTON_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef PIXELEXACT_NEWTON_INL_H
+#undef PIXELEXACT_NEWTON_INL_H
+#else
+#define PIXELEXACT_NEWTON_INL_H
+#endif
+
+#include "Core/Element/Kernels.h"
+#include "Core/Element/Matrix-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace pixelexact::HWY_NAMESPACE
+{
+/// A lane is done when the product of its step and of the one that its Jacobian was made for is
+/// below this: such is the next error, up to curvature, and the polishing step after it is
+/// measured, not assumed.
+inline constexpr double kSmallProduct = 1e-14;
+/// After a step smaller than this the Jacobian is kept: its corrections cost half of a full step
+/// and gain as many digits as the step that it was made for had.
+inline constexpr double kKeepJacobian = 3e-3;
+/// A kept Jacobian is made anew when a step is not this much smaller than the one before.
+inline constexpr double kContraction = 0.1;
+/// A polishing correction above this (and above the rounding tolerance) is no convergence.
+inline constexpr double kLargestCorrection = 1e-10;
+inline constexpr int kMaxNewtonSteps = 24;
+/// A root farther out than this cannot be the element's; the careful path decides.
+inline constexpr double kFarOut = 8.0;
+
+/// Signed distances to the faces; each widened by the tolerance t of the coordinates it is made of.
+template <class T>
+HWY_INLINE T WidenedMargin(Shape shape, const Point<T>& xi, const Point<T>& t)
+{
+  const T one = NumberTraits<T>::Splat(1.0);
+  const T zero = NumberTraits<T>::Splat(0.0);
+  const T low = Min(Min(one + xi.x[0] + t.x[0], one + xi.x[1] + t.x[1]), one + xi.x[2] + t.x[2]);
+  switch (shape)
+  {
+    case Shape::Hexahedron:
+      return Min(
+        low, Min(Min(one - xi.x[0] + t.x[0], one - xi.x[1] + t.x[1]), one - xi.x[2] + t.x[2]));
+    case Shape::Prism:
+      return Min(low, Min(one - xi.x[1] + t.x[1], zero - (xi.x[0] + xi.x[2]) + (t.x[0] + t.x[2])));
+    case Shape::Tetrahedron:
+      return Min(low, zero - (one + xi.x[0] + xi.x[1] + xi.x[2]) + (t.x[0] + t.x[1] + t.x[2]));
+    default:
+      return Min(low,
+        Min(zero - (xi.x[0] + xi.x[2]) + (t.x[0] + t.x[2]),
+          zero - (xi.x[1] + xi.x[2]) + (t.x[1] + t.x[2])));
+  }
+}
+
+/// What a step's length is measured by. A pyramid's map bends on the scale of the distance to its
+/// apex, all others on that of the shape.
+template <class T>
+HWY_INLINE T StepScale(Shape shape, const Point<T>& xi)
+{
+  const T one = NumberTraits<T>::Splat(1.0);
+  return shape == Shape::Pyramid ? Min(one, NumberTraits<T>::Splat(0.5) * Abs(one - xi.x[2])) : one;
+}
+
+/// Next to its apex a pyramid's functions are constant past the faces (CollapsedQuotient), and an
+/// iteration that gets there does not come back. It goes on from the point that has the value.
+template <class T>
+HWY_INLINE void BackOntoCone(Point<T>& xi)
+{
+  const T zero = NumberTraits<T>::Splat(0.0);
+  const T one = NumberTraits<T>::Splat(1.0);
+  const T width = one - xi.x[2];
+  const auto close = Abs(width) < NumberTraits<T>::Splat(2e-8);
+  for (int d = 0; d < 2; ++d)
+  {
+    const T at = Max(Min(one + xi.x[d], Max(width, zero)), Min(width, zero));
+    xi.x[d] = Select(close, at - one, xi.x[d]);
+  }
+}
+
+template <class T>
+struct NewtonState
+{
+  Point<T> xi;
+  Matrix<T> inverse; ///< of the last Jacobian
+  T failed;          ///< 1 where the iteration gave up, else 0
+  T steps;
+  T unsettled; ///< the last step, where steps do not get smaller, else 0
+};
+
+/// Phi(xi) - y.
+template <template <class, class, bool> class Modes, class Order, class T>
+HWY_INLINE Point<T> Residual(
+  const InverseProblem& problem, int modeCount, const Point<T>& y, const Point<T>& xi)
+{
+  const Modes<T, Order, false> modes(problem.space, xi);
+  Point<T> residual;
+  for (int c = 0; c < 3; ++c)
+  {
+    residual.x[c] =
+      modes.Value(problem.coefficients + static_cast<std::ptrdiff_t>(c) * modeCount) - y.x[c];
+  }
+  return residual;
+}
+
+/// The same, and the inverse of the Jacobian. The residual's bits are those of Residual.
+template <template <class, class, bool> class Modes, class Order, class T>
+HWY_INLINE Point<T> ResidualAndInverse(const InverseProblem& problem, int modeCount,
+  const Point<T>& y, const Point<T>& xi, Matrix<T>& inverse)
+{
+  const Modes<T, Order, true> modes(problem.space, xi);
+  Matrix<T> jacobian;
+  Point<T> residual;
+  for (int c = 0; c < 3; ++c)
+  {
+    const auto e =
+      modes.Evaluate(problem.coefficients + static_cast<std::ptrdiff_t>(c) * modeCount);
+    residual.x[c] = e.value - y.x[c];
+    for (int d = 0; d < 3; ++d)
+    {
+      jacobian.m[3 * c + d] = e.gradient[d];
+    }
+  }
+  inverse = Inverse(jacobian);
+  return residual;
+}
+
+/// Steps until every lane is done or has failed. What a lane does depends on its own steps alone,
+/// and when it is done it keeps its state, so that its result does not depend on the others.
+template <template <class, class, bool> class Modes, class Order, class T>
+HWY_INLINE NewtonState<T> Iterate(
+  const InverseProblem& problem, int modeCount, const Point<T>& y, Point<T> xi)
+{
+  using Traits = NumberTraits<T>;
+  const T zero = Traits::Splat(0.0);
+  const T one = Traits::Splat(1.0);
+  NewtonState<T> state{ xi, {}, zero, zero, zero };
+  for (int k = 0; k < 9; ++k)
+  {
+    state.inverse.m[k] = zero;
+  }
+  typename Traits::Mask active = zero <= zero;
+  typename Traits::Mask renew = active; // lanes that need a new Jacobian
+  T last = one;
+  T madeFor = one; // the step that the Jacobian was made for
+  for (int step = 0; step < kMaxNewtonSteps && !None(active); ++step)
+  {
+    Point<T> residual;
+    if (None(renew))
+    {
+      residual = Residual<Modes, Order>(problem, modeCount, y, state.xi);
+    }
+    else
+    {
+      Matrix<T> inverse;
+      residual = ResidualAndInverse<Modes, Order>(problem, modeCount, y, state.xi, inverse);
+      for (int k = 0; k < 9; ++k)
+      {
+        state.inverse.m[k] = Select(renew, inverse.m[k], state.inverse.m[k]);
+      }
+    }
+    const Point<T> delta = Apply(state.inverse, residual);
+    const T length = MaxAbs(delta);
+    // Steps longer than the shape are shortened: far from the root they say no more than a
+    // direction.
+    const T scale = Select(length <= one, one, one / length);
+    Point<T> next;
+    for (int d = 0; d < 3; ++d)
+    {
+      next.x[d] = NegMulAdd(scale, delta.x[d], state.xi.x[d]);
+    }
+    if (problem.space.shape == Shape::Pyramid)
+    {
+      BackOntoCone(next);
+    }
+    for (int d = 0; d < 3; ++d)
+    {
+      state.xi.x[d] = Select(active, next.x[d], state.xi.x[d]);
+    }
+    state.steps = Select(active, state.steps + one, state.steps);
+    // A NaN compares false and so ends as failed.
+    const auto sound = And(length >= zero, MaxAbs(state.xi) <= Traits::Splat(kFarOut));
+    const auto lost = AndNot(active, sound);
+    state.failed = Select(lost, one, state.failed);
+    const T unit = StepScale(problem.space.shape, state.xi);
+    madeFor = Select(renew, length, madeFor);
+    const auto kept = And(madeFor <= Traits::Splat(kKeepJacobian) * unit,
+      Or(renew, length <= Traits::Splat(kContraction) * last));
+    last = Select(active, length, last);
+    active =
+      AndNot(AndNot(active, lost), length * madeFor <= Traits::Splat(kSmallProduct) * unit * unit);
+    renew = AndNot(active, kept);
+  }
+  if (!None(active))
+  {
+    // Where the Jacobian nearly vanishes steps do not get smaller than rounding.
+    const auto rounding = last <= MaxAbs(ToleranceOf(state.inverse, problem.uncertainty));
+    state.failed = Select(AndNot(active, rounding), one, state.failed);
+    state.unsettled = Select(And(active, rounding), last, zero);
+  }
+  return state;
+}
+
+/// What is known of Count() points from `at` on.
+template <template <class, class, bool> class Modes, class Order, class T>
+HWY_INLINE void InvertPack(
+  const InverseProblem& problem, const LanePoints& x, const InverseResult& out, int at)
+{
+  using Traits = NumberTraits<T>;
+  const Shape shape = problem.space.shape;
+  const int modeCount = problem.space.Modes();
+  const T zero = Traits::Splat(0.0);
+  Matrix<T> frame;
+  for (int k = 0; k < 9; ++k)
+  {
+    frame.m[k] = Traits::Splat(problem.inverse[k]);
+  }
+  Point<T> y;
+  Point<T> fromOrigin;
+  for (int d = 0; d < 3; ++d)
+  {
+    y.x[d] = (Traits::Load(x.x[d] + at) - Traits::Splat(problem.centre[d])) *
+      Traits::Splat(problem.inverseSize);
+    fromOrigin.x[d] = y.x[d] - Traits::Splat(problem.origin[d]);
+  }
+  Point<T> start = Apply(frame, fromOrigin);
+  for (int d = 0; d < 3; ++d)
+  {
+    start.x[d] = start.x[d] + Traits::Splat(problem.start[d]);
+  }
+  NewtonState<T> state{ start, frame, zero, zero, zero };
+  if (!problem.affine)
+  {
+    for (int d = 0; d < 3; ++d)
+    {
+      start.x[d] = Max(Min(start.x[d], Traits::Splat(1.0)), Traits::Splat(-1.0));
+    }
+    state = Iterate<Modes, Order>(problem, modeCount, y, start);
+  }
+  // Polish with the last Jacobian. The correction is the measured residual of the iteration.
+  const Point<T> residual = Residual<Modes, Order>(problem, modeCount, y, state.xi);
+  const Point<T> correction = Apply(state.inverse, residual);
+  const Point<T> tolerance = ToleranceOf(state.inverse, problem.uncertainty);
+  for (int d = 0; d < 3; ++d)
+  {
+    state.xi.x[d] = state.xi.x[d] - correction.x[d];
+  }
+  const T length = MaxAbs(correction);
+  const T largest = Traits::Splat(kLargestCorrection) * StepScale(shape, state.xi);
+  auto converged =
+    And(state.failed <= zero, length <= Max(largest, Traits::Splat(4.0) * MaxAbs(tolerance)));
+  const Point<T> none{ { zero, zero, zero } };
+  const T margin = WidenedMargin(shape, state.xi, none);
+  const auto within = WidenedMargin(shape, state.xi, tolerance) >= zero;
+  if (HWY_UNLIKELY(!All(state.unsettled <= zero)))
+  {
+    // Outside is said where it does not matter that the iteration has not settled.
+    Point<T> reach;
+    for (int d = 0; d < 3; ++d)
+    {
+      reach.x[d] = MulAdd(Traits::Splat(4.0), state.unsettled, tolerance.x[d]);
+    }
+    const auto near = WidenedMargin(shape, state.xi, reach) >= zero;
+    converged = AndNot(converged, AndNot(near, within));
+  }
+  if (shape == Shape::Pyramid)
+  {
+    converged =
+      AndNot(converged, Abs(Traits::Splat(1.0) - state.xi.x[2]) <= Traits::Splat(kApexRegion));
+  }
+  const auto inside = And(converged, within);
+  for (int d = 0; d < 3; ++d)
+  {
+    Store(state.xi.x[d], out.xi[d] + at);
+  }
+  Store(Select(inside, Traits::Splat(1.0), Select(converged, zero, Traits::Splat(2.0))),
+    out.status + at);
+  Store(margin, out.margin + at);
+  Store(length, out.residual + at);
+  if (out.steps)
+  {
+    Store(state.steps, out.steps + at);
+  }
+}
+} // namespace pixelexact::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Two packs of lanes as one number: independent work that fills the processor's pipelines while a
+// sum waits for its last term, and coefficients that are loaded once for both. Every operation is
+// that of Lanes, so a point's result is the same, bit for bit, in either. Included once per
+// instruction set.
+#if defined(PIXELEXACT_TWO_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef PIXELEXACT_TWO_LANES_INL_H
+#undef PIXELEXACT_TWO_LANES_INL_H
+#else
+#define PIXELEXACT_TWO_LANES_INL_H
+#endif
+
+#include "Core/Math/Lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace pixelexact::HWY_NAMESPACE
+{
+// Members and not an array: compilers keep these in registers.
+struct TwoLanes
+{
+  Lanes low;
+  Lanes high;
+};
+
+struct TwoMasks
+{
+  LaneMask low;
+  LaneMask high;
+};
+
+HWY_INLINE TwoLanes operator+(TwoLanes a, TwoLanes b)
+{
+  return { a.low + b.low, a.high + b.high };
+}
+HWY_INLINE TwoLanes operator-(TwoLanes a, TwoLanes b)
+{
+  return { a.low - b.low, a.high - b.high };
+}
+HWY_INLINE TwoLanes operator*(TwoLanes a, TwoLanes b)
+{
+  return { a.low * b.low, a.high * b.high };
+}
+HWY_INLINE TwoLanes operator/(TwoLanes a, TwoLanes b)
+{
+  return { a.low / b.low, a.high / b.high };
+}
+HWY_INLINE TwoLanes MulAdd(TwoLanes a, TwoLanes b, TwoLanes c)
+{
+  return { MulAdd(a.low, b.low, c.low), MulAdd(a.high, b.high, c.high) };
+}
+HWY_INLINE TwoLanes NegMulAdd(TwoLanes a, TwoLanes b, TwoLanes c)
+{
+  return { NegMulAdd(a.low, b.low, c.low), NegMulAdd(a.high, b.high, c.high) };
+}
+HWY_INLINE TwoLanes Min(TwoLanes a, TwoLanes b)
+{
+  return { Min(a.low, b.low), Min(a.high, b.high) };
+}
+HWY_INLINE TwoLanes Max(TwoLanes a, TwoLanes b)
+{
+  return { Max(a.low, b.low), Max(a.high, b.high) };
+}
+HWY_INLINE TwoLanes Abs(TwoLanes a)
+{
+  return { Abs(a.low), Abs(a.high) };
+}
+HWY_INLINE TwoMasks operator<(TwoLanes a, TwoLanes b)
+{
+  return { a.low < b.low, a.high < b.high };
+}
+HWY_INLINE TwoMasks operator<=(TwoLanes a, TwoLanes b)
+{
+  return { a.low <= b.low, a.high <= b.high };
+}
+HWY_INLINE TwoMasks operator>=(TwoLanes a, TwoLanes b)
+{
+  return { a.low >= b.low, a.high >= b.high };
+}
+HWY_INLINE TwoLanes Select(TwoMasks mask, TwoLanes yes, TwoLanes no)
+{
+  return { Select(mask.low, yes.low, no.low), Select(mask.high, yes.high, no.high) };
+}
+HWY_INLINE TwoMasks And(TwoMasks a, TwoMasks b)
+{
+  return { And(a.low, b.low), And(a.high, b.high) };
+}
+HWY_INLINE TwoMasks Or(TwoMasks a, TwoMasks b)
+{
+  return { Or(a.low, b.low), Or(a.high, b.high) };
+}
+HWY_INLINE TwoMasks AndNot(TwoMasks a, TwoMasks b)
+{
+  return { AndNot(a.low, b.low), AndNot(a.high, b.high) };
+}
+HWY_INLINE bool None(TwoMasks mask)
+{
+  return None(Or(mask.low, mask.high));
+}
+HWY_INLINE bool All(TwoMasks mask)
+{
+  return All(And(mask.low, mask.high));
+}
+HWY_INLINE TwoMasks IsFinite(TwoLanes a)
+{
+  return { IsFinite(a.low), IsFinite(a.high) };
+}
+HWY_INLINE TwoLanes CollapsedQuotient(TwoLanes y, TwoLanes t)
+{
+  return { CollapsedQuotient(y.low, t.low), CollapsedQuotient(y.high, t.high) };
+}
+HWY_INLINE TwoLanes SafeReciprocal(TwoLanes t)
+{
+  return { SafeReciprocal(t.low), SafeReciprocal(t.high) };
+}
+HWY_INLINE void Store(TwoLanes a, double* to)
+{
+  Store(a.low, to);
+  Store(a.high, to + LaneCount());
+}
+
+template <>
+struct NumberTraits<TwoLanes>
+{
+  using Scalar = double;
+  using Mask = TwoMasks;
+  static HWY_INLINE int Count() { return 2 * LaneCount(); }
+  static HWY_INLINE TwoLanes Splat(double value)
+  {
+    const Lanes lanes = NumberTraits<Lanes>::Splat(value);
+    return { lanes, lanes };
+  }
+  static HWY_INLINE TwoLanes SplatScalar(double value) { return Splat(value); }
+  static HWY_INLINE TwoLanes Load(const double* from)
+  {
+    return { NumberTraits<Lanes>::Load(from), NumberTraits<Lanes>::Load(from + LaneCount()) };
+  }
+};
+} // namespace pixelexact::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
