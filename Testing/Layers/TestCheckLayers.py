@@ -17,6 +17,7 @@ GOOD = {
         "#include <hwy/foreach_target.h>\n#include <hwy/highway.h>\n"
         '#include "Core/Math/Lanes-inl.h"\n'
     ),
+    "Module/Core/Location/PointKernels.cxx": "#include <hwy/foreach_target.h>\n",
     "Module/Core/Location/EmbreeScene.cxx": (
         '#include "EmbreeScene.h"\n#include <embree4/rtcore.h>\n'
     ),
@@ -86,6 +87,11 @@ BAD = {
     "Highway outside of Lanes": (
         "Module/Core/Basis/Bad.h",
         "#include <hwy/highway.h>\n",
+        "only Core/Math/Lanes*.h knows Highway",
+    ),
+    "Highway outside of kernels": (
+        "Module/Core/Location/Bad.cxx",
+        "#include <hwy/foreach_target.h>\n",
         "only Core/Math/Lanes*.h knows Highway",
     ),
     "Highway in a header of Element": (

@@ -71,7 +71,8 @@ def check_external(path, name):
     if name.startswith("hwy/"):
         lanes = path.startswith("Module/Core/Math/Lanes")
         # Highway compiles a kernel once per instruction set by letting it include itself.
-        kernel = path.startswith("Module/Core/Element/") and base.endswith(".cxx")
+        kernel = room(path) in VTK_FREE and base.endswith("Kernels.cxx")
+        kernel = kernel or (path.startswith("Module/Core/Element/") and base.endswith(".cxx"))
         if not lanes and not (kernel and name in ("hwy/foreach_target.h", "hwy/highway.h")):
             return f"only Core/Math/Lanes*.h knows Highway, but this includes {name}"
     if re.match(r"embree\d*/", name) and not path.startswith("Module/Core/Location/Embree"):

@@ -193,6 +193,14 @@ void MakeFrame(const Space& space, const double* coefficients, const ComponentHu
 }
 } // namespace
 
+Box3 MakeElementBox(const Mesh& mesh, int element)
+{
+  ElementBounds bounds;
+  MakeBox(
+    mesh, element, MakeHulls(mesh.map.SpaceOf(element), mesh.map.Coefficients(element)), bounds);
+  return bounds.box;
+}
+
 ElementBounds MakeElementBounds(const Mesh& mesh, int element)
 {
   const Space& space = mesh.map.SpaceOf(element);

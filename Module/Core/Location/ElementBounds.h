@@ -35,6 +35,9 @@ struct ElementBounds
     Shape shape, const Vec3& elementCentre, double inverseSize, const Vec3& x) const;
 };
 
+/// The box alone, the same as that of the bounds.
+Box3 MakeElementBox(const Mesh& mesh, int element);
+
 /// The bounds of one element of a valid mesh.
 ElementBounds MakeElementBounds(const Mesh& mesh, int element);
 

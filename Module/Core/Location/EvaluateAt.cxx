@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Base/Error.h"
+#include "Core/Element/LaneBuffer.h"
 #include "Core/Location/SamplingSink.h"
 
-#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace pixelexact
 {
@@ -17,19 +18,10 @@ void TellInside(LocationSink& sink, int element, std::span<const Vec3> xi)
     return;
   }
   std::vector<int> index(xi.size());
-  std::vector<double> lanes(4 * static_cast<std::size_t>(PaddedCount(static_cast<int>(xi.size()))));
-  const std::size_t stride = lanes.size() / 4;
-  for (std::size_t k = 0; k < stride; ++k)
-  {
-    const std::size_t from = std::min(k, xi.size() - 1);
-    for (int d = 0; d < 3; ++d)
-    {
-      lanes[static_cast<std::size_t>(d) * stride + k] = xi[from][d];
-    }
-    index[from] = static_cast<int>(from);
-  }
-  const double* const pointers[3] = { &lanes[0], &lanes[stride], &lanes[2 * stride] };
-  sink.Inside(element, index, pointers, &lanes[3 * stride]);
+  std::iota(index.begin(), index.end(), 0);
+  const LaneBuffer lanes(xi);
+  const std::vector<double> residual(xi.size());
+  sink.Inside(element, index, lanes.View().x, residual.data());
 }
 } // namespace
 
@@ -56,7 +48,8 @@ void EncloseAt(const Mesh& mesh, const Field& field, int element, std::span<cons
     throw Error("enclosures need a world point for each of the " + std::to_string(xi.size()) +
       " reference points.");
   }
-  SamplingSink sink(mesh, &field, x, target);
+  const LaneBuffer lanes(x);
+  SamplingSink sink(mesh, &field, lanes.View(), target);
   TellInside(sink, element, xi);
 }
 

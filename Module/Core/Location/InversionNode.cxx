@@ -144,10 +144,8 @@ bool IsRegular(const std::array<int, 3>& degree, const BoxCoefficients& slopes)
   {
     return false;
   }
-  // Bernstein polynomials beyond the box sum in magnitude to less than (1 + 2 reach)^degrees; and
-  // a root that is taken to lie in the box may be beyond it by a tolerance of 1e-12.
-  const double growth =
-    std::pow(1.0 + 2.0 * ReachOf(degree), degree[0] + degree[1] + degree[2]) * (1.0 + 1e-6);
+  // Bernstein polynomials beyond the box sum in magnitude to less than (1 + 2 reach)^degrees.
+  const double growth = std::pow(1.0 + 2.0 * ReachOf(degree), degree[0] + degree[1] + degree[2]);
   // Of the products, not of M times the hulls: whether a box is regular must not depend on how the
   // element is stretched.
   BoxCoefficients row;
@@ -183,8 +181,10 @@ bool IsRegular(const std::array<int, 3>& degree, const BoxCoefficients& slopes)
         others += std::fabs(around) + radius;
       }
     }
-    // Far more than the rounding of these sums. A NaN is not above.
-    if (!(diagonal > others + 1e-6))
+    // Far more than the rounding of these sums, and than what the slopes change by over the
+    // tolerance of 1e-12 by which a root that counts as in the box may lie beyond it, also on the
+    // scale of a pyramid's apex. A NaN is not above.
+    if (!(diagonal > others + 1e-4))
     {
       return false;
     }

@@ -29,8 +29,7 @@ std::shared_ptr<InversionTree> InversionTrees::Of(int element)
   auto& tree = Trees[element];
   if (!tree)
   {
-    tree =
-      std::make_shared<InversionTree>(TheMesh, element, Bounds[static_cast<std::size_t>(element)]);
+    tree = std::make_shared<InversionTree>(TheMesh, element, Bounds.Of(element));
   }
   return tree;
 }

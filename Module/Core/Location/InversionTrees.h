@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Core/Location/BoundsCache.h"
 #include "Core/Location/InversionTree.h"
 
 #include <map>
 #include <memory>
 #include <mutex>
-#include <span>
 
 namespace pixelexact
 {
@@ -16,7 +16,7 @@ namespace pixelexact
 class InversionTrees
 {
 public:
-  InversionTrees(const Mesh& mesh, std::span<const ElementBounds> bounds)
+  InversionTrees(const Mesh& mesh, const BoundsCache& bounds)
     : TheMesh(mesh)
     , Bounds(bounds)
   {
@@ -30,7 +30,7 @@ public:
 
 private:
   const Mesh& TheMesh;
-  std::span<const ElementBounds> Bounds;
+  const BoundsCache& Bounds;
   mutable std::mutex Mutex;
   std::map<int, std::shared_ptr<InversionTree>> Trees;
   int Asked = 0;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Location/BoundsCache.h"
 #include "Core/Location/EmbreeBvh.h"
 #include "Core/Location/InversionTrees.h"
 #include "Core/Location/Locator.h"
@@ -56,7 +57,7 @@ void Locator::LocateAll(std::span<const Vec3> points, PreimageSink& sink) const
     Hierarchy->Query({ x, x }, candidates);
     for (const int element : candidates)
     {
-      const ElementBounds& bounds = Elements[static_cast<std::size_t>(element)];
+      const ElementBounds& bounds = Cache->Of(element);
       const InverseProblem problem = MakeInverseProblem(TheMesh, element, bounds);
       const Vec3 centre(problem.centre[0], problem.centre[1], problem.centre[2]);
       if (!bounds.MightContain(problem.space.shape, centre, problem.inverseSize, x))

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Core/Base/Verdict.h"
+#include "Core/Element/Kernels.h"
 #include "Core/Element/Mesh.h"
 
 #include <atomic>
@@ -11,7 +12,7 @@
 
 namespace pixelexact
 {
-struct ElementBounds;
+class BoundsCache;
 class Bvh;
 class InversionTrees;
 
@@ -74,7 +75,8 @@ struct LocationCounters
 class Locator
 {
 public:
-  /// Builds bounds and BVH, in parallel. The mesh must be valid (Validate); its arrays must outlive
+  /// Builds boxes and BVH, in parallel; what else is known of an element is made when a point first
+  /// needs it. The mesh must be valid (Validate); its arrays must outlive
   /// the locator. An empty mesh is allowed and holds no point.
   explicit Locator(const Mesh& mesh);
   ~Locator();
@@ -84,6 +86,7 @@ public:
   /// Serial: for use inside of a parallel loop. Points that are outside of every element are told
   /// to nobody. Points with NaN or infinite coordinates are outside.
   /// Best called with points that lie close together, a few hundred to a few thousand.
+  void Locate(const LanePoints& points, LocationSink& sink) const;
   void Locate(std::span<const Vec3> points, LocationSink& sink) const;
 
   /// All preimages of the points in all elements: none proves a gap, several that are not all on
@@ -94,6 +97,8 @@ public:
   /// The box of the whole mesh, certified; lower > upper for an empty mesh.
   [[nodiscard]] const Box3& Bounds() const { return MeshBounds; }
   [[nodiscard]] const Box3& ElementBox(int element) const;
+  /// Elements of which more than the box has been made.
+  [[nodiscard]] int BoundedElements() const;
   [[nodiscard]] const LocationCounters& Counters() const { return TheCounters; }
   /// Bytes held beside the mesh's own arrays.
   [[nodiscard]] std::size_t MemoryUsage() const;
@@ -102,7 +107,8 @@ private:
   class Batch;
   Mesh TheMesh;
   Box3 MeshBounds;
-  std::vector<ElementBounds> Elements;
+  std::vector<Box3> Boxes;
+  std::unique_ptr<BoundsCache> Cache;
   std::unique_ptr<Bvh> Hierarchy;
   std::unique_ptr<InversionTrees> Trees;
   mutable LocationCounters TheCounters;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Location/Sample.h"
 
+#include "Core/Element/LaneBuffer.h"
 #include "Core/Location/SamplingSink.h"
 
 #include <tbb/parallel_for.h>
@@ -121,7 +122,14 @@ void SampleTarget::Clear() const
 void SampleTile(const Locator& locator, const Field* field, std::span<const Vec3> points,
   const SampleTarget& target)
 {
-  RequireSizes(field, points.size(), target);
+  const LaneBuffer lanes(points);
+  SampleTile(locator, field, lanes.View(), target);
+}
+
+void SampleTile(
+  const Locator& locator, const Field* field, const LanePoints& points, const SampleTarget& target)
+{
+  RequireSizes(field, static_cast<std::size_t>(points.count), target);
   target.Clear();
   SamplingSink sink(locator.GetMesh(), field, points, target);
   locator.Locate(points, sink);

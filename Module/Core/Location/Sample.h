@@ -28,6 +28,8 @@ struct SampleTarget
 /// Locates points and, where they are inside, evaluates `field` (which may be null) at their xi at
 /// once, while the element's coefficients are in cache. Serial; points should be close together.
 /// Clears the target first. Target spans must be empty or sized for the points.
+void SampleTile(
+  const Locator& locator, const Field* field, const LanePoints& points, const SampleTarget& target);
 void SampleTile(const Locator& locator, const Field* field, std::span<const Vec3> points,
   const SampleTarget& target);
 

@@ -39,7 +39,7 @@ double* const* OutputArrays::Get(std::size_t arrays, std::size_t stride)
 }
 
 SamplingSink::SamplingSink(
-  const Mesh& mesh, const Field* field, std::span<const Vec3> points, const SampleTarget& target)
+  const Mesh& mesh, const Field* field, const LanePoints& points, const SampleTarget& target)
   : TheMesh(mesh)
   , TheField(field)
   , Points(points)
@@ -50,26 +50,17 @@ SamplingSink::SamplingSink(
 void SamplingSink::Inside(
   int element, std::span<const int> index, const double* const xi[3], const double* residual)
 {
-  for (std::size_t k = 0; k < index.size(); ++k)
+  const auto write = [&](auto target, const auto& valueOf)
   {
-    const auto i = static_cast<std::size_t>(index[k]);
-    if (!Target.element.empty())
+    for (std::size_t k = 0; !target.empty() && k < index.size(); ++k)
     {
-      Target.element[i] = element;
+      target[static_cast<std::size_t>(index[k])] = valueOf(k);
     }
-    if (!Target.xi.empty())
-    {
-      Target.xi[i] = { xi[0][k], xi[1][k], xi[2][k] };
-    }
-    if (!Target.verdict.empty())
-    {
-      Target.verdict[i] = Verdict::Inside;
-    }
-    if (!Target.residual.empty())
-    {
-      Target.residual[i] = residual[k];
-    }
-  }
+  };
+  write(Target.element, [&](std::size_t) { return element; });
+  write(Target.xi, [&](std::size_t k) { return Vec3(xi[0][k], xi[1][k], xi[2][k]); });
+  write(Target.verdict, [&](std::size_t) { return Verdict::Inside; });
+  write(Target.residual, [&](std::size_t k) { return residual[k]; });
   if (TheField)
   {
     const LanePoints at{ { xi[0], xi[1], xi[2] }, static_cast<int>(index.size()) };
@@ -134,10 +125,10 @@ void SamplingSink::EncloseField(int element, std::span<const int> index, const L
   double* const* arrays = Arrays.Get(3 + 2 * components, stride);
   for (std::size_t k = 0; k < stride; ++k)
   {
-    const Vec3& x = Points[static_cast<std::size_t>(index[std::min(k, index.size() - 1)])];
+    const int at = index[std::min(k, index.size() - 1)];
     for (int d = 0; d < 3; ++d)
     {
-      arrays[d][k] = x[d];
+      arrays[d][k] = Points.x[d][at];
     }
   }
   double* const* lower = arrays + 3;

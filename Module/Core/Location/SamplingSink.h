@@ -23,7 +23,7 @@ class SamplingSink final : public LocationSink
 {
 public:
   SamplingSink(
-    const Mesh& mesh, const Field* field, std::span<const Vec3> points, const SampleTarget& target);
+    const Mesh& mesh, const Field* field, const LanePoints& points, const SampleTarget& target);
 
   void Inside(int element, std::span<const int> index, const double* const xi[3],
     const double* residual) override;
@@ -35,7 +35,7 @@ private:
 
   const Mesh& TheMesh;
   const Field* TheField;
-  std::span<const Vec3> Points;
+  LanePoints Points;
   const SampleTarget& Target;
   OutputArrays Arrays;
 };

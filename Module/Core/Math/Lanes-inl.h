@@ -11,6 +11,7 @@
 
 #include <hwy/highway.h>
 
+#include <cstdint>
 #include <limits>
 
 /// Of a lambda: compiled for the instruction set at hand, and into the function that calls it, so
@@ -120,6 +121,32 @@ HWY_INLINE LaneMask IsFinite(Lanes a)
 HWY_INLINE void Store(Lanes a, double* to)
 {
   hwy::HWY_NAMESPACE::StoreU(a.v, LaneTag(), to);
+}
+
+/// One bit per lane, the first lane in the lowest.
+HWY_INLINE std::uint64_t BitsOf(LaneMask mask)
+{
+  std::uint8_t bytes[8] = {};
+  hwy::HWY_NAMESPACE::StoreMaskBits(LaneTag(), mask, bytes);
+  return bytes[0];
+}
+HWY_INLINE LaneMask MaskOf(std::uint64_t bits)
+{
+  const std::uint8_t bytes[8] = { static_cast<std::uint8_t>(bits) };
+  return hwy::HWY_NAMESPACE::LoadMaskBits(LaneTag(), bytes);
+}
+/// Stores the lanes of the mask one after the other; up to a whole pack may be written.
+HWY_INLINE void StorePacked(Lanes a, LaneMask mask, double* to)
+{
+  hwy::HWY_NAMESPACE::CompressStore(a.v, mask, LaneTag(), to);
+}
+HWY_INLINE double Least(Lanes a)
+{
+  return hwy::HWY_NAMESPACE::GetLane(hwy::HWY_NAMESPACE::MinOfLanes(LaneTag(), a.v));
+}
+HWY_INLINE double Most(Lanes a)
+{
+  return hwy::HWY_NAMESPACE::GetLane(hwy::HWY_NAMESPACE::MaxOfLanes(LaneTag(), a.v));
 }
 
 /// What the evaluation templates need to know of their number type. The scalar is the type of the

@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Location/Batch.h"
+
+#include "Core/Location/BoundsCache.h"
+#include "Core/Location/EmbreeBvh.h"
+#include "Core/Location/InversionTrees.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <limits>
+
+namespace pixelexact
+{
+namespace
+{
+/// A group of points that meets more candidates than this is halved, down to a pack: a query costs
+/// about as much as testing a few hundred points.
+constexpr std::size_t kManyCandidates = 48;
+constexpr std::size_t kManyCandidatesOfChunk = 12;
+constexpr int kSmallChunk = 8;
+
+bool Overlap(const Box3& a, const Box3& b)
+{
+  return a.lower.x <= b.upper.x && b.lower.x <= a.upper.x && a.lower.y <= b.upper.y &&
+    b.lower.y <= a.upper.y && a.lower.z <= b.upper.z && b.lower.z <= a.upper.z;
+}
+} // namespace
+
+struct Locator::Batch::Scratch
+{
+  std::vector<double> lanes;
+  std::size_t stride = 0;
+  std::vector<PointChunk> chunks;
+  std::vector<std::vector<int>> candidates; ///< of each depth of halving
+  std::size_t depth = 0;
+  std::vector<int> selected; ///< the batch's index of each selected point
+  std::vector<int> found;
+  std::vector<int> decided; ///< by the careful path
+  std::vector<Doubt> doubtful;
+  std::vector<Doubt> undecided;
+
+  void Fit(int points)
+  {
+    // Packs are stored whole beyond the last point.
+    const auto needed = static_cast<std::size_t>(PaddedCount(points) + kLanePadding);
+    if (stride < needed)
+    {
+      stride = needed;
+      lanes.resize(9 * stride);
+      selected.resize(stride);
+      found.resize(stride);
+    }
+    depth = 0;
+  }
+  double* operator[](std::size_t array) { return &lanes[array * stride]; }
+
+  static Scratch& OfThread()
+  {
+    thread_local Scratch scratch;
+    return scratch;
+  }
+};
+
+Locator::Batch::Batch(const Locator& locator, const LanePoints& points, LocationSink& sink)
+  : Owner(locator)
+  , TheMesh(locator.TheMesh)
+  , Points(points)
+  , Sink(sink)
+  , Kernels(GetPointKernels())
+  , Work(Scratch::OfThread())
+{
+}
+
+void Locator::Batch::Run()
+{
+  Work.Fit(Points.count);
+  auto& chunks = Work.chunks;
+  chunks.clear();
+  for (int begin = 0; begin < Points.count; begin += kChunkPoints)
+  {
+    chunks.push_back(
+      Kernels.chunk(Points, begin, std::min(kChunkPoints, Points.count - begin), Owner.MeshBounds));
+  }
+  Search(chunks);
+  auto& counters = Owner.TheCounters;
+  counters.queries += Queries;
+  counters.candidates += Candidates;
+  counters.careful += Careful;
+  counters.unknown += Unknown;
+  int most = counters.mostBoxes;
+  while (most < MostBoxes && !counters.mostBoxes.compare_exchange_weak(most, MostBoxes))
+  {
+  }
+}
+
+void Locator::Batch::Search(std::span<PointChunk> chunks)
+{
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Box3 region{ Vec3(kInfinity), Vec3(-kInfinity) };
+  for (const PointChunk& chunk : chunks)
+  {
+    region.lower = glm::min(region.lower, chunk.box.lower);
+    region.upper = glm::max(region.upper, chunk.box.upper);
+  }
+  if (!(region.lower.x <= region.upper.x))
+  {
+    return;
+  }
+  if (Work.candidates.size() <= Work.depth)
+  {
+    Work.candidates.resize(Work.depth + 1);
+  }
+  auto& elements = Work.candidates[Work.depth];
+  Owner.Hierarchy->Query(region, elements);
+  ++Queries;
+  if (chunks.size() > 1 ? elements.size() > kManyCandidates
+                        : elements.size() > kManyCandidatesOfChunk && chunks[0].count > kSmallChunk)
+  {
+    SearchHalves(chunks);
+    return;
+  }
+  Work.doubtful.clear();
+  // Elements come in ascending order and points leave when found: so the lowest element wins.
+  for (const int element : elements)
+  {
+    SearchElement(chunks, element);
+  }
+  Decide(chunks);
+}
+
+void Locator::Batch::SearchHalves(std::span<PointChunk> chunks)
+{
+  ++Work.depth;
+  if (chunks.size() > 1)
+  {
+    Search(chunks.first(chunks.size() / 2));
+    Search(chunks.subspan(chunks.size() / 2));
+  }
+  else
+  {
+    // Whole packs stay together.
+    const int count = chunks[0].count;
+    const int half = PaddedCount(count / 2);
+    PointChunk first = Kernels.chunk(Points, chunks[0].begin, half, Owner.MeshBounds);
+    PointChunk second =
+      Kernels.chunk(Points, chunks[0].begin + half, count - half, Owner.MeshBounds);
+    Search(std::span(&first, 1));
+    Search(std::span(&second, 1));
+  }
+  --Work.depth;
+}
+
+void Locator::Batch::SearchElement(std::span<PointChunk> chunks, int element)
+{
+  const ElementBounds* bounds = nullptr;
+  const int count = Select(chunks, element, bounds);
+  Candidates += count;
+  if (count > 0)
+  {
+    Invert(chunks, *bounds, count);
+  }
+}
+
+int Locator::Batch::Select(
+  std::span<const PointChunk> chunks, int element, const ElementBounds*& bounds)
+{
+  const Box3& box = Owner.Boxes[static_cast<std::size_t>(element)];
+  int count = 0;
+  for (const PointChunk& chunk : chunks)
+  {
+    if (chunk.open == 0 || !Overlap(chunk.box, box))
+    {
+      continue;
+    }
+    std::uint64_t bits = Kernels.inBox(Points, chunk.begin, chunk.open, box);
+    if (bits == 0)
+    {
+      continue;
+    }
+    if (!bounds)
+    {
+      // Not before a point lies in the box: most bounds are never needed.
+      bounds = &Owner.Cache->Of(element);
+      Problem = MakeInverseProblem(TheMesh, element, *bounds);
+      Element = element;
+    }
+    double* const selected[3] = { Work[0] + count, Work[1] + count, Work[2] + count };
+    bits = Kernels.select(*bounds, Problem, Points, chunk.begin, bits, selected);
+    for (; bits != 0; bits &= bits - 1)
+    {
+      Work.selected[static_cast<std::size_t>(count++)] = chunk.begin + std::countr_zero(bits);
+    }
+  }
+  return count;
+}
+
+void Locator::Batch::Invert(std::span<PointChunk> chunks, const ElementBounds& bounds, int count)
+{
+  for (int k = count; k < PaddedCount(count); ++k)
+  {
+    for (std::size_t d = 0; d < 3; ++d)
+    {
+      Work[d][k] = Work[d][count - 1];
+    }
+  }
+  const InverseResult result{ { Work[3], Work[4], Work[5] }, Work[6], Work[7], Work[8] };
+  KernelsFor(Problem.space).invert(Problem, { { Work[0], Work[1], Work[2] }, count }, result);
+  int inside = 0;
+  for (int k = 0; k < count; ++k)
+  {
+    const int index = Work.selected[static_cast<std::size_t>(k)];
+    if (result.status[k] == static_cast<double>(NewtonStatus::RootInside))
+    {
+      Work.found[static_cast<std::size_t>(inside++)] = index;
+      const int at = index - chunks[0].begin;
+      chunks[static_cast<std::size_t>(at / kChunkPoints)].open &=
+        ~(std::uint64_t{ 1 } << static_cast<unsigned>(at % kChunkPoints));
+    }
+    else if (result.status[k] == static_cast<double>(NewtonStatus::NotConverged) ||
+      !(result.margin[k] >= -bounds.injectiveMargin))
+    {
+      const bool converged = result.status[k] == static_cast<double>(NewtonStatus::RootOutside);
+      Work.doubtful.push_back({ index, Element,
+        converged ? Vec3(result.xi[0][k], result.xi[1][k], result.xi[2][k])
+                  : Vec3(std::numeric_limits<double>::quiet_NaN()) });
+    }
+  }
+  if (inside > 0)
+  {
+    Kernels.keepInside(result, count);
+    const double* const xi[3] = { result.xi[0], result.xi[1], result.xi[2] };
+    Sink.Inside(
+      Element, std::span(Work.found).first(static_cast<std::size_t>(inside)), xi, result.residual);
+  }
+}
+
+Vec3 Locator::Batch::PointAt(int index) const
+{
+  return { Points.x[0][index], Points.x[1][index], Points.x[2][index] };
+}
+
+/// The careful path, for points that no element's fast path holds. Element by element, so that
+/// what an element needs is made once.
+void Locator::Batch::Decide(std::span<const PointChunk> chunks)
+{
+  auto& doubtful = Work.doubtful;
+  std::erase_if(doubtful,
+    [&](const Doubt& doubt)
+    {
+      const int at = doubt.index - chunks[0].begin;
+      return (chunks[static_cast<std::size_t>(at / kChunkPoints)].open >>
+                 static_cast<unsigned>(at % kChunkPoints) &
+               1U) == 0;
+    });
+  if (doubtful.empty())
+  {
+    return;
+  }
+  auto& undecided = Work.undecided;
+  undecided.clear();
+  auto& found = Work.decided;
+  found.clear();
+  const auto isFound = [&](const Doubt& doubt)
+  { return std::ranges::find(found, doubt.index) != found.end(); };
+  // Doubts were raised in ascending order of elements.
+  for (std::size_t begin = 0; begin < doubtful.size();)
+  {
+    const int element = doubtful[begin].element;
+    const auto careful = Owner.Trees->Of(element);
+    for (; begin < doubtful.size() && doubtful[begin].element == element; ++begin)
+    {
+      if (!isFound(doubtful[begin]))
+      {
+        DecideOne(*careful, doubtful[begin]);
+      }
+    }
+  }
+  for (const Doubt& doubt : undecided)
+  {
+    if (!isFound(doubt))
+    {
+      // Further elements that could not be decided either are not told.
+      found.push_back(doubt.index);
+      ++Unknown;
+      Sink.Undecided(doubt.index, doubt.element);
+    }
+  }
+}
+
+void Locator::Batch::DecideOne(InversionTree& careful, const Doubt& doubt)
+{
+  ++Careful;
+  const Preimages result =
+    careful.Find(PointAt(doubt.index), doubt.root, InversionTree::Wanted::First);
+  MostBoxes = std::max(MostBoxes, result.boxes);
+  if (result.verdict == Verdict::Inside)
+  {
+    const InverseRoot& root = result.roots.front();
+    std::array<std::array<double, kLanePadding>, 3> xi;
+    for (int d = 0; d < 3; ++d)
+    {
+      xi[d].fill(root.xi[d]);
+    }
+    const double* const lanes[3] = { xi[0].data(), xi[1].data(), xi[2].data() };
+    Sink.Inside(doubt.element, std::span<const int>(&doubt.index, 1), lanes, &root.residual);
+    Work.decided.push_back(doubt.index);
+  }
+  else if (result.verdict == Verdict::Unknown)
+  {
+    Work.undecided.push_back(doubt);
+  }
+}
+} // namespace pixelexact

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Location/InversionTree.h"
+#include "Core/Location/Locator.h"
+#include "Core/Location/PointKernels.h"
+
+namespace pixelexact
+{
+/// The work of Locator::Locate on one batch of points: for each element that a group of points may
+/// lie in, all of them at once, from the rejects over the inverse map to the sink, so that what is
+/// known of the element is loaded once.
+class Locator::Batch
+{
+public:
+  Batch(const Locator& locator, const LanePoints& points, LocationSink& sink);
+  void Run();
+
+private:
+  struct Doubt
+  {
+    int index;
+    int element;
+    Vec3 root; ///< where Newton converged to, outside of the shape; NaN where it did not
+  };
+
+  void Search(std::span<PointChunk> chunks);
+  void SearchHalves(std::span<PointChunk> chunks);
+  void SearchElement(std::span<PointChunk> chunks, int element);
+  int Select(std::span<const PointChunk> chunks, int element, const ElementBounds*& bounds);
+  void Invert(std::span<PointChunk> chunks, const ElementBounds& bounds, int count);
+  void Decide(std::span<const PointChunk> chunks);
+  void DecideOne(InversionTree& careful, const Doubt& doubt);
+  [[nodiscard]] Vec3 PointAt(int index) const;
+
+  /// The arrays of a batch, kept by each thread from one batch to the next.
+  struct Scratch;
+
+  const Locator& Owner;
+  const Mesh& TheMesh;
+  const LanePoints& Points;
+  LocationSink& Sink;
+  const PointKernels& Kernels;
+  Scratch& Work;
+  InverseProblem Problem{};
+  int Element = -1; ///< of Problem
+  std::int64_t Queries = 0;
+  std::int64_t Candidates = 0;
+  std::int64_t Careful = 0;
+  std::int64_t Unknown = 0;
+  int MostBoxes = 0;
+};
+} // namespace pixelexact

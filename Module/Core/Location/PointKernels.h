@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Location/ElementBounds.h"
+
+#include <cstdint>
+
+// What a search does with whole packs of points before and after the inverse map: which of them an
+// element might hold, and which it was found to. Dispatched at run time to the instruction set.
+namespace pixelexact
+{
+/// Points are looked at in chunks of at most this many, a bit each.
+inline constexpr int kChunkPoints = 64;
+
+/// Neighbouring points of a batch: `count` from `begin` on.
+struct PointChunk
+{
+  int begin = 0;
+  int count = 0;
+  std::uint64_t open = 0; ///< a bit for each point that is still looked for
+  Box3 box;               ///< of the open points, when the chunk was made
+};
+
+struct PointKernels
+{
+  /// The chunk of points begin .. begin + count: open are those within `bounds`.
+  PointChunk (*chunk)(const LanePoints& points, int begin, int count, const Box3& bounds);
+  /// Of the points in `bits`, those within the box.
+  std::uint64_t (*inBox)(const LanePoints& points, int begin, std::uint64_t bits, const Box3& box);
+  /// Of the points in `bits`, those that the element's frame does not exclude
+  /// (ElementBounds::MightContain). Their coordinates are stored one after the other to
+  /// `selected[d]`, where a whole pack beyond the last must fit.
+  std::uint64_t (*select)(const ElementBounds& bounds, const InverseProblem& problem,
+    const LanePoints& points, int begin, std::uint64_t bits, double* const selected[3]);
+  /// Moves xi and residual of the points found inside to the front of their arrays, in order, and
+  /// fills them up to PaddedCount with the last.
+  void (*keepInside)(const InverseResult& result, int count);
+};
+
+const PointKernels& GetPointKernels();
+} // namespace pixelexact
