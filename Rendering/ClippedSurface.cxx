@@ -20,19 +20,29 @@ bool ClippedSurface::Keeps(const Vec3& position) const
     });
 }
 
-void ClippedSurface::NextHit(std::span<const Ray> rays, std::span<const double> tMin,
-  std::span<double> t, std::span<Vec3> position) const
+void ClippedSurface::NextHit(const RayLanes& rays, const double* tMin, const HitLanes& hits) const
 {
-  Whole->NextHit(rays, tMin, t, position);
+  Whole->NextHit(rays, tMin, hits);
   // Hits that are cut away are stepped over one by one. Each starts beyond the last, so the loop
   // ends with the surface's hits.
-  for (std::size_t i = 0; i < rays.size(); ++i)
+  for (int i = 0; i < rays.count; ++i)
   {
-    while (t[i] < kNoHit && !Keeps(position[i]))
+    const auto& [t, x] = hits;
+    Hit hit{ t[i], { x[0][i], x[1][i], x[2][i] } };
+    if (!(hit.t < kNoHit) || Keeps(hit.position))
     {
-      const double last = t[i];
-      Whole->NextHit(
-        rays.subspan(i, 1), std::span(&last, 1), t.subspan(i, 1), position.subspan(i, 1));
+      continue;
+    }
+    const Ray ray{ { rays.origin[0][i], rays.origin[1][i], rays.origin[2][i] },
+      { rays.direction[0][i], rays.direction[1][i], rays.direction[2][i] } };
+    while (hit.t < kNoHit && !Keeps(hit.position))
+    {
+      hit = NextHitOf(*Whole, ray, hit.t);
+    }
+    t[i] = hit.t;
+    for (int d = 0; d < 3; ++d)
+    {
+      x[d][i] = hit.position[d];
     }
   }
 }

@@ -19,8 +19,8 @@ class ClippedSurface final : public Surface
 public:
   ClippedSurface(std::shared_ptr<const Surface> whole, std::vector<HalfSpace> kept);
 
-  void NextHit(std::span<const Ray> rays, std::span<const double> tMin, std::span<double> t,
-    std::span<Vec3> position) const override;
+  void NextHit(const RayLanes& rays, const double* tMin, const HitLanes& hits) const override;
+  [[nodiscard]] int MostHits() const override { return Whole->MostHits(); }
   [[nodiscard]] Vec3 Normal(const Vec3& position) const override;
 
 private:

@@ -67,18 +67,19 @@ Camera::Camera(const CameraView& view, int width, int height)
     halfHeight = std::tan(view.viewAngle * std::numbers::pi / 360.0);
     halfHeight /= view.horizontalViewAngle ? aspect : 1.0;
   }
+  auto& [origin, direction] = TheRays;
   const Vec3 u = right * (halfHeight * aspect);
   const Vec3 v = up * halfHeight;
   const Vec3 offset = u * view.windowCenter[0] + v * view.windowCenter[1];
   if (view.parallel)
   {
-    Origin = { view.position + offset, u, v };
-    Direction.constant = forward;
+    origin = { view.position + offset, u, v };
+    direction.constant = forward;
   }
   else
   {
-    Origin.constant = view.position;
-    Direction = { forward + offset, u, v };
+    origin.constant = view.position;
+    direction = { forward + offset, u, v };
   }
 }
 
@@ -93,6 +94,7 @@ Camera::Camera(const std::array<double, 16>& inverseProjection, int width, int h
   {
     Require(std::isfinite(entry), "the projection matrix is singular or not finite.");
   }
+  auto& [origin, direction] = TheRays;
   const Vec3 depth = column(2);
   const double depthW = m[14];
   // All rays meet in the image of the direction (0, 0, 1, 0): the eye, or a point at infinity.
@@ -100,29 +102,30 @@ Camera::Camera(const std::array<double, 16>& inverseProjection, int width, int h
   {
     const Vec3 eye = depth / depthW;
     const double sign = m[15] - depthW > 0.0 ? 1.0 : -1.0;
-    Origin.constant = eye;
-    Direction = { (column(3) - eye * m[15]) * sign, (column(0) - eye * m[12]) * sign,
+    origin.constant = eye;
+    direction = { (column(3) - eye * m[15]) * sign, (column(0) - eye * m[12]) * sign,
       (column(1) - eye * m[13]) * sign };
   }
   else
   {
     Require(m[12] == 0.0 && m[13] == 0.0 && m[15] != 0.0, "the matrix describes no projection.");
-    Origin = { (column(3) - depth) / m[15], column(0) / m[15], column(1) / m[15] };
-    Direction.constant = depth / m[15];
+    origin = { (column(3) - depth) / m[15], column(0) / m[15], column(1) / m[15] };
+    direction.constant = depth / m[15];
   }
-  Require(glm::length(Direction.constant) > 0.0, "the matrix describes no direction of view.");
+  Require(glm::length(direction.constant) > 0.0, "the matrix describes no direction of view.");
 }
 
 Ray Camera::At(double px, double py) const
 {
-  const double u = 2.0 * px / ImageWidth - 1.0;
-  const double v = 2.0 * py / ImageHeight - 1.0;
-  const Vec3 direction = Direction.constant + Direction.u * u + Direction.v * v;
-  return { Origin.constant + Origin.u * u + Origin.v * v, direction / glm::length(direction) };
+  const double u = U(px);
+  const double v = V(py);
+  const auto& [origin, direction] = TheRays;
+  const Vec3 to = direction.constant + direction.u * u + direction.v * v;
+  return { origin.constant + origin.u * u + origin.v * v, to * (1.0 / glm::length(to)) };
 }
 
 Vec3 Camera::ViewDirection() const
 {
-  return Direction.constant / glm::length(Direction.constant);
+  return TheRays.direction.constant / glm::length(TheRays.direction.constant);
 }
 } // namespace pixelexact

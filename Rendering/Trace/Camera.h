@@ -27,6 +27,20 @@ struct CameraView
   std::array<double, 2> windowCenter{ 0.0, 0.0 };
 };
 
+/// Origin and direction of rays, linear in the normalised device coordinates (u, v) in [-1,1]^2;
+/// the direction is not of unit length.
+struct CameraRays
+{
+  struct Linear
+  {
+    Vec3 constant{ 0.0 };
+    Vec3 u{ 0.0 };
+    Vec3 v{ 0.0 };
+  };
+  Linear origin;
+  Linear direction;
+};
+
 /// The rays of an image of width x height pixels. Pixel (i, j) covers [i, i+1] x [j, j+1], its
 /// centre is (i + 0.5, j + 0.5), and (0, 0) is the lower left corner of the image.
 class Camera
@@ -50,16 +64,13 @@ public:
   /// The direction of view (of the image's centre), unit length.
   [[nodiscard]] Vec3 ViewDirection() const;
 
+  /// Normalised device coordinates of an image position.
+  [[nodiscard]] double U(double px) const { return 2.0 * px / ImageWidth - 1.0; }
+  [[nodiscard]] double V(double py) const { return 2.0 * py / ImageHeight - 1.0; }
+  [[nodiscard]] const CameraRays& Rays() const { return TheRays; }
+
 private:
-  // Origin and direction are linear in the normalised device coordinates (u, v) in [-1,1]^2.
-  struct Linear
-  {
-    Vec3 constant{ 0.0 };
-    Vec3 u{ 0.0 };
-    Vec3 v{ 0.0 };
-  };
-  Linear Origin;
-  Linear Direction;
+  CameraRays TheRays;
   int ImageWidth;
   int ImageHeight;
 };

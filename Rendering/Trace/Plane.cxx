@@ -2,6 +2,7 @@
 #include "Trace/Plane.h"
 
 #include "Core/Base/Error.h"
+#include "Trace/RayKernels.h"
 
 #include <glm/geometric.hpp>
 
@@ -28,25 +29,9 @@ Plane::Plane(const Vec3& origin, const Vec3& normal)
   UnitNormal = glm::normalize(normal / largest);
 }
 
-void Plane::NextHit(std::span<const Ray> rays, std::span<const double> tMin, std::span<double> t,
-  std::span<Vec3> position) const
+void Plane::NextHit(const RayLanes& rays, const double* tMin, const HitLanes& hits) const
 {
-  for (std::size_t i = 0; i < rays.size(); ++i)
-  {
-    const Ray& ray = rays[i];
-    const double slope = glm::dot(UnitNormal, ray.direction);
-    const double at = glm::dot(UnitNormal, Origin - ray.origin) / slope;
-    // A slope of zero makes `at` infinite or NaN: no hit either way.
-    if (!(at > tMin[i]) || !std::isfinite(at))
-    {
-      t[i] = kNoHit;
-      continue;
-    }
-    t[i] = at;
-    const Vec3 x = ray.origin + at * ray.direction;
-    // From a far origin the rounding of t moves x off the plane; put it back along the normal.
-    position[i] = x - UnitNormal * glm::dot(UnitNormal, x - Origin);
-  }
+  GetRayKernels().meetPlane(Origin, UnitNormal, rays, tMin, hits);
 }
 
 Vec3 Plane::Normal(const Vec3& /*position*/) const

@@ -13,8 +13,8 @@ public:
   /// unit length.
   Plane(const Vec3& origin, const Vec3& normal);
 
-  void NextHit(std::span<const Ray> rays, std::span<const double> tMin, std::span<double> t,
-    std::span<Vec3> position) const override;
+  void NextHit(const RayLanes& rays, const double* tMin, const HitLanes& hits) const override;
+  [[nodiscard]] int MostHits() const override { return 1; }
   [[nodiscard]] Vec3 Normal(const Vec3& position) const override;
 
 private:

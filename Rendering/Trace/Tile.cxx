@@ -4,6 +4,7 @@
 #include "Core/Location/Owners.h"
 #include "Core/Location/Sample.h"
 #include "Core/Math/Interval.h"
+#include "Trace/TileSamples.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,39 +14,66 @@ namespace pixelexact
 {
 namespace
 {
+/// The arrays of a tile, kept by each thread from one tile to the next.
+struct Scratch
+{
+  TileSamples samples;
+  std::vector<std::int32_t> element;
+  std::vector<Verdict> verdicts;
+  std::vector<Vec3> xi;
+  std::vector<double> values;
+  std::vector<double> lower;
+  std::vector<double> upper;
+  std::vector<Vec3> positions;
+  std::vector<Owners> owners;
+
+  static Scratch& OfThread()
+  {
+    thread_local Scratch scratch;
+    return scratch;
+  }
+};
+
+/// The first `size` entries, as many of which are there.
+template <class T>
+std::span<T> Room(std::vector<T>& of, std::size_t size)
+{
+  if (of.size() < size)
+  {
+    of.resize(size);
+  }
+  return std::span(of).first(size);
+}
+
 class TileWork
 {
 public:
-  TileWork(const Scene& scene, const Camera& camera, const TileArea& area, double offset,
-    SampleBuffers& buffers, FrameCounters& counters)
+  TileWork(const Scene& scene, SampleBuffers& buffers, FrameCounters& counters)
     : TheScene(scene)
     , Buffers(buffers)
     , Counters(counters)
+    , Work(Scratch::OfThread())
+    , Samples(Work.samples)
   {
-    const int count = (area.x1 - area.x0) * (area.y1 - area.y0);
-    Rays.reserve(count);
-    for (int y = area.y0; y < area.y1; ++y)
-    {
-      for (int x = area.x0; x < area.x1; ++x)
-      {
-        Rays.push_back(camera.At(x + offset, y + offset));
-        Place.push_back(static_cast<std::size_t>(y) * buffers.width + x);
-      }
-    }
-    TMin.assign(count, 0.0);
-    counters.rays += count;
   }
 
-  void Run()
+  void Run(const Camera& camera, const TileArea& area, double offset)
   {
+    Samples.Cast(camera, area, offset, Buffers.width);
+    Counters.rays += Samples.Count();
+    std::int64_t rounds = 0;
+    for (const auto& surface : TheScene.surfaces)
+    {
+      rounds += surface->MostHits();
+    }
     // Each round takes every ray to its next hit; rays whose hit is outside of the mesh go on.
-    while (!Rays.empty())
+    while (Samples.Count() > 0 && rounds-- > 0)
     {
       FindNearest();
       DropMisses();
-      if (!Rays.empty())
+      Evaluate();
+      if (rounds > 0)
       {
-        Evaluate();
         KeepOutside();
       }
     }
@@ -54,154 +82,167 @@ public:
 private:
   void FindNearest()
   {
-    const std::size_t count = Rays.size();
-    T.assign(count, kNoHit);
-    Position.resize(count);
-    Hit.assign(count, 0);
-    for (std::size_t s = 0; s < TheScene.surfaces.size(); ++s)
+    const int count = Samples.Count();
+    const HitLanes nearest = Samples.Hits();
+    TheScene.surfaces[0]->NextHit(Samples.Rays(), Samples.TMin(), nearest);
+    std::fill_n(Samples.surface.begin(), count, 0);
+    for (std::size_t s = 1; s < TheScene.surfaces.size(); ++s)
     {
-      NextT.resize(count);
-      NextPosition.resize(count);
-      TheScene.surfaces[s]->NextHit(Rays, TMin, NextT, NextPosition);
-      for (std::size_t i = 0; i < count; ++i)
+      const HitLanes next = Samples.OtherHits();
+      TheScene.surfaces[s]->NextHit(Samples.Rays(), Samples.TMin(), next);
+      for (int i = 0; i < count; ++i)
       {
-        if (NextT[i] < T[i])
+        if (next.t[i] < nearest.t[i])
         {
-          T[i] = NextT[i];
-          Position[i] = NextPosition[i];
-          Hit[i] = static_cast<int>(s);
+          nearest.t[i] = next.t[i];
+          for (int d = 0; d < 3; ++d)
+          {
+            nearest.position[d][i] = next.position[d][i];
+          }
+          Samples.surface[static_cast<std::size_t>(i)] = static_cast<int>(s);
         }
       }
     }
   }
 
-  template <class Keep>
-  void Filter(const Keep& keep)
-  {
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < Rays.size(); ++i)
-    {
-      if (keep(i))
-      {
-        Rays[kept] = Rays[i];
-        Place[kept] = Place[i];
-        TMin[kept] = TMin[i];
-        T[kept] = T[i];
-        Position[kept] = Position[i];
-        Hit[kept] = Hit[i];
-        ++kept;
-      }
-    }
-    for (const auto shrink : { &TMin, &T })
-    {
-      shrink->resize(kept);
-    }
-    Rays.resize(kept);
-    Place.resize(kept);
-    Position.resize(kept);
-    Hit.resize(kept);
-  }
-
   void DropMisses()
   {
-    Filter([&](std::size_t i) { return T[i] < kNoHit; });
-    Counters.surfaceHits += static_cast<std::int64_t>(Rays.size());
+    const double* t = Samples.T();
+    const auto hits = std::count_if(t, t + Samples.Count(), [](double at) { return at < kNoHit; });
+    Counters.surfaceHits += hits;
+    if (hits < Samples.Count())
+    {
+      Samples.Filter([&](int i) { return t[i] < kNoHit; });
+    }
   }
 
   void Evaluate()
   {
-    const std::size_t count = Rays.size();
+    const auto count = static_cast<std::size_t>(Samples.Count());
     const auto components = static_cast<std::size_t>(TheScene.field->values.components);
-    Element.resize(count);
-    Verdicts.resize(count);
-    Xi.resize(Buffers.xi.empty() ? 0 : count);
-    Values.resize(Buffers.value.empty() ? 0 : count * components);
+    const auto sizeIf = [&](bool wanted, std::size_t each) { return wanted ? count * each : 0; };
+    Element = Room(Work.element, sizeIf(!Buffers.element.empty(), 1));
+    Verdicts = Room(Work.verdicts, count);
+    Xi = Room(Work.xi, sizeIf(!Buffers.xi.empty(), 1));
+    Values = Room(Work.values, sizeIf(!Buffers.value.empty(), components));
+    Lower = Room(Work.lower, sizeIf(!Buffers.valueLower.empty(), components));
+    Upper = Room(Work.upper, Lower.size());
     SampleTarget target;
     target.element = Element;
     target.verdict = Verdicts;
     target.xi = Xi;
     target.value = Values;
-    Lower.resize(Buffers.valueLower.empty() ? 0 : count * components);
-    Upper.resize(Lower.size());
     target.valueLower = Lower;
     target.valueUpper = Upper;
-    const bool evaluate = !Buffers.value.empty() || !Buffers.valueLower.empty();
-    SampleTile(*TheScene.locator, evaluate ? TheScene.field : nullptr, Position, target);
+    const bool evaluate = !Values.empty() || !Lower.empty();
+    SampleTile(*TheScene.locator, evaluate ? TheScene.field : nullptr, Samples.Positions(), target);
     if (!Buffers.coverage.empty())
     {
       CountOwners();
     }
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      if (Verdicts[i] != Verdict::Outside)
-      {
-        Write(i, components);
-      }
-    }
+    WriteAll(components);
   }
 
   void CountOwners()
   {
-    Found.resize(Position.size());
-    FindOwnersOfTile(*TheScene.locator, Position, Found);
-    const Box3& bounds = TheScene.locator->Bounds();
-    for (std::size_t i = 0; i < Position.size(); ++i)
+    const auto count = static_cast<std::size_t>(Samples.Count());
+    const auto positions = Room(Work.positions, count);
+    const auto owners = Room(Work.owners, count);
+    for (std::size_t i = 0; i < count; ++i)
     {
-      if (Verdicts[i] != Verdict::Outside || bounds.Contains(Position[i]))
+      positions[i] = Samples.Position(static_cast<int>(i));
+    }
+    FindOwnersOfTile(*TheScene.locator, positions, owners);
+    const Box3& bounds = TheScene.locator->Bounds();
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      if (Verdicts[i] != Verdict::Outside || bounds.Contains(positions[i]))
       {
-        Buffers.owners[Place[i]] = Found[i].preimages;
-        Buffers.coverage[Place[i]] = static_cast<std::uint8_t>(Found[i].coverage);
+        Buffers.owners[Samples.place[i]] = owners[i].preimages;
+        Buffers.coverage[Samples.place[i]] = static_cast<std::uint8_t>(owners[i].coverage);
       }
     }
   }
 
   void KeepOutside()
   {
-    Filter(
-      [&](std::size_t i)
-      {
-        TMin[i] = T[i];
-        return Verdicts[i] == Verdict::Outside;
-      });
+    std::copy_n(Samples.T(), Samples.Count(), Samples.TMin());
+    Samples.Filter(
+      [&](int i) { return Verdicts[static_cast<std::size_t>(i)] == Verdict::Outside; });
   }
 
-  void Write(std::size_t i, std::size_t components)
+  /// To the frame's buffers, one after the other, of all samples with the verdicts that a buffer
+  /// shows.
+  void WriteAll(std::size_t components)
   {
-    const std::size_t at = Place[i];
-    const bool exact = Verdicts[i] == Verdict::Inside;
-    const auto write = [at](auto& buffer, const auto& value)
+    std::int64_t exact = 0;
+    std::int64_t unknown = 0;
+    for (const Verdict verdict : Verdicts)
     {
-      if (!buffer.empty())
+      exact += verdict == Verdict::Inside ? 1 : 0;
+      unknown += verdict == Verdict::Unknown ? 1 : 0;
+    }
+    Counters.exact += exact;
+    Counters.unknown += unknown;
+    if (exact + unknown == 0)
+    {
+      return;
+    }
+    const auto held = [](Verdict verdict) { return verdict != Verdict::Outside; };
+    const auto inside = [](Verdict verdict) { return verdict == Verdict::Inside; };
+    Write(Buffers.verdict, held,
+      [&](std::size_t i)
       {
-        buffer[at] = value;
+        return static_cast<std::uint8_t>(
+          Verdicts[i] == Verdict::Inside ? PixelVerdict::Exact : PixelVerdict::Unknown);
+      });
+    Write(
+      Buffers.position, held, [&](std::size_t i) { return Samples.Position(static_cast<int>(i)); });
+    Write(Buffers.depth, held, [&](std::size_t i) { return Samples.T()[i]; });
+    Write(Buffers.element, held, [&](std::size_t i) { return std::int64_t{ Element[i] }; });
+    Write(Buffers.normal, held,
+      [&](std::size_t i)
+      {
+        return TheScene.surfaces[static_cast<std::size_t>(Samples.surface[i])]->Normal(
+          Samples.Position(static_cast<int>(i)));
+      });
+    Write(Buffers.xi, inside, [&](std::size_t i) { return Xi[i]; });
+    if (components == 1)
+    {
+      Write(Buffers.value, inside, [&](std::size_t i) { return Counted(Values[i]); });
+    }
+    else
+    {
+      Write(Buffers.value, inside,
+        [&](std::size_t i)
+        { return Counted(Component(Values.subspan(i * components, components))); });
+    }
+    Write(Buffers.valueLower, inside,
+      [&](std::size_t i) { return Enclosure(i * components, components).lower; });
+    Write(Buffers.valueUpper, inside,
+      [&](std::size_t i) { return Enclosure(i * components, components).upper; });
+  }
+
+  template <class T, class Held, class ValueOf>
+  void Write(std::vector<T>& buffer, const Held& held, const ValueOf& valueOf)
+  {
+    if (buffer.empty())
+    {
+      return;
+    }
+    for (std::size_t i = 0; i < Verdicts.size(); ++i)
+    {
+      if (held(Verdicts[i]))
+      {
+        buffer[Samples.place[i]] = valueOf(i);
       }
-    };
-    ++(exact ? Counters.exact : Counters.unknown);
-    write(Buffers.verdict,
-      static_cast<std::uint8_t>(exact ? PixelVerdict::Exact : PixelVerdict::Unknown));
-    write(Buffers.position, Position[i]);
-    write(Buffers.depth, T[i]);
-    write(Buffers.element, static_cast<std::int64_t>(Element[i]));
-    if (!Buffers.normal.empty())
-    {
-      Buffers.normal[at] = TheScene.surfaces[Hit[i]]->Normal(Position[i]);
     }
-    if (exact && !Buffers.xi.empty())
-    {
-      Buffers.xi[at] = Xi[i];
-    }
-    if (exact && !Buffers.value.empty())
-    {
-      const double value = Component({ &Values[i * components], components });
-      Counters.nonFinite += std::isfinite(value) ? 0 : 1;
-      Buffers.value[at] = value;
-    }
-    if (exact && !Buffers.valueLower.empty())
-    {
-      const Interval value = Enclosure(i * components, components);
-      Buffers.valueLower[at] = value.lower;
-      Buffers.valueUpper[at] = value.upper;
-    }
+  }
+
+  double Counted(double value)
+  {
+    Counters.nonFinite += std::isfinite(value) ? 0 : 1;
+    return value;
   }
 
   /// Of the component that is shown, from those of all components.
@@ -234,27 +275,20 @@ private:
   const Scene& TheScene;
   SampleBuffers& Buffers;
   FrameCounters& Counters;
-  std::vector<Ray> Rays;
-  std::vector<std::size_t> Place; ///< in the buffers
-  std::vector<double> TMin;
-  std::vector<double> T;
-  std::vector<Vec3> Position;
-  std::vector<int> Hit; ///< number of the surface
-  std::vector<double> NextT;
-  std::vector<Vec3> NextPosition;
-  std::vector<std::int32_t> Element;
-  std::vector<Verdict> Verdicts;
-  std::vector<Vec3> Xi;
-  std::vector<double> Values;
-  std::vector<double> Lower;
-  std::vector<double> Upper;
-  std::vector<Owners> Found;
+  Scratch& Work;
+  TileSamples& Samples;
+  std::span<std::int32_t> Element;
+  std::span<Verdict> Verdicts;
+  std::span<Vec3> Xi;
+  std::span<double> Values;
+  std::span<double> Lower;
+  std::span<double> Upper;
 };
 } // namespace
 
 void TraceTile(const Scene& scene, const Camera& camera, const TileArea& area, double offset,
   SampleBuffers& buffers, FrameCounters& counters)
 {
-  TileWork(scene, camera, area, offset, buffers, counters).Run();
+  TileWork(scene, buffers, counters).Run(camera, area, offset);
 }
 } // namespace pixelexact

@@ -5,7 +5,11 @@
 
 namespace pixelexact
 {
-/// A rectangle of a sample lattice, [x0, x1) x [y0, y1).
+/// Samples along a tile's side: some hundred hits per element and query, and tiles enough to keep
+/// all cores busy.
+inline constexpr int kTileSize = 32;
+
+/// A rectangle of a sample lattice, [x0, x1) x [y0, y1), of at most kTileSize each way.
 struct TileArea
 {
   int x0;

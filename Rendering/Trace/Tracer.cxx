@@ -15,10 +15,6 @@ namespace pixelexact
 {
 namespace
 {
-/// Pixels along a tile's side: some hundred hits per element and query, and tiles enough to keep
-/// all cores busy.
-constexpr int kTileSize = 32;
-
 void Require(const Scene& scene)
 {
   if (!scene.locator || !scene.field)

@@ -8,6 +8,7 @@
 #include "Core/Location/Sample.h"
 #include "Trace/ColorMapping.h"
 #include "Trace/Plane.h"
+#include "Trace/TileSamples.h"
 
 #include "vtkDataArray.h"
 #include "vtkNew.h"
@@ -116,20 +117,19 @@ void StageRaysAndHits(benchmark::State& state)
   const PlaneCut& cut = GetPlaneCut(static_cast<int>(state.range(0)));
   const Plane plane(cut.origin, cut.normal);
   const Camera camera = ViewOf(cut, kPixels);
-  std::vector<Ray> rays(kPixels);
-  const std::vector<double> tMin(kPixels, 0.0);
-  std::vector<double> t(kPixels);
-  std::vector<Vec3> x(kPixels);
+  TileSamples samples;
   for (auto _ : state)
   {
-    for (int j = 0; j < kPixels; ++j)
+    for (int y = 0; y < kPixels; y += kTileSize)
     {
-      for (int i = 0; i < kPixels; ++i)
+      for (int x = 0; x < kPixels; x += kTileSize)
       {
-        rays[static_cast<std::size_t>(i)] = camera.At(i + 0.5, j + 0.5);
+        samples.Cast(camera,
+          { x, y, std::min(x + kTileSize, kPixels), std::min(y + kTileSize, kPixels) }, 0.5,
+          kPixels);
+        plane.NextHit(samples.Rays(), samples.TMin(), samples.Hits());
+        benchmark::DoNotOptimize(samples.T());
       }
-      plane.NextHit(rays, tMin, t, x);
-      benchmark::DoNotOptimize(x.data());
     }
   }
   Report(state, cut.inside.size());

@@ -25,7 +25,9 @@ constexpr int kStarts = 4;
 /// Whether some start leads to a root of the element, within its faces' tolerance.
 bool HoldsByBruteForce(const Mesh& mesh, int element, const Vec3& x)
 {
-  InverseProblem problem = MakeInverseProblem(mesh, element, MakeElementBounds(mesh, element));
+  const ElementBounds bounds = MakeElementBounds(mesh, element);
+  InverseProblem problem = MakeInverseProblem(mesh, element, bounds);
+  problem.guess = nullptr;
   std::fill_n(problem.inverse, 9, 0.0);
   problem.affine = false;
   const auto kernels = KernelsFor(problem.space);

@@ -33,10 +33,7 @@ void ExpectZeros(vtkImplicitFunction* function, double tolerance)
   {
     const auto vector = [&] { return Vec3(number(random), number(random), number(random)); };
     const Ray ray{ vector(), glm::normalize(vector()) };
-    const double tMin = 0.0;
-    double t = 0.0;
-    Vec3 x;
-    surface->NextHit({ &ray, 1 }, { &tMin, 1 }, { &t, 1 }, { &x, 1 });
+    const auto [t, x] = NextHitOf(*surface, ray, 0.0);
     if (t < 1e3)
     {
       ++hits;
@@ -81,11 +78,7 @@ TEST(VtkSurface, FarFromTheOriginKeepsItsDigits)
   transform->Translate(0.0, 0.0, 1.0);
   plane->SetTransform(transform);
   const Ray ray{ { 1e8, 1e8, 1e8 + 10.0 }, { 0.0, 0.0, -1.0 } };
-  const double tMin = 0.0;
-  double t = 0.0;
-  Vec3 x;
-  ToSurface(plane)->NextHit({ &ray, 1 }, { &tMin, 1 }, { &t, 1 }, { &x, 1 });
-  EXPECT_EQ(t, 11.0);
+  EXPECT_EQ(NextHitOf(*ToSurface(plane), ray, 0.0).t, 11.0);
 }
 
 TEST(VtkSurface, NonsenseIsRefused)
@@ -128,17 +121,13 @@ TEST(ClippedSurface, RaysGoOnBehindWhatIsCutAway)
 {
   const auto plane = std::make_shared<Plane>(Vec3(0.0), Vec3(0.0, 0.0, 1.0));
   const ClippedSurface clipped(plane, { { 1.0, 0.0, 0.0, 0.0 }, { 0.0, -1.0, 0.0, 0.5 } });
-  const std::vector<Ray> rays{ { { 0.1, 0.0, 1.0 }, { 0.0, 0.0, -1.0 } },
-    { { -0.1, 0.0, 1.0 }, { 0.0, 0.0, -1.0 } }, { { 0.1, 0.6, 1.0 }, { 0.0, 0.0, -1.0 } },
-    { { 0.0, 0.5, 1.0 }, { 0.0, 0.0, -1.0 } } };
-  const std::vector<double> tMin(rays.size(), 0.0);
-  std::vector<double> t(rays.size());
-  std::vector<Vec3> x(rays.size());
-  clipped.NextHit(rays, tMin, t, x);
-  EXPECT_EQ(t[0], 1.0);
-  EXPECT_EQ(t[1], kNoHit);
-  EXPECT_EQ(t[2], kNoHit);
-  EXPECT_EQ(t[3], 1.0);
-  EXPECT_EQ(clipped.Normal(x[0]), plane->Normal(x[0]));
+  const auto meet = [&clipped](double x, double y) {
+    return NextHitOf(clipped, { { x, y, 1.0 }, { 0.0, 0.0, -1.0 } }, 0.0).t;
+  };
+  EXPECT_EQ(meet(0.1, 0.0), 1.0);
+  EXPECT_EQ(meet(-0.1, 0.0), kNoHit);
+  EXPECT_EQ(meet(0.1, 0.6), kNoHit);
+  EXPECT_EQ(meet(0.0, 0.5), 1.0);
+  EXPECT_EQ(clipped.Normal(Vec3(0.0)), plane->Normal(Vec3(0.0)));
 }
 } // namespace pixelexact

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trace/Camera.h"
 #include "Trace/Plane.h"
+#include "Trace/TileSamples.h"
 
 #include "Core/Base/Error.h"
 
@@ -128,38 +129,53 @@ TEST(Plane, HitsAreOnPlaneAndRay)
   CameraView view = Straight();
   view.position = { 30.0, -20.0, 1e3 };
   const Camera camera(view, 64, 64);
-  std::vector<Ray> rays;
   for (int i = 0; i < 64; ++i)
   {
-    rays.push_back(camera.At(i + 0.5, 63.5 - i));
-  }
-  const std::vector<double> tMin(rays.size(), 0.0);
-  std::vector<double> t(rays.size());
-  std::vector<Vec3> x(rays.size());
-  plane.NextHit(rays, tMin, t, x);
-  for (std::size_t i = 0; i < rays.size(); ++i)
-  {
-    ASSERT_LT(t[i], kNoHit);
-    EXPECT_NEAR(glm::dot(plane.Normal(x[i]), x[i] - Vec3(0.1, 0.2, 0.3)), 0.0, 1e-12);
-    ExpectNear(x[i], rays[i].origin + t[i] * rays[i].direction, 1e-12);
+    const Ray ray = camera.At(i + 0.5, 63.5 - i);
+    const Hit hit = NextHitOf(plane, ray, 0.0);
+    ASSERT_LT(hit.t, kNoHit);
+    EXPECT_NEAR(
+      glm::dot(plane.Normal(hit.position), hit.position - Vec3(0.1, 0.2, 0.3)), 0.0, 1e-12);
+    ExpectNear(hit.position, ray.origin + hit.t * ray.direction, 1e-12);
   }
 }
 
 TEST(Plane, NoHitBehindParallelOrBeforeTMin)
 {
   const Plane plane(Vec3(0.0), { 0.0, 0.0, 1.0 });
-  const std::vector<Ray> rays{ { { 0.0, 0.0, 1.0 }, { 0.0, 0.0, 1.0 } },
-    { { 0.0, 0.0, 1.0 }, { 1.0, 0.0, 0.0 } }, { { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 } },
-    { { 0.0, 0.0, 1.0 }, { 0.0, 0.0, -1.0 } }, { { 0.0, 0.0, 1.0 }, { 0.0, 0.0, -1.0 } } };
-  const std::vector<double> tMin{ 0.0, 0.0, 0.0, 1.0, 0.5 };
-  std::vector<double> t(rays.size());
-  std::vector<Vec3> x(rays.size());
-  plane.NextHit(rays, tMin, t, x);
-  EXPECT_EQ(t[0], kNoHit);
-  EXPECT_EQ(t[1], kNoHit);
-  EXPECT_EQ(t[2], kNoHit);
-  EXPECT_EQ(t[3], kNoHit);
-  EXPECT_EQ(t[4], 1.0);
+  const auto meet = [&plane](const Ray& ray, double tMin) { return NextHitOf(plane, ray, tMin).t; };
+  EXPECT_EQ(meet({ { 0.0, 0.0, 1.0 }, { 0.0, 0.0, 1.0 } }, 0.0), kNoHit);
+  EXPECT_EQ(meet({ { 0.0, 0.0, 1.0 }, { 1.0, 0.0, 0.0 } }, 0.0), kNoHit);
+  EXPECT_EQ(meet({ { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 } }, 0.0), kNoHit);
+  EXPECT_EQ(meet({ { 0.0, 0.0, 1.0 }, { 0.0, 0.0, -1.0 } }, 1.0), kNoHit);
+  EXPECT_EQ(meet({ { 0.0, 0.0, 1.0 }, { 0.0, 0.0, -1.0 } }, 0.5), 1.0);
+}
+
+/// The tiles' rays are the ones that everybody else is told of.
+TEST(TileSamples, RaysAreTheCamerasBitForBit)
+{
+  CameraView view = Straight();
+  view.position = { 0.3, -0.2, 5.0 };
+  view.focalPoint = { 0.1, 0.4, -0.7 };
+  for (const bool parallel : { false, true })
+  {
+    view.parallel = parallel;
+    const Camera camera(view, 77, 53);
+    TileSamples samples;
+    samples.Cast(camera, { 64, 32, 77, 53 }, 0.5, 77);
+    const RayLanes rays = samples.Rays();
+    ASSERT_EQ(rays.count, 13 * 21);
+    for (int k = 0; k < rays.count; ++k)
+    {
+      const auto place = static_cast<int>(samples.place[static_cast<std::size_t>(k)]);
+      const Ray ray = camera.At(place % 77 + 0.5, place / 77 + 0.5);
+      for (int d = 0; d < 3; ++d)
+      {
+        EXPECT_EQ(rays.origin[d][k], ray.origin[d]);
+        EXPECT_EQ(rays.direction[d][k], ray.direction[d]);
+      }
+    }
+  }
 }
 
 TEST(Plane, RefusesWhatIsNoPlane)

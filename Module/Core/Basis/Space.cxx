@@ -32,15 +32,43 @@ int Space::LastR(int p, int q) const
 
 int Space::Modes() const
 {
-  int modes = 0;
-  for (int p = 0; p <= order[0]; ++p)
+  // Asked for every batch: sums over r, and over q where that is easy, in closed form.
+  const auto [P, Q, R] = order;
+  switch (shape)
   {
-    for (int q = 0; q <= LastQ(p); ++q)
+    case Shape::Hexahedron:
+      return (P + 1) * (Q + 1) * (R + 1);
+    case Shape::Prism:
+      return (Q + 1) * ((P + 1) * (R + 1) - P * (P + 1) / 2);
+    case Shape::Tetrahedron:
     {
-      modes += LastR(p, q) + 1;
+      int modes = 0;
+      for (int p = 0; p <= P; ++p)
+      {
+        const int n = Q - p + 1;
+        modes += n * (R - p + 1) - n * (n - 1) / 2;
+      }
+      return modes;
+    }
+    default:
+    {
+      if (form == Form::Tensor)
+      {
+        return (P + 1) * (Q + 1) * (R + 1);
+      }
+      int modes = 0;
+      for (int m = 0; m <= std::max(P, Q); ++m)
+      {
+        // Pairs (p, q) whose larger one is m.
+        const int upTo = std::min<int>(m, P) + 1;
+        const int across = std::min<int>(m, Q) + 1;
+        const int below = std::min<int>(m - 1, P) + 1;
+        const int belowAcross = std::min<int>(m - 1, Q) + 1;
+        modes += (upTo * across - below * belowAcross) * (R - m + 1);
+      }
+      return modes;
     }
   }
-  return modes;
 }
 
 std::array<int, 3> Space::TensorDegree() const

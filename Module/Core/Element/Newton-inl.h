@@ -15,9 +15,10 @@ HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
 /// A lane is done when the product of its step and of the one that its Jacobian was made for is
-/// below this: such is the next error, up to curvature, and the polishing step after it is
-/// measured, not assumed.
-inline constexpr double kSmallProduct = 1e-14;
+/// below the first: such is the next error, up to curvature, which the polishing step measures and
+/// takes away; and when that times the latter, which is what polishing leaves, is below the second.
+inline constexpr double kSmallError = 1e-12;
+inline constexpr double kNoError = 1e-17;
 /// After a step smaller than this the Jacobian is kept: its corrections cost half of a full step
 /// and gain as many digits as the step that it was made for had.
 inline constexpr double kKeepJacobian = 3e-3;
@@ -186,8 +187,10 @@ HWY_INLINE NewtonState<T> Iterate(
     const auto kept = And(madeFor <= Traits::Splat(kKeepJacobian) * unit,
       Or(renew, length <= Traits::Splat(kContraction) * last));
     last = Select(active, length, last);
-    active =
-      AndNot(AndNot(active, lost), length * madeFor <= Traits::Splat(kSmallProduct) * unit * unit);
+    const T error = length * madeFor;
+    const auto done = And(error <= Traits::Splat(kSmallError) * unit * unit,
+      error * madeFor <= Traits::Splat(kNoError) * unit * unit * unit);
+    active = AndNot(AndNot(active, lost), done);
     renew = AndNot(active, kept);
   }
   if (!None(active))
@@ -198,6 +201,46 @@ HWY_INLINE NewtonState<T> Iterate(
     state.unsettled = Select(And(active, rounding), last, zero);
   }
   return state;
+}
+
+/// The inverse map's first guess from the frame's.
+template <class T>
+HWY_INLINE Point<T> Guess(const InverseProblem& problem, const Point<T>& start)
+{
+  using Traits = NumberTraits<T>;
+  using Degree = Const<kGuessDegree>;
+  Point<T> s;
+  for (int d = 0; d < 3; ++d)
+  {
+    s.x[d] =
+      (start.x[d] - Traits::Splat(problem.guessCentre[d])) * Traits::Splat(problem.guessScale[d]);
+    // Beyond the shape's image the polynomial may be anything.
+    s.x[d] = Max(Min(s.x[d], Traits::Splat(1.0)), Traits::Splat(-1.0));
+  }
+  Point<T> xi;
+  for (int d = 0; d < 3; ++d)
+  {
+    const double* term = problem.guess + static_cast<std::ptrdiff_t>(d) * kGuessTerms;
+    // Horner's rule in each variable: the powers fall.
+    T sum = Traits::Splat(0.0);
+    ForEachUpTo(Degree(),
+      [&](auto i) PIXELEXACT_INLINED
+      {
+        T sumJ = Traits::Splat(0.0);
+        ForEachUpTo(i,
+          [&](auto j) PIXELEXACT_INLINED
+          {
+            T sumK = Traits::Splat(*term++);
+            ForEachUpTo(j - Const<1>(),
+              [&](auto /*k*/) PIXELEXACT_INLINED
+              { sumK = MulAdd(sumK, s.x[2], Traits::Splat(*term++)); });
+            sumJ = MulAdd(sumJ, s.x[1], sumK);
+          });
+        sum = MulAdd(sum, s.x[0], sumJ);
+      });
+    xi.x[d] = sum;
+  }
+  return xi;
 }
 
 /// What is known of Count() points from `at` on.
@@ -230,6 +273,10 @@ HWY_INLINE void InvertPack(
   NewtonState<T> state{ start, frame, zero, zero, zero };
   if (!problem.affine)
   {
+    if (problem.guess)
+    {
+      start = Guess(problem, start);
+    }
     for (int d = 0; d < 3; ++d)
     {
       start.x[d] = Max(Min(start.x[d], Traits::Splat(1.0)), Traits::Splat(-1.0));

@@ -209,6 +209,10 @@ ElementBounds MakeElementBounds(const Mesh& mesh, int element)
   ElementBounds bounds;
   MakeBox(mesh, element, hulls, bounds);
   MakeFrame(space, coefficients, hulls, bounds);
+  if (bounds.framed && !bounds.affine)
+  {
+    bounds.guess = MakeInverseGuess(MakeInverseProblem(mesh, element, bounds));
+  }
   return bounds;
 }
 
@@ -273,6 +277,12 @@ InverseProblem MakeInverseProblem(const Mesh& mesh, int element, const ElementBo
     std::fill_n(problem.inverse, 9, 0.0);
   }
   problem.affine = bounds.affine;
+  if (bounds.guess.known)
+  {
+    problem.guess = bounds.guess.terms.data();
+    std::ranges::copy(bounds.guess.centre, problem.guessCentre);
+    std::ranges::copy(bounds.guess.scale, problem.guessScale);
+  }
   return problem;
 }
 } // namespace pixelexact

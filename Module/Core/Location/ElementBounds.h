@@ -3,6 +3,7 @@
 
 #include "Core/Element/Kernels.h"
 #include "Core/Element/Mesh.h"
+#include "Core/Location/InverseGuess.h"
 
 #include <limits>
 
@@ -27,6 +28,7 @@ struct ElementBounds
   /// Phi is injective on the shape enlarged until Margin = -injectiveMargin: a root found there,
   /// outside of the shape, proves that the shape holds none. 0: not known.
   double injectiveMargin = 0.0;
+  InverseGuess guess;
   bool framed = false; ///< the Jacobian at the centre can be inverted
   bool affine = false; ///< the deviation is of rounding size
 
@@ -41,6 +43,6 @@ Box3 MakeElementBox(const Mesh& mesh, int element);
 /// The bounds of one element of a valid mesh.
 ElementBounds MakeElementBounds(const Mesh& mesh, int element);
 
-/// The Newton kernel's view of an element.
+/// The Newton kernel's view of an element, which refers to the bounds.
 InverseProblem MakeInverseProblem(const Mesh& mesh, int element, const ElementBounds& bounds);
 } // namespace pixelexact

@@ -15,6 +15,7 @@ std::optional<InverseRoot> FindInverseRoot(
   // A frame of zero slope lets the kernel's iteration begin where we want it.
   std::fill_n(asked.inverse, 9, 0.0);
   asked.affine = false;
+  asked.guess = nullptr;
   double lanes[9][kLanePadding];
   for (int d = 0; d < 3; ++d)
   {

@@ -75,6 +75,10 @@ HWY_INLINE Lanes Abs(Lanes a)
 {
   return { hwy::HWY_NAMESPACE::Abs(a.v) };
 }
+HWY_INLINE Lanes Sqrt(Lanes a)
+{
+  return { hwy::HWY_NAMESPACE::Sqrt(a.v) };
+}
 HWY_INLINE LaneMask operator<(Lanes a, Lanes b)
 {
   return hwy::HWY_NAMESPACE::Lt(a.v, b.v);

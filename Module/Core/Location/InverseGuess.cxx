@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Location/InverseGuess.h"
+
+#include "Core/Element/LaneBuffer.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace pixelexact
+{
+namespace
+{
+/// Points along each eta, Chebyshev's: dense at the faces, none at collapsed vertices.
+constexpr int kPoints = kGuessDegree + 2;
+
+using Terms = Eigen::Matrix<double, kGuessTerms, 1>;
+
+Terms TermsAt(const Vec3& s)
+{
+  Terms terms;
+  int at = 0;
+  for (int i = kGuessDegree; i >= 0; --i)
+  {
+    for (int j = kGuessDegree - i; j >= 0; --j)
+    {
+      for (int k = kGuessDegree - i - j; k >= 0; --k)
+      {
+        terms[at++] = std::pow(s.x, i) * std::pow(s.y, j) * std::pow(s.z, k);
+      }
+    }
+  }
+  return terms;
+}
+
+std::vector<Vec3> SamplePoints(Shape shape)
+{
+  const auto node = [](int i) { return std::cos(std::numbers::pi * (2 * i + 1) / (2 * kPoints)); };
+  std::vector<Vec3> xi;
+  xi.reserve(static_cast<std::size_t>(kPoints) * kPoints * kPoints);
+  for (int i = 0; i < kPoints; ++i)
+  {
+    for (int j = 0; j < kPoints; ++j)
+    {
+      for (int k = 0; k < kPoints; ++k)
+      {
+        xi.push_back(TensorToReference(shape, { node(i), node(j), node(k) }));
+      }
+    }
+  }
+  return xi;
+}
+
+/// What the frame takes Phi(xi) for.
+std::vector<Vec3> FrameImages(const InverseProblem& problem, const std::vector<Vec3>& xi)
+{
+  const LaneBuffer at(xi);
+  std::vector<double> y[3];
+  double* out[3];
+  for (int c = 0; c < 3; ++c)
+  {
+    y[c].resize(static_cast<std::size_t>(PaddedCount(static_cast<int>(xi.size()))));
+    out[c] = y[c].data();
+  }
+  KernelsFor(problem.space).value(problem.space, problem.coefficients, 3, at.View(), out);
+  std::vector<Vec3> images(xi.size());
+  for (std::size_t k = 0; k < xi.size(); ++k)
+  {
+    for (int d = 0; d < 3; ++d)
+    {
+      double sum = problem.start[d];
+      for (int c = 0; c < 3; ++c)
+      {
+        sum += problem.inverse[3 * d + c] * (out[c][k] - problem.origin[c]);
+      }
+      images[k][d] = sum;
+    }
+  }
+  return images;
+}
+} // namespace
+
+InverseGuess MakeInverseGuess(const InverseProblem& problem)
+{
+  const std::vector<Vec3> xi = SamplePoints(problem.space.shape);
+  const std::vector<Vec3> images = FrameImages(problem, xi);
+  InverseGuess guess;
+  Vec3 lower = images[0];
+  Vec3 upper = images[0];
+  for (const Vec3& image : images)
+  {
+    lower = glm::min(lower, image);
+    upper = glm::max(upper, image);
+  }
+  const Vec3 centre = 0.5 * (lower + upper);
+  const Vec3 scale = 2.0 / (upper - lower);
+  Eigen::Matrix<double, kGuessTerms, kGuessTerms> normal;
+  Eigen::Matrix<double, kGuessTerms, 3> right;
+  normal.setZero();
+  right.setZero();
+  std::vector<Terms> rows;
+  rows.reserve(xi.size());
+  for (std::size_t k = 0; k < xi.size(); ++k)
+  {
+    rows.push_back(TermsAt((images[k] - centre) * scale));
+    normal.selfadjointView<Eigen::Lower>().rankUpdate(rows.back());
+    right += rows.back() * Eigen::RowVector3d(xi[k].x, xi[k].y, xi[k].z);
+  }
+  const Eigen::Matrix<double, kGuessTerms, 3> terms = normal.ldlt().solve(right);
+  double error = 0.0;
+  double frameError = 0.0;
+  for (std::size_t k = 0; k < xi.size(); ++k)
+  {
+    const Eigen::RowVector3d at = rows[k].transpose() * terms;
+    for (int d = 0; d < 3; ++d)
+    {
+      error = std::max(error, std::fabs(at[d] - xi[k][d]));
+      frameError = std::max(frameError, std::fabs(images[k][d] - xi[k][d]));
+    }
+  }
+  // A NaN is not smaller.
+  guess.known = error < 0.5 * frameError;
+  for (int d = 0; d < 3; ++d)
+  {
+    guess.centre[static_cast<std::size_t>(d)] = centre[d];
+    guess.scale[static_cast<std::size_t>(d)] = scale[d];
+    for (int i = 0; i < kGuessTerms; ++i)
+    {
+      guess.terms[static_cast<std::size_t>(d * kGuessTerms + i)] = terms(i, d);
+    }
+  }
+  return guess;
+}
+} // namespace pixelexact

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Trace/Camera.h"
+#include "Trace/Rays.h"
+
+// Loops over many rays, in lanes: dispatched at run time to the instruction set.
+namespace pixelexact
+{
+struct RayKernels
+{
+  /// The rays through normalised device coordinates (u[i], v[i]), bit for bit those of Camera::At.
+  void (*cast)(const CameraRays& camera, const double* u, const double* v, int count,
+    double* const origin[3], double* const direction[3]);
+  /// See Plane::NextHit; `normal` is of unit length.
+  void (*meetPlane)(const Vec3& origin, const Vec3& normal, const RayLanes& rays,
+    const double* tMin, const HitLanes& hits);
+};
+
+const RayKernels& GetRayKernels();
+} // namespace pixelexact
