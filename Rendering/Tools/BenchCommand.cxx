@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "BenchFigures.h"
 #include "Command.h"
+#include "FrameTime.h"
 #include "Json.h"
-#include "KernelTime.h"
 #include "Report.h"
 #include "Shot.h"
 
@@ -10,8 +11,6 @@
 
 #include <tbb/global_control.h>
 
-#include <algorithm>
-#include <chrono>
 #include <iostream>
 #include <memory>
 
@@ -23,60 +22,40 @@ struct BenchOptions
 {
   ShotOptions shot;
   int repeat = 5;
+  int largest = 200000; ///< elements of the made meshes
 };
 
-double Median(std::vector<double> values)
-{
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
-}
-
-struct Measured
-{
-  std::vector<double> frames; ///< seconds each
-  std::int64_t points = 0;    ///< located and evaluated in one frame
-  double kernel = 0.0;        ///< median seconds of the bare kernel for as many
-};
-
-Measured Measure(const Shot& shot, const BenchOptions& options)
+FrameTime Measure(const Shot& shot, const BenchOptions& options)
 {
   const Camera camera = shot.MakeCamera();
-  // Warms the caches, and tells the range, which is no part of a frame.
+  // Tells the range, which is no part of a frame.
   const Frame first =
     Trace(shot.scene, camera, {}, { Buffer::Value | Buffer::Verdict, Buffer::None });
   const ColorMapping colors = options.shot.colors.MappingOver(options.shot.colors.RangeFor(first));
-
-  Measured measured;
-  measured.points = first.counters.exact;
-  std::vector<double> kernels;
   ProgressLine line("measuring");
-  for (int i = 0; i < options.repeat; ++i)
-  {
-    const auto begin = std::chrono::steady_clock::now();
-    (void)Trace(shot.scene, camera, { &colors });
-    measured.frames.push_back(
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
-    kernels.push_back(KernelSeconds(shot.scene.field->values, measured.points));
-    line(static_cast<double>(i + 1) / options.repeat);
-  }
-  measured.kernel = Median(kernels);
-  return measured;
+  return MeasureFrames(
+    shot.scene, camera, { &colors }, options.repeat, [&line](double part) { line(part); });
 }
 
 void Bench(const BenchOptions& options, const CommonOptions& common)
 {
   if (options.shot.input.files.empty())
   {
-    throw Unsupported("bench without INPUT is not available yet; name a mesh file");
+    RunFigures(
+      { options.shot.size, options.repeat, options.largest, common.json, options.shot.colors });
+    return;
+  }
+  if (options.shot.field.empty())
+  {
+    throw UsageError("--field is required with INPUT");
   }
   Stopwatch stopwatch;
   const Shot shot = Prepare(options.shot, stopwatch);
-  const Measured measured = Measure(shot, options);
-  const double median = Median(measured.frames);
+  const FrameTime measured = Measure(shot, options);
+  const double median = measured.Frame();
   const auto points = static_cast<double>(measured.points);
   const double perSecond = points / median;
-  const double ratio = measured.points > 0 ? median / measured.kernel : 0.0;
+  const double ratio = measured.Ratio();
   const auto threads =
     tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
 
@@ -90,7 +69,8 @@ void Bench(const BenchOptions& options, const CommonOptions& common)
     summary.Add("points", measured.points).Add("threads", threads);
     summary.Add("instruction_set", InstructionSet()).Add("frame_seconds", measured.frames);
     summary.Add("median_frame_seconds", median).Add("points_per_second", perSecond);
-    summary.Add("kernel_seconds", measured.kernel).Add("ratio_to_kernel", ratio);
+    summary.Add("kernel_seconds", measured.Kernel()).Add("ratio_to_kernel", ratio);
+    summary.Add("stages", ToJson(measured.stages)).Add("staged_frame_seconds", measured.staged);
     summary.Add("seconds", ToJson(stopwatch));
     std::cout << summary.String() << '\n';
     return;
@@ -106,8 +86,9 @@ void Bench(const BenchOptions& options, const CommonOptions& common)
     Short(median) + " s, median of " + std::to_string(measured.frames.size()) + "; " +
       Short(perSecond) + " points/s");
   table.Row("kernel",
-    Short(measured.kernel) + " s for as many bare evaluations; the frame takes " + Short(ratio) +
+    Short(measured.Kernel()) + " s for as many bare evaluations; the frame takes " + Short(ratio) +
       " times as long");
+  table.Row("tiles", Shares(measured.stages));
   AddStages(table, stopwatch);
   table.Print();
 }
@@ -115,14 +96,21 @@ void Bench(const BenchOptions& options, const CommonOptions& common)
 
 void AddBenchCommand(CLI::App& program, const CommonOptions& common, Action& action)
 {
-  CLI::App* command = program.add_subcommand(
-    "bench", "Time frames of a cut, against the bare evaluation of as many points");
+  CLI::App* command = program.add_subcommand("bench",
+    "Time frames of a cut, against the bare evaluation of as many points; without INPUT, "
+    "of made meshes");
   const auto options = std::make_shared<BenchOptions>();
   options->shot.AddTo(*command);
   command->get_option("INPUT")->required(false);
+  command->get_option("--field")->required(false);
   command->add_option("--repeat", options->repeat, "Frames to time (default: 5)")
     ->type_name("N")
     ->check(CLI::Range(1, 1000000));
+  command
+    ->add_option("--elements", options->largest,
+      "Without INPUT: the most elements of a made mesh (default: 200000)")
+    ->type_name("N")
+    ->check(CLI::Range(1, 10000000));
   command->callback(
     [options, &common, &action] { action = [options, &common] { Bench(*options, common); }; });
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trace/Tile.h"
 
+#include "Core/Base/StageClock.h"
 #include "Core/Location/Owners.h"
 #include "Core/Location/Sample.h"
 #include "Core/Math/Interval.h"
@@ -59,7 +60,10 @@ public:
 
   void Run(const Camera& camera, const TileArea& area, double offset)
   {
-    Samples.Cast(camera, area, offset, Buffers.width);
+    {
+      const StageScope scope(Stage::Rays);
+      Samples.Cast(camera, area, offset, Buffers.width);
+    }
     Counters.rays += Samples.Count();
     std::int64_t rounds = 0;
     for (const auto& surface : TheScene.surfaces)
@@ -82,6 +86,7 @@ public:
 private:
   void FindNearest()
   {
+    const StageScope scope(Stage::Rays);
     const int count = Samples.Count();
     const HitLanes nearest = Samples.Hits();
     TheScene.surfaces[0]->NextHit(Samples.Rays(), Samples.TMin(), nearest);

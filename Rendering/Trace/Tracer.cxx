@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 namespace pixelexact
@@ -70,6 +72,7 @@ struct Lattice
 {
   SampleBuffers* buffers;
   double offset;
+  StageTimes* stages;
 };
 
 int TilesAlong(int samples)
@@ -95,11 +98,21 @@ FrameCounters TraceLattice(
       const int x = tile % across * kTileSize;
       const int y = tile / across * kTileSize;
       FrameCounters counters;
+      std::optional<StageClock> clock;
+      if (lattice.stages)
+      {
+        clock.emplace();
+      }
       TraceTile(scene, camera,
         { x, y, std::min(x + kTileSize, width), std::min(y + kTileSize, height) }, lattice.offset,
         *lattice.buffers, counters);
       reporter.TileDone();
       const std::scoped_lock lock(mutex);
+      if (clock)
+      {
+        std::ranges::transform(
+          clock->Times(), *lattice.stages, lattice.stages->begin(), std::plus<>());
+      }
       total.rays += counters.rays;
       total.surfaceHits += counters.surfaceHits;
       total.exact += counters.exact;
@@ -113,7 +126,7 @@ FrameCounters TraceLattice(
 
 Frame Trace(const Scene& scene, const Camera& camera,
   const std::vector<const FrameModule*>& modules, const SampleNeeds& extra,
-  const Progress& progress)
+  const Progress& progress, StageTimes* stages)
 {
   Require(scene);
   const auto start = std::chrono::steady_clock::now();
@@ -141,11 +154,12 @@ Frame Trace(const Scene& scene, const Camera& camera,
   Reporter reporter(progress, tiles);
   if (needs.centres != Buffer::None)
   {
-    frame.counters = TraceLattice(scene, camera, { &frame.centres, 0.5 }, reporter);
+    frame.counters = TraceLattice(scene, camera, { &frame.centres, 0.5, stages }, reporter);
   }
   if (needs.corners != Buffer::None)
   {
-    frame.counters.rays += TraceLattice(scene, camera, { &frame.corners, 0.0 }, reporter).rays;
+    frame.counters.rays +=
+      TraceLattice(scene, camera, { &frame.corners, 0.0, stages }, reporter).rays;
   }
   for (const auto* module : modules)
   {

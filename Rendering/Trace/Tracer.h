@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Core/Base/StageClock.h"
 #include "Core/Location/Locator.h"
 #include "Trace/Frame.h"
 #include "Trace/Surface.h"
@@ -49,8 +50,9 @@ using Progress = std::function<bool(double)>;
 /// modules in order. Front to back: a hit outside of the mesh lets the ray go on to the next
 /// surface. Parallel over tiles; the frame is the same, bit for bit, for any number of threads.
 /// Throws Error for a scene without locator, field or surface, or a component out of range; an
-/// aborted frame comes back with the tiles not done as Nothing.
+/// aborted frame comes back with the tiles not done as Nothing. `stages`, where not null, gets the
+/// time of each stage of the tiles added; the frame then takes some percent longer.
 Frame Trace(const Scene& scene, const Camera& camera,
   const std::vector<const FrameModule*>& modules, const SampleNeeds& extra = {},
-  const Progress& progress = {});
+  const Progress& progress = {}, StageTimes* stages = nullptr);
 } // namespace pixelexact

@@ -14,11 +14,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
-/// A lane is done when the product of its step and of the one that its Jacobian was made for is
-/// below the first: such is the next error, up to curvature, which the polishing step measures and
-/// takes away; and when that times the latter, which is what polishing leaves, is below the second.
+/// A lane is done when its next error is expected to be below the first, which the polishing step
+/// measures and takes away, and what polishing leaves below the second.
 inline constexpr double kSmallError = 1e-12;
 inline constexpr double kNoError = 1e-17;
+/// How curved a map is taken to be before steps have been compared: errors are squared, times this.
+inline constexpr double kCurvature = 32.0;
 /// After a step smaller than this the Jacobian is kept: its corrections cost half of a full step
 /// and gain as many digits as the step that it was made for had.
 inline constexpr double kKeepJacobian = 3e-3;
@@ -186,10 +187,14 @@ HWY_INLINE NewtonState<T> Iterate(
     madeFor = Select(renew, length, madeFor);
     const auto kept = And(madeFor <= Traits::Splat(kKeepJacobian) * unit,
       Or(renew, length <= Traits::Splat(kContraction) * last));
+    // The factor by which errors fall: of a new Jacobian the curvature times the step; of a kept
+    // one what this step is of the last, if that is more than its own step promises.
+    const T before = Select(renew, unit, last);
+    const T rated =
+      Select(renew, Traits::Splat(kCurvature) * length, Max(length, before * madeFor));
+    const auto done = And(length * rated <= Traits::Splat(kSmallError) * unit * before,
+      length * rated * rated <= Traits::Splat(kNoError) * unit * before * before);
     last = Select(active, length, last);
-    const T error = length * madeFor;
-    const auto done = And(error <= Traits::Splat(kSmallError) * unit * unit,
-      error * madeFor <= Traits::Splat(kNoError) * unit * unit * unit);
     active = AndNot(AndNot(active, lost), done);
     renew = AndNot(active, kept);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Location/Batch.h"
 
+#include "Core/Base/StageClock.h"
 #include "Core/Location/BoundsCache.h"
 #include "Core/Location/EmbreeBvh.h"
 #include "Core/Location/InversionTrees.h"
@@ -74,6 +75,7 @@ Locator::Batch::Batch(const Locator& locator, const LanePoints& points, Location
 
 void Locator::Batch::Run()
 {
+  const StageScope scope(Stage::Candidates);
   Work.Fit(Points.count);
   auto& chunks = Work.chunks;
   chunks.clear();
@@ -205,7 +207,10 @@ void Locator::Batch::Invert(std::span<PointChunk> chunks, const ElementBounds& b
     }
   }
   const InverseResult result{ { Work[3], Work[4], Work[5] }, Work[6], Work[7], Work[8] };
-  KernelsFor(Problem.space).invert(Problem, { { Work[0], Work[1], Work[2] }, count }, result);
+  {
+    const StageScope scope(Stage::Inversion);
+    KernelsFor(Problem.space).invert(Problem, { { Work[0], Work[1], Work[2] }, count }, result);
+  }
   int inside = 0;
   for (int k = 0; k < count; ++k)
   {
@@ -257,6 +262,7 @@ void Locator::Batch::Decide(std::span<const PointChunk> chunks)
   {
     return;
   }
+  const StageScope scope(Stage::Careful);
   auto& undecided = Work.undecided;
   undecided.clear();
   auto& found = Work.decided;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Location/BoundsCache.h"
 
+#include "Core/Base/StageClock.h"
+
 namespace pixelexact
 {
 BoundsCache::BoundsCache(const Mesh& mesh)
@@ -19,6 +21,7 @@ BoundsCache::~BoundsCache()
 
 const ElementBounds& BoundsCache::Make(int element) const
 {
+  const StageScope scope(Stage::Bounds);
   auto mine = std::make_unique<const ElementBounds>(MakeElementBounds(TheMesh, element));
   const ElementBounds* before = nullptr;
   // Two threads may make the same bounds; they are equal, and the first stay.

@@ -2,6 +2,7 @@
 #include "Core/Location/SamplingSink.h"
 
 #include "Core/Base/Error.h"
+#include "Core/Base/StageClock.h"
 #include "Core/Element/Enclosure.h"
 #include "Core/Element/FieldMapping.h"
 
@@ -50,6 +51,7 @@ SamplingSink::SamplingSink(
 void SamplingSink::Inside(
   int element, std::span<const int> index, const double* const xi[3], const double* residual)
 {
+  const StageScope scope(Stage::Evaluation);
   const auto write = [&](auto target, const auto& valueOf)
   {
     for (std::size_t k = 0; !target.empty() && k < index.size(); ++k)

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstddef>
+
+// Where the time of a frame goes. Off unless somebody asks: a stage then costs the look at a
+// pointer.
+namespace pixelexact
+{
+enum class Stage : unsigned char
+{
+  Rays = 0,   ///< rays and their hits with the surfaces
+  Candidates, ///< hierarchy, boxes, frames
+  Bounds,     ///< making what is known of an element, once
+  Inversion,  ///< Newton's iteration
+  Evaluation, ///< the field
+  Careful,    ///< points that the fast path does not decide
+  Writing,    ///< to the frame's buffers, and all the rest
+  Count
+};
+inline constexpr std::size_t kStages = static_cast<std::size_t>(Stage::Count);
+
+/// Seconds in each stage, added up over threads.
+using StageTimes = std::array<double, kStages>;
+
+/// While one lives, the stages of its thread are timed. At most one a thread.
+class StageClock
+{
+public:
+  StageClock();
+  ~StageClock();
+  StageClock(const StageClock&) = delete;
+  StageClock& operator=(const StageClock&) = delete;
+
+  /// The times so far; the stage at hand is charged up to now.
+  const StageTimes& Times()
+  {
+    Enter(Running);
+    return Seconds;
+  }
+
+private:
+  friend class StageScope;
+  using Clock = std::chrono::steady_clock;
+
+  /// Charges the running stage and goes on in `stage`; returns the one before.
+  Stage Enter(Stage stage)
+  {
+    const auto now = Clock::now();
+    Seconds[static_cast<std::size_t>(Running)] +=
+      std::chrono::duration<double>(now - Since).count();
+    Since = now;
+    const Stage before = Running;
+    Running = stage;
+    return before;
+  }
+  static StageClock*& OfThread();
+
+  StageTimes Seconds{};
+  Clock::time_point Since;
+  Stage Running = Stage::Writing;
+};
+
+/// Charges its lifetime to a stage, but for that of scopes within.
+class StageScope
+{
+public:
+  explicit StageScope(Stage stage)
+    : TheClock(StageClock::OfThread())
+    , Before(TheClock ? TheClock->Enter(stage) : stage)
+  {
+  }
+  ~StageScope()
+  {
+    if (TheClock)
+    {
+      TheClock->Enter(Before);
+    }
+  }
+  StageScope(const StageScope&) = delete;
+  StageScope& operator=(const StageScope&) = delete;
+
+private:
+  StageClock* TheClock;
+  Stage Before;
+};
+} // namespace pixelexact

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BenchFigures.h"
+
+#include "FrameTime.h"
+#include "MadeBlock.h"
+#include "Report.h"
+
+#include "Core/Element/Kernels.h"
+#include "Trace/Plane.h"
+
+#include <tbb/global_control.h>
+
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <iostream>
+
+namespace pixelexact
+{
+namespace
+{
+constexpr int kUsualElements = 5000;
+/// Coefficients beyond this are not made: 2 GB.
+constexpr std::int64_t kMostCoefficients = 250000000;
+
+struct Row
+{
+  BlockKind kind;
+  ImageSize size{};
+  int elements = 0;
+  int bounded = 0; ///< elements of which more than the box was made
+  double build = 0.0;
+  std::size_t memory = 0;
+  FrameTime one{};
+  FrameTime all{};
+};
+
+/// All of the image's pixels lie in the mesh.
+Camera FilledView(const Vec3& normal, const ImageSize& size)
+{
+  CameraView view;
+  view.position = 4.0 * normal;
+  view.parallel = true;
+  view.parallelScale = 0.55;
+  return { view, size.width, size.height };
+}
+
+Row Measure(const BlockKind& kind, const ImageSize& size, const FigureOptions& options)
+{
+  Row row;
+  row.kind = kind;
+  row.size = size;
+  const MadeBlock block(kind);
+  const auto begin = std::chrono::steady_clock::now();
+  const Locator locator(block.GetMesh());
+  row.build = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  row.elements = block.GetMesh().Elements();
+  const Vec3 normal = Vec3(0.2, 0.3, 1.0) / std::sqrt(1.13);
+  Scene scene;
+  scene.locator = &locator;
+  scene.field = &block.GetField();
+  scene.surfaces.push_back(std::make_shared<Plane>(Vec3(0.013, 0.021, 0.034), normal));
+  const Camera camera = FilledView(normal, size);
+  const ColorMapping colors = options.colors.MappingOver({ -1.0, 1.0 });
+  const auto ignore = [](double) {};
+  {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
+    row.one = MeasureFrames(scene, camera, { &colors }, options.repeat, ignore);
+  }
+  row.all = MeasureFrames(scene, camera, { &colors }, options.repeat, ignore);
+  row.bounded = locator.BoundedElements();
+  row.memory = locator.MemoryUsage();
+  return row;
+}
+
+double PerPoint(const FrameTime& time)
+{
+  return time.points > 0 ? 1e9 * time.Frame() / static_cast<double>(time.points) : 0.0;
+}
+
+double KernelPerPoint(const FrameTime& time)
+{
+  return time.points > 0 ? 1e9 * time.Kernel() / static_cast<double>(time.points) : 0.0;
+}
+
+std::string SizeOf(const ImageSize& size)
+{
+  return std::to_string(size.width) + "x" + std::to_string(size.height);
+}
+
+void Print(const Row& row)
+{
+  std::printf("%-12s %-8s %5d %8d %10s %9lld %8.1f %7.1f %6.1f %8.1f %6.1f  %s\n",
+    Name(row.kind.shape), row.kind.curved ? "curved" : "straight", row.kind.order, row.elements,
+    SizeOf(row.size).c_str(), static_cast<long long>(row.one.points), KernelPerPoint(row.one),
+    PerPoint(row.one), row.one.Ratio(), PerPoint(row.all), row.all.Ratio(),
+    Shares(row.one.stages).c_str());
+  std::fflush(stdout);
+}
+
+json::Object Summary(const Row& row)
+{
+  json::Object object;
+  object.Add("shape", Name(row.kind.shape)).Add("curved", row.kind.curved);
+  object.Add("order", row.kind.order).Add("elements", row.elements);
+  object.Add("width", row.size.width).Add("height", row.size.height);
+  object.Add("points", row.one.points).Add("locator_seconds", row.build);
+  object.Add("locator_bytes", row.memory).Add("elements_bounded", row.bounded);
+  object.Add("kernel_ns", KernelPerPoint(row.one));
+  object.Add("one_thread_ns", PerPoint(row.one)).Add("one_thread_ratio", row.one.Ratio());
+  object.Add("all_threads_ns", PerPoint(row.all)).Add("all_threads_ratio", row.all.Ratio());
+  object.Add("stages", ToJson(row.one.stages)).Add("staged_seconds", row.one.staged);
+  return object;
+}
+
+bool Fits(const BlockKind& kind)
+{
+  const std::int64_t each = UniformSpace(kind.shape, kind.order).Modes() +
+    3 * UniformSpace(kind.shape, kind.curved ? 3 : 1).Modes();
+  return each * kind.elements <= kMostCoefficients;
+}
+} // namespace
+
+void RunFigures(const FigureOptions& options)
+{
+  constexpr std::array kShapes{ Shape::Hexahedron, Shape::Prism, Shape::Tetrahedron,
+    Shape::Pyramid };
+  std::vector<std::pair<BlockKind, ImageSize>> cases;
+  for (const Shape shape : kShapes)
+  {
+    for (const bool curved : { false, true })
+    {
+      for (const int order : { 3, 6, 8, 14 })
+      {
+        cases.push_back(
+          { { shape, curved, order, std::min(kUsualElements, options.largest) }, options.size });
+      }
+    }
+  }
+  for (const bool curved : { false, true })
+  {
+    for (const int elements : { 1000, 20000, 200000 })
+    {
+      if (elements <= options.largest)
+      {
+        cases.push_back({ { Shape::Hexahedron, curved, 6, elements }, options.size });
+        cases.push_back({ { Shape::Tetrahedron, curved, 6, elements }, options.size });
+      }
+    }
+    for (const int pixels : { 500, 1000, 2000 })
+    {
+      cases.push_back({ { Shape::Hexahedron, curved, 6, std::min(kUsualElements, options.largest) },
+        { pixels, pixels } });
+    }
+  }
+  std::vector<json::Object> rows;
+  if (!options.json)
+  {
+    std::printf("Frames of a plane that fills the image; ns a pixel and ratio to the bare kernel "
+                "(%s), median of %d; 1 thread and %zu.\n",
+      InstructionSet(), options.repeat,
+      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+    std::printf("%-12s %-8s %5s %8s %10s %9s %8s %7s %6s %8s %6s  %s\n", "shape", "map", "order",
+      "elements", "image", "pixels", "kernel", "frame", "ratio", "threads", "ratio",
+      "time of one thread in the tiles");
+  }
+  for (const auto& [kind, size] : cases)
+  {
+    if (!Fits(kind))
+    {
+      continue;
+    }
+    const Row row = Measure(kind, size, options);
+    if (options.json)
+    {
+      rows.push_back(Summary(row));
+    }
+    else
+    {
+      Print(row);
+    }
+  }
+  if (options.json)
+  {
+    json::Object summary;
+    summary.Add("instruction_set", InstructionSet()).Add("repeat", options.repeat);
+    summary.Add(
+      "threads", tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+    summary.Add("frames", rows);
+    std::cout << summary.String() << '\n';
+  }
+}
+} // namespace pixelexact

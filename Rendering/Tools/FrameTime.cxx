@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FrameTime.h"
+
+#include "KernelTime.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numeric>
+
+namespace pixelexact
+{
+namespace
+{
+constexpr const char* kNames[kStages] = { "rays and hits", "candidates", "bounds", "inversion",
+  "evaluation", "careful path", "writing" };
+
+double Median(std::vector<double> values)
+{
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+}
+
+class Timer
+{
+public:
+  [[nodiscard]] double Seconds() const
+  {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - Begin).count();
+  }
+
+private:
+  std::chrono::steady_clock::time_point Begin = std::chrono::steady_clock::now();
+};
+} // namespace
+
+double FrameTime::Frame() const
+{
+  return Median(frames);
+}
+
+double FrameTime::Kernel() const
+{
+  return Median(kernels);
+}
+
+double FrameTime::Ratio() const
+{
+  if (points == 0)
+  {
+    return 0.0;
+  }
+  std::vector<double> ratios(frames.size());
+  std::transform(
+    frames.begin(), frames.end(), kernels.begin(), ratios.begin(), std::divides<double>());
+  return Median(ratios);
+}
+
+FrameTime MeasureFrames(const Scene& scene, const Camera& camera,
+  const std::vector<const FrameModule*>& modules, int repeat,
+  const std::function<void(double)>& done)
+{
+  FrameTime time;
+  time.points = Trace(scene, camera, modules).counters.exact;
+  for (int i = 0; i < repeat; ++i)
+  {
+    const Timer frame;
+    (void)Trace(scene, camera, modules);
+    time.frames.push_back(frame.Seconds());
+    time.kernels.push_back(KernelSeconds(scene.field->values, time.points));
+    done(static_cast<double>(i + 1) / (repeat + 1));
+  }
+  const Timer frame;
+  (void)Trace(scene, camera, modules, {}, {}, &time.stages);
+  time.staged = frame.Seconds();
+  done(1.0);
+  return time;
+}
+
+const char* Name(Stage stage)
+{
+  return kNames[static_cast<std::size_t>(stage)];
+}
+
+json::Object ToJson(const StageTimes& stages)
+{
+  json::Object object;
+  for (std::size_t k = 0; k < kStages; ++k)
+  {
+    object.Add(kNames[k], stages[k]);
+  }
+  return object;
+}
+
+std::string Shares(const StageTimes& stages)
+{
+  const double total = std::accumulate(stages.begin(), stages.end(), 0.0);
+  std::vector<std::size_t> order(kStages);
+  std::iota(order.begin(), order.end(), std::size_t{ 0 });
+  std::stable_sort(order.begin(), order.end(),
+    [&stages](std::size_t a, std::size_t b) { return stages[a] > stages[b]; });
+  std::string text;
+  for (const std::size_t k : order)
+  {
+    const auto percent = total > 0.0 ? std::lround(100.0 * stages[k] / total) : 0;
+    if (percent > 0)
+    {
+      text +=
+        (text.empty() ? "" : ", ") + std::string(kNames[k]) + " " + std::to_string(percent) + " %";
+    }
+  }
+  return text;
+}
+} // namespace pixelexact

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Work whose instructions are counted under valgrind's callgrind, so that figures repeat on a noisy
+// machine: frames of made meshes on one thread, each beside the bare kernel on as many points.
+// instructions.py runs it and compares. Without valgrind it does the work and counts nothing.
+#include "KernelTime.h"
+#include "MadeBlock.h"
+
+#include "Core/Element/Kernels.h"
+#include "Core/Location/Locator.h"
+#include "Trace/ColorMapping.h"
+#include "Trace/Plane.h"
+
+#include <tbb/global_control.h>
+
+#include <valgrind/callgrind.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+
+namespace
+{
+using namespace pixelexact;
+
+constexpr int kPixels = 200;
+
+template <class Work>
+void Counted(const std::string& name, const Work& work)
+{
+  CALLGRIND_START_INSTRUMENTATION;
+  CALLGRIND_ZERO_STATS;
+  work();
+  CALLGRIND_DUMP_STATS_AT(name.c_str());
+  CALLGRIND_STOP_INSTRUMENTATION;
+}
+
+void Count(const BlockKind& kind)
+{
+  const MadeBlock block(kind);
+  const Locator locator(block.GetMesh());
+  CameraView view;
+  view.position = { 0.0, 0.0, 4.0 };
+  view.parallel = true;
+  view.parallelScale = 0.55;
+  const Camera camera(view, kPixels, kPixels);
+  Scene scene;
+  scene.locator = &locator;
+  scene.field = &block.GetField();
+  scene.surfaces.push_back(
+    std::make_shared<Plane>(Vec3(0.013, 0.021, 0.034), Vec3(0.2, 0.3, 1.0)));
+  const ColorMapping colors(
+    [](std::span<const double> values, std::uint8_t* rgba)
+    {
+      for (const double v : values)
+      {
+        rgba = std::fill_n(rgba, 4, static_cast<std::uint8_t>(127.0 + 64.0 * v));
+      }
+    });
+  // What is made once is not what a frame costs.
+  const std::int64_t points = Trace(scene, camera, { &colors }).counters.exact;
+  const std::string name = std::string(Name(kind.shape)) +
+    (kind.curved ? " curved" : " straight") + " order " + std::to_string(kind.order);
+  std::printf("%s\t%lld\n", name.c_str(), static_cast<long long>(points));
+  Counted(name + "\tframe", [&] { (void)Trace(scene, camera, { &colors }); });
+  Counted(name + "\tkernel", [&] { (void)KernelSeconds(block.GetField().values, points); });
+}
+} // namespace
+
+int main()
+{
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
+  std::printf("instruction set\t%s\n", InstructionSet());
+  for (const Shape shape :
+    { Shape::Hexahedron, Shape::Prism, Shape::Tetrahedron, Shape::Pyramid })
+  {
+    for (const bool curved : { false, true })
+    {
+      for (const int order : { 3, 6 })
+      {
+        Count({ shape, curved, order, 1000 });
+      }
+    }
+  }
+}
