@@ -13,7 +13,7 @@ namespace pixelexact
 namespace
 {
 constexpr const char* kNames[kStages] = { "rays and hits", "candidates", "bounds", "inversion",
-  "evaluation", "careful path", "writing" };
+  "evaluation", "careful path", "writing", "colours" };
 
 double Median(std::vector<double> values)
 {

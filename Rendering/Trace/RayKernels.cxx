@@ -35,13 +35,21 @@ void CastRays(const CameraRays& camera, const double* u, const double* v, int co
   double* const origin[3], double* const direction[3])
 {
   using Traits = NumberTraits<Lanes>;
+  const bool parallel = camera.direction.u == Vec3(0.0) && camera.direction.v == Vec3(0.0);
+  const Point<Lanes> along = SplatPoint(camera.direction.constant);
+  const Lanes reciprocal = Splat(1.0) / Sqrt(Dot(along, along));
   for (int i = 0; i < count; i += LaneCount())
   {
     const Lanes atU = Traits::Load(u + i);
     const Lanes atV = Traits::Load(v + i);
     const Point<Lanes> from = At(camera.origin, atU, atV);
-    const Point<Lanes> to = At(camera.direction, atU, atV);
-    const Lanes scale = Splat(1.0) / Sqrt(Dot(to, to));
+    Point<Lanes> to = along;
+    Lanes scale = reciprocal;
+    if (!parallel)
+    {
+      to = At(camera.direction, atU, atV);
+      scale = Splat(1.0) / Sqrt(Dot(to, to));
+    }
     for (int d = 0; d < 3; ++d)
     {
       Store(from.x[d], origin[d] + i);

@@ -8,7 +8,9 @@
 #include "Trace/TileSamples.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <numeric>
 
 namespace pixelexact
@@ -235,13 +237,40 @@ private:
     {
       return;
     }
-    for (std::size_t i = 0; i < Verdicts.size(); ++i)
+    constexpr std::size_t kRow = TileSamples::kRow;
+    for (std::size_t i = 0; i < Verdicts.size();)
     {
+      if (IsInsideRow(i))
+      {
+        T* to = &buffer[Samples.place[i]];
+        for (std::size_t k = 0; k < kRow; ++k)
+        {
+          to[k] = valueOf(i + k);
+        }
+        i += kRow;
+        continue;
+      }
       if (held(Verdicts[i]))
       {
         buffer[Samples.place[i]] = valueOf(i);
       }
+      ++i;
     }
+  }
+
+  /// Whether samples i to i + kRow are inside and side by side in the frame, as most are.
+  [[nodiscard]] bool IsInsideRow(std::size_t i) const
+  {
+    constexpr std::size_t kRow = TileSamples::kRow;
+    static constexpr auto kAllInside = []
+    {
+      std::array<Verdict, kRow> all{};
+      all.fill(Verdict::Inside);
+      return all;
+    }();
+    return i + kRow <= Verdicts.size() &&
+      std::memcmp(&Verdicts[i], kAllInside.data(), sizeof kAllInside) == 0 &&
+      Samples.place[i + kRow - 1] == Samples.place[i] + kRow - 1;
   }
 
   double Counted(double value)

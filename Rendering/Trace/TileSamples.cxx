@@ -10,37 +10,31 @@ namespace pixelexact
 {
 namespace
 {
-struct Offset
+struct Block
 {
-  std::uint8_t x;
-  std::uint8_t y;
+  int x;
+  int y;
 };
 
-/// Blocks of 8 x 8 along a Z-curve, row by row within.
-constexpr auto MakeOrder()
+/// Blocks of kRow x kRow samples along a Z-curve.
+constexpr auto MakeBlocks()
 {
-  constexpr int kBlock = 8;
-  constexpr int kBlocks = kTileSize / kBlock;
-  std::array<Offset, static_cast<std::size_t>(kTileSize) * kTileSize> order{};
-  std::size_t at = 0;
-  for (int code = 0; code < kBlocks * kBlocks; ++code)
+  constexpr int kAcross = kTileSize / TileSamples::kRow;
+  std::array<Block, static_cast<std::size_t>(kAcross) * kAcross> blocks{};
+  for (int code = 0; code < kAcross * kAcross; ++code)
   {
-    int blockX = 0;
-    int blockY = 0;
-    for (int bit = 0; (1 << bit) < kBlocks; ++bit)
+    Block& block = blocks[static_cast<std::size_t>(code)];
+    for (int bit = 0; (1 << bit) < kAcross; ++bit)
     {
-      blockX |= (code >> (2 * bit) & 1) << bit;
-      blockY |= (code >> (2 * bit + 1) & 1) << bit;
+      block.x |= (code >> (2 * bit) & 1) << bit;
+      block.y |= (code >> (2 * bit + 1) & 1) << bit;
     }
-    for (int i = 0; i < kBlock * kBlock; ++i)
-    {
-      order[at++] = { static_cast<std::uint8_t>(blockX * kBlock + i % kBlock),
-        static_cast<std::uint8_t>(blockY * kBlock + i / kBlock) };
-    }
+    block.x *= TileSamples::kRow;
+    block.y *= TileSamples::kRow;
   }
-  return order;
+  return blocks;
 }
-constexpr auto kOrder = MakeOrder();
+constexpr auto kBlocks = MakeBlocks();
 } // namespace
 
 void TileSamples::Fit(int count)
@@ -61,25 +55,29 @@ void TileSamples::Fit(int count)
 void TileSamples::Cast(const Camera& camera, const TileArea& area, double offset, int width)
 {
   Fit((area.x1 - area.x0) * (area.y1 - area.y0));
+  const int columns = area.x1 - area.x0;
+  const int rows = area.y1 - area.y0;
   std::array<double, kTileSize> u{};
-  std::array<double, kTileSize> v{};
-  for (int i = 0; i < area.x1 - area.x0; ++i)
+  for (int i = 0; i < columns; ++i)
   {
     u[static_cast<std::size_t>(i)] = camera.U(area.x0 + i + offset);
   }
-  for (int j = 0; j < area.y1 - area.y0; ++j)
-  {
-    v[static_cast<std::size_t>(j)] = camera.V(area.y0 + j + offset);
-  }
   std::size_t at = 0;
-  for (const auto& [x, y] : kOrder)
+  for (const Block& block : kBlocks)
   {
-    if (area.x0 + x < area.x1 && area.y0 + y < area.y1)
+    const int inRow = std::min(kRow, columns - block.x);
+    for (int y = block.y; inRow > 0 && y < std::min(block.y + kRow, rows); ++y)
     {
-      place[at] = static_cast<std::size_t>(area.y0 + y) * static_cast<std::size_t>(width) +
-        static_cast<std::size_t>(area.x0 + x);
-      U[at] = u[x];
-      V[at++] = v[y];
+      const double v = camera.V(area.y0 + y + offset);
+      const std::size_t first =
+        static_cast<std::size_t>(area.y0 + y) * static_cast<std::size_t>(width) +
+        static_cast<std::size_t>(area.x0 + block.x);
+      for (int k = 0; k < inRow; ++k, ++at)
+      {
+        place[at] = first + static_cast<std::size_t>(k);
+        U[at] = u[static_cast<std::size_t>(block.x + k)];
+        V[at] = v;
+      }
     }
   }
   std::fill_n(Array(kTMin), PaddedCount(Size), 0.0);

@@ -13,6 +13,10 @@ namespace pixelexact
 class TileSamples
 {
 public:
+  /// Samples side by side in the frame follow each other in memory at least this far, but at the
+  /// edges of the image.
+  static constexpr int kRow = 8;
+
   /// All samples of a tile; see TraceTile.
   void Cast(const Camera& camera, const TileArea& area, double offset, int width);
   /// Keeps the samples for which `keep(i)`, in order.

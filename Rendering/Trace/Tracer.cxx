@@ -161,9 +161,15 @@ Frame Trace(const Scene& scene, const Camera& camera,
     frame.counters.rays +=
       TraceLattice(scene, camera, { &frame.corners, 0.0, stages }, reporter).rays;
   }
+  const auto traced = std::chrono::steady_clock::now();
   for (const auto* module : modules)
   {
     module->Process(frame);
+  }
+  if (stages)
+  {
+    (*stages)[static_cast<std::size_t>(Stage::Modules)] +=
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - traced).count();
   }
   frame.counters.seconds =
     std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -14,7 +14,7 @@ packages=(
 if [[ "${1:-}" == --testing ]]; then
   packages+=(
     clang clang-format clang-tidy libbenchmark-dev libclang-rt-dev libgmp-dev libgtest-dev
-    libmpfr-dev python3-numpy xauth xvfb
+    libmpfr-dev python3-numpy valgrind xauth xvfb
   )
 fi
 

@@ -2,13 +2,13 @@
 # Everything that must hold before a change goes in. Runs on a clean Debian 12 or newer.
 #
 # PIXELEXACT_TEST_STAGES selects from (default: all, in this order)
-#   dependencies build test sanitize fuzz format tidy
+#   dependencies build test instructions sanitize fuzz format tidy
 # The last line reads "N passed, N failed": tests of both builds, and one for each other stage. What
 # failed is said once more before it, so that the end of a log is enough to go on.
 set -uo pipefail
 cd "$(dirname "$0")/../.."
 
-stages=${PIXELEXACT_TEST_STAGES:-dependencies build test sanitize fuzz format tidy}
+stages=${PIXELEXACT_TEST_STAGES:-dependencies build test instructions sanitize fuzz format tidy}
 build=build
 sanitize_build=build-sanitize
 fuzz_build=build-fuzz
@@ -83,6 +83,13 @@ stage_build() {
 
 stage_test() {
   run_ctest "$build"
+}
+
+# Frames must not cost more instructions than on record.
+stage_instructions() {
+  ./Testing/Benchmarks/instructions.py "$build/bin/InstructionCounts" |
+    tee "$build/instructions.log"
+  count $? "$build/instructions.log"
 }
 
 # Assertions are on and -O1 keeps the stack traces. No Python, no OpenGL: an interpreter or a driver

@@ -17,7 +17,8 @@ enum class Stage : unsigned char
   Inversion,  ///< Newton's iteration
   Evaluation, ///< the field
   Careful,    ///< points that the fast path does not decide
-  Writing,    ///< to the frame's buffers, and all the rest
+  Writing,    ///< to the frame's buffers, and all the rest of the tiles
+  Modules,    ///< what works on the image after the rays: colours
   Count
 };
 inline constexpr std::size_t kStages = static_cast<std::size_t>(Stage::Count);

@@ -35,6 +35,31 @@ BernsteinForm::BernsteinForm(const Space& space)
   : TheSpace(space)
   , TheDegree(space.TensorDegree())
 {
+  MakeRows();
+  Largest.reserve(static_cast<std::size_t>(space.Modes()));
+  ForEachMode(space,
+    [&](int p, int q, int r, int /*mode*/)
+    {
+      const Rows& y = Y[Y.size() > 1 ? p : 0];
+      Largest.push_back(X[p].largest * y[q].largest * Z[FamilyOf(p, q)][r].largest);
+    });
+}
+
+/// The power of h that the third factor of modes (p, q, *) carries, where it has families.
+int BernsteinForm::FamilyOf(int p, int q) const
+{
+  if (Z.size() == 1)
+  {
+    return 0;
+  }
+  return TheSpace.shape == Shape::Prism    ? p
+    : TheSpace.shape == Shape::Tetrahedron ? p + q
+                                           : std::max(p, q);
+}
+
+void BernsteinForm::MakeRows()
+{
+  const Space& space = TheSpace;
   const auto [P, Q, R] = TheDegree;
   X = UnivariateRows(0, P, 0, P);
   const bool tetrahedron = space.shape == Shape::Tetrahedron;
@@ -87,14 +112,7 @@ void BernsteinForm::Contract(const double* modes, std::span<double> bernstein) c
     for (int q = 0; q <= TheSpace.LastQ(p); ++q)
     {
       std::ranges::fill(line, 0.0);
-      // The third factor's family: the power of h it carries.
-      int n = 0;
-      if (Z.size() > 1)
-      {
-        n = TheSpace.shape == Shape::Prism       ? p
-          : TheSpace.shape == Shape::Tetrahedron ? p + q
-                                                 : std::max(p, q);
-      }
+      const int n = FamilyOf(p, q);
       for (int r = 0; r <= TheSpace.LastR(p, q); ++r)
       {
         const double c = kAbsolute ? std::fabs(*modes) : *modes;
@@ -138,6 +156,18 @@ double BernsteinForm::ErrorBound(const double* modes) const
   const int operations = TheDegree[0] + TheDegree[1] + TheDegree[2] + 9;
   // The sums of magnitudes are themselves rounded: one more factor 1 + gamma covers that.
   return std::ranges::max(sums) * Gamma(operations) * (1.0 + Gamma(2 * operations));
+}
+
+double BernsteinForm::QuickErrorBound(const double* modes) const
+{
+  double sum = 0.0;
+  for (const double largest : Largest)
+  {
+    sum += std::fabs(*modes++) * largest;
+  }
+  const int operations = TheDegree[0] + TheDegree[1] + TheDegree[2] + 9;
+  // The sum's rounding, and that of the products of three magnitudes.
+  return sum * Gamma(operations) * (1.0 + Gamma(static_cast<int>(Largest.size()) + 64));
 }
 
 Vec3 BernsteinForm::GridPoint(int i, int j, int k) const

@@ -36,21 +36,27 @@ public:
   /// A bound of the rounding error of every coefficient that Convert makes of these modes.
   [[nodiscard]] double ErrorBound(const double* modes) const;
 
+  /// The same bound from the modes' largest coefficients, at the price of one sum.
+  [[nodiscard]] double QuickErrorBound(const double* modes) const;
+
   /// The grid point of eta that belongs to a coefficient: a function that is affine in each eta
   /// has its values there as its coefficients.
   [[nodiscard]] Vec3 GridPoint(int i, int j, int k) const;
 
 private:
   explicit BernsteinForm(const Space& space);
+  void MakeRows();
+  [[nodiscard]] int FamilyOf(int p, int q) const;
   template <bool kAbsolute>
   void Contract(const double* modes, std::span<double> bernstein) const;
 
   using Rows = std::vector<FactorRow>; ///< by function
   Space TheSpace;
   std::array<int, 3> TheDegree;
-  Rows X;              ///< [p]
-  std::vector<Rows> Y; ///< [p of the family][q]
-  std::vector<Rows> Z; ///< [n of the family][r]
+  Rows X;                      ///< [p]
+  std::vector<Rows> Y;         ///< [p of the family][q]
+  std::vector<Rows> Z;         ///< [n of the family][r]
+  std::vector<double> Largest; ///< magnitude of a coefficient of each mode
 };
 
 /// The least and the largest coefficient: the hull.

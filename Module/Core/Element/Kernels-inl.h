@@ -114,6 +114,13 @@ void SetKernels(KernelSet& set)
   }
 }
 
+/// Processors without AVX2 are from before 2013: they get the generic kernels.
+#if HWY_TARGET == HWY_SCALAR || (defined(HWY_SSE2) && HWY_TARGET == HWY_SSE2)
+inline constexpr bool kFixedOrders = false;
+#else
+inline constexpr bool kFixedOrders = true;
+#endif
+
 /// Kernels with the order compiled in for the usual uniform orders, generic ones above.
 template <template <class, class, bool> class Modes, int... kOrders>
 KernelSet SelectKernelSet(const Space& space)
@@ -121,9 +128,12 @@ KernelSet SelectKernelSet(const Space& space)
   KernelSet set{ &ValueKernel<Modes, AnyOrder>, &GradientKernel<Modes, AnyOrder>,
     &InvertKernel<Modes, AnyOrder> };
   const auto [p, q, r] = space.order;
-  if (p == q && q == r)
+  if constexpr (kFixedOrders)
   {
-    (void)((p == kOrders ? (SetKernels<Modes, kOrders>(set), true) : false) || ...);
+    if (p == q && q == r)
+    {
+      (void)((p == kOrders ? (SetKernels<Modes, kOrders>(set), true) : false) || ...);
+    }
   }
   return set;
 }

@@ -24,7 +24,7 @@ struct LanePoints
 };
 
 /// Total degree of the polynomial where Newton's iteration begins, and its number of terms.
-inline constexpr int kGuessDegree = 3;
+inline constexpr int kGuessDegree = 4;
 inline constexpr int kGuessTerms = (kGuessDegree + 1) * (kGuessDegree + 2) * (kGuessDegree + 3) / 6;
 
 /// The inverse map's data of one element, in its own units: y = (x - centre) / size.
@@ -39,13 +39,18 @@ struct InverseProblem
   double inverse[9];     ///< frame: row-major inverse Jacobian; 0: Newton begins at `start`
   double uncertainty[3]; ///< of Phi and y, per coordinate, in the element's units
   bool affine;           ///< Phi is its frame, up to the uncertainty
-  /// Where Newton begins, if not null: a polynomial in s = (xi_0 - guessCentre) guessScale, xi_0 the
-  /// frame's preimage; kGuessTerms coefficients for each xi, of s_0^i s_1^j s_2^k with i, j, k
+  /// Where Newton begins, if not null: a polynomial in s = (xi_0 - guessCentre) guessScale, xi_0
+  /// the frame's preimage; kGuessTerms coefficients for each xi, of s_0^i s_1^j s_2^k with i, j, k
   /// falling, k fastest.
   const double* guess;
   double guessCentre[3];
   double guessScale[3];
 };
+
+/// The Jacobian of the last correction is that of a point no farther from the root than this, in
+/// xi: after a step smaller than it the Jacobian is kept, for its corrections cost half of a full
+/// step and gain as many digits as the step that it was made for had.
+inline constexpr double kKeepJacobian = 3e-3;
 
 /// What Newton's iteration found for a point.
 enum class NewtonStatus : std::uint8_t

@@ -20,9 +20,6 @@ inline constexpr double kSmallError = 1e-12;
 inline constexpr double kNoError = 1e-17;
 /// How curved a map is taken to be before steps have been compared: errors are squared, times this.
 inline constexpr double kCurvature = 32.0;
-/// After a step smaller than this the Jacobian is kept: its corrections cost half of a full step
-/// and gain as many digits as the step that it was made for had.
-inline constexpr double kKeepJacobian = 3e-3;
 /// A kept Jacobian is made anew when a step is not this much smaller than the one before.
 inline constexpr double kContraction = 0.1;
 /// A polishing correction above this (and above the rounding tolerance) is no convergence.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Values and gradients whose sums overflow on the way although they themselves do not.
 //
-// Modes of high orders on collapsed shapes are products of factors to 1e13 with others that take
-// them back: at order 24, coefficients of 1e300 overflow within. Sums of coefficients scaled by a
-// power of two are the same sums, so they are made once more with smaller ones.
+// Modes of high orders on collapsed shapes are products of large factors with others that take them
+// back: sums of coefficients near 1e300 overflow within. Sums of coefficients scaled by a power of
+// two are the same sums, so they are made once more with smaller ones.
 #if defined(PIXELEXACT_OVERFLOW_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef PIXELEXACT_OVERFLOW_INL_H
 #undef PIXELEXACT_OVERFLOW_INL_H

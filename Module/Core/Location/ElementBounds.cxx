@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <vector>
 
 namespace pixelexact
@@ -78,30 +79,66 @@ struct ComponentHulls
   double spread[3];    ///< bound of the distance from it
 };
 
-/// sum over all modes but the first, which is 1, of |c| |mode|: a bound that does not suffer from
-/// the growth of Bernstein coefficients with the order, which makes hulls of order 20 useless.
-double SpreadOf(const Space& space, const double* component)
+/// Bounds of the space's modes.
+std::vector<double> ModeBounds(const Space& space)
 {
-  double sum = 0.0;
-  ForEachMode(space,
-    [&](int p, int q, int r, int mode)
-    { sum += mode == 0 ? 0.0 : std::fabs(component[mode]) * ModeBound(space, p, q, r); });
-  // The sum's rounding, and that of the bounds.
-  return sum * (1.0 + Gamma(space.Modes() + 64));
+  std::vector<double> bounds;
+  bounds.reserve(static_cast<std::size_t>(space.Modes()));
+  ForEachMode(
+    space, [&](int p, int q, int r, int /*mode*/) { bounds.push_back(ModeBound(space, p, q, r)); });
+  return bounds;
 }
 
-ComponentHulls MakeHulls(const Space& space, const double* coefficients)
+/// sum over all modes but the first, which is 1, of |c| |mode|: a bound that does not suffer from
+/// the growth of Bernstein coefficients with the order, which makes hulls of order 20 useless.
+double SpreadOf(const std::vector<double>& modeBounds, const double* component)
 {
-  const auto& form = BernsteinForm::Of(space);
+  double sum = 0.0;
+  for (std::size_t mode = 1; mode < modeBounds.size(); ++mode)
+  {
+    sum += std::fabs(component[mode]) * modeBounds[mode];
+  }
+  // The sum's rounding, and that of the bounds.
+  return sum * (1.0 + Gamma(static_cast<int>(modeBounds.size()) + 64));
+}
+
+enum class Errors : std::uint8_t
+{
+  Sharp,
+  Quick
+};
+
+/// What is made once per space, and kept by each thread.
+struct SpaceTools
+{
+  const BernsteinForm* form = nullptr;
+  std::vector<double> modeBounds;
+
+  static const SpaceTools& Of(const Space& space)
+  {
+    thread_local std::map<Space, SpaceTools> tools;
+    SpaceTools& found = tools[space];
+    if (!found.form)
+    {
+      found = { &BernsteinForm::Of(space), ModeBounds(space) };
+    }
+    return found;
+  }
+};
+
+ComponentHulls MakeHulls(const Space& space, const double* coefficients, Errors errors)
+{
+  const SpaceTools& tools = SpaceTools::Of(space);
   const int modes = space.Modes();
   ComponentHulls hulls;
   for (int c = 0; c < 3; ++c)
   {
     const double* component = coefficients + static_cast<std::ptrdiff_t>(c) * modes;
-    hulls.bernstein[c].resize(form.Size());
-    form.Convert(component, hulls.bernstein[c]);
-    hulls.error[c] = form.ErrorBound(component);
-    hulls.spread[c] = SpreadOf(space, component);
+    hulls.bernstein[c].resize(tools.form->Size());
+    tools.form->Convert(component, hulls.bernstein[c]);
+    hulls.error[c] = errors == Errors::Sharp ? tools.form->ErrorBound(component)
+                                             : tools.form->QuickErrorBound(component);
+    hulls.spread[c] = SpreadOf(tools.modeBounds, component);
     hulls.first[c] = component[0];
     hulls.magnitude[c] = std::fabs(component[0]) + hulls.spread[c];
   }
@@ -196,8 +233,8 @@ void MakeFrame(const Space& space, const double* coefficients, const ComponentHu
 Box3 MakeElementBox(const Mesh& mesh, int element)
 {
   ElementBounds bounds;
-  MakeBox(
-    mesh, element, MakeHulls(mesh.map.SpaceOf(element), mesh.map.Coefficients(element)), bounds);
+  MakeBox(mesh, element,
+    MakeHulls(mesh.map.SpaceOf(element), mesh.map.Coefficients(element), Errors::Quick), bounds);
   return bounds.box;
 }
 
@@ -205,7 +242,7 @@ ElementBounds MakeElementBounds(const Mesh& mesh, int element)
 {
   const Space& space = mesh.map.SpaceOf(element);
   const double* coefficients = mesh.map.Coefficients(element);
-  const ComponentHulls hulls = MakeHulls(space, coefficients);
+  const ComponentHulls hulls = MakeHulls(space, coefficients, Errors::Sharp);
   ElementBounds bounds;
   MakeBox(mesh, element, hulls, bounds);
   MakeFrame(space, coefficients, hulls, bounds);

@@ -37,7 +37,7 @@ struct ElementBounds
     Shape shape, const Vec3& elementCentre, double inverseSize, const Vec3& x) const;
 };
 
-/// The box alone, the same as that of the bounds.
+/// The box alone, certified too, with the rounding of its coefficients bounded in less time.
 Box3 MakeElementBox(const Mesh& mesh, int element);
 
 /// The bounds of one element of a valid mesh.

@@ -79,46 +79,78 @@ std::uint64_t SelectInBox(const LanePoints& points, int begin, std::uint64_t bit
   return result & bits;
 }
 
-/// Written so that a NaN excludes nothing.
-HWY_INLINE LaneMask Excluded(
-  const ElementBounds& bounds, const InverseProblem& problem, const Point<Lanes>& x)
+/// An element's frame in lanes: loaded once, for what is stored might be it as far as the compiler
+/// knows.
+class Frame
 {
-  Point<Lanes> y;
-  for (int d = 0; d < 3; ++d)
+public:
+  HWY_INLINE Frame(const ElementBounds& bounds, const InverseProblem& problem)
+    : TheShape(problem.space.shape)
+    , InverseSize(Splat(problem.inverseSize))
   {
-    y.x[d] =
-      (x.x[d] - Splat(problem.centre[d])) * Splat(problem.inverseSize) - Splat(bounds.origin[d]);
+    for (int d = 0; d < 3; ++d)
+    {
+      Centre.x[d] = Splat(problem.centre[d]);
+      Origin.x[d] = Splat(bounds.origin[d]);
+      // start - upper and start - lower at once.
+      FromUpper.x[d] = Splat(problem.start[d] - bounds.upper[d]);
+      FromLower.x[d] = Splat(problem.start[d] - bounds.lower[d]);
+      for (int c = 0; c < 3; ++c)
+      {
+        Inverse.m[3 * d + c] = Splat(bounds.inverse[3 * d + c]);
+      }
+    }
   }
-  const Lanes one = Splat(1.0);
-  const Lanes zero = Splat(0.0);
-  Point<Lanes> low;
-  LaneMask out = zero < zero;
-  for (int d = 0; d < 3; ++d)
+
+  /// Written so that a NaN excludes nothing.
+  [[nodiscard]] HWY_INLINE LaneMask Excludes(const Point<Lanes>& x) const
   {
-    const double* row = bounds.inverse + 3 * d;
-    const Lanes start = Splat(problem.start[d]) + Splat(row[0]) * y.x[0] + Splat(row[1]) * y.x[1] +
-      Splat(row[2]) * y.x[2];
-    low.x[d] = start - Splat(bounds.upper[d]);
-    out = Or(out, Or(one < low.x[d], start - Splat(bounds.lower[d]) < zero - one));
+    Point<Lanes> y;
+    for (int d = 0; d < 3; ++d)
+    {
+      y.x[d] = (x.x[d] - Centre.x[d]) * InverseSize - Origin.x[d];
+    }
+    const Lanes one = Splat(1.0);
+    const Lanes zero = Splat(0.0);
+    const Point<Lanes> offset = Apply(Inverse, y);
+    Point<Lanes> low;
+    LaneMask out = zero < zero;
+    for (int d = 0; d < 3; ++d)
+    {
+      low.x[d] = offset.x[d] + FromUpper.x[d];
+      out = Or(out, Or(one < low.x[d], offset.x[d] + FromLower.x[d] < zero - one));
+    }
+    switch (TheShape)
+    {
+      case Shape::Hexahedron:
+        return out;
+      case Shape::Prism:
+        return Or(out, zero < low.x[0] + low.x[2]);
+      case Shape::Tetrahedron:
+        return Or(out, zero - one < low.x[0] + low.x[1] + low.x[2]);
+      default:
+        return Or(out, Or(zero < low.x[0] + low.x[2], zero < low.x[1] + low.x[2]));
+    }
   }
-  switch (problem.space.shape)
-  {
-    case Shape::Hexahedron:
-      return out;
-    case Shape::Prism:
-      return Or(out, zero < low.x[0] + low.x[2]);
-    case Shape::Tetrahedron:
-      return Or(out, zero - one < low.x[0] + low.x[1] + low.x[2]);
-    default:
-      return Or(out, Or(zero < low.x[0] + low.x[2], zero < low.x[1] + low.x[2]));
-  }
-}
+
+private:
+  Shape TheShape;
+  Lanes InverseSize;
+  Point<Lanes> Centre;
+  Point<Lanes> Origin;
+  Matrix<Lanes> Inverse;
+  Point<Lanes> FromUpper;
+  Point<Lanes> FromLower;
+};
 
 std::uint64_t SelectByFrame(const ElementBounds& bounds, const InverseProblem& problem,
   const LanePoints& points, int begin, std::uint64_t bits, double* const selected[3])
 {
   const int lanes = LaneCount();
   const std::uint64_t pack = (std::uint64_t{ 1 } << static_cast<unsigned>(lanes)) - 1U;
+  const Frame frame(bounds, problem);
+  const bool framed = bounds.framed;
+  double* const to[3] = { selected[0], selected[1], selected[2] };
   std::uint64_t result = 0;
   std::ptrdiff_t count = 0;
   for (std::uint64_t left = bits; left != 0;)
@@ -127,14 +159,22 @@ std::uint64_t SelectByFrame(const ElementBounds& bounds, const InverseProblem& p
     LaneMask in = MaskOf((left >> static_cast<unsigned>(i)) & pack);
     left &= ~(pack << static_cast<unsigned>(i));
     const Point<Lanes> x = LoadAt(points, begin + i);
-    if (bounds.framed)
+    if (framed)
     {
-      in = AndNot(in, Excluded(bounds, problem, x));
+      in = AndNot(in, frame.Excludes(x));
     }
     const std::uint64_t kept = BitsOf(in);
-    for (int d = 0; d < 3; ++d)
+    // Packing costs more than the test: mostly all or none of a pack are kept.
+    for (int d = 0; d < 3 && kept != 0; ++d)
     {
-      StorePacked(x.x[d], in, selected[d] + count);
+      if (kept == pack)
+      {
+        Store(x.x[d], to[d] + count);
+      }
+      else
+      {
+        StorePacked(x.x[d], in, to[d] + count);
+      }
     }
     count += std::popcount(kept);
     result |= kept << static_cast<unsigned>(i);
@@ -155,12 +195,18 @@ void KeepInside(const InverseResult& result, int count)
     {
       in = And(in, MaskOf((std::uint64_t{ 1 } << static_cast<unsigned>(count - i)) - 1U));
     }
+    const std::uint64_t bits = BitsOf(in);
+    if (std::popcount(bits) == lanes && kept == i)
+    {
+      kept += lanes;
+      continue;
+    }
     // What is stored never runs ahead of what is loaded.
     for (double* array : { result.xi[0], result.xi[1], result.xi[2], result.residual })
     {
       StorePacked(NumberTraits<Lanes>::Load(array + i), in, array + kept);
     }
-    kept += std::popcount(BitsOf(in));
+    kept += std::popcount(bits);
   }
   for (int k = kept; kept > 0 && k < PaddedCount(kept); ++k)
   {
