@@ -23,11 +23,12 @@ endfunction()
 
 # Highway compiles a kernel once per instruction set and picks one at run time. Each set costs minutes
 # to compile: between the baseline and AVX2 lie only processors from before 2013, and AVX3_DL adds
-# nothing that is used here. Under the sanitizers one set beside the baseline is enough.
+# nothing that is used here. Under the sanitizers one set beside the baseline and few orders are enough.
 function(pixelexact_use_lanes name)
   set(disabled_targets "HWY_SSSE3|HWY_SSE4|HWY_AVX3_DL")
   if(PIXELEXACT_SANITIZE)
     string(APPEND disabled_targets "|HWY_AVX3")
+    target_compile_definitions(${name} PRIVATE PIXELEXACT_FEW_ORDERS)
   endif()
   target_link_libraries(${name} PRIVATE hwy::hwy)
   target_compile_definitions(${name} PRIVATE "HWY_DISABLED_TARGETS=(${disabled_targets})")

@@ -17,6 +17,8 @@
 #include "Core/Basis/Recurrence.h"
 #include "Core/Math/Lanes-inl.h"
 
+#include <type_traits>
+
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
@@ -101,6 +103,37 @@ HWY_INLINE void FillScaled(const RecurrenceStep<typename NumberTraits<T>::Scalar
     });
 }
 
+// Sums over the functions of a family, of which the first is 1 and its derivative 0: where the
+// index is known to the compiler, the first term costs nothing.
+
+/// sum + u table[i]; the sum of no terms is 0.
+template <class T, class Index>
+HWY_INLINE void AddTerm(Index i, const T& u, const T* table, T& sum)
+{
+  if constexpr (std::is_same_v<Index, Const<0>>)
+  {
+    sum = u;
+  }
+  else
+  {
+    sum = MulAdd(u, table[i], sum);
+  }
+}
+
+/// The same with a table of derivatives.
+template <class T, class Index>
+HWY_INLINE void AddSlope(Index i, const T& u, const T* table, T& sum)
+{
+  if constexpr (std::is_same_v<Index, Const<1>>)
+  {
+    sum = u * table[i];
+  }
+  else if constexpr (!std::is_same_v<Index, Const<0>>)
+  {
+    sum = MulAdd(u, table[i], sum);
+  }
+}
+
 /// A point in lanes or as a scalar triple.
 template <class T>
 struct Point
@@ -122,6 +155,7 @@ class HexahedronModes
 {
 public:
   using Traits = NumberTraits<T>;
+  static constexpr Shape kShape = Shape::Hexahedron;
 
   HWY_INLINE HexahedronModes(const Space& space, const Point<T>& xi)
     : order(space)
@@ -145,11 +179,10 @@ public:
         {
           T sumR = Traits::Splat(0.0);
           ForEachUpTo(order.r(),
-            [&](auto r) PIXELEXACT_INLINED
-            { sumR = MulAdd(Traits::Splat(*coefficient++), c[r], sumR); });
-          sumQ = MulAdd(sumR, b[q], sumQ);
+            [&](auto r) PIXELEXACT_INLINED { AddTerm(r, Traits::Splat(*coefficient++), c, sumR); });
+          AddTerm(q, sumR, b, sumQ);
         });
-      total = MulAdd(sumQ, a[p], total);
+      AddTerm(p, sumQ, a, total);
     }
     return total;
   }
@@ -173,17 +206,17 @@ public:
             [&](auto r) PIXELEXACT_INLINED
             {
               const T u = Traits::Splat(*coefficient++);
-              sumR = MulAdd(u, c[r], sumR);
-              sumR3 = MulAdd(u, dc[r], sumR3);
+              AddTerm(r, u, c, sumR);
+              AddSlope(r, u, dc, sumR3);
             });
-          sumQ = MulAdd(sumR, b[q], sumQ);
-          sumQ2 = MulAdd(sumR, db[q], sumQ2);
-          sumQ3 = MulAdd(sumR3, b[q], sumQ3);
+          AddTerm(q, sumR, b, sumQ);
+          AddSlope(q, sumR, db, sumQ2);
+          AddTerm(q, sumR3, b, sumQ3);
         });
-      out.value = MulAdd(sumQ, a[p], out.value);
-      out.gradient[0] = MulAdd(sumQ, da[p], out.gradient[0]);
-      out.gradient[1] = MulAdd(sumQ2, a[p], out.gradient[1]);
-      out.gradient[2] = MulAdd(sumQ3, a[p], out.gradient[2]);
+      AddTerm(p, sumQ, a, out.value);
+      AddSlope(p, sumQ, da, out.gradient[0]);
+      AddTerm(p, sumQ2, a, out.gradient[1]);
+      AddTerm(p, sumQ3, a, out.gradient[2]);
     }
     return out;
   }
@@ -205,6 +238,7 @@ class PrismModes
 {
 public:
   using Traits = NumberTraits<T>;
+  static constexpr Shape kShape = Shape::Prism;
 
   HWY_INLINE PrismModes(const Space& space, const Point<T>& xi)
     : order(space)
@@ -244,10 +278,10 @@ public:
             T sumR = Traits::Splat(0.0);
             ForEachUpTo(order.r() - p,
               [&](auto r) PIXELEXACT_INLINED
-              { sumR = MulAdd(Traits::Splat(*coefficient++), c[p][r], sumR); });
-            sumQ = MulAdd(sumR, b[q], sumQ);
+              { AddTerm(r, Traits::Splat(*coefficient++), c[p], sumR); });
+            AddTerm(q, sumR, b, sumQ);
           });
-        total = MulAdd(sumQ, a[p], total);
+        AddTerm(p, sumQ, a, total);
       });
     return total;
   }
@@ -271,16 +305,16 @@ public:
               [&](auto r) PIXELEXACT_INLINED
               {
                 const T u = Traits::Splat(*coefficient++);
-                sumR = MulAdd(u, c[p][r], sumR);
-                sumR3 = MulAdd(u, dc[p][r], sumR3);
+                AddTerm(r, u, c[p], sumR);
+                AddSlope(r, u, dc[p], sumR3);
               });
-            sumQ = MulAdd(sumR, b[q], sumQ);
-            sumQ2 = MulAdd(sumR, db[q], sumQ2);
-            sumQ3 = MulAdd(sumR3, b[q], sumQ3);
+            AddTerm(q, sumR, b, sumQ);
+            AddSlope(q, sumR, db, sumQ2);
+            AddTerm(q, sumR3, b, sumQ3);
           });
-        out.value = MulAdd(sumQ, a[p], out.value);
-        out.gradient[0] = MulAdd(sumQ, a1[p], out.gradient[0]);
-        out.gradient[1] = MulAdd(sumQ2, a[p], out.gradient[1]);
+        AddTerm(p, sumQ, a, out.value);
+        AddSlope(p, sumQ, a1, out.gradient[0]);
+        AddTerm(p, sumQ2, a, out.gradient[1]);
         out.gradient[2] = MulAdd(sumQ3, a[p], MulAdd(sumQ, a3[p], out.gradient[2]));
       });
     return out;
@@ -304,6 +338,7 @@ class TetrahedronModes
 {
 public:
   using Traits = NumberTraits<T>;
+  static constexpr Shape kShape = Shape::Tetrahedron;
 
   HWY_INLINE TetrahedronModes(const Space& space, const Point<T>& xi)
     : order(space)
@@ -352,10 +387,10 @@ public:
             T sumR = Traits::Splat(0.0);
             ForEachUpTo(order.r() - p - q,
               [&](auto r) PIXELEXACT_INLINED
-              { sumR = MulAdd(Traits::Splat(*coefficient++), c[p + q][r], sumR); });
-            sumQ = MulAdd(sumR, b[p][q], sumQ);
+              { AddTerm(r, Traits::Splat(*coefficient++), c[p + q], sumR); });
+            AddTerm(q, sumR, b[p], sumQ);
           });
-        total = MulAdd(sumQ, a[p], total);
+        AddTerm(p, sumQ, a, total);
       });
     return total;
   }
@@ -379,16 +414,16 @@ public:
               [&](auto r) PIXELEXACT_INLINED
               {
                 const T u = Traits::Splat(*coefficient++);
-                sumR = MulAdd(u, c[p + q][r], sumR);
-                sumR3 = MulAdd(u, dc[p + q][r], sumR3);
+                AddTerm(r, u, c[p + q], sumR);
+                AddSlope(r, u, dc[p + q], sumR3);
               });
-            sumQ = MulAdd(sumR, b[p][q], sumQ);
-            sumQ2 = MulAdd(sumR, b2[p][q], sumQ2);
+            AddTerm(q, sumR, b[p], sumQ);
+            AddSlope(q, sumR, b2[p], sumQ2);
             sumQ3 = MulAdd(sumR, b3[p][q], MulAdd(sumR3, b[p][q], sumQ3));
           });
         const T slope = sumQ * a2[p];
-        out.value = MulAdd(sumQ, a[p], out.value);
-        out.gradient[0] = MulAdd(sumQ, a1[p], out.gradient[0]);
+        AddTerm(p, sumQ, a, out.value);
+        AddSlope(p, sumQ, a1, out.gradient[0]);
         out.gradient[1] = MulAdd(sumQ2, a[p], out.gradient[1] + slope);
         out.gradient[2] = MulAdd(sumQ3, a[p], out.gradient[2] + slope);
       });
@@ -416,6 +451,7 @@ class PyramidModes
 {
 public:
   using Traits = NumberTraits<T>;
+  static constexpr Shape kShape = Shape::Pyramid;
 
   HWY_INLINE PyramidModes(const Space& space, const Point<T>& xi)
     : order(space)
@@ -460,10 +496,10 @@ public:
             T sumR = Traits::Splat(0.0);
             ForEachUpTo(order.r() - m,
               [&](auto r) PIXELEXACT_INLINED
-              { sumR = MulAdd(Traits::Splat(*coefficient++), c[m][r], sumR); });
+              { AddTerm(r, Traits::Splat(*coefficient++), c[m], sumR); });
             sumQ = MulAdd(sumR * power[m], b[q], sumQ);
           });
-        total = MulAdd(sumQ, a[p], total);
+        AddTerm(p, sumQ, a, total);
       });
     return total;
   }
@@ -489,8 +525,8 @@ public:
               [&](auto r) PIXELEXACT_INLINED
               {
                 const T u = Traits::Splat(*coefficient++);
-                sumR = MulAdd(u, c[m][r], sumR);
-                sumR3 = MulAdd(u, dc[m][r], sumR3);
+                AddTerm(r, u, c[m], sumR);
+                AddSlope(r, u, dc[m], sumR3);
               });
             const T scaled = sumR * power[m];
             T scaled3 = sumR3 * power[m];
@@ -498,15 +534,15 @@ public:
             {
               const T lower = sumR * power[m - 1];
               scaled3 = MulAdd(Traits::Splat(-0.5 * m), lower, scaled3);
-              reduced = MulAdd(lower, b[q], reduced);
-              reduced2 = MulAdd(lower, db[q], reduced2);
+              AddTerm(q, lower, b, reduced);
+              AddSlope(q, lower, db, reduced2);
             }
-            sumQ = MulAdd(scaled, b[q], sumQ);
-            sumQ3 = MulAdd(scaled3, b[q], sumQ3);
+            AddTerm(q, scaled, b, sumQ);
+            AddTerm(q, scaled3, b, sumQ3);
           });
         const T by1 = reduced * da[p];
         const T by2 = reduced2 * a[p];
-        out.value = MulAdd(sumQ, a[p], out.value);
+        AddTerm(p, sumQ, a, out.value);
         out.gradient[0] = out.gradient[0] + by1;
         out.gradient[1] = out.gradient[1] + by2;
         out.gradient[2] =
@@ -536,6 +572,7 @@ class TensorPyramidModes
 {
 public:
   using Traits = NumberTraits<T>;
+  static constexpr Shape kShape = Shape::Pyramid;
 
   HWY_INLINE TensorPyramidModes(const Space& space, const Point<T>& xi)
     : eta(Eta(xi))

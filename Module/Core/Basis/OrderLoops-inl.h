@@ -64,6 +64,13 @@ HWY_INLINE void ForEachUpTo(int last, Visit&& visit)
   }
 }
 
+/// visit(d) for d = 0, 1, 2, unrolled: arrays that are indexed by d stay in registers.
+template <class Visit>
+HWY_INLINE void ForEachAxis(Visit&& visit)
+{
+  ForEachUpTo(Const<2>(), visit);
+}
+
 /// The orders of a uniform space, known at compile time.
 template <int P>
 struct FixedOrder

@@ -12,6 +12,8 @@
 #include "Core/Element/Newton-inl.h"
 #include "Core/Element/Overflow-inl.h"
 
+#include <algorithm>
+
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
@@ -103,23 +105,29 @@ void InvertKernel(const InverseProblem& problem, const LanePoints& x, const Inve
 /// Gradients and inverse maps of higher orders are rarer than the time to compile them is worth.
 inline constexpr int kMaxFixedMapOrder = 4;
 
+/// The largest order that is compiled in: none for processors without AVX2, which are from before
+/// 2013; few where the build is not made for speed.
+#if HWY_TARGET == HWY_SCALAR || (defined(HWY_SSE2) && HWY_TARGET == HWY_SSE2)
+inline constexpr int kMaxFixedOrder = -1;
+#elif defined(PIXELEXACT_FEW_ORDERS)
+inline constexpr int kMaxFixedOrder = 2;
+#else
+inline constexpr int kMaxFixedOrder = kMaxOrder;
+#endif
+
 template <template <class, class, bool> class Modes, int P>
 void SetKernels(KernelSet& set)
 {
-  set.value = &ValueKernel<Modes, FixedOrder<P>>;
-  if constexpr (P <= kMaxFixedMapOrder)
+  if constexpr (P <= kMaxFixedOrder)
+  {
+    set.value = &ValueKernel<Modes, FixedOrder<P>>;
+  }
+  if constexpr (P <= std::min(kMaxFixedOrder, kMaxFixedMapOrder))
   {
     set.gradient = &GradientKernel<Modes, FixedOrder<P>>;
     set.invert = &InvertKernel<Modes, FixedOrder<P>>;
   }
 }
-
-/// Processors without AVX2 are from before 2013: they get the generic kernels.
-#if HWY_TARGET == HWY_SCALAR || (defined(HWY_SSE2) && HWY_TARGET == HWY_SSE2)
-inline constexpr bool kFixedOrders = false;
-#else
-inline constexpr bool kFixedOrders = true;
-#endif
 
 /// Kernels with the order compiled in for the usual uniform orders, generic ones above.
 template <template <class, class, bool> class Modes, int... kOrders>
@@ -128,12 +136,9 @@ KernelSet SelectKernelSet(const Space& space)
   KernelSet set{ &ValueKernel<Modes, AnyOrder>, &GradientKernel<Modes, AnyOrder>,
     &InvertKernel<Modes, AnyOrder> };
   const auto [p, q, r] = space.order;
-  if constexpr (kFixedOrders)
+  if (p == q && q == r)
   {
-    if (p == q && q == r)
-    {
-      (void)((p == kOrders ? (SetKernels<Modes, kOrders>(set), true) : false) || ...);
-    }
+    (void)((p == kOrders ? (SetKernels<Modes, kOrders>(set), true) : false) || ...);
   }
   return set;
 }

@@ -30,10 +30,10 @@ template <class T>
 HWY_INLINE Point<T> Apply(const Matrix<T>& a, const Point<T>& x)
 {
   Point<T> y;
-  for (int i = 0; i < 3; ++i)
-  {
-    y.x[i] = MulAdd(a.m[3 * i], x.x[0], MulAdd(a.m[3 * i + 1], x.x[1], a.m[3 * i + 2] * x.x[2]));
-  }
+  ForEachAxis(
+    [&](auto i) PIXELEXACT_INLINED {
+      y.x[i] = MulAdd(a.m[3 * i], x.x[0], MulAdd(a.m[3 * i + 1], x.x[1], a.m[3 * i + 2] * x.x[2]));
+    });
   return y;
 }
 
@@ -83,15 +83,17 @@ HWY_INLINE Point<T> ToleranceOf(const Matrix<T>& inverse, const double* uncertai
 {
   using Traits = NumberTraits<T>;
   Point<T> tolerance;
-  for (int d = 0; d < 3; ++d)
-  {
-    tolerance.x[d] = Traits::Splat(0.0);
-    for (int k = 0; k < 3; ++k)
+  ForEachAxis(
+    [&](auto d) PIXELEXACT_INLINED
     {
-      tolerance.x[d] =
-        MulAdd(Abs(inverse.m[3 * d + k]), Traits::Splat(uncertainty[k]), tolerance.x[d]);
-    }
-  }
+      tolerance.x[d] = Traits::Splat(0.0);
+      ForEachAxis(
+        [&](auto k) PIXELEXACT_INLINED
+        {
+          tolerance.x[d] =
+            MulAdd(Abs(inverse.m[3 * d + k]), Traits::Splat(uncertainty[k]), tolerance.x[d]);
+        });
+    });
   return tolerance;
 }
 } // namespace pixelexact::HWY_NAMESPACE

@@ -114,29 +114,22 @@ HWY_INLINE Point<T> ResidualAndInverse(const InverseProblem& problem, int modeCo
     const auto e =
       modes.Evaluate(problem.coefficients + static_cast<std::ptrdiff_t>(c) * modeCount);
     residual.x[c] = e.value - y.x[c];
-    for (int d = 0; d < 3; ++d)
-    {
-      jacobian.m[3 * c + d] = e.gradient[d];
-    }
+    ForEachAxis([&](auto d) PIXELEXACT_INLINED { jacobian.m[3 * c + d] = e.gradient[d]; });
   }
   inverse = Inverse(jacobian);
   return residual;
 }
 
-/// Steps until every lane is done or has failed. What a lane does depends on its own steps alone,
-/// and when it is done it keeps its state, so that its result does not depend on the others.
+/// Steps from state.xi until every lane is done or has failed. What a lane does depends on its own
+/// steps alone, and when it is done it keeps its state, so that its result does not depend on the
+/// others.
 template <template <class, class, bool> class Modes, class Order, class T>
-HWY_INLINE NewtonState<T> Iterate(
-  const InverseProblem& problem, int modeCount, const Point<T>& y, Point<T> xi)
+HWY_INLINE void Iterate(
+  const InverseProblem& problem, int modeCount, const Point<T>& y, NewtonState<T>& state)
 {
   using Traits = NumberTraits<T>;
   const T zero = Traits::Splat(0.0);
   const T one = Traits::Splat(1.0);
-  NewtonState<T> state{ xi, {}, zero, zero, zero };
-  for (int k = 0; k < 9; ++k)
-  {
-    state.inverse.m[k] = zero;
-  }
   typename Traits::Mask active = zero <= zero;
   typename Traits::Mask renew = active; // lanes that need a new Jacobian
   T last = one;
@@ -152,10 +145,9 @@ HWY_INLINE NewtonState<T> Iterate(
     {
       Matrix<T> inverse;
       residual = ResidualAndInverse<Modes, Order>(problem, modeCount, y, state.xi, inverse);
-      for (int k = 0; k < 9; ++k)
-      {
-        state.inverse.m[k] = Select(renew, inverse.m[k], state.inverse.m[k]);
-      }
+      ForEachUpTo(Const<8>(),
+        [&](auto k) PIXELEXACT_INLINED
+        { state.inverse.m[k] = Select(renew, inverse.m[k], state.inverse.m[k]); });
     }
     const Point<T> delta = Apply(state.inverse, residual);
     const T length = MaxAbs(delta);
@@ -163,24 +155,20 @@ HWY_INLINE NewtonState<T> Iterate(
     // direction.
     const T scale = Select(length <= one, one, one / length);
     Point<T> next;
-    for (int d = 0; d < 3; ++d)
-    {
-      next.x[d] = NegMulAdd(scale, delta.x[d], state.xi.x[d]);
-    }
-    if (problem.space.shape == Shape::Pyramid)
+    ForEachAxis(
+      [&](auto d) PIXELEXACT_INLINED { next.x[d] = NegMulAdd(scale, delta.x[d], state.xi.x[d]); });
+    if (Modes<T, Order, false>::kShape == Shape::Pyramid)
     {
       BackOntoCone(next);
     }
-    for (int d = 0; d < 3; ++d)
-    {
-      state.xi.x[d] = Select(active, next.x[d], state.xi.x[d]);
-    }
+    ForEachAxis(
+      [&](auto d) PIXELEXACT_INLINED { state.xi.x[d] = Select(active, next.x[d], state.xi.x[d]); });
     state.steps = Select(active, state.steps + one, state.steps);
     // A NaN compares false and so ends as failed.
     const auto sound = And(length >= zero, MaxAbs(state.xi) <= Traits::Splat(kFarOut));
     const auto lost = AndNot(active, sound);
     state.failed = Select(lost, one, state.failed);
-    const T unit = StepScale(problem.space.shape, state.xi);
+    const T unit = StepScale(Modes<T, Order, false>::kShape, state.xi);
     madeFor = Select(renew, length, madeFor);
     const auto kept = And(madeFor <= Traits::Splat(kKeepJacobian) * unit,
       Or(renew, length <= Traits::Splat(kContraction) * last));
@@ -202,7 +190,6 @@ HWY_INLINE NewtonState<T> Iterate(
     state.failed = Select(AndNot(active, rounding), one, state.failed);
     state.unsettled = Select(And(active, rounding), last, zero);
   }
-  return state;
 }
 
 /// The inverse map's first guess from the frame's.
@@ -212,36 +199,38 @@ HWY_INLINE Point<T> Guess(const InverseProblem& problem, const Point<T>& start)
   using Traits = NumberTraits<T>;
   using Degree = Const<kGuessDegree>;
   Point<T> s;
-  for (int d = 0; d < 3; ++d)
-  {
-    s.x[d] =
-      (start.x[d] - Traits::Splat(problem.guessCentre[d])) * Traits::Splat(problem.guessScale[d]);
-    // Beyond the shape's image the polynomial may be anything.
-    s.x[d] = Max(Min(s.x[d], Traits::Splat(1.0)), Traits::Splat(-1.0));
-  }
+  ForEachAxis(
+    [&](auto d) PIXELEXACT_INLINED
+    {
+      s.x[d] =
+        (start.x[d] - Traits::Splat(problem.guessCentre[d])) * Traits::Splat(problem.guessScale[d]);
+      // Beyond the shape's image the polynomial may be anything.
+      s.x[d] = Max(Min(s.x[d], Traits::Splat(1.0)), Traits::Splat(-1.0));
+    });
   Point<T> xi;
-  for (int d = 0; d < 3; ++d)
-  {
-    const double* term = problem.guess + static_cast<std::ptrdiff_t>(d) * kGuessTerms;
-    // Horner's rule in each variable: the powers fall.
-    T sum = Traits::Splat(0.0);
-    ForEachUpTo(Degree(),
-      [&](auto i) PIXELEXACT_INLINED
-      {
-        T sumJ = Traits::Splat(0.0);
-        ForEachUpTo(i,
-          [&](auto j) PIXELEXACT_INLINED
-          {
-            T sumK = Traits::Splat(*term++);
-            ForEachUpTo(j - Const<1>(),
-              [&](auto /*k*/) PIXELEXACT_INLINED
-              { sumK = MulAdd(sumK, s.x[2], Traits::Splat(*term++)); });
-            sumJ = MulAdd(sumJ, s.x[1], sumK);
-          });
-        sum = MulAdd(sum, s.x[0], sumJ);
-      });
-    xi.x[d] = sum;
-  }
+  ForEachAxis(
+    [&](auto d) PIXELEXACT_INLINED
+    {
+      const double* term = problem.guess + static_cast<std::ptrdiff_t>(d) * kGuessTerms;
+      // Horner's rule in each variable: the powers fall.
+      T sum = Traits::Splat(0.0);
+      ForEachUpTo(Degree(),
+        [&](auto i) PIXELEXACT_INLINED
+        {
+          T sumJ = Traits::Splat(0.0);
+          ForEachUpTo(i,
+            [&](auto j) PIXELEXACT_INLINED
+            {
+              T sumK = Traits::Splat(*term++);
+              ForEachUpTo(j - Const<1>(),
+                [&](auto /*k*/) PIXELEXACT_INLINED
+                { sumK = MulAdd(sumK, s.x[2], Traits::Splat(*term++)); });
+              sumJ = MulAdd(sumJ, s.x[1], sumK);
+            });
+          sum = MulAdd(sum, s.x[0], sumJ);
+        });
+      xi.x[d] = sum;
+    });
   return xi;
 }
 
@@ -251,27 +240,24 @@ HWY_INLINE void InvertPack(
   const InverseProblem& problem, const LanePoints& x, const InverseResult& out, int at)
 {
   using Traits = NumberTraits<T>;
-  const Shape shape = problem.space.shape;
+  constexpr Shape shape = Modes<T, Order, false>::kShape;
   const int modeCount = problem.space.Modes();
   const T zero = Traits::Splat(0.0);
   Matrix<T> frame;
-  for (int k = 0; k < 9; ++k)
-  {
-    frame.m[k] = Traits::Splat(problem.inverse[k]);
-  }
+  ForEachUpTo(
+    Const<8>(), [&](auto k) PIXELEXACT_INLINED { frame.m[k] = Traits::Splat(problem.inverse[k]); });
   Point<T> y;
   Point<T> fromOrigin;
-  for (int d = 0; d < 3; ++d)
-  {
-    y.x[d] = (Traits::Load(x.x[d] + at) - Traits::Splat(problem.centre[d])) *
-      Traits::Splat(problem.inverseSize);
-    fromOrigin.x[d] = y.x[d] - Traits::Splat(problem.origin[d]);
-  }
+  ForEachAxis(
+    [&](auto d) PIXELEXACT_INLINED
+    {
+      y.x[d] = (Traits::Load(x.x[d] + at) - Traits::Splat(problem.centre[d])) *
+        Traits::Splat(problem.inverseSize);
+      fromOrigin.x[d] = y.x[d] - Traits::Splat(problem.origin[d]);
+    });
   Point<T> start = Apply(frame, fromOrigin);
-  for (int d = 0; d < 3; ++d)
-  {
-    start.x[d] = start.x[d] + Traits::Splat(problem.start[d]);
-  }
+  ForEachAxis(
+    [&](auto d) PIXELEXACT_INLINED { start.x[d] = start.x[d] + Traits::Splat(problem.start[d]); });
   NewtonState<T> state{ start, frame, zero, zero, zero };
   if (!problem.affine)
   {
@@ -279,20 +265,16 @@ HWY_INLINE void InvertPack(
     {
       start = Guess(problem, start);
     }
-    for (int d = 0; d < 3; ++d)
-    {
-      start.x[d] = Max(Min(start.x[d], Traits::Splat(1.0)), Traits::Splat(-1.0));
-    }
-    state = Iterate<Modes, Order>(problem, modeCount, y, start);
+    ForEachAxis([&](auto d) PIXELEXACT_INLINED
+      { start.x[d] = Max(Min(start.x[d], Traits::Splat(1.0)), Traits::Splat(-1.0)); });
+    state.xi = start;
+    Iterate<Modes, Order>(problem, modeCount, y, state);
   }
   // Polish with the last Jacobian. The correction is the measured residual of the iteration.
   const Point<T> residual = Residual<Modes, Order>(problem, modeCount, y, state.xi);
   const Point<T> correction = Apply(state.inverse, residual);
   const Point<T> tolerance = ToleranceOf(state.inverse, problem.uncertainty);
-  for (int d = 0; d < 3; ++d)
-  {
-    state.xi.x[d] = state.xi.x[d] - correction.x[d];
-  }
+  ForEachAxis([&](auto d) PIXELEXACT_INLINED { state.xi.x[d] = state.xi.x[d] - correction.x[d]; });
   const T length = MaxAbs(correction);
   const T largest = Traits::Splat(kLargestCorrection) * StepScale(shape, state.xi);
   auto converged =
@@ -304,10 +286,8 @@ HWY_INLINE void InvertPack(
   {
     // Outside is said where it does not matter that the iteration has not settled.
     Point<T> reach;
-    for (int d = 0; d < 3; ++d)
-    {
-      reach.x[d] = MulAdd(Traits::Splat(4.0), state.unsettled, tolerance.x[d]);
-    }
+    ForEachAxis([&](auto d) PIXELEXACT_INLINED
+      { reach.x[d] = MulAdd(Traits::Splat(4.0), state.unsettled, tolerance.x[d]); });
     const auto near = WidenedMargin(shape, state.xi, reach) >= zero;
     converged = AndNot(converged, AndNot(near, within));
   }
@@ -317,10 +297,7 @@ HWY_INLINE void InvertPack(
       AndNot(converged, Abs(Traits::Splat(1.0) - state.xi.x[2]) <= Traits::Splat(kApexRegion));
   }
   const auto inside = And(converged, within);
-  for (int d = 0; d < 3; ++d)
-  {
-    Store(state.xi.x[d], out.xi[d] + at);
-  }
+  ForEachAxis([&](auto d) PIXELEXACT_INLINED { Store(state.xi.x[d], out.xi[d] + at); });
   Store(Select(inside, Traits::Splat(1.0), Select(converged, zero, Traits::Splat(2.0))),
     out.status + at);
   Store(margin, out.margin + at);
