@@ -44,7 +44,7 @@ struct Locator::Batch::Scratch
   void Fit(int points)
   {
     // Packs are stored whole beyond the last point.
-    const auto needed = static_cast<std::size_t>(PaddedCount(points) + kLanePadding);
+    const auto needed = static_cast<std::size_t>(PaddedCount(points)) + kLanePadding;
     if (stride < needed)
     {
       stride = needed;

@@ -123,13 +123,14 @@ InverseGuess MakeInverseGuess(const InverseProblem& problem)
   }
   // A NaN is not smaller.
   guess.known = error < 0.5 * frameError;
+  auto* term = guess.terms.data();
   for (int d = 0; d < 3; ++d)
   {
     guess.centre[static_cast<std::size_t>(d)] = centre[d];
     guess.scale[static_cast<std::size_t>(d)] = scale[d];
     for (int i = 0; i < kGuessTerms; ++i)
     {
-      guess.terms[static_cast<std::size_t>(d * kGuessTerms + i)] = terms(i, d);
+      *term++ = terms(i, d);
     }
   }
   return guess;
