@@ -26,7 +26,7 @@ std::vector<std::vector<Vec3>> PartsOfCube(Shape shape)
   switch (shape)
   {
     case Shape::Hexahedron:
-      parts.push_back({});
+      parts.emplace_back();
       for (int bits = 0; bits < 8; ++bits)
       {
         parts.back().push_back(corner(bits));

@@ -72,10 +72,11 @@ void TileSamples::Cast(const Camera& camera, const TileArea& area, double offset
       const std::size_t first =
         static_cast<std::size_t>(area.y0 + y) * static_cast<std::size_t>(width) +
         static_cast<std::size_t>(area.x0 + block.x);
+      const double* fromU = &u[static_cast<std::size_t>(block.x)];
       for (int k = 0; k < inRow; ++k, ++at)
       {
         place[at] = first + static_cast<std::size_t>(k);
-        U[at] = u[static_cast<std::size_t>(block.x + k)];
+        U[at] = fromU[k];
         V[at] = v;
       }
     }

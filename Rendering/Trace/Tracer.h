@@ -51,8 +51,8 @@ using Progress = std::function<bool(double)>;
 /// surface. Parallel over tiles; the frame is the same, bit for bit, for any number of threads.
 /// Throws Error for a scene without locator, field or surface, or a component out of range; an
 /// aborted frame comes back with the tiles not done as Nothing. `stages`, where not null, gets the
-/// time of each stage added, that of the tiles summed over threads; the frame then takes some percent
-/// longer.
+/// time of each stage added, that of the tiles summed over threads; the frame then takes some
+/// percent longer.
 Frame Trace(const Scene& scene, const Camera& camera,
   const std::vector<const FrameModule*>& modules, const SampleNeeds& extra = {},
   const Progress& progress = {}, StageTimes* stages = nullptr);

@@ -12,6 +12,7 @@
 #include "Core/Basis/Space.h"
 #include "Core/Math/Lanes-inl.h"
 
+#include <algorithm>
 #include <utility>
 
 HWY_BEFORE_NAMESPACE();
@@ -34,13 +35,13 @@ constexpr Const<A - B> operator-(Const<A> /*a*/, Const<B> /*b*/)
   return {};
 }
 template <int A, int B>
-constexpr Const<(A > B ? A : B)> Larger(Const<A> /*a*/, Const<B> /*b*/)
+constexpr Const<std::max(A, B)> Larger(Const<A> /*a*/, Const<B> /*b*/)
 {
   return {};
 }
 constexpr int Larger(int a, int b)
 {
-  return a > b ? a : b;
+  return std::max(a, b);
 }
 
 template <class Visit, int... k>

@@ -110,7 +110,7 @@ inline constexpr int kMaxFixedMapOrder = 4;
 #if HWY_TARGET == HWY_SCALAR || (defined(HWY_SSE2) && HWY_TARGET == HWY_SSE2)
 inline constexpr int kMaxFixedOrder = -1;
 #elif defined(PIXELEXACT_FEW_ORDERS)
-inline constexpr int kMaxFixedOrder = 2;
+inline constexpr int kMaxFixedOrder = 1;
 #else
 inline constexpr int kMaxFixedOrder = kMaxOrder;
 #endif

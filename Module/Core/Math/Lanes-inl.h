@@ -15,9 +15,14 @@
 #include <limits>
 
 /// Of a lambda: compiled for the instruction set at hand, and into the function that calls it, so
-/// that what it captures stays in registers.
+/// that what it captures stays in registers. Where the build is not made for speed the latter takes
+/// the compiler more time than it is worth.
 #ifndef PIXELEXACT_INLINED
+#ifdef PIXELEXACT_FEW_ORDERS
+#define PIXELEXACT_INLINED HWY_ATTR
+#else
 #define PIXELEXACT_INLINED HWY_ATTR __attribute__((always_inline))
+#endif
 #endif
 
 HWY_BEFORE_NAMESPACE();
