@@ -78,11 +78,6 @@ FrameTime MeasureFrames(const Scene& scene, const Camera& camera,
   return time;
 }
 
-const char* Name(Stage stage)
-{
-  return kNames[static_cast<std::size_t>(stage)];
-}
-
 json::Object ToJson(const StageTimes& stages)
 {
   json::Object object;

@@ -32,8 +32,6 @@ FrameTime MeasureFrames(const Scene& scene, const Camera& camera,
   const std::vector<const FrameModule*>& modules, int repeat,
   const std::function<void(double)>& done);
 
-/// A stage as reports name it.
-const char* Name(Stage stage);
 /// Seconds of each stage.
 json::Object ToJson(const StageTimes& stages);
 /// "inversion 61 %, evaluation 12 %, ...", of what all stages take, the largest first; stages below

@@ -21,6 +21,13 @@ using Terms = Eigen::Matrix<double, kGuessTerms, 1>;
 
 Terms TermsAt(const Vec3& s)
 {
+  std::array<Vec3, kGuessDegree + 1> power;
+  power[0] = Vec3(1.0);
+  for (std::size_t n = 1; n < power.size(); ++n)
+  {
+    power[n] = power[n - 1] * s;
+  }
+  const auto of = [&power](int n, int axis) { return power[static_cast<std::size_t>(n)][axis]; };
   Terms terms;
   int at = 0;
   for (int i = kGuessDegree; i >= 0; --i)
@@ -29,7 +36,7 @@ Terms TermsAt(const Vec3& s)
     {
       for (int k = kGuessDegree - i - j; k >= 0; --k)
       {
-        terms[at++] = std::pow(s.x, i) * std::pow(s.y, j) * std::pow(s.z, k);
+        terms[at++] = of(i, 0) * of(j, 1) * of(k, 2);
       }
     }
   }
