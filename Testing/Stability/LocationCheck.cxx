@@ -5,7 +5,6 @@
 #include "Stability/RoundingTape.h"
 
 #include "Core/Basis/ModeBound.h"
-#include "Core/Element/Kernels.h"
 #include "Core/Math/Rounding.h"
 
 #include <algorithm>
@@ -125,9 +124,8 @@ PointErrors LocationCheck::Measure(const Vec3& near, const Vec3& x, const FoundP
   const QuadVec3 y = ToUnits(Elements, Element, x);
   const auto rounding = Rounding(found.xi, y);
   const double curvature = Curvature(reference);
-  // The part of the last correction that its Jacobian, some steps old, gets wrong.
-  const double share =
-    std::min(1.0, kKeepJacobian * curvature + 16.0 * kUnitRoundoff * errors.condition);
+  // What is left of the last correction, as if its Jacobian were a step of at most 1e-7 old.
+  const double share = std::min(1.0, 1e-7 * curvature + 16.0 * kUnitRoundoff * errors.condition);
   const auto spread = Times(inverse, rounding);
   const QuadVec3 located = ToQuad(found.xi);
   std::array<double, 3> stored;

@@ -175,8 +175,8 @@ HWY_INLINE void Iterate(
     // The factor by which errors fall: of a new Jacobian the curvature times the step; of a kept
     // one what this step is of the last, if that is more than its own step promises.
     const T before = Select(renew, unit, last);
-    const T rated =
-      Select(renew, Traits::Splat(kCurvature) * length, Max(length, before * madeFor));
+    const T promised = Traits::Splat(kCurvature) * Select(renew, length, before * madeFor);
+    const T rated = Select(renew, promised, Max(length, promised));
     const auto done = And(length * rated <= Traits::Splat(kSmallError) * unit * before,
       length * rated * rated <= Traits::Splat(kNoError) * unit * before * before);
     last = Select(active, length, last);
