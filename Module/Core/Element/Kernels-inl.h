@@ -17,14 +17,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
-template <class T>
-HWY_INLINE Point<T> LoadPoint(const LanePoints& points, int at)
-{
-  using Traits = NumberTraits<T>;
-  return { { Traits::Load(points.x[0] + at), Traits::Load(points.x[1] + at),
-    Traits::Load(points.x[2] + at) } };
-}
-
 /// run(pack, i) for the packs that make up PaddedCount(count) points: two at a time while there
 /// are, then one. `pack` is a number of the type to use.
 template <class Run>
@@ -97,9 +89,10 @@ void GradientKernel(const Space& space, const double* coefficients, int componen
 template <template <class, class, bool> class Modes, class Order>
 void InvertKernel(const InverseProblem& problem, const LanePoints& x, const InverseResult& out)
 {
+  const int modeCount = problem.space.Modes();
   ForEachPack(x.count,
     [&](auto pack, int i) PIXELEXACT_INLINED
-    { InvertPack<Modes, Order, decltype(pack)>(problem, x, out, i); });
+    { InvertPack<Modes, Order, decltype(pack)>(problem, modeCount, x, out, i); });
 }
 
 /// Gradients and inverse maps of higher orders are rarer than the time to compile them is worth.

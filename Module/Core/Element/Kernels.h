@@ -45,6 +45,9 @@ struct InverseProblem
   const double* guess;
   double guessCentre[3];
   double guessScale[3];
+  /// How much the map bends: after a Newton step errors are squared, times about this, in xi and
+  /// max norm; of a pyramid, in the distance to its apex. It decides how many steps are made.
+  double curvature;
 };
 
 /// The Jacobian of the last correction is that of a point no farther from the root than this, in
@@ -70,7 +73,7 @@ struct InverseResult
 {
   double* xi[3];
   double* status;          ///< NewtonStatus as a number
-  double* margin;          ///< Margin(shape, xi)
+  double* margin;          ///< Margin(shape, xi); 0 of roots inside
   double* residual;        ///< the last Newton correction, max norm in xi
   double* steps = nullptr; ///< of the iteration, where wanted
 };
@@ -90,6 +93,12 @@ struct KernelSet
 
 /// The kernels of a valid space.
 KernelSet KernelsFor(const Space& space);
+
+/// KernelSet::value in single precision, but for the way in and out: twice the lanes. Coefficients
+/// are scaled by a power of two per component, so that their size does not matter, and rounded as
+/// xi are. Errors are some roundoffs of a float (6e-8) of the sum of |coefficient| |mode|. Where a
+/// sum is not finite it is made in double precision after all.
+decltype(KernelSet::value) FloatValueKernel(const Space& space);
 
 /// The instruction set in use, for reports: "AVX3", "AVX2", "SSE2", ...
 const char* InstructionSet();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// 3 x 3 matrices of lanes, for the inverse map.
+// Points and 3 x 3 matrices of lanes, for the inverse map.
 #if defined(PIXELEXACT_MATRIX_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef PIXELEXACT_MATRIX_INL_H
 #undef PIXELEXACT_MATRIX_INL_H
@@ -8,6 +8,7 @@
 #endif
 
 #include "Core/Basis/Modes-inl.h"
+#include "Core/Element/Kernels.h"
 #include "Core/Math/Pair-inl.h"
 #include "Core/Math/TwoLanes-inl.h"
 
@@ -17,6 +18,14 @@ namespace pixelexact::HWY_NAMESPACE
 HWY_INLINE Lanes Splat(double value)
 {
   return NumberTraits<Lanes>::Splat(value);
+}
+
+template <class T>
+HWY_INLINE Point<T> LoadPoint(const LanePoints& points, int at)
+{
+  using Traits = NumberTraits<T>;
+  return { { Traits::Load(points.x[0] + at), Traits::Load(points.x[1] + at),
+    Traits::Load(points.x[2] + at) } };
 }
 
 /// A 3 x 3 matrix, row-major.
@@ -44,7 +53,7 @@ HWY_INLINE Lanes Minor(Lanes a, Lanes b, Lanes c, Lanes d)
 {
   const Pair cd = ExactProduct(c, d);
 #if HWY_NATIVE_FMA
-  return MulAdd(a, b, Splat(0.0) - cd.high) - cd.low;
+  return MulSub(a, b, cd.high) - cd.low;
 #else
   const Pair ab = ExactProduct(a, b);
   return (ab.high - cd.high) + (ab.low - cd.low);

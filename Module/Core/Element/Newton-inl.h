@@ -11,6 +11,8 @@
 #include "Core/Element/Kernels.h"
 #include "Core/Element/Matrix-inl.h"
 
+#include <algorithm>
+
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
@@ -18,8 +20,6 @@ namespace pixelexact::HWY_NAMESPACE
 /// measures and takes away, and what polishing leaves below the second.
 inline constexpr double kSmallError = 1e-12;
 inline constexpr double kNoError = 1e-17;
-/// How curved a map is taken to be before steps have been compared: errors are squared, times this.
-inline constexpr double kCurvature = 32.0;
 /// A kept Jacobian is made anew when a step is not this much smaller than the one before.
 inline constexpr double kContraction = 0.1;
 /// A polishing correction above this (and above the rounding tolerance) is no convergence.
@@ -120,21 +120,66 @@ HWY_INLINE Point<T> ResidualAndInverse(const InverseProblem& problem, int modeCo
   return residual;
 }
 
-/// Steps from state.xi until every lane is done or has failed. What a lane does depends on its own
-/// steps alone, and when it is done it keeps its state, so that its result does not depend on the
-/// others.
-template <template <class, class, bool> class Modes, class Order, class T>
-HWY_INLINE void Iterate(
-  const InverseProblem& problem, int modeCount, const Point<T>& y, NewtonState<T>& state)
+/// One step from xi. Steps longer than the shape are shortened: far from the root they say no more
+/// than a direction. Returns the step's whole length.
+template <Shape kShape, class T>
+HWY_INLINE T Step(const Matrix<T>& inverse, const Point<T>& residual, Point<T>& xi)
+{
+  const T one = NumberTraits<T>::Splat(1.0);
+  Point<T> delta = Apply(inverse, residual);
+  const T length = MaxAbs(delta);
+  if (HWY_UNLIKELY(!All(length <= one)))
+  {
+    const T scale = Select(length <= one, one, one / length);
+    ForEachAxis([&](auto d) PIXELEXACT_INLINED { delta.x[d] = delta.x[d] * scale; });
+  }
+  ForEachAxis([&](auto d) PIXELEXACT_INLINED { xi.x[d] = xi.x[d] - delta.x[d]; });
+  if (kShape == Shape::Pyramid)
+  {
+    BackOntoCone(xi);
+  }
+  return length;
+}
+
+/// A NaN is not, so that it ends as failed.
+template <class T>
+HWY_INLINE auto IsSound(const T& length, const Point<T>& xi)
+{
+  return And(length >= NumberTraits<T>::Splat(0.0), MaxAbs(xi) <= NumberTraits<T>::Splat(kFarOut));
+}
+
+/// Whether steps that fall to `rated` of `before` with a step of `length` leave nothing more to do
+/// than polishing.
+template <class T>
+HWY_INLINE auto IsDone(const T& length, const T& rated, const T& before, const T& unit)
 {
   using Traits = NumberTraits<T>;
+  const T next = length * rated;
+  return And(next <= Traits::Splat(kSmallError) * unit * before,
+    next * rated <= Traits::Splat(kNoError) * unit * before * before);
+}
+
+/// Goes on after a first step of length `first`. What a lane does depends on its own steps alone,
+/// and when it is done it keeps its state, so that its result does not depend on the others.
+template <template <class, class, bool> class Modes, class Order, class T>
+HWY_NOINLINE void GoOn(const InverseProblem& problem, int modeCount, const Point<T>& y,
+  const T& first, NewtonState<T>& state)
+{
+  using Traits = NumberTraits<T>;
+  constexpr Shape shape = Modes<T, Order, false>::kShape;
   const T zero = Traits::Splat(0.0);
   const T one = Traits::Splat(1.0);
-  typename Traits::Mask active = zero <= zero;
-  typename Traits::Mask renew = active; // lanes that need a new Jacobian
-  T last = one;
-  T madeFor = one; // the step that the Jacobian was made for
-  for (int step = 0; step < kMaxNewtonSteps && !None(active); ++step)
+  const T curvature = Traits::Splat(problem.curvature);
+  // A Jacobian that gains no digit a step is not worth its cheaper steps.
+  const T keep = Traits::Splat(std::min(kKeepJacobian, kContraction / problem.curvature));
+  const T unit = StepScale(shape, state.xi);
+  T last = first;
+  T madeFor = first; // the step that the Jacobian was made for
+  const auto sound = IsSound(first, state.xi);
+  state.failed = Select(sound, zero, one);
+  auto active = AndNot(sound, IsDone(first, curvature * first, unit, unit));
+  auto renew = AndNot(active, madeFor <= keep * unit); // lanes that need a new Jacobian
+  for (int step = 1; step < kMaxNewtonSteps && !None(active); ++step)
   {
     Point<T> residual;
     if (None(renew))
@@ -149,36 +194,23 @@ HWY_INLINE void Iterate(
         [&](auto k) PIXELEXACT_INLINED
         { state.inverse.m[k] = Select(renew, inverse.m[k], state.inverse.m[k]); });
     }
-    const Point<T> delta = Apply(state.inverse, residual);
-    const T length = MaxAbs(delta);
-    // Steps longer than the shape are shortened: far from the root they say no more than a
-    // direction.
-    const T scale = Select(length <= one, one, one / length);
-    Point<T> next;
-    ForEachAxis(
-      [&](auto d) PIXELEXACT_INLINED { next.x[d] = NegMulAdd(scale, delta.x[d], state.xi.x[d]); });
-    if (Modes<T, Order, false>::kShape == Shape::Pyramid)
-    {
-      BackOntoCone(next);
-    }
+    Point<T> next = state.xi;
+    const T length = Step<shape>(state.inverse, residual, next);
     ForEachAxis(
       [&](auto d) PIXELEXACT_INLINED { state.xi.x[d] = Select(active, next.x[d], state.xi.x[d]); });
     state.steps = Select(active, state.steps + one, state.steps);
-    // A NaN compares false and so ends as failed.
-    const auto sound = And(length >= zero, MaxAbs(state.xi) <= Traits::Splat(kFarOut));
-    const auto lost = AndNot(active, sound);
+    const auto lost = AndNot(active, IsSound(length, state.xi));
     state.failed = Select(lost, one, state.failed);
-    const T unit = StepScale(Modes<T, Order, false>::kShape, state.xi);
+    const T scale = StepScale(shape, state.xi);
     madeFor = Select(renew, length, madeFor);
-    const auto kept = And(madeFor <= Traits::Splat(kKeepJacobian) * unit,
-      Or(renew, length <= Traits::Splat(kContraction) * last));
+    const auto kept =
+      And(madeFor <= keep * scale, Or(renew, length <= Traits::Splat(kContraction) * last));
     // The factor by which errors fall: of a new Jacobian the curvature times the step; of a kept
     // one what this step is of the last, if that is more than its own step promises.
-    const T before = Select(renew, unit, last);
-    const T promised = Traits::Splat(kCurvature) * Select(renew, length, before * madeFor);
+    const T before = Select(renew, scale, last);
+    const T promised = curvature * Select(renew, length, before * madeFor);
     const T rated = Select(renew, promised, Max(length, promised));
-    const auto done = And(length * rated <= Traits::Splat(kSmallError) * unit * before,
-      length * rated * rated <= Traits::Splat(kNoError) * unit * before * before);
+    const auto done = IsDone(length, rated, before, scale);
     last = Select(active, length, last);
     active = AndNot(AndNot(active, lost), done);
     renew = AndNot(active, kept);
@@ -189,6 +221,28 @@ HWY_INLINE void Iterate(
     const auto rounding = last <= MaxAbs(ToleranceOf(state.inverse, problem.uncertainty));
     state.failed = Select(AndNot(active, rounding), one, state.failed);
     state.unsettled = Select(And(active, rounding), last, zero);
+  }
+}
+
+/// Steps from state.xi until every lane is done or has failed. Mostly one is enough.
+template <template <class, class, bool> class Modes, class Order, class T>
+HWY_INLINE void Iterate(
+  const InverseProblem& problem, int modeCount, const Point<T>& y, NewtonState<T>& state)
+{
+  using Traits = NumberTraits<T>;
+  constexpr Shape shape = Modes<T, Order, false>::kShape;
+  const Point<T> residual =
+    ResidualAndInverse<Modes, Order>(problem, modeCount, y, state.xi, state.inverse);
+  const T length = Step<shape>(state.inverse, residual, state.xi);
+  state.steps = Traits::Splat(1.0);
+  const T unit = StepScale(shape, state.xi);
+  const auto done = IsDone(length, Traits::Splat(problem.curvature) * length, unit, unit);
+  if (!All(And(done, IsSound(length, state.xi))))
+  {
+    // A copy, so that the state of those that are done need not be in memory.
+    NewtonState<T> slow = state;
+    GoOn<Modes, Order>(problem, modeCount, y, length, slow);
+    state = slow;
   }
 }
 
@@ -234,15 +288,48 @@ HWY_INLINE Point<T> Guess(const InverseProblem& problem, const Point<T>& start)
   return xi;
 }
 
+/// The verdicts on a pack of which not every lane is simply inside.
+template <Shape kShape, class T>
+HWY_NOINLINE void Judge(const InverseProblem& problem, const NewtonState<T>& state, const T& length,
+  const InverseResult& out, int at)
+{
+  using Traits = NumberTraits<T>;
+  const T zero = Traits::Splat(0.0);
+  const Point<T> tolerance = ToleranceOf(state.inverse, problem.uncertainty);
+  const T largest = Traits::Splat(kLargestCorrection) * StepScale(kShape, state.xi);
+  auto converged =
+    And(state.failed <= zero, length <= Max(largest, Traits::Splat(4.0) * MaxAbs(tolerance)));
+  const auto within = WidenedMargin(kShape, state.xi, tolerance) >= zero;
+  if (HWY_UNLIKELY(!All(state.unsettled <= zero)))
+  {
+    // Outside is said where it does not matter that the iteration has not settled.
+    Point<T> reach;
+    ForEachAxis([&](auto d) PIXELEXACT_INLINED
+      { reach.x[d] = MulAdd(Traits::Splat(4.0), state.unsettled, tolerance.x[d]); });
+    const auto near = WidenedMargin(kShape, state.xi, reach) >= zero;
+    converged = AndNot(converged, AndNot(near, within));
+  }
+  if (kShape == Shape::Pyramid)
+  {
+    converged =
+      AndNot(converged, Abs(Traits::Splat(1.0) - state.xi.x[2]) <= Traits::Splat(kApexRegion));
+  }
+  const auto inside = And(converged, within);
+  const Point<T> none{ { zero, zero, zero } };
+  Store(Select(inside, zero, WidenedMargin(kShape, state.xi, none)), out.margin + at);
+  Store(Select(inside, Traits::Splat(1.0), Select(converged, zero, Traits::Splat(2.0))),
+    out.status + at);
+}
+
 /// What is known of Count() points from `at` on.
 template <template <class, class, bool> class Modes, class Order, class T>
-HWY_INLINE void InvertPack(
-  const InverseProblem& problem, const LanePoints& x, const InverseResult& out, int at)
+HWY_INLINE void InvertPack(const InverseProblem& problem, int modeCount, const LanePoints& x,
+  const InverseResult& out, int at)
 {
   using Traits = NumberTraits<T>;
   constexpr Shape shape = Modes<T, Order, false>::kShape;
-  const int modeCount = problem.space.Modes();
   const T zero = Traits::Splat(0.0);
+  const T one = Traits::Splat(1.0);
   Matrix<T> frame;
   ForEachUpTo(
     Const<8>(), [&](auto k) PIXELEXACT_INLINED { frame.m[k] = Traits::Splat(problem.inverse[k]); });
@@ -265,46 +352,39 @@ HWY_INLINE void InvertPack(
     {
       start = Guess(problem, start);
     }
-    ForEachAxis([&](auto d) PIXELEXACT_INLINED
-      { start.x[d] = Max(Min(start.x[d], Traits::Splat(1.0)), Traits::Splat(-1.0)); });
-    state.xi = start;
+    ForEachAxis(
+      [&](auto d) PIXELEXACT_INLINED { state.xi.x[d] = Max(Min(start.x[d], one), zero - one); });
     Iterate<Modes, Order>(problem, modeCount, y, state);
   }
   // Polish with the last Jacobian. The correction is the measured residual of the iteration.
   const Point<T> residual = Residual<Modes, Order>(problem, modeCount, y, state.xi);
   const Point<T> correction = Apply(state.inverse, residual);
-  const Point<T> tolerance = ToleranceOf(state.inverse, problem.uncertainty);
   ForEachAxis([&](auto d) PIXELEXACT_INLINED { state.xi.x[d] = state.xi.x[d] - correction.x[d]; });
   const T length = MaxAbs(correction);
-  const T largest = Traits::Splat(kLargestCorrection) * StepScale(shape, state.xi);
-  auto converged =
-    And(state.failed <= zero, length <= Max(largest, Traits::Splat(4.0) * MaxAbs(tolerance)));
-  const Point<T> none{ { zero, zero, zero } };
-  const T margin = WidenedMargin(shape, state.xi, none);
-  const auto within = WidenedMargin(shape, state.xi, tolerance) >= zero;
-  if (HWY_UNLIKELY(!All(state.unsettled <= zero)))
-  {
-    // Outside is said where it does not matter that the iteration has not settled.
-    Point<T> reach;
-    ForEachAxis([&](auto d) PIXELEXACT_INLINED
-      { reach.x[d] = MulAdd(Traits::Splat(4.0), state.unsettled, tolerance.x[d]); });
-    const auto near = WidenedMargin(shape, state.xi, reach) >= zero;
-    converged = AndNot(converged, AndNot(near, within));
-  }
-  if (shape == Shape::Pyramid)
-  {
-    converged =
-      AndNot(converged, Abs(Traits::Splat(1.0) - state.xi.x[2]) <= Traits::Splat(kApexRegion));
-  }
-  const auto inside = And(converged, within);
   ForEachAxis([&](auto d) PIXELEXACT_INLINED { Store(state.xi.x[d], out.xi[d] + at); });
-  Store(Select(inside, Traits::Splat(1.0), Select(converged, zero, Traits::Splat(2.0))),
-    out.status + at);
-  Store(margin, out.margin + at);
   Store(length, out.residual + at);
   if (out.steps)
   {
     Store(state.steps, out.steps + at);
+  }
+  // Within the shape without any tolerance, as most are; NaN are not.
+  const Point<T> none{ { zero, zero, zero } };
+  const T largest = Traits::Splat(kLargestCorrection) * StepScale(shape, state.xi);
+  auto clear = And(length <= largest, WidenedMargin(shape, state.xi, none) >= zero);
+  clear = And(clear, Max(state.failed, state.unsettled) <= zero);
+  if (shape == Shape::Pyramid)
+  {
+    clear = And(clear, Traits::Splat(kApexRegion) < one - state.xi.x[2]);
+  }
+  if (HWY_LIKELY(All(clear)))
+  {
+    Store(one, out.status + at);
+    Store(zero, out.margin + at);
+  }
+  else
+  {
+    const NewtonState<T> judged = state;
+    Judge<shape>(problem, judged, length, out, at);
   }
 }
 } // namespace pixelexact::HWY_NAMESPACE

@@ -26,6 +26,46 @@ bool Overlap(const Box3& a, const Box3& b)
   return a.lower.x <= b.upper.x && b.lower.x <= a.upper.x && a.lower.y <= b.upper.y &&
     b.lower.y <= a.upper.y && a.lower.z <= b.upper.z && b.lower.z <= a.upper.z;
 }
+
+/// The boxes of the chunks that are searched for together.
+class ChunkBoxes
+{
+public:
+  static constexpr std::size_t kGroup = 64;
+
+  void Fill(std::span<const PointChunk> chunks)
+  {
+    Count = chunks.size();
+    Stride = static_cast<std::size_t>(PaddedCount(static_cast<int>(Count)));
+    if (Coordinates.size() < 6 * Stride)
+    {
+      Coordinates.resize(6 * Stride);
+    }
+    for (std::size_t k = 0; k < Stride; ++k)
+    {
+      for (std::size_t d = 0; d < 3; ++d)
+      {
+        const auto axis = static_cast<int>(d);
+        Coordinates[d * Stride + k] = k < Count ? chunks[k].box.lower[axis] : 1.0;
+        Coordinates[(3 + d) * Stride + k] = k < Count ? chunks[k].box.upper[axis] : -1.0;
+      }
+    }
+  }
+
+  /// Those of chunks from `first` on, at most kGroup.
+  [[nodiscard]] BoxLanes Group(std::size_t first) const
+  {
+    const double* at = &Coordinates[first];
+    return { { at, at + Stride, at + 2 * Stride },
+      { at + 3 * Stride, at + 4 * Stride, at + 5 * Stride },
+      static_cast<int>(std::min(kGroup, Count - first)) };
+  }
+
+private:
+  std::size_t Count = 0;
+  std::size_t Stride = 0;
+  std::vector<double> Coordinates;
+};
 } // namespace
 
 struct Locator::Batch::Scratch
@@ -33,11 +73,12 @@ struct Locator::Batch::Scratch
   std::vector<double> lanes;
   std::size_t stride = 0;
   std::vector<PointChunk> chunks;
+  ChunkBoxes boxes;
   std::vector<std::vector<int>> candidates; ///< of each depth of halving
   std::size_t depth = 0;
   std::vector<int> selected; ///< the batch's index of each selected point
-  std::vector<int> found;
-  std::vector<int> decided; ///< by the careful path
+  std::vector<int> others;   ///< which of the selected were not found inside
+  std::vector<int> decided;  ///< by the careful path
   std::vector<Doubt> doubtful;
   std::vector<Doubt> undecided;
 
@@ -50,7 +91,7 @@ struct Locator::Batch::Scratch
       stride = needed;
       lanes.resize(9 * stride);
       selected.resize(stride);
-      found.resize(stride);
+      others.resize(stride);
     }
     depth = 0;
   }
@@ -123,6 +164,7 @@ void Locator::Batch::Search(std::span<PointChunk> chunks)
     return;
   }
   Work.doubtful.clear();
+  Work.boxes.Fill(chunks);
   // Elements come in ascending order and points leave when found: so the lowest element wins.
   for (const int element : elements)
   {
@@ -164,37 +206,48 @@ void Locator::Batch::SearchElement(std::span<PointChunk> chunks, int element)
   }
 }
 
-int Locator::Batch::Select(
-  std::span<const PointChunk> chunks, int element, const ElementBounds*& bounds)
+int Locator::Batch::Select(std::span<PointChunk> chunks, int element, const ElementBounds*& bounds)
 {
-  const Box3& box = Owner.Boxes[static_cast<std::size_t>(element)];
-  int count = 0;
-  for (const PointChunk& chunk : chunks)
+  // What is known of an element is not made before a point lies in its box: mostly it is never
+  // needed.
+  if (!Owner.Cache->Has(element) &&
+    !AnyInBox(chunks, Owner.Boxes[static_cast<std::size_t>(element)]))
   {
-    if (chunk.open == 0 || !Overlap(chunk.box, box))
+    return 0;
+  }
+  bounds = &Owner.Cache->Of(element);
+  Problem = MakeInverseProblem(TheMesh, element, *bounds);
+  Element = element;
+  int count = 0;
+  for (std::size_t first = 0; first < chunks.size(); first += ChunkBoxes::kGroup)
+  {
+    std::uint64_t near = Kernels.near(*bounds, Problem, Work.boxes.Group(first));
+    for (; near != 0; near &= near - 1)
     {
-      continue;
-    }
-    std::uint64_t bits = Kernels.inBox(Points, chunk.begin, chunk.open, box);
-    if (bits == 0)
-    {
-      continue;
-    }
-    if (!bounds)
-    {
-      // Not before a point lies in the box: most bounds are never needed.
-      bounds = &Owner.Cache->Of(element);
-      Problem = MakeInverseProblem(TheMesh, element, *bounds);
-      Element = element;
-    }
-    double* const selected[3] = { Work[0] + count, Work[1] + count, Work[2] + count };
-    bits = Kernels.select(*bounds, Problem, Points, chunk.begin, bits, selected);
-    for (; bits != 0; bits &= bits - 1)
-    {
-      Work.selected[static_cast<std::size_t>(count++)] = chunk.begin + std::countr_zero(bits);
+      PointChunk& chunk = chunks[first + static_cast<std::size_t>(std::countr_zero(near))];
+      if (chunk.open == 0)
+      {
+        continue;
+      }
+      double* const selected[3] = { Work[0] + count, Work[1] + count, Work[2] + count };
+      const std::uint64_t bits = Kernels.select(
+        *bounds, Problem, Points, chunk, selected, &Work.selected[static_cast<std::size_t>(count)]);
+      // As if all were found inside, as most are; Invert opens the others again.
+      chunk.open &= ~bits;
+      count += std::popcount(bits);
     }
   }
   return count;
+}
+
+bool Locator::Batch::AnyInBox(std::span<const PointChunk> chunks, const Box3& box) const
+{
+  return std::ranges::any_of(chunks,
+    [&](const PointChunk& chunk)
+    {
+      return chunk.open != 0 && Overlap(chunk.box, box) &&
+        Kernels.inBox(Points, chunk.begin, chunk.open, box) != 0;
+    });
 }
 
 void Locator::Batch::Invert(std::span<PointChunk> chunks, const ElementBounds& bounds, int count)
@@ -211,32 +264,30 @@ void Locator::Batch::Invert(std::span<PointChunk> chunks, const ElementBounds& b
     const StageScope scope(Stage::Inversion);
     KernelsFor(Problem.space).invert(Problem, { { Work[0], Work[1], Work[2] }, count }, result);
   }
-  int inside = 0;
-  for (int k = 0; k < count; ++k)
+  const int others = Kernels.others(result.status, count, Work.others.data());
+  for (const int k : std::span(Work.others).first(static_cast<std::size_t>(others)))
   {
     const int index = Work.selected[static_cast<std::size_t>(k)];
-    if (result.status[k] == static_cast<double>(NewtonStatus::RootInside))
+    const auto at = static_cast<std::size_t>(index - chunks[0].begin);
+    chunks[at / kChunkPoints].open |= std::uint64_t{ 1 } << at % kChunkPoints;
+    const bool converged = result.status[k] == static_cast<double>(NewtonStatus::RootOutside);
+    if (!converged || !(result.margin[k] >= -bounds.injectiveMargin))
     {
-      Work.found[static_cast<std::size_t>(inside++)] = index;
-      const int at = index - chunks[0].begin;
-      chunks[static_cast<std::size_t>(at / kChunkPoints)].open &=
-        ~(std::uint64_t{ 1 } << static_cast<unsigned>(at % kChunkPoints));
-    }
-    else if (result.status[k] == static_cast<double>(NewtonStatus::NotConverged) ||
-      !(result.margin[k] >= -bounds.injectiveMargin))
-    {
-      const bool converged = result.status[k] == static_cast<double>(NewtonStatus::RootOutside);
       Work.doubtful.push_back({ index, Element,
         converged ? Vec3(result.xi[0][k], result.xi[1][k], result.xi[2][k])
                   : Vec3(std::numeric_limits<double>::quiet_NaN()) });
     }
   }
-  if (inside > 0)
+  if (others > 0)
   {
-    Kernels.keepInside(result, count);
+    Kernels.keepInside(result, count, Work.selected.data());
+  }
+  if (others < count)
+  {
     const double* const xi[3] = { result.xi[0], result.xi[1], result.xi[2] };
-    Sink.Inside(
-      Element, std::span(Work.found).first(static_cast<std::size_t>(inside)), xi, result.residual);
+    Sink.Inside(Element,
+      std::span<const int>(Work.selected).first(static_cast<std::size_t>(count - others)), xi,
+      result.residual);
   }
 }
 

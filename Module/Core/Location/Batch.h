@@ -27,7 +27,8 @@ private:
   void Search(std::span<PointChunk> chunks);
   void SearchHalves(std::span<PointChunk> chunks);
   void SearchElement(std::span<PointChunk> chunks, int element);
-  int Select(std::span<const PointChunk> chunks, int element, const ElementBounds*& bounds);
+  int Select(std::span<PointChunk> chunks, int element, const ElementBounds*& bounds);
+  [[nodiscard]] bool AnyInBox(std::span<const PointChunk> chunks, const Box3& box) const;
   void Invert(std::span<PointChunk> chunks, const ElementBounds& bounds, int count);
   void Decide(std::span<const PointChunk> chunks);
   void DecideOne(InversionTree& careful, const Doubt& doubt);

@@ -24,6 +24,10 @@ public:
     const auto* made = Made[static_cast<std::size_t>(element)].load(std::memory_order_acquire);
     return made ? *made : Make(element);
   }
+  [[nodiscard]] bool Has(int element) const
+  {
+    return Made[static_cast<std::size_t>(element)].load(std::memory_order_relaxed) != nullptr;
+  }
   /// Elements whose bounds have been made.
   [[nodiscard]] int Count() const { return MadeCount; }
   [[nodiscard]] std::size_t MemoryUsage() const;

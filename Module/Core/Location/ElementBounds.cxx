@@ -248,49 +248,10 @@ ElementBounds MakeElementBounds(const Mesh& mesh, int element)
   MakeFrame(space, coefficients, hulls, bounds);
   if (bounds.framed && !bounds.affine)
   {
+    bounds.curvature = MapCurvature(space, coefficients);
     bounds.guess = MakeInverseGuess(MakeInverseProblem(mesh, element, bounds));
   }
   return bounds;
-}
-
-bool ElementBounds::MightContain(
-  Shape shape, const Vec3& elementCentre, double inverseSize, const Vec3& x) const
-{
-  if (!box.Contains(x))
-  {
-    return false;
-  }
-  if (!framed)
-  {
-    return true;
-  }
-  const Vec3 centre = Centre(shape);
-  double y[3];
-  for (int d = 0; d < 3; ++d)
-  {
-    y[d] = (x[d] - elementCentre[d]) * inverseSize - origin[d];
-  }
-  double low[3];
-  bool possible = true;
-  for (int d = 0; d < 3; ++d)
-  {
-    const double start =
-      centre[d] + inverse[3 * d] * y[0] + inverse[3 * d + 1] * y[1] + inverse[3 * d + 2] * y[2];
-    low[d] = start - upper[d];
-    // Written so that a NaN excludes nothing.
-    possible = possible && !(low[d] > 1.0) && !(start - lower[d] < -1.0);
-  }
-  switch (shape)
-  {
-    case Shape::Hexahedron:
-      return possible;
-    case Shape::Prism:
-      return possible && !(low[0] + low[2] > 0.0);
-    case Shape::Tetrahedron:
-      return possible && !(low[0] + low[1] + low[2] > -1.0);
-    default:
-      return possible && !(low[0] + low[2] > 0.0) && !(low[1] + low[2] > 0.0);
-  }
 }
 
 InverseProblem MakeInverseProblem(const Mesh& mesh, int element, const ElementBounds& bounds)
@@ -314,6 +275,7 @@ InverseProblem MakeInverseProblem(const Mesh& mesh, int element, const ElementBo
     std::fill_n(problem.inverse, 9, 0.0);
   }
   problem.affine = bounds.affine;
+  problem.curvature = bounds.curvature;
   if (bounds.guess.known)
   {
     problem.guess = bounds.guess.terms.data();

@@ -4,6 +4,7 @@
 #include "Core/Element/Kernels.h"
 #include "Core/Element/Mesh.h"
 #include "Core/Location/InverseGuess.h"
+#include "Core/Location/MapCurvature.h"
 
 #include <limits>
 
@@ -28,13 +29,10 @@ struct ElementBounds
   /// Phi is injective on the shape enlarged until Margin = -injectiveMargin: a root found there,
   /// outside of the shape, proves that the shape holds none. 0: not known.
   double injectiveMargin = 0.0;
+  double curvature = kUnknownCurvature; ///< see InverseProblem
   InverseGuess guess;
   bool framed = false; ///< the Jacobian at the centre can be inverted
   bool affine = false; ///< the deviation is of rounding size
-
-  /// Whether some xi of the shape might map to world point x; false is a proof that none does.
-  [[nodiscard]] bool MightContain(
-    Shape shape, const Vec3& elementCentre, double inverseSize, const Vec3& x) const;
 };
 
 /// The box alone, certified too, with the rounding of its coefficients bounded in less time.

@@ -3,6 +3,7 @@
 #include "Core/Location/EmbreeBvh.h"
 #include "Core/Location/InversionTrees.h"
 #include "Core/Location/Locator.h"
+#include "Core/Location/PointKernels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +20,21 @@ struct FastAnswer
   bool inside = false;
   Vec3 xi{ std::numeric_limits<double>::quiet_NaN() }; ///< the root, where the iteration converged
 };
+
+/// Whether some xi of the shape might map to x; false is a proof that none does.
+bool MightContain(const InverseProblem& problem, const ElementBounds& bounds, const Vec3& x)
+{
+  double lanes[3][kLanePadding];
+  double selected[3][2 * kLanePadding];
+  for (int d = 0; d < 3; ++d)
+  {
+    std::fill_n(lanes[d], kLanePadding, x[d]);
+  }
+  double* const to[3] = { selected[0], selected[1], selected[2] };
+  int index[kLanePadding];
+  return GetPointKernels().select(bounds, problem, { { lanes[0], lanes[1], lanes[2] }, 1 },
+           { 0, 1, 1, { x, x } }, to, index) != 0;
+}
 
 FastAnswer AskNewton(const InverseProblem& problem, const ElementBounds& bounds, const Vec3& x)
 {
@@ -59,8 +75,7 @@ void Locator::LocateAll(std::span<const Vec3> points, PreimageSink& sink) const
     {
       const ElementBounds& bounds = Cache->Of(element);
       const InverseProblem problem = MakeInverseProblem(TheMesh, element, bounds);
-      const Vec3 centre(problem.centre[0], problem.centre[1], problem.centre[2]);
-      if (!bounds.MightContain(problem.space.shape, centre, problem.inverseSize, x))
+      if (!MightContain(problem, bounds, x))
       {
         continue;
       }

@@ -21,7 +21,7 @@ class LocationSink
 {
 public:
   virtual ~LocationSink() = default;
-  /// `count` points of the batch lie in `element`: `index[i]` in the batch, `xi[d][i]` their
+  /// Points of the batch lie in `element`: `index[i]` in the batch, ascending, `xi[d][i]` their
   /// reference coordinates (padded for the kernels), `residual[i]` the size in xi of the last
   /// Newton correction. The arrays live until the call returns.
   virtual void Inside(

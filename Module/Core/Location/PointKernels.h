@@ -21,20 +21,34 @@ struct PointChunk
   Box3 box;               ///< of the open points, when the chunk was made
 };
 
+/// Boxes of at most 64 chunks, coordinate by coordinate, padded with empty ones.
+struct BoxLanes
+{
+  const double* lower[3];
+  const double* upper[3];
+  int count;
+};
+
 struct PointKernels
 {
   /// The chunk of points begin .. begin + count: open are those within `bounds`.
   PointChunk (*chunk)(const LanePoints& points, int begin, int count, const Box3& bounds);
   /// Of the points in `bits`, those within the box.
   std::uint64_t (*inBox)(const LanePoints& points, int begin, std::uint64_t bits, const Box3& box);
-  /// Of the points in `bits`, those that the element's frame does not exclude
-  /// (ElementBounds::MightContain). Their coordinates are stored one after the other to
-  /// `selected[d]`, where a whole pack beyond the last must fit.
+  /// A bit for each box that the element might have points in, of box and frame; of all others they
+  /// prove that it has none.
+  std::uint64_t (*near)(
+    const ElementBounds& bounds, const InverseProblem& problem, const BoxLanes& boxes);
+  /// Of the chunk's open points, those that some xi of the element's shape might map to; of all
+  /// others box or frame proves that none does. Their coordinates are stored one after the other to
+  /// `selected[d]`, where a whole pack beyond the last must fit, and their numbers to `index`.
   std::uint64_t (*select)(const ElementBounds& bounds, const InverseProblem& problem,
-    const LanePoints& points, int begin, std::uint64_t bits, double* const selected[3]);
-  /// Moves xi and residual of the points found inside to the front of their arrays, in order, and
-  /// fills them up to PaddedCount with the last.
-  void (*keepInside)(const InverseResult& result, int count);
+    const LanePoints& points, const PointChunk& chunk, double* const selected[3], int* index);
+  /// Which of `count` are not RootInside, in ascending order; returns how many.
+  int (*others)(const double* status, int count, int* others);
+  /// Moves xi, residual and index of the points found inside to the front of their arrays, in
+  /// order, and fills the former up to PaddedCount with the last.
+  void (*keepInside)(const InverseResult& result, int count, int* index);
 };
 
 const PointKernels& GetPointKernels();

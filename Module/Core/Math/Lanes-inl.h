@@ -63,6 +63,11 @@ HWY_INLINE Lanes MulAdd(Lanes a, Lanes b, Lanes c)
 {
   return { hwy::HWY_NAMESPACE::MulAdd(a.v, b.v, c.v) };
 }
+/// a b - c
+HWY_INLINE Lanes MulSub(Lanes a, Lanes b, Lanes c)
+{
+  return { hwy::HWY_NAMESPACE::MulSub(a.v, b.v, c.v) };
+}
 /// c - a b
 HWY_INLINE Lanes NegMulAdd(Lanes a, Lanes b, Lanes c)
 {

@@ -57,7 +57,7 @@ HWY_INLINE Pair ExactProduct(Lanes a, Lanes b)
 {
   const Lanes product = a * b;
 #if HWY_NATIVE_FMA
-  return { product, { hwy::HWY_NAMESPACE::MulSub(a.v, b.v, product.v) } };
+  return { product, MulSub(a, b, product) };
 #else
   const Lanes a1 = UpperBits(a);
   const Lanes a2 = a - a1;

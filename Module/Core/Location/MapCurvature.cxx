@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Location/MapCurvature.h"
+
+#include "Core/Element/LaneBuffer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace pixelexact
+{
+namespace
+{
+/// Points along each eta, Chebyshev's.
+constexpr int kPoints = 4;
+constexpr double kSafety = 2.0;
+/// Below this, steps are as few as they can be.
+constexpr double kLeast = 1e-3;
+
+/// In xi, the last eta fastest.
+std::vector<Vec3> LatticeOf(Shape shape)
+{
+  const auto node = [](int i) { return std::cos(std::numbers::pi * (2 * i + 1) / (2 * kPoints)); };
+  std::vector<Vec3> xi;
+  xi.reserve(static_cast<std::size_t>(kPoints) * kPoints * kPoints);
+  for (int i = 0; i < kPoints; ++i)
+  {
+    for (int j = 0; j < kPoints; ++j)
+    {
+      for (int k = 0; k < kPoints; ++k)
+      {
+        xi.push_back(TensorToReference(shape, { node(i), node(j), node(k) }));
+      }
+    }
+  }
+  return xi;
+}
+
+double MaxAbs(const Vec3& x)
+{
+  return std::max({ std::fabs(x.x), std::fabs(x.y), std::fabs(x.z) });
+}
+
+/// The matrix norm that goes with the max norm. Columns, as GLM has them.
+double RowSumNorm(const Mat3& m)
+{
+  double norm = 0.0;
+  for (int row = 0; row < 3; ++row)
+  {
+    norm = std::max(norm, std::fabs(m[0][row]) + std::fabs(m[1][row]) + std::fabs(m[2][row]));
+  }
+  return norm;
+}
+
+std::vector<Mat3> JacobiansAt(
+  const Space& space, const double* coefficients, const std::vector<Vec3>& xi)
+{
+  const LaneBuffer at(xi);
+  const auto stride = static_cast<std::size_t>(PaddedCount(static_cast<int>(xi.size())));
+  std::vector<double> lanes(12 * stride);
+  double* arrays[12];
+  for (std::size_t k = 0; k < 12; ++k)
+  {
+    arrays[k] = &lanes[k * stride];
+  }
+  KernelsFor(space).gradient(space, coefficients, 3, at.View(), arrays, arrays + 3);
+  std::vector<Mat3> jacobians(xi.size());
+  for (std::size_t k = 0; k < xi.size(); ++k)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      for (int d = 0; d < 3; ++d)
+      {
+        jacobians[k][d][c] = arrays[3 + 3 * c + d][k];
+      }
+    }
+  }
+  return jacobians;
+}
+} // namespace
+
+double MapCurvature(const Space& space, const double* coefficients)
+{
+  if (space.shape == Shape::Pyramid)
+  {
+    return kUnknownCurvature;
+  }
+  const std::vector<Vec3> xi = LatticeOf(space.shape);
+  const std::vector<Mat3> jacobians = JacobiansAt(space, coefficients, xi);
+  std::size_t step = 1;
+  double sum = 0.0;
+  for (int axis = 2; axis >= 0; --axis, step *= kPoints)
+  {
+    double largest = 0.0;
+    for (std::size_t a = 0; a < xi.size(); ++a)
+    {
+      if (a / step % kPoints == kPoints - 1)
+      {
+        continue;
+      }
+      const std::size_t b = a + step;
+      const Mat3 change = glm::inverse(jacobians[a]) * (jacobians[b] - jacobians[a]);
+      const double bend = RowSumNorm(change) / MaxAbs(xi[b] - xi[a]);
+      if (!std::isfinite(bend))
+      {
+        return kUnknownCurvature;
+      }
+      largest = std::max(largest, bend);
+    }
+    sum += largest;
+  }
+  return std::max(kLeast, kSafety * sum);
+}
+} // namespace pixelexact
