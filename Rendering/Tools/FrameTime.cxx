@@ -62,7 +62,9 @@ FrameTime MeasureFrames(const Scene& scene, const Camera& camera,
   const std::function<void(double)>& done)
 {
   FrameTime time;
-  time.points = Trace(scene, camera, modules).counters.exact;
+  const FrameCounters first = Trace(scene, camera, modules).counters;
+  time.points = first.exact;
+  time.floatCheck = first.floatCheck;
   for (int i = 0; i < repeat; ++i)
   {
     const Timer frame;

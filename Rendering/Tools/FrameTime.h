@@ -20,6 +20,7 @@ struct FrameTime
   std::vector<double> kernels; ///< seconds of the kernel after each
   StageTimes stages{};         ///< of one more frame, with its stages timed, summed over threads
   double staged = 0.0;         ///< seconds of that frame, colours and all
+  PrecisionCheck floatCheck{}; ///< of one frame
 
   [[nodiscard]] double Frame() const;
   [[nodiscard]] double Kernel() const;

@@ -25,7 +25,6 @@ struct RenderOptions
   std::string output;
   std::string buffers;
   std::string contours;
-  std::string precision = "double";
 };
 
 json::Object ToJson(const CameraView& view)
@@ -58,6 +57,13 @@ void PrintJson(const Shot& shot, const Frame& frame,
   summary.Add("non_finite", frame.counters.nonFinite);
   summary.Raw("value_range", values ? json::Array(*values) : "null");
   summary.Add("color_range", colors).Add("camera", ToJson(shot.view));
+  if (shot.scene.precision == Precision::Float)
+  {
+    const PrecisionCheck& check = frame.counters.floatCheck;
+    json::Object floats;
+    floats.Add("checked", check.points).Add("largest_difference", check.largest);
+    summary.Add("float", floats);
+  }
   debug.AddTo(summary);
   summary.Add("location", location).Add("seconds", ToJson(stopwatch));
   std::cout << summary.String() << '\n';
@@ -80,6 +86,13 @@ void PrintTable(const Shot& shot, const Frame& frame,
       " nothing, " + std::to_string(frame.counters.unknown) + " unknown");
   table.Row("non-finite", std::to_string(frame.counters.nonFinite));
   table.Row("values", values ? Short((*values)[0]) + " to " + Short((*values)[1]) : "none");
+  if (shot.scene.precision == Precision::Float)
+  {
+    const PrecisionCheck& check = frame.counters.floatCheck;
+    table.Row("float",
+      "at most " + Short(check.largest) + " from double at " + std::to_string(check.points) +
+        " pixels evaluated in both");
+  }
   debug.AddTo(table);
   AddStages(table, stopwatch);
   table.Print();
@@ -113,10 +126,6 @@ void Render(const RenderOptions& options, const CommonOptions& common)
   if (!options.contours.empty())
   {
     throw Unsupported("--contours is not available yet; leave it out");
-  }
-  if (options.precision == "float")
-  {
-    throw Unsupported("--precision float is not available yet; leave it out");
   }
   CheckSuffix("--output", options.output, ".png");
   CheckSuffix("--buffers", options.buffers, ".vti");
@@ -178,9 +187,6 @@ void AddRenderCommand(CLI::App& program, const CommonOptions& common, Action& ac
     ->type_name("OUT.vti");
   command->add_option("--contours", options->contours, "Contour lines (not available yet)")
     ->type_name("N|v1,v2,...");
-  command
-    ->add_option("--precision", options->precision, "float is not available yet (default: double)")
-    ->check(CLI::IsMember({ "double", "float" }));
   command->callback(
     [options, &common, &action] { action = [options, &common] { Render(*options, common); }; });
 }

@@ -47,6 +47,13 @@ void ShotOptions::AddTo(CLI::App& command)
       "--size", [this](const std::string& text) { size = ParseSize("--size", text); },
       "Size of the image in pixels (default: 1000x1000)")
     ->type_name("WxH");
+  command
+    .add_option_function<std::string>(
+      "--precision",
+      [this](const std::string& text)
+      { precision = text == "float" ? Precision::Float : Precision::Double; },
+      "What values are computed in (default: double); what float costs is told")
+    ->check(CLI::IsMember({ "double", "float" }));
   surfaces.AddTo(command);
   camera.AddTo(command);
   colors.AddTo(command);
@@ -70,6 +77,7 @@ Shot Prepare(const ShotOptions& options, Stopwatch& stopwatch)
     throw Error("--component: field '" + options.field + "' has " + std::to_string(components) +
       (components == 1 ? " component" : " components") + ", counted from 0");
   }
+  shot.scene.precision = options.precision;
   shot.scene.locator = &model.GetLocator();
   stopwatch.Stage("bounds+bvh");
 

@@ -27,6 +27,7 @@ struct ShotOptions
   CameraOptions camera;
   ColorOptions colors;
   ImageSize size;
+  Precision precision = Precision::Double;
 
   void AddTo(CLI::App& command);
 };

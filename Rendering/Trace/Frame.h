@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Core/Location/Sample.h"
 #include "Core/Math/Vec.h"
 
 #include <array>
@@ -82,6 +83,7 @@ struct FrameCounters
   std::int64_t exact = 0;
   std::int64_t unknown = 0;
   std::int64_t nonFinite = 0; ///< exact samples whose value is NaN or infinite
+  PrecisionCheck floatCheck;  ///< of centres and corners; no points where values are doubles
   double seconds = 0.0;
 };
 

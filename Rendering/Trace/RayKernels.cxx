@@ -7,6 +7,10 @@
 #include "Trace/RayKernels.h"
 #include "Trace/Surface.h"
 
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
@@ -21,40 +25,65 @@ HWY_INLINE Point<Lanes> SplatPoint(const Vec3& x)
   return { { Splat(x.x), Splat(x.y), Splat(x.z) } };
 }
 
-HWY_INLINE Point<Lanes> At(const CameraRays::Linear& linear, Lanes u, Lanes v)
+/// A point that depends on u and v, its constants loaded once.
+struct LinearLanes
 {
-  Point<Lanes> x;
-  for (int d = 0; d < 3; ++d)
+  Point<Lanes> constant;
+  Point<Lanes> u;
+  Point<Lanes> v;
+
+  explicit HWY_INLINE LinearLanes(const CameraRays::Linear& linear)
+    : constant(SplatPoint(linear.constant))
+    , u(SplatPoint(linear.u))
+    , v(SplatPoint(linear.v))
   {
-    x.x[d] = Splat(linear.constant[d]) + Splat(linear.u[d]) * u + Splat(linear.v[d]) * v;
   }
-  return x;
-}
+
+  [[nodiscard]] HWY_INLINE Point<Lanes> At(Lanes atU, Lanes atV) const
+  {
+    Point<Lanes> x;
+    ForEachAxis(
+      [&](auto d) PIXELEXACT_INLINED { x.x[d] = constant.x[d] + u.x[d] * atU + v.x[d] * atV; });
+    return x;
+  }
+};
+
+/// The arrays of three coordinates, by value: stores cannot change them.
+struct PointTarget
+{
+  double* x[3];
+
+  explicit HWY_INLINE PointTarget(double* const to[3])
+    : x{ to[0], to[1], to[2] }
+  {
+  }
+  HWY_INLINE void Put(const Point<Lanes>& point, int at) const
+  {
+    ForEachAxis([&](auto d) PIXELEXACT_INLINED { Store(point.x[d], x[d] + at); });
+  }
+};
 
 void CastRays(const CameraRays& camera, const double* u, const double* v, int count,
   double* const origin[3], double* const direction[3])
 {
   using Traits = NumberTraits<Lanes>;
   const bool parallel = camera.direction.u == Vec3(0.0) && camera.direction.v == Vec3(0.0);
-  const Point<Lanes> along = SplatPoint(camera.direction.constant);
-  const Lanes reciprocal = Splat(1.0) / Sqrt(Dot(along, along));
+  const LinearLanes origins(camera.origin);
+  const LinearLanes directions(camera.direction);
+  const PointTarget toOrigin(origin);
+  const PointTarget toDirection(direction);
+  const auto unit = [](const Point<Lanes>& along) PIXELEXACT_INLINED
+  {
+    const Lanes scale = Splat(1.0) / Sqrt(Dot(along, along));
+    return Point<Lanes>{ { along.x[0] * scale, along.x[1] * scale, along.x[2] * scale } };
+  };
+  const Point<Lanes> along = unit(directions.constant);
   for (int i = 0; i < count; i += LaneCount())
   {
     const Lanes atU = Traits::Load(u + i);
     const Lanes atV = Traits::Load(v + i);
-    const Point<Lanes> from = At(camera.origin, atU, atV);
-    Point<Lanes> to = along;
-    Lanes scale = reciprocal;
-    if (!parallel)
-    {
-      to = At(camera.direction, atU, atV);
-      scale = Splat(1.0) / Sqrt(Dot(to, to));
-    }
-    for (int d = 0; d < 3; ++d)
-    {
-      Store(from.x[d], origin[d] + i);
-      Store(to.x[d] * scale, direction[d] + i);
-    }
+    toOrigin.Put(origins.At(atU, atV), i);
+    toDirection.Put(parallel ? along : unit(directions.At(atU, atV)), i);
   }
 }
 
@@ -64,40 +93,67 @@ void MeetPlane(const Vec3& origin, const Vec3& normal, const RayLanes& rays, con
   using Traits = NumberTraits<Lanes>;
   const Point<Lanes> through = SplatPoint(origin);
   const Point<Lanes> across = SplatPoint(normal);
+  const LanePoints origins{ { rays.origin[0], rays.origin[1], rays.origin[2] }, rays.count };
+  const LanePoints directions{ { rays.direction[0], rays.direction[1], rays.direction[2] },
+    rays.count };
+  const PointTarget position(hits.position);
+  double* const toT = hits.t;
   for (int i = 0; i < rays.count; i += LaneCount())
   {
-    Point<Lanes> from;
-    Point<Lanes> to;
+    const auto from = LoadPoint<Lanes>(origins, i);
+    const auto to = LoadPoint<Lanes>(directions, i);
     Point<Lanes> distance;
-    for (int d = 0; d < 3; ++d)
-    {
-      from.x[d] = Traits::Load(rays.origin[d] + i);
-      to.x[d] = Traits::Load(rays.direction[d] + i);
-      distance.x[d] = through.x[d] - from.x[d];
-    }
+    ForEachAxis([&](auto d) PIXELEXACT_INLINED { distance.x[d] = through.x[d] - from.x[d]; });
     const Lanes t = Dot(across, distance) / Dot(across, to);
     // A slope of zero makes t infinite or NaN: no hit either way.
     const LaneMask hit = And(Traits::Load(tMin + i) < t, IsFinite(t));
     Point<Lanes> x;
     Point<Lanes> off;
-    for (int d = 0; d < 3; ++d)
-    {
-      x.x[d] = from.x[d] + t * to.x[d];
-      off.x[d] = x.x[d] - through.x[d];
-    }
+    ForEachAxis(
+      [&](auto d) PIXELEXACT_INLINED
+      {
+        x.x[d] = from.x[d] + t * to.x[d];
+        off.x[d] = x.x[d] - through.x[d];
+      });
     // From a far origin the rounding of t moves x off the plane; put it back along the normal.
     const Lanes height = Dot(across, off);
-    Store(Select(hit, t, Splat(kNoHit)), hits.t + i);
-    for (int d = 0; d < 3; ++d)
-    {
-      Store(x.x[d] - across.x[d] * height, hits.position[d] + i);
-    }
+    Store(Select(hit, t, Splat(kNoHit)), toT + i);
+    ForEachAxis([&](auto d) PIXELEXACT_INLINED { x.x[d] = x.x[d] - across.x[d] * height; });
+    position.Put(x, i);
   }
+}
+
+int CountHits(const double* t, int count)
+{
+  int hits = 0;
+  for (int i = 0; i < count; i += LaneCount())
+  {
+    std::uint64_t bits = BitsOf(NumberTraits<Lanes>::Load(t + i) < Splat(kNoHit));
+    if (count - i < LaneCount())
+    {
+      bits &= (std::uint64_t{ 1 } << static_cast<unsigned>(count - i)) - 1U;
+    }
+    hits += std::popcount(bits);
+  }
+  return hits;
+}
+
+bool AreFinite(const double* values, int count)
+{
+  const int lanes = LaneCount();
+  LaneMask finite = Splat(0.0) <= Splat(0.0);
+  int i = 0;
+  for (; i + lanes <= count; i += lanes)
+  {
+    finite = And(finite, IsFinite(NumberTraits<Lanes>::Load(values + i)));
+  }
+  return All(finite) &&
+    std::all_of(values + i, values + count, [](double v) { return std::isfinite(v); });
 }
 
 const RayKernels& RayKernelSet()
 {
-  static constexpr RayKernels kKernels{ &CastRays, &MeetPlane };
+  static constexpr RayKernels kKernels{ &CastRays, &MeetPlane, &CountHits, &AreFinite };
   return kKernels;
 }
 } // namespace pixelexact::HWY_NAMESPACE

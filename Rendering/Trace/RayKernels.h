@@ -4,7 +4,7 @@
 #include "Trace/Camera.h"
 #include "Trace/Rays.h"
 
-// Loops over many rays, in lanes: dispatched at run time to the instruction set.
+// Loops over the samples of a tile, in lanes: dispatched at run time to the instruction set.
 namespace pixelexact
 {
 struct RayKernels
@@ -15,6 +15,9 @@ struct RayKernels
   /// See Plane::NextHit; `normal` is of unit length.
   void (*meetPlane)(const Vec3& origin, const Vec3& normal, const RayLanes& rays,
     const double* tMin, const HitLanes& hits);
+  /// How many of `t` are less than kNoHit; the array is padded.
+  int (*countHits)(const double* t, int count);
+  bool (*areFinite)(const double* values, int count);
 };
 
 const RayKernels& GetRayKernels();

@@ -5,12 +5,11 @@
 #include "Core/Location/Owners.h"
 #include "Core/Location/Sample.h"
 #include "Core/Math/Interval.h"
-#include "Trace/TileSamples.h"
+#include "Trace/RayKernels.h"
+#include "Trace/SampleWriter.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstring>
 #include <numeric>
 
 namespace pixelexact
@@ -21,6 +20,7 @@ namespace
 struct Scratch
 {
   TileSamples samples;
+  SampleWriter writer;
   std::vector<std::int32_t> element;
   std::vector<Verdict> verdicts;
   std::vector<Vec3> xi;
@@ -60,11 +60,11 @@ public:
   {
   }
 
-  void Run(const Camera& camera, const TileArea& area, double offset)
+  void Run(const Camera& camera, const TileArea& area, const SampleLattice& lattice)
   {
     {
       const StageScope scope(Stage::Rays);
-      Samples.Cast(camera, area, offset, Buffers.width);
+      Samples.Cast(camera, area, lattice, Buffers.width);
     }
     Counters.rays += Samples.Count();
     std::int64_t rounds = 0;
@@ -115,7 +115,7 @@ private:
   void DropMisses()
   {
     const double* t = Samples.T();
-    const auto hits = std::count_if(t, t + Samples.Count(), [](double at) { return at < kNoHit; });
+    const int hits = GetRayKernels().countHits(t, Samples.Count());
     Counters.surfaceHits += hits;
     if (hits < Samples.Count())
     {
@@ -141,6 +141,8 @@ private:
     target.value = Values;
     target.valueLower = Lower;
     target.valueUpper = Upper;
+    target.precision = TheScene.precision;
+    target.check = &Counters.floatCheck;
     const bool evaluate = !Values.empty() || !Lower.empty();
     SampleTile(*TheScene.locator, evaluate ? TheScene.field : nullptr, Samples.Positions(), target);
     if (!Buffers.coverage.empty())
@@ -178,105 +180,59 @@ private:
       [&](int i) { return Verdicts[static_cast<std::size_t>(i)] == Verdict::Outside; });
   }
 
-  /// To the frame's buffers, one after the other, of all samples with the verdicts that a buffer
-  /// shows.
   void WriteAll(std::size_t components)
   {
-    std::int64_t exact = 0;
-    std::int64_t unknown = 0;
-    for (const Verdict verdict : Verdicts)
-    {
-      exact += verdict == Verdict::Inside ? 1 : 0;
-      unknown += verdict == Verdict::Unknown ? 1 : 0;
-    }
-    Counters.exact += exact;
-    Counters.unknown += unknown;
-    if (exact + unknown == 0)
+    SampleWriter& writer = Work.writer;
+    writer.Sort(Verdicts, Samples.place);
+    Counters.exact += writer.Exact();
+    Counters.unknown += writer.Unknown();
+    if (writer.Exact() + writer.Unknown() == 0)
     {
       return;
     }
-    const auto held = [](Verdict verdict) { return verdict != Verdict::Outside; };
-    const auto inside = [](Verdict verdict) { return verdict == Verdict::Inside; };
-    Write(Buffers.verdict, held,
+    writer.WriteHeld(Buffers.verdict,
       [&](std::size_t i)
       {
         return static_cast<std::uint8_t>(
           Verdicts[i] == Verdict::Inside ? PixelVerdict::Exact : PixelVerdict::Unknown);
       });
-    Write(
-      Buffers.position, held, [&](std::size_t i) { return Samples.Position(static_cast<int>(i)); });
-    Write(Buffers.depth, held, [&](std::size_t i) { return Samples.T()[i]; });
-    Write(Buffers.element, held, [&](std::size_t i) { return std::int64_t{ Element[i] }; });
-    Write(Buffers.normal, held,
-      [&](std::size_t i)
-      {
-        return TheScene.surfaces[static_cast<std::size_t>(Samples.surface[i])]->Normal(
-          Samples.Position(static_cast<int>(i)));
+    const auto position = [&](std::size_t i) { return Samples.Position(static_cast<int>(i)); };
+    writer.WriteHeld(Buffers.position, position);
+    writer.WriteHeld(Buffers.depth, [&](std::size_t i) { return Samples.T()[i]; });
+    writer.WriteHeld(Buffers.element, [&](std::size_t i) { return std::int64_t{ Element[i] }; });
+    writer.WriteHeld(Buffers.normal,
+      [&](std::size_t i) {
+        return TheScene.surfaces[static_cast<std::size_t>(Samples.surface[i])]->Normal(position(i));
       });
-    Write(Buffers.xi, inside, [&](std::size_t i) { return Xi[i]; });
-    if (components == 1)
-    {
-      Write(Buffers.value, inside, [&](std::size_t i) { return Counted(Values[i]); });
-    }
-    else
-    {
-      Write(Buffers.value, inside,
-        [&](std::size_t i)
-        { return Counted(Component(Values.subspan(i * components, components))); });
-    }
-    Write(Buffers.valueLower, inside,
+    writer.WriteInside(Buffers.xi, [&](std::size_t i) { return Xi[i]; });
+    WriteValues(components);
+    writer.WriteInside(Buffers.valueLower,
       [&](std::size_t i) { return Enclosure(i * components, components).lower; });
-    Write(Buffers.valueUpper, inside,
+    writer.WriteInside(Buffers.valueUpper,
       [&](std::size_t i) { return Enclosure(i * components, components).upper; });
   }
 
-  template <class T, class Held, class ValueOf>
-  void Write(std::vector<T>& buffer, const Held& held, const ValueOf& valueOf)
+  void WriteValues(std::size_t components)
   {
-    if (buffer.empty())
+    if (components > 1 && !Values.empty())
     {
-      return;
-    }
-    constexpr std::size_t kRow = TileSamples::kRow;
-    for (std::size_t i = 0; i < Verdicts.size();)
-    {
-      if (IsInsideRow(i))
+      // Of later samples nothing has been overwritten yet.
+      for (std::size_t i = 0; i < Verdicts.size(); ++i)
       {
-        T* to = &buffer[Samples.place[i]];
-        for (std::size_t k = 0; k < kRow; ++k)
-        {
-          to[k] = valueOf(i + k);
-        }
-        i += kRow;
-        continue;
+        Values[i] = Component(Values.subspan(i * components, components));
       }
-      if (held(Verdicts[i]))
-      {
-        buffer[Samples.place[i]] = valueOf(i);
-      }
-      ++i;
     }
-  }
-
-  /// Whether samples i to i + kRow are inside and side by side in the frame, as most are.
-  [[nodiscard]] bool IsInsideRow(std::size_t i) const
-  {
-    constexpr std::size_t kRow = TileSamples::kRow;
-    static constexpr auto kAllInside = []
+    Work.writer.WriteInside(Buffers.value, [&](std::size_t i) { return Values[i]; });
+    const auto count = static_cast<std::int64_t>(Verdicts.size());
+    if (!Values.empty() &&
+      (Work.writer.Exact() < count ||
+        !GetRayKernels().areFinite(Values.data(), static_cast<int>(count))))
     {
-      std::array<Verdict, kRow> all{};
-      all.fill(Verdict::Inside);
-      return all;
-    }();
-    return i + kRow <= Verdicts.size() &&
-      std::memcmp(&Verdicts[i], kAllInside.data(), sizeof kAllInside) == 0 &&
-      Samples.place[i + kRow - 1] == Samples.place[i] + kRow - 1;
-  }
-
-  double Counted(double value)
-  {
-    Counters.nonFinite += std::isfinite(value) ? 0 : 1;
-    return value;
+      for (std::size_t i = 0; i < Verdicts.size(); ++i)
+      {
+        Counters.nonFinite += Verdicts[i] == Verdict::Inside && !std::isfinite(Values[i]) ? 1 : 0;
+      }
+    }
   }
 
   /// Of the component that is shown, from those of all components.
@@ -320,9 +276,9 @@ private:
 };
 } // namespace
 
-void TraceTile(const Scene& scene, const Camera& camera, const TileArea& area, double offset,
-  SampleBuffers& buffers, FrameCounters& counters)
+void TraceTile(const Scene& scene, const Camera& camera, const TileArea& area,
+  const SampleLattice& lattice, SampleBuffers& buffers, FrameCounters& counters)
 {
-  TileWork(scene, buffers, counters).Run(camera, area, offset);
+  TileWork(scene, buffers, counters).Run(camera, area, lattice);
 }
 } // namespace pixelexact

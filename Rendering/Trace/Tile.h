@@ -9,6 +9,16 @@ namespace pixelexact
 /// all cores busy.
 inline constexpr int kTileSize = 32;
 
+/// Samples of an image: (i, j) lies at image position (x0 + i step + offset, y0 + j step + offset)
+/// and is the frame's sample (x0 + i step, y0 + j step).
+struct SampleLattice
+{
+  double offset = 0.5; ///< 0.5: the pixels' centres, 0: their corners
+  int x0 = 0;
+  int y0 = 0;
+  int step = 1;
+};
+
 /// A rectangle of a sample lattice, [x0, x1) x [y0, y1), of at most kTileSize each way.
 struct TileArea
 {
@@ -18,9 +28,9 @@ struct TileArea
   int y1;
 };
 
-/// Casts the rays of a tile, locates and evaluates their hits, writes `buffers`. Samples lie at
-/// image position (x + offset, y + offset): offset 0.5 for centres, 0 for corners. Only writes to
-/// the tile's own entries; counters are added to `counters`.
-void TraceTile(const Scene& scene, const Camera& camera, const TileArea& area, double offset,
-  SampleBuffers& buffers, FrameCounters& counters);
+/// Casts the rays of a tile, locates and evaluates their hits, writes `buffers`. Only writes to the
+/// tile's own entries; counters are added to `counters`. What a sample gets does not depend on the
+/// others of its tile.
+void TraceTile(const Scene& scene, const Camera& camera, const TileArea& area,
+  const SampleLattice& lattice, SampleBuffers& buffers, FrameCounters& counters);
 } // namespace pixelexact

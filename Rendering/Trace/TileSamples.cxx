@@ -40,7 +40,9 @@ constexpr auto kBlocks = MakeBlocks();
 void TileSamples::Fit(int count)
 {
   Size = count;
-  const auto needed = static_cast<std::size_t>(PaddedCount(count));
+  // Arrays a multiple of 4096 bytes apart would drive each other out of the cache.
+  constexpr std::size_t kApart = 5 * 8;
+  const auto needed = static_cast<std::size_t>(PaddedCount(count)) + kApart;
   if (Stride < needed)
   {
     Stride = needed;
@@ -52,7 +54,8 @@ void TileSamples::Fit(int count)
   }
 }
 
-void TileSamples::Cast(const Camera& camera, const TileArea& area, double offset, int width)
+void TileSamples::Cast(
+  const Camera& camera, const TileArea& area, const SampleLattice& lattice, int width)
 {
   Fit((area.x1 - area.x0) * (area.y1 - area.y0));
   const int columns = area.x1 - area.x0;
@@ -60,25 +63,44 @@ void TileSamples::Cast(const Camera& camera, const TileArea& area, double offset
   std::array<double, kTileSize> u{};
   for (int i = 0; i < columns; ++i)
   {
-    u[static_cast<std::size_t>(i)] = camera.U(area.x0 + i + offset);
+    u[static_cast<std::size_t>(i)] =
+      camera.U(lattice.x0 + (area.x0 + i) * lattice.step + lattice.offset);
   }
+  const auto step = static_cast<std::size_t>(lattice.step);
   std::size_t at = 0;
   for (const Block& block : kBlocks)
   {
     const int inRow = std::min(kRow, columns - block.x);
     for (int y = block.y; inRow > 0 && y < std::min(block.y + kRow, rows); ++y)
     {
-      const double v = camera.V(area.y0 + y + offset);
-      const std::size_t first =
-        static_cast<std::size_t>(area.y0 + y) * static_cast<std::size_t>(width) +
-        static_cast<std::size_t>(area.x0 + block.x);
+      const int row = lattice.y0 + (area.y0 + y) * lattice.step;
+      const int column = lattice.x0 + (area.x0 + block.x) * lattice.step;
+      const double v = camera.V(row + lattice.offset);
+      const std::size_t first = static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+        static_cast<std::size_t>(column);
       const double* fromU = &u[static_cast<std::size_t>(block.x)];
-      for (int k = 0; k < inRow; ++k, ++at)
+      // Whole rows in a loop whose length the compiler knows.
+      const auto put = [&](std::size_t k)
       {
-        place[at] = first + static_cast<std::size_t>(k);
-        U[at] = fromU[k];
-        V[at] = v;
+        place[at + k] = first + k * step;
+        U[at + k] = fromU[k];
+        V[at + k] = v;
+      };
+      if (inRow == kRow)
+      {
+        for (std::size_t k = 0; k < kRow; ++k)
+        {
+          put(k);
+        }
       }
+      else
+      {
+        for (std::size_t k = 0; k < static_cast<std::size_t>(inRow); ++k)
+        {
+          put(k);
+        }
+      }
+      at += static_cast<std::size_t>(inRow);
     }
   }
   std::fill_n(Array(kTMin), PaddedCount(Size), 0.0);

@@ -13,12 +13,12 @@ namespace pixelexact
 class TileSamples
 {
 public:
-  /// Samples side by side in the frame follow each other in memory at least this far, but at the
+  /// Samples side by side in the lattice follow each other in memory at least this far, but at the
   /// edges of the image.
   static constexpr int kRow = 8;
 
   /// All samples of a tile; see TraceTile.
-  void Cast(const Camera& camera, const TileArea& area, double offset, int width);
+  void Cast(const Camera& camera, const TileArea& area, const SampleLattice& lattice, int width);
   /// Keeps the samples for which `keep(i)`, in order.
   template <class Keep>
   void Filter(const Keep& keep);

@@ -21,6 +21,8 @@ struct Scene
   /// for a scalar field is the scalar itself, sign and all, as in VTK.
   int component = 0;
   std::vector<std::shared_ptr<const Surface>> surfaces;
+  /// Of the values; see FrameCounters::floatCheck for what Float costs. Not with enclosures.
+  Precision precision = Precision::Double;
 
   static constexpr int kMagnitude = -1;
 };
@@ -49,10 +51,9 @@ using Progress = std::function<bool(double)>;
 /// Casts the rays that the modules (and `extra`) need, locates and evaluates the hits, and runs the
 /// modules in order. Front to back: a hit outside of the mesh lets the ray go on to the next
 /// surface. Parallel over tiles; the frame is the same, bit for bit, for any number of threads.
-/// Throws Error for a scene without locator, field or surface, or a component out of range; an
-/// aborted frame comes back with the tiles not done as Nothing. `stages`, where not null, gets the
-/// time of each stage added, that of the tiles summed over threads; the frame then takes some
-/// percent longer.
+/// Throws Error for a scene that cannot be traced (RequireTraceable); an aborted frame comes back
+/// with the tiles not done as Nothing. `stages`, where not null, gets the time of each stage added,
+/// that of the tiles summed over threads; the frame then takes some percent longer.
 Frame Trace(const Scene& scene, const Camera& camera,
   const std::vector<const FrameModule*>& modules, const SampleNeeds& extra = {},
   const Progress& progress = {}, StageTimes* stages = nullptr);

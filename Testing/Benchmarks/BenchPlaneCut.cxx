@@ -125,7 +125,7 @@ void StageRaysAndHits(benchmark::State& state)
       for (int x = 0; x < kPixels; x += kTileSize)
       {
         samples.Cast(camera,
-          { x, y, std::min(x + kTileSize, kPixels), std::min(y + kTileSize, kPixels) }, 0.5,
+          { x, y, std::min(x + kTileSize, kPixels), std::min(y + kTileSize, kPixels) }, {},
           kPixels);
         plane.NextHit(samples.Rays(), samples.TMin(), samples.Hits());
         benchmark::DoNotOptimize(samples.T());

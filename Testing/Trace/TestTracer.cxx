@@ -287,4 +287,34 @@ TEST(Tracer, RefusesScenesThatShowNothing)
   scene.field = nullptr;
   EXPECT_THROW(Trace(scene, camera, {}), Error);
 }
+TEST(Tracer, FloatsChangeValuesAloneAndTellHowMuch)
+{
+  Block block;
+  Scene scene = block.WithPlane({ 0.0, 0.0, 0.1 }, { 0.1, 0.2, 1.0 });
+  const Camera camera = ViewAlongZ(120, 90);
+  const Frame exact = Trace(scene, camera, {}, { .centres = kAll });
+  EXPECT_EQ(exact.counters.floatCheck.points, 0);
+  scene.precision = Precision::Float;
+  const Frame frame = Trace(scene, camera, {}, { .centres = kAll });
+  EXPECT_EQ(frame.centres.verdict, exact.centres.verdict);
+  EXPECT_EQ(frame.centres.element, exact.centres.element);
+  EXPECT_EQ(std::memcmp(frame.centres.xi.data(), exact.centres.xi.data(),
+              exact.centres.Size() * sizeof(Vec3)),
+    0);
+  EXPECT_GT(frame.counters.floatCheck.points, 100);
+  // Of values up to 111; 17 roundoffs of a float.
+  EXPECT_GT(frame.counters.floatCheck.largest, 0.0);
+  EXPECT_LT(frame.counters.floatCheck.largest, 111 * 1e-6);
+  double largest = 0.0;
+  for (std::size_t i = 0; i < exact.centres.Size(); ++i)
+  {
+    if (exact.centres.verdict[i] == static_cast<std::uint8_t>(PixelVerdict::Exact))
+    {
+      largest = std::max(largest, std::fabs(frame.centres.value[i] - exact.centres.value[i]));
+    }
+  }
+  EXPECT_GE(largest, frame.counters.floatCheck.largest);
+  EXPECT_LT(largest, 3.0 * frame.counters.floatCheck.largest);
+  EXPECT_THROW((void)Trace(scene, camera, {}, { .centres = Buffer::Enclosure }), Error);
+}
 } // namespace pixelexact::testing

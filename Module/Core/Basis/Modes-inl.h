@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Value and gradient of a modal sum by sum factorisation (paper, equation 10), for any number type:
-// Lanes in the kernels, long double in the changes of basis.
+// Lanes in the kernels, FloatLanes where less precision is asked for, long double in the changes of
+// basis.
 //
 // The collapsed families are evaluated as homogeneous polynomials in xi: with y = eta t,
 // t^n P_n(y / t) obeys Legendre's recurrence with t^2 in front of its last term. So nothing is
@@ -168,7 +169,8 @@ public:
 
   HWY_INLINE T Mode(int p, int q, int r) const { return a[p] * b[q] * c[r]; }
 
-  HWY_INLINE T Value(const double* coefficient) const
+  template <class Coefficient>
+  HWY_INLINE T Value(const Coefficient* coefficient) const
   {
     T total = Traits::Splat(0.0);
     for (int p = 0; p <= order.p(); ++p)
@@ -265,7 +267,8 @@ public:
 
   HWY_INLINE T Mode(int p, int q, int r) const { return a[p] * b[q] * c[p][r]; }
 
-  HWY_INLINE T Value(const double* coefficient) const
+  template <class Coefficient>
+  HWY_INLINE T Value(const Coefficient* coefficient) const
   {
     T total = Traits::Splat(0.0);
     ForEachUpTo(order.p(),
@@ -374,7 +377,8 @@ public:
 
   HWY_INLINE T Mode(int p, int q, int r) const { return a[p] * b[p][q] * c[p + q][r]; }
 
-  HWY_INLINE T Value(const double* coefficient) const
+  template <class Coefficient>
+  HWY_INLINE T Value(const Coefficient* coefficient) const
   {
     T total = Traits::Splat(0.0);
     ForEachUpTo(order.p(),
@@ -482,7 +486,8 @@ public:
     return a[p] * b[q] * power[m] * c[m][r];
   }
 
-  HWY_INLINE T Value(const double* coefficient) const
+  template <class Coefficient>
+  HWY_INLINE T Value(const Coefficient* coefficient) const
   {
     T total = Traits::Splat(0.0);
     ForEachUpTo(order.p(),
@@ -582,7 +587,11 @@ public:
   }
 
   HWY_INLINE T Mode(int p, int q, int r) const { return modes.Mode(p, q, r); }
-  HWY_INLINE T Value(const double* coefficient) const { return modes.Value(coefficient); }
+  template <class Coefficient>
+  HWY_INLINE T Value(const Coefficient* coefficient) const
+  {
+    return modes.Value(coefficient);
+  }
 
   HWY_INLINE ValueAndGradient<T> Evaluate(const double* coefficient) const
   {

@@ -5,6 +5,27 @@
 
 namespace pixelexact
 {
+/// What values are computed in; places and verdicts are always found in double precision.
+enum class Precision : unsigned char
+{
+  Double,
+  Float
+};
+
+/// How far values in single precision are from those in double precision, at some points of each
+/// element that were evaluated in both.
+struct PrecisionCheck
+{
+  std::int64_t points = 0;
+  double largest = 0.0; ///< difference of a component; of finite values
+
+  void Add(const PrecisionCheck& other)
+  {
+    points += other.points;
+    largest = largest < other.largest ? other.largest : largest;
+  }
+};
+
 /// Where samples go: one entry per point, or empty where not wanted. Points outside keep what the
 /// arrays held before; Clear() sets that to "nothing".
 struct SampleTarget
@@ -20,6 +41,9 @@ struct SampleTarget
   /// where not inside. Both or none.
   std::span<double> valueLower = {};
   std::span<double> valueUpper = {};
+  /// Of `value`; gradients and enclosures are those of the values in double precision.
+  Precision precision = Precision::Double;
+  PrecisionCheck* check = nullptr; ///< added to, where values are computed in floats
 
   /// element -1, verdict outside, everything else NaN.
   void Clear() const;

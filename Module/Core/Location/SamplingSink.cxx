@@ -7,14 +7,48 @@
 #include "Core/Element/FieldMapping.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace pixelexact
 {
 namespace
 {
+/// to[index[k]] = valueOf(k), for indices that ascend: most follow one another, and are written
+/// together.
+template <class T, class ValueOf>
+void Put(std::span<const int> index, std::span<T> to, const ValueOf& valueOf)
+{
+  constexpr std::size_t kRun = 8;
+  for (std::size_t k = 0; k < index.size();)
+  {
+    T* first = &to[static_cast<std::size_t>(index[k])];
+    if (k + kRun <= index.size() && index[k + kRun - 1] - index[k] == static_cast<int>(kRun) - 1)
+    {
+      std::array<T, kRun> run;
+      for (std::size_t i = 0; i < kRun; ++i)
+      {
+        run[i] = valueOf(k + i);
+      }
+      std::ranges::copy(run, first);
+      k += kRun;
+    }
+    else
+    {
+      *first = valueOf(k);
+      ++k;
+    }
+  }
+}
+
 void Scatter(
   std::span<const int> index, double* const* from, std::size_t width, std::span<double> to)
 {
+  if (width == 1)
+  {
+    Put(index, to, [values = from[0]](std::size_t k) { return values[k]; });
+    return;
+  }
   for (std::size_t c = 0; c < width; ++c)
   {
     for (std::size_t k = 0; k < index.size(); ++k)
@@ -54,9 +88,9 @@ void SamplingSink::Inside(
   const StageScope scope(Stage::Evaluation);
   const auto write = [&](auto target, const auto& valueOf)
   {
-    for (std::size_t k = 0; !target.empty() && k < index.size(); ++k)
+    if (!target.empty())
     {
-      target[static_cast<std::size_t>(index[k])] = valueOf(k);
+      Put(index, target, valueOf);
     }
   };
   write(Target.element, [&](std::size_t) { return element; });
@@ -104,12 +138,20 @@ void SamplingSink::EvaluateField(int element, std::span<const int> index, const 
     kernels.gradient(
       space, values.Coefficients(element), values.components, xi, out, out + components);
   }
+  else if (Target.precision == Precision::Float)
+  {
+    FloatValueKernel(space)(space, values.Coefficients(element), values.components, xi, out);
+  }
   else
   {
     kernels.value(space, values.Coefficients(element), values.components, xi, out);
   }
   ApplyMapping(TheMesh, element, TheField->mapping, xi, values.components, out,
     gradient ? out + components : nullptr);
+  if (Target.check && !gradient && Target.precision == Precision::Float)
+  {
+    CheckFloats(element, xi, out);
+  }
   if (gradient)
   {
     Scatter(index, out + components, 3 * components, Target.gradient);
@@ -118,6 +160,31 @@ void SamplingSink::EvaluateField(int element, std::span<const int> index, const 
   {
     Scatter(index, out, components, Target.value);
   }
+}
+
+/// Evaluates the first points once more.
+void SamplingSink::CheckFloats(int element, const LanePoints& xi, const double* const* values)
+{
+  const Expansion& field = TheField->values;
+  const Space& space = field.SpaceOf(element);
+  const LanePoints some{ { xi.x[0], xi.x[1], xi.x[2] }, std::min(xi.count, kLanePadding) };
+  double* const* exact = Checked.Get(static_cast<std::size_t>(field.components), kLanePadding);
+  KernelsFor(space).value(space, field.Coefficients(element), field.components, some, exact);
+  ApplyMapping(TheMesh, element, TheField->mapping, some, field.components, exact, nullptr);
+  PrecisionCheck check;
+  check.points = some.count;
+  for (int c = 0; c < field.components; ++c)
+  {
+    for (int k = 0; k < some.count; ++k)
+    {
+      const double difference = std::fabs(values[c][k] - exact[c][k]);
+      if (difference > check.largest && std::isfinite(difference))
+      {
+        check.largest = difference;
+      }
+    }
+  }
+  Target.check->Add(check);
 }
 
 void SamplingSink::EncloseField(int element, std::span<const int> index, const LanePoints& xi)

@@ -31,6 +31,7 @@ public:
 
 private:
   void EvaluateField(int element, std::span<const int> index, const LanePoints& xi);
+  void CheckFloats(int element, const LanePoints& xi, const double* const* values);
   void EncloseField(int element, std::span<const int> index, const LanePoints& xi);
 
   const Mesh& TheMesh;
@@ -38,6 +39,7 @@ private:
   LanePoints Points;
   const SampleTarget& Target;
   OutputArrays Arrays;
+  OutputArrays Checked;
 };
 
 /// Throws Error unless the target's arrays are empty or fit the points and the field.

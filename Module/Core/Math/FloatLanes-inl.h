@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A number type that holds twice as many floats as Lanes holds doubles, with what the evaluation of
+// a modal sum needs, and the way from doubles and back. Included once per instruction set.
+#if defined(PIXELEXACT_FLOAT_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef PIXELEXACT_FLOAT_LANES_INL_H
+#undef PIXELEXACT_FLOAT_LANES_INL_H
+#else
+#define PIXELEXACT_FLOAT_LANES_INL_H
+#endif
+
+#include "Core/Math/TwoLanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace pixelexact::HWY_NAMESPACE
+{
+#if HWY_TARGET == HWY_SCALAR
+using FloatTag = hwy::HWY_NAMESPACE::ScalableTag<float>;
+#else
+using FloatTag = hwy::HWY_NAMESPACE::Repartition<float, LaneTag>;
+#endif
+using FloatVector = hwy::HWY_NAMESPACE::Vec<FloatTag>;
+
+struct FloatLanes
+{
+  FloatVector v;
+};
+
+HWY_INLINE FloatLanes operator+(FloatLanes a, FloatLanes b)
+{
+  return { hwy::HWY_NAMESPACE::Add(a.v, b.v) };
+}
+HWY_INLINE FloatLanes operator-(FloatLanes a, FloatLanes b)
+{
+  return { hwy::HWY_NAMESPACE::Sub(a.v, b.v) };
+}
+HWY_INLINE FloatLanes operator*(FloatLanes a, FloatLanes b)
+{
+  return { hwy::HWY_NAMESPACE::Mul(a.v, b.v) };
+}
+HWY_INLINE FloatLanes MulAdd(FloatLanes a, FloatLanes b, FloatLanes c)
+{
+  return { hwy::HWY_NAMESPACE::MulAdd(a.v, b.v, c.v) };
+}
+HWY_INLINE FloatLanes NegMulAdd(FloatLanes a, FloatLanes b, FloatLanes c)
+{
+  return { hwy::HWY_NAMESPACE::NegMulAdd(a.v, b.v, c.v) };
+}
+
+template <>
+struct NumberTraits<FloatLanes>
+{
+  /// Of the recurrences' constants, which the compiler rounds.
+  using Scalar = double;
+  static HWY_INLINE FloatLanes Splat(float value)
+  {
+    return { hwy::HWY_NAMESPACE::Set(FloatTag(), value) };
+  }
+  static HWY_INLINE FloatLanes Splat(double value) { return Splat(static_cast<float>(value)); }
+  static HWY_INLINE FloatLanes SplatScalar(double value) { return Splat(value); }
+};
+
+/// As of doubles, with a vertex that is as near as floats can tell.
+HWY_INLINE FloatLanes CollapsedQuotient(FloatLanes y, FloatLanes t)
+{
+  namespace hn = hwy::HWY_NAMESPACE;
+  const FloatTag tag;
+  const auto regular = hn::Ge(hn::Abs(t.v), hn::Set(tag, 1e-4F));
+  const auto one = hn::Set(tag, 1.0F);
+  const auto vanishing = hn::Eq(t.v, hn::Zero(tag));
+  const auto quotient =
+    hn::IfThenElseZero(hn::Not(vanishing), hn::Div(y.v, hn::IfThenElse(vanishing, one, t.v)));
+  return { hn::IfThenElse(regular, quotient, hn::Max(hn::Min(quotient, one), hn::Neg(one))) };
+}
+/// Only derivatives divide by it.
+HWY_INLINE FloatLanes SafeReciprocal(FloatLanes t)
+{
+  namespace hn = hwy::HWY_NAMESPACE;
+  return { hn::Div(hn::Set(FloatTag(), 1.0F), t.v) };
+}
+
+#if HWY_TARGET == HWY_SCALAR
+HWY_INLINE FloatLanes ToFloat(Lanes low, Lanes /*high*/)
+{
+  return { hwy::HWY_NAMESPACE::DemoteTo(FloatTag(), low.v) };
+}
+HWY_INLINE TwoLanes ToDouble(FloatLanes a)
+{
+  const Lanes low{ hwy::HWY_NAMESPACE::PromoteTo(LaneTag(), a.v) };
+  return { low, low };
+}
+/// Doubles that a pack of floats takes.
+HWY_INLINE int FloatLaneCount()
+{
+  return 1;
+}
+#else
+HWY_INLINE FloatLanes ToFloat(Lanes low, Lanes high)
+{
+  namespace hn = hwy::HWY_NAMESPACE;
+  const hn::Half<FloatTag> half;
+  return { hn::Combine(FloatTag(), hn::DemoteTo(half, high.v), hn::DemoteTo(half, low.v)) };
+}
+HWY_INLINE TwoLanes ToDouble(FloatLanes a)
+{
+  namespace hn = hwy::HWY_NAMESPACE;
+  const hn::Half<FloatTag> half;
+  return { { hn::PromoteTo(LaneTag(), hn::LowerHalf(half, a.v)) },
+    { hn::PromoteTo(LaneTag(), hn::UpperHalf(half, a.v)) } };
+}
+HWY_INLINE int FloatLaneCount()
+{
+  return 2 * LaneCount();
+}
+#endif
+} // namespace pixelexact::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
