@@ -44,6 +44,7 @@ FrameSource::~FrameSource() = default;
 void FrameSource::DropFrame()
 {
   TheFrame.reset();
+  Passes.reset();
   Traced.reset();
   Colored.reset();
 }
@@ -90,7 +91,14 @@ void FrameSource::MakeScene(const FrameRequest& request, const Field& field)
   }
 }
 
-void FrameSource::TraceFrame(const Progress& progress)
+void FrameSource::BeginFrame(Buffer buffers)
+{
+  TheBuffers = buffers;
+  Passes.emplace(TheScene, Traced->camera.Make(), buffers);
+  Complete = false;
+}
+
+void FrameSource::TraceFrame(double seconds, const Progress& progress)
 {
   bool aborted = false;
   const Progress watched = [&](double done)
@@ -98,8 +106,31 @@ void FrameSource::TraceFrame(const Progress& progress)
     aborted = aborted || (progress && !progress(done));
     return !aborted;
   };
-  TheFrame = Trace(TheScene, Traced->camera.Make(), {}, { .centres = TheBuffers }, watched);
-  Complete = !aborted;
+  const double pixels =
+    static_cast<double>(Traced->camera.width) * static_cast<double>(Traced->camera.height);
+  if (PixelSeconds * pixels <= seconds)
+  {
+    Passes->Complete(watched);
+  }
+  else
+  {
+    // The next pass takes three times what all before it have.
+    while (Passes->Refine(watched) && Passes->Step() > 1 &&
+      4.0 * Passes->Get().counters.seconds <= seconds)
+    {
+    }
+  }
+  Complete = !aborted && Passes->Step() == 1;
+  if (Complete)
+  {
+    TheFrame = Passes->Take();
+    Passes.reset();
+    PixelSeconds = TheFrame->counters.seconds / pixels;
+  }
+  else
+  {
+    TheFrame = Passes->Preview();
+  }
   Colored.reset();
   ++TheCounters.traces;
 }
@@ -154,10 +185,13 @@ void FrameSource::Update(const FrameRequest& request, const Progress& progress)
     MakeScene(request, field);
     Traced = std::move(key);
   }
-  if (!sameScene || !Complete || !Includes(TheBuffers, wanted))
+  if (!sameScene || !Includes(TheBuffers, wanted))
   {
-    TheBuffers = wanted;
-    TraceFrame(progress);
+    BeginFrame(wanted);
+  }
+  if (!Complete)
+  {
+    TraceFrame(request.seconds, progress);
   }
   ColorFrame({ request.table, 0, request.solidColor, request.unknownColor });
 }
@@ -168,11 +202,11 @@ const Frame* FrameSource::FrameWithAllBuffers()
   {
     return nullptr;
   }
-  if (!Includes(TheBuffers, kAll))
+  if (!Complete || !Includes(TheBuffers, kAll))
   {
     ColorKey colored = *Colored;
-    TheBuffers = kAll;
-    TraceFrame({});
+    BeginFrame(kAll);
+    TraceFrame(std::numeric_limits<double>::infinity(), {});
     ColorFrame(std::move(colored));
   }
   return &*TheFrame;

@@ -4,13 +4,14 @@
 #include "ClippedSurface.h"
 #include "FieldChoice.h"
 #include "PixelExactRenderingModule.h"
-#include "Trace/Tracer.h"
+#include "Trace/ProgressiveFrame.h"
 #include "VtkCamera.h"
 
 #include "vtkSmartPointer.h"
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -38,6 +39,9 @@ struct FrameRequest
   std::array<std::uint8_t, 4> unknownColor{ 255, 0, 255, 255 };
   /// Beyond what drawing needs.
   Buffer buffers = Buffer::None;
+  /// What tracing may take. Where the frame is expected to take longer it is made coarse, and finer
+  /// by each further call with the same scene.
+  double seconds = std::numeric_limits<double>::infinity();
 };
 
 /// How often each step was taken.
@@ -60,10 +64,12 @@ public:
   FrameSource& operator=(const FrameSource&) = delete;
 
   /// The frame asked for; valid until the next call. An aborted frame (see Progress) lacks tiles
-  /// and is traced anew by the next call. Throws Error, after which there is no frame.
+  /// and is traced anew by the next call; a coarse one (see FrameRequest::seconds) shows blocks of
+  /// pixels alike. Throws Error, after which there is no frame.
   const Frame& Render(const FrameRequest& request, const Progress& progress = {});
 
-  /// The last frame with all of its buffers, traced once more where some were not asked for.
+  /// The last frame, complete and with all of its buffers, traced once more where some were not
+  /// asked for.
   /// Null when there is none.
   const Frame* FrameWithAllBuffers();
 
@@ -110,7 +116,8 @@ private:
 
   void Update(const FrameRequest& request, const Progress& progress);
   void MakeScene(const FrameRequest& request, const Field& field);
-  void TraceFrame(const Progress& progress);
+  void BeginFrame(Buffer buffers);
+  void TraceFrame(double seconds, const Progress& progress);
   void ColorFrame(ColorKey key);
 
   std::shared_ptr<HighOrderModel> TheModel;
@@ -118,8 +125,10 @@ private:
   Buffer TheBuffers = Buffer::None; ///< that the frame was traced with
   std::optional<TraceKey> Traced;   ///< of TheScene; none: nothing to show
   std::optional<ColorKey> Colored;
+  std::optional<ProgressiveFrame> Passes; ///< of a frame that is not complete
   std::optional<Frame> TheFrame;
   bool Complete = false;
+  double PixelSeconds = std::numeric_limits<double>::infinity(); ///< of the last complete frame
   FrameSourceCounters TheCounters;
 };
 } // namespace pixelexact

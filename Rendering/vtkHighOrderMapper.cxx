@@ -259,7 +259,13 @@ void vtkHighOrderMapper::Render(vtkRenderer* renderer, vtkActor* actor)
   pixelexact::FrameDrawer& drawer = this->Data->Drawer;
   try
   {
-    drawer.Draw(this->Data->Request(this), renderer, actor, this, progress);
+    pixelexact::FrameRequest request = this->Data->Request(this);
+    const double rate = window->GetDesiredUpdateRate();
+    if (this->Progressive && rate >= 1.0)
+    {
+      request.seconds = 1.0 / rate;
+    }
+    drawer.Draw(request, renderer, actor, this, progress);
     if (this->GetNumberOfTraces() != traces)
     {
       this->UpdateProgress(1.0);
@@ -288,6 +294,7 @@ void vtkHighOrderMapper::ShallowCopy(vtkAbstractMapper* mapper)
       other->GetNumberOfInputConnections(0) > 0 ? other->GetInputConnection(0, 0) : nullptr);
     this->FieldName = other->FieldName;
     this->SetUnknownColor(other->UnknownColor);
+    this->SetProgressive(other->Progressive);
     this->Data->Cuts = other->Data->Cuts;
     this->Modified();
   }
@@ -307,6 +314,7 @@ void vtkHighOrderMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UnknownColor: " << int{ this->UnknownColor[0] } << ", "
      << int{ this->UnknownColor[1] } << ", " << int{ this->UnknownColor[2] } << ", "
      << int{ this->UnknownColor[3] } << "\n";
+  os << indent << "Progressive: " << (this->Progressive ? "on" : "off") << "\n";
   os << indent << "Models: " << this->GetNumberOfModelBuilds()
      << ", traces: " << this->GetNumberOfTraces() << ", colorings: " << this->GetNumberOfColorings()
      << "\n";

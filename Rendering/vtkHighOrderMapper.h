@@ -21,6 +21,12 @@
  * What is kept: the field's locator while the grid is unchanged, and the last frame while view and
  * scene are; a changed lookup table only recolours it. See GetNumberOfTraces().
  *
+ * While somebody moves the scene (a window that wants a frame each second or more often, its
+ * DesiredUpdateRate, as interactors set it) and exact frames take longer, coarse ones are shown:
+ * blocks of 8, 4 or 2 pixels with the colour of one. Further renders of the same view refine them;
+ * when the window can wait, the frame is completed, and is the same, to the bit, as one that was
+ * made at once.
+ *
  * Lookup tables with translucent colours are blended over what is drawn before; for sorted
  * translucency give the actor an opacity below 1. Hardware selection does not see the cut.
  */
@@ -84,13 +90,23 @@ public:
   vtkGetVector4Macro(UnknownColor, unsigned char);
   ///@}
 
+  ///@{
+  /**
+   * Whether coarse frames are shown while the window is in a hurry. The default is on.
+   */
+  vtkSetMacro(Progressive, bool);
+  vtkGetMacro(Progressive, bool);
+  vtkBooleanMacro(Progressive, bool);
+  ///@}
+
   /**
    * The last frame as an image of the viewport's size, lower left pixel first, with the point
    * arrays Value, Position, Normal, Xi, Element, Depth, Verdict and Color; null before the first
    * frame and after one that failed. Positions and depths (along the unit ray) are in the data's
    * coordinates, elements are the cells of the source.
    *
-   * A frame is traced with what drawing needs; the rest is traced by the first call for a frame.
+   * A frame is traced with what drawing needs; the rest is traced by the first call for a frame, as
+   * is what a coarse one lacks.
    */
   vtkImageData* GetBuffers();
 
@@ -135,6 +151,7 @@ protected:
 
   std::string FieldName;
   unsigned char UnknownColor[4] = { 255, 0, 255, 255 };
+  bool Progressive = true;
 
 private:
   vtkHighOrderMapper(const vtkHighOrderMapper&) = delete;
