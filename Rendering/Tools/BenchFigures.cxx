@@ -10,16 +10,19 @@
 
 #include <tbb/global_control.h>
 
-#include <array>
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <iostream>
+#include <utility>
 
 namespace pixelexact
 {
 namespace
 {
 constexpr int kUsualElements = 5000;
+constexpr int kMostElements = 1000000;
 /// Coefficients beyond this are not made: 2 GB.
 constexpr std::int64_t kMostCoefficients = 250000000;
 
@@ -33,6 +36,7 @@ struct Row
   std::size_t memory = 0;
   FrameTime one{};
   FrameTime all{};
+  FrameTime floats{}; ///< one thread, values in single precision
 };
 
 /// All of the image's pixels lie in the mesh.
@@ -41,7 +45,8 @@ Camera FilledView(const Vec3& normal, const ImageSize& size)
   CameraView view;
   view.position = 4.0 * normal;
   view.parallel = true;
-  view.parallelScale = 0.55;
+  view.parallelScale =
+    0.55 * std::min(1.0, static_cast<double>(size.height) / static_cast<double>(size.width));
   return { view, size.width, size.height };
 }
 
@@ -66,6 +71,9 @@ Row Measure(const BlockKind& kind, const ImageSize& size, const FigureOptions& o
   {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
     row.one = MeasureFrames(scene, camera, { &colors }, options.repeat, ignore);
+    scene.precision = Precision::Float;
+    row.floats = MeasureFrames(scene, camera, { &colors }, options.repeat, ignore);
+    scene.precision = Precision::Double;
   }
   row.all = MeasureFrames(scene, camera, { &colors }, options.repeat, ignore);
   row.bounded = locator.BoundedElements();
@@ -90,18 +98,19 @@ std::string SizeOf(const ImageSize& size)
 
 void Print(const Row& row)
 {
-  std::printf("%-12s %-8s %5d %8d %10s %9lld %8.1f %7.1f %6.1f %8.1f %6.1f  %s\n",
-    Name(row.kind.shape), row.kind.curved ? "curved" : "straight", row.kind.order, row.elements,
-    SizeOf(row.size).c_str(), static_cast<long long>(row.one.points), KernelPerPoint(row.one),
-    PerPoint(row.one), row.one.Ratio(), PerPoint(row.all), row.all.Ratio(),
-    Shares(row.one.stages).c_str());
+  std::printf("%-12s %-8s %5d %8d %10s %9lld %8.1f %7.1f %6.1f %8.1f %6.1f %7.1f %8.1e  %s\n",
+    row.kind.mixed ? "mixed" : Name(row.kind.shape), row.kind.curved ? "curved" : "straight",
+    row.kind.order, row.elements, SizeOf(row.size).c_str(), static_cast<long long>(row.one.points),
+    KernelPerPoint(row.one), PerPoint(row.one), row.one.Ratio(), PerPoint(row.all), row.all.Ratio(),
+    PerPoint(row.floats), row.floats.floatCheck.largest, Shares(row.one.stages).c_str());
   std::fflush(stdout);
 }
 
 json::Object Summary(const Row& row)
 {
   json::Object object;
-  object.Add("shape", Name(row.kind.shape)).Add("curved", row.kind.curved);
+  object.Add("shape", row.kind.mixed ? "mixed" : Name(row.kind.shape))
+    .Add("curved", row.kind.curved);
   object.Add("order", row.kind.order).Add("elements", row.elements);
   object.Add("width", row.size.width).Add("height", row.size.height);
   object.Add("points", row.one.points).Add("locator_seconds", row.build);
@@ -109,6 +118,8 @@ json::Object Summary(const Row& row)
   object.Add("kernel_ns", KernelPerPoint(row.one));
   object.Add("one_thread_ns", PerPoint(row.one)).Add("one_thread_ratio", row.one.Ratio());
   object.Add("all_threads_ns", PerPoint(row.all)).Add("all_threads_ratio", row.all.Ratio());
+  object.Add("floats_ns", PerPoint(row.floats));
+  object.Add("floats_error", row.floats.floatCheck.largest);
   object.Add("stages", ToJson(row.one.stages)).Add("staged_seconds", row.one.staged);
   return object;
 }
@@ -119,14 +130,16 @@ bool Fits(const BlockKind& kind)
     3 * UniformSpace(kind.shape, kind.curved ? 3 : 1).Modes();
   return each * kind.elements <= kMostCoefficients;
 }
-} // namespace
-
-void RunFigures(const FigureOptions& options)
+struct Case
 {
-  constexpr std::array kShapes{ Shape::Hexahedron, Shape::Prism, Shape::Tetrahedron,
-    Shape::Pyramid };
-  std::vector<std::pair<BlockKind, ImageSize>> cases;
-  for (const Shape shape : kShapes)
+  BlockKind kind;
+  ImageSize size;
+};
+
+/// Figure 10 (a): all shapes and orders.
+void AddOrders(const FigureOptions& options, std::vector<Case>& cases)
+{
+  for (const Shape shape : { Shape::Hexahedron, Shape::Prism, Shape::Tetrahedron, Shape::Pyramid })
   {
     for (const bool curved : { false, true })
     {
@@ -137,6 +150,18 @@ void RunFigures(const FigureOptions& options)
       }
     }
   }
+}
+
+ImageSize Scaled(const ImageSize& size, double width, double height)
+{
+  const auto scaled = [](double factor, int pixels)
+  { return std::max(1, static_cast<int>(std::lround(factor * pixels))); };
+  return { scaled(width, size.width), scaled(height, size.height) };
+}
+
+/// Figure 10 (b) and (c): by elements, by pixels.
+void AddGrowth(const FigureOptions& options, std::vector<Case>& cases)
+{
   for (const bool curved : { false, true })
   {
     for (const int elements : { 1000, 20000, 200000 })
@@ -147,12 +172,42 @@ void RunFigures(const FigureOptions& options)
         cases.push_back({ { Shape::Tetrahedron, curved, 6, elements }, options.size });
       }
     }
-    for (const int pixels : { 500, 1000, 2000 })
+    for (const double factor : { 0.5, 1.0, 2.0 })
     {
       cases.push_back({ { Shape::Hexahedron, curved, 6, std::min(kUsualElements, options.largest) },
-        { pixels, pixels } });
+        Scaled(options.size, factor, factor) });
     }
   }
+  if (kMostElements <= options.largest)
+  {
+    cases.push_back({ { Shape::Hexahedron, false, 3, kMostElements }, options.size });
+  }
+}
+
+/// Meshes of hexahedra and prisms as large as the paper's canister (section 6); of the usual 1000 x
+/// 1000 pixels its image has 1800 x 800.
+void AddCanister(const FigureOptions& options, std::vector<Case>& cases)
+{
+  for (const bool curved : { false, true })
+  {
+    cases.push_back({ { Shape::Hexahedron, curved, 3, std::min(5736, options.largest), true },
+      Scaled(options.size, 1.8, 0.8) });
+  }
+}
+
+std::vector<Case> CasesOf(const FigureOptions& options)
+{
+  std::vector<Case> cases;
+  AddOrders(options, cases);
+  AddGrowth(options, cases);
+  AddCanister(options, cases);
+  return cases;
+}
+} // namespace
+
+void RunFigures(const FigureOptions& options)
+{
+  const std::vector<Case> cases = CasesOf(options);
   std::vector<json::Object> rows;
   if (!options.json)
   {
@@ -160,9 +215,9 @@ void RunFigures(const FigureOptions& options)
                 "(%s), median of %d; 1 thread and %zu.\n",
       InstructionSet(), options.repeat,
       tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
-    std::printf("%-12s %-8s %5s %8s %10s %9s %8s %7s %6s %8s %6s  %s\n", "shape", "map", "order",
-      "elements", "image", "pixels", "kernel", "frame", "ratio", "threads", "ratio",
-      "time of one thread in the tiles");
+    std::printf("%-12s %-8s %5s %8s %10s %9s %8s %7s %6s %8s %6s %7s %8s  %s\n", "shape", "map",
+      "order", "elements", "image", "pixels", "kernel", "frame", "ratio", "threads", "ratio",
+      "floats", "error", "time of one thread in the tiles");
   }
   for (const auto& [kind, size] : cases)
   {

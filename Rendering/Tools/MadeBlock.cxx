@@ -191,74 +191,113 @@ Vec3 Moved(const Vec3& at)
   return at + Vec3(noise(1, 2, 3), noise(3, 1, 2), noise(2, 3, 1));
 }
 
-int SourcesOf(const BlockKind& kind)
+/// The elements of one shape.
+class Parts
 {
-  return kind.curved ? kCubicNodes : static_cast<int>(PartsOfCube(kind.shape)[0].size());
-}
-
-ChangeOfBasis BasisOf(const BlockKind& kind)
-{
-  const Space space = UniformSpace(kind.shape, kind.curved ? 3 : 1);
-  return ChangeOfBasis::FromFunctions(space, SourcesOf(kind),
-    [&kind](const LongVec3& xi, long double* value)
-    { kind.curved ? CubicFunctions(xi, value) : CornerFunctions(kind.shape, xi, value); });
-}
-
-/// The values that belong to the basis above of a part of the lattice's cell at `at`.
-std::vector<Vec3> SourceValues(const BlockKind& kind, const Corners& part, const Vec3& at, int side)
-{
-  const auto toWorld = [side](const Vec3& lattice) { return 2.0 / side * lattice - 1.0; };
-  std::vector<Vec3> values;
-  if (!kind.curved)
+public:
+  Parts(Shape shape, bool curved)
+    : TheShape(shape)
+    , Curved(curved)
+    , OfCube(PartsOfCube(shape))
+    , Basis(ChangeOfBasis::FromFunctions(UniformSpace(shape, curved ? 3 : 1),
+        curved ? kCubicNodes : static_cast<int>(OfCube[0].size()),
+        [&](const LongVec3& xi, long double* value)
+        { curved ? CubicFunctions(xi, value) : CornerFunctions(shape, xi, value); }))
   {
-    for (const Vec3& corner : part)
+  }
+
+  [[nodiscard]] int PerCell() const { return static_cast<int>(OfCube.size()); }
+  /// From the values below to the coefficients of the map.
+  [[nodiscard]] const ChangeOfBasis& ToModes() const { return Basis; }
+
+  /// What the map is in a part of the lattice's cell at `at`.
+  [[nodiscard]] std::vector<Vec3> SourceValues(int part, const Vec3& at, int side) const
+  {
+    const Corners& corners = OfCube[static_cast<std::size_t>(part)];
+    const auto toWorld = [side](const Vec3& lattice) { return 2.0 / side * lattice - 1.0; };
+    std::vector<Vec3> values;
+    if (!Curved)
     {
-      values.push_back(toWorld(Moved(at + corner)));
+      for (const Vec3& corner : corners)
+      {
+        values.push_back(toWorld(Moved(at + corner)));
+      }
+      return values;
+    }
+    const AffineMap frame = AffineMapOf(TheShape, corners);
+    for (const auto& [i, j, k] : CubicLattice())
+    {
+      values.push_back(Bend(toWorld(at + frame.origin +
+        (1.0 / 3.0) *
+          (double(i) * frame.axis[0] + double(j) * frame.axis[1] + double(k) * frame.axis[2]))));
     }
     return values;
   }
-  const AffineMap frame = AffineMapOf(kind.shape, part);
-  for (const auto& [i, j, k] : CubicLattice())
-  {
-    values.push_back(Bend(toWorld(at + frame.origin +
-      (1.0 / 3.0) *
-        (double(i) * frame.axis[0] + double(j) * frame.axis[1] + double(k) * frame.axis[2]))));
-  }
-  return values;
+
+private:
+  Shape TheShape;
+  bool Curved;
+  std::vector<Corners> OfCube;
+  ChangeOfBasis Basis;
+};
+
+bool IsOther(const BlockKind& kind, int cell, int side)
+{
+  return kind.mixed && (cell % side + 3 * (cell / side / side)) % 8 == 0;
+}
+
+/// Lattice cells along a side, for about the elements wanted.
+int SideFor(const BlockKind& kind, int perCell)
+{
+  const double cells = static_cast<double>(kind.elements) / perCell;
+  return std::max(1, static_cast<int>(std::lround(std::cbrt(cells))));
 }
 } // namespace
 
 MadeBlock::MadeBlock(const BlockKind& kind)
-  : MapSpace{ UniformSpace(kind.shape, kind.curved ? 3 : 1) }
-  , FieldSpace{ UniformSpace(kind.shape, kind.order) }
 {
-  const auto parts = PartsOfCube(kind.shape);
-  const int perCell = static_cast<int>(parts.size());
-  const int side = std::max(
-    1, static_cast<int>(std::lround(std::cbrt(static_cast<double>(kind.elements) / perCell))));
-  const int count = side * side * side * perCell;
-  const std::int64_t mapModes = MapSpace[0].Modes();
-  const std::int64_t fieldModes = FieldSpace[0].Modes();
-  const auto elements = static_cast<std::size_t>(count);
-  SpaceOf.assign(elements, 0);
-  MapOffset.resize(elements);
-  FieldOffset.resize(elements);
-  MapCoefficients.resize(elements * static_cast<std::size_t>(3 * mapModes));
-  FieldCoefficients.resize(elements * static_cast<std::size_t>(fieldModes));
+  std::vector<Parts> parts;
+  for (const Shape shape : { kind.shape, Shape::Prism })
+  {
+    if (parts.empty() || kind.mixed)
+    {
+      parts.emplace_back(shape, kind.curved);
+      MapSpace.push_back(UniformSpace(shape, kind.curved ? 3 : 1));
+      FieldSpace.push_back(UniformSpace(shape, kind.order));
+    }
+  }
+  const int side = SideFor(kind, parts[0].PerCell());
+  std::vector<int> cellOf;
+  std::vector<int> partOf;
+  std::int64_t mapSize = 0;
+  std::int64_t fieldSize = 0;
+  for (int cell = 0; cell < side * side * side; ++cell)
+  {
+    const std::size_t which = IsOther(kind, cell, side) ? 1 : 0;
+    for (int part = 0; part < parts[which].PerCell(); ++part)
+    {
+      cellOf.push_back(cell);
+      partOf.push_back(part);
+      SpaceOf.push_back(static_cast<std::int32_t>(which));
+      MapOffset.push_back(mapSize);
+      FieldOffset.push_back(fieldSize);
+      mapSize += 3 * MapSpace[which].Modes();
+      fieldSize += FieldSpace[which].Modes();
+    }
+  }
+  const std::size_t elements = SpaceOf.size();
+  MapCoefficients.resize(static_cast<std::size_t>(mapSize));
+  FieldCoefficients.resize(static_cast<std::size_t>(fieldSize));
   Centre.resize(3 * elements);
   Size.resize(elements);
   Uncertainty.assign(elements, 4e-16);
-  const ChangeOfBasis basis = BasisOf(kind);
-  tbb::parallel_for(0, count,
-    [&](int element)
+  tbb::parallel_for(std::size_t{ 0 }, elements,
+    [&](std::size_t e)
     {
-      const auto e = static_cast<std::size_t>(element);
-      MapOffset[e] = element * 3 * mapModes;
-      FieldOffset[e] = element * fieldModes;
-      const int cell = element / perCell;
+      const auto which = static_cast<std::size_t>(SpaceOf[e]);
+      const int cell = cellOf[e];
       const Vec3 at(cell % side, cell / side % side, cell / side / side);
-      const auto values =
-        SourceValues(kind, parts[static_cast<std::size_t>(element % perCell)], at, side);
+      const auto values = parts[which].SourceValues(partOf[e], at, side);
       Vec3 low = values[0];
       Vec3 high = values[0];
       for (const Vec3& x : values)
@@ -269,19 +308,20 @@ MadeBlock::MadeBlock(const BlockKind& kind)
       const ElementUnits units = MakeElementUnits(low, high);
       Size[e] = std::ldexp(1.0, units.exponent);
       std::vector<double> source(values.size());
+      const auto modes = static_cast<std::size_t>(MapSpace[which].Modes());
       for (int d = 0; d < 3; ++d)
       {
         Centre[3 * e + static_cast<std::size_t>(d)] = units.centre[d];
         std::ranges::transform(values, source.begin(),
           [&](const Vec3& x) { return (x[d] - units.centre[d]) / Size[e]; });
-        basis.Apply(source, 0.0,
+        parts[which].ToModes().Apply(source, 0.0,
           std::span(MapCoefficients)
-            .subspan(static_cast<std::size_t>(MapOffset[e] + d * mapModes),
-              static_cast<std::size_t>(mapModes)));
+            .subspan(
+              static_cast<std::size_t>(MapOffset[e]) + static_cast<std::size_t>(d) * modes, modes));
       }
-      std::minstd_rand random(static_cast<unsigned>(element) + 1U);
+      std::minstd_rand random(static_cast<unsigned>(e) + 1U);
       std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-      ForEachMode(FieldSpace[0],
+      ForEachMode(FieldSpace[which],
         [&](int p, int q, int r, int mode)
         {
           FieldCoefficients[static_cast<std::size_t>(FieldOffset[e] + mode)] =

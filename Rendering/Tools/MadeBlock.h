@@ -16,6 +16,8 @@ struct BlockKind
   bool curved = false;
   int order = 3;       ///< of the field
   int elements = 1000; ///< about as many
+  /// Of hexahedra: each eighth column of cells is made of prisms instead.
+  bool mixed = false;
 };
 
 /// A cube of about side 2 around the origin, made of elements of one shape: a lattice of

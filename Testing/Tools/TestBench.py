@@ -36,12 +36,15 @@ class Bench(ToolTest):
         made = ["bench", "--elements", "60", "--size", "24x16", "--repeat", "1"]
         frames = self.summary(*made)["frames"]
         self.assertEqual({frame["shape"] for frame in frames},
-            {"hexahedron", "prism", "tetrahedron", "pyramid"})
+            {"hexahedron", "prism", "tetrahedron", "pyramid", "mixed"})
         self.assertEqual({frame["order"] for frame in frames}, {3, 6, 8, 14})
         for frame in frames:
             self.assertEqual(frame["points"], frame["width"] * frame["height"])
             self.assertGreater(frame["one_thread_ratio"], 0)
             self.assertLessEqual(frame["elements_bounded"], frame["elements"])
+            # Values are sums of some units; a float's roundoff is 6e-8.
+            self.assertGreater(frame["floats_error"], 0)
+            self.assertLess(frame["floats_error"], 1e-5)
 
     def test_errors(self):
         self.fails(2, "bench", case("escher_tet_g3_p3"), *MIDDLE, names=["--field"])
