@@ -62,20 +62,32 @@ public:
 
   void Run(const Camera& camera, const TileArea& area, const SampleLattice& lattice)
   {
-    {
-      const StageScope scope(Stage::Rays);
-      Samples.Cast(camera, area, lattice, Buffers.width);
-    }
-    Counters.rays += Samples.Count();
     std::int64_t rounds = 0;
     for (const auto& surface : TheScene.surfaces)
     {
       rounds += surface->MostHits();
     }
-    // Each round takes every ray to its next hit; rays whose hit is outside of the mesh go on.
-    while (Samples.Count() > 0 && rounds-- > 0)
     {
-      FindNearest();
+      const StageScope scope(Stage::Rays);
+      Samples.Begin(camera, area, lattice, Buffers.width);
+      if (rounds == 1)
+      {
+        Samples.Meet(camera, *TheScene.surfaces[0]);
+        std::fill_n(Samples.surface.begin(), Samples.Count(), 0);
+      }
+      else
+      {
+        Samples.Cast(camera);
+      }
+    }
+    Counters.rays += Samples.Count();
+    // Each round takes every ray to its next hit; rays whose hit is outside of the mesh go on.
+    for (bool met = rounds == 1; Samples.Count() > 0 && rounds-- > 0; met = false)
+    {
+      if (!met)
+      {
+        FindNearest();
+      }
       DropMisses();
       Evaluate();
       if (rounds > 0)

@@ -54,7 +54,7 @@ void TileSamples::Fit(int count)
   }
 }
 
-void TileSamples::Cast(
+void TileSamples::Begin(
   const Camera& camera, const TileArea& area, const SampleLattice& lattice, int width)
 {
   Fit((area.x1 - area.x0) * (area.y1 - area.y0));
@@ -103,10 +103,37 @@ void TileSamples::Cast(
       at += static_cast<std::size_t>(inRow);
     }
   }
-  std::fill_n(Array(kTMin), PaddedCount(Size), 0.0);
-  double* const origin[3] = { Array(kOrigin), Array(kOrigin + 1), Array(kOrigin + 2) };
-  double* const direction[3] = { Array(kDirection), Array(kDirection + 1), Array(kDirection + 2) };
-  GetRayKernels().cast(camera.Rays(), U.data(), V.data(), Size, origin, direction);
+}
+
+RayLanes TileSamples::CastSome(const Camera& camera, int first, int count, int to)
+{
+  std::array<double*, 6> column;
+  for (int k = 0; k < 6; ++k)
+  {
+    column[static_cast<std::size_t>(k)] = Array(kOrigin + k) + to;
+  }
+  GetRayKernels().cast(camera.Rays(), &U[static_cast<std::size_t>(first)],
+    &V[static_cast<std::size_t>(first)], count, column.data(), column.data() + 3);
+  std::fill_n(Array(kTMin) + to, PaddedCount(count), 0.0);
+  return { { column[0], column[1], column[2] }, { column[3], column[4], column[5] }, count };
+}
+
+void TileSamples::Cast(const Camera& camera)
+{
+  (void)CastSome(camera, 0, Size, 0);
+}
+
+void TileSamples::Meet(const Camera& camera, const Surface& met)
+{
+  constexpr int kSome = 128;
+  const HitLanes all = Hits();
+  for (int first = 0; first < Size; first += kSome)
+  {
+    const RayLanes rays = CastSome(camera, first, std::min(kSome, Size - first), 0);
+    met.NextHit(rays, TMin(),
+      { all.t + first,
+        { all.position[0] + first, all.position[1] + first, all.position[2] + first } });
+  }
 }
 
 RayLanes TileSamples::Rays() const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Trace/Surface.h"
 #include "Trace/Tile.h"
 
 #include <vector>
@@ -17,8 +18,13 @@ public:
   /// edges of the image.
   static constexpr int kRow = 8;
 
-  /// All samples of a tile; see TraceTile.
-  void Cast(const Camera& camera, const TileArea& area, const SampleLattice& lattice, int width);
+  /// The samples of a tile, without their rays; see TraceTile.
+  void Begin(const Camera& camera, const TileArea& area, const SampleLattice& lattice, int width);
+  /// All rays.
+  void Cast(const Camera& camera);
+  /// The nearest hits of all rays, which are cast a few at a time and not kept: what is known of
+  /// them stays in the nearest cache.
+  void Meet(const Camera& camera, const Surface& met);
   /// Keeps the samples for which `keep(i)`, in order.
   template <class Keep>
   void Filter(const Keep& keep);
@@ -51,6 +57,7 @@ private:
   };
 
   void Fit(int count);
+  [[nodiscard]] RayLanes CastSome(const Camera& camera, int first, int count, int to);
   HitLanes HitsAt(int column);
   [[nodiscard]] double* Array(int column)
   {

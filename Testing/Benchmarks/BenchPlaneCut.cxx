@@ -124,10 +124,10 @@ void StageRaysAndHits(benchmark::State& state)
     {
       for (int x = 0; x < kPixels; x += kTileSize)
       {
-        samples.Cast(camera,
+        samples.Begin(camera,
           { x, y, std::min(x + kTileSize, kPixels), std::min(y + kTileSize, kPixels) }, {},
           kPixels);
-        plane.NextHit(samples.Rays(), samples.TMin(), samples.Hits());
+        samples.Meet(camera, plane);
         benchmark::DoNotOptimize(samples.T());
       }
     }

@@ -162,7 +162,8 @@ TEST(TileSamples, RaysAreTheCamerasBitForBit)
     view.parallel = parallel;
     const Camera camera(view, 77, 53);
     TileSamples samples;
-    samples.Cast(camera, { 64, 32, 77, 53 }, {}, 77);
+    samples.Begin(camera, { 64, 32, 77, 53 }, {}, 77);
+    samples.Cast(camera);
     const RayLanes rays = samples.Rays();
     ASSERT_EQ(rays.count, 13 * 21);
     for (int k = 0; k < rays.count; ++k)

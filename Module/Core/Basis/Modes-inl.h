@@ -173,19 +173,21 @@ public:
   HWY_INLINE T Value(const Coefficient* coefficient) const
   {
     T total = Traits::Splat(0.0);
-    for (int p = 0; p <= order.p(); ++p)
-    {
-      T sumQ = Traits::Splat(0.0);
-      ForEachUpTo(order.q(),
-        [&](auto q) PIXELEXACT_INLINED
-        {
-          T sumR = Traits::Splat(0.0);
-          ForEachUpTo(order.r(),
-            [&](auto r) PIXELEXACT_INLINED { AddTerm(r, Traits::Splat(*coefficient++), c, sumR); });
-          AddTerm(q, sumR, b, sumQ);
-        });
-      AddTerm(p, sumQ, a, total);
-    }
+    ForEachOuterUpTo(order.p(),
+      [&](auto p) PIXELEXACT_INLINED
+      {
+        T sumQ = Traits::Splat(0.0);
+        ForEachUpTo(order.q(),
+          [&](auto q) PIXELEXACT_INLINED
+          {
+            T sumR = Traits::Splat(0.0);
+            ForEachUpTo(order.r(),
+              [&](auto r) PIXELEXACT_INLINED
+              { AddTerm(r, Traits::Splat(*coefficient++), c, sumR); });
+            AddTerm(q, sumR, b, sumQ);
+          });
+        AddTerm(p, sumQ, a, total);
+      });
     return total;
   }
 
@@ -194,32 +196,33 @@ public:
   {
     const T zero = Traits::Splat(0.0);
     ValueAndGradient<T> out{ zero, { zero, zero, zero } };
-    for (int p = 0; p <= order.p(); ++p)
-    {
-      T sumQ = zero;
-      T sumQ2 = zero;
-      T sumQ3 = zero;
-      ForEachUpTo(order.q(),
-        [&](auto q) PIXELEXACT_INLINED
-        {
-          T sumR = zero;
-          T sumR3 = zero;
-          ForEachUpTo(order.r(),
-            [&](auto r) PIXELEXACT_INLINED
-            {
-              const T u = Traits::Splat(*coefficient++);
-              AddTerm(r, u, c, sumR);
-              AddSlope(r, u, dc, sumR3);
-            });
-          AddTerm(q, sumR, b, sumQ);
-          AddSlope(q, sumR, db, sumQ2);
-          AddTerm(q, sumR3, b, sumQ3);
-        });
-      AddTerm(p, sumQ, a, out.value);
-      AddSlope(p, sumQ, da, out.gradient[0]);
-      AddTerm(p, sumQ2, a, out.gradient[1]);
-      AddTerm(p, sumQ3, a, out.gradient[2]);
-    }
+    ForEachOuterUpTo(order.p(),
+      [&](auto p) PIXELEXACT_INLINED
+      {
+        T sumQ = zero;
+        T sumQ2 = zero;
+        T sumQ3 = zero;
+        ForEachUpTo(order.q(),
+          [&](auto q) PIXELEXACT_INLINED
+          {
+            T sumR = zero;
+            T sumR3 = zero;
+            ForEachUpTo(order.r(),
+              [&](auto r) PIXELEXACT_INLINED
+              {
+                const T u = Traits::Splat(*coefficient++);
+                AddTerm(r, u, c, sumR);
+                AddSlope(r, u, dc, sumR3);
+              });
+            AddTerm(q, sumR, b, sumQ);
+            AddSlope(q, sumR, db, sumQ2);
+            AddTerm(q, sumR3, b, sumQ3);
+          });
+        AddTerm(p, sumQ, a, out.value);
+        AddSlope(p, sumQ, da, out.gradient[0]);
+        AddTerm(p, sumQ2, a, out.gradient[1]);
+        AddTerm(p, sumQ3, a, out.gradient[2]);
+      });
     return out;
   }
 

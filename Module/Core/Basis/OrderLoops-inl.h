@@ -65,6 +65,25 @@ HWY_INLINE void ForEachUpTo(int last, Visit&& visit)
   }
 }
 
+/// The same for outer loops: unrolled only where that is little code.
+template <int kLast, class Visit>
+HWY_INLINE void ForEachOuterUpTo(Const<kLast> last, Visit&& visit)
+{
+  if constexpr (kLast <= 3)
+  {
+    ForEachUpTo(last, visit);
+  }
+  else
+  {
+    ForEachUpTo(static_cast<int>(last), visit);
+  }
+}
+template <class Visit>
+HWY_INLINE void ForEachOuterUpTo(int last, Visit&& visit)
+{
+  ForEachUpTo(last, visit);
+}
+
 /// visit(d) for d = 0, 1, 2, unrolled: arrays that are indexed by d stay in registers.
 template <class Visit>
 HWY_INLINE void ForEachAxis(Visit&& visit)

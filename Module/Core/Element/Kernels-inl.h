@@ -90,9 +90,10 @@ template <template <class, class, bool> class Modes, class Order>
 void InvertKernel(const InverseProblem& problem, const LanePoints& x, const InverseResult& out)
 {
   const int modeCount = problem.space.Modes();
-  ForEachPack(x.count,
-    [&](auto pack, int i) PIXELEXACT_INLINED
-    { InvertPack<Modes, Order, decltype(pack)>(problem, modeCount, x, out, i); });
+  for (int i = 0; i < x.count; i += LaneCount())
+  {
+    InvertPack<Modes, Order, Lanes>(problem, modeCount, x, out, i);
+  }
 }
 
 /// Gradients and inverse maps of higher orders are rarer than the time to compile them is worth.

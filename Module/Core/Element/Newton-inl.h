@@ -18,7 +18,7 @@ namespace pixelexact::HWY_NAMESPACE
 {
 /// A lane is done when its next error is expected to be below the first, which the polishing step
 /// measures and takes away, and what polishing leaves below the second.
-inline constexpr double kSmallError = 1e-12;
+inline constexpr double kSmallError = 2e-11;
 inline constexpr double kNoError = 1e-17;
 /// A kept Jacobian is made anew when a step is not this much smaller than the one before.
 inline constexpr double kContraction = 0.1;
@@ -93,11 +93,12 @@ HWY_INLINE Point<T> Residual(
 {
   const Modes<T, Order, false> modes(problem.space, xi);
   Point<T> residual;
-  for (int c = 0; c < 3; ++c)
-  {
-    residual.x[c] =
-      modes.Value(problem.coefficients + static_cast<std::ptrdiff_t>(c) * modeCount) - y.x[c];
-  }
+  ForEachAxis(
+    [&](auto c) PIXELEXACT_INLINED
+    {
+      residual.x[c] =
+        modes.Value(problem.coefficients + static_cast<std::ptrdiff_t>(c) * modeCount) - y.x[c];
+    });
   return residual;
 }
 
@@ -109,13 +110,14 @@ HWY_INLINE Point<T> ResidualAndInverse(const InverseProblem& problem, int modeCo
   const Modes<T, Order, true> modes(problem.space, xi);
   Matrix<T> jacobian;
   Point<T> residual;
-  for (int c = 0; c < 3; ++c)
-  {
-    const auto e =
-      modes.Evaluate(problem.coefficients + static_cast<std::ptrdiff_t>(c) * modeCount);
-    residual.x[c] = e.value - y.x[c];
-    ForEachAxis([&](auto d) PIXELEXACT_INLINED { jacobian.m[3 * c + d] = e.gradient[d]; });
-  }
+  ForEachAxis(
+    [&](auto c) PIXELEXACT_INLINED
+    {
+      const auto e =
+        modes.Evaluate(problem.coefficients + static_cast<std::ptrdiff_t>(c) * modeCount);
+      residual.x[c] = e.value - y.x[c];
+      ForEachAxis([&](auto d) PIXELEXACT_INLINED { jacobian.m[3 * c + d] = e.gradient[d]; });
+    });
   inverse = Inverse(jacobian);
   return residual;
 }

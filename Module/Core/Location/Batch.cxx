@@ -221,17 +221,18 @@ int Locator::Batch::Select(std::span<PointChunk> chunks, int element, const Elem
   int count = 0;
   for (std::size_t first = 0; first < chunks.size(); first += ChunkBoxes::kGroup)
   {
-    std::uint64_t near = Kernels.near(*bounds, Problem, Work.boxes.Group(first));
-    for (; near != 0; near &= near - 1)
+    const auto [near, inner] = Kernels.near(*bounds, Problem, Work.boxes.Group(first));
+    for (std::uint64_t left = near; left != 0; left &= left - 1)
     {
-      PointChunk& chunk = chunks[first + static_cast<std::size_t>(std::countr_zero(near))];
+      const auto which = static_cast<std::size_t>(std::countr_zero(left));
+      PointChunk& chunk = chunks[first + which];
       if (chunk.open == 0)
       {
         continue;
       }
       double* const selected[3] = { Work[0] + count, Work[1] + count, Work[2] + count };
-      const std::uint64_t bits = Kernels.select(
-        *bounds, Problem, Points, chunk, selected, &Work.selected[static_cast<std::size_t>(count)]);
+      const std::uint64_t bits = Kernels.select(*bounds, Problem, Points, chunk,
+        (inner >> which & 1U) != 0, selected, &Work.selected[static_cast<std::size_t>(count)]);
       // As if all were found inside, as most are; Invert opens the others again.
       chunk.open &= ~bits;
       count += std::popcount(bits);
@@ -280,7 +281,7 @@ void Locator::Batch::Invert(std::span<PointChunk> chunks, const ElementBounds& b
   }
   if (others > 0)
   {
-    Kernels.keepInside(result, count, Work.selected.data());
+    KeepInside(result, std::span(Work.others).first(static_cast<std::size_t>(others)), count);
   }
   if (others < count)
   {
@@ -288,6 +289,31 @@ void Locator::Batch::Invert(std::span<PointChunk> chunks, const ElementBounds& b
     Sink.Inside(Element,
       std::span<const int>(Work.selected).first(static_cast<std::size_t>(count - others)), xi,
       result.residual);
+  }
+}
+
+/// Moves what is known of the points found inside to the front, in order, and fills the kernels'
+/// arrays up with the last.
+void Locator::Batch::KeepInside(const InverseResult& result, std::span<const int> others, int count)
+{
+  const int kept = count - static_cast<int>(others.size());
+  const auto keep = [&](auto* array)
+  {
+    auto* to = array + others.front();
+    for (std::size_t k = 0; k < others.size(); ++k)
+    {
+      to = std::copy(
+        array + others[k] + 1, array + (k + 1 < others.size() ? others[k + 1] : count), to);
+    }
+  };
+  keep(Work.selected.data());
+  for (double* array : { result.xi[0], result.xi[1], result.xi[2], result.residual })
+  {
+    keep(array);
+    if (kept > 0)
+    {
+      std::fill(array + kept, array + PaddedCount(kept), array[kept - 1]);
+    }
   }
 }
 

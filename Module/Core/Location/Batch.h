@@ -30,6 +30,7 @@ private:
   int Select(std::span<PointChunk> chunks, int element, const ElementBounds*& bounds);
   [[nodiscard]] bool AnyInBox(std::span<const PointChunk> chunks, const Box3& box) const;
   void Invert(std::span<PointChunk> chunks, const ElementBounds& bounds, int count);
+  void KeepInside(const InverseResult& result, std::span<const int> others, int count);
   void Decide(std::span<const PointChunk> chunks);
   void DecideOne(InversionTree& careful, const Doubt& doubt);
   [[nodiscard]] Vec3 PointAt(int index) const;

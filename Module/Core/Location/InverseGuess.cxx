@@ -14,7 +14,8 @@ namespace pixelexact
 {
 namespace
 {
-/// Points along each eta, Chebyshev's: dense at the faces, none at collapsed vertices.
+/// Points along each eta: Chebyshev's, stretched so that the outermost lie on the faces. Beyond all
+/// points the polynomial is not asked.
 constexpr int kPoints = kGuessDegree + 2;
 
 using Terms = Eigen::Matrix<double, kGuessTerms, 1>;
@@ -45,7 +46,9 @@ Terms TermsAt(const Vec3& s)
 
 std::vector<Vec3> SamplePoints(Shape shape)
 {
-  const auto node = [](int i) { return std::cos(std::numbers::pi * (2 * i + 1) / (2 * kPoints)); };
+  const auto chebyshev = [](int i)
+  { return std::cos(std::numbers::pi * (2 * i + 1) / (2 * kPoints)); };
+  const auto node = [&](int i) { return chebyshev(i) / chebyshev(0); };
   std::vector<Vec3> xi;
   xi.reserve(static_cast<std::size_t>(kPoints) * kPoints * kPoints);
   for (int i = 0; i < kPoints; ++i)

@@ -33,7 +33,7 @@ bool MightContain(const InverseProblem& problem, const ElementBounds& bounds, co
   double* const to[3] = { selected[0], selected[1], selected[2] };
   int index[kLanePadding];
   return GetPointKernels().select(bounds, problem, { { lanes[0], lanes[1], lanes[2] }, 1 },
-           { 0, 1, 1, { x, x } }, to, index) != 0;
+           { 0, 1, 1, { x, x } }, false, to, index) != 0;
 }
 
 FastAnswer AskNewton(const InverseProblem& problem, const ElementBounds& bounds, const Vec3& x)

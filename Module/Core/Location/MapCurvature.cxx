@@ -53,6 +53,12 @@ double RowSumNorm(const Mat3& m)
   return norm;
 }
 
+/// What lengths between two points are measured by.
+double UnitAt(Shape shape, const Vec3& a, const Vec3& b)
+{
+  return shape == Shape::Pyramid ? std::min(1.0, 0.5 * (1.0 - std::max(a.z, b.z))) : 1.0;
+}
+
 std::vector<Mat3> JacobiansAt(
   const Space& space, const double* coefficients, const std::vector<Vec3>& xi)
 {
@@ -82,10 +88,6 @@ std::vector<Mat3> JacobiansAt(
 
 double MapCurvature(const Space& space, const double* coefficients)
 {
-  if (space.shape == Shape::Pyramid)
-  {
-    return kUnknownCurvature;
-  }
   const std::vector<Vec3> xi = LatticeOf(space.shape);
   const std::vector<Mat3> jacobians = JacobiansAt(space, coefficients, xi);
   std::size_t step = 1;
@@ -101,7 +103,8 @@ double MapCurvature(const Space& space, const double* coefficients)
       }
       const std::size_t b = a + step;
       const Mat3 change = glm::inverse(jacobians[a]) * (jacobians[b] - jacobians[a]);
-      const double bend = RowSumNorm(change) / MaxAbs(xi[b] - xi[a]);
+      const double bend =
+        RowSumNorm(change) / MaxAbs(xi[b] - xi[a]) * UnitAt(space.shape, xi[a], xi[b]);
       if (!std::isfinite(bend))
       {
         return kUnknownCurvature;

@@ -16,41 +16,39 @@ namespace pixelexact::HWY_NAMESPACE
 /// A NaN is in no box.
 HWY_INLINE LaneMask InBox(const Point<Lanes>& x, const Box3& box)
 {
-  LaneMask in = x.x[0] >= Splat(box.lower[0]);
-  in = And(in, x.x[0] <= Splat(box.upper[0]));
-  for (int d = 1; d < 3; ++d)
-  {
-    in = And(in, And(x.x[d] >= Splat(box.lower[d]), x.x[d] <= Splat(box.upper[d])));
-  }
-  return in;
+  LaneMask in = And(x.x[0] >= Splat(box.lower[0]), x.x[0] <= Splat(box.upper[0]));
+  in = And(in, And(x.x[1] >= Splat(box.lower[1]), x.x[1] <= Splat(box.upper[1])));
+  return And(in, And(x.x[2] >= Splat(box.lower[2]), x.x[2] <= Splat(box.upper[2])));
 }
 
 PointChunk MakeChunk(const LanePoints& points, int begin, int count, const Box3& bounds)
 {
   PointChunk chunk{ begin, count, 0, {} };
+  const LanePoints from = points; // that no store can change
+  const Box3 within = bounds;
   const int lanes = LaneCount();
   const Lanes infinity = Splat(std::numeric_limits<double>::infinity());
+  const Lanes minusInfinity = Splat(-std::numeric_limits<double>::infinity());
   Point<Lanes> lower{ { infinity, infinity, infinity } };
-  Point<Lanes> upper = lower;
-  for (int d = 0; d < 3; ++d)
-  {
-    upper.x[d] = Splat(0.0) - infinity;
-  }
+  Point<Lanes> upper{ { minusInfinity, minusInfinity, minusInfinity } };
+  std::uint64_t open = 0;
   for (int i = 0; i < count; i += lanes)
   {
-    const Point<Lanes> x = LoadPoint<Lanes>(points, begin + i);
-    LaneMask in = InBox(x, bounds);
+    const auto x = LoadPoint<Lanes>(from, begin + i);
+    LaneMask in = InBox(x, within);
     if (count - i < lanes)
     {
       in = And(in, MaskOf((std::uint64_t{ 1 } << static_cast<unsigned>(count - i)) - 1U));
     }
-    chunk.open |= BitsOf(in) << static_cast<unsigned>(i);
-    for (int d = 0; d < 3; ++d)
-    {
-      lower.x[d] = Min(lower.x[d], Select(in, x.x[d], infinity));
-      upper.x[d] = Max(upper.x[d], Select(in, x.x[d], Splat(0.0) - infinity));
-    }
+    open |= BitsOf(in) << static_cast<unsigned>(i);
+    ForEachAxis(
+      [&](auto d) PIXELEXACT_INLINED
+      {
+        lower.x[d] = Min(lower.x[d], Select(in, x.x[d], infinity));
+        upper.x[d] = Max(upper.x[d], Select(in, x.x[d], minusInfinity));
+      });
   }
+  chunk.open = open;
   for (int d = 0; d < 3; ++d)
   {
     chunk.box.lower[d] = Least(lower.x[d]);
@@ -82,18 +80,17 @@ public:
     : TheShape(problem.space.shape)
     , InverseSize(Splat(problem.inverseSize))
   {
-    for (int d = 0; d < 3; ++d)
-    {
-      Centre.x[d] = Splat(problem.centre[d]);
-      Origin.x[d] = Splat(bounds.origin[d]);
-      // start - upper and start - lower at once.
-      FromUpper.x[d] = Splat(problem.start[d] - bounds.upper[d]);
-      FromLower.x[d] = Splat(problem.start[d] - bounds.lower[d]);
-      for (int c = 0; c < 3; ++c)
+    ForEachAxis(
+      [&](auto d) PIXELEXACT_INLINED
       {
-        Inverse.m[3 * d + c] = Splat(bounds.inverse[3 * d + c]);
-      }
-    }
+        Centre.x[d] = Splat(problem.centre[d]);
+        Origin.x[d] = Splat(bounds.origin[d]);
+        // start - upper and start - lower at once.
+        FromUpper.x[d] = Splat(problem.start[d] - bounds.upper[d]);
+        FromLower.x[d] = Splat(problem.start[d] - bounds.lower[d]);
+      });
+    ForEachUpTo(
+      Const<8>(), [&](auto k) PIXELEXACT_INLINED { Inverse.m[k] = Splat(bounds.inverse[k]); });
   }
 
   [[nodiscard]] HWY_INLINE LaneMask Excludes(const Point<Lanes>& x) const
@@ -103,52 +100,61 @@ public:
     return Beyond(Apply(Inverse, y), { { none, none, none } }, none, none);
   }
 
-  /// A box in each lane: whether all of its points are excluded.
-  [[nodiscard]] HWY_INLINE LaneMask ExcludesAll(
+  /// Of a box in each lane, whether the test above excludes all of its points, and whether it
+  /// excludes none.
+  struct Judgement
+  {
+    LaneMask none;
+    LaneMask all;
+  };
+  [[nodiscard]] HWY_INLINE Judgement Judge(
     const Point<Lanes>& lower, const Point<Lanes>& upper) const
   {
     const Lanes half = Splat(0.5);
+    const Lanes zero = Splat(0.0);
     Point<Lanes> middle;
-    for (int d = 0; d < 3; ++d)
-    {
-      middle.x[d] = half * lower.x[d] + half * upper.x[d];
-    }
+    ForEachAxis(
+      [&](auto d) PIXELEXACT_INLINED { middle.x[d] = half * lower.x[d] + half * upper.x[d]; });
     const Point<Lanes> y = FromOrigin(middle);
     Point<Lanes> extent;
-    for (int d = 0; d < 3; ++d)
-    {
-      // With the rounding of these numbers and of the products to come.
-      const Lanes size = (half * upper.x[d] - half * lower.x[d]) * InverseSize;
-      const Lanes terms = Abs(middle.x[d]) * InverseSize + Abs(y.x[d]) + Abs(Origin.x[d]) + size;
-      extent.x[d] = MulAdd(Splat(32.0 * kUnitRoundoff), terms, size);
-    }
+    ForEachAxis(
+      [&](auto d) PIXELEXACT_INLINED
+      {
+        // With the rounding of these numbers and of the products to come.
+        const Lanes size = (half * upper.x[d] - half * lower.x[d]) * InverseSize;
+        const Lanes terms = Abs(middle.x[d]) * InverseSize + Abs(y.x[d]) + Abs(Origin.x[d]) + size;
+        extent.x[d] = MulAdd(Splat(32.0 * kUnitRoundoff), terms, size);
+      });
     const auto reach = [&](Lanes a, Lanes b, Lanes c) PIXELEXACT_INLINED
     { return MulAdd(Abs(a), extent.x[0], MulAdd(Abs(b), extent.x[1], Abs(c) * extent.x[2])); };
     const auto& m = Inverse.m;
     const Point<Lanes> reaches{ { reach(m[0], m[1], m[2]), reach(m[3], m[4], m[5]),
       reach(m[6], m[7], m[8]) } };
-    const Point<Lanes> offset = Apply(Inverse, y);
-    switch (TheShape)
+    // Along the slanted faces' normals.
+    Lanes first = zero;
+    Lanes second = zero;
+    if (TheShape == Shape::Tetrahedron)
     {
-      case Shape::Hexahedron:
-        return Beyond(offset, reaches, half, half);
-      case Shape::Tetrahedron:
-        return Beyond(
-          offset, reaches, reach(m[0] + m[3] + m[6], m[1] + m[4] + m[7], m[2] + m[5] + m[8]), half);
-      default:
-        return Beyond(offset, reaches, reach(m[0] + m[6], m[1] + m[7], m[2] + m[8]),
-          reach(m[3] + m[6], m[4] + m[7], m[5] + m[8]));
+      first = reach(m[0] + m[3] + m[6], m[1] + m[4] + m[7], m[2] + m[5] + m[8]);
     }
+    else if (TheShape != Shape::Hexahedron)
+    {
+      first = reach(m[0] + m[6], m[1] + m[7], m[2] + m[8]);
+      second = reach(m[3] + m[6], m[4] + m[7], m[5] + m[8]);
+    }
+    const Point<Lanes> offset = Apply(Inverse, y);
+    const LaneMask none = Beyond(offset, reaches, first, second);
+    ForEachAxis([&](auto d) PIXELEXACT_INLINED { extent.x[d] = zero - reaches.x[d]; });
+    const LaneMask some = Beyond(offset, extent, zero - first, zero - second);
+    return { none, AndNot(zero <= zero, some) };
   }
 
 private:
   [[nodiscard]] HWY_INLINE Point<Lanes> FromOrigin(const Point<Lanes>& x) const
   {
     Point<Lanes> y;
-    for (int d = 0; d < 3; ++d)
-    {
-      y.x[d] = (x.x[d] - Centre.x[d]) * InverseSize - Origin.x[d];
-    }
+    ForEachAxis([&](auto d) PIXELEXACT_INLINED
+      { y.x[d] = (x.x[d] - Centre.x[d]) * InverseSize - Origin.x[d]; });
     return y;
   }
 
@@ -161,12 +167,13 @@ private:
     const Lanes zero = Splat(0.0);
     Point<Lanes> low;
     LaneMask out = zero < zero;
-    for (int d = 0; d < 3; ++d)
-    {
-      low.x[d] = offset.x[d] + FromUpper.x[d];
-      out = Or(out,
-        Or(one + reach.x[d] < low.x[d], offset.x[d] + FromLower.x[d] < zero - one - reach.x[d]));
-    }
+    ForEachAxis(
+      [&](auto d) PIXELEXACT_INLINED
+      {
+        low.x[d] = offset.x[d] + FromUpper.x[d];
+        out = Or(out,
+          Or(one + reach.x[d] < low.x[d], offset.x[d] + FromLower.x[d] < zero - one - reach.x[d]));
+      });
     switch (TheShape)
     {
       case Shape::Hexahedron:
@@ -189,43 +196,51 @@ private:
   Point<Lanes> FromLower;
 };
 
-std::uint64_t ChunksNear(
+NearChunks FindNearChunks(
   const ElementBounds& bounds, const InverseProblem& problem, const BoxLanes& boxes)
 {
   const Frame frame(bounds, problem);
   const LanePoints lowers{ { boxes.lower[0], boxes.lower[1], boxes.lower[2] }, boxes.count };
   const LanePoints uppers{ { boxes.upper[0], boxes.upper[1], boxes.upper[2] }, boxes.count };
-  std::uint64_t near = 0;
+  NearChunks found;
   for (int i = 0; i < boxes.count; i += LaneCount())
   {
     const auto lower = LoadPoint<Lanes>(lowers, i);
     const auto upper = LoadPoint<Lanes>(uppers, i);
-    LaneMask meets = lower.x[0] <= upper.x[0];
+    LaneMask near = lower.x[0] <= upper.x[0];
     for (int d = 0; d < 3; ++d)
     {
-      meets = And(meets,
+      near = And(near,
         And(lower.x[d] <= Splat(bounds.box.upper[d]), Splat(bounds.box.lower[d]) <= upper.x[d]));
     }
-    if (None(meets))
+    if (None(near))
     {
       continue;
     }
     if (bounds.framed)
     {
-      meets = AndNot(meets, frame.ExcludesAll(lower, upper));
+      const auto [none, all] = frame.Judge(lower, upper);
+      near = AndNot(near, none);
+      found.inner |= BitsOf(And(near, all)) << static_cast<unsigned>(i);
     }
-    near |= BitsOf(meets) << static_cast<unsigned>(i);
+    found.near |= BitsOf(near) << static_cast<unsigned>(i);
   }
-  return near;
+  return found;
 }
 
 std::uint64_t Select(const ElementBounds& bounds, const InverseProblem& problem,
-  const LanePoints& points, const PointChunk& chunk, double* const selected[3], int* index)
+  const LanePoints& points, const PointChunk& chunk, bool inner, double* const selected[3],
+  int* index)
 {
   const int lanes = LaneCount();
   const std::uint64_t pack = (std::uint64_t{ 1 } << static_cast<unsigned>(lanes)) - 1U;
   const Frame frame(bounds, problem);
+  // Copies that no store can change.
   double* const to[3] = { selected[0], selected[1], selected[2] };
+  const LanePoints from = points;
+  const Box3 box = bounds.box;
+  const bool framed = bounds.framed;
+  const int begin = chunk.begin;
   std::uint64_t result = 0;
   std::ptrdiff_t count = 0;
   for (std::uint64_t left = chunk.open; left != 0;)
@@ -233,39 +248,33 @@ std::uint64_t Select(const ElementBounds& bounds, const InverseProblem& problem,
     const int i = std::countr_zero(left) / lanes * lanes;
     LaneMask in = MaskOf((left >> static_cast<unsigned>(i)) & pack);
     left &= ~(pack << static_cast<unsigned>(i));
-    const Point<Lanes> x = LoadPoint<Lanes>(points, chunk.begin + i);
-    in = And(in, InBox(x, bounds.box));
-    if (None(in))
+    const auto x = LoadPoint<Lanes>(from, begin + i);
+    if (!inner)
     {
-      continue;
-    }
-    if (bounds.framed)
-    {
-      in = AndNot(in, frame.Excludes(x));
+      in = And(in, InBox(x, box));
+      if (None(in))
+      {
+        continue;
+      }
+      if (framed)
+      {
+        in = AndNot(in, frame.Excludes(x));
+      }
     }
     const std::uint64_t kept = BitsOf(in);
     // Packing costs more than the test: mostly all or none of a pack are kept.
     if (kept == pack)
     {
-      for (int d = 0; d < 3; ++d)
-      {
-        Store(x.x[d], to[d] + count);
-      }
-      for (int k = 0; k < lanes; ++k)
-      {
-        index[count + k] = chunk.begin + i + k;
-      }
+      ForEachAxis([&](auto d) PIXELEXACT_INLINED { Store(x.x[d], to[d] + count); });
+      StoreNumbers(begin + i, index + count);
       count += lanes;
     }
     else if (kept != 0)
     {
-      for (int d = 0; d < 3; ++d)
-      {
-        StorePacked(x.x[d], in, to[d] + count);
-      }
+      ForEachAxis([&](auto d) PIXELEXACT_INLINED { StorePacked(x.x[d], in, to[d] + count); });
       for (std::uint64_t bits = kept; bits != 0; bits &= bits - 1)
       {
-        index[count++] = chunk.begin + i + std::countr_zero(bits);
+        index[count++] = begin + i + std::countr_zero(bits);
       }
     }
     result |= kept << static_cast<unsigned>(i);
@@ -307,42 +316,10 @@ int FindOthers(const double* status, int count, int* others)
   return found;
 }
 
-void KeepInside(const InverseResult& result, int count, int* index)
-{
-  const int lanes = LaneCount();
-  int kept = 0;
-  for (int i = 0; i < count; i += lanes)
-  {
-    const LaneMask in = InsideAt(result.status, i, count);
-    const std::uint64_t bits = BitsOf(in);
-    if (std::popcount(bits) == lanes && kept == i)
-    {
-      kept += lanes;
-      continue;
-    }
-    // What is stored never runs ahead of what is loaded.
-    for (double* array : { result.xi[0], result.xi[1], result.xi[2], result.residual })
-    {
-      StorePacked(NumberTraits<Lanes>::Load(array + i), in, array + kept);
-    }
-    for (std::uint64_t left = bits; left != 0; left &= left - 1)
-    {
-      index[kept++] = index[i + std::countr_zero(left)];
-    }
-  }
-  for (int k = kept; kept > 0 && k < PaddedCount(kept); ++k)
-  {
-    for (double* array : { result.xi[0], result.xi[1], result.xi[2], result.residual })
-    {
-      array[k] = array[kept - 1];
-    }
-  }
-}
-
 const PointKernels& PointKernelSet()
 {
-  static constexpr PointKernels kKernels{ &MakeChunk, &SelectInBox, &ChunksNear, &Select,
-    &FindOthers, &KeepInside };
+  static constexpr PointKernels kKernels{ &MakeChunk, &SelectInBox, &FindNearChunks, &Select,
+    &FindOthers };
   return kKernels;
 }
 } // namespace pixelexact::HWY_NAMESPACE

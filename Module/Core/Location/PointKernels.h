@@ -29,26 +29,31 @@ struct BoxLanes
   int count;
 };
 
+/// A bit for each box.
+struct NearChunks
+{
+  /// The element might have points in it; of all others its box or frame proves that it has none.
+  std::uint64_t near = 0;
+  std::uint64_t inner = 0; ///< of those near: the frame excludes no point of it
+};
+
 struct PointKernels
 {
   /// The chunk of points begin .. begin + count: open are those within `bounds`.
   PointChunk (*chunk)(const LanePoints& points, int begin, int count, const Box3& bounds);
   /// Of the points in `bits`, those within the box.
   std::uint64_t (*inBox)(const LanePoints& points, int begin, std::uint64_t bits, const Box3& box);
-  /// A bit for each box that the element might have points in, of box and frame; of all others they
-  /// prove that it has none.
-  std::uint64_t (*near)(
+  NearChunks (*near)(
     const ElementBounds& bounds, const InverseProblem& problem, const BoxLanes& boxes);
   /// Of the chunk's open points, those that some xi of the element's shape might map to; of all
   /// others box or frame proves that none does. Their coordinates are stored one after the other to
   /// `selected[d]`, where a whole pack beyond the last must fit, and their numbers to `index`.
+  /// `inner`: all of them are, no test is made.
   std::uint64_t (*select)(const ElementBounds& bounds, const InverseProblem& problem,
-    const LanePoints& points, const PointChunk& chunk, double* const selected[3], int* index);
+    const LanePoints& points, const PointChunk& chunk, bool inner, double* const selected[3],
+    int* index);
   /// Which of `count` are not RootInside, in ascending order; returns how many.
   int (*others)(const double* status, int count, int* others);
-  /// Moves xi, residual and index of the points found inside to the front of their arrays, in
-  /// order, and fills the former up to PaddedCount with the last.
-  void (*keepInside)(const InverseResult& result, int count, int* index);
 };
 
 const PointKernels& GetPointKernels();

@@ -154,6 +154,12 @@ HWY_INLINE void StorePacked(Lanes a, LaneMask mask, double* to)
 {
   hwy::HWY_NAMESPACE::CompressStore(a.v, mask, LaneTag(), to);
 }
+/// first, first + 1, ...: as many as there are lanes.
+HWY_INLINE void StoreNumbers(int first, int* to)
+{
+  const hwy::HWY_NAMESPACE::Rebind<std::int32_t, LaneTag> tag;
+  hwy::HWY_NAMESPACE::StoreU(hwy::HWY_NAMESPACE::Iota(tag, first), tag, to);
+}
 HWY_INLINE double Least(Lanes a)
 {
   return hwy::HWY_NAMESPACE::GetLane(hwy::HWY_NAMESPACE::MinOfLanes(LaneTag(), a.v));
