@@ -57,14 +57,20 @@ void TileSamples::Fit(int count)
 void TileSamples::Begin(
   const Camera& camera, const TileArea& area, const SampleLattice& lattice, int width)
 {
-  Fit((area.x1 - area.x0) * (area.y1 - area.y0));
   const int columns = area.x1 - area.x0;
   const int rows = area.y1 - area.y0;
+  Fit(columns * rows);
   std::array<double, kTileSize> u{};
+  std::array<double, kTileSize> v{};
+  const auto column = [&](int i) { return lattice.x0 + (area.x0 + i) * lattice.step; };
+  const auto row = [&](int j) { return lattice.y0 + (area.y0 + j) * lattice.step; };
   for (int i = 0; i < columns; ++i)
   {
-    u[static_cast<std::size_t>(i)] =
-      camera.U(lattice.x0 + (area.x0 + i) * lattice.step + lattice.offset);
+    u[static_cast<std::size_t>(i)] = camera.U(column(i) + lattice.offset);
+  }
+  for (int j = 0; j < rows; ++j)
+  {
+    v[static_cast<std::size_t>(j)] = camera.V(row(j) + lattice.offset);
   }
   const auto step = static_cast<std::size_t>(lattice.step);
   std::size_t at = 0;
@@ -73,33 +79,21 @@ void TileSamples::Begin(
     const int inRow = std::min(kRow, columns - block.x);
     for (int y = block.y; inRow > 0 && y < std::min(block.y + kRow, rows); ++y)
     {
-      const int row = lattice.y0 + (area.y0 + y) * lattice.step;
-      const int column = lattice.x0 + (area.x0 + block.x) * lattice.step;
-      const double v = camera.V(row + lattice.offset);
-      const std::size_t first = static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
-        static_cast<std::size_t>(column);
-      const double* fromU = &u[static_cast<std::size_t>(block.x)];
-      // Whole rows in a loop whose length the compiler knows.
-      const auto put = [&](std::size_t k)
+      // A whole row first, in arrays that nothing else points to; what is too much is overwritten.
+      std::array<double, kRow> across;
+      std::array<double, kRow> up;
+      std::array<std::size_t, kRow> places;
+      const std::size_t first = static_cast<std::size_t>(row(y)) * static_cast<std::size_t>(width) +
+        static_cast<std::size_t>(column(block.x));
+      for (std::size_t k = 0; k < kRow; ++k)
       {
-        place[at + k] = first + k * step;
-        U[at + k] = fromU[k];
-        V[at + k] = v;
-      };
-      if (inRow == kRow)
-      {
-        for (std::size_t k = 0; k < kRow; ++k)
-        {
-          put(k);
-        }
+        across[k] = u[static_cast<std::size_t>(block.x) + k];
+        up[k] = v[static_cast<std::size_t>(y)];
+        places[k] = first + k * step;
       }
-      else
-      {
-        for (std::size_t k = 0; k < static_cast<std::size_t>(inRow); ++k)
-        {
-          put(k);
-        }
-      }
+      std::ranges::copy(across, &U[at]);
+      std::ranges::copy(up, &V[at]);
+      std::ranges::copy(places, &place[at]);
       at += static_cast<std::size_t>(inRow);
     }
   }

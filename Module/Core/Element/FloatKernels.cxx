@@ -26,13 +26,8 @@ struct FloatCoefficients
     float* to = values.data();
     for (double& scale : scales)
     {
-      double largest = 0.0;
-      for (int k = 0; k < modes; ++k)
-      {
-        largest = std::max(largest, std::fabs(coefficients[k]));
-      }
       int exponent = 0;
-      if (std::isfinite(largest))
+      if (const double largest = Largest(coefficients, modes); std::isfinite(largest))
       {
         std::frexp(largest, &exponent);
       }
@@ -40,11 +35,35 @@ struct FloatCoefficients
       exponent = std::clamp(exponent, -1000, 1000);
       scale = std::ldexp(1.0, exponent);
       const double reciprocal = std::ldexp(1.0, -exponent);
-      for (int k = 0; k < modes; ++k)
+      int k = 0;
+      for (; k + LaneCount() <= modes; k += LaneCount())
       {
-        *to++ = static_cast<float>(*coefficients++ * reciprocal);
+        StoreAsFloats(NumberTraits<Lanes>::Load(coefficients + k) * Splat(reciprocal), to + k);
       }
+      for (; k < modes; ++k)
+      {
+        to[k] = static_cast<float>(coefficients[k] * reciprocal);
+      }
+      to += modes;
+      coefficients += modes;
     }
+  }
+
+private:
+  static double Largest(const double* coefficients, int modes)
+  {
+    Lanes lanes = Splat(0.0);
+    int k = 0;
+    for (; k + LaneCount() <= modes; k += LaneCount())
+    {
+      lanes = Max(lanes, Abs(NumberTraits<Lanes>::Load(coefficients + k)));
+    }
+    double largest = Most(lanes);
+    for (; k < modes; ++k)
+    {
+      largest = std::max(largest, std::fabs(coefficients[k]));
+    }
+    return largest;
   }
 };
 
@@ -61,6 +80,58 @@ HWY_NOINLINE TwoLanes InDoubles(
   return value;
 }
 
+/// Points from `at` on as floats. Beyond `count` points, and what they are padded with, are none:
+/// their places are taken by the first.
+HWY_INLINE TwoLanes LoadTwo(const double* from, int at, int count)
+{
+  const int second = at + LaneCount() < PaddedCount(count) ? at + LaneCount() : at;
+  return { NumberTraits<Lanes>::Load(from + at), NumberTraits<Lanes>::Load(from + second) };
+}
+HWY_INLINE void LoadFloats(const double* from, int at, int count, FloatLanes& to)
+{
+  const TwoLanes x = LoadTwo(from, at, count);
+  to = ToFloat(x.low, x.high);
+}
+HWY_INLINE void LoadFloats(const double* from, int at, int count, TwoFloats& to)
+{
+  LoadFloats(from, at, count, to.low);
+  LoadFloats(from, at + kPacksOfFloats * LaneCount(), count, to.high);
+}
+
+/// What a component is made of, for sums that have to be made once more.
+struct FloatTask
+{
+  const Space& space;
+  const double* coefficients;
+  double scale;
+  const LanePoints& xi;
+  double* out;
+};
+
+template <template <class, class, bool> class Modes>
+HWY_INLINE void StoreFloats(const FloatTask& task, int at, FloatLanes value)
+{
+  TwoLanes exact = ToDouble(value) * NumberTraits<TwoLanes>::Splat(task.scale);
+  if (HWY_UNLIKELY(!All(IsFinite(exact))))
+  {
+    Point<TwoLanes> xi;
+    ForEachAxis(
+      [&](auto d) PIXELEXACT_INLINED { xi.x[d] = LoadTwo(task.xi.x[d], at, task.xi.count); });
+    exact = Select(IsFinite(exact), exact, InDoubles<Modes>(task.space, task.coefficients, xi));
+  }
+  Store(exact.low, task.out + at);
+  if (kPacksOfFloats > 1 && at + LaneCount() < PaddedCount(task.xi.count))
+  {
+    Store(exact.high, task.out + at + LaneCount());
+  }
+}
+template <template <class, class, bool> class Modes>
+HWY_INLINE void StoreFloats(const FloatTask& task, int at, TwoFloats value)
+{
+  StoreFloats<Modes>(task, at, value.low);
+  StoreFloats<Modes>(task, at + kPacksOfFloats * LaneCount(), value.high);
+}
+
 template <template <class, class, bool> class Modes, class Order>
 void FloatKernel(const Space& space, const double* coefficients, int components,
   const LanePoints& xi, double* const* out)
@@ -68,40 +139,30 @@ void FloatKernel(const Space& space, const double* coefficients, int components,
   thread_local FloatCoefficients floats;
   const int modeCount = space.Modes();
   floats.Round(coefficients, modeCount, components);
-  const int lanes = LaneCount();
-  const int step = FloatLaneCount();
-  for (int i = 0; i < xi.count; i += step)
+  const auto run = [&](auto pack, int i) PIXELEXACT_INLINED
   {
-    // Of the last pack the upper half may be missing.
-    const bool whole = step > lanes && i + lanes < PaddedCount(xi.count);
-    const int upper = whole ? i + lanes : i;
-    const auto low = LoadPoint<Lanes>(xi, i);
-    const auto high = LoadPoint<Lanes>(xi, upper);
-    Point<FloatLanes> at;
-    Point<TwoLanes> exact;
-    ForEachAxis(
-      [&](auto d) PIXELEXACT_INLINED
-      {
-        at.x[d] = ToFloat(low.x[d], high.x[d]);
-        exact.x[d] = { low.x[d], high.x[d] };
-      });
-    const Modes<FloatLanes, Order, false> modes(space, at);
+    using T = decltype(pack);
+    Point<T> at;
+    ForEachAxis([&](auto d) PIXELEXACT_INLINED { LoadFloats(xi.x[d], i, xi.count, at.x[d]); });
+    const Modes<T, Order, false> modes(space, at);
     for (int c = 0; c < components; ++c)
     {
       const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(c) * modeCount;
-      TwoLanes value = ToDouble(modes.Value(floats.values.data() + first)) *
-        NumberTraits<TwoLanes>::Splat(floats.scales[static_cast<std::size_t>(c)]);
-      if (HWY_UNLIKELY(!All(IsFinite(value))))
-      {
-        const TwoLanes rescued = InDoubles<Modes>(space, coefficients + first, exact);
-        value = Select(IsFinite(value), value, rescued);
-      }
-      Store(value.low, out[c] + i);
-      if (whole)
-      {
-        Store(value.high, out[c] + upper);
-      }
+      StoreFloats<Modes>(
+        { space, coefficients + first, floats.scales[static_cast<std::size_t>(c)], xi, out[c] }, i,
+        modes.Value(floats.values.data() + first));
     }
+  };
+  const int step = kPacksOfFloats * LaneCount();
+  int i = 0;
+  // The first points of both packs of a pair must be there.
+  for (; i + step < xi.count; i += 2 * step)
+  {
+    run(TwoFloats(), i);
+  }
+  if (i < xi.count)
+  {
+    run(FloatLanes(), i);
   }
 }
 

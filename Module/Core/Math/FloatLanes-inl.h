@@ -78,7 +78,9 @@ HWY_INLINE FloatLanes SafeReciprocal(FloatLanes t)
   return { hn::Div(hn::Set(FloatTag(), 1.0F), t.v) };
 }
 
+/// Doubles that a pack of floats takes: two packs of them, but where there are no lanes.
 #if HWY_TARGET == HWY_SCALAR
+inline constexpr int kPacksOfFloats = 1;
 HWY_INLINE FloatLanes ToFloat(Lanes low, Lanes /*high*/)
 {
   return { hwy::HWY_NAMESPACE::DemoteTo(FloatTag(), low.v) };
@@ -88,12 +90,8 @@ HWY_INLINE TwoLanes ToDouble(FloatLanes a)
   const Lanes low{ hwy::HWY_NAMESPACE::PromoteTo(LaneTag(), a.v) };
   return { low, low };
 }
-/// Doubles that a pack of floats takes.
-HWY_INLINE int FloatLaneCount()
-{
-  return 1;
-}
 #else
+inline constexpr int kPacksOfFloats = 2;
 HWY_INLINE FloatLanes ToFloat(Lanes low, Lanes high)
 {
   namespace hn = hwy::HWY_NAMESPACE;
@@ -107,11 +105,62 @@ HWY_INLINE TwoLanes ToDouble(FloatLanes a)
   return { { hn::PromoteTo(LaneTag(), hn::LowerHalf(half, a.v)) },
     { hn::PromoteTo(LaneTag(), hn::UpperHalf(half, a.v)) } };
 }
-HWY_INLINE int FloatLaneCount()
-{
-  return 2 * LaneCount();
-}
 #endif
+
+HWY_INLINE void StoreAsFloats(Lanes a, float* to)
+{
+  namespace hn = hwy::HWY_NAMESPACE;
+  const hn::Rebind<float, LaneTag> tag;
+  hn::StoreU(hn::DemoteTo(tag, a.v), tag, to);
+}
+
+/// Two packs as one number, as TwoLanes.
+struct TwoFloats
+{
+  FloatLanes low;
+  FloatLanes high;
+};
+HWY_INLINE TwoFloats operator+(TwoFloats a, TwoFloats b)
+{
+  return { a.low + b.low, a.high + b.high };
+}
+HWY_INLINE TwoFloats operator-(TwoFloats a, TwoFloats b)
+{
+  return { a.low - b.low, a.high - b.high };
+}
+HWY_INLINE TwoFloats operator*(TwoFloats a, TwoFloats b)
+{
+  return { a.low * b.low, a.high * b.high };
+}
+HWY_INLINE TwoFloats MulAdd(TwoFloats a, TwoFloats b, TwoFloats c)
+{
+  return { MulAdd(a.low, b.low, c.low), MulAdd(a.high, b.high, c.high) };
+}
+HWY_INLINE TwoFloats NegMulAdd(TwoFloats a, TwoFloats b, TwoFloats c)
+{
+  return { NegMulAdd(a.low, b.low, c.low), NegMulAdd(a.high, b.high, c.high) };
+}
+HWY_INLINE TwoFloats CollapsedQuotient(TwoFloats y, TwoFloats t)
+{
+  return { CollapsedQuotient(y.low, t.low), CollapsedQuotient(y.high, t.high) };
+}
+HWY_INLINE TwoFloats SafeReciprocal(TwoFloats t)
+{
+  return { SafeReciprocal(t.low), SafeReciprocal(t.high) };
+}
+
+template <>
+struct NumberTraits<TwoFloats>
+{
+  using Scalar = double;
+  template <class Value>
+  static HWY_INLINE TwoFloats Splat(Value value)
+  {
+    const FloatLanes lanes = NumberTraits<FloatLanes>::Splat(value);
+    return { lanes, lanes };
+  }
+  static HWY_INLINE TwoFloats SplatScalar(double value) { return Splat(value); }
+};
 } // namespace pixelexact::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif
