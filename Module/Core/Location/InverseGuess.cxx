@@ -18,7 +18,7 @@ namespace
 /// points the polynomial is not asked.
 constexpr int kPoints = kGuessDegree + 2;
 
-using Terms = Eigen::Matrix<double, kGuessTerms, 1>;
+using Terms = Eigen::Matrix<double, 1, kGuessTerms>;
 
 Terms TermsAt(const Vec3& s)
 {
@@ -107,32 +107,27 @@ InverseGuess MakeInverseGuess(const InverseProblem& problem)
   }
   const Vec3 centre = 0.5 * (lower + upper);
   const Vec3 scale = 2.0 / (upper - lower);
+  const auto count = static_cast<Eigen::Index>(xi.size());
+  Eigen::Matrix<double, Eigen::Dynamic, kGuessTerms> rows(count, kGuessTerms);
+  Eigen::Matrix<double, Eigen::Dynamic, 3> wanted(count, 3);
+  Eigen::Matrix<double, Eigen::Dynamic, 3> framed(count, 3);
+  for (Eigen::Index k = 0; k < count; ++k)
+  {
+    const Vec3& image = images[static_cast<std::size_t>(k)];
+    const Vec3& at = xi[static_cast<std::size_t>(k)];
+    rows.row(k) = TermsAt((image - centre) * scale);
+    wanted.row(k) << at.x, at.y, at.z;
+    framed.row(k) << image.x, image.y, image.z;
+  }
+  // The whole product at once: row by row it took twice as long.
   Eigen::Matrix<double, kGuessTerms, kGuessTerms> normal;
-  Eigen::Matrix<double, kGuessTerms, 3> right;
   normal.setZero();
-  right.setZero();
-  std::vector<Terms> rows;
-  rows.reserve(xi.size());
-  for (std::size_t k = 0; k < xi.size(); ++k)
-  {
-    rows.push_back(TermsAt((images[k] - centre) * scale));
-    normal.selfadjointView<Eigen::Lower>().rankUpdate(rows.back());
-    right += rows.back() * Eigen::RowVector3d(xi[k].x, xi[k].y, xi[k].z);
-  }
-  const Eigen::Matrix<double, kGuessTerms, 3> terms = normal.ldlt().solve(right);
-  double error = 0.0;
-  double frameError = 0.0;
-  for (std::size_t k = 0; k < xi.size(); ++k)
-  {
-    const Eigen::RowVector3d at = rows[k].transpose() * terms;
-    for (int d = 0; d < 3; ++d)
-    {
-      error = std::max(error, std::fabs(at[d] - xi[k][d]));
-      frameError = std::max(frameError, std::fabs(images[k][d] - xi[k][d]));
-    }
-  }
-  // A NaN is not smaller.
-  guess.known = error < 0.5 * frameError;
+  normal.selfadjointView<Eigen::Lower>().rankUpdate(rows.transpose());
+  const Eigen::Matrix<double, kGuessTerms, 3> terms =
+    normal.ldlt().solve(rows.transpose() * wanted);
+  const double error = (rows * terms - wanted).cwiseAbs().maxCoeff();
+  const double frameError = (framed - wanted).cwiseAbs().maxCoeff();
+  guess.known = terms.allFinite() && error < 0.5 * frameError;
   auto* term = guess.terms.data();
   for (int d = 0; d < 3; ++d)
   {
