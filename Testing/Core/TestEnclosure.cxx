@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Value enclosures against the same stored polynomials in 113 bits, at points inverted in 113 bits.
 #include "EnclosureCases.h"
+#include "InstructionSets.h"
 
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 namespace pixelexact::testing
 {
@@ -200,30 +200,19 @@ TEST(Enclosure, NeverGuesses)
 /// The lanes of every instruction set, with and without fused operations.
 TEST(Enclosure, HoldsOnEveryInstructionSet)
 {
-  const std::int64_t all = hwy::SupportedTargets();
-  int sets = 0;
-  for (std::int64_t rest = all; rest != 0; rest &= rest - 1)
-  {
-    hwy::SetSupportedTargetsForTest(rest & -rest);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    if (std::string(InstructionSet()) != hwy::TargetName(rest & -rest))
+  OnEveryInstructionSet(
+    []
     {
-      continue; // supported by the processor, but no kernels are made for it
-    }
-    ++sets;
-    Random random(12);
-    for (const auto& [shape, form] : ShapesAndForms())
-    {
-      EnclosureCase c;
-      c.shape = shape;
-      c.form = form;
-      c.mapping = Mapping::Contravariant;
-      c.components = 3;
-      EXPECT_EQ(CheckCase(c, 24, 1e-15, random).everything, 0) << hwy::TargetName(rest & -rest);
-    }
-  }
-  EXPECT_GE(sets, 1);
-  hwy::SetSupportedTargetsForTest(0);
-  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+      Random random(12);
+      for (const auto& [shape, form] : ShapesAndForms())
+      {
+        EnclosureCase c;
+        c.shape = shape;
+        c.form = form;
+        c.mapping = Mapping::Contravariant;
+        c.components = 3;
+        EXPECT_EQ(CheckCase(c, 24, 1e-15, random).everything, 0);
+      }
+    });
 }
 } // namespace pixelexact::testing

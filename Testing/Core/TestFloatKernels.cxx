@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Values in single precision against those in double precision.
+#include "InstructionSets.h"
+
 #include "Core/Basis/ModeBound.h"
 #include "Core/Element/Kernels.h"
 #include "Core/Element/LaneBuffer.h"
@@ -53,12 +55,14 @@ protected:
     return xi;
   }
 
+  void CheckErrors();
+
   std::mt19937 Random{ 7 };
   std::uniform_real_distribution<double> Uniform{ -1.0, 1.0 };
 };
 } // namespace
 
-TEST_P(FloatKernels, ErrorsAreRoundoffsOfFloats)
+void FloatKernels::CheckErrors()
 {
   for (const int order : { 1, 2, 3, 6, 8, 9, 14 })
   {
@@ -88,12 +92,21 @@ TEST_P(FloatKernels, ErrorsAreRoundoffsOfFloats)
       const std::size_t stride = result.exact.size() / sizes.size();
       for (std::size_t i = 0; i < result.exact.size(); ++i)
       {
+        if (i % stride >= static_cast<std::size_t>(count))
+        {
+          continue; // padding
+        }
         EXPECT_LE(
           std::fabs(result.floats[i] - result.exact[i]), (4 * order + 8) * 6e-8 * sums[i / stride])
           << Name(GetParam()) << " order " << order << " point " << i % stride;
       }
     }
   }
+}
+
+TEST_P(FloatKernels, ErrorsAreRoundoffsOfFloats)
+{
+  OnEveryInstructionSet([this] { CheckErrors(); });
 }
 
 TEST_P(FloatKernels, WhatIsNotFiniteIsNotMadeSo)

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Values at VTK's nodes, as solvers write them, against the solvers' own libraries.
+#include "InstructionSets.h"
 #include "OracleCheck.h"
+
+#include <span>
 
 namespace
 {
@@ -44,17 +47,8 @@ double Lebesgue(int n)
   return largest;
 }
 
-class Oracles : public ::testing::TestWithParam<Case>
+void CheckOracle(const Case& c)
 {
-};
-
-TEST_P(Oracles, AreMet)
-{
-  const Case c = GetParam();
-  if (!std::filesystem::exists(FindData(c.grid)))
-  {
-    GTEST_SKIP() << c.grid << " is not on this machine";
-  }
   const Table table = ReadTable(FindData(c.oracle));
   Conversion conversion(ReadGrid(FindData(c.grid)));
   ASSERT_TRUE(conversion.done) << conversion.messages->errors;
@@ -76,7 +70,21 @@ TEST_P(Oracles, AreMet)
   EXPECT_LE(errors.point, std::max(1e-13, share));
 }
 
+class Oracles : public ::testing::TestWithParam<Case>
+{
+};
+
+TEST_P(Oracles, AreMet)
+{
+  if (!std::filesystem::exists(FindData(GetParam().grid)))
+  {
+    GTEST_SKIP() << GetParam().grid << " is not on this machine";
+  }
+  CheckOracle(GetParam());
+}
+
 const Case kCases[] = {
+  // The project's own.
   { "toroid_hex_g3_p6.vtu", "toroid_hex_g3_p6.oracle.csv", "u", 6, true },
   { "escher_tet_g3_p3.vtu", "escher_tet_g3_p3.oracle.csv", "u", 3, true },
   { "toroid_prism_g3_p4.vtu", "toroid_prism_g3_p4.oracle.csv", "u", 4, true },
@@ -111,6 +119,19 @@ const Case kCases[] = {
   { SHARED("nek_prism_curved_p7", "nek_prism_curved_p7_ho.vtu", "oracle.csv"), "u", 7, false },
 #undef SHARED
 };
+
+TEST(OraclesOfData, AreMetOnEveryInstructionSet)
+{
+  constexpr std::size_t kOwn = 6;
+  OnEveryInstructionSet(
+    [&]
+    {
+      for (const Case& c : std::span(kCases).first(kOwn))
+      {
+        CheckOracle(c);
+      }
+    });
+}
 
 INSTANTIATE_TEST_SUITE_P(Files, Oracles, ::testing::ValuesIn(kCases),
   [](const auto& test)

@@ -167,6 +167,31 @@ def tetrahedra_of_cube(n):
     return plain_grid(points, cells, [("u", [x + 2 * y - 3 * z for x, y, z in points])])
 
 
+class SinglePrecision(RenderTest):
+    def test_values_alone_differ_and_it_is_told_by_how_much(self):
+        planes = [(0, 0, 0.1, 0, 0.2, 1)]
+        for name in ["toroid_hex_g3_p6", "escher_tet_g3_p3"]:
+            _, exact, _ = self.render(case(name), planes, "--size", "90x70")
+            summary, buffers, _ = self.render(
+                case(name), planes, "--size", "90x70", "--precision", "float"
+            )
+            for array in ["Verdict", "Element", "Xi", "Position"]:
+                np.testing.assert_array_equal(buffers[array], exact[array])
+            inside = exact["Verdict"] == EXACT
+            difference = np.abs(buffers["Value"] - exact["Value"])[inside].max()
+            told = summary["float"]["largest_difference"]
+            self.assertGreater(summary["float"]["checked"], 0)
+            self.assertGreater(told, 0)
+            self.assertGreaterEqual(difference, told)
+            # A part of the pixels was looked at.
+            self.assertLess(difference, 5 * told)
+            self.assertLess(difference, 1e-5 * np.ptp(exact["Value"][inside]))
+        self.fails(
+            1, "render", case("escher_tet_g3_p3"), "--field", "u", *MIDDLE, "--precision", "float",
+            "--show-undecided", "--output", self.folder / "i.png", names=["single precision"],
+        )
+
+
 class NoPinholes(RenderTest):
     def test_pixels_on_shared_faces_and_edges(self):
         """Cuts through the faces of a cube of tetrahedra, pixel centres on their edges: no pixel of

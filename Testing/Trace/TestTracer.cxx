@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "InstructionSets.h"
 #include "MeshBuilder.h"
 
 #include "Trace/ColorMapping.h"
@@ -316,5 +317,27 @@ TEST(Tracer, FloatsChangeValuesAloneAndTellHowMuch)
   EXPECT_GE(largest, frame.counters.floatCheck.largest);
   EXPECT_LT(largest, 3.0 * frame.counters.floatCheck.largest);
   EXPECT_THROW((void)Trace(scene, camera, {}, { .centres = Buffer::Enclosure }), Error);
+}
+
+TEST(Tracer, EveryInstructionSetFindsTheSamePixels)
+{
+  Block block;
+  const Scene& scene = block.WithPlane({ 0.0, 0.0, 0.1 }, { 0.1, 0.2, 1.0 });
+  const Camera camera = ViewAlongZ(120, 90);
+  const Frame usual = Trace(scene, camera, {}, { .centres = kAll });
+  OnEveryInstructionSet(
+    [&]
+    {
+      const Frame frame = Trace(scene, camera, {}, { .centres = kAll });
+      EXPECT_EQ(frame.centres.verdict, usual.centres.verdict);
+      EXPECT_EQ(frame.centres.element, usual.centres.element);
+      for (std::size_t i = 0; i < usual.centres.Size(); ++i)
+      {
+        if (usual.centres.verdict[i] == static_cast<std::uint8_t>(PixelVerdict::Exact))
+        {
+          EXPECT_NEAR(frame.centres.value[i], usual.centres.value[i], 111 * 2e-15);
+        }
+      }
+    });
 }
 } // namespace pixelexact::testing

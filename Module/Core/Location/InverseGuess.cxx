@@ -2,6 +2,7 @@
 #include "Core/Location/InverseGuess.h"
 
 #include "Core/Element/LaneBuffer.h"
+#include "Core/Location/TensorLattice.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
@@ -46,22 +47,12 @@ Terms TermsAt(const Vec3& s)
 
 std::vector<Vec3> SamplePoints(Shape shape)
 {
-  const auto chebyshev = [](int i)
-  { return std::cos(std::numbers::pi * (2 * i + 1) / (2 * kPoints)); };
-  const auto node = [&](int i) { return chebyshev(i) / chebyshev(0); };
-  std::vector<Vec3> xi;
-  xi.reserve(static_cast<std::size_t>(kPoints) * kPoints * kPoints);
+  std::array<double, kPoints> eta{};
   for (int i = 0; i < kPoints; ++i)
   {
-    for (int j = 0; j < kPoints; ++j)
-    {
-      for (int k = 0; k < kPoints; ++k)
-      {
-        xi.push_back(TensorToReference(shape, { node(i), node(j), node(k) }));
-      }
-    }
+    eta[static_cast<std::size_t>(i)] = ChebyshevPoint(i, kPoints) / ChebyshevPoint(0, kPoints);
   }
-  return xi;
+  return TensorLattice(shape, eta);
 }
 
 /// What the frame takes Phi(xi) for.

@@ -2,10 +2,11 @@
 #include "Core/Location/MapCurvature.h"
 
 #include "Core/Element/LaneBuffer.h"
+#include "Core/Location/TensorLattice.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 namespace pixelexact
@@ -18,23 +19,14 @@ constexpr double kSafety = 2.0;
 /// Below this, steps are as few as they can be.
 constexpr double kLeast = 1e-3;
 
-/// In xi, the last eta fastest.
 std::vector<Vec3> LatticeOf(Shape shape)
 {
-  const auto node = [](int i) { return std::cos(std::numbers::pi * (2 * i + 1) / (2 * kPoints)); };
-  std::vector<Vec3> xi;
-  xi.reserve(static_cast<std::size_t>(kPoints) * kPoints * kPoints);
+  std::array<double, kPoints> eta{};
   for (int i = 0; i < kPoints; ++i)
   {
-    for (int j = 0; j < kPoints; ++j)
-    {
-      for (int k = 0; k < kPoints; ++k)
-      {
-        xi.push_back(TensorToReference(shape, { node(i), node(j), node(k) }));
-      }
-    }
+    eta[static_cast<std::size_t>(i)] = ChebyshevPoint(i, kPoints);
   }
-  return xi;
+  return TensorLattice(shape, eta);
 }
 
 double MaxAbs(const Vec3& x)

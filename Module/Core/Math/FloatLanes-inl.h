@@ -114,53 +114,7 @@ HWY_INLINE void StoreAsFloats(Lanes a, float* to)
   hn::StoreU(hn::DemoteTo(tag, a.v), tag, to);
 }
 
-/// Two packs as one number, as TwoLanes.
-struct TwoFloats
-{
-  FloatLanes low;
-  FloatLanes high;
-};
-HWY_INLINE TwoFloats operator+(TwoFloats a, TwoFloats b)
-{
-  return { a.low + b.low, a.high + b.high };
-}
-HWY_INLINE TwoFloats operator-(TwoFloats a, TwoFloats b)
-{
-  return { a.low - b.low, a.high - b.high };
-}
-HWY_INLINE TwoFloats operator*(TwoFloats a, TwoFloats b)
-{
-  return { a.low * b.low, a.high * b.high };
-}
-HWY_INLINE TwoFloats MulAdd(TwoFloats a, TwoFloats b, TwoFloats c)
-{
-  return { MulAdd(a.low, b.low, c.low), MulAdd(a.high, b.high, c.high) };
-}
-HWY_INLINE TwoFloats NegMulAdd(TwoFloats a, TwoFloats b, TwoFloats c)
-{
-  return { NegMulAdd(a.low, b.low, c.low), NegMulAdd(a.high, b.high, c.high) };
-}
-HWY_INLINE TwoFloats CollapsedQuotient(TwoFloats y, TwoFloats t)
-{
-  return { CollapsedQuotient(y.low, t.low), CollapsedQuotient(y.high, t.high) };
-}
-HWY_INLINE TwoFloats SafeReciprocal(TwoFloats t)
-{
-  return { SafeReciprocal(t.low), SafeReciprocal(t.high) };
-}
-
-template <>
-struct NumberTraits<TwoFloats>
-{
-  using Scalar = double;
-  template <class Value>
-  static HWY_INLINE TwoFloats Splat(Value value)
-  {
-    const FloatLanes lanes = NumberTraits<FloatLanes>::Splat(value);
-    return { lanes, lanes };
-  }
-  static HWY_INLINE TwoFloats SplatScalar(double value) { return Splat(value); }
-};
+using TwoFloats = Two<FloatLanes>;
 } // namespace pixelexact::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Two packs of lanes as one number: independent work that fills the processor's pipelines while a
+// Two packs as one number: independent work that fills the processor's pipelines while a
 // sum waits for its last term, and coefficients that are loaded once for both. Every operation is
-// that of Lanes, so a point's result is the same, bit for bit, in either. Included once per
+// that of one pack, so a point's result is the same, bit for bit, in either. Included once per
 // instruction set.
 #if defined(PIXELEXACT_TWO_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef PIXELEXACT_TWO_LANES_INL_H
@@ -16,11 +16,13 @@ HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
 // Members and not an array: compilers keep these in registers.
-struct TwoLanes
+template <class T>
+struct Two
 {
-  Lanes low;
-  Lanes high;
+  T low;
+  T high;
 };
+using TwoLanes = Two<Lanes>;
 
 struct TwoMasks
 {
@@ -28,29 +30,45 @@ struct TwoMasks
   LaneMask high;
 };
 
-HWY_INLINE TwoLanes operator+(TwoLanes a, TwoLanes b)
+template <class T>
+HWY_INLINE Two<T> operator+(Two<T> a, Two<T> b)
 {
   return { a.low + b.low, a.high + b.high };
 }
-HWY_INLINE TwoLanes operator-(TwoLanes a, TwoLanes b)
+template <class T>
+HWY_INLINE Two<T> operator-(Two<T> a, Two<T> b)
 {
   return { a.low - b.low, a.high - b.high };
 }
-HWY_INLINE TwoLanes operator*(TwoLanes a, TwoLanes b)
+template <class T>
+HWY_INLINE Two<T> operator*(Two<T> a, Two<T> b)
 {
   return { a.low * b.low, a.high * b.high };
 }
-HWY_INLINE TwoLanes operator/(TwoLanes a, TwoLanes b)
+template <class T>
+HWY_INLINE Two<T> operator/(Two<T> a, Two<T> b)
 {
   return { a.low / b.low, a.high / b.high };
 }
-HWY_INLINE TwoLanes MulAdd(TwoLanes a, TwoLanes b, TwoLanes c)
+template <class T>
+HWY_INLINE Two<T> MulAdd(Two<T> a, Two<T> b, Two<T> c)
 {
   return { MulAdd(a.low, b.low, c.low), MulAdd(a.high, b.high, c.high) };
 }
-HWY_INLINE TwoLanes NegMulAdd(TwoLanes a, TwoLanes b, TwoLanes c)
+template <class T>
+HWY_INLINE Two<T> NegMulAdd(Two<T> a, Two<T> b, Two<T> c)
 {
   return { NegMulAdd(a.low, b.low, c.low), NegMulAdd(a.high, b.high, c.high) };
+}
+template <class T>
+HWY_INLINE Two<T> CollapsedQuotient(Two<T> y, Two<T> t)
+{
+  return { CollapsedQuotient(y.low, t.low), CollapsedQuotient(y.high, t.high) };
+}
+template <class T>
+HWY_INLINE Two<T> SafeReciprocal(Two<T> t)
+{
+  return { SafeReciprocal(t.low), SafeReciprocal(t.high) };
 }
 HWY_INLINE TwoLanes Min(TwoLanes a, TwoLanes b)
 {
@@ -104,35 +122,28 @@ HWY_INLINE TwoMasks IsFinite(TwoLanes a)
 {
   return { IsFinite(a.low), IsFinite(a.high) };
 }
-HWY_INLINE TwoLanes CollapsedQuotient(TwoLanes y, TwoLanes t)
-{
-  return { CollapsedQuotient(y.low, t.low), CollapsedQuotient(y.high, t.high) };
-}
-HWY_INLINE TwoLanes SafeReciprocal(TwoLanes t)
-{
-  return { SafeReciprocal(t.low), SafeReciprocal(t.high) };
-}
 HWY_INLINE void Store(TwoLanes a, double* to)
 {
   Store(a.low, to);
   Store(a.high, to + LaneCount());
 }
 
-template <>
-struct NumberTraits<TwoLanes>
+template <class T>
+struct NumberTraits<Two<T>>
 {
   using Scalar = double;
   using Mask = TwoMasks;
-  static HWY_INLINE int Count() { return 2 * LaneCount(); }
-  static HWY_INLINE TwoLanes Splat(double value)
+  static HWY_INLINE int Count() { return 2 * NumberTraits<T>::Count(); }
+  template <class Value>
+  static HWY_INLINE Two<T> Splat(Value value)
   {
-    const Lanes lanes = NumberTraits<Lanes>::Splat(value);
+    const T lanes = NumberTraits<T>::Splat(value);
     return { lanes, lanes };
   }
-  static HWY_INLINE TwoLanes SplatScalar(double value) { return Splat(value); }
-  static HWY_INLINE TwoLanes Load(const double* from)
+  static HWY_INLINE Two<T> SplatScalar(double value) { return Splat(value); }
+  static HWY_INLINE Two<T> Load(const double* from)
   {
-    return { NumberTraits<Lanes>::Load(from), NumberTraits<Lanes>::Load(from + LaneCount()) };
+    return { NumberTraits<T>::Load(from), NumberTraits<T>::Load(from + NumberTraits<T>::Count()) };
   }
 };
 } // namespace pixelexact::HWY_NAMESPACE
