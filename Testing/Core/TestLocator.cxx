@@ -193,6 +193,29 @@ TEST_P(LocatorShapes, SizesAndOffsetsOverManyDecades)
 INSTANTIATE_TEST_SUITE_P(AllShapes, LocatorShapes, ::testing::ValuesIn(kShapes),
   [](const auto& shape) { return std::string(Name(shape.param)); });
 
+/// More chunks than are looked at together, in no order.
+TEST(Locator, OneBatchOfManyPointsFindsWhatSmallOnesDo)
+{
+  const MeshBuilder mesh = TwoHexahedra();
+  const Locator locator(mesh.View());
+  Random random(35);
+  std::vector<Vec3> x(10000);
+  for (Vec3& point : x)
+  {
+    point = { random(-1.3, 1.3), random(-1.3, 1.3), random(-1.3, 1.3) };
+  }
+  Samples whole(x.size());
+  SampleTile(locator, nullptr, x, whole.Target());
+  Samples parts(x.size());
+  Sample(locator, nullptr, x, parts.Target());
+  EXPECT_EQ(whole.verdict, parts.verdict);
+  EXPECT_EQ(whole.element, parts.element);
+  EXPECT_EQ(std::memcmp(whole.xi.data(), parts.xi.data(), x.size() * sizeof(Vec3)), 0);
+  EXPECT_EQ(
+    std::memcmp(whole.residual.data(), parts.residual.data(), x.size() * sizeof(double)), 0);
+  EXPECT_GT(std::ranges::count(whole.verdict, Verdict::Inside), 2000);
+}
+
 TEST(Locator, SharedFacePointsBelongToTheLowestElementAndNoneIsLost)
 {
   const MeshBuilder mesh = TwoHexahedra();
