@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshBuilder.h"
 
+#include "Core/Location/PointKernels.h"
 #include "Core/Location/Sample.h"
 
 #include <tbb/global_control.h>
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <cstring>
 
 namespace pixelexact::testing
@@ -192,6 +195,57 @@ TEST_P(LocatorShapes, SizesAndOffsetsOverManyDecades)
 
 INSTANTIATE_TEST_SUITE_P(AllShapes, LocatorShapes, ::testing::ValuesIn(kShapes),
   [](const auto& shape) { return std::string(Name(shape.param)); });
+
+/// A box with a point of the element at its corner is never rejected: neither where the element is
+/// stretched so that the frame's rows cancel along a slanted face, nor where the box reaches far
+/// away.
+TEST_P(LocatorShapes, BoxesThatHoldAPointOfTheElementAreNear)
+{
+  Random random(36);
+  for (const double stretch : { 1.0, 1e-4, 1e-8 })
+  {
+    // Turned, so that the stretch is along no axis.
+    const auto map = [stretch](const LongVec3& xi) -> LongVec3
+    {
+      const long double a = xi[0] + xi[1] + xi[2];
+      const long double b = (xi[0] - xi[1]) * stretch;
+      const long double c = xi[2] - 0.5L * xi[1];
+      return { 0.6L * a - 0.8L * b, 0.8L * a + 0.6L * b, c + 0.3L * a };
+    };
+    MeshBuilder builder;
+    builder.Add(UniformSpace(GetParam(), 2), map);
+    const Mesh mesh = builder.View();
+    const ElementBounds bounds = MakeElementBounds(mesh, 0);
+    const InverseProblem problem = MakeInverseProblem(mesh, 0, bounds);
+    for (int i = 0; i < 4000; ++i)
+    {
+      // Half of them on faces, edges and vertices.
+      Vec3 eta(random(-1.0, 1.0), random(-1.0, 1.0), random(-1.0, 1.0));
+      for (int d = 0; d < 3 && i % 2 == 0; ++d)
+      {
+        eta[d] = random(-1.0, 1.0) < 0.0 ? eta[d] : std::copysign(1.0, eta[d]);
+      }
+      std::vector<Vec3> x(1);
+      const Vec3 xi = TensorToReference(GetParam(), eta);
+      MapForward(mesh, 0, std::span(&xi, 1), x);
+      std::array<std::array<double, kLanePadding>, 6> lanes;
+      for (std::size_t k = 0; k < kLanePadding; ++k)
+      {
+        const double size = std::pow(10.0, random(-9.0, 9.0));
+        for (std::size_t d = 0; d < 3; ++d)
+        {
+          const double from = x[0][static_cast<int>(d)];
+          const double to = from + random(-1.0, 1.0) * size;
+          lanes[d][k] = std::min(from, to);
+          lanes[3 + d][k] = std::max(from, to);
+        }
+      }
+      const BoxLanes boxes{ { lanes[0].data(), lanes[1].data(), lanes[2].data() },
+        { lanes[3].data(), lanes[4].data(), lanes[5].data() }, kLanePadding };
+      ASSERT_EQ(GetPointKernels().near(bounds, problem, boxes).near, 0xffU) << stretch;
+    }
+  }
+}
 
 /// More chunks than are looked at together, in no order.
 TEST(Locator, OneBatchOfManyPointsFindsWhatSmallOnesDo)

@@ -117,35 +117,42 @@ public:
       [&](auto d) PIXELEXACT_INLINED { middle.x[d] = half * lower.x[d] + half * upper.x[d]; });
     const Point<Lanes> y = FromOrigin(middle);
     Point<Lanes> extent;
+    Point<Lanes> rounding; // of these numbers and of the products to come
     ForEachAxis(
       [&](auto d) PIXELEXACT_INLINED
       {
-        // With the rounding of these numbers and of the products to come.
-        const Lanes size = (half * upper.x[d] - half * lower.x[d]) * InverseSize;
-        const Lanes terms = Abs(middle.x[d]) * InverseSize + Abs(y.x[d]) + Abs(Origin.x[d]) + size;
-        extent.x[d] = MulAdd(Splat(32.0 * kUnitRoundoff), terms, size);
+        extent.x[d] = (half * upper.x[d] - half * lower.x[d]) * InverseSize;
+        rounding.x[d] = Splat(32.0 * kUnitRoundoff) *
+          (Abs(middle.x[d]) * InverseSize + Abs(y.x[d]) + Abs(Origin.x[d]) + extent.x[d]);
       });
-    const auto reach = [&](Lanes a, Lanes b, Lanes c) PIXELEXACT_INLINED
-    { return MulAdd(Abs(a), extent.x[0], MulAdd(Abs(b), extent.x[1], Abs(c) * extent.x[2])); };
+    const auto across = [](Lanes a, Lanes b, Lanes c, const Point<Lanes>& of) PIXELEXACT_INLINED
+    { return MulAdd(Abs(a), of.x[0], MulAdd(Abs(b), of.x[1], Abs(c) * of.x[2])); };
     const auto& m = Inverse.m;
-    const Point<Lanes> reaches{ { reach(m[0], m[1], m[2]), reach(m[3], m[4], m[5]),
-      reach(m[6], m[7], m[8]) } };
-    // Along the slanted faces' normals.
+    Point<Lanes> reach;
+    Point<Lanes> error;
+    ForEachAxis(
+      [&](auto d) PIXELEXACT_INLINED
+      {
+        error.x[d] = across(m[3 * d], m[3 * d + 1], m[3 * d + 2], rounding);
+        reach.x[d] = across(m[3 * d], m[3 * d + 1], m[3 * d + 2], extent) + error.x[d];
+      });
+    // Along the slanted faces' normals, sums of rows: rows may cancel, their errors do not.
     Lanes first = zero;
     Lanes second = zero;
     if (TheShape == Shape::Tetrahedron)
     {
-      first = reach(m[0] + m[3] + m[6], m[1] + m[4] + m[7], m[2] + m[5] + m[8]);
+      first = across(m[0] + m[3] + m[6], m[1] + m[4] + m[7], m[2] + m[5] + m[8], extent) +
+        (error.x[0] + error.x[1] + error.x[2]);
     }
     else if (TheShape != Shape::Hexahedron)
     {
-      first = reach(m[0] + m[6], m[1] + m[7], m[2] + m[8]);
-      second = reach(m[3] + m[6], m[4] + m[7], m[5] + m[8]);
+      first = across(m[0] + m[6], m[1] + m[7], m[2] + m[8], extent) + (error.x[0] + error.x[2]);
+      second = across(m[3] + m[6], m[4] + m[7], m[5] + m[8], extent) + (error.x[1] + error.x[2]);
     }
     const Point<Lanes> offset = Apply(Inverse, y);
-    const LaneMask none = Beyond(offset, reaches, first, second);
-    ForEachAxis([&](auto d) PIXELEXACT_INLINED { extent.x[d] = zero - reaches.x[d]; });
-    const LaneMask some = Beyond(offset, extent, zero - first, zero - second);
+    const LaneMask none = Beyond(offset, reach, first, second);
+    ForEachAxis([&](auto d) PIXELEXACT_INLINED { reach.x[d] = zero - reach.x[d]; });
+    const LaneMask some = Beyond(offset, reach, zero - first, zero - second);
     return { none, AndNot(zero <= zero, some) };
   }
 
@@ -282,24 +289,15 @@ std::uint64_t Select(const ElementBounds& bounds, const InverseProblem& problem,
   return result;
 }
 
-/// A bit for each lane of a pack at i whose root is inside, of those before `count`.
-HWY_INLINE LaneMask InsideAt(const double* status, int i, int count)
-{
-  const Lanes wanted = Splat(static_cast<double>(NewtonStatus::RootInside));
-  const Lanes at = NumberTraits<Lanes>::Load(status + i);
-  const LaneMask in = And(at <= wanted, at >= wanted);
-  return count - i < LaneCount()
-    ? And(in, MaskOf((std::uint64_t{ 1 } << static_cast<unsigned>(count - i)) - 1U))
-    : in;
-}
-
 int FindOthers(const double* status, int count, int* others)
 {
   const int lanes = LaneCount();
+  const Lanes wanted = Splat(static_cast<double>(NewtonStatus::RootInside));
   int found = 0;
   for (int i = 0; i < count; i += lanes)
   {
-    const LaneMask in = InsideAt(status, i, count);
+    const Lanes at = NumberTraits<Lanes>::Load(status + i);
+    const LaneMask in = And(at <= wanted, at >= wanted);
     if (All(in))
     {
       continue;
