@@ -100,27 +100,21 @@ void FrameSource::BeginFrame(Buffer buffers)
 
 void FrameSource::TraceFrame(double seconds, const Progress& progress)
 {
-  bool aborted = false;
-  const Progress watched = [&](double done)
-  {
-    aborted = aborted || (progress && !progress(done));
-    return !aborted;
-  };
   const double pixels =
     static_cast<double>(Traced->camera.width) * static_cast<double>(Traced->camera.height);
   if (PixelSeconds * pixels <= seconds)
   {
-    Passes->Complete(watched);
+    Passes->Complete(progress);
   }
   else
   {
     // The next pass takes three times what all before it have.
-    while (Passes->Refine(watched) && Passes->Step() > 1 &&
+    while (Passes->Refine(progress) && Passes->Step() > 1 &&
       4.0 * Passes->Get().counters.seconds <= seconds)
     {
     }
   }
-  Complete = !aborted && Passes->Step() == 1;
+  Complete = Passes->Step() == 1;
   if (Complete)
   {
     TheFrame = Passes->Take();

@@ -80,13 +80,15 @@ HWY_NOINLINE TwoLanes InDoubles(
   return value;
 }
 
-/// Points from `at` on as floats. Beyond `count` points, and what they are padded with, are none:
-/// their places are taken by the first.
+/// Two packs of points from `at` on. Where the second would lie beyond the padding, the first
+/// again.
 HWY_INLINE TwoLanes LoadTwo(const double* from, int at, int count)
 {
   const int second = at + LaneCount() < PaddedCount(count) ? at + LaneCount() : at;
   return { NumberTraits<Lanes>::Load(from + at), NumberTraits<Lanes>::Load(from + second) };
 }
+
+/// The same as floats.
 HWY_INLINE void LoadFloats(const double* from, int at, int count, FloatLanes& to)
 {
   const TwoLanes x = LoadTwo(from, at, count);
@@ -170,19 +172,8 @@ template <template <class, class, bool> class Modes, int... kOrders>
 decltype(KernelSet::value) SelectFloatKernel(const Space& space)
 {
   decltype(KernelSet::value) kernel = &FloatKernel<Modes, AnyOrder>;
-  const auto [p, q, r] = space.order;
-  if (p == q && q == r)
-  {
-    const auto set = [&]<int P>(Const<P> /*order*/)
-    {
-      if constexpr (P <= kMaxFixedOrder)
-      {
-        kernel = &FloatKernel<Modes, FixedOrder<P>>;
-      }
-      return true;
-    };
-    (void)((p == kOrders ? set(Const<kOrders>()) : false) || ...);
-  }
+  ForFixedOrder<kOrders...>(
+    space, [&]<int P>(Const<P> /*order*/) { kernel = &FloatKernel<Modes, FixedOrder<P>>; });
   return kernel;
 }
 

@@ -109,17 +109,25 @@ inline constexpr int kMaxFixedOrder = 1;
 inline constexpr int kMaxFixedOrder = kMaxOrder;
 #endif
 
-template <template <class, class, bool> class Modes, int P>
-void SetKernels(KernelSet& set)
+/// set(Const<P>()) where the space's order is P in all directions, one of the list, and compiled
+/// in.
+template <int... kOrders, class Set>
+void ForFixedOrder(const Space& space, const Set& set)
 {
-  if constexpr (P <= kMaxFixedOrder)
+  const auto [p, q, r] = space.order;
+  const auto setIf = [&, p = p]<int P>(Const<P> order)
   {
-    set.value = &ValueKernel<Modes, FixedOrder<P>>;
-  }
-  if constexpr (P <= std::min(kMaxFixedOrder, kMaxFixedMapOrder))
+    if constexpr (P <= kMaxFixedOrder)
+    {
+      if (p == P)
+      {
+        set(order);
+      }
+    }
+  };
+  if (p == q && q == r)
   {
-    set.gradient = &GradientKernel<Modes, FixedOrder<P>>;
-    set.invert = &InvertKernel<Modes, FixedOrder<P>>;
+    (setIf(Const<kOrders>()), ...);
   }
 }
 
@@ -129,11 +137,16 @@ KernelSet SelectKernelSet(const Space& space)
 {
   KernelSet set{ &ValueKernel<Modes, AnyOrder>, &GradientKernel<Modes, AnyOrder>,
     &InvertKernel<Modes, AnyOrder> };
-  const auto [p, q, r] = space.order;
-  if (p == q && q == r)
-  {
-    (void)((p == kOrders ? (SetKernels<Modes, kOrders>(set), true) : false) || ...);
-  }
+  ForFixedOrder<kOrders...>(space,
+    [&]<int P>(Const<P> /*order*/)
+    {
+      set.value = &ValueKernel<Modes, FixedOrder<P>>;
+      if constexpr (P <= kMaxFixedMapOrder)
+      {
+        set.gradient = &GradientKernel<Modes, FixedOrder<P>>;
+        set.invert = &InvertKernel<Modes, FixedOrder<P>>;
+      }
+    });
   return set;
 }
 } // namespace pixelexact::HWY_NAMESPACE

@@ -59,10 +59,6 @@ HWY_INLINE Lanes Minor(Lanes a, Lanes b, Lanes c, Lanes d)
   return (ab.high - cd.high) + (ab.low - cd.low);
 #endif
 }
-HWY_INLINE TwoLanes Minor(TwoLanes a, TwoLanes b, TwoLanes c, TwoLanes d)
-{
-  return { Minor(a.low, b.low, c.low, d.low), Minor(a.high, b.high, c.high, d.high) };
-}
 
 /// The inverse by cofactors; infinite or NaN where the matrix is singular. Accurate to the
 /// condition number: of an element stretched 1:10^8 plain cofactors would be rounding alone.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Newton's iteration for Phi(xi) = y, many points of one element at a time, and what its result
-// says of the shape; see Kernels.h. T is Lanes or TwoLanes.
+// says of the shape; see Kernels.h. T is Lanes.
 #if defined(PIXELEXACT_NEWTON_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef PIXELEXACT_NEWTON_INL_H
 #undef PIXELEXACT_NEWTON_INL_H

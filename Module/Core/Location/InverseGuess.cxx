@@ -7,9 +7,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
-#include <cmath>
-#include <limits>
-#include <numbers>
+#include <array>
 
 namespace pixelexact
 {

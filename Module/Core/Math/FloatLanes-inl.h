@@ -18,33 +18,7 @@ using FloatTag = hwy::HWY_NAMESPACE::ScalableTag<float>;
 #else
 using FloatTag = hwy::HWY_NAMESPACE::Repartition<float, LaneTag>;
 #endif
-using FloatVector = hwy::HWY_NAMESPACE::Vec<FloatTag>;
-
-struct FloatLanes
-{
-  FloatVector v;
-};
-
-HWY_INLINE FloatLanes operator+(FloatLanes a, FloatLanes b)
-{
-  return { hwy::HWY_NAMESPACE::Add(a.v, b.v) };
-}
-HWY_INLINE FloatLanes operator-(FloatLanes a, FloatLanes b)
-{
-  return { hwy::HWY_NAMESPACE::Sub(a.v, b.v) };
-}
-HWY_INLINE FloatLanes operator*(FloatLanes a, FloatLanes b)
-{
-  return { hwy::HWY_NAMESPACE::Mul(a.v, b.v) };
-}
-HWY_INLINE FloatLanes MulAdd(FloatLanes a, FloatLanes b, FloatLanes c)
-{
-  return { hwy::HWY_NAMESPACE::MulAdd(a.v, b.v, c.v) };
-}
-HWY_INLINE FloatLanes NegMulAdd(FloatLanes a, FloatLanes b, FloatLanes c)
-{
-  return { hwy::HWY_NAMESPACE::NegMulAdd(a.v, b.v, c.v) };
-}
+using FloatLanes = Pack<FloatTag>;
 
 template <>
 struct NumberTraits<FloatLanes>

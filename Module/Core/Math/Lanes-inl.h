@@ -37,21 +37,26 @@ HWY_INLINE int LaneCount()
   return static_cast<int>(hwy::HWY_NAMESPACE::Lanes(LaneTag()));
 }
 
-/// A pack of doubles with the arithmetic of a number.
-struct Lanes
+/// A pack of numbers with the arithmetic of one.
+template <class Tag>
+struct Pack
 {
-  LaneVector v;
+  hwy::HWY_NAMESPACE::Vec<Tag> v;
 };
+using Lanes = Pack<LaneTag>;
 
-HWY_INLINE Lanes operator+(Lanes a, Lanes b)
+template <class Tag>
+HWY_INLINE Pack<Tag> operator+(Pack<Tag> a, Pack<Tag> b)
 {
   return { hwy::HWY_NAMESPACE::Add(a.v, b.v) };
 }
-HWY_INLINE Lanes operator-(Lanes a, Lanes b)
+template <class Tag>
+HWY_INLINE Pack<Tag> operator-(Pack<Tag> a, Pack<Tag> b)
 {
   return { hwy::HWY_NAMESPACE::Sub(a.v, b.v) };
 }
-HWY_INLINE Lanes operator*(Lanes a, Lanes b)
+template <class Tag>
+HWY_INLINE Pack<Tag> operator*(Pack<Tag> a, Pack<Tag> b)
 {
   return { hwy::HWY_NAMESPACE::Mul(a.v, b.v) };
 }
@@ -59,7 +64,8 @@ HWY_INLINE Lanes operator/(Lanes a, Lanes b)
 {
   return { hwy::HWY_NAMESPACE::Div(a.v, b.v) };
 }
-HWY_INLINE Lanes MulAdd(Lanes a, Lanes b, Lanes c)
+template <class Tag>
+HWY_INLINE Pack<Tag> MulAdd(Pack<Tag> a, Pack<Tag> b, Pack<Tag> c)
 {
   return { hwy::HWY_NAMESPACE::MulAdd(a.v, b.v, c.v) };
 }
@@ -69,7 +75,8 @@ HWY_INLINE Lanes MulSub(Lanes a, Lanes b, Lanes c)
   return { hwy::HWY_NAMESPACE::MulSub(a.v, b.v, c.v) };
 }
 /// c - a b
-HWY_INLINE Lanes NegMulAdd(Lanes a, Lanes b, Lanes c)
+template <class Tag>
+HWY_INLINE Pack<Tag> NegMulAdd(Pack<Tag> a, Pack<Tag> b, Pack<Tag> c)
 {
   return { hwy::HWY_NAMESPACE::NegMulAdd(a.v, b.v, c.v) };
 }

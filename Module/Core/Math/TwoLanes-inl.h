@@ -46,11 +46,6 @@ HWY_INLINE Two<T> operator*(Two<T> a, Two<T> b)
   return { a.low * b.low, a.high * b.high };
 }
 template <class T>
-HWY_INLINE Two<T> operator/(Two<T> a, Two<T> b)
-{
-  return { a.low / b.low, a.high / b.high };
-}
-template <class T>
 HWY_INLINE Two<T> MulAdd(Two<T> a, Two<T> b, Two<T> c)
 {
   return { MulAdd(a.low, b.low, c.low), MulAdd(a.high, b.high, c.high) };
@@ -70,49 +65,9 @@ HWY_INLINE Two<T> SafeReciprocal(Two<T> t)
 {
   return { SafeReciprocal(t.low), SafeReciprocal(t.high) };
 }
-HWY_INLINE TwoLanes Min(TwoLanes a, TwoLanes b)
-{
-  return { Min(a.low, b.low), Min(a.high, b.high) };
-}
-HWY_INLINE TwoLanes Max(TwoLanes a, TwoLanes b)
-{
-  return { Max(a.low, b.low), Max(a.high, b.high) };
-}
-HWY_INLINE TwoLanes Abs(TwoLanes a)
-{
-  return { Abs(a.low), Abs(a.high) };
-}
-HWY_INLINE TwoMasks operator<(TwoLanes a, TwoLanes b)
-{
-  return { a.low < b.low, a.high < b.high };
-}
-HWY_INLINE TwoMasks operator<=(TwoLanes a, TwoLanes b)
-{
-  return { a.low <= b.low, a.high <= b.high };
-}
-HWY_INLINE TwoMasks operator>=(TwoLanes a, TwoLanes b)
-{
-  return { a.low >= b.low, a.high >= b.high };
-}
 HWY_INLINE TwoLanes Select(TwoMasks mask, TwoLanes yes, TwoLanes no)
 {
   return { Select(mask.low, yes.low, no.low), Select(mask.high, yes.high, no.high) };
-}
-HWY_INLINE TwoMasks And(TwoMasks a, TwoMasks b)
-{
-  return { And(a.low, b.low), And(a.high, b.high) };
-}
-HWY_INLINE TwoMasks Or(TwoMasks a, TwoMasks b)
-{
-  return { Or(a.low, b.low), Or(a.high, b.high) };
-}
-HWY_INLINE TwoMasks AndNot(TwoMasks a, TwoMasks b)
-{
-  return { AndNot(a.low, b.low), AndNot(a.high, b.high) };
-}
-HWY_INLINE bool None(TwoMasks mask)
-{
-  return None(Or(mask.low, mask.high));
 }
 HWY_INLINE bool All(TwoMasks mask)
 {
@@ -132,8 +87,6 @@ template <class T>
 struct NumberTraits<Two<T>>
 {
   using Scalar = double;
-  using Mask = TwoMasks;
-  static HWY_INLINE int Count() { return 2 * NumberTraits<T>::Count(); }
   template <class Value>
   static HWY_INLINE Two<T> Splat(Value value)
   {
