@@ -24,7 +24,7 @@ public:
   ModelSource();
   ~ModelSource();
 
-  /// What the conversion has to say is told as warnings of `owner`. Throws Error.
+  /// Diagnostics of the conversion become warnings of `owner`. Throws Error.
   std::shared_ptr<HighOrderModel> Get(vtkUnstructuredGrid* grid, vtkAlgorithm* owner);
 
 private:

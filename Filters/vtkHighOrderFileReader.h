@@ -15,7 +15,7 @@
  * time asked for is read, the first one without such a request.
  *
  * Errors go to vtkErrorMacro, with file, line or tag, and remedy; the output is then empty. What
- * was noticed in the files is told as warnings and in GetDiagnostic().
+ * was noticed in the files is reported as warnings and by GetDiagnostic().
  */
 
 #ifndef vtkHighOrderFileReader_h

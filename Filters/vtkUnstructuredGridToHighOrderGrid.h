@@ -17,7 +17,7 @@
  * the output holds the same mesh arrays again, only fields are converted, and whoever locates
  * points in it (vtkHighOrderMapper, vtkHighOrderProbe) goes on with the locator that it has.
  *
- * What looks wrong in the file but can be converted is told as warnings and in GetDiagnostic().
+ * What looks wrong in the file but can be converted is reported as warnings and by GetDiagnostic().
  */
 
 #ifndef vtkUnstructuredGridToHighOrderGrid_h

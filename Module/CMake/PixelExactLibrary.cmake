@@ -23,13 +23,20 @@ endfunction()
 
 # Highway compiles a kernel once per instruction set and picks one at run time. Each set costs minutes
 # to compile: between the baseline and AVX2 lie only processors from before 2013, and AVX3_DL adds
-# nothing that is used here. Under the sanitizers one set beside the baseline and few orders are enough.
+# nothing that is used here. The widest set is left out for NARROW sources, which do not run in every
+# frame. Under the sanitizers one set (PixelExactSettings.cmake) and few orders are enough: that all
+# sets give the same bits is tested in the plain build.
 function(pixelexact_use_lanes name)
-  set(disabled_targets "HWY_SSSE3|HWY_SSE4|HWY_AVX3_DL")
-  if(PIXELEXACT_SANITIZE)
-    string(APPEND disabled_targets "|HWY_AVX3")
-    target_compile_definitions(${name} PRIVATE PIXELEXACT_FEW_ORDERS)
-  endif()
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "NARROW")
   target_link_libraries(${name} PRIVATE hwy::hwy)
-  target_compile_definitions(${name} PRIVATE "HWY_DISABLED_TARGETS=(${disabled_targets})")
+  if(PIXELEXACT_SANITIZE)
+    target_compile_definitions(${name} PRIVATE HWY_COMPILE_ONLY_STATIC PIXELEXACT_FEW_ORDERS)
+    return()
+  endif()
+  set(disabled "HWY_SSSE3|HWY_SSE4|HWY_AVX3_DL")
+  target_compile_definitions(${name} PRIVATE "HWY_DISABLED_TARGETS=(${disabled})")
+  if(arg_NARROW)
+    set_source_files_properties(${arg_NARROW} PROPERTIES COMPILE_OPTIONS
+      "-UHWY_DISABLED_TARGETS;-DHWY_DISABLED_TARGETS=(${disabled}|HWY_AVX3)")
+  endif()
 endfunction()

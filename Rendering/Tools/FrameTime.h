@@ -28,7 +28,7 @@ struct FrameTime
   [[nodiscard]] double Ratio() const;
 };
 
-/// `repeat` frames with `modules`, after one that is not counted; `done` is told the part done.
+/// `repeat` frames with `modules`, after one that is not counted; `done` receives the part done.
 FrameTime MeasureFrames(const Scene& scene, const Camera& camera,
   const std::vector<const FrameModule*>& modules, int repeat,
   const std::function<void(double)>& done);

@@ -10,7 +10,7 @@
 #include <map>
 #include <string>
 
-// How many elements have which polynomial orders, and how that is told.
+// How many elements have which polynomial orders, and how that is written.
 namespace pixelexact
 {
 /// Elements by polynomial orders along the three directions.

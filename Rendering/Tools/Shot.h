@@ -17,7 +17,7 @@ namespace pixelexact
 {
 class Stopwatch;
 
-/// What is seen from where, as render and bench are told.
+/// What is seen from where: the options that render and bench share.
 struct ShotOptions
 {
   InputRequest input;

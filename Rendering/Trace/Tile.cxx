@@ -37,7 +37,7 @@ struct Scratch
   }
 };
 
-/// The first `size` entries, as many of which are there.
+/// The first `size` entries; the vector grows to hold them.
 template <class T>
 std::span<T> Room(std::vector<T>& of, std::size_t size)
 {

@@ -45,7 +45,7 @@ Frame Trace(const Scene& scene, const Camera& camera,
   {
     const FrameCounters corners =
       TraceLattice(scene, camera, kCorners, frame.corners, reporter, stages);
-    // All else is told of the pixels.
+    // The other counters are of pixels.
     frame.counters.rays += corners.rays;
     frame.counters.floatCheck.Add(corners.floatCheck);
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Watertight by construction: points on the faces, edges and vertices that curved elements share
-// are found, points just outside of the mesh are told so or lie within the derived tolerance.
+// are found, points just outside of the mesh are found outside or lie within the derived tolerance.
 // 1e6 points of each kind on each mesh: PIXELEXACT_FACE_POINTS=1000000 TestCore
 // --gtest_filter='*FacePoints*'.
 #include "CurvedMeshes.h"

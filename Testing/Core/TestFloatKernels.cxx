@@ -38,7 +38,7 @@ Evaluated Evaluate(const Space& space, const std::vector<double>& coefficients, 
     floats.push_back(&result.floats[c * stride]);
   }
   KernelsFor(space).value(space, coefficients.data(), components, at.View(), exact.data());
-  FloatValueKernel(space)(space, coefficients.data(), components, at.View(), floats.data());
+  KernelsFor(space).valueInFloats(space, coefficients.data(), components, at.View(), floats.data());
   return result;
 }
 

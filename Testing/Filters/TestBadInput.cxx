@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What users get wrong, or files: each is told with the thing's name and a remedy.
+// What users get wrong, or files: each message names the thing and a remedy.
 #include "Support.h"
 
 #include "Core/Base/Error.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files that do not mean what VTK makes of them are told from those that do.
+// Files that do not mean what VTK makes of them are distinguished from those that do.
 #include "Support.h"
 
 #include <gtest/gtest.h>

@@ -135,8 +135,10 @@ void ForFixedOrder(const Space& space, const Set& set)
 template <template <class, class, bool> class Modes, int... kOrders>
 KernelSet SelectKernelSet(const Space& space)
 {
-  KernelSet set{ &ValueKernel<Modes, AnyOrder>, &GradientKernel<Modes, AnyOrder>,
-    &InvertKernel<Modes, AnyOrder> };
+  KernelSet set;
+  set.value = &ValueKernel<Modes, AnyOrder>;
+  set.gradient = &GradientKernel<Modes, AnyOrder>;
+  set.invert = &InvertKernel<Modes, AnyOrder>;
   ForFixedOrder<kOrders...>(space,
     [&]<int P>(Const<P> /*order*/)
     {

@@ -14,7 +14,7 @@ KernelSet KernelsFor(const Space& space)
     case Shape::Tetrahedron:
       return TetrahedronKernels(space);
     default:
-      return PyramidKernels(space);
+      return space.form == Form::Tensor ? TensorPyramidKernels(space) : PyramidKernels(space);
   }
 }
 } // namespace pixelexact

@@ -83,6 +83,12 @@ struct KernelSet
   /// out[c][i] = sum of component c at point i. `coefficients` is component-major.
   void (*value)(const Space&, const double* coefficients, int components, const LanePoints& xi,
     double* const* out);
+  /// The same in single precision, but for the way in and out: twice the lanes. Coefficients are
+  /// scaled by a power of two per component, so that their size does not matter, and rounded as xi
+  /// are. Errors are some roundoffs of a float (6e-8) of the sum of |coefficient| |mode|. Where a sum
+  /// is not finite it is made in double precision after all.
+  void (*valueInFloats)(const Space&, const double* coefficients, int components,
+    const LanePoints& xi, double* const* out) = nullptr;
   /// Also gradient[3 c + d][i] = derivative of component c by xi_d.
   void (*gradient)(const Space&, const double* coefficients, int components, const LanePoints& xi,
     double* const* out, double* const* gradient);
@@ -94,12 +100,6 @@ struct KernelSet
 /// The kernels of a valid space.
 KernelSet KernelsFor(const Space& space);
 
-/// KernelSet::value in single precision, but for the way in and out: twice the lanes. Coefficients
-/// are scaled by a power of two per component, so that their size does not matter, and rounded as
-/// xi are. Errors are some roundoffs of a float (6e-8) of the sum of |coefficient| |mode|. Where a
-/// sum is not finite it is made in double precision after all.
-decltype(KernelSet::value) FloatValueKernel(const Space& space);
-
 /// The instruction set in use, for reports: "AVX3", "AVX2", "SSE2", ...
 const char* InstructionSet();
 
@@ -107,4 +107,5 @@ KernelSet HexahedronKernels(const Space& space);
 KernelSet PrismKernels(const Space& space);
 KernelSet TetrahedronKernels(const Space& space);
 KernelSet PyramidKernels(const Space& space);
+KernelSet TensorPyramidKernels(const Space& space);
 } // namespace pixelexact

@@ -3,14 +3,14 @@
 #define HWY_TARGET_INCLUDE "Core/Element/KernelsPrism.cxx"
 #include <hwy/foreach_target.h>
 
-#include "Core/Element/Kernels-inl.h"
+#include "Core/Element/FloatKernels-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
 KernelSet PrismKernelSet(const Space& space)
 {
-  return SelectKernelSet<PrismModes, 1, 2, 3, 4, 5, 6, 7, 8>(space);
+  return SelectKernels<PrismModes, 1, 2, 3, 4, 5, 6, 7, 8>(space);
 }
 } // namespace pixelexact::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

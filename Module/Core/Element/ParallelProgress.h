@@ -9,13 +9,13 @@
 
 namespace pixelexact
 {
-/// Tells how much of `count` pieces of work done by several threads is done, as a part that goes
-/// from `from` to `to`, about a hundred times. Told by the thread alone that made it.
+/// Reports how much of `count` pieces of work is done, as a part that goes from `from` to `to`, about
+/// a hundred times. Any thread may do a piece; only the thread that made the object reports.
 class ParallelProgress
 {
 public:
-  ParallelProgress(std::function<void(double)> tell, double from, double to, std::size_t count)
-    : Tell(std::move(tell))
+  ParallelProgress(std::function<void(double)> report, double from, double to, std::size_t count)
+    : Report(std::move(report))
     , From(from)
     , To(to)
     , Count(count)
@@ -26,29 +26,29 @@ public:
   void Add()
   {
     const std::size_t done = ++Done;
-    if (Tell && std::this_thread::get_id() == Owner && done * 100 / Count > Told)
+    if (Report && std::this_thread::get_id() == Owner && done * 100 / Count > Reported)
     {
-      Told = done * 100 / Count;
-      Tell(From + (To - From) * static_cast<double>(done) / static_cast<double>(Count));
+      Reported = done * 100 / Count;
+      Report(From + (To - From) * static_cast<double>(done) / static_cast<double>(Count));
     }
   }
 
   /// All is done.
   void Finish()
   {
-    if (Tell)
+    if (Report)
     {
-      Tell(To);
+      Report(To);
     }
   }
 
 private:
-  std::function<void(double)> Tell;
+  std::function<void(double)> Report;
   double From;
   double To;
   std::size_t Count;
   std::atomic<std::size_t> Done{ 0 };
-  std::size_t Told = 0; ///< hundredths
+  std::size_t Reported = 0; ///< hundredths
   std::thread::id Owner = std::this_thread::get_id();
 };
 } // namespace pixelexact

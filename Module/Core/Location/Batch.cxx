@@ -363,10 +363,10 @@ void Locator::Batch::Decide(std::span<const PointChunk> chunks)
   {
     if (!isFound(doubt))
     {
-      // Further elements that could not be decided either are not told.
+      // One element is reported, however many could not be excluded.
       found.push_back(doubt.index);
       ++Unknown;
-      Sink.Undecided(doubt.index, doubt.element);
+      Sink.Unknown(doubt.index, doubt.element);
     }
   }
 }

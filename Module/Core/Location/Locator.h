@@ -16,7 +16,7 @@ class BoundsCache;
 class Bvh;
 class InversionTrees;
 
-/// Which points of a batch lie in which element, told element by element.
+/// Receives which points of a batch lie in which element, element by element.
 class LocationSink
 {
 public:
@@ -26,8 +26,8 @@ public:
   /// Newton correction. The arrays live until the call returns.
   virtual void Inside(
     int element, std::span<const int> index, const double* const xi[3], const double* residual) = 0;
-  /// Point `index` could not be decided; `element` is the first that might hold it.
-  virtual void Undecided(int index, int element) = 0;
+  /// Where point `index` lies is unknown; `element` is the first that might hold it.
+  virtual void Unknown(int index, int element) = 0;
 };
 
 /// A xi that an element maps to a point.
@@ -57,12 +57,12 @@ struct LocationCounters
   std::atomic<std::int64_t> queries{ 0 };    ///< BVH queries
   std::atomic<std::int64_t> candidates{ 0 }; ///< (point, element) pairs past box and frame
   std::atomic<std::int64_t> careful{ 0 };    ///< pairs that Newton left to the careful path
-  std::atomic<std::int64_t> unknown{ 0 };    ///< points left undecided
+  std::atomic<std::int64_t> unknown{ 0 };    ///< points
   std::atomic<int> mostBoxes{ 0 };           ///< that the careful path looked at for one pair
 };
 
-/// Finds the elements that hold points (paper, section 5.1.2, with a point query in the place of
-/// the paper's secondary ray, so that points outside of the mesh are told as such).
+/// Finds the elements that hold points (paper, section 5.1.2). A point query takes the place of the
+/// paper's secondary ray, because it also finds that a point is outside of the mesh.
 ///
 /// A point on a shared face belongs to the lowest element number whose inverse map is decided by
 /// the fast path. The answer for a point depends on the point and the mesh alone, not on the batch
@@ -71,7 +71,7 @@ struct LocationCounters
 /// Verdicts: a point is `Inside` with a converged inverse (residual of rounding size) in the shape
 /// or beyond its faces by no more than rounding and conditioning explain. It is outside of an
 /// element when the element's box, its affine frame with its deviation, the uniqueness of a root
-/// outside, or subdivision exclude it; otherwise it is undecided.
+/// outside, or subdivision exclude it; otherwise it is unknown.
 class Locator
 {
 public:
@@ -83,8 +83,8 @@ public:
   Locator(const Locator&) = delete;
   Locator& operator=(const Locator&) = delete;
 
-  /// Serial: for use inside of a parallel loop. Points that are outside of every element are told
-  /// to nobody. Points with NaN or infinite coordinates are outside.
+  /// Serial: for use inside of a parallel loop. Points outside of every element are not
+  /// reported. Points with NaN or infinite coordinates are outside.
   /// Best called with points that lie close together, a few hundred to a few thousand.
   void Locate(const LanePoints& points, LocationSink& sink) const;
   void Locate(std::span<const Vec3> points, LocationSink& sink) const;

@@ -30,7 +30,7 @@ struct PrecisionCheck
 /// arrays held before; Clear() sets that to "nothing".
 struct SampleTarget
 {
-  std::span<std::int32_t> element; ///< element number, -1 none; of undecided points a candidate
+  std::span<std::int32_t> element; ///< element number, -1 none; of unknown points a candidate
   std::span<Vec3> xi;              ///< reference coordinates; NaN where not inside
   std::span<Verdict> verdict;
   std::span<double> residual; ///< last Newton correction in xi, max norm

@@ -111,7 +111,7 @@ void SamplingSink::Inside(
   }
 }
 
-void SamplingSink::Undecided(int index, int element)
+void SamplingSink::Unknown(int index, int element)
 {
   const auto i = static_cast<std::size_t>(index);
   if (!Target.element.empty())
@@ -140,7 +140,7 @@ void SamplingSink::EvaluateField(int element, std::span<const int> index, const 
   }
   else if (Target.precision == Precision::Float)
   {
-    FloatValueKernel(space)(space, values.Coefficients(element), values.components, xi, out);
+    kernels.valueInFloats(space, values.Coefficients(element), values.components, xi, out);
   }
   else
   {

@@ -27,7 +27,7 @@ public:
 
   void Inside(int element, std::span<const int> index, const double* const xi[3],
     const double* residual) override;
-  void Undecided(int index, int element) override;
+  void Unknown(int index, int element) override;
 
 private:
   void EvaluateField(int element, std::span<const int> index, const LanePoints& xi);
