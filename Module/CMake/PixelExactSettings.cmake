@@ -32,7 +32,34 @@ target_compile_options(PixelExactWarnings INTERFACE
   -Wall -Wextra -Wshadow -Wnon-virtual-dtor
   $<$<BOOL:${PIXELEXACT_WARNINGS_AS_ERRORS}>:-Werror>)
 
+# pixelexact_precompile(PROGRAM HEADERS...)
+#
+# Parses what most sources of a program include once. Sources still include what they use: clang-tidy
+# reads them without. Not for libraries: gcc forgets that what it precompiled are system headers, and
+# some of its warnings about std::string are false.
+function(pixelexact_precompile name)
+  if(PIXELEXACT_PRECOMPILE_HEADERS)
+    target_precompile_headers(${name} PRIVATE
+      <algorithm> <array> <cmath> <cstdint> <functional> <limits> <memory> <optional> <span> <string>
+      <vector> ${ARGN})
+    target_compile_options(${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds
+      -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread>)
+  endif()
+endfunction()
+
 if(PIXELEXACT_SANITIZE)
+  # Kernels are compiled for one instruction set, the widest that is common; see
+  # pixelexact_use_lanes. For all sources, because Eigen's inline functions must not differ.
+  include(CheckCXXSourceRuns)
+  set(CMAKE_REQUIRED_FLAGS -march=haswell)
+  check_cxx_source_runs(
+    "int main() { return __builtin_cpu_supports(\"avx2\") && __builtin_cpu_supports(\"fma\") ? 0 : 1; }"
+    PIXELEXACT_HAS_AVX2)
+  unset(CMAKE_REQUIRED_FLAGS)
+  if(PIXELEXACT_HAS_AVX2)
+    add_compile_options(-march=haswell)
+  endif()
+
   # The address sanitizer finds what null and object-size look for; without them the kernels compile
   # in two thirds of the time.
   add_compile_options(-fsanitize=address,undefined -fno-sanitize=null,object-size

@@ -1,30 +1,30 @@
-# How tests are added. Labels: core (no VTK), vtk (VTK without OpenGL), image (needs a display),
-# slow (minutes).
+# How tests are added. Labels: core (no VTK), vtk (VTK without OpenGL), image (needs a display).
 
-include(GoogleTest)
-
-find_program(PIXELEXACT_XVFB_RUN xvfb-run)
-mark_as_advanced(PIXELEXACT_XVFB_RUN)
-# -noreset: without it the X server dies with the first of two windows of one process.
-set(xvfb_command)
-if(PIXELEXACT_XVFB_RUN)
-  set(xvfb_command "${PIXELEXACT_XVFB_RUN}" -a -s "-screen 0 1280x1024x24 -noreset")
-endif()
+# Tests that draw run through this: it takes the display of $PIXELEXACT_TEST_DISPLAY, which a whole
+# run of ctest may share, or starts one for the test alone.
+set(PIXELEXACT_WITH_DISPLAY "${PROJECT_SOURCE_DIR}/Testing/Scripts/with-display.sh")
 
 # Solver output that is too large for Data/; tests that want it skip where it is absent.
 set(PIXELEXACT_DATA_DIR "${PROJECT_SOURCE_DIR}/Data")
 set(PIXELEXACT_SHARED_DATA_DIR "${PROJECT_SOURCE_DIR}/../shared/data")
 
+# Where each process of a test program leaves what it found, as JSON; see Testing/Scripts/report.py.
+set(PIXELEXACT_TEST_RESULTS "${PROJECT_BINARY_DIR}/Testing/Results")
+
+# Each test program is run as so many processes.
+set(PIXELEXACT_TEST_PROCESSES 4)
+
 # Builds the test programs and what they need, but not the rest.
 add_custom_target(PixelExactTests)
 
-# pixelexact_add_test(NAME SOURCES ... LINK ... LABELS ... [XVFB])
+# pixelexact_add_test(NAME SOURCES ... LINK ... LABELS ... [XVFB] [PRECOMPILE headers...])
 #
-# One GoogleTest executable, each of its tests known to ctest. XVFB: the tests draw with OpenGL and
-# run under a virtual display; they are left out of a sanitizer build, because the OpenGL driver is
-# not ours to sanitize.
+# One GoogleTest executable. ctest runs it as a few processes, each with its share of the tests: a
+# process per test would spend most of its time on loading libraries. One test alone is run by
+# NAME --gtest_filter=... PRECOMPILE: beside GoogleTest and the standard library. XVFB: the tests draw with OpenGL and need a display; they are left out of a
+# sanitizer build, because the OpenGL driver is not ours to sanitize.
 function(pixelexact_add_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "XVFB" "" "SOURCES;LINK;LABELS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "XVFB" "" "SOURCES;LINK;LABELS;PRECOMPILE")
   if(NOT arg_SOURCES OR (arg_XVFB AND PIXELEXACT_SANITIZE))
     return()
   endif()
@@ -36,22 +36,22 @@ function(pixelexact_add_test name)
     PIXELEXACT_SHARED_DATA_DIR="${PIXELEXACT_SHARED_DATA_DIR}")
   target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}/Testing")
   target_link_libraries(${name} PRIVATE PixelExactWarnings ${arg_LINK} GTest::gtest_main)
-  if(arg_XVFB)
-    set_target_properties(${name} PROPERTIES CROSSCOMPILING_EMULATOR "${xvfb_command}")
-  endif()
+  pixelexact_precompile(${name} <gtest/gtest.h> ${arg_PRECOMPILE})
 
-  gtest_discover_tests(${name}
-    TEST_PREFIX "${name}."
-    TEST_LIST ${name}_TESTS
-    NO_PRETTY_VALUES
-    DISCOVERY_MODE PRE_TEST
-    DISCOVERY_TIMEOUT 60
-    PROPERTIES TIMEOUT 600)
-  # Its PROPERTIES cannot hold a list, so ctest reads the labels from a script of our own.
-  set(labels_script "${CMAKE_CURRENT_BINARY_DIR}/${name}_labels.cmake")
-  file(CONFIGURE OUTPUT "${labels_script}" @ONLY
-    CONTENT "set_tests_properties(\${@name@_TESTS} PROPERTIES LABELS \"@arg_LABELS@\")\n")
-  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES "${labels_script}")
+  set(launcher)
+  if(arg_XVFB)
+    set(launcher "${PIXELEXACT_WITH_DISPLAY}")
+  endif()
+  math(EXPR last "${PIXELEXACT_TEST_PROCESSES} - 1")
+  foreach(shard RANGE ${last})
+    add_test(NAME ${name}.${shard}
+      COMMAND ${launcher} $<TARGET_FILE:${name}>
+        "--gtest_output=json:${PIXELEXACT_TEST_RESULTS}/${name}.${shard}.json")
+    set_tests_properties(${name}.${shard} PROPERTIES
+      LABELS "${arg_LABELS}"
+      TIMEOUT 600
+      ENVIRONMENT "GTEST_TOTAL_SHARDS=${PIXELEXACT_TEST_PROCESSES};GTEST_SHARD_INDEX=${shard}")
+  endforeach()
 endfunction()
 
 # pixelexact_add_python_tests(PREFIX LABELS ... [XVFB] [ENVIRONMENT ...] SCRIPTS ...)
@@ -64,7 +64,7 @@ function(pixelexact_add_python_tests prefix)
   # Without XVFB there is no display at all, not even the developer's own.
   set(display "DISPLAY=unset:")
   if(arg_XVFB)
-    set(launcher ${xvfb_command})
+    set(launcher "${PIXELEXACT_WITH_DISPLAY}")
     set(display)
   endif()
   foreach(script IN LISTS arg_SCRIPTS)

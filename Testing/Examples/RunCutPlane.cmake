@@ -14,12 +14,8 @@ run("${CMAKE_COMMAND}" -S "${SOURCE}" -B "${WORK}/build" -G "${GENERATOR}"
   "-DCMAKE_CXX_COMPILER=${CXX}" "-DCMAKE_PREFIX_PATH=${WORK}/prefix" -DCMAKE_BUILD_TYPE=Release)
 run("${CMAKE_COMMAND}" --build "${WORK}/build")
 
-find_program(XVFB_RUN xvfb-run)
-set(launcher)
-if(XVFB_RUN)
-  set(launcher "${XVFB_RUN}" -a -s "-screen 0 1280x1024x24 -noreset")
-endif()
-run(${launcher} "${WORK}/build/CutPlane" "${MESH}" u "${WORK}/cut.png")
+run("${CMAKE_CURRENT_LIST_DIR}/../Scripts/with-display.sh"
+  "${WORK}/build/CutPlane" "${MESH}" u "${WORK}/cut.png")
 if(NOT EXISTS "${WORK}/cut.png")
   message(FATAL_ERROR "no picture")
 endif()

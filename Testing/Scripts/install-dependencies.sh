@@ -13,7 +13,7 @@ packages=(
 )
 if [[ "${1:-}" == --testing ]]; then
   packages+=(
-    clang clang-format clang-tidy libbenchmark-dev libclang-rt-dev libgmp-dev libgtest-dev
+    ccache clang clang-format clang-tidy git libbenchmark-dev libclang-rt-dev libgmp-dev libgtest-dev
     libmpfr-dev python3-numpy valgrind xauth xvfb
   )
 fi

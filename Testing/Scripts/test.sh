@@ -1,56 +1,76 @@
 #!/usr/bin/env bash
 # Everything that must hold before a change goes in. Runs on a clean Debian 12 or newer.
 #
+#   test.sh           all of it, as CI runs it
+#   test.sh --quick   dependencies, build and tests: for a first look
+#
 # PIXELEXACT_TEST_STAGES selects from (default: all, in this order)
 #   dependencies build test instructions sanitize fuzz format tidy
-# The last line reads "N passed, N failed": tests of both builds, and one for each other stage. What
-# failed is said once more before it, so that the end of a log is enough to go on.
+# A stage that takes longer than its budget fails. PIXELEXACT_BUDGET multiplies the budgets, which are
+# made for two cores; 0: none.
+# The last line reads "N passed, N failed, N skipped": tests of both builds, and one for each other
+# stage. What failed is said once more before it, so that the end of a log is enough to go on.
 set -uo pipefail
 cd "$(dirname "$0")/../.."
 
 stages=${PIXELEXACT_TEST_STAGES:-dependencies build test instructions sanitize fuzz format tidy}
+if [[ "${1:-}" == --quick ]]; then
+  stages="dependencies build test"
+fi
+# In seconds. The network has none.
+declare -A budgets=([build]=900 [test]=300 [instructions]=180 [sanitize]=900 [fuzz]=300
+  [format]=60 [tidy]=1200)
+budget_scale=${PIXELEXACT_BUDGET:-1}
 build=build
 sanitize_build=build-sanitize
 fuzz_build=build-fuzz
 jobs=$(nproc)
 passed=0
 failed=0
+skipped=0
 timings=""
 failures=""
 stage=""
 
-launcher=()
-if command -v ccache >/dev/null; then
-  launcher=(-D CMAKE_C_COMPILER_LAUNCHER=ccache -D CMAKE_CXX_COMPILER_LAUNCHER=ccache)
-fi
-
-# Runs ctest in a build folder and adds its tests to the totals. Skipped tests count as neither.
-run_ctest() {
-  local folder=$1
-  shift
-  local log="$folder/ctest.log"
-  ctest --test-dir "$folder" --parallel "$jobs" --output-on-failure --no-tests=error "$@" |
-    tee "$log"
-  local summary suite_failed suite_total suite_skipped
-  summary=$(sed -n 's/.* \([0-9]*\) tests failed out of \([0-9]*\)$/\1 \2/p' "$log")
-  if [[ -z "$summary" ]]; then
-    count 1
-    return
-  fi
-  read -r suite_failed suite_total <<<"$summary"
-  suite_skipped=$(grep -c '[*][*][*]Skipped' "$log")
-  passed=$((passed + suite_total - suite_failed - suite_skipped))
-  failed=$((failed + suite_failed))
-  if [[ $suite_failed -gt 0 ]]; then
-    failures+="$(failed_tests "$log")"$'\n'
+# What was compiled before need not be compiled again, wherever the clone lies.
+use_ccache() {
+  if command -v ccache >/dev/null; then
+    export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
+    export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1 CCACHE_DEPEND=1
+    export CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
   fi
 }
 
-# What each failed test of a ctest log printed, at most 60 lines of each.
-failed_tests() {
-  awk '/^ *[0-9]+\/[0-9]+ Test|^ *Start +[0-9]+:/ { shown = 0 }
-       /^ *[0-9]+\/[0-9]+ Test.*[*][*][*]/ && !/[*][*][*]Skipped/ { shown = 60 }
-       shown > 0 { print; --shown }' "$1"
+# Runs ctest in a build folder and adds its tests to the totals. All tests that draw share a display;
+# the others have none.
+run_ctest() {
+  local folder=$1
+  shift
+  rm -rf "$folder/Testing/Results" "$folder/Testing/junit.xml"
+  local run=(ctest --test-dir "$folder" --parallel "$jobs" --no-tests=error
+    --output-junit Testing/junit.xml --test-output-size-failed 1000000 "$@")
+  if command -v xvfb-run >/dev/null; then
+    xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" \
+      bash -c \
+      'export PIXELEXACT_TEST_DISPLAY=$DISPLAY; unset DISPLAY; exec "$@"' run "${run[@]}"
+  else
+    "${run[@]}"
+  fi
+  local report
+  if ! report=$(./Testing/Scripts/report.py tests "$folder"); then
+    count 1
+    return
+  fi
+  printf '%s\n' "$report"
+  local summary suite_passed suite_failed suite_skipped
+  summary=$(tail -n 1 <<<"$report")
+  read -r suite_passed _ suite_failed _ suite_skipped _ <<<"$summary"
+  passed=$((passed + suite_passed))
+  failed=$((failed + suite_failed))
+  skipped=$((skipped + suite_skipped))
+  if [[ $suite_failed -gt 0 ]]; then
+    failures+="$(sed '/^slowest tests:$/,$d' <<<"$report")"$'\n'
+  fi
 }
 
 # Counts a stage that is not a suite of tests as one; $2 is the log that ends with its reason.
@@ -69,16 +89,18 @@ count() {
 stage_dependencies() {
   ./Testing/Scripts/install-dependencies.sh --testing
   count $?
+  use_ccache
 }
 
 stage_build() {
-  cmake -S . -B "$build" -G Ninja "${launcher[@]}" \
+  cmake -S . -B "$build" -G Ninja \
     -D PIXELEXACT_WARNINGS_AS_ERRORS=ON \
     -D PIXELEXACT_BUILD_TESTING=ON \
     -D PIXELEXACT_BUILD_PYTHON=ON \
     -D PIXELEXACT_BUILD_BENCHMARKS=ON &&
     cmake --build "$build" --parallel "$jobs" | tee "$build/build.log"
   count $? "$build/build.log"
+  ./Testing/Scripts/report.py files "$build"
 }
 
 stage_test() {
@@ -95,7 +117,7 @@ stage_instructions() {
 # Assertions are on and -O1 keeps the stack traces. No Python, no OpenGL: an interpreter or a driver
 # without sanitizers cannot load our libraries.
 stage_sanitize() {
-  cmake -S . -B "$sanitize_build" -G Ninja "${launcher[@]}" \
+  cmake -S . -B "$sanitize_build" -G Ninja \
     -D CMAKE_BUILD_TYPE=Debug \
     -D CMAKE_CXX_FLAGS_DEBUG="-O1 -g1" \
     -D PIXELEXACT_SANITIZE=ON \
@@ -104,12 +126,13 @@ stage_sanitize() {
     cmake --build "$sanitize_build" --parallel "$jobs" --target PixelExactTests |
     tee "$sanitize_build/build.log"
   count $? "$sanitize_build/build.log"
-  run_ctest "$sanitize_build" --label-exclude slow
+  ./Testing/Scripts/report.py files "$sanitize_build"
+  run_ctest "$sanitize_build"
 }
 
 # The parsers of the solvers' files, on any bytes. Both fuzzers run at once.
 stage_fuzz() {
-  cmake -S Testing/Fuzz -B "$fuzz_build" -G Ninja "${launcher[@]}" -D CMAKE_CXX_COMPILER=clang++ &&
+  cmake -S Testing/Fuzz -B "$fuzz_build" -G Ninja -D CMAKE_CXX_COMPILER=clang++ &&
     cmake --build "$fuzz_build" --parallel "$jobs" &&
     ./Testing/Fuzz/run.sh "$fuzz_build" 60 2>&1 | tee "$fuzz_build/fuzz.log"
   count $? "$fuzz_build/fuzz.log"
@@ -128,15 +151,24 @@ stage_format() {
   count $? "$build/format.log"
 }
 
-# One of Highway's instruction sets is enough to read a kernel. The tool's own commands and its counts
-# of warnings in system headers are left out of the log.
+# The tool's own commands and its counts of warnings in system headers are left out of the log.
 stage_tidy() {
-  run-clang-tidy -quiet -j "$jobs" -p "$build" -extra-arg=-DHWY_COMPILE_ONLY_STATIC \
-    "^$PWD/(Module|Filters|Rendering)/.*\.cxx\$" 2>&1 |
+  ./Testing/Scripts/tidy.py "$build" 2>&1 |
     { grep -v -E '^(clang-tidy|[0-9]+ warnings? generated|$)' || true; } | tee "$build/tidy.log"
   count $? "$build/tidy.log"
 }
 
+# A stage over its budget fails: what takes longer belongs into Testing/Scripts/results.sh.
+check_budget() {
+  local seconds=$1 budget
+  budget=$(awk -v b="${budgets[$stage]:-0}" -v s="$budget_scale" 'BEGIN { printf "%d", b * s }')
+  if [[ $budget -gt 0 && $seconds -gt $budget ]]; then
+    failed=$((failed + 1))
+    failures+="stage $stage took $seconds s; its budget is $budget s"$'\n'
+  fi
+}
+
+use_ccache
 for stage in $stages; do
   if ! declare -F "stage_$stage" >/dev/null; then
     echo "no such stage: $stage" >&2
@@ -145,7 +177,9 @@ for stage in $stages; do
   printf '\n== %s\n' "$stage"
   start=$SECONDS
   "stage_$stage"
-  timings+="$(printf '%6d s  %s' $((SECONDS - start)) "$stage")"$'\n'
+  seconds=$((SECONDS - start))
+  timings+="$(printf '%6d s  %s' "$seconds" "$stage")"$'\n'
+  check_budget "$seconds"
   # Nothing that follows could work.
   if [[ $stage == dependencies && $failed -gt 0 ]]; then
     break
@@ -155,5 +189,5 @@ done
 if [[ -n "$failures" ]]; then
   printf '\n== failures\n%s' "$failures"
 fi
-printf '\n%s\n%d passed, %d failed\n' "$timings" "$passed" "$failed"
+printf '\n%s\n%d passed, %d failed, %d skipped\n' "$timings" "$passed" "$failed" "$skipped"
 [[ $failed -eq 0 ]]

@@ -1,0 +1,114 @@
+#!/usr/bin/env bash
+# Measures, and runs the studies in their full form: Testing/Results/NAME.md, each with its command,
+# date, machine and commit.
+#
+#   results.sh [NAME...]     default: all, which takes two hours on two cores
+#
+#   frames        made meshes by shape, order, elements and pixels; against the bare kernel
+#   instructions  counted under callgrind
+#   baselines     vtkProbeFilter, VTK's window, loading
+#   careful-path  its share in the files of Data/ and the larger cases
+#   face-points   a million points on, beside and around faces, of each mesh
+#   stability     all sweeps against 113 bits
+#   enclosures    width and cost of value enclosures
+#   ranges        rounding of Bernstein coefficients, cost of ranges
+#   oracles       values, gradients and points against the solvers' own
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+build=${PIXELEXACT_BUILD:-build}
+all=(frames instructions baselines careful-path face-points stability enclosures ranges oracles)
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+data=(Data)
+if [[ -d ../shared/data ]]; then
+  data+=(../shared/data)
+fi
+
+# Runs a command and keeps what it prints.
+measure() {
+  commands+=("$*")
+  "$@" >>"$scratch/output"
+}
+
+table() { body=$(cat "$scratch/output"); }
+text() { body=$'```\n'"$(cat "$scratch/output")"$'\n```'; }
+# Of a test's output only what it measured.
+measured() {
+  body=$'```\n'"$(sed -n 's/^\[ measured \] //p' "$scratch/output")"$'\n```'
+}
+
+run_frames() {
+  title="Frames against the bare kernel"
+  measure "$build/bin/pixelexact" bench --elements 1000000 --size 1000x1000 --repeat 5
+  text
+}
+run_instructions() {
+  title="Instructions a point"
+  measure Testing/Benchmarks/instructions.py "$build/bin/InstructionCounts"
+  text
+}
+run_baselines() {
+  title="What users have: vtkProbeFilter, the window, loading"
+  local run=("$build/bin/PixelExactBenchmarks" --benchmark_out="$scratch/run.json")
+  commands+=("Testing/Scripts/with-display.sh $build/bin/PixelExactBenchmarks")
+  Testing/Scripts/with-display.sh "${run[@]}" >"$scratch/log" 2>/dev/null
+  Testing/Benchmarks/table.py "$scratch/run.json" >"$scratch/output"
+  body="$(cat "$scratch/output")"$'\n\nAll benchmarks:\n\n```\n'"$(cat "$scratch/log")"$'\n```'
+}
+run_careful-path() {
+  title="The share of the careful path"
+  measure "$build/bin/CarefulShare" "${data[@]}"
+  table
+}
+run_face-points() {
+  title="Points on and beside faces"
+  measure env PIXELEXACT_FACE_POINTS="${PIXELEXACT_FACE_POINTS:-1000000}" \
+    "$build/bin/TestCore" --gtest_filter='*FacePoints*'
+  measured
+}
+run_stability() {
+  title="Stability: all sweeps against 113 bits"
+  cmake --build "$build" --target StabilityStudy >/dev/null
+  commands+=("cmake --build $build --target stability")
+  "$build/bin/StabilityStudy" "$scratch/stability" | tee "$scratch/log" >&2
+  body="$(cat "$scratch/stability/table.md")"$'\n\n'"$(tail -n 1 "$scratch/log")."
+}
+run_enclosures() {
+  title="Value enclosures: width and cost"
+  measure "$build/bin/PixelExactEnclosureTable"
+  table
+}
+run_ranges() {
+  title="Certified ranges: rounding and cost"
+  measure "$build/bin/PixelExactRangeTable"
+  table
+}
+run_oracles() {
+  title="Against the solvers' own values"
+  measure "$build/bin/TestFilters" --gtest_filter='Files/*Oracles.*'
+  measured
+}
+
+mkdir -p Testing/Results
+for name in "${@:-${all[@]}}"; do
+  if ! declare -F "run_$name" >/dev/null; then
+    echo "no such result: $name; there are ${all[*]}" >&2
+    exit 2
+  fi
+  printf '== %s\n' "$name" >&2
+  commands=()
+  : >"$scratch/output"
+  "run_$name"
+  {
+    printf '# %s\n\n' "$title"
+    printf 'Made by `Testing/Scripts/results.sh %s`:\n\n' "$name"
+    printf '    %s\n' "${commands[@]}"
+    printf '\n%s; commit %s; %s, %d processors, %s; %s.\n\n' \
+      "$(date -u +%Y-%m-%d)" "$(git describe --always --dirty --exclude='*')" \
+      "$(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1)" "$(nproc)" \
+      "$(. /etc/os-release && echo "$PRETTY_NAME")" "$(c++ --version | head -n 1)"
+    printf '%s\n' "$body"
+  } >"$scratch/page"
+  mv "$scratch/page" "Testing/Results/$name.md"
+done
