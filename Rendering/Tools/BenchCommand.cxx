@@ -96,22 +96,14 @@ void Bench(const BenchOptions& options, const CommonOptions& common)
 
 void AddBenchCommand(CLI::App& program, const CommonOptions& common, Action& action)
 {
-  CLI::App* command = program.add_subcommand("bench",
-    "Time frames of a cut, against the bare evaluation of as many points; without INPUT, "
-    "of made meshes");
   const auto options = std::make_shared<BenchOptions>();
-  options->shot.AddTo(*command);
-  command->get_option("INPUT")->required(false);
-  command->get_option("--field")->required(false);
-  command->add_option("--repeat", options->repeat, "Frames to time (default: 5)")
-    ->type_name("N")
-    ->check(CLI::Range(1, 1000000));
-  command
-    ->add_option("--elements", options->largest,
-      "Without INPUT: the most elements of a made mesh (default: 200000)")
-    ->type_name("N")
-    ->check(CLI::Range(1, 10000000));
-  command->callback(
+  CLI::App& command = AddCommand(program, "bench",
+    "Time frames of a cut, against the bare evaluation of as many points; without INPUT, "
+    "of made meshes",
     [options, &common, &action] { action = [options, &common] { Bench(*options, common); }; });
+  options->shot.AddTo(command, false);
+  AddInteger(command, "--repeat", options->repeat, 1, 1000000, "N", "Frames to time (default: 5)");
+  AddInteger(command, "--elements", options->largest, 1, 10000000, "N",
+    "Without INPUT: the most elements of a made mesh (default: 200000)");
 }
 } // namespace pixelexact

@@ -32,25 +32,19 @@ Vec3 UsualUp(const Vec3& towardsViewer)
 void CameraOptions::AddTo(CLI::App& command)
 {
   const char* group = "Camera (default: the whole data set, along the first surface's normal)";
-  CLI::Option* position =
-    AddNumbersOption(command, "--camera-position", Position, 3, "x,y,z", "Where the camera stands");
-  CLI::Option* focus =
-    AddNumbersOption(command, "--focal-point", FocalPoint, 3, "x,y,z", "What it looks at");
-  CLI::Option* up =
-    AddNumbersOption(command, "--view-up", ViewUp, 3, "x,y,z", "What is up in the image");
-  CLI::Option* angle =
-    command
-      .add_option("--view-angle", ViewAngle, "Vertical angle of a perspective view (default: 30)")
-      ->type_name("DEGREES");
-  CLI::Option* scale = command
-                         .add_option("--parallel-scale", ParallelScale,
-                           "Parallel view; half of the image's height in world units")
-                         ->type_name("LENGTH");
-  position->needs(focus)->group(group);
-  focus->needs(position)->group(group);
-  up->group(group);
-  angle->excludes(scale)->group(group);
-  scale->group(group);
+  AddedOption position =
+    AddNumbers(command, "--camera-position", Position, 3, "x,y,z", "Where the camera stands");
+  AddedOption focus =
+    AddNumbers(command, "--focal-point", FocalPoint, 3, "x,y,z", "What it looks at");
+  AddNumbers(command, "--view-up", ViewUp, 3, "x,y,z", "What is up in the image").Group(group);
+  AddedOption angle = AddNumber(command, "--view-angle", ViewAngle, "DEGREES",
+    "Vertical angle of a perspective view (default: 30)");
+  AddedOption scale = AddNumber(command, "--parallel-scale", ParallelScale, "LENGTH",
+    "Parallel view; half of the image's height in world units");
+  position.Needs(focus).Group(group);
+  focus.Needs(position).Group(group);
+  angle.Excludes(scale).Group(group);
+  scale.Group(group);
 }
 
 void CameraOptions::Check() const

@@ -6,8 +6,6 @@
 #include "Core/Math/Vec.h"
 #include "Trace/Camera.h"
 
-#include <CLI/CLI.hpp>
-
 #include <optional>
 #include <vector>
 

@@ -57,19 +57,18 @@ void CheckColor(const char* option, const std::vector<double>& color)
 void ColorOptions::AddTo(CLI::App& command)
 {
   const char* group = "Colours";
-  AddNumbersOption(command, "--range", Range, 2, "a,b",
+  AddNumbers(command, "--range", Range, 2, "a,b",
     "Values of the colour map's ends (default: those on the cut)")
-    ->group(group);
-  command.add_option("--colormap", Map, "Colour map: " + Names() + " (default: viridis)")
-    ->type_name("NAME")
-    ->group(group);
-  command.add_flag("--log", Log, "Colour by the logarithm of the value")->group(group);
-  AddNumbersOption(command, "--nan-color", NanColor, 3, "r,g,b",
+    .Group(group);
+  AddText(command, "--colormap", Map, "NAME", "Colour map: " + Names() + " (default: viridis)")
+    .Group(group);
+  AddFlag(command, "--log", Log, "Colour by the logarithm of the value").Group(group);
+  AddNumbers(command, "--nan-color", NanColor, 3, "r,g,b",
     "Colour of values that are no numbers, 0 to 1 each (default: the map's)")
-    ->group(group);
-  AddNumbersOption(command, "--background", Background, 3, "r,g,b",
+    .Group(group);
+  AddNumbers(command, "--background", Background, 3, "r,g,b",
     "Colour where there is nothing, 0 to 1 each (default: white)")
-    ->group(group);
+    .Group(group);
 }
 
 void ColorOptions::Check() const

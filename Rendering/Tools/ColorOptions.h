@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Trace/ColorMapping.h"
+#include "Options.h"
 
-#include <CLI/CLI.hpp>
+#include "Trace/ColorMapping.h"
 
 #include <array>
 #include <optional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Csv.h"
 
-#include "Options.h"
+#include "Numbers.h"
 
 #include "Core/Base/Error.h"
 
@@ -21,13 +21,6 @@ namespace
   throw Error("'" + file + "', line " + std::to_string(line) + ": " + why);
 }
 
-std::string Trimmed(const std::string& text)
-{
-  const auto first = text.find_first_not_of(" \t");
-  return first == std::string::npos ? std::string()
-                                    : text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
 /// Which columns hold x, y and z.
 std::array<std::size_t, 3> FindColumns(
   const std::string& file, std::size_t line, const std::vector<std::string>& header)
@@ -36,7 +29,7 @@ std::array<std::size_t, 3> FindColumns(
   for (std::size_t d = 0; d < 3; ++d)
   {
     const std::string name(1, "xyz"[d]);
-    const auto named = [&name](const std::string& title) { return Trimmed(title) == name; };
+    const auto named = [&name](const std::string& title) { return Trim(title) == name; };
     const auto found = std::find_if(header.begin(), header.end(), named);
     if (found == header.end())
     {
@@ -121,7 +114,7 @@ std::vector<Vec3> ReadPoints(const std::string& file)
     {
       line.pop_back();
     }
-    if (Trimmed(line).empty())
+    if (Trim(line).empty())
     {
       continue;
     }

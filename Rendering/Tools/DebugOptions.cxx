@@ -63,30 +63,26 @@ Rgba ToRgba(const std::vector<double>& color)
 void DebugOptions::AddTo(CLI::App& command)
 {
   const char* group = "Soundness";
-  command
-    .add_flag("--owners", Owners,
-      "Paint how often the mesh covers each pixel's point (" + TextOf(CoverageColors::Legend()) +
-        "); with --buffers also Owners and Coverage")
-    ->group(group);
-  command
-    .add_option("--show", Show,
-      "What is painted: the field (default), or validity, the proven sign of the Jacobian "
-      "determinant of each pixel's element (" +
-        TextOf(ValidityColors::Legend()) + ")")
-    ->check(CLI::IsMember({ "field", "validity" }))
-    ->group(group);
-  command
-    .add_flag("--enclosures", Enclosures,
-      "Bound each pixel's value by an interval that is proven to hold it: Value_lower, Value_upper "
-      "with --buffers")
-    ->group(group);
-  command
-    .add_flag("--show-undecided", ShowUndecided,
-      "Paint pixels whose colour the enclosure of the value does not decide")
-    ->group(group);
-  AddNumbersOption(command, "--undecided-color", UndecidedColor, 3, "r,g,b",
+  AddFlag(command, "--owners", Owners,
+    "Paint how often the mesh covers each pixel's point (" + TextOf(CoverageColors::Legend()) +
+      "); with --buffers also Owners and Coverage")
+    .Group(group);
+  AddChoice(
+    command, "--show", [this](const std::string& text) { Show = text; }, { "field", "validity" },
+    "What is painted: the field (default), or validity, the proven sign of the Jacobian "
+    "determinant of each pixel's element (" +
+      TextOf(ValidityColors::Legend()) + ")")
+    .Group(group);
+  AddFlag(command, "--enclosures", Enclosures,
+    "Bound each pixel's value by an interval that is proven to hold it: Value_lower, Value_upper "
+    "with --buffers")
+    .Group(group);
+  AddFlag(command, "--show-undecided", ShowUndecided,
+    "Paint pixels whose colour the enclosure of the value does not decide")
+    .Group(group);
+  AddNumbers(command, "--undecided-color", UndecidedColor, 3, "r,g,b",
     "Their colour, 0 to 1 each (default: 1,0,0.5)")
-    ->group(group);
+    .Group(group);
 }
 
 void DebugOptions::Check() const

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Trace/Frame.h"
+#include "Options.h"
 
-#include <CLI/CLI.hpp>
+#include "Trace/Frame.h"
 
 #include <array>
 #include <string>

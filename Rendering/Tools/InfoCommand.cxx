@@ -231,13 +231,12 @@ void Info(const InfoOptions& options, const CommonOptions& common)
 
 void AddInfoCommand(CLI::App& program, const CommonOptions& common, Action& action)
 {
-  CLI::App* command = program.add_subcommand("info", "Tell what a mesh file holds");
   const auto options = std::make_shared<InfoOptions>();
-  options->input.AddTo(*command);
-  command->add_flag("--certify", options->certify,
+  CLI::App& command = AddCommand(program, "info", "Tell what a mesh file holds",
+    [options, &common, &action] { action = [options, &common] { Info(*options, common); }; });
+  options->input.AddTo(command);
+  AddFlag(command, "--certify", options->certify,
     "Also prove the ranges of the fields, of their gradients and of det J, and which elements are "
     "valid");
-  command->callback(
-    [options, &common, &action] { action = [options, &common] { Info(*options, common); }; });
 }
 } // namespace pixelexact

@@ -166,21 +166,15 @@ InputGrid ReadInput(const InputRequest& request)
   }
 }
 
-void InputRequest::AddTo(CLI::App& command)
+void InputRequest::AddTo(CLI::App& command, bool required)
 {
-  command
-    .add_option("INPUT", files,
-      "The mesh file (.vtu, .pvtu, .pvd, .vtk, .mesh, .saved or .xml) and, where the format keeps "
-      "them apart, its field files (.gf; .fld, .chk or .rst); numbered .vtu or .pvtu files and "
-      "several Nektar++ field files make a time series")
-    ->required()
-    ->type_name("FILE");
-  CLI::Option* number =
-    command.add_option("--time-step", step, "Time step, counted from 0 (default: the first)")
-      ->type_name("N")
-      ->check(CLI::NonNegativeNumber);
-  command.add_option("--time", time, "Time; of the steps the nearest one")
-    ->type_name("T")
-    ->excludes(number);
+  AddArguments(command, "INPUT", files, "FILE",
+    "The mesh file (.vtu, .pvtu, .pvd, .vtk, .mesh, .saved or .xml) and, where the format keeps "
+    "them apart, its field files (.gf; .fld, .chk or .rst); numbered .vtu or .pvtu files and "
+    "several Nektar++ field files make a time series")
+    .Required(required);
+  const AddedOption number =
+    AddIndex(command, "--time-step", step, "N", "Time step, counted from 0 (default: the first)");
+  AddNumber(command, "--time", time, "T", "Time; of the steps the nearest one").Excludes(number);
 }
 } // namespace pixelexact

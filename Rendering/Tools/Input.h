@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Options.h"
+
 #include <vtkSmartPointer.h>
 
 #include <optional>
@@ -9,11 +11,6 @@
 #include <vector>
 
 class vtkUnstructuredGrid;
-
-namespace CLI
-{
-class App;
-}
 
 namespace pixelexact
 {
@@ -25,7 +22,7 @@ struct InputRequest
   std::optional<double> time;
 
   /// Declares INPUT as the command's positional arguments, and the options.
-  void AddTo(CLI::App& command);
+  void AddTo(CLI::App& command, bool required = true);
 };
 
 struct InputGrid

@@ -3,6 +3,7 @@
 #include "Json.h"
 #include "Options.h"
 
+#include <CLI/CLI.hpp>
 #include <tbb/global_control.h>
 
 #include <algorithm>

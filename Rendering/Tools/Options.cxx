@@ -2,8 +2,10 @@
 #include "Options.h"
 
 #include "Command.h"
+#include "Numbers.h"
 
-#include <charconv>
+#include <CLI/CLI.hpp>
+
 #include <cmath>
 #include <cstdint>
 
@@ -13,41 +15,6 @@ namespace
 {
 // Limits of an image: its pixels and their buffers must be countable in 32 bits.
 constexpr std::int64_t kMaxPixels = std::int64_t{ 1 } << 30;
-
-template <class Number>
-bool ParseWhole(std::string_view text, Number& number)
-{
-  const char* end = text.data() + text.size();
-  const auto [last, failure] = std::from_chars(text.data(), end, number);
-  return failure == std::errc() && last == end;
-}
-
-std::string_view Trim(std::string_view text)
-{
-  const auto first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos)
-  {
-    return {};
-  }
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
-[[noreturn]] void Refuse(const std::string& option, const std::string& text, const char* form)
-{
-  throw CLI::ValidationError(option, "expected " + std::string(form) + ", got '" + text + "'");
-}
-} // namespace
-
-bool ParseNumber(std::string_view text, double& number)
-{
-  text = Trim(text);
-  // from_chars, which knows no locale, does not know a plus sign either.
-  if (text.size() > 1 && text.front() == '+' && text[1] != '-')
-  {
-    text.remove_prefix(1);
-  }
-  return !text.empty() && ParseWhole(text, number);
-}
 
 std::vector<double> ParseNumbers(
   const std::string& option, const std::string& text, int count, const char* form)
@@ -69,7 +36,7 @@ std::vector<double> ParseNumbers(
     }
     rest.remove_prefix(comma + 1);
   }
-  if (count >= 0 && numbers.size() != static_cast<std::size_t>(count))
+  if (numbers.size() != static_cast<std::size_t>(count))
   {
     Refuse(option, text, form);
   }
@@ -78,15 +45,14 @@ std::vector<double> ParseNumbers(
 
 ImageSize ParseSize(const std::string& option, const std::string& text)
 {
-  constexpr const char* form = "WIDTHxHEIGHT in pixels, both at least 1";
   const auto cross = text.find('x');
   ImageSize size;
   if (cross == std::string::npos ||
-    !ParseWhole(std::string_view(text).substr(0, cross), size.width) ||
-    !ParseWhole(std::string_view(text).substr(cross + 1), size.height) || size.width < 1 ||
+    !ParseInteger(std::string_view(text).substr(0, cross), size.width) ||
+    !ParseInteger(std::string_view(text).substr(cross + 1), size.height) || size.width < 1 ||
     size.height < 1)
   {
-    Refuse(option, text, form);
+    Refuse(option, text, "WIDTHxHEIGHT in pixels, both at least 1");
   }
   if (static_cast<std::int64_t>(size.width) * size.height > kMaxPixels)
   {
@@ -94,38 +60,135 @@ ImageSize ParseSize(const std::string& option, const std::string& text)
   }
   return size;
 }
+} // namespace
 
-CLI::Option* AddNumbersOption(CLI::App& command, const std::string& name,
-  std::vector<double>& numbers, int count, const char* form, const std::string& help)
+AddedOption& AddedOption::Group(const std::string& name)
 {
-  return command
-    .add_option_function<std::string>(
-      name,
-      [&numbers, name, count, form](const std::string& text)
-      { numbers = ParseNumbers(name, text, count, form); },
-      help)
-    ->type_name(form);
+  Option->group(name);
+  return *this;
 }
 
-CLI::Option* AddRepeatedNumbersOption(CLI::App& command, const std::string& name,
+AddedOption& AddedOption::Required(bool required)
+{
+  Option->required(required);
+  return *this;
+}
+
+AddedOption& AddedOption::Needs(const AddedOption& other)
+{
+  Option->needs(other.Option);
+  return *this;
+}
+
+AddedOption& AddedOption::Excludes(const AddedOption& other)
+{
+  Option->excludes(other.Option);
+  return *this;
+}
+
+AddedOption AddFlag(
+  CLI::App& command, const std::string& name, bool& given, const std::string& help)
+{
+  return AddedOption(command.add_flag(name, given, help));
+}
+
+AddedOption AddText(CLI::App& command, const std::string& name, std::string& text, const char* form,
+  const std::string& help)
+{
+  return AddedOption(command.add_option(name, text, help)->type_name(form));
+}
+
+AddedOption AddArguments(CLI::App& command, const std::string& name,
+  std::vector<std::string>& texts, const char* form, const std::string& help)
+{
+  return AddedOption(command.add_option(name, texts, help)->type_name(form));
+}
+
+AddedOption AddChoice(CLI::App& command, const std::string& name, const ReadText& read,
+  const std::vector<std::string>& choices, const std::string& help)
+{
+  return AddedOption(
+    command.add_option_function<std::string>(name, read, help)->check(CLI::IsMember(choices)));
+}
+
+AddedOption AddInteger(CLI::App& command, const std::string& name, int& number, int lowest,
+  int highest, const char* form, const std::string& help)
+{
+  return AddedOption(
+    command.add_option(name, number, help)->type_name(form)->check(CLI::Range(lowest, highest)));
+}
+
+AddedOption AddIndex(CLI::App& command, const std::string& name, std::optional<int>& index,
+  const char* form, const std::string& help)
+{
+  return AddedOption(
+    command.add_option(name, index, help)->type_name(form)->check(CLI::NonNegativeNumber));
+}
+
+AddedOption AddNumber(CLI::App& command, const std::string& name, std::optional<double>& number,
+  const char* form, const std::string& help)
+{
+  return AddedOption(command.add_option(name, number, help)->type_name(form));
+}
+
+AddedOption AddNumbers(CLI::App& command, const std::string& name, std::vector<double>& numbers,
+  int count, const char* form, const std::string& help)
+{
+  return AddRead(
+    command, name,
+    [&numbers, name, count, form](const std::string& text)
+    { numbers = ParseNumbers(name, text, count, form); },
+    form, help);
+}
+
+AddedOption AddRepeatedNumbers(CLI::App& command, const std::string& name,
   std::vector<std::vector<double>>& values, int count, const char* form, const std::string& help)
 {
-  return command
-    .add_option_function<std::vector<std::string>>(
-      name,
-      [&values, name, count, form](const std::vector<std::string>& texts)
-      {
-        for (const std::string& text : texts)
-        {
-          values.push_back(ParseNumbers(name, text, count, form));
-        }
-      },
-      help)
-    ->type_name(form)
-    // One value after each --name: the next argument may be an input file.
-    ->expected(1)
-    ->allow_extra_args(false)
-    ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  return AddRepeated(
+    command, name,
+    [&values, name, count, form](const std::string& text)
+    { values.push_back(ParseNumbers(name, text, count, form)); },
+    form, help);
+}
+
+AddedOption AddSize(
+  CLI::App& command, const std::string& name, ImageSize& size, const std::string& help)
+{
+  return AddRead(
+    command, name, [&size, name](const std::string& text) { size = ParseSize(name, text); }, "WxH",
+    help);
+}
+
+AddedOption AddRead(CLI::App& command, const std::string& name, const ReadText& read,
+  const char* form, const std::string& help)
+{
+  return AddedOption(command.add_option_function<std::string>(name, read, help)->type_name(form));
+}
+
+AddedOption AddRepeated(CLI::App& command, const std::string& name, const ReadText& read,
+  const char* form, const std::string& help)
+{
+  const auto readAll = [read](const std::vector<std::string>& texts)
+  { std::ranges::for_each(texts, read); };
+  return AddedOption(command.add_option_function<std::vector<std::string>>(name, readAll, help)
+                       ->type_name(form)
+                       // One value after each --name: the next argument may be an input file.
+                       ->expected(1)
+                       ->allow_extra_args(false)
+                       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll));
+}
+
+void Refuse(const std::string& option, const std::string& text, const std::string& form)
+{
+  throw CLI::ValidationError(option, "expected " + form + ", got '" + text + "'");
+}
+
+CLI::App& AddCommand(CLI::App& program, const std::string& name, const std::string& help,
+  const std::function<void()>& chosen)
+{
+  CLI::App* command = program.add_subcommand(name, help);
+  command->callback(chosen);
+  return *command;
 }
 
 std::vector<std::string> JoinOptionValues(
@@ -157,10 +220,8 @@ std::vector<std::string> JoinOptionValues(
 
 void AddCommonOptions(CLI::App& command, CommonOptions& options)
 {
-  command
-    .add_option("--threads", options.threads, "Number of threads (default: as the machine has)")
-    ->type_name("N")
-    ->check(CLI::Range(1, 1 << 16));
-  command.add_flag("--json", options.json, "Print a machine-readable summary on stdout");
+  AddInteger(command, "--threads", options.threads, 1, 1 << 16, "N",
+    "Number of threads (default: as the machine has)");
+  AddFlag(command, "--json", options.json, "Print a machine-readable summary on stdout");
 }
 } // namespace pixelexact

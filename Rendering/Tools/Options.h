@@ -1,22 +1,67 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <CLI/CLI.hpp>
-
+#include <functional>
+#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
-// Reading of option values. What cannot be read throws CLI::ValidationError, which names the option
-// and says what it expects.
+// CLI11 takes long to compile: only Options.cxx and Main.cxx include it.
+namespace CLI
+{
+class App;
+class Option;
+} // namespace CLI
+
+// Options of a command. Those with a value show `form` for it in the help. What cannot be read is
+// refused with the option's name and what it expects.
 namespace pixelexact
 {
-/// The number that the whole of `text` spells, in the C locale; no number: false.
-[[nodiscard]] bool ParseNumber(std::string_view text, double& number);
+/// An option that was added, for what else there is to say of it.
+class AddedOption
+{
+public:
+  explicit AddedOption(CLI::Option* option)
+    : Option(option)
+  {
+  }
+  AddedOption& Group(const std::string& name);
+  AddedOption& Required(bool required = true);
+  AddedOption& Needs(const AddedOption& other);
+  AddedOption& Excludes(const AddedOption& other);
 
-/// Comma-separated finite numbers, exactly `count` of them (-1: one or more).
-std::vector<double> ParseNumbers(
-  const std::string& option, const std::string& text, int count, const char* form);
+private:
+  CLI::Option* Option;
+};
+
+/// Reads the value of an option.
+using ReadText = std::function<void(const std::string&)>;
+
+AddedOption AddFlag(
+  CLI::App& command, const std::string& name, bool& given, const std::string& help);
+
+AddedOption AddText(CLI::App& command, const std::string& name, std::string& text, const char* form,
+  const std::string& help);
+/// The arguments that belong to no option.
+AddedOption AddArguments(CLI::App& command, const std::string& name,
+  std::vector<std::string>& texts, const char* form, const std::string& help);
+AddedOption AddChoice(CLI::App& command, const std::string& name, const ReadText& read,
+  const std::vector<std::string>& choices, const std::string& help);
+
+/// From `lowest` to `highest`.
+AddedOption AddInteger(CLI::App& command, const std::string& name, int& number, int lowest,
+  int highest, const char* form, const std::string& help);
+/// From 0.
+AddedOption AddIndex(CLI::App& command, const std::string& name, std::optional<int>& index,
+  const char* form, const std::string& help);
+AddedOption AddNumber(CLI::App& command, const std::string& name, std::optional<double>& number,
+  const char* form, const std::string& help);
+/// `count` comma-separated finite numbers, given at most once.
+AddedOption AddNumbers(CLI::App& command, const std::string& name, std::vector<double>& numbers,
+  int count, const char* form, const std::string& help);
+/// The same for an option that may be given any number of times.
+AddedOption AddRepeatedNumbers(CLI::App& command, const std::string& name,
+  std::vector<std::vector<double>>& values, int count, const char* form, const std::string& help);
 
 /// An image size "WxH".
 struct ImageSize
@@ -24,15 +69,21 @@ struct ImageSize
   int width = 1000;
   int height = 1000;
 };
-ImageSize ParseSize(const std::string& option, const std::string& text);
+AddedOption AddSize(
+  CLI::App& command, const std::string& name, ImageSize& size, const std::string& help);
 
-/// Adds an option of `count` comma-separated numbers, given at most once.
-CLI::Option* AddNumbersOption(CLI::App& command, const std::string& name,
-  std::vector<double>& numbers, int count, const char* form, const std::string& help);
-
+/// An option that `read` understands, which calls Refuse where it does not.
+AddedOption AddRead(CLI::App& command, const std::string& name, const ReadText& read,
+  const char* form, const std::string& help);
 /// The same for an option that may be given any number of times.
-CLI::Option* AddRepeatedNumbersOption(CLI::App& command, const std::string& name,
-  std::vector<std::vector<double>>& values, int count, const char* form, const std::string& help);
+AddedOption AddRepeated(CLI::App& command, const std::string& name, const ReadText& read,
+  const char* form, const std::string& help);
+[[noreturn]] void Refuse(
+  const std::string& option, const std::string& text, const std::string& form);
+
+/// A command of the program; `chosen` is called where the command line names it.
+CLI::App& AddCommand(CLI::App& program, const std::string& name, const std::string& help,
+  const std::function<void()>& chosen);
 
 /// Option values may begin with a minus sign, which CLI11 takes for another option: joins each
 /// option that takes a value with the argument after it, as "--name=value". Arguments that begin

@@ -150,33 +150,26 @@ void Probe(const ProbeOptions& options, const CommonOptions& common)
 
 void AddProbeCommand(CLI::App& program, const CommonOptions& common, Action& action)
 {
-  CLI::App* command = program.add_subcommand("probe", "Evaluate a field at the points of a table");
   const auto options = std::make_shared<ProbeOptions>();
-  options->input.AddTo(*command);
-  command->add_option("--field", options->field, "Name of the field")
-    ->required()
-    ->type_name("NAME");
-  command
-    ->add_option("--points", options->points,
-      "CSV file with a header line and the columns x, y and z; others are ignored")
-    ->required()
-    ->type_name("FILE");
-  command
-    ->add_option("--output", options->output,
-      "CSV file to write: the points in their order, values (nan outside), the element's number "
-      "in the input (-1 outside), its reference coordinates and the verdict inside, outside or "
-      "unknown")
-    ->required()
-    ->type_name("FILE");
-  command->add_flag(
-    "--gradient", options->columns.gradient, "Also write the gradient in world coordinates");
-  command->add_flag("--enclosures", options->columns.enclosures,
+  CLI::App& command = AddCommand(program, "probe", "Evaluate a field at the points of a table",
+    [options, &common, &action] { action = [options, &common] { Probe(*options, common); }; });
+  options->input.AddTo(command);
+  AddText(command, "--field", options->field, "NAME", "Name of the field").Required();
+  AddText(command, "--points", options->points, "FILE",
+    "CSV file with a header line and the columns x, y and z; others are ignored")
+    .Required();
+  AddText(command, "--output", options->output, "FILE",
+    "CSV file to write: the points in their order, values (nan outside), the element's number "
+    "in the input (-1 outside), its reference coordinates and the verdict inside, outside or "
+    "unknown")
+    .Required();
+  AddFlag(command, "--gradient", options->columns.gradient,
+    "Also write the gradient in world coordinates");
+  AddFlag(command, "--enclosures", options->columns.enclosures,
     "Also write value_lower and value_upper: an interval that is proven to hold the field's value "
     "at the point, the error of the inverse map included (-inf to inf where nothing is proven)");
-  command->add_flag("--owners", options->columns.owners,
+  AddFlag(command, "--owners", options->columns.owners,
     "Also write how often the mesh covers each point: owners, the preimages in all elements, and "
     "coverage: none (outside, or a gap), once, several (an overlap, or a fold), undecided");
-  command->callback(
-    [options, &common, &action] { action = [options, &common] { Probe(*options, common); }; });
 }
 } // namespace pixelexact

@@ -172,22 +172,17 @@ void Render(const RenderOptions& options, const CommonOptions& common)
 
 void AddRenderCommand(CLI::App& program, const CommonOptions& common, Action& action)
 {
-  CLI::App* command =
-    program.add_subcommand("render", "Cut a field by surfaces and colour every pixel exactly");
   const auto options = std::make_shared<RenderOptions>();
-  options->shot.AddTo(*command);
-  options->debug.AddTo(*command);
-  command->add_option("--output", options->output, "PNG image to write")
-    ->required()
-    ->type_name("IMAGE.png");
-  command
-    ->add_option("--buffers", options->buffers,
-      "Also write what was found at each pixel: value, position, normal, xi, element, depth, "
-      "verdict, colour")
-    ->type_name("OUT.vti");
-  command->add_option("--contours", options->contours, "Contour lines (not available yet)")
-    ->type_name("N|v1,v2,...");
-  command->callback(
-    [options, &common, &action] { action = [options, &common] { Render(*options, common); }; });
+  CLI::App& command =
+    AddCommand(program, "render", "Cut a field by surfaces and colour every pixel exactly",
+      [options, &common, &action] { action = [options, &common] { Render(*options, common); }; });
+  options->shot.AddTo(command);
+  options->debug.AddTo(command);
+  AddText(command, "--output", options->output, "IMAGE.png", "PNG image to write").Required();
+  AddText(command, "--buffers", options->buffers, "OUT.vti",
+    "Also write what was found at each pixel: value, position, normal, xi, element, depth, "
+    "verdict, colour");
+  AddText(
+    command, "--contours", options->contours, "N|v1,v2,...", "Contour lines (not available yet)");
 }
 } // namespace pixelexact

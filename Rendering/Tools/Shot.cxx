@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shot.h"
 
-#include "Command.h"
+#include "Numbers.h"
 #include "Report.h"
 
 #include "Core/Base/Error.h"
 #include "Core/Location/Locator.h"
 
 #include <vtkUnstructuredGrid.h>
-
-#include <charconv>
 
 namespace pixelexact
 {
@@ -18,42 +16,32 @@ namespace
 int ParseComponent(const std::string& text)
 {
   int component = 0;
-  const char* end = text.data() + text.size();
-  const auto [last, failure] = std::from_chars(text.data(), end, component);
   if (text == "magnitude")
   {
     return Scene::kMagnitude;
   }
-  if (failure != std::errc() || last != end || component < 0)
+  if (!ParseInteger(text, component) || component < 0)
   {
-    throw CLI::ValidationError(
-      "--component", "expected 'magnitude' or a number from 0, got '" + text + "'");
+    Refuse("--component", text, "'magnitude' or a number from 0");
   }
   return component;
 }
 } // namespace
 
-void ShotOptions::AddTo(CLI::App& command)
+void ShotOptions::AddTo(CLI::App& command, bool required)
 {
-  input.AddTo(command);
-  command.add_option("--field", field, "Name of the field")->required()->type_name("NAME");
-  command
-    .add_option_function<std::string>(
-      "--component", [this](const std::string& text) { component = ParseComponent(text); },
-      "Component of a vector field, counted from 0, or its magnitude (default)")
-    ->type_name("magnitude|i");
-  command
-    .add_option_function<std::string>(
-      "--size", [this](const std::string& text) { size = ParseSize("--size", text); },
-      "Size of the image in pixels (default: 1000x1000)")
-    ->type_name("WxH");
-  command
-    .add_option_function<std::string>(
-      "--precision",
-      [this](const std::string& text)
-      { precision = text == "float" ? Precision::Float : Precision::Double; },
-      "What values are computed in (default: double); what float costs is told")
-    ->check(CLI::IsMember({ "double", "float" }));
+  input.AddTo(command, required);
+  AddText(command, "--field", field, "NAME", "Name of the field").Required(required);
+  AddRead(
+    command, "--component", [this](const std::string& text) { component = ParseComponent(text); },
+    "magnitude|i", "Component of a vector field, counted from 0, or its magnitude (default)");
+  AddSize(command, "--size", size, "Size of the image in pixels (default: 1000x1000)");
+  AddChoice(
+    command, "--precision",
+    [this](const std::string& text)
+    { precision = text == "float" ? Precision::Float : Precision::Double; },
+    { "double", "float" },
+    "What values are computed in (default: double); what float costs is told");
   surfaces.AddTo(command);
   camera.AddTo(command);
   colors.AddTo(command);

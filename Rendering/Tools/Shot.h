@@ -29,7 +29,8 @@ struct ShotOptions
   ImageSize size;
   Precision precision = Precision::Double;
 
-  void AddTo(CLI::App& command);
+  /// `required`: INPUT and --field are.
+  void AddTo(CLI::App& command, bool required = true);
 };
 
 /// A scene that is ready to be traced.

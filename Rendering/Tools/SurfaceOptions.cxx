@@ -32,34 +32,27 @@ constexpr Announced kAnnounced[] = {
 void SurfaceOptions::AddTo(CLI::App& command)
 {
   const char* group = "Surfaces (any number of each)";
-  AddRepeatedNumbersOption(
+  AddRepeatedNumbers(
     command, "--plane", Planes, 6, "ox,oy,oz,nx,ny,nz", "Cut by the plane through o with normal n")
-    ->group(group);
+    .Group(group);
   for (const Announced& surface : kAnnounced)
   {
-    const std::string name = surface.name;
-    command
-      .add_option_function<std::vector<std::string>>(
-        name, [this, name](const std::vector<std::string>&) { NotYet.push_back(name); },
-        std::string(surface.help) + " (not available yet)")
-      ->type_name(surface.form)
-      ->expected(1)
-      ->allow_extra_args(false)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-      ->group(group);
+    AddRepeated(
+      command, surface.name,
+      [this, name = surface.name](const std::string&) { NotYet.emplace_back(name); }, surface.form,
+      std::string(surface.help) + " (not available yet)")
+      .Group(group);
   }
-  command
-    .add_flag_callback(
-      "--boundary", [this] { NotYet.emplace_back("--boundary"); },
-      "The boundary of the mesh (not available yet)")
-    ->group(group);
+  AddFlag(command, "--boundary", Boundary, "The boundary of the mesh (not available yet)")
+    .Group(group);
 }
 
 std::vector<std::shared_ptr<const Surface>> SurfaceOptions::Make() const
 {
-  if (!NotYet.empty())
+  if (!NotYet.empty() || Boundary)
   {
-    throw Unsupported(NotYet[0] + " is not available yet; cut by a --plane");
+    throw Unsupported(
+      (NotYet.empty() ? "--boundary" : NotYet[0]) + " is not available yet; cut by a --plane");
   }
   if (Planes.empty())
   {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Trace/Surface.h"
+#include "Options.h"
 
-#include <CLI/CLI.hpp>
+#include "Trace/Surface.h"
 
 #include <memory>
 #include <string>
@@ -24,5 +24,6 @@ public:
 private:
   std::vector<std::vector<double>> Planes;
   std::vector<std::string> NotYet; ///< names of the options given that are not available yet
+  bool Boundary = false;
 };
 } // namespace pixelexact
