@@ -2,16 +2,15 @@
 #include "BenchFigures.h"
 #include "Command.h"
 #include "FrameTime.h"
-#include "Json.h"
 #include "Report.h"
 #include "Shot.h"
 
 #include "Core/Base/Error.h"
 #include "Core/Element/Kernels.h"
 
+#include <nlohmann/json.hpp>
 #include <tbb/global_control.h>
 
-#include <iostream>
 #include <memory>
 
 namespace pixelexact
@@ -61,18 +60,17 @@ void Bench(const BenchOptions& options, const CommonOptions& common)
 
   if (common.json)
   {
-    json::Object summary;
-    summary.Add("elements", shot.input.model->GetMesh().Elements());
-    summary.Add("field", shot.scene.field->name).Add("component", ComponentName(shot.scene));
+    nlohmann::ordered_json summary{ { "elements", shot.input.model->GetMesh().Elements() },
+      { "field", shot.scene.field->name }, { "component", ComponentName(shot.scene) } };
     AddTime(summary, shot.input);
-    summary.Add("width", shot.size.width).Add("height", shot.size.height);
-    summary.Add("points", measured.points).Add("threads", threads);
-    summary.Add("instruction_set", InstructionSet()).Add("frame_seconds", measured.frames);
-    summary.Add("median_frame_seconds", median).Add("points_per_second", perSecond);
-    summary.Add("kernel_seconds", measured.Kernel()).Add("ratio_to_kernel", ratio);
-    summary.Add("stages", ToJson(measured.stages)).Add("staged_frame_seconds", measured.staged);
-    summary.Add("seconds", ToJson(stopwatch));
-    std::cout << summary.String() << '\n';
+    summary.update(
+      { { "width", shot.size.width }, { "height", shot.size.height }, { "points", measured.points },
+        { "threads", threads }, { "instruction_set", InstructionSet() },
+        { "frame_seconds", measured.frames }, { "median_frame_seconds", median },
+        { "points_per_second", perSecond }, { "kernel_seconds", measured.Kernel() },
+        { "ratio_to_kernel", ratio }, { "stages", ToJson(measured.stages) },
+        { "staged_frame_seconds", measured.staged }, { "seconds", ToJson(stopwatch) } });
+    Print(summary);
     return;
   }
   Table table;

@@ -8,13 +8,13 @@
 #include "Core/Element/Kernels.h"
 #include "Trace/Plane.h"
 
+#include <nlohmann/json.hpp>
 #include <tbb/global_control.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <iostream>
 #include <utility>
 
 namespace pixelexact
@@ -106,22 +106,17 @@ void Print(const Row& row)
   std::fflush(stdout);
 }
 
-json::Object Summary(const Row& row)
+nlohmann::ordered_json Summary(const Row& row)
 {
-  json::Object object;
-  object.Add("shape", row.kind.mixed ? "mixed" : Name(row.kind.shape))
-    .Add("curved", row.kind.curved);
-  object.Add("order", row.kind.order).Add("elements", row.elements);
-  object.Add("width", row.size.width).Add("height", row.size.height);
-  object.Add("points", row.one.points).Add("locator_seconds", row.build);
-  object.Add("locator_bytes", row.memory).Add("elements_bounded", row.bounded);
-  object.Add("kernel_ns", KernelPerPoint(row.one));
-  object.Add("one_thread_ns", PerPoint(row.one)).Add("one_thread_ratio", row.one.Ratio());
-  object.Add("all_threads_ns", PerPoint(row.all)).Add("all_threads_ratio", row.all.Ratio());
-  object.Add("floats_ns", PerPoint(row.floats));
-  object.Add("floats_error", row.floats.floatCheck.largest);
-  object.Add("stages", ToJson(row.one.stages)).Add("staged_seconds", row.one.staged);
-  return object;
+  return { { "shape", row.kind.mixed ? "mixed" : Name(row.kind.shape) },
+    { "curved", row.kind.curved }, { "order", row.kind.order }, { "elements", row.elements },
+    { "width", row.size.width }, { "height", row.size.height }, { "points", row.one.points },
+    { "locator_seconds", row.build }, { "locator_bytes", row.memory },
+    { "elements_bounded", row.bounded }, { "kernel_ns", KernelPerPoint(row.one) },
+    { "one_thread_ns", PerPoint(row.one) }, { "one_thread_ratio", row.one.Ratio() },
+    { "all_threads_ns", PerPoint(row.all) }, { "all_threads_ratio", row.all.Ratio() },
+    { "floats_ns", PerPoint(row.floats) }, { "floats_error", row.floats.floatCheck.largest },
+    { "stages", ToJson(row.one.stages) }, { "staged_seconds", row.one.staged } };
 }
 
 bool Fits(const BlockKind& kind)
@@ -208,7 +203,7 @@ std::vector<Case> CasesOf(const FigureOptions& options)
 void RunFigures(const FigureOptions& options)
 {
   const std::vector<Case> cases = CasesOf(options);
-  std::vector<json::Object> rows;
+  auto rows = nlohmann::ordered_json::array();
   if (!options.json)
   {
     std::printf("Frames of a plane that fills the image; ns a pixel and ratio to the bare kernel "
@@ -237,12 +232,10 @@ void RunFigures(const FigureOptions& options)
   }
   if (options.json)
   {
-    json::Object summary;
-    summary.Add("instruction_set", InstructionSet()).Add("repeat", options.repeat);
-    summary.Add(
-      "threads", tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
-    summary.Add("frames", rows);
-    std::cout << summary.String() << '\n';
+    Print({ { "instruction_set", InstructionSet() }, { "repeat", options.repeat },
+      { "threads",
+        tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) },
+      { "frames", rows } });
   }
 }
 } // namespace pixelexact

@@ -3,6 +3,8 @@
 
 #include "Model.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -127,27 +129,19 @@ std::string Text(const MeshRange& range)
   return text;
 }
 
-void AddTo(json::Object& object, const MeshRange& range)
+nlohmann::ordered_json ToJson(const MeshRange& range)
 {
   // Numbers that are not known become null.
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const bool attains = !range.range.attained.IsEmpty();
   const bool holds = !range.range.outer.IsEmpty();
-  object.Add("lower", holds ? range.range.outer.lower : kInfinity);
-  object.Add("upper", holds ? range.range.outer.upper : kInfinity);
-  object.Add("attained_lower", attains ? range.range.attained.lower : kInfinity);
-  object.Add("attained_upper", attains ? range.range.attained.upper : kInfinity);
-  object.Add("relative_excess", RelativeExcess(range.range));
-  object.Add("tolerance_met", range.range.met).Add("boxes", range.boxes);
-  object.Add("not_finite_elements", range.notFinite);
-  object.Add("unbounded_elements", range.unbounded);
-}
-
-json::Object ToJson(const MeshRange& range)
-{
-  json::Object object;
-  AddTo(object, range);
-  return object;
+  return { { "lower", holds ? range.range.outer.lower : kInfinity },
+    { "upper", holds ? range.range.outer.upper : kInfinity },
+    { "attained_lower", attains ? range.range.attained.lower : kInfinity },
+    { "attained_upper", attains ? range.range.attained.upper : kInfinity },
+    { "relative_excess", RelativeExcess(range.range) }, { "tolerance_met", range.range.met },
+    { "boxes", range.boxes }, { "not_finite_elements", range.notFinite },
+    { "unbounded_elements", range.unbounded } };
 }
 
 std::string List(const std::vector<std::int64_t>& cells, std::int64_t count)
@@ -238,43 +232,37 @@ void AddTo(Table& table, const CertifiedFacts& facts)
   row("proven in " + Short(facts.seconds) + " s");
 }
 
-void AddTo(json::Object& summary, const CertifiedFacts& facts)
+void AddTo(nlohmann::ordered_json& summary, const CertifiedFacts& facts)
 {
-  json::Object jacobian;
+  nlohmann::ordered_json jacobian;
   for (const Validity validity : { Validity::Valid, Validity::Inverted, Validity::Undecided })
   {
-    jacobian.Add(Name(validity), facts.count[static_cast<std::size_t>(validity)]);
+    jacobian[Name(validity)] = facts.count[static_cast<std::size_t>(validity)];
   }
   for (const Validity validity : { Validity::Inverted, Validity::Undecided })
   {
-    std::vector<std::string> cells;
-    for (const std::int64_t cell : facts.first[static_cast<std::size_t>(validity)])
-    {
-      cells.push_back(std::to_string(cell));
-    }
-    jacobian.Raw(std::string(Name(validity)) + "_elements", json::Array(cells));
+    jacobian[std::string(Name(validity)) + "_elements"] =
+      facts.first[static_cast<std::size_t>(validity)];
   }
-  AddTo(jacobian, facts.jacobian);
-  summary.Add("jacobian", jacobian);
-  summary.Add("certify_seconds", facts.seconds);
+  jacobian.update(ToJson(facts.jacobian));
+  summary["jacobian"] = std::move(jacobian);
+  summary["certify_seconds"] = facts.seconds;
 }
 
-json::Object ToJson(const CertifiedField& field)
+nlohmann::ordered_json ToJson(const CertifiedField& field)
 {
-  json::Object object;
-  std::vector<json::Object> components;
+  nlohmann::ordered_json object;
   for (const MeshRange& range : field.components)
   {
-    components.push_back(ToJson(range));
+    object["components"].push_back(ToJson(range));
   }
-  object.Add("components", components);
   if (field.magnitude)
   {
-    object.Add("magnitude", ToJson(*field.magnitude));
+    object["magnitude"] = ToJson(*field.magnitude);
   }
   if (field.gradient)
   {
-    object.Add("gradient_magnitude", ToJson(*field.gradient));
+    object["gradient_magnitude"] = ToJson(*field.gradient);
   }
   return object;
 }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Json.h"
 #include "Report.h"
 
 #include "Core/Element/Validity.h"
+
+#include <nlohmann/json_fwd.hpp>
 
 #include <array>
 #include <cstdint>
@@ -41,7 +42,7 @@ CertifiedFacts Certify(const LoadedModel& input);
 
 void AddTo(Table& table, const CertifiedFacts& facts);
 /// The members "jacobian" and "certify_seconds".
-void AddTo(json::Object& summary, const CertifiedFacts& facts);
+void AddTo(nlohmann::ordered_json& summary, const CertifiedFacts& facts);
 /// A field's member "certified".
-json::Object ToJson(const CertifiedField& field);
+nlohmann::ordered_json ToJson(const CertifiedField& field);
 } // namespace pixelexact

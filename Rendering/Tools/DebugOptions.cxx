@@ -3,7 +3,6 @@
 
 #include "ColorOptions.h"
 #include "Command.h"
-#include "Json.h"
 #include "Options.h"
 #include "Report.h"
 #include "Shot.h"
@@ -11,6 +10,7 @@
 #include "Core/Location/Owners.h"
 #include "Trace/DebugColors.h"
 
+#include <nlohmann/json.hpp>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -204,31 +204,24 @@ void DebugOptions::AddTo(Table& table) const
   }
 }
 
-void DebugOptions::AddTo(json::Object& summary) const
+void DebugOptions::AddTo(nlohmann::ordered_json& summary) const
 {
   const auto add = [&summary](const char* name, const Counts& counts, const auto& nameOf)
   {
-    json::Object object;
     for (std::size_t i = 0; i < counts.size(); ++i)
     {
-      object.Add(nameOf(i), counts[i]);
-    }
-    if (!counts.empty())
-    {
-      summary.Add(name, object);
+      summary[name][nameOf(i)] = counts[i];
     }
   };
   add("coverage", Coverages, [](std::size_t i) { return Name(static_cast<Coverage>(i)); });
   add("validity", Validities, [](std::size_t i) { return Name(static_cast<Validity>(i)); });
   if (Enclosures || ShowUndecided)
   {
-    json::Object enclosures;
-    enclosures.Add("widest", Widest).Add("unbounded", Unbounded);
-    summary.Add("enclosures", enclosures);
+    summary["enclosures"] = { { "widest", Widest }, { "unbounded", Unbounded } };
   }
   if (ShowUndecided)
   {
-    summary.Add("color_undecided", ColorUndecided);
+    summary["color_undecided"] = ColorUndecided;
   }
 }
 } // namespace pixelexact

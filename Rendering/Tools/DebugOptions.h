@@ -5,6 +5,8 @@
 
 #include "Trace/Frame.h"
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <array>
 #include <string>
 #include <vector>
@@ -14,11 +16,6 @@ namespace pixelexact
 class ColorOptions;
 class Table;
 struct Shot;
-
-namespace json
-{
-class Object;
-}
 
 /// What render shows and tells beyond the field: how sound the mesh is where it is cut, and how far
 /// the values are proven. Nothing of it costs a render that does not ask.
@@ -39,7 +36,7 @@ public:
 
   /// What was found: call after Paint.
   void AddTo(Table& table) const;
-  void AddTo(json::Object& summary) const;
+  void AddTo(nlohmann::ordered_json& summary) const;
 
 private:
   using Counts = std::vector<std::int64_t>; ///< pixels per entry of a legend

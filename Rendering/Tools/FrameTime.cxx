@@ -3,6 +3,8 @@
 
 #include "KernelTime.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -80,12 +82,12 @@ FrameTime MeasureFrames(const Scene& scene, const Camera& camera,
   return time;
 }
 
-json::Object ToJson(const StageTimes& stages)
+nlohmann::ordered_json ToJson(const StageTimes& stages)
 {
-  json::Object object;
+  nlohmann::ordered_json object;
   for (std::size_t k = 0; k < kStages; ++k)
   {
-    object.Add(kNames[k], stages[k]);
+    object[kNames[k]] = stages[k];
   }
   return object;
 }

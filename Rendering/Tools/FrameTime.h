@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Json.h"
-
 #include "Trace/Tracer.h"
+
+#include <nlohmann/json_fwd.hpp>
 
 #include <functional>
 #include <string>
@@ -34,7 +34,7 @@ FrameTime MeasureFrames(const Scene& scene, const Camera& camera,
   const std::function<void(double)>& done);
 
 /// Seconds of each stage.
-json::Object ToJson(const StageTimes& stages);
+nlohmann::ordered_json ToJson(const StageTimes& stages);
 /// "inversion 61 %, evaluation 12 %, ...", of what all stages take, the largest first; stages below
 /// a percent are left out.
 std::string Shares(const StageTimes& stages);

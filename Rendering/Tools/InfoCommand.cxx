@@ -3,21 +3,21 @@
 #include "Command.h"
 #include "Continuity.h"
 #include "Input.h"
-#include "Json.h"
 #include "Model.h"
 #include "OrderCounts.h"
 #include "Report.h"
 #include "SolverFacts.h"
 #include "StoredOrder.h"
 
+#include <nlohmann/json.hpp>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iostream>
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace pixelexact
 {
@@ -163,51 +163,43 @@ void PrintTable(const LoadedModel& input, const Facts& facts)
 
 void PrintJson(const LoadedModel& input, const Facts& facts)
 {
-  json::Object shapes;
+  auto shapes = nlohmann::ordered_json::object();
   for (int s = 0; s < kShapeCount; ++s)
   {
     if (const std::int64_t count = facts.shapes[static_cast<std::size_t>(s)]; count > 0)
     {
-      shapes.Add(Name(static_cast<Shape>(s)), count);
+      shapes[Name(static_cast<Shape>(s))] = count;
     }
   }
-  std::vector<json::Object> fields;
+  auto fields = nlohmann::ordered_json::array();
   for (const FieldFacts& one : facts.fields)
   {
-    json::Object field;
-    field.Add("name", one.field->name).Add("components", one.field->values.components);
-    field.Add("orders", ToJson(one.orders));
-    field.Add("orders_per_direction", DirectionsToJson(one.orders));
-    field.Add("basis", one.basis);
-    field.Add("continuity", ContinuityName(one.continuity));
-    field.Add("largest_jump", one.continuity.largestJump);
-    field.Add("non_finite_elements", one.nonFiniteElements);
+    nlohmann::ordered_json field{ { "name", one.field->name },
+      { "components", one.field->values.components }, { "orders", ToJson(one.orders) },
+      { "orders_per_direction", DirectionsToJson(one.orders) }, { "basis", one.basis },
+      { "continuity", ContinuityName(one.continuity) },
+      { "largest_jump", one.continuity.largestJump },
+      { "non_finite_elements", one.nonFiniteElements } };
     if (facts.certified)
     {
-      field.Add("certified", ToJson(facts.certified->fields[fields.size()]));
+      field["certified"] = ToJson(facts.certified->fields[fields.size()]);
     }
-    fields.push_back(field);
+    fields.push_back(std::move(field));
   }
-  std::vector<std::string> diagnostics;
-  for (const std::string& line : input.diagnostics)
-  {
-    diagnostics.push_back(json::Text(line));
-  }
-  json::Object summary;
-  summary.Add("elements", input.model->GetMesh().Elements()).Add("shapes", shapes);
-  summary.Add("skipped_cells", input.skippedCells);
-  summary.Add("geometry_orders", ToJson(facts.orders));
-  summary.Add("stored_geometry_orders", ToJson(facts.storedOrders));
-  summary.Add("node_bounds", facts.bounds).Add("fields", fields);
+  nlohmann::ordered_json summary{ { "elements", input.model->GetMesh().Elements() },
+    { "shapes", shapes }, { "skipped_cells", input.skippedCells },
+    { "geometry_orders", ToJson(facts.orders) },
+    { "stored_geometry_orders", ToJson(facts.storedOrders) }, { "node_bounds", facts.bounds },
+    { "fields", fields } };
   AddTo(summary, facts.solver);
   if (facts.certified)
   {
     AddTo(summary, *facts.certified);
   }
   AddTime(summary, input);
-  summary.Add("times", input.times);
-  summary.Add("converted", input.converted).Raw("diagnostics", json::Array(diagnostics));
-  std::cout << summary.String() << '\n';
+  summary.update({ { "times", input.times }, { "converted", input.converted },
+    { "diagnostics", input.diagnostics } });
+  Print(summary);
 }
 
 void Info(const InfoOptions& options, const CommonOptions& common)

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Command.h"
-#include "Json.h"
 #include "Options.h"
+#include "Report.h"
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 #include <tbb/global_control.h>
 
 #include <algorithm>
@@ -32,7 +33,7 @@ int Fail(int status, const std::string& message, bool json)
   std::cerr << "pixelexact: " << message << '\n';
   if (json)
   {
-    std::cout << pixelexact::json::Object().Add("error", message).String() << '\n';
+    pixelexact::Print(nlohmann::ordered_json{ { "error", message } });
   }
   return status;
 }

@@ -10,6 +10,7 @@
 #include "vtkHighOrderGrid.h"
 #include "vtkUnstructuredGridToHighOrderGrid.h"
 
+#include <nlohmann/json.hpp>
 #include <vtkCallbackCommand.h>
 #include <vtkCellData.h>
 #include <vtkCommand.h>
@@ -96,12 +97,12 @@ void AddTime(Table& table, const LoadedModel& input)
   }
 }
 
-void AddTime(json::Object& summary, const LoadedModel& input)
+void AddTime(nlohmann::ordered_json& summary, const LoadedModel& input)
 {
   if (!input.times.empty())
   {
-    summary.Add("time_step", input.step);
-    summary.Add("time", input.times[static_cast<std::size_t>(input.step)]);
+    summary["time_step"] = input.step;
+    summary["time"] = input.times[static_cast<std::size_t>(input.step)];
   }
 }
 

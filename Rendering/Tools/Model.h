@@ -3,6 +3,7 @@
 
 #include "HighOrderModel.h"
 
+#include <nlohmann/json_fwd.hpp>
 #include <vtkSmartPointer.h>
 
 #include <array>
@@ -11,11 +12,6 @@
 #include <vector>
 
 class vtkUnstructuredGrid;
-
-namespace pixelexact::json
-{
-class Object;
-}
 
 namespace pixelexact
 {
@@ -42,7 +38,7 @@ LoadedModel LoadModel(const InputRequest& request, const std::string& field, Sto
 
 /// Tells which time step this is; nothing where the input knows no time.
 void AddTime(Table& table, const LoadedModel& input);
-void AddTime(json::Object& summary, const LoadedModel& input);
+void AddTime(nlohmann::ordered_json& summary, const LoadedModel& input);
 
 /// Says on stderr what looks wrong in the file.
 void WarnOfDiagnostics(const LoadedModel& input);

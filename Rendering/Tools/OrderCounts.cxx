@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OrderCounts.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 
 namespace pixelexact
@@ -49,27 +51,27 @@ std::string Text(const OrderCounts& counts)
   return text.empty() ? "none" : text;
 }
 
-json::Object ToJson(const OrderCounts& counts)
+nlohmann::ordered_json ToJson(const OrderCounts& counts)
 {
   std::map<int, std::int64_t> highest;
   for (const auto& [orders, count] : counts)
   {
     highest[std::ranges::max(orders)] += count;
   }
-  json::Object object;
+  auto object = nlohmann::ordered_json::object();
   for (const auto& [order, count] : highest)
   {
-    object.Add(std::to_string(order), count);
+    object[std::to_string(order)] = count;
   }
   return object;
 }
 
-json::Object DirectionsToJson(const OrderCounts& counts)
+nlohmann::ordered_json DirectionsToJson(const OrderCounts& counts)
 {
-  json::Object object;
+  auto object = nlohmann::ordered_json::object();
   for (const auto& [orders, count] : counts)
   {
-    object.Add(Label(orders), count);
+    object[Label(orders)] = count;
   }
   return object;
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Json.h"
-
 #include "Core/Element/Mesh.h"
+
+#include <nlohmann/json_fwd.hpp>
 
 #include <array>
 #include <cstdint>
@@ -22,7 +22,7 @@ OrderCounts CountOrders(const Expansion& expansion);
 /// "3" or, for several, "3 (40 elements), 4 (2 elements)".
 std::string Text(const OrderCounts& counts);
 /// Elements by the highest of their orders.
-json::Object ToJson(const OrderCounts& counts);
+nlohmann::ordered_json ToJson(const OrderCounts& counts);
 /// Elements by "3 x 5 x 7".
-json::Object DirectionsToJson(const OrderCounts& counts);
+nlohmann::ordered_json DirectionsToJson(const OrderCounts& counts);
 } // namespace pixelexact

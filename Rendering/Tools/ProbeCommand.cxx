@@ -2,13 +2,13 @@
 #include "Command.h"
 #include "Csv.h"
 #include "Input.h"
-#include "Json.h"
 #include "Model.h"
 #include "ProbeTable.h"
 #include "Report.h"
 
+#include <nlohmann/json.hpp>
+
 #include <array>
-#include <iostream>
 #include <memory>
 #include <sstream>
 
@@ -34,13 +34,11 @@ std::string Short(double number)
   return text.str();
 }
 
-void AddEnclosures(json::Object& summary, const ProbeSamples& samples)
+void AddEnclosures(nlohmann::ordered_json& summary, const ProbeSamples& samples)
 {
   const EnclosureWidths widths = MeasureEnclosures(samples);
-  json::Object enclosures;
-  enclosures.Add("median_width", widths.median).Add("largest_width", widths.largest);
-  enclosures.Add("unbounded", widths.unbounded);
-  summary.Add("enclosures", enclosures);
+  summary["enclosures"] = { { "median_width", widths.median }, { "largest_width", widths.largest },
+    { "unbounded", widths.unbounded } };
 }
 
 void AddEnclosures(Table& table, const ProbeSamples& samples)
@@ -58,15 +56,13 @@ void AddEnclosures(Table& table, const ProbeSamples& samples)
 constexpr std::array kCoverages{ Coverage::None, Coverage::Once, Coverage::Several,
   Coverage::Undecided };
 
-void AddCoverage(json::Object& summary, const ProbeSamples& samples)
+void AddCoverage(nlohmann::ordered_json& summary, const ProbeSamples& samples)
 {
   const CoverageCounts counts = CountCoverage(samples);
-  json::Object coverage;
   for (const Coverage kind : kCoverages)
   {
-    coverage.Add(Name(kind), counts[static_cast<std::size_t>(kind)]);
+    summary["coverage"][Name(kind)] = counts[static_cast<std::size_t>(kind)];
   }
-  summary.Add("coverage", coverage);
 }
 
 void AddCoverage(Table& table, const ProbeSamples& samples)
@@ -107,12 +103,12 @@ void Probe(const ProbeOptions& options, const CommonOptions& common)
   const ProbeCounts counts = CountProbes(samples);
   if (common.json)
   {
-    json::Object summary;
-    summary.Add("field", field.name).Add("components", field.values.components);
+    nlohmann::ordered_json summary{ { "field", field.name },
+      { "components", field.values.components } };
     AddTime(summary, input);
-    summary.Add("points", points.size()).Add("inside", counts.inside);
-    summary.Add("outside", counts.outside).Add("unknown", counts.unknown);
-    summary.Add("non_finite", counts.nonFinite);
+    summary.update(
+      { { "points", points.size() }, { "inside", counts.inside }, { "outside", counts.outside },
+        { "unknown", counts.unknown }, { "non_finite", counts.nonFinite } });
     if (options.columns.enclosures)
     {
       AddEnclosures(summary, samples);
@@ -121,8 +117,8 @@ void Probe(const ProbeOptions& options, const CommonOptions& common)
     {
       AddCoverage(summary, samples);
     }
-    summary.Add("seconds", ToJson(stopwatch));
-    std::cout << summary.String() << '\n';
+    summary["seconds"] = ToJson(stopwatch);
+    Print(summary);
     return;
   }
   Table table;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Command.h"
 #include "DebugOptions.h"
-#include "Json.h"
 #include "Picture.h"
 #include "Report.h"
 #include "Shot.h"
@@ -9,8 +8,9 @@
 #include "Core/Base/Error.h"
 #include "Core/Location/Locator.h"
 
+#include <nlohmann/json.hpp>
+
 #include <filesystem>
-#include <iostream>
 #include <limits>
 #include <memory>
 
@@ -27,46 +27,48 @@ struct RenderOptions
   std::string contours;
 };
 
-json::Object ToJson(const CameraView& view)
+nlohmann::ordered_json ToJson(const CameraView& view)
 {
   const auto numbers = [](const Vec3& v) { return std::array{ v.x, v.y, v.z }; };
-  json::Object camera;
-  camera.Add("position", numbers(view.position)).Add("focal_point", numbers(view.focalPoint));
-  camera.Add("view_up", numbers(view.viewUp));
-  return view.parallel ? camera.Add("parallel_scale", view.parallelScale)
-                       : camera.Add("view_angle", view.viewAngle);
+  nlohmann::ordered_json camera{ { "position", numbers(view.position) },
+    { "focal_point", numbers(view.focalPoint) }, { "view_up", numbers(view.viewUp) } };
+  if (view.parallel)
+  {
+    camera["parallel_scale"] = view.parallelScale;
+  }
+  else
+  {
+    camera["view_angle"] = view.viewAngle;
+  }
+  return camera;
 }
 
 void PrintJson(const Shot& shot, const Frame& frame,
   const std::optional<std::array<double, 2>>& values, const std::array<double, 2>& colors,
   const DebugOptions& debug, const Stopwatch& stopwatch)
 {
-  json::Object pixels;
-  pixels.Add("exact", frame.counters.exact).Add("nothing", frame.counters.nothing);
-  pixels.Add("unknown", frame.counters.unknown);
-  const LocationCounters& counters = shot.scene.locator->Counters();
-  json::Object location;
-  location.Add("queries", counters.queries.load()).Add("candidates", counters.candidates.load());
-  location.Add("careful", counters.careful.load()).Add("unknown", counters.unknown.load());
-
-  json::Object summary;
-  summary.Add("elements", shot.input.model->GetMesh().Elements());
-  summary.Add("field", shot.scene.field->name).Add("component", ComponentName(shot.scene));
+  const FrameCounters& pixels = frame.counters;
+  nlohmann::ordered_json summary{ { "elements", shot.input.model->GetMesh().Elements() },
+    { "field", shot.scene.field->name }, { "component", ComponentName(shot.scene) } };
   AddTime(summary, shot.input);
-  summary.Add("width", frame.width).Add("height", frame.height).Add("pixels", pixels);
-  summary.Add("non_finite", frame.counters.nonFinite);
-  summary.Raw("value_range", values ? json::Array(*values) : "null");
-  summary.Add("color_range", colors).Add("camera", ToJson(shot.view));
+  summary.update({ { "width", frame.width }, { "height", frame.height },
+    { "pixels",
+      { { "exact", pixels.exact }, { "nothing", pixels.nothing }, { "unknown", pixels.unknown } } },
+    { "non_finite", pixels.nonFinite },
+    { "value_range", values ? nlohmann::ordered_json(*values) : nlohmann::ordered_json() },
+    { "color_range", colors }, { "camera", ToJson(shot.view) } });
   if (shot.scene.precision == Precision::Float)
   {
-    const PrecisionCheck& check = frame.counters.floatCheck;
-    json::Object floats;
-    floats.Add("checked", check.points).Add("largest_difference", check.largest);
-    summary.Add("float", floats);
+    summary["float"] = { { "checked", pixels.floatCheck.points },
+      { "largest_difference", pixels.floatCheck.largest } };
   }
   debug.AddTo(summary);
-  summary.Add("location", location).Add("seconds", ToJson(stopwatch));
-  std::cout << summary.String() << '\n';
+  const LocationCounters& location = shot.scene.locator->Counters();
+  summary["location"] = { { "queries", location.queries.load() },
+    { "candidates", location.candidates.load() }, { "careful", location.careful.load() },
+    { "unknown", location.unknown.load() } };
+  summary["seconds"] = ToJson(stopwatch);
+  Print(summary);
 }
 
 void PrintTable(const Shot& shot, const Frame& frame,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Report.h"
 
+#include <nlohmann/json.hpp>
+
 #include <unistd.h>
 
 #include <algorithm>
@@ -46,14 +48,20 @@ void AddStages(Table& table, const Stopwatch& stopwatch)
   }
 }
 
-json::Object ToJson(const Stopwatch& stopwatch)
+nlohmann::ordered_json ToJson(const Stopwatch& stopwatch)
 {
-  json::Object stages;
+  auto stages = nlohmann::ordered_json::object();
   for (const auto& [stage, seconds] : stopwatch.Stages())
   {
-    stages.Add(stage, seconds);
+    stages[stage] = seconds;
   }
   return stages;
+}
+
+void Print(const nlohmann::ordered_json& summary)
+{
+  constexpr auto replace = nlohmann::ordered_json::error_handler_t::replace;
+  std::cout << summary.dump(-1, ' ', false, replace) << '\n';
 }
 
 ProgressLine::ProgressLine(std::string label)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Json.h"
+#include <nlohmann/json_fwd.hpp>
 
 #include <chrono>
 #include <functional>
@@ -41,7 +41,11 @@ private:
 };
 
 void AddStages(Table& table, const Stopwatch& stopwatch);
-json::Object ToJson(const Stopwatch& stopwatch);
+nlohmann::ordered_json ToJson(const Stopwatch& stopwatch);
+
+/// One line on stdout. NaN and infinity, which JSON does not know, become null, and bytes that are
+/// no UTF-8, which a name of an array or a file may hold, the replacement character.
+void Print(const nlohmann::ordered_json& summary);
 
 /// Shows how far the work is, on stderr, when that is a terminal; clears its line when done.
 class ProgressLine

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SolverFacts.h"
 
-#include "Json.h"
 #include "Report.h"
 
 #include "HighOrderArrays.h"
 
+#include <nlohmann/json.hpp>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkStringArray.h>
 #include <vtkUnstructuredGrid.h>
+
+#include <utility>
 
 namespace pixelexact
 {
@@ -72,12 +74,12 @@ void AddRow(Table& table, const char* label, const char* what, const SolverFacts
   }
 }
 
-json::Object ToJson(const Counts& counts)
+nlohmann::ordered_json ToJson(const Counts& counts)
 {
-  json::Object object;
+  auto object = nlohmann::ordered_json::object();
   for (const auto& [id, count] : counts)
   {
-    object.Add(std::to_string(id), count);
+    object[std::to_string(id)] = count;
   }
   return object;
 }
@@ -123,17 +125,16 @@ void AddTo(Table& table, const SolverFacts& facts)
   AddRow(table, "boundary", "face", facts, facts.boundaryAttributes, true);
 }
 
-void AddTo(json::Object& summary, const SolverFacts& facts)
+void AddTo(nlohmann::ordered_json& summary, const SolverFacts& facts)
 {
-  summary.Add("attributes", ToJson(facts.attributes));
-  summary.Add("boundary_attributes", ToJson(facts.boundaryAttributes));
-  std::vector<json::Object> groups;
+  auto groups = nlohmann::ordered_json::array();
   for (const auto& group : facts.groups)
   {
-    json::Object object;
-    object.Add("id", group.id).Add("name", group.name).Add("boundary", group.boundary);
-    groups.push_back(object);
+    groups.push_back(
+      { { "id", group.id }, { "name", group.name }, { "boundary", group.boundary } });
   }
-  summary.Add("groups", groups);
+  summary["attributes"] = ToJson(facts.attributes);
+  summary["boundary_attributes"] = ToJson(facts.boundaryAttributes);
+  summary["groups"] = std::move(groups);
 }
 } // namespace pixelexact

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <cstdint>
 #include <map>
 #include <string>
@@ -10,10 +12,6 @@ class vtkUnstructuredGrid;
 
 namespace pixelexact
 {
-namespace json
-{
-class Object;
-}
 class Table;
 
 /// What a solver's own file tells beside mesh and coefficients.
@@ -36,5 +34,5 @@ SolverFacts GatherSolverFacts(vtkUnstructuredGrid& grid);
 std::string BasisOf(vtkUnstructuredGrid& grid, const std::string& field);
 
 void AddTo(Table& table, const SolverFacts& facts);
-void AddTo(json::Object& summary, const SolverFacts& facts);
+void AddTo(nlohmann::ordered_json& summary, const SolverFacts& facts);
 } // namespace pixelexact
