@@ -11,6 +11,7 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <xxhash.h>
 
 #include <bit>
 
@@ -18,49 +19,37 @@ namespace pixelexact
 {
 namespace
 {
-/// Mixes word by word with the finaliser of MurmurHash3 (A. Appleby, public domain), so that the
-/// order of words counts.
-class Hash
+void AppendTuple(std::vector<double>& numbers, vtkDataArray* array, vtkIdType tuple)
 {
-public:
-  void Add(std::uint64_t word)
-  {
-    state = (state ^ word) + 0x9e3779b97f4a7c15U;
-    state = (state ^ (state >> 33U)) * 0xff51afd7ed558ccdU;
-    state = (state ^ (state >> 33U)) * 0xc4ceb9fe1a85ec53U;
-    state ^= state >> 33U;
-  }
-  void Add(double value) { Add(std::bit_cast<std::uint64_t>(value + 0.0)); }
-  [[nodiscard]] std::int64_t Value() const { return std::bit_cast<std::int64_t>(state); }
-
-private:
-  std::uint64_t state = 0;
-};
-
-void AddTuple(Hash& hash, vtkDataArray* array, vtkIdType tuple, std::vector<double>& scratch)
-{
-  scratch.resize(array->GetNumberOfComponents());
-  array->GetTuple(tuple, scratch.data());
-  for (const double value : scratch)
-  {
-    hash.Add(value);
-  }
+  const std::size_t begin = numbers.size();
+  numbers.resize(begin + array->GetNumberOfComponents());
+  array->GetTuple(tuple, numbers.data() + begin);
 }
-/// hash(cell, points, scratch) for every cell, in parallel.
-template <class HashCell>
-std::vector<std::int64_t> ForCells(vtkUnstructuredGrid* grid, HashCell&& hashCell)
+
+std::int64_t HashOf(std::vector<double>& numbers)
+{
+  for (double& number : numbers)
+  {
+    number += 0.0; // makes the two zeros one
+  }
+  return std::bit_cast<std::int64_t>(XXH3_64bits(numbers.data(), numbers.size() * sizeof(double)));
+}
+
+/// The hash of what append(numbers, cell, points) leaves, for every cell, in parallel.
+template <class Append>
+std::vector<std::int64_t> ForCells(vtkUnstructuredGrid* grid, Append&& append)
 {
   std::vector<std::int64_t> prints(grid->GetNumberOfCells());
   tbb::parallel_for(tbb::blocked_range<vtkIdType>(0, grid->GetNumberOfCells(), 1024),
     [&](const tbb::blocked_range<vtkIdType>& range)
     {
       vtkNew<vtkIdList> points;
-      std::vector<double> scratch;
+      std::vector<double> numbers;
       for (vtkIdType cell = range.begin(); cell < range.end(); ++cell)
       {
-        Hash hash;
-        hashCell(hash, cell, points.Get(), scratch);
-        prints[cell] = hash.Value();
+        numbers.clear();
+        append(numbers, cell, points.Get());
+        prints[cell] = HashOf(numbers);
       }
     });
   return prints;
@@ -70,14 +59,14 @@ std::vector<std::int64_t> ForCells(vtkUnstructuredGrid* grid, HashCell&& hashCel
 std::vector<std::int64_t> CellFingerprints(vtkUnstructuredGrid* grid)
 {
   return ForCells(grid,
-    [grid](Hash& hash, vtkIdType cell, vtkIdList* points, std::vector<double>& scratch)
+    [grid](std::vector<double>& numbers, vtkIdType cell, vtkIdList* points)
     {
       grid->GetCellPoints(cell, points);
-      hash.Add(static_cast<std::uint64_t>(grid->GetCellType(cell)));
-      hash.Add(static_cast<std::uint64_t>(points->GetNumberOfIds()));
+      numbers.push_back(grid->GetCellType(cell));
+      numbers.push_back(static_cast<double>(points->GetNumberOfIds()));
       for (vtkIdType i = 0; i < points->GetNumberOfIds(); ++i)
       {
-        AddTuple(hash, grid->GetPoints()->GetData(), points->GetId(i), scratch);
+        AppendTuple(numbers, grid->GetPoints()->GetData(), points->GetId(i));
       }
     });
 }
@@ -86,17 +75,17 @@ std::vector<std::int64_t> ValueFingerprints(
   vtkUnstructuredGrid* grid, vtkDataArray* source, Origin origin)
 {
   return ForCells(grid,
-    [=](Hash& hash, vtkIdType cell, vtkIdList* points, std::vector<double>& scratch)
+    [=](std::vector<double>& numbers, vtkIdType cell, vtkIdList* points)
     {
       if (origin == Origin::CellData)
       {
-        AddTuple(hash, source, cell, scratch);
+        AppendTuple(numbers, source, cell);
         return;
       }
       grid->GetCellPoints(cell, points);
       for (vtkIdType i = 0; i < points->GetNumberOfIds(); ++i)
       {
-        AddTuple(hash, source, points->GetId(i), scratch);
+        AppendTuple(numbers, source, points->GetId(i));
       }
     });
 }

@@ -10,11 +10,12 @@
 
 // 64-bit hashes that tell whether a cell and the values at its points are still those from which
 // coefficients were made. A change goes unnoticed with a probability of about 2^-64 per cell; they
-// guard against accidents, not against forgery.
+// guard against accidents, not against forgery. A hash is XXH3 (64 bits, no seed) of doubles as
+// they lie in memory, -0 replaced by 0; what was saved with another hash counts as stale.
 namespace pixelexact
 {
-/// Per cell: type, number of points and the coordinates of its points, in order, as doubles (so
-/// that float points may be stored as double), the two zeros being one number.
+/// Per cell, in this order: type, number of points and the coordinates of its points, all as
+/// doubles (so that float points may be stored as double).
 std::vector<std::int64_t> CellFingerprints(vtkUnstructuredGrid* grid);
 
 /// Per cell: the values of `source` at its points, in order, or its own for Origin::CellData.

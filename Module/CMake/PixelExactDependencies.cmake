@@ -21,6 +21,14 @@ find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(ZLIB REQUIRED)
 find_package(pugixml REQUIRED)
 
+# Debian's xxHash has no CMake package.
+find_path(XXHASH_INCLUDE_DIR xxhash.h REQUIRED)
+find_library(XXHASH_LIBRARY xxhash REQUIRED)
+add_library(xxHash::xxHash UNKNOWN IMPORTED)
+set_target_properties(xxHash::xxHash PROPERTIES
+  IMPORTED_LOCATION "${XXHASH_LIBRARY}"
+  INTERFACE_INCLUDE_DIRECTORIES "${XXHASH_INCLUDE_DIR}")
+
 # Embree 3 and 4 differ in their headers; the sources ask for both with __has_include.
 find_package(embree 4 QUIET)
 if(NOT embree_FOUND)

@@ -4,6 +4,7 @@
 #include "Core/Location/Sample.h"
 
 #include <tbb/parallel_for.h>
+#include <xxhash.h>
 
 #include <algorithm>
 #include <array>
@@ -89,20 +90,11 @@ std::vector<Vec3> MeetingPoints(Shape shape)
 /// is none. Places nearer than a quarter of `cell` are the same.
 std::vector<std::size_t> MatchPoints(std::span<const Vec3> points, double cell)
 {
-  struct Key
-  {
-    std::array<double, 3> number;
-    bool operator==(const Key&) const = default;
-  };
-  const auto hash = [](const Key& key)
-  {
-    std::size_t sum = 0;
-    for (const double number : key.number)
-    {
-      sum = (sum ^ std::hash<double>()(number)) * 0x9E3779B97F4A7C15ULL;
-      sum ^= sum >> 32U;
-    }
-    return sum;
+  using Key = std::array<double, 3>;
+  const auto hash = [](const Key& key) { return XXH3_64bits(key.data(), sizeof(key)); };
+  // The sum with 0 makes the two zeros, which are equal, one to the hash too.
+  const auto keyOf = [](const Vec3& v) -> Key {
+    return { std::floor(v.x) + 0.0, std::floor(v.y) + 0.0, std::floor(v.z) + 0.0 };
   };
   std::unordered_map<Key, std::size_t, decltype(hash)> firstIn(2 * points.size(), hash);
   std::vector<std::size_t> first(points.size());
@@ -112,10 +104,8 @@ std::vector<std::size_t> MatchPoints(std::span<const Vec3> points, double cell)
     first[i] = i;
     for (unsigned side = 0; side < 8 && first[i] == i; ++side)
     {
-      const auto shifted = [&](int d) {
-        return std::floor(scaled[d] + ((side >> static_cast<unsigned>(d) & 1U) != 0 ? .25 : -.25));
-      };
-      const auto found = firstIn.find({ { shifted(0), shifted(1), shifted(2) } });
+      const auto shift = [side](unsigned bit) { return (side & bit) != 0 ? 0.25 : -0.25; };
+      const auto found = firstIn.find(keyOf(scaled + Vec3(shift(1), shift(2), shift(4))));
       if (found != firstIn.end())
       {
         const Vec3 apart = points[found->second] - points[i];
@@ -126,8 +116,7 @@ std::vector<std::size_t> MatchPoints(std::span<const Vec3> points, double cell)
     }
     if (first[i] == i)
     {
-      firstIn.emplace(
-        Key{ { std::floor(scaled.x), std::floor(scaled.y), std::floor(scaled.z) } }, i);
+      firstIn.emplace(keyOf(scaled), i);
     }
   }
   return first;
