@@ -74,18 +74,16 @@ void Bench(const BenchOptions& options, const CommonOptions& common)
     return;
   }
   Table table;
-  table.Row("elements", std::to_string(shot.input.model->GetMesh().Elements()));
+  table.Row("elements", "{}", shot.input.model->GetMesh().Elements());
   table.Row("field", shot.scene.field->name + FieldKind(*shot.scene.field));
   AddTime(table, shot.input);
-  table.Row("size", std::to_string(shot.size.width) + " x " + std::to_string(shot.size.height));
-  table.Row("threads", std::to_string(threads) + ", " + InstructionSet());
-  table.Row("points", std::to_string(measured.points) + " exact pixels");
-  table.Row("frame",
-    Short(median) + " s, median of " + std::to_string(measured.frames.size()) + "; " +
-      Short(perSecond) + " points/s");
-  table.Row("kernel",
-    Short(measured.Kernel()) + " s for as many bare evaluations; the frame takes " + Short(ratio) +
-      " times as long");
+  table.Row("size", "{} x {}", shot.size.width, shot.size.height);
+  table.Row("threads", "{}, {}", threads, InstructionSet());
+  table.Row("points", "{} exact pixels", measured.points);
+  table.Row("frame", "{} s, median of {}; {} points/s", Short(median), measured.frames.size(),
+    Short(perSecond));
+  table.Row("kernel", "{} s for as many bare evaluations; the frame takes {} times as long",
+    Short(measured.Kernel()), Short(ratio));
   table.Row("tiles", Shares(measured.stages));
   AddStages(table, stopwatch);
   table.Print();

@@ -91,18 +91,15 @@ double KernelPerPoint(const FrameTime& time)
   return time.points > 0 ? 1e9 * time.Kernel() / static_cast<double>(time.points) : 0.0;
 }
 
-std::string SizeOf(const ImageSize& size)
-{
-  return std::to_string(size.width) + "x" + std::to_string(size.height);
-}
-
 void Print(const Row& row)
 {
-  std::printf("%-12s %-8s %5d %8d %10s %9lld %8.1f %7.1f %6.1f %8.1f %6.1f %7.1f %8.1e  %s\n",
+  const std::string size = fmt::format("{}x{}", row.size.width, row.size.height);
+  fmt::print("{:12} {:8} {:5} {:8} {:>10} {:9} {:8.1f} {:7.1f} {:6.1f} {:8.1f} {:6.1f} {:7.1f} "
+             "{:>8.1e}  {}\n",
     row.kind.mixed ? "mixed" : Name(row.kind.shape), row.kind.curved ? "curved" : "straight",
-    row.kind.order, row.elements, SizeOf(row.size).c_str(), static_cast<long long>(row.one.points),
-    KernelPerPoint(row.one), PerPoint(row.one), row.one.Ratio(), PerPoint(row.all), row.all.Ratio(),
-    PerPoint(row.floats), row.floats.floatCheck.largest, Shares(row.one.stages).c_str());
+    row.kind.order, row.elements, size, row.one.points, KernelPerPoint(row.one), PerPoint(row.one),
+    row.one.Ratio(), PerPoint(row.all), row.all.Ratio(), PerPoint(row.floats),
+    row.floats.floatCheck.largest, Shares(row.one.stages));
   std::fflush(stdout);
 }
 
@@ -206,13 +203,14 @@ void RunFigures(const FigureOptions& options)
   auto rows = nlohmann::ordered_json::array();
   if (!options.json)
   {
-    std::printf("Frames of a plane that fills the image; ns a pixel and ratio to the bare kernel "
-                "(%s), median of %d; 1 thread and %zu.\n",
+    fmt::print("Frames of a plane that fills the image; ns a pixel and ratio to the bare kernel "
+               "({}), median of {}; 1 thread and {}.\n",
       InstructionSet(), options.repeat,
       tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
-    std::printf("%-12s %-8s %5s %8s %10s %9s %8s %7s %6s %8s %6s %7s %8s  %s\n", "shape", "map",
-      "order", "elements", "image", "pixels", "kernel", "frame", "ratio", "threads", "ratio",
-      "floats", "error", "time of one thread in the tiles");
+    fmt::print(
+      "{:12} {:8} {:>5} {:>8} {:>10} {:>9} {:>8} {:>7} {:>6} {:>8} {:>6} {:>7} {:>8}  {}\n",
+      "shape", "map", "order", "elements", "image", "pixels", "kernel", "frame", "ratio", "threads",
+      "ratio", "floats", "error", "time of one thread in the tiles");
   }
   for (const auto& [kind, size] : cases)
   {

@@ -3,14 +3,15 @@
 
 #include "Model.h"
 
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <limits>
+#include <utility>
 
 namespace pixelexact
 {
@@ -79,18 +80,12 @@ double RelativeExcess(const CertifiedRange& range)
 /// With this many digits, rounded downwards or upwards.
 std::string Digits(double number, bool upwards, int digits)
 {
-  std::array<char, 40> text{};
-  const auto print = [&](double v)
-  {
-    std::snprintf(text.data(), text.size(), "%.*g", digits, v);
-    return std::strtod(text.data(), nullptr);
-  };
-  const double printed = print(number);
-  if (upwards ? printed < number : printed > number)
-  {
-    print(number + (upwards ? 1e-9 : -1e-9) * std::fabs(number));
-  }
-  return text.data();
+  const auto print = [digits](double v) { return fmt::format("{:.{}g}", v, digits); };
+  const std::string text = print(number);
+  const double printed = std::strtod(text.c_str(), nullptr);
+  return (upwards ? printed < number : printed > number)
+    ? print(number + (upwards ? 1e-9 : -1e-9) * std::fabs(number))
+    : text;
 }
 
 /// `outward`: of a range that holds something, else of one that is held.
@@ -98,8 +93,8 @@ std::string Text(const Interval& range, bool outward)
 {
   // Ten digits, unless the range is narrower than they show.
   const int digits = range.Width() > 1e-7 * range.Magnitude() ? 10 : 17;
-  return "[" + Digits(range.lower, !outward, digits) + ", " + Digits(range.upper, outward, digits) +
-    "]";
+  return fmt::format(
+    "[{}, {}]", Digits(range.lower, !outward, digits), Digits(range.upper, outward, digits));
 }
 
 std::string Text(const MeshRange& range)
@@ -111,7 +106,7 @@ std::string Text(const MeshRange& range)
   }
   else if (!range.range.outer.IsFinite())
   {
-    text = "no bound found in " + std::to_string(range.unbounded) + " elements";
+    text = fmt::format("no bound found in {} elements", range.unbounded);
   }
   else
   {
@@ -124,7 +119,7 @@ std::string Text(const MeshRange& range)
   }
   if (range.notFinite > 0)
   {
-    text += "; not finite in " + std::to_string(range.notFinite) + " elements, left out";
+    text += fmt::format("; not finite in {} elements, left out", range.notFinite);
   }
   return text;
 }
@@ -146,13 +141,8 @@ nlohmann::ordered_json ToJson(const MeshRange& range)
 
 std::string List(const std::vector<std::int64_t>& cells, std::int64_t count)
 {
-  std::string text;
-  for (const std::int64_t cell : cells)
-  {
-    text += (text.empty() ? " (" : ", ") + std::to_string(cell);
-  }
-  return text.empty() ? text
-                      : text + (static_cast<std::int64_t>(cells.size()) < count ? ", ...)" : ")");
+  const bool more = static_cast<std::int64_t>(cells.size()) < count;
+  return cells.empty() ? "" : fmt::format(" ({}{})", fmt::join(cells, ", "), more ? ", ..." : "");
 }
 } // namespace
 
@@ -194,42 +184,42 @@ CertifiedFacts Certify(const LoadedModel& input)
 void AddTo(Table& table, const CertifiedFacts& facts)
 {
   std::string name = "certified";
-  const auto row = [&](const std::string& text)
+  const auto row = [&]<class... Values>(fmt::format_string<Values...> text, Values&&... values)
   {
-    table.Row(name, text);
+    table.Row(name, text, std::forward<Values>(values)...);
     name.clear();
   };
   for (const CertifiedField& field : facts.fields)
   {
     for (std::size_t c = 0; c < field.components.size(); ++c)
     {
-      row(field.name +
-        (field.components.size() > 1 ? " (component " + std::to_string(c) + ")" : std::string()) +
-        " " + Text(field.components[c]));
+      row("{}{} {}", field.name,
+        field.components.size() > 1 ? fmt::format(" (component {})", c) : std::string(),
+        Text(field.components[c]));
     }
     if (field.magnitude)
     {
-      row("|" + field.name + "| " + Text(*field.magnitude));
+      row("|{}| {}", field.name, Text(*field.magnitude));
     }
     if (field.gradient)
     {
-      row("|grad " + field.name + "| " + Text(*field.gradient));
+      row("|grad {}| {}", field.name, Text(*field.gradient));
     }
     if (!field.gradientIsAnswerable)
     {
-      row("|grad " + field.name + "| not certified: a density's gradient");
+      row("|grad {}| not certified: a density's gradient", field.name);
     }
   }
-  row("det J " + Text(facts.jacobian) + ", world volume per volume of the reference shape");
-  std::string verdicts;
+  row("det J {}, world volume per volume of the reference shape", Text(facts.jacobian));
+  std::vector<std::string> verdicts;
   for (const Validity validity : { Validity::Valid, Validity::Inverted, Validity::Undecided })
   {
     const auto i = static_cast<std::size_t>(validity);
-    verdicts += (verdicts.empty() ? "" : ", ") + std::to_string(facts.count[i]) + " " +
-      Name(validity) + List(facts.first[i], facts.count[i]);
+    verdicts.push_back(
+      fmt::format("{} {}{}", facts.count[i], Name(validity), List(facts.first[i], facts.count[i])));
   }
-  row("elements: " + verdicts);
-  row("proven in " + Short(facts.seconds) + " s");
+  row("elements: {}", fmt::join(verdicts, ", "));
+  row("proven in {} s", Short(facts.seconds));
 }
 
 void AddTo(nlohmann::ordered_json& summary, const CertifiedFacts& facts)

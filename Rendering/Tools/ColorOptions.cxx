@@ -7,6 +7,7 @@
 #include "Core/Base/Error.h"
 #include "VtkColorMap.h"
 
+#include <fmt/ranges.h>
 #include <vtkLookupTable.h>
 
 #include <algorithm>
@@ -37,12 +38,7 @@ ColorMap ByLogarithm(ColorMap map)
 
 std::string Names()
 {
-  std::string names;
-  for (const std::string& name : ColorMapNames())
-  {
-    names += (names.empty() ? "" : ", ") + name;
-  }
-  return names;
+  return fmt::format("{}", fmt::join(ColorMapNames(), ", "));
 }
 } // namespace
 

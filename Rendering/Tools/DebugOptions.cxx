@@ -10,6 +10,7 @@
 #include "Core/Location/Owners.h"
 #include "Trace/DebugColors.h"
 
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 #include <tbb/parallel_for.h>
 
@@ -25,13 +26,12 @@ constexpr std::size_t kValidities = 3;
 
 std::string TextOf(std::span<const ColorMeaning> legend)
 {
-  std::string text;
+  std::vector<std::string> entries;
   for (const ColorMeaning& entry : legend)
   {
-    text +=
-      (text.empty() ? "" : ", ") + std::string(entry.name) + ": " + std::string(entry.meaning);
+    entries.push_back(fmt::format("{}: {}", entry.name, entry.meaning));
   }
-  return text;
+  return fmt::format("{}", fmt::join(entries, ", "));
 }
 
 /// Of the elements that are seen; the others' do not matter.
@@ -181,26 +181,25 @@ void DebugOptions::AddTo(Table& table) const
 {
   const auto row = [&table](const char* name, const Counts& counts, const auto& nameOf)
   {
-    std::string text;
+    std::vector<std::string> entries;
     for (std::size_t i = 0; i < counts.size(); ++i)
     {
-      text += (i == 0 ? "" : ", ") + std::to_string(counts[i]) + " " + nameOf(i);
+      entries.push_back(fmt::format("{} {}", counts[i], nameOf(i)));
     }
     if (!counts.empty())
     {
-      table.Row(name, text);
+      table.Row(name, "{}", fmt::join(entries, ", "));
     }
   };
   row("coverage", Coverages, [](std::size_t i) { return Name(static_cast<Coverage>(i)); });
   row("validity", Validities, [](std::size_t i) { return Name(static_cast<Validity>(i)); });
   if (Enclosures || ShowUndecided)
   {
-    table.Row("enclosures",
-      "widest " + Short(Widest) + ", " + std::to_string(Unbounded) + " without bounds");
+    table.Row("enclosures", "widest {}, {} without bounds", Short(Widest), Unbounded);
   }
   if (ShowUndecided)
   {
-    table.Row("colours", std::to_string(ColorUndecided) + " undecided");
+    table.Row("colours", "{} undecided", ColorUndecided);
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include "KernelTime.h"
 
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -99,16 +100,15 @@ std::string Shares(const StageTimes& stages)
   std::iota(order.begin(), order.end(), std::size_t{ 0 });
   std::stable_sort(order.begin(), order.end(),
     [&stages](std::size_t a, std::size_t b) { return stages[a] > stages[b]; });
-  std::string text;
+  std::vector<std::string> shares;
   for (const std::size_t k : order)
   {
     const auto percent = total > 0.0 ? std::lround(100.0 * stages[k] / total) : 0;
     if (percent > 0)
     {
-      text +=
-        (text.empty() ? "" : ", ") + std::string(kNames[k]) + " " + std::to_string(percent) + " %";
+      shares.push_back(fmt::format("{} {} %", kNames[k], percent));
     }
   }
-  return text;
+  return fmt::format("{}", fmt::join(shares, ", "));
 }
 } // namespace pixelexact

@@ -9,6 +9,7 @@
 #include "SolverFacts.h"
 #include "StoredOrder.h"
 
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 #include <vtkUnstructuredGrid.h>
 
@@ -101,40 +102,37 @@ const char* ContinuityName(const Continuity& continuity)
 void PrintTable(const LoadedModel& input, const Facts& facts)
 {
   Table table;
-  std::string shapes;
+  std::vector<std::string> shapes;
   for (int s = 0; s < kShapeCount; ++s)
   {
     if (const std::int64_t count = facts.shapes[static_cast<std::size_t>(s)]; count > 0)
     {
-      shapes +=
-        (shapes.empty() ? ": " : ", ") + std::to_string(count) + " " + Name(static_cast<Shape>(s));
+      shapes.push_back(fmt::format("{} {}", count, Name(static_cast<Shape>(s))));
     }
   }
-  table.Row("elements", std::to_string(input.model->GetMesh().Elements()) + shapes);
+  table.Row("elements", "{}{}{}", input.model->GetMesh().Elements(), shapes.empty() ? "" : ": ",
+    fmt::join(shapes, ", "));
   if (input.skippedCells > 0)
   {
-    table.Row("skipped", std::to_string(input.skippedCells) + " cells of lower dimension");
+    table.Row("skipped", "{} cells of lower dimension", input.skippedCells);
   }
-  table.Row("geometry",
-    "order " + Text(facts.orders) +
-      (facts.storedOrders.empty() || facts.storedOrders == facts.orders
-          ? std::string()
-          : ", stored as order " + Text(facts.storedOrders)));
+  table.Row("geometry", "order {}{}", Text(facts.orders),
+    facts.storedOrders.empty() || facts.storedOrders == facts.orders
+      ? std::string()
+      : ", stored as order " + Text(facts.storedOrders));
   const auto& b = facts.bounds;
-  table.Row("nodes",
-    "x " + Short(b[0]) + " to " + Short(b[1]) + ", y " + Short(b[2]) + " to " + Short(b[3]) +
-      ", z " + Short(b[4]) + " to " + Short(b[5]));
+  table.Row("nodes", "x {} to {}, y {} to {}, z {} to {}", Short(b[0]), Short(b[1]), Short(b[2]),
+    Short(b[3]), Short(b[4]), Short(b[5]));
   AddTime(table, input);
   std::string name = "fields";
   for (const FieldFacts& field : facts.fields)
   {
     const int components = field.field->values.components;
-    std::string text = field.field->name + ": " +
-      (components == 1 ? "scalar" : std::to_string(components) + " components") + ", order " +
-      Text(field.orders);
+    std::string text = fmt::format("{}: {}, order {}", field.field->name,
+      components == 1 ? "scalar" : fmt::format("{} components", components), Text(field.orders));
     if (field.continuity.comparisons > 0)
     {
-      text += std::string(", ") + ContinuityName(field.continuity);
+      text += fmt::format(", {}", ContinuityName(field.continuity));
     }
     if (!field.basis.empty())
     {
@@ -142,7 +140,7 @@ void PrintTable(const LoadedModel& input, const Facts& facts)
     }
     if (field.nonFiniteElements > 0)
     {
-      text += ", not finite in " + std::to_string(field.nonFiniteElements) + " elements";
+      text += fmt::format(", not finite in {} elements", field.nonFiniteElements);
     }
     table.Row(name, text);
     name.clear();

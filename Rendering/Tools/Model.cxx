@@ -90,10 +90,9 @@ void AddTime(Table& table, const LoadedModel& input)
 {
   if (!input.times.empty())
   {
-    table.Row("time",
-      Short(input.times[static_cast<std::size_t>(input.step)]) + ", step " +
-        std::to_string(input.step) + " of " + std::to_string(input.times.size()) + " from " +
-        Short(input.times.front()) + " to " + Short(input.times.back()));
+    table.Row("time", "{}, step {} of {} from {} to {}",
+      Short(input.times[static_cast<std::size_t>(input.step)]), input.step, input.times.size(),
+      Short(input.times.front()), Short(input.times.back()));
   }
 }
 
@@ -144,18 +143,19 @@ std::array<int, 2> OrderRange(const Expansion& expansion)
 
 std::string OrderText(const std::array<int, 2>& range)
 {
-  if (range[1] < range[0])
+  const auto [lowest, highest] = range;
+  if (highest < lowest)
   {
     return "none";
   }
-  return std::to_string(range[0]) +
-    (range[0] == range[1] ? std::string() : " to " + std::to_string(range[1]));
+  return lowest == highest ? fmt::format("{}", lowest) : fmt::format("{} to {}", lowest, highest);
 }
 
 std::string FieldKind(const Field& field)
 {
   const int components = field.values.components;
-  return " (" + (components == 1 ? std::string() : std::to_string(components) + " components, ") +
-    "order " + OrderText(OrderRange(field.values)) + ")";
+  return fmt::format(" ({}order {})",
+    components == 1 ? std::string() : fmt::format("{} components, ", components),
+    OrderText(OrderRange(field.values)));
 }
 } // namespace pixelexact

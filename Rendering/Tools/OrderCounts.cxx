@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OrderCounts.h"
 
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <vector>
 
 namespace pixelexact
 {
@@ -24,9 +26,7 @@ Orders OrdersOf(const Space& space)
 std::string Label(const Orders& orders)
 {
   const auto [p, q, r] = orders;
-  return p == q && q == r
-    ? std::to_string(p)
-    : std::to_string(p) + " x " + std::to_string(q) + " x " + std::to_string(r);
+  return p == q && q == r ? fmt::format("{}", p) : fmt::format("{} x {} x {}", p, q, r);
 }
 } // namespace
 
@@ -42,13 +42,13 @@ OrderCounts CountOrders(const Expansion& expansion)
 
 std::string Text(const OrderCounts& counts)
 {
-  std::string text;
+  std::vector<std::string> texts;
   for (const auto& [orders, count] : counts)
   {
-    text += (text.empty() ? "" : ", ") + Label(orders) +
-      (counts.size() > 1 ? " (" + std::to_string(count) + " elements)" : std::string());
+    texts.push_back(
+      counts.size() > 1 ? fmt::format("{} ({} elements)", Label(orders), count) : Label(orders));
   }
-  return text.empty() ? "none" : text;
+  return texts.empty() ? "none" : fmt::format("{}", fmt::join(texts, ", "));
 }
 
 nlohmann::ordered_json ToJson(const OrderCounts& counts)

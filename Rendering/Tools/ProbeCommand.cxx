@@ -6,11 +6,11 @@
 #include "ProbeTable.h"
 #include "Report.h"
 
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <array>
 #include <memory>
-#include <sstream>
 
 namespace pixelexact
 {
@@ -25,15 +25,6 @@ struct ProbeOptions
   ProbeColumns columns;
 };
 
-/// Two digits say all that there is to say of a width.
-std::string Short(double number)
-{
-  std::ostringstream text;
-  text.precision(2);
-  text << number;
-  return text.str();
-}
-
 void AddEnclosures(nlohmann::ordered_json& summary, const ProbeSamples& samples)
 {
   const EnclosureWidths widths = MeasureEnclosures(samples);
@@ -44,12 +35,12 @@ void AddEnclosures(nlohmann::ordered_json& summary, const ProbeSamples& samples)
 void AddEnclosures(Table& table, const ProbeSamples& samples)
 {
   const EnclosureWidths widths = MeasureEnclosures(samples);
-  table.Row("enclosures",
-    "median width " + Short(widths.median) + ", largest " + Short(widths.largest) +
-      " of the range of values");
+  // Two digits say all that there is to say of a width.
+  table.Row("enclosures", "median width {}, largest {} of the range of values",
+    Short(widths.median, 2), Short(widths.largest, 2));
   if (widths.unbounded > 0)
   {
-    table.Row("", std::to_string(widths.unbounded) + " unbounded");
+    table.Row("", "{} unbounded", widths.unbounded);
   }
 }
 
@@ -68,13 +59,13 @@ void AddCoverage(nlohmann::ordered_json& summary, const ProbeSamples& samples)
 void AddCoverage(Table& table, const ProbeSamples& samples)
 {
   const CoverageCounts counts = CountCoverage(samples);
-  std::string text;
+  std::vector<std::string> entries;
+  entries.reserve(kCoverages.size());
   for (const Coverage kind : kCoverages)
   {
-    text += (text.empty() ? "" : ", ") + std::to_string(counts[static_cast<std::size_t>(kind)]) +
-      " " + Name(kind);
+    entries.push_back(fmt::format("{} {}", counts[static_cast<std::size_t>(kind)], Name(kind)));
   }
-  table.Row("covered", text);
+  table.Row("covered", "{}", fmt::join(entries, ", "));
 }
 
 void Probe(const ProbeOptions& options, const CommonOptions& common)
@@ -124,12 +115,11 @@ void Probe(const ProbeOptions& options, const CommonOptions& common)
   Table table;
   table.Row("field", field.name + FieldKind(field));
   AddTime(table, input);
-  table.Row("points",
-    std::to_string(points.size()) + ": " + std::to_string(counts.inside) + " inside, " +
-      std::to_string(counts.outside) + " outside, " + std::to_string(counts.unknown) + " unknown");
+  table.Row("points", "{}: {} inside, {} outside, {} unknown", points.size(), counts.inside,
+    counts.outside, counts.unknown);
   if (counts.nonFinite > 0)
   {
-    table.Row("non-finite", std::to_string(counts.nonFinite) + " of the values inside");
+    table.Row("non-finite", "{} of the values inside", counts.nonFinite);
   }
   if (options.columns.enclosures)
   {

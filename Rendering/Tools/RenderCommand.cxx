@@ -76,24 +76,22 @@ void PrintTable(const Shot& shot, const Frame& frame,
   const Stopwatch& stopwatch)
 {
   Table table;
-  table.Row("elements", std::to_string(shot.input.model->GetMesh().Elements()));
+  table.Row("elements", "{}", shot.input.model->GetMesh().Elements());
   const Field& field = *shot.scene.field;
   table.Row("field",
     field.name + FieldKind(field) +
       (field.values.components > 1 ? ", " + ComponentName(shot.scene) : std::string()));
   AddTime(table, shot.input);
-  table.Row("size", std::to_string(frame.width) + " x " + std::to_string(frame.height));
-  table.Row("pixels",
-    std::to_string(frame.counters.exact) + " exact, " + std::to_string(frame.counters.nothing) +
-      " nothing, " + std::to_string(frame.counters.unknown) + " unknown");
-  table.Row("non-finite", std::to_string(frame.counters.nonFinite));
+  table.Row("size", "{} x {}", frame.width, frame.height);
+  const FrameCounters& pixels = frame.counters;
+  table.Row(
+    "pixels", "{} exact, {} nothing, {} unknown", pixels.exact, pixels.nothing, pixels.unknown);
+  table.Row("non-finite", "{}", pixels.nonFinite);
   table.Row("values", values ? Short((*values)[0]) + " to " + Short((*values)[1]) : "none");
   if (shot.scene.precision == Precision::Float)
   {
-    const PrecisionCheck& check = frame.counters.floatCheck;
-    table.Row("float",
-      "at most " + Short(check.largest) + " from double at " + std::to_string(check.points) +
-        " pixels evaluated in both");
+    table.Row("float", "at most {} from double at {} pixels evaluated in both",
+      Short(pixels.floatCheck.largest), pixels.floatCheck.points);
   }
   debug.AddTo(table);
   AddStages(table, stopwatch);

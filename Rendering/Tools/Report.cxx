@@ -6,9 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <iostream>
 
 namespace pixelexact
@@ -34,7 +32,7 @@ void Table::Print() const
   }
   for (const auto& [name, value] : Rows)
   {
-    std::cout << name << std::string(width - name.size() + 2, ' ') << value << '\n';
+    std::cout << fmt::format("{:{}}  {}\n", name, width, value);
   }
 }
 
@@ -43,7 +41,7 @@ void AddStages(Table& table, const Stopwatch& stopwatch)
   std::string name = "seconds";
   for (const auto& [stage, seconds] : stopwatch.Stages())
   {
-    table.Row(name, Short(seconds) + " " + stage);
+    table.Row(name, "{} {}", Short(seconds), stage);
     name.clear();
   }
 }
@@ -94,14 +92,8 @@ void Warn(const std::string& message)
   std::cerr << "pixelexact: warning: " << message << '\n';
 }
 
-std::string Short(double number)
+std::string Short(double number, int digits)
 {
-  if (std::isnan(number))
-  {
-    return "nan";
-  }
-  std::array<char, 32> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), "%.6g", number);
-  return buffer.data();
+  return std::isnan(number) ? "nan" : fmt::format("{:.{}g}", number, digits);
 }
 } // namespace pixelexact

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <fmt/core.h>
 #include <nlohmann/json_fwd.hpp>
 
 #include <chrono>
@@ -34,6 +35,11 @@ class Table
 {
 public:
   void Row(const std::string& name, const std::string& value);
+  template <class... Values>
+  void Row(const std::string& name, fmt::format_string<Values...> text, Values&&... values)
+  {
+    Row(name, fmt::format(text, std::forward<Values>(values)...));
+  }
   void Print() const;
 
 private:
@@ -67,6 +73,6 @@ private:
 
 void Warn(const std::string& message);
 
-/// `%.6g`, with NaN as "nan".
-std::string Short(double number);
+/// As printf's %g with so many digits, with NaN as "nan".
+std::string Short(double number, int digits = 6);
 } // namespace pixelexact

@@ -5,6 +5,7 @@
 
 #include "HighOrderArrays.h"
 
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -20,7 +21,7 @@ namespace
 {
 using Counts = std::map<int, std::int64_t>;
 
-constexpr int kMostListed = 12;
+constexpr std::size_t kMostListed = 12;
 
 Counts Count(vtkDataArray* array)
 {
@@ -56,21 +57,20 @@ std::string NameOf(const SolverFacts& facts, int id, bool boundary)
 void AddRow(Table& table, const char* label, const char* what, const SolverFacts& facts,
   const Counts& counts, bool boundary)
 {
-  std::string text;
-  int listed = 0;
+  std::vector<std::string> entries;
   for (const auto& [id, count] : counts)
   {
-    if (++listed > kMostListed)
+    if (entries.size() == kMostListed)
     {
-      text += ", and " + std::to_string(counts.size() - kMostListed) + " more";
+      entries.push_back(fmt::format("and {} more", counts.size() - kMostListed));
       break;
     }
-    text += (text.empty() ? "" : ", ") + std::to_string(id) + NameOf(facts, id, boundary) + " (" +
-      std::to_string(count) + " " + what + (count == 1 ? ")" : "s)");
+    entries.push_back(fmt::format(
+      "{}{} ({} {}{})", id, NameOf(facts, id, boundary), count, what, count == 1 ? "" : "s"));
   }
-  if (!text.empty())
+  if (!entries.empty())
   {
-    table.Row(label, text);
+    table.Row(label, "{}", fmt::join(entries, ", "));
   }
 }
 
