@@ -6,6 +6,9 @@
 #include "Core/Location/Injectivity.h"
 #include "Core/Math/Rounding.h"
 
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/matrix.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -55,19 +58,14 @@ void EvaluateCentre(const Space& space, const double* coefficients, double* valu
   }
 }
 
-/// False where the matrix cannot be inverted.
-bool Invert(const double* m, double* inverse)
+/// False where the matrix (row-major) cannot be inverted.
+bool Invert(const double* matrix, double* inverse)
 {
-  const double c0 = m[4] * m[8] - m[5] * m[7];
-  const double c1 = m[5] * m[6] - m[3] * m[8];
-  const double c2 = m[3] * m[7] - m[4] * m[6];
-  const double s = 1.0 / (m[0] * c0 + m[1] * c1 + m[2] * c2);
-  const double result[9] = { c0 * s, (m[2] * m[7] - m[1] * m[8]) * s,
-    (m[1] * m[5] - m[2] * m[4]) * s, c1 * s, (m[0] * m[8] - m[2] * m[6]) * s,
-    (m[2] * m[3] - m[0] * m[5]) * s, c2 * s, (m[1] * m[6] - m[0] * m[7]) * s,
-    (m[0] * m[4] - m[1] * m[3]) * s };
-  std::copy_n(result, 9, inverse);
-  return std::all_of(result, result + 9, [](double v) { return std::isfinite(v); });
+  // GLM's matrices are column-major.
+  const glm::dmat3 columns = glm::transpose(glm::make_mat3(matrix));
+  const glm::dmat3 result = glm::transpose(glm::inverse(columns));
+  std::copy_n(glm::value_ptr(result), 9, inverse);
+  return std::all_of(inverse, inverse + 9, [](double v) { return std::isfinite(v); });
 }
 
 struct ComponentHulls
