@@ -22,6 +22,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <set>
 
 namespace
@@ -239,6 +240,19 @@ TEST_F(Staleness, ChangeInPlaceIsSeen)
   ExpectFine(Grid);
   Grid->GetPointData()->GetArray("f")->SetComponent(0, 0, 17.0);
   Grid->GetPointData()->GetArray("f")->Modified();
+  ExpectStale(Grid, "'f'");
+}
+
+TEST_F(Staleness, ZeroHasOneSign)
+{
+  vtkDataArray* field = Grid->GetPointData()->GetArray("f");
+  ASSERT_EQ(field->GetComponent(0, 0), 0.0);
+  Grid->GetPoints()->SetPoint(0, -0.0, -0.0, -0.0);
+  field->SetComponent(0, 0, -0.0);
+  Grid->Modified();
+  ExpectFine(Grid);
+  field->SetComponent(0, 0, std::numeric_limits<double>::denorm_min());
+  field->Modified();
   ExpectStale(Grid, "'f'");
 }
 
