@@ -44,9 +44,9 @@ std::array<std::size_t, 3> FindColumns(
   }
   return columns;
 }
-} // namespace
 
-bool SplitCsvLine(std::string_view line, std::vector<std::string>& fields)
+/// The fields of one line; false where a quote is left open or text follows a closing one.
+bool SplitLine(std::string_view line, std::vector<std::string>& fields)
 {
   fields.assign(1, {});
   bool quoted = false;
@@ -91,6 +91,7 @@ bool SplitCsvLine(std::string_view line, std::vector<std::string>& fields)
   }
   return !quoted;
 }
+} // namespace
 
 std::vector<Vec3> ReadPoints(const std::string& file)
 {
@@ -118,7 +119,7 @@ std::vector<Vec3> ReadPoints(const std::string& file)
     {
       continue;
     }
-    if (!SplitCsvLine(line, fields))
+    if (!SplitLine(line, fields))
     {
       Refuse(file, number, "a quoted field is not closed properly");
     }

@@ -4,7 +4,6 @@
 #include "Core/Math/Vec.h"
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace pixelexact
@@ -13,9 +12,6 @@ namespace pixelexact
 /// quoted fields, a byte-order mark, CRLF, and empty lines, which it skips. Throws Error naming the
 /// line where a number is missing or none.
 std::vector<Vec3> ReadPoints(const std::string& file);
-
-/// The fields of one line; false where a quote is left open or text follows a closing one.
-[[nodiscard]] bool SplitCsvLine(std::string_view line, std::vector<std::string>& fields);
 
 /// 17 significant digits, which give back the same double; NaN is "nan".
 void AppendNumber(std::string& line, double number);
