@@ -21,8 +21,9 @@ add_custom_target(PixelExactTests)
 #
 # One GoogleTest executable. ctest runs it as a few processes, each with its share of the tests: a
 # process per test would spend most of its time on loading libraries. One test alone is run by
-# NAME --gtest_filter=... PRECOMPILE: beside GoogleTest and the standard library. XVFB: the tests draw with OpenGL and need a display; they are left out of a
-# sanitizer build, because the OpenGL driver is not ours to sanitize.
+# NAME --gtest_filter=... XVFB: the tests draw with OpenGL and need a display; they are left out of a
+# sanitizer build, because the OpenGL driver is not ours to sanitize. PRECOMPILE: what most sources
+# include beside GoogleTest and the standard library.
 function(pixelexact_add_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "XVFB" "" "SOURCES;LINK;LABELS;PRECOMPILE")
   if(NOT arg_SOURCES OR (arg_XVFB AND PIXELEXACT_SANITIZE))
