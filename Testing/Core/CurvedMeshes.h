@@ -87,11 +87,6 @@ public:
   [[nodiscard]] const Placement& Placed() const { return Place; }
 
 private:
-  static LongVec3 Minus(const LongVec3& a, const LongVec3& b)
-  {
-    return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
-  }
-
   void AddTetrahedra(const Block& block)
   {
     const int order[6][3] = { { 0, 1, 2 }, { 0, 2, 1 }, { 1, 0, 2 }, { 1, 2, 0 }, { 2, 0, 1 },

@@ -4,7 +4,6 @@
 #include "LongMap.h"
 
 #include "Core/Basis/ModeBound.h"
-#include "Core/Element/Kernels.h"
 #include "Core/Location/Sample.h"
 #include "Core/Math/Rounding.h"
 
@@ -60,22 +59,59 @@ struct FaceReport
   }
 };
 
+/// Where a xi lies: in the shape, past its faces by no more than their tolerance, or farther out.
+enum class Side
+{
+  Inside,
+  AtFace,
+  Beyond
+};
+
+/// A face of a shape: offset + normal . xi >= 0 in the shape.
+struct ShapeFace
+{
+  std::array<int, 3> normal;
+  int offset;
+};
+
+/// notation.md's table of shapes.
+inline std::vector<ShapeFace> FacesOf(Shape shape)
+{
+  std::vector<ShapeFace> faces{ { { 1, 0, 0 }, 1 }, { { 0, 1, 0 }, 1 }, { { 0, 0, 1 }, 1 } };
+  const auto add = [&faces](const std::vector<ShapeFace>& further)
+  { faces.insert(faces.end(), further.begin(), further.end()); };
+  switch (shape)
+  {
+    case Shape::Hexahedron:
+      add({ { { -1, 0, 0 }, 1 }, { { 0, -1, 0 }, 1 }, { { 0, 0, -1 }, 1 } });
+      break;
+    case Shape::Prism:
+      add({ { { 0, -1, 0 }, 1 }, { { -1, 0, -1 }, 0 } });
+      break;
+    case Shape::Tetrahedron:
+      add({ { { -1, -1, -1 }, -1 } });
+      break;
+    default:
+      add({ { { -1, 0, -1 }, 0 }, { { 0, -1, -1 }, 0 } });
+  }
+  return faces;
+}
+
 /// Whether x = Phi(xi) and xi lies in the shape, each as far as rounding and the documented
-/// tolerance at faces (location.md) allow; computed from the formulas, in long double where it
-/// matters.
+/// tolerance at faces (location.md) allow. Made from the stored coefficients and the formulas, in
+/// long double where it matters; nothing of it is what the locator has computed.
 class FaceOracle
 {
 public:
-  explicit FaceOracle(const Locator& locator)
-    : TheLocator(locator)
-    , Map(locator.GetMesh())
+  explicit FaceOracle(const Mesh& mesh)
+    : TheMesh(mesh)
+    , Map(mesh)
   {
   }
 
   [[nodiscard]] bool Holds(int element, const Vec3& xi, const Vec3& x)
   {
-    const Mesh& mesh = TheLocator.GetMesh();
-    const Shape shape = mesh.ShapeOf(element);
+    const Shape shape = TheMesh.ShapeOf(element);
     const Vec3 uncertainty = Uncertainty(element);
     // At a pyramid's apex, where its Jacobian depends on the direction of approach, the tolerance
     // is held against the image of the nearest point of the pyramid: beyond the apex its functions,
@@ -84,22 +120,53 @@ public:
     {
       return IsImage(element, IntoPyramid(xi), x, 6.0 * uncertainty);
     }
-    const Mat3 jacobian = Jacobian(element, xi);
-    const Mat3 inverse = glm::inverse(jacobian);
+    const Mat3 jacobian = Jacobian(element, ToLong(xi));
     Vec3 rounding = 2.0 * uncertainty;
-    Vec3 tolerance(0.0);
     for (int d = 0; d < 3; ++d)
     {
       for (int j = 0; j < 3; ++j)
       {
         rounding[d] += 2.0 * kUnitRoundoff * std::fabs(jacobian[j][d]);
+      }
+    }
+    return IsImage(element, xi, x, rounding) && SideOf(element, ToLong(xi)) != Side::Beyond;
+  }
+
+  /// Not for a xi next to a pyramid's apex.
+  [[nodiscard]] Side SideOf(int element, const LongVec3& xi)
+  {
+    const Vec3 uncertainty = Uncertainty(element);
+    const Mat3 inverse = glm::inverse(Jacobian(element, xi));
+    Vec3 tolerance(0.0);
+    for (int d = 0; d < 3; ++d)
+    {
+      for (int j = 0; j < 3; ++j)
+      {
         tolerance[d] += std::fabs(inverse[j][d]) * uncertainty[j];
       }
     }
-    return IsImage(element, xi, x, rounding) && IsWithin(shape, xi, tolerance);
+    Side side = Side::Inside;
+    for (const ShapeFace& face : FacesOf(TheMesh.ShapeOf(element)))
+    {
+      long double distance = face.offset;
+      double inDistance = 0.0;
+      for (int d = 0; d < 3; ++d)
+      {
+        distance += face.normal[d] * xi[d];
+        inDistance += std::abs(face.normal[d]) * tolerance[d];
+      }
+      // Its own rounding on top; the tolerance itself is known to the last Newton step.
+      const double allowed = 1.001 * inDistance + 4.0 * kUnitRoundoff;
+      if (distance < 0.0L)
+      {
+        beyond = std::max(beyond, static_cast<double>(-distance) / allowed);
+        side = std::max(side, distance < -allowed ? Side::Beyond : Side::AtFace);
+      }
+    }
+    return side;
   }
 
-  /// The largest distance past a face that Holds has met, in that face's tolerances.
+  /// The largest distance past a face so far, in that face's tolerances.
   double beyond = 0.0;
 
 private:
@@ -109,7 +176,7 @@ private:
   [[nodiscard]] bool IsImage(int element, const Vec3& xi, const Vec3& x, const Vec3& error)
   {
     const LongVec3 image = Map(element, ToLong(xi));
-    const double size = TheLocator.GetMesh().size[element];
+    const double size = TheMesh.size[element];
     bool close = true;
     for (int d = 0; d < 3; ++d)
     {
@@ -128,11 +195,10 @@ private:
   /// u_j of location.md, in the element's units.
   [[nodiscard]] Vec3 Uncertainty(int element) const
   {
-    const Mesh& mesh = TheLocator.GetMesh();
-    const Space& space = mesh.map.SpaceOf(element);
-    const Box3& box = TheLocator.ElementBox(element);
+    const Space& space = TheMesh.map.SpaceOf(element);
+    const double size = TheMesh.size[element];
     const double gamma = Gamma(4 * (space.order[0] + space.order[1] + space.order[2]) + 16);
-    const double* coefficient = mesh.map.Coefficients(element);
+    const double* coefficient = TheMesh.map.Coefficients(element);
     Vec3 u;
     for (int d = 0; d < 3; ++d)
     {
@@ -140,73 +206,27 @@ private:
       ForEachMode(space,
         [&](int p, int q, int r, int /*mode*/)
         { sum += std::fabs(*coefficient++) * ModeBound(space, p, q, r); });
-      const double largest = std::max(std::fabs(box.lower[d]), std::fabs(box.upper[d]));
-      u[d] = (mesh.uncertainty[element] + 4.0 * kUnitRoundoff * largest) / mesh.size[element] +
-        gamma * sum;
+      // The largest |x_d| is no larger.
+      const double largest =
+        std::fabs(TheMesh.centre[3 * static_cast<std::size_t>(element) + d]) + sum * size;
+      u[d] = (TheMesh.uncertainty[element] + 4.0 * kUnitRoundoff * largest) / size + gamma * sum;
     }
     return u;
   }
 
   /// dPhi / dxi in the element's units.
-  [[nodiscard]] Mat3 Jacobian(int element, const Vec3& xi) const
+  [[nodiscard]] Mat3 Jacobian(int element, const LongVec3& xi)
   {
-    const Mesh& mesh = TheLocator.GetMesh();
-    const Space& space = mesh.map.SpaceOf(element);
-    double point[3][kLanePadding];
-    double value[3][kLanePadding];
-    double gradient[9][kLanePadding];
-    double* valueTo[3];
-    double* gradientTo[9];
-    for (int d = 0; d < 3; ++d)
-    {
-      std::fill_n(point[d], kLanePadding, xi[d]);
-      valueTo[d] = value[d];
-    }
-    for (int k = 0; k < 9; ++k)
-    {
-      gradientTo[k] = gradient[k];
-    }
-    KernelsFor(space).gradient(space, mesh.map.Coefficients(element), 3,
-      { { point[0], point[1], point[2] }, 1 }, valueTo, gradientTo);
+    const auto columns = Map.Columns(element, xi, Map(element, xi));
     Mat3 jacobian;
-    for (int k = 0; k < 9; ++k)
+    for (int j = 0; j < 3; ++j)
     {
-      jacobian[k % 3][k / 3] = gradient[k][0];
+      jacobian[j] = ToDouble(columns[j]) / TheMesh.size[element];
     }
     return jacobian;
   }
 
-  bool IsWithin(Shape shape, const Vec3& xi, const Vec3& t)
-  {
-    const auto face = [&](double distance, double tolerance)
-    {
-      // Its own rounding on top; the tolerance itself is known to the last Newton step.
-      const double allowed = 1.001 * tolerance + 4.0 * kUnitRoundoff;
-      if (distance < 0.0 && tolerance > 0.0)
-      {
-        beyond = std::max(beyond, -distance / allowed);
-      }
-      return distance >= -allowed;
-    };
-    bool within = true;
-    for (int d = 0; d < 3; ++d)
-    {
-      within = face(1.0 + xi[d], t[d]) && within;
-    }
-    switch (shape)
-    {
-      case Shape::Hexahedron:
-        return face(1.0 - xi.x, t.x) && face(1.0 - xi.y, t.y) && face(1.0 - xi.z, t.z) && within;
-      case Shape::Prism:
-        return face(1.0 - xi.y, t.y) && face(-(xi.x + xi.z), t.x + t.z) && within;
-      case Shape::Tetrahedron:
-        return face(-(1.0 + xi.x + xi.y + xi.z), t.x + t.y + t.z) && within;
-      default:
-        return face(-(xi.x + xi.z), t.x + t.z) && face(-(xi.y + xi.z), t.y + t.z) && within;
-    }
-  }
-
-  const Locator& TheLocator;
+  Mesh TheMesh;
   LongMap Map;
 };
 
@@ -232,7 +252,7 @@ inline FaceReport CheckPoints(
   tbb::parallel_for(std::size_t(0), (points.size() + kRun - 1) / kRun,
     [&](std::size_t run)
     {
-      FaceOracle oracle(locator);
+      FaceOracle oracle(locator.GetMesh());
       FaceReport part;
       for (std::size_t i = run * kRun; i < std::min((run + 1) * kRun, points.size()); ++i)
       {

@@ -37,6 +37,21 @@ public:
     return x;
   }
 
+  /// The columns dPhi / dxi_j in world units, where Phi is `at` that: to some 1e-8, by differences.
+  [[nodiscard]] std::array<LongVec3, 3> Columns(int element, const LongVec3& xi, const LongVec3& at)
+  {
+    // Small against the distance to a pyramid's apex, where the functions are rational.
+    constexpr long double kStep = 0x1p-34L;
+    std::array<LongVec3, 3> columns;
+    for (int j = 0; j < 3; ++j)
+    {
+      LongVec3 next = xi;
+      next[j] += kStep;
+      columns[j] = Times(1.0L / kStep, Minus((*this)(element, next), at));
+    }
+    return columns;
+  }
+
 private:
   using Row = std::array<long double, kMaxOrder + 1>;
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "LongVectors.h"
+
 #include "Core/Basis/ChangeOfBasis.h"
 #include "Core/Element/Mesh.h"
 
@@ -125,15 +127,6 @@ private:
 
 inline constexpr Shape kShapes[] = { Shape::Hexahedron, Shape::Prism, Shape::Tetrahedron,
   Shape::Pyramid };
-
-inline LongVec3 ToLong(const Vec3& x)
-{
-  return { x.x, x.y, x.z };
-}
-inline Vec3 ToDouble(const LongVec3& x)
-{
-  return { static_cast<double>(x[0]), static_cast<double>(x[1]), static_cast<double>(x[2]) };
-}
 
 /// A gently curved map of degree 3 in each coordinate, injective on every shape.
 inline LongVec3 Curved(const LongVec3& xi)

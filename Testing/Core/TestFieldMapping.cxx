@@ -31,11 +31,6 @@ std::array<LongVec3, 3> Jacobian(const LongVec3& xi)
     LongVec3{ 0.25L * 0.06L * b, 0.25L * 0.06L * a, 0.25L } };
 }
 
-LongVec3 Cross(const LongVec3& a, const LongVec3& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-
 LongVec3 U(const LongVec3& x)
 {
   return { x[1], x[2] + x[0], x[0] - x[1] };
