@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ClippedSurface.h"
 #include "Core/Base/Error.h"
-#include "Trace/Plane.h"
+#include "Trace/Surface.h"
 #include "VtkSurface.h"
 
 #include "vtkNew.h"
@@ -115,19 +114,5 @@ TEST(VtkSurface, WhatIsNotSupportedIsNamed)
   vtkNew<vtkThinPlateSplineTransform> spline;
   plane->SetTransform(spline);
   EXPECT_THROW((void)ToSurface(plane), Unsupported);
-}
-
-TEST(ClippedSurface, RaysGoOnBehindWhatIsCutAway)
-{
-  const auto plane = std::make_shared<Plane>(Vec3(0.0), Vec3(0.0, 0.0, 1.0));
-  const ClippedSurface clipped(plane, { { 1.0, 0.0, 0.0, 0.0 }, { 0.0, -1.0, 0.0, 0.5 } });
-  const auto meet = [&clipped](double x, double y) {
-    return NextHitOf(clipped, { { x, y, 1.0 }, { 0.0, 0.0, -1.0 } }, 0.0).t;
-  };
-  EXPECT_EQ(meet(0.1, 0.0), 1.0);
-  EXPECT_EQ(meet(-0.1, 0.0), kNoHit);
-  EXPECT_EQ(meet(0.1, 0.6), kNoHit);
-  EXPECT_EQ(meet(0.0, 0.5), 1.0);
-  EXPECT_EQ(clipped.Normal(Vec3(0.0)), plane->Normal(Vec3(0.0)));
 }
 } // namespace pixelexact
