@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BoxGrid.h"
-#include "Core/LongVectors.h"
 
 #include "ClippedSurface.h"
 #include "HighOrderModel.h"
 #include "Trace/Plane.h"
+#include "Trace/RayCheck.h"
 #include "Trace/Tracer.h"
 
 #include <glm/geometric.hpp>
-
-#include <gtest/gtest.h>
 
 namespace pixelexact::testing
 {
@@ -50,6 +48,76 @@ public:
 private:
   double Radius;
 };
+
+/// Planes as one surface.
+class Planes final : public Surface
+{
+public:
+  void Add(const Vec3& origin, const Vec3& normal)
+  {
+    Parts.emplace_back(origin, normal);
+    Truth.emplace_back(ToLong(origin), ToLong(normal));
+  }
+
+  void NextHit(const RayLanes& rays, const double* tMin, const HitLanes& hits) const override
+  {
+    for (int i = 0; i < rays.count; ++i)
+    {
+      const Ray ray{ { rays.origin[0][i], rays.origin[1][i], rays.origin[2][i] },
+        { rays.direction[0][i], rays.direction[1][i], rays.direction[2][i] } };
+      Hit nearest;
+      for (const Plane& plane : Parts)
+      {
+        const Hit hit = NextHitOf(plane, ray, tMin[i]);
+        nearest = hit.t < nearest.t ? hit : nearest;
+      }
+      hits.t[i] = nearest.t;
+      for (int d = 0; d < 3; ++d)
+      {
+        hits.position[d][i] = nearest.position[d];
+      }
+    }
+  }
+  [[nodiscard]] int MostHits() const override { return static_cast<int>(Parts.size()); }
+  [[nodiscard]] Vec3 Normal(const Vec3& position) const override
+  {
+    return Parts.front().Normal(position);
+  }
+
+  std::vector<LongPlane> Truth;
+
+private:
+  std::vector<Plane> Parts;
+};
+
+/// Which of the hits are in all of the half-spaces; those that rounding may put on either side are
+/// not certain.
+std::vector<TrueHit> Clip(const std::vector<TrueHit>& hits, const Ray& ray,
+  const LongVec3& surfaceOrigin, const std::vector<HalfSpace>& kept)
+{
+  std::vector<TrueHit> left;
+  for (TrueHit hit : hits)
+  {
+    bool out = false;
+    for (const auto& [a, b, c, d] : kept)
+    {
+      const LongVec3 across{ a, b, c };
+      const long double height = Dot(across, hit.position) + d;
+      // How far rounding may move the position, and that of the sum itself.
+      const long double moved = RayError(ray, hit.t, surfaceOrigin) +
+        (hit.certain ? hit.error * Largest(ToLong(ray.direction)) : hit.error);
+      const long double error = Dot(Absolute(across), LongVec3{ moved, moved, moved }) +
+        4.0L * kUnitRoundoff * (Dot(Absolute(across), Absolute(hit.position)) + std::fabs(d));
+      out = out || height < -error;
+      hit.certain = hit.certain && height > error;
+    }
+    if (!out)
+    {
+      left.push_back(hit);
+    }
+  }
+  return left;
+}
 } // namespace
 
 TEST(ClippedSurface, RaysGoOnToWhatIsBehindThePartCutAway)
@@ -91,6 +159,57 @@ TEST(ClippedSurface, WhatLiesOnTheClippingPlaneIsKept)
   EXPECT_EQ(meet(-0.1, 0.0), kNoHit);
   EXPECT_EQ(meet(0.1, 0.6), kNoHit);
   EXPECT_EQ(meet(0.0, 0.5), 1.0);
+}
+
+TEST(ClippedSurface, HitsAreThoseOfTheWholeThatAreKeptAndNoneIsMissing)
+{
+  RandomRays random(71);
+  int certain = 0;
+  int cut = 0;
+  for (int k = 0; k < 200; ++k)
+  {
+    const double size = random.Size(-3.0, 3.0);
+    const auto planes = std::make_shared<Planes>();
+    std::vector<HalfSpace> kept;
+    const Vec3 middle = random.Vector(1e2 * size);
+    Vec3 through;
+    Vec3 normal;
+    for (int i = 0; i < 5; ++i)
+    {
+      through = middle + random.Vector(size);
+      normal = random.Vector(1.0);
+      planes->Add(through, normal);
+    }
+    for (int i = 0; i < 2; ++i)
+    {
+      const Vec3 across = random.Vector(1.0);
+      kept.push_back(
+        { across.x, across.y, across.z, -glm::dot(across, middle + random.Vector(0.5 * size)) });
+    }
+    const ClippedSurface clipped(planes, kept);
+    std::vector<Ray> rays;
+    std::vector<std::vector<TrueHit>> hits;
+    std::vector<double> tMin;
+    for (int i = 0; i < 29; ++i)
+    {
+      rays.push_back(random.Near(through, normal));
+      std::vector<TrueHit> whole;
+      for (const LongPlane& plane : planes->Truth)
+      {
+        whole.push_back(plane.Meet(rays.back()));
+      }
+      hits.push_back(Clip(whole, rays.back(), ToLong(middle), kept));
+      tMin.push_back(random.Start(whole.front().t));
+      cut += static_cast<int>(whole.size() - hits.back().size());
+    }
+    const auto found = AllHits(clipped, rays, tMin);
+    for (std::size_t i = 0; i < rays.size(); ++i)
+    {
+      certain += ExpectHits(found[i], hits[i], tMin[i]);
+    }
+  }
+  EXPECT_GT(certain, 3000);
+  EXPECT_GT(cut, 10000);
 }
 
 /// In a picture: each pixel shows the nearest part that is left, of either surface, at its place.

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trace/Camera.h"
-#include "Trace/Plane.h"
 #include "Trace/TileSamples.h"
 
 #include "Core/Base/Error.h"
@@ -123,34 +122,6 @@ TEST(Camera, RefusesWhatIsNoCamera)
   EXPECT_THROW(Camera(zero, 10, 10), Error);
 }
 
-TEST(Plane, HitsAreOnPlaneAndRay)
-{
-  const Plane plane({ 0.1, 0.2, 0.3 }, { 1.0, -2.0, 3e5 });
-  CameraView view = Straight();
-  view.position = { 30.0, -20.0, 1e3 };
-  const Camera camera(view, 64, 64);
-  for (int i = 0; i < 64; ++i)
-  {
-    const Ray ray = camera.At(i + 0.5, 63.5 - i);
-    const Hit hit = NextHitOf(plane, ray, 0.0);
-    ASSERT_LT(hit.t, kNoHit);
-    EXPECT_NEAR(
-      glm::dot(plane.Normal(hit.position), hit.position - Vec3(0.1, 0.2, 0.3)), 0.0, 1e-12);
-    ExpectNear(hit.position, ray.origin + hit.t * ray.direction, 1e-12);
-  }
-}
-
-TEST(Plane, NoHitBehindParallelOrBeforeTMin)
-{
-  const Plane plane(Vec3(0.0), { 0.0, 0.0, 1.0 });
-  const auto meet = [&plane](const Ray& ray, double tMin) { return NextHitOf(plane, ray, tMin).t; };
-  EXPECT_EQ(meet({ { 0.0, 0.0, 1.0 }, { 0.0, 0.0, 1.0 } }, 0.0), kNoHit);
-  EXPECT_EQ(meet({ { 0.0, 0.0, 1.0 }, { 1.0, 0.0, 0.0 } }, 0.0), kNoHit);
-  EXPECT_EQ(meet({ { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 } }, 0.0), kNoHit);
-  EXPECT_EQ(meet({ { 0.0, 0.0, 1.0 }, { 0.0, 0.0, -1.0 } }, 1.0), kNoHit);
-  EXPECT_EQ(meet({ { 0.0, 0.0, 1.0 }, { 0.0, 0.0, -1.0 } }, 0.5), 1.0);
-}
-
 /// The tiles' rays are the ones that everybody else is told of.
 TEST(TileSamples, RaysAreTheCamerasBitForBit)
 {
@@ -177,13 +148,5 @@ TEST(TileSamples, RaysAreTheCamerasBitForBit)
       }
     }
   }
-}
-
-TEST(Plane, RefusesWhatIsNoPlane)
-{
-  EXPECT_THROW(Plane(Vec3(0.0), Vec3(0.0)), Error);
-  EXPECT_THROW(Plane(Vec3(0.0), Vec3(0.0, std::nan(""), 1.0)), Error);
-  EXPECT_THROW(Plane(Vec3(std::numeric_limits<double>::infinity()), Vec3(1.0)), Error);
-  EXPECT_NO_THROW(Plane(Vec3(0.0), Vec3(0.0, 1e-300, 0.0)));
 }
 } // namespace pixelexact::testing

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/MeshBuilder.h"
+
+#include "Core/Math/Rounding.h"
+#include "Trace/Surface.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+// Hits of rays with surfaces made of planes, against closed forms in long double.
+namespace pixelexact::testing
+{
+/// Where a ray meets a surface.
+struct TrueHit
+{
+  long double t;
+  LongVec3 position;
+  long double error; ///< how far rounding may move t
+  bool certain;      ///< whatever the rounding
+};
+
+/// The points x with normal . (x - origin) = 0.
+struct LongPlane
+{
+  LongVec3 origin;
+  LongVec3 normal;              ///< of unit length
+  long double roundings = 8.0L; ///< of the numbers of a Plane and of its sums and products, in u
+  long double offset = 0.0L;    ///< how far off a Plane's origin may be
+
+  LongPlane(const LongVec3& through, const LongVec3& across)
+    : origin(through)
+    , normal(Unit(across))
+  {
+  }
+
+  /// A ray whose slope rounding may make zero, or of either sign, may be found to meet the plane
+  /// anywhere or nowhere.
+  [[nodiscard]] TrueHit Meet(const Ray& ray) const
+  {
+    const LongVec3 direction = ToLong(ray.direction);
+    const LongVec3 distance = Minus(origin, ToLong(ray.origin));
+    const long double u = roundings * kUnitRoundoff;
+    const long double slope = Dot(normal, direction);
+    const long double slopeError = u * Dot(Absolute(normal), Absolute(direction));
+    const long double t = Dot(normal, distance) / slope;
+    TrueHit hit{ t, Plus(ToLong(ray.origin), Times(t, direction)),
+      std::numeric_limits<long double>::infinity(), false };
+    if (std::fabs(slope) > slopeError)
+    {
+      hit.error =
+        (u * Dot(Absolute(normal), Absolute(distance)) + offset + std::fabs(t) * slopeError) /
+          (std::fabs(slope) - slopeError) +
+        kUnitRoundoff * std::fabs(t);
+      hit.certain = true;
+    }
+    return hit;
+  }
+
+  [[nodiscard]] long double Distance(const LongVec3& x) const
+  {
+    return std::fabs(Dot(normal, Minus(x, origin)));
+  }
+
+  /// How far from the plane a position on it may be: by the rounding of its coordinates, and of
+  /// what the normal makes of its distance from the plane's origin. Not by that of t.
+  [[nodiscard]] long double DistanceError(const LongVec3& x) const
+  {
+    return offset + roundings * kUnitRoundoff * Dot(Absolute(normal), Absolute(Minus(x, origin))) +
+      2.0L * kUnitRoundoff * Dot(Absolute(normal), Absolute(x));
+  }
+};
+
+/// How far from the ray's point at t a position on the surface may be: by the rounding of every
+/// sum of coordinates on the way, which is also how far that point is from the surface.
+inline long double RayError(const Ray& ray, long double t, const LongVec3& origin)
+{
+  constexpr long double kRoundings = 24.0L;
+  const LongVec3 ones{ 1.0L, 1.0L, 1.0L };
+  return kRoundings * kUnitRoundoff *
+    (Dot(ones, Absolute(ToLong(ray.origin))) + Dot(ones, Absolute(origin)) +
+      std::fabs(t) * Dot(ones, Absolute(ToLong(ray.direction))));
+}
+
+/// Surface::NextHit for many rays at once, each with its tMin.
+inline std::vector<Hit> NextHits(
+  const Surface& surface, const std::vector<Ray>& rays, const std::vector<double>& tMin)
+{
+  const auto padded = static_cast<std::size_t>(PaddedCount(static_cast<int>(rays.size())));
+  std::array<std::vector<double>, 11> lanes;
+  lanes.fill(std::vector<double>(padded, 1.0));
+  for (std::size_t i = 0; i < rays.size(); ++i)
+  {
+    for (int d = 0; d < 3; ++d)
+    {
+      const auto axis = static_cast<std::size_t>(d);
+      lanes[axis][i] = rays[i].origin[d];
+      lanes[3 + axis][i] = rays[i].direction[d];
+    }
+    lanes[6][i] = tMin[i];
+  }
+  surface.NextHit(
+    { { lanes[0].data(), lanes[1].data(), lanes[2].data() },
+      { lanes[3].data(), lanes[4].data(), lanes[5].data() }, static_cast<int>(rays.size()) },
+    lanes[6].data(), { lanes[7].data(), { lanes[8].data(), lanes[9].data(), lanes[10].data() } });
+  std::vector<Hit> hits;
+  for (std::size_t i = 0; i < rays.size(); ++i)
+  {
+    hits.push_back({ lanes[7][i], { lanes[8][i], lanes[9][i], lanes[10][i] } });
+  }
+  return hits;
+}
+
+/// Every hit of each ray beyond its tMin, in order; one alone and many at once are the same.
+inline std::vector<std::vector<Hit>> AllHits(
+  const Surface& surface, const std::vector<Ray>& rays, std::vector<double> tMin)
+{
+  std::vector<std::vector<Hit>> all(rays.size());
+  for (int round = 0; round <= surface.MostHits(); ++round)
+  {
+    const std::vector<Hit> next = NextHits(surface, rays, tMin);
+    for (std::size_t i = 0; i < rays.size(); ++i)
+    {
+      const Hit alone = NextHitOf(surface, rays[i], tMin[i]);
+      EXPECT_EQ(next[i].t, alone.t);
+      if (next[i].t < kNoHit)
+      {
+        EXPECT_EQ(next[i].position, alone.position);
+        EXPECT_GT(next[i].t, tMin[i]);
+        all[i].push_back(next[i]);
+        tMin[i] = next[i].t;
+      }
+      else
+      {
+        // Nothing lies beyond nothing.
+        tMin[i] = kNoHit;
+      }
+    }
+  }
+  return all;
+}
+
+/// Each hit found is one of the true ones, and every certain one beyond tMin is found, but those
+/// that rounding may put on tMin's other side. Returns how many hits were certain.
+inline int ExpectHits(
+  const std::vector<Hit>& found, const std::vector<TrueHit>& expected, double tMin)
+{
+  std::vector<bool> taken(expected.size(), false);
+  for (const Hit& hit : found)
+  {
+    bool known = false;
+    // Certain ones first: the others fit nearly everywhere.
+    for (const bool certain : { true, false })
+    {
+      for (std::size_t k = 0; k < expected.size() && !known; ++k)
+      {
+        if (!taken[k] && expected[k].certain == certain &&
+          std::fabs(expected[k].t - hit.t) <= expected[k].error)
+        {
+          known = true;
+          taken[k] = true;
+        }
+      }
+    }
+    EXPECT_TRUE(known) << "at " << hit.t << " is no hit";
+  }
+  int certain = 0;
+  for (std::size_t k = 0; k < expected.size(); ++k)
+  {
+    const auto& [t, position, error, always] = expected[k];
+    if (always && t - error > tMin)
+    {
+      ++certain;
+      EXPECT_TRUE(taken[k]) << "the hit at " << static_cast<double>(t) << " is missing";
+    }
+  }
+  return certain;
+}
+
+/// A plane and rays that meet it, do not, or hardly do, of sizes and distances over many decades.
+class RandomRays
+{
+public:
+  explicit RandomRays(std::uint64_t seed)
+    : TheRandom(seed)
+  {
+  }
+
+  Vec3 Vector(double size) { return size * Vec3(TheRandom(), TheRandom(), TheRandom()); }
+  /// 10^least to 10^most, every decade alike.
+  double Size(double least, double most) { return std::pow(10.0, TheRandom(least, most)); }
+
+  /// From anywhere in any direction, or nearly along a plane with that normal.
+  Ray Near(const Vec3& through, const Vec3& normal)
+  {
+    const Vec3 origin = through + Vector(Size(-2.0, 8.0));
+    Vec3 along = Vector(1.0);
+    if (TheRandom() < 0.0)
+    {
+      const Vec3 unit = ToDouble(Unit(ToLong(normal)));
+      const LongVec3 inPlane = Cross(ToLong(unit), ToLong(along));
+      along = ToDouble(inPlane) + (TheRandom() < 0.0 ? -1.0 : 1.0) * Size(-20.0, 0.0) * unit;
+    }
+    return { origin, ToDouble(Unit(ToLong(along))) };
+  }
+
+  /// Before the ray's origin, at it, or near the hit, on either side.
+  double Start(long double t)
+  {
+    const double kind = TheRandom();
+    if (kind < 0.0 || !std::isfinite(static_cast<double>(t)))
+    {
+      return 0.0;
+    }
+    return static_cast<double>(t) * (1.0 + (kind < 0.5 ? -1.0 : 1.0) * Size(-16.0, 0.0));
+  }
+
+private:
+  Random TheRandom;
+};
+} // namespace pixelexact::testing
