@@ -218,7 +218,7 @@ void AddTo(Table& table, const CertifiedFacts& facts)
     verdicts.push_back(
       fmt::format("{} {}{}", facts.count[i], Name(validity), List(facts.first[i], facts.count[i])));
   }
-  row("elements: {}", fmt::join(verdicts, ", "));
+  row("elements: {}", Listed(verdicts));
   row("proven in {} s", Short(facts.seconds));
 }
 

@@ -3,11 +3,11 @@
 
 #include "Command.h"
 #include "Options.h"
+#include "Report.h"
 
 #include "Core/Base/Error.h"
 #include "VtkColorMap.h"
 
-#include <fmt/ranges.h>
 #include <vtkLookupTable.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ ColorMap ByLogarithm(ColorMap map)
 
 std::string Names()
 {
-  return fmt::format("{}", fmt::join(ColorMapNames(), ", "));
+  return Listed(ColorMapNames());
 }
 } // namespace
 

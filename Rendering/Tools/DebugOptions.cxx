@@ -10,7 +10,6 @@
 #include "Core/Location/Owners.h"
 #include "Trace/DebugColors.h"
 
-#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 #include <tbb/parallel_for.h>
 
@@ -31,7 +30,7 @@ std::string TextOf(std::span<const ColorMeaning> legend)
   {
     entries.push_back(fmt::format("{}: {}", entry.name, entry.meaning));
   }
-  return fmt::format("{}", fmt::join(entries, ", "));
+  return Listed(entries);
 }
 
 /// Of the elements that are seen; the others' do not matter.
@@ -188,7 +187,7 @@ void DebugOptions::AddTo(Table& table) const
     }
     if (!counts.empty())
     {
-      table.Row(name, "{}", fmt::join(entries, ", "));
+      table.Row(name, Listed(entries));
     }
   };
   row("coverage", Coverages, [](std::size_t i) { return Name(static_cast<Coverage>(i)); });

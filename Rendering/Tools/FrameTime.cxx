@@ -2,8 +2,8 @@
 #include "FrameTime.h"
 
 #include "KernelTime.h"
+#include "Report.h"
 
-#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -109,6 +109,6 @@ std::string Shares(const StageTimes& stages)
       shares.push_back(fmt::format("{} {} %", kNames[k], percent));
     }
   }
-  return fmt::format("{}", fmt::join(shares, ", "));
+  return Listed(shares);
 }
 } // namespace pixelexact

@@ -9,7 +9,6 @@
 #include "SolverFacts.h"
 #include "StoredOrder.h"
 
-#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 #include <vtkUnstructuredGrid.h>
 
@@ -111,7 +110,7 @@ void PrintTable(const LoadedModel& input, const Facts& facts)
     }
   }
   table.Row("elements", "{}{}{}", input.model->GetMesh().Elements(), shapes.empty() ? "" : ": ",
-    fmt::join(shapes, ", "));
+    Listed(shapes));
   if (input.skippedCells > 0)
   {
     table.Row("skipped", "{} cells of lower dimension", input.skippedCells);

@@ -4,7 +4,6 @@
 #include "Report.h"
 
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 #include <tbb/global_control.h>
 
 #include <algorithm>
@@ -33,7 +32,7 @@ int Fail(int status, const std::string& message, bool json)
   std::cerr << "pixelexact: " << message << '\n';
   if (json)
   {
-    pixelexact::Print(nlohmann::ordered_json{ { "error", message } });
+    pixelexact::PrintError(message);
   }
   return status;
 }

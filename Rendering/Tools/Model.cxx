@@ -118,13 +118,13 @@ const Field& FieldNamed(const HighOrderModel& model, const std::string& name)
   const Field* field = model.FindField(name);
   if (field == nullptr)
   {
-    std::string names;
+    std::vector<std::string> names;
     for (const Field& other : model.Fields())
     {
-      names += (names.empty() ? "" : ", ") + ("'" + other.name + "'");
+      names.push_back("'" + other.name + "'");
     }
     throw Error("there is no field '" + name + "'; " +
-      (names.empty() ? "the input has no fields" : "there are " + names));
+      (names.empty() ? "the input has no fields" : "there are " + Listed(names)));
   }
   return *field;
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OrderCounts.h"
 
-#include <fmt/ranges.h>
+#include "Report.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -48,7 +49,7 @@ std::string Text(const OrderCounts& counts)
     texts.push_back(
       counts.size() > 1 ? fmt::format("{} ({} elements)", Label(orders), count) : Label(orders));
   }
-  return texts.empty() ? "none" : fmt::format("{}", fmt::join(texts, ", "));
+  return texts.empty() ? "none" : Listed(texts);
 }
 
 nlohmann::ordered_json ToJson(const OrderCounts& counts)

@@ -6,7 +6,6 @@
 #include "ProbeTable.h"
 #include "Report.h"
 
-#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <array>
@@ -65,7 +64,7 @@ void AddCoverage(Table& table, const ProbeSamples& samples)
   {
     entries.push_back(fmt::format("{} {}", counts[static_cast<std::size_t>(kind)], Name(kind)));
   }
-  table.Row("covered", "{}", fmt::join(entries, ", "));
+  table.Row("covered", Listed(entries));
 }
 
 void Probe(const ProbeOptions& options, const CommonOptions& common)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Report.h"
 
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <unistd.h>
@@ -62,6 +63,11 @@ void Print(const nlohmann::ordered_json& summary)
   std::cout << summary.dump(-1, ' ', false, replace) << '\n';
 }
 
+void PrintError(const std::string& message)
+{
+  Print({ { "error", message } });
+}
+
 ProgressLine::ProgressLine(std::string label)
   : Label(std::move(label))
   , Terminal(isatty(STDERR_FILENO) != 0)
@@ -90,6 +96,11 @@ bool ProgressLine::operator()(double part)
 void Warn(const std::string& message)
 {
   std::cerr << "pixelexact: warning: " << message << '\n';
+}
+
+std::string Listed(const std::vector<std::string>& texts)
+{
+  return fmt::format("{}", fmt::join(texts, ", "));
 }
 
 std::string Short(double number, int digits)

@@ -52,6 +52,8 @@ nlohmann::ordered_json ToJson(const Stopwatch& stopwatch);
 /// One line on stdout. NaN and infinity, which JSON does not know, become null, and bytes that are
 /// no UTF-8, which a name of an array or a file may hold, the replacement character.
 void Print(const nlohmann::ordered_json& summary);
+/// The summary of what failed.
+void PrintError(const std::string& message);
 
 /// Shows how far the work is, on stderr, when that is a terminal; clears its line when done.
 class ProgressLine
@@ -72,6 +74,9 @@ private:
 };
 
 void Warn(const std::string& message);
+
+/// "a, b, c"
+std::string Listed(const std::vector<std::string>& texts);
 
 /// As printf's %g with so many digits, with NaN as "nan".
 std::string Short(double number, int digits = 6);

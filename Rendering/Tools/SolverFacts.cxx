@@ -5,7 +5,6 @@
 
 #include "HighOrderArrays.h"
 
-#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -70,7 +69,7 @@ void AddRow(Table& table, const char* label, const char* what, const SolverFacts
   }
   if (!entries.empty())
   {
-    table.Row(label, "{}", fmt::join(entries, ", "));
+    table.Row(label, Listed(entries));
   }
 }
 
