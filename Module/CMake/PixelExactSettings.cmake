@@ -51,13 +51,13 @@ if(PIXELEXACT_SANITIZE)
   # Kernels are compiled for one instruction set, the widest that is common; see
   # pixelexact_use_lanes. For all sources, because Eigen's inline functions must not differ.
   include(CheckCXXSourceRuns)
-  set(CMAKE_REQUIRED_FLAGS -march=haswell)
+  set(CMAKE_REQUIRED_FLAGS "-march=haswell -maes")
   check_cxx_source_runs(
     "int main() { return __builtin_cpu_supports(\"avx2\") && __builtin_cpu_supports(\"fma\") ? 0 : 1; }"
     PIXELEXACT_HAS_AVX2)
   unset(CMAKE_REQUIRED_FLAGS)
   if(PIXELEXACT_HAS_AVX2)
-    add_compile_options(-march=haswell)
+    add_compile_options(-march=haswell -maes)
   endif()
 
   # The address sanitizer finds what null and object-size look for; without them the kernels compile

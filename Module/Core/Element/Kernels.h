@@ -85,8 +85,8 @@ struct KernelSet
     double* const* out);
   /// The same in single precision, but for the way in and out: twice the lanes. Coefficients are
   /// scaled by a power of two per component, so that their size does not matter, and rounded as xi
-  /// are. Errors are some roundoffs of a float (6e-8) of the sum of |coefficient| |mode|. Where a sum
-  /// is not finite it is made in double precision after all.
+  /// are. Errors are some roundoffs of a float (6e-8) of the sum of |coefficient| |mode|. Where a
+  /// sum is not finite it is made in double precision after all.
   void (*valueInFloats)(const Space&, const double* coefficients, int components,
     const LanePoints& xi, double* const* out) = nullptr;
   /// Also gradient[3 c + d][i] = derivative of component c by xi_d.

@@ -9,8 +9,8 @@
 
 namespace pixelexact
 {
-/// Reports how much of `count` pieces of work is done, as a part that goes from `from` to `to`, about
-/// a hundred times. Any thread may do a piece; only the thread that made the object reports.
+/// Reports how much of `count` pieces of work is done, as a part that goes from `from` to `to`,
+/// about a hundred times. Any thread may do a piece; only the thread that made the object reports.
 class ParallelProgress
 {
 public:
