@@ -14,6 +14,9 @@ function(pixelexact_add_library name)
   # Proofs by rounding need every operation rounded as written. PUBLIC: the headers hold some.
   target_compile_options(${name} PUBLIC -ffp-contract=off)
   target_link_libraries(${name} PRIVATE $<BUILD_INTERFACE:PixelExactWarnings>)
+  if(PIXELEXACT_SANITIZE)
+    pixelexact_precompile(${name} <glm/mat3x3.hpp> <glm/vec3.hpp>)
+  endif()
 
   install(TARGETS ${name} EXPORT PixelExact)
   install(DIRECTORY "${arg_INCLUDE_ROOT}/${arg_SUBDIR}/"

@@ -17,6 +17,11 @@ function(pixelexact_add_vtk_module name)
     SOURCES ${sources}
     PRIVATE_HEADERS ${private_headers}
     NOWRAP_HEADERS ${arg_NOWRAP_HEADERS})
+  if(PIXELEXACT_SANITIZE)
+    string(REGEX REPLACE ".*::" "" target "${name}")
+    pixelexact_precompile(${target}
+      <vtkCellData.h> <vtkNew.h> <vtkObjectFactory.h> <vtkPointData.h> <vtkUnstructuredGrid.h>)
+  endif()
 endfunction()
 
 set(PIXELEXACT_MODULES

@@ -32,11 +32,11 @@ target_compile_options(PixelExactWarnings INTERFACE
   -Wall -Wextra -Wshadow -Wnon-virtual-dtor
   $<$<BOOL:${PIXELEXACT_WARNINGS_AS_ERRORS}>:-Werror>)
 
-# pixelexact_precompile(PROGRAM HEADERS...)
+# pixelexact_precompile(TARGET HEADERS...)
 #
-# Parses what most sources of a program include once. Sources still include what they use: clang-tidy
-# reads them without. Not for libraries: gcc forgets that what it precompiled are system headers, and
-# some of its warnings about std::string are false.
+# Parses what most sources of a target include once. Sources still include what they use: clang-tidy
+# reads them without. Of libraries under the sanitizers alone: gcc forgets that what it precompiled are
+# system headers, so that some of its warnings about std::string are false and must be off.
 function(pixelexact_precompile name)
   if(PIXELEXACT_PRECOMPILE_HEADERS)
     target_precompile_headers(${name} PRIVATE

@@ -82,7 +82,7 @@ TEST_P(NativeOracles, AreMet)
   reader->SetFileName(InFolder(c, c.mesh).c_str());
   reader->Update();
   ASSERT_EQ(messages->errors, "");
-  const Table table = ReadTable(InFolder(c, c.oracle));
+  const Table table = ReadOracle(InFolder(c, c.oracle));
   OracleErrors errors;
   MeasureValues(reader->GetHighOrderOutput(), table, c.field, errors);
   MeasurePoints(reader->GetHighOrderOutput(), table, errors);

@@ -49,7 +49,7 @@ double Lebesgue(int n)
 
 void CheckOracle(const Case& c)
 {
-  const Table table = ReadTable(FindData(c.oracle));
+  const Table table = ReadOracle(FindData(c.oracle));
   Conversion conversion(ReadGrid(FindData(c.grid)));
   ASSERT_TRUE(conversion.done) << conversion.messages->errors;
   EXPECT_EQ(conversion.messages->warnings, "");
