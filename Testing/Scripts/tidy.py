@@ -36,8 +36,10 @@ CONFIGURATION = {
     "Testing/Scripts/tidy.py",
 }
 OWN_SOURCE = re.compile(r"(Module|Filters|Rendering)/.*\.cxx$")
-# clang cannot read what gcc precompiled.
-PRECOMPILED = re.compile(r" -Winvalid-pch| -include \S*cmake_pch\.hxx")
+# clang cannot read what gcc precompiled, and does not know the warnings that are off with it.
+PRECOMPILED = re.compile(
+    r" -Winvalid-pch| -include \S*cmake_pch\.hxx| -Wno-(restrict|stringop-\w+)(?= )"
+)
 
 
 def git(*arguments):
