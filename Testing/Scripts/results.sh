@@ -2,7 +2,7 @@
 # Measures, and runs the studies in their full form: Testing/Results/NAME.md, each with its command,
 # date, machine and commit.
 #
-#   results.sh [NAME...]     default: all, which takes two hours on two cores
+#   results.sh [NAME...]     default: all
 #
 #   frames        made meshes by shape, order, elements and pixels; against the bare kernel
 #   instructions  counted under callgrind
