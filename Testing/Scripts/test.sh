@@ -18,8 +18,8 @@ if [[ "${1:-}" == --quick ]]; then
   stages="dependencies build test"
 fi
 # In seconds. The network has none.
-declare -A budgets=([build]=900 [test]=300 [instructions]=180 [sanitize]=900 [fuzz]=300
-  [format]=60 [tidy]=1200)
+declare -A budgets=([build]=1200 [test]=400 [instructions]=240 [sanitize]=1500 [fuzz]=400
+  [format]=60 [tidy]=1800)
 budget_scale=${PIXELEXACT_BUDGET:-1}
 build=build
 sanitize_build=build-sanitize
