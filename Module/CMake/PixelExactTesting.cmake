@@ -20,7 +20,7 @@ add_custom_target(PixelExactTests)
 # pixelexact_add_test(NAME SOURCES ... LINK ... LABELS ... [XVFB] [PRECOMPILE headers...])
 #
 # One GoogleTest executable. ctest runs it as a few processes, each with its share of the tests: a
-# process per test would spend most of its time on loading libraries. One test alone is run by
+# process per test would load all libraries each time. One test alone is run by
 # NAME --gtest_filter=... XVFB: the tests draw with OpenGL and need a display; they are left out of a
 # sanitizer build, because the OpenGL driver is not ours to sanitize. PRECOMPILE: what most sources
 # include beside GoogleTest and the standard library.

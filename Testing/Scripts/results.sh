@@ -70,7 +70,7 @@ run_face-points() {
 run_stability() {
   title="Stability: all sweeps against 113 bits"
   cmake --build "$build" --target StabilityStudy >/dev/null
-  commands+=("cmake --build $build --target stability")
+  commands+=("$build/bin/StabilityStudy DIRECTORY")
   "$build/bin/StabilityStudy" "$scratch/stability" | tee "$scratch/log" >&2
   body="$(cat "$scratch/stability/table.md")"$'\n\n'"$(tail -n 1 "$scratch/log")."
 }
