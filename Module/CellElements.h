@@ -4,9 +4,11 @@
 
 #include "ArrayViews.h"
 #include "Core/Element/Mesh.h"
+#include "Fingerprint.h"
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -24,9 +26,10 @@ public:
 
   [[nodiscard]] std::size_t Cells() const { return Element.size(); }
 
-  /// Throws StaleData, with `problem`, for the first cell whose value differs from its element's.
-  void Compare(std::span<const std::int64_t> now, std::span<const std::int64_t> then,
-    const std::string& problem) const;
+  /// Throws StaleData, with `problem`, for the first cell whose fingerprint differs from its
+  /// element's, by the hash that is stored and by that of the first versions.
+  void Compare(const std::function<std::vector<std::int64_t>(Hash)>& now,
+    std::span<const std::int64_t> then, const std::string& problem) const;
 
   /// `values`, `stride` per element, in the order of the cells; a copy only where that is another.
   template <class T>

@@ -26,18 +26,39 @@ void AppendTuple(std::vector<double>& numbers, vtkDataArray* array, vtkIdType tu
   array->GetTuple(tuple, numbers.data() + begin);
 }
 
-std::int64_t HashOf(std::vector<double>& numbers)
+std::uint64_t Mixed(std::uint64_t state, std::uint64_t word)
+{
+  state = (state ^ word) + 0x9e3779b97f4a7c15U;
+  state = (state ^ (state >> 33U)) * 0xff51afd7ed558ccdU;
+  state = (state ^ (state >> 33U)) * 0xc4ceb9fe1a85ec53U;
+  return state ^ (state >> 33U);
+}
+
+/// `whole`: how many of the numbers, from the first on, the first hash took as integers.
+std::int64_t HashOf(std::vector<double>& numbers, std::size_t whole, Hash hash)
 {
   for (double& number : numbers)
   {
     number += 0.0; // makes the two zeros one
+  }
+  if (hash == Hash::First)
+  {
+    std::uint64_t state = 0;
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+    {
+      state = Mixed(state,
+        i < whole ? static_cast<std::uint64_t>(numbers[i])
+                  : std::bit_cast<std::uint64_t>(numbers[i]));
+    }
+    return std::bit_cast<std::int64_t>(state);
   }
   return std::bit_cast<std::int64_t>(XXH3_64bits(numbers.data(), numbers.size() * sizeof(double)));
 }
 
 /// The hash of what append(numbers, cell, points) leaves, for every cell, in parallel.
 template <class Append>
-std::vector<std::int64_t> ForCells(vtkUnstructuredGrid* grid, Append&& append)
+std::vector<std::int64_t> ForCells(
+  vtkUnstructuredGrid* grid, std::size_t whole, Hash hash, Append&& append)
 {
   std::vector<std::int64_t> prints(grid->GetNumberOfCells());
   tbb::parallel_for(tbb::blocked_range<vtkIdType>(0, grid->GetNumberOfCells(), 1024),
@@ -49,16 +70,16 @@ std::vector<std::int64_t> ForCells(vtkUnstructuredGrid* grid, Append&& append)
       {
         numbers.clear();
         append(numbers, cell, points.Get());
-        prints[cell] = HashOf(numbers);
+        prints[cell] = HashOf(numbers, whole, hash);
       }
     });
   return prints;
 }
 } // namespace
 
-std::vector<std::int64_t> CellFingerprints(vtkUnstructuredGrid* grid)
+std::vector<std::int64_t> CellFingerprints(vtkUnstructuredGrid* grid, Hash hash)
 {
-  return ForCells(grid,
+  return ForCells(grid, 2, hash,
     [grid](std::vector<double>& numbers, vtkIdType cell, vtkIdList* points)
     {
       grid->GetCellPoints(cell, points);
@@ -72,9 +93,9 @@ std::vector<std::int64_t> CellFingerprints(vtkUnstructuredGrid* grid)
 }
 
 std::vector<std::int64_t> ValueFingerprints(
-  vtkUnstructuredGrid* grid, vtkDataArray* source, Origin origin)
+  vtkUnstructuredGrid* grid, vtkDataArray* source, Origin origin, Hash hash)
 {
-  return ForCells(grid,
+  return ForCells(grid, 0, hash,
     [=](std::vector<double>& numbers, vtkIdType cell, vtkIdList* points)
     {
       if (origin == Origin::CellData)

@@ -53,8 +53,9 @@ struct HighOrderModel::Internals
       // An array that was dropped on the way cannot have been changed.
       if (vtkDataArray* nodal = FieldSource(source, name, view.origin))
       {
-        part->Cells().Compare(ValueFingerprints(source, nodal, view.origin), prints,
-          "has other values of '" + name + "' than those its coefficients were made from");
+        part->Cells().Compare([&](Hash hash)
+          { return ValueFingerprints(source, nodal, view.origin, hash); },
+          prints, "has other values of '" + name + "' than those its coefficients were made from");
       }
     }
     Field& field = fields.emplace_back();

@@ -77,7 +77,7 @@ MeshPart::~MeshPart() = default;
 
 void MeshPart::CompareCells(vtkUnstructuredGrid* grid) const
 {
-  TheCells->Compare(CellFingerprints(grid), Fingerprints,
+  TheCells->Compare([grid](Hash hash) { return CellFingerprints(grid, hash); }, Fingerprints,
     "is not the one that its coefficients were made from: it was cut, or its points were moved");
 }
 
