@@ -182,34 +182,4 @@ Hull HullOf(std::span<const double> bernstein)
   const auto [low, high] = std::ranges::minmax_element(bernstein);
   return { *low, *high };
 }
-
-void Halve(const std::array<int, 3>& degree, int direction, std::span<double> bernstein,
-  std::span<double> upper)
-{
-  const int n = degree[direction];
-  std::size_t stride = 1;
-  for (int d = 2; d > direction; --d)
-  {
-    stride *= degree[d] + 1;
-  }
-  const std::size_t block = stride * (n + 1);
-  for (std::size_t start = 0; start < bernstein.size(); start += block)
-  {
-    for (std::size_t offset = start; offset < start + stride; ++offset)
-    {
-      double* b = &bernstein[offset];
-      double* u = &upper[offset];
-      // Each sweep leaves one coefficient of either half in place.
-      u[n * stride] = b[n * stride];
-      for (int level = 1; level <= n; ++level)
-      {
-        for (int i = n; i >= level; --i)
-        {
-          b[i * stride] = 0.5 * (b[(i - 1) * stride] + b[i * stride]);
-        }
-        u[(n - level) * stride] = b[n * stride];
-      }
-    }
-  }
-}
 } // namespace pixelexact

@@ -66,10 +66,4 @@ struct Hull
   double upper;
 };
 Hull HullOf(std::span<const double> bernstein);
-
-/// Splits coefficients of the given degree at the middle of direction d (de Casteljau): `bernstein`
-/// becomes the lower half's, `upper` the upper half's. Rounding adds at most
-/// gamma(degree[d]) max |b|.
-void Halve(const std::array<int, 3>& degree, int direction, std::span<double> bernstein,
-  std::span<double> upper);
 } // namespace pixelexact

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Bernstein/PieceForm.h"
 
+#include "Core/Bernstein/SweepKernels.h"
 #include "Core/Math/Rounding.h"
 
 #include <algorithm>
@@ -200,28 +201,18 @@ void PieceForm::AddTerm(
       {
         const double c = *modes++;
         const auto& z = RowOf(2, term.factor[2], piece[2], family[2], r).value;
-        for (std::size_t k = 0; k < width; ++k)
-        {
-          line[k] += c * z[k];
-        }
+        AddScaled(c, z, line.data());
       }
       const auto& y = RowOf(1, term.factor[1], piece[1], family[1], q).value;
       for (std::size_t j = 0; j < y.size(); ++j)
       {
-        for (std::size_t k = 0; k < width; ++k)
-        {
-          layer[j * width + k] += y[j] * line[k];
-        }
+        AddScaled(y[j], line, &layer[j * width]);
       }
     }
     const auto& x = RowOf(0, term.factor[0], piece[0], 0, p).value;
     for (std::size_t i = 0; i < x.size(); ++i)
     {
-      double* to = &out[i * layer.size()];
-      for (std::size_t jk = 0; jk < layer.size(); ++jk)
-      {
-        to[jk] += x[i] * layer[jk];
-      }
+      AddScaled(x[i], layer, &out[i * layer.size()]);
     }
   }
 }
@@ -241,14 +232,21 @@ double PieceForm::ErrorBound(Part part, const Piece& piece, const double* modes)
   double sum = 0.0;
   for (const Term& term : Terms[IndexOf(part)])
   {
-    ForEachMode(TheSpace,
-      [&](int p, int q, int r, int mode)
+    const double* mode = modes;
+    for (int p = 0; p <= TheSpace.order[0]; ++p)
+    {
+      const double x = RowOf(0, term.factor[0], piece[0], 0, p).largest;
+      for (int q = 0; q <= TheSpace.LastQ(p); ++q)
       {
         const auto family = FamilyOf(p, q);
-        sum += std::fabs(modes[mode]) * RowOf(0, term.factor[0], piece[0], 0, p).largest *
-          RowOf(1, term.factor[1], piece[1], family[1], q).largest *
-          RowOf(2, term.factor[2], piece[2], family[2], r).largest;
-      });
+        const double xy = x * RowOf(1, term.factor[1], piece[1], family[1], q).largest;
+        const FactorRow* z = &RowOf(2, term.factor[2], piece[2], family[2], 0);
+        for (int r = 0; r <= TheSpace.LastR(p, q); ++r)
+        {
+          sum += std::fabs(*mode++) * xy * z[r].largest;
+        }
+      }
+    }
   }
   const int operations = TheDegree[0] + TheDegree[1] + TheDegree[2] + 12;
   // The sum's own rounding is far below the slack; so is what underflows.

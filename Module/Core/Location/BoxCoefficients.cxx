@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Location/BoxCoefficients.h"
 
-#include "Core/Bernstein/BernsteinForm.h"
+#include "Core/Bernstein/SweepKernels.h"
 #include "Core/Math/Rounding.h"
 
 #include <algorithm>
@@ -14,12 +14,9 @@ namespace
 {
 double LargestOf(std::span<const double> values)
 {
-  double largest = 0.0;
-  for (const double b : values)
-  {
-    largest = std::max(largest, std::fabs(b));
-  }
-  return largest;
+  const Extremes extremes = ExtremesOf(values);
+  return extremes.finite ? std::max(-extremes.least, extremes.most)
+                         : std::numeric_limits<double>::infinity();
 }
 } // namespace
 
@@ -38,18 +35,10 @@ std::span<const double> BoxCoefficients::Of(std::size_t function) const
 
 Interval BoxCoefficients::HullOf(std::size_t function) const
 {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  double least = kInfinity;
-  double most = -kInfinity;
-  bool sound = error[function] < kInfinity;
-  for (const double b : Of(function))
-  {
-    least = std::min(least, b);
-    most = std::max(most, b);
-    sound = sound && std::fabs(b) < kInfinity;
-  }
-  return sound ? rounding::Outward(least - error[function], most + error[function])
-               : Interval::Everything();
+  const Extremes extremes = ExtremesOf(Of(function));
+  return extremes.finite && error[function] < std::numeric_limits<double>::infinity()
+    ? rounding::Outward(extremes.least - error[function], extremes.most + error[function])
+    : Interval::Everything();
 }
 
 void BoxCoefficients::Recentre()
@@ -66,10 +55,7 @@ void BoxCoefficients::Recentre()
     {
       continue;
     }
-    for (double& b : part)
-    {
-      b -= shift;
-    }
+    Subtract(shift, part);
     base[f] = moved;
     error[f] = NextUp(error[f] + Gamma(1) * LargestOf(part));
   }
@@ -77,16 +63,14 @@ void BoxCoefficients::Recentre()
 
 BoxCoefficients BoxCoefficients::Halve(const std::array<int, 3>& degree, int direction)
 {
-  const std::size_t size = values.size() / error.size();
-  BoxCoefficients upper;
-  upper.values.resize(values.size());
   for (std::size_t f = 0; f < error.size(); ++f)
   {
-    const auto part = std::span(values).subspan(f * size, size);
     error[f] =
-      NextUp(error[f] + Gamma(degree[static_cast<std::size_t>(direction)] + 1) * LargestOf(part));
-    pixelexact::Halve(degree, direction, part, std::span(upper.values).subspan(f * size, size));
+      NextUp(error[f] + Gamma(degree[static_cast<std::size_t>(direction)] + 1) * LargestOf(Of(f)));
   }
+  BoxCoefficients upper;
+  upper.values.resize(values.size());
+  pixelexact::Halve(degree, direction, values, upper.values);
   upper.error = error;
   upper.base = base;
   return upper;

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "Core/Bernstein/SweepKernels.cxx"
+#include <hwy/foreach_target.h>
+
+#include "Core/Bernstein/SweepKernels.h"
+#include "Core/Math/Lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace pixelexact::HWY_NAMESPACE
+{
+using Traits = NumberTraits<Lanes>;
+
+/// b = (a + b) / 2 for `count` numbers; a and b may overlap where b is behind a.
+HWY_INLINE void Average(const double* a, double* b, std::size_t count)
+{
+  const auto lanes = static_cast<std::size_t>(LaneCount());
+  const Lanes half = Traits::Splat(0.5);
+  // From the end on, so that what is read has not been written.
+  std::size_t i = count;
+  for (; i >= lanes; i -= lanes)
+  {
+    Store(half * (Traits::Load(a + i - lanes) + Traits::Load(b + i - lanes)), b + i - lanes);
+  }
+  while (i-- > 0)
+  {
+    b[i] = 0.5 * (a[i] + b[i]);
+  }
+}
+
+/// One line or sheet of coefficients: n + 1 pieces of `stride` numbers.
+HWY_INLINE void HalveBlock(int degree, std::size_t stride, double* b, double* u)
+{
+  const auto n = static_cast<std::size_t>(degree);
+  const auto copy = [&](std::size_t to) PIXELEXACT_INLINED
+  {
+    for (std::size_t i = 0; i < stride; ++i)
+    {
+      u[to * stride + i] = b[n * stride + i];
+    }
+  };
+  // Each sweep leaves one coefficient of either half in place.
+  copy(n);
+  for (std::size_t level = 1; level <= n; ++level)
+  {
+    Average(b + (level - 1) * stride, b + level * stride, (n + 1 - level) * stride);
+    copy(n - level);
+  }
+}
+
+void HalveAll(int degree, std::size_t stride, double* b, double* u, std::size_t size)
+{
+  const std::size_t block = stride * static_cast<std::size_t>(degree + 1);
+  for (std::size_t start = 0; start < size; start += block)
+  {
+    HalveBlock(degree, stride, b + start, u + start);
+  }
+}
+
+void AddScaledTo(double factor, const double* from, std::size_t count, double* to)
+{
+  const auto lanes = static_cast<std::size_t>(LaneCount());
+  const Lanes scale = Traits::Splat(factor);
+  std::size_t i = 0;
+  for (; i + lanes <= count; i += lanes)
+  {
+    Store(Traits::Load(to + i) + scale * Traits::Load(from + i), to + i);
+  }
+  for (; i < count; ++i)
+  {
+    to[i] += factor * from[i];
+  }
+}
+
+Extremes FindExtremes(const double* values, std::size_t count)
+{
+  const auto lanes = static_cast<std::size_t>(LaneCount());
+  const Lanes zero = Traits::Splat(0.0);
+  Extremes found{ values[0], values[0], true };
+  Lanes least = Traits::Splat(values[0]);
+  Lanes most = least;
+  Lanes none = zero; // not zero where something is not finite
+  std::size_t i = 0;
+  for (; i + lanes <= count; i += lanes)
+  {
+    const Lanes v = Traits::Load(values + i);
+    least = Min(least, v);
+    most = Max(most, v);
+    none = none + (v - v);
+  }
+  for (; i < count; ++i)
+  {
+    found.least = values[i] < found.least ? values[i] : found.least;
+    found.most = values[i] > found.most ? values[i] : found.most;
+    none = none + Traits::Splat(values[i] - values[i]);
+  }
+  const double first = Least(least);
+  const double last = Most(most);
+  return { first < found.least ? first : found.least, last > found.most ? last : found.most,
+    All(And(none <= zero, none >= zero)) };
+}
+
+void SubtractFrom(double shift, double* values, std::size_t count)
+{
+  const auto lanes = static_cast<std::size_t>(LaneCount());
+  const Lanes by = Traits::Splat(shift);
+  std::size_t i = 0;
+  for (; i + lanes <= count; i += lanes)
+  {
+    Store(Traits::Load(values + i) - by, values + i);
+  }
+  for (; i < count; ++i)
+  {
+    values[i] -= shift;
+  }
+}
+} // namespace pixelexact::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace pixelexact
+{
+namespace
+{
+/// Below this the dispatch costs more than it gains.
+constexpr std::size_t kWorthLanes = 8;
+} // namespace
+
+HWY_EXPORT(HalveAll);
+HWY_EXPORT(AddScaledTo);
+HWY_EXPORT(FindExtremes);
+HWY_EXPORT(SubtractFrom);
+
+void Halve(const std::array<int, 3>& degree, int direction, std::span<double> bernstein,
+  std::span<double> upper)
+{
+  std::size_t stride = 1;
+  for (int d = 2; d > direction; --d)
+  {
+    stride *= static_cast<std::size_t>(degree[static_cast<std::size_t>(d)] + 1);
+  }
+  HWY_DYNAMIC_DISPATCH(HalveAll)
+  (degree[static_cast<std::size_t>(direction)], stride, bernstein.data(), upper.data(),
+    bernstein.size());
+}
+
+Extremes ExtremesOf(std::span<const double> values)
+{
+  return HWY_DYNAMIC_DISPATCH(FindExtremes)(values.data(), values.size());
+}
+
+void Subtract(double shift, std::span<double> values)
+{
+  HWY_DYNAMIC_DISPATCH(SubtractFrom)(shift, values.data(), values.size());
+}
+
+void AddScaled(double factor, std::span<const double> from, double* to)
+{
+  if (from.size() < kWorthLanes)
+  {
+    for (std::size_t i = 0; i < from.size(); ++i)
+    {
+      to[i] += factor * from[i];
+    }
+    return;
+  }
+  HWY_DYNAMIC_DISPATCH(AddScaledTo)(factor, from.data(), from.size(), to);
+}
+} // namespace pixelexact
+#endif

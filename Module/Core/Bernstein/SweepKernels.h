@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+// Sweeps over arrays of coefficients, in as many lanes as the instruction set has; the same bits on
+// each.
+namespace pixelexact
+{
+/// Splits tensor-product Bernstein coefficients of the given degree at the middle of direction d
+/// (de Casteljau): `bernstein` becomes the lower half's, `upper` the upper half's. Rounding adds at
+/// most gamma(degree[d]) max |b|. Several functions may lie one after the other.
+void Halve(const std::array<int, 3>& degree, int direction, std::span<double> bernstein,
+  std::span<double> upper);
+
+/// The least and the most of some numbers.
+struct Extremes
+{
+  double least;
+  double most;
+  bool finite; ///< all of them; else the others mean nothing
+};
+Extremes ExtremesOf(std::span<const double> values);
+
+/// values[i] -= shift.
+void Subtract(double shift, std::span<double> values);
+
+/// to[i] += factor from[i].
+void AddScaled(double factor, std::span<const double> from, double* to);
+} // namespace pixelexact
