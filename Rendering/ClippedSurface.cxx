@@ -6,7 +6,7 @@
 
 namespace pixelexact
 {
-ClippedSurface::ClippedSurface(std::shared_ptr<const Surface> whole, std::vector<HalfSpace> kept)
+ClippedSurface::ClippedSurface(std::shared_ptr<const Surface> whole, std::vector<KeptHalfSpace> kept)
   : Whole(std::move(whole))
   , Kept(std::move(kept))
 {
@@ -15,7 +15,7 @@ ClippedSurface::ClippedSurface(std::shared_ptr<const Surface> whole, std::vector
 bool ClippedSurface::Keeps(const Vec3& position) const
 {
   return std::all_of(Kept.begin(), Kept.end(),
-    [&position](const HalfSpace& half) {
+    [&position](const KeptHalfSpace& half) {
       return half[0] * position.x + half[1] * position.y + half[2] * position.z + half[3] >= 0.0;
     });
 }

@@ -40,14 +40,14 @@ DepthRows RowsOf(vtkRenderer* renderer, vtkMatrix4x4* dataToWorld)
 }
 
 // What lies beyond the near plane: z >= -w.
-HalfSpace BeyondNear(const DepthRows& rows)
+KeptHalfSpace BeyondNear(const DepthRows& rows)
 {
-  HalfSpace half{};
+  KeptHalfSpace half{};
   std::transform(rows.z.begin(), rows.z.end(), rows.w.begin(), half.begin(), std::plus<double>());
   return half;
 }
 
-bool CutsInto(const HalfSpace& half, const Box3& box)
+bool CutsInto(const KeptHalfSpace& half, const Box3& box)
 {
   double least = half[3];
   for (int i = 0; i < 3; ++i)
@@ -80,14 +80,14 @@ void FrameDrawer::Complete(
   request.solidColor = ColorOf(actor->GetProperty());
   for (int i = 0; i < mapper->GetNumberOfClippingPlanes(); ++i)
   {
-    HalfSpace plane{};
+    KeptHalfSpace plane{};
     mapper->GetClippingPlaneInDataCoords(dataToWorld, i, plane.data());
     request.kept.push_back(plane);
   }
   // What lies before the near plane shows what is behind it. VTK puts that plane before all that is
   // visible, so this is for users who move it into the data, and for cameras inside of it; all
   // others get rays that depend on the view alone.
-  const HalfSpace beyondNear = BeyondNear(RowsOf(renderer, dataToWorld));
+  const KeptHalfSpace beyondNear = BeyondNear(RowsOf(renderer, dataToWorld));
   if (CutsInto(beyondNear, TheSource.ModelOf(request.grid)->GetLocator().Bounds()))
   {
     request.kept.push_back(beyondNear);

@@ -31,7 +31,7 @@ struct FrameRequest
   vtkUnstructuredGrid* grid = nullptr;
   FieldChoice field;
   std::vector<vtkImplicitFunction*> cuts;
-  std::vector<HalfSpace> kept; ///< clipping planes, and the near plane where it cuts the data
+  std::vector<KeptHalfSpace> kept; ///< clipping planes, and the near plane where it cuts the data
   CameraSetup camera;
   /// Null: every exact pixel gets the solid colour.
   vtkScalarsToColors* table = nullptr;
@@ -98,7 +98,7 @@ private:
     FieldChoice field;
     int component = 0;
     std::vector<Stamp> cuts;
-    std::vector<HalfSpace> kept;
+    std::vector<KeptHalfSpace> kept;
     CameraSetup camera;
 
     bool operator==(const TraceKey&) const = default;

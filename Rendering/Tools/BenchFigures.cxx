@@ -76,8 +76,8 @@ Row Measure(const BlockKind& kind, const ImageSize& size, const FigureOptions& o
     scene.precision = Precision::Double;
   }
   row.all = MeasureFrames(scene, camera, { &colors }, options.repeat, ignore);
-  row.bounded = locator.BoundedElements();
-  row.memory = locator.MemoryUsage();
+  row.bounded = locator.Index().BoundedElements();
+  row.memory = locator.Index().MemoryUsage();
   return row;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trace/Tile.h"
 
+#include "Core/Base/CheckedOut.h"
 #include "Core/Base/StageClock.h"
 #include "Core/Location/Owners.h"
 #include "Core/Location/Sample.h"
@@ -16,7 +17,7 @@ namespace pixelexact
 {
 namespace
 {
-/// The arrays of a tile, kept by each thread from one tile to the next.
+/// The arrays of a tile.
 struct Scratch
 {
   TileSamples samples;
@@ -29,12 +30,6 @@ struct Scratch
   std::vector<double> upper;
   std::vector<Vec3> positions;
   std::vector<Owners> owners;
-
-  static Scratch& OfThread()
-  {
-    thread_local Scratch scratch;
-    return scratch;
-  }
 };
 
 /// The first `size` entries; the vector grows to hold them.
@@ -55,7 +50,7 @@ public:
     : TheScene(scene)
     , Buffers(buffers)
     , Counters(counters)
-    , Work(Scratch::OfThread())
+    , Work(*Lease)
     , Samples(Work.samples)
   {
   }
@@ -277,6 +272,7 @@ private:
   const Scene& TheScene;
   SampleBuffers& Buffers;
   FrameCounters& Counters;
+  CheckedOut<Scratch> Lease;
   Scratch& Work;
   TileSamples& Samples;
   std::span<std::int32_t> Element;

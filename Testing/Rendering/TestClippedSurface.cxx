@@ -93,7 +93,7 @@ private:
 /// Which of the hits are in all of the half-spaces; those that rounding may put on either side are
 /// not certain.
 std::vector<TrueHit> Clip(const std::vector<TrueHit>& hits, const Ray& ray,
-  const LongVec3& surfaceOrigin, const std::vector<HalfSpace>& kept)
+  const LongVec3& surfaceOrigin, const std::vector<KeptHalfSpace>& kept)
 {
   std::vector<TrueHit> left;
   for (TrueHit hit : hits)
@@ -170,7 +170,7 @@ TEST(ClippedSurface, HitsAreThoseOfTheWholeThatAreKeptAndNoneIsMissing)
   {
     const double size = random.Size(-3.0, 3.0);
     const auto planes = std::make_shared<Planes>();
-    std::vector<HalfSpace> kept;
+    std::vector<KeptHalfSpace> kept;
     const Vec3 middle = random.Vector(1e2 * size);
     Vec3 through;
     Vec3 normal;
@@ -217,14 +217,14 @@ TEST(ClippedSurface, PicturesShowWhatIsBehind)
 {
   const auto grid = BoxGrid(2);
   const auto model = HighOrderModel::From(grid);
-  const HalfSpace kept{ 0.5, 0.25, -1.0, 0.25 };
+  const KeptHalfSpace kept{ 0.5, 0.25, -1.0, 0.25 };
   constexpr double kRadius = 0.75;
   constexpr double kFloor = -0.5;
   Scene scene;
   scene.locator = &model->GetLocator();
   scene.field = model->FindField("u");
   scene.surfaces = { std::make_shared<ClippedSurface>(
-                       std::make_shared<Sphere>(kRadius), std::vector<HalfSpace>{ kept }),
+                       std::make_shared<Sphere>(kRadius), std::vector<KeptHalfSpace>{ kept }),
     std::make_shared<Plane>(Vec3(0.0, 0.0, kFloor), Vec3(0.0, 0.0, 1.0)) };
   CameraView view;
   view.position = { 0.0, 0.0, 4.0 };

@@ -49,7 +49,7 @@ public:
     , FieldModes(MakeField(subject.shape, Elements.Elements()))
     , TheField{ "u", FieldModes.View() }
     , Finder(Elements)
-    , Check(Elements, subject.element, Finder.ElementBox(subject.element), TheField)
+    , Check(Elements, subject.element, Finder.Index().ElementBox(subject.element), TheField)
   {
     Validate(Elements);
     Validate(TheField, Elements);

@@ -3,6 +3,8 @@
 
 #include "Core/Basis/Space.h"
 
+#include <array>
+
 // The batch kernels: many points of one element, as many at a time as the instruction set has
 // lanes. Chosen once per (batch, element) by space; each is compiled for every instruction set and
 // dispatched at run time.
@@ -48,6 +50,13 @@ struct InverseProblem
   /// How much the map bends: after a Newton step errors are squared, times about this, in xi and
   /// max norm; of a pyramid, in the distance to its apex. It decides how many steps are made.
   double curvature;
+  /// Bounds, for all coordinates c of Phi and two xi of the shape or next to it, the change of
+  /// sum over j of |d Phi_c / d xi_j| from one to the other, over their distance in the max norm.
+  /// Infinite where nothing is known.
+  double bend;
+  /// Where Newton begins at each point, coordinate by coordinate, if not null; instead of all
+  /// above.
+  std::array<const double*, 3> from{};
 };
 
 /// The Jacobian of the last correction is that of a point no farther from the root than this, in
@@ -55,11 +64,15 @@ struct InverseProblem
 /// step and gain as many digits as the step that it was made for had.
 inline constexpr double kKeepJacobian = 3e-3;
 
+/// A xi is accepted where Phi(xi) is the point up to this many times the uncertainty, per
+/// coordinate; proven from the last correction, or evaluated.
+inline constexpr double kMostMiss = 4.0;
+
 /// What Newton's iteration found for a point.
 enum class NewtonStatus : std::uint8_t
 {
   RootOutside = 0, ///< converged to a xi beyond the faces' tolerance
-  RootInside = 1,  ///< converged to a xi in the shape or within the faces' tolerance
+  RootInside = 1,  ///< a xi in the shape or within the faces' tolerance; kMostMiss holds there
   NotConverged = 2
 };
 

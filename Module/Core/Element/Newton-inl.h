@@ -84,6 +84,7 @@ struct NewtonState
   T failed;          ///< 1 where the iteration gave up, else 0
   T steps;
   T unsettled; ///< the last step, where steps do not get smaller, else 0
+  T madeFor;   ///< the step from where the last Jacobian was made
 };
 
 /// Phi(xi) - y.
@@ -102,13 +103,12 @@ HWY_INLINE Point<T> Residual(
   return residual;
 }
 
-/// The same, and the inverse of the Jacobian. The residual's bits are those of Residual.
+/// The same, and the Jacobian. The residual's bits are those of Residual.
 template <template <class, class, bool> class Modes, class Order, class T>
-HWY_INLINE Point<T> ResidualAndInverse(const InverseProblem& problem, int modeCount,
-  const Point<T>& y, const Point<T>& xi, Matrix<T>& inverse)
+HWY_INLINE Point<T> ResidualAndJacobian(const InverseProblem& problem, int modeCount,
+  const Point<T>& y, const Point<T>& xi, Matrix<T>& jacobian)
 {
   const Modes<T, Order, true> modes(problem.space, xi);
-  Matrix<T> jacobian;
   Point<T> residual;
   ForEachAxis(
     [&](auto c) PIXELEXACT_INLINED
@@ -118,17 +118,26 @@ HWY_INLINE Point<T> ResidualAndInverse(const InverseProblem& problem, int modeCo
       residual.x[c] = e.value - y.x[c];
       ForEachAxis([&](auto d) PIXELEXACT_INLINED { jacobian.m[3 * c + d] = e.gradient[d]; });
     });
+  return residual;
+}
+
+/// The same, and the inverse of the Jacobian.
+template <template <class, class, bool> class Modes, class Order, class T>
+HWY_INLINE Point<T> ResidualAndInverse(const InverseProblem& problem, int modeCount,
+  const Point<T>& y, const Point<T>& xi, Matrix<T>& inverse)
+{
+  Matrix<T> jacobian;
+  const Point<T> residual = ResidualAndJacobian<Modes, Order>(problem, modeCount, y, xi, jacobian);
   inverse = Inverse(jacobian);
   return residual;
 }
 
-/// One step from xi. Steps longer than the shape are shortened: far from the root they say no more
-/// than a direction. Returns the step's whole length.
+/// xi - delta. Steps longer than the shape are shortened: far from the root they say no more than a
+/// direction. Returns the step's whole length.
 template <Shape kShape, class T>
-HWY_INLINE T Step(const Matrix<T>& inverse, const Point<T>& residual, Point<T>& xi)
+HWY_INLINE T Move(Point<T> delta, Point<T>& xi)
 {
   const T one = NumberTraits<T>::Splat(1.0);
-  Point<T> delta = Apply(inverse, residual);
   const T length = MaxAbs(delta);
   if (HWY_UNLIKELY(!All(length <= one)))
   {
@@ -141,6 +150,13 @@ HWY_INLINE T Step(const Matrix<T>& inverse, const Point<T>& residual, Point<T>& 
     BackOntoCone(xi);
   }
   return length;
+}
+
+/// One step from xi.
+template <Shape kShape, class T>
+HWY_INLINE T Step(const Matrix<T>& inverse, const Point<T>& residual, Point<T>& xi)
+{
+  return Move<kShape>(Apply(inverse, residual), xi);
 }
 
 /// A NaN is not, so that it ends as failed.
@@ -217,6 +233,7 @@ HWY_NOINLINE void GoOn(const InverseProblem& problem, int modeCount, const Point
     active = AndNot(AndNot(active, lost), done);
     renew = AndNot(active, kept);
   }
+  state.madeFor = madeFor;
   if (!None(active))
   {
     // Where the Jacobian nearly vanishes steps do not get smaller than rounding.
@@ -237,6 +254,7 @@ HWY_INLINE void Iterate(
     ResidualAndInverse<Modes, Order>(problem, modeCount, y, state.xi, state.inverse);
   const T length = Step<shape>(state.inverse, residual, state.xi);
   state.steps = Traits::Splat(1.0);
+  state.madeFor = length;
   const T unit = StepScale(shape, state.xi);
   const auto done = IsDone(length, Traits::Splat(problem.curvature) * length, unit, unit);
   if (!All(And(done, IsSound(length, state.xi))))
@@ -290,13 +308,130 @@ HWY_INLINE Point<T> Guess(const InverseProblem& problem, const Point<T>& start)
   return xi;
 }
 
-/// The verdicts on a pack of which not every lane is simply inside.
-template <Shape kShape, class T>
-HWY_NOINLINE void Judge(const InverseProblem& problem, const NewtonState<T>& state, const T& length,
-  const InverseResult& out, int at)
+/// x with A x = b, by elimination with pivoting.
+template <class T>
+HWY_NOINLINE Point<T> Solve(Matrix<T> a, Point<T> b)
 {
+  for (int k = 0; k < 3; ++k)
+  {
+    for (int i = k + 1; i < 3; ++i)
+    {
+      const auto swap = Abs(a.m[3 * k + k]) < Abs(a.m[3 * i + k]);
+      for (int j = 0; j < 3; ++j)
+      {
+        const T upper = a.m[3 * k + j];
+        a.m[3 * k + j] = Select(swap, a.m[3 * i + j], upper);
+        a.m[3 * i + j] = Select(swap, upper, a.m[3 * i + j]);
+      }
+      const T upper = b.x[k];
+      b.x[k] = Select(swap, b.x[i], upper);
+      b.x[i] = Select(swap, upper, b.x[i]);
+    }
+    for (int i = k + 1; i < 3; ++i)
+    {
+      const T factor = a.m[3 * i + k] / a.m[3 * k + k];
+      for (int j = k + 1; j < 3; ++j)
+      {
+        a.m[3 * i + j] = a.m[3 * i + j] - factor * a.m[3 * k + j];
+      }
+      b.x[i] = b.x[i] - factor * b.x[k];
+    }
+  }
+  for (int k = 2; k >= 0; --k)
+  {
+    for (int j = k + 1; j < 3; ++j)
+    {
+      b.x[k] = b.x[k] - a.m[3 * k + j] * b.x[j];
+    }
+    b.x[k] = b.x[k] / a.m[3 * k + k];
+  }
+  return b;
+}
+
+/// A step that follows the residual in the directions alone in which the map moves: J^T z with
+/// (J J^T + l^2) z = residual (K. Levenberg, 1944). Where the Jacobian nearly vanishes, Newton's
+/// own step is the rounding of the residual, magnified; of a thin and bent element it leads off the
+/// point along the others.
+template <class T>
+HWY_NOINLINE Point<T> DampedStep(const Matrix<T>& jacobian, const Point<T>& residual)
+{
+  constexpr double kDamping = 1e-12; // l^2, of the trace
+  const auto& m = jacobian.m;
+  Matrix<T> square;
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      square.m[3 * i + j] =
+        MulAdd(m[3 * i], m[3 * j], MulAdd(m[3 * i + 1], m[3 * j + 1], m[3 * i + 2] * m[3 * j + 2]));
+    }
+  }
+  const T damping = NumberTraits<T>::Splat(kDamping) * (square.m[0] + square.m[4] + square.m[8]);
+  for (int i = 0; i < 3; ++i)
+  {
+    square.m[4 * i] = square.m[4 * i] + damping;
+  }
+  const Point<T> z = Solve(square, residual);
+  Point<T> step;
+  for (int j = 0; j < 3; ++j)
+  {
+    step.x[j] = MulAdd(m[j], z.x[0], MulAdd(m[3 + j], z.x[1], m[6 + j] * z.x[2]));
+  }
+  return step;
+}
+
+/// The verdicts on a pack of which not every lane is simply inside.
+template <template <class, class, bool> class Modes, class Order, class T>
+HWY_NOINLINE void Judge(const InverseProblem& problem, int modeCount, const Point<T>& y,
+  const NewtonState<T>& polished, const Point<T>& before, const Point<T>& missBefore,
+  const T& length, const InverseResult& out, int at)
+{
+  NewtonState<T> state = polished;
   using Traits = NumberTraits<T>;
+  constexpr Shape kShape = Modes<T, Order, false>::kShape;
   const T zero = Traits::Splat(0.0);
+  auto holds = length >= zero;
+  if (!problem.affine)
+  {
+    // A xi is not taken for a preimage on the word of a Jacobian alone. Where the Jacobian nearly
+    // vanishes, the last correction may lead away from one.
+    const auto isSmall = [&](const Point<T>& miss) PIXELEXACT_INLINED
+    {
+      auto small = length >= zero;
+      ForEachAxis(
+        [&](auto c) PIXELEXACT_INLINED {
+          small = And(small, Abs(miss.x[c]) <= Traits::Splat(kMostMiss * problem.uncertainty[c]));
+        });
+      return small;
+    };
+    const auto polishedHolds = isSmall(Residual<Modes, Order>(problem, modeCount, y, polished.xi));
+    const auto back = AndNot(isSmall(missBefore), polishedHolds);
+    holds = Or(polishedHolds, back);
+    const auto take = [&](const auto& lanes, const Point<T>& xi) PIXELEXACT_INLINED
+    {
+      ForEachAxis(
+        [&](auto d) PIXELEXACT_INLINED { state.xi.x[d] = Select(lanes, xi.x[d], state.xi.x[d]); });
+    };
+    take(back, before);
+    // Nor need the next one be a preimage; some step often is.
+    Point<T> next = state.xi;
+    constexpr int kMoreSteps = 8;
+    for (int step = 0; step < kMoreSteps && !All(holds); ++step)
+    {
+      Matrix<T> jacobian;
+      const Point<T> miss =
+        ResidualAndJacobian<Modes, Order>(problem, modeCount, y, next, jacobian);
+      const Matrix<T> inverse = Inverse(jacobian);
+      const auto found = AndNot(isSmall(miss), holds);
+      take(found, next);
+      ForEachUpTo(Const<8>(),
+        [&](auto k) PIXELEXACT_INLINED
+        { state.inverse.m[k] = Select(found, inverse.m[k], state.inverse.m[k]); });
+      holds = Or(holds, found);
+      Move<kShape>(DampedStep(jacobian, miss), next);
+    }
+    ForEachAxis([&](auto d) PIXELEXACT_INLINED { Store(state.xi.x[d], out.xi[d] + at); });
+  }
   const Point<T> tolerance = ToleranceOf(state.inverse, problem.uncertainty);
   const T largest = Traits::Splat(kLargestCorrection) * StepScale(kShape, state.xi);
   auto converged =
@@ -316,6 +451,7 @@ HWY_NOINLINE void Judge(const InverseProblem& problem, const NewtonState<T>& sta
     converged =
       AndNot(converged, Abs(Traits::Splat(1.0) - state.xi.x[2]) <= Traits::Splat(kApexRegion));
   }
+  converged = AndNot(converged, AndNot(within, holds));
   const auto inside = And(converged, within);
   const Point<T> none{ { zero, zero, zero } };
   Store(Select(inside, zero, WidenedMargin(kShape, state.xi, none)), out.margin + at);
@@ -347,10 +483,15 @@ HWY_INLINE void InvertPack(const InverseProblem& problem, int modeCount, const L
   Point<T> start = Apply(frame, fromOrigin);
   ForEachAxis(
     [&](auto d) PIXELEXACT_INLINED { start.x[d] = start.x[d] + Traits::Splat(problem.start[d]); });
-  NewtonState<T> state{ start, frame, zero, zero, zero };
+  NewtonState<T> state{ start, frame, zero, zero, zero, zero };
   if (!problem.affine)
   {
-    if (problem.guess)
+    if (problem.from[0])
+    {
+      start = { { Traits::Load(problem.from[0] + at), Traits::Load(problem.from[1] + at),
+        Traits::Load(problem.from[2] + at) } };
+    }
+    else if (problem.guess)
     {
       start = Guess(problem, start);
     }
@@ -361,7 +502,8 @@ HWY_INLINE void InvertPack(const InverseProblem& problem, int modeCount, const L
   // Polish with the last Jacobian. The correction is the measured residual of the iteration.
   const Point<T> residual = Residual<Modes, Order>(problem, modeCount, y, state.xi);
   const Point<T> correction = Apply(state.inverse, residual);
-  ForEachAxis([&](auto d) PIXELEXACT_INLINED { state.xi.x[d] = state.xi.x[d] - correction.x[d]; });
+  const Point<T> before = state.xi;
+  ForEachAxis([&](auto d) PIXELEXACT_INLINED { state.xi.x[d] = before.x[d] - correction.x[d]; });
   const T length = MaxAbs(correction);
   ForEachAxis([&](auto d) PIXELEXACT_INLINED { Store(state.xi.x[d], out.xi[d] + at); });
   Store(length, out.residual + at);
@@ -369,11 +511,18 @@ HWY_INLINE void InvertPack(const InverseProblem& problem, int modeCount, const L
   {
     Store(state.steps, out.steps + at);
   }
+  const double leastUncertainty =
+    std::min({ problem.uncertainty[0], problem.uncertainty[1], problem.uncertainty[2] });
   // Within the shape without any tolerance, as most are; NaN are not.
   const Point<T> none{ { zero, zero, zero } };
   const T largest = Traits::Splat(kLargestCorrection) * StepScale(shape, state.xi);
   auto clear = And(length <= largest, WidenedMargin(shape, state.xi, none) >= zero);
   clear = And(clear, Max(state.failed, state.unsettled) <= zero);
+  // What the correction leaves: the Jacobian's change since it was made, times the correction.
+  const T left =
+    Traits::Splat(problem.bend) * (Traits::Splat(2.0) * state.madeFor + length) * length;
+  clear = And(clear,
+    And(left <= Traits::Splat(leastUncertainty), state.madeFor <= Traits::Splat(kKeepJacobian)));
   if (shape == Shape::Pyramid)
   {
     clear = And(clear, Traits::Splat(kApexRegion) < one - state.xi.x[2]);
@@ -385,8 +534,11 @@ HWY_INLINE void InvertPack(const InverseProblem& problem, int modeCount, const L
   }
   else
   {
+    // Copies, so that what most packs need stays in registers.
     const NewtonState<T> judged = state;
-    Judge<shape>(problem, judged, length, out, at);
+    const Point<T> unpolished = before;
+    const Point<T> miss = residual;
+    Judge<Modes, Order>(problem, modeCount, y, judged, unpolished, miss, length, out, at);
   }
 }
 } // namespace pixelexact::HWY_NAMESPACE

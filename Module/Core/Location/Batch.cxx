@@ -2,9 +2,6 @@
 #include "Core/Location/Batch.h"
 
 #include "Core/Base/StageClock.h"
-#include "Core/Location/BoundsCache.h"
-#include "Core/Location/EmbreeBvh.h"
-#include "Core/Location/InversionTrees.h"
 
 #include <algorithm>
 #include <array>
@@ -76,10 +73,12 @@ struct Locator::Batch::Scratch
   ChunkBoxes boxes;
   std::vector<std::vector<int>> candidates; ///< of each depth of halving
   std::size_t depth = 0;
+  TreeFilter filter;
+  std::array<std::uint64_t, ChunkBoxes::kGroup> kept{}; ///< by the filter, of each chunk
   std::vector<int> selected; ///< the batch's index of each selected point
   std::vector<int> others;   ///< which of the selected were not found inside
-  std::vector<int> decided;  ///< by the careful path
   std::vector<Doubt> doubtful;
+  std::vector<Doubt> group;
   std::vector<Doubt> undecided;
 
   void Fit(int points)
@@ -96,23 +95,20 @@ struct Locator::Batch::Scratch
     depth = 0;
   }
   double* operator[](std::size_t array) { return &lanes[array * stride]; }
-
-  static Scratch& OfThread()
-  {
-    thread_local Scratch scratch;
-    return scratch;
-  }
 };
 
 Locator::Batch::Batch(const Locator& locator, const LanePoints& points, LocationSink& sink)
   : Owner(locator)
-  , TheMesh(locator.TheMesh)
+  , Index(locator.TheIndex)
+  , TheMesh(Index.GetMesh())
   , Points(points)
   , Sink(sink)
   , Kernels(GetPointKernels())
-  , Work(Scratch::OfThread())
+  , Work(*Lease)
 {
 }
+
+Locator::Batch::~Batch() = default;
 
 void Locator::Batch::Run()
 {
@@ -123,7 +119,7 @@ void Locator::Batch::Run()
   for (int begin = 0; begin < Points.count; begin += kChunkPoints)
   {
     chunks.push_back(
-      Kernels.chunk(Points, begin, std::min(kChunkPoints, Points.count - begin), Owner.MeshBounds));
+      Kernels.chunk(Points, begin, std::min(kChunkPoints, Points.count - begin), Index.Bounds()));
   }
   Search(chunks);
   auto& counters = Owner.TheCounters;
@@ -155,7 +151,7 @@ void Locator::Batch::Search(std::span<PointChunk> chunks)
     Work.candidates.resize(Work.depth + 1);
   }
   auto& elements = Work.candidates[Work.depth];
-  Owner.Hierarchy->Query(region, elements);
+  Index.FindNear(region, elements);
   ++Queries;
   if (chunks.size() > 1 ? elements.size() > kManyCandidates
                         : elements.size() > kManyCandidatesOfChunk && chunks[0].count > kSmallChunk)
@@ -186,9 +182,8 @@ void Locator::Batch::SearchHalves(std::span<PointChunk> chunks)
     // Whole packs stay together.
     const int count = chunks[0].count;
     const int half = PaddedCount(count / 2);
-    PointChunk first = Kernels.chunk(Points, chunks[0].begin, half, Owner.MeshBounds);
-    PointChunk second =
-      Kernels.chunk(Points, chunks[0].begin + half, count - half, Owner.MeshBounds);
+    PointChunk first = Kernels.chunk(Points, chunks[0].begin, half, Index.Bounds());
+    PointChunk second = Kernels.chunk(Points, chunks[0].begin + half, count - half, Index.Bounds());
     Search(std::span(&first, 1));
     Search(std::span(&second, 1));
   }
@@ -210,28 +205,38 @@ int Locator::Batch::Select(std::span<PointChunk> chunks, int element, const Elem
 {
   // What is known of an element is not made before a point lies in its box: mostly it is never
   // needed.
-  if (!Owner.Cache->Has(element) &&
-    !AnyInBox(chunks, Owner.Boxes[static_cast<std::size_t>(element)]))
+  if (!Index.HasBounds(element) && !AnyInBox(chunks, Index.ElementBox(element)))
   {
     return 0;
   }
-  bounds = &Owner.Cache->Of(element);
+  bounds = &Index.BoundsOf(element);
   Problem = MakeInverseProblem(TheMesh, element, *bounds);
   Element = element;
   int count = 0;
   for (std::size_t first = 0; first < chunks.size(); first += ChunkBoxes::kGroup)
   {
     const auto [near, inner] = Kernels.near(*bounds, Problem, Work.boxes.Group(first));
+    const bool filtered = near != 0 && TreeFilter::IsWorthIt(*bounds);
+    if (filtered)
+    {
+      const auto group = chunks.subspan(first, std::min(chunks.size() - first, ChunkBoxes::kGroup));
+      Work.filter.Run(*Index.TreeOf(element), Points, group, near, Work.kept);
+    }
     for (std::uint64_t left = near; left != 0; left &= left - 1)
     {
       const auto which = static_cast<std::size_t>(std::countr_zero(left));
       PointChunk& chunk = chunks[first + which];
-      if (chunk.open == 0)
+      PointChunk asked = chunk;
+      if (filtered)
+      {
+        asked.open = Work.kept[which];
+      }
+      if (asked.open == 0)
       {
         continue;
       }
       double* const selected[3] = { Work[0] + count, Work[1] + count, Work[2] + count };
-      const std::uint64_t bits = Kernels.select(*bounds, Problem, Points, chunk,
+      const std::uint64_t bits = Kernels.select(*bounds, Problem, Points, asked,
         (inner >> which & 1U) != 0, selected, &Work.selected[static_cast<std::size_t>(count)]);
       // As if all were found inside, as most are; Invert opens the others again.
       chunk.open &= ~bits;
@@ -324,74 +329,95 @@ Vec3 Locator::Batch::PointAt(int index) const
 
 /// The careful path, for points that no element's fast path holds. Element by element, so that
 /// what an element needs is made once.
-void Locator::Batch::Decide(std::span<const PointChunk> chunks)
+void Locator::Batch::Decide(std::span<PointChunk> chunks)
 {
   auto& doubtful = Work.doubtful;
-  std::erase_if(doubtful,
-    [&](const Doubt& doubt)
-    {
-      const int at = doubt.index - chunks[0].begin;
-      return (chunks[static_cast<std::size_t>(at / kChunkPoints)].open >>
-                 static_cast<unsigned>(at % kChunkPoints) &
-               1U) == 0;
-    });
+  const auto isOpen = [&](const Doubt& doubt)
+  {
+    const int at = doubt.index - chunks[0].begin;
+    return (chunks[static_cast<std::size_t>(at / kChunkPoints)].open >>
+               static_cast<unsigned>(at % kChunkPoints) &
+             1U) != 0;
+  };
+  std::erase_if(doubtful, [&](const Doubt& doubt) { return !isOpen(doubt); });
   if (doubtful.empty())
   {
     return;
   }
   const StageScope scope(Stage::Careful);
-  auto& undecided = Work.undecided;
-  undecided.clear();
-  auto& found = Work.decided;
-  found.clear();
-  const auto isFound = [&](const Doubt& doubt)
-  { return std::ranges::find(found, doubt.index) != found.end(); };
-  // Doubts were raised in ascending order of elements.
+  Work.undecided.clear();
+  // Doubts were raised element by element.
+  auto& group = Work.group;
   for (std::size_t begin = 0; begin < doubtful.size();)
   {
     const int element = doubtful[begin].element;
-    const auto careful = Owner.Trees->Of(element);
-    for (; begin < doubtful.size() && doubtful[begin].element == element; ++begin)
+    const auto tree = Index.TreeOf(element);
+    while (begin < doubtful.size() && doubtful[begin].element == element)
     {
-      if (!isFound(doubtful[begin]))
+      group.clear();
+      for (; begin < doubtful.size() && doubtful[begin].element == element &&
+           group.size() < static_cast<std::size_t>(kGroupPoints);
+           ++begin)
       {
-        DecideOne(*careful, doubtful[begin]);
+        if (isOpen(doubtful[begin]))
+        {
+          group.push_back(doubtful[begin]);
+        }
       }
+      DecideGroup(*tree, group, chunks);
     }
   }
-  for (const Doubt& doubt : undecided)
+  for (const Doubt& doubt : Work.undecided)
   {
-    if (!isFound(doubt))
+    if (isOpen(doubt))
     {
       // One element is reported, however many could not be excluded.
-      found.push_back(doubt.index);
+      Close(doubt.index, chunks);
       ++Unknown;
       Sink.Unknown(doubt.index, doubt.element);
     }
   }
 }
 
-void Locator::Batch::DecideOne(InversionTree& careful, const Doubt& doubt)
+void Locator::Batch::Close(int index, std::span<PointChunk> chunks)
 {
-  ++Careful;
-  const Preimages result =
-    careful.Find(PointAt(doubt.index), doubt.root, InversionTree::Wanted::First);
-  MostBoxes = std::max(MostBoxes, result.boxes);
-  if (result.verdict == Verdict::Inside)
+  const int at = index - chunks[0].begin;
+  chunks[static_cast<std::size_t>(at / kChunkPoints)].open &=
+    ~(std::uint64_t{ 1 } << static_cast<unsigned>(at % kChunkPoints));
+}
+
+void Locator::Batch::DecideGroup(
+  ElementTree& tree, std::span<const Doubt> doubts, std::span<PointChunk> chunks)
+{
+  Careful += static_cast<std::int64_t>(doubts.size());
+  std::array<SoughtPoint, kGroupPoints> sought;
+  std::array<Preimages, kGroupPoints> found;
+  for (std::size_t k = 0; k < doubts.size(); ++k)
   {
-    const InverseRoot& root = result.roots.front();
-    std::array<std::array<double, kLanePadding>, 3> xi;
-    for (int d = 0; d < 3; ++d)
-    {
-      xi[d].fill(root.xi[d]);
-    }
-    const double* const lanes[3] = { xi[0].data(), xi[1].data(), xi[2].data() };
-    Sink.Inside(doubt.element, std::span<const int>(&doubt.index, 1), lanes, &root.residual);
-    Work.decided.push_back(doubt.index);
+    sought[k] = { PointAt(doubts[k].index), doubts[k].root };
   }
-  else if (result.verdict == Verdict::Unknown)
+  FindPreimages(tree, std::span(sought).first(doubts.size()), Wanted::First,
+    std::span(found).first(doubts.size()));
+  for (std::size_t k = 0; k < doubts.size(); ++k)
   {
-    Work.undecided.push_back(doubt);
+    MostBoxes = std::max(MostBoxes, found[k].boxes);
+    if (found[k].verdict == Verdict::Inside)
+    {
+      const InverseRoot& root = found[k].roots.front();
+      std::array<std::array<double, kLanePadding>, 3> xi;
+      for (int d = 0; d < 3; ++d)
+      {
+        xi[d].fill(root.xi[d]);
+      }
+      const double* const lanes[3] = { xi[0].data(), xi[1].data(), xi[2].data() };
+      Sink.Inside(
+        doubts[k].element, std::span<const int>(&doubts[k].index, 1), lanes, &root.residual);
+      Close(doubts[k].index, chunks);
+    }
+    else if (found[k].verdict == Verdict::Unknown)
+    {
+      Work.undecided.push_back(doubts[k]);
+    }
   }
 }
 } // namespace pixelexact

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Core/Location/InversionTree.h"
+#include "Core/Base/CheckedOut.h"
 #include "Core/Location/Locator.h"
 #include "Core/Location/PointKernels.h"
+#include "Core/Location/PointSearch.h"
+#include "Core/Location/TreeFilter.h"
 
 namespace pixelexact
 {
@@ -14,6 +16,9 @@ class Locator::Batch
 {
 public:
   Batch(const Locator& locator, const LanePoints& points, LocationSink& sink);
+  ~Batch();
+  Batch(const Batch&) = delete;
+  Batch& operator=(const Batch&) = delete;
   void Run();
 
 private:
@@ -31,18 +36,21 @@ private:
   [[nodiscard]] bool AnyInBox(std::span<const PointChunk> chunks, const Box3& box) const;
   void Invert(std::span<PointChunk> chunks, const ElementBounds& bounds, int count);
   void KeepInside(const InverseResult& result, std::span<const int> others, int count);
-  void Decide(std::span<const PointChunk> chunks);
-  void DecideOne(InversionTree& careful, const Doubt& doubt);
+  void Decide(std::span<PointChunk> chunks);
+  void DecideGroup(ElementTree& tree, std::span<const Doubt> doubts, std::span<PointChunk> chunks);
+  static void Close(int index, std::span<PointChunk> chunks);
   [[nodiscard]] Vec3 PointAt(int index) const;
 
-  /// The arrays of a batch, kept by each thread from one batch to the next.
+  /// The arrays of a batch.
   struct Scratch;
 
   const Locator& Owner;
+  const ElementIndex& Index;
   const Mesh& TheMesh;
   const LanePoints& Points;
   LocationSink& Sink;
   const PointKernels& Kernels;
+  CheckedOut<Scratch> Lease;
   Scratch& Work;
   InverseProblem Problem{};
   int Element = -1; ///< of Problem

@@ -29,7 +29,8 @@ struct ElementBounds
   /// Phi is injective on the shape enlarged until Margin = -injectiveMargin: a root found there,
   /// outside of the shape, proves that the shape holds none. 0: not known.
   double injectiveMargin = 0.0;
-  double curvature = kUnknownCurvature; ///< see InverseProblem
+  double curvature = kUnknownCurvature;                  ///< see InverseProblem
+  double bend = std::numeric_limits<double>::infinity(); ///< see InverseProblem
   InverseGuess guess;
   bool framed = false; ///< the Jacobian at the centre can be inverted
   bool affine = false; ///< the deviation is of rounding size

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Location/BoundsCache.h"
-#include "Core/Location/EmbreeBvh.h"
-#include "Core/Location/InversionTrees.h"
 #include "Core/Location/Locator.h"
 #include "Core/Location/PointKernels.h"
+#include "Core/Location/PointSearch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -65,16 +63,15 @@ void Locator::LocateAll(std::span<const Vec3> points, PreimageSink& sink) const
   {
     const Vec3& x = points[i];
     const int index = static_cast<int>(i);
-    if (!MeshBounds.Contains(x))
+    if (!Bounds().Contains(x))
     {
       continue;
     }
-    candidates.clear();
-    Hierarchy->Query({ x, x }, candidates);
+    TheIndex.FindNear({ x, x }, candidates);
     for (const int element : candidates)
     {
-      const ElementBounds& bounds = Cache->Of(element);
-      const InverseProblem problem = MakeInverseProblem(TheMesh, element, bounds);
+      const ElementBounds& bounds = TheIndex.BoundsOf(element);
+      const InverseProblem problem = MakeInverseProblem(GetMesh(), element, bounds);
       if (!MightContain(problem, bounds, x))
       {
         continue;
@@ -89,7 +86,10 @@ void Locator::LocateAll(std::span<const Vec3> points, PreimageSink& sink) const
         continue;
       }
       const Vec3 known = fast.inside ? Vec3(std::numeric_limits<double>::quiet_NaN()) : fast.xi;
-      const Preimages all = Trees->Of(element)->Find(x, known, InversionTree::Wanted::All);
+      const SoughtPoint sought{ x, known };
+      Preimages all;
+      FindPreimages(
+        *TheIndex.TreeOf(element), std::span(&sought, 1), Wanted::All, std::span(&all, 1));
       for (const InverseRoot& root : all.roots)
       {
         sink.Found(index, { element, root.xi, root.onFace });

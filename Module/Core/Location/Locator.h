@@ -4,18 +4,13 @@
 #include "Core/Base/Verdict.h"
 #include "Core/Element/Kernels.h"
 #include "Core/Element/Mesh.h"
+#include "Core/Location/ElementIndex.h"
 
 #include <atomic>
-#include <memory>
 #include <span>
-#include <vector>
 
 namespace pixelexact
 {
-class BoundsCache;
-class Bvh;
-class InversionTrees;
-
 /// Receives which points of a batch lie in which element, element by element.
 class LocationSink
 {
@@ -78,10 +73,10 @@ public:
   /// Builds boxes and BVH, in parallel; what else is known of an element is made when a point first
   /// needs it. The mesh must be valid (Validate); its arrays must outlive
   /// the locator. An empty mesh is allowed and holds no point.
-  explicit Locator(const Mesh& mesh);
-  ~Locator();
-  Locator(const Locator&) = delete;
-  Locator& operator=(const Locator&) = delete;
+  explicit Locator(const Mesh& mesh)
+    : TheIndex(mesh)
+  {
+  }
 
   /// Serial: for use inside of a parallel loop. Points outside of every element are not
   /// reported. Points with NaN or infinite coordinates are outside.
@@ -93,24 +88,17 @@ public:
   /// faces an overlap or a fold. Serial; slower than Locate, for meshes that are being debugged.
   void LocateAll(std::span<const Vec3> points, PreimageSink& sink) const;
 
-  [[nodiscard]] const Mesh& GetMesh() const { return TheMesh; }
+  [[nodiscard]] const ElementIndex& Index() const { return TheIndex; }
+  /// To set owners' priorities or the trees' limit.
+  [[nodiscard]] ElementIndex& Index() { return TheIndex; }
+  [[nodiscard]] const Mesh& GetMesh() const { return TheIndex.GetMesh(); }
   /// The box of the whole mesh, certified; lower > upper for an empty mesh.
-  [[nodiscard]] const Box3& Bounds() const { return MeshBounds; }
-  [[nodiscard]] const Box3& ElementBox(int element) const;
-  /// Elements of which more than the box has been made.
-  [[nodiscard]] int BoundedElements() const;
+  [[nodiscard]] const Box3& Bounds() const { return TheIndex.Bounds(); }
   [[nodiscard]] const LocationCounters& Counters() const { return TheCounters; }
-  /// Bytes held beside the mesh's own arrays.
-  [[nodiscard]] std::size_t MemoryUsage() const;
 
 private:
   class Batch;
-  Mesh TheMesh;
-  Box3 MeshBounds;
-  std::vector<Box3> Boxes;
-  std::unique_ptr<BoundsCache> Cache;
-  std::unique_ptr<Bvh> Hierarchy;
-  std::unique_ptr<InversionTrees> Trees;
+  ElementIndex TheIndex;
   mutable LocationCounters TheCounters;
 };
 } // namespace pixelexact

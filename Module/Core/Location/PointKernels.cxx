@@ -73,10 +73,10 @@ std::uint64_t SelectInBox(const LanePoints& points, int begin, std::uint64_t bit
 
 /// An element's frame in lanes: loaded once, for what is stored might be it as far as the compiler
 /// knows.
-class Frame
+class ElementFrame
 {
 public:
-  HWY_INLINE Frame(const ElementBounds& bounds, const InverseProblem& problem)
+  HWY_INLINE ElementFrame(const ElementBounds& bounds, const InverseProblem& problem)
     : TheShape(problem.space.shape)
     , InverseSize(Splat(problem.inverseSize))
   {
@@ -206,7 +206,7 @@ private:
 NearChunks FindNearChunks(
   const ElementBounds& bounds, const InverseProblem& problem, const BoxLanes& boxes)
 {
-  const Frame frame(bounds, problem);
+  const ElementFrame frame(bounds, problem);
   const LanePoints lowers{ { boxes.lower[0], boxes.lower[1], boxes.lower[2] }, boxes.count };
   const LanePoints uppers{ { boxes.upper[0], boxes.upper[1], boxes.upper[2] }, boxes.count };
   NearChunks found;
@@ -241,7 +241,7 @@ std::uint64_t Select(const ElementBounds& bounds, const InverseProblem& problem,
 {
   const int lanes = LaneCount();
   const std::uint64_t pack = (std::uint64_t{ 1 } << static_cast<unsigned>(lanes)) - 1U;
-  const Frame frame(bounds, problem);
+  const ElementFrame frame(bounds, problem);
   // Copies that no store can change.
   double* const to[3] = { selected[0], selected[1], selected[2] };
   const LanePoints from = points;

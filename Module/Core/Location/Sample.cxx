@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <mutex>
 
 namespace pixelexact
 {
@@ -61,6 +62,7 @@ struct SampleBatch
   std::vector<double> gradient;
   std::vector<double> valueLower;
   std::vector<double> valueUpper;
+  PrecisionCheck check;
 
   void Run(const Locator& locator, const Field* field, std::span<const Vec3> all,
     std::span<const std::size_t> place, const SampleTarget& target)
@@ -80,8 +82,10 @@ struct SampleBatch
     gradient.resize(target.gradient.empty() ? 0 : 3 * count * components);
     valueLower.resize(target.valueLower.empty() ? 0 : count * components);
     valueUpper.resize(valueLower.size());
-    SampleTile(locator, field, points,
-      { element, xi, verdict, residual, value, gradient, valueLower, valueUpper });
+    SampleTarget tile{ element, xi, verdict, residual, value, gradient, valueLower, valueUpper };
+    tile.precision = target.precision;
+    tile.check = target.check != nullptr ? &check : nullptr;
+    SampleTile(locator, field, points, tile);
     Return(place, target);
   }
 
@@ -153,6 +157,7 @@ void Sample(const Locator& locator, const Field* field, std::span<const Vec3> po
   tbb::parallel_sort(order.begin(), order.end(),
     [](const Keyed& a, const Keyed& b)
     { return a.code != b.code ? a.code < b.code : a.place < b.place; });
+  std::mutex checking;
   const std::size_t batches = (points.size() + kBatch - 1) / kBatch;
   tbb::parallel_for(std::size_t{ 0 }, batches,
     [&](std::size_t b)
@@ -165,6 +170,11 @@ void Sample(const Locator& locator, const Field* field, std::span<const Vec3> po
       }
       SampleBatch batch;
       batch.Run(locator, field, points, place, target);
+      if (target.check != nullptr)
+      {
+        const std::scoped_lock lock(checking);
+        target.check->Add(batch.check);
+      }
     });
 }
 } // namespace pixelexact

@@ -7,9 +7,7 @@
 #include "Core/Math/Interval.h"
 
 #include <array>
-#include <optional>
-#include <span>
-#include <vector>
+#include <limits>
 
 namespace pixelexact
 {
@@ -22,8 +20,21 @@ struct EtaBox
   Vec3 upper{ 1.0 };
 };
 
+/// What an end of a box becomes in y. All values of Phi over the box have
+/// normal . (y - origin) <= outer. A y with normal . (y - origin) <= inner, for all ends, is a
+/// value (Brouwer: xi -> xi_0 - deviation(xi) then takes the box into itself).
+struct ImagePlane
+{
+  std::array<double, 3> normal{};
+  double outer = std::numeric_limits<double>::infinity();
+  /// The same for what the element's own Newton iteration might still take for a point of it: its
+  /// tolerance is that of another Jacobian.
+  double wider = std::numeric_limits<double>::infinity();
+  double inner = -std::numeric_limits<double>::infinity();
+};
+
 /// What is known of Phi over a box, for any right-hand side y: made once, asked for many points.
-struct InversionNode
+struct NodeFrame
 {
   EtaBox box;
   /// All values of Phi, in the element's units, widened by the coefficients' errors and by the
@@ -37,44 +48,34 @@ struct InversionNode
   std::array<double, 9> inverse{}; ///< A^-1, row-major
   std::array<Interval, 3> deviation;
   std::array<double, 3> slack{}; ///< in the deviation, for uncertainty and rounding
-  int widest = 0;                ///< the direction of eta along which the deviation varies most
+  /// The largest deviation, as a part of the box's longest side.
+  double bending = std::numeric_limits<double>::infinity();
+  /// A bound of the sums over j of |d T_d / d xi_j|, T the deviation, over the box and its reach
+  /// (ReachOf); infinite where none is known. Below 1 the map is injective there.
+  double slope = std::numeric_limits<double>::infinity();
+  /// Of framed boxes: of the polytope's six ends, uncertainty and rounding included.
+  std::array<ImagePlane, 6> plane;
+  int widest = 0; ///< the direction of eta along which the deviation varies most
 
-  /// Whether the box may hold a preimage; false is a proof that it holds none.
-  [[nodiscard]] bool MightHold(Shape shape, const std::array<double, 3>& y) const;
   /// A guess of the preimage: xi_0, moved into the cube.
-  [[nodiscard]] Vec3 Guess(const std::array<double, 3>& y) const;
+  [[nodiscard]] Vec3 Guess(const Vec3& y) const;
   /// A^-1 d.
-  [[nodiscard]] Vec3 Step(const std::array<double, 3>& d) const;
+  [[nodiscard]] Vec3 Step(const Vec3& d) const;
   /// xi_0.
-  [[nodiscard]] Vec3 Root(const std::array<double, 3>& y) const;
+  [[nodiscard]] Vec3 Root(const Vec3& y) const;
   /// Whether the deviation is hardly more than uncertainty and rounding: xi_0 is the root, if there
   /// is one, up to the faces' tolerance, and no smaller box tells more.
   [[nodiscard]] bool IsAffine() const;
   /// Whether the deviation is at most this part of the box: the smaller it is, the likelier is the
   /// map regular on the box, and xi_0 near to the root.
-  [[nodiscard]] bool IsNearlyAffine(double part) const;
+  [[nodiscard]] bool IsNearlyAffine(double part) const { return bending <= part; }
 };
 
 /// Fills in all but the box. `phi`: three functions over the box; `bounds`: of the element.
 void MakeFrame(const Space& space, const double* modes, const ElementBounds& bounds,
-  const BoxCoefficients& phi, InversionNode& node);
+  const BoxCoefficients& phi, NodeFrame& frame);
 
-/// Phi at a point, in plain arithmetic.
-std::array<double, 3> EvaluateMap(const Space& space, const double* modes, const Vec3& xi);
-
-/// The inverse Jacobian of Phi by xi, [xi][y], in plain arithmetic; nothing where it is singular.
-std::optional<SmallMatrix> InverseJacobian(const Space& space, const double* modes, const Vec3& xi);
-
-/// How far a box is taken to reach beyond its ends where its regularity is concerned, in widths.
-double ReachOf(const std::array<int, 3>& degree);
-
-/// Whether Phi is injective on the box, reaching beyond its ends by ReachOf (but not beyond a
-/// collapsed end): over the convex polytope M times the Jacobian by xi, M about the inverse of its
-/// middle, lies in an interval matrix that is strictly diagonally dominant, so that
-/// M (Phi(b) - Phi(a)), a mean of that times b - a, vanishes for a = b alone. `slopes`: nine
-/// functions d Phi_c / d xi_j over the box, c slowest.
-bool IsRegular(const std::array<int, 3>& degree, const BoxCoefficients& slopes);
-
-/// Whether xi lies in the box, with that reach, or beyond it by no more than `tolerance`.
-bool Reaches(Shape shape, const EtaBox& box, double reach, const Vec3& xi, double tolerance);
+/// A step of Newton's iteration from xi towards y, in plain arithmetic; zero where the Jacobian
+/// cannot be inverted.
+Vec3 StepOfMap(const Space& space, const double* modes, const Vec3& xi, const Vec3& y);
 } // namespace pixelexact

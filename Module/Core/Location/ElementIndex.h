@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Location/ElementBounds.h"
+#include "Core/Location/ElementTree.h"
+#include "Core/Location/EmbreeBvh.h"
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace pixelexact
+{
+/// Straight, from one point to another.
+struct Segment
+{
+  Vec3 from{ 0.0 };
+  Vec3 to{ 0.0 };
+};
+
+/// Where a mesh's elements are, and what is known of each: boxes with a hierarchy over them, made
+/// at once; bounds and trees, each made when somebody first asks for them. Knows no points, rays or
+/// fields of its own: location, surfaces and contours are its clients.
+///
+/// Safe to use from several threads. What has been made changes no answer.
+class ElementIndex
+{
+public:
+  /// The mesh must be valid (Validate); its arrays must outlive the index. An empty mesh is
+  /// allowed.
+  explicit ElementIndex(const Mesh& mesh);
+  ~ElementIndex();
+  ElementIndex(const ElementIndex&) = delete;
+  ElementIndex& operator=(const ElementIndex&) = delete;
+
+  [[nodiscard]] const Mesh& GetMesh() const { return TheMesh; }
+  /// The box of the whole mesh, certified; lower > upper for an empty mesh.
+  [[nodiscard]] const Box3& Bounds() const { return MeshBounds; }
+  /// Holds the element's image, widened by its uncertainty.
+  [[nodiscard]] const Box3& ElementBox(int element) const
+  {
+    return Boxes[static_cast<std::size_t>(element)];
+  }
+
+  /// The elements whose boxes meet a box, best owner first (see SetPriority). No element that does
+  /// is left out.
+  void FindNear(const Box3& region, std::vector<int>& elements) const;
+  /// The elements whose boxes some of the segments may meet, best owner first: all that do, and for
+  /// several segments some between them. Segments with an end that is not finite are left out: see
+  /// ClipRay.
+  void FindAlong(std::span<const Segment> segments, std::vector<int>& elements) const;
+  /// The part of origin + t direction, tNear <= t <= tFar, that may lie in the mesh's box, widened
+  /// by rounding; nothing where none does.
+  [[nodiscard]] std::optional<Segment> ClipRay(
+    const Vec3& origin, const Vec3& direction, double tNear, double tFar) const;
+
+  /// Which of several elements that hold a point owns it: the one of the lowest priority, then of
+  /// the lowest number. One entry per element, or none: all alike. Meant for the parts of a
+  /// distributed mesh, whose numbers are not the whole mesh's. Not to be called while others use
+  /// the index.
+  void SetPriority(std::span<const std::int64_t> priority);
+
+  [[nodiscard]] const ElementBounds& BoundsOf(int element) const
+  {
+    const auto* made = Made[static_cast<std::size_t>(element)].load(std::memory_order_acquire);
+    return made ? *made : MakeBounds(element);
+  }
+  [[nodiscard]] bool HasBounds(int element) const
+  {
+    return Made[static_cast<std::size_t>(element)].load(std::memory_order_relaxed) != nullptr;
+  }
+  /// Elements whose bounds have been made.
+  [[nodiscard]] int BoundedElements() const { return MadeCount; }
+
+  /// The tree of an element. It is kept while somebody holds it, and as long as all trees together
+  /// are within the limit; then all are dropped and grown anew.
+  [[nodiscard]] std::shared_ptr<ElementTree> TreeOf(int element) const;
+  /// Bytes beyond which trees are dropped; 256 MiB at first. Which are kept changes no answer.
+  void SetTreeLimit(std::size_t bytes) { TreeLimit = static_cast<std::int64_t>(bytes); }
+  [[nodiscard]] std::size_t TreeBytes() const;
+
+  /// Bytes held beside the mesh's own arrays.
+  [[nodiscard]] std::size_t MemoryUsage() const;
+
+private:
+  const ElementBounds& MakeBounds(int element) const;
+  void SortByPriority(std::vector<int>& elements) const;
+
+  Mesh TheMesh;
+  Box3 MeshBounds;
+  std::vector<Box3> Boxes;
+  std::unique_ptr<Bvh> Hierarchy;
+  std::vector<std::int64_t> Priority;
+  std::unique_ptr<std::atomic<const ElementBounds*>[]> Made;
+  mutable std::atomic<int> MadeCount{ 0 };
+  /// Before the trees, which subtract from it when they go.
+  mutable std::atomic<std::int64_t> Grown{ 0 };
+  std::atomic<std::int64_t> TreeLimit{ std::int64_t{ 256 } << 20U };
+  mutable std::mutex TreesMutex;
+  mutable std::vector<std::shared_ptr<ElementTree>> Trees;
+};
+} // namespace pixelexact

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Location/NodeFrame.h"
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+namespace pixelexact
+{
+class PieceForm;
+
+/// What is kept of an element's map: a tree of boxes in eta, each with a frame of certified
+/// deviation, grown where somebody looks. What is known of a box does not depend on what is asked,
+/// so that a question in a tree that is grown costs a few products a box.
+///
+/// Safe to use from several threads: nodes are read without a lock, and grow one at a time.
+class ElementTree
+{
+public:
+  class Node;
+
+  /// `total`: what it holds is added to it as well.
+  ElementTree(
+    const Mesh& mesh, int element, const ElementBounds& bounds, std::atomic<std::int64_t>& total);
+  ~ElementTree();
+  ElementTree(const ElementTree&) = delete;
+  ElementTree& operator=(const ElementTree&) = delete;
+
+  /// The element's map; Newton's iteration begins as the element's bounds say.
+  [[nodiscard]] const InverseProblem& Problem() const { return TheProblem; }
+  /// The degree of Phi in each eta.
+  [[nodiscard]] const std::array<int, 3>& Degree() const;
+  /// The boxes that the conversion to Bernstein form begins with: together the whole element.
+  const std::vector<std::unique_ptr<Node>>& Pieces();
+  /// Makes a node's halves; false where it is too small.
+  bool Split(Node& node);
+  /// Whether the map is injective on a node's box and its reach (IsRegular).
+  bool IsRegular(Node& node);
+
+  /// About how much the making of the pieces costs where that is not a matter of the element, once,
+  /// but more than any point is worth; of a node's halves; and the test whether a node is regular.
+  /// In nanoseconds, whether they have been made or not.
+  [[nodiscard]] std::int64_t BeginCost() const;
+  [[nodiscard]] std::int64_t SplitCost() const;
+  [[nodiscard]] std::int64_t RegularCost(const Node& node) const;
+
+  /// About the bytes held.
+  [[nodiscard]] std::int64_t MemoryUsage() const { return Bytes.load(std::memory_order_relaxed); }
+
+private:
+  std::unique_ptr<Node> MakeNode(const EtaBox& box, BoxCoefficients phi);
+  static bool IsPlainlyRegular(const Node& node);
+  [[nodiscard]] int HighestDegree() const;
+  const BoxCoefficients& SlopesOf(Node& node);
+  [[nodiscard]] BoxCoefficients ConvertPiece(const std::array<int, 3>& piece, bool slopes) const;
+  void Account(std::int64_t bytes);
+
+  const double* Modes;
+  ElementBounds Bounds;
+  InverseProblem TheProblem;
+  const PieceForm& Form;
+  bool HasSlopes; ///< the derivatives by xi are polynomials
+  std::vector<std::unique_ptr<Node>> Roots;
+  std::atomic<bool> HasRoots{ false };
+  std::atomic<std::int64_t> Bytes{ 0 };
+  std::atomic<std::int64_t>& Total;
+  std::mutex Growing;
+};
+
+/// A box of a tree.
+class ElementTree::Node
+{
+public:
+  /// Of the box; does not change.
+  [[nodiscard]] const NodeFrame& Frame() const { return TheFrame; }
+  /// Every xi of the box is within 2e-12 of every other.
+  [[nodiscard]] bool IsPoint() const { return Point; }
+  /// After Split.
+  [[nodiscard]] Node& Child(std::size_t half) const { return *Children[half]; }
+
+private:
+  friend class ElementTree;
+  enum class Regular : std::uint8_t
+  {
+    Unknown,
+    No,
+    Yes
+  };
+
+  NodeFrame TheFrame;
+  bool Point = false;
+  std::array<int, 3> Halvings{};
+  Node* Parent = nullptr;
+  bool IsUpper = false; ///< of its parent's halves
+  std::array<int, 3> Piece{};
+  BoxCoefficients Phi;    ///< until it is split
+  BoxCoefficients Slopes; ///< made when first asked for
+  std::atomic<Regular> IsRegular{ Regular::Unknown };
+  std::atomic<int> Direction{ -1 }; ///< of the split
+  std::array<std::unique_ptr<Node>, 2> Children;
+};
+} // namespace pixelexact

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "Core/Location/FrameKernels.cxx"
+#include <hwy/foreach_target.h>
+
+#include "Core/Element/Matrix-inl.h"
+#include "Core/Location/FrameKernels.h"
+
+#include <algorithm>
+#include <cmath>
+
+HWY_BEFORE_NAMESPACE();
+namespace pixelexact::HWY_NAMESPACE
+{
+/// Not fused, so that every instruction set has the same bits.
+HWY_INLINE Lanes Dot(const double* a, const Point<Lanes>& x)
+{
+  return Splat(a[0]) * x.x[0] + Splat(a[1]) * x.x[1] + Splat(a[2]) * x.x[2];
+}
+
+FrameSums Measure(const FrameTask& task)
+{
+  const auto lanes = static_cast<std::size_t>(LaneCount());
+  const FrameTask t = task; // that no store can change
+  const Lanes infinity = Splat(std::numeric_limits<double>::infinity());
+  const Lanes minusInfinity = Splat(-std::numeric_limits<double>::infinity());
+  Lanes least[3] = { infinity, infinity, infinity };
+  Lanes most[3] = { minusInfinity, minusInfinity, minusInfinity };
+  Lanes outer[6];
+  Lanes inner[6];
+  std::fill_n(outer, 6, minusInfinity);
+  std::fill_n(inner, 6, infinity);
+  Lanes all = Splat(0.0);
+  for (std::size_t next = 0; next < t.size; next += lanes)
+  {
+    // The last pack overlaps the one before.
+    const std::size_t at = std::min(next, t.size - lanes);
+    Point<Lanes> phi;
+    for (int c = 0; c < 3; ++c)
+    {
+      phi.x[c] = NumberTraits<Lanes>::Load(t.phi[c] + at) - Splat(t.shift[c]);
+    }
+    Point<Lanes> image;
+    Point<Lanes> deviation;
+    for (int d = 0; d < 3; ++d)
+    {
+      image.x[d] = Dot(t.inverse + static_cast<std::ptrdiff_t>(3 * d), phi);
+      deviation.x[d] = image.x[d] - NumberTraits<Lanes>::Load(t.grid[d] + at);
+      least[d] = Min(least[d], deviation.x[d]);
+      most[d] = Max(most[d], deviation.x[d]);
+      Store(deviation.x[d], t.deviation[d] + at);
+      all = all + Abs(deviation.x[d]);
+    }
+    for (int k = 0; k < 6; ++k)
+    {
+      outer[k] = Max(outer[k], Dot(t.normal[k], image));
+      inner[k] = Min(inner[k], Dot(t.normal[k], deviation));
+    }
+  }
+  FrameSums sums;
+  for (int d = 0; d < 3; ++d)
+  {
+    sums.least[d] = Least(least[d]);
+    sums.most[d] = Most(most[d]);
+  }
+  for (int k = 0; k < 6; ++k)
+  {
+    sums.outer[k] = Most(outer[k]);
+    sums.inner[k] = Least(inner[k]);
+  }
+  sums.all = All(IsFinite(all)) ? 0.0 : std::numeric_limits<double>::infinity();
+  return sums;
+}
+
+double LargestStep(const double* row, std::size_t size, std::size_t count, std::size_t stride)
+{
+  const auto lanes = static_cast<std::size_t>(LaneCount());
+  const std::size_t block = count * stride;
+  const std::size_t steps = block - stride;
+  double largest = 0.0;
+  Lanes most = Splat(0.0);
+  for (std::size_t start = 0; start + block <= size; start += block)
+  {
+    const double* from = row + start;
+    std::size_t i = 0;
+    for (; i + lanes <= steps; i += lanes)
+    {
+      most = Max(most,
+        Abs(NumberTraits<Lanes>::Load(from + i + stride) - NumberTraits<Lanes>::Load(from + i)));
+    }
+    for (; i < steps; ++i)
+    {
+      largest = std::max(largest, std::fabs(from[i + stride] - from[i]));
+    }
+  }
+  return std::max(largest, Most(most));
+}
+
+const FrameKernels& FrameKernelSet()
+{
+  static constexpr FrameKernels kKernels{ &Measure, &LargestStep };
+  return kKernels;
+}
+} // namespace pixelexact::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace pixelexact
+{
+HWY_EXPORT(FrameKernelSet);
+
+const FrameKernels& GetFrameKernels()
+{
+  return HWY_DYNAMIC_DISPATCH(FrameKernelSet)();
+}
+} // namespace pixelexact
+#endif

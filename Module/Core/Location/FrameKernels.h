@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+
+// The sums over a box's coefficients that a frame (NodeFrame.h) is made of, dispatched at run time
+// to the instruction set; the same bits on each.
+namespace pixelexact
+{
+/// Three functions over a box and the frame that they are to be compared with. All arrays hold
+/// `size` numbers, at least 8; those beyond the coefficients repeat the last.
+struct FrameTask
+{
+  std::size_t size;
+  const double* phi[3];
+  double shift[3]; ///< taken off phi
+  const double* inverse;
+  const double* grid[3];     ///< coefficients of xi - centre
+  const double (*normal)[3]; ///< of six ends, in xi
+  double* deviation[3];      ///< out: A^-1 (phi - shift) - grid
+};
+
+struct FrameSums
+{
+  double least[3]; ///< of the deviation
+  double most[3];
+  double outer[6]; ///< the most of normal . A^-1 (phi - shift)
+  double inner[6]; ///< the least of normal . deviation
+  double all;      ///< finite where everything is
+};
+
+struct FrameKernels
+{
+  FrameSums (*measure)(const FrameTask& task);
+  /// The largest difference of neighbours along a direction: `count` coefficients, `stride` apart.
+  double (*largestStep)(const double* row, std::size_t size, std::size_t count, std::size_t stride);
+};
+
+const FrameKernels& GetFrameKernels();
+} // namespace pixelexact

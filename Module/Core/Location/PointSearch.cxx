@@ -1,0 +1,563 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Location/PointSearch.h"
+
+#include "Core/Location/Regularity.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+namespace pixelexact
+{
+namespace
+{
+/// Roots nearer to each other than this, in a region where there can be but one, are one.
+constexpr double kSameRoot = 1e-12;
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+/// Nanoseconds of work (PointSearch.h): a node against a group, and a Newton iteration per mode.
+constexpr std::int64_t kVisitCost = 50;
+constexpr std::int64_t kNewtonCost = 10;
+
+const Vec3 kApex(-1.0, -1.0, 1.0);
+
+/// Halvings that a point is allowed at any order.
+constexpr std::int64_t kFewSplits = 64;
+
+using Bits = std::uint64_t;
+
+Bits BitOf(int point)
+{
+  return Bits{ 1 } << static_cast<unsigned>(point);
+}
+
+/// visit(i) for each bit.
+template <class Visit>
+void ForEachPoint(Bits bits, Visit&& visit)
+{
+  for (; bits != 0; bits &= bits - 1)
+  {
+    visit(std::countr_zero(bits));
+  }
+}
+
+double MaxAbs(const Vec3& x)
+{
+  return std::max({ std::fabs(x.x), std::fabs(x.y), std::fabs(x.z) });
+}
+
+/// What the map says of a xi that is taken for a root of y.
+struct RootCheck
+{
+  Vec3 tolerance{ 0.0 }; ///< the faces': |J^-1| times the uncertainty; zero where J is singular
+  bool holds = false;    ///< Phi(xi) is y up to kMostMiss times the uncertainty
+};
+
+/// Of at most kGroupPoints roots.
+class RootChecker
+{
+public:
+  explicit RootChecker(const InverseProblem& problem)
+    : Problem(problem)
+  {
+  }
+
+  void Run(std::span<const Vec3> xi, std::span<const Vec3> y, std::span<RootCheck> checks)
+  {
+    const int count = static_cast<int>(xi.size());
+    for (int k = 0; k < PaddedCount(count); ++k)
+    {
+      for (int d = 0; d < 3; ++d)
+      {
+        Lanes[static_cast<std::size_t>(d)][static_cast<std::size_t>(k)] =
+          xi[static_cast<std::size_t>(std::min(k, count - 1))][d];
+      }
+    }
+    double* out[12];
+    for (std::size_t k = 0; k < 12; ++k)
+    {
+      out[k] = Lanes[3 + k].data();
+    }
+    KernelsFor(Problem.space)
+      .gradient(Problem.space, Problem.coefficients, 3,
+        { { Lanes[0].data(), Lanes[1].data(), Lanes[2].data() }, count }, out, out + 3);
+    for (std::size_t k = 0; k < xi.size(); ++k)
+    {
+      checks[k] = Check(k, y[k]);
+    }
+  }
+
+private:
+  [[nodiscard]] RootCheck Check(std::size_t k, const Vec3& y) const
+  {
+    RootCheck check;
+    check.holds = true;
+    SmallMatrix jacobian;
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      const double miss = std::fabs(Lanes[3 + c][k] - y[static_cast<int>(c)]);
+      check.holds = check.holds && miss <= kMostMiss * Problem.uncertainty[c];
+      for (std::size_t d = 0; d < 3; ++d)
+      {
+        jacobian[c][d] = Lanes[6 + 3 * c + d][k];
+      }
+    }
+    const auto inverse = Inverse(3, jacobian);
+    for (std::size_t d = 0; inverse && d < 3; ++d)
+    {
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        check.tolerance[static_cast<int>(d)] +=
+          std::fabs((*inverse)[d][c]) * Problem.uncertainty[c];
+      }
+    }
+    return check;
+  }
+
+  const InverseProblem& Problem;
+  std::array<std::array<double, kGroupPoints>, 15> Lanes;
+};
+
+/// The search for a group.
+class Search
+{
+public:
+  Search(ElementTree& tree, std::span<const SoughtPoint> points, Wanted wanted)
+    : Tree(tree)
+    , Problem(tree.Problem())
+    , TheShape(Problem.space.shape)
+    , Kernels(GetTreeKernels())
+    , Points(points)
+    , Reach(ReachOf(tree.Degree()))
+    , All(wanted == Wanted::All)
+    , MostWork(std::clamp(kFewSplits * tree.SplitCost(), kMostWork, kMostWorkOfHighOrders))
+    , Checker(Problem)
+  {
+    for (std::size_t i = 0; i < kGroupPoints; ++i)
+    {
+      const Vec3& x = points[std::min(i, points.size() - 1)].x;
+      for (int c = 0; c < 3; ++c)
+      {
+        Y.x[c][i] = (x[c] - Problem.centre[c]) * Problem.inverseSize;
+      }
+    }
+  }
+
+  /// False where the work has become too much for the group.
+  bool Run()
+  {
+    TakeKnownRoots();
+    const auto count = static_cast<unsigned>(Points.size());
+    const Bits all = ~Bits{ 0 } >> (64U - count);
+    Work += Tree.BeginCost();
+    if (Work <= MostWork)
+    {
+      for (const auto& piece : Tree.Pieces())
+      {
+        Visit(*piece, all, 0);
+      }
+    }
+    return Work <= MostWork;
+  }
+
+  void Tell(std::span<Preimages> answers) const
+  {
+    for (std::size_t i = 0; i < Points.size(); ++i)
+    {
+      Preimages& answer = answers[i];
+      answer.roots.clear();
+      for (const Root& root : Found[i])
+      {
+        if (root.root.inside)
+        {
+          answer.roots.push_back(root.root);
+        }
+      }
+      const bool undecided = Work > MostWork || (Undecided & BitOf(static_cast<int>(i))) != 0;
+      answer.complete = !undecided;
+      answer.boxes = Boxes;
+      answer.verdict = !answer.roots.empty() ? Verdict::Inside
+        : undecided                          ? Verdict::Unknown
+                                             : Verdict::Outside;
+    }
+  }
+
+private:
+  struct Root
+  {
+    InverseRoot root;
+    Vec3 error{ 0.0 }; ///< how far rounding may have moved it
+  };
+
+  [[nodiscard]] Vec3 YOf(int point) const
+  {
+    return { Y.x[0][point], Y.x[1][point], Y.x[2][point] };
+  }
+
+  void TakeKnownRoots()
+  {
+    std::array<Vec3, kGroupPoints> xi;
+    std::array<Vec3, kGroupPoints> y;
+    std::array<int, kGroupPoints> which{};
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < Points.size(); ++i)
+    {
+      const Vec3& known = Points[i].known;
+      if (std::isfinite(known.x + known.y + known.z))
+      {
+        which[count] = static_cast<int>(i);
+        y[count] = YOf(static_cast<int>(i));
+        xi[count++] = known;
+      }
+    }
+    if (count == 0)
+    {
+      return;
+    }
+    std::array<RootCheck, kGroupPoints> checks;
+    Checker.Run(std::span(xi).first(count), std::span(y).first(count), checks);
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      Keep(which[k], { xi[k], 0.0, false, false }, checks[k]);
+      Known |= BitOf(which[k]);
+    }
+  }
+
+  /// `searched`: points for which the map is regular on a box around this one, and Newton's
+  /// iteration has found a root elsewhere.
+  void Visit(ElementTree::Node& node, Bits points, Bits searched)
+  {
+    points &= ~Done;
+    if (points == 0 || Work > MostWork)
+    {
+      return;
+    }
+    ++Boxes;
+    Work += kVisitCost;
+    const NodeFrame& frame = node.Frame();
+    const double* const y[3] = { Y.x[0], Y.x[1], Y.x[2] };
+    points = Kernels.judge(frame, y, points).near;
+    if (points == 0)
+    {
+      return;
+    }
+    if (IsAtApex(frame))
+    {
+      ForEachPoint(points, [&](int i) { TakeApex(frame, i); });
+      return;
+    }
+    if (const Bits tried = points & Promising(frame, searched); tried != 0)
+    {
+      const Bits left = tried & ~Settled(node, tried);
+      const Bits found = left == 0 ? 0 : RunNewton(frame, left);
+      const Bits open = found & ~Done;
+      const Bits settled = open == 0 ? 0 : Settled(node, open);
+      points &= ~(tried & ~left) & ~Done & ~settled;
+      if (const Bits rest = open & ~settled; rest != 0)
+      {
+        searched = IsRegular(node) ? searched | rest : searched & ~rest;
+      }
+    }
+    if (points == 0)
+    {
+      return;
+    }
+    Work += Tree.SplitCost();
+    if (Work > MostWork)
+    {
+      return;
+    }
+    if (!Tree.Split(node))
+    {
+      Undecided |= points;
+      return;
+    }
+    Visit(node.Child(0), points, searched);
+    Visit(node.Child(1), points, searched);
+  }
+
+  /// For which points Newton's iteration is begun in a box.
+  [[nodiscard]] Bits Promising(const NodeFrame& frame, Bits searched) const
+  {
+    // It is hardly ever that there is another root than the known one.
+    constexpr double kWithKnown = 0.125;
+    const Bits affine = frame.IsAffine() ? searched : 0;
+    const Bits known = frame.IsNearlyAffine(kWithKnown) ? Known & ~searched : 0;
+    const Bits others = frame.IsNearlyAffine(1.0) ? ~Known & ~searched : 0;
+    return affine | known | others;
+  }
+
+  /// Next to a pyramid's apex there is no root beyond the faces to be held against the tolerance.
+  /// Where it is all that keeps a box from excluding the point, the point is within it.
+  [[nodiscard]] bool IsAtApex(const NodeFrame& frame) const
+  {
+    const double rounding = std::max({ frame.slack[0], frame.slack[1], frame.slack[2] });
+    return TheShape == Shape::Pyramid &&
+      1.0 - frame.box.lower.z <= std::max(kApexRegion, 4.0 * rounding) && frame.IsAffine();
+  }
+
+  /// The root, or the xi of the pyramid next to it. Newton's iteration with a Jacobian of its own:
+  /// the box's, which is wide as seen from the apex, may lead away. What is found outside of the
+  /// box's enclosure says nothing of the box.
+  void TakeApex(const NodeFrame& frame, int point)
+  {
+    const Vec3 y = YOf(point);
+    const Vec3 middle = frame.Root(y);
+    Vec3 root = middle;
+    Vec3 xi(0.0);
+    constexpr int kSteps = 4;
+    for (int step = 0; step < kSteps; ++step)
+    {
+      const double z = std::clamp(root.z, -1.0, 1.0);
+      xi = { std::clamp(root.x, -1.0, -z), std::clamp(root.y, -1.0, -z), z };
+      root = xi + StepOfMap(Problem.space, Problem.coefficients, xi, y);
+    }
+    RootCheck check;
+    Checker.Run(std::span(&xi, 1), std::span(&y, 1), std::span(&check, 1));
+    constexpr double kBeside = 4.0;
+    for (int d = 0; d < 3; ++d)
+    {
+      check.holds = check.holds &&
+        std::fabs(xi[d] - middle[d]) <= kBeside * frame.slack[static_cast<std::size_t>(d)];
+    }
+    // No Jacobian tells directions apart at the apex itself: there the box's is as good.
+    const double atApex = kBeside * std::max({ frame.slack[0], frame.slack[1], frame.slack[2] });
+    if (!check.holds && MaxAbs(middle - kApex) <= atApex)
+    {
+      xi = kApex;
+      root = middle;
+      Checker.Run(std::span(&xi, 1), std::span(&y, 1), std::span(&check, 1));
+      check.holds = true;
+    }
+    // Nothing proves that the map is injective around it. At a fold, what holds reaches to sixteen
+    // tolerances of its ends: two that are nearer than twice that may be one, or none.
+    constexpr double kMayBeOne = 32.0;
+    if (!check.holds ||
+      (!IsKnown(point, xi, true, SameWithin(check, 4.0)) &&
+        IsKnown(point, xi, true, SameWithin(check, kMayBeOne))))
+    {
+      Undecided |= BitOf(point);
+    }
+    if (check.holds)
+    {
+      Add(point, { xi, MaxAbs(root - xi), true, IsOnFace(Problem, xi) }, check);
+    }
+  }
+
+  /// Whether every xi of the box is so near to a known root that no other could be told from it.
+  [[nodiscard]] bool IsAtRoot(const EtaBox& box, int point) const
+  {
+    return std::ranges::any_of(Found[static_cast<std::size_t>(point)],
+      [&](const Root& root)
+      {
+        bool near = true;
+        for (unsigned corner = 0; near && corner < 8; ++corner)
+        {
+          const Vec3 eta((corner & 1U) != 0U ? box.upper.x : box.lower.x,
+            (corner & 2U) != 0U ? box.upper.y : box.lower.y,
+            (corner & 4U) != 0U ? box.upper.z : box.lower.z);
+          near = MaxAbs(TensorToReference(TheShape, eta) - root.root.xi) <= kSameRoot;
+        }
+        return near;
+      });
+  }
+
+  /// Of which points the box can hold no root but a known one.
+  Bits Settled(ElementTree::Node& node, Bits points)
+  {
+    const EtaBox& box = node.Frame().box;
+    Bits settled = 0;
+    if (node.IsPoint())
+    {
+      ForEachPoint(points, [&](int i) { settled |= IsAtRoot(box, i) ? BitOf(i) : 0; });
+    }
+    Bits reached = 0;
+    for (const GroupRoots& roots : RootLanes)
+    {
+      reached |= Kernels.reached(box, TheShape, Reach, roots, points & ~settled & ~reached);
+    }
+    return reached != 0 && IsRegular(node) ? settled | reached : settled;
+  }
+
+  bool IsRegular(ElementTree::Node& node)
+  {
+    Work += Tree.RegularCost(node);
+    return Tree.IsRegular(node);
+  }
+
+  /// Newton's iteration from the frame's guesses; of which points it found a root.
+  Bits RunNewton(const NodeFrame& frame, Bits points);
+
+  void Add(int point, const InverseRoot& root, const RootCheck& check)
+  {
+    if (!check.holds && root.inside)
+    {
+      return;
+    }
+    // Two runs of the iteration to one root differ by rounding.
+    if (!IsKnown(point, root.xi, root.inside, SameWithin(check, 4.0)))
+    {
+      Keep(point, root, check);
+    }
+  }
+
+  static Vec3 SameWithin(const RootCheck& check, double tolerances)
+  {
+    return tolerances * check.tolerance + Vec3(kSameRoot);
+  }
+
+  /// Whether a root of the point is within `distance` of xi.
+  [[nodiscard]] bool IsKnown(int point, const Vec3& xi, bool inside, const Vec3& distance) const
+  {
+    return std::ranges::any_of(Found[static_cast<std::size_t>(point)],
+      [&](const Root& known)
+      {
+        const Vec3 apart = glm::abs(known.root.xi - xi);
+        return apart.x <= distance.x && apart.y <= distance.y && apart.z <= distance.z &&
+          known.root.inside == inside;
+      });
+  }
+
+  void Keep(int point, const InverseRoot& root, const RootCheck& check)
+  {
+    auto& found = Found[static_cast<std::size_t>(point)];
+    const std::size_t slot = found.size();
+    found.push_back({ root, check.tolerance });
+    if (RootLanes.size() <= slot)
+    {
+      GroupRoots& none = RootLanes.emplace_back();
+      std::fill_n(none.tolerance, kGroupPoints, kNan);
+    }
+    GroupRoots& lanes = RootLanes[slot];
+    for (int d = 0; d < 3; ++d)
+    {
+      lanes.xi.x[d][point] = root.xi[d];
+    }
+    // Where the root really is, it must be in the reach; nobody knows where that is if its
+    // Jacobian is singular, or the map does not take it to the point.
+    const double error = MaxAbs(check.tolerance);
+    lanes.tolerance[point] =
+      error > 0.0 && check.holds ? kSameRoot - std::max(error - kSameRoot, 0.0) : kNan;
+    if (root.inside && !All)
+    {
+      Done |= BitOf(point);
+    }
+  }
+
+  ElementTree& Tree;
+  const InverseProblem& Problem;
+  Shape TheShape;
+  const TreeKernels& Kernels;
+  std::span<const SoughtPoint> Points;
+  double Reach;
+  bool All;
+  std::int64_t MostWork;
+  RootChecker Checker;
+  GroupLanes Y;
+  std::array<std::vector<Root>, kGroupPoints> Found; ///< of each point, inside or not
+  std::vector<GroupRoots> RootLanes;                 ///< [n] the n-th of each
+  Bits Known = 0;                                    ///< with a root from before
+  Bits Done = 0;                                     ///< of which nothing more is wanted
+  Bits Undecided = 0;
+  int Boxes = 0;
+  std::int64_t Work = 0;
+};
+
+Bits Search::RunNewton(const NodeFrame& frame, Bits points)
+{
+  std::array<std::array<double, kGroupPoints>, 12> lanes;
+  std::array<int, kGroupPoints> which{};
+  int count = 0;
+  ForEachPoint(points,
+    [&](int i)
+    {
+      const Vec3 guess = frame.Guess(YOf(i));
+      for (int d = 0; d < 3; ++d)
+      {
+        lanes[static_cast<std::size_t>(d)][static_cast<std::size_t>(count)] =
+          Points[static_cast<std::size_t>(i)].x[d];
+        lanes[static_cast<std::size_t>(3 + d)][static_cast<std::size_t>(count)] = guess[d];
+      }
+      which[static_cast<std::size_t>(count++)] = i;
+    });
+  for (std::size_t k = static_cast<std::size_t>(count);
+       k < static_cast<std::size_t>(PaddedCount(count)); ++k)
+  {
+    for (std::size_t d = 0; d < 6; ++d)
+    {
+      lanes[d][k] = lanes[d][k - 1];
+    }
+  }
+  Work += kNewtonCost * Problem.space.Modes() * (PaddedCount(count) / kLanePadding);
+  InverseProblem asked = Problem;
+  asked.affine = false;
+  asked.from = { lanes[3].data(), lanes[4].data(), lanes[5].data() };
+  const InverseResult result{ { lanes[6].data(), lanes[7].data(), lanes[8].data() },
+    lanes[9].data(), lanes[10].data(), lanes[11].data() };
+  KernelsFor(Problem.space)
+    .invert(asked, { { lanes[0].data(), lanes[1].data(), lanes[2].data() }, count }, result);
+  Bits found = 0;
+  std::array<Vec3, kGroupPoints> xi;
+  std::array<Vec3, kGroupPoints> y;
+  std::array<std::size_t, kGroupPoints> from{};
+  std::size_t roots = 0;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k)
+  {
+    const Vec3 root(result.xi[0][k], result.xi[1][k], result.xi[2][k]);
+    const bool inside = result.status[k] == static_cast<double>(NewtonStatus::RootInside);
+    // Beyond a pyramid's apex is another cone, whose roots say nothing of this one's.
+    if (result.status[k] != static_cast<double>(NewtonStatus::NotConverged) &&
+      (inside || TheShape != Shape::Pyramid || root.z <= 1.0))
+    {
+      found |= BitOf(which[k]);
+      from[roots] = k;
+      y[roots] = YOf(which[k]);
+      xi[roots++] = root;
+    }
+  }
+  if (roots == 0)
+  {
+    return 0;
+  }
+  std::array<RootCheck, kGroupPoints> checks;
+  Checker.Run(std::span(xi).first(roots), std::span(y).first(roots), checks);
+  for (std::size_t k = 0; k < roots; ++k)
+  {
+    const bool inside = result.status[from[k]] == static_cast<double>(NewtonStatus::RootInside);
+    const Vec3& tolerance = checks[k].tolerance;
+    const bool onFace =
+      inside && !(Margin(TheShape, xi[k]) > tolerance.x + tolerance.y + tolerance.z);
+    Add(which[from[k]], { xi[k], result.residual[from[k]], inside, onFace }, checks[k]);
+  }
+  return found;
+}
+} // namespace
+
+void FindPreimages(ElementTree& tree, std::span<const SoughtPoint> points, Wanted wanted,
+  std::span<Preimages> answers)
+{
+  if (points.empty())
+  {
+    return;
+  }
+  Search search(tree, points, wanted);
+  if (search.Run() || points.size() == 1)
+  {
+    search.Tell(answers);
+    return;
+  }
+  // Alone, a point may be decided with the work that it is allowed.
+  const std::size_t half = points.size() / 2;
+  FindPreimages(tree, points.first(half), wanted, answers.first(half));
+  FindPreimages(tree, points.subspan(half), wanted, answers.subspan(half));
+}
+
+bool IsOnFace(const InverseProblem& problem, const Vec3& xi)
+{
+  RootCheck check;
+  RootChecker(problem).Run(std::span(&xi, 1), std::span(&xi, 1), std::span(&check, 1));
+  const Vec3& tolerance = check.tolerance;
+  return !(Margin(problem.space.shape, xi) > tolerance.x + tolerance.y + tolerance.z);
+}
+} // namespace pixelexact

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Location/ElementTree.h"
+#include "Core/Location/PointKernels.h"
+#include "Core/Location/TreeKernels.h"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace pixelexact
+{
+/// Tells, before any inverse map is made, which of a batch's points a bent element surely does not
+/// hold: all of them together against the boxes of its tree, down to boxes that are nearly affine.
+/// Whole chunks of points are told first.
+class TreeFilter
+{
+public:
+  /// Whether it is worth it: of an element whose map hardly bends the frame alone tells as much.
+  static bool IsWorthIt(const ElementBounds& bounds);
+
+  /// `kept[k]`: of chunk k's open points those that the element might hold, where `near` has the
+  /// bit k; at most 64 chunks. Depends on the points and the element alone.
+  void Run(ElementTree& tree, const LanePoints& points, std::span<const PointChunk> chunks,
+    std::uint64_t near, std::span<std::uint64_t> kept);
+
+private:
+  using ChunkBits = std::array<std::uint64_t, kGroupPoints>;
+
+  void Visit(ElementTree::Node& node, int depth, std::uint64_t active, const ChunkBits& bits);
+
+  const TreeKernels& Kernels = GetTreeKernels();
+  ElementTree* Tree = nullptr;
+  int MostHalvings = 0;
+  BoxesOfGroups Boxes;
+  std::vector<double> Y; ///< of each chunk, coordinate by coordinate
+  std::span<std::uint64_t> Kept;
+};
+} // namespace pixelexact
