@@ -24,7 +24,13 @@ struct BenchOptions
   int largest = 200000; ///< elements of the made meshes
 };
 
-FrameTime Measure(const Shot& shot, const BenchOptions& options)
+struct Measured
+{
+  FrameTime time;
+  FrameCounters first; ///< of the first frame, for which elements are bounded and trees grown
+};
+
+Measured Measure(const Shot& shot, const BenchOptions& options)
 {
   const Camera camera = shot.MakeCamera();
   // Tells the range, which is no part of a frame.
@@ -32,8 +38,9 @@ FrameTime Measure(const Shot& shot, const BenchOptions& options)
     Trace(shot.scene, camera, {}, { Buffer::Value | Buffer::Verdict, Buffer::None });
   const ColorMapping colors = options.shot.colors.MappingOver(options.shot.colors.RangeFor(first));
   ProgressLine line("measuring");
-  return MeasureFrames(
-    shot.scene, camera, { &colors }, options.repeat, [&line](double part) { line(part); });
+  return { MeasureFrames(
+             shot.scene, camera, { &colors }, options.repeat, [&line](double part) { line(part); }),
+    first.counters };
 }
 
 void Bench(const BenchOptions& options, const CommonOptions& common)
@@ -50,7 +57,7 @@ void Bench(const BenchOptions& options, const CommonOptions& common)
   }
   Stopwatch stopwatch;
   const Shot shot = Prepare(options.shot, stopwatch);
-  const FrameTime measured = Measure(shot, options);
+  const auto [measured, first] = Measure(shot, options);
   const double median = measured.Frame();
   const auto points = static_cast<double>(measured.points);
   const double perSecond = points / median;
@@ -63,13 +70,16 @@ void Bench(const BenchOptions& options, const CommonOptions& common)
     nlohmann::ordered_json summary{ { "elements", shot.input.model->GetMesh().Elements() },
       { "field", shot.scene.field->name }, { "component", ComponentName(shot.scene) } };
     AddTime(summary, shot.input);
-    summary.update(
-      { { "width", shot.size.width }, { "height", shot.size.height }, { "points", measured.points },
-        { "threads", threads }, { "instruction_set", InstructionSet() },
-        { "frame_seconds", measured.frames }, { "median_frame_seconds", median },
-        { "points_per_second", perSecond }, { "kernel_seconds", measured.Kernel() },
-        { "ratio_to_kernel", ratio }, { "stages", ToJson(measured.stages) },
-        { "staged_frame_seconds", measured.staged }, { "seconds", ToJson(stopwatch) } });
+    summary.update({ { "width", shot.size.width }, { "height", shot.size.height },
+      { "points", measured.points }, { "threads", threads },
+      { "instruction_set", InstructionSet() }, { "unknown", first.unknown },
+      { "first_frame_seconds", first.seconds }, { "frame_seconds", measured.frames },
+      { "median_frame_seconds", median }, { "points_per_second", perSecond },
+      { "kernel_seconds", measured.Kernel() }, { "ratio_to_kernel", ratio },
+      { "stages", ToJson(measured.stages) }, { "staged_frame_seconds", measured.staged },
+      { "index_bytes", shot.scene.locator->Index().MemoryUsage() },
+      { "tree_bytes", shot.scene.locator->Index().TreeBytes() },
+      { "seconds", ToJson(stopwatch) } });
     Print(summary);
     return;
   }
@@ -80,8 +90,8 @@ void Bench(const BenchOptions& options, const CommonOptions& common)
   table.Row("size", "{} x {}", shot.size.width, shot.size.height);
   table.Row("threads", "{}, {}", threads, InstructionSet());
   table.Row("points", "{} exact pixels", measured.points);
-  table.Row("frame", "{} s, median of {}; {} points/s", Short(median), measured.frames.size(),
-    Short(perSecond));
+  table.Row("frame", "{} s, median of {}; {} points/s; the first {} s", Short(median),
+    measured.frames.size(), Short(perSecond), Short(first.seconds));
   table.Row("kernel", "{} s for as many bare evaluations; the frame takes {} times as long",
     Short(measured.Kernel()), Short(ratio));
   table.Row("tiles", Shares(measured.stages));
