@@ -12,11 +12,13 @@
 #   stability     all sweeps against 113 bits
 #   enclosures    width and cost of value enclosures
 #   ranges        rounding of Bernstein coefficients, cost of ranges
+#   adversary     elements made to break the proofs, against 60 digits (Debian: python3-mpmath)
 #   oracles       values, gradients and points against the solvers' own
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 build=${PIXELEXACT_BUILD:-build}
-all=(frames instructions baselines careful-path face-points stability enclosures ranges oracles)
+all=(frames instructions baselines careful-path face-points stability adversary enclosures ranges
+  oracles)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
@@ -73,6 +75,11 @@ run_stability() {
   commands+=("$build/bin/StabilityStudy DIRECTORY")
   "$build/bin/StabilityStudy" "$scratch/stability" | tee "$scratch/log" >&2
   body="$(cat "$scratch/stability/table.md")"$'\n\n'"$(tail -n 1 "$scratch/log")."
+}
+run_adversary() {
+  title="Elements made to break the proofs"
+  measure Testing/Stability/adversary.py "$build/bin/pixelexact"
+  table
 }
 run_enclosures() {
   title="Value enclosures: width and cost"
