@@ -120,6 +120,53 @@ ParameterIntervals Image(std::size_t n, const ParameterIntervals& fixed,
   }
   return image;
 }
+
+/// The one root of `cube` is in every box m +- v of it that its image does not leave, by Brouwer's
+/// fixed point theorem: |fixed - m| + |deviation| v <= v. Such a v is near the solution of that as
+/// an equation.
+void Tighten(std::size_t n, const ParameterIntervals& fixed, const IntervalMatrix& deviation,
+  const Parameters& m, const ParameterIntervals& cube, ParameterIntervals& image)
+{
+  SmallMatrix matrix{};
+  Parameters off{};
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    off[i] = fixed[i].RadiusAround(m[i]) + 0x1p-1000;
+    for (std::size_t j = 0; j < n; ++j)
+    {
+      matrix[i][j] = (i == j ? 1.0 : 0.0) - deviation[i][j].Magnitude();
+    }
+  }
+  const auto inverse = Inverse(static_cast<int>(n), matrix);
+  if (!inverse)
+  {
+    return;
+  }
+  ParameterIntervals box{};
+  Parameters v{};
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    for (std::size_t j = 0; j < n; ++j)
+    {
+      v[i] += (*inverse)[i][j] * off[j] * (1.0 + 0x1p-20);
+    }
+    box[i] = Interval::Around(m[i], v[i]);
+  }
+  bool holds = true;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    double reached = off[i];
+    for (std::size_t j = 0; j < n; ++j)
+    {
+      reached += deviation[i][j].Magnitude() * v[j];
+    }
+    holds = holds && v[i] > 0.0 && reached * (1.0 + Gamma(8)) <= v[i] && cube[i].Contains(box[i]);
+  }
+  for (std::size_t i = 0; holds && i < n; ++i)
+  {
+    image[i] = Intersect(image[i], box[i]);
+  }
+}
 } // namespace
 
 std::optional<SmallMatrix> Inverse(int size, SmallMatrix matrix)
@@ -201,22 +248,9 @@ std::optional<KrawczykImage> ApplyKrawczyk(const LocalSystem& system, double rea
   {
     result.unique = result.unique && cube[i].ContainsInside(result.image[i]);
   }
-  // The root lies in the image of whatever holds it.
-  constexpr int kTightenings = 40;
-  for (int step = 0; result.unique && step < kTightenings; ++step)
+  if (result.unique)
   {
-    const ParameterIntervals next = Image(n, fixed, deviation, result.image, m);
-    bool tighter = false;
-    for (std::size_t i = 0; i < n; ++i)
-    {
-      const Interval both = Intersect(result.image[i], next[i]);
-      tighter = tighter || both.Width() < 0.9 * result.image[i].Width();
-      result.image[i] = both;
-    }
-    if (!tighter)
-    {
-      break;
-    }
+    Tighten(n, fixed, deviation, m, cube, result.image);
   }
   return result;
 }

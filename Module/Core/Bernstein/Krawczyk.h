@@ -40,7 +40,7 @@ std::optional<SmallMatrix> Inverse(int size, SmallMatrix matrix);
 /// Interval Methods for Systems of Equations, 1990, section 5.1).
 struct KrawczykImage
 {
-  ParameterIntervals image; ///< K(U); tightened by iteration where it holds exactly one root
+  ParameterIntervals image; ///< K(U); tightened where it holds exactly one root
   bool unique = false;      ///< exactly one root in U, and it lies in `image`
 };
 

@@ -515,14 +515,16 @@ HWY_INLINE void InvertPack(const InverseProblem& problem, int modeCount, const L
     std::min({ problem.uncertainty[0], problem.uncertainty[1], problem.uncertainty[2] });
   // Within the shape without any tolerance, as most are; NaN are not.
   const Point<T> none{ { zero, zero, zero } };
-  const T largest = Traits::Splat(kLargestCorrection) * StepScale(shape, state.xi);
-  auto clear = And(length <= largest, WidenedMargin(shape, state.xi, none) >= zero);
+  const T unit = StepScale(shape, state.xi);
+  auto clear = And(length <= Traits::Splat(kLargestCorrection) * unit,
+    WidenedMargin(shape, state.xi, none) >= zero);
   clear = And(clear, Max(state.failed, state.unsettled) <= zero);
   // What the correction leaves: the Jacobian's change since it was made, times the correction.
   const T left =
     Traits::Splat(problem.bend) * (Traits::Splat(2.0) * state.madeFor + length) * length;
   clear = And(clear,
-    And(left <= Traits::Splat(leastUncertainty), state.madeFor <= Traits::Splat(kKeepJacobian)));
+    And(left <= Traits::Splat(leastUncertainty) * unit,
+      state.madeFor <= Traits::Splat(kKeepJacobian) * unit));
   if (shape == Shape::Pyramid)
   {
     clear = And(clear, Traits::Splat(kApexRegion) < one - state.xi.x[2]);

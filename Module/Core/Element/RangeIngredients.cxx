@@ -48,6 +48,25 @@ BoxPolynomial RangeIngredient::Over(
   {
     polynomial.error = std::numeric_limits<double>::infinity();
   }
+  RestrictTo(within, polynomial);
+  return polynomial;
+}
+
+Box3 PartInPiece(const Box3& box, int level, const PieceForm::Piece& piece)
+{
+  Box3 part;
+  const int pieces = 1 << level;
+  for (int d = 0; d < 3; ++d)
+  {
+    const double middle = (2.0 * piece[static_cast<std::size_t>(d)] + 1.0) / pieces - 1.0;
+    part.lower[d] = std::max((box.lower[d] - middle) * pieces, -1.0);
+    part.upper[d] = std::min((box.upper[d] - middle) * pieces, 1.0);
+  }
+  return part;
+}
+
+void RestrictTo(const Box3& within, BoxPolynomial& polynomial)
+{
   for (int d = 0; d < 3; ++d)
   {
     if (within.lower[d] > -1.0 || within.upper[d] < 1.0)
@@ -55,7 +74,6 @@ BoxPolynomial RangeIngredient::Over(
       polynomial.Restrict(d, within.lower[d], within.upper[d]);
     }
   }
-  return polynomial;
 }
 
 void AddDerivatives(

@@ -39,6 +39,12 @@ struct RangeIngredient
     int level, const PieceForm::Piece& piece, const Box3& within) const;
 };
 
+/// The part of a box of eta in a piece, in the piece's own [-1,1]^3; lower > upper somewhere where
+/// they do not meet.
+Box3 PartInPiece(const Box3& box, int level, const PieceForm::Piece& piece);
+/// Of a polynomial over [-1,1]^3, what lies in this part of it.
+void RestrictTo(const Box3& within, BoxPolynomial& polynomial);
+
 /// Appends the three derivatives by xi of `count` components.
 void AddDerivatives(
   const ScaledModes& modes, int first, int count, std::vector<RangeIngredient>& ingredients);

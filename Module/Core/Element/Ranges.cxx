@@ -36,7 +36,6 @@ struct ElementRange::Internals
   }
   [[nodiscard]] std::vector<BoxPolynomial> Polynomials(
     const PieceForm::Piece& piece, const Box3& within) const;
-  [[nodiscard]] Box3 PartOf(const PieceForm::Piece& piece) const;
 
   QuantityFunction function;
   Box3 box;
@@ -110,20 +109,6 @@ int ElementRange::Exponent() const
   return Data->exponent;
 }
 
-Box3 ElementRange::Internals::PartOf(const PieceForm::Piece& piece) const
-{
-  // The part of the box in the piece, in the piece's own [-1, 1]^3; empty where they do not meet.
-  Box3 part;
-  const int pieces = 1 << level;
-  for (int d = 0; d < 3; ++d)
-  {
-    const double middle = (2.0 * piece[static_cast<std::size_t>(d)] + 1.0) / pieces - 1.0;
-    part.lower[d] = std::max((box.lower[d] - middle) * pieces, -1.0);
-    part.upper[d] = std::min((box.upper[d] - middle) * pieces, 1.0);
-  }
-  return part;
-}
-
 std::vector<BoxPolynomial> ElementRange::Internals::Polynomials(
   const PieceForm::Piece& piece, const Box3& within) const
 {
@@ -146,7 +131,7 @@ void ElementRange::ForEachBox(const std::function<void(RangeBox)>& visit) const
   for (int i = 0; i < pieces * pieces * pieces; ++i)
   {
     const PieceForm::Piece piece{ i / (pieces * pieces), i / pieces % pieces, i % pieces };
-    const Box3 within = Data->PartOf(piece);
+    const Box3 within = PartInPiece(Data->box, Data->level, piece);
     if (!(within.lower.x <= within.upper.x && within.lower.y <= within.upper.y &&
           within.lower.z <= within.upper.z))
     {

@@ -106,8 +106,23 @@ enum class Errors : std::uint8_t
   Quick
 };
 
+/// Of a pyramid's mode f, times the distance h = (1 - eta3) / 2 to the apex. A derivative by xi is
+/// at most 1 / h times the sum of those by eta, each at most its degree squared times the largest
+/// value (A. Markov), and |f| <= C(r + 2 m + 2, r) h^m (ModeBound.cxx).
+double SecondDerivativeBoundOfPyramid(int p, int q, int r)
+{
+  const int m = std::max(p, q);
+  const double first = p * p + q * q + (m + r) * (m + r);
+  double largest = 1.0;
+  for (int i = 1; i <= r; ++i)
+  {
+    largest = largest * (2 * m + 2 + i) / i;
+  }
+  return 9.0 * first * (first + 1.5) * largest;
+}
+
 /// Of a mode of magnitude 1 at most: bounds of the sum of its second derivatives' magnitudes over
-/// the shape; infinite for pyramids, whose modes are rational. Legendre's polynomials have their
+/// the shape. Legendre's polynomials have their
 /// largest derivatives at the ends. In a convex body of least width w a polynomial of degree n and
 /// magnitude 1 has gradients of at most 4 n^2 / w (D. Wilhelmsen, A Markov inequality in several
 /// dimensions, J. Approx. Theory 11, 1974); w is sqrt(2) for the triangle, 2 / sqrt(3) for the
@@ -153,8 +168,10 @@ std::vector<double> BendBounds(const Space& space)
   ForEachMode(space,
     [&](int p, int q, int r, int /*mode*/)
     {
-      bounds.push_back(
-        growth * ModeBound(space, p, q, r) * SecondDerivativeBound(space.shape, p, q, r));
+      bounds.push_back(growth *
+        (space.shape == Shape::Pyramid
+            ? SecondDerivativeBoundOfPyramid(p, q, r)
+            : ModeBound(space, p, q, r) * SecondDerivativeBound(space.shape, p, q, r)));
     });
   return bounds;
 }
@@ -284,7 +301,7 @@ void MakeFrame(const Space& space, const double* coefficients, const ComponentHu
 /// See InverseProblem::bend.
 double BendOf(const Space& space, const double* coefficients)
 {
-  if (space.shape == Shape::Pyramid)
+  if (space.form == Form::Tensor)
   {
     return std::numeric_limits<double>::infinity();
   }

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Bernstein/RangeSearch.h"
+#include "Core/Element/RangeIngredients.h"
+
+#include <array>
+#include <optional>
+
+namespace pixelexact
+{
+/// The polynomials that a world Hessian is made of, and the expression in them.
+///
+/// Second derivatives by xi are made of the first ones G, polynomials in eta (PieceForm.h), by the
+/// chain rule, with e = (1 + eta) / 2 and h = (1 - eta) / 2:
+///
+///   hexahedron   G_1,  G_2,  G_3
+///   prism        G_1 / h3,  G_2,  e1 G_1 / h3 + G_3
+///   tetrahedron  G_1 / (h2 h3),  e1 G_1 / (h2 h3) + G_2 / h3,
+///                e1 G_1 / (h2 h3) + e2 G_2 / h3 + G_3
+///   pyramid      G_1 / h3,  G_2 / h3,  e1 G_1 / h3 + e2 G_2 / h3 + G_3
+///
+/// G_d by eta_d. In prisms and tetrahedra G is a polynomial in xi, so that what is divided by h
+/// vanishes with it: on pieces that end where h = 0, the division is one of coefficients.
+class HessianFunction final : public RangeFunction
+{
+public:
+  using Pair = std::array<std::array<double, 3>, 2>; ///< the directions a and b
+
+  /// The norm, where no pair is given.
+  HessianFunction(Shape shape, const std::optional<Pair>& pair)
+    : TheShape(shape)
+    , Directions(pair)
+  {
+  }
+
+  /// The polynomials over the part `within` of a piece, of three components of a map and of one of
+  /// a field: the derivatives by xi, three a function; six derivatives of those by eta a function
+  /// (divided by h where that is one of coefficients); e1, e2, and what is left of h2, h3 to divide
+  /// by.
+  [[nodiscard]] static std::vector<BoxPolynomial> Polynomials(const ScaledModes& map,
+    const ScaledModes& field, int component, int level, const PieceForm::Piece& piece,
+    const Box3& within);
+
+  /// Whether a derivative by eta_derivative is divided by h of a direction.
+  [[nodiscard]] static bool IsDivided(Shape shape, int derivative, int direction);
+
+  [[nodiscard]] Interval Enclose(std::span<const BoxPolynomial> polynomials) const override;
+  [[nodiscard]] Interval AtCorner(
+    std::span<const BoxPolynomial> polynomials, unsigned corner) const override;
+  [[nodiscard]] int TellingDifference() const override { return 1; }
+
+private:
+  template <class T>
+  [[nodiscard]] T Combine(std::span<const T> p) const;
+
+  Shape TheShape;
+  std::optional<Pair> Directions;
+};
+} // namespace pixelexact

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Element/HessianFunction.h"
+
+#include "Core/Bernstein/TensorPolynomial.h"
+#include "Core/Math/Rounding.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pixelexact
+{
+namespace
+{
+constexpr double kUnderflow = 0x1p-1000;
+constexpr Box3 kWholePiece{ Vec3(-1.0), Vec3(1.0) };
+
+/// The six: G^(xi) by eta.
+struct Entry
+{
+  std::size_t byXi;
+  int byEta;
+};
+constexpr Entry kEntries[6] = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 2, 0 }, { 2, 1 }, { 2, 2 } };
+
+BoxPolynomial Zero()
+{
+  return { {}, { 0.0 }, 0.0 };
+}
+
+/// d / d eta_direction over a piece of width 2^(1 - level).
+BoxPolynomial Differentiate(const BoxPolynomial& polynomial, int direction, int level)
+{
+  const auto d = static_cast<std::size_t>(direction);
+  const int n = polynomial.degree[d];
+  if (n == 0)
+  {
+    return Zero();
+  }
+  BoxPolynomial result{ polynomial.degree, {}, 0.0 };
+  --result.degree[d];
+  const std::size_t stride = StrideOf(polynomial.degree, direction);
+  const std::size_t block = stride * static_cast<std::size_t>(n + 1);
+  const double scale = std::ldexp(n, level - 1);
+  for (std::size_t start = 0; start < polynomial.b.size(); start += block)
+  {
+    for (std::size_t at = start; at < start + block - stride; ++at)
+    {
+      result.b.push_back(scale * (polynomial.b[at + stride] - polynomial.b[at]));
+    }
+  }
+  result.error = scale * 2.0 * (polynomial.error + Gamma(3) * LargestMagnitude(polynomial.b)) *
+      (1.0 + Gamma(8)) +
+    kUnderflow;
+  return result;
+}
+
+/// Over h = (1 - eta_direction) / 2, on a piece that ends at eta_direction = 1, where the exact
+/// polynomial vanishes: of h (n / (n - k)) B^(n-1)_k = B^n_k, scaled to the piece.
+BoxPolynomial DivideByH(const BoxPolynomial& polynomial, int direction, int level)
+{
+  const auto d = static_cast<std::size_t>(direction);
+  const int n = polynomial.degree[d];
+  if (n == 0)
+  {
+    return Zero();
+  }
+  BoxPolynomial result{ polynomial.degree, {}, 0.0 };
+  --result.degree[d];
+  const std::size_t stride = StrideOf(polynomial.degree, direction);
+  const std::size_t block = stride * static_cast<std::size_t>(n + 1);
+  const double scale = std::ldexp(n, level);
+  for (std::size_t start = 0; start < polynomial.b.size(); start += block)
+  {
+    for (std::size_t at = 0; at < block - stride; ++at)
+    {
+      result.b.push_back(polynomial.b[start + at] *
+        (scale / static_cast<double>(n - static_cast<int>(at / stride))));
+    }
+  }
+  result.error =
+    scale * (polynomial.error + Gamma(3) * LargestMagnitude(polynomial.b)) * (1.0 + Gamma(8)) +
+    kUnderflow;
+  return result;
+}
+
+/// (1 + sign eta_direction) / 2 over a piece, exactly.
+BoxPolynomial Linear(int direction, double sign, int level, int piece)
+{
+  BoxPolynomial result{ {}, {}, 0.0 };
+  result.degree[static_cast<std::size_t>(direction)] = 1;
+  for (const int end : { piece, piece + 1 })
+  {
+    const double eta = std::ldexp(end, 1 - level) - 1.0;
+    result.b.push_back((1.0 + sign * eta) / 2.0);
+  }
+  return result;
+}
+
+/// Whether the division is one of coefficients.
+bool IsExact(Shape shape, int direction, int level, const PieceForm::Piece& piece)
+{
+  return shape != Shape::Pyramid && piece[static_cast<std::size_t>(direction)] == (1 << level) - 1;
+}
+
+void AddSeconds(Shape shape, const std::array<BoxPolynomial, 3>& slopes, int level,
+  const PieceForm::Piece& piece, const Box3& within, std::vector<BoxPolynomial>& list)
+{
+  for (const auto& [byXi, byEta] : kEntries)
+  {
+    BoxPolynomial second = Differentiate(slopes[byXi], byEta, level);
+    for (const int direction : { 1, 2 })
+    {
+      if (HessianFunction::IsDivided(shape, byEta, direction) &&
+        IsExact(shape, direction, level, piece))
+      {
+        second = DivideByH(second, direction, level);
+      }
+    }
+    RestrictTo(within, second);
+    list.push_back(std::move(second));
+  }
+}
+
+/// What is left to divide by: h, or 1.
+BoxPolynomial Divisor(Shape shape, int direction, int level, const PieceForm::Piece& piece)
+{
+  return HessianFunction::IsDivided(shape, 0, direction) && !IsExact(shape, direction, level, piece)
+    ? Linear(direction, -1.0, level, piece[static_cast<std::size_t>(direction)])
+    : BoxPolynomial{ {}, { 1.0 }, 0.0 };
+}
+} // namespace
+
+std::vector<BoxPolynomial> HessianFunction::Polynomials(const ScaledModes& map,
+  const ScaledModes& field, int component, int level, const PieceForm::Piece& piece,
+  const Box3& within)
+{
+  const Shape shape = map.space.shape;
+  std::vector<RangeIngredient> ingredients;
+  AddDerivatives(map, 0, 3, ingredients);
+  AddDerivatives(field, component, 1, ingredients);
+  std::vector<BoxPolynomial> list;
+  std::vector<BoxPolynomial> seconds;
+  for (std::size_t f = 0; f < 4; ++f)
+  {
+    std::array<BoxPolynomial, 3> slopes;
+    for (std::size_t j = 0; j < 3; ++j)
+    {
+      slopes[j] = ingredients[3 * f + j].Over(level, piece, kWholePiece);
+    }
+    AddSeconds(shape, slopes, level, piece, within, seconds);
+    for (BoxPolynomial& slope : slopes)
+    {
+      RestrictTo(within, slope);
+      list.push_back(std::move(slope));
+    }
+  }
+  std::ranges::move(seconds, std::back_inserter(list));
+  for (BoxPolynomial polynomial :
+    { Linear(0, 1.0, level, piece[0]), Linear(1, 1.0, level, piece[1]),
+      Divisor(shape, 1, level, piece), Divisor(shape, 2, level, piece) })
+  {
+    RestrictTo(within, polynomial);
+    list.push_back(std::move(polynomial));
+  }
+  return list;
+}
+} // namespace pixelexact
