@@ -354,6 +354,35 @@ TEST(Locator, SameBitsForAnyBatchAndNumberOfThreads)
   }
 }
 
+TEST(Locator, SampleHonoursThePrecision)
+{
+  const MeshBuilder mesh = TwoHexahedra();
+  ExpansionBuilder modes(1);
+  for (int e = 0; e < 2; ++e)
+  {
+    modes.Add(UniformSpace(Shape::Hexahedron, 3),
+      [](const LongVec3& xi, long double* value) { *value = 1.0L / 3 + xi[0] * xi[1] / 7; });
+  }
+  const Field field{ "u", modes.View() };
+  const Locator locator(mesh.View());
+  Random random(8);
+  std::vector<Vec3> x;
+  for (int i = 0; i < 5000; ++i)
+  {
+    x.emplace_back(random(-0.9, 0.9), random(-0.9, 0.9), random(-0.9, 0.9));
+  }
+  Samples samples(x.size(), 1);
+  SampleTarget target = samples.Target();
+  target.gradient = {};
+  PrecisionCheck check;
+  target.precision = Precision::Float;
+  target.check = &check;
+  Sample(locator, &field, x, target);
+  EXPECT_GT(check.points, 0);
+  EXPECT_GT(check.largest, 0.0);
+  EXPECT_LT(check.largest, 1e-6);
+}
+
 TEST(Locator, PointsThatAreNoPoints)
 {
   const MeshBuilder mesh = TwoHexahedra();

@@ -5,6 +5,7 @@
 #   results.sh [NAME...]     default: all
 #
 #   frames        made meshes by shape, order, elements and pixels; against the bare kernel
+#   suite         real data: three planes of each larger case; against the bare kernel
 #   instructions  counted under callgrind
 #   baselines     vtkProbeFilter, VTK's window, loading
 #   careful-path  its share in the files of Data/ and the larger cases
@@ -17,7 +18,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 build=${PIXELEXACT_BUILD:-build}
-all=(frames instructions baselines careful-path face-points stability adversary enclosures ranges
+all=(frames suite instructions baselines careful-path face-points stability adversary enclosures ranges
   oracles)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -44,6 +45,11 @@ run_frames() {
   title="Frames against the bare kernel"
   measure "$build/bin/pixelexact" bench --elements 1000000 --size 1000x1000 --repeat 5
   text
+}
+run_suite() {
+  title="Frames of real data against the bare kernel"
+  measure Testing/Benchmarks/suite.py "$build/bin/pixelexact" ../shared/data --threads 1
+  table
 }
 run_instructions() {
   title="Instructions a point"

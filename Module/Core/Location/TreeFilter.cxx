@@ -12,7 +12,7 @@ namespace
 /// Boxes that bend less than this part of their size are not halved.
 constexpr double kAffineEnough = 0.04;
 /// Of the frame's deviation, in xi.
-constexpr double kBent = 0.1;
+constexpr double kBent = 0.2;
 /// Halvings of an element, and nanoseconds that the growth of all of them may take.
 constexpr int kMostHalvings = 9;
 constexpr std::int64_t kMostGrowth = 4'000'000;
