@@ -6,7 +6,8 @@
 
 namespace pixelexact
 {
-ClippedSurface::ClippedSurface(std::shared_ptr<const Surface> whole, std::vector<KeptHalfSpace> kept)
+ClippedSurface::ClippedSurface(
+  std::shared_ptr<const Surface> whole, std::vector<KeptHalfSpace> kept)
   : Whole(std::move(whole))
   , Kept(std::move(kept))
 {

@@ -477,12 +477,12 @@ Bits Search::RunNewton(const NodeFrame& frame, Bits points)
       {
         lanes[static_cast<std::size_t>(d)][static_cast<std::size_t>(count)] =
           Points[static_cast<std::size_t>(i)].x[d];
-        lanes[static_cast<std::size_t>(3 + d)][static_cast<std::size_t>(count)] = guess[d];
+        lanes[3 + static_cast<std::size_t>(d)][static_cast<std::size_t>(count)] = guess[d];
       }
       which[static_cast<std::size_t>(count++)] = i;
     });
-  for (std::size_t k = static_cast<std::size_t>(count);
-       k < static_cast<std::size_t>(PaddedCount(count)); ++k)
+  const auto padded = static_cast<std::size_t>(PaddedCount(count));
+  for (auto k = static_cast<std::size_t>(count); k < padded; ++k)
   {
     for (std::size_t d = 0; d < 6; ++d)
     {
