@@ -309,6 +309,46 @@ TEST(Questions, ManyRootsOnOneSegment)
 }
 
 /// At a corner of eight pieces, and of ever more nodes: found in many, listed once.
+TEST(Questions, MapsOfVeryHighOrderLoseNothing)
+{
+  // The tree of such a smooth map begins with one piece, the conversion of its nodes with 512.
+  const Space low = UniformSpace(Shape::Hexahedron, 3);
+  const Space high = UniformSpace(Shape::Hexahedron, 24);
+  MeshBuilder mesh;
+  mesh.Add(low, Curved);
+  const std::vector<double> few = mesh.Phi.Coefficients;
+  const auto each = static_cast<std::size_t>(high.Modes());
+  mesh.Phi.Spaces = { high };
+  mesh.Phi.Coefficients.assign(3 * each, 0.0);
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    std::size_t from = c * static_cast<std::size_t>(low.Modes());
+    ForEachMode(high,
+      [&](int p, int q, int r, int mode)
+      {
+        if (p <= 3 && q <= 3 && r <= 3)
+        {
+          mesh.Phi.Coefficients[c * each + static_cast<std::size_t>(mode)] = few[from++];
+        }
+      });
+  }
+  ExpansionBuilder x(1);
+  x.Add(low, [](const LongVec3& xi, long double* value) { *value = Curved(xi)[0]; });
+  const Mesh view = mesh.View();
+  const ElementIndex index(view);
+  const Field field{ "x", x.View() };
+  ElementQuestions questions(index, 0, field, 0);
+  const Segment segment{ { -0.8, 0.1, 0.2 }, { 0.8, 0.1, 0.2 } };
+  for (const double value : { -0.6, 0.2, 0.7 })
+  {
+    const Crossings crossings = questions.WithValue(segment, value);
+    EXPECT_TRUE(crossings.IsComplete()) << value;
+    ASSERT_EQ(crossings.found.size(), 1U) << value;
+    // F is x, which is -0.8 + 1.6 t on the segment.
+    EXPECT_NEAR(crossings.found[0].middle, (value + 0.8) / 1.6, 1e-9);
+  }
+}
+
 TEST(Questions, RootsBetweenNodesAreListedOnce)
 {
   RangeCase one(UniformSpace(Shape::Hexahedron, 8), [](const LongVec3& xi) { return xi; });

@@ -13,7 +13,7 @@ namespace
 /// 64 MiB.
 constexpr std::size_t kMostHeld = std::size_t{ 1 } << 23U;
 
-/// The piece that holds a box's middle; a box never lies across the ends of the tree's own.
+/// The piece that holds a box's middle.
 PieceForm::Piece PieceAt(const EtaBox& box, int level)
 {
   PieceForm::Piece piece{};
@@ -63,6 +63,11 @@ NodePolynomials::NodePolynomials(
     values.SpaceOf(element), values.Coefficients(element), values.components);
   Component = component;
   FieldLevel = Field->finite ? LevelFor({ { Field.get(), component, Part::Value } }) : 0;
+}
+
+bool NodePolynomials::CanMakeMap(const ElementTree::Node& node) const
+{
+  return Map.finite && IsInPiece(node.Frame().box, MapLevel);
 }
 
 bool NodePolynomials::CanMakeField(const ElementTree::Node& node) const

@@ -20,10 +20,9 @@ public:
   NodePolynomials(const Mesh& mesh, int element);
   NodePolynomials(const Mesh& mesh, int element, const Expansion& values, int component);
 
-  /// Whether the coefficients are finite.
-  [[nodiscard]] bool CanMakeMap() const { return Map.finite; }
-  /// The same, and the node does not stretch over several of the pieces on which the field is
-  /// converted. Where it does, smaller nodes are to be asked.
+  /// Whether the coefficients are finite, and the node does not stretch over several of the pieces
+  /// on which they are converted. Where it does, smaller nodes are to be asked.
+  [[nodiscard]] bool CanMakeMap(const ElementTree::Node& node) const;
   [[nodiscard]] bool CanMakeField(const ElementTree::Node& node) const;
   /// Three polynomials; errors include the mesh's uncertainty.
   std::span<const BoxPolynomial, 3> MapOver(const ElementTree::Node& node);

@@ -113,7 +113,7 @@ private:
     }
     ++Nodes;
     const bool askable =
-      Data.polynomials.CanMakeMap() && (Face || Data.polynomials.CanMakeField(node));
+      Data.polynomials.CanMakeMap(node) && (Face || Data.polynomials.CanMakeField(node));
     if (!Face && askable && MissesValue(node))
     {
       return;
