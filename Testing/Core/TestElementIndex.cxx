@@ -13,12 +13,12 @@ namespace pixelexact::testing
 namespace
 {
 /// n^3 cubes that fill [0, n]^3.
-MeshBuilder Cubes(int n)
+MeshBuilder Cubes(int n, double offset = 0.0)
 {
   MeshBuilder mesh;
   for (int i = 0; i < n * n * n; ++i)
   {
-    const Vec3 at(i % n + 0.5, i / n % n + 0.5, i / n / n + 0.5);
+    const Vec3 at = Vec3(i % n, i / n % n, i / n / n) + Vec3(0.5 + offset);
     mesh.Add(
       UniformSpace(Shape::Hexahedron, 1),
       [=](const LongVec3& xi) -> LongVec3 {
@@ -84,6 +84,44 @@ TEST(ElementIndex, ClipsRaysToTheMesh)
   EXPECT_GE(segment->to.x, 2.0);
   EXPECT_FALSE(index.ClipRay({ -5.0, 0.3, 0.4 }, { -1.0, 0.0, 0.0 }, 0.0, kFar).has_value());
   EXPECT_FALSE(index.ClipRay({ -5.0, 3.3, 0.4 }, { 1.0, 0.0, 0.0 }, 0.0, kFar).has_value());
+}
+
+TEST(ElementIndex, RaysFromFarAwayMissNothing)
+{
+  // Its sides are no multiples of what doubles are apart where the rays begin.
+  constexpr double kOffset = 1e-5;
+  const MeshBuilder mesh = Cubes(4, kOffset);
+  const ElementIndex index(mesh.View());
+  Random random(13);
+  std::vector<int> found;
+  for (int i = 0; i < 300; ++i)
+  {
+    // Of a ray that ends by the mesh's edge. A double's spacing at its origin is 1e-4: where it
+    // ends is known in long double alone.
+    const Vec3 at(1e-4 * random(), 1e-4 * random(), random(0.2, 3.8));
+    const Vec3 origin = at + 1e12 * Vec3(random(), random(), random());
+    const Vec3 direction = (at - origin) / 3.0;
+    const auto segment = index.ClipRay(origin, direction, 3.0, 3.0);
+    for (int e = 0; e < index.GetMesh().Elements(); ++e)
+    {
+      const Box3& box = index.ElementBox(e);
+      long double from = 3.0L;
+      long double to = 3.0L;
+      for (int d = 0; d < 3; ++d)
+      {
+        const long double a = (static_cast<long double>(box.lower[d]) - origin[d]) / direction[d];
+        const long double b = (static_cast<long double>(box.upper[d]) - origin[d]) / direction[d];
+        from = std::max(from, std::min(a, b));
+        to = std::min(to, std::max(a, b));
+      }
+      if (from <= to)
+      {
+        ASSERT_TRUE(segment.has_value()) << i;
+        index.FindAlong(std::span(&*segment, 1), found);
+        ASSERT_TRUE(std::ranges::binary_search(found, e)) << i << ", " << e;
+      }
+    }
+  }
 }
 
 TEST(ElementIndex, ThePriorityDecidesWhoOwnsASharedFace)

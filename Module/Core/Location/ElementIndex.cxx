@@ -113,7 +113,7 @@ void ElementIndex::FindAlong(std::span<const Segment> segments, std::vector<int>
       {
         const double part = static_cast<double>(end) / pieces;
         const Vec3 at = segment.from * (1.0 - part) + segment.to * part;
-        const Vec3 rounding =
+        const Vec3 rounding = Vec3(segment.slack) +
           8.0 * kUnitRoundoff * glm::max(glm::abs(segment.from), glm::abs(segment.to));
         region.lower = glm::min(region.lower, at - rounding);
         region.upper = glm::max(region.upper, at + rounding);
@@ -152,7 +152,10 @@ std::optional<Segment> ElementIndex::ClipRay(
   {
     return std::nullopt;
   }
-  return Segment{ origin + t.lower * direction, origin + t.upper * direction };
+  // Seen from afar, the origin's and the product's rounding is that of the distance.
+  const Vec3 far = glm::abs(origin) + t.Magnitude() * glm::abs(direction);
+  const double slack = 4.0 * kUnitRoundoff * std::max({ far.x, far.y, far.z });
+  return Segment{ origin + t.lower * direction, origin + t.upper * direction, slack };
 }
 
 const ElementBounds& ElementIndex::MakeBounds(int element) const

@@ -19,6 +19,7 @@ struct Segment
 {
   Vec3 from{ 0.0 };
   Vec3 to{ 0.0 };
+  double slack = 0.0; ///< how far off it may be, in each coordinate
 };
 
 /// Where a mesh's elements are, and what is known of each: boxes with a hierarchy over them, made
