@@ -51,6 +51,16 @@ struct RangeCase
     field.mapping = mapping;
   }
 
+  /// Random modes, each `decay` as large as those of one degree less.
+  void SetNoise(int order, Random& random, double decay)
+  {
+    const Space noise = UniformSpace(mesh.ShapeOf(0), order);
+    std::vector<double> modes;
+    ForEachMode(noise,
+      [&](int p, int q, int r, int) { modes.push_back(random() * std::pow(decay, p + q + r)); });
+    SetField(noise, modes);
+  }
+
   MeshBuilder builder;
   Mesh mesh;
   std::vector<Space> space;

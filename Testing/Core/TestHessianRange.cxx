@@ -39,15 +39,6 @@ struct Case : RangeCase
   {
   }
 
-  void SetNoise(int order, Random& random, double decay)
-  {
-    const Space noise = UniformSpace(mesh.ShapeOf(0), order);
-    std::vector<double> modes;
-    ForEachMode(noise,
-      [&](int p, int q, int r, int) { modes.push_back(random() * std::pow(decay, p + q + r)); });
-    SetField(noise, modes);
-  }
-
   /// Second difference of F along a world direction.
   [[nodiscard]] double Difference(const Vec3& eta, const Vec3& direction) const
   {

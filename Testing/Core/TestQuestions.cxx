@@ -56,15 +56,6 @@ struct Asked : RangeCase
   {
   }
 
-  void SetNoise(int order, Random& random, double decay)
-  {
-    const Space noise = UniformSpace(mesh.ShapeOf(0), order);
-    std::vector<double> modes;
-    ForEachMode(noise,
-      [&](int p, int q, int r, int) { modes.push_back(random() * std::pow(decay, p + q + r)); });
-    SetField(noise, modes);
-  }
-
   void SetPolynomial(int order, const std::function<long double(const LongVec3& x)>& function)
   {
     ExpansionBuilder made(1);

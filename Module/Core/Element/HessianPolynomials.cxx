@@ -27,30 +27,46 @@ BoxPolynomial Zero()
   return { {}, { 0.0 }, 0.0 };
 }
 
+/// A polynomial of one degree less, without its error: coefficient(at, k) for the k-th along a
+/// direction, which stands at `at` in the given one.
+template <class Coefficient>
+BoxPolynomial Lowered(const BoxPolynomial& polynomial, int direction, Coefficient&& coefficient)
+{
+  BoxPolynomial result{ polynomial.degree, {}, 0.0 };
+  const int n = result.degree[static_cast<std::size_t>(direction)]--;
+  const std::size_t stride = StrideOf(polynomial.degree, direction);
+  const std::size_t block = stride * static_cast<std::size_t>(n + 1);
+  for (std::size_t start = 0; start < polynomial.b.size(); start += block)
+  {
+    for (std::size_t at = 0; at < block - stride; ++at)
+    {
+      result.b.push_back(coefficient(start + at, static_cast<int>(at / stride)));
+    }
+  }
+  return result;
+}
+
+/// The bound of the error where coefficients are multiplied by `scale` at most.
+double ErrorAfter(double scale, const BoxPolynomial& polynomial)
+{
+  return scale * (polynomial.error + Gamma(3) * LargestMagnitude(polynomial.b)) * (1.0 + Gamma(8)) +
+    kUnderflow;
+}
+
 /// d / d eta_direction over a piece of width 2^(1 - level).
 BoxPolynomial Differentiate(const BoxPolynomial& polynomial, int direction, int level)
 {
-  const auto d = static_cast<std::size_t>(direction);
-  const int n = polynomial.degree[d];
+  const int n = polynomial.degree[static_cast<std::size_t>(direction)];
   if (n == 0)
   {
     return Zero();
   }
-  BoxPolynomial result{ polynomial.degree, {}, 0.0 };
-  --result.degree[d];
   const std::size_t stride = StrideOf(polynomial.degree, direction);
-  const std::size_t block = stride * static_cast<std::size_t>(n + 1);
   const double scale = std::ldexp(n, level - 1);
-  for (std::size_t start = 0; start < polynomial.b.size(); start += block)
-  {
-    for (std::size_t at = start; at < start + block - stride; ++at)
-    {
-      result.b.push_back(scale * (polynomial.b[at + stride] - polynomial.b[at]));
-    }
-  }
-  result.error = scale * 2.0 * (polynomial.error + Gamma(3) * LargestMagnitude(polynomial.b)) *
-      (1.0 + Gamma(8)) +
-    kUnderflow;
+  BoxPolynomial result = Lowered(polynomial, direction,
+    [&](std::size_t at, int /*k*/)
+    { return scale * (polynomial.b[at + stride] - polynomial.b[at]); });
+  result.error = ErrorAfter(2.0 * scale, polynomial);
   return result;
 }
 
@@ -58,28 +74,15 @@ BoxPolynomial Differentiate(const BoxPolynomial& polynomial, int direction, int 
 /// polynomial vanishes: of h (n / (n - k)) B^(n-1)_k = B^n_k, scaled to the piece.
 BoxPolynomial DivideByH(const BoxPolynomial& polynomial, int direction, int level)
 {
-  const auto d = static_cast<std::size_t>(direction);
-  const int n = polynomial.degree[d];
+  const int n = polynomial.degree[static_cast<std::size_t>(direction)];
   if (n == 0)
   {
     return Zero();
   }
-  BoxPolynomial result{ polynomial.degree, {}, 0.0 };
-  --result.degree[d];
-  const std::size_t stride = StrideOf(polynomial.degree, direction);
-  const std::size_t block = stride * static_cast<std::size_t>(n + 1);
   const double scale = std::ldexp(n, level);
-  for (std::size_t start = 0; start < polynomial.b.size(); start += block)
-  {
-    for (std::size_t at = 0; at < block - stride; ++at)
-    {
-      result.b.push_back(polynomial.b[start + at] *
-        (scale / static_cast<double>(n - static_cast<int>(at / stride))));
-    }
-  }
-  result.error =
-    scale * (polynomial.error + Gamma(3) * LargestMagnitude(polynomial.b)) * (1.0 + Gamma(8)) +
-    kUnderflow;
+  BoxPolynomial result = Lowered(polynomial, direction,
+    [&](std::size_t at, int k) { return polynomial.b[at] * (scale / static_cast<double>(n - k)); });
+  result.error = ErrorAfter(scale, polynomial);
   return result;
 }
 
