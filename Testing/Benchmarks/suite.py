@@ -58,11 +58,6 @@ def measure(tool, inputs, arguments):
     return rows
 
 
-def share(row, *stages):
-    total = sum(row["stages"].values())
-    return 100 * sum(row["stages"][s] for s in stages) / total if total else 0
-
-
 def line(name, rows):
     """One line for the three planes together."""
     threads = rows[0]["threads"]

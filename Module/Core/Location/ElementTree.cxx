@@ -51,18 +51,8 @@ const PieceForm& FormFor(const InverseProblem& problem)
 
 bool IsPointBox(Shape shape, const EtaBox& box)
 {
-  Vec3 least(INFINITY);
-  Vec3 most(-INFINITY);
-  for (unsigned corner = 0; corner < 8; ++corner)
-  {
-    const Vec3 xi = TensorToReference(shape,
-      { (corner & 1U) != 0U ? box.upper.x : box.lower.x,
-        (corner & 2U) != 0U ? box.upper.y : box.lower.y,
-        (corner & 4U) != 0U ? box.upper.z : box.lower.z });
-    least = glm::min(least, xi);
-    most = glm::max(most, xi);
-  }
-  const Vec3 width = most - least;
+  const Box3 hull = HullInXi(shape, box);
+  const Vec3 width = hull.upper - hull.lower;
   return std::max({ width.x, width.y, width.z }) <= kPoint;
 }
 } // namespace

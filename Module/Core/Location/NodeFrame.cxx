@@ -349,6 +349,21 @@ void MakeFrame(const Space& space, const double* modes, const ElementBounds& bou
   }
 }
 
+Box3 HullInXi(Shape shape, const EtaBox& box)
+{
+  Box3 hull{ Vec3(INFINITY), Vec3(-INFINITY) };
+  for (unsigned corner = 0; corner < 8; ++corner)
+  {
+    const Vec3 xi = TensorToReference(shape,
+      { (corner & 1U) != 0U ? box.upper.x : box.lower.x,
+        (corner & 2U) != 0U ? box.upper.y : box.lower.y,
+        (corner & 4U) != 0U ? box.upper.z : box.lower.z });
+    hull.lower = glm::min(hull.lower, xi);
+    hull.upper = glm::max(hull.upper, xi);
+  }
+  return hull;
+}
+
 Vec3 NodeFrame::Step(const Vec3& d) const
 {
   Vec3 step(0.0);

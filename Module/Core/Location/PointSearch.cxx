@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace pixelexact
@@ -50,6 +51,11 @@ double MaxAbs(const Vec3& x)
 /// What the map says of a xi that is taken for a root of y.
 struct RootCheck
 {
+  [[nodiscard]] bool IsOnFace(Shape shape, const Vec3& xi) const
+  {
+    return !(Margin(shape, xi) > tolerance.x + tolerance.y + tolerance.z);
+  }
+
   Vec3 tolerance{ 0.0 }; ///< the faces': |J^-1| times the uncertainty; zero where J is singular
   bool holds = false;    ///< Phi(xi) is y up to kMostMiss times the uncertainty
 };
@@ -167,13 +173,8 @@ public:
     {
       Preimages& answer = answers[i];
       answer.roots.clear();
-      for (const Root& root : Found[i])
-      {
-        if (root.root.inside)
-        {
-          answer.roots.push_back(root.root);
-        }
-      }
+      std::ranges::copy_if(Found[i], std::back_inserter(answer.roots),
+        [](const InverseRoot& root) { return root.inside; });
       const bool undecided = Work > MostWork || (Undecided & BitOf(static_cast<int>(i))) != 0;
       answer.complete = !undecided;
       answer.boxes = Boxes;
@@ -184,12 +185,6 @@ public:
   }
 
 private:
-  struct Root
-  {
-    InverseRoot root;
-    Vec3 error{ 0.0 }; ///< how far rounding may have moved it
-  };
-
   [[nodiscard]] Vec3 YOf(int point) const
   {
     return { Y.x[0][point], Y.x[1][point], Y.x[2][point] };
@@ -341,7 +336,7 @@ private:
     }
     if (check.holds)
     {
-      Add(point, { xi, MaxAbs(root - xi), true, IsOnFace(Problem, xi) }, check);
+      Add(point, { xi, MaxAbs(root - xi), true, check.IsOnFace(TheShape, xi) }, check);
     }
   }
 
@@ -349,17 +344,10 @@ private:
   [[nodiscard]] bool IsAtRoot(const EtaBox& box, int point) const
   {
     return std::ranges::any_of(Found[static_cast<std::size_t>(point)],
-      [&](const Root& root)
+      [&](const InverseRoot& root)
       {
-        bool near = true;
-        for (unsigned corner = 0; near && corner < 8; ++corner)
-        {
-          const Vec3 eta((corner & 1U) != 0U ? box.upper.x : box.lower.x,
-            (corner & 2U) != 0U ? box.upper.y : box.lower.y,
-            (corner & 4U) != 0U ? box.upper.z : box.lower.z);
-          near = MaxAbs(TensorToReference(TheShape, eta) - root.root.xi) <= kSameRoot;
-        }
-        return near;
+        const Box3 hull = HullInXi(TheShape, box);
+        return std::max(MaxAbs(hull.lower - root.xi), MaxAbs(hull.upper - root.xi)) <= kSameRoot;
       });
   }
 
@@ -411,11 +399,11 @@ private:
   [[nodiscard]] bool IsKnown(int point, const Vec3& xi, bool inside, const Vec3& distance) const
   {
     return std::ranges::any_of(Found[static_cast<std::size_t>(point)],
-      [&](const Root& known)
+      [&](const InverseRoot& known)
       {
-        const Vec3 apart = glm::abs(known.root.xi - xi);
+        const Vec3 apart = glm::abs(known.xi - xi);
         return apart.x <= distance.x && apart.y <= distance.y && apart.z <= distance.z &&
-          known.root.inside == inside;
+          known.inside == inside;
       });
   }
 
@@ -423,7 +411,7 @@ private:
   {
     auto& found = Found[static_cast<std::size_t>(point)];
     const std::size_t slot = found.size();
-    found.push_back({ root, check.tolerance });
+    found.push_back(root);
     if (RootLanes.size() <= slot)
     {
       GroupRoots& none = RootLanes.emplace_back();
@@ -455,10 +443,10 @@ private:
   std::int64_t MostWork;
   RootChecker Checker;
   GroupLanes Y;
-  std::array<std::vector<Root>, kGroupPoints> Found; ///< of each point, inside or not
-  std::vector<GroupRoots> RootLanes;                 ///< [n] the n-th of each
-  Bits Known = 0;                                    ///< with a root from before
-  Bits Done = 0;                                     ///< of which nothing more is wanted
+  std::array<std::vector<InverseRoot>, kGroupPoints> Found; ///< of each point, inside or not
+  std::vector<GroupRoots> RootLanes;                        ///< [n] the n-th of each
+  Bits Known = 0;                                           ///< with a root from before
+  Bits Done = 0;                                            ///< of which nothing more is wanted
   Bits Undecided = 0;
   int Boxes = 0;
   std::int64_t Work = 0;
@@ -525,9 +513,7 @@ Bits Search::RunNewton(const NodeFrame& frame, Bits points)
   for (std::size_t k = 0; k < roots; ++k)
   {
     const bool inside = result.status[from[k]] == static_cast<double>(NewtonStatus::RootInside);
-    const Vec3& tolerance = checks[k].tolerance;
-    const bool onFace =
-      inside && !(Margin(TheShape, xi[k]) > tolerance.x + tolerance.y + tolerance.z);
+    const bool onFace = inside && checks[k].IsOnFace(TheShape, xi[k]);
     Add(which[from[k]], { xi[k], result.residual[from[k]], inside, onFace }, checks[k]);
   }
   return found;
@@ -557,7 +543,6 @@ bool IsOnFace(const InverseProblem& problem, const Vec3& xi)
 {
   RootCheck check;
   RootChecker(problem).Run(std::span(&xi, 1), std::span(&xi, 1), std::span(&check, 1));
-  const Vec3& tolerance = check.tolerance;
-  return !(Margin(problem.space.shape, xi) > tolerance.x + tolerance.y + tolerance.z);
+  return check.IsOnFace(problem.space.shape, xi);
 }
 } // namespace pixelexact
