@@ -413,10 +413,11 @@ HWY_NOINLINE void Judge(const InverseProblem& problem, int modeCount, const Poin
         [&](auto d) PIXELEXACT_INLINED { state.xi.x[d] = Select(lanes, xi.x[d], state.xi.x[d]); });
     };
     take(back, before);
-    // Nor need the next one be a preimage; some step often is.
+    // Nor need the next one be a preimage; some step often is. What gave up stays unknown.
     Point<T> next = state.xi;
+    const auto lost = zero < state.failed;
     constexpr int kMoreSteps = 8;
-    for (int step = 0; step < kMoreSteps && !All(holds); ++step)
+    for (int step = 0; step < kMoreSteps && !All(Or(holds, lost)); ++step)
     {
       Matrix<T> jacobian;
       const Point<T> miss =

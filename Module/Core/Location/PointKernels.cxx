@@ -59,16 +59,8 @@ PointChunk MakeChunk(const LanePoints& points, int begin, int count, const Box3&
 
 std::uint64_t SelectInBox(const LanePoints& points, int begin, std::uint64_t bits, const Box3& box)
 {
-  const int lanes = LaneCount();
-  const std::uint64_t pack = (std::uint64_t{ 1 } << static_cast<unsigned>(lanes)) - 1U;
-  std::uint64_t result = 0;
-  for (std::uint64_t left = bits; left != 0;)
-  {
-    const int i = std::countr_zero(left) / lanes * lanes;
-    left &= ~(pack << static_cast<unsigned>(i));
-    result |= BitsOf(InBox(LoadPoint<Lanes>(points, begin + i), box)) << static_cast<unsigned>(i);
-  }
-  return result & bits;
+  return ForEachPackIn(bits,
+    [&](int i) PIXELEXACT_INLINED { return InBox(LoadPoint<Lanes>(points, begin + i), box); });
 }
 
 /// An element's frame in lanes: loaded once, for what is stored might be it as far as the compiler

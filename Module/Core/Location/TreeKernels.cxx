@@ -20,22 +20,6 @@ HWY_INLINE Point<Lanes> LoadGroup(const GroupLanes& group, int at)
   return LoadPoint<Lanes>({ { group.x[0], group.x[1], group.x[2] }, kGroupPoints }, at);
 }
 
-/// test(i) for each pack with a point in `bits`; returns the bits that passed.
-template <class Test>
-HWY_INLINE std::uint64_t ForEachPackIn(std::uint64_t bits, Test&& test)
-{
-  const int lanes = LaneCount();
-  const std::uint64_t pack = (std::uint64_t{ 1 } << static_cast<unsigned>(lanes)) - 1U;
-  std::uint64_t result = 0;
-  for (std::uint64_t left = bits; left != 0;)
-  {
-    const int i = std::countr_zero(left) / lanes * lanes;
-    left &= ~(pack << static_cast<unsigned>(i));
-    result |= BitsOf(test(i)) << static_cast<unsigned>(i);
-  }
-  return result & bits;
-}
-
 /// 2 s_d: twice the extent of the shape that eta_d is relative to.
 HWY_INLINE Lanes TwiceExtent(Shape shape, int direction, const Point<Lanes>& xi)
 {

@@ -11,6 +11,7 @@
 
 #include <hwy/highway.h>
 
+#include <bit>
 #include <cstdint>
 #include <limits>
 
@@ -150,6 +151,22 @@ HWY_INLINE std::uint64_t BitsOf(LaneMask mask)
   std::uint8_t bytes[8] = {};
   hwy::HWY_NAMESPACE::StoreMaskBits(LaneTag(), mask, bytes);
   return bytes[0];
+}
+
+/// test(i) for each pack with a point in `bits`; returns the bits that passed.
+template <class Test>
+HWY_INLINE std::uint64_t ForEachPackIn(std::uint64_t bits, Test&& test)
+{
+  const int lanes = LaneCount();
+  const std::uint64_t pack = (std::uint64_t{ 1 } << static_cast<unsigned>(lanes)) - 1U;
+  std::uint64_t result = 0;
+  for (std::uint64_t left = bits; left != 0;)
+  {
+    const int i = std::countr_zero(left) / lanes * lanes;
+    left &= ~(pack << static_cast<unsigned>(i));
+    result |= BitsOf(test(i)) << static_cast<unsigned>(i);
+  }
+  return result & bits;
 }
 HWY_INLINE LaneMask MaskOf(std::uint64_t bits)
 {
