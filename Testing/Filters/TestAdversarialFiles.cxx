@@ -7,6 +7,7 @@
 #include "Core/Location/Sample.h"
 #include "HighOrderArrays.h"
 #include "HighOrderModel.h"
+#include "LongMap.h"
 
 #include <gtest/gtest.h>
 
@@ -58,6 +59,16 @@ TEST_F(AdversarialFiles, APointIsNotPutWhereThePinchedMapDoesNotTakeIt)
     EXPECT_LT(std::fabs(xi.x + 9.75391066354776e-7), 1e-4);
     EXPECT_NEAR(xi.y, 0.0979695941017861, 1e-9);
     EXPECT_NEAR(xi.z, -0.106741792062286, 1e-9);
+    // What `inside` promises: four uncertainties, and one for the rounding of what is stored.
+    const Mesh& mesh = Model->GetMesh();
+    const LongVec3 image = LongMap(mesh)(0, ToLong(xi));
+    const ElementBounds bounds = MakeElementBounds(mesh, 0);
+    for (int d = 0; d < 3; ++d)
+    {
+      EXPECT_LE(std::fabs(static_cast<double>(image[d] - Points[0][d])),
+        (kMostMiss + 1.0) * bounds.uncertainty[d] * mesh.size[0])
+        << d;
+    }
   }
   else
   {
