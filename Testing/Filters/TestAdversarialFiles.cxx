@@ -110,4 +110,35 @@ TEST_F(AdversarialFiles, WhatIsKnownOfAPointDoesNotDependOnTheOthers)
   std::ranges::reverse(backward);
   EXPECT_EQ(forward, backward);
 }
+
+TEST_F(AdversarialFiles, PointsBesideACollapsedEdgeAreDecided)
+{
+  Load("collapsed_hexahedron");
+  std::vector<Verdict> verdict(Points.size());
+  SampleTarget target;
+  target.verdict = verdict;
+  Sample(Model->GetLocator(), nullptr, Points, target);
+  int unknown = 0;
+  for (std::size_t i = 0; i < Points.size(); ++i)
+  {
+    const double x = Points[i].x;
+    const double y = std::fabs(Points[i].y);
+    // x = (1 + xi_0) / 2, y = (1 + xi_0) xi_1 / 2: on the edge a point has no xi of its own.
+    constexpr double kRounding = 1e-14;
+    if (verdict[i] == Verdict::Inside)
+    {
+      EXPECT_LE(y, x + kRounding) << i;
+    }
+    else if (verdict[i] == Verdict::Outside)
+    {
+      EXPECT_GE(y, x - kRounding) << i;
+    }
+    else if (x != 0.0 || y != 0.0)
+    {
+      ++unknown;
+      EXPECT_LT(std::max(x, y), 1e-10) << i;
+    }
+  }
+  EXPECT_LT(unknown, 30);
+}
 } // namespace pixelexact::testing

@@ -16,14 +16,23 @@ namespace
 {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// The value and the Jacobian of Phi at a point, in plain arithmetic.
-void EvaluateAt(const Space& space, const double* modes, const Vec3& xi,
-  std::array<double, 3>& value, SmallMatrix& jacobian)
+struct MapAt
+{
+  std::array<double, 3> value{};
+  SmallMatrix jacobian{};
+};
+
+/// Phi and its Jacobian at up to kLanePadding points, in plain arithmetic.
+void EvaluateAt(
+  const Space& space, const double* modes, std::span<const Vec3> xi, std::span<MapAt> result)
 {
   double lanes[15][kLanePadding];
-  for (int d = 0; d < 3; ++d)
+  for (std::size_t k = 0; k < kLanePadding; ++k)
   {
-    std::fill_n(lanes[d], kLanePadding, xi[d]);
+    for (int d = 0; d < 3; ++d)
+    {
+      lanes[d][k] = xi[std::min(k, xi.size() - 1)][d];
+    }
   }
   double* out[3] = { lanes[3], lanes[4], lanes[5] };
   double* gradient[9];
@@ -31,14 +40,17 @@ void EvaluateAt(const Space& space, const double* modes, const Vec3& xi,
   {
     gradient[k] = lanes[6 + k];
   }
-  KernelsFor(space).gradient(
-    space, modes, 3, { { lanes[0], lanes[1], lanes[2] }, 1 }, out, gradient);
-  for (std::size_t c = 0; c < 3; ++c)
+  KernelsFor(space).gradient(space, modes, 3,
+    { { lanes[0], lanes[1], lanes[2] }, static_cast<int>(xi.size()) }, out, gradient);
+  for (std::size_t k = 0; k < xi.size(); ++k)
   {
-    value[c] = out[c][0];
-    for (std::size_t d = 0; d < 3; ++d)
+    for (std::size_t c = 0; c < 3; ++c)
     {
-      jacobian[c][d] = gradient[3 * c + d][0];
+      result[k].value[c] = out[c][k];
+      for (std::size_t d = 0; d < 3; ++d)
+      {
+        result[k].jacobian[c][d] = gradient[3 * c + d][k];
+      }
     }
   }
 }
@@ -205,43 +217,72 @@ double SlopeOf(const std::array<int, 3>& degree, const SmallMatrix& steps, const
   return largest * GrowthInReach(degree) * (1.0 + Gamma(16));
 }
 
-/// Deviation and planes; returns along which directions of eta the deviation varies how much.
-std::array<double, 3> Measure(
-  const Space& space, const ElementBounds& bounds, const BoxCoefficients& phi, NodeFrame& frame)
+/// The outward normals in xi of a box's ends.
+std::array<double[3], 6> EndNormals(Shape shape, const EtaBox& box)
 {
   std::array<double[3], 6> normal{};
   for (int k = 0; k < 6; ++k)
   {
-    const Vec3& end = k % 2 == 1 ? frame.box.upper : frame.box.lower;
-    const Vec3 n = EndNormal(space.shape, k / 2, end[k / 2], k % 2 == 1 ? 1.0 : -1.0);
+    const Vec3& end = k % 2 == 1 ? box.upper : box.lower;
+    const Vec3 n = EndNormal(shape, k / 2, end[k / 2], k % 2 == 1 ? 1.0 : -1.0);
     for (int d = 0; d < 3; ++d)
     {
       normal[static_cast<std::size_t>(k)][d] = n[d];
     }
   }
-  FrameArrays arrays(space, phi, frame);
-  const FrameTask task = arrays.Task(frame, phi, normal);
-  const FrameSums sums = GetFrameKernels().measure(task);
-  // The coefficients' errors, the uncertainty of Phi and y, and the rounding of the products here
-  // and in Judge (TreeKernels.h), where y lies in the hull; sums are below 2 and these products.
-  std::array<double, 3> around{};
-  for (std::size_t c = 0; c < 3; ++c)
+  return normal;
+}
+
+/// What rounding and uncertainty add to the products of a row with Phi - origin: the coefficients'
+/// errors, the uncertainty of Phi and y, and the rounding of the products here and in Judge
+/// (TreeKernels.h), where y lies in the hull; sums are below 2 and these products.
+class Slack
+{
+public:
+  Slack(const ElementBounds& bounds, const BoxCoefficients& phi, const NodeFrame& frame)
   {
-    around[c] = phi.error[c] + bounds.uncertainty[c] +
-      Gamma(32) * frame.hull[c].RadiusAround(frame.origin[c]);
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      Around[c] = phi.error[c] + bounds.uncertainty[c] +
+        Gamma(32) * frame.hull[c].RadiusAround(frame.origin[c]);
+    }
   }
-  const auto slackOf = [&](const double* row)
+
+  double Of(const double* row) const
   {
     double slack = Gamma(64);
     for (std::size_t c = 0; c < 3; ++c)
     {
-      slack += std::fabs(row[c]) * around[c];
+      slack += std::fabs(row[c]) * Around[c];
     }
     return slack * (1.0 + Gamma(64));
-  };
+  }
+
+private:
+  std::array<double, 3> Around{};
+};
+
+void SetOuter(double most, const ElementBounds& bounds, ImagePlane& plane)
+{
+  double wider = 0.0;
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    wider += std::fabs(plane.normal[c]) * bounds.uncertainty[c];
+  }
+  plane.outer = NextUp(most);
+  plane.wider = NextUp(plane.outer + 2.0 * wider);
+}
+
+/// Deviation and planes; returns along which directions of eta the deviation varies how much.
+std::array<double, 3> Measure(const Space& space, const ElementBounds& bounds, const Slack& slackOf,
+  FrameArrays& arrays, const BoxCoefficients& phi, NodeFrame& frame)
+{
+  const auto normal = EndNormals(space.shape, frame.box);
+  const FrameTask task = arrays.Task(frame, phi, normal);
+  const FrameSums sums = GetFrameKernels().measure(task);
   for (std::size_t d = 0; d < 3; ++d)
   {
-    const double slack = slackOf(&frame.inverse[3 * d]);
+    const double slack = slackOf.Of(&frame.inverse[3 * d]);
     frame.slack[d] = slack;
     frame.deviation[d] = sums.all == 0.0 && slack < kInfinity
       ? rounding::Outward(sums.least[d] - slack, sums.most[d] + slack)
@@ -250,7 +291,6 @@ std::array<double, 3> Measure(
   for (std::size_t k = 0; k < 6; ++k)
   {
     ImagePlane& plane = frame.plane[k];
-    double wider = 0.0;
     // Of the products with the rows, which may cancel in the normal.
     double rounding = 0.0;
     for (std::size_t c = 0; c < 3; ++c)
@@ -261,9 +301,8 @@ std::array<double, 3> Measure(
         plane.normal[c] += part;
         rounding += std::fabs(part) * Gamma(32) * frame.hull[c].RadiusAround(frame.origin[c]);
       }
-      wider += std::fabs(plane.normal[c]) * bounds.uncertainty[c];
     }
-    const double slack = (slackOf(plane.normal.data()) + rounding) * (1.0 + Gamma(64));
+    const double slack = (slackOf.Of(plane.normal.data()) + rounding) * (1.0 + Gamma(64));
     if (sums.all != 0.0 || !(slack < kInfinity))
     {
       continue;
@@ -275,8 +314,7 @@ std::array<double, 3> Measure(
     const double depth = -sign *
       (1.0 + frame.centre[direction] -
         (1.0 + end) * ExtentAt(space.shape, direction, frame.centre));
-    plane.outer = NextUp(sums.outer[k] + slack);
-    plane.wider = NextUp(plane.outer + 2.0 * wider);
+    SetOuter(sums.outer[k] + slack, bounds, plane);
     plane.inner = NextDown(depth + sums.inner[k] - slack);
   }
   const auto degree = space.TensorDegree();
@@ -292,6 +330,54 @@ std::array<double, 3> Measure(
   }
   return variation;
 }
+
+/// Of a box that bends so much that its centre's Jacobian says little of its ends: planes with each
+/// end's own, as seen from its middle. Where a face is collapsed to an edge, boxes at the edge bend
+/// as much however small they are, and these planes meet in it.
+void TiltPlanes(const Space& space, const double* modes, const ElementBounds& bounds,
+  const Slack& slackOf, FrameArrays& arrays, const BoxCoefficients& phi, NodeFrame& frame)
+{
+  const Vec3 middle = 0.5 * (frame.box.lower + frame.box.upper);
+  std::array<Vec3, 6> xi;
+  for (int k = 0; k < 6; ++k)
+  {
+    Vec3 eta = middle;
+    eta[k / 2] = (k % 2 == 1 ? frame.box.upper : frame.box.lower)[k / 2];
+    xi[static_cast<std::size_t>(k)] = TensorToReference(space.shape, eta);
+  }
+  std::array<MapAt, 6> at;
+  EvaluateAt(space, modes, xi, at);
+  const auto inXi = EndNormals(space.shape, frame.box);
+  std::array<double[3], 6> normal{};
+  std::array<bool, 6> known{};
+  for (std::size_t k = 0; k < 6; ++k)
+  {
+    const auto inverse = Inverse(3, at[k].jacobian);
+    known[k] = inverse.has_value();
+    for (std::size_t c = 0; known[k] && c < 3; ++c)
+    {
+      for (std::size_t d = 0; d < 3; ++d)
+      {
+        normal[k][c] += inXi[k][d] * (*inverse)[d][c];
+      }
+    }
+  }
+  constexpr double kIdentity[9] = { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0 };
+  FrameTask task = arrays.Task(frame, phi, normal);
+  task.inverse = kIdentity;
+  const FrameSums sums = GetFrameKernels().measure(task);
+  for (std::size_t k = 0; k < 6; ++k)
+  {
+    const double most = sums.outer[k] + slackOf.Of(normal[k]);
+    if (known[k] && std::isfinite(most))
+    {
+      ImagePlane& plane = frame.plane[k];
+      std::copy_n(normal[k], 3, plane.normal.begin());
+      SetOuter(most, bounds, plane);
+      plane.inner = -kInfinity;
+    }
+  }
+}
 } // namespace
 
 void MakeFrame(const Space& space, const double* modes, const ElementBounds& bounds,
@@ -304,27 +390,33 @@ void MakeFrame(const Space& space, const double* modes, const ElementBounds& bou
   }
   const Vec3 eta = 0.5 * (frame.box.lower + frame.box.upper);
   frame.centre = TensorToReference(space.shape, eta);
-  SmallMatrix jacobian;
-  EvaluateAt(space, modes, frame.centre, frame.origin, jacobian);
-  const auto inverse = Inverse(3, jacobian);
+  MapAt at;
+  EvaluateAt(space, modes, std::span(&frame.centre, 1), std::span(&at, 1));
+  frame.origin = at.value;
+  const auto inverse = Inverse(3, at.jacobian);
   frame.framed = inverse.has_value();
   std::array<double, 3> variation{};
+  const Vec3 width = frame.box.upper - frame.box.lower;
+  const double longest = std::max({ width.x, width.y, width.z });
   if (frame.framed)
   {
     for (std::size_t d = 0; d < 3; ++d)
     {
       std::ranges::copy((*inverse)[d], &frame.inverse[3 * d]);
     }
-    variation = Measure(space, bounds, phi, frame);
-  }
-  const Vec3 width = frame.box.upper - frame.box.lower;
-  const double longest = std::max({ width.x, width.y, width.z });
-  if (frame.framed)
-  {
+    const Slack slackOf(bounds, phi, frame);
+    FrameArrays arrays(space, phi, frame);
+    variation = Measure(space, bounds, slackOf, arrays, phi, frame);
     const auto& deviation = frame.deviation;
     frame.bending =
       std::max({ deviation[0].Magnitude(), deviation[1].Magnitude(), deviation[2].Magnitude() }) /
       longest;
+    // Such a box holds no point for certain either.
+    constexpr double kBentMuch = 0.45;
+    if (!(frame.bending <= kBentMuch))
+    {
+      TiltPlanes(space, modes, bounds, slackOf, arrays, phi, frame);
+    }
   }
   if (space.shape == Shape::Pyramid && frame.box.upper.z == 1.0)
   {
@@ -396,16 +488,15 @@ bool NodeFrame::IsAffine() const
 
 Vec3 StepOfMap(const Space& space, const double* modes, const Vec3& xi, const Vec3& y)
 {
-  std::array<double, 3> value;
-  SmallMatrix jacobian;
-  EvaluateAt(space, modes, xi, value, jacobian);
-  const auto inverse = Inverse(3, jacobian);
+  MapAt at;
+  EvaluateAt(space, modes, std::span(&xi, 1), std::span(&at, 1));
+  const auto inverse = Inverse(3, at.jacobian);
   Vec3 step(0.0);
   for (std::size_t d = 0; inverse && d < 3; ++d)
   {
     for (std::size_t c = 0; c < 3; ++c)
     {
-      step[static_cast<int>(d)] += (*inverse)[d][c] * (y[static_cast<int>(c)] - value[c]);
+      step[static_cast<int>(d)] += (*inverse)[d][c] * (y[static_cast<int>(c)] - at.value[c]);
     }
   }
   return step;

@@ -20,12 +20,13 @@ struct EtaBox
   Vec3 upper{ 1.0 };
 };
 
-/// The box's corners in xi lie in it, and so does the polytope, up to rounding.
+/// The box of the corners in xi; the polytope lies in it, up to rounding.
 Box3 HullInXi(Shape shape, const EtaBox& box);
 
 /// What an end of a box becomes in y. All values of Phi over the box have
-/// normal . (y - origin) <= outer. A y with normal . (y - origin) <= inner, for all ends, is a
-/// value (Brouwer: xi -> xi_0 - deviation(xi) then takes the box into itself).
+/// normal . (y - origin) <= outer; the normal is that of the frame, or of the end itself where the
+/// box bends so much that it holds nothing. A y with normal . (y - origin) <= inner, for all ends,
+/// is a value (Brouwer: xi -> xi_0 - deviation(xi) then takes the box into itself).
 struct ImagePlane
 {
   std::array<double, 3> normal{};
