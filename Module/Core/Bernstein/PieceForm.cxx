@@ -190,30 +190,24 @@ void PieceForm::AddTerm(
   const auto width = static_cast<std::size_t>(R) + 1;
   std::vector<double> line(width);
   std::vector<double> layer(width * (static_cast<std::size_t>(Q) + 1));
+  std::vector<const double*> rows(width);
   for (int p = 0; p <= P; ++p)
   {
     std::ranges::fill(layer, 0.0);
     for (int q = 0; q <= TheSpace.LastQ(p); ++q)
     {
       const auto family = FamilyOf(p, q);
-      std::ranges::fill(line, 0.0);
-      for (int r = 0; r <= TheSpace.LastR(p, q); ++r)
+      const auto count = static_cast<std::size_t>(TheSpace.LastR(p, q)) + 1;
+      const FactorRow* z = &RowOf(2, term.factor[2], piece[2], family[2], 0);
+      for (std::size_t r = 0; r < count; ++r)
       {
-        const double c = *modes++;
-        const auto& z = RowOf(2, term.factor[2], piece[2], family[2], r).value;
-        AddScaled(c, z, line.data());
+        rows[r] = z[r].value.data();
       }
-      const auto& y = RowOf(1, term.factor[1], piece[1], family[1], q).value;
-      for (std::size_t j = 0; j < y.size(); ++j)
-      {
-        AddScaled(y[j], line, &layer[j * width]);
-      }
+      Combine({ modes, count }, rows.data(), line);
+      modes += count;
+      AddOuter(RowOf(1, term.factor[1], piece[1], family[1], q).value, line, layer.data());
     }
-    const auto& x = RowOf(0, term.factor[0], piece[0], 0, p).value;
-    for (std::size_t i = 0; i < x.size(); ++i)
-    {
-      AddScaled(x[i], layer, &out[i * layer.size()]);
-    }
+    AddOuter(RowOf(0, term.factor[0], piece[0], 0, p).value, layer, out.data());
   }
 }
 

@@ -57,18 +57,47 @@ void HalveAll(int degree, std::size_t stride, double* b, double* u, std::size_t 
   }
 }
 
-void AddScaledTo(double factor, const double* from, std::size_t count, double* to)
+void AddOuterTo(
+  const double* factors, std::size_t count, const double* from, std::size_t width, double* to)
 {
   const auto lanes = static_cast<std::size_t>(LaneCount());
-  const Lanes scale = Traits::Splat(factor);
-  std::size_t i = 0;
-  for (; i + lanes <= count; i += lanes)
+  for (std::size_t j = 0; j < count; ++j, to += width)
   {
-    Store(Traits::Load(to + i) + scale * Traits::Load(from + i), to + i);
+    const double factor = factors[j];
+    const Lanes scale = Traits::Splat(factor);
+    std::size_t i = 0;
+    for (; i + lanes <= width; i += lanes)
+    {
+      Store(Traits::Load(to + i) + scale * Traits::Load(from + i), to + i);
+    }
+    for (; i < width; ++i)
+    {
+      to[i] += factor * from[i];
+    }
   }
-  for (; i < count; ++i)
+}
+
+void CombineRows(const double* factors, const double* const* rows, std::size_t count,
+  std::size_t width, double* to)
+{
+  const auto lanes = static_cast<std::size_t>(LaneCount());
+  std::size_t i = 0;
+  for (; i + lanes <= width; i += lanes)
   {
-    to[i] += factor * from[i];
+    Lanes sum = Traits::Splat(0.0);
+    for (std::size_t r = 0; r < count; ++r)
+    {
+      sum = sum + Traits::Splat(factors[r]) * Traits::Load(rows[r] + i);
+    }
+    Store(sum, to + i);
+  }
+  for (; i < width; ++i)
+  {
+    to[i] = 0.0;
+    for (std::size_t r = 0; r < count; ++r)
+    {
+      to[i] += factors[r] * rows[r][i];
+    }
   }
 }
 
@@ -120,14 +149,9 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace pixelexact
 {
-namespace
-{
-/// Below this the dispatch costs more than it gains.
-constexpr std::size_t kWorthLanes = 8;
-} // namespace
-
 HWY_EXPORT(HalveAll);
-HWY_EXPORT(AddScaledTo);
+HWY_EXPORT(AddOuterTo);
+HWY_EXPORT(CombineRows);
 HWY_EXPORT(FindExtremes);
 HWY_EXPORT(SubtractFrom);
 
@@ -154,17 +178,15 @@ void Subtract(double shift, std::span<double> values)
   HWY_DYNAMIC_DISPATCH(SubtractFrom)(shift, values.data(), values.size());
 }
 
-void AddScaled(double factor, std::span<const double> from, double* to)
+void AddOuter(std::span<const double> factors, std::span<const double> from, double* to)
 {
-  if (from.size() < kWorthLanes)
-  {
-    for (std::size_t i = 0; i < from.size(); ++i)
-    {
-      to[i] += factor * from[i];
-    }
-    return;
-  }
-  HWY_DYNAMIC_DISPATCH(AddScaledTo)(factor, from.data(), from.size(), to);
+  HWY_DYNAMIC_DISPATCH(AddOuterTo)(factors.data(), factors.size(), from.data(), from.size(), to);
+}
+
+void Combine(std::span<const double> factors, const double* const* rows, std::span<double> to)
+{
+  HWY_DYNAMIC_DISPATCH(CombineRows)
+  (factors.data(), rows, factors.size(), to.size(), to.data());
 }
 } // namespace pixelexact
 #endif

@@ -27,6 +27,9 @@ Extremes ExtremesOf(std::span<const double> values);
 /// values[i] -= shift.
 void Subtract(double shift, std::span<double> values);
 
-/// to[i] += factor from[i].
-void AddScaled(double factor, std::span<const double> from, double* to);
+/// to[j * from.size() + i] += factors[j] from[i].
+void AddOuter(std::span<const double> factors, std::span<const double> from, double* to);
+
+/// to[i] = the sum of factors[r] rows[r][i].
+void Combine(std::span<const double> factors, const double* const* rows, std::span<double> to);
 } // namespace pixelexact
