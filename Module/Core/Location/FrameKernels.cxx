@@ -18,7 +18,19 @@ HWY_INLINE Lanes Dot(const double* a, const Point<Lanes>& x)
   return Splat(a[0]) * x.x[0] + Splat(a[1]) * x.x[1] + Splat(a[2]) * x.x[2];
 }
 
-FrameSums Measure(const FrameTask& task)
+HWY_INLINE Point<Lanes> LoadPhi(const FrameTask& task, std::size_t at)
+{
+  Point<Lanes> phi;
+  for (int c = 0; c < 3; ++c)
+  {
+    phi.x[c] = NumberTraits<Lanes>::Load(task.phi[c] + at) - Splat(task.shift[c]);
+  }
+  return phi;
+}
+
+/// Whether the normals are those of a cube's ends: then the extremes along them are known.
+template <bool kCube>
+FrameSums MeasureEnds(const FrameTask& task)
 {
   const auto lanes = static_cast<std::size_t>(LaneCount());
   const FrameTask t = task; // that no store can change
@@ -26,6 +38,8 @@ FrameSums Measure(const FrameTask& task)
   const Lanes minusInfinity = Splat(-std::numeric_limits<double>::infinity());
   Lanes least[3] = { infinity, infinity, infinity };
   Lanes most[3] = { minusInfinity, minusInfinity, minusInfinity };
+  Lanes lower[3] = { infinity, infinity, infinity };
+  Lanes upper[3] = { minusInfinity, minusInfinity, minusInfinity };
   Lanes outer[6];
   Lanes inner[6];
   std::fill_n(outer, 6, minusInfinity);
@@ -35,11 +49,7 @@ FrameSums Measure(const FrameTask& task)
   {
     // The last pack overlaps the one before.
     const std::size_t at = std::min(next, t.size - lanes);
-    Point<Lanes> phi;
-    for (int c = 0; c < 3; ++c)
-    {
-      phi.x[c] = NumberTraits<Lanes>::Load(t.phi[c] + at) - Splat(t.shift[c]);
-    }
+    const Point<Lanes> phi = LoadPhi(t, at);
     Point<Lanes> image;
     Point<Lanes> deviation;
     for (int d = 0; d < 3; ++d)
@@ -50,8 +60,13 @@ FrameSums Measure(const FrameTask& task)
       most[d] = Max(most[d], deviation.x[d]);
       Store(deviation.x[d], t.deviation[d] + at);
       all = all + Abs(deviation.x[d]);
+      if (kCube)
+      {
+        lower[d] = Min(lower[d], image.x[d]);
+        upper[d] = Max(upper[d], image.x[d]);
+      }
     }
-    for (int k = 0; k < 6; ++k)
+    for (int k = 0; !kCube && k < 6; ++k)
     {
       outer[k] = Max(outer[k], Dot(t.normal[k], image));
       inner[k] = Min(inner[k], Dot(t.normal[k], deviation));
@@ -62,14 +77,45 @@ FrameSums Measure(const FrameTask& task)
   {
     sums.least[d] = Least(least[d]);
     sums.most[d] = Most(most[d]);
+    if (kCube)
+    {
+      sums.outer[2 * d] = -Least(lower[d]);
+      sums.outer[2 * d + 1] = Most(upper[d]);
+      sums.inner[2 * d] = -sums.most[d];
+      sums.inner[2 * d + 1] = sums.least[d];
+    }
   }
-  for (int k = 0; k < 6; ++k)
+  for (int k = 0; !kCube && k < 6; ++k)
   {
     sums.outer[k] = Most(outer[k]);
     sums.inner[k] = Least(inner[k]);
   }
   sums.all = All(IsFinite(all)) ? 0.0 : std::numeric_limits<double>::infinity();
   return sums;
+}
+
+FrameSums Measure(const FrameTask& task)
+{
+  return task.normal == nullptr ? MeasureEnds<true>(task) : MeasureEnds<false>(task);
+}
+
+void FindOutermost(const FrameTask& task, const double (*normal)[3], double outer[6])
+{
+  const auto lanes = static_cast<std::size_t>(LaneCount());
+  Lanes most[6];
+  std::fill_n(most, 6, Splat(-std::numeric_limits<double>::infinity()));
+  for (std::size_t next = 0; next < task.size; next += lanes)
+  {
+    const Point<Lanes> phi = LoadPhi(task, std::min(next, task.size - lanes));
+    for (int k = 0; k < 6; ++k)
+    {
+      most[k] = Max(most[k], Dot(normal[k], phi));
+    }
+  }
+  for (int k = 0; k < 6; ++k)
+  {
+    outer[k] = Most(most[k]);
+  }
 }
 
 double LargestStep(const double* row, std::size_t size, std::size_t count, std::size_t stride)
@@ -98,7 +144,7 @@ double LargestStep(const double* row, std::size_t size, std::size_t count, std::
 
 const FrameKernels& FrameKernelSet()
 {
-  static constexpr FrameKernels kKernels{ &Measure, &LargestStep };
+  static constexpr FrameKernels kKernels{ &Measure, &FindOutermost, &LargestStep };
   return kKernels;
 }
 } // namespace pixelexact::HWY_NAMESPACE

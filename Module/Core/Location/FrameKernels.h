@@ -16,7 +16,7 @@ struct FrameTask
   double shift[3]; ///< taken off phi
   const double* inverse;
   const double* grid[3];     ///< coefficients of xi - centre
-  const double (*normal)[3]; ///< of six ends, in xi
+  const double (*normal)[3]; ///< of six ends, in xi; null where they are -e_1, e_1, -e_2, ..., e_3
   double* deviation[3];      ///< out: A^-1 (phi - shift) - grid
 };
 
@@ -26,12 +26,14 @@ struct FrameSums
   double most[3];
   double outer[6]; ///< the most of normal . A^-1 (phi - shift)
   double inner[6]; ///< the least of normal . deviation
-  double all;      ///< finite where everything is
+  double all;      ///< zero where everything is finite, else infinite
 };
 
 struct FrameKernels
 {
   FrameSums (*measure)(const FrameTask& task);
+  /// The most of normal . (phi - shift) for six normals in y. All is finite.
+  void (*outermost)(const FrameTask& task, const double (*normal)[3], double outer[6]);
   /// The largest difference of neighbours along a direction: `count` coefficients, `stride` apart.
   double (*largestStep)(const double* row, std::size_t size, std::size_t count, std::size_t stride);
 };

@@ -104,12 +104,12 @@ public:
   }
 
   [[nodiscard]] FrameTask Task(
-    const NodeFrame& frame, const BoxCoefficients& phi, const std::array<double[3], 6>& normal)
+    const NodeFrame& frame, const BoxCoefficients& phi, std::span<const double[3]> normal)
   {
     FrameTask task{};
     task.size = Padded;
     task.inverse = frame.inverse.data();
-    task.normal = normal.data();
+    task.normal = normal.empty() ? nullptr : normal.data();
     for (std::size_t c = 0; c < 3; ++c)
     {
       task.phi[c] = From[c];
@@ -278,7 +278,9 @@ std::array<double, 3> Measure(const Space& space, const ElementBounds& bounds, c
   FrameArrays& arrays, const BoxCoefficients& phi, NodeFrame& frame)
 {
   const auto normal = EndNormals(space.shape, frame.box);
-  const FrameTask task = arrays.Task(frame, phi, normal);
+  const bool cube = space.shape == Shape::Hexahedron;
+  const FrameTask task =
+    arrays.Task(frame, phi, cube ? std::span<const double[3]>() : std::span(normal));
   const FrameSums sums = GetFrameKernels().measure(task);
   for (std::size_t d = 0; d < 3; ++d)
   {
@@ -331,45 +333,50 @@ std::array<double, 3> Measure(const Space& space, const ElementBounds& bounds, c
   return variation;
 }
 
-/// Of a box that bends so much that its centre's Jacobian says little of its ends: planes with each
-/// end's own, as seen from its middle. Where a face is collapsed to an edge, boxes at the edge bend
-/// as much however small they are, and these planes meet in it.
-void TiltPlanes(const Space& space, const double* modes, const ElementBounds& bounds,
-  const Slack& slackOf, FrameArrays& arrays, const BoxCoefficients& phi, NodeFrame& frame)
+/// Where a frame looks at the map: at the box's middle and in the middle of each end.
+std::array<Vec3, 7> MiddlesOf(Shape shape, const EtaBox& box)
 {
-  const Vec3 middle = 0.5 * (frame.box.lower + frame.box.upper);
-  std::array<Vec3, 6> xi;
+  const Vec3 middle = 0.5 * (box.lower + box.upper);
+  std::array<Vec3, 7> xi;
+  xi.fill(TensorToReference(shape, middle));
   for (int k = 0; k < 6; ++k)
   {
     Vec3 eta = middle;
-    eta[k / 2] = (k % 2 == 1 ? frame.box.upper : frame.box.lower)[k / 2];
-    xi[static_cast<std::size_t>(k)] = TensorToReference(space.shape, eta);
+    eta[k / 2] = (k % 2 == 1 ? box.upper : box.lower)[k / 2];
+    xi[static_cast<std::size_t>(k)] = TensorToReference(shape, eta);
   }
-  std::array<MapAt, 6> at;
-  EvaluateAt(space, modes, xi, at);
-  const auto inXi = EndNormals(space.shape, frame.box);
+  return xi;
+}
+
+/// Of a box that bends so much that its centre's Jacobian says little of its ends: planes with each
+/// end's own, as seen from its middle. Where a face is collapsed to an edge, boxes at the edge bend
+/// as much however small they are, and these planes meet in it.
+void TiltPlanes(Shape shape, std::span<const MapAt> ends, const ElementBounds& bounds,
+  const Slack& slackOf, FrameArrays& arrays, const BoxCoefficients& phi, NodeFrame& frame)
+{
+  const auto inXi = EndNormals(shape, frame.box);
   std::array<double[3], 6> normal{};
   std::array<bool, 6> known{};
   for (std::size_t k = 0; k < 6; ++k)
   {
-    const auto inverse = Inverse(3, at[k].jacobian);
+    const auto inverse = Inverse(3, ends[k].jacobian);
     known[k] = inverse.has_value();
-    for (std::size_t c = 0; known[k] && c < 3; ++c)
+    for (std::size_t c = 0; inverse && c < 3; ++c)
     {
       for (std::size_t d = 0; d < 3; ++d)
       {
         normal[k][c] += inXi[k][d] * (*inverse)[d][c];
       }
+      // Far from where products overflow.
+      known[k] = known[k] && std::fabs(normal[k][c]) < 1e100;
     }
   }
-  constexpr double kIdentity[9] = { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0 };
-  FrameTask task = arrays.Task(frame, phi, normal);
-  task.inverse = kIdentity;
-  const FrameSums sums = GetFrameKernels().measure(task);
+  double outer[6];
+  GetFrameKernels().outermost(arrays.Task(frame, phi, {}), normal.data(), outer);
   for (std::size_t k = 0; k < 6; ++k)
   {
-    const double most = sums.outer[k] + slackOf.Of(normal[k]);
-    if (known[k] && std::isfinite(most))
+    const double most = outer[k] + slackOf.Of(normal[k]);
+    if (known[k] && most < kInfinity)
     {
       ImagePlane& plane = frame.plane[k];
       std::copy_n(normal[k], 3, plane.normal.begin());
@@ -388,12 +395,12 @@ void MakeFrame(const Space& space, const double* modes, const ElementBounds& bou
     const double slack = bounds.uncertainty[c];
     frame.hull[c] = phi.HullOf(c) + Interval(phi.base[c]) + Interval(-slack, slack);
   }
-  const Vec3 eta = 0.5 * (frame.box.lower + frame.box.upper);
-  frame.centre = TensorToReference(space.shape, eta);
-  MapAt at;
-  EvaluateAt(space, modes, std::span(&frame.centre, 1), std::span(&at, 1));
-  frame.origin = at.value;
-  const auto inverse = Inverse(3, at.jacobian);
+  const auto middles = MiddlesOf(space.shape, frame.box);
+  std::array<MapAt, 7> at;
+  EvaluateAt(space, modes, middles, at);
+  frame.centre = middles[6];
+  frame.origin = at[6].value;
+  const auto inverse = Inverse(3, at[6].jacobian);
   frame.framed = inverse.has_value();
   std::array<double, 3> variation{};
   const Vec3 width = frame.box.upper - frame.box.lower;
@@ -413,9 +420,9 @@ void MakeFrame(const Space& space, const double* modes, const ElementBounds& bou
       longest;
     // Such a box holds no point for certain either.
     constexpr double kBentMuch = 0.45;
-    if (!(frame.bending <= kBentMuch))
+    if (frame.bending > kBentMuch && frame.bending < kInfinity)
     {
-      TiltPlanes(space, modes, bounds, slackOf, arrays, phi, frame);
+      TiltPlanes(space.shape, at, bounds, slackOf, arrays, phi, frame);
     }
   }
   if (space.shape == Shape::Pyramid && frame.box.upper.z == 1.0)
