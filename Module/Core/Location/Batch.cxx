@@ -78,6 +78,7 @@ struct Locator::Batch::Scratch
   std::vector<int> selected; ///< the batch's index of each selected point
   std::vector<int> others;   ///< which of the selected were not found inside
   std::vector<Doubt> doubtful;
+  std::vector<int> doubts; ///< of each point
   std::vector<Doubt> group;
   std::vector<Doubt> undecided;
 
@@ -344,6 +345,18 @@ void Locator::Batch::Decide(std::span<PointChunk> chunks)
   {
     return;
   }
+  auto& doubts = Work.doubts;
+  doubts.assign(chunks.size() * kChunkPoints, 0);
+  const auto doubtsOf = [&](const Doubt& doubt) -> int&
+  { return doubts[static_cast<std::size_t>(doubt.index - chunks[0].begin)]; };
+  for (const Doubt& doubt : doubtful)
+  {
+    ++doubtsOf(doubt);
+  }
+  for (Doubt& doubt : doubtful)
+  {
+    doubt.mostWork = ShareOfWork(doubtsOf(doubt));
+  }
   const StageScope scope(Stage::Careful);
   Work.undecided.clear();
   // Doubts were raised element by element.
@@ -394,7 +407,7 @@ void Locator::Batch::DecideGroup(
   std::array<Preimages, kGroupPoints> found;
   for (std::size_t k = 0; k < doubts.size(); ++k)
   {
-    sought[k] = { PointAt(doubts[k].index), doubts[k].root };
+    sought[k] = { PointAt(doubts[k].index), doubts[k].root, doubts[k].mostWork };
   }
   FindPreimages(tree, std::span(sought).first(doubts.size()), Wanted::First,
     std::span(found).first(doubts.size()));

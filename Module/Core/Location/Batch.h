@@ -27,6 +27,7 @@ private:
     int index;
     int element;
     Vec3 root; ///< where Newton converged to, outside of the shape; NaN where it did not
+    std::int64_t mostWork = kMostWork;
   };
 
   void Search(std::span<PointChunk> chunks);

@@ -27,26 +27,41 @@ std::int64_t BytesOf(const BoxCoefficients& coefficients)
   return static_cast<std::int64_t>(coefficients.values.size() * sizeof(double));
 }
 
-/// Pieces of which there are no more take 0.1 s at most.
-constexpr int kMostLevel = 2;
+/// Pieces of a higher level than this are made where they are needed.
+constexpr int kMostLevel = 1;
 
-/// Of very high orders one piece where the rounding of its coefficients is no more than what is not
-/// known of the map anyway, as of smooth maps.
-const PieceForm& FormFor(const InverseProblem& problem)
+/// Errors of coefficients, in the element's units, that leave a box useful.
+constexpr double kCoarseError = 1e-6;
+
+/// The fewest pieces on which the rounding of every coefficient is at most `most`, or one that has
+/// as many as are needed whatever the modes are.
+const PieceForm& FormWithin(const InverseProblem& problem, std::span<const double, 3> most)
 {
-  if (PieceForm::LevelOf(problem.space.MaxOrder()) <= kMostLevel)
+  const Space& space = problem.space;
+  const int last = PieceForm::LevelOf(space.MaxOrder());
+  for (int level = last > kMostLevel ? 0 : last; level < last; ++level)
   {
-    return PieceForm::Of(problem.space);
+    const PieceForm& form = PieceForm::Of(space, level);
+    bool small = true;
+    for (std::size_t c = 0; small && c < 3; ++c)
+    {
+      const double* component = problem.coefficients + c * static_cast<std::size_t>(space.Modes());
+      // Pieces in corners have the largest ones, and are much alike.
+      small = form.ErrorBound(Part::Value, { 0, 0, 0 }, component) <= most[c];
+    }
+    if (small)
+    {
+      return form;
+    }
   }
-  const PieceForm& whole = PieceForm::Of(problem.space, 0);
-  bool small = true;
-  for (std::size_t c = 0; small && c < 3; ++c)
-  {
-    const double* component =
-      problem.coefficients + c * static_cast<std::size_t>(problem.space.Modes());
-    small = whole.ErrorBound(Part::Value, { 0, 0, 0 }, component) <= problem.uncertainty[c];
-  }
-  return small ? whole : PieceForm::Of(problem.space);
+  return PieceForm::Of(space);
+}
+
+const PieceForm& CoarseForm(const InverseProblem& problem, const PieceForm& form)
+{
+  constexpr std::array<double, 3> kMost{ kCoarseError, kCoarseError, kCoarseError };
+  const PieceForm& coarse = FormWithin(problem, kMost);
+  return coarse.Level() < form.Level() ? coarse : form;
 }
 
 bool IsPointBox(Shape shape, const EtaBox& box)
@@ -62,7 +77,8 @@ ElementTree::ElementTree(
   : Modes(mesh.map.Coefficients(element))
   , Bounds(bounds)
   , TheProblem(MakeInverseProblem(mesh, element, Bounds))
-  , Form(FormFor(TheProblem))
+  , Form(FormWithin(TheProblem, TheProblem.uncertainty))
+  , Coarse(CoarseForm(TheProblem, Form))
   , HasSlopes(true)
   , Total(total)
 {
@@ -84,15 +100,27 @@ const std::array<int, 3>& ElementTree::Degree() const
   return Form.Degree();
 }
 
+int ElementTree::CoarseHalvings() const
+{
+  return 3 * (Form.Level() - Coarse.Level());
+}
+
 std::int64_t ElementTree::BeginCost() const
 {
-  return Form.Level() <= kMostLevel ? 0
-                                    : 2 * SplitCost() << 3U * static_cast<unsigned>(Form.Level());
+  return SplitCost() << 3U * static_cast<unsigned>(Coarse.Level());
 }
 
 std::int64_t ElementTree::SplitCost() const
 {
   return 3000 + static_cast<std::int64_t>(3 * Form.Size()) * (HighestDegree() / 2 + kSweep);
+}
+
+std::int64_t ElementTree::SplitCost(const Node& node) const
+{
+  // Two pieces to be converted.
+  const bool last = IsCoarse(node) &&
+    node.Halvings[0] + node.Halvings[1] + node.Halvings[2] == 3 * Form.Level() - 1;
+  return last ? 3 * SplitCost() : SplitCost();
 }
 
 std::int64_t ElementTree::RegularCost(const Node& node) const
@@ -125,22 +153,14 @@ const std::vector<std::unique_ptr<ElementTree::Node>>& ElementTree::Pieces()
   {
     return Roots;
   }
-  const int count = 1 << Form.Level();
+  const int count = 1 << Coarse.Level();
   for (int i = 0; i < count; ++i)
   {
     for (int j = 0; j < count; ++j)
     {
       for (int k = 0; k < count; ++k)
       {
-        const std::array<int, 3> piece{ i, j, k };
-        EtaBox box;
-        for (int d = 0; d < 3; ++d)
-        {
-          box.lower[d] = 2.0 * piece[static_cast<std::size_t>(d)] / count - 1.0;
-          box.upper[d] = 2.0 * (piece[static_cast<std::size_t>(d)] + 1) / count - 1.0;
-        }
-        Roots.push_back(MakeNode(box, ConvertPiece(piece, false)));
-        Roots.back()->Piece = piece;
+        Roots.push_back(MakePiece(Coarse, { i, j, k }));
       }
     }
   }
@@ -148,19 +168,40 @@ const std::vector<std::unique_ptr<ElementTree::Node>>& ElementTree::Pieces()
   return Roots;
 }
 
-BoxCoefficients ElementTree::ConvertPiece(const std::array<int, 3>& piece, bool slopes) const
+BoxCoefficients ElementTree::ConvertPiece(
+  const PieceForm& form, const std::array<int, 3>& piece, bool slopes) const
 {
   const auto modes = static_cast<std::size_t>(TheProblem.space.Modes());
   BoxCoefficients result;
-  std::vector<double> converted(Form.Size());
+  std::vector<double> converted(form.Size());
   for (std::size_t f = 0; f < (slopes ? 9U : 3U); ++f)
   {
     const Part part = slopes ? kParts[f % 3] : Part::Value;
     const double* component = Modes + (slopes ? f / 3 : f) * modes;
-    Form.Convert(part, piece, component, converted);
-    result.Add(converted, Form.ErrorBound(part, piece, component));
+    form.Convert(part, piece, component, converted);
+    result.Add(converted, form.ErrorBound(part, piece, component));
   }
   return result;
+}
+
+std::unique_ptr<ElementTree::Node> ElementTree::MakePiece(
+  const PieceForm& form, const std::array<int, 3>& piece)
+{
+  EtaBox box;
+  for (int d = 0; d < 3; ++d)
+  {
+    const int k = piece[static_cast<std::size_t>(d)];
+    box.lower[d] = std::ldexp(k, 1 - form.Level()) - 1.0;
+    box.upper[d] = std::ldexp(k + 1, 1 - form.Level()) - 1.0;
+  }
+  auto node = MakeNode(box, ConvertPiece(form, piece, false));
+  node->Form = &form;
+  node->Piece = piece;
+  if (IsCoarse(*node))
+  {
+    node->Halvings.fill(form.Level());
+  }
+  return node;
 }
 
 std::unique_ptr<ElementTree::Node> ElementTree::MakeNode(const EtaBox& box, BoxCoefficients phi)
@@ -173,6 +214,38 @@ std::unique_ptr<ElementTree::Node> ElementTree::MakeNode(const EtaBox& box, BoxC
   node->Phi = std::move(phi);
   Account(BytesOf(node->Phi) + static_cast<std::int64_t>(sizeof(Node)));
   return node;
+}
+
+/// Half of a node; where halving a coarse one has come to a piece, that piece.
+std::unique_ptr<ElementTree::Node> ElementTree::MakeHalf(
+  Node& node, int direction, bool upper, BoxCoefficients phi)
+{
+  EtaBox box = node.TheFrame.box;
+  const double middle = 0.5 * (box.lower[direction] + box.upper[direction]);
+  (upper ? box.lower : box.upper)[direction] = middle;
+  auto halvings = node.Halvings;
+  ++halvings[static_cast<std::size_t>(direction)];
+  std::unique_ptr<Node> half;
+  if (IsCoarse(node) && *std::ranges::min_element(halvings) == Form.Level())
+  {
+    std::array<int, 3> piece{};
+    for (int d = 0; d < 3; ++d)
+    {
+      piece[static_cast<std::size_t>(d)] =
+        static_cast<int>(std::ldexp(box.lower[d] + 1.0, Form.Level() - 1));
+    }
+    half = MakePiece(Form, piece);
+  }
+  else
+  {
+    half = MakeNode(box, std::move(phi));
+    half->Form = node.Form;
+    half->Piece = node.Piece;
+    half->Halvings = halvings;
+  }
+  half->Parent = &node;
+  half->IsUpper = upper;
+  return half;
 }
 
 void ElementTree::Account(std::int64_t bytes)
@@ -192,36 +265,45 @@ bool ElementTree::Split(Node& node)
   {
     return true;
   }
-  const EtaBox& box = node.TheFrame.box;
-  const Vec3 width = box.upper - box.lower;
-  int direction = node.TheFrame.widest;
-  if (node.Halvings[static_cast<std::size_t>(direction)] >= kMaxHalvings)
-  {
-    direction = width.x >= width.y && width.x >= width.z ? 0 : (width.y >= width.z ? 1 : 2);
-  }
-  if (node.Halvings[static_cast<std::size_t>(direction)] >= kMaxHalvings)
+  const int direction = DirectionOf(node);
+  if (direction < 0)
   {
     return false;
   }
-  EtaBox lower = box;
-  EtaBox upper = box;
-  const double middle = 0.5 * (lower.lower[direction] + lower.upper[direction]);
-  lower.upper[direction] = middle;
-  upper.lower[direction] = middle;
   Account(-BytesOf(node.Phi));
   BoxCoefficients phi = std::move(node.Phi);
   BoxCoefficients above = phi.Halve(Form.Degree(), direction);
-  node.Children = { MakeNode(lower, std::move(phi)), MakeNode(upper, std::move(above)) };
-  for (const auto& child : node.Children)
-  {
-    child->Parent = &node;
-    child->Piece = node.Piece;
-    child->Halvings = node.Halvings;
-    ++child->Halvings[static_cast<std::size_t>(direction)];
-  }
-  node.Children[1]->IsUpper = true;
+  node.Children = { MakeHalf(node, direction, false, std::move(phi)),
+    MakeHalf(node, direction, true, std::move(above)) };
   node.Direction.store(direction, std::memory_order_release);
   return true;
+}
+
+bool ElementTree::IsCoarse(const Node& node) const
+{
+  return node.Form != &Form;
+}
+
+/// Along which a node is halved; -1 where it is too small. What is coarse does not become narrower
+/// than a piece.
+int ElementTree::DirectionOf(const Node& node) const
+{
+  const int most = IsCoarse(node) ? Form.Level() : kMaxHalvings;
+  const auto mayBe = [&](int d) { return node.Halvings[static_cast<std::size_t>(d)] < most; };
+  if (mayBe(node.TheFrame.widest))
+  {
+    return node.TheFrame.widest;
+  }
+  const Vec3 width = node.TheFrame.box.upper - node.TheFrame.box.lower;
+  int direction = -1;
+  for (int d = 0; d < 3; ++d)
+  {
+    if (mayBe(d) && (direction < 0 || width[d] > width[direction]))
+    {
+      direction = d;
+    }
+  }
+  return direction;
 }
 
 bool ElementTree::IsRegular(Node& node)
@@ -250,9 +332,9 @@ const BoxCoefficients& ElementTree::SlopesOf(Node& node)
 {
   if (node.Slopes.values.empty())
   {
-    if (node.Parent == nullptr)
+    if (node.Parent == nullptr || node.Parent->Form != node.Form)
     {
-      node.Slopes = ConvertPiece(node.Piece, true);
+      node.Slopes = ConvertPiece(*node.Form, node.Piece, true);
     }
     else
     {

@@ -33,18 +33,22 @@ public:
   [[nodiscard]] const InverseProblem& Problem() const { return TheProblem; }
   /// The degree of Phi in each eta.
   [[nodiscard]] const std::array<int, 3>& Degree() const;
-  /// The boxes that the conversion to Bernstein form begins with: together the whole element.
+  /// The boxes that the tree begins with: together the whole element. Of high orders, they are
+  /// converted with rounding that is far below what bends but above the uncertainty of the map; the
+  /// smaller pieces on which it is not (PieceForm.h) are converted where halving leads to them.
   const std::vector<std::unique_ptr<Node>>& Pieces();
+  /// How often a coarse one is halved before its halves are converted.
+  [[nodiscard]] int CoarseHalvings() const;
   /// Makes a node's halves; false where it is too small.
   bool Split(Node& node);
   /// Whether the map is injective on a node's box and its reach (IsRegular).
   bool IsRegular(Node& node);
 
-  /// About how much the making of the pieces costs where that is not a matter of the element, once,
-  /// but more than any point is worth; of a node's halves; and the test whether a node is regular.
-  /// In nanoseconds, whether they have been made or not.
+  /// About how much it costs to make the pieces, a node's halves, those of this node, and to test
+  /// whether a node is regular. In nanoseconds, whether they have been made or not.
   [[nodiscard]] std::int64_t BeginCost() const;
   [[nodiscard]] std::int64_t SplitCost() const;
+  [[nodiscard]] std::int64_t SplitCost(const Node& node) const;
   [[nodiscard]] std::int64_t RegularCost(const Node& node) const;
 
   /// About the bytes held.
@@ -52,17 +56,23 @@ public:
 
 private:
   std::unique_ptr<Node> MakeNode(const EtaBox& box, BoxCoefficients phi);
+  std::unique_ptr<Node> MakePiece(const PieceForm& form, const std::array<int, 3>& piece);
+  std::unique_ptr<Node> MakeHalf(Node& node, int direction, bool upper, BoxCoefficients phi);
+  [[nodiscard]] bool IsCoarse(const Node& node) const;
+  [[nodiscard]] int DirectionOf(const Node& node) const;
   static bool IsPlainlyRegular(const Node& node);
   [[nodiscard]] int HighestDegree() const;
   const BoxCoefficients& SlopesOf(Node& node);
-  [[nodiscard]] BoxCoefficients ConvertPiece(const std::array<int, 3>& piece, bool slopes) const;
+  [[nodiscard]] BoxCoefficients ConvertPiece(
+    const PieceForm& form, const std::array<int, 3>& piece, bool slopes) const;
   void Account(std::int64_t bytes);
 
   const double* Modes;
   ElementBounds Bounds;
   InverseProblem TheProblem;
   const PieceForm& Form;
-  bool HasSlopes; ///< the derivatives by xi are polynomials
+  const PieceForm& Coarse; ///< of the boxes to begin with; the same where they are as good
+  bool HasSlopes;          ///< the derivatives by xi are polynomials
   std::vector<std::unique_ptr<Node>> Roots;
   std::atomic<bool> HasRoots{ false };
   std::atomic<std::int64_t> Bytes{ 0 };
@@ -92,9 +102,10 @@ private:
 
   NodeFrame TheFrame;
   bool Point = false;
-  std::array<int, 3> Halvings{};
+  std::array<int, 3> Halvings{}; ///< of the piece; of what is coarse, of the element
   Node* Parent = nullptr;
-  bool IsUpper = false; ///< of its parent's halves
+  bool IsUpper = false;            ///< of its parent's halves
+  const PieceForm* Form = nullptr; ///< of its coefficients, over this piece of it
   std::array<int, 3> Piece{};
   BoxCoefficients Phi;    ///< until it is split
   BoxCoefficients Slopes; ///< made when first asked for

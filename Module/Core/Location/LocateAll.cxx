@@ -58,7 +58,13 @@ FastAnswer AskNewton(const InverseProblem& problem, const ElementBounds& bounds,
 
 void Locator::LocateAll(std::span<const Vec3> points, PreimageSink& sink) const
 {
+  struct Doubt
+  {
+    int element;
+    Vec3 known;
+  };
   std::vector<int> candidates;
+  std::vector<Doubt> doubts;
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     const Vec3& x = points[i];
@@ -67,6 +73,7 @@ void Locator::LocateAll(std::span<const Vec3> points, PreimageSink& sink) const
     {
       continue;
     }
+    doubts.clear();
     TheIndex.FindNear({ x, x }, candidates);
     for (const int element : candidates)
     {
@@ -77,16 +84,19 @@ void Locator::LocateAll(std::span<const Vec3> points, PreimageSink& sink) const
         continue;
       }
       const FastAnswer fast = AskNewton(problem, bounds, x);
-      if (fast.decided)
+      if (!fast.decided)
       {
-        if (fast.inside)
-        {
-          sink.Found(index, { element, fast.xi, IsOnFace(problem, fast.xi) });
-        }
-        continue;
+        doubts.push_back(
+          { element, fast.inside ? Vec3(std::numeric_limits<double>::quiet_NaN()) : fast.xi });
       }
-      const Vec3 known = fast.inside ? Vec3(std::numeric_limits<double>::quiet_NaN()) : fast.xi;
-      const SoughtPoint sought{ x, known };
+      else if (fast.inside)
+      {
+        sink.Found(index, { element, fast.xi, IsOnFace(problem, fast.xi) });
+      }
+    }
+    for (const auto& [element, known] : doubts)
+    {
+      const SoughtPoint sought{ x, known, ShareOfWork(static_cast<int>(doubts.size())) };
       Preimages all;
       FindPreimages(
         *TheIndex.TreeOf(element), std::span(&sought, 1), Wanted::All, std::span(&all, 1));

@@ -23,9 +23,6 @@ constexpr std::int64_t kNewtonCost = 10;
 
 const Vec3 kApex(-1.0, -1.0, 1.0);
 
-/// Halvings that a point is allowed at any order.
-constexpr std::int64_t kFewSplits = 64;
-
 using Bits = std::uint64_t;
 
 Bits BitOf(int point)
@@ -125,6 +122,16 @@ private:
   std::array<std::array<double, kGroupPoints>, 15> Lanes;
 };
 
+/// What the points of a group may cost each, and more of it where a halving costs a good part.
+std::int64_t MostWorkIn(const ElementTree& tree, std::span<const SoughtPoint> points)
+{
+  constexpr std::int64_t kFewSplits = 64;
+  const std::int64_t least = std::ranges::min(points, {}, &SoughtPoint::mostWork).mostWork;
+  const std::int64_t high =
+    std::clamp(kFewSplits * tree.SplitCost(), kMostWork, kMostWorkOfHighOrders);
+  return least * (high / 1000) / (kMostWork / 1000);
+}
+
 /// The search for a group.
 class Search
 {
@@ -137,7 +144,7 @@ public:
     , Points(points)
     , Reach(ReachOf(tree.Degree()))
     , All(wanted == Wanted::All)
-    , MostWork(std::clamp(kFewSplits * tree.SplitCost(), kMostWork, kMostWorkOfHighOrders))
+    , MostWork(MostWorkIn(tree, points))
     , Checker(Problem)
   {
     for (std::size_t i = 0; i < kGroupPoints; ++i)
@@ -258,7 +265,7 @@ private:
     {
       return;
     }
-    Work += Tree.SplitCost();
+    Work += Tree.SplitCost(node);
     if (Work > MostWork)
     {
       return;

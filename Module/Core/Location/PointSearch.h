@@ -5,7 +5,9 @@
 #include "Core/Location/ElementTree.h"
 #include "Core/Location/TreeKernels.h"
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -32,12 +34,26 @@ struct Preimages
   int boxes = 0; ///< looked at, for all points asked for together
 };
 
+/// What a point may cost, in about nanoseconds of one core.
+inline constexpr std::int64_t kMostWork = 8'000'000;
+/// Where the halving of a box of high order alone costs a good part of that.
+inline constexpr std::int64_t kMostWorkOfHighOrders = 40'000'000;
+/// What it may in one of the elements between which that is divided (ShareOfWork).
+inline constexpr std::int64_t kLeastWork = 1'000'000;
+
+/// What a point may cost in each of the elements whose own Newton iteration leaves it open.
+inline std::int64_t ShareOfWork(int elements)
+{
+  return std::max(kMostWork / std::max(elements, 1), kLeastWork);
+}
+
 /// A point that is looked for.
 struct SoughtPoint
 {
   Vec3 x{ 0.0 };
   /// Where Newton's iteration converged to, outside of the shape; NaN where it did not.
   Vec3 known{ std::numeric_limits<double>::quiet_NaN() };
+  std::int64_t mostWork = kMostWork;
 };
 
 enum class Wanted : std::uint8_t
@@ -55,14 +71,9 @@ enum class Wanted : std::uint8_t
 ///
 /// The answer for a point depends on that point and the element alone: not on the points asked
 /// with it, nor on what the tree was asked before. Work is counted as if the tree had to be grown
-/// for the point; what takes more than it may (kMostWork) is unknown.
+/// for the point; what takes more than it may (`mostWork`) is unknown.
 void FindPreimages(ElementTree& tree, std::span<const SoughtPoint> points, Wanted wanted,
   std::span<Preimages> answers);
-
-/// What a point in one element may cost, in about nanoseconds of one core, and what it may where
-/// the halving of a box of high order alone costs a good part of that.
-inline constexpr std::int64_t kMostWork = 8'000'000;
-inline constexpr std::int64_t kMostWorkOfHighOrders = 40'000'000;
 
 /// Whether xi lies within the faces' tolerance of a face: |J^-1| times the uncertainty of Phi and
 /// y; true where J is singular.

@@ -13,9 +13,11 @@ namespace
 constexpr double kAffineEnough = 0.04;
 /// Of the frame's deviation, in xi.
 constexpr double kBent = 0.2;
-/// Halvings of an element, and nanoseconds that the growth of all of them may take.
+/// Halvings of an element, and nanoseconds that they may take: all of them together but for coarse
+/// nodes, and those that one point needs.
 constexpr int kMostHalvings = 9;
 constexpr std::int64_t kMostGrowth = 4'000'000;
+constexpr std::int64_t kMostOfPoint = 3'000'000;
 } // namespace
 
 bool TreeFilter::IsWorthIt(const ElementBounds& bounds)
@@ -34,7 +36,7 @@ void TreeFilter::Run(ElementTree& tree, const LanePoints& points,
   Tree = &tree;
   Kept = kept;
   const InverseProblem& problem = tree.Problem();
-  if (tree.BeginCost() > 0)
+  if (tree.BeginCost() > kMostOfPoint)
   {
     for (std::size_t k = 0; k < chunks.size(); ++k)
     {
@@ -42,9 +44,11 @@ void TreeFilter::Run(ElementTree& tree, const LanePoints& points,
     }
     return;
   }
-  MostHalvings = std::min(kMostHalvings,
-    static_cast<int>(std::bit_width(static_cast<std::uint64_t>(kMostGrowth / tree.SplitCost()))) -
-      1);
+  const std::int64_t cost = tree.SplitCost();
+  const int whole =
+    static_cast<int>(std::bit_width(static_cast<std::uint64_t>(kMostGrowth / cost)));
+  MostHalvings = std::min(
+    { kMostHalvings, whole - 1 + tree.CoarseHalvings(), static_cast<int>(kMostOfPoint / cost) });
   if (Y.size() < 3 * kGroupPoints * chunks.size())
   {
     Y.resize(3 * kGroupPoints * chunks.size());
