@@ -9,6 +9,7 @@
 #   instructions  counted under callgrind
 #   baselines     vtkProbeFilter, VTK's window, loading
 #   careful-path  its share in the files of Data/ and the larger cases
+#   slowest-point the most that one point costs, cold, in the same files
 #   face-points   a million points on, beside and around faces, of each mesh
 #   stability     all sweeps against 113 bits
 #   enclosures    width and cost of value enclosures
@@ -18,8 +19,8 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 build=${PIXELEXACT_BUILD:-build}
-all=(frames suite instructions baselines careful-path face-points stability adversary enclosures ranges
-  oracles)
+all=(frames suite instructions baselines careful-path slowest-point face-points stability adversary
+  enclosures ranges oracles)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
@@ -67,6 +68,11 @@ run_baselines() {
 run_careful-path() {
   title="The share of the careful path"
   measure "$build/bin/CarefulShare" "${data[@]}"
+  table
+}
+run_slowest-point() {
+  title="The most that a single point costs"
+  measure "$build/bin/SlowestPoint" "${data[@]}"
   table
 }
 run_face-points() {
