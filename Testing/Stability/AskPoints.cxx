@@ -5,8 +5,8 @@
 //
 // The question is numbers apart by blanks: the shape's (Shape.h), three orders, the uncertainty of
 // the map, the coefficients of x, y and z (in units of 1 about the origin), how many points, the
-// points. A line for each: verdict, xi, coverage, and the processor's milliseconds for Sample and for
-// FindOwners, the least of three where it is more than one.
+// points. A line for each: verdict, xi, coverage, and the processor's milliseconds for Sample and
+// for FindOwners, the least of three where it is more than one.
 #include "MeshBuilder.h"
 
 #include "Core/Location/Owners.h"
