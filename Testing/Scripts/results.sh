@@ -92,12 +92,13 @@ run_adversary() {
 run_collapsed() {
   title="Elements with collapsed faces and edges"
   cmake --build "$build" --target AskPoints >/dev/null
-  measure Testing/Stability/collapsed.py "$build/bin/AskPoints"
+  # What is wrong is in the table.
+  measure Testing/Stability/collapsed.py "$build/bin/AskPoints" || true
   table
 }
 run_history() {
   title="Answers do not depend on what was asked before"
-  measure Testing/Stability/history.py "$build/bin/pixelexact" "${data[@]}"
+  measure Testing/Stability/history.py "$build/bin/pixelexact" "${data[@]}" || true
   table
 }
 run_enclosures() {

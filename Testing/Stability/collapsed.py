@@ -12,6 +12,8 @@ a locator of its own.
 Wrong is: `outside` or `none` with a preimage in the shape; `inside` where Phi(xi) misses the point
 by more than five uncertainties (four are promised, one is for rounding here and there) or xi the
 shape by more than four tolerances; `several`, for the maps are injective but where they collapse.
+`Farthest` is how far beyond the shape the xi of an `inside` is: by the tolerance at most, which is
+large where the map nearly collapses.
 Prints tables in Markdown and, to stderr, wrong answers and points that take more than 10 ms; with
 --keep, their questions are written. Exits with 1 if an answer is wrong.
 """
@@ -62,10 +64,10 @@ def question(element, points):
 
 
 def judge(element, x, answer):
-    """Whether the shape holds the point, and what is wrong."""
+    """Whether the shape holds the point, how far beyond it the answer's xi is, what is wrong."""
     verdict, *numbers, coverage = answer
     held = [xi for xi, exact in element.preimages(x) if exact and margin(element.shape, xi) >= 0]
-    wrong = []
+    wrong, beyond = [], 0
     if verdict == "outside" and held:
         wrong.append("outside")
     if coverage == "none" and held or coverage == "several":
@@ -79,7 +81,7 @@ def judge(element, x, answer):
         beyond = -margin(element.shape, xi)
         if beyond > 0 and beyond > MOST_BEYOND * element.tolerance(xi):
             wrong.append(f"inside, {mp.nstr(beyond, 3)} beyond a face")
-    return bool(held), wrong
+    return bool(held), float(max(beyond, 0)), wrong
 
 
 class Sums:
@@ -87,13 +89,14 @@ class Sums:
 
     def __init__(self):
         self.count, self.unknown, self.undecided = [0, 0], [0, 0], [0, 0]
-        self.wrong, self.slowest, self.owners, self.slow = 0, 0.0, 0.0, 0
+        self.wrong, self.beyond, self.slowest, self.owners, self.slow = 0, 0.0, 0.0, 0.0, 0
 
-    def add(self, held, answer, milliseconds, wrong):
+    def add(self, held, answer, milliseconds, beyond, wrong):
         self.count[held] += 1
         self.unknown[held] += answer[0] == "unknown"
         self.undecided[held] += answer[-1] == "undecided"
         self.wrong += bool(wrong)
+        self.beyond = max(self.beyond, beyond)
         self.slow += max(milliseconds) > SLOWEST
         self.slowest = max(self.slowest, milliseconds[0])
         self.owners = max(self.owners, milliseconds[1])
@@ -105,14 +108,14 @@ class Sums:
         for held in (1, 0):
             of = self.count[held]
             cells += [of, share(self.unknown[held], of), share(self.undecided[held], of)]
-        cells += [self.wrong, f"{self.slowest:.1f}", f"{self.owners:.1f}", self.slow]
+        cells += [self.wrong, f"{self.beyond:.0e}", f"{self.slowest:.1f}", f"{self.owners:.1f}", self.slow]
         return " | ".join(map(str, cells))
 
 
 def print_table(first, rows):
     print(f"| {first} | in the shape | unknown | undecided | beyond it | unknown | undecided "
-          "| wrong | slowest, ms | owners, ms | over 10 ms |")
-    print("|---|" + "---:|" * 10)
+          "| wrong | farthest xi | slowest, ms | owners, ms | over 10 ms |")
+    print("|---|" + "---:|" * 11)
     for title, sums in rows.items():
         print(f"| {title} | {sums.row()} |")
 
@@ -151,11 +154,11 @@ def main():
                     verdict, *numbers, coverage, sample, owners = line.split()
                     answer = [verdict, *map(float, numbers), coverage]
                     milliseconds = [float(sample), float(owners)]
-                    held, wrong = judge(element, x, answer)
+                    held, beyond, wrong = judge(element, x, answer)
                     failures += bool(wrong)
                     slow = max(milliseconds) > SLOWEST
                     for each in (sums, by_distance[where]):
-                        each.add(held, answer, milliseconds, wrong)
+                        each.add(held, answer, milliseconds, beyond, wrong)
                     if wrong or slow:
                         told = ", ".join(wrong + [f"{sample} ms, owners {owners} ms"] * slow)
                         print(f"{name}, {where}: {','.join(map(repr, x))}: {told}", file=sys.stderr)
