@@ -80,15 +80,15 @@ std::vector<MeshBuilder::Map> Sectors()
   std::vector<MeshBuilder::Map> maps;
   for (std::size_t n = 0; n < 3; ++n)
   {
-    const LongVec3 first = corners[n];
-    const LongVec3 second = corners[n + 1];
+    const LongVec3 from = corners[n];
+    const LongVec3 to = corners[n + 1];
     maps.emplace_back(
       [=](const LongVec3& xi) -> LongVec3
       {
-        const auto [a, b, c] = xi;
+        const long double part = (1 + xi[1]) / 2;
         const auto at = [&](int d)
-        { return (1 + a) / 2 * (first[d] * (1 - b) / 2 + second[d] * (1 + b) / 2); };
-        return { at(0), at(1), c };
+        { return (1 + xi[0]) / 2 * (from[d] * (1 - part) + to[d] * part); };
+        return { at(0), at(1), xi[2] };
       });
   }
   return maps;
@@ -345,11 +345,8 @@ void ExpectOneAnswer(
   for (const std::uint64_t seed : { 1U, 2U, 3U })
   {
     const auto order = Shuffled(x.size(), seed);
-    std::vector<Vec3> shuffled;
-    for (const std::size_t at : order)
-    {
-      shuffled.push_back(x[at]);
-    }
+    std::vector<Vec3> shuffled(x.size());
+    std::ranges::transform(order, shuffled.begin(), [&](std::size_t at) { return x[at]; });
     const Locator fresh(mesh);
     const Answers there = ask(fresh, shuffled);
     Answers answers(x.size());
