@@ -259,7 +259,7 @@ protected:
   Mesh TheMesh;
 };
 
-/// All preimages, and what FindOwners tells.
+/// All preimages.
 Answers AskAll(const Locator& locator, std::span<const Vec3> x)
 {
   class Collector final : public PreimageSink
@@ -284,12 +284,16 @@ Answers AskAll(const Locator& locator, std::span<const Vec3> x)
   Answers answers(x.size());
   Collector collector(answers);
   locator.LocateAll(x, collector);
+  return answers;
+}
+
+Answers AskOwners(const Locator& locator, std::span<const Vec3> x)
+{
   std::vector<Owners> owners(x.size());
   FindOwners(locator, x, owners);
-  for (std::size_t i = 0; i < x.size(); ++i)
-  {
-    answers[i] += Bytes(owners[i].preimages, owners[i].elements, owners[i].coverage);
-  }
+  Answers answers(x.size());
+  std::ranges::transform(owners, answers.begin(),
+    [](const Owners& each) { return Bytes(each.preimages, each.elements, each.coverage); });
   return answers;
 }
 
@@ -442,6 +446,11 @@ TEST_P(History, LeavesNoTraceInPreimages)
   ExpectOneAnswer(TheMesh, Points(24, 3), Points(12, 4), AskAll);
 }
 
+TEST_P(History, LeavesNoTraceInOwners)
+{
+  ExpectOneAnswer(TheMesh, Points(12, 11), Points(6, 12), AskOwners);
+}
+
 TEST_P(History, ThreadsLeaveNoTrace)
 {
   const auto ask = [this](const Locator& locator, std::span<const Vec3> x)
@@ -454,7 +463,7 @@ TEST_P(History, ThreadsLeaveNoTrace)
     }
     return answers;
   };
-  ExpectOneAnswerOnThreads(TheMesh, Points(12, 5), ask);
+  ExpectOneAnswerOnThreads(TheMesh, Points(8, 5), ask);
 }
 
 TEST_P(History, LeavesNoTraceInQuestions)
