@@ -15,12 +15,14 @@
 #   enclosures    width and cost of value enclosures
 #   ranges        rounding of Bernstein coefficients, cost of ranges
 #   adversary     elements made to break the proofs, against 60 digits (Debian: python3-mpmath)
+#   collapsed     elements with collapsed faces and edges, against 60 digits
+#   history       answers of all cases, asked in every way that could leave a trace
 #   oracles       values, gradients and points against the solvers' own
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 build=${PIXELEXACT_BUILD:-build}
 all=(frames suite instructions baselines careful-path slowest-point face-points stability adversary
-  enclosures ranges oracles)
+  collapsed history enclosures ranges oracles)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
@@ -91,6 +93,18 @@ run_stability() {
 run_adversary() {
   title="Elements made to break the proofs"
   measure Testing/Stability/adversary.py "$build/bin/pixelexact"
+  table
+}
+run_collapsed() {
+  title="Elements with collapsed faces and edges"
+  cmake --build "$build" --target AskPoints >/dev/null
+  # What is wrong is in the table.
+  measure Testing/Stability/collapsed.py "$build/bin/AskPoints" || true
+  table
+}
+run_history() {
+  title="Answers do not depend on what was asked before"
+  measure Testing/Stability/history.py "$build/bin/pixelexact" "${data[@]}" || true
   table
 }
 run_enclosures() {

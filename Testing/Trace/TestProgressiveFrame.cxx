@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "FrameCheck.h"
 #include "MeshBuilder.h"
 
 #include "Trace/Plane.h"
@@ -7,8 +8,6 @@
 #include "Core/Base/Error.h"
 
 #include <gtest/gtest.h>
-
-#include <cstring>
 
 namespace pixelexact::testing
 {
@@ -56,32 +55,6 @@ Camera View(int width, int height)
 
 constexpr Buffer kAll = Buffer::Value | Buffer::Position | Buffer::Normal | Buffer::Xi |
   Buffer::Element | Buffer::Depth | Buffer::Verdict | Buffer::Coverage;
-
-template <class T>
-bool SameBytes(const std::vector<T>& a, const std::vector<T>& b)
-{
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
-}
-
-void ExpectSame(const Frame& frame, const Frame& wanted)
-{
-  const SampleBuffers& a = frame.centres;
-  const SampleBuffers& b = wanted.centres;
-  EXPECT_TRUE(SameBytes(a.value, b.value));
-  EXPECT_TRUE(SameBytes(a.position, b.position));
-  EXPECT_TRUE(SameBytes(a.normal, b.normal));
-  EXPECT_TRUE(SameBytes(a.xi, b.xi));
-  EXPECT_TRUE(SameBytes(a.element, b.element));
-  EXPECT_TRUE(SameBytes(a.depth, b.depth));
-  EXPECT_TRUE(SameBytes(a.verdict, b.verdict));
-  EXPECT_TRUE(SameBytes(a.owners, b.owners));
-  EXPECT_TRUE(SameBytes(a.coverage, b.coverage));
-  EXPECT_EQ(frame.counters.rays, wanted.counters.rays);
-  EXPECT_EQ(frame.counters.surfaceHits, wanted.counters.surfaceHits);
-  EXPECT_EQ(frame.counters.exact, wanted.counters.exact);
-  EXPECT_EQ(frame.counters.nothing, wanted.counters.nothing);
-  EXPECT_EQ(frame.counters.unknown, wanted.counters.unknown);
-}
 } // namespace
 
 TEST(ProgressiveFrame, EndsAsAFrameMadeAtOnce)
