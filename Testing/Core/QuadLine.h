@@ -3,7 +3,7 @@
 
 #include "QuadReference.h"
 
-#include "Core/Location/ElementIndex.h"
+#include "Core/Index/ElementIndex.h"
 
 #include <algorithm>
 #include <functional>

@@ -3,8 +3,8 @@
 // held, down to small boxes, of low orders and of those that begin with coarse boxes.
 #include "LongMap.h"
 
-#include "Core/Location/ElementIndex.h"
-#include "Core/Location/TreeKernels.h"
+#include "Core/Index/ElementIndex.h"
+#include "Core/Tree/TreeKernels.h"
 
 #include <gtest/gtest.h>
 

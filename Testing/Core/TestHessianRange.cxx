@@ -7,7 +7,7 @@
 
 #include "Core/Base/Error.h"
 #include "Core/Element/HessianRange.h"
-#include "Core/Location/Questions.h"
+#include "Core/Questions/Questions.h"
 
 #include <gtest/gtest.h>
 

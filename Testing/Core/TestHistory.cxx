@@ -5,8 +5,8 @@
 #include "CurvedMeshes.h"
 
 #include "Core/Location/Owners.h"
-#include "Core/Location/Questions.h"
 #include "Core/Location/Sample.h"
+#include "Core/Questions/Questions.h"
 
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>

@@ -6,7 +6,7 @@
 #include "RangeCases.h"
 
 #include "Core/Base/Error.h"
-#include "Core/Location/Questions.h"
+#include "Core/Questions/Questions.h"
 
 #include <gtest/gtest.h>
 

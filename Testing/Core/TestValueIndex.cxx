@@ -4,7 +4,7 @@
 #include "QuadReference.h"
 
 #include "Core/Base/Error.h"
-#include "Core/Location/ValueIndex.h"
+#include "Core/Index/ValueIndex.h"
 
 #include <gtest/gtest.h>
 

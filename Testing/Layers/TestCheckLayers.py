@@ -18,10 +18,10 @@ GOOD = {
         '#include "Core/Math/Lanes-inl.h"\n'
     ),
     "Module/Core/Location/PointKernels.cxx": "#include <hwy/foreach_target.h>\n",
-    "Module/Core/Location/EmbreeScene.cxx": (
+    "Module/Core/Index/EmbreeScene.cxx": (
         '#include "EmbreeScene.h"\n#include <embree4/rtcore.h>\n'
     ),
-    "Module/Core/Location/EmbreeScene.h": '#include "Core/Math/Vec.h"\n',
+    "Module/Core/Index/EmbreeScene.h": '#include "Core/Math/Vec.h"\n',
     "Module/vtkGrid.h": '#include "Core/Base/Verdict.h"\n#include <vtkUnstructuredGrid.h>\n',
     "Filters/vtkProbe.h": '#include "vtkGrid.h"\n',
     "Rendering/Trace/Camera.h": '#include "Core/Math/Vec.h"\n',
@@ -38,7 +38,7 @@ BAD = {
     ),
     "layer upwards by a relative path": (
         "Module/Core/Math/Bad.h",
-        '#include "../Location/EmbreeScene.h"\n',
+        '#include "../Index/EmbreeScene.h"\n',
         "layer Math may not include",
     ),
     "file outside of the layers": ("Module/Core/Bad.h", "\n", "lies in no layer"),
@@ -107,7 +107,7 @@ BAD = {
     "Embree outside of Embree*": (
         "Module/Core/Location/Bad.h",
         "#include <embree3/rtcore.h>\n",
-        "only Core/Location/Embree* knows Embree",
+        "only Core/Index/Embree* knows Embree",
     ),
 }
 

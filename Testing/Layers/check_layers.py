@@ -12,7 +12,19 @@ import sys
 from pathlib import Path, PurePosixPath
 
 # A file of a layer may include its own layer and those before it.
-CORE_LAYERS = ["Base", "Math", "Shape", "Basis", "Bernstein", "Element", "Location"]
+CORE_LAYERS = [
+    "Base",
+    "Math",
+    "Shape",
+    "Basis",
+    "Bernstein",
+    "Element",
+    "Bounds",
+    "Tree",
+    "Index",
+    "Questions",
+    "Location",
+]
 
 # What the files of each room may include. Filters and Rendering do not know each other, and nothing
 # includes the programs that stand on top.
@@ -75,8 +87,8 @@ def check_external(path, name):
         kernel = kernel or (path.startswith("Module/Core/Element/") and base.endswith(".cxx"))
         if not lanes and not (kernel and name in ("hwy/foreach_target.h", "hwy/highway.h")):
             return f"only Core/Math/Lanes*.h knows Highway, but this includes {name}"
-    if re.match(r"embree\d*/", name) and not path.startswith("Module/Core/Location/Embree"):
-        return f"only Core/Location/Embree* knows Embree, but this includes {name}"
+    if re.match(r"embree\d*/", name) and not path.startswith("Module/Core/Index/Embree"):
+        return f"only Core/Index/Embree* knows Embree, but this includes {name}"
     return None
 
 

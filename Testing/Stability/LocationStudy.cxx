@@ -4,8 +4,8 @@
 #include "Stability/LocationCheck.h"
 
 #include "Core/Basis/ModeBound.h"
+#include "Core/Bounds/ElementBounds.h"
 #include "Core/Element/Kernels.h"
-#include "Core/Location/ElementBounds.h"
 #include "Core/Location/Sample.h"
 #include "Core/Math/Rounding.h"
 

@@ -4,7 +4,7 @@
 #include "Core/Base/Verdict.h"
 #include "Core/Element/Kernels.h"
 #include "Core/Element/Mesh.h"
-#include "Core/Location/ElementIndex.h"
+#include "Core/Index/ElementIndex.h"
 
 #include <atomic>
 #include <span>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Core/Location/ElementBounds.h"
+#include "Core/Bounds/ElementBounds.h"
 
 #include <cstdint>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Location/PointSearch.h"
 
-#include "Core/Location/Regularity.h"
+#include "Core/Tree/Regularity.h"
 
 #include <algorithm>
 #include <bit>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "Core/Base/Verdict.h"
-#include "Core/Location/ElementTree.h"
-#include "Core/Location/TreeKernels.h"
+#include "Core/Tree/ElementTree.h"
+#include "Core/Tree/TreeKernels.h"
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Core/Location/ElementTree.h"
 #include "Core/Location/PointKernels.h"
-#include "Core/Location/TreeKernels.h"
+#include "Core/Tree/ElementTree.h"
+#include "Core/Tree/TreeKernels.h"
 
 #include <array>
 #include <span>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Location/ElementBounds.h"
+#include "Core/Bounds/ElementBounds.h"
 
 #include "Core/Basis/ModeBound.h"
 #include "Core/Bernstein/BernsteinForm.h"
-#include "Core/Location/Injectivity.h"
+#include "Core/Bounds/Injectivity.h"
 #include "Core/Math/Rounding.h"
 
 #include <glm/gtc/type_ptr.hpp>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Core/Bernstein/RootFinder.h"
-#include "Core/Location/Questions.h"
+#include "Core/Questions/Questions.h"
 
 namespace pixelexact
 {

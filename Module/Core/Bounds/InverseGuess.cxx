@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Location/InverseGuess.h"
+#include "Core/Bounds/InverseGuess.h"
 
+#include "Core/Bounds/TensorLattice.h"
 #include "Core/Element/LaneBuffer.h"
-#include "Core/Location/TensorLattice.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Core/Location/Questions.h"
+#include "Core/Questions/Questions.h"
 
 namespace pixelexact
 {

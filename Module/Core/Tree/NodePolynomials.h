@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Core/Element/RangeIngredients.h"
-#include "Core/Location/ElementTree.h"
+#include "Core/Tree/ElementTree.h"
 
 #include <array>
 #include <memory>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Location/NodePolynomials.h"
+#include "Core/Tree/NodePolynomials.h"
 
 #include "Core/Math/Interval.h"
 

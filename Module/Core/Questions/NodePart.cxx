@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Location/NodePart.h"
+#include "Core/Questions/NodePart.h"
 
 #include <algorithm>
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "Core/Bernstein/Krawczyk.h"
-#include "Core/Location/BoxCoefficients.h"
-#include "Core/Location/ElementBounds.h"
+#include "Core/Bounds/ElementBounds.h"
 #include "Core/Math/Interval.h"
+#include "Core/Tree/BoxCoefficients.h"
 
 #include <array>
 #include <limits>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Location/BoxCoefficients.h"
+#include "Core/Tree/BoxCoefficients.h"
 
 #include "Core/Bernstein/SweepKernels.h"
 #include "Core/Math/Rounding.h"

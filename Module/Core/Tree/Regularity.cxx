@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Location/Regularity.h"
+#include "Core/Tree/Regularity.h"
 
 #include "Core/Math/Rounding.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Location/ElementTree.h"
+#include "Core/Tree/ElementTree.h"
 
 #include "Core/Bernstein/PieceForm.h"
-#include "Core/Location/Regularity.h"
+#include "Core/Tree/Regularity.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Location/EmbreeBvh.h"
+#include "Core/Index/EmbreeBvh.h"
 
 #include "Core/Base/Error.h"
-#include "Core/Location/EmbreeApi.h"
+#include "Core/Index/EmbreeApi.h"
 #include "Core/Math/Rounding.h"
 
 #include <algorithm>

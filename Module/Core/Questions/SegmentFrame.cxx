@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Location/SegmentFrame.h"
+#include "Core/Questions/SegmentFrame.h"
 
 #include "Core/Math/Rounding.h"
 

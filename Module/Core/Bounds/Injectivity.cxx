@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Location/Injectivity.h"
+#include "Core/Bounds/Injectivity.h"
 
 #include "Core/Basis/ChangeOfBasis.h"
 #include "Core/Bernstein/BernsteinForm.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "Core/Location/FrameKernels.cxx"
+#define HWY_TARGET_INCLUDE "Core/Tree/FrameKernels.cxx"
 #include <hwy/foreach_target.h>
 
 #include "Core/Element/Matrix-inl.h"
-#include "Core/Location/FrameKernels.h"
+#include "Core/Tree/FrameKernels.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Location/NodeFrame.h"
+#include "Core/Tree/NodeFrame.h"
 
-#include "Core/Location/FrameKernels.h"
-#include "Core/Location/Regularity.h"
 #include "Core/Math/Rounding.h"
+#include "Core/Tree/FrameKernels.h"
+#include "Core/Tree/Regularity.h"
 
 #include <algorithm>
 #include <cmath>

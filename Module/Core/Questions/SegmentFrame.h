@@ -3,7 +3,7 @@
 
 #include "Core/Bernstein/BoxPolynomial.h"
 #include "Core/Bernstein/PolynomialSystem.h"
-#include "Core/Location/ElementIndex.h"
+#include "Core/Index/ElementIndex.h"
 
 #include <array>
 

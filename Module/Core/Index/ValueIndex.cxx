@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Location/ValueIndex.h"
+#include "Core/Index/ValueIndex.h"
 
 #include <tbb/parallel_for.h>
 

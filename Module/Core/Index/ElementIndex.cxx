@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Location/ElementIndex.h"
+#include "Core/Index/ElementIndex.h"
 
 #include "Core/Base/Error.h"
 #include "Core/Base/StageClock.h"

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Location/Questions.h"
+#include "Core/Questions/Questions.h"
 
 #include "Core/Base/Error.h"
 #include "Core/Bernstein/RootFinder.h"
-#include "Core/Location/CrossingList.h"
-#include "Core/Location/NodePart.h"
-#include "Core/Location/NodePolynomials.h"
-#include "Core/Location/SegmentFrame.h"
 #include "Core/Math/Rounding.h"
+#include "Core/Questions/CrossingList.h"
+#include "Core/Questions/NodePart.h"
+#include "Core/Questions/SegmentFrame.h"
+#include "Core/Tree/NodePolynomials.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Core/Element/Ranges.h"
-#include "Core/Location/ElementIndex.h"
+#include "Core/Index/ElementIndex.h"
 
 #include <array>
 #include <cstdint>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Core/Bounds/InverseGuess.h"
+#include "Core/Bounds/MapCurvature.h"
 #include "Core/Element/Kernels.h"
 #include "Core/Element/Mesh.h"
-#include "Core/Location/InverseGuess.h"
-#include "Core/Location/MapCurvature.h"
 
 #include <limits>
 

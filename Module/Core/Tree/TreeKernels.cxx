@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "Core/Location/TreeKernels.cxx"
+#define HWY_TARGET_INCLUDE "Core/Tree/TreeKernels.cxx"
 #include <hwy/foreach_target.h>
 
 #include "Core/Element/Matrix-inl.h"
-#include "Core/Location/Regularity.h"
-#include "Core/Location/TreeKernels.h"
 #include "Core/Math/Rounding.h"
+#include "Core/Tree/Regularity.h"
+#include "Core/Tree/TreeKernels.h"
 
 #include <algorithm>
 #include <bit>

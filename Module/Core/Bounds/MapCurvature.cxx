@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Location/MapCurvature.h"
+#include "Core/Bounds/MapCurvature.h"
 
+#include "Core/Bounds/TensorLattice.h"
 #include "Core/Element/LaneBuffer.h"
-#include "Core/Location/TensorLattice.h"
 
 #include <algorithm>
 #include <array>

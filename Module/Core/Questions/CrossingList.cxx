@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Location/CrossingList.h"
+#include "Core/Questions/CrossingList.h"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Core/Location/ElementBounds.h"
-#include "Core/Location/ElementTree.h"
-#include "Core/Location/EmbreeBvh.h"
+#include "Core/Bounds/ElementBounds.h"
+#include "Core/Index/EmbreeBvh.h"
+#include "Core/Tree/ElementTree.h"
 
 #include <atomic>
 #include <memory>

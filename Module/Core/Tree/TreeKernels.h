@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Core/Location/NodeFrame.h"
+#include "Core/Tree/NodeFrame.h"
 
 #include <cstdint>
 
