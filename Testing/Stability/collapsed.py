@@ -108,7 +108,8 @@ class Sums:
         for held in (1, 0):
             of = self.count[held]
             cells += [of, share(self.unknown[held], of), share(self.undecided[held], of)]
-        cells += [self.wrong, f"{self.beyond:.0e}", f"{self.slowest:.1f}", f"{self.owners:.1f}", self.slow]
+        cells += [self.wrong, f"{self.beyond:.0e}", f"{self.slowest:.1f}", f"{self.owners:.1f}",
+                  self.slow]
         return " | ".join(map(str, cells))
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The elements of collapsed.py, with 60 digits: polynomials in eta, their canonical modes, and their
+"""The elements of collapsed.py, with 60 digits: polynomials in eta, their canonical modes, their
 preimages. The maps can be solved one variable after the other.
 """
 import math

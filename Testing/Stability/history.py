@@ -32,7 +32,8 @@ def cases(folder):
     """Name, input files, and the tables of points beside them."""
     for place in (folder, folder / "adversarial"):
         for mesh in sorted(place.glob("*.vtu")):
-            yield mesh.name, [mesh], [mesh.with_suffix(end) for end in (".oracle.csv", ".points.csv")]
+            tables = [mesh.with_suffix(end) for end in (".oracle.csv", ".points.csv")]
+            yield mesh.name, [mesh], tables
     for place in sorted(p for p in folder.iterdir() if p.is_dir() and p.name != "adversarial"):
         inputs = inputs_of(place)
         if inputs:
