@@ -25,6 +25,9 @@ inline constexpr double kContraction = 0.1;
 /// A polishing correction above this (and above the rounding tolerance) is no convergence.
 inline constexpr double kLargestCorrection = 1e-10;
 inline constexpr int kMaxNewtonSteps = 24;
+/// A xi that lies farther beyond a face than this is not taken for one of the shape, however large
+/// the tolerance: the map is not known to be what is evaluated there, nor is the field.
+inline constexpr double kFarBeyond = 1e-2;
 /// A root farther out than this cannot be the element's; the careful path decides.
 inline constexpr double kFarOut = 8.0;
 
@@ -437,15 +440,19 @@ HWY_NOINLINE void Judge(const InverseProblem& problem, int modeCount, const Poin
   const T largest = Traits::Splat(kLargestCorrection) * StepScale(kShape, state.xi);
   auto converged =
     And(state.failed <= zero, length <= Max(largest, Traits::Splat(4.0) * MaxAbs(tolerance)));
-  const auto within = WidenedMargin(kShape, state.xi, tolerance) >= zero;
+  Point<T> reach;
+  ForEachAxis([&](auto d) PIXELEXACT_INLINED
+    { reach.x[d] = Min(tolerance.x[d], Traits::Splat(kFarBeyond)); });
+  const auto near = WidenedMargin(kShape, state.xi, tolerance) >= zero;
+  const auto within = And(near, WidenedMargin(kShape, state.xi, reach) >= zero);
+  converged = AndNot(converged, AndNot(near, within));
   if (HWY_UNLIKELY(!All(state.unsettled <= zero)))
   {
     // Outside is said where it does not matter that the iteration has not settled.
-    Point<T> reach;
     ForEachAxis([&](auto d) PIXELEXACT_INLINED
       { reach.x[d] = MulAdd(Traits::Splat(4.0), state.unsettled, tolerance.x[d]); });
-    const auto near = WidenedMargin(kShape, state.xi, reach) >= zero;
-    converged = AndNot(converged, AndNot(near, within));
+    const auto perhaps = WidenedMargin(kShape, state.xi, reach) >= zero;
+    converged = AndNot(converged, AndNot(perhaps, within));
   }
   if (kShape == Shape::Pyramid)
   {

@@ -17,11 +17,15 @@ namespace
 constexpr double kSameRoot = 1e-12;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-/// Nanoseconds of work (PointSearch.h): a node against a group, and a Newton iteration per mode.
+/// Nanoseconds of work (PointSearch.h): a node against a group; Newton's iteration of a pack, and
+/// of it per mode.
 constexpr std::int64_t kVisitCost = 50;
-constexpr std::int64_t kNewtonCost = 10;
+constexpr std::int64_t kNewtonCost = 2000;
+constexpr std::int64_t kNewtonCostOfMode = 20;
 
 const Vec3 kApex(-1.0, -1.0, 1.0);
+/// There no xi is better: kMostMiss for each of the elements that meet in it, and their rounding.
+constexpr double kMostMissAtApex = 16.0;
 
 using Bits = std::uint64_t;
 
@@ -54,7 +58,8 @@ struct RootCheck
   }
 
   Vec3 tolerance{ 0.0 }; ///< the faces': |J^-1| times the uncertainty; zero where J is singular
-  bool holds = false;    ///< Phi(xi) is y up to kMostMiss times the uncertainty
+  double miss = 0.0;     ///< of Phi(xi) from y, in uncertainties
+  bool holds = false;    ///< the miss is at most kMostMiss
 };
 
 /// Of at most kGroupPoints roots.
@@ -101,6 +106,7 @@ private:
     {
       const double miss = std::fabs(Lanes[3 + c][k] - y[static_cast<int>(c)]);
       check.holds = check.holds && miss <= kMostMiss * Problem.uncertainty[c];
+      check.miss = std::max(check.miss, miss / Problem.uncertainty[c]);
       for (std::size_t d = 0; d < 3; ++d)
       {
         jacobian[c][d] = Lanes[6 + 3 * c + d][k];
@@ -294,9 +300,13 @@ private:
   /// Where it is all that keeps a box from excluding the point, the point is within it.
   [[nodiscard]] bool IsAtApex(const NodeFrame& frame) const
   {
+    // Rounding may be as large as a box elsewhere, where the base is collapsed.
+    constexpr double kLargest = 1e-3;
     const double rounding = std::max({ frame.slack[0], frame.slack[1], frame.slack[2] });
-    return TheShape == Shape::Pyramid &&
-      1.0 - frame.box.lower.z <= std::max(kApexRegion, 4.0 * rounding) && frame.IsAffine();
+    const double depth = 1.0 - frame.box.lower.z;
+    return TheShape == Shape::Pyramid && frame.IsAffine() &&
+      (depth <= kApexRegion ||
+        (frame.box.upper.z == 1.0 && depth <= std::min(4.0 * rounding, kLargest)));
   }
 
   /// The root, or the xi of the pyramid next to it. Newton's iteration with a Jacobian of its own:
@@ -330,7 +340,7 @@ private:
       xi = kApex;
       root = middle;
       Checker.Run(std::span(&xi, 1), std::span(&y, 1), std::span(&check, 1));
-      check.holds = true;
+      check.holds = check.miss <= kMostMissAtApex;
     }
     // Nothing proves that the map is injective around it. At a fold, what holds reaches to sixteen
     // tolerances of its ends: two that are nearer than twice that may be one, or none.
@@ -484,7 +494,8 @@ Bits Search::RunNewton(const NodeFrame& frame, Bits points)
       lanes[d][k] = lanes[d][k - 1];
     }
   }
-  Work += kNewtonCost * Problem.space.Modes() * (PaddedCount(count) / kLanePadding);
+  Work +=
+    (kNewtonCost + kNewtonCostOfMode * Problem.space.Modes()) * (PaddedCount(count) / kLanePadding);
   InverseProblem asked = Problem;
   asked.affine = false;
   asked.from = { lanes[3].data(), lanes[4].data(), lanes[5].data() };

@@ -127,7 +127,7 @@ std::int64_t ElementTree::RegularCost(const Node& node) const
 {
   return IsPlainlyRegular(node)
     ? 0
-    : 1000 + static_cast<std::int64_t>(9 * Form.Size()) * (HighestDegree() / 2 + kSweep) / 2;
+    : 2000 + static_cast<std::int64_t>(9 * Form.Size()) * (HighestDegree() / 2 + kSweep);
 }
 
 int ElementTree::HighestDegree() const

@@ -5,24 +5,13 @@
 #include "Core/Bounds/ElementBounds.h"
 #include "Core/Math/Interval.h"
 #include "Core/Tree/BoxCoefficients.h"
+#include "Core/Tree/EtaBox.h"
 
 #include <array>
 #include <limits>
 
 namespace pixelexact
 {
-/// A box of eta in [-1,1]^3, its ends exact. In xi it is a convex polytope: each end is a plane,
-///   eta_d <= b  <=>  1 + xi_d <= (1 + b) s_d(xi),
-/// s_d being 1 or the collapsed extent of the shape at xi.
-struct EtaBox
-{
-  Vec3 lower{ -1.0 };
-  Vec3 upper{ 1.0 };
-};
-
-/// The box of the corners in xi; the polytope lies in it, up to rounding.
-Box3 HullInXi(Shape shape, const EtaBox& box);
-
 /// What an end of a box becomes in y. All values of Phi over the box have
 /// normal . (y - origin) <= outer; the normal is that of the frame, or of the end itself where the
 /// box bends so much that it holds nothing. A y with normal . (y - origin) <= inner, for all ends,

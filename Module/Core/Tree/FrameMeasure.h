@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Tree/FrameKernels.h"
+#include "Core/Tree/NodeFrame.h"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace pixelexact
+{
+/// Compares Phi's coefficients over a box with the frame about its centre (value, Jacobian's
+/// inverse and hull of which are known): what MakeFrame consists of.
+class FrameMeasure
+{
+public:
+  FrameMeasure(
+    const Space& space, const ElementBounds& bounds, const BoxCoefficients& phi, NodeFrame& frame);
+
+  /// Sets deviation, slack, planes and slope; returns along which directions of eta the deviation
+  /// varies how much.
+  std::array<double, 3> Measure();
+
+  /// Of a box that bends so much that its centre's Jacobian says little of its ends: planes with
+  /// each end's own, as seen from its middle. Where a face is collapsed to an edge, boxes at the
+  /// edge bend as much however small they are, and these planes meet in it.
+  void TiltPlanes(std::span<const SmallMatrix, 6> jacobian);
+
+private:
+  [[nodiscard]] FrameTask Task(std::span<const double[3]> normal);
+  /// Of each row of the deviation, the largest difference of neighbours in each direction of eta.
+  [[nodiscard]] SmallMatrix Steps(const std::array<int, 3>& degree);
+  /// What rounding and uncertainty add to the products of a row with Phi - origin.
+  [[nodiscard]] double SlackOf(const double* row) const;
+  void MakeGrid(const std::array<int, 3>& degree);
+
+  double* Row(std::size_t k) { return &Values[k * Padded]; }
+  void Fill(double* row) const;
+
+  const Space& TheSpace;
+  const ElementBounds& Bounds;
+  const BoxCoefficients& Phi;
+  NodeFrame& Frame;
+  std::size_t Size;
+  std::size_t Padded;
+  std::vector<double>& Values; ///< three rows each: grid, deviation, coefficients where padded
+  std::array<const double*, 3> From{};
+  std::array<double, 3> Around{}; ///< of Phi - origin, per coordinate
+};
+} // namespace pixelexact
