@@ -131,7 +131,7 @@ private:
 /// What the points of a group may cost each, and more of it where a halving costs a good part.
 std::int64_t MostWorkIn(const ElementTree& tree, std::span<const SoughtPoint> points)
 {
-  constexpr std::int64_t kFewSplits = 64;
+  constexpr std::int64_t kFewSplits = 100;
   const std::int64_t least = std::ranges::min(points, {}, &SoughtPoint::mostWork).mostWork;
   const std::int64_t high =
     std::clamp(kFewSplits * tree.SplitCost(), kMostWork, kMostWorkOfHighOrders);
