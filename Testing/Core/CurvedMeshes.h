@@ -163,7 +163,9 @@ inline CurvedMesh Blocks(int n, std::span<const Shape> shapes, const Placement& 
   for (int i = 0; i < n * n * n; ++i)
   {
     const double side = 2.0 / n;
-    mesh.Fill({ { -1 + side * (i % n), -1 + side * (i / n % n), -1 + side * (i / n / n) }, side },
+    const int row = i / n % n;
+    const int layer = i / n / n;
+    mesh.Fill({ { -1 + side * (i % n), -1 + side * row, -1 + side * layer }, side },
       shapes[static_cast<std::size_t>(i) % shapes.size()]);
   }
   return mesh;
@@ -179,8 +181,10 @@ inline CurvedMesh Hanging(std::span<const Shape> shapes, const Placement& place 
   const auto octant = [](const Block& block, int i)
   {
     const double half = block.side / 2;
-    return Block{ { block.lower[0] + half * (i % 2), block.lower[1] + half * (i / 2 % 2),
-                    block.lower[2] + half * (i / 4) },
+    const int row = i / 2 % 2;
+    const int layer = i / 4;
+    return Block{ { block.lower[0] + half * (i % 2), block.lower[1] + half * row,
+                    block.lower[2] + half * layer },
       half };
   };
   const Block cube{ { -1, -1, -1 }, 2 };
