@@ -13,7 +13,8 @@ namespace pixelexact::testing
 template <class T>
 bool SameBytes(const std::vector<T>& a, const std::vector<T>& b)
 {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
+  return a.size() == b.size() &&
+    (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
 }
 
 /// Bit for bit, but for the seconds.
