@@ -58,8 +58,7 @@ struct RootCheck
   }
 
   Vec3 tolerance{ 0.0 }; ///< the faces': |J^-1| times the uncertainty; zero where J is singular
-  double miss = 0.0;     ///< of Phi(xi) from y, in uncertainties
-  bool holds = false;    ///< the miss is at most kMostMiss
+  bool holds = false;    ///< Phi(xi) is y up to so many times the uncertainty
 };
 
 /// Of at most kGroupPoints roots.
@@ -71,7 +70,8 @@ public:
   {
   }
 
-  void Run(std::span<const Vec3> xi, std::span<const Vec3> y, std::span<RootCheck> checks)
+  void Run(std::span<const Vec3> xi, std::span<const Vec3> y, std::span<RootCheck> checks,
+    double mostMiss = kMostMiss)
   {
     const int count = static_cast<int>(xi.size());
     for (int k = 0; k < PaddedCount(count); ++k)
@@ -92,12 +92,12 @@ public:
         { { Lanes[0].data(), Lanes[1].data(), Lanes[2].data() }, count }, out, out + 3);
     for (std::size_t k = 0; k < xi.size(); ++k)
     {
-      checks[k] = Check(k, y[k]);
+      checks[k] = Check(k, y[k], mostMiss);
     }
   }
 
 private:
-  [[nodiscard]] RootCheck Check(std::size_t k, const Vec3& y) const
+  [[nodiscard]] RootCheck Check(std::size_t k, const Vec3& y, double mostMiss) const
   {
     RootCheck check;
     check.holds = true;
@@ -105,8 +105,7 @@ private:
     for (std::size_t c = 0; c < 3; ++c)
     {
       const double miss = std::fabs(Lanes[3 + c][k] - y[static_cast<int>(c)]);
-      check.holds = check.holds && miss <= kMostMiss * Problem.uncertainty[c];
-      check.miss = std::max(check.miss, miss / Problem.uncertainty[c]);
+      check.holds = check.holds && miss <= mostMiss * Problem.uncertainty[c];
       for (std::size_t d = 0; d < 3; ++d)
       {
         jacobian[c][d] = Lanes[6 + 3 * c + d][k];
@@ -339,8 +338,7 @@ private:
     {
       xi = kApex;
       root = middle;
-      Checker.Run(std::span(&xi, 1), std::span(&y, 1), std::span(&check, 1));
-      check.holds = check.miss <= kMostMissAtApex;
+      Checker.Run(std::span(&xi, 1), std::span(&y, 1), std::span(&check, 1), kMostMissAtApex);
     }
     // Nothing proves that the map is injective around it. At a fold, what holds reaches to sixteen
     // tolerances of its ends: two that are nearer than twice that may be one, or none.
@@ -360,10 +358,9 @@ private:
   /// Whether every xi of the box is so near to a known root that no other could be told from it.
   [[nodiscard]] bool IsAtRoot(const EtaBox& box, int point) const
   {
+    const Box3 hull = HullInXi(TheShape, box);
     return std::ranges::any_of(Found[static_cast<std::size_t>(point)],
-      [&](const InverseRoot& root)
-      {
-        const Box3 hull = HullInXi(TheShape, box);
+      [&](const InverseRoot& root) {
         return std::max(MaxAbs(hull.lower - root.xi), MaxAbs(hull.upper - root.xi)) <= kSameRoot;
       });
   }
