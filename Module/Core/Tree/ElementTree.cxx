@@ -117,10 +117,7 @@ std::int64_t ElementTree::SplitCost() const
 
 std::int64_t ElementTree::SplitCost(const Node& node) const
 {
-  // Two pieces to be converted.
-  const bool last = IsCoarse(node) &&
-    node.Halvings[0] + node.Halvings[1] + node.Halvings[2] == 3 * Form.Level() - 1;
-  return last ? 3 * SplitCost() : SplitCost();
+  return LeadsToPieces(node) ? 3 * SplitCost() : SplitCost();
 }
 
 std::int64_t ElementTree::RegularCost(const Node& node) const
@@ -216,36 +213,27 @@ std::unique_ptr<ElementTree::Node> ElementTree::MakeNode(const EtaBox& box, BoxC
   return node;
 }
 
-/// Half of a node; where halving a coarse one has come to a piece, that piece.
 std::unique_ptr<ElementTree::Node> ElementTree::MakeHalf(
-  Node& node, int direction, bool upper, BoxCoefficients phi)
+  const Node& node, const EtaBox& box, int direction, BoxCoefficients phi)
 {
-  EtaBox box = node.TheFrame.box;
-  const double middle = 0.5 * (box.lower[direction] + box.upper[direction]);
-  (upper ? box.lower : box.upper)[direction] = middle;
-  auto halvings = node.Halvings;
-  ++halvings[static_cast<std::size_t>(direction)];
-  std::unique_ptr<Node> half;
-  if (IsCoarse(node) && *std::ranges::min_element(halvings) == Form.Level())
-  {
-    std::array<int, 3> piece{};
-    for (int d = 0; d < 3; ++d)
-    {
-      piece[static_cast<std::size_t>(d)] =
-        static_cast<int>(std::ldexp(box.lower[d] + 1.0, Form.Level() - 1));
-    }
-    half = MakePiece(Form, piece);
-  }
-  else
-  {
-    half = MakeNode(box, std::move(phi));
-    half->Form = node.Form;
-    half->Piece = node.Piece;
-    half->Halvings = halvings;
-  }
-  half->Parent = &node;
-  half->IsUpper = upper;
+  auto half = MakeNode(box, std::move(phi));
+  half->Form = node.Form;
+  half->Piece = node.Piece;
+  half->Halvings = node.Halvings;
+  ++half->Halvings[static_cast<std::size_t>(direction)];
   return half;
+}
+
+/// The piece of the conversion that a box is.
+std::array<int, 3> ElementTree::PieceOf(const EtaBox& box) const
+{
+  std::array<int, 3> piece{};
+  for (int d = 0; d < 3; ++d)
+  {
+    piece[static_cast<std::size_t>(d)] =
+      static_cast<int>(std::ldexp(box.lower[d] + 1.0, Form.Level() - 1));
+  }
+  return piece;
 }
 
 void ElementTree::Account(std::int64_t bytes)
@@ -270,11 +258,28 @@ bool ElementTree::Split(Node& node)
   {
     return false;
   }
+  EtaBox lower = node.TheFrame.box;
+  EtaBox upper = node.TheFrame.box;
+  const double middle = 0.5 * (lower.lower[direction] + lower.upper[direction]);
+  lower.upper[direction] = middle;
+  upper.lower[direction] = middle;
   Account(-BytesOf(node.Phi));
   BoxCoefficients phi = std::move(node.Phi);
-  BoxCoefficients above = phi.Halve(Form.Degree(), direction);
-  node.Children = { MakeHalf(node, direction, false, std::move(phi)),
-    MakeHalf(node, direction, true, std::move(above)) };
+  if (LeadsToPieces(node))
+  {
+    node.Children = { MakePiece(Form, PieceOf(lower)), MakePiece(Form, PieceOf(upper)) };
+  }
+  else
+  {
+    BoxCoefficients above = phi.Halve(Form.Degree(), direction);
+    node.Children = { MakeHalf(node, lower, direction, std::move(phi)),
+      MakeHalf(node, upper, direction, std::move(above)) };
+  }
+  for (const auto& child : node.Children)
+  {
+    child->Parent = &node;
+  }
+  node.Children[1]->IsUpper = true;
   node.Direction.store(direction, std::memory_order_release);
   return true;
 }
@@ -282,6 +287,13 @@ bool ElementTree::Split(Node& node)
 bool ElementTree::IsCoarse(const Node& node) const
 {
   return node.Form != &Form;
+}
+
+/// Whether its halves are converted, not halved.
+bool ElementTree::LeadsToPieces(const Node& node) const
+{
+  return IsCoarse(node) &&
+    node.Halvings[0] + node.Halvings[1] + node.Halvings[2] == 3 * Form.Level() - 1;
 }
 
 /// Along which a node is halved; -1 where it is too small. What is coarse does not become narrower

@@ -57,8 +57,11 @@ public:
 private:
   std::unique_ptr<Node> MakeNode(const EtaBox& box, BoxCoefficients phi);
   std::unique_ptr<Node> MakePiece(const PieceForm& form, const std::array<int, 3>& piece);
-  std::unique_ptr<Node> MakeHalf(Node& node, int direction, bool upper, BoxCoefficients phi);
+  std::unique_ptr<Node> MakeHalf(
+    const Node& node, const EtaBox& box, int direction, BoxCoefficients phi);
+  [[nodiscard]] std::array<int, 3> PieceOf(const EtaBox& box) const;
   [[nodiscard]] bool IsCoarse(const Node& node) const;
+  [[nodiscard]] bool LeadsToPieces(const Node& node) const;
   [[nodiscard]] int DirectionOf(const Node& node) const;
   static bool IsPlainlyRegular(const Node& node);
   [[nodiscard]] int HighestDegree() const;
