@@ -557,6 +557,49 @@ TEST(Questions, BadInputProvesNothing)
   EXPECT_THROW(ElementQuestions(one.index, 0, one.field, 0), Unsupported);
 }
 
+/// Of rays from afar (ElementIndex::ClipRay) nobody knows exactly where they are.
+TEST(Questions, WhereASegmentMayBeOffTheAnswerHoldsAllThatItMayBe)
+{
+  constexpr double kSlack = 1e-6;
+  Random random(47);
+  int found = 0;
+  for (const Shape shape : kShapes)
+  {
+    Asked one(shape);
+    one.SetNoise(3, random, 0.5);
+    ElementQuestions questions(one.index, 0, one.field, 0);
+    for (int i = 0; i < 12; ++i)
+    {
+      Segment segment = one.Through(random.Inside(shape), random.Inside(shape), 0.5);
+      const double value = one.ValueAt(random.Inside(shape));
+      segment.slack = kSlack;
+      const Crossings wide[] = { questions.WithValue(segment, value),
+        questions.WithFace(segment, FacesOf(shape)[static_cast<std::size_t>(i) % 4]) };
+      Segment moved;
+      for (int d = 0; d < 3; ++d)
+      {
+        moved.from[d] = segment.from[d] + kSlack * random();
+        moved.to[d] = segment.to[d] + kSlack * random();
+      }
+      const Crossings exact[] = { questions.WithValue(moved, value),
+        questions.WithFace(moved, FacesOf(shape)[static_cast<std::size_t>(i) % 4]) };
+      for (int k = 0; k < 2; ++k)
+      {
+        const auto meets = [](const Crossing& crossing)
+        { return [&](const auto& other) { return !Intersect(other.t, crossing.t).IsEmpty(); }; };
+        for (const Crossing& crossing : exact[k].found)
+        {
+          ++found;
+          EXPECT_TRUE(std::ranges::any_of(wide[k].found, meets(crossing)) ||
+            std::ranges::any_of(wide[k].undecided, meets(crossing)))
+            << Name(shape) << i;
+        }
+      }
+    }
+  }
+  EXPECT_GT(found, 20);
+}
+
 /// Whatever was asked before, and with little effort what is not decided is said to be.
 TEST(Questions, AnswersDependOnTheQuestionAlone)
 {

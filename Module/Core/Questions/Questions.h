@@ -72,10 +72,10 @@ struct QuestionEffort
 /// component of a field. See Documentation/questions.md for the method and what is proven.
 ///
 /// Everything holds for the stored map moved by any vector within the mesh's uncertainty, so that
-/// every crossing of the map that the source meant is found or undecided, and for the field exactly
-/// as stored. An answer depends on the question and the element alone. What exceeds the effort is
-/// undecided; so is a segment without length, or with an end that is not finite, unless it misses
-/// the element.
+/// every crossing of the map that the source meant is found or undecided, for the segment's ends
+/// moved by its slack, and for the field exactly as stored. An answer depends on the question and
+/// the element alone. What exceeds the effort is undecided; so is a segment without length, or with
+/// an end that is not finite, unless it misses the element.
 ///
 /// Keeps the element's tree, and the polynomials over the nodes that were asked. Not safe to use
 /// from several threads: each makes its own; they share the tree.

@@ -25,6 +25,12 @@ Interval Meet(
   return Intersect(t, (range - start) / along);
 }
 
+/// A coordinate of an end that may be off by `slack`.
+Interval EndOf(double at, double slack)
+{
+  return slack == 0.0 ? Interval(at) : Interval(at) + Interval(-slack, slack);
+}
+
 /// TensorToReference of a box. Each eta appears once in a product of factors that are not negative:
 /// nothing is lost.
 std::array<Interval, 3> XiOf(Shape shape, const EtaBox& box)
@@ -61,10 +67,10 @@ SegmentFrame::SegmentFrame(const InverseProblem& problem, const Segment& segment
     const auto at = static_cast<int>(c);
     // The inverse size is a power of two.
     const Interval scale(problem.inverseSize);
-    const Interval from(segment.from[at]);
-    const Interval to(segment.to[at]);
+    const Interval from = EndOf(segment.from[at], segment.slack);
+    const Interval to = EndOf(segment.to[at], segment.slack);
     // Where from is a NaN, so are the ends, and nothing is excluded.
-    const bool sound = std::isfinite(segment.from[at]) && std::isfinite(segment.to[at]);
+    const bool sound = from.IsFinite() && to.IsFinite();
     Start[c] = sound ? (from - Interval(problem.centre[c])) * scale : Interval::Everything();
     Along[c] = sound ? (to - from) * scale : Interval::Everything();
     finite = finite && Start[c].IsFinite() && Along[c].IsFinite();
