@@ -4,6 +4,7 @@
 // 400. A Markdown table on stdout.
 //
 // usage: CarefulShare FOLDER...
+#include "CaseFiles.h"
 #include "Filters/LoadMesh.h"
 
 #include "Core/Location/Sample.h"
@@ -88,25 +89,6 @@ Share Measure(const Locator& locator, std::span<const Vec3> points)
   return share;
 }
 
-/// The points of all oracles beside the file.
-std::vector<Vec3> OraclePoints(const std::filesystem::path& folder, const std::string& stem)
-{
-  std::vector<Vec3> points;
-  for (const auto& entry : std::filesystem::directory_iterator(folder))
-  {
-    const std::string name = entry.path().filename().string();
-    if (name.ends_with(".csv") && (name.starts_with("oracle") || name.starts_with(stem + ".")))
-    {
-      const auto table = pixelexact::testing::ReadTable(entry.path());
-      for (std::size_t i = 0; i < table.at("x").size(); ++i)
-      {
-        points.emplace_back(table.at("x")[i], table.at("y")[i], table.at("z")[i]);
-      }
-    }
-  }
-  return points;
-}
-
 /// A slanted cut through the middle that just covers the mesh's box, tile by tile.
 std::vector<Vec3> CutPoints(const Box3& box)
 {
@@ -142,26 +124,9 @@ void Print(const std::string& name, const char* what, const Share& share)
   std::fflush(stdout);
 }
 
-bool IsMesh(const std::filesystem::path& file)
-{
-  const std::string name = file.filename().string();
-  return std::ranges::any_of(
-    std::initializer_list<const char*>{ ".vtu", ".vtk", ".mesh", ".mesh.gz", ".xml", ".saved" },
-    [&](const char* suffix) { return name.ends_with(suffix); });
-}
-
 void MeasureFolder(const std::filesystem::path& folder)
 {
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
-  {
-    if (entry.is_regular_file() && IsMesh(entry.path()))
-    {
-      files.push_back(entry.path());
-    }
-  }
-  std::ranges::sort(files);
-  for (const auto& file : files)
+  for (const auto& file : MeshFilesIn(folder))
   {
     const auto grid = pixelexact::testing::LoadMesh(file);
     if (!grid || grid->GetNumberOfCells() == 0)
@@ -172,7 +137,7 @@ void MeasureFolder(const std::filesystem::path& folder)
     const auto model = HighOrderModel::From(grid);
     const Locator& locator = model->GetLocator();
     const std::string name = file.filename().string();
-    const auto oracle = OraclePoints(file.parent_path(), file.stem().string());
+    const auto oracle = OraclePoints(file);
     if (!oracle.empty())
     {
       Print(name, "oracle", Measure(locator, oracle));

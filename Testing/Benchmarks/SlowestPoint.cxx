@@ -4,6 +4,7 @@
 // have to be grown for it. A Markdown table on stdout.
 //
 // usage: SlowestPoint [--points N] FILE|FOLDER...
+#include "CaseFiles.h"
 #include "Filters/LoadMesh.h"
 
 #include "Core/Location/Sample.h"
@@ -29,14 +30,6 @@ double MillisecondsSince(std::clock_t start)
   return 1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
-bool IsMesh(const std::filesystem::path& file)
-{
-  const std::string name = file.filename().string();
-  return std::ranges::any_of(
-    std::initializer_list<const char*>{ ".vtu", ".vtk", ".mesh", ".mesh.gz", ".xml" },
-    [&](const char* suffix) { return name.ends_with(suffix); });
-}
-
 std::vector<Vec3> PointsFor(
   const std::filesystem::path& file, const Box3& box, std::size_t atRandom)
 {
@@ -50,19 +43,8 @@ std::vector<Vec3> PointsFor(
       x[d] = box.lower[d] + part(random) * (box.upper[d] - box.lower[d]);
     }
   }
-  const std::string stem = file.stem().string();
-  for (const auto& entry : std::filesystem::directory_iterator(file.parent_path()))
-  {
-    const std::string name = entry.path().filename().string();
-    if (name.ends_with(".csv") && (name.starts_with("oracle") || name.starts_with(stem + ".")))
-    {
-      const auto table = pixelexact::testing::ReadTable(entry.path());
-      for (std::size_t i = 0; i < table.at("x").size(); ++i)
-      {
-        points.emplace_back(table.at("x")[i], table.at("y")[i], table.at("z")[i]);
-      }
-    }
-  }
+  const auto oracles = OraclePoints(file);
+  points.insert(points.end(), oracles.begin(), oracles.end());
   return points;
 }
 
@@ -118,33 +100,17 @@ int main(int argc, char** argv)
     "element's bounds ms |\n|---|---|---|---|---|---|---|---|");
   try
   {
-    std::vector<std::filesystem::path> files;
     for (int i = 1; i < argc; ++i)
     {
-      const std::filesystem::path path = argv[i];
       if (std::string_view(argv[i]) == "--points" && i + 1 < argc)
       {
         atRandom = std::strtoul(argv[++i], nullptr, 10);
+        continue;
       }
-      else if (!std::filesystem::is_directory(path))
+      for (const auto& file : MeshFilesIn(argv[i]))
       {
-        files.push_back(path);
+        Measure(file, atRandom);
       }
-      else
-      {
-        for (const auto& entry : std::filesystem::recursive_directory_iterator(path))
-        {
-          if (entry.is_regular_file() && IsMesh(entry.path()))
-          {
-            files.push_back(entry.path());
-          }
-        }
-      }
-    }
-    std::ranges::sort(files);
-    for (const auto& file : files)
-    {
-      Measure(file, atRandom);
     }
   }
   catch (const std::exception& error)

@@ -39,14 +39,19 @@ def inputs_of(case):
     return []
 
 
+def bounds_of(facts):
+    """The lower and the upper corner of the nodes."""
+    box = facts["node_bounds"]
+    return (box[0::2], box[1::2]) if len(box) == 6 else box
+
+
 def measure(tool, inputs, arguments):
     """Rows of three planes: pixels and seconds."""
     facts = ask(tool, "info", *inputs)
     names = [field["name"] for field in facts["fields"]]
     if not names:
         raise RuntimeError("no field")
-    box = facts["node_bounds"]
-    lower, upper = (box[0::2], box[1::2]) if len(box) == 6 else box
+    lower, upper = bounds_of(facts)
     centre = [0.5 * (a + b) + 0.013 * (b - a) for a, b in zip(lower, upper)]
     rows = []
     for normal in NORMALS:

@@ -22,7 +22,7 @@ import sys
 import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "Benchmarks"))
-from suite import ask, inputs_of  # noqa: E402
+from suite import ask, bounds_of, inputs_of  # noqa: E402
 
 BATCHES = 5
 ALONE = 5
@@ -49,8 +49,7 @@ def read_points(tables):
     return points
 
 
-def make_points(known, box, count, chance):
-    lower, upper = box[0::2], box[1::2]
+def make_points(known, lower, upper, count, chance):
     size = max(b - a for a, b in zip(lower, upper))
     chance.shuffle(known)
     points = known[:count // 2]
@@ -83,9 +82,7 @@ def study(program, inputs, facts, tables, options, scratch):
     """The first run's lines and the hashes of all runs."""
     chance = random.Random(options.seed)
     field = facts["fields"][0]["name"]
-    box = facts["node_bounds"]
-    box = box if len(box) == 6 else [v for pair in zip(*box) for v in pair]
-    points = make_points(read_points(tables), box, options.points, chance)
+    points = make_points(read_points(tables), *bounds_of(facts), options.points, chance)
 
     def run(which, threads):
         return probe(program, inputs, field, [points[i] for i in which], threads, scratch)
