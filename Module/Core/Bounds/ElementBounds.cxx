@@ -122,11 +122,10 @@ double SecondDerivativeBoundOfPyramid(int p, int q, int r)
 }
 
 /// Of a mode of magnitude 1 at most: bounds of the sum of its second derivatives' magnitudes over
-/// the shape. Legendre's polynomials have their
-/// largest derivatives at the ends. In a convex body of least width w a polynomial of degree n and
-/// magnitude 1 has gradients of at most 4 n^2 / w (D. Wilhelmsen, A Markov inequality in several
-/// dimensions, J. Approx. Theory 11, 1974); w is sqrt(2) for the triangle, 2 / sqrt(3) for the
-/// tetrahedron.
+/// the shape. Legendre's polynomials have their largest derivatives at the ends. In a convex body
+/// of least width w a polynomial of degree n and magnitude 1 has gradients of at most 4 n^2 / w (D.
+/// Wilhelmsen, A Markov inequality in several dimensions, J. Approx. Theory 11, 1974); w is sqrt(2)
+/// for the triangle, 2 / sqrt(3) for the tetrahedron.
 double SecondDerivativeBound(Shape shape, int p, int q, int r)
 {
   const auto first = [](double n) { return n * (n + 1.0) / 2.0; };
