@@ -5,6 +5,21 @@
 
 namespace pixelexact
 {
+namespace
+{
+/// The ends alone do not tell: where rays are missing, those of two blocks may be as far apart as
+/// those of a row.
+bool IsRow(std::span<const std::size_t, TileSamples::kRow> place)
+{
+  bool isRow = true;
+  for (std::size_t k = 1; k < place.size(); ++k)
+  {
+    isRow &= place[k] == place[0] + k;
+  }
+  return isRow;
+}
+} // namespace
+
 void SampleWriter::Sort(std::span<const Verdict> verdicts, std::span<const std::size_t> place)
 {
   constexpr std::size_t kRow = TileSamples::kRow;
@@ -22,7 +37,7 @@ void SampleWriter::Sort(std::span<const Verdict> verdicts, std::span<const std::
   {
     if (i + kRow <= verdicts.size() &&
       std::memcmp(&verdicts[i], kAllInside.data(), sizeof kAllInside) == 0 &&
-      place[i + kRow - 1] == place[i] + kRow - 1)
+      IsRow(place.subspan(i).first<kRow>()))
     {
       Rows.push_back(i);
       i += kRow;
