@@ -37,6 +37,18 @@ uniform sampler2D frameColors;
 uniform sampler2D frameDepths;
 uniform ivec2 frameOrigin;
 uniform float frameOpacity;
+uniform vec2 frameOffset;
+// Of the two differences to neighbours the lesser: the other may lead over an edge.
+float frameSlope(ivec2 pixel, ivec2 along, float depth)
+{
+  ivec2 last = textureSize(frameDepths, 0) - 1;
+  float after = texelFetch(frameDepths, min(pixel + along, last), 0).r;
+  float before = texelFetch(frameDepths, max(pixel - along, ivec2(0)), 0).r;
+  float up = after > 1.0 || pixel + along != min(pixel + along, last) ? 1.0 : abs(after - depth);
+  float down = before > 1.0 || pixel - along != max(pixel - along, ivec2(0)) ? 1.0 : abs(before - depth);
+  float least = min(up, down);
+  return least < 1.0 ? least : 0.0;
+}
 void main()
 {
   ivec2 framePixel = ivec2(gl_FragCoord.xy) - frameOrigin;
@@ -46,6 +58,12 @@ void main()
   if (frameDepth > 1.0 || frameColor.a <= 0.0 || texCoord.x < -1.0)
   {
     discard;
+  }
+  if (frameOffset != vec2(0.0))
+  {
+    vec2 slope = vec2(frameSlope(framePixel, ivec2(1, 0), frameDepth),
+      frameSlope(framePixel, ivec2(0, 1), frameDepth));
+    frameDepth = clamp(frameDepth + frameOffset.x * length(slope) + frameOffset.y / 65000.0, 0.0, 1.0);
   }
   gl_FragDepth = frameDepth;
   //VTK::DepthPeeling::PreColor
@@ -116,24 +134,31 @@ std::array<int, 4> FrameCompositor::Viewport(vtkRenderer* renderer)
   return viewport;
 }
 
-void FrameCompositor::Upload(const Pixels& pixels)
+FrameCompositor::Textures& FrameCompositor::Upload(const Pixels& pixels)
 {
   const auto width = static_cast<unsigned int>(pixels.width);
   const auto height = static_cast<unsigned int>(pixels.height);
+  while (Sheets.size() <= static_cast<std::size_t>(pixels.sheet))
+  {
+    Sheets.emplace_back();
+  }
+  Textures& held = Sheets[static_cast<std::size_t>(pixels.sheet)];
   // VTK takes pointers to non-const but only reads.
-  if (ColorsVersion != pixels.colorsVersion)
+  if (held.colorsVersion != pixels.colorsVersion)
   {
-    Colors->SetContext(Window);
-    Colors->Create2DFromRaw(
+    held.colors->SetContext(Window);
+    held.colors->Create2DFromRaw(
       width, height, 4, VTK_UNSIGNED_CHAR, const_cast<std::uint8_t*>(pixels.rgba.data()));
-    ColorsVersion = pixels.colorsVersion;
+    held.colorsVersion = pixels.colorsVersion;
   }
-  if (DepthsVersion != pixels.depthsVersion)
+  if (held.depthsVersion != pixels.depthsVersion)
   {
-    Depths->SetContext(Window);
-    Depths->Create2DFromRaw(width, height, 1, VTK_FLOAT, const_cast<float*>(pixels.depths.data()));
-    DepthsVersion = pixels.depthsVersion;
+    held.depths->SetContext(Window);
+    held.depths->Create2DFromRaw(
+      width, height, 1, VTK_FLOAT, const_cast<float*>(pixels.depths.data()));
+    held.depthsVersion = pixels.depthsVersion;
   }
+  return held;
 }
 
 vtkOpenGLQuadHelper* FrameCompositor::Quad(vtkActor* actor, vtkMapper* mapper)
@@ -177,9 +202,9 @@ void FrameCompositor::Draw(
     ReleaseGraphicsResources(Window);
     Window = window;
   }
-  Upload(pixels);
+  Textures& held = Upload(pixels);
   vtkOpenGLQuadHelper* quad = Quad(actor, mapper);
-  if (quad == nullptr || Colors->GetHandle() == 0 || Depths->GetHandle() == 0)
+  if (quad == nullptr || held.colors->GetHandle() == 0 || held.depths->GetHandle() == 0)
   {
     return;
   }
@@ -208,25 +233,30 @@ void FrameCompositor::Draw(
     state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   }
 
-  Colors->Activate();
-  Depths->Activate();
+  held.colors->Activate();
+  held.depths->Activate();
   const std::array<int, 4> viewport = Viewport(renderer);
-  quad->Program->SetUniformi("frameColors", Colors->GetTextureUnit());
-  quad->Program->SetUniformi("frameDepths", Depths->GetTextureUnit());
+  quad->Program->SetUniformi("frameColors", held.colors->GetTextureUnit());
+  quad->Program->SetUniformi("frameDepths", held.depths->GetTextureUnit());
   quad->Program->SetUniform2i("frameOrigin", viewport.data());
   quad->Program->SetUniformf("frameOpacity", static_cast<float>(pixels.opacity));
+  const float offset[2] = { static_cast<float>(pixels.offset.factor),
+    static_cast<float>(pixels.offset.units) };
+  quad->Program->SetUniform2f("frameOffset", offset);
   quad->Render();
-  Depths->Deactivate();
-  Colors->Deactivate();
+  held.depths->Deactivate();
+  held.colors->Deactivate();
 }
 
 void FrameCompositor::ReleaseGraphicsResources(vtkWindow* window)
 {
   Quads.clear();
-  Colors->ReleaseGraphicsResources(window);
-  Depths->ReleaseGraphicsResources(window);
-  ColorsVersion = -1;
-  DepthsVersion = -1;
+  for (Textures& held : Sheets)
+  {
+    held.colors->ReleaseGraphicsResources(window);
+    held.depths->ReleaseGraphicsResources(window);
+  }
+  Sheets.clear();
   Window = nullptr;
 }
 } // namespace pixelexact

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <memory>
 #include <string>
@@ -37,14 +38,24 @@ struct DepthRows
 void WindowDepth(const SampleBuffers& samples, const DepthRows& rows, std::vector<float>& depth);
 inline constexpr float kNoDepth = 2.0F;
 
+/// By how much depths are moved, as VTK's mappers move those of coincident polygons: factor times
+/// the surface's slope, in depth per pixel, and so many units.
+struct DepthOffset
+{
+  double factor = 0.0;
+  double units = 0.0;
+};
+
 /// What is drawn. Versions are at least 0 and change with the arrays' contents.
 struct Pixels
 {
   const std::vector<std::uint8_t>& rgba; ///< straight alpha
   const std::vector<float>& depths;
+  int sheet = 0; ///< whose textures hold them from call to call
   int width = 0;
   int height = 0;
   double opacity = 1.0;
+  DepthOffset offset;
   std::int64_t colorsVersion = 0;
   std::int64_t depthsVersion = 0;
 };
@@ -72,15 +83,20 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
+  /// What the graphics card holds of a sheet.
+  struct Textures
+  {
+    vtkNew<vtkTextureObject> colors;
+    vtkNew<vtkTextureObject> depths;
+    std::int64_t colorsVersion = -1; ///< of the contents, -1: none
+    std::int64_t depthsVersion = -1;
+  };
   vtkOpenGLQuadHelper* Quad(vtkActor* actor, vtkMapper* mapper);
-  void Upload(const Pixels& pixels);
+  Textures& Upload(const Pixels& pixels);
 
-  vtkNew<vtkTextureObject> Colors;
-  vtkNew<vtkTextureObject> Depths;
+  std::deque<Textures> Sheets;
   // By fragment shader: passes have their say in it.
   std::map<std::string, std::unique_ptr<vtkOpenGLQuadHelper>> Quads;
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; ///< whose context holds the textures
-  std::int64_t ColorsVersion = -1;              ///< of the textures' contents, -1: none
-  std::int64_t DepthsVersion = -1;
 };
 } // namespace pixelexact

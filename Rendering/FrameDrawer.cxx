@@ -2,6 +2,7 @@
 #include "FrameDrawer.h"
 
 #include "HighOrderModel.h"
+#include "VtkLook.h"
 
 #include "Core/Base/Error.h"
 #include "Core/Location/Locator.h"
@@ -58,15 +59,22 @@ bool CutsInto(const KeptHalfSpace& half, const Box3& box)
   return !(least >= 0.0);
 }
 
-std::array<std::uint8_t, 4> ColorOf(vtkProperty* property)
+DepthOffset OffsetOf(vtkMapper* mapper)
 {
-  double rgb[3];
-  property->GetColor(rgb);
-  std::array<std::uint8_t, 4> color{ 0, 0, 0, 255 };
-  std::transform(rgb, rgb + 3, color.begin(),
-    [](double channel)
-    { return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(channel, 0.0, 1.0))); });
-  return color;
+  DepthOffset offset;
+  switch (vtkMapper::GetResolveCoincidentTopology())
+  {
+    case VTK_RESOLVE_POLYGON_OFFSET:
+      mapper->GetCoincidentTopologyPolygonOffsetParameters(offset.factor, offset.units);
+      break;
+    case VTK_RESOLVE_SHIFT_ZBUFFER:
+      // As VTK's own mappers make do.
+      offset.factor = 4.0 * vtkMapper::GetResolveCoincidentTopologyZShift();
+      break;
+    default:
+      break;
+  }
+  return offset;
 }
 } // namespace
 
@@ -77,7 +85,9 @@ void FrameDrawer::Complete(
   const std::array<int, 4> viewport = FrameCompositor::Viewport(renderer);
   request.camera = SetupOf(renderer->GetActiveCamera(), viewport[2], viewport[3],
     renderer->GetTiledAspectRatio(), dataToWorld);
-  request.solidColor = ColorOf(actor->GetProperty());
+  request.lights = LightsOf(renderer);
+  request.lit = LitViewOf(renderer, dataToWorld);
+  request.translucent = actor->GetProperty()->GetOpacity() < 1.0;
   for (int i = 0; i < mapper->GetNumberOfClippingPlanes(); ++i)
   {
     KeptHalfSpace plane{};
@@ -94,7 +104,55 @@ void FrameDrawer::Complete(
   }
 }
 
-void FrameDrawer::Draw(FrameRequest request, vtkRenderer* renderer, vtkActor* actor,
+void FrameDrawer::MakeDrawn(const Frame& frame, const DepthRows& rows)
+{
+  const FrameSourceCounters& counters = TheSource.Counters();
+  const bool moved = DrawnTrace != counters.traces || Rows != rows;
+  if (!moved && DrawnVersion == TheSource.Version())
+  {
+    return;
+  }
+  const std::vector<Layer>& layers = TheSource.LastScene().layers;
+  const bool seenThrough = std::ranges::any_of(layers, &Layer::translucent);
+  DepthsVersion += moved || seenThrough ? 1 : 0;
+  Rows = rows;
+  DrawnTrace = counters.traces;
+  DrawnVersion = TheSource.Version();
+  Opaque.rgba.clear();
+  if (!seenThrough)
+  {
+    SeenThrough.clear();
+    if (moved)
+    {
+      WindowDepth(frame.centres, rows, Opaque.depths);
+    }
+    return;
+  }
+  // Each ray ends at an opaque layer, if it meets one: at most one of its samples is of that part.
+  const std::size_t pixels = frame.centres.Size();
+  Opaque.rgba.assign(4 * pixels, 0);
+  Opaque.depths.assign(pixels, kNoDepth);
+  SeenThrough.resize(1 + frame.centres.behind.size());
+  for (std::size_t k = 0; k < SeenThrough.size(); ++k)
+  {
+    const SampleBuffers& sheet = k == 0 ? frame.centres : frame.centres.behind[k - 1];
+    Drawn& drawn = SeenThrough[k];
+    drawn.rgba = sheet.color;
+    WindowDepth(sheet, rows, drawn.depths);
+    for (std::size_t i = 0; i < pixels; ++i)
+    {
+      const std::uint8_t layer = layers.size() > 1 ? sheet.layer[i] : std::uint8_t{ 0 };
+      if (layer != kNoLayer && !layers[layer].translucent && drawn.depths[i] <= 1.0F)
+      {
+        std::copy_n(&drawn.rgba[4 * i], 4, &Opaque.rgba[4 * i]);
+        Opaque.depths[i] = drawn.depths[i];
+        drawn.depths[i] = kNoDepth;
+      }
+    }
+  }
+}
+
+void FrameDrawer::Draw(FrameRequest request, FramePart part, vtkRenderer* renderer, vtkActor* actor,
   vtkMapper* mapper, const Progress& progress)
 {
   try
@@ -107,22 +165,31 @@ void FrameDrawer::Draw(FrameRequest request, vtkRenderer* renderer, vtkActor* ac
     throw;
   }
   const Frame& frame = TheSource.Render(request, progress);
-
-  const DepthRows rows = RowsOf(renderer, actor->GetMatrix());
-  if (DepthsTrace != TheSource.Counters().traces || Rows != rows)
+  MakeDrawn(frame, RowsOf(renderer, actor->GetMatrix()));
+  const auto draw = [&](const Drawn& drawn, int sheet)
   {
-    WindowDepth(frame.centres, rows, Depths);
-    DepthsTrace = TheSource.Counters().traces;
-    Rows = rows;
-    ++DepthsVersion;
+    Compositor.Draw(renderer, actor, mapper,
+      { .rgba = drawn.rgba.empty() ? frame.Image() : drawn.rgba,
+        .depths = drawn.depths,
+        .sheet = sheet,
+        .width = frame.width,
+        .height = frame.height,
+        .opacity = actor->GetProperty()->GetOpacity(),
+        .offset = OffsetOf(mapper),
+        .colorsVersion = DrawnVersion,
+        .depthsVersion = DepthsVersion });
+  };
+  if (part != FramePart::Translucent || SeenThrough.empty())
+  {
+    draw(Opaque, 0);
   }
-  Compositor.Draw(renderer, actor, mapper,
-    { .rgba = frame.color,
-      .depths = Depths,
-      .width = frame.width,
-      .height = frame.height,
-      .opacity = actor->GetProperty()->GetOpacity(),
-      .colorsVersion = TheSource.Version(),
-      .depthsVersion = DepthsVersion });
+  if (part != FramePart::Opaque)
+  {
+    // Back to front.
+    for (std::size_t k = SeenThrough.size(); k > 0; --k)
+    {
+      draw(SeenThrough[k - 1], static_cast<int>(k));
+    }
+  }
 }
 } // namespace pixelexact

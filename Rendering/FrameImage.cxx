@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FrameImage.h"
 
+#include "Trace/BufferTable.h"
+
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -8,6 +10,8 @@
 #include "vtkTypeInt32Array.h"
 #include "vtkTypeInt64Array.h"
 #include "vtkUnsignedCharArray.h"
+
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 
@@ -26,38 +30,54 @@ auto* AddArray(vtkImageData* image, const char* name, int components, std::size_
   return array->GetPointer(0);
 }
 
-void AddDoubles(vtkImageData* image, const char* name, const std::vector<double>& values)
+/// The VTK array that holds a buffer's numbers.
+template <class T>
+struct ArrayFor;
+template <>
+struct ArrayFor<double>
 {
-  if (!values.empty())
-  {
-    std::copy(
-      values.begin(), values.end(), AddArray<vtkDoubleArray>(image, name, 1, values.size()));
-  }
-}
+  using Type = vtkDoubleArray;
+};
+template <>
+struct ArrayFor<std::int32_t>
+{
+  using Type = vtkTypeInt32Array;
+};
+template <>
+struct ArrayFor<std::int64_t>
+{
+  using Type = vtkTypeInt64Array;
+};
+template <>
+struct ArrayFor<std::uint8_t>
+{
+  using Type = vtkUnsignedCharArray;
+};
 
-void AddVectors(vtkImageData* image, const char* name, const std::vector<Vec3>& values)
+template <class T>
+void AddBuffer(vtkImageData* image, const char* name, const std::vector<T>& values)
 {
-  if (values.empty())
-  {
-    return;
-  }
+  std::ranges::copy(values, AddArray<typename ArrayFor<T>::Type>(image, name, 1, values.size()));
+}
+void AddBuffer(vtkImageData* image, const char* name, const std::vector<Vec3>& values)
+{
   double* out = AddArray<vtkDoubleArray>(image, name, 3, values.size());
   for (const Vec3& value : values)
   {
-    *out++ = value.x;
-    *out++ = value.y;
-    *out++ = value.z;
+    out = std::copy_n(glm::value_ptr(value), 3, out);
   }
 }
 
-void AddBytes(
-  vtkImageData* image, const char* name, int components, const std::vector<std::uint8_t>& values)
+void TranslateElements(vtkImageData* image, std::span<const std::int64_t> sourceCells)
 {
-  if (!values.empty())
+  auto* elements = vtkTypeInt64Array::SafeDownCast(image->GetPointData()->GetArray("Element"));
+  for (vtkIdType i = 0; elements != nullptr && i < elements->GetNumberOfTuples(); ++i)
   {
-    std::copy(values.begin(), values.end(),
-      AddArray<vtkUnsignedCharArray>(
-        image, name, components, values.size() / static_cast<std::size_t>(components)));
+    const std::int64_t element = elements->GetValue(i);
+    if (element >= 0)
+    {
+      elements->SetValue(i, sourceCells[static_cast<std::size_t>(element)]);
+    }
   }
 }
 } // namespace
@@ -67,32 +87,24 @@ vtkSmartPointer<vtkImageData> ToImageData(
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(frame.width, frame.height, 1);
-  const SampleBuffers& samples = frame.centres;
-  AddDoubles(image, "Value", samples.value);
-  AddVectors(image, "Position", samples.position);
-  AddVectors(image, "Normal", samples.normal);
-  AddVectors(image, "Xi", samples.xi);
-  if (!samples.element.empty())
-  {
-    auto* out = AddArray<vtkTypeInt64Array>(image, "Element", 1, samples.element.size());
-    std::transform(samples.element.begin(), samples.element.end(), out,
-      [sourceCells](std::int64_t element)
+  ForEachBuffer(
+    [&](const auto& row)
+    {
+      const auto& values = frame.centres.*row.member;
+      if (!values.empty())
       {
-        return element < 0 || sourceCells.empty() ? element
-                                                  : sourceCells[static_cast<std::size_t>(element)];
-      });
-  }
-  AddDoubles(image, "Depth", samples.depth);
-  AddBytes(image, "Verdict", 1, samples.verdict);
-  if (!samples.owners.empty())
+        AddBuffer(image, row.name, values);
+      }
+    });
+  if (!sourceCells.empty())
   {
-    std::copy(samples.owners.begin(), samples.owners.end(),
-      AddArray<vtkTypeInt32Array>(image, "Owners", 1, samples.owners.size()));
+    TranslateElements(image, sourceCells);
   }
-  AddBytes(image, "Coverage", 1, samples.coverage);
-  AddDoubles(image, "Value_lower", samples.valueLower);
-  AddDoubles(image, "Value_upper", samples.valueUpper);
-  AddBytes(image, "Color", 4, frame.color);
+  const std::vector<std::uint8_t>& color = frame.Image();
+  if (!color.empty())
+  {
+    std::ranges::copy(color, AddArray<vtkUnsignedCharArray>(image, "Color", 4, color.size() / 4));
+  }
   return image;
 }
 } // namespace pixelexact

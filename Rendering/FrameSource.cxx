@@ -6,9 +6,11 @@
 #include "VtkSurface.h"
 
 #include "Core/Base/Error.h"
-#include "Trace/ColorMapping.h"
+#include "Trace/BufferTable.h"
+#include "Trace/Tracer.h"
 
 #include "vtkImplicitFunction.h"
+#include "vtkPlane.h"
 #include "vtkScalarsToColors.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -18,15 +20,15 @@ namespace pixelexact
 {
 namespace
 {
+// Beyond what colours need: what depths are made of.
 constexpr Buffer kDrawn = Buffer::Value | Buffer::Position | Buffer::Verdict;
-constexpr Buffer kAll = kDrawn | Buffer::Normal | Buffer::Xi | Buffer::Element | Buffer::Depth;
 
 bool Includes(Buffer set, Buffer wanted)
 {
   return (set | wanted) == set;
 }
 
-ColorMap SolidColor(const std::array<std::uint8_t, 4>& color)
+ColorMap SolidColor(const Rgba& color)
 {
   return [color](std::span<const double> values, std::uint8_t* rgba)
   {
@@ -74,27 +76,104 @@ const std::shared_ptr<HighOrderModel>& FrameSource::ModelOf(vtkUnstructuredGrid*
   return TheModel;
 }
 
-void FrameSource::MakeScene(const FrameRequest& request, const Field& field)
+FrameSource::TraceKey FrameSource::TraceKeyOf(const FrameRequest& request) const
+{
+  TraceKey key{ {}, request.kept, request.camera };
+  for (const LayerRequest& layer : request.layers)
+  {
+    const int components = layer.field.In(*TheModel).values.components;
+    if (layer.table != nullptr)
+    {
+      // Before that it does not know whether its colours are opaque.
+      layer.table->Build();
+    }
+    // Nothing is behind a plane that is alone.
+    const bool alone = request.layers.size() == 1 && vtkPlane::SafeDownCast(layer.cut) != nullptr;
+    const bool seenThrough = !alone &&
+      (request.translucent || layer.opacity < 1.0 ||
+        (layer.table != nullptr && layer.table->IsOpaque() == 0));
+    key.layers.push_back({ { layer.cut, layer.cut != nullptr ? layer.cut->GetMTime() : 0 },
+      layer.field, layer.component.value_or(ComponentOf(layer.table, components)), layer.precision,
+      seenThrough });
+  }
+  return key;
+}
+
+void FrameSource::MakeScene(const FrameRequest& request)
 {
   TheScene = {};
   TheScene.locator = &TheModel->GetLocator();
-  TheScene.field = &field;
-  TheScene.component = ComponentOf(request.table, field.values.components);
-  for (vtkImplicitFunction* cut : request.cuts)
+  TheScene.kept = request.kept;
+  for (std::size_t k = 0; k < request.layers.size(); ++k)
   {
-    std::shared_ptr<const Surface> surface = ToSurface(cut);
-    if (!request.kept.empty())
-    {
-      surface = std::make_shared<ClippedSurface>(surface, request.kept);
-    }
-    TheScene.surfaces.push_back(std::move(surface));
+    const TracedLayer& traced = Traced->layers[k];
+    TheScene.layers.push_back({ ToSurface(request.layers[k].cut), &traced.field.In(*TheModel),
+      traced.component, traced.precision, traced.translucent });
   }
+}
+
+FrameSource::ColorKey FrameSource::ColorKeyOf(const FrameRequest& request) const
+{
+  ColorKey key;
+  key.unknown = request.unknownColor;
+  bool anyLit = false;
+  for (std::size_t k = 0; k < request.layers.size(); ++k)
+  {
+    const LayerRequest& layer = request.layers[k];
+    const bool lit =
+      layer.material && (layer.litWhereFlat || !TheScene.layers[k].surface->IsFlat());
+    anyLit = anyLit || lit;
+    std::uint64_t state = 0;
+    if (layer.table != nullptr)
+    {
+      state = layer.table->GetMTime();
+    }
+    key.layers.push_back(
+      { layer.table, state, layer.solidColor, layer.opacity, lit ? layer.material : std::nullopt });
+  }
+  if (anyLit)
+  {
+    key.lights = request.lights;
+    key.lit = request.lit;
+  }
+  return key;
+}
+
+void FrameSource::MakeColors(const ColorKey& key)
+{
+  std::vector<LayerColors> colors;
+  std::vector<std::optional<Material>> materials;
+  for (const ColoredLayer& layer : key.layers)
+  {
+    colors.push_back({ layer.table != nullptr ? ToColorMap(layer.table) : SolidColor(layer.solid),
+      key.unknown, layer.opacity });
+    materials.push_back(layer.material);
+  }
+  const bool lit = std::ranges::any_of(
+    materials, [](const std::optional<Material>& material) { return material.has_value(); });
+  Colors.emplace(std::move(colors));
+  Lights.reset();
+  if (lit)
+  {
+    Lights.emplace(std::move(materials), key.lights, key.lit);
+  }
+  Colored = key;
+}
+
+Pipeline FrameSource::ThePipeline() const
+{
+  Pipeline pipeline{ { &*Colors }, {} };
+  if (Lights)
+  {
+    pipeline.colors.push_back(&*Lights);
+  }
+  return pipeline;
 }
 
 void FrameSource::BeginFrame(Buffer buffers)
 {
   TheBuffers = buffers;
-  Passes.emplace(TheScene, Traced->camera.Make(), buffers);
+  Passes.emplace(TheScene, Traced->camera.Make(), ThePipeline(), buffers);
   Complete = false;
 }
 
@@ -125,21 +204,7 @@ void FrameSource::TraceFrame(double seconds, const Progress& progress)
   {
     TheFrame = Passes->Preview();
   }
-  Colored.reset();
   ++TheCounters.traces;
-}
-
-void FrameSource::ColorFrame(ColorKey key)
-{
-  ColorMap map = key.table != nullptr ? ToColorMap(key.table) : SolidColor(key.solid);
-  // After ToColorMap, which builds the table.
-  key.state = key.table != nullptr ? key.table->GetMTime() : 0;
-  if (Colored == key)
-  {
-    return;
-  }
-  ColorMapping(std::move(map), key.unknown).Process(*TheFrame);
-  Colored = std::move(key);
   ++TheCounters.colorings;
 }
 
@@ -160,34 +225,39 @@ const Frame& FrameSource::Render(const FrameRequest& request, const Progress& pr
 
 void FrameSource::Update(const FrameRequest& request, const Progress& progress)
 {
-  const Field& field = request.field.In(*ModelOf(request.grid));
-  TraceKey key;
-  key.field = request.field;
-  key.component = ComponentOf(request.table, field.values.components);
-  for (vtkImplicitFunction* cut : request.cuts)
-  {
-    key.cuts.emplace_back(cut, cut != nullptr ? cut->GetMTime() : 0);
-  }
-  key.kept = request.kept;
-  key.camera = request.camera;
-
-  const Buffer wanted = kDrawn | request.buffers;
+  ModelOf(request.grid);
+  TraceKey key = TraceKeyOf(request);
   const bool sameScene = Traced == key;
   if (!sameScene)
   {
     DropFrame();
-    MakeScene(request, field);
     Traced = std::move(key);
+    MakeScene(request);
   }
+  const ColorKey colors = ColorKeyOf(request);
+  const bool sameColors = Colored == colors;
+  if (!sameColors)
+  {
+    MakeColors(colors);
+  }
+  const Buffer wanted = kDrawn | request.buffers | ThePipeline().Needs().centres;
   if (!sameScene || !Includes(TheBuffers, wanted))
   {
     BeginFrame(wanted);
   }
-  if (!Complete)
+  else if (!Complete && !sameColors)
+  {
+    Passes->Recolor(ThePipeline());
+  }
+  if (!Complete && (request.refine || !TheFrame))
   {
     TraceFrame(request.seconds, progress);
   }
-  ColorFrame({ request.table, 0, request.solidColor, request.unknownColor });
+  else if (!sameColors)
+  {
+    Repaint(TheScene, Traced->camera.Make(), ThePipeline(), *TheFrame);
+    ++TheCounters.colorings;
+  }
 }
 
 const Frame* FrameSource::FrameWithAllBuffers()
@@ -196,12 +266,10 @@ const Frame* FrameSource::FrameWithAllBuffers()
   {
     return nullptr;
   }
-  if (!Complete || !Includes(TheBuffers, kAll))
+  if (!Complete || !Includes(TheBuffers, UsualBuffers()))
   {
-    ColorKey colored = *Colored;
-    BeginFrame(kAll);
+    BeginFrame(TheBuffers | UsualBuffers());
     TraceFrame(std::numeric_limits<double>::infinity(), {});
-    ColorFrame(std::move(colored));
   }
   return &*TheFrame;
 }

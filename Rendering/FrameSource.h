@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "ClippedSurface.h"
 #include "FieldChoice.h"
 #include "PixelExactRenderingModule.h"
+#include "Trace/Modules/ColorMapping.h"
+#include "Trace/Modules/Lighting.h"
 #include "Trace/ProgressiveFrame.h"
 #include "VtkCamera.h"
 
@@ -25,23 +26,38 @@ namespace pixelexact
 {
 class HighOrderModel;
 
-/// What is to be seen. The objects are the caller's; all spaces are the data's.
+/// A cut-surface and how it is shown.
+struct LayerRequest
+{
+  vtkImplicitFunction* cut = nullptr;
+  FieldChoice field;
+  std::optional<int> component; ///< or kMagnitude; none: the table's choice
+  Precision precision = Precision::Double;
+  /// Null: every exact pixel gets the solid colour.
+  vtkScalarsToColors* table = nullptr;
+  Rgba solidColor{ 255, 255, 255, 255 };
+  double opacity = 1.0;
+  std::optional<Material> material; ///< none: not lit
+  bool litWhereFlat = false;        ///< also a plane
+};
+
+/// What is to be seen. The objects are the caller's; all spaces are the data's, but for lights.
 struct FrameRequest
 {
   vtkUnstructuredGrid* grid = nullptr;
-  FieldChoice field;
-  std::vector<vtkImplicitFunction*> cuts;
+  std::vector<LayerRequest> layers;
   std::vector<KeptHalfSpace> kept; ///< clipping planes, and the near plane where it cuts the data
   CameraSetup camera;
-  /// Null: every exact pixel gets the solid colour.
-  vtkScalarsToColors* table = nullptr;
-  std::array<std::uint8_t, 4> solidColor{ 255, 255, 255, 255 };
-  std::array<std::uint8_t, 4> unknownColor{ 255, 0, 255, 255 };
+  Rgba unknownColor{ 255, 0, 255, 255 };
+  std::vector<Light> lights;
+  LitView lit;
+  bool translucent = false; ///< all of it, for somebody who blends frames over what is there
   /// Beyond what drawing needs.
   Buffer buffers = Buffer::None;
   /// What tracing may take. Where the frame is expected to take longer it is made coarse, and finer
   /// by each further call with the same scene.
   double seconds = std::numeric_limits<double>::infinity();
+  bool refine = true; ///< whether a coarse frame of the same scene is made finer
 };
 
 /// How often each step was taken.
@@ -80,6 +96,8 @@ public:
   const std::shared_ptr<HighOrderModel>& ModelOf(vtkUnstructuredGrid* grid);
   /// The model of the last frame; null when there is none.
   [[nodiscard]] const HighOrderModel* Model() const { return TheModel.get(); }
+  /// Of the last frame.
+  [[nodiscard]] const Scene& LastScene() const { return TheScene; }
 
   /// Differs whenever pixels may differ from those seen before.
   [[nodiscard]] std::int64_t Version() const { return TheCounters.traces + TheCounters.colorings; }
@@ -93,38 +111,61 @@ public:
 private:
   // An object and its state: modification times are unique, addresses are not.
   using Stamp = std::pair<const void*, std::uint64_t>;
-  struct TraceKey
+  struct TracedLayer
   {
+    Stamp cut;
     FieldChoice field;
     int component = 0;
-    std::vector<Stamp> cuts;
+    Precision precision = Precision::Double;
+    bool translucent = false;
+
+    bool operator==(const TracedLayer&) const = default;
+  };
+  struct TraceKey
+  {
+    std::vector<TracedLayer> layers;
     std::vector<KeptHalfSpace> kept;
     CameraSetup camera;
 
     bool operator==(const TraceKey&) const = default;
   };
-  struct ColorKey
+  struct ColoredLayer
   {
     // Kept alive, so that no other table can have its address.
     vtkSmartPointer<vtkScalarsToColors> table;
     std::uint64_t state = 0;
-    std::array<std::uint8_t, 4> solid{};
-    std::array<std::uint8_t, 4> unknown{};
+    Rgba solid{};
+    double opacity = 1.0;
+    std::optional<Material> material;
+
+    bool operator==(const ColoredLayer&) const = default;
+  };
+  struct ColorKey
+  {
+    std::vector<ColoredLayer> layers;
+    Rgba unknown{};
+    std::vector<Light> lights; ///< where a layer is lit
+    LitView lit;
 
     bool operator==(const ColorKey&) const = default;
   };
 
   void Update(const FrameRequest& request, const Progress& progress);
-  void MakeScene(const FrameRequest& request, const Field& field);
+  [[nodiscard]] TraceKey TraceKeyOf(const FrameRequest& request) const;
+  [[nodiscard]] ColorKey ColorKeyOf(const FrameRequest& request) const;
+  void MakeScene(const FrameRequest& request);
+  void MakeColors(const ColorKey& key);
+  [[nodiscard]] Pipeline ThePipeline() const;
   void BeginFrame(Buffer buffers);
   void TraceFrame(double seconds, const Progress& progress);
-  void ColorFrame(ColorKey key);
 
   std::shared_ptr<HighOrderModel> TheModel;
   Scene TheScene;
   Buffer TheBuffers = Buffer::None; ///< that the frame was traced with
   std::optional<TraceKey> Traced;   ///< of TheScene; none: nothing to show
-  std::optional<ColorKey> Colored;
+  std::optional<ColorKey> Colored;  ///< what Colors and Lights were made of
+  std::optional<ColorMapping> Colors;
+  std::optional<Lighting> Lights;
   std::optional<ProgressiveFrame> Passes; ///< of a frame that is not complete
   std::optional<Frame> TheFrame;
   bool Complete = false;

@@ -2,6 +2,7 @@
 #include "VtkColorMap.h"
 
 #include "Core/Base/Error.h"
+#include "Trace/Scene.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkLookupTable.h"
@@ -113,7 +114,7 @@ int ComponentOf(vtkScalarsToColors* table, int fieldComponents)
   }
   if (table->GetVectorMode() == vtkScalarsToColors::MAGNITUDE)
   {
-    return Scene::kMagnitude;
+    return kMagnitude;
   }
   const int component = table->GetVectorComponent();
   if (component < 0 || component >= fieldComponents)

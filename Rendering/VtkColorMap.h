@@ -2,7 +2,7 @@
 #pragma once
 
 #include "PixelExactRenderingModule.h"
-#include "Trace/ColorMapping.h"
+#include "Trace/Modules/ColorMapping.h"
 
 #include "vtkSmartPointer.h"
 
@@ -21,7 +21,7 @@ namespace pixelexact
 /// Throws Error for a null table, Unsupported for one that takes vectors for RGB colours.
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT ColorMap ToColorMap(vtkScalarsToColors* table);
 
-/// Scene::component as VTK's mappers choose it: 0 for a field of one component, else the table's
+/// Layer::component as VTK's mappers choose it: 0 for a field of one component, else the table's
 /// vector component or the magnitude. A null table chooses like a new one: component 0.
 /// Throws Error when the field has no such component.
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT int ComponentOf(

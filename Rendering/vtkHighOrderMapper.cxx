@@ -4,6 +4,8 @@
 #include "FrameDrawer.h"
 #include "FrameImage.h"
 #include "HighOrderModel.h"
+#include "LayerRequests.h"
+#include "vtkHighOrderLayer.h"
 
 #include "Core/Base/Error.h"
 #include "Core/Location/Locator.h"
@@ -29,32 +31,44 @@ vtkStandardNewMacro(vtkHighOrderMapper);
 struct vtkHighOrderMapper::Internals
 {
   std::vector<vtkSmartPointer<vtkImplicitFunction>> Cuts;
+  std::vector<vtkSmartPointer<vtkHighOrderLayer>> Layers;
   pixelexact::FrameDrawer Drawer;
   vtkSmartPointer<vtkImageData> Buffers;
   std::int64_t BuffersVersion = -1; ///< of the frame that Buffers hold
 
-  pixelexact::FrameRequest Request(vtkHighOrderMapper* self) const;
+  pixelexact::FrameRequest Request(vtkHighOrderMapper* self, vtkActor* actor) const;
+  bool Has(vtkHighOrderMapper* self, bool opaque) const;
 };
 
 //------------------------------------------------------------------------------
-pixelexact::FrameRequest vtkHighOrderMapper::Internals::Request(vtkHighOrderMapper* self) const
+bool vtkHighOrderMapper::Internals::Has(vtkHighOrderMapper* self, bool opaque) const
 {
-  if (Cuts.empty())
-  {
-    throw pixelexact::Error("nothing to cut with: call SetCutFunction");
-  }
+  const bool layers = std::any_of(Layers.begin(), Layers.end(),
+    [&](vtkHighOrderLayer* layer)
+    { return layer->GetVisibility() && pixelexact::IsOpaque(self, layer) == opaque; });
+  const bool cuts = !Cuts.empty() && pixelexact::IsOpaque(self, nullptr) == opaque;
+  // Somebody has to say what is missing.
+  return cuts || layers || (opaque && Cuts.empty() && Layers.empty());
+}
+
+//------------------------------------------------------------------------------
+pixelexact::FrameRequest vtkHighOrderMapper::Internals::Request(
+  vtkHighOrderMapper* self, vtkActor* actor) const
+{
   pixelexact::FrameRequest request;
   request.grid = self->GetInput();
-  request.field = self->FieldName.empty() ? pixelexact::FieldOf(self)
-                                          : pixelexact::FieldChoice{ .name = self->FieldName };
-  request.cuts.assign(Cuts.begin(), Cuts.end());
   std::copy_n(self->UnknownColor, 4, request.unknownColor.begin());
-  if (self->GetScalarVisibility())
+  const pixelexact::LayerRequest ofAll = pixelexact::LayerOf(self, actor->GetProperty());
+  for (const auto& cut : Cuts)
   {
-    request.table = self->GetLookupTable();
-    if (!self->GetUseLookupTableScalarRange())
+    request.layers.push_back(ofAll);
+    request.layers.back().cut = cut;
+  }
+  for (const auto& layer : Layers)
+  {
+    if (layer->GetVisibility())
     {
-      request.table->SetRange(self->GetScalarRange());
+      request.layers.push_back(pixelexact::LayerOf(layer, ofAll));
     }
   }
   return request;
@@ -140,6 +154,49 @@ vtkImplicitFunction* vtkHighOrderMapper::GetCutFunction(int index)
 }
 
 //------------------------------------------------------------------------------
+void vtkHighOrderMapper::AddLayer(vtkHighOrderLayer* layer)
+{
+  if (layer != nullptr)
+  {
+    this->Data->Layers.emplace_back(layer);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderMapper::RemoveLayer(vtkHighOrderLayer* layer)
+{
+  if (std::erase(this->Data->Layers, layer) > 0)
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderMapper::RemoveAllLayers()
+{
+  if (!this->Data->Layers.empty())
+  {
+    this->Data->Layers.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkHighOrderMapper::GetNumberOfLayers()
+{
+  return static_cast<int>(this->Data->Layers.size());
+}
+
+//------------------------------------------------------------------------------
+vtkHighOrderLayer* vtkHighOrderMapper::GetLayer(int index)
+{
+  return index >= 0 && index < this->GetNumberOfLayers()
+    ? this->Data->Layers[static_cast<std::size_t>(index)].Get()
+    : nullptr;
+}
+
+//------------------------------------------------------------------------------
 vtkMTimeType vtkHighOrderMapper::GetMTime()
 {
   vtkMTimeType time = this->Superclass::GetMTime();
@@ -147,7 +204,23 @@ vtkMTimeType vtkHighOrderMapper::GetMTime()
   {
     time = std::max(time, cut->GetMTime());
   }
+  for (const auto& layer : this->Data->Layers)
+  {
+    time = std::max(time, layer->GetMTime());
+  }
   return time;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHighOrderMapper::HasOpaqueGeometry()
+{
+  return this->Data->Has(this, true);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHighOrderMapper::HasTranslucentPolygonalGeometry()
+{
+  return this->Data->Has(this, false);
 }
 
 //------------------------------------------------------------------------------
@@ -232,6 +305,22 @@ vtkIdType vtkHighOrderMapper::GetNumberOfColorings()
 //------------------------------------------------------------------------------
 void vtkHighOrderMapper::Render(vtkRenderer* renderer, vtkActor* actor)
 {
+  const auto part = actor->IsRenderingTranslucentPolygonalGeometry()
+    ? pixelexact::FramePart::Translucent
+    : pixelexact::FramePart::Opaque;
+  this->RenderPart(static_cast<int>(part), renderer, actor);
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderMapper::RenderAll(vtkRenderer* renderer, vtkActor* actor)
+{
+  this->RenderPart(static_cast<int>(pixelexact::FramePart::All), renderer, actor);
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderMapper::RenderPart(int part, vtkRenderer* renderer, vtkActor* actor)
+{
+  const auto drawn = static_cast<pixelexact::FramePart>(part);
   // A selector wants the ids of props in the place of colours, which the pixels do not carry.
   if (renderer->GetSelector() != nullptr)
   {
@@ -259,13 +348,24 @@ void vtkHighOrderMapper::Render(vtkRenderer* renderer, vtkActor* actor)
   pixelexact::FrameDrawer& drawer = this->Data->Drawer;
   try
   {
-    pixelexact::FrameRequest request = this->Data->Request(this);
+    if (this->Data->Cuts.empty() && this->Data->Layers.empty())
+    {
+      throw pixelexact::Error("nothing to cut with: call SetCutFunction or AddLayer");
+    }
+    pixelexact::FrameRequest request = this->Data->Request(this, actor);
+    if (request.layers.empty())
+    {
+      drawer.Source().DropFrame();
+      return;
+    }
+    // The opaque phase of the same picture has done that.
+    request.refine = drawn != pixelexact::FramePart::Translucent || !this->HasOpaqueGeometry();
     const double rate = window->GetDesiredUpdateRate();
     if (this->Progressive && rate >= 1.0)
     {
       request.seconds = 1.0 / rate;
     }
-    drawer.Draw(request, renderer, actor, this, progress);
+    drawer.Draw(request, drawn, renderer, actor, this, progress);
     if (this->GetNumberOfTraces() != traces)
     {
       this->UpdateProgress(1.0);
@@ -295,7 +395,9 @@ void vtkHighOrderMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->FieldName = other->FieldName;
     this->SetUnknownColor(other->UnknownColor);
     this->SetProgressive(other->Progressive);
+    this->SetLightFlat(other->LightFlat);
     this->Data->Cuts = other->Data->Cuts;
+    this->Data->Layers = other->Data->Layers;
     this->Modified();
   }
   this->Superclass::ShallowCopy(mapper);
@@ -311,6 +413,12 @@ void vtkHighOrderMapper::PrintSelf(ostream& os, vtkIndent indent)
   {
     cut->PrintSelf(os, indent.GetNextIndent());
   }
+  os << indent << "Layers: " << this->Data->Layers.size() << "\n";
+  for (const auto& layer : this->Data->Layers)
+  {
+    layer->PrintSelf(os, indent.GetNextIndent());
+  }
+  os << indent << "LightFlat: " << (this->LightFlat ? "on" : "off") << "\n";
   os << indent << "UnknownColor: " << int{ this->UnknownColor[0] } << ", "
      << int{ this->UnknownColor[1] } << ", " << int{ this->UnknownColor[2] } << ", "
      << int{ this->UnknownColor[3] } << "\n";

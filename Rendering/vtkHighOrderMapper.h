@@ -16,7 +16,11 @@
  * - Colours: the lookup table, with its VectorMode and VectorComponent, over ScalarRange or, with
  *   UseLookupTableScalarRange, over the table's own range. With ScalarVisibility off, the actor's
  *   colour. A pixel whose element could not be decided gets the UnknownColor.
- * - Opacity and visibility are the actor's, clipping planes the mapper's.
+ * - Several surfaces with looks of their own: AddLayer.
+ * - Light: the renderer's, by the surface's exact normals and the actor's property; planes show
+ *   their colours as they are unless LightFlat is on.
+ * - Opacity and visibility are the actor's, clipping planes and the resolution of coincident
+ *   topology (polygon offset) the mapper's.
  *
  * What is kept: the field's locator while the grid is unchanged, and the last frame while view and
  * scene are; a changed lookup table only recolours it. See GetNumberOfTraces().
@@ -27,8 +31,8 @@
  * when the window can wait, the frame is completed, and is the same, to the bit, as one that was
  * made at once.
  *
- * Lookup tables with translucent colours are blended over what is drawn before; for sorted
- * translucency give the actor an opacity below 1. Hardware selection does not see the cut.
+ * Layers that are not opaque are drawn with the renderer's translucent geometry, sheet by sheet
+ * with their own depths. Hardware selection does not see the cut.
  */
 
 #ifndef vtkHighOrderMapper_h
@@ -40,6 +44,7 @@
 #include <memory> // for the implementation
 #include <string> // for the field's name
 
+class vtkHighOrderLayer;
 class vtkImageData;
 class vtkImplicitFunction;
 class vtkUnstructuredGrid;
@@ -71,8 +76,9 @@ public:
   ///@{
   /**
    * The cut-surfaces. SetCutFunction replaces all of them by one; null functions are none. Where
-   * the nearest surface lies outside of the mesh, the next one shows. vtkPlane is supported, with
-   * its transform.
+   * the nearest surface lies outside of the mesh, the next one shows. Supported, with their
+   * transforms, are vtkPlane, vtkSphere, vtkCylinder, vtkCone, vtkQuadric, vtkBox, vtkPlanes and
+   * vtkImplicitTorus.
    */
   void SetCutFunction(vtkImplicitFunction* function);
   void AddCutFunction(vtkImplicitFunction* function);
@@ -80,6 +86,27 @@ public:
   void RemoveAllCutFunctions();
   int GetNumberOfCutFunctions();
   vtkImplicitFunction* GetCutFunction(int index);
+  ///@}
+
+  ///@{
+  /**
+   * Surfaces with looks of their own, drawn together with the cut functions.
+   */
+  void AddLayer(vtkHighOrderLayer* layer);
+  void RemoveLayer(vtkHighOrderLayer* layer);
+  void RemoveAllLayers();
+  int GetNumberOfLayers();
+  vtkHighOrderLayer* GetLayer(int index);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the renderer's lights shine on planes that are cut functions. Off (the default): their
+   * colours are shown as they are. Other surfaces are lit where the actor's property says so.
+   */
+  vtkSetMacro(LightFlat, bool);
+  vtkGetMacro(LightFlat, bool);
+  vtkBooleanMacro(LightFlat, bool);
   ///@}
 
   ///@{
@@ -101,9 +128,9 @@ public:
 
   /**
    * The last frame as an image of the viewport's size, lower left pixel first, with the point
-   * arrays Value, Position, Normal, Xi, Element, Depth, Verdict and Color; null before the first
-   * frame and after one that failed. Positions and depths (along the unit ray) are in the data's
-   * coordinates, elements are the cells of the source.
+   * arrays Value, Position, Normal, Xi, Element, Depth, Verdict, Layer and Color; null before the
+   * first frame and after one that failed. Positions and depths (along the unit ray) are in the
+   * data's coordinates, elements are the cells of the source.
    *
    * A frame is traced with what drawing needs; the rest is traced by the first call for a frame, as
    * is what a coarse one lacks.
@@ -125,7 +152,7 @@ public:
   void ShallowCopy(vtkAbstractMapper* mapper) override;
 
   /**
-   * Changes with the cut functions, too.
+   * Changes with the cut functions and layers, too.
    */
   vtkMTimeType GetMTime() override;
 
@@ -137,11 +164,14 @@ public:
   void GetBounds(double bounds[6]) override { this->vtkMapper::GetBounds(bounds); }
   ///@}
 
+  ///@{
   /**
-   * Always drawn with the opaque geometry, unless the actor's opacity is below 1.
+   * Whether any layer is opaque, and whether any is not: by its opacity or its lookup table. The
+   * actor's opacity comes on top.
    */
-  bool HasOpaqueGeometry() override { return true; }
-  bool HasTranslucentPolygonalGeometry() override { return false; }
+  bool HasOpaqueGeometry() override;
+  bool HasTranslucentPolygonalGeometry() override;
+  ///@}
 
 protected:
   vtkHighOrderMapper();
@@ -152,10 +182,18 @@ protected:
   std::string FieldName;
   unsigned char UnknownColor[4] = { 255, 0, 255, 255 };
   bool Progressive = true;
+  bool LightFlat = false;
 
 private:
+  friend class vtkHighOrderRayPass;
   vtkHighOrderMapper(const vtkHighOrderMapper&) = delete;
   void operator=(const vtkHighOrderMapper&) = delete;
+
+  /**
+   * Opaque and translucent layers at once: for whoever knows no phases.
+   */
+  void RenderAll(vtkRenderer* renderer, vtkActor* actor);
+  void RenderPart(int part, vtkRenderer* renderer, vtkActor* actor);
 
   struct Internals;
   std::unique_ptr<Internals> Data;

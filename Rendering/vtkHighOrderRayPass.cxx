@@ -96,7 +96,7 @@ void vtkHighOrderRayPass::Render(const vtkRenderState* state)
     }
     else if (actor->GetVisibility())
     {
-      mapper->Render(renderer, actor);
+      mapper->RenderAll(renderer, actor);
       ++this->NumberOfRenderedProps;
     }
   }

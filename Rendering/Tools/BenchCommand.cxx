@@ -2,6 +2,7 @@
 #include "BenchFigures.h"
 #include "Command.h"
 #include "FrameTime.h"
+#include "Looks.h"
 #include "Report.h"
 #include "Shot.h"
 
@@ -34,12 +35,11 @@ Measured Measure(const Shot& shot, const BenchOptions& options)
 {
   const Camera camera = shot.MakeCamera();
   // Tells the range, which is no part of a frame.
-  const Frame first =
-    Trace(shot.scene, camera, {}, { Buffer::Value | Buffer::Verdict, Buffer::None });
-  const ColorMapping colors = options.shot.colors.MappingOver(options.shot.colors.RangeFor(first));
+  const Frame first = Trace(shot.scene, camera, {}, { .centres = NeedsOfLooks(shot) });
+  Looks looks(options.shot.colors, shot, first);
   ProgressLine line("measuring");
-  return { MeasureFrames(
-             shot.scene, camera, { &colors }, options.repeat, [&line](double part) { line(part); }),
+  return { MeasureFrames(shot.scene, camera, looks.MakePipeline(), options.repeat,
+             [&line](double part) { line(part); }),
     first.counters };
 }
 
@@ -68,7 +68,8 @@ void Bench(const BenchOptions& options, const CommonOptions& common)
   if (common.json)
   {
     nlohmann::ordered_json summary{ { "elements", shot.input.model->GetMesh().Elements() },
-      { "field", shot.scene.field->name }, { "component", ComponentName(shot.scene) } };
+      { "field", shot.scene.layers.front().field->name },
+      { "component", ComponentName(shot.scene.layers.front()) } };
     AddTime(summary, shot.input);
     summary.update({ { "width", shot.size.width }, { "height", shot.size.height },
       { "points", measured.points }, { "threads", threads },
@@ -85,7 +86,8 @@ void Bench(const BenchOptions& options, const CommonOptions& common)
   }
   Table table;
   table.Row("elements", "{}", shot.input.model->GetMesh().Elements());
-  table.Row("field", shot.scene.field->name + FieldKind(*shot.scene.field));
+  table.Row(
+    "field", shot.scene.layers.front().field->name + FieldKind(*shot.scene.layers.front().field));
   AddTime(table, shot.input);
   table.Row("size", "{} x {}", shot.size.width, shot.size.height);
   table.Row("threads", "{}, {}", threads, InstructionSet());

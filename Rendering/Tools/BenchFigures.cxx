@@ -6,7 +6,7 @@
 #include "Report.h"
 
 #include "Core/Element/Kernels.h"
-#include "Trace/Plane.h"
+#include "Trace/Surfaces/Plane.h"
 
 #include <nlohmann/json.hpp>
 #include <tbb/global_control.h>
@@ -63,19 +63,20 @@ Row Measure(const BlockKind& kind, const ImageSize& size, const FigureOptions& o
   const Vec3 normal = Vec3(0.2, 0.3, 1.0) / std::sqrt(1.13);
   Scene scene;
   scene.locator = &locator;
-  scene.field = &block.GetField();
-  scene.surfaces.push_back(std::make_shared<Plane>(Vec3(0.013, 0.021, 0.034), normal));
+  scene.layers.push_back(
+    { std::make_shared<Plane>(Vec3(0.013, 0.021, 0.034), normal), &block.GetField() });
   const Camera camera = FilledView(normal, size);
-  const ColorMapping colors = options.colors.MappingOver({ -1.0, 1.0 });
+  const ColorMapping colors(options.colors.MapOver({ -1.0, 1.0 }));
+  const Pipeline pipeline{ { &colors }, {} };
   const auto ignore = [](double) {};
   {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
-    row.one = MeasureFrames(scene, camera, { &colors }, options.repeat, ignore);
-    scene.precision = Precision::Float;
-    row.floats = MeasureFrames(scene, camera, { &colors }, options.repeat, ignore);
-    scene.precision = Precision::Double;
+    row.one = MeasureFrames(scene, camera, pipeline, options.repeat, ignore);
+    scene.layers[0].precision = Precision::Float;
+    row.floats = MeasureFrames(scene, camera, pipeline, options.repeat, ignore);
+    scene.layers[0].precision = Precision::Double;
   }
-  row.all = MeasureFrames(scene, camera, { &colors }, options.repeat, ignore);
+  row.all = MeasureFrames(scene, camera, pipeline, options.repeat, ignore);
   row.bounded = locator.Index().BoundedElements();
   row.memory = locator.Index().MemoryUsage();
   return row;

@@ -12,7 +12,7 @@
 namespace pixelexact
 {
 /// The camera of the command line. What is not given is chosen so that the whole data set is seen
-/// along the first surface's normal.
+/// along the first surface's normal, or, where that is no plane, from the direction (1, 1, 1).
 class CameraOptions
 {
 public:

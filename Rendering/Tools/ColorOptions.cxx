@@ -42,6 +42,15 @@ std::string Names()
 }
 } // namespace
 
+void CheckMap(const char* option, const std::string& map)
+{
+  const std::vector<std::string> names = ColorMapNames();
+  if (std::find(names.begin(), names.end(), map) == names.end())
+  {
+    throw UsageError(std::string(option) + ": there is no '" + map + "'; there are " + Names());
+  }
+}
+
 void CheckColor(const char* option, const std::vector<double>& color)
 {
   if (std::any_of(color.begin(), color.end(), [](double c) { return c < 0.0 || c > 1.0; }))
@@ -79,46 +88,41 @@ void ColorOptions::Check() const
   {
     throw UsageError("--range: --log needs values above 0");
   }
-  const std::vector<std::string> names = ColorMapNames();
-  if (std::find(names.begin(), names.end(), Map) == names.end())
-  {
-    throw UsageError("--colormap: there is no '" + Map + "'; there are " + Names());
-  }
+  CheckMap("--colormap", Map);
 }
 
-std::array<double, 2> ColorOptions::RangeFor(const Frame& frame) const
+std::array<double, 2> ColorOptions::RangeFor(
+  const Frame& frame, const std::vector<bool>& layers) const
 {
   if (!Range.empty())
   {
     return { Range[0], Range[1] };
   }
   const double lowest = Log ? 0.0 : -std::numeric_limits<double>::infinity();
-  return ValueRange(frame, lowest).value_or(Log ? std::array{ 1.0, 10.0 } : std::array{ 0.0, 1.0 });
+  return ValueRange(frame, lowest, layers)
+    .value_or(Log ? std::array{ 1.0, 10.0 } : std::array{ 0.0, 1.0 });
 }
 
-ColorMapping ColorOptions::MappingOver(const std::array<double, 2>& range) const
+ColorMap ColorOptions::MapOver(
+  const std::array<double, 2>& range, const std::optional<std::string>& map) const
 {
-  return ColorMapping(MapOver(range));
-}
-
-ColorMap ColorOptions::MapOver(const std::array<double, 2>& range) const
-{
-  const auto table = MakeColorMap(Map, Log ? Log10(range) : range);
+  const auto table = MakeColorMap(map.value_or(Map), Log ? Log10(range) : range);
   if (!NanColor.empty())
   {
     table->SetNanColor(NanColor[0], NanColor[1], NanColor[2], 1.0);
   }
-  const ColorMap map = ToColorMap(table);
-  return Log ? ByLogarithm(map) : map;
+  const ColorMap colors = ToColorMap(table);
+  return Log ? ByLogarithm(colors) : colors;
 }
 
 std::vector<std::uint8_t> ColorOptions::Flatten(const Frame& frame) const
 {
-  const std::size_t pixels = frame.color.size() / 4;
+  const std::vector<std::uint8_t>& image = frame.Image();
+  const std::size_t pixels = image.size() / 4;
   std::vector<std::uint8_t> rgb(3 * pixels);
   for (std::size_t i = 0; i < pixels; ++i)
   {
-    const std::uint8_t* color = &frame.color[4 * i];
+    const std::uint8_t* color = &image[4 * i];
     const double alpha = color[3] / 255.0;
     for (std::size_t c = 0; c < 3; ++c)
     {
@@ -129,21 +133,26 @@ std::vector<std::uint8_t> ColorOptions::Flatten(const Frame& frame) const
   return rgb;
 }
 
-std::optional<std::array<double, 2>> ValueRange(const Frame& frame, double lowest)
+std::optional<std::array<double, 2>> ValueRange(
+  const Frame& frame, double lowest, const std::vector<bool>& layers)
 {
   std::optional<std::array<double, 2>> range;
-  const SampleBuffers& samples = frame.centres;
-  for (std::size_t i = 0; i < samples.value.size(); ++i)
+  const auto add = [&](const SampleBuffers& samples)
   {
-    const double value = samples.value[i];
-    if (samples.verdict[i] != static_cast<std::uint8_t>(PixelVerdict::Exact) ||
-      !std::isfinite(value) || value <= lowest)
+    for (std::size_t i = 0; i < samples.value.size(); ++i)
     {
-      continue;
+      const double value = samples.value[i];
+      if (samples.verdict[i] == static_cast<std::uint8_t>(PixelVerdict::Exact) &&
+        std::isfinite(value) && value > lowest &&
+        (layers.empty() || samples.layer.empty() || layers[samples.layer[i]]))
+      {
+        range = range ? std::array{ std::min((*range)[0], value), std::max((*range)[1], value) }
+                      : std::array{ value, value };
+      }
     }
-    range = range ? std::array{ std::min((*range)[0], value), std::max((*range)[1], value) }
-                  : std::array{ value, value };
-  }
+  };
+  add(frame.centres);
+  std::ranges::for_each(frame.centres.behind, add);
   return range;
 }
 } // namespace pixelexact

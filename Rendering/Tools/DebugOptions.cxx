@@ -3,12 +3,13 @@
 
 #include "ColorOptions.h"
 #include "Command.h"
+#include "Looks.h"
 #include "Options.h"
 #include "Report.h"
 #include "Shot.h"
 
 #include "Core/Location/Owners.h"
-#include "Trace/DebugColors.h"
+#include "VtkLook.h"
 
 #include <nlohmann/json.hpp>
 #include <tbb/parallel_for.h>
@@ -38,6 +39,10 @@ std::vector<Validity> VerdictsSeen(const Frame& frame, const Mesh& mesh)
 {
   std::vector<Validity> verdicts(static_cast<std::size_t>(mesh.Elements()), Validity::Undecided);
   std::vector<std::int64_t> seen(frame.centres.element);
+  for (const SampleBuffers& sheet : frame.centres.behind)
+  {
+    seen.insert(seen.end(), sheet.element.begin(), sheet.element.end());
+  }
   std::ranges::sort(seen);
   seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
   tbb::parallel_for(std::size_t(0), seen.size(),
@@ -52,11 +57,6 @@ std::vector<Validity> VerdictsSeen(const Frame& frame, const Mesh& mesh)
   return verdicts;
 }
 
-Rgba ToRgba(const std::vector<double>& color)
-{
-  const auto byte = [](double c) { return static_cast<std::uint8_t>(std::lround(255.0 * c)); };
-  return { byte(color[0]), byte(color[1]), byte(color[2]), 255 };
-}
 } // namespace
 
 void DebugOptions::AddTo(CLI::App& command)
@@ -84,8 +84,14 @@ void DebugOptions::AddTo(CLI::App& command)
     .Group(group);
 }
 
-void DebugOptions::Check() const
+void DebugOptions::Check(int samples) const
 {
+  if (samples > 1 && (Owners || ShowUndecided || Show != "field"))
+  {
+    throw UsageError(
+      "--samples mixes colours, and those of --owners, --show and --show-undecided are a legend's; "
+      "leave it out");
+  }
   if (Owners && Show != "field")
   {
     throw UsageError("--owners and --show validity paint the same pixels; choose one");
@@ -104,27 +110,42 @@ Buffer DebugOptions::Needs() const
     (Enclosures || ShowUndecided ? Buffer::Enclosure : Buffer::None);
 }
 
-void DebugOptions::Paint(
-  Frame& frame, const Shot& shot, const ColorOptions& colors, const std::array<double, 2>& range)
+void DebugOptions::AddTo(
+  Pipeline& pipeline, const Shot& shot, const Looks& looks, const Frame& frame)
 {
   if (Owners)
   {
-    CoverageColors().Process(frame);
-    CountCoverage(frame);
+    InPlace = std::make_shared<CoverageColors>();
   }
   else if (Show == "validity")
   {
-    PaintValidity(frame, shot);
+    Verdicts = VerdictsSeen(frame, shot.input.model->GetMesh());
+    InPlace = std::make_shared<ValidityColors>(Verdicts);
   }
-  else
+  if (InPlace)
   {
-    colors.MappingOver(range).Process(frame);
+    pipeline.colors = { InPlace.get() };
   }
   if (ShowUndecided)
   {
-    const UndecidedColors undecided(colors.MapOver(range), ToRgba(UndecidedColor));
-    ColorUndecided = std::ranges::count(undecided.Find(frame), 1);
-    undecided.Process(frame);
+    OnTop = std::make_shared<UndecidedColors>(looks.Maps(), ToRgba(UndecidedColor.data()));
+    pipeline.colors.push_back(OnTop.get());
+  }
+}
+
+void DebugOptions::Count(const Frame& frame)
+{
+  if (Owners)
+  {
+    CountCoverage(frame);
+  }
+  if (!Verdicts.empty())
+  {
+    CountValidity(frame);
+  }
+  if (OnTop)
+  {
+    ColorUndecided = OnTop->Count(frame.centres);
   }
   if (Enclosures || ShowUndecided)
   {
@@ -132,17 +153,15 @@ void DebugOptions::Paint(
   }
 }
 
-void DebugOptions::PaintValidity(Frame& frame, const Shot& shot)
+void DebugOptions::CountValidity(const Frame& frame)
 {
-  const std::vector<Validity> verdicts = VerdictsSeen(frame, shot.input.model->GetMesh());
-  ValidityColors(verdicts).Process(frame);
   Validities.assign(kValidities, 0);
   for (std::size_t i = 0; i < frame.centres.element.size(); ++i)
   {
     if (frame.centres.verdict[i] == static_cast<std::uint8_t>(PixelVerdict::Exact))
     {
       const auto element = static_cast<std::size_t>(frame.centres.element[i]);
-      ++Validities[static_cast<std::size_t>(verdicts[element])];
+      ++Validities[static_cast<std::size_t>(Verdicts[element])];
     }
   }
 }

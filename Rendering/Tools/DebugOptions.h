@@ -3,17 +3,18 @@
 
 #include "Options.h"
 
-#include "Trace/Frame.h"
+#include "Trace/Modules/DebugColors.h"
 
 #include <nlohmann/json_fwd.hpp>
 
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace pixelexact
 {
-class ColorOptions;
+class Looks;
 class Table;
 struct Shot;
 
@@ -24,24 +25,27 @@ class DebugOptions
 public:
   void AddTo(CLI::App& command);
 
-  /// Throws UsageError for options that exclude each other.
-  void Check() const;
+  /// Throws UsageError for options that exclude each other; `samples`: in a pixel.
+  void Check(int samples) const;
 
   /// The buffers that it takes.
   [[nodiscard]] Buffer Needs() const;
 
-  /// Gives the frame its colours: the field's, or those that were asked for in their place.
-  void Paint(
-    Frame& frame, const Shot& shot, const ColorOptions& colors, const std::array<double, 2>& range);
+  /// Adds what was asked for to a pipeline that shows the field, or puts it in the field's place:
+  /// of a frame whose samples are there. What is pointed to lives here.
+  void AddTo(Pipeline& pipeline, const Shot& shot, const Looks& looks, const Frame& frame);
 
-  /// What was found: call after Paint.
+  /// Counts what was found in a frame.
+  void Count(const Frame& frame);
+
+  /// What was found: call after Count.
   void AddTo(Table& table) const;
   void AddTo(nlohmann::ordered_json& summary) const;
 
 private:
   using Counts = std::vector<std::int64_t>; ///< pixels per entry of a legend
 
-  void PaintValidity(Frame& frame, const Shot& shot);
+  void CountValidity(const Frame& frame);
   void CountCoverage(const Frame& frame);
   void CountEnclosures(const Frame& frame);
 
@@ -50,6 +54,10 @@ private:
   bool ShowUndecided = false;
   std::string Show = "field";
   std::vector<double> UndecidedColor{ 1.0, 0.0, 0.5 };
+
+  std::shared_ptr<SampleColors> InPlace; ///< of the field's colours
+  std::shared_ptr<UndecidedColors> OnTop;
+  std::vector<Validity> Verdicts; ///< of elements
 
   Counts Coverages;  ///< by Coverage
   Counts Validities; ///< by Validity

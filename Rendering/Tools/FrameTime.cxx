@@ -60,24 +60,23 @@ double FrameTime::Ratio() const
   return Median(ratios);
 }
 
-FrameTime MeasureFrames(const Scene& scene, const Camera& camera,
-  const std::vector<const FrameModule*>& modules, int repeat,
-  const std::function<void(double)>& done)
+FrameTime MeasureFrames(const Scene& scene, const Camera& camera, const Pipeline& pipeline,
+  int repeat, const std::function<void(double)>& done)
 {
   FrameTime time;
-  const FrameCounters first = Trace(scene, camera, modules).counters;
+  const FrameCounters first = Trace(scene, camera, pipeline).counters;
   time.points = first.exact;
   time.floatCheck = first.floatCheck;
   for (int i = 0; i < repeat; ++i)
   {
     const Timer frame;
-    (void)Trace(scene, camera, modules);
+    (void)Trace(scene, camera, pipeline);
     time.frames.push_back(frame.Seconds());
-    time.kernels.push_back(KernelSeconds(scene.field->values, time.points));
+    time.kernels.push_back(KernelSeconds(scene.layers.front().field->values, time.points));
     done(static_cast<double>(i + 1) / (repeat + 1));
   }
   const Timer frame;
-  (void)Trace(scene, camera, modules, {}, {}, &time.stages);
+  (void)Trace(scene, camera, pipeline, {}, {}, &time.stages);
   time.staged = frame.Seconds();
   done(1.0);
   return time;

@@ -28,10 +28,9 @@ struct FrameTime
   [[nodiscard]] double Ratio() const;
 };
 
-/// `repeat` frames with `modules`, after one that is not counted; `done` receives the part done.
-FrameTime MeasureFrames(const Scene& scene, const Camera& camera,
-  const std::vector<const FrameModule*>& modules, int repeat,
-  const std::function<void(double)>& done);
+/// `repeat` frames with a pipeline, after one that is not counted; `done` receives the part done.
+FrameTime MeasureFrames(const Scene& scene, const Camera& camera, const Pipeline& pipeline,
+  int repeat, const std::function<void(double)>& done);
 
 /// Seconds of each stage.
 nlohmann::ordered_json ToJson(const StageTimes& stages);

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Command.h"
 #include "DebugOptions.h"
+#include "Looks.h"
 #include "Picture.h"
 #include "Report.h"
 #include "Shot.h"
 
 #include "Core/Base/Error.h"
 #include "Core/Location/Locator.h"
+#include "Trace/BufferTable.h"
+#include "Trace/Sheets.h"
+#include "Trace/Tracer.h"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <limits>
 #include <memory>
@@ -43,21 +48,48 @@ nlohmann::ordered_json ToJson(const CameraView& view)
   return camera;
 }
 
-void PrintJson(const Shot& shot, const Frame& frame,
-  const std::optional<std::array<double, 2>>& values, const std::array<double, 2>& colors,
-  const DebugOptions& debug, const Stopwatch& stopwatch)
+nlohmann::ordered_json LayersToJson(const Shot& shot, const Frame& frame, const Looks& looks)
 {
+  nlohmann::ordered_json layers = nlohmann::ordered_json::array();
+  for (std::size_t k = 0; k < shot.scene.layers.size(); ++k)
+  {
+    const Layer& layer = shot.scene.layers[k];
+    layers.push_back({ { "field", layer.field->name }, { "component", ComponentName(layer) },
+      { "opacity", shot.settings[k].opacity }, { "color_range", looks.Ranges()[k] },
+      { "pixels", std::ranges::count(frame.centres.layer, k) } });
+  }
+  return layers;
+}
+
+void PrintJson(const Shot& shot, const Frame& frame,
+  const std::optional<std::array<double, 2>>& values, const Looks& looks, const DebugOptions& debug,
+  const Stopwatch& stopwatch)
+{
+  const Layer& first = shot.scene.layers.front();
   const FrameCounters& pixels = frame.counters;
   nlohmann::ordered_json summary{ { "elements", shot.input.model->GetMesh().Elements() },
-    { "field", shot.scene.field->name }, { "component", ComponentName(shot.scene) } };
+    { "field", first.field->name }, { "component", ComponentName(first) } };
   AddTime(summary, shot.input);
   summary.update({ { "width", frame.width }, { "height", frame.height },
     { "pixels",
       { { "exact", pixels.exact }, { "nothing", pixels.nothing }, { "unknown", pixels.unknown } } },
     { "non_finite", pixels.nonFinite },
     { "value_range", values ? nlohmann::ordered_json(*values) : nlohmann::ordered_json() },
-    { "color_range", colors }, { "camera", ToJson(shot.view) } });
-  if (shot.scene.precision == Precision::Float)
+    { "color_range", looks.Ranges().front() }, { "camera", ToJson(shot.view) } });
+  if (shot.scene.layers.size() > 1)
+  {
+    summary["layers"] = LayersToJson(shot, frame, looks);
+  }
+  if (pixels.numericHits + pixels.undecidedHits + pixels.cutOff > 0)
+  {
+    summary["hits"] = { { "numeric", pixels.numericHits }, { "undecided", pixels.undecidedHits },
+      { "cut_off", pixels.cutOff } };
+  }
+  if (shot.samples > 1)
+  {
+    summary["refined_pixels"] = looks.Refined();
+  }
+  if (pixels.floatCheck.points > 0)
   {
     summary["float"] = { { "checked", pixels.floatCheck.points },
       { "largest_difference", pixels.floatCheck.largest } };
@@ -72,15 +104,22 @@ void PrintJson(const Shot& shot, const Frame& frame,
 }
 
 void PrintTable(const Shot& shot, const Frame& frame,
-  const std::optional<std::array<double, 2>>& values, const DebugOptions& debug,
+  const std::optional<std::array<double, 2>>& values, const Looks& looks, const DebugOptions& debug,
   const Stopwatch& stopwatch)
 {
   Table table;
   table.Row("elements", "{}", shot.input.model->GetMesh().Elements());
-  const Field& field = *shot.scene.field;
-  table.Row("field",
-    field.name + FieldKind(field) +
-      (field.values.components > 1 ? ", " + ComponentName(shot.scene) : std::string()));
+  for (std::size_t k = 0; k < shot.scene.layers.size(); ++k)
+  {
+    const Layer& layer = shot.scene.layers[k];
+    const std::string pixels = shot.scene.layers.size() > 1
+      ? fmt::format("; layer {}, {} pixels", k + 1, std::ranges::count(frame.centres.layer, k))
+      : std::string();
+    table.Row(k == 0 ? "field" : "",
+      layer.field->name + FieldKind(*layer.field) +
+        (layer.field->values.components > 1 ? ", " + ComponentName(layer) : std::string()) +
+        pixels);
+  }
   AddTime(table, shot.input);
   table.Row("size", "{} x {}", frame.width, frame.height);
   const FrameCounters& pixels = frame.counters;
@@ -88,7 +127,16 @@ void PrintTable(const Shot& shot, const Frame& frame,
     "pixels", "{} exact, {} nothing, {} unknown", pixels.exact, pixels.nothing, pixels.unknown);
   table.Row("non-finite", "{}", pixels.nonFinite);
   table.Row("values", values ? Short((*values)[0]) + " to " + Short((*values)[1]) : "none");
-  if (shot.scene.precision == Precision::Float)
+  if (pixels.numericHits + pixels.undecidedHits + pixels.cutOff > 0)
+  {
+    table.Row("hits", "{} numeric, {} undecided, {} rays cut off", pixels.numericHits,
+      pixels.undecidedHits, pixels.cutOff);
+  }
+  if (shot.samples > 1)
+  {
+    table.Row("smoothed", "{} pixels", looks.Refined());
+  }
+  if (pixels.floatCheck.points > 0)
   {
     table.Row("float", "at most {} from double at {} pixels evaluated in both",
       Short(pixels.floatCheck.largest), pixels.floatCheck.points);
@@ -108,6 +156,11 @@ void WarnOf(const Frame& frame)
   {
     Warn(std::to_string(frame.counters.unknown) +
       " pixels could not be decided and are shown as unknown");
+  }
+  if (frame.counters.cutOff > 0)
+  {
+    Warn(std::to_string(frame.counters.cutOff) + " rays meet more than " +
+      std::to_string(Sheets::kMost) + " translucent surfaces; what is behind is not shown");
   }
 }
 
@@ -130,24 +183,26 @@ void Render(const RenderOptions& options, const CommonOptions& common)
   CheckSuffix("--output", options.output, ".png");
   CheckSuffix("--buffers", options.buffers, ".vti");
   DebugOptions debug = options.debug;
-  debug.Check();
+  debug.Check(options.shot.samples);
   Stopwatch stopwatch;
   const Shot shot = Prepare(options.shot, stopwatch);
 
-  Buffer wanted = Buffer::Value | Buffer::Verdict | debug.Needs();
+  Buffer wanted = NeedsOfLooks(shot) | debug.Needs();
   if (!options.buffers.empty())
   {
-    wanted =
-      wanted | Buffer::Position | Buffer::Normal | Buffer::Xi | Buffer::Element | Buffer::Depth;
+    wanted = wanted | UsualBuffers();
   }
   Frame frame = [&]
   {
     ProgressLine line("tracing");
-    return Trace(shot.scene, shot.MakeCamera(), {}, { wanted, Buffer::None }, std::ref(line));
+    return Trace(shot.scene, shot.MakeCamera(), {}, { .centres = wanted }, std::ref(line));
   }();
-  // Afterwards, because the default range is that of the values found.
-  const std::array<double, 2> range = options.shot.colors.RangeFor(frame);
-  debug.Paint(frame, shot, options.shot.colors, range);
+  // Colours afterwards, because the default range is that of the values found.
+  Looks looks(options.shot.colors, shot, frame);
+  Pipeline pipeline = looks.MakePipeline();
+  debug.AddTo(pipeline, shot, looks, frame);
+  Repaint(shot.scene, shot.MakeCamera(), pipeline, frame);
+  debug.Count(frame);
   const auto values = ValueRange(frame, -std::numeric_limits<double>::infinity());
   stopwatch.Stage("trace+colour");
 
@@ -161,11 +216,11 @@ void Render(const RenderOptions& options, const CommonOptions& common)
   WarnOf(frame);
   if (common.json)
   {
-    PrintJson(shot, frame, values, range, debug, stopwatch);
+    PrintJson(shot, frame, values, looks, debug, stopwatch);
   }
   else
   {
-    PrintTable(shot, frame, values, debug, stopwatch);
+    PrintTable(shot, frame, values, looks, debug, stopwatch);
   }
 }
 } // namespace
@@ -181,7 +236,7 @@ void AddRenderCommand(CLI::App& program, const CommonOptions& common, Action& ac
   AddText(command, "--output", options->output, "IMAGE.png", "PNG image to write").Required();
   AddText(command, "--buffers", options->buffers, "OUT.vti",
     "Also write what was found at each pixel: value, position, normal, xi, element, depth, "
-    "verdict, colour");
+    "verdict, layer, colour");
   AddText(
     command, "--contours", options->contours, "N|v1,v2,...", "Contour lines (not available yet)");
 }

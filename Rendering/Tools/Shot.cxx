@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shot.h"
 
-#include "Numbers.h"
 #include "Report.h"
 
 #include "Core/Base/Error.h"
@@ -11,29 +10,19 @@
 
 namespace pixelexact
 {
-namespace
-{
-int ParseComponent(const std::string& text)
-{
-  int component = 0;
-  if (text == "magnitude")
-  {
-    return Scene::kMagnitude;
-  }
-  if (!ParseInteger(text, component) || component < 0)
-  {
-    Refuse("--component", text, "'magnitude' or a number from 0");
-  }
-  return component;
-}
-} // namespace
-
 void ShotOptions::AddTo(CLI::App& command, bool required)
 {
   input.AddTo(command, required);
   AddText(command, "--field", field, "NAME", "Name of the field").Required(required);
   AddRead(
-    command, "--component", [this](const std::string& text) { component = ParseComponent(text); },
+    command, "--component", [this](const std::string& text)
+    {
+      component = ParseComponent(text);
+      if (!component)
+      {
+        Refuse("--component", text, "'magnitude' or a number from 0");
+      }
+    },
     "magnitude|i", "Component of a vector field, counted from 0, or its magnitude (default)");
   AddSize(command, "--size", size, "Size of the image in pixels (default: 1000x1000)");
   AddChoice(
@@ -43,9 +32,56 @@ void ShotOptions::AddTo(CLI::App& command, bool required)
     { "double", "float" },
     "What values are computed in (default: double); what float costs is told");
   surfaces.AddTo(command);
+  layers.AddTo(command);
   camera.AddTo(command);
   colors.AddTo(command);
+  AddChoice(
+    command, "--lights",
+    [this](const std::string& text)
+    { lights = text == "curved" ? Lit::Curved : (text == "on" ? Lit::On : Lit::Off); },
+    { "curved", "on", "off" },
+    "Shine a light from the eye on all surfaces but planes (curved, the default), on all, on none");
+  AddInteger(command, "--samples", samples, 1, 1024, "N",
+    "Samples in pixels that are not of one colour, for smooth edges (default: 1)");
 }
+
+namespace
+{
+/// The only field of all layers; empty: there are several.
+std::string FieldToLoad(const ShotOptions& options, const std::vector<LayerSettings>& layers)
+{
+  for (const LayerSettings& layer : layers)
+  {
+    if (layer.field && *layer.field != options.field)
+    {
+      return {};
+    }
+  }
+  return options.field;
+}
+
+Layer MakeLayer(const ShotOptions& options, const LayerSettings& settings,
+  const std::shared_ptr<const Surface>& surface, const HighOrderModel& model)
+{
+  const std::string name = settings.field.value_or(options.field);
+  Layer layer{ surface, &FieldNamed(model, name) };
+  const int components = layer.field->values.components;
+  // The component that is asked for of all is not asked of a field of one layer.
+  const std::optional<int> asked = settings.component
+    ? settings.component
+    : (settings.field ? std::nullopt : options.component);
+  layer.component = asked.value_or(components == 1 ? 0 : kMagnitude);
+  if (layer.component >= components)
+  {
+    throw Error((settings.component ? "--layer" : "--component") + std::string(": field '") + name +
+      "' has " + std::to_string(components) + (components == 1 ? " component" : " components") +
+      ", counted from 0");
+  }
+  layer.precision = settings.precision.value_or(options.precision);
+  layer.translucent = settings.opacity < 1.0;
+  return layer;
+}
+} // namespace
 
 Shot Prepare(const ShotOptions& options, Stopwatch& stopwatch)
 {
@@ -53,19 +89,17 @@ Shot Prepare(const ShotOptions& options, Stopwatch& stopwatch)
   options.colors.Check();
   Shot shot;
   shot.size = options.size;
-  shot.scene.surfaces = options.surfaces.Make();
-  shot.input = LoadModel(options.input, options.field, stopwatch);
+  shot.lights = options.lights;
+  shot.samples = options.samples;
+  const auto surfaces = options.surfaces.Make();
+  shot.settings = options.layers.Make(surfaces.size());
+  shot.input = LoadModel(options.input, FieldToLoad(options, shot.settings), stopwatch);
   WarnOfDiagnostics(shot.input);
   const HighOrderModel& model = *shot.input.model;
-  shot.scene.field = &FieldNamed(model, options.field);
-  const int components = shot.scene.field->values.components;
-  shot.scene.component = options.component.value_or(components == 1 ? 0 : Scene::kMagnitude);
-  if (shot.scene.component >= components)
+  for (std::size_t k = 0; k < surfaces.size(); ++k)
   {
-    throw Error("--component: field '" + options.field + "' has " + std::to_string(components) +
-      (components == 1 ? " component" : " components") + ", counted from 0");
+    shot.scene.layers.push_back(MakeLayer(options, shot.settings[k], surfaces[k], model));
   }
-  shot.scene.precision = options.precision;
   shot.scene.locator = &model.GetLocator();
   stopwatch.Stage("bounds+bvh");
 
@@ -75,17 +109,20 @@ Shot Prepare(const ShotOptions& options, Stopwatch& stopwatch)
     // Any camera sees all of nothing.
     box = { Vec3(-1.0), Vec3(1.0) };
   }
-  const Vec3 normal = shot.scene.surfaces.front()->Normal(0.5 * (box.lower + box.upper));
+  // A surface that is no plane has normals in many directions.
+  const Vec3 normal = surfaces.front()->IsFlat()
+    ? surfaces.front()->Normal({ 0.5 * (box.lower + box.upper) })
+    : Vec3(1.0);
   shot.view = options.camera.Make(box, normal, shot.size);
   return shot;
 }
 
-std::string ComponentName(const Scene& scene)
+std::string ComponentName(const Layer& layer)
 {
-  if (scene.component == Scene::kMagnitude)
+  if (layer.component == kMagnitude)
   {
     return "magnitude";
   }
-  return scene.field->values.components == 1 ? "value" : std::to_string(scene.component);
+  return layer.field->values.components == 1 ? "value" : std::to_string(layer.component);
 }
 } // namespace pixelexact

@@ -4,11 +4,13 @@
 #include "CameraOptions.h"
 #include "ColorOptions.h"
 #include "Input.h"
+#include "LayerOptions.h"
 #include "Model.h"
 #include "Options.h"
 #include "SurfaceOptions.h"
 
-#include "Trace/Tracer.h"
+#include "Trace/Camera.h"
+#include "Trace/Scene.h"
 
 #include <optional>
 #include <string>
@@ -17,6 +19,14 @@ namespace pixelexact
 {
 class Stopwatch;
 
+/// Which surfaces lights shine on, where a layer does not say so itself.
+enum class Lit
+{
+  Curved, ///< all but planes
+  On,
+  Off
+};
+
 /// What is seen from where: the options that render and bench share.
 struct ShotOptions
 {
@@ -24,10 +34,13 @@ struct ShotOptions
   std::string field;
   std::optional<int> component; ///< none: the value of a scalar, the magnitude of a vector
   SurfaceOptions surfaces;
+  LayerOptions layers;
   CameraOptions camera;
   ColorOptions colors;
   ImageSize size;
   Precision precision = Precision::Double;
+  Lit lights = Lit::Curved;
+  int samples = 1;
 
   /// `required`: INPUT and --field are.
   void AddTo(CLI::App& command, bool required = true);
@@ -38,8 +51,11 @@ struct Shot
 {
   LoadedModel input;
   Scene scene;
+  std::vector<LayerSettings> settings; ///< by layer
   CameraView view;
   ImageSize size;
+  Lit lights = Lit::Curved;
+  int samples = 1; ///< in pixels that are not of one colour
 
   [[nodiscard]] Camera MakeCamera() const { return { view, size.width, size.height }; }
 };
@@ -48,5 +64,5 @@ struct Shot
 Shot Prepare(const ShotOptions& options, Stopwatch& stopwatch);
 
 /// "magnitude" or the component's number; "value" for a scalar.
-std::string ComponentName(const Scene& scene);
+std::string ComponentName(const Layer& layer);
 } // namespace pixelexact

@@ -5,12 +5,66 @@
 #include "Options.h"
 
 #include "Core/Base/Error.h"
-#include "Trace/Plane.h"
+#include "Trace/Surfaces/ConvexBody.h"
+#include "Trace/Surfaces/Plane.h"
+#include "Trace/Surfaces/Quadric.h"
+#include "Trace/Surfaces/Torus.h"
+
+#include <algorithm>
+#include <array>
 
 namespace pixelexact
 {
 namespace
 {
+using Given = std::vector<double>;
+
+Vec3 At(const Given& numbers, std::size_t first)
+{
+  return { numbers[first], numbers[first + 1], numbers[first + 2] };
+}
+
+/// A surface that numbers describe.
+struct Kind
+{
+  const char* name;
+  int count;
+  const char* form;
+  const char* help;
+  std::shared_ptr<const Surface> (*make)(const Given& p);
+};
+// In the order of the help.
+const Kind kKinds[] = {
+  { "--plane", 6, "ox,oy,oz,nx,ny,nz", "Cut by the plane through o with normal n",
+    [](const Given& p) -> std::shared_ptr<const Surface>
+    { return std::make_shared<Plane>(At(p, 0), At(p, 3)); } },
+  { "--sphere", 4, "cx,cy,cz,r", "Cut by a sphere",
+    [](const Given& p) -> std::shared_ptr<const Surface>
+    { return std::make_shared<Quadric>(MakeSphere(At(p, 0), p[3])); } },
+  { "--cylinder", 7, "px,py,pz,ax,ay,az,r", "Cut by the cylinder about the line through p along a",
+    [](const Given& p) -> std::shared_ptr<const Surface>
+    { return std::make_shared<Quadric>(MakeCylinder(At(p, 0), At(p, 3), p[6])); } },
+  { "--cone", 7, "ax,ay,az,dx,dy,dz,deg",
+    "Cut by the cone, both halves, with apex a, axis d and so many degrees between axis and "
+    "surface",
+    [](const Given& p) -> std::shared_ptr<const Surface>
+    { return std::make_shared<Quadric>(MakeCone(At(p, 0), At(p, 3), p[6])); } },
+  { "--quadric", 10, "a0,...,a9",
+    "Cut by a quadric, in vtkQuadric's order: xx, yy, zz, xy, yz, xz, x, y, z, 1",
+    [](const Given& p) -> std::shared_ptr<const Surface>
+    {
+      std::array<double, 10> a{};
+      std::ranges::copy(p, a.begin());
+      return std::make_shared<Quadric>(MakeQuadric(a));
+    } },
+  { "--torus", 8, "cx,cy,cz,ax,ay,az,R,r", "Cut by the torus about c with axis a, of radii R and r",
+    [](const Given& p) -> std::shared_ptr<const Surface>
+    { return std::make_shared<Torus>(At(p, 0), At(p, 3), p[6], p[7]); } },
+  { "--box", 6, "x0,y0,z0,x1,y1,z1", "Cut by the faces of a box",
+    [](const Given& p) -> std::shared_ptr<const Surface>
+    { return std::make_shared<ConvexBody>(MakeBox(At(p, 0), At(p, 3))); } },
+};
+
 struct Announced
 {
   const char* name;
@@ -18,11 +72,6 @@ struct Announced
   const char* help;
 };
 constexpr Announced kAnnounced[] = {
-  { "--sphere", "cx,cy,cz,r", "Cut by a sphere" },
-  { "--cylinder", "px,py,pz,ax,ay,az,r", "Cut by a cylinder" },
-  { "--cone", "ax,ay,az,dx,dy,dz,deg", "Cut by a cone" },
-  { "--quadric", "a0,...,a9", "Cut by a quadric, in vtkQuadric's order" },
-  { "--torus", "cx,cy,cz,ax,ay,az,R,r", "Cut by a torus" },
   { "--patch", "FILE", "Cut by bicubic Bezier patches" },
   { "--isosurface", "FIELD=VALUE", "Cut by an iso-surface of a field" },
   { "--surface", "FILE", "Cut by triangles (.vtp, .stl)" },
@@ -32,9 +81,11 @@ constexpr Announced kAnnounced[] = {
 void SurfaceOptions::AddTo(CLI::App& command)
 {
   const char* group = "Surfaces (any number of each)";
-  AddRepeatedNumbers(
-    command, "--plane", Planes, 6, "ox,oy,oz,nx,ny,nz", "Cut by the plane through o with normal n")
-    .Group(group);
+  for (const Kind& kind : kKinds)
+  {
+    AddRepeatedNumbers(command, kind.name, Numbers[kind.name], kind.count, kind.form, kind.help)
+      .Group(group);
+  }
   for (const Announced& surface : kAnnounced)
   {
     AddRepeated(
@@ -51,24 +102,27 @@ std::vector<std::shared_ptr<const Surface>> SurfaceOptions::Make() const
 {
   if (!NotYet.empty() || Boundary)
   {
-    throw Unsupported(
-      (NotYet.empty() ? "--boundary" : NotYet[0]) + " is not available yet; cut by a --plane");
-  }
-  if (Planes.empty())
-  {
-    throw UsageError("no surface was given; cut by a plane, say --plane 0,0,0,0,0,1");
+    throw Unsupported((NotYet.empty() ? "--boundary" : NotYet[0]) +
+      " is not available yet; cut by a --plane or another surface of the help");
   }
   std::vector<std::shared_ptr<const Surface>> surfaces;
-  for (const std::vector<double>& p : Planes)
+  for (const Kind& kind : kKinds)
   {
-    try
+    for (const Given& numbers : Numbers.at(kind.name))
     {
-      surfaces.push_back(std::make_shared<Plane>(Vec3(p[0], p[1], p[2]), Vec3(p[3], p[4], p[5])));
+      try
+      {
+        surfaces.push_back(kind.make(numbers));
+      }
+      catch (const Error& error)
+      {
+        throw UsageError(std::string(kind.name) + ": " + error.what());
+      }
     }
-    catch (const Error& error)
-    {
-      throw UsageError(std::string("--plane: ") + error.what());
-    }
+  }
+  if (surfaces.empty())
+  {
+    throw UsageError("no surface was given; cut by a plane, say --plane 0,0,0,0,0,1");
   }
   return surfaces;
 }

@@ -3,8 +3,9 @@
 
 #include "Options.h"
 
-#include "Trace/Surface.h"
+#include "Trace/Surfaces/Surface.h"
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -22,7 +23,7 @@ public:
   [[nodiscard]] std::vector<std::shared_ptr<const Surface>> Make() const;
 
 private:
-  std::vector<std::vector<double>> Planes;
+  std::map<std::string, std::vector<std::vector<double>>> Numbers; ///< by option
   std::vector<std::string> NotYet; ///< names of the options given that are not available yet
   bool Boundary = false;
 };

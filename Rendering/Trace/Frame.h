@@ -22,8 +22,9 @@ enum class Buffer : std::uint32_t
   Depth = 1U << 5,
   Verdict = 1U << 6,
   Color = 1U << 7,
-  Coverage = 1U << 8, ///< Owners and Coverage together
-  Enclosure = 1U << 9 ///< the value's lower and upper bound
+  Coverage = 1U << 8,  ///< Owners and Coverage together
+  Enclosure = 1U << 9, ///< the value's lower and upper bound
+  Layer = 1U << 10
 };
 constexpr Buffer operator|(Buffer a, Buffer b)
 {
@@ -44,9 +45,12 @@ enum class PixelVerdict : std::uint8_t
 
 /// In the coverage buffer: no hit within the mesh's bounds.
 inline constexpr std::uint8_t kNotCovered = 255;
+/// In the layer buffer: nothing seen.
+inline constexpr std::uint8_t kNoLayer = 255;
 
-/// Samples on one lattice: the pixels' centres, or their corners. Lower-left first, row by row.
-/// Only the buffers asked for are allocated; the others are empty.
+/// What is seen at some samples: the pixels' centres, their corners, or others. Those of a lattice
+/// lie lower-left first, row by row. Only the buffers asked for are allocated; the others are
+/// empty. A new buffer is a flag above, a member here and a row of BufferTable.h.
 struct SampleBuffers
 {
   int width = 0;
@@ -59,13 +63,19 @@ struct SampleBuffers
   std::vector<double> depth;         ///< distance along the unit ray; infinite: nothing
   std::vector<std::uint8_t> verdict; ///< PixelVerdict
   /// Preimages of the hit in all elements: of the hit that is seen, where none is, of the last one
-  /// within the mesh's bounds; -1 where there is none.
+  /// within the mesh's bounds; -1 where there is none. Of the nearest sheet alone.
   std::vector<std::int32_t> owners;
   std::vector<std::uint8_t> coverage; ///< Coverage of the same hit, or kNotCovered
   /// An interval that is proven to hold the field's value at the position, the error of the inverse
   /// map included; infinite where nothing is proven, NaN where the verdict is not Exact.
   std::vector<double> valueLower;
   std::vector<double> valueUpper;
+  std::vector<std::uint8_t> layer; ///< number of the scene's layer, or kNoLayer
+  /// RGBA per sample, straight alpha, its layer's opacity included; made by the colours of a
+  /// pipeline, 0 where nothing is drawn.
+  std::vector<std::uint8_t> color;
+  /// What is seen through translucent layers: the next samples of the rays, sheet by sheet.
+  std::vector<SampleBuffers> behind;
 
   void Allocate(Buffer wanted, int newWidth, int newHeight);
   [[nodiscard]] std::size_t Size() const
@@ -78,12 +88,16 @@ struct SampleBuffers
 struct FrameCounters
 {
   std::int64_t rays = 0;
-  std::int64_t surfaceHits = 0;
-  std::int64_t nothing = 0; ///< centre samples by verdict
+  std::int64_t surfaceHits = 0; ///< that rays came to, outside of the mesh and on all sheets, too
+  std::int64_t nothing = 0;     ///< centre samples by verdict
   std::int64_t exact = 0;
   std::int64_t unknown = 0;
   std::int64_t nonFinite = 0; ///< exact samples whose value is NaN or infinite
-  PrecisionCheck floatCheck;  ///< of centres and corners; no points where values are doubles
+  /// Hits seen, on all sheets, of which the surface says so (HitStatus).
+  std::int64_t numericHits = 0;
+  std::int64_t undecidedHits = 0;
+  std::int64_t cutOff = 0;   ///< rays with more sheets than are kept
+  PrecisionCheck floatCheck; ///< of centres and corners; no points where values are doubles
   double seconds = 0.0;
 };
 
@@ -92,8 +106,14 @@ struct Frame
   int width = 0;
   int height = 0;
   SampleBuffers centres;           ///< width x height
-  SampleBuffers corners;           ///< (width + 1) x (height + 1), where a module asked for them
-  std::vector<std::uint8_t> color; ///< RGBA per pixel, straight alpha; 0 where nothing is drawn
+  SampleBuffers corners;           ///< (width + 1) x (height + 1), where asked for
+  std::vector<std::uint8_t> color; ///< RGBA per pixel; empty where the centres' is the image
   FrameCounters counters;
+
+  /// The image: RGBA per pixel, straight alpha; empty where nothing gave it colours.
+  [[nodiscard]] const std::vector<std::uint8_t>& Image() const
+  {
+    return color.empty() ? centres.color : color;
+  }
 };
 } // namespace pixelexact

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trace/ProgressiveFrame.h"
 
-#include "Trace/TraceLattice.h"
+#include "Trace/BufferTable.h"
+#include "Trace/FrameTiles.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -45,14 +47,18 @@ void SpreadBlocks(std::vector<T>& buffer, std::size_t width, std::size_t step)
 }
 } // namespace
 
-ProgressiveFrame::ProgressiveFrame(Scene scene, const Camera& camera, Buffer centres)
+ProgressiveFrame::ProgressiveFrame(
+  Scene scene, const Camera& camera, Pipeline pipeline, Buffer extra)
   : TheScene(std::move(scene))
   , TheCamera(camera)
+  , ThePipeline(std::move(pipeline))
+  , Needs(ThePipeline.Needs())
 {
-  RequireTraceable(TheScene, { .centres = centres });
+  Needs.centres = Needs.centres | extra;
+  RequireTraceable(TheScene, Needs);
   TheFrame.width = camera.Width();
   TheFrame.height = camera.Height();
-  TheFrame.centres.Allocate(centres, TheFrame.width, TheFrame.height);
+  TheFrame.centres.Allocate(Needs.centres, TheFrame.width, TheFrame.height);
 }
 
 bool ProgressiveFrame::Refine(const Progress& progress)
@@ -62,7 +68,32 @@ bool ProgressiveFrame::Refine(const Progress& progress)
 
 bool ProgressiveFrame::Complete(const Progress& progress)
 {
-  return Known == 1 || Pass(1, progress);
+  return Known == 1 || (Known == 0 ? AtOnce(progress) : Pass(1, progress));
+}
+
+bool ProgressiveFrame::AtOnce(const Progress& progress)
+{
+  bool aborted = false;
+  const double before = TheFrame.counters.seconds;
+  TheFrame = Trace(TheScene, TheCamera, ThePipeline, { .centres = Needs.centres },
+    [&](double done)
+    {
+      aborted = progress && !progress(done);
+      return !aborted;
+    });
+  TheFrame.counters.seconds += before;
+  if (aborted)
+  {
+    // Those of some tiles.
+    TheFrame.color.clear();
+    TheFrame.centres.color.clear();
+    for (SampleBuffers& sheet : TheFrame.centres.behind)
+    {
+      sheet.color.clear();
+    }
+  }
+  Known = aborted ? 0 : 1;
+  return !aborted;
 }
 
 bool ProgressiveFrame::Pass(int step, const Progress& progress)
@@ -75,11 +106,15 @@ bool ProgressiveFrame::Pass(int step, const Progress& progress)
     tiles += TilesOf(lattice, TheFrame.width, TheFrame.height);
   }
   Reporter reporter(progress, tiles);
+  Sheets sheets(TheFrame.centres, Needs.centres);
   FrameCounters counted;
   for (const SampleLattice& lattice : lattices)
   {
-    AddCounters(
-      TraceLattice(TheScene, TheCamera, lattice, TheFrame.centres, reporter, nullptr), counted);
+    AddCounters(TraceLattice(TheScene, TheCamera, lattice, sheets, reporter, nullptr), counted);
+  }
+  if (step == 1 && !reporter.IsAborted())
+  {
+    AddSamples(RunPipeline(&TheScene, &TheCamera, ThePipeline, TheFrame), counted);
   }
   TheFrame.counters.seconds +=
     std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -103,19 +138,12 @@ Frame ProgressiveFrame::Preview() const
   {
     const auto width = static_cast<std::size_t>(frame.width);
     const auto step = static_cast<std::size_t>(Known);
-    SampleBuffers& buffers = frame.centres;
-    SpreadBlocks(buffers.value, width, step);
-    SpreadBlocks(buffers.position, width, step);
-    SpreadBlocks(buffers.normal, width, step);
-    SpreadBlocks(buffers.xi, width, step);
-    SpreadBlocks(buffers.element, width, step);
-    SpreadBlocks(buffers.depth, width, step);
-    SpreadBlocks(buffers.verdict, width, step);
-    SpreadBlocks(buffers.owners, width, step);
-    SpreadBlocks(buffers.coverage, width, step);
-    SpreadBlocks(buffers.valueLower, width, step);
-    SpreadBlocks(buffers.valueUpper, width, step);
+    const auto spread = [&](SampleBuffers& sheet)
+    { ForEachBuffer([&](const auto& row) { SpreadBlocks(sheet.*row.member, width, step); }); };
+    spread(frame.centres);
+    std::ranges::for_each(frame.centres.behind, spread);
   }
+  Repaint({ .colors = ThePipeline.colors, .modules = {} }, frame);
   return frame;
 }
 } // namespace pixelexact

@@ -5,7 +5,6 @@
 
 #include "Core/Element/Matrix-inl.h"
 #include "Trace/RayKernels.h"
-#include "Trace/Surface.h"
 
 #include <algorithm>
 #include <bit>
@@ -87,8 +86,7 @@ void CastRays(const CameraRays& camera, const double* u, const double* v, int co
   }
 }
 
-void MeetPlane(const Vec3& origin, const Vec3& normal, const RayLanes& rays, const double* tMin,
-  const HitLanes& hits)
+void MeetPlane(const Vec3& origin, const Vec3& normal, const RayLanes& rays, const HitLanes& hits)
 {
   using Traits = NumberTraits<Lanes>;
   const Point<Lanes> through = SplatPoint(origin);
@@ -105,8 +103,9 @@ void MeetPlane(const Vec3& origin, const Vec3& normal, const RayLanes& rays, con
     Point<Lanes> distance;
     ForEachAxis([&](auto d) PIXELEXACT_INLINED { distance.x[d] = through.x[d] - from.x[d]; });
     const Lanes t = Dot(across, distance) / Dot(across, to);
-    // A slope of zero makes t infinite or NaN: no hit either way.
-    const LaneMask hit = And(Traits::Load(tMin + i) < t, IsFinite(t));
+    // A slope of zero makes t infinite or NaN: no hit either way, for
+    // the interval ends at a finite t.
+    const LaneMask hit = And(Traits::Load(rays.tNear + i) <= t, t <= Traits::Load(rays.tFar + i));
     Point<Lanes> x;
     Point<Lanes> off;
     ForEachAxis(

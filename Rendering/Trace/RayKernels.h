@@ -3,6 +3,7 @@
 
 #include "Trace/Camera.h"
 #include "Trace/Rays.h"
+#include "Trace/Surfaces/HitSlots.h"
 
 // Loops over the samples of a tile, in lanes: dispatched at run time to the instruction set.
 namespace pixelexact
@@ -12,9 +13,9 @@ struct RayKernels
   /// The rays through normalised device coordinates (u[i], v[i]), bit for bit those of Camera::At.
   void (*cast)(const CameraRays& camera, const double* u, const double* v, int count,
     double* const origin[3], double* const direction[3]);
-  /// See Plane::NextHit; `normal` is of unit length.
-  void (*meetPlane)(const Vec3& origin, const Vec3& normal, const RayLanes& rays,
-    const double* tMin, const HitLanes& hits);
+  /// See Plane::Meet; `normal` is of unit length.
+  void (*meetPlane)(
+    const Vec3& origin, const Vec3& normal, const RayLanes& rays, const HitLanes& hits);
   /// How many of `t` are less than kNoHit; the array is padded.
   int (*countHits)(const double* t, int count);
   bool (*areFinite)(const double* values, int count);

@@ -3,21 +3,23 @@
 
 #include "Core/Element/Kernels.h"
 
+#include <limits>
+
 namespace pixelexact
 {
-/// Rays x(t) = origin + t direction, coordinate by coordinate; every array holds PaddedCount(count)
-/// doubles.
+/// The least t of a hit: a ray begins beyond its origin.
+inline constexpr double kNearest = std::numeric_limits<double>::denorm_min();
+/// The largest: no ray meets anything at infinity.
+inline constexpr double kFarthest = std::numeric_limits<double>::max();
+
+/// Rays x(t) = origin + t direction with tNear <= t <= tFar, coordinate by coordinate; every array
+/// holds PaddedCount(count) doubles. A ray with tNear > tFar meets nothing.
 struct RayLanes
 {
   const double* origin[3];
-  const double* direction[3];
+  const double* direction[3]; ///< of unit length up to rounding
+  const double* tNear;        ///< at least kNearest
+  const double* tFar;         ///< at most kFarthest
   int count;
-};
-
-/// Where rays meet a surface, padded as the rays are.
-struct HitLanes
-{
-  double* t;
-  double* position[3];
 };
 } // namespace pixelexact

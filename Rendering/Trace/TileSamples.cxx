@@ -19,7 +19,8 @@ struct Block
 /// Blocks of kRow x kRow samples along a Z-curve.
 constexpr auto MakeBlocks()
 {
-  constexpr int kAcross = kTileSize / TileSamples::kRow;
+  // A power of two that holds a tile and the corners at its end.
+  constexpr int kAcross = 2 * kTileSize / TileSamples::kRow;
   std::array<Block, static_cast<std::size_t>(kAcross) * kAcross> blocks{};
   for (int code = 0; code < kAcross * kAcross; ++code)
   {
@@ -40,28 +41,23 @@ constexpr auto kBlocks = MakeBlocks();
 void TileSamples::Fit(int count)
 {
   Size = count;
-  // Arrays a multiple of 4096 bytes apart would drive each other out of the cache.
-  constexpr std::size_t kApart = 5 * 8;
-  const auto needed = static_cast<std::size_t>(PaddedCount(count)) + kApart;
-  if (Stride < needed)
+  const auto needed = static_cast<std::size_t>(PaddedCount(count)) + kRow;
+  if (U.size() < needed)
   {
-    Stride = needed;
-    Columns.resize(static_cast<std::size_t>(kColumns) * Stride);
-    U.resize(Stride);
-    V.resize(Stride);
-    place.resize(Stride);
-    surface.resize(Stride);
+    U.resize(needed);
+    V.resize(needed);
+    place.resize(needed);
   }
 }
 
 void TileSamples::Begin(
   const Camera& camera, const TileArea& area, const SampleLattice& lattice, int width)
 {
-  const int columns = area.x1 - area.x0;
-  const int rows = area.y1 - area.y0;
+  const int columns = area.Width();
+  const int rows = area.Height();
   Fit(columns * rows);
-  std::array<double, kTileSize> u{};
-  std::array<double, kTileSize> v{};
+  std::array<double, kTileSize + kRow> u{};
+  std::array<double, kTileSize + kRow> v{};
   const auto column = [&](int i) { return lattice.x0 + (area.x0 + i) * lattice.step; };
   const auto row = [&](int j) { return lattice.y0 + (area.y0 + j) * lattice.step; };
   for (int i = 0; i < columns; ++i)
@@ -74,7 +70,9 @@ void TileSamples::Begin(
   }
   const auto step = static_cast<std::size_t>(lattice.step);
   std::size_t at = 0;
-  for (const Block& block : kBlocks)
+  // The first quarter holds the tiles without the corners at their ends.
+  const bool whole = columns > kTileSize || rows > kTileSize;
+  for (const Block& block : std::span(kBlocks).first(kBlocks.size() / (whole ? 1 : 4)))
   {
     const int inRow = std::min(kRow, columns - block.x);
     for (int y = block.y; inRow > 0 && y < std::min(block.y + kRow, rows); ++y)
@@ -99,55 +97,74 @@ void TileSamples::Begin(
   }
 }
 
-RayLanes TileSamples::CastSome(const Camera& camera, int first, int count, int to)
+void TileSamples::Begin(const Camera& camera, std::span<const ImagePosition> positions)
 {
-  std::array<double*, 6> column;
-  for (int k = 0; k < 6; ++k)
+  Fit(static_cast<int>(positions.size()));
+  for (std::size_t i = 0; i < positions.size(); ++i)
   {
-    column[static_cast<std::size_t>(k)] = Array(kOrigin + k) + to;
+    U[i] = camera.U(positions[i][0]);
+    V[i] = camera.V(positions[i][1]);
+    place[i] = i;
   }
-  GetRayKernels().cast(camera.Rays(), &U[static_cast<std::size_t>(first)],
-    &V[static_cast<std::size_t>(first)], count, column.data(), column.data() + 3);
-  std::fill_n(Array(kTMin) + to, PaddedCount(count), 0.0);
-  return { { column[0], column[1], column[2] }, { column[3], column[4], column[5] }, count };
 }
 
-void TileSamples::Cast(const Camera& camera)
+void TileSamples::Clip(const std::vector<KeptHalfSpace>& kept, int count)
 {
-  (void)CastSome(camera, 0, Size, 0);
+  for (const auto& [a, b, c, d] : kept)
+  {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
+    {
+      const double at = a * Origin[0][i] + b * Origin[1][i] + c * Origin[2][i] + d;
+      const double slope = a * Direction[0][i] + b * Direction[1][i] + c * Direction[2][i];
+      const double t = -at / slope;
+      if (slope > 0.0)
+      {
+        Near[i] = std::max(Near[i], t);
+      }
+      else if (slope < 0.0)
+      {
+        Far[i] = std::min(Far[i], t);
+      }
+      else if (!(at >= 0.0))
+      {
+        Near[i] = kNoHit;
+      }
+    }
+  }
 }
 
-void TileSamples::Meet(const Camera& camera, const Surface& met)
+RayLanes TileSamples::Rays(int count) const
 {
-  constexpr int kSome = 128;
-  const HitLanes all = Hits();
+  return { { Origin[0].data(), Origin[1].data(), Origin[2].data() },
+    { Direction[0].data(), Direction[1].data(), Direction[2].data() }, Near.data(), Far.data(),
+    count };
+}
+
+void TileSamples::Meet(const Camera& camera, const Scene& scene, std::vector<HitSlots>& hits)
+{
+  hits.resize(std::max(hits.size(), scene.layers.size()));
+  for (std::size_t k = 0; k < scene.layers.size(); ++k)
+  {
+    hits[k].Begin(Size);
+  }
+  double* const origin[3] = { Origin[0].data(), Origin[1].data(), Origin[2].data() };
+  double* const direction[3] = { Direction[0].data(), Direction[1].data(), Direction[2].data() };
   for (int first = 0; first < Size; first += kSome)
   {
-    const RayLanes rays = CastSome(camera, first, std::min(kSome, Size - first), 0);
-    met.NextHit(rays, TMin(),
-      { all.t + first,
-        { all.position[0] + first, all.position[1] + first, all.position[2] + first } });
+    const int count = std::min(kSome, Size - first);
+    const auto at = static_cast<std::size_t>(first);
+    GetRayKernels().cast(camera.Rays(), &U[at], &V[at], count, origin, direction);
+    if (first == 0 || !scene.kept.empty())
+    {
+      Near.fill(kNearest);
+      Far.fill(kFarthest);
+      Clip(scene.kept, count);
+    }
+    for (std::size_t k = 0; k < scene.layers.size(); ++k)
+    {
+      hits[k].MoveTo(first);
+      scene.layers[k].surface->Meet(Rays(count), hits[k]);
+    }
   }
-}
-
-RayLanes TileSamples::Rays() const
-{
-  return { { Array(kOrigin), Array(kOrigin + 1), Array(kOrigin + 2) },
-    { Array(kDirection), Array(kDirection + 1), Array(kDirection + 2) }, Size };
-}
-
-HitLanes TileSamples::HitsAt(int column)
-{
-  return { Array(column), { Array(column + 1), Array(column + 2), Array(column + 3) } };
-}
-
-LanePoints TileSamples::Positions() const
-{
-  return { { Array(kPosition), Array(kPosition + 1), Array(kPosition + 2) }, Size };
-}
-
-Vec3 TileSamples::Position(int i) const
-{
-  return { Array(kPosition)[i], Array(kPosition + 1)[i], Array(kPosition + 2)[i] };
 }
 } // namespace pixelexact

@@ -1,16 +1,47 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Trace/Surface.h"
-#include "Trace/Tile.h"
+#include "Trace/Camera.h"
+#include "Trace/Scene.h"
 
+#include <array>
+#include <span>
 #include <vector>
 
 namespace pixelexact
 {
-/// The samples of a tile that are still on their way, coordinate by coordinate: ray, place in the
-/// frame, and the hit at hand. Samples lie in blocks of 8 x 8 along a Z-curve, so that neighbours
-/// in memory are neighbours in the image.
+/// Pixels along a tile's side: some hundred hits per element and query, and tiles enough to keep
+/// all cores busy.
+inline constexpr int kTileSize = 32;
+
+/// Samples of an image: (i, j) lies at image position (x0 + i step + offset, y0 + j step + offset)
+/// and is the frame's sample (x0 + i step, y0 + j step).
+struct SampleLattice
+{
+  double offset = 0.5; ///< 0.5: the pixels' centres, 0: their corners
+  int x0 = 0;
+  int y0 = 0;
+  int step = 1;
+};
+
+/// A rectangle of a sample lattice, or of pixels: [x0, x1) x [y0, y1).
+struct TileArea
+{
+  int x0;
+  int y0;
+  int x1;
+  int y1;
+
+  [[nodiscard]] int Width() const { return x1 - x0; }
+  [[nodiscard]] int Height() const { return y1 - y0; }
+};
+
+/// In pixels; see Camera.
+using ImagePosition = std::array<double, 2>;
+
+/// The samples of a tile: where they lie in the image and where their results go. Those of a
+/// lattice lie in blocks of 8 x 8 along a Z-curve, so that neighbours in memory are neighbours in
+/// the image.
 class TileSamples
 {
 public:
@@ -18,86 +49,32 @@ public:
   /// edges of the image.
   static constexpr int kRow = 8;
 
-  /// The samples of a tile, without their rays; see TraceTile.
+  /// Samples of a lattice, at most kTileSize + 1 each way; results go to rows of `width` samples.
   void Begin(const Camera& camera, const TileArea& area, const SampleLattice& lattice, int width);
-  /// All rays.
-  void Cast(const Camera& camera);
-  /// The nearest hits of all rays, which are cast a few at a time and not kept: what is known of
+  /// Any samples; the i-th one's results go to place i. Neighbours should follow each other.
+  void Begin(const Camera& camera, std::span<const ImagePosition> positions);
+
+  /// The hits of all layers, by layer. Rays are cast a few at a time and not kept: what is known of
   /// them stays in the nearest cache.
-  void Meet(const Camera& camera, const Surface& met);
-  /// Keeps the samples for which `keep(i)`, in order.
-  template <class Keep>
-  void Filter(const Keep& keep);
+  void Meet(const Camera& camera, const Scene& scene, std::vector<HitSlots>& hits);
 
   [[nodiscard]] int Count() const { return Size; }
-  [[nodiscard]] RayLanes Rays() const;
-  [[nodiscard]] HitLanes Hits() { return HitsAt(kT); }
-  /// Room for the hits of another surface.
-  [[nodiscard]] HitLanes OtherHits() { return HitsAt(kOtherT); }
-  [[nodiscard]] LanePoints Positions() const;
-  [[nodiscard]] Vec3 Position(int i) const;
-  [[nodiscard]] double* TMin() { return Array(kTMin); }
-  [[nodiscard]] double* T() { return Array(kT); }
 
-  std::vector<std::size_t> place; ///< in the frame's buffers
-  std::vector<int> surface;       ///< number of the surface that was hit
+  std::vector<std::size_t> place; ///< in the buffers
 
 private:
-  // What a sample is made of; those up to kKept move when others are dropped.
-  enum Column
-  {
-    kOrigin = 0,
-    kDirection = 3,
-    kTMin = 6,
-    kT = 7,
-    kPosition = 8,
-    kKept = 11,
-    kOtherT = 11,
-    kColumns = 15
-  };
+  static constexpr int kSome = 128;
 
   void Fit(int count);
-  [[nodiscard]] RayLanes CastSome(const Camera& camera, int first, int count, int to);
-  HitLanes HitsAt(int column);
-  [[nodiscard]] double* Array(int column)
-  {
-    return &Columns[static_cast<std::size_t>(column) * Stride];
-  }
-  [[nodiscard]] const double* Array(int column) const
-  {
-    return &Columns[static_cast<std::size_t>(column) * Stride];
-  }
+  void Clip(const std::vector<KeptHalfSpace>& kept, int count);
+  [[nodiscard]] RayLanes Rays(int count) const;
 
   int Size = 0;
-  std::size_t Stride = 0;
-  std::vector<double> Columns;
   std::vector<double> U;
   std::vector<double> V;
+  std::array<std::array<double, kSome>, 3> Origin{};
+  std::array<std::array<double, kSome>, 3> Direction{};
+  std::array<double, kSome> Near{};
+  std::array<double, kSome> Far{};
 };
-
-template <class Keep>
-void TileSamples::Filter(const Keep& keep)
-{
-  int kept = 0;
-  for (int i = 0; i < Size; ++i)
-  {
-    if (!keep(i))
-    {
-      continue;
-    }
-    if (kept != i)
-    {
-      const auto from = static_cast<std::size_t>(i);
-      const auto to = static_cast<std::size_t>(kept);
-      for (int column = 0; column < kKept; ++column)
-      {
-        Array(column)[to] = Array(column)[from];
-      }
-      place[to] = place[from];
-      surface[to] = surface[from];
-    }
-    ++kept;
-  }
-  Size = kept;
-}
 } // namespace pixelexact

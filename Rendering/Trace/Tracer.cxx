@@ -1,66 +1,82 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trace/Tracer.h"
 
-#include "Trace/TraceLattice.h"
+#include "Trace/FrameTiles.h"
+#include "Trace/TileVisit.h"
 
 #include <chrono>
 
 namespace pixelexact
 {
-Frame Trace(const Scene& scene, const Camera& camera,
-  const std::vector<const FrameModule*>& modules, const SampleNeeds& extra,
-  const Progress& progress, StageTimes* stages)
+Frame Trace(const Scene& scene, const Camera& camera, const Pipeline& pipeline,
+  const SampleNeeds& extra, const Progress& progress, StageTimes* stages)
 {
   const auto start = std::chrono::steady_clock::now();
-  SampleNeeds needs = extra;
-  for (const auto* module : modules)
-  {
-    const SampleNeeds wanted = module->Needs();
-    needs.centres = needs.centres | wanted.centres;
-    needs.corners = needs.corners | wanted.corners;
-  }
+  SampleNeeds needs = pipeline.Needs();
+  needs.Add(extra);
   RequireTraceable(scene, needs);
   Frame frame;
   frame.width = camera.Width();
   frame.height = camera.Height();
   constexpr SampleLattice kCentres{ 0.5 };
   constexpr SampleLattice kCorners{ 0.0 };
+  // A module may want nothing but corners, and still visits the tiles of pixels.
+  const bool visits = needs.centres != Buffer::None || !pipeline.modules.empty();
   int tiles = 0;
-  if (needs.centres != Buffer::None)
+  if (visits)
   {
     frame.centres.Allocate(needs.centres, frame.width, frame.height);
     tiles += TilesOf(kCentres, frame.width, frame.height);
   }
-  if (needs.corners != Buffer::None)
+  if (extra.corners != Buffer::None)
   {
-    frame.corners.Allocate(needs.corners, frame.width + 1, frame.height + 1);
+    frame.corners.Allocate(extra.corners, frame.width + 1, frame.height + 1);
     tiles += TilesOf(kCorners, frame.width + 1, frame.height + 1);
   }
   Reporter reporter(progress, tiles);
-  if (needs.centres != Buffer::None)
+  const bool translucent = HasTranslucent(scene);
+  if (visits)
   {
-    frame.counters = TraceLattice(scene, camera, kCentres, frame.centres, reporter, stages);
+    Sheets sheets(frame.centres, needs.centres);
+    AfterTile after;
+    if (!translucent)
+    {
+      for (FrameModule* module : pipeline.modules)
+      {
+        module->Begin(frame.width, frame.height);
+      }
+      AllocateColors(frame, pipeline, !pipeline.modules.empty());
+      after = [&](const TileArea& area, FrameCounters& counters)
+      {
+        TileVisit visit(&scene, &camera, pipeline, frame, area);
+        visit.Run();
+        AddSamples(visit.Counters(), counters);
+      };
+    }
+    frame.counters = TraceLattice(scene, camera, kCentres, sheets, reporter, stages, after);
   }
-  if (needs.corners != Buffer::None)
+  if (extra.corners != Buffer::None)
   {
-    const FrameCounters corners =
-      TraceLattice(scene, camera, kCorners, frame.corners, reporter, stages);
-    // The other counters are of pixels.
-    frame.counters.rays += corners.rays;
-    frame.counters.floatCheck.Add(corners.floatCheck);
+    Sheets sheets(frame.corners, extra.corners);
+    AddSamples(TraceLattice(scene, camera, kCorners, sheets, reporter, stages), frame.counters);
   }
-  const auto traced = std::chrono::steady_clock::now();
-  for (const auto* module : modules)
+  if (translucent)
   {
-    module->Process(frame);
-  }
-  if (stages)
-  {
-    (*stages)[static_cast<std::size_t>(Stage::Modules)] +=
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - traced).count();
+    // The sheets are known only when all tiles are.
+    AddSamples(RunPipeline(&scene, &camera, pipeline, frame, stages), frame.counters);
   }
   frame.counters.seconds =
     std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return frame;
+}
+
+void Repaint(const Scene& scene, const Camera& camera, const Pipeline& pipeline, Frame& frame)
+{
+  AddSamples(RunPipeline(&scene, &camera, pipeline, frame), frame.counters);
+}
+
+void Repaint(const Pipeline& pipeline, Frame& frame)
+{
+  (void)RunPipeline(nullptr, nullptr, pipeline, frame);
 }
 } // namespace pixelexact

@@ -6,9 +6,11 @@
 
 #include "Core/Element/Kernels.h"
 #include "Core/Location/Sample.h"
-#include "Trace/ColorMapping.h"
-#include "Trace/Plane.h"
+#include "Trace/Modules/ColorMapping.h"
+#include "Trace/Surfaces/Plane.h"
 #include "Trace/TileSamples.h"
+#include "Trace/TileVisit.h"
+#include "Trace/Tracer.h"
 
 #include "vtkDataArray.h"
 #include "vtkNew.h"
@@ -43,8 +45,7 @@ Scene SceneOf(const PlaneCut& cut)
 {
   Scene scene;
   scene.locator = &cut.model->GetLocator();
-  scene.field = cut.field;
-  scene.surfaces.push_back(std::make_shared<Plane>(cut.origin, cut.normal));
+  scene.layers.push_back({ std::make_shared<Plane>(cut.origin, cut.normal), cut.field });
   return scene;
 }
 
@@ -83,6 +84,20 @@ void BareKernel(benchmark::State& state)
   Report(state, batches * kBatch);
 }
 
+ColorMapping GrayColors()
+{
+  return ColorMapping(
+    [](std::span<const double> values, std::uint8_t* rgba)
+    {
+      for (const double v : values)
+      {
+        const auto gray = static_cast<std::uint8_t>(std::clamp(127.5 + 127.5 * v, 0.0, 255.0));
+        const std::uint8_t color[4] = { gray, gray, gray, 255 };
+        rgba = std::copy_n(color, 4, rgba);
+      }
+    });
+}
+
 /// The frame as `render` makes it; argument 1: threads, 0 for all. The colour map is a plain one,
 /// so that VTK's is not what is measured.
 void PlaneCutFrame(benchmark::State& state)
@@ -93,19 +108,10 @@ void PlaneCutFrame(benchmark::State& state)
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
   const Scene scene = SceneOf(cut);
   const Camera camera = ViewOf(cut, kPixels);
-  const ColorMapping colors(
-    [](std::span<const double> values, std::uint8_t* rgba)
-    {
-      for (const double v : values)
-      {
-        const auto gray = static_cast<std::uint8_t>(std::clamp(127.5 + 127.5 * v, 0.0, 255.0));
-        const std::uint8_t color[4] = { gray, gray, gray, 255 };
-        rgba = std::copy_n(color, 4, rgba);
-      }
-    });
+  const ColorMapping colors = GrayColors();
   for (auto _ : state)
   {
-    benchmark::DoNotOptimize(Trace(scene, camera, { &colors }).color.data());
+    benchmark::DoNotOptimize(Trace(scene, camera, { { &colors }, {} }).Image().data());
   }
   Report(state, cut.inside.size());
   state.counters["tbb_threads"] = threads;
@@ -115,9 +121,10 @@ void PlaneCutFrame(benchmark::State& state)
 void StageRaysAndHits(benchmark::State& state)
 {
   const PlaneCut& cut = GetPlaneCut(static_cast<int>(state.range(0)));
-  const Plane plane(cut.origin, cut.normal);
+  const Scene scene = SceneOf(cut);
   const Camera camera = ViewOf(cut, kPixels);
   TileSamples samples;
+  std::vector<HitSlots> hits;
   for (auto _ : state)
   {
     for (int y = 0; y < kPixels; y += kTileSize)
@@ -127,8 +134,8 @@ void StageRaysAndHits(benchmark::State& state)
         samples.Begin(camera,
           { x, y, std::min(x + kTileSize, kPixels), std::min(y + kTileSize, kPixels) }, {},
           kPixels);
-        samples.Meet(camera, plane);
-        benchmark::DoNotOptimize(samples.T());
+        samples.Meet(camera, scene, hits);
+        benchmark::DoNotOptimize(hits[0].T(0));
       }
     }
   }
@@ -174,6 +181,43 @@ void StageLocate(benchmark::State& state)
     }
   }
   Report(state, ordered.size());
+}
+
+/// Looks at the corners of every pixel.
+class Corners final : public FrameModule
+{
+public:
+  [[nodiscard]] SampleNeeds Needs() const override
+  {
+    return { .corners = Buffer::Value | Buffer::Verdict };
+  }
+  void Begin(int /*width*/, int /*height*/) override {}
+  void Process(TileVisit& tile) override { benchmark::DoNotOptimize(tile.Corners().value.data()); }
+};
+
+/// What a pipeline adds to a frame, on one thread. Argument 1: 0 nothing is painted; 1 colours,
+/// tile by tile; 2 the same when all is traced; 3 corners beside the centres, for a module.
+void Pipelines(benchmark::State& state)
+{
+  const PlaneCut& cut = GetPlaneCut(static_cast<int>(state.range(0)));
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
+  const Scene scene = SceneOf(cut);
+  const Camera camera = ViewOf(cut, kPixels);
+  const ColorMapping colors = GrayColors();
+  Corners corners;
+  const SampleNeeds needs{ .centres = Buffer::Value | Buffer::Verdict };
+  const Pipeline pipelines[] = { {}, { { &colors }, {} }, {}, { {}, { &corners } } };
+  const auto which = static_cast<std::size_t>(state.range(1));
+  for (auto _ : state)
+  {
+    Frame frame = Trace(scene, camera, pipelines[which], needs);
+    if (which == 2)
+    {
+      Repaint({ { &colors }, {} }, frame);
+    }
+    benchmark::DoNotOptimize(frame.centres.value.data());
+  }
+  Report(state, cut.inside.size());
 }
 
 /// VTK's probe on the file's own Lagrange cells, on a sample of the cut's points. Argument 1:
@@ -236,6 +280,10 @@ void BuildLocator(benchmark::State& state)
 BENCHMARK(BareKernel)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 BENCHMARK(PlaneCutFrame)
   ->ArgsProduct({ { 0, 1 }, { 1, 0 } })
+  ->Unit(benchmark::kMillisecond)
+  ->UseRealTime();
+BENCHMARK(Pipelines)
+  ->ArgsProduct({ { 0, 1 }, { 0, 1, 2, 3 } })
   ->Unit(benchmark::kMillisecond)
   ->UseRealTime();
 BENCHMARK(StageRaysAndHits)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);

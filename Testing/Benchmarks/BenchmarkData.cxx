@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BenchmarkData.h"
 
-#include "Trace/Plane.h"
+#include "Trace/Surfaces/Plane.h"
 #include "Trace/Tracer.h"
 
 #include "vtkCellType.h"
@@ -95,10 +95,9 @@ PlaneCut MakePlaneCut(const char* name, vtkUnstructuredGrid* source, const Vec3&
 
   Scene scene;
   scene.locator = &cut.model->GetLocator();
-  scene.field = cut.field;
-  scene.surfaces.push_back(std::make_shared<Plane>(cut.origin, cut.normal));
+  scene.layers.push_back({ std::make_shared<Plane>(cut.origin, cut.normal), cut.field });
   cut.frame = Trace(scene, ViewOf(cut, 1000), {},
-    { Buffer::Value | Buffer::Position | Buffer::Xi | Buffer::Verdict, Buffer::None });
+    { .centres = Buffer::Value | Buffer::Position | Buffer::Xi | Buffer::Verdict });
   for (std::size_t i = 0; i < cut.frame.centres.Size(); ++i)
   {
     if (cut.frame.centres.verdict[i] == static_cast<std::uint8_t>(PixelVerdict::Exact))

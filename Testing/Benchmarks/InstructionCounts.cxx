@@ -7,8 +7,9 @@
 
 #include "Core/Element/Kernels.h"
 #include "Core/Location/Locator.h"
-#include "Trace/ColorMapping.h"
-#include "Trace/Plane.h"
+#include "Trace/Modules/ColorMapping.h"
+#include "Trace/Surfaces/Plane.h"
+#include "Trace/Tracer.h"
 
 #include <tbb/global_control.h>
 
@@ -52,8 +53,8 @@ void Count(const BlockKind& kind)
   const Camera camera(view, kPixels, kPixels);
   Scene scene;
   scene.locator = &locator;
-  scene.field = &block.GetField();
-  scene.surfaces.push_back(std::make_shared<Plane>(Vec3(0.013, 0.021, 0.034), Vec3(0.2, 0.3, 1.0)));
+  scene.layers.push_back(
+    { std::make_shared<Plane>(Vec3(0.013, 0.021, 0.034), Vec3(0.2, 0.3, 1.0)), &block.GetField() });
   const ColorMapping colors(
     [](std::span<const double> values, std::uint8_t* rgba)
     {
@@ -62,11 +63,12 @@ void Count(const BlockKind& kind)
         rgba = std::fill_n(rgba, 4, static_cast<std::uint8_t>(127.0 + 64.0 * v));
       }
     });
+  const Pipeline pipeline{ { &colors }, {} };
   // What is made once is not what a frame costs.
-  const std::int64_t points = Trace(scene, camera, { &colors }).counters.exact;
+  const std::int64_t points = Trace(scene, camera, pipeline).counters.exact;
   const std::string name = NameOf(kind);
   std::printf("%s\t%lld\n", name.c_str(), static_cast<long long>(points));
-  Counted(name + "\tframe", [&] { (void)Trace(scene, camera, { &colors }); });
+  Counted(name + "\tframe", [&] { (void)Trace(scene, camera, pipeline); });
   Counted(name + "\tkernel", [&] { (void)KernelSeconds(block.GetField().values, points); });
 }
 } // namespace

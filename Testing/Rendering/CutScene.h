@@ -5,8 +5,8 @@
 #include "Window.h"
 
 #include "HighOrderModel.h"
-#include "Trace/ColorMapping.h"
-#include "Trace/Plane.h"
+#include "Trace/Modules/ColorMapping.h"
+#include "Trace/Surfaces/Plane.h"
 #include "Trace/Tracer.h"
 #include "VtkCamera.h"
 #include "vtkHighOrderMapper.h"
@@ -174,9 +174,8 @@ public:
     Model = HighOrderModel::From(Grid);
     Scene scene;
     scene.locator = &Model->GetLocator();
-    scene.field = Model->FindField(field);
-    scene.component = component;
-    scene.surfaces = { std::make_shared<Plane>(Vec3(0.0), Vec3(0.0, 0.0, 1.0)) };
+    scene.layers.push_back({ std::make_shared<Plane>(Vec3(0.0), Vec3(0.0, 0.0, 1.0)),
+      Model->FindField(field), component });
     const Camera camera(ViewOf(renderer->GetActiveCamera()), width, height);
     return Trace(scene, camera, {}, { .centres = buffers });
   }

@@ -239,16 +239,16 @@ TEST(HighOrderMapper, FieldsComponentsAndColors)
   scene.Table->SetVectorComponent(2);
   EXPECT_TRUE(expectValues("v", 2));
   scene.Table->SetVectorModeToMagnitude();
-  EXPECT_TRUE(expectValues("v", Scene::kMagnitude));
+  EXPECT_TRUE(expectValues("v", kMagnitude));
   // VTK's own ways to choose.
   scene.Mapper->SetFieldName(nullptr);
   EXPECT_TRUE(expectValues("u", 0));
   scene.Mapper->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "v");
-  EXPECT_TRUE(expectValues("v", Scene::kMagnitude));
+  EXPECT_TRUE(expectValues("v", kMagnitude));
   scene.Mapper->SelectColorArray("u");
   EXPECT_TRUE(expectValues("u", 0));
   scene.Mapper->SelectColorArray(1);
-  EXPECT_TRUE(expectValues("v", Scene::kMagnitude));
+  EXPECT_TRUE(expectValues("v", kMagnitude));
 
   scene.Mapper->SetFieldName("nan");
   scene.Table->SetNanColor(0.0, 1.0, 0.0, 1.0);

@@ -4,7 +4,7 @@
 #include "vtkCallbackCommand.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
-#include "vtkSphere.h"
+#include "vtkSuperquadric.h"
 
 #include <cstring>
 #include <limits>
@@ -81,9 +81,9 @@ TEST_F(HighOrderMapperErrors, ImpossibleCuts)
 {
   Scene.Mapper->RemoveAllCutFunctions();
   EXPECT_TRUE(Contains(Render(), "SetCutFunction")) << Errors->Text;
-  vtkNew<vtkSphere> sphere;
-  Scene.Mapper->SetCutFunction(sphere);
-  EXPECT_TRUE(Contains(Render(), "vtkSphere")) << Errors->Text;
+  vtkNew<vtkSuperquadric> superquadric;
+  Scene.Mapper->SetCutFunction(superquadric);
+  EXPECT_TRUE(Contains(Render(), "vtkSuperquadric")) << Errors->Text;
   Scene.Mapper->SetCutFunction(Scene.Function);
   Scene.Function->SetNormal(0.0, 0.0, 0.0);
   EXPECT_TRUE(Contains(Render(), "normal")) << Errors->Text;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Base/Error.h"
+#include "Trace/Scene.h"
 #include "VtkColorMap.h"
 
 #include "vtkColorTransferFunction.h"
@@ -177,7 +178,7 @@ TEST(VtkColorMap, ComponentsAreTheTables)
   EXPECT_EQ(ComponentOf(table, 1), 0);
   EXPECT_THROW((void)ComponentOf(table, 2), Error);
   table->SetVectorModeToMagnitude();
-  EXPECT_EQ(ComponentOf(table, 3), Scene::kMagnitude);
+  EXPECT_EQ(ComponentOf(table, 3), kMagnitude);
   EXPECT_EQ(ComponentOf(table, 1), 0);
   table->SetVectorModeToRGBColors();
   EXPECT_THROW((void)ToColorMap(table), Unsupported);

@@ -3,11 +3,18 @@
 #include "Trace/RayCheck.h"
 #include "VtkSurface.h"
 
+#include "vtkBox.h"
+#include "vtkCone.h"
+#include "vtkCylinder.h"
+#include "vtkImplicitTorus.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkPerspectiveTransform.h"
 #include "vtkPlane.h"
+#include "vtkPlanes.h"
+#include "vtkQuadric.h"
 #include "vtkSphere.h"
+#include "vtkSuperquadric.h"
 #include "vtkThinPlateSplineTransform.h"
 #include "vtkTransform.h"
 
@@ -89,19 +96,19 @@ void ExpectZeros(vtkHomogeneousTransform* transform)
   RandomRays random(1);
   std::vector<Ray> rays;
   std::vector<TrueHit> hits;
-  std::vector<double> tMin;
+  std::vector<double> tNear;
   for (int i = 0; i < 2000; ++i)
   {
     rays.push_back(random.Near(ToDouble(truth.origin), ToDouble(truth.normal)));
     hits.push_back(truth.Meet(rays.back()));
-    tMin.push_back(random.Start(hits.back().t));
+    tNear.push_back(std::max(kNearest, random.Start(hits.back().t)));
   }
-  const auto found = AllHits(*surface, rays, tMin);
+  const auto found = AllHits(*surface, rays, tNear);
   int certain = 0;
   for (std::size_t i = 0; i < rays.size(); ++i)
   {
-    certain += ExpectHits(found[i], { hits[i] }, tMin[i]);
-    for (const auto& [t, position] : found[i])
+    certain += ExpectHits(found[i], { hits[i] }, tNear[i]);
+    for (const auto& [t, position, status] : found[i])
     {
       const LongVec3 x = ToLong(position);
       const long double error = truth.DistanceError(x);
@@ -138,7 +145,7 @@ TEST(VtkSurface, FarFromTheOriginKeepsItsDigits)
   transform->Translate(0.0, 0.0, 1.0);
   plane->SetTransform(transform);
   const Ray ray{ { 1e8, 1e8, 1e8 + 10.0 }, { 0.0, 0.0, -1.0 } };
-  EXPECT_EQ(NextHitOf(*ToSurface(plane), ray, 0.0).t, 11.0);
+  EXPECT_EQ(HitsOf(*ToSurface(plane), ray).at(0).t, 11.0);
 }
 
 TEST(VtkSurface, NonsenseIsRefused)
@@ -157,23 +164,134 @@ TEST(VtkSurface, NonsenseIsRefused)
   EXPECT_THROW((void)ToSurface(nullptr), Error);
 }
 
-TEST(VtkSurface, WhatIsNotSupportedIsNamed)
+namespace
+{
+/// Rays about a place meet the surface where VTK's function is zero, and wherever it changes sign.
+void ExpectZerosOf(vtkImplicitFunction* function, const Vec3& place, double size)
+{
+  const auto surface = ToSurface(function);
+  RandomRays random(7);
+  int found = 0;
+  for (int i = 0; i < 300; ++i)
+  {
+    const Vec3 from = place + random.Vector(2.0 * size);
+    const Vec3 along = ToDouble(Unit(ToLong(place + random.Vector(size) - from)));
+    const auto valueAt = [&](double t)
+    {
+      const Vec3 x = from + t * along;
+      return function->FunctionValue(x.x, x.y, x.z);
+    };
+    const std::vector<Hit> hits = HitsOf(*surface, { from, along });
+    std::vector<double> ends{ 1e-9 };
+    for (const Hit& hit : hits)
+    {
+      ++found;
+      EXPECT_EQ(hit.status, HitStatus::Certain);
+      // Beside a hit the function has either sign.
+      const double aside = 1e-7 * size;
+      EXPECT_LE(valueAt(hit.t - aside) * valueAt(hit.t + aside), 0.0)
+        << function->GetClassName() << " at " << hit.t;
+      const Vec3 normal = surface->Normal({ hit.position });
+      double gradient[3];
+      const double x[3] = { hit.position.x, hit.position.y, hit.position.z };
+      function->FunctionGradient(x, gradient);
+      const LongVec3 across{ gradient[0], gradient[1], gradient[2] };
+      EXPECT_NEAR(std::fabs(static_cast<double>(Dot(Unit(across), ToLong(normal)))), 1.0, 1e-6)
+        << function->GetClassName();
+      ends.push_back(hit.t);
+    }
+    ends.push_back(6.0 * size);
+    // And between hits it has one sign.
+    for (std::size_t k = 1; k < ends.size(); ++k)
+    {
+      const double first = valueAt(ends[k - 1] + 0.01 * (ends[k] - ends[k - 1]));
+      for (int part = 2; part < 100; ++part)
+      {
+        const double value = valueAt(ends[k - 1] + 0.01 * part * (ends[k] - ends[k - 1]));
+        EXPECT_GT(value * first, 0.0) << function->GetClassName();
+      }
+    }
+  }
+  EXPECT_GT(found, 50) << function->GetClassName();
+}
+
+/// Without a transform, and with one.
+template <class Function>
+void ExpectZerosMovedOrNot(Function* function)
+{
+  ExpectZerosOf(function, { 0.2, -0.1, 0.3 }, 1.0);
+  vtkNew<vtkTransform> transform;
+  transform->Translate(0.3, 0.2, -0.1);
+  transform->RotateWXYZ(50.0, 1.0, 2.0, 3.0);
+  transform->Scale(1.5, 0.75, 1.25);
+  function->SetTransform(transform);
+  ExpectZerosOf(function, { 0.1, 0.0, 0.2 }, 1.0);
+}
+} // namespace
+
+TEST(VtkSurface, CurvedFunctionsAndBodies)
 {
   vtkNew<vtkSphere> sphere;
+  sphere->SetCenter(0.3, -0.2, 0.1);
+  sphere->SetRadius(0.7);
+  ExpectZerosMovedOrNot<vtkSphere>(sphere);
+  vtkNew<vtkCylinder> cylinder;
+  cylinder->SetCenter(0.1, 0.2, 0.3);
+  cylinder->SetAxis(1.0, 2.0, -1.0);
+  cylinder->SetRadius(0.4);
+  ExpectZerosMovedOrNot<vtkCylinder>(cylinder);
+  vtkNew<vtkCone> cone;
+  cone->SetAngle(35.0);
+  ExpectZerosMovedOrNot<vtkCone>(cone);
+  vtkNew<vtkQuadric> quadric;
+  quadric->SetCoefficients(1.0, -0.5, 0.25, 0.1, -0.2, 0.3, 0.05, -0.1, 0.2, -0.3);
+  ExpectZerosMovedOrNot<vtkQuadric>(quadric);
+  vtkNew<vtkBox> box;
+  box->SetBounds(-0.4, 0.6, -0.3, 0.5, -0.2, 0.9);
+  ExpectZerosMovedOrNot<vtkBox>(box);
+  vtkNew<vtkPlanes> planes;
+  const double bounds[6] = { -0.4, 0.6, -0.3, 0.5, -0.2, 0.9 };
+  planes->SetBounds(bounds);
+  ExpectZerosMovedOrNot<vtkPlanes>(planes);
+  vtkNew<vtkImplicitTorus> torus;
+  torus->SetCenter(0.1, -0.1, 0.2);
+  torus->SetAxis(1.0, 1.0, 3.0);
+  torus->SetRadius(0.7);
+  torus->SetTubeRadius(0.2);
+  ExpectZerosOf(torus, { 0.1, -0.1, 0.2 }, 1.0);
+}
+
+TEST(VtkSurface, WhatIsNotSupportedIsNamed)
+{
+  vtkNew<vtkSuperquadric> superquadric;
   try
   {
-    (void)ToSurface(sphere);
+    (void)ToSurface(superquadric);
     FAIL();
   }
   catch (const Unsupported& error)
   {
     const std::string text = error.what();
-    EXPECT_NE(text.find("vtkSphere"), std::string::npos) << text;
+    EXPECT_NE(text.find("vtkSuperquadric"), std::string::npos) << text;
     EXPECT_NE(text.find("vtkPlane"), std::string::npos) << text;
   }
   const auto plane = MakePlane();
   vtkNew<vtkThinPlateSplineTransform> spline;
   plane->SetTransform(spline);
   EXPECT_THROW((void)ToSurface(plane), Unsupported);
+  vtkNew<vtkPerspectiveTransform> perspective;
+  const double matrix[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0.1, 0.05, 0, 1 };
+  perspective->SetMatrix(matrix);
+  vtkNew<vtkSphere> sphere;
+  sphere->SetTransform(perspective);
+  EXPECT_THROW((void)ToSurface(sphere), Unsupported);
+  sphere->SetTransform(static_cast<vtkAbstractTransform*>(nullptr));
+  sphere->SetRadius(-1.0);
+  EXPECT_THROW((void)ToSurface(sphere), Error);
+  vtkNew<vtkPlanes> none;
+  EXPECT_THROW((void)ToSurface(none), Error);
+  vtkNew<vtkImplicitTorus> torus;
+  torus->SetTransform(perspective);
+  EXPECT_THROW((void)ToSurface(torus), Unsupported);
 }
 } // namespace pixelexact::testing

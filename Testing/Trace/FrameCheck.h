@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Trace/Frame.h"
+#include "Trace/BufferTable.h"
 
 #include <gtest/gtest.h>
 
@@ -17,22 +17,23 @@ bool SameBytes(const std::vector<T>& a, const std::vector<T>& b)
     (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
 }
 
+/// Bit for bit.
+inline void ExpectSame(const SampleBuffers& a, const SampleBuffers& b)
+{
+  ForEachBuffer(
+    [&](const auto& row) { EXPECT_TRUE(SameBytes(a.*row.member, b.*row.member)) << row.name; });
+}
+
 /// Bit for bit, but for the seconds.
 inline void ExpectSame(const Frame& frame, const Frame& wanted)
 {
-  const SampleBuffers& a = frame.centres;
-  const SampleBuffers& b = wanted.centres;
-  EXPECT_TRUE(SameBytes(a.value, b.value));
-  EXPECT_TRUE(SameBytes(a.position, b.position));
-  EXPECT_TRUE(SameBytes(a.normal, b.normal));
-  EXPECT_TRUE(SameBytes(a.xi, b.xi));
-  EXPECT_TRUE(SameBytes(a.element, b.element));
-  EXPECT_TRUE(SameBytes(a.depth, b.depth));
-  EXPECT_TRUE(SameBytes(a.verdict, b.verdict));
-  EXPECT_TRUE(SameBytes(a.owners, b.owners));
-  EXPECT_TRUE(SameBytes(a.coverage, b.coverage));
-  EXPECT_TRUE(SameBytes(a.valueLower, b.valueLower));
-  EXPECT_TRUE(SameBytes(a.valueUpper, b.valueUpper));
+  ExpectSame(frame.centres, wanted.centres);
+  ASSERT_EQ(frame.centres.behind.size(), wanted.centres.behind.size());
+  for (std::size_t k = 0; k < wanted.centres.behind.size(); ++k)
+  {
+    ExpectSame(frame.centres.behind[k], wanted.centres.behind[k]);
+  }
+  EXPECT_EQ(frame.Image(), wanted.Image());
   EXPECT_EQ(frame.counters.rays, wanted.counters.rays);
   EXPECT_EQ(frame.counters.surfaceHits, wanted.counters.surfaceHits);
   EXPECT_EQ(frame.counters.exact, wanted.counters.exact);

@@ -2,12 +2,14 @@
 #pragma once
 
 #include "Core/MeshBuilder.h"
+#include "Trace/HitBatch.h"
 
 #include "Core/Math/Rounding.h"
-#include "Trace/Surface.h"
+#include "Trace/Surfaces/Surface.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
 // Hits of rays with surfaces made of planes, against closed forms in long double.
@@ -84,68 +86,32 @@ inline long double RayError(const Ray& ray, long double t, const LongVec3& origi
       std::fabs(t) * Dot(ones, Absolute(ToLong(ray.direction))));
 }
 
-/// Surface::NextHit for many rays at once, each with its tMin.
-inline std::vector<Hit> NextHits(
-  const Surface& surface, const std::vector<Ray>& rays, const std::vector<double>& tMin)
-{
-  const auto padded = static_cast<std::size_t>(PaddedCount(static_cast<int>(rays.size())));
-  std::array<std::vector<double>, 11> lanes;
-  lanes.fill(std::vector<double>(padded, 1.0));
-  for (std::size_t i = 0; i < rays.size(); ++i)
-  {
-    for (int d = 0; d < 3; ++d)
-    {
-      const auto axis = static_cast<std::size_t>(d);
-      lanes[axis][i] = rays[i].origin[d];
-      lanes[3 + axis][i] = rays[i].direction[d];
-    }
-    lanes[6][i] = tMin[i];
-  }
-  surface.NextHit(
-    { { lanes[0].data(), lanes[1].data(), lanes[2].data() },
-      { lanes[3].data(), lanes[4].data(), lanes[5].data() }, static_cast<int>(rays.size()) },
-    lanes[6].data(), { lanes[7].data(), { lanes[8].data(), lanes[9].data(), lanes[10].data() } });
-  std::vector<Hit> hits;
-  for (std::size_t i = 0; i < rays.size(); ++i)
-  {
-    hits.push_back({ lanes[7][i], { lanes[8][i], lanes[9][i], lanes[10][i] } });
-  }
-  return hits;
-}
-
-/// Every hit of each ray beyond its tMin, in order; one alone and many at once are the same.
+/// All hits of each ray beyond its tNear; one ray alone and many at once have the same.
 inline std::vector<std::vector<Hit>> AllHits(
-  const Surface& surface, const std::vector<Ray>& rays, std::vector<double> tMin)
+  const Surface& surface, const std::vector<Ray>& rays, const std::vector<double>& tNear)
 {
-  std::vector<std::vector<Hit>> all(rays.size());
-  for (int round = 0; round <= surface.MostHits(); ++round)
+  std::vector<std::vector<Hit>> all = MeetAll(surface, rays, tNear);
+  for (std::size_t i = 0; i < rays.size(); ++i)
   {
-    const std::vector<Hit> next = NextHits(surface, rays, tMin);
-    for (std::size_t i = 0; i < rays.size(); ++i)
+    for (const Hit& hit : all[i])
     {
-      const Hit alone = NextHitOf(surface, rays[i], tMin[i]);
-      EXPECT_EQ(next[i].t, alone.t);
-      if (next[i].t < kNoHit)
-      {
-        EXPECT_EQ(next[i].position, alone.position);
-        EXPECT_GT(next[i].t, tMin[i]);
-        all[i].push_back(next[i]);
-        tMin[i] = next[i].t;
-      }
-      else
-      {
-        // Nothing lies beyond nothing.
-        tMin[i] = kNoHit;
-      }
+      EXPECT_GE(hit.t, tNear[i]);
+    }
+    const std::vector<Hit> alone = HitsOf(surface, rays[i], tNear[i]);
+    EXPECT_EQ(alone.size(), all[i].size());
+    for (std::size_t k = 0; k < std::min(alone.size(), all[i].size()); ++k)
+    {
+      EXPECT_EQ(alone[k].t, all[i][k].t);
+      EXPECT_EQ(alone[k].position, all[i][k].position);
     }
   }
   return all;
 }
 
-/// Each hit found is one of the true ones, and every certain one beyond tMin is found, but those
-/// that rounding may put on tMin's other side. Returns how many hits were certain.
+/// Each hit found is one of the true ones, and every certain one from tNear on is found, but those
+/// that rounding may put on tNear's other side. Returns how many hits were certain.
 inline int ExpectHits(
-  const std::vector<Hit>& found, const std::vector<TrueHit>& expected, double tMin)
+  const std::vector<Hit>& found, const std::vector<TrueHit>& expected, double tNear)
 {
   std::vector<bool> taken(expected.size(), false);
   for (const Hit& hit : found)
@@ -170,7 +136,7 @@ inline int ExpectHits(
   for (std::size_t k = 0; k < expected.size(); ++k)
   {
     const auto& [t, position, error, always] = expected[k];
-    if (always && t - error > tMin)
+    if (always && t - error > tNear)
     {
       ++certain;
       EXPECT_TRUE(taken[k]) << "the hit at " << static_cast<double>(t) << " is missing";

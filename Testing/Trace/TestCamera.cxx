@@ -122,6 +122,28 @@ TEST(Camera, RefusesWhatIsNoCamera)
   EXPECT_THROW(Camera(zero, 10, 10), Error);
 }
 
+namespace
+{
+/// Keeps the rays that it is asked about.
+class Listening final : public Surface
+{
+public:
+  void Meet(const RayLanes& rays, HitSlots& /*hits*/) const override
+  {
+    for (int i = 0; i < rays.count; ++i)
+    {
+      Rays.push_back({ { rays.origin[0][i], rays.origin[1][i], rays.origin[2][i] },
+        { rays.direction[0][i], rays.direction[1][i], rays.direction[2][i] } });
+      EXPECT_EQ(rays.tNear[i], kNearest);
+      EXPECT_EQ(rays.tFar[i], kFarthest);
+    }
+  }
+  [[nodiscard]] Vec3 Normal(const SurfacePoint& /*point*/) const override { return Vec3(1.0); }
+
+  mutable std::vector<Ray> Rays;
+};
+} // namespace
+
 /// The tiles' rays are the ones that everybody else is told of.
 TEST(TileSamples, RaysAreTheCamerasBitForBit)
 {
@@ -134,18 +156,18 @@ TEST(TileSamples, RaysAreTheCamerasBitForBit)
     const Camera camera(view, 77, 53);
     TileSamples samples;
     samples.Begin(camera, { 64, 32, 77, 53 }, {}, 77);
-    samples.Cast(camera);
-    const RayLanes rays = samples.Rays();
-    ASSERT_EQ(rays.count, 13 * 21);
-    for (int k = 0; k < rays.count; ++k)
+    const auto surface = std::make_shared<Listening>();
+    Scene scene;
+    scene.layers.push_back({ surface });
+    std::vector<HitSlots> hits;
+    samples.Meet(camera, scene, hits);
+    ASSERT_EQ(surface->Rays.size(), 13U * 21U);
+    for (std::size_t k = 0; k < surface->Rays.size(); ++k)
     {
-      const auto place = static_cast<int>(samples.place[static_cast<std::size_t>(k)]);
+      const auto place = static_cast<int>(samples.place[k]);
       const Ray ray = camera.At(place % 77 + 0.5, place / 77 + 0.5);
-      for (int d = 0; d < 3; ++d)
-      {
-        EXPECT_EQ(rays.origin[d][k], ray.origin[d]);
-        EXPECT_EQ(rays.direction[d][k], ray.direction[d]);
-      }
+      EXPECT_EQ(surface->Rays[k].origin, ray.origin);
+      EXPECT_EQ(surface->Rays[k].direction, ray.direction);
     }
   }
 }

@@ -4,8 +4,9 @@
 #include "FrameCheck.h"
 #include "MeshBuilder.h"
 
-#include "Trace/Plane.h"
 #include "Trace/ProgressiveFrame.h"
+#include "Trace/Surfaces/Plane.h"
+#include "Trace/Tracer.h"
 
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
@@ -47,8 +48,8 @@ public:
   {
     Scene scene;
     scene.locator = &locator;
-    scene.field = &TheField;
-    scene.surfaces.push_back(std::make_shared<Plane>(Vec3(0.0, 0.0, 0.1), Vec3(0.1, 0.2, 1.0)));
+    scene.layers.push_back(
+      { std::make_shared<Plane>(Vec3(0.0, 0.0, 0.1), Vec3(0.1, 0.2, 1.0)), &TheField });
     return scene;
   }
 
@@ -89,7 +90,7 @@ Frame Render(const Scene& scene, const Camera& camera, int threads, bool inPasse
       {
         return Trace(scene, camera, {}, { .centres = kAll });
       }
-      ProgressiveFrame frame(scene, camera, kAll);
+      ProgressiveFrame frame(scene, camera, {}, kAll);
       while (frame.Step() != 1)
       {
         frame.Refine();

@@ -2,8 +2,9 @@
 #include "FrameCheck.h"
 #include "MeshBuilder.h"
 
-#include "Trace/Plane.h"
 #include "Trace/ProgressiveFrame.h"
+#include "Trace/Surfaces/Plane.h"
+#include "Trace/Tracer.h"
 
 #include "Core/Base/Error.h"
 
@@ -33,8 +34,8 @@ public:
     TheField = { "u", Values.View() };
     TheLocator = std::make_unique<Locator>(Elements.View());
     TheScene.locator = TheLocator.get();
-    TheScene.field = &TheField;
-    TheScene.surfaces.push_back(std::make_shared<Plane>(Vec3(0.0, 0.0, 0.1), Vec3(0.1, 0.2, 1.0)));
+    TheScene.layers.push_back(
+      { std::make_shared<Plane>(Vec3(0.0, 0.0, 0.1), Vec3(0.1, 0.2, 1.0)), &TheField });
   }
 
   Scene TheScene;
@@ -65,7 +66,7 @@ TEST(ProgressiveFrame, EndsAsAFrameMadeAtOnce)
   {
     const Camera camera = View(width, height);
     const Frame wanted = Trace(cube.TheScene, camera, {}, { .centres = kAll });
-    ProgressiveFrame frame(cube.TheScene, camera, kAll);
+    ProgressiveFrame frame(cube.TheScene, camera, {}, kAll);
     EXPECT_EQ(frame.Step(), 0);
     for (const int step : { 8, 4, 2, 1 })
     {
@@ -96,7 +97,7 @@ TEST(ProgressiveFrame, MayBeCompletedAtAnyTime)
   const Frame wanted = Trace(cube.TheScene, camera, {}, { .centres = kAll });
   for (int passes = 0; passes <= 3; ++passes)
   {
-    ProgressiveFrame frame(cube.TheScene, camera, kAll);
+    ProgressiveFrame frame(cube.TheScene, camera, {}, kAll);
     for (int pass = 0; pass < passes; ++pass)
     {
       ASSERT_TRUE(frame.Refine());
@@ -112,7 +113,7 @@ TEST(ProgressiveFrame, AbortedPassesAreMadeAgain)
   const Cube cube;
   const Camera camera = View(93, 71);
   const Frame wanted = Trace(cube.TheScene, camera, {}, { .centres = kAll });
-  ProgressiveFrame frame(cube.TheScene, camera, kAll);
+  ProgressiveFrame frame(cube.TheScene, camera, {}, kAll);
   const Progress abort = [](double) { return false; };
   EXPECT_FALSE(frame.Refine(abort));
   EXPECT_EQ(frame.Step(), 0);
@@ -125,6 +126,6 @@ TEST(ProgressiveFrame, AbortedPassesAreMadeAgain)
 
 TEST(ProgressiveFrame, ScenesThatCannotBeTraced)
 {
-  EXPECT_THROW(ProgressiveFrame({}, View(9, 9), Buffer::Value), Error);
+  EXPECT_THROW(ProgressiveFrame({}, View(9, 9), {}, Buffer::Value), Error);
 }
 } // namespace pixelexact::testing

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Block.h"
 #include "InstructionSets.h"
-#include "MeshBuilder.h"
 
-#include "Trace/ColorMapping.h"
-#include "Trace/Plane.h"
+#include "Trace/Modules/ColorMapping.h"
+#include "Trace/TileVisit.h"
+#include "Trace/Tracer.h"
 
 #include "Core/Base/Error.h"
 #include "Core/Location/Sample.h"
@@ -14,119 +15,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
-#include <numbers>
 
 namespace pixelexact::testing
 {
 namespace
 {
-/// A cube [-1,1]^3 of 2 x 2 x 2 elements, inner faces bent, with the field x + 10 y + 100 z and a
-/// second component that is NaN in the first element.
-class Block
-{
-public:
-  Block()
-  {
-    const Space space = UniformSpace(Shape::Hexahedron, 4);
-    for (int e = 0; e < 8; ++e)
-    {
-      const auto map = [e](const LongVec3& xi) { return Map(e, xi); };
-      Elements.Add(space, map);
-      Values.Add(space,
-        [&](const LongVec3& xi, long double* u)
-        {
-          const LongVec3 x = map(xi);
-          u[0] = x[0] + 10 * x[1] + 100 * x[2];
-          u[1] = 1;
-        });
-    }
-    Values.Coefficients[static_cast<std::size_t>(space.Modes())] = std::nan("");
-    TheField = { "u", Values.View() };
-    TheLocator = std::make_unique<Locator>(Elements.View());
-    TheScene.locator = TheLocator.get();
-    TheScene.field = &TheField;
-  }
-
-  /// Element e's map.
-  static LongVec3 Map(int e, const LongVec3& xi)
-  {
-    const long double a = (xi[0] + (e & 1 ? 1 : -1)) / 2;
-    const long double b = (xi[1] + (e & 2 ? 1 : -1)) / 2;
-    const long double c = (xi[2] + (e & 4 ? 1 : -1)) / 2;
-    // Vanishes on the cube's boundary where it must: the cube stays a cube.
-    return { a + 0.2L * (1 - a * a) * b * c, b + 0.2L * (1 - b * b) * a, c };
-  }
-
-  /// At most 13 in the cube, its gradient's numbers at most 8.
-  static long double CurvedAt(const LongVec3& x)
-  {
-    return 1 + 2 * x[0] - 3 * x[1] + x[0] * x[0] - 2 * x[0] * x[1] + 3 * x[1] * x[2] + x[2] * x[2];
-  }
-
-  Scene& WithPlane(const Vec3& origin, const Vec3& normal)
-  {
-    TheScene.surfaces.push_back(std::make_shared<Plane>(origin, normal));
-    return TheScene;
-  }
-
-  /// With the field CurvedAt in the other one's place.
-  void MakeCurved()
-  {
-    Values = ExpansionBuilder(1);
-    for (int e = 0; e < 8; ++e)
-    {
-      Values.Add(UniformSpace(Shape::Hexahedron, 4),
-        [e](const LongVec3& xi, long double* u) { u[0] = CurvedAt(Map(e, xi)); });
-    }
-    TheField = { "u", Values.View() };
-  }
-
-  Field TheField;
-  Scene TheScene;
-
-private:
-  MeshBuilder Elements;
-  ExpansionBuilder Values{ 2 };
-  std::unique_ptr<Locator> TheLocator;
-};
-
-Camera ViewAlongZ(int width, int height, double scale = 1.25)
-{
-  CameraView view;
-  view.position = { 0.0, 0.0, 5.0 };
-  view.parallel = true;
-  view.parallelScale = scale;
-  return { view, width, height };
-}
-
-constexpr Buffer kAll = Buffer::Value | Buffer::Position | Buffer::Normal | Buffer::Xi |
-  Buffer::Element | Buffer::Depth | Buffer::Verdict;
-
-struct LongRay
-{
-  LongVec3 origin;
-  LongVec3 direction; ///< of unit length
-};
-
-/// The ray through an image position, in pixels, by vtkCamera's meaning of a view.
-LongRay RayThrough(const CameraView& view, int width, int height, int px, int py)
-{
-  const LongVec3 forward = Unit(Minus(ToLong(view.focalPoint), ToLong(view.position)));
-  const LongVec3 right = Unit(Cross(forward, ToLong(view.viewUp)));
-  const LongVec3 up = Cross(right, forward);
-  const long double half = view.parallel
-    ? static_cast<long double>(view.parallelScale)
-    : std::tan(view.viewAngle * std::numbers::pi_v<long double> / 360);
-  // In half-heights of the image from its middle.
-  const long double aspect = static_cast<long double>(width) / height;
-  const long double x = aspect * (2.0L * px / width - 1 + view.windowCenter[0]);
-  const long double y = 2.0L * py / height - 1 + view.windowCenter[1];
-  const LongVec3 aside = Plus(Times(half * x, right), Times(half * y, up));
-  return view.parallel ? LongRay{ Plus(ToLong(view.position), aside), forward }
-                       : LongRay{ ToLong(view.position), Unit(Plus(forward, aside)) };
-}
-
 class Counting final : public FrameModule
 {
 public:
@@ -135,7 +30,29 @@ public:
   {
   }
   [[nodiscard]] SampleNeeds Needs() const override { return Wanted; }
-  void Process(Frame& /*frame*/) const override {}
+  void Begin(int width, int height) override
+  {
+    Seen.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
+  }
+  void Process(TileVisit& tile) override
+  {
+    const TileArea& area = tile.Area();
+    for (int y = area.y0; y < area.y1; ++y)
+    {
+      for (int x = area.x0; x < area.x1; ++x)
+      {
+        ++Seen[static_cast<std::size_t>(y * tile.GetFrame().width + x)];
+      }
+    }
+    if (Wanted.corners != Buffer::None)
+    {
+      EXPECT_EQ(tile.Corners().width, area.Width() + 1);
+      EXPECT_EQ(tile.Corners().height, area.Height() + 1);
+      EXPECT_TRUE(tile.Corners().position.empty());
+    }
+  }
+
+  std::vector<int> Seen; ///< how often each pixel was
 
 private:
   SampleNeeds Wanted;
@@ -147,7 +64,7 @@ TEST(Tracer, EveryPixelIsExactOrNothing)
   Block block;
   const Scene& scene = block.WithPlane({ 0.0, 0.0, 0.1 }, { 0.1, 0.2, 1.0 });
   const Camera camera = ViewAlongZ(150, 150);
-  const Frame frame = Trace(scene, camera, {}, { kAll, Buffer::None });
+  const Frame frame = Trace(scene, camera, {}, { .centres = kAll });
   const auto& buffers = frame.centres;
   const Vec3 normal = glm::normalize(Vec3(0.1, 0.2, 1.0));
   int exact = 0;
@@ -298,14 +215,14 @@ TEST(Tracer, ValueIsThatOfTheProbeAtThePosition)
   const Scene& scene = block.WithPlane(Vec3(0.0), { 0.3, -0.4, 1.0 });
   CameraView view;
   view.position = { 1.0, 2.0, 6.0 };
-  const Frame frame = Trace(scene, Camera(view, 97, 61), {}, { kAll, Buffer::None });
+  const Frame frame = Trace(scene, Camera(view, 97, 61), {}, { .centres = kAll });
   const auto count = frame.centres.Size();
   std::vector<double> value(2 * count);
   std::vector<std::int32_t> element(count);
   SampleTarget target;
   target.value = value;
   target.element = element;
-  Sample(*scene.locator, scene.field, frame.centres.position, target);
+  Sample(*scene.locator, scene.layers[0].field, frame.centres.position, target);
   for (std::size_t i = 0; i < count; ++i)
   {
     if (frame.centres.verdict[i] == static_cast<std::uint8_t>(PixelVerdict::Exact))
@@ -321,9 +238,9 @@ TEST(Tracer, SameBitsForAnyNumberOfThreads)
   Block block;
   const Scene& scene = block.WithPlane(Vec3(0.0), { 0.3, -0.4, 1.0 });
   const Camera camera = ViewAlongZ(201, 133);
-  const Frame many = Trace(scene, camera, {}, { kAll, Buffer::None });
+  const Frame many = Trace(scene, camera, {}, { .centres = kAll });
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
-  const Frame one = Trace(scene, camera, {}, { kAll, Buffer::None });
+  const Frame one = Trace(scene, camera, {}, { .centres = kAll });
   const auto bytes = many.centres.value.size() * sizeof(double);
   EXPECT_EQ(std::memcmp(many.centres.value.data(), one.centres.value.data(), bytes), 0);
   EXPECT_EQ(std::memcmp(many.centres.xi.data(), one.centres.xi.data(), 3 * bytes), 0);
@@ -337,13 +254,13 @@ TEST(Tracer, RaysGoOnBehindSurfacesOutsideOfTheMesh)
   block.WithPlane({ 0.0, 0.0, 2.0 }, { 0.0, 0.0, 1.0 });
   const Scene& scene = block.WithPlane(Vec3(0.0), { 0.0, 0.0, 1.0 });
   const Frame frame =
-    Trace(scene, ViewAlongZ(20, 20, 0.9), {}, { Buffer::Depth | Buffer::Verdict, Buffer::None });
+    Trace(scene, ViewAlongZ(20, 20, 0.9), {}, { .centres = Buffer::Depth | Buffer::Verdict });
   EXPECT_EQ(frame.counters.exact, 400);
   EXPECT_EQ(frame.centres.depth[210], 5.0);
   // And the nearer one wins where both are inside.
   block.WithPlane({ 0.0, 0.0, 0.5 }, { 0.0, 0.0, 1.0 });
   const Frame nearer =
-    Trace(block.TheScene, ViewAlongZ(20, 20, 0.9), {}, { Buffer::Depth, Buffer::None });
+    Trace(block.TheScene, ViewAlongZ(20, 20, 0.9), {}, { .centres = Buffer::Depth });
   EXPECT_EQ(nearer.centres.depth[210], 4.5);
 }
 
@@ -351,32 +268,35 @@ TEST(Tracer, CastsTheUnionOfWhatModulesNeedAndNoMore)
 {
   Block block;
   const Scene& scene = block.WithPlane(Vec3(0.0), { 0.0, 0.0, 1.0 });
-  const Counting centres({ Buffer::Value, Buffer::None });
-  const Counting corners({ Buffer::None, Buffer::Value | Buffer::Verdict });
+  Counting centres({ .centres = Buffer::Value });
+  Counting corners({ .corners = Buffer::Value | Buffer::Verdict });
   const Camera camera = ViewAlongZ(40, 30);
-  const Frame first = Trace(scene, camera, { &centres });
+  const Frame first = Trace(scene, camera, { {}, { &centres } });
   EXPECT_EQ(first.counters.rays, 40 * 30);
   EXPECT_EQ(first.corners.Size(), 0U);
   EXPECT_TRUE(first.centres.position.empty());
-  const Frame both = Trace(scene, camera, { &centres, &corners, &centres });
-  EXPECT_EQ(both.counters.rays, 40 * 30 + 41 * 31);
-  EXPECT_EQ(both.corners.Size(), 41U * 31U);
-  EXPECT_TRUE(both.corners.position.empty());
+  EXPECT_EQ(std::ranges::count(centres.Seen, 1), 40 * 30);
+  const Frame both = Trace(scene, camera, { {}, { &centres, &corners, &centres } });
+  // Two tiles, which have a column of corners in common.
+  EXPECT_EQ(both.counters.rays, 40 * 30 + 33 * 31 + 9 * 31);
+  EXPECT_EQ(both.corners.Size(), 0U);
+  EXPECT_EQ(std::ranges::count(centres.Seen, 2), 40 * 30);
+  EXPECT_EQ(std::ranges::count(corners.Seen, 1), 40 * 30);
 }
 
 TEST(Tracer, ComponentsMagnitudeAndNan)
 {
   Block block;
   Scene& scene = block.WithPlane({ 0.0, 0.0, -0.5 }, { 0.0, 0.0, 1.0 });
-  scene.component = 1;
+  scene.layers[0].component = 1;
   const Frame component =
-    Trace(scene, ViewAlongZ(20, 20, 0.9), {}, { Buffer::Value | Buffer::Verdict, Buffer::None });
+    Trace(scene, ViewAlongZ(20, 20, 0.9), {}, { .centres = Buffer::Value | Buffer::Verdict });
   EXPECT_EQ(component.counters.exact, 400);
   // The first element covers about a quarter of the cross-section; its NaN stays within it.
   EXPECT_GT(component.counters.nonFinite, 50);
   EXPECT_LT(component.counters.nonFinite, 200);
-  scene.component = Scene::kMagnitude;
-  const Frame magnitude = Trace(scene, ViewAlongZ(20, 20, 0.9), {}, { kAll, Buffer::None });
+  scene.layers[0].component = kMagnitude;
+  const Frame magnitude = Trace(scene, ViewAlongZ(20, 20, 0.9), {}, { .centres = kAll });
   const std::size_t at = 399;
   const Vec3& x = magnitude.centres.position[at];
   EXPECT_NEAR(magnitude.centres.value[at], std::hypot(x.x + 10 * x.y + 100 * x.z, 1.0), 1e-12);
@@ -396,14 +316,14 @@ TEST(Tracer, ColoursByVerdict)
         rgba = std::copy_n(color, 4, rgba);
       }
     });
-  const Frame frame = Trace(scene, ViewAlongZ(60, 60), { &module });
+  const Frame frame = Trace(scene, ViewAlongZ(60, 60), { { &module }, {} });
   for (std::size_t i = 0; i < frame.centres.Size(); ++i)
   {
     const bool exact = frame.centres.verdict[i] == static_cast<std::uint8_t>(PixelVerdict::Exact);
-    EXPECT_EQ(frame.color[4 * i + 3], exact ? 255 : 0);
+    EXPECT_EQ(frame.Image()[4 * i + 3], exact ? 255 : 0);
     if (exact)
     {
-      EXPECT_EQ(frame.color[4 * i], frame.centres.value[i] > 0.0 ? 200 : 100);
+      EXPECT_EQ(frame.Image()[4 * i], frame.centres.value[i] > 0.0 ? 200 : 100);
     }
   }
 }
@@ -415,7 +335,7 @@ TEST(Tracer, ProgressCanAbort)
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
   double last = 0.0;
   const Camera camera = ViewAlongZ(200, 200);
-  Trace(scene, camera, {}, { Buffer::Verdict, Buffer::None },
+  Trace(scene, camera, {}, { .centres = Buffer::Verdict },
     [&](double done)
     {
       EXPECT_GT(done, last);
@@ -424,7 +344,7 @@ TEST(Tracer, ProgressCanAbort)
     });
   EXPECT_EQ(last, 1.0);
   const Frame aborted = Trace(
-    scene, camera, {}, { Buffer::Verdict, Buffer::None }, [](double done) { return done < 0.5; });
+    scene, camera, {}, { .centres = Buffer::Verdict }, [](double done) { return done < 0.5; });
   EXPECT_LT(aborted.counters.rays, 200 * 200);
 }
 
@@ -434,10 +354,10 @@ TEST(Tracer, RefusesScenesThatShowNothing)
   const Camera camera = ViewAlongZ(8, 8);
   EXPECT_THROW(Trace(block.TheScene, camera, {}), Error);
   Scene& scene = block.WithPlane(Vec3(0.0), { 0.0, 0.0, 1.0 });
-  scene.component = 2;
+  scene.layers[0].component = 2;
   EXPECT_THROW(Trace(scene, camera, {}), Error);
-  scene.component = 0;
-  scene.field = nullptr;
+  scene.layers[0].component = 0;
+  scene.layers[0].field = nullptr;
   EXPECT_THROW(Trace(scene, camera, {}), Error);
 }
 
@@ -448,7 +368,7 @@ TEST(Tracer, FloatsChangeValuesAloneAndReportHowMuch)
   const Camera camera = ViewAlongZ(120, 90);
   const Frame exact = Trace(scene, camera, {}, { .centres = kAll });
   EXPECT_EQ(exact.counters.floatCheck.points, 0);
-  scene.precision = Precision::Float;
+  scene.layers[0].precision = Precision::Float;
   const Frame frame = Trace(scene, camera, {}, { .centres = kAll });
   EXPECT_EQ(frame.centres.verdict, exact.centres.verdict);
   EXPECT_EQ(frame.centres.element, exact.centres.element);

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LayerRequests.h"
+
+#include "VtkLook.h"
+#include "vtkHighOrderLayer.h"
+#include "vtkHighOrderMapper.h"
+
+#include "vtkImplicitFunction.h"
+#include "vtkScalarsToColors.h"
+
+namespace pixelexact
+{
+LayerRequest LayerOf(vtkHighOrderMapper* mapper, vtkProperty* property)
+{
+  LayerRequest layer;
+  const char* field = mapper->GetFieldName();
+  layer.field =
+    field == nullptr || field[0] == '\0' ? FieldOf(mapper) : FieldChoice{ .name = field };
+  layer.solidColor = ColorOf(property);
+  layer.material = MaterialOf(property, !mapper->GetScalarVisibility());
+  layer.litWhereFlat = mapper->GetLightFlat();
+  if (mapper->GetScalarVisibility())
+  {
+    layer.table = mapper->GetLookupTable();
+    if (!mapper->GetUseLookupTableScalarRange())
+    {
+      layer.table->SetRange(mapper->GetScalarRange());
+    }
+  }
+  return layer;
+}
+
+LayerRequest LayerOf(vtkHighOrderLayer* layer, LayerRequest ofAll)
+{
+  LayerRequest request = std::move(ofAll);
+  request.cut = layer->GetCutFunction();
+  const char* field = layer->GetFieldName();
+  if (field != nullptr && field[0] != '\0')
+  {
+    request.field = { .name = field };
+  }
+  if (layer->GetComponent() != vtkHighOrderLayer::BY_LOOKUP_TABLE)
+  {
+    request.component = layer->GetComponent();
+  }
+  if (layer->GetLookupTable() != nullptr)
+  {
+    request.table = layer->GetLookupTable();
+  }
+  if (!layer->GetScalarVisibility())
+  {
+    request.table = nullptr;
+    request.solidColor = ToRgba(layer->GetColor());
+  }
+  request.opacity = layer->GetOpacity();
+  request.precision = layer->GetSinglePrecision() ? Precision::Float : Precision::Double;
+  request.litWhereFlat = layer->GetLightFlat();
+  if (!layer->GetLighting())
+  {
+    request.material.reset();
+  }
+  else if (request.material)
+  {
+    // The actor's colour is not the layer's.
+    request.material->ambientColor.reset();
+  }
+  return request;
+}
+
+bool IsOpaque(vtkHighOrderMapper* mapper, vtkHighOrderLayer* layer)
+{
+  vtkScalarsToColors* table = mapper->GetScalarVisibility() ? mapper->GetLookupTable() : nullptr;
+  if (layer != nullptr)
+  {
+    if (layer->GetOpacity() < 1.0)
+    {
+      return false;
+    }
+    table = layer->GetLookupTable() != nullptr ? layer->GetLookupTable() : table;
+    table = layer->GetScalarVisibility() ? table : nullptr;
+  }
+  if (table == nullptr)
+  {
+    return true;
+  }
+  // Before that it does not know.
+  table->Build();
+  return table->IsOpaque() != 0;
+}
+} // namespace pixelexact

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "FrameSource.h"
+
+class vtkHighOrderLayer;
+class vtkHighOrderMapper;
+class vtkProperty;
+
+// What a mapper, its actor and its layers ask for, as requests for frames.
+namespace pixelexact
+{
+/// What mapper and property say of all surfaces; the function is left open. Sets the range of the
+/// mapper's lookup table where that is the mapper's.
+[[nodiscard]] LayerRequest LayerOf(vtkHighOrderMapper* mapper, vtkProperty* property);
+
+/// A layer: what it does not say itself is as `ofAll`.
+[[nodiscard]] LayerRequest LayerOf(vtkHighOrderLayer* layer, LayerRequest ofAll);
+
+/// Whether a layer of the mapper hides all that is behind it; null: one without a look of its own.
+[[nodiscard]] bool IsOpaque(vtkHighOrderMapper* mapper, vtkHighOrderLayer* layer);
+} // namespace pixelexact

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LayerOptions.h"
+
+#include "ColorOptions.h"
+#include "Command.h"
+#include "Numbers.h"
+#include "Report.h"
+
+#include "Trace/Scene.h"
+
+#include <cmath>
+#include <functional>
+#include <map>
+
+namespace pixelexact
+{
+namespace
+{
+constexpr const char* kForm = "N:KEY=VALUE,...";
+
+[[noreturn]] void Complain(const std::string& text, const std::string& what)
+{
+  throw UsageError("--layer: '" + text + "': " + what);
+}
+
+/// The parts of a text between separators.
+std::vector<std::string> Split(const std::string& text, char separator)
+{
+  std::vector<std::string> parts(1);
+  for (const char c : text)
+  {
+    if (c == separator)
+    {
+      parts.emplace_back();
+    }
+    else
+    {
+      parts.back() += c;
+    }
+  }
+  return parts;
+}
+
+template <std::size_t Count>
+std::array<double, Count> Numbers(const std::string& value, const char* form)
+{
+  std::array<double, Count> numbers{};
+  const std::vector<std::string> parts = Split(value, ':');
+  for (std::size_t i = 0; i < Count; ++i)
+  {
+    if (parts.size() != Count || !ParseNumber(parts[i], numbers[i]) || !std::isfinite(numbers[i]))
+    {
+      Complain(value, std::string("expected ") + form);
+    }
+  }
+  return numbers;
+}
+
+std::array<double, 3> Color(const std::string& value)
+{
+  const auto color = Numbers<3>(value, "red:green:blue, 0 to 1 each");
+  CheckColor("--layer", { color.begin(), color.end() });
+  return color;
+}
+
+std::array<double, 2> Range(const std::string& value)
+{
+  const auto range = Numbers<2>(value, "lower:upper");
+  if (!(range[0] < range[1]))
+  {
+    Complain(value, "the first value must be below the second");
+  }
+  return range;
+}
+
+double Opacity(const std::string& value)
+{
+  const double opacity = Numbers<1>(value, "an opacity from 0 to 1")[0];
+  if (opacity < 0.0 || opacity > 1.0)
+  {
+    Complain(value, "an opacity is from 0 to 1");
+  }
+  return opacity;
+}
+
+/// One of two words.
+bool IsFirst(const std::string& value, const char* first, const char* second)
+{
+  if (value != first && value != second)
+  {
+    Complain(value, std::string("expected ") + first + " or " + second);
+  }
+  return value == first;
+}
+
+using Setter = std::function<void(LayerSettings& layer, const std::string& value)>;
+const std::map<std::string, Setter>& Setters()
+{
+  static const std::map<std::string, Setter> kSetters{
+    { "field", [](LayerSettings& layer, const std::string& value) { layer.field = value; } },
+    { "component",
+      [](LayerSettings& layer, const std::string& value)
+      {
+        layer.component = ParseComponent(value);
+        if (!layer.component)
+        {
+          Complain(value, "expected 'magnitude' or a number from 0");
+        }
+      } },
+    { "precision",
+      [](LayerSettings& layer, const std::string& value) {
+        layer.precision = IsFirst(value, "float", "double") ? Precision::Float : Precision::Double;
+      } },
+    { "opacity",
+      [](LayerSettings& layer, const std::string& value) { layer.opacity = Opacity(value); } },
+    { "colormap",
+      [](LayerSettings& layer, const std::string& value)
+      {
+        CheckMap("--layer", value);
+        layer.colormap = value;
+      } },
+    { "range", [](LayerSettings& layer, const std::string& value) { layer.range = Range(value); } },
+    { "color", [](LayerSettings& layer, const std::string& value) { layer.color = Color(value); } },
+    { "lights",
+      [](LayerSettings& layer, const std::string& value)
+      { layer.lights = IsFirst(value, "on", "off"); } },
+  };
+  return kSetters;
+}
+
+void Read(const std::string& text, std::vector<LayerSettings>& layers)
+{
+  const auto colon = text.find(':');
+  int number = 0;
+  if (colon == std::string::npos || !ParseInteger(text.substr(0, colon), number))
+  {
+    Complain(text, std::string("expected ") + kForm);
+  }
+  if (number < 1 || static_cast<std::size_t>(number) > layers.size())
+  {
+    Complain(text,
+      "there are " + std::to_string(layers.size()) + " surfaces, counted from 1 in the order of " +
+        "their kinds in the help");
+  }
+  for (const std::string& setting : Split(text.substr(colon + 1), ','))
+  {
+    const auto equal = setting.find('=');
+    const auto setter = Setters().find(setting.substr(0, equal));
+    if (equal == std::string::npos || setter == Setters().end())
+    {
+      std::vector<std::string> names;
+      for (const auto& [name, set] : Setters())
+      {
+        names.push_back(name);
+      }
+      Complain(text, "'" + setting + "' is none of " + Listed(names) + ", each with =VALUE");
+    }
+    setter->second(layers[static_cast<std::size_t>(number) - 1], setting.substr(equal + 1));
+  }
+}
+} // namespace
+
+std::optional<int> ParseComponent(const std::string& text)
+{
+  int component = 0;
+  if (text == "magnitude")
+  {
+    return kMagnitude;
+  }
+  return ParseInteger(text, component) && component >= 0 ? std::optional(component) : std::nullopt;
+}
+
+void LayerOptions::AddTo(CLI::App& command)
+{
+  AddRepeated(
+    command, "--layer", [this](const std::string& text) { Texts.push_back(text); }, kForm,
+    "Show surface N, counted from 1 in the order of their kinds here, in its own way: field=NAME, "
+    "component=i|magnitude, precision=double|float, opacity=0..1, colormap=NAME, range=a:b, "
+    "color=r:g:b, lights=on|off")
+    .Group("Surfaces (any number of each)");
+}
+
+std::vector<LayerSettings> LayerOptions::Make(std::size_t surfaces) const
+{
+  std::vector<LayerSettings> layers(surfaces);
+  for (const std::string& text : Texts)
+  {
+    Read(text, layers);
+  }
+  return layers;
+}
+} // namespace pixelexact

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Trace/Modules/Antialiasing.h"
+#include "Trace/Modules/ColorMapping.h"
+#include "Trace/Modules/Lighting.h"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace pixelexact
+{
+class ColorOptions;
+struct Shot;
+
+/// How the layers of a shot are shown: colour maps over their ranges, lights, anti-aliasing.
+class Looks
+{
+public:
+  /// The range of a layer is the one given, else that of the exact values of all layers in `frame`
+  /// that show the same component of the same field.
+  Looks(const ColorOptions& colors, const Shot& shot, const Frame& frame);
+  Looks(const Looks&) = delete;
+  Looks& operator=(const Looks&) = delete;
+
+  /// Points to modules here.
+  [[nodiscard]] Pipeline MakePipeline();
+
+  /// By layer.
+  [[nodiscard]] const std::vector<std::array<double, 2>>& Ranges() const { return TheRanges; }
+  [[nodiscard]] const std::vector<ColorMap>& Maps() const { return TheMaps; }
+  [[nodiscard]] std::int64_t Refined() const { return Smooth ? Smooth->Refined() : 0; }
+
+private:
+  std::vector<std::array<double, 2>> TheRanges;
+  std::vector<ColorMap> TheMaps;
+  std::optional<ColorMapping> Colors;
+  std::optional<Lighting> Lights;
+  std::optional<Antialiasing> Smooth;
+};
+
+/// The buffers of centres that Looks of a shot read.
+[[nodiscard]] Buffer NeedsOfLooks(const Shot& shot);
+} // namespace pixelexact

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Trace/FrameTiles.h"
+
+#include "Core/Base/CheckedOut.h"
+#include "Core/Base/Error.h"
+#include "Trace/TileVisit.h"
+#include "Trace/TileWalk.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <functional>
+#include <mutex>
+#include <optional>
+
+namespace pixelexact
+{
+namespace
+{
+/// Samples of a lattice along one side of an image.
+int SamplesAlong(int first, int step, int size)
+{
+  return first < size ? (size - first + step - 1) / step : 0;
+}
+
+int TilesAlong(int samples)
+{
+  return (samples + kTileSize - 1) / kTileSize;
+}
+} // namespace
+
+void RequireTraceable(const Scene& scene, const SampleNeeds& needs)
+{
+  if (!scene.locator)
+  {
+    throw Error("scene: no data set to render; set one.");
+  }
+  if (scene.layers.empty() || scene.layers.size() > Scene::kMostLayers)
+  {
+    throw Error(scene.layers.empty() ? "scene: no cut-surface to render; add at least one."
+                                     : "scene: more than 255 layers; leave some out.");
+  }
+  const Buffer wanted = needs.centres | needs.corners | needs.edges;
+  for (const Layer& layer : scene.layers)
+  {
+    if (!layer.surface || !layer.field)
+    {
+      throw Error("scene: a layer without surface or field; set both.");
+    }
+    const int components = layer.field->values.components;
+    if (layer.component != kMagnitude && (layer.component < 0 || layer.component >= components))
+    {
+      throw Error("scene: field '" + layer.field->name + "' has no component " +
+        std::to_string(layer.component) + "; it has " + std::to_string(components) +
+        ", counted from 0.");
+    }
+    if (layer.precision == Precision::Float && Has(wanted, Buffer::Enclosure))
+    {
+      throw Error(
+        "scene: values in single precision have no enclosures; ask for double precision.");
+    }
+  }
+}
+
+Reporter::Reporter(const Progress& progress, int total)
+  : TheProgress(progress)
+  , Total(total)
+  , Caller(std::this_thread::get_id())
+{
+}
+
+void Reporter::TileDone()
+{
+  const int done = ++Done;
+  // VTK's progress may be reported from the calling thread only.
+  if (TheProgress && std::this_thread::get_id() == Caller &&
+    !TheProgress(static_cast<double>(done) / Total))
+  {
+    Aborted = true;
+  }
+}
+
+int TilesOf(const SampleLattice& lattice, int width, int height)
+{
+  return TilesAlong(SamplesAlong(lattice.x0, lattice.step, width)) *
+    TilesAlong(SamplesAlong(lattice.y0, lattice.step, height));
+}
+
+namespace
+{
+/// work(area, counters) for each tile of columns x rows samples, in parallel.
+template <class Work>
+FrameCounters ForEachTile(int columns, int rows, StageTimes* stages, const Work& work)
+{
+  const int across = TilesAlong(columns);
+  FrameCounters total;
+  std::mutex mutex;
+  tbb::parallel_for(0, across * TilesAlong(rows),
+    [&](int tile)
+    {
+      const int x = tile % across * kTileSize;
+      const int y = tile / across * kTileSize;
+      FrameCounters counters;
+      std::optional<StageClock> clock;
+      if (stages)
+      {
+        clock.emplace();
+      }
+      work(TileArea{ x, y, std::min(x + kTileSize, columns), std::min(y + kTileSize, rows) },
+        counters);
+      const std::scoped_lock lock(mutex);
+      if (clock)
+      {
+        std::ranges::transform(clock->Times(), *stages, stages->begin(), std::plus<>());
+      }
+      AddCounters(counters, total);
+    });
+  return total;
+}
+} // namespace
+
+FrameCounters TraceLattice(const Scene& scene, const Camera& camera, const SampleLattice& lattice,
+  Sheets& sheets, Reporter& reporter, StageTimes* stages, const AfterTile& after)
+{
+  const int width = sheets.At(0).width;
+  const int columns = SamplesAlong(lattice.x0, lattice.step, width);
+  const int rows = SamplesAlong(lattice.y0, lattice.step, sheets.At(0).height);
+  FrameCounters total = ForEachTile(columns, rows, stages,
+    [&](const TileArea& area, FrameCounters& counters)
+    {
+      if (reporter.IsAborted())
+      {
+        return;
+      }
+      {
+        const CheckedOut<TileSamples> samples;
+        {
+          const StageScope scope(Stage::Rays);
+          (*samples).Begin(camera, area, lattice, width);
+        }
+        WalkTile(scene, camera, *samples, sheets, counters);
+      }
+      if (after)
+      {
+        after(area, counters);
+      }
+      reporter.TileDone();
+    });
+  total.nothing = static_cast<std::int64_t>(columns) * rows - total.exact - total.unknown;
+  return total;
+}
+
+bool HasTranslucent(const Scene& scene)
+{
+  return std::ranges::any_of(scene.layers, &Layer::translucent);
+}
+
+void AllocateColors(Frame& frame, const Pipeline& pipeline, bool image)
+{
+  if (pipeline.colors.empty())
+  {
+    return;
+  }
+  const std::size_t bytes = 4 * frame.centres.Size();
+  frame.centres.color.assign(bytes, 0);
+  for (SampleBuffers& sheet : frame.centres.behind)
+  {
+    sheet.color.assign(bytes, 0);
+  }
+  frame.color.assign(image ? bytes : 0, 0);
+}
+
+FrameCounters RunPipeline(const Scene* scene, const Camera* camera, const Pipeline& pipeline,
+  Frame& frame, StageTimes* stages)
+{
+  for (FrameModule* module : pipeline.modules)
+  {
+    module->Begin(frame.width, frame.height);
+  }
+  AllocateColors(frame, pipeline, !frame.centres.behind.empty() || !pipeline.modules.empty());
+  return ForEachTile(frame.width, frame.height, stages,
+    [&](const TileArea& area, FrameCounters& counters)
+    {
+      TileVisit visit(scene, camera, pipeline, frame, area);
+      visit.Run();
+      AddSamples(visit.Counters(), counters);
+    });
+}
+
+void AddSamples(const FrameCounters& counted, FrameCounters& total)
+{
+  total.rays += counted.rays;
+  total.floatCheck.Add(counted.floatCheck);
+}
+
+void AddCounters(const FrameCounters& counted, FrameCounters& total)
+{
+  total.rays += counted.rays;
+  total.surfaceHits += counted.surfaceHits;
+  total.nothing += counted.nothing;
+  total.exact += counted.exact;
+  total.unknown += counted.unknown;
+  total.nonFinite += counted.nonFinite;
+  total.numericHits += counted.numericHits;
+  total.undecidedHits += counted.undecidedHits;
+  total.cutOff += counted.cutOff;
+  total.floatCheck.Add(counted.floatCheck);
+}
+} // namespace pixelexact

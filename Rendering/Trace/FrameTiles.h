@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Base/StageClock.h"
+#include "Trace/Pipeline.h"
+#include "Trace/Scene.h"
+#include "Trace/Sheets.h"
+#include "Trace/TileSamples.h"
+#include "Trace/Tracer.h"
+
+#include <atomic>
+#include <thread>
+
+// Loops over the tiles of a frame, in parallel.
+namespace pixelexact
+{
+/// Throws Error for a scene without locator or layers, a layer without surface or field, a
+/// component out of range, too many layers, or enclosures of values in single precision.
+void RequireTraceable(const Scene& scene, const SampleNeeds& needs);
+
+/// Progress and abort, shared by the tiles of a frame.
+class Reporter
+{
+public:
+  Reporter(const Progress& progress, int total);
+
+  [[nodiscard]] bool IsAborted() const { return Aborted; }
+  void TileDone();
+
+private:
+  const Progress& TheProgress;
+  int Total;
+  std::thread::id Caller;
+  std::atomic<int> Done{ 0 };
+  std::atomic<bool> Aborted{ false };
+};
+
+/// Tiles of a lattice over width x height samples.
+int TilesOf(const SampleLattice& lattice, int width, int height);
+
+/// What a tile does when its samples are written.
+using AfterTile = std::function<void(const TileArea& area, FrameCounters& counters)>;
+
+/// Traces the samples of a lattice over width x height samples; aborted tiles are left out.
+/// `stages` may be null, `after` empty.
+FrameCounters TraceLattice(const Scene& scene, const Camera& camera, const SampleLattice& lattice,
+  Sheets& sheets, Reporter& reporter, StageTimes* stages, const AfterTile& after = {});
+
+/// Whether rays of the scene go on behind something.
+bool HasTranslucent(const Scene& scene);
+
+/// Room for the colours that a pipeline makes; `image`: of the frame as well as of its samples.
+void AllocateColors(Frame& frame, const Pipeline& pipeline, bool image);
+
+/// Runs the pipeline over all tiles of a frame whose samples are there; scene and camera may be
+/// null (TileVisit). Returns what was counted of samples that modules asked for.
+FrameCounters RunPipeline(const Scene* scene, const Camera* camera, const Pipeline& pipeline,
+  Frame& frame, StageTimes* stages = nullptr);
+
+/// Adds what was counted; seconds are left alone.
+void AddCounters(const FrameCounters& counted, FrameCounters& total);
+/// Of samples that are no pixels' centres: rays and floats alone.
+void AddSamples(const FrameCounters& counted, FrameCounters& total);
+} // namespace pixelexact

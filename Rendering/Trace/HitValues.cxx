@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Trace/HitValues.h"
+
+#include "Core/Math/Interval.h"
+#include "Trace/Room.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace pixelexact
+{
+namespace
+{
+double Component(std::span<const double> values, int component)
+{
+  if (component != kMagnitude || values.size() == 1)
+  {
+    return values[static_cast<std::size_t>(std::max(component, 0))];
+  }
+  // hypot neither overflows nor underflows on the way.
+  return std::accumulate(
+    values.begin(), values.end(), 0.0, [](double sum, double v) { return std::hypot(sum, v); });
+}
+
+Interval Component(std::span<const double> lower, std::span<const double> upper, int component)
+{
+  if (component != kMagnitude || lower.size() == 1)
+  {
+    const auto at = static_cast<std::size_t>(std::max(component, 0));
+    return { lower[at], upper[at] };
+  }
+  Interval sum(0.0);
+  for (std::size_t at = 0; at < lower.size(); ++at)
+  {
+    sum += Square({ lower[at], upper[at] });
+  }
+  return Sqrt(sum);
+}
+} // namespace
+
+void HitValues::Evaluate(const Locator& locator, const SampleBuffers& wanted, std::size_t count,
+  HitResults& found, PrecisionCheck& check)
+{
+  const Layer& layer = *found.layer;
+  const bool known = found.slots->HasElements();
+  const auto components = static_cast<std::size_t>(layer.field->values.components);
+  const auto sizeIf = [&](bool isWanted, std::size_t each) { return isWanted ? count * each : 0; };
+  Element = Room(Elements, sizeIf(known || !wanted.element.empty(), 1));
+  TheVerdict = Room(Verdicts, count);
+  Xi = Room(Xis, sizeIf(known || !wanted.xi.empty(), 1));
+  Value = Room(Values, sizeIf(!wanted.value.empty(), components));
+  Lower = Room(Lowers, sizeIf(!wanted.valueLower.empty(), components));
+  Upper = Room(Uppers, Lower.size());
+  const Field* field = Value.empty() && Lower.empty() ? nullptr : layer.field;
+  if (known)
+  {
+    EvaluateKnown(locator.GetMesh(), field, found);
+  }
+  else
+  {
+    Locate(locator, field, found, check);
+  }
+  if (found.slots->HasStatuses())
+  {
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      if (TheVerdict[i] == Verdict::Inside && found.Status(i) == HitStatus::Undecided)
+      {
+        TheVerdict[i] = Verdict::Unknown;
+      }
+    }
+  }
+  found.verdict = TheVerdict;
+  found.element = Element;
+  found.xi = Xi;
+  Reduce(layer, found);
+}
+
+void HitValues::Locate(
+  const Locator& locator, const Field* field, const HitResults& found, PrecisionCheck& check)
+{
+  SampleTarget target;
+  target.element = Element;
+  target.verdict = TheVerdict;
+  target.xi = Xi;
+  target.value = Value;
+  target.valueLower = Lower;
+  target.valueUpper = Upper;
+  target.precision = found.layer->precision;
+  target.check = &check;
+  const auto count = static_cast<int>(TheVerdict.size());
+  SampleTile(
+    locator, field, { { found.position[0], found.position[1], found.position[2] }, count }, target);
+}
+
+void HitValues::EvaluateKnown(const Mesh& mesh, const Field* field, const HitResults& found)
+{
+  const std::size_t count = TheVerdict.size();
+  const std::size_t components = count > 0 ? Value.size() / count : 0;
+  const std::size_t bounds = count > 0 ? Lower.size() / count : 0;
+  const auto positions = Room(Positions, Lower.empty() ? 0 : count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const SurfacePoint point = found.slots->PointOf(found.SlotOf(i), found.RayOf(i));
+    Element[i] = point.element;
+    Xi[i] = point.xi;
+    TheVerdict[i] = Verdict::Inside;
+    if (!positions.empty())
+    {
+      positions[i] = point.position;
+    }
+  }
+  for (std::size_t begin = 0, end = 0; field != nullptr && begin < count; begin = end)
+  {
+    while (end < count && Element[end] == Element[begin])
+    {
+      ++end;
+    }
+    const std::size_t hits = end - begin;
+    if (components > 0)
+    {
+      EvaluateAt(mesh, *field, Element[begin], Xi.subspan(begin, hits),
+        Value.subspan(begin * components, hits * components), {});
+    }
+    if (bounds > 0)
+    {
+      EncloseAt(mesh, *field, Element[begin], Xi.subspan(begin, hits),
+        positions.subspan(begin, hits), Lower.subspan(begin * bounds, hits * bounds),
+        Upper.subspan(begin * bounds, hits * bounds));
+    }
+  }
+}
+
+/// To the component that is shown.
+void HitValues::Reduce(const Layer& layer, HitResults& found)
+{
+  const std::size_t count = TheVerdict.size();
+  const auto components = static_cast<std::size_t>(layer.field->values.components);
+  if (components > 1)
+  {
+    // Of later hits nothing has been overwritten yet.
+    for (std::size_t i = 0; i < count && !Value.empty(); ++i)
+    {
+      Value[i] = Component(Value.subspan(i * components, components), layer.component);
+    }
+  }
+  for (std::size_t i = 0; i < count && !Lower.empty(); ++i)
+  {
+    const Interval bounds = Component(Lower.subspan(i * components, components),
+      Upper.subspan(i * components, components), layer.component);
+    Lower[i] = bounds.lower;
+    Upper[i] = bounds.upper;
+  }
+  found.value = Value.first(Value.empty() ? 0 : count);
+  found.lower = Lower.first(Lower.empty() ? 0 : count);
+  found.upper = Upper.first(Upper.empty() ? 0 : count);
+}
+} // namespace pixelexact

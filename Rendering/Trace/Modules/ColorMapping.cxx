@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Trace/Modules/ColorMapping.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace pixelexact
+{
+namespace
+{
+/// The end of the run of equal bytes that begins at `begin`.
+std::size_t EndOfRun(const std::vector<std::uint8_t>& bytes, std::size_t begin, std::size_t end)
+{
+  const std::uint8_t* first = bytes.data() + begin;
+  // Most often all are.
+  if (std::memcmp(first, first + 1, end - begin - 1) == 0)
+  {
+    return end;
+  }
+  return begin +
+    static_cast<std::size_t>(std::find_if(first, bytes.data() + end,
+                               [first](std::uint8_t byte) { return byte != *first; }) -
+      first);
+}
+} // namespace
+
+ColorMapping::ColorMapping(ColorMap map, const Rgba& unknown)
+  : ColorMapping(std::vector<LayerColors>{ { std::move(map), unknown } })
+{
+}
+
+ColorMapping::ColorMapping(std::vector<LayerColors> layers)
+  : Layers(std::move(layers))
+{
+}
+
+Buffer ColorMapping::Needs() const
+{
+  return Buffer::Value | Buffer::Verdict | (Layers.size() > 1 ? Buffer::Layer : Buffer::None);
+}
+
+void ColorMapping::Paint(SampleBuffers& samples, std::size_t begin, std::size_t end) const
+{
+  // Runs of samples of one kind go through the map together.
+  for (std::size_t i = begin; i < end;)
+  {
+    std::size_t next = EndOfRun(samples.verdict, i, end);
+    if (Layers.size() > 1)
+    {
+      next = EndOfRun(samples.layer, i, next);
+    }
+    PaintRun(samples, i, next);
+    i = next;
+  }
+}
+
+void ColorMapping::PaintRun(SampleBuffers& samples, std::size_t begin, std::size_t end) const
+{
+  std::uint8_t* const color = &samples.color[4 * begin];
+  const std::size_t count = end - begin;
+  const auto verdict = static_cast<PixelVerdict>(samples.verdict[begin]);
+  if (verdict == PixelVerdict::Nothing)
+  {
+    std::fill_n(color, 4 * count, std::uint8_t{ 0 });
+    return;
+  }
+  const LayerColors& layer = Layers[Layers.size() > 1 ? samples.layer[begin] : 0];
+  if (verdict == PixelVerdict::Exact)
+  {
+    layer.map({ &samples.value[begin], count }, color);
+  }
+  else
+  {
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      std::ranges::copy(layer.unknown, color + 4 * k);
+    }
+  }
+  for (std::size_t k = 0; layer.opacity < 1.0 && k < count; ++k)
+  {
+    std::uint8_t& alpha = color[4 * k + 3];
+    alpha = static_cast<std::uint8_t>(std::lround(layer.opacity * alpha));
+  }
+}
+} // namespace pixelexact

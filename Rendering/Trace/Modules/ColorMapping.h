@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Trace/Pipeline.h"
+
+#include <array>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace pixelexact
+{
+using Rgba = std::array<std::uint8_t, 4>;
+
+/// Values to straight RGBA bytes. Called from several threads at once, with NaN among the values.
+using ColorMap = std::function<void(std::span<const double> values, std::uint8_t* rgba)>;
+
+/// How a layer is coloured.
+struct LayerColors
+{
+  ColorMap map;
+  Rgba unknown{ 255, 0, 255, 255 }; ///< of samples whose verdict is Unknown
+  double opacity = 1.0;             ///< of all of it, 0 to 1
+};
+
+/// The colour mapping module (paper, section 5.2): each exact sample gets the colour of its own
+/// value; those whose verdict is Unknown the unknown one; the rest stays transparent.
+class ColorMapping final : public SampleColors
+{
+public:
+  /// All layers alike.
+  explicit ColorMapping(ColorMap map, const Rgba& unknown = { 255, 0, 255, 255 });
+  /// Layer by layer, as many as the scene has.
+  explicit ColorMapping(std::vector<LayerColors> layers);
+
+  [[nodiscard]] Buffer Needs() const override;
+  void Paint(SampleBuffers& samples, std::size_t begin, std::size_t end) const override;
+
+private:
+  /// Of samples with the same verdict, on the same layer.
+  void PaintRun(SampleBuffers& samples, std::size_t begin, std::size_t end) const;
+
+  std::vector<LayerColors> Layers;
+};
+} // namespace pixelexact

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Trace/Rays.h"
+#include "Trace/Surfaces/HitSlots.h"
+
+namespace pixelexact
+{
+/// A plane through a point; the normal is of unit length and points out of the body.
+struct ConvexFace
+{
+  Vec3 point;
+  Vec3 normal;
+};
+
+/// Hits in lanes: dispatched at run time to the instruction set. All of them give the same bits.
+struct ConvexKernels
+{
+  void (*meet)(const ConvexFace* faces, int count, const RayLanes& rays, HitSlots& hits);
+};
+
+const ConvexKernels& GetConvexKernels();
+} // namespace pixelexact

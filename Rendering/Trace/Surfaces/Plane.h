@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Trace/Surfaces/Surface.h"
+
+namespace pixelexact
+{
+/// All x with (x - origin) . normal = 0. A ray that lies in the plane does not meet it.
+class Plane final : public Surface
+{
+public:
+  /// Throws Error when the normal is zero or a number is not finite. The normal need not be of
+  /// unit length.
+  Plane(const Vec3& origin, const Vec3& normal);
+
+  void Meet(const RayLanes& rays, HitSlots& hits) const override;
+  [[nodiscard]] Vec3 Normal(const SurfacePoint& point) const override;
+  [[nodiscard]] bool IsFlat() const override { return true; }
+
+private:
+  Vec3 Origin;
+  Vec3 UnitNormal;
+};
+} // namespace pixelexact

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Trace/Surfaces/Surface.h"
+
+#include <algorithm>
+
+namespace pixelexact
+{
+std::vector<Hit> HitsOf(const Surface& surface, const Ray& ray, double tNear, double tFar)
+{
+  double lanes[8][kLanePadding];
+  for (int d = 0; d < 3; ++d)
+  {
+    std::fill_n(lanes[d], kLanePadding, ray.origin[d]);
+    std::fill_n(lanes[3 + d], kLanePadding, ray.direction[d]);
+  }
+  std::fill_n(lanes[6], kLanePadding, tNear);
+  std::fill_n(lanes[7], kLanePadding, tFar);
+  HitSlots slots;
+  slots.Begin(1);
+  surface.Meet(
+    { { lanes[0], lanes[1], lanes[2] }, { lanes[3], lanes[4], lanes[5] }, lanes[6], lanes[7], 1 },
+    slots);
+  std::vector<Hit> hits;
+  for (int k = 0; k < slots.Count() && slots.T(k)[0] < kNoHit; ++k)
+  {
+    hits.push_back({ slots.T(k)[0], slots.PointOf(k, 0).position, slots.StatusOf(k, 0) });
+  }
+  return hits;
+}
+} // namespace pixelexact

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Trace/Camera.h"
+#include "Trace/Rays.h"
+#include "Trace/Surfaces/HitSlots.h"
+
+#include <vector>
+
+namespace pixelexact
+{
+/// A cut-surface: where rays meet it (paper, section 5.1.1). One file each. Two kinds: a space
+/// surface knows no mesh; a mesh surface is made of elements, and tells its hits' element and xi
+/// (HitSlots::Elements).
+class Surface
+{
+public:
+  virtual ~Surface() = default;
+
+  /// All hits of each ray with tNear <= t <= tFar, once each, in order. Called from several threads
+  /// at once, with some rays of a tile, which are neighbours in the image. A ray's hits depend on
+  /// that ray alone.
+  virtual void Meet(const RayLanes& rays, HitSlots& hits) const = 0;
+
+  /// The unit normal at a point of the surface that Meet found, on either side.
+  [[nodiscard]] virtual Vec3 Normal(const SurfacePoint& point) const = 0;
+
+  /// Whether its normal is everywhere the same: it is then not lit unless asked for.
+  [[nodiscard]] virtual bool IsFlat() const { return false; }
+};
+
+struct Hit
+{
+  double t = kNoHit;
+  Vec3 position{ 0.0 };
+  HitStatus status = HitStatus::Certain;
+};
+
+/// Surface::Meet for one ray.
+std::vector<Hit> HitsOf(
+  const Surface& surface, const Ray& ray, double tNear = kNearest, double tFar = kFarthest);
+} // namespace pixelexact

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Trace/Surfaces/Surface.h"
+#include "Trace/Surfaces/TorusKernels.h"
+
+namespace pixelexact
+{
+/// All points at distance r from a circle of radius R about an axis. With r > R the circle's tube
+/// passes through itself, and both the outer part and the inner one, a lemon about the axis, belong
+/// to the surface.
+///
+/// t and positions are those of the given numbers to about a unit in the last place, unless the ray
+/// nearly touches. Where pairs of doubles cannot tell whether it touches, it meets the surface
+/// once, HitStatus::Undecided.
+class Torus final : public Surface
+{
+public:
+  /// The axis need not be of unit length. Throws Error when it is zero, a radius is not positive,
+  /// or a number is not finite or out of range: r / R is between 1e-8 and 1e8.
+  Torus(const Vec3& centre, const Vec3& axis, double R, double r);
+
+  void Meet(const RayLanes& rays, HitSlots& hits) const override;
+  [[nodiscard]] Vec3 Normal(const SurfacePoint& point) const override;
+
+private:
+  TorusForm Form;
+  Vec3 Axis; ///< of unit length
+  double CircleRadius;
+  double TubeRadius;
+};
+} // namespace pixelexact

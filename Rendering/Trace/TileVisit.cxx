@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Trace/TileVisit.h"
+
+#include "Core/Base/CheckedOut.h"
+#include "Core/Base/Error.h"
+#include "Core/Base/StageClock.h"
+#include "Trace/TileWalk.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pixelexact
+{
+namespace
+{
+/// visit(samples) for each sheet.
+template <class Visit>
+void ForEachSheet(SampleBuffers& samples, const Visit& visit)
+{
+  visit(samples);
+  for (SampleBuffers& sheet : samples.behind)
+  {
+    visit(sheet);
+  }
+}
+} // namespace
+
+void BlendSheets(
+  const SampleBuffers& samples, std::size_t begin, std::size_t end, std::uint8_t* image)
+{
+  for (std::size_t i = begin; i < end; ++i, image += 4)
+  {
+    // Front to back; straight alpha.
+    double color[3] = {};
+    double through = 1.0;
+    const auto add = [&](const SampleBuffers& sheet)
+    {
+      const std::uint8_t* own = &sheet.color[4 * i];
+      const double share = through * own[3] / 255.0;
+      for (int c = 0; c < 3; ++c)
+      {
+        color[c] += share * own[c];
+      }
+      through -= share;
+    };
+    add(samples);
+    for (const SampleBuffers& sheet : samples.behind)
+    {
+      add(sheet);
+    }
+    const double alpha = 1.0 - through;
+    for (int c = 0; c < 3; ++c)
+    {
+      image[c] = alpha > 0.0 ? static_cast<std::uint8_t>(std::lround(color[c] / alpha)) : 0;
+    }
+    image[3] = static_cast<std::uint8_t>(std::lround(255.0 * alpha));
+  }
+}
+
+void TileVisit::Run()
+{
+  {
+    const StageScope scope(Stage::Modules);
+    MakeImage();
+  }
+  for (FrameModule* module : ThePipeline.modules)
+  {
+    const StageScope scope(Stage::Modules);
+    module->Process(*this);
+  }
+}
+
+void TileVisit::MakeImage()
+{
+  if (ThePipeline.colors.empty())
+  {
+    return;
+  }
+  const auto width = static_cast<std::size_t>(TheFrame.width);
+  const auto inRow = static_cast<std::size_t>(TheArea.Width());
+  for (int y = TheArea.y0; y < TheArea.y1; ++y)
+  {
+    const std::size_t begin =
+      static_cast<std::size_t>(y) * width + static_cast<std::size_t>(TheArea.x0);
+    ForEachSheet(TheFrame.centres,
+      [&](SampleBuffers& sheet)
+      {
+        for (const auto* painter : ThePipeline.colors)
+        {
+          painter->Paint(sheet, begin, begin + inRow);
+        }
+      });
+    if (!TheFrame.color.empty())
+    {
+      BlendSheets(TheFrame.centres, begin, begin + inRow, &TheFrame.color[4 * begin]);
+    }
+  }
+}
+
+std::vector<std::uint8_t> TileVisit::Image(SampleBuffers& samples) const
+{
+  ForEachSheet(samples,
+    [&](SampleBuffers& sheet)
+    {
+      sheet.color.assign(4 * sheet.Size(), 0);
+      for (const auto* painter : ThePipeline.colors)
+      {
+        painter->Paint(sheet, 0, sheet.Size());
+      }
+    });
+  std::vector<std::uint8_t> image(4 * samples.Size());
+  BlendSheets(samples, 0, samples.Size(), image.data());
+  return image;
+}
+
+void TileVisit::RequireTracing() const
+{
+  if (TheScene == nullptr || TheCamera == nullptr)
+  {
+    throw Error("a module asks for more samples of a frame that only gets other colours; trace it");
+  }
+}
+
+SampleBuffers TileVisit::Trace(std::span<const ImagePosition> positions, Buffer wanted)
+{
+  RequireTracing();
+  SampleBuffers samples;
+  samples.Allocate(wanted | Buffer::Verdict, static_cast<int>(positions.size()), 1);
+  const CheckedOut<TileSamples> tile;
+  (*tile).Begin(*TheCamera, positions);
+  Sheets sheets(samples, wanted | Buffer::Verdict);
+  WalkTile(*TheScene, *TheCamera, *tile, sheets, Asked);
+  return samples;
+}
+
+SampleBuffers& TileVisit::Corners()
+{
+  if (AtCorners.Size() == 0)
+  {
+    RequireTracing();
+    const int width = TheArea.Width() + 1;
+    const Buffer wanted = ThePipeline.Needs().corners;
+    AtCorners.Allocate(wanted, width, TheArea.Height() + 1);
+    const CheckedOut<TileSamples> tile;
+    (*tile).Begin(*TheCamera, { TheArea.x0, TheArea.y0, TheArea.x1 + 1, TheArea.y1 + 1 },
+      { .offset = 0.0 }, width);
+    const auto first = static_cast<std::size_t>(TheArea.y0) * static_cast<std::size_t>(width) +
+      static_cast<std::size_t>(TheArea.x0);
+    for (std::size_t& place : std::span((*tile).place).first(AtCorners.Size()))
+    {
+      place -= first;
+    }
+    Sheets sheets(AtCorners, wanted);
+    WalkTile(*TheScene, *TheCamera, *tile, sheets, Asked);
+  }
+  return AtCorners;
+}
+
+int TileVisit::SamplesPerEdge() const
+{
+  const SampleNeeds needs = ThePipeline.Needs();
+  return needs.edges == Buffer::None ? 0 : (1 << needs.edgeLevel) - 1;
+}
+
+const SampleBuffers& TileVisit::EdgesAcross()
+{
+  return Edges(Across, true);
+}
+
+const SampleBuffers& TileVisit::EdgesUp()
+{
+  return Edges(Up, false);
+}
+
+const SampleBuffers& TileVisit::Edges(SampleBuffers& samples, bool across)
+{
+  const int inEdge = SamplesPerEdge();
+  if (samples.Size() == 0 && inEdge > 0)
+  {
+    std::vector<ImagePosition> positions;
+    for (int y = TheArea.y0; y < TheArea.y1 + (across ? 1 : 0); ++y)
+    {
+      for (int x = TheArea.x0; x < TheArea.x1 + (across ? 0 : 1); ++x)
+      {
+        for (int k = 1; k <= inEdge; ++k)
+        {
+          const double part = static_cast<double>(k) / (inEdge + 1);
+          positions.push_back({ x + (across ? part : 0.0), y + (across ? 0.0 : part) });
+        }
+      }
+    }
+    samples = Trace(positions, ThePipeline.Needs().edges);
+  }
+  return samples;
+}
+} // namespace pixelexact

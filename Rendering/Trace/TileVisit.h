@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Trace/Pipeline.h"
+#include "Trace/Scene.h"
+#include "Trace/TileSamples.h"
+
+#include <span>
+
+namespace pixelexact
+{
+/// What modules see of a tile, and what they may ask for.
+class TileVisit
+{
+public:
+  /// `scene` null: a frame that is there already gets other colours, and nothing can be traced.
+  TileVisit(const Scene* scene, const Camera* camera, const Pipeline& pipeline, Frame& frame,
+    const TileArea& area)
+    : TheScene(scene)
+    , TheCamera(camera)
+    , ThePipeline(pipeline)
+    , TheFrame(frame)
+    , TheArea(area)
+  {
+  }
+
+  /// Colours, image, modules: what a pipeline does with the tile.
+  void Run();
+
+  [[nodiscard]] const TileArea& Area() const { return TheArea; }
+  /// The frame; of the area's pixels alone.
+  [[nodiscard]] Frame& GetFrame() { return TheFrame; }
+
+  /// The corners of the area's pixels, (width + 1) x (height + 1), with the buffers that the
+  /// modules need. Their colours are made by Image, if a module needs them coloured.
+  [[nodiscard]] SampleBuffers& Corners();
+  /// Samples within edges, so many for each edge (SampleNeeds::edgeLevel): those that go across,
+  /// width x (height + 1) edges, and those that go up, (width + 1) x height; edge by edge, rows of
+  /// edges lower-left first.
+  [[nodiscard]] const SampleBuffers& EdgesAcross();
+  [[nodiscard]] const SampleBuffers& EdgesUp();
+  [[nodiscard]] int SamplesPerEdge() const;
+
+  /// More samples, one after the other, as a row. Throws Error where nothing can be traced, as do
+  /// those above.
+  [[nodiscard]] SampleBuffers Trace(std::span<const ImagePosition> positions, Buffer wanted);
+
+  /// The buffers that samples must have for Image.
+  [[nodiscard]] Buffer ColorNeeds() const { return ThePipeline.ColorNeeds(); }
+  /// Colours of samples, the sheets blended: 4 bytes each.
+  [[nodiscard]] std::vector<std::uint8_t> Image(SampleBuffers& samples) const;
+
+  /// Of samples that were asked for here.
+  [[nodiscard]] const FrameCounters& Counters() const { return Asked; }
+
+private:
+  void RequireTracing() const;
+  const SampleBuffers& Edges(SampleBuffers& samples, bool across);
+  void MakeImage();
+
+  const Scene* TheScene;
+  const Camera* TheCamera;
+  const Pipeline& ThePipeline;
+  Frame& TheFrame;
+  TileArea TheArea;
+  FrameCounters Asked;
+  SampleBuffers AtCorners;
+  SampleBuffers Across;
+  SampleBuffers Up;
+};
+
+/// Colours of samples of one set, row by row from `begin`: those behind show through translucent
+/// ones. `image` gets 4 bytes a sample.
+void BlendSheets(
+  const SampleBuffers& samples, std::size_t begin, std::size_t end, std::uint8_t* image);
+} // namespace pixelexact

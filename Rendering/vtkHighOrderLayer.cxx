@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHighOrderLayer.h"
+
+#include "vtkImplicitFunction.h"
+#include "vtkObjectFactory.h"
+#include "vtkScalarsToColors.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkHighOrderLayer);
+
+//------------------------------------------------------------------------------
+vtkHighOrderLayer::vtkHighOrderLayer() = default;
+
+//------------------------------------------------------------------------------
+vtkHighOrderLayer::~vtkHighOrderLayer() = default;
+
+//------------------------------------------------------------------------------
+void vtkHighOrderLayer::SetCutFunction(vtkImplicitFunction* function)
+{
+  if (this->CutFunction != function)
+  {
+    this->CutFunction = function;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkImplicitFunction* vtkHighOrderLayer::GetCutFunction()
+{
+  return this->CutFunction;
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderLayer::SetLookupTable(vtkScalarsToColors* table)
+{
+  if (this->LookupTable != table)
+  {
+    this->LookupTable = table;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkScalarsToColors* vtkHighOrderLayer::GetLookupTable()
+{
+  return this->LookupTable;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkHighOrderLayer::GetMTime()
+{
+  vtkMTimeType time = this->Superclass::GetMTime();
+  if (this->CutFunction != nullptr)
+  {
+    time = std::max(time, this->CutFunction->GetMTime());
+  }
+  return this->LookupTable != nullptr ? std::max(time, this->LookupTable->GetMTime()) : time;
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderLayer::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "CutFunction: "
+     << (this->CutFunction != nullptr ? this->CutFunction->GetClassName() : "(none)") << "\n";
+  os << indent << "FieldName: " << (this->FieldName.empty() ? "(the mapper's)" : this->FieldName)
+     << "\n";
+  os << indent << "Component: " << this->Component << "\n";
+  os << indent << "LookupTable: "
+     << (this->LookupTable != nullptr ? this->LookupTable->GetClassName() : "(the mapper's)")
+     << "\n";
+  os << indent << "ScalarVisibility: " << (this->ScalarVisibility ? "on" : "off") << "\n";
+  os << indent << "Color: " << this->Color[0] << ", " << this->Color[1] << ", " << this->Color[2]
+     << "\n";
+  os << indent << "Opacity: " << this->Opacity << "\n";
+  os << indent << "SinglePrecision: " << (this->SinglePrecision ? "on" : "off") << "\n";
+  os << indent << "Lighting: " << (this->Lighting ? "on" : "off") << "\n";
+  os << indent << "LightFlat: " << (this->LightFlat ? "on" : "off") << "\n";
+  os << indent << "Visibility: " << (this->Visibility ? "on" : "off") << "\n";
+}

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHighOrderLayer
+ * @brief   a cut-surface of a vtkHighOrderMapper with a look of its own
+ *
+ * What is not set is the mapper's: field, lookup table, lights. Several layers of one mapper are
+ * seen by the same rays: where the nearest surface lies outside of the mesh the next one shows, and
+ * translucent ones let those behind show through, in the right order.
+ */
+
+#ifndef vtkHighOrderLayer_h
+#define vtkHighOrderLayer_h
+
+#include "PixelExactRenderingModule.h"
+#include "vtkObject.h"
+
+#include "vtkSmartPointer.h" // for the function and the table
+
+#include <string> // for the field's name
+
+class vtkImplicitFunction;
+class vtkScalarsToColors;
+
+class PIXELEXACTRENDERING_EXPORT vtkHighOrderLayer : public vtkObject
+{
+public:
+  static vtkHighOrderLayer* New();
+  vtkTypeMacro(vtkHighOrderLayer, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Which components of a vector field make the value: see SetComponent.
+   */
+  enum
+  {
+    BY_LOOKUP_TABLE = -2,
+    MAGNITUDE = -1
+  };
+
+  ///@{
+  /**
+   * The surface, as in vtkHighOrderMapper::SetCutFunction. Required.
+   */
+  void SetCutFunction(vtkImplicitFunction* function);
+  vtkImplicitFunction* GetCutFunction();
+  ///@}
+
+  ///@{
+  /**
+   * The field to show. Empty (the default): the mapper's.
+   */
+  vtkSetStdStringFromCharMacro(FieldName);
+  vtkGetCharFromStdStringMacro(FieldName);
+  ///@}
+
+  ///@{
+  /**
+   * A component, counted from 0; MAGNITUDE; or BY_LOOKUP_TABLE (the default): as the lookup table's
+   * VectorMode and VectorComponent say.
+   */
+  vtkSetMacro(Component, int);
+  vtkGetMacro(Component, int);
+  ///@}
+
+  ///@{
+  /**
+   * The colours, over the table's own range. Null (the default): the mapper's table and range.
+   */
+  void SetLookupTable(vtkScalarsToColors* table);
+  vtkScalarsToColors* GetLookupTable();
+  ///@}
+
+  ///@{
+  /**
+   * Off: every exact pixel gets the layer's Color. The default is on.
+   */
+  vtkSetMacro(ScalarVisibility, bool);
+  vtkGetMacro(ScalarVisibility, bool);
+  vtkBooleanMacro(ScalarVisibility, bool);
+  vtkSetVector3Macro(Color, double);
+  vtkGetVector3Macro(Color, double);
+  ///@}
+
+  ///@{
+  /**
+   * From 0 to 1 (the default), times the actor's.
+   */
+  vtkSetClampMacro(Opacity, double, 0.0, 1.0);
+  vtkGetMacro(Opacity, double);
+  ///@}
+
+  ///@{
+  /**
+   * Values in single precision: faster, and off by some 1e-7 of their size. The default is off.
+   */
+  vtkSetMacro(SinglePrecision, bool);
+  vtkGetMacro(SinglePrecision, bool);
+  vtkBooleanMacro(SinglePrecision, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the renderer's lights shine on the layer, as the actor's property says (the default is
+   * on), and whether they do where it is a plane, whose colours are shown as they are unless this
+   * is on (the default is off).
+   */
+  vtkSetMacro(Lighting, bool);
+  vtkGetMacro(Lighting, bool);
+  vtkBooleanMacro(Lighting, bool);
+  vtkSetMacro(LightFlat, bool);
+  vtkGetMacro(LightFlat, bool);
+  vtkBooleanMacro(LightFlat, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether it is there at all. The default is on.
+   */
+  vtkSetMacro(Visibility, bool);
+  vtkGetMacro(Visibility, bool);
+  vtkBooleanMacro(Visibility, bool);
+  ///@}
+
+  /**
+   * Changes with function and table, too.
+   */
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkHighOrderLayer();
+  ~vtkHighOrderLayer() override;
+
+  vtkSmartPointer<vtkImplicitFunction> CutFunction;
+  std::string FieldName;
+  int Component = BY_LOOKUP_TABLE;
+  vtkSmartPointer<vtkScalarsToColors> LookupTable;
+  bool ScalarVisibility = true;
+  double Color[3] = { 1.0, 1.0, 1.0 };
+  double Opacity = 1.0;
+  bool SinglePrecision = false;
+  bool Lighting = true;
+  bool LightFlat = false;
+  bool Visibility = true;
+
+private:
+  vtkHighOrderLayer(const vtkHighOrderLayer&) = delete;
+  void operator=(const vtkHighOrderLayer&) = delete;
+};
+
+#endif
