@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Half-spaces that are kept: what rays see of the rest, against the positions of all hits.
+#include "SheetCheck.h"
+
+namespace pixelexact::testing
+{
+namespace
+{
+constexpr Buffer kSheets = kAll | Buffer::Layer;
+
+/// A block, and planes and spheres in it.
+struct Clipped
+{
+  Block block;
+  TrueScene scene{ block };
+  const Field& field =
+    block.Add(1, [](const LongVec3& x, long double* u) { u[0] = Block::CurvedAt(x); });
+
+  Layer MakeLayer(bool translucent) const
+  {
+    return { nullptr, &field, 0, Precision::Double, translucent };
+  }
+  void AddPlane(const Vec3& through, const Vec3& normal, bool translucent)
+  {
+    scene.AddPlane(through, normal, MakeLayer(translucent), &Block::CurvedAt);
+  }
+  void AddSphere(const Vec3& centre, double radius, bool translucent)
+  {
+    scene.AddSphere(centre, radius, MakeLayer(translucent), &Block::CurvedAt);
+  }
+  [[nodiscard]] Frame Render(const CameraView& view, int width, int height) const
+  {
+    return Trace(scene.Traced, Camera(view, width, height), {}, { .centres = kSheets });
+  }
+};
+
+CameraView Askew(bool parallel)
+{
+  CameraView view;
+  view.position = { -1.5, 2.0, 4.0 };
+  view.viewUp = { 0.1, 1.0, 0.2 };
+  view.parallel = parallel;
+  view.parallelScale = 1.4;
+  view.viewAngle = 34.0;
+  return view;
+}
+
+KeptHalfSpace RandomHalfSpace(Random& random)
+{
+  // Of any length; most of the cube is kept.
+  const double size = std::pow(10.0, random(-3.0, 3.0));
+  const Vec3 normal(random(), random(), random());
+  return { size * normal.x, size * normal.y, size * normal.z, size * random(0.0, 1.2) };
+}
+} // namespace
+
+TEST(Clipping, OnlyWhatIsKeptIsSeen)
+{
+  Clipped clipped;
+  clipped.AddPlane({ 0.0, 0.1, 0.2 }, { 0.3, -0.2, 1.0 }, false);
+  clipped.AddSphere({ 0.2, 0.0, 0.0 }, 0.7, true);
+  clipped.AddSphere({ -0.3, -0.2, 0.1 }, 0.8, false);
+  clipped.AddPlane({ 0.0, 0.0, 0.6 }, { 1.0, 0.2, 0.5 }, true);
+  Random random(17);
+  int sheets = 0;
+  int nothing = 0;
+  int uncertain = 0;
+  for (int scenes = 0; scenes < 24; ++scenes)
+  {
+    SCOPED_TRACE(scenes);
+    clipped.scene.Traced.kept.clear();
+    for (int k = 0; k < 1 + scenes % 4; ++k)
+    {
+      clipped.scene.Traced.kept.push_back(RandomHalfSpace(random));
+    }
+    const CameraView view = Askew(scenes % 2 == 0);
+    const SheetTally tally = ExpectSheets(clipped.Render(view, 24, 21), clipped.scene, view);
+    sheets += tally.WithDepth(2) + tally.WithDepth(3);
+    nothing += tally.WithDepth(0);
+    uncertain += tally.uncertain;
+  }
+  EXPECT_GT(sheets, 500);
+  EXPECT_GT(nothing, 1000);
+  EXPECT_LT(uncertain, 10);
+}
+
+/// Half-spaces that all rays run along, on either side of their planes.
+TEST(Clipping, RaysAlongTheCut)
+{
+  Clipped clipped;
+  clipped.AddSphere(Vec3(0.0), 0.9, true);
+  CameraView view;
+  view.position = { 0.0, 0.0, 5.0 };
+  view.parallel = true;
+  view.parallelScale = 1.0;
+  clipped.scene.Traced.kept = { { 1.0, 0.0, 0.0, 0.33 }, { 0.0, -3.0, 0.0, 1.0 },
+    { -0.5, 0.5, 0.0, 0.41 } };
+  const SheetTally tally = ExpectSheets(clipped.Render(view, 40, 40), clipped.scene, view);
+  EXPECT_GT(tally.WithDepth(2), 400);
+  EXPECT_GT(tally.WithDepth(0), 400);
+  EXPECT_EQ(tally.uncertain, 0);
+
+  // All rays at once, on the wrong side.
+  clipped.scene.Traced.kept = { { 1.0, 0.0, 0.0, -2.0 } };
+  const Frame none = clipped.Render(view, 40, 40);
+  EXPECT_EQ(none.counters.nothing, 1600);
+  EXPECT_EQ(none.counters.surfaceHits, 0);
+  EXPECT_TRUE(none.centres.behind.empty());
+}
+
+TEST(Clipping, NothingIsLeft)
+{
+  Clipped clipped;
+  clipped.AddSphere({ 0.1, 0.0, 0.0 }, 0.9, true);
+  clipped.AddPlane(Vec3(0.0), { 0.2, 0.1, 1.0 }, false);
+  // Each keeps some, both together nothing; and half-spaces without a direction.
+  const std::vector<std::vector<KeptHalfSpace>> nothing = {
+    { { 1.0, 2.0, 3.0, -0.1 }, { -1.0, -2.0, -3.0, 0.0 } },
+    { { 0.0, 0.0, 0.0, -1.0 } },
+  };
+  for (const auto& kept : nothing)
+  {
+    clipped.scene.Traced.kept = kept;
+    for (const bool parallel : { false, true })
+    {
+      const Frame frame = clipped.Render(Askew(parallel), 30, 30);
+      EXPECT_EQ(frame.counters.nothing, 900);
+      EXPECT_EQ(frame.counters.surfaceHits, 0);
+    }
+  }
+  clipped.scene.Traced.kept = { { 0.0, 0.0, 0.0, 1.0 } };
+  const CameraView view = Askew(false);
+  const SheetTally all = ExpectSheets(clipped.Render(view, 30, 30), clipped.scene, view);
+  EXPECT_GT(all.WithDepth(2), 200);
+}
+
+/// The camera sees into the sphere, whose near half is away.
+TEST(Clipping, AHollowSphereShowsItsFarHalf)
+{
+  const Vec3 centre(0.1, -0.1, 0.05);
+  constexpr double kRadius = 0.8;
+  for (const bool parallel : { false, true })
+  {
+    Clipped clipped;
+    clipped.AddSphere(centre, kRadius, false);
+    const CameraView view = Askew(parallel);
+    const LongVec3 forward = Unit(Minus(ToLong(view.focalPoint), ToLong(view.position)));
+    const Vec3 away = ToDouble(forward);
+    const double through = static_cast<double>(Dot(ToLong(away), ToLong(centre)));
+    clipped.scene.Traced.kept = { { away.x, away.y, away.z, -through } };
+    constexpr int kSize = 61;
+    const Frame frame = clipped.Render(view, kSize, kSize);
+    EXPECT_LT(ExpectSheets(frame, clipped.scene, view).uncertain, 5);
+    int seen = 0;
+    for (int y = 0; y < kSize; ++y)
+    {
+      for (int x = 0; x < kSize; ++x)
+      {
+        const auto at = static_cast<std::size_t>(y * kSize + x);
+        const LongRay ray = RayThrough(view, kSize, kSize, x + 0.5L, y + 0.5L);
+        // Both roots; the far one is wanted where it is in the kept half.
+        const LongVec3 from = Minus(ray.origin, ToLong(centre));
+        const long double b = Dot(from, ray.direction);
+        const long double d = b * b - Dot(from, from) + 0.8L * 0.8L;
+        if (d < 1e-6L)
+        {
+          continue;
+        }
+        const long double far = -b + std::sqrt(d);
+        const LongVec3 position = Plus(from, Times(far, ray.direction));
+        if (Dot(forward, position) > 1e-6L)
+        {
+          ++seen;
+          EXPECT_NEAR(frame.centres.depth[at], static_cast<double>(far), 1e-13);
+          // It faces the camera from within.
+          const Vec3& normal = frame.centres.normal[at];
+          EXPECT_NEAR(
+            std::fabs(static_cast<double>(Dot(ToLong(normal), Unit(position)))), 1.0, 1e-12);
+        }
+      }
+    }
+    EXPECT_GT(seen, 700);
+    EXPECT_GE(frame.counters.exact, seen);
+  }
+}
+} // namespace pixelexact::testing
