@@ -1,0 +1,280 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""pixelexact render: surfaces in closed form, layers, lights, smooth edges."""
+
+import unittest
+
+import numpy as np
+
+from tool import ToolTest, View, case, columns, read_buffers, read_csv, read_image, run, unit
+from tool import unit_cube_grid
+
+EXACT = 1
+
+
+def numbers(values):
+    return ",".join(repr(float(v)) for v in values)
+
+
+def quadratic(form, origin, direction):
+    """Of x' Q x + 2 b x + k with form (Q, b, k): the polynomial along each ray."""
+    q, b, k = (np.asarray(part, dtype=float) for part in form)
+    second = np.einsum("...i,ij,...j", direction, q, direction)
+    first = 2 * (np.einsum("...i,ij,...j", direction, q, origin) + direction @ b)
+    none = np.einsum("...i,ij,...j", origin, q, origin) + 2 * (origin @ b) + k
+    return np.stack([none, first, second], axis=-1)
+
+
+def shifted(q, centre, k):
+    """(x - c)' Q (x - c) + k"""
+    q, c = np.asarray(q, dtype=float), np.asarray(centre, dtype=float)
+    return q, -q @ c, c @ q @ c + k
+
+
+def sphere(c, r):
+    return lambda o, d: quadratic(shifted(np.eye(3), c, -r * r), o, d)
+
+
+def cylinder(p, a, r):
+    a = unit(a)
+    return lambda o, d: quadratic(shifted(np.eye(3) - np.outer(a, a), p, -r * r), o, d)
+
+
+def cone(p, a, degrees):
+    a = unit(a)
+    steep = 1 / np.cos(np.radians(degrees)) ** 2
+    return lambda o, d: quadratic(shifted(np.eye(3) - steep * np.outer(a, a), p, 0), o, d)
+
+
+def general(a):
+    q = [[a[0], a[3] / 2, a[5] / 2], [a[3] / 2, a[1], a[4] / 2], [a[5] / 2, a[4] / 2, a[2]]]
+    return lambda o, d: quadratic((q, [a[6] / 2, a[7] / 2, a[8] / 2], a[9]), o, d)
+
+
+def product(p, q):
+    """Of polynomials, lowest coefficients first."""
+    result = np.zeros((*p.shape[:-1], p.shape[-1] + q.shape[-1] - 1))
+    for i in range(p.shape[-1]):
+        result[..., i : i + q.shape[-1]] += p[..., i : i + 1] * q
+    return result
+
+
+def torus(c, a, big, small):
+    a = unit(a)
+
+    def along(o, d):
+        whole = quadratic(shifted(np.eye(3), c, big * big - small * small), o, d)
+        across = quadratic(shifted(np.eye(3) - np.outer(a, a), c, 0), o, d)
+        square = product(whole, whole)
+        square[..., :3] -= 4 * big * big * across
+        return square
+
+    return along
+
+
+# Options that say the surface, and the same as a polynomial along rays.
+SURFACES = {
+    "--sphere": ([0.4, -0.2, 0.1, 0.7], sphere([0.4, -0.2, 0.1], 0.7)),
+    "--cylinder": (
+        [0.2, 0.1, 0.0, 1.0, -2.0, 0.5, 0.6],
+        cylinder([0.2, 0.1, 0.0], [1.0, -2.0, 0.5], 0.6),
+    ),
+    "--cone": ([0.1, 0.0, 0.4, 0.2, 0.3, -1.0, 55.0], cone([0.1, 0, 0.4], [0.2, 0.3, -1.0], 55.0)),
+    "--quadric": (
+        [1.0, 0.8, -0.5, 0.2, -0.1, 0.3, 0.1, -0.2, 0.05, -0.6],
+        general([1.0, 0.8, -0.5, 0.2, -0.1, 0.3, 0.1, -0.2, 0.05, -0.6]),
+    ),
+    "--torus": (
+        [0.05, -0.05, 0.0, 0.1, 0.2, 1.0, 0.9, 0.25],
+        torus([0.05, -0.05, 0.0], [0.1, 0.2, 1.0], 0.9, 0.25),
+    ),
+}
+
+
+class SurfaceTest(ToolTest):
+    def render(self, source, *options, field="u"):
+        image, buffers = self.folder / "image.png", self.folder / "buffers.vti"
+        outputs = ["--output", image, "--buffers", buffers]
+        summary = self.summary("render", source, "--field", field, *options, *outputs)
+        return summary, read_buffers(buffers), read_image(image)
+
+    def probe(self, source, positions):
+        points, out = self.folder / "points.csv", self.folder / "out.csv"
+        lines = "".join(numbers(position) + "\n" for position in positions)
+        points.write_text("x,y,z\n" + lines, encoding="utf-8")
+        self.succeeds("probe", source, "--field", "u", "--points", points, "--output", out)
+        return columns(read_csv(out))
+
+
+class ClosedForms(SurfaceTest):
+    def test_each_pixel_shows_the_first_root_within_the_mesh(self):
+        source = case("toroid_hex_g3_p6")
+        view = View([2.5, -3.0, 3.5], [0.0, 0.0, 0.0], [0.1, 0.2, 1.0], 48, 36, angle=28.0)
+        origin, direction = view.rays()
+        for option, (given, polynomial) in SURFACES.items():
+            with self.subTest(option):
+                _, buffers, _ = self.render(source, option, numbers(given), *view.options())
+                coefficients = polynomial(origin, direction)
+                pixels, roots = [], []
+                for pixel in np.ndindex(36, 48):
+                    for root in np.sort_complex(np.roots(coefficients[pixel][::-1])):
+                        if abs(root.imag) < 1e-9 and root.real > 0:
+                            pixels.append(pixel)
+                            roots.append(root.real)
+                origins = np.broadcast_to(origin, direction.shape)
+                at = np.array([origins[p] + t * direction[p] for p, t in zip(pixels, roots)])
+                inside = self.probe(source, at)["verdict"] == "inside"
+                first = {}
+                for pixel, root, held in zip(pixels, roots, inside):
+                    if held:
+                        first.setdefault(pixel, root)
+                exact = buffers["Verdict"] == EXACT
+                self.assertGreater(exact.sum(), 80)
+                self.assertEqual(exact.sum(), len(first))
+                for pixel, root in first.items():
+                    self.assertTrue(exact[pixel], pixel)
+                    self.assertAlmostEqual(buffers["Depth"][pixel], root, delta=1e-9)
+                    along = origins[pixel] + root * direction[pixel]
+                    gap = np.abs(buffers["Position"][pixel] - along).max()
+                    self.assertLess(gap, 1e-9)
+                found = self.probe(source, buffers["Position"][exact])
+                self.assertTrue((found["value"] == buffers["Value"][exact]).all())
+                length = np.linalg.norm(buffers["Normal"][exact], axis=-1)
+                self.assertLess(np.abs(length - 1).max(), 1e-14)
+
+    def test_box(self):
+        source = case("toroid_hex_g3_p6")
+        lower, upper = np.array([-0.9, -0.8, -0.2]), np.array([1.2, 0.7, 0.15])
+        view = View([2.5, -3.0, 3.5], [0.0, 0.0, 0.0], [0.1, 0.2, 1.0], 48, 36, angle=28.0)
+        _, buffers, _ = self.render(
+            source, "--box", numbers([*lower, *upper]), *view.options()
+        )
+        exact = buffers["Verdict"] == EXACT
+        self.assertGreater(exact.sum(), 100)
+        position = buffers["Position"][exact]
+        self.assertTrue(((position >= lower) & (position <= upper)).all())
+        on_face = (position == lower) | (position == upper)
+        self.assertTrue((on_face.sum(axis=-1) >= 1).all())
+
+    def test_what_is_no_surface_is_refused(self):
+        image = self.folder / "i.png"
+        for option, given, name in [
+            ("--sphere", "0,0,0,0", "radius"),
+            ("--sphere", "0,0,0", "cx,cy,cz,r"),
+            ("--cylinder", "0,0,0,0,0,0,1", "axis"),
+            ("--cone", "0,0,0,0,0,1,90", "angle"),
+            ("--quadric", "0,0,0,0,0,0,0,0,0,1", "quadric"),
+            ("--torus", "0,0,0,0,0,1,1,-0.5", "radius"),
+            ("--box", "1,0,0,0,1,1", "box"),
+        ]:
+            self.fails(
+                2, "render", case("toroid_hex_g3_p6"), "--field", "u", option, given, "--output",
+                image, names=[option, name],
+            )
+
+
+class Layers(SurfaceTest):
+    def setUp(self):
+        super().setUp()
+        self.source = self.folder / "cube.vtu"
+        corners = [[x, y, z] for z in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
+        fields = [
+            ("u", [float(x) for x, _, _ in corners]),
+            ("v", [[float(y), 2.0 + z, float(x)] for x, y, z in corners]),
+        ]
+        self.source.write_text(unit_cube_grid(fields), encoding="utf-8")
+        self.view = View([0.5, 0.5, 5.0], [0.5, 0.5, 0.0], [0, 1, 0], 40, 40, scale=0.6)
+
+    def test_fields_components_and_colours_of_their_own(self):
+        options = ["--plane", "0,0,0.25,0,0,1", "--plane", "0.5,0,0.75,-1,0,2"]
+        options += ["--layer", "1:field=v,component=1,color=0:0:1"]
+        options += ["--layer", "2:opacity=0.25,color=1:0:0"]
+        summary, buffers, _ = self.render(self.source, *options, *self.view.options())
+        exact = buffers["Verdict"] == EXACT
+        x, _, z = np.moveaxis(buffers["Position"], -1, 0)
+        # The slanted plane is the nearer one wherever it is within the cube.
+        second = exact & (np.abs(z - (0.75 + (x - 0.5) / 2)) < 1e-12)
+        self.assertTrue((buffers["Layer"][second] == 1).all())
+        self.assertTrue((buffers["Layer"][exact & ~second] == 0).all())
+        self.assertTrue((buffers["Layer"][~exact] == 255).all())
+        self.assertTrue(np.allclose(buffers["Value"][second], x[second], atol=1e-14))
+        self.assertTrue((buffers["Color"][second] == [64, 0, 191, 255]).all())
+        self.assertEqual([layer["field"] for layer in summary["layers"]], ["v", "u"])
+        self.assertEqual([layer["component"] for layer in summary["layers"]], ["1", "value"])
+        self.assertEqual(summary["layers"][1]["pixels"], second.sum())
+        options[-1] = "2:opacity=1"
+        _, buffers, _ = self.render(self.source, *options[:4], *options[4:6], *self.view.options())
+        first = buffers["Layer"] == 0
+        self.assertTrue(np.allclose(buffers["Value"][first], 2 + buffers["Position"][first][:, 2]))
+
+    def test_lights(self):
+        options = ["--sphere", "0.5,0.5,0,0.45", "--layer", "1:color=1:0.5:0"]
+        _, buffers, _ = self.render(self.source, *options, *self.view.options())
+        exact = buffers["Verdict"] == EXACT
+        facing = np.abs(buffers["Normal"][exact][:, 2])
+        lit = np.outer(facing, [255, 127.5, 0])
+        self.assertLess(np.abs(buffers["Color"][exact][:, :3] - lit).max(), 1.01)
+        _, flat, _ = self.render(self.source, *options, "--lights", "off", *self.view.options())
+        self.assertTrue((flat["Color"][exact][:, :3] == [255, 128, 0]).all())
+        plane = ["--plane", "0.5,0.5,0.5,1,0,1", "--layer", "1:color=1:0.5:0"]
+        _, plain, _ = self.render(self.source, *plane, *self.view.options())
+        shown = plain["Verdict"] == EXACT
+        self.assertTrue((plain["Color"][shown][:, :3] == [255, 128, 0]).all())
+        _, shaded, _ = self.render(self.source, *plane, "--lights", "on", *self.view.options())
+        half = np.array([255, 127.5, 0]) / np.sqrt(2)
+        self.assertLess(np.abs(shaded["Color"][shown][:, :3] - half).max(), 1.01)
+
+    def test_smooth_edges(self):
+        options = ["--sphere", "0.5,0.5,0,0.45", "--layer", "1:color=0:0:0,lights=off"]
+        _, rough, jagged = self.render(self.source, *options, *self.view.options())
+        summary, smooth, image = self.render(
+            self.source, *options, "--samples", "64", *self.view.options()
+        )
+        for name in ("Value", "Verdict", "Depth", "Element"):
+            np.testing.assert_array_equal(rough[name], smooth[name])
+        self.assertEqual(set(np.unique(jagged)), {0, 255})
+        # White before black: the covered area is that of the disc.
+        covered = (1 - image[..., 0] / 255).sum() * (1.2 / 40) ** 2
+        self.assertAlmostEqual(covered, np.pi * 0.45**2, delta=2e-3)
+        self.assertGreater(summary["refined_pixels"], 80)
+        self.assertLess(summary["refined_pixels"], 200)
+
+    def test_pictures_of_soundness_are_not_mixed(self):
+        image = self.folder / "i.png"
+        plane = ["--field", "u", "--plane", "0,0,0.5,0,0,1", "--samples", "4", "--output", image]
+        for option in (["--owners"], ["--show", "validity"], ["--show-undecided"]):
+            self.fails(2, "render", self.source, *plane, *option, names=["--samples", "legend"])
+        self.succeeds("render", self.source, *plane, "--enclosures")
+
+    def test_what_is_not_understood(self):
+        image = self.folder / "i.png"
+        for text, name in [
+            ("opacity=0.5", "N:KEY=VALUE"),
+            ("2:opacity=0.5", "1 surfaces"),
+            ("0:opacity=0.5", "1 surfaces"),
+            ("1:opacity=1.5", "opacity"),
+            ("1:shine=1", "'shine=1' is none of"),
+            ("1:colormap=nope", "viridis"),
+            ("1:range=2:1", "below"),
+            ("1:color=1:2", "red:green:blue"),
+            ("1:component=x", "magnitude"),
+            ("1:lights=maybe", "on or off"),
+        ]:
+            done = run(
+                "render", self.source, "--field", "u", "--plane", "0,0,0.5,0,0,1", "--layer", text,
+                "--output", image,
+            )
+            self.assertEqual(done.returncode, 2, text)
+            self.assertIn(name, done.stderr)
+            self.assertIn("--layer", done.stderr)
+        self.fails(
+            1, "render", self.source, "--field", "u", "--plane", "0,0,0.5,0,0,1", "--layer",
+            "1:field=w", "--output", image, names=["w", "u"],
+        )
+        self.fails(
+            1, "render", self.source, "--field", "u", "--plane", "0,0,0.5,0,0,1", "--layer",
+            "1:field=v,component=3", "--output", image, names=["3 components"],
+        )
+
+
+if __name__ == "__main__":
+    unittest.main()
