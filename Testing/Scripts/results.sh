@@ -6,6 +6,7 @@
 #
 #   frames        made meshes by shape, order, elements and pixels; against the bare kernel
 #   suite         real data: three planes of each larger case; against the bare kernel
+#   surfaces      curved surfaces beside planes, on real data; what a pipeline adds to a frame
 #   instructions  counted under callgrind
 #   baselines     vtkProbeFilter, VTK's window, loading
 #   careful-path  its share in the files of Data/ and the larger cases
@@ -21,7 +22,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 build=${PIXELEXACT_BUILD:-build}
-all=(frames suite instructions baselines careful-path slowest-point face-points stability adversary
+all=(frames suite surfaces instructions baselines careful-path slowest-point face-points stability adversary
   collapsed history enclosures ranges oracles)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -52,6 +53,15 @@ run_frames() {
 run_suite() {
   title="Frames of real data against the bare kernel"
   measure Testing/Benchmarks/suite.py "$build/bin/pixelexact" ../shared/data --threads 1
+  table
+}
+run_surfaces() {
+  title="Curved surfaces beside planes"
+  measure Testing/Benchmarks/surfaces.py "$build/bin/pixelexact" ../shared/data
+  echo >>"$scratch/output"
+  echo '```' >>"$scratch/output"
+  measure "$build/bin/PixelExactBenchmarks" --benchmark_filter=Pipelines
+  echo '```' >>"$scratch/output"
   table
 }
 run_instructions() {
