@@ -40,7 +40,7 @@ void ShotOptions::AddTo(CLI::App& command, bool required)
     [this](const std::string& text)
     { lights = text == "curved" ? Lit::Curved : (text == "on" ? Lit::On : Lit::Off); },
     { "curved", "on", "off" },
-    "Shine a light from the eye on all surfaces but planes (curved, the default), on all, on none");
+    "Shine a light from the eye on curved surfaces (curved, the default), on all, on none");
   AddInteger(command, "--samples", samples, 1, 1024, "N",
     "Samples in pixels that are not of one colour, for smooth edges (default: 1)");
 }
@@ -109,7 +109,7 @@ Shot Prepare(const ShotOptions& options, Stopwatch& stopwatch)
     // Any camera sees all of nothing.
     box = { Vec3(-1.0), Vec3(1.0) };
   }
-  // A surface that is no plane has normals in many directions.
+  // A surface that is not flat has normals in many directions.
   const Vec3 normal = surfaces.front()->IsFlat()
     ? surfaces.front()->Normal({ 0.5 * (box.lower + box.upper) })
     : Vec3(1.0);

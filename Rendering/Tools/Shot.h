@@ -22,7 +22,7 @@ class Stopwatch;
 /// Which surfaces lights shine on, where a layer does not say so itself.
 enum class Lit
 {
-  Curved, ///< all but planes
+  Curved, ///< all but flat ones
   On,
   Off
 };

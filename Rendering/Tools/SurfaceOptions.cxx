@@ -6,6 +6,7 @@
 
 #include "Core/Base/Error.h"
 #include "Trace/Surfaces/ConvexBody.h"
+#include "Trace/Surfaces/Disc.h"
 #include "Trace/Surfaces/Plane.h"
 #include "Trace/Surfaces/Quadric.h"
 #include "Trace/Surfaces/Torus.h"
@@ -38,6 +39,10 @@ const Kind kKinds[] = {
   { "--plane", 6, "ox,oy,oz,nx,ny,nz", "Cut by the plane through o with normal n",
     [](const Given& p) -> std::shared_ptr<const Surface>
     { return std::make_shared<Plane>(At(p, 0), At(p, 3)); } },
+  { "--disc", 7, "cx,cy,cz,nx,ny,nz,r",
+    "Cut by the disc about c with normal n: the part of a plane within a circle",
+    [](const Given& p) -> std::shared_ptr<const Surface>
+    { return std::make_shared<Disc>(At(p, 0), At(p, 3), p[6]); } },
   { "--sphere", 4, "cx,cy,cz,r", "Cut by a sphere",
     [](const Given& p) -> std::shared_ptr<const Surface>
     { return std::make_shared<Quadric>(MakeSphere(At(p, 0), p[3])); } },

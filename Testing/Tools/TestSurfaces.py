@@ -155,9 +155,34 @@ class ClosedForms(SurfaceTest):
         on_face = (position == lower) | (position == upper)
         self.assertTrue((on_face.sum(axis=-1) >= 1).all())
 
+    def test_disc(self):
+        source = case("toroid_hex_g3_p6")
+        centre, normal, radius = np.array([0.1, -0.2, 0.05]), np.array([0.2, 0.1, 1.0]), 0.9
+        view = View([2.5, -3.0, 3.5], [0.0, 0.0, 0.0], [0.1, 0.2, 1.0], 48, 36, angle=28.0)
+        plane = numbers([*centre, *normal])
+        _, whole, full = self.render(source, "--plane", plane, *view.options())
+        values = whole["Value"][whole["Verdict"] == EXACT]
+        given = numbers([*centre, *normal, radius])
+        # Its own range is another than the plane's.
+        ranged = ["--range", numbers([values.min(), values.max()])]
+        _, disc, image = self.render(source, "--disc", given, *ranged, *view.options())
+        distance = np.linalg.norm(whole["Position"] - centre, axis=-1)
+        within = (whole["Verdict"] == EXACT) & (distance <= radius)
+        self.assertGreater(within.sum(), 80)
+        self.assertLess(within.sum(), len(values) - 80)
+        np.testing.assert_array_equal(disc["Verdict"] == EXACT, within)
+        for name in ("Value", "Position", "Normal", "Element", "Depth"):
+            np.testing.assert_array_equal(disc[name][within], whole[name][within])
+        # As bright as the plane: it is flat.
+        np.testing.assert_array_equal(image[within], full[within])
+        self.assertTrue((image[~within] == 255).all())
+
     def test_what_is_no_surface_is_refused(self):
         image = self.folder / "i.png"
         for option, given, name in [
+            ("--disc", "0,0,0,0,0,0,1", "normal"),
+            ("--disc", "0,0,0,0,0,1,-1", "radius"),
+            ("--disc", "0,0,0,0,0,1", "cx,cy,cz,nx,ny,nz,r"),
             ("--sphere", "0,0,0,0", "radius"),
             ("--sphere", "0,0,0", "cx,cy,cz,r"),
             ("--cylinder", "0,0,0,0,0,0,1", "axis"),
