@@ -64,13 +64,15 @@ Lighting HeadlightOf(const Shot& shot)
   view.parallel = shot.view.parallel;
   return { materials, { Light{ .headlight = true } }, view };
 }
+
 } // namespace
 
 Buffer NeedsOfLooks(const Shot& shot)
 {
   return Buffer::Value | Buffer::Verdict |
     (shot.scene.layers.size() > 1 ? Buffer::Layer : Buffer::None) |
-    (AnyLit(shot) ? Buffer::Position | Buffer::Normal : Buffer::None);
+    (AnyLit(shot) ? Buffer::Position | Buffer::Normal : Buffer::None) |
+    (shot.outlines ? ElementOutlines().Needs().centres : Buffer::None);
 }
 
 Looks::Looks(const ColorOptions& colors, const Shot& shot, const Frame& frame)
@@ -100,6 +102,10 @@ Looks::Looks(const ColorOptions& colors, const Shot& shot, const Frame& frame)
   {
     Smooth.emplace(shot.samples);
   }
+  if (shot.outlines)
+  {
+    Outlines.emplace(ToRgba(shot.outlines->data()));
+  }
 }
 
 Pipeline Looks::MakePipeline()
@@ -112,6 +118,11 @@ Pipeline Looks::MakePipeline()
   if (Smooth)
   {
     pipeline.modules.push_back(&*Smooth);
+  }
+  // Last, so that nothing smooths them.
+  if (Outlines)
+  {
+    pipeline.modules.push_back(&*Outlines);
   }
   return pipeline;
 }

@@ -3,6 +3,7 @@
 
 #include "Trace/Modules/Antialiasing.h"
 #include "Trace/Modules/ColorMapping.h"
+#include "Trace/Modules/ElementOutlines.h"
 #include "Trace/Modules/Lighting.h"
 
 #include <array>
@@ -14,7 +15,8 @@ namespace pixelexact
 class ColorOptions;
 struct Shot;
 
-/// How the layers of a shot are shown: colour maps over their ranges, lights, anti-aliasing.
+/// How the layers of a shot are shown: colour maps over their ranges, lights, anti-aliasing,
+/// outlines.
 class Looks
 {
 public:
@@ -38,6 +40,7 @@ private:
   std::optional<ColorMapping> Colors;
   std::optional<Lighting> Lights;
   std::optional<Antialiasing> Smooth;
+  std::optional<ElementOutlines> Outlines;
 };
 
 /// The buffers of centres that Looks of a shot read.

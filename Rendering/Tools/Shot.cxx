@@ -8,6 +8,8 @@
 
 #include <vtkUnstructuredGrid.h>
 
+#include <algorithm>
+
 namespace pixelexact
 {
 void ShotOptions::AddTo(CLI::App& command, bool required)
@@ -15,7 +17,8 @@ void ShotOptions::AddTo(CLI::App& command, bool required)
   input.AddTo(command, required);
   AddText(command, "--field", field, "NAME", "Name of the field").Required(required);
   AddRead(
-    command, "--component", [this](const std::string& text)
+    command, "--component",
+    [this](const std::string& text)
     {
       component = ParseComponent(text);
       if (!component)
@@ -43,6 +46,11 @@ void ShotOptions::AddTo(CLI::App& command, bool required)
     "Shine a light from the eye on curved surfaces (curved, the default), on all, on none");
   AddInteger(command, "--samples", samples, 1, 1024, "N",
     "Samples in pixels that are not of one colour, for smooth edges (default: 1)");
+  const AddedOption drawn = AddFlag(
+    command, "--outlines", outlines, "Paint the pixels in which elements, or surfaces, meet");
+  AddNumbers(command, "--outline-color", outlineColor, 3, "r,g,b",
+    "Their colour, 0 to 1 each (default: 0,0,0)")
+    .Needs(drawn);
 }
 
 namespace
@@ -67,9 +75,8 @@ Layer MakeLayer(const ShotOptions& options, const LayerSettings& settings,
   Layer layer{ surface, &FieldNamed(model, name) };
   const int components = layer.field->values.components;
   // The component that is asked for of all is not asked of a field of one layer.
-  const std::optional<int> asked = settings.component
-    ? settings.component
-    : (settings.field ? std::nullopt : options.component);
+  const std::optional<int> asked =
+    settings.component ? settings.component : (settings.field ? std::nullopt : options.component);
   layer.component = asked.value_or(components == 1 ? 0 : kMagnitude);
   if (layer.component >= components)
   {
@@ -87,10 +94,16 @@ Shot Prepare(const ShotOptions& options, Stopwatch& stopwatch)
 {
   options.camera.Check();
   options.colors.Check();
+  CheckColor("--outline-color", options.outlineColor);
   Shot shot;
   shot.size = options.size;
   shot.lights = options.lights;
   shot.samples = options.samples;
+  if (options.outlines)
+  {
+    shot.outlines.emplace();
+    std::ranges::copy(options.outlineColor, shot.outlines->begin());
+  }
   const auto surfaces = options.surfaces.Make();
   shot.settings = options.layers.Make(surfaces.size());
   shot.input = LoadModel(options.input, FieldToLoad(options, shot.settings), stopwatch);

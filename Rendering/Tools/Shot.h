@@ -12,8 +12,10 @@
 #include "Trace/Camera.h"
 #include "Trace/Scene.h"
 
+#include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace pixelexact
 {
@@ -41,6 +43,8 @@ struct ShotOptions
   Precision precision = Precision::Double;
   Lit lights = Lit::Curved;
   int samples = 1;
+  bool outlines = false;
+  std::vector<double> outlineColor{ 0.0, 0.0, 0.0 };
 
   /// `required`: INPUT and --field are.
   void AddTo(CLI::App& command, bool required = true);
@@ -55,7 +59,8 @@ struct Shot
   CameraView view;
   ImageSize size;
   Lit lights = Lit::Curved;
-  int samples = 1; ///< in pixels that are not of one colour
+  int samples = 1;                               ///< in pixels that are not of one colour
+  std::optional<std::array<double, 3>> outlines; ///< the colour of elements' outlines; none: none
 
   [[nodiscard]] Camera MakeCamera() const { return { view, size.width, size.height }; }
 };

@@ -263,12 +263,49 @@ class Layers(SurfaceTest):
         self.assertGreater(summary["refined_pixels"], 80)
         self.assertLess(summary["refined_pixels"], 200)
 
+    def test_outlines_are_where_elements_meet(self):
+        source = case("toroid_hex_g3_p6")
+        options = ["--plane", "0.1,0,0.05,0.2,0.1,1", "--torus", "0,0,0,0,0,1,1,0.3"]
+        look = ["--layer", "1:color=1:1:0", "--layer", "2:color=1:1:0,lights=off"]
+
+        def view(width, height, scale):
+            up, eye = [0.1, 0.2, 1.0], [2.5, -3.0, 3.5]
+            return View(eye, [0.0, 0.0, 0.0], up, width, height, scale=scale)
+
+        of_pixels = view(80, 64, 1.2).options()
+        # The pixels' corners are the centres of an image that is larger by one pixel.
+        of_corners = view(81, 65, 1.2 * 65 / 64).options()
+        _, centres, plain = self.render(source, *options, *look, *of_pixels)
+        _, corners, _ = self.render(source, *options, *look, *of_corners)
+        own = np.stack([centres[name].astype(int) for name in ("Verdict", "Element", "Layer")])
+        at = np.stack([corners[name].astype(int) for name in ("Verdict", "Element", "Layer")])
+        around = [at[:, dy : dy + 64, dx : dx + 80] for dx in (0, 1) for dy in (0, 1)]
+        shown = (own[0] == EXACT) & np.all([one[0] == EXACT for one in around], axis=0)
+        expected = shown & np.any([(one != own).any(axis=0) for one in around], axis=0)
+        self.assertGreater(expected.sum(), 300)
+        for color, more in [([0, 0, 0], []), ([0, 0, 255], ["--outline-color", "0,0,1"])]:
+            _, buffers, image = self.render(
+                source, *options, *look, "--outlines", *more, *of_pixels
+            )
+            np.testing.assert_array_equal((image == color).all(axis=-1), expected)
+            np.testing.assert_array_equal(image[~expected], plain[~expected])
+            np.testing.assert_array_equal(buffers["Color"][..., :3][expected], image[expected])
+            np.testing.assert_array_equal(buffers["Value"], centres["Value"])
+        smooth = ["--samples", "4", "--outlines"]
+        _, _, image = self.render(source, *options, *look, *smooth, *of_pixels)
+        self.assertTrue((image[expected] == 0).all())
+        plane = ["render", source, "--field", "u", "--plane", "0,0,0,0,0,1"]
+        image = ["--output", self.folder / "i.png"]
+        for given, name in [(["--outlines", "--outline-color", "2,0,0"], "between 0 and 1"),
+                            (["--outline-color", "1,0,0"], "--outlines")]:
+            self.fails(2, *plane, *given, *image, names=["--outline-color", name])
+
     def test_pictures_of_soundness_are_not_mixed(self):
         image = self.folder / "i.png"
         plane = ["--field", "u", "--plane", "0,0,0.5,0,0,1", "--samples", "4", "--output", image]
         for option in (["--owners"], ["--show", "validity"], ["--show-undecided"]):
             self.fails(2, "render", self.source, *plane, *option, names=["--samples", "legend"])
-        self.succeeds("render", self.source, *plane, "--enclosures")
+        self.succeeds("render", self.source, *plane, "--enclosures", "--outlines")
 
     def test_what_is_not_understood(self):
         image = self.folder / "i.png"
