@@ -4,6 +4,7 @@
 #include <hwy/foreach_target.h>
 
 #include "Core/Element/Matrix-inl.h"
+#include "Core/Math/Rounding.h"
 #include "Trace/RayKernels.h"
 
 #include <algorithm>
@@ -86,6 +87,43 @@ void CastRays(const CameraRays& camera, const double* u, const double* v, int co
   }
 }
 
+void ClipToBox(const Box3& box, const double* const origin[3], const double* const direction[3],
+  int count, double* near, double* far)
+{
+  using Traits = NumberTraits<Lanes>;
+  const Point<Lanes> lower = SplatPoint(box.lower);
+  const Point<Lanes> upper = SplatPoint(box.upper);
+  const LanePoints origins{ { origin[0], origin[1], origin[2] }, count };
+  const LanePoints directions{ { direction[0], direction[1], direction[2] }, count };
+  // A difference, a quotient and a product are off by less than 4 roundings.
+  const Lanes less = Splat(1.0 - 8.0 * kUnitRoundoff);
+  const Lanes more = Splat(1.0 + 8.0 * kUnitRoundoff);
+  for (int i = 0; i < count; i += LaneCount())
+  {
+    const auto from = LoadPoint<Lanes>(origins, i);
+    const auto to = LoadPoint<Lanes>(directions, i);
+    Lanes first = Traits::Load(near + i);
+    Lanes last = Traits::Load(far + i);
+    ForEachAxis(
+      [&](auto d) PIXELEXACT_INLINED
+      {
+        const Lanes scale = Splat(1.0) / to.x[d];
+        const Lanes a = (lower.x[d] - from.x[d]) * scale;
+        const Lanes b = (upper.x[d] - from.x[d]) * scale;
+        const LaneMask rises = a < b;
+        const Lanes enters = Select(rises, a, b);
+        const Lanes leaves = Select(rises, b, a);
+        // A ray within a face has no number here, and is not clipped by it.
+        const Lanes widerFirst = Select(enters < Splat(0.0), enters, enters * less);
+        const Lanes widerLast = Select(leaves < Splat(0.0), leaves * less, leaves * more);
+        first = Select(first < widerFirst, widerFirst, first);
+        last = Select(widerLast < last, widerLast, last);
+      });
+    Store(first, near + i);
+    Store(last, far + i);
+  }
+}
+
 void MeetPlane(const Vec3& origin, const Vec3& normal, const RayLanes& rays, const HitLanes& hits)
 {
   using Traits = NumberTraits<Lanes>;
@@ -152,7 +190,7 @@ bool AreFinite(const double* values, int count)
 
 const RayKernels& RayKernelSet()
 {
-  static constexpr RayKernels kKernels{ &CastRays, &MeetPlane, &CountHits, &AreFinite };
+  static constexpr RayKernels kKernels{ &CastRays, &ClipToBox, &MeetPlane, &CountHits, &AreFinite };
   return kKernels;
 }
 } // namespace pixelexact::HWY_NAMESPACE

@@ -13,6 +13,9 @@ struct RayKernels
   /// The rays through normalised device coordinates (u[i], v[i]), bit for bit those of Camera::At.
   void (*cast)(const CameraRays& camera, const double* u, const double* v, int count,
     double* const origin[3], double* const direction[3]);
+  /// Leaves of the rays' intervals [near, far] what may lie in the box, whatever the rounding.
+  void (*clipToBox)(const Box3& box, const double* const origin[3],
+    const double* const direction[3], int count, double* near, double* far);
   /// See Plane::Meet; `normal` is of unit length.
   void (*meetPlane)(
     const Vec3& origin, const Vec3& normal, const RayLanes& rays, const HitLanes& hits);

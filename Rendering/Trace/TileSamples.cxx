@@ -3,6 +3,8 @@
 
 #include "Trace/RayKernels.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <array>
 
@@ -36,6 +38,14 @@ constexpr auto MakeBlocks()
   return blocks;
 }
 constexpr auto kBlocks = MakeBlocks();
+
+/// By more than the rounding of positions on its faces.
+Box3 Widened(const Box3& box)
+{
+  const Vec3 largest = glm::max(glm::abs(box.lower), glm::abs(box.upper));
+  const Vec3 more = 1e-12 * (largest + (box.upper - box.lower));
+  return { box.lower - more, box.upper + more };
+}
 } // namespace
 
 void TileSamples::Fit(int count)
@@ -147,6 +157,11 @@ void TileSamples::Meet(const Camera& camera, const Scene& scene, std::vector<Hit
   {
     hits[k].Begin(Size);
   }
+  // What lies outside of the mesh's box need not be found. A plane is met as fast as that is known.
+  const bool isCurved = scene.locator != nullptr &&
+    !std::ranges::all_of(scene.layers, [](const Layer& layer) { return layer.surface->IsFlat(); });
+  const Box3 bounds = isCurved ? Widened(scene.locator->Bounds()) : Box3{};
+  const bool clips = isCurved || !scene.kept.empty();
   double* const origin[3] = { Origin[0].data(), Origin[1].data(), Origin[2].data() };
   double* const direction[3] = { Direction[0].data(), Direction[1].data(), Direction[2].data() };
   for (int first = 0; first < Size; first += kSome)
@@ -154,11 +169,15 @@ void TileSamples::Meet(const Camera& camera, const Scene& scene, std::vector<Hit
     const int count = std::min(kSome, Size - first);
     const auto at = static_cast<std::size_t>(first);
     GetRayKernels().cast(camera.Rays(), &U[at], &V[at], count, origin, direction);
-    if (first == 0 || !scene.kept.empty())
+    if (first == 0 || clips)
     {
       Near.fill(kNearest);
       Far.fill(kFarthest);
       Clip(scene.kept, count);
+    }
+    if (isCurved)
+    {
+      GetRayKernels().clipToBox(bounds, origin, direction, count, Near.data(), Far.data());
     }
     for (std::size_t k = 0; k < scene.layers.size(); ++k)
     {

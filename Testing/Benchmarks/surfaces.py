@@ -29,7 +29,7 @@ def surfaces(lower, upper):
         "plane": ["--plane", f"{at},0.2,0.3,1"],
         "sphere": ["--sphere", f"{far},{most!r}"],
         "cylinder": ["--cylinder", f"{far},0.3,1,0.1,{most!r}"],
-        "torus": ["--torus", f"{at},0.2,0.1,1,{0.35 * most!r},{0.45 * least!r}"],
+        "torus": ["--torus", f"{at},0.2,0.1,1,{0.35 * most!r},{min(0.45 * least, 0.2 * most)!r}"],
     }
 
 
