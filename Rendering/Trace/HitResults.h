@@ -18,7 +18,7 @@ struct HitResults
   const HitSlots* slots = nullptr;
   const double* t = nullptr;
   const double* position[3] = {};
-  /// Ray and slot of each hit; null: hit i is ray i's in slot `slot`.
+  /// Ray and slot of each hit; null: hit i is ray i's in slot `slot`, and every ray has one.
   const int* ray = nullptr;
   const int* slotOf = nullptr;
   int slot = 0;

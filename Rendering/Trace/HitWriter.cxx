@@ -108,7 +108,7 @@ void HitWriter::CountOwners(const Locator& locator, const HitResults& found,
 void HitWriter::WriteSheet(int sheet, const HitResults& found, std::span<const Verdict> verdicts,
   std::span<const std::size_t> place, Sheets& sheets, FrameCounters& counters)
 {
-  Writer.Sort(verdicts, place);
+  Writer.Sort(verdicts, place, found.ray == nullptr);
   if (Writer.Exact() + Writer.Unknown() == 0)
   {
     return;

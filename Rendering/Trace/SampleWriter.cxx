@@ -7,20 +7,21 @@ namespace pixelexact
 {
 namespace
 {
-/// The ends alone do not tell: where rays are missing, those of two blocks may be as far apart as
-/// those of a row.
-bool IsRow(std::span<const std::size_t, TileSamples::kRow> place)
+/// Whether samples lie side by side. Of all samples of a tile the ends tell; where some are
+/// missing, those of two blocks may be as far apart as those of a row.
+bool AreRow(std::span<const std::size_t, TileSamples::kRow> place, bool complete)
 {
-  bool isRow = true;
-  for (std::size_t k = 1; k < place.size(); ++k)
+  bool areRow = place.back() == place.front() + place.size() - 1;
+  for (std::size_t k = 1; !complete && k < place.size(); ++k)
   {
-    isRow &= place[k] == place[0] + k;
+    areRow &= place[k] == place[0] + k;
   }
-  return isRow;
+  return areRow;
 }
 } // namespace
 
-void SampleWriter::Sort(std::span<const Verdict> verdicts, std::span<const std::size_t> place)
+void SampleWriter::Sort(
+  std::span<const Verdict> verdicts, std::span<const std::size_t> place, bool complete)
 {
   constexpr std::size_t kRow = TileSamples::kRow;
   static constexpr auto kAllInside = []
@@ -37,7 +38,7 @@ void SampleWriter::Sort(std::span<const Verdict> verdicts, std::span<const std::
   {
     if (i + kRow <= verdicts.size() &&
       std::memcmp(&verdicts[i], kAllInside.data(), sizeof kAllInside) == 0 &&
-      IsRow(place.subspan(i).first<kRow>()))
+      AreRow(place.subspan(i).first<kRow>(), complete))
     {
       Rows.push_back(i);
       i += kRow;

@@ -17,8 +17,9 @@ class SampleWriter
 {
 public:
   /// Sorts the samples by their verdicts; `place` are their places in the frame's buffers. Both
-  /// must live until the next call.
-  void Sort(std::span<const Verdict> verdicts, std::span<const std::size_t> place);
+  /// must live until the next call. `complete`: these are all samples of a tile's lattice.
+  void Sort(
+    std::span<const Verdict> verdicts, std::span<const std::size_t> place, bool complete = false);
 
   [[nodiscard]] std::int64_t Exact() const { return ExactCount; }
   [[nodiscard]] std::int64_t Unknown() const { return static_cast<std::int64_t>(Unknowns.size()); }
