@@ -27,17 +27,6 @@ bool Includes(Buffer set, Buffer wanted)
 {
   return (set | wanted) == set;
 }
-
-ColorMap SolidColor(const Rgba& color)
-{
-  return [color](std::span<const double> values, std::uint8_t* rgba)
-  {
-    for (std::size_t i = 0; i < values.size(); ++i)
-    {
-      rgba = std::copy(color.begin(), color.end(), rgba);
-    }
-  };
-}
 } // namespace
 
 FrameSource::FrameSource() = default;

@@ -17,18 +17,6 @@ bool ShowTheSame(const Layer& a, const Layer& b)
   return a.field == b.field && a.component == b.component;
 }
 
-ColorMap SolidColor(const std::array<double, 3>& color)
-{
-  const Rgba rgba = ToRgba(color.data());
-  return [rgba](std::span<const double> values, std::uint8_t* to)
-  {
-    for (std::size_t i = 0; i < values.size(); ++i)
-    {
-      to = std::ranges::copy(rgba, to).out;
-    }
-  };
-}
-
 bool IsLit(const Shot& shot, std::size_t layer)
 {
   const bool unasked = !shot.scene.layers[layer].surface->IsFlat() && shot.lights != Lit::Off;
@@ -64,7 +52,6 @@ Lighting HeadlightOf(const Shot& shot)
   view.parallel = shot.view.parallel;
   return { materials, { Light{ .headlight = true } }, view };
 }
-
 } // namespace
 
 Buffer NeedsOfLooks(const Shot& shot)
@@ -89,7 +76,7 @@ Looks::Looks(const ColorOptions& colors, const Shot& shot, const Frame& frame)
       together.push_back(ShowTheSame(other, layers[k]));
     }
     TheRanges.push_back(settings.range.value_or(colors.RangeFor(frame, together)));
-    TheMaps.push_back(settings.color ? SolidColor(*settings.color)
+    TheMaps.push_back(settings.color ? SolidColor(ToRgba(settings.color->data()))
                                      : colors.MapOver(TheRanges.back(), settings.colormap));
     looks.push_back({ .map = TheMaps.back(), .opacity = settings.opacity });
   }

@@ -25,6 +25,17 @@ std::size_t EndOfRun(const std::vector<std::uint8_t>& bytes, std::size_t begin, 
 }
 } // namespace
 
+ColorMap SolidColor(const Rgba& color)
+{
+  return [color](std::span<const double> values, std::uint8_t* rgba)
+  {
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      rgba = std::ranges::copy(color, rgba).out;
+    }
+  };
+}
+
 ColorMapping::ColorMapping(ColorMap map, const Rgba& unknown)
   : ColorMapping(std::vector<LayerColors>{ { std::move(map), unknown } })
 {

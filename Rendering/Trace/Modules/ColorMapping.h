@@ -15,6 +15,9 @@ using Rgba = std::array<std::uint8_t, 4>;
 /// Values to straight RGBA bytes. Called from several threads at once, with NaN among the values.
 using ColorMap = std::function<void(std::span<const double> values, std::uint8_t* rgba)>;
 
+/// One colour for every value.
+[[nodiscard]] ColorMap SolidColor(const Rgba& color);
+
 /// How a layer is coloured.
 struct LayerColors
 {
