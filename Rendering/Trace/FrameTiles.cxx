@@ -155,8 +155,12 @@ bool HasTranslucent(const Scene& scene)
   return std::ranges::any_of(scene.layers, &Layer::translucent);
 }
 
-void AllocateColors(Frame& frame, const Pipeline& pipeline, bool image)
+void BeginPipeline(const Pipeline& pipeline, Frame& frame)
 {
+  for (FrameModule* module : pipeline.modules)
+  {
+    module->Begin(frame.width, frame.height);
+  }
   if (pipeline.colors.empty())
   {
     return;
@@ -167,24 +171,26 @@ void AllocateColors(Frame& frame, const Pipeline& pipeline, bool image)
   {
     sheet.color.assign(bytes, 0);
   }
-  frame.color.assign(image ? bytes : 0, 0);
+  // Else the nearest samples' colours are the image.
+  const bool hasImage = !frame.centres.behind.empty() || !pipeline.modules.empty();
+  frame.color.assign(hasImage ? bytes : 0, 0);
+}
+
+void RunPipelineOn(const TileArea& area, const Scene* scene, const Camera* camera,
+  const Pipeline& pipeline, Frame& frame, FrameCounters& counters)
+{
+  TileVisit visit(scene, camera, pipeline, frame, area);
+  visit.Run();
+  AddSamples(visit.Counters(), counters);
 }
 
 FrameCounters RunPipeline(const Scene* scene, const Camera* camera, const Pipeline& pipeline,
   Frame& frame, StageTimes* stages)
 {
-  for (FrameModule* module : pipeline.modules)
-  {
-    module->Begin(frame.width, frame.height);
-  }
-  AllocateColors(frame, pipeline, !frame.centres.behind.empty() || !pipeline.modules.empty());
+  BeginPipeline(pipeline, frame);
   return ForEachTile(frame.width, frame.height, stages,
     [&](const TileArea& area, FrameCounters& counters)
-    {
-      TileVisit visit(scene, camera, pipeline, frame, area);
-      visit.Run();
-      AddSamples(visit.Counters(), counters);
-    });
+    { RunPipelineOn(area, scene, camera, pipeline, frame, counters); });
 }
 
 void AddSamples(const FrameCounters& counted, FrameCounters& total)

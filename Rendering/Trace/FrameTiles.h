@@ -49,8 +49,14 @@ FrameCounters TraceLattice(const Scene& scene, const Camera& camera, const Sampl
 /// Whether rays of the scene go on behind something.
 bool HasTranslucent(const Scene& scene);
 
-/// Room for the colours that a pipeline makes; `image`: of the frame as well as of its samples.
-void AllocateColors(Frame& frame, const Pipeline& pipeline, bool image);
+/// Before a pipeline runs over a frame whose sheets are there: its modules' own buffers, and room
+/// for colours.
+void BeginPipeline(const Pipeline& pipeline, Frame& frame);
+
+/// Runs a pipeline over a tile; scene and camera may be null (TileVisit). Samples that modules ask
+/// for are counted.
+void RunPipelineOn(const TileArea& area, const Scene* scene, const Camera* camera,
+  const Pipeline& pipeline, Frame& frame, FrameCounters& counters);
 
 /// Runs the pipeline over all tiles of a frame whose samples are there; scene and camera may be
 /// null (TileVisit). Returns what was counted of samples that modules asked for.

@@ -2,7 +2,6 @@
 #include "Trace/Tracer.h"
 
 #include "Trace/FrameTiles.h"
-#include "Trace/TileVisit.h"
 
 #include <chrono>
 
@@ -41,17 +40,9 @@ Frame Trace(const Scene& scene, const Camera& camera, const Pipeline& pipeline,
     AfterTile after;
     if (!translucent)
     {
-      for (FrameModule* module : pipeline.modules)
-      {
-        module->Begin(frame.width, frame.height);
-      }
-      AllocateColors(frame, pipeline, !pipeline.modules.empty());
+      BeginPipeline(pipeline, frame);
       after = [&](const TileArea& area, FrameCounters& counters)
-      {
-        TileVisit visit(&scene, &camera, pipeline, frame, area);
-        visit.Run();
-        AddSamples(visit.Counters(), counters);
-      };
+      { RunPipelineOn(area, &scene, &camera, pipeline, frame, counters); };
     }
     frame.counters = TraceLattice(scene, camera, kCentres, sheets, reporter, stages, after);
   }

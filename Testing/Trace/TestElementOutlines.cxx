@@ -191,7 +191,7 @@ TEST(ElementOutlines, AreTheSameForAnyTilesAndThreads)
   Frame tiled = Trace(cut.scene.Traced, camera, {}, pipeline.Needs());
   for (const int size : { 7, 20 })
   {
-    AllocateColors(tiled, pipeline, true);
+    BeginPipeline(pipeline, tiled);
     for (int y = 0; y < 101; y += size)
     {
       for (int x = 0; x < 150; x += size)
