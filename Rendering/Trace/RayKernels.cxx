@@ -4,7 +4,6 @@
 #include <hwy/foreach_target.h>
 
 #include "Core/Element/Matrix-inl.h"
-#include "Core/Math/Rounding.h"
 #include "Trace/RayKernels.h"
 
 #include <algorithm>
@@ -87,6 +86,9 @@ void CastRays(const CameraRays& camera, const double* u, const double* v, int co
   }
 }
 
+/// Of t, to be well beyond rounding.
+constexpr double kClipMargin = 1e-12;
+
 void ClipToBox(const Box3& box, const double* const origin[3], const double* const direction[3],
   int count, double* near, double* far)
 {
@@ -95,9 +97,10 @@ void ClipToBox(const Box3& box, const double* const origin[3], const double* con
   const Point<Lanes> upper = SplatPoint(box.upper);
   const LanePoints origins{ { origin[0], origin[1], origin[2] }, count };
   const LanePoints directions{ { direction[0], direction[1], direction[2] }, count };
-  // A difference, a quotient and a product are off by less than 4 roundings.
-  const Lanes less = Splat(1.0 - 8.0 * kUnitRoundoff);
-  const Lanes more = Splat(1.0 + 8.0 * kUnitRoundoff);
+  // These quotients are off by less than 4 roundings; but a surface in doubles may put its point
+  // some roundings of the ray's origin from where t says, which from afar is more.
+  const Lanes less = Splat(1.0 - kClipMargin);
+  const Lanes more = Splat(1.0 + kClipMargin);
   for (int i = 0; i < count; i += LaneCount())
   {
     const auto from = LoadPoint<Lanes>(origins, i);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Half-spaces that are kept: what rays see of the rest, against the positions of all hits.
+#include "FrameCheck.h"
 #include "SheetCheck.h"
+
+#include "Trace/Surfaces/Quadric.h"
 
 namespace pixelexact::testing
 {
@@ -181,6 +184,38 @@ TEST(Clipping, AHollowSphereShowsItsFarHalf)
     }
     EXPECT_GT(seen, 700);
     EXPECT_GE(frame.counters.exact, seen);
+  }
+}
+
+/// Beside a curved surface, which no ray meets, rays are clipped to the mesh's box; what they see
+/// of a plane is the same to the bit, also at the mesh's border and from where a rounding is a
+/// pixel.
+TEST(Clipping, ToTheMeshsBoxLosesNothingOfAPlane)
+{
+  Block block;
+  const Scene plane = block.WithPlane({ 0.0, 0.0, 0.1 }, { 0.1, 0.2, 1.0 });
+  Scene beside = plane;
+  beside.layers.push_back(
+    { std::make_shared<Quadric>(MakeSphere({ 0.0, 0.0, -50.0 }, 1.0)), &block.TheField });
+  // On a face of the cube, and at one of its edges.
+  for (const Vec3& border : { Vec3(1.0, 0.3, -0.06), Vec3(-1.0, 1.0, 0.0) })
+  {
+    for (const double distance : { 5.0, 1e4, 1e8 })
+    {
+      for (const double scale : { 1.5, 1e-6, 1e-8, 1e-14 })
+      {
+        CameraView view;
+        view.focalPoint = border;
+        view.position = border + distance * Vec3(0.5, -0.7, 0.6);
+        view.parallel = true;
+        view.parallelScale = scale;
+        const Camera camera(view, 24, 24);
+        const Frame wanted = Trace(plane, camera, {}, { .centres = kAll });
+        const Frame clipped = Trace(beside, camera, {}, { .centres = kAll });
+        SCOPED_TRACE(std::to_string(distance) + " " + std::to_string(scale));
+        ExpectSame(clipped.centres, wanted.centres);
+      }
+    }
   }
 }
 } // namespace pixelexact::testing
