@@ -91,7 +91,7 @@ public:
 
   ///@{
   /**
-   * Values in single precision: faster, and off by some 1e-7 of their size. The default is off.
+   * Values in single precision: off by some roundings of a float. The default is off.
    */
   vtkSetMacro(SinglePrecision, bool);
   vtkGetMacro(SinglePrecision, bool);

@@ -82,7 +82,7 @@ struct TwoSpheres
         for (std::size_t c = 0; c < 3; ++c)
         {
           // Normals of triangles are nearly those of the sphere.
-          ASSERT_NEAR(at(0, 0, 0)[c], at(1, 0, 0)[c], 3) << i << ", " << j;
+          ASSERT_NEAR(at(0, 0, 0)[c], at(1, 0, 0)[c], 2) << i << ", " << j;
         }
       }
     }
@@ -279,7 +279,7 @@ TEST(LayersInWindow, TranslucentLayersBeforeAndBehindOpaqueGeometry)
       const Rgb drawn = window.Color(i, j);
       for (std::size_t c = 0; c < 3; ++c)
       {
-        ASSERT_NEAR(drawn[c], left * opaque[c] + (c == 1 ? (1.0 - left) * 255.0 : 0.0), 4)
+        ASSERT_NEAR(drawn[c], left * opaque[c] + (c == 1 ? (1.0 - left) * 255.0 : 0.0), 2)
           << i << ", " << j << ", " << walls << " walls";
       }
     }
