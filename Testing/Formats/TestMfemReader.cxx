@@ -194,6 +194,10 @@ TEST(MfemReader, MessagesNameFileLineAndRemedy)
   mesh = OneCube();
   mesh.replace(mesh.find("elements\n1"), 10, "elements\n99999999999999");
   ExpectMessage(Message(mesh), { "no whole number" });
+  // Three times this many do not fit an int.
+  mesh = OneCube();
+  mesh.replace(mesh.find("vertices\n8"), 10, "vertices\n1073741824");
+  ExpectMessage(Message(mesh), { "a vertex coordinate", "cut short" });
   mesh = OneCube();
   mesh.replace(mesh.find("6 7\n"), 3, "6 8");
   ExpectMessage(Message(mesh), { "element 0", "vertex 8", "only 8" });

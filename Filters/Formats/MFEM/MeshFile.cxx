@@ -77,12 +77,7 @@ void ReadVertices(TextScanner& scanner, MeshFile& mesh)
   {
     scanner.FailUnsupported("only meshes in three-dimensional space are read.");
   }
-  mesh.coordinates.reserve(
-    std::min<std::size_t>(3 * static_cast<std::size_t>(mesh.vertices), scanner.Remaining() / 2));
-  for (int i = 0; i < 3 * mesh.vertices; ++i)
-  {
-    mesh.coordinates.push_back(scanner.Number("a vertex coordinate"));
-  }
+  scanner.Positions(mesh.vertices, mesh.coordinates);
 }
 
 /// Reads one section. False: the word is none of a mesh's, what follows is something else.

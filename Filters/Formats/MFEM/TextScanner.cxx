@@ -168,6 +168,16 @@ double TextScanner::Number(const char* what)
   return value;
 }
 
+void TextScanner::Positions(int count, std::vector<double>& positions)
+{
+  const std::size_t numbers = 3 * static_cast<std::size_t>(count);
+  positions.reserve(positions.size() + std::min(numbers, Remaining() / 2));
+  for (std::size_t i = 0; i < numbers; ++i)
+  {
+    positions.push_back(Number("a vertex coordinate"));
+  }
+}
+
 bool TextScanner::TryNumber(double& value)
 {
   const std::string_view word = Peek();

@@ -35,10 +35,7 @@ void VertexHierarchy::ReadCoordinates(TextScanner& scanner)
   {
     scanner.FailUnsupported("only meshes in three-dimensional space are read.");
   }
-  for (int i = 0; i < 3 * count; ++i)
-  {
-    Coordinates.push_back(scanner.Number("a vertex coordinate"));
-  }
+  scanner.Positions(count, Coordinates);
 }
 
 std::array<double, 3> VertexHierarchy::Position(TextScanner& scanner, int node, int generation)
