@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 namespace pixelexact
@@ -101,7 +100,7 @@ void Print(const Row& row)
     row.kind.order, row.elements, size, row.one.points, KernelPerPoint(row.one), PerPoint(row.one),
     row.one.Ratio(), PerPoint(row.all), row.all.Ratio(), PerPoint(row.floats),
     row.floats.floatCheck.largest, Shares(row.one.stages));
-  std::fflush(stdout);
+  FlushOutput();
 }
 
 nlohmann::ordered_json Summary(const Row& row)

@@ -3,6 +3,7 @@
 
 #include "Command.h"
 #include "NativeInput.h"
+#include "Numbers.h"
 #include "Report.h"
 #include "VtkInput.h"
 
@@ -18,6 +19,7 @@
 #include <filesystem>
 #include <fstream>
 #include <new>
+#include <string_view>
 
 namespace pixelexact
 {
@@ -62,7 +64,7 @@ struct Format
 };
 constexpr std::array kFormats{
   Format{ ".vtu", "VTK XML", &ReadXmlFiles },
-  Format{ ".pvtu", "VTK XML, in pieces", &ReadXmlFiles },
+  Format{ ".pvtu", "VTK XML", &ReadXmlFiles },
   Format{ ".pvd", "collection of VTK XML files", &ReadXmlCollection },
   Format{ ".vtk", "VTK legacy", &ReadLegacyFile },
   Format{ ".mesh", "MFEM", &ReadMfemFiles },
@@ -74,11 +76,54 @@ constexpr std::array kFormats{
   Format{ ".rst", "Nektar++", &RefuseFieldFile },
 };
 
+const Format* FormatOf(const std::string& suffix)
+{
+  const auto* format = std::ranges::find(kFormats, suffix, &Format::suffix);
+  return format == kFormats.end() ? nullptr : format;
+}
+
 /// Of "x.mesh.gz" that of the mesh.
 std::string SuffixOf(const std::string& file)
 {
   const std::string suffix = LowerSuffix(file);
   return suffix == ".gz" ? LowerSuffix(file.substr(0, file.size() - suffix.size())) : suffix;
+}
+
+/// What stands beside the mesh may be meant for an option, or be another mesh.
+void CheckCompanions(const std::vector<std::string>& files, const Format& format)
+{
+  for (std::size_t i = 1; i < files.size(); ++i)
+  {
+    const std::string suffix = SuffixOf(files[i]);
+    if (suffix == ".csv")
+    {
+      throw UsageError("'" + files[i] +
+        "' holds neither mesh nor field; points of probe are given "
+        "as --points FILE");
+    }
+    const Format* other = FormatOf(suffix);
+    if (other != nullptr && std::string_view(other->what) != format.what)
+    {
+      throw UsageError("'" + files[0] + "' (" + format.what + ") and '" + files[i] + "' (" +
+        other->what + ") do not go together; name one mesh, and its own fields");
+    }
+    if (suffix == ".mesh")
+    {
+      throw UsageError(
+        "'" + files[0] + "' and '" + files[i] + "' are two meshes; name one, and its fields");
+    }
+  }
+}
+
+int ParseStep(const std::string& text)
+{
+  int number = 0;
+  if (!ParseInteger(text, number) || number < 0)
+  {
+    Refuse("--time-step", text,
+      "the number of one step, counted from 0 (call once for each; info names the times)");
+  }
+  return number;
 }
 
 std::string Span(std::span<const double> times)
@@ -135,20 +180,17 @@ int ChooseStep(const InputRequest& request, std::span<const double> times)
 
 InputGrid ReadInput(const InputRequest& request)
 {
-  for (const std::string& file : request.files)
-  {
-    CheckFile(file);
-  }
   const std::string& first = request.files[0];
-  const std::string suffix = SuffixOf(first);
-  const auto format = std::find_if(kFormats.begin(), kFormats.end(),
-    [&suffix](const Format& candidate) { return suffix == candidate.suffix; });
-  if (format == kFormats.end())
+  CheckFile(first);
+  const Format* format = FormatOf(SuffixOf(first));
+  if (format == nullptr)
   {
     CannotRead(first,
       "its suffix is of no format known here; .vtu, .pvtu, .pvd, .vtk, .mesh, .saved and .xml are "
       "read");
   }
+  CheckCompanions(request.files, *format);
+  std::for_each(request.files.begin() + 1, request.files.end(), CheckFile);
   try
   {
     InputGrid input = format->read(request);
@@ -173,8 +215,9 @@ void InputRequest::AddTo(CLI::App& command, bool required)
     "them apart, its field files (.gf; .fld, .chk or .rst); numbered .vtu or .pvtu files and "
     "several Nektar++ field files make a time series")
     .Required(required);
-  const AddedOption number =
-    AddIndex(command, "--time-step", step, "N", "Time step, counted from 0 (default: the first)");
+  const AddedOption number = AddRead(
+    command, "--time-step", [this](const std::string& text) { step = ParseStep(text); }, "N",
+    "Time step, counted from 0 (default: the first)");
   AddNumber(command, "--time", time, "T", "Time; of the steps the nearest one").Excludes(number);
 }
 } // namespace pixelexact

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Command.h"
+#include "CommandWords.h"
 #include "Options.h"
 #include "Report.h"
+
+#include "Core/Base/Error.h"
 
 #include <CLI/CLI.hpp>
 #include <tbb/global_control.h>
@@ -37,6 +40,20 @@ int Fail(int status, const std::string& message, bool json)
   return status;
 }
 
+/// The status of work that is done, unless what it printed was lost.
+int Done()
+{
+  try
+  {
+    pixelexact::FlushOutput();
+  }
+  catch (const pixelexact::Error& error)
+  {
+    return Fail(kWorkFailed, error.what(), false);
+  }
+  return kDone;
+}
+
 /// Runs what the command line asked for.
 int Perform(const pixelexact::Action& action, const pixelexact::CommonOptions& common)
 {
@@ -49,11 +66,7 @@ int Perform(const pixelexact::Action& action, const pixelexact::CommonOptions& c
   try
   {
     action();
-    if (!std::cout.flush())
-    {
-      return Fail(kWorkFailed, "cannot write to standard output", false);
-    }
-    return kDone;
+    return Done();
   }
   catch (const pixelexact::UsageError& error)
   {
@@ -88,16 +101,32 @@ int Run(const std::vector<std::string>& words)
     command->set_version_flag("--version", "pixelexact " PIXELEXACT_VERSION);
   }
 
+  const auto misused = [&](const std::string& message)
+  {
+    const std::string command = pixelexact::CommandOf(program, words);
+    const bool json = std::ranges::find(words, "--json") != words.end();
+    return Fail(kWrongUsage,
+      message + "; see pixelexact " + command + (command.empty() ? "" : " ") + "--help", json);
+  };
   try
   {
-    std::vector<std::string> arguments = pixelexact::JoinOptionValues(program, words);
+    std::vector<std::string> arguments = pixelexact::PrepareWords(program, words);
     // CLI11 takes them from the back.
-    std::reverse(arguments.begin(), arguments.end());
+    std::ranges::reverse(arguments);
     program.parse(std::move(arguments));
   }
   catch (const CLI::ParseError& error)
   {
-    return program.exit(error) == kDone ? kDone : kWrongUsage;
+    if (error.get_exit_code() != kDone)
+    {
+      return misused(error.what());
+    }
+    program.exit(error);
+    return Done();
+  }
+  catch (const pixelexact::UsageError& error)
+  {
+    return misused(error.what());
   }
   return Perform(action, common);
 }

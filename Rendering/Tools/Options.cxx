@@ -3,9 +3,12 @@
 
 #include "Command.h"
 #include "Numbers.h"
+#include "Report.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -56,7 +59,7 @@ ImageSize ParseSize(const std::string& option, const std::string& text)
   }
   if (static_cast<std::int64_t>(size.width) * size.height > kMaxPixels)
   {
-    throw CLI::ValidationError(option, "more than 2^30 pixels: '" + text + "'");
+    throw UsageError(option + ": more than 2^30 pixels: '" + text + "'");
   }
   return size;
 }
@@ -107,28 +110,46 @@ AddedOption AddArguments(CLI::App& command, const std::string& name,
 AddedOption AddChoice(CLI::App& command, const std::string& name, const ReadText& read,
   const std::vector<std::string>& choices, const std::string& help)
 {
-  return AddedOption(
-    command.add_option_function<std::string>(name, read, help)->check(CLI::IsMember(choices)));
+  const auto check = [read, name, choices](const std::string& text)
+  {
+    if (std::ranges::find(choices, text) == choices.end())
+    {
+      Refuse(name, text, "one of " + Listed(choices));
+    }
+    read(text);
+  };
+  return AddedOption(command.add_option_function<std::string>(name, check, help)
+                       ->type_name(fmt::format("{}", fmt::join(choices, "|"))));
 }
 
 AddedOption AddInteger(CLI::App& command, const std::string& name, int& number, int lowest,
   int highest, const char* form, const std::string& help)
 {
-  return AddedOption(
-    command.add_option(name, number, help)->type_name(form)->check(CLI::Range(lowest, highest)));
-}
-
-AddedOption AddIndex(CLI::App& command, const std::string& name, std::optional<int>& index,
-  const char* form, const std::string& help)
-{
-  return AddedOption(
-    command.add_option(name, index, help)->type_name(form)->check(CLI::NonNegativeNumber));
+  return AddRead(
+    command, name,
+    [&number, name, lowest, highest](const std::string& text)
+    {
+      if (!ParseInteger(text, number) || number < lowest || number > highest)
+      {
+        Refuse(name, text, fmt::format("a whole number from {} to {}", lowest, highest));
+      }
+    },
+    form, help);
 }
 
 AddedOption AddNumber(CLI::App& command, const std::string& name, std::optional<double>& number,
   const char* form, const std::string& help)
 {
-  return AddedOption(command.add_option(name, number, help)->type_name(form));
+  return AddRead(
+    command, name,
+    [&number, name](const std::string& text)
+    {
+      if (!ParseNumber(text, number.emplace()) || !std::isfinite(*number))
+      {
+        Refuse(name, text, "a number");
+      }
+    },
+    form, help);
 }
 
 AddedOption AddNumbers(CLI::App& command, const std::string& name, std::vector<double>& numbers,
@@ -180,7 +201,7 @@ AddedOption AddRepeated(CLI::App& command, const std::string& name, const ReadTe
 
 void Refuse(const std::string& option, const std::string& text, const std::string& form)
 {
-  throw CLI::ValidationError(option, "expected " + form + ", got '" + text + "'");
+  throw UsageError(option + ": expected " + form + ", got '" + text + "'");
 }
 
 CLI::App& AddCommand(CLI::App& program, const std::string& name, const std::string& help,
@@ -189,33 +210,6 @@ CLI::App& AddCommand(CLI::App& program, const std::string& name, const std::stri
   CLI::App* command = program.add_subcommand(name, help);
   command->callback(chosen);
   return *command;
-}
-
-std::vector<std::string> JoinOptionValues(
-  const CLI::App& program, const std::vector<std::string>& arguments)
-{
-  const CLI::App* command = &program;
-  std::vector<std::string> joined;
-  for (std::size_t i = 0; i < arguments.size(); ++i)
-  {
-    const std::string& argument = arguments[i];
-    joined.push_back(argument);
-    if (command == &program)
-    {
-      const auto chosen = program.get_subcommands(
-        [&argument](const CLI::App* candidate) { return candidate->get_name() == argument; });
-      command = chosen.empty() ? command : chosen.front();
-    }
-    const CLI::Option* option = argument.rfind("--", 0) == 0 && argument.size() > 2
-      ? command->get_option_no_throw(argument)
-      : nullptr;
-    if (option != nullptr && option->get_items_expected_max() > 0 && i + 1 < arguments.size() &&
-      arguments[i + 1].rfind("--", 0) != 0)
-    {
-      joined.back() += "=" + arguments[++i];
-    }
-  }
-  return joined;
 }
 
 void AddCommonOptions(CLI::App& command, CommonOptions& options)

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-// CLI11 takes long to compile: only Options.cxx and Main.cxx include it.
+// CLI11 takes long to compile: only Options.cxx, CommandWords.cxx and Main.cxx include it.
 namespace CLI
 {
 class App;
@@ -51,9 +51,7 @@ AddedOption AddChoice(CLI::App& command, const std::string& name, const ReadText
 /// From `lowest` to `highest`.
 AddedOption AddInteger(CLI::App& command, const std::string& name, int& number, int lowest,
   int highest, const char* form, const std::string& help);
-/// From 0.
-AddedOption AddIndex(CLI::App& command, const std::string& name, std::optional<int>& index,
-  const char* form, const std::string& help);
+/// A finite number.
 AddedOption AddNumber(CLI::App& command, const std::string& name, std::optional<double>& number,
   const char* form, const std::string& help);
 /// `count` comma-separated finite numbers, given at most once.
@@ -84,10 +82,4 @@ AddedOption AddRepeated(CLI::App& command, const std::string& name, const ReadTe
 /// A command of the program; `chosen` is called where the command line names it.
 CLI::App& AddCommand(CLI::App& program, const std::string& name, const std::string& help,
   const std::function<void()>& chosen);
-
-/// Option values may begin with a minus sign, which CLI11 takes for another option: joins each
-/// option that takes a value with the argument after it, as "--name=value". Arguments that begin
-/// with two minus signs stay options.
-std::vector<std::string> JoinOptionValues(
-  const CLI::App& program, const std::vector<std::string>& arguments);
 } // namespace pixelexact

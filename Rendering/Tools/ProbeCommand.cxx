@@ -143,7 +143,7 @@ void AddProbeCommand(CLI::App& program, const CommonOptions& common, Action& act
   AddText(command, "--points", options->points, "FILE",
     "CSV file with a header line and the columns x, y and z; others are ignored")
     .Required();
-  AddText(command, "--output", options->output, "FILE",
+  AddText(command, "-o,--output", options->output, "FILE",
     "CSV file to write: the points in their order, values (nan outside), the element's number "
     "in the input (-1 outside), its reference coordinates and the verdict inside, outside or "
     "unknown")

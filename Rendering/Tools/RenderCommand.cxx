@@ -233,7 +233,7 @@ void AddRenderCommand(CLI::App& program, const CommonOptions& common, Action& ac
       [options, &common, &action] { action = [options, &common] { Render(*options, common); }; });
   options->shot.AddTo(command);
   options->debug.AddTo(command);
-  AddText(command, "--output", options->output, "IMAGE.png", "PNG image to write").Required();
+  AddText(command, "-o,--output", options->output, "IMAGE.png", "PNG image to write").Required();
   AddText(command, "--buffers", options->buffers, "OUT.vti",
     "Also write what was found at each pixel: value, position, normal, xi, element, depth, "
     "verdict, layer, colour");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Report.h"
 
+#include "Core/Base/Error.h"
+
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
@@ -8,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <iostream>
 
 namespace pixelexact
@@ -66,6 +69,15 @@ void Print(const nlohmann::ordered_json& summary)
 void PrintError(const std::string& message)
 {
   Print({ { "error", message } });
+}
+
+void FlushOutput()
+{
+  // fmt prints with stdio, which keeps in mind that something failed.
+  if (!std::cout.flush() || std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+  {
+    throw Error("cannot write to standard output; is there room?");
+  }
 }
 
 ProgressLine::ProgressLine(std::string label)

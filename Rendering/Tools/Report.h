@@ -55,6 +55,9 @@ void Print(const nlohmann::ordered_json& summary);
 /// The summary of what failed.
 void PrintError(const std::string& message);
 
+/// Throws Error where something that was printed on stdout is lost, as on a full disk.
+void FlushOutput();
+
 /// Shows how far the work is, on stderr, when that is a terminal; clears its line when done.
 class ProgressLine
 {

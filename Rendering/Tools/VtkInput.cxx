@@ -102,7 +102,9 @@ Files SortSeries(const Files& files)
     std::string digits = NumberIn(file, files[0], number);
     if (digits.empty())
     {
-      throw UsageError("'" + files[0] + "' holds mesh and fields, and '" + file +
+      // Names without a number where they differ are none of a series, the first one neither.
+      throw UsageError("'" + files[0] + "' holds mesh and fields, and '" +
+        (file == files[0] ? files[1] : file) +
         "' is no other time step of it, which would differ in one number; name one file alone");
     }
     digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size() - 1));

@@ -3,7 +3,7 @@
 
 import unittest
 
-from tool import MIDDLE, ToolTest, case, run, strict_json, unit_cube_grid
+from tool import DATA, MIDDLE, ToolTest, case, run, strict_json, unit_cube_grid
 
 COMMANDS = ["info", "probe", "render", "bench"]
 
@@ -19,6 +19,110 @@ class Help(ToolTest):
     def test_version_everywhere(self):
         for arguments in [["--version"]] + [[command, "--version"] for command in COMMANDS]:
             self.assertRegex(self.succeeds(*arguments).stdout, r"^pixelexact \d+\.\d+\.\d+")
+
+
+class Words(ToolTest):
+    """What CLI11 would pass over, or tell in its own words."""
+
+    def setUp(self):
+        super().setUp()
+        self.cube = self.folder / "cube.vtu"
+        self.cube.write_text(unit_cube_grid(), encoding="utf-8")
+
+    def test_commands_that_are_none(self):
+        for word in ["foo", "INFO", "inf", str(self.cube)]:
+            self.fails(2, word, names=[f"'{word}'", *COMMANDS])
+        for word in ["view", "compare"]:
+            self.fails(2, word, self.cube, names=[f"'{word}'", "not available yet", *COMMANDS])
+        self.fails(2, names=["name a command", *COMMANDS])
+        self.fails(2, "--threads", "2", "info", self.cube, names=["--threads", "before the command"])
+
+    def test_help_is_a_word_too(self):
+        self.assertEqual(self.succeeds("help").stdout, self.succeeds("--help").stdout)
+        for command in COMMANDS:
+            told = self.succeeds("help", command).stdout
+            self.assertEqual(told, self.succeeds(command, "--help").stdout)
+            self.assertIn("--threads", told)
+        self.fails(2, "help", "foo", names=["'foo'"])
+
+    def test_options_that_are_none(self):
+        for word in ["--foo", "--foo=3", "-x", "-9"]:
+            name = word.split("=", maxsplit=1)[0]
+            self.fails(2, "info", self.cube, word, names=["info has no option", f"'{name}'"])
+
+    def test_an_option_twice(self):
+        base = ["render", self.cube, "--field", "u", *MIDDLE]
+        image = self.folder / "i.png"
+        for twice in [["--size", "9x9", "--size=8x8"], ["-o", image, "--output", image]]:
+            self.fails(2, *base, *twice, names=["more than once", twice[2].split("=")[0]])
+
+    def test_a_value_that_is_missing(self):
+        base = ["render", self.cube, "--field", "u", *MIDDLE]
+        for option in ["-o", "--output", "--size"]:
+            for next_one in [[], ["--log"]]:
+                name = "--output" if option == "-o" else option
+                self.fails(2, *base, option, *next_one, names=[name, "missing"])
+
+    def test_values_name_what_is_expected(self):
+        render = ["render", self.cube, "--field", "u", *MIDDLE, "--output", self.folder / "i.png"]
+        for option, value, expected in [
+            ("--threads", "two", "whole number from 1"),
+            ("--samples", "0", "from 1 to 1024"),
+            ("--precision", "half", "double, float"),
+            ("--view-angle", "nan", "a number"),
+            ("--time", "soon", "a number"),
+            ("--time-step", "all", "one step"),
+            ("--time-step", "-1", "one step"),
+        ]:
+            done = self.fails(2, *render, option, value, names=[option, f"'{value}'", expected])
+            self.assertLess(len(done.stderr), 250)
+
+    def test_short_output(self):
+        base = ["render", self.cube, "--field", "u", *MIDDLE, "--size", "9x9"]
+        for words in [["-o", "-a.png"], ["-ob.png"], ["-o=c.png"]]:
+            done = run(*base, *words, folder=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+        for name in ["-a.png", "b.png", "c.png"]:
+            self.assertTrue((self.folder / name).exists(), name)
+
+    def test_files_that_do_not_go_together(self):
+        table, other = self.folder / "points.csv", self.folder / "sphere.vtu"
+        table.write_text("x,y,z\n0,0,0\n", encoding="utf-8")
+        other.write_text(unit_cube_grid(), encoding="utf-8")
+        mesh = DATA / "mfem_escher_tet_darcy_p3" / "mfem_escher_tet_darcy_p3.mesh"
+        for files in [(self.cube, table), (self.cube, other, table), (mesh, table)]:
+            self.fails(2, "info", *files, names=[f"'{table}'", "--points"])
+        self.fails(2, "info", self.cube, other, names=[f"and '{other}' is no other time step"])
+        self.fails(2, "info", self.cube, mesh, names=["VTK XML", "MFEM", mesh])
+        self.fails(2, "info", mesh, mesh, names=["two meshes"])
+
+    def test_the_error_is_told_in_json_too(self):
+        for words in [["info", "--json"], ["--json"], ["paint", "--json"], ["render", "--json"]]:
+            done = run(*words)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn(strict_json(done.stdout)["error"], done.stderr)
+
+
+class FullDisk(ToolTest):
+    """What is printed and lost is no success."""
+
+    def test_standard_output(self):
+        source = case("escher_tet_g3_p3")
+        made = ["bench", "--elements", 6, "--repeat", 1, "--size", "9x9"]
+        with open("/dev/full", "w", encoding="utf-8") as full:
+            for words in [
+                ["--help"],
+                ["--version"],
+                ["help", "render"],
+                ["info", source],
+                ["info", source, "--json"],
+                ["bench", source, "--field", "u", *MIDDLE, "--size", "9x9"],
+                made,
+                [*made, "--json"],
+            ]:
+                done = run(*words, stdout=full)
+                self.assertEqual(done.returncode, 1, f"{words}: {done.stderr}")
+                self.assertIn("standard output", done.stderr)
 
 
 class WrongUsage(ToolTest):

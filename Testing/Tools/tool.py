@@ -33,16 +33,17 @@ CUBE = [[x, y, z] for z in (0.0, 1.0) for x, y in ((0.0, 0.0), (1.0, 0.0), (1.0,
 MIDDLE = ("--plane", "0,0,0,0,0,1")
 
 
-def run(*arguments, folder=None):
-    """The tool's run, in `folder`, without a display, so that a touch of OpenGL would end it."""
+def run(*arguments, folder=None, given="", text=True, stdout=subprocess.PIPE):
+    """The tool's run, in `folder`, without a display, so that a touch of OpenGL would end it;
+    `given` is its standard input. stdout is bytes where not `text`."""
     environment = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
     return subprocess.run(
         [TOOL, *map(str, arguments)],
         env=environment,
-        stdin=subprocess.DEVNULL,
-        stdout=subprocess.PIPE,
+        input=given if text else given.encode(),
+        stdout=stdout,
         stderr=subprocess.PIPE,
-        text=True,
+        text=text,
         cwd=folder,
         timeout=300,
         check=False,
@@ -107,8 +108,8 @@ class ToolTest(unittest.TestCase):
         self.assertEqual(done.returncode, status, f"{arguments}: {done.stdout}{done.stderr}")
         for name in names:
             self.assertIn(str(name), done.stderr)
-        if status == 1:
-            self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
+        self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
+        self.assertTrue(done.stderr.startswith("pixelexact: "), done.stderr)
         return done
 
 

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CommandWords.h"
+
+#include "Command.h"
+#include "Report.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+namespace pixelexact
+{
+namespace
+{
+/// Commands of the interface that are still to come.
+constexpr std::array kAnnounced{ "compare", "view" };
+
+std::vector<std::string> Commands(const CLI::App& program)
+{
+  std::vector<std::string> names;
+  for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
+  {
+    names.push_back(command->get_name());
+  }
+  return names;
+}
+
+const CLI::App* FindCommand(const CLI::App& program, const std::string& word)
+{
+  const auto found =
+    program.get_subcommands([&word](const CLI::App* one) { return one->get_name() == word; });
+  return found.empty() ? nullptr : found.front();
+}
+
+bool IsOption(const std::string& word)
+{
+  return word.size() > 1 && word.front() == '-';
+}
+
+/// Of "--name=value", "-n=value" and "-nvalue" the name; the value with what stands between.
+std::array<std::string, 2> Cut(const std::string& word)
+{
+  const auto end = word.starts_with("--") ? word.find('=') : std::size_t{ 2 };
+  return end >= word.size() ? std::array{ word, std::string() }
+                            : std::array{ word.substr(0, end), word.substr(end) };
+}
+
+std::string LongName(const CLI::Option& option)
+{
+  return "--" + option.get_lnames().front();
+}
+
+/// Reads words one after the other.
+class Reader
+{
+public:
+  Reader(const CLI::App& command, const std::vector<std::string>& words)
+    : Command(command)
+    , Words(words)
+  {
+  }
+
+  std::vector<std::string> Read(std::size_t at)
+  {
+    for (; at < Words.size(); ++at)
+    {
+      if (Words[at] == "--")
+      {
+        Prepared.insert(
+          Prepared.end(), Words.begin() + static_cast<std::ptrdiff_t>(at), Words.end());
+        break;
+      }
+      if (IsOption(Words[at]))
+      {
+        at += ReadOption(at);
+      }
+      else
+      {
+        Prepared.push_back(Words[at]);
+      }
+    }
+    return std::move(Prepared);
+  }
+
+private:
+  /// Returns how many of the words behind it were read, too.
+  std::size_t ReadOption(std::size_t at)
+  {
+    const auto [name, rest] = Cut(Words[at]);
+    const CLI::Option* option = Command.get_option_no_throw(name);
+    if (option == nullptr)
+    {
+      const std::string given = Words[at].starts_with("--") ? name : Words[at];
+      throw UsageError(Command.get_parent() != nullptr
+          ? Command.get_name() + " has no option '" + given + "'"
+          : "there is no option '" + given + "' before the command");
+    }
+    if (option->get_items_expected_max() == 0)
+    {
+      Prepared.push_back(Words[at]);
+      return 0;
+    }
+    if (option->get_multi_option_policy() == CLI::MultiOptionPolicy::Throw &&
+      !Given.insert(option).second)
+    {
+      throw UsageError(LongName(*option) + " was given more than once; give it once");
+    }
+    if (!rest.empty())
+    {
+      Prepared.push_back(LongName(*option) + (rest.front() == '=' ? "" : "=") + rest);
+      return 0;
+    }
+    if (at + 1 == Words.size() || Words[at + 1].starts_with("--"))
+    {
+      throw UsageError(LongName(*option) + ": its value is missing, " + option->get_type_name());
+    }
+    Prepared.push_back(LongName(*option) + "=" + Words[at + 1]);
+    return 1;
+  }
+
+  const CLI::App& Command;
+  const std::vector<std::string>& Words;
+  std::vector<std::string> Prepared;
+  std::set<const CLI::Option*> Given;
+};
+} // namespace
+
+std::string CommandOf(const CLI::App& program, const std::vector<std::string>& words)
+{
+  const auto first = std::find_if_not(words.begin(), words.end(), IsOption);
+  return first != words.end() && FindCommand(program, *first) != nullptr ? *first : std::string();
+}
+
+std::vector<std::string> PrepareWords(
+  const CLI::App& program, const std::vector<std::string>& words)
+{
+  const std::string choices = "the commands are " + Listed(Commands(program));
+  std::size_t at = 0;
+  while (at < words.size() && IsOption(words[at]))
+  {
+    ++at;
+  }
+  // Help and version need no command; other options are a command's.
+  const std::vector<std::string> before(
+    words.begin(), words.begin() + static_cast<std::ptrdiff_t>(at));
+  if (at > 0)
+  {
+    return Reader(program, before).Read(0);
+  }
+  if (words.empty())
+  {
+    throw UsageError("name a command; " + choices);
+  }
+  if (words.front() == "help")
+  {
+    std::vector<std::string> asked(words.begin() + 1, words.end());
+    asked.resize(std::min<std::size_t>(asked.size(), 1));
+    asked.emplace_back("--help");
+    return PrepareWords(program, asked);
+  }
+  const CLI::App* command = FindCommand(program, words.front());
+  if (command == nullptr)
+  {
+    const bool announced = std::ranges::find(kAnnounced, words.front()) != kAnnounced.end();
+    throw UsageError(announced ? "'" + words.front() + "' is not available yet; " + choices
+                               : "there is no command '" + words.front() + "'; " + choices);
+  }
+  std::vector<std::string> prepared = Reader(*command, words).Read(1);
+  prepared.insert(prepared.begin(), words.front());
+  return prepared;
+}
+} // namespace pixelexact
