@@ -43,9 +43,18 @@ void RequireTraceable(const Scene& scene, const SampleNeeds& needs)
   const Buffer wanted = needs.centres | needs.corners | needs.edges;
   for (const Layer& layer : scene.layers)
   {
-    if (!layer.surface || !layer.field)
+    if (!layer.surface)
     {
-      throw Error("scene: a layer without surface or field; set both.");
+      throw Error("scene: a layer without surface; set one.");
+    }
+    if (!layer.field)
+    {
+      if (Has(wanted, Buffer::Value | Buffer::Enclosure))
+      {
+        throw Error("scene: a layer without field has no values; set one, or paint it in one "
+                    "colour.");
+      }
+      continue;
     }
     const int components = layer.field->values.components;
     if (layer.component != kMagnitude && (layer.component < 0 || layer.component >= components))

@@ -37,6 +37,11 @@ Interval Component(std::span<const double> lower, std::span<const double> upper,
   }
   return Sqrt(sum);
 }
+
+std::size_t ComponentsOf(const Layer& layer)
+{
+  return layer.field != nullptr ? static_cast<std::size_t>(layer.field->values.components) : 0;
+}
 } // namespace
 
 void HitValues::Evaluate(const Locator& locator, const SampleBuffers& wanted, std::size_t count,
@@ -44,7 +49,7 @@ void HitValues::Evaluate(const Locator& locator, const SampleBuffers& wanted, st
 {
   const Layer& layer = *found.layer;
   const bool known = found.slots->HasElements();
-  const auto components = static_cast<std::size_t>(layer.field->values.components);
+  const std::size_t components = ComponentsOf(layer);
   const auto sizeIf = [&](bool isWanted, std::size_t each) { return isWanted ? count * each : 0; };
   Element = Room(Elements, sizeIf(known || !wanted.element.empty(), 1));
   TheVerdict = Room(Verdicts, count);
@@ -136,7 +141,7 @@ void HitValues::EvaluateKnown(const Mesh& mesh, const Field* field, const HitRes
 void HitValues::Reduce(const Layer& layer, HitResults& found)
 {
   const std::size_t count = TheVerdict.size();
-  const auto components = static_cast<std::size_t>(layer.field->values.components);
+  const std::size_t components = ComponentsOf(layer);
   if (components > 1)
   {
     // Of later hits nothing has been overwritten yet.

@@ -358,7 +358,37 @@ TEST(Tracer, RefusesScenesThatShowNothing)
   EXPECT_THROW(Trace(scene, camera, {}), Error);
   scene.layers[0].component = 0;
   scene.layers[0].field = nullptr;
+  for (const Buffer values : { Buffer::Value, Buffer::Enclosure })
+  {
+    EXPECT_THROW(Trace(scene, camera, {}, { .centres = values }), Error);
+  }
+  scene.layers[0].surface = nullptr;
   EXPECT_THROW(Trace(scene, camera, {}), Error);
+}
+
+TEST(Tracer, MeshesWithoutFieldAreCutInOneColour)
+{
+  Block block;
+  Scene& scene = block.WithPlane({ 0.0, 0.0, 0.1 }, { 0.1, 0.2, 1.0 });
+  const Camera camera = ViewAlongZ(120, 90);
+  const Buffer places = Buffer::Verdict | Buffer::Element | Buffer::Xi | Buffer::Position;
+  const Frame exact = Trace(scene, camera, {}, { .centres = places });
+  scene.layers[0].field = nullptr;
+  const Rgba color{ 1, 2, 3, 255 };
+  const ColorMapping colors(
+    std::vector<LayerColors>{ { .map = SolidColor(color), .readsValues = false } });
+  const Frame frame = Trace(scene, camera, { { &colors }, {} }, { .centres = places });
+  EXPECT_TRUE(frame.centres.value.empty());
+  EXPECT_EQ(frame.centres.verdict, exact.centres.verdict);
+  EXPECT_EQ(frame.centres.element, exact.centres.element);
+  EXPECT_GT(frame.counters.exact, 100);
+  EXPECT_EQ(frame.counters.nonFinite, 0);
+  for (std::size_t i = 0; i < frame.centres.Size(); ++i)
+  {
+    const bool hit = frame.centres.verdict[i] == static_cast<std::uint8_t>(PixelVerdict::Exact);
+    EXPECT_TRUE(std::ranges::equal(
+      std::span(frame.Image()).subspan(4 * i, 4), hit ? color : Rgba{ 0, 0, 0, 0 }));
+  }
 }
 
 TEST(Tracer, FloatsChangeValuesAloneAndReportHowMuch)

@@ -48,7 +48,9 @@ ColorMapping::ColorMapping(std::vector<LayerColors> layers)
 
 Buffer ColorMapping::Needs() const
 {
-  return Buffer::Value | Buffer::Verdict | (Layers.size() > 1 ? Buffer::Layer : Buffer::None);
+  const bool anyReads = std::ranges::any_of(Layers, &LayerColors::readsValues);
+  return Buffer::Verdict | (anyReads ? Buffer::Value : Buffer::None) |
+    (Layers.size() > 1 ? Buffer::Layer : Buffer::None);
 }
 
 void ColorMapping::Paint(SampleBuffers& samples, std::size_t begin, std::size_t end) const
@@ -66,6 +68,22 @@ void ColorMapping::Paint(SampleBuffers& samples, std::size_t begin, std::size_t 
   }
 }
 
+void ColorMapping::PaintExact(
+  const LayerColors& layer, SampleBuffers& samples, std::size_t begin, std::size_t count)
+{
+  std::uint8_t* const color = &samples.color[4 * begin];
+  if (!samples.value.empty())
+  {
+    layer.map({ &samples.value[begin], count }, color);
+    return;
+  }
+  constexpr std::array<double, 64> kNoValues{};
+  for (std::size_t k = 0; k < count; k += kNoValues.size())
+  {
+    layer.map({ kNoValues.data(), std::min(kNoValues.size(), count - k) }, color + 4 * k);
+  }
+}
+
 void ColorMapping::PaintRun(SampleBuffers& samples, std::size_t begin, std::size_t end) const
 {
   std::uint8_t* const color = &samples.color[4 * begin];
@@ -79,7 +97,7 @@ void ColorMapping::PaintRun(SampleBuffers& samples, std::size_t begin, std::size
   const LayerColors& layer = Layers[Layers.size() > 1 ? samples.layer[begin] : 0];
   if (verdict == PixelVerdict::Exact)
   {
-    layer.map({ &samples.value[begin], count }, color);
+    PaintExact(layer, samples, begin, count);
   }
   else
   {

@@ -24,6 +24,8 @@ struct LayerColors
   ColorMap map;
   Rgba unknown{ 255, 0, 255, 255 }; ///< of samples whose verdict is Unknown
   double opacity = 1.0;             ///< of all of it, 0 to 1
+  /// False: the map gives one colour, and there need be no values.
+  bool readsValues = true;
 };
 
 /// The colour mapping module (paper, section 5.2): each exact sample gets the colour of its own
@@ -42,6 +44,8 @@ public:
 private:
   /// Of samples with the same verdict, on the same layer.
   void PaintRun(SampleBuffers& samples, std::size_t begin, std::size_t end) const;
+  static void PaintExact(
+    const LayerColors& layer, SampleBuffers& samples, std::size_t begin, std::size_t count);
 
   std::vector<LayerColors> Layers;
 };
