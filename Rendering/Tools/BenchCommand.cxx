@@ -12,7 +12,10 @@
 #include <nlohmann/json.hpp>
 #include <tbb/global_control.h>
 
+#include <algorithm>
+#include <array>
 #include <memory>
+#include <string_view>
 
 namespace pixelexact
 {
@@ -31,6 +34,20 @@ struct Measured
   FrameCounters first; ///< of the first frame, for which elements are bounded and trees grown
 };
 
+/// What made meshes have no use for.
+void CheckWithoutInput(const CLI::App& command)
+{
+  constexpr std::array<std::string_view, 5> kUsed{ "--size", "--repeat", "--elements", "--threads",
+    "--json" };
+  for (const std::string& name : OptionsGiven(command))
+  {
+    if (std::ranges::find(kUsed, name) == kUsed.end())
+    {
+      throw UsageError(name + " has no effect without an INPUT; name one, or leave it out");
+    }
+  }
+}
+
 Measured Measure(const Shot& shot, const BenchOptions& options)
 {
   const Camera camera = shot.MakeCamera();
@@ -47,16 +64,20 @@ void Bench(const BenchOptions& options, const CommonOptions& common)
 {
   if (options.shot.input.files.empty())
   {
-    RunFigures(
-      { options.shot.size, options.repeat, options.largest, common.json, options.shot.colors });
+    CheckWithoutInput(*options.shot.command);
+    RunFigures({ options.shot.size, options.repeat, options.largest, common.json });
     return;
   }
-  if (options.shot.field.empty())
+  if (IsGiven(*options.shot.command, "--elements"))
   {
-    throw UsageError("--field is required with INPUT");
+    throw UsageError("--elements has no effect on an INPUT; leave one of them out");
   }
   Stopwatch stopwatch;
   const Shot shot = Prepare(options.shot, stopwatch);
+  if (shot.scene.layers.front().field == nullptr)
+  {
+    throw Error("the input has no field to time; name the file of a field");
+  }
   const auto [measured, first] = Measure(shot, options);
   const double median = measured.Frame();
   const auto points = static_cast<double>(measured.points);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BenchFigures.h"
 
+#include "ColorOptions.h"
 #include "FrameTime.h"
 #include "MadeBlock.h"
 #include "Report.h"
@@ -65,7 +66,7 @@ Row Measure(const BlockKind& kind, const ImageSize& size, const FigureOptions& o
   scene.layers.push_back(
     { std::make_shared<Plane>(Vec3(0.013, 0.021, 0.034), normal), &block.GetField() });
   const Camera camera = FilledView(normal, size);
-  const ColorMapping colors(options.colors.MapOver({ -1.0, 1.0 }));
+  const ColorMapping colors(ColorOptions().MapOver({ -1.0, 1.0 }));
   const Pipeline pipeline{ { &colors }, {} };
   const auto ignore = [](double) {};
   {

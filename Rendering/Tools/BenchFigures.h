@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "ColorOptions.h"
 #include "Options.h"
 
 namespace pixelexact
@@ -12,7 +11,6 @@ struct FigureOptions
   int repeat = 5;
   int largest = 200000; ///< elements
   bool json = false;
-  ColorOptions colors;
 };
 
 /// The paper's figure 10 (a) to (c) on this machine, printed to stdout: frames of a plane that

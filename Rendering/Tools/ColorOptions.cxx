@@ -59,17 +59,43 @@ void CheckColor(const char* option, const std::vector<double>& color)
   }
 }
 
+void CheckLogarithm(const char* option, const RangeChoice& range)
+{
+  if (range.of == RangeChoice::Of::Ends && !(range.ends[0] > 0.0))
+  {
+    throw UsageError(std::string(option) + ": --log needs a range above 0, and this begins at " +
+      Short(range.ends[0]));
+  }
+}
+
 void ColorOptions::AddTo(CLI::App& command)
 {
   const char* group = "Colours";
-  AddNumbers(command, "--range", Range, 2, "a,b",
-    "Values of the colour map's ends (default: those on the cut)")
-    .Group(group);
-  AddText(command, "--colormap", Map, "NAME", "Colour map: " + Names() + " (default: viridis)")
-    .Group(group);
-  AddFlag(command, "--log", Log, "Colour by the logarithm of the value").Group(group);
-  AddNumbers(command, "--nan-color", NanColor, 3, "r,g,b",
+  const AddedOption range = AddRead(
+    command, "--range",
+    [this](const std::string& text) { TheRange = ReadRange("--range", text, ','); },
+    "cut|field|a,b",
+    "Values of the colour map's ends: cut, those that the picture shows (default); field, a proven "
+    "enclosure of all values over the mesh; or two numbers, beyond which values take the colours "
+    "of "
+    "the ends")
+                              .Group(group);
+  const AddedOption map =
+    AddText(command, "--colormap", Map, "NAME", "Colour map: " + Names() + " (default: viridis)")
+      .Group(group);
+  const AddedOption log = AddFlag(command, "--log", Log,
+    "Colour by the logarithm of the value; values that have none get the colour of NaN")
+                            .Group(group);
+  const AddedOption nan = AddNumbers(command, "--nan-color", NanColor, 3, "r,g,b",
     "Colour of values that are no numbers, 0 to 1 each (default: the map's)")
+                            .Group(group);
+  AddNumbers(command, "--color", Color, 3, "r,g,b",
+    "One colour in the place of the map's, 0 to 1 each (default where the input has no field: "
+    "0.6,0.7,0.8)")
+    .Excludes(range)
+    .Excludes(map)
+    .Excludes(log)
+    .Excludes(nan)
     .Group(group);
   AddNumbers(command, "--background", Background, 3, "r,g,b",
     "Colour where there is nothing, 0 to 1 each (default: white)")
@@ -80,27 +106,17 @@ void ColorOptions::Check() const
 {
   CheckColor("--nan-color", NanColor);
   CheckColor("--background", Background);
-  if (!Range.empty() && !(Range[0] < Range[1]))
+  CheckColor("--color", Color);
+  if (Log)
   {
-    throw UsageError("--range: the first value must be below the second");
-  }
-  if (Log && !Range.empty() && !(Range[0] > 0.0))
-  {
-    throw UsageError("--range: --log needs values above 0");
+    CheckLogarithm("--range", TheRange);
   }
   CheckMap("--colormap", Map);
 }
 
-std::array<double, 2> ColorOptions::RangeFor(
-  const Frame& frame, const std::vector<bool>& layers) const
+std::optional<std::array<double, 3>> ColorOptions::Solid() const
 {
-  if (!Range.empty())
-  {
-    return { Range[0], Range[1] };
-  }
-  const double lowest = Log ? 0.0 : -std::numeric_limits<double>::infinity();
-  return ValueRange(frame, lowest, layers)
-    .value_or(Log ? std::array{ 1.0, 10.0 } : std::array{ 0.0, 1.0 });
+  return Color.empty() ? std::nullopt : std::optional(std::array{ Color[0], Color[1], Color[2] });
 }
 
 ColorMap ColorOptions::MapOver(
@@ -131,28 +147,5 @@ std::vector<std::uint8_t> ColorOptions::Flatten(const Frame& frame) const
     }
   }
   return rgb;
-}
-
-std::optional<std::array<double, 2>> ValueRange(
-  const Frame& frame, double lowest, const std::vector<bool>& layers)
-{
-  std::optional<std::array<double, 2>> range;
-  const auto add = [&](const SampleBuffers& samples)
-  {
-    for (std::size_t i = 0; i < samples.value.size(); ++i)
-    {
-      const double value = samples.value[i];
-      if (samples.verdict[i] == static_cast<std::uint8_t>(PixelVerdict::Exact) &&
-        std::isfinite(value) && value > lowest &&
-        (layers.empty() || samples.layer.empty() || layers[samples.layer[i]]))
-      {
-        range = range ? std::array{ std::min((*range)[0], value), std::max((*range)[1], value) }
-                      : std::array{ value, value };
-      }
-    }
-  };
-  add(frame.centres);
-  std::ranges::for_each(frame.centres.behind, add);
-  return range;
 }
 } // namespace pixelexact

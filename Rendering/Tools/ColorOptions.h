@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "LayerRanges.h"
 #include "Options.h"
 
 #include "Trace/Modules/ColorMapping.h"
@@ -21,10 +22,11 @@ public:
   /// Throws UsageError for what the command line alone shows to be wrong.
   void Check() const;
 
-  /// The range given, else that of the frame's exact values (with --log of the positive ones);
-  /// [0, 1], or [1, 10] with --log, where there is none. `layers`: those that count; empty: all.
-  [[nodiscard]] std::array<double, 2> RangeFor(
-    const Frame& frame, const std::vector<bool>& layers = {}) const;
+  /// Of all layers that do not say so themselves.
+  [[nodiscard]] const RangeChoice& Range() const { return TheRange; }
+  [[nodiscard]] bool Logarithm() const { return Log; }
+  /// The colour in the place of the map's; none: by value.
+  [[nodiscard]] std::optional<std::array<double, 3>> Solid() const;
   /// `map`: another map than that of all layers. Throws UsageError where there is no such map.
   [[nodiscard]] ColorMap MapOver(
     const std::array<double, 2>& range, const std::optional<std::string>& map = {}) const;
@@ -34,7 +36,8 @@ public:
 
 private:
   std::string Map = "viridis";
-  std::vector<double> Range;
+  RangeChoice TheRange;
+  std::vector<double> Color;
   bool Log = false;
   std::vector<double> NanColor;
   std::vector<double> Background{ 1.0, 1.0, 1.0 };
@@ -46,8 +49,6 @@ void CheckMap(const char* option, const std::string& map);
 /// Throws UsageError where an option's red, green or blue is not within 0 to 1.
 void CheckColor(const char* option, const std::vector<double>& color);
 
-/// The smallest and largest finite value of the exact pixels, what is seen through others included,
-/// of those above `lowest` and on these layers (empty: all); none: empty.
-std::optional<std::array<double, 2>> ValueRange(
-  const Frame& frame, double lowest, const std::vector<bool>& layers = {});
+/// Throws UsageError where a logarithm is asked for over a range that is not above 0.
+void CheckLogarithm(const char* option, const RangeChoice& range);
 } // namespace pixelexact

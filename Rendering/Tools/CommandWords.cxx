@@ -88,7 +88,7 @@ private:
   /// Returns how many of the words behind it were read, too.
   std::size_t ReadOption(std::size_t at)
   {
-    const auto [name, rest] = Cut(Words[at]);
+    auto [name, rest] = Cut(Words[at]);
     const CLI::Option* option = Command.get_option_no_throw(name);
     if (option == nullptr)
     {
@@ -107,17 +107,21 @@ private:
     {
       throw UsageError(LongName(*option) + " was given more than once; give it once");
     }
-    if (!rest.empty())
+    const bool joined = !rest.empty();
+    if (!joined && at + 1 < Words.size() && !Words[at + 1].starts_with("--"))
     {
-      Prepared.push_back(LongName(*option) + (rest.front() == '=' ? "" : "=") + rest);
-      return 0;
+      rest = Words[at + 1];
     }
-    if (at + 1 == Words.size() || Words[at + 1].starts_with("--"))
+    else if (joined && rest.front() == '=')
+    {
+      rest.erase(0, 1);
+    }
+    if (rest.empty())
     {
       throw UsageError(LongName(*option) + ": its value is missing, " + option->get_type_name());
     }
-    Prepared.push_back(LongName(*option) + "=" + Words[at + 1]);
-    return 1;
+    Prepared.push_back(LongName(*option) + "=" + rest);
+    return joined ? 0 : 1;
   }
 
   const CLI::App& Command;

@@ -2,6 +2,7 @@
 #include "Csv.h"
 
 #include "Numbers.h"
+#include "Output.h"
 
 #include "Core/Base/Error.h"
 
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 
 namespace pixelexact
 {
@@ -95,11 +97,16 @@ bool SplitLine(std::string_view line, std::vector<std::string>& fields)
 
 std::vector<Vec3> ReadPoints(const std::string& file)
 {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(file))
+  std::ifstream opened;
+  if (!IsStandardStream(file))
   {
-    throw Error("cannot open the points '" + file + "'; is the path right?");
+    opened.open(file, std::ios::binary);
+    if (!opened || std::filesystem::is_directory(file))
+    {
+      throw Error("cannot open the points '" + file + "'; is the path right?");
+    }
   }
+  std::istream& stream = IsStandardStream(file) ? std::cin : opened;
   std::vector<Vec3> points;
   std::array<std::size_t, 3> columns{};
   std::vector<std::string> fields;

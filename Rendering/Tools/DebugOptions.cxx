@@ -3,6 +3,8 @@
 
 #include "ColorOptions.h"
 #include "Command.h"
+#include "Effects.h"
+#include "LayerOptions.h"
 #include "Looks.h"
 #include "Options.h"
 #include "Report.h"
@@ -59,32 +61,34 @@ std::vector<Validity> VerdictsSeen(const Frame& frame, const Mesh& mesh)
 
 } // namespace
 
-void DebugOptions::AddTo(CLI::App& command)
+void DebugOptions::AddTo(CLI::App& added)
 {
+  Command = &added;
   const char* group = "Soundness";
-  AddFlag(command, "--owners", Owners,
+  AddFlag(added, "--owners", Owners,
     "Paint how often the mesh covers each pixel's point (" + TextOf(CoverageColors::Legend()) +
       "); with --buffers also Owners and Coverage")
     .Group(group);
   AddChoice(
-    command, "--show", [this](const std::string& text) { Show = text; }, { "field", "validity" },
+    added, "--show", [this](const std::string& text) { Show = text; }, { "field", "validity" },
     "What is painted: the field (default), or validity, the proven sign of the Jacobian "
     "determinant of each pixel's element (" +
       TextOf(ValidityColors::Legend()) + ")")
     .Group(group);
-  AddFlag(command, "--enclosures", Enclosures,
+  AddFlag(added, "--enclosures", Enclosures,
     "Bound each pixel's value by an interval that is proven to hold it: Value_lower, Value_upper "
     "with --buffers")
     .Group(group);
-  AddFlag(command, "--show-undecided", ShowUndecided,
+  const AddedOption painted = AddFlag(added, "--show-undecided", ShowUndecided,
     "Paint pixels whose colour the enclosure of the value does not decide")
-    .Group(group);
-  AddNumbers(command, "--undecided-color", UndecidedColor, 3, "r,g,b",
+                                .Group(group);
+  AddNumbers(added, "--undecided-color", UndecidedColor, 3, "r,g,b",
     "Their colour, 0 to 1 each (default: 1,0,0.5)")
+    .Needs(painted)
     .Group(group);
 }
 
-void DebugOptions::Check(int samples) const
+void DebugOptions::Check(int samples, const std::vector<LayerSettings>& layers) const
 {
   if (samples > 1 && (Owners || ShowUndecided || Show != "field"))
   {
@@ -99,6 +103,10 @@ void DebugOptions::Check(int samples) const
   if (ShowUndecided && (Owners || Show != "field"))
   {
     throw UsageError("--show-undecided needs the field's colours; leave out --owners and --show");
+  }
+  if (IsInPlace())
+  {
+    CheckEffectsBeside(Owners ? "--owners" : "--show " + Show, *Command, layers);
   }
   CheckColor("--undecided-color", UndecidedColor);
 }

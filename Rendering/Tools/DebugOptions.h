@@ -16,6 +16,7 @@ namespace pixelexact
 {
 class Looks;
 class Table;
+struct LayerSettings;
 struct Shot;
 
 /// What render shows and tells beyond the field: how sound the mesh is where it is cut, and how far
@@ -23,10 +24,13 @@ struct Shot;
 class DebugOptions
 {
 public:
-  void AddTo(CLI::App& command);
+  void AddTo(CLI::App& added);
 
-  /// Throws UsageError for options that exclude each other; `samples`: in a pixel.
-  void Check(int samples) const;
+  /// Throws UsageError for options that exclude each other or have no effect; `samples`: in a
+  /// pixel.
+  void Check(int samples, const std::vector<LayerSettings>& layers) const;
+  /// Whether a legend's colours are painted in the place of the field's.
+  [[nodiscard]] bool IsInPlace() const { return Owners || Show != "field"; }
 
   /// The buffers that it takes.
   [[nodiscard]] Buffer Needs() const;
@@ -49,6 +53,7 @@ private:
   void CountCoverage(const Frame& frame);
   void CountEnclosures(const Frame& frame);
 
+  const CLI::App* Command = nullptr;
   bool Owners = false;
   bool Enclosures = false;
   bool ShowUndecided = false;

@@ -208,6 +208,12 @@ InputGrid ReadInput(const InputRequest& request)
   }
 }
 
+void AddField(CLI::App& command, std::string& field)
+{
+  AddText(command, "--field", field, "NAME",
+    "Name of the field (default: the first one, which is named on stderr)");
+}
+
 void InputRequest::AddTo(CLI::App& command, bool required)
 {
   AddArguments(command, "INPUT", files, "FILE",

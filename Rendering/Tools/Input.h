@@ -25,6 +25,9 @@ struct InputRequest
   void AddTo(CLI::App& command, bool required = true);
 };
 
+/// Declares --field; empty: the first one.
+void AddField(CLI::App& command, std::string& field);
+
 struct InputGrid
 {
   vtkSmartPointer<vtkUnstructuredGrid> grid;

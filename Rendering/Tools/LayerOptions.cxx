@@ -11,6 +11,8 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <set>
+#include <utility>
 
 namespace pixelexact
 {
@@ -23,29 +25,11 @@ constexpr const char* kForm = "N:KEY=VALUE,...";
   throw UsageError("--layer: '" + text + "': " + what);
 }
 
-/// The parts of a text between separators.
-std::vector<std::string> Split(const std::string& text, char separator)
-{
-  std::vector<std::string> parts(1);
-  for (const char c : text)
-  {
-    if (c == separator)
-    {
-      parts.emplace_back();
-    }
-    else
-    {
-      parts.back() += c;
-    }
-  }
-  return parts;
-}
-
 template <std::size_t Count>
 std::array<double, Count> Numbers(const std::string& value, const char* form)
 {
   std::array<double, Count> numbers{};
-  const std::vector<std::string> parts = Split(value, ':');
+  const std::vector<std::string> parts = SplitAt(value, ':');
   for (std::size_t i = 0; i < Count; ++i)
   {
     if (parts.size() != Count || !ParseNumber(parts[i], numbers[i]) || !std::isfinite(numbers[i]))
@@ -61,16 +45,6 @@ std::array<double, 3> Color(const std::string& value)
   const auto color = Numbers<3>(value, "red:green:blue, 0 to 1 each");
   CheckColor("--layer", { color.begin(), color.end() });
   return color;
-}
-
-std::array<double, 2> Range(const std::string& value)
-{
-  const auto range = Numbers<2>(value, "lower:upper");
-  if (!(range[0] < range[1]))
-  {
-    Complain(value, "the first value must be below the second");
-  }
-  return range;
 }
 
 double Opacity(const std::string& value)
@@ -119,7 +93,9 @@ const std::map<std::string, Setter>& Setters()
         CheckMap("--layer", value);
         layer.colormap = value;
       } },
-    { "range", [](LayerSettings& layer, const std::string& value) { layer.range = Range(value); } },
+    { "range",
+      [](LayerSettings& layer, const std::string& value)
+      { layer.range = ReadRange("--layer: range", value, ':'); } },
     { "color", [](LayerSettings& layer, const std::string& value) { layer.color = Color(value); } },
     { "lights",
       [](LayerSettings& layer, const std::string& value)
@@ -128,7 +104,10 @@ const std::map<std::string, Setter>& Setters()
   return kSetters;
 }
 
-void Read(const std::string& text, std::vector<LayerSettings>& layers)
+/// Which surface was given what.
+using Given = std::set<std::pair<int, std::string>>;
+
+void Read(const std::string& text, std::vector<LayerSettings>& layers, Given& given)
 {
   const auto colon = text.find(':');
   int number = 0;
@@ -142,7 +121,7 @@ void Read(const std::string& text, std::vector<LayerSettings>& layers)
       "there are " + std::to_string(layers.size()) + " surfaces, counted from 1 in the order of " +
         "their kinds in the help");
   }
-  for (const std::string& setting : Split(text.substr(colon + 1), ','))
+  for (const std::string& setting : SplitAt(text.substr(colon + 1), ','))
   {
     const auto equal = setting.find('=');
     const auto setter = Setters().find(setting.substr(0, equal));
@@ -154,6 +133,12 @@ void Read(const std::string& text, std::vector<LayerSettings>& layers)
         names.push_back(name);
       }
       Complain(text, "'" + setting + "' is none of " + Listed(names) + ", each with =VALUE");
+    }
+    if (!given.emplace(number, setter->first).second)
+    {
+      Complain(text,
+        "surface " + std::to_string(number) + " has its " + setter->first +
+          " already; give it once");
     }
     setter->second(layers[static_cast<std::size_t>(number) - 1], setting.substr(equal + 1));
   }
@@ -175,7 +160,8 @@ void LayerOptions::AddTo(CLI::App& command)
   AddRepeated(
     command, "--layer", [this](const std::string& text) { Texts.push_back(text); }, kForm,
     "Show surface N, counted from 1 in the order of their kinds here, in its own way: field=NAME, "
-    "component=i|magnitude, precision=double|float, opacity=0..1, colormap=NAME, range=a:b, "
+    "component=i|magnitude, precision=double|float, opacity=0..1, colormap=NAME, "
+    "range=cut|field|a:b, "
     "color=r:g:b, lights=on|off")
     .Group("Surfaces (any number of each)");
 }
@@ -183,9 +169,18 @@ void LayerOptions::AddTo(CLI::App& command)
 std::vector<LayerSettings> LayerOptions::Make(std::size_t surfaces) const
 {
   std::vector<LayerSettings> layers(surfaces);
+  Given given;
   for (const std::string& text : Texts)
   {
-    Read(text, layers);
+    Read(text, layers, given);
+  }
+  for (const LayerSettings& layer : layers)
+  {
+    if (layer.color && (layer.colormap || layer.range))
+    {
+      throw UsageError(
+        "--layer: color takes the place of colormap and range; leave one of them out");
+    }
   }
   return layers;
 }

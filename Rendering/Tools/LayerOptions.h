@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "LayerRanges.h"
 #include "Options.h"
 
 #include "Core/Location/Sample.h"
@@ -20,7 +21,7 @@ struct LayerSettings
   std::optional<Precision> precision;
   double opacity = 1.0;
   std::optional<std::string> colormap;
-  std::optional<std::array<double, 2>> range;
+  std::optional<RangeChoice> range;
   std::optional<std::array<double, 3>> color; ///< in the place of a colour map
   std::optional<bool> lights;
 };

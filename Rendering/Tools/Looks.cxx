@@ -12,9 +12,23 @@ namespace pixelexact
 {
 namespace
 {
-bool ShowTheSame(const Layer& a, const Layer& b)
+/// Where nothing else is said, of layers without a field.
+constexpr std::array<double, 3> kNoField{ 0.6, 0.7, 0.8 };
+
+/// The colour in the place of the map's; none: by value.
+std::optional<std::array<double, 3>> SolidOf(
+  const ColorOptions& colors, const Layer& layer, const LayerSettings& settings)
 {
-  return a.field == b.field && a.component == b.component;
+  if (settings.color)
+  {
+    return settings.color;
+  }
+  // A layer that asks for a map has one.
+  if (colors.Solid() && !settings.colormap && !settings.range)
+  {
+    return colors.Solid();
+  }
+  return layer.field == nullptr ? std::optional(kNoField) : std::nullopt;
 }
 
 bool IsLit(const Shot& shot, std::size_t layer)
@@ -56,7 +70,8 @@ Lighting HeadlightOf(const Shot& shot)
 
 Buffer NeedsOfLooks(const Shot& shot)
 {
-  return Buffer::Value | Buffer::Verdict |
+  return Buffer::Verdict |
+    (shot.scene.layers.front().field != nullptr ? Buffer::Value : Buffer::None) |
     (shot.scene.layers.size() > 1 ? Buffer::Layer : Buffer::None) |
     (AnyLit(shot) ? Buffer::Position | Buffer::Normal : Buffer::None) |
     (shot.outlines ? ElementOutlines().Needs().centres : Buffer::None);
@@ -69,16 +84,20 @@ Looks::Looks(const ColorOptions& colors, const Shot& shot, const Frame& frame)
   for (std::size_t k = 0; k < layers.size(); ++k)
   {
     const LayerSettings& settings = shot.settings[k];
-    std::vector<bool> together;
-    together.reserve(layers.size());
-    for (const Layer& other : layers)
+    if (const auto solid = SolidOf(colors, layers[k], settings))
     {
-      together.push_back(ShowTheSame(other, layers[k]));
+      TheRanges.emplace_back();
+      TheMaps.push_back(SolidColor(ToRgba(solid->data())));
     }
-    TheRanges.push_back(settings.range.value_or(colors.RangeFor(frame, together)));
-    TheMaps.push_back(settings.color ? SolidColor(ToRgba(settings.color->data()))
-                                     : colors.MapOver(TheRanges.back(), settings.colormap));
-    looks.push_back({ .map = TheMaps.back(), .opacity = settings.opacity });
+    else
+    {
+      TheRanges.emplace_back(
+        RangeOfLayer(settings.range.value_or(colors.Range()), shot, k, frame, colors.Logarithm()));
+      TheMaps.push_back(colors.MapOver(*TheRanges.back(), settings.colormap));
+    }
+    looks.push_back({ .map = TheMaps.back(),
+      .opacity = settings.opacity,
+      .readsValues = layers[k].field != nullptr });
   }
   Colors.emplace(std::move(looks));
   if (AnyLit(shot))

@@ -20,8 +20,7 @@ struct Shot;
 class Looks
 {
 public:
-  /// The range of a layer is the one given, else that of the exact values of all layers in `frame`
-  /// that show the same component of the same field.
+  /// Throws Error as RangeOfLayer.
   Looks(const ColorOptions& colors, const Shot& shot, const Frame& frame);
   Looks(const Looks&) = delete;
   Looks& operator=(const Looks&) = delete;
@@ -29,13 +28,16 @@ public:
   /// Points to modules here.
   [[nodiscard]] Pipeline MakePipeline();
 
-  /// By layer.
-  [[nodiscard]] const std::vector<std::array<double, 2>>& Ranges() const { return TheRanges; }
+  /// By layer; none: it is painted in one colour.
+  [[nodiscard]] const std::vector<std::optional<std::array<double, 2>>>& Ranges() const
+  {
+    return TheRanges;
+  }
   [[nodiscard]] const std::vector<ColorMap>& Maps() const { return TheMaps; }
   [[nodiscard]] std::int64_t Refined() const { return Smooth ? Smooth->Refined() : 0; }
 
 private:
-  std::vector<std::array<double, 2>> TheRanges;
+  std::vector<std::optional<std::array<double, 2>>> TheRanges;
   std::vector<ColorMap> TheMaps;
   std::optional<ColorMapping> Colors;
   std::optional<Lighting> Lights;

@@ -31,6 +31,17 @@ bool HasArray(vtkUnstructuredGrid& grid, const std::string& name)
     grid.GetCellData()->HasArray(name.c_str()) != 0;
 }
 
+/// Of the fields.
+std::string Names(const HighOrderModel& model)
+{
+  std::vector<std::string> names;
+  for (const Field& field : model.Fields())
+  {
+    names.push_back("'" + field.name + "'");
+  }
+  return Listed(names);
+}
+
 void Convert(LoadedModel& input, const std::string& field)
 {
   const VtkMessages messages;
@@ -118,15 +129,22 @@ const Field& FieldNamed(const HighOrderModel& model, const std::string& name)
   const Field* field = model.FindField(name);
   if (field == nullptr)
   {
-    std::vector<std::string> names;
-    for (const Field& other : model.Fields())
-    {
-      names.push_back("'" + other.name + "'");
-    }
     throw Error("there is no field '" + name + "'; " +
-      (names.empty() ? "the input has no fields" : "there are " + Listed(names)));
+      (model.Fields().empty() ? "the input has no fields" : "there are " + Names(model)));
   }
   return *field;
+}
+
+const Field& FieldOrFirst(const HighOrderModel& model, const std::string& name)
+{
+  if (!name.empty())
+  {
+    return FieldNamed(model, name);
+  }
+  const Field& first = model.Fields().front();
+  Note("field '" + first.name + "'" +
+    (model.Fields().size() > 1 ? ", the first of " + Names(model) + "; choose with --field" : ""));
+  return first;
 }
 
 std::array<int, 2> OrderRange(const Expansion& expansion)

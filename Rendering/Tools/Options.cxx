@@ -204,6 +204,42 @@ void Refuse(const std::string& option, const std::string& text, const std::strin
   throw UsageError(option + ": expected " + form + ", got '" + text + "'");
 }
 
+bool IsGiven(const CLI::App& command, const std::string& name)
+{
+  const CLI::Option* option = command.get_option_no_throw(name);
+  return option != nullptr && option->count() > 0;
+}
+
+std::vector<std::string> OptionsGiven(const CLI::App& command)
+{
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options())
+  {
+    if (option->count() > 0 && !option->get_lnames().empty())
+    {
+      names.push_back("--" + option->get_lnames().front());
+    }
+  }
+  return names;
+}
+
+std::vector<std::string> SplitAt(const std::string& text, char separator)
+{
+  std::vector<std::string> parts(1);
+  for (const char c : text)
+  {
+    if (c == separator)
+    {
+      parts.emplace_back();
+    }
+    else
+    {
+      parts.back() += c;
+    }
+  }
+  return parts;
+}
+
 CLI::App& AddCommand(CLI::App& program, const std::string& name, const std::string& help,
   const std::function<void()>& chosen)
 {

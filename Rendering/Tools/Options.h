@@ -79,6 +79,14 @@ AddedOption AddRepeated(CLI::App& command, const std::string& name, const ReadTe
 [[noreturn]] void Refuse(
   const std::string& option, const std::string& text, const std::string& form);
 
+/// Whether the command line holds the option, by its long name.
+bool IsGiven(const CLI::App& command, const std::string& name);
+/// The long names of all options that it holds.
+std::vector<std::string> OptionsGiven(const CLI::App& command);
+
+/// The parts of a text between separators.
+std::vector<std::string> SplitAt(const std::string& text, char separator);
+
 /// A command of the program; `chosen` is called where the command line names it.
 CLI::App& AddCommand(CLI::App& program, const std::string& name, const std::string& help,
   const std::function<void()>& chosen);

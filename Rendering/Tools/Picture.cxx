@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Picture.h"
 
+#include "Output.h"
 #include "VtkMessages.h"
 
 #include "Core/Base/Error.h"
@@ -14,32 +15,40 @@
 #include <vtkXMLImageDataWriter.h>
 
 #include <algorithm>
-#include <fstream>
 
 namespace pixelexact
 {
 namespace
 {
-[[noreturn]] void CannotWrite(const std::string& file)
-{
-  throw Error("cannot write '" + file + "'; does its folder exist and is there room?");
-}
-
-/// VTK's writers say little about why; whether the file can be written at all shows before.
+/// Throws Error where a writer could not make the file's content.
 template <class Writer>
-void WriteWith(Writer& writer, const std::string& file, vtkImageData* image)
+void Encode(Writer& writer, const std::string& file, vtkImageData* image)
 {
-  if (!std::ofstream(file, std::ios::binary))
-  {
-    CannotWrite(file);
-  }
   const VtkMessages messages;
-  writer.SetFileName(file.c_str());
   writer.SetInputData(image);
   writer.Write();
-  if (writer.GetErrorCode() != 0 || !messages.FirstError().empty())
+  if (const std::string error = messages.FirstError(); !error.empty())
   {
-    CannotWrite(file);
+    throw Error("cannot write '" + file + "': " + error);
+  }
+}
+
+void WriteBytes(const std::string& file, const char* bytes, std::size_t size)
+{
+  OutputFile output(file);
+  output.Stream().write(bytes, static_cast<std::streamsize>(size));
+  output.Close();
+}
+
+/// All arrays but these go; empty: none does.
+void Keep(const std::vector<std::string>& arrays, vtkPointData& data)
+{
+  for (int i = data.GetNumberOfArrays(); i-- > 0 && !arrays.empty();)
+  {
+    if (std::ranges::find(arrays, data.GetArrayName(i)) == arrays.end())
+    {
+      data.RemoveArray(i);
+    }
   }
 }
 } // namespace
@@ -55,18 +64,29 @@ void WritePng(const std::string& file, int width, int height, const std::vector<
   image->SetDimensions(width, height, 1);
   image->GetPointData()->SetScalars(pixels);
   vtkNew<vtkPNGWriter> writer;
-  WriteWith(*writer, file, image);
+  // In memory, because VTK's writers do not see that a disk is full.
+  writer->WriteToMemoryOn();
+  Encode(*writer, file, image);
+  vtkUnsignedCharArray* bytes = writer->GetResult();
+  WriteBytes(file, reinterpret_cast<const char*>(bytes->GetPointer(0)),
+    static_cast<std::size_t>(bytes->GetNumberOfValues()));
 }
 
-void WriteBuffers(
-  const std::string& file, const Frame& frame, std::span<const std::int64_t> sourceCells)
+void WriteBuffers(const std::string& file, const std::vector<std::string>& arrays,
+  const Frame& frame, std::span<const std::int64_t> sourceCells)
 {
   vtkNew<vtkXMLImageDataWriter> writer;
   // Inline and not appended: ParaView 5.11 of Debian 12 cannot read the latter with the newest
-  // expat. Doubles of a smooth field hardly compress. A header of 32 bits would end at 4 GB.
+  // expat. Higher levels take longer for some percent less. A header of 32 bits would end at 4 GB.
   writer->SetDataModeToBinary();
-  writer->SetCompressorTypeToNone();
+  writer->SetCompressorTypeToZLib();
+  writer->SetCompressionLevel(1);
   writer->SetHeaderTypeToUInt64();
-  WriteWith(*writer, file, ToImageData(frame, sourceCells));
+  writer->WriteToOutputStringOn();
+  const vtkSmartPointer<vtkImageData> image = ToImageData(frame, sourceCells);
+  Keep(arrays, *image->GetPointData());
+  Encode(*writer, file, image);
+  const std::string text = writer->GetOutputString();
+  WriteBytes(file, text.data(), text.size());
 }
 } // namespace pixelexact

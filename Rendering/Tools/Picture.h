@@ -10,10 +10,12 @@
 
 namespace pixelexact
 {
-/// Writes RGB pixels, lower left first. Throws Error when the file cannot be written.
+/// Files: see OutputFile. Writes RGB pixels, lower left first. Throws Error when the file cannot be
+/// written.
 void WritePng(const std::string& file, int width, int height, const std::vector<std::uint8_t>& rgb);
 
-/// Writes all buffers that the frame holds. Throws Error when the file cannot be written.
-void WriteBuffers(
-  const std::string& file, const Frame& frame, std::span<const std::int64_t> sourceCells);
+/// Writes the buffers that the frame holds, of these names; none: all. Throws Error when the file
+/// cannot be written.
+void WriteBuffers(const std::string& file, const std::vector<std::string>& arrays,
+  const Frame& frame, std::span<const std::int64_t> sourceCells);
 } // namespace pixelexact

@@ -3,8 +3,11 @@
 #include "Csv.h"
 #include "Input.h"
 #include "Model.h"
+#include "Output.h"
 #include "ProbeTable.h"
 #include "Report.h"
+
+#include "Core/Base/Error.h"
 
 #include <nlohmann/json.hpp>
 
@@ -67,20 +70,40 @@ void AddCoverage(Table& table, const ProbeSamples& samples)
   table.Row("covered", Listed(entries));
 }
 
+/// Null where the input has none: points are located, too, and counted how often they are covered.
+const Field* FieldToProbe(const HighOrderModel& model, const ProbeOptions& options)
+{
+  if (!model.Fields().empty() || !options.field.empty())
+  {
+    return &FieldOrFirst(model, options.field);
+  }
+  if (options.columns.gradient || options.columns.enclosures)
+  {
+    throw Error(std::string(options.columns.gradient ? "--gradient" : "--enclosures") +
+      ": the input has no field; leave it out, or name the file of a field");
+  }
+  return nullptr;
+}
+
 void Probe(const ProbeOptions& options, const CommonOptions& common)
 {
+  CheckStandardOutput({ options.output }, common.json);
+  std::vector<std::string> read = options.input.files;
+  read.push_back(options.points);
+  CheckOutput("--output", options.output, read);
   Stopwatch stopwatch;
   // First what is quick and goes wrong often.
   const std::vector<Vec3> points = ReadPoints(options.points);
   stopwatch.Stage("points");
   const LoadedModel input = LoadModel(options.input, options.field, stopwatch);
   WarnOfDiagnostics(input);
-  const Field& field = FieldNamed(*input.model, options.field);
+  const Field* field = FieldToProbe(*input.model, options);
   const Locator& locator = input.model->GetLocator();
   stopwatch.Stage("bounds+bvh");
 
-  ProbeSamples samples(points.size(), field.values.components, options.columns);
-  Sample(locator, &field, points, samples.Target());
+  const int components = field != nullptr ? field->values.components : 0;
+  ProbeSamples samples(points.size(), components, options.columns);
+  Sample(locator, field, points, samples.Target());
   stopwatch.Stage("probe");
   if (options.columns.owners)
   {
@@ -93,8 +116,10 @@ void Probe(const ProbeOptions& options, const CommonOptions& common)
   const ProbeCounts counts = CountProbes(samples);
   if (common.json)
   {
-    nlohmann::ordered_json summary{ { "field", field.name },
-      { "components", field.values.components } };
+    nlohmann::ordered_json summary{ { "field",
+                                      field != nullptr ? nlohmann::ordered_json(field->name)
+                                                       : nlohmann::ordered_json() },
+      { "components", components } };
     AddTime(summary, input);
     summary.update(
       { { "points", points.size() }, { "inside", counts.inside }, { "outside", counts.outside },
@@ -112,7 +137,7 @@ void Probe(const ProbeOptions& options, const CommonOptions& common)
     return;
   }
   Table table;
-  table.Row("field", field.name + FieldKind(field));
+  table.Row("field", field != nullptr ? field->name + FieldKind(*field) : "none");
   AddTime(table, input);
   table.Row("points", "{}: {} inside, {} outside, {} unknown", points.size(), counts.inside,
     counts.outside, counts.unknown);
@@ -129,24 +154,27 @@ void Probe(const ProbeOptions& options, const CommonOptions& common)
     AddCoverage(table, samples);
   }
   AddStages(table, stopwatch);
-  table.Print();
+  table.Print(IsStandardStream(options.output));
 }
 } // namespace
 
 void AddProbeCommand(CLI::App& program, const CommonOptions& common, Action& action)
 {
   const auto options = std::make_shared<ProbeOptions>();
-  CLI::App& command = AddCommand(program, "probe", "Evaluate a field at the points of a table",
+  CLI::App& command = AddCommand(program, "probe",
+    "Evaluate a field at the points of a table; without a field, locate them",
     [options, &common, &action] { action = [options, &common] { Probe(*options, common); }; });
   options->input.AddTo(command);
-  AddText(command, "--field", options->field, "NAME", "Name of the field").Required();
+  AddField(command, options->field);
   AddText(command, "--points", options->points, "FILE",
-    "CSV file with a header line and the columns x, y and z; others are ignored")
+    "CSV file with a header line and the columns x, y and z; others are ignored; - for standard "
+    "input")
     .Required();
   AddText(command, "-o,--output", options->output, "FILE",
-    "CSV file to write: the points in their order, values (nan outside), the element's number "
+    "CSV file to write: the points in their order, the field's values (nan outside), the element's "
+    "number "
     "in the input (-1 outside), its reference coordinates and the verdict inside, outside or "
-    "unknown")
+    "unknown; - for standard output")
     .Required();
   AddFlag(command, "--gradient", options->columns.gradient,
     "Also write the gradient in world coordinates");

@@ -2,14 +2,13 @@
 #include "ProbeTable.h"
 
 #include "Csv.h"
+#include "Output.h"
 
-#include "Core/Base/Error.h"
 #include "Core/Math/Interval.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 
 namespace pixelexact
 {
@@ -84,7 +83,8 @@ std::vector<Interval> RangesOf(const ProbeSamples& samples)
 void WriteProbeTable(const std::string& file, std::span<const Vec3> points,
   const ProbeSamples& samples, std::span<const std::int64_t> sourceCells)
 {
-  std::ofstream stream(file, std::ios::binary);
+  OutputFile output(file);
+  std::ostream& stream = output.Stream();
   stream << Header(samples);
   const std::size_t width = samples.components;
   std::string line;
@@ -110,10 +110,7 @@ void WriteProbeTable(const std::string& file, std::span<const Vec3> points,
     line += '\n';
     stream << line;
   }
-  if (!stream.flush())
-  {
-    throw Error("cannot write '" + file + "'; does its folder exist and is there room?");
-  }
+  output.Close();
 }
 
 ProbeCounts CountProbes(const ProbeSamples& samples)

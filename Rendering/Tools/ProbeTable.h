@@ -24,6 +24,7 @@ struct ProbeColumns
 /// Where each point lies and what the field is there.
 struct ProbeSamples
 {
+  /// `componentCount`: of the field; 0: there is none.
   ProbeSamples(std::size_t points, int componentCount, const ProbeColumns& columns)
     : components(static_cast<std::size_t>(componentCount))
     , element(points)

@@ -27,8 +27,9 @@ void Table::Row(const std::string& name, const std::string& value)
   Rows.emplace_back(name, value);
 }
 
-void Table::Print() const
+void Table::Print(bool onStderr) const
 {
+  std::ostream& stream = onStderr ? std::cerr : std::cout;
   std::size_t width = 0;
   for (const auto& [name, value] : Rows)
   {
@@ -36,7 +37,7 @@ void Table::Print() const
   }
   for (const auto& [name, value] : Rows)
   {
-    std::cout << fmt::format("{:{}}  {}\n", name, width, value);
+    stream << fmt::format("{:{}}  {}\n", name, width, value);
   }
 }
 
@@ -108,6 +109,16 @@ bool ProgressLine::operator()(double part)
 void Warn(const std::string& message)
 {
   std::cerr << "pixelexact: warning: " << message << '\n';
+}
+
+void Note(const std::string& message)
+{
+  std::cerr << "pixelexact: " << message << '\n';
+}
+
+std::string Counted(std::int64_t count, const std::string& thing)
+{
+  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
 }
 
 std::string Listed(const std::vector<std::string>& texts)

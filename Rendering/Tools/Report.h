@@ -5,6 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <utility>
@@ -40,7 +41,8 @@ public:
   {
     Row(name, fmt::format(text, std::forward<Values>(values)...));
   }
-  void Print() const;
+  /// On stdout, or on stderr, where stdout is a file's.
+  void Print(bool onStderr = false) const;
 
 private:
   std::vector<std::pair<std::string, std::string>> Rows;
@@ -77,6 +79,11 @@ private:
 };
 
 void Warn(const std::string& message);
+/// Says on stderr what was chosen.
+void Note(const std::string& message);
+
+/// "1 pixel", "2 pixels"
+std::string Counted(std::int64_t count, const std::string& thing);
 
 /// "a, b, c"
 std::string Listed(const std::vector<std::string>& texts);

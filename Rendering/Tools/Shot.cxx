@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shot.h"
 
+#include "Effects.h"
 #include "Report.h"
 
 #include "Core/Base/Error.h"
@@ -12,12 +13,13 @@
 
 namespace pixelexact
 {
-void ShotOptions::AddTo(CLI::App& command, bool required)
+void ShotOptions::AddTo(CLI::App& added, bool required)
 {
-  input.AddTo(command, required);
-  AddText(command, "--field", field, "NAME", "Name of the field").Required(required);
+  command = &added;
+  input.AddTo(added, required);
+  AddField(added, field);
   AddRead(
-    command, "--component",
+    added, "--component",
     [this](const std::string& text)
     {
       component = ParseComponent(text);
@@ -27,35 +29,35 @@ void ShotOptions::AddTo(CLI::App& command, bool required)
       }
     },
     "magnitude|i", "Component of a vector field, counted from 0, or its magnitude (default)");
-  AddSize(command, "--size", size, "Size of the image in pixels (default: 1000x1000)");
+  AddSize(added, "--size", size, "Size of the image in pixels (default: 1000x1000)");
   AddChoice(
-    command, "--precision",
+    added, "--precision",
     [this](const std::string& text)
     { precision = text == "float" ? Precision::Float : Precision::Double; },
     { "double", "float" },
     "What values are computed in (default: double); what float costs is told");
-  surfaces.AddTo(command);
-  layers.AddTo(command);
-  camera.AddTo(command);
-  colors.AddTo(command);
+  surfaces.AddTo(added);
+  layers.AddTo(added);
+  camera.AddTo(added);
+  colors.AddTo(added);
   AddChoice(
-    command, "--lights",
+    added, "--lights",
     [this](const std::string& text)
     { lights = text == "curved" ? Lit::Curved : (text == "on" ? Lit::On : Lit::Off); },
     { "curved", "on", "off" },
     "Shine a light from the eye on curved surfaces (curved, the default), on all, on none");
-  AddInteger(command, "--samples", samples, 1, 1024, "N",
+  AddInteger(added, "--samples", samples, 1, 1024, "N",
     "Samples in pixels that are not of one colour, for smooth edges (default: 1)");
-  const AddedOption drawn = AddFlag(
-    command, "--outlines", outlines, "Paint the pixels in which elements, or surfaces, meet");
-  AddNumbers(command, "--outline-color", outlineColor, 3, "r,g,b",
+  const AddedOption drawn =
+    AddFlag(added, "--outlines", outlines, "Paint the pixels in which elements, or surfaces, meet");
+  AddNumbers(added, "--outline-color", outlineColor, 3, "r,g,b",
     "Their colour, 0 to 1 each (default: 0,0,0)")
     .Needs(drawn);
 }
 
 namespace
 {
-/// The only field of all layers; empty: there are several.
+/// The only field of all layers; empty: there are several, or which one the input tells.
 std::string FieldToLoad(const ShotOptions& options, const std::vector<LayerSettings>& layers)
 {
   for (const LayerSettings& layer : layers)
@@ -69,10 +71,9 @@ std::string FieldToLoad(const ShotOptions& options, const std::vector<LayerSetti
 }
 
 Layer MakeLayer(const ShotOptions& options, const LayerSettings& settings,
-  const std::shared_ptr<const Surface>& surface, const HighOrderModel& model)
+  const std::shared_ptr<const Surface>& surface, const Field& field)
 {
-  const std::string name = settings.field.value_or(options.field);
-  Layer layer{ surface, &FieldNamed(model, name) };
+  Layer layer{ surface, &field };
   const int components = layer.field->values.components;
   // The component that is asked for of all is not asked of a field of one layer.
   const std::optional<int> asked =
@@ -80,15 +81,54 @@ Layer MakeLayer(const ShotOptions& options, const LayerSettings& settings,
   layer.component = asked.value_or(components == 1 ? 0 : kMagnitude);
   if (layer.component >= components)
   {
-    throw Error((settings.component ? "--layer" : "--component") + std::string(": field '") + name +
-      "' has " + std::to_string(components) + (components == 1 ? " component" : " components") +
-      ", counted from 0");
+    throw Error((settings.component ? "--layer" : "--component") + std::string(": field '") +
+      field.name + "' has " + std::to_string(components) +
+      (components == 1 ? " component" : " components") + ", counted from 0");
   }
   layer.precision = settings.precision.value_or(options.precision);
   layer.translucent = settings.opacity < 1.0;
   return layer;
 }
+
+void AddLayers(const ShotOptions& options,
+  const std::vector<std::shared_ptr<const Surface>>& surfaces, Shot& shot)
+{
+  const HighOrderModel& model = *shot.input.model;
+  if (model.Fields().empty())
+  {
+    CheckEffectsWithoutField(*options.command, shot.settings);
+    for (std::size_t k = 0; k < surfaces.size(); ++k)
+    {
+      shot.scene.layers.push_back({ surfaces[k] });
+      shot.scene.layers.back().translucent = shot.settings[k].opacity < 1.0;
+    }
+    return;
+  }
+  const bool shared = std::ranges::any_of(
+    shot.settings, [](const LayerSettings& settings) { return !settings.field; });
+  const Field* ofAll = shared ? &FieldOrFirst(model, options.field) : nullptr;
+  for (std::size_t k = 0; k < surfaces.size(); ++k)
+  {
+    const LayerSettings& settings = shot.settings[k];
+    shot.scene.layers.push_back(MakeLayer(options, settings, surfaces[k],
+      settings.field ? FieldNamed(model, *settings.field) : *ofAll));
+  }
+}
 } // namespace
+
+std::vector<LayerSettings> ShotOptions::MakeLayers() const
+{
+  std::vector<LayerSettings> settings = layers.Make(surfaces.Make().size());
+  CheckEffects(*command, settings);
+  for (const LayerSettings& layer : settings)
+  {
+    if (colors.Logarithm() && layer.range)
+    {
+      CheckLogarithm("--layer: range", *layer.range);
+    }
+  }
+  return settings;
+}
 
 Shot Prepare(const ShotOptions& options, Stopwatch& stopwatch)
 {
@@ -105,14 +145,11 @@ Shot Prepare(const ShotOptions& options, Stopwatch& stopwatch)
     std::ranges::copy(options.outlineColor, shot.outlines->begin());
   }
   const auto surfaces = options.surfaces.Make();
-  shot.settings = options.layers.Make(surfaces.size());
+  shot.settings = options.MakeLayers();
   shot.input = LoadModel(options.input, FieldToLoad(options, shot.settings), stopwatch);
   WarnOfDiagnostics(shot.input);
   const HighOrderModel& model = *shot.input.model;
-  for (std::size_t k = 0; k < surfaces.size(); ++k)
-  {
-    shot.scene.layers.push_back(MakeLayer(options, shot.settings[k], surfaces[k], model));
-  }
+  AddLayers(options, surfaces, shot);
   shot.scene.locator = &model.GetLocator();
   stopwatch.Stage("bounds+bvh");
 

@@ -32,8 +32,9 @@ enum class Lit
 /// What is seen from where: the options that render and bench share.
 struct ShotOptions
 {
+  const CLI::App* command = nullptr; ///< that they belong to
   InputRequest input;
-  std::string field;
+  std::string field;            ///< empty: the first one, where there is one
   std::optional<int> component; ///< none: the value of a scalar, the magnitude of a vector
   SurfaceOptions surfaces;
   LayerOptions layers;
@@ -46,11 +47,14 @@ struct ShotOptions
   bool outlines = false;
   std::vector<double> outlineColor{ 0.0, 0.0, 0.0 };
 
-  /// `required`: INPUT and --field are.
-  void AddTo(CLI::App& command, bool required = true);
+  /// `required`: INPUT is.
+  void AddTo(CLI::App& added, bool required = true);
+
+  /// What is said of each surface. Throws UsageError.
+  [[nodiscard]] std::vector<LayerSettings> MakeLayers() const;
 };
 
-/// A scene that is ready to be traced.
+/// A scene that is ready to be traced. Where the input has no field, no layer has one.
 struct Shot
 {
   LoadedModel input;
@@ -68,6 +72,6 @@ struct Shot
 /// Checks the options, reads, converts and locates, in the order in which mistakes show soonest.
 Shot Prepare(const ShotOptions& options, Stopwatch& stopwatch);
 
-/// "magnitude" or the component's number; "value" for a scalar.
+/// "magnitude" or the component's number; "value" for a scalar. Of a layer with a field.
 std::string ComponentName(const Layer& layer);
 } // namespace pixelexact

@@ -142,7 +142,7 @@ class WrongUsage(ToolTest):
         self.fails(2, "info")
         self.fails(2, "info", self.cube, "--paint")
         self.fails(2, "probe", self.cube, "--field", "u", "--points", "p.csv")
-        self.fails(2, "probe", self.cube, "--points", "p.csv", "--output", "o.csv")
+        self.fails(2, "probe", self.cube, "--output", "o.csv")
 
     def test_threads(self):
         for number in ["0", "-1", "two", "1.5", ""]:

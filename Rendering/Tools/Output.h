@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <fstream>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace pixelexact
+{
+/// Whether a file's name stands for standard input or output: "-".
+bool IsStandardStream(const std::string& file);
+
+/// A file that is written, or standard output.
+class OutputFile
+{
+public:
+  /// Throws Error naming the file where it cannot be opened.
+  explicit OutputFile(const std::string& file);
+
+  [[nodiscard]] std::ostream& Stream();
+  /// Throws Error where something of what was written is lost. To be called last.
+  void Close();
+
+private:
+  std::string Name;
+  std::ofstream File;
+};
+
+/// Before the work: throws Error where the file's folder is not there, UsageError where the file is
+/// one of those that are read.
+void CheckOutput(const char* option, const std::string& file, std::vector<std::string> read);
+
+/// Throws UsageError where two of `files`, or one and --json, are standard output.
+void CheckStandardOutput(const std::vector<std::string>& files, bool json);
+} // namespace pixelexact
