@@ -53,6 +53,10 @@ void CameraOptions::Check() const
   {
     throw UsageError("--view-angle: expected degrees above 0 and below 180");
   }
+  if (!ViewUp.empty() && glm::length(ToVec3(ViewUp)) == 0.0)
+  {
+    throw UsageError("--view-up is zero; give a direction");
+  }
   // Any box and direction that the view-up given is not parallel to will do.
   const bool upAlongZ = !ViewUp.empty() && ViewUp[0] == 0.0 && ViewUp[1] == 0.0;
   (void)Make(
@@ -70,6 +74,8 @@ CameraView CameraOptions::Make(const Box3& bounds, const Vec3& normal, const Ima
       const Vec3 up = ViewUp.empty() ? UsualUp(normal) : ToVec3(ViewUp);
       view =
         ViewOfBox(bounds, normal, size.width, size.height, up, parallel, ViewAngle.value_or(30.0));
+      // The view of a box takes another where that is nearly its normal.
+      view.viewUp = ViewUp.empty() ? view.viewUp : up;
     }
     else
     {

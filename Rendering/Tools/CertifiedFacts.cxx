@@ -106,7 +106,7 @@ std::string Text(const MeshRange& range)
   }
   else if (!range.range.outer.IsFinite())
   {
-    text = fmt::format("no bound found in {} elements", range.unbounded);
+    text = "no bound found in " + Counted(range.unbounded, "element");
   }
   else
   {
@@ -119,7 +119,7 @@ std::string Text(const MeshRange& range)
   }
   if (range.notFinite > 0)
   {
-    text += fmt::format("; not finite in {} elements, left out", range.notFinite);
+    text += "; not finite in " + Counted(range.notFinite, "element") + ", left out";
   }
   return text;
 }

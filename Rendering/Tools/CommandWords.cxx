@@ -99,6 +99,10 @@ private:
     }
     if (option->get_items_expected_max() == 0)
     {
+      if (!rest.empty())
+      {
+        throw UsageError("'" + Words[at] + "': " + name + " takes no value");
+      }
       Prepared.push_back(Words[at]);
       return 0;
     }

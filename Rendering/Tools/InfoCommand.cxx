@@ -89,6 +89,22 @@ Facts Gather(const LoadedModel& input)
   return facts;
 }
 
+/// "hexahedron", or "hexahedra" of any other number than one.
+std::string NameOf(Shape shape, std::int64_t count)
+{
+  std::string name = Name(shape);
+  if (count == 1)
+  {
+    return name;
+  }
+  if (name.ends_with("on"))
+  {
+    name.resize(name.size() - 2);
+    return name + "a";
+  }
+  return name + "s";
+}
+
 const char* ContinuityName(const Continuity& continuity)
 {
   if (continuity.comparisons == 0)
@@ -106,14 +122,14 @@ void PrintTable(const LoadedModel& input, const Facts& facts)
   {
     if (const std::int64_t count = facts.shapes[static_cast<std::size_t>(s)]; count > 0)
     {
-      shapes.push_back(fmt::format("{} {}", count, Name(static_cast<Shape>(s))));
+      shapes.push_back(fmt::format("{} {}", count, NameOf(static_cast<Shape>(s), count)));
     }
   }
   table.Row("elements", "{}{}{}", input.model->GetMesh().Elements(), shapes.empty() ? "" : ": ",
     Listed(shapes));
   if (input.skippedCells > 0)
   {
-    table.Row("skipped", "{} cells of lower dimension", input.skippedCells);
+    table.Row("skipped", "{} of lower dimension", Counted(input.skippedCells, "cell"));
   }
   table.Row("geometry", "order {}{}", Text(facts.orders),
     facts.storedOrders.empty() || facts.storedOrders == facts.orders
@@ -139,7 +155,7 @@ void PrintTable(const LoadedModel& input, const Facts& facts)
     }
     if (field.nonFiniteElements > 0)
     {
-      text += fmt::format(", not finite in {} elements", field.nonFiniteElements);
+      text += ", not finite in " + Counted(field.nonFiniteElements, "element");
     }
     table.Row(name, text);
     name.clear();

@@ -157,8 +157,8 @@ int ChooseStep(const InputRequest& request, std::span<const double> times)
   {
     if (*request.step > 0 && *request.step >= static_cast<int>(times.size()))
     {
-      throw Error("--time-step: '" + file + "' has " + std::to_string(times.size()) +
-        " time steps, counted from 0");
+      throw Error("--time-step: '" + file + "' has " +
+        Counted(static_cast<std::int64_t>(times.size()), "time step") + ", counted from 0");
     }
     return *request.step;
   }

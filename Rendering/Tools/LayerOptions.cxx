@@ -118,8 +118,8 @@ void Read(const std::string& text, std::vector<LayerSettings>& layers, Given& gi
   if (number < 1 || static_cast<std::size_t>(number) > layers.size())
   {
     Complain(text,
-      "there are " + std::to_string(layers.size()) + " surfaces, counted from 1 in the order of " +
-        "their kinds in the help");
+      "the number is of " + Counted(static_cast<std::int64_t>(layers.size()), "surface") +
+        ", counted from 1 in the order of " + "their kinds in the help");
   }
   for (const std::string& setting : SplitAt(text.substr(colon + 1), ','))
   {

@@ -46,8 +46,9 @@ std::string Text(const OrderCounts& counts)
   std::vector<std::string> texts;
   for (const auto& [orders, count] : counts)
   {
-    texts.push_back(
-      counts.size() > 1 ? fmt::format("{} ({} elements)", Label(orders), count) : Label(orders));
+    texts.push_back(counts.size() > 1
+        ? fmt::format("{} ({})", Label(orders), Counted(count, "element"))
+        : Label(orders));
   }
   return texts.empty() ? "none" : Listed(texts);
 }

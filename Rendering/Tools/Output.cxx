@@ -75,6 +75,10 @@ void CheckOutput(const char* option, const std::string& file, std::vector<std::s
   {
     throw Error("cannot write '" + file + "': there is no folder '" + folder.string() + "'");
   }
+  if (std::filesystem::is_directory(file, ignored))
+  {
+    throw Error("cannot write '" + file + "': it is a folder; name a file");
+  }
   if (std::ranges::any_of(read,
         [&](const std::string& one) { return std::filesystem::equivalent(file, one, ignored); }))
   {

@@ -27,8 +27,8 @@ private:
   std::ofstream File;
 };
 
-/// Before the work: throws Error where the file's folder is not there, UsageError where the file is
-/// one of those that are read.
+/// Before the work: throws Error where the file is a folder or its folder is not there, UsageError
+/// where the file is one of those that are read.
 void CheckOutput(const char* option, const std::string& file, std::vector<std::string> read);
 
 /// Throws UsageError where two of `files`, or one and --json, are standard output.

@@ -173,7 +173,8 @@ void PrintTable(const Shot& shot, const Frame& frame, const Found& found, const 
   {
     const Layer& layer = shot.scene.layers[k];
     const std::string pixels = shot.scene.layers.size() > 1
-      ? fmt::format("; layer {}, {} pixels", k + 1, std::ranges::count(frame.centres.layer, k))
+      ? fmt::format(
+          "; layer {}, {}", k + 1, Counted(std::ranges::count(frame.centres.layer, k), "pixel"))
       : std::string();
     table.Row(k == 0 ? "field" : "", (layer.field != nullptr ? Described(layer) : "none") + pixels);
   }
@@ -188,17 +189,17 @@ void PrintTable(const Shot& shot, const Frame& frame, const Found& found, const 
   AddRanges(table, looks, found);
   if (pixels.numericHits + pixels.undecidedHits + pixels.cutOff > 0)
   {
-    table.Row("hits", "{} numeric, {} undecided, {} rays cut off", pixels.numericHits,
-      pixels.undecidedHits, pixels.cutOff);
+    table.Row("hits", "{} numeric, {} undecided, {} cut off", pixels.numericHits,
+      pixels.undecidedHits, Counted(pixels.cutOff, "ray"));
   }
   if (shot.samples > 1)
   {
-    table.Row("smoothed", "{} pixels", looks.Refined());
+    table.Row("smoothed", Counted(looks.Refined(), "pixel"));
   }
   if (pixels.floatCheck.points > 0)
   {
-    table.Row("float", "at most {} from double at {} pixels evaluated in both",
-      Short(pixels.floatCheck.largest), pixels.floatCheck.points);
+    table.Row("float", "at most {} from double at {} evaluated in both",
+      Short(pixels.floatCheck.largest), Counted(pixels.floatCheck.points, "point"));
   }
   debug.AddTo(table);
   AddStages(table, stopwatch);

@@ -43,7 +43,7 @@ class Info(ToolTest):
     def test_text(self):
         text = self.succeeds("info", case("toroid_hex_g3_p6")).stdout
         field = "u: scalar, order 6, continuous"
-        for word in ["48 hexahedron", "order 3", "stored as order 6", field]:
+        for word in ["48 hexahedra", "order 3", "stored as order 6", field]:
             self.assertIn(word, text)
 
     def test_bounds(self):

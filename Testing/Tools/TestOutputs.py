@@ -132,6 +132,10 @@ class Places(OutputTest):
         absent = self.folder / "absent"
         self.fails(1, "render", absent / "mesh.vtu", *MIDDLE, "-o", absent / "i.png",
                    names=["i.png", "no folder"])
+        folder = self.folder / "folder.png"
+        folder.mkdir()
+        self.fails(1, "render", absent / "mesh.vtu", *MIDDLE, "-o", folder,
+                   names=[folder, "it is a folder"])
 
 
 class Pictures(OutputTest):

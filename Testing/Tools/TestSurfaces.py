@@ -311,8 +311,8 @@ class Layers(SurfaceTest):
         image = self.folder / "i.png"
         for text, name in [
             ("opacity=0.5", "N:KEY=VALUE"),
-            ("2:opacity=0.5", "1 surfaces"),
-            ("0:opacity=0.5", "1 surfaces"),
+            ("2:opacity=0.5", "1 surface"),
+            ("0:opacity=0.5", "1 surface"),
             ("1:opacity=1.5", "opacity"),
             ("1:shine=1", "'shine=1' is none of"),
             ("1:colormap=nope", "viridis"),

@@ -50,6 +50,10 @@ class Words(ToolTest):
             name = word.split("=", maxsplit=1)[0]
             self.fails(2, "info", self.cube, word, names=["info has no option", f"'{name}'"])
 
+    def test_flags_take_no_value(self):
+        for words in [["info", self.cube, "--certify=0"], ["info", self.cube, "--json=1"]]:
+            self.fails(2, *words, names=[words[-1], "no value"])
+
     def test_an_option_twice(self):
         base = ["render", self.cube, "--field", "u", *MIDDLE]
         image = self.folder / "i.png"
@@ -178,8 +182,16 @@ class WrongUsage(ToolTest):
             ["--parallel-scale", "0"],
             ["--parallel-scale", "-1"],
             ["--view-angle", "30", "--parallel-scale", "1"],
+            ["--view-up", "-2,0,0"],
+            ["--view-up", "0,0,0"],
         ]:
             self.fails(2, *self.render(*plane, *wrong))
+
+    def test_a_view_up_that_is_nearly_the_normal_is_kept(self):
+        plane = ["--plane", "0.5,0,0,1,0,0", "--size", "9x9"]
+        camera = self.summary(*self.render(*plane, "--view-up", "1,0.01,0"))["camera"]
+        up = camera["view_up"]
+        self.assertAlmostEqual(up[1] / up[0], 0.01, delta=1e-12)
 
     def test_colours(self):
         plane = ["--plane", "0.5,0,0,1,0,0"]

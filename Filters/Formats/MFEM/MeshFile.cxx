@@ -224,7 +224,7 @@ void RequireThreeDimensions(TextScanner& scanner)
   if (dimension != 3)
   {
     scanner.FailUnsupported("the mesh has " + std::to_string(dimension) +
-      " dimensions; only three-dimensional ones are read.");
+      (dimension == 1 ? " dimension" : " dimensions") + "; only three-dimensional ones are read.");
   }
 }
 
