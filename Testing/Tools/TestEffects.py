@@ -45,7 +45,8 @@ class Effects(ToolTest):
                 self.fails(2, *self.base, *picture, *option, names=["no effect", picture[0]])
             for key in ["opacity=0.5", "color=1:0:0", "range=cut", "lights=on", "colormap=jet"]:
                 self.fails(2, *self.base, *picture, "--layer", f"1:{key}", names=["--layer"])
-            self.succeeds(*self.base, *picture, "--outlines")
+            summary = self.summary(*self.base, *picture, "--outlines")
+            self.assertIsNone(summary["color_range"])
 
     def test_colours_of_what_is_not_painted(self):
         self.fails(2, *self.base, "--undecided-color", "1,0,0", names=["--show-undecided"])

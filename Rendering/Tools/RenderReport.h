@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "LayerRanges.h"
+
+#include <array>
+#include <optional>
+
+// What render tells of a frame.
+namespace pixelexact
+{
+class DebugOptions;
+class Looks;
+class Stopwatch;
+struct Shot;
+
+/// What there is to tell of the values.
+struct Found
+{
+  std::optional<std::array<double, 2>> values; ///< of exact pixels
+  PixelsBeyond beyond;                         ///< ranges of colour maps
+};
+
+/// On stdout.
+void PrintJson(const Shot& shot, const Frame& frame, const Found& found, const Looks& looks,
+  const DebugOptions& debug, const Stopwatch& stopwatch);
+/// On stdout, or on stderr, where stdout is a file's.
+void PrintTable(const Shot& shot, const Frame& frame, const Found& found, const Looks& looks,
+  const DebugOptions& debug, const Stopwatch& stopwatch, bool onStderr);
+
+/// Says on stderr what the picture does not show as it is.
+void WarnOf(const Frame& frame, const PixelsBeyond& beyond);
+} // namespace pixelexact
