@@ -42,7 +42,7 @@ void CheckEffects(const CLI::App& command, const Layers& layers)
     if (IsGiven(command, option) && std::ranges::all_of(layers, overrides))
     {
       throw UsageError(std::string(option) + " has no effect: every surface has " + why +
-        " of its own, by --layer; leave one of them out");
+        " of its own; leave one of them out");
     }
   };
   check("--component", "a field or a component",
@@ -61,6 +61,9 @@ void CheckEffects(const CLI::App& command, const Layers& layers)
   {
     check(option, "a colour", [](const LayerSettings& layer) { return layer.color.has_value(); });
   }
+  const bool solid = IsGiven(command, "--color");
+  check("--show-undecided", "a colour",
+    [solid](const LayerSettings& layer) { return layer.color || (solid && !HasMap(layer)); });
 }
 
 void CheckEffectsBeside(const std::string& option, const CLI::App& command, const Layers& layers)

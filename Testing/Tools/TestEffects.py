@@ -15,13 +15,15 @@ class Effects(ToolTest):
         cube.write_text(unit_cube_grid(), encoding="utf-8")
         self.base = ["render", cube, "--field", "u", *HALF, "--size", "9x9",
                      "--output", self.folder / "i.png"]
-        self.maps = [["--range", "0,1"], ["--colormap", "jet"], ["--log", "--range", "1,2"],
+        self.maps = [["--range", "0,1"], ["--colormap", "jet"], ["--log"],
                      ["--nan-color", "1,0,0"]]
 
     def test_colours_by_value_where_all_is_of_one_colour(self):
         for option in self.maps:
             for solid in [["--color", "1,0,0"], ["--layer", "1:color=1:0:0"]]:
-                self.fails(2, *self.base, *solid, *option, names=[solid[0].split("=")[0]])
+                self.fails(2, *self.base, *solid, *option, names=[option[0]])
+        for solid in [["--color", "1,0,0"], ["--layer", "1:color=1:0:0"]]:
+            self.fails(2, *self.base, *solid, "--show-undecided", names=["--show-undecided"])
         # One surface of two is coloured by value.
         self.succeeds(*self.base, "--sphere", "0,0,0,0.5", "--layer", "1:color=1:0:0",
                       "--range", "0,1")
