@@ -2,6 +2,7 @@
 #include "CommandWords.h"
 
 #include "Command.h"
+#include "Numbers.h"
 #include "Report.h"
 
 #include <CLI/CLI.hpp>
@@ -92,6 +93,11 @@ private:
     const CLI::Option* option = Command.get_option_no_throw(name);
     if (option == nullptr)
     {
+      if (double number = 0.0; ParseNumber(Words[at], number))
+      {
+        throw UsageError("'" + Words[at] +
+          "' belongs to no option; numbers of one are joined by commas, without blanks");
+      }
       const std::string given = Words[at].starts_with("--") ? name : Words[at];
       throw UsageError(Command.get_parent() != nullptr
           ? Command.get_name() + " has no option '" + given + "'"

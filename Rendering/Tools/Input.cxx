@@ -112,6 +112,11 @@ void CheckCompanions(const std::vector<std::string>& files, const Format& format
       throw UsageError(
         "'" + files[0] + "' and '" + files[i] + "' are two meshes; name one, and its fields");
     }
+    const auto here = files.begin() + static_cast<std::ptrdiff_t>(i);
+    if (std::find(files.begin(), here, files[i]) != here)
+    {
+      throw UsageError("'" + files[i] + "' was given more than once; give it once");
+    }
   }
 }
 

@@ -46,9 +46,13 @@ class Words(ToolTest):
         self.fails(2, "help", "foo", names=["'foo'"])
 
     def test_options_that_are_none(self):
-        for word in ["--foo", "--foo=3", "-x", "-9"]:
+        for word in ["--foo", "--foo=3", "-x", "-file.vtu"]:
             name = word.split("=", maxsplit=1)[0]
             self.fails(2, "info", self.cube, word, names=["info has no option", f"'{name}'"])
+
+    def test_numbers_with_blanks_between(self):
+        plane = ["--plane", "-0.5", "-0.2", "0", "0", "0", "1"]
+        self.fails(2, "render", self.cube, *plane, names=["'-0.2'", "commas"])
 
     def test_flags_take_no_value(self):
         for words in [["info", self.cube, "--certify=0"], ["info", self.cube, "--json=1"]]:
@@ -99,6 +103,9 @@ class Words(ToolTest):
         self.fails(2, "info", self.cube, other, names=[f"and '{other}' is no other time step"])
         self.fails(2, "info", self.cube, mesh, names=["VTK XML", "MFEM", mesh])
         self.fails(2, "info", mesh, mesh, names=["two meshes"])
+        flux = mesh.with_name("flux.gf")
+        for files in [(self.cube, self.cube), (mesh, flux, flux)]:
+            self.fails(2, "info", *files, names=[f"'{files[-1]}'", "more than once"])
 
     def test_the_error_is_told_in_json_too(self):
         for words in [["info", "--json"], ["--json"], ["paint", "--json"], ["render", "--json"]]:
