@@ -21,7 +21,7 @@ struct Layer
 {
   std::shared_ptr<const Surface> surface;
   const Field* field = nullptr; ///< null: there are no values, and no buffers of them
-  int component = 0; ///< of the field, or kMagnitude
+  int component = 0;            ///< of the field, or kMagnitude
   /// Of the values; see FrameCounters::floatCheck for what Float costs. Not with enclosures.
   Precision precision = Precision::Double;
   bool translucent = false; ///< rays go on behind it
