@@ -291,6 +291,28 @@ TEST(NativeReaders, RefuseWhatIsNotThere)
   ExpectRefusal(twice, "pressure");
 }
 
+TEST(NativeReaders, NamesOfPiecesAreNoted)
+{
+  // ParMesh::Save writes pieces as if each were a whole mesh; only their names tell.
+  const std::string mesh = Text(kData / "mfem49_tinyzoo_g3_p5" / "mfem49_tinyzoo_g3_p5.mesh");
+  const Scratch scratch;
+  const auto notes = [](const std::string& file)
+  {
+    vtkNew<vtkMFEMReader> reader;
+    vtkNew<Messages> messages;
+    messages->Watch(reader);
+    reader->SetFileName(file.c_str());
+    reader->Update();
+    EXPECT_EQ(messages->errors, "");
+    return messages->warnings;
+  };
+  const std::string alone = scratch.Write("a.000000", mesh);
+  EXPECT_EQ(notes(alone), "");
+  const std::string other = scratch.Write("a.000001", mesh);
+  EXPECT_NE(notes(alone).find(other), std::string::npos);
+  EXPECT_NE(notes(other).find("PrintAsOne"), std::string::npos);
+}
+
 TEST(NativeReaders, RefuseEveryTruncation)
 {
   const std::string mesh = Text(kData / "mfem49_tinyzoo_g3_p5" / "mfem49_tinyzoo_g3_p5.mesh");

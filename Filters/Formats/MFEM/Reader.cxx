@@ -6,6 +6,7 @@
 #include "Formats/FileText.h"
 #include "Formats/MFEM/FunctionSpace.h"
 #include "Formats/MFEM/GeometryTable.h"
+#include "Formats/MFEM/MeshFormat.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -44,7 +45,9 @@ void RequireValues(const GridFunctionFile& file, const FunctionSpace& space,
     throw InvalidData(where + " holds " + std::to_string(file.values.size()) + " values, but " +
       file.collection + " with VDim " + std::to_string(file.components) + " on this mesh of " +
       std::to_string(mesh.elements.size()) + " elements has " + std::to_string(expected) +
-      "; the file is cut short or belongs to another mesh.");
+      "; the file is cut short, holds one piece of a parallel one (save it with SaveAsOne) or "
+      "belongs "
+      "to another mesh.");
   }
 }
 
@@ -194,7 +197,12 @@ std::string FieldName(const std::string& path)
 MeshFile ParseMesh(const NamedText& text)
 {
   TextScanner scanner(text);
-  return ReadMesh(scanner);
+  MeshFile mesh = ReadMesh(scanner);
+  if (!scanner.Peek().empty())
+  {
+    scanner.FailAtWord("behind the end of the mesh");
+  }
+  return mesh;
 }
 
 GridFunctionFile ParseGridFunction(const NamedText& text)
@@ -203,7 +211,7 @@ GridFunctionFile ParseGridFunction(const NamedText& text)
   GridFunctionFile file = ReadGridFunction(scanner);
   if (!scanner.Peek().empty())
   {
-    scanner.Fail("there is something else than numbers behind the header.");
+    scanner.FailAtWord("among the numbers behind the header");
   }
   return file;
 }
@@ -214,6 +222,31 @@ Result LoadFile(const std::string& path, Result (*parse)(const NamedText&))
 {
   const std::string text = ReadFileText(path);
   return parse({ path, text });
+}
+
+/// Whether a line begins a mesh or a grid function.
+bool BeginsData(std::string_view line)
+{
+  return line == "FiniteElementSpace" || line.starts_with("MFEM mesh v") ||
+    line.starts_with("MFEM NC mesh v") || line.starts_with("MFEM NURBS mesh v") ||
+    line.starts_with("MFEM INLINE mesh v") || line.starts_with("MFEM FiniteElementSpace v");
+}
+
+/// What follows the data of a stream: commands to GLVis, no numbers, no further data.
+void SkipCommands(TextScanner& scanner)
+{
+  if (double number = 0.0; scanner.TryNumber(number))
+  {
+    scanner.Fail("a number stands behind the end of the data; the file contradicts itself.");
+  }
+  while (!scanner.Peek().empty())
+  {
+    if (BeginsData(scanner.RestOfLine()))
+    {
+      scanner.FailUnsupported("the stream goes on with another mesh or grid function; one of them "
+                              "is read: save them as files of their own.");
+    }
+  }
 }
 
 /// What may stand before a mesh in a stream.
@@ -238,6 +271,13 @@ SolverModel Read(const NamedText& mesh, const std::vector<NamedText>& gridFuncti
 SolverModel ReadFiles(const std::string& mesh, const std::vector<std::string>& gridFunctions)
 {
   ModelBuilder builder(LoadFile(mesh, &ParseMesh), mesh);
+  if (const std::string other = OtherPiece(mesh); !other.empty())
+  {
+    builder.Model.notes.push_back(mesh +
+      ": its name is that of one piece of a parallel mesh, and '" + other +
+      "' of another; what is shown may not be the whole. Save the whole mesh " +
+      "(ParMesh::PrintAsOne or SaveAsOne) and read that.");
+  }
   for (const std::string& file : gridFunctions)
   {
     builder.AddField(LoadFile(file, &ParseGridFunction), file, FieldName(file));
@@ -264,11 +304,11 @@ SolverModel ReadStream(const NamedText& saved)
   {
     scanner.Word("the end of the mesh");
   }
-  // What follows the numbers are commands to GLVis.
   if (keyword != "mesh")
   {
     builder.AddField(ReadGridFunction(scanner), saved.name, "solution");
   }
+  SkipCommands(scanner);
   return std::move(builder.Model);
 }
 } // namespace pixelexact::mfem

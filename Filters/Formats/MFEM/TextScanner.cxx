@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <limits>
 
 namespace pixelexact::mfem
 {
@@ -27,11 +26,11 @@ std::string Quote(std::string_view word)
   return "'" + text + (word.size() > kLongestQuote ? "...'" : "'");
 }
 
-/// The whole word as a number; MFEM may write a plus sign.
+/// The whole word as a number; other programs may write a plus sign.
 template <class T>
 bool Parse(std::string_view word, T& value)
 {
-  if (word.starts_with('+'))
+  if (word.starts_with('+') && !word.starts_with("+-"))
   {
     word.remove_prefix(1);
   }
@@ -39,25 +38,16 @@ bool Parse(std::string_view word, T& value)
   return error == std::errc() && end == word.data() + word.size();
 }
 
-/// As Parse; numbers beyond the range of doubles become zero or infinite, as the C library has it.
+/// As Parse; numbers beyond the range of doubles, within that of long double, become zero or
+/// infinite, as the C library has it.
 bool ParseReal(std::string_view word, double& value)
 {
-  if (Parse(word, value))
-  {
-    return true;
-  }
-  if (word.starts_with('+'))
-  {
-    word.remove_prefix(1);
-  }
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc::result_out_of_range || end != word.data() + word.size())
+  long double wide = 0.0L;
+  if (!Parse(word, value) && !Parse(word, wide))
   {
     return false;
   }
-  const bool tiny = word.find("e-") != word.npos || word.find("E-") != word.npos;
-  value = tiny ? 0.0 : std::numeric_limits<double>::infinity();
-  value = word.starts_with('-') ? -value : value;
+  value = wide == 0.0L ? value : static_cast<double>(wide);
   return true;
 }
 } // namespace
@@ -215,6 +205,12 @@ std::string TextScanner::Place() const
 void TextScanner::Fail(const std::string& problem) const
 {
   throw InvalidData(Place() + problem);
+}
+
+void TextScanner::FailAtWord(const std::string& place)
+{
+  Fail("found " + Quote(Peek()) + " " + place + ", where nothing of that kind should stand; the " +
+    "file is damaged or of another format.");
 }
 
 void TextScanner::FailUnsupported(const std::string& problem) const
