@@ -129,6 +129,55 @@ class BadFiles(FileTest):
             self.assertIn(done.returncode, [0, 1], f"{length}: {done.stderr}")
 
 
+class Warnings(FileTest):
+    """What VTK warns of is handed on, and the file is read."""
+
+    KEY = "Could not locate key vtkExodusIIReader::GLOBAL_TEMPORAL_VARIABLE"
+
+    def reads_with_a_warning(self, path):
+        done = self.succeeds("info", path)
+        self.assertEqual(done.stderr.count(self.KEY), 1, done.stderr)
+        self.assertIn(f"pixelexact: warning: '{path}': ", done.stderr)
+        self.assertIn("u: scalar", done.stdout)
+        self.assertEqual(len(self.summary("info", path)["diagnostics"]), 1)
+
+    def test_keys_of_modules_that_are_not_there(self):
+        # As ParaView saves what it read from Exodus files.
+        key = (
+            '<InformationKey name="GLOBAL_TEMPORAL_VARIABLE" location="vtkExodusIIReader">0'
+            "</InformationKey>\n</DataArray>"
+        )
+        text = unit_cube_grid([("u", np.arange(8.0)), ("v", np.arange(8.0))])
+        head, points = text.split("</PointData>")
+        self.reads_with_a_warning(
+            self.write("exodus.vtu", head.replace("</DataArray>", key) + "</PointData>" + points)
+        )
+        head = "# vtk DataFile Version 5.1\nx\nASCII\nDATASET UNSTRUCTURED_GRID\n"
+        points = "POINTS 4 double\n0 0 0 1 0 0 0 1 0 0 0 1\n"
+        cells = (
+            "CELLS 2 4\nOFFSETS vtktypeint64\n0 4\nCONNECTIVITY vtktypeint64\n0 1 2 3\n"
+            "CELL_TYPES 1\n10\n"
+        )
+        field = (
+            "POINT_DATA 4\nSCALARS u double 1\nLOOKUP_TABLE default\n0 1 2 3\nMETADATA\n"
+            "INFORMATION 1\nNAME GLOBAL_TEMPORAL_VARIABLE LOCATION vtkExodusIIReader\nDATA 0\n\n"
+        )
+        self.reads_with_a_warning(self.write("exodus.vtk", head + points + cells + field))
+
+    def test_data_that_cannot_be_read_stay_an_error(self):
+        head = "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\n"
+        points = "POINTS 4 double\n0 0 0 1 0 0 0 1 0 0 0 1\n"
+        cells = "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n"
+        field = "POINT_DATA 4\nSCALARS u double 1\nLOOKUP_TABLE default\n0 1 "
+        for rest in ["", "x 3\n", "2,5 3\n", "2.5x 3\n"]:
+            self.refuses(self.write("field.vtk", head + points + cells + field + rest))
+        for broken in ["0,5", "0.5x", "x"]:
+            text = head + points.replace("0 1 0", f"0 {broken} 0") + cells
+            self.refuses(self.write("points.vtk", text))
+            sound = unit_cube_grid()
+            self.refuses(self.write("points.vtu", sound.replace("1.0 0.0 0.0", f"1.0 {broken} 0.0")))
+
+
 class Truncated(ToolTest):
     def test_every_file_at_many_lengths(self):
         for name in CASES:
