@@ -3,6 +3,7 @@
 // against.
 #include "CellBasis.h"
 
+#include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 
 #include "vtkCellType.h"
@@ -48,7 +49,7 @@ std::array<int, 3> Degrees(const CellKind& kind, Shape shape)
       n = { n[0] + 1, n[0] + 1, n[0] + 1 };
     }
   }
-  const std::string points = std::to_string(kind.points) + " points";
+  const std::string points = Counted(kind.points, "point");
   if (*std::ranges::min_element(n) < 1 || *std::ranges::max_element(n) > kMaxOrder ||
     (shape == Shape::Prism && n[0] != n[1]) || NumberOfPoints(shape, n) != kind.points)
   {

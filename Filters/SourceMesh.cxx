@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SourceMesh.h"
 
+#include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 
 #include "vtkCellData.h"
@@ -177,7 +178,7 @@ void SourceMesh::CheckCoordinates() const
   if (bad > 0)
   {
     throw InvalidData(Describe(first) + " has a point whose coordinates are NaN or infinite" +
-      (bad > 1 ? ", and " + std::to_string(bad - 1) + " more cells do" : "") +
+      (bad > 1 ? ", and so have " + Counted(bad - 1, "more cell") : "") +
       "; repair the points or take these cells out.");
   }
 }

@@ -5,11 +5,11 @@
  *
  * Port 0 takes the points (any data set), port 1 the grid: one that carries high-order
  * coefficients, or a plain vtkUnstructuredGrid, which is converted. The output has the structure of
- * port 0 and these point arrays:
+ * port 0 and these point arrays, FIELD the name of each field:
  *
- * - `<field>`: value; NaN where the point is not inside
- * - `<field>_Gradient`: on request, 3 per component: d/dx, d/dy, d/dz
- * - `<field>_lower`, `<field>_upper`: on request, an interval per component that is proven to hold
+ * - `FIELD`: value; NaN where the point is not inside
+ * - `FIELD_Gradient`: on request, 3 per component: d/dx, d/dy, d/dz
+ * - `FIELD_lower`, `FIELD_upper`: on request, an interval per component that is proven to hold
  *   the field's value at the point, the error of the inverse map included; infinite where nothing
  *   is proven, NaN where the point is not inside
  * - `Xi`: reference coordinates in the element; NaN where not inside

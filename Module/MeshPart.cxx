@@ -78,7 +78,9 @@ MeshPart::~MeshPart() = default;
 void MeshPart::CompareCells(vtkUnstructuredGrid* grid) const
 {
   TheCells->Compare([grid](Hash hash) { return CellFingerprints(grid, hash); }, Fingerprints,
-    "is not the one that its coefficients were made from: it was cut, or its points were moved");
+    "is not the one that its coefficients were made from: it was cut (Clip), its points were moved "
+    "(Transform, Warp), "
+    "or other cells were put before it (Append)");
 }
 
 std::shared_ptr<const MeshPart> MeshPart::Of(vtkUnstructuredGrid* grid)

@@ -9,6 +9,8 @@
 #include "SolverFacts.h"
 #include "StoredOrder.h"
 
+#include "Core/Base/Counted.h"
+
 #include <nlohmann/json.hpp>
 #include <vtkUnstructuredGrid.h>
 
@@ -113,7 +115,7 @@ void PrintTable(const LoadedModel& input, const Facts& facts)
     Listed(shapes));
   if (input.skippedCells > 0)
   {
-    table.Row("skipped", "{} cells of lower dimension", input.skippedCells);
+    table.Row("skipped", "{} of lower dimension", Counted(input.skippedCells, "cell"));
   }
   table.Row("geometry", "order {}{}", Text(facts.orders),
     facts.storedOrders.empty() || facts.storedOrders == facts.orders
@@ -139,7 +141,7 @@ void PrintTable(const LoadedModel& input, const Facts& facts)
     }
     if (field.nonFiniteElements > 0)
     {
-      text += fmt::format(", not finite in {} elements", field.nonFiniteElements);
+      text += ", not finite in " + Counted(field.nonFiniteElements, "element");
     }
     table.Row(name, text);
     name.clear();

@@ -6,6 +6,7 @@
 #include "Report.h"
 #include "VtkInput.h"
 
+#include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 #include "GridCheck.h"
 #include "TimeSeries.h"
@@ -112,8 +113,8 @@ int ChooseStep(const InputRequest& request, std::span<const double> times)
   {
     if (*request.step > 0 && *request.step >= static_cast<int>(times.size()))
     {
-      throw Error("--time-step: '" + file + "' has " + std::to_string(times.size()) +
-        " time steps, counted from 0");
+      throw Error("--time-step: '" + file + "' has " + Counted(times.size(), "time step") +
+        ", counted from 0");
     }
     return *request.step;
   }

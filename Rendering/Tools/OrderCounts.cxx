@@ -3,6 +3,8 @@
 
 #include "Report.h"
 
+#include "Core/Base/Counted.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -46,8 +48,9 @@ std::string Text(const OrderCounts& counts)
   std::vector<std::string> texts;
   for (const auto& [orders, count] : counts)
   {
-    texts.push_back(
-      counts.size() > 1 ? fmt::format("{} ({} elements)", Label(orders), count) : Label(orders));
+    texts.push_back(counts.size() > 1
+        ? fmt::format("{} ({})", Label(orders), Counted(count, "element"))
+        : Label(orders));
   }
   return texts.empty() ? "none" : Listed(texts);
 }

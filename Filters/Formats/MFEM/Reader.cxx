@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/MFEM/Reader.h"
 
+#include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 #include "Formats/Assembly.h"
 #include "Formats/FileText.h"
@@ -42,9 +43,9 @@ void RequireValues(const GridFunctionFile& file, const FunctionSpace& space,
   const std::int64_t expected = space.Size() * file.components;
   if (static_cast<std::int64_t>(file.values.size()) != expected)
   {
-    throw InvalidData(where + " holds " + std::to_string(file.values.size()) + " values, but " +
+    throw InvalidData(where + " holds " + Counted(file.values.size(), "value") + ", but " +
       file.collection + " with VDim " + std::to_string(file.components) + " on this mesh of " +
-      std::to_string(mesh.elements.size()) + " elements has " + std::to_string(expected) +
+      Counted(mesh.elements.size(), "element") + " has " + std::to_string(expected) +
       "; the file is cut short, holds one piece of a parallel one (save it with SaveAsOne) or "
       "belongs "
       "to another mesh.");
@@ -154,7 +155,7 @@ void ModelBuilder::AddGroups()
   {
     Model.notes.push_back(MeshName + ": " +
       std::to_string(File.boundary.size() - mesh.boundary.size()) + " of " +
-      std::to_string(File.boundary.size()) + " boundary elements are no face of an element.");
+      Counted(File.boundary.size(), "boundary element") + " are no face of an element.");
   }
   mesh.groups = std::move(File.groups);
 }

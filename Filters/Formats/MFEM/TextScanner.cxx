@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/MFEM/TextScanner.h"
 
+#include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 
 #include <algorithm>
@@ -142,7 +143,7 @@ int TextScanner::Count(const char* what, std::size_t bytes)
   if (value < 0 || static_cast<std::size_t>(value) > Remaining() / bytes + 1)
   {
     Fail(std::string(what) + " is " + std::to_string(value) + ", but the file has only " +
-      std::to_string(Remaining()) + " more bytes; it is cut short or damaged.");
+      Counted(Remaining(), "more byte") + "; it is cut short or damaged.");
   }
   return value;
 }
