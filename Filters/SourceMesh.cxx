@@ -28,6 +28,11 @@ bool IsHidden(vtkDataArray* ghosts, vtkIdType cell)
     (static_cast<int>(ghosts->GetComponent(cell, 0)) & vtkDataSetAttributes::HIDDENCELL) != 0;
 }
 
+std::string NameCell(vtkIdType cell, int type)
+{
+  return "cell " + std::to_string(cell) + " (" + CellTypeName(type) + ")";
+}
+
 std::array<int, 3> GivenDegrees(vtkUnstructuredGrid* grid, vtkIdType cell)
 {
   vtkDataArray* degrees = grid->GetCellData()->GetHigherOrderDegrees();
@@ -39,7 +44,13 @@ std::array<int, 3> GivenDegrees(vtkUnstructuredGrid* grid, vtkIdType cell)
   for (int d = 0; d < 3; ++d)
   {
     const double value = degrees->GetComponent(cell, d);
-    n[d] = value >= 0.0 && value <= 1000.0 ? static_cast<int>(value) : -1;
+    if (!(value >= 0.0 && value <= kMaxOrder && value == std::floor(value)))
+    {
+      throw InvalidData(NameCell(cell, grid->GetCellType(cell)) + " has HigherOrderDegrees of " +
+        std::to_string(value) + ", no whole number from 1 to " + std::to_string(kMaxOrder) +
+        "; correct that cell array.");
+    }
+    n[d] = static_cast<int>(value);
   }
   return n;
 }
@@ -55,11 +66,6 @@ bool HasEqualWeights(vtkUnstructuredGrid* grid, std::span<const vtkIdType> point
   const double first = weights->GetComponent(points[0], 0);
   return first != 0.0 && std::isfinite(first) &&
     std::ranges::all_of(points, [&](vtkIdType p) { return weights->GetComponent(p, 0) == first; });
-}
-
-std::string NameCell(vtkIdType cell, int type)
-{
-  return "cell " + std::to_string(cell) + " (" + CellTypeName(type) + ")";
 }
 } // namespace
 
@@ -128,7 +134,11 @@ void SourceMesh::AddCell(vtkUnstructuredGrid* grid, vtkIdType cell, int type)
   }
   if (IsHigherOrderCell(kind.type))
   {
-    kind.degrees = GivenDegrees(grid, cell);
+    // A tetrahedron's order is told by its points.
+    if (kind.type != VTK_LAGRANGE_TETRAHEDRON && kind.type != VTK_BEZIER_TETRAHEDRON)
+    {
+      kind.degrees = GivenDegrees(grid, cell);
+    }
     if (kind.type >= VTK_BEZIER_TETRAHEDRON && !HasEqualWeights(grid, points))
     {
       throw Unsupported(NameCell(cell, kind.type) +

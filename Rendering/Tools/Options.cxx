@@ -114,21 +114,52 @@ AddedOption AddChoice(CLI::App& command, const std::string& name, const ReadText
 AddedOption AddInteger(CLI::App& command, const std::string& name, int& number, int lowest,
   int highest, const char* form, const std::string& help)
 {
-  return AddedOption(
-    command.add_option(name, number, help)->type_name(form)->check(CLI::Range(lowest, highest)));
+  const std::string range =
+    "INT in [" + std::to_string(lowest) + " - " + std::to_string(highest) + "]";
+  return AddRead(
+    command, name,
+    [&number, name, lowest, highest, range](const std::string& text)
+    {
+      if (!ParseInteger(text, number) || number < lowest || number > highest)
+      {
+        Refuse(name, text, range);
+      }
+    },
+    (std::string(form) + ":" + range).c_str(), help);
 }
 
 AddedOption AddIndex(CLI::App& command, const std::string& name, std::optional<int>& index,
   const char* form, const std::string& help)
 {
-  return AddedOption(
-    command.add_option(name, index, help)->type_name(form)->check(CLI::NonNegativeNumber));
+  return AddRead(
+    command, name,
+    [&index, name](const std::string& text)
+    {
+      int number = 0;
+      if (!ParseInteger(text, number) || number < 0)
+      {
+        Refuse(name, text, "an integer from 0");
+      }
+      index = number;
+    },
+    form, help);
 }
 
 AddedOption AddNumber(CLI::App& command, const std::string& name, std::optional<double>& number,
   const char* form, const std::string& help)
 {
-  return AddedOption(command.add_option(name, number, help)->type_name(form));
+  return AddRead(
+    command, name,
+    [&number, name](const std::string& text)
+    {
+      double value = 0.0;
+      if (!ParseNumber(text, value) || !std::isfinite(value))
+      {
+        Refuse(name, text, "a finite number");
+      }
+      number = value;
+    },
+    form, help);
 }
 
 AddedOption AddNumbers(CLI::App& command, const std::string& name, std::vector<double>& numbers,

@@ -207,6 +207,16 @@ TEST(NativeReaders, CellsSelectedByVtkKeepTheirCoefficients)
   EXPECT_GT(points, 10);
 }
 
+/// The reader says `expected` and gives nothing.
+void ExpectRefusal(vtkHighOrderFileReader* reader, const std::string& expected)
+{
+  vtkNew<Messages> messages;
+  messages->Watch(reader);
+  reader->Update();
+  EXPECT_NE(messages->errors.find(expected), std::string::npos) << messages->errors;
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfCells(), 0);
+}
+
 TEST(NativeReaders, FieldFilesAreTimeSteps)
 {
   // The same field at two times, the second one given first.
@@ -239,6 +249,14 @@ TEST(NativeReaders, FieldFilesAreTimeSteps)
     reader->GetHighOrderOutput()->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP()), 2.5);
   EXPECT_NE(first, second);
   EXPECT_EQ(locator, &second->GetLocator());
+
+  for (const char* time : { "0.5x", "1 2", "soon", "" })
+  {
+    vtkNew<vtkNektarReader> wrong;
+    wrong->SetFileName((folder / "nek_hex_aniso_p3p5p7.xml").c_str());
+    wrong->AddFieldFileName(scratch.Write("wrong.chk", withTime(time)).c_str());
+    ExpectRefusal(wrong, "wrong.chk: its <Time>");
+  }
 }
 
 TEST(NativeReaders, FoldersOfPartsAreOneField)
@@ -255,16 +273,6 @@ TEST(NativeReaders, FoldersOfPartsAreOneField)
   reader->Update();
   ASSERT_EQ(messages->errors, "");
   EXPECT_NE(HighOrderModel::From(reader->GetHighOrderOutput())->FindField("u"), nullptr);
-}
-
-/// The reader says `expected` and gives nothing.
-void ExpectRefusal(vtkHighOrderFileReader* reader, const std::string& expected)
-{
-  vtkNew<Messages> messages;
-  messages->Watch(reader);
-  reader->Update();
-  EXPECT_NE(messages->errors.find(expected), std::string::npos) << messages->errors;
-  EXPECT_EQ(reader->GetOutput()->GetNumberOfCells(), 0);
 }
 
 TEST(NativeReaders, RefuseAFieldOfAnotherMesh)

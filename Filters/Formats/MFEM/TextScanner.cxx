@@ -3,9 +3,9 @@
 
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
+#include "Core/Base/ParseWhole.h"
 
 #include <algorithm>
-#include <charconv>
 
 namespace pixelexact::mfem
 {
@@ -27,24 +27,12 @@ std::string Quote(std::string_view word)
   return "'" + text + (word.size() > kLongestQuote ? "...'" : "'");
 }
 
-/// The whole word as a number; other programs may write a plus sign.
-template <class T>
-bool Parse(std::string_view word, T& value)
-{
-  if (word.starts_with('+') && !word.starts_with("+-"))
-  {
-    word.remove_prefix(1);
-  }
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  return error == std::errc() && end == word.data() + word.size();
-}
-
-/// As Parse; numbers beyond the range of doubles, within that of long double, become zero or
+/// As ParseWhole; numbers beyond the range of doubles, within that of long double, become zero or
 /// infinite, as the C library has it.
 bool ParseReal(std::string_view word, double& value)
 {
   long double wide = 0.0L;
-  if (!Parse(word, value) && !Parse(word, wide))
+  if (!ParseWhole(word, value) && !ParseWhole(word, wide))
   {
     return false;
   }
@@ -119,7 +107,7 @@ int TextScanner::Integer(const char* what)
 {
   const std::string_view word = Word(what);
   int value = 0;
-  if (!Parse(word, value))
+  if (!ParseWhole(word, value))
   {
     Fail("found " + Quote(word) + " where " + what + " should stand; it is no whole number.");
   }

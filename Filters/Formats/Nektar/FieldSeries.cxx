@@ -2,11 +2,12 @@
 #include "Formats/Nektar/FieldSeries.h"
 
 #include "Core/Base/Error.h"
+#include "Core/Base/ParseWhole.h"
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <fstream>
+#include <string_view>
 
 namespace pixelexact::nektar
 {
@@ -61,11 +62,13 @@ std::optional<double> FieldTime(const std::string& path)
   {
     return std::nullopt;
   }
-  const char* begin = head.data() + at + open.size();
-  const char* end = head.data() + head.size();
-  begin = std::find_if(begin, end, [](char c) { return c != ' ' && c != '\n' && c != '\t'; });
+  const std::string_view text = std::string_view(head).substr(at + open.size());
+  const auto end = text.find('<');
   double time = 0.0;
-  const auto [last, error] = std::from_chars(begin, end, time);
-  return error == std::errc() ? std::optional(time) : std::nullopt;
+  if (end == std::string_view::npos || !ParseWhole(WithoutBlanks(text.substr(0, end)), time))
+  {
+    throw InvalidData(path + ": its <Time> is no number; mend it or take it out.");
+  }
+  return time;
 }
 } // namespace pixelexact::nektar
