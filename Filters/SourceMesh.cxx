@@ -80,7 +80,8 @@ vtkSmartPointer<vtkDoubleArray> AsDoubles(vtkDataArray* array)
   return copy;
 }
 
-SourceMesh::SourceMesh(vtkUnstructuredGrid* grid)
+SourceMesh::SourceMesh(vtkUnstructuredGrid* grid, const NodeConvention& nodes)
+  : Nodes(nodes)
 {
   vtkDataArray* ghosts = grid->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName());
   std::map<int, int> dimensions;
@@ -123,7 +124,8 @@ void SourceMesh::AddCell(vtkUnstructuredGrid* grid, vtkIdType cell, int type)
   grid->GetCellPoints(cell, ids);
   const std::span<const vtkIdType> points(
     ids->GetPointer(0), static_cast<std::size_t>(ids->GetNumberOfIds()));
-  CellKind kind{ type, static_cast<int>(points.size()), { 0, 0, 0 } };
+  CellKind kind{ type, static_cast<int>(points.size()), { 0, 0, 0 },
+    IsLagrangeCell(type) ? Nodes : NodeConvention() };
   for (const auto id : points)
   {
     if (id < 0 || id >= grid->GetNumberOfPoints())

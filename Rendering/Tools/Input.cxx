@@ -177,5 +177,13 @@ void InputRequest::AddTo(CLI::App& command, bool required)
   const AddedOption number =
     AddIndex(command, "--time-step", step, "N", "Time step, counted from 0 (default: the first)");
   AddNumber(command, "--time", time, "T", "Time; of the steps the nearest one").Excludes(number);
+  AddChoice(
+    command, "--nodes", [this](const std::string& text) { gaussLobatto = text == "gll"; },
+    { "equispaced", "gll" },
+    "Where the nodes of VTK's Lagrange cells are: equispaced (default), or at "
+    "Gauss-Lobatto-Legendre "
+    "points");
+  AddFlag(command, "--mirrored-wedges", mirroredWedges,
+    "VTK's Lagrange wedges have MFEM's order of nodes");
 }
 } // namespace pixelexact

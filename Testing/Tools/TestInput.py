@@ -7,7 +7,7 @@ import unittest
 
 import numpy as np
 
-from tool import CASES, ToolTest, case, plain_grid, read_csv, run, unit_cube_grid
+from tool import CASES, DATA, ToolTest, case, plain_grid, read_csv, run, unit_cube_grid
 
 
 class FileTest(ToolTest):
@@ -127,6 +127,39 @@ class BadFiles(FileTest):
         for length in range(0, len(text), 7):
             done = run("info", self.write("cut.vtk", text[:length]))
             self.assertIn(done.returncode, [0, 1], f"{length}: {done.stderr}")
+
+
+class Nodes(FileTest):
+    """Lagrange cells whose nodes are not where VTK has them."""
+
+    def test_gauss_lobatto_nodes(self):
+        # A hexahedron of order 3, [0,1]^3, with u = x^3; nodes by VTK's classes.
+        from vtkmodules.vtkCommonDataModel import vtkLagrangeHexahedron
+
+        g = [0.0, (1 - 5**-0.5) / 2, (1 + 5**-0.5) / 2, 1.0]
+        points = np.zeros((64, 3))
+        for i, j, k in np.ndindex(4, 4, 4):
+            index = vtkLagrangeHexahedron.PointIndexFromIJK(i, j, k, [3, 3, 3])
+            points[index] = g[i], g[j], g[k]
+        text = plain_grid(points, [(72, list(range(64)))], [("u", points[:, 0] ** 3)])
+        # VTK's readers number the nodes of files before version 2.2 anew.
+        path = self.write("gll.vtu", text.replace('"1.0" byte_order', '"2.2" byte_order'))
+        self.assertIn("--nodes gll", self.succeeds("info", path).stderr)
+        self.assertEqual(self.succeeds("info", path, "--nodes", "gll").stderr, "")
+        at = self.write("points.csv", "x,y,z\n.3,.4,.6\n")
+        out = self.folder / "out.csv"
+        probe = ["probe", path, "--field", "u", "--points", at, "--output", out]
+        self.succeeds(*probe, "--nodes", "gll")
+        self.assertAlmostEqual(float(read_csv(out)[0]["value"]), 0.3**3, delta=1e-15)
+        self.succeeds(*probe, "--nodes", "equispaced")
+        self.assertGreater(abs(float(read_csv(out)[0]["value"]) - 0.3**3), 1e-3)
+        self.fails(2, "info", path, "--nodes", "fekete", names=["--nodes"])
+
+    def test_coefficients_have_no_nodes(self):
+        folder = DATA / "mfem49_tinyzoo_g3_p5"
+        mesh = folder / f"{folder.name}.mesh"
+        self.fails(1, "info", mesh, "--nodes", "gll", names=[mesh, "--nodes"])
+        self.fails(1, "info", mesh, "--mirrored-wedges", names=[mesh, "--mirrored-wedges"])
 
 
 class Warnings(FileTest):
