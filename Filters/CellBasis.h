@@ -46,6 +46,9 @@ struct CellBasis
   /// For Lagrange cells: positions in the cell of the nodes along the three edges that leave the
   /// vertex r = s = t = 0, from one end to the other. Empty otherwise.
   std::array<std::vector<int>, 3> edges;
+  /// For pyramids of order 2: the map of the pyramid between their five vertices, which come first,
+  /// in the space of `change` and in its own. Empty otherwise.
+  std::vector<ChangeOfBasis> straight{};
 
   [[nodiscard]] const Space& GetSpace() const { return change.Target(); }
 };
@@ -74,7 +77,7 @@ CellBasis MakeHigherOrderCellBasis(const CellKind& kind);
 /// triangle and >= 2 along t.
 ChangeOfBasis MakeOtherWedge(const CellKind& kind);
 
-/// The map from samples of a VTK cell's own interpolation functions.
+/// The map from samples of a VTK cell's own interpolation functions, which lie in `space`.
 ChangeOfBasis SampleCell(const CellKind& kind, const Space& space);
 } // namespace pixelexact
 #endif
