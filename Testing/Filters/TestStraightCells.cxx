@@ -138,4 +138,42 @@ TEST(StraightCells, ABulgeAboveRoundingIsKept)
     EXPECT_EQ(GeometryOrder(StraightGrid(kind, 0.0, 1e-13)), 2) << "type " << kind.type;
   }
 }
+TEST(StraightCells, MeetCurvedNeighboursWhereTheyDid)
+{
+  // Beside the straight hexahedron one whose far side bulges; both have the nodes of their face.
+  const Kind kind{ VTK_QUADRATIC_HEXAHEDRON, Shape::Hexahedron };
+  const auto straight = StraightGrid(kind, 0.0);
+  const auto curved = StraightGrid(kind, 0.0);
+  vtkNew<vtkGenericCell> cell;
+  cell->SetCellType(kind.type);
+  for (vtkIdType i = 0; i < cell->GetNumberOfPoints(); ++i)
+  {
+    const double* rst = cell->GetParametricCoords() + 3 * i;
+    const Vec3 x = Straight(kind.shape, Reference(kind.shape, rst) + Vec3(2, 0, 0));
+    curved->GetPoints()->SetPoint(i, x.x + 0.2 * rst[0] * rst[1] * (1 - rst[1]), x.y, x.z);
+  }
+  EXPECT_EQ(GeometryOrder(straight), 1);
+  EXPECT_EQ(GeometryOrder(curved), 2);
+  const auto a = Converted(straight);
+  const auto b = Converted(curved);
+  const double allowed = HighOrderModel::From(a)->GetMesh().uncertainty[0] +
+    HighOrderModel::From(b)->GetMesh().uncertainty[0];
+  EXPECT_LE(allowed, 1e-13);
+  for (double y = -1.0; y <= 1.0; y += 0.25)
+  {
+    for (double z = -1.0; z <= 1.0; z += 0.25)
+    {
+      const double left[3] = { 1.0, y, z };
+      const double right[3] = { -1.0, y, z };
+      double p[3];
+      double q[3];
+      ASSERT_TRUE(a->MapForward(0, left, p));
+      ASSERT_TRUE(b->MapForward(0, right, q));
+      for (int d = 0; d < 3; ++d)
+      {
+        EXPECT_NEAR(p[d], q[d], allowed);
+      }
+    }
+  }
+}
 } // namespace

@@ -8,6 +8,7 @@
 #include "Formats/MFEM/FunctionSpace.h"
 #include "Formats/MFEM/GeometryTable.h"
 #include "Formats/MFEM/MeshFormat.h"
+#include "Formats/MFEM/StreamCommands.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -224,39 +225,6 @@ Result LoadFile(const std::string& path, Result (*parse)(const NamedText&))
   const std::string text = ReadFileText(path);
   return parse({ path, text });
 }
-
-/// Whether a line begins a mesh or a grid function.
-bool BeginsData(std::string_view line)
-{
-  return line == "FiniteElementSpace" || line.starts_with("MFEM mesh v") ||
-    line.starts_with("MFEM NC mesh v") || line.starts_with("MFEM NURBS mesh v") ||
-    line.starts_with("MFEM INLINE mesh v") || line.starts_with("MFEM FiniteElementSpace v");
-}
-
-/// What follows the data of a stream: commands to GLVis, no numbers, no further data.
-void SkipCommands(TextScanner& scanner)
-{
-  if (double number = 0.0; scanner.TryNumber(number))
-  {
-    scanner.Fail("a number stands behind the end of the data; the file contradicts itself.");
-  }
-  while (!scanner.Peek().empty())
-  {
-    if (BeginsData(scanner.RestOfLine()))
-    {
-      scanner.FailUnsupported("the stream goes on with another mesh or grid function; one of them "
-                              "is read: save them as files of their own.");
-    }
-  }
-}
-
-/// What may stand before a mesh in a stream.
-bool IsStreamKeyword(std::string_view word)
-{
-  return word == "solution" || word == "mesh" || word == "fem3d_data" || word == "vfem3d_data" ||
-    word == "fem3d_gf_data" || word == "vfem3d_gf_data" || word == "fem3d_gf_data_keys" ||
-    word == "vfem3d_gf_data_keys";
-}
 } // namespace
 
 SolverModel Read(const NamedText& mesh, const std::vector<NamedText>& gridFunctions)
@@ -289,23 +257,13 @@ SolverModel ReadFiles(const std::string& mesh, const std::vector<std::string>& g
 SolverModel ReadStream(const NamedText& saved)
 {
   TextScanner scanner(saved);
-  const std::string_view keyword = scanner.Peek();
-  if (keyword == "parallel" || keyword == "quadrature")
-  {
-    scanner.FailUnsupported("streams of the kind '" + std::string(keyword) +
-      "' are not read; send the whole solution as one grid function.");
-  }
-  if (!IsStreamKeyword(keyword))
-  {
-    scanner.Fail("this is no GLVis stream: it should begin with 'solution' or 'mesh'.");
-  }
-  scanner.Word("the kind of stream");
+  const bool hasField = ReadStreamKeyword(scanner);
   ModelBuilder builder(ReadMesh(scanner), saved.name);
   if (scanner.Peek() == "mfem_mesh_end")
   {
     scanner.Word("the end of the mesh");
   }
-  if (keyword != "mesh")
+  if (hasField)
   {
     builder.AddField(ReadGridFunction(scanner), saved.name, "solution");
   }
