@@ -88,7 +88,7 @@ Grid PartReader::Read(const GridPart& part)
     {
       if (Said.insert(warning).second)
       {
-        Notes.push_back("'" + part.file + "': " + warning + ".");
+        Notes.emplace_back("'").append(part.file).append("': ").append(warning).append(".");
       }
     }
     return grid;

@@ -186,7 +186,8 @@ void DiagnoseWarpedNodes(const SourceMesh& mesh, std::vector<std::string>& lines
             "out SetNodePlacement (--nodes gll)."
           : "at Gauss-Lobatto-Legendre points, where VTK's Lagrange cells have them equispaced: "
             "geometry and fields of this file are not those of the solver. Have them taken as "
-            "such by SetNodePlacement (--nodes gll), or write the file with equispaced nodes "
+            "such by SetNodePlacement (--nodes gll; triangles to order 3), or write the file with "
+            "equispaced nodes "
             "(DOLFINx: basix.LagrangeVariant.equispaced).") +
       " (Judged from samples.)");
   }

@@ -36,7 +36,7 @@ void CheckMessages(
   }
   for (const std::string& warning : messages.Warnings())
   {
-    notes.push_back("'" + file + "': " + warning + ".");
+    notes.emplace_back("'").append(file).append("': ").append(warning).append(".");
   }
 }
 

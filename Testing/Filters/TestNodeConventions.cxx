@@ -73,7 +73,7 @@ struct Cell
 Cell Hexahedron(const std::array<int, 3>& n)
 {
   Cell cell{ VTK_LAGRANGE_HEXAHEDRON, n, {} };
-  cell.nodes.resize(static_cast<std::size_t>((n[0] + 1) * (n[1] + 1) * (n[2] + 1)));
+  cell.nodes.resize((n[0] + 1) * (n[1] + 1) * (n[2] + 1));
   for (int i = 0; i <= n[0]; ++i)
   {
     for (int j = 0; j <= n[1]; ++j)
@@ -103,7 +103,7 @@ Cell Wedge(int line)
 {
   Cell cell{ VTK_LAGRANGE_WEDGE, { 3, 3, line }, {} };
   const int order[4] = { 3, 3, line, 0 };
-  cell.nodes.resize(static_cast<std::size_t>(10 * (line + 1)));
+  cell.nodes.resize(10 * (line + 1));
   for (int i = 0; i <= 3; ++i)
   {
     for (int j = 0; j <= 3 - i; ++j)
