@@ -2,6 +2,7 @@
 #include "FrameDrawer.h"
 
 #include "HighOrderModel.h"
+#include "SelectionImage.h"
 #include "VtkLook.h"
 
 #include "Core/Base/Error.h"
@@ -9,6 +10,7 @@
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkHardwareSelector.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
@@ -24,22 +26,6 @@ namespace pixelexact
 {
 namespace
 {
-// The projection that OpenGL's geometry takes, from data space.
-DepthRows RowsOf(vtkRenderer* renderer, vtkMatrix4x4* dataToWorld)
-{
-  vtkNew<vtkMatrix4x4> composite;
-  composite->DeepCopy(renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
-    renderer->GetTiledAspectRatio(), -1.0, 1.0));
-  vtkMatrix4x4::Multiply4x4(composite, dataToWorld, composite);
-  DepthRows rows;
-  for (int i = 0; i < 4; ++i)
-  {
-    rows.z[static_cast<std::size_t>(i)] = composite->GetElement(2, i);
-    rows.w[static_cast<std::size_t>(i)] = composite->GetElement(3, i);
-  }
-  return rows;
-}
-
 // What lies beyond the near plane: z >= -w.
 KeptHalfSpace BeyondNear(const DepthRows& rows)
 {
@@ -78,30 +64,71 @@ DepthOffset OffsetOf(vtkMapper* mapper)
 }
 } // namespace
 
-void FrameDrawer::Complete(
-  FrameRequest& request, vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper)
+DepthRows DepthRowsOf(vtkRenderer* renderer, vtkMatrix4x4* dataToWorld)
 {
-  vtkMatrix4x4* dataToWorld = actor->GetMatrix();
-  const std::array<int, 4> viewport = FrameCompositor::Viewport(renderer);
-  request.camera = SetupOf(renderer->GetActiveCamera(), viewport[2], viewport[3],
-    renderer->GetTiledAspectRatio(), dataToWorld);
-  request.lights = LightsOf(renderer);
-  request.lit = LitViewOf(renderer, dataToWorld);
-  request.translucent = actor->GetProperty()->GetOpacity() < 1.0;
+  vtkNew<vtkMatrix4x4> composite;
+  composite->DeepCopy(renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
+    renderer->GetTiledAspectRatio(), -1.0, 1.0));
+  vtkMatrix4x4::Multiply4x4(composite, dataToWorld, composite);
+  DepthRows rows;
+  for (int i = 0; i < 4; ++i)
+  {
+    rows.z[static_cast<std::size_t>(i)] = composite->GetElement(2, i);
+    rows.w[static_cast<std::size_t>(i)] = composite->GetElement(3, i);
+  }
+  return rows;
+}
+
+std::vector<KeptHalfSpace> ClippingPlanesOf(vtkMapper* mapper, vtkMatrix4x4* dataToWorld)
+{
+  std::vector<KeptHalfSpace> planes(static_cast<std::size_t>(mapper->GetNumberOfClippingPlanes()));
   for (int i = 0; i < mapper->GetNumberOfClippingPlanes(); ++i)
   {
-    KeptHalfSpace plane{};
-    mapper->GetClippingPlaneInDataCoords(dataToWorld, i, plane.data());
-    request.kept.push_back(plane);
+    mapper->GetClippingPlaneInDataCoords(
+      dataToWorld, i, planes[static_cast<std::size_t>(i)].data());
   }
+  return planes;
+}
+
+void CompleteRequest(const DataView& view, const Box3& bounds, FrameRequest& request)
+{
+  vtkRenderer* renderer = view.renderer;
+  request.camera = SetupOf(renderer->GetActiveCamera(), view.width, view.height,
+    renderer->GetTiledAspectRatio(), view.dataToWorld);
+  request.lights = LightsOf(renderer);
+  request.lit = LitViewOf(renderer, view.dataToWorld);
+  request.translucent = view.opacity < 1.0;
+  request.kept = ClippingPlanesOf(view.mapper, view.dataToWorld);
   // What lies before the near plane shows what is behind it. VTK puts that plane before all that is
   // visible, so this is for users who move it into the data, and for cameras inside of it; all
   // others get rays that depend on the view alone.
-  const KeptHalfSpace beyondNear = BeyondNear(RowsOf(renderer, dataToWorld));
-  if (CutsInto(beyondNear, TheSource.ModelOf(request.grid)->GetLocator().Bounds()))
+  const KeptHalfSpace beyondNear = BeyondNear(DepthRowsOf(renderer, view.dataToWorld));
+  if (CutsInto(beyondNear, bounds))
   {
     request.kept.push_back(beyondNear);
   }
+}
+
+const Frame& FrameDrawer::Render(FrameRequest& request, vtkRenderer* renderer, vtkActor* actor,
+  vtkMapper* mapper, const Progress& progress)
+{
+  try
+  {
+    const std::array<int, 4> viewport = FrameCompositor::Viewport(renderer);
+    CompleteRequest({ .renderer = renderer,
+                      .mapper = mapper,
+                      .dataToWorld = actor->GetMatrix(),
+                      .opacity = actor->GetProperty()->GetOpacity(),
+                      .width = viewport[2],
+                      .height = viewport[3] },
+      TheSource.ModelOf(request.grid)->GetLocator().Bounds(), request);
+  }
+  catch (...)
+  {
+    TheSource.DropFrame();
+    throw;
+  }
+  return TheSource.Render(request, progress);
 }
 
 void FrameDrawer::MakeDrawn(const Frame& frame, const DepthRows& rows)
@@ -155,17 +182,8 @@ void FrameDrawer::MakeDrawn(const Frame& frame, const DepthRows& rows)
 void FrameDrawer::Draw(FrameRequest request, FramePart part, vtkRenderer* renderer, vtkActor* actor,
   vtkMapper* mapper, const Progress& progress)
 {
-  try
-  {
-    Complete(request, renderer, actor, mapper);
-  }
-  catch (...)
-  {
-    TheSource.DropFrame();
-    throw;
-  }
-  const Frame& frame = TheSource.Render(request, progress);
-  MakeDrawn(frame, RowsOf(renderer, actor->GetMatrix()));
+  const Frame& frame = Render(request, renderer, actor, mapper, progress);
+  MakeDrawn(frame, DepthRowsOf(renderer, actor->GetMatrix()));
   const auto draw = [&](const Drawn& drawn, int sheet)
   {
     Compositor.Draw(renderer, actor, mapper,
@@ -191,5 +209,39 @@ void FrameDrawer::Draw(FrameRequest request, FramePart part, vtkRenderer* render
       draw(SeenThrough[k - 1], static_cast<int>(k));
     }
   }
+}
+
+void FrameDrawer::Select(FrameRequest request, vtkRenderer* renderer, vtkActor* actor,
+  vtkMapper* mapper, const Progress& progress)
+{
+  if (!renderer->GetSelector()->GetActorPassOnly())
+  {
+    request.buffers = request.buffers | Buffer::Element;
+  }
+  const Frame& frame = Render(request, renderer, actor, mapper, progress);
+  const std::span<const std::int64_t> cells = TheSource.Model()->SourceCells();
+  const SelectionPass pass =
+    PassOf(renderer->GetSelector(), cells.empty() ? 0 : std::ranges::max(cells));
+  if (pass.shows == SelectionPass::Shows::Nothing)
+  {
+    return;
+  }
+  const SelectionImage image =
+    MakeSelectionImage(pass, frame, DepthRowsOf(renderer, actor->GetMatrix()), cells);
+  ++Selected;
+  Selection.Draw(renderer, actor, mapper,
+    { .rgba = image.rgba,
+      .depths = image.depths,
+      .width = frame.width,
+      .height = frame.height,
+      .offset = OffsetOf(mapper),
+      .colorsVersion = Selected,
+      .depthsVersion = Selected });
+}
+
+void FrameDrawer::ReleaseGraphicsResources(vtkWindow* window)
+{
+  Compositor.ReleaseGraphicsResources(window);
+  Selection.ReleaseGraphicsResources(window);
 }
 } // namespace pixelexact

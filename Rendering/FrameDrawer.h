@@ -9,6 +9,7 @@
 
 class vtkActor;
 class vtkMapper;
+class vtkMatrix4x4;
 class vtkRenderer;
 class vtkWindow;
 
@@ -22,6 +23,27 @@ enum class FramePart
   All
 };
 
+/// How a mapper's data are seen.
+struct DataView
+{
+  vtkRenderer* renderer = nullptr;
+  vtkMapper* mapper = nullptr; ///< for its clipping planes
+  vtkMatrix4x4* dataToWorld = nullptr;
+  double opacity = 1.0; ///< of the actor
+  int width = 0;        ///< pixels
+  int height = 0;
+};
+
+/// The mapper's clipping planes, in the data's coordinates.
+std::vector<KeptHalfSpace> ClippingPlanesOf(vtkMapper* mapper, vtkMatrix4x4* dataToWorld);
+
+/// Fills in what a view says of a request: camera, half-spaces, lights. `bounds` are those of the
+/// data. Throws Error where the matrix has no inverse.
+void CompleteRequest(const DataView& view, const Box3& bounds, FrameRequest& request);
+
+/// The projection of OpenGL's geometry, from data space.
+DepthRows DepthRowsOf(vtkRenderer* renderer, vtkMatrix4x4* dataToWorld);
+
 /// Frames from a FrameSource into a renderer, for one mapper.
 class FrameDrawer
 {
@@ -34,12 +56,18 @@ public:
   void Draw(FrameRequest request, FramePart part, vtkRenderer* renderer, vtkActor* actor,
     vtkMapper* mapper, const Progress& progress);
 
-  void ReleaseGraphicsResources(vtkWindow* window) { Compositor.ReleaseGraphicsResources(window); }
+  /// Draws what the present pass of the renderer's selector wants of the pixels that Draw shows
+  /// (SelectionImage.h), complete in any case. Throws as Draw.
+  void Select(FrameRequest request, vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper,
+    const Progress& progress);
+
+  void ReleaseGraphicsResources(vtkWindow* window);
 
   [[nodiscard]] FrameSource& Source() { return TheSource; }
 
 private:
-  void Complete(FrameRequest& request, vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper);
+  const Frame& Render(FrameRequest& request, vtkRenderer* renderer, vtkActor* actor,
+    vtkMapper* mapper, const Progress& progress);
 
   /// The pixels of one or more sheets, ready to be drawn.
   struct Drawn
@@ -51,6 +79,8 @@ private:
 
   FrameSource TheSource;
   FrameCompositor Compositor;
+  FrameCompositor Selection;     ///< keeps the textures of selectors' passes
+  std::int64_t Selected = 0;     ///< passes drawn
   Drawn Opaque;                  ///< rgba empty: the frame's own
   std::deque<Drawn> SeenThrough; ///< nearest first
   DepthRows Rows;

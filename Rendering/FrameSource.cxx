@@ -7,6 +7,7 @@
 
 #include "Core/Base/Error.h"
 #include "Trace/BufferTable.h"
+#include "Trace/TileVisit.h"
 #include "Trace/Tracer.h"
 
 #include "vtkImplicitFunction.h"
@@ -247,6 +248,24 @@ void FrameSource::Update(const FrameRequest& request, const Progress& progress)
     Repaint(TheScene, Traced->camera.Make(), ThePipeline(), *TheFrame);
     ++TheCounters.colorings;
   }
+}
+
+SampleBuffers FrameSource::Sample(
+  const FrameRequest& request, std::span<const ImagePosition> positions)
+{
+  ModelOf(request.grid);
+  DropFrame();
+  Traced = TraceKeyOf(request);
+  MakeScene(request);
+  MakeColors(ColorKeyOf(request));
+  const Pipeline pipeline = ThePipeline();
+  const Camera camera = request.camera.Make();
+  Frame none;
+  TileVisit visit(&TheScene, &camera, pipeline, none, {});
+  SampleBuffers samples =
+    visit.Trace(positions, kDrawn | UsualBuffers() | pipeline.Needs().centres);
+  (void)visit.Image(samples); // paints the sheets
+  return samples;
 }
 
 const Frame* FrameSource::FrameWithAllBuffers()

@@ -6,6 +6,7 @@
 #include "Trace/Modules/ColorMapping.h"
 #include "Trace/Modules/Lighting.h"
 #include "Trace/ProgressiveFrame.h"
+#include "Trace/TileSamples.h"
 #include "VtkCamera.h"
 
 #include "vtkSmartPointer.h"
@@ -15,6 +16,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -83,6 +85,10 @@ public:
   /// and is traced anew by the next call; a coarse one (see FrameRequest::seconds) shows blocks of
   /// pixels alike. Throws Error, after which there is no frame.
   const Frame& Render(const FrameRequest& request, const Progress& progress = {});
+
+  /// Samples of the frame asked for at `positions` alone, with the usual buffers and colours; those
+  /// of a pixel's centre are the pixel's, bit for bit. There is no frame afterwards. Throws Error.
+  SampleBuffers Sample(const FrameRequest& request, std::span<const ImagePosition> positions);
 
   /// The last frame, complete and with all of its buffers, traced once more where some were not
   /// asked for.

@@ -3,8 +3,10 @@
 
 #include "FrameDrawer.h"
 #include "FrameImage.h"
+#include "FramePick.h"
 #include "HighOrderModel.h"
 #include "LayerRequests.h"
+#include "MapperExecutive.h"
 #include "vtkHighOrderLayer.h"
 
 #include "Core/Base/Error.h"
@@ -15,6 +17,7 @@
 #include "vtkImageData.h"
 #include "vtkImplicitFunction.h"
 #include "vtkInformation.h"
+#include "vtkLookupTable.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkRenderWindow.h"
@@ -33,6 +36,7 @@ struct vtkHighOrderMapper::Internals
   std::vector<vtkSmartPointer<vtkImplicitFunction>> Cuts;
   std::vector<vtkSmartPointer<vtkHighOrderLayer>> Layers;
   pixelexact::FrameDrawer Drawer;
+  pixelexact::FrameSource Picks; ///< of pixels apart from frames
   vtkSmartPointer<vtkImageData> Buffers;
   std::int64_t BuffersVersion = -1; ///< of the frame that Buffers hold
 
@@ -91,6 +95,12 @@ int vtkHighOrderMapper::FillInputPortInformation(int, vtkInformation* info)
 }
 
 //------------------------------------------------------------------------------
+vtkExecutive* vtkHighOrderMapper::CreateDefaultExecutive()
+{
+  return pixelexact::MapperExecutive::New();
+}
+
+//------------------------------------------------------------------------------
 void vtkHighOrderMapper::SetInputData(vtkUnstructuredGrid* grid)
 {
   this->SetInputDataInternal(0, grid);
@@ -99,7 +109,7 @@ void vtkHighOrderMapper::SetInputData(vtkUnstructuredGrid* grid)
 //------------------------------------------------------------------------------
 vtkUnstructuredGrid* vtkHighOrderMapper::GetInput()
 {
-  return vtkUnstructuredGrid::SafeDownCast(this->GetExecutive()->GetInputData(0, 0));
+  return vtkUnstructuredGrid::SafeDownCast(pixelexact::MapperExecutive::InputOf(this));
 }
 
 //------------------------------------------------------------------------------
@@ -321,11 +331,6 @@ void vtkHighOrderMapper::RenderAll(vtkRenderer* renderer, vtkActor* actor)
 void vtkHighOrderMapper::RenderPart(int part, vtkRenderer* renderer, vtkActor* actor)
 {
   const auto drawn = static_cast<pixelexact::FramePart>(part);
-  // A selector wants the ids of props in the place of colours, which the pixels do not carry.
-  if (renderer->GetSelector() != nullptr)
-  {
-    return;
-  }
   if (this->GetNumberOfInputConnections(0) == 0)
   {
     vtkErrorMacro(<< "No input!");
@@ -338,6 +343,7 @@ void vtkHighOrderMapper::RenderPart(int part, vtkRenderer* renderer, vtkActor* a
   }
   this->InvokeEvent(vtkCommand::EndEvent, nullptr);
   this->SetAbortExecute(0);
+  pixelexact::MapperExecutive::WarnAgain(this);
   vtkRenderWindow* window = renderer->GetRenderWindow();
   const vtkIdType traces = this->GetNumberOfTraces();
   const pixelexact::Progress progress = [this, window](double done)
@@ -356,6 +362,11 @@ void vtkHighOrderMapper::RenderPart(int part, vtkRenderer* renderer, vtkActor* a
     if (request.layers.empty())
     {
       drawer.Source().DropFrame();
+      return;
+    }
+    if (renderer->GetSelector() != nullptr)
+    {
+      drawer.Select(request, renderer, actor, this, progress);
       return;
     }
     // The opaque phase of the same picture has done that.
@@ -379,10 +390,33 @@ void vtkHighOrderMapper::RenderPart(int part, vtkRenderer* renderer, vtkActor* a
 }
 
 //------------------------------------------------------------------------------
+std::optional<pixelexact::PickedSample> vtkHighOrderMapper::PickSample(
+  const pixelexact::PickRay& ray, vtkActor* actor)
+{
+  const pixelexact::FrameRequest request = this->Data->Request(this, actor);
+  if (request.layers.empty())
+  {
+    return std::nullopt;
+  }
+  return pixelexact::Pick(this->Data->Picks, request, ray, this);
+}
+
+//------------------------------------------------------------------------------
 void vtkHighOrderMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Data->Drawer.ReleaseGraphicsResources(window);
   this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderMapper::CreateDefaultLookupTable()
+{
+  // The superclass looks for texts among the input's arrays, which it gets as all others do.
+  if (this->LookupTable != nullptr)
+  {
+    this->LookupTable->UnRegister(this);
+  }
+  this->LookupTable = vtkLookupTable::New();
 }
 
 //------------------------------------------------------------------------------

@@ -32,7 +32,13 @@
  * made at once.
  *
  * Layers that are not opaque are drawn with the renderer's translucent geometry, sheet by sheet
- * with their own depths. Hardware selection does not see the cut.
+ * with their own depths.
+ *
+ * Picking: VTK's hardware selection (vtkPropPicker, vtkHardwareSelector, vtkRenderedAreaPicker)
+ * sees the pixels as those of the actor, each with the number of its source cell;
+ * vtkHighOrderPicker says all that is known of a pixel. There are no polygons: others who ask for
+ * the mapper's input (vtkCellPicker, vtkPointPicker, exporters) get an empty vtkPolyData and a
+ * warning, once between two renders, since the outside of the mesh is not what is seen.
  */
 
 #ifndef vtkHighOrderMapper_h
@@ -41,8 +47,15 @@
 #include "PixelExactRenderingModule.h"
 #include "vtkMapper.h"
 
-#include <memory> // for the implementation
-#include <string> // for the field's name
+#include <memory>   // for the implementation
+#include <optional> // for picks
+#include <string>   // for the field's name
+
+namespace pixelexact
+{
+struct PickRay;
+struct PickedSample;
+} // namespace pixelexact
 
 class vtkHighOrderLayer;
 class vtkImageData;
@@ -59,7 +72,8 @@ public:
   ///@{
   /**
    * The grid. It may be a plain vtkUnstructuredGrid, as files and filters give them back; what
-   * counts are its arrays.
+   * counts are its arrays. Through vtkMapper's or vtkAlgorithm's functions (vtkMapper::GetInput,
+   * GetInputDataObject) the input is an empty vtkPolyData: see the class's description.
    */
   void SetInputData(vtkUnstructuredGrid* grid);
   vtkUnstructuredGrid* GetInput();
@@ -150,6 +164,7 @@ public:
   void Render(vtkRenderer* renderer, vtkActor* actor) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
   void ShallowCopy(vtkAbstractMapper* mapper) override;
+  void CreateDefaultLookupTable() override;
 
   /**
    * Changes with the cut functions and layers, too.
@@ -178,6 +193,7 @@ protected:
   ~vtkHighOrderMapper() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  vtkExecutive* CreateDefaultExecutive() override;
 
   std::string FieldName;
   unsigned char UnknownColor[4] = { 255, 0, 255, 255 };
@@ -185,6 +201,7 @@ protected:
   bool LightFlat = false;
 
 private:
+  friend class vtkHighOrderPicker;
   friend class vtkHighOrderRayPass;
   vtkHighOrderMapper(const vtkHighOrderMapper&) = delete;
   void operator=(const vtkHighOrderMapper&) = delete;
@@ -194,6 +211,12 @@ private:
    */
   void RenderAll(vtkRenderer* renderer, vtkActor* actor);
   void RenderPart(int part, vtkRenderer* renderer, vtkActor* actor);
+
+  /**
+   * The first thing that a ray meets. Throws pixelexact::Error.
+   */
+  std::optional<pixelexact::PickedSample> PickSample(
+    const pixelexact::PickRay& ray, vtkActor* actor);
 
   struct Internals;
   std::unique_ptr<Internals> Data;
