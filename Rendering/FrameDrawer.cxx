@@ -219,15 +219,14 @@ void FrameDrawer::Select(FrameRequest request, vtkRenderer* renderer, vtkActor* 
     request.buffers = request.buffers | Buffer::Element;
   }
   const Frame& frame = Render(request, renderer, actor, mapper, progress);
-  const std::span<const std::int64_t> cells = TheSource.Model()->SourceCells();
-  const SelectionPass pass =
-    PassOf(renderer->GetSelector(), cells.empty() ? 0 : std::ranges::max(cells));
+  const HighOrderModel& model = *TheSource.Model();
+  const SelectionPass pass = PassOf(renderer->GetSelector(), model);
   if (pass.shows == SelectionPass::Shows::Nothing)
   {
     return;
   }
-  const SelectionImage image =
-    MakeSelectionImage(pass, frame, DepthRowsOf(renderer, actor->GetMatrix()), cells);
+  const SelectionImage image = MakeSelectionImage(
+    pass, frame, DepthRowsOf(renderer, actor->GetMatrix()), model.SourceCells(), model.Blocks());
   ++Selected;
   Selection.Draw(renderer, actor, mapper,
     { .rgba = image.rgba,

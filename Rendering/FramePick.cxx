@@ -87,13 +87,20 @@ PickedSample Describe(
   {
     return picked;
   }
-  picked.element = sheet.element[0];
-  picked.source = model.SourceCells()[static_cast<std::size_t>(picked.element)];
+  const std::int64_t element = sheet.element[0];
+  picked.cell = element;
+  picked.source = model.SourceCells()[static_cast<std::size_t>(element)];
+  if (!model.Blocks().empty())
+  {
+    const HighOrderModel::Block& block = HighOrderModel::BlockOf(element, model.Blocks());
+    picked.block = block.flatIndex;
+    picked.cell -= block.begin;
+  }
   picked.xi = sheet.xi[0];
   picked.value = sheet.value[0];
   picked.values.resize(static_cast<std::size_t>(field.values.components));
   EvaluateAt(
-    model.GetMesh(), field, static_cast<int>(picked.element), { &picked.xi, 1 }, picked.values, {});
+    model.GetMesh(), field, static_cast<int>(element), { &picked.xi, 1 }, picked.values, {});
   return picked;
 }
 } // namespace

@@ -35,9 +35,10 @@ struct PickedSample
   Vec3 position;
   Vec3 normal; ///< of the cut-surface
   PixelVerdict verdict = PixelVerdict::Unknown;
-  int layer = 0;             ///< of the request
-  std::int64_t element = -1; ///< of the model
-  std::int64_t source = -1;  ///< the element's cell in the source
+  int layer = 0;            ///< of the request
+  std::int64_t cell = -1;   ///< of the grid, or of the block
+  std::int64_t source = -1; ///< the element's cell in the source
+  std::int64_t block = -1;  ///< flat index, of composite data
   // Where the verdict is Exact:
   Vec3 xi;
   double value = 0.0;         ///< of the component that is shown

@@ -13,7 +13,6 @@
 #include "vtkImplicitFunction.h"
 #include "vtkPlane.h"
 #include "vtkScalarsToColors.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 
@@ -48,7 +47,7 @@ void FrameSource::Clear()
   TheModel.reset();
 }
 
-const std::shared_ptr<HighOrderModel>& FrameSource::ModelOf(vtkUnstructuredGrid* grid)
+const std::shared_ptr<HighOrderModel>& FrameSource::ModelOf(vtkDataObject* grid)
 {
   if (grid == nullptr)
   {

@@ -20,9 +20,9 @@
 #include <utility>
 #include <vector>
 
+class vtkDataObject;
 class vtkImplicitFunction;
 class vtkScalarsToColors;
-class vtkUnstructuredGrid;
 
 namespace pixelexact
 {
@@ -46,7 +46,7 @@ struct LayerRequest
 /// What is to be seen. The objects are the caller's; all spaces are the data's, but for lights.
 struct FrameRequest
 {
-  vtkUnstructuredGrid* grid = nullptr;
+  vtkDataObject* grid = nullptr; ///< a vtkUnstructuredGrid, or composite data of such
   std::vector<LayerRequest> layers;
   std::vector<KeptHalfSpace> kept; ///< clipping planes, and the near plane where it cuts the data
   CameraSetup camera;
@@ -99,7 +99,7 @@ public:
   [[nodiscard]] const Frame* LastFrame() const;
 
   /// The model of the grid as it is now. Throws Error.
-  const std::shared_ptr<HighOrderModel>& ModelOf(vtkUnstructuredGrid* grid);
+  const std::shared_ptr<HighOrderModel>& ModelOf(vtkDataObject* grid);
   /// The model of the last frame; null when there is none.
   [[nodiscard]] const HighOrderModel* Model() const { return TheModel.get(); }
   /// Of the last frame.

@@ -19,15 +19,13 @@ void SetColor(std::int64_t number, std::uint8_t* color)
   }
 }
 
-std::int64_t CellOf(
-  const SampleBuffers& sheet, std::size_t i, std::span<const std::int64_t> sourceCells)
+bool IsExact(const SampleBuffers& sheet, std::size_t i)
 {
-  const bool exact = sheet.verdict[i] == static_cast<std::uint8_t>(PixelVerdict::Exact);
-  return exact ? sourceCells[static_cast<std::size_t>(sheet.element[i])] : -1;
+  return sheet.verdict[i] == static_cast<std::uint8_t>(PixelVerdict::Exact);
 }
 } // namespace
 
-SelectionPass PassOf(vtkHardwareSelector* selector, std::int64_t mostCell)
+SelectionPass PassOf(vtkHardwareSelector* selector, const HighOrderModel& model)
 {
   SelectionPass pass;
   pass.needsCells = !selector->GetActorPassOnly();
@@ -36,7 +34,8 @@ SelectionPass PassOf(vtkHardwareSelector* selector, std::int64_t mostCell)
     return pass;
   }
   selector->BeginRenderProp();
-  selector->UpdateMaximumCellId(mostCell);
+  const std::span<const std::int64_t> cells = model.SourceCells();
+  selector->UpdateMaximumCellId(cells.empty() ? 0 : std::ranges::max(cells));
   switch (selector->GetCurrentPass())
   {
     case vtkHardwareSelector::CELL_ID_LOW24:
@@ -46,6 +45,11 @@ SelectionPass PassOf(vtkHardwareSelector* selector, std::int64_t mostCell)
       pass.shows = SelectionPass::Shows::CellHigh;
       break;
     case vtkHardwareSelector::COMPOSITE_INDEX_PASS:
+      if (!model.Blocks().empty())
+      {
+        pass.shows = SelectionPass::Shows::Block;
+        break;
+      }
       // The number that VTK's mappers give to data of one block.
       selector->RenderCompositeIndex(1);
       [[fallthrough]];
@@ -63,7 +67,8 @@ SelectionPass PassOf(vtkHardwareSelector* selector, std::int64_t mostCell)
 }
 
 SelectionImage MakeSelectionImage(const SelectionPass& pass, const Frame& frame,
-  const DepthRows& rows, std::span<const std::int64_t> sourceCells)
+  const DepthRows& rows, std::span<const std::int64_t> sourceCells,
+  std::span<const HighOrderModel::Block> blocks)
 {
   const std::size_t pixels = frame.centres.Size();
   SelectionImage image;
@@ -82,21 +87,24 @@ SelectionImage MakeSelectionImage(const SelectionPass& pass, const Frame& frame,
       image.depths[i] = depths[i];
       std::uint8_t* color = &image.rgba[4 * i];
       color[3] = 255;
-      const std::int64_t cell = pass.needsCells ? CellOf(sheet, i, sourceCells) : 0;
-      if (cell < 0)
+      if (pass.needsCells && !IsExact(sheet, i))
       {
         continue;
       }
+      const auto source = [&] { return sourceCells[static_cast<std::size_t>(sheet.element[i])]; };
       switch (pass.shows)
       {
         case SelectionPass::Shows::Prop:
           std::copy_n(pass.color, 3, color);
           break;
+        case SelectionPass::Shows::Block:
+          SetColor(HighOrderModel::BlockOf(sheet.element[i], blocks).flatIndex, color);
+          break;
         case SelectionPass::Shows::CellLow:
-          SetColor(cell, color);
+          SetColor(source(), color);
           break;
         case SelectionPass::Shows::CellHigh:
-          SetColor(cell >> 24, color);
+          SetColor(source() >> 24, color);
           break;
         case SelectionPass::Shows::Nothing:
           break;

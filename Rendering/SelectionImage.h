@@ -2,6 +2,7 @@
 #pragma once
 
 #include "FrameCompositor.h"
+#include "HighOrderModel.h"
 #include "PixelExactRenderingModule.h"
 
 #include <cstdint>
@@ -20,6 +21,7 @@ struct SelectionPass
   {
     Nothing, ///< the pass is of points, and there are none
     Prop,    ///< one colour for all pixels
+    Block,   ///< of composite data: the flat index of the cell's block
     CellLow, ///< the cell's number, its lower 24 bits
     CellHigh ///< the 24 bits above these
   };
@@ -29,8 +31,7 @@ struct SelectionPass
 };
 
 /// What the present pass of the renderer's selector wants of a prop of ours, which it is told of.
-/// `mostCell` is the highest number of a cell.
-SelectionPass PassOf(vtkHardwareSelector* selector, std::int64_t mostCell);
+SelectionPass PassOf(vtkHardwareSelector* selector, const HighOrderModel& model);
 
 /// Pixels for a compositor.
 struct SelectionImage
@@ -40,7 +41,8 @@ struct SelectionImage
 };
 
 /// Of each pixel the nearest sample that is shown, translucent or not, as VTK's own mappers are
-/// selected. `sourceCells` as HighOrderModel::SourceCells.
+/// selected. `sourceCells` and `blocks` as HighOrderModel's.
 PIXELEXACTRENDERING_EXPORT SelectionImage MakeSelectionImage(const SelectionPass& pass,
-  const Frame& frame, const DepthRows& rows, std::span<const std::int64_t> sourceCells);
+  const Frame& frame, const DepthRows& rows, std::span<const std::int64_t> sourceCells,
+  std::span<const HighOrderModel::Block> blocks);
 } // namespace pixelexact

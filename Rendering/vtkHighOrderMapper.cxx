@@ -13,6 +13,7 @@
 #include "Core/Location/Locator.h"
 
 #include "vtkCommand.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkExecutive.h"
 #include "vtkImageData.h"
 #include "vtkImplicitFunction.h"
@@ -60,7 +61,7 @@ pixelexact::FrameRequest vtkHighOrderMapper::Internals::Request(
   vtkHighOrderMapper* self, vtkActor* actor) const
 {
   pixelexact::FrameRequest request;
-  request.grid = self->GetInput();
+  request.grid = pixelexact::MapperExecutive::InputOf(self);
   std::copy_n(self->UnknownColor, 4, request.unknownColor.begin());
   const pixelexact::LayerRequest ofAll = pixelexact::LayerOf(self, actor->GetProperty());
   for (const auto& cut : Cuts)
@@ -91,6 +92,7 @@ vtkHighOrderMapper::~vtkHighOrderMapper() = default;
 int vtkHighOrderMapper::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   return 1;
 }
 
@@ -101,15 +103,21 @@ vtkExecutive* vtkHighOrderMapper::CreateDefaultExecutive()
 }
 
 //------------------------------------------------------------------------------
-void vtkHighOrderMapper::SetInputData(vtkUnstructuredGrid* grid)
+void vtkHighOrderMapper::SetInputData(vtkDataObject* data)
 {
-  this->SetInputDataInternal(0, grid);
+  this->SetInputDataInternal(0, data);
 }
 
 //------------------------------------------------------------------------------
 vtkUnstructuredGrid* vtkHighOrderMapper::GetInput()
 {
   return vtkUnstructuredGrid::SafeDownCast(pixelexact::MapperExecutive::InputOf(this));
+}
+
+//------------------------------------------------------------------------------
+vtkCompositeDataSet* vtkHighOrderMapper::GetCompositeInput()
+{
+  return vtkCompositeDataSet::SafeDownCast(pixelexact::MapperExecutive::InputOf(this));
 }
 
 //------------------------------------------------------------------------------
@@ -245,14 +253,14 @@ double* vtkHighOrderMapper::GetBounds()
   {
     this->Update();
   }
-  vtkUnstructuredGrid* grid = this->GetInput();
-  if (grid == nullptr)
+  vtkDataObject* data = pixelexact::MapperExecutive::InputOf(this);
+  if (data == nullptr)
   {
     return this->Bounds;
   }
   try
   {
-    const pixelexact::Box3& box = this->Data->Drawer.Source().ModelOf(grid)->GetLocator().Bounds();
+    const pixelexact::Box3& box = this->Data->Drawer.Source().ModelOf(data)->GetLocator().Bounds();
     for (int i = 0; i < 3 && box.lower.x <= box.upper.x; ++i)
     {
       this->Bounds[2 * i] = box.lower[i];
@@ -262,7 +270,14 @@ double* vtkHighOrderMapper::GetBounds()
   catch (const pixelexact::Error&)
   {
     // Render says what is wrong; until then the points' box lets a camera be placed.
-    grid->GetBounds(this->Bounds);
+    if (vtkUnstructuredGrid* grid = this->GetInput())
+    {
+      grid->GetBounds(this->Bounds);
+    }
+    else if (vtkCompositeDataSet* composite = this->GetCompositeInput())
+    {
+      composite->GetBounds(this->Bounds);
+    }
   }
   return this->Bounds;
 }
@@ -288,7 +303,8 @@ vtkImageData* vtkHighOrderMapper::GetBuffers()
   }
   if (data.Buffers == nullptr || data.BuffersVersion != source.Version())
   {
-    data.Buffers = pixelexact::ToImageData(*frame, source.Model()->SourceCells());
+    data.Buffers =
+      pixelexact::ToImageData(*frame, source.Model()->SourceCells(), source.Model()->Blocks());
     data.BuffersVersion = source.Version();
   }
   return data.Buffers;

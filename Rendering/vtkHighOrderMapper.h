@@ -4,10 +4,11 @@
  * @brief   draws a high-order field on cut-surfaces, every pixel from the exact field
  *
  * Takes a vtkUnstructuredGrid that carries PixelExact's arrays (vtkHighOrderGrid, or what
- * vtkUnstructuredGridToHighOrderGrid made) and works with a stock vtkActor: for each pixel the
- * point where its ray meets a cut-surface is found, and the field's own polynomials are evaluated
- * there. There is no mesh of triangles and no interpolation. Pixels and depths go into the
- * framebuffer, so that ordinary geometry hides the cut and is hidden by it, to the pixel.
+ * vtkUnstructuredGridToHighOrderGrid made), or composite data of such, and works with a stock
+ * vtkActor: for each pixel the point where its ray meets a cut-surface is found, and the field's
+ * own polynomials are evaluated there. There is no mesh of triangles and no interpolation. Pixels
+ * and depths go into the framebuffer, so that ordinary geometry hides the cut and is hidden by it,
+ * to the pixel.
  *
  * - What is cut: SetCutFunction, AddCutFunction. Functions are written in the data's coordinates;
  *   the actor's matrix moves cut and field together.
@@ -57,6 +58,8 @@ struct PickRay;
 struct PickedSample;
 } // namespace pixelexact
 
+class vtkCompositeDataSet;
+class vtkDataObject;
 class vtkHighOrderLayer;
 class vtkImageData;
 class vtkImplicitFunction;
@@ -72,11 +75,15 @@ public:
   ///@{
   /**
    * The grid. It may be a plain vtkUnstructuredGrid, as files and filters give them back; what
-   * counts are its arrays. Through vtkMapper's or vtkAlgorithm's functions (vtkMapper::GetInput,
+   * counts are its arrays. Or composite data (vtkMultiBlockDataSet, vtkPartitionedDataSet,
+   * vtkPartitionedDataSetCollection) whose leaves are such grids: their elements are one scene, of
+   * the fields that all of them have, and the coefficients are copied. GetInput is null then, else
+   * GetCompositeInput. Through vtkMapper's or vtkAlgorithm's functions (vtkMapper::GetInput,
    * GetInputDataObject) the input is an empty vtkPolyData: see the class's description.
    */
-  void SetInputData(vtkUnstructuredGrid* grid);
+  void SetInputData(vtkDataObject* data);
   vtkUnstructuredGrid* GetInput();
+  vtkCompositeDataSet* GetCompositeInput();
   ///@}
 
   ///@{
@@ -144,7 +151,8 @@ public:
    * The last frame as an image of the viewport's size, lower left pixel first, with the point
    * arrays Value, Position, Normal, Xi, Element, Depth, Verdict, Layer and Color; null before the
    * first frame and after one that failed. Positions and depths (along the unit ray) are in the
-   * data's coordinates, elements are the cells of the source.
+   * data's coordinates, elements are the cells of the source; of composite data, of the block that
+   * a further array, Block, names by its flat index.
    *
    * A frame is traced with what drawing needs; the rest is traced by the first call for a frame, as
    * is what a coarse one lacks.

@@ -7,12 +7,15 @@
 #include "Core/Base/Error.h"
 
 #include "vtkActor.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
 #include "vtkTransform.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -43,6 +46,19 @@ std::optional<std::array<int, 2>> PixelIn(
     return std::nullopt;
   }
   return std::array<int, 2>{ static_cast<int>(x), static_cast<int>(y) };
+}
+
+vtkDataSet* LeafOf(vtkCompositeDataSet* data, vtkIdType flatIndex)
+{
+  const auto leaf = vtkSmartPointer<vtkCompositeDataIterator>::Take(data->NewIterator());
+  for (leaf->InitTraversal(); leaf->IsDoneWithTraversal() == 0; leaf->GoToNextItem())
+  {
+    if (leaf->GetCurrentFlatIndex() == flatIndex)
+    {
+      return vtkDataSet::SafeDownCast(leaf->GetCurrentDataObject());
+    }
+  }
+  return nullptr;
 }
 } // namespace
 
@@ -158,8 +174,14 @@ double vtkHighOrderPicker::IntersectWithLine(const double p1[3], const double p2
   this->SetPath(path);
   this->Mapper = cut;
   this->DataSet = cut->GetInput();
+  this->CompositeDataSet = cut->GetCompositeInput();
+  if (picked->block >= 0)
+  {
+    this->FlatBlockIndex = picked->block;
+    this->DataSet = LeafOf(this->CompositeDataSet, picked->block);
+  }
   this->ClippingPlaneId = plane;
-  this->CellId = picked->element;
+  this->CellId = picked->cell;
   std::copy_n(glm::value_ptr(picked->position), 3, this->MapperPosition);
   std::copy_n(glm::value_ptr(picked->normal), 3, this->MapperNormal);
   this->Transform->TransformPoint(this->MapperPosition, this->PickPosition);

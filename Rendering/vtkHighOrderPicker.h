@@ -12,7 +12,8 @@
  * Pick3DRay and Pick3DPoint take any ray.
  *
  * Of a cut, beside PickPosition, PickNormal (the cut-surface's), MapperPosition, Mapper and Prop:
- * DataSet is the mapper's grid, CellId the number of the cell there. SubId and PointId stay -1 and
+ * DataSet is the mapper's grid, or the leaf of its composite data that FlatBlockIndex names, CellId
+ * the number of the cell there. SubId and PointId stay -1 and
  * PCoords are not set: xi is of PixelExact's reference shapes.
  *
  * @sa vtkHighOrderMapper vtkCellPicker
@@ -53,8 +54,8 @@ public:
   vtkGetMacro(Verdict, int);
 
   /**
-   * The cell of the source that holds the point, as in the mapper's buffers; -1 where there is
-   * none.
+   * The cell of the source that holds the point, as in the mapper's buffers; of composite data, in
+   * the block that GetFlatBlockIndex() names. -1 where there is none.
    */
   vtkGetMacro(Element, vtkIdType);
 

@@ -279,18 +279,18 @@ TEST(SelectionImage, IsOfTheNearestSampleThatIsShown)
   SelectionPass pass;
   pass.needsCells = true;
   pass.shows = SelectionPass::Shows::CellLow;
-  const SelectionImage low = MakeSelectionImage(pass, frame, rows, source);
+  const SelectionImage low = MakeSelectionImage(pass, frame, rows, source, {});
   EXPECT_EQ(
     low.rgba, (std::vector<std::uint8_t>{ 5, 4, 3, 255, 0, 0, 0, 255, 5, 4, 3, 255, 0, 0, 0, 0 }));
   EXPECT_EQ(low.depths, (std::vector<float>{ 0.5F, 0.5F, 0.75F, kNoDepth }));
   pass.shows = SelectionPass::Shows::CellHigh;
-  const SelectionImage high = MakeSelectionImage(pass, frame, rows, source);
+  const SelectionImage high = MakeSelectionImage(pass, frame, rows, source, {});
   EXPECT_EQ(std::vector<std::uint8_t>(high.rgba.begin(), high.rgba.begin() + 4),
     (std::vector<std::uint8_t>{ 2, 1, 0, 255 }));
 
   // Who asks for the actor alone gets the undecided one, too.
   pass = { .shows = SelectionPass::Shows::Prop, .color = { 9, 8, 7 }, .needsCells = false };
-  const SelectionImage prop = MakeSelectionImage(pass, frame, rows, source);
+  const SelectionImage prop = MakeSelectionImage(pass, frame, rows, source, {});
   EXPECT_EQ(
     prop.rgba, (std::vector<std::uint8_t>{ 9, 8, 7, 255, 9, 8, 7, 255, 9, 8, 7, 255, 0, 0, 0, 0 }));
 }
