@@ -46,4 +46,17 @@ std::vector<CompositePart> PartsOf(vtkCompositeDataSet* data)
   }
   return parts;
 }
+
+DataState StateOf(vtkDataObject* data)
+{
+  DataState state{ { data, data->GetMTime() } };
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    for (const CompositePart& part : PartsOf(composite))
+    {
+      state.emplace_back(part.grid, part.grid->GetMTime());
+    }
+  }
+  return state;
+}
 } // namespace pixelexact

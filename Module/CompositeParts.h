@@ -4,10 +4,14 @@
 
 #include "PixelExactDataModelModule.h"
 
+#include "vtkType.h"
+
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkCompositeDataSet;
+class vtkDataObject;
 class vtkUnstructuredGrid;
 
 namespace pixelexact
@@ -23,5 +27,10 @@ struct CompositePart
 /// The leaves with cells, in VTK's order. Throws InvalidData where a leaf with cells is no
 /// vtkUnstructuredGrid, naming it.
 PIXELEXACTDATAMODEL_EXPORT std::vector<CompositePart> PartsOf(vtkCompositeDataSet* data);
+
+/// An object and, of composite data, its leaves, with their modification times. VTK's time stamps
+/// are unique in the process, so a new object at an old address is told apart.
+using DataState = std::vector<std::pair<const vtkDataObject*, vtkMTimeType>>;
+PIXELEXACTDATAMODEL_EXPORT DataState StateOf(vtkDataObject* data);
 } // namespace pixelexact
 #endif

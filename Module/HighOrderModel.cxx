@@ -19,23 +19,6 @@ namespace pixelexact
 {
 namespace
 {
-// VTK's time stamps are unique in the process, so a new object at an old address is told apart.
-using State = std::vector<std::pair<const vtkDataObject*, vtkMTimeType>>;
-
-/// Of the object and its leaves.
-State StateOf(vtkDataObject* data)
-{
-  State state{ { data, data->GetMTime() } };
-  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
-  {
-    for (const CompositePart& part : PartsOf(composite))
-    {
-      state.emplace_back(part.grid, part.grid->GetMTime());
-    }
-  }
-  return state;
-}
-
 /// Models that somebody holds, by their data: a filter, a mapper and the grid itself share one.
 struct Registry
 {
@@ -56,7 +39,7 @@ struct HighOrderModel::Internals
   ViewStorage storage;
   std::vector<Field> fields;
   std::vector<Block> blocks;
-  State state;
+  DataState state;
 
   void AddField(vtkUnstructuredGrid* source, const std::string& name)
   {

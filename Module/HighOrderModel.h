@@ -60,7 +60,7 @@ public:
   /// A leaf of composite data.
   struct Block
   {
-    unsigned int flatIndex = 0; ///< in the composite data
+    std::int64_t flatIndex = 0; ///< in the composite data
     std::int64_t begin = 0;     ///< its first element; they end at the next block's
   };
   /// In the order of elements; none where the model is of one grid.

@@ -73,10 +73,7 @@ void AddBlocks(vtkImageData* image, const std::vector<std::int64_t>& elements,
 {
   std::ranges::transform(elements, AddArray<vtkTypeInt64Array>(image, "Block", 1, elements.size()),
     [&](std::int64_t element)
-    {
-      return element < 0 ? std::int64_t{ -1 }
-                         : std::int64_t{ HighOrderModel::BlockOf(element, blocks).flatIndex };
-    });
+    { return element < 0 ? -1 : HighOrderModel::BlockOf(element, blocks).flatIndex; });
 }
 
 void TranslateElements(vtkImageData* image, std::span<const std::int64_t> sourceCells)
