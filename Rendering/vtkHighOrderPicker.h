@@ -39,7 +39,7 @@ public:
   vtkTypeMacro(vtkHighOrderPicker, vtkCellPicker);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  using vtkCellPicker::Pick;
+  using vtkPicker::Pick;
   /**
    * Picks at a display position; see the class's description. Not 0 where something was picked. The
    * window must have a size.

@@ -4,15 +4,12 @@
 #include "vtkHighOrderPicker.h"
 
 #include "vtkAssembly.h"
-#include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkHighOrderLayer.h"
 #include "vtkImageData.h"
-#include "vtkPlaneCollection.h"
 #include "vtkPointData.h"
-#include "vtkTransform.h"
 
-#include <cstring>
+#include <cmath>
 
 namespace pixelexact
 {
@@ -278,6 +275,17 @@ TEST(HighOrderPicker, NearestVisibleLayer)
   EXPECT_EQ(picked.Picker->GetLayer(), 0);
 }
 
+TEST(HighOrderPicker, ActorsOfAListNeedNotBeInTheRenderer)
+{
+  Picked picked;
+  picked.Window.Renderer->RemoveActor(picked.Scene.Cut); // as those of a vtkHighOrderRayPass
+  EXPECT_FALSE(picked.Pick(110, 120));
+  picked.Picker->PickFromListOn();
+  picked.Picker->AddPickList(picked.Scene.Cut);
+  EXPECT_TRUE(picked.Pick(110, 120));
+  EXPECT_EQ(picked.Picker->GetVerdict(), 1);
+}
+
 TEST(HighOrderPicker, RaysOfTheirOwn)
 {
   Picked picked;
@@ -297,7 +305,6 @@ TEST(HighOrderPicker, RaysOfTheirOwn)
 TEST(HighOrderPicker, SaysWhatIsWrong)
 {
   Picked picked;
-  picked.Window.Renderer->SetRenderWindow(picked.Window.RenderWindow);
   vtkNew<ErrorObserver> errors;
   picked.Picker->AddObserver(vtkCommand::ErrorEvent, errors);
   picked.Scene.Mapper->SetFieldName("pressure");

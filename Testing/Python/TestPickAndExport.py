@@ -1,4 +1,4 @@
-"""Whoever takes what a mapper shows for the polygons of its input gets none, and a warning."""
+"""Exact picks; whoever takes what a mapper shows for polygons gets none, and a warning."""
 
 import os
 import tempfile
@@ -9,7 +9,8 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from vtkmodules import vtkIOExport
 from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.vtkConstants import VTK_STRING
-from vtkmodules.vtkCommonDataModel import vtkPlane
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPlane, vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 from vtkmodules.vtkRenderingCore import (
@@ -136,6 +137,39 @@ class SoftwarePickers(unittest.TestCase):
         picker = vtkPicker()
         self.assertEqual(picker.Pick(60, 45, 0, scene.renderer), 1)
         self.assertIs(picker.GetActor(), scene.cut)
+
+
+class ExactPicks(unittest.TestCase):
+    def test_the_value_is_the_probe_s(self):
+        scene = Scene(True, True)
+        picker = pixelexact.vtkHighOrderPicker()
+        hits = 0
+        for x in range(0, 120, 7):
+            if picker.Pick(x, 45, 0, scene.renderer) == 0:
+                continue
+            if picker.GetActor() is not scene.cut:
+                self.assertEqual(picker.GetVerdict(), 0)
+                continue
+            hits += 1
+            points = vtkPoints()
+            points.SetDataTypeToDouble()
+            points.InsertNextPoint(picker.GetPickPosition())
+            where = vtkPolyData()
+            where.SetPoints(points)
+            probe = pixelexact.vtkHighOrderProbe()
+            probe.SetInputData(where)
+            probe.SetSourceConnection(scene.converter.GetOutputPort())
+            probe.Update()
+            probed = probe.GetOutputDataObject(0).GetPointData()
+            self.assertEqual(picker.GetVerdict(), 1)
+            self.assertEqual(picker.GetFieldName(), "u")
+            self.assertEqual(picker.GetValue(), probed.GetArray("u").GetValue(0))
+            self.assertEqual(picker.GetFieldValues().GetTuple(0), (picker.GetValue(),))
+            self.assertEqual(picker.GetElement(), probed.GetArray("Element").GetValue(0))
+            self.assertEqual(picker.GetXi(), probed.GetArray("Xi").GetTuple(0))
+            self.assertEqual(picker.GetLayer(), 0)
+        self.assertGreater(hits, 2)
+        self.assertEqual(scene.warnings, [])
 
 
 class Input(unittest.TestCase):
