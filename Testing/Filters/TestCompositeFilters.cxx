@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support.h"
 
+#include "vtkCellData.h"
 #include "vtkHighOrderCertifier.h"
 #include "vtkHighOrderLinearResample.h"
 #include "vtkHighOrderProbe.h"
 #include "vtkImageData.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <gtest/gtest.h>

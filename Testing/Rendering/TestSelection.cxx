@@ -5,6 +5,8 @@
 #include "vtkFieldData.h"
 #include "vtkHardwareSelector.h"
 #include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseKey.h"
 #include "vtkProp3DCollection.h"
 #include "vtkPropPicker.h"
 #include "vtkRenderedAreaPicker.h"
