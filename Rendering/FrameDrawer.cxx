@@ -18,7 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <utility>
+#include <limits>
 
 namespace pixelexact
 {
@@ -28,8 +28,8 @@ namespace
 DepthRows RowsOf(vtkRenderer* renderer, vtkMatrix4x4* dataToWorld)
 {
   vtkNew<vtkMatrix4x4> composite;
-  composite->DeepCopy(renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
-    renderer->GetTiledAspectRatio(), -1.0, 1.0));
+  composite->DeepCopy(
+    WorldToDevice(renderer->GetActiveCamera(), renderer->GetTiledAspectRatio()).data());
   vtkMatrix4x4::Multiply4x4(composite, dataToWorld, composite);
   DepthRows rows;
   for (int i = 0; i < 4; ++i)
@@ -98,77 +98,34 @@ void FrameDrawer::Complete(
   // visible, so this is for users who move it into the data, and for cameras inside of it; all
   // others get rays that depend on the view alone.
   const KeptHalfSpace beyondNear = BeyondNear(RowsOf(renderer, dataToWorld));
-  if (CutsInto(beyondNear, TheSource.ModelOf(request.grid)->GetLocator().Bounds()))
+  if (CutsInto(beyondNear, request.model->GetLocator().Bounds()))
   {
     request.kept.push_back(beyondNear);
-  }
-}
-
-void FrameDrawer::MakeDrawn(const Frame& frame, const DepthRows& rows)
-{
-  const FrameSourceCounters& counters = TheSource.Counters();
-  const bool moved = DrawnTrace != counters.traces || Rows != rows;
-  if (!moved && DrawnVersion == TheSource.Version())
-  {
-    return;
-  }
-  const std::vector<Layer>& layers = TheSource.LastScene().layers;
-  const bool seenThrough = std::ranges::any_of(layers, &Layer::translucent);
-  DepthsVersion += moved || seenThrough ? 1 : 0;
-  Rows = rows;
-  DrawnTrace = counters.traces;
-  DrawnVersion = TheSource.Version();
-  Opaque.rgba.clear();
-  if (!seenThrough)
-  {
-    SeenThrough.clear();
-    if (moved)
-    {
-      WindowDepth(frame.centres, rows, Opaque.depths);
-    }
-    return;
-  }
-  // Each ray ends at an opaque layer, if it meets one: at most one of its samples is of that part.
-  const std::size_t pixels = frame.centres.Size();
-  Opaque.rgba.assign(4 * pixels, 0);
-  Opaque.depths.assign(pixels, kNoDepth);
-  SeenThrough.resize(1 + frame.centres.behind.size());
-  for (std::size_t k = 0; k < SeenThrough.size(); ++k)
-  {
-    const SampleBuffers& sheet = k == 0 ? frame.centres : frame.centres.behind[k - 1];
-    Drawn& drawn = SeenThrough[k];
-    drawn.rgba = sheet.color;
-    WindowDepth(sheet, rows, drawn.depths);
-    for (std::size_t i = 0; i < pixels; ++i)
-    {
-      const std::uint8_t layer = layers.size() > 1 ? sheet.layer[i] : std::uint8_t{ 0 };
-      if (layer != kNoLayer && !layers[layer].translucent && drawn.depths[i] <= 1.0F)
-      {
-        std::copy_n(&drawn.rgba[4 * i], 4, &Opaque.rgba[4 * i]);
-        Opaque.depths[i] = drawn.depths[i];
-        drawn.depths[i] = kNoDepth;
-      }
-    }
   }
 }
 
 void FrameDrawer::Draw(FrameRequest request, FramePart part, vtkRenderer* renderer, vtkActor* actor,
   vtkMapper* mapper, const Progress& progress)
 {
+  ViewFrame& view = Views.Of(renderer, actor);
   try
   {
     Complete(request, renderer, actor, mapper);
   }
   catch (...)
   {
-    TheSource.DropFrame();
+    view.source.DropFrame();
     throw;
   }
-  const Frame& frame = TheSource.Render(request, progress);
-  MakeDrawn(frame, RowsOf(renderer, actor->GetMatrix()));
-  const auto draw = [&](const Drawn& drawn, int sheet)
+  if (request.refine && !view.MayBeCoarse(renderer->GetActiveCamera()))
   {
-    Compositor.Draw(renderer, actor, mapper,
+    request.seconds = std::numeric_limits<double>::infinity();
+  }
+  const Frame& frame = view.source.Render(request, progress);
+  view.MakeDrawn(RowsOf(renderer, actor->GetMatrix()));
+  const auto draw = [&](const ViewFrame::Drawn& drawn, int sheet)
+  {
+    view.compositor.Draw(renderer, actor, mapper,
       { .rgba = drawn.rgba.empty() ? frame.Image() : drawn.rgba,
         .depths = drawn.depths,
         .sheet = sheet,
@@ -176,20 +133,40 @@ void FrameDrawer::Draw(FrameRequest request, FramePart part, vtkRenderer* render
         .height = frame.height,
         .opacity = actor->GetProperty()->GetOpacity(),
         .offset = OffsetOf(mapper),
-        .colorsVersion = DrawnVersion,
-        .depthsVersion = DepthsVersion });
+        .colorsVersion = view.drawnVersion,
+        .depthsVersion = view.depthsVersion });
   };
-  if (part != FramePart::Translucent || SeenThrough.empty())
+  if (part != FramePart::Translucent || view.seenThrough.empty())
   {
-    draw(Opaque, 0);
+    draw(view.opaque, 0);
   }
   if (part != FramePart::Opaque)
   {
     // Back to front.
-    for (std::size_t k = SeenThrough.size(); k > 0; --k)
+    for (std::size_t k = view.seenThrough.size(); k > 0; --k)
     {
-      draw(SeenThrough[k - 1], static_cast<int>(k));
+      draw(view.seenThrough[k - 1], static_cast<int>(k));
     }
   }
+}
+
+const std::shared_ptr<HighOrderModel>& FrameDrawer::ModelOf(vtkUnstructuredGrid* grid)
+{
+  try
+  {
+    const std::shared_ptr<HighOrderModel>& model = Model.Of(grid);
+    Views.DropOthers(model.get());
+    return model;
+  }
+  catch (...)
+  {
+    Views.DropOthers(nullptr);
+    throw;
+  }
+}
+
+void FrameDrawer::DropFrame(vtkRenderer* renderer, vtkActor* actor)
+{
+  Views.Of(renderer, actor).source.DropFrame();
 }
 } // namespace pixelexact

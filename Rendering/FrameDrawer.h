@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "FrameCompositor.h"
-#include "FrameSource.h"
+#include "GridModel.h"
+#include "ViewFrames.h"
 
-#include <deque>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 class vtkActor;
 class vtkMapper;
 class vtkRenderer;
+class vtkUnstructuredGrid;
 class vtkWindow;
 
 namespace pixelexact
@@ -22,40 +26,43 @@ enum class FramePart
   All
 };
 
-/// Frames from a FrameSource into a renderer, for one mapper.
+/// Frames into renderers, for one mapper. Keeps the model of its grid and a frame for each view.
 class FrameDrawer
 {
 public:
+  /// The model of the grid as it is now. Throws Error.
+  const std::shared_ptr<HighOrderModel>& ModelOf(vtkUnstructuredGrid* grid);
+
   /// Draws a part of what `request` asks for, seen through the renderer's camera and placed by the
-  /// actor. The request's camera, half-spaces and solid colour are filled in here: viewport and
-  /// camera from the renderer, lights from the renderer, matrix from the actor, clipping planes and
-  /// depth offset from the mapper. The actor's opacity is applied. Throws Error, after which there
-  /// is no frame.
+  /// actor. The request's camera, half-spaces and lights are filled in here: viewport, camera and
+  /// lights from the renderer, matrix from the actor, clipping planes and depth offset from the
+  /// mapper. The actor's opacity is applied. A camera that the view is seen through for the first
+  /// time gets a complete frame, whatever the time. Throws Error, after which the view has no
+  /// frame.
   void Draw(FrameRequest request, FramePart part, vtkRenderer* renderer, vtkActor* actor,
     vtkMapper* mapper, const Progress& progress);
 
-  void ReleaseGraphicsResources(vtkWindow* window) { Compositor.ReleaseGraphicsResources(window); }
+  /// There is nothing to be seen in this view.
+  void DropFrame(vtkRenderer* renderer, vtkActor* actor);
 
-  [[nodiscard]] FrameSource& Source() { return TheSource; }
+  /// What is new of this (ViewFrames::Complain).
+  std::vector<std::string> Complain(
+    vtkRenderer* renderer, vtkActor* actor, std::vector<std::string> complaints)
+  {
+    return Views.Complain(Views.Of(renderer, actor), std::move(complaints));
+  }
+
+  void ReleaseGraphicsResources(vtkWindow* window) { Views.ReleaseGraphicsResources(window); }
+
+  /// Of the view that was drawn last; null before the first one.
+  [[nodiscard]] FrameSource* LastSource() { return Views.Last(); }
+  [[nodiscard]] std::int64_t ModelBuilds() const { return Model.Builds(); }
+  [[nodiscard]] const FrameSourceCounters& Counters() const { return Views.Counters(); }
 
 private:
   void Complete(FrameRequest& request, vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper);
 
-  /// The pixels of one or more sheets, ready to be drawn.
-  struct Drawn
-  {
-    std::vector<std::uint8_t> rgba;
-    std::vector<float> depths;
-  };
-  void MakeDrawn(const Frame& frame, const DepthRows& rows);
-
-  FrameSource TheSource;
-  FrameCompositor Compositor;
-  Drawn Opaque;                  ///< rgba empty: the frame's own
-  std::deque<Drawn> SeenThrough; ///< nearest first
-  DepthRows Rows;
-  std::int64_t DrawnVersion = -1; ///< of the source, that these were made of
-  std::int64_t DrawnTrace = -1;
-  std::int64_t DepthsVersion = 0;
+  GridModel Model;
+  ViewFrames Views;
 };
 } // namespace pixelexact

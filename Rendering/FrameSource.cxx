@@ -12,7 +12,6 @@
 #include "vtkImplicitFunction.h"
 #include "vtkPlane.h"
 #include "vtkScalarsToColors.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 
@@ -29,10 +28,14 @@ bool Includes(Buffer set, Buffer wanted)
 }
 } // namespace
 
-FrameSource::FrameSource() = default;
+FrameSource::FrameSource(FrameSourceCounters& counters)
+  : TheCounters(counters)
+{
+}
+
 FrameSource::~FrameSource() = default;
 
-void FrameSource::DropFrame()
+void FrameSource::Forget()
 {
   TheFrame.reset();
   Passes.reset();
@@ -40,29 +43,19 @@ void FrameSource::DropFrame()
   Colored.reset();
 }
 
-void FrameSource::Clear()
+void FrameSource::DropFrame()
 {
-  DropFrame();
+  Forget();
   TheScene = {};
   TheModel.reset();
 }
 
-const std::shared_ptr<HighOrderModel>& FrameSource::ModelOf(vtkUnstructuredGrid* grid)
+void FrameSource::Count(bool traced)
 {
-  if (grid == nullptr)
-  {
-    Clear();
-    throw Error("no input: connect a vtkUnstructuredGrid that carries high-order arrays");
-  }
-  if (!TheModel || !TheModel->IsCurrent(grid))
-  {
-    // Alive until the new one is made, which may share its locator.
-    const std::shared_ptr<HighOrderModel> stale = TheModel;
-    Clear();
-    TheModel = HighOrderModel::From(grid);
-    ++TheCounters.models;
-  }
-  return TheModel;
+  TheCounters.traces += traced ? 1 : 0;
+  ++TheCounters.colorings;
+  TheVersion = TheCounters.traces + TheCounters.colorings;
+  TheTraceVersion = traced ? TheVersion : TheTraceVersion;
 }
 
 FrameSource::TraceKey FrameSource::TraceKeyOf(const FrameRequest& request) const
@@ -170,16 +163,23 @@ void FrameSource::TraceFrame(double seconds, const Progress& progress)
 {
   const double pixels =
     static_cast<double>(Traced->camera.width) * static_cast<double>(Traced->camera.height);
-  if (PixelSeconds * pixels <= seconds)
+  const double before = Passes->Get().counters.seconds;
+  const auto spent = [&] { return Passes->Get().counters.seconds - before; };
+  bool going = true;
+  while (going && Passes->Step() != 1)
   {
-    Passes->Complete(progress);
-  }
-  else
-  {
-    // The next pass takes three times what all before it have.
-    while (Passes->Refine(progress) && Passes->Step() > 1 &&
-      4.0 * Passes->Get().counters.seconds <= seconds)
+    const int from = Passes->Step();
+    const double since = spent();
+    const FrameCost::Work work = Cost.Next(pixels, from, since, seconds);
+    if (work == FrameCost::Work::Show)
     {
+      break;
+    }
+    going =
+      work == FrameCost::Work::Complete ? Passes->Complete(progress) : Passes->Refine(progress);
+    if (going)
+    {
+      Cost.Learn(pixels, from, Passes->Step(), spent() - since);
     }
   }
   Complete = Passes->Step() == 1;
@@ -187,14 +187,12 @@ void FrameSource::TraceFrame(double seconds, const Progress& progress)
   {
     TheFrame = Passes->Take();
     Passes.reset();
-    PixelSeconds = TheFrame->counters.seconds / pixels;
   }
   else
   {
     TheFrame = Passes->Preview();
   }
-  ++TheCounters.traces;
-  ++TheCounters.colorings;
+  Count(true);
 }
 
 const Frame& FrameSource::Render(const FrameRequest& request, const Progress& progress)
@@ -214,12 +212,16 @@ const Frame& FrameSource::Render(const FrameRequest& request, const Progress& pr
 
 void FrameSource::Update(const FrameRequest& request, const Progress& progress)
 {
-  ModelOf(request.grid);
+  if (TheModel != request.model)
+  {
+    DropFrame();
+    TheModel = request.model;
+  }
   TraceKey key = TraceKeyOf(request);
   const bool sameScene = Traced == key;
   if (!sameScene)
   {
-    DropFrame();
+    Forget();
     Traced = std::move(key);
     MakeScene(request);
   }
@@ -245,7 +247,7 @@ void FrameSource::Update(const FrameRequest& request, const Progress& progress)
   else if (!sameColors)
   {
     Repaint(TheScene, Traced->camera.Make(), ThePipeline(), *TheFrame);
-    ++TheCounters.colorings;
+    Count(false);
   }
 }
 

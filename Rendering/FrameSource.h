@@ -3,6 +3,7 @@
 
 #include "FieldChoice.h"
 #include "PixelExactRenderingModule.h"
+#include "Trace/FrameCost.h"
 #include "Trace/Modules/ColorMapping.h"
 #include "Trace/Modules/Lighting.h"
 #include "Trace/ProgressiveFrame.h"
@@ -20,7 +21,6 @@
 
 class vtkImplicitFunction;
 class vtkScalarsToColors;
-class vtkUnstructuredGrid;
 
 namespace pixelexact
 {
@@ -44,7 +44,7 @@ struct LayerRequest
 /// What is to be seen. The objects are the caller's; all spaces are the data's, but for lights.
 struct FrameRequest
 {
-  vtkUnstructuredGrid* grid = nullptr;
+  std::shared_ptr<HighOrderModel> model;
   std::vector<LayerRequest> layers;
   std::vector<KeptHalfSpace> kept; ///< clipping planes, and the near plane where it cuts the data
   CameraSetup camera;
@@ -63,25 +63,26 @@ struct FrameRequest
 /// How often each step was taken.
 struct FrameSourceCounters
 {
-  std::int64_t models = 0;
   std::int64_t traces = 0;
   std::int64_t colorings = 0;
 };
 
-/// Frames of a grid for whoever draws them: mapper, render pass. Keeps the last model and the last
-/// frame, and takes only the steps whose inputs changed: another lookup table recolours, another
-/// view traces, another grid builds a model. Not for use by several threads at once.
+/// Frames of one view for whoever draws them: mapper, render pass. Keeps the last frame, and takes
+/// only the steps whose inputs changed: another lookup table recolours, another camera or model
+/// traces. Not for use by several threads at once.
 class PIXELEXACTRENDERING_EXPORT FrameSource
 {
 public:
-  FrameSource();
+  /// Counts in `counters`, which others may share and which must outlive this.
+  explicit FrameSource(FrameSourceCounters& counters);
   ~FrameSource();
   FrameSource(const FrameSource&) = delete;
   FrameSource& operator=(const FrameSource&) = delete;
 
-  /// The frame asked for; valid until the next call. An aborted frame (see Progress) lacks tiles
-  /// and is traced anew by the next call; a coarse one (see FrameRequest::seconds) shows blocks of
-  /// pixels alike. Throws Error, after which there is no frame.
+  /// The frame asked for, of a model that is not null; valid until the next call. An aborted frame
+  /// (see Progress) lacks tiles and is traced anew by the next call; a coarse one (see
+  /// FrameRequest::seconds) shows blocks of pixels alike. Throws Error, after which there is no
+  /// frame.
   const Frame& Render(const FrameRequest& request, const Progress& progress = {});
 
   /// The last frame, complete and with all of its buffers, traced once more where some were not
@@ -92,21 +93,19 @@ public:
   /// The last frame, null when there is none or it failed.
   [[nodiscard]] const Frame* LastFrame() const;
 
-  /// The model of the grid as it is now. Throws Error.
-  const std::shared_ptr<HighOrderModel>& ModelOf(vtkUnstructuredGrid* grid);
   /// The model of the last frame; null when there is none.
   [[nodiscard]] const HighOrderModel* Model() const { return TheModel.get(); }
   /// Of the last frame.
   [[nodiscard]] const Scene& LastScene() const { return TheScene; }
 
-  /// Differs whenever pixels may differ from those seen before.
-  [[nodiscard]] std::int64_t Version() const { return TheCounters.traces + TheCounters.colorings; }
-  [[nodiscard]] const FrameSourceCounters& Counters() const { return TheCounters; }
+  /// Differs whenever pixels may differ from those seen before, in this view or another that counts
+  /// in the same counters.
+  [[nodiscard]] std::int64_t Version() const { return TheVersion; }
+  /// Differs whenever positions may.
+  [[nodiscard]] std::int64_t TraceVersion() const { return TheTraceVersion; }
 
-  /// Forgets the frame; the model stays.
-  void DropFrame();
   /// Forgets model and frame.
-  void Clear();
+  void DropFrame();
 
 private:
   // An object and its state: modification times are unique, addresses are not.
@@ -158,6 +157,8 @@ private:
   [[nodiscard]] Pipeline ThePipeline() const;
   void BeginFrame(Buffer buffers);
   void TraceFrame(double seconds, const Progress& progress);
+  void Count(bool traced);
+  void Forget();
 
   std::shared_ptr<HighOrderModel> TheModel;
   Scene TheScene;
@@ -169,7 +170,9 @@ private:
   std::optional<ProgressiveFrame> Passes; ///< of a frame that is not complete
   std::optional<Frame> TheFrame;
   bool Complete = false;
-  double PixelSeconds = std::numeric_limits<double>::infinity(); ///< of the last complete frame
-  FrameSourceCounters TheCounters;
+  FrameCost Cost;
+  FrameSourceCounters& TheCounters;
+  std::int64_t TheVersion = -1;
+  std::int64_t TheTraceVersion = -1;
 };
 } // namespace pixelexact

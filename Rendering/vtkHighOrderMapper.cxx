@@ -36,7 +36,7 @@ struct vtkHighOrderMapper::Internals
   vtkSmartPointer<vtkImageData> Buffers;
   std::int64_t BuffersVersion = -1; ///< of the frame that Buffers hold
 
-  pixelexact::FrameRequest Request(vtkHighOrderMapper* self, vtkActor* actor) const;
+  pixelexact::FrameRequest Request(vtkHighOrderMapper* self, vtkActor* actor);
   bool Has(vtkHighOrderMapper* self, bool opaque) const;
 };
 
@@ -53,10 +53,10 @@ bool vtkHighOrderMapper::Internals::Has(vtkHighOrderMapper* self, bool opaque) c
 
 //------------------------------------------------------------------------------
 pixelexact::FrameRequest vtkHighOrderMapper::Internals::Request(
-  vtkHighOrderMapper* self, vtkActor* actor) const
+  vtkHighOrderMapper* self, vtkActor* actor)
 {
   pixelexact::FrameRequest request;
-  request.grid = self->GetInput();
+  request.model = Drawer.ModelOf(self->GetInput());
   std::copy_n(self->UnknownColor, 4, request.unknownColor.begin());
   const pixelexact::LayerRequest ofAll = pixelexact::LayerOf(self, actor->GetProperty());
   for (const auto& cut : Cuts)
@@ -242,7 +242,7 @@ double* vtkHighOrderMapper::GetBounds()
   }
   try
   {
-    const pixelexact::Box3& box = this->Data->Drawer.Source().ModelOf(grid)->GetLocator().Bounds();
+    const pixelexact::Box3& box = this->Data->Drawer.ModelOf(grid)->GetLocator().Bounds();
     for (int i = 0; i < 3 && box.lower.x <= box.upper.x; ++i)
     {
       this->Bounds[2 * i] = box.lower[i];
@@ -261,11 +261,11 @@ double* vtkHighOrderMapper::GetBounds()
 vtkImageData* vtkHighOrderMapper::GetBuffers()
 {
   Internals& data = *this->Data;
-  pixelexact::FrameSource& source = data.Drawer.Source();
+  pixelexact::FrameSource* source = data.Drawer.LastSource();
   const pixelexact::Frame* frame = nullptr;
   try
   {
-    frame = source.FrameWithAllBuffers();
+    frame = source != nullptr ? source->FrameWithAllBuffers() : nullptr;
   }
   catch (const pixelexact::Error& error)
   {
@@ -276,10 +276,10 @@ vtkImageData* vtkHighOrderMapper::GetBuffers()
     data.Buffers = nullptr;
     return nullptr;
   }
-  if (data.Buffers == nullptr || data.BuffersVersion != source.Version())
+  if (data.Buffers == nullptr || data.BuffersVersion != source->Version())
   {
-    data.Buffers = pixelexact::ToImageData(*frame, source.Model()->SourceCells());
-    data.BuffersVersion = source.Version();
+    data.Buffers = pixelexact::ToImageData(*frame, source->Model()->SourceCells());
+    data.BuffersVersion = source->Version();
   }
   return data.Buffers;
 }
@@ -287,19 +287,19 @@ vtkImageData* vtkHighOrderMapper::GetBuffers()
 //------------------------------------------------------------------------------
 vtkIdType vtkHighOrderMapper::GetNumberOfModelBuilds()
 {
-  return this->Data->Drawer.Source().Counters().models;
+  return this->Data->Drawer.ModelBuilds();
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkHighOrderMapper::GetNumberOfTraces()
 {
-  return this->Data->Drawer.Source().Counters().traces;
+  return this->Data->Drawer.Counters().traces;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkHighOrderMapper::GetNumberOfColorings()
 {
-  return this->Data->Drawer.Source().Counters().colorings;
+  return this->Data->Drawer.Counters().colorings;
 }
 
 //------------------------------------------------------------------------------
@@ -326,13 +326,8 @@ void vtkHighOrderMapper::RenderPart(int part, vtkRenderer* renderer, vtkActor* a
   {
     return;
   }
-  if (this->GetNumberOfInputConnections(0) == 0)
-  {
-    vtkErrorMacro(<< "No input!");
-    return;
-  }
   this->InvokeEvent(vtkCommand::StartEvent, nullptr);
-  if (!this->Static)
+  if (!this->Static && this->GetNumberOfInputConnections(0) > 0)
   {
     this->Update();
   }
@@ -355,26 +350,31 @@ void vtkHighOrderMapper::RenderPart(int part, vtkRenderer* renderer, vtkActor* a
     pixelexact::FrameRequest request = this->Data->Request(this, actor);
     if (request.layers.empty())
     {
-      drawer.Source().DropFrame();
+      drawer.DropFrame(renderer, actor);
       return;
     }
     // The opaque phase of the same picture has done that.
     request.refine = drawn != pixelexact::FramePart::Translucent || !this->HasOpaqueGeometry();
     const double rate = window->GetDesiredUpdateRate();
-    if (this->Progressive && rate >= 1.0)
+    if (this->Progressive && window->GetInteractor() != nullptr && rate >= 1.0)
     {
       request.seconds = 1.0 / rate;
     }
     drawer.Draw(request, drawn, renderer, actor, this, progress);
+    drawer.Complain(renderer, actor, {});
     if (this->GetNumberOfTraces() != traces)
     {
       this->UpdateProgress(1.0);
-      this->TimeToDraw = drawer.Source().LastFrame()->counters.seconds;
+      this->TimeToDraw = drawer.LastSource()->LastFrame()->counters.seconds;
     }
   }
   catch (const pixelexact::Error& error)
   {
-    vtkErrorMacro(<< error.what());
+    drawer.DropFrame(renderer, actor);
+    for (const std::string& text : drawer.Complain(renderer, actor, { error.what() }))
+    {
+      vtkErrorMacro(<< text);
+    }
   }
 }
 

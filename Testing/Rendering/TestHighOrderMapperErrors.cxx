@@ -77,6 +77,28 @@ TEST_F(HighOrderMapperErrors, UnknownField)
   EXPECT_TRUE(Contains(Render(), "number 3")) << Errors->Text;
 }
 
+TEST_F(HighOrderMapperErrors, AreToldOnce)
+{
+  Scene.Mapper->SetFieldName("pressure");
+  EXPECT_NE(Render(), "");
+  EXPECT_EQ(Render(), "");
+  // In another view, too.
+  vtkNew<vtkRenderer> second;
+  Window.Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
+  second->SetViewport(0.5, 0.0, 1.0, 1.0);
+  second->AddActor(Scene.Cut);
+  second->SetActiveCamera(Window.Renderer->GetActiveCamera());
+  Window.RenderWindow->AddRenderer(second);
+  EXPECT_EQ(Render(), "");
+  Scene.Mapper->SetFieldName("density");
+  EXPECT_TRUE(Contains(Render(), "'density'")) << Errors->Text;
+  // Once it was right, it is told anew.
+  Scene.Mapper->SetFieldName("u");
+  EXPECT_EQ(Render(), "");
+  Scene.Mapper->SetFieldName("density");
+  EXPECT_NE(Render(), "");
+}
+
 TEST_F(HighOrderMapperErrors, ImpossibleCuts)
 {
   Scene.Mapper->RemoveAllCutFunctions();
