@@ -14,6 +14,7 @@
 #include "vtkNew.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkScalarsToColors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -88,6 +89,10 @@ void FrameDrawer::Complete(
   request.lights = LightsOf(renderer);
   request.lit = LitViewOf(renderer, dataToWorld);
   request.translucent = actor->GetProperty()->GetOpacity() < 1.0;
+  if (actor->GetProperty()->GetEdgeVisibility())
+  {
+    request.edges = ToRgba(actor->GetProperty()->GetEdgeColor());
+  }
   for (int i = 0; i < mapper->GetNumberOfClippingPlanes(); ++i)
   {
     KeptHalfSpace plane{};
@@ -104,8 +109,8 @@ void FrameDrawer::Complete(
   }
 }
 
-void FrameDrawer::Draw(FrameRequest request, FramePart part, vtkRenderer* renderer, vtkActor* actor,
-  vtkMapper* mapper, const Progress& progress)
+ColorRanges::Range FrameDrawer::Draw(FrameRequest request, FramePart part, vtkRenderer* renderer,
+  vtkActor* actor, vtkMapper* mapper, const Progress& progress)
 {
   ViewFrame& view = Views.Of(renderer, actor);
   try
@@ -121,16 +126,26 @@ void FrameDrawer::Draw(FrameRequest request, FramePart part, vtkRenderer* render
   {
     request.seconds = std::numeric_limits<double>::infinity();
   }
-  const Frame& frame = view.source.Render(request, progress);
+  const Frame* frame = &view.source.Render(request, progress);
+  ColorRanges::Range fitted;
+  if (request.fitted != nullptr)
+  {
+    fitted = ColorRanges::OfFrame(*frame, request, request.fitted);
+    if (fitted && ColorRanges::Set(request.fitted, *fitted))
+    {
+      request.refine = false;
+      frame = &view.source.Render(request, progress);
+    }
+  }
   view.MakeDrawn(RowsOf(renderer, actor->GetMatrix()));
   const auto draw = [&](const ViewFrame::Drawn& drawn, int sheet)
   {
     view.compositor.Draw(renderer, actor, mapper,
-      { .rgba = drawn.rgba.empty() ? frame.Image() : drawn.rgba,
+      { .rgba = drawn.rgba.empty() ? frame->Image() : drawn.rgba,
         .depths = drawn.depths,
         .sheet = sheet,
-        .width = frame.width,
-        .height = frame.height,
+        .width = frame->width,
+        .height = frame->height,
         .opacity = actor->GetProperty()->GetOpacity(),
         .offset = OffsetOf(mapper),
         .colorsVersion = view.drawnVersion,
@@ -148,6 +163,7 @@ void FrameDrawer::Draw(FrameRequest request, FramePart part, vtkRenderer* render
       draw(view.seenThrough[k - 1], static_cast<int>(k));
     }
   }
+  return fitted;
 }
 
 const std::shared_ptr<HighOrderModel>& FrameDrawer::ModelOf(vtkUnstructuredGrid* grid)

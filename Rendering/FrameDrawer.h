@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "ColorRanges.h"
 #include "GridModel.h"
 #include "ViewFrames.h"
 
@@ -37,10 +38,17 @@ public:
   /// actor. The request's camera, half-spaces and lights are filled in here: viewport, camera and
   /// lights from the renderer, matrix from the actor, clipping planes and depth offset from the
   /// mapper. The actor's opacity is applied. A camera that the view is seen through for the first
-  /// time gets a complete frame, whatever the time. Throws Error, after which the view has no
-  /// frame.
-  void Draw(FrameRequest request, FramePart part, vtkRenderer* renderer, vtkActor* actor,
-    vtkMapper* mapper, const Progress& progress);
+  /// time gets a complete frame, whatever the time. Returns the range of
+  /// the values that request.fitted colours, which it gets. Throws Error, after which the view has
+  /// no frame.
+  ColorRanges::Range Draw(FrameRequest request, FramePart part, vtkRenderer* renderer,
+    vtkActor* actor, vtkMapper* mapper, const Progress& progress);
+
+  /// The range of a table over the fields that it colours (ColorRanges::OfFields).
+  ColorRanges::Range RangeOfFields(const FrameRequest& request, vtkScalarsToColors* table)
+  {
+    return Ranges.OfFields(request, table);
+  }
 
   /// There is nothing to be seen in this view.
   void DropFrame(vtkRenderer* renderer, vtkActor* actor);
@@ -63,6 +71,7 @@ private:
   void Complete(FrameRequest& request, vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper);
 
   GridModel Model;
+  ColorRanges Ranges;
   ViewFrames Views;
 };
 } // namespace pixelexact

@@ -28,6 +28,19 @@ bool Includes(Buffer set, Buffer wanted)
 }
 } // namespace
 
+int ComponentOf(const LayerRequest& layer, const Field& field)
+{
+  const int components = field.values.components;
+  const int component = layer.component.value_or(ComponentOf(layer.table, components));
+  if (component != kMagnitude && (component < 0 || component >= components))
+  {
+    throw Error("component " + std::to_string(component) + " is asked for, but the field '" +
+      field.name + "' has " + std::to_string(components) +
+      (components == 1 ? " component" : " components"));
+  }
+  return component;
+}
+
 FrameSource::FrameSource(FrameSourceCounters& counters)
   : TheCounters(counters)
 {
@@ -63,7 +76,7 @@ FrameSource::TraceKey FrameSource::TraceKeyOf(const FrameRequest& request) const
   TraceKey key{ {}, request.kept, request.camera };
   for (const LayerRequest& layer : request.layers)
   {
-    const int components = layer.field.In(*TheModel).values.components;
+    const int component = ComponentOf(layer, layer.field.In(*TheModel));
     if (layer.table != nullptr)
     {
       // Before that it does not know whether its colours are opaque.
@@ -75,8 +88,7 @@ FrameSource::TraceKey FrameSource::TraceKeyOf(const FrameRequest& request) const
       (request.translucent || layer.opacity < 1.0 ||
         (layer.table != nullptr && layer.table->IsOpaque() == 0));
     key.layers.push_back({ { layer.cut, layer.cut != nullptr ? layer.cut->GetMTime() : 0 },
-      layer.field, layer.component.value_or(ComponentOf(layer.table, components)), layer.precision,
-      seenThrough });
+      layer.field, component, layer.precision, seenThrough });
   }
   return key;
 }
@@ -118,6 +130,7 @@ FrameSource::ColorKey FrameSource::ColorKeyOf(const FrameRequest& request) const
     key.lights = request.lights;
     key.lit = request.lit;
   }
+  key.edges = request.edges;
   return key;
 }
 
@@ -139,15 +152,24 @@ void FrameSource::MakeColors(const ColorKey& key)
   {
     Lights.emplace(std::move(materials), key.lights, key.lit);
   }
+  Outlines.reset();
+  if (key.edges)
+  {
+    Outlines.emplace(*key.edges);
+  }
   Colored = key;
 }
 
-Pipeline FrameSource::ThePipeline() const
+Pipeline FrameSource::ThePipeline()
 {
   Pipeline pipeline{ { &*Colors }, {} };
   if (Lights)
   {
     pipeline.colors.push_back(&*Lights);
+  }
+  if (Outlines)
+  {
+    pipeline.modules.push_back(&*Outlines);
   }
   return pipeline;
 }
@@ -246,7 +268,14 @@ void FrameSource::Update(const FrameRequest& request, const Progress& progress)
   }
   else if (!sameColors)
   {
-    Repaint(TheScene, Traced->camera.Make(), ThePipeline(), *TheFrame);
+    if (Complete)
+    {
+      Repaint(TheScene, Traced->camera.Make(), ThePipeline(), *TheFrame);
+    }
+    else
+    {
+      TheFrame = Passes->Preview();
+    }
     Count(false);
   }
 }

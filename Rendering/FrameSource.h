@@ -5,6 +5,7 @@
 #include "PixelExactRenderingModule.h"
 #include "Trace/FrameCost.h"
 #include "Trace/Modules/ColorMapping.h"
+#include "Trace/Modules/ElementOutlines.h"
 #include "Trace/Modules/Lighting.h"
 #include "Trace/ProgressiveFrame.h"
 #include "VtkCamera.h"
@@ -41,6 +42,10 @@ struct LayerRequest
   bool litWhereFlat = false;        ///< also a plane
 };
 
+/// The component that the layer shows of its field: what it asks for, else the table's choice.
+/// Throws Error when the field has no such component.
+[[nodiscard]] int ComponentOf(const LayerRequest& layer, const Field& field);
+
 /// What is to be seen. The objects are the caller's; all spaces are the data's, but for lights.
 struct FrameRequest
 {
@@ -52,6 +57,9 @@ struct FrameRequest
   std::vector<Light> lights;
   LitView lit;
   bool translucent = false; ///< all of it, for somebody who blends frames over what is there
+  /// A table whose range is to be that of the values shown; null: none.
+  vtkScalarsToColors* fitted = nullptr;
+  std::optional<Rgba> edges; ///< of the colour that elements' edges get, where they are drawn
   /// Beyond what drawing needs.
   Buffer buffers = Buffer::None;
   /// What tracing may take. Where the frame is expected to take longer it is made coarse, and finer
@@ -145,6 +153,7 @@ private:
     Rgba unknown{};
     std::vector<Light> lights; ///< where a layer is lit
     LitView lit;
+    std::optional<Rgba> edges;
 
     bool operator==(const ColorKey&) const = default;
   };
@@ -154,7 +163,7 @@ private:
   [[nodiscard]] ColorKey ColorKeyOf(const FrameRequest& request) const;
   void MakeScene(const FrameRequest& request);
   void MakeColors(const ColorKey& key);
-  [[nodiscard]] Pipeline ThePipeline() const;
+  [[nodiscard]] Pipeline ThePipeline();
   void BeginFrame(Buffer buffers);
   void TraceFrame(double seconds, const Progress& progress);
   void Count(bool traced);
@@ -167,6 +176,7 @@ private:
   std::optional<ColorKey> Colored;  ///< what Colors and Lights were made of
   std::optional<ColorMapping> Colors;
   std::optional<Lighting> Lights;
+  std::optional<ElementOutlines> Outlines;
   std::optional<ProgressiveFrame> Passes; ///< of a frame that is not complete
   std::optional<Frame> TheFrame;
   bool Complete = false;

@@ -5,6 +5,7 @@
 #include "FrameImage.h"
 #include "HighOrderModel.h"
 #include "LayerRequests.h"
+#include "StockSettings.h"
 #include "vtkHighOrderLayer.h"
 
 #include "Core/Base/Error.h"
@@ -17,6 +18,7 @@
 #include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
+#include "vtkProperty.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
@@ -37,6 +39,8 @@ struct vtkHighOrderMapper::Internals
   std::int64_t BuffersVersion = -1; ///< of the frame that Buffers hold
 
   pixelexact::FrameRequest Request(vtkHighOrderMapper* self, vtkActor* actor);
+  void ChooseRange(
+    vtkHighOrderMapper* self, pixelexact::FrameRequest& request, vtkScalarsToColors* table);
   bool Has(vtkHighOrderMapper* self, bool opaque) const;
 };
 
@@ -56,6 +60,7 @@ pixelexact::FrameRequest vtkHighOrderMapper::Internals::Request(
   vtkHighOrderMapper* self, vtkActor* actor)
 {
   pixelexact::FrameRequest request;
+  pixelexact::RequireFieldColors(self);
   request.model = Drawer.ModelOf(self->GetInput());
   std::copy_n(self->UnknownColor, 4, request.unknownColor.begin());
   const pixelexact::LayerRequest ofAll = pixelexact::LayerOf(self, actor->GetProperty());
@@ -71,13 +76,43 @@ pixelexact::FrameRequest vtkHighOrderMapper::Internals::Request(
       request.layers.push_back(pixelexact::LayerOf(layer, ofAll));
     }
   }
+  if (ofAll.table != nullptr)
+  {
+    this->ChooseRange(self, request, ofAll.table);
+  }
   return request;
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderMapper::Internals::ChooseRange(
+  vtkHighOrderMapper* self, pixelexact::FrameRequest& request, vtkScalarsToColors* table)
+{
+  if (self->UseLookupTableScalarRange)
+  {
+    self->TakeRange({ table->GetRange()[0], table->GetRange()[1] });
+    return;
+  }
+  if (self->RangeMode == RANGE_OF_CUT)
+  {
+    request.fitted = table;
+    return;
+  }
+  if (self->RangeMode == RANGE_OF_FIELD)
+  {
+    if (const auto range = Drawer.RangeOfFields(request, table))
+    {
+      self->TakeRange(*range);
+    }
+  }
+  pixelexact::ColorRanges::Set(table, { self->ScalarRange[0], self->ScalarRange[1] });
 }
 
 //------------------------------------------------------------------------------
 vtkHighOrderMapper::vtkHighOrderMapper()
   : Data(std::make_unique<Internals>())
 {
+  // None: that of 0 is a choice.
+  this->ArrayComponent = -1;
 }
 
 //------------------------------------------------------------------------------
@@ -197,6 +232,24 @@ vtkHighOrderLayer* vtkHighOrderMapper::GetLayer(int index)
 }
 
 //------------------------------------------------------------------------------
+void vtkHighOrderMapper::SetRangeMode(int mode)
+{
+  mode = std::clamp<int>(mode, RANGE_AS_SET, RANGE_OF_CUT);
+  if (this->RangeMode != mode)
+  {
+    this->RangeMode = mode;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderMapper::SetScalarRange(double lower, double upper)
+{
+  this->SetRangeMode(RANGE_AS_SET);
+  this->Superclass::SetScalarRange(lower, upper);
+}
+
+//------------------------------------------------------------------------------
 vtkMTimeType vtkHighOrderMapper::GetMTime()
 {
   vtkMTimeType time = this->Superclass::GetMTime();
@@ -305,9 +358,13 @@ vtkIdType vtkHighOrderMapper::GetNumberOfColorings()
 //------------------------------------------------------------------------------
 void vtkHighOrderMapper::Render(vtkRenderer* renderer, vtkActor* actor)
 {
-  const auto part = actor->IsRenderingTranslucentPolygonalGeometry()
-    ? pixelexact::FramePart::Translucent
-    : pixelexact::FramePart::Opaque;
+  const bool late = actor->IsRenderingTranslucentPolygonalGeometry();
+  auto part = late ? pixelexact::FramePart::Translucent : pixelexact::FramePart::Opaque;
+  // Then there is no other phase.
+  if (late ? actor->GetForceTranslucent() : actor->GetForceOpaque())
+  {
+    part = pixelexact::FramePart::All;
+  }
   this->RenderPart(static_cast<int>(part), renderer, actor);
 }
 
@@ -360,8 +417,11 @@ void vtkHighOrderMapper::RenderPart(int part, vtkRenderer* renderer, vtkActor* a
     {
       request.seconds = 1.0 / rate;
     }
-    drawer.Draw(request, drawn, renderer, actor, this, progress);
-    drawer.Complain(renderer, actor, {});
+    if (const auto fitted = drawer.Draw(request, drawn, renderer, actor, this, progress))
+    {
+      this->TakeRange(*fitted);
+    }
+    this->Warn(renderer, actor);
     if (this->GetNumberOfTraces() != traces)
     {
       this->UpdateProgress(1.0);
@@ -379,6 +439,25 @@ void vtkHighOrderMapper::RenderPart(int part, vtkRenderer* renderer, vtkActor* a
 }
 
 //------------------------------------------------------------------------------
+void vtkHighOrderMapper::TakeRange(const std::array<double, 2>& range)
+{
+  // Nothing is modified: the range follows from what was.
+  std::copy(range.begin(), range.end(), this->ScalarRange);
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderMapper::Warn(vtkRenderer* renderer, vtkActor* actor)
+{
+  const bool translucent =
+    actor->GetProperty()->GetOpacity() < 1.0 || this->HasTranslucentPolygonalGeometry();
+  for (const std::string& text : this->Data->Drawer.Complain(
+         renderer, actor, pixelexact::SettingsWithoutEffect(this, actor, translucent)))
+  {
+    vtkWarningMacro(<< text);
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkHighOrderMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Data->Drawer.ReleaseGraphicsResources(window);
@@ -388,6 +467,7 @@ void vtkHighOrderMapper::ReleaseGraphicsResources(vtkWindow* window)
 //------------------------------------------------------------------------------
 void vtkHighOrderMapper::ShallowCopy(vtkAbstractMapper* mapper)
 {
+  this->Superclass::ShallowCopy(mapper);
   if (auto* other = vtkHighOrderMapper::SafeDownCast(mapper))
   {
     this->SetInputConnection(
@@ -396,11 +476,11 @@ void vtkHighOrderMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetUnknownColor(other->UnknownColor);
     this->SetProgressive(other->Progressive);
     this->SetLightFlat(other->LightFlat);
+    this->SetRangeMode(other->RangeMode);
     this->Data->Cuts = other->Data->Cuts;
     this->Data->Layers = other->Data->Layers;
     this->Modified();
   }
-  this->Superclass::ShallowCopy(mapper);
 }
 
 //------------------------------------------------------------------------------
@@ -419,6 +499,11 @@ void vtkHighOrderMapper::PrintSelf(ostream& os, vtkIndent indent)
     layer->PrintSelf(os, indent.GetNextIndent());
   }
   os << indent << "LightFlat: " << (this->LightFlat ? "on" : "off") << "\n";
+  os << indent << "RangeMode: "
+     << (this->RangeMode == RANGE_AS_SET        ? "as set"
+            : this->RangeMode == RANGE_OF_FIELD ? "of the field"
+                                                : "of the cut")
+     << "\n";
   os << indent << "UnknownColor: " << int{ this->UnknownColor[0] } << ", "
      << int{ this->UnknownColor[1] } << ", " << int{ this->UnknownColor[2] } << ", "
      << int{ this->UnknownColor[3] } << "\n";

@@ -21,8 +21,9 @@ FrameCost::Work FrameCost::Next(double pixels, int step, double spent, double li
   {
     return Work::Complete;
   }
-  // The next pass makes three pixels more of each that is known.
-  const double pass = 3.0 * Part(step) * pixels * PixelSeconds;
+  // The next pass makes three pixels more of each that is known, and each costs what those that
+  // were made just now did, or more.
+  const double pass = 3.0 * std::max(Part(step) * pixels * PixelSeconds, spent);
   return spent <= 0.0 || (step > 1 && spent + pass <= limit) ? Work::Refine : Work::Show;
 }
 

@@ -75,8 +75,8 @@ TEST(FrameCost, CoarseFramesKeepToTheirTime)
     cost.Learn(kPixels, 0, 1, kPixels * each);
     const int step = Make(cost, each);
     ASSERT_GT(step, 1);
-    // Passes cost twice what was expected of the first of them.
-    EXPECT_LE(kPixels * 2.0 * each / (step * step), 2.0 * kLimit);
+    // Passes cost twice what was expected.
+    EXPECT_LE(kPixels * 2.0 * each / (step * step), kLimit);
   }
   // What is there is refined by each further picture, however slow that is.
   FrameCost slow;
