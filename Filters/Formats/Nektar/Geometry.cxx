@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/Nektar/Geometry.h"
 
+#include "Formats/Nektar/Composites.h"
+#include "Formats/Nektar/Conditions.h"
 #include "Formats/Nektar/Curves.h"
+#include "Formats/Nektar/Transform.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace pixelexact::nektar
 {
@@ -21,14 +23,6 @@ struct EntityRecord
   std::int64_t id;
   std::array<std::int64_t, N> parts;
 };
-
-struct SolidTag
-{
-  const char* tag;
-  Shape shape;
-};
-constexpr SolidTag kSolidTags[] = { { "A", Shape::Tetrahedron }, { "P", Shape::Pyramid },
-  { "R", Shape::Prism }, { "H", Shape::Hexahedron } };
 
 /// Visits the entities of N parts below `parent`: plain elements of the tag, each with its ID, or
 /// compressed records.
@@ -54,35 +48,21 @@ void ForEntities(
   }
 }
 
-double Factor(const Document& document, const pugi::xml_node& node, const char* name, double usual)
-{
-  const pugi::xml_attribute attribute = node.attribute(name);
-  if (!attribute)
-  {
-    return usual;
-  }
-  const double value = attribute.as_double(NAN);
-  if (!std::isfinite(value))
-  {
-    document.FailUnsupported(node,
-      std::string(name) +
-        " is no plain number; write the number itself (expressions are not evaluated).");
-  }
-  return value;
-}
-
+/// Reads one file's entities into a geometry that may hold other parts' already.
 class GeometryReader
 {
 public:
-  GeometryReader(const Document& document, const pugi::xml_node& geometry)
+  GeometryReader(const Document& document, const pugi::xml_node& geometry,
+    const Transform& transform, Geometry& target)
     : File(document)
     , Node(geometry)
+    , Place(transform)
+    , Target(target)
   {
   }
 
-  Geometry Read()
+  void Read()
   {
-    CheckForm();
     ReadVertices();
     ReadEdges();
     ReadFaces<3>("T");
@@ -91,54 +71,37 @@ public:
     ReadSolids<5>(kSolidTags[1]);
     ReadSolids<5>(kSolidTags[2]);
     ReadSolids<6>(kSolidTags[3]);
-    for (const auto& curved : Node.children("CURVED"))
-    {
-      ReadCurves(File, curved, Target);
-    }
-    ReadComposites();
-    return std::move(Target);
   }
 
 private:
-  void CheckForm() const
+  /// What several parts have must be the same in each.
+  void RequireSame(const pugi::xml_node& node, bool same, const char* what, std::int64_t id) const
   {
-    if (Node.attribute("HDF5FILE"))
+    if (!same)
     {
-      File.FailUnsupported(Node,
-        "the geometry is in an HDF5 file, which is not read; write it as "
-        "XML (NekMesh mesh.nekg mesh.xml).");
+      File.Fail(node,
+        std::string(what) + " " + std::to_string(id) +
+          " is there twice, and not the same; files that are read together must be the parts of "
+          "one mesh.");
     }
-    if (Node.attribute("DIM").as_int(3) != 3 || Node.attribute("SPACE").as_int(3) != 3)
-    {
-      File.FailUnsupported(Node, "only three-dimensional geometries are read.");
-    }
+  }
+
+  template <class Map, class Value>
+  void Insert(
+    const pugi::xml_node& node, Map& map, const char* what, std::int64_t id, const Value& value)
+  {
+    RequireSame(node, map.try_emplace(id, value).first->second == value, what, id);
   }
 
   void ReadVertices()
   {
-    const pugi::xml_node parent = Node.child("VERTEX");
-    Point scale{};
-    Point move{};
-    for (int d = 0; d < 3; ++d)
-    {
-      const std::string axis(1, "XYZ"[d]);
-      scale[d] = Factor(File, parent, (axis + "SCALE").c_str(), 1.0);
-      move[d] = Factor(File, parent, (axis + "MOVE").c_str(), 0.0);
-    }
-    const auto add = [&](std::int64_t id, Point x)
-    {
-      for (int d = 0; d < 3; ++d)
-      {
-        x[d] = x[d] * scale[d] + move[d];
-      }
-      Target.vertices[id] = x;
-    };
+    const pugi::xml_node parent = File.Only(Node, "VERTEX");
     if (File.IsCompressed(parent))
     {
       for (const auto& record :
         File.Records<VertexRecord>(parent, File.MostBytes() / sizeof(VertexRecord)))
       {
-        add(record.id, record.x);
+        Insert(parent, Target.vertices, "vertex", record.id, Place(record.x));
       }
       return;
     }
@@ -149,7 +112,8 @@ private:
       {
         File.Fail(node, "a vertex needs three coordinates.");
       }
-      add(File.Id(node, "ID"), { numbers[0], numbers[1], numbers[2] });
+      Insert(node, Target.vertices, "vertex", File.Id(node, "ID"),
+        Place({ numbers[0], numbers[1], numbers[2] }));
     }
   }
 
@@ -162,9 +126,9 @@ private:
       {
         Require(node, Target.vertices.contains(v), "edge", id, "vertex", v);
       }
-      Target.edges[id] = { vertices, -1 };
+      Insert(node, Target.edges, "edge", id, Edge{ vertices, -1 });
     };
-    const pugi::xml_node parent = Node.child("EDGE");
+    const pugi::xml_node parent = File.Only(Node, "EDGE");
     if (File.IsCompressed(parent))
     {
       // The list itself is the block.
@@ -181,7 +145,7 @@ private:
   template <std::size_t N>
   void ReadFaces(const char* tag)
   {
-    ForEntities<N>(File, Node.child("FACE"), tag,
+    ForEntities<N>(File, File.Only(Node, "FACE"), tag,
       [&](const pugi::xml_node& node, std::int64_t id, const std::array<std::int64_t, N>& edges)
       {
         Face face;
@@ -196,7 +160,7 @@ private:
         {
           face.vertices[k] = Shared(node, id, edges[(k + N - 1) % N], edges[k]);
         }
-        Target.faces[id] = face;
+        Insert(node, Target.faces, "face", id, face);
       });
   }
 
@@ -218,7 +182,7 @@ private:
   template <std::size_t N>
   void ReadSolids(const SolidTag& tag)
   {
-    ForEntities<N>(File, Node.child("ELEMENT"), tag.tag,
+    ForEntities<N>(File, File.Only(Node, "ELEMENT"), tag.tag.data(),
       [&](const pugi::xml_node& node, std::int64_t id, const std::array<std::int64_t, N>& faces)
       {
         Solid solid;
@@ -229,7 +193,13 @@ private:
         {
           Require(node, Target.faces.contains(f), "element", id, "face", f);
         }
-        Target.solids.push_back(solid);
+        const auto [at, isNew] =
+          Target.solidOf.try_emplace(id, static_cast<int>(Target.solids.size()));
+        if (isNew)
+        {
+          Target.solids.push_back(solid);
+        }
+        RequireSame(node, Target.solids[at->second] == solid, "element", id);
       });
   }
 
@@ -244,42 +214,64 @@ private:
     }
   }
 
-  void ReadComposites()
-  {
-    for (const auto& node : Node.child("COMPOSITE").children("C"))
-    {
-      const std::string_view text = Trim(node.child_value());
-      const auto open = text.find('[');
-      const std::string_view tag = Trim(text.substr(0, open));
-      const bool solid = tag.size() == 1 &&
-        std::ranges::any_of(kSolidTags, [&](const SolidTag& s) { return s.tag == tag; });
-      const bool face = tag == "F" || tag == "T" || tag == "Q";
-      if (!solid && !face)
-      {
-        continue; // edges and vertices are nobody's group here
-      }
-      if (open == std::string_view::npos || text.back() != ']')
-      {
-        File.Fail(node, "the composite should read like H[0-65,70].");
-      }
-      Geometry::Composite composite;
-      composite.number = static_cast<int>(std::min<std::int64_t>(File.Id(node, "ID"), 1 << 30));
-      composite.name = node.attribute("NAME").value();
-      composite.boundary = face;
-      composite.members = File.List(node, text.substr(open + 1, text.size() - open - 2),
-        face ? Target.faces.size() : Target.solids.size());
-      Target.composites.push_back(std::move(composite));
-    }
-  }
-
   const Document& File;
   pugi::xml_node Node;
-  Geometry Target;
+  const Transform& Place;
+  Geometry& Target;
 };
+
+/// The GEOMETRY of a file of the session; none where it has none. Refuses what is not read at all.
+pugi::xml_node FindGeometry(const Document& document, std::span<const Document* const> session)
+{
+  const pugi::xml_node geometry = document.Only(document.Root(), "GEOMETRY");
+  if (geometry.attribute("HDF5FILE"))
+  {
+    document.FailUnsupported(geometry,
+      "the geometry is in an HDF5 file, which is not read; write it as XML (NekMesh " +
+        document.BaseName() + " new.xml).");
+  }
+  const auto dimension = [&](const char* name)
+  { return geometry.attribute(name) ? document.Id(geometry, name) : 3; };
+  if (geometry && (dimension("DIM") != 3 || dimension("SPACE") != 3))
+  {
+    const auto homogeneous = HomogeneousType(session);
+    document.FailUnsupported(geometry,
+      homogeneous ? "the mesh is two-dimensional, the session HOMOGENEOUS (" + *homogeneous +
+          "): " + HomogeneousRemedy()
+                  : std::string("only three-dimensional geometries are read."));
+  }
+  return geometry;
+}
 } // namespace
 
-Geometry ReadGeometry(const Document& document)
+Geometry ReadGeometry(std::span<const Document* const> session)
 {
-  return GeometryReader(document, document.Root().child("GEOMETRY")).Read();
+  struct Part
+  {
+    const Document* file;
+    pugi::xml_node geometry;
+    Transform transform;
+  };
+  const Parameters parameters(session);
+  std::vector<Part> parts;
+  for (const Document* file : session)
+  {
+    if (const pugi::xml_node geometry = FindGeometry(*file, session))
+    {
+      parts.push_back(
+        { file, geometry, ReadTransform(*file, geometry.child("VERTEX"), parameters) });
+    }
+  }
+  Geometry target;
+  for (const Part& part : parts)
+  {
+    GeometryReader(*part.file, part.geometry, part.transform, target).Read();
+  }
+  for (const Part& part : parts)
+  {
+    ReadCurves(*part.file, part.file->Only(part.geometry, "CURVED"), part.transform, target);
+    ReadComposites(*part.file, part.file->Only(part.geometry, "COMPOSITE"), target);
+  }
+  return target;
 }
 } // namespace pixelexact::nektar
