@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/Nektar/Curves.h"
 
+#include "Formats/Nektar/CurvePoints.h"
+
 #include <algorithm>
 #include <optional>
 
@@ -21,9 +23,8 @@ constexpr PointType kPointTypes[] = {
   { "GaussLobattoLegendre", 4, Distribution::GaussLobatto },
   { "GaussLobattoChebyshev", 8, Distribution::LobattoChebyshev },
   { "NodalTriEvenlySpaced", 24, Distribution::TriangleEquispaced },
-  { "NodalTriElec", 22, Distribution::TriangleWarped },
-  { "NodalTriFekete", 23, Distribution::TriangleWarped },
-  { "NodalTriSPI", 29, Distribution::TriangleWarped },
+  { "NodalTriElec", 22, Distribution::TriangleElectrostatic },
+  { "NodalTriFekete", 23, Distribution::TriangleFekete },
 };
 
 /// A curve's record in a compressed file.
@@ -42,12 +43,6 @@ struct PointRecord
   std::int64_t id;
   Point x;
 };
-
-bool IsTriangular(Distribution distribution)
-{
-  return distribution == Distribution::TriangleEquispaced ||
-    distribution == Distribution::TriangleWarped;
-}
 
 /// The order of a curve of so many points, or nothing.
 std::optional<int> OrderOf(std::size_t points, bool face, bool triangular)
@@ -179,12 +174,12 @@ private:
         name + " has " + std::to_string(points.size()) + " points, which makes no curve of type " +
           type->name + ".");
     }
-    if (type->distribution == Distribution::TriangleWarped && *order > 3)
+    if (*order > HighestOrder(type->distribution))
     {
       File.FailUnsupported(node,
         "the points of " + name + " are of type " + type->name + " and order " +
-          std::to_string(*order) +
-          "; above order 3 only NodalTriEvenlySpaced is read (NekMesh can write it).");
+          std::to_string(*order) + "; up to order " +
+          std::to_string(HighestOrder(type->distribution)) + " they are read.");
     }
     int* slot = nullptr;
     if (face)

@@ -20,7 +20,8 @@ enum class Distribution : std::uint8_t
   GaussLobatto,
   LobattoChebyshev,
   TriangleEquispaced,
-  TriangleWarped ///< Gauss-Lobatto on the edges: Nektar++'s Elec, Fekete and SPI up to order 3
+  TriangleElectrostatic,
+  TriangleFekete
 };
 
 /// Points on a curved edge or face, in its own order.
