@@ -90,7 +90,8 @@ private:
   void Insert(
     const pugi::xml_node& node, Map& map, const char* what, std::int64_t id, const Value& value)
   {
-    RequireSame(node, map.try_emplace(id, value).first->second == value, what, id);
+    const auto [at, isNew] = map.try_emplace(id, value);
+    RequireSame(node, isNew || at->second == value, what, id);
   }
 
   void ReadVertices()
