@@ -136,9 +136,9 @@ bool Document::IsCompressedField(const pugi::xml_node& node) const
 {
   // Nektar++ knows no other fields, and up to 4.0 wrote no attribute. Base64 of a zlib stream
   // begins with a letter, a number does not.
-  const std::string text = Text(node);
-  const std::string_view trimmed = Trim(text);
-  return IsCompressed(node) || (!trimmed.empty() && std::isalpha(trimmed.front()) != 0);
+  const std::string_view text = Trim(node.child_value());
+  return IsCompressed(node) ||
+    (!text.empty() && std::isalpha(static_cast<unsigned char>(text.front())) != 0);
 }
 
 std::vector<std::byte> Document::Bytes(const pugi::xml_node& node, std::size_t most) const
