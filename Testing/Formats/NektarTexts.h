@@ -117,4 +117,33 @@ inline std::string Replaced(std::string text, const std::string& from, const std
 {
   return text.replace(text.find(from), from.size(), to);
 }
+
+/// The unit cube whose list of vertices has these attributes.
+inline std::string Placed(const std::string& attributes, const std::string& more = "")
+{
+  return Replaced(Cube(more), "<VERTEX>", "<VERTEX " + attributes + ">");
+}
+
+inline Vec3 Corner(const SolverModel& model)
+{
+  return PointAt(model, 0, { 1.0, 1.0, 1.0 });
+}
+
+inline void ExpectRefusal(
+  const std::vector<NamedText>& sessions, const std::vector<std::string>& parts)
+{
+  try
+  {
+    nektar::Read(sessions, {});
+    ADD_FAILURE() << "was read";
+  }
+  catch (const Error& error)
+  {
+    for (const auto& part : parts)
+    {
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos)
+        << "'" << part << "' in: " << error.what();
+    }
+  }
+}
 } // namespace pixelexact::testing
