@@ -29,10 +29,11 @@ TEST(NektarGeometry, CurvesAreScaledMovedAndTurnedWithTheVertices)
   {
     index[k] = static_cast<std::int64_t>(k);
   }
-  const std::string packed = "<CURVED COMPRESSED=\"B64Z-LittleEndian\" BITSIZE=\"64\"><E>" +
-    Compressed(std::vector<Record>{ { 0, 0, 3, 0, 0, 17 } }) + "</E><F>" +
-    Compressed(std::vector<Record>{ { 1, 5, 9, 0, 3, 4 } }) + "</F><DATAPOINTS ID=\"0\"><INDEX>" +
-    Compressed(index) + "</INDEX><POINTS>" + Compressed(points) + "</POINTS></DATAPOINTS></CURVED>";
+  std::string packed = "<CURVED COMPRESSED=\"B64Z-LittleEndian\" BITSIZE=\"64\"><E>";
+  packed += Compressed(std::vector<Record>{ { 0, 0, 3, 0, 0, 17 } }) + "</E><F>";
+  packed += Compressed(std::vector<Record>{ { 1, 5, 9, 0, 3, 4 } }) + "</F>";
+  packed += "<DATAPOINTS ID=\"0\"><INDEX>" + Compressed(index) + "</INDEX>";
+  packed += "<POINTS>" + Compressed(points) + "</POINTS></DATAPOINTS></CURVED>";
   const std::string place = "XSCALE=\"2\" YSCALE=\"3\" ZSCALE=\"5\" XMOVE=\"10\" YMOVE=\"20\" "
                             "ZMOVE=\"30\"";
   for (const std::string& curved : { "<CURVED>" + edge + face + "</CURVED>", packed })

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "NektarTexts.h"
 
+#include <algorithm>
+
 namespace pixelexact::testing
 {
 namespace
@@ -95,11 +97,11 @@ TEST(NektarParts, PartsThatAreNotNamedAreNoted)
   const std::string parts[] = { part(0), part(1), part(2) };
   const auto notes = [&](const std::vector<int>& named)
   {
-    std::vector<NamedText> sessions;
-    for (const int z : named)
-    {
-      sessions.push_back({ "P.xml", parts[z] });
-    }
+    std::vector<NamedText> sessions(named.size());
+    std::ranges::transform(named, sessions.begin(),
+      [&](int z) {
+        return NamedText{ "P.xml", parts[z] };
+      });
     return nektar::Read(sessions, {}).notes;
   };
   EXPECT_TRUE(notes({ 0, 1, 2 }).empty());
