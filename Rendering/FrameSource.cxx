@@ -73,7 +73,7 @@ void FrameSource::Count(bool traced)
 
 FrameSource::TraceKey FrameSource::TraceKeyOf(const FrameRequest& request) const
 {
-  TraceKey key{ {}, request.kept, request.camera };
+  TraceKey key{ {}, request.kept, request.camera, request.searchSamples };
   for (const LayerRequest& layer : request.layers)
   {
     const int component = ComponentOf(layer, layer.field.In(*TheModel));
@@ -98,11 +98,12 @@ void FrameSource::MakeScene(const FrameRequest& request)
   TheScene = {};
   TheScene.locator = &TheModel->GetLocator();
   TheScene.kept = request.kept;
+  const SurfaceSearch search{ TheScene.locator->Bounds(), request.searchSamples };
   for (std::size_t k = 0; k < request.layers.size(); ++k)
   {
     const TracedLayer& traced = Traced->layers[k];
-    TheScene.layers.push_back({ ToSurface(request.layers[k].cut), &traced.field.In(*TheModel),
-      traced.component, traced.precision, traced.translucent });
+    TheScene.layers.push_back({ ToSurface(request.layers[k].cut, search),
+      &traced.field.In(*TheModel), traced.component, traced.precision, traced.translucent });
   }
 }
 

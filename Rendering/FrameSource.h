@@ -53,6 +53,7 @@ struct FrameRequest
   std::vector<LayerRequest> layers;
   std::vector<KeptHalfSpace> kept; ///< clipping planes, and the near plane where it cuts the data
   CameraSetup camera;
+  int searchSamples = 128; ///< of surfaces without a closed form (SearchedSurface)
   Rgba unknownColor{ 255, 0, 255, 255 };
   std::vector<Light> lights;
   LitView lit;
@@ -133,6 +134,7 @@ private:
     std::vector<TracedLayer> layers;
     std::vector<KeptHalfSpace> kept;
     CameraSetup camera;
+    int searchSamples = 0;
 
     bool operator==(const TraceKey&) const = default;
   };

@@ -3,8 +3,8 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkImageData.h"
+#include "vtkImplicitBoolean.h"
 #include "vtkPointData.h"
-#include "vtkSuperquadric.h"
 
 #include <cstring>
 #include <limits>
@@ -103,9 +103,9 @@ TEST_F(HighOrderMapperErrors, ImpossibleCuts)
 {
   Scene.Mapper->RemoveAllCutFunctions();
   EXPECT_TRUE(Contains(Render(), "SetCutFunction")) << Errors->Text;
-  vtkNew<vtkSuperquadric> superquadric;
-  Scene.Mapper->SetCutFunction(superquadric);
-  EXPECT_TRUE(Contains(Render(), "vtkSuperquadric")) << Errors->Text;
+  vtkNew<vtkImplicitBoolean> nothing;
+  Scene.Mapper->SetCutFunction(nothing);
+  EXPECT_TRUE(Contains(Render(), "vtkImplicitBoolean")) << Errors->Text;
   Scene.Mapper->SetCutFunction(Scene.Function);
   Scene.Function->SetNormal(0.0, 0.0, 0.0);
   EXPECT_TRUE(Contains(Render(), "normal")) << Errors->Text;
