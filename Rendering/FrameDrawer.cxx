@@ -3,48 +3,23 @@
 
 #include "HighOrderModel.h"
 #include "SelectionImage.h"
+#include "ViewRequest.h"
 #include "VtkLook.h"
 
-#include "Core/Base/Error.h"
-#include "Core/Location/Locator.h"
-
 #include "vtkActor.h"
-#include "vtkCamera.h"
 #include "vtkHardwareSelector.h"
 #include "vtkMapper.h"
-#include "vtkMatrix4x4.h"
-#include "vtkNew.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkScalarsToColors.h"
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <utility>
+#include <array>
+#include <limits>
 
 namespace pixelexact
 {
 namespace
 {
-// What lies beyond the near plane: z >= -w.
-KeptHalfSpace BeyondNear(const DepthRows& rows)
-{
-  KeptHalfSpace half{};
-  std::transform(rows.z.begin(), rows.z.end(), rows.w.begin(), half.begin(), std::plus<double>());
-  return half;
-}
-
-bool CutsInto(const KeptHalfSpace& half, const Box3& box)
-{
-  double least = half[3];
-  for (int i = 0; i < 3; ++i)
-  {
-    const double factor = half[static_cast<std::size_t>(i)];
-    least += std::min(factor * box.lower[i], factor * box.upper[i]);
-  }
-  return !(least >= 0.0);
-}
-
 DepthOffset OffsetOf(vtkMapper* mapper)
 {
   DepthOffset offset;
@@ -64,151 +39,79 @@ DepthOffset OffsetOf(vtkMapper* mapper)
 }
 } // namespace
 
-DepthRows DepthRowsOf(vtkRenderer* renderer, vtkMatrix4x4* dataToWorld)
+ViewFrame& FrameDrawer::Begin(
+  FrameRequest& request, vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper)
 {
-  vtkNew<vtkMatrix4x4> composite;
-  composite->DeepCopy(renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
-    renderer->GetTiledAspectRatio(), -1.0, 1.0));
-  vtkMatrix4x4::Multiply4x4(composite, dataToWorld, composite);
-  DepthRows rows;
-  for (int i = 0; i < 4; ++i)
-  {
-    rows.z[static_cast<std::size_t>(i)] = composite->GetElement(2, i);
-    rows.w[static_cast<std::size_t>(i)] = composite->GetElement(3, i);
-  }
-  return rows;
-}
-
-std::vector<KeptHalfSpace> ClippingPlanesOf(vtkMapper* mapper, vtkMatrix4x4* dataToWorld)
-{
-  std::vector<KeptHalfSpace> planes(static_cast<std::size_t>(mapper->GetNumberOfClippingPlanes()));
-  for (int i = 0; i < mapper->GetNumberOfClippingPlanes(); ++i)
-  {
-    mapper->GetClippingPlaneInDataCoords(
-      dataToWorld, i, planes[static_cast<std::size_t>(i)].data());
-  }
-  return planes;
-}
-
-void CompleteRequest(const DataView& view, const Box3& bounds, FrameRequest& request)
-{
-  vtkRenderer* renderer = view.renderer;
-  request.camera = SetupOf(renderer->GetActiveCamera(), view.width, view.height,
-    renderer->GetTiledAspectRatio(), view.dataToWorld);
-  request.lights = LightsOf(renderer);
-  request.lit = LitViewOf(renderer, view.dataToWorld);
-  request.translucent = view.opacity < 1.0;
-  request.kept = ClippingPlanesOf(view.mapper, view.dataToWorld);
-  // What lies before the near plane shows what is behind it. VTK puts that plane before all that is
-  // visible, so this is for users who move it into the data, and for cameras inside of it; all
-  // others get rays that depend on the view alone.
-  const KeptHalfSpace beyondNear = BeyondNear(DepthRowsOf(renderer, view.dataToWorld));
-  if (CutsInto(beyondNear, bounds))
-  {
-    request.kept.push_back(beyondNear);
-  }
-}
-
-const Frame& FrameDrawer::Render(FrameRequest& request, vtkRenderer* renderer, vtkActor* actor,
-  vtkMapper* mapper, const Progress& progress)
-{
+  ViewFrame& view = Views.Of(renderer, actor);
+  const std::array<int, 4> viewport = FrameCompositor::Viewport(renderer);
   try
   {
-    const std::array<int, 4> viewport = FrameCompositor::Viewport(renderer);
     CompleteRequest({ .renderer = renderer,
                       .mapper = mapper,
                       .dataToWorld = actor->GetMatrix(),
                       .opacity = actor->GetProperty()->GetOpacity(),
                       .width = viewport[2],
                       .height = viewport[3] },
-      TheSource.ModelOf(request.grid)->GetLocator().Bounds(), request);
+      request);
   }
   catch (...)
   {
-    TheSource.DropFrame();
+    view.source.DropFrame();
     throw;
   }
-  return TheSource.Render(request, progress);
+  if (actor->GetProperty()->GetEdgeVisibility())
+  {
+    request.edges = ToRgba(actor->GetProperty()->GetEdgeColor());
+  }
+  return view;
 }
 
-void FrameDrawer::MakeDrawn(const Frame& frame, const DepthRows& rows)
+ColorRanges::Range FrameDrawer::Draw(FrameRequest request, FramePart part, vtkRenderer* renderer,
+  vtkActor* actor, vtkMapper* mapper, const Progress& progress)
 {
-  const FrameSourceCounters& counters = TheSource.Counters();
-  const bool moved = DrawnTrace != counters.traces || Rows != rows;
-  if (!moved && DrawnVersion == TheSource.Version())
+  ViewFrame& view = Begin(request, renderer, actor, mapper);
+  if (request.refine && !view.MayBeCoarse(renderer->GetActiveCamera()))
   {
-    return;
+    request.seconds = std::numeric_limits<double>::infinity();
   }
-  const std::vector<Layer>& layers = TheSource.LastScene().layers;
-  const bool seenThrough = std::ranges::any_of(layers, &Layer::translucent);
-  DepthsVersion += moved || seenThrough ? 1 : 0;
-  Rows = rows;
-  DrawnTrace = counters.traces;
-  DrawnVersion = TheSource.Version();
-  Opaque.rgba.clear();
-  if (!seenThrough)
+  const Frame* frame = &view.source.Render(request, progress);
+  ColorRanges::Range fitted;
+  if (request.fitted != nullptr)
   {
-    SeenThrough.clear();
-    if (moved)
+    fitted = ColorRanges::OfFrame(*frame, request, request.fitted);
+    if (fitted && ColorRanges::Set(request.fitted, *fitted))
     {
-      WindowDepth(frame.centres, rows, Opaque.depths);
-    }
-    return;
-  }
-  // Each ray ends at an opaque layer, if it meets one: at most one of its samples is of that part.
-  const std::size_t pixels = frame.centres.Size();
-  Opaque.rgba.assign(4 * pixels, 0);
-  Opaque.depths.assign(pixels, kNoDepth);
-  SeenThrough.resize(1 + frame.centres.behind.size());
-  for (std::size_t k = 0; k < SeenThrough.size(); ++k)
-  {
-    const SampleBuffers& sheet = k == 0 ? frame.centres : frame.centres.behind[k - 1];
-    Drawn& drawn = SeenThrough[k];
-    drawn.rgba = sheet.color;
-    WindowDepth(sheet, rows, drawn.depths);
-    for (std::size_t i = 0; i < pixels; ++i)
-    {
-      const std::uint8_t layer = layers.size() > 1 ? sheet.layer[i] : std::uint8_t{ 0 };
-      if (layer != kNoLayer && !layers[layer].translucent && drawn.depths[i] <= 1.0F)
-      {
-        std::copy_n(&drawn.rgba[4 * i], 4, &Opaque.rgba[4 * i]);
-        Opaque.depths[i] = drawn.depths[i];
-        drawn.depths[i] = kNoDepth;
-      }
+      request.refine = false;
+      frame = &view.source.Render(request, progress);
     }
   }
-}
-
-void FrameDrawer::Draw(FrameRequest request, FramePart part, vtkRenderer* renderer, vtkActor* actor,
-  vtkMapper* mapper, const Progress& progress)
-{
-  const Frame& frame = Render(request, renderer, actor, mapper, progress);
-  MakeDrawn(frame, DepthRowsOf(renderer, actor->GetMatrix()));
-  const auto draw = [&](const Drawn& drawn, int sheet)
+  view.MakeDrawn(DepthRowsOf(renderer, actor->GetMatrix()));
+  const auto draw = [&](const ViewFrame::Drawn& drawn, int sheet)
   {
-    Compositor.Draw(renderer, actor, mapper,
-      { .rgba = drawn.rgba.empty() ? frame.Image() : drawn.rgba,
+    view.compositor.Draw(renderer, actor, mapper,
+      { .rgba = drawn.rgba.empty() ? frame->Image() : drawn.rgba,
         .depths = drawn.depths,
         .sheet = sheet,
-        .width = frame.width,
-        .height = frame.height,
+        .width = frame->width,
+        .height = frame->height,
         .opacity = actor->GetProperty()->GetOpacity(),
         .offset = OffsetOf(mapper),
-        .colorsVersion = DrawnVersion,
-        .depthsVersion = DepthsVersion });
+        .colorsVersion = view.drawnVersion,
+        .depthsVersion = view.depthsVersion });
   };
-  if (part != FramePart::Translucent || SeenThrough.empty())
+  if (part != FramePart::Translucent || view.seenThrough.empty())
   {
-    draw(Opaque, 0);
+    draw(view.opaque, 0);
   }
   if (part != FramePart::Opaque)
   {
     // Back to front.
-    for (std::size_t k = SeenThrough.size(); k > 0; --k)
+    for (std::size_t k = view.seenThrough.size(); k > 0; --k)
     {
-      draw(SeenThrough[k - 1], static_cast<int>(k));
+      draw(view.seenThrough[k - 1], static_cast<int>(k));
     }
   }
+  return fitted;
 }
 
 void FrameDrawer::Select(FrameRequest request, vtkRenderer* renderer, vtkActor* actor,
@@ -218,8 +121,9 @@ void FrameDrawer::Select(FrameRequest request, vtkRenderer* renderer, vtkActor* 
   {
     request.buffers = request.buffers | Buffer::Element;
   }
-  const Frame& frame = Render(request, renderer, actor, mapper, progress);
-  const HighOrderModel& model = *TheSource.Model();
+  ViewFrame& view = Begin(request, renderer, actor, mapper);
+  const Frame& frame = view.source.Render(request, progress);
+  const HighOrderModel& model = *view.source.Model();
   const SelectionPass pass = PassOf(renderer->GetSelector(), model);
   if (pass.shows == SelectionPass::Shows::Nothing)
   {
@@ -227,20 +131,34 @@ void FrameDrawer::Select(FrameRequest request, vtkRenderer* renderer, vtkActor* 
   }
   const SelectionImage image = MakeSelectionImage(
     pass, frame, DepthRowsOf(renderer, actor->GetMatrix()), model.SourceCells(), model.Blocks());
-  ++Selected;
-  Selection.Draw(renderer, actor, mapper,
+  ++view.selected;
+  view.selection.Draw(renderer, actor, mapper,
     { .rgba = image.rgba,
       .depths = image.depths,
       .width = frame.width,
       .height = frame.height,
       .offset = OffsetOf(mapper),
-      .colorsVersion = Selected,
-      .depthsVersion = Selected });
+      .colorsVersion = view.selected,
+      .depthsVersion = view.selected });
 }
 
-void FrameDrawer::ReleaseGraphicsResources(vtkWindow* window)
+const std::shared_ptr<HighOrderModel>& FrameDrawer::ModelOf(vtkDataObject* grid)
 {
-  Compositor.ReleaseGraphicsResources(window);
-  Selection.ReleaseGraphicsResources(window);
+  try
+  {
+    const std::shared_ptr<HighOrderModel>& model = Model.Of(grid);
+    Views.DropOthers(model.get());
+    return model;
+  }
+  catch (...)
+  {
+    Views.DropOthers(nullptr);
+    throw;
+  }
+}
+
+void FrameDrawer::DropFrame(vtkRenderer* renderer, vtkActor* actor)
+{
+  Views.Of(renderer, actor).source.DropFrame();
 }
 } // namespace pixelexact

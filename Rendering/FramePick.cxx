@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FramePick.h"
 
-#include "FrameDrawer.h"
 #include "HighOrderModel.h"
+#include "ViewRequest.h"
 
 #include "Core/Base/Error.h"
-#include "Core/Location/Locator.h"
 #include "Core/Location/Sample.h"
 
 #include "vtkMapper.h"
@@ -34,7 +33,7 @@ CameraSetup CameraAlong(const Vec3& start, const Vec3& end)
 }
 
 /// Completes the request for the ray and returns where its sample lies in the image.
-ImagePosition Aim(FrameSource& source, const PickRay& ray, vtkMapper* mapper, FrameRequest& request)
+ImagePosition Aim(const PickRay& ray, vtkMapper* mapper, FrameRequest& request)
 {
   if (!ray.pixel)
   {
@@ -54,7 +53,7 @@ ImagePosition Aim(FrameSource& source, const PickRay& ray, vtkMapper* mapper, Fr
                     .opacity = ray.opacity,
                     .width = width,
                     .height = height },
-    source.ModelOf(request.grid)->GetLocator().Bounds(), request);
+    request);
   return { (*ray.pixel)[0] + 0.5, (*ray.pixel)[1] + 0.5 };
 }
 
@@ -108,7 +107,7 @@ PickedSample Describe(
 std::optional<PickedSample> Pick(
   FrameSource& source, FrameRequest request, const PickRay& ray, vtkMapper* mapper)
 {
-  const ImagePosition position = Aim(source, ray, mapper, request);
+  const ImagePosition position = Aim(ray, mapper, request);
   const SampleBuffers samples = source.Sample(request, { &position, 1 });
   const auto describe = [&](const SampleBuffers& sheet) -> std::optional<PickedSample>
   {

@@ -14,23 +14,28 @@
  *   the actor's matrix moves cut and field together.
  * - Which field: SetFieldName; else SelectColorArray; else SetInputArrayToProcess(0, ...); else the
  *   first field that the grid carries.
- * - Colours: the lookup table, with its VectorMode and VectorComponent, over ScalarRange or, with
- *   UseLookupTableScalarRange, over the table's own range. With ScalarVisibility off, the actor's
- *   colour. A pixel whose element could not be decided gets the UnknownColor.
+ * - Colours: the lookup table, with its VectorMode and VectorComponent (or the component of
+ *   ColorByArrayComponent), over the range of the field, of the cut, or a ScalarRange that was set
+ *   (see SetRangeMode), or, with UseLookupTableScalarRange, over the table's own range. With
+ *   ScalarVisibility off, the actor's colour. A pixel whose element could not be decided gets the
+ *   UnknownColor. EdgeVisibility draws where elements meet.
  * - Several surfaces with looks of their own: AddLayer.
  * - Light: the renderer's, by the surface's exact normals and the actor's property; planes show
  *   their colours as they are unless LightFlat is on.
  * - Opacity and visibility are the actor's, clipping planes and the resolution of coincident
- *   topology (polygon offset) the mapper's.
+ *   topology (polygon offset) the mapper's. What else stock mappers honour is honoured, or refused
+ *   by an error, or said to have no effect by a warning; the whole table is in
+ *   Module/Documentation/windows.md. Errors and warnings are told once, not in each frame.
  *
- * What is kept: the field's locator while the grid is unchanged, and the last frame while view and
- * scene are; a changed lookup table only recolours it. See GetNumberOfTraces().
+ * What is kept: the field's locator while the grid is unchanged, and for each renderer, actor and
+ * eye (of stereo windows) the last frame while view and scene are; a changed lookup table only
+ * recolours it. See GetNumberOfTraces().
  *
- * While somebody moves the scene (a window that wants a frame each second or more often, its
- * DesiredUpdateRate, as interactors set it) and exact frames take longer, coarse ones are shown:
- * blocks of 8, 4 or 2 pixels with the colour of one. Further renders of the same view refine them;
- * when the window can wait, the frame is completed, and is the same, to the bit, as one that was
- * made at once.
+ * While somebody moves the scene (a window with an interactor that wants a frame each second or
+ * more often, its DesiredUpdateRate) and exact frames take longer, coarse ones are shown: blocks of
+ * 8, 4 or 2 pixels with the colour of one. Further renders of the same view refine them; when the
+ * window can wait, the frame is completed, and is the same, to the bit, as one that was made at
+ * once. Pictures that vtkWindowToImageFilter renders are complete, too.
  *
  * Layers that are not opaque are drawn with the renderer's translucent geometry, sheet by sheet
  * with their own depths.
@@ -48,6 +53,7 @@
 #include "PixelExactRenderingModule.h"
 #include "vtkMapper.h"
 
+#include <array>    // for ranges
 #include <memory>   // for the implementation
 #include <optional> // for picks
 #include <string>   // for the field's name
@@ -130,6 +136,32 @@ public:
   vtkBooleanMacro(LightFlat, bool);
   ///@}
 
+  /**
+   * Which range the lookup table gets.
+   */
+  enum
+  {
+    RANGE_AS_SET,   ///< ScalarRange
+    RANGE_OF_FIELD, ///< of the fields that it colours, over all of the mesh
+    RANGE_OF_CUT    ///< of the values that are seen in the view that is drawn
+  };
+
+  ///@{
+  /**
+   * The range of the mapper's lookup table, unless UseLookupTableScalarRange is on. The default is
+   * RANGE_OF_FIELD: the ends are values of the field, and none lies beyond them by more than a
+   * thousandth; it is found by the first frame and takes about as long as that. To set a
+   * ScalarRange is to choose RANGE_AS_SET. GetScalarRange gives the range of the last frame.
+   */
+  void SetRangeMode(int mode);
+  vtkGetMacro(RangeMode, int);
+  void SetRangeModeToAsSet() { this->SetRangeMode(RANGE_AS_SET); }
+  void SetRangeModeToField() { this->SetRangeMode(RANGE_OF_FIELD); }
+  void SetRangeModeToCut() { this->SetRangeMode(RANGE_OF_CUT); }
+  using vtkMapper::SetScalarRange;
+  void SetScalarRange(double lower, double upper) override;
+  ///@}
+
   ///@{
   /**
    * RGBA of the pixels whose element could not be decided. The default is magenta.
@@ -207,6 +239,7 @@ protected:
   unsigned char UnknownColor[4] = { 255, 0, 255, 255 };
   bool Progressive = true;
   bool LightFlat = false;
+  int RangeMode = RANGE_OF_FIELD;
 
 private:
   friend class vtkHighOrderPicker;
@@ -219,6 +252,14 @@ private:
    */
   void RenderAll(vtkRenderer* renderer, vtkActor* actor);
   void RenderPart(int part, vtkRenderer* renderer, vtkActor* actor);
+  /**
+   * Of what is set and has no effect.
+   */
+  void Warn(vtkRenderer* renderer, vtkActor* actor);
+  /**
+   * The range that colours are made with.
+   */
+  void TakeRange(const std::array<double, 2>& range);
 
   /**
    * The first thing that a ray meets. Throws pixelexact::Error.

@@ -227,8 +227,8 @@ TEST(HighOrderMapper, OneMapperInTwoWindows)
     first.RenderWindow->Finalize();
     second.Render();
     CutScene::ExpectPicture(second, kWhole);
-    // The views are the same, so is the frame.
-    EXPECT_EQ(scene.Mapper->GetNumberOfTraces(), i + 1);
+    // Each window has its frame.
+    EXPECT_EQ(scene.Mapper->GetNumberOfTraces(), 2 * (i + 1));
   }
 }
 } // namespace pixelexact
