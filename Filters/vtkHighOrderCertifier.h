@@ -12,6 +12,8 @@
  *   shape, keeps
  * - `FIELD_lower`, `FIELD_upper`: bounds that the field's world values keep, per component
  *
+ * Composite data are certified block by block.
+ *
  * Bounds are proven, all rounding included, of what the coefficients define; -inf and inf where
  * none was found, NaN where a coefficient is not finite or the cell is no element. See
  * Documentation/certified-ranges.md.

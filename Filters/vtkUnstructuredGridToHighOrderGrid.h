@@ -17,6 +17,9 @@
  * the output holds the same mesh arrays again, only fields are converted, and whoever locates
  * points in it (vtkHighOrderMapper, vtkHighOrderProbe) goes on with the locator that it has.
  *
+ * Composite data are converted block by block. GetHighOrderOutput() is null then, and counts and
+ * diagnostics are those of the last block; all are reported as warnings.
+ *
  * What looks wrong in the file but can be converted is reported as warnings and by GetDiagnostic().
  */
 

@@ -171,8 +171,9 @@ void InputRequest::AddTo(CLI::App& command, bool required)
 {
   AddArguments(command, "INPUT", files, "FILE",
     "The mesh file (.vtu, .pvtu, .pvd, .vtk, .mesh, .saved or .xml) and, where the format keeps "
-    "them apart, its field files (.gf; .fld, .chk or .rst); numbered .vtu or .pvtu files and "
-    "several Nektar++ field files make a time series")
+    "them apart, its field files (.gf; .fld, .chk or .rst); further .xml files are the rest of a "
+    "Nektar++ session or parts of its mesh; numbered .vtu or .pvtu files and several Nektar++ "
+    "field files make a time series")
     .Required(required);
   const AddedOption number =
     AddIndex(command, "--time-step", step, "N", "Time step, counted from 0 (default: the first)");

@@ -255,7 +255,7 @@ TEST(NativeReaders, FieldFilesAreTimeSteps)
     vtkNew<vtkNektarReader> wrong;
     wrong->SetFileName((folder / "nek_hex_aniso_p3p5p7.xml").c_str());
     wrong->AddFieldFileName(scratch.Write("wrong.chk", withTime(time)).c_str());
-    ExpectRefusal(wrong, "wrong.chk: its <Time>");
+    ExpectRefusal(wrong, "wrong.chk, <Time>");
   }
 }
 
@@ -268,7 +268,8 @@ TEST(NativeReaders, FoldersOfPartsAreOneField)
   vtkNew<vtkNektarReader> reader;
   vtkNew<Messages> messages;
   messages->Watch(reader);
-  reader->SetFileName((folder / "nek_tet_varp.xml").c_str());
+  scratch.Write("mesh_xml/P0000000.xml", Text(folder / "nek_tet_varp.xml"));
+  reader->SetFileName(scratch.Path("mesh_xml").c_str());
   reader->AddFieldFileName(scratch.Path("u.fld").c_str());
   reader->Update();
   ASSERT_EQ(messages->errors, "");
@@ -338,5 +339,36 @@ TEST(NativeReaders, RefuseEveryTruncation)
     reader->SetFileName(scratch.Write("cut.xml", session.substr(0, size)).c_str());
     ExpectRefusal(reader, "cut.xml");
   }
+}
+
+TEST(NativeReaders, TimesOfNektar3AreSteps)
+{
+  const auto folder = kData / "nek_hex_aniso_p3p5p7";
+  const std::string field = Text(folder / "nek_hex_aniso_p3p5p7.fld");
+  const auto withTime = [&](const std::string& time)
+  {
+    std::string text = field;
+    return text.insert(text.find("<Metadata>"),
+      "<FIELDMETADATA><P PARAM=\"Time\"> " + time + "</P></FIELDMETADATA>");
+  };
+  const Scratch scratch;
+  vtkNew<vtkNektarReader> reader;
+  reader->SetFileName((folder / "nek_hex_aniso_p3p5p7.xml").c_str());
+  reader->AddFieldFileName(scratch.Write("b.chk", withTime("2.5")).c_str());
+  reader->AddFieldFileName(scratch.Write("a.chk", withTime("0.5")).c_str());
+  reader->UpdateInformation();
+  vtkInformation* information = reader->GetOutputInformation(0);
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  ASSERT_EQ(information->Length(Pipeline::TIME_STEPS()), 2);
+  EXPECT_EQ(information->Get(Pipeline::TIME_STEPS())[0], 0.5);
+  EXPECT_EQ(information->Get(Pipeline::TIME_STEPS())[1], 2.5);
+
+  // No number to its end is no time: the files are counted, and reading tells what is wrong.
+  scratch.Write("b.chk", withTime("2.5 s"));
+  reader->Modified();
+  reader->UpdateInformation();
+  information = reader->GetOutputInformation(0);
+  EXPECT_EQ(information->Get(Pipeline::TIME_STEPS())[1], 1.0);
+  ExpectRefusal(reader, "'s' is no number");
 }
 } // namespace

@@ -13,6 +13,7 @@ CLASSES = [
     "vtkHighOrderLayer",
     "vtkHighOrderLinearResample",
     "vtkHighOrderMapper",
+    "vtkHighOrderPicker",
     "vtkHighOrderProbe",
     "vtkHighOrderRayPass",
     "vtkHighOrderSeriesReader",
