@@ -17,6 +17,15 @@
 //   pyramid                   eta = 2 (r, s, t) - 1, collapsed to xi: VTK's are those of the cube
 namespace pixelexact
 {
+/// Where the Lagrange cells of a file depart from VTK's conventions.
+struct NodeConvention
+{
+  bool gaussLobatto = false;   ///< nodes at Gauss-Lobatto-Legendre points, not equispaced
+  bool mirroredWedges = false; ///< see MakeOtherWedge
+
+  auto operator<=>(const NodeConvention&) const = default;
+};
+
 /// Cells of one kind share one basis.
 struct CellKind
 {
@@ -25,6 +34,7 @@ struct CellKind
   /// Degrees along r, s, t as the file gives them (HigherOrderDegrees); 0: to be told from the
   /// number of points.
   std::array<int, 3> degrees{ 0, 0, 0 };
+  NodeConvention nodes; ///< of Lagrange cells
 
   auto operator<=>(const CellKind&) const = default;
 };
@@ -36,6 +46,9 @@ struct CellBasis
   /// For Lagrange cells: positions in the cell of the nodes along the three edges that leave the
   /// vertex r = s = t = 0, from one end to the other. Empty otherwise.
   std::array<std::vector<int>, 3> edges;
+  /// For pyramids of order 2: the map of the pyramid between their five vertices, which come first,
+  /// in the space of `change` and in its own. Empty otherwise.
+  std::vector<ChangeOfBasis> straight{};
 
   [[nodiscard]] const Space& GetSpace() const { return change.Target(); }
 };
@@ -56,13 +69,15 @@ CellBasis MakeFixedCellBasis(const CellKind& kind);
 
 /// VTK's Lagrange and Bezier cells of any order. Bezier: with equal rational weights.
 bool IsHigherOrderCell(int type);
+bool IsLagrangeCell(int type);
 CellBasis MakeHigherOrderCellBasis(const CellKind& kind);
 
-/// The map of a Lagrange wedge whose nodes inside the quadrilateral r = 0 run the other way along
-/// s: how MFEM writes them. The kind must be one of order >= 3 in the triangle and >= 2 along t.
-ChangeOfBasis MakeMirroredWedge(const CellKind& kind);
+/// The map of a Lagrange wedge whose nodes inside the quadrilateral r = 0 run the other way along s
+/// than `kind.nodes` says: MFEM writes them mirrored. The kind must be one of order >= 3 in the
+/// triangle and >= 2 along t.
+ChangeOfBasis MakeOtherWedge(const CellKind& kind);
 
-/// The map from samples of a VTK cell's own interpolation functions.
+/// The map from samples of a VTK cell's own interpolation functions, which lie in `space`.
 ChangeOfBasis SampleCell(const CellKind& kind, const Space& space);
 } // namespace pixelexact
 #endif

@@ -57,6 +57,13 @@ CellBasis MakeFixedCellBasis(const CellKind& kind)
     throw InvalidData(CellTypeName(kind.type) + " needs " + std::to_string(cell.points) +
       " points, not " + std::to_string(kind.points) + "; the file's connectivity is damaged.");
   }
-  return { kind, SampleCell(kind, cell.space), {} };
+  CellBasis basis{ kind, SampleCell(kind, cell.space), {} };
+  if (cell.space.form == Form::Tensor)
+  {
+    const FixedCell& linear = *Find(VTK_PYRAMID);
+    const CellKind corners{ linear.type, linear.points, { 0, 0, 0 }, {} };
+    basis.straight = { SampleCell(corners, cell.space), SampleCell(corners, linear.space) };
+  }
+  return basis;
 }
 } // namespace pixelexact

@@ -8,28 +8,34 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 
 // Which orders may go. The file holds x_s (1 + e_s) for the node s, |e_s| <= 4 u: half a unit in
 // the last place from writing it and a few from the solver's evaluation. With the change of basis M
 // mode k is then off by at most 4 u max|x| sum_s |M_ks| = 4 u max|x| A_k. A set D of trailing modes
 // is taken for noise when, for each component,
 //
-//   |c_k| <= 4 u max|x| A_k                for each k in D,
+//   |c_k| <= 4 u max|x| A_k + size 2^-53   for each k in D,
 //   sum over D of |c_k| B_k <= 1e-6 size,
 //
-// B_k the largest |mode k|. The first says that rounding explains it, and decides at usual orders:
-// at order 6 it allows about 1e-14. The second says that nothing is lost which could be seen, where
-// A is large: it grows as 2^n at order n, and the rounding of 17^3 equispaced nodes makes modes of
-// 1e-10, a hundred thousand times larger than that of 7^3. Dropping them brings the map nearer to
-// the solver's. What is dropped is recorded: the map is uncertain by
+// B_k the largest |mode k|. The first says that rounding explains it, that of the nodes or of the
+// element's own coefficients (a cell without a mode has A = 0 but for M's roundings), and decides
+// at usual orders: at order 6 it allows about 1e-14. The second says that nothing is lost which
+// could be seen, where A is large: it grows as 2^n at order n, and the rounding of 17^3 equispaced
+// nodes makes modes of 1e-10, a hundred thousand times larger than that of 7^3. Dropping them
+// brings the map nearer to the solver's. What is dropped is recorded: the map is uncertain by
 //
 //   sum over D of |c_k| B_k  +  4 u max|x| sum over the kept k of A_k B_k.
+//
+// A straight cell with nodes halfway is found so: its orders above 1 are noise. A pyramid of order
+// 2 is in another form than the straight one; the modes of their difference are judged instead.
 namespace pixelexact
 {
 namespace
 {
 constexpr double kCoordinateRoundings = 4.0;
-constexpr double kLargestLoss = 1e-6; ///< in units of the element
+constexpr double kLargestLoss = 1e-6;    ///< in units of the element
+constexpr double kOwnRounding = 0x1p-53; ///< in units of the element
 
 ElementUnits UnitsOf(const SourceMesh& mesh, int element)
 {
@@ -56,14 +62,21 @@ ElementUnits UnitsOf(const SourceMesh& mesh, int element)
 class Reduction
 {
 public:
+  /// `roundings`: of the coordinates, world units.
   Reduction(const Space& space, std::span<const double> amplification,
-    std::span<const double> modes, double roundings, double largestLoss)
+    std::span<const double> modes, double roundings, double size)
     : Full(space)
     , Amplification(amplification)
     , Modes(modes)
     , Roundings(roundings)
-    , LargestLoss(largestLoss)
+    , Size(size)
   {
+  }
+
+  /// Whether nothing but noise is there.
+  [[nodiscard]] bool IsNoise() const
+  {
+    return IsNoise([](int, int, int) { return false; });
   }
 
   [[nodiscard]] Space Reduce() const
@@ -80,7 +93,7 @@ public:
         }
         --next.order[d];
       }
-      if (!next.IsValid() || !IsNoise(next))
+      if (!next.IsValid() || !IsNoise([&next](int p, int q, int r) { return Has(next, p, q, r); }))
       {
         return false;
       }
@@ -154,56 +167,108 @@ private:
     return Modes[static_cast<std::size_t>(component) * Amplification.size() + mode];
   }
 
-  [[nodiscard]] bool IsNoise(const Space& kept) const
+  /// Whether the modes that are not kept are noise.
+  template <class Keeps>
+  [[nodiscard]] bool IsNoise(const Keeps& keeps) const
   {
     bool explained = true;
     std::array<double, 3> dropped{};
     Visit(
       [&](int p, int q, int r, int mode)
       {
-        if (!explained || Has(kept, p, q, r))
+        if (!explained || keeps(p, q, r))
         {
           return;
         }
         const double bound = ModeBound(Full, p, q, r);
+        const double noise = Roundings * Amplification[mode] + kOwnRounding * Size;
         for (int c = 0; c < 3; ++c)
         {
-          explained = explained && std::fabs(At(c, mode)) <= Roundings * Amplification[mode];
+          explained = explained && std::fabs(At(c, mode)) <= noise;
           dropped[c] += std::fabs(At(c, mode)) * bound;
         }
       });
-    return explained && *std::ranges::max_element(dropped) <= LargestLoss;
+    return explained && *std::ranges::max_element(dropped) <= kLargestLoss * Size;
   }
 
   Space Full;
   std::span<const double> Amplification;
   std::span<const double> Modes;
   double Roundings;
-  double LargestLoss;
+  double Size;
 };
-} // namespace
 
-ElementGeometry ConvertGeometry(const SourceMesh& mesh, int element)
+/// The modes of all three components, world units, relative to the centre.
+std::vector<double> ModesOf(
+  const SourceMesh& mesh, int element, const ChangeOfBasis& change, const Vec3& centre)
 {
-  const ElementUnits units = UnitsOf(mesh, element);
-  const ChangeOfBasis& change = mesh.Basis(element).change;
-  const Space full = change.Target();
-  const auto count = static_cast<std::size_t>(full.Modes());
+  const auto count = static_cast<std::size_t>(change.Target().Modes());
   std::vector<double> modes(3 * count);
   std::vector<double> nodes;
   for (int c = 0; c < 3; ++c)
   {
     mesh.Gather(element, mesh.Coordinates(), 3, c, nodes);
-    change.Apply(nodes, units.centre[c], std::span(modes).subspan(c * count, count));
+    change.Apply(nodes, centre[c], std::span(modes).subspan(c * count, count));
   }
+  return modes;
+}
+
+/// How far a pyramid of order 2 is from the straight one between its vertices, world units; none
+/// where rounding does not explain it.
+std::optional<double> DistanceToStraight(const CellBasis& basis, std::vector<double> modes,
+  const std::vector<double>& straight, double roundings, double size)
+{
+  std::ranges::transform(modes, straight, modes.begin(), std::minus());
+  std::vector<double> amplification(
+    basis.change.Amplification().begin(), basis.change.Amplification().end());
+  std::ranges::transform(
+    amplification, basis.straight[0].Amplification(), amplification.begin(), std::plus());
+  const Space& space = basis.GetSpace();
+  const Reduction difference(space, amplification, modes, roundings, size);
+  if (!difference.IsNoise())
+  {
+    return std::nullopt;
+  }
+  double largest = 0.0;
+  const auto count = static_cast<std::size_t>(space.Modes());
+  for (int c = 0; c < 3; ++c)
+  {
+    double sum = 0.0;
+    ForEachMode(space,
+      [&](int p, int q, int r, int mode)
+      { sum += std::fabs(modes[c * count + mode]) * ModeBound(space, p, q, r); });
+    largest = std::max(largest, sum);
+  }
+  return largest;
+}
+} // namespace
+
+ElementGeometry ConvertGeometry(const SourceMesh& mesh, int element)
+{
+  const ElementUnits units = UnitsOf(mesh, element);
+  const CellBasis& basis = mesh.Basis(element);
   ElementGeometry geometry;
   geometry.centre = { units.centre.x, units.centre.y, units.centre.z };
   geometry.size = std::ldexp(1.0, units.exponent);
-  const double u = mesh.CoordinateRoundoff();
-  const Reduction reduction(full, change.Amplification(), modes,
-    kCoordinateRoundings * u * units.largest, kLargestLoss * geometry.size);
+  const double roundings = kCoordinateRoundings * mesh.CoordinateRoundoff() * units.largest;
+  const ChangeOfBasis* change = &basis.change;
+  std::vector<double> modes = ModesOf(mesh, element, *change, units.centre);
+  if (!basis.straight.empty())
+  {
+    const auto distance = DistanceToStraight(basis, modes,
+      ModesOf(mesh, element, basis.straight[0], units.centre), roundings, geometry.size);
+    if (distance)
+    {
+      geometry.uncertainty = *distance;
+      change = &basis.straight[1];
+      modes = ModesOf(mesh, element, *change, units.centre);
+    }
+  }
+  const Space full = change->Target();
+  const Reduction reduction(full, change->Amplification(), modes, roundings, geometry.size);
   geometry.space = reduction.Reduce();
-  geometry.uncertainty = reduction.Uncertainty(geometry.space);
+  geometry.uncertainty += reduction.Uncertainty(geometry.space);
+  const auto count = static_cast<std::size_t>(full.Modes());
   for (int c = 0; c < 3; ++c)
   {
     ForEachMode(full,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GridCheck.h"
 
+#include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 
 #include "vtkCellArray.h"
@@ -54,8 +55,8 @@ void CheckConsistency(vtkUnstructuredGrid& grid)
       {
         const char* name = data.GetArrayName(i);
         throw InvalidData(std::string(what) + " array '" + (name != nullptr ? name : "") +
-          "' holds " + std::to_string(array->GetNumberOfTuples()) + " values for " +
-          std::to_string(expected) + " " + what + "s");
+          "' holds " + Counted(array->GetNumberOfTuples(), "value") + " for " +
+          Counted(expected, what));
       }
     }
   };

@@ -146,7 +146,7 @@ ConversionReport ConvertGrid(vtkUnstructuredGrid* input, const ConversionOptions
       options.progress(done);
     }
   };
-  const SourceMesh mesh(input);
+  const SourceMesh mesh(input, options.nodes);
   ConversionReport report;
   report.skippedCells = mesh.SkippedCells();
   progress(0.1);

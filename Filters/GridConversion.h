@@ -2,6 +2,8 @@
 #ifndef GridConversion_h
 #define GridConversion_h
 
+#include "CellBasis.h"
+
 #include "vtkType.h"
 
 #include <functional>
@@ -19,6 +21,7 @@ struct ConversionOptions
 {
   std::vector<std::string> fields;      ///< names of arrays to convert; none: all (SelectFields)
   bool diagnose = true;                 ///< look for signs of a faulty file
+  NodeConvention nodes;                 ///< of the grid's Lagrange cells
   std::function<void(double)> progress; ///< may be empty; called from the calling thread
 };
 

@@ -33,7 +33,7 @@ std::string Cannot(const GridPart& part)
     (part.list.empty() ? "" : ", which '" + part.list + "' names") + ": ";
 }
 
-Grid ReadXml(const std::string& file)
+Grid ReadXml(const std::string& file, std::vector<std::string>& warnings)
 {
   std::error_code failure;
   if (!std::filesystem::exists(file, failure))
@@ -49,9 +49,9 @@ Grid ReadXml(const std::string& file)
   messages->Watch(reader);
   reader->SetFileName(file.c_str());
   reader->Update();
-  if (!messages->first.empty())
+  if (!messages->error.empty())
   {
-    throw InvalidData(messages->first);
+    throw InvalidData(messages->error);
   }
   if (reader->GetErrorCode() != vtkErrorCode::NoError)
   {
@@ -59,14 +59,39 @@ Grid ReadXml(const std::string& file)
   }
   Grid grid = reader->GetOutput();
   CheckConsistency(*grid);
+  warnings = messages->warnings;
   return grid;
 }
 
-Grid ReadPart(const GridPart& part)
+/// VTK's warnings become notes. What several parts have alike is said of the first one.
+class PartReader
+{
+public:
+  explicit PartReader(std::vector<std::string>& notes)
+    : Notes(notes)
+  {
+  }
+  Grid Read(const GridPart& part);
+
+private:
+  std::vector<std::string>& Notes;
+  std::set<std::string> Said;
+};
+
+Grid PartReader::Read(const GridPart& part)
 {
   try
   {
-    return ReadXml(part.file);
+    std::vector<std::string> warnings;
+    Grid grid = ReadXml(part.file, warnings);
+    for (const std::string& warning : warnings)
+    {
+      if (Said.insert(warning).second)
+      {
+        Notes.emplace_back("'").append(part.file).append("': ").append(warning).append(".");
+      }
+    }
+    return grid;
   }
   catch (const Error& error)
   {
@@ -201,15 +226,16 @@ ReadGrid ReadParts(const std::vector<GridPart>& parts)
 {
   ReadGrid result;
   const auto files = ListFiles(parts, result.notes);
+  PartReader reader(result.notes);
   if (files.size() == 1)
   {
-    result.grid = ReadPart(files[0]);
+    result.grid = reader.Read(files[0]);
     return result;
   }
   std::vector<Grid> volumes;
   for (const auto& file : files)
   {
-    const Grid grid = ReadPart(file);
+    const Grid grid = reader.Read(file);
     StripPart(file, grid);
     if (HasVolume(grid))
     {

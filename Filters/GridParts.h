@@ -25,7 +25,7 @@ struct ReadGrid
 /// - coefficients that were made from nodal values are dropped (the converter makes them again);
 ///   those of a solver's own file, which could only be lost, are Unsupported.
 ///
-/// Throws Error, naming the file.
+/// Of what VTK's reader warns, each thing once, is noted too. Throws Error, naming the file.
 PIXELEXACTFILTERS_EXPORT ReadGrid ReadParts(const std::vector<GridPart>& parts);
 } // namespace pixelexact
 #endif

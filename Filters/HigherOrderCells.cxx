@@ -3,6 +3,7 @@
 // against.
 #include "CellBasis.h"
 
+#include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 
 #include "vtkCellType.h"
@@ -17,9 +18,30 @@ namespace pixelexact
 {
 namespace
 {
-Family FamilyOf(int type)
+/// Above this order Gauss-Lobatto-Legendre nodes inside triangles are placed in several ways.
+constexpr int kUniqueTriangle = 3;
+
+Family FamilyOf(const CellKind& kind)
 {
-  return type >= VTK_BEZIER_TETRAHEDRON ? Family::Bernstein : Family::EquispacedLagrange;
+  if (!IsLagrangeCell(kind.type))
+  {
+    return Family::Bernstein;
+  }
+  return kind.nodes.gaussLobatto ? Family::GaussLobattoLagrange : Family::EquispacedLagrange;
+}
+
+/// Fails where the places of the nodes inside the cell's triangles are a matter of choice.
+void RequireKnownNodes(const CellKind& kind, int triangleOrder)
+{
+  if (FamilyOf(kind) == Family::GaussLobattoLagrange && triangleOrder > kUniqueTriangle)
+  {
+    throw Unsupported(CellTypeName(kind.type) + " of order " + std::to_string(triangleOrder) +
+      " with Gauss-Lobatto-Legendre nodes (SetNodePlacement, --nodes gll): above order " +
+      std::to_string(kUniqueTriangle) +
+      " solvers place the nodes inside triangles in several ways "
+      "(warped, blended, Fekete), and the file does not tell which; write it with equispaced nodes "
+      "(DOLFINx: basix.LagrangeVariant.equispaced).");
+  }
 }
 
 int NumberOfPoints(Shape shape, const std::array<int, 3>& n)
@@ -48,7 +70,7 @@ std::array<int, 3> Degrees(const CellKind& kind, Shape shape)
       n = { n[0] + 1, n[0] + 1, n[0] + 1 };
     }
   }
-  const std::string points = std::to_string(kind.points) + " points";
+  const std::string points = Counted(kind.points, "point");
   if (*std::ranges::min_element(n) < 1 || *std::ranges::max_element(n) > kMaxOrder ||
     (shape == Shape::Prism && n[0] != n[1]) || NumberOfPoints(shape, n) != kind.points)
   {
@@ -91,8 +113,7 @@ CellBasis Hexahedron(const CellKind& kind, const std::array<int, 3>& n)
       }
     }
   }
-  return { kind,
-    ChangeOfBasis::Hexahedron(SpaceOf(Shape::Hexahedron, n), FamilyOf(kind.type), source),
+  return { kind, ChangeOfBasis::Hexahedron(SpaceOf(Shape::Hexahedron, n), FamilyOf(kind), source),
     std::move(edges) };
 }
 
@@ -123,12 +144,13 @@ std::vector<int> WedgeSource(const std::array<int, 3>& n, bool mirrored)
 
 ChangeOfBasis Wedge(const CellKind& kind, const std::array<int, 3>& n, bool mirrored)
 {
-  return ChangeOfBasis::Prism(
-    SpaceOf(Shape::Prism, n), FamilyOf(kind.type), WedgeSource(n, mirrored));
+  RequireKnownNodes(kind, n[0]);
+  return ChangeOfBasis::Prism(SpaceOf(Shape::Prism, n), FamilyOf(kind), WedgeSource(n, mirrored));
 }
 
 CellBasis Tetrahedron(const CellKind& kind, const std::array<int, 3>& n)
 {
+  RequireKnownNodes(kind, n[0]);
   std::vector<int> source;
   std::array<std::vector<int>, 3> edges;
   const int order = n[0];
@@ -151,8 +173,7 @@ CellBasis Tetrahedron(const CellKind& kind, const std::array<int, 3>& n)
       }
     }
   }
-  return { kind,
-    ChangeOfBasis::Tetrahedron(SpaceOf(Shape::Tetrahedron, n), FamilyOf(kind.type), source),
+  return { kind, ChangeOfBasis::Tetrahedron(SpaceOf(Shape::Tetrahedron, n), FamilyOf(kind), source),
     std::move(edges) };
 }
 
@@ -168,7 +189,7 @@ CellBasis WedgeBasis(const CellKind& kind, const std::array<int, 3>& n)
   {
     edges[2].push_back(WedgeNode(0, 0, k, n));
   }
-  return { kind, Wedge(kind, n, false), std::move(edges) };
+  return { kind, Wedge(kind, n, kind.nodes.mirroredWedges), std::move(edges) };
 }
 
 /// Lagrange cells with bubble functions beside the complete polynomials.
@@ -187,6 +208,12 @@ std::optional<Space> BubbleSpace(const CellKind& kind)
   return std::nullopt;
 }
 } // namespace
+
+bool IsLagrangeCell(int type)
+{
+  return type == VTK_LAGRANGE_TETRAHEDRON || type == VTK_LAGRANGE_HEXAHEDRON ||
+    type == VTK_LAGRANGE_WEDGE;
+}
 
 bool IsHigherOrderCell(int type)
 {
@@ -224,15 +251,15 @@ CellBasis MakeHigherOrderCellBasis(const CellKind& kind)
         return Tetrahedron(kind, Degrees(kind, Shape::Tetrahedron));
     }
   }();
-  if (FamilyOf(kind.type) != Family::EquispacedLagrange)
+  if (!IsLagrangeCell(kind.type))
   {
     basis.edges = {}; // control points are not on the edges
   }
   return basis;
 }
 
-ChangeOfBasis MakeMirroredWedge(const CellKind& kind)
+ChangeOfBasis MakeOtherWedge(const CellKind& kind)
 {
-  return Wedge(kind, Degrees(kind, Shape::Prism), true);
+  return Wedge(kind, Degrees(kind, Shape::Prism), !kind.nodes.mirroredWedges);
 }
 } // namespace pixelexact

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshDiagnostics.h"
 
+#include "Core/Basis/LineFunctions.h"
+
 #include "vtkCellType.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 namespace pixelexact
@@ -54,7 +57,8 @@ bool CanBeMirrored(const CellBasis& basis)
 
 void DiagnoseMirroredWedges(const SourceMesh& mesh, std::vector<std::string>& lines)
 {
-  std::map<CellKind, ChangeOfBasis> mirrored;
+  std::map<CellKind, ChangeOfBasis> other;
+  bool mirrored = false;
   int wedges = 0;
   int smoother = 0;
   for (int e = 0; e < mesh.Elements(); ++e)
@@ -64,13 +68,14 @@ void DiagnoseMirroredWedges(const SourceMesh& mesh, std::vector<std::string>& li
     {
       continue;
     }
-    auto at = mirrored.find(basis.kind);
-    if (at == mirrored.end())
+    auto at = other.find(basis.kind);
+    if (at == other.end())
     {
-      at = mirrored.emplace(basis.kind, MakeMirroredWedge(basis.kind)).first;
+      at = other.emplace(basis.kind, MakeOtherWedge(basis.kind)).first;
     }
     ++wedges;
     const double asIs = Roughness(mesh, e, basis.change);
+    mirrored = basis.kind.nodes.mirroredWedges;
     const double back = Roughness(mesh, e, at->second);
     smoother += asIs > kMuchSmoother * back ? 1 : 0;
   }
@@ -78,35 +83,22 @@ void DiagnoseMirroredWedges(const SourceMesh& mesh, std::vector<std::string>& li
   {
     lines.push_back(OutOf(smoother, wedges) + " Lagrange wedges become more than " +
       std::to_string(static_cast<int>(kMuchSmoother)) +
-      " times smoother when the nodes inside their quadrilateral r = 0 are mirrored: the file "
-      "seems to have MFEM's node order, not VTK's, and values near those faces are wrong. Read "
-      "MFEM's own files instead, or reorder the nodes. (Judged from samples.)");
+      " times smoother when the nodes inside their quadrilateral r = 0 are " +
+      (mirrored ? "not mirrored: the file seems to have VTK's node order, not MFEM's, and values "
+                  "near those faces are wrong. Leave out SetMirroredWedges (--mirrored-wedges)."
+                : "mirrored: the file seems to have MFEM's node order, not VTK's, and values near "
+                  "those faces are wrong. Have them mirrored back by SetMirroredWedges "
+                  "(--mirrored-wedges), or read MFEM's own files.") +
+      " (Judged from samples.)");
   }
 }
 
-/// Gauss-Lobatto-Legendre points of order n in [0,1]: roots of (1 - z^2) P_n'(z).
+/// Gauss-Lobatto-Legendre points of order n in [0,1].
 std::vector<double> GaussLobatto(int n)
 {
-  std::vector<double> points(n + 1);
-  for (int i = 0; i <= n; ++i)
-  {
-    double z = -std::cos(M_PI * i / n);
-    // Newton's iteration for (1 - z^2) P_n'(z) = n (P_{n-1} - z P_n), whose derivative is
-    // -n (n + 1) P_n.
-    for (int step = 0; step < 50; ++step)
-    {
-      double previous = 1.0;
-      double current = z;
-      for (int k = 1; k < n; ++k)
-      {
-        const double next = ((2 * k + 1) * z * current - k * previous) / (k + 1);
-        previous = current;
-        current = next;
-      }
-      z -= (z * current - previous) / ((n + 1) * current);
-    }
-    points[i] = (1 + z) / 2;
-  }
+  std::vector<double> points;
+  std::ranges::transform(GaussLobattoPoints(n + 1), std::back_inserter(points),
+    [](long double z) { return static_cast<double>((1 + z) / 2); });
   return points;
 }
 
@@ -160,10 +152,14 @@ EdgeNodes Classify(
 void DiagnoseWarpedNodes(const SourceMesh& mesh, std::vector<std::string>& lines)
 {
   std::map<int, std::vector<double>> lobatto;
-  int warped = 0;
+  int otherwise = 0; // than they are taken
   int straight = 0;
+  bool taken = false; // for Gauss-Lobatto-Legendre points
   for (int e = 0; e < mesh.Elements(); ++e)
   {
+    const bool gaussLobatto = mesh.Basis(e).kind.nodes.gaussLobatto;
+    const EdgeNodes wrong = gaussLobatto ? EdgeNodes::Equispaced : EdgeNodes::GaussLobatto;
+    taken = taken || gaussLobatto;
     for (const auto& edge : mesh.Basis(e).edges)
     {
       const int order = static_cast<int>(edge.size()) - 1;
@@ -178,16 +174,22 @@ void DiagnoseWarpedNodes(const SourceMesh& mesh, std::vector<std::string>& lines
       }
       const EdgeNodes nodes = Classify(mesh, e, edge, gll);
       straight += nodes == EdgeNodes::NotStraight ? 0 : 1;
-      warped += nodes == EdgeNodes::GaussLobatto ? 1 : 0;
+      otherwise += nodes == wrong ? 1 : 0;
     }
   }
-  if (2 * warped > straight)
+  if (2 * otherwise > straight)
   {
-    lines.push_back(OutOf(warped, straight) +
-      " straight edges looked at have their nodes at Gauss-Lobatto-Legendre points, where VTK's "
-      "Lagrange cells have them equispaced: geometry and fields of this file are not those of the "
-      "solver. Write it with equispaced nodes (DOLFINx: basix.LagrangeVariant.equispaced). (Judged "
-      "from samples.)");
+    lines.push_back(OutOf(otherwise, straight) + " straight edges looked at have their nodes " +
+      (taken
+          ? "equispaced, as VTK's Lagrange cells have them, but they are taken to be at "
+            "Gauss-Lobatto-Legendre points: geometry and fields are not those of the file. Leave "
+            "out SetNodePlacement (--nodes gll)."
+          : "at Gauss-Lobatto-Legendre points, where VTK's Lagrange cells have them equispaced: "
+            "geometry and fields of this file are not those of the solver. Have them taken as "
+            "such by SetNodePlacement (--nodes gll; triangles to order 3), or write the file with "
+            "equispaced nodes "
+            "(DOLFINx: basix.LagrangeVariant.equispaced).") +
+      " (Judged from samples.)");
   }
 }
 } // namespace

@@ -15,9 +15,10 @@ namespace pixelexact
 /// Lines about the nodes' order and places; none where nothing is conspicuous.
 ///
 /// - Lagrange wedges whose nodes inside the quadrilateral r = 0 seem to be mirrored (MFEM's way),
-///   because mirroring them back makes most of the wedges much smoother.
+///   because mirroring them back makes most of the wedges much smoother; or not mirrored, where
+///   they are taken as such.
 /// - Lagrange cells whose nodes on straight edges stand at Gauss-Lobatto-Legendre points (DOLFINx's
-///   default above order 2), where VTK takes them for equispaced.
+///   default above order 2), where they are taken for equispaced, or the other way round.
 std::vector<std::string> DiagnoseNodes(const SourceMesh& source);
 
 /// Lines about elements whose Jacobian determinant vanishes or changes sign at sampled points, or

@@ -7,43 +7,106 @@
 #include "KeptMesh.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
 
 namespace pixelexact
 {
-ModelSource::ModelSource()
-  : Kept(std::make_unique<KeptMesh>())
+namespace
 {
+bool IsPlain(const CompositePart& part)
+{
+  return !HasHighOrderArrays(part.grid);
 }
 
+vtkSmartPointer<vtkUnstructuredGrid> ConvertOne(
+  vtkUnstructuredGrid* grid, KeptMesh& kept, vtkAlgorithm* owner, const std::string& where)
+{
+  auto converted = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  const auto report = ConvertGrid(grid, {}, kept, converted);
+  for (const auto& line : report.diagnostics)
+  {
+    vtkWarningWithObjectMacro(owner, << where << line);
+  }
+  return converted;
+}
+} // namespace
+
+ModelSource::ModelSource() = default;
 ModelSource::~ModelSource() = default;
 
-std::shared_ptr<HighOrderModel> ModelSource::Get(vtkUnstructuredGrid* grid, vtkAlgorithm* owner)
+KeptMesh& ModelSource::Kept(std::size_t part)
 {
-  if (!grid)
+  while (this->Meshes.size() <= part)
+  {
+    this->Meshes.push_back(std::make_unique<KeptMesh>());
+  }
+  return *this->Meshes[part];
+}
+
+vtkSmartPointer<vtkDataObject> ModelSource::Convert(vtkUnstructuredGrid* grid, vtkAlgorithm* owner)
+{
+  return HasHighOrderArrays(grid) ? nullptr : ConvertOne(grid, this->Kept(0), owner, "");
+}
+
+vtkSmartPointer<vtkDataObject> ModelSource::Convert(vtkCompositeDataSet* data, vtkAlgorithm* owner)
+{
+  const auto parts = PartsOf(data);
+  if (std::ranges::none_of(parts, IsPlain))
+  {
+    return nullptr;
+  }
+  const auto converted = vtkSmartPointer<vtkCompositeDataSet>::Take(data->NewInstance());
+  converted->CopyStructure(data);
+  const auto leaf = vtkSmartPointer<vtkCompositeDataIterator>::Take(data->NewIterator());
+  std::size_t next = 0;
+  for (leaf->InitTraversal(); leaf->IsDoneWithTraversal() == 0; leaf->GoToNextItem())
+  {
+    if (next == parts.size() || parts[next].flatIndex != leaf->GetCurrentFlatIndex())
+    {
+      continue;
+    }
+    const CompositePart& part = parts[next];
+    try
+    {
+      const auto grid = IsPlain(part)
+        ? ConvertOne(part.grid, this->Kept(next), owner, part.name + ": ")
+        : vtkSmartPointer<vtkUnstructuredGrid>(part.grid);
+      converted->SetDataSet(leaf, grid);
+    }
+    catch (const Error& error)
+    {
+      throw InvalidData(part.name + ": " + error.what());
+    }
+    ++next;
+  }
+  return converted;
+}
+
+std::shared_ptr<HighOrderModel> ModelSource::Get(vtkDataObject* data, vtkAlgorithm* owner)
+{
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
+  auto* composite = vtkCompositeDataSet::SafeDownCast(data);
+  if (!grid && !composite)
   {
     throw InvalidData("there is no high-order grid; connect a vtkUnstructuredGrid.");
   }
-  if (HasHighOrderArrays(grid))
+  const DataState state = StateOf(data);
+  if (!this->Model || this->Source != state)
   {
+    // The old model is held until the new one is made, which may share its locator.
+    this->Source.clear();
     this->Converted = nullptr;
-    this->Kept->Forget();
-    this->Model = HighOrderModel::From(grid);
-    return this->Model;
-  }
-  if (!this->Converted || this->Source != grid || this->SourceTime != grid->GetMTime())
-  {
-    this->Converted = nullptr;
-    const auto converted = vtkSmartPointer<vtkUnstructuredGrid>::New();
-    const auto report = ConvertGrid(grid, {}, *this->Kept, converted);
-    for (const auto& line : report.diagnostics)
+    this->Converted = grid ? this->Convert(grid, owner) : this->Convert(composite, owner);
+    if (!this->Converted)
     {
-      vtkWarningWithObjectMacro(owner, << line);
+      this->Meshes.clear();
     }
-    this->Model = HighOrderModel::From(converted);
-    this->Converted = converted;
-    this->Source = grid;
-    this->SourceTime = grid->GetMTime();
+    this->Model = HighOrderModel::From(this->Converted ? this->Converted.Get() : data);
+    this->Source = state;
   }
   return this->Model;
 }

@@ -2,22 +2,26 @@
 #ifndef ModelSource_h
 #define ModelSource_h
 
+#include "CompositeParts.h"
 #include "HighOrderModel.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
 #include <memory>
+#include <vector>
 
 class vtkAlgorithm;
+class vtkCompositeDataSet;
+class vtkDataObject;
 class vtkUnstructuredGrid;
 
 namespace pixelexact
 {
 class KeptMesh;
 
-/// The model of a filter's input grid, which may carry coefficients or be a plain one; that is then
-/// converted, and the conversion kept until the grid changes.
+/// The model of a filter's input: a grid, which may carry coefficients or be a plain one; that is
+/// then converted, and the conversion kept until the grid changes. Or composite data of such grids.
 class ModelSource
 {
 public:
@@ -25,15 +29,18 @@ public:
   ~ModelSource();
 
   /// Diagnostics of the conversion become warnings of `owner`. Throws Error.
-  std::shared_ptr<HighOrderModel> Get(vtkUnstructuredGrid* grid, vtkAlgorithm* owner);
+  std::shared_ptr<HighOrderModel> Get(vtkDataObject* data, vtkAlgorithm* owner);
 
 private:
-  vtkSmartPointer<vtkUnstructuredGrid> Converted;
-  const vtkUnstructuredGrid* Source = nullptr;
-  vtkMTimeType SourceTime = 0;
+  vtkSmartPointer<vtkDataObject> Convert(vtkUnstructuredGrid* grid, vtkAlgorithm* owner);
+  vtkSmartPointer<vtkDataObject> Convert(vtkCompositeDataSet* data, vtkAlgorithm* owner);
+  KeptMesh& Kept(std::size_t part);
+
+  vtkSmartPointer<vtkDataObject> Converted;
+  DataState Source; ///< that it was made of
   // Held until the next one is made, which may share its locator.
   std::shared_ptr<HighOrderModel> Model;
-  std::unique_ptr<KeptMesh> Kept;
+  std::vector<std::unique_ptr<KeptMesh>> Meshes; ///< by leaf
 };
 } // namespace pixelexact
 #endif

@@ -184,6 +184,18 @@ void PointSampling::AddEnclosures(const Field& field, vtkPointData* output) cons
   output->AddArray(upper);
 }
 
+void PointSampling::AddBlocks(vtkPointData* output) const
+{
+  vtkNew<vtkTypeInt64Array> block;
+  block->SetName("Block");
+  for (const std::int32_t element : Element)
+  {
+    block->InsertNextValue(
+      element < 0 ? -1 : HighOrderModel::BlockOf(element, Model.Blocks()).flatIndex);
+  }
+  output->AddArray(block);
+}
+
 void PointSampling::AddLocations(vtkPointData* output) const
 {
   const auto count = static_cast<vtkIdType>(Points.size());
@@ -195,6 +207,10 @@ void PointSampling::AddLocations(vtkPointData* output) const
   vtkNew<vtkUnsignedCharArray> verdict;
   verdict->SetName("Verdict");
   verdict->SetNumberOfValues(count);
+  if (!Model.Blocks().empty())
+  {
+    AddBlocks(output);
+  }
   const auto source = Model.SourceCells();
   for (vtkIdType i = 0; i < count; ++i)
   {

@@ -35,7 +35,8 @@ public:
 
   /// Adds Xi (reference coordinates, NaN where not inside), Element (number of the source cell, -1
   /// outside, a candidate where undecided), Verdict (0 outside, 1 inside, 2 unknown) and Residual
-  /// (the last correction of Newton's iteration, in xi).
+  /// (the last correction of Newton's iteration, in xi). Of composite data also Block (its flat
+  /// index, -1 where Element is).
   void AddLocations(vtkPointData* output) const;
 
   /// Adds Owners (int, preimages in all elements) and Coverage (unsigned char: 0 none, 1 once, 2
@@ -46,6 +47,7 @@ public:
 
 private:
   void AddField(const Field& field, bool gradients, vtkPointData* output) const;
+  void AddBlocks(vtkPointData* output) const;
   void AddEnclosures(const Field& field, vtkPointData* output) const;
 
   const HighOrderModel& Model;

@@ -3,13 +3,20 @@
 
 #include "vtkXMLReader.h"
 
+#include <algorithm>
+
 namespace pixelexact
 {
-void ReaderMessages::Execute(vtkObject* /*caller*/, unsigned long /*event*/, void* data)
+void ReaderMessages::Execute(vtkObject* /*caller*/, unsigned long event, void* data)
 {
-  if (first.empty() && data)
+  const std::string message = data ? MessageEssence(static_cast<const char*>(data)) : std::string();
+  if (event == vtkCommand::WarningEvent)
   {
-    first = MessageEssence(static_cast<const char*>(data));
+    AddOnce(warnings, message);
+  }
+  else if (error.empty())
+  {
+    error = message;
   }
 }
 
@@ -17,7 +24,6 @@ void ReaderMessages::Watch(vtkXMLReader* reader)
 {
   reader->SetReaderErrorObserver(this);
   reader->SetParserErrorObserver(this);
-  // Readers warn of what they leave out: the rest is not what the file's author meant.
   reader->AddObserver(vtkCommand::WarningEvent, this);
 }
 
@@ -49,5 +55,13 @@ std::string MessageEssence(std::string_view text)
     essence.pop_back();
   }
   return essence;
+}
+
+void AddOnce(std::vector<std::string>& lines, const std::string& line)
+{
+  if (std::ranges::find(lines, line) == lines.end())
+  {
+    lines.push_back(line);
+  }
 }
 } // namespace pixelexact

@@ -8,12 +8,13 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 class vtkXMLReader;
 
 namespace pixelexact
 {
-/// Keeps the first thing that a reader reports instead of having it printed.
+/// Keeps what a reader reports instead of having it printed.
 class ReaderMessages : public vtkCommand
 {
 public:
@@ -21,10 +22,14 @@ public:
   void Execute(vtkObject* caller, unsigned long event, void* data) override;
   void Watch(vtkXMLReader* reader);
 
-  std::string first; ///< empty: none
+  std::string error;                 ///< the first one; empty: none
+  std::vector<std::string> warnings; ///< each once
 };
 
 /// "ERROR: In x.cxx, line 7\nvtkReader (0x5581): Cannot read." becomes "Cannot read", on one line.
 PIXELEXACTFILTERS_EXPORT std::string MessageEssence(std::string_view text);
+
+/// Adds a line that is not there yet.
+PIXELEXACTFILTERS_EXPORT void AddOnce(std::vector<std::string>& lines, const std::string& line);
 } // namespace pixelexact
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SourceMesh.h"
 
+#include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 
 #include "vtkCellData.h"
@@ -27,6 +28,11 @@ bool IsHidden(vtkDataArray* ghosts, vtkIdType cell)
     (static_cast<int>(ghosts->GetComponent(cell, 0)) & vtkDataSetAttributes::HIDDENCELL) != 0;
 }
 
+std::string NameCell(vtkIdType cell, int type)
+{
+  return "cell " + std::to_string(cell) + " (" + CellTypeName(type) + ")";
+}
+
 std::array<int, 3> GivenDegrees(vtkUnstructuredGrid* grid, vtkIdType cell)
 {
   vtkDataArray* degrees = grid->GetCellData()->GetHigherOrderDegrees();
@@ -38,7 +44,13 @@ std::array<int, 3> GivenDegrees(vtkUnstructuredGrid* grid, vtkIdType cell)
   for (int d = 0; d < 3; ++d)
   {
     const double value = degrees->GetComponent(cell, d);
-    n[d] = value >= 0.0 && value <= 1000.0 ? static_cast<int>(value) : -1;
+    if (!(value >= 0.0 && value <= kMaxOrder && value == std::floor(value)))
+    {
+      throw InvalidData(NameCell(cell, grid->GetCellType(cell)) + " has HigherOrderDegrees of " +
+        std::to_string(value) + ", no whole number from 1 to " + std::to_string(kMaxOrder) +
+        "; correct that cell array.");
+    }
+    n[d] = static_cast<int>(value);
   }
   return n;
 }
@@ -55,11 +67,6 @@ bool HasEqualWeights(vtkUnstructuredGrid* grid, std::span<const vtkIdType> point
   return first != 0.0 && std::isfinite(first) &&
     std::ranges::all_of(points, [&](vtkIdType p) { return weights->GetComponent(p, 0) == first; });
 }
-
-std::string NameCell(vtkIdType cell, int type)
-{
-  return "cell " + std::to_string(cell) + " (" + CellTypeName(type) + ")";
-}
 } // namespace
 
 vtkSmartPointer<vtkDoubleArray> AsDoubles(vtkDataArray* array)
@@ -73,7 +80,8 @@ vtkSmartPointer<vtkDoubleArray> AsDoubles(vtkDataArray* array)
   return copy;
 }
 
-SourceMesh::SourceMesh(vtkUnstructuredGrid* grid)
+SourceMesh::SourceMesh(vtkUnstructuredGrid* grid, const NodeConvention& nodes)
+  : Nodes(nodes)
 {
   vtkDataArray* ghosts = grid->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName());
   std::map<int, int> dimensions;
@@ -116,7 +124,8 @@ void SourceMesh::AddCell(vtkUnstructuredGrid* grid, vtkIdType cell, int type)
   grid->GetCellPoints(cell, ids);
   const std::span<const vtkIdType> points(
     ids->GetPointer(0), static_cast<std::size_t>(ids->GetNumberOfIds()));
-  CellKind kind{ type, static_cast<int>(points.size()), { 0, 0, 0 } };
+  CellKind kind{ type, static_cast<int>(points.size()), { 0, 0, 0 },
+    IsLagrangeCell(type) ? Nodes : NodeConvention() };
   for (const auto id : points)
   {
     if (id < 0 || id >= grid->GetNumberOfPoints())
@@ -127,7 +136,11 @@ void SourceMesh::AddCell(vtkUnstructuredGrid* grid, vtkIdType cell, int type)
   }
   if (IsHigherOrderCell(kind.type))
   {
-    kind.degrees = GivenDegrees(grid, cell);
+    // A tetrahedron's order is told by its points.
+    if (kind.type != VTK_LAGRANGE_TETRAHEDRON && kind.type != VTK_BEZIER_TETRAHEDRON)
+    {
+      kind.degrees = GivenDegrees(grid, cell);
+    }
     if (kind.type >= VTK_BEZIER_TETRAHEDRON && !HasEqualWeights(grid, points))
     {
       throw Unsupported(NameCell(cell, kind.type) +
@@ -177,7 +190,7 @@ void SourceMesh::CheckCoordinates() const
   if (bad > 0)
   {
     throw InvalidData(Describe(first) + " has a point whose coordinates are NaN or infinite" +
-      (bad > 1 ? ", and " + std::to_string(bad - 1) + " more cells do" : "") +
+      (bad > 1 ? ", and so have " + Counted(bad - 1, "more cell") : "") +
       "; repair the points or take these cells out.");
   }
 }

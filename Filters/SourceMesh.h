@@ -26,7 +26,7 @@ public:
   /// Throws Unsupported or InvalidData, naming the cell, for cells without a basis, rational Bezier
   /// cells, points that are not there, coordinates that are NaN or infinite; InvalidData for a grid
   /// without any three-dimensional cell.
-  explicit SourceMesh(vtkUnstructuredGrid* grid);
+  explicit SourceMesh(vtkUnstructuredGrid* grid, const NodeConvention& nodes = {});
 
   [[nodiscard]] int Elements() const { return static_cast<int>(Cells.size()); }
   /// Number of the element's cell in the grid.
@@ -55,6 +55,7 @@ private:
   void AddCell(vtkUnstructuredGrid* grid, vtkIdType cell, int type);
   void CheckCoordinates() const;
 
+  NodeConvention Nodes;
   std::deque<CellBasis> Bases;
   std::map<CellKind, const CellBasis*> BasisOfKind;
   std::vector<vtkIdType> Cells;

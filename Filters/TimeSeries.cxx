@@ -2,12 +2,12 @@
 #include "TimeSeries.h"
 
 #include "Core/Base/Error.h"
+#include "Core/Base/ParseWhole.h"
 
 #include <pugixml.hpp>
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -49,12 +49,8 @@ std::string BesideOf(const std::string& list, const std::string& name)
 
 double ParseTime(const std::string& file, const pugi::xml_attribute& attribute)
 {
-  std::string text = attribute ? attribute.value() : "0";
-  const auto blank = [](unsigned char c) { return std::isspace(c) != 0; };
-  std::erase_if(text, blank);
   double time = 0.0;
-  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), time);
-  if (failure != std::errc() || end != text.data() + text.size() || !std::isfinite(time))
+  if (!ParseWhole(WithoutBlanks(attribute ? attribute.value() : "0"), time) || !std::isfinite(time))
   {
     Fail(file, std::string("'") + attribute.value() + "' is no time; mend its attribute timestep");
   }

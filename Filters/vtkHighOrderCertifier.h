@@ -4,14 +4,15 @@
  * @brief   what can be proven of each element: its validity, the ranges of det J and of a field
  *
  * The input is a grid that carries high-order coefficients, or a plain vtkUnstructuredGrid, which
- * is converted. The output is the input with the cell arrays
+ * is converted. The output is the input with these cell arrays, FIELD the field's name:
  *
- *   Verdict         unsigned char: 0 valid (det J > 0 everywhere), 1 inverted (det J <= 0
- *                   somewhere), 2 undecided, 255 no element (a cell of lower dimension)
- *   JacobianLower   bounds that det J, as volume per volume of the reference shape, keeps
- *   JacobianUpper
- *   <field>_lower   bounds that the field's world values keep, per component
- *   <field>_upper
+ * - `Verdict`, unsigned char: 0 valid (det J > 0 everywhere), 1 inverted (det J <= 0 somewhere),
+ *   2 undecided, 255 no element (a cell of lower dimension)
+ * - `JacobianLower`, `JacobianUpper`: bounds that det J, as volume per volume of the reference
+ *   shape, keeps
+ * - `FIELD_lower`, `FIELD_upper`: bounds that the field's world values keep, per component
+ *
+ * Composite data are certified block by block.
  *
  * Bounds are proven, all rounding included, of what the coefficients define; -inf and inf where
  * none was found, NaN where a coefficient is not finite or the cell is no element. See

@@ -7,6 +7,7 @@
 
 #include "vtkCellData.h"
 #include "vtkCharArray.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -20,6 +21,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <array>
 #include <exception>
 
 vtkStandardNewMacro(vtkHighOrderLinearResample);
@@ -91,6 +93,21 @@ void SetGeometry(vtkImageData* image, const int dimensions[3], const double boun
   image->SetSpacing(spacing);
   image->SetDimensions(dimensions);
 }
+
+/// Of the points, in all blocks of composite data.
+std::array<double, 6> BoundsOf(vtkDataObject* data)
+{
+  std::array<double, 6> bounds;
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    composite->GetBounds(bounds.data());
+  }
+  else
+  {
+    vtkUnstructuredGrid::SafeDownCast(data)->GetBounds(bounds.data());
+  }
+  return bounds;
+}
 } // namespace
 
 vtkHighOrderLinearResample::vtkHighOrderLinearResample()
@@ -133,6 +150,7 @@ void vtkHighOrderLinearResample::ClearFields()
 int vtkHighOrderLinearResample::FillInputPortInformation(int /*port*/, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   return 1;
 }
 
@@ -173,7 +191,7 @@ int vtkHighOrderLinearResample::RequestUpdateExtent(vtkInformation* /*request*/,
 int vtkHighOrderLinearResample::RequestData(vtkInformation* /*request*/,
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  auto* grid = vtkUnstructuredGrid::GetData(inputVector[0]);
+  auto* grid = vtkDataObject::GetData(inputVector[0]);
   auto* output = vtkImageData::GetData(outputVector);
   try
   {
@@ -185,7 +203,7 @@ int vtkHighOrderLinearResample::RequestData(vtkInformation* /*request*/,
     const auto model = this->Source->Get(grid, this);
     const bool own = this->SamplingBounds[0] <= this->SamplingBounds[1];
     output->Initialize();
-    SetGeometry(output, n, own ? this->SamplingBounds : grid->GetBounds());
+    SetGeometry(output, n, own ? this->SamplingBounds : BoundsOf(grid).data());
     this->UpdateProgress(0.2);
     const PointSampling sampling(*model, PointsOf(output));
     this->UpdateProgress(0.8);

@@ -8,7 +8,8 @@
  *
  * Nodes outside of the mesh, or undecided, hold NaN, have 0 in the point array vtkValidPointMask
  * and are blanked, as are the cells that touch them, so that vtkCutter, vtkContourFilter and others
- * leave them out. The output is a vtkUniformGrid, the vtkImageData whose blanking filters respect.
+ * leave them out. Of composite data of grids one image is made, of the fields that all of them
+ * have. The output is a vtkUniformGrid, the vtkImageData whose blanking filters respect.
  */
 
 #ifndef vtkHighOrderLinearResample_h

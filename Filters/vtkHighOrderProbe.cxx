@@ -43,9 +43,9 @@ void vtkHighOrderProbe::SetSourceConnection(vtkAlgorithmOutput* output)
   this->SetInputConnection(1, output);
 }
 
-void vtkHighOrderProbe::SetSourceData(vtkUnstructuredGrid* grid)
+void vtkHighOrderProbe::SetSourceData(vtkDataObject* grid)
 {
-  this->SetInputData(1, grid);
+  this->SetInputDataObject(1, grid);
 }
 
 void vtkHighOrderProbe::AddField(const std::string& name)
@@ -64,6 +64,10 @@ int vtkHighOrderProbe::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(
     vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkDataSet" : "vtkUnstructuredGrid");
+  if (port == 1)
+  {
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  }
   return 1;
 }
 
@@ -106,7 +110,7 @@ int vtkHighOrderProbe::RequestData(vtkInformation* /*request*/, vtkInformationVe
   vtkInformationVector* outputVector)
 {
   auto* points = vtkDataSet::GetData(inputVector[0]);
-  auto* grid = vtkUnstructuredGrid::GetData(inputVector[1]);
+  auto* grid = vtkDataObject::GetData(inputVector[1]);
   auto* output = vtkDataSet::GetData(outputVector);
   try
   {

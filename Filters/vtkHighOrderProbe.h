@@ -4,16 +4,18 @@
  * @brief   exact values of high-order fields at given points
  *
  * Port 0 takes the points (any data set), port 1 the grid: one that carries high-order
- * coefficients, or a plain vtkUnstructuredGrid, which is converted. The output has the structure of
- * port 0 and these point arrays:
+ * coefficients, or a plain vtkUnstructuredGrid, which is converted, or composite data of such
+ * grids, which are then one (with the fields that all have). The output has the structure of port 0
+ * and these point arrays, FIELD the name of each field:
  *
- * - `<field>`: value; NaN where the point is not inside
- * - `<field>_Gradient`: on request, 3 per component: d/dx, d/dy, d/dz
- * - `<field>_lower`, `<field>_upper`: on request, an interval per component that is proven to hold
+ * - `FIELD`: value; NaN where the point is not inside
+ * - `FIELD_Gradient`: on request, 3 per component: d/dx, d/dy, d/dz
+ * - `FIELD_lower`, `FIELD_upper`: on request, an interval per component that is proven to hold
  *   the field's value at the point, the error of the inverse map included; infinite where nothing
  *   is proven, NaN where the point is not inside
  * - `Xi`: reference coordinates in the element; NaN where not inside
  * - `Element`: number of the cell in the source; -1 outside
+ * - `Block`: where the grid is composite data, the flat index of the block that the element is in
  * - `Verdict`: 0 outside, 1 inside, 2 unknown: could not be decided in the budget; Element is then
  *   one that may hold the point
  * - `Residual`: last correction of Newton's iteration, in xi
@@ -31,7 +33,7 @@
 #include <string> // for names
 #include <vector> // for names
 
-class vtkUnstructuredGrid;
+class vtkDataObject;
 
 namespace pixelexact
 {
@@ -50,7 +52,7 @@ public:
    * The grid: port 1.
    */
   void SetSourceConnection(vtkAlgorithmOutput* output);
-  void SetSourceData(vtkUnstructuredGrid* grid);
+  void SetSourceData(vtkDataObject* grid);
   ///@}
 
   ///@{

@@ -57,7 +57,7 @@ public:
 
   ///@{
   /**
-   * Of the last execution: lines about what was left out.
+   * Of the last execution: lines about what was left out and what VTK's reader warned of.
    */
   int GetNumberOfDiagnostics();
   std::string GetDiagnostic(int index);

@@ -104,12 +104,16 @@ std::vector<double> vtkNektarReader::ReadTimes()
 
 SolverModel vtkNektarReader::ReadModel(int step, bool /*wantMesh*/)
 {
-  std::vector<std::string> sessions{ this->FileName };
-  sessions.insert(sessions.end(), this->Sessions.begin(), this->Sessions.end());
+  std::vector<std::string> sessions = nektar::FileParts(this->FileName);
+  for (const auto& name : this->Sessions)
+  {
+    const auto parts = nektar::FileParts(name);
+    sessions.insert(sessions.end(), parts.begin(), parts.end());
+  }
   std::vector<std::string> parts;
   if (!this->FieldFiles.empty())
   {
-    parts = nektar::FieldParts(this->FieldFiles[this->FileOfStep[step]]);
+    parts = nektar::FileParts(this->FieldFiles[this->FileOfStep[step]]);
   }
   const Texts session(sessions);
   const Texts fields(parts);

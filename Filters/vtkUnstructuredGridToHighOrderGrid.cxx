@@ -35,6 +35,9 @@ void vtkUnstructuredGridToHighOrderGrid::PrintSelf(ostream& os, vtkIndent indent
     os << " " << name;
   }
   os << (this->Fields.empty() ? " all\n" : "\n");
+  os << indent << "NodePlacement: "
+     << (this->NodePlacement == GAUSS_LOBATTO ? "Gauss-Lobatto-Legendre\n" : "equispaced\n");
+  os << indent << "MirroredWedges: " << this->MirroredWedges << "\n";
   os << indent << "Diagnose: " << this->Diagnose << "\n";
   os << indent << "NumberOfSkippedCells: " << this->NumberOfSkippedCells << "\n";
   for (const auto& line : this->Diagnostics)
@@ -125,7 +128,9 @@ int vtkUnstructuredGridToHighOrderGrid::RequestData(vtkInformation* /*request*/,
         "the solver's own coefficients no longer fit and are replaced by nodal ones: " + problem);
     }
     const auto report = ConvertGrid(input,
-      { this->Fields, this->Diagnose, [this](double done) { this->UpdateProgress(done); } },
+      { this->Fields, this->Diagnose,
+        { this->NodePlacement == GAUSS_LOBATTO, this->MirroredWedges },
+        [this](double done) { this->UpdateProgress(done); } },
       *this->Kept, output);
     this->NumberOfSkippedCells = report.skippedCells;
     this->NonFiniteElements = report.nonFinite;

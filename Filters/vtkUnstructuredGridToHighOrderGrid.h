@@ -17,6 +17,9 @@
  * the output holds the same mesh arrays again, only fields are converted, and whoever locates
  * points in it (vtkHighOrderMapper, vtkHighOrderProbe) goes on with the locator that it has.
  *
+ * Composite data are converted block by block. GetHighOrderOutput() is null then, and counts and
+ * diagnostics are those of the last block; all are reported as warnings.
+ *
  * What looks wrong in the file but can be converted is reported as warnings and by GetDiagnostic().
  */
 
@@ -53,6 +56,37 @@ public:
    */
   void AddField(const std::string& name);
   void ClearFields();
+  ///@}
+
+  ///@{
+  /**
+   * Where the nodes of Lagrange cells are: equispaced (the default), as VTK has it, or at the
+   * Gauss-Lobatto-Legendre points, as Trixi, DOLFINx (above order 2) and other codes leave them.
+   * For hexahedra of any order; wedges and tetrahedra to order 3 in their triangles, above which
+   * solvers place the nodes inside differently: these are an error. Other cells, and a solver's own
+   * coefficients, know no such choice. A warning names this where the nodes on straight edges
+   * suggest the other place.
+   */
+  enum NodePlacements
+  {
+    EQUISPACED = 0,
+    GAUSS_LOBATTO = 1
+  };
+  vtkSetClampMacro(NodePlacement, int, EQUISPACED, GAUSS_LOBATTO);
+  vtkGetMacro(NodePlacement, int);
+  void SetNodePlacementToEquispaced() { this->SetNodePlacement(EQUISPACED); }
+  void SetNodePlacementToGaussLobatto() { this->SetNodePlacement(GAUSS_LOBATTO); }
+  ///@}
+
+  ///@{
+  /**
+   * Whether Lagrange wedges of order 3 and more have the nodes inside their quadrilateral r = 0
+   * mirrored along s, as MFEM writes them. Off by default, as VTK has it. A warning names this
+   * where the wedges would be much smoother the other way.
+   */
+  vtkSetMacro(MirroredWedges, bool);
+  vtkGetMacro(MirroredWedges, bool);
+  vtkBooleanMacro(MirroredWedges, bool);
   ///@}
 
   ///@{
@@ -95,6 +129,8 @@ private:
   void Report(const std::string& line);
 
   std::vector<std::string> Fields;
+  int NodePlacement = EQUISPACED;
+  bool MirroredWedges = false;
   bool Diagnose = true;
   vtkIdType NumberOfSkippedCells = 0;
   std::map<std::string, int> NonFiniteElements;

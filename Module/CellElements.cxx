@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CellElements.h"
 
+#include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 
 #include "vtkCellData.h"
@@ -35,8 +36,8 @@ CellElements::CellElements(vtkUnstructuredGrid* grid, vtkIdType elements)
   }
   else
   {
-    throw StaleData(std::string("the grid has ") + std::to_string(grid->GetNumberOfCells()) +
-      " cells and coefficients of " + std::to_string(elements) + " elements, but no cell array '" +
+    throw StaleData(std::string("the grid has ") + Counted(grid->GetNumberOfCells(), "cell") +
+      " and coefficients of " + Counted(elements, "element") + ", but no cell array '" +
       kElementIds + "' that tells which is which; pass that array on, or" + (kRemedy + 1));
   }
   std::vector<bool> seen(elements, false);
@@ -51,7 +52,8 @@ CellElements::CellElements(vtkUnstructuredGrid* grid, vtkIdType elements)
     {
       Fail(cell,
         "and another one both claim element " + std::to_string(element) +
-          "; data sets were appended");
+          ": cells were cut in pieces (Clip), or data sets put together (Append); select whole "
+          "cells instead (ExtractCells, Threshold)");
     }
     seen[element] = true;
   }

@@ -2,10 +2,13 @@
 #include "HighOrderModel.h"
 
 #include "ArrayViews.h"
+#include "CompositeParts.h"
 #include "Core/Base/Error.h"
 #include "Fingerprint.h"
+#include "JoinedArrays.h"
 #include "MeshPart.h"
 
+#include "vtkCompositeDataSet.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -16,11 +19,11 @@ namespace pixelexact
 {
 namespace
 {
-/// Models that somebody holds, by grid: a filter, a mapper and the grid itself share one.
+/// Models that somebody holds, by their data: a filter, a mapper and the grid itself share one.
 struct Registry
 {
   std::mutex mutex;
-  std::map<const vtkUnstructuredGrid*, std::weak_ptr<HighOrderModel>> models;
+  std::map<const vtkDataObject*, std::weak_ptr<HighOrderModel>> models;
 
   static Registry& Instance()
   {
@@ -35,9 +38,8 @@ struct HighOrderModel::Internals
   std::shared_ptr<const MeshPart> part;
   ViewStorage storage;
   std::vector<Field> fields;
-  // VTK's time stamps are unique in the process, so a new grid at an old address is told apart.
-  const vtkUnstructuredGrid* grid = nullptr;
-  vtkMTimeType time = 0;
+  std::vector<Block> blocks;
+  DataState state;
 
   void AddField(vtkUnstructuredGrid* source, const std::string& name)
   {
@@ -74,8 +76,7 @@ HighOrderModel::HighOrderModel(vtkUnstructuredGrid* grid)
     throw InvalidData("the grid carries no high-order coefficients; pass it through "
                       "vtkUnstructuredGridToHighOrderGrid first.");
   }
-  Data->grid = grid;
-  Data->time = grid->GetMTime();
+  Data->state = StateOf(grid);
   Data->part = MeshPart::Of(grid);
   for (const auto& name : StoredFieldNames(grid))
   {
@@ -83,22 +84,102 @@ HighOrderModel::HighOrderModel(vtkUnstructuredGrid* grid)
   }
 }
 
+HighOrderModel::HighOrderModel(vtkCompositeDataSet* data)
+  : Data(std::make_unique<Internals>())
+{
+  Data->state = StateOf(data);
+  std::vector<std::shared_ptr<HighOrderModel>> models;
+  std::vector<std::shared_ptr<const MeshPart>> parts;
+  std::int64_t elements = 0;
+  for (const CompositePart& part : PartsOf(data))
+  {
+    try
+    {
+      models.push_back(std::shared_ptr<HighOrderModel>(new HighOrderModel(part.grid)));
+    }
+    catch (const Error& error)
+    {
+      throw InvalidData(part.name + ": " + error.what());
+    }
+    parts.push_back(models.back()->Data->part);
+    Data->blocks.push_back({ part.flatIndex, elements });
+    elements += models.back()->GetMesh().Elements();
+  }
+  if (parts.empty())
+  {
+    throw InvalidData("the composite data hold no cells.");
+  }
+  Data->part = MeshPart::Join(std::move(parts));
+  for (const Field& first : models.front()->Data->fields)
+  {
+    std::vector<const Expansion*> values;
+    for (const auto& model : models)
+    {
+      const Field* field = model->FindField(first.name);
+      if (field != nullptr && field->mapping == first.mapping &&
+        field->values.components == first.values.components)
+      {
+        values.push_back(&field->values);
+      }
+    }
+    if (values.size() == models.size())
+    {
+      Field& field = Data->fields.emplace_back(first);
+      field.values = Join(values, Data->storage);
+      Validate(field, GetMesh());
+    }
+  }
+  if (Data->fields.empty() && !models.front()->Data->fields.empty())
+  {
+    throw InvalidData("the blocks have no high-order field in common, with as many components.");
+  }
+}
+
 HighOrderModel::~HighOrderModel() = default;
+
+std::shared_ptr<HighOrderModel> HighOrderModel::From(vtkDataObject* data)
+{
+  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
+  {
+    return From(grid);
+  }
+  auto* composite = vtkCompositeDataSet::SafeDownCast(data);
+  if (composite == nullptr)
+  {
+    throw InvalidData(
+      std::string("there is no high-order grid, but ") + (data ? data->GetClassName() : "nothing"));
+  }
+  auto& registry = Registry::Instance();
+  const std::scoped_lock lock(registry.mutex);
+  auto model = Known(data);
+  if (!model)
+  {
+    model.reset(new HighOrderModel(composite));
+    registry.models[data] = model;
+  }
+  return model;
+}
+
+/// Null where nobody holds it; the registry must be locked.
+std::shared_ptr<HighOrderModel> HighOrderModel::Known(vtkDataObject* data)
+{
+  auto& models = Registry::Instance().models;
+  std::erase_if(models, [](const auto& entry) { return entry.second.expired(); });
+  const auto known = models.find(data);
+  auto model = known != models.end() ? known->second.lock() : nullptr;
+  return model && model->IsCurrent(data) ? model : nullptr;
+}
 
 std::shared_ptr<HighOrderModel> HighOrderModel::From(vtkUnstructuredGrid* grid)
 {
   auto& registry = Registry::Instance();
   const std::scoped_lock lock(registry.mutex);
-  std::erase_if(registry.models, [](const auto& entry) { return entry.second.expired(); });
-  if (const auto known = registry.models.find(grid); known != registry.models.end())
+  auto model = Known(grid);
+  if (!model)
   {
-    if (auto model = known->second.lock(); model && model->IsCurrent(grid))
-    {
-      return model;
-    }
+    model.reset(new HighOrderModel(grid));
+    registry.models[grid] = model;
   }
-  std::shared_ptr<HighOrderModel> model(new HighOrderModel(grid));
-  registry.models[grid] = model;
   return model;
 }
 
@@ -133,8 +214,20 @@ std::span<const std::int64_t> HighOrderModel::SourceCells() const
   return Data->part->SourceCells();
 }
 
-bool HighOrderModel::IsCurrent(vtkUnstructuredGrid* grid) const
+std::span<const HighOrderModel::Block> HighOrderModel::Blocks() const
 {
-  return grid == Data->grid && grid->GetMTime() == Data->time;
+  return Data->blocks;
+}
+
+const HighOrderModel::Block& HighOrderModel::BlockOf(
+  std::int64_t element, std::span<const Block> blocks)
+{
+  const auto after = std::ranges::upper_bound(blocks, element, {}, &Block::begin);
+  return *std::prev(after);
+}
+
+bool HighOrderModel::IsCurrent(vtkDataObject* data) const
+{
+  return data == Data->state.front().first && StateOf(data) == Data->state;
 }
 } // namespace pixelexact

@@ -11,6 +11,8 @@
 #include <span>
 #include <string>
 
+class vtkCompositeDataSet;
+class vtkDataObject;
 class vtkUnstructuredGrid;
 
 namespace pixelexact
@@ -19,7 +21,8 @@ class Locator;
 
 /// The mesh and the fields that a vtkUnstructuredGrid carries in its arrays (HighOrderArrays.h),
 /// checked, as views that the numerics work on. Element numbers of the model are the grid's cell
-/// numbers. It keeps the arrays alive, not the grid, and may be shared between threads.
+/// numbers, those of composite data count on from leaf to leaf. It keeps the arrays alive, not the
+/// grid, and may be shared between threads.
 class PIXELEXACTDATAMODEL_EXPORT HighOrderModel
 {
 public:
@@ -35,6 +38,12 @@ public:
   /// missing, of wrong type or size, or contradict each other.
   static std::shared_ptr<HighOrderModel> From(vtkUnstructuredGrid* grid);
 
+  /// The same of a grid or of composite data whose leaves with cells are such grids: their elements
+  /// one after the other, as copies, with the fields that all leaves have alike (components,
+  /// mapping). Mesh and locator are shared as above, leaf by leaf. InvalidData, naming the leaf:
+  /// also where it is no grid, or where leaves have fields and none in common.
+  static std::shared_ptr<HighOrderModel> From(vtkDataObject* data);
+
   ~HighOrderModel();
   HighOrderModel(const HighOrderModel&) = delete;
   HighOrderModel& operator=(const HighOrderModel&) = delete;
@@ -48,15 +57,29 @@ public:
   [[nodiscard]] const Locator& GetLocator() const;
   [[nodiscard]] bool HasLocator() const;
 
-  /// Per element the number of its cell in the source file: what users are shown as `element`.
+  /// A leaf of composite data.
+  struct Block
+  {
+    std::int64_t flatIndex = 0; ///< in the composite data
+    std::int64_t begin = 0;     ///< its first element; they end at the next block's
+  };
+  /// In the order of elements; none where the model is of one grid.
+  [[nodiscard]] std::span<const Block> Blocks() const;
+  /// That of an element; there must be some.
+  [[nodiscard]] static const Block& BlockOf(std::int64_t element, std::span<const Block> blocks);
+
+  /// Per element the number of its cell in the source file, of its block: what users are shown as
+  /// `element`.
   [[nodiscard]] std::span<const std::int64_t> SourceCells() const;
 
-  /// Whether this is the model of `grid` as it is now: same object, unmodified.
-  [[nodiscard]] bool IsCurrent(vtkUnstructuredGrid* grid) const;
+  /// Whether this is the model of `data` as it is now: same object, unmodified, leaves too.
+  [[nodiscard]] bool IsCurrent(vtkDataObject* data) const;
 
 private:
   struct Internals;
   explicit HighOrderModel(vtkUnstructuredGrid* grid);
+  explicit HighOrderModel(vtkCompositeDataSet* data);
+  static std::shared_ptr<HighOrderModel> Known(vtkDataObject* data);
 
   std::unique_ptr<Internals> Data;
 };

@@ -3,6 +3,7 @@
 
 #include "Core/Location/Locator.h"
 #include "Fingerprint.h"
+#include "JoinedArrays.h"
 
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
@@ -73,12 +74,39 @@ MeshPart::MeshPart(vtkUnstructuredGrid* grid, Key key)
   Validate(TheMesh);
 }
 
+MeshPart::MeshPart(std::vector<std::shared_ptr<const MeshPart>> parts)
+  : Parts(std::move(parts))
+{
+  std::vector<const Expansion*> maps;
+  std::vector<std::span<const double>> centre;
+  std::vector<std::span<const double>> size;
+  std::vector<std::span<const double>> uncertainty;
+  std::vector<std::span<const std::int64_t>> source;
+  for (const auto& part : Parts)
+  {
+    maps.push_back(&part->TheMesh.map);
+    centre.push_back(part->TheMesh.centre);
+    size.push_back(part->TheMesh.size);
+    uncertainty.push_back(part->TheMesh.uncertainty);
+    source.push_back(part->Sources);
+    Stored += part->TheMesh.Elements();
+  }
+  TheMesh.map = pixelexact::Join(maps, Storage);
+  TheMesh.centre = pixelexact::Join(centre, Storage.doubles);
+  TheMesh.size = pixelexact::Join(size, Storage.doubles);
+  TheMesh.uncertainty = pixelexact::Join(uncertainty, Storage.doubles);
+  Sources = pixelexact::Join(source, Storage.longs);
+  Validate(TheMesh);
+}
+
 MeshPart::~MeshPart() = default;
 
 void MeshPart::CompareCells(vtkUnstructuredGrid* grid) const
 {
   TheCells->Compare([grid](Hash hash) { return CellFingerprints(grid, hash); }, Fingerprints,
-    "is not the one that its coefficients were made from: it was cut, or its points were moved");
+    "is not the one that its coefficients were made from: it was cut (Clip), its points were moved "
+    "(Transform, Warp), "
+    "or other cells were put before it (Append)");
 }
 
 std::shared_ptr<const MeshPart> MeshPart::Of(vtkUnstructuredGrid* grid)
@@ -90,7 +118,7 @@ std::shared_ptr<const MeshPart> MeshPart::Of(vtkUnstructuredGrid* grid)
   for (const auto& known : registry.parts)
   {
     // A grid without element ids may have lost cells.
-    if (auto part = known.lock(); part && part->Arrays == key &&
+    if (auto part = known.lock(); part && part->Parts.empty() && part->Arrays == key &&
         part->Cells().Cells() == static_cast<std::size_t>(grid->GetNumberOfCells()))
     {
       part->CompareCells(grid);
@@ -98,6 +126,22 @@ std::shared_ptr<const MeshPart> MeshPart::Of(vtkUnstructuredGrid* grid)
     }
   }
   std::shared_ptr<const MeshPart> part(new MeshPart(grid, std::move(key)));
+  registry.parts.push_back(part);
+  return part;
+}
+
+std::shared_ptr<const MeshPart> MeshPart::Join(std::vector<std::shared_ptr<const MeshPart>> parts)
+{
+  auto& registry = Registry::Instance();
+  const std::scoped_lock lock(registry.mutex);
+  for (const auto& known : registry.parts)
+  {
+    if (auto part = known.lock(); part && !part->Parts.empty() && part->Parts == parts)
+    {
+      return part;
+    }
+  }
+  std::shared_ptr<const MeshPart> part(new MeshPart(std::move(parts)));
   registry.parts.push_back(part);
   return part;
 }

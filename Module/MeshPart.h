@@ -24,12 +24,17 @@ public:
   /// grid's cells are compared with their fingerprints in any case. Throws as HighOrderModel::From.
   static std::shared_ptr<const MeshPart> Of(vtkUnstructuredGrid* grid);
 
+  /// The elements of all parts, one after the other, as copies. One that somebody holds, where the
+  /// parts are the same.
+  static std::shared_ptr<const MeshPart> Join(std::vector<std::shared_ptr<const MeshPart>> parts);
+
   ~MeshPart();
   MeshPart(const MeshPart&) = delete;
   MeshPart& operator=(const MeshPart&) = delete;
 
   [[nodiscard]] const Mesh& GetMesh() const { return TheMesh; }
-  /// Of the grid's cells among the stored elements, of which there are StoredElements().
+  /// Of the grid's cells among the stored elements, of which there are StoredElements(). Not of
+  /// joined parts.
   [[nodiscard]] const CellElements& Cells() const { return *TheCells; }
   [[nodiscard]] vtkIdType StoredElements() const { return Stored; }
   [[nodiscard]] std::span<const std::int64_t> SourceCells() const { return Sources; }
@@ -43,10 +48,12 @@ private:
   using Key = std::vector<std::pair<vtkSmartPointer<vtkAbstractArray>, vtkMTimeType>>;
 
   MeshPart(vtkUnstructuredGrid* grid, Key key);
+  explicit MeshPart(std::vector<std::shared_ptr<const MeshPart>> parts);
   static Key KeyOf(vtkUnstructuredGrid* grid);
   void CompareCells(vtkUnstructuredGrid* grid) const;
 
-  Key Arrays;
+  Key Arrays;                                         ///< of a grid
+  std::vector<std::shared_ptr<const MeshPart>> Parts; ///< of what is joined
   ViewStorage Storage;
   Mesh TheMesh;
   std::unique_ptr<CellElements> TheCells;

@@ -121,7 +121,11 @@ void WindowDepth(const SampleBuffers& samples, const DepthRows& rows, std::vecto
 }
 
 FrameCompositor::FrameCompositor() = default;
-FrameCompositor::~FrameCompositor() = default;
+
+FrameCompositor::~FrameCompositor()
+{
+  ReleaseGraphicsResources(Window);
+}
 
 std::array<int, 4> FrameCompositor::Viewport(vtkRenderer* renderer)
 {
@@ -250,13 +254,20 @@ void FrameCompositor::Draw(
 
 void FrameCompositor::ReleaseGraphicsResources(vtkWindow* window)
 {
+  if (Window == nullptr || (window != nullptr && window != Window))
+  {
+    return;
+  }
+  // Another window's context may be the current one.
+  Window->PushContext();
   Quads.clear();
   for (Textures& held : Sheets)
   {
-    held.colors->ReleaseGraphicsResources(window);
-    held.depths->ReleaseGraphicsResources(window);
+    held.colors->ReleaseGraphicsResources(Window);
+    held.depths->ReleaseGraphicsResources(Window);
   }
   Sheets.clear();
+  Window->PopContext();
   Window = nullptr;
 }
 } // namespace pixelexact

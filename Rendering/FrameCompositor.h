@@ -80,6 +80,7 @@ public:
   /// (order-independent translucency, depth peeling).
   void Draw(vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper, const Pixels& pixels);
 
+  /// What is held for this window; null: for any.
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:

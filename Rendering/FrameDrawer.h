@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "FrameCompositor.h"
-#include "FrameSource.h"
+#include "ColorRanges.h"
+#include "GridModel.h"
+#include "ViewFrames.h"
 
-#include <deque>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 class vtkActor;
+class vtkDataObject;
 class vtkMapper;
 class vtkRenderer;
 class vtkWindow;
@@ -22,40 +27,57 @@ enum class FramePart
   All
 };
 
-/// Frames from a FrameSource into a renderer, for one mapper.
+/// Frames into renderers, for one mapper. Keeps the model of its grid and a frame for each view.
 class FrameDrawer
 {
 public:
+  /// The model of a vtkUnstructuredGrid, or of composite data of such, as it is now. Throws Error.
+  const std::shared_ptr<HighOrderModel>& ModelOf(vtkDataObject* grid);
+
   /// Draws a part of what `request` asks for, seen through the renderer's camera and placed by the
-  /// actor. The request's camera, half-spaces and solid colour are filled in here: viewport and
-  /// camera from the renderer, lights from the renderer, matrix from the actor, clipping planes and
-  /// depth offset from the mapper. The actor's opacity is applied. Throws Error, after which there
-  /// is no frame.
-  void Draw(FrameRequest request, FramePart part, vtkRenderer* renderer, vtkActor* actor,
-    vtkMapper* mapper, const Progress& progress);
+  /// actor. The request's camera, half-spaces and lights are filled in here: viewport, camera and
+  /// lights from the renderer, matrix from the actor, clipping planes and depth offset from the
+  /// mapper. The actor's opacity is applied. A camera that the view is seen through for the first
+  /// time gets a complete frame, whatever the time. Returns the range of
+  /// the values that request.fitted colours, which it gets. Throws Error, after which the view has
+  /// no frame.
+  ColorRanges::Range Draw(FrameRequest request, FramePart part, vtkRenderer* renderer,
+    vtkActor* actor, vtkMapper* mapper, const Progress& progress);
 
-  void ReleaseGraphicsResources(vtkWindow* window) { Compositor.ReleaseGraphicsResources(window); }
+  /// Draws what the present pass of the renderer's selector wants of the pixels that Draw shows
+  /// (SelectionImage.h), complete in any case. Throws as Draw.
+  void Select(FrameRequest request, vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper,
+    const Progress& progress);
 
-  [[nodiscard]] FrameSource& Source() { return TheSource; }
+  /// The range of a table over the fields that it colours (ColorRanges::OfFields).
+  ColorRanges::Range RangeOfFields(const FrameRequest& request, vtkScalarsToColors* table)
+  {
+    return Ranges.OfFields(request, table);
+  }
+
+  /// There is nothing to be seen in this view.
+  void DropFrame(vtkRenderer* renderer, vtkActor* actor);
+
+  /// What is new of this (ViewFrames::Complain).
+  std::vector<std::string> Complain(
+    vtkRenderer* renderer, vtkActor* actor, std::vector<std::string> complaints)
+  {
+    return Views.Complain(Views.Of(renderer, actor), std::move(complaints));
+  }
+
+  void ReleaseGraphicsResources(vtkWindow* window) { Views.ReleaseGraphicsResources(window); }
+
+  /// Of the view that was drawn last; null before the first one.
+  [[nodiscard]] FrameSource* LastSource() { return Views.Last(); }
+  [[nodiscard]] std::int64_t ModelBuilds() const { return Model.Builds(); }
+  [[nodiscard]] const FrameSourceCounters& Counters() const { return Views.Counters(); }
 
 private:
-  void Complete(FrameRequest& request, vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper);
+  ViewFrame& Begin(
+    FrameRequest& request, vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper);
 
-  /// The pixels of one or more sheets, ready to be drawn.
-  struct Drawn
-  {
-    std::vector<std::uint8_t> rgba;
-    std::vector<float> depths;
-  };
-  void MakeDrawn(const Frame& frame, const DepthRows& rows);
-
-  FrameSource TheSource;
-  FrameCompositor Compositor;
-  Drawn Opaque;                  ///< rgba empty: the frame's own
-  std::deque<Drawn> SeenThrough; ///< nearest first
-  DepthRows Rows;
-  std::int64_t DrawnVersion = -1; ///< of the source, that these were made of
-  std::int64_t DrawnTrace = -1;
-  std::int64_t DepthsVersion = 0;
+  GridModel Model;
+  ColorRanges Ranges;
+  ViewFrames Views;
 };
 } // namespace pixelexact

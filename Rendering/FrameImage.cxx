@@ -68,6 +68,14 @@ void AddBuffer(vtkImageData* image, const char* name, const std::vector<Vec3>& v
   }
 }
 
+void AddBlocks(vtkImageData* image, const std::vector<std::int64_t>& elements,
+  std::span<const HighOrderModel::Block> blocks)
+{
+  std::ranges::transform(elements, AddArray<vtkTypeInt64Array>(image, "Block", 1, elements.size()),
+    [&](std::int64_t element)
+    { return element < 0 ? -1 : HighOrderModel::BlockOf(element, blocks).flatIndex; });
+}
+
 void TranslateElements(vtkImageData* image, std::span<const std::int64_t> sourceCells)
 {
   auto* elements = vtkTypeInt64Array::SafeDownCast(image->GetPointData()->GetArray("Element"));
@@ -82,8 +90,8 @@ void TranslateElements(vtkImageData* image, std::span<const std::int64_t> source
 }
 } // namespace
 
-vtkSmartPointer<vtkImageData> ToImageData(
-  const Frame& frame, std::span<const std::int64_t> sourceCells)
+vtkSmartPointer<vtkImageData> ToImageData(const Frame& frame,
+  std::span<const std::int64_t> sourceCells, std::span<const HighOrderModel::Block> blocks)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(frame.width, frame.height, 1);
@@ -96,6 +104,10 @@ vtkSmartPointer<vtkImageData> ToImageData(
         AddBuffer(image, row.name, values);
       }
     });
+  if (!blocks.empty() && !frame.centres.element.empty())
+  {
+    AddBlocks(image, frame.centres.element, blocks);
+  }
   if (!sourceCells.empty())
   {
     TranslateElements(image, sourceCells);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "HighOrderModel.h"
 #include "PixelExactRenderingModule.h"
 #include "Trace/Frame.h"
 
@@ -17,6 +18,9 @@ namespace pixelexact
 /// pixel, lower left first. Buffers that the frame does not hold have no array; of what is seen
 /// through translucent layers only the image tells.
 /// `sourceCells` translates the mesh's element numbers into what users know; empty: they stay.
+/// With `blocks`, of composite data, there is an array Block beside Element: the flat index, -1
+/// where there is no element.
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT vtkSmartPointer<vtkImageData> ToImageData(
-  const Frame& frame, std::span<const std::int64_t> sourceCells);
+  const Frame& frame, std::span<const std::int64_t> sourceCells,
+  std::span<const HighOrderModel::Block> blocks = {});
 } // namespace pixelexact

@@ -7,12 +7,12 @@
 
 #include "Core/Base/Error.h"
 #include "Trace/BufferTable.h"
+#include "Trace/TileVisit.h"
 #include "Trace/Tracer.h"
 
 #include "vtkImplicitFunction.h"
 #include "vtkPlane.h"
 #include "vtkScalarsToColors.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 
@@ -29,10 +29,27 @@ bool Includes(Buffer set, Buffer wanted)
 }
 } // namespace
 
-FrameSource::FrameSource() = default;
+int ComponentOf(const LayerRequest& layer, const Field& field)
+{
+  const int components = field.values.components;
+  const int component = layer.component.value_or(ComponentOf(layer.table, components));
+  if (component != kMagnitude && (component < 0 || component >= components))
+  {
+    throw Error("component " + std::to_string(component) + " is asked for, but the field '" +
+      field.name + "' has " + std::to_string(components) +
+      (components == 1 ? " component" : " components"));
+  }
+  return component;
+}
+
+FrameSource::FrameSource(FrameSourceCounters& counters)
+  : TheCounters(counters)
+{
+}
+
 FrameSource::~FrameSource() = default;
 
-void FrameSource::DropFrame()
+void FrameSource::Forget()
 {
   TheFrame.reset();
   Passes.reset();
@@ -40,37 +57,27 @@ void FrameSource::DropFrame()
   Colored.reset();
 }
 
-void FrameSource::Clear()
+void FrameSource::DropFrame()
 {
-  DropFrame();
+  Forget();
   TheScene = {};
   TheModel.reset();
 }
 
-const std::shared_ptr<HighOrderModel>& FrameSource::ModelOf(vtkUnstructuredGrid* grid)
+void FrameSource::Count(bool traced)
 {
-  if (grid == nullptr)
-  {
-    Clear();
-    throw Error("no input: connect a vtkUnstructuredGrid that carries high-order arrays");
-  }
-  if (!TheModel || !TheModel->IsCurrent(grid))
-  {
-    // Alive until the new one is made, which may share its locator.
-    const std::shared_ptr<HighOrderModel> stale = TheModel;
-    Clear();
-    TheModel = HighOrderModel::From(grid);
-    ++TheCounters.models;
-  }
-  return TheModel;
+  TheCounters.traces += traced ? 1 : 0;
+  ++TheCounters.colorings;
+  TheVersion = TheCounters.traces + TheCounters.colorings;
+  TheTraceVersion = traced ? TheVersion : TheTraceVersion;
 }
 
 FrameSource::TraceKey FrameSource::TraceKeyOf(const FrameRequest& request) const
 {
-  TraceKey key{ {}, request.kept, request.camera };
+  TraceKey key{ {}, request.kept, request.camera, request.searchSamples };
   for (const LayerRequest& layer : request.layers)
   {
-    const int components = layer.field.In(*TheModel).values.components;
+    const int component = ComponentOf(layer, layer.field.In(*TheModel));
     if (layer.table != nullptr)
     {
       // Before that it does not know whether its colours are opaque.
@@ -82,8 +89,7 @@ FrameSource::TraceKey FrameSource::TraceKeyOf(const FrameRequest& request) const
       (request.translucent || layer.opacity < 1.0 ||
         (layer.table != nullptr && layer.table->IsOpaque() == 0));
     key.layers.push_back({ { layer.cut, layer.cut != nullptr ? layer.cut->GetMTime() : 0 },
-      layer.field, layer.component.value_or(ComponentOf(layer.table, components)), layer.precision,
-      seenThrough });
+      layer.field, component, layer.precision, seenThrough });
   }
   return key;
 }
@@ -93,11 +99,12 @@ void FrameSource::MakeScene(const FrameRequest& request)
   TheScene = {};
   TheScene.locator = &TheModel->GetLocator();
   TheScene.kept = request.kept;
+  const SurfaceSearch search{ TheScene.locator->Bounds(), request.searchSamples };
   for (std::size_t k = 0; k < request.layers.size(); ++k)
   {
     const TracedLayer& traced = Traced->layers[k];
-    TheScene.layers.push_back({ ToSurface(request.layers[k].cut), &traced.field.In(*TheModel),
-      traced.component, traced.precision, traced.translucent });
+    TheScene.layers.push_back({ ToSurface(request.layers[k].cut, search),
+      &traced.field.In(*TheModel), traced.component, traced.precision, traced.translucent });
   }
 }
 
@@ -125,6 +132,7 @@ FrameSource::ColorKey FrameSource::ColorKeyOf(const FrameRequest& request) const
     key.lights = request.lights;
     key.lit = request.lit;
   }
+  key.edges = request.edges;
   return key;
 }
 
@@ -146,15 +154,24 @@ void FrameSource::MakeColors(const ColorKey& key)
   {
     Lights.emplace(std::move(materials), key.lights, key.lit);
   }
+  Outlines.reset();
+  if (key.edges)
+  {
+    Outlines.emplace(*key.edges);
+  }
   Colored = key;
 }
 
-Pipeline FrameSource::ThePipeline() const
+Pipeline FrameSource::ThePipeline()
 {
   Pipeline pipeline{ { &*Colors }, {} };
   if (Lights)
   {
     pipeline.colors.push_back(&*Lights);
+  }
+  if (Outlines)
+  {
+    pipeline.modules.push_back(&*Outlines);
   }
   return pipeline;
 }
@@ -170,16 +187,23 @@ void FrameSource::TraceFrame(double seconds, const Progress& progress)
 {
   const double pixels =
     static_cast<double>(Traced->camera.width) * static_cast<double>(Traced->camera.height);
-  if (PixelSeconds * pixels <= seconds)
+  const double before = Passes->Get().counters.seconds;
+  const auto spent = [&] { return Passes->Get().counters.seconds - before; };
+  bool going = true;
+  while (going && Passes->Step() != 1)
   {
-    Passes->Complete(progress);
-  }
-  else
-  {
-    // The next pass takes three times what all before it have.
-    while (Passes->Refine(progress) && Passes->Step() > 1 &&
-      4.0 * Passes->Get().counters.seconds <= seconds)
+    const int from = Passes->Step();
+    const double since = spent();
+    const FrameCost::Work work = Cost.Next(pixels, from, since, seconds);
+    if (work == FrameCost::Work::Show)
     {
+      break;
+    }
+    going =
+      work == FrameCost::Work::Complete ? Passes->Complete(progress) : Passes->Refine(progress);
+    if (going)
+    {
+      Cost.Learn(pixels, from, Passes->Step(), spent() - since);
     }
   }
   Complete = Passes->Step() == 1;
@@ -187,14 +211,12 @@ void FrameSource::TraceFrame(double seconds, const Progress& progress)
   {
     TheFrame = Passes->Take();
     Passes.reset();
-    PixelSeconds = TheFrame->counters.seconds / pixels;
   }
   else
   {
     TheFrame = Passes->Preview();
   }
-  ++TheCounters.traces;
-  ++TheCounters.colorings;
+  Count(true);
 }
 
 const Frame& FrameSource::Render(const FrameRequest& request, const Progress& progress)
@@ -214,12 +236,16 @@ const Frame& FrameSource::Render(const FrameRequest& request, const Progress& pr
 
 void FrameSource::Update(const FrameRequest& request, const Progress& progress)
 {
-  ModelOf(request.grid);
+  if (TheModel != request.model)
+  {
+    DropFrame();
+    TheModel = request.model;
+  }
   TraceKey key = TraceKeyOf(request);
   const bool sameScene = Traced == key;
   if (!sameScene)
   {
-    DropFrame();
+    Forget();
     Traced = std::move(key);
     MakeScene(request);
   }
@@ -244,9 +270,34 @@ void FrameSource::Update(const FrameRequest& request, const Progress& progress)
   }
   else if (!sameColors)
   {
-    Repaint(TheScene, Traced->camera.Make(), ThePipeline(), *TheFrame);
-    ++TheCounters.colorings;
+    if (Complete)
+    {
+      Repaint(TheScene, Traced->camera.Make(), ThePipeline(), *TheFrame);
+    }
+    else
+    {
+      TheFrame = Passes->Preview();
+    }
+    Count(false);
   }
+}
+
+SampleBuffers FrameSource::Sample(
+  const FrameRequest& request, std::span<const ImagePosition> positions)
+{
+  DropFrame();
+  TheModel = request.model;
+  Traced = TraceKeyOf(request);
+  MakeScene(request);
+  MakeColors(ColorKeyOf(request));
+  const Pipeline pipeline = ThePipeline();
+  const Camera camera = request.camera.Make();
+  Frame none;
+  TileVisit visit(&TheScene, &camera, pipeline, none, {});
+  SampleBuffers samples =
+    visit.Trace(positions, kDrawn | UsualBuffers() | pipeline.Needs().centres);
+  (void)visit.Image(samples); // paints the sheets
+  return samples;
 }
 
 const Frame* FrameSource::FrameWithAllBuffers()

@@ -3,9 +3,12 @@
 
 #include "FieldChoice.h"
 #include "PixelExactRenderingModule.h"
+#include "Trace/FrameCost.h"
 #include "Trace/Modules/ColorMapping.h"
+#include "Trace/Modules/ElementOutlines.h"
 #include "Trace/Modules/Lighting.h"
 #include "Trace/ProgressiveFrame.h"
+#include "Trace/TileSamples.h"
 #include "VtkCamera.h"
 
 #include "vtkSmartPointer.h"
@@ -15,12 +18,12 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
 class vtkImplicitFunction;
 class vtkScalarsToColors;
-class vtkUnstructuredGrid;
 
 namespace pixelexact
 {
@@ -41,17 +44,25 @@ struct LayerRequest
   bool litWhereFlat = false;        ///< also a plane
 };
 
+/// The component that the layer shows of its field: what it asks for, else the table's choice.
+/// Throws Error when the field has no such component.
+[[nodiscard]] int ComponentOf(const LayerRequest& layer, const Field& field);
+
 /// What is to be seen. The objects are the caller's; all spaces are the data's, but for lights.
 struct FrameRequest
 {
-  vtkUnstructuredGrid* grid = nullptr;
+  std::shared_ptr<HighOrderModel> model;
   std::vector<LayerRequest> layers;
   std::vector<KeptHalfSpace> kept; ///< clipping planes, and the near plane where it cuts the data
   CameraSetup camera;
+  int searchSamples = 128; ///< of surfaces without a closed form (SearchedSurface)
   Rgba unknownColor{ 255, 0, 255, 255 };
   std::vector<Light> lights;
   LitView lit;
   bool translucent = false; ///< all of it, for somebody who blends frames over what is there
+  /// A table whose range is to be that of the values shown; null: none.
+  vtkScalarsToColors* fitted = nullptr;
+  std::optional<Rgba> edges; ///< of the colour that elements' edges get, where they are drawn
   /// Beyond what drawing needs.
   Buffer buffers = Buffer::None;
   /// What tracing may take. Where the frame is expected to take longer it is made coarse, and finer
@@ -63,26 +74,31 @@ struct FrameRequest
 /// How often each step was taken.
 struct FrameSourceCounters
 {
-  std::int64_t models = 0;
   std::int64_t traces = 0;
   std::int64_t colorings = 0;
 };
 
-/// Frames of a grid for whoever draws them: mapper, render pass. Keeps the last model and the last
-/// frame, and takes only the steps whose inputs changed: another lookup table recolours, another
-/// view traces, another grid builds a model. Not for use by several threads at once.
+/// Frames of one view for whoever draws them: mapper, render pass. Keeps the last frame, and takes
+/// only the steps whose inputs changed: another lookup table recolours, another camera or model
+/// traces. Not for use by several threads at once.
 class PIXELEXACTRENDERING_EXPORT FrameSource
 {
 public:
-  FrameSource();
+  /// Counts in `counters`, which others may share and which must outlive this.
+  explicit FrameSource(FrameSourceCounters& counters);
   ~FrameSource();
   FrameSource(const FrameSource&) = delete;
   FrameSource& operator=(const FrameSource&) = delete;
 
-  /// The frame asked for; valid until the next call. An aborted frame (see Progress) lacks tiles
-  /// and is traced anew by the next call; a coarse one (see FrameRequest::seconds) shows blocks of
-  /// pixels alike. Throws Error, after which there is no frame.
+  /// The frame asked for, of a model that is not null; valid until the next call. An aborted frame
+  /// (see Progress) lacks tiles and is traced anew by the next call; a coarse one (see
+  /// FrameRequest::seconds) shows blocks of pixels alike. Throws Error, after which there is no
+  /// frame.
   const Frame& Render(const FrameRequest& request, const Progress& progress = {});
+
+  /// Samples of the frame asked for at `positions` alone, with the usual buffers and colours; those
+  /// of a pixel's centre are the pixel's, bit for bit. There is no frame afterwards. Throws Error.
+  SampleBuffers Sample(const FrameRequest& request, std::span<const ImagePosition> positions);
 
   /// The last frame, complete and with all of its buffers, traced once more where some were not
   /// asked for.
@@ -92,21 +108,19 @@ public:
   /// The last frame, null when there is none or it failed.
   [[nodiscard]] const Frame* LastFrame() const;
 
-  /// The model of the grid as it is now. Throws Error.
-  const std::shared_ptr<HighOrderModel>& ModelOf(vtkUnstructuredGrid* grid);
   /// The model of the last frame; null when there is none.
   [[nodiscard]] const HighOrderModel* Model() const { return TheModel.get(); }
   /// Of the last frame.
   [[nodiscard]] const Scene& LastScene() const { return TheScene; }
 
-  /// Differs whenever pixels may differ from those seen before.
-  [[nodiscard]] std::int64_t Version() const { return TheCounters.traces + TheCounters.colorings; }
-  [[nodiscard]] const FrameSourceCounters& Counters() const { return TheCounters; }
+  /// Differs whenever pixels may differ from those seen before, in this view or another that counts
+  /// in the same counters.
+  [[nodiscard]] std::int64_t Version() const { return TheVersion; }
+  /// Differs whenever positions may.
+  [[nodiscard]] std::int64_t TraceVersion() const { return TheTraceVersion; }
 
-  /// Forgets the frame; the model stays.
-  void DropFrame();
   /// Forgets model and frame.
-  void Clear();
+  void DropFrame();
 
 private:
   // An object and its state: modification times are unique, addresses are not.
@@ -126,6 +140,7 @@ private:
     std::vector<TracedLayer> layers;
     std::vector<KeptHalfSpace> kept;
     CameraSetup camera;
+    int searchSamples = 0;
 
     bool operator==(const TraceKey&) const = default;
   };
@@ -146,6 +161,7 @@ private:
     Rgba unknown{};
     std::vector<Light> lights; ///< where a layer is lit
     LitView lit;
+    std::optional<Rgba> edges;
 
     bool operator==(const ColorKey&) const = default;
   };
@@ -155,9 +171,11 @@ private:
   [[nodiscard]] ColorKey ColorKeyOf(const FrameRequest& request) const;
   void MakeScene(const FrameRequest& request);
   void MakeColors(const ColorKey& key);
-  [[nodiscard]] Pipeline ThePipeline() const;
+  [[nodiscard]] Pipeline ThePipeline();
   void BeginFrame(Buffer buffers);
   void TraceFrame(double seconds, const Progress& progress);
+  void Count(bool traced);
+  void Forget();
 
   std::shared_ptr<HighOrderModel> TheModel;
   Scene TheScene;
@@ -166,10 +184,13 @@ private:
   std::optional<ColorKey> Colored;  ///< what Colors and Lights were made of
   std::optional<ColorMapping> Colors;
   std::optional<Lighting> Lights;
+  std::optional<ElementOutlines> Outlines;
   std::optional<ProgressiveFrame> Passes; ///< of a frame that is not complete
   std::optional<Frame> TheFrame;
   bool Complete = false;
-  double PixelSeconds = std::numeric_limits<double>::infinity(); ///< of the last complete frame
-  FrameSourceCounters TheCounters;
+  FrameCost Cost;
+  FrameSourceCounters& TheCounters;
+  std::int64_t TheVersion = -1;
+  std::int64_t TheTraceVersion = -1;
 };
 } // namespace pixelexact

@@ -22,10 +22,10 @@ LayerRequest LayerOf(vtkHighOrderMapper* mapper, vtkProperty* property)
   if (mapper->GetScalarVisibility())
   {
     layer.table = mapper->GetLookupTable();
-    if (!mapper->GetUseLookupTableScalarRange())
-    {
-      layer.table->SetRange(mapper->GetScalarRange());
-    }
+  }
+  if (mapper->GetArrayComponent() >= 0)
+  {
+    layer.component = mapper->GetArrayComponent();
   }
   return layer;
 }
@@ -38,6 +38,8 @@ LayerRequest LayerOf(vtkHighOrderLayer* layer, LayerRequest ofAll)
   if (field != nullptr && field[0] != '\0')
   {
     request.field = { .name = field };
+    // The mapper's is of its own field.
+    request.component.reset();
   }
   if (layer->GetComponent() != vtkHighOrderLayer::BY_LOOKUP_TABLE)
   {

@@ -10,8 +10,7 @@ class vtkProperty;
 // What a mapper, its actor and its layers ask for, as requests for frames.
 namespace pixelexact
 {
-/// What mapper and property say of all surfaces; the function is left open. Sets the range of the
-/// mapper's lookup table where that is the mapper's.
+/// What mapper and property say of all surfaces; the function is left open.
 [[nodiscard]] LayerRequest LayerOf(vtkHighOrderMapper* mapper, vtkProperty* property);
 
 /// A layer: what it does not say itself is as `ofAll`.

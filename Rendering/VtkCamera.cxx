@@ -104,7 +104,7 @@ CameraView ToDataSpace(const CameraView& view, vtkMatrix4x4* worldToData, double
 std::array<double, 16> InverseComposite(vtkCamera* camera, double aspect, vtkMatrix4x4* dataToWorld)
 {
   vtkNew<vtkMatrix4x4> composite;
-  composite->DeepCopy(camera->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0));
+  composite->DeepCopy(WorldToDevice(camera, aspect).data());
   if (dataToWorld != nullptr)
   {
     vtkMatrix4x4::Multiply4x4(composite, dataToWorld, composite);
@@ -140,6 +140,14 @@ bool IsPlain(vtkCamera* camera)
     !camera->GetUseOffAxisProjection() && !HasHorizontalParallelScale(camera) &&
     !camera->GetStereo() && shear[0] == 0.0 && shear[1] == 0.0 &&
     IsIdentity(camera->GetModelTransformMatrix());
+}
+
+std::array<double, 16> WorldToDevice(vtkCamera* camera, double aspect)
+{
+  std::array<double, 16> matrix{};
+  vtkMatrix4x4::Multiply4x4(camera->GetProjectionTransformMatrix(aspect, -1.0, 1.0)->GetData(),
+    camera->GetModelViewTransformMatrix()->GetData(), matrix.data());
+  return matrix;
 }
 
 CameraView ViewOf(vtkCamera* camera)

@@ -36,6 +36,12 @@ struct CameraSetup
 /// view shear, stereo, explicit projection or aspect ratio, nor off-axis projection.
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT bool IsPlain(vtkCamera* camera);
 
+/// World coordinates to normalised device coordinates (z in [-1, 1]), row-major, as OpenGL's
+/// geometry is drawn: with the eye that stereo windows draw and the camera's model transform, which
+/// vtkCamera::GetCompositeProjectionTransformMatrix leaves out.
+[[nodiscard]] PIXELEXACTRENDERING_EXPORT std::array<double, 16> WorldToDevice(
+  vtkCamera* camera, double aspect);
+
 /// The part of a camera that a CameraView holds.
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT CameraView ViewOf(vtkCamera* camera);
 

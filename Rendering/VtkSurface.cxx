@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VtkSurface.h"
 
+#include "VtkFunctions.h"
+
 #include "Core/Base/Error.h"
 #include "Trace/Surfaces/ConvexBody.h"
 #include "Trace/Surfaces/Plane.h"
@@ -14,6 +16,7 @@
 #include "vtkCylinder.h"
 #include "vtkDataArray.h"
 #include "vtkHomogeneousTransform.h"
+#include "vtkImplicitBoolean.h"
 #include "vtkImplicitFunction.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
@@ -37,7 +40,8 @@ namespace pixelexact
 namespace
 {
 constexpr const char* kAvailable = "available: vtkPlane, vtkSphere, vtkCylinder, vtkCone, "
-                                   "vtkQuadric, vtkBox, vtkPlanes, vtkImplicitTorus";
+                                   "vtkQuadric, vtkBox, vtkPlanes, vtkImplicitTorus, and "
+                                   "vtkImplicitBoolean of these";
 
 // The matrix that takes a point to the space in which the function is written; identity without a
 // transform.
@@ -221,27 +225,49 @@ bool Try(const char* name, vtkImplicitFunction* function,
   surface = from(known);
   return true;
 }
-} // namespace
 
-std::shared_ptr<const Surface> ToSurface(vtkImplicitFunction* function)
+std::shared_ptr<const Surface> ToClosedForm(vtkImplicitFunction* function)
 {
-  if (function == nullptr)
-  {
-    throw Error(std::string("no cut function (") + kAvailable + ")");
-  }
   std::shared_ptr<const Surface> surface;
-  if (Try<vtkPlane>("vtkPlane", function, FromPlane, surface) ||
+  // The first that knows it.
+  (void)(Try<vtkPlane>("vtkPlane", function, FromPlane, surface) ||
     Try<vtkSphere>("vtkSphere", function, FromSphere, surface) ||
     Try<vtkCylinder>("vtkCylinder", function, FromCylinder, surface) ||
     Try<vtkCone>("vtkCone", function, FromCone<vtkCone>, surface) ||
     Try<vtkQuadric>("vtkQuadric", function, FromQuadric, surface) ||
     Try<vtkBox>("vtkBox", function, FromBox, surface) ||
     Try<vtkPlanes>("vtkPlanes", function, FromPlanes, surface) ||
-    Try<vtkImplicitTorus>("vtkImplicitTorus", function, FromTorus, surface))
+    Try<vtkImplicitTorus>("vtkImplicitTorus", function, FromTorus, surface));
+  return surface;
+}
+} // namespace
+
+std::shared_ptr<const Surface> ToSurface(vtkImplicitFunction* function, const SurfaceSearch& search)
+{
+  if (function == nullptr)
   {
-    return surface;
+    throw Error(std::string("no cut function (") + kAvailable + ")");
   }
-  throw Unsupported(
-    std::string("cannot cut with a ") + function->GetClassName() + " (" + kAvailable + ")");
+  std::string why =
+    std::string("cannot cut with a ") + function->GetClassName() + " (" + kAvailable + ")";
+  try
+  {
+    auto* boolean = vtkImplicitBoolean::SafeDownCast(function);
+    const auto surface =
+      boolean != nullptr ? FromBoolean(boolean, ToClosedForm) : ToClosedForm(function);
+    if (surface != nullptr)
+    {
+      return surface;
+    }
+  }
+  catch (const Unsupported& error)
+  {
+    why = error.what();
+  }
+  if (search.box.lower.x <= search.box.upper.x)
+  {
+    return FromAnyFunction(function, search.box, search.samples);
+  }
+  throw Unsupported(why);
 }
 } // namespace pixelexact

@@ -3,20 +3,26 @@
 
 #include "FrameDrawer.h"
 #include "FrameImage.h"
+#include "FramePick.h"
 #include "HighOrderModel.h"
 #include "LayerRequests.h"
+#include "MapperExecutive.h"
+#include "StockSettings.h"
 #include "vtkHighOrderLayer.h"
 
 #include "Core/Base/Error.h"
 #include "Core/Location/Locator.h"
 
 #include "vtkCommand.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkExecutive.h"
 #include "vtkImageData.h"
 #include "vtkImplicitFunction.h"
 #include "vtkInformation.h"
+#include "vtkLookupTable.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
+#include "vtkProperty.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
@@ -33,10 +39,14 @@ struct vtkHighOrderMapper::Internals
   std::vector<vtkSmartPointer<vtkImplicitFunction>> Cuts;
   std::vector<vtkSmartPointer<vtkHighOrderLayer>> Layers;
   pixelexact::FrameDrawer Drawer;
+  pixelexact::FrameSourceCounters PickCounters;
+  pixelexact::FrameSource Picks{ PickCounters }; ///< of pixels apart from frames
   vtkSmartPointer<vtkImageData> Buffers;
   std::int64_t BuffersVersion = -1; ///< of the frame that Buffers hold
 
-  pixelexact::FrameRequest Request(vtkHighOrderMapper* self, vtkActor* actor) const;
+  pixelexact::FrameRequest Request(vtkHighOrderMapper* self, vtkActor* actor);
+  void ChooseRange(
+    vtkHighOrderMapper* self, pixelexact::FrameRequest& request, vtkScalarsToColors* table);
   bool Has(vtkHighOrderMapper* self, bool opaque) const;
 };
 
@@ -53,10 +63,11 @@ bool vtkHighOrderMapper::Internals::Has(vtkHighOrderMapper* self, bool opaque) c
 
 //------------------------------------------------------------------------------
 pixelexact::FrameRequest vtkHighOrderMapper::Internals::Request(
-  vtkHighOrderMapper* self, vtkActor* actor) const
+  vtkHighOrderMapper* self, vtkActor* actor)
 {
   pixelexact::FrameRequest request;
-  request.grid = self->GetInput();
+  pixelexact::RequireFieldColors(self);
+  request.model = Drawer.ModelOf(pixelexact::MapperExecutive::InputOf(self));
   std::copy_n(self->UnknownColor, 4, request.unknownColor.begin());
   const pixelexact::LayerRequest ofAll = pixelexact::LayerOf(self, actor->GetProperty());
   for (const auto& cut : Cuts)
@@ -71,13 +82,43 @@ pixelexact::FrameRequest vtkHighOrderMapper::Internals::Request(
       request.layers.push_back(pixelexact::LayerOf(layer, ofAll));
     }
   }
+  if (ofAll.table != nullptr)
+  {
+    this->ChooseRange(self, request, ofAll.table);
+  }
   return request;
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderMapper::Internals::ChooseRange(
+  vtkHighOrderMapper* self, pixelexact::FrameRequest& request, vtkScalarsToColors* table)
+{
+  if (self->UseLookupTableScalarRange)
+  {
+    self->TakeRange({ table->GetRange()[0], table->GetRange()[1] });
+    return;
+  }
+  if (self->RangeMode == RANGE_OF_CUT)
+  {
+    request.fitted = table;
+    return;
+  }
+  if (self->RangeMode == RANGE_OF_FIELD)
+  {
+    if (const auto range = Drawer.RangeOfFields(request, table))
+    {
+      self->TakeRange(*range);
+    }
+  }
+  pixelexact::ColorRanges::Set(table, { self->ScalarRange[0], self->ScalarRange[1] });
 }
 
 //------------------------------------------------------------------------------
 vtkHighOrderMapper::vtkHighOrderMapper()
   : Data(std::make_unique<Internals>())
 {
+  // None: that of 0 is a choice.
+  this->ArrayComponent = -1;
 }
 
 //------------------------------------------------------------------------------
@@ -87,19 +128,32 @@ vtkHighOrderMapper::~vtkHighOrderMapper() = default;
 int vtkHighOrderMapper::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   return 1;
 }
 
 //------------------------------------------------------------------------------
-void vtkHighOrderMapper::SetInputData(vtkUnstructuredGrid* grid)
+vtkExecutive* vtkHighOrderMapper::CreateDefaultExecutive()
 {
-  this->SetInputDataInternal(0, grid);
+  return pixelexact::MapperExecutive::New();
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderMapper::SetInputData(vtkDataObject* data)
+{
+  this->SetInputDataInternal(0, data);
 }
 
 //------------------------------------------------------------------------------
 vtkUnstructuredGrid* vtkHighOrderMapper::GetInput()
 {
-  return vtkUnstructuredGrid::SafeDownCast(this->GetExecutive()->GetInputData(0, 0));
+  return vtkUnstructuredGrid::SafeDownCast(pixelexact::MapperExecutive::InputOf(this));
+}
+
+//------------------------------------------------------------------------------
+vtkCompositeDataSet* vtkHighOrderMapper::GetCompositeInput()
+{
+  return vtkCompositeDataSet::SafeDownCast(pixelexact::MapperExecutive::InputOf(this));
 }
 
 //------------------------------------------------------------------------------
@@ -197,6 +251,24 @@ vtkHighOrderLayer* vtkHighOrderMapper::GetLayer(int index)
 }
 
 //------------------------------------------------------------------------------
+void vtkHighOrderMapper::SetRangeMode(int mode)
+{
+  mode = std::clamp<int>(mode, RANGE_AS_SET, RANGE_OF_CUT);
+  if (this->RangeMode != mode)
+  {
+    this->RangeMode = mode;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderMapper::SetScalarRange(double lower, double upper)
+{
+  this->SetRangeMode(RANGE_AS_SET);
+  this->Superclass::SetScalarRange(lower, upper);
+}
+
+//------------------------------------------------------------------------------
 vtkMTimeType vtkHighOrderMapper::GetMTime()
 {
   vtkMTimeType time = this->Superclass::GetMTime();
@@ -235,14 +307,14 @@ double* vtkHighOrderMapper::GetBounds()
   {
     this->Update();
   }
-  vtkUnstructuredGrid* grid = this->GetInput();
-  if (grid == nullptr)
+  vtkDataObject* data = pixelexact::MapperExecutive::InputOf(this);
+  if (data == nullptr)
   {
     return this->Bounds;
   }
   try
   {
-    const pixelexact::Box3& box = this->Data->Drawer.Source().ModelOf(grid)->GetLocator().Bounds();
+    const pixelexact::Box3& box = this->Data->Drawer.ModelOf(data)->GetLocator().Bounds();
     for (int i = 0; i < 3 && box.lower.x <= box.upper.x; ++i)
     {
       this->Bounds[2 * i] = box.lower[i];
@@ -252,7 +324,14 @@ double* vtkHighOrderMapper::GetBounds()
   catch (const pixelexact::Error&)
   {
     // Render says what is wrong; until then the points' box lets a camera be placed.
-    grid->GetBounds(this->Bounds);
+    if (vtkUnstructuredGrid* grid = this->GetInput())
+    {
+      grid->GetBounds(this->Bounds);
+    }
+    else if (vtkCompositeDataSet* composite = this->GetCompositeInput())
+    {
+      composite->GetBounds(this->Bounds);
+    }
   }
   return this->Bounds;
 }
@@ -261,11 +340,11 @@ double* vtkHighOrderMapper::GetBounds()
 vtkImageData* vtkHighOrderMapper::GetBuffers()
 {
   Internals& data = *this->Data;
-  pixelexact::FrameSource& source = data.Drawer.Source();
+  pixelexact::FrameSource* source = data.Drawer.LastSource();
   const pixelexact::Frame* frame = nullptr;
   try
   {
-    frame = source.FrameWithAllBuffers();
+    frame = source != nullptr ? source->FrameWithAllBuffers() : nullptr;
   }
   catch (const pixelexact::Error& error)
   {
@@ -276,10 +355,11 @@ vtkImageData* vtkHighOrderMapper::GetBuffers()
     data.Buffers = nullptr;
     return nullptr;
   }
-  if (data.Buffers == nullptr || data.BuffersVersion != source.Version())
+  if (data.Buffers == nullptr || data.BuffersVersion != source->Version())
   {
-    data.Buffers = pixelexact::ToImageData(*frame, source.Model()->SourceCells());
-    data.BuffersVersion = source.Version();
+    data.Buffers =
+      pixelexact::ToImageData(*frame, source->Model()->SourceCells(), source->Model()->Blocks());
+    data.BuffersVersion = source->Version();
   }
   return data.Buffers;
 }
@@ -287,27 +367,31 @@ vtkImageData* vtkHighOrderMapper::GetBuffers()
 //------------------------------------------------------------------------------
 vtkIdType vtkHighOrderMapper::GetNumberOfModelBuilds()
 {
-  return this->Data->Drawer.Source().Counters().models;
+  return this->Data->Drawer.ModelBuilds();
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkHighOrderMapper::GetNumberOfTraces()
 {
-  return this->Data->Drawer.Source().Counters().traces;
+  return this->Data->Drawer.Counters().traces;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkHighOrderMapper::GetNumberOfColorings()
 {
-  return this->Data->Drawer.Source().Counters().colorings;
+  return this->Data->Drawer.Counters().colorings;
 }
 
 //------------------------------------------------------------------------------
 void vtkHighOrderMapper::Render(vtkRenderer* renderer, vtkActor* actor)
 {
-  const auto part = actor->IsRenderingTranslucentPolygonalGeometry()
-    ? pixelexact::FramePart::Translucent
-    : pixelexact::FramePart::Opaque;
+  const bool late = actor->IsRenderingTranslucentPolygonalGeometry();
+  auto part = late ? pixelexact::FramePart::Translucent : pixelexact::FramePart::Opaque;
+  // Then there is no other phase.
+  if (late ? actor->GetForceTranslucent() : actor->GetForceOpaque())
+  {
+    part = pixelexact::FramePart::All;
+  }
   this->RenderPart(static_cast<int>(part), renderer, actor);
 }
 
@@ -321,23 +405,14 @@ void vtkHighOrderMapper::RenderAll(vtkRenderer* renderer, vtkActor* actor)
 void vtkHighOrderMapper::RenderPart(int part, vtkRenderer* renderer, vtkActor* actor)
 {
   const auto drawn = static_cast<pixelexact::FramePart>(part);
-  // A selector wants the ids of props in the place of colours, which the pixels do not carry.
-  if (renderer->GetSelector() != nullptr)
-  {
-    return;
-  }
-  if (this->GetNumberOfInputConnections(0) == 0)
-  {
-    vtkErrorMacro(<< "No input!");
-    return;
-  }
   this->InvokeEvent(vtkCommand::StartEvent, nullptr);
-  if (!this->Static)
+  if (!this->Static && this->GetNumberOfInputConnections(0) > 0)
   {
     this->Update();
   }
   this->InvokeEvent(vtkCommand::EndEvent, nullptr);
   this->SetAbortExecute(0);
+  pixelexact::MapperExecutive::WarnAgain(this);
   vtkRenderWindow* window = renderer->GetRenderWindow();
   const vtkIdType traces = this->GetNumberOfTraces();
   const pixelexact::Progress progress = [this, window](double done)
@@ -355,27 +430,71 @@ void vtkHighOrderMapper::RenderPart(int part, vtkRenderer* renderer, vtkActor* a
     pixelexact::FrameRequest request = this->Data->Request(this, actor);
     if (request.layers.empty())
     {
-      drawer.Source().DropFrame();
+      drawer.DropFrame(renderer, actor);
+      return;
+    }
+    if (renderer->GetSelector() != nullptr)
+    {
+      drawer.Select(request, renderer, actor, this, progress);
       return;
     }
     // The opaque phase of the same picture has done that.
     request.refine = drawn != pixelexact::FramePart::Translucent || !this->HasOpaqueGeometry();
     const double rate = window->GetDesiredUpdateRate();
-    if (this->Progressive && rate >= 1.0)
+    if (this->Progressive && window->GetInteractor() != nullptr && rate >= 1.0)
     {
       request.seconds = 1.0 / rate;
     }
-    drawer.Draw(request, drawn, renderer, actor, this, progress);
+    if (const auto fitted = drawer.Draw(request, drawn, renderer, actor, this, progress))
+    {
+      this->TakeRange(*fitted);
+    }
+    this->Warn(renderer, actor);
     if (this->GetNumberOfTraces() != traces)
     {
       this->UpdateProgress(1.0);
-      this->TimeToDraw = drawer.Source().LastFrame()->counters.seconds;
+      this->TimeToDraw = drawer.LastSource()->LastFrame()->counters.seconds;
     }
   }
   catch (const pixelexact::Error& error)
   {
-    vtkErrorMacro(<< error.what());
+    drawer.DropFrame(renderer, actor);
+    for (const std::string& text : drawer.Complain(renderer, actor, { error.what() }))
+    {
+      vtkErrorMacro(<< text);
+    }
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderMapper::TakeRange(const std::array<double, 2>& range)
+{
+  // Nothing is modified: the range follows from what was.
+  std::copy(range.begin(), range.end(), this->ScalarRange);
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderMapper::Warn(vtkRenderer* renderer, vtkActor* actor)
+{
+  const bool translucent =
+    actor->GetProperty()->GetOpacity() < 1.0 || this->HasTranslucentPolygonalGeometry();
+  for (const std::string& text : this->Data->Drawer.Complain(
+         renderer, actor, pixelexact::SettingsWithoutEffect(this, actor, translucent)))
+  {
+    vtkWarningMacro(<< text);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::optional<pixelexact::PickedSample> vtkHighOrderMapper::PickSample(
+  const pixelexact::PickRay& ray, vtkActor* actor)
+{
+  const pixelexact::FrameRequest request = this->Data->Request(this, actor);
+  if (request.layers.empty())
+  {
+    return std::nullopt;
+  }
+  return pixelexact::Pick(this->Data->Picks, request, ray, this);
 }
 
 //------------------------------------------------------------------------------
@@ -386,8 +505,20 @@ void vtkHighOrderMapper::ReleaseGraphicsResources(vtkWindow* window)
 }
 
 //------------------------------------------------------------------------------
+void vtkHighOrderMapper::CreateDefaultLookupTable()
+{
+  // The superclass looks for texts among the input's arrays, which it gets as all others do.
+  if (this->LookupTable != nullptr)
+  {
+    this->LookupTable->UnRegister(this);
+  }
+  this->LookupTable = vtkLookupTable::New();
+}
+
+//------------------------------------------------------------------------------
 void vtkHighOrderMapper::ShallowCopy(vtkAbstractMapper* mapper)
 {
+  this->Superclass::ShallowCopy(mapper);
   if (auto* other = vtkHighOrderMapper::SafeDownCast(mapper))
   {
     this->SetInputConnection(
@@ -396,11 +527,11 @@ void vtkHighOrderMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetUnknownColor(other->UnknownColor);
     this->SetProgressive(other->Progressive);
     this->SetLightFlat(other->LightFlat);
+    this->SetRangeMode(other->RangeMode);
     this->Data->Cuts = other->Data->Cuts;
     this->Data->Layers = other->Data->Layers;
     this->Modified();
   }
-  this->Superclass::ShallowCopy(mapper);
 }
 
 //------------------------------------------------------------------------------
@@ -419,6 +550,11 @@ void vtkHighOrderMapper::PrintSelf(ostream& os, vtkIndent indent)
     layer->PrintSelf(os, indent.GetNextIndent());
   }
   os << indent << "LightFlat: " << (this->LightFlat ? "on" : "off") << "\n";
+  os << indent << "RangeMode: "
+     << (this->RangeMode == RANGE_AS_SET        ? "as set"
+            : this->RangeMode == RANGE_OF_FIELD ? "of the field"
+                                                : "of the cut")
+     << "\n";
   os << indent << "UnknownColor: " << int{ this->UnknownColor[0] } << ", "
      << int{ this->UnknownColor[1] } << ", " << int{ this->UnknownColor[2] } << ", "
      << int{ this->UnknownColor[3] } << "\n";

@@ -4,35 +4,47 @@
  * @brief   draws a high-order field on cut-surfaces, every pixel from the exact field
  *
  * Takes a vtkUnstructuredGrid that carries PixelExact's arrays (vtkHighOrderGrid, or what
- * vtkUnstructuredGridToHighOrderGrid made) and works with a stock vtkActor: for each pixel the
- * point where its ray meets a cut-surface is found, and the field's own polynomials are evaluated
- * there. There is no mesh of triangles and no interpolation. Pixels and depths go into the
- * framebuffer, so that ordinary geometry hides the cut and is hidden by it, to the pixel.
+ * vtkUnstructuredGridToHighOrderGrid made), or composite data of such, and works with a stock
+ * vtkActor: for each pixel the point where its ray meets a cut-surface is found, and the field's
+ * own polynomials are evaluated there. There is no mesh of triangles and no interpolation. Pixels
+ * and depths go into the framebuffer, so that ordinary geometry hides the cut and is hidden by it,
+ * to the pixel.
  *
  * - What is cut: SetCutFunction, AddCutFunction. Functions are written in the data's coordinates;
  *   the actor's matrix moves cut and field together.
  * - Which field: SetFieldName; else SelectColorArray; else SetInputArrayToProcess(0, ...); else the
  *   first field that the grid carries.
- * - Colours: the lookup table, with its VectorMode and VectorComponent, over ScalarRange or, with
- *   UseLookupTableScalarRange, over the table's own range. With ScalarVisibility off, the actor's
- *   colour. A pixel whose element could not be decided gets the UnknownColor.
+ * - Colours: the lookup table, with its VectorMode and VectorComponent (or the component of
+ *   ColorByArrayComponent), over the range of the field, of the cut, or a ScalarRange that was set
+ *   (see SetRangeMode), or, with UseLookupTableScalarRange, over the table's own range. With
+ *   ScalarVisibility off, the actor's colour. A pixel whose element could not be decided gets the
+ *   UnknownColor. EdgeVisibility draws where elements meet.
  * - Several surfaces with looks of their own: AddLayer.
  * - Light: the renderer's, by the surface's exact normals and the actor's property; planes show
  *   their colours as they are unless LightFlat is on.
  * - Opacity and visibility are the actor's, clipping planes and the resolution of coincident
- *   topology (polygon offset) the mapper's.
+ *   topology (polygon offset) the mapper's. What else stock mappers honour is honoured, or refused
+ *   by an error, or said to have no effect by a warning; the whole table is in
+ *   Module/Documentation/windows.md. Errors and warnings are told once, not in each frame.
  *
- * What is kept: the field's locator while the grid is unchanged, and the last frame while view and
- * scene are; a changed lookup table only recolours it. See GetNumberOfTraces().
+ * What is kept: the field's locator while the grid is unchanged, and for each renderer, actor and
+ * eye (of stereo windows) the last frame while view and scene are; a changed lookup table only
+ * recolours it. See GetNumberOfTraces().
  *
- * While somebody moves the scene (a window that wants a frame each second or more often, its
- * DesiredUpdateRate, as interactors set it) and exact frames take longer, coarse ones are shown:
- * blocks of 8, 4 or 2 pixels with the colour of one. Further renders of the same view refine them;
- * when the window can wait, the frame is completed, and is the same, to the bit, as one that was
- * made at once.
+ * While somebody moves the scene (a window with an interactor that wants a frame each second or
+ * more often, its DesiredUpdateRate) and exact frames take longer, coarse ones are shown: blocks of
+ * 8, 4 or 2 pixels with the colour of one. Further renders of the same view refine them; when the
+ * window can wait, the frame is completed, and is the same, to the bit, as one that was made at
+ * once. Pictures that vtkWindowToImageFilter renders are complete, too.
  *
  * Layers that are not opaque are drawn with the renderer's translucent geometry, sheet by sheet
- * with their own depths. Hardware selection does not see the cut.
+ * with their own depths.
+ *
+ * Picking: VTK's hardware selection (vtkPropPicker, vtkHardwareSelector, vtkRenderedAreaPicker)
+ * sees the pixels as those of the actor, each with the number of its source cell;
+ * vtkHighOrderPicker says all that is known of a pixel. There are no polygons: others who ask for
+ * the mapper's input (vtkCellPicker, vtkPointPicker, exporters) get an empty vtkPolyData and a
+ * warning, once between two renders, since the outside of the mesh is not what is seen.
  */
 
 #ifndef vtkHighOrderMapper_h
@@ -41,9 +53,19 @@
 #include "PixelExactRenderingModule.h"
 #include "vtkMapper.h"
 
-#include <memory> // for the implementation
-#include <string> // for the field's name
+#include <array>    // for ranges
+#include <memory>   // for the implementation
+#include <optional> // for picks
+#include <string>   // for the field's name
 
+namespace pixelexact
+{
+struct PickRay;
+struct PickedSample;
+} // namespace pixelexact
+
+class vtkCompositeDataSet;
+class vtkDataObject;
 class vtkHighOrderLayer;
 class vtkImageData;
 class vtkImplicitFunction;
@@ -59,10 +81,15 @@ public:
   ///@{
   /**
    * The grid. It may be a plain vtkUnstructuredGrid, as files and filters give them back; what
-   * counts are its arrays.
+   * counts are its arrays. Or composite data (vtkMultiBlockDataSet, vtkPartitionedDataSet,
+   * vtkPartitionedDataSetCollection) whose leaves are such grids: their elements are one scene, of
+   * the fields that all of them have, and the coefficients are copied. GetInput is null then, else
+   * GetCompositeInput. Through vtkMapper's or vtkAlgorithm's functions (vtkMapper::GetInput,
+   * GetInputDataObject) the input is an empty vtkPolyData: see the class's description.
    */
-  void SetInputData(vtkUnstructuredGrid* grid);
+  void SetInputData(vtkDataObject* data);
   vtkUnstructuredGrid* GetInput();
+  vtkCompositeDataSet* GetCompositeInput();
   ///@}
 
   ///@{
@@ -109,6 +136,32 @@ public:
   vtkBooleanMacro(LightFlat, bool);
   ///@}
 
+  /**
+   * Which range the lookup table gets.
+   */
+  enum
+  {
+    RANGE_AS_SET,   ///< ScalarRange
+    RANGE_OF_FIELD, ///< of the fields that it colours, over all of the mesh
+    RANGE_OF_CUT    ///< of the values that are seen in the view that is drawn
+  };
+
+  ///@{
+  /**
+   * The range of the mapper's lookup table, unless UseLookupTableScalarRange is on. The default is
+   * RANGE_OF_FIELD: the ends are values of the field, and none lies beyond them by more than a
+   * thousandth; it is found by the first frame and takes about as long as that. To set a
+   * ScalarRange is to choose RANGE_AS_SET. GetScalarRange gives the range of the last frame.
+   */
+  void SetRangeMode(int mode);
+  vtkGetMacro(RangeMode, int);
+  void SetRangeModeToAsSet() { this->SetRangeMode(RANGE_AS_SET); }
+  void SetRangeModeToField() { this->SetRangeMode(RANGE_OF_FIELD); }
+  void SetRangeModeToCut() { this->SetRangeMode(RANGE_OF_CUT); }
+  using vtkMapper::SetScalarRange;
+  void SetScalarRange(double lower, double upper) override;
+  ///@}
+
   ///@{
   /**
    * RGBA of the pixels whose element could not be decided. The default is magenta.
@@ -130,7 +183,8 @@ public:
    * The last frame as an image of the viewport's size, lower left pixel first, with the point
    * arrays Value, Position, Normal, Xi, Element, Depth, Verdict, Layer and Color; null before the
    * first frame and after one that failed. Positions and depths (along the unit ray) are in the
-   * data's coordinates, elements are the cells of the source.
+   * data's coordinates, elements are the cells of the source; of composite data, of the block that
+   * a further array, Block, names by its flat index.
    *
    * A frame is traced with what drawing needs; the rest is traced by the first call for a frame, as
    * is what a coarse one lacks.
@@ -150,6 +204,7 @@ public:
   void Render(vtkRenderer* renderer, vtkActor* actor) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
   void ShallowCopy(vtkAbstractMapper* mapper) override;
+  void CreateDefaultLookupTable() override;
 
   /**
    * Changes with the cut functions and layers, too.
@@ -178,13 +233,16 @@ protected:
   ~vtkHighOrderMapper() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  vtkExecutive* CreateDefaultExecutive() override;
 
   std::string FieldName;
   unsigned char UnknownColor[4] = { 255, 0, 255, 255 };
   bool Progressive = true;
   bool LightFlat = false;
+  int RangeMode = RANGE_OF_FIELD;
 
 private:
+  friend class vtkHighOrderPicker;
   friend class vtkHighOrderRayPass;
   vtkHighOrderMapper(const vtkHighOrderMapper&) = delete;
   void operator=(const vtkHighOrderMapper&) = delete;
@@ -194,6 +252,20 @@ private:
    */
   void RenderAll(vtkRenderer* renderer, vtkActor* actor);
   void RenderPart(int part, vtkRenderer* renderer, vtkActor* actor);
+  /**
+   * Of what is set and has no effect.
+   */
+  void Warn(vtkRenderer* renderer, vtkActor* actor);
+  /**
+   * The range that colours are made with.
+   */
+  void TakeRange(const std::array<double, 2>& range);
+
+  /**
+   * The first thing that a ray meets. Throws pixelexact::Error.
+   */
+  std::optional<pixelexact::PickedSample> PickSample(
+    const pixelexact::PickRay& ray, vtkActor* actor);
 
   struct Internals;
   std::unique_ptr<Internals> Data;

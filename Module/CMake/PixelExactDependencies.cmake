@@ -20,6 +20,7 @@ find_package(hwy REQUIRED)
 find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(ZLIB REQUIRED)
 find_package(pugixml REQUIRED)
+find_package(pegtl REQUIRED)
 
 # Debian's xxHash has no CMake package.
 find_path(XXHASH_INCLUDE_DIR xxhash.h REQUIRED)

@@ -1,5 +1,5 @@
 # The Python package `pixelexact`: one extension module per VTK module, and an __init__.py that
-# offers all of their classes.
+# offers all of their classes after a look at the VTK that is there.
 
 vtk_module_wrap_python(
   MODULES ${PIXELEXACT_MODULES}
@@ -16,6 +16,9 @@ foreach(module IN LISTS wrapped_modules)
   string(REPLACE "PixelExact::" "" name "${module}")
   string(APPEND PIXELEXACT_PYTHON_IMPORTS "from .${name} import *\n")
 endforeach()
-set(init_file "${PROJECT_BINARY_DIR}/${PIXELEXACT_PYTHON_DESTINATION}/pixelexact/__init__.py")
-configure_file("${CMAKE_CURRENT_LIST_DIR}/__init__.py.in" "${init_file}" @ONLY)
-install(FILES "${init_file}" DESTINATION "${PIXELEXACT_PYTHON_DESTINATION}/pixelexact")
+set(package_folder "${PROJECT_BINARY_DIR}/${PIXELEXACT_PYTHON_DESTINATION}/pixelexact")
+configure_file("${CMAKE_CURRENT_LIST_DIR}/__init__.py.in" "${package_folder}/__init__.py" @ONLY)
+configure_file("${CMAKE_CURRENT_LIST_DIR}/_vtk.py.in" "${PROJECT_BINARY_DIR}/_vtk.py.in" @ONLY)
+file(GENERATE OUTPUT "${package_folder}/_vtk.py" INPUT "${PROJECT_BINARY_DIR}/_vtk.py.in")
+install(FILES "${package_folder}/__init__.py" "${package_folder}/_vtk.py"
+  DESTINATION "${PIXELEXACT_PYTHON_DESTINATION}/pixelexact")

@@ -3,6 +3,8 @@
 
 #include "Model.h"
 
+#include "Core/Base/Counted.h"
+
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 

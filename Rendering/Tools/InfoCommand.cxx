@@ -9,6 +9,8 @@
 #include "SolverFacts.h"
 #include "StoredOrder.h"
 
+#include "Core/Base/Counted.h"
+
 #include <nlohmann/json.hpp>
 #include <vtkUnstructuredGrid.h>
 

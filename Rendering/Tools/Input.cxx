@@ -7,6 +7,7 @@
 #include "Report.h"
 #include "VtkInput.h"
 
+#include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 #include "GridCheck.h"
 #include "TimeSeries.h"
@@ -162,8 +163,8 @@ int ChooseStep(const InputRequest& request, std::span<const double> times)
   {
     if (*request.step > 0 && *request.step >= static_cast<int>(times.size()))
     {
-      throw Error("--time-step: '" + file + "' has " +
-        Counted(static_cast<std::int64_t>(times.size()), "time step") + ", counted from 0");
+      throw Error("--time-step: '" + file + "' has " + Counted(times.size(), "time step") +
+        ", counted from 0");
     }
     return *request.step;
   }
@@ -223,12 +224,21 @@ void InputRequest::AddTo(CLI::App& command, bool required)
 {
   AddArguments(command, "INPUT", files, "FILE",
     "The mesh file (.vtu, .pvtu, .pvd, .vtk, .mesh, .saved or .xml) and, where the format keeps "
-    "them apart, its field files (.gf; .fld, .chk or .rst); numbered .vtu or .pvtu files and "
-    "several Nektar++ field files make a time series")
+    "them apart, its field files (.gf; .fld, .chk or .rst); further .xml files are the rest of a "
+    "Nektar++ session or parts of its mesh; numbered .vtu or .pvtu files and several Nektar++ "
+    "field files make a time series")
     .Required(required);
   const AddedOption number = AddRead(
     command, "--time-step", [this](const std::string& text) { step = ParseStep(text); }, "N",
     "Time step, counted from 0 (default: the first)");
   AddNumber(command, "--time", time, "T", "Time; of the steps the nearest one").Excludes(number);
+  AddChoice(
+    command, "--nodes", [this](const std::string& text) { gaussLobatto = text == "gll"; },
+    { "equispaced", "gll" },
+    "Where the nodes of VTK's Lagrange cells are: equispaced (default), or at "
+    "Gauss-Lobatto-Legendre "
+    "points");
+  AddFlag(command, "--mirrored-wedges", mirroredWedges,
+    "VTK's Lagrange wedges have MFEM's order of nodes");
 }
 } // namespace pixelexact

@@ -20,6 +20,8 @@ struct InputRequest
   std::vector<std::string> files;
   std::optional<int> step; ///< counted from 0
   std::optional<double> time;
+  bool gaussLobatto = false;   ///< where the nodes of VTK's Lagrange cells are, not equispaced
+  bool mirroredWedges = false; ///< MFEM's order of the nodes of VTK's Lagrange wedges
 
   /// Declares INPUT as the command's positional arguments, and the options.
   void AddTo(CLI::App& command, bool required = true);

@@ -8,6 +8,8 @@
 
 #include "Trace/Scene.h"
 
+#include "Core/Base/Counted.h"
+
 #include <cmath>
 #include <functional>
 #include <map>
@@ -118,7 +120,7 @@ void Read(const std::string& text, std::vector<LayerSettings>& layers, Given& gi
   if (number < 1 || static_cast<std::size_t>(number) > layers.size())
   {
     Complain(text,
-      "the number is of " + Counted(static_cast<std::int64_t>(layers.size()), "surface") +
+      "the number is of " + Counted(layers.size(), "surface") +
         ", counted from 1 in the order of " + "their kinds in the help");
   }
   for (const std::string& setting : SplitAt(text.substr(colon + 1), ','))

@@ -42,11 +42,16 @@ std::string Names(const HighOrderModel& model)
   return Listed(names);
 }
 
-void Convert(LoadedModel& input, const std::string& field)
+void Convert(LoadedModel& input, const InputRequest& request, const std::string& field)
 {
   const VtkMessages messages;
   vtkNew<vtkUnstructuredGridToHighOrderGrid> converter;
   converter->SetInputData(input.grid);
+  converter->SetMirroredWedges(request.mirroredWedges);
+  if (request.gaussLobatto)
+  {
+    converter->SetNodePlacementToGaussLobatto();
+  }
   if (HasArray(*input.grid, field))
   {
     converter->AddField(field);
@@ -85,7 +90,12 @@ LoadedModel LoadModel(const InputRequest& request, const std::string& field, Sto
   {
     if (!HasHighOrderArrays(input.grid))
     {
-      Convert(input, field);
+      Convert(input, request, field);
+    }
+    else if (request.gaussLobatto || request.mirroredWedges)
+    {
+      throw Error("it holds coefficients, whose nodes nobody asks for; leave out --nodes and "
+                  "--mirrored-wedges");
     }
     input.model = HighOrderModel::From(input.grid);
   }

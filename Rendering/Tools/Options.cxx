@@ -144,10 +144,12 @@ AddedOption AddNumber(CLI::App& command, const std::string& name, std::optional<
     command, name,
     [&number, name](const std::string& text)
     {
-      if (!ParseNumber(text, number.emplace()) || !std::isfinite(*number))
+      double value = 0.0;
+      if (!ParseNumber(text, value) || !std::isfinite(value))
       {
-        Refuse(name, text, "a number");
+        Refuse(name, text, "a finite number");
       }
+      number = value;
     },
     form, help);
 }

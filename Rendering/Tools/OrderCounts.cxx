@@ -3,6 +3,8 @@
 
 #include "Report.h"
 
+#include "Core/Base/Counted.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>

@@ -6,6 +6,7 @@
 #include "Report.h"
 #include "Shot.h"
 
+#include "Core/Base/Counted.h"
 #include "Core/Location/Locator.h"
 #include "Trace/Sheets.h"
 

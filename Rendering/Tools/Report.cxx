@@ -116,11 +116,6 @@ void Note(const std::string& message)
   std::cerr << "pixelexact: " << message << '\n';
 }
 
-std::string Counted(std::int64_t count, const std::string& thing)
-{
-  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
-}
-
 std::string Listed(const std::vector<std::string>& texts)
 {
   return fmt::format("{}", fmt::join(texts, ", "));

@@ -82,9 +82,6 @@ void Warn(const std::string& message);
 /// Says on stderr what was chosen.
 void Note(const std::string& message);
 
-/// "1 pixel", "2 pixels"
-std::string Counted(std::int64_t count, const std::string& thing);
-
 /// "a, b, c"
 std::string Listed(const std::vector<std::string>& texts);
 

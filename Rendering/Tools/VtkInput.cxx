@@ -23,16 +23,34 @@ namespace
 {
 using Files = std::vector<std::string>;
 
+/// Throws Error for what VTK could not do; what it warns of becomes notes.
+void CheckMessages(
+  const VtkMessages& messages, const std::string& file, std::vector<std::string>& notes)
+{
+  for (const std::string& failure : { messages.FirstError(), messages.FirstGenericWarning() })
+  {
+    if (!failure.empty())
+    {
+      CannotRead(file, failure);
+    }
+  }
+  for (const std::string& warning : messages.Warnings())
+  {
+    notes.emplace_back("'").append(file).append("': ").append(warning).append(".");
+  }
+}
+
 InputGrid ReadStep(
   const InputRequest& request, const std::vector<TimeStep>& steps, std::vector<double> times)
 {
   InputGrid input;
   input.times = std::move(times);
   input.step = ChooseStep(request, input.times);
-  const VtkMessages messages; // keeps VTK's log off stderr; what is wrong comes as Error
+  const VtkMessages messages;
   ReadGrid read = ReadParts(steps[static_cast<std::size_t>(input.step)].parts);
   input.grid = read.grid;
   input.notes = std::move(read.notes);
+  CheckMessages(messages, request.files[0], input.notes);
   return input;
 }
 
@@ -121,27 +139,6 @@ Files SortSeries(const Files& files)
   return sorted;
 }
 
-template <class Reader>
-vtkSmartPointer<vtkUnstructuredGrid> ReadWith(Reader& reader, const std::string& file)
-{
-  const VtkMessages messages;
-  reader.SetFileName(file.c_str());
-  reader.Update();
-  if (const std::string error = messages.FirstError(); !error.empty())
-  {
-    CannotRead(file, error);
-  }
-  if (reader.GetErrorCode() != vtkErrorCode::NoError)
-  {
-    CannotRead(file, vtkErrorCode::GetStringFromErrorCode(reader.GetErrorCode()));
-  }
-  // Readers warn of what they leave out: the rest is not what the file's author meant.
-  if (const std::string warning = messages.FirstWarning(); !warning.empty())
-  {
-    CannotRead(file, warning);
-  }
-  return reader.GetOutput();
-}
 } // namespace
 
 InputGrid ReadXmlFiles(const InputRequest& request)
@@ -179,7 +176,14 @@ InputGrid ReadLegacyFile(const InputRequest& request)
   reader->ReadAllVectorsOn();
   reader->ReadAllFieldsOn();
   InputGrid input;
-  input.grid = ReadWith(*reader, file);
+  const VtkMessages messages;
+  reader->Update();
+  CheckMessages(messages, file, input.notes);
+  if (reader->GetErrorCode() != vtkErrorCode::NoError)
+  {
+    CannotRead(file, vtkErrorCode::GetStringFromErrorCode(reader->GetErrorCode()));
+  }
+  input.grid = reader->GetOutput();
   return input;
 }
 } // namespace pixelexact

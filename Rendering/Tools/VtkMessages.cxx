@@ -20,18 +20,22 @@ public:
   void DisplayText(const char* /*text*/) override {}
   void DisplayDebugText(const char* /*text*/) override {}
   void DisplayErrorText(const char* text) override { Keep(FirstError, text); }
-  void DisplayWarningText(const char* text) override { Keep(FirstWarning, text); }
-  void DisplayGenericWarningText(const char* text) override { Keep(FirstWarning, text); }
+  void DisplayGenericWarningText(const char* text) override { Keep(FirstGenericWarning, text); }
+  void DisplayWarningText(const char* text) override
+  {
+    AddOnce(Warnings, MessageEssence(text != nullptr ? text : ""));
+  }
 
   std::string FirstError;
-  std::string FirstWarning;
+  std::string FirstGenericWarning;
+  std::vector<std::string> Warnings;
 
 private:
   static void Keep(std::string& first, const char* text)
   {
     if (first.empty() && text != nullptr)
     {
-      first = text;
+      first = MessageEssence(text);
     }
   }
 };
@@ -54,11 +58,16 @@ VtkMessages::~VtkMessages()
 
 std::string VtkMessages::FirstError() const
 {
-  return MessageEssence(static_cast<RecordingWindow*>(Recorder.Get())->FirstError);
+  return static_cast<RecordingWindow*>(Recorder.Get())->FirstError;
 }
 
-std::string VtkMessages::FirstWarning() const
+std::string VtkMessages::FirstGenericWarning() const
 {
-  return MessageEssence(static_cast<RecordingWindow*>(Recorder.Get())->FirstWarning);
+  return static_cast<RecordingWindow*>(Recorder.Get())->FirstGenericWarning;
+}
+
+std::vector<std::string> VtkMessages::Warnings() const
+{
+  return static_cast<RecordingWindow*>(Recorder.Get())->Warnings;
 }
 } // namespace pixelexact

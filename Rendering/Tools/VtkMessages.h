@@ -4,6 +4,7 @@
 #include <vtkSmartPointer.h>
 
 #include <string>
+#include <vector>
 
 class vtkOutputWindow;
 
@@ -22,8 +23,11 @@ public:
 
   /// The first error, without the file name and line of VTK's sources; empty: none.
   [[nodiscard]] std::string FirstError() const;
-  /// The first warning, in the same way.
-  [[nodiscard]] std::string FirstWarning() const;
+  /// The first that VTK's functions without an object warn of, in the same way: its legacy reader's
+  /// of data that they could not read.
+  [[nodiscard]] std::string FirstGenericWarning() const;
+  /// Other warnings, each once.
+  [[nodiscard]] std::vector<std::string> Warnings() const;
 
 private:
   vtkSmartPointer<vtkOutputWindow> Before;

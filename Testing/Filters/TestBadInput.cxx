@@ -86,6 +86,13 @@ TEST(BadInput, WrongNumberOfPoints)
   degrees->InsertNextTypedTuple(given);
   grid->GetCellData()->SetHigherOrderDegrees(degrees);
   ExpectRefused(grid, { "cell 0", "contradicts", "2, 2, 3" });
+
+  vtkNew<vtkDoubleArray> halves; // cut to integers they would fit
+  halves->SetNumberOfComponents(3);
+  halves->SetName("HigherOrderDegrees");
+  halves->InsertNextTuple3(2.5, 2.5, 2.5);
+  grid->GetCellData()->SetHigherOrderDegrees(halves);
+  ExpectRefused(grid, { "cell 0", "HigherOrderDegrees of 2.5" });
 }
 
 TEST(BadInput, RationalBezier)

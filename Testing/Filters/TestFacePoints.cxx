@@ -116,7 +116,8 @@ const char* const kFiles[] = { "toroid_hex_g3_p6.vtu", "escher_tet_g3_p3.vtu",
   FOLDER("mfem_beam_hex_elast_p4", ".mesh"), FOLDER("mfem_escher_tet_p3", ".mesh"),
   FOLDER("mfem_fichera_hex_amr_g3_p3", ".mesh"), FOLDER("mfem_toroid_hex_g3_p6", ".mesh"),
   FOLDER("mfem_toroid_prism_g3_p4", ".mesh"), FOLDER("nek_allshapes_p4_p6", ".xml"),
-  FOLDER("nek_ns_cylinder_hexprism_p4", ".xml"), FOLDER("nek_ns_kovasznay_tet_p9", ".xml") };
+  FOLDER("nek_ns_cylinder_hexprism_p4", ".xml"), FOLDER("nek_ns_kovasznay_tet_p9", ".xml"),
+  FOLDER("nek_ns_pipe_prism_tet_p3", ".xml") };
 
 INSTANTIATE_TEST_SUITE_P(Files, FacePoints, ::testing::ValuesIn(kFiles),
   [](const auto& test)

@@ -138,6 +138,8 @@ const Case kCases[] = {
     "nek_ns_cylinder_paperscale_p3_u.fld", "oracle.csv", "u", 3, false },
   NEKTAR("nek_ns_kovasznay_tet_p9", "u", 9),
   NEKTAR("nek_ns_kovasznay_tet_p9", "p", 9),
+  NEKTAR("nek_ns_pipe_prism_tet_p3", "u", 3),
+  NEKTAR("nek_ns_pipe_prism_tet_p3", "p", 3),
   NEKTAR("nek_ns_prismhex_p3", "p", 3),
   NEKTAR("nek_prism_curved_p7", "u", 7),
   NEKTAR("nek_pyramid_curved_p6", "u", 6),

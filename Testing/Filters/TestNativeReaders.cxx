@@ -207,6 +207,16 @@ TEST(NativeReaders, CellsSelectedByVtkKeepTheirCoefficients)
   EXPECT_GT(points, 10);
 }
 
+/// The reader says `expected` and gives nothing.
+void ExpectRefusal(vtkHighOrderFileReader* reader, const std::string& expected)
+{
+  vtkNew<Messages> messages;
+  messages->Watch(reader);
+  reader->Update();
+  EXPECT_NE(messages->errors.find(expected), std::string::npos) << messages->errors;
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfCells(), 0);
+}
+
 TEST(NativeReaders, FieldFilesAreTimeSteps)
 {
   // The same field at two times, the second one given first.
@@ -239,6 +249,14 @@ TEST(NativeReaders, FieldFilesAreTimeSteps)
     reader->GetHighOrderOutput()->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP()), 2.5);
   EXPECT_NE(first, second);
   EXPECT_EQ(locator, &second->GetLocator());
+
+  for (const char* time : { "0.5x", "1 2", "soon", "" })
+  {
+    vtkNew<vtkNektarReader> wrong;
+    wrong->SetFileName((folder / "nek_hex_aniso_p3p5p7.xml").c_str());
+    wrong->AddFieldFileName(scratch.Write("wrong.chk", withTime(time)).c_str());
+    ExpectRefusal(wrong, "wrong.chk, <Time>");
+  }
 }
 
 TEST(NativeReaders, FoldersOfPartsAreOneField)
@@ -250,21 +268,12 @@ TEST(NativeReaders, FoldersOfPartsAreOneField)
   vtkNew<vtkNektarReader> reader;
   vtkNew<Messages> messages;
   messages->Watch(reader);
-  reader->SetFileName((folder / "nek_tet_varp.xml").c_str());
+  scratch.Write("mesh_xml/P0000000.xml", Text(folder / "nek_tet_varp.xml"));
+  reader->SetFileName(scratch.Path("mesh_xml").c_str());
   reader->AddFieldFileName(scratch.Path("u.fld").c_str());
   reader->Update();
   ASSERT_EQ(messages->errors, "");
   EXPECT_NE(HighOrderModel::From(reader->GetHighOrderOutput())->FindField("u"), nullptr);
-}
-
-/// The reader says `expected` and gives nothing.
-void ExpectRefusal(vtkHighOrderFileReader* reader, const std::string& expected)
-{
-  vtkNew<Messages> messages;
-  messages->Watch(reader);
-  reader->Update();
-  EXPECT_NE(messages->errors.find(expected), std::string::npos) << messages->errors;
-  EXPECT_EQ(reader->GetOutput()->GetNumberOfCells(), 0);
 }
 
 TEST(NativeReaders, RefuseAFieldOfAnotherMesh)
@@ -291,6 +300,28 @@ TEST(NativeReaders, RefuseWhatIsNotThere)
   ExpectRefusal(twice, "pressure");
 }
 
+TEST(NativeReaders, NamesOfPiecesAreNoted)
+{
+  // ParMesh::Save writes pieces as if each were a whole mesh; only their names tell.
+  const std::string mesh = Text(kData / "mfem49_tinyzoo_g3_p5" / "mfem49_tinyzoo_g3_p5.mesh");
+  const Scratch scratch;
+  const auto notes = [](const std::string& file)
+  {
+    vtkNew<vtkMFEMReader> reader;
+    vtkNew<Messages> messages;
+    messages->Watch(reader);
+    reader->SetFileName(file.c_str());
+    reader->Update();
+    EXPECT_EQ(messages->errors, "");
+    return messages->warnings;
+  };
+  const std::string alone = scratch.Write("a.000000", mesh);
+  EXPECT_EQ(notes(alone), "");
+  const std::string other = scratch.Write("a.000001", mesh);
+  EXPECT_NE(notes(alone).find(other), std::string::npos);
+  EXPECT_NE(notes(other).find("PrintAsOne"), std::string::npos);
+}
+
 TEST(NativeReaders, RefuseEveryTruncation)
 {
   const std::string mesh = Text(kData / "mfem49_tinyzoo_g3_p5" / "mfem49_tinyzoo_g3_p5.mesh");
@@ -308,5 +339,36 @@ TEST(NativeReaders, RefuseEveryTruncation)
     reader->SetFileName(scratch.Write("cut.xml", session.substr(0, size)).c_str());
     ExpectRefusal(reader, "cut.xml");
   }
+}
+
+TEST(NativeReaders, TimesOfNektar3AreSteps)
+{
+  const auto folder = kData / "nek_hex_aniso_p3p5p7";
+  const std::string field = Text(folder / "nek_hex_aniso_p3p5p7.fld");
+  const auto withTime = [&](const std::string& time)
+  {
+    std::string text = field;
+    return text.insert(text.find("<Metadata>"),
+      "<FIELDMETADATA><P PARAM=\"Time\"> " + time + "</P></FIELDMETADATA>");
+  };
+  const Scratch scratch;
+  vtkNew<vtkNektarReader> reader;
+  reader->SetFileName((folder / "nek_hex_aniso_p3p5p7.xml").c_str());
+  reader->AddFieldFileName(scratch.Write("b.chk", withTime("2.5")).c_str());
+  reader->AddFieldFileName(scratch.Write("a.chk", withTime("0.5")).c_str());
+  reader->UpdateInformation();
+  vtkInformation* information = reader->GetOutputInformation(0);
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  ASSERT_EQ(information->Length(Pipeline::TIME_STEPS()), 2);
+  EXPECT_EQ(information->Get(Pipeline::TIME_STEPS())[0], 0.5);
+  EXPECT_EQ(information->Get(Pipeline::TIME_STEPS())[1], 2.5);
+
+  // No number to its end is no time: the files are counted, and reading tells what is wrong.
+  scratch.Write("b.chk", withTime("2.5 s"));
+  reader->Modified();
+  reader->UpdateInformation();
+  information = reader->GetOutputInformation(0);
+  EXPECT_EQ(information->Get(Pipeline::TIME_STEPS())[1], 1.0);
+  ExpectRefusal(reader, "'s' is no number");
 }
 } // namespace

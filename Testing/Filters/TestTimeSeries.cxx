@@ -83,7 +83,11 @@ TEST_F(TimeSeries, RefusesWithTheFileNamed)
   refuse(WriteCollection(""), "lists no DataSet");
   refuse(WriteCollection("<DataSet timestep='0'/>"), "names no file");
   refuse(WriteCollection(DataSet("timestep='soon'", "a.vtu")), "soon");
-  refuse(WriteCollection(DataSet("timestep='nan'", "a.vtu")), "nan");
+  for (const std::string time : { "nan", "1 2", "1x", "1,5", "0x1", "+-1", "1e999", "" })
+  {
+    refuse(
+      WriteCollection(DataSet("timestep='" + time + "'", "a.vtu")), "'" + time + "' is no time");
+  }
   refuse(WriteCollection(DataSet("timestep='0'", "a.vtu")), "a.vtu");
   refuse(WriteCollection(DataSet("timestep='0'", "series.pvd")), "only .vtu and .pvtu");
   refuse(WriteCollection(DataSet("timestep='0'", "cut.vtp")), "no volume");

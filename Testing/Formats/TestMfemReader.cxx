@@ -180,13 +180,108 @@ TEST(MfemReader, AttributeSetsAreGroups)
   EXPECT_TRUE(model.mesh.groups[2].boundary);
 }
 
+TEST(MfemReader, PiecesOfParallelMeshesAreRefused)
+{
+  // As ParMesh::ParPrint writes them: the groups of shared entities follow the piece.
+  std::string piece = OneCube();
+  piece.replace(piece.find("v1.0"), 4, "v1.2");
+  const std::string serial = piece;
+  const std::string groups =
+    "communication_groups\nnumber_of_groups 2\n\n# number of entities in each group, followed by "
+    "ranks in group\n1 0\n2 0 1\n\ntotal_shared_vertices 4\ntotal_shared_edges 4\n"
+    "total_shared_faces 1\n";
+  piece += "\nmfem_serial_mesh_end\n\n" + groups + "\nmfem_mesh_end\n";
+  ExpectMessage(Message(piece), { "a.mesh, line", "one piece", "PrintAsOne", "SaveAsOne" });
+  // With nodes, whose numbers end where the groups begin.
+  std::string curved = piece;
+  curved.replace(curved.find("vertices\n8\n3\n") + 11, std::string(kCubeVertices).size() + 2,
+    "nodes\n" + Field("H1_3D_P1", 3, 1, kCubeVertices));
+  ExpectMessage(Message(curved), { "one piece", "SaveAsOne" });
+  ExpectMessage(Message(serial + "\n" + groups), { "one piece" });
+  const std::string stream = "mesh\n" + piece;
+  EXPECT_THROW(mfem::ReadStream({ "a.saved", stream }), Unsupported);
+  // Of a refined mesh: leaves of another rank, those of a rank that is not told.
+  ExpectMessage(
+    Message("MFEM NC mesh v1.0\ndimension\n3\nrank 1\nelements\n1\n0 1 5 0 0 1 2 3 4 5 6 7\n"),
+    { "one piece", "SaveAsOne" });
+  // The whole as the same version has it.
+  EXPECT_EQ(Message(serial + "\nmfem_mesh_end\n"), "");
+}
+
+TEST(MfemReader, NothingBehindTheDataIsPassedOver)
+{
+  ExpectMessage(Message(OneCube() + "2 2 2\n"), { "a.mesh, line", "'2'", "behind the end" });
+  ExpectMessage(Message(OneCube() + "\nmfem_mesh_end\n0 1 2\n"), { "'0'", "behind the end" });
+  ExpectMessage(Message(OneCube() + "\nsomething\n"), { "'something'" });
+  ExpectMessage(Message(OneCube(), { Field("L2_3D_P0", 1, 0, "1\nmore\n") }), { "u.gf", "'more'" });
+
+  const auto message = [](const std::string& text)
+  {
+    try
+    {
+      mfem::ReadStream({ "a.saved", text });
+    }
+    catch (const Error& error)
+    {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const std::string first = "solution\n" + OneCube() + "\n" + Field("L2_3D_P0", 1, 0, "42\n");
+  // A title may speak of meshes.
+  EXPECT_EQ(message(first + "window_title 'MFEM mesh v1.0 of a solution'\nkeys aa\n"), "");
+  ExpectMessage(message(first + "pause\n" + first), { "a.saved", "another mesh" });
+  ExpectMessage(message("mesh\n" + OneCube() + "1 1 1\n"), { "a.saved", "number" });
+}
+
+TEST(MfemReader, NumbersAreReadWhole)
+{
+  const auto field = [](const std::string& number)
+  { return Message(OneCube(), { Field("L2_3D_P0", 1, 0, number) }); };
+  for (const char* sound : { "1", "-1", "+1", "1e3", "+1.5E-3", ".5", "5." })
+  {
+    EXPECT_EQ(field(sound), "") << sound;
+  }
+  for (const char* broken : { "1x", "1,5", "+-1", "--1", "0x1p3", "1e", "1.5.2", "1d3" })
+  {
+    ExpectMessage(field(broken), { "u.gf, line", broken });
+  }
+  // Beyond the range of doubles.
+  const auto value = [](const std::string& number)
+  {
+    const SolverModel model = ReadTexts(OneCube(), { Field("L2_3D_P0", 1, 0, number) });
+    return ValueAt(model, 0, 0, { 0, 0, 0 })[0];
+  };
+  EXPECT_EQ(value("1e-400"), 0.0);
+  EXPECT_EQ(value("0." + std::string(400, '0') + "1"), 0.0);
+  EXPECT_EQ(value("0." + std::string(400, '0') + "1e401"), 1.0);
+  for (const std::string wrong : { "0 1 2 3 4 5 6 7.0", "0 1 2 3 4 5 6 +-7", "0 1 2 3 4 5 6 7x" })
+  {
+    std::string mesh = OneCube();
+    mesh.replace(mesh.find("0 1 2 3 4 5 6 7"), 15, wrong);
+    ExpectMessage(Message(mesh), { "a.mesh, line", "no whole number" });
+  }
+}
+
 TEST(MfemReader, MessagesNameFileLineAndRemedy)
 {
   ExpectMessage(Message(""), { "a.mesh, line 1", "cut short" });
   ExpectMessage(Message("hello"), { "a.mesh, line 1", "'hello'" });
   ExpectMessage(Message("MFEM mesh v7.0"), { "v7.0", "v1.0 to v1.3" });
-  ExpectMessage(Message("MFEM NURBS mesh v1.0"), { "NURBS", "SetCurvature" });
-  ExpectMessage(Message("MFEM mesh v1.0\ndimension\n2\n"), { "line 3", "2 dimensions" });
+  ExpectMessage(Message("MFEM NURBS mesh v1.0\n\ndimension\n3\n"), { "NURBS", "SetCurvature" });
+  ExpectMessage(Message("MFEM NURBS NC-patch mesh v1.0\ndimension\n3\n"), { "NURBS" });
+  ExpectMessage(
+    Message("MFEM INLINE mesh v1.0\n\ntype = hex\nnx = 2\n"), { "INLINE", "SetCurvature" });
+  // What no conversion makes a solid.
+  ExpectMessage(Message("MFEM mesh v1.0\ndimension\n1\n"), { "line 3", "1-dimensional" });
+  for (const std::string plane :
+    { "MFEM mesh v1.0\ndimension\n2\n", "MFEM NURBS mesh v1.0\n\ndimension\n2\n",
+      "MFEM NC mesh v1.0\ndimension\n2\n", "MFEM INLINE mesh v1.0\n\ntype = quad\nnx = 2\n" })
+  {
+    const std::string message = Message(plane);
+    ExpectMessage(message, { "2-dimensional", "three-dimensional" });
+    EXPECT_EQ(message.find("SetCurvature"), std::string::npos) << message;
+  }
 
   std::string mesh = OneCube();
   mesh.replace(mesh.find("elements\n1"), 10, "elements\n99999999");

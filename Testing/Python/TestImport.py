@@ -13,6 +13,7 @@ CLASSES = [
     "vtkHighOrderLayer",
     "vtkHighOrderLinearResample",
     "vtkHighOrderMapper",
+    "vtkHighOrderPicker",
     "vtkHighOrderProbe",
     "vtkHighOrderRayPass",
     "vtkHighOrderSeriesReader",
@@ -32,6 +33,18 @@ class Import(unittest.TestCase):
     def test_nothing_else_is_there(self):
         found = [name for name in dir(pixelexact) if name.startswith("vtk")]
         self.assertEqual(found, sorted(ABSTRACT + CLASSES))
+
+    def test_help_names_the_arrays(self):
+        # The wrapping takes out what looks like a tag.
+        for name, arrays in {
+            "vtkHighOrderProbe": ["`FIELD`", "`FIELD_Gradient`", "`FIELD_lower`", "`FIELD_upper`"],
+            "vtkHighOrderCertifier": ["`FIELD_lower`", "`FIELD_upper`", "`Verdict`"],
+        }.items():
+            for array in arrays:
+                self.assertIn(array, getattr(pixelexact, name).__doc__)
+        for name in ABSTRACT + CLASSES:
+            for text in [getattr(pixelexact, name), *vars(getattr(pixelexact, name)).values()]:
+                self.assertNotRegex(text.__doc__ or "", "``|`_", name)
 
     def test_version(self):
         self.assertRegex(pixelexact.__version__, r"^\d+\.\d+\.\d+$")

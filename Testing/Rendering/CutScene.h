@@ -17,11 +17,23 @@
 #include "vtkProperty.h"
 #include "vtkSphereSource.h"
 
+#include <cstring>
 #include <functional>
 #include <optional>
+#include <vector>
 
 namespace pixelexact::testing
 {
+/// The same bytes, so that NaNs are equal and signs of zeros are not.
+template <typename T>
+bool SameBytes(const std::vector<T>& ours, vtkDataArray* theirs)
+{
+  return theirs != nullptr &&
+    static_cast<std::size_t>(theirs->GetDataSize()) * theirs->GetDataTypeSize() ==
+    ours.size() * sizeof(T) &&
+    std::memcmp(ours.data(), theirs->GetVoidPointer(0), ours.size() * sizeof(T)) == 0;
+}
+
 /// The plane z = 0 through BoxGrid(2), gray by "u", and a red sphere that the plane cuts in two,
 /// in VTK's objects and in closed form.
 class CutScene

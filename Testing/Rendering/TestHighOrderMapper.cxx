@@ -6,25 +6,15 @@
 #include "vtkScalarBarActor.h"
 #include "vtkTypeInt64Array.h"
 
-#include <cstring>
-
 namespace pixelexact
 {
 namespace
 {
 using testing::CutScene;
 using testing::Rgb;
+using testing::SameBytes;
 using testing::Window;
 
-/// The same bytes, so that NaNs are equal and signs of zeros are not.
-template <typename T>
-bool SameBytes(const std::vector<T>& ours, vtkDataArray* theirs)
-{
-  return theirs != nullptr &&
-    static_cast<std::size_t>(theirs->GetDataSize()) * theirs->GetDataTypeSize() ==
-    ours.size() * sizeof(T) &&
-    std::memcmp(ours.data(), theirs->GetVoidPointer(0), ours.size() * sizeof(T)) == 0;
-}
 } // namespace
 
 TEST(HighOrderMapper, BuffersAreTheTracersBitForBit)
@@ -112,77 +102,6 @@ TEST(HighOrderMapper, OnlyWhatChangedIsDoneAgain)
   window.RenderWindow->SetSize(200, 100);
   window.RenderWindow->Render();
   EXPECT_EQ(scene.Mapper->GetNumberOfTraces(), 8);
-}
-
-TEST(HighOrderMapper, CoarseWhileTheWindowIsInAHurryExactWhenItIsNot)
-{
-  CutScene exact;
-  Window wanted;
-  wanted.Renderer->AddActor(exact.Cut);
-  CutScene::Look(wanted.Renderer, false);
-  wanted.Render();
-
-  CutScene scene;
-  Window window;
-  window.Renderer->AddActor(scene.Cut);
-  CutScene::Look(window.Renderer, false);
-  const auto differing = [&]
-  {
-    int count = 0;
-    for (int y = 0; y < Window::kHeight; ++y)
-    {
-      for (int x = 0; x < Window::kWidth; ++x)
-      {
-        count += window.Color(x, y) != wanted.Color(x, y) ? 1 : 0;
-      }
-    }
-    return count;
-  };
-  // Less than anything takes: one pass a frame, each finer than the one before.
-  window.RenderWindow->SetDesiredUpdateRate(1e9);
-  int before = Window::kWidth * Window::kHeight;
-  for (int traces = 1; traces <= 4; ++traces)
-  {
-    window.Render();
-    EXPECT_EQ(scene.Mapper->GetNumberOfTraces(), traces);
-    const int now = differing();
-    EXPECT_LT(now, before);
-    before = now;
-  }
-  EXPECT_EQ(before, 0);
-  window.Render();
-  EXPECT_EQ(scene.Mapper->GetNumberOfTraces(), 4);
-
-  // Another view, coarse; then time enough.
-  window.Renderer->GetActiveCamera()->Azimuth(20.0);
-  wanted.Renderer->GetActiveCamera()->Azimuth(20.0);
-  wanted.Render();
-  window.Render();
-  EXPECT_EQ(scene.Mapper->GetNumberOfTraces(), 5);
-  EXPECT_GT(differing(), 0);
-  window.RenderWindow->SetDesiredUpdateRate(1e-4);
-  window.Render();
-  EXPECT_EQ(scene.Mapper->GetNumberOfTraces(), 6);
-  EXPECT_EQ(differing(), 0);
-
-  // Buffers are those of the complete frame.
-  window.RenderWindow->SetDesiredUpdateRate(1e9);
-  window.Renderer->GetActiveCamera()->Azimuth(20.0);
-  wanted.Renderer->GetActiveCamera()->Azimuth(20.0);
-  wanted.Render();
-  window.Render();
-  EXPECT_GT(differing(), 0);
-  vtkDataArray* value = scene.Mapper->GetBuffers()->GetPointData()->GetArray("Value");
-  const Frame frame = scene.Traced(window.Renderer, Window::kWidth, Window::kHeight, Buffer::Value);
-  EXPECT_TRUE(SameBytes(frame.centres.value, value));
-
-  // Who does not want this, always gets exact frames.
-  scene.Mapper->ProgressiveOff();
-  window.Renderer->GetActiveCamera()->Azimuth(20.0);
-  wanted.Renderer->GetActiveCamera()->Azimuth(20.0);
-  wanted.Render();
-  window.Render();
-  EXPECT_EQ(differing(), 0);
 }
 
 TEST(HighOrderMapper, ClippingPlanesAndTheNearPlaneShowWhatIsBehind)

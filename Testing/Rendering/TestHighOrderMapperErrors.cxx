@@ -3,8 +3,8 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkImageData.h"
+#include "vtkImplicitBoolean.h"
 #include "vtkPointData.h"
-#include "vtkSuperquadric.h"
 
 #include <cstring>
 #include <limits>
@@ -77,13 +77,35 @@ TEST_F(HighOrderMapperErrors, UnknownField)
   EXPECT_TRUE(Contains(Render(), "number 3")) << Errors->Text;
 }
 
+TEST_F(HighOrderMapperErrors, AreToldOnce)
+{
+  Scene.Mapper->SetFieldName("pressure");
+  EXPECT_NE(Render(), "");
+  EXPECT_EQ(Render(), "");
+  // In another view, too.
+  vtkNew<vtkRenderer> second;
+  Window.Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
+  second->SetViewport(0.5, 0.0, 1.0, 1.0);
+  second->AddActor(Scene.Cut);
+  second->SetActiveCamera(Window.Renderer->GetActiveCamera());
+  Window.RenderWindow->AddRenderer(second);
+  EXPECT_EQ(Render(), "");
+  Scene.Mapper->SetFieldName("density");
+  EXPECT_TRUE(Contains(Render(), "'density'")) << Errors->Text;
+  // Once it was right, it is told anew.
+  Scene.Mapper->SetFieldName("u");
+  EXPECT_EQ(Render(), "");
+  Scene.Mapper->SetFieldName("density");
+  EXPECT_NE(Render(), "");
+}
+
 TEST_F(HighOrderMapperErrors, ImpossibleCuts)
 {
   Scene.Mapper->RemoveAllCutFunctions();
   EXPECT_TRUE(Contains(Render(), "SetCutFunction")) << Errors->Text;
-  vtkNew<vtkSuperquadric> superquadric;
-  Scene.Mapper->SetCutFunction(superquadric);
-  EXPECT_TRUE(Contains(Render(), "vtkSuperquadric")) << Errors->Text;
+  vtkNew<vtkImplicitBoolean> nothing;
+  Scene.Mapper->SetCutFunction(nothing);
+  EXPECT_TRUE(Contains(Render(), "vtkImplicitBoolean")) << Errors->Text;
   Scene.Mapper->SetCutFunction(Scene.Function);
   Scene.Function->SetNormal(0.0, 0.0, 0.0);
   EXPECT_TRUE(Contains(Render(), "normal")) << Errors->Text;

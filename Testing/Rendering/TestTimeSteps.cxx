@@ -2,7 +2,7 @@
 // From one time step to the next of the same mesh, what draws it keeps the locator.
 #include "BoxGrid.h"
 
-#include "FrameSource.h"
+#include "GridModel.h"
 #include "HighOrderModel.h"
 #include "vtkHighOrderMapper.h"
 
@@ -20,17 +20,17 @@ vtkSmartPointer<vtkUnstructuredGrid> NextStep(vtkUnstructuredGrid* grid)
 }
 } // namespace
 
-TEST(TimeSteps, FrameSourceKeepsTheLocator)
+TEST(TimeSteps, GridModelKeepsTheLocator)
 {
-  FrameSource source;
+  GridModel model;
   const auto first = testing::BoxGrid(2);
-  const Locator* locator = &source.ModelOf(first)->GetLocator();
+  const Locator* locator = &model.Of(first)->GetLocator();
   // Nobody else holds the model.
   const auto second = NextStep(first);
-  EXPECT_TRUE(source.ModelOf(second)->HasLocator());
-  EXPECT_EQ(&source.ModelOf(second)->GetLocator(), locator);
-  EXPECT_EQ(source.Counters().models, 2);
-  EXPECT_FALSE(source.ModelOf(testing::BoxGrid(2))->HasLocator());
+  EXPECT_TRUE(model.Of(second)->HasLocator());
+  EXPECT_EQ(&model.Of(second)->GetLocator(), locator);
+  EXPECT_EQ(model.Builds(), 2);
+  EXPECT_FALSE(model.Of(testing::BoxGrid(2))->HasLocator());
 }
 
 TEST(TimeSteps, MapperKeepsTheLocator)

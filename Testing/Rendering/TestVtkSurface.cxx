@@ -6,6 +6,7 @@
 #include "vtkBox.h"
 #include "vtkCone.h"
 #include "vtkCylinder.h"
+#include "vtkImplicitBoolean.h"
 #include "vtkImplicitTorus.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
@@ -226,7 +227,83 @@ void ExpectZerosMovedOrNot(Function* function)
   function->SetTransform(transform);
   ExpectZerosOf(function, { 0.1, 0.0, 0.2 }, 1.0);
 }
+
+/// Whether the ray's hits have this status, and the function the other sign beyond each.
+void ExpectSignsChange(vtkImplicitFunction* function, const Surface& surface, HitStatus status)
+{
+  RandomRays random(8);
+  int count = 0;
+  for (int k = 0; k < 400; ++k)
+  {
+    const Vec3 origin = random.Vector(3.0);
+    const Ray ray{ origin, glm::normalize(random.Vector(0.8) - origin) };
+    for (const Hit& hit : HitsOf(surface, ray))
+    {
+      const auto value = [&](double t)
+      {
+        const Vec3 x = ray.origin + t * ray.direction;
+        return function->FunctionValue(x.x, x.y, x.z);
+      };
+      EXPECT_LT(value(hit.t - 1e-7) * value(hit.t + 1e-7), 0.0);
+      EXPECT_EQ(hit.status, status);
+      ++count;
+    }
+  }
+  EXPECT_GT(count, 300);
+}
+constexpr SurfaceSearch kSearch{ { Vec3(-2.0), Vec3(2.0) }, 200 };
 } // namespace
+
+TEST(VtkSurface, BooleansAreMadeOfTheirPartsHits)
+{
+  vtkNew<vtkSphere> sphere;
+  sphere->SetRadius(0.9);
+  vtkNew<vtkBox> box;
+  box->SetBounds(-0.5, 1.5, -0.4, 1.0, -0.6, 0.7);
+  vtkNew<vtkCylinder> cylinder;
+  cylinder->SetRadius(0.3);
+  vtkNew<vtkTransform> turned;
+  turned->RotateX(70.0);
+  cylinder->SetTransform(turned);
+  for (const int operation : { vtkImplicitBoolean::VTK_UNION, vtkImplicitBoolean::VTK_INTERSECTION,
+         vtkImplicitBoolean::VTK_DIFFERENCE })
+  {
+    vtkNew<vtkImplicitBoolean> inner;
+    inner->SetOperationType(operation);
+    inner->AddFunction(sphere);
+    inner->AddFunction(box);
+    vtkNew<vtkImplicitBoolean> outer;
+    outer->SetOperationTypeToDifference();
+    outer->AddFunction(inner);
+    outer->AddFunction(cylinder);
+    ExpectSignsChange(outer, *ToSurface(outer), HitStatus::Certain);
+    // Moved as a whole it is searched for.
+    outer->SetTransform(turned);
+    EXPECT_THROW((void)ToSurface(outer), Unsupported);
+    ExpectSignsChange(outer, *ToSurface(outer, kSearch), HitStatus::Numeric);
+  }
+  vtkNew<vtkImplicitBoolean> magnitudes;
+  magnitudes->SetOperationTypeToUnionOfMagnitudes();
+  magnitudes->AddFunction(sphere);
+  EXPECT_THROW((void)ToSurface(magnitudes, kSearch), Error);
+  vtkNew<vtkImplicitBoolean> empty;
+  EXPECT_THROW((void)ToSurface(empty, kSearch), Error);
+}
+
+TEST(VtkSurface, AnyOtherFunctionIsSearchedFor)
+{
+  vtkNew<vtkSuperquadric> superquadric;
+  superquadric->SetSize(1.0);
+  superquadric->SetPhiRoundness(0.7);
+  ExpectSignsChange(superquadric, *ToSurface(superquadric, kSearch), HitStatus::Numeric);
+  vtkNew<vtkPerspectiveTransform> perspective;
+  const double matrix[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0.1, 0.05, 0, 1 };
+  perspective->SetMatrix(matrix);
+  vtkNew<vtkSphere> sphere;
+  sphere->SetRadius(0.8);
+  sphere->SetTransform(perspective);
+  ExpectSignsChange(sphere, *ToSurface(sphere, kSearch), HitStatus::Numeric);
+}
 
 TEST(VtkSurface, CurvedFunctionsAndBodies)
 {

@@ -7,7 +7,7 @@ import unittest
 
 import numpy as np
 
-from tool import CASES, ToolTest, case, plain_grid, read_csv, run, unit_cube_grid
+from tool import CASES, DATA, ToolTest, case, plain_grid, read_csv, run, unit_cube_grid
 
 
 class FileTest(ToolTest):
@@ -127,6 +127,88 @@ class BadFiles(FileTest):
         for length in range(0, len(text), 7):
             done = run("info", self.write("cut.vtk", text[:length]))
             self.assertIn(done.returncode, [0, 1], f"{length}: {done.stderr}")
+
+
+class Nodes(FileTest):
+    """Lagrange cells whose nodes are not where VTK has them."""
+
+    def test_gauss_lobatto_nodes(self):
+        # A hexahedron of order 3, [0,1]^3, with u = x^3; nodes by VTK's classes.
+        from vtkmodules.vtkCommonDataModel import vtkLagrangeHexahedron
+
+        g = [0.0, (1 - 5**-0.5) / 2, (1 + 5**-0.5) / 2, 1.0]
+        points = np.zeros((64, 3))
+        for i, j, k in np.ndindex(4, 4, 4):
+            index = vtkLagrangeHexahedron.PointIndexFromIJK(i, j, k, [3, 3, 3])
+            points[index] = g[i], g[j], g[k]
+        text = plain_grid(points, [(72, list(range(64)))], [("u", points[:, 0] ** 3)])
+        # VTK's readers number the nodes of files before version 2.2 anew.
+        path = self.write("gll.vtu", text.replace('"1.0" byte_order', '"2.2" byte_order'))
+        self.assertIn("--nodes gll", self.succeeds("info", path).stderr)
+        self.assertEqual(self.succeeds("info", path, "--nodes", "gll").stderr, "")
+        at = self.write("points.csv", "x,y,z\n.3,.4,.6\n")
+        out = self.folder / "out.csv"
+        probe = ["probe", path, "--field", "u", "--points", at, "--output", out]
+        self.succeeds(*probe, "--nodes", "gll")
+        self.assertAlmostEqual(float(read_csv(out)[0]["value"]), 0.3**3, delta=1e-15)
+        self.succeeds(*probe, "--nodes", "equispaced")
+        self.assertGreater(abs(float(read_csv(out)[0]["value"]) - 0.3**3), 1e-3)
+        self.fails(2, "info", path, "--nodes", "fekete", names=["--nodes"])
+
+    def test_coefficients_have_no_nodes(self):
+        folder = DATA / "mfem49_tinyzoo_g3_p5"
+        mesh = folder / f"{folder.name}.mesh"
+        self.fails(1, "info", mesh, "--nodes", "gll", names=[mesh, "--nodes"])
+        self.fails(1, "info", mesh, "--mirrored-wedges", names=[mesh, "--mirrored-wedges"])
+
+
+class Warnings(FileTest):
+    """What VTK warns of is handed on, and the file is read."""
+
+    KEY = "Could not locate key vtkExodusIIReader::GLOBAL_TEMPORAL_VARIABLE"
+
+    def reads_with_a_warning(self, path):
+        done = self.succeeds("info", path)
+        self.assertEqual(done.stderr.count(self.KEY), 1, done.stderr)
+        self.assertIn(f"pixelexact: warning: '{path}': ", done.stderr)
+        self.assertIn("u: scalar", done.stdout)
+        self.assertEqual(len(self.summary("info", path)["diagnostics"]), 1)
+
+    def test_keys_of_modules_that_are_not_there(self):
+        # As ParaView saves what it read from Exodus files.
+        key = (
+            '<InformationKey name="GLOBAL_TEMPORAL_VARIABLE" location="vtkExodusIIReader">0'
+            "</InformationKey>\n</DataArray>"
+        )
+        text = unit_cube_grid([("u", np.arange(8.0)), ("v", np.arange(8.0))])
+        head, points = text.split("</PointData>")
+        self.reads_with_a_warning(
+            self.write("exodus.vtu", head.replace("</DataArray>", key) + "</PointData>" + points)
+        )
+        head = "# vtk DataFile Version 5.1\nx\nASCII\nDATASET UNSTRUCTURED_GRID\n"
+        points = "POINTS 4 double\n0 0 0 1 0 0 0 1 0 0 0 1\n"
+        cells = (
+            "CELLS 2 4\nOFFSETS vtktypeint64\n0 4\nCONNECTIVITY vtktypeint64\n0 1 2 3\n"
+            "CELL_TYPES 1\n10\n"
+        )
+        field = (
+            "POINT_DATA 4\nSCALARS u double 1\nLOOKUP_TABLE default\n0 1 2 3\nMETADATA\n"
+            "INFORMATION 1\nNAME GLOBAL_TEMPORAL_VARIABLE LOCATION vtkExodusIIReader\nDATA 0\n\n"
+        )
+        self.reads_with_a_warning(self.write("exodus.vtk", head + points + cells + field))
+
+    def test_data_that_cannot_be_read_stay_an_error(self):
+        head = "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\n"
+        points = "POINTS 4 double\n0 0 0 1 0 0 0 1 0 0 0 1\n"
+        cells = "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n"
+        field = "POINT_DATA 4\nSCALARS u double 1\nLOOKUP_TABLE default\n0 1 "
+        for rest in ["", "x 3\n", "2,5 3\n", "2.5x 3\n"]:
+            self.refuses(self.write("field.vtk", head + points + cells + field + rest))
+        for broken in ["0,5", "0.5x", "x"]:
+            text = head + points.replace("0 1 0", f"0 {broken} 0") + cells
+            self.refuses(self.write("points.vtk", text))
+            sound = unit_cube_grid()
+            self.refuses(self.write("points.vtu", sound.replace("1.0 0.0 0.0", f"1.0 {broken} 0.0")))
 
 
 class Truncated(ToolTest):

@@ -159,6 +159,16 @@ class WrongUsage(ToolTest):
         for number in ["0", "-1", "two", "1.5", ""]:
             self.fails(2, "info", self.cube, "--threads", number)
 
+    def test_numbers_are_read_whole(self):
+        # 010 is ten, not the eight of C.
+        self.succeeds("info", self.cube, "--threads", "010")
+        for number in ["0x2", "2x", "1e1", "+-2", "2 3", "99999999999"]:
+            self.fails(2, "info", self.cube, "--threads", number, names=["--threads", number])
+            self.fails(2, "info", self.cube, "--time-step", number, names=["--time-step"])
+        for number in ["0x1p3", "1x", "1,5", "nan", "inf", "1e999", "1 2", ""]:
+            self.fails(2, "info", self.cube, "--time", number, names=["--time"])
+            self.fails(2, *self.render(*MIDDLE, "--view-angle", number), names=["--view-angle"])
+
     def test_sizes(self):
         for size in ["0x5", "5x0", "5", "x", "5x", "-5x5", "5x5x5", "5.0x5", "5 x 5", "", "5X5"]:
             self.fails(2, *self.render(*MIDDLE, "--size", size), names=["--size"])

@@ -2,6 +2,7 @@
 #include "Formats/MFEM/MeshFile.h"
 
 #include "Formats/MFEM/GeometryTable.h"
+#include "Formats/MFEM/MeshFormat.h"
 #include "Formats/MFEM/RefinementForest.h"
 
 #include <algorithm>
@@ -85,7 +86,7 @@ bool ReadSection(TextScanner& scanner, MeshFile& mesh, Sections& seen)
 {
   const std::string_view section = scanner.Peek();
   if (seen.vertices && section != "nodes" && section != "communication_groups" &&
-    section != "mfem_mesh_end")
+    section != "mfem_mesh_end" && section != "mfem_serial_mesh_end")
   {
     return false;
   }
@@ -125,10 +126,9 @@ bool ReadSection(TextScanner& scanner, MeshFile& mesh, Sections& seen)
   {
     return false;
   }
-  else if (section == "communication_groups")
+  else if (section == "communication_groups" || section == "mfem_serial_mesh_end")
   {
-    scanner.FailUnsupported("this is one piece of a parallel mesh; save the whole mesh "
-                            "(ParMesh::PrintAsOne or SaveAsOne) and read that.");
+    RefusePiece(scanner, "it has the section '" + std::string(section) + "'");
   }
   else
   {
@@ -218,16 +218,6 @@ MeshFile ReadConforming(TextScanner& scanner, bool legacy)
 }
 } // namespace
 
-void RequireThreeDimensions(TextScanner& scanner)
-{
-  const int dimension = scanner.Integer("the dimension");
-  if (dimension != 3)
-  {
-    scanner.FailUnsupported("the mesh has " + std::to_string(dimension) +
-      (dimension == 1 ? " dimension" : " dimensions") + "; only three-dimensional ones are read.");
-  }
-}
-
 Cell ReadCell(TextScanner& scanner, int vertices, bool solid)
 {
   Cell cell;
@@ -251,35 +241,16 @@ Cell ReadCell(TextScanner& scanner, int vertices, bool solid)
 
 MeshFile ReadMesh(TextScanner& scanner)
 {
-  scanner.Expect("MFEM");
-  const std::string_view kind = scanner.Word("the kind of mesh");
-  if (kind == "NURBS" || kind == "INLINE")
+  switch (ReadMeshFormat(scanner))
   {
-    scanner.FailUnsupported(std::string(kind) +
-      " meshes are not read; load the mesh with MFEM, give it polynomial nodes "
-      "(Mesh::SetCurvature) and save that.");
+    case MeshFormat::Nonconforming:
+      return ReadNonconforming(scanner, false);
+    case MeshFormat::NonconformingScaled:
+      return ReadNonconforming(scanner, true);
+    case MeshFormat::Legacy:
+      return ReadConforming(scanner, true);
+    default:
+      return ReadConforming(scanner, false);
   }
-  if (kind == "NC")
-  {
-    scanner.Expect("mesh");
-    const std::string_view version = scanner.Word("the version");
-    if (version != "v1.0" && version != "v1.1")
-    {
-      scanner.FailUnsupported("version " + std::string(version.substr(0, 10)) +
-        " of non-conforming meshes is not known; v1.0 and v1.1 are.");
-    }
-    return ReadNonconforming(scanner, version == "v1.1");
-  }
-  if (kind != "mesh")
-  {
-    scanner.Fail("this is no MFEM mesh; its first line should be 'MFEM mesh v1.0' or alike.");
-  }
-  const std::string_view version = scanner.Word("the version");
-  if (version != "v1.0" && version != "v1.1" && version != "v1.2" && version != "v1.3")
-  {
-    scanner.FailUnsupported("version " + std::string(version.substr(0, 10)) +
-      " of meshes is not known; v1.0 to v1.3 are.");
-  }
-  return ReadConforming(scanner, version == "v1.1");
 }
 } // namespace pixelexact::mfem

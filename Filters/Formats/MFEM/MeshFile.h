@@ -32,9 +32,6 @@ struct MeshFile
 /// Unsupported.
 MeshFile ReadMesh(TextScanner& scanner);
 
-/// Reads the dimension; throws Unsupported for others than three.
-void RequireThreeDimensions(TextScanner& scanner);
-
 /// An element or a boundary element: attribute, geometry, vertices below `vertices`.
 Cell ReadCell(TextScanner& scanner, int vertices, bool solid);
 } // namespace pixelexact::mfem

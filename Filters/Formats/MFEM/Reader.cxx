@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/MFEM/Reader.h"
 
+#include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 #include "Formats/Assembly.h"
 #include "Formats/FileText.h"
 #include "Formats/MFEM/FunctionSpace.h"
 #include "Formats/MFEM/GeometryTable.h"
+#include "Formats/MFEM/MeshFormat.h"
+#include "Formats/MFEM/StreamCommands.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -41,10 +44,12 @@ void RequireValues(const GridFunctionFile& file, const FunctionSpace& space,
   const std::int64_t expected = space.Size() * file.components;
   if (static_cast<std::int64_t>(file.values.size()) != expected)
   {
-    throw InvalidData(where + " holds " + std::to_string(file.values.size()) + " values, but " +
+    throw InvalidData(where + " holds " + Counted(file.values.size(), "value") + ", but " +
       file.collection + " with VDim " + std::to_string(file.components) + " on this mesh of " +
-      std::to_string(mesh.elements.size()) + " elements has " + std::to_string(expected) +
-      "; the file is cut short or belongs to another mesh.");
+      Counted(mesh.elements.size(), "element") + " has " + std::to_string(expected) +
+      "; the file is cut short, holds one piece of a parallel one (save it with SaveAsOne) or "
+      "belongs "
+      "to another mesh.");
   }
 }
 
@@ -151,7 +156,7 @@ void ModelBuilder::AddGroups()
   {
     Model.notes.push_back(MeshName + ": " +
       std::to_string(File.boundary.size() - mesh.boundary.size()) + " of " +
-      std::to_string(File.boundary.size()) + " boundary elements are no face of an element.");
+      Counted(File.boundary.size(), "boundary element") + " are no face of an element.");
   }
   mesh.groups = std::move(File.groups);
 }
@@ -194,7 +199,12 @@ std::string FieldName(const std::string& path)
 MeshFile ParseMesh(const NamedText& text)
 {
   TextScanner scanner(text);
-  return ReadMesh(scanner);
+  MeshFile mesh = ReadMesh(scanner);
+  if (!scanner.Peek().empty())
+  {
+    scanner.FailAtWord("behind the end of the mesh");
+  }
+  return mesh;
 }
 
 GridFunctionFile ParseGridFunction(const NamedText& text)
@@ -203,7 +213,7 @@ GridFunctionFile ParseGridFunction(const NamedText& text)
   GridFunctionFile file = ReadGridFunction(scanner);
   if (!scanner.Peek().empty())
   {
-    scanner.Fail("there is something else than numbers behind the header.");
+    scanner.FailAtWord("among the numbers behind the header");
   }
   return file;
 }
@@ -214,14 +224,6 @@ Result LoadFile(const std::string& path, Result (*parse)(const NamedText&))
 {
   const std::string text = ReadFileText(path);
   return parse({ path, text });
-}
-
-/// What may stand before a mesh in a stream.
-bool IsStreamKeyword(std::string_view word)
-{
-  return word == "solution" || word == "mesh" || word == "fem3d_data" || word == "vfem3d_data" ||
-    word == "fem3d_gf_data" || word == "vfem3d_gf_data" || word == "fem3d_gf_data_keys" ||
-    word == "vfem3d_gf_data_keys";
 }
 } // namespace
 
@@ -238,6 +240,13 @@ SolverModel Read(const NamedText& mesh, const std::vector<NamedText>& gridFuncti
 SolverModel ReadFiles(const std::string& mesh, const std::vector<std::string>& gridFunctions)
 {
   ModelBuilder builder(LoadFile(mesh, &ParseMesh), mesh);
+  if (const std::string other = OtherPiece(mesh); !other.empty())
+  {
+    builder.Model.notes.push_back(mesh +
+      ": its name is that of one piece of a parallel mesh, and '" + other +
+      "' of another; what is shown may not be the whole. Save the whole mesh " +
+      "(ParMesh::PrintAsOne or SaveAsOne) and read that.");
+  }
   for (const std::string& file : gridFunctions)
   {
     builder.AddField(LoadFile(file, &ParseGridFunction), file, FieldName(file));
@@ -248,27 +257,17 @@ SolverModel ReadFiles(const std::string& mesh, const std::vector<std::string>& g
 SolverModel ReadStream(const NamedText& saved)
 {
   TextScanner scanner(saved);
-  const std::string_view keyword = scanner.Peek();
-  if (keyword == "parallel" || keyword == "quadrature")
-  {
-    scanner.FailUnsupported("streams of the kind '" + std::string(keyword) +
-      "' are not read; send the whole solution as one grid function.");
-  }
-  if (!IsStreamKeyword(keyword))
-  {
-    scanner.Fail("this is no GLVis stream: it should begin with 'solution' or 'mesh'.");
-  }
-  scanner.Word("the kind of stream");
+  const bool hasField = ReadStreamKeyword(scanner);
   ModelBuilder builder(ReadMesh(scanner), saved.name);
   if (scanner.Peek() == "mfem_mesh_end")
   {
     scanner.Word("the end of the mesh");
   }
-  // What follows the numbers are commands to GLVis.
-  if (keyword != "mesh")
+  if (hasField)
   {
     builder.AddField(ReadGridFunction(scanner), saved.name, "solution");
   }
+  SkipCommands(scanner);
   return std::move(builder.Model);
 }
 } // namespace pixelexact::mfem

@@ -22,7 +22,7 @@ SolverModel Read(const NamedText& mesh, const std::vector<NamedText>& gridFuncti
 /// The same from files, one after the other: no more than one file's text is in memory at a time.
 SolverModel ReadFiles(const std::string& mesh, const std::vector<std::string>& gridFunctions);
 
-/// A GLVis stream: keyword, mesh, grid function (named `solution`), commands. Several in one file:
-/// the last one, with a note.
+/// A GLVis stream: keyword, mesh, grid function (named `solution`), commands. Throws as Read, also
+/// where several streams follow each other.
 SolverModel ReadStream(const NamedText& saved);
 } // namespace pixelexact::mfem

@@ -3,6 +3,7 @@
 
 #include "Formats/MFEM/GeometryTable.h"
 #include "Formats/MFEM/HilbertCurve.h"
+#include "Formats/MFEM/MeshFormat.h"
 #include "Formats/MFEM/VertexHierarchy.h"
 
 #include <algorithm>
@@ -118,8 +119,7 @@ void Forest::ReadElement(int index, int count)
   }
   if (rank != Rank)
   {
-    Scanner.FailUnsupported("this is one piece of a parallel mesh (rank " + std::to_string(rank) +
-      " beside " + std::to_string(Rank) + "); save the whole mesh and read that.");
+    RefusePiece(Scanner, "rank " + std::to_string(rank) + " beside " + std::to_string(Rank));
   }
   for (int& node : std::span(element.cell.vertices).first(TableOf(element.cell.geometry).vertices))
   {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/MFEM/TextScanner.h"
 
+#include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
+#include "Core/Base/ParseWhole.h"
 
 #include <algorithm>
-#include <charconv>
-#include <limits>
 
 namespace pixelexact::mfem
 {
@@ -27,37 +27,16 @@ std::string Quote(std::string_view word)
   return "'" + text + (word.size() > kLongestQuote ? "...'" : "'");
 }
 
-/// The whole word as a number; MFEM may write a plus sign.
-template <class T>
-bool Parse(std::string_view word, T& value)
-{
-  if (word.starts_with('+'))
-  {
-    word.remove_prefix(1);
-  }
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  return error == std::errc() && end == word.data() + word.size();
-}
-
-/// As Parse; numbers beyond the range of doubles become zero or infinite, as the C library has it.
+/// As ParseWhole; numbers beyond the range of doubles, within that of long double, become zero or
+/// infinite, as the C library has it.
 bool ParseReal(std::string_view word, double& value)
 {
-  if (Parse(word, value))
-  {
-    return true;
-  }
-  if (word.starts_with('+'))
-  {
-    word.remove_prefix(1);
-  }
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc::result_out_of_range || end != word.data() + word.size())
+  long double wide = 0.0L;
+  if (!ParseWhole(word, value) && !ParseWhole(word, wide))
   {
     return false;
   }
-  const bool tiny = word.find("e-") != word.npos || word.find("E-") != word.npos;
-  value = tiny ? 0.0 : std::numeric_limits<double>::infinity();
-  value = word.starts_with('-') ? -value : value;
+  value = wide == 0.0L ? value : static_cast<double>(wide);
   return true;
 }
 } // namespace
@@ -128,7 +107,7 @@ int TextScanner::Integer(const char* what)
 {
   const std::string_view word = Word(what);
   int value = 0;
-  if (!Parse(word, value))
+  if (!ParseWhole(word, value))
   {
     Fail("found " + Quote(word) + " where " + what + " should stand; it is no whole number.");
   }
@@ -152,7 +131,7 @@ int TextScanner::Count(const char* what, std::size_t bytes)
   if (value < 0 || static_cast<std::size_t>(value) > Remaining() / bytes + 1)
   {
     Fail(std::string(what) + " is " + std::to_string(value) + ", but the file has only " +
-      std::to_string(Remaining()) + " more bytes; it is cut short or damaged.");
+      Counted(Remaining(), "more byte") + "; it is cut short or damaged.");
   }
   return value;
 }
@@ -215,6 +194,12 @@ std::string TextScanner::Place() const
 void TextScanner::Fail(const std::string& problem) const
 {
   throw InvalidData(Place() + problem);
+}
+
+void TextScanner::FailAtWord(const std::string& place)
+{
+  Fail("found " + Quote(Peek()) + " " + place + ", where nothing of that kind should stand; the " +
+    "file is damaged or of another format.");
 }
 
 void TextScanner::FailUnsupported(const std::string& problem) const

@@ -45,6 +45,8 @@ public:
   /// Throws InvalidData or Unsupported: "<file>, line <n>: <problem>".
   [[noreturn]] void Fail(const std::string& problem) const;
   [[noreturn]] void FailUnsupported(const std::string& problem) const;
+  /// Fails because of the next word, which should not stand in this place.
+  [[noreturn]] void FailAtWord(const std::string& place);
 
 private:
   void SkipBlanks();

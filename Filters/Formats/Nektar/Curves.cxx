@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/Nektar/Curves.h"
 
+#include "Formats/Nektar/CurvePoints.h"
+
 #include <algorithm>
 #include <optional>
 
@@ -21,9 +23,8 @@ constexpr PointType kPointTypes[] = {
   { "GaussLobattoLegendre", 4, Distribution::GaussLobatto },
   { "GaussLobattoChebyshev", 8, Distribution::LobattoChebyshev },
   { "NodalTriEvenlySpaced", 24, Distribution::TriangleEquispaced },
-  { "NodalTriElec", 22, Distribution::TriangleWarped },
-  { "NodalTriFekete", 23, Distribution::TriangleWarped },
-  { "NodalTriSPI", 29, Distribution::TriangleWarped },
+  { "NodalTriElec", 22, Distribution::TriangleElectrostatic },
+  { "NodalTriFekete", 23, Distribution::TriangleFekete },
 };
 
 /// A curve's record in a compressed file.
@@ -43,12 +44,6 @@ struct PointRecord
   Point x;
 };
 
-bool IsTriangular(Distribution distribution)
-{
-  return distribution == Distribution::TriangleEquispaced ||
-    distribution == Distribution::TriangleWarped;
-}
-
 /// The order of a curve of so many points, or nothing.
 std::optional<int> OrderOf(std::size_t points, bool face, bool triangular)
 {
@@ -66,8 +61,9 @@ std::optional<int> OrderOf(std::size_t points, bool face, bool triangular)
 class CurveReader
 {
 public:
-  CurveReader(const Document& document, Geometry& geometry)
+  CurveReader(const Document& document, const Transform& transform, Geometry& geometry)
     : File(document)
+    , Place(transform)
     , Target(geometry)
   {
   }
@@ -76,41 +72,51 @@ public:
   {
     for (const auto& node : curved.children())
     {
-      const std::string_view tag = node.name();
-      if (tag == "E" || tag == "F")
+      const bool face = std::string_view(node.name()) == "F";
+      if (node.type() != pugi::node_element)
       {
-        const auto numbers = File.Numbers(node);
-        std::vector<Point> points(numbers.size() / 3);
-        for (std::size_t i = 0; i < points.size(); ++i)
-        {
-          std::copy_n(&numbers[3 * i], 3, points[i].begin());
-        }
-        const std::string_view type = Trim(node.attribute("TYPE").value());
-        const auto* known = std::ranges::find(kPointTypes, type, &PointType::name);
-        const std::int64_t expected = File.Id(node, "NUMPOINTS");
-        if (3 * static_cast<std::size_t>(expected) != numbers.size())
-        {
-          File.Fail(node,
-            "there are " + std::to_string(numbers.size()) + " coordinates for " +
-              std::to_string(expected) + " points.");
-        }
-        Add(node, tag == "F", File.Id(node, tag == "F" ? "FACEID" : "EDGEID"),
-          known == std::end(kPointTypes) ? nullptr : known, std::string(type), std::move(points));
+        continue;
       }
+      if (!face && std::string_view(node.name()) != "E")
+      {
+        File.FailUnsupported(node, "curves are those of edges (E) and faces (F); this is neither.");
+      }
+      const auto numbers = File.Numbers(node);
+      const std::int64_t expected = File.Id(node, "NUMPOINTS");
+      if (numbers.size() % 3 != 0 || static_cast<std::size_t>(expected) != numbers.size() / 3)
+      {
+        File.Fail(node,
+          "there are " + std::to_string(numbers.size()) + " coordinates for " +
+            std::to_string(expected) + " points.");
+      }
+      std::vector<Point> points(numbers.size() / 3);
+      for (std::size_t i = 0; i < points.size(); ++i)
+      {
+        std::copy_n(&numbers[3 * i], 3, points[i].begin());
+      }
+      const std::string_view type = Trim(node.attribute("TYPE").value());
+      const auto* known = std::ranges::find(kPointTypes, type, &PointType::name);
+      Add(node, face, File.Id(node, face ? "FACEID" : "EDGEID"),
+        known == std::end(kPointTypes) ? nullptr : known, std::string(type), std::move(points));
+    }
+    if (Place != Transform{} && curved.child("F"))
+    {
+      Target.notes.push_back(File.Name() +
+        ": the points of its curved faces are scaled and moved as its vertices are; Nektar++ "
+        "itself leaves those of an uncompressed file where they are.");
     }
   }
 
   void ReadCompressed(const pugi::xml_node& curved)
   {
-    const pugi::xml_node data = curved.child("DATAPOINTS");
+    const pugi::xml_node data = File.Only(curved, "DATAPOINTS");
     const auto index =
-      File.Records<std::int64_t>(data.child("INDEX"), File.MostBytes() / sizeof(std::int64_t));
+      File.Records<std::int64_t>(File.Only(data, "INDEX"), File.MostBytes() / sizeof(std::int64_t));
     const auto points =
-      File.Records<PointRecord>(data.child("POINTS"), File.MostBytes() / sizeof(PointRecord));
+      File.Records<PointRecord>(File.Only(data, "POINTS"), File.MostBytes() / sizeof(PointRecord));
     for (const char* tag : { "E", "F" })
     {
-      const pugi::xml_node node = curved.child(tag);
-      if (node)
+      if (const pugi::xml_node node = File.Only(curved, tag))
       {
         for (const auto& record :
           File.Records<CurveRecord>(node, File.MostBytes() / sizeof(CurveRecord)))
@@ -157,8 +163,8 @@ private:
     {
       File.FailUnsupported(node,
         "the points of " + name + " are of type '" + typeName.substr(0, 40) +
-          "', which is not read; PolyEvenlySpaced, GaussLobattoLegendre and NodalTriEvenlySpaced "
-          "are.");
+          "', which is not read; PolyEvenlySpaced, GaussLobattoLegendre, GaussLobattoChebyshev, "
+          "NodalTriEvenlySpaced, NodalTriElec and NodalTriFekete are.");
     }
     const bool triangular = IsTriangular(type->distribution);
     const auto order = OrderOf(points.size(), face, triangular);
@@ -168,12 +174,12 @@ private:
         name + " has " + std::to_string(points.size()) + " points, which makes no curve of type " +
           type->name + ".");
     }
-    if (type->distribution == Distribution::TriangleWarped && *order > 3)
+    if (*order > HighestOrder(type->distribution))
     {
       File.FailUnsupported(node,
         "the points of " + name + " are of type " + type->name + " and order " +
-          std::to_string(*order) +
-          "; above order 3 only NodalTriEvenlySpaced is read (NekMesh can write it).");
+          std::to_string(*order) + "; up to order " +
+          std::to_string(HighestOrder(type->distribution)) + " they are read.");
     }
     int* slot = nullptr;
     if (face)
@@ -193,19 +199,37 @@ private:
     // A piece of a larger mesh may keep curves of what is elsewhere.
     if (slot)
     {
-      *slot = static_cast<int>(Target.curves.size());
-      Target.curves.push_back({ type->distribution, *order, std::move(points) });
+      std::ranges::transform(points, points.begin(), Place);
+      Insert(node, name, { type->distribution, *order, std::move(points) }, *slot);
+    }
+  }
+
+  void Insert(const pugi::xml_node& node, const std::string& name, Curve&& curve, int& slot)
+  {
+    if (slot < 0)
+    {
+      slot = static_cast<int>(Target.curves.size());
+      Target.curves.push_back(std::move(curve));
+    }
+    else if (!(Target.curves[slot] == curve))
+    {
+      File.Fail(node,
+        "the points of " + name +
+          " are there twice, and not the same; files that are read together must be the parts of "
+          "one mesh.");
     }
   }
 
   const Document& File;
+  const Transform& Place;
   Geometry& Target;
 };
 } // namespace
 
-void ReadCurves(const Document& document, const pugi::xml_node& curved, Geometry& geometry)
+void ReadCurves(const Document& document, const pugi::xml_node& curved, const Transform& transform,
+  Geometry& geometry)
 {
-  CurveReader reader(document, geometry);
+  CurveReader reader(document, transform, geometry);
   if (document.IsCompressed(curved))
   {
     reader.ReadCompressed(curved);

@@ -5,6 +5,8 @@
 
 namespace pixelexact::nektar
 {
-/// Reads CURVED into the geometry's curves and puts their numbers into its edges and faces.
-void ReadCurves(const Document& document, const pugi::xml_node& curved, Geometry& geometry);
+/// Reads CURVED into the geometry's curves, their points moved as its vertices are, and puts their
+/// numbers into its edges and faces.
+void ReadCurves(const Document& document, const pugi::xml_node& curved, const Transform& transform,
+  Geometry& geometry);
 } // namespace pixelexact::nektar

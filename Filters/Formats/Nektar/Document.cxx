@@ -3,8 +3,10 @@
 
 #include "Core/Base/Error.h"
 #include "Formats/Nektar/Compressed.h"
+#include "Formats/Nektar/XmlFile.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 
 namespace pixelexact::nektar
@@ -13,14 +15,13 @@ namespace
 {
 constexpr std::string_view kBlanks = " \t\r\n";
 constexpr std::size_t kExpansion = 1032;
-constexpr std::string_view kHdf5 = "\x89HDF\r\n";
 
 /// Takes a number off the beginning of the text; false where there is none.
 template <class T>
 bool Take(std::string_view& text, T& value)
 {
   text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
-  if (text.starts_with('+'))
+  if (text.starts_with('+') && !text.starts_with("+-"))
   {
     text.remove_prefix(1);
   }
@@ -31,6 +32,25 @@ bool Take(std::string_view& text, T& value)
   }
   text.remove_prefix(end - text.data());
   return true;
+}
+
+/// The same for a number that ends at a blank or with the text.
+template <class T>
+bool TakeWord(std::string_view& text, T& value)
+{
+  std::string_view rest = text;
+  if (!Take(rest, value) || !(rest.empty() || kBlanks.find(rest.front()) != kBlanks.npos))
+  {
+    return false;
+  }
+  text = rest;
+  return true;
+}
+
+bool SameLetters(std::string_view a, std::string_view b)
+{
+  const auto lower = [](unsigned char c) { return std::tolower(c); };
+  return std::ranges::equal(a, b, {}, lower, lower);
 }
 } // namespace
 
@@ -46,34 +66,35 @@ Document::Document(const NamedText& file)
   : FileName(file.name)
   , MostExpanded(kExpansion * (file.text.size() + 1))
 {
-  if (file.text.starts_with(kHdf5))
-  {
-    throw Unsupported(FileName +
-      ": this is an HDF5 file, which is not read; convert it to XML "
-      "(FieldConvert or NekMesh with the option for XML output).");
-  }
-  const auto result =
-    Xml.load_buffer(file.text.data(), file.text.size(), pugi::parse_default | pugi::parse_doctype);
-  if (!result)
-  {
-    const std::size_t at = std::min(static_cast<std::size_t>(result.offset), file.text.size());
-    const auto line = 1 + std::count(file.text.begin(), file.text.begin() + at, '\n');
-    throw InvalidData(FileName + ", line " + std::to_string(line) + ": this is no XML (" +
-      result.description() + "); the file is damaged or cut short.");
-  }
-  for (const auto& child : Xml.children())
-  {
-    if (child.type() == pugi::node_doctype)
-    {
-      throw InvalidData(FileName +
-        ": a document type (DOCTYPE) has no place in a Nektar++ file; "
-        "remove it.");
-    }
-  }
+  LoadXml(file, Xml);
   if (!Root())
   {
     throw InvalidData(FileName + ": there is no element NEKTAR; this is no Nektar++ file.");
   }
+}
+
+pugi::xml_node Document::Only(const pugi::xml_node& parent, const char* tag) const
+{
+  const pugi::xml_node child = parent.child(tag);
+  if (const pugi::xml_node second = child.next_sibling(tag))
+  {
+    Fail(second, "there is a second element of this kind; write both as one, or remove it.");
+  }
+  return child;
+}
+
+std::string Document::Text(const pugi::xml_node& node)
+{
+  std::string text;
+  for (const auto& child : node.children())
+  {
+    if (child.type() == pugi::node_pcdata || child.type() == pugi::node_cdata)
+    {
+      text += text.empty() ? "" : " ";
+      text += child.value();
+    }
+  }
+  return text;
 }
 
 std::string Document::Place(const pugi::xml_node& node) const
@@ -96,30 +117,42 @@ void Document::FailUnsupported(const pugi::xml_node& node, const std::string& pr
 bool Document::IsCompressed(const pugi::xml_node& node) const
 {
   const std::string_view form = node.attribute("COMPRESSED").value();
+  const std::string_view bits = node.attribute("BITSIZE").as_string("64");
   if (form.empty())
   {
     return false;
   }
-  if (form != "B64Z-LittleEndian" || std::string_view(node.attribute("BITSIZE").value()) != "64")
+  if (!SameLetters(form, "B64Z-LittleEndian") || Trim(bits) != "64")
   {
     FailUnsupported(node,
-      "data in the form '" + std::string(form.substr(0, 40)) +
-        "' are not read; only B64Z-LittleEndian of 64 bits is.");
+      "data in the form '" + std::string(form.substr(0, 40)) + "' of " +
+        std::string(bits.substr(0, 20)) +
+        " bits are not read; only B64Z-LittleEndian of 64 bits is.");
   }
   return true;
 }
 
+bool Document::IsCompressedField(const pugi::xml_node& node) const
+{
+  // Nektar++ knows no other fields, and up to 4.0 wrote no attribute. Base64 of a zlib stream
+  // begins with a letter, a number does not.
+  const std::string_view text = Trim(node.child_value());
+  return IsCompressed(node) ||
+    (!text.empty() && std::isalpha(static_cast<unsigned char>(text.front())) != 0);
+}
+
 std::vector<std::byte> Document::Bytes(const pugi::xml_node& node, std::size_t most) const
 {
-  return Decompress(node.child_value(), std::min(most, MostExpanded), Place(node));
+  return Decompress(Text(node), std::min(most, MostExpanded), Place(node));
 }
 
 std::vector<std::int64_t> Document::Integers(const pugi::xml_node& node, std::size_t count) const
 {
-  std::string_view text = node.child_value();
+  const std::string whole = Text(node);
+  std::string_view text = whole;
   std::vector<std::int64_t> numbers;
   std::int64_t value = 0;
-  while (numbers.size() <= count && Take(text, value))
+  while (numbers.size() <= count && TakeWord(text, value))
   {
     numbers.push_back(value);
   }
@@ -132,10 +165,11 @@ std::vector<std::int64_t> Document::Integers(const pugi::xml_node& node, std::si
 
 std::vector<double> Document::Numbers(const pugi::xml_node& node) const
 {
-  std::string_view text = node.child_value();
+  const std::string whole = Text(node);
+  std::string_view text = whole;
   std::vector<double> numbers;
   double value = 0.0;
-  while (Take(text, value))
+  while (TakeWord(text, value))
   {
     numbers.push_back(value);
   }
@@ -177,13 +211,14 @@ std::vector<std::int64_t> Document::List(
       sound = Take(text, last) && last >= first;
       text = Trim(text);
     }
-    if (!sound || !(text.empty() || text.starts_with(',')))
+    const bool more = text.starts_with(',');
+    if (!sound || !(text.empty() || (more && text.size() > 1)))
     {
       Fail(node,
         "the list of numbers cannot be read at '" + std::string(text.substr(0, 20)) +
           "'; it should be like 0-65,70.");
     }
-    text.remove_prefix(text.empty() ? 0 : 1);
+    text.remove_prefix(more ? 1 : 0);
     if (static_cast<std::uint64_t>(last - first) >= most - std::min(most, numbers.size()))
     {
       Fail(node, "the list names more than the " + std::to_string(most) + " that there are.");

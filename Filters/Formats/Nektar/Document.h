@@ -11,8 +11,7 @@
 
 namespace pixelexact::nektar
 {
-/// A Nektar++ XML file. Entities beyond XML's own five are not expanded, a document type is
-/// refused.
+/// A Nektar++ XML file, as LoadXml takes it.
 class Document
 {
 public:
@@ -21,6 +20,13 @@ public:
 
   [[nodiscard]] pugi::xml_node Root() const { return Xml.child("NEKTAR"); }
   [[nodiscard]] const std::string& Name() const { return FileName; }
+  /// Its name without folders.
+  [[nodiscard]] std::string BaseName() const { return FileName.substr(FileName.rfind('/') + 1); }
+
+  /// The only child of a tag, or none; fails where there are several.
+  [[nodiscard]] pugi::xml_node Only(const pugi::xml_node& parent, const char* tag) const;
+  /// An element's own text, without comments.
+  [[nodiscard]] static std::string Text(const pugi::xml_node& node);
 
   /// "<file>, <TAG ID=...>".
   [[nodiscard]] std::string Place(const pugi::xml_node& node) const;
@@ -29,6 +35,8 @@ public:
 
   /// Whether the element's text is a compressed block; fails for forms that are not known.
   [[nodiscard]] bool IsCompressed(const pugi::xml_node& node) const;
+  /// The same for the coefficients of fields, which are compressed where nothing is said.
+  [[nodiscard]] bool IsCompressedField(const pugi::xml_node& node) const;
   /// The fixed-size records of a compressed block, at most `most` of them.
   template <class Record>
   std::vector<Record> Records(const pugi::xml_node& node, std::size_t most) const

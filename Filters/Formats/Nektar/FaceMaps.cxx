@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/Nektar/FaceMaps.h"
 
+#include "Formats/Nektar/CurvePoints.h"
 #include "Formats/Nektar/ModifiedModes.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace pixelexact::nektar
 {
 namespace
 {
 constexpr int kCornerSign[4][2] = { { -1, -1 }, { 1, -1 }, { 1, 1 }, { -1, 1 } };
+/// A triangle's edges in the sense in which they are filled.
+constexpr int kTriangleEdges[3][2] = { { 0, 1 }, { 1, 2 }, { 0, 2 } };
 
 void Add(LongVec3& sum, long double factor, const LongVec3& x)
 {
@@ -24,56 +26,6 @@ void Add(LongVec3& sum, long double factor, const LongVec3& x)
 LongVec3 ToLong(const Point& x)
 {
   return { x[0], x[1], x[2] };
-}
-
-std::vector<long double> LinePoints(Distribution distribution, int order)
-{
-  switch (distribution)
-  {
-    case Distribution::GaussLobatto:
-    case Distribution::TriangleWarped:
-      return GaussLobattoPoints(order + 1);
-    case Distribution::LobattoChebyshev:
-    {
-      std::vector<long double> points(order + 1);
-      for (int i = 0; i <= order; ++i)
-      {
-        points[i] = -std::cos(std::numbers::pi_v<long double> * i / order);
-      }
-      return points;
-    }
-    default:
-      return ClosedUniformPoints(order + 1);
-  }
-}
-
-/// The triangle's points as weights of its vertices, in the order of the files: vertices, points on
-/// the edges one after the other, inner points.
-std::vector<LongVec3> TrianglePoints(Distribution distribution, int order)
-{
-  const auto line = LinePoints(distribution, order);
-  std::vector<LongVec3> points{ { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
-  for (int edge = 0; edge < 3; ++edge)
-  {
-    for (int i = 1; i < order; ++i)
-    {
-      LongVec3 at{};
-      at[edge] = (1 - line[i]) / 2;
-      at[(edge + 1) % 3] = (1 + line[i]) / 2;
-      points.push_back(at);
-    }
-  }
-  // Warped points are read up to order 3, whose one inner point is the centre.
-  for (int j = 1; j < order; ++j)
-  {
-    for (int i = 1; i + j < order; ++i)
-    {
-      const long double a = static_cast<long double>(i) / order;
-      const long double b = static_cast<long double>(j) / order;
-      points.push_back({ 1 - a - b, a, b });
-    }
-  }
-  return points;
 }
 
 Space TriangleSpace(int order)
@@ -133,8 +85,7 @@ FaceMaps::FaceMaps(const Geometry& geometry)
   for (const Curve& curve : geometry.curves)
   {
     const std::pair key(curve.distribution, curve.order);
-    const bool triangular = curve.distribution == Distribution::TriangleEquispaced ||
-      curve.distribution == Distribution::TriangleWarped;
+    const bool triangular = IsTriangular(curve.distribution);
     if (triangular && !Triangles.contains(key))
     {
       Triangles[key] = TriangleFactor(curve.distribution, curve.order);
@@ -210,20 +161,19 @@ LongVec3 FaceMaps::FillQuadrilateral(const Face& face, long double s, long doubl
   return x;
 }
 
-LongVec3 FaceMaps::FillTriangle(const Face& face, const std::array<long double, 4>& weights) const
+LongVec3 FaceMaps::FillTriangle(
+  int order, const std::array<long double, 4>& weights, const EdgeBubble& bubble) const
 {
   const long double base = weights[0] + weights[1];
   const long double eta1 = base > 0 ? (weights[1] - weights[0]) / base : 0.0L;
   const long double eta2 = 2 * weights[2] - 1;
-  const auto edge = [&](int k) -> const Edge& { return Source.edges.at(face.edges[k]); };
   LongVec3 x{};
-  Add(x, (1 + eta1) / 2, Bubble(edge(1), face.vertices[1], eta2));
-  Add(x, (1 - eta1) / 2, Bubble(edge(2), face.vertices[0], eta2));
-  if (edge(0).curve < 0 || Source.curves[edge(0).curve].order < 2)
+  Add(x, (1 + eta1) / 2, bubble(1, eta2));
+  Add(x, (1 - eta1) / 2, bubble(2, eta2));
+  if (order < 2)
   {
     return x;
   }
-  const int order = Source.curves[edge(0).curve].order;
   const BasisFactor& factor = Bubbles.at(order);
   const auto points = GaussPoints(factor.columns);
   for (int i = 0; i < factor.columns; ++i)
@@ -235,9 +185,14 @@ LongVec3 FaceMaps::FillTriangle(const Face& face, const std::array<long double, 
       weight += factor.matrix[std::size_t(p - 2) * factor.columns + i] * ModifiedA(p, eta1) *
         std::pow((1 - eta2) / 2, p);
     }
-    Add(x, weight, Bubble(edge(0), face.vertices[0], points[i]));
+    Add(x, weight, bubble(0, points[i]));
   }
   return x;
+}
+
+LongVec3 FaceMaps::TriangleBubble(const Face& face, int k, long double z) const
+{
+  return Bubble(Source.edges.at(face.edges[k]), face.vertices[kTriangleEdges[k][0]], z);
 }
 
 LongVec3 FaceMaps::Fill(const Face& face, const std::array<long double, 4>& weights) const
@@ -251,8 +206,40 @@ LongVec3 FaceMaps::Fill(const Face& face, const std::array<long double, 4>& weig
     s += weights[k] * kCornerSign[k][0];
     t += weights[k] * kCornerSign[k][1];
   }
-  Add(x, 1, face.corners == 3 ? FillTriangle(face, weights) : FillQuadrilateral(face, s, t));
+  if (face.corners == 4)
+  {
+    Add(x, 1, FillQuadrilateral(face, s, t));
+    return x;
+  }
+  const int curve = Source.edges.at(face.edges[0]).curve;
+  Add(x, 1,
+    FillTriangle(curve >= 0 ? Source.curves[curve].order : 1, weights,
+      [&](int k, long double z) { return TriangleBubble(face, k, z); }));
   return x;
+}
+
+LongVec3 FaceMaps::FromEdges(
+  const Face& face, const Curve& curve, const std::array<long double, 4>& weights) const
+{
+  const auto difference = [&](int k, long double z)
+  {
+    LongVec3 x{};
+    const int own = Source.edges.at(face.edges[k]).curve;
+    if (own < 0 || Source.curves[own].order != curve.order)
+    {
+      return x;
+    }
+    const auto& [from, to] = kTriangleEdges[k];
+    std::array<long double, 4> at{};
+    at[from] = (1 - z) / 2;
+    at[to] = (1 + z) / 2;
+    Add(x, 1, TriangleBubble(face, k, z));
+    Add(x, -1, Interpolate(curve, at));
+    Add(x, at[from], ToLong(curve.points[from]));
+    Add(x, at[to], ToLong(curve.points[to]));
+    return x;
+  };
+  return FillTriangle(curve.order, weights, difference);
 }
 
 LongVec3 FaceMaps::Interpolate(const Curve& curve, const std::array<long double, 4>& weights) const
@@ -293,6 +280,16 @@ LongVec3 FaceMaps::Interpolate(const Curve& curve, const std::array<long double,
 
 LongVec3 FaceMaps::At(const Face& face, const std::array<long double, 4>& weights) const
 {
-  return face.curve >= 0 ? Interpolate(Source.curves[face.curve], weights) : Fill(face, weights);
+  if (face.curve < 0)
+  {
+    return Fill(face, weights);
+  }
+  const Curve& curve = Source.curves[face.curve];
+  LongVec3 x = Interpolate(curve, weights);
+  if (IsTabulated(curve.distribution))
+  {
+    Add(x, 1, FromEdges(face, curve, weights));
+  }
+  return x;
 }
 } // namespace pixelexact::nektar

@@ -4,6 +4,7 @@
 #include "Core/Basis/BasisFactor.h"
 #include "Formats/Nektar/Geometry.h"
 
+#include <functional>
 #include <map>
 
 namespace pixelexact::nektar
@@ -26,13 +27,22 @@ public:
   [[nodiscard]] int OrderOf(const Face& face) const;
 
 private:
+  /// What edge k adds to the straight line between its ends, at z.
+  using EdgeBubble = std::function<LongVec3(int k, long double z)>;
+
   [[nodiscard]] LongVec3 Vertex(std::int64_t id) const;
   [[nodiscard]] LongVec3 AtEdge(const Edge& edge, std::int64_t from, long double z) const;
   [[nodiscard]] LongVec3 Bubble(const Edge& edge, std::int64_t from, long double z) const;
   [[nodiscard]] LongVec3 Fill(const Face& face, const std::array<long double, 4>& weights) const;
   [[nodiscard]] LongVec3 FillQuadrilateral(const Face& face, long double s, long double t) const;
+  /// A triangle filled from what its edges add to straight ones, the first one's of an order.
   [[nodiscard]] LongVec3 FillTriangle(
-    const Face& face, const std::array<long double, 4>& weights) const;
+    int order, const std::array<long double, 4>& weights, const EdgeBubble& bubble) const;
+  [[nodiscard]] LongVec3 TriangleBubble(const Face& face, int k, long double z) const;
+  /// What the edges' own curves change of a triangle's interpolation: as in Nektar++ they have the
+  /// last word, where the digits of tabulated points leave a difference.
+  [[nodiscard]] LongVec3 FromEdges(
+    const Face& face, const Curve& curve, const std::array<long double, 4>& weights) const;
   [[nodiscard]] LongVec3 Interpolate(
     const Curve& curve, const std::array<long double, 4>& weights) const;
 

@@ -3,6 +3,7 @@
 
 #include "Core/Base/Error.h"
 #include "Core/Basis/Space.h"
+#include "Formats/Nektar/Conditions.h"
 #include "Formats/Nektar/ModifiedModes.h"
 
 #include <algorithm>
@@ -47,9 +48,9 @@ Shape ShapeNamed(const Document& document, const pugi::xml_node& node)
     return Shape::Pyramid;
   }
   document.FailUnsupported(node,
-    "elements of the shape '" + std::string(name.substr(0, 40)) +
-      "' are not read; only solids are (homogeneous expansions: write them as a 3-D field with "
-      "FieldConvert).");
+    name.find("-Homogen") != name.npos ? HomogeneousRemedy()
+                                       : "elements of the shape '" +
+        std::string(name.substr(0, 40)) + "' are not read; only solids are.");
 }
 
 class BlockReader
@@ -65,9 +66,7 @@ public:
   {
     if (Node.attribute("HOMOGENEOUSLENGTHS") || Node.attribute("NUMHOMODIRECTIONS"))
     {
-      File.FailUnsupported(Node,
-        "homogeneous (2.5-D) expansions are not read; write the field as "
-        "a 3-D one with FieldConvert.");
+      File.FailUnsupported(Node, HomogeneousRemedy());
     }
     Base.shape = ShapeNamed(File, Node);
     Block.fields = Split(Node.attribute("FIELDS").value());
@@ -78,7 +77,7 @@ public:
     }
     std::ranges::copy(families, Base.families.begin());
     const auto ids = File.List(Node, Node.attribute("ID").value(), kMostElements);
-    const bool compressed = File.IsCompressed(Node);
+    const bool compressed = File.IsCompressedField(Node);
     ReadOrders(ids);
     const std::size_t expected = Block.perField * Block.fields.size();
     if (compressed)
@@ -160,21 +159,38 @@ private:
   std::map<Expansion3, int> Known;
   std::vector<std::size_t> ModeCounts;
 };
+
+/// The time in the metadata, in the form of today or that of Nektar++ 3.
+std::optional<double> ReadTime(const Document& document)
+{
+  pugi::xml_node time = document.Root().child("Metadata").child("Time");
+  const auto old = document.Root().child("FIELDMETADATA");
+  time = time ? time : old.find_child_by_attribute("P", "PARAM", "Time");
+  if (!time)
+  {
+    return std::nullopt;
+  }
+  const auto numbers = document.Numbers(time);
+  if (numbers.size() != 1)
+  {
+    document.Fail(time, "the time should be one number.");
+  }
+  return numbers[0];
+}
 } // namespace
 
 FieldFile ReadFieldFile(const NamedText& file)
 {
   const Document document(file);
   FieldFile result;
-  const pugi::xml_node time = document.Root().child("Metadata").child("Time");
-  if (time)
+  result.time = ReadTime(document);
+  // As Nektar++ does, from each element NEKTAR.
+  for (auto root = document.Root(); root; root = root.next_sibling("NEKTAR"))
   {
-    const auto numbers = document.Numbers(time);
-    result.time = numbers.size() == 1 ? std::optional(numbers[0]) : std::nullopt;
-  }
-  for (const auto& node : document.Root().children("ELEMENTS"))
-  {
-    result.blocks.push_back(BlockReader(document, node).Read());
+    for (const auto& node : root.children("ELEMENTS"))
+    {
+      result.blocks.push_back(BlockReader(document, node).Read());
+    }
   }
   return result;
 }

@@ -2,11 +2,12 @@
 #include "Formats/Nektar/FieldSeries.h"
 
 #include "Core/Base/Error.h"
+#include "Core/Base/ParseWhole.h"
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <fstream>
+#include <string_view>
 
 namespace pixelexact::nektar
 {
@@ -23,9 +24,24 @@ std::string HeadOf(const std::string& path)
   head.resize(static_cast<std::size_t>(stream.gcount()));
   return head;
 }
+
+/// The number between a tag's end and what comes next, where there is nothing else.
+std::optional<double> NumberBehind(std::string_view head, std::string_view tag)
+{
+  const auto at = head.find(tag);
+  const auto begin = at == head.npos ? at : at + tag.size();
+  const auto end = at == head.npos ? at : head.find('<', begin);
+  if (end == head.npos)
+  {
+    return std::nullopt;
+  }
+  double number = 0.0;
+  const bool whole = ParseWhole(WithoutBlanks(head.substr(begin, end - begin)), number);
+  return whole ? std::optional(number) : std::nullopt;
+}
 } // namespace
 
-std::vector<std::string> FieldParts(const std::string& path)
+std::vector<std::string> FileParts(const std::string& path)
 {
   std::error_code failure;
   if (!std::filesystem::is_directory(path, failure))
@@ -45,8 +61,8 @@ std::vector<std::string> FieldParts(const std::string& path)
   if (parts.empty())
   {
     throw InvalidData("the folder '" + path +
-      "' holds no parts of a Nektar++ field file (Info.xml, P0000000.fld, ...); name the folder "
-      "that the solver wrote.");
+      "' holds no parts of a Nektar++ file (P0000000.xml; Info.xml, P0000000.fld, ...); name the "
+      "folder that the solver wrote.");
   }
   std::ranges::sort(parts);
   return parts;
@@ -54,18 +70,8 @@ std::vector<std::string> FieldParts(const std::string& path)
 
 std::optional<double> FieldTime(const std::string& path)
 {
-  const std::string head = HeadOf(FieldParts(path).front());
-  const std::string open = "<Time>";
-  const auto at = head.find(open);
-  if (at == std::string::npos)
-  {
-    return std::nullopt;
-  }
-  const char* begin = head.data() + at + open.size();
-  const char* end = head.data() + head.size();
-  begin = std::find_if(begin, end, [](char c) { return c != ' ' && c != '\n' && c != '\t'; });
-  double time = 0.0;
-  const auto [last, error] = std::from_chars(begin, end, time);
-  return error == std::errc() ? std::optional(time) : std::nullopt;
+  const std::string head = HeadOf(FileParts(path).front());
+  const auto time = NumberBehind(head, "<Time>");
+  return time ? time : NumberBehind(head, "PARAM=\"Time\">"); // the latter in Nektar++ 3
 }
 } // namespace pixelexact::nektar

@@ -2,17 +2,17 @@
 #pragma once
 
 #include "Formats/Nektar/Document.h"
+#include "Formats/Nektar/Transform.h"
 
 #include "Core/Shape/Shape.h"
 #include "Formats/SolverModel.h"
 
 #include <array>
+#include <span>
 #include <unordered_map>
 
 namespace pixelexact::nektar
 {
-using Point = std::array<double, 3>;
-
 /// How a curve's points are distributed.
 enum class Distribution : std::uint8_t
 {
@@ -20,7 +20,8 @@ enum class Distribution : std::uint8_t
   GaussLobatto,
   LobattoChebyshev,
   TriangleEquispaced,
-  TriangleWarped ///< Gauss-Lobatto on the edges: Nektar++'s Elec, Fekete and SPI up to order 3
+  TriangleElectrostatic,
+  TriangleFekete
 };
 
 /// Points on a curved edge or face, in its own order.
@@ -29,12 +30,16 @@ struct Curve
   Distribution distribution = Distribution::Equispaced;
   int order = 1; ///< points along an edge, less one
   std::vector<Point> points;
+
+  bool operator==(const Curve&) const = default;
 };
 
 struct Edge
 {
   std::array<std::int64_t, 2> vertices{};
   int curve = -1; ///< index in Geometry::curves, or -1
+
+  bool operator==(const Edge&) const = default;
 };
 
 /// A face by its edges; triangles have three. Its vertices are in its own order.
@@ -44,6 +49,8 @@ struct Face
   std::array<std::int64_t, 4> edges{};
   std::array<std::int64_t, 4> vertices{};
   int curve = -1;
+
+  bool operator==(const Face&) const = default;
 };
 
 struct Solid
@@ -51,7 +58,17 @@ struct Solid
   std::int64_t id = 0;
   Shape shape = Shape::Hexahedron;
   std::array<std::int64_t, 6> faces{};
+
+  bool operator==(const Solid&) const = default;
 };
+
+struct SolidTag
+{
+  std::string_view tag;
+  Shape shape;
+};
+inline constexpr SolidTag kSolidTags[] = { { "A", Shape::Tetrahedron }, { "P", Shape::Pyramid },
+  { "R", Shape::Prism }, { "H", Shape::Hexahedron } };
 
 /// A session's GEOMETRY, with all references resolved or refused.
 struct Geometry
@@ -60,6 +77,7 @@ struct Geometry
   std::unordered_map<std::int64_t, Edge> edges;
   std::unordered_map<std::int64_t, Face> faces;
   std::vector<Solid> solids; ///< hexahedra, prisms, pyramids, tetrahedra as the file has them
+  std::unordered_map<std::int64_t, int> solidOf; ///< index in solids, by id
   std::vector<Curve> curves;
   /// Per composite: its number, name, and the ids of its solids or faces.
   struct Composite
@@ -70,8 +88,11 @@ struct Geometry
     std::vector<std::int64_t> members;
   };
   std::vector<Composite> composites;
+  std::vector<std::string> notes; ///< as SolverModel::notes
 };
 
-/// Reads the GEOMETRY element of a document. Throws InvalidData and Unsupported.
-Geometry ReadGeometry(const Document& document);
+/// Reads the GEOMETRY of each file of a session that has one, as the parts of one mesh (as parallel
+/// runs write it): what several of them have must be the same in each. Throws InvalidData and
+/// Unsupported.
+Geometry ReadGeometry(std::span<const Document* const> session);
 } // namespace pixelexact::nektar

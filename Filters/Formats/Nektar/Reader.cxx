@@ -9,6 +9,7 @@
 #include "Formats/Nektar/SolidTable.h"
 
 #include <algorithm>
+#include <deque>
 #include <map>
 #include <unordered_map>
 
@@ -70,7 +71,6 @@ private:
   const Geometry& Source;
   std::string Name;
   std::vector<Element> Elements;
-  std::unordered_map<std::int64_t, int> ElementOf; ///< by id
 };
 
 void ModelBuilder::FindElements()
@@ -98,11 +98,6 @@ void ModelBuilder::FindElements()
       {
         throw InvalidData(Name + ": " + error.what());
       }
-    }
-    if (!ElementOf.try_emplace(solid.id, static_cast<int>(Elements.size())).second)
-    {
-      throw InvalidData(Name + ": there are two elements of number " + std::to_string(solid.id) +
-        "; the file contradicts itself.");
     }
     Elements.push_back(element);
   }
@@ -219,8 +214,8 @@ void ModelBuilder::AddComposites()
       {
         mesh.boundary.push_back({ face->second.element, face->second.face, composite.number });
       }
-      if (const auto element = ElementOf.find(id);
-          !composite.boundary && element != ElementOf.end())
+      if (const auto element = Source.solidOf.find(id);
+          !composite.boundary && element != Source.solidOf.end())
       {
         several = several || taken[element->second];
         mesh.attribute[element->second] =
@@ -239,21 +234,32 @@ void ModelBuilder::AddComposites()
 
 SolverModel Read(const std::vector<NamedText>& sessions, const std::vector<NamedText>& fieldParts)
 {
-  for (const NamedText& session : sessions)
+  std::deque<Document> documents;
+  std::vector<const Document*> session;
+  std::string name;
+  for (const NamedText& text : sessions)
   {
-    const Document document(session);
-    if (document.Root().child("GEOMETRY"))
+    const Document& document = documents.emplace_back(text);
+    if (const pugi::xml_node second = document.Root().next_sibling("NEKTAR"))
     {
-      const Geometry geometry = ReadGeometry(document);
-      ModelBuilder builder(geometry, session.name);
-      if (!fieldParts.empty())
-      {
-        AddFields(fieldParts, session.name, builder.Model);
-      }
-      return std::move(builder.Model);
+      document.Fail(second, "there is a second one; name one file for each.");
     }
+    session.push_back(&document);
+    name = name.empty() && document.Root().child("GEOMETRY") ? text.name : name;
   }
-  throw InvalidData((sessions.empty() ? std::string("no session") : sessions.front().name) +
-    ": no file has an element GEOMETRY; name the file that holds the mesh as well.");
+  if (name.empty())
+  {
+    throw InvalidData((sessions.empty() ? std::string("no session") : sessions.front().name) +
+      ": no file has an element GEOMETRY; name the file that holds the mesh as well.");
+  }
+  const Geometry geometry = ReadGeometry(session);
+  ModelBuilder builder(geometry, name);
+  builder.Model.notes.insert(
+    builder.Model.notes.end(), geometry.notes.begin(), geometry.notes.end());
+  if (!fieldParts.empty())
+  {
+    AddFields(fieldParts, name, builder.Model);
+  }
+  return std::move(builder.Model);
 }
 } // namespace pixelexact::nektar

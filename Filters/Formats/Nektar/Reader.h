@@ -14,8 +14,8 @@ struct NamedText
   std::string_view text; ///< kept alive by the caller
 };
 
-/// A Nektar++ mesh from the session files' GEOMETRY (one of them holds it; expansions may be in
-/// another), with the fields of the parts of one field file. Throws InvalidData or Unsupported:
-/// "<file>, <tag> <id>: what; remedy".
+/// A Nektar++ mesh from the session files' GEOMETRY, with the fields of the parts of one field
+/// file. Several files with a GEOMETRY are the parts of one mesh; the others may hold the rest of
+/// the session. Throws InvalidData or Unsupported: "<file>, <tag> <id>: what; remedy".
 SolverModel Read(const std::vector<NamedText>& sessions, const std::vector<NamedText>& fieldParts);
 } // namespace pixelexact::nektar

@@ -3,11 +3,12 @@
 
 #include "Core/Base/Error.h"
 #include "Core/Basis/BasisFactor.h"
+#include "Core/Basis/SimplexNodes.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
+#include <string>
 
 namespace pixelexact
 {
@@ -33,15 +34,15 @@ long double Binomial(int n, int k)
   return result;
 }
 
-/// Equispaced nodes in [-1,1]; order 0 has its node at the centre.
-long double Equispaced(int i, int order)
+NodeFamily NodesOf(Family family)
 {
-  return order == 0 ? 0.0L : 2.0L * i / order - 1.0L;
+  return family == Family::GaussLobattoLagrange ? NodeFamily::GaussLobatto : NodeFamily::Equispaced;
 }
 
 LineFunctions Line(int order, Family family)
 {
-  return family == Family::Bernstein ? Bernstein(order) : Lagrange(ClosedUniformPoints(order + 1));
+  return family == Family::Bernstein ? Bernstein(order)
+                                     : Lagrange(LineNodes(order, NodesOf(family)));
 }
 
 /// The triangle of a prism: its modes (p, 0, r), functions of (xi1, xi3).
@@ -70,16 +71,18 @@ BasisFactor TriangleFactor(int order, Family family)
   const int count = triangle.Modes();
   std::vector<long double> modes(std::size_t(count) * count);
   std::vector<long double> sources(modes.size(), 0.0L);
-  const bool nodal = family == Family::EquispacedLagrange;
+  const bool nodal = family != Family::Bernstein;
   const auto points = UnisolventPoints(triangle);
+  const SimplexNodes nodes(order, NodesOf(family));
   int node = 0;
   for (int i = 0; i <= order; ++i)
   {
     for (int k = 0; k <= order - i; ++k, ++node)
     {
       const LongVec3 xi = !nodal ? points[node]
-        : order == 0             ? LongVec3{ -1.0L / 3, 0, -1.0L / 3 }
-                                 : LongVec3{ Equispaced(i, order), 0, Equispaced(k, order) };
+        : order == 0
+        ? LongVec3{ -1.0L / 3, 0, -1.0L / 3 }
+        : LongVec3{ nodes.At(i, { k, order - i - k }), 0, nodes.At(k, { i, order - i - k }) };
       EvaluateModes(triangle, xi, &modes[std::size_t(node) * count]);
       if (nodal)
       {
@@ -172,8 +175,9 @@ ChangeOfBasis ChangeOfBasis::Tetrahedron(
   const int count = space.Modes();
   std::vector<long double> modes(std::size_t(count) * count);
   std::vector<long double> sources(modes.size(), 0.0L);
-  const bool nodal = family == Family::EquispacedLagrange;
+  const bool nodal = family != Family::Bernstein;
   const auto points = UnisolventPoints(space);
+  const SimplexNodes nodes(order, NodesOf(family));
   int node = 0;
   for (int i = 0; i <= order; ++i)
   {
@@ -184,7 +188,8 @@ ChangeOfBasis ChangeOfBasis::Tetrahedron(
         const LongVec3 xi = !nodal ? points[node]
           : order == 0
           ? LongVec3{ -0.5L, -0.5L, -0.5L }
-          : LongVec3{ Equispaced(i, order), Equispaced(j, order), Equispaced(k, order) };
+          : LongVec3{ nodes.At(i, { j, k, order - i - j - k }),
+              nodes.At(j, { i, k, order - i - j - k }), nodes.At(k, { i, j, order - i - j - k }) };
         EvaluateModes(space, xi, &modes[std::size_t(node) * count]);
         long double* row = &sources[std::size_t(node) * count];
         if (nodal)

@@ -15,6 +15,9 @@ namespace pixelexact
 enum class Family : std::uint8_t
 {
   EquispacedLagrange, ///< nodes equispaced with both ends; order 0: the centre
+  /// Nodes at the Gauss-Lobatto-Legendre points; order 0: the centre. In triangles and tetrahedra
+  /// to order 3, where symmetry leaves the nodes inside no choice; others are Unsupported.
+  GaussLobattoLagrange,
   Bernstein
 };
 

@@ -133,29 +133,7 @@ void ElementIndex::FindAlong(std::span<const Segment> segments, std::vector<int>
 std::optional<Segment> ElementIndex::ClipRay(
   const Vec3& origin, const Vec3& direction, double tNear, double tFar) const
 {
-  Interval t{ tNear, tFar };
-  for (int d = 0; d < 3; ++d)
-  {
-    const Interval from = Interval(MeshBounds.lower[d]) - Interval(origin[d]);
-    const Interval to = Interval(MeshBounds.upper[d]) - Interval(origin[d]);
-    if (direction[d] == 0.0)
-    {
-      if (from.lower > 0.0 || to.upper < 0.0)
-      {
-        return std::nullopt;
-      }
-      continue;
-    }
-    t = Intersect(t, Join(from / Interval(direction[d]), to / Interval(direction[d])));
-  }
-  if (t.IsEmpty() || !t.IsFinite())
-  {
-    return std::nullopt;
-  }
-  // Seen from afar, the origin's and the product's rounding is that of the distance.
-  const Vec3 far = glm::abs(origin) + t.Magnitude() * glm::abs(direction);
-  const double slack = 4.0 * kUnitRoundoff * std::max({ far.x, far.y, far.z });
-  return Segment{ origin + t.lower * direction, origin + t.upper * direction, slack };
+  return pixelexact::ClipRay(MeshBounds, origin, direction, tNear, tFar);
 }
 
 const ElementBounds& ElementIndex::MakeBounds(int element) const

@@ -3,6 +3,7 @@
 
 #include "Core/Bounds/ElementBounds.h"
 #include "Core/Index/EmbreeBvh.h"
+#include "Core/Index/Segment.h"
 #include "Core/Tree/ElementTree.h"
 
 #include <atomic>
@@ -14,14 +15,6 @@
 
 namespace pixelexact
 {
-/// Straight, from one point to another.
-struct Segment
-{
-  Vec3 from{ 0.0 };
-  Vec3 to{ 0.0 };
-  double slack = 0.0; ///< how far off it may be, in each coordinate
-};
-
 /// Where a mesh's elements are, and what is known of each: boxes with a hierarchy over them, made
 /// at once; bounds and trees, each made when somebody first asks for them. Knows no points, rays or
 /// fields of its own: location, surfaces and contours are its clients.
@@ -53,8 +46,7 @@ public:
   /// several segments some between them. Segments with an end that is not finite are left out: see
   /// ClipRay.
   void FindAlong(std::span<const Segment> segments, std::vector<int>& elements) const;
-  /// The part of origin + t direction, tNear <= t <= tFar, that may lie in the mesh's box, widened
-  /// by rounding; nothing where none does.
+  /// ClipRay by the mesh's box.
   [[nodiscard]] std::optional<Segment> ClipRay(
     const Vec3& origin, const Vec3& direction, double tNear, double tFar) const;
 

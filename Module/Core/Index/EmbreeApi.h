@@ -1,10 +1,41 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// The one place that knows which Embree is there: 3 and 4 differ, for point queries, in their
-// folder alone.
+// The one place that knows which Embree is there: 3 and 4 differ in their folder, and in how a ray
+// is told whom to call.
 #if __has_include(<embree4/rtcore.h>)
 #include <embree4/rtcore.h>
 #else
 #include <embree3/rtcore.h>
 #endif
+
+namespace pixelexact
+{
+#if RTC_VERSION_MAJOR >= 4
+using EmbreeContext = RTCRayQueryContext;
+
+inline void BeginContext(EmbreeContext& context)
+{
+  rtcInitRayQueryContext(&context);
+}
+inline void CallAlong(RTCScene scene, EmbreeContext& context, RTCRay& ray)
+{
+  RTCOccludedArguments arguments;
+  rtcInitOccludedArguments(&arguments);
+  arguments.context = &context;
+  rtcOccluded1(scene, &ray, &arguments);
+}
+#else
+using EmbreeContext = RTCIntersectContext;
+
+inline void BeginContext(EmbreeContext& context)
+{
+  rtcInitIntersectContext(&context);
+}
+/// Calls the geometry's occlusion function for what the ray may meet.
+inline void CallAlong(RTCScene scene, EmbreeContext& context, RTCRay& ray)
+{
+  rtcOccluded1(scene, &context, &ray);
+}
+#endif
+} // namespace pixelexact

@@ -43,6 +43,26 @@ bool Collect(RTCPointQueryFunctionArguments* arguments)
   return false; // the radius stays
 }
 
+/// What an occlusion function is told of its ray.
+struct AlongState
+{
+  EmbreeContext context; ///< first: Embree hands out its address
+  std::vector<int>* out;
+};
+
+void CollectAlong(const RTCOccludedFunctionNArguments* arguments)
+{
+  // The ray is not hidden, and goes on.
+  reinterpret_cast<AlongState*>(arguments->context)
+    ->out->push_back(static_cast<int>(arguments->primID));
+}
+
+/// By what boxes are widened. A segment's points, as floats, are off by 2^-24 for the one of its
+/// ends (at most 1 in size), by twice that for the way to the other; Embree takes the sides of a
+/// box to be off by 2^-23; most of the rest is for the segment's slack.
+constexpr float kBoxSlack = 0x1p-20F;
+constexpr double kMostSlack = 0x1p-21;
+
 /// Floats are precise to 2^-24 relative to coordinates of at most 1; Embree's own distances are
 /// sums of a few such terms.
 constexpr float kRadiusSlack = 1e-6F;
@@ -121,14 +141,15 @@ Bvh::Bvh(std::span<const Box3> boxes, const Box3& bounds)
       const auto& box =
         static_cast<const Implementation*>(arguments->geometryUserPtr)->boxes[arguments->primID];
       auto& out = *arguments->bounds_o;
-      out.lower_x = box.lower[0];
-      out.lower_y = box.lower[1];
-      out.lower_z = box.lower[2];
-      out.upper_x = box.upper[0];
-      out.upper_y = box.upper[1];
-      out.upper_z = box.upper[2];
+      out.lower_x = box.lower[0] - kBoxSlack;
+      out.lower_y = box.lower[1] - kBoxSlack;
+      out.lower_z = box.lower[2] - kBoxSlack;
+      out.upper_x = box.upper[0] + kBoxSlack;
+      out.upper_y = box.upper[1] + kBoxSlack;
+      out.upper_z = box.upper[2] + kBoxSlack;
     },
     nullptr);
+  rtcSetGeometryOccludedFunction(geometry, &CollectAlong);
   rtcCommitGeometry(geometry);
   rtcAttachGeometry(Impl->scene, geometry);
   rtcReleaseGeometry(geometry);
@@ -136,7 +157,7 @@ Bvh::Bvh(std::span<const Box3> boxes, const Box3& bounds)
   if (const RTCError error = rtcGetDeviceError(Impl->device); error != RTC_ERROR_NONE)
   {
     throw Error("Embree could not build the hierarchy over " + std::to_string(boxes.size()) +
-      " elements (error " + std::to_string(error) + "); is there enough memory?");
+      " boxes (error " + std::to_string(error) + "); is there enough memory?");
   }
 }
 
@@ -165,6 +186,35 @@ void Bvh::Query(const Box3& region, std::vector<int>& out) const
   RTCPointQueryContext context;
   rtcInitPointQueryContext(&context);
   rtcPointQuery(Impl->scene, &query, &context, &Collect, &state);
+  std::ranges::sort(out);
+}
+
+void Bvh::QueryAlong(const Segment& segment, std::vector<int>& out) const
+{
+  if (segment.slack * Impl->scale > kMostSlack)
+  {
+    const Vec3 slack(segment.slack);
+    Query(
+      { glm::min(segment.from, segment.to) - slack, glm::max(segment.from, segment.to) + slack },
+      out);
+    return;
+  }
+  out.clear();
+  AlongState state{};
+  BeginContext(state.context);
+  state.out = &out;
+  const Vec3 origin = (segment.from - Impl->centre) * Impl->scale;
+  const Vec3 way = (segment.to - segment.from) * Impl->scale;
+  RTCRay ray{};
+  ray.org_x = static_cast<float>(origin.x);
+  ray.org_y = static_cast<float>(origin.y);
+  ray.org_z = static_cast<float>(origin.z);
+  ray.dir_x = static_cast<float>(way.x);
+  ray.dir_y = static_cast<float>(way.y);
+  ray.dir_z = static_cast<float>(way.z);
+  ray.tfar = 1.0F;
+  ray.mask = ~0U;
+  CallAlong(Impl->scene, state.context, ray);
   std::ranges::sort(out);
 }
 

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Formats/Nektar/XmlFile.h"
+
+#include "Core/Base/Error.h"
+
+#include <algorithm>
+
+namespace pixelexact::nektar
+{
+namespace
+{
+constexpr std::string_view kHdf5 = "\x89HDF\r\n";
+
+std::ptrdiff_t UnitSize(pugi::xml_encoding encoding)
+{
+  switch (encoding)
+  {
+    case pugi::encoding_utf16_le:
+    case pugi::encoding_utf16_be:
+      return 2;
+    case pugi::encoding_utf32_le:
+    case pugi::encoding_utf32_be:
+      return 4;
+    default:
+      return 1;
+  }
+}
+
+/// Tells of what is wrong by its line. Offsets are those of pugixml: characters after conversion.
+class Checker : public pugi::xml_tree_walker
+{
+public:
+  Checker(const NamedText& file, pugi::xml_encoding encoding)
+    : File(file)
+    , Unit(UnitSize(encoding))
+  {
+  }
+
+  [[noreturn]] void Fail(std::ptrdiff_t offset, const std::string& problem) const
+  {
+    const auto size = static_cast<std::ptrdiff_t>(File.text.size());
+    const auto at = std::clamp(offset, std::ptrdiff_t{ 0 }, size / Unit) * Unit;
+    const auto line = 1 + std::count(File.text.begin(), File.text.begin() + at, '\n');
+    throw InvalidData(File.name + ", line " + std::to_string(line) + ": " + problem);
+  }
+
+  void CheckZeros() const
+  {
+    const auto zero = File.text.find('\0');
+    if (Unit == 1 && zero != std::string_view::npos)
+    {
+      Fail(static_cast<std::ptrdiff_t>(zero),
+        "there is a zero byte, which ends XML; the file is damaged.");
+    }
+  }
+
+  bool for_each(pugi::xml_node& node) override
+  {
+    const auto type = node.type();
+    if (type == pugi::node_doctype && std::string_view(node.value()).find('[') != kNone)
+    {
+      Fail(node.offset_debug(),
+        "a document type (DOCTYPE) with declarations of its own is not read; remove it.");
+    }
+    if (depth() == 0 && (type == pugi::node_pcdata || type == pugi::node_cdata))
+    {
+      Fail(node.offset_debug(),
+        "there is text outside of the elements, '" + std::string(node.value()).substr(0, 20) +
+          "'; the file is damaged.");
+    }
+    for (auto a = node.first_attribute(); a; a = a.next_attribute())
+    {
+      for (auto b = a.next_attribute(); b; b = b.next_attribute())
+      {
+        if (std::string_view(a.name()) == b.name())
+        {
+          Fail(node.offset_debug(),
+            std::string("<") + node.name() + "> has the attribute " + a.name() +
+              " twice; remove one of the two.");
+        }
+      }
+    }
+    return true;
+  }
+
+private:
+  static constexpr auto kNone = std::string_view::npos;
+
+  const NamedText& File;
+  std::ptrdiff_t Unit;
+};
+} // namespace
+
+void LoadXml(const NamedText& file, pugi::xml_document& xml)
+{
+  if (file.text.starts_with(kHdf5))
+  {
+    throw Unsupported(file.name +
+      ": this is an HDF5 file, which is not read; convert it to XML: a field by FieldConvert "
+      "in.fld "
+      "out.fld:fld:format=Xml, a mesh by NekMesh in.xml out.xml (in.xml names the HDF5 file).");
+  }
+  const auto result = xml.load_buffer(file.text.data(), file.text.size(),
+    pugi::parse_default | pugi::parse_doctype | pugi::parse_fragment);
+  Checker checker(file, result.encoding);
+  if (!result)
+  {
+    checker.Fail(result.offset,
+      std::string("this is no XML (") + result.description() +
+        "); the file is damaged or cut short.");
+  }
+  checker.CheckZeros();
+  xml.traverse(checker);
+}
+} // namespace pixelexact::nektar

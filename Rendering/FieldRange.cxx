@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FieldRange.h"
+
+#include "Core/Element/MeshRanges.h"
+#include "Trace/Scene.h"
+
+namespace pixelexact
+{
+namespace
+{
+constexpr RangeEffort kEffort{ 1e-3, 200 };
+}
+
+std::optional<std::array<double, 2>> FieldRange(const Mesh& mesh, const Field& field, int component)
+{
+  RangeQuestion question;
+  question.field = &field;
+  if (component == kMagnitude)
+  {
+    question.quantity = Quantity::Magnitude;
+  }
+  else
+  {
+    question.component = component;
+  }
+  const CertifiedRange range = RangeOf(mesh, question, kEffort).range;
+  if (range.attained.lower <= range.attained.upper)
+  {
+    return std::array{ range.attained.lower, range.attained.upper };
+  }
+  // A constant, up to rounding.
+  if (range.outer.lower <= range.outer.upper)
+  {
+    return std::array{ range.outer.lower, range.outer.upper };
+  }
+  return std::nullopt;
+}
+} // namespace pixelexact

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "PixelExactRenderingModule.h"
+
+#include <cstdint>
+#include <memory>
+
+class vtkDataObject;
+
+namespace pixelexact
+{
+class HighOrderModel;
+
+/// The model of somebody's grid, made anew when that is another one or has changed.
+class PIXELEXACTRENDERING_EXPORT GridModel
+{
+public:
+  /// The model of a vtkUnstructuredGrid, or of composite data of such, as it is now. Throws Error,
+  /// after which there is none.
+  const std::shared_ptr<HighOrderModel>& Of(vtkDataObject* grid);
+
+  /// How many were made.
+  [[nodiscard]] std::int64_t Builds() const { return Count; }
+
+private:
+  std::shared_ptr<HighOrderModel> Model;
+  std::int64_t Count = 0;
+};
+} // namespace pixelexact

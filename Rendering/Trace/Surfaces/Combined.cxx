@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Trace/Surfaces/Combined.h"
+
+#include "Core/Base/CheckedOut.h"
+#include "Trace/Surfaces/Arguments.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace pixelexact
+{
+namespace
+{
+struct PartHit
+{
+  double t;
+  Vec3 position;
+  HitStatus status;
+  std::int32_t part;
+  std::int32_t piece; ///< of the part
+};
+
+struct Scratch
+{
+  std::vector<HitSlots> ofParts;
+  std::vector<PartHit> found;
+  std::vector<bool> inside;
+};
+
+/// Of a piece of a ray without end, a point that lies on it.
+double Middle(double from, double to)
+{
+  return to < kFarthest ? 0.5 * from + 0.5 * to : 2.0 * from + 1.0;
+}
+} // namespace
+
+Combined::Combined(std::vector<Part> parts, Rule rule)
+  : Parts(std::move(parts))
+  , IsInside(std::move(rule))
+{
+  if (Parts.empty())
+  {
+    Refuse("combined surface", "there are no parts");
+  }
+}
+
+void Combined::Meet(const RayLanes& rays, HitSlots& hits) const
+{
+  const CheckedOut<Scratch> scratch;
+  auto& [ofParts, found, inside] = *scratch;
+  ofParts.resize(Parts.size());
+  for (std::size_t p = 0; p < Parts.size(); ++p)
+  {
+    ofParts[p].Begin(rays.count);
+    Parts[p].surface->Meet(rays, ofParts[p]);
+  }
+  inside.resize(Parts.size());
+  for (int i = 0; i < rays.count; ++i)
+  {
+    found.clear();
+    for (std::size_t p = 0; p < Parts.size(); ++p)
+    {
+      const HitSlots& slots = ofParts[p];
+      for (int k = 0; k < slots.Count() && slots.T(k)[i] < kNoHit; ++k)
+      {
+        const SurfacePoint point = slots.PointOf(k, i);
+        found.push_back({ slots.T(k)[i], point.position, slots.StatusOf(k, i),
+          static_cast<std::int32_t>(p), point.piece });
+      }
+    }
+    if (found.empty())
+    {
+      continue;
+    }
+    std::ranges::stable_sort(found, {}, &PartHit::t);
+    const Vec3 origin(rays.origin[0][i], rays.origin[1][i], rays.origin[2][i]);
+    const Vec3 direction(rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]);
+    const auto isInside = [&](double from, double to)
+    {
+      const Vec3 x = origin + Middle(from, to) * direction;
+      std::transform(Parts.begin(), Parts.end(), inside.begin(),
+        [&x](const Part& part) { return part.side(x) < 0.0; });
+      return IsInside(inside);
+    };
+    int k = 0;
+    bool before = isInside(rays.tNear[i], found[0].t);
+    for (std::size_t n = 0; n < found.size(); ++n)
+    {
+      const bool last = n + 1 == found.size();
+      // Of several at one t, the last one.
+      if (!last && found[n + 1].t == found[n].t)
+      {
+        continue;
+      }
+      const bool after = isInside(found[n].t, last ? rays.tFar[i] : found[n + 1].t);
+      if (before != after)
+      {
+        const HitLanes slot = hits.Slot(k);
+        const PieceLanes piece = hits.Pieces(k);
+        slot.t[i] = found[n].t;
+        for (int d = 0; d < 3; ++d)
+        {
+          slot.position[d][i] = found[n].position[d];
+        }
+        piece.piece[i] = found[n].part;
+        piece.parameters[0][i] = found[n].piece;
+        if (found[n].status != HitStatus::Certain)
+        {
+          hits.Status(k)[i] = found[n].status;
+        }
+        ++k;
+      }
+      before = after;
+    }
+  }
+}
+
+Vec3 Combined::Normal(const SurfacePoint& point) const
+{
+  SurfacePoint ofPart = point;
+  ofPart.piece = static_cast<std::int32_t>(point.parameters[0]);
+  return Parts[static_cast<std::size_t>(point.piece)].surface->Normal(ofPart);
+}
+} // namespace pixelexact

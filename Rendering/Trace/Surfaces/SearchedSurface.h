@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Trace/Surfaces/Surface.h"
+
+#include <memory>
+#include <span>
+
+namespace pixelexact
+{
+/// A function f of position of which nothing is known but its values. Called from several threads
+/// at once.
+class SampledFunction
+{
+public:
+  virtual ~SampledFunction() = default;
+  virtual void Evaluate(std::span<const Vec3> x, std::span<double> values) const = 0;
+  /// Of any length; where it is zero or not finite the surface has no normal.
+  [[nodiscard]] virtual Vec3 Gradient(const Vec3& x) const = 0;
+};
+
+/// Where f changes its sign, found by a search: f is sampled at points that lie evenly on the part
+/// of the ray in a box, and between two samples of different sign a change is found up to 4
+/// roundings of the box's size, or where f is 0 (T. R. Chandrupatla, A new hybrid
+/// quadratic/bisection algorithm for finding the zero of a nonlinear function without using
+/// derivatives, Advances in Engineering Software 28, 1997). So every hit is Numeric: sheets closer
+/// to each other than the samples may be overlooked in pairs, and so is a surface that f touches
+/// without changing its sign, but where a sample is exactly 0; a jump of f counts as a hit. Where f
+/// is not finite there is none.
+class SearchedSurface final : public Surface
+{
+public:
+  static constexpr int kUsualSamples = 128;
+
+  /// Throws Error for a box that is empty or not finite, and for fewer than 2 samples.
+  SearchedSurface(
+    std::shared_ptr<const SampledFunction> f, const Box3& box, int samples = kUsualSamples);
+
+  void Meet(const RayLanes& rays, HitSlots& hits) const override;
+  /// Along the gradient; zero where there is none.
+  [[nodiscard]] Vec3 Normal(const SurfacePoint& point) const override;
+
+private:
+  std::shared_ptr<const SampledFunction> F;
+  Box3 Box;
+  int Samples;
+};
+} // namespace pixelexact

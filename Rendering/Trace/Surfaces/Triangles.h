@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Index/EmbreeBvh.h"
+#include "Trace/Surfaces/Surface.h"
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace pixelexact
+{
+/// A surface of triangles, as they are: no normals are made up between their corners. Either side
+/// counts. Where triangles share an edge or a corner, with the same coordinates to the bit, no ray
+/// slips through between them, and one that meets what they share meets it once.
+///
+/// A ray is seen to meet a triangle where, in the plane across the ray, the origin lies in it or on
+/// its edge, with the corners' places in that plane rounded once; so near an edge the other
+/// triangle may be met, or none beyond the surface's rim, within 4 roundings of the corners'
+/// distance from the ray's origin. Rays in a triangle's plane miss it. t is off as a
+/// Plane's is, and by some roundings times the square of the longest edge over the height on it and
+/// the slope.
+class Triangles final : public Surface
+{
+public:
+  using Triangle = std::array<Vec3, 3>;
+
+  /// Triangles without area are met by no ray. Throws Error without triangles, for corners that are
+  /// not finite (naming the first), and where Embree fails.
+  explicit Triangles(std::vector<Triangle> triangles);
+
+  void Meet(const RayLanes& rays, HitSlots& hits) const override;
+  [[nodiscard]] Vec3 Normal(const SurfacePoint& point) const override;
+
+  [[nodiscard]] const Box3& Bounds() const { return TheBounds; }
+  [[nodiscard]] std::size_t MemoryUsage() const;
+
+private:
+  std::vector<Triangle> All;
+  Box3 TheBounds;
+  std::unique_ptr<Bvh> Hierarchy;
+};
+} // namespace pixelexact

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is shown while somebody drags the scene, and what is saved then.
+#include "CutScene.h"
+
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+#include "vtkRenderWindowInteractor.h"
+
+namespace pixelexact
+{
+namespace
+{
+using testing::CutScene;
+using testing::SameBytes;
+using testing::Window;
+
+/// What a window's picture is, as users save it.
+vtkSmartPointer<vtkImageData> Screenshot(Window& window, bool rerender = true)
+{
+  vtkNew<vtkWindowToImageFilter> filter;
+  filter->SetInput(window.RenderWindow);
+  filter->SetShouldRerender(rerender);
+  filter->ReadFrontBufferOff();
+  filter->Update();
+  return filter->GetOutput();
+}
+
+int Differing(vtkImageData* a, vtkImageData* b)
+{
+  const auto* one = static_cast<unsigned char*>(a->GetScalarPointer());
+  const auto* other = static_cast<unsigned char*>(b->GetScalarPointer());
+  int count = 0;
+  for (vtkIdType i = 0; i < a->GetNumberOfPoints(); ++i)
+  {
+    count += std::equal(one + 3 * i, one + 3 * i + 3, other + 3 * i) ? 0 : 1;
+  }
+  return count;
+}
+
+/// A window that is in a hurry, beside one of the same view that is not.
+class Dragging : public ::testing::Test
+{
+protected:
+  Dragging()
+  {
+    Wanted.Renderer->AddActor(Exact.Cut);
+    CutScene::Look(Wanted.Renderer, false);
+    Shown.Renderer->AddActor(Scene.Cut);
+    CutScene::Look(Shown.Renderer, false);
+    Interactor->SetRenderWindow(Shown.RenderWindow);
+    Shown.Render();
+    Wanted.Render();
+    // Less than anything takes.
+    Shown.RenderWindow->SetDesiredUpdateRate(1e9);
+  }
+
+  void Move()
+  {
+    Shown.Renderer->GetActiveCamera()->Azimuth(20.0);
+    Wanted.Renderer->GetActiveCamera()->Azimuth(20.0);
+    Wanted.Render();
+  }
+  /// The pixels that are not those of the exact frame.
+  int Coarse() { return Differing(Screenshot(Shown, false), Screenshot(Wanted, false)); }
+  vtkIdType Traces() { return Scene.Mapper->GetNumberOfTraces(); }
+
+  CutScene Exact;
+  CutScene Scene;
+  Window Wanted;
+  Window Shown;
+  vtkNew<vtkRenderWindowInteractor> Interactor;
+};
+} // namespace
+
+TEST_F(Dragging, CoarseFirstThenFinerUntilItIsExact)
+{
+  EXPECT_EQ(Coarse(), 0);
+  Move();
+  int before = Window::kWidth * Window::kHeight;
+  for (int traces = 2; traces <= 5; ++traces)
+  {
+    Shown.Render();
+    EXPECT_EQ(Traces(), traces);
+    const int now = Coarse();
+    EXPECT_LT(now, before);
+    before = now;
+  }
+  EXPECT_EQ(before, 0);
+  Shown.Render();
+  EXPECT_EQ(Traces(), 5);
+
+  // Another view, coarse; then time enough.
+  Move();
+  Shown.Render();
+  EXPECT_EQ(Traces(), 6);
+  EXPECT_GT(Coarse(), 0);
+  Shown.RenderWindow->SetDesiredUpdateRate(1e-4);
+  Shown.Render();
+  EXPECT_EQ(Traces(), 7);
+  EXPECT_EQ(Coarse(), 0);
+}
+
+TEST_F(Dragging, BuffersAreThoseOfTheCompleteFrame)
+{
+  Move();
+  Shown.Render();
+  EXPECT_GT(Coarse(), 0);
+  vtkDataArray* value = Scene.Mapper->GetBuffers()->GetPointData()->GetArray("Value");
+  const Frame frame = Scene.Traced(Shown.Renderer, Window::kWidth, Window::kHeight, Buffer::Value);
+  EXPECT_TRUE(SameBytes(frame.centres.value, value));
+}
+
+TEST_F(Dragging, ScreenshotsAreExact)
+{
+  // Twice: the second one's camera may be where the first one's was.
+  for (int i = 0; i < 2; ++i)
+  {
+    Move();
+    Shown.Render();
+    EXPECT_GT(Coarse(), 0);
+    EXPECT_EQ(Differing(Screenshot(Shown), Screenshot(Wanted)), 0);
+  }
+}
+
+TEST_F(Dragging, AWindowThatNobodyMovesIsExact)
+{
+  Shown.RenderWindow->SetInteractor(nullptr);
+  Move();
+  Shown.Render();
+  EXPECT_EQ(Coarse(), 0);
+}
+
+TEST_F(Dragging, WhoDoesNotWantThisAlwaysGetsExactFrames)
+{
+  Scene.Mapper->ProgressiveOff();
+  Move();
+  Shown.Render();
+  EXPECT_EQ(Coarse(), 0);
+}
+} // namespace pixelexact
