@@ -5,7 +5,7 @@
  *
  * The session (SetFileName) holds the geometry: XML, plain or compressed, three-dimensional.
  * Further session files (AddSessionFileName) may hold the rest, or other parts of the mesh; a
- * folder (`<name>_xml`, as parallel runs write it) stands for the parts in it. Field files
+ * folder (`NAME_xml`, as parallel runs write it) stands for the parts in it. Field files
  * (AddFieldFileName: `.fld`, `.chk`, `.rst`, XML; a folder for those of parallel runs) become
  * fields of the names in them. Several field files are time steps, ordered by the time in their
  * metadata, or where one has none by the order given and numbered from 0. HDF5 files are refused.

@@ -103,9 +103,10 @@ public:
   ///@{
   /**
    * The cut-surfaces. SetCutFunction replaces all of them by one; null functions are none. Where
-   * the nearest surface lies outside of the mesh, the next one shows. Supported, with their
-   * transforms, are vtkPlane, vtkSphere, vtkCylinder, vtkCone, vtkQuadric, vtkBox, vtkPlanes and
-   * vtkImplicitTorus.
+   * the nearest surface lies outside of the mesh, the next one shows. In closed form, with their
+   * transforms, are vtkPlane, vtkSphere, vtkCylinder, vtkCone, vtkQuadric, vtkBox, vtkPlanes,
+   * vtkImplicitTorus and vtkImplicitBoolean of these. Any other function is searched for along the
+   * rays, by samples: sheets of it that lie closer than these may be missing.
    */
   void SetCutFunction(vtkImplicitFunction* function);
   void AddCutFunction(vtkImplicitFunction* function);

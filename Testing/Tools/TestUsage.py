@@ -77,8 +77,8 @@ class Words(ToolTest):
             ("--threads", "two", "whole number from 1"),
             ("--samples", "0", "from 1 to 1024"),
             ("--precision", "half", "double, float"),
-            ("--view-angle", "nan", "a number"),
-            ("--time", "soon", "a number"),
+            ("--view-angle", "nan", "a finite number"),
+            ("--time", "soon", "a finite number"),
             ("--time-step", "all", "one step"),
             ("--time-step", "-1", "one step"),
         ]:
