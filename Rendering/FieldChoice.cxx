@@ -20,7 +20,8 @@ const Field& FieldChoice::In(const HighOrderModel& model) const
   const std::span<const Field> fields = model.Fields();
   if (fields.empty())
   {
-    throw Error("the grid carries no high-order field");
+    throw Error("the grid carries no high-order field; without colours by a field "
+                "(ScalarVisibilityOff) its cut can be drawn");
   }
   if (!name.empty())
   {

@@ -13,11 +13,15 @@
 #include <glm/geometric.hpp>
 
 #include <cmath>
+#include <limits>
 
 namespace pixelexact
 {
 namespace
 {
+/// Of samples beside a layer that has no field.
+constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
+
 /// An image of one pixel, through whose centre the ray goes.
 CameraSetup CameraAlong(const Vec3& start, const Vec3& end)
 {
@@ -80,8 +84,8 @@ PickedSample Describe(
   picked.normal = sheet.normal[0];
   picked.verdict = static_cast<PixelVerdict>(sheet.verdict[0]);
   picked.layer = sheet.layer[0];
-  const Field& field = *layers[sheet.layer[0]].field;
-  picked.field = field.name;
+  const Field* const field = layers[sheet.layer[0]].field;
+  picked.field = field != nullptr ? field->name : "";
   if (picked.verdict != PixelVerdict::Exact)
   {
     return picked;
@@ -96,10 +100,13 @@ PickedSample Describe(
     picked.cell -= block.begin;
   }
   picked.xi = sheet.xi[0];
-  picked.value = sheet.value[0];
-  picked.values.resize(static_cast<std::size_t>(field.values.components));
-  EvaluateAt(
-    model.GetMesh(), field, static_cast<int>(element), { &picked.xi, 1 }, picked.values, {});
+  if (field != nullptr)
+  {
+    picked.value = sheet.value.empty() ? kNoValue : sheet.value[0];
+    picked.values.resize(static_cast<std::size_t>(field->values.components));
+    EvaluateAt(
+      model.GetMesh(), *field, static_cast<int>(element), { &picked.xi, 1 }, picked.values, {});
+  }
   return picked;
 }
 } // namespace

@@ -21,13 +21,19 @@ namespace pixelexact
 namespace
 {
 // Beyond what colours need: what depths are made of.
-constexpr Buffer kDrawn = Buffer::Value | Buffer::Position | Buffer::Verdict;
+constexpr Buffer kDrawn = Buffer::Position | Buffer::Verdict;
 
 bool Includes(Buffer set, Buffer wanted)
 {
   return (set | wanted) == set;
 }
 } // namespace
+
+const Field* FieldOf(const LayerRequest& layer, const HighOrderModel& model)
+{
+  const bool none = layer.table == nullptr && layer.field == FieldChoice{};
+  return none && model.Fields().empty() ? nullptr : &layer.field.In(model);
+}
 
 int ComponentOf(const LayerRequest& layer, const Field& field)
 {
@@ -77,7 +83,8 @@ FrameSource::TraceKey FrameSource::TraceKeyOf(const FrameRequest& request) const
   TraceKey key{ {}, request.kept, request.camera, request.searchSamples };
   for (const LayerRequest& layer : request.layers)
   {
-    const int component = ComponentOf(layer, layer.field.In(*TheModel));
+    const Field* const field = FieldOf(layer, *TheModel);
+    const int component = field != nullptr ? ComponentOf(layer, *field) : 0;
     if (layer.table != nullptr)
     {
       // Before that it does not know whether its colours are opaque.
@@ -103,8 +110,9 @@ void FrameSource::MakeScene(const FrameRequest& request)
   for (std::size_t k = 0; k < request.layers.size(); ++k)
   {
     const TracedLayer& traced = Traced->layers[k];
-    TheScene.layers.push_back({ ToSurface(request.layers[k].cut, search),
-      &traced.field.In(*TheModel), traced.component, traced.precision, traced.translucent });
+    TheScene.layers.push_back(
+      { ToSurface(request.layers[k].cut, search), FieldOf(request.layers[k], *TheModel),
+        traced.component, traced.precision, traced.translucent });
   }
 }
 
@@ -143,7 +151,7 @@ void FrameSource::MakeColors(const ColorKey& key)
   for (const ColoredLayer& layer : key.layers)
   {
     colors.push_back({ layer.table != nullptr ? ToColorMap(layer.table) : SolidColor(layer.solid),
-      key.unknown, layer.opacity });
+      key.unknown, layer.opacity, layer.table != nullptr });
     materials.push_back(layer.material);
   }
   const bool lit = std::ranges::any_of(
@@ -294,10 +302,16 @@ SampleBuffers FrameSource::Sample(
   const Camera camera = request.camera.Make();
   Frame none;
   TileVisit visit(&TheScene, &camera, pipeline, none, {});
-  SampleBuffers samples =
-    visit.Trace(positions, kDrawn | UsualBuffers() | pipeline.Needs().centres);
+  SampleBuffers samples = visit.Trace(positions, kDrawn | AllBuffers() | pipeline.Needs().centres);
   (void)visit.Image(samples); // paints the sheets
   return samples;
+}
+
+Buffer FrameSource::AllBuffers() const
+{
+  const bool values =
+    std::ranges::all_of(TheScene.layers, [](const Layer& layer) { return layer.field != nullptr; });
+  return values ? UsualBuffers() : Without(UsualBuffers(), Buffer::Value);
 }
 
 const Frame* FrameSource::FrameWithAllBuffers()
@@ -306,9 +320,9 @@ const Frame* FrameSource::FrameWithAllBuffers()
   {
     return nullptr;
   }
-  if (!Complete || !Includes(TheBuffers, UsualBuffers()))
+  if (!Complete || !Includes(TheBuffers, AllBuffers()))
   {
-    BeginFrame(TheBuffers | UsualBuffers());
+    BeginFrame(TheBuffers | AllBuffers());
     TraceFrame(std::numeric_limits<double>::infinity(), {});
   }
   return &*TheFrame;

@@ -44,6 +44,10 @@ struct LayerRequest
   bool litWhereFlat = false;        ///< also a plane
 };
 
+/// The layer's field. Null where the model has none and none is asked for, by name or to be mapped
+/// to colours. Throws Error when there is no such field.
+[[nodiscard]] const Field* FieldOf(const LayerRequest& layer, const HighOrderModel& model);
+
 /// The component that the layer shows of its field: what it asks for, else the table's choice.
 /// Throws Error when the field has no such component.
 [[nodiscard]] int ComponentOf(const LayerRequest& layer, const Field& field);
@@ -176,6 +180,7 @@ private:
   void TraceFrame(double seconds, const Progress& progress);
   void Count(bool traced);
   void Forget();
+  [[nodiscard]] Buffer AllBuffers() const;
 
   std::shared_ptr<HighOrderModel> TheModel;
   Scene TheScene;

@@ -30,6 +30,10 @@ constexpr Buffer operator|(Buffer a, Buffer b)
 {
   return static_cast<Buffer>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b));
 }
+constexpr Buffer Without(Buffer set, Buffer less)
+{
+  return static_cast<Buffer>(static_cast<std::uint32_t>(set) & ~static_cast<std::uint32_t>(less));
+}
 constexpr bool Has(Buffer set, Buffer wanted)
 {
   return (static_cast<std::uint32_t>(set) & static_cast<std::uint32_t>(wanted)) != 0;

@@ -4,6 +4,8 @@
 #include "CutScene.h"
 
 #include "vtkHighOrderLayer.h"
+
+#include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkShaderProperty.h"
@@ -18,7 +20,6 @@ namespace
 {
 using testing::CutScene;
 using testing::ErrorObserver;
-using testing::FieldU;
 using testing::Rgb;
 using testing::SameBytes;
 
@@ -269,6 +270,37 @@ TEST_F(StockSettings, ForcedPhasesDrawTheSame)
   Scene.Cut->ForceOpaqueOff();
   Scene.Cut->ForceTranslucentOn();
   expectSheets();
+}
+
+TEST_F(StockSettings, MeshesWithoutFieldAreCutInTheActorsColor)
+{
+  Scene.Mapper->ScalarVisibilityOff();
+  Scene.Cut->GetProperty()->SetColor(1.0, 0.5, 0.0);
+  Render();
+  const std::vector<Rgb> expected = Picture();
+  vtkNew<vtkUnstructuredGrid> bare;
+  bare->ShallowCopy(Scene.Grid);
+  vtkFieldData* data = bare->GetFieldData();
+  for (int i = data->GetNumberOfArrays() - 1; i >= 0; --i)
+  {
+    const std::string name = data->GetArrayName(i);
+    if (name.find("PixelExact.Field") != std::string::npos)
+    {
+      data->RemoveArray(name.c_str());
+    }
+  }
+  Scene.Mapper->SetInputData(bare);
+  Scene.Mapper->SetFieldName(nullptr);
+  Render();
+  EXPECT_EQ(Errors->Text, "");
+  EXPECT_EQ(Picture(), expected);
+  vtkPointData* buffers = Scene.Mapper->GetBuffers()->GetPointData();
+  EXPECT_EQ(buffers->GetArray("Value"), nullptr);
+  EXPECT_NE(buffers->GetArray("Element"), nullptr);
+  // Colours need one.
+  Scene.Mapper->ScalarVisibilityOn();
+  Render();
+  EXPECT_NE(Errors->Text.find("ScalarVisibilityOff"), std::string::npos) << Errors->Text;
 }
 
 TEST_F(StockSettings, EdgeVisibilityDrawsWhereElementsMeet)
