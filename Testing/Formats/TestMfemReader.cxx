@@ -242,7 +242,7 @@ TEST(MfemReader, NumbersAreReadWhole)
   {
     EXPECT_EQ(field(sound), "") << sound;
   }
-  for (const char* broken : { "1x", "1,5", "+-1", "--1", "0x1p3", "1e", "1.5.2", "1d3" })
+  for (const char* broken : { "1x", "1,5", "+-1", "--1", "0x1p3", "1e", "1.5.2", "1d3", "N10", "nano" })
   {
     ExpectMessage(field(broken), { "u.gf, line", broken });
   }
@@ -255,6 +255,8 @@ TEST(MfemReader, NumbersAreReadWhole)
   EXPECT_EQ(value("1e-400"), 0.0);
   EXPECT_EQ(value("0." + std::string(400, '0') + "1"), 0.0);
   EXPECT_EQ(value("0." + std::string(400, '0') + "1e401"), 1.0);
+  EXPECT_EQ(value("-1234e-99999999999999999999"), 0.0);
+  EXPECT_EQ(value("10e-325"), 0.0);
   for (const std::string wrong : { "0 1 2 3 4 5 6 7.0", "0 1 2 3 4 5 6 +-7", "0 1 2 3 4 5 6 7x" })
   {
     std::string mesh = OneCube();
