@@ -253,8 +253,7 @@ std::shared_ptr<const Surface> ToSurface(vtkImplicitFunction* function, const Su
   try
   {
     auto* boolean = vtkImplicitBoolean::SafeDownCast(function);
-    const auto surface =
-      boolean != nullptr ? FromBoolean(boolean, ToClosedForm) : ToClosedForm(function);
+    auto surface = boolean != nullptr ? FromBoolean(boolean, ToClosedForm) : ToClosedForm(function);
     if (surface != nullptr)
     {
       return surface;

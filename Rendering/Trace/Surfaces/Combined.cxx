@@ -47,7 +47,9 @@ Combined::Combined(std::vector<Part> parts, Rule rule)
 void Combined::Meet(const RayLanes& rays, HitSlots& hits) const
 {
   const CheckedOut<Scratch> scratch;
-  auto& [ofParts, found, inside] = *scratch;
+  std::vector<HitSlots>& ofParts = (*scratch).ofParts;
+  std::vector<PartHit>& found = (*scratch).found;
+  std::vector<bool>& inside = (*scratch).inside;
   ofParts.resize(Parts.size());
   for (std::size_t p = 0; p < Parts.size(); ++p)
   {
