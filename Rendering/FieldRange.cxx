@@ -4,6 +4,8 @@
 #include "Core/Element/MeshRanges.h"
 #include "Trace/Scene.h"
 
+#include <algorithm>
+
 namespace pixelexact
 {
 namespace
@@ -15,13 +17,14 @@ std::optional<std::array<double, 2>> FieldRange(const Mesh& mesh, const Field& f
 {
   RangeQuestion question;
   question.field = &field;
-  if (component == kMagnitude)
+  // Of one component the tracer shows the value itself.
+  if (component == kMagnitude && field.values.components > 1)
   {
     question.quantity = Quantity::Magnitude;
   }
   else
   {
-    question.component = component;
+    question.component = std::max(component, 0);
   }
   const CertifiedRange range = RangeOf(mesh, question, kEffort).range;
   if (range.attained.lower <= range.attained.upper)

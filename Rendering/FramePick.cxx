@@ -100,9 +100,9 @@ PickedSample Describe(
     picked.cell -= block.begin;
   }
   picked.xi = sheet.xi[0];
+  picked.value = sheet.value.empty() ? kNoValue : sheet.value[0];
   if (field != nullptr)
   {
-    picked.value = sheet.value.empty() ? kNoValue : sheet.value[0];
     picked.values.resize(static_cast<std::size_t>(field->values.components));
     EvaluateAt(
       model.GetMesh(), *field, static_cast<int>(element), { &picked.xi, 1 }, picked.values, {});

@@ -194,9 +194,12 @@ double vtkHighOrderPicker::IntersectWithLine(const double p1[3], const double p2
     this->Element = picked->source;
     std::copy_n(glm::value_ptr(picked->xi), 3, this->Xi);
     this->Value = picked->value;
-    this->FieldValues->SetName(picked->field.c_str());
-    this->FieldValues->SetNumberOfComponents(static_cast<int>(picked->values.size()));
-    this->FieldValues->InsertNextTuple(picked->values.data());
+    if (!picked->values.empty())
+    {
+      this->FieldValues->SetName(picked->field.c_str());
+      this->FieldValues->SetNumberOfComponents(static_cast<int>(picked->values.size()));
+      this->FieldValues->InsertNextTuple(picked->values.data());
+    }
   }
   return t;
 }

@@ -4,7 +4,9 @@
 #include "CutScene.h"
 
 #include "vtkHighOrderLayer.h"
+#include "vtkHighOrderPicker.h"
 
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
@@ -297,6 +299,13 @@ TEST_F(StockSettings, MeshesWithoutFieldAreCutInTheActorsColor)
   vtkPointData* buffers = Scene.Mapper->GetBuffers()->GetPointData();
   EXPECT_EQ(buffers->GetArray("Value"), nullptr);
   EXPECT_NE(buffers->GetArray("Element"), nullptr);
+  vtkNew<vtkHighOrderPicker> picker;
+  EXPECT_EQ(
+    picker->Pick(testing::Window::kWidth / 2, testing::Window::kHeight / 2, 0.0, Window.Renderer),
+    1);
+  EXPECT_GE(picker->GetElement(), 1000);
+  EXPECT_TRUE(std::isnan(picker->GetValue()));
+  EXPECT_EQ(picker->GetFieldValues()->GetNumberOfTuples(), 0);
   // Colours need one.
   Scene.Mapper->ScalarVisibilityOn();
   Render();
@@ -401,6 +410,10 @@ TEST_F(StockSettings, RangeOfTheField)
   layer->SetComponent(2);
   Scene.Mapper->AddLayer(layer);
   ExpectRange(-0.75, 2.0, 0.003);
+  // Of a scalar the magnitude is the value.
+  layer->SetFieldName("u");
+  layer->SetComponent(vtkHighOrderLayer::MAGNITUDE);
+  ExpectRange(-0.75, 1.75, 0.0025);
   vtkNew<vtkLookupTable> own;
   layer->SetLookupTable(own);
   ExpectRange(-0.75, 1.75, 0.0025);
