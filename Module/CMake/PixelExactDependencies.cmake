@@ -48,7 +48,7 @@ set(PIXELEXACT_VTK_COMPONENTS
   IOXML
   RenderingCore
   RenderingOpenGL2)
-set(vtk_build_components IOImage IOLegacy)
+set(vtk_build_components IOGeometry IOImage IOLegacy)
 if(PIXELEXACT_BUILD_PYTHON)
   list(APPEND vtk_build_components Python WrappingPythonCore)
 endif()

@@ -3,6 +3,7 @@
 
 #include "Command.h"
 #include "Options.h"
+#include "TriangleFile.h"
 
 #include "Core/Base/Error.h"
 #include "Trace/Surfaces/ConvexBody.h"
@@ -79,7 +80,6 @@ struct Announced
 constexpr Announced kAnnounced[] = {
   { "--patch", "FILE", "Cut by bicubic Bezier patches" },
   { "--isosurface", "FIELD=VALUE", "Cut by an iso-surface of a field" },
-  { "--surface", "FILE", "Cut by triangles (.vtp, .stl)" },
 };
 } // namespace
 
@@ -91,6 +91,10 @@ void SurfaceOptions::AddTo(CLI::App& command)
     AddRepeatedNumbers(command, kind.name, Numbers[kind.name], kind.count, kind.form, kind.help)
       .Group(group);
   }
+  AddRepeated(
+    command, "--surface", [this](const std::string& file) { Files.push_back(file); }, "FILE",
+    "Cut by the triangles of a file (.vtp, .stl), as they are")
+    .Group(group);
   for (const Announced& surface : kAnnounced)
   {
     AddRepeated(
@@ -124,6 +128,10 @@ std::vector<std::shared_ptr<const Surface>> SurfaceOptions::Make() const
         throw UsageError(std::string(kind.name) + ": " + error.what());
       }
     }
+  }
+  for (const std::string& file : Files)
+  {
+    surfaces.push_back(ReadTriangles(file));
   }
   if (surfaces.empty())
   {

@@ -18,12 +18,13 @@ class SurfaceOptions
 public:
   void AddTo(CLI::App& command);
 
-  /// Throws UsageError when there is none or a number describes no surface, Unsupported for a
-  /// surface that is declared but not available yet.
+  /// Throws UsageError when there is none or a number describes no surface, Error for a file that
+  /// cannot be read, Unsupported for a surface that is declared but not available yet.
   [[nodiscard]] std::vector<std::shared_ptr<const Surface>> Make() const;
 
 private:
   std::map<std::string, std::vector<std::vector<double>>> Numbers; ///< by option
+  std::vector<std::string> Files;  ///< of triangles
   std::vector<std::string> NotYet; ///< names of the options given that are not available yet
   bool Boundary = false;
 };

@@ -275,7 +275,6 @@ class NotYet(ToolTest):
         for option in [
             ["--patch", "patches.txt"],
             ["--isosurface", "u=0.5"],
-            ["--surface", "cut.vtp"],
             ["--boundary"],
         ]:
             done = self.fails(1, *base, *option, names=[option[0], "not available yet"])
