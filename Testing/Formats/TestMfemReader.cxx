@@ -242,7 +242,8 @@ TEST(MfemReader, NumbersAreReadWhole)
   {
     EXPECT_EQ(field(sound), "") << sound;
   }
-  for (const char* broken : { "1x", "1,5", "+-1", "--1", "0x1p3", "1e", "1.5.2", "1d3", "N10", "nano" })
+  for (const char* broken :
+    { "1x", "1,5", "+-1", "--1", "0x1p3", "1e", "1.5.2", "1d3", "N10", "nano" })
   {
     ExpectMessage(field(broken), { "u.gf, line", broken });
   }
