@@ -300,8 +300,8 @@ TEST_F(StockSettings, MeshesWithoutFieldAreCutInTheActorsColor)
   EXPECT_EQ(buffers->GetArray("Value"), nullptr);
   EXPECT_NE(buffers->GetArray("Element"), nullptr);
   vtkNew<vtkHighOrderPicker> picker;
-  EXPECT_EQ(
-    picker->Pick(testing::Window::kWidth / 2, testing::Window::kHeight / 2, 0.0, Window.Renderer),
+  EXPECT_EQ(picker->Pick(
+              0.5 * testing::Window::kWidth, 0.5 * testing::Window::kHeight, 0.0, Window.Renderer),
     1);
   EXPECT_GE(picker->GetElement(), 1000);
   EXPECT_TRUE(std::isnan(picker->GetValue()));
