@@ -149,15 +149,7 @@ std::shared_ptr<HighOrderModel> HighOrderModel::From(vtkDataObject* data)
     throw InvalidData(
       std::string("there is no high-order grid, but ") + (data ? data->GetClassName() : "nothing"));
   }
-  auto& registry = Registry::Instance();
-  const std::scoped_lock lock(registry.mutex);
-  auto model = Known(data);
-  if (!model)
-  {
-    model.reset(new HighOrderModel(composite));
-    registry.models[data] = model;
-  }
-  return model;
+  return Shared(data, composite);
 }
 
 /// Null where nobody holds it; the registry must be locked.
@@ -172,13 +164,19 @@ std::shared_ptr<HighOrderModel> HighOrderModel::Known(vtkDataObject* data)
 
 std::shared_ptr<HighOrderModel> HighOrderModel::From(vtkUnstructuredGrid* grid)
 {
+  return Shared(grid, grid);
+}
+
+template <class Source>
+std::shared_ptr<HighOrderModel> HighOrderModel::Shared(vtkDataObject* key, Source* source)
+{
   auto& registry = Registry::Instance();
   const std::scoped_lock lock(registry.mutex);
-  auto model = Known(grid);
+  auto model = Known(key);
   if (!model)
   {
-    model.reset(new HighOrderModel(grid));
-    registry.models[grid] = model;
+    model.reset(new HighOrderModel(source));
+    registry.models[key] = model;
   }
   return model;
 }

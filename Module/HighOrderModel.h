@@ -80,6 +80,9 @@ private:
   explicit HighOrderModel(vtkUnstructuredGrid* grid);
   explicit HighOrderModel(vtkCompositeDataSet* data);
   static std::shared_ptr<HighOrderModel> Known(vtkDataObject* data);
+  /// The one that is known, else a new one.
+  template <class Source>
+  static std::shared_ptr<HighOrderModel> Shared(vtkDataObject* key, Source* source);
 
   std::unique_ptr<Internals> Data;
 };
