@@ -135,6 +135,16 @@ void ExpectRoundTrip(vtkHighOrderFileReader* reader)
   }
 }
 
+void ExpectTimes(vtkNektarReader* reader, double first, double second)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  reader->UpdateInformation();
+  vtkInformation* information = reader->GetOutputInformation(0);
+  ASSERT_EQ(information->Length(Pipeline::TIME_STEPS()), 2);
+  EXPECT_EQ(information->Get(Pipeline::TIME_STEPS())[0], first);
+  EXPECT_EQ(information->Get(Pipeline::TIME_STEPS())[1], second);
+}
+
 TEST(NativeReaders, RoundTripOfVectorElements)
 {
   ExpectRoundTrip(Darcy());
@@ -233,12 +243,7 @@ TEST(NativeReaders, FieldFilesAreTimeSteps)
   reader->SetFileName((folder / "nek_hex_aniso_p3p5p7.xml").c_str());
   reader->AddFieldFileName(scratch.Write("b.chk", withTime("2.5")).c_str());
   reader->AddFieldFileName(scratch.Write("a.chk", withTime("0.5")).c_str());
-  reader->UpdateInformation();
-  vtkInformation* information = reader->GetOutputInformation(0);
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  ASSERT_EQ(information->Length(Pipeline::TIME_STEPS()), 2);
-  EXPECT_EQ(information->Get(Pipeline::TIME_STEPS())[0], 0.5);
-  EXPECT_EQ(information->Get(Pipeline::TIME_STEPS())[1], 2.5);
+  ExpectTimes(reader, 0.5, 2.5);
 
   reader->UpdateTimeStep(0.5);
   const auto first = HighOrderModel::From(reader->GetHighOrderOutput());
@@ -356,19 +361,12 @@ TEST(NativeReaders, TimesOfNektar3AreSteps)
   reader->SetFileName((folder / "nek_hex_aniso_p3p5p7.xml").c_str());
   reader->AddFieldFileName(scratch.Write("b.chk", withTime("2.5")).c_str());
   reader->AddFieldFileName(scratch.Write("a.chk", withTime("0.5")).c_str());
-  reader->UpdateInformation();
-  vtkInformation* information = reader->GetOutputInformation(0);
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  ASSERT_EQ(information->Length(Pipeline::TIME_STEPS()), 2);
-  EXPECT_EQ(information->Get(Pipeline::TIME_STEPS())[0], 0.5);
-  EXPECT_EQ(information->Get(Pipeline::TIME_STEPS())[1], 2.5);
+  ExpectTimes(reader, 0.5, 2.5);
 
   // No number to its end is no time: the files are counted, and reading tells what is wrong.
   scratch.Write("b.chk", withTime("2.5 s"));
   reader->Modified();
-  reader->UpdateInformation();
-  information = reader->GetOutputInformation(0);
-  EXPECT_EQ(information->Get(Pipeline::TIME_STEPS())[1], 1.0);
+  ExpectTimes(reader, 0.0, 1.0);
   ExpectRefusal(reader, "'s' is no number");
 }
 } // namespace

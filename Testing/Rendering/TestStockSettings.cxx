@@ -334,7 +334,6 @@ TEST_F(StockSettings, EdgeVisibilityDrawsWhereElementsMeet)
     ++lines;
     EXPECT_EQ(edges[i], (Rgb{ 0, 255, 0 }));
     const double* x = position->GetTuple3(static_cast<vtkIdType>(i));
-    // A pixel is some 0.013 wide there, and three times that along the line of sight.
     EXPECT_LT(std::min(std::abs(x[0]), std::abs(x[1])), 0.03) << x[0] << ", " << x[1];
   }
   EXPECT_GT(lines, 150);

@@ -70,7 +70,7 @@ void ExpectSamePicture(Window& ours, Window& stock, double depths = 3e-7)
     }
   }
   EXPECT_GT(shown, 10000);
-  // The outline is some 900 pixels long; pixels differ where it meets a centre.
+  // Pixels differ where an outline meets a centre.
   EXPECT_LT(differing, 40);
 }
 

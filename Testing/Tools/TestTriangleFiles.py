@@ -54,13 +54,12 @@ class TriangleFiles(ToolTest):
         triangles = self.buffers("--surface", self.save("plane.vtp", moved))
         normal = [0, -0.5, np.sqrt(0.75)]
         closed = self.buffers("--plane", ",".join(repr(float(x)) for x in [0, 0, 0, *normal]))
-        # Corners at thirds of a rounded rotation: the same to some roundings of a float's ten.
         np.testing.assert_array_equal(triangles["Verdict"], closed["Verdict"])
         exact = closed["Verdict"] == EXACT
         self.assertGreater(exact.sum(), 300)
         for name in ["Value", "Depth"]:
             np.testing.assert_allclose(
-                triangles[name][exact], closed[name][exact], rtol=0, atol=1e-6
+                triangles[name][exact], closed[name][exact], rtol=0, atol=1e-12
             )
 
     def test_positions_lie_on_the_triangles(self):

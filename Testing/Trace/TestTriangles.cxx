@@ -191,6 +191,7 @@ TEST(Triangles, AllHitsInOrderAndWithinTheInterval)
   }
   EXPECT_EQ(HitsOf(surface, up, 1.0, 2.0).size(), 2U);
   EXPECT_EQ(HitsOf(surface, up, 1.5, 1.9).size(), 0U);
+  EXPECT_EQ(HitsOf(surface, up, 2.0, 2.0).size(), 1U);
   EXPECT_TRUE(HitsOf(surface, { Vec3(0.0), { 0.0, 0.0, -1.0 } }).empty());
   // In a triangle's plane, and without end.
   EXPECT_TRUE(HitsOf(surface, { Vec3(-5.0, 0.0, 1.0), { 1.0, 0.0, 0.0 } }).empty());
