@@ -14,8 +14,8 @@ struct Mesh;
 /// The range of a component (or kMagnitude) of a field over a mesh, for colours: both ends are
 /// attained, and no value lies beyond them by more than a thousandth of it, but where the search
 /// ends early (200 boxes for an element whose map folds). Elements with a NaN or infinite
-/// coefficient are left out; none where there are no others. Takes about as long as building a
-/// locator.
+/// coefficient are left out; none where there are no others. What it takes, beside building a
+/// locator: Documentation/windows.md.
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT std::optional<std::array<double, 2>> FieldRange(
   const Mesh& mesh, const Field& field, int component);
 } // namespace pixelexact

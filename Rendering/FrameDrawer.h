@@ -38,9 +38,8 @@ public:
   /// actor. The request's camera, half-spaces and lights are filled in here: viewport, camera and
   /// lights from the renderer, matrix from the actor, clipping planes and depth offset from the
   /// mapper. The actor's opacity is applied. A camera that the view is seen through for the first
-  /// time gets a complete frame, whatever the time. Returns the range of
-  /// the values that request.fitted colours, which it gets. Throws Error, after which the view has
-  /// no frame.
+  /// time gets a complete frame, whatever the time. Returns the range of the values that
+  /// request.fitted colours, which it gets. Throws Error, after which the view has no frame.
   ColorRanges::Range Draw(FrameRequest request, FramePart part, vtkRenderer* renderer,
     vtkActor* actor, vtkMapper* mapper, const Progress& progress);
 

@@ -151,8 +151,8 @@ public:
   /**
    * The range of the mapper's lookup table, unless UseLookupTableScalarRange is on. The default is
    * RANGE_OF_FIELD: the ends are values of the field, and none lies beyond them by more than a
-   * thousandth; it is found by the first frame and takes about as long as that. To set a
-   * ScalarRange is to choose RANGE_AS_SET. GetScalarRange gives the range of the last frame.
+   * thousandth; it is found by the first frame. To set a ScalarRange is to choose RANGE_AS_SET.
+   * GetScalarRange gives the range of the last frame.
    */
   void SetRangeMode(int mode);
   vtkGetMacro(RangeMode, int);
