@@ -21,5 +21,7 @@ struct RayLanes
   const double* tNear;        ///< at least kNearest
   const double* tFar;         ///< at most kFarthest
   int count;
+  /// A ray's hits behind its first one are not needed: a surface may leave them out.
+  bool nearestOnly = false;
 };
 } // namespace pixelexact

@@ -181,8 +181,11 @@ void TileSamples::Meet(const Camera& camera, const Scene& scene, std::vector<Hit
     }
     for (std::size_t k = 0; k < scene.layers.size(); ++k)
     {
+      const Layer& layer = scene.layers[k];
+      RayLanes rays = Rays(count);
+      rays.nearestOnly = layer.surface->IsOfMesh() && !layer.translucent;
       hits[k].MoveTo(first);
-      scene.layers[k].surface->Meet(Rays(count), hits[k]);
+      layer.surface->Meet(rays, hits[k]);
     }
   }
 }

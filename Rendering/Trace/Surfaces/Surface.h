@@ -27,6 +27,10 @@ public:
 
   /// Whether its normal is everywhere the same: it is then not lit unless asked for.
   [[nodiscard]] virtual bool IsFlat() const { return false; }
+
+  /// Whether all of its points lie in the mesh: rays that cannot see through it end at their first
+  /// hit (RayLanes::nearestOnly).
+  [[nodiscard]] virtual bool IsOfMesh() const { return false; }
 };
 
 struct Hit

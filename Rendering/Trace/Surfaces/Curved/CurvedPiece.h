@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Element/Mesh.h"
+#include "Core/Tree/EtaBox.h"
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <memory>
+
+namespace pixelexact
+{
+/// What elements' pieces of a surface have in common. Without a field, the surface is made of
+/// elements' faces; else it lies where a component of the field has a value.
+struct CurvedEquation
+{
+  Mesh mesh;
+  const Field* field = nullptr;
+  int component = 0; ///< or kMagnitude
+  double value = 0.0;
+};
+
+/// An element's part of a surface: one of its faces (FacesOf), or what of an iso-surface is in it.
+struct CurvedPart
+{
+  std::int32_t element = -1;
+  std::int32_t face = -1;
+};
+
+/// A box of eta (of a face, flat), and what is proven of the four functions
+///   y = Phi in the element's units,  f = the face's plane in xi, or (F - value) 2^-exponent
+/// over it. Derivatives are by xi, which no collapsed edge makes singular.
+struct CurvedPiece
+{
+  EtaBox box;
+  Box3 bounds;           ///< in world coordinates: no point of the surface's piece lies outside
+  Vec3 centre{ 0.0 };    ///< in xi
+  Vec3 half{ 0.0 };      ///< the box lies within centre +- half
+  double value[4] = {};  ///< at the centre
+  double error[4] = {};  ///< of it, the map's uncertainty included
+  double slope[4][3]{};  ///< middles of the derivatives' ranges over the box
+  double radius[4][3]{}; ///< of these ranges
+  bool flat = false;     ///< the ranges are so small that most rays are decided here
+  int halvings = 0;
+
+  /// Null before the piece is split; an end without a surface has no bounds (lower > upper).
+  std::atomic<const std::array<CurvedPiece, 2>*> children{ nullptr };
+
+  CurvedPiece() = default;
+  ~CurvedPiece() { delete children.load(std::memory_order_relaxed); }
+  CurvedPiece(const CurvedPiece&) = delete;
+  CurvedPiece& operator=(const CurvedPiece&) = delete;
+
+  [[nodiscard]] bool IsEmpty() const { return bounds.lower.x > bounds.upper.x; }
+};
+} // namespace pixelexact

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Trace/Surfaces/Curved/CurvedSurface.h"
+
+#include "Core/Base/CheckedOut.h"
+#include "Trace/Surfaces/Curved/PieceReferee.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace pixelexact
+{
+namespace
+{
+/// Pieces are halved this often where rays are nearly tangent to them, then the referee decides: of
+/// faces, and of volumes.
+constexpr int kDeepest[2] = { 14, 18 };
+/// Of an element's size.
+constexpr double kSame = 1e-11;
+
+using RayList = std::array<std::uint8_t, RayBundle::kMost>;
+
+struct Scratch
+{
+  RayBundle bundle;
+  std::vector<CurvedHit> hits;
+  std::vector<PieceRay> unclear;
+};
+} // namespace
+
+/// A bundle of rays and the parts that they meet.
+class CurvedSurface::Meeting
+{
+public:
+  Meeting(const CurvedSurface& surface, Scratch& work, const RayLanes& rays)
+    : Of(surface)
+    , Work(work)
+    , Rays(rays)
+    , Deepest(kDeepest[surface.TheEquation.field != nullptr ? 1 : 0])
+  {
+    std::iota(All.begin(), All.end(), std::uint8_t{ 0 });
+  }
+
+  void Run()
+  {
+    Of.Hierarchy->ForEach(Work.bundle, [this](int part) { MeetPart(part); });
+  }
+
+private:
+  void MeetPart(std::int32_t part)
+  {
+    const CurvedPart& which = Of.All[static_cast<std::size_t>(part)];
+    const PartTree& tree = Of.TreeOf(part);
+    PieceSolver solver(Of.TheEquation, which, tree, Work.bundle);
+    const std::size_t before = Work.hits.size();
+    for (const auto& root : tree.Roots())
+    {
+      Descend(solver, tree, which, *root, All, static_cast<std::size_t>(Work.bundle.Count()));
+    }
+    Work.unclear.clear();
+    solver.Solve(Work.hits, Work.unclear);
+    while (!Work.unclear.empty())
+    {
+      const std::vector<PieceRay> unclear = std::move(Work.unclear);
+      Work.unclear.clear();
+      for (const PieceRay& one : unclear)
+      {
+        Deeper(solver, tree, which, *one.piece, { static_cast<std::uint8_t>(one.ray) }, 1);
+      }
+      solver.Solve(Work.hits, Work.unclear);
+    }
+    for (std::size_t k = before; k < Work.hits.size(); ++k)
+    {
+      CurvedHit& hit = Work.hits[k];
+      hit.part = part;
+      if (Rays.nearestOnly && hit.t >= Rays.tNear[Work.bundle.First() + hit.ray])
+      {
+        Work.bundle.EndAt(hit.ray, Work.bundle.DepthAt(hit.ray, hit.t));
+      }
+    }
+  }
+
+  void Descend(PieceSolver& solver, const PartTree& tree, const CurvedPart& which,
+    const CurvedPiece& piece, const RayList& rays, std::size_t count)
+  {
+    if (piece.IsEmpty())
+    {
+      return;
+    }
+    RayList left;
+    std::size_t size = 0;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      left[size] = rays[i];
+      size += Work.bundle.MayMeet(piece.bounds, rays[i]) ? 1U : 0U;
+    }
+    if (size == 0)
+    {
+      return;
+    }
+    if (!piece.flat)
+    {
+      Deeper(solver, tree, which, piece, left, size);
+      return;
+    }
+    RayList unclear;
+    std::size_t many = 0;
+    for (std::size_t i = 0; i < size; ++i)
+    {
+      if (solver.Look(piece, left[i]) == PieceSolver::Outlook::Unclear)
+      {
+        unclear[many++] = left[i];
+      }
+    }
+    if (many > 0)
+    {
+      Deeper(solver, tree, which, piece, unclear, many);
+    }
+  }
+
+  void Deeper(PieceSolver& solver, const PartTree& tree, const CurvedPart& which,
+    const CurvedPiece& piece, const RayList& rays, std::size_t count)
+  {
+    if (piece.halvings >= Deepest)
+    {
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        FindHits(Of.TheEquation, which, tree, Work.bundle, solver, { &piece, rays[i] }, Work.hits);
+      }
+      return;
+    }
+    for (const CurvedPiece& half : tree.Split(piece))
+    {
+      Descend(solver, tree, which, half, rays, count);
+    }
+  }
+
+  const CurvedSurface& Of;
+  Scratch& Work;
+  const RayLanes& Rays;
+  int Deepest;
+  RayList All;
+};
+
+CurvedSurface::CurvedSurface(
+  const CurvedEquation& equation, std::vector<CurvedPart> parts, std::span<const Box3> boxes)
+  : TheEquation(equation)
+  , All(std::move(parts))
+  , Trees(std::make_unique<std::atomic<const PartTree*>[]>(All.size()))
+{
+  if (!All.empty())
+  {
+    Hierarchy = std::make_unique<BundleHierarchy>(boxes);
+  }
+}
+
+CurvedSurface::~CurvedSurface()
+{
+  for (std::size_t k = 0; k < All.size(); ++k)
+  {
+    delete Trees[k].load();
+  }
+}
+
+const PartTree& CurvedSurface::TreeOf(std::int32_t part) const
+{
+  auto& place = Trees[static_cast<std::size_t>(part)];
+  if (const PartTree* made = place.load(std::memory_order_acquire))
+  {
+    return *made;
+  }
+  // Two threads may make it; one is kept.
+  auto tree = std::make_unique<const PartTree>(TheEquation, PartOf(part));
+  const PartTree* expected = nullptr;
+  if (place.compare_exchange_strong(expected, tree.get(), std::memory_order_acq_rel))
+  {
+    ++MadeCount;
+    return *tree.release();
+  }
+  return *expected;
+}
+
+std::int64_t CurvedSurface::PiecesMade() const
+{
+  std::int64_t pieces = 0;
+  for (std::size_t k = 0; k < All.size(); ++k)
+  {
+    const PartTree* tree = Trees[k].load(std::memory_order_acquire);
+    pieces += tree ? tree->Pieces() : 0;
+  }
+  return pieces;
+}
+
+std::size_t CurvedSurface::MemoryUsage() const
+{
+  return (Hierarchy ? Hierarchy->MemoryUsage() : 0) + All.capacity() * sizeof(CurvedPart) +
+    All.size() * sizeof(void*) + static_cast<std::size_t>(PiecesMade()) * sizeof(CurvedPiece) +
+    static_cast<std::size_t>(PartsMade()) * sizeof(PartTree);
+}
+
+void CurvedSurface::Meet(const RayLanes& rays, HitSlots& hits) const
+{
+  for (int first = 0; Hierarchy && first < rays.count; first += RayBundle::kMost)
+  {
+    MeetSome(rays, first, std::min(RayBundle::kMost, rays.count - first), hits);
+  }
+}
+
+void CurvedSurface::MeetSome(const RayLanes& rays, int first, int count, HitSlots& hits) const
+{
+  const CheckedOut<Scratch> scratch;
+  auto& [bundle, found, unclear] = *scratch;
+  if (!bundle.Begin(rays, first, count, Hierarchy->Bounds()))
+  {
+    if (count > 1)
+    {
+      MeetSome(rays, first, count / 2, hits);
+      MeetSome(rays, first + count / 2, count - count / 2, hits);
+    }
+    return;
+  }
+  found.clear();
+  Meeting(*this, *scratch, rays).Run();
+  std::ranges::stable_sort(found,
+    [](const CurvedHit& a, const CurvedHit& b) {
+      return a.ray != b.ray ? a.ray < b.ray : a.t != b.t ? a.t < b.t : a.part < b.part;
+    });
+  int slot = 0;
+  std::size_t last = 0;
+  for (std::size_t k = 0; k < found.size(); ++k)
+  {
+    const CurvedHit& hit = found[k];
+    const int ray = first + hit.ray;
+    const bool isFirst = k == 0 || found[k - 1].ray != hit.ray;
+    slot = isFirst ? 0 : slot;
+    const auto element = static_cast<std::size_t>(PartOf(hit.part).element);
+    const double same = kSame * TheEquation.mesh.size[element];
+    if (!(hit.t >= rays.tNear[ray] && hit.t <= rays.tFar[ray]) ||
+      (slot > 0 &&
+        glm::all(glm::lessThanEqual(glm::abs(hit.position - found[last].position), Vec3(same)))))
+    {
+      continue;
+    }
+    const HitLanes lanes = hits.Slot(slot);
+    lanes.t[ray] = hit.t;
+    for (int d = 0; d < 3; ++d)
+    {
+      lanes.position[d][ray] = hit.position[d];
+    }
+    if (hit.status != HitStatus::Certain)
+    {
+      hits.Status(slot)[ray] = hit.status;
+    }
+    const PieceLanes piece = hits.Pieces(slot);
+    piece.piece[ray] = hit.part;
+    if (TellsElements())
+    {
+      const ElementLanes lane = hits.Elements(slot);
+      lane.element[ray] = PartOf(hit.part).element;
+      for (int d = 0; d < 3; ++d)
+      {
+        lane.xi[d][ray] = hit.xi[d];
+      }
+    }
+    last = k;
+    ++slot;
+  }
+}
+} // namespace pixelexact

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Trace/Surfaces/Curved/BundleHierarchy.h"
+#include "Trace/Surfaces/Curved/PartTree.h"
+#include "Trace/Surfaces/Curved/PieceSolver.h"
+#include "Trace/Surfaces/Surface.h"
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace pixelexact
+{
+/// What element faces, patches and iso-surfaces have in common: parts in elements, whose pieces are
+/// made when rays come near them, and a hierarchy of the parts' boxes.
+///
+/// Every hit that is not Undecided is one, and there are no others, for the surface moved by the
+/// mesh's uncertainty and by rounding (some 1e-14 of the element's size). Hits of one ray within
+/// 1e-11 of the element's size are one: what two pieces or elements share is met once. A ray meets
+/// what it touches once, or Undecided. Where a function is not finite there is no surface.
+class CurvedSurface : public Surface
+{
+public:
+  ~CurvedSurface() override;
+  CurvedSurface(const CurvedSurface&) = delete;
+  CurvedSurface& operator=(const CurvedSurface&) = delete;
+
+  void Meet(const RayLanes& rays, HitSlots& hits) const override;
+
+  /// Parts whose pieces have been made, and all of these.
+  [[nodiscard]] std::int64_t PartsMade() const { return MadeCount; }
+  [[nodiscard]] std::int64_t PiecesMade() const;
+  [[nodiscard]] int Parts() const { return static_cast<int>(All.size()); }
+  [[nodiscard]] std::size_t MemoryUsage() const;
+
+protected:
+  /// `boxes` hold the parts; the arrays of the equation must outlive the surface.
+  CurvedSurface(
+    const CurvedEquation& equation, std::vector<CurvedPart> parts, std::span<const Box3> boxes);
+
+  [[nodiscard]] const CurvedEquation& Equation() const { return TheEquation; }
+  [[nodiscard]] const CurvedPart& PartOf(std::int32_t part) const
+  {
+    return All[static_cast<std::size_t>(part)];
+  }
+  /// Whether hits tell element and xi.
+  [[nodiscard]] virtual bool TellsElements() const { return true; }
+
+private:
+  class Meeting;
+  [[nodiscard]] const PartTree& TreeOf(std::int32_t part) const;
+  void MeetSome(const RayLanes& rays, int first, int count, HitSlots& hits) const;
+
+  CurvedEquation TheEquation;
+  std::vector<CurvedPart> All;
+  std::unique_ptr<BundleHierarchy> Hierarchy;
+  std::unique_ptr<std::atomic<const PartTree*>[]> Trees;
+  mutable std::atomic<std::int64_t> MadeCount{ 0 };
+};
+} // namespace pixelexact

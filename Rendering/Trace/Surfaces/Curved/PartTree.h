@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Bernstein/BoxPolynomial.h"
+#include "Core/Element/RangeIngredients.h"
+#include "Trace/Surfaces/Curved/CurvedPiece.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+namespace pixelexact
+{
+/// The pieces of an element's part of a surface: made until they are flat, and halved further where
+/// rays need it. Safe to use from several threads: pieces are read without a lock.
+class PartTree
+{
+public:
+  PartTree(const CurvedEquation& equation, const CurvedPart& part);
+
+  /// What the tree begins with; together the whole part.
+  [[nodiscard]] const std::vector<std::unique_ptr<CurvedPiece>>& Roots() const { return All; }
+  /// A piece's halves, made where they are not there yet.
+  const std::array<CurvedPiece, 2>& Split(const CurvedPiece& piece) const;
+
+  /// 2^-exponent scales the field's values.
+  [[nodiscard]] int Exponent() const { return Field ? Field->exponent : 0; }
+  [[nodiscard]] double Value() const { return ScaledValue; }
+  /// The three coordinates over a piece, and f unless it is a face's or of a magnitude.
+  [[nodiscard]] std::vector<BoxPolynomial> Polynomials(const CurvedPiece& piece) const;
+
+  [[nodiscard]] std::int64_t Pieces() const { return Count.load(std::memory_order_relaxed); }
+
+private:
+  /// Of the map, by functions: the coordinates, their derivatives, components of the field, their
+  /// derivatives.
+  using Polys = std::vector<BoxPolynomial>;
+
+  [[nodiscard]] Polys Convert(const EtaBox& box) const;
+  [[nodiscard]] std::array<int, 2> ComponentRange() const;
+  void Fill(CurvedPiece& piece, Polys polys) const;
+  void Describe(CurvedPiece& piece, const Polys& polys) const;
+  void DescribeField(CurvedPiece& piece, const Polys& polys) const;
+  [[nodiscard]] double Bend(const CurvedPiece& piece) const;
+  void SplitInto(const CurvedPiece& piece, Polys polys) const;
+  [[nodiscard]] int DirectionOf(const CurvedPiece& piece, const Polys& polys) const;
+  [[nodiscard]] BoxPolynomial OnFace(BoxPolynomial polynomial) const;
+
+  CurvedEquation Equation;
+  CurvedPart ThePart;
+  Shape TheShape;
+  ScaledModes Map;
+  std::optional<ScaledModes> Field;
+  double ScaledValue = 0.0;
+  int Level = 0;
+  double Uncertainty = 0.0;
+  std::vector<std::unique_ptr<CurvedPiece>> All;
+  mutable std::mutex Growing;
+  mutable std::atomic<std::int64_t> Count{ 0 };
+};
+} // namespace pixelexact

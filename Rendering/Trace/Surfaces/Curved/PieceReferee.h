@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Trace/Surfaces/Curved/PieceSolver.h"
+
+#include <vector>
+
+namespace pixelexact
+{
+/// All points where a ray meets a piece that is too small to be halved further, by FindRoots: the
+/// hits that it isolates are certain, and where it cannot tell there is an undecided one.
+void FindHits(const CurvedEquation& equation, const CurvedPart& part, const PartTree& tree,
+  const RayBundle& bundle, PieceSolver& solver, const PieceRay& of, std::vector<CurvedHit>& hits);
+} // namespace pixelexact

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Index/ElementIndex.h"
+#include "Trace/Surfaces/Curved/CurvedSurface.h"
+
+namespace pixelexact
+{
+class ValueIndex;
+
+/// Where a component of a field has a value. Elements whose certified range does not hold it are
+/// not looked at. Where the field jumps between elements, the surface ends: there are no walls.
+/// Hits are what CurvedSurface says, and tell their element and xi.
+class IsoSurface final : public CurvedSurface
+{
+public:
+  /// `component`: of the field, or kMagnitude. Index and field must outlive the surface. Throws
+  /// Error, naming the field's range, where no element may hold the value, and for what is not a
+  /// finite number or, of a magnitude, not positive; Unsupported for mapped fields (H(curl),
+  /// H(div), density).
+  IsoSurface(const ElementIndex& index, const Field& field, int component, double value);
+
+  [[nodiscard]] Vec3 Normal(const SurfacePoint& point) const override;
+  [[nodiscard]] bool IsOfMesh() const override { return true; }
+
+private:
+  struct Elements;
+  IsoSurface(const ElementIndex& index, const CurvedEquation& equation, const Elements& elements);
+
+  const Field& TheField;
+};
+} // namespace pixelexact
