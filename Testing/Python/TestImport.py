@@ -5,7 +5,7 @@ import unittest
 import pixelexact
 
 # Bases of others, which cannot be made themselves.
-ABSTRACT = ["vtkHighOrderFileReader"]
+ABSTRACT = ["vtkHighOrderFileReader", "vtkHighOrderSurface"]
 CLASSES = [
     "vtkGLVisReader",
     "vtkHighOrderCertifier",
