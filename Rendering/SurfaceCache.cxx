@@ -35,7 +35,8 @@ std::shared_ptr<const Surface> SurfaceCache::Of(
     Entries.erase(found);
   }
   const SurfaceSearch search{ model->GetLocator().Bounds(), samples };
-  Entry entry{ object, state, samples, nullptr };
+  Entry entry{ object, state, samples, true, nullptr };
+  entry.ofModel = source.surface == nullptr || source.surface->IsMadeOfMesh();
   entry.surface = source.surface != nullptr ? source.surface->MakeSurface(model, search)
                                             : ToSurface(source.function, search);
   ++Count;
@@ -56,7 +57,7 @@ void SurfaceCache::DropOthers(const std::shared_ptr<HighOrderModel>& model)
 {
   if (Model.lock() != model || !model)
   {
-    Entries.clear();
+    std::erase_if(Entries, [](const Entry& entry) { return entry.ofModel; });
     Model = model;
   }
 }

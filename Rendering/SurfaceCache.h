@@ -40,7 +40,7 @@ public:
 
   /// Forgets what is of other sources.
   void KeepOnly(std::span<const CutSource> sources);
-  /// Forgets what is of other models; null: everything.
+  /// Forgets what is of other models; null: of any.
   void DropOthers(const std::shared_ptr<HighOrderModel>& model);
 
   /// How many were made.
@@ -52,10 +52,11 @@ private:
     vtkWeakPointer<vtkObject> source;
     std::uint64_t state = 0; ///< modification time, which is unique; the source's address is not
     int samples = 0;
+    bool ofModel = true;
     std::shared_ptr<const Surface> surface;
   };
 
-  std::weak_ptr<const HighOrderModel> Model; ///< of all entries
+  std::weak_ptr<const HighOrderModel> Model; ///< of all entries that are of one
   std::vector<Entry> Entries;
   std::int64_t Count = 0;
 };

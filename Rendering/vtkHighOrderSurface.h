@@ -40,6 +40,14 @@ public:
 
 #ifndef __VTK_WRAP__
   /**
+   * Whether it is another surface where the mesh or its fields are others.
+   */
+  virtual bool IsMadeOfMesh() const
+  {
+    return true;
+  }
+
+  /**
    * What rays meet, for the mesh and fields of a model, and where and how to search for what has no
    * closed form. It may outlive this object, and is not changed by what is set later. Throws
    * pixelexact::Error, which names the remedy.

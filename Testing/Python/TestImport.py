@@ -17,6 +17,7 @@ CLASSES = [
     "vtkHighOrderProbe",
     "vtkHighOrderRayPass",
     "vtkHighOrderSeriesReader",
+    "vtkHighOrderTriangleSurface",
     "vtkImplicitTorus",
     "vtkMFEMReader",
     "vtkNektarReader",
