@@ -3,6 +3,7 @@
 
 #include "Command.h"
 #include "Options.h"
+#include "PatchFile.h"
 #include "TriangleFile.h"
 
 #include "Core/Base/Error.h"
@@ -11,6 +12,7 @@
 #include "Trace/Surfaces/Plane.h"
 #include "Trace/Surfaces/Quadric.h"
 #include "Trace/Surfaces/Torus.h"
+#include "VtkPatches.h"
 
 #include <algorithm>
 #include <array>
@@ -78,7 +80,6 @@ struct Announced
   const char* help;
 };
 constexpr Announced kAnnounced[] = {
-  { "--patch", "FILE", "Cut by bicubic Bezier patches" },
   { "--isosurface", "FIELD=VALUE", "Cut by an iso-surface of a field" },
 };
 } // namespace
@@ -94,6 +95,11 @@ void SurfaceOptions::AddTo(CLI::App& command)
   AddRepeated(
     command, "--surface", [this](const std::string& file) { Files.push_back(file); }, "FILE",
     "Cut by the triangles of a file (.vtp, .stl), as they are")
+    .Group(group);
+  AddRepeated(
+    command, "--patch", [this](const std::string& file) { Patches.push_back(file); }, "FILE",
+    "Cut by the bicubic Bezier patches of a text file: per patch 16 lines 'x y z', rows of u; what "
+    "stands behind a # counts nothing (not available yet)")
     .Group(group);
   for (const Announced& surface : kAnnounced)
   {
@@ -132,6 +138,18 @@ std::vector<std::shared_ptr<const Surface>> SurfaceOptions::Make() const
   for (const std::string& file : Files)
   {
     surfaces.push_back(ReadTriangles(file));
+  }
+  for (const std::string& file : Patches)
+  {
+    std::vector<BezierPatch> patches = ReadPatches(file);
+    try
+    {
+      surfaces.push_back(SurfaceOf(std::move(patches)));
+    }
+    catch (const Error& error)
+    {
+      throw Error("--patch: '" + file + "': " + error.what());
+    }
   }
   if (surfaces.empty())
   {

@@ -25,6 +25,7 @@ public:
 private:
   std::map<std::string, std::vector<std::vector<double>>> Numbers; ///< by option
   std::vector<std::string> Files;                                  ///< of triangles
+  std::vector<std::string> Patches;                                ///< files of patches
   std::vector<std::string> NotYet; ///< names of the options given that are not available yet
   bool Boundary = false;
 };

@@ -13,6 +13,7 @@ CLASSES = [
     "vtkHighOrderLayer",
     "vtkHighOrderLinearResample",
     "vtkHighOrderMapper",
+    "vtkHighOrderPatchSurface",
     "vtkHighOrderPicker",
     "vtkHighOrderProbe",
     "vtkHighOrderRayPass",

@@ -273,7 +273,6 @@ class NotYet(ToolTest):
         source, image = case("escher_tet_g3_p3"), self.folder / "i.png"
         base = ["render", source, "--field", "u", "--output", image]
         for option in [
-            ["--patch", "patches.txt"],
             ["--isosurface", "u=0.5"],
             ["--boundary"],
         ]:
@@ -288,9 +287,9 @@ class NotYet(ToolTest):
     def test_the_error_is_told_in_json_too(self):
         image = self.folder / "i.png"
         base = ["render", case("escher_tet_g3_p3"), "--field", "u", "--output", image, "--json"]
-        done = run(*base, "--patch", "patches.txt")
+        done = run(*base, "--isosurface", "u=0.5")
         self.assertEqual(done.returncode, 1)
-        self.assertIn("--patch", strict_json(done.stdout)["error"])
+        self.assertIn("--isosurface", strict_json(done.stdout)["error"])
 
 
 if __name__ == "__main__":
