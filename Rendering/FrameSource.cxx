@@ -35,14 +35,8 @@ const Field* FieldOf(const LayerRequest& layer, const HighOrderModel& model)
 
 int ComponentOf(const LayerRequest& layer, const Field& field)
 {
-  const int components = field.values.components;
-  const int component = layer.component.value_or(ComponentOf(layer.table, components));
-  if (component != kMagnitude && (component < 0 || component >= components))
-  {
-    throw Error("component " + std::to_string(component) + " is asked for, but the field '" +
-      field.name + "' has " + std::to_string(components) +
-      (components == 1 ? " component" : " components"));
-  }
+  const int component = layer.component.value_or(ComponentOf(layer.table, field.values.components));
+  RequireComponent(field, component);
   return component;
 }
 

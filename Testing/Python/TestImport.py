@@ -8,8 +8,10 @@ import pixelexact
 ABSTRACT = ["vtkHighOrderFileReader", "vtkHighOrderSurface"]
 CLASSES = [
     "vtkGLVisReader",
+    "vtkHighOrderBoundarySurface",
     "vtkHighOrderCertifier",
     "vtkHighOrderGrid",
+    "vtkHighOrderIsoSurface",
     "vtkHighOrderLayer",
     "vtkHighOrderLinearResample",
     "vtkHighOrderMapper",

@@ -58,6 +58,12 @@ class Words(ToolTest):
         for words in [["info", self.cube, "--certify=0"], ["info", self.cube, "--json=1"]]:
             self.fails(2, *words, names=[words[-1], "no value"])
 
+    def test_a_value_that_may_be_left_out_is_joined(self):
+        output = ["--output", self.folder / "i.png"]
+        for words in [["--boundary", self.cube], [self.cube, "--boundary=all"]]:
+            self.fails(1, "render", *words, *output, names=["--boundary", "not available yet"])
+        self.fails(2, "render", self.cube, *output, "--boundary=", names=["--boundary", "missing"])
+
     def test_an_option_twice(self):
         base = ["render", self.cube, "--field", "u", *MIDDLE]
         image = self.folder / "i.png"
