@@ -4,6 +4,7 @@
 #include "HighOrderModel.h"
 
 #include "Core/Base/Error.h"
+#include "Trace/Scene.h"
 
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
@@ -42,6 +43,17 @@ const Field& FieldChoice::In(const HighOrderModel& model) const
       std::to_string(fields.size()));
   }
   return fields[static_cast<std::size_t>(std::max(index, 0))];
+}
+
+void RequireComponent(const Field& field, int component)
+{
+  const int components = field.values.components;
+  if (component != kMagnitude && (component < 0 || component >= components))
+  {
+    throw Error("component " + std::to_string(component) + " is asked for, but the field '" +
+      field.name + "' has " + std::to_string(components) +
+      (components == 1 ? " component" : " components"));
+  }
 }
 
 FieldChoice FieldOf(vtkMapper* mapper)

@@ -23,6 +23,9 @@ struct FieldChoice
   [[nodiscard]] const Field& In(const HighOrderModel& model) const;
 };
 
+/// Throws Error when the field has no such component; kMagnitude is one of any field.
+void RequireComponent(const Field& field, int component);
+
 /// As VTK's users tell mappers what to colour by: SelectColorArray, else SetInputArrayToProcess(0).
 [[nodiscard]] FieldChoice FieldOf(vtkMapper* mapper);
 } // namespace pixelexact

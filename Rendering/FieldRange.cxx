@@ -13,7 +13,7 @@ namespace
 constexpr RangeEffort kEffort{ 1e-3, 200 };
 }
 
-std::optional<std::array<double, 2>> FieldRange(const Mesh& mesh, const Field& field, int component)
+RangeQuestion QuestionOf(const Field& field, int component)
 {
   RangeQuestion question;
   question.field = &field;
@@ -26,7 +26,17 @@ std::optional<std::array<double, 2>> FieldRange(const Mesh& mesh, const Field& f
   {
     question.component = std::max(component, 0);
   }
-  const CertifiedRange range = RangeOf(mesh, question, kEffort).range;
+  return question;
+}
+
+Interval ProvenRange(const Mesh& mesh, const Field& field, int component)
+{
+  return RangeOf(mesh, QuestionOf(field, component), kEffort).range.outer;
+}
+
+std::optional<std::array<double, 2>> FieldRange(const Mesh& mesh, const Field& field, int component)
+{
+  const CertifiedRange range = RangeOf(mesh, QuestionOf(field, component), kEffort).range;
   if (range.attained.lower <= range.attained.upper)
   {
     return std::array{ range.attained.lower, range.attained.upper };

@@ -3,13 +3,21 @@
 
 #include "PixelExactRenderingModule.h"
 
+#include "Core/Element/Ranges.h"
+
 #include <array>
 #include <optional>
 
 namespace pixelexact
 {
-struct Field;
-struct Mesh;
+/// For the range of a component (or kMagnitude) of a field.
+[[nodiscard]] PIXELEXACTRENDERING_EXPORT RangeQuestion QuestionOf(
+  const Field& field, int component);
+
+/// Holds all values of a component (or kMagnitude) of a field over a mesh; empty where it has none
+/// that is finite.
+[[nodiscard]] PIXELEXACTRENDERING_EXPORT Interval ProvenRange(
+  const Mesh& mesh, const Field& field, int component);
 
 /// The range of a component (or kMagnitude) of a field over a mesh, for colours: both ends are
 /// attained, and no value lies beyond them by more than a thousandth of it, but where the search

@@ -148,11 +148,13 @@ const std::shared_ptr<HighOrderModel>& FrameDrawer::ModelOf(vtkDataObject* grid)
   {
     const std::shared_ptr<HighOrderModel>& model = Model.Of(grid);
     Views.DropOthers(model.get());
+    TheSurfaces.DropOthers(model);
     return model;
   }
   catch (...)
   {
     Views.DropOthers(nullptr);
+    TheSurfaces.DropOthers(nullptr);
     throw;
   }
 }

@@ -3,6 +3,7 @@
 
 #include "ColorRanges.h"
 #include "GridModel.h"
+#include "SurfaceCache.h"
 #include "ViewFrames.h"
 
 #include <cstdint>
@@ -27,12 +28,16 @@ enum class FramePart
   All
 };
 
-/// Frames into renderers, for one mapper. Keeps the model of its grid and a frame for each view.
+/// Frames into renderers, for one mapper. Keeps the model of its grid, its cut-surfaces and a frame
+/// for each view.
 class FrameDrawer
 {
 public:
   /// The model of a vtkUnstructuredGrid, or of composite data of such, as it is now. Throws Error.
   const std::shared_ptr<HighOrderModel>& ModelOf(vtkDataObject* grid);
+
+  /// The cut-surfaces, for requests for frames of that model.
+  SurfaceCache& Surfaces() { return TheSurfaces; }
 
   /// Draws a part of what `request` asks for, seen through the renderer's camera and placed by the
   /// actor. The request's camera, half-spaces and lights are filled in here: viewport, camera and
@@ -76,6 +81,7 @@ private:
     FrameRequest& request, vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper);
 
   GridModel Model;
+  SurfaceCache TheSurfaces;
   ColorRanges Ranges;
   ViewFrames Views;
 };

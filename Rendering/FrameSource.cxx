@@ -3,15 +3,13 @@
 
 #include "HighOrderModel.h"
 #include "VtkColorMap.h"
-#include "VtkSurface.h"
 
 #include "Core/Base/Error.h"
 #include "Trace/BufferTable.h"
+#include "Trace/Surfaces/Plane.h"
 #include "Trace/TileVisit.h"
 #include "Trace/Tracer.h"
 
-#include "vtkImplicitFunction.h"
-#include "vtkPlane.h"
 #include "vtkScalarsToColors.h"
 
 #include <algorithm>
@@ -37,14 +35,8 @@ const Field* FieldOf(const LayerRequest& layer, const HighOrderModel& model)
 
 int ComponentOf(const LayerRequest& layer, const Field& field)
 {
-  const int components = field.values.components;
-  const int component = layer.component.value_or(ComponentOf(layer.table, components));
-  if (component != kMagnitude && (component < 0 || component >= components))
-  {
-    throw Error("component " + std::to_string(component) + " is asked for, but the field '" +
-      field.name + "' has " + std::to_string(components) +
-      (components == 1 ? " component" : " components"));
-  }
+  const int component = layer.component.value_or(ComponentOf(layer.table, field.values.components));
+  RequireComponent(field, component);
   return component;
 }
 
@@ -80,7 +72,7 @@ void FrameSource::Count(bool traced)
 
 FrameSource::TraceKey FrameSource::TraceKeyOf(const FrameRequest& request) const
 {
-  TraceKey key{ {}, request.kept, request.camera, request.searchSamples };
+  TraceKey key{ {}, request.kept, request.camera };
   for (const LayerRequest& layer : request.layers)
   {
     const Field* const field = FieldOf(layer, *TheModel);
@@ -91,12 +83,12 @@ FrameSource::TraceKey FrameSource::TraceKeyOf(const FrameRequest& request) const
       layer.table->Build();
     }
     // Nothing is behind a plane that is alone.
-    const bool alone = request.layers.size() == 1 && vtkPlane::SafeDownCast(layer.cut) != nullptr;
+    const bool alone =
+      request.layers.size() == 1 && dynamic_cast<const Plane*>(layer.surface.get()) != nullptr;
     const bool seenThrough = !alone &&
       (request.translucent || layer.opacity < 1.0 ||
         (layer.table != nullptr && layer.table->IsOpaque() == 0));
-    key.layers.push_back({ { layer.cut, layer.cut != nullptr ? layer.cut->GetMTime() : 0 },
-      layer.field, component, layer.precision, seenThrough });
+    key.layers.push_back({ layer.surface, layer.field, component, layer.precision, seenThrough });
   }
   return key;
 }
@@ -106,13 +98,11 @@ void FrameSource::MakeScene(const FrameRequest& request)
   TheScene = {};
   TheScene.locator = &TheModel->GetLocator();
   TheScene.kept = request.kept;
-  const SurfaceSearch search{ TheScene.locator->Bounds(), request.searchSamples };
   for (std::size_t k = 0; k < request.layers.size(); ++k)
   {
     const TracedLayer& traced = Traced->layers[k];
-    TheScene.layers.push_back(
-      { ToSurface(request.layers[k].cut, search), FieldOf(request.layers[k], *TheModel),
-        traced.component, traced.precision, traced.translucent });
+    TheScene.layers.push_back({ traced.surface, FieldOf(request.layers[k], *TheModel),
+      traced.component, traced.precision, traced.translucent });
   }
 }
 

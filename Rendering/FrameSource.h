@@ -19,10 +19,8 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
-class vtkImplicitFunction;
 class vtkScalarsToColors;
 
 namespace pixelexact
@@ -32,7 +30,7 @@ class HighOrderModel;
 /// A cut-surface and how it is shown.
 struct LayerRequest
 {
-  vtkImplicitFunction* cut = nullptr;
+  std::shared_ptr<const Surface> surface; ///< another object where it is another surface
   FieldChoice field;
   std::optional<int> component; ///< or kMagnitude; none: the table's choice
   Precision precision = Precision::Double;
@@ -59,7 +57,6 @@ struct FrameRequest
   std::vector<LayerRequest> layers;
   std::vector<KeptHalfSpace> kept; ///< clipping planes, and the near plane where it cuts the data
   CameraSetup camera;
-  int searchSamples = 128; ///< of surfaces without a closed form (SearchedSurface)
   Rgba unknownColor{ 255, 0, 255, 255 };
   std::vector<Light> lights;
   LitView lit;
@@ -127,11 +124,10 @@ public:
   void DropFrame();
 
 private:
-  // An object and its state: modification times are unique, addresses are not.
-  using Stamp = std::pair<const void*, std::uint64_t>;
   struct TracedLayer
   {
-    Stamp cut;
+    // Kept alive, so that no other surface can have its address.
+    std::shared_ptr<const Surface> surface;
     FieldChoice field;
     int component = 0;
     Precision precision = Precision::Double;
@@ -144,7 +140,6 @@ private:
     std::vector<TracedLayer> layers;
     std::vector<KeptHalfSpace> kept;
     CameraSetup camera;
-    int searchSamples = 0;
 
     bool operator==(const TraceKey&) const = default;
   };

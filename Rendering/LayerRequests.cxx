@@ -5,7 +5,6 @@
 #include "vtkHighOrderLayer.h"
 #include "vtkHighOrderMapper.h"
 
-#include "vtkImplicitFunction.h"
 #include "vtkScalarsToColors.h"
 
 namespace pixelexact
@@ -33,7 +32,6 @@ LayerRequest LayerOf(vtkHighOrderMapper* mapper, vtkProperty* property)
 LayerRequest LayerOf(vtkHighOrderLayer* layer, LayerRequest ofAll)
 {
   LayerRequest request = std::move(ofAll);
-  request.cut = layer->GetCutFunction();
   const char* field = layer->GetFieldName();
   if (field != nullptr && field[0] != '\0')
   {

@@ -246,7 +246,7 @@ std::shared_ptr<const Surface> ToSurface(vtkImplicitFunction* function, const Su
 {
   if (function == nullptr)
   {
-    throw Error(std::string("no cut function (") + kAvailable + ")");
+    throw Error(std::string("no cut function and no surface (") + kAvailable + ")");
   }
   std::string why =
     std::string("cannot cut with a ") + function->GetClassName() + " (" + kAvailable + ")";

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHighOrderLayer.h"
 
+#include "vtkHighOrderSurface.h"
+
 #include "vtkImplicitFunction.h"
 #include "vtkObjectFactory.h"
 #include "vtkScalarsToColors.h"
@@ -21,6 +23,7 @@ void vtkHighOrderLayer::SetCutFunction(vtkImplicitFunction* function)
   if (this->CutFunction != function)
   {
     this->CutFunction = function;
+    this->Surface = function != nullptr ? nullptr : this->Surface;
     this->Modified();
   }
 }
@@ -29,6 +32,23 @@ void vtkHighOrderLayer::SetCutFunction(vtkImplicitFunction* function)
 vtkImplicitFunction* vtkHighOrderLayer::GetCutFunction()
 {
   return this->CutFunction;
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderLayer::SetSurface(vtkHighOrderSurface* surface)
+{
+  if (this->Surface != surface)
+  {
+    this->Surface = surface;
+    this->CutFunction = surface != nullptr ? nullptr : this->CutFunction;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkHighOrderSurface* vtkHighOrderLayer::GetSurface()
+{
+  return this->Surface;
 }
 
 //------------------------------------------------------------------------------
@@ -55,6 +75,10 @@ vtkMTimeType vtkHighOrderLayer::GetMTime()
   {
     time = std::max(time, this->CutFunction->GetMTime());
   }
+  if (this->Surface != nullptr)
+  {
+    time = std::max(time, this->Surface->GetMTime());
+  }
   return this->LookupTable != nullptr ? std::max(time, this->LookupTable->GetMTime()) : time;
 }
 
@@ -64,6 +88,9 @@ void vtkHighOrderLayer::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "CutFunction: "
      << (this->CutFunction != nullptr ? this->CutFunction->GetClassName() : "(none)") << "\n";
+  os << indent
+     << "Surface: " << (this->Surface != nullptr ? this->Surface->GetClassName() : "(none)")
+     << "\n";
   os << indent << "FieldName: " << (this->FieldName.empty() ? "(the mapper's)" : this->FieldName)
      << "\n";
   os << indent << "Component: " << this->Component << "\n";

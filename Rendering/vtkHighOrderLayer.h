@@ -14,10 +14,11 @@
 #include "PixelExactRenderingModule.h"
 #include "vtkObject.h"
 
-#include "vtkSmartPointer.h" // for the function and the table
+#include "vtkSmartPointer.h" // for the surface and the table
 
 #include <string> // for the field's name
 
+class vtkHighOrderSurface;
 class vtkImplicitFunction;
 class vtkScalarsToColors;
 
@@ -39,10 +40,14 @@ public:
 
   ///@{
   /**
-   * The surface, as in vtkHighOrderMapper::SetCutFunction. Required.
+   * The surface: a function as in vtkHighOrderMapper::SetCutFunction, or a surface that is none.
+   * One of them is required, and a layer has one: to set one takes away the other; to set null
+   * leaves it.
    */
   void SetCutFunction(vtkImplicitFunction* function);
   vtkImplicitFunction* GetCutFunction();
+  void SetSurface(vtkHighOrderSurface* surface);
+  vtkHighOrderSurface* GetSurface();
   ///@}
 
   ///@{
@@ -122,7 +127,7 @@ public:
   ///@}
 
   /**
-   * Changes with function and table, too.
+   * Changes with function, surface and table, too.
    */
   vtkMTimeType GetMTime() override;
 
@@ -131,6 +136,7 @@ protected:
   ~vtkHighOrderLayer() override;
 
   vtkSmartPointer<vtkImplicitFunction> CutFunction;
+  vtkSmartPointer<vtkHighOrderSurface> Surface;
   std::string FieldName;
   int Component = BY_LOOKUP_TABLE;
   vtkSmartPointer<vtkScalarsToColors> LookupTable;

@@ -9,9 +9,11 @@
 #include "MapperExecutive.h"
 #include "StockSettings.h"
 #include "vtkHighOrderLayer.h"
+#include "vtkHighOrderSurface.h"
 
 #include "Core/Base/Error.h"
 #include "Core/Location/Locator.h"
+#include "Trace/Surfaces/SearchedSurface.h"
 
 #include "vtkCommand.h"
 #include "vtkCompositeDataSet.h"
@@ -37,6 +39,7 @@ vtkStandardNewMacro(vtkHighOrderMapper);
 struct vtkHighOrderMapper::Internals
 {
   std::vector<vtkSmartPointer<vtkImplicitFunction>> Cuts;
+  vtkSmartPointer<vtkHighOrderSurface> Surface;
   std::vector<vtkSmartPointer<vtkHighOrderLayer>> Layers;
   pixelexact::FrameDrawer Drawer;
   pixelexact::FrameSourceCounters PickCounters;
@@ -47,8 +50,21 @@ struct vtkHighOrderMapper::Internals
   pixelexact::FrameRequest Request(vtkHighOrderMapper* self, vtkActor* actor);
   void ChooseRange(
     vtkHighOrderMapper* self, pixelexact::FrameRequest& request, vtkScalarsToColors* table);
+  /// Cut functions and surface, whose look is the mapper's.
+  std::vector<pixelexact::CutSource> Plain() const;
+  void Add(vtkHighOrderMapper* self, const pixelexact::CutSource& cut,
+    pixelexact::LayerRequest layer, pixelexact::FrameRequest& request);
   bool Has(vtkHighOrderMapper* self, bool opaque) const;
+  bool IsEmpty() const { return Cuts.empty() && Surface == nullptr && Layers.empty(); }
 };
+
+namespace
+{
+pixelexact::CutSource SourceOf(vtkHighOrderLayer* layer)
+{
+  return { layer->GetCutFunction(), layer->GetSurface() };
+}
+} // namespace
 
 //------------------------------------------------------------------------------
 bool vtkHighOrderMapper::Internals::Has(vtkHighOrderMapper* self, bool opaque) const
@@ -56,9 +72,38 @@ bool vtkHighOrderMapper::Internals::Has(vtkHighOrderMapper* self, bool opaque) c
   const bool layers = std::any_of(Layers.begin(), Layers.end(),
     [&](vtkHighOrderLayer* layer)
     { return layer->GetVisibility() && pixelexact::IsOpaque(self, layer) == opaque; });
-  const bool cuts = !Cuts.empty() && pixelexact::IsOpaque(self, nullptr) == opaque;
+  const bool plain =
+    !(Cuts.empty() && Surface == nullptr) && pixelexact::IsOpaque(self, nullptr) == opaque;
   // Somebody has to say what is missing.
-  return cuts || layers || (opaque && Cuts.empty() && Layers.empty());
+  return plain || layers || (opaque && this->IsEmpty());
+}
+
+//------------------------------------------------------------------------------
+std::vector<pixelexact::CutSource> vtkHighOrderMapper::Internals::Plain() const
+{
+  std::vector<pixelexact::CutSource> plain;
+  for (const auto& cut : Cuts)
+  {
+    plain.push_back({ cut, nullptr });
+  }
+  if (Surface != nullptr)
+  {
+    plain.push_back({ nullptr, Surface });
+  }
+  return plain;
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderMapper::Internals::Add(vtkHighOrderMapper* self, const pixelexact::CutSource& cut,
+  pixelexact::LayerRequest layer, pixelexact::FrameRequest& request)
+{
+  if (cut.surface != nullptr && !self->Static)
+  {
+    cut.surface->Update();
+  }
+  layer.surface =
+    Drawer.Surfaces().Of(cut, request.model, pixelexact::SearchedSurface::kUsualSamples);
+  request.layers.push_back(std::move(layer));
 }
 
 //------------------------------------------------------------------------------
@@ -70,18 +115,20 @@ pixelexact::FrameRequest vtkHighOrderMapper::Internals::Request(
   request.model = Drawer.ModelOf(pixelexact::MapperExecutive::InputOf(self));
   std::copy_n(self->UnknownColor, 4, request.unknownColor.begin());
   const pixelexact::LayerRequest ofAll = pixelexact::LayerOf(self, actor->GetProperty());
-  for (const auto& cut : Cuts)
+  std::vector<pixelexact::CutSource> sources = this->Plain();
+  for (const pixelexact::CutSource& cut : sources)
   {
-    request.layers.push_back(ofAll);
-    request.layers.back().cut = cut;
+    this->Add(self, cut, ofAll, request);
   }
   for (const auto& layer : Layers)
   {
+    sources.push_back(SourceOf(layer));
     if (layer->GetVisibility())
     {
-      request.layers.push_back(pixelexact::LayerOf(layer, ofAll));
+      this->Add(self, sources.back(), pixelexact::LayerOf(layer, ofAll), request);
     }
   }
+  Drawer.Surfaces().KeepOnly(sources);
   if (ofAll.table != nullptr)
   {
     this->ChooseRange(self, request, ofAll.table);
@@ -166,6 +213,10 @@ void vtkHighOrderMapper::SetCutFunction(vtkImplicitFunction* function)
     cuts.assign(wanted, function);
     this->Modified();
   }
+  if (function != nullptr)
+  {
+    this->SetSurface(nullptr);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -205,6 +256,26 @@ vtkImplicitFunction* vtkHighOrderMapper::GetCutFunction(int index)
   return index >= 0 && index < this->GetNumberOfCutFunctions()
     ? this->Data->Cuts[static_cast<std::size_t>(index)].Get()
     : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderMapper::SetSurface(vtkHighOrderSurface* surface)
+{
+  if (surface != nullptr)
+  {
+    this->RemoveAllCutFunctions();
+  }
+  if (this->Data->Surface != surface)
+  {
+    this->Data->Surface = surface;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkHighOrderSurface* vtkHighOrderMapper::GetSurface()
+{
+  return this->Data->Surface;
 }
 
 //------------------------------------------------------------------------------
@@ -272,9 +343,9 @@ void vtkHighOrderMapper::SetScalarRange(double lower, double upper)
 vtkMTimeType vtkHighOrderMapper::GetMTime()
 {
   vtkMTimeType time = this->Superclass::GetMTime();
-  for (const auto& cut : this->Data->Cuts)
+  for (const pixelexact::CutSource& cut : this->Data->Plain())
   {
-    time = std::max(time, cut->GetMTime());
+    time = std::max(time, cut.Object()->GetMTime());
   }
   for (const auto& layer : this->Data->Layers)
   {
@@ -371,6 +442,12 @@ vtkIdType vtkHighOrderMapper::GetNumberOfModelBuilds()
 }
 
 //------------------------------------------------------------------------------
+vtkIdType vtkHighOrderMapper::GetNumberOfSurfaceBuilds()
+{
+  return this->Data->Drawer.Surfaces().Builds();
+}
+
+//------------------------------------------------------------------------------
 vtkIdType vtkHighOrderMapper::GetNumberOfTraces()
 {
   return this->Data->Drawer.Counters().traces;
@@ -423,9 +500,9 @@ void vtkHighOrderMapper::RenderPart(int part, vtkRenderer* renderer, vtkActor* a
   pixelexact::FrameDrawer& drawer = this->Data->Drawer;
   try
   {
-    if (this->Data->Cuts.empty() && this->Data->Layers.empty())
+    if (this->Data->IsEmpty())
     {
-      throw pixelexact::Error("nothing to cut with: call SetCutFunction or AddLayer");
+      throw pixelexact::Error("nothing to cut with: call SetCutFunction, SetSurface or AddLayer");
     }
     pixelexact::FrameRequest request = this->Data->Request(this, actor);
     if (request.layers.empty())
@@ -529,6 +606,7 @@ void vtkHighOrderMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetLightFlat(other->LightFlat);
     this->SetRangeMode(other->RangeMode);
     this->Data->Cuts = other->Data->Cuts;
+    this->Data->Surface = other->Data->Surface;
     this->Data->Layers = other->Data->Layers;
     this->Modified();
   }
@@ -544,6 +622,8 @@ void vtkHighOrderMapper::PrintSelf(ostream& os, vtkIndent indent)
   {
     cut->PrintSelf(os, indent.GetNextIndent());
   }
+  os << indent << "Surface: "
+     << (this->Data->Surface != nullptr ? this->Data->Surface->GetClassName() : "(none)") << "\n";
   os << indent << "Layers: " << this->Data->Layers.size() << "\n";
   for (const auto& layer : this->Data->Layers)
   {
@@ -560,6 +640,7 @@ void vtkHighOrderMapper::PrintSelf(ostream& os, vtkIndent indent)
      << int{ this->UnknownColor[3] } << "\n";
   os << indent << "Progressive: " << (this->Progressive ? "on" : "off") << "\n";
   os << indent << "Models: " << this->GetNumberOfModelBuilds()
+     << ", surfaces: " << this->GetNumberOfSurfaceBuilds()
      << ", traces: " << this->GetNumberOfTraces() << ", colorings: " << this->GetNumberOfColorings()
      << "\n";
 }

@@ -10,8 +10,8 @@
  * and depths go into the framebuffer, so that ordinary geometry hides the cut and is hidden by it,
  * to the pixel.
  *
- * - What is cut: SetCutFunction, AddCutFunction. Functions are written in the data's coordinates;
- *   the actor's matrix moves cut and field together.
+ * - What is cut: SetCutFunction, AddCutFunction, SetSurface. Functions and surfaces are written in
+ *   the data's coordinates; the actor's matrix moves cut and field together.
  * - Which field: SetFieldName; else SelectColorArray; else SetInputArrayToProcess(0, ...); else the
  *   first field that the grid carries.
  * - Colours: the lookup table, with its VectorMode and VectorComponent (or the component of
@@ -67,6 +67,7 @@ struct PickedSample;
 class vtkCompositeDataSet;
 class vtkDataObject;
 class vtkHighOrderLayer;
+class vtkHighOrderSurface;
 class vtkImageData;
 class vtkImplicitFunction;
 class vtkUnstructuredGrid;
@@ -102,11 +103,12 @@ public:
 
   ///@{
   /**
-   * The cut-surfaces. SetCutFunction replaces all of them by one; null functions are none. Where
-   * the nearest surface lies outside of the mesh, the next one shows. In closed form, with their
-   * transforms, are vtkPlane, vtkSphere, vtkCylinder, vtkCone, vtkQuadric, vtkBox, vtkPlanes,
-   * vtkImplicitTorus and vtkImplicitBoolean of these. Any other function is searched for along the
-   * rays, by samples: sheets of it that lie closer than these may be missing.
+   * The cut-surfaces. SetCutFunction replaces all of them by one, and the Surface; null functions
+   * are none and leave it. Where the nearest surface lies outside of the mesh, the next one shows.
+   * In closed form, with their transforms, are vtkPlane, vtkSphere, vtkCylinder, vtkCone,
+   * vtkQuadric, vtkBox, vtkPlanes, vtkImplicitTorus and vtkImplicitBoolean of these. Any other
+   * function is searched for along the rays, by samples: sheets of it that lie closer than these
+   * may be missing.
    */
   void SetCutFunction(vtkImplicitFunction* function);
   void AddCutFunction(vtkImplicitFunction* function);
@@ -118,7 +120,17 @@ public:
 
   ///@{
   /**
-   * Surfaces with looks of their own, drawn together with the cut functions.
+   * A cut-surface that is no function: vtkHighOrderSurface. It replaces all cut functions; null,
+   * the default, leaves them. Those that are added afterwards (AddCutFunction) are drawn with it,
+   * and have the lower layer numbers. For several surfaces: AddLayer.
+   */
+  void SetSurface(vtkHighOrderSurface* surface);
+  vtkHighOrderSurface* GetSurface();
+  ///@}
+
+  ///@{
+  /**
+   * Surfaces with looks of their own, drawn together with the cut functions and the surface.
    */
   void AddLayer(vtkHighOrderLayer* layer);
   void RemoveLayer(vtkHighOrderLayer* layer);
@@ -194,10 +206,11 @@ public:
 
   ///@{
   /**
-   * How often, in this mapper's life, a model of a grid was made, rays were traced, and a frame was
-   * coloured.
+   * How often, in this mapper's life, a model of a grid was made, a cut-surface was, rays were
+   * traced, and a frame was coloured.
    */
   vtkIdType GetNumberOfModelBuilds();
+  vtkIdType GetNumberOfSurfaceBuilds();
   vtkIdType GetNumberOfTraces();
   vtkIdType GetNumberOfColorings();
   ///@}
@@ -208,7 +221,7 @@ public:
   void CreateDefaultLookupTable() override;
 
   /**
-   * Changes with the cut functions and layers, too.
+   * Changes with cut functions, surface and layers, too.
    */
   vtkMTimeType GetMTime() override;
 

@@ -53,6 +53,13 @@ std::string LongName(const CLI::Option& option)
   return "--" + option.get_lnames().front();
 }
 
+/// Of an option that needs no value: the one that it then has, the first that its form names.
+std::string UsualValue(const CLI::Option& option)
+{
+  const std::string form = option.get_type_name();
+  return form.starts_with("[=") ? form.substr(2, form.find_first_of("|]") - 2) : std::string();
+}
+
 /// Reads words one after the other.
 class Reader
 {
@@ -118,6 +125,11 @@ private:
       throw UsageError(LongName(*option) + " was given more than once; give it once");
     }
     const bool joined = !rest.empty();
+    if (const std::string usual = UsualValue(*option); !joined && !usual.empty())
+    {
+      Prepared.push_back(LongName(*option) + "=" + usual);
+      return 0;
+    }
     if (!joined && at + 1 < Words.size() && !Words[at + 1].starts_with("--"))
     {
       rest = Words[at + 1];

@@ -9,6 +9,7 @@
 
 #include "Core/Base/Error.h"
 #include "Core/Element/MeshRanges.h"
+#include "FieldRange.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,12 +22,9 @@ namespace
 /// Over the mesh.
 std::array<double, 2> FieldRange(const Shot& shot, const Layer& layer, bool logarithm)
 {
-  const bool magnitude = layer.component == kMagnitude && layer.field->values.components > 1;
   ProgressLine line("bounding");
   const MeshRange found = RangeOf(shot.input.model->GetMesh(),
-    { magnitude ? Quantity::Magnitude : Quantity::Component, layer.field,
-      std::max(layer.component, 0) },
-    RangeEffort{}, [&line](double part) { line(part); });
+    QuestionOf(*layer.field, layer.component), RangeEffort{}, [&line](double part) { line(part); });
   const Interval& range = found.range.outer;
   const std::string name = "--range field: field '" + layer.field->name + "' ";
   if (range.IsEmpty() || !range.IsFinite())

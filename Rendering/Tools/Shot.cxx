@@ -57,7 +57,8 @@ void ShotOptions::AddTo(CLI::App& added, bool required)
 
 namespace
 {
-/// The only field of all layers; empty: there are several, or which one the input tells.
+/// The only field of all layers and surfaces; empty: there are several, or which one the input
+/// tells.
 std::string FieldToLoad(const ShotOptions& options, const std::vector<LayerSettings>& layers)
 {
   for (const LayerSettings& layer : layers)
@@ -67,7 +68,10 @@ std::string FieldToLoad(const ShotOptions& options, const std::vector<LayerSetti
       return {};
     }
   }
-  return options.field;
+  const std::vector<std::string> ofSurfaces = options.surfaces.Fields();
+  const bool same = std::ranges::all_of(
+    ofSurfaces, [&options](const std::string& name) { return name == options.field; });
+  return same ? options.field : std::string();
 }
 
 Layer MakeLayer(const ShotOptions& options, const LayerSettings& settings,
@@ -118,7 +122,7 @@ void AddLayers(const ShotOptions& options,
 
 std::vector<LayerSettings> ShotOptions::MakeLayers() const
 {
-  std::vector<LayerSettings> settings = layers.Make(surfaces.Make().size());
+  std::vector<LayerSettings> settings = layers.Make(surfaces.Count());
   CheckEffects(*command, settings);
   for (const LayerSettings& layer : settings)
   {
@@ -144,11 +148,16 @@ Shot Prepare(const ShotOptions& options, Stopwatch& stopwatch)
     shot.outlines.emplace();
     std::ranges::copy(options.outlineColor, shot.outlines->begin());
   }
-  const auto surfaces = options.surfaces.Make();
   shot.settings = options.MakeLayers();
+  const std::vector<GivenSurface> given = options.surfaces.Make();
   shot.input = LoadModel(options.input, FieldToLoad(options, shot.settings), stopwatch);
   WarnOfDiagnostics(shot.input);
   const HighOrderModel& model = *shot.input.model;
+  std::vector<std::shared_ptr<const Surface>> surfaces;
+  for (const GivenSurface& surface : given)
+  {
+    surfaces.push_back(surface(shot.input.model));
+  }
   AddLayers(options, surfaces, shot);
   shot.scene.locator = &model.GetLocator();
   stopwatch.Stage("bounds+bvh");

@@ -3,6 +3,7 @@
 
 #include "Command.h"
 #include "Options.h"
+#include "PatchFile.h"
 #include "TriangleFile.h"
 
 #include "Core/Base/Error.h"
@@ -11,9 +12,12 @@
 #include "Trace/Surfaces/Plane.h"
 #include "Trace/Surfaces/Quadric.h"
 #include "Trace/Surfaces/Torus.h"
+#include "VtkPatches.h"
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <utility>
 
 namespace pixelexact
 {
@@ -71,16 +75,29 @@ const Kind kKinds[] = {
     { return std::make_shared<ConvexBody>(MakeBox(At(p, 0), At(p, 3))); } },
 };
 
-struct Announced
+/// A surface that is there, whatever the mesh.
+GivenSurface Made(std::shared_ptr<const Surface> surface)
 {
-  const char* name;
-  const char* form;
-  const char* help;
-};
-constexpr Announced kAnnounced[] = {
-  { "--patch", "FILE", "Cut by bicubic Bezier patches" },
-  { "--isosurface", "FIELD=VALUE", "Cut by an iso-surface of a field" },
-};
+  return [surface = std::move(surface)](const std::shared_ptr<const HighOrderModel>&)
+  { return surface; };
+}
+
+/// One that `make` makes of the mesh. Its errors get the option's name.
+template <class Make>
+GivenSurface OfMesh(const char* option, Make make)
+{
+  return [option, make = std::move(make)](const std::shared_ptr<const HighOrderModel>& model)
+  {
+    try
+    {
+      return make(model);
+    }
+    catch (const Error& error)
+    {
+      throw Error(option + std::string(": ") + error.what());
+    }
+  };
+}
 } // namespace
 
 void SurfaceOptions::AddTo(CLI::App& command)
@@ -95,33 +112,58 @@ void SurfaceOptions::AddTo(CLI::App& command)
     command, "--surface", [this](const std::string& file) { Files.push_back(file); }, "FILE",
     "Cut by the triangles of a file (.vtp, .stl), as they are")
     .Group(group);
-  for (const Announced& surface : kAnnounced)
-  {
-    AddRepeated(
-      command, surface.name,
-      [this, name = surface.name](const std::string&) { NotYet.emplace_back(name); }, surface.form,
-      std::string(surface.help) + " (not available yet)")
-      .Group(group);
-  }
-  AddFlag(command, "--boundary", Boundary, "The boundary of the mesh (not available yet)")
+  AddRepeated(
+    command, "--patch", [this](const std::string& file) { Patches.push_back(file); }, "FILE",
+    "Cut by the bicubic Bezier patches of a text file: per patch 16 lines 'x y z', rows of u; what "
+    "stands behind a # counts nothing (not available yet)")
+    .Group(group);
+  AddRepeated(
+    command, "--isosurface", [this](const std::string& text) { Isos.push_back(ParseIso(text)); },
+    "FIELD=VALUE",
+    "Cut by the points where a field has a value; of a vector field its magnitude, or "
+    "FIELD.COMPONENT=VALUE, counted from 0 (not available yet)")
+    .Group(group);
+  AddRepeated(
+    command, "--boundary",
+    [this](const std::string& text) { Boundaries.push_back(ParseBoundary(text)); },
+    "[=all|ATTRIBUTE,...|element:NUMBER,...]",
+    "Cut by the boundary of the mesh, by its parts with these attributes, or by all faces of these "
+    "elements (not available yet)")
     .Group(group);
 }
 
-std::vector<std::shared_ptr<const Surface>> SurfaceOptions::Make() const
+std::size_t SurfaceOptions::Count() const
 {
-  if (!NotYet.empty() || Boundary)
+  std::size_t count = Files.size() + Patches.size() + Isos.size() + Boundaries.size();
+  for (const auto& [name, given] : Numbers)
   {
-    throw Unsupported((NotYet.empty() ? "--boundary" : NotYet[0]) +
-      " is not available yet; cut by a --plane or another surface of the help");
+    count += given.size();
   }
-  std::vector<std::shared_ptr<const Surface>> surfaces;
+  if (count == 0)
+  {
+    throw UsageError("no surface was given; cut by a plane, say --plane 0,0,0,0,0,1");
+  }
+  return count;
+}
+
+std::vector<std::string> SurfaceOptions::Fields() const
+{
+  std::vector<std::string> names;
+  std::ranges::transform(
+    Isos, std::back_inserter(names), [](const IsoText& iso) { return iso.name; });
+  return names;
+}
+
+std::vector<GivenSurface> SurfaceOptions::Make() const
+{
+  std::vector<GivenSurface> surfaces;
   for (const Kind& kind : kKinds)
   {
     for (const Given& numbers : Numbers.at(kind.name))
     {
       try
       {
-        surfaces.push_back(kind.make(numbers));
+        surfaces.push_back(Made(kind.make(numbers)));
       }
       catch (const Error& error)
       {
@@ -131,11 +173,31 @@ std::vector<std::shared_ptr<const Surface>> SurfaceOptions::Make() const
   }
   for (const std::string& file : Files)
   {
-    surfaces.push_back(ReadTriangles(file));
+    surfaces.push_back(Made(ReadTriangles(file)));
   }
-  if (surfaces.empty())
+  for (const std::string& file : Patches)
   {
-    throw UsageError("no surface was given; cut by a plane, say --plane 0,0,0,0,0,1");
+    std::vector<BezierPatch> patches = ReadPatches(file);
+    try
+    {
+      surfaces.push_back(Made(SurfaceOf(std::move(patches))));
+    }
+    catch (const Error& error)
+    {
+      throw Error("--patch: '" + file + "': " + error.what());
+    }
+  }
+  for (const IsoText& iso : Isos)
+  {
+    surfaces.push_back(OfMesh("--isosurface",
+      [iso](const std::shared_ptr<const HighOrderModel>& model)
+      { return MakeIsoSurface(model, Resolve(iso, *model)); }));
+  }
+  for (const BoundaryChoice& choice : Boundaries)
+  {
+    surfaces.push_back(OfMesh("--boundary",
+      [choice](const std::shared_ptr<const HighOrderModel>& model)
+      { return MakeBoundary(model, choice); }));
   }
   return surfaces;
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "MeshSurfaceOptions.h"
 #include "Options.h"
 
 #include "Trace/Surfaces/Surface.h"
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -12,20 +14,32 @@
 
 namespace pixelexact
 {
+/// A cut-surface that was given: there already, or made of a model's mesh. Throws Error, which
+/// names the option.
+using GivenSurface =
+  std::function<std::shared_ptr<const Surface>(const std::shared_ptr<const HighOrderModel>& model)>;
+
 /// The cut-surfaces of the command line, in the order of their kinds in the help.
 class SurfaceOptions
 {
 public:
   void AddTo(CLI::App& command);
 
-  /// Throws UsageError when there is none or a number describes no surface, Error for a file that
-  /// cannot be read, Unsupported for a surface that is declared but not available yet.
-  [[nodiscard]] std::vector<std::shared_ptr<const Surface>> Make() const;
+  /// How many there are. Throws UsageError when there is none.
+  [[nodiscard]] std::size_t Count() const;
+
+  /// What needs no mesh is made here, and files are read. Throws UsageError when a number describes
+  /// no surface, Error for a file that cannot be read.
+  [[nodiscard]] std::vector<GivenSurface> Make() const;
+
+  /// The fields whose values surfaces are made of, as they were named (IsoText::name).
+  [[nodiscard]] std::vector<std::string> Fields() const;
 
 private:
   std::map<std::string, std::vector<std::vector<double>>> Numbers; ///< by option
   std::vector<std::string> Files;                                  ///< of triangles
-  std::vector<std::string> NotYet; ///< names of the options given that are not available yet
-  bool Boundary = false;
+  std::vector<std::string> Patches;                                ///< files of patches
+  std::vector<IsoText> Isos;
+  std::vector<BoundaryChoice> Boundaries;
 };
 } // namespace pixelexact

@@ -5,18 +5,22 @@ import unittest
 import pixelexact
 
 # Bases of others, which cannot be made themselves.
-ABSTRACT = ["vtkHighOrderFileReader"]
+ABSTRACT = ["vtkHighOrderFileReader", "vtkHighOrderSurface"]
 CLASSES = [
     "vtkGLVisReader",
+    "vtkHighOrderBoundarySurface",
     "vtkHighOrderCertifier",
     "vtkHighOrderGrid",
+    "vtkHighOrderIsoSurface",
     "vtkHighOrderLayer",
     "vtkHighOrderLinearResample",
     "vtkHighOrderMapper",
+    "vtkHighOrderPatchSurface",
     "vtkHighOrderPicker",
     "vtkHighOrderProbe",
     "vtkHighOrderRayPass",
     "vtkHighOrderSeriesReader",
+    "vtkHighOrderTriangleSurface",
     "vtkImplicitTorus",
     "vtkMFEMReader",
     "vtkNektarReader",

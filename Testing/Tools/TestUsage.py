@@ -58,6 +58,12 @@ class Words(ToolTest):
         for words in [["info", self.cube, "--certify=0"], ["info", self.cube, "--json=1"]]:
             self.fails(2, *words, names=[words[-1], "no value"])
 
+    def test_a_value_that_may_be_left_out_is_joined(self):
+        output = ["--output", self.folder / "i.png"]
+        for words in [["--boundary", self.cube], [self.cube, "--boundary=all"]]:
+            self.fails(1, "render", *words, *output, names=["--boundary", "not available yet"])
+        self.fails(2, "render", self.cube, *output, "--boundary=", names=["--boundary", "missing"])
+
     def test_an_option_twice(self):
         base = ["render", self.cube, "--field", "u", *MIDDLE]
         image = self.folder / "i.png"
@@ -273,7 +279,6 @@ class NotYet(ToolTest):
         source, image = case("escher_tet_g3_p3"), self.folder / "i.png"
         base = ["render", source, "--field", "u", "--output", image]
         for option in [
-            ["--patch", "patches.txt"],
             ["--isosurface", "u=0.5"],
             ["--boundary"],
         ]:
@@ -288,9 +293,9 @@ class NotYet(ToolTest):
     def test_the_error_is_told_in_json_too(self):
         image = self.folder / "i.png"
         base = ["render", case("escher_tet_g3_p3"), "--field", "u", "--output", image, "--json"]
-        done = run(*base, "--patch", "patches.txt")
+        done = run(*base, "--isosurface", "u=0.5")
         self.assertEqual(done.returncode, 1)
-        self.assertIn("--patch", strict_json(done.stdout)["error"])
+        self.assertIn("--isosurface", strict_json(done.stdout)["error"])
 
 
 if __name__ == "__main__":

@@ -3,15 +3,16 @@
 
 #include "Core/Math/Vec.h"
 
-#include <array>
 #include <vector>
 
 namespace pixelexact
 {
-/// A tensor-product Bezier patch: points[i (degree[1] + 1) + j], rows of u.
+/// A polynomial patch by its control points: the sum over i, j of B_i(u) B_j(v) points[i *
+/// (degree[1] + 1) + j], with the Bernstein polynomials B of degree[0] in u and degree[1] in v, for
+/// u and v from 0 to 1. So rows have one i, and the corners of the patch are control points.
 struct BezierPatch
 {
-  int degree[2]{ 3, 3 };
+  int degree[2];
   std::vector<Vec3> points;
 };
 } // namespace pixelexact

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "vtkAlgorithm.h"
+
+#include <string>
+#include <vector>
+
+class vtkDataObject;
+
+namespace pixelexact
+{
+/// The end of a pipeline: what a surface is made of. Input connections are a vtkAlgorithm's.
+class SurfaceInput : public vtkAlgorithm
+{
+public:
+  static SurfaceInput* New();
+  vtkTypeMacro(SurfaceInput, vtkAlgorithm);
+
+  /// The data types that it takes; to be called once, before anything else.
+  void Accept(std::vector<std::string> types) { Types = std::move(types); }
+
+  void SetData(vtkDataObject* data) { this->SetInputDataInternal(0, data); }
+  /// What is there, of an accepted type or not; null: nothing.
+  vtkDataObject* Data();
+  /// The same, as T. Throws Error, which begins with the surface's name and ends with the accepted
+  /// types, where there is nothing or something else.
+  template <class T>
+  T* DataOf(vtkObject* surface)
+  {
+    T* const data = T::SafeDownCast(this->Data());
+    return data != nullptr ? data : static_cast<T*>(this->Refuse(surface));
+  }
+
+  /// Changes with the connection and with the data.
+  vtkMTimeType GetMTime() override;
+
+  SurfaceInput(const SurfaceInput&) = delete;
+  void operator=(const SurfaceInput&) = delete;
+
+protected:
+  SurfaceInput();
+  ~SurfaceInput() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+
+private:
+  [[noreturn]] void* Refuse(vtkObject* surface);
+
+  std::vector<std::string> Types;
+};
+} // namespace pixelexact

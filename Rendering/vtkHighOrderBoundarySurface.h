@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHighOrderBoundarySurface
+ * @brief   faces of elements as a cut-surface
+ *
+ * Of the mapper's mesh: its boundary (the default), parts of that by their attributes, or all faces
+ * of some elements. What is selected is added up.
+ */
+
+#ifndef vtkHighOrderBoundarySurface_h
+#define vtkHighOrderBoundarySurface_h
+
+#include "PixelExactRenderingModule.h"
+#include "vtkHighOrderSurface.h"
+
+#include <memory> // for the implementation
+
+namespace pixelexact
+{
+struct BoundaryChoice;
+} // namespace pixelexact
+
+class PIXELEXACTRENDERING_EXPORT vtkHighOrderBoundarySurface : public vtkHighOrderSurface
+{
+public:
+  static vtkHighOrderBoundarySurface* New();
+  vtkTypeMacro(vtkHighOrderBoundarySurface, vtkHighOrderSurface);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * The whole boundary of the mesh, in the place of what was selected. This is the default.
+   */
+  void SelectAll();
+
+  ///@{
+  /**
+   * The faces of the boundary that have an attribute, as the solver numbers the boundary's parts.
+   */
+  void AddAttribute(int attribute);
+  int GetNumberOfAttributes();
+  int GetAttribute(int index);
+  ///@}
+
+  ///@{
+  /**
+   * All faces of an element, inner ones, too. Its number is that of its cell in the source, as in
+   * vtkHighOrderMapper::GetBuffers; of composite data that of a cell of every block.
+   */
+  void AddElement(vtkIdType element);
+  int GetNumberOfElements();
+  vtkIdType GetElement(int index);
+  ///@}
+
+#ifndef __VTK_WRAP__
+  std::shared_ptr<const pixelexact::Surface> MakeSurface(
+    const std::shared_ptr<const pixelexact::HighOrderModel>& model,
+    const pixelexact::SurfaceSearch& search) override;
+#endif
+
+protected:
+  vtkHighOrderBoundarySurface();
+  ~vtkHighOrderBoundarySurface() override;
+
+private:
+  vtkHighOrderBoundarySurface(const vtkHighOrderBoundarySurface&) = delete;
+  void operator=(const vtkHighOrderBoundarySurface&) = delete;
+
+  std::unique_ptr<pixelexact::BoundaryChoice> Choice;
+};
+
+#endif

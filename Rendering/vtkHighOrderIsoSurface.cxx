@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHighOrderIsoSurface.h"
+
+#include "MeshSurfaces.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkHighOrderIsoSurface);
+
+//------------------------------------------------------------------------------
+vtkHighOrderIsoSurface::vtkHighOrderIsoSurface() = default;
+
+//------------------------------------------------------------------------------
+vtkHighOrderIsoSurface::~vtkHighOrderIsoSurface() = default;
+
+//------------------------------------------------------------------------------
+std::shared_ptr<const pixelexact::Surface> vtkHighOrderIsoSurface::MakeSurface(
+  const std::shared_ptr<const pixelexact::HighOrderModel>& model,
+  const pixelexact::SurfaceSearch& /*search*/)
+{
+  return pixelexact::MakeIsoSurface(model, { this->FieldName, this->Component, this->Value });
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderIsoSurface::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FieldName: " << (this->FieldName.empty() ? "(first)" : this->FieldName) << "\n";
+  os << indent << "Component: " << this->Component << "\n";
+  os << indent << "Value: " << this->Value << "\n";
+}

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHighOrderPatchSurface
+ * @brief   Bezier patches as a cut-surface
+ *
+ * Tensor-product patches by their control points, met as they are, without triangles. The input is
+ * - a vtkUnstructuredGrid whose cells are all VTK_BEZIER_QUADRILATERAL, of any degree, also of
+ *   different degrees in the two directions (cell array HigherOrderDegrees); or
+ * - points without cells, or with vertices alone: 16 points are a bicubic patch, row by row (the
+ *   second parameter runs fastest), as in the files of the tool's --patch.
+ *
+ * Rational weights that differ within a cell are refused: such patches are no polynomials.
+ */
+
+#ifndef vtkHighOrderPatchSurface_h
+#define vtkHighOrderPatchSurface_h
+
+#include "PixelExactRenderingModule.h"
+#include "vtkHighOrderSurface.h"
+
+#include "vtkSmartPointer.h" // for the input
+
+namespace pixelexact
+{
+class SurfaceInput;
+} // namespace pixelexact
+
+class vtkAlgorithmOutput;
+class vtkPointSet;
+
+class PIXELEXACTRENDERING_EXPORT vtkHighOrderPatchSurface : public vtkHighOrderSurface
+{
+public:
+  static vtkHighOrderPatchSurface* New();
+  vtkTypeMacro(vtkHighOrderPatchSurface, vtkHighOrderSurface);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The patches, in the data's coordinates: data, or a pipeline, which Update brings up to date.
+   * Required.
+   */
+  void SetInputData(vtkPointSet* data);
+  void SetInputConnection(vtkAlgorithmOutput* output);
+  vtkPointSet* GetInput();
+  ///@}
+
+  void Update() override;
+
+  /**
+   * Changes with the input, too.
+   */
+  vtkMTimeType GetMTime() override;
+
+#ifndef __VTK_WRAP__
+  bool IsMadeOfMesh() const override
+  {
+    return false;
+  }
+  std::shared_ptr<const pixelexact::Surface> MakeSurface(
+    const std::shared_ptr<const pixelexact::HighOrderModel>& model,
+    const pixelexact::SurfaceSearch& search) override;
+#endif
+
+protected:
+  vtkHighOrderPatchSurface();
+  ~vtkHighOrderPatchSurface() override;
+
+private:
+  vtkHighOrderPatchSurface(const vtkHighOrderPatchSurface&) = delete;
+  void operator=(const vtkHighOrderPatchSurface&) = delete;
+
+  vtkSmartPointer<pixelexact::SurfaceInput> Input;
+};
+
+#endif
