@@ -207,6 +207,16 @@ bool HighOrderModel::HasLocator() const
   return Data->part->HasLocator();
 }
 
+const FaceTable& HighOrderModel::Faces() const
+{
+  return Data->part->GetFaces();
+}
+
+bool HighOrderModel::HasFaces() const
+{
+  return Data->part->HasFaces();
+}
+
 std::span<const std::int64_t> HighOrderModel::SourceCells() const
 {
   return Data->part->SourceCells();

@@ -17,6 +17,7 @@ class vtkUnstructuredGrid;
 
 namespace pixelexact
 {
+class FaceTable;
 class Locator;
 
 /// The mesh and the fields that a vtkUnstructuredGrid carries in its arrays (HighOrderArrays.h),
@@ -56,6 +57,10 @@ public:
   /// Built, in parallel, by the first call of all models that share it.
   [[nodiscard]] const Locator& GetLocator() const;
   [[nodiscard]] bool HasLocator() const;
+  /// What lies behind each element's faces; made, in parallel, by the first call of all models that
+  /// share the mesh. Builds the locator too.
+  [[nodiscard]] const FaceTable& Faces() const;
+  [[nodiscard]] bool HasFaces() const;
 
   /// A leaf of composite data.
   struct Block

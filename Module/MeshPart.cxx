@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshPart.h"
 
+#include "Core/Faces/FaceTable.h"
 #include "Core/Location/Locator.h"
 #include "Fingerprint.h"
 #include "JoinedArrays.h"
@@ -155,5 +156,16 @@ const Locator& MeshPart::GetLocator() const
       LocatorMade = true;
     });
   return *TheLocator;
+}
+
+const FaceTable& MeshPart::GetFaces() const
+{
+  std::call_once(FacesOnce,
+    [this]
+    {
+      TheFaces = std::make_unique<FaceTable>(GetLocator().Index());
+      FacesMade = true;
+    });
+  return *TheFaces;
 }
 } // namespace pixelexact

@@ -13,6 +13,7 @@ class vtkAbstractArray;
 
 namespace pixelexact
 {
+class FaceTable;
 class Locator;
 
 /// The mesh in a grid's arrays, with its locator. Grids that hold the same arrays of the mesh, not
@@ -42,6 +43,9 @@ public:
   /// Built, in parallel, by the first call.
   [[nodiscard]] const Locator& GetLocator() const;
   [[nodiscard]] bool HasLocator() const { return LocatorMade; }
+  /// Made, in parallel, by the first call.
+  [[nodiscard]] const FaceTable& GetFaces() const;
+  [[nodiscard]] bool HasFaces() const { return FacesMade; }
 
 private:
   /// Arrays, kept alive so that no other can have their address, and their states.
@@ -63,6 +67,9 @@ private:
   mutable std::once_flag LocatorOnce;
   mutable std::unique_ptr<Locator> TheLocator;
   mutable std::atomic<bool> LocatorMade{ false };
+  mutable std::once_flag FacesOnce;
+  mutable std::unique_ptr<FaceTable> TheFaces;
+  mutable std::atomic<bool> FacesMade{ false };
 };
 } // namespace pixelexact
 #endif

@@ -213,6 +213,13 @@ ComponentHulls MakeHulls(const Space& space, const double* coefficients, Errors 
   return hulls;
 }
 
+/// In world units, for coordinates of at most this magnitude: a point meant to lie on a face is
+/// known to half an ulp of its coordinates, the face to the mesh's uncertainty.
+double SlackOf(const Mesh& mesh, int element, double largest)
+{
+  return mesh.uncertainty[element] + 4.0 * kUnitRoundoff * largest;
+}
+
 void MakeBox(const Mesh& mesh, int element, const ComponentHulls& hulls, ElementBounds& bounds)
 {
   const double size = mesh.size[element];
@@ -226,10 +233,7 @@ void MakeBox(const Mesh& mesh, int element, const ComponentHulls& hulls, Element
       std::min(NextUp(hull.upper + hulls.error[c]), NextUp(hulls.first[c] + hulls.spread[c]));
     const double lower = NextDown(centre + NextDown(size * least));
     const double upper = NextUp(centre + NextUp(size * most));
-    // A point meant to lie on a face is known to half an ulp of its coordinates, the face to the
-    // mesh's uncertainty.
-    const double slack = mesh.uncertainty[element] +
-      4.0 * kUnitRoundoff * std::max(std::fabs(lower), std::fabs(upper));
+    const double slack = SlackOf(mesh, element, std::max(std::fabs(lower), std::fabs(upper)));
     bounds.box.lower[c] = NextDown(lower - slack);
     bounds.box.upper[c] = NextUp(upper + slack);
     const double evaluation = EvaluationError(mesh.map.SpaceOf(element)) * hulls.magnitude[c];
@@ -326,6 +330,24 @@ Box3 MakeElementBox(const Mesh& mesh, int element)
   MakeBox(mesh, element,
     MakeHulls(mesh.map.SpaceOf(element), mesh.map.Coefficients(element), Errors::Quick), bounds);
   return bounds.box;
+}
+
+Vec3 ImageUncertainty(const Mesh& mesh, int element)
+{
+  const Space& space = mesh.map.SpaceOf(element);
+  const auto& modeBounds = SpaceTools::Of(space).modeBounds;
+  Vec3 uncertainty;
+  for (int c = 0; c < 3; ++c)
+  {
+    const double* component =
+      mesh.map.Coefficients(element) + static_cast<std::size_t>(c) * modeBounds.size();
+    const double magnitude =
+      mesh.size[element] * (std::fabs(component[0]) + SpreadOf(modeBounds, component));
+    const double centre = std::fabs(mesh.centre[3 * static_cast<std::size_t>(element) + c]);
+    uncertainty[c] =
+      SlackOf(mesh, element, centre + magnitude) + EvaluationError(space) * magnitude;
+  }
+  return uncertainty;
 }
 
 ElementBounds MakeElementBounds(const Mesh& mesh, int element)

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Faces/FaceKind.h"
+#include "Core/Faces/FaceNumbers.h"
+#include "Core/Index/ElementIndex.h"
+
+#include <span>
+#include <vector>
+
+namespace pixelexact
+{
+class FaceGrids;
+
+/// What lies behind a face that has no pair.
+struct FaceContact
+{
+  FaceKind kind = FaceKind::Boundary;
+  ElementFace neighbour; ///< of Interior, where the face has an area
+};
+
+/// One for each of the faces, which are those that have no pair, in ascending order: points of each
+/// (its open grid) are looked for on the others, up to both elements' uncertainty (per element,
+/// world units). A face without area, an edge or a vertex of a collapsed element, bounds nothing
+/// and is Interior.
+std::vector<FaceContact> FindFaceContacts(const ElementIndex& index, const FaceGrids& grids,
+  std::span<const Vec3> uncertainty, std::span<const ElementFace> faces);
+} // namespace pixelexact

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Faces/FaceSampler.h"
+
+namespace pixelexact
+{
+/// Finds points of a face. Keeps scratch arrays: each thread makes its own.
+class FaceProjection
+{
+public:
+  FaceProjection(const Mesh& mesh, const FaceGrids& grids)
+    : TheMesh(mesh)
+    , Grids(grids)
+    , Sampler(mesh)
+  {
+  }
+
+  /// Which of the points lie on the face, up to a distance per coordinate, with the element on the
+  /// other side than that of their normals, which point out of theirs. Gauss-Newton's iteration
+  /// from the nearest point of the closed grid: it may miss a point of a face that winds more than
+  /// its order explains, and finds none that is not there.
+  void Find(int element, int face, std::span<const FaceSample> points, const Vec3& tolerance,
+    std::vector<char>& found);
+
+private:
+  const Mesh& TheMesh;
+  const FaceGrids& Grids;
+  FaceSampler Sampler;
+  std::vector<FaceSample> Samples;
+  std::vector<FacePoint> At;
+  std::vector<int> Left; ///< steps, per point
+};
+} // namespace pixelexact

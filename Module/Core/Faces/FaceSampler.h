@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Element/Mesh.h"
+#include "Core/Faces/ReferenceFace.h"
+
+#include <span>
+#include <vector>
+
+namespace pixelexact
+{
+/// An element's face at one of its points.
+struct FaceSample
+{
+  Vec3 x{ 0.0 };      ///< world
+  Vec3 first{ 0.0 };  ///< derivative by the FacePoint's first number, in the element's units
+  Vec3 second{ 0.0 }; ///< by its second
+  Vec3 normal{ 0.0 }; ///< out of the element: the tangents' product; 0 where det J is
+};
+
+/// Evaluates faces of a mesh's elements. Keeps scratch arrays: each thread makes its own.
+class FaceSampler
+{
+public:
+  explicit FaceSampler(const Mesh& mesh)
+    : TheMesh(mesh)
+  {
+  }
+
+  /// One sample for each point, valid until the next call with the same vector.
+  void Sample(
+    int element, int face, std::span<const FacePoint> points, std::vector<FaceSample>& samples);
+
+private:
+  const Mesh& TheMesh;
+  std::vector<double> Lanes;
+};
+
+/// Points to compare and to look behind faces at, for polynomials of every order of a mesh.
+class FaceGrids
+{
+public:
+  explicit FaceGrids(int highestOrder);
+
+  /// (n + 1)^2 points, corners and edges among them, at which a polynomial of order n (at least 1)
+  /// is bounded: Gauss-Lobatto-Legendre's; in triangles collapsed towards a corner.
+  [[nodiscard]] std::span<const FacePoint> Closed(int corners, int order) const;
+  /// Points off the edges, at least 16 and as many as `Closed` has: Gauss-Legendre's of even
+  /// number, so that none is where a face is commonly halved.
+  [[nodiscard]] std::span<const FacePoint> Open(int corners, int order) const;
+
+private:
+  using Grids = std::vector<std::vector<FacePoint>>; ///< by order
+  Grids ClosedGrids[2];                              ///< of triangles, of quadrilaterals
+  Grids OpenGrids[2];
+};
+} // namespace pixelexact

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Faces/FaceKind.h"
+#include "Core/Faces/FaceNumbers.h"
+#include "Core/Index/ElementIndex.h"
+
+#include <vector>
+
+namespace pixelexact
+{
+/// What lies behind each face of each element, from the mesh's geometry alone: files need not say
+/// which elements are neighbours, and neighbours need not share nodes. See
+/// Documentation/faces.md for the method, for what is compared and for what is not proven.
+///
+/// Safe to use from several threads. Threads and order of work change nothing in it.
+class FaceTable
+{
+public:
+  /// In parallel. The index is not used afterwards.
+  explicit FaceTable(const ElementIndex& index);
+
+  /// Of all elements: a face between two counts twice.
+  [[nodiscard]] std::int64_t Faces() const { return static_cast<std::int64_t>(Kinds.size()); }
+  /// Of them, those of a kind.
+  [[nodiscard]] std::int64_t CountOf(FaceKind kind) const;
+
+  /// `face` as in FacesOf(shape). Nothing is checked.
+  [[nodiscard]] FaceKind KindOf(int element, int face) const
+  {
+    return Kinds[Numbers.NumberOf(element, face)];
+  }
+  /// The face on the other side of an Interior one, the first where elements overlap; none for
+  /// other kinds, and for an Interior face without area, which a collapsed element may have.
+  [[nodiscard]] ElementFace NeighbourOf(int element, int face) const
+  {
+    return Neighbours[Numbers.NumberOf(element, face)];
+  }
+
+  /// Bytes held.
+  [[nodiscard]] std::size_t MemoryUsage() const;
+
+private:
+  FaceNumbers Numbers;
+  std::vector<ElementFace> Neighbours;
+  std::vector<FaceKind> Kinds;
+};
+} // namespace pixelexact
