@@ -7,6 +7,10 @@
 
 #include "Core/Base/Error.h"
 #include "Core/Element/MeshRanges.h"
+#include "Core/Faces/FaceTable.h"
+#include "Core/Questions/Questions.h"
+#include "Trace/Surfaces/ElementFaces.h"
+#include "Trace/Surfaces/IsoSurface.h"
 
 #include <algorithm>
 #include <array>
@@ -64,13 +68,53 @@ void RequireValue(const HighOrderModel& model, const Field& field, int component
                      : " has values from " + Digits(range.lower) + " to " + Digits(range.upper) +
           ", and " + Digits(value) + " is none of them; choose a value between"));
 }
+/// All faces of the elements that are chosen, or else those with nothing behind them, or not behind
+/// all of them.
+std::vector<ElementFace> FacesFor(const HighOrderModel& model, const BoundaryChoice& choice)
+{
+  const Mesh mesh = model.GetMesh();
+  std::vector<ElementFace> faces;
+  if (!choice.attributes.empty())
+  {
+    throw Unsupported("attributes of boundaries are not available yet; choose all of the boundary");
+  }
+  for (int element = 0; element < mesh.Elements(); ++element)
+  {
+    const bool chosen =
+      std::ranges::find(choice.elements, model.SourceCells()[static_cast<std::size_t>(element)]) !=
+      choice.elements.end();
+    const auto count = static_cast<int>(FacesOf(mesh.ShapeOf(element)).size());
+    for (int face = 0; face < count; ++face)
+    {
+      const auto isBoundary = [&]
+      {
+        const FaceKind kind = model.Faces().KindOf(element, face);
+        return kind == FaceKind::Boundary || kind == FaceKind::Partly;
+      };
+      if (choice.elements.empty() ? isBoundary() : chosen)
+      {
+        faces.push_back({ element, face });
+      }
+    }
+  }
+  return faces;
+}
+
+/// The surface, which keeps the model that it is a view of.
+std::shared_ptr<const Surface> KeepingAlive(
+  const std::shared_ptr<const HighOrderModel>& model, std::unique_ptr<const Surface> surface)
+{
+  return { surface.release(), [model](const Surface* kept) { delete kept; } };
+}
 } // namespace
 
 std::shared_ptr<const Surface> MakeBoundary(
   const std::shared_ptr<const HighOrderModel>& model, const BoundaryChoice& choice)
 {
   RequireElements(*model, choice.elements);
-  throw Unsupported("faces of elements are not available yet; cut by a function or triangles");
+  const std::vector<ElementFace> faces = FacesFor(*model, choice);
+  return KeepingAlive(
+    model, std::make_unique<const ElementFaces>(model->GetLocator().Index(), faces));
 }
 
 std::shared_ptr<const Surface> MakeIsoSurface(
@@ -87,6 +131,8 @@ std::shared_ptr<const Surface> MakeIsoSurface(
   const Field& field = FieldChoice{ .name = choice.field }.In(*model);
   RequireComponent(field, choice.component);
   RequireValue(*model, field, choice.component, choice.value);
-  throw Unsupported("iso-surfaces are not available yet; cut by a function or triangles");
+  return KeepingAlive(model,
+    std::make_unique<const IsoSurface>(
+      model->GetLocator().Index(), field, choice.component, choice.value));
 }
 } // namespace pixelexact

@@ -26,7 +26,8 @@ struct BoundaryChoice
   bool operator==(const BoundaryChoice&) const = default;
 };
 
-/// Throws Error where the mesh has no such element; Unsupported: not available yet.
+/// Throws Error where the mesh has no such element, and no such face; Unsupported
+/// for attributes.
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT std::shared_ptr<const Surface> MakeBoundary(
   const std::shared_ptr<const HighOrderModel>& model, const BoundaryChoice& choice);
 
@@ -39,7 +40,8 @@ struct IsoChoice
 };
 
 /// Throws Error for a field or component that is not there, and for a value that the field is
-/// proven not to have, naming its range, or that is not finite; Unsupported: not available yet.
+/// proven not to have, naming its range, or that is not finite; Unsupported for
+/// mapped fields.
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT std::shared_ptr<const Surface> MakeIsoSurface(
   const std::shared_ptr<const HighOrderModel>& model, const IsoChoice& choice);
 } // namespace pixelexact

@@ -3,6 +3,7 @@
 
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
+#include "Trace/Surfaces/BezierPatches.h"
 
 #include "vtkCell.h"
 #include "vtkCellData.h"
@@ -162,8 +163,8 @@ std::vector<BezierPatch> ToPatches(vtkPointSet* data)
   return patches;
 }
 
-std::shared_ptr<const Surface> SurfaceOf(std::vector<BezierPatch> /*patches*/)
+std::shared_ptr<const Surface> SurfaceOf(const std::vector<BezierPatch>& patches)
 {
-  throw Unsupported("Bezier patches are not available yet; cut by triangles or a function");
+  return std::make_shared<const BezierPatches>(patches);
 }
 } // namespace pixelexact

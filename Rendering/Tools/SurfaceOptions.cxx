@@ -115,20 +115,20 @@ void SurfaceOptions::AddTo(CLI::App& command)
   AddRepeated(
     command, "--patch", [this](const std::string& file) { Patches.push_back(file); }, "FILE",
     "Cut by the bicubic Bezier patches of a text file: per patch 16 lines 'x y z', rows of u; what "
-    "stands behind a # counts nothing (not available yet)")
+    "stands behind a # counts nothing")
     .Group(group);
   AddRepeated(
     command, "--isosurface", [this](const std::string& text) { Isos.push_back(ParseIso(text)); },
     "FIELD=VALUE",
     "Cut by the points where a field has a value; of a vector field its magnitude, or "
-    "FIELD.COMPONENT=VALUE, counted from 0 (not available yet)")
+    "FIELD.COMPONENT=VALUE, counted from 0")
     .Group(group);
   AddRepeated(
     command, "--boundary",
     [this](const std::string& text) { Boundaries.push_back(ParseBoundary(text)); },
     "[=all|ATTRIBUTE,...|element:NUMBER,...]",
     "Cut by the boundary of the mesh, by its parts with these attributes, or by all faces of these "
-    "elements (not available yet)")
+    "elements")
     .Group(group);
 }
 
@@ -177,10 +177,10 @@ std::vector<GivenSurface> SurfaceOptions::Make() const
   }
   for (const std::string& file : Patches)
   {
-    std::vector<BezierPatch> patches = ReadPatches(file);
+    const std::vector<BezierPatch> patches = ReadPatches(file);
     try
     {
-      surfaces.push_back(Made(SurfaceOf(std::move(patches))));
+      surfaces.push_back(Made(SurfaceOf(patches)));
     }
     catch (const Error& error)
     {

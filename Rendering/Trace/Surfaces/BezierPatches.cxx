@@ -153,6 +153,8 @@ BezierPatches::BezierPatches(std::unique_ptr<const Storage> storage)
 {
 }
 
+BezierPatches::~BezierPatches() = default;
+
 Vec3 BezierPatches::Normal(const SurfacePoint& point) const
 {
   return FaceNormal(Equation().mesh, PartOf(point.piece), point.xi);

@@ -20,6 +20,9 @@ public:
   /// Throws Error without patches, for degrees other than 1 to 16, for a number of points that does
   /// not go with them, and for points that are not finite; it names the patch.
   explicit BezierPatches(std::span<const BezierPatch> patches);
+  ~BezierPatches() override;
+  BezierPatches(const BezierPatches&) = delete;
+  BezierPatches& operator=(const BezierPatches&) = delete;
 
   [[nodiscard]] Vec3 Normal(const SurfacePoint& point) const override;
 

@@ -11,14 +11,14 @@ namespace pixelexact
 {
 namespace
 {
-std::vector<CurvedPart> PartsOf(const Mesh& mesh, std::span<const FaceOfElement> faces)
+std::vector<CurvedPart> PartsOf(const Mesh& mesh, std::span<const ElementFace> faces)
 {
   if (faces.empty())
   {
     Refuse("element faces", "there are none");
   }
   std::vector<CurvedPart> parts;
-  for (const FaceOfElement& one : faces)
+  for (const ElementFace& one : faces)
   {
     if (one.element < 0 || one.element >= mesh.Elements() || one.face < 0 ||
       one.face >= static_cast<int>(FacesOf(mesh.ShapeOf(one.element)).size()))
@@ -33,10 +33,10 @@ std::vector<CurvedPart> PartsOf(const Mesh& mesh, std::span<const FaceOfElement>
   return parts;
 }
 
-std::vector<Box3> BoxesOf(const ElementIndex& index, std::span<const FaceOfElement> faces)
+std::vector<Box3> BoxesOf(const ElementIndex& index, std::span<const ElementFace> faces)
 {
   std::vector<Box3> boxes;
-  for (const FaceOfElement& one : faces)
+  for (const ElementFace& one : faces)
   {
     boxes.push_back(index.ElementBox(one.element));
   }
@@ -44,7 +44,7 @@ std::vector<Box3> BoxesOf(const ElementIndex& index, std::span<const FaceOfEleme
 }
 } // namespace
 
-ElementFaces::ElementFaces(const ElementIndex& index, std::span<const FaceOfElement> faces)
+ElementFaces::ElementFaces(const ElementIndex& index, std::span<const ElementFace> faces)
   : CurvedSurface({ index.GetMesh() }, PartsOf(index.GetMesh(), faces), BoxesOf(index, faces))
 {
 }
