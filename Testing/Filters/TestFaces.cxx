@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <set>
 
 namespace
 {
@@ -71,6 +72,59 @@ TEST_P(FacesOfFiles, Close)
   EXPECT_NEAR(integrals.volume, integrals.inside, 1e-11 * integrals.inside);
 }
 
+/// The faces of a file's list are its boundary, where it lists that and nothing else.
+TEST_P(FacesOfFiles, AreThoseThatTheFileLists)
+{
+  const auto file = Find(GetParam().file);
+  if (!GetParam().lists || file.empty())
+  {
+    GTEST_SKIP() << (GetParam().lists ? "no shared data on this machine" : "lists no boundary");
+  }
+  const auto grid = LoadMesh(file);
+  const auto model = HighOrderModel::From(grid);
+  const Mesh& mesh = model->GetMesh();
+  std::set<ElementFace> listed;
+  for (const AttributedFace& entry : model->BoundaryFaces())
+  {
+    listed.insert(entry.face);
+  }
+  std::set<ElementFace> boundary;
+  for (int e = 0; e < mesh.Elements(); ++e)
+  {
+    for (int f = 0; f < static_cast<int>(pixelexact::FacesOf(mesh.ShapeOf(e)).size()); ++f)
+    {
+      if (model->Faces().KindOf(e, f) == FaceKind::Boundary)
+      {
+        boundary.insert({ e, f });
+      }
+    }
+  }
+  EXPECT_EQ(listed, boundary);
+}
+
+/// Faces that the mesh identifies have both ends' attributes: the file does not tell which is
+/// whose.
+TEST(FacesOfPeriodicMeshes, HaveTheAttributesOfBothEnds)
+{
+  const auto file = kShared / "mfem_periodic_hex_dg_g3_p4" / "mfem_periodic_hex_dg_g3_p4.mesh";
+  if (!std::filesystem::exists(file))
+  {
+    GTEST_SKIP() << "no shared data on this machine";
+  }
+  const auto grid = LoadMesh(file);
+  const auto model = HighOrderModel::From(grid);
+  const auto counts = CountByAttribute(model->BoundaryFaces());
+  ASSERT_EQ(counts.size(), 6U);
+  for (const auto& [attribute, count] : counts)
+  {
+    EXPECT_EQ(count, 18) << attribute;
+  }
+  for (const AttributedFace& entry : model->BoundaryFaces())
+  {
+    EXPECT_EQ(model->Faces().KindOf(entry.face.element, entry.face.face), FaceKind::Boundary);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Files, FacesOfFiles,
   ::testing::Values(Case{ "mfem49_tinyzoo_g3_p5/mfem49_tinyzoo_g3_p5.mesh", true },
     Case{ "mfem_escher_tet_darcy_p3/mfem_escher_tet_darcy_p3.mesh", true },
@@ -87,10 +141,10 @@ INSTANTIATE_TEST_SUITE_P(Files, FacesOfFiles,
     Case{ "mfem_beam_hex_elast_p4/mfem_beam_hex_elast_p4.mesh", true },
     Case{ "mfem_toroid_prism_g3_p4/mfem_toroid_prism_g3_p4.mesh", true },
     Case{ "mfem_periodic_hex_dg_g3_p4/mfem_periodic_hex_dg_g3_p4.mesh" },
-    Case{ "glvis_laghos_hex_g2_dg/glvis_laghos_hex_g2_dg.mesh", true },
+    Case{ "glvis_laghos_hex_g2_dg/glvis_laghos_hex_g2_dg.mesh" },
     Case{ "mfem_escher_tet_21k_p3/mfem_escher_tet_21k_p3.mesh.gz", true },
     Case{ "mfem_escher_tet_21k_p3/mfem_escher_tet_21k_p3_zlib.vtu" },
-    Case{ "dray_crazy_hex_bernstein_g20/dray_crazy_hex_bernstein_g20.mesh", true },
+    Case{ "dray_crazy_hex_bernstein_g20/dray_crazy_hex_bernstein_g20.mesh" },
     Case{ "nek_ns_cylinder_hexprism_p4/nek_ns_cylinder_hexprism_p4.xml" },
     Case{ "nek_ns_cylinder_paperscale_p3/nek_ns_cylinder_paperscale_p3.xml" },
     Case{ "nek_ns_kovasznay_tet_p9/nek_ns_kovasznay_tet_p9.xml" },
