@@ -151,7 +151,9 @@ INSTANTIATE_TEST_SUITE_P(Files, FacesOfFiles,
     Case{ "nek_ns_prismhex_p3/nek_ns_prismhex_p3.xml" },
     Case{ "nek_ns_pipe_prism_tet_p3/nek_ns_pipe_prism_tet_p3.xml" },
     Case{ "nek_allshapes_p4_p6/nek_allshapes_p4_p6.xml" },
-    Case{ "nek_found_smallmesh_tet_p3/smallmesh.xml" }),
+    Case{ "nek_found_smallmesh_tet_p3/smallmesh.xml" },
+    Case{ "found_vtk_hex_3x3x3_o4/hex_3x3x3_o4.vtk" },
+    Case{ "found_vtk_tets_in_1x1x1_block_o6/tets_in_1x1x1_block_o6.vtk" }),
   [](const auto& test)
   {
     std::string name = std::filesystem::path(test.param.file).filename().string();

@@ -42,7 +42,6 @@ TEST(TimeSteps, MapperKeepsTheLocator)
   const auto second = NextStep(first);
   mapper->SetInputData(second);
   EXPECT_TRUE(HighOrderModel::From(second)->HasLocator()); // the mapper's, who holds the first
-  EXPECT_FALSE(HighOrderModel::From(second)->HasFaces());  // cuts by planes need none
   mapper->GetBounds();
   EXPECT_EQ(mapper->GetNumberOfModelBuilds(), 2);
 }
