@@ -30,9 +30,6 @@ std::vector<AttributedFace> AttributedFacesOf(const SolverMesh& mesh, const Mesh
     faces.push_back(
       { { face.element, faceOf[static_cast<std::size_t>(face.face)] }, face.attribute });
   }
-  std::ranges::sort(faces);
-  const auto again = std::ranges::unique(faces);
-  faces.erase(again.begin(), again.end());
   return faces;
 }
 

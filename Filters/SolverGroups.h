@@ -9,7 +9,7 @@ class vtkUnstructuredGrid;
 
 namespace pixelexact
 {
-/// The file's faces with attributes, in ascending order, each once; `view` is of the same mesh.
+/// The file's faces with attributes; `view` is of the same mesh.
 std::vector<AttributedFace> AttributedFacesOf(const SolverMesh& mesh, const Mesh& view);
 
 /// Adds the file's attributes and groups, for VTK's filters and for people (see SolverGrid.h).

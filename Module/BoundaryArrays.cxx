@@ -56,8 +56,7 @@ std::vector<AttributedFace> ReadBoundary(
     boundary.push_back({ { cell, face[i] }, attribute[i] });
   }
   std::ranges::sort(boundary);
-  const auto again = std::ranges::unique(boundary);
-  boundary.erase(again.begin(), again.end());
+  boundary.erase(std::unique(boundary.begin(), boundary.end()), boundary.end());
   return boundary;
 }
 } // namespace pixelexact

@@ -8,8 +8,8 @@
 namespace pixelexact
 {
 /// The faces with attributes that a grid's arrays list, of the cells that it still has, as elements
-/// of `mesh`; in ascending order. None where it has no such arrays. Throws InvalidData, naming the
-/// array, where one is missing, of wrong type or size, or names what is no face.
+/// of `mesh`; in ascending order, each once. None where it has no such arrays. Throws InvalidData,
+/// naming the array, where one is missing, of wrong type or size, or names what is no face.
 std::vector<AttributedFace> ReadBoundary(
   vtkUnstructuredGrid* grid, const Mesh& mesh, const CellElements& cells, vtkIdType elements);
 } // namespace pixelexact

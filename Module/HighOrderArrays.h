@@ -81,7 +81,7 @@ struct MeshArrays
   std::vector<double> size;
   std::vector<double> uncertainty;
   std::vector<std::int64_t> sourceCell;
-  std::vector<AttributedFace> boundary; ///< in ascending order, each once
+  std::vector<AttributedFace> boundary; ///< in any order
 };
 
 /// Whether the grid carries the arrays of a mesh; says nothing of whether they fit.
