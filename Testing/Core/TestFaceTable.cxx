@@ -93,7 +93,7 @@ TEST(FaceTable, AnEmptyMeshHasNone)
 TEST(FaceTable, CostOfManyElements)
 {
   const char* asked = std::getenv("PIXELEXACT_FACE_ELEMENTS");
-  const int n = static_cast<int>(std::cbrt(asked ? std::atof(asked) : 1000.0) + 0.5);
+  const int n = static_cast<int>(std::lround(std::cbrt(asked ? std::atof(asked) : 1000.0)));
   for (const bool curved : { false, true })
   {
     // One element's coefficients serve all where they are straight.
@@ -109,8 +109,9 @@ TEST(FaceTable, CostOfManyElements)
     for (int i = 0; i < n * n * n; ++i)
     {
       centre.push_back(i % n);
-      centre.push_back(i / n % n);
-      centre.push_back(i / n / n);
+      const int row = i / n % n;
+      const int layer = i / n / n;
+      centre.insert(centre.end(), { 1.0 * row, 1.0 * layer });
     }
     Mesh view = one.View();
     view.map.spaceOf = spaceOf;
