@@ -89,18 +89,17 @@ TEST(FaceTable, AnEmptyMeshHasNone)
   EXPECT_EQ(TableOf(mesh).Faces(), 0);
 }
 
-/// $PIXELEXACT_FACE_ELEMENTS: hexahedra of order 1 and 3 in a row, with what their table takes.
+/// $PIXELEXACT_FACE_ELEMENTS: cubes of order 1 and 3, with what their table takes.
 TEST(FaceTable, CostOfManyElements)
 {
   const char* asked = std::getenv("PIXELEXACT_FACE_ELEMENTS");
   const int n = static_cast<int>(std::lround(std::cbrt(asked ? std::atof(asked) : 1000.0)));
-  for (const bool curved : { false, true })
+  for (const bool cubic : { false, true })
   {
-    // One element's coefficients serve all where they are straight.
-    MeshBuilder mesh;
+    // All are one cube, moved: its coefficients serve them all.
     MeshBuilder one;
     AddCube(
-      one, Vec3(0.0), curved ? MeshBuilder::Map([](const LongVec3& x) { return x; }) : nullptr);
+      one, Vec3(0.0), cubic ? MeshBuilder::Map([](const LongVec3& x) { return x; }) : nullptr);
     const std::vector<std::int32_t> spaceOf(static_cast<std::size_t>(n) * n * n, 0);
     const std::vector<std::int64_t> offset(spaceOf.size(), 0);
     const std::vector<double> size(spaceOf.size(), 1.0);
@@ -126,7 +125,7 @@ TEST(FaceTable, CostOfManyElements)
     const std::int64_t side = std::int64_t{ n } * n;
     EXPECT_EQ(CountsOf(faces), (Counts{ 6 * side, 6 * side * n - 6 * side, 0, 0 }));
     std::printf("[ measured ] %d hexahedra of order %d: %.0f ns a face, %.1f bytes a face\n",
-      n * n * n, curved ? 3 : 1, seconds.count() * 1e9 / static_cast<double>(faces.Faces()),
+      n * n * n, cubic ? 3 : 1, seconds.count() * 1e9 / static_cast<double>(faces.Faces()),
       static_cast<double>(faces.MemoryUsage()) / static_cast<double>(faces.Faces()));
   }
 }
