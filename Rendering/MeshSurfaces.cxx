@@ -36,7 +36,7 @@ void RequireElements(const HighOrderModel& model, const std::vector<std::int64_t
 /// Such as "component 1 of field 'v'".
 std::string NameOf(const Field& field, int component)
 {
-  const std::string name = "field '" + field.name + "'";
+  std::string name = "field '" + field.name + "'";
   if (field.values.components == 1)
   {
     return name;

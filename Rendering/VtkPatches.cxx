@@ -162,7 +162,7 @@ std::vector<BezierPatch> ToPatches(vtkPointSet* data)
   return patches;
 }
 
-std::shared_ptr<const Surface> SurfaceOf(std::vector<BezierPatch> /*patches*/)
+std::shared_ptr<const Surface> SurfaceOf(const std::vector<BezierPatch>& /*patches*/)
 {
   throw Unsupported("Bezier patches are not available yet; cut by triangles or a function");
 }

@@ -24,5 +24,5 @@ namespace pixelexact
 
 /// Where rays meet patches. Throws Error.
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT std::shared_ptr<const Surface> SurfaceOf(
-  std::vector<BezierPatch> patches);
+  const std::vector<BezierPatch>& patches);
 } // namespace pixelexact

@@ -85,7 +85,7 @@ public:
    * What EvaluateGradient takes central differences over where nobody observes GradientEvent, above
    * 0; the default is 1e-6. Mappers take differences over 6e-6 of the size of the mesh.
    */
-  vtkSetClampMacro(DifferenceStep, double, VTK_DOUBLE_MIN, VTK_DOUBLE_MAX);
+  vtkSetClampMacro(DifferenceStep, double, 1e-300, VTK_DOUBLE_MAX);
   vtkGetMacro(DifferenceStep, double);
   ///@}
 

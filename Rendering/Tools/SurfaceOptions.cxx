@@ -177,10 +177,10 @@ std::vector<GivenSurface> SurfaceOptions::Make() const
   }
   for (const std::string& file : Patches)
   {
-    std::vector<BezierPatch> patches = ReadPatches(file);
+    const std::vector<BezierPatch> patches = ReadPatches(file);
     try
     {
-      surfaces.push_back(Made(SurfaceOf(std::move(patches))));
+      surfaces.push_back(Made(SurfaceOf(patches)));
     }
     catch (const Error& error)
     {
