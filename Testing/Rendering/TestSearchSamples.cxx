@@ -79,6 +79,38 @@ TEST(SearchSamples, ThinSheetsAreFoundByMoreOfThem)
   EXPECT_EQ(copy->GetSearchSamples(), 2);
 }
 
+/// A class derived from vtkPlane may be any function, with something behind what is seen.
+TEST(SearchSamples, FunctionsDerivedFromPlanesAreSeenThrough)
+{
+  class TwoPlanes : public vtkPlane
+  {
+  public:
+    static TwoPlanes* New()
+    {
+      auto* made = new TwoPlanes;
+      made->InitializeObjectBase();
+      return made;
+    }
+    vtkTypeMacro(TwoPlanes, vtkPlane);
+    using vtkPlane::EvaluateFunction;
+    double EvaluateFunction(double x[3]) override { return x[2] * x[2] - 0.01; }
+    void EvaluateFunction(vtkDataArray* input, vtkDataArray* output) override
+    {
+      this->vtkImplicitFunction::EvaluateFunction(input, output);
+    }
+  };
+  CutScene scene;
+  testing::Window window;
+  window.Renderer->AddActor(scene.Cut);
+  CutScene::Look(window.Renderer, false);
+  vtkNew<TwoPlanes> planes;
+  scene.Mapper->SetCutFunction(planes);
+  scene.Cut->GetProperty()->SetOpacity(0.5);
+  window.Render();
+  EXPECT_GT(PixelsShown(scene.Mapper), 10000);
+  EXPECT_GT(scene.Mapper->GetNumberOfNumericHits(), PixelsShown(scene.Mapper) * 5 / 4);
+}
+
 /// What lies behind so many that it is not drawn is told, as by the tool.
 TEST(SearchSamples, MoreSheetsThanAreKeptAreTold)
 {
