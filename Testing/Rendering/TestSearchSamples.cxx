@@ -96,7 +96,12 @@ TEST(SearchSamples, FunctionsDerivedFromPlanesAreSeenThrough)
     double EvaluateFunction(double x[3]) override { return x[2] * x[2] - 0.01; }
     void EvaluateFunction(vtkDataArray* input, vtkDataArray* output) override
     {
-      this->vtkImplicitFunction::EvaluateFunction(input, output);
+      for (vtkIdType i = 0; i < input->GetNumberOfTuples(); ++i)
+      {
+        double x[3];
+        input->GetTuple(i, x);
+        output->SetComponent(i, 0, this->EvaluateFunction(x));
+      }
     }
   };
   CutScene scene;
