@@ -154,6 +154,7 @@ Shot Prepare(const ShotOptions& options, Stopwatch& stopwatch)
   WarnOfDiagnostics(shot.input);
   const HighOrderModel& model = *shot.input.model;
   std::vector<std::shared_ptr<const Surface>> surfaces;
+  surfaces.reserve(given.size());
   for (const GivenSurface& surface : given)
   {
     surfaces.push_back(surface(shot.input.model));
