@@ -24,6 +24,7 @@ CORE_LAYERS = [
     "Index",
     "Questions",
     "Location",
+    "Faces",
 ]
 
 # What the files of each room may include. Filters and Rendering do not know each other, and nothing
