@@ -118,6 +118,13 @@ private:
       throw UsageError(LongName(*option) + " was given more than once; give it once");
     }
     const bool joined = !rest.empty();
+    double number = 0.0;
+    if (!joined && option->get_expected_min() == 0 &&
+      (at + 1 == Words.size() || !ParseNumber(Words[at + 1], number)))
+    {
+      Prepared.push_back(LongName(*option) + "=" + option->get_default_str());
+      return 0;
+    }
     if (!joined && at + 1 < Words.size() && !Words[at + 1].starts_with("--"))
     {
       rest = Words[at + 1];
