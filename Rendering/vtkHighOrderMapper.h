@@ -18,7 +18,7 @@
  *   ColorByArrayComponent), over the range of the field, of the cut, or a ScalarRange that was set
  *   (see SetRangeMode), or, with UseLookupTableScalarRange, over the table's own range. With
  *   ScalarVisibility off, the actor's colour. A pixel whose element could not be decided gets the
- *   UnknownColor. EdgeVisibility draws where elements meet.
+ *   UnknownColor. EdgeVisibility draws lines between elements, LineWidth wide.
  * - Several surfaces with looks of their own: AddLayer.
  * - Light: the renderer's, by the surface's exact normals and the actor's property; planes show
  *   their colours as they are unless LightFlat is on.
