@@ -41,11 +41,11 @@ private:
 
   [[nodiscard]] Polys Convert(const EtaBox& box) const;
   [[nodiscard]] std::array<int, 2> ComponentRange() const;
-  void Fill(CurvedPiece& piece, Polys polys) const;
+  void Fill(CurvedPiece& piece, Polys polys, int besides) const;
   void Describe(CurvedPiece& piece, const Polys& polys) const;
   void DescribeField(CurvedPiece& piece, const Polys& polys) const;
   [[nodiscard]] double Bend(const CurvedPiece& piece) const;
-  void SplitInto(const CurvedPiece& piece, Polys polys) const;
+  void SplitInto(const CurvedPiece& piece, Polys polys, int besides) const;
   [[nodiscard]] int DirectionOf(const CurvedPiece& piece, const Polys& polys) const;
   [[nodiscard]] BoxPolynomial OnFace(BoxPolynomial polynomial) const;
 
