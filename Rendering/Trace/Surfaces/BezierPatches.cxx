@@ -157,6 +157,7 @@ BezierPatches::~BezierPatches() = default;
 
 Vec3 BezierPatches::Normal(const SurfacePoint& point) const
 {
-  return FaceNormal(Equation().mesh, PartOf(point.piece), point.xi);
+  const Vec3 xi(point.parameters[0], point.parameters[1], -1.0);
+  return FaceNormal(Equation().mesh, PartOf(point.piece), xi);
 }
 } // namespace pixelexact

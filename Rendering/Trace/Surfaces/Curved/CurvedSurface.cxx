@@ -264,6 +264,11 @@ void CurvedSurface::MeetSome(const RayLanes& rays, int first, int count, HitSlot
         lane.xi[d][ray] = hit.xi[d];
       }
     }
+    else
+    {
+      piece.parameters[0][ray] = hit.xi.x;
+      piece.parameters[1][ray] = hit.xi.y;
+    }
     last = k;
     ++slot;
   }

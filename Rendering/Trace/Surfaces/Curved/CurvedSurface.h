@@ -46,7 +46,7 @@ protected:
   {
     return All[static_cast<std::size_t>(part)];
   }
-  /// Whether hits tell element and xi.
+  /// Whether hits tell element and xi; else the piece's parameters are the first two of xi.
   [[nodiscard]] virtual bool TellsElements() const { return true; }
 
 private:
