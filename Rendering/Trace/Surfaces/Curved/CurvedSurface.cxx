@@ -20,13 +20,10 @@ constexpr int kDeepest[2] = { 14, 18 };
 /// Of an element's size.
 constexpr double kSame = 1e-11;
 
-using RayList = std::array<std::uint8_t, RayBundle::kMost>;
-
 struct Scratch
 {
   RayBundle bundle;
-  std::vector<CurvedHit> hits;
-  std::vector<PieceRay> unclear;
+  SolverWork work;
 };
 } // namespace
 
@@ -34,120 +31,128 @@ struct Scratch
 class CurvedSurface::Meeting
 {
 public:
-  Meeting(const CurvedSurface& surface, Scratch& work, const RayLanes& rays)
+  Meeting(const CurvedSurface& surface, const RayLanes& rays, RayBundle& bundle, SolverWork& work)
     : Of(surface)
-    , Work(work)
     , Rays(rays)
+    , Bundle(bundle)
+    , Work(work)
     , Deepest(kDeepest[surface.TheEquation.field != nullptr ? 1 : 0])
   {
-    std::iota(All.begin(), All.end(), std::uint8_t{ 0 });
+    All.count = bundle.Count();
+    std::iota(All.ray.begin(), All.ray.begin() + All.count, std::int64_t{ 0 });
   }
 
   void Run()
   {
-    Of.Hierarchy->ForEach(Work.bundle, [this](int part) { MeetPart(part); });
+    Of.Hierarchy->ForEach(Bundle, [this](int part) { MeetPart(part); });
   }
 
 private:
+  /// Those of the rays that may meet what lies in a box.
+  [[nodiscard]] bool Meets(const Box3& box, const RayList& from, RayList& to) const
+  {
+    if (!Bundle.MayMeet(box))
+    {
+      return false;
+    }
+    GetPieceKernels().meetBox(Bundle, box, from, to);
+    return to.count > 0;
+  }
+
   void MeetPart(std::int32_t part)
   {
-    const CurvedPart& which = Of.All[static_cast<std::size_t>(part)];
-    const PartTree& tree = Of.TreeOf(part);
-    PieceSolver solver(Of.TheEquation, which, tree, Work.bundle);
-    const std::size_t before = Work.hits.size();
-    for (const auto& root : tree.Roots())
+    RayList rays;
+    if (!Meets(Of.Boxes[static_cast<std::size_t>(part)], All, rays))
     {
-      Descend(solver, tree, which, *root, All, static_cast<std::size_t>(Work.bundle.Count()));
+      return;
+    }
+    Which = &Of.All[static_cast<std::size_t>(part)];
+    Tree = &Of.TreeOf(part);
+    PieceSolver solver(Of.TheEquation, *Which, *Tree, Bundle, Work);
+    const std::size_t before = Work.hits.size();
+    for (const auto& root : Tree->Roots())
+    {
+      Descend(solver, *root, rays);
     }
     Work.unclear.clear();
-    solver.Solve(Work.hits, Work.unclear);
+    solver.Solve();
     while (!Work.unclear.empty())
     {
       const std::vector<PieceRay> unclear = std::move(Work.unclear);
       Work.unclear.clear();
       for (const PieceRay& one : unclear)
       {
-        Deeper(solver, tree, which, *one.piece, { static_cast<std::uint8_t>(one.ray) }, 1);
+        RayList ray;
+        ray.ray[0] = one.ray;
+        ray.count = 1;
+        Deeper(solver, *one.piece, ray);
       }
-      solver.Solve(Work.hits, Work.unclear);
+      solver.Solve();
     }
     for (std::size_t k = before; k < Work.hits.size(); ++k)
     {
       CurvedHit& hit = Work.hits[k];
       hit.part = part;
-      if (Rays.nearestOnly && hit.t >= Rays.tNear[Work.bundle.First() + hit.ray])
+      if (Rays.nearestOnly && hit.t >= Rays.tNear[Bundle.First() + hit.ray])
       {
-        Work.bundle.EndAt(hit.ray, Work.bundle.DepthAt(hit.ray, hit.t));
+        Bundle.EndAt(hit.ray, Bundle.DepthAt(hit.ray, hit.t));
       }
     }
   }
 
-  void Descend(PieceSolver& solver, const PartTree& tree, const CurvedPart& which,
-    const CurvedPiece& piece, const RayList& rays, std::size_t count)
+  void Descend(PieceSolver& solver, const CurvedPiece& piece, const RayList& rays)
   {
-    if (piece.IsEmpty())
-    {
-      return;
-    }
     RayList left;
-    std::size_t size = 0;
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      left[size] = rays[i];
-      size += Work.bundle.MayMeet(piece.bounds, rays[i]) ? 1U : 0U;
-    }
-    if (size == 0)
+    if (piece.IsEmpty() || !Meets(piece.bounds, rays, left))
     {
       return;
     }
     if (!piece.flat)
     {
-      Deeper(solver, tree, which, piece, left, size);
+      Deeper(solver, piece, left);
       return;
     }
     RayList unclear;
-    std::size_t many = 0;
-    for (std::size_t i = 0; i < size; ++i)
+    solver.Look(piece, left, unclear);
+    if (unclear.count > 0)
     {
-      if (solver.Look(piece, left[i]) == PieceSolver::Outlook::Unclear)
-      {
-        unclear[many++] = left[i];
-      }
-    }
-    if (many > 0)
-    {
-      Deeper(solver, tree, which, piece, unclear, many);
+      Deeper(solver, piece, unclear);
     }
   }
 
-  void Deeper(PieceSolver& solver, const PartTree& tree, const CurvedPart& which,
-    const CurvedPiece& piece, const RayList& rays, std::size_t count)
+  void Deeper(PieceSolver& solver, const CurvedPiece& piece, const RayList& rays)
   {
     if (piece.halvings >= Deepest)
     {
-      for (std::size_t i = 0; i < count; ++i)
+      solver.Solve();
+      for (int i = 0; i < rays.count; ++i)
       {
-        FindHits(Of.TheEquation, which, tree, Work.bundle, solver, { &piece, rays[i] }, Work.hits);
+        const auto ray = static_cast<int>(rays.ray[static_cast<std::size_t>(i)]);
+        FindHits(Of.TheEquation, *Which, *Tree, Bundle, solver, { &piece, ray }, Work.hits);
       }
       return;
     }
-    for (const CurvedPiece& half : tree.Split(piece))
+    for (const CurvedPiece& half : Tree->Split(piece))
     {
-      Descend(solver, tree, which, half, rays, count);
+      Descend(solver, half, rays);
     }
   }
 
   const CurvedSurface& Of;
-  Scratch& Work;
   const RayLanes& Rays;
+  RayBundle& Bundle;
+  SolverWork& Work;
   int Deepest;
   RayList All;
+  const CurvedPart* Which = nullptr;
+  const PartTree* Tree = nullptr;
 };
 
 CurvedSurface::CurvedSurface(
   const CurvedEquation& equation, std::vector<CurvedPart> parts, std::span<const Box3> boxes)
   : TheEquation(equation)
   , All(std::move(parts))
+  , Boxes(boxes.begin(), boxes.end())
   , Trees(std::make_unique<std::atomic<const PartTree*>[]>(All.size()))
 {
   if (!All.empty())
@@ -211,7 +216,8 @@ void CurvedSurface::Meet(const RayLanes& rays, HitSlots& hits) const
 void CurvedSurface::MeetSome(const RayLanes& rays, int first, int count, HitSlots& hits) const
 {
   const CheckedOut<Scratch> scratch;
-  auto& [bundle, found, unclear] = *scratch;
+  auto& [bundle, work] = *scratch;
+  std::vector<CurvedHit>& found = work.hits;
   if (!bundle.Begin(rays, first, count, Hierarchy->Bounds()))
   {
     if (count > 1)
@@ -222,7 +228,8 @@ void CurvedSurface::MeetSome(const RayLanes& rays, int first, int count, HitSlot
     return;
   }
   found.clear();
-  Meeting(*this, *scratch, rays).Run();
+  work.unclear.clear();
+  Meeting(*this, rays, bundle, work).Run();
   std::ranges::stable_sort(found,
     [](const CurvedHit& a, const CurvedHit& b) {
       return a.ray != b.ray ? a.ray < b.ray : a.t != b.t ? a.t < b.t : a.part < b.part;

@@ -3,6 +3,8 @@
 
 #include "Core/Math/Rounding.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,120 +12,94 @@ namespace pixelexact
 {
 namespace
 {
-/// Of a direction's other coordinates over the one along which all run.
-constexpr double kSteepest = 4.0;
+/// Along which a direction is longest.
+std::size_t LongestOf(const Vec3& direction)
+{
+  const Vec3 size = glm::abs(direction);
+  return size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+}
 } // namespace
 
 bool RayBundle::Begin(const RayLanes& rays, int first, int count, const Box3& about)
 {
   Size = count;
   Offset = first;
-  Vec3 mean(0.0);
-  for (int i = first; i < first + count; ++i)
-  {
-    mean += Vec3(rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]);
-  }
-  const Vec3 size = glm::abs(mean);
-  axes[2] = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  axes[0] = (axes[2] + 1) % 3;
-  axes[1] = (axes[2] + 2) % 3;
-  Sign = mean[axes[2]] < 0.0 ? -1.0 : 1.0;
+  const auto directionOf = [&rays](int ray)
+  { return Vec3(rays.direction[0][ray], rays.direction[1][ray], rays.direction[2][ray]); };
+  const std::size_t along = LongestOf(directionOf(first));
+  const double* const directions = rays.direction[along];
+  axes = { static_cast<int>((along + 1) % 3), static_cast<int>((along + 2) % 3),
+    static_cast<int>(along) };
+  sign = directions[first] < 0.0 ? -1.0 : 1.0;
   z0 = 0.5 * about.lower[axes[2]] + 0.5 * about.upper[axes[2]];
+  const Vec3 largest = glm::max(glm::abs(about.lower), glm::abs(about.upper));
+  const double around = std::max({ largest.x, largest.y, largest.z });
   Places = {};
   Slopes = {};
   Depths = {};
   Slack = 0.0;
-  const auto along = static_cast<std::size_t>(axes[2]);
-  for (int k = 0; k < count; ++k)
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
   {
-    const auto i = static_cast<std::size_t>(k);
-    const int ray = first + k;
-    Direction[i] = rays.direction[along][ray];
+    const int ray = first + static_cast<int>(i);
+    // A NaN is not positive.
+    if (LongestOf(directionOf(ray)) != along || !(sign * directions[ray] > 0.0))
+    {
+      return false;
+    }
+    Direction[i] = directions[ray];
     Origin[i] = rays.origin[along][ray] - z0;
+    double size = around + std::fabs(rays.origin[along][ray]);
     for (std::size_t a = 0; a < 2; ++a)
     {
       const auto axis = static_cast<std::size_t>(axes[a]);
       slope[a][i] = rays.direction[axis][ray] / Direction[i];
-      place[a][i] = std::fma(-slope[a][i], Origin[i], rays.origin[axis][ray]);
-      if (!(Sign * Direction[i] > 0.0 && std::fabs(slope[a][i]) <= kSteepest) ||
-        !std::isfinite(place[a][i]))
-      {
-        return false;
-      }
-      Slack = std::max(Slack,
-        8.0 * kUnitRoundoff *
-          (std::fabs(rays.origin[axis][ray]) +
-            kSteepest * (std::fabs(rays.origin[along][ray]) + std::fabs(z0))));
-      Places[a].least = std::min(Places[a].least, place[a][i]);
-      Places[a].most = std::max(Places[a].most, place[a][i]);
-      Slopes[a].least = std::min(Slopes[a].least, slope[a][i]);
-      Slopes[a].most = std::max(Slopes[a].most, slope[a][i]);
+      place[a][i] = rays.origin[axis][ray] - slope[a][i] * Origin[i];
+      size += std::fabs(rays.origin[axis][ray]);
+      Places[a].Add(place[a][i]);
+      Slopes[a].Add(slope[a][i]);
     }
-    Near[i] = DepthAt(k, rays.tNear[ray]) - Slack;
-    Far[i] = DepthAt(k, rays.tFar[ray]) + Slack;
-    if (rays.tNear[ray] <= rays.tFar[ray])
+    slack[i] = 16.0 * kUnitRoundoff * size;
+    Slack = std::max(Slack, slack[i]);
+    const bool isThere = rays.tNear[ray] <= rays.tFar[ray] && std::isfinite(size);
+    near[i] = DepthAt(static_cast<int>(i), rays.tNear[ray]) - slack[i];
+    far[i] = isThere ? DepthAt(static_cast<int>(i), rays.tFar[ray]) + slack[i]
+                     : -std::numeric_limits<double>::infinity();
+    if (isThere)
     {
-      Depths.least = std::min(Depths.least, Near[i]);
-      Depths.most = std::max(Depths.most, Far[i]);
-    }
-    else
-    {
-      Far[i] = -std::numeric_limits<double>::infinity();
+      Depths.Add(near[i]);
+      Depths.Add(far[i]);
     }
   }
   return true;
 }
 
+// The same sums as for a ray alone, of numbers that are no larger, or no smaller: rounding is
+// monotone, so that no box is left out that one of the rays would not leave out.
 bool RayBundle::MayMeet(const Box3& box) const
 {
   const double from = box.lower[axes[2]] - z0;
   const double to = box.upper[axes[2]] - z0;
-  if (std::max(Sign * from, Sign * to) + Slack < Depths.least ||
-    std::min(Sign * from, Sign * to) - Slack > Depths.most)
-  {
-    return false;
-  }
+  bool may = std::max(sign * from, sign * to) + Slack >= Depths.least &&
+    std::min(sign * from, sign * to) - Slack <= Depths.most;
   for (std::size_t a = 0; a < 2; ++a)
   {
-    const double least = std::min(Slopes[a].least * from,
-      std::min(Slopes[a].least * to, std::min(Slopes[a].most * from, Slopes[a].most * to)));
-    const double most = std::max(Slopes[a].least * from,
-      std::max(Slopes[a].least * to, std::max(Slopes[a].most * from, Slopes[a].most * to)));
-    if (Places[a].least + least - Slack > box.upper[axes[a]] ||
-      Places[a].most + most + Slack < box.lower[axes[a]])
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-bool RayBundle::MayMeet(const Box3& box, int ray) const
-{
-  const auto i = static_cast<std::size_t>(ray);
-  const double from = box.lower[axes[2]] - z0;
-  const double to = box.upper[axes[2]] - z0;
-  bool may = std::max(Sign * from, Sign * to) + Slack >= Near[i] &&
-    std::min(Sign * from, Sign * to) - Slack <= Far[i];
-  for (std::size_t a = 0; a < 2; ++a)
-  {
-    const double p = place[a][i] + slope[a][i] * from;
-    const double q = place[a][i] + slope[a][i] * to;
-    may = may && std::min(p, q) - Slack <= box.upper[axes[a]] &&
-      std::max(p, q) + Slack >= box.lower[axes[a]];
+    const auto [least, most] = std::minmax(
+      { Slopes[a].least * from, Slopes[a].least * to, Slopes[a].most * from, Slopes[a].most * to });
+    may = may && Places[a].least + least - Slack <= box.upper[axes[a]] &&
+      Places[a].most + most + Slack >= box.lower[axes[a]];
   }
   return may;
 }
 
 double RayBundle::DepthOf(const Box3& box) const
 {
-  return std::min(Sign * (box.lower[axes[2]] - z0), Sign * (box.upper[axes[2]] - z0)) - Slack;
+  return std::min(sign * (box.lower[axes[2]] - z0), sign * (box.upper[axes[2]] - z0)) - Slack;
 }
 
 double RayBundle::DepthAt(int i, double t) const
 {
   const auto at = static_cast<std::size_t>(i);
-  return Sign * (Origin[at] + t * Direction[at]);
+  return sign * (Origin[at] + t * Direction[at]);
 }
 
 double RayBundle::TimeAt(int i, const Vec3& x) const
@@ -134,12 +110,12 @@ double RayBundle::TimeAt(int i, const Vec3& x) const
 
 void RayBundle::EndAt(int i, double depth)
 {
-  double& far = Far[static_cast<std::size_t>(i)];
-  far = std::min(far, depth + Slack);
+  const auto at = static_cast<std::size_t>(i);
+  far[at] = std::min(far[at], depth + slack[at]);
 }
 
 double RayBundle::Farthest() const
 {
-  return *std::max_element(Far.begin(), Far.begin() + Size);
+  return *std::max_element(far.begin(), far.begin() + Size);
 }
 } // namespace pixelexact

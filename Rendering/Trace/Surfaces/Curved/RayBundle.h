@@ -6,32 +6,37 @@
 #include "Core/Math/Vec.h"
 
 #include <array>
+#include <cstdint>
 #include <limits>
 
 namespace pixelexact
 {
+/// Numbers of rays of a bundle; lists are padded with 0.
+struct RayList;
+
 /// Neighbouring rays seen together: lines over one coordinate of space, along which all of them
 /// run. Boxes are tested against all at once, by what their places and slopes have in common.
 ///
 /// Ray i is x_a(z) = place[a][i] + slope[a][i] (z - z0), z its coordinate x[axes[2]] and a one of
 /// the other two. Its depth is the distance from z0 along that coordinate, counted in the direction
-/// of the rays.
+/// of the rays. All of it depends on the ray alone.
 class RayBundle
 {
 public:
   static constexpr int kMost = 128;
+  static constexpr std::size_t kPadded = kMost + kLanePadding;
+  using Numbers = std::array<double, kPadded>;
 
   /// Of `count` rays from number `first`, about a box: z0 lies in its middle. False where they do
-  /// not run along one coordinate; one ray alone always does, unless it has no direction.
+  /// not all run along the same coordinate in the same direction.
   bool Begin(const RayLanes& rays, int first, int count, const Box3& about);
 
   [[nodiscard]] int Count() const { return Size; }
   [[nodiscard]] int First() const { return Offset; }
 
-  /// Whether a ray of them may meet the box; no ray that does is passed over.
+  /// Whether a ray of them may meet the box; no ray that does (PieceKernels::meetBox) is passed
+  /// over.
   [[nodiscard]] bool MayMeet(const Box3& box) const;
-  /// The same for ray i, within what is left of it.
-  [[nodiscard]] bool MayMeet(const Box3& box, int i) const;
   /// No point of the box is nearer.
   [[nodiscard]] double DepthOf(const Box3& box) const;
 
@@ -44,26 +49,39 @@ public:
 
   std::array<int, 3> axes{};
   double z0 = 0.0;
-  std::array<std::array<double, kMost>, 2> place;
-  std::array<std::array<double, kMost>, 2> slope;
+  double sign = 1.0; ///< of the directions along axes[2]
+  std::array<Numbers, 2> place{};
+  std::array<Numbers, 2> slope{};
+  Numbers slack{}; ///< how far off places may be, by rounding
+  Numbers near{};  ///< of interest from this depth, rounding included
+  Numbers far{};   ///< to this one
 
 private:
   struct Range
   {
     double least = std::numeric_limits<double>::infinity();
     double most = -std::numeric_limits<double>::infinity();
+
+    void Add(double value)
+    {
+      least = value < least ? value : least;
+      most = value > most ? value : most;
+    }
   };
 
   int Size = 0;
   int Offset = 0;
-  double Sign = 1.0;
-  double Slack = 0.0; ///< of places, by rounding
+  double Slack = 0.0; ///< the largest
   std::array<Range, 2> Places;
   std::array<Range, 2> Slopes;
   Range Depths;
-  std::array<double, kMost> Near;
-  std::array<double, kMost> Far;
-  std::array<double, kMost> Origin;    ///< along axes[2], from z0
-  std::array<double, kMost> Direction; ///< along axes[2]
+  Numbers Origin{};    ///< along axes[2], from z0
+  Numbers Direction{}; ///< along axes[2]
+};
+
+struct RayList
+{
+  std::array<std::int64_t, RayBundle::kPadded> ray{};
+  int count = 0;
 };
 } // namespace pixelexact

@@ -1,0 +1,385 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "Trace/Surfaces/Curved/PieceKernels.cxx"
+#include <hwy/foreach_target.h>
+
+#include "Core/Element/Matrix-inl.h"
+#include "Core/Math/Rounding.h"
+#include "Trace/Surfaces/Curved/PieceKernels.h"
+
+#include <algorithm>
+#include <cmath>
+
+HWY_BEFORE_NAMESPACE();
+namespace pixelexact::HWY_NAMESPACE
+{
+using Traits = NumberTraits<Lanes>;
+
+/// Beyond it a piece is halved: a step that is held back then lets a residual fall to 3/4 at least.
+constexpr double kMostKappa = 0.35;
+constexpr double kMostRounds = 40.0;
+/// After a step as small as this, Newton's iteration has arrived up to rounding.
+constexpr double kArrived = 1e-8;
+constexpr double kEdge = 1e-15;
+
+HWY_INLINE LaneMask InList(int at, int count)
+{
+  return hwy::HWY_NAMESPACE::FirstN(LaneTag(), static_cast<std::size_t>(std::max(count - at, 0)));
+}
+
+/// The factors of the norm in which ClampTo brings no two points farther from each other.
+HWY_INLINE double NormOf(Shape shape, int direction)
+{
+  // x = 1.618...: 1/x + 1/x^2 = 1. The ends of a tetrahedron's eta_1 move with both other xi.
+  constexpr double kGolden[3] = { 1.0, 1.6180339887498949, 2.6180339887498949 };
+  return shape == Shape::Tetrahedron ? kGolden[direction] : 1.0;
+}
+
+/// The point of a piece that is taken for a xi outside of it: along each direction of eta in turn,
+/// from the last to the first, the nearest.
+HWY_INLINE void ClampTo(Shape shape, const Lanes (&lower)[3], const Lanes (&upper)[3],
+  const Lanes (&xi)[3], Lanes (&x)[3])
+{
+  const Lanes one = Splat(1.0);
+  const Lanes half = Splat(0.5);
+  const auto clampTo = [&](int d, Lanes extent) PIXELEXACT_INLINED
+  { return Max(Min(xi[d], (one + upper[d]) * extent - one), (one + lower[d]) * extent - one); };
+  x[2] = Max(Min(xi[2], upper[2]), lower[2]);
+  const Lanes narrow = half * (one - x[2]);
+  x[1] = clampTo(1, shape == Shape::Tetrahedron || shape == Shape::Pyramid ? narrow : one);
+  x[0] = clampTo(0,
+    shape == Shape::Hexahedron      ? one
+      : shape == Shape::Tetrahedron ? half * (Splat(0.0) - x[1] - x[2])
+                                    : narrow);
+}
+
+/// Not finite where there is none.
+HWY_INLINE void InverseOf(const Lanes (&m)[3][3], Lanes (&inverse)[9])
+{
+  const auto minor = [&](int r0, int c0, int r1, int c1) PIXELEXACT_INLINED
+  { return m[r0][c0] * m[r1][c1] - m[r0][c1] * m[r1][c0]; };
+  inverse[0] = minor(1, 1, 2, 2);
+  inverse[1] = minor(0, 2, 2, 1);
+  inverse[2] = minor(0, 1, 1, 2);
+  inverse[3] = minor(1, 2, 2, 0);
+  inverse[4] = minor(0, 0, 2, 2);
+  inverse[5] = minor(0, 2, 1, 0);
+  inverse[6] = minor(1, 0, 2, 1);
+  inverse[7] = minor(0, 1, 2, 0);
+  inverse[8] = minor(0, 0, 1, 1);
+  const Lanes scale =
+    Splat(1.0) / (m[0][0] * inverse[0] + m[0][1] * inverse[3] + m[0][2] * inverse[6]);
+  for (Lanes& v : inverse)
+  {
+    v = v * scale;
+  }
+}
+
+HWY_INLINE void Product(const Lanes (&m)[9], const Lanes (&v)[3], Lanes (&to)[3])
+{
+  ForEachAxis([&](auto r) PIXELEXACT_INLINED
+    { to[r] = m[3 * r] * v[0] + m[3 * r + 1] * v[1] + m[3 * r + 2] * v[2]; });
+}
+
+HWY_INLINE Lanes Largest(Shape shape, const Lanes (&v)[3])
+{
+  return Max(
+    Abs(v[0]), Max(Abs(v[1]) * Splat(NormOf(shape, 1)), Abs(v[2]) * Splat(NormOf(shape, 2))));
+}
+
+void MeetBox(const RayBundle& bundle, const Box3& box, const RayList& from, RayList& to)
+{
+  const int axis = bundle.axes[2];
+  const double lower = box.lower[axis] - bundle.z0;
+  const double upper = box.upper[axis] - bundle.z0;
+  const Lanes nearest = Splat(std::min(bundle.sign * lower, bundle.sign * upper));
+  const Lanes farthest = Splat(std::max(bundle.sign * lower, bundle.sign * upper));
+  int count = 0;
+  for (int i = 0; i < from.count; i += LaneCount())
+  {
+    const std::int64_t* at = from.ray.data() + i;
+    const Lanes slack = Gather(bundle.slack.data(), at);
+    LaneMask may = And(InList(i, from.count),
+      And(farthest + slack >= Gather(bundle.near.data(), at),
+        nearest - slack <= Gather(bundle.far.data(), at)));
+    for (std::size_t a = 0; a < 2; ++a)
+    {
+      const Lanes place = Gather(bundle.place[a].data(), at);
+      const Lanes slope = Gather(bundle.slope[a].data(), at);
+      const Lanes p = place + slope * Splat(lower);
+      const Lanes q = place + slope * Splat(upper);
+      may = And(may,
+        And(Min(p, q) - slack <= Splat(box.upper[bundle.axes[a]]),
+          Max(p, q) + slack >= Splat(box.lower[bundle.axes[a]])));
+    }
+    StorePacked(at, may, to.ray.data() + count);
+    count += static_cast<int>(hwy::HWY_NAMESPACE::CountTrue(LaneTag(), may));
+  }
+  to.count = count;
+  std::fill_n(to.ray.begin() + count, kLanePadding, 0);
+}
+
+/// What a piece looks like to a ray, before its functions are evaluated.
+void Look(const RayBundle& bundle, const ElementFrame& frame, const CurvedPiece& piece,
+  const RayList& from, PiecePairs& pairs, RayList& unclear)
+{
+  const std::size_t k = static_cast<std::size_t>(bundle.axes[2]);
+  const Lanes along = Splat((bundle.z0 - frame.centre[bundle.axes[2]]) * frame.inverseSize);
+  const Lanes zero = Splat(0.0);
+  const double number = static_cast<double>(pairs.pieces.size());
+  int many = 0;
+  const int before = pairs.count;
+  Lanes lower[3];
+  Lanes upper[3];
+  ForEachAxis(
+    [&](auto d) PIXELEXACT_INLINED
+    {
+      lower[d] = Splat(piece.box.lower[d]);
+      upper[d] = Splat(piece.box.upper[d]);
+    });
+  for (int i = 0; i < from.count; i += LaneCount())
+  {
+    const std::int64_t* at = from.ray.data() + i;
+    Lanes m[3][3];
+    Lanes radius[3][3];
+    Lanes g[3];
+    Lanes error[3];
+    Lanes slope[2];
+    Lanes q[2];
+    for (std::size_t a = 0; a < 2; ++a)
+    {
+      const auto c = static_cast<std::size_t>(bundle.axes[a]);
+      const Lanes s = Gather(bundle.slope[a].data(), at);
+      slope[a] = s;
+      q[a] = (Gather(bundle.place[a].data(), at) - Splat(frame.centre[bundle.axes[a]])) *
+          Splat(frame.inverseSize) -
+        s * along;
+      ForEachAxis(
+        [&](auto d) PIXELEXACT_INLINED
+        {
+          m[a][d] = Splat(piece.slope[c][d]) - s * Splat(piece.slope[k][d]);
+          radius[a][d] = Splat(piece.radius[c][d]) + Abs(s) * Splat(piece.radius[k][d]);
+        });
+      g[a] = Splat(piece.value[c]) - s * Splat(piece.value[k]) - q[a];
+      error[a] = Splat(piece.error[c]) + Abs(s) * Splat(piece.error[k]) +
+        Splat(8.0 * kUnitRoundoff) * (Abs(q[a]) + Abs(along)) +
+        Gather(bundle.slack.data(), at) * Splat(frame.inverseSize);
+    }
+    ForEachAxis(
+      [&](auto d) PIXELEXACT_INLINED
+      {
+        m[2][d] = Splat(piece.slope[3][d]);
+        radius[2][d] = Splat(piece.radius[3][d]);
+      });
+    g[2] = Splat(piece.value[3]);
+    error[2] = Splat(piece.error[3]);
+    Lanes inverse[9];
+    InverseOf(m, inverse);
+    Lanes first[3];
+    Product(inverse, g, first);
+    Lanes kappa = zero;
+    // NaNs neither miss nor decide.
+    LaneMask misses = zero < zero;
+    LaneMask decides = InList(i, from.count);
+    ForEachAxis(
+      [&](auto r) PIXELEXACT_INLINED
+      {
+        Lanes off = zero;
+        Lanes sum = zero;
+        ForEachAxis(
+          [&](auto d) PIXELEXACT_INLINED
+          {
+            const Lanes change = Abs(inverse[3 * r]) * radius[0][d] +
+              Abs(inverse[3 * r + 1]) * radius[1][d] + Abs(inverse[3 * r + 2]) * radius[2][d];
+            off = off + change * Splat(piece.half[d]) + Abs(inverse[3 * r + d]) * error[d];
+            sum = sum + change * Splat(1.0 / NormOf(frame.shape, d));
+          });
+        sum = sum * Splat(NormOf(frame.shape, r));
+        decides = And(decides, sum <= Splat(kMostKappa));
+        kappa = Max(kappa, sum);
+        // A root in the piece lies in centre - first +- off, however large that is.
+        misses = Or(
+          misses, (Splat(piece.half[r]) + off) * Splat(1.0 + 1e-9) + Splat(1e-14) < Abs(first[r]));
+      });
+    const LaneMask open = AndNot(InList(i, from.count), misses);
+    const LaneMask pair = And(open, decides);
+    const LaneMask rest = AndNot(open, decides);
+    StorePacked(at, rest, unclear.ray.data() + many);
+    many += static_cast<int>(hwy::HWY_NAMESPACE::CountTrue(LaneTag(), rest));
+    if (None(pair))
+    {
+      continue;
+    }
+    Lanes start[3];
+    Lanes xi[3];
+    ForEachAxis([&](auto d) PIXELEXACT_INLINED { start[d] = Splat(piece.centre[d]) - first[d]; });
+    ClampTo(frame.shape, lower, upper, start, xi);
+    const auto put = [&](int column, Lanes value) PIXELEXACT_INLINED
+    { StorePacked(value, pair, pairs.Column(column) + pairs.count); };
+    const hwy::HWY_NAMESPACE::RebindToSigned<LaneTag> whole;
+    put(kRayColumn,
+      { hwy::HWY_NAMESPACE::ConvertTo(LaneTag(), hwy::HWY_NAMESPACE::LoadU(whole, at)) });
+    put(kPieceColumn, Splat(number));
+    for (int a = 0; a < 2; ++a)
+    {
+      put(kSlopeColumn + a, slope[a]);
+      put(kPlaceColumn + a, q[a]);
+    }
+    for (int n = 0; n < 9; ++n)
+    {
+      put(kInverseColumn + n, inverse[n]);
+    }
+    put(kKappaColumn, kappa);
+    put(kLastColumn, zero);
+    put(kRoundsColumn, zero);
+    ForEachAxis(
+      [&](auto d) PIXELEXACT_INLINED
+      {
+        put(kLowerColumn + d, lower[d]);
+        put(kUpperColumn + d, upper[d]);
+        put(kFaceColumn + d, Splat(piece.slope[3][d]));
+        put(kXiColumn + d, xi[d]);
+      });
+    pairs.count += static_cast<int>(hwy::HWY_NAMESPACE::CountTrue(LaneTag(), pair));
+  }
+  unclear.count = many;
+  std::fill_n(unclear.ray.begin() + many, kLanePadding, 0);
+  if (pairs.count > before)
+  {
+    pairs.pieces.push_back(&piece);
+  }
+}
+
+/// A step of Newton's iteration with the slopes at xi where that stays in the piece, and with the
+/// piece's own matrix where it has to be held back.
+void Step(const RayBundle& bundle, const ElementFrame& frame, const double* values,
+  std::size_t stride, PiecePairs& pairs, double* const position[3], double* result)
+{
+  const auto k = static_cast<std::size_t>(bundle.axes[2]);
+  const Lanes zero = Splat(0.0);
+  const auto number = [](PairResult one) { return Splat(static_cast<double>(one)); };
+  for (int i = 0; i < pairs.count; i += LaneCount())
+  {
+    const auto load = [&](int column) PIXELEXACT_INLINED
+    { return Traits::Load(pairs.Column(column) + i); };
+    const auto value = [&](std::size_t n) PIXELEXACT_INLINED
+    { return Traits::Load(values + n * stride + i); };
+    const auto slopeAt = [&](std::size_t c, std::size_t d) PIXELEXACT_INLINED
+    { return value(4 + 3 * c + d); };
+    Lanes m[3][3];
+    Lanes g[3];
+    for (int a = 0; a < 2; ++a)
+    {
+      const auto c = static_cast<std::size_t>(bundle.axes[static_cast<std::size_t>(a)]);
+      const Lanes s = load(kSlopeColumn + a);
+      ForEachAxis([&](auto d) PIXELEXACT_INLINED { m[a][d] = slopeAt(c, d) - s * slopeAt(k, d); });
+      g[a] = value(c) - s * value(k) - load(kPlaceColumn + a);
+    }
+    ForEachAxis([&](auto d) PIXELEXACT_INLINED
+      { m[2][d] = frame.hasField ? slopeAt(3, d) : load(kFaceColumn + d); });
+    g[2] = value(3);
+    Lanes inverse[9];
+    InverseOf(m, inverse);
+    Lanes step[3];
+    Product(inverse, g, step);
+    Lanes xi[3];
+    Lanes next[3];
+    Lanes lower[3];
+    Lanes upper[3];
+    ForEachAxis(
+      [&](auto d) PIXELEXACT_INLINED
+      {
+        xi[d] = load(kXiColumn + d);
+        next[d] = xi[d] - step[d];
+        lower[d] = load(kLowerColumn + d);
+        upper[d] = load(kUpperColumn + d);
+      });
+    Lanes inside[3];
+    ClampTo(frame.shape, lower, upper, next, inside);
+    Lanes over[3];
+    ForEachAxis([&](auto d) PIXELEXACT_INLINED { over[d] = next[d] - inside[d]; });
+    const Lanes beyond = Largest(frame.shape, over);
+    const LaneMask arrived =
+      And(Largest(frame.shape, step) <= Splat(kArrived), beyond <= Splat(kEdge));
+    const Lanes tolerance = Splat(frame.tolerance);
+    const LaneMask there =
+      And(Abs(g[0]) <= tolerance, And(Abs(g[1]) <= tolerance, Abs(g[2]) <= tolerance));
+    const LaneMask hit = Or(arrived, there);
+    for (int n = 0; n < 9; ++n)
+    {
+      inverse[n] = load(kInverseColumn + n);
+    }
+    Lanes frozen[3];
+    Product(inverse, g, frozen);
+    const Lanes residual = Largest(frame.shape, frozen);
+    // After a step with the piece's matrix, every root of the piece is nearer than kappa times what
+    // it was before.
+    const Lanes kappa = load(kKappaColumn);
+    const Lanes last = load(kLastColumn);
+    const Lanes falls = (Splat(1.0) + kappa) * kappa / (Splat(1.0) - kappa);
+    const LaneMask miss =
+      And(zero < last, falls * last * Splat(1.0 + 1e-6) + Splat(kEdge) < residual);
+    const Lanes rounds = load(kRoundsColumn) + Splat(1.0);
+    const LaneMask goesOn = And(IsFinite(residual), rounds <= Splat(kMostRounds));
+    const LaneMask free = And(beyond <= zero, rounds < Splat(0.5 * kMostRounds));
+    Lanes back[3];
+    Lanes held[3];
+    ForEachAxis([&](auto d) PIXELEXACT_INLINED { back[d] = xi[d] - frozen[d]; });
+    ClampTo(frame.shape, lower, upper, back, held);
+    Lanes end = Select(goesOn, number(PairResult::Again), number(PairResult::Unclear));
+    end = Select(miss, number(PairResult::Miss), end);
+    end = Select(hit, number(PairResult::Hit), end);
+    Store(end, result + i);
+    Store(Select(free, zero, residual), pairs.Column(kLastColumn) + i);
+    Store(rounds, pairs.Column(kRoundsColumn) + i);
+    ForEachAxis(
+      [&](auto d) PIXELEXACT_INLINED
+      {
+        const Lanes moved = Select(free, inside[d], held[d]);
+        const Lanes found = Select(arrived, inside[d], xi[d]);
+        Store(Select(hit, found, moved), pairs.Column(kXiColumn + d) + i);
+        const auto c = static_cast<std::size_t>(d);
+        const Lanes last3 =
+          slopeAt(c, 0) * step[0] + slopeAt(c, 1) * step[1] + slopeAt(c, 2) * step[2];
+        const Lanes y = value(c) - Select(arrived, last3, zero);
+        Store(Splat(frame.centre[d]) + Splat(frame.size) * y, position[d] + i);
+      });
+  }
+}
+
+void DropEnded(const double* result, PiecePairs& pairs)
+{
+  const Lanes again = Splat(static_cast<double>(PairResult::Again));
+  int kept = 0;
+  for (int i = 0; i < pairs.count; i += LaneCount())
+  {
+    const LaneMask stays = And(InList(i, pairs.count), Traits::Load(result + i) <= again);
+    for (int column = 0; column < kPairColumns; ++column)
+    {
+      double* numbers = pairs.Column(column);
+      StorePacked(Traits::Load(numbers + i), stays, numbers + kept);
+    }
+    kept += static_cast<int>(hwy::HWY_NAMESPACE::CountTrue(LaneTag(), stays));
+  }
+  pairs.count = kept;
+}
+
+const PieceKernels& Table()
+{
+  static const PieceKernels kTable{ MeetBox, Look, Step, DropEnded };
+  return kTable;
+}
+} // namespace pixelexact::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace pixelexact
+{
+HWY_EXPORT(Table);
+
+const PieceKernels& GetPieceKernels()
+{
+  return HWY_DYNAMIC_DISPATCH(Table)();
+}
+} // namespace pixelexact
+#endif

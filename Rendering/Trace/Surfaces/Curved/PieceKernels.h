@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Trace/Surfaces/Curved/CurvedPiece.h"
+#include "Trace/Surfaces/Curved/RayBundle.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+// What is done for many rays and pieces of one element, in lanes: dispatched at run time to the
+// instruction set. All of them give the same bits.
+namespace pixelexact
+{
+/// An element's units, and what roundings leave in them.
+struct ElementFrame
+{
+  Shape shape = Shape::Hexahedron;
+  bool hasField = false;
+  Vec3 centre{ 0.0 };
+  double size = 1.0;
+  double inverseSize = 1.0;
+  double tolerance = 0.0; ///< of y and f where an end of a piece holds a step back
+};
+
+/// A ray and a piece that it may meet in one point at most, and how far the search is.
+enum PairColumn
+{
+  kRayColumn,
+  kPieceColumn,                      ///< its number in PiecePairs
+  kSlopeColumn,                      ///< 2: of the ray
+  kPlaceColumn = kSlopeColumn + 2,   ///< 2: q_a = p_a - s_a p_k, in the element's units
+  kInverseColumn = kPlaceColumn + 2, ///< 9: of the piece's matrix, row by row
+  kLowerColumn = kInverseColumn + 9, ///< 3: the piece's box
+  kUpperColumn = kLowerColumn + 3,   ///< 3
+  kFaceColumn = kUpperColumn + 3,    ///< 3: the normal of the face in xi
+  kKappaColumn = kFaceColumn + 3,
+  kLastColumn, ///< the residual before a step that was held back; 0: none
+  kRoundsColumn,
+  kXiColumn, ///< 3
+  kPairColumns = kXiColumn + 3
+};
+
+struct PiecePairs
+{
+  static constexpr int kMost = 512;
+  static constexpr std::size_t kStride = kMost + 2 * kLanePadding;
+
+  int count = 0;
+  std::vector<const CurvedPiece*> pieces;
+  std::vector<double> columns = std::vector<double>(kPairColumns * kStride);
+
+  void Clear()
+  {
+    count = 0;
+    pieces.clear();
+  }
+  [[nodiscard]] double* Column(int column)
+  {
+    return columns.data() + static_cast<std::size_t>(column) * kStride;
+  }
+};
+
+enum class PairResult : std::uint8_t
+{
+  Again,
+  Hit,
+  Miss,
+  Unclear
+};
+
+struct PieceKernels
+{
+  /// Of the listed rays, those that may meet the box within what is left of them.
+  void (*meetBox)(const RayBundle& bundle, const Box3& box, const RayList& from, RayList& to);
+  /// Of rays and a flat piece: appends pairs where there may be a hit; lists those to which the
+  /// piece bends too much. The others miss it, proven. There must be room.
+  void (*look)(const RayBundle& bundle, const ElementFrame& frame, const CurvedPiece& piece,
+    const RayList& from, PiecePairs& pairs, RayList& unclear);
+  /// A step of all pairs. `values` are y (3), f, their derivatives (9 and 3) at the pairs' xi, each
+  /// `stride` after the other. Pairs that go on have moved.
+  void (*step)(const RayBundle& bundle, const ElementFrame& frame, const double* values,
+    std::size_t stride, PiecePairs& pairs, double* const position[3], double* result);
+  /// Drops the pairs that have ended.
+  void (*dropEnded)(const double* result, PiecePairs& pairs);
+};
+
+const PieceKernels& GetPieceKernels();
+} // namespace pixelexact
