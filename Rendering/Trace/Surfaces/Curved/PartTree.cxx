@@ -71,15 +71,21 @@ PartTree::PartTree(const CurvedEquation& equation, const CurvedPart& part)
   if (equation.field != nullptr)
   {
     const Expansion& values = equation.field->values;
-    Field.emplace(
-      values.SpaceOf(part.element), values.Coefficients(part.element), values.components);
+    // Those of other components neither need to be finite nor to be of its size.
+    const Space& space = values.SpaceOf(part.element);
+    const bool squares = equation.component == kMagnitude;
+    Components = squares ? values.components : 1;
+    Field.emplace(space,
+      values.Coefficients(part.element) +
+        static_cast<std::size_t>(squares ? 0 : equation.component) *
+          static_cast<std::size_t>(space.Modes()),
+      Components);
     if (!Field->finite)
     {
       return;
     }
     ScaledValue = std::ldexp(equation.value, -Field->exponent);
-    const auto [first, last] = ComponentRange();
-    for (int c = first; c < last; ++c)
+    for (int c = 0; c < Components; ++c)
     {
       all.push_back({ &*Field, c, Part::Value });
     }
@@ -112,16 +118,6 @@ PartTree::PartTree(const CurvedEquation& equation, const CurvedPart& part)
       }
     }
   }
-}
-
-/// Of the field, those that make f.
-std::array<int, 2> PartTree::ComponentRange() const
-{
-  if (Equation.component == kMagnitude)
-  {
-    return { 0, Equation.field->values.components };
-  }
-  return { Equation.component, Equation.component + 1 };
 }
 
 BoxPolynomial PartTree::OnFace(BoxPolynomial polynomial) const
@@ -157,13 +153,13 @@ PartTree::Polys PartTree::Convert(const EtaBox& box) const
     within.upper[d] = 1.0;
   }
   Polys polys;
-  const auto add = [&](const ScaledModes& modes, int first, int last)
+  const auto add = [&](const ScaledModes& modes, int components)
   {
-    for (int c = first; c < last; ++c)
+    for (int c = 0; c < components; ++c)
     {
       polys.push_back(RangeIngredient{ &modes, c, Part::Value }.Over(Level, piece, within));
     }
-    for (int c = first; c < last; ++c)
+    for (int c = 0; c < components; ++c)
     {
       for (const Part by : kBy)
       {
@@ -171,7 +167,7 @@ PartTree::Polys PartTree::Convert(const EtaBox& box) const
       }
     }
   };
-  add(Map, 0, 3);
+  add(Map, 3);
   for (BoxPolynomial& p : polys)
   {
     for (double& b : p.b)
@@ -182,8 +178,7 @@ PartTree::Polys PartTree::Convert(const EtaBox& box) const
   }
   if (Field)
   {
-    const auto [first, last] = ComponentRange();
-    add(*Field, first, last);
+    add(*Field, Components);
   }
   if (ThePart.face >= 0)
   {

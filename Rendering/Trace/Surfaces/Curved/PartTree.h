@@ -40,7 +40,6 @@ private:
   using Polys = std::vector<BoxPolynomial>;
 
   [[nodiscard]] Polys Convert(const EtaBox& box) const;
-  [[nodiscard]] std::array<int, 2> ComponentRange() const;
   void Fill(CurvedPiece& piece, Polys polys) const;
   void Describe(CurvedPiece& piece, const Polys& polys) const;
   void DescribeField(CurvedPiece& piece, const Polys& polys) const;
@@ -53,7 +52,8 @@ private:
   CurvedPart ThePart;
   Shape TheShape;
   ScaledModes Map;
-  std::optional<ScaledModes> Field;
+  std::optional<ScaledModes> Field; ///< of the components that make f
+  int Components = 0;
   double ScaledValue = 0.0;
   int Level = 0;
   double Uncertainty = 0.0;
