@@ -5,12 +5,12 @@
 #include "Core/Location/Sample.h"
 #include "HighOrderArrays.h"
 #include "HighOrderModel.h"
+#include "LinearCell.h"
+#include "SolverGroups.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkCellType.h"
 #include "vtkDoubleArray.h"
-#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -32,37 +32,6 @@ namespace
 /// In element sizes: vertices of one number that are closer than this become one point. It only
 /// concerns the linear cells, not the elements.
 constexpr double kSamePoint = 1e-9;
-constexpr int kFaces = 6;
-
-struct LinearCell
-{
-  int type;
-  std::vector<Vec3> corners; ///< in xi, in VTK's order
-};
-
-const LinearCell& CellOf(Shape shape)
-{
-  static const LinearCell hexahedron{ VTK_HEXAHEDRON,
-    { { -1, -1, -1 }, { 1, -1, -1 }, { 1, 1, -1 }, { -1, 1, -1 }, { -1, -1, 1 }, { 1, -1, 1 },
-      { 1, 1, 1 }, { -1, 1, 1 } } };
-  static const LinearCell prism{ VTK_WEDGE,
-    { { -1, 1, -1 }, { 1, 1, -1 }, { -1, 1, 1 }, { -1, -1, -1 }, { 1, -1, -1 }, { -1, -1, 1 } } };
-  static const LinearCell tetrahedron{ VTK_TETRA,
-    { { -1, -1, -1 }, { 1, -1, -1 }, { -1, 1, -1 }, { -1, -1, 1 } } };
-  static const LinearCell pyramid{ VTK_PYRAMID,
-    { { -1, -1, -1 }, { 1, -1, -1 }, { 1, 1, -1 }, { -1, 1, -1 }, { -1, -1, 1 } } };
-  switch (shape)
-  {
-    case Shape::Hexahedron:
-      return hexahedron;
-    case Shape::Prism:
-      return prism;
-    case Shape::Tetrahedron:
-      return tetrahedron;
-    default:
-      return pyramid;
-  }
-}
 
 Expansion ViewOf(const SolverExpansion& e)
 {
@@ -141,7 +110,7 @@ void MakeCells(const SolverMesh& mesh, const Mesh& view, vtkUnstructuredGrid* gr
   ForElements(elements,
     [&](int e)
     {
-      const auto& corners = CellOf(view.ShapeOf(e)).corners;
+      const auto& corners = LinearCellOf(view.ShapeOf(e)).corners;
       MapForward(view, e, corners, std::span(places[e]).first(corners.size()));
     });
   PointNumbering points(elements * 8);
@@ -151,7 +120,7 @@ void MakeCells(const SolverMesh& mesh, const Mesh& view, vtkUnstructuredGrid* gr
   types->SetNumberOfValues(static_cast<vtkIdType>(elements));
   for (std::size_t e = 0; e < elements; ++e)
   {
-    const LinearCell& cell = CellOf(view.ShapeOf(static_cast<int>(e)));
+    const LinearCell& cell = LinearCellOf(view.ShapeOf(static_cast<int>(e)));
     types->SetValue(static_cast<vtkIdType>(e), static_cast<unsigned char>(cell.type));
     cells->InsertNextCell(static_cast<int>(cell.corners.size()));
     for (std::size_t k = 0; k < cell.corners.size(); ++k)
@@ -161,51 +130,6 @@ void MakeCells(const SolverMesh& mesh, const Mesh& view, vtkUnstructuredGrid* gr
   }
   grid->SetPoints(points.Points);
   grid->SetCells(types, cells);
-}
-
-void AddGroups(const SolverMesh& mesh, vtkUnstructuredGrid* grid)
-{
-  const auto elements = static_cast<vtkIdType>(mesh.number.size());
-  if (!mesh.attribute.empty())
-  {
-    vtkNew<vtkIntArray> attribute;
-    attribute->SetName("Attribute");
-    attribute->SetNumberOfValues(elements);
-    std::ranges::copy(mesh.attribute, attribute->GetPointer(0));
-    grid->GetCellData()->AddArray(attribute);
-  }
-  if (!mesh.boundary.empty())
-  {
-    vtkNew<vtkIntArray> boundary;
-    boundary->SetName("BoundaryAttribute");
-    boundary->SetNumberOfComponents(kFaces);
-    boundary->SetNumberOfTuples(elements);
-    std::fill_n(boundary->GetPointer(0), kFaces * elements, -1);
-    for (const auto& face : mesh.boundary)
-    {
-      boundary->SetTypedComponent(face.element, face.face, face.attribute);
-    }
-    grid->GetCellData()->AddArray(boundary);
-  }
-  if (mesh.groups.empty())
-  {
-    return;
-  }
-  vtkNew<vtkIntArray> ids;
-  vtkNew<vtkUnsignedCharArray> isBoundary;
-  vtkNew<vtkStringArray> names;
-  ids->SetName("PixelExact.Groups.Id");
-  isBoundary->SetName("PixelExact.Groups.Boundary");
-  names->SetName("PixelExact.Groups.Name");
-  for (const auto& group : mesh.groups)
-  {
-    ids->InsertNextValue(group.id);
-    isBoundary->InsertNextValue(group.boundary ? 1 : 0);
-    names->InsertNextValue(group.name);
-  }
-  grid->GetFieldData()->AddArray(ids);
-  grid->GetFieldData()->AddArray(isBoundary);
-  grid->GetFieldData()->AddArray(names);
 }
 
 vtkSmartPointer<vtkDoubleArray> NewArray(const std::string& name, int components, vtkIdType tuples)
@@ -227,7 +151,7 @@ void AddVertexValues(const Mesh& mesh, const Field& field, vtkUnstructuredGrid* 
   const vtkIdType* points = nullptr;
   for (int e = 0; e < mesh.Elements(); ++e)
   {
-    const auto& corners = CellOf(mesh.ShapeOf(e)).corners;
+    const auto& corners = LinearCellOf(mesh.ShapeOf(e)).corners;
     values.resize(corners.size() * components);
     EvaluateAt(mesh, field, e, corners, values, {});
     grid->GetCells()->GetCellAtId(e, count, points);
@@ -260,8 +184,9 @@ void StoreSolverMesh(SolverMesh&& mesh, vtkUnstructuredGrid* grid)
   const Mesh view{ ViewOf(mesh.map), mesh.centre, mesh.size, mesh.uncertainty };
   Validate(view);
   MakeCells(mesh, view, grid);
-  AddGroups(mesh, grid);
   MeshArrays arrays;
+  arrays.boundary = AttributedFacesOf(mesh, view);
+  AddGroups(mesh, grid);
   arrays.map = HandOn(std::move(mesh.map));
   arrays.centre = std::move(mesh.centre);
   arrays.size = std::move(mesh.size);

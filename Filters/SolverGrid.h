@@ -10,7 +10,9 @@ class vtkUnstructuredGrid;
 // VTK's linear cells between the elements' vertices, for what VTK draws and selects by itself:
 //
 //   CellData   Attribute           int32      the file's number for the element's group
-//              BoundaryAttribute   int32 x 6  per face of the cell, -1 inside
+//              BoundaryAttribute   int32 x 6  per face of the cell as VTK numbers them, the first
+//                                             of its attributes, -1 where it has none; models read
+//                                             PixelExact.Mesh.Boundary.* (HighOrderArrays.h)
 //   FieldData  PixelExact.Groups.Id, .Boundary, .Name   the file's groups
 //              PixelExact.Field.<name>.Basis            the source basis, for people
 //   PointData  <field>, at the vertices, where the field is continuous by construction

@@ -5,10 +5,11 @@
  *
  * Output is a vtkHighOrderGrid: every coefficient of the files, in the canonical bases, and beside
  * them VTK's linear cells between the elements' vertices. Its arrays: CellData `Attribute` and
- * `BoundaryAttribute` (per face of the cell, -1 inside), and per field its values at the vertices
- * (PointData, where the field is continuous by construction) or at the elements' centres
- * (CellData). These serve VTK's own drawing and selection; what this project computes comes from
- * the coefficients.
+ * `BoundaryAttribute` (per face of the cell, the first that it has, -1: none), and per field its
+ * values at the vertices (PointData, where the field is continuous by construction) or at the
+ * elements' centres (CellData). These serve VTK's own drawing and selection; what this project
+ * computes comes from the coefficients, and boundary attributes from a list that holds all
+ * (data-set.md).
  *
  * A new time step keeps the mesh's arrays, and with them the locator; after Modified() the mesh is
  * read anew. Where files hold times, they are the steps of the pipeline; the step nearest below the

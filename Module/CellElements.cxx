@@ -60,6 +60,16 @@ CellElements::CellElements(vtkUnstructuredGrid* grid, vtkIdType elements)
   Whole = static_cast<vtkIdType>(Element.size()) == elements && std::ranges::is_sorted(Element);
 }
 
+std::vector<std::int32_t> CellElements::CellOfElements(vtkIdType elements) const
+{
+  std::vector<std::int32_t> cells(elements, -1);
+  for (std::size_t cell = 0; cell < Element.size(); ++cell)
+  {
+    cells[Element[cell]] = static_cast<std::int32_t>(cell);
+  }
+  return cells;
+}
+
 void CellElements::Compare(const std::function<std::vector<std::int64_t>(Hash)>& now,
   std::span<const std::int64_t> then, const std::string& problem) const
 {

@@ -26,6 +26,9 @@ public:
 
   [[nodiscard]] std::size_t Cells() const { return Element.size(); }
 
+  /// Per stored element its cell, -1 where it was dropped.
+  [[nodiscard]] std::vector<std::int32_t> CellOfElements(vtkIdType elements) const;
+
   /// Throws StaleData, with `problem`, for the first cell whose fingerprint differs from its
   /// element's, by the hash that is stored and by that of the first versions.
   void Compare(const std::function<std::vector<std::int64_t>(Hash)>& now,

@@ -52,6 +52,27 @@ void AddExpansion(
   data->AddArray(expansion.coefficients);
 }
 
+void AddBoundary(vtkFieldData* data, std::span<const AttributedFace> boundary)
+{
+  if (boundary.empty())
+  {
+    return;
+  }
+  std::vector<std::int64_t> elements;
+  std::vector<std::int32_t> faces;
+  std::vector<std::int32_t> attributes;
+  for (const AttributedFace& entry : boundary)
+  {
+    elements.push_back(entry.face.element);
+    faces.push_back(entry.face.face);
+    attributes.push_back(entry.attribute);
+  }
+  const std::string prefix = kBoundaryPrefix;
+  Add<vtkTypeInt64Array, std::int64_t>(data, prefix + "Element", elements);
+  Add<vtkIntArray, std::int32_t>(data, prefix + "Face", faces);
+  Add<vtkIntArray, std::int32_t>(data, prefix + "Attribute", attributes);
+}
+
 void RemovePrefix(vtkFieldData* data, const std::string& prefix)
 {
   for (int i = data->GetNumberOfArrays() - 1; i >= 0; --i)
@@ -124,6 +145,7 @@ void StoreMesh(vtkUnstructuredGrid* grid, const MeshArrays& mesh, Origin origin)
   Add<vtkDoubleArray, double>(data, prefix + "Size", mesh.size);
   Add<vtkDoubleArray, double>(data, prefix + "Uncertainty", mesh.uncertainty);
   Add<vtkTypeInt64Array, std::int64_t>(data, prefix + "SourceCell", mesh.sourceCell);
+  AddBoundary(data, mesh.boundary);
   const auto prints = CellFingerprints(grid);
   Add<vtkTypeInt64Array, std::int64_t>(data, prefix + "Fingerprint", prints);
 

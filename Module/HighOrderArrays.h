@@ -5,6 +5,7 @@
 #include "PixelExactDataModelModule.h"
 
 #include "Core/Element/Mesh.h"
+#include "Core/Faces/AttributedFace.h"
 
 #include "vtkSmartPointer.h"
 
@@ -31,6 +32,10 @@ class vtkUnstructuredGrid;
 //   PixelExact.Mesh.SourceCell    int64       per element: number of its cell in the source
 //   PixelExact.Mesh.Fingerprint   int64       per element: hash of the cell it was made with
 //   PixelExact.Mesh.Origin*       uint8       see Origin
+// where the source gives faces attributes, an entry for each face and attribute:
+//   PixelExact.Mesh.Boundary.Element*   int64
+//   PixelExact.Mesh.Boundary.Face*      int32   as in FacesOf(shape)
+//   PixelExact.Mesh.Boundary.Attribute* int32
 // and the same for each field under PixelExact.Field.<name>: Spaces, Space, Offset, Coefficients,
 // Origin, Components* (int32); Fingerprint only where the field was made from nodal values;
 // Mapping* (uint8, see Mapping in Core/Element/Mesh.h) only where it is not Identity. CellData:
@@ -41,6 +46,7 @@ class vtkUnstructuredGrid;
 namespace pixelexact
 {
 inline constexpr const char* kMeshPrefix = "PixelExact.Mesh.";
+inline constexpr const char* kBoundaryPrefix = "PixelExact.Mesh.Boundary.";
 inline constexpr const char* kFieldPrefix = "PixelExact.Field.";
 inline constexpr const char* kElementIds = "PixelExactElementId";
 
@@ -75,6 +81,7 @@ struct MeshArrays
   std::vector<double> size;
   std::vector<double> uncertainty;
   std::vector<std::int64_t> sourceCell;
+  std::vector<AttributedFace> boundary; ///< in any order
 };
 
 /// Whether the grid carries the arrays of a mesh; says nothing of whether they fit.

@@ -222,6 +222,11 @@ std::span<const std::int64_t> HighOrderModel::SourceCells() const
   return Data->part->SourceCells();
 }
 
+std::span<const AttributedFace> HighOrderModel::BoundaryFaces() const
+{
+  return Data->part->BoundaryFaces();
+}
+
 std::span<const HighOrderModel::Block> HighOrderModel::Blocks() const
 {
   return Data->blocks;

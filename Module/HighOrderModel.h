@@ -5,6 +5,7 @@
 #include "PixelExactDataModelModule.h"
 
 #include "Core/Element/Mesh.h"
+#include "Core/Faces/AttributedFace.h"
 
 #include <cstdint>
 #include <memory>
@@ -61,6 +62,10 @@ public:
   /// share the mesh. Builds the locator too.
   [[nodiscard]] const FaceTable& Faces() const;
   [[nodiscard]] bool HasFaces() const;
+
+  /// The faces to which the source gives attributes, in ascending order; none of `.vtu` files that
+  /// are not saved from a solver's. Which of a mesh's faces are its boundary, Faces() tells.
+  [[nodiscard]] std::span<const AttributedFace> BoundaryFaces() const;
 
   /// A leaf of composite data.
   struct Block

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshPart.h"
 
+#include "BoundaryArrays.h"
 #include "Core/Faces/FaceTable.h"
 #include "Core/Location/Locator.h"
 #include "Fingerprint.h"
@@ -73,6 +74,7 @@ MeshPart::MeshPart(vtkUnstructuredGrid* grid, Key key)
   TheMesh.uncertainty = TheCells->Select(uncertainty, Storage.doubles);
   Sources = TheCells->Select(source, Storage.longs);
   Validate(TheMesh);
+  Boundary = ReadBoundary(grid, TheMesh, *TheCells, Stored);
 }
 
 MeshPart::MeshPart(std::vector<std::shared_ptr<const MeshPart>> parts)
@@ -85,6 +87,12 @@ MeshPart::MeshPart(std::vector<std::shared_ptr<const MeshPart>> parts)
   std::vector<std::span<const std::int64_t>> source;
   for (const auto& part : Parts)
   {
+    // Parts' elements come one after the other, and so do their faces.
+    for (AttributedFace face : part->Boundary)
+    {
+      face.face.element += static_cast<std::int32_t>(Stored);
+      Boundary.push_back(face);
+    }
     maps.push_back(&part->TheMesh.map);
     centre.push_back(part->TheMesh.centre);
     size.push_back(part->TheMesh.size);

@@ -3,6 +3,7 @@
 #define MeshPart_h
 
 #include "CellElements.h"
+#include "Core/Faces/AttributedFace.h"
 
 #include <atomic>
 #include <memory>
@@ -39,6 +40,7 @@ public:
   [[nodiscard]] const CellElements& Cells() const { return *TheCells; }
   [[nodiscard]] vtkIdType StoredElements() const { return Stored; }
   [[nodiscard]] std::span<const std::int64_t> SourceCells() const { return Sources; }
+  [[nodiscard]] std::span<const AttributedFace> BoundaryFaces() const { return Boundary; }
 
   /// Built, in parallel, by the first call.
   [[nodiscard]] const Locator& GetLocator() const;
@@ -63,6 +65,7 @@ private:
   std::unique_ptr<CellElements> TheCells;
   vtkIdType Stored = 0;
   std::span<const std::int64_t> Sources;
+  std::vector<AttributedFace> Boundary;
   std::span<const std::int64_t> Fingerprints; ///< per stored element
   mutable std::once_flag LocatorOnce;
   mutable std::unique_ptr<Locator> TheLocator;

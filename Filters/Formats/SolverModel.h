@@ -34,7 +34,8 @@ struct SolverExpansion
 /// The vertices' places in VTK's linear cells: hexahedron 8, prism 6, pyramid 5, tetrahedron 4.
 using Corners = std::array<std::int64_t, 8>;
 
-/// A face of an element that lies in a named part of the boundary.
+/// A face of an element with an attribute, or in a composite. A face between two elements has it in
+/// both; one in several composites is there for each.
 struct BoundaryFace
 {
   std::int32_t element = 0;

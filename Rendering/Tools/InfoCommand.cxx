@@ -87,7 +87,7 @@ Facts Gather(const LoadedModel& input)
       CountNonFinite(fields[f].values), BasisOf(*input.grid, fields[f].name) });
   }
   input.grid->GetBounds(facts.bounds.data());
-  facts.solver = GatherSolverFacts(*input.grid);
+  facts.solver = GatherSolverFacts(*input.grid, *input.model);
   return facts;
 }
 

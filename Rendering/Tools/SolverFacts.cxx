@@ -4,6 +4,7 @@
 #include "Report.h"
 
 #include "HighOrderArrays.h"
+#include "HighOrderModel.h"
 
 #include <nlohmann/json.hpp>
 #include <vtkCellData.h>
@@ -27,15 +28,7 @@ Counts Count(vtkDataArray* array)
   Counts counts;
   for (vtkIdType i = 0; array != nullptr && i < array->GetNumberOfTuples(); ++i)
   {
-    for (int c = 0; c < array->GetNumberOfComponents(); ++c)
-    {
-      const int value = static_cast<int>(array->GetComponent(i, c));
-      // Faces inside have -1.
-      if (value >= 0)
-      {
-        ++counts[value];
-      }
-    }
+    ++counts[static_cast<int>(array->GetComponent(i, 0))];
   }
   return counts;
 }
@@ -84,7 +77,7 @@ nlohmann::ordered_json ToJson(const Counts& counts)
 }
 } // namespace
 
-SolverFacts GatherSolverFacts(vtkUnstructuredGrid& grid)
+SolverFacts GatherSolverFacts(vtkUnstructuredGrid& grid, const HighOrderModel& model)
 {
   SolverFacts facts;
   vtkFieldData* data = grid.GetFieldData();
@@ -106,8 +99,8 @@ SolverFacts GatherSolverFacts(vtkUnstructuredGrid& grid)
   if (HasHighOrderArrays(&grid))
   {
     facts.attributes = Count(grid.GetCellData()->GetArray("Attribute"));
-    facts.boundaryAttributes = Count(grid.GetCellData()->GetArray("BoundaryAttribute"));
   }
+  facts.boundaryAttributes = CountByAttribute(model.BoundaryFaces());
   return facts;
 }
 

@@ -12,6 +12,7 @@ class vtkUnstructuredGrid;
 
 namespace pixelexact
 {
+class HighOrderModel;
 class Table;
 
 /// What a solver's own file tells beside mesh and coefficients.
@@ -24,11 +25,11 @@ struct SolverFacts
     std::string name;
   };
   std::map<int, std::int64_t> attributes;         ///< elements by attribute or composite
-  std::map<int, std::int64_t> boundaryAttributes; ///< faces by attribute or composite
+  std::map<int, std::int64_t> boundaryAttributes; ///< elements' faces, both of a pair
   std::vector<Group> groups;                      ///< those with names
 };
 
-SolverFacts GatherSolverFacts(vtkUnstructuredGrid& grid);
+SolverFacts GatherSolverFacts(vtkUnstructuredGrid& grid, const HighOrderModel& model);
 
 /// The basis that the solver's file names for a field; empty where it does not.
 std::string BasisOf(vtkUnstructuredGrid& grid, const std::string& field);

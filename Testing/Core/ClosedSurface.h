@@ -11,6 +11,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 // Whether the faces that are said to be a mesh's boundary close: Gauss' theorem, by quadrature in
@@ -78,11 +79,9 @@ inline SurfaceIntegrals IntegrateBoundary(const Mesh& mesh, const FaceTable& fac
   const auto evaluate =
     [&](int e, const std::vector<Vec3>& eta, std::vector<Vec3>& x, std::vector<Mat3>& columns)
   {
-    std::vector<Vec3> xi;
-    for (const Vec3& at : eta)
-    {
-      xi.push_back(TensorToReference(mesh.ShapeOf(e), at));
-    }
+    std::vector<Vec3> xi(eta.size());
+    std::ranges::transform(
+      eta, xi.begin(), [&](const Vec3& at) { return TensorToReference(mesh.ShapeOf(e), at); });
     x.resize(xi.size());
     MapForward(mesh, e, xi, x);
     columns = Jacobians(mesh, e, LaneBuffer(xi).View());

@@ -125,6 +125,8 @@ void ExpectRoundTrip(vtkHighOrderFileReader* reader)
   ExpectSameBytes(before->GetMesh().size, after->GetMesh().size, "size");
   ExpectSameBytes(before->GetMesh().uncertainty, after->GetMesh().uncertainty, "uncertainty");
   ExpectSameBytes(before->SourceCells(), after->SourceCells(), "source cells");
+  EXPECT_TRUE(std::ranges::equal(before->BoundaryFaces(), after->BoundaryFaces()));
+  EXPECT_FALSE(after->BoundaryFaces().empty());
   ASSERT_EQ(before->Fields().size(), after->Fields().size());
   for (std::size_t f = 0; f < before->Fields().size(); ++f)
   {

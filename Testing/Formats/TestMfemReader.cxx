@@ -129,6 +129,26 @@ TEST(MfemReader, RefinedCubeWithoutNodes)
   EXPECT_EQ(model.mesh.boundary[0].element, 1);
 }
 
+/// A boundary element between two elements belongs to both; in a periodic mesh they lie at its two
+/// ends, and the file does not tell which was meant.
+TEST(MfemReader, BoundaryElementsBetweenElementsAreListedOnBothSides)
+{
+  const std::string mesh = "MFEM mesh v1.0\ndimension\n3\nelements\n2\n1 5 0 1 2 3 4 5 6 7\n"
+                           "1 5 4 5 6 7 8 9 10 11\nboundary\n3\n5 3 4 5 6 7\n6 3 7 6 5 4\n"
+                           "2 3 8 9 10 11\nvertices\n12\n3\n" +
+    std::string(kCubeVertices) + "0 0 2\n1 0 2\n1 1 2\n0 1 2\n";
+  const SolverModel model = ReadTexts(mesh);
+  std::multiset<std::array<int, 3>> found;
+  for (const auto& face : model.mesh.boundary)
+  {
+    found.insert({ face.element, face.face, face.attribute });
+  }
+  // VTK's faces 4 and 5 are z = 0 and z = 1.
+  EXPECT_EQ(found,
+    (std::multiset<std::array<int, 3>>{
+      { 0, 5, 5 }, { 1, 4, 5 }, { 0, 5, 6 }, { 1, 4, 6 }, { 1, 5, 2 } }));
+}
+
 TEST(MfemReader, HilbertCurveVisitsNeighboursOneAfterTheOther)
 {
   const int x[8] = { 0, 1, 1, 0, 0, 1, 1, 0 };

@@ -2,6 +2,7 @@
 #include "NektarTexts.h"
 
 #include <algorithm>
+#include <set>
 
 namespace pixelexact::testing
 {
@@ -85,6 +86,21 @@ TEST(NektarParts, PartsOfAMeshAreReadTogether)
   // Parts may overlap.
   EXPECT_EQ(
     nektar::Read({ { "a.xml", Stack(0, 2) }, { "b.xml", upper } }, {}).mesh.number.size(), 2U);
+}
+
+/// Faces between two elements belong to both.
+TEST(NektarParts, CompositesOfInnerFacesAreListedOnBothSides)
+{
+  const SolverModel model = ReadTexts(Stack(0, 2,
+    "<COMPOSITE><C ID=\"1\">H[500-501]</C><C ID=\"2\">F[301,302]</C><C ID=\"3\">F[302]</C>"
+    "</COMPOSITE>"));
+  std::multiset<std::array<int, 3>> found;
+  for (const auto& face : model.mesh.boundary)
+  {
+    found.insert({ face.element, face.face, face.attribute });
+  }
+  EXPECT_EQ(found,
+    (std::multiset<std::array<int, 3>>{ { 0, 5, 2 }, { 1, 4, 2 }, { 1, 5, 2 }, { 1, 5, 3 } }));
 }
 
 TEST(NektarParts, PartsThatAreNotNamedAreNoted)

@@ -52,6 +52,8 @@ TEST(HighOrderMapper, BuffersAreTheTracersBitForBit)
     const vtkIdType traces = scene.Mapper->GetNumberOfTraces();
     EXPECT_EQ(scene.Mapper->GetBuffers(), image);
     EXPECT_EQ(scene.Mapper->GetNumberOfTraces(), traces);
+    // Cuts do not need what lies behind faces.
+    EXPECT_FALSE(HighOrderModel::From(scene.Grid)->HasFaces());
   }
 }
 

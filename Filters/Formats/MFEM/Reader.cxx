@@ -142,20 +142,21 @@ void ModelBuilder::AddGroups()
     mesh.corners.push_back(CornersOf(File.elements[e]));
     mesh.attribute.push_back(File.elements[e].attribute);
   }
+  std::size_t ownerless = 0;
   for (const Cell& cell : File.boundary)
   {
-    const auto owner =
+    const auto owners =
       Entities.FindFace(std::span(cell.vertices).first(TableOf(cell.geometry).vertices));
-    if (owner)
+    ownerless += owners.empty() ? 1 : 0;
+    for (const auto& owner : owners)
     {
-      const auto& faces = TableOf(File.elements[owner->element].geometry).faces;
-      mesh.boundary.push_back({ owner->element, faces[owner->localFace].vtkFace, cell.attribute });
+      const auto& faces = TableOf(File.elements[owner.element].geometry).faces;
+      mesh.boundary.push_back({ owner.element, faces[owner.localFace].vtkFace, cell.attribute });
     }
   }
-  if (mesh.boundary.size() < File.boundary.size())
+  if (ownerless > 0)
   {
-    Model.notes.push_back(MeshName + ": " +
-      std::to_string(File.boundary.size() - mesh.boundary.size()) + " of " +
+    Model.notes.push_back(MeshName + ": " + std::to_string(ownerless) + " of " +
       Counted(File.boundary.size(), "boundary element") + " are no face of an element.");
   }
   mesh.groups = std::move(File.groups);

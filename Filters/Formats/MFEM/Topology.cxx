@@ -80,10 +80,15 @@ void Topology::AddFaces(const Cell& cell, int element)
       FaceOf.try_emplace(KeyOf(std::span(seen).first(corners)), static_cast<int>(FaceList.size()));
     if (isNew)
     {
-      FaceList.push_back({ seen, { element, static_cast<int>(local) } });
+      FaceList.push_back({ seen, {} });
       FaceGeometries.push_back(face.geometry);
     }
-    const auto& base = FaceList[at->second].vertices;
+    Face& known = FaceList[at->second];
+    if (known.owned < static_cast<int>(known.owners.size()))
+    {
+      known.owners[known.owned++] = { element, static_cast<int>(local) };
+    }
+    const auto& base = known.vertices;
     FaceIncidences.push_back({ at->second,
       face.geometry == Geometry::Triangle ? TriangleOrientation(base, seen)
                                           : SquareOrientation(base, seen) });
@@ -102,9 +107,14 @@ std::span<const Incidence> Topology::FacesOf(std::size_t element) const
     .subspan(FirstFace[element], FirstFace[element + 1] - FirstFace[element]);
 }
 
-std::optional<Topology::Owner> Topology::FindFace(std::span<const int> vertices) const
+std::span<const Topology::Owner> Topology::FindFace(std::span<const int> vertices) const
 {
   const auto found = FaceOf.find(KeyOf(vertices));
-  return found == FaceOf.end() ? std::nullopt : std::optional(FaceList[found->second].owner);
+  if (found == FaceOf.end())
+  {
+    return {};
+  }
+  const Face& face = FaceList[found->second];
+  return std::span(face.owners).first(face.owned);
 }
 } // namespace pixelexact::mfem

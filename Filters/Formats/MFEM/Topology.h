@@ -5,7 +5,6 @@
 
 #include <array>
 #include <map>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -33,20 +32,23 @@ public:
   [[nodiscard]] std::span<const Incidence> EdgesOf(std::size_t element) const;
   [[nodiscard]] std::span<const Incidence> FacesOf(std::size_t element) const;
 
-  /// The first element that has a face of the given vertices, and the face's number there.
+  /// An element that has a face, and the face's number there.
   struct Owner
   {
-    int element;
-    int localFace;
+    int element = -1;
+    int localFace = -1;
   };
-  [[nodiscard]] std::optional<Owner> FindFace(std::span<const int> vertices) const;
+  /// The first two elements that have a face of the given vertices; none where there is no such
+  /// face.
+  [[nodiscard]] std::span<const Owner> FindFace(std::span<const int> vertices) const;
 
 private:
   using FaceKey = std::array<int, 4>;
   struct Face
   {
     FaceKey vertices; ///< in the first element's order; the fourth is -1 for triangles
-    Owner owner;
+    std::array<Owner, 2> owners;
+    int owned = 0; ///< of them
   };
   static FaceKey KeyOf(std::span<const int> vertices);
   void AddEdges(const Cell& cell);

@@ -193,13 +193,13 @@ void ModelBuilder::AddComposites()
 {
   SolverMesh& mesh = Model.mesh;
   mesh.attribute.assign(Elements.size(), 0);
-  std::unordered_map<std::int64_t, BoundaryFace> owner; // faces of one element; -1: of two
+  std::unordered_multimap<std::int64_t, BoundaryFace> owners;
   for (std::size_t e = 0; e < Elements.size(); ++e)
   {
     const auto& faces = TableOf(Elements[e].solid->shape).faces;
     for (std::size_t f = 0; f < faces.size(); ++f)
     {
-      owner.try_emplace(Elements[e].solid->faces[f],
+      owners.emplace(Elements[e].solid->faces[f],
         BoundaryFace{ static_cast<std::int32_t>(e), faces[f].vtkFace, 0 });
     }
   }
@@ -210,7 +210,8 @@ void ModelBuilder::AddComposites()
     mesh.groups.push_back({ composite.number, composite.name, composite.boundary });
     for (const auto id : composite.members)
     {
-      if (const auto face = owner.find(id); composite.boundary && face != owner.end())
+      const auto [first, last] = owners.equal_range(id);
+      for (auto face = first; composite.boundary && face != last; ++face)
       {
         mesh.boundary.push_back({ face->second.element, face->second.face, composite.number });
       }

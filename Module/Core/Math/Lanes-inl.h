@@ -173,19 +173,6 @@ HWY_INLINE LaneMask MaskOf(std::uint64_t bits)
   const std::uint8_t bytes[8] = { static_cast<std::uint8_t>(bits) };
   return hwy::HWY_NAMESPACE::LoadMaskBits(LaneTag(), bytes);
 }
-/// The numbers at these places.
-HWY_INLINE Lanes Gather(const double* from, const std::int64_t* at)
-{
-  const hwy::HWY_NAMESPACE::RebindToSigned<LaneTag> tag;
-  return { hwy::HWY_NAMESPACE::GatherIndex(LaneTag(), from, hwy::HWY_NAMESPACE::LoadU(tag, at)) };
-}
-/// Stores a pack of whole numbers as below.
-HWY_INLINE void StorePacked(const std::int64_t* from, LaneMask mask, std::int64_t* to)
-{
-  const hwy::HWY_NAMESPACE::RebindToSigned<LaneTag> tag;
-  hwy::HWY_NAMESPACE::CompressStore(
-    hwy::HWY_NAMESPACE::LoadU(tag, from), hwy::HWY_NAMESPACE::RebindMask(tag, mask), tag, to);
-}
 /// Stores the lanes of the mask one after the other; up to a whole pack may be written.
 HWY_INLINE void StorePacked(Lanes a, LaneMask mask, double* to)
 {

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace pixelexact
 {
@@ -37,9 +36,8 @@ public:
     , Bundle(bundle)
     , Work(work)
     , Deepest(kDeepest[surface.TheEquation.field != nullptr ? 1 : 0])
+    , All(RaySet::First(bundle.Count()))
   {
-    All.count = bundle.Count();
-    std::iota(All.ray.begin(), All.ray.begin() + All.count, std::int64_t{ 0 });
   }
 
   void Run()
@@ -49,20 +47,15 @@ public:
 
 private:
   /// Those of the rays that may meet what lies in a box.
-  [[nodiscard]] bool Meets(const Box3& box, const RayList& from, RayList& to) const
+  [[nodiscard]] RaySet ThoseThatMayMeet(const Box3& box, const RaySet& rays) const
   {
-    if (!Bundle.MayMeet(box))
-    {
-      return false;
-    }
-    GetPieceKernels().meetBox(Bundle, box, from, to);
-    return to.count > 0;
+    return Bundle.MayMeet(box) ? GetPieceKernels().meetBox(Bundle, box, rays) : RaySet();
   }
 
   void MeetPart(std::int32_t part)
   {
-    RayList rays;
-    if (!Meets(Of.Boxes[static_cast<std::size_t>(part)], All, rays))
+    const RaySet rays = ThoseThatMayMeet(Of.Boxes[static_cast<std::size_t>(part)], All);
+    if (rays.IsEmpty())
     {
       return;
     }
@@ -82,9 +75,8 @@ private:
       Work.unclear.clear();
       for (const PieceRay& one : unclear)
       {
-        RayList ray;
-        ray.ray[0] = one.ray;
-        ray.count = 1;
+        RaySet ray;
+        ray.Add(one.ray);
         Deeper(solver, *one.piece, ray);
       }
       solver.Solve();
@@ -100,36 +92,39 @@ private:
     }
   }
 
-  void Descend(PieceSolver& solver, const CurvedPiece& piece, const RayList& rays)
+  void Descend(PieceSolver& solver, const CurvedPiece& piece, const RaySet& rays)
   {
-    RayList left;
-    if (piece.IsEmpty() || !Meets(piece.bounds, rays, left))
+    if (piece.IsEmpty() || !Bundle.MayMeet(piece.bounds))
     {
       return;
     }
     if (!piece.flat)
     {
-      Deeper(solver, piece, left);
+      Deeper(solver, piece, rays);
       return;
     }
-    RayList unclear;
-    solver.Look(piece, left, unclear);
-    if (unclear.count > 0)
+    const RaySet near = GetPieceKernels().meetBox(Bundle, piece.bounds, rays);
+    if (near.IsEmpty())
+    {
+      return;
+    }
+    const RaySet unclear = solver.Look(piece, near);
+    if (!unclear.IsEmpty())
     {
       Deeper(solver, piece, unclear);
     }
   }
 
-  void Deeper(PieceSolver& solver, const CurvedPiece& piece, const RayList& rays)
+  void Deeper(PieceSolver& solver, const CurvedPiece& piece, const RaySet& rays)
   {
     if (piece.halvings >= Deepest)
     {
       solver.Solve();
-      for (int i = 0; i < rays.count; ++i)
-      {
-        const auto ray = static_cast<int>(rays.ray[static_cast<std::size_t>(i)]);
-        FindHits(Of.TheEquation, *Which, *Tree, Bundle, solver, { &piece, ray }, Work.hits);
-      }
+      ThoseThatMayMeet(piece.bounds, rays)
+        .ForEach(
+          [&](int ray) {
+            FindHits(Of.TheEquation, *Which, *Tree, Bundle, solver, { &piece, ray }, Work.hits);
+          });
       return;
     }
     for (const CurvedPiece& half : Tree->Split(piece))
@@ -143,7 +138,7 @@ private:
   RayBundle& Bundle;
   SolverWork& Work;
   int Deepest;
-  RayList All;
+  RaySet All;
   const CurvedPart* Which = nullptr;
   const PartTree* Tree = nullptr;
 };

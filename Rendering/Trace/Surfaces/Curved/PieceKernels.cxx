@@ -22,11 +22,6 @@ constexpr double kMostRounds = 40.0;
 constexpr double kArrived = 1e-8;
 constexpr double kEdge = 1e-15;
 
-HWY_INLINE LaneMask InList(int at, int count)
-{
-  return hwy::HWY_NAMESPACE::FirstN(LaneTag(), static_cast<std::size_t>(std::max(count - at, 0)));
-}
-
 /// The factors of the norm in which ClampTo brings no two points farther from each other.
 HWY_INLINE double NormOf(Shape shape, int direction)
 {
@@ -87,47 +82,58 @@ HWY_INLINE Lanes Largest(Shape shape, const Lanes (&v)[3])
     Abs(v[0]), Max(Abs(v[1]) * Splat(NormOf(shape, 1)), Abs(v[2]) * Splat(NormOf(shape, 2))));
 }
 
-void MeetBox(const RayBundle& bundle, const Box3& box, const RayList& from, RayList& to)
+/// test(i, mask) for each pack of rays of the set; returns those that passed.
+template <class Test>
+HWY_INLINE RaySet ForEachPack(const RaySet& rays, Test&& test)
+{
+  RaySet result;
+  for (std::size_t word = 0; word < RaySet::kWords; ++word)
+  {
+    const std::uint64_t bits = rays.bits[word];
+    result.bits[word] = ForEachPackIn(bits,
+      [&](int i) PIXELEXACT_INLINED
+      { return test(static_cast<int>(64 * word) + i, MaskOf(bits >> static_cast<unsigned>(i))); });
+  }
+  return result;
+}
+
+RaySet MeetBox(const RayBundle& bundle, const Box3& box, const RaySet& rays)
 {
   const int axis = bundle.axes[2];
   const double lower = box.lower[axis] - bundle.z0;
   const double upper = box.upper[axis] - bundle.z0;
   const Lanes nearest = Splat(std::min(bundle.sign * lower, bundle.sign * upper));
   const Lanes farthest = Splat(std::max(bundle.sign * lower, bundle.sign * upper));
-  int count = 0;
-  for (int i = 0; i < from.count; i += LaneCount())
-  {
-    const std::int64_t* at = from.ray.data() + i;
-    const Lanes slack = Gather(bundle.slack.data(), at);
-    LaneMask may = And(InList(i, from.count),
-      And(farthest + slack >= Gather(bundle.near.data(), at),
-        nearest - slack <= Gather(bundle.far.data(), at)));
-    for (std::size_t a = 0; a < 2; ++a)
+  return ForEachPack(rays,
+    [&](int i, LaneMask /*mask*/) PIXELEXACT_INLINED
     {
-      const Lanes place = Gather(bundle.place[a].data(), at);
-      const Lanes slope = Gather(bundle.slope[a].data(), at);
-      const Lanes p = place + slope * Splat(lower);
-      const Lanes q = place + slope * Splat(upper);
-      may = And(may,
-        And(Min(p, q) - slack <= Splat(box.upper[bundle.axes[a]]),
-          Max(p, q) + slack >= Splat(box.lower[bundle.axes[a]])));
-    }
-    StorePacked(at, may, to.ray.data() + count);
-    count += static_cast<int>(hwy::HWY_NAMESPACE::CountTrue(LaneTag(), may));
-  }
-  to.count = count;
-  std::fill_n(to.ray.begin() + count, kLanePadding, 0);
+      const auto load = [&](const RayBundle::Numbers& numbers) PIXELEXACT_INLINED
+      { return Traits::Load(numbers.data() + i); };
+      const Lanes slack = load(bundle.slack);
+      LaneMask may =
+        And(farthest + slack >= load(bundle.near), nearest - slack <= load(bundle.far));
+      for (std::size_t a = 0; a < 2; ++a)
+      {
+        const Lanes place = load(bundle.place[a]);
+        const Lanes slope = load(bundle.slope[a]);
+        const Lanes p = place + slope * Splat(lower);
+        const Lanes q = place + slope * Splat(upper);
+        may = And(may,
+          And(Min(p, q) - slack <= Splat(box.upper[bundle.axes[a]]),
+            Max(p, q) + slack >= Splat(box.lower[bundle.axes[a]])));
+      }
+      return may;
+    });
 }
 
 /// What a piece looks like to a ray, before its functions are evaluated.
-void Look(const RayBundle& bundle, const ElementFrame& frame, const CurvedPiece& piece,
-  const RayList& from, PiecePairs& pairs, RayList& unclear)
+RaySet Look(const RayBundle& bundle, const ElementFrame& frame, const CurvedPiece& piece,
+  const RaySet& rays, PiecePairs& pairs)
 {
   const std::size_t k = static_cast<std::size_t>(bundle.axes[2]);
   const Lanes along = Splat((bundle.z0 - frame.centre[bundle.axes[2]]) * frame.inverseSize);
   const Lanes zero = Splat(0.0);
   const double number = static_cast<double>(pairs.pieces.size());
-  int many = 0;
   const int before = pairs.count;
   Lanes lower[3];
   Lanes upper[3];
@@ -137,9 +143,10 @@ void Look(const RayBundle& bundle, const ElementFrame& frame, const CurvedPiece&
       lower[d] = Splat(piece.box.lower[d]);
       upper[d] = Splat(piece.box.upper[d]);
     });
-  for (int i = 0; i < from.count; i += LaneCount())
+  const auto look = [&](int i, LaneMask active) PIXELEXACT_INLINED
   {
-    const std::int64_t* at = from.ray.data() + i;
+    const auto load = [&](const RayBundle::Numbers& numbers) PIXELEXACT_INLINED
+    { return Traits::Load(numbers.data() + i); };
     Lanes m[3][3];
     Lanes radius[3][3];
     Lanes g[3];
@@ -149,10 +156,10 @@ void Look(const RayBundle& bundle, const ElementFrame& frame, const CurvedPiece&
     for (std::size_t a = 0; a < 2; ++a)
     {
       const auto c = static_cast<std::size_t>(bundle.axes[a]);
-      const Lanes s = Gather(bundle.slope[a].data(), at);
+      const Lanes s = load(bundle.slope[a]);
       slope[a] = s;
-      q[a] = (Gather(bundle.place[a].data(), at) - Splat(frame.centre[bundle.axes[a]])) *
-          Splat(frame.inverseSize) -
+      q[a] =
+        (load(bundle.place[a]) - Splat(frame.centre[bundle.axes[a]])) * Splat(frame.inverseSize) -
         s * along;
       ForEachAxis(
         [&](auto d) PIXELEXACT_INLINED
@@ -163,7 +170,7 @@ void Look(const RayBundle& bundle, const ElementFrame& frame, const CurvedPiece&
       g[a] = Splat(piece.value[c]) - s * Splat(piece.value[k]) - q[a];
       error[a] = Splat(piece.error[c]) + Abs(s) * Splat(piece.error[k]) +
         Splat(8.0 * kUnitRoundoff) * (Abs(q[a]) + Abs(along)) +
-        Gather(bundle.slack.data(), at) * Splat(frame.inverseSize);
+        load(bundle.slack) * Splat(frame.inverseSize);
     }
     ForEachAxis(
       [&](auto d) PIXELEXACT_INLINED
@@ -180,7 +187,7 @@ void Look(const RayBundle& bundle, const ElementFrame& frame, const CurvedPiece&
     Lanes kappa = zero;
     // NaNs neither miss nor decide.
     LaneMask misses = zero < zero;
-    LaneMask decides = InList(i, from.count);
+    LaneMask decides = active;
     ForEachAxis(
       [&](auto r) PIXELEXACT_INLINED
       {
@@ -201,24 +208,23 @@ void Look(const RayBundle& bundle, const ElementFrame& frame, const CurvedPiece&
         misses = Or(
           misses, (Splat(piece.half[r]) + off) * Splat(1.0 + 1e-9) + Splat(1e-14) < Abs(first[r]));
       });
-    const LaneMask open = AndNot(InList(i, from.count), misses);
+    const LaneMask open = AndNot(active, misses);
     const LaneMask pair = And(open, decides);
     const LaneMask rest = AndNot(open, decides);
-    StorePacked(at, rest, unclear.ray.data() + many);
-    many += static_cast<int>(hwy::HWY_NAMESPACE::CountTrue(LaneTag(), rest));
     if (None(pair))
     {
-      continue;
+      return rest;
     }
     Lanes start[3];
     Lanes xi[3];
     ForEachAxis([&](auto d) PIXELEXACT_INLINED { start[d] = Splat(piece.centre[d]) - first[d]; });
     ClampTo(frame.shape, lower, upper, start, xi);
     const auto put = [&](int column, Lanes value) PIXELEXACT_INLINED
-    { StorePacked(value, pair, pairs.Column(column) + pairs.count); };
+    { Store(value, pairs.Column(column) + pairs.count); };
+    put(kOpenColumn, Select(pair, Splat(1.0), zero));
     const hwy::HWY_NAMESPACE::RebindToSigned<LaneTag> whole;
-    put(kRayColumn,
-      { hwy::HWY_NAMESPACE::ConvertTo(LaneTag(), hwy::HWY_NAMESPACE::LoadU(whole, at)) });
+    put(
+      kRayColumn, { hwy::HWY_NAMESPACE::ConvertTo(LaneTag(), hwy::HWY_NAMESPACE::Iota(whole, i)) });
     put(kPieceColumn, Splat(number));
     for (int a = 0; a < 2; ++a)
     {
@@ -240,14 +246,15 @@ void Look(const RayBundle& bundle, const ElementFrame& frame, const CurvedPiece&
         put(kFaceColumn + d, Splat(piece.slope[3][d]));
         put(kXiColumn + d, xi[d]);
       });
-    pairs.count += static_cast<int>(hwy::HWY_NAMESPACE::CountTrue(LaneTag(), pair));
-  }
-  unclear.count = many;
-  std::fill_n(unclear.ray.begin() + many, kLanePadding, 0);
+    pairs.count += LaneCount();
+    return rest;
+  };
+  const RaySet unclear = ForEachPack(rays, look);
   if (pairs.count > before)
   {
     pairs.pieces.push_back(&piece);
   }
+  return unclear;
 }
 
 /// A step of Newton's iteration with the slopes at xi where that stays in the piece, and with the
@@ -347,26 +354,9 @@ void Step(const RayBundle& bundle, const ElementFrame& frame, const double* valu
   }
 }
 
-void DropEnded(const double* result, PiecePairs& pairs)
-{
-  const Lanes again = Splat(static_cast<double>(PairResult::Again));
-  int kept = 0;
-  for (int i = 0; i < pairs.count; i += LaneCount())
-  {
-    const LaneMask stays = And(InList(i, pairs.count), Traits::Load(result + i) <= again);
-    for (int column = 0; column < kPairColumns; ++column)
-    {
-      double* numbers = pairs.Column(column);
-      StorePacked(Traits::Load(numbers + i), stays, numbers + kept);
-    }
-    kept += static_cast<int>(hwy::HWY_NAMESPACE::CountTrue(LaneTag(), stays));
-  }
-  pairs.count = kept;
-}
-
 const PieceKernels& Table()
 {
-  static const PieceKernels kTable{ MeetBox, Look, Step, DropEnded };
+  static const PieceKernels kTable{ MeetBox, Look, Step };
   return kTable;
 }
 } // namespace pixelexact::HWY_NAMESPACE

@@ -26,6 +26,7 @@ struct ElementFrame
 /// A ray and a piece that it may meet in one point at most, and how far the search is.
 enum PairColumn
 {
+  kOpenColumn, ///< 1: it counts; 0: it fills a pack, or has come to its end
   kRayColumn,
   kPieceColumn,                      ///< its number in PiecePairs
   kSlopeColumn,                      ///< 2: of the ray
@@ -43,7 +44,7 @@ enum PairColumn
 
 struct PiecePairs
 {
-  static constexpr int kMost = 512;
+  static constexpr int kMost = 768;
   static constexpr std::size_t kStride = kMost + 2 * kLanePadding;
 
   int count = 0;
@@ -55,6 +56,8 @@ struct PiecePairs
     count = 0;
     pieces.clear();
   }
+  /// Drops packs of which none is open.
+  void DropEnded();
   [[nodiscard]] double* Column(int column)
   {
     return columns.data() + static_cast<std::size_t>(column) * kStride;
@@ -71,18 +74,16 @@ enum class PairResult : std::uint8_t
 
 struct PieceKernels
 {
-  /// Of the listed rays, those that may meet the box within what is left of them.
-  void (*meetBox)(const RayBundle& bundle, const Box3& box, const RayList& from, RayList& to);
-  /// Of rays and a flat piece: appends pairs where there may be a hit; lists those to which the
-  /// piece bends too much. The others miss it, proven. There must be room.
-  void (*look)(const RayBundle& bundle, const ElementFrame& frame, const CurvedPiece& piece,
-    const RayList& from, PiecePairs& pairs, RayList& unclear);
+  /// Of these rays, those that may meet the box within what is left of them.
+  RaySet (*meetBox)(const RayBundle& bundle, const Box3& box, const RaySet& rays);
+  /// Of rays and a flat piece: appends pairs where there may be a hit; returns the rays to which
+  /// the piece bends too much. The others miss it, proven. There must be room.
+  RaySet (*look)(const RayBundle& bundle, const ElementFrame& frame, const CurvedPiece& piece,
+    const RaySet& rays, PiecePairs& pairs);
   /// A step of all pairs. `values` are y (3), f, their derivatives (9 and 3) at the pairs' xi, each
   /// `stride` after the other. Pairs that go on have moved.
   void (*step)(const RayBundle& bundle, const ElementFrame& frame, const double* values,
     std::size_t stride, PiecePairs& pairs, double* const position[3], double* result);
-  /// Drops the pairs that have ended.
-  void (*dropEnded)(const double* result, PiecePairs& pairs);
 };
 
 const PieceKernels& GetPieceKernels();

@@ -49,13 +49,13 @@ std::array<double, 2> PieceSolver::Across(int ray) const
   return q;
 }
 
-void PieceSolver::Look(const CurvedPiece& piece, const RayList& rays, RayList& unclear)
+RaySet PieceSolver::Look(const CurvedPiece& piece, const RaySet& rays)
 {
-  if (Work.pairs.count + rays.count > PiecePairs::kMost)
+  if (Work.pairs.count + RayBundle::kMost > PiecePairs::kMost)
   {
     Solve();
   }
-  GetPieceKernels().look(Bundle, Frame, piece, rays, Work.pairs, unclear);
+  return GetPieceKernels().look(Bundle, Frame, piece, rays, Work.pairs);
 }
 
 /// y, f and their derivatives at the pairs' xi.
@@ -141,7 +141,9 @@ void PieceSolver::Solve()
   PiecePairs& pairs = Work.pairs;
   double* const position[3] = { Work.ends[0].data(), Work.ends[1].data(), Work.ends[2].data() };
   double* const result = Work.ends[3].data();
-  while (pairs.count > 0)
+  double* isOpen = pairs.Column(kOpenColumn);
+  int left = static_cast<int>(std::count(isOpen, isOpen + pairs.count, 1.0));
+  while (left > 0)
   {
     Evaluate();
     GetPieceKernels().step(
@@ -149,10 +151,12 @@ void PieceSolver::Solve()
     for (std::size_t i = 0; i < static_cast<std::size_t>(pairs.count); ++i)
     {
       const auto end = static_cast<PairResult>(static_cast<int>(result[i]));
-      if (end != PairResult::Hit && end != PairResult::Unclear)
+      if (isOpen[i] == 0.0 || end == PairResult::Again)
       {
         continue;
       }
+      isOpen[i] = 0.0;
+      --left;
       const auto ray = static_cast<int>(pairs.Column(kRayColumn)[i]);
       if (end == PairResult::Hit)
       {
@@ -161,13 +165,13 @@ void PieceSolver::Solve()
           pairs.Column(kXiColumn + 2)[i]);
         Work.hits.push_back({ ray, Bundle.TimeAt(ray, x), x, xi });
       }
-      else
+      else if (end == PairResult::Unclear)
       {
         const auto piece = static_cast<std::size_t>(pairs.Column(kPieceColumn)[i]);
         Work.unclear.push_back({ pairs.pieces[piece], ray });
       }
     }
-    GetPieceKernels().dropEnded(result, pairs);
+    pairs.DropEnded();
   }
   pairs.Clear();
 }

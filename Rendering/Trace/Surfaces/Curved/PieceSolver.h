@@ -54,9 +54,9 @@ public:
   PieceSolver(const CurvedEquation& equation, const CurvedPart& part, const PartTree& tree,
     const RayBundle& bundle, SolverWork& work);
 
-  /// Of rays and a flat piece: lists for Solve where there may be a hit, and those to which the
-  /// piece bends too much.
-  void Look(const CurvedPiece& piece, const RayList& rays, RayList& unclear);
+  /// Of rays and a flat piece: lists for Solve where there may be a hit; returns the rays to which
+  /// the piece bends too much.
+  [[nodiscard]] RaySet Look(const CurvedPiece& piece, const RaySet& rays);
 
   /// Solves for all that is listed. Appends to the work's hits, and to `unclear` what did not come
   /// to an end.

@@ -6,14 +6,12 @@
 #include "Core/Math/Vec.h"
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <limits>
 
 namespace pixelexact
 {
-/// Numbers of rays of a bundle; lists are padded with 0.
-struct RayList;
-
 /// Neighbouring rays seen together: lines over one coordinate of space, along which all of them
 /// run. Boxes are tested against all at once, by what their places and slopes have in common.
 ///
@@ -79,9 +77,38 @@ private:
   Numbers Direction{}; ///< along axes[2]
 };
 
-struct RayList
+/// Some of a bundle's rays: a bit each.
+struct RaySet
 {
-  std::array<std::int64_t, RayBundle::kPadded> ray{};
-  int count = 0;
+  static constexpr std::size_t kWords = RayBundle::kMost / 64;
+  std::array<std::uint64_t, kWords> bits{};
+
+  static RaySet First(int count)
+  {
+    RaySet set;
+    for (int i = 0; i < count; ++i)
+    {
+      set.Add(i);
+    }
+    return set;
+  }
+  void Add(int ray)
+  {
+    bits[static_cast<std::size_t>(ray / 64)] |= std::uint64_t{ 1 }
+      << static_cast<unsigned>(ray % 64);
+  }
+  [[nodiscard]] bool IsEmpty() const { return (bits[0] | bits[1]) == 0; }
+  [[nodiscard]] int Count() const { return std::popcount(bits[0]) + std::popcount(bits[1]); }
+  template <class Visit>
+  void ForEach(Visit&& visit) const
+  {
+    for (std::size_t word = 0; word < kWords; ++word)
+    {
+      for (std::uint64_t left = bits[word]; left != 0; left &= left - 1)
+      {
+        visit(static_cast<int>(64 * word) + std::countr_zero(left));
+      }
+    }
+  }
 };
 } // namespace pixelexact

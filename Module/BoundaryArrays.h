@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef BoundaryArrays_h
+#define BoundaryArrays_h
+
+#include "CellElements.h"
+#include "Core/Faces/AttributedFace.h"
+
+namespace pixelexact
+{
+/// The faces with attributes that a grid's arrays list, of the cells that it still has, as elements
+/// of `mesh`; in ascending order, each once. None where it has no such arrays. Throws InvalidData,
+/// naming the array, where one is missing, of wrong type or size, or names what is no face.
+std::vector<AttributedFace> ReadBoundary(
+  vtkUnstructuredGrid* grid, const Mesh& mesh, const CellElements& cells, vtkIdType elements);
+} // namespace pixelexact
+#endif
