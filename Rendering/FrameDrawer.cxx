@@ -59,9 +59,9 @@ ViewFrame& FrameDrawer::Begin(
     view.source.DropFrame();
     throw;
   }
-  if (actor->GetProperty()->GetEdgeVisibility())
+  if (vtkProperty* const property = actor->GetProperty(); property->GetEdgeVisibility())
   {
-    request.edges = ToRgba(actor->GetProperty()->GetEdgeColor());
+    request.edges = EdgeStyle::Plain(property->GetLineWidth(), ToRgba(property->GetEdgeColor()));
   }
   return view;
 }

@@ -152,10 +152,10 @@ void FrameSource::MakeColors(const ColorKey& key)
   {
     Lights.emplace(std::move(materials), key.lights, key.lit);
   }
-  Outlines.reset();
+  Edges.reset();
   if (key.edges)
   {
-    Outlines.emplace(*key.edges);
+    Edges.emplace(*key.edges);
   }
   Colored = key;
 }
@@ -167,9 +167,9 @@ Pipeline FrameSource::ThePipeline()
   {
     pipeline.colors.push_back(&*Lights);
   }
-  if (Outlines)
+  if (Edges)
   {
-    pipeline.modules.push_back(&*Outlines);
+    pipeline.modules.push_back(&*Edges);
   }
   return pipeline;
 }

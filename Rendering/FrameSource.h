@@ -5,7 +5,7 @@
 #include "PixelExactRenderingModule.h"
 #include "Trace/FrameCost.h"
 #include "Trace/Modules/ColorMapping.h"
-#include "Trace/Modules/ElementOutlines.h"
+#include "Trace/Modules/ElementEdges.h"
 #include "Trace/Modules/Lighting.h"
 #include "Trace/ProgressiveFrame.h"
 #include "Trace/TileSamples.h"
@@ -63,7 +63,7 @@ struct FrameRequest
   bool translucent = false; ///< all of it, for somebody who blends frames over what is there
   /// A table whose range is to be that of the values shown; null: none.
   vtkScalarsToColors* fitted = nullptr;
-  std::optional<Rgba> edges; ///< of the colour that elements' edges get, where they are drawn
+  std::optional<EdgeStyle> edges; ///< of elements, where they are drawn
   /// Beyond what drawing needs.
   Buffer buffers = Buffer::None;
   /// What tracing may take. Where the frame is expected to take longer it is made coarse, and finer
@@ -160,7 +160,7 @@ private:
     Rgba unknown{};
     std::vector<Light> lights; ///< where a layer is lit
     LitView lit;
-    std::optional<Rgba> edges;
+    std::optional<EdgeStyle> edges;
 
     bool operator==(const ColorKey&) const = default;
   };
@@ -184,7 +184,7 @@ private:
   std::optional<ColorKey> Colored;  ///< what Colors and Lights were made of
   std::optional<ColorMapping> Colors;
   std::optional<Lighting> Lights;
-  std::optional<ElementOutlines> Outlines;
+  std::optional<ElementEdges> Edges;
   std::optional<ProgressiveFrame> Passes; ///< of a frame that is not complete
   std::optional<Frame> TheFrame;
   bool Complete = false;

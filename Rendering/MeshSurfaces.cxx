@@ -7,6 +7,7 @@
 
 #include "Core/Base/Error.h"
 #include "Core/Element/MeshRanges.h"
+#include "Core/Faces/AttributedFace.h"
 #include "Core/Faces/FaceTable.h"
 #include "Core/Questions/Questions.h"
 #include "Trace/Surfaces/ElementFaces.h"
@@ -16,6 +17,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 
 namespace pixelexact
 {
@@ -40,7 +42,7 @@ void RequireElements(const HighOrderModel& model, const std::vector<std::int64_t
 /// Such as "component 1 of field 'v'".
 std::string NameOf(const Field& field, int component)
 {
-  const std::string name = "field '" + field.name + "'";
+  std::string name = "field '" + field.name + "'";
   if (field.values.components == 1)
   {
     return name;
@@ -68,35 +70,58 @@ void RequireValue(const HighOrderModel& model, const Field& field, int component
                      : " has values from " + Digits(range.lower) + " to " + Digits(range.upper) +
           ", and " + Digits(value) + " is none of them; choose a value between"));
 }
-/// All faces of the elements that are chosen, or else those with nothing behind them, or not behind
-/// all of them.
-std::vector<ElementFace> FacesFor(const HighOrderModel& model, const BoundaryChoice& choice)
+
+/// Faces of the elements of a mesh that `keep` chooses.
+template <class Keep>
+void AddFaces(const Mesh& mesh, Keep keep, std::vector<ElementFace>& faces)
 {
-  const Mesh mesh = model.GetMesh();
-  std::vector<ElementFace> faces;
-  if (!choice.attributes.empty())
-  {
-    throw Unsupported("attributes of boundaries are not available yet; choose all of the boundary");
-  }
   for (int element = 0; element < mesh.Elements(); ++element)
   {
-    const bool chosen =
-      std::ranges::find(choice.elements, model.SourceCells()[static_cast<std::size_t>(element)]) !=
-      choice.elements.end();
     const auto count = static_cast<int>(FacesOf(mesh.ShapeOf(element)).size());
     for (int face = 0; face < count; ++face)
     {
-      const auto isBoundary = [&]
-      {
-        const FaceKind kind = model.Faces().KindOf(element, face);
-        return kind == FaceKind::Boundary || kind == FaceKind::Partly;
-      };
-      if (choice.elements.empty() ? isBoundary() : chosen)
+      if (keep(element, face))
       {
         faces.push_back({ element, face });
       }
     }
   }
+}
+
+/// What is chosen, added up; nothing: faces that have nothing behind them, or not behind all of
+/// them.
+std::vector<ElementFace> FacesFor(const HighOrderModel& model, const BoundaryChoice& choice)
+{
+  std::vector<ElementFace> faces;
+  if (choice == BoundaryChoice())
+  {
+    AddFaces(
+      model.GetMesh(),
+      [&](int element, int face)
+      {
+        const FaceKind kind = model.Faces().KindOf(element, face);
+        return kind == FaceKind::Boundary || kind == FaceKind::Partly;
+      },
+      faces);
+    return faces;
+  }
+  for (const int attribute : choice.attributes)
+  {
+    std::ranges::copy(
+      FacesOfAttribute(model.BoundaryFaces(), attribute), std::back_inserter(faces));
+  }
+  const auto cells = model.SourceCells();
+  AddFaces(
+    model.GetMesh(),
+    [&](int element, int /*face*/)
+    {
+      return std::ranges::find(choice.elements, cells[static_cast<std::size_t>(element)]) !=
+        choice.elements.end();
+    },
+    faces);
+  std::ranges::sort(faces);
+  const auto twice = std::ranges::unique(faces);
+  faces.erase(twice.begin(), twice.end());
   return faces;
 }
 

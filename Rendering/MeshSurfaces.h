@@ -26,8 +26,7 @@ struct BoundaryChoice
   bool operator==(const BoundaryChoice&) const = default;
 };
 
-/// Throws Error where the mesh has no such element, and no such face; Unsupported
-/// for attributes.
+/// Throws Error where the mesh has no such element or attribute.
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT std::shared_ptr<const Surface> MakeBoundary(
   const std::shared_ptr<const HighOrderModel>& model, const BoundaryChoice& choice);
 

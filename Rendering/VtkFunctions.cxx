@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VtkFunctions.h"
 
+#include "VtkSampledFunction.h"
+
 #include "Core/Base/Error.h"
 #include "Trace/Surfaces/Combined.h"
 #include "Trace/Surfaces/SearchedSurface.h"
@@ -14,7 +16,6 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
-#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -92,33 +93,6 @@ bool Add(vtkImplicitFunction* function, const ClosedForm& closedForm,
   }
   return true;
 }
-
-/// Functions keep data of their own while they are evaluated.
-class OneAtATime final : public SampledFunction
-{
-public:
-  explicit OneAtATime(vtkImplicitFunction* function)
-    : Function(function)
-  {
-  }
-  void Evaluate(std::span<const Vec3> x, std::span<double> values) const override
-  {
-    const std::scoped_lock lock(Mutex);
-    std::ranges::transform(
-      x, values.begin(), [this](const Vec3& point) { return ValueAt(Function, point); });
-  }
-  [[nodiscard]] Vec3 Gradient(const Vec3& x) const override
-  {
-    const std::scoped_lock lock(Mutex);
-    Vec3 gradient;
-    Function->FunctionGradient(glm::value_ptr(x), glm::value_ptr(gradient));
-    return gradient;
-  }
-
-private:
-  vtkSmartPointer<vtkImplicitFunction> Function;
-  mutable std::mutex Mutex;
-};
 } // namespace
 
 std::shared_ptr<const Surface> FromBoolean(
@@ -137,6 +111,7 @@ std::shared_ptr<const Surface> FromBoolean(
 std::shared_ptr<const Surface> FromAnyFunction(
   vtkImplicitFunction* function, const Box3& box, int samples)
 {
-  return std::make_shared<SearchedSurface>(std::make_shared<OneAtATime>(function), box, samples);
+  return std::make_shared<SearchedSurface>(
+    std::make_shared<VtkSampledFunction>(function, box), box, samples);
 }
 } // namespace pixelexact

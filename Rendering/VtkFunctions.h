@@ -23,7 +23,7 @@ using ClosedForm = std::function<std::shared_ptr<const Surface>(vtkImplicitFunct
   vtkImplicitBoolean* boolean, const ClosedForm& closedForm);
 
 /// Any function, by a search in a box (SearchedSurface) with so many samples. The function itself
-/// is asked, by one thread at a time.
+/// is asked (VtkSampledFunction).
 [[nodiscard]] std::shared_ptr<const Surface> FromAnyFunction(
   vtkImplicitFunction* function, const Box3& box, int samples);
 } // namespace pixelexact

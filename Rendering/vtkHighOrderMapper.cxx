@@ -13,7 +13,7 @@
 
 #include "Core/Base/Error.h"
 #include "Core/Location/Locator.h"
-#include "Trace/Surfaces/SearchedSurface.h"
+#include "Trace/Sheets.h"
 
 #include "vtkCommand.h"
 #include "vtkCompositeDataSet.h"
@@ -101,8 +101,7 @@ void vtkHighOrderMapper::Internals::Add(vtkHighOrderMapper* self, const pixelexa
   {
     cut.surface->Update();
   }
-  layer.surface =
-    Drawer.Surfaces().Of(cut, request.model, pixelexact::SearchedSurface::kUsualSamples);
+  layer.surface = Drawer.Surfaces().Of(cut, request.model, self->SearchSamples);
   request.layers.push_back(std::move(layer));
 }
 
@@ -276,6 +275,14 @@ void vtkHighOrderMapper::SetSurface(vtkHighOrderSurface* surface)
 vtkHighOrderSurface* vtkHighOrderMapper::GetSurface()
 {
   return this->Data->Surface;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkHighOrderMapper::GetNumberOfNumericHits()
+{
+  pixelexact::FrameSource* source = this->Data->Drawer.LastSource();
+  const pixelexact::Frame* frame = source != nullptr ? source->LastFrame() : nullptr;
+  return frame != nullptr ? frame->counters.numericHits : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -555,8 +562,14 @@ void vtkHighOrderMapper::Warn(vtkRenderer* renderer, vtkActor* actor)
 {
   const bool translucent =
     actor->GetProperty()->GetOpacity() < 1.0 || this->HasTranslucentPolygonalGeometry();
-  for (const std::string& text : this->Data->Drawer.Complain(
-         renderer, actor, pixelexact::SettingsWithoutEffect(this, actor, translucent)))
+  std::vector<std::string> texts = pixelexact::SettingsWithoutEffect(this, actor, translucent);
+  if (this->Data->Drawer.LastSource()->LastFrame()->counters.cutOff > 0)
+  {
+    texts.push_back("at some pixels more than " + std::to_string(pixelexact::Sheets::kMost) +
+      " translucent surfaces lie one behind the other, and what is behind these is not drawn: make "
+      "some opaque or invisible");
+  }
+  for (const std::string& text : this->Data->Drawer.Complain(renderer, actor, std::move(texts)))
   {
     vtkWarningMacro(<< text);
   }
@@ -604,6 +617,7 @@ void vtkHighOrderMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetUnknownColor(other->UnknownColor);
     this->SetProgressive(other->Progressive);
     this->SetLightFlat(other->LightFlat);
+    this->SetSearchSamples(other->SearchSamples);
     this->SetRangeMode(other->RangeMode);
     this->Data->Cuts = other->Data->Cuts;
     this->Data->Surface = other->Data->Surface;
@@ -630,6 +644,7 @@ void vtkHighOrderMapper::PrintSelf(ostream& os, vtkIndent indent)
     layer->PrintSelf(os, indent.GetNextIndent());
   }
   os << indent << "LightFlat: " << (this->LightFlat ? "on" : "off") << "\n";
+  os << indent << "SearchSamples: " << this->SearchSamples << "\n";
   os << indent << "RangeMode: "
      << (this->RangeMode == RANGE_AS_SET        ? "as set"
             : this->RangeMode == RANGE_OF_FIELD ? "of the field"

@@ -18,7 +18,7 @@
  *   ColorByArrayComponent), over the range of the field, of the cut, or a ScalarRange that was set
  *   (see SetRangeMode), or, with UseLookupTableScalarRange, over the table's own range. With
  *   ScalarVisibility off, the actor's colour. A pixel whose element could not be decided gets the
- *   UnknownColor. EdgeVisibility draws where elements meet.
+ *   UnknownColor. EdgeVisibility draws lines between elements, LineWidth wide.
  * - Several surfaces with looks of their own: AddLayer.
  * - Light: the renderer's, by the surface's exact normals and the actor's property; planes show
  *   their colours as they are unless LightFlat is on.
@@ -107,8 +107,7 @@ public:
    * are none and leave it. Where the nearest surface lies outside of the mesh, the next one shows.
    * In closed form, with their transforms, are vtkPlane, vtkSphere, vtkCylinder, vtkCone,
    * vtkQuadric, vtkBox, vtkPlanes, vtkImplicitTorus and vtkImplicitBoolean of these. Any other
-   * function is searched for along the rays, by samples: sheets of it that lie closer than these
-   * may be missing.
+   * function is searched for along the rays, by samples: see SetSearchSamples.
    */
   void SetCutFunction(vtkImplicitFunction* function);
   void AddCutFunction(vtkImplicitFunction* function);
@@ -127,6 +126,27 @@ public:
   void SetSurface(vtkHighOrderSurface* surface);
   vtkHighOrderSurface* GetSurface();
   ///@}
+
+  ///@{
+  /**
+   * At how many points of a ray a function without a closed form is sampled, from 2 to 65536; the
+   * default is 128. They lie evenly on the part of the ray in the mesh's box. Between two of
+   * different sign a zero is found, up to rounding. Overlooked are pairs of sheets between two
+   * samples, as if nothing was there (what lies behind shows), and places where the function
+   * touches zero without changing its sign; a jump from one sign to the other is taken for a zero.
+   * The thinner a body is against the mesh, the more samples it needs, and frames take longer in
+   * proportion to them.
+   */
+  vtkSetClampMacro(SearchSamples, int, 2, 65536);
+  vtkGetMacro(SearchSamples, int);
+  ///@}
+
+  /**
+   * How many samples of the last frame, sheets behind others included, lie on surfaces that were
+   * searched for, so that something may have been overlooked before them; 0 where all have closed
+   * forms. Samples outside of the mesh do not count.
+   */
+  vtkIdType GetNumberOfNumericHits();
 
   ///@{
   /**
@@ -253,6 +273,7 @@ protected:
   unsigned char UnknownColor[4] = { 255, 0, 255, 255 };
   bool Progressive = true;
   bool LightFlat = false;
+  int SearchSamples = 128;
   int RangeMode = RANGE_OF_FIELD;
 
 private:

@@ -18,7 +18,9 @@ foreach(module IN LISTS wrapped_modules)
 endforeach()
 set(package_folder "${PROJECT_BINARY_DIR}/${PIXELEXACT_PYTHON_DESTINATION}/pixelexact")
 configure_file("${CMAKE_CURRENT_LIST_DIR}/__init__.py.in" "${package_folder}/__init__.py" @ONLY)
+configure_file("${CMAKE_CURRENT_LIST_DIR}/_functions.py" "${package_folder}/_functions.py" COPYONLY)
 configure_file("${CMAKE_CURRENT_LIST_DIR}/_vtk.py.in" "${PROJECT_BINARY_DIR}/_vtk.py.in" @ONLY)
 file(GENERATE OUTPUT "${package_folder}/_vtk.py" INPUT "${PROJECT_BINARY_DIR}/_vtk.py.in")
-install(FILES "${package_folder}/__init__.py" "${package_folder}/_vtk.py"
+install(FILES "${package_folder}/__init__.py" "${package_folder}/_functions.py"
+  "${package_folder}/_vtk.py"
   DESTINATION "${PIXELEXACT_PYTHON_DESTINATION}/pixelexact")

@@ -130,6 +130,13 @@ private:
       Prepared.push_back(LongName(*option) + "=" + usual);
       return 0;
     }
+    double number = 0.0;
+    if (!joined && option->get_expected_min() == 0 &&
+      (at + 1 == Words.size() || !ParseNumber(Words[at + 1], number)))
+    {
+      Prepared.push_back(LongName(*option) + "=" + option->get_default_str());
+      return 0;
+    }
     if (!joined && at + 1 < Words.size() && !Words[at + 1].starts_with("--"))
     {
       rest = Words[at + 1];

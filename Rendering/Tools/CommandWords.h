@@ -16,6 +16,7 @@ namespace pixelexact
 /// - an option that takes a value and the word after it are joined as "--name=value", since values
 ///   may begin with a minus sign, which CLI11 takes for another option; words that begin with two
 ///   minus signs stay options;
+/// - an option that may have a number gets its default where no number follows it;
 /// - what follows the word "--" is left as it is.
 /// Throws UsageError for a word that names no command or no option of the command, an option given
 /// twice that takes one value, and an option without its value.

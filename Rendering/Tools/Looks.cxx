@@ -74,6 +74,7 @@ Buffer NeedsOfLooks(const Shot& shot)
     (shot.scene.layers.front().field != nullptr ? Buffer::Value : Buffer::None) |
     (shot.scene.layers.size() > 1 ? Buffer::Layer : Buffer::None) |
     (AnyLit(shot) ? Buffer::Position | Buffer::Normal : Buffer::None) |
+    (shot.edges ? ElementEdges(*shot.edges).Needs().centres : Buffer::None) |
     (shot.outlines ? ElementOutlines().Needs().centres : Buffer::None);
 }
 
@@ -108,6 +109,10 @@ Looks::Looks(const ColorOptions& colors, const Shot& shot, const Frame& frame)
   {
     Smooth.emplace(shot.samples);
   }
+  if (shot.edges)
+  {
+    Edges.emplace(*shot.edges);
+  }
   if (shot.outlines)
   {
     Outlines.emplace(ToRgba(shot.outlines->data()));
@@ -126,6 +131,10 @@ Pipeline Looks::MakePipeline()
     pipeline.modules.push_back(&*Smooth);
   }
   // Last, so that nothing smooths them.
+  if (Edges)
+  {
+    pipeline.modules.push_back(&*Edges);
+  }
   if (Outlines)
   {
     pipeline.modules.push_back(&*Outlines);

@@ -3,6 +3,7 @@
 
 #include "Trace/Modules/Antialiasing.h"
 #include "Trace/Modules/ColorMapping.h"
+#include "Trace/Modules/ElementEdges.h"
 #include "Trace/Modules/ElementOutlines.h"
 #include "Trace/Modules/Lighting.h"
 
@@ -16,7 +17,7 @@ class ColorOptions;
 struct Shot;
 
 /// How the layers of a shot are shown: colour maps over their ranges, lights, anti-aliasing,
-/// outlines.
+/// edges, outlines.
 class Looks
 {
 public:
@@ -42,6 +43,7 @@ private:
   std::optional<ColorMapping> Colors;
   std::optional<Lighting> Lights;
   std::optional<Antialiasing> Smooth;
+  std::optional<ElementEdges> Edges;
   std::optional<ElementOutlines> Outlines;
 };
 

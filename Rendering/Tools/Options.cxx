@@ -154,6 +154,26 @@ AddedOption AddNumber(CLI::App& command, const std::string& name, std::optional<
     form, help);
 }
 
+AddedOption AddNumberIfAny(CLI::App& command, const std::string& name,
+  std::optional<double>& number, const NumberLimits& limits, const char* form,
+  const std::string& help)
+{
+  const auto read = [&number, name, limits](const std::string& text)
+  {
+    double value = 0.0;
+    if (!ParseNumber(text, value) || !(value >= limits.lowest && value <= limits.highest))
+    {
+      Refuse(name, text, fmt::format("a number from {} to {}", limits.lowest, limits.highest));
+    }
+    number = value;
+  };
+  // PrepareWords puts the default where it is left out.
+  return AddedOption(command.add_option_function<std::string>(name, read, help)
+                       ->type_name(fmt::format("[{}]", form))
+                       ->default_str(fmt::format("{}", limits.unsaid))
+                       ->expected(0, 1));
+}
+
 AddedOption AddNumbers(CLI::App& command, const std::string& name, std::vector<double>& numbers,
   int count, const char* form, const std::string& help)
 {

@@ -55,6 +55,16 @@ AddedOption AddInteger(CLI::App& command, const std::string& name, int& number, 
 /// A finite number.
 AddedOption AddNumber(CLI::App& command, const std::string& name, std::optional<double>& number,
   const char* form, const std::string& help);
+struct NumberLimits
+{
+  double unsaid; ///< the number of an option that is given without one
+  double lowest;
+  double highest;
+};
+/// A number within limits, which may be left out after the option's name.
+AddedOption AddNumberIfAny(CLI::App& command, const std::string& name,
+  std::optional<double>& number, const NumberLimits& limits, const char* form,
+  const std::string& help);
 /// `count` comma-separated finite numbers, given at most once.
 AddedOption AddNumbers(CLI::App& command, const std::string& name, std::vector<double>& numbers,
   int count, const char* form, const std::string& help);

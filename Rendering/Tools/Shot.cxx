@@ -7,6 +7,9 @@
 #include "Core/Base/Error.h"
 #include "Core/Location/Locator.h"
 
+#include "VtkLook.h"
+
+#include <fmt/format.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
@@ -48,8 +51,17 @@ void ShotOptions::AddTo(CLI::App& added, bool required)
     "Shine a light from the eye on curved surfaces (curved, the default), on all, on none");
   AddInteger(added, "--samples", samples, 1, 1024, "N",
     "Samples in pixels that are not of one colour, for smooth edges (default: 1)");
+  const AddedOption edged = AddNumberIfAny(added, "--edges", edgeWidth,
+    { EdgeStyle().width, EdgeStyle::kNarrowest, EdgeStyle::kWidest }, "PIXELS",
+    fmt::format("Draw lines where the surface crosses from one element into another, of a width in "
+                "pixels, {} to {}",
+      EdgeStyle::kNarrowest, EdgeStyle::kWidest));
+  AddNumbers(
+    added, "--edge-color", edgeColor, 3, "r,g,b", "Their colour, 0 to 1 each (default: 0,0,0)")
+    .Needs(edged);
   const AddedOption drawn =
-    AddFlag(added, "--outlines", outlines, "Paint the pixels in which elements, or surfaces, meet");
+    AddFlag(added, "--outlines", outlines, "Paint the pixels in which elements, or surfaces, meet")
+      .Excludes(edged);
   AddNumbers(added, "--outline-color", outlineColor, 3, "r,g,b",
     "Their colour, 0 to 1 each (default: 0,0,0)")
     .Needs(drawn);
@@ -138,11 +150,16 @@ Shot Prepare(const ShotOptions& options, Stopwatch& stopwatch)
 {
   options.camera.Check();
   options.colors.Check();
+  CheckColor("--edge-color", options.edgeColor);
   CheckColor("--outline-color", options.outlineColor);
   Shot shot;
   shot.size = options.size;
   shot.lights = options.lights;
   shot.samples = options.samples;
+  if (options.edgeWidth)
+  {
+    shot.edges = EdgeStyle::Plain(*options.edgeWidth, ToRgba(options.edgeColor.data()));
+  }
   if (options.outlines)
   {
     shot.outlines.emplace();
@@ -154,6 +171,7 @@ Shot Prepare(const ShotOptions& options, Stopwatch& stopwatch)
   WarnOfDiagnostics(shot.input);
   const HighOrderModel& model = *shot.input.model;
   std::vector<std::shared_ptr<const Surface>> surfaces;
+  surfaces.reserve(given.size());
   for (const GivenSurface& surface : given)
   {
     surfaces.push_back(surface(shot.input.model));

@@ -10,6 +10,7 @@
 #include "SurfaceOptions.h"
 
 #include "Trace/Camera.h"
+#include "Trace/Modules/ElementEdges.h"
 #include "Trace/Scene.h"
 
 #include <array>
@@ -44,6 +45,8 @@ struct ShotOptions
   Precision precision = Precision::Double;
   Lit lights = Lit::Curved;
   int samples = 1;
+  std::optional<double> edgeWidth; ///< pixels; none: no edges
+  std::vector<double> edgeColor{ 0.0, 0.0, 0.0 };
   bool outlines = false;
   std::vector<double> outlineColor{ 0.0, 0.0, 0.0 };
 
@@ -64,6 +67,7 @@ struct Shot
   ImageSize size;
   Lit lights = Lit::Curved;
   int samples = 1;                               ///< in pixels that are not of one colour
+  std::optional<EdgeStyle> edges;                ///< none: none
   std::optional<std::array<double, 3>> outlines; ///< the colour of elements' outlines; none: none
 
   [[nodiscard]] Camera MakeCamera() const { return { view, size.width, size.height }; }

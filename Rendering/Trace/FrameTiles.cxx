@@ -97,33 +97,54 @@ int TilesOf(const SampleLattice& lattice, int width, int height)
 
 namespace
 {
-/// work(area, counters) for each tile of columns x rows samples, in parallel.
+/// Whether a scene, which may be null, has to be traced by the calling thread.
+bool NeedsCallingThread(const Scene* scene)
+{
+  return scene != nullptr &&
+    std::ranges::any_of(
+      scene->layers, [](const Layer& layer) { return layer.surface->NeedsCallingThread(); });
+}
+
+/// work(area, counters) for each tile of columns x rows samples, in parallel where the scene, which
+/// may be null, allows it.
 template <class Work>
-FrameCounters ForEachTile(int columns, int rows, StageTimes* stages, const Work& work)
+FrameCounters ForEachTile(
+  const Scene* scene, int columns, int rows, StageTimes* stages, const Work& work)
 {
   const int across = TilesAlong(columns);
   FrameCounters total;
   std::mutex mutex;
-  tbb::parallel_for(0, across * TilesAlong(rows),
-    [&](int tile)
+  const auto one = [&](int tile)
+  {
+    const int x = tile % across * kTileSize;
+    const int y = tile / across * kTileSize;
+    FrameCounters counters;
+    std::optional<StageClock> clock;
+    if (stages)
     {
-      const int x = tile % across * kTileSize;
-      const int y = tile / across * kTileSize;
-      FrameCounters counters;
-      std::optional<StageClock> clock;
-      if (stages)
-      {
-        clock.emplace();
-      }
-      work(TileArea{ x, y, std::min(x + kTileSize, columns), std::min(y + kTileSize, rows) },
-        counters);
-      const std::scoped_lock lock(mutex);
-      if (clock)
-      {
-        std::ranges::transform(clock->Times(), *stages, stages->begin(), std::plus<>());
-      }
-      AddCounters(counters, total);
-    });
+      clock.emplace();
+    }
+    work(
+      TileArea{ x, y, std::min(x + kTileSize, columns), std::min(y + kTileSize, rows) }, counters);
+    const std::scoped_lock lock(mutex);
+    if (clock)
+    {
+      std::ranges::transform(clock->Times(), *stages, stages->begin(), std::plus<>());
+    }
+    AddCounters(counters, total);
+  };
+  const int tiles = across * TilesAlong(rows);
+  if (NeedsCallingThread(scene))
+  {
+    for (int tile = 0; tile < tiles; ++tile)
+    {
+      one(tile);
+    }
+  }
+  else
+  {
+    tbb::parallel_for(0, tiles, one);
+  }
   return total;
 }
 } // namespace
@@ -134,7 +155,7 @@ FrameCounters TraceLattice(const Scene& scene, const Camera& camera, const Sampl
   const int width = sheets.At(0).width;
   const int columns = SamplesAlong(lattice.x0, lattice.step, width);
   const int rows = SamplesAlong(lattice.y0, lattice.step, sheets.At(0).height);
-  FrameCounters total = ForEachTile(columns, rows, stages,
+  FrameCounters total = ForEachTile(&scene, columns, rows, stages,
     [&](const TileArea& area, FrameCounters& counters)
     {
       if (reporter.IsAborted())
@@ -197,7 +218,7 @@ FrameCounters RunPipeline(const Scene* scene, const Camera* camera, const Pipeli
   Frame& frame, StageTimes* stages)
 {
   BeginPipeline(pipeline, frame);
-  return ForEachTile(frame.width, frame.height, stages,
+  return ForEachTile(scene, frame.width, frame.height, stages,
     [&](const TileArea& area, FrameCounters& counters)
     { RunPipelineOn(area, scene, camera, pipeline, frame, counters); });
 }

@@ -29,6 +29,8 @@ struct HitResults
   std::span<double> value; ///< of the component that is shown
   std::span<double> lower; ///< of the same
   std::span<double> upper;
+  /// Of hits that are not outside, where they were asked for together.
+  std::span<const Vec3> normals;
 
   [[nodiscard]] int RayOf(std::size_t i) const { return ray ? ray[i] : static_cast<int>(i); }
   [[nodiscard]] int SlotOf(std::size_t i) const { return slotOf ? slotOf[i] : slot; }
@@ -36,9 +38,13 @@ struct HitResults
   {
     return { position[0][i], position[1][i], position[2][i] };
   }
+  [[nodiscard]] SurfacePoint Point(std::size_t i) const
+  {
+    return slots->PointOf(SlotOf(i), RayOf(i));
+  }
   [[nodiscard]] Vec3 Normal(std::size_t i) const
   {
-    return layer->surface->Normal(slots->PointOf(SlotOf(i), RayOf(i)));
+    return normals.empty() ? layer->surface->Normal(Point(i)) : normals[i];
   }
   [[nodiscard]] HitStatus Status(std::size_t i) const
   {

@@ -49,13 +49,16 @@ std::int64_t CountNonFinite(
 }
 } // namespace
 
-void HitWriter::Write(const Locator& locator, const HitResults& found,
-  std::span<const std::size_t> place, std::span<const int> depth, Sheets& sheets,
-  FrameCounters& counters)
+void HitWriter::Write(const Locator& locator, HitResults found, std::span<const std::size_t> place,
+  std::span<const int> depth, Sheets& sheets, FrameCounters& counters)
 {
   if (!sheets.At(0).coverage.empty())
   {
     CountOwners(locator, found, place, depth, sheets.At(0));
+  }
+  if (!sheets.At(0).normal.empty() && found.layer->surface->HasCostlyNormals())
+  {
+    AskNormals(found);
   }
   if (depth.empty())
   {
@@ -81,6 +84,33 @@ void HitWriter::Write(const Locator& locator, const HitResults& found,
     }
     WriteSheet(sheet, found, verdicts, place, sheets, counters);
   }
+}
+
+void HitWriter::AskNormals(HitResults& found)
+{
+  const std::size_t count = found.verdict.size();
+  Points.clear();
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    if (found.verdict[i] != Verdict::Outside)
+    {
+      Points.push_back(found.Point(i));
+    }
+  }
+  const auto asked = Room(Asked, Points.size());
+  if (!Points.empty())
+  {
+    found.layer->surface->Normals(Points, asked);
+  }
+  const auto normals = Room(Normals, count);
+  for (std::size_t i = 0, k = 0; i < count; ++i)
+  {
+    if (found.verdict[i] != Verdict::Outside)
+    {
+      normals[i] = asked[k++];
+    }
+  }
+  found.normals = normals;
 }
 
 void HitWriter::CountOwners(const Locator& locator, const HitResults& found,

@@ -18,10 +18,12 @@ public:
   /// `place`: of each hit in the buffers; `depth`: by ray, the sheet that it has come to, empty:
   /// the nearest. Hits that are outside of the mesh are written nowhere but where owners are
   /// counted.
-  void Write(const Locator& locator, const HitResults& found, std::span<const std::size_t> place,
+  void Write(const Locator& locator, HitResults found, std::span<const std::size_t> place,
     std::span<const int> depth, Sheets& sheets, FrameCounters& counters);
 
 private:
+  /// All normals at once, of a surface to which each question costs much.
+  void AskNormals(HitResults& found);
   void CountOwners(const Locator& locator, const HitResults& found,
     std::span<const std::size_t> place, std::span<const int> depth, SampleBuffers& nearest);
   void WriteSheet(int sheet, const HitResults& found, std::span<const Verdict> verdicts,
@@ -30,6 +32,9 @@ private:
   SampleWriter Writer;
   std::vector<Verdict> OfSheet;
   std::vector<Vec3> Positions;
+  std::vector<SurfacePoint> Points;
+  std::vector<Vec3> Asked;
+  std::vector<Vec3> Normals; ///< of hits, by number
   std::vector<Owners> Counted;
 };
 } // namespace pixelexact

@@ -117,8 +117,20 @@ void TileVisit::RequireTracing() const
 {
   if (TheScene == nullptr || TheCamera == nullptr)
   {
-    throw Error("a module asks for more samples of a frame that only gets other colours; trace it");
+    throw Error("a module asks for the scene of a frame that only gets other colours; trace it");
   }
+}
+
+const Scene& TileVisit::GetScene() const
+{
+  RequireTracing();
+  return *TheScene;
+}
+
+const Camera& TileVisit::GetCamera() const
+{
+  RequireTracing();
+  return *TheCamera;
 }
 
 SampleBuffers TileVisit::Trace(std::span<const ImagePosition> positions, Buffer wanted)

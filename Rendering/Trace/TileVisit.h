@@ -31,6 +31,10 @@ public:
   /// The frame; of the area's pixels alone.
   [[nodiscard]] Frame& GetFrame() { return TheFrame; }
 
+  /// What is traced, and from where. Throw Error where nothing can be traced.
+  [[nodiscard]] const Scene& GetScene() const;
+  [[nodiscard]] const Camera& GetCamera() const;
+
   /// The corners of the area's pixels, (width + 1) x (height + 1), with the buffers that the
   /// modules need. Their colours are made by Image, if a module needs them coloured.
   [[nodiscard]] SampleBuffers& Corners();

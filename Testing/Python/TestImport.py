@@ -21,6 +21,7 @@ CLASSES = [
     "vtkHighOrderRayPass",
     "vtkHighOrderSeriesReader",
     "vtkHighOrderTriangleSurface",
+    "vtkImplicitCallback",
     "vtkImplicitTorus",
     "vtkMFEMReader",
     "vtkNektarReader",

@@ -324,20 +324,36 @@ TEST_F(StockSettings, EdgeVisibilityDrawsWhereElementsMeet)
   EXPECT_EQ(Warnings->Text, "");
   const std::vector<Rgb> edges = Picture();
   vtkDataArray* position = Scene.Mapper->GetBuffers()->GetPointData()->GetArray("Position");
-  int lines = 0;
-  for (std::size_t i = 0; i < edges.size(); ++i)
+  // The lines' part of the pixels, whose colours are mixed with theirs.
+  const auto covered = [&]
   {
-    if (edges[i] == plain[i])
+    double sum = 0.0;
+    const std::vector<Rgb> shown = Picture();
+    for (std::size_t i = 0; i < shown.size(); ++i)
     {
-      continue;
+      if (shown[i] == plain[i])
+      {
+        continue;
+      }
+      const double* x = position->GetTuple3(static_cast<vtkIdType>(i));
+      // At inner faces, and at the mesh's boundary.
+      EXPECT_LT(
+        std::min({ std::abs(x[0]), std::abs(x[1]), 1.0 - std::abs(x[0]), 1.0 - std::abs(x[1]) }),
+        0.1)
+        << x[0] << ", " << x[1];
+      sum += (plain[i][0] - shown[i][0]) / std::max(1.0, static_cast<double>(plain[i][0]));
     }
-    ++lines;
-    EXPECT_EQ(edges[i], (Rgb{ 0, 255, 0 }));
-    const double* x = position->GetTuple3(static_cast<vtkIdType>(i));
-    EXPECT_LT(std::min(std::abs(x[0]), std::abs(x[1])), 0.03) << x[0] << ", " << x[1];
-  }
-  EXPECT_GT(lines, 150);
-  // Another colour traces nothing but what it asks for anew.
+    return sum;
+  };
+  const double thin = covered();
+  EXPECT_GT(thin, 100.0);
+  // Another width and colour trace nothing.
+  const vtkIdType before = Scene.Mapper->GetNumberOfTraces();
+  Scene.Cut->GetProperty()->SetLineWidth(3.0F);
+  Render();
+  EXPECT_NEAR(covered() / thin, 3.0, 0.2);
+  EXPECT_EQ(Scene.Mapper->GetNumberOfTraces(), before);
+  Scene.Cut->GetProperty()->SetLineWidth(1.0F);
   Scene.Cut->GetProperty()->SetEdgeColor(0.0, 0.0, 1.0);
   const vtkIdType traces = Scene.Mapper->GetNumberOfTraces();
   Render();
@@ -351,6 +367,9 @@ TEST_F(StockSettings, EdgeVisibilityDrawsWhereElementsMeet)
   Scene.Cut->GetProperty()->SetOpacity(0.5);
   Render();
   EXPECT_NE(Warnings->Text.find("EdgeVisibility"), std::string::npos) << Warnings->Text;
+  Scene.Cut->GetProperty()->SetLineWidth(100.0F);
+  Render();
+  EXPECT_NE(Errors->Text.find("line width of 100 pixels"), std::string::npos) << Errors->Text;
 }
 
 TEST_F(StockSettings, LogarithmsOfWhatIsNotAboveZero)

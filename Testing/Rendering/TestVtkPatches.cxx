@@ -48,7 +48,9 @@ std::array<long double, 3> Evaluate(const BezierPatch& patch, double u, double v
     std::vector<std::array<long double, 3>> row;
     for (int j = 0; j <= patch.degree[1]; ++j)
     {
-      const Vec3& p = patch.points[static_cast<std::size_t>(i * (patch.degree[1] + 1) + j)];
+      const Vec3& p =
+        patch.points[static_cast<std::size_t>(i) * (static_cast<std::size_t>(patch.degree[1]) + 1) +
+          static_cast<std::size_t>(j)];
       row.push_back({ p.x, p.y, p.z });
     }
     column.push_back(along(row, v));
@@ -151,7 +153,9 @@ TEST(VtkPatches, PlainPointsAreBicubicRowsOfU)
   vtkNew<vtkPoints> points;
   for (int k = 0; k < 32; ++k)
   {
-    points->InsertNextPoint(k / 4, k % 4, k / 16);
+    const int row = k / 4;
+    const int patch = k / 16;
+    points->InsertNextPoint(row, k % 4, patch);
   }
   vtkNew<vtkPolyData> data;
   data->SetPoints(points);

@@ -29,7 +29,10 @@ public:
       values[i] = F(x[i]);
     }
   }
-  [[nodiscard]] Vec3 Gradient(const Vec3& x) const override { return 2.0 * x; }
+  void Gradients(std::span<const Vec3> x, std::span<Vec3> gradients) const override
+  {
+    std::ranges::transform(x, gradients.begin(), [](const Vec3& at) { return 2.0 * at; });
+  }
 
 private:
   std::function<double(const Vec3&)> F;

@@ -5,7 +5,7 @@
 #include "Core/Math/Rounding.h"
 #include "Core/Questions/Questions.h"
 #include "Trace/Surfaces/Arguments.h"
-#include "Trace/Surfaces/Curved/FaceNormal.h"
+#include "Trace/Surfaces/Curved/FaceNormals.h"
 
 #include <glm/common.hpp>
 
@@ -155,9 +155,9 @@ BezierPatches::BezierPatches(std::unique_ptr<const Storage> storage)
 
 BezierPatches::~BezierPatches() = default;
 
-Vec3 BezierPatches::Normal(const SurfacePoint& point) const
+void BezierPatches::NormalsOf(
+  const CurvedPart& part, std::span<const Vec3> xi, std::span<Vec3> normals) const
 {
-  const Vec3 xi(point.parameters[0], point.parameters[1], -1.0);
-  return FaceNormal(Equation().mesh, PartOf(point.piece), xi);
+  FaceNormals(Equation().mesh, part, xi, normals);
 }
 } // namespace pixelexact

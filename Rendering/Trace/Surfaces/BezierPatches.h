@@ -24,12 +24,12 @@ public:
   BezierPatches(const BezierPatches&) = delete;
   BezierPatches& operator=(const BezierPatches&) = delete;
 
-  [[nodiscard]] Vec3 Normal(const SurfacePoint& point) const override;
-
   /// What a surface is made of, and the arrays that it is a view of.
   struct Storage;
 
 protected:
+  void NormalsOf(
+    const CurvedPart& part, std::span<const Vec3> xi, std::span<Vec3> normals) const override;
   [[nodiscard]] bool TellsElements() const override { return false; }
 
 private:

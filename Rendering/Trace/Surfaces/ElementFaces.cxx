@@ -3,7 +3,7 @@
 
 #include "Core/Questions/Questions.h"
 #include "Trace/Surfaces/Arguments.h"
-#include "Trace/Surfaces/Curved/FaceNormal.h"
+#include "Trace/Surfaces/Curved/FaceNormals.h"
 
 #include <string>
 
@@ -49,8 +49,9 @@ ElementFaces::ElementFaces(const ElementIndex& index, std::span<const ElementFac
 {
 }
 
-Vec3 ElementFaces::Normal(const SurfacePoint& point) const
+void ElementFaces::NormalsOf(
+  const CurvedPart& part, std::span<const Vec3> xi, std::span<Vec3> normals) const
 {
-  return FaceNormal(Equation().mesh, PartOf(point.piece), point.xi);
+  FaceNormals(Equation().mesh, part, xi, normals);
 }
 } // namespace pixelexact

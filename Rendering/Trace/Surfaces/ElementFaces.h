@@ -18,7 +18,10 @@ public:
   /// exist.
   ElementFaces(const ElementIndex& index, std::span<const ElementFace> faces);
 
-  [[nodiscard]] Vec3 Normal(const SurfacePoint& point) const override;
   [[nodiscard]] bool IsOfMesh() const override { return true; }
+
+protected:
+  void NormalsOf(
+    const CurvedPart& part, std::span<const Vec3> xi, std::span<Vec3> normals) const override;
 };
 } // namespace pixelexact

@@ -92,23 +92,27 @@ IsoSurface::IsoSurface(
 {
 }
 
-Vec3 IsoSurface::Normal(const SurfacePoint& point) const
+void IsoSurface::NormalsOf(
+  const CurvedPart& part, std::span<const Vec3> xi, std::span<Vec3> normals) const
 {
   const auto components = static_cast<std::size_t>(TheField.values.components);
-  std::vector<double> value(components);
-  std::vector<double> gradient(3 * components);
-  EvaluateAt(Equation().mesh, TheField, point.element, std::span(&point.xi, 1), value, gradient);
-  Vec3 normal(0.0);
-  for (std::size_t c = 0; c < components; ++c)
+  const bool squares = Equation().component == kMagnitude;
+  std::vector<double> values(components * xi.size());
+  std::vector<double> gradients(3 * values.size());
+  EvaluateAt(Equation().mesh, TheField, part.element, xi, values, gradients);
+  for (std::size_t i = 0; i < xi.size(); ++i)
   {
-    const bool counts =
-      Equation().component == kMagnitude || static_cast<int>(c) == Equation().component;
-    const double weight = !counts          ? 0.0
-      : Equation().component == kMagnitude ? value[c] / Equation().value
-                                           : 1.0;
-    normal += weight * Vec3(gradient[3 * c], gradient[3 * c + 1], gradient[3 * c + 2]);
+    Vec3 normal(0.0);
+    for (std::size_t c = 0; c < components; ++c)
+    {
+      const double* gradient = &gradients[3 * (i * components + c)];
+      const double weight = squares ? values[i * components + c] / Equation().value
+        : static_cast<int>(c) == Equation().component ? 1.0
+                                                      : 0.0;
+      normal += weight * Vec3(gradient[0], gradient[1], gradient[2]);
+    }
+    const double size = LargestOf(normal);
+    normals[i] = size > 0.0 && std::isfinite(size) ? UnitDirection(normal / size) : Vec3(0.0);
   }
-  const double size = LargestOf(normal);
-  return size > 0.0 && std::isfinite(size) ? UnitDirection(normal / size) : Vec3(0.0);
 }
 } // namespace pixelexact

@@ -20,8 +20,11 @@ public:
   /// H(div), density).
   IsoSurface(const ElementIndex& index, const Field& field, int component, double value);
 
-  [[nodiscard]] Vec3 Normal(const SurfacePoint& point) const override;
   [[nodiscard]] bool IsOfMesh() const override { return true; }
+
+protected:
+  void NormalsOf(
+    const CurvedPart& part, std::span<const Vec3> xi, std::span<Vec3> normals) const override;
 
 private:
   struct Elements;

@@ -205,8 +205,25 @@ void SearchedSurface::Meet(const RayLanes& rays, HitSlots& hits) const
 
 Vec3 SearchedSurface::Normal(const SurfacePoint& point) const
 {
-  const Vec3 gradient = F->Gradient(point.position);
-  const double size = LargestOf(gradient);
-  return size > 0.0 && std::isfinite(size) ? UnitDirection(gradient / size) : Vec3(0.0);
+  Vec3 normal;
+  Normals({ &point, 1 }, { &normal, 1 });
+  return normal;
+}
+
+void SearchedSurface::Normals(std::span<const SurfacePoint> points, std::span<Vec3> normals) const
+{
+  const CheckedOut<Scratch> scratch;
+  std::vector<Vec3>& positions = (*scratch).points;
+  positions.clear();
+  for (const SurfacePoint& point : points)
+  {
+    positions.push_back(point.position);
+  }
+  F->Gradients(positions, normals);
+  for (Vec3& normal : normals)
+  {
+    const double size = LargestOf(normal);
+    normal = size > 0.0 && std::isfinite(size) ? UnitDirection(normal / size) : Vec3(0.0);
+  }
 }
 } // namespace pixelexact

@@ -9,14 +9,15 @@
 namespace pixelexact
 {
 /// A function f of position of which nothing is known but its values. Called from several threads
-/// at once.
+/// at once, but see Surface::NeedsCallingThread. May throw.
 class SampledFunction
 {
 public:
   virtual ~SampledFunction() = default;
   virtual void Evaluate(std::span<const Vec3> x, std::span<double> values) const = 0;
   /// Of any length; where it is zero or not finite the surface has no normal.
-  [[nodiscard]] virtual Vec3 Gradient(const Vec3& x) const = 0;
+  virtual void Gradients(std::span<const Vec3> x, std::span<Vec3> gradients) const = 0;
+  [[nodiscard]] virtual bool NeedsCallingThread() const { return false; }
 };
 
 /// Where f changes its sign, found by a search: f is sampled at points that lie evenly on the part
@@ -39,6 +40,8 @@ public:
   void Meet(const RayLanes& rays, HitSlots& hits) const override;
   /// Along the gradient; zero where there is none.
   [[nodiscard]] Vec3 Normal(const SurfacePoint& point) const override;
+  void Normals(std::span<const SurfacePoint> points, std::span<Vec3> normals) const override;
+  [[nodiscard]] bool NeedsCallingThread() const override { return F->NeedsCallingThread(); }
 
 private:
   std::shared_ptr<const SampledFunction> F;

@@ -5,6 +5,12 @@
 
 namespace pixelexact
 {
+void Surface::Normals(std::span<const SurfacePoint> points, std::span<Vec3> normals) const
+{
+  std::ranges::transform(
+    points, normals.begin(), [this](const SurfacePoint& point) { return Normal(point); });
+}
+
 std::vector<Hit> HitsOf(const Surface& surface, const Ray& ray, double tNear, double tFar)
 {
   double lanes[8][kLanePadding];

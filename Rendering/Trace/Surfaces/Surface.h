@@ -5,6 +5,7 @@
 #include "Trace/Rays.h"
 #include "Trace/Surfaces/HitSlots.h"
 
+#include <span>
 #include <vector>
 
 namespace pixelexact
@@ -18,12 +19,22 @@ public:
   virtual ~Surface() = default;
 
   /// All hits of each ray with tNear <= t <= tFar, once each, in order. Called from several threads
-  /// at once, with some rays of a tile, which are neighbours in the image. A ray's hits depend on
-  /// that ray alone.
+  /// at once (but see NeedsCallingThread), with some rays of a tile, which are neighbours in the
+  /// image. A ray's hits depend on that ray alone. What it throws ends the frame.
   virtual void Meet(const RayLanes& rays, HitSlots& hits) const = 0;
 
   /// The unit normal at a point of the surface that Meet found, on either side.
   [[nodiscard]] virtual Vec3 Normal(const SurfacePoint& point) const = 0;
+
+  /// The same of several points.
+  virtual void Normals(std::span<const SurfacePoint> points, std::span<Vec3> normals) const;
+
+  /// Whether normals are asked for together: many of them cost little more than one.
+  [[nodiscard]] virtual bool HasCostlyNormals() const { return NeedsCallingThread(); }
+
+  /// Whether it asks somebody who answers the thread alone that called the tracer, and many
+  /// questions as fast as one. All tiles are then traced by that thread, one after the other.
+  [[nodiscard]] virtual bool NeedsCallingThread() const { return false; }
 
   /// Whether its normal is everywhere the same: it is then not lit unless asked for.
   [[nodiscard]] virtual bool IsFlat() const { return false; }

@@ -208,6 +208,29 @@ void CurvedSurface::Meet(const RayLanes& rays, HitSlots& hits) const
   }
 }
 
+Vec3 CurvedSurface::Normal(const SurfacePoint& point) const
+{
+  Vec3 normal;
+  Normals(std::span(&point, 1), std::span(&normal, 1));
+  return normal;
+}
+
+void CurvedSurface::Normals(std::span<const SurfacePoint> points, std::span<Vec3> normals) const
+{
+  std::vector<Vec3> xi;
+  for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end)
+  {
+    xi.clear();
+    for (end = begin; end < points.size() && points[end].piece == points[begin].piece; ++end)
+    {
+      const SurfacePoint& point = points[end];
+      xi.push_back(
+        TellsElements() ? point.xi : Vec3(point.parameters[0], point.parameters[1], -1.0));
+    }
+    NormalsOf(PartOf(points[begin].piece), xi, normals.subspan(begin, end - begin));
+  }
+}
+
 void CurvedSurface::MeetSome(const RayLanes& rays, int first, int count, HitSlots& hits) const
 {
   const CheckedOut<Scratch> scratch;
@@ -257,6 +280,11 @@ void CurvedSurface::MeetSome(const RayLanes& rays, int first, int count, HitSlot
     }
     const PieceLanes piece = hits.Pieces(slot);
     piece.piece[ray] = hit.part;
+    if (!TellsElements())
+    {
+      piece.parameters[0][ray] = hit.xi.x;
+      piece.parameters[1][ray] = hit.xi.y;
+    }
     if (TellsElements())
     {
       const ElementLanes lane = hits.Elements(slot);
@@ -265,11 +293,6 @@ void CurvedSurface::MeetSome(const RayLanes& rays, int first, int count, HitSlot
       {
         lane.xi[d][ray] = hit.xi[d];
       }
-    }
-    else
-    {
-      piece.parameters[0][ray] = hit.xi.x;
-      piece.parameters[1][ray] = hit.xi.y;
     }
     last = k;
     ++slot;

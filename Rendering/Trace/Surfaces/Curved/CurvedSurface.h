@@ -29,6 +29,9 @@ public:
   CurvedSurface& operator=(const CurvedSurface&) = delete;
 
   void Meet(const RayLanes& rays, HitSlots& hits) const override;
+  [[nodiscard]] bool HasCostlyNormals() const override { return true; }
+  [[nodiscard]] Vec3 Normal(const SurfacePoint& point) const final;
+  void Normals(std::span<const SurfacePoint> points, std::span<Vec3> normals) const final;
 
   /// Parts whose pieces have been made, and all of these.
   [[nodiscard]] std::int64_t PartsMade() const { return MadeCount; }
@@ -46,7 +49,11 @@ protected:
   {
     return All[static_cast<std::size_t>(part)];
   }
-  /// Whether hits tell element and xi; else the piece's parameters are the first two of xi.
+  /// Unit normals at points of one part; zero where there is none.
+  virtual void NormalsOf(
+    const CurvedPart& part, std::span<const Vec3> xi, std::span<Vec3> normals) const = 0;
+  /// Whether hits tell element and xi. Where they do not, pieces have the first two xi as
+  /// parameters; the third is -1.
   [[nodiscard]] virtual bool TellsElements() const { return true; }
 
 private:

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Trace/Modules/FaceSearch.h"
+
+#include <span>
+#include <vector>
+
+namespace pixelexact
+{
+class TileVisit;
+
+/// Finds the lines of a tile's pixels. Keeps its arrays from tile to tile.
+///
+/// To first order a face is as far as its distance in xi over the gradient of this on the image,
+/// which follows from the Jacobian, the surface's tangent plane and how rays spread. Lines that may
+/// be within reach are then looked for on the surface itself: the ray through the place where one
+/// is expected meets the surface, the element's map is inverted there, and so on until the place
+/// settles. So it does not matter how surface and element bend on the way; and where the surface
+/// ends on the way, there is no line.
+class FaceLines
+{
+public:
+  /// Sine of the angle between surface and face up to which the surface lies on the face: where it
+  /// crosses it, if it does, is not drawn.
+  static constexpr double kLyingOn = 1e-6;
+
+  /// Those nearer than `reach` pixels, pixel by pixel; valid until the next call. Reads Verdict,
+  /// Element, Xi, Position, Normal and Layer of the nearest sheet. Throws Error where nothing can
+  /// be traced.
+  [[nodiscard]] std::span<const FaceLine> Find(TileVisit& tile, double reach);
+
+private:
+  /// Pixels side by side that show the same element and layer.
+  struct Run
+  {
+    int element = -1;
+    int layer = 0;
+    std::size_t pixel = 0; ///< the first
+    int x = 0;
+    int y = 0;
+    int count = 0;
+  };
+
+  void GatherRuns(TileVisit& tile);
+  void Begin(TileVisit& tile, std::span<const Run> runs, double reach);
+
+  std::vector<Run> Runs;
+  std::vector<Vec3> Xi; ///< of an element's pixels
+  std::vector<FaceSearch> Searches;
+  std::vector<FaceLine> Found;
+};
+} // namespace pixelexact

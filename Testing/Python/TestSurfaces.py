@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Cut-surfaces that are no implicit functions, from Python."""
+
+import os
+import unittest
+
+import numpy as np
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
+from vtkmodules.util.misc import calldata_type
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.vtkConstants import VTK_STRING
+from vtkmodules.vtkCommonDataModel import vtkPlane
+from vtkmodules.vtkFiltersSources import vtkPlaneSource
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer, vtkRenderWindow
+
+import pixelexact
+
+DATA = os.environ["PIXELEXACT_DATA_DIR"]
+
+
+class Scene:
+    """An actor of a torus, in an off-screen window."""
+
+    def __init__(self):
+        self.errors = []
+        self.reader = vtkXMLUnstructuredGridReader()
+        self.reader.SetFileName(os.path.join(DATA, "toroid_hex_g3_p6.vtu"))
+        self.converter = pixelexact.vtkUnstructuredGridToHighOrderGrid()
+        self.converter.SetInputConnection(self.reader.GetOutputPort())
+        self.mapper = pixelexact.vtkHighOrderMapper()
+        self.mapper.SetInputConnection(self.converter.GetOutputPort())
+
+        @calldata_type(VTK_STRING)
+        def failed(_object, _event, text):
+            self.errors.append(text)
+
+        self.mapper.AddObserver("ErrorEvent", failed)
+        self.actor = vtkActor()
+        self.actor.SetMapper(self.mapper)
+        self.renderer = vtkRenderer()
+        self.renderer.AddActor(self.actor)
+        self.window = vtkRenderWindow()
+        self.window.SetOffScreenRendering(1)
+        self.window.SetSize(60, 50)
+        self.window.AddRenderer(self.renderer)
+
+    def buffer(self, name):
+        self.window.Render()
+        return vtk_to_numpy(self.mapper.GetBuffers().GetPointData().GetArray(name)).copy()
+
+
+class Surfaces(unittest.TestCase):
+    def test_triangles_of_a_plane_are_the_plane(self):
+        scene = Scene()
+        scene.mapper.SetCutFunction(vtkPlane())
+        plane = scene.buffer("Value")
+        source = vtkPlaneSource()
+        source.SetOrigin(-3, -3, 0)
+        source.SetPoint1(3, -3, 0)
+        source.SetPoint2(-3, 3, 0)
+        source.SetOutputPointsPrecision(1)
+        surface = pixelexact.vtkHighOrderTriangleSurface()
+        surface.SetInputConnection(source.GetOutputPort())
+        scene.mapper.SetSurface(surface)
+        self.assertIs(scene.mapper.GetSurface(), surface)
+        self.assertEqual(scene.mapper.GetNumberOfCutFunctions(), 0)
+        triangles = scene.buffer("Value")
+        self.assertGreater(np.isfinite(plane).sum(), 200)
+        np.testing.assert_allclose(triangles, plane, rtol=0, atol=1e-12)
+        self.assertEqual(scene.mapper.GetNumberOfSurfaceBuilds(), 2)
+        # As a layer, after the pipeline has changed.
+        source.SetResolution(4, 3)
+        layer = pixelexact.vtkHighOrderLayer()
+        layer.SetSurface(surface)
+        scene.mapper.SetSurface(None)
+        scene.mapper.AddLayer(layer)
+        np.testing.assert_allclose(scene.buffer("Value"), plane, rtol=0, atol=1e-12)
+        self.assertEqual(scene.mapper.GetNumberOfSurfaceBuilds(), 3)
+        self.assertEqual(scene.errors, [])
+
+    def test_surfaces_that_cannot_be_drawn_say_why(self):
+        iso = pixelexact.vtkHighOrderIsoSurface()
+        iso.SetFieldName("u")
+        iso.SetValue(1e6)
+        boundary = pixelexact.vtkHighOrderBoundarySurface()
+        boundary.AddElement(-5)
+        patches = pixelexact.vtkHighOrderPatchSurface()
+        for surface, told in [
+            (iso, "1e+06 is none of them"),
+            (boundary, "no element -5"),
+            (patches, "vtkHighOrderPatchSurface: it has no input"),
+        ]:
+            scene = Scene()
+            scene.mapper.SetSurface(surface)
+            scene.window.Render()
+            self.assertIsNone(scene.mapper.GetBuffers())
+            self.assertEqual(len(scene.errors), 1)
+            self.assertIn(told, scene.errors[0])
+
+
+if __name__ == "__main__":
+    unittest.main()
