@@ -31,7 +31,7 @@ draw triangles --surface Data/surfaces/octahedron.stl
 draw patches --patch Data/surfaces/saddle.txt
 
 # Surfaces of the mesh: its boundary, faces of some of its elements, and where a field has a value.
-draw boundary --boundary --outlines
+draw boundary --boundary --edges 2
 draw elements --boundary=element:0,7,21,40
 draw isosurface --isosurface u=0.3
 

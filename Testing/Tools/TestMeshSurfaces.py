@@ -75,6 +75,24 @@ class MeshSurfaces(ToolTest):
         for text in ["all", "element:0"]:
             self.succeeds(*self.base, f"--boundary={text}", "--size", "9x9")
 
+    def test_boundaries_by_attributes(self):
+        for text in ["3", "0,3"]:
+            names = ["--boundary", "there is no boundary attribute", "whole boundary"]
+            self.fails(1, *self.base, f"--boundary={text}", names=names)
+        folder = DATA / "mfem_escher_tet_darcy_p3"
+        mesh, field = folder / f"{folder.name}.mesh", folder / "pressure.gf"
+        there = self.summary("info", mesh, field)["boundary_attributes"]
+        listed = ", ".join(there)
+        render = ["render", mesh, field, "--output", self.image, "--size", "60x60"]
+        names = ["--boundary", "attribute 77", listed]
+        self.fails(1, *render, "--boundary=77", names=names)
+        self.fails(1, *render, f"--boundary={next(iter(there))},77", names=names)
+        whole = self.summary(*render, "--boundary")["pixels"]
+        self.assertGreater(whole["exact"], 300)
+        self.assertEqual(whole["unknown"], 0)
+        every = "--boundary=" + ",".join(there)
+        self.assertEqual(self.summary(*render, every)["pixels"], whole)
+
     def test_layers_count_them(self):
         several = ["--boundary", "--isosurface", "u=0.5", "--boundary=element:0"]
         several += ["--isosurface", "v=2.2", "--size", "9x9"]
