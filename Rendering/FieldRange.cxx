@@ -17,6 +17,8 @@ constexpr RangeEffort kEffort{ 1e-3, 200 };
 /// the range that shows it as one colour.
 constexpr double kRounding = 1e-12;
 constexpr double kOneColour = 5e-7;
+/// The middle of a range is where two colours of a table meet.
+constexpr double kAside = 0.998;
 } // namespace
 
 RangeQuestion QuestionOf(const Field& field, int component)
@@ -70,6 +72,6 @@ std::array<double, 2> BeyondRounding(const Field& field, const std::array<double
   }
   const double middle = 0.5 * range[0] + 0.5 * range[1];
   const double half = kOneColour * largest;
-  return { middle - half, middle + half };
+  return { middle - kAside * half, middle + half };
 }
 } // namespace pixelexact

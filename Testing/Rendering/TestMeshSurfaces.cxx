@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <vector>
 
 namespace pixelexact
@@ -93,6 +94,31 @@ TEST_F(MeshSurfaces, IsoSurfacesOfWhatIsNotThereAreRefused)
   ExpectError("not finite");
   iso->SetValue(0.1);
   ExpectPicture();
+}
+
+TEST_F(MeshSurfaces, TheRangeOfTheCutIsWiderThanRounding)
+{
+  // Of its own field, a surface has one value: with rounding, some.
+  vtkNew<vtkHighOrderIsoSurface> iso;
+  iso->SetValue(0.1);
+  Scene.Mapper->SetSurface(iso);
+  Scene.Mapper->SetRangeModeToCut();
+  Scene.Cut->GetProperty()->LightingOff();
+  ExpectPicture();
+  const double* range = Scene.Mapper->GetScalarRange();
+  EXPECT_LT(range[0], 0.1 - 1e-8);
+  EXPECT_GT(range[1], 0.1 + 1e-8);
+  vtkDataArray* colors = Scene.Mapper->GetBuffers()->GetPointData()->GetArray("Color");
+  vtkDataArray* verdicts = Scene.Mapper->GetBuffers()->GetPointData()->GetArray("Verdict");
+  std::set<double> seen;
+  for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i)
+  {
+    if (verdicts->GetTuple1(i) == 1.0)
+    {
+      seen.insert(colors->GetComponent(i, 0));
+    }
+  }
+  EXPECT_EQ(seen.size(), 1U);
 }
 
 TEST_F(MeshSurfaces, ClippingPlanesOpenTheBoundary)

@@ -71,21 +71,19 @@ PartTree::PartTree(const CurvedEquation& equation, const CurvedPart& part)
   if (equation.field != nullptr)
   {
     const Expansion& values = equation.field->values;
-    // Those of other components neither need to be finite nor to be of its size.
+    // The others' sizes, or that they are not finite, do not matter.
     const Space& space = values.SpaceOf(part.element);
-    const bool squares = equation.component == kMagnitude;
-    Components = squares ? values.components : 1;
+    const int first = equation.component == kMagnitude ? 0 : equation.component;
     Field.emplace(space,
       values.Coefficients(part.element) +
-        static_cast<std::size_t>(squares ? 0 : equation.component) *
-          static_cast<std::size_t>(space.Modes()),
-      Components);
+        static_cast<std::ptrdiff_t>(first) * static_cast<std::ptrdiff_t>(space.Modes()),
+      Components());
     if (!Field->finite)
     {
       return;
     }
     ScaledValue = std::ldexp(equation.value, -Field->exponent);
-    for (int c = 0; c < Components; ++c)
+    for (int c = 0; c < Components(); ++c)
     {
       all.push_back({ &*Field, c, Part::Value });
     }
@@ -118,6 +116,11 @@ PartTree::PartTree(const CurvedEquation& equation, const CurvedPart& part)
       }
     }
   }
+}
+
+int PartTree::Components() const
+{
+  return Equation.component == kMagnitude ? Equation.field->values.components : 1;
 }
 
 BoxPolynomial PartTree::OnFace(BoxPolynomial polynomial) const
@@ -178,7 +181,7 @@ PartTree::Polys PartTree::Convert(const EtaBox& box) const
   }
   if (Field)
   {
-    add(*Field, Components);
+    add(*Field, Components());
   }
   if (ThePart.face >= 0)
   {

@@ -40,6 +40,8 @@ private:
   using Polys = std::vector<BoxPolynomial>;
 
   [[nodiscard]] Polys Convert(const EtaBox& box) const;
+  /// How many components make f.
+  [[nodiscard]] int Components() const;
   void Fill(CurvedPiece& piece, Polys polys) const;
   void Describe(CurvedPiece& piece, const Polys& polys) const;
   void DescribeField(CurvedPiece& piece, const Polys& polys) const;
@@ -52,8 +54,7 @@ private:
   CurvedPart ThePart;
   Shape TheShape;
   ScaledModes Map;
-  std::optional<ScaledModes> Field; ///< of the components that make f
-  int Components = 0;
+  std::optional<ScaledModes> Field;
   double ScaledValue = 0.0;
   int Level = 0;
   double Uncertainty = 0.0;
