@@ -82,6 +82,16 @@ ColorRanges::Range ColorRanges::OfFrame(
   };
   add(frame.centres);
   std::ranges::for_each(frame.centres.behind, add);
-  return lower <= upper ? Range({ lower, upper }) : std::nullopt;
+  if (!(lower <= upper))
+  {
+    return std::nullopt;
+  }
+  std::array range{ lower, upper };
+  for (const LayerRequest& layer : request.layers)
+  {
+    // Of several fields, the one whose values are rounded most.
+    range = layer.table == table ? BeyondRounding(layer.field.In(*request.model), range) : range;
+  }
+  return range;
 }
 } // namespace pixelexact

@@ -5,13 +5,21 @@
 #include "Trace/Scene.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace pixelexact
 {
 namespace
 {
 constexpr RangeEffort kEffort{ 1e-3, 200 };
-}
+/// Of a field's largest coefficient: what rounding may change a value by, with room; and half of
+/// the range that shows it as one colour.
+constexpr double kRounding = 1e-12;
+constexpr double kOneColour = 5e-7;
+/// The middle of a range is where two colours of a table meet.
+constexpr double kAside = 0.998;
+} // namespace
 
 RangeQuestion QuestionOf(const Field& field, int component)
 {
@@ -47,5 +55,23 @@ std::optional<std::array<double, 2>> FieldRange(const Mesh& mesh, const Field& f
     return std::array{ range.outer.lower, range.outer.upper };
   }
   return std::nullopt;
+}
+
+std::array<double, 2> BeyondRounding(const Field& field, const std::array<double, 2>& range)
+{
+  double largest = 0.0;
+  for (const double coefficient : field.values.coefficients)
+  {
+    // Infinities and NaN say nothing of other elements.
+    const double size = std::fabs(coefficient);
+    largest = size <= std::numeric_limits<double>::max() ? std::max(largest, size) : largest;
+  }
+  if (!(range[1] - range[0] <= kRounding * largest))
+  {
+    return range;
+  }
+  const double middle = 0.5 * range[0] + 0.5 * range[1];
+  const double half = kOneColour * largest;
+  return { middle - kAside * half, middle + half };
 }
 } // namespace pixelexact

@@ -26,4 +26,10 @@ namespace pixelexact
 /// locator: Documentation/windows.md.
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT std::optional<std::array<double, 2>> FieldRange(
   const Mesh& mesh, const Field& field, int component);
+
+/// A range of a field's values, for colours: where it is no wider than rounding may make of one
+/// value (1e-12 of the largest coefficient; on an iso-surface of the field), 1e-6 of that about its
+/// middle, so that the colours do not show the rounding; else as it is.
+[[nodiscard]] PIXELEXACTRENDERING_EXPORT std::array<double, 2> BeyondRounding(
+  const Field& field, const std::array<double, 2>& range);
 } // namespace pixelexact

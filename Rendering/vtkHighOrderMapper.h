@@ -183,8 +183,9 @@ public:
   /**
    * The range of the mapper's lookup table, unless UseLookupTableScalarRange is on. The default is
    * RANGE_OF_FIELD: the ends are values of the field, and none lies beyond them by more than a
-   * thousandth; it is found by the first frame. To set a ScalarRange is to choose RANGE_AS_SET.
-   * GetScalarRange gives the range of the last frame.
+   * thousandth; it is found by the first frame. RANGE_OF_CUT is wider where rounding alone tells
+   * the values apart. To set a ScalarRange is to choose RANGE_AS_SET. GetScalarRange gives the
+   * range of the last frame.
    */
   void SetRangeMode(int mode);
   vtkGetMacro(RangeMode, int);

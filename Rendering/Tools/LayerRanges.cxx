@@ -135,8 +135,13 @@ std::array<double, 2> RangeOfLayer(const RangeChoice& choice, const Shot& shot, 
     together.push_back(ShowTheSame(other, layers[layer]));
   }
   const double lowest = logarithm ? 0.0 : -std::numeric_limits<double>::infinity();
-  return ValueRange(frame, lowest, together)
-    .value_or(logarithm ? std::array{ 1.0, 10.0 } : std::array{ 0.0, 1.0 });
+  const auto range = ValueRange(frame, lowest, together);
+  if (!range)
+  {
+    return logarithm ? std::array{ 1.0, 10.0 } : std::array{ 0.0, 1.0 };
+  }
+  const auto shown = BeyondRounding(*layers[layer].field, *range);
+  return logarithm && !(shown[0] > 0.0) ? *range : shown;
 }
 
 PixelsBeyond CountBeyond(const Frame& frame,

@@ -284,6 +284,12 @@ TEST(Ranges, NotFiniteIsSaid)
     EXPECT_EQ(mesh.notFinite, 1);
     EXPECT_TRUE(mesh.range.outer.IsEmpty());
   }
+  // Of a component the others do not count.
+  std::vector<double> two(2 * static_cast<std::size_t>(space.Modes()), 0.5);
+  two.back() = std::numeric_limits<double>::quiet_NaN();
+  one.SetField(space, two, 2);
+  EXPECT_TRUE(RangeOf(one.mesh, 0, { Quantity::Component, &one.field, 0 }).met);
+  EXPECT_FALSE(RangeOf(one.mesh, 0, { Quantity::Magnitude, &one.field }).finite);
   // A constant is known up to rounding, and nothing is attained beyond that.
   one.SetField(space, std::vector<double>(space.Modes(), 0.0));
   const CertifiedRange zero = RangeOf(one.mesh, 0, { Quantity::Component, &one.field });

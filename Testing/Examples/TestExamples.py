@@ -32,8 +32,9 @@ class Examples(unittest.TestCase):
         self.image = self.folder / "image.png"
 
     def run_example(self, name, *arguments):
+        script = [sys.executable] if name.endswith(".py") else []
         done = subprocess.run(
-            [sys.executable, str(EXAMPLES / name), *map(str, arguments)],
+            [*script, str(EXAMPLES / name), *map(str, arguments)],
             cwd=self.folder,
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
@@ -57,6 +58,18 @@ class Examples(unittest.TestCase):
         width, height, count = colors(self.image)
         self.assertEqual((width, height), (240, 150))
         self.assertGreater(count, 200)
+
+    def test_surfaces(self):
+        """Each kind of them is seen, in windows and by the tool."""
+        for name, size in [("surfaces.py", "120"), ("surfaces.sh", "120x100")]:
+            folder = self.folder / name
+            self.run_example(name, folder, size)
+            pictures = sorted(folder.glob("*.png"))
+            self.assertGreaterEqual(len(pictures), 13)
+            for picture in pictures:
+                width, height, count = colors(picture)
+                self.assertEqual((width, height), (120, 100), picture)
+                self.assertGreater(count, 60, picture)
 
     def test_linear_comparison(self):
         """Second order: half the spacing, about a quarter of the error."""

@@ -3,10 +3,7 @@
 
 import unittest
 
-from tool import CUBE, ToolTest, unit_cube_grid
-
-NOT_YET = "not available yet"
-
+from tool import CUBE, DATA, ToolTest, unit_cube_grid
 
 class MeshSurfaces(ToolTest):
     def setUp(self):
@@ -44,29 +41,63 @@ class MeshSurfaces(ToolTest):
             "v.1=0": ["component 1 of field 'v'", "0 is none of them"],
             "p=q.1=2.9": ["field 'p=q.1'"],
         }.items():
-            done = self.fails(1, *self.base, "--isosurface", text, names=["--isosurface", *names])
-            self.assertNotIn(NOT_YET, done.stderr)
+            self.fails(1, *self.base, "--isosurface", text, names=["--isosurface", *names])
 
     def test_values_within_it_are_accepted(self):
         for text in ["u=0.5", "u.0=1", "v=2.2", "v.magnitude=2", "v.2=0", "p=q.1=3.5", "p=q.1.0=4"]:
-            self.fails(1, *self.base, "--isosurface", text, names=["--isosurface", NOT_YET])
+            self.succeeds(*self.base, "--isosurface", text, "--size", "9x9")
         # Without --field, and of another one than is shown.
         render = ["render", self.cube, "--output", self.image]
         for field in [[], ["--field", "v"]]:
-            done = self.fails(1, *render, *field, "--isosurface", "p=q.1=3.5", names=[NOT_YET])
-            self.assertNotIn("no field", done.stderr)
+            self.succeeds(*render, *field, "--isosurface", "p=q.1=3.5", "--size", "9x9")
+
+    def test_values_that_need_a_jacobian(self):
+        flux = DATA / "mfem_escher_tet_darcy_p3"
+        render = ["render", flux / f"{flux.name}.mesh", flux / "flux.gf", "--output", self.image]
+        for text in ["flux=0.5", "flux.1=0"]:
+            names = ["--isosurface", "field 'flux'", "H(div)", "choose another field"]
+            self.fails(1, *render, "--isosurface", text, names=names)
+
+    def test_no_magnitude_is_negative(self):
+        names = ["--isosurface", "'v'", "magnitude", "0 is none of them", "choose a value between"]
+        self.fails(1, *self.base, "--isosurface", "v=0", names=names)
+        zero = self.folder / "zero.vtu"
+        zero.write_text(unit_cube_grid([("v", CUBE)]), encoding="utf-8")
+        render = ["render", zero, "--output", self.image]
+        names = ["--isosurface", "'v'", "magnitude", "positive"]
+        self.fails(1, *render, "--isosurface", "v=0", names=names)
+        self.fails(1, *render, "--isosurface", "v=-1", names=names[:3])
 
     def test_boundaries_that_are_none(self):
         for text in ["some", "1;2", "-1", "1,", "element:", "element:x", "element:1.5", "1,element:2"]:
             self.fails(2, *self.base, f"--boundary={text}", names=["--boundary", "element:NUMBER"])
         self.fails(1, *self.base, "--boundary=element:0,7", names=["no element 7", "from 0 to 0"])
-        for text in ["all", "1,3", "element:0"]:
-            self.fails(1, *self.base, f"--boundary={text}", names=["--boundary", NOT_YET])
+        for text in ["all", "element:0"]:
+            self.succeeds(*self.base, f"--boundary={text}", "--size", "9x9")
+
+    def test_boundaries_by_attributes(self):
+        for text in ["3", "0,3"]:
+            names = ["--boundary", "there is no boundary attribute", "whole boundary"]
+            self.fails(1, *self.base, f"--boundary={text}", names=names)
+        folder = DATA / "mfem_escher_tet_darcy_p3"
+        mesh, field = folder / f"{folder.name}.mesh", folder / "pressure.gf"
+        there = self.summary("info", mesh, field)["boundary_attributes"]
+        listed = ", ".join(there)
+        render = ["render", mesh, field, "--output", self.image, "--size", "60x60"]
+        names = ["--boundary", "attribute 77", listed]
+        self.fails(1, *render, "--boundary=77", names=names)
+        self.fails(1, *render, f"--boundary={next(iter(there))},77", names=names)
+        whole = self.summary(*render, "--boundary")["pixels"]
+        self.assertGreater(whole["exact"], 300)
+        self.assertEqual(whole["unknown"], 0)
+        every = "--boundary=" + ",".join(there)
+        self.assertEqual(self.summary(*render, every)["pixels"], whole)
 
     def test_layers_count_them(self):
-        several = ["--boundary", "--isosurface", "u=0.5", "--boundary=1", "--isosurface", "v=2.2"]
+        several = ["--boundary", "--isosurface", "u=0.5", "--boundary=element:0"]
+        several += ["--isosurface", "v=2.2", "--size", "9x9"]
         self.fails(2, *self.base, *several, "--layer", "5:opacity=0.5", names=["4 surfaces"])
-        self.fails(1, *self.base, *several, "--layer", "4:opacity=0.5", names=[NOT_YET])
+        self.succeeds(*self.base, *several, "--layer", "4:opacity=0.5")
 
     def test_without_a_field(self):
         bare = self.folder / "bare.vtu"

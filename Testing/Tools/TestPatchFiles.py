@@ -38,7 +38,13 @@ class PatchFiles(ToolTest):
 
     def test_sound_files_are_read(self):
         sound = [f"{point.replace(' ', chr(9))}  # {k}\r" for k, point in enumerate(FLAT)]
-        self.fails_with(["", "# flat", *sound, "", *FLAT], "--patch", "not available yet")
+        file = self.folder / "patches.txt"
+        file.write_text("\n".join(["", "# flat", *sound, "", *FLAT]) + "\n", encoding="utf-8")
+        base = ["render", case("toroid_hex_g3_p6"), "--output", self.folder / "i.png"]
+        seen = self.summary(*base, "--size", "30x30", "--patch", file)
+        # Two patches, one on the other.
+        self.assertGreater(seen["pixels"]["exact"], 50)
+        self.assertEqual(seen["pixels"]["unknown"], 0)
 
 
 if __name__ == "__main__":

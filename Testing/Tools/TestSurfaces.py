@@ -5,14 +5,8 @@ import unittest
 
 import numpy as np
 
-from tool import ToolTest, View, case, columns, read_buffers, read_csv, read_image, run, unit
-from tool import unit_cube_grid
-
-EXACT = 1
-
-
-def numbers(values):
-    return ",".join(repr(float(v)) for v in values)
+from rendering import EXACT, SurfaceTest, numbers
+from tool import View, case, run, unit, unit_cube_grid
 
 
 def quadratic(form, origin, direction):
@@ -88,21 +82,6 @@ SURFACES = {
         torus([0.05, -0.05, 0.0], [0.1, 0.2, 1.0], 0.9, 0.25),
     ),
 }
-
-
-class SurfaceTest(ToolTest):
-    def render(self, source, *options, field="u"):
-        image, buffers = self.folder / "image.png", self.folder / "buffers.vti"
-        outputs = ["--output", image, "--buffers", buffers]
-        summary = self.summary("render", source, "--field", field, *options, *outputs)
-        return summary, read_buffers(buffers), read_image(image)
-
-    def probe(self, source, positions):
-        points, out = self.folder / "points.csv", self.folder / "out.csv"
-        lines = "".join(numbers(position) + "\n" for position in positions)
-        points.write_text("x,y,z\n" + lines, encoding="utf-8")
-        self.succeeds("probe", source, "--field", "u", "--points", points, "--output", out)
-        return columns(read_csv(out))
 
 
 class ClosedForms(SurfaceTest):

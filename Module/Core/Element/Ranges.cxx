@@ -73,21 +73,27 @@ ElementRange::ElementRange(
   if (question.quantity != Quantity::Jacobian)
   {
     const Expansion& values = question.field->values;
-    auto& field =
-      Data->field.emplace(values.SpaceOf(element), values.Coefficients(element), values.components);
+    const bool derivatives = question.quantity == Quantity::GradientComponent ||
+      question.quantity == Quantity::GradientMagnitude;
+    const bool all = !derivatives &&
+      (question.quantity == Quantity::Magnitude || question.field->mapping == Mapping::Covariant ||
+        question.field->mapping == Mapping::Contravariant);
+    const int count = all ? values.components : 1;
+    // Those of other components neither need to be finite nor to be of its size.
+    const Space& space = values.SpaceOf(element);
+    auto& field = Data->field.emplace(space,
+      values.Coefficients(element) +
+        static_cast<std::size_t>(all ? 0 : question.component) *
+          static_cast<std::size_t>(space.Modes()),
+      count);
     fieldExponent = field.exponent;
-    if (question.quantity == Quantity::GradientComponent ||
-      question.quantity == Quantity::GradientMagnitude)
+    if (derivatives)
     {
-      AddDerivatives(field, question.component, 1, Data->ingredients);
+      AddDerivatives(field, 0, 1, Data->ingredients);
     }
     else
     {
-      const bool all = question.quantity == Quantity::Magnitude ||
-        question.field->mapping == Mapping::Covariant ||
-        question.field->mapping == Mapping::Contravariant;
-      for (int c = all ? 0 : question.component;
-           c < (all ? values.components : question.component + 1); ++c)
+      for (int c = 0; c < count; ++c)
       {
         Data->ingredients.push_back({ &field, c, Part::Value });
       }

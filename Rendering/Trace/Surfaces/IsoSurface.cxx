@@ -33,7 +33,7 @@ CurvedEquation EquationOf(
   {
     throw Unsupported("An iso-surface of field '" + field.name +
       "' is not available: it is an H(curl), H(div) or density field, whose values depend on the "
-      "elements' Jacobian.");
+      "elements' Jacobian; choose another field");
   }
   const bool scalar = field.values.components == 1;
   const int which = component == kMagnitude && scalar ? 0 : component;
@@ -48,7 +48,10 @@ CurvedEquation EquationOf(
   }
   if (which == kMagnitude && !(value > 0.0))
   {
-    Refuse("iso-surface", "the value of a magnitude must be positive");
+    Refuse("iso-surface",
+      ("the magnitude of field '" + field.name +
+        "' is zero at points and along lines alone, and never below; choose a positive value")
+        .c_str());
   }
   return { index.GetMesh(), &field, which, value };
 }

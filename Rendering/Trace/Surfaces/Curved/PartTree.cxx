@@ -74,15 +74,19 @@ PartTree::PartTree(const CurvedEquation& equation, const CurvedPart& part)
   if (equation.field != nullptr)
   {
     const Expansion& values = equation.field->values;
-    Field.emplace(
-      values.SpaceOf(part.element), values.Coefficients(part.element), values.components);
+    // The others' sizes, or that they are not finite, do not matter.
+    const Space& space = values.SpaceOf(part.element);
+    const int first = equation.component == kMagnitude ? 0 : equation.component;
+    Field.emplace(space,
+      values.Coefficients(part.element) +
+        static_cast<std::ptrdiff_t>(first) * static_cast<std::ptrdiff_t>(space.Modes()),
+      Components());
     if (!Field->finite)
     {
       return;
     }
     ScaledValue = std::ldexp(equation.value, -Field->exponent);
-    const auto [first, last] = ComponentRange();
-    for (int c = first; c < last; ++c)
+    for (int c = 0; c < Components(); ++c)
     {
       all.push_back({ &*Field, c, Part::Value });
     }
@@ -117,14 +121,9 @@ PartTree::PartTree(const CurvedEquation& equation, const CurvedPart& part)
   }
 }
 
-/// Of the field, those that make f.
-std::array<int, 2> PartTree::ComponentRange() const
+int PartTree::Components() const
 {
-  if (Equation.component == kMagnitude)
-  {
-    return { 0, Equation.field->values.components };
-  }
-  return { Equation.component, Equation.component + 1 };
+  return Equation.component == kMagnitude ? Equation.field->values.components : 1;
 }
 
 BoxPolynomial PartTree::OnFace(BoxPolynomial polynomial) const
@@ -160,13 +159,13 @@ PartTree::Polys PartTree::Convert(const EtaBox& box) const
     within.upper[d] = 1.0;
   }
   Polys polys;
-  const auto add = [&](const ScaledModes& modes, int first, int last)
+  const auto add = [&](const ScaledModes& modes, int components)
   {
-    for (int c = first; c < last; ++c)
+    for (int c = 0; c < components; ++c)
     {
       polys.push_back(RangeIngredient{ &modes, c, Part::Value }.Over(Level, piece, within));
     }
-    for (int c = first; c < last; ++c)
+    for (int c = 0; c < components; ++c)
     {
       for (const Part by : kBy)
       {
@@ -174,7 +173,7 @@ PartTree::Polys PartTree::Convert(const EtaBox& box) const
       }
     }
   };
-  add(Map, 0, 3);
+  add(Map, 3);
   const double scale = std::ldexp(1.0, Map.exponent);
   for (BoxPolynomial& p : polys)
   {
@@ -186,8 +185,7 @@ PartTree::Polys PartTree::Convert(const EtaBox& box) const
   }
   if (Field)
   {
-    const auto [first, last] = ComponentRange();
-    add(*Field, first, last);
+    add(*Field, Components());
   }
   if (ThePart.face >= 0)
   {

@@ -40,7 +40,8 @@ private:
   using Polys = std::vector<BoxPolynomial>;
 
   [[nodiscard]] Polys Convert(const EtaBox& box) const;
-  [[nodiscard]] std::array<int, 2> ComponentRange() const;
+  /// How many components make f.
+  [[nodiscard]] int Components() const;
   void Fill(CurvedPiece& piece, Polys polys, int besides) const;
   void Describe(CurvedPiece& piece, const Polys& polys) const;
   void DescribeField(CurvedPiece& piece, const Polys& polys) const;
