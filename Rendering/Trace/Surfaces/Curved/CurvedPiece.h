@@ -42,6 +42,9 @@ struct CurvedPiece
   double slope[4][3]{};  ///< middles of the derivatives' ranges over the box
   double radius[4][3]{}; ///< of these ranges
   bool flat = false;     ///< the ranges are so small that most rays are decided here
+  /// f vanishes throughout, or all of a face's piece is one point, up to rounding: no halving
+  /// decides anything.
+  bool plateau = false;
   int halvings = 0;
 
   /// Null before the piece is split; an end without a surface has no bounds (lower > upper).

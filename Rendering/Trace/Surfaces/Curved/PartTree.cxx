@@ -18,6 +18,8 @@ namespace
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Ranges of slopes, relative to the slopes, up to which a piece is flat.
 constexpr double kFlat = 0.2;
+/// Of f and y: values that rounding may have made of a zero.
+constexpr double kPlateau = 1e-14;
 /// Halvings at once, whatever bends: of faces, and of volumes.
 constexpr int kAtOnce[2] = { 8, 9 };
 
@@ -71,15 +73,19 @@ PartTree::PartTree(const CurvedEquation& equation, const CurvedPart& part)
   if (equation.field != nullptr)
   {
     const Expansion& values = equation.field->values;
-    Field.emplace(
-      values.SpaceOf(part.element), values.Coefficients(part.element), values.components);
+    // The others' sizes, or that they are not finite, do not matter.
+    const Space& space = values.SpaceOf(part.element);
+    const int first = equation.component == kMagnitude ? 0 : equation.component;
+    Field.emplace(space,
+      values.Coefficients(part.element) +
+        static_cast<std::ptrdiff_t>(first) * static_cast<std::ptrdiff_t>(space.Modes()),
+      Components());
     if (!Field->finite)
     {
       return;
     }
     ScaledValue = std::ldexp(equation.value, -Field->exponent);
-    const auto [first, last] = ComponentRange();
-    for (int c = first; c < last; ++c)
+    for (int c = 0; c < Components(); ++c)
     {
       all.push_back({ &*Field, c, Part::Value });
     }
@@ -114,14 +120,9 @@ PartTree::PartTree(const CurvedEquation& equation, const CurvedPart& part)
   }
 }
 
-/// Of the field, those that make f.
-std::array<int, 2> PartTree::ComponentRange() const
+int PartTree::Components() const
 {
-  if (Equation.component == kMagnitude)
-  {
-    return { 0, Equation.field->values.components };
-  }
-  return { Equation.component, Equation.component + 1 };
+  return Equation.component == kMagnitude ? Equation.field->values.components : 1;
 }
 
 BoxPolynomial PartTree::OnFace(BoxPolynomial polynomial) const
@@ -157,13 +158,13 @@ PartTree::Polys PartTree::Convert(const EtaBox& box) const
     within.upper[d] = 1.0;
   }
   Polys polys;
-  const auto add = [&](const ScaledModes& modes, int first, int last)
+  const auto add = [&](const ScaledModes& modes, int components)
   {
-    for (int c = first; c < last; ++c)
+    for (int c = 0; c < components; ++c)
     {
       polys.push_back(RangeIngredient{ &modes, c, Part::Value }.Over(Level, piece, within));
     }
-    for (int c = first; c < last; ++c)
+    for (int c = 0; c < components; ++c)
     {
       for (const Part by : kBy)
       {
@@ -171,7 +172,7 @@ PartTree::Polys PartTree::Convert(const EtaBox& box) const
       }
     }
   };
-  add(Map, 0, 3);
+  add(Map, 3);
   for (BoxPolynomial& p : polys)
   {
     for (double& b : p.b)
@@ -182,8 +183,7 @@ PartTree::Polys PartTree::Convert(const EtaBox& box) const
   }
   if (Field)
   {
-    const auto [first, last] = ComponentRange();
-    add(*Field, first, last);
+    add(*Field, Components());
   }
   if (ThePart.face >= 0)
   {
@@ -222,7 +222,8 @@ std::vector<BoxPolynomial> PartTree::Polynomials(const CurvedPiece& piece) const
 void PartTree::Fill(CurvedPiece& piece, Polys polys) const
 {
   Describe(piece, polys);
-  if (!piece.IsEmpty() && !piece.flat && piece.halvings < kAtOnce[Field ? 1 : 0])
+  const bool isPoint = piece.plateau && !Field;
+  if (!piece.IsEmpty() && !piece.flat && !isPoint && piece.halvings < kAtOnce[Field ? 1 : 0])
   {
     SplitInto(piece, std::move(polys));
   }
@@ -285,22 +286,17 @@ int PartTree::DirectionOf(const CurvedPiece& piece, const Polys& polys) const
     {
       continue;
     }
-    // Where nothing varies, the widest.
+    // Where nothing varies, or nothing is known of slopes, the widest.
     double sum = 1e-9 * width;
-    for (std::size_t k = 3; k < polys.size(); ++k)
+    const auto add = [&](std::size_t k, double scale)
+    { sum += scale > 0.0 ? polys[k].Variation(d, 1) / scale : 0.0; };
+    for (std::size_t k = 3; k < 12; ++k)
     {
-      if (k < 12)
-      {
-        sum += polys[k].Variation(d, 1) / largest[0];
-      }
-      else if (k == 12 || Equation.component == kMagnitude)
-      {
-        continue;
-      }
-      else
-      {
-        sum += polys[k].Variation(d, 1) / largest[1];
-      }
+      add(k, largest[0]);
+    }
+    for (std::size_t k = 13; k < polys.size() && Equation.component != kMagnitude; ++k)
+    {
+      add(k, largest[1]);
     }
     if (Equation.field != nullptr && Equation.component == kMagnitude)
     {
@@ -319,14 +315,17 @@ void PartTree::Describe(CurvedPiece& piece, const Polys& polys) const
 {
   Count.fetch_add(1, std::memory_order_relaxed);
   const auto e = static_cast<std::size_t>(ThePart.element);
-  const Box3 hull = HullInXi(TheShape, piece.box);
+  const Box3 around = HullInXi(TheShape, piece.box);
   piece.centre = TensorToReference(TheShape, 0.5 * (piece.box.lower + piece.box.upper));
-  piece.half = glm::max(hull.upper - piece.centre, piece.centre - hull.lower);
+  piece.half = glm::max(around.upper - piece.centre, piece.centre - around.lower);
   piece.half *= 1.0 + 8.0 * kUnitRoundoff;
+  piece.plateau = true;
   for (std::size_t c = 0; c < 3; ++c)
   {
     const auto at = static_cast<int>(c);
-    const Interval y = polys[c].Hull() + Interval(-Uncertainty, Uncertainty);
+    const Interval hull = polys[c].Hull();
+    piece.plateau = piece.plateau && hull.Width() <= kPlateau + 4.0 * polys[c].error;
+    const Interval y = hull + Interval(-Uncertainty, Uncertainty);
     const Interval x =
       Interval(Equation.mesh.centre[3 * e + c]) + y * Interval(Equation.mesh.size[e]);
     piece.bounds.lower[at] = x.lower;
@@ -354,12 +353,12 @@ void PartTree::Describe(CurvedPiece& piece, const Polys& polys) const
   for (std::size_t c = 0; c < 4; ++c)
   {
     // The centre is rounded, too.
-    double around = std::fabs(piece.value[c]);
+    double largest = std::fabs(piece.value[c]);
     for (std::size_t d = 0; d < 3; ++d)
     {
-      around += std::fabs(piece.slope[c][d]) + piece.radius[c][d];
+      largest += std::fabs(piece.slope[c][d]) + piece.radius[c][d];
     }
-    piece.error[c] += 8.0 * kUnitRoundoff * around;
+    piece.error[c] += 8.0 * kUnitRoundoff * largest;
   }
   piece.flat = Bend(piece) <= kFlat;
 }
@@ -372,9 +371,11 @@ void PartTree::DescribeField(CurvedPiece& piece, const Polys& polys) const
   Interval hull = squares ? -Square(Interval(ScaledValue)) : Interval(-ScaledValue);
   Interval middle = hull;
   std::array<Interval, 3> slope;
+  double error = 0.0;
   for (std::size_t c = 0; c < components; ++c)
   {
     const Interval values = polys[kFirst + c].Hull();
+    error += polys[kFirst + c].error;
     const Interval value = polys[kFirst + c].At({ 0.0, 0.0, 0.0 });
     hull += squares ? Square(values) : values;
     middle += squares ? Square(value) : value;
@@ -389,6 +390,7 @@ void PartTree::DescribeField(CurvedPiece& piece, const Polys& polys) const
     piece.bounds = { Vec3(1.0), Vec3(-1.0) };
     return;
   }
+  piece.plateau = hull.Magnitude() <= kPlateau + 2.0 * error;
   piece.value[3] = middle.Middle();
   piece.error[3] = middle.RadiusAround(piece.value[3]);
   for (std::size_t d = 0; d < 3; ++d)

@@ -26,8 +26,8 @@ public:
   /// A piece's halves, made where they are not there yet.
   const std::array<CurvedPiece, 2>& Split(const CurvedPiece& piece) const;
 
-  /// 2^-exponent scales the field's values.
-  [[nodiscard]] int Exponent() const { return Field ? Field->exponent : 0; }
+  /// Of the components that make f, scaled as f is: one after the other.
+  [[nodiscard]] const ScaledModes& FieldModes() const { return *Field; }
   [[nodiscard]] double Value() const { return ScaledValue; }
   /// The three coordinates over a piece, and f unless it is a face's or of a magnitude.
   [[nodiscard]] std::vector<BoxPolynomial> Polynomials(const CurvedPiece& piece) const;
@@ -40,7 +40,8 @@ private:
   using Polys = std::vector<BoxPolynomial>;
 
   [[nodiscard]] Polys Convert(const EtaBox& box) const;
-  [[nodiscard]] std::array<int, 2> ComponentRange() const;
+  /// How many components make f.
+  [[nodiscard]] int Components() const;
   void Fill(CurvedPiece& piece, Polys polys) const;
   void Describe(CurvedPiece& piece, const Polys& polys) const;
   void DescribeField(CurvedPiece& piece, const Polys& polys) const;

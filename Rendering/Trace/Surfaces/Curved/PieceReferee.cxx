@@ -3,6 +3,7 @@
 
 #include "Core/Bernstein/RootFinder.h"
 #include "Core/Math/Rounding.h"
+#include "Trace/Scene.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +12,7 @@ namespace pixelexact
 {
 namespace
 {
-constexpr int kBoxes = 2000;
+constexpr int kBoxes = 500;
 constexpr int kPolish = 3;
 
 /// y_a - s_a y_k - q_a over a piece.
@@ -28,15 +29,47 @@ TensorPolynomial Across(const BoxPolynomial& ya, const BoxPolynomial& yk, double
   result.error = (ya.error + std::fabs(slope) * yk.error + Gamma(16) * largest) * (1.0 + Gamma(8));
   return result;
 }
+/// Whether two equations in two variables are one, up to their errors: a ray in the plane of a flat
+/// face.
+bool AreOne(const TensorPolynomial& a, const TensorPolynomial& b)
+{
+  const double sizeA = LargestMagnitude(a.coefficients);
+  const double sizeB = LargestMagnitude(b.coefficients);
+  double same = 0.0;
+  double opposite = 0.0;
+  for (std::size_t i = 0; i < a.coefficients.size(); ++i)
+  {
+    const double x = a.coefficients[i] * sizeB;
+    const double y = b.coefficients[i] * sizeA;
+    same = std::max(same, std::fabs(x - y));
+    opposite = std::max(opposite, std::fabs(x + y));
+  }
+  return std::min(same, opposite) <= 4.0 * (a.error * sizeB + b.error * sizeA);
+}
+
+CurvedHit UndecidedAt(PieceSolver& solver, const PieceRay& of, const Vec3& xi)
+{
+  CurvedHit hit = solver.HitAt(*of.piece, of.ray, xi, 0);
+  hit.status = HitStatus::Undecided;
+  return hit;
+}
 } // namespace
 
 void FindHits(const CurvedEquation& equation, const CurvedPart& part, const PartTree& tree,
-  const RayBundle& bundle, PieceSolver& solver, const PieceRay& of, std::vector<CurvedHit>& hits)
+  const RayBundle& bundle, PieceSolver& solver, const PieceRay& of, int& boxes,
+  std::vector<CurvedHit>& hits)
 {
   const CurvedPiece& piece = *of.piece;
   const auto i = static_cast<std::size_t>(of.ray);
   const auto k = static_cast<std::size_t>(bundle.axes[2]);
   const Shape shape = equation.mesh.ShapeOf(part.element);
+  const bool isMagnitude = equation.field != nullptr && equation.component == kMagnitude;
+  if (isMagnitude || piece.plateau || boxes <= 0)
+  {
+    // A magnitude's equation is no polynomial that is kept.
+    hits.push_back(UndecidedAt(solver, of, piece.centre));
+    return;
+  }
   // Directions of eta that the piece extends along.
   std::vector<int> free;
   for (int d = 0; d < 3; ++d)
@@ -54,17 +87,14 @@ void FindHits(const CurvedEquation& equation, const CurvedPart& part, const Part
     equations.push_back(
       Across(polys[static_cast<std::size_t>(bundle.axes[a])], polys[k], bundle.slope[a][i], q[a]));
   }
+  if (polys.size() == 3 && AreOne(equations[0], equations[1]))
+  {
+    hits.push_back(UndecidedAt(solver, of, piece.centre));
+    return;
+  }
   if (polys.size() > 3)
   {
     equations.push_back({ polys[3].degree, polys[3].b, polys[3].error });
-  }
-  if (equations.size() != free.size())
-  {
-    // A magnitude's equation is no polynomial that is kept.
-    CurvedHit hit = solver.HitAt(piece, of.ray, piece.centre, 0);
-    hit.status = HitStatus::Undecided;
-    hits.push_back(hit);
-    return;
   }
   for (TensorPolynomial& one : equations)
   {
@@ -87,9 +117,10 @@ void FindHits(const CurvedEquation& equation, const CurvedPart& part, const Part
     return TensorToReference(shape, eta);
   };
   RootSearch options;
-  options.budget = kBoxes;
+  options.budget = std::min(boxes, kBoxes);
   const RootSearchResult found =
     FindRoots(PolynomialSystem(static_cast<int>(free.size()), equations), options);
+  boxes -= static_cast<int>(found.boxes);
   for (const IsolatedRoot& root : found.roots)
   {
     Parameters middle{};
@@ -106,9 +137,7 @@ void FindHits(const CurvedEquation& equation, const CurvedPart& part, const Part
     {
       middle[v] = 0.5 * (box.lower[v] + box.upper[v]);
     }
-    CurvedHit hit = solver.HitAt(piece, of.ray, xiOf(middle), 0);
-    hit.status = HitStatus::Undecided;
-    hits.push_back(hit);
+    hits.push_back(UndecidedAt(solver, of, xiOf(middle)));
   }
 }
 } // namespace pixelexact

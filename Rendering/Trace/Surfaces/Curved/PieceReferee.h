@@ -8,7 +8,9 @@
 namespace pixelexact
 {
 /// All points where a ray meets a piece that is too small to be halved further, by FindRoots: the
-/// hits that it isolates are certain, and where it cannot tell there is an undecided one.
+/// hits that it isolates are certain, and where it cannot tell there is an undecided one. It looks
+/// at no more than `boxes` boxes, and takes those that it did from them.
 void FindHits(const CurvedEquation& equation, const CurvedPart& part, const PartTree& tree,
-  const RayBundle& bundle, PieceSolver& solver, const PieceRay& of, std::vector<CurvedHit>& hits);
+  const RayBundle& bundle, PieceSolver& solver, const PieceRay& of, int& boxes,
+  std::vector<CurvedHit>& hits);
 } // namespace pixelexact
