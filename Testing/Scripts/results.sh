@@ -18,12 +18,13 @@
 #   adversary     elements made to break the proofs, against 60 digits (Debian: python3-mpmath)
 #   collapsed     elements with collapsed faces and edges, against 60 digits
 #   history       answers of all cases, asked in every way that could leave a trace
+#   curved        faces, patches and iso-surfaces against subdivision and marching
 #   oracles       values, gradients and points against the solvers' own
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 build=${PIXELEXACT_BUILD:-build}
 all=(frames suite surfaces instructions baselines careful-path slowest-point face-points stability adversary
-  collapsed history enclosures ranges oracles)
+  collapsed history enclosures ranges curved oracles)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
@@ -126,6 +127,12 @@ run_ranges() {
   title="Certified ranges: rounding and cost"
   measure "$build/bin/PixelExactRangeTable"
   table
+}
+run_curved() {
+  title="Faces, patches and iso-surfaces against subdivision and marching"
+  measure env PIXELEXACT_CURVED_RAYS="${PIXELEXACT_CURVED_RAYS:-2000}" "$build/bin/TestTrace" \
+    --gtest_filter='*FacesOracle*:*PatchesOracle*:*IsoOracle*'
+  measured
 }
 run_oracles() {
   title="Against the solvers' own values"

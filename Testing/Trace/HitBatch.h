@@ -8,42 +8,84 @@
 
 namespace pixelexact::testing
 {
-/// Surface::Meet for many rays at once, each with its tNear.
-inline std::vector<std::vector<Hit>> MeetAll(
-  const Surface& surface, const std::vector<Ray>& rays, const std::vector<double>& tNear)
+/// Rays as Surface::Meet takes them.
+class RayBatch
 {
-  const auto padded = static_cast<std::size_t>(PaddedCount(static_cast<int>(rays.size())));
-  std::array<std::vector<double>, 8> lanes;
-  lanes.fill(std::vector<double>(padded, 1.0));
-  lanes[7].assign(padded, kFarthest);
-  for (std::size_t i = 0; i < rays.size(); ++i)
+public:
+  RayBatch(const std::vector<Ray>& rays, const std::vector<double>& tNear)
+    : Count(static_cast<int>(rays.size()))
   {
-    for (int d = 0; d < 3; ++d)
+    const auto padded = static_cast<std::size_t>(PaddedCount(Count));
+    Lanes.fill(std::vector<double>(padded, 1.0));
+    Lanes[7].assign(padded, kFarthest);
+    for (std::size_t i = 0; i < rays.size(); ++i)
     {
-      const auto axis = static_cast<std::size_t>(d);
-      lanes[axis][i] = rays[i].origin[d];
-      lanes[3 + axis][i] = rays[i].direction[d];
+      for (int d = 0; d < 3; ++d)
+      {
+        const auto axis = static_cast<std::size_t>(d);
+        Lanes[axis][i] = rays[i].origin[d];
+        Lanes[3 + axis][i] = rays[i].direction[d];
+      }
+      Lanes[6][i] = tNear[i];
     }
-    lanes[6][i] = tNear[i];
   }
+
+  [[nodiscard]] RayLanes View(bool nearestOnly = false) const
+  {
+    return { { Lanes[0].data(), Lanes[1].data(), Lanes[2].data() },
+      { Lanes[3].data(), Lanes[4].data(), Lanes[5].data() }, Lanes[6].data(), Lanes[7].data(),
+      Count, nearestOnly };
+  }
+
+private:
+  int Count;
+  std::array<std::vector<double>, 8> Lanes;
+};
+
+/// A hit and where it is on the surface.
+struct PointHit : Hit
+{
+  SurfacePoint point;
+};
+
+/// Surface::Meet for many rays at once, each with its tNear.
+inline std::vector<std::vector<PointHit>> MeetPoints(const Surface& surface,
+  const std::vector<Ray>& rays, const std::vector<double>& tNear, bool nearestOnly = false)
+{
+  const RayBatch batch(rays, tNear);
   HitSlots slots;
   slots.Begin(static_cast<int>(rays.size()));
-  surface.Meet({ { lanes[0].data(), lanes[1].data(), lanes[2].data() },
-                 { lanes[3].data(), lanes[4].data(), lanes[5].data() }, lanes[6].data(),
-                 lanes[7].data(), static_cast<int>(rays.size()) },
-    slots);
-  std::vector<std::vector<Hit>> all(rays.size());
+  surface.Meet(batch.View(nearestOnly), slots);
+  std::vector<std::vector<PointHit>> all(rays.size());
   for (std::size_t i = 0; i < rays.size(); ++i)
   {
     const int ray = static_cast<int>(i);
     for (int k = 0; k < slots.Count() && slots.T(k)[i] < kNoHit; ++k)
     {
-      all[i].push_back({ slots.T(k)[i], slots.PointOf(k, ray).position, slots.StatusOf(k, ray) });
+      const SurfacePoint point = slots.PointOf(k, ray);
+      all[i].push_back({ { slots.T(k)[i], point.position, slots.StatusOf(k, ray) }, point });
     }
   }
   return all;
 }
 /// The same from each ray's origin.
+inline std::vector<std::vector<PointHit>> MeetPoints(
+  const Surface& surface, const std::vector<Ray>& rays, bool nearestOnly = false)
+{
+  return MeetPoints(surface, rays, std::vector<double>(rays.size(), kNearest), nearestOnly);
+}
+
+/// Hits without their points.
+inline std::vector<std::vector<Hit>> MeetAll(
+  const Surface& surface, const std::vector<Ray>& rays, const std::vector<double>& tNear)
+{
+  std::vector<std::vector<Hit>> all;
+  for (const auto& hits : MeetPoints(surface, rays, tNear))
+  {
+    all.emplace_back(hits.begin(), hits.end());
+  }
+  return all;
+}
 inline std::vector<std::vector<Hit>> MeetAll(const Surface& surface, const std::vector<Ray>& rays)
 {
   return MeetAll(surface, rays, std::vector<double>(rays.size(), kNearest));

@@ -44,6 +44,9 @@ struct CurvedPiece
   /// The ranges are so small that most rays are decided here, or it has been halved often enough to
   /// ask first.
   bool flat = false;
+  /// f vanishes throughout, or all of a face's piece is one point, up to rounding: no halving
+  /// decides anything.
+  bool plateau = false;
   int halvings = 0;
 
   /// Null before the piece is split; an end without a surface has no bounds (lower > upper).

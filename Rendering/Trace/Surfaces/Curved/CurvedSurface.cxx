@@ -2,6 +2,7 @@
 #include "Trace/Surfaces/Curved/CurvedSurface.h"
 
 #include "Core/Base/CheckedOut.h"
+#include "Trace/Scene.h"
 #include "Trace/Surfaces/Curved/PieceReferee.h"
 
 #include <glm/common.hpp>
@@ -14,8 +15,14 @@ namespace pixelexact
 namespace
 {
 /// Pieces are halved this often where rays are nearly tangent to them, then the referee decides: of
-/// faces, and of volumes.
-constexpr int kDeepest[2] = { 16, 21 };
+/// faces, and of volumes. It knows no magnitudes, which are halved until they are small.
+constexpr int kDeepest[3] = { 16, 21, 30 };
+/// The same of plateaus. A field's are halved for a hit that is not far from the ray.
+constexpr int kDeepestPlateau[3] = { 0, 12, 12 };
+/// Pieces that bend are halved this often for a bundle as a whole.
+constexpr int kTogether = 8;
+/// Of the referee, for a ray in a part: where a ray lies in a surface, no number of them decides.
+constexpr int kBoxes = 4000;
 /// Of an element's size.
 constexpr double kSame = 1e-11;
 
@@ -35,7 +42,9 @@ public:
     , Rays(rays)
     , Bundle(bundle)
     , Work(work)
-    , Deepest(kDeepest[surface.TheEquation.field != nullptr ? 1 : 0])
+    , Kind(surface.TheEquation.field == nullptr         ? 0
+          : surface.TheEquation.component != kMagnitude ? 1
+                                                        : 2)
     , All(RaySet::First(bundle.Count()))
   {
   }
@@ -63,11 +72,12 @@ private:
     Tree = &Of.TreeOf(part);
     PieceSolver solver(Of.TheEquation, *Which, *Tree, Bundle, Work);
     const std::size_t before = Work.hits.size();
+    BoxesLeft.fill(kBoxes);
+    Work.unclear.clear();
     for (const auto& root : Tree->Roots())
     {
       Descend(solver, *root, rays);
     }
-    Work.unclear.clear();
     solver.Solve();
     while (!Work.unclear.empty())
     {
@@ -98,7 +108,8 @@ private:
     {
       return;
     }
-    if (!piece.flat)
+    // Further down each ray is asked: a bundle may meet far more pieces than its rays do.
+    if (!piece.flat && piece.halvings < kTogether)
     {
       Deeper(solver, piece, rays);
       return;
@@ -108,7 +119,7 @@ private:
     {
       return;
     }
-    const RaySet unclear = solver.Look(piece, near);
+    const RaySet unclear = piece.flat ? solver.Look(piece, near) : near;
     if (!unclear.IsEmpty())
     {
       Deeper(solver, piece, unclear);
@@ -117,11 +128,11 @@ private:
 
   void Deeper(PieceSolver& solver, const CurvedPiece& piece, const RaySet& rays)
   {
-    if (piece.halvings >= Deepest)
+    if (piece.halvings >= (piece.plateau ? kDeepestPlateau : kDeepest)[Kind])
     {
       solver.Solve();
-      FindHits(
-        Of.TheEquation.mesh.ShapeOf(Which->element), *Tree, Bundle, solver, piece, rays, Work.hits);
+      FindHits(Of.TheEquation, *Which, *Tree, Bundle, solver, piece,
+        ThoseThatMayMeet(piece.bounds, rays), BoxesLeft, Work.hits);
       return;
     }
     for (const CurvedPiece& half : Tree->Split(piece))
@@ -134,8 +145,9 @@ private:
   const RayLanes& Rays;
   RayBundle& Bundle;
   SolverWork& Work;
-  int Deepest;
+  std::size_t Kind;
   RaySet All;
+  std::array<int, RayBundle::kMost> BoxesLeft{};
   const CurvedPart* Which = nullptr;
   const PartTree* Tree = nullptr;
 };
@@ -251,15 +263,23 @@ void CurvedSurface::MeetSome(const RayLanes& rays, int first, int count, HitSlot
     });
   int slot = 0;
   std::size_t last = 0;
+  std::vector<std::int32_t> told; // parts, since the last hit that is certain
   for (std::size_t k = 0; k < found.size(); ++k)
   {
     const CurvedHit& hit = found[k];
     const int ray = first + hit.ray;
     const bool isFirst = k == 0 || found[k - 1].ray != hit.ray;
-    slot = isFirst ? 0 : slot;
+    if (isFirst)
+    {
+      slot = 0;
+      told.clear();
+    }
     const auto element = static_cast<std::size_t>(PartOf(hit.part).element);
     const double same = kSame * TheEquation.mesh.size[element];
-    if (!(hit.t >= rays.tNear[ray] && hit.t <= rays.tFar[ray]) ||
+    // What is undecided in one part, piece by piece along the ray, is told once.
+    const bool isUndecided = hit.status == HitStatus::Undecided;
+    const bool isTold = isUndecided && std::ranges::find(told, hit.part) != told.end();
+    if (!(hit.t >= rays.tNear[ray] && hit.t <= rays.tFar[ray]) || isTold ||
       (slot > 0 &&
         glm::all(glm::lessThanEqual(glm::abs(hit.position - found[last].position), Vec3(same)))))
     {
@@ -290,6 +310,14 @@ void CurvedSurface::MeetSome(const RayLanes& rays, int first, int count, HitSlot
       {
         lane.xi[d][ray] = hit.xi[d];
       }
+    }
+    if (isUndecided)
+    {
+      told.push_back(hit.part);
+    }
+    else
+    {
+      told.clear();
     }
     last = k;
     ++slot;

@@ -18,6 +18,8 @@ namespace
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Ranges of slopes, relative to the slopes, up to which a piece is flat: of faces, and of volumes.
 constexpr double kFlat[2] = { 0.2, 0.5 };
+/// Of f and y: values that rounding may have made of a zero.
+constexpr double kPlateau = 1e-14;
 /// Halvings at once, however it bends.
 constexpr int kAtOnce[2] = { 8, 9 };
 /// Where rays need smaller pieces, they soon need smaller ones still: conversion costs as much as
@@ -224,7 +226,8 @@ std::vector<BoxPolynomial> PartTree::Polynomials(const CurvedPiece& piece) const
 void PartTree::Fill(CurvedPiece& piece, Polys polys, int besides) const
 {
   Describe(piece, polys);
-  if (!piece.IsEmpty() && (!piece.flat || besides > 0))
+  const bool isPoint = piece.plateau && !Field;
+  if (!piece.IsEmpty() && !isPoint && (!piece.flat || besides > 0))
   {
     SplitInto(piece, std::move(polys), piece.flat ? besides - 1 : 0);
   }
@@ -287,22 +290,17 @@ int PartTree::DirectionOf(const CurvedPiece& piece, const Polys& polys) const
     {
       continue;
     }
-    // Where nothing varies, the widest.
+    // Where nothing varies, or nothing is known of slopes, the widest.
     double sum = 1e-9 * width;
-    for (std::size_t k = 3; k < polys.size(); ++k)
+    const auto add = [&](std::size_t k, double scale)
+    { sum += scale > 0.0 ? polys[k].Variation(d, 1) / scale : 0.0; };
+    for (std::size_t k = 3; k < 12; ++k)
     {
-      if (k < 12)
-      {
-        sum += polys[k].Variation(d, 1) / largest[0];
-      }
-      else if (k == 12 || Equation.component == kMagnitude)
-      {
-        continue;
-      }
-      else
-      {
-        sum += polys[k].Variation(d, 1) / largest[1];
-      }
+      add(k, largest[0]);
+    }
+    for (std::size_t k = 13; k < polys.size() && Equation.component != kMagnitude; ++k)
+    {
+      add(k, largest[1]);
     }
     if (Equation.field != nullptr && Equation.component == kMagnitude)
     {
@@ -321,14 +319,17 @@ void PartTree::Describe(CurvedPiece& piece, const Polys& polys) const
 {
   Count.fetch_add(1, std::memory_order_relaxed);
   const auto e = static_cast<std::size_t>(ThePart.element);
-  const Box3 hull = HullInXi(TheShape, piece.box);
+  const Box3 around = HullInXi(TheShape, piece.box);
   piece.centre = TensorToReference(TheShape, 0.5 * (piece.box.lower + piece.box.upper));
-  piece.half = glm::max(hull.upper - piece.centre, piece.centre - hull.lower);
+  piece.half = glm::max(around.upper - piece.centre, piece.centre - around.lower);
   piece.half *= 1.0 + 8.0 * kUnitRoundoff;
+  piece.plateau = true;
   for (std::size_t c = 0; c < 3; ++c)
   {
     const auto at = static_cast<int>(c);
-    const Interval y = polys[c].Hull() + Interval(-Uncertainty, Uncertainty);
+    const Interval hull = polys[c].Hull();
+    piece.plateau = piece.plateau && hull.Width() <= kPlateau + 4.0 * polys[c].error;
+    const Interval y = hull + Interval(-Uncertainty, Uncertainty);
     const Interval x =
       Interval(Equation.mesh.centre[3 * e + c]) + y * Interval(Equation.mesh.size[e]);
     piece.bounds.lower[at] = x.lower;
@@ -356,12 +357,12 @@ void PartTree::Describe(CurvedPiece& piece, const Polys& polys) const
   for (std::size_t c = 0; c < 4; ++c)
   {
     // The centre is rounded, too.
-    double around = std::fabs(piece.value[c]);
+    double largest = std::fabs(piece.value[c]);
     for (std::size_t d = 0; d < 3; ++d)
     {
-      around += std::fabs(piece.slope[c][d]) + piece.radius[c][d];
+      largest += std::fabs(piece.slope[c][d]) + piece.radius[c][d];
     }
-    piece.error[c] += 8.0 * kUnitRoundoff * around;
+    piece.error[c] += 8.0 * kUnitRoundoff * largest;
   }
   const int which = Field ? 1 : 0;
   piece.flat = piece.halvings >= kAtOnce[which] || Bend(piece) <= kFlat[which];
@@ -375,9 +376,11 @@ void PartTree::DescribeField(CurvedPiece& piece, const Polys& polys) const
   Interval hull = squares ? -Square(Interval(ScaledValue)) : Interval(-ScaledValue);
   Interval middle = hull;
   std::array<Interval, 3> slope;
+  double error = 0.0;
   for (std::size_t c = 0; c < components; ++c)
   {
     const Interval values = polys[kFirst + c].Hull();
+    error += polys[kFirst + c].error;
     const Interval value = polys[kFirst + c].At({ 0.0, 0.0, 0.0 });
     hull += squares ? Square(values) : values;
     middle += squares ? Square(value) : value;
@@ -392,6 +395,7 @@ void PartTree::DescribeField(CurvedPiece& piece, const Polys& polys) const
     piece.bounds = { Vec3(1.0), Vec3(-1.0) };
     return;
   }
+  piece.plateau = hull.Magnitude() <= kPlateau + 2.0 * error;
   piece.value[3] = middle.Middle();
   piece.error[3] = middle.RadiusAround(piece.value[3]);
   for (std::size_t d = 0; d < 3; ++d)

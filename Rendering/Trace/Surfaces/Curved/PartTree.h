@@ -26,8 +26,8 @@ public:
   /// A piece's halves, made where they are not there yet.
   const std::array<CurvedPiece, 2>& Split(const CurvedPiece& piece) const;
 
-  /// 2^-exponent scales the field's values.
-  [[nodiscard]] int Exponent() const { return Field ? Field->exponent : 0; }
+  /// Of the components that make f, scaled as f is: one after the other.
+  [[nodiscard]] const ScaledModes& FieldModes() const { return *Field; }
   [[nodiscard]] double Value() const { return ScaledValue; }
   /// The three coordinates over a piece, and f unless it is a face's or of a magnitude.
   [[nodiscard]] std::vector<BoxPolynomial> Polynomials(const CurvedPiece& piece) const;

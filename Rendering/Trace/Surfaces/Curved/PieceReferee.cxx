@@ -3,15 +3,17 @@
 
 #include "Core/Bernstein/RootFinder.h"
 #include "Core/Math/Rounding.h"
+#include "Trace/Scene.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace pixelexact
 {
 namespace
 {
-constexpr int kBoxes = 2000;
+constexpr int kBoxes = 500;
 constexpr int kPolish = 3;
 
 /// y_a - s_a y_k - q_a over a piece.
@@ -27,6 +29,24 @@ TensorPolynomial Across(const BoxPolynomial& ya, const BoxPolynomial& yk, double
   // Roundings here, and of slope and q.
   result.error = (ya.error + std::fabs(slope) * yk.error + Gamma(16) * largest) * (1.0 + Gamma(8));
   return result;
+}
+
+/// Whether two equations in two variables are one, up to their errors: a ray in the plane of a flat
+/// face.
+bool AreOne(const TensorPolynomial& a, const TensorPolynomial& b)
+{
+  const double sizeA = LargestMagnitude(a.coefficients);
+  const double sizeB = LargestMagnitude(b.coefficients);
+  double same = 0.0;
+  double opposite = 0.0;
+  for (std::size_t i = 0; i < a.coefficients.size(); ++i)
+  {
+    const double x = a.coefficients[i] * sizeB;
+    const double y = b.coefficients[i] * sizeA;
+    same = std::max(same, std::fabs(x - y));
+    opposite = std::max(opposite, std::fabs(x + y));
+  }
+  return std::min(same, opposite) <= 4.0 * (a.error * sizeB + b.error * sizeA);
 }
 
 /// The equations of rays over a piece, and what its parameters stand for.
@@ -49,10 +69,9 @@ public:
     }
   }
 
-  /// Of a magnitude, f is no polynomial that is kept.
-  [[nodiscard]] bool IsSquare() const { return Polys.size() == Free.size() + 1; }
-
-  [[nodiscard]] RootSearchResult Solve(int ray, const std::array<double, 2>& q) const
+  /// Nothing where a ray lies in the plane of a flat face. At most `most` boxes are looked at.
+  [[nodiscard]] std::optional<RootSearchResult> Solve(
+    int ray, const std::array<double, 2>& q, int most) const
   {
     const BoxPolynomial& along = Polys[static_cast<std::size_t>(Bundle.axes[2])];
     std::vector<TensorPolynomial> equations;
@@ -60,6 +79,10 @@ public:
     {
       equations.push_back(Across(Polys[static_cast<std::size_t>(Bundle.axes[a])], along,
         Bundle.slope[a][static_cast<std::size_t>(ray)], q[a]));
+    }
+    if (Polys.size() == 3 && AreOne(equations[0], equations[1]))
+    {
+      return std::nullopt;
     }
     if (Polys.size() > 3)
     {
@@ -75,7 +98,7 @@ public:
       one.degree = degree;
     }
     RootSearch options;
-    options.budget = kBoxes;
+    options.budget = std::min(most, kBoxes);
     return FindRoots(PolynomialSystem(static_cast<int>(Free.size()), equations), options);
   }
 
@@ -101,33 +124,44 @@ private:
 };
 } // namespace
 
-void FindHits(Shape shape, const PartTree& tree, const RayBundle& bundle, PieceSolver& solver,
-  const CurvedPiece& piece, const RaySet& rays, std::vector<CurvedHit>& hits)
+void FindHits(const CurvedEquation& equation, const CurvedPart& part, const PartTree& tree,
+  const RayBundle& bundle, PieceSolver& solver, const CurvedPiece& piece, const RaySet& rays,
+  std::span<int> boxes, std::vector<CurvedHit>& hits)
 {
-  const auto polys = tree.Polynomials(piece);
-  const PieceSystem system(shape, bundle, piece, polys);
   const auto addUndecided = [&](int ray, const Vec3& xi)
   {
     CurvedHit hit = solver.HitAt(piece, ray, xi, 0);
     hit.status = HitStatus::Undecided;
     hits.push_back(hit);
   };
+  // A magnitude's equation is no polynomial that is kept.
+  const bool isMagnitude = equation.field != nullptr && equation.component == kMagnitude;
+  if (rays.IsEmpty() || isMagnitude || piece.plateau)
+  {
+    rays.ForEach([&](int ray) { addUndecided(ray, piece.centre); });
+    return;
+  }
+  const auto polys = tree.Polynomials(piece);
+  const PieceSystem system(equation.mesh.ShapeOf(part.element), bundle, piece, polys);
   rays.ForEach(
     [&](int ray)
     {
-      if (!system.IsSquare())
+      int& left = boxes[static_cast<std::size_t>(ray)];
+      const auto found = left > 0 ? system.Solve(ray, solver.Across(ray), left) : std::nullopt;
+      if (!found)
       {
         addUndecided(ray, piece.centre);
         return;
       }
-      const RootSearchResult found = system.Solve(ray, solver.Across(ray));
-      for (const IsolatedRoot& root : found.roots)
+      left -= static_cast<int>(found->boxes);
+      for (const IsolatedRoot& root : found->roots)
       {
-        const auto middle = [&root](std::size_t v) { return root.enclosure[v].Middle(); };
+        const auto middle = [&root](std::size_t v)
+        { return std::clamp(root.enclosure[v].Middle(), 0.0, 1.0); };
         hits.push_back(
           solver.HitAt(piece, ray, system.XiOf({ middle(0), middle(1), middle(2) }), kPolish));
       }
-      for (const ParameterBox& box : found.undecided)
+      for (const ParameterBox& box : found->undecided)
       {
         const auto middle = [&box](std::size_t v) { return 0.5 * (box.lower[v] + box.upper[v]); };
         addUndecided(ray, system.XiOf({ middle(0), middle(1), middle(2) }));

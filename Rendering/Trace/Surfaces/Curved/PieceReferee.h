@@ -3,12 +3,15 @@
 
 #include "Trace/Surfaces/Curved/PieceSolver.h"
 
+#include <span>
 #include <vector>
 
 namespace pixelexact
 {
 /// All points where rays meet a piece that is too small to be halved further, by FindRoots: the
-/// hits that it isolates are certain, and where it cannot tell there is an undecided one.
-void FindHits(Shape shape, const PartTree& tree, const RayBundle& bundle, PieceSolver& solver,
-  const CurvedPiece& piece, const RaySet& rays, std::vector<CurvedHit>& hits);
+/// hits that it isolates are certain, and where it cannot tell there is an undecided one. For each
+/// ray of the bundle it looks at no more than so many boxes, and takes those that it did from them.
+void FindHits(const CurvedEquation& equation, const CurvedPart& part, const PartTree& tree,
+  const RayBundle& bundle, PieceSolver& solver, const CurvedPiece& piece, const RaySet& rays,
+  std::span<int> boxes, std::vector<CurvedHit>& hits);
 } // namespace pixelexact

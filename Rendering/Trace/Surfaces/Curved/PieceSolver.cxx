@@ -32,7 +32,6 @@ PieceSolver::PieceSolver(const CurvedEquation& equation, const CurvedPart& part,
   Frame.size = equation.mesh.size[e];
   Frame.inverseSize = 1.0 / Frame.size;
   Frame.tolerance = 4.0 * equation.mesh.uncertainty[e] * Frame.inverseSize + kRounding;
-  FieldScale = std::ldexp(1.0, -tree.Exponent());
   Work.pairs.Clear();
 }
 
@@ -92,24 +91,14 @@ void PieceSolver::Evaluate()
 
 void PieceSolver::EvaluateField(const LanePoints& xi, double* const out, double* const slope[3])
 {
-  const Expansion& values = Equation.field->values;
-  const Space& space = values.SpaceOf(Part.element);
-  const auto modes = static_cast<std::size_t>(space.Modes());
-  const double* coefficients = values.Coefficients(Part.element);
+  const ScaledModes& modes = Tree.FieldModes();
+  const Space& space = modes.space;
   const auto count = static_cast<std::size_t>(PaddedCount(xi.count));
   const double sought = Tree.Value();
   if (Equation.component != kMagnitude)
   {
-    KernelsFor(space).gradient(space,
-      coefficients + static_cast<std::size_t>(Equation.component) * modes, 1, xi, &out, slope);
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      out[i] = out[i] * FieldScale - sought;
-    }
-    for (int d = 0; d < 3; ++d)
-    {
-      std::for_each_n(slope[d], count, [this](double& by) { by *= FieldScale; });
-    }
+    KernelsFor(space).gradient(space, modes.values.data(), 1, xi, &out, slope);
+    std::for_each_n(out, count, [sought](double& value) { value -= sought; });
     return;
   }
   std::vector<double> one(4 * count);
@@ -120,17 +109,15 @@ void PieceSolver::EvaluateField(const LanePoints& xi, double* const out, double*
   {
     std::fill_n(slope[d], count, 0.0);
   }
-  for (int c = 0; c < values.components; ++c)
+  for (std::size_t first = 0; first < modes.values.size(); first += modes.width)
   {
-    KernelsFor(space).gradient(
-      space, coefficients + static_cast<std::size_t>(c) * modes, 1, xi, &u, by);
+    KernelsFor(space).gradient(space, modes.values.data() + first, 1, xi, &u, by);
     for (std::size_t i = 0; i < count; ++i)
     {
-      const double scaled = u[i] * FieldScale;
-      out[i] += scaled * scaled;
+      out[i] += u[i] * u[i];
       for (std::size_t d = 0; d < 3; ++d)
       {
-        slope[d][i] += 2.0 * scaled * (by[d][i] * FieldScale);
+        slope[d][i] += 2.0 * u[i] * by[d][i];
       }
     }
   }

@@ -78,6 +78,5 @@ private:
   const RayBundle& Bundle;
   SolverWork& Work;
   ElementFrame Frame;
-  double FieldScale;
 };
 } // namespace pixelexact

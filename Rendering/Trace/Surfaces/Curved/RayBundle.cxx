@@ -2,6 +2,7 @@
 #include "Trace/Surfaces/Curved/RayBundle.h"
 
 #include "Core/Math/Rounding.h"
+#include "Trace/Surfaces/PairArithmetic.h"
 
 #include <glm/common.hpp>
 
@@ -17,6 +18,13 @@ std::size_t LongestOf(const Vec3& direction)
 {
   const Vec3 size = glm::abs(direction);
   return size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+}
+
+/// o - d / d_k o_k, where the two are far larger than it: the ray's own point, not one beside it.
+double PlaceOf(double origin, double direction, double along, const DoublePair& depth)
+{
+  const DoublePair slope = DoublePair{ direction, 0.0 } / DoublePair{ along, 0.0 };
+  return (DoublePair{ origin, 0.0 } - slope * depth).high;
 }
 } // namespace
 
@@ -47,13 +55,14 @@ bool RayBundle::Begin(const RayLanes& rays, int first, int count, const Box3& ab
       return false;
     }
     Direction[i] = directions[ray];
-    Origin[i] = rays.origin[along][ray] - z0;
+    const DoublePair depth = ExactSum(rays.origin[along][ray], -z0);
+    Origin[i] = depth.high;
     double size = around + std::fabs(rays.origin[along][ray]);
     for (std::size_t a = 0; a < 2; ++a)
     {
       const auto axis = static_cast<std::size_t>(axes[a]);
       slope[a][i] = rays.direction[axis][ray] / Direction[i];
-      place[a][i] = rays.origin[axis][ray] - slope[a][i] * Origin[i];
+      place[a][i] = PlaceOf(rays.origin[axis][ray], rays.direction[axis][ray], Direction[i], depth);
       size += std::fabs(rays.origin[axis][ray]);
       Places[a].Add(place[a][i]);
       Slopes[a].Add(slope[a][i]);
