@@ -41,7 +41,9 @@ struct CurvedPiece
   double error[4] = {};  ///< of it, the map's uncertainty included
   double slope[4][3]{};  ///< middles of the derivatives' ranges over the box
   double radius[4][3]{}; ///< of these ranges
-  bool flat = false;     ///< the ranges are so small that most rays are decided here
+  /// The ranges are so small that most rays are decided here, or it has been halved often enough to
+  /// ask first.
+  bool flat = false;
   int halvings = 0;
 
   /// Null before the piece is split; an end without a surface has no bounds (lower > upper).

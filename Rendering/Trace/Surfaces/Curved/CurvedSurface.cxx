@@ -15,7 +15,7 @@ namespace
 {
 /// Pieces are halved this often where rays are nearly tangent to them, then the referee decides: of
 /// faces, and of volumes.
-constexpr int kDeepest[2] = { 14, 18 };
+constexpr int kDeepest[2] = { 16, 21 };
 /// Of an element's size.
 constexpr double kSame = 1e-11;
 
@@ -120,11 +120,8 @@ private:
     if (piece.halvings >= Deepest)
     {
       solver.Solve();
-      ThoseThatMayMeet(piece.bounds, rays)
-        .ForEach(
-          [&](int ray) {
-            FindHits(Of.TheEquation, *Which, *Tree, Bundle, solver, { &piece, ray }, Work.hits);
-          });
+      FindHits(
+        Of.TheEquation.mesh.ShapeOf(Which->element), *Tree, Bundle, solver, piece, rays, Work.hits);
       return;
     }
     for (const CurvedPiece& half : Tree->Split(piece))

@@ -16,10 +16,13 @@ namespace pixelexact
 namespace
 {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// Ranges of slopes, relative to the slopes, up to which a piece is flat.
-constexpr double kFlat = 0.2;
-/// Halvings at once, whatever bends: of faces, and of volumes.
+/// Ranges of slopes, relative to the slopes, up to which a piece is flat: of faces, and of volumes.
+constexpr double kFlat[2] = { 0.2, 0.5 };
+/// Halvings at once, however it bends.
 constexpr int kAtOnce[2] = { 8, 9 };
+/// Where rays need smaller pieces, they soon need smaller ones still: conversion costs as much as
+/// some halvings.
+constexpr int kBesides = 2;
 
 constexpr Part kBy[3] = { Part::ByXi1, Part::ByXi2, Part::ByXi3 };
 
@@ -109,7 +112,7 @@ PartTree::PartTree(const CurvedEquation& equation, const CurvedPart& part)
     }
     if (onFace)
     {
-      Fill(*root, Convert(root->box));
+      Fill(*root, Convert(root->box), 0);
       if (!root->IsEmpty())
       {
         All.push_back(std::move(root));
@@ -171,11 +174,12 @@ PartTree::Polys PartTree::Convert(const EtaBox& box) const
     }
   };
   add(Map, 3);
+  const double scale = std::ldexp(1.0, Map.exponent);
   for (BoxPolynomial& p : polys)
   {
     for (double& b : p.b)
     {
-      b = std::ldexp(b, Map.exponent);
+      b *= scale;
     }
     p.error = rounding::Above(std::ldexp(p.error, Map.exponent)) + 0x1p-1000;
   }
@@ -216,17 +220,17 @@ std::vector<BoxPolynomial> PartTree::Polynomials(const CurvedPiece& piece) const
   return polys;
 }
 
-/// Describes a piece, and halves it while it bends.
-void PartTree::Fill(CurvedPiece& piece, Polys polys) const
+/// Describes a piece, and halves it while it bends, and so often besides.
+void PartTree::Fill(CurvedPiece& piece, Polys polys, int besides) const
 {
   Describe(piece, polys);
-  if (!piece.IsEmpty() && !piece.flat && piece.halvings < kAtOnce[Field ? 1 : 0])
+  if (!piece.IsEmpty() && (!piece.flat || besides > 0))
   {
-    SplitInto(piece, std::move(polys));
+    SplitInto(piece, std::move(polys), piece.flat ? besides - 1 : 0);
   }
 }
 
-void PartTree::SplitInto(const CurvedPiece& piece, Polys polys) const
+void PartTree::SplitInto(const CurvedPiece& piece, Polys polys, int besides) const
 {
   const int direction = DirectionOf(piece, polys);
   auto halves = std::make_unique<std::array<CurvedPiece, 2>>();
@@ -243,7 +247,7 @@ void PartTree::SplitInto(const CurvedPiece& piece, Polys polys) const
     half.box = piece.box;
     (k == 0 ? half.box.upper : half.box.lower)[direction] = middle;
     half.halvings = piece.halvings + 1;
-    Fill(half, std::move(k == 0 ? polys : upper));
+    Fill(half, std::move(k == 0 ? polys : upper), besides);
   }
   // Who makes a piece's halves is alone with it.
   const_cast<CurvedPiece&>(piece).children.store(halves.release(), std::memory_order_release);
@@ -258,7 +262,7 @@ const std::array<CurvedPiece, 2>& PartTree::Split(const CurvedPiece& piece) cons
   const std::scoped_lock lock(Growing);
   if (piece.children.load(std::memory_order_relaxed) == nullptr)
   {
-    SplitInto(piece, Convert(piece.box));
+    SplitInto(piece, Convert(piece.box), kBesides);
   }
   return *piece.children.load(std::memory_order_relaxed);
 }
@@ -359,7 +363,8 @@ void PartTree::Describe(CurvedPiece& piece, const Polys& polys) const
     }
     piece.error[c] += 8.0 * kUnitRoundoff * around;
   }
-  piece.flat = Bend(piece) <= kFlat;
+  const int which = Field ? 1 : 0;
+  piece.flat = piece.halvings >= kAtOnce[which] || Bend(piece) <= kFlat[which];
 }
 
 void PartTree::DescribeField(CurvedPiece& piece, const Polys& polys) const

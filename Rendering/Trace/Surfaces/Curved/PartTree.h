@@ -42,11 +42,11 @@ private:
   [[nodiscard]] Polys Convert(const EtaBox& box) const;
   /// How many components make f.
   [[nodiscard]] int Components() const;
-  void Fill(CurvedPiece& piece, Polys polys) const;
+  void Fill(CurvedPiece& piece, Polys polys, int besides) const;
   void Describe(CurvedPiece& piece, const Polys& polys) const;
   void DescribeField(CurvedPiece& piece, const Polys& polys) const;
   [[nodiscard]] double Bend(const CurvedPiece& piece) const;
-  void SplitInto(const CurvedPiece& piece, Polys polys) const;
+  void SplitInto(const CurvedPiece& piece, Polys polys, int besides) const;
   [[nodiscard]] int DirectionOf(const CurvedPiece& piece, const Polys& polys) const;
   [[nodiscard]] BoxPolynomial OnFace(BoxPolynomial polynomial) const;
 

@@ -22,12 +22,55 @@ constexpr double kMostRounds = 40.0;
 constexpr double kArrived = 1e-8;
 constexpr double kEdge = 1e-15;
 
-/// The factors of the norm in which ClampTo brings no two points farther from each other.
-HWY_INLINE double NormOf(Shape shape, int direction)
+/// The norm max w_i |x_i| of a matrix whose entries are not negative.
+HWY_INLINE Lanes NormOf(const Lanes (&K)[3][3], const Lanes (&w)[3])
+{
+  Lanes largest = Splat(0.0);
+  ForEachAxis([&](auto r) PIXELEXACT_INLINED
+    { largest = Max(largest, w[r] * (K[r][0] / w[0] + K[r][1] / w[1] + K[r][2] / w[2])); });
+  return largest;
+}
+
+/// A norm, max w_i |x_i|, in which ClampTo brings no two points farther from each other: the ends
+/// of collapsed directions move with the xi that they are clamped after. Of two, the one in which K
+/// is smaller; returns how large. A NaN in K gives no number, or an infinite one.
+HWY_INLINE Lanes ChooseNorm(Shape shape, const Lanes (&K)[3][3], Lanes (&w)[3])
 {
   // x = 1.618...: 1/x + 1/x^2 = 1. The ends of a tetrahedron's eta_1 move with both other xi.
   constexpr double kGolden[3] = { 1.0, 1.6180339887498949, 2.6180339887498949 };
-  return shape == Shape::Tetrahedron ? kGolden[direction] : 1.0;
+  const bool golden = shape == Shape::Tetrahedron;
+  Lanes sum[3];
+  Lanes largest = Splat(0.0);
+  ForEachAxis(
+    [&](auto r) PIXELEXACT_INLINED
+    {
+      w[r] = Splat(golden ? kGolden[r] : 1.0);
+      sum[r] = K[r][0] + K[r][1] + K[r][2];
+      largest = Max(largest, sum[r]);
+    });
+  // One in which its rows have about the same sum.
+  const Lanes least = Splat(1e-2) * largest + Splat(0x1p-1000);
+  Lanes v[3];
+  ForEachAxis([&](auto r) PIXELEXACT_INLINED { v[r] = largest / Max(sum[r], least); });
+  if (shape == Shape::Prism)
+  {
+    v[2] = Max(v[2], v[0]);
+  }
+  else if (shape == Shape::Pyramid)
+  {
+    v[2] = Max(v[2], Max(v[0], v[1]));
+  }
+  else if (golden)
+  {
+    // v_0 (1 / v_1 + 1 / v_2) <= 1, v_1 <= v_2.
+    v[1] = Max(v[1], Splat(kGolden[1]) * v[0]);
+    v[2] = Max(v[2], Max(v[1], Splat(kGolden[2]) * v[0]));
+  }
+  const Lanes usual = NormOf(K, w);
+  const Lanes other = NormOf(K, v);
+  const LaneMask better = other < usual;
+  ForEachAxis([&](auto r) PIXELEXACT_INLINED { w[r] = Select(better, v[r], w[r]); });
+  return Select(better, other, usual);
 }
 
 /// The point of a piece that is taken for a xi outside of it: along each direction of eta in turn,
@@ -76,10 +119,9 @@ HWY_INLINE void Product(const Lanes (&m)[9], const Lanes (&v)[3], Lanes (&to)[3]
     { to[r] = m[3 * r] * v[0] + m[3 * r + 1] * v[1] + m[3 * r + 2] * v[2]; });
 }
 
-HWY_INLINE Lanes Largest(Shape shape, const Lanes (&v)[3])
+HWY_INLINE Lanes Largest(const Lanes (&norm)[3], const Lanes (&v)[3])
 {
-  return Max(
-    Abs(v[0]), Max(Abs(v[1]) * Splat(NormOf(shape, 1)), Abs(v[2]) * Splat(NormOf(shape, 2))));
+  return Max(norm[0] * Abs(v[0]), Max(norm[1] * Abs(v[1]), norm[2] * Abs(v[2])));
 }
 
 /// test(i, mask) for each pack of rays of the set; returns those that passed.
@@ -184,30 +226,31 @@ RaySet Look(const RayBundle& bundle, const ElementFrame& frame, const CurvedPiec
     InverseOf(m, inverse);
     Lanes first[3];
     Product(inverse, g, first);
-    Lanes kappa = zero;
+    // |M^-1| times the radii.
+    Lanes K[3][3];
     // NaNs neither miss nor decide.
     LaneMask misses = zero < zero;
-    LaneMask decides = active;
     ForEachAxis(
       [&](auto r) PIXELEXACT_INLINED
       {
         Lanes off = zero;
-        Lanes sum = zero;
         ForEachAxis(
           [&](auto d) PIXELEXACT_INLINED
           {
-            const Lanes change = Abs(inverse[3 * r]) * radius[0][d] +
-              Abs(inverse[3 * r + 1]) * radius[1][d] + Abs(inverse[3 * r + 2]) * radius[2][d];
-            off = off + change * Splat(piece.half[d]) + Abs(inverse[3 * r + d]) * error[d];
-            sum = sum + change * Splat(1.0 / NormOf(frame.shape, d));
+            K[r][d] = Abs(inverse[3 * r]) * radius[0][d] + Abs(inverse[3 * r + 1]) * radius[1][d] +
+              Abs(inverse[3 * r + 2]) * radius[2][d];
+            off = off + K[r][d] * Splat(piece.half[d]) + Abs(inverse[3 * r + d]) * error[d];
           });
-        sum = sum * Splat(NormOf(frame.shape, r));
-        decides = And(decides, sum <= Splat(kMostKappa));
-        kappa = Max(kappa, sum);
         // A root in the piece lies in centre - first +- off, however large that is.
         misses = Or(
           misses, (Splat(piece.half[r]) + off) * Splat(1.0 + 1e-9) + Splat(1e-14) < Abs(first[r]));
       });
+    Lanes norm[3];
+    const Lanes kappa = ChooseNorm(frame.shape, K, norm);
+    // Max may lose a NaN, not so a sum.
+    const Lanes all =
+      K[0][0] + K[0][1] + K[0][2] + K[1][0] + K[1][1] + K[1][2] + K[2][0] + K[2][1] + K[2][2];
+    const LaneMask decides = And(active, And(IsFinite(all), kappa <= Splat(kMostKappa)));
     const LaneMask open = AndNot(active, misses);
     const LaneMask pair = And(open, decides);
     const LaneMask rest = AndNot(open, decides);
@@ -245,6 +288,7 @@ RaySet Look(const RayBundle& bundle, const ElementFrame& frame, const CurvedPiec
         put(kUpperColumn + d, upper[d]);
         put(kFaceColumn + d, Splat(piece.slope[3][d]));
         put(kXiColumn + d, xi[d]);
+        put(kNormColumn + d, norm[d]);
       });
     pairs.count += LaneCount();
     return rest;
@@ -305,9 +349,9 @@ void Step(const RayBundle& bundle, const ElementFrame& frame, const double* valu
     ClampTo(frame.shape, lower, upper, next, inside);
     Lanes over[3];
     ForEachAxis([&](auto d) PIXELEXACT_INLINED { over[d] = next[d] - inside[d]; });
-    const Lanes beyond = Largest(frame.shape, over);
-    const LaneMask arrived =
-      And(Largest(frame.shape, step) <= Splat(kArrived), beyond <= Splat(kEdge));
+    const Lanes even[3] = { Splat(1.0), Splat(1.0), Splat(1.0) };
+    const Lanes beyond = Largest(even, over);
+    const LaneMask arrived = And(Largest(even, step) <= Splat(kArrived), beyond <= Splat(kEdge));
     const Lanes tolerance = Splat(frame.tolerance);
     const LaneMask there =
       And(Abs(g[0]) <= tolerance, And(Abs(g[1]) <= tolerance, Abs(g[2]) <= tolerance));
@@ -318,14 +362,17 @@ void Step(const RayBundle& bundle, const ElementFrame& frame, const double* valu
     }
     Lanes frozen[3];
     Product(inverse, g, frozen);
-    const Lanes residual = Largest(frame.shape, frozen);
+    Lanes norm[3];
+    ForEachAxis([&](auto d) PIXELEXACT_INLINED { norm[d] = load(kNormColumn + d); });
+    const Lanes residual = Largest(norm, frozen);
     // After a step with the piece's matrix, every root of the piece is nearer than kappa times what
     // it was before.
     const Lanes kappa = load(kKappaColumn);
     const Lanes last = load(kLastColumn);
     const Lanes falls = (Splat(1.0) + kappa) * kappa / (Splat(1.0) - kappa);
-    const LaneMask miss =
-      And(zero < last, falls * last * Splat(1.0 + 1e-6) + Splat(kEdge) < residual);
+    const LaneMask miss = And(zero < last,
+      falls * last * Splat(1.0 + 1e-6) + Splat(kEdge) * Max(norm[0], Max(norm[1], norm[2])) <
+        residual);
     const Lanes rounds = load(kRoundsColumn) + Splat(1.0);
     const LaneMask goesOn = And(IsFinite(residual), rounds <= Splat(kMostRounds));
     const LaneMask free = And(beyond <= zero, rounds < Splat(0.5 * kMostRounds));

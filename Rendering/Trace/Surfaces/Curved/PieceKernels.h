@@ -38,8 +38,9 @@ enum PairColumn
   kKappaColumn = kFaceColumn + 3,
   kLastColumn, ///< the residual before a step that was held back; 0: none
   kRoundsColumn,
-  kXiColumn, ///< 3
-  kPairColumns = kXiColumn + 3
+  kXiColumn,                   ///< 3
+  kNormColumn = kXiColumn + 3, ///< 3: factors of the norm
+  kPairColumns = kNormColumn + 3
 };
 
 struct PiecePairs

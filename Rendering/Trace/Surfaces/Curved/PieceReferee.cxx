@@ -28,87 +28,110 @@ TensorPolynomial Across(const BoxPolynomial& ya, const BoxPolynomial& yk, double
   result.error = (ya.error + std::fabs(slope) * yk.error + Gamma(16) * largest) * (1.0 + Gamma(8));
   return result;
 }
+
+/// The equations of rays over a piece, and what its parameters stand for.
+class PieceSystem
+{
+public:
+  PieceSystem(Shape shape, const RayBundle& bundle, const CurvedPiece& piece,
+    const std::vector<BoxPolynomial>& polys)
+    : TheShape(shape)
+    , Bundle(bundle)
+    , Piece(piece)
+    , Polys(polys)
+  {
+    for (int d = 0; d < 3; ++d)
+    {
+      if (piece.box.upper[d] > piece.box.lower[d])
+      {
+        Free.push_back(d);
+      }
+    }
+  }
+
+  /// Of a magnitude, f is no polynomial that is kept.
+  [[nodiscard]] bool IsSquare() const { return Polys.size() == Free.size() + 1; }
+
+  [[nodiscard]] RootSearchResult Solve(int ray, const std::array<double, 2>& q) const
+  {
+    const BoxPolynomial& along = Polys[static_cast<std::size_t>(Bundle.axes[2])];
+    std::vector<TensorPolynomial> equations;
+    for (std::size_t a = 0; a < 2; ++a)
+    {
+      equations.push_back(Across(Polys[static_cast<std::size_t>(Bundle.axes[a])], along,
+        Bundle.slope[a][static_cast<std::size_t>(ray)], q[a]));
+    }
+    if (Polys.size() > 3)
+    {
+      equations.push_back({ Polys[3].degree, Polys[3].b, Polys[3].error });
+    }
+    for (TensorPolynomial& one : equations)
+    {
+      Degrees degree{};
+      for (std::size_t v = 0; v < Free.size(); ++v)
+      {
+        degree[v] = one.degree[static_cast<std::size_t>(Free[v])];
+      }
+      one.degree = degree;
+    }
+    RootSearch options;
+    options.budget = kBoxes;
+    return FindRoots(PolynomialSystem(static_cast<int>(Free.size()), equations), options);
+  }
+
+  [[nodiscard]] Vec3 XiOf(const Parameters& at) const
+  {
+    Vec3 eta = Piece.box.lower;
+    for (std::size_t v = 0; v < Free.size(); ++v)
+    {
+      const int d = Free[v];
+      const double lower = Piece.box.lower[d];
+      const double upper = Piece.box.upper[d];
+      eta[d] = std::clamp(lower + at[v] * (upper - lower), lower, upper);
+    }
+    return TensorToReference(TheShape, eta);
+  }
+
+private:
+  Shape TheShape;
+  const RayBundle& Bundle;
+  const CurvedPiece& Piece;
+  const std::vector<BoxPolynomial>& Polys;
+  std::vector<int> Free; ///< directions of eta that the piece extends along
+};
 } // namespace
 
-void FindHits(const CurvedEquation& equation, const CurvedPart& part, const PartTree& tree,
-  const RayBundle& bundle, PieceSolver& solver, const PieceRay& of, std::vector<CurvedHit>& hits)
+void FindHits(Shape shape, const PartTree& tree, const RayBundle& bundle, PieceSolver& solver,
+  const CurvedPiece& piece, const RaySet& rays, std::vector<CurvedHit>& hits)
 {
-  const CurvedPiece& piece = *of.piece;
-  const auto i = static_cast<std::size_t>(of.ray);
-  const auto k = static_cast<std::size_t>(bundle.axes[2]);
-  const Shape shape = equation.mesh.ShapeOf(part.element);
-  // Directions of eta that the piece extends along.
-  std::vector<int> free;
-  for (int d = 0; d < 3; ++d)
-  {
-    if (piece.box.upper[d] > piece.box.lower[d])
-    {
-      free.push_back(d);
-    }
-  }
   const auto polys = tree.Polynomials(piece);
-  const auto q = solver.Across(of.ray);
-  std::vector<TensorPolynomial> equations;
-  for (std::size_t a = 0; a < 2; ++a)
+  const PieceSystem system(shape, bundle, piece, polys);
+  const auto addUndecided = [&](int ray, const Vec3& xi)
   {
-    equations.push_back(
-      Across(polys[static_cast<std::size_t>(bundle.axes[a])], polys[k], bundle.slope[a][i], q[a]));
-  }
-  if (polys.size() > 3)
-  {
-    equations.push_back({ polys[3].degree, polys[3].b, polys[3].error });
-  }
-  if (equations.size() != free.size())
-  {
-    // A magnitude's equation is no polynomial that is kept.
-    CurvedHit hit = solver.HitAt(piece, of.ray, piece.centre, 0);
+    CurvedHit hit = solver.HitAt(piece, ray, xi, 0);
     hit.status = HitStatus::Undecided;
     hits.push_back(hit);
-    return;
-  }
-  for (TensorPolynomial& one : equations)
-  {
-    Degrees degree{};
-    for (std::size_t v = 0; v < free.size(); ++v)
-    {
-      degree[v] = one.degree[static_cast<std::size_t>(free[v])];
-    }
-    one.degree = degree;
-  }
-  const auto xiOf = [&](const Parameters& at)
-  {
-    Vec3 eta = 0.5 * (piece.box.lower + piece.box.upper);
-    for (std::size_t v = 0; v < free.size(); ++v)
-    {
-      const int d = free[v];
-      const double lower = piece.box.lower[d];
-      eta[d] = std::clamp(lower + at[v] * (piece.box.upper[d] - lower), lower, piece.box.upper[d]);
-    }
-    return TensorToReference(shape, eta);
   };
-  RootSearch options;
-  options.budget = kBoxes;
-  const RootSearchResult found =
-    FindRoots(PolynomialSystem(static_cast<int>(free.size()), equations), options);
-  for (const IsolatedRoot& root : found.roots)
-  {
-    Parameters middle{};
-    for (std::size_t v = 0; v < free.size(); ++v)
+  rays.ForEach(
+    [&](int ray)
     {
-      middle[v] = std::clamp(root.enclosure[v].Middle(), 0.0, 1.0);
-    }
-    hits.push_back(solver.HitAt(piece, of.ray, xiOf(middle), kPolish));
-  }
-  for (const ParameterBox& box : found.undecided)
-  {
-    Parameters middle{};
-    for (std::size_t v = 0; v < free.size(); ++v)
-    {
-      middle[v] = 0.5 * (box.lower[v] + box.upper[v]);
-    }
-    CurvedHit hit = solver.HitAt(piece, of.ray, xiOf(middle), 0);
-    hit.status = HitStatus::Undecided;
-    hits.push_back(hit);
-  }
+      if (!system.IsSquare())
+      {
+        addUndecided(ray, piece.centre);
+        return;
+      }
+      const RootSearchResult found = system.Solve(ray, solver.Across(ray));
+      for (const IsolatedRoot& root : found.roots)
+      {
+        const auto middle = [&root](std::size_t v) { return root.enclosure[v].Middle(); };
+        hits.push_back(
+          solver.HitAt(piece, ray, system.XiOf({ middle(0), middle(1), middle(2) }), kPolish));
+      }
+      for (const ParameterBox& box : found.undecided)
+      {
+        const auto middle = [&box](std::size_t v) { return 0.5 * (box.lower[v] + box.upper[v]); };
+        addUndecided(ray, system.XiOf({ middle(0), middle(1), middle(2) }));
+      }
+    });
 }
 } // namespace pixelexact

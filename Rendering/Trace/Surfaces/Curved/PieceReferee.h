@@ -7,8 +7,8 @@
 
 namespace pixelexact
 {
-/// All points where a ray meets a piece that is too small to be halved further, by FindRoots: the
+/// All points where rays meet a piece that is too small to be halved further, by FindRoots: the
 /// hits that it isolates are certain, and where it cannot tell there is an undecided one.
-void FindHits(const CurvedEquation& equation, const CurvedPart& part, const PartTree& tree,
-  const RayBundle& bundle, PieceSolver& solver, const PieceRay& of, std::vector<CurvedHit>& hits);
+void FindHits(Shape shape, const PartTree& tree, const RayBundle& bundle, PieceSolver& solver,
+  const CurvedPiece& piece, const RaySet& rays, std::vector<CurvedHit>& hits);
 } // namespace pixelexact
