@@ -4,9 +4,12 @@
 #include "ColorOptions.h"
 #include "Shot.h"
 
+#include "Core/Faces/FaceTable.h"
+#include "HighOrderModel.h"
 #include "VtkLook.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace pixelexact
 {
@@ -111,7 +114,13 @@ Looks::Looks(const ColorOptions& colors, const Shot& shot, const Frame& frame)
   }
   if (shot.edges)
   {
-    Edges.emplace(*shot.edges);
+    KindOfFace kinds;
+    if (shot.edgesByKind)
+    {
+      const FaceTable& faces = shot.input.model->Faces();
+      kinds = [&faces](int element, int face) { return faces.KindOf(element, face); };
+    }
+    Edges.emplace(*shot.edges, std::move(kinds));
   }
   if (shot.outlines)
   {

@@ -59,6 +59,11 @@ void ShotOptions::AddTo(CLI::App& added, bool required)
   AddNumbers(
     added, "--edge-color", edgeColor, 3, "r,g,b", "Their colour, 0 to 1 each (default: 0,0,0)")
     .Needs(edged);
+  AddFlag(added, "--edges-by-kind", edgesByKind,
+    "Tell lines apart by what lies behind the face: another element's face (black), nothing "
+    "(blue), "
+    "faces of other sizes (orange), elements behind a part of it (purple)")
+    .Needs(edged);
   const AddedOption drawn =
     AddFlag(added, "--outlines", outlines, "Paint the pixels in which elements, or surfaces, meet")
       .Excludes(edged);
@@ -158,7 +163,10 @@ Shot Prepare(const ShotOptions& options, Stopwatch& stopwatch)
   shot.samples = options.samples;
   if (options.edgeWidth)
   {
-    shot.edges = EdgeStyle::Plain(*options.edgeWidth, ToRgba(options.edgeColor.data()));
+    shot.edges = options.edgesByKind
+      ? EdgeStyle::ByKind(*options.edgeWidth)
+      : EdgeStyle::Plain(*options.edgeWidth, ToRgba(options.edgeColor.data()));
+    shot.edgesByKind = options.edgesByKind;
   }
   if (options.outlines)
   {

@@ -47,6 +47,7 @@ struct ShotOptions
   int samples = 1;
   std::optional<double> edgeWidth; ///< pixels; none: no edges
   std::vector<double> edgeColor{ 0.0, 0.0, 0.0 };
+  bool edgesByKind = false;
   bool outlines = false;
   std::vector<double> outlineColor{ 0.0, 0.0, 0.0 };
 
@@ -68,6 +69,7 @@ struct Shot
   Lit lights = Lit::Curved;
   int samples = 1;                               ///< in pixels that are not of one colour
   std::optional<EdgeStyle> edges;                ///< none: none
+  bool edgesByKind = false;                      ///< what lies behind faces is told apart
   std::optional<std::array<double, 3>> outlines; ///< the colour of elements' outlines; none: none
 
   [[nodiscard]] Camera MakeCamera() const { return { view, size.width, size.height }; }

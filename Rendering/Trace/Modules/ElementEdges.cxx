@@ -49,6 +49,19 @@ void Draw(const Rgba& color, double share, std::uint8_t* to)
 }
 } // namespace
 
+EdgeStyle EdgeStyle::ByKind(double width)
+{
+  EdgeStyle style;
+  style.width = width;
+  const auto set = [&style](FaceKind kind, const Rgba& color)
+  { style.colors[static_cast<std::size_t>(kind)] = color; };
+  set(FaceKind::Interior, { 0, 0, 0, 255 });
+  set(FaceKind::Boundary, { 0, 114, 178, 255 });
+  set(FaceKind::Hanging, { 230, 159, 0, 255 });
+  set(FaceKind::Partly, { 204, 121, 167, 255 });
+  return style;
+}
+
 EdgeStyle EdgeStyle::Plain(double width, const Rgba& color)
 {
   return { width, { color, color, color, color } };

@@ -23,6 +23,9 @@ struct EdgeStyle
 
   /// All kinds alike.
   static EdgeStyle Plain(double width, const Rgba& color);
+  /// Interior faces black, the mesh's boundary blue, hanging faces orange, what is partly covered
+  /// purple: colours that the colour-blind tell apart.
+  static EdgeStyle ByKind(double width);
 
   bool operator==(const EdgeStyle&) const = default;
 };
