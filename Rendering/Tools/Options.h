@@ -13,9 +13,9 @@ class App;
 class Option;
 } // namespace CLI
 
-// Options of a command. Those with a value show `form` for it in the help; where that is "[=A|...]",
-// the value is joined to the option, and is A where there is none (the next argument may be an input
-// file). What cannot be read is refused with the option's name and what it expects.
+// Options of a command. Those with a value show `form` for it in the help; where that is
+// "[=A|...]", the value is joined to the option, and is A where there is none (the next argument
+// may be an input file). What cannot be read is refused with the option's name and what it expects.
 namespace pixelexact
 {
 /// An option that was added, for what else there is to say of it.
