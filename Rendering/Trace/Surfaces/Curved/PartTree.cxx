@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trace/Surfaces/Curved/PartTree.h"
 
-#include "Core/Bernstein/Krawczyk.h"
 #include "Core/Bernstein/TensorPolynomial.h"
 #include "Core/Math/Rounding.h"
 #include "Core/Questions/Questions.h"
 #include "Trace/Scene.h"
+#include "Trace/Surfaces/Curved/PieceBend.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace pixelexact
 {
 namespace
 {
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Ranges of slopes, relative to the slopes, up to which a piece is flat: of faces, and of volumes.
 constexpr double kFlat[2] = { 0.2, 0.5 };
 /// Of f and y: values that rounding may have made of a zero.
@@ -27,37 +25,6 @@ constexpr int kAtOnce[2] = { 8, 9 };
 constexpr int kBesides = 2;
 
 constexpr Part kBy[3] = { Part::ByXi1, Part::ByXi2, Part::ByXi3 };
-
-/// The inverse's magnitudes times those of another matrix, the largest row sum; infinite where
-/// there is no inverse.
-double Relative(const SmallMatrix& matrix, const SmallMatrix& radius, std::size_t columns)
-{
-  const auto inverse = Inverse(3, matrix);
-  double largest = 0.0;
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    double sum = 0.0;
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      for (std::size_t j = 0; j < columns; ++j)
-      {
-        sum += inverse ? std::fabs((*inverse)[i][k]) * radius[k][j] : kInfinity;
-      }
-    }
-    largest = std::max(largest, sum);
-  }
-  return std::isnan(largest) ? kInfinity : largest;
-}
-
-Vec3 LengthsOf(const SmallMatrix& m)
-{
-  Vec3 length;
-  for (std::size_t j = 0; j < 3; ++j)
-  {
-    length[static_cast<int>(j)] = std::hypot(m[0][j], m[1][j], m[2][j]);
-  }
-  return length;
-}
 } // namespace
 
 PartTree::PartTree(const CurvedEquation& equation, const CurvedPart& part)
@@ -252,8 +219,7 @@ void PartTree::SplitInto(const CurvedPiece& piece, Polys polys, int besides) con
     half.halvings = piece.halvings + 1;
     Fill(half, std::move(k == 0 ? polys : upper), besides);
   }
-  // Who makes a piece's halves is alone with it.
-  const_cast<CurvedPiece&>(piece).children.store(halves.release(), std::memory_order_release);
+  piece.children.store(halves.release(), std::memory_order_release);
 }
 
 const std::array<CurvedPiece, 2>& PartTree::Split(const CurvedPiece& piece) const
@@ -365,7 +331,7 @@ void PartTree::Describe(CurvedPiece& piece, const Polys& polys) const
     piece.error[c] += 8.0 * kUnitRoundoff * largest;
   }
   const int which = Field ? 1 : 0;
-  piece.flat = piece.halvings >= kAtOnce[which] || Bend(piece) <= kFlat[which];
+  piece.flat = piece.halvings >= kAtOnce[which] || BendOf(piece, Field.has_value()) <= kFlat[which];
 }
 
 void PartTree::DescribeField(CurvedPiece& piece, const Polys& polys) const
@@ -403,66 +369,5 @@ void PartTree::DescribeField(CurvedPiece& piece, const Polys& polys) const
     piece.slope[3][d] = slope[d].Middle();
     piece.radius[3][d] = slope[d].RadiusAround(piece.slope[3][d]);
   }
-}
-
-/// How much the slopes vary over a piece, relative to themselves: of a face's tangents and normal,
-/// or of the map and of the field's gradient.
-double PartTree::Bend(const CurvedPiece& piece) const
-{
-  SmallMatrix slope{};
-  SmallMatrix radius{};
-  if (Field)
-  {
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      std::ranges::copy(piece.slope[c], slope[c].begin());
-      std::ranges::copy(piece.radius[c], radius[c].begin());
-    }
-    const auto inverse = Inverse(3, slope);
-    double length = 0.0;
-    double change = 0.0;
-    for (std::size_t j = 0; inverse && j < 3; ++j)
-    {
-      double sum = 0.0;
-      double around = 0.0;
-      for (std::size_t d = 0; d < 3; ++d)
-      {
-        sum += piece.slope[3][d] * (*inverse)[d][j];
-        around += piece.radius[3][d] * std::fabs((*inverse)[d][j]);
-      }
-      length = std::hypot(length, sum);
-      change = std::hypot(change, around);
-    }
-    return inverse && length > 0.0 ? std::max(Relative(slope, radius, 3), change / length)
-                                   : kInfinity;
-  }
-  // Tangents along two directions in the face, and the normal, as long as they are.
-  const Vec3 across(piece.slope[3][0], piece.slope[3][1], piece.slope[3][2]);
-  const Vec3 size = glm::abs(across);
-  const int last = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  for (int k = 0; k < 2; ++k)
-  {
-    const int d = (last + 1 + k) % 3;
-    const double back = across[d] / across[last];
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      slope[c][static_cast<std::size_t>(k)] = piece.slope[c][d] - back * piece.slope[c][last];
-      radius[c][static_cast<std::size_t>(k)] =
-        piece.radius[c][d] + std::fabs(back) * piece.radius[c][last];
-    }
-  }
-  for (std::size_t c = 0; c < 3; ++c)
-  {
-    const std::size_t p = (c + 1) % 3;
-    const std::size_t q = (c + 2) % 3;
-    slope[c][2] = slope[p][0] * slope[q][1] - slope[q][0] * slope[p][1];
-  }
-  const Vec3 length = LengthsOf(slope);
-  const double scale = 0.5 * (length.x + length.y) / length.z;
-  for (auto& row : slope)
-  {
-    row[2] *= scale;
-  }
-  return Relative(slope, radius, 2);
 }
 } // namespace pixelexact

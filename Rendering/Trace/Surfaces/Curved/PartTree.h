@@ -45,7 +45,6 @@ private:
   void Fill(CurvedPiece& piece, Polys polys, int besides) const;
   void Describe(CurvedPiece& piece, const Polys& polys) const;
   void DescribeField(CurvedPiece& piece, const Polys& polys) const;
-  [[nodiscard]] double Bend(const CurvedPiece& piece) const;
   void SplitInto(const CurvedPiece& piece, Polys polys, int besides) const;
   [[nodiscard]] int DirectionOf(const CurvedPiece& piece, const Polys& polys) const;
   [[nodiscard]] BoxPolynomial OnFace(BoxPolynomial polynomial) const;
