@@ -120,8 +120,7 @@ std::vector<ElementFace> FacesFor(const HighOrderModel& model, const BoundaryCho
     },
     faces);
   std::ranges::sort(faces);
-  const auto twice = std::ranges::unique(faces);
-  faces.erase(twice.begin(), twice.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   return faces;
 }
 

@@ -42,7 +42,8 @@ void FaceNormals(
   EtaBox end;
   (face.upper ? end.lower : end.upper)[face.direction] = face.upper ? 1.0 : -1.0;
   const auto ends = EndNormals(shape, end);
-  const double* n = ends[static_cast<std::size_t>(2 * face.direction + (face.upper ? 1 : 0))];
+  const auto direction = static_cast<std::size_t>(face.direction);
+  const double* n = ends[2 * direction + (face.upper ? 1U : 0U)];
   for (std::size_t i = 0; i < xi.size(); ++i)
   {
     // The cofactors of J take normals in xi to normals in space.

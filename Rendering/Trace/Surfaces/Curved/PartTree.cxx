@@ -35,11 +35,8 @@ PartTree::PartTree(const CurvedEquation& equation, const CurvedPart& part)
 {
   const auto e = static_cast<std::size_t>(part.element);
   Uncertainty = rounding::Above(equation.mesh.uncertainty[e] / equation.mesh.size[e]);
-  std::vector<RangeIngredient> all;
-  for (int c = 0; c < 3; ++c)
-  {
-    all.push_back({ &Map, c, Part::Value });
-  }
+  std::vector<RangeIngredient> all{ { &Map, 0, Part::Value }, { &Map, 1, Part::Value },
+    { &Map, 2, Part::Value } };
   if (equation.field != nullptr)
   {
     const Expansion& values = equation.field->values;
@@ -317,7 +314,7 @@ void PartTree::Describe(CurvedPiece& piece, const Polys& polys) const
   else
   {
     const ShapeFace& face = FacesOf(TheShape)[static_cast<std::size_t>(ThePart.face)];
-    const auto end = static_cast<std::size_t>(2 * face.direction + (face.upper ? 1 : 0));
+    const std::size_t end = 2 * static_cast<std::size_t>(face.direction) + (face.upper ? 1U : 0U);
     std::ranges::copy(EndNormals(TheShape, piece.box)[end], piece.slope[3]);
   }
   for (std::size_t c = 0; c < 4; ++c)
