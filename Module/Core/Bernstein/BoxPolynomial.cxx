@@ -115,6 +115,20 @@ double BoxPolynomial::Variation(int direction, int difference) const
   return most * (difference == 1 ? count : count * (count - 1.0));
 }
 
+BoxPolynomial BoxPolynomial::AtEnd(int direction, bool upper) const
+{
+  const auto d = static_cast<std::size_t>(direction);
+  const std::size_t stride = StrideOf(degree, direction);
+  const std::size_t block = stride * static_cast<std::size_t>(degree[d] + 1);
+  BoxPolynomial slice{ degree, {}, error };
+  slice.degree[d] = 0;
+  for (std::size_t start = upper ? block - stride : 0; start < b.size(); start += block)
+  {
+    slice.b.insert(slice.b.end(), &b[start], &b[start] + stride);
+  }
+  return slice;
+}
+
 BoxPolynomial BoxPolynomial::Halve(int direction)
 {
   BoxPolynomial upper{ degree, std::vector<double>(b.size()), error };

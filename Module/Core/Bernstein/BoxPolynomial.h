@@ -28,6 +28,8 @@ struct BoxPolynomial
   /// (degree - 1): how far from constant, or from linear, the polynomial is there.
   [[nodiscard]] double Variation(int direction, int difference) const;
 
+  /// The polynomial at an end of the box along a direction, in which it then has degree 0.
+  [[nodiscard]] BoxPolynomial AtEnd(int direction, bool upper) const;
   /// Becomes the lower half along a direction and returns the upper one.
   BoxPolynomial Halve(int direction);
   /// Becomes its restriction to `from` <= eta_direction <= `to`, parts of [-1, 1], which is the

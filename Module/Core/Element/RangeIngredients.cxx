@@ -52,6 +52,19 @@ BoxPolynomial RangeIngredient::Over(
   return polynomial;
 }
 
+PieceForm::Piece PieceAt(const Box3& box, int level)
+{
+  PieceForm::Piece piece{};
+  for (int d = 0; d < 3; ++d)
+  {
+    const double middle = 0.5 * (box.lower[d] + box.upper[d]);
+    // The cube's upper end belongs to the last one.
+    piece[static_cast<std::size_t>(d)] =
+      std::min(static_cast<int>(std::floor(std::ldexp(middle + 1.0, level - 1))), (1 << level) - 1);
+  }
+  return piece;
+}
+
 Box3 PartInPiece(const Box3& box, int level, const PieceForm::Piece& piece)
 {
   Box3 part;

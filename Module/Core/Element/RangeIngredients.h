@@ -39,6 +39,8 @@ struct RangeIngredient
     int level, const PieceForm::Piece& piece, const Box3& within) const;
 };
 
+/// The piece that holds a box's middle.
+PieceForm::Piece PieceAt(const Box3& box, int level);
 /// The part of a box of eta in a piece, in the piece's own [-1,1]^3; lower > upper somewhere where
 /// they do not meet.
 Box3 PartInPiece(const Box3& box, int level, const PieceForm::Piece& piece);

@@ -25,19 +25,9 @@ BoxPolynomial NodePart::Over(const BoxPolynomial& polynomial) const
   {
     return polynomial;
   }
-  const auto d = static_cast<std::size_t>(Face->direction);
-  const std::size_t stride = StrideOf(polynomial.degree, Face->direction);
-  const std::size_t block = stride * static_cast<std::size_t>(polynomial.degree[d] + 1);
-  BoxPolynomial slice{ polynomial.degree, {}, polynomial.error };
+  BoxPolynomial slice = polynomial.AtEnd(Face->direction, Face->upper);
   std::rotate(slice.degree.begin() + Face->direction, slice.degree.begin() + Face->direction + 1,
     slice.degree.end());
-  slice.degree[2] = 0;
-  const std::size_t end = Face->upper ? block - stride : 0;
-  for (std::size_t start = 0; start < polynomial.b.size(); start += block)
-  {
-    const auto* from = &polynomial.b[start + end];
-    slice.b.insert(slice.b.end(), from, from + stride);
-  }
   return slice;
 }
 

@@ -13,22 +13,9 @@ namespace
 /// 64 MiB.
 constexpr std::size_t kMostHeld = std::size_t{ 1 } << 23U;
 
-/// The piece that holds a box's middle.
-PieceForm::Piece PieceAt(const EtaBox& box, int level)
-{
-  PieceForm::Piece piece{};
-  for (int d = 0; d < 3; ++d)
-  {
-    const double middle = 0.5 * (box.lower[d] + box.upper[d]);
-    piece[static_cast<std::size_t>(d)] =
-      static_cast<int>(std::floor(std::ldexp(middle + 1.0, level - 1)));
-  }
-  return piece;
-}
-
 bool IsInPiece(const EtaBox& box, int level)
 {
-  const PieceForm::Piece piece = PieceAt(box, level);
+  const PieceForm::Piece piece = PieceAt({ box.lower, box.upper }, level);
   bool holds = true;
   for (int d = 0; d < 3; ++d)
   {
@@ -41,7 +28,7 @@ bool IsInPiece(const EtaBox& box, int level)
 
 BoxPolynomial Over(const ScaledModes& modes, int component, int level, const EtaBox& box)
 {
-  const PieceForm::Piece piece = PieceAt(box, level);
+  const PieceForm::Piece piece = PieceAt({ box.lower, box.upper }, level);
   const Box3 within = PartInPiece({ box.lower, box.upper }, level, piece);
   return RangeIngredient{ &modes, component, Part::Value }.Over(level, piece, within);
 }

@@ -73,4 +73,10 @@ Vec3 UnitDirection(const Vec3& direction)
 {
   return glm::normalize(TimesPowerOfTwo(direction, -std::ilogb(LargestOf(direction))));
 }
+
+Vec3 UnitOrZero(const Vec3& direction)
+{
+  const double size = LargestOf(direction);
+  return size > 0.0 && std::isfinite(size) ? UnitDirection(direction / size) : Vec3(0.0);
+}
 } // namespace pixelexact

@@ -18,4 +18,6 @@ void CheckRadius(double radius, const char* surface);
 Vec3 ScaledDirection(const Vec3& direction, const char* surface, const char* name);
 /// Of unit length, whatever the length of a direction that is not zero.
 Vec3 UnitDirection(const Vec3& direction);
+/// The same; zero for what is zero or not finite, and has no direction.
+Vec3 UnitOrZero(const Vec3& direction);
 } // namespace pixelexact

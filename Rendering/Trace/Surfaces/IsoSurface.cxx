@@ -111,8 +111,7 @@ void IsoSurface::NormalsOf(
                                                       : 0.0;
       normal += weight * Vec3(gradient[0], gradient[1], gradient[2]);
     }
-    const double size = LargestOf(normal);
-    normals[i] = size > 0.0 && std::isfinite(size) ? UnitDirection(normal / size) : Vec3(0.0);
+    normals[i] = UnitOrZero(normal);
   }
 }
 } // namespace pixelexact

@@ -222,8 +222,7 @@ void SearchedSurface::Normals(std::span<const SurfacePoint> points, std::span<Ve
   F->Gradients(positions, normals);
   for (Vec3& normal : normals)
   {
-    const double size = LargestOf(normal);
-    normal = size > 0.0 && std::isfinite(size) ? UnitDirection(normal / size) : Vec3(0.0);
+    normal = UnitOrZero(normal);
   }
 }
 } // namespace pixelexact

@@ -67,7 +67,8 @@ void BundleHierarchy::Build(std::size_t node, std::span<const Box3> boxes, int f
   Build(child + 1, boxes, first + half, count - half);
 }
 
-void BundleHierarchy::ForEach(const RayBundle& bundle, const std::function<void(int)>& visit) const
+void BundleHierarchy::ForEach(
+  const RayBundle& bundle, const std::function<void(int, const Box3&)>& visit) const
 {
   std::array<std::int32_t, kDeepest> stack{};
   std::size_t size = 1;
@@ -82,9 +83,10 @@ void BundleHierarchy::ForEach(const RayBundle& bundle, const std::function<void(
     {
       for (std::int32_t k = node.first; k < node.first + node.count; ++k)
       {
-        if (bundle.MayMeet(Boxes[static_cast<std::size_t>(k)]))
+        const auto at = static_cast<std::size_t>(k);
+        if (bundle.MayMeet(Boxes[at]))
         {
-          visit(Order[static_cast<std::size_t>(k)]);
+          visit(Order[at], Boxes[at]);
         }
       }
       continue;

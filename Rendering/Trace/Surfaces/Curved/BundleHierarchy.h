@@ -17,9 +17,10 @@ class BundleHierarchy
 public:
   explicit BundleHierarchy(std::span<const Box3> boxes);
 
-  /// Calls visit for the numbers of all boxes that rays of the bundle may meet, about in the order
-  /// of their depths. What lies behind all of the rays' ends (RayBundle::EndAt) is left out.
-  void ForEach(const RayBundle& bundle, const std::function<void(int)>& visit) const;
+  /// Calls visit for the numbers of all boxes, and these, that rays of the bundle may meet, about
+  /// in the order of their depths. What lies behind all of the rays' ends (RayBundle::EndAt) is
+  /// left out.
+  void ForEach(const RayBundle& bundle, const std::function<void(int, const Box3&)>& visit) const;
 
   /// Of all boxes.
   [[nodiscard]] const Box3& Bounds() const { return Nodes.front().bounds; }

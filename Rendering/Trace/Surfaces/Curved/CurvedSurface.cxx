@@ -51,7 +51,7 @@ public:
 
   void Run()
   {
-    Of.Hierarchy->ForEach(Bundle, [this](int part) { MeetPart(part); });
+    Of.Hierarchy->ForEach(Bundle, [this](int part, const Box3& box) { MeetPart(part, box); });
   }
 
 private:
@@ -61,9 +61,9 @@ private:
     return Bundle.MayMeet(box) ? GetPieceKernels().meetBox(Bundle, box, rays) : RaySet();
   }
 
-  void MeetPart(std::int32_t part)
+  void MeetPart(std::int32_t part, const Box3& box)
   {
-    const RaySet rays = ThoseThatMayMeet(Of.Boxes[static_cast<std::size_t>(part)], All);
+    const RaySet rays = GetPieceKernels().meetBox(Bundle, box, All);
     if (rays.IsEmpty())
     {
       return;
@@ -156,7 +156,6 @@ CurvedSurface::CurvedSurface(
   const CurvedEquation& equation, std::vector<CurvedPart> parts, std::span<const Box3> boxes)
   : TheEquation(equation)
   , All(std::move(parts))
-  , Boxes(boxes.begin(), boxes.end())
   , Trees(std::make_unique<std::atomic<const PartTree*>[]>(All.size()))
 {
   if (!All.empty())
@@ -302,7 +301,7 @@ void CurvedSurface::MeetSome(const RayLanes& rays, int first, int count, HitSlot
       piece.parameters[0][ray] = hit.xi.x;
       piece.parameters[1][ray] = hit.xi.y;
     }
-    if (TellsElements())
+    else
     {
       const ElementLanes lane = hits.Elements(slot);
       lane.element[ray] = PartOf(hit.part).element;

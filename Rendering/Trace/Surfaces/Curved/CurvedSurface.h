@@ -63,7 +63,6 @@ private:
 
   CurvedEquation TheEquation;
   std::vector<CurvedPart> All;
-  std::vector<Box3> Boxes; ///< of the parts
   std::unique_ptr<BundleHierarchy> Hierarchy;
   std::unique_ptr<std::atomic<const PartTree*>[]> Trees;
   mutable std::atomic<std::int64_t> MadeCount{ 0 };

@@ -2,7 +2,7 @@
 #include "Trace/Surfaces/Curved/FaceNormals.h"
 
 #include "Core/Element/Kernels.h"
-#include "Core/Questions/Questions.h"
+#include "Core/Faces/FacePlane.h"
 #include "Trace/Surfaces/Arguments.h"
 
 #include <glm/geometric.hpp>
@@ -37,13 +37,9 @@ void FaceNormals(
   const Space& space = mesh.map.SpaceOf(part.element);
   KernelsFor(space).gradient(space, mesh.map.Coefficients(part.element), 3,
     { { lane(0), lane(1), lane(2) }, count }, value, slope);
-  const Shape shape = mesh.ShapeOf(part.element);
-  const ShapeFace& face = FacesOf(shape)[static_cast<std::size_t>(part.face)];
-  EtaBox end;
-  (face.upper ? end.lower : end.upper)[face.direction] = face.upper ? 1.0 : -1.0;
-  const auto ends = EndNormals(shape, end);
-  const auto direction = static_cast<std::size_t>(face.direction);
-  const double* n = ends[2 * direction + (face.upper ? 1U : 0U)];
+  // Distances grow inwards.
+  const Vec3 n =
+    -FacePlanesOf(mesh.ShapeOf(part.element))[static_cast<std::size_t>(part.face)].gradient;
   for (std::size_t i = 0; i < xi.size(); ++i)
   {
     // The cofactors of J take normals in xi to normals in space.
@@ -56,12 +52,11 @@ void FaceNormals(
       {
         const std::size_t e = (d + 1) % 3;
         const std::size_t f = (d + 2) % 3;
-        normal[static_cast<int>(c)] +=
-          n[d] * (slope[p + e][i] * slope[q + f][i] - slope[p + f][i] * slope[q + e][i]);
+        normal[static_cast<int>(c)] += n[static_cast<int>(d)] *
+          (slope[p + e][i] * slope[q + f][i] - slope[p + f][i] * slope[q + e][i]);
       }
     }
-    const double size = LargestOf(normal);
-    normals[i] = size > 0.0 && std::isfinite(size) ? UnitDirection(normal / size) : Vec3(0.0);
+    normals[i] = UnitOrZero(normal);
   }
 }
 } // namespace pixelexact

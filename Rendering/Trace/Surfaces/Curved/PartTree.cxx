@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trace/Surfaces/Curved/PartTree.h"
 
-#include "Core/Bernstein/TensorPolynomial.h"
+#include "Core/Faces/FacePlane.h"
 #include "Core/Math/Rounding.h"
 #include "Core/Questions/Questions.h"
 #include "Trace/Scene.h"
@@ -78,7 +78,7 @@ PartTree::PartTree(const CurvedEquation& equation, const CurvedPart& part)
     }
     if (onFace)
     {
-      Fill(*root, Convert(root->box), 0);
+      Fill(*root, Convert(root->box, true), 0);
       if (!root->IsEmpty())
       {
         All.push_back(std::move(root));
@@ -92,37 +92,16 @@ int PartTree::Components() const
   return Equation.component == kMagnitude ? Equation.field->values.components : 1;
 }
 
-BoxPolynomial PartTree::OnFace(BoxPolynomial polynomial) const
+PartTree::Polys PartTree::Convert(const EtaBox& box, bool slopes) const
 {
-  const ShapeFace& face = FacesOf(TheShape)[static_cast<std::size_t>(ThePart.face)];
-  const auto d = static_cast<std::size_t>(face.direction);
-  const std::size_t stride = StrideOf(polynomial.degree, face.direction);
-  const std::size_t block = stride * static_cast<std::size_t>(polynomial.degree[d] + 1);
-  BoxPolynomial slice{ polynomial.degree, {}, polynomial.error };
-  slice.degree[d] = 0;
-  for (std::size_t start = face.upper ? block - stride : 0; start < polynomial.b.size();
-       start += block)
-  {
-    slice.b.insert(slice.b.end(), &polynomial.b[start], &polynomial.b[start] + stride);
-  }
-  return slice;
-}
-
-PartTree::Polys PartTree::Convert(const EtaBox& box) const
-{
-  PieceForm::Piece piece{};
-  for (int d = 0; d < 3; ++d)
-  {
-    const double middle = 0.5 * (box.lower[d] + box.upper[d]);
-    piece[static_cast<std::size_t>(d)] =
-      std::min(static_cast<int>(std::ldexp(middle + 1.0, Level - 1)), (1 << Level) - 1);
-  }
+  const PieceForm::Piece piece = PieceAt({ box.lower, box.upper }, Level);
   Box3 within = PartInPiece({ box.lower, box.upper }, Level, piece);
-  if (ThePart.face >= 0)
+  const ShapeFace* face =
+    ThePart.face < 0 ? nullptr : &FacesOf(TheShape)[static_cast<std::size_t>(ThePart.face)];
+  if (face)
   {
-    const int d = FacesOf(TheShape)[static_cast<std::size_t>(ThePart.face)].direction;
-    within.lower[d] = -1.0;
-    within.upper[d] = 1.0;
+    within.lower[face->direction] = -1.0;
+    within.upper[face->direction] = 1.0;
   }
   Polys polys;
   const auto add = [&](const ScaledModes& modes, int components)
@@ -131,7 +110,7 @@ PartTree::Polys PartTree::Convert(const EtaBox& box) const
     {
       polys.push_back(RangeIngredient{ &modes, c, Part::Value }.Over(Level, piece, within));
     }
-    for (int c = 0; c < components; ++c)
+    for (int c = 0; slopes && c < components; ++c)
     {
       for (const Part by : kBy)
       {
@@ -153,11 +132,11 @@ PartTree::Polys PartTree::Convert(const EtaBox& box) const
   {
     add(*Field, Components());
   }
-  if (ThePart.face >= 0)
+  for (BoxPolynomial& p : polys)
   {
-    for (BoxPolynomial& p : polys)
+    if (face)
     {
-      p = OnFace(std::move(p));
+      p = p.AtEnd(face->direction, face->upper);
     }
   }
   return polys;
@@ -165,7 +144,7 @@ PartTree::Polys PartTree::Convert(const EtaBox& box) const
 
 std::vector<BoxPolynomial> PartTree::Polynomials(const CurvedPiece& piece) const
 {
-  Polys polys = Convert(piece.box);
+  Polys polys = Convert(piece.box, false);
   const bool hasField = Field && Equation.component != kMagnitude;
   for (std::size_t c = 0; c < 3; ++c)
   {
@@ -173,7 +152,6 @@ std::vector<BoxPolynomial> PartTree::Polynomials(const CurvedPiece& piece) const
   }
   if (hasField)
   {
-    std::swap(polys[3], polys[12]);
     double largest = 0.0;
     for (double& b : polys[3].b)
     {
@@ -228,7 +206,7 @@ const std::array<CurvedPiece, 2>& PartTree::Split(const CurvedPiece& piece) cons
   const std::scoped_lock lock(Growing);
   if (piece.children.load(std::memory_order_relaxed) == nullptr)
   {
-    SplitInto(piece, Convert(piece.box), kBesides);
+    SplitInto(piece, Convert(piece.box, true), kBesides);
   }
   return *piece.children.load(std::memory_order_relaxed);
 }
@@ -313,9 +291,11 @@ void PartTree::Describe(CurvedPiece& piece, const Polys& polys) const
   }
   else
   {
-    const ShapeFace& face = FacesOf(TheShape)[static_cast<std::size_t>(ThePart.face)];
-    const std::size_t end = 2 * static_cast<std::size_t>(face.direction) + (face.upper ? 1U : 0U);
-    std::ranges::copy(EndNormals(TheShape, piece.box)[end], piece.slope[3]);
+    const Vec3& n = FacePlanesOf(TheShape)[static_cast<std::size_t>(ThePart.face)].gradient;
+    for (int d = 0; d < 3; ++d)
+    {
+      piece.slope[3][d] = n[d];
+    }
   }
   for (std::size_t c = 0; c < 4; ++c)
   {

@@ -39,7 +39,8 @@ private:
   /// derivatives.
   using Polys = std::vector<BoxPolynomial>;
 
-  [[nodiscard]] Polys Convert(const EtaBox& box) const;
+  /// Slopes only where they are wanted.
+  [[nodiscard]] Polys Convert(const EtaBox& box, bool slopes) const;
   /// How many components make f.
   [[nodiscard]] int Components() const;
   void Fill(CurvedPiece& piece, Polys polys, int besides) const;
@@ -47,7 +48,6 @@ private:
   void DescribeField(CurvedPiece& piece, const Polys& polys) const;
   void SplitInto(const CurvedPiece& piece, Polys polys, int besides) const;
   [[nodiscard]] int DirectionOf(const CurvedPiece& piece, const Polys& polys) const;
-  [[nodiscard]] BoxPolynomial OnFace(BoxPolynomial polynomial) const;
 
   CurvedEquation Equation;
   CurvedPart ThePart;

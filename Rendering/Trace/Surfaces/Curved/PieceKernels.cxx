@@ -370,9 +370,18 @@ void Step(const RayBundle& bundle, const ElementFrame& frame, const double* valu
     const Lanes kappa = load(kKappaColumn);
     const Lanes last = load(kLastColumn);
     const Lanes falls = (Splat(1.0) + kappa) * kappa / (Splat(1.0) - kappa);
-    const LaneMask miss = And(zero < last,
-      falls * last * Splat(1.0 + 1e-6) + Splat(kEdge) * Max(norm[0], Max(norm[1], norm[2])) <
-        residual);
+    // Both residuals are off by what g may be, by rounding and uncertainty, seen through the
+    // matrix.
+    Lanes off[3];
+    ForEachAxis(
+      [&](auto r) PIXELEXACT_INLINED
+      {
+        off[r] =
+          tolerance * (Abs(inverse[3 * r]) + Abs(inverse[3 * r + 1]) + Abs(inverse[3 * r + 2])) +
+          Splat(kEdge);
+      });
+    const LaneMask miss = And(
+      zero < last, falls * last * Splat(1.0 + 1e-6) + Splat(2.0) * Largest(norm, off) < residual);
     const Lanes rounds = load(kRoundsColumn) + Splat(1.0);
     const LaneMask goesOn = And(IsFinite(residual), rounds <= Splat(kMostRounds));
     const LaneMask free = And(beyond <= zero, rounds < Splat(0.5 * kMostRounds));
