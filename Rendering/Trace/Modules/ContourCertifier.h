@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Trace/Pipeline.h"
+
+#include <cstdint>
+#include <mutex>
+#include <vector>
+
+namespace pixelexact
+{
+/// What is known of a pixel and the iso-values (paper, section 5.3): whether one of them occurs on
+/// its edge.
+enum class ContourVerdict : std::uint8_t
+{
+  Out = 0, ///< proven: none does
+  In = 1,  ///< proven: one does, or the field jumps across it there
+  Undecided = 2
+};
+
+/// What a frame's pixels are, for reports and tests.
+struct ContourCounters
+{
+  std::int64_t in = 0;
+  std::int64_t out = 0; ///< of pixels that show the mesh somewhere on their edge
+  std::int64_t undecided = 0;
+  std::int64_t jumps = 0; ///< of those that are in: because the field jumps across a value
+
+  void Add(const ContourCounters& other);
+};
+
+/// Which of a layer's iso-values occur on the edges of a pixel: the verdicts, with which lines are
+/// drawn (ContourLines).
+class ContourCertifier final : public FrameModule
+{
+public:
+  /// `values`: of each of the scene's layers its iso-values, in any order; none: no contours on it.
+  /// Throws Error for a value that is not finite.
+  explicit ContourCertifier(std::vector<std::vector<double>> values);
+
+  [[nodiscard]] SampleNeeds Needs() const override;
+  void Begin(int width, int height) override;
+  void Process(TileVisit& tile) override;
+
+  /// Of the last frame: a ContourVerdict for each pixel, lower-left first.
+  [[nodiscard]] const std::vector<std::uint8_t>& Verdicts() const { return Pixels; }
+  [[nodiscard]] const ContourCounters& Counters() const { return Counted; }
+  /// In ascending order.
+  [[nodiscard]] const std::vector<std::vector<double>>& Values() const { return IsoValues; }
+
+private:
+  std::vector<std::vector<double>> IsoValues;
+  std::vector<std::uint8_t> Pixels;
+  int Width = 0;
+  std::mutex CountersMutex;
+  ContourCounters Counted;
+};
+} // namespace pixelexact
