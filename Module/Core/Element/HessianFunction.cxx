@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Element/HessianFunction.h"
 
+#include <algorithm>
+
 namespace pixelexact
 {
 namespace
@@ -144,6 +146,25 @@ T HessianFunction::Combine(std::span<const T> p) const
     }
   }
   return square;
+}
+
+std::array<HessianFunction::XiRanges, 4> HessianFunction::RangesByXi(
+  Shape shape, std::span<const BoxPolynomial> polynomials)
+{
+  std::vector<Interval> hulls;
+  for (const BoxPolynomial& polynomial : polynomials)
+  {
+    hulls.push_back(polynomial.Hull());
+  }
+  const Interval r3 = Interval(1.0) / hulls[kH3];
+  const Interval r23 = shape == Shape::Tetrahedron ? r3 / hulls[kH2] : r3;
+  std::array<XiRanges, 4> ranges;
+  for (std::size_t f = 0; f < 4; ++f)
+  {
+    std::copy_n(hulls.begin() + static_cast<std::ptrdiff_t>(3 * f), 3, ranges[f].first.begin());
+    ranges[f].second = ByXi<Interval>(shape, hulls, f, r3, r23);
+  }
+  return ranges;
 }
 
 Interval HessianFunction::Enclose(std::span<const BoxPolynomial> polynomials) const

@@ -42,6 +42,17 @@ public:
     const ScaledModes& field, int component, int level, const PieceForm::Piece& piece,
     const Box3& within);
 
+  /// Of a function, the ranges over the part of its derivatives by xi, the first ones and 11, 12,
+  /// 13, 22, 23, 33: hulls, and what interval arithmetic makes of them.
+  struct XiRanges
+  {
+    std::array<Interval, 3> first;
+    std::array<Interval, 6> second;
+  };
+  /// Of the map's components and of the field's.
+  [[nodiscard]] static std::array<XiRanges, 4> RangesByXi(
+    Shape shape, std::span<const BoxPolynomial> polynomials);
+
   /// Whether a derivative by eta_derivative is divided by h of a direction.
   [[nodiscard]] static bool IsDivided(Shape shape, int derivative, int direction);
 

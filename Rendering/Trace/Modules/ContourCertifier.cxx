@@ -2,10 +2,10 @@
 #include "Trace/Modules/ContourCertifier.h"
 
 #include "Core/Base/Error.h"
+#include "Trace/Contours/ContourTile.h"
 #include "Trace/TileVisit.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace pixelexact
@@ -16,10 +16,13 @@ void ContourCounters::Add(const ContourCounters& other)
   out += other.out;
   undecided += other.undecided;
   jumps += other.jumps;
+  samples += other.samples;
 }
 
-ContourCertifier::ContourCertifier(std::vector<std::vector<double>> values)
+ContourCertifier::ContourCertifier(
+  std::vector<std::vector<double>> values, const ContourEffort& effort)
   : IsoValues(std::move(values))
+  , Effort(effort)
 {
   for (std::vector<double>& ofLayer : IsoValues)
   {
@@ -31,9 +34,12 @@ ContourCertifier::ContourCertifier(std::vector<std::vector<double>> values)
   }
 }
 
+ContourCertifier::~ContourCertifier() = default;
+
 SampleNeeds ContourCertifier::Needs() const
 {
-  return { .corners = Buffer::Value | Buffer::Verdict | Buffer::Layer };
+  return { .corners = Buffer::Value | Buffer::Verdict | Buffer::Layer | Buffer::Element |
+      Buffer::Xi | Buffer::Position };
 }
 
 void ContourCertifier::Begin(int width, int height)
@@ -44,35 +50,41 @@ void ContourCertifier::Begin(int width, int height)
   Counted = {};
 }
 
+const LayerBounds& ContourCertifier::BoundsOf(const Scene& scene, std::size_t layer)
+{
+  const std::scoped_lock lock(Making);
+  Bounds.resize(scene.layers.size());
+  if (!Bounds[layer])
+  {
+    Bounds[layer] = std::make_unique<const LayerBounds>(*scene.locator, scene.layers[layer]);
+  }
+  return *Bounds[layer];
+}
+
 void ContourCertifier::Process(TileVisit& tile)
 {
+  const Scene& scene = tile.GetScene();
+  ContourTile pixels(tile, Effort);
+  for (std::size_t k = 0; k < std::min(IsoValues.size(), scene.layers.size()); ++k)
+  {
+    if (!IsoValues[k].empty() && scene.layers[k].field)
+    {
+      pixels.Judge({ static_cast<int>(k), IsoValues[k], &BoundsOf(scene, k) });
+    }
+  }
+  ContourCounters counters = pixels.Counters();
   const TileArea& area = tile.Area();
-  const SampleBuffers& corners = tile.Corners();
-  const auto across = static_cast<std::size_t>(area.Width()) + 1;
-  ContourCounters counters;
+  const std::vector<ContourVerdict> verdicts = pixels.Verdicts();
+  auto verdict = verdicts.begin();
   for (int y = area.y0; y < area.y1; ++y)
   {
-    for (int x = area.x0; x < area.x1; ++x)
+    for (int x = area.x0; x < area.x1; ++x, ++verdict)
     {
-      const std::size_t first =
-        static_cast<std::size_t>(y - area.y0) * across + static_cast<std::size_t>(x - area.x0);
-      const std::array<std::size_t, 4> at{ first, first + 1, first + across, first + across + 1 };
-      bool in = false;
-      for (const double value : IsoValues.empty() ? std::vector<double>{} : IsoValues.front())
-      {
-        bool below = false;
-        bool above = false;
-        for (const std::size_t i : at)
-        {
-          below = below || corners.value[i] <= value;
-          above = above || corners.value[i] >= value;
-        }
-        in = in || (below && above);
-      }
-      (in ? counters.in : counters.out) += 1;
+      counters.in += *verdict == ContourVerdict::In ? 1 : 0;
+      counters.out += *verdict == ContourVerdict::Out ? 1 : 0;
+      counters.undecided += *verdict == ContourVerdict::Undecided ? 1 : 0;
       Pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(Width) +
-        static_cast<std::size_t>(x)] =
-        static_cast<std::uint8_t>(in ? ContourVerdict::In : ContourVerdict::Out);
+        static_cast<std::size_t>(x)] = static_cast<std::uint8_t>(*verdict);
     }
   }
   const std::lock_guard lock(CountersMutex);

@@ -4,11 +4,14 @@
 #include "Trace/Pipeline.h"
 
 #include <cstdint>
+#include <memory>
 #include <mutex>
 #include <vector>
 
 namespace pixelexact
 {
+struct Scene;
+
 /// What is known of a pixel and the iso-values (paper, section 5.3): whether one of them occurs on
 /// its edge.
 enum class ContourVerdict : std::uint8_t
@@ -24,10 +27,21 @@ struct ContourCounters
   std::int64_t in = 0;
   std::int64_t out = 0; ///< of pixels that show the mesh somewhere on their edge
   std::int64_t undecided = 0;
-  std::int64_t jumps = 0; ///< of those that are in: because the field jumps across a value
+  std::int64_t jumps = 0;   ///< edges that are in because the field jumps across a value
+  std::int64_t samples = 0; ///< beside the corners
 
   void Add(const ContourCounters& other);
 };
+
+/// What may be spent on an edge.
+struct ContourEffort
+{
+  int halvings = 8;   ///< of an edge in one element
+  int crossings = 12; ///< of one that leaves its element
+  int parts = 16;     ///< of an edge that are open at once
+};
+
+class LayerBounds;
 
 /// Which of a layer's iso-values occur on the edges of a pixel: the verdicts, with which lines are
 /// drawn (ContourLines).
@@ -36,7 +50,11 @@ class ContourCertifier final : public FrameModule
 public:
   /// `values`: of each of the scene's layers its iso-values, in any order; none: no contours on it.
   /// Throws Error for a value that is not finite.
-  explicit ContourCertifier(std::vector<std::vector<double>> values);
+  explicit ContourCertifier(
+    std::vector<std::vector<double>> values, const ContourEffort& effort = {});
+  ~ContourCertifier() override;
+  ContourCertifier(const ContourCertifier&) = delete;
+  ContourCertifier& operator=(const ContourCertifier&) = delete;
 
   [[nodiscard]] SampleNeeds Needs() const override;
   void Begin(int width, int height) override;
@@ -45,13 +63,19 @@ public:
   /// Of the last frame: a ContourVerdict for each pixel, lower-left first.
   [[nodiscard]] const std::vector<std::uint8_t>& Verdicts() const { return Pixels; }
   [[nodiscard]] const ContourCounters& Counters() const { return Counted; }
+  [[nodiscard]] const std::vector<std::unique_ptr<const LayerBounds>>& Kept() const { return Bounds; }
   /// In ascending order.
   [[nodiscard]] const std::vector<std::vector<double>>& Values() const { return IsoValues; }
 
 private:
+  const LayerBounds& BoundsOf(const Scene& scene, std::size_t layer);
+
   std::vector<std::vector<double>> IsoValues;
+  ContourEffort Effort;
+  std::vector<std::unique_ptr<const LayerBounds>> Bounds;
   std::vector<std::uint8_t> Pixels;
   int Width = 0;
+  std::mutex Making;
   std::mutex CountersMutex;
   ContourCounters Counted;
 };

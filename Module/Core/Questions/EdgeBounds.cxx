@@ -1,0 +1,669 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Questions/EdgeBounds.h"
+
+#include "Core/Element/Ranges.h"
+#include "Core/Math/Rounding.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pixelexact
+{
+namespace
+{
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// Covers the rounding of sums and products of some dozen terms that are not negative.
+constexpr double kUp = 1.0 + 1e-13;
+/// Of a box's sides, on either side.
+constexpr double kMargin = 0.25;
+/// Row sums of |M J - I| up to which a box is regular.
+constexpr double kMostTurn = 0.7;
+constexpr int kMostHalvings = 15;
+/// By how much a path may leave the element, in xi: far less than would be seen, and more than
+/// rounding makes of an edge in a face.
+constexpr double kBeside = 1e-10;
+/// What the expansion's error may be of the distance.
+constexpr double kCoarse = 0.25;
+constexpr int kRounds = 6;
+constexpr std::size_t kPlaces[3][3] = { { 0, 1, 2 }, { 1, 3, 4 }, { 2, 4, 5 } };
+constexpr std::size_t kRows[6] = { 0, 0, 0, 1, 1, 2 };
+constexpr std::size_t kColumns[6] = { 0, 1, 2, 1, 2, 2 };
+
+/// sum of m_ij s_i s_j.
+double Quadratic(const double (&m)[6], const double (&s)[3])
+{
+  double sum = 0.0;
+  for (std::size_t k = 0; k < 6; ++k)
+  {
+    sum += m[k] * s[kRows[k]] * s[kColumns[k]];
+  }
+  return sum;
+}
+
+/// Bounds of the solution of (I + E) v = w from those of w.
+void Solve(const double (&turn)[3], double (&v)[3])
+{
+  const double largest = std::max({ v[0], v[1], v[2] });
+  const double most = std::max({ turn[0], turn[1], turn[2] });
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    v[k] = (v[k] + turn[k] * largest / (1.0 - most)) * kUp;
+  }
+}
+
+Interval Union(const Interval& a, const Interval& b)
+{
+  return { std::min(a.lower, b.lower), std::max(a.upper, b.upper) };
+}
+constexpr Interval Nothing()
+{
+  return { kInfinity, -kInfinity };
+}
+
+/// A xi of a box, not far from the nearest one.
+Vec3 MovedInto(Shape shape, const EtaBox& box, const Vec3& xi)
+{
+  const auto normals = EndNormals(shape, box);
+  Vec3 moved = xi;
+  for (int round = 0; round < 3; ++round)
+  {
+    for (int end = 0; end < 6; ++end)
+    {
+      const double(&n)[3] = normals[static_cast<std::size_t>(end)];
+      const double depth = DepthOf(shape, box, end, moved);
+      if (depth < 0.0)
+      {
+        const Vec3 normal(n[0], n[1], n[2]);
+        moved += normal * (depth / glm::dot(normal, normal));
+      }
+    }
+  }
+  // What is left, in eta: of a NaN, any point.
+  return TensorToReference(
+    shape, glm::clamp(ReferenceToTensor(shape, moved), box.lower, box.upper));
+}
+
+bool Holds(const EtaBox& box, const Vec3& eta)
+{
+  return Box3{ box.lower, box.upper }.Contains(eta);
+}
+} // namespace
+
+int EdgeNode::DirectionOfSplit() const
+{
+  const Vec3 sides = box.upper - box.lower;
+  const int wider = sides.x >= sides.y ? 0 : 1;
+  return sides[wider] >= sides.z ? wider : 2;
+}
+
+EdgeBounds::EdgeBounds(const Mesh& mesh, const ElementBounds& bounds, int element,
+  const Field& field, int component, double rounding)
+  : Map(mesh.map.SpaceOf(element), mesh.map.Coefficients(element), 3)
+  , Component(field.values.SpaceOf(element),
+      field.values.Coefficients(element) +
+        static_cast<std::ptrdiff_t>(component) * field.values.SpaceOf(element).Modes(),
+      1)
+  , Centre(mesh.centre[3 * static_cast<std::size_t>(element)],
+      mesh.centre[3 * static_cast<std::size_t>(element) + 1],
+      mesh.centre[3 * static_cast<std::size_t>(element) + 2])
+  , Size(mesh.size[static_cast<std::size_t>(element)])
+  , Uncertainty{ bounds.uncertainty[0], bounds.uncertainty[1], bounds.uncertainty[2] }
+  , Range(Interval::Everything())
+{
+  if (!Component.finite)
+  {
+    ValueError = kInfinity;
+    return;
+  }
+  std::vector<RangeIngredient> all{ { &Component, 0, Part::Value } };
+  for (int c = 0; c < 3; ++c)
+  {
+    all.push_back({ &Map, c, Part::Value });
+  }
+  AddDerivatives(Map, 0, 3, all);
+  AddDerivatives(Component, 0, 1, all);
+  Level = LevelFor(all);
+  Range = Nothing();
+  double error = 0.0;
+  for (int i = 0; i < 1 << (3 * Level); ++i)
+  {
+    const int last = (1 << Level) - 1;
+    const PieceForm::Piece piece{ i >> (2 * Level), i >> Level & last, i & last };
+    const BoxPolynomial polynomial =
+      RangeIngredient{ &Component, 0, Part::Value }.Over(Level, piece, kWholeElement);
+    Range = Union(Range, polynomial.Hull());
+    error = std::max(error, polynomial.error);
+  }
+  Range = Scaled(Range, Component.exponent);
+  // The same sums as the kernels make, but for the order of the factors; `error` is the bound of
+  // their rounding (accuracy.md).
+  ValueError = std::ldexp(4.0 * error * (1.0 + rounding / kUnitRoundoff), Component.exponent);
+}
+
+EdgeBounds::~EdgeBounds() = default;
+
+/// The map and the component at a point: Phi less nothing, J, F, dF / dxi.
+struct EdgeBounds::View
+{
+  Vec3 xi{ 0.0 };
+  Vec3 y{ 0.0 };
+  Mat3 inverse{ 1.0 }; ///< of J
+  double value = 0.0;
+  Vec3 slope{ 0.0 };
+};
+
+EdgeBounds::View EdgeBounds::ViewAt(const Vec3& xi, bool withValue) const
+{
+  constexpr std::size_t kRoom = 16;
+  double at[3][kRoom];
+  for (int d = 0; d < 3; ++d)
+  {
+    std::fill_n(at[d], kRoom, xi[d]);
+  }
+  const LanePoints point{ { at[0], at[1], at[2] }, 1 };
+  double values[3][kRoom];
+  double slopes[9][kRoom];
+  double* const out[3] = { values[0], values[1], values[2] };
+  double* gradient[9];
+  for (std::size_t k = 0; k < 9; ++k)
+  {
+    gradient[k] = slopes[k];
+  }
+  View view;
+  view.xi = xi;
+  KernelsFor(Map.space).gradient(Map.space, Map.values.data(), 3, point, out, gradient);
+  const double scale = std::ldexp(1.0, Map.exponent);
+  Mat3 jacobian;
+  for (int c = 0; c < 3; ++c)
+  {
+    view.y[c] = scale * values[c][0];
+    for (int j = 0; j < 3; ++j)
+    {
+      jacobian[j][c] = scale * slopes[3 * c + j][0];
+    }
+  }
+  view.inverse = glm::inverse(jacobian);
+  if (withValue)
+  {
+    KernelsFor(Component.space)
+      .gradient(Component.space, Component.values.data(), 1, point, out, gradient);
+    const double unit = std::ldexp(1.0, Component.exponent);
+    view.value = unit * values[0][0];
+    view.slope = unit * Vec3(slopes[0][0], slopes[1][0], slopes[2][0]);
+  }
+  return view;
+}
+
+const EdgeNode& EdgeBounds::Whole() const
+{
+  if (const EdgeNode* ready = Ready.load(std::memory_order_acquire))
+  {
+    return *ready;
+  }
+  const std::scoped_lock lock(Growing);
+  if (!Root)
+  {
+    Root = std::make_unique<EdgeNode>();
+    Fill(*Root);
+    Ready.store(Root.get(), std::memory_order_release);
+  }
+  return *Root;
+}
+
+void EdgeBounds::Fill(EdgeNode& node) const
+{
+  ++Count;
+  const Vec3 margin = kMargin * (node.box.upper - node.box.lower);
+  node.wide.lower = glm::max(node.box.lower - margin, Vec3(-1.0));
+  node.wide.upper = glm::min(node.box.upper + margin, Vec3(1.0));
+  const Box3 wide{ node.wide.lower, node.wide.upper };
+  const Shape shape = Map.space.shape;
+  std::array<HessianFunction::XiRanges, 4> ranges;
+  std::array<Interval, 4> values;
+  values.fill(Nothing());
+  bool first = true;
+  const int pieces = 1 << Level;
+  for (int i = 0; i < pieces * pieces * pieces; ++i)
+  {
+    const PieceForm::Piece piece{ i / (pieces * pieces), i / pieces % pieces, i % pieces };
+    const Box3 within = PartInPiece(wide, Level, piece);
+    if (!(within.lower.x < within.upper.x && within.lower.y < within.upper.y &&
+          within.lower.z < within.upper.z))
+    {
+      continue;
+    }
+    for (std::size_t f = 0; f < 4; ++f)
+    {
+      const RangeIngredient ingredient = f < 3
+        ? RangeIngredient{ &Map, static_cast<int>(f), Part::Value }
+        : RangeIngredient{ &Component, 0, Part::Value };
+      values[f] = Union(values[f], ingredient.Over(Level, piece, within).Hull());
+    }
+    const auto here = HessianFunction::RangesByXi(
+      shape, HessianFunction::Polynomials(Map, Component, 0, Level, piece, within));
+    for (std::size_t f = 0; f < 4; ++f)
+    {
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        ranges[f].first[k] = first ? here[f].first[k] : Union(ranges[f].first[k], here[f].first[k]);
+      }
+      for (std::size_t k = 0; k < 6; ++k)
+      {
+        ranges[f].second[k] =
+          first ? here[f].second[k] : Union(ranges[f].second[k], here[f].second[k]);
+      }
+    }
+    first = false;
+  }
+  for (std::size_t f = 0; f < 4; ++f)
+  {
+    const int exponent = f < 3 ? Map.exponent : Component.exponent;
+    values[f] = Scaled(values[f], exponent);
+    for (Interval& range : ranges[f].first)
+    {
+      range = Scaled(range, exponent);
+    }
+    for (Interval& range : ranges[f].second)
+    {
+      range = Scaled(range, exponent);
+    }
+  }
+  node.values = values[3];
+  for (int d = 0; d < 3; ++d)
+  {
+    const auto c = static_cast<std::size_t>(d);
+    const Interval x = Interval(Size) * (values[c] + Interval(-Uncertainty[c], Uncertainty[c])) +
+      Interval(Centre[d]);
+    node.bounds.lower[d] = x.lower;
+    node.bounds.upper[d] = x.upper;
+  }
+  Describe(node, ranges);
+}
+
+void EdgeBounds::Describe(
+  EdgeNode& node, const std::array<HessianFunction::XiRanges, 4>& ranges) const
+{
+  const Shape shape = Map.space.shape;
+  const Box3 hull = HullInXi(shape, node.wide);
+  node.centre = TensorToReference(shape, 0.5 * (node.wide.lower + node.wide.upper));
+  node.origin = ViewAt(node.centre, false).y;
+  Mat3 middle;
+  for (int c = 0; c < 3; ++c)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      const Interval& range =
+        ranges[static_cast<std::size_t>(c)].first[static_cast<std::size_t>(j)];
+      if (!range.IsFinite())
+      {
+        return;
+      }
+      middle[j][c] = range.Middle();
+    }
+  }
+  const Mat3 inverse = glm::inverse(middle);
+  double most = 0.0;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    double sum = 0.0;
+    for (std::size_t j = 0; j < 3; ++j)
+    {
+      node.inverse[i][j] = inverse[static_cast<int>(j)][static_cast<int>(i)];
+    }
+    for (std::size_t j = 0; j < 3; ++j)
+    {
+      Interval entry(i == j ? -1.0 : 0.0);
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        entry += Interval(node.inverse[i][c]) * ranges[c].first[j];
+      }
+      sum += entry.Magnitude();
+    }
+    node.turn[i] = sum * kUp;
+    most = std::max(most, node.turn[i]);
+    const int d = static_cast<int>(i);
+    node.reach[i] =
+      std::max(hull.upper[d] - node.centre[d], node.centre[d] - hull.lower[d]) * kUp + 1e-15;
+  }
+  // Written so that a NaN is not regular.
+  if (!(most <= kMostTurn))
+  {
+    return;
+  }
+  double bend[6][3];
+  for (std::size_t p = 0; p < 6; ++p)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      Interval entry(0.0);
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        entry += Interval(node.inverse[k][c]) * ranges[c].second[p];
+      }
+      bend[p][k] = entry.Magnitude();
+    }
+    Solve(node.turn, bend[p]);
+  }
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    node.slope[k] = ranges[3].first[k].Magnitude();
+    node.lean[k] = 0.0;
+    node.shift[k] = 0.0;
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      node.lean[k] += std::fabs(node.inverse[k][c]);
+      node.shift[k] += std::fabs(node.inverse[k][c]) * kMostMiss * Uncertainty[c];
+    }
+  }
+  Solve(node.turn, node.lean);
+  Solve(node.turn, node.shift);
+  bool finite = true;
+  for (std::size_t p = 0; p < 6; ++p)
+  {
+    const double twice = kRows[p] == kColumns[p] ? 1.0 : 2.0;
+    node.curve[p] = ranges[3].second[p].Magnitude();
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      node.bend[k][p] = twice * bend[p][k];
+      node.curve[p] += node.slope[k] * bend[p][k];
+    }
+    node.curve[p] *= twice * kUp;
+    finite = finite && std::isfinite(node.curve[p]);
+  }
+  node.regular = finite;
+}
+
+const std::array<EdgeNode, 2>& EdgeBounds::Split(const EdgeNode& node) const
+{
+  if (const auto* made = node.children.load(std::memory_order_acquire))
+  {
+    return *made;
+  }
+  const std::scoped_lock lock(Growing);
+  if (const auto* made = node.children.load(std::memory_order_acquire))
+  {
+    return *made;
+  }
+  const int direction = node.DirectionOfSplit();
+  const double middle = 0.5 * (node.box.lower[direction] + node.box.upper[direction]);
+  auto halves = std::make_unique<std::array<EdgeNode, 2>>();
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    EdgeNode& half = (*halves)[k];
+    half.box = node.box;
+    (k == 0 ? half.box.upper : half.box.lower)[direction] = middle;
+    half.halvings = node.halvings + 1;
+    Fill(half);
+  }
+  node.children.store(halves.get(), std::memory_order_release);
+  return *halves.release();
+}
+
+const EdgeNode& EdgeBounds::LeafAt(const Vec3& eta) const
+{
+  const EdgeNode* node = &Whole();
+  while (!node->regular && node->halvings < kMostHalvings)
+  {
+    const auto& halves = Split(*node);
+    const int d = node->DirectionOfSplit();
+    node = &halves[eta[d] <= halves[0].box.upper[d] ? 0 : 1];
+  }
+  return *node;
+}
+
+std::optional<EdgeRange> EdgeBounds::Along(
+  const LocatedPoint& a, const LocatedPoint& b, double sagitta) const
+{
+  if (!Component.finite)
+  {
+    return std::nullopt;
+  }
+  const EdgeNode* node = &LeafAt(a.eta);
+  if (!node->regular || !Holds(node->wide, b.eta))
+  {
+    node = &LeafAt(b.eta);
+    if (!node->regular || !Holds(node->wide, a.eta))
+    {
+      return std::nullopt;
+    }
+  }
+  const double s[3] = { std::fabs(a.xi.x - b.xi.x), std::fabs(a.xi.y - b.xi.y),
+    std::fabs(a.xi.z - b.xi.z) };
+  double off[3];
+  double beside[3];
+  EdgeRange range{ Quadratic(node->curve, s) / 8.0, ValueError };
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const double besides = node->shift[k] + node->lean[k] * sagitta / Size;
+    off[k] = (Quadratic(node->bend[k], s) / 8.0 + besides) * kUp;
+    beside[k] = kBeside + 2.0 * node->shift[k];
+    range.error += node->slope[k] * node->shift[k];
+    range.deviation += node->slope[k] * (besides + 2.0 * beside[k]);
+  }
+  const Shape shape = Map.space.shape;
+  const auto normals = EndNormals(shape, node->wide);
+  for (int end = 0; end < 6; ++end)
+  {
+    const bool ofElement =
+      end % 2 == 1 ? node->wide.upper[end / 2] == 1.0 : node->wide.lower[end / 2] == -1.0;
+    const double(&normal)[3] = normals[static_cast<std::size_t>(end)];
+    double depth =
+      std::min(DepthOf(shape, node->wide, end, a.xi), DepthOf(shape, node->wide, end, b.xi));
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      depth -= std::fabs(normal[k]) * (off[k] - (ofElement ? beside[k] : 0.0));
+    }
+    // Written so that a NaN is not covered.
+    if (!(depth >= 0.0))
+    {
+      return std::nullopt;
+    }
+  }
+  range.deviation = (range.deviation + ValueError) * kUp;
+  range.error *= kUp;
+  return range;
+}
+
+bool EdgeBounds::Misses(const EdgeNode& node, const Vec3& from, const Vec3& to, double slack) const
+{
+  for (int d = 0; d < 3; ++d)
+  {
+    if (std::max(from[d], to[d]) + slack < node.bounds.lower[d] ||
+      std::min(from[d], to[d]) - slack > node.bounds.upper[d])
+    {
+      return true;
+    }
+  }
+  if (!node.regular)
+  {
+    return false;
+  }
+  // Every preimage in `wide` of a point of the segment is within `off` of the line between these
+  // two: T(xi) = M (Phi(xi) - origin) - (xi - centre) changes by `turn` at most.
+  const Vec3 ends[2] = { ToXi(node, from), ToXi(node, to) };
+  const double most = std::max({ node.reach[0], node.reach[1], node.reach[2] });
+  double off[3];
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    off[k] = (node.turn[k] * most + node.shift[k] + node.lean[k] * slack / Size) * kUp + 1e-13;
+  }
+  const Shape shape = Map.space.shape;
+  const auto normals = EndNormals(shape, node.box);
+  double first = 0.0;
+  double last = 1.0;
+  for (int end = 0; end < 6; ++end)
+  {
+    const double(&normal)[3] = normals[static_cast<std::size_t>(end)];
+    const double wider =
+      std::fabs(normal[0]) * off[0] + std::fabs(normal[1]) * off[1] + std::fabs(normal[2]) * off[2];
+    const double a = DepthOf(shape, node.box, end, ends[0]) + wider;
+    const double b = DepthOf(shape, node.box, end, ends[1]) + wider;
+    if (a < 0.0 && b < 0.0)
+    {
+      return true;
+    }
+    if (a < 0.0)
+    {
+      first = std::max(first, a / (a - b));
+    }
+    if (b < 0.0)
+    {
+      last = std::min(last, a / (a - b));
+    }
+  }
+  return first > last + 1e-12;
+}
+
+Vec3 EdgeBounds::ToXi(const EdgeNode& node, const Vec3& x) const
+{
+  const Vec3 y = (x - Centre) / Size - node.origin;
+  Vec3 xi = node.centre;
+  for (int k = 0; k < 3; ++k)
+  {
+    const double(&row)[3] = node.inverse[k];
+    xi[k] += row[0] * y.x + row[1] * y.y + row[2] * y.z;
+  }
+  return xi;
+}
+
+/// In a regular node, from the second-order expansion about a point of it near the segment.
+EdgeBounds::NodeValues EdgeBounds::ValuesInNode(
+  const EdgeNode& node, const Vec3& from, const Vec3& to, double slack) const
+{
+  const Shape shape = Map.space.shape;
+  const Vec3 ends[2] = { (from - Centre) / Size, (to - Centre) / Size };
+  const Vec3 middle = 0.5 * (ends[0] + ends[1]);
+  const auto clamped = [&](const Vec3& xi) { return MovedInto(shape, node.wide, xi); };
+  View view = ViewAt(clamped(ToXi(node, 0.5 * (from + to))), false);
+  view = ViewAt(clamped(view.xi + view.inverse * (middle - view.y)), false);
+  view = ViewAt(clamped(view.xi + view.inverse * (middle - view.y)), true);
+
+  // |xi - view.xi| of the preimages in `wide` of the segment's points.
+  double away[3];
+  double besides[3];
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const double(&row)[3] = node.inverse[k];
+    const auto along = [&](const Vec3& y)
+    {
+      const Vec3 d = y - view.y;
+      return std::fabs(row[0] * d.x + row[1] * d.y + row[2] * d.z);
+    };
+    besides[k] = node.shift[k] + node.lean[k] * (slack / Size) + 1e-14;
+    away[k] = std::max(along(ends[0]), along(ends[1])) * kUp + besides[k];
+  }
+  Solve(node.turn, away);
+  const Vec3 steps[2] = { view.inverse * (ends[0] - view.y), view.inverse * (ends[1] - view.y) };
+  // They are where the expansion puts them, up to `off`, and so no farther away than that.
+  double off[3];
+  for (int round = 0; round < kRounds; ++round)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      off[k] = (Quadratic(node.bend[k], away) / 2.0 + besides[k]) * kUp;
+    }
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const int d = static_cast<int>(k);
+      away[k] = std::min(
+        away[k], (std::max(std::fabs(steps[0][d]), std::fabs(steps[1][d])) + off[k]) * kUp);
+    }
+  }
+  double first = 0.0;
+  double last = 1.0;
+  const auto normals = EndNormals(shape, node.box);
+  for (int end = 0; end < 6; ++end)
+  {
+    const double(&normal)[3] = normals[static_cast<std::size_t>(end)];
+    const double wider =
+      std::fabs(normal[0]) * off[0] + std::fabs(normal[1]) * off[1] + std::fabs(normal[2]) * off[2];
+    const double a = DepthOf(shape, node.box, end, view.xi + steps[0]) + wider;
+    const double b = DepthOf(shape, node.box, end, view.xi + steps[1]) + wider;
+    if (a < 0.0 && b < 0.0)
+    {
+      return {};
+    }
+    if (a < 0.0)
+    {
+      first = std::max(first, a / (a - b) - 1e-12);
+    }
+    if (b < 0.0)
+    {
+      last = std::min(last, a / (a - b) + 1e-12);
+    }
+  }
+  if (first > last)
+  {
+    return {};
+  }
+  const double rises[2] = { glm::dot(view.slope, steps[0]), glm::dot(view.slope, steps[1]) };
+  const double atFirst = rises[0] + first * (rises[1] - rises[0]);
+  const double atLast = rises[0] + last * (rises[1] - rises[0]);
+  double most = Quadratic(node.curve, away) / 2.0 + 2.0 * ValueError;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    most += node.slope[k] * besides[k];
+  }
+  most = most * kUp + 1e-14 * (std::fabs(rises[0]) + std::fabs(rises[1]));
+  const Interval own{ rounding::Below(view.value + std::min(atFirst, atLast) - most),
+    rounding::Above(view.value + std::max(atFirst, atLast) + most) };
+  NodeValues found;
+  found.values = { std::max(own.lower, node.values.lower), std::min(own.upper, node.values.upper) };
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    found.coarse = found.coarse || off[k] > kCoarse * away[k] + 2.0 * besides[k];
+  }
+  return found;
+}
+
+Interval EdgeBounds::ValuesAlong(const Vec3& from, const Vec3& to, double slack) const
+{
+  if (!Component.finite)
+  {
+    return Interval::Everything();
+  }
+  Interval values = Nothing();
+  AddValues(Whole(), from, to, slack, values);
+  return values;
+}
+
+void EdgeBounds::AddValues(
+  const EdgeNode& node, const Vec3& from, const Vec3& to, double slack, Interval& values) const
+{
+  if (Misses(node, from, to, slack))
+  {
+    return;
+  }
+  if (!node.regular && node.halvings < kMostHalvings)
+  {
+    for (const EdgeNode& half : Split(node))
+    {
+      AddValues(half, from, to, slack, values);
+    }
+    return;
+  }
+  NodeValues found;
+  found.values = node.values;
+  if (node.regular)
+  {
+    found = ValuesInNode(node, from, to, slack);
+    if (found.coarse && node.halvings < kMostHalvings)
+    {
+      for (const EdgeNode& half : Split(node))
+      {
+        AddValues(half, from, to, slack, values);
+      }
+      return;
+    }
+  }
+  if (!found.values.IsEmpty())
+  {
+    values = Union(values, found.values);
+  }
+}
+} // namespace pixelexact

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Element/HessianFunction.h"
+#include "Core/Index/ElementIndex.h"
+#include "Core/Tree/EtaBox.h"
+
+#include <array>
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+namespace pixelexact
+{
+/// A point of an element that has been located there, and the component's value at its xi as the
+/// kernels make it.
+struct LocatedPoint
+{
+  Vec3 x{ 0.0 };
+  Vec3 xi{ 0.0 };
+  Vec3 eta{ 0.0 }; ///< ReferenceToTensor of xi
+  double value = 0.0;
+};
+
+/// What is known of a component along an edge that lies in one element.
+struct EdgeRange
+{
+  double deviation = 0.0; ///< from the straight line between the ends' values
+  double error = 0.0;     ///< of these values: F at the true points is no farther off
+};
+
+/// What is known of a box of eta, made once: derivatives are by xi and in the element's units, and
+/// all bounds hold over `wide`, the box and a margin.
+struct EdgeNode
+{
+  EtaBox box;
+  EtaBox wide;     ///< the margin ends at the element's faces
+  Box3 bounds;     ///< holds the image of `wide`, in world coordinates
+  Interval values; ///< of the component over `wide`
+
+  /// The map is so nearly affine over `wide` that what follows holds: M J = I + E with row sums of
+  /// |E| at most `turn`, all below 1.
+  bool regular = false;
+  Vec3 centre{ 0.0 };     ///< in xi
+  Vec3 origin{ 0.0 };     ///< its image, in the element's units
+  double inverse[3][3]{}; ///< M
+  double turn[3]{};
+  double reach[3]{};   ///< |xi - centre| of the points of `wide`
+  double bend[3][6]{}; ///< of solved M Phi'': 11, 12, 13, 22, 23, 33; mixed ones twice
+  double slope[3]{};   ///< |dF / dxi|
+  double curve[6]{};   ///< |F''| + slope . bend: of F along straight lines in the world
+  double shift[3]{};   ///< by how much a located point's xi may be off
+  double lean[3]{};    ///< by how much it moves, for a unit in y
+  int halvings = 0;
+
+  /// Across which direction of eta it is halved.
+  [[nodiscard]] int DirectionOfSplit() const;
+
+  mutable std::atomic<const std::array<EdgeNode, 2>*> children{ nullptr };
+
+  EdgeNode() = default;
+  ~EdgeNode() { delete children.load(std::memory_order_relaxed); }
+  EdgeNode(const EdgeNode&) = delete;
+  EdgeNode& operator=(const EdgeNode&) = delete;
+};
+
+/// Bounds of a component of a field along short edges in one element, from what is kept of its map
+/// and its second derivatives. Safe to use from several threads; what is known is made where
+/// somebody first asks, and depends on neither view nor value.
+///
+/// Everything holds for the stored map and field. See Documentation/contours.md for the proofs.
+class EdgeBounds
+{
+public:
+  /// `field` must have Mapping::Identity, and component be one of its; the arrays must outlive the
+  /// object. `rounding`: of values, as a part of their largest possible magnitude, beyond that of
+  /// the kernels in double precision.
+  EdgeBounds(const Mesh& mesh, const ElementBounds& bounds, int element, const Field& field,
+    int component, double rounding = 0.0);
+  ~EdgeBounds();
+  EdgeBounds(const EdgeBounds&) = delete;
+  EdgeBounds& operator=(const EdgeBounds&) = delete;
+
+  /// Holds all values in the element; everything where a coefficient is not finite.
+  [[nodiscard]] const Interval& Values() const { return Range; }
+
+  /// The field along the straight edge between two points: it lies in the element, as far as
+  /// rounding goes, and at a + s (b - a) the value is within `deviation` of the one between the
+  /// two. Nothing where that is not proven. `sagitta`: how far off the straight edge the true one
+  /// is, in world units.
+  [[nodiscard]] std::optional<EdgeRange> Along(
+    const LocatedPoint& a, const LocatedPoint& b, double sagitta = 0.0) const;
+
+  /// Holds all values in the element at points of a segment, widened by `slack` in each coordinate;
+  /// empty where none is in the element.
+  [[nodiscard]] Interval ValuesAlong(const Vec3& from, const Vec3& to, double slack) const;
+
+  /// Nodes that have been made.
+  [[nodiscard]] std::int64_t Nodes() const { return Count.load(std::memory_order_relaxed); }
+
+private:
+  const EdgeNode& Whole() const;
+  const EdgeNode& LeafAt(const Vec3& eta) const;
+  const std::array<EdgeNode, 2>& Split(const EdgeNode& node) const;
+  void Fill(EdgeNode& node) const;
+  void Describe(EdgeNode& node, const std::array<HessianFunction::XiRanges, 4>& ranges) const;
+  [[nodiscard]] bool Misses(
+    const EdgeNode& node, const Vec3& from, const Vec3& to, double slack) const;
+  /// By the affine map of a node.
+  [[nodiscard]] Vec3 ToXi(const EdgeNode& node, const Vec3& x) const;
+  struct View;
+  [[nodiscard]] View ViewAt(const Vec3& xi, bool withValue) const;
+  struct NodeValues
+  {
+    Interval values{ 1.0, -1.0 }; ///< empty: the segment misses the node
+    bool coarse = false;          ///< the node is large for the distance of the segment
+  };
+  [[nodiscard]] NodeValues ValuesInNode(
+    const EdgeNode& node, const Vec3& from, const Vec3& to, double slack) const;
+  void AddValues(
+    const EdgeNode& node, const Vec3& from, const Vec3& to, double slack, Interval& values) const;
+
+  ScaledModes Map;
+  ScaledModes Component;
+  int Level = 0;
+  Vec3 Centre;
+  double Size;
+  std::array<double, 3> Uncertainty;
+  double ValueError = 0.0;
+  Interval Range;
+  mutable std::unique_ptr<EdgeNode> Root;
+  mutable std::atomic<const EdgeNode*> Ready{ nullptr };
+  mutable std::mutex Growing;
+  mutable std::atomic<std::int64_t> Count{ 0 };
+};
+} // namespace pixelexact

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Trace/Contours/EdgeJudge.h"
+#include "Trace/Modules/ContourCertifier.h"
+#include "Trace/TileVisit.h"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace pixelexact
+{
+/// What certifies the contours of a layer: its iso-values and what is known of its field.
+struct ContouredLayer
+{
+  int number = 0;
+  std::span<const double> values; ///< in ascending order
+  const LayerBounds* bounds = nullptr;
+};
+
+/// The verdicts of one tile's pixels; see Documentation/contours.md.
+class ContourTile
+{
+public:
+  ContourTile(TileVisit& tile, const ContourEffort& effort);
+
+  /// Adds the findings of a layer's values to those of the tile's edges.
+  void Judge(const ContouredLayer& layer);
+  /// Of each pixel of the tile, row by row.
+  [[nodiscard]] std::vector<ContourVerdict> Verdicts() const;
+  [[nodiscard]] const ContourCounters& Counters() const { return Counted; }
+
+private:
+  /// Of an edge.
+  enum class State : std::uint8_t
+  {
+    Out,
+    Undecided,
+    In
+  };
+  /// Of an edge: what is still open.
+  struct Part
+  {
+    std::size_t edge;
+    EdgeEnd a;
+    EdgeEnd b;
+  };
+
+  [[nodiscard]] EdgeEnd EndOf(
+    const SampleBuffers& samples, std::size_t i, const ImagePosition& position) const;
+  [[nodiscard]] SurfaceEdge EdgeBetween(const EdgeEnd& a, const EdgeEnd& b) const;
+  [[nodiscard]] std::vector<int> ElementsNear() const;
+  void Settle(const Part& part, int level, std::vector<Part>& open);
+  void Refine(std::vector<Part> parts);
+
+  TileVisit& Tile;
+  ContourEffort Effort;
+  std::vector<EdgeEnd> Corners;
+  std::size_t Across;       ///< corners in a row
+  std::size_t Up;           ///< corners in a column
+  std::vector<State> Edges; ///< those across, row by row, then those up
+  std::vector<int> Parts;   ///< open, of each edge
+  ContourCounters Counted;
+  const Surface* TheSurface = nullptr; ///< of the layer being judged
+  int Layer = -1;
+  const EdgeJudge* Judging = nullptr;
+};
+} // namespace pixelexact

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Trace/Contours/EdgeJudge.h"
+
+#include "Core/Math/Rounding.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pixelexact
+{
+namespace
+{
+/// Of the largest magnitude of an element's values: rounding beyond which a value that is met by
+/// an end up to rounding is not told from one that is missed.
+constexpr double kTouch = 1e-10;
+
+/// How far an end may be off, by the rounding of rays and hits.
+double SlackOf(const SurfaceEdge& edge)
+{
+  double largest = 0.0;
+  for (int d = 0; d < 3; ++d)
+  {
+    largest = std::max({ largest, std::fabs(edge.from[d]), std::fabs(edge.to[d]) });
+  }
+  return edge.sagitta + 16.0 * kUnitRoundoff * largest;
+}
+} // namespace
+
+EdgeJudge::EdgeJudge(
+  const LayerBounds& bounds, std::span<const double> values, std::span<const int> elements)
+  : Bounds(bounds)
+  , Values(values)
+{
+  for (const int element : elements)
+  {
+    const EdgeBounds& own = bounds.Of(element);
+    // What is not finite has no values.
+    if (own.Values().IsFinite() && AnyIn(own.Values().lower, own.Values().upper))
+    {
+      Active.push_back({ element, bounds.Index().ElementBox(element), &own });
+    }
+  }
+  std::ranges::sort(Active, {}, &Element::number);
+}
+
+bool EdgeJudge::AnyIn(double lower, double upper) const
+{
+  const auto at = std::ranges::lower_bound(Values, lower);
+  return at != Values.end() && *at <= upper;
+}
+
+bool EdgeJudge::IsActive(int element) const
+{
+  return std::ranges::binary_search(Active, element, {}, &Element::number);
+}
+
+bool EdgeJudge::IsFar(const SurfaceEdge& edge) const
+{
+  const double slack = SlackOf(edge);
+  const Vec3 lower = glm::min(edge.from, edge.to) - slack;
+  const Vec3 upper = glm::max(edge.from, edge.to) + slack;
+  // Written so that nothing is far from a NaN.
+  return std::ranges::none_of(Active,
+    [&](const Element& element)
+    {
+      const Box3& box = element.box;
+      return !(lower.x > box.upper.x || upper.x < box.lower.x || lower.y > box.upper.y ||
+        upper.y < box.lower.y || lower.z > box.upper.z || upper.z < box.lower.z);
+    });
+}
+
+EdgeFinding EdgeJudge::Within(const EdgeEnd& a, const EdgeEnd& b, const SurfaceEdge& edge) const
+{
+  const bool active = IsActive(a.element);
+  if (!active && IsFar(edge))
+  {
+    return EdgeFinding::Out;
+  }
+  const EdgeBounds& bounds = Bounds.Of(a.element);
+  const auto range =
+    std::isfinite(edge.sagitta) ? bounds.Along(a.point, b.point, edge.sagitta) : std::nullopt;
+  if (!range)
+  {
+    return EdgeFinding::Uncovered;
+  }
+  const double lower = std::min(a.point.value, b.point.value);
+  const double upper = std::max(a.point.value, b.point.value);
+  if (!active || !AnyIn(lower - range->deviation, upper + range->deviation))
+  {
+    return EdgeFinding::Out;
+  }
+  const double error = range->error;
+  if (lower + error < upper - error && AnyIn(lower + error, upper - error))
+  {
+    return EdgeFinding::In;
+  }
+  const bool touches = AnyIn(lower - error, lower + error) || AnyIn(upper - error, upper + error);
+  return touches && error <= kTouch * bounds.Values().Magnitude() ? EdgeFinding::Touching
+                                                                  : EdgeFinding::Open;
+}
+
+bool EdgeJudge::IsExcluded(const SurfaceEdge& edge) const
+{
+  if (!std::isfinite(edge.sagitta))
+  {
+    return false;
+  }
+  const double slack = SlackOf(edge);
+  const Vec3 lower = glm::min(edge.from, edge.to) - slack;
+  const Vec3 upper = glm::max(edge.from, edge.to) + slack;
+  for (const Element& element : Active)
+  {
+    const Box3& box = element.box;
+    if (lower.x > box.upper.x || upper.x < box.lower.x || lower.y > box.upper.y ||
+      upper.y < box.lower.y || lower.z > box.upper.z || upper.z < box.lower.z)
+    {
+      continue;
+    }
+    const Interval along = element.bounds->ValuesAlong(edge.from, edge.to, slack);
+    if (!along.IsEmpty() && AnyIn(along.lower, along.upper))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool EdgeJudge::AreOpposite(const EdgeEnd& a, const EdgeEnd& b) const
+{
+  const double lower = std::min(a.point.value, b.point.value);
+  const double upper = std::max(a.point.value, b.point.value);
+  return AnyIn(lower, upper);
+}
+
+bool EdgeJudge::IsJump(const EdgeEnd& a, const EdgeEnd& b, const SurfaceEdge& edge) const
+{
+  const double slack = SlackOf(edge);
+  double change = 0.0;
+  for (const EdgeEnd* end : { &a, &b })
+  {
+    const Interval along = Bounds.Of(end->element).ValuesAlong(edge.from, edge.to, slack);
+    change += along.IsEmpty() ? 0.0 : along.RadiusAround(end->point.value);
+  }
+  return std::fabs(a.point.value - b.point.value) > change;
+}
+} // namespace pixelexact

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Trace/Contours/LayerBounds.h"
+#include "Trace/TileSamples.h"
+
+#include <span>
+#include <vector>
+
+namespace pixelexact
+{
+/// What a ray through the end of an edge sees.
+struct EdgeEnd
+{
+  ImagePosition position{};
+  int layer = -1;       ///< that is seen, in the mesh and decided; -1: none is
+  bool unknown = false; ///< what is seen is not decided
+  int element = -1;
+  LocatedPoint point; ///< where there is a layer
+};
+
+/// An edge of a pixel or a part of it, as far as it is on one layer's surface.
+struct SurfaceEdge
+{
+  Vec3 from{ 0.0 };
+  Vec3 to{ 0.0 };
+  double sagitta = 0.0; ///< how far off the straight edge the surface's is; infinite: not known
+};
+
+enum class EdgeFinding : std::uint8_t
+{
+  Out,      ///< proven: no value occurs on it
+  In,       ///< proven: one does
+  Touching, ///< an end's value is one up to rounding
+  Open,     ///< not settled by the bounds
+  Uncovered ///< nor proven that the edge lies in the element
+};
+
+/// Judges edges on a layer's surface: of one tile, by one thread.
+class EdgeJudge
+{
+public:
+  /// `values`: in ascending order; `elements`: all whose boxes meet the tile's part of the surface.
+  EdgeJudge(
+    const LayerBounds& bounds, std::span<const double> values, std::span<const int> elements);
+
+  /// Whether some element may take a value.
+  [[nodiscard]] bool IsNeeded() const { return !Active.empty(); }
+
+  /// An edge between points of the same element, by the bounds of that element alone.
+  [[nodiscard]] EdgeFinding Within(
+    const EdgeEnd& a, const EdgeEnd& b, const SurfaceEdge& edge) const;
+  /// Whether no element that may take a value comes near.
+  [[nodiscard]] bool IsFar(const SurfaceEdge& edge) const;
+  /// Whether no element that the edge may meet takes a value there.
+  [[nodiscard]] bool IsExcluded(const SurfaceEdge& edge) const;
+  /// Whether the ends' values lie on either side of a value, by more than rounding.
+  [[nodiscard]] bool AreOpposite(const EdgeEnd& a, const EdgeEnd& b) const;
+  /// Whether the two values are farther apart than the field varies along the edge.
+  [[nodiscard]] bool IsJump(const EdgeEnd& a, const EdgeEnd& b, const SurfaceEdge& edge) const;
+
+private:
+  [[nodiscard]] bool AnyIn(double lower, double upper) const;
+  [[nodiscard]] bool IsActive(int element) const;
+
+  const LayerBounds& Bounds;
+  std::span<const double> Values;
+  struct Element
+  {
+    int number;
+    Box3 box;
+    const EdgeBounds* bounds;
+  };
+  std::vector<Element> Active; ///< by number
+};
+} // namespace pixelexact

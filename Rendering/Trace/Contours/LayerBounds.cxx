@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Trace/Contours/LayerBounds.h"
+
+#include "Core/Base/Error.h"
+
+#include <algorithm>
+
+namespace pixelexact
+{
+namespace
+{
+/// Of sums in single precision, as a part of the largest they can be: some roundoffs of a float.
+constexpr double kFloatRounding = 0x1p-19;
+} // namespace
+
+LayerBounds::LayerBounds(const Locator& locator, const Layer& layer)
+  : TheIndex(locator.Index())
+  , TheField(*layer.field)
+  , Component(std::max(layer.component, 0))
+  , Rounding(layer.precision == Precision::Float ? kFloatRounding : 0.0)
+  , Count(static_cast<std::size_t>(locator.GetMesh().Elements()))
+  , Made(std::make_unique<std::atomic<const EdgeBounds*>[]>(Count))
+{
+  if (TheField.mapping != Mapping::Identity)
+  {
+    throw Unsupported("contours of field '" + TheField.name +
+      "', an H(curl), H(div) or density field, cannot be certified; project it to a nodal field.");
+  }
+}
+
+LayerBounds::~LayerBounds()
+{
+  for (std::size_t e = 0; e < Count; ++e)
+  {
+    delete Made[e].load(std::memory_order_relaxed);
+  }
+}
+
+const EdgeBounds& LayerBounds::Of(int element) const
+{
+  std::atomic<const EdgeBounds*>& place = Made[static_cast<std::size_t>(element)];
+  if (const EdgeBounds* made = place.load(std::memory_order_acquire))
+  {
+    return *made;
+  }
+  auto mine = std::make_unique<const EdgeBounds>(
+    TheIndex.GetMesh(), TheIndex.BoundsOf(element), element, TheField, Component, Rounding);
+  const EdgeBounds* before = nullptr;
+  // Two threads may make the same; they are equal, and the first stay.
+  if (!place.compare_exchange_strong(before, mine.get(), std::memory_order_acq_rel))
+  {
+    return *before;
+  }
+  return *mine.release();
+}
+
+std::int64_t LayerBounds::Elements() const
+{
+  return std::count_if(Made.get(), Made.get() + Count,
+    [](const auto& place) { return place.load(std::memory_order_relaxed) != nullptr; });
+}
+
+std::int64_t LayerBounds::Nodes() const
+{
+  std::int64_t nodes = 0;
+  for (std::size_t e = 0; e < Count; ++e)
+  {
+    const EdgeBounds* made = Made[e].load(std::memory_order_relaxed);
+    nodes += made ? made->Nodes() : 0;
+  }
+  return nodes;
+}
+} // namespace pixelexact
