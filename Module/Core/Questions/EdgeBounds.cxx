@@ -30,6 +30,8 @@ constexpr double kBeside = 1e-10;
 /// What the expansion's error may be of the distance.
 constexpr double kCoarse = 0.25;
 constexpr int kRounds = 6;
+/// Of Newton's iteration towards a segment's middle.
+constexpr int kSteps = 2;
 constexpr std::size_t kPlaces[3][3] = { { 0, 1, 2 }, { 1, 3, 4 }, { 2, 4, 5 } };
 constexpr std::size_t kRows[6] = { 0, 0, 0, 1, 1, 2 };
 constexpr std::size_t kColumns[6] = { 0, 1, 2, 1, 2, 2 };
@@ -86,6 +88,13 @@ Vec3 MovedInto(Shape shape, const EtaBox& box, const Vec3& xi)
   // What is left, in eta: of a NaN, any point.
   return TensorToReference(
     shape, glm::clamp(ReferenceToTensor(shape, moved), box.lower, box.upper));
+}
+
+/// Whether a number of an ascending list is in an interval.
+bool AnyIn(std::span<const double> values, double lower, double upper)
+{
+  const auto at = std::ranges::lower_bound(values, lower);
+  return at != values.end() && *at <= upper;
 }
 
 bool Holds(const EtaBox& box, const Vec3& eta)
@@ -147,55 +156,61 @@ EdgeBounds::EdgeBounds(const Mesh& mesh, const ElementBounds& bounds, int elemen
 
 EdgeBounds::~EdgeBounds() = default;
 
-/// The map and the component at a point: Phi less nothing, J, F, dF / dxi.
+/// The map at a point.
 struct EdgeBounds::View
 {
-  Vec3 xi{ 0.0 };
-  Vec3 y{ 0.0 };
-  Mat3 inverse{ 1.0 }; ///< of J
-  double value = 0.0;
-  Vec3 slope{ 0.0 };
+  Vec3 xi;
+  Vec3 y;
+  Mat3 inverse; ///< of J
 };
 
-EdgeBounds::View EdgeBounds::ViewAt(const Vec3& xi, bool withValue) const
+namespace
 {
-  constexpr std::size_t kRoom = 16;
-  double at[3][kRoom];
-  for (int d = 0; d < 3; ++d)
-  {
-    std::fill_n(at[d], kRoom, xi[d]);
-  }
-  const LanePoints point{ { at[0], at[1], at[2] }, 1 };
+/// Room for one point's lanes.
+constexpr std::size_t kRoom = 16;
+
+/// `components` functions and their derivatives by xi at a point: values, then slopes, of
+/// `components` times 3.
+struct Evaluated
+{
   double values[3][kRoom];
   double slopes[9][kRoom];
-  double* const out[3] = { values[0], values[1], values[2] };
-  double* gradient[9];
-  for (std::size_t k = 0; k < 9; ++k)
+
+  Evaluated(const ScaledModes& modes, int components, const Vec3& xi)
   {
-    gradient[k] = slopes[k];
+    double at[3][kRoom];
+    for (int d = 0; d < 3; ++d)
+    {
+      std::fill_n(at[d], kRoom, xi[d]);
+    }
+    double* const out[3] = { values[0], values[1], values[2] };
+    double* gradient[9];
+    for (std::size_t k = 0; k < 9; ++k)
+    {
+      gradient[k] = slopes[k];
+    }
+    KernelsFor(modes.space)
+      .gradient(modes.space, modes.values.data(), components, { { at[0], at[1], at[2] }, 1 }, out,
+        gradient);
   }
-  View view;
-  view.xi = xi;
-  KernelsFor(Map.space).gradient(Map.space, Map.values.data(), 3, point, out, gradient);
+};
+} // namespace
+
+EdgeBounds::View EdgeBounds::ViewAt(const Vec3& xi) const
+{
+  const Evaluated map(Map, 3, xi);
   const double scale = std::ldexp(1.0, Map.exponent);
+  View view{ xi, Vec3(0.0), Mat3(0.0) };
   Mat3 jacobian;
   for (int c = 0; c < 3; ++c)
   {
-    view.y[c] = scale * values[c][0];
+    view.y[c] = scale * map.values[c][0];
     for (int j = 0; j < 3; ++j)
     {
-      jacobian[j][c] = scale * slopes[3 * c + j][0];
+      jacobian[j][c] = scale * map.slopes[3 * c + j][0];
     }
   }
   view.inverse = glm::inverse(jacobian);
-  if (withValue)
-  {
-    KernelsFor(Component.space)
-      .gradient(Component.space, Component.values.data(), 1, point, out, gradient);
-    const double unit = std::ldexp(1.0, Component.exponent);
-    view.value = unit * values[0][0];
-    view.slope = unit * Vec3(slopes[0][0], slopes[1][0], slopes[2][0]);
-  }
   return view;
 }
 
@@ -291,7 +306,7 @@ void EdgeBounds::Describe(
   const Shape shape = Map.space.shape;
   const Box3 hull = HullInXi(shape, node.wide);
   node.centre = TensorToReference(shape, 0.5 * (node.wide.lower + node.wide.upper));
-  node.origin = ViewAt(node.centre, false).y;
+  node.origin = ViewAt(node.centre).y;
   Mat3 middle;
   for (int c = 0; c < 3; ++c)
   {
@@ -532,16 +547,25 @@ Vec3 EdgeBounds::ToXi(const EdgeNode& node, const Vec3& x) const
 }
 
 /// In a regular node, from the second-order expansion about a point of it near the segment.
-EdgeBounds::NodeValues EdgeBounds::ValuesInNode(
-  const EdgeNode& node, const Vec3& from, const Vec3& to, double slack) const
+EdgeBounds::Meeting EdgeBounds::MeetNode(const EdgeNode& node, std::span<const double> values,
+  const Vec3& from, const Vec3& to, double slack) const
 {
   const Shape shape = Map.space.shape;
   const Vec3 ends[2] = { (from - Centre) / Size, (to - Centre) / Size };
   const Vec3 middle = 0.5 * (ends[0] + ends[1]);
-  const auto clamped = [&](const Vec3& xi) { return MovedInto(shape, node.wide, xi); };
-  View view = ViewAt(clamped(ToXi(node, 0.5 * (from + to))), false);
-  view = ViewAt(clamped(view.xi + view.inverse * (middle - view.y)), false);
-  view = ViewAt(clamped(view.xi + view.inverse * (middle - view.y)), true);
+  View view = ViewAt(MovedInto(shape, node.wide, ToXi(node, 0.5 * (from + to))));
+  for (int step = 0; step < kSteps; ++step)
+  {
+    const Vec3 half = 0.5 * (view.inverse * (ends[1] - ends[0]));
+    const Vec3 next = MovedInto(shape, node.wide, view.xi + view.inverse * (middle - view.y));
+    const Vec3 moved = next - view.xi;
+    // Written so that a NaN ends it.
+    if (!(glm::dot(moved, moved) > glm::dot(half, half)))
+    {
+      break;
+    }
+    view = ViewAt(next);
+  }
 
   // |xi - view.xi| of the preimages in `wide` of the segment's points.
   double away[3];
@@ -586,7 +610,7 @@ EdgeBounds::NodeValues EdgeBounds::ValuesInNode(
     const double b = DepthOf(shape, node.box, end, view.xi + steps[1]) + wider;
     if (a < 0.0 && b < 0.0)
     {
-      return {};
+      return Meeting::None;
     }
     if (a < 0.0)
     {
@@ -599,9 +623,14 @@ EdgeBounds::NodeValues EdgeBounds::ValuesInNode(
   }
   if (first > last)
   {
-    return {};
+    return Meeting::None;
   }
-  const double rises[2] = { glm::dot(view.slope, steps[0]), glm::dot(view.slope, steps[1]) };
+  const Evaluated component(Component, 1, view.xi);
+  const double unit = std::ldexp(1.0, Component.exponent);
+  const double value = unit * component.values[0][0];
+  const Vec3 slope =
+    unit * Vec3(component.slopes[0][0], component.slopes[1][0], component.slopes[2][0]);
+  const double rises[2] = { glm::dot(slope, steps[0]), glm::dot(slope, steps[1]) };
   const double atFirst = rises[0] + first * (rises[1] - rises[0]);
   const double atLast = rises[0] + last * (rises[1] - rises[0]);
   double most = Quadratic(node.curve, away) / 2.0 + 2.0 * ValueError;
@@ -610,60 +639,61 @@ EdgeBounds::NodeValues EdgeBounds::ValuesInNode(
     most += node.slope[k] * besides[k];
   }
   most = most * kUp + 1e-14 * (std::fabs(rises[0]) + std::fabs(rises[1]));
-  const Interval own{ rounding::Below(view.value + std::min(atFirst, atLast) - most),
-    rounding::Above(view.value + std::max(atFirst, atLast) + most) };
-  NodeValues found;
-  found.values = { std::max(own.lower, node.values.lower), std::min(own.upper, node.values.upper) };
+  if (!AnyIn(values, rounding::Below(value + std::min(atFirst, atLast) - most),
+        rounding::Above(value + std::max(atFirst, atLast) + most)))
+  {
+    return Meeting::None;
+  }
   for (std::size_t k = 0; k < 3; ++k)
   {
-    found.coarse = found.coarse || off[k] > kCoarse * away[k] + 2.0 * besides[k];
-  }
-  return found;
-}
-
-Interval EdgeBounds::ValuesAlong(const Vec3& from, const Vec3& to, double slack) const
-{
-  if (!Component.finite)
-  {
-    return Interval::Everything();
-  }
-  Interval values = Nothing();
-  AddValues(Whole(), from, to, slack, values);
-  return values;
-}
-
-void EdgeBounds::AddValues(
-  const EdgeNode& node, const Vec3& from, const Vec3& to, double slack, Interval& values) const
-{
-  if (Misses(node, from, to, slack))
-  {
-    return;
-  }
-  if (!node.regular && node.halvings < kMostHalvings)
-  {
-    for (const EdgeNode& half : Split(node))
+    if (off[k] > kCoarse * away[k] + 2.0 * besides[k])
     {
-      AddValues(half, from, to, slack, values);
-    }
-    return;
-  }
-  NodeValues found;
-  found.values = node.values;
-  if (node.regular)
-  {
-    found = ValuesInNode(node, from, to, slack);
-    if (found.coarse && node.halvings < kMostHalvings)
-    {
-      for (const EdgeNode& half : Split(node))
-      {
-        AddValues(half, from, to, slack, values);
-      }
-      return;
+      return Meeting::Coarse;
     }
   }
-  if (!found.values.IsEmpty())
+  return Meeting::Near;
+}
+
+bool EdgeBounds::MayTake(
+  std::span<const double> values, const Vec3& from, const Vec3& to, double slack, bool grow) const
+{
+  return !Component.finite || MayTakeIn(Whole(), values, from, to, slack, grow);
+}
+
+bool EdgeBounds::MayTakeIn(const EdgeNode& node, std::span<const double> values, const Vec3& from,
+  const Vec3& to, double slack, bool grow) const
+{
+  if (!AnyIn(values, node.values.lower, node.values.upper) || Misses(node, from, to, slack))
   {
-    values = Union(values, found.values);
+    return false;
   }
+  const Meeting meeting = node.regular ? MeetNode(node, values, from, to, slack) : Meeting::Coarse;
+  if (meeting != Meeting::Coarse)
+  {
+    return meeting == Meeting::Near;
+  }
+  if (node.halvings >= kMostHalvings ||
+    (!grow && node.regular && !node.children.load(std::memory_order_acquire)))
+  {
+    return true;
+  }
+  const auto& halves = Split(node);
+  return std::ranges::any_of(
+    halves, [&](const EdgeNode& half) { return MayTakeIn(half, values, from, to, slack, grow); });
+}
+
+double EdgeBounds::ChangeWithin(const LocatedPoint& point, double distance) const
+{
+  const EdgeNode& node = LeafAt(point.eta);
+  if (!Component.finite || !node.regular)
+  {
+    return kInfinity;
+  }
+  double change = ValueError;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    change += node.slope[k] * (node.lean[k] * (distance / Size) + node.shift[k]);
+  }
+  return change * kUp;
 }
 } // namespace pixelexact

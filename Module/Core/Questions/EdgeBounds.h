@@ -10,6 +10,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
 
 namespace pixelexact
 {
@@ -92,9 +93,14 @@ public:
   [[nodiscard]] std::optional<EdgeRange> Along(
     const LocatedPoint& a, const LocatedPoint& b, double sagitta = 0.0) const;
 
-  /// Holds all values in the element at points of a segment, widened by `slack` in each coordinate;
-  /// empty where none is in the element.
-  [[nodiscard]] Interval ValuesAlong(const Vec3& from, const Vec3& to, double slack) const;
+  /// Whether the component may take one of these values, in ascending order, at a point of the
+  /// element on a segment, widened by `slack` in each coordinate; false: proven that it does not.
+  /// `grow`: smaller nodes are made where they would tell more.
+  [[nodiscard]] bool MayTake(std::span<const double> values, const Vec3& from, const Vec3& to,
+    double slack, bool grow) const;
+  /// A bound of how far the values within a distance of a point, in the element and next to the
+  /// point in xi as well, are from its own; infinite where none is known.
+  [[nodiscard]] double ChangeWithin(const LocatedPoint& point, double distance) const;
 
   /// Nodes that have been made.
   [[nodiscard]] std::int64_t Nodes() const { return Count.load(std::memory_order_relaxed); }
@@ -110,16 +116,17 @@ private:
   /// By the affine map of a node.
   [[nodiscard]] Vec3 ToXi(const EdgeNode& node, const Vec3& x) const;
   struct View;
-  [[nodiscard]] View ViewAt(const Vec3& xi, bool withValue) const;
-  struct NodeValues
+  [[nodiscard]] View ViewAt(const Vec3& xi) const;
+  enum class Meeting : std::uint8_t
   {
-    Interval values{ 1.0, -1.0 }; ///< empty: the segment misses the node
-    bool coarse = false;          ///< the node is large for the distance of the segment
+    None,   ///< of the segment and a point with one of the values: proven
+    Near,   ///< there may be one
+    Coarse, ///< and smaller nodes would tell more
   };
-  [[nodiscard]] NodeValues ValuesInNode(
-    const EdgeNode& node, const Vec3& from, const Vec3& to, double slack) const;
-  void AddValues(
-    const EdgeNode& node, const Vec3& from, const Vec3& to, double slack, Interval& values) const;
+  [[nodiscard]] Meeting MeetNode(const EdgeNode& node, std::span<const double> values,
+    const Vec3& from, const Vec3& to, double slack) const;
+  [[nodiscard]] bool MayTakeIn(const EdgeNode& node, std::span<const double> values,
+    const Vec3& from, const Vec3& to, double slack, bool grow) const;
 
   ScaledModes Map;
   ScaledModes Component;

@@ -106,13 +106,24 @@ void ContourTile::Judge(const ContouredLayer& layer)
   }
   Judging = &judge;
   std::vector<Part> open;
+  std::vector<Part> run;
   std::size_t edge = 0;
   const auto visit = [&](std::size_t a, std::size_t b)
   {
     if (Edges[edge] != State::In)
     {
-      Settle({ edge, Corners[a], Corners[b] }, 0, open);
+      Part part{ edge, Corners[a], Corners[b] };
+      const EdgeFinding finding = JudgeWithin(part);
+      if (finding == EdgeFinding::Uncovered)
+      {
+        run.push_back(std::move(part));
+        ++edge;
+        return;
+      }
+      Settle(part, finding, 0, open);
     }
+    SettleRun(run, open);
+    run.clear();
     ++edge;
   };
   for (std::size_t i = 0; i < Up; ++i)
@@ -121,62 +132,100 @@ void ContourTile::Judge(const ContouredLayer& layer)
     {
       visit(i * Across + j, i * Across + j + 1);
     }
+    SettleRun(run, open);
+    run.clear();
   }
-  for (std::size_t i = 0; i + 1 < Up; ++i)
+  edge = (Across - 1) * Up;
+  for (std::size_t j = 0; j < Across; ++j)
   {
-    for (std::size_t j = 0; j < Across; ++j)
+    for (std::size_t i = 0; i + 1 < Up; ++i)
     {
       visit(i * Across + j, (i + 1) * Across + j);
     }
+    SettleRun(run, open);
+    run.clear();
   }
   Refine(std::move(open));
 }
 
-void ContourTile::Settle(const Part& part, int level, std::vector<Part>& open)
+EdgeFinding ContourTile::JudgeWithin(const Part& part) const
 {
   const EdgeEnd& a = part.a;
   const EdgeEnd& b = part.b;
-  const bool onBoth = a.layer == Layer && b.layer == Layer;
-  // Another layer hides this one at both ends.
   if (a.layer >= 0 && b.layer >= 0 && a.layer != Layer && b.layer != Layer)
+  {
+    // Another layer hides this one at both ends.
+    return EdgeFinding::Out;
+  }
+  return a.layer == Layer && b.layer == Layer && a.element == b.element
+    ? Judging->Within(a, b, EdgeBetween(a, b))
+    : EdgeFinding::Uncovered;
+}
+
+void ContourTile::SettleRun(std::span<const Part> run, std::vector<Part>& open)
+{
+  if (run.empty())
   {
     return;
   }
-  const SurfaceEdge edge = EdgeBetween(a, b);
-  EdgeFinding finding = EdgeFinding::Uncovered;
-  if (onBoth && a.element == b.element)
+  // Together they are a straight edge.
+  const SurfaceEdge all = EdgeBetween(run.front().a, run.back().b);
+  if (run.size() > 1 && (Judging->IsFar(all) || Judging->IsExcluded(all, false)))
   {
-    finding = Judging->Within(a, b, edge);
+    return;
   }
-  if (finding == EdgeFinding::Uncovered && (Judging->IsFar(edge) || Judging->IsExcluded(edge)))
+  if (run.size() == 1)
   {
-    finding = EdgeFinding::Out;
+    SettlePart(run.front(), 0, open);
+    return;
+  }
+  SettleRun(run.first(run.size() / 2), open);
+  SettleRun(run.subspan(run.size() / 2), open);
+}
+
+void ContourTile::Settle(const Part& part, EdgeFinding finding, int level, std::vector<Part>& open)
+{
+  if (finding == EdgeFinding::Out)
+  {
+    return;
+  }
+  if (finding == EdgeFinding::In || finding == EdgeFinding::Touching)
+  {
+    Edges[part.edge] = State::In;
+    return;
   }
   const int deepest = finding == EdgeFinding::Open ? Effort.halvings : Effort.crossings;
-  switch (finding)
-  {
-    case EdgeFinding::Out:
-      return;
-    case EdgeFinding::In:
-    case EdgeFinding::Touching:
-      Edges[part.edge] = State::In;
-      return;
-    default:
-      break;
-  }
   if (level < deepest && Parts[part.edge] < Effort.parts)
   {
     ++Parts[part.edge];
     open.push_back(part);
     return;
   }
-  if (onBoth && Judging->AreOpposite(a, b))
+  if (part.a.layer == Layer && part.b.layer == Layer && Judging->AreOpposite(part.a, part.b))
   {
     Edges[part.edge] = State::In;
-    Counted.jumps += Judging->IsJump(a, b, edge) ? 1 : 0;
+    Counted.jumps += Judging->IsJump(part.a, part.b, EdgeBetween(part.a, part.b)) ? 1 : 0;
     return;
   }
   Edges[part.edge] = std::max(Edges[part.edge], State::Undecided);
+}
+
+void ContourTile::SettlePart(const Part& part, int level, std::vector<Part>& open)
+{
+  if (Edges[part.edge] == State::In)
+  {
+    return;
+  }
+  EdgeFinding finding = JudgeWithin(part);
+  if (finding == EdgeFinding::Uncovered)
+  {
+    const SurfaceEdge edge = EdgeBetween(part.a, part.b);
+    if (Judging->IsFar(edge) || Judging->IsExcluded(edge, true))
+    {
+      finding = EdgeFinding::Out;
+    }
+  }
+  Settle(part, finding, level, open);
 }
 
 void ContourTile::Refine(std::vector<Part> parts)
@@ -202,11 +251,8 @@ void ContourTile::Refine(std::vector<Part> parts)
     for (std::size_t i = 0; i < parts.size(); ++i)
     {
       const EdgeEnd middle = EndOf(samples, i, middles[i]);
-      Settle({ parts[i].edge, parts[i].a, middle }, level, open);
-      if (Edges[parts[i].edge] != State::In)
-      {
-        Settle({ parts[i].edge, middle, parts[i].b }, level, open);
-      }
+      SettlePart({ parts[i].edge, parts[i].a, middle }, level, open);
+      SettlePart({ parts[i].edge, middle, parts[i].b }, level, open);
     }
     Counted.samples += static_cast<std::int64_t>(middles.size());
     parts = std::move(open);
@@ -222,9 +268,9 @@ std::vector<ContourVerdict> ContourTile::Verdicts() const
     for (std::size_t j = 0; j + 1 < Across; ++j)
     {
       const std::size_t across = i * (Across - 1) + j;
-      const std::size_t up = ups + i * Across + j;
+      const std::size_t up = ups + j * (Up - 1) + i;
       const State state =
-        std::max({ Edges[across], Edges[across + Across - 1], Edges[up], Edges[up + 1] });
+        std::max({ Edges[across], Edges[across + Across - 1], Edges[up], Edges[up + Up - 1] });
       verdicts.push_back(state == State::In ? ContourVerdict::In
           : state == State::Undecided       ? ContourVerdict::Undecided
                                             : ContourVerdict::Out);

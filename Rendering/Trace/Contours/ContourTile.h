@@ -51,7 +51,11 @@ private:
     const SampleBuffers& samples, std::size_t i, const ImagePosition& position) const;
   [[nodiscard]] SurfaceEdge EdgeBetween(const EdgeEnd& a, const EdgeEnd& b) const;
   [[nodiscard]] std::vector<int> ElementsNear() const;
-  void Settle(const Part& part, int level, std::vector<Part>& open);
+  [[nodiscard]] EdgeFinding JudgeWithin(const Part& part) const;
+  /// Consecutive edges of a row or a column.
+  void SettleRun(std::span<const Part> run, std::vector<Part>& open);
+  void SettlePart(const Part& part, int level, std::vector<Part>& open);
+  void Settle(const Part& part, EdgeFinding finding, int level, std::vector<Part>& open);
   void Refine(std::vector<Part> parts);
 
   TileVisit& Tile;
@@ -59,7 +63,7 @@ private:
   std::vector<EdgeEnd> Corners;
   std::size_t Across;       ///< corners in a row
   std::size_t Up;           ///< corners in a column
-  std::vector<State> Edges; ///< those across, row by row, then those up
+  std::vector<State> Edges; ///< those across, row by row, then those up, column by column
   std::vector<int> Parts;   ///< open, of each edge
   ContourCounters Counted;
   const Surface* TheSurface = nullptr; ///< of the layer being judged

@@ -3,6 +3,8 @@
 
 #include "Core/Math/Rounding.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -99,7 +101,7 @@ EdgeFinding EdgeJudge::Within(const EdgeEnd& a, const EdgeEnd& b, const SurfaceE
                                                                   : EdgeFinding::Open;
 }
 
-bool EdgeJudge::IsExcluded(const SurfaceEdge& edge) const
+bool EdgeJudge::IsExcluded(const SurfaceEdge& edge, bool thorough) const
 {
   if (!std::isfinite(edge.sagitta))
   {
@@ -116,8 +118,7 @@ bool EdgeJudge::IsExcluded(const SurfaceEdge& edge) const
     {
       continue;
     }
-    const Interval along = element.bounds->ValuesAlong(edge.from, edge.to, slack);
-    if (!along.IsEmpty() && AnyIn(along.lower, along.upper))
+    if (element.bounds->MayTake(Values, edge.from, edge.to, slack, thorough))
     {
       return false;
     }
@@ -134,13 +135,9 @@ bool EdgeJudge::AreOpposite(const EdgeEnd& a, const EdgeEnd& b) const
 
 bool EdgeJudge::IsJump(const EdgeEnd& a, const EdgeEnd& b, const SurfaceEdge& edge) const
 {
-  const double slack = SlackOf(edge);
-  double change = 0.0;
-  for (const EdgeEnd* end : { &a, &b })
-  {
-    const Interval along = Bounds.Of(end->element).ValuesAlong(edge.from, edge.to, slack);
-    change += along.IsEmpty() ? 0.0 : along.RadiusAround(end->point.value);
-  }
+  const double distance = glm::distance(edge.from, edge.to) + SlackOf(edge);
+  const double change = Bounds.Of(a.element).ChangeWithin(a.point, distance) +
+    Bounds.Of(b.element).ChangeWithin(b.point, distance);
   return std::fabs(a.point.value - b.point.value) > change;
 }
 } // namespace pixelexact

@@ -52,8 +52,9 @@ public:
     const EdgeEnd& a, const EdgeEnd& b, const SurfaceEdge& edge) const;
   /// Whether no element that may take a value comes near.
   [[nodiscard]] bool IsFar(const SurfaceEdge& edge) const;
-  /// Whether no element that the edge may meet takes a value there.
-  [[nodiscard]] bool IsExcluded(const SurfaceEdge& edge) const;
+  /// Whether no element that the edge may meet takes a value there. `thorough`: more is found out
+  /// about the elements where that helps.
+  [[nodiscard]] bool IsExcluded(const SurfaceEdge& edge, bool thorough) const;
   /// Whether the ends' values lie on either side of a value, by more than rounding.
   [[nodiscard]] bool AreOpposite(const EdgeEnd& a, const EdgeEnd& b) const;
   /// Whether the two values are farther apart than the field varies along the edge.
