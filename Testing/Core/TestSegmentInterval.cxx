@@ -39,8 +39,11 @@ std::vector<Interval> IntervalsOf(const Mesh& mesh, const Field& field, int comp
   const LaneBuffer lanes[4]{ LaneBuffer(points[0]), LaneBuffer(points[1]), LaneBuffer(points[2]),
     LaneBuffer(points[3]) };
   std::vector<Interval> intervals(segments.size());
+  const std::vector<double> slacks(
+    static_cast<std::size_t>(PaddedCount(static_cast<int>(segments.size()))), slack);
   SegmentIntervals(mesh, field, component, 0,
-    { lanes[0].View(), lanes[1].View(), lanes[2].View(), lanes[3].View(), slack }, intervals);
+    { lanes[0].View(), lanes[1].View(), lanes[2].View(), lanes[3].View(),
+    slacks.data() }, intervals);
   return intervals;
 }
 

@@ -47,8 +47,7 @@ Interval Norm(std::span<const Interval> components)
 void SegmentIntervals(const Mesh& mesh, const Field& field, int component, int element,
   const ElementSegments& segments, std::span<Interval> intervals)
 {
-  const EnclosureProblem problem(
-    mesh, field, element, rounding::Above(mesh.uncertainty[element] + segments.slack));
+  const EnclosureProblem problem(mesh, field, element, mesh.uncertainty[element]);
   std::ranges::fill(intervals, Interval::Everything());
   if (!problem.IsUsable())
   {

@@ -18,7 +18,9 @@ struct ElementSegments
   LanePoints xiTo;
   LanePoints from; ///< in the world
   LanePoints to;
-  double slack = 0.0; ///< world units: how far off its segment a point may lie, in each coordinate
+  /// Of each, world units: how far off the segment its points may lie, in each coordinate; null:
+  /// not at all.
+  const double* slack = nullptr;
 };
 
 /// In place of a component: the Euclidean norm of all, which of a single one is itself, sign and

@@ -62,12 +62,15 @@ SegmentBox BoxOfSegments(const EnclosureTask& task, const BallKernels& kernels,
   const auto from = LoadPoint<Lanes>(segments.from, i);
   const auto to = LoadPoint<Lanes>(segments.to, i);
   krawczyk.Evaluate(from);
+  const Lanes slack = segments.slack
+    ? ball::RoundUp(NumberTraits<Lanes>::Load(segments.slack + i) * Splat(task.inverseSize))
+    : Splat(0.0);
   Ball h[3];
   for (int d = 0; d < 3; ++d)
   {
     const Lanes difference = half * (to.x[d] - from.x[d]) * Splat(task.inverseSize);
     h[d] = ball::Sum(difference, Splat(ball::kTiny));
-    krawczyk.Residual.x[d] = krawczyk.Residual.x[d] - h[d];
+    krawczyk.Residual.x[d] = krawczyk.Residual.x[d] - h[d] - Ball::AroundZero(slack);
   }
 
   SegmentBox box{ { { infinity, infinity, infinity } }, infinity };
