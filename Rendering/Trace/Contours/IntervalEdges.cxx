@@ -245,14 +245,11 @@ void JudgeByIntervals(TileVisit& tile, std::span<const std::vector<double>> valu
     throw Error("contours by intervals: " + std::to_string(subdivisions) +
       " subdivisions; give 0 to " + std::to_string(kMostSubdivisions) + ".");
   }
-  const auto& layers = tile.GetScene().layers;
-  for (std::size_t i = 0; i < values.size(); ++i)
+  const auto layers = tile.GetScene().layers.size();
+  if (values.size() > layers)
   {
-    if (!values[i].empty() && (i >= layers.size() || layers[i].field == nullptr))
-    {
-      throw Error("contours by intervals: layer " + std::to_string(i) +
-        " has iso-values but no field; give it a field, or no values.");
-    }
+    throw Error("contours by intervals: iso-values of " + std::to_string(values.size()) +
+      " layers, but the scene has " + std::to_string(layers) + "; give a list for each layer.");
   }
   TileJudge judge(tile, values);
   judge.Run(subdivisions, counters);

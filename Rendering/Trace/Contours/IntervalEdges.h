@@ -51,7 +51,7 @@ struct IntervalCounters
 /// `values`: of each of the scene's layers its iso-values, in ascending order; layers beyond the
 /// list have none. `verdicts`: of the tile's pixels, row by row, a ContourVerdict each. The
 /// corners must have kEdgeSampleBuffers. What a pixel gets does not depend on tiles. Throws Error
-/// for subdivisions beyond 0 to kMostSubdivisions, and for values of a layer without a field.
+/// for subdivisions beyond 0 to kMostSubdivisions, and for more lists of values than layers.
 void JudgeByIntervals(TileVisit& tile, std::span<const std::vector<double>> values,
   int subdivisions, std::span<std::uint8_t> verdicts, IntervalCounters& counters);
 } // namespace pixelexact
