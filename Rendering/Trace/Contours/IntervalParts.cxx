@@ -48,9 +48,7 @@ IntervalParts::IntervalParts(
 {
   if (scene.layers.size() == 1)
   {
-    const Surface* surface = scene.layers.front().surface.get();
-    Flat = surface->IsFlat();
-    IsPlane = dynamic_cast<const Plane*>(surface) != nullptr;
+    ThePlane = dynamic_cast<const Plane*>(scene.layers.front().surface.get());
   }
 }
 
@@ -63,7 +61,7 @@ void IntervalParts::Judge(std::span<const EdgeSample> samples, std::span<const E
     std::ranges::fill(verdicts, PartVerdict::Out);
     return;
   }
-  if (!Flat)
+  if (!ThePlane)
   {
     return;
   }
@@ -78,7 +76,7 @@ void IntervalParts::Judge(std::span<const EdgeSample> samples, std::span<const E
     {
       inside.push_back(static_cast<int>(i));
     }
-    else if (both(PixelVerdict::Nothing) && IsPlane && IsBesideMesh(from, to))
+    else if (both(PixelVerdict::Nothing) && IsBesideMesh(from, to))
     {
       verdicts[i] = PartVerdict::Out;
     }
@@ -135,9 +133,8 @@ void IntervalParts::JudgeInElement(std::span<const EdgeSample> samples,
 
 bool IntervalParts::IsBesideMesh(const EdgeSample& from, const EdgeSample& to) const
 {
-  const Surface& surface = *TheScene.layers.front().surface;
   const auto hitsOf = [&](const EdgeSample& sample)
-  { return HitsOf(surface, TheCamera.At(sample.at[0], sample.at[1])); };
+  { return HitsOf(*ThePlane, TheCamera.At(sample.at[0], sample.at[1])); };
   const auto first = hitsOf(from);
   const auto last = hitsOf(to);
   if (first.empty() || last.empty())
@@ -161,10 +158,12 @@ bool IntervalParts::IsBesideMesh(const EdgeSample& from, const EdgeSample& to) c
 double IntervalParts::SlackOf(const Vec3& position, const ImagePosition& at) const
 {
   const Ray ray = TheCamera.At(at[0], at[1]);
-  const Vec3 normal = TheScene.layers.front().surface->Normal({ position });
+  const Vec3 normal = ThePlane->Normal({ position });
   // Towards grazing rays, t is less and less certain.
   const double slope = std::fabs(glm::dot(normal, ray.direction));
   return kPositionRoundings * kUnitRoundoff *
-    (LargestOf(ray.origin) + LargestOf(position) + glm::distance(ray.origin, position)) / slope;
+    (LargestOf(ray.origin) + LargestOf(ThePlane->Through()) + LargestOf(position) +
+      glm::distance(ray.origin, position)) /
+    slope;
 }
 } // namespace pixelexact

@@ -12,6 +12,8 @@
 
 namespace pixelexact
 {
+class Plane;
+
 /// What is seen at a point of a pixel's edge.
 struct EdgeSample
 {
@@ -50,8 +52,8 @@ bool HasValueIn(std::span<const double> ascending, const Interval& interval);
 
 /// Intervals of a scene's field on parts of pixels' edges.
 ///
-/// There is one where the scene has a single layer, which is flat, and both ends lie in the same
-/// element: the pixel's edge is then straight in the world. Parts of a plane with both ends beside
+/// There is one where the scene has a single layer, which is a Plane, and both ends lie in the same
+/// element: the pixel's edge is then straight in the world. Parts of a Plane with both ends beside
 /// the mesh are Out where MissesMesh proves it, or where they are cut away together. Of all others
 /// nothing is known, as the paper says nothing of them. What a part gets depends on that part
 /// alone.
@@ -74,7 +76,6 @@ private:
   const Scene& TheScene;
   const Camera& TheCamera;
   std::span<const std::vector<double>> Values;
-  bool Flat = false;
-  bool IsPlane = false;
+  const Plane* ThePlane = nullptr; ///< null: another scene
 };
 } // namespace pixelexact
