@@ -258,6 +258,28 @@ TEST(IntervalEdges, LevelsAreThoseOfShorterRuns)
   }
 }
 
+/// A pixel's verdict is the same at a tile's border and within a tile.
+TEST(IntervalEdges, TilesChangeNothing)
+{
+  const Scene scene = TheCut();
+  const Camera camera(Oblique(), kWidth, kHeight);
+  Judged whole({ kValues }, 3);
+  Judge(whole, scene);
+  Judged other({ kValues }, 3);
+  const Pipeline pipeline{ {}, { &other } };
+  Frame frame;
+  frame.width = kWidth;
+  frame.height = kHeight;
+  other.Begin(kWidth, kHeight);
+  other.verdicts = whole.verdicts;
+  for (const TileArea& area : { TileArea{ 16, 16, 48, 48 }, TileArea{ 31, 20, 33, 40 } })
+  {
+    TileVisit(&scene, &camera, pipeline, frame, area).Run();
+    EXPECT_EQ(other.verdicts, whole.verdicts);
+  }
+  EXPECT_GT(other.counters.in, 50);
+}
+
 TEST(IntervalEdges, NoVerdictIsWrongWherePartsAreCutAway)
 {
   Scene scene = TheCut();
@@ -309,6 +331,22 @@ TEST(IntervalEdges, TellsWhatIsBesideTheMesh)
   EXPECT_EQ(judged.counters.undecided, judged.counters.unproven);
   EXPECT_LT(judged.counters.undecided, 300);
   EXPECT_GT(judged.counters.undecided, 100);
+}
+
+/// Along the plane, the upper half of the image sees none of it.
+TEST(IntervalEdges, TellsWhatIsBeyondTheHorizon)
+{
+  CameraView view;
+  view.position = { 0.0, -4.0, 0.5 };
+  view.focalPoint = { 0.0, 0.0, 0.5 };
+  view.viewUp = { 0.0, 0.0, 1.0 };
+  const Scene scene = TheBlock().With(std::make_shared<Plane>(Vec3(0.0), Vec3(0.0, 0.0, 1.0)));
+  Judged judged({ { 1e3 } }, 1);
+  Judge(judged, scene, view);
+  const auto out = static_cast<std::uint8_t>(ContourVerdict::Out);
+  EXPECT_EQ(std::ranges::count(std::span(judged.verdicts).last(kWidth * (kHeight / 2 - 1)), out),
+    kWidth * (kHeight / 2 - 1));
+  EXPECT_GT(judged.counters.out, 300);
 }
 
 /// A chord is no curve: on other surfaces and behind each other nothing is Out.

@@ -34,8 +34,8 @@ inline constexpr int kNormOfAll = -1;
 ///
 /// What is proven: through the stored map Phi, moved by whatever is within uncertainty[element] in
 /// each coordinate, a box in xi holds exactly one preimage of each point of the segment; these lie
-/// in the shape, or beyond its faces by no more than twice the uncertainty of the map explains,
-/// seen through its inverse; the stored field's exact values there lie in the interval.
+/// in the shape, or beyond its faces by no more than twice what the uncertainty of the map and the
+/// slack explain, seen through its inverse; the stored field's exact values there lie in the interval.
 ///
 /// Everything, -inf to inf, where nothing is proven: the segment may leave the element between its
 /// ends; it is too long for one box; the Jacobian is singular, or nearly, in the box; the apex of a

@@ -42,20 +42,19 @@ public:
   void Run(int subdivisions, IntervalCounters& counters)
   {
     LookAtCorners();
-    std::int64_t before = Count(0, counters);
     for (int edge = 0; edge < Lattice.Edges(); ++edge)
     {
       const auto corners = Lattice.CornersOf(edge);
       Open.push_back({ edge, corners[0], corners[1] });
     }
-    JudgeOpen(counters);
-    CountUndecided(0, counters);
-    for (int level = 1; level <= subdivisions; ++level)
+    for (int level = 0; level <= subdivisions; ++level)
     {
-      Halve(counters);
-      before += Count(level, counters, before);
+      if (level > 0)
+      {
+        Halve(counters);
+      }
       JudgeOpen(counters);
-      CountUndecided(level, counters);
+      CountLevel(level, counters);
     }
     for (const SeenPixel& pixel : Pixels)
     {
@@ -192,22 +191,17 @@ private:
     Open = std::move(halves);
   }
 
-  /// Pixels that are in beyond those before; returns how many.
-  std::int64_t Count(int level, IntervalCounters& counters, std::int64_t before = 0) const
+  void CountLevel(int level, IntervalCounters& counters)
   {
-    const auto now = std::ranges::count_if(Pixels, &SeenPixel::in) - before;
-    counters.inAt[static_cast<std::size_t>(level)] += now;
-    return now;
-  }
-
-  void CountUndecided(int level, IntervalCounters& counters) const
-  {
+    const auto at = static_cast<std::size_t>(level);
     for (const SeenPixel& pixel : Pixels)
     {
-      const auto at = static_cast<std::size_t>(level);
       counters.undecidedAfter[at] += !pixel.in && pixel.edges != PartVerdict::Out ? 1 : 0;
       counters.unprovenAfter[at] += !pixel.in && pixel.edges == PartVerdict::Unproven ? 1 : 0;
     }
+    const auto in = std::ranges::count_if(Pixels, &SeenPixel::in);
+    counters.inAt[at] += in - CountedIn;
+    CountedIn = in;
   }
 
   TileVisit& Tile;
@@ -218,6 +212,7 @@ private:
   std::vector<Interval> Seen;      ///< by pixel and layer: of the values at samples
   std::vector<EdgeSample> Samples; ///< the corners first
   std::vector<EdgePart> Open;
+  std::int64_t CountedIn = 0; ///< at the levels before
 };
 } // namespace
 

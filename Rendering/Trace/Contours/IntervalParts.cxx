@@ -72,6 +72,10 @@ void IntervalParts::Judge(std::span<const EdgeSample> samples, std::span<const E
     const EdgeSample& to = samples[static_cast<std::size_t>(parts[i].to)];
     const auto both = [&](PixelVerdict verdict)
     { return from.verdict == verdict && to.verdict == verdict; };
+    if (!IsStraight(from, to))
+    {
+      continue;
+    }
     if (both(PixelVerdict::Exact) && from.element == to.element)
     {
       inside.push_back(static_cast<int>(i));
@@ -131,6 +135,13 @@ void IntervalParts::JudgeInElement(std::span<const EdgeSample> samples,
   }
 }
 
+/// t is a quotient of two functions that are linear along the edge. Where the denominator keeps its
+/// sign, t keeps the one that it has at both ends: all rays between meet the plane, or none does.
+bool IntervalParts::IsStraight(const EdgeSample& from, const EdgeSample& to) const
+{
+  return Slope(from.at) * Slope(to.at) > 0.0;
+}
+
 bool IntervalParts::IsBesideMesh(const EdgeSample& from, const EdgeSample& to) const
 {
   const auto hitsOf = [&](const EdgeSample& sample)
@@ -139,7 +150,6 @@ bool IntervalParts::IsBesideMesh(const EdgeSample& from, const EdgeSample& to) c
   const auto last = hitsOf(to);
   if (first.empty() || last.empty())
   {
-    // On one side of a plane's horizon no ray meets it.
     return first.empty() && last.empty();
   }
   Segment chord{ first.front().position, last.front().position };
@@ -158,12 +168,15 @@ bool IntervalParts::IsBesideMesh(const EdgeSample& from, const EdgeSample& to) c
 double IntervalParts::SlackOf(const Vec3& position, const ImagePosition& at) const
 {
   const Ray ray = TheCamera.At(at[0], at[1]);
-  const Vec3 normal = ThePlane->Normal({ position });
   // Towards grazing rays, t is less and less certain.
-  const double slope = std::fabs(glm::dot(normal, ray.direction));
   return kPositionRoundings * kUnitRoundoff *
     (LargestOf(ray.origin) + LargestOf(ThePlane->Through()) + LargestOf(position) +
       glm::distance(ray.origin, position)) /
-    slope;
+    std::fabs(Slope(at));
+}
+
+double IntervalParts::Slope(const ImagePosition& at) const
+{
+  return glm::dot(ThePlane->Normal({ Vec3(0.0) }), TheCamera.At(at[0], at[1]).direction);
 }
 } // namespace pixelexact

@@ -70,7 +70,10 @@ public:
 private:
   void JudgeInElement(std::span<const EdgeSample> samples, std::span<const EdgePart> parts,
     std::span<const int> chosen, std::vector<PartVerdict>& verdicts) const;
+  [[nodiscard]] bool IsStraight(const EdgeSample& from, const EdgeSample& to) const;
   [[nodiscard]] bool IsBesideMesh(const EdgeSample& from, const EdgeSample& to) const;
+  /// Of the ray there, against the plane.
+  [[nodiscard]] double Slope(const ImagePosition& at) const;
   [[nodiscard]] double SlackOf(const Vec3& position, const ImagePosition& at) const;
 
   const Scene& TheScene;
