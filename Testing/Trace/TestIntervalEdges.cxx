@@ -346,7 +346,8 @@ TEST(IntervalEdges, TellsWhatIsBeyondTheHorizon)
   const auto out = static_cast<std::uint8_t>(ContourVerdict::Out);
   EXPECT_EQ(std::ranges::count(std::span(judged.verdicts).last(kWidth * (kHeight / 2 - 1)), out),
     kWidth * (kHeight / 2 - 1));
-  EXPECT_GT(judged.counters.out, 300);
+  // On faces of the block, which are flat along the plane.
+  EXPECT_GT(judged.counters.out, 100);
 }
 
 /// A chord is no curve: on other surfaces and behind each other nothing is Out.

@@ -16,6 +16,24 @@ Vec3 At(const LanePoints& points, int i)
   return { points.x[0][i], points.x[1][i], points.x[2][i] };
 }
 
+/// How far beyond the faces counts as within them, as at points: an end may be off by the
+/// tolerance, and what is between by as much again.
+constexpr double kTolerances = 2.0;
+
+/// Of all xi within `stray` of this one: that of a corner of their box, for faces are planes.
+double LeastMargin(Shape shape, const Vec3& xi, const Vec3& stray)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (unsigned corner = 0; corner < 8; ++corner)
+  {
+    const Vec3 sign{ corner & 1U ? 1.0 : -1.0, corner & 2U ? 1.0 : -1.0, corner & 4U ? 1.0 : -1.0 };
+    const double margin = Margin(shape, xi + sign * stray);
+    // A NaN stays.
+    least = margin >= least ? least : margin;
+  }
+  return least;
+}
+
 /// The task of one component, where the mapping does not mix them.
 EnclosureTask TaskOf(const EnclosureProblem& problem, int component)
 {
@@ -57,7 +75,7 @@ void SegmentIntervals(const Mesh& mesh, const Field& field, int component, int e
   const auto components = static_cast<std::size_t>(task.components);
   const int count = segments.from.count;
   const auto stride = static_cast<std::size_t>(PaddedCount(count));
-  std::vector<double> lanes((2 * components + 1) * stride);
+  std::vector<double> lanes((2 * components + 4) * stride);
   std::vector<double*> middle;
   std::vector<double*> radius;
   for (std::size_t c = 0; c < components; ++c)
@@ -65,15 +83,19 @@ void SegmentIntervals(const Mesh& mesh, const Field& field, int component, int e
     middle.push_back(&lanes[2 * c * stride]);
     radius.push_back(&lanes[(2 * c + 1) * stride]);
   }
-  double* const margin = &lanes[2 * components * stride];
-  EncloseSegmentsInLanes(task, segments, { middle.data(), radius.data(), margin });
+  double* const rest = &lanes[2 * components * stride];
+  const SegmentsInLanes found{ middle.data(), radius.data(),
+    { rest, rest + stride, rest + 2 * stride }, rest + 3 * stride };
+  EncloseSegmentsInLanes(task, segments, found);
   const Shape shape = mesh.ShapeOf(element);
   std::vector<Interval> values(components);
   for (int i = 0; i < count; ++i)
   {
+    const Vec3 stray{ found.stray[0][i], found.stray[1][i], found.stray[2][i] };
+    const double margin = std::min(LeastMargin(shape, At(segments.xiFrom, i), stray),
+      LeastMargin(shape, At(segments.xiTo, i), stray));
     // Written so that a NaN proves nothing.
-    if (std::min(Margin(shape, At(segments.xiFrom, i)), Margin(shape, At(segments.xiTo, i))) >=
-      margin[i])
+    if (margin >= -kTolerances * found.tolerance[i])
     {
       for (std::size_t c = 0; c < components; ++c)
       {

@@ -35,7 +35,8 @@ inline constexpr int kNormOfAll = -1;
 /// What is proven: through the stored map Phi, moved by whatever is within uncertainty[element] in
 /// each coordinate, a box in xi holds exactly one preimage of each point of the segment; these lie
 /// in the shape, or beyond its faces by no more than twice what the uncertainty of the map and the
-/// slack explain, seen through its inverse; the stored field's exact values there lie in the interval.
+/// slack explain, seen through its inverse; the stored field's exact values there lie in the
+/// interval.
 ///
 /// Everything, -inf to inf, where nothing is proven: the segment may leave the element between its
 /// ends; it is too long for one box; the Jacobian is singular, or nearly, in the box; the apex of a
@@ -54,8 +55,10 @@ struct SegmentsInLanes
 {
   double* const* middle; ///< of each component
   double* const* radius; ///< infinite where nothing is proven
-  /// The preimages lie in the shape if both ends' xi have a Margin of at least this.
-  double* margin;
+  /// In each coordinate, how far the preimages may be from the line between the ends' xi; and what
+  /// the uncertainty of the map and the slack make in all of them.
+  double* stray[3];
+  double* tolerance;
 };
 void EncloseSegmentsInLanes(
   const EnclosureTask& task, const ElementSegments& segments, const SegmentsInLanes& out);

@@ -31,13 +31,9 @@ inline constexpr double kGrowth = 4.0;
 struct SegmentBox
 {
   Point<Lanes> radius; ///< infinite where nothing is proven
-  Lanes margin;        ///< SegmentsInLanes::margin
+  Point<Lanes> stray;  ///< as in SegmentsInLanes
+  Lanes tolerance;
 };
-
-HWY_INLINE Lanes Total(const Point<Lanes>& x)
-{
-  return ball::RoundUp(x.x[0] + x.x[1] + x.x[2]);
-}
 
 SegmentBox BoxOfSegments(const EnclosureTask& task, const BallKernels& kernels,
   const ElementSegments& segments, int i, Point<Lanes>& xi)
@@ -73,7 +69,8 @@ SegmentBox BoxOfSegments(const EnclosureTask& task, const BallKernels& kernels,
     krawczyk.Residual.x[d] = krawczyk.Residual.x[d] - h[d] - Ball::AroundZero(slack);
   }
 
-  SegmentBox box{ { { infinity, infinity, infinity } }, infinity };
+  const Point<Lanes> nothing{ { infinity, infinity, infinity } };
+  SegmentBox box{ nothing, nothing, Splat(0.0) };
   LaneMask open = half <= half;
   for (int k = 0; k < kSegmentBoxes && !None(open); ++k)
   {
@@ -91,23 +88,19 @@ SegmentBox BoxOfSegments(const EnclosureTask& task, const BallKernels& kernels,
     }
     // Once more from the box that is proven.
     bend = krawczyk.Spread(reach);
-    Point<Lanes> off;
-    Point<Lanes> tolerance;
+    Lanes tolerance = Splat(0.0);
     for (int d = 0; d < 3; ++d)
     {
       const Lanes middle = xi.x[d] - krawczyk.Step.x[d].middle;
-      off.x[d] = Max(Abs(xiFrom.x[d] - (middle - along.x[d].middle)),
+      const Lanes off = Max(Abs(xiFrom.x[d] - (middle - along.x[d].middle)),
         Abs(xiTo.x[d] - (middle + along.x[d].middle)));
-      tolerance.x[d] = krawczyk.Step.x[d].radius;
-    }
-    const Lanes margin = Total(bend) + Total(off) - Splat(2.0) * Total(tolerance);
-    for (int d = 0; d < 3; ++d)
-    {
+      tolerance = tolerance + krawczyk.Step.x[d].radius;
+      box.stray.x[d] = Select(proven, ball::RoundUp(bend.x[d] + off), box.stray.x[d]);
       const Lanes radius = ball::RoundUp(straight.x[d] + bend.x[d]);
       box.radius.x[d] = Select(proven, radius, box.radius.x[d]);
       size.x[d] = Splat(kGrowth) * size.x[d];
     }
-    box.margin = Select(proven, margin, box.margin);
+    box.tolerance = Select(proven, tolerance, box.tolerance);
     open = AndNot(open, proven);
   }
   return box;
@@ -151,7 +144,11 @@ void EncloseSegmentPacks(
         Store(Select(proven, value[c].radius, infinity), out.radius[first + c] + i);
       }
     }
-    Store(box.margin, out.margin + i);
+    for (int d = 0; d < 3; ++d)
+    {
+      Store(box.stray.x[d], out.stray[d] + i);
+    }
+    Store(box.tolerance, out.tolerance + i);
   }
 }
 } // namespace pixelexact::HWY_NAMESPACE
