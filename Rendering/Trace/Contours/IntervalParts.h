@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Core/Index/Segment.h"
+#include "Core/Math/Interval.h"
 #include "Trace/Camera.h"
 #include "Trace/Frame.h"
 #include "Trace/Scene.h"
 #include "Trace/TileSamples.h"
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
