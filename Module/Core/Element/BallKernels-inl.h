@@ -26,13 +26,16 @@ struct BallKernels
 {
   BallValues values;
   BallGradients gradients;
+  /// The values by ball arithmetic alone, step by step: no derivative narrows them.
+  BallValues plainValues;
 };
 
-template <template <class, class, bool> class Modes>
+/// `kPlain`: the tables of functions are those that gradients are made of (BallModes-inl.h).
+template <template <class, class, bool> class Modes, bool kPlain>
 void ValuesOf(const Space& space, const double* coefficients, int components, const Point<Ball>& xi,
   Ball* value)
 {
-  const Modes<Ball, AnyOrder, false> modes(space, xi);
+  const Modes<Ball, AnyOrder, kPlain> modes(space, xi);
   const int modeCount = space.Modes();
   for (int c = 0; c < components; ++c)
   {
@@ -54,20 +57,25 @@ void GradientsOf(const Space& space, const double* coefficients, int components,
   }
 }
 
-BallKernels BallKernelsFor(const Space& space)
+template <template <class, class, bool> class Modes>
+BallKernels BallKernelsOf()
+{
+  return { &ValuesOf<Modes, false>, &GradientsOf<Modes>, &ValuesOf<Modes, true> };
+}
+
+inline BallKernels BallKernelsFor(const Space& space)
 {
   switch (space.shape)
   {
     case Shape::Hexahedron:
-      return { &ValuesOf<HexahedronModes>, &GradientsOf<HexahedronModes> };
+      return BallKernelsOf<HexahedronModes>();
     case Shape::Prism:
-      return { &ValuesOf<PrismModes>, &GradientsOf<PrismModes> };
+      return BallKernelsOf<PrismModes>();
     case Shape::Tetrahedron:
-      return { &ValuesOf<TetrahedronModes>, &GradientsOf<TetrahedronModes> };
+      return BallKernelsOf<TetrahedronModes>();
     default:
-      return space.form == Form::Tensor
-        ? BallKernels{ &ValuesOf<TensorPyramidModes>, &GradientsOf<TensorPyramidModes> }
-        : BallKernels{ &ValuesOf<PyramidModes>, &GradientsOf<PyramidModes> };
+      return space.form == Form::Tensor ? BallKernelsOf<TensorPyramidModes>()
+                                        : BallKernelsOf<PyramidModes>();
   }
 }
 

@@ -3,7 +3,6 @@
 
 #include "Core/Element/Kernels.h"
 #include "Core/Element/Mesh.h"
-#include "Core/Math/Interval.h"
 
 namespace pixelexact
 {
@@ -36,23 +35,4 @@ struct EnclosureOptions
 void EncloseValues(const Mesh& mesh, const Field& field, int element, const LanePoints& xi,
   const LanePoints& x, double* const* lower, double* const* upper,
   const EnclosureOptions& options = {});
-
-/// What the lanes work on; see EnclosureKernels.cxx.
-struct EnclosureTask
-{
-  Space mapSpace;
-  const double* mapCoefficients; ///< of Phi, in the element's units
-  double centre[3];
-  double inverseSize;
-  double uncertainty; ///< of Phi - y, in the element's units
-  Space space;
-  const double* coefficients; ///< of the field
-  int components;
-  Mapping mapping;
-};
-
-/// Middle and radius of the field's values in the element's units: J and its inverse are those of
-/// Phi. Nothing is known where they are not both finite.
-void EncloseInLanes(const EnclosureTask& task, const LanePoints& xi, const LanePoints& x,
-  double* const* middle, double* const* radius);
 } // namespace pixelexact

@@ -3,17 +3,11 @@
 #define HWY_TARGET_INCLUDE "Core/Element/EnclosureKernels.cxx"
 #include <hwy/foreach_target.h>
 
-#include "Core/Element/BallKernels-inl.h"
-#include "Core/Element/Enclosure.h"
-#include "Core/Element/Kernels-inl.h"
+#include "Core/Element/BallMapping-inl.h"
+#include "Core/Element/KrawczykOperator-inl.h"
 
 #include <limits>
 
-// With y = (x - centre) / size, r = Phi(xi0) - y, C about the inverse Jacobian and X a box around
-// xi0 of radius rho, every zero of C (Phi - y) in X lies in
-//   K = xi0 - C r + (I - C J(X)) (X - xi0),
-// and if K lies inside of X there is one, by Brouwer's theorem; C and every matrix in J(X) are then
-// regular, so that it is a preimage of y and the only one in X.
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
@@ -39,9 +33,7 @@ class KrawczykTest
 public:
   HWY_INLINE KrawczykTest(
     const EnclosureTask& task, const BallKernels& kernels, const Point<Lanes>& xi)
-    : Task(task)
-    , Kernels(kernels)
-    , Xi(xi)
+    : Operator(task, kernels, xi)
   {
   }
 
@@ -50,7 +42,7 @@ public:
   {
     const Lanes infinity = Splat(std::numeric_limits<double>::infinity());
     const Lanes zero = Splat(0.0);
-    Evaluate(x);
+    Operator.Evaluate(x);
     PreimageBox box;
     Point<Lanes> size;
     for (int d = 0; d < 3; ++d)
@@ -62,13 +54,14 @@ public:
     LaneMask open = zero <= zero;
     for (int k = 0; k < kMaxBoxes && !None(open); ++k)
     {
-      Linearise(size);
+      Operator.Linearise(size);
       open = AndNot(open, Contract(size, open, box));
-      const Lanes step =
-        Splat(8.0) * Max(Max(Step.x[0].Magnitude(), Step.x[1].Magnitude()), Step.x[2].Magnitude());
+      const Lanes step = Splat(8.0) *
+        Max(Max(Operator.Step.x[0].Magnitude(), Operator.Step.x[1].Magnitude()),
+          Operator.Step.x[2].Magnitude());
       for (int d = 0; d < 3; ++d)
       {
-        const Lanes own = Max(Splat(8.0) * Step.x[d].Magnitude(), Splat(0x1p-20) * step);
+        const Lanes own = Max(Splat(8.0) * Operator.Step.x[d].Magnitude(), Splat(0x1p-20) * step);
         size.x[d] = Select(step < infinity, own, Splat(kSmallRadius));
       }
     }
@@ -76,50 +69,6 @@ public:
   }
 
 private:
-  /// r, from the difference of x and centre without rounding.
-  HWY_INLINE void Evaluate(const Point<Lanes>& x)
-  {
-    const Lanes zero = Splat(0.0);
-    Kernels.values(
-      Task.mapSpace, Task.mapCoefficients, 3, BoxAround(Xi, { { zero, zero, zero } }), Residual.x);
-    const Lanes inverseSize = Splat(Task.inverseSize);
-    for (int d = 0; d < 3; ++d)
-    {
-      const Pair difference = ExactSum(x.x[d], Splat(-Task.centre[d]));
-      const Ball high{ difference.high * inverseSize, Splat(ball::kTiny) };
-      const Ball low{ difference.low * inverseSize, Splat(Task.uncertainty + ball::kTiny) };
-      Residual.x[d] = (Residual.x[d] - high) - low;
-    }
-  }
-
-  /// C r and bounds of |I - C J(X)|.
-  HWY_INLINE void Linearise(const Point<Lanes>& size)
-  {
-    Ball value[3];
-    Ball jacobian[9];
-    Kernels.gradients(Task.mapSpace, Task.mapCoefficients, 3, BoxAround(Xi, size), value, jacobian);
-    Matrix<Lanes> middle;
-    for (int k = 0; k < 9; ++k)
-    {
-      middle.m[k] = jacobian[k].middle;
-    }
-    const Matrix<Lanes> inverse = Inverse(middle);
-    for (int i = 0; i < 3; ++i)
-    {
-      const Ball row[3] = { Ball::Exactly(inverse.m[3 * i]), Ball::Exactly(inverse.m[3 * i + 1]),
-        Ball::Exactly(inverse.m[3 * i + 2]) };
-      Step.x[i] =
-        MulAdd(row[0], Residual.x[0], MulAdd(row[1], Residual.x[1], row[2] * Residual.x[2]));
-      for (int j = 0; j < 3; ++j)
-      {
-        const Ball one = Ball::Exactly(Splat(i == j ? 1.0 : 0.0));
-        Distance.m[3 * i + j] = NegMulAdd(row[0], jacobian[j],
-          NegMulAdd(row[1], jacobian[3 + j], NegMulAdd(row[2], jacobian[6 + j], one)))
-                                  .Magnitude();
-      }
-    }
-  }
-
   /// Looks for a box within `size` that K proves, growing it as K asks, and returns the lanes
   /// where it found one; `box` changes in these alone.
   HWY_INLINE LaneMask Contract(const Point<Lanes>& size, LaneMask open, PreimageBox& box)
@@ -127,24 +76,22 @@ private:
     Point<Lanes> rho;
     for (int d = 0; d < 3; ++d)
     {
-      rho.x[d] = Splat(2.0) * Step.x[d].Magnitude();
+      rho.x[d] = Splat(2.0) * Operator.Step.x[d].Magnitude();
     }
     LaneMask found = AndNot(open, open);
     for (int inflation = 0; inflation < kMaxInflations && !None(AndNot(open, found)); ++inflation)
     {
       LaneMask proven = AndNot(open, found);
-      Point<Lanes> spread;
+      const Point<Lanes> spread = Operator.Spread(rho);
       Point<Lanes> reach;
       for (int i = 0; i < 3; ++i)
       {
-        spread.x[i] = ball::RoundUp(MulAdd(Distance.m[3 * i], rho.x[0],
-          MulAdd(Distance.m[3 * i + 1], rho.x[1], Distance.m[3 * i + 2] * rho.x[2])));
-        reach.x[i] = ball::RoundUp(Step.x[i].Magnitude() + spread.x[i]);
+        reach.x[i] = ball::RoundUp(Operator.Step.x[i].Magnitude() + spread.x[i]);
         proven = And(proven, And(reach.x[i] < rho.x[i], rho.x[i] <= size.x[i]));
       }
       for (int i = 0; i < 3; ++i)
       {
-        const Ball& step = Step.x[i];
+        const Ball& step = Operator.Step.x[i];
         Ball& deviation = box.deviation.x[i];
         deviation.middle = Select(proven, Splat(0.0) - step.middle, deviation.middle);
         deviation.radius =
@@ -157,41 +104,8 @@ private:
     return found;
   }
 
-  const EnclosureTask& Task;
-  const BallKernels& Kernels;
-  const Point<Lanes>& Xi;
-  Point<Ball> Residual;
-  Point<Ball> Step;
-  Matrix<Lanes> Distance;
+  KrawczykOperator Operator;
 };
-
-/// F's values become the world's, but for powers of the element's size.
-HWY_INLINE void MapBalls(Mapping mapping, const Ball* jacobian, int components, Ball* value)
-{
-  const auto minor = [jacobian](int i, int j)
-  {
-    const auto at = [&](int k, int l) { return jacobian[3 * ((i + k) % 3) + (j + l) % 3]; };
-    return NegMulAdd(at(1, 2), at(2, 1), at(1, 1) * at(2, 2));
-  };
-  const Ball determinant =
-    MulAdd(jacobian[0], minor(0, 0), MulAdd(jacobian[1], minor(0, 1), jacobian[2] * minor(0, 2)));
-  if (mapping == Mapping::Density)
-  {
-    for (int c = 0; c < components; ++c)
-    {
-      value[c] = value[c] / determinant;
-    }
-    return;
-  }
-  const Ball F[3] = { value[0], value[1], value[2] };
-  for (int i = 0; i < 3; ++i)
-  {
-    // Row i of J, or of the cofactors, which are det J times J^-T.
-    const auto factor = [&](int j)
-    { return mapping == Mapping::Contravariant ? jacobian[3 * i + j] : minor(i, j); };
-    value[i] = MulAdd(factor(0), F[0], MulAdd(factor(1), F[1], factor(2) * F[2])) / determinant;
-  }
-}
 
 /// Some of the field's components over one pack's box: by the mean value form or directly,
 /// whichever is narrower.

@@ -17,6 +17,9 @@ public:
   [[nodiscard]] Vec3 Normal(const SurfacePoint& point) const override;
   [[nodiscard]] bool IsFlat() const override { return true; }
 
+  /// The point that it was made of.
+  [[nodiscard]] const Vec3& Through() const { return Origin; }
+
 private:
   Vec3 Origin;
   Vec3 UnitNormal;

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Element/EnclosureTask.h"
+
+#include "Core/Math/Rounding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+namespace pixelexact
+{
+namespace
+{
+/// The lanes' arithmetic adds 2^-1000 here and there in place of a closer look at underflow: what
+/// they work on has to be far above that.
+constexpr double kLeast = 0x1p-900;
+
+/// Powers of 1 / size by which a value in the element's units becomes one in the world's.
+int PowersOfInverseSize(Mapping mapping)
+{
+  switch (mapping)
+  {
+    case Mapping::Covariant:
+      return 1;
+    case Mapping::Contravariant:
+      return 2;
+    case Mapping::Density:
+      return 3;
+    default:
+      return 0;
+  }
+}
+
+bool IsUsableSize(double size)
+{
+  int exponent = 0;
+  return size >= kLeast && size <= 1.0 / kLeast && std::frexp(size, &exponent) == 0.5;
+}
+} // namespace
+
+EnclosureProblem::EnclosureProblem(
+  const Mesh& mesh, const Field& field, int element, double uncertainty)
+  : Size(mesh.size[element])
+  , Usable(IsUsableSize(Size))
+{
+  if (!Usable)
+  {
+    return;
+  }
+  TheTask.mapSpace = mesh.map.SpaceOf(element);
+  TheTask.mapCoefficients = mesh.map.Coefficients(element);
+  std::copy_n(&mesh.centre[3 * static_cast<std::size_t>(element)], 3, TheTask.centre);
+  TheTask.inverseSize = 1.0 / Size;
+  TheTask.uncertainty = uncertainty == 0.0 ? 0.0 : rounding::Above(uncertainty / Size);
+  TheTask.space = field.values.SpaceOf(element);
+  TheTask.coefficients = field.values.Coefficients(element);
+  TheTask.components = field.values.components;
+  TheTask.mapping = field.mapping;
+
+  const std::span coefficients(
+    TheTask.coefficients, static_cast<std::size_t>(TheTask.components) * TheTask.space.Modes());
+  double largest = 0.0;
+  for (const double c : coefficients)
+  {
+    largest = std::max(largest, std::fabs(c));
+  }
+  if (largest > 0.0 && largest < kLeast)
+  {
+    const int exponent = std::ilogb(largest);
+    Factor = std::ldexp(1.0, exponent);
+    // Upwards, and to no more than 2: exact.
+    Scaled.resize(coefficients.size());
+    std::ranges::transform(
+      coefficients, Scaled.begin(), [exponent](double c) { return std::ldexp(c, -exponent); });
+    TheTask.coefficients = Scaled.data();
+  }
+}
+
+Interval EnclosureProblem::ToWorld(double middle, double radius) const
+{
+  if (!(std::fabs(middle) <= std::numeric_limits<double>::max()) ||
+    !(radius <= std::numeric_limits<double>::max()))
+  {
+    return Interval::Everything();
+  }
+  Interval value = Interval::Around(middle, radius);
+  if (Factor != 1.0)
+  {
+    value *= Factor;
+  }
+  // One factor after the other: the cube of a size may overflow where the quotient does not.
+  for (int k = 0; k < PowersOfInverseSize(TheTask.mapping); ++k)
+  {
+    value = value / Size;
+  }
+  return value;
+}
+} // namespace pixelexact

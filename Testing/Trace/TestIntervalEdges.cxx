@@ -1,0 +1,415 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Contours by intervals against many samples of fields in closed form.
+#include "Block.h"
+
+#include "Core/Base/Error.h"
+#include "Trace/Contours/IntervalEdges.h"
+#include "Trace/Modules/ContourCertifier.h"
+#include "Trace/Surfaces/Quadric.h"
+#include "Trace/TileVisit.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <mutex>
+
+namespace pixelexact::testing
+{
+namespace
+{
+using Values = std::vector<std::vector<double>>;
+
+/// The judge as a module.
+class Judged final : public FrameModule
+{
+public:
+  Judged(Values values, int subdivisions)
+    : IsoValues(std::move(values))
+    , Subdivisions(subdivisions)
+  {
+  }
+  [[nodiscard]] SampleNeeds Needs() const override { return { .corners = kEdgeSampleBuffers }; }
+  void Begin(int width, int height) override
+  {
+    Width = width;
+    verdicts.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 77);
+  }
+  void Process(TileVisit& tile) override
+  {
+    const TileArea& area = tile.Area();
+    std::vector<std::uint8_t> own(
+      static_cast<std::size_t>(area.Width()) * static_cast<std::size_t>(area.Height()));
+    IntervalCounters ofTile;
+    JudgeByIntervals(tile, IsoValues, Subdivisions, own, ofTile);
+    const std::lock_guard lock(Mutex);
+    counters.Add(ofTile);
+    for (int y = 0; y < area.Height(); ++y)
+    {
+      std::copy_n(own.begin() + static_cast<std::ptrdiff_t>(y) * area.Width(), area.Width(),
+        verdicts.begin() + static_cast<std::ptrdiff_t>(area.y0 + y) * Width + area.x0);
+    }
+  }
+
+  std::vector<std::uint8_t> verdicts;
+  IntervalCounters counters;
+
+private:
+  Values IsoValues;
+  int Subdivisions;
+  int Width = 0;
+  std::mutex Mutex;
+};
+
+/// A frame of it, of 70 x 50 pixels: six tiles.
+constexpr int kWidth = 70;
+constexpr int kHeight = 50;
+
+CameraView Oblique()
+{
+  CameraView view;
+  view.position = { 1.3, -1.9, 4.0 };
+  view.viewUp = { 0.1, 1.0, 0.0 };
+  view.viewAngle = 36.0;
+  return view;
+}
+
+Judged& Judge(Judged& judged, const Scene& scene, const CameraView& view = Oblique())
+{
+  Trace(scene, Camera(view, kWidth, kHeight), { {}, { &judged } });
+  return judged;
+}
+
+using Function = std::function<long double(const LongVec3&)>;
+
+/// The range of the samples on a pixel's edge, 64 a side, that lie on the plane in the cube, by
+/// their rays in long double.
+struct TrueRange
+{
+  long double lower = 1e30L;
+  long double upper = -1e30L;
+};
+
+class TrueEdges
+{
+public:
+  static constexpr int kSamples = 64;
+
+  TrueEdges(
+    const Vec3& origin, const Vec3& normal, Function field, std::vector<KeptHalfSpace> kept = {})
+    : Origin(ToLong(origin))
+    , Normal(ToLong(normal))
+    , Field(std::move(field))
+    , Kept(std::move(kept))
+  {
+  }
+
+  [[nodiscard]] TrueRange Of(int x, int y) const
+  {
+    TrueRange range;
+    for (int k = 0; k < kSamples; ++k)
+    {
+      const long double part = static_cast<long double>(k) / kSamples;
+      Add(x + part, y, range);
+      Add(x + 1, y + part, range);
+      Add(x + 1 - part, y + 1, range);
+      Add(x, y + 1 - part, range);
+    }
+    return range;
+  }
+
+private:
+  void Add(long double px, long double py, TrueRange& range) const
+  {
+    const LongRay ray = RayThrough(Oblique(), kWidth, kHeight, px, py);
+    const long double t = Dot(Normal, Minus(Origin, ray.origin)) / Dot(Normal, ray.direction);
+    const LongVec3 p = Plus(ray.origin, Times(t, ray.direction));
+    const bool inCube = std::max({ std::fabs(p[0]), std::fabs(p[1]), std::fabs(p[2]) }) <= 1;
+    const bool isKept = std::ranges::all_of(Kept,
+      [&](const KeptHalfSpace& h) { return h[0] * p[0] + h[1] * p[1] + h[2] * p[2] + h[3] >= 0; });
+    if (t > 0 && inCube && isKept)
+    {
+      const long double value = Field(p);
+      range.lower = std::min(range.lower, value);
+      range.upper = std::max(range.upper, value);
+    }
+  }
+
+  LongVec3 Origin;
+  LongVec3 Normal;
+  Function Field;
+  std::vector<KeptHalfSpace> Kept;
+};
+
+/// No pixel is Out of which samples bracket a value, none In of which none do.
+void ExpectNoneWrong(
+  const Judged& judged, const TrueEdges& truth, const std::vector<double>& values)
+{
+  // Of the block's coefficients and of values in doubles.
+  constexpr long double kRounding = 1e-12L;
+  int wrong = 0;
+  for (int y = 0; y < kHeight; ++y)
+  {
+    for (int x = 0; x < kWidth; ++x)
+    {
+      const auto verdict = static_cast<ContourVerdict>(
+        judged.verdicts[static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x)]);
+      const TrueRange range = truth.Of(x, y);
+      const auto meets = [&](long double slack)
+      {
+        return std::ranges::any_of(values,
+          [&](double value)
+          { return range.lower - slack <= value && value <= range.upper + slack; });
+      };
+      const bool isWrong = (verdict == ContourVerdict::Out && meets(-kRounding)) ||
+        (verdict == ContourVerdict::In && !meets(kRounding));
+      wrong += isWrong ? 1 : 0;
+      EXPECT_TRUE(!isWrong || wrong > 5)
+        << x << " " << y << " verdict " << int(verdict) << " range " << double(range.lower) << " "
+        << double(range.upper);
+    }
+  }
+  EXPECT_EQ(wrong, 0);
+}
+
+/// Of degree 4, with many extrema on a cut.
+long double Wavy(const LongVec3& p)
+{
+  const auto [x, y, z] = p;
+  return 8 * x * x * x * x - 8 * x * x + 8 * y * y * y * y - 8 * y * y + 4 * x * y + z * z;
+}
+
+/// A block with a field that its map takes to degree 8.
+struct WavyBlock
+{
+  Block block;
+  ExpansionBuilder values{ 1 };
+  Field field;
+
+  explicit WavyBlock(const Function& function)
+  {
+    Space space = UniformSpace(Shape::Hexahedron, 8);
+    space.order[2] = 4;
+    for (int e = 0; e < 8; ++e)
+    {
+      values.Add(
+        space, [&](const LongVec3& xi, long double* u) { u[0] = function(Block::Map(e, xi)); });
+    }
+    field = { "wavy", values.View() };
+  }
+
+  [[nodiscard]] Scene With(std::shared_ptr<const Surface> surface) const
+  {
+    return { block.TheScene.locator, { { std::move(surface), &field } }, {} };
+  }
+};
+
+const Vec3 kOrigin{ 0.1, 0.0, 0.05 };
+const Vec3 kNormal{ 0.2, 0.1, 1.0 };
+const WavyBlock& TheBlock()
+{
+  static const WavyBlock block(&Wavy);
+  return block;
+}
+Scene TheCut()
+{
+  return TheBlock().With(std::make_shared<Plane>(kOrigin, kNormal));
+}
+const std::vector<double> kValues{ -3.5, -2.0, -1.0, -0.25, 0.5 };
+} // namespace
+
+TEST(IntervalEdges, NoVerdictIsWrong)
+{
+  const Scene scene = TheCut();
+  const TrueEdges truth(kOrigin, kNormal, &Wavy);
+  std::int64_t undecided = 0;
+  for (const int level : { 0, 1, 2, 3, 6 })
+  {
+    SCOPED_TRACE(level);
+    Judged judged({ kValues }, level);
+    ExpectNoneWrong(Judge(judged, scene), truth, kValues);
+    const IntervalCounters& counters = judged.counters;
+    EXPECT_GT(counters.out, 100);
+    EXPECT_GT(counters.in, 200);
+    EXPECT_EQ(
+      std::ranges::count(judged.verdicts, static_cast<std::uint8_t>(ContourVerdict::Undecided)),
+      counters.undecided);
+    EXPECT_EQ(counters.undecided, counters.undecidedAfter[static_cast<std::size_t>(level)]);
+    EXPECT_TRUE(level == 0 || counters.undecided < undecided);
+    undecided = counters.undecided;
+  }
+}
+
+/// A level tells what a run with so many subdivisions ends with.
+TEST(IntervalEdges, LevelsAreThoseOfShorterRuns)
+{
+  const Scene scene = TheCut();
+  Judged deep({ kValues }, 4);
+  Judge(deep, scene);
+  std::int64_t in = 0;
+  for (int level = 0; level <= 4; ++level)
+  {
+    Judged judged({ kValues }, level);
+    Judge(judged, scene);
+    const auto at = static_cast<std::size_t>(level);
+    in += deep.counters.inAt[at];
+    EXPECT_EQ(judged.counters.in, in);
+    EXPECT_EQ(judged.counters.undecided, deep.counters.undecidedAfter[at]);
+    EXPECT_EQ(judged.counters.unproven, deep.counters.unprovenAfter[at]);
+  }
+}
+
+/// A pixel's verdict is the same at a tile's border and within a tile.
+TEST(IntervalEdges, TilesChangeNothing)
+{
+  const Scene scene = TheCut();
+  const Camera camera(Oblique(), kWidth, kHeight);
+  Judged whole({ kValues }, 3);
+  Judge(whole, scene);
+  Judged other({ kValues }, 3);
+  const Pipeline pipeline{ {}, { &other } };
+  Frame frame;
+  frame.width = kWidth;
+  frame.height = kHeight;
+  other.Begin(kWidth, kHeight);
+  other.verdicts = whole.verdicts;
+  for (const TileArea& area : { TileArea{ 16, 16, 48, 48 }, TileArea{ 31, 20, 33, 40 } })
+  {
+    TileVisit(&scene, &camera, pipeline, frame, area).Run();
+    EXPECT_EQ(other.verdicts, whole.verdicts);
+  }
+  EXPECT_GT(other.counters.in, 50);
+}
+
+TEST(IntervalEdges, NoVerdictIsWrongWherePartsAreCutAway)
+{
+  Scene scene = TheCut();
+  scene.kept = { { 1.0, 0.5, 0.0, 0.3 }, { -0.2, -1.0, 0.1, 0.45 } };
+  Judged judged({ kValues }, 3);
+  ExpectNoneWrong(Judge(judged, scene), TrueEdges(kOrigin, kNormal, &Wavy, scene.kept), kValues);
+  EXPECT_GT(judged.counters.out, 100);
+}
+
+/// Figure 3 of the paper: a thin strip that passes between the corners. They say nothing, the
+/// intervals leave it open, and samples between find it.
+TEST(IntervalEdges, FindsWhatCornersMiss)
+{
+  const auto ridge = [](const LongVec3& p)
+  {
+    const long double d = p[0] - 0.31L;
+    return d * d;
+  };
+  const WavyBlock block(ridge);
+  const Scene scene =
+    block.With(std::make_shared<Plane>(Vec3(0.0, 0.0, 0.05), Vec3(0.0, 0.0, 1.0)));
+  CameraView view;
+  view.position = { 0.0, 0.0, 5.0 };
+  view.parallel = true;
+  view.parallelScale = 1.25;
+  // A pixel is 0.05 wide, the strip of values below 0.0012 ^ 2 is 0.0024 wide, and 0.31 lies a
+  // fifth of a pixel beyond a corner.
+  const Values values{ { 0.0012 * 0.0012 } };
+  Judged corners(values, 0);
+  Judge(corners, scene, view);
+  EXPECT_EQ(corners.counters.in, 0);
+  EXPECT_GT(corners.counters.undecided, 30);
+  Judged deep(values, 6);
+  Judge(deep, scene, view);
+  EXPECT_GE(deep.counters.in, 36);
+  // And nothing but the strip's own column, and those beside faces.
+  EXPECT_LT(deep.counters.in, 45);
+}
+
+/// What is beside the mesh is told, not guessed: all around the cut is Out.
+TEST(IntervalEdges, TellsWhatIsBesideTheMesh)
+{
+  const Scene scene = TheCut();
+  Judged judged({ { 1e3 } }, 3);
+  Judge(judged, scene);
+  EXPECT_EQ(judged.counters.in, 0);
+  EXPECT_EQ(judged.verdicts.front(), static_cast<std::uint8_t>(ContourVerdict::Out));
+  // Left are the pixels that an element's face crosses, the outline among them.
+  EXPECT_EQ(judged.counters.undecided, judged.counters.unproven);
+  EXPECT_LT(judged.counters.undecided, 300);
+  EXPECT_GT(judged.counters.undecided, 100);
+}
+
+/// Along the plane, the upper half of the image sees none of it.
+TEST(IntervalEdges, TellsWhatIsBeyondTheHorizon)
+{
+  CameraView view;
+  view.position = { 0.0, -4.0, 0.5 };
+  view.focalPoint = { 0.0, 0.0, 0.5 };
+  view.viewUp = { 0.0, 0.0, 1.0 };
+  const Scene scene = TheBlock().With(std::make_shared<Plane>(Vec3(0.0), Vec3(0.0, 0.0, 1.0)));
+  Judged judged({ { 1e3 } }, 1);
+  Judge(judged, scene, view);
+  const auto out = static_cast<std::uint8_t>(ContourVerdict::Out);
+  EXPECT_EQ(std::ranges::count(std::span(judged.verdicts).last(kWidth * (kHeight / 2 - 1)), out),
+    kWidth * (kHeight / 2 - 1));
+  // On faces of the block, which are flat along the plane.
+  EXPECT_GT(judged.counters.out, 100);
+}
+
+/// A chord is no curve: on other surfaces and behind each other nothing is Out.
+TEST(IntervalEdges, SaysNothingOfCurvedSurfacesAndSeveralLayers)
+{
+  const Scene ball = TheBlock().With(std::make_shared<Quadric>(MakeSphere(Vec3(0.0), 0.8)));
+  Judged onBall({ kValues }, 1);
+  Judge(onBall, ball);
+  EXPECT_GT(onBall.counters.in, 50);
+  EXPECT_EQ(onBall.counters.out, 0);
+  EXPECT_EQ(onBall.counters.undecided, onBall.counters.unproven);
+
+  Scene planes = TheCut();
+  planes.layers.push_back(
+    { std::make_shared<Plane>(Vec3(0.0), Vec3(1.0, 0.0, 0.3)), &TheBlock().field });
+  Judged onPlanes({ kValues, {} }, 1);
+  Judge(onPlanes, planes);
+  EXPECT_GT(onPlanes.counters.in, 50);
+  EXPECT_EQ(onPlanes.counters.out, 0);
+}
+
+TEST(IntervalEdges, WithoutValuesAllIsOut)
+{
+  const Scene scene = TheCut();
+  Judged judged({ {} }, 2);
+  Judge(judged, scene);
+  EXPECT_EQ(judged.counters.in + judged.counters.undecided, 0);
+  EXPECT_GT(judged.counters.out, 1000);
+}
+
+/// The second component is NaN in the first element: there nothing is known.
+TEST(IntervalEdges, NanIsUndecided)
+{
+  Block block;
+  Scene& scene = block.WithPlane(kOrigin, kNormal);
+  scene.layers.front().component = 1;
+  Judged judged({ { 0.5 } }, 2);
+  Judge(judged, scene);
+  EXPECT_EQ(judged.counters.in, 0);
+  EXPECT_GT(judged.counters.undecided, 150);
+  EXPECT_GT(judged.counters.out, 300);
+}
+
+TEST(IntervalEdges, RefusesWhatItCannotDo)
+{
+  const auto messageOf = [](const Values& values, int subdivisions)
+  {
+    Judged judged(values, subdivisions);
+    try
+    {
+      Judge(judged, TheCut());
+    }
+    catch (const Error& error)
+    {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const auto says = [](const std::string& message, const char* what)
+  { return message.find(what) != std::string::npos; };
+  EXPECT_TRUE(says(messageOf({ kValues }, 9), "9 subdivisions; give 0 to 8"));
+  EXPECT_TRUE(says(messageOf({ kValues }, -1), "-1 subdivisions"));
+  EXPECT_TRUE(says(messageOf({ kValues, kValues }, 1), "of 2 layers, but the scene has 1"));
+}
+} // namespace pixelexact::testing
