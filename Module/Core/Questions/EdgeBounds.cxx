@@ -23,7 +23,10 @@ constexpr double kUp = 1.0 + 1e-13;
 constexpr double kMargin = 0.25;
 /// Row sums of |M J - I| up to which a box is regular.
 constexpr double kMostTurn = 0.7;
-constexpr int kMostHalvings = 15;
+/// Halvings of boxes on which the map is not regular, and of those where it is: of functions with
+/// few coefficients. Nodes of many cost more, and there are fewer of them.
+constexpr int kMostHalvings[2] = { 15, 17 };
+constexpr double kFewCoefficients = 216.0;
 /// By how much a path may leave the element, in xi: far less than would be seen, and more than
 /// rounding makes of an edge in a face.
 constexpr double kBeside = 1e-10;
@@ -137,6 +140,17 @@ EdgeBounds::EdgeBounds(const Mesh& mesh, const ElementBounds& bounds, int elemen
   AddDerivatives(Map, 0, 3, all);
   AddDerivatives(Component, 0, 1, all);
   Level = LevelFor(all);
+  const auto fewer = [](std::size_t coefficients)
+  {
+    return std::max(
+      0, static_cast<int>(std::log2(static_cast<double>(coefficients) / kFewCoefficients)));
+  };
+  const int besides[2] = { fewer(PieceForm::Of(Map.space, Level).Size()),
+    fewer(PieceForm::Of(Component.space, Level).Size()) };
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    Deepest[k] = kMostHalvings[k] - besides[k];
+  }
   Range = Nothing();
   double error = 0.0;
   for (int i = 0; i < 1 << (3 * Level); ++i)
@@ -224,84 +238,100 @@ const EdgeNode& EdgeBounds::Whole() const
   if (!Root)
   {
     Root = std::make_unique<EdgeNode>();
-    Fill(*Root);
+    Fill(*Root, Range);
     Ready.store(Root.get(), std::memory_order_release);
   }
   return *Root;
 }
 
-void EdgeBounds::Fill(EdgeNode& node) const
+template <class Visit>
+void EdgeBounds::ForEachPiece(const EtaBox& box, const Visit& visit) const
+{
+  const int pieces = 1 << Level;
+  for (int i = 0; i < pieces * pieces * pieces; ++i)
+  {
+    const PieceForm::Piece piece{ i / (pieces * pieces), i / pieces % pieces, i % pieces };
+    const Box3 within = PartInPiece({ box.lower, box.upper }, Level, piece);
+    if (within.lower.x < within.upper.x && within.lower.y < within.upper.y &&
+      within.lower.z < within.upper.z)
+    {
+      visit(piece, within);
+    }
+  }
+}
+
+Interval EdgeBounds::HullOver(
+  const EtaBox& box, const ScaledModes& modes, int component, Part part) const
+{
+  Interval hull = Nothing();
+  ForEachPiece(box,
+    [&](const PieceForm::Piece& piece, const Box3& within)
+    {
+      hull =
+        Union(hull, RangeIngredient{ &modes, component, part }.Over(Level, piece, within).Hull());
+    });
+  return Scaled(hull, modes.exponent);
+}
+
+void EdgeBounds::Fill(EdgeNode& node, const Interval& values) const
 {
   ++Count;
   const Vec3 margin = kMargin * (node.box.upper - node.box.lower);
   node.wide.lower = glm::max(node.box.lower - margin, Vec3(-1.0));
   node.wide.upper = glm::min(node.box.upper + margin, Vec3(1.0));
-  const Box3 wide{ node.wide.lower, node.wide.upper };
-  const Shape shape = Map.space.shape;
-  std::array<HessianFunction::XiRanges, 4> ranges;
-  std::array<Interval, 4> values;
-  values.fill(Nothing());
-  bool first = true;
-  const int pieces = 1 << Level;
-  for (int i = 0; i < pieces * pieces * pieces; ++i)
-  {
-    const PieceForm::Piece piece{ i / (pieces * pieces), i / pieces % pieces, i % pieces };
-    const Box3 within = PartInPiece(wide, Level, piece);
-    if (!(within.lower.x < within.upper.x && within.lower.y < within.upper.y &&
-          within.lower.z < within.upper.z))
-    {
-      continue;
-    }
-    for (std::size_t f = 0; f < 4; ++f)
-    {
-      const RangeIngredient ingredient = f < 3
-        ? RangeIngredient{ &Map, static_cast<int>(f), Part::Value }
-        : RangeIngredient{ &Component, 0, Part::Value };
-      values[f] = Union(values[f], ingredient.Over(Level, piece, within).Hull());
-    }
-    const auto here = HessianFunction::RangesByXi(
-      shape, HessianFunction::Polynomials(Map, Component, 0, Level, piece, within));
-    for (std::size_t f = 0; f < 4; ++f)
-    {
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        ranges[f].first[k] = first ? here[f].first[k] : Union(ranges[f].first[k], here[f].first[k]);
-      }
-      for (std::size_t k = 0; k < 6; ++k)
-      {
-        ranges[f].second[k] =
-          first ? here[f].second[k] : Union(ranges[f].second[k], here[f].second[k]);
-      }
-    }
-    first = false;
-  }
-  for (std::size_t f = 0; f < 4; ++f)
-  {
-    const int exponent = f < 3 ? Map.exponent : Component.exponent;
-    values[f] = Scaled(values[f], exponent);
-    for (Interval& range : ranges[f].first)
-    {
-      range = Scaled(range, exponent);
-    }
-    for (Interval& range : ranges[f].second)
-    {
-      range = Scaled(range, exponent);
-    }
-  }
-  node.values = values[3];
+  node.values = values;
   for (int d = 0; d < 3; ++d)
   {
-    const auto c = static_cast<std::size_t>(d);
-    const Interval x = Interval(Size) * (values[c] + Interval(-Uncertainty[c], Uncertainty[c])) +
+    const double slack = Uncertainty[static_cast<std::size_t>(d)];
+    const Interval x =
+      Interval(Size) * (HullOver(node.wide, Map, d, Part::Value) + Interval(-slack, slack)) +
       Interval(Centre[d]);
     node.bounds.lower[d] = x.lower;
     node.bounds.upper[d] = x.upper;
   }
-  Describe(node, ranges);
+  std::array<std::array<Interval, 3>, 3> slopes;
+  constexpr Part kBy[3] = { Part::ByXi1, Part::ByXi2, Part::ByXi3 };
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    for (std::size_t j = 0; j < 3; ++j)
+    {
+      slopes[c][j] = HullOver(node.wide, Map, static_cast<int>(c), kBy[j]);
+    }
+  }
+  // What follows costs more.
+  if (!DescribeMap(node, slopes))
+  {
+    return;
+  }
+  node.values = HullOver(node.wide, Component, 0, Part::Value);
+  std::array<HessianFunction::XiRanges, 4> ranges;
+  bool first = true;
+  ForEachPiece(node.wide,
+    [&](const PieceForm::Piece& piece, const Box3& within)
+    {
+      const auto here = HessianFunction::RangesByXi(
+        Map.space.shape, HessianFunction::Polynomials(Map, Component, 0, Level, piece, within));
+      for (std::size_t f = 0; f < 4; ++f)
+      {
+        const int exponent = f < 3 ? Map.exponent : Component.exponent;
+        const auto add = [&](Interval& to, const Interval& range)
+        { to = first ? Scaled(range, exponent) : Union(to, Scaled(range, exponent)); };
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+          add(ranges[f].first[k], here[f].first[k]);
+        }
+        for (std::size_t k = 0; k < 6; ++k)
+        {
+          add(ranges[f].second[k], here[f].second[k]);
+        }
+      }
+      first = false;
+    });
+  DescribeCurves(node, ranges);
 }
 
-void EdgeBounds::Describe(
-  EdgeNode& node, const std::array<HessianFunction::XiRanges, 4>& ranges) const
+bool EdgeBounds::DescribeMap(
+  EdgeNode& node, const std::array<std::array<Interval, 3>, 3>& slopes) const
 {
   const Shape shape = Map.space.shape;
   const Box3 hull = HullInXi(shape, node.wide);
@@ -312,11 +342,10 @@ void EdgeBounds::Describe(
   {
     for (int j = 0; j < 3; ++j)
     {
-      const Interval& range =
-        ranges[static_cast<std::size_t>(c)].first[static_cast<std::size_t>(j)];
+      const Interval& range = slopes[static_cast<std::size_t>(c)][static_cast<std::size_t>(j)];
       if (!range.IsFinite())
       {
-        return;
+        return false;
       }
       middle[j][c] = range.Middle();
     }
@@ -335,7 +364,7 @@ void EdgeBounds::Describe(
       Interval entry(i == j ? -1.0 : 0.0);
       for (std::size_t c = 0; c < 3; ++c)
       {
-        entry += Interval(node.inverse[i][c]) * ranges[c].first[j];
+        entry += Interval(node.inverse[i][c]) * slopes[c][j];
       }
       sum += entry.Magnitude();
     }
@@ -346,10 +375,12 @@ void EdgeBounds::Describe(
       std::max(hull.upper[d] - node.centre[d], node.centre[d] - hull.lower[d]) * kUp + 1e-15;
   }
   // Written so that a NaN is not regular.
-  if (!(most <= kMostTurn))
-  {
-    return;
-  }
+  return most <= kMostTurn;
+}
+
+void EdgeBounds::DescribeCurves(
+  EdgeNode& node, const std::array<HessianFunction::XiRanges, 4>& ranges) const
+{
   double bend[6][3];
   for (std::size_t p = 0; p < 6; ++p)
   {
@@ -413,7 +444,7 @@ const std::array<EdgeNode, 2>& EdgeBounds::Split(const EdgeNode& node) const
     half.box = node.box;
     (k == 0 ? half.box.upper : half.box.lower)[direction] = middle;
     half.halvings = node.halvings + 1;
-    Fill(half);
+    Fill(half, node.values);
   }
   node.children.store(halves.get(), std::memory_order_release);
   return *halves.release();
@@ -422,7 +453,7 @@ const std::array<EdgeNode, 2>& EdgeBounds::Split(const EdgeNode& node) const
 const EdgeNode& EdgeBounds::LeafAt(const Vec3& eta) const
 {
   const EdgeNode* node = &Whole();
-  while (!node->regular && node->halvings < kMostHalvings)
+  while (!node->regular && node->halvings < Deepest[0])
   {
     const auto& halves = Split(*node);
     const int d = node->DirectionOfSplit();
@@ -672,7 +703,7 @@ bool EdgeBounds::MayTakeIn(const EdgeNode& node, std::span<const double> values,
   {
     return meeting == Meeting::Near;
   }
-  if (node.halvings >= kMostHalvings ||
+  if (node.halvings >= Deepest[node.regular ? 1 : 0] ||
     (!grow && node.regular && !node.children.load(std::memory_order_acquire)))
   {
     return true;

@@ -109,8 +109,15 @@ private:
   const EdgeNode& Whole() const;
   const EdgeNode& LeafAt(const Vec3& eta) const;
   const std::array<EdgeNode, 2>& Split(const EdgeNode& node) const;
-  void Fill(EdgeNode& node) const;
-  void Describe(EdgeNode& node, const std::array<HessianFunction::XiRanges, 4>& ranges) const;
+  template <class Visit>
+  void ForEachPiece(const EtaBox& box, const Visit& visit) const;
+  [[nodiscard]] Interval HullOver(
+    const EtaBox& box, const ScaledModes& modes, int component, Part part) const;
+  /// `values`: hold those of the node.
+  void Fill(EdgeNode& node, const Interval& values) const;
+  /// Whether the map is regular.
+  bool DescribeMap(EdgeNode& node, const std::array<std::array<Interval, 3>, 3>& slopes) const;
+  void DescribeCurves(EdgeNode& node, const std::array<HessianFunction::XiRanges, 4>& ranges) const;
   [[nodiscard]] bool Misses(
     const EdgeNode& node, const Vec3& from, const Vec3& to, double slack) const;
   /// By the affine map of a node.
@@ -131,6 +138,7 @@ private:
   ScaledModes Map;
   ScaledModes Component;
   int Level = 0;
+  int Deepest[2] = {}; ///< halvings of nodes that are not regular, and that are
   Vec3 Centre;
   double Size;
   std::array<double, 3> Uncertainty;
