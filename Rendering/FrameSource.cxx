@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FrameSource.h"
 
+#include "ContourLabels.h"
 #include "HighOrderModel.h"
 #include "VtkColorMap.h"
 
 #include "Core/Base/Error.h"
 #include "Trace/BufferTable.h"
+#include "Trace/FrameTiles.h"
 #include "Trace/Surfaces/Plane.h"
 #include "Trace/TileVisit.h"
 #include "Trace/Tracer.h"
@@ -122,8 +124,13 @@ FrameSource::ColorKey FrameSource::ColorKeyOf(const FrameRequest& request) const
     {
       state = layer.table->GetMTime();
     }
-    key.layers.push_back(
-      { layer.table, state, layer.solidColor, layer.opacity, lit ? layer.material : std::nullopt });
+    key.layers.push_back({ layer.table, state, layer.solidColor, layer.opacity,
+      lit ? layer.material : std::nullopt, layer.contours, layer.contourColors });
+    if (!layer.contours.empty())
+    {
+      key.contours = request.contours;
+      key.contourLabels = HasTranslucent(TheScene) ? std::nullopt : request.contourLabels;
+    }
   }
   if (anyLit)
   {
@@ -157,7 +164,48 @@ void FrameSource::MakeColors(const ColorKey& key)
   {
     Edges.emplace(*key.edges);
   }
+  MakeContours(key);
   Colored = key;
+}
+
+void FrameSource::MakeContours(const ColorKey& key)
+{
+  Contours.reset();
+  Certifier.reset();
+  std::vector<std::vector<double>> values;
+  std::vector<std::vector<Rgba>> colors;
+  ContourStyle style = key.contours;
+  style.curved = false;
+  bool any = false;
+  for (std::size_t k = 0; k < key.layers.size(); ++k)
+  {
+    const ColoredLayer& layer = key.layers[k];
+    const bool byTable = layer.contourColors.empty() && layer.table != nullptr;
+    values.push_back(layer.contours);
+    colors.push_back(byTable ? ColorsOf(layer.contours, ToColorMap(layer.table))
+                             : InOrderOf(layer.contours, layer.contourColors));
+    if (layer.contours.empty())
+    {
+      continue;
+    }
+    any = true;
+    if (TheScene.layers[k].field == nullptr)
+    {
+      throw Error("contours: the data have no field; set the number of contours to 0");
+    }
+    if (colors.back().empty())
+    {
+      colors.back().push_back(layer.solid);
+    }
+    style.curved = style.curved || !TheScene.layers[k].surface->IsFlat();
+  }
+  if (any)
+  {
+    style.onSheet = HasTranslucent(TheScene);
+    style.keepBeneath = key.contourLabels.has_value();
+    Certifier.emplace(std::move(values));
+    Contours.emplace(*Certifier, style, std::move(colors));
+  }
 }
 
 Pipeline FrameSource::ThePipeline()
@@ -171,14 +219,30 @@ Pipeline FrameSource::ThePipeline()
   {
     pipeline.modules.push_back(&*Edges);
   }
+  if (Contours)
+  {
+    pipeline.modules.push_back(&*Certifier);
+    pipeline.modules.push_back(&*Contours);
+  }
   return pipeline;
 }
 
 void FrameSource::BeginFrame(Buffer buffers)
 {
   TheBuffers = buffers;
-  Passes.emplace(TheScene, Traced->camera.Make(), ThePipeline(), buffers);
+  const Pipeline pipeline = ThePipeline();
+  // Corners are kept, so that other contours trace nothing.
+  Passes.emplace(TheScene, Traced->camera.Make(), pipeline, buffers, pipeline.Needs().corners);
   Complete = false;
+}
+
+void FrameSource::Finish()
+{
+  if (Contours && Colored->contourLabels)
+  {
+    DrawContourLabels(
+      *TheFrame, Traced->camera.Make(), *Certifier, *Contours, *Colored->contourLabels);
+  }
 }
 
 void FrameSource::TraceFrame(double seconds, const Progress& progress)
@@ -209,6 +273,7 @@ void FrameSource::TraceFrame(double seconds, const Progress& progress)
   {
     TheFrame = Passes->Take();
     Passes.reset();
+    Finish();
   }
   else
   {
@@ -260,7 +325,7 @@ void FrameSource::Update(const FrameRequest& request, const Progress& progress)
   }
   else if (!Complete && !sameColors)
   {
-    Passes->Recolor(ThePipeline());
+    Passes->Recolor(ThePipeline(), ThePipeline().Needs().corners);
   }
   if (!Complete && (request.refine || !TheFrame))
   {
@@ -270,7 +335,11 @@ void FrameSource::Update(const FrameRequest& request, const Progress& progress)
   {
     if (Complete)
     {
-      Repaint(TheScene, Traced->camera.Make(), ThePipeline(), *TheFrame);
+      const Pipeline pipeline = ThePipeline();
+      const Camera camera = Traced->camera.Make();
+      KeepCorners(TheScene, camera, pipeline.Needs().corners, *TheFrame);
+      Repaint(TheScene, camera, pipeline, *TheFrame);
+      Finish();
     }
     else
     {

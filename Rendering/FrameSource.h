@@ -5,6 +5,7 @@
 #include "PixelExactRenderingModule.h"
 #include "Trace/FrameCost.h"
 #include "Trace/Modules/ColorMapping.h"
+#include "Trace/Modules/ContourLines.h"
 #include "Trace/Modules/ElementEdges.h"
 #include "Trace/Modules/Lighting.h"
 #include "Trace/ProgressiveFrame.h"
@@ -40,6 +41,9 @@ struct LayerRequest
   double opacity = 1.0;
   std::optional<Material> material; ///< none: not lit
   bool litWhereFlat = false;        ///< also a plane
+  std::vector<double> contours;     ///< iso-values whose lines are drawn, in any order
+  /// One for each of these, or one for all; empty: by the table.
+  std::vector<Rgba> contourColors;
 };
 
 /// The layer's field. Null where the model has none and none is asked for, by name or to be mapped
@@ -64,6 +68,10 @@ struct FrameRequest
   /// A table whose range is to be that of the values shown; null: none.
   vtkScalarsToColors* fitted = nullptr;
   std::optional<EdgeStyle> edges; ///< of elements, where they are drawn
+  ContourStyle contours;          ///< where layers have some
+  /// The height of the contours' labels in pixels; none: no labels, and none where something is
+  /// seen through.
+  std::optional<int> contourLabels;
   /// Beyond what drawing needs.
   Buffer buffers = Buffer::None;
   /// What tracing may take. Where the frame is expected to take longer it is made coarse, and finer
@@ -109,6 +117,13 @@ public:
   /// The last frame, null when there is none or it failed.
   [[nodiscard]] const Frame* LastFrame() const;
 
+  /// What is known of the last frame's pixels and its contours; null where there are none, or only
+  /// a coarse frame.
+  [[nodiscard]] const ContourCertifier* LastContours() const
+  {
+    return Certifier && TheFrame && Complete ? &*Certifier : nullptr;
+  }
+
   /// The model of the last frame; null when there is none.
   [[nodiscard]] const HighOrderModel* Model() const { return TheModel.get(); }
   /// Of the last frame.
@@ -151,6 +166,8 @@ private:
     Rgba solid{};
     double opacity = 1.0;
     std::optional<Material> material;
+    std::vector<double> contours;
+    std::vector<Rgba> contourColors;
 
     bool operator==(const ColoredLayer&) const = default;
   };
@@ -161,6 +178,8 @@ private:
     std::vector<Light> lights; ///< where a layer is lit
     LitView lit;
     std::optional<EdgeStyle> edges;
+    ContourStyle contours;
+    std::optional<int> contourLabels;
 
     bool operator==(const ColorKey&) const = default;
   };
@@ -170,8 +189,11 @@ private:
   [[nodiscard]] ColorKey ColorKeyOf(const FrameRequest& request) const;
   void MakeScene(const FrameRequest& request);
   void MakeColors(const ColorKey& key);
+  void MakeContours(const ColorKey& key);
   [[nodiscard]] Pipeline ThePipeline();
   void BeginFrame(Buffer buffers);
+  /// What is drawn on the complete frame's image when the pipeline is done.
+  void Finish();
   void TraceFrame(double seconds, const Progress& progress);
   void Count(bool traced);
   void Forget();
@@ -185,6 +207,8 @@ private:
   std::optional<ColorMapping> Colors;
   std::optional<Lighting> Lights;
   std::optional<ElementEdges> Edges;
+  std::optional<ContourCertifier> Certifier; ///< where there are contours
+  std::optional<ContourLines> Contours;
   std::optional<ProgressiveFrame> Passes; ///< of a frame that is not complete
   std::optional<Frame> TheFrame;
   bool Complete = false;

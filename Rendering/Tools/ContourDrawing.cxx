@@ -6,10 +6,11 @@
 #include "Looks.h"
 #include "Shot.h"
 
+#include "ContourLabels.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 namespace pixelexact
@@ -30,35 +31,6 @@ std::vector<double> Spaced(int count, const std::array<double, 2>& range, bool l
   }
   values.erase(std::unique(values.begin(), values.end()), values.end());
   return values;
-}
-
-/// Colours in the order of the values that they belong to.
-std::vector<Rgba> InOrder(const std::vector<Rgba>& colors, const std::vector<double>& values)
-{
-  if (colors.size() != values.size())
-  {
-    return { colors.front() };
-  }
-  std::vector<std::size_t> order(values.size());
-  std::iota(order.begin(), order.end(), std::size_t{ 0 });
-  std::ranges::sort(order, {}, [&values](std::size_t i) { return values[i]; });
-  std::vector<Rgba> sorted;
-  for (const std::size_t i : order)
-  {
-    sorted.push_back(colors[i]);
-  }
-  return sorted;
-}
-
-std::vector<Rgba> ColorsBy(const ColorMap& map, std::vector<double> values)
-{
-  std::ranges::sort(values);
-  std::vector<Rgba> colors(values.size());
-  if (!values.empty())
-  {
-    map(values, colors.front().data());
-  }
-  return colors;
 }
 } // namespace
 
@@ -83,12 +55,13 @@ ContourDrawing::ContourDrawing(const ContourOptions& options, const ColorOptions
     values.push_back(
       choice.count > 0 ? Spaced(choice.count, *range, colors.Logarithm()) : choice.values);
     lineColors.push_back(options.ByMap()
-        ? ColorsBy(looks.Ranges()[k] ? looks.Maps()[k] : colors.MapOver(*range, settings.colormap),
-            values.back())
-        : InOrder(options.Colors(), values.back()));
+        ? ColorsOf(values.back(),
+            looks.Ranges()[k] ? looks.Maps()[k] : colors.MapOver(*range, settings.colormap))
+        : InOrderOf(values.back(), options.Colors()));
     style.curved =
       style.curved || (!values.back().empty() && !shot.scene.layers[k].surface->IsFlat());
   }
+  LabelHeight = options.Labels();
   Certifier.emplace(std::move(values));
   Lines.emplace(*Certifier, style, std::move(lineColors));
   if (options.Only())
@@ -108,9 +81,18 @@ void ContourDrawing::AddTo(Pipeline& pipeline)
   pipeline.modules.push_back(&*Lines);
 }
 
+void ContourDrawing::DrawLabels(const Shot& shot, Frame& frame)
+{
+  if (LabelHeight)
+  {
+    Labels = DrawContourLabels(frame, shot.MakeCamera(), *Certifier, *Lines, *LabelHeight);
+  }
+}
+
 FoundContours ContourDrawing::Found(const Frame& frame) const
 {
-  FoundContours found{ Certifier->Values(), 0, Certifier->Counters() };
+  FoundContours found{ Certifier->Values(), 0, Certifier->Counters(),
+    LabelHeight ? std::optional(Labels) : std::nullopt };
   for (std::size_t k = 0; k < found.values.size(); ++k)
   {
     std::vector<bool> alone(found.values.size(), false);

@@ -21,6 +21,7 @@ struct FoundContours
   std::vector<std::vector<double>> values; ///< by layer, in ascending order
   std::size_t outside = 0; ///< of them, that lie outside of the values seen on their layer
   ContourCounters pixels;
+  std::optional<int> labels; ///< written, where they were asked for
 };
 
 /// The contours of a shot.
@@ -36,6 +37,9 @@ public:
   /// Last, so that nothing is drawn over them. What is pointed to lives here.
   void AddTo(Pipeline& pipeline);
 
+  /// On the image of a frame that went through the pipeline.
+  void DrawLabels(const Shot& shot, Frame& frame);
+
   /// What was found in a frame that went through the pipeline.
   [[nodiscard]] FoundContours Found(const Frame& frame) const;
   /// A ContourVerdict for each pixel.
@@ -45,5 +49,7 @@ private:
   std::optional<ColorMapping> InPlace; ///< of the surface's colours
   std::optional<ContourCertifier> Certifier;
   std::optional<ContourLines> Lines;
+  std::optional<int> LabelHeight;
+  int Labels = 0;
 };
 } // namespace pixelexact

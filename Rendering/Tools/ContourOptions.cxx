@@ -8,6 +8,7 @@
 #include "Numbers.h"
 #include "Options.h"
 
+#include "ContourLabels.h"
 #include "VtkLook.h"
 
 #include <fmt/format.h>
@@ -143,6 +144,14 @@ void ContourOptions::AddTo(CLI::App& added)
     "Draw them on the background's colour, without those of the surface")
     .Needs(contours)
     .Group(group);
+  AddNumberIfAny(added, "--contour-labels", LabelHeight,
+    { LabelFont::kUsual, LabelFont::kSmallest, LabelFont::kLargest }, "PIXELS",
+    fmt::format(
+      "Write the values along the lines, where these are straight and apart, in letters of "
+      "a height in whole pixels, {} to {}",
+      LabelFont::kSmallest, LabelFont::kLargest))
+    .Needs(contours)
+    .Group(group);
   const AddedOption shown = AddFlag(added, "--show-undecided-contours", ShowUndecided,
     "Paint pixels of which it could not be decided whether a contour goes through them; else they "
     "are drawn as if one did")
@@ -157,6 +166,10 @@ void ContourOptions::AddTo(CLI::App& added)
 void ContourOptions::Check(const std::vector<LayerSettings>& layers) const
 {
   CheckColor("--undecided-contour-color", UndecidedColor);
+  if (LabelHeight && *LabelHeight != std::floor(*LabelHeight))
+  {
+    throw UsageError("--contour-labels: a height is a whole number of pixels");
+  }
   if (!AreGiven())
   {
     return;
@@ -183,11 +196,19 @@ ContourStyle ContourOptions::Style() const
   style.width = Width.value_or(style.width);
   style.showUndecided = ShowUndecided;
   style.undecided = ToRgba(UndecidedColor.data());
+  style.keepBeneath = LabelHeight.has_value();
   return style;
+}
+
+std::optional<int> ContourOptions::Labels() const
+{
+  return LabelHeight ? std::optional(static_cast<int>(*LabelHeight)) : std::nullopt;
 }
 
 Buffer ContourOptions::Needs() const
 {
-  return AreGiven() ? Buffer::Verdict | Buffer::Layer : Buffer::None;
+  // Labels keep away from where a surface hides a part of itself.
+  const Buffer ofLabels = LabelHeight ? Buffer::Position | Buffer::Normal : Buffer::None;
+  return AreGiven() ? Buffer::Verdict | Buffer::Layer | ofLabels : Buffer::None;
 }
 } // namespace pixelexact

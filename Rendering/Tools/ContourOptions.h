@@ -54,6 +54,8 @@ public:
   [[nodiscard]] bool ByMap() const { return TheColors.empty(); }
   /// Without the colours of the surface.
   [[nodiscard]] bool Only() const { return TheOnly; }
+  /// The height of labels in pixels; none: no labels.
+  [[nodiscard]] std::optional<int> Labels() const;
   /// The buffers of centres that drawing reads.
   [[nodiscard]] Buffer Needs() const;
 
@@ -67,5 +69,6 @@ private:
   bool ShowUndecided = false;
   std::vector<double> UndecidedColor{ 0.0, 0.5, 0.5 };
   bool TheOnly = false;
+  std::optional<double> LabelHeight;
 };
 } // namespace pixelexact

@@ -81,6 +81,7 @@ void Render(const RenderOptions& options, const CommonOptions& common)
   Found found;
   if (contours)
   {
+    contours->DrawLabels(shot, frame);
     found.contours = contours->Found(frame);
   }
   found.values = ValueRange(frame, -std::numeric_limits<double>::infinity());

@@ -93,10 +93,15 @@ nlohmann::ordered_json ToJson(const FoundContours& contours)
     ? nlohmann::ordered_json(contours.values)
     : nlohmann::ordered_json(contours.values.front());
   const ContourCounters& pixels = contours.pixels;
-  return { { "values", values }, { "outside", contours.outside },
+  nlohmann::ordered_json summary{ { "values", values }, { "outside", contours.outside },
     { "pixels",
       { { "in", pixels.in }, { "out", pixels.out }, { "undecided", pixels.undecided },
         { "jumps", pixels.jumps } } } };
+  if (contours.labels)
+  {
+    summary["labels"] = *contours.labels;
+  }
+  return summary;
 }
 
 void AddContours(Table& table, const FoundContours& contours)
@@ -108,6 +113,10 @@ void AddContours(Table& table, const FoundContours& contours)
   const ContourCounters& pixels = contours.pixels;
   table.Row("", "{} in, {} out, {} undecided, {} at jumps", Counted(pixels.in, "pixel"), pixels.out,
     pixels.undecided, pixels.jumps);
+  if (contours.labels)
+  {
+    table.Row("", Counted(*contours.labels, "label"));
+  }
 }
 
 void AddRanges(Table& table, const Looks& looks, const Found& found)

@@ -27,13 +27,20 @@ void Widen(std::array<double, 2>& range, const std::array<double, 2>& by)
   range = { std::min(range[0], by[0]), std::max(range[1], by[1]) };
 }
 
+/// 0 where there is one layer and nobody asked.
+std::uint8_t LayerOfSample(const SampleBuffers& samples, std::size_t i)
+{
+  return samples.layer.empty() ? std::uint8_t{ 0 } : samples.layer[i];
+}
+
 bool IsWhole(const SampleBuffers& samples, const std::array<std::size_t, 4>& at)
 {
   return std::ranges::all_of(at,
     [&](std::size_t i)
     {
       return samples.verdict[i] == static_cast<std::uint8_t>(PixelVerdict::Exact) &&
-        std::isfinite(samples.value[i]) && samples.layer[i] == samples.layer[at[0]];
+        std::isfinite(samples.value[i]) &&
+        LayerOfSample(samples, i) == LayerOfSample(samples, at[0]);
     });
 }
 
@@ -80,7 +87,7 @@ void ContourCells::Begin(const CornerLattice& corners, const TileArea& pixels, c
         (camera == nullptr || AreOnOneSheet(samples, at, camera->At(x + 0.5, y + 0.5).direction)))
       {
         const std::size_t cell = At(x, y);
-        Layers[cell] = samples.layer[at[0]];
+        Layers[cell] = LayerOfSample(samples, at[0]);
         std::ranges::transform(
           at, Values[cell].begin(), [&samples](std::size_t i) { return samples.value[i]; });
       }
@@ -134,17 +141,26 @@ ContourCells::Local ContourCells::Evaluate(int x, int y, const glm::dvec2& at) c
     { (1.0 - v) * (f[1] - f[0]) + v * (f[3] - f[2]), above - below } };
 }
 
-std::optional<ContourFoot> ContourCells::Find(int x, int y, double value, int far) const
+std::optional<double> ContourCells::ValueAt(const glm::dvec2& at) const
 {
-  const std::uint8_t layer = LayerOf(x, y);
-  const glm::dvec2 from(x + 0.5, y + 0.5);
+  const int x = static_cast<int>(std::floor(at.x));
+  const int y = static_cast<int>(std::floor(at.y));
+  return Holds(x, y) && LayerOf(x, y) != kNoLayer ? std::optional(Evaluate(x, y, at).value)
+                                                  : std::nullopt;
+}
+
+std::optional<ContourFoot> ContourCells::Find(const glm::dvec2& from, double value, int far) const
+{
+  const int x = static_cast<int>(std::floor(from.x));
+  const int y = static_cast<int>(std::floor(from.y));
+  const std::uint8_t layer = Holds(x, y) ? LayerOf(x, y) : kNoLayer;
   glm::dvec2 at = from;
-  for (int step = 0; step < far + kMoreSteps; ++step)
+  for (int step = 0; step < far + kMoreSteps && layer != kNoLayer; ++step)
   {
     const int cx = static_cast<int>(std::floor(at.x));
     const int cy = static_cast<int>(std::floor(at.y));
-    if (std::abs(cx - x) > far || std::abs(cy - y) > far || cx < Pixels.x0 || cx >= Pixels.x1 ||
-      cy < Pixels.y0 || cy >= Pixels.y1 || LayerOf(cx, cy) != layer)
+    if (std::abs(cx - x) > far || std::abs(cy - y) > far || !Holds(cx, cy) ||
+      LayerOf(cx, cy) != layer)
     {
       return std::nullopt;
     }

@@ -48,10 +48,14 @@ public:
   [[nodiscard]] const std::vector<std::array<double, 2>>& RangesAbout(
     const TileArea& area, int far);
 
-  /// The contour that is met by going up or down the field, from the middle of a whole pixel and
-  /// through whole pixels of its layer no farther than `far`, each way. None where that does not
-  /// end at the value.
-  [[nodiscard]] std::optional<ContourFoot> Find(int x, int y, double value, int far) const;
+  /// The contour that is met by going up or down the field, from a place in a whole pixel, such as
+  /// its middle, and through whole pixels of its layer no farther than `far`, each way. None where
+  /// that does not end at the value.
+  [[nodiscard]] std::optional<ContourFoot> Find(
+    const glm::dvec2& from, double value, int far) const;
+
+  /// The field at a place; none where the pixel is not whole.
+  [[nodiscard]] std::optional<double> ValueAt(const glm::dvec2& at) const;
 
 private:
   struct Local
@@ -64,6 +68,10 @@ private:
   {
     return static_cast<std::size_t>(y - Pixels.y0) * static_cast<std::size_t>(Pixels.Width()) +
       static_cast<std::size_t>(x - Pixels.x0);
+  }
+  [[nodiscard]] bool Holds(int x, int y) const
+  {
+    return x >= Pixels.x0 && x < Pixels.x1 && y >= Pixels.y0 && y < Pixels.y1;
   }
   [[nodiscard]] Local Evaluate(int x, int y, const glm::dvec2& at) const;
 

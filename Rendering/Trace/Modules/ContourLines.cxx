@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <sstream>
 #include <utility>
 
@@ -43,6 +44,34 @@ void PutOver(const Rgba& color, double share, std::uint8_t* to)
 }
 } // namespace
 
+std::vector<Rgba> InOrderOf(const std::vector<double>& values, const std::vector<Rgba>& colors)
+{
+  if (colors.size() != values.size())
+  {
+    return colors;
+  }
+  std::vector<std::size_t> order(values.size());
+  std::iota(order.begin(), order.end(), std::size_t{ 0 });
+  std::ranges::stable_sort(order, {}, [&values](std::size_t i) { return values[i]; });
+  std::vector<Rgba> sorted;
+  for (const std::size_t i : order)
+  {
+    sorted.push_back(colors[i]);
+  }
+  return sorted;
+}
+
+std::vector<Rgba> ColorsOf(std::vector<double> values, const ColorMap& map)
+{
+  std::ranges::sort(values);
+  std::vector<Rgba> colors(values.size());
+  if (!values.empty())
+  {
+    map(values, colors.front().data());
+  }
+  return colors;
+}
+
 /// Draws a tile.
 class ContourLines::Tile
 {
@@ -61,8 +90,10 @@ public:
       lines.Style.curved ? &visit.GetCamera() : nullptr);
   }
 
-  void Draw()
+  /// On pixels of 4 bytes each.
+  void Draw(std::vector<std::uint8_t>& pixels)
   {
+    Target = pixels.data();
     const auto& ranges = Cells.RangesAbout(Area, Lines.Far);
     std::size_t at = 0;
     for (int y = Area.y0; y < Area.y1; ++y)
@@ -81,7 +112,7 @@ private:
     constexpr auto kExact = static_cast<std::uint8_t>(PixelVerdict::Exact);
     if (Image.centres.verdict[pixel] == kExact)
     {
-      return Image.centres.layer[pixel];
+      return Lines.Colors.size() > 1 ? Image.centres.layer[pixel] : std::uint8_t{ 0 };
     }
     for (const auto& [dx, dy] : kCorners)
     {
@@ -118,7 +149,7 @@ private:
     const std::size_t pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(Image.width) +
       static_cast<std::size_t>(x);
     const auto verdict = static_cast<ContourVerdict>(Lines.Certifier.Verdicts()[pixel]);
-    std::uint8_t* const color = &Image.color[4 * pixel];
+    std::uint8_t* const color = Target + 4 * pixel;
     if (verdict == ContourVerdict::Undecided && Lines.Style.showUndecided)
     {
       PutOver(Lines.Style.undecided, 1.0, color);
@@ -153,7 +184,7 @@ private:
     for (auto value = std::ranges::lower_bound(values, range[0]);
          value != values.end() && *value <= range[1] && open > kUnseen; ++value)
     {
-      const auto foot = Cells.Find(x, y, *value, Lines.Far);
+      const auto foot = Cells.Find(glm::dvec2(x + 0.5, y + 0.5), *value, Lines.Far);
       if (foot)
       {
         const double share = ShareBehind(foot->towards, foot->distance + half) -
@@ -170,10 +201,11 @@ private:
     { 1, 1 } } };
 
   const ContourLines& Lines;
-  Frame& Image;
+  const Frame& Image;
   TileArea Area;
   CornerLattice Corners;
   ContourCells& Cells;
+  std::uint8_t* Target = nullptr;
 };
 
 ContourLines::ContourLines(const ContourCertifier& certifier, const ContourStyle& style,
@@ -206,7 +238,7 @@ ContourLines::ContourLines(const ContourCertifier& certifier, const ContourStyle
 SampleNeeds ContourLines::Needs() const
 {
   constexpr Buffer kSheets = Buffer::Position | Buffer::Normal;
-  return { .centres = Buffer::Verdict | Buffer::Layer,
+  return { .centres = Buffer::Verdict | (Colors.size() > 1 ? Buffer::Layer : Buffer::None),
     .corners =
       Buffer::Value | Buffer::Verdict | Buffer::Layer | (Style.curved ? kSheets : Buffer::None),
     .cornersAround = Far };
@@ -226,7 +258,7 @@ const Rgba& ContourLines::ColorOf(std::size_t layer, std::size_t value) const
 
 void ContourLines::Process(TileVisit& tile)
 {
-  const Frame& frame = tile.GetFrame();
+  Frame& frame = tile.GetFrame();
   if (frame.color.empty())
   {
     return;
@@ -240,6 +272,11 @@ void ContourLines::Process(TileVisit& tile)
     std::copy_n(&frame.color[first], 4 * area.Width(), &Under[first]);
   }
   const CheckedOut<ContourCells> cells;
-  Tile(*this, tile, *cells).Draw();
+  Tile drawn(*this, tile, *cells);
+  drawn.Draw(frame.color);
+  if (Style.onSheet)
+  {
+    drawn.Draw(frame.centres.color);
+  }
 }
 } // namespace pixelexact

@@ -25,9 +25,18 @@ struct ContourStyle
   /// are made.
   bool curved = true;
   bool keepBeneath = false; ///< the image without the lines, for whoever writes on it
+  /// The nearest sheet gets the lines, too: for somebody who draws sheets one by one.
+  bool onSheet = false;
 
   bool operator==(const ContourStyle&) const = default;
 };
+
+/// Colours in the ascending order of the values that they are given for; one for all stays as it
+/// is.
+[[nodiscard]] std::vector<Rgba> InOrderOf(
+  const std::vector<double>& values, const std::vector<Rgba>& colors);
+/// The map's, in the ascending order of the values.
+[[nodiscard]] std::vector<Rgba> ColorsOf(std::vector<double> values, const ColorMap& map);
 
 /// Draws the lines on which the field has the iso-values of a ContourCertifier, of a width in
 /// pixels, each pixel by the part of it that the line covers.
@@ -42,8 +51,9 @@ struct ContourStyle
 /// of the width of its neighbours' lines, or nothing; without finite values there are none.
 ///
 /// Lines are opaque, over translucent layers, too, of which the nearest sheet counts; they are
-/// drawn over the image, also where that is transparent. The frame's image alone changes; without
-/// colours nothing is drawn. Belongs after the certifier and whatever else draws.
+/// drawn over the image, also where that is transparent. The frame's image alone changes, unless
+/// ContourStyle::onSheet is set; without colours nothing is drawn. Of contours beyond the image's
+/// edge nothing is known. Belongs after the certifier and whatever else draws.
 class ContourLines final : public FrameModule
 {
 public:
