@@ -22,6 +22,8 @@ namespace
 {
 // Beyond what colours need: what depths are made of.
 constexpr Buffer kDrawn = Buffer::Position | Buffer::Verdict;
+// What PlaceLabels reads: normals tell where a surface hides a part of itself.
+constexpr Buffer kOfLabels = Buffer::Value | Buffer::Normal;
 
 bool Includes(Buffer set, Buffer wanted)
 {
@@ -318,7 +320,9 @@ void FrameSource::Update(const FrameRequest& request, const Progress& progress)
   {
     MakeColors(colors);
   }
-  const Buffer wanted = kDrawn | request.buffers | ThePipeline().Needs().centres;
+  const bool labels = Contours && colors.contourLabels;
+  const Buffer wanted =
+    kDrawn | request.buffers | ThePipeline().Needs().centres | (labels ? kOfLabels : Buffer::None);
   if (!sameScene || !Includes(TheBuffers, wanted))
   {
     BeginFrame(wanted);

@@ -126,8 +126,6 @@ pixelexact::FrameRequest vtkHighOrderMapper::Internals::Request(
   if (self->ContourLabels)
   {
     request.contourLabels = self->ContourLabelSize;
-    // Labels keep away from where a surface hides a part of itself.
-    request.buffers = request.buffers | pixelexact::Buffer::Normal;
   }
   request.contours.width = self->ContourWidth;
   request.contours.showUndecided = self->ShowUndecidedContours;

@@ -2,6 +2,7 @@
 // The mapper's contours, and what drawing them costs.
 #include "CutScene.h"
 
+#include "ContourLabels.h"
 #include "vtkHighOrderLayer.h"
 
 #include "vtkDoubleArray.h"
@@ -258,6 +259,51 @@ TEST_F(ContoursInWindow, ComeWithTheCompleteFrame)
   View.RenderWindow->SetDesiredUpdateRate(1e-4);
   View.Render();
   EXPECT_GT(Scene.Mapper->GetNumberOfContourPixels(), pixels / 2);
+}
+
+/// Values along the lines: other pixels, no rays, and none where something is seen through.
+TEST_F(ContoursInWindow, HaveLabels)
+{
+  const auto dark = [&]
+  {
+    View.Render();
+    int count = 0;
+    for (int i = 0; i < Window::kWidth * Window::kHeight; ++i)
+    {
+      count += View.Color(i % Window::kWidth, i / Window::kWidth)[2] < 128 &&
+          View.Color(i % Window::kWidth, i / Window::kWidth)[0] > 0
+        ? 1
+        : 0;
+    }
+    return count;
+  };
+  Scene.Mapper->GenerateContourValues(4, -0.25, 1.0);
+  const int without = dark();
+  const vtkIdType in = Scene.Mapper->GetNumberOfContourPixels();
+  const vtkIdType traces = Scene.Mapper->GetNumberOfTraces();
+  Scene.Mapper->ContourLabelsOn();
+  dark();
+  EXPECT_EQ(Scene.Mapper->GetNumberOfContourPixels(), in);
+  const vtkIdType withNormals = Scene.Mapper->GetNumberOfTraces();
+  EXPECT_LE(withNormals, traces + 1);
+  Scene.Mapper->SetContourLabelSize(20);
+  EXPECT_NE(dark(), without);
+  Scene.Mapper->SetContourLabelSize(10);
+  EXPECT_NE(dark(), without);
+  EXPECT_EQ(Scene.Mapper->GetNumberOfTraces(), withNormals);
+  EXPECT_EQ(Complaint(), "");
+  Scene.Mapper->SetContourLabelSize(100);
+  EXPECT_TRUE(Contains(Complaint(), "6 to 72")) << Errors->Text;
+}
+
+TEST(ContourLabels, AreShortAndTellValuesApart)
+{
+  using Texts = std::vector<std::string>;
+  EXPECT_EQ(
+    LabelTexts({ 0.1, 0.25, -3.0, 1e6, -0.0 }), (Texts{ "0.1", "0.25", "-3", "1e+06", "0" }));
+  EXPECT_EQ(LabelTexts({ 1.0 / 3.0, 2.0 / 3.0 }), (Texts{ "0.333", "0.667" }));
+  EXPECT_EQ(LabelTexts({ 100.1, 100.2 }), (Texts{ "100.1", "100.2" }));
+  EXPECT_EQ(LabelTexts({ 2.0, 2.0 }), (Texts{ "2", "2" }));
 }
 
 TEST_F(ContoursInWindow, RefuseWhatCannotBeDrawn)

@@ -157,6 +157,31 @@ class Contours(ToolTest):
         for picture in [["--owners"], ["--show", "validity"]]:
             self.fails(2, *self.words(*HALF, *given, *picture), names=["--contours", picture[0]])
 
+    def test_labels(self):
+        source = case("toroid_hex_g3_p6")
+        base = ["--plane", "0,0,0,0,0,1", "--size", "500x500", "--contours", "9",
+                "--layer", "1:color=1:1:1"]
+        plain = self.summary(*self.words(*base, source=source))
+        self.assertNotIn("labels", plain["contours"])
+        image, buffers = read_image(self.folder / "i.png"), read_buffers(self.folder / "b.vti")
+        labelled = self.summary(*self.words(*base, "--contour-labels", source=source))
+        self.assertGreater(labelled["contours"]["labels"], 4)
+        del labelled["contours"]["labels"]
+        self.assertEqual(labelled["contours"], plain["contours"])
+        written = read_image(self.folder / "i.png")
+        # Some of the lines is away, some letters are there, and nothing else is changed.
+        self.assertGreater((written > image.astype(int) + 100).sum(), 100)
+        self.assertGreater((written < image.astype(int) - 100).sum(), 100)
+        self.assertLess((written != image).any(axis=-1).mean(), 0.1)
+        found = read_buffers(self.folder / "b.vti")
+        for name in ("Value", "Verdict", "Contour"):
+            np.testing.assert_array_equal(found[name], buffers[name])
+        self.succeeds(*self.words(*base, "--contour-labels=20", source=source))
+        for size in ["5", "73", "12.5", "x"]:
+            self.fails(2, *self.words(*base, f"--contour-labels={size}", source=source),
+                       names=["--contour-labels"])
+        self.fails(2, *self.words(*HALF, "--contour-labels"), names=["--contours"])
+
     def test_without_a_field(self):
         source = self.folder / "bare.vtu"
         source.write_text(unit_cube_grid([]), encoding="utf-8")

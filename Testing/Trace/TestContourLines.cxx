@@ -92,7 +92,7 @@ long double DistanceTo(const OnImage& f, long double value, long double px, long
 /// The part of a pixel that is no farther than half the width from the contour, by counting.
 double ExactCover(const OnImage& f, long double value, double width, int x, int y)
 {
-  constexpr int kCount = 12;
+  constexpr int kCount = 16;
   if (DistanceTo(f, value, x + 0.5L, y + 0.5L) > width / 2 + 1)
   {
     return 0.0;
