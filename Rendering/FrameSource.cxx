@@ -341,7 +341,7 @@ void FrameSource::Update(const FrameRequest& request, const Progress& progress)
     {
       const Pipeline pipeline = ThePipeline();
       const Camera camera = Traced->camera.Make();
-      KeepCorners(TheScene, camera, pipeline.Needs().corners, *TheFrame);
+      (void)KeepCorners(TheScene, camera, pipeline.Needs().corners, *TheFrame);
       Repaint(TheScene, camera, pipeline, *TheFrame);
       Finish();
     }

@@ -170,7 +170,7 @@ void vtkHighOrderMapper::Internals::AddContours(
     ContourColors.empty() ? 1 : layer.contours.size(), pixelexact::ToRgba(self->ContourColor));
   for (const auto& [i, color] : ContourColors)
   {
-    if (i >= 0 && i < Contours.Size())
+    if (i < Contours.Size())
     {
       layer.contourColors[static_cast<std::size_t>(i)] = pixelexact::ToRgba(color.data());
     }
@@ -442,6 +442,11 @@ void vtkHighOrderMapper::GenerateContourValues(int number, const double range[2]
 //------------------------------------------------------------------------------
 void vtkHighOrderMapper::SetColorOfContour(int i, double red, double green, double blue)
 {
+  if (i < 0)
+  {
+    vtkErrorMacro("SetColorOfContour: contours are counted from 0, and this is " << i);
+    return;
+  }
   this->Data->ContourColors[i] = { red, green, blue };
   this->Modified();
 }

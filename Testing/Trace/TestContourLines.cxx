@@ -384,6 +384,65 @@ TEST(ContourLines, AreSeenInEveryPixelThatIsIn)
   EXPECT_GT(in, 100);
 }
 
+namespace
+{
+/// Makes a certifier's verdicts of a column of pixels undecided.
+class Doubting final : public FrameModule
+{
+public:
+  Doubting(ContourCertifier& certifier, int column)
+    : Verdicts(const_cast<std::vector<std::uint8_t>&>(certifier.Verdicts()))
+    , Column(column)
+  {
+  }
+  [[nodiscard]] SampleNeeds Needs() const override { return {}; }
+  void Begin(int /*width*/, int /*height*/) override {}
+  void Process(TileVisit& tile) override
+  {
+    const TileArea& area = tile.Area();
+    for (int y = area.y0; y < area.y1 && area.x0 <= Column && Column < area.x1; ++y)
+    {
+      Verdicts[static_cast<std::size_t>(y * tile.GetFrame().width + Column)] =
+        static_cast<std::uint8_t>(ContourVerdict::Undecided);
+    }
+  }
+
+private:
+  std::vector<std::uint8_t>& Verdicts;
+  int Column;
+};
+} // namespace
+
+/// Undecided pixels have a line, or a colour of their own.
+TEST(ContourLines, AreDrawnWhereItIsUndecided)
+{
+  Block block;
+  const Scene& scene = block.WithPlane({ 0.0, 0.0, 0.1 }, { 0.0, 0.0, 1.0 });
+  const ColorMapping colors = White();
+  constexpr Rgba kTeal{ 0, 128, 128, 255 };
+  for (const bool shown : { false, true })
+  {
+    ContourCertifier certifier(OnOneLayer({ 10.0 }));
+    Doubting doubting(certifier, 30);
+    ContourLines lines(certifier, { .width = 1.5, .showUndecided = shown }, { { kBlack } });
+    const Frame frame =
+      Trace(scene, ViewAlongZ(50, 50), { { &colors }, { &certifier, &doubting, &lines } });
+    const auto at = [&frame](int x, int y)
+    {
+      Rgba color;
+      std::copy_n(&frame.color[4 * static_cast<std::size_t>(y * 50 + x)], 4, color.begin());
+      return color;
+    };
+    // Away from the contour, y = -x / 10, and on it.
+    EXPECT_EQ(at(30, 40), shown ? kTeal : kBlack);
+    EXPECT_EQ(at(30, 24) == kTeal, shown);
+    EXPECT_LT(at(30, 24)[0], 128);
+    EXPECT_EQ(at(29, 40), (Rgba{ 255, 255, 255, 255 }));
+    // Beyond the mesh there is nothing to draw a line of.
+    EXPECT_EQ(at(30, 1), shown ? kTeal : (Rgba{ 0, 0, 0, 0 }));
+  }
+}
+
 TEST(ContourLines, DoNotDependOnTilesAndThreads)
 {
   for (const bool translucent : { false, true })

@@ -106,23 +106,27 @@ public:
   }
 
 private:
-  /// The layer whose contours a pixel shows: that of its centre, or of a corner; kNoLayer: none.
+  /// The layer whose contours a pixel shows: that of its centre or, `atCorners`, else of a corner,
+  /// if it has any; kNoLayer: none.
   [[nodiscard]] std::uint8_t LayerAt(int x, int y, std::size_t pixel, bool atCorners) const
   {
-    constexpr auto kExact = static_cast<std::uint8_t>(PixelVerdict::Exact);
-    if (Image.centres.verdict[pixel] == kExact)
+    std::uint8_t layer = LayerOf(Image.centres, pixel);
+    for (std::size_t k = 0; k < kCorners.size() && atCorners && layer == kNoLayer; ++k)
     {
-      return Lines.Colors.size() > 1 ? Image.centres.layer[pixel] : std::uint8_t{ 0 };
+      layer = LayerOf(Corners.samples, Corners.At(x + kCorners[k][0], y + kCorners[k][1]));
     }
-    for (const auto& [dx, dy] : kCorners)
+    return layer;
+  }
+
+  /// That a sample shows, if it is exact and has contours.
+  [[nodiscard]] std::uint8_t LayerOf(const SampleBuffers& samples, std::size_t i) const
+  {
+    if (samples.verdict[i] != static_cast<std::uint8_t>(PixelVerdict::Exact))
     {
-      const std::size_t corner = Corners.At(x + dx, y + dy);
-      if (atCorners && Corners.samples.verdict[corner] == kExact)
-      {
-        return Corners.samples.layer[corner];
-      }
+      return kNoLayer;
     }
-    return kNoLayer;
+    const std::uint8_t layer = samples.layer.empty() ? std::uint8_t{ 0 } : samples.layer[i];
+    return Lines.Certifier.Values()[layer].empty() ? kNoLayer : layer;
   }
 
   /// The value that is nearest to those at the corners that show the layer.
@@ -161,7 +165,7 @@ private:
       return;
     }
     const std::uint8_t layer = LayerAt(x, y, pixel, held);
-    if (layer == kNoLayer || Lines.Certifier.Values()[layer].empty())
+    if (layer == kNoLayer)
     {
       return;
     }
