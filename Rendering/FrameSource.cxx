@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FrameSource.h"
 
-#include "ContourLabels.h"
 #include "HighOrderModel.h"
 #include "VtkColorMap.h"
 
 #include "Core/Base/Error.h"
 #include "Trace/BufferTable.h"
-#include "Trace/FrameTiles.h"
 #include "Trace/Surfaces/Plane.h"
 #include "Trace/TileVisit.h"
 #include "Trace/Tracer.h"
@@ -22,8 +20,6 @@ namespace
 {
 // Beyond what colours need: what depths are made of.
 constexpr Buffer kDrawn = Buffer::Position | Buffer::Verdict;
-// What PlaceLabels reads: normals tell where a surface hides a part of itself.
-constexpr Buffer kOfLabels = Buffer::Value | Buffer::Normal;
 
 bool Includes(Buffer set, Buffer wanted)
 {
@@ -127,12 +123,7 @@ FrameSource::ColorKey FrameSource::ColorKeyOf(const FrameRequest& request) const
       state = layer.table->GetMTime();
     }
     key.layers.push_back({ layer.table, state, layer.solidColor, layer.opacity,
-      lit ? layer.material : std::nullopt, layer.contours, layer.contourColors });
-    if (!layer.contours.empty())
-    {
-      key.contours = request.contours;
-      key.contourLabels = HasTranslucent(TheScene) ? std::nullopt : request.contourLabels;
-    }
+      lit ? layer.material : std::nullopt, layer.contours });
   }
   if (anyLit)
   {
@@ -140,6 +131,11 @@ FrameSource::ColorKey FrameSource::ColorKeyOf(const FrameRequest& request) const
     key.lit = request.lit;
   }
   key.edges = request.edges;
+  if (std::ranges::any_of(
+        request.layers, [](const LayerRequest& layer) { return !layer.contours.values.empty(); }))
+  {
+    key.contours = request.contours;
+  }
   return key;
 }
 
@@ -147,14 +143,17 @@ void FrameSource::MakeColors(const ColorKey& key)
 {
   std::vector<LayerColors> colors;
   std::vector<std::optional<Material>> materials;
+  std::vector<LayerContours> contours;
   for (const ColoredLayer& layer : key.layers)
   {
     colors.push_back({ layer.table != nullptr ? ToColorMap(layer.table) : SolidColor(layer.solid),
       key.unknown, layer.opacity, layer.table != nullptr });
     materials.push_back(layer.material);
+    contours.push_back(layer.contours);
   }
   const bool lit = std::ranges::any_of(
     materials, [](const std::optional<Material>& material) { return material.has_value(); });
+  Contours.Make(TheScene, contours, colors, key.contours);
   Colors.emplace(std::move(colors));
   Lights.reset();
   if (lit)
@@ -166,48 +165,7 @@ void FrameSource::MakeColors(const ColorKey& key)
   {
     Edges.emplace(*key.edges);
   }
-  MakeContours(key);
   Colored = key;
-}
-
-void FrameSource::MakeContours(const ColorKey& key)
-{
-  Contours.reset();
-  Certifier.reset();
-  std::vector<std::vector<double>> values;
-  std::vector<std::vector<Rgba>> colors;
-  ContourStyle style = key.contours;
-  style.curved = false;
-  bool any = false;
-  for (std::size_t k = 0; k < key.layers.size(); ++k)
-  {
-    const ColoredLayer& layer = key.layers[k];
-    const bool byTable = layer.contourColors.empty() && layer.table != nullptr;
-    values.push_back(layer.contours);
-    colors.push_back(byTable ? ColorsOf(layer.contours, ToColorMap(layer.table))
-                             : InOrderOf(layer.contours, layer.contourColors));
-    if (layer.contours.empty())
-    {
-      continue;
-    }
-    any = true;
-    if (TheScene.layers[k].field == nullptr)
-    {
-      throw Error("contours: the data have no field; set the number of contours to 0");
-    }
-    if (colors.back().empty())
-    {
-      colors.back().push_back(layer.solid);
-    }
-    style.curved = style.curved || !TheScene.layers[k].surface->IsFlat();
-  }
-  if (any)
-  {
-    style.onSheet = HasTranslucent(TheScene);
-    style.keepBeneath = key.contourLabels.has_value();
-    Certifier.emplace(std::move(values));
-    Contours.emplace(*Certifier, style, std::move(colors));
-  }
 }
 
 Pipeline FrameSource::ThePipeline()
@@ -221,11 +179,7 @@ Pipeline FrameSource::ThePipeline()
   {
     pipeline.modules.push_back(&*Edges);
   }
-  if (Contours)
-  {
-    pipeline.modules.push_back(&*Certifier);
-    pipeline.modules.push_back(&*Contours);
-  }
+  Contours.AddTo(pipeline);
   return pipeline;
 }
 
@@ -236,15 +190,6 @@ void FrameSource::BeginFrame(Buffer buffers)
   // Corners are kept, so that other contours trace nothing.
   Passes.emplace(TheScene, Traced->camera.Make(), pipeline, buffers, pipeline.Needs().corners);
   Complete = false;
-}
-
-void FrameSource::Finish()
-{
-  if (Contours && Colored->contourLabels)
-  {
-    DrawContourLabels(
-      *TheFrame, Traced->camera.Make(), *Certifier, *Contours, *Colored->contourLabels);
-  }
 }
 
 void FrameSource::TraceFrame(double seconds, const Progress& progress)
@@ -275,7 +220,7 @@ void FrameSource::TraceFrame(double seconds, const Progress& progress)
   {
     TheFrame = Passes->Take();
     Passes.reset();
-    Finish();
+    Contours.Finish(*TheFrame, Traced->camera.Make());
   }
   else
   {
@@ -320,9 +265,8 @@ void FrameSource::Update(const FrameRequest& request, const Progress& progress)
   {
     MakeColors(colors);
   }
-  const bool labels = Contours && colors.contourLabels;
   const Buffer wanted =
-    kDrawn | request.buffers | ThePipeline().Needs().centres | (labels ? kOfLabels : Buffer::None);
+    kDrawn | request.buffers | ThePipeline().Needs().centres | Contours.NeedsOfLabels();
   if (!sameScene || !Includes(TheBuffers, wanted))
   {
     BeginFrame(wanted);
@@ -343,7 +287,7 @@ void FrameSource::Update(const FrameRequest& request, const Progress& progress)
       const Camera camera = Traced->camera.Make();
       (void)KeepCorners(TheScene, camera, pipeline.Needs().corners, *TheFrame);
       Repaint(TheScene, camera, pipeline, *TheFrame);
-      Finish();
+      Contours.Finish(*TheFrame, camera);
     }
     else
     {

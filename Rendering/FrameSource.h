@@ -2,10 +2,10 @@
 #pragma once
 
 #include "FieldChoice.h"
+#include "FrameContours.h"
 #include "PixelExactRenderingModule.h"
 #include "Trace/FrameCost.h"
 #include "Trace/Modules/ColorMapping.h"
-#include "Trace/Modules/ContourLines.h"
 #include "Trace/Modules/ElementEdges.h"
 #include "Trace/Modules/Lighting.h"
 #include "Trace/ProgressiveFrame.h"
@@ -41,9 +41,7 @@ struct LayerRequest
   double opacity = 1.0;
   std::optional<Material> material; ///< none: not lit
   bool litWhereFlat = false;        ///< also a plane
-  std::vector<double> contours;     ///< iso-values whose lines are drawn, in any order
-  /// One for each of these, or one for all; empty: by the table.
-  std::vector<Rgba> contourColors;
+  LayerContours contours;
 };
 
 /// The layer's field. Null where the model has none and none is asked for, by name or to be mapped
@@ -68,10 +66,7 @@ struct FrameRequest
   /// A table whose range is to be that of the values shown; null: none.
   vtkScalarsToColors* fitted = nullptr;
   std::optional<EdgeStyle> edges; ///< of elements, where they are drawn
-  ContourStyle contours;          ///< where layers have some
-  /// The height of the contours' labels in pixels; none: no labels, and none where something is
-  /// seen through.
-  std::optional<int> contourLabels;
+  ContourLook contours;           ///< where layers have some
   /// Beyond what drawing needs.
   Buffer buffers = Buffer::None;
   /// What tracing may take. Where the frame is expected to take longer it is made coarse, and finer
@@ -121,7 +116,7 @@ public:
   /// a coarse frame.
   [[nodiscard]] const ContourCertifier* LastContours() const
   {
-    return Certifier && TheFrame && Complete ? &*Certifier : nullptr;
+    return TheFrame && Complete ? Contours.Found() : nullptr;
   }
 
   /// The model of the last frame; null when there is none.
@@ -166,8 +161,7 @@ private:
     Rgba solid{};
     double opacity = 1.0;
     std::optional<Material> material;
-    std::vector<double> contours;
-    std::vector<Rgba> contourColors;
+    LayerContours contours;
 
     bool operator==(const ColoredLayer&) const = default;
   };
@@ -178,8 +172,7 @@ private:
     std::vector<Light> lights; ///< where a layer is lit
     LitView lit;
     std::optional<EdgeStyle> edges;
-    ContourStyle contours;
-    std::optional<int> contourLabels;
+    ContourLook contours;
 
     bool operator==(const ColorKey&) const = default;
   };
@@ -189,11 +182,8 @@ private:
   [[nodiscard]] ColorKey ColorKeyOf(const FrameRequest& request) const;
   void MakeScene(const FrameRequest& request);
   void MakeColors(const ColorKey& key);
-  void MakeContours(const ColorKey& key);
   [[nodiscard]] Pipeline ThePipeline();
   void BeginFrame(Buffer buffers);
-  /// What is drawn on the complete frame's image when the pipeline is done.
-  void Finish();
   void TraceFrame(double seconds, const Progress& progress);
   void Count(bool traced);
   void Forget();
@@ -207,8 +197,7 @@ private:
   std::optional<ColorMapping> Colors;
   std::optional<Lighting> Lights;
   std::optional<ElementEdges> Edges;
-  std::optional<ContourCertifier> Certifier; ///< where there are contours
-  std::optional<ContourLines> Contours;
+  FrameContours Contours;
   std::optional<ProgressiveFrame> Passes; ///< of a frame that is not complete
   std::optional<Frame> TheFrame;
   bool Complete = false;

@@ -54,14 +54,14 @@ LayerRequest LayerOf(vtkHighOrderLayer* layer, LayerRequest ofAll)
   }
   if (!layer->GetContourVisibility())
   {
-    request.contours.clear();
+    request.contours.values.clear();
   }
   else if (layer->GetNumberOfContours() > 0)
   {
-    request.contours.clear();
+    request.contours.values.clear();
     for (int i = 0; i < layer->GetNumberOfContours(); ++i)
     {
-      request.contours.push_back(layer->GetContourValue(i));
+      request.contours.values.push_back(layer->GetContourValue(i));
     }
   }
   request.opacity = layer->GetOpacity();

@@ -125,11 +125,11 @@ pixelexact::FrameRequest vtkHighOrderMapper::Internals::Request(
   this->AddContours(self, ofAll);
   if (self->ContourLabels)
   {
-    request.contourLabels = self->ContourLabelSize;
+    request.contours.labels = self->ContourLabelSize;
   }
-  request.contours.width = self->ContourWidth;
-  request.contours.showUndecided = self->ShowUndecidedContours;
-  request.contours.undecided = pixelexact::ToRgba(self->UndecidedContourColor);
+  request.contours.style.width = self->ContourWidth;
+  request.contours.style.showUndecided = self->ShowUndecidedContours;
+  request.contours.style.undecided = pixelexact::ToRgba(self->UndecidedContourColor);
   std::vector<pixelexact::CutSource> sources = this->Plain();
   for (const pixelexact::CutSource& cut : sources)
   {
@@ -141,10 +141,10 @@ pixelexact::FrameRequest vtkHighOrderMapper::Internals::Request(
     if (layer->GetVisibility())
     {
       pixelexact::LayerRequest own = pixelexact::LayerOf(layer, ofAll);
-      if (layer->GetNumberOfContours() > 0 && !own.contourColors.empty())
+      if (layer->GetNumberOfContours() > 0 && !own.contours.colors.empty())
       {
         // Colours of single contours are of the mapper's.
-        own.contourColors = { pixelexact::ToRgba(self->ContourColor) };
+        own.contours.colors = { pixelexact::ToRgba(self->ContourColor) };
       }
       this->Add(self, sources.back(), std::move(own), request);
     }
@@ -161,18 +161,18 @@ pixelexact::FrameRequest vtkHighOrderMapper::Internals::Request(
 void vtkHighOrderMapper::Internals::AddContours(
   vtkHighOrderMapper* self, pixelexact::LayerRequest& layer) const
 {
-  layer.contours = Contours.All();
+  layer.contours.values = Contours.All();
   if (self->ContourScalarVisibility)
   {
     return;
   }
-  layer.contourColors.assign(
-    ContourColors.empty() ? 1 : layer.contours.size(), pixelexact::ToRgba(self->ContourColor));
+  layer.contours.colors.assign(ContourColors.empty() ? 1 : layer.contours.values.size(),
+    pixelexact::ToRgba(self->ContourColor));
   for (const auto& [i, color] : ContourColors)
   {
     if (i < Contours.Size())
     {
-      layer.contourColors[static_cast<std::size_t>(i)] = pixelexact::ToRgba(color.data());
+      layer.contours.colors[static_cast<std::size_t>(i)] = pixelexact::ToRgba(color.data());
     }
   }
 }

@@ -235,8 +235,8 @@ CornerLattice TileVisit::CornersAround()
   const int y0 = std::max(0, TheArea.y0 - far);
   if (Around.Size() == 0)
   {
-    TraceCorners({ x0, y0, std::min(TheCamera->Width(), TheArea.x1 + far) + 1,
-                   std::min(TheCamera->Height(), TheArea.y1 + far) + 1 },
+    TraceCorners({ x0, y0, std::min(TheFrame.width, TheArea.x1 + far) + 1,
+                   std::min(TheFrame.height, TheArea.y1 + far) + 1 },
       Around);
   }
   return { Around, x0, y0 };

@@ -101,7 +101,8 @@ double ExactCover(const OnImage& f, long double value, double width, int x, int 
   for (int k = 0; k < kCount * kCount; ++k)
   {
     const long double px = x + (k % kCount + 0.5L) / kCount;
-    const long double py = y + (k / kCount + 0.5L) / kCount;
+    const int row = k / kCount;
+    const long double py = y + (row + 0.5L) / kCount;
     near += DistanceTo(f, value, px, py) < width / 2 ? 1 : 0;
   }
   return near / static_cast<double>(kCount * kCount);
@@ -402,8 +403,8 @@ public:
     const TileArea& area = tile.Area();
     for (int y = area.y0; y < area.y1 && area.x0 <= Column && Column < area.x1; ++y)
     {
-      Verdicts[static_cast<std::size_t>(y * tile.GetFrame().width + Column)] =
-        static_cast<std::uint8_t>(ContourVerdict::Undecided);
+      Verdicts[static_cast<std::size_t>(y) * static_cast<std::size_t>(tile.GetFrame().width) +
+        static_cast<std::size_t>(Column)] = static_cast<std::uint8_t>(ContourVerdict::Undecided);
     }
   }
 
@@ -509,6 +510,13 @@ TEST(ContourLines, AreRepaintedWithoutRays)
 
 TEST(ContourLines, RefuseWhatTheyCannotDraw)
 {
+  Block block;
+  const Scene& scene = block.WithPlane({ 0.0, 0.0, 0.1 }, { 0.0, 0.0, 1.0 });
+  const ColorMapping colors = White();
+  Frame frame = Trace(scene, ViewAlongZ(20, 20), { { &colors }, {} });
+  Contours contours({ 1.0 });
+  // Without corners, and nothing to trace them in.
+  EXPECT_THROW(Repaint(contours.On(colors), frame), Error);
   const ContourCertifier certifier(OnOneLayer({ 1.0, 2.0 }));
   for (const double width : { 0.0, 0.05, 33.0, std::nan("") })
   {

@@ -54,6 +54,7 @@ std::vector<Rgba> InOrderOf(const std::vector<double>& values, const std::vector
   std::iota(order.begin(), order.end(), std::size_t{ 0 });
   std::ranges::stable_sort(order, {}, [&values](std::size_t i) { return values[i]; });
   std::vector<Rgba> sorted;
+  sorted.reserve(order.size());
   for (const std::size_t i : order)
   {
     sorted.push_back(colors[i]);
