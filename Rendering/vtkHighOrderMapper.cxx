@@ -15,6 +15,7 @@
 
 #include "Core/Base/Error.h"
 #include "Core/Location/Locator.h"
+#include "Trace/FrameTiles.h"
 #include "Trace/Sheets.h"
 
 #include "vtkCommand.h"
@@ -715,7 +716,9 @@ void vtkHighOrderMapper::Warn(vtkRenderer* renderer, vtkActor* actor)
   const bool translucent =
     actor->GetProperty()->GetOpacity() < 1.0 || this->HasTranslucentPolygonalGeometry();
   std::vector<std::string> texts = pixelexact::SettingsWithoutEffect(this, actor, translucent);
-  if (this->ContourLabels && translucent)
+  // One plane that is not opaque has nothing behind it.
+  if (this->ContourLabels &&
+    pixelexact::HasTranslucent(this->Data->Drawer.LastSource()->LastScene()))
   {
     texts.push_back("ContourLabels: they are not written where a layer is seen through");
   }

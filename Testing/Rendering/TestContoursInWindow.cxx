@@ -296,6 +296,21 @@ TEST_F(ContoursInWindow, HaveLabels)
   EXPECT_TRUE(Contains(Complaint(), "6 to 72")) << Errors->Text;
 }
 
+TEST_F(ContoursInWindow, LabelsThatAreNotWrittenAreTold)
+{
+  Scene.Mapper->AddObserver(vtkCommand::WarningEvent, Errors);
+  Scene.Mapper->SetContourValue(0, 0.25);
+  Scene.Mapper->ContourLabelsOn();
+  // A plane alone has nothing behind it.
+  Scene.Cut->GetProperty()->SetOpacity(0.5);
+  EXPECT_EQ(Complaint(), "");
+  vtkNew<vtkPlane> behind;
+  behind->SetOrigin(0.0, 0.0, -0.5);
+  behind->SetNormal(0.0, 0.0, 1.0);
+  Scene.Mapper->AddCutFunction(behind);
+  EXPECT_TRUE(Contains(Complaint(), "ContourLabels")) << Errors->Text;
+}
+
 TEST(ContourLabels, AreShortAndTellValuesApart)
 {
   using Texts = std::vector<std::string>;
