@@ -720,7 +720,7 @@ void vtkHighOrderMapper::Warn(vtkRenderer* renderer, vtkActor* actor)
   if (this->ContourLabels &&
     pixelexact::HasTranslucent(this->Data->Drawer.LastSource()->LastScene()))
   {
-    texts.push_back("ContourLabels: they are not written where a layer is seen through");
+    texts.emplace_back("ContourLabels: they are not written where a layer is seen through");
   }
   if (this->Data->Drawer.LastSource()->LastFrame()->counters.cutOff > 0)
   {

@@ -73,7 +73,7 @@ ContourChoice ReadContours(const std::string& option, const std::string& text, c
     }
     if (std::ranges::find(choice.values, value) != choice.values.end())
     {
-      throw UsageError(option + ": '" + part + "' is there twice; give it once");
+      throw UsageError(fmt::format("{}: '{}' is there twice; give it once", option, part));
     }
     choice.values.push_back(value);
   }

@@ -28,8 +28,8 @@ Frame Trace(const Scene& scene, const Camera& camera, const Pipeline& pipeline,
 /// Traces the frame's corners, where it does not hold them with these buffers, and keeps them:
 /// where a frame has corners, modules get these and no others are traced. False where `progress`
 /// aborted it: then it has none.
-[[nodiscard]] bool KeepCorners(const Scene& scene, const Camera& camera, Buffer wanted, Frame& frame,
-  const Progress& progress = {});
+[[nodiscard]] bool KeepCorners(const Scene& scene, const Camera& camera, Buffer wanted,
+  Frame& frame, const Progress& progress = {});
 
 /// Other colours for a frame that has the buffers that the pipeline needs of centres. Traces
 /// nothing but what its modules ask for.
