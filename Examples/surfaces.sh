@@ -35,6 +35,9 @@ draw boundary --boundary --edges 2
 draw elements --boundary=element:0,7,21,40
 draw isosurface --isosurface u=0.3
 
+# Contours with their values.
+draw contours --torus 0,0,0,0,0,1,1,0.25 --contours=-0.4,-0.2,0,0.2,0.4 --contour-width 2 --contour-labels
+
 # Several of them: the nearest within the mesh shows, and translucent ones let others through.
 grey=opacity=0.25,color=0.75:0.75:0.8
 draw transparent --plane 0,0,0.05,0.06,-0.1,1 --boundary --layer "2:$grey"

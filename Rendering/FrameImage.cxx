@@ -119,4 +119,13 @@ vtkSmartPointer<vtkImageData> ToImageData(const Frame& frame,
   }
   return image;
 }
+
+void AddContours(vtkImageData& image, std::span<const std::uint8_t> verdicts)
+{
+  if (!verdicts.empty())
+  {
+    std::ranges::copy(
+      verdicts, AddArray<vtkUnsignedCharArray>(&image, "Contour", 1, verdicts.size()));
+  }
+}
 } // namespace pixelexact

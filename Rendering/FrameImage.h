@@ -23,4 +23,8 @@ namespace pixelexact
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT vtkSmartPointer<vtkImageData> ToImageData(
   const Frame& frame, std::span<const std::int64_t> sourceCells,
   std::span<const HighOrderModel::Block> blocks = {});
+
+/// Adds the array Contour, a ContourVerdict for each pixel; none: there is none.
+PIXELEXACTRENDERING_EXPORT void AddContours(
+  vtkImageData& image, std::span<const std::uint8_t> verdicts);
 } // namespace pixelexact

@@ -122,8 +122,8 @@ FrameSource::ColorKey FrameSource::ColorKeyOf(const FrameRequest& request) const
     {
       state = layer.table->GetMTime();
     }
-    key.layers.push_back(
-      { layer.table, state, layer.solidColor, layer.opacity, lit ? layer.material : std::nullopt });
+    key.layers.push_back({ layer.table, state, layer.solidColor, layer.opacity,
+      lit ? layer.material : std::nullopt, layer.contours });
   }
   if (anyLit)
   {
@@ -131,6 +131,11 @@ FrameSource::ColorKey FrameSource::ColorKeyOf(const FrameRequest& request) const
     key.lit = request.lit;
   }
   key.edges = request.edges;
+  if (std::ranges::any_of(
+        request.layers, [](const LayerRequest& layer) { return !layer.contours.values.empty(); }))
+  {
+    key.contours = request.contours;
+  }
   return key;
 }
 
@@ -138,14 +143,17 @@ void FrameSource::MakeColors(const ColorKey& key)
 {
   std::vector<LayerColors> colors;
   std::vector<std::optional<Material>> materials;
+  std::vector<LayerContours> contours;
   for (const ColoredLayer& layer : key.layers)
   {
     colors.push_back({ layer.table != nullptr ? ToColorMap(layer.table) : SolidColor(layer.solid),
       key.unknown, layer.opacity, layer.table != nullptr });
     materials.push_back(layer.material);
+    contours.push_back(layer.contours);
   }
   const bool lit = std::ranges::any_of(
     materials, [](const std::optional<Material>& material) { return material.has_value(); });
+  Contours.Make(TheScene, contours, colors, key.contours);
   Colors.emplace(std::move(colors));
   Lights.reset();
   if (lit)
@@ -171,13 +179,16 @@ Pipeline FrameSource::ThePipeline()
   {
     pipeline.modules.push_back(&*Edges);
   }
+  Contours.AddTo(pipeline);
   return pipeline;
 }
 
 void FrameSource::BeginFrame(Buffer buffers)
 {
   TheBuffers = buffers;
-  Passes.emplace(TheScene, Traced->camera.Make(), ThePipeline(), buffers);
+  const Pipeline pipeline = ThePipeline();
+  // Corners are kept, so that other contours trace nothing.
+  Passes.emplace(TheScene, Traced->camera.Make(), pipeline, buffers, pipeline.Needs().corners);
   Complete = false;
 }
 
@@ -209,6 +220,7 @@ void FrameSource::TraceFrame(double seconds, const Progress& progress)
   {
     TheFrame = Passes->Take();
     Passes.reset();
+    Contours.Finish(*TheFrame, Traced->camera.Make());
   }
   else
   {
@@ -253,14 +265,15 @@ void FrameSource::Update(const FrameRequest& request, const Progress& progress)
   {
     MakeColors(colors);
   }
-  const Buffer wanted = kDrawn | request.buffers | ThePipeline().Needs().centres;
+  const Buffer wanted =
+    kDrawn | request.buffers | ThePipeline().Needs().centres | Contours.NeedsOfLabels();
   if (!sameScene || !Includes(TheBuffers, wanted))
   {
     BeginFrame(wanted);
   }
   else if (!Complete && !sameColors)
   {
-    Passes->Recolor(ThePipeline());
+    Passes->Recolor(ThePipeline(), ThePipeline().Needs().corners);
   }
   if (!Complete && (request.refine || !TheFrame))
   {
@@ -270,7 +283,11 @@ void FrameSource::Update(const FrameRequest& request, const Progress& progress)
   {
     if (Complete)
     {
-      Repaint(TheScene, Traced->camera.Make(), ThePipeline(), *TheFrame);
+      const Pipeline pipeline = ThePipeline();
+      const Camera camera = Traced->camera.Make();
+      (void)KeepCorners(TheScene, camera, pipeline.Needs().corners, *TheFrame);
+      Repaint(TheScene, camera, pipeline, *TheFrame);
+      Contours.Finish(*TheFrame, camera);
     }
     else
     {

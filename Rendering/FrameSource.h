@@ -2,6 +2,7 @@
 #pragma once
 
 #include "FieldChoice.h"
+#include "FrameContours.h"
 #include "PixelExactRenderingModule.h"
 #include "Trace/FrameCost.h"
 #include "Trace/Modules/ColorMapping.h"
@@ -40,6 +41,7 @@ struct LayerRequest
   double opacity = 1.0;
   std::optional<Material> material; ///< none: not lit
   bool litWhereFlat = false;        ///< also a plane
+  LayerContours contours;
 };
 
 /// The layer's field. Null where the model has none and none is asked for, by name or to be mapped
@@ -64,6 +66,7 @@ struct FrameRequest
   /// A table whose range is to be that of the values shown; null: none.
   vtkScalarsToColors* fitted = nullptr;
   std::optional<EdgeStyle> edges; ///< of elements, where they are drawn
+  ContourLook contours;           ///< where layers have some
   /// Beyond what drawing needs.
   Buffer buffers = Buffer::None;
   /// What tracing may take. Where the frame is expected to take longer it is made coarse, and finer
@@ -109,6 +112,13 @@ public:
   /// The last frame, null when there is none or it failed.
   [[nodiscard]] const Frame* LastFrame() const;
 
+  /// What is known of the last frame's pixels and its contours; null where there are none, or only
+  /// a coarse frame.
+  [[nodiscard]] const ContourCertifier* LastContours() const
+  {
+    return TheFrame && Complete ? Contours.Found() : nullptr;
+  }
+
   /// The model of the last frame; null when there is none.
   [[nodiscard]] const HighOrderModel* Model() const { return TheModel.get(); }
   /// Of the last frame.
@@ -151,6 +161,7 @@ private:
     Rgba solid{};
     double opacity = 1.0;
     std::optional<Material> material;
+    LayerContours contours;
 
     bool operator==(const ColoredLayer&) const = default;
   };
@@ -161,6 +172,7 @@ private:
     std::vector<Light> lights; ///< where a layer is lit
     LitView lit;
     std::optional<EdgeStyle> edges;
+    ContourLook contours;
 
     bool operator==(const ColorKey&) const = default;
   };
@@ -185,6 +197,7 @@ private:
   std::optional<ColorMapping> Colors;
   std::optional<Lighting> Lights;
   std::optional<ElementEdges> Edges;
+  FrameContours Contours;
   std::optional<ProgressiveFrame> Passes; ///< of a frame that is not complete
   std::optional<Frame> TheFrame;
   bool Complete = false;

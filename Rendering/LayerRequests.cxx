@@ -52,6 +52,18 @@ LayerRequest LayerOf(vtkHighOrderLayer* layer, LayerRequest ofAll)
     request.table = nullptr;
     request.solidColor = ToRgba(layer->GetColor());
   }
+  if (!layer->GetContourVisibility())
+  {
+    request.contours.values.clear();
+  }
+  else if (layer->GetNumberOfContours() > 0)
+  {
+    request.contours.values.clear();
+    for (int i = 0; i < layer->GetNumberOfContours(); ++i)
+    {
+      request.contours.values.push_back(layer->GetContourValue(i));
+    }
+  }
   request.opacity = layer->GetOpacity();
   request.precision = layer->GetSinglePrecision() ? Precision::Float : Precision::Double;
   request.litWhereFlat = layer->GetLightFlat();

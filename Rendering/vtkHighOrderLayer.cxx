@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHighOrderLayer.h"
 
+#include "ContourList.h"
 #include "vtkHighOrderSurface.h"
 
 #include "vtkImplicitFunction.h"
@@ -12,7 +13,10 @@
 vtkStandardNewMacro(vtkHighOrderLayer);
 
 //------------------------------------------------------------------------------
-vtkHighOrderLayer::vtkHighOrderLayer() = default;
+vtkHighOrderLayer::vtkHighOrderLayer()
+  : Contours(std::make_unique<pixelexact::ContourList>())
+{
+}
 
 //------------------------------------------------------------------------------
 vtkHighOrderLayer::~vtkHighOrderLayer() = default;
@@ -68,6 +72,43 @@ vtkScalarsToColors* vtkHighOrderLayer::GetLookupTable()
 }
 
 //------------------------------------------------------------------------------
+void vtkHighOrderLayer::SetContourValue(int i, double value)
+{
+  if (!this->Contours->Set(i, value))
+  {
+    vtkErrorMacro("SetContourValue: contours are counted from 0, and this is " << i);
+    return;
+  }
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+double vtkHighOrderLayer::GetContourValue(int i)
+{
+  return this->Contours->At(i);
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderLayer::SetNumberOfContours(int number)
+{
+  this->Contours->Resize(number);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+int vtkHighOrderLayer::GetNumberOfContours()
+{
+  return this->Contours->Size();
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderLayer::GenerateContourValues(int number, double lower, double upper)
+{
+  this->Contours->Generate(number, lower, upper);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
 vtkMTimeType vtkHighOrderLayer::GetMTime()
 {
   vtkMTimeType time = this->Superclass::GetMTime();
@@ -100,6 +141,8 @@ void vtkHighOrderLayer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ScalarVisibility: " << (this->ScalarVisibility ? "on" : "off") << "\n";
   os << indent << "Color: " << this->Color[0] << ", " << this->Color[1] << ", " << this->Color[2]
      << "\n";
+  os << indent << "ContourVisibility: " << (this->ContourVisibility ? "on" : "off") << "\n";
+  os << indent << "Contours: " << this->GetNumberOfContours() << "\n";
   os << indent << "Opacity: " << this->Opacity << "\n";
   os << indent << "SinglePrecision: " << (this->SinglePrecision ? "on" : "off") << "\n";
   os << indent << "Lighting: " << (this->Lighting ? "on" : "off") << "\n";

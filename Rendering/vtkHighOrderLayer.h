@@ -16,7 +16,13 @@
 
 #include "vtkSmartPointer.h" // for the surface and the table
 
+#include <memory> // for contours
 #include <string> // for the field's name
+
+namespace pixelexact
+{
+class ContourList;
+} // namespace pixelexact
 
 class vtkHighOrderSurface;
 class vtkImplicitFunction;
@@ -88,6 +94,21 @@ public:
 
   ///@{
   /**
+   * Whether it has contours (the default is on): those of the mapper, or, where there are any, of
+   * these values (see vtkHighOrderMapper::SetContourValue), in the mapper's ContourColor.
+   */
+  vtkSetMacro(ContourVisibility, bool);
+  vtkGetMacro(ContourVisibility, bool);
+  vtkBooleanMacro(ContourVisibility, bool);
+  void SetContourValue(int i, double value);
+  double GetContourValue(int i);
+  void SetNumberOfContours(int number);
+  int GetNumberOfContours();
+  void GenerateContourValues(int number, double lower, double upper);
+  ///@}
+
+  ///@{
+  /**
    * From 0 to 1 (the default), times the actor's.
    */
   vtkSetClampMacro(Opacity, double, 0.0, 1.0);
@@ -142,6 +163,7 @@ protected:
   vtkSmartPointer<vtkScalarsToColors> LookupTable;
   bool ScalarVisibility = true;
   double Color[3] = { 1.0, 1.0, 1.0 };
+  bool ContourVisibility = true;
   double Opacity = 1.0;
   bool SinglePrecision = false;
   bool Lighting = true;
@@ -151,6 +173,8 @@ protected:
 private:
   vtkHighOrderLayer(const vtkHighOrderLayer&) = delete;
   void operator=(const vtkHighOrderLayer&) = delete;
+
+  std::unique_ptr<pixelexact::ContourList> Contours;
 };
 
 #endif

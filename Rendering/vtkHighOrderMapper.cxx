@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHighOrderMapper.h"
 
+#include "ContourList.h"
 #include "FrameDrawer.h"
 #include "FrameImage.h"
 #include "FramePick.h"
@@ -8,15 +9,18 @@
 #include "LayerRequests.h"
 #include "MapperExecutive.h"
 #include "StockSettings.h"
+#include "VtkLook.h"
 #include "vtkHighOrderLayer.h"
 #include "vtkHighOrderSurface.h"
 
 #include "Core/Base/Error.h"
 #include "Core/Location/Locator.h"
+#include "Trace/FrameTiles.h"
 #include "Trace/Sheets.h"
 
 #include "vtkCommand.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
 #include "vtkExecutive.h"
 #include "vtkImageData.h"
 #include "vtkImplicitFunction.h"
@@ -32,6 +36,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <map>
 #include <vector>
 
 vtkStandardNewMacro(vtkHighOrderMapper);
@@ -41,6 +46,8 @@ struct vtkHighOrderMapper::Internals
   std::vector<vtkSmartPointer<vtkImplicitFunction>> Cuts;
   vtkSmartPointer<vtkHighOrderSurface> Surface;
   std::vector<vtkSmartPointer<vtkHighOrderLayer>> Layers;
+  pixelexact::ContourList Contours;
+  std::map<int, std::array<double, 3>> ContourColors; ///< of single ones
   pixelexact::FrameDrawer Drawer;
   pixelexact::FrameSourceCounters PickCounters;
   pixelexact::FrameSource Picks{ PickCounters }; ///< of pixels apart from frames
@@ -54,6 +61,8 @@ struct vtkHighOrderMapper::Internals
   std::vector<pixelexact::CutSource> Plain() const;
   void Add(vtkHighOrderMapper* self, const pixelexact::CutSource& cut,
     pixelexact::LayerRequest layer, pixelexact::FrameRequest& request);
+  void AddContours(vtkHighOrderMapper* self, pixelexact::LayerRequest& layer) const;
+  pixelexact::ContourCounters CountContours();
   bool Has(vtkHighOrderMapper* self, bool opaque) const;
   bool IsEmpty() const { return Cuts.empty() && Surface == nullptr && Layers.empty(); }
 };
@@ -113,7 +122,15 @@ pixelexact::FrameRequest vtkHighOrderMapper::Internals::Request(
   pixelexact::RequireFieldColors(self);
   request.model = Drawer.ModelOf(pixelexact::MapperExecutive::InputOf(self));
   std::copy_n(self->UnknownColor, 4, request.unknownColor.begin());
-  const pixelexact::LayerRequest ofAll = pixelexact::LayerOf(self, actor->GetProperty());
+  pixelexact::LayerRequest ofAll = pixelexact::LayerOf(self, actor->GetProperty());
+  this->AddContours(self, ofAll);
+  if (self->ContourLabels)
+  {
+    request.contours.labels = self->ContourLabelSize;
+  }
+  request.contours.style.width = self->ContourWidth;
+  request.contours.style.showUndecided = self->ShowUndecidedContours;
+  request.contours.style.undecided = pixelexact::ToRgba(self->UndecidedContourColor);
   std::vector<pixelexact::CutSource> sources = this->Plain();
   for (const pixelexact::CutSource& cut : sources)
   {
@@ -124,7 +141,13 @@ pixelexact::FrameRequest vtkHighOrderMapper::Internals::Request(
     sources.push_back(SourceOf(layer));
     if (layer->GetVisibility())
     {
-      this->Add(self, sources.back(), pixelexact::LayerOf(layer, ofAll), request);
+      pixelexact::LayerRequest own = pixelexact::LayerOf(layer, ofAll);
+      if (layer->GetNumberOfContours() > 0 && !own.contours.colors.empty())
+      {
+        // Colours of single contours are of the mapper's.
+        own.contours.colors = { pixelexact::ToRgba(self->ContourColor) };
+      }
+      this->Add(self, sources.back(), std::move(own), request);
     }
   }
   Drawer.Surfaces().KeepOnly(sources);
@@ -133,6 +156,35 @@ pixelexact::FrameRequest vtkHighOrderMapper::Internals::Request(
     this->ChooseRange(self, request, ofAll.table);
   }
   return request;
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderMapper::Internals::AddContours(
+  vtkHighOrderMapper* self, pixelexact::LayerRequest& layer) const
+{
+  layer.contours.values = Contours.All();
+  if (self->ContourScalarVisibility)
+  {
+    return;
+  }
+  layer.contours.colors.assign(ContourColors.empty() ? 1 : layer.contours.values.size(),
+    pixelexact::ToRgba(self->ContourColor));
+  for (const auto& [i, color] : ContourColors)
+  {
+    if (i < Contours.Size())
+    {
+      layer.contours.colors[static_cast<std::size_t>(i)] = pixelexact::ToRgba(color.data());
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+pixelexact::ContourCounters vtkHighOrderMapper::Internals::CountContours()
+{
+  pixelexact::FrameSource* source = Drawer.LastSource();
+  const pixelexact::ContourCertifier* contours =
+    source != nullptr ? source->LastContours() : nullptr;
+  return contours != nullptr ? contours->Counters() : pixelexact::ContourCounters{};
 }
 
 //------------------------------------------------------------------------------
@@ -329,6 +381,103 @@ vtkHighOrderLayer* vtkHighOrderMapper::GetLayer(int index)
 }
 
 //------------------------------------------------------------------------------
+void vtkHighOrderMapper::SetContourValue(int i, double value)
+{
+  if (!this->Data->Contours.Set(i, value))
+  {
+    vtkErrorMacro("SetContourValue: contours are counted from 0, and this is " << i);
+    return;
+  }
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+double vtkHighOrderMapper::GetContourValue(int i)
+{
+  return this->Data->Contours.At(i);
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderMapper::SetNumberOfContours(int number)
+{
+  this->Data->Contours.Resize(number);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+int vtkHighOrderMapper::GetNumberOfContours()
+{
+  return this->Data->Contours.Size();
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderMapper::GenerateContourValues(int number, double lower, double upper)
+{
+  this->Data->Contours.Generate(number, lower, upper);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderMapper::SetContourValues(vtkDataArray* values)
+{
+  const vtkIdType number = values != nullptr ? values->GetNumberOfTuples() : 0;
+  this->SetNumberOfContours(static_cast<int>(number));
+  for (vtkIdType i = 0; i < number; ++i)
+  {
+    this->SetContourValue(static_cast<int>(i), values->GetComponent(i, 0));
+  }
+}
+
+//------------------------------------------------------------------------------
+double* vtkHighOrderMapper::GetContourValues()
+{
+  return this->Data->Contours.Data();
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderMapper::GenerateContourValues(int number, const double range[2])
+{
+  this->GenerateContourValues(number, range[0], range[1]);
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderMapper::SetColorOfContour(int i, double red, double green, double blue)
+{
+  if (i < 0)
+  {
+    vtkErrorMacro("SetColorOfContour: contours are counted from 0, and this is " << i);
+    return;
+  }
+  this->Data->ContourColors[i] = { red, green, blue };
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderMapper::RemoveColorsOfContours()
+{
+  this->Data->ContourColors.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkHighOrderMapper::GetNumberOfContourPixels()
+{
+  return this->Data->CountContours().in;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkHighOrderMapper::GetNumberOfContourJumpPixels()
+{
+  return this->Data->CountContours().jumps;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkHighOrderMapper::GetNumberOfUndecidedContourPixels()
+{
+  return this->Data->CountContours().undecided;
+}
+
+//------------------------------------------------------------------------------
 void vtkHighOrderMapper::SetRangeMode(int mode)
 {
   mode = std::clamp<int>(mode, RANGE_AS_SET, RANGE_OF_CUT);
@@ -437,6 +586,10 @@ vtkImageData* vtkHighOrderMapper::GetBuffers()
   {
     data.Buffers =
       pixelexact::ToImageData(*frame, source->Model()->SourceCells(), source->Model()->Blocks());
+    if (const pixelexact::ContourCertifier* contours = source->LastContours())
+    {
+      pixelexact::AddContours(*data.Buffers, contours->Verdicts());
+    }
     data.BuffersVersion = source->Version();
   }
   return data.Buffers;
@@ -563,6 +716,12 @@ void vtkHighOrderMapper::Warn(vtkRenderer* renderer, vtkActor* actor)
   const bool translucent =
     actor->GetProperty()->GetOpacity() < 1.0 || this->HasTranslucentPolygonalGeometry();
   std::vector<std::string> texts = pixelexact::SettingsWithoutEffect(this, actor, translucent);
+  // One plane that is not opaque has nothing behind it.
+  if (this->ContourLabels &&
+    pixelexact::HasTranslucent(this->Data->Drawer.LastSource()->LastScene()))
+  {
+    texts.emplace_back("ContourLabels: they are not written where a layer is seen through");
+  }
   if (this->Data->Drawer.LastSource()->LastFrame()->counters.cutOff > 0)
   {
     texts.push_back("at some pixels more than " + std::to_string(pixelexact::Sheets::kMost) +
@@ -619,6 +778,15 @@ void vtkHighOrderMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetLightFlat(other->LightFlat);
     this->SetSearchSamples(other->SearchSamples);
     this->SetRangeMode(other->RangeMode);
+    this->Data->Contours = other->Data->Contours;
+    this->Data->ContourColors = other->Data->ContourColors;
+    this->SetContourWidth(other->ContourWidth);
+    this->SetContourColor(other->ContourColor);
+    this->SetContourScalarVisibility(other->ContourScalarVisibility);
+    this->SetShowUndecidedContours(other->ShowUndecidedContours);
+    this->SetUndecidedContourColor(other->UndecidedContourColor);
+    this->SetContourLabels(other->ContourLabels);
+    this->SetContourLabelSize(other->ContourLabelSize);
     this->Data->Cuts = other->Data->Cuts;
     this->Data->Surface = other->Data->Surface;
     this->Data->Layers = other->Data->Layers;
@@ -650,6 +818,17 @@ void vtkHighOrderMapper::PrintSelf(ostream& os, vtkIndent indent)
             : this->RangeMode == RANGE_OF_FIELD ? "of the field"
                                                 : "of the cut")
      << "\n";
+  os << indent << "Contours: " << this->GetNumberOfContours() << "\n";
+  os << indent << "ContourWidth: " << this->ContourWidth << "\n";
+  os << indent << "ContourColor: " << this->ContourColor[0] << ", " << this->ContourColor[1] << ", "
+     << this->ContourColor[2] << "\n";
+  os << indent << "ContourScalarVisibility: " << (this->ContourScalarVisibility ? "on" : "off")
+     << "\n";
+  os << indent << "ShowUndecidedContours: " << (this->ShowUndecidedContours ? "on" : "off") << "\n";
+  os << indent << "UndecidedContourColor: " << this->UndecidedContourColor[0] << ", "
+     << this->UndecidedContourColor[1] << ", " << this->UndecidedContourColor[2] << "\n";
+  os << indent << "ContourLabels: " << (this->ContourLabels ? "on" : "off") << "\n";
+  os << indent << "ContourLabelSize: " << this->ContourLabelSize << "\n";
   os << indent << "UnknownColor: " << int{ this->UnknownColor[0] } << ", "
      << int{ this->UnknownColor[1] } << ", " << int{ this->UnknownColor[2] } << ", "
      << int{ this->UnknownColor[3] } << "\n";

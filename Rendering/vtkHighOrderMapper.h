@@ -19,6 +19,7 @@
  *   (see SetRangeMode), or, with UseLookupTableScalarRange, over the table's own range. With
  *   ScalarVisibility off, the actor's colour. A pixel whose element could not be decided gets the
  *   UnknownColor. EdgeVisibility draws lines between elements, LineWidth wide.
+ * - Contours of any number of values: SetContourValue, GenerateContourValues.
  * - Several surfaces with looks of their own: AddLayer.
  * - Light: the renderer's, by the surface's exact normals and the actor's property; planes show
  *   their colours as they are unless LightFlat is on.
@@ -65,6 +66,7 @@ struct PickedSample;
 } // namespace pixelexact
 
 class vtkCompositeDataSet;
+class vtkDataArray;
 class vtkDataObject;
 class vtkHighOrderLayer;
 class vtkHighOrderSurface;
@@ -169,6 +171,85 @@ public:
   vtkBooleanMacro(LightFlat, bool);
   ///@}
 
+  ///@{
+  /**
+   * Contours: the lines on which the field has these values, drawn over the surfaces' colours. The
+   * functions are those of vtkContourFilter; there are none by default. GenerateContourValues makes
+   * evenly spaced values, both ends among them. Layers have the same values, or their own
+   * (vtkHighOrderLayer). Other values, colours and widths trace nothing. Coarse frames (see
+   * SetProgressive) have no contours. A value that is not finite is an error when it is drawn; one
+   * that the field does not have draws nothing.
+   */
+  void SetContourValue(int i, double value);
+  double GetContourValue(int i);
+  void SetContourValues(vtkDataArray* values);
+  double* GetContourValues() VTK_SIZEHINT(GetNumberOfContours());
+  void SetNumberOfContours(int number);
+  int GetNumberOfContours();
+  void GenerateContourValues(int number, double lower, double upper);
+  void GenerateContourValues(int number, const double range[2]);
+  ///@}
+
+  ///@{
+  /**
+   * The contours' width in pixels, 0.1 to 32; another one is an error when it is drawn. The default
+   * is 1.5.
+   */
+  vtkSetMacro(ContourWidth, double);
+  vtkGetMacro(ContourWidth, double);
+  ///@}
+
+  ///@{
+  /**
+   * The contours' colour; the default is black. That of a single one goes before it, until
+   * RemoveColorsOfContours; and with ContourScalarVisibility on (the default is off) each has the
+   * colour that its value has in the lookup table.
+   */
+  vtkSetVector3Macro(ContourColor, double);
+  vtkGetVector3Macro(ContourColor, double);
+  void SetColorOfContour(int i, double red, double green, double blue);
+  void RemoveColorsOfContours();
+  vtkSetMacro(ContourScalarVisibility, bool);
+  vtkGetMacro(ContourScalarVisibility, bool);
+  vtkBooleanMacro(ContourScalarVisibility, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether pixels of which it could not be decided whether a contour goes through them have a
+   * colour of their own (the default is teal), or are drawn as if one did. The default is off.
+   */
+  vtkSetMacro(ShowUndecidedContours, bool);
+  vtkGetMacro(ShowUndecidedContours, bool);
+  vtkBooleanMacro(ShowUndecidedContours, bool);
+  vtkSetVector3Macro(UndecidedContourColor, double);
+  vtkGetVector3Macro(UndecidedContourColor, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether values are written along the contours, where these are straight and apart, in letters
+   * ContourLabelSize pixels high, 6 to 72; the defaults are off, and 12. Not where a layer is seen
+   * through: a warning says so.
+   */
+  vtkSetMacro(ContourLabels, bool);
+  vtkGetMacro(ContourLabels, bool);
+  vtkBooleanMacro(ContourLabels, bool);
+  vtkSetMacro(ContourLabelSize, int);
+  vtkGetMacro(ContourLabelSize, int);
+  ///@}
+
+  ///@{
+  /**
+   * Of the last frame's pixels: through how many a contour goes, for sure; because the field jumps
+   * across a value there; and of how many that could not be decided. 0 where there are no contours,
+   * and of coarse frames.
+   */
+  vtkIdType GetNumberOfContourPixels();
+  vtkIdType GetNumberOfContourJumpPixels();
+  vtkIdType GetNumberOfUndecidedContourPixels();
+  ///@}
+
   /**
    * Which range the lookup table gets.
    */
@@ -215,7 +296,8 @@ public:
 
   /**
    * The last frame as an image of the viewport's size, lower left pixel first, with the point
-   * arrays Value, Position, Normal, Xi, Element, Depth, Verdict, Layer and Color; null before the
+   * arrays Value, Position, Normal, Xi, Element, Depth, Verdict, Layer, Color and, with contours,
+   * Contour (0 no contour goes through the pixel, 1 one does, 2 undecided); null before the
    * first frame and after one that failed. Positions and depths (along the unit ray) are in the
    * data's coordinates, elements are the cells of the source; of composite data, of the block that
    * a further array, Block, names by its flat index.
@@ -276,6 +358,13 @@ protected:
   bool LightFlat = false;
   int SearchSamples = 128;
   int RangeMode = RANGE_OF_FIELD;
+  double ContourWidth = 1.5;
+  double ContourColor[3] = { 0.0, 0.0, 0.0 };
+  bool ContourScalarVisibility = false;
+  bool ShowUndecidedContours = false;
+  double UndecidedContourColor[3] = { 0.0, 0.5, 0.5 };
+  bool ContourLabels = false;
+  int ContourLabelSize = 12;
 
 private:
   friend class vtkHighOrderPicker;

@@ -43,10 +43,12 @@ set(PIXELEXACT_VTK_COMPONENTS
   CommonDataModel
   CommonExecutionModel
   CommonMath
+  CommonMisc
   CommonTransforms
   FiltersCore
   IOXML
   RenderingCore
+  RenderingFreeType
   RenderingOpenGL2)
 set(vtk_build_components IOGeometry IOImage IOLegacy)
 if(PIXELEXACT_BUILD_PYTHON)
@@ -59,7 +61,6 @@ if(PIXELEXACT_BUILD_TESTING OR PIXELEXACT_BUILD_BENCHMARKS)
     FiltersSources
     InteractionStyle
     RenderingAnnotation
-    RenderingFreeType
     TestingRendering)
 endif()
 find_package(VTK 9.1 REQUIRED COMPONENTS ${PIXELEXACT_VTK_COMPONENTS} ${vtk_build_components})

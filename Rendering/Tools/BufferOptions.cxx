@@ -15,16 +15,18 @@ namespace pixelexact
 namespace
 {
 constexpr const char* kColor = "Color";
+constexpr const char* kContour = "Contour";
 
 std::vector<std::string> ArrayNames()
 {
   std::vector<std::string> names;
   ForEachBuffer([&names](const auto& row) { names.emplace_back(row.name); });
+  names.emplace_back(kContour);
   names.emplace_back(kColor);
   return names;
 }
 
-/// None for the picture itself, which is always there.
+/// None for what no ray brings: the picture itself, which is always there, and contours.
 Buffer BufferNamed(const std::string& name)
 {
   Buffer found = Buffer::None;
@@ -38,11 +40,13 @@ void BufferOptions::AddTo(CLI::App& added)
   Command = &added;
   const AddedOption file = AddText(added, "--buffers", TheFile, "OUT.vti",
     "Also write what was found at each pixel, compressed: value, position, normal, xi, element, "
-    "depth, verdict, layer, colour; - for standard output");
+    "depth, verdict, layer, colour, and with --contours Contour: 0 no contour goes through the "
+    "pixel, 1 one does, 2 undecided; - for standard output");
   AddRead(
     added, "--arrays", [this](const std::string& text) { Names = SplitAt(text, ','); }, "NAME,...",
     "Of these only: " + Listed(ArrayNames()) +
-      " (Owners and Coverage with --owners, the bounds with --enclosures; default: all there are)")
+      " (Owners and Coverage with --owners, the bounds with --enclosures, Contour with --contours; "
+      "default: all there are)")
     .Needs(file);
 }
 
@@ -54,6 +58,10 @@ void BufferOptions::Check() const
     if (std::ranges::find(known, name) == known.end())
     {
       throw UsageError("--arrays: there is no '" + name + "'; there are " + Listed(known));
+    }
+    if (name == kContour && !IsGiven(*Command, "--contours"))
+    {
+      throw UsageError("--arrays: 'Contour' needs --contours");
     }
     const Buffer buffer = BufferNamed(name);
     const bool bounded = IsGiven(*Command, "--enclosures") || IsGiven(*Command, "--show-undecided");

@@ -7,6 +7,7 @@
 
 #include "Core/Base/Error.h"
 #include "VtkColorMap.h"
+#include "VtkLook.h"
 
 #include <vtkLookupTable.h>
 
@@ -129,6 +130,11 @@ ColorMap ColorOptions::MapOver(
   }
   const ColorMap colors = ToColorMap(table);
   return Log ? ByLogarithm(colors) : colors;
+}
+
+Rgba ColorOptions::BackgroundColor() const
+{
+  return ToRgba(Background.data());
 }
 
 std::vector<std::uint8_t> ColorOptions::Flatten(const Frame& frame) const

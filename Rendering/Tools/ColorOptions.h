@@ -31,6 +31,8 @@ public:
   [[nodiscard]] ColorMap MapOver(
     const std::array<double, 2>& range, const std::optional<std::string>& map = {}) const;
 
+  /// Opaque.
+  [[nodiscard]] Rgba BackgroundColor() const;
   /// The frame's colours in front of the background, RGB.
   [[nodiscard]] std::vector<std::uint8_t> Flatten(const Frame& frame) const;
 

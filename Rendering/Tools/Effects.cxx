@@ -61,6 +61,12 @@ void CheckEffects(const CLI::App& command, const Layers& layers)
   {
     check(option, "a colour", [](const LayerSettings& layer) { return layer.color.has_value(); });
   }
+  const auto hasContours = [](const LayerSettings& layer) { return layer.contours.has_value(); };
+  check("--contours", "contours", hasContours);
+  if (!IsGiven(command, "--contours") && std::ranges::any_of(layers, hasContours))
+  {
+    throw UsageError("--layer: contours need --contours, those of all other surfaces; give them");
+  }
   const bool solid = IsGiven(command, "--color");
   check("--show-undecided", "a colour",
     [solid](const LayerSettings& layer) { return layer.color || (solid && !HasMap(layer)); });
@@ -69,7 +75,8 @@ void CheckEffects(const CLI::App& command, const Layers& layers)
 void CheckEffectsBeside(const std::string& option, const CLI::App& command, const Layers& layers)
 {
   std::string idle = FirstGiven(command, kOfMaps);
-  idle = idle.empty() ? FirstGiven(command, std::array{ "--color", "--lights" }) : idle;
+  idle =
+    idle.empty() ? FirstGiven(command, std::array{ "--color", "--lights", "--contours" }) : idle;
   const bool layered = std::ranges::any_of(layers,
     [](const LayerSettings& layer)
     { return HasMap(layer) || layer.color || layer.lights || layer.opacity < 1.0; });
@@ -84,13 +91,35 @@ void CheckEffectsBeside(const std::string& option, const CLI::App& command, cons
   }
 }
 
+void CheckEffectsWithoutColors(bool maps, const CLI::App& command, const Layers& layers)
+{
+  std::string idle =
+    FirstGiven(command, std::array{ "--color", "--lights", "--nan-color", "--show-undecided" });
+  if (idle.empty() && !maps)
+  {
+    idle = FirstGiven(command, std::array{ "--colormap" });
+  }
+  const bool layered = std::ranges::any_of(layers,
+    [maps](const LayerSettings& layer)
+    { return layer.color || layer.lights || layer.opacity < 1.0 || (layer.colormap && !maps); });
+  if (idle.empty() && layered)
+  {
+    idle = "--layer with colours, lights or an opacity";
+  }
+  if (!idle.empty())
+  {
+    throw UsageError(
+      idle + " has no effect: --contours-only shows no colours of surfaces; leave one of them out");
+  }
+}
+
 void CheckEffectsWithoutField(const CLI::App& command, const Layers& layers)
 {
   std::string idle = FirstGiven(command, kOfMaps);
-  idle = idle.empty()
-    ? FirstGiven(command,
-        std::array{ "--field", "--component", "--precision", "--enclosures", "--show-undecided" })
-    : idle;
+  idle = idle.empty() ? FirstGiven(command,
+                          std::array{ "--field", "--component", "--precision", "--enclosures",
+                            "--show-undecided", "--contours" })
+                      : idle;
   const bool layered = std::ranges::any_of(layers,
     [](const LayerSettings& layer)
     { return HasMap(layer) || layer.field || layer.component || layer.precision; });

@@ -22,6 +22,11 @@ void CheckEffects(const CLI::App& command, const std::vector<LayerSettings>& lay
 void CheckEffectsBeside(
   const std::string& option, const CLI::App& command, const std::vector<LayerSettings>& layers);
 
+/// The same for what colours surfaces, where none of their colours are shown; `maps`: but those of
+/// lines, by the colour map.
+void CheckEffectsWithoutColors(
+  bool maps, const CLI::App& command, const std::vector<LayerSettings>& layers);
+
 /// Throws Error for an option that needs a field: the input has none.
 void CheckEffectsWithoutField(const CLI::App& command, const std::vector<LayerSettings>& layers);
 } // namespace pixelexact

@@ -99,6 +99,12 @@ const std::map<std::string, Setter>& Setters()
       [](LayerSettings& layer, const std::string& value)
       { layer.range = ReadRange("--layer: range", value, ':'); } },
     { "color", [](LayerSettings& layer, const std::string& value) { layer.color = Color(value); } },
+    { "contours",
+      [](LayerSettings& layer, const std::string& value)
+      {
+        layer.contours =
+          value == "off" ? ContourChoice{} : ReadContours("--layer: contours", value, ':');
+      } },
     { "lights",
       [](LayerSettings& layer, const std::string& value)
       { layer.lights = IsFirst(value, "on", "off"); } },
@@ -164,7 +170,7 @@ void LayerOptions::AddTo(CLI::App& command)
     "Show surface N, counted from 1 in the order of their kinds here, in its own way: field=NAME, "
     "component=i|magnitude, precision=double|float, opacity=0..1, colormap=NAME, "
     "range=cut|field|a:b, "
-    "color=r:g:b, lights=on|off")
+    "color=r:g:b, lights=on|off, contours=N|v1:v2:...|off")
     .Group("Surfaces (any number of each)");
 }
 

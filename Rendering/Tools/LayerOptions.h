@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "ContourOptions.h"
 #include "LayerRanges.h"
 #include "Options.h"
 
@@ -24,6 +25,7 @@ struct LayerSettings
   std::optional<RangeChoice> range;
   std::optional<std::array<double, 3>> color; ///< in the place of a colour map
   std::optional<bool> lights;
+  std::optional<ContourChoice> contours;
 };
 
 /// Surfaces that are shown in a way of their own: --layer, any number of times.

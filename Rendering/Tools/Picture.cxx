@@ -73,7 +73,8 @@ void WritePng(const std::string& file, int width, int height, const std::vector<
 }
 
 void WriteBuffers(const std::string& file, const std::vector<std::string>& arrays,
-  const Frame& frame, std::span<const std::int64_t> sourceCells)
+  const Frame& frame, std::span<const std::int64_t> sourceCells,
+  std::span<const std::uint8_t> contours)
 {
   vtkNew<vtkXMLImageDataWriter> writer;
   // Inline and not appended: ParaView 5.11 of Debian 12 cannot read the latter with the newest
@@ -84,6 +85,7 @@ void WriteBuffers(const std::string& file, const std::vector<std::string>& array
   writer->SetHeaderTypeToUInt64();
   writer->WriteToOutputStringOn();
   const vtkSmartPointer<vtkImageData> image = ToImageData(frame, sourceCells);
+  AddContours(*image, contours);
   Keep(arrays, *image->GetPointData());
   Encode(*writer, file, image);
   const std::string text = writer->GetOutputString();

@@ -14,8 +14,10 @@ namespace pixelexact
 /// written.
 void WritePng(const std::string& file, int width, int height, const std::vector<std::uint8_t>& rgb);
 
-/// Writes the buffers that the frame holds, of these names; none: all. Throws Error when the file
+/// Writes the buffers that the frame holds, and Contour, where `contours` has verdicts, of these
+/// names; none: all. Throws Error when the file
 /// cannot be written.
 void WriteBuffers(const std::string& file, const std::vector<std::string>& arrays,
-  const Frame& frame, std::span<const std::int64_t> sourceCells);
+  const Frame& frame, std::span<const std::int64_t> sourceCells,
+  std::span<const std::uint8_t> contours);
 } // namespace pixelexact

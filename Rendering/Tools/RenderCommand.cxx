@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BufferOptions.h"
 #include "Command.h"
+#include "ContourDrawing.h"
+#include "ContourOptions.h"
 #include "DebugOptions.h"
 #include "Looks.h"
 #include "Output.h"
@@ -27,7 +29,7 @@ struct RenderOptions
   DebugOptions debug;
   BufferOptions buffers;
   std::string output;
-  std::string contours;
+  ContourOptions contours;
 };
 
 /// A file of another kind than its name says would mislead whoever opens it.
@@ -42,10 +44,6 @@ void CheckSuffix(const char* option, const std::string& file, const char* suffix
 
 void Render(const RenderOptions& options, const CommonOptions& common)
 {
-  if (!options.contours.empty())
-  {
-    throw Unsupported("--contours is not available yet; leave it out");
-  }
   CheckSuffix("--output", options.output, ".png");
   CheckSuffix("--buffers", options.buffers.File(), ".vti");
   const std::vector<std::string> outputs{ options.output, options.buffers.File() };
@@ -54,12 +52,15 @@ void Render(const RenderOptions& options, const CommonOptions& common)
   CheckOutput("--buffers", options.buffers.File(), options.shot.input.files);
   options.buffers.Check();
   DebugOptions debug = options.debug;
-  debug.Check(options.shot.samples, options.shot.MakeLayers());
+  const std::vector<LayerSettings> layers = options.shot.MakeLayers();
+  debug.Check(options.shot.samples, layers);
+  options.contours.Check(layers);
   Stopwatch stopwatch;
   const Shot shot = Prepare(options.shot, stopwatch);
 
   const bool hasField = shot.scene.layers.front().field != nullptr;
-  const Buffer wanted = NeedsOfLooks(shot) | debug.Needs() | options.buffers.Needs(hasField);
+  const Buffer wanted =
+    NeedsOfLooks(shot) | debug.Needs() | options.contours.Needs() | options.buffers.Needs(hasField);
   Frame frame = [&]
   {
     ProgressLine line("tracing");
@@ -69,11 +70,22 @@ void Render(const RenderOptions& options, const CommonOptions& common)
   Looks looks(options.shot.colors, shot, frame);
   Pipeline pipeline = looks.MakePipeline();
   debug.AddTo(pipeline, shot, looks, frame);
+  std::optional<ContourDrawing> contours;
+  if (options.contours.AreGiven())
+  {
+    contours.emplace(options.contours, options.shot.colors, shot, looks, frame);
+    contours->AddTo(pipeline);
+  }
   Repaint(shot.scene, shot.MakeCamera(), pipeline, frame);
   debug.Count(frame);
   Found found;
+  if (contours)
+  {
+    contours->DrawLabels(shot, frame);
+    found.contours = contours->Found(frame);
+  }
   found.values = ValueRange(frame, -std::numeric_limits<double>::infinity());
-  if (!debug.IsInPlace())
+  if (!debug.IsInPlace() && !options.contours.Only())
   {
     found.beyond = CountBeyond(frame, looks.Ranges(), options.shot.colors.Logarithm());
   }
@@ -82,12 +94,13 @@ void Render(const RenderOptions& options, const CommonOptions& common)
   WritePng(options.output, frame.width, frame.height, options.shot.colors.Flatten(frame));
   if (!options.buffers.File().empty())
   {
-    WriteBuffers(
-      options.buffers.File(), options.buffers.Arrays(), frame, shot.input.model->SourceCells());
+    WriteBuffers(options.buffers.File(), options.buffers.Arrays(), frame,
+      shot.input.model->SourceCells(),
+      contours ? std::span(contours->Verdicts()) : std::span<const std::uint8_t>());
   }
   stopwatch.Stage("write");
 
-  WarnOf(frame, found.beyond);
+  WarnOf(frame, found);
   if (common.json)
   {
     PrintJson(shot, frame, found, looks, debug, stopwatch);
@@ -107,12 +120,11 @@ void AddRenderCommand(CLI::App& program, const CommonOptions& common, Action& ac
     AddCommand(program, "render", "Cut a field by surfaces and colour every pixel exactly",
       [options, &common, &action] { action = [options, &common] { Render(*options, common); }; });
   options->shot.AddTo(command);
+  options->contours.AddTo(command);
   options->debug.AddTo(command);
   AddText(command, "-o,--output", options->output, "IMAGE.png",
     "PNG image to write; - for standard output")
     .Required();
   options->buffers.AddTo(command);
-  AddText(
-    command, "--contours", options->contours, "N|v1,v2,...", "Contour lines (not available yet)");
 }
 } // namespace pixelexact

@@ -75,6 +75,50 @@ std::string Described(const Layer& layer)
     (layer.field->values.components > 1 ? ", " + ComponentName(layer) : std::string());
 }
 
+/// Values, of all layers.
+std::size_t CountOf(const FoundContours& contours)
+{
+  std::size_t count = 0;
+  for (const std::vector<double>& values : contours.values)
+  {
+    count += values.size();
+  }
+  return count;
+}
+
+nlohmann::ordered_json ToJson(const FoundContours& contours)
+{
+  // As there are layers, where there are several.
+  const nlohmann::ordered_json values = contours.values.size() > 1
+    ? nlohmann::ordered_json(contours.values)
+    : nlohmann::ordered_json(contours.values.front());
+  const ContourCounters& pixels = contours.pixels;
+  nlohmann::ordered_json summary{ { "values", values }, { "outside", contours.outside },
+    { "pixels",
+      { { "in", pixels.in }, { "out", pixels.out }, { "undecided", pixels.undecided },
+        { "jumps", pixels.jumps } } } };
+  if (contours.labels)
+  {
+    summary["labels"] = *contours.labels;
+  }
+  return summary;
+}
+
+void AddContours(Table& table, const FoundContours& contours)
+{
+  const std::string outside = contours.outside > 0
+    ? fmt::format(", {} of them not among those that are seen", contours.outside)
+    : std::string();
+  table.Row("contours", Counted(CountOf(contours), "value") + outside);
+  const ContourCounters& pixels = contours.pixels;
+  table.Row("", "{} in, {} out, {} undecided, {} at jumps", Counted(pixels.in, "pixel"), pixels.out,
+    pixels.undecided, pixels.jumps);
+  if (contours.labels)
+  {
+    table.Row("", Counted(*contours.labels, "label"));
+  }
+}
+
 void AddRanges(Table& table, const Looks& looks, const Found& found)
 {
   std::string name = "range";
@@ -126,6 +170,10 @@ void PrintJson(const Shot& shot, const Frame& frame, const Found& found, const L
     summary["hits"] = { { "numeric", pixels.numericHits }, { "undecided", pixels.undecidedHits },
       { "cut_off", pixels.cutOff } };
   }
+  if (found.contours)
+  {
+    summary["contours"] = ToJson(*found.contours);
+  }
   if (shot.samples > 1)
   {
     summary["refined_pixels"] = looks.Refined();
@@ -175,6 +223,10 @@ void PrintTable(const Shot& shot, const Frame& frame, const Found& found, const 
     table.Row("hits", "{} numeric, {} undecided, {} cut off", pixels.numericHits,
       pixels.undecidedHits, Counted(pixels.cutOff, "ray"));
   }
+  if (found.contours)
+  {
+    AddContours(table, *found.contours);
+  }
   if (shot.samples > 1)
   {
     table.Row("smoothed", Counted(looks.Refined(), "pixel"));
@@ -189,8 +241,9 @@ void PrintTable(const Shot& shot, const Frame& frame, const Found& found, const 
   table.Print(onStderr);
 }
 
-void WarnOf(const Frame& frame, const PixelsBeyond& beyond)
+void WarnOf(const Frame& frame, const Found& found)
 {
+  const PixelsBeyond& beyond = found.beyond;
   if (frame.counters.exact == 0 && frame.counters.unknown == 0)
   {
     Warn("no pixel meets the mesh on a surface; the picture shows none of it");
@@ -210,6 +263,14 @@ void WarnOf(const Frame& frame, const PixelsBeyond& beyond)
     Warn("--log: no logarithm at " + Counted(beyond.noLogarithm, "pixel") + ", of values from " +
       Short(lowest) + " to " + Short(highest) +
       "; shown in the colour of NaN; leave out --log, or choose the colour with --nan-color");
+  }
+  if (found.contours && CountOf(*found.contours) > 0 &&
+    found.contours->outside == CountOf(*found.contours))
+  {
+    Warn("--contours: all of the values lie outside of those that the picture shows" +
+      (found.values ? ", " + Short((*found.values)[0]) + " to " + Short((*found.values)[1])
+                    : std::string()) +
+      "; there are no lines");
   }
   if (frame.counters.cutOff > 0)
   {

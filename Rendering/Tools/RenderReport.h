@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "ContourDrawing.h"
 #include "LayerRanges.h"
 
 #include <array>
@@ -19,6 +20,7 @@ struct Found
 {
   std::optional<std::array<double, 2>> values; ///< of exact pixels
   PixelsBeyond beyond;                         ///< ranges of colour maps
+  std::optional<FoundContours> contours;       ///< where they were asked for
 };
 
 /// On stdout.
@@ -29,5 +31,5 @@ void PrintTable(const Shot& shot, const Frame& frame, const Found& found, const 
   const DebugOptions& debug, const Stopwatch& stopwatch, bool onStderr);
 
 /// Says on stderr what the picture does not show as it is.
-void WarnOf(const Frame& frame, const PixelsBeyond& beyond);
+void WarnOf(const Frame& frame, const Found& found);
 } // namespace pixelexact

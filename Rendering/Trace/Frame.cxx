@@ -14,4 +14,12 @@ void SampleBuffers::Allocate(Buffer wanted, int newWidth, int newHeight)
   color.clear();
   behind.clear();
 }
+
+bool SampleBuffers::Holds(Buffer wanted) const
+{
+  bool holds = Size() > 0;
+  ForEachBuffer([&](const auto& row)
+    { holds = holds && (!Has(wanted, row.buffer) || !(this->*row.member).empty()); });
+  return holds;
+}
 } // namespace pixelexact

@@ -82,6 +82,8 @@ struct SampleBuffers
   std::vector<SampleBuffers> behind;
 
   void Allocate(Buffer wanted, int newWidth, int newHeight);
+  /// Whether there are samples, with all buffers of the set.
+  [[nodiscard]] bool Holds(Buffer wanted) const;
   [[nodiscard]] std::size_t Size() const
   {
     return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);

@@ -11,6 +11,7 @@ void SampleNeeds::Add(const SampleNeeds& other)
   corners = corners | other.corners;
   edges = edges | other.edges;
   edgeLevel = std::max(edgeLevel, other.edgeLevel);
+  cornersAround = std::max(cornersAround, other.cornersAround);
   coloredCorners = coloredCorners || other.coloredCorners;
 }
 

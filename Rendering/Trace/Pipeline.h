@@ -31,6 +31,7 @@ struct SampleNeeds
   Buffer corners = Buffer::None; ///< of the tile's pixels
   Buffer edges = Buffer::None;   ///< between the corners, see edgeLevel
   int edgeLevel = 0;             ///< an edge is cut into 2^edgeLevel parts; 0: no samples on edges
+  int cornersAround = 0;         ///< pixels about the tile whose corners are wanted, too
   bool coloredCorners = false;   ///< with all that the pipeline's colours read
 
   void Add(const SampleNeeds& other);

@@ -48,11 +48,12 @@ void SpreadBlocks(std::vector<T>& buffer, std::size_t width, std::size_t step)
 } // namespace
 
 ProgressiveFrame::ProgressiveFrame(
-  Scene scene, const Camera& camera, Pipeline pipeline, Buffer extra)
+  Scene scene, const Camera& camera, Pipeline pipeline, Buffer extra, Buffer corners)
   : TheScene(std::move(scene))
   , TheCamera(camera)
   , ThePipeline(std::move(pipeline))
   , Needs(ThePipeline.Needs())
+  , Corners(corners)
 {
   Needs.centres = Needs.centres | extra;
   RequireTraceable(TheScene, Needs);
@@ -75,16 +76,18 @@ bool ProgressiveFrame::AtOnce(const Progress& progress)
 {
   bool aborted = false;
   const double before = TheFrame.counters.seconds;
-  TheFrame = Trace(TheScene, TheCamera, ThePipeline, { .centres = Needs.centres },
-    [&](double done)
-    {
-      aborted = progress && !progress(done);
-      return !aborted;
-    });
+  TheFrame =
+    Trace(TheScene, TheCamera, ThePipeline, { .centres = Needs.centres, .corners = Corners },
+      [&](double done)
+      {
+        aborted = progress && !progress(done);
+        return !aborted;
+      });
   TheFrame.counters.seconds += before;
   if (aborted)
   {
     // Those of some tiles.
+    TheFrame.corners = {};
     TheFrame.color.clear();
     TheFrame.centres.color.clear();
     for (SampleBuffers& sheet : TheFrame.centres.behind)
@@ -112,7 +115,14 @@ bool ProgressiveFrame::Pass(int step, const Progress& progress)
   {
     AddCounters(TraceLattice(TheScene, TheCamera, lattice, sheets, reporter, nullptr), counted);
   }
-  if (step == 1 && !reporter.IsAborted())
+  bool aborted = reporter.IsAborted();
+  if (step == 1 && !aborted)
+  {
+    const FrameCounters before = std::exchange(TheFrame.counters, {});
+    aborted = !KeepCorners(TheScene, TheCamera, Corners, TheFrame, progress);
+    AddSamples(std::exchange(TheFrame.counters, before), counted);
+  }
+  if (step == 1 && !aborted)
   {
     AddSamples(RunPipeline(&TheScene, &TheCamera, ThePipeline, TheFrame), counted);
   }
@@ -122,7 +132,7 @@ bool ProgressiveFrame::Pass(int step, const Progress& progress)
   TheFrame.counters = Finished;
   AddCounters(counted, TheFrame.counters);
   TheFrame.counters.seconds = seconds;
-  if (reporter.IsAborted())
+  if (aborted)
   {
     return false;
   }

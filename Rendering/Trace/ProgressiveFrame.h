@@ -17,18 +17,23 @@ public:
   /// Pixels between the samples of the first pass; each pass halves it.
   static constexpr int kCoarsest = 8;
 
-  /// Makes the pipeline's buffers of centres and those of `extra`. Throws Error for a scene that
-  /// cannot be traced. What scene and pipeline refer to must outlive this.
-  ProgressiveFrame(
-    Scene scene, const Camera& camera, Pipeline pipeline, Buffer extra = Buffer::None);
+  /// Makes the pipeline's buffers of centres and those of `extra`; the complete frame has
+  /// `corners`, too (KeepCorners). Throws Error for a scene that cannot be traced. What scene and
+  /// pipeline refer to must outlive this.
+  ProgressiveFrame(Scene scene, const Camera& camera, Pipeline pipeline,
+    Buffer extra = Buffer::None, Buffer corners = Buffer::None);
 
   /// The next pass. False where `progress` aborted it: it is to be made again.
   bool Refine(const Progress& progress = {});
   /// All that is left, in one pass if there was none yet. False as Refine.
   bool Complete(const Progress& progress = {});
 
-  /// From now on in other colours; their buffers must be among those that are made.
-  void Recolor(Pipeline pipeline) { ThePipeline = std::move(pipeline); }
+  /// From now on in other colours; their buffers of centres must be among those that are made.
+  void Recolor(Pipeline pipeline, Buffer corners = Buffer::None)
+  {
+    ThePipeline = std::move(pipeline);
+    Corners = corners;
+  }
 
   /// Pixels between the samples that are known; 0: none are, 1: the frame is complete.
   [[nodiscard]] int Step() const { return Known; }
@@ -50,6 +55,7 @@ private:
   Camera TheCamera;
   Pipeline ThePipeline;
   SampleNeeds Needs;
+  Buffer Corners; ///< that the frame keeps
   Frame TheFrame;
   FrameCounters Finished; ///< of the passes that were not aborted
   int Known = 0;

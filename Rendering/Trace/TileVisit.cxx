@@ -4,6 +4,7 @@
 #include "Core/Base/CheckedOut.h"
 #include "Core/Base/Error.h"
 #include "Core/Base/StageClock.h"
+#include "Trace/BufferTable.h"
 #include "Trace/TileWalk.h"
 
 #include <algorithm>
@@ -145,27 +146,100 @@ SampleBuffers TileVisit::Trace(std::span<const ImagePosition> positions, Buffer 
   return samples;
 }
 
+bool TileVisit::HasCorners() const
+{
+  return TheFrame.corners.Holds(ThePipeline.Needs().corners);
+}
+
+namespace
+{
+/// The samples of `area` of a lattice, sheet by sheet.
+void CopyPart(const CornerLattice& from, const TileArea& area, SampleBuffers& to)
+{
+  const auto copy = [&](const SampleBuffers& source, SampleBuffers& part)
+  {
+    ForEachBuffer(
+      [&](const auto& row)
+      {
+        const auto& values = source.*row.member;
+        for (int y = area.y0; y < area.y1 && !values.empty(); ++y)
+        {
+          const auto* const first = values.data() + from.At(area.x0, y);
+          (part.*row.member).insert((part.*row.member).end(), first, first + area.Width());
+        }
+      });
+    part.width = area.Width();
+    part.height = area.Height();
+  };
+  to = {};
+  copy(from.samples, to);
+  for (const SampleBuffers& sheet : from.samples.behind)
+  {
+    copy(sheet, to.behind.emplace_back());
+  }
+}
+} // namespace
+
+void TileVisit::TraceCorners(const TileArea& lattice, SampleBuffers& corners)
+{
+  RequireTracing();
+  const int width = lattice.Width();
+  const Buffer wanted = ThePipeline.Needs().corners;
+  corners.Allocate(wanted, width, lattice.Height());
+  const auto first = static_cast<std::ptrdiff_t>(lattice.y0) * width + lattice.x0;
+  Sheets sheets(corners, wanted);
+  // A tile of samples is not as large as what lies about it.
+  for (int y = lattice.y0; y < lattice.y1; y += kTileSize + 1)
+  {
+    for (int x = lattice.x0; x < lattice.x1; x += kTileSize + 1)
+    {
+      const TileArea part{ x, y, std::min(x + kTileSize + 1, lattice.x1),
+        std::min(y + kTileSize + 1, lattice.y1) };
+      const CheckedOut<TileSamples> tile;
+      (*tile).Begin(*TheCamera, part, { .offset = 0.0 }, width);
+      for (std::size_t& place :
+        std::span((*tile).place).first(static_cast<std::size_t>((*tile).Count())))
+      {
+        place -= static_cast<std::size_t>(first);
+      }
+      WalkTile(*TheScene, *TheCamera, *tile, sheets, Asked);
+    }
+  }
+}
+
 SampleBuffers& TileVisit::Corners()
 {
   if (AtCorners.Size() == 0)
   {
-    RequireTracing();
-    const int width = TheArea.Width() + 1;
-    const Buffer wanted = ThePipeline.Needs().corners;
-    AtCorners.Allocate(wanted, width, TheArea.Height() + 1);
-    const CheckedOut<TileSamples> tile;
-    (*tile).Begin(*TheCamera, { TheArea.x0, TheArea.y0, TheArea.x1 + 1, TheArea.y1 + 1 },
-      { .offset = 0.0 }, width);
-    const auto first = static_cast<std::size_t>(TheArea.y0) * static_cast<std::size_t>(width) +
-      static_cast<std::size_t>(TheArea.x0);
-    for (std::size_t& place : std::span((*tile).place).first(AtCorners.Size()))
+    const TileArea lattice{ TheArea.x0, TheArea.y0, TheArea.x1 + 1, TheArea.y1 + 1 };
+    if (HasCorners() || ThePipeline.Needs().cornersAround > 0)
     {
-      place -= first;
+      CopyPart(CornersAround(), lattice, AtCorners);
     }
-    Sheets sheets(AtCorners, wanted);
-    WalkTile(*TheScene, *TheCamera, *tile, sheets, Asked);
+    else
+    {
+      TraceCorners(lattice, AtCorners);
+    }
   }
   return AtCorners;
+}
+
+CornerLattice TileVisit::CornersAround()
+{
+  if (HasCorners())
+  {
+    return { TheFrame.corners };
+  }
+  const int far = ThePipeline.Needs().cornersAround;
+  const int x0 = std::max(0, TheArea.x0 - far);
+  const int y0 = std::max(0, TheArea.y0 - far);
+  if (Around.Size() == 0)
+  {
+    TraceCorners({ x0, y0, std::min(TheFrame.width, TheArea.x1 + far) + 1,
+                   std::min(TheFrame.height, TheArea.y1 + far) + 1 },
+      Around);
+  }
+  return { Around, x0, y0 };
 }
 
 int TileVisit::SamplesPerEdge() const

@@ -9,6 +9,20 @@
 
 namespace pixelexact
 {
+/// Corners of pixels, row by row. The pixel (x, y) has its lower left corner at (x, y).
+struct CornerLattice
+{
+  const SampleBuffers& samples;
+  int x0 = 0; ///< of the first
+  int y0 = 0;
+
+  [[nodiscard]] std::size_t At(int x, int y) const
+  {
+    return static_cast<std::size_t>(y - y0) * static_cast<std::size_t>(samples.width) +
+      static_cast<std::size_t>(x - x0);
+  }
+};
+
 /// What modules see of a tile, and what they may ask for.
 class TileVisit
 {
@@ -38,6 +52,9 @@ public:
   /// The corners of the area's pixels, (width + 1) x (height + 1), with the buffers that the
   /// modules need. Their colours are made by Image, if a module needs them coloured.
   [[nodiscard]] SampleBuffers& Corners();
+  /// Those and the corners of the pixels about the tile, SampleNeeds::cornersAround far and within
+  /// the image. There may be more: of what lies farther nothing must be read.
+  [[nodiscard]] CornerLattice CornersAround();
   /// Samples within edges, so many for each edge (SampleNeeds::edgeLevel): those that go across,
   /// width x (height + 1) edges, and those that go up, (width + 1) x height; edge by edge, rows of
   /// edges lower-left first.
@@ -59,6 +76,10 @@ public:
 
 private:
   void RequireTracing() const;
+  /// Whether the frame has the corners that the modules need.
+  [[nodiscard]] bool HasCorners() const;
+  /// Corners of a part of the lattice.
+  void TraceCorners(const TileArea& lattice, SampleBuffers& corners);
   const SampleBuffers& Edges(SampleBuffers& samples, bool across);
   void MakeImage();
 
@@ -69,6 +90,7 @@ private:
   TileArea TheArea;
   FrameCounters Asked;
   SampleBuffers AtCorners;
+  SampleBuffers Around; ///< where the frame has no corners and some about the tile are wanted
   SampleBuffers Across;
   SampleBuffers Up;
 };

@@ -7,6 +7,19 @@
 
 namespace pixelexact
 {
+namespace
+{
+constexpr SampleLattice kCorners{ 0.0 };
+
+void TraceCorners(const Scene& scene, const Camera& camera, Buffer wanted, Frame& frame,
+  Reporter& reporter, StageTimes* stages)
+{
+  frame.corners.Allocate(wanted, frame.width + 1, frame.height + 1);
+  Sheets sheets(frame.corners, wanted);
+  AddSamples(TraceLattice(scene, camera, kCorners, sheets, reporter, stages), frame.counters);
+}
+} // namespace
+
 Frame Trace(const Scene& scene, const Camera& camera, const Pipeline& pipeline,
   const SampleNeeds& extra, const Progress& progress, StageTimes* stages)
 {
@@ -18,7 +31,6 @@ Frame Trace(const Scene& scene, const Camera& camera, const Pipeline& pipeline,
   frame.width = camera.Width();
   frame.height = camera.Height();
   constexpr SampleLattice kCentres{ 0.5 };
-  constexpr SampleLattice kCorners{ 0.0 };
   // A module may want nothing but corners, and still visits the tiles of pixels.
   const bool visits = needs.centres != Buffer::None || !pipeline.modules.empty();
   int tiles = 0;
@@ -29,11 +41,15 @@ Frame Trace(const Scene& scene, const Camera& camera, const Pipeline& pipeline,
   }
   if (extra.corners != Buffer::None)
   {
-    frame.corners.Allocate(extra.corners, frame.width + 1, frame.height + 1);
     tiles += TilesOf(kCorners, frame.width + 1, frame.height + 1);
   }
   Reporter reporter(progress, tiles);
   const bool translucent = HasTranslucent(scene);
+  if (extra.corners != Buffer::None)
+  {
+    // First, because modules read them.
+    TraceCorners(scene, camera, extra.corners, frame, reporter, stages);
+  }
   if (visits)
   {
     Sheets sheets(frame.centres, needs.centres);
@@ -44,12 +60,8 @@ Frame Trace(const Scene& scene, const Camera& camera, const Pipeline& pipeline,
       after = [&](const TileArea& area, FrameCounters& counters)
       { RunPipelineOn(area, &scene, &camera, pipeline, frame, counters); };
     }
-    frame.counters = TraceLattice(scene, camera, kCentres, sheets, reporter, stages, after);
-  }
-  if (extra.corners != Buffer::None)
-  {
-    Sheets sheets(frame.corners, extra.corners);
-    AddSamples(TraceLattice(scene, camera, kCorners, sheets, reporter, stages), frame.counters);
+    AddCounters(
+      TraceLattice(scene, camera, kCentres, sheets, reporter, stages, after), frame.counters);
   }
   if (translucent)
   {
@@ -59,6 +71,22 @@ Frame Trace(const Scene& scene, const Camera& camera, const Pipeline& pipeline,
   frame.counters.seconds =
     std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return frame;
+}
+
+bool KeepCorners(
+  const Scene& scene, const Camera& camera, Buffer wanted, Frame& frame, const Progress& progress)
+{
+  if (wanted == Buffer::None || frame.corners.Holds(wanted))
+  {
+    return true;
+  }
+  Reporter reporter(progress, TilesOf(kCorners, frame.width + 1, frame.height + 1));
+  TraceCorners(scene, camera, wanted, frame, reporter, nullptr);
+  if (reporter.IsAborted())
+  {
+    frame.corners = {};
+  }
+  return !reporter.IsAborted();
 }
 
 void Repaint(const Scene& scene, const Camera& camera, const Pipeline& pipeline, Frame& frame)

@@ -15,14 +15,21 @@ namespace pixelexact
 /// aborts the frame. May be empty.
 using Progress = std::function<bool(double)>;
 
-/// Casts the rays that the pipeline (and `extra`) needs, locates and evaluates the hits, and runs
-/// the pipeline tile by tile, while a tile's samples are in cache; with translucent layers when all
-/// are known. Parallel over tiles; the frame is the same, bit for bit, for any number of threads.
-/// Throws Error for a scene that cannot be traced (RequireTraceable); an aborted frame comes back
-/// with the tiles not done as Nothing. `stages`, where not null, gets the time of each stage added,
-/// that of the tiles summed over threads; the frame then takes some percent longer.
+/// Casts the rays that the pipeline (and `extra`, whose corners the frame keeps) needs, locates and
+/// evaluates the hits, and runs the pipeline tile by tile, while a tile's samples are in cache;
+/// with translucent layers when all are known. Parallel over tiles; the frame is the same, bit for
+/// bit, for any number of threads. Throws Error for a scene that cannot be traced
+/// (RequireTraceable); an aborted frame comes back with the tiles not done as Nothing. `stages`,
+/// where not null, gets the time of each stage added, that of the tiles summed over threads; the
+/// frame then takes some percent longer.
 Frame Trace(const Scene& scene, const Camera& camera, const Pipeline& pipeline,
   const SampleNeeds& extra = {}, const Progress& progress = {}, StageTimes* stages = nullptr);
+
+/// Traces the frame's corners, where it does not hold them with these buffers, and keeps them:
+/// where a frame has corners, modules get these and no others are traced. False where `progress`
+/// aborted it: then it has none.
+[[nodiscard]] bool KeepCorners(const Scene& scene, const Camera& camera, Buffer wanted,
+  Frame& frame, const Progress& progress = {});
 
 /// Other colours for a frame that has the buffers that the pipeline needs of centres. Traces
 /// nothing but what its modules ask for.

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ContourList.h"
+
+#include "vtkContourValues.h"
+#include "vtkNew.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace pixelexact
+{
+bool ContourList::Set(int i, double value)
+{
+  if (i < 0)
+  {
+    return false;
+  }
+  Resize(std::max(i + 1, Size()));
+  Values[static_cast<std::size_t>(i)] = value;
+  return true;
+}
+
+double ContourList::At(int i) const
+{
+  return i >= 0 && i < Size() ? Values[static_cast<std::size_t>(i)]
+                              : std::numeric_limits<double>::quiet_NaN();
+}
+
+void ContourList::Resize(int number)
+{
+  Values.resize(static_cast<std::size_t>(std::max(number, 0)), 0.0);
+}
+
+void ContourList::Generate(int number, double lower, double upper)
+{
+  vtkNew<vtkContourValues> generated;
+  generated->GenerateValues(number, lower, upper);
+  Resize(number);
+  std::copy_n(generated->GetValues(), Values.size(), Values.begin());
+}
+} // namespace pixelexact

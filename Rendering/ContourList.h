@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+namespace pixelexact
+{
+/// Contour values as VTK's filters keep them: numbered from 0.
+class ContourList
+{
+public:
+  /// Those between that were not set are 0. False where there is no such number.
+  bool Set(int i, double value);
+  /// NaN where there is no such value.
+  [[nodiscard]] double At(int i) const;
+  void Resize(int number);
+  [[nodiscard]] int Size() const { return static_cast<int>(Values.size()); }
+  /// As vtkContourValues: evenly spaced, both ends among them.
+  void Generate(int number, double lower, double upper);
+
+  [[nodiscard]] const std::vector<double>& All() const { return Values; }
+  [[nodiscard]] double* Data() { return Values.data(); }
+
+private:
+  std::vector<double> Values;
+};
+} // namespace pixelexact

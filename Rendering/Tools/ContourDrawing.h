@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Trace/Modules/ColorMapping.h"
+#include "Trace/Modules/ContourLines.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace pixelexact
+{
+class ColorOptions;
+class ContourOptions;
+class Looks;
+struct Shot;
+
+/// What there is to tell of contours.
+struct FoundContours
+{
+  std::vector<std::vector<double>> values; ///< by layer, in ascending order
+  std::size_t outside = 0; ///< of them, that lie outside of the values seen on their layer
+  ContourCounters pixels;
+  std::optional<int> labels; ///< written, where they were asked for
+};
+
+/// The contours of a shot.
+class ContourDrawing
+{
+public:
+  /// Of a frame whose samples are there. Throws Error as RangeOfLayer.
+  ContourDrawing(const ContourOptions& options, const ColorOptions& colors, const Shot& shot,
+    const Looks& looks, const Frame& frame);
+  ContourDrawing(const ContourDrawing&) = delete;
+  ContourDrawing& operator=(const ContourDrawing&) = delete;
+
+  /// Last, so that nothing is drawn over them. What is pointed to lives here.
+  void AddTo(Pipeline& pipeline);
+
+  /// On the image of a frame that went through the pipeline.
+  void DrawLabels(const Shot& shot, Frame& frame);
+
+  /// What was found in a frame that went through the pipeline.
+  [[nodiscard]] FoundContours Found(const Frame& frame) const;
+  /// A ContourVerdict for each pixel.
+  [[nodiscard]] const std::vector<std::uint8_t>& Verdicts() const { return Certifier->Verdicts(); }
+
+private:
+  std::optional<ColorMapping> InPlace; ///< of the surface's colours
+  std::optional<ContourCertifier> Certifier;
+  std::optional<ContourLines> Lines;
+  std::optional<int> LabelHeight;
+  int Labels = 0;
+};
+} // namespace pixelexact

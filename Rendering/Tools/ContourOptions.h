@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Trace/Modules/ContourLines.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI
+{
+class App;
+} // namespace CLI
+
+namespace pixelexact
+{
+struct LayerSettings;
+
+/// Which iso-values are drawn.
+struct ContourChoice
+{
+  int count = 0; ///< so many, evenly spaced over the colour map's range; 0: those below
+  std::vector<double> values;
+
+  [[nodiscard]] std::size_t Count() const
+  {
+    return count > 0 ? static_cast<std::size_t>(count) : values.size();
+  }
+};
+
+/// A positive integer without separator or decimal point is a count, everything else values. Throws
+/// UsageError.
+ContourChoice ReadContours(const std::string& option, const std::string& text, char separator);
+
+/// Which contours render draws, and how.
+class ContourOptions
+{
+public:
+  static constexpr int kMost = 10000; ///< values of a layer
+
+  void AddTo(CLI::App& added);
+
+  /// Throws UsageError for what the command line alone shows to be wrong, and for options that have
+  /// no effect.
+  void Check(const std::vector<LayerSettings>& layers) const;
+
+  /// Whether there are any.
+  [[nodiscard]] bool AreGiven() const { return Choice.has_value(); }
+  /// Of all layers that do not say so themselves.
+  [[nodiscard]] const ContourChoice& OfAll() const { return *Choice; }
+  [[nodiscard]] ContourStyle Style() const;
+  /// One for each value in the order given, or one for all; empty: by the colour map.
+  [[nodiscard]] const std::vector<Rgba>& Colors() const { return TheColors; }
+  [[nodiscard]] bool ByMap() const { return TheColors.empty(); }
+  /// Without the colours of the surface.
+  [[nodiscard]] bool Only() const { return TheOnly; }
+  /// The height of labels in pixels; none: no labels.
+  [[nodiscard]] std::optional<int> Labels() const;
+  /// The buffers of centres that drawing reads.
+  [[nodiscard]] Buffer Needs() const;
+
+private:
+  void ReadColors(const std::string& text);
+
+  const CLI::App* Command = nullptr;
+  std::optional<ContourChoice> Choice;
+  std::optional<double> Width;
+  std::vector<Rgba> TheColors{ { 0, 0, 0, 255 } };
+  bool ShowUndecided = false;
+  std::vector<double> UndecidedColor{ 0.0, 0.5, 0.5 };
+  bool TheOnly = false;
+  std::optional<double> LabelHeight;
+};
+} // namespace pixelexact
