@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Contours as polylines, against closed forms.
+#include "ContourCheck.h"
+#include "CurvedMeshes.h"
+
+#include "Core/Base/Error.h"
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+namespace
+{
+using namespace pixelexact;
+using namespace pixelexact::testing;
+
+constexpr double kPi = std::numbers::pi;
+
+void ExpectCircle(const ContourSet& set, const CutFunction& cut, double radius)
+{
+  ASSERT_EQ(set.lines.size(), 1U);
+  EXPECT_TRUE(set.lines[0].closed);
+  EXPECT_EQ(set.lines[0].vertices.front(), set.lines[0].vertices.back());
+  const LineMeasure measure = Measure(set, set.lines[0], cut);
+  EXPECT_NEAR(measure.length / (2.0 * kPi * radius), 1.0, 1e-9);
+  EXPECT_NEAR(measure.area / (kPi * radius * radius), 1.0, 1e-9);
+}
+
+void ExpectOnCurve(const VertexErrors& errors)
+{
+  EXPECT_LT(errors.value, 2e-14L);
+  EXPECT_LT(errors.cut, 2e-14L);
+  EXPECT_LT(errors.place, 2e-15L * 4);
+}
+
+struct ShapeAndOrder
+{
+  Shape shape;
+  int order;
+};
+
+class ContourInOneElement : public ::testing::TestWithParam<ShapeAndOrder>
+{
+};
+
+TEST_P(ContourInOneElement, LoopThatNoFaceSees)
+{
+  const auto [shape, order] = GetParam();
+  const Vec3 centre = Centre(shape);
+  // Of degree order / 2, so that the squared distance is of the field's.
+  const int bend = order / 2;
+  const auto bent = [bend](const LongVec3& xi)
+  {
+    const auto [a, b, c] = xi;
+    return bend == 1 ? LongVec3{ a + 0.1L * b, b - 0.2L * c, c + 0.1L * a }
+      : bend == 2    ? LongVec3{ a + 0.1L * b * b, b - 0.05L * c * a, c + 0.1L * a * a }
+                     : Curved(xi);
+  };
+  MeshBuilder builder;
+  builder.Add(UniformSpace(shape, std::max(1, std::min(bend, 3))), bent);
+  const Mesh mesh = builder.View();
+  const LongVec3 middle = LongMap(mesh)(0, ToLong(centre));
+  const auto f = [middle](const LongVec3& x) { return Dot(Minus(x, middle), Minus(x, middle)); };
+  const ExpansionBuilder values = FieldOf(mesh, order, f);
+  const QuadricCut cut(PlaneAt(ToDouble(middle), { 0.0, 0.0, 1.0 }));
+  const double radius = 0.15;
+  const std::vector<double> levels{ radius * radius };
+  const ContourSet set = ContoursOf(mesh, values, cut, levels, 1e-6);
+  ExpectCircle(set, cut, radius);
+  EXPECT_EQ(set.report.undecided, 0);
+  EXPECT_TRUE(set.lines.at(0).certified);
+  ExpectOnCurve(
+    ErrorsOf(set, mesh, levels, f, [&](const LongVec3& x) { return x[2] - ToDouble(middle).z; }));
+}
+
+std::vector<ShapeAndOrder> ShapesAndOrders()
+{
+  std::vector<ShapeAndOrder> all;
+  for (const Shape shape : kShapes)
+  {
+    for (int order = 2; order <= 8; ++order)
+    {
+      all.push_back({ shape, order });
+    }
+  }
+  return all;
+}
+INSTANTIATE_TEST_SUITE_P(Shapes, ContourInOneElement, ::testing::ValuesIn(ShapesAndOrders()),
+  [](const auto& tested)
+  { return std::string(Name(tested.param.shape)) + std::to_string(tested.param.order); });
+
+class ContourOnCurvedMesh : public ::testing::TestWithParam<Shape>
+{
+};
+
+TEST_P(ContourOnCurvedMesh, Circle)
+{
+  const Shape shapes[] = { GetParam() };
+  const CurvedMesh curved = Blocks(2, shapes);
+  const Mesh mesh = curved.View();
+  const auto f = [](const LongVec3& x) { return x[0] * x[0] + x[1] * x[1]; };
+  const ExpansionBuilder values = FieldOf(mesh, 6, f);
+  const QuadricCut cut(PlaneAt({ 0.0, 0.0, 0.0625 }, { 0.0, 0.0, 1.0 }));
+  const double radius = 0.625;
+  const std::vector<double> levels{ radius * radius };
+  const ContourSet set = ContoursOf(mesh, values, cut, levels, 1e-6);
+  ExpectCircle(set, cut, radius);
+  EXPECT_EQ(set.report.undecided, 0);
+  EXPECT_EQ(set.report.unproven, 0);
+  EXPECT_EQ(set.report.uncertified, 0);
+  EXPECT_EQ(set.report.endsInside, 0);
+  ExpectOnCurve(ErrorsOf(set, mesh, levels, f, [](const LongVec3& x) { return x[2] - 0.0625L; }));
+}
+INSTANTIATE_TEST_SUITE_P(Shapes, ContourOnCurvedMesh, ::testing::ValuesIn(kShapes),
+  [](const auto& tested) { return std::string(Name(tested.param)); });
+
+MeshBuilder Stack(int count)
+{
+  MeshBuilder builder;
+  for (int k = 0; k < count; ++k)
+  {
+    builder.Add(UniformSpace(Shape::Hexahedron, 1),
+      [k](const LongVec3& xi) {
+        return LongVec3{ xi[0], xi[1], xi[2] + 2.0L * k };
+      },
+      { 0.0, 0.0, 2.0 * k });
+  }
+  return builder;
+}
+
+TEST(Contour, SurfaceAlongAFaceIsDrawnOnce)
+{
+  const MeshBuilder builder = Stack(2);
+  const Mesh mesh = builder.View();
+  const auto f = [](const LongVec3& x) { return x[0] * x[0] + x[1] * x[1]; };
+  const ExpansionBuilder values = FieldOf(mesh, 2, f);
+  const QuadricCut cut(PlaneAt({ 0.0, 0.0, 1.0 }, { 0.0, 0.0, 2.0 }));
+  const ContourSet set = ContoursOf(mesh, values, cut, { 0.25 }, 1e-6);
+  ExpectCircle(set, cut, 0.5);
+  for (const ContourVertex& vertex : set.vertices)
+  {
+    EXPECT_EQ(vertex.element, 0);
+  }
+  // The contour that leaves the square, too: four arcs from edge to edge.
+  const ContourSet arcs = ContoursOf(mesh, values, cut, { 1.21 }, 1e-6);
+  EXPECT_EQ(arcs.lines.size(), 4U);
+}
+
+TEST(Contour, LinesThroughManyElements)
+{
+  const Shape shapes[] = { Shape::Hexahedron };
+  const CurvedMesh curved = Blocks(3, shapes);
+  const Mesh mesh = curved.View();
+  const auto f = [](const LongVec3& x) { return x[0] + 2.0L * x[1]; };
+  const ExpansionBuilder values = FieldOf(mesh, 3, f);
+  const QuadricCut cut(PlaneAt({ 0.0, 0.0, 0.1 }, { 0.0, 0.0, 1.0 }));
+  const ContourSet set = ContoursOf(mesh, values, cut, { -0.4, 0.3 }, 1e-6);
+  ASSERT_EQ(set.lines.size(), 2U);
+  for (const ContourLine& line : set.lines)
+  {
+    EXPECT_FALSE(line.closed);
+    EXPECT_TRUE(line.certified);
+  }
+  EXPECT_EQ(set.report.endsInside, 0);
+}
+
+TEST(Contour, LoopsCloserThanAnySampling)
+{
+  const MeshBuilder builder = Stack(1);
+  const Mesh mesh = builder.View();
+  // Two circles whose squared radii differ by 2 gap.
+  for (const long double gap : { 1e-3L, 1e-5L })
+  {
+    const auto f = [](const LongVec3& x)
+    {
+      const long double g = x[0] * x[0] + x[1] * x[1] - 0.25L;
+      return g * g;
+    };
+    const ExpansionBuilder values = FieldOf(mesh, 4, f);
+    const QuadricCut cut(PlaneAt({ 0.0, 0.0, 0.3 }, { 0.0, 0.0, 1.0 }));
+    const ContourSet set = ContoursOf(mesh, values, cut, { static_cast<double>(gap * gap) }, 1e-4);
+    ASSERT_EQ(set.lines.size(), 2U) << static_cast<double>(gap);
+    double area = 0.0;
+    for (const ContourLine& line : set.lines)
+    {
+      EXPECT_TRUE(line.closed);
+      const double one = Measure(set, line, cut).area;
+      area = area == 0.0 ? one : std::fabs(area - one);
+    }
+    EXPECT_NEAR(area, static_cast<double>(2.0L * gap) * kPi, 1e-6 * static_cast<double>(gap));
+  }
+}
+
+TEST(Contour, SaddleBesideItsValue)
+{
+  const MeshBuilder builder = Stack(1);
+  const Mesh mesh = builder.View();
+  const auto f = [](const LongVec3& x) { return (x[0] - 0.1L) * (x[1] + 0.2L); };
+  const ExpansionBuilder values = FieldOf(mesh, 2, f);
+  const QuadricCut cut(PlaneAt({ 0.0, 0.0, 0.3 }, { 0.0, 0.0, 1.0 }));
+  for (const double level : { 1e-9, -1e-9 })
+  {
+    const ContourSet set = ContoursOf(mesh, values, cut, { level }, 1e-6);
+    ASSERT_EQ(set.lines.size(), 2U);
+    for (const ContourLine& line : set.lines)
+    {
+      // A branch stays on one side of the saddle.
+      const auto side = [&](std::int64_t id)
+      { return set.vertices[static_cast<std::size_t>(id)].x.x > 0.1; };
+      const bool first = side(line.vertices.front());
+      for (const std::int64_t id : line.vertices)
+      {
+        EXPECT_EQ(side(id), first);
+      }
+      EXPECT_TRUE(line.certified);
+    }
+  }
+  const ContourSet at = ContoursOf(mesh, values, cut, { 0.0 }, 1e-6);
+  EXPECT_GT(at.report.undecided, 0);
+  EXPECT_EQ(at.report.uncertified, static_cast<std::int64_t>(at.lines.size()));
+}
+
+TEST(Contour, EndsWhereTheFieldJumps)
+{
+  const MeshBuilder builder = Stack(2);
+  const Mesh mesh = builder.View();
+  ExpansionBuilder values(1);
+  for (int e = 0; e < 2; ++e)
+  {
+    values.Add(UniformSpace(Shape::Hexahedron, 1),
+      [e](const LongVec3& xi, long double* value) { *value = xi[0] + 1e-3L * e; });
+  }
+  const QuadricCut cut(PlaneAt({ 0.0, 0.2, 0.0 }, { 0.0, 1.0, 0.0 }));
+  const ContourSet set = ContoursOf(mesh, values, cut, { 0.25 }, 1e-6);
+  EXPECT_EQ(set.lines.size(), 2U);
+  EXPECT_EQ(set.report.endsInside, 2);
+}
+
+TEST(Contour, ConstantsAndWhatIsNoNumberAreTold)
+{
+  const MeshBuilder builder = Stack(2);
+  const Mesh mesh = builder.View();
+  ExpansionBuilder values =
+    FieldOf(mesh, 2, [](const LongVec3& x) { return x[2] < 1.0L ? 0.5L : 0.5L; });
+  const QuadricCut cut(PlaneAt({ 0.0, 0.2, 0.0 }, { 0.0, 1.0, 0.0 }));
+  const ContourSet constant = ContoursOf(mesh, values, cut, { 0.5 }, 1e-6);
+  EXPECT_EQ(constant.report.constant, 2);
+  EXPECT_TRUE(constant.lines.empty());
+  values.Coefficients[0] = std::nan("");
+  const ContourSet broken = ContoursOf(mesh, values, cut, { 0.5 }, 1e-6);
+  EXPECT_EQ(broken.report.notFinite, 1);
+  EXPECT_THROW(ContoursOf(mesh, values, cut, { std::nan("") }, 1e-6), InvalidData);
+  EXPECT_THROW(ContoursOf(mesh, values, cut, { 0.5 }, 0.0), InvalidData);
+}
+
+/// A quadric that does not say so.
+class AnyCut final : public CutFunction
+{
+public:
+  explicit AnyCut(const QuadricForm& form)
+    : Form(form)
+  {
+  }
+  [[nodiscard]] double Value(const Vec3& x) const override { return Form.Value(x); }
+  [[nodiscard]] Vec3 Gradient(const Vec3& x) const override { return Form.Gradient(x); }
+
+private:
+  QuadricForm Form;
+};
+
+TEST(Contour, QuadricsAndOtherFunctions)
+{
+  const Shape shapes[] = { Shape::Hexahedron, Shape::Prism };
+  const CurvedMesh curved = Blocks(2, shapes);
+  const Mesh mesh = curved.View();
+  const ExpansionBuilder values = FieldOf(mesh, 3, [](const LongVec3& x) { return x[2]; });
+  QuadricForm ball;
+  ball.origin = { 0.05, 0.0, -0.1 };
+  ball.q = { 1.0, 1.0, 1.0, 0.0, 0.0, 0.0 };
+  ball.c = -0.49;
+  const double radius = std::sqrt(0.49 - 0.25 * 0.25);
+  const ContourSet exact = ContoursOf(mesh, values, QuadricCut(ball), { 0.15 }, 1e-6);
+  ASSERT_EQ(exact.lines.size(), 1U);
+  EXPECT_TRUE(exact.lines[0].certified);
+  EXPECT_NEAR(Measure(exact, exact.lines[0], QuadricCut(ball)).length, 2.0 * kPi * radius, 1e-9);
+  const ContourSet any = ContoursOf(mesh, values, AnyCut(ball), { 0.15 }, 1e-6);
+  ASSERT_EQ(any.lines.size(), 1U);
+  EXPECT_TRUE(any.lines[0].closed);
+  EXPECT_FALSE(any.lines[0].certified);
+  EXPECT_NEAR(Measure(any, any.lines[0], AnyCut(ball)).length, 2.0 * kPi * radius, 1e-9);
+}
+} // namespace
