@@ -10,6 +10,7 @@ CLASSES = [
     "vtkGLVisReader",
     "vtkHighOrderBoundarySurface",
     "vtkHighOrderCertifier",
+    "vtkHighOrderContour",
     "vtkHighOrderGrid",
     "vtkHighOrderIsoSurface",
     "vtkHighOrderLayer",

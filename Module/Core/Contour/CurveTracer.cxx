@@ -13,6 +13,7 @@ namespace pixelexact
 namespace
 {
 constexpr double kTurn = 0.94;      ///< cosine of the angle by which a step may turn
+constexpr double kSameBranch = 0.8; ///< cosine to a point that a step passes
 constexpr double kShare = 0.7;      ///< of the tolerance that a step may use
 constexpr double kShortest = 1e-12; ///< of the longest step
 constexpr double kOnFace = 1e-9;    ///< distance to a face's plane, in xi
@@ -82,7 +83,7 @@ std::optional<CurveTracer::Step> CurveTracer::Try(const CurvePoint& from, double
   const Vec3 chord = to->xi - from.xi;
   const Vec3 half = (from.xi + to->xi) / 2.0;
   const auto middle = Evaluator.InPlane(half, { chord, glm::dot(chord, half) }, 0.5 * reach);
-  if (!middle)
+  if (!middle || glm::dot(middle->direction, from.direction) < kSameBranch)
   {
     return std::nullopt;
   }
@@ -115,7 +116,9 @@ std::optional<CurveTracer::Passed> CurveTracer::FirstPassed(const std::vector<Co
     const Vec3 bend = 4.0 * t * (1.0 - t) * (step.middle.xi - (from.xi + step.point.xi) / 2.0);
     const auto there = Evaluator.InPlane(
       from.xi + t * chord + bend, { chord, glm::dot(chord, at) }, 0.1 * std::sqrt(square) + kSame);
-    if (there && glm::length(there->xi - at) <= kSame)
+    // Beside another branch, the value rises to the other side: the curve's direction is reversed.
+    if (there && glm::length(there->xi - at) <= kSame &&
+      glm::dot(there->direction, from.direction) > kSameBranch)
     {
       best = { k, t };
     }
