@@ -15,8 +15,10 @@ namespace pixelexact
 {
 namespace
 {
-/// Irrational-looking, so that nothing in a mesh is normal to it.
-constexpr double kAlong[3] = { 0.7304251, 0.5231847, 0.4391063 };
+/// Directions along which closed contours are searched for after that of a known piece: no axes,
+/// so that what is aligned in a mesh is not normal to them.
+constexpr Vec3 kAlong[2] = { { 0.7304251, 0.5231847, 0.4391063 },
+  { -0.4137902, 0.6920318, 0.5914827 } };
 /// Boxes in which the root finder is to settle a part that could still be halved.
 constexpr int kTry = 48;
 constexpr int kLast = 1000;
@@ -44,7 +46,7 @@ public:
     , Evaluator(evaluator)
     , TheShape(shape)
     , Value(value)
-    , Left(effort.boxes)
+    , Boxes(effort.boxes)
   {
   }
 
@@ -79,10 +81,7 @@ public:
         Ends(part);
       }
     }
-    for (Part& part : parts)
-    {
-      Turns(std::move(part), 0);
-    }
+    SearchTurns(parts);
     return std::move(Result);
   }
 
@@ -92,6 +91,42 @@ private:
     Box3 box;
     CurvePolynomials polynomials;
   };
+
+  /// Along one direction after the other, until one tells all.
+  void SearchTurns(const std::vector<Part>& parts)
+  {
+    std::vector<Vec3> directions(std::begin(kAlong), std::end(kAlong));
+    if (!Result.seeds.empty())
+    {
+      directions.insert(directions.begin(), AlongEta(Result.seeds.front().point));
+    }
+    const SeedSearchResult ends = Result;
+    for (const Vec3& direction : directions)
+    {
+      Along = direction;
+      Left = Boxes;
+      Result = ends;
+      for (const Part& part : parts)
+      {
+        Turns(part, 0);
+      }
+      if (Result.complete || !ends.complete)
+      {
+        return;
+      }
+    }
+  }
+
+  /// The curve's direction in eta.
+  [[nodiscard]] Vec3 AlongEta(const CurvePoint& point) const
+  {
+    constexpr double kStep = 1e-4;
+    const Vec3 inside = point.xi + kStep * (Centre(TheShape) - point.xi);
+    const Vec3 along = ReferenceToTensor(TheShape, inside + kStep * kStep * point.direction) -
+      ReferenceToTensor(TheShape, inside - kStep * kStep * point.direction);
+    const double length = glm::length(along);
+    return length > 0.0 && std::isfinite(length) ? along / length : kAlong[0];
+  }
 
   [[nodiscard]] static bool Reaches(const Part& part, const ShapeFace& face)
   {
@@ -219,7 +254,7 @@ private:
   }
 
   /// Whether c . (grad f x grad s) has one sign: of hulls of the derivatives.
-  [[nodiscard]] static bool HasNoTurn(const Part& part)
+  [[nodiscard]] bool HasNoTurn(const Part& part) const
   {
     Interval f[3];
     Interval s[3];
@@ -236,7 +271,7 @@ private:
     {
       const int i = (d + 1) % 3;
       const int j = (d + 2) % 3;
-      turn += Interval(kAlong[d]) * (f[i] * s[j] - f[j] * s[i]);
+      turn += Interval(Along[d]) * (f[i] * s[j] - f[j] * s[i]);
     }
     return !turn.Contains(0.0);
   }
@@ -258,7 +293,7 @@ private:
       const int j = (d + 2) % 3;
       // Derivatives are by the part's own coordinates; any direction will do if all of the element
       // is searched along the same.
-      const double factor = kAlong[d] * (part.box.upper[d] - part.box.lower[d]);
+      const double factor = Along[d] * (part.box.upper[d] - part.box.lower[d]);
       const BoxPolynomial one =
         Combine(factor, Multiply(f[i], s[j]), -factor, Multiply(f[j], s[i]));
       turn = d == 0 ? one : Combine(1.0, turn, 1.0, one);
@@ -371,7 +406,9 @@ private:
   CurveEvaluator& Evaluator;
   Shape TheShape;
   double Value;
-  int Left;
+  int Boxes;
+  int Left = 0;
+  Vec3 Along{ 0.0 };
   double SizeOfF = 0.0;
   double SizeOfS = 0.0;
   SeedSearchResult Result;

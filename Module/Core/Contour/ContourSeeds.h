@@ -39,8 +39,8 @@ struct SeedEffort
 /// direction c somewhere, where its tangent is normal to c: a root of
 ///   f = 0, s = 0, c . (grad f x grad s) = 0
 /// by eta. All are isolated by the certified root finder; parts of the element where the hulls of f
-/// or s leave no zero, or that of the third has one sign, hold none. c is no axis, along which
-/// meshes and surfaces are commonly aligned.
+/// or s leave no zero, or that of the third has one sign, hold none. c is the direction of a
+/// contour at the boundary; where that leaves something undecided, two others are tried.
 SeedSearchResult FindContourSeeds(const CurveEquations& equations, CurveEvaluator& evaluator,
   Shape shape, double value, const SeedEffort& effort = {});
 } // namespace pixelexact

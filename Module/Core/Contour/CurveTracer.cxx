@@ -14,6 +14,7 @@ namespace
 {
 constexpr double kTurn = 0.94;      ///< cosine of the angle by which a step may turn
 constexpr double kSameBranch = 0.8; ///< cosine to a point that a step passes
+constexpr double kAside = 0.2;      ///< of a step: how far its curve may pass beside a seed's place
 constexpr double kShare = 0.7;      ///< of the tolerance that a step may use
 constexpr double kShortest = 1e-12; ///< of the longest step
 constexpr double kOnFace = 1e-9;    ///< distance to a face's plane, in xi
@@ -28,6 +29,15 @@ double DistanceToChord(const Vec3& x, const Vec3& from, const Vec3& to)
   const double square = glm::dot(chord, chord);
   const double t = square > 0.0 ? std::clamp(glm::dot(x - from, chord) / square, 0.0, 1.0) : 0.0;
   return glm::length(x - (from + t * chord));
+}
+/// How far the cubic with the curve's directions at the ends leaves the chord, at most: that of a
+/// chord of length L at angles with the tangents m and n is L (m t (1-t)^2 - n t^2 (1-t)).
+double CubicBulge(const CurvePoint& from, const CurvePoint& to)
+{
+  const Vec3 chord = to.x - from.x;
+  const auto slope = [&chord](const Vec3& along)
+  { return glm::length(glm::cross(chord, along)) / glm::length(along); };
+  return 4.0 / 27.0 * (slope(from.worldDirection) + slope(to.worldDirection));
 }
 } // namespace
 
@@ -87,7 +97,7 @@ std::optional<CurveTracer::Step> CurveTracer::Try(const CurvePoint& from, double
   {
     return std::nullopt;
   }
-  const double sagitta = DistanceToChord(middle->x, from.x, to->x);
+  const double sagitta = std::max(DistanceToChord(middle->x, from.x, to->x), CubicBulge(from, *to));
   if (!(sagitta <= kShare * Limits.tolerance))
   {
     return std::nullopt;
@@ -108,14 +118,14 @@ std::optional<CurveTracer::Passed> CurveTracer::FirstPassed(const std::vector<Co
     const double t = glm::dot(at - from.xi, chord) / square;
     if ((k == first && !mayClose) || (k != first && seeds[k].used) || !(t > after) ||
       !(t < best.part) || !(t <= 1.0 + 1e-9) ||
-      glm::length(at - (from.xi + t * chord)) > 2.0 * bulge + 1e-3 * std::sqrt(square))
+      glm::length(at - (from.xi + t * chord)) > 2.0 * bulge + kAside * std::sqrt(square))
     {
       continue;
     }
     // On the parabola through both ends and the middle.
     const Vec3 bend = 4.0 * t * (1.0 - t) * (step.middle.xi - (from.xi + step.point.xi) / 2.0);
-    const auto there = Evaluator.InPlane(
-      from.xi + t * chord + bend, { chord, glm::dot(chord, at) }, 0.1 * std::sqrt(square) + kSame);
+    const auto there = Evaluator.InPlane(from.xi + t * chord + bend, { chord, glm::dot(chord, at) },
+      kAside * std::sqrt(square) + kSame);
     // Beside another branch, the value rises to the other side: the curve's direction is reversed.
     if (there && glm::length(there->xi - at) <= kSame &&
       glm::dot(there->direction, from.direction) > kSameBranch)

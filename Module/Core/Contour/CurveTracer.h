@@ -25,11 +25,11 @@ struct TraceLimits
 /// Follows the contours of an element from seed to seed, which it marks as used.
 ///
 /// A step: along the tangent, then Newton's iteration in the plane normal to the step. It is kept
-/// if the tangent turned by less than 20 degrees and the curve's point over the chord's middle,
-/// found by the same iteration, lies within 0.7 times the tolerance of the chord. That distance is
-/// an arc's sagitta up to the third power of its length: measured at one point, not bounded between
-/// the points. Steps that pass a seed are told by the seed: the curve's point in the plane through
-/// it is the seed.
+/// if the tangent turned by less than 20 degrees and the sagitta is at most 0.7 times the
+/// tolerance. That is the larger of two estimates, neither a bound: the distance to the chord of
+/// the curve's point over its middle, found by the same iteration, and that of the cubic with the
+/// curve's ends and tangents, which tells an inflexion. Steps that pass a seed are told by the
+/// seed: the curve's point in the plane through it is the seed.
 class CurveTracer
 {
 public:
