@@ -31,8 +31,9 @@ namespace
 class AskedFunction final : public CutFunction
 {
 public:
-  explicit AskedFunction(vtkImplicitFunction* function)
+  AskedFunction(vtkImplicitFunction* function, double length)
     : Function(function)
+    , Step(1e-6 * length)
   {
   }
   [[nodiscard]] double Value(const Vec3& x) const override
@@ -42,13 +43,21 @@ public:
   [[nodiscard]] Vec3 Gradient(const Vec3& x) const override
   {
     Vec3 gradient;
-    Function->FunctionGradient(glm::value_ptr(x), glm::value_ptr(gradient));
+    for (int d = 0; d < 3; ++d)
+    {
+      Vec3 before = x;
+      Vec3 behind = x;
+      before[d] -= Step;
+      behind[d] += Step;
+      gradient[d] = (Value(behind) - Value(before)) / (behind[d] - before[d]);
+    }
     return gradient;
   }
   [[nodiscard]] bool NeedsCallingThread() const override { return true; }
 
 private:
   vtkSmartPointer<vtkImplicitFunction> Function;
+  double Step;
 };
 
 QuadricForm FormOf(vtkPlane* plane)
@@ -200,7 +209,7 @@ std::optional<QuadricForm> Moved(const QuadricForm& form, vtkImplicitFunction* f
 }
 } // namespace
 
-std::unique_ptr<const CutFunction> MakeCutFunction(vtkImplicitFunction* function)
+std::unique_ptr<const CutFunction> MakeCutFunction(vtkImplicitFunction* function, double length)
 {
   if (const auto plain = PlainForm(function))
   {
@@ -209,6 +218,6 @@ std::unique_ptr<const CutFunction> MakeCutFunction(vtkImplicitFunction* function
       return std::make_unique<QuadricCut>(*form);
     }
   }
-  return std::make_unique<AskedFunction>(function);
+  return std::make_unique<AskedFunction>(function, length);
 }
 } // namespace pixelexact

@@ -219,13 +219,14 @@ void vtkHighOrderContour::Trace(vtkDataObject* grid, vtkPolyData* output)
   const auto model = this->Source->Get(grid, this);
   const Field& field = FieldIn(*model, this->GetChosenName());
   const int component = ComponentOf(field, this->Component);
-  const auto cut = MakeCutFunction(this->CutFunction);
   const Box3 box = model->GetLocator().Bounds();
+  const double extent = glm::length(box.upper - box.lower);
+  const double diagonal = extent > 0.0 ? extent : 1.0; // a grid may be empty
+  const auto cut = MakeCutFunction(this->CutFunction, diagonal);
   ContourOptions options{ this->Values, this->Tolerance };
   if (options.tolerance == 0.0)
   {
-    const double diagonal = glm::length(box.upper - box.lower);
-    options.tolerance = diagonal > 0.0 ? 1e-4 * diagonal : 1.0;
+    options.tolerance = 1e-4 * diagonal;
   }
   this->UpdateProgress(0.2);
   const ContourSet set =

@@ -27,8 +27,10 @@ constexpr int kFirstAsked = 3;
 constexpr int kDeepest = 15;
 /// Seeds nearer to each other than this in xi are one.
 constexpr double kSame = 1e-11;
-/// A seed found by Newton's iteration is the root that was isolated if it is as near.
-constexpr double kRefined = 1e-6;
+/// A seed found by Newton's iteration is the root that was isolated if it is as near in xi; where
+/// the root is that of an interpolated surface, it may be off by more.
+constexpr double kRefined = 2e-6;
+constexpr double kFoundNear = 0.1;
 /// A polynomial as small as this on a face, relative to its size in the element, is zero there.
 constexpr double kHeld = 1e-13;
 
@@ -46,6 +48,7 @@ public:
     , Evaluator(evaluator)
     , TheShape(shape)
     , Value(value)
+    , Reach(equations.IsExact() ? kRefined : kFoundNear)
     , Boxes(effort.boxes)
   {
   }
@@ -204,8 +207,7 @@ private:
       {
         const Vec3 xi = TensorToReference(
           TheShape, toEta({ root.enclosure[0].Middle(), root.enclosure[1].Middle(), 0.0 }));
-        const auto point =
-          Evaluator.InPlane(xi, { plane.gradient, -plane.constant }, 2.0 * kRefined);
+        const auto point = Evaluator.InPlane(xi, { plane.gradient, -plane.constant }, Reach);
         Result.complete = Result.complete && point.has_value();
         if (point && Margin(TheShape, point->xi) >= -1e-9)
         {
@@ -321,7 +323,7 @@ private:
     {
       const auto point = Evaluator.Near(toXi({ root.enclosure[0].Middle(),
                                           root.enclosure[1].Middle(), root.enclosure[2].Middle() }),
-        kRefined);
+        Reach);
       Result.complete = Result.complete && point.has_value();
       if (point)
       {
@@ -406,6 +408,7 @@ private:
   CurveEvaluator& Evaluator;
   Shape TheShape;
   double Value;
+  double Reach;
   int Boxes;
   int Left = 0;
   Vec3 Along{ 0.0 };
