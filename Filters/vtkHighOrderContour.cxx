@@ -223,7 +223,7 @@ void vtkHighOrderContour::Trace(vtkDataObject* grid, vtkPolyData* output)
   const double extent = glm::length(box.upper - box.lower);
   const double diagonal = extent > 0.0 ? extent : 1.0; // a grid may be empty
   const auto cut = MakeCutFunction(this->CutFunction, diagonal);
-  ContourOptions options{ this->Values, this->Tolerance };
+  ContourRequest options{ this->Values, this->Tolerance };
   if (options.tolerance == 0.0)
   {
     options.tolerance = 1e-4 * diagonal;

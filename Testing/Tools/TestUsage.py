@@ -279,7 +279,7 @@ class NotYet(ToolTest):
         source, image = case("escher_tet_g3_p3"), self.folder / "i.png"
         base = ["render", source, "--field", "u", "--output", image]
         plane = list(MIDDLE)
-        self.fails(1, *base, *plane, "--contours", "10", names=["--contours", "not available yet"])
+        self.fails(1, *base, *plane, "--contours", "10", names=["--contours", "not drawn yet"])
         self.fails(2, *base, *plane, "--precision", "half", names=["--precision"])
         for precision in ["double", "float"]:
             self.succeeds(*base, *plane, "--precision", precision, "--size", "9x9")

@@ -16,7 +16,7 @@ namespace
 {
 constexpr double kOnFace = 1e-9;
 
-void Check(const ContourOptions& options)
+void Check(const ContourRequest& options)
 {
   for (const double value : options.values)
   {
@@ -49,7 +49,7 @@ bool IsNeighbours(const CurvePiece& piece, const ElementContour& contour, const 
 } // namespace
 
 ContourSet TraceContours(
-  const ContourQuestion& question, const FaceTable& faces, const ContourOptions& options)
+  const ContourQuestion& question, const FaceTable& faces, const ContourRequest& options)
 {
   Check(options);
   ContourSet set;

@@ -50,7 +50,7 @@ struct ContourSet
   ContourReport report;
 };
 
-struct ContourOptions
+struct ContourRequest
 {
   std::vector<double> values;
   /// World units, > 0: chords lie within it of the contours, as measured at their middles.
@@ -62,5 +62,5 @@ struct ContourOptions
 /// Throws InvalidData for values that are not finite or a tolerance that is not positive, and
 /// Unsupported for a mapped field (H(curl), H(div), density).
 ContourSet TraceContours(
-  const ContourQuestion& question, const FaceTable& faces, const ContourOptions& options);
+  const ContourQuestion& question, const FaceTable& faces, const ContourRequest& options);
 } // namespace pixelexact
