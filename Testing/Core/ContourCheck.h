@@ -5,9 +5,11 @@
 
 #include "Core/Contour/Contour.h"
 #include "Core/Location/Locator.h"
+#include "Core/Location/Sample.h"
 
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 // Contours of fields given in closed form, measured.
 namespace pixelexact::testing
@@ -44,6 +46,54 @@ inline ContourSet ContoursOf(const Mesh& mesh, const ExpansionBuilder& values,
   const Locator locator(mesh);
   const FaceTable faces(locator.Index());
   return TraceContours({ mesh, &field, 0, &cut }, faces, { std::move(levels), tolerance });
+}
+
+/// Into how many regions the square z = const of the element [-1,1]^3 falls by where the field is
+/// above the value, seen at pixels.
+inline std::size_t CountRegions(
+  const Mesh& mesh, const Field& field, double z, double value, int pixels)
+{
+  std::vector<bool> above;
+  for (int j = 0; j < pixels; ++j)
+  {
+    std::vector<Vec3> xi;
+    for (int i = 0; i < pixels; ++i)
+    {
+      xi.emplace_back((2.0 * i + 1.0) / pixels - 1.0, (2.0 * j + 1.0) / pixels - 1.0, z);
+    }
+    std::vector<double> row(xi.size());
+    EvaluateAt(mesh, field, 0, xi, row, {});
+    for (const double one : row)
+    {
+      above.push_back(one > value);
+    }
+  }
+  std::vector<int> root(above.size());
+  std::iota(root.begin(), root.end(), 0);
+  const auto find = [&root](int at)
+  {
+    while (root[at] != at)
+    {
+      at = root[at] = root[root[at]];
+    }
+    return at;
+  };
+  for (int at = 0; at < static_cast<int>(root.size()); ++at)
+  {
+    for (const int next : { at % pixels + 1 < pixels ? at + 1 : at, at + pixels })
+    {
+      if (next < static_cast<int>(root.size()) && above[at] == above[next])
+      {
+        root[find(at)] = find(next);
+      }
+    }
+  }
+  std::size_t regions = 0;
+  for (int at = 0; at < static_cast<int>(root.size()); ++at)
+  {
+    regions += root[at] == at ? 1 : 0;
+  }
+  return regions;
 }
 
 /// The largest |F(x) - rho| and |S(x)| of the vertices, x from their xi in long double, and

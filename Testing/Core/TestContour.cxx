@@ -191,6 +191,33 @@ TEST(Contour, LoopsCloserThanAnySampling)
   }
 }
 
+/// Lines that do not meet, closed or from boundary to boundary, divide a square into one region
+/// more than there are lines: counted by flooding pixels.
+TEST(Contour, RandomFieldsHaveAsManyLinesAsRegions)
+{
+  constexpr int kPixels = 700;
+  const MeshBuilder builder = Stack(1);
+  const Mesh mesh = builder.View();
+  for (int i = 0; i < 24; ++i)
+  {
+    const int order = 4 + i % 3;
+    Random random(static_cast<std::uint64_t>(77 + i));
+    ExpansionBuilder values = FieldOf(mesh, order, [](const LongVec3&) { return 0.0L; });
+    for (double& coefficient : values.Coefficients)
+    {
+      coefficient = random();
+    }
+    const double z = -0.37 + 0.02 * i;
+    const QuadricCut cut(PlaneAt({ 0.0, 0.0, z }, { 0.0, 0.0, 1.0 }));
+    const ContourSet set = ContoursOf(mesh, values, cut, { 0.05 }, 1e-3);
+    const Field field{ "f", values.View() };
+    EXPECT_EQ(set.lines.size() + 1, CountRegions(mesh, field, z, 0.05, kPixels)) << i;
+    EXPECT_EQ(set.report.undecided, 0) << i;
+    EXPECT_EQ(set.report.uncertified, 0) << i;
+    EXPECT_EQ(set.report.endsInside, 0) << i;
+  }
+}
+
 TEST(Contour, SaddleBesideItsValue)
 {
   const MeshBuilder builder = Stack(1);

@@ -22,6 +22,9 @@ constexpr Vec3 kAlong[2] = { { 0.7304251, 0.5231847, 0.4391063 },
 /// Boxes in which the root finder is to settle a part that could still be halved.
 constexpr int kTry = 48;
 constexpr int kLast = 1000;
+/// Of a box, as part of one of the element's. In a smaller one the errors of noisy coefficients,
+/// some 1e-12, would leave no root provable.
+constexpr double kSmallest = 0x1p-32;
 /// Halvings of a piece before the root finder is asked, and at most.
 constexpr int kFirstAsked = 3;
 constexpr int kDeepest = 15;
@@ -201,6 +204,7 @@ private:
       };
       RootSearch options;
       options.budget = kLast;
+      options.smallest = kSmallest;
       const RootSearchResult found = FindRoots(PolynomialSystem(2, system), options);
       const FacePlane& plane = FacePlanesOf(TheShape)[k];
       for (const IsolatedRoot& root : found.roots)
@@ -308,6 +312,7 @@ private:
     }
     RootSearch options;
     options.budget = last ? kLast : kTry;
+    options.smallest = kSmallest;
     const RootSearchResult found = FindRoots(PolynomialSystem(3, system), options);
     Left -= static_cast<int>(found.boxes / 8);
     if (!last && !found.undecided.empty())
