@@ -229,8 +229,8 @@ void vtkHighOrderContour::Trace(vtkDataObject* grid, vtkPolyData* output)
     options.tolerance = 1e-4 * diagonal;
   }
   this->UpdateProgress(0.2);
-  const ContourSet set =
-    TraceContours({ model->GetMesh(), &field, component, cut.get() }, model->Faces(), options);
+  const ContourSet set = TraceContours({ model->GetMesh(), &field, component, cut.get() },
+    model->GetLocator(), model->Faces(), options);
   this->UpdateProgress(0.9);
   ToPolyData(set, *model, field.name.empty() ? "Value" : field.name, options.values, output);
   this->NumberOfUncertifiedLines = set.report.uncertified;

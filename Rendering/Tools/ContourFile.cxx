@@ -102,7 +102,8 @@ void WriteContours(const ContourFileOptions& options, const Shot& shot,
     const QuadricCut cut(*FormOf(*layer.surface));
     const int component =
       layer.field->values.components == 1 || layer.component != kMagnitude ? layer.component : -1;
-    ContourSet set = TraceContours({ model.GetMesh(), layer.field, component, &cut }, model.Faces(),
+    ContourSet set = TraceContours({ model.GetMesh(), layer.field, component, &cut },
+      *shot.scene.locator, model.Faces(),
       { values[k], options.tolerance.value_or(1e-4 * (diagonal > 0 ? diagonal : 1)) });
     if (const std::string doubts = DescribeDoubts(set.report); !doubts.empty())
     {

@@ -45,7 +45,7 @@ inline ContourSet ContoursOf(const Mesh& mesh, const ExpansionBuilder& values,
   const Field field{ "f", values.View() };
   const Locator locator(mesh);
   const FaceTable faces(locator.Index());
-  return TraceContours({ mesh, &field, 0, &cut }, faces, { std::move(levels), tolerance });
+  return TraceContours({ mesh, &field, 0, &cut }, locator, faces, { std::move(levels), tolerance });
 }
 
 /// Into how many regions the square z = const of the element [-1,1]^3 falls by where the field is

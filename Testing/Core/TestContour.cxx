@@ -145,6 +145,38 @@ TEST(Contour, SurfaceAlongAFaceIsDrawnOnce)
   EXPECT_EQ(arcs.lines.size(), 4U);
 }
 
+/// A large hexahedron below z = 0 and four small ones above, one of them with the lowest number.
+TEST(Contour, SurfaceAlongAHangingFaceIsDrawnOnce)
+{
+  MeshBuilder builder;
+  const auto add = [&builder](double x, double y, double half, double z)
+  {
+    builder.Add(
+      UniformSpace(Shape::Hexahedron, 1),
+      [=](const LongVec3& xi) {
+        return LongVec3{ x + half * xi[0], y + half * xi[1], z + half * xi[2] };
+      },
+      { x, y, z }, half);
+  };
+  add(-0.5, -0.5, 0.5, 0.5);
+  add(0.0, 0.0, 1.0, -1.0);
+  add(0.5, -0.5, 0.5, 0.5);
+  add(-0.5, 0.5, 0.5, 0.5);
+  add(0.5, 0.5, 0.5, 0.5);
+  const Mesh mesh = builder.View();
+  const ExpansionBuilder values = FieldOf(mesh, 2,
+    [](const LongVec3& x)
+    { return (x[0] - 0.1L) * (x[0] - 0.1L) + (x[1] - 0.05L) * (x[1] - 0.05L); });
+  const QuadricCut cut(PlaneAt({ 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 }));
+  const ContourSet set = ContoursOf(mesh, values, cut, { 0.25 }, 1e-6);
+  ExpectCircle(set, cut, 0.5);
+  EXPECT_EQ(set.report.uncertified, 0);
+  for (const ContourVertex& vertex : set.vertices)
+  {
+    EXPECT_NE(vertex.element, 1);
+  }
+}
+
 TEST(Contour, LinesThroughManyElements)
 {
   const Shape shapes[] = { Shape::Hexahedron };

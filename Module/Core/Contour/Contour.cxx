@@ -2,6 +2,7 @@
 #include "Core/Contour/Contour.h"
 
 #include "Core/Base/Error.h"
+#include "Core/Contour/FaceOwner.h"
 #include "Core/Contour/LineAssembly.h"
 #include "Core/Faces/FacePlane.h"
 
@@ -16,9 +17,9 @@ namespace
 {
 constexpr double kOnFace = 1e-9;
 
-void Check(const ContourRequest& options)
+void Check(const ContourRequest& request)
 {
-  for (const double value : options.values)
+  for (const double value : request.values)
   {
     if (!std::isfinite(value))
     {
@@ -26,35 +27,35 @@ void Check(const ContourRequest& options)
         "contours of the value " + std::to_string(value) + " were asked for; give finite values.");
     }
   }
-  if (!(options.tolerance > 0.0 && std::isfinite(options.tolerance)))
+  if (!(request.tolerance > 0.0 && std::isfinite(request.tolerance)))
   {
     throw InvalidData("the tolerance of contours must be greater than 0, in world units.");
   }
 }
 
-/// Whether a piece lies in a face that the surface contains, and is drawn by the lower element.
-bool IsNeighbours(const CurvePiece& piece, const ElementContour& contour, const Mesh& mesh,
-  const FaceTable& faces, int element)
+/// Whether a piece lies in a face that the surface contains, and another element draws it.
+bool IsAnothers(const CurvePiece& piece, const ElementContour& contour, const Mesh& mesh,
+  const FaceOwner& owner, int element)
 {
   return std::ranges::any_of(contour.heldFaces,
     [&](int face)
     {
       const FacePlane& plane = FacePlanesOf(mesh.ShapeOf(element))[static_cast<std::size_t>(face)];
-      const int neighbour = faces.NeighbourOf(element, face).element;
-      return neighbour >= 0 && neighbour < element &&
-        std::ranges::all_of(piece.points,
-          [&](const CurvePoint& point) { return std::fabs(plane.Distance(point.xi)) <= kOnFace; });
+      return std::ranges::all_of(piece.points,
+               [&](const CurvePoint& point)
+               { return std::fabs(plane.Distance(point.xi)) <= kOnFace; }) &&
+        owner.IsAnothers(element, face, piece.points[piece.points.size() / 2]);
     });
 }
 } // namespace
 
-ContourSet TraceContours(
-  const ContourQuestion& question, const FaceTable& faces, const ContourRequest& options)
+ContourSet TraceContours(const ContourQuestion& question, const Locator& locator,
+  const FaceTable& faces, const ContourRequest& request)
 {
-  Check(options);
+  Check(request);
   ContourSet set;
   const auto count = static_cast<std::size_t>(question.mesh.Elements());
-  const auto values = options.values.size();
+  const auto values = request.values.size();
   std::vector<ElementContour> found(count * values);
   const auto trace = [&](std::size_t e)
   {
@@ -63,10 +64,10 @@ ContourSet TraceContours(
     for (std::size_t v = 0; v < values; ++v)
     {
       // The norm of a vector is 0 at points.
-      if (!question.IsMagnitude() || options.values[v] > 0.0)
+      if (!question.IsMagnitude() || request.values[v] > 0.0)
       {
         found[v * count + e] =
-          TraceElement(question, equations, element, options.values[v], options.tolerance);
+          TraceElement(question, equations, element, request.values[v], request.tolerance);
       }
     }
   };
@@ -82,10 +83,11 @@ ContourSet TraceContours(
     tbb::parallel_for(std::size_t{ 0 }, count, trace);
   }
 
+  const FaceOwner owner(locator, faces);
   ContourReport& report = set.report;
   for (std::size_t v = 0; v < values; ++v)
   {
-    report.normsOfZero += question.IsMagnitude() && options.values[v] == 0.0 ? 1 : 0;
+    report.normsOfZero += question.IsMagnitude() && request.values[v] == 0.0 ? 1 : 0;
     std::vector<PlacedPiece> pieces;
     for (std::size_t e = 0; e < count; ++e)
     {
@@ -98,7 +100,7 @@ ContourSet TraceContours(
       report.tooHigh += contour.tooHigh ? 1 : 0;
       for (CurvePiece& piece : contour.pieces)
       {
-        if (!IsNeighbours(piece, contour, question.mesh, faces, element))
+        if (!IsAnothers(piece, contour, question.mesh, owner, element))
         {
           ++report.pieces;
           report.unproven += piece.certain ? 0 : 1;

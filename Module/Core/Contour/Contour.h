@@ -3,6 +3,7 @@
 
 #include "Core/Contour/ContourQuestion.h"
 #include "Core/Faces/FaceTable.h"
+#include "Core/Location/Locator.h"
 
 #include <cstdint>
 #include <vector>
@@ -58,9 +59,10 @@ struct ContourRequest
 };
 
 /// The contours of a field on a cut-surface as polylines: see Documentation/contour-lines.md for
-/// the method and for what is proven. In parallel; the result does not depend on threads.
+/// the method and for what is proven. The locator is the mesh's. In parallel; the result does not
+/// depend on threads.
 /// Throws InvalidData for values that are not finite or a tolerance that is not positive, and
 /// Unsupported for a mapped field (H(curl), H(div), density).
-ContourSet TraceContours(
-  const ContourQuestion& question, const FaceTable& faces, const ContourRequest& options);
+ContourSet TraceContours(const ContourQuestion& question, const Locator& locator,
+  const FaceTable& faces, const ContourRequest& request);
 } // namespace pixelexact
