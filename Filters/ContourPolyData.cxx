@@ -105,15 +105,15 @@ void ToPolyData(const ContourSet& set, const HighOrderModel& model, const std::s
 std::string DescribeDoubts(const ContourReport& report)
 {
   return Line(report.uncertified, "line", "not certified") +
-    Line(report.undecided, "search",
-      "of a value in an element not complete: lines may be missing there") +
+    Line(report.undecided, "element", "(once per value) not decided: lines may be missing there") +
     Line(report.lost, "piece", "could not be followed to an end: singular points, or roundoff") +
     Line(report.ambiguous, "joint", "of more than two ends") +
-    Line(report.constant, "time",
-      "an element has the value, or lies in the surface, throughout: nothing is drawn there") +
+    Line(report.constant, "element",
+      "(once per value) with the value, or in the surface, throughout: nothing is drawn there") +
     Line(report.notFinite, "element", "left out: coefficients are NaN or infinite") +
-    Line(report.tooHigh, "search",
-      "left out: orders of field and surface together exceed 64; use a plane, or lower orders") +
+    Line(report.tooHigh, "element",
+      "(once per value) left out: orders of field and surface together exceed 64; use a plane, or "
+      "lower orders") +
     Line(report.normsOfZero, "value",
       "of 0 of a magnitude left out: it is taken at points; take a component");
 }

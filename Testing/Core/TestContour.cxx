@@ -113,6 +113,35 @@ TEST_P(ContourOnCurvedMesh, Circle)
 INSTANTIATE_TEST_SUITE_P(Shapes, ContourOnCurvedMesh, ::testing::ValuesIn(kShapes),
   [](const auto& tested) { return std::string(Name(tested.param)); });
 
+/// Far from the world's origin and small: what is lost are the digits of points, not those of xi.
+TEST(Contour, SmallMeshesFarAway)
+{
+  for (const Shape shape : kShapes)
+  {
+    const Shape shapes[] = { shape };
+    const Placement place{ { 0x1p-10L, 0x1p-10L, 0x1p-10L }, { 1000.0L, -2000.0L, 500.0L } };
+    const CurvedMesh curved = Blocks(2, shapes, place);
+    const Mesh mesh = curved.View();
+    const auto f = [&place](const LongVec3& x)
+    {
+      const long double a = (x[0] - place.offset[0]) / place.scale[0];
+      const long double b = (x[1] - place.offset[1]) / place.scale[1];
+      return a * a + b * b;
+    };
+    const ExpansionBuilder values = FieldOf(mesh, 6, f);
+    const QuadricCut cut(PlaneAt({ 1000.0, -2000.0, 500.0 + 0x1p-14 }, { 0.0, 0.0, 1.0 }));
+    const std::vector<double> levels{ 0.390625 };
+    const ContourSet set = ContoursOf(mesh, values, cut, levels, 0x1p-30);
+    ASSERT_EQ(set.lines.size(), 1U) << Name(shape);
+    EXPECT_TRUE(set.lines[0].closed) << Name(shape);
+    EXPECT_TRUE(set.lines[0].certified) << Name(shape);
+    const VertexErrors errors =
+      ErrorsOf(set, mesh, levels, f, [](const LongVec3& x) { return x[2] - 500.0L - 0x1p-14L; });
+    EXPECT_LT(errors.value, 2e-13L) << Name(shape);
+    EXPECT_LT(errors.cut, 0x1p-10L * 2e-14L) << Name(shape);
+  }
+}
+
 MeshBuilder Stack(int count)
 {
   MeshBuilder builder;
@@ -320,8 +349,14 @@ public:
     : Form(form)
   {
   }
-  [[nodiscard]] double Value(const Vec3& x) const override { return Form.Value(x); }
-  [[nodiscard]] Vec3 Gradient(const Vec3& x) const override { return Form.Gradient(x); }
+  [[nodiscard]] double Value(const Vec3& x) const override
+  {
+    return Form.ValueAround(x - Form.origin);
+  }
+  [[nodiscard]] Vec3 Gradient(const Vec3& x) const override
+  {
+    return Form.GradientAround(x - Form.origin);
+  }
 
 private:
   QuadricForm Form;

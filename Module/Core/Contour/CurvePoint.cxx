@@ -76,8 +76,21 @@ CurvePoint CurveEvaluator::At(const Vec3& xi)
       jacobian[d][c] = size * arrays[count + 3 * row + static_cast<std::size_t>(d)][0];
     }
   }
-  point.s = Question.cut->Value(point.x);
-  point.sByXi = Question.cut->Gradient(point.x) * jacobian;
+  const Vec3 y(arrays[0][0], arrays[1][0], arrays[2][0]);
+  if (const QuadricForm* quadric = Question.cut->Quadric())
+  {
+    // Not of x, which far from the world's origin has lost digits that xi has.
+    const Vec3 centre(Question.mesh.centre[3 * e], Question.mesh.centre[3 * e + 1],
+      Question.mesh.centre[3 * e + 2]);
+    const Vec3 z = (centre - quadric->origin) + size * y;
+    point.s = quadric->ValueAround(z);
+    point.sByXi = quadric->GradientAround(z) * jacobian;
+  }
+  else
+  {
+    point.s = Question.cut->Value(point.x);
+    point.sByXi = Question.cut->Gradient(point.x) * jacobian;
+  }
 
   const Space& space = values.SpaceOf(Element);
   FieldKernels.gradient(

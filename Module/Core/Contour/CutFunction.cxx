@@ -5,16 +5,14 @@
 
 namespace pixelexact
 {
-double QuadricForm::Value(const Vec3& x) const
+double QuadricForm::ValueAround(const Vec3& z) const
 {
-  const Vec3 z = x - origin;
   return q[0] * z.x * z.x + q[1] * z.y * z.y + q[2] * z.z * z.z + q[3] * z.x * z.y +
     q[4] * z.y * z.z + q[5] * z.x * z.z + glm::dot(g, z) + c;
 }
 
-Vec3 QuadricForm::Gradient(const Vec3& x) const
+Vec3 QuadricForm::GradientAround(const Vec3& z) const
 {
-  const Vec3 z = x - origin;
   return g +
     Vec3(2.0 * q[0] * z.x + q[3] * z.y + q[5] * z.z, 2.0 * q[1] * z.y + q[3] * z.x + q[4] * z.z,
       2.0 * q[2] * z.z + q[4] * z.y + q[5] * z.x);

@@ -17,8 +17,9 @@ struct QuadricForm
   double c = 0.0;
 
   [[nodiscard]] bool IsPlane() const { return q == std::array<double, 6>{}; }
-  [[nodiscard]] double Value(const Vec3& x) const;
-  [[nodiscard]] Vec3 Gradient(const Vec3& x) const;
+  /// At x = origin + z.
+  [[nodiscard]] double ValueAround(const Vec3& z) const;
+  [[nodiscard]] Vec3 GradientAround(const Vec3& z) const;
 };
 
 /// The function S whose zeros are a cut-surface.
@@ -42,8 +43,14 @@ public:
     : Form(form)
   {
   }
-  [[nodiscard]] double Value(const Vec3& x) const override { return Form.Value(x); }
-  [[nodiscard]] Vec3 Gradient(const Vec3& x) const override { return Form.Gradient(x); }
+  [[nodiscard]] double Value(const Vec3& x) const override
+  {
+    return Form.ValueAround(x - Form.origin);
+  }
+  [[nodiscard]] Vec3 Gradient(const Vec3& x) const override
+  {
+    return Form.GradientAround(x - Form.origin);
+  }
   [[nodiscard]] const QuadricForm* Quadric() const override { return &Form; }
 
 private:
