@@ -78,9 +78,9 @@ BoxPolynomial Multiply(const BoxPolynomial& f, const BoxPolynomial& g)
   product.b.assign(CoefficientCount(product.degree), 0.0);
   const std::vector<double> left = Weighted(f);
   const std::vector<double> right = Weighted(g);
-  const auto row = static_cast<std::size_t>(product.degree[2] + 1);
-  const auto plane = static_cast<std::size_t>(product.degree[1] + 1) * row;
-  const auto length = static_cast<std::size_t>(g.degree[2] + 1);
+  const std::size_t row = StrideOf(product.degree, 1);
+  const std::size_t plane = StrideOf(product.degree, 0);
+  const std::size_t length = StrideOf(g.degree, 1);
   ForEachCoefficient(f.degree,
     [&](std::size_t i, std::size_t j, std::size_t k, std::size_t at)
     {

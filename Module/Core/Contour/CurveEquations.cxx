@@ -66,11 +66,8 @@ CurveEquations::CurveEquations(const ContourQuestion& question, int element)
   {
     return;
   }
-  std::vector<RangeIngredient> all;
-  for (int c = 0; c < 3; ++c)
-  {
-    all.push_back({ &Map, c, Part::Value });
-  }
+  std::vector<RangeIngredient> all{ { &Map, 0, Part::Value }, { &Map, 1, Part::Value },
+    { &Map, 2, Part::Value } };
   for (int c = 0; c < (question.IsMagnitude() ? question.field->values.components : 1); ++c)
   {
     all.push_back({ &Modes, c, Part::Value });
