@@ -279,6 +279,24 @@ TEST(Contour, RandomFieldsHaveAsManyLinesAsRegions)
   }
 }
 
+/// Lines that cut off a billionth of an element at its edge.
+TEST(Contour, PiecesBesideAnEdge)
+{
+  const MeshBuilder builder = Stack(2);
+  const Mesh mesh = builder.View();
+  for (const double gap : { 1e-8, 1e-9, 8e-10, 1e-10, 1e-11, 1e-12, 1e-13 })
+  {
+    const ExpansionBuilder values =
+      FieldOf(mesh, 1, [](const LongVec3& x) { return x[0] + 0.3L * x[2]; });
+    const QuadricCut cut(PlaneAt({ 0.0, 0.2, 0.0 }, { 0.0, 1.0, 0.0 }));
+    // Through (1 - gap, z = 1): from the lower element, which the faces x = 1 and z = 1 end.
+    const ContourSet set = ContoursOf(mesh, values, cut, { 1.3 - gap, 1.3 + gap }, 1e-6);
+    EXPECT_EQ(set.lines.size(), 2U) << gap;
+    EXPECT_EQ(set.report.lost, 0) << gap;
+    EXPECT_EQ(set.report.endsInside, 0) << gap;
+  }
+}
+
 TEST(Contour, SaddleBesideItsValue)
 {
   const MeshBuilder builder = Stack(1);

@@ -44,6 +44,7 @@ class Import(unittest.TestCase):
         # The wrapping takes out what looks like a tag.
         for name, arrays in {
             "vtkHighOrderProbe": ["`FIELD`", "`FIELD_Gradient`", "`FIELD_lower`", "`FIELD_upper`"],
+            "vtkHighOrderContour": ["`Element`", "`Xi`", "`Gradient`", "`Closed`", "`Certified`"],
             "vtkHighOrderCertifier": ["`FIELD_lower`", "`FIELD_upper`", "`Verdict`"],
         }.items():
             for array in arrays:

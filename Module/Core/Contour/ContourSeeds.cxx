@@ -195,12 +195,12 @@ private:
       for (const IsolatedRoot& root : found.roots)
       {
         const Vec3 xi = TensorToReference(TheShape, toEta(MiddleOf(root.enclosure)));
-        List.AddRoot(Evaluator.InPlane(xi, inFace, Accuracy.reach), true);
+        List.AddRoot(Evaluator.InPlane(xi, inFace, Accuracy.reach), 1U << k);
       }
       for (const ParameterBox& box : found.undecided)
       {
         const Vec3 xi = TensorToReference(TheShape, toEta(MiddleOf(box)));
-        List.AddUndecided(Evaluator.InPlane(xi, inFace, kNear), true);
+        List.AddUndecided(Evaluator.InPlane(xi, inFace, kNear), 1U << k);
       }
     }
   }

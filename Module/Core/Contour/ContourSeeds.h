@@ -12,6 +12,7 @@ namespace pixelexact
 struct ContourSeed
 {
   CurvePoint point;
+  unsigned faces = 0;      ///< on which it was found: bit k, face k of FacesOf(shape)
   bool onBoundary = false; ///< of the element
   bool certain = false;    ///< proven to be there; else only found
   bool used = false;       ///< by a piece that was traced

@@ -17,7 +17,7 @@ constexpr double kSameBranch = 0.8; ///< cosine to a point that a step passes
 constexpr double kAside = 0.2;      ///< of a step: how far its curve may pass beside a seed's place
 constexpr double kShare = 0.7;      ///< of the tolerance that a step may use
 constexpr double kShortest = 1e-12; ///< of the longest step
-constexpr double kOnFace = 1e-9;    ///< distance to a face's plane, in xi
+constexpr double kOnFace = 1e-13;   ///< distance to a face's plane, in xi
 constexpr double kOutside = -1e-9;
 constexpr double kGrazing = 1e-6; ///< of the angle to a face that is touched
 constexpr double kSame = 1e-10;   ///< a curve passes a seed, in xi
@@ -50,32 +50,39 @@ CurveTracer::CurveTracer(
 {
 }
 
-int CurveTracer::Inward(const CurvePoint& point) const
+bool CurveTracer::IsOn(std::size_t face, const ContourSeed& seed) const
+{
+  return (seed.faces >> face & 1U) != 0 ||
+    std::fabs(FacePlanesOf(TheShape)[face].Distance(seed.point.xi)) <= kOnFace;
+}
+
+int CurveTracer::Inward(const ContourSeed& seed) const
 {
   const auto planes = FacePlanesOf(TheShape);
   bool may[2] = { true, true };
   for (std::size_t k = 0; k < planes.size(); ++k)
   {
-    if (std::fabs(planes[k].Distance(point.xi)) > kOnFace ||
-      std::ranges::find(HeldFaces, static_cast<int>(k)) != HeldFaces.end())
+    if (!IsOn(k, seed) || std::ranges::find(HeldFaces, static_cast<int>(k)) != HeldFaces.end())
     {
       continue;
     }
-    const double away = glm::dot(planes[k].gradient, point.direction);
+    const double away = glm::dot(planes[k].gradient, seed.point.direction);
     may[0] = may[0] && away > 0.0;
     may[1] = may[1] && away < 0.0;
   }
   return may[0] == may[1] ? 0 : may[0] ? 1 : -1;
 }
 
-bool CurveTracer::IsGrazing(const CurvePoint& point) const
+bool CurveTracer::IsGrazing(const ContourSeed& seed) const
 {
-  return std::ranges::all_of(FacePlanesOf(TheShape),
-    [&](const FacePlane& plane)
-    {
-      return std::fabs(plane.Distance(point.xi)) > kOnFace ||
-        std::fabs(glm::dot(plane.gradient, point.direction)) <= kGrazing;
-    });
+  const auto planes = FacePlanesOf(TheShape);
+  bool parallel = true;
+  for (std::size_t k = 0; k < planes.size(); ++k)
+  {
+    parallel = parallel &&
+      (!IsOn(k, seed) || std::fabs(glm::dot(planes[k].gradient, seed.point.direction)) <= kGrazing);
+  }
+  return parallel;
 }
 
 std::optional<CurveTracer::Step> CurveTracer::Try(const CurvePoint& from, double length, int sense)
@@ -175,8 +182,7 @@ CurveTracer::End CurveTracer::Follow(
     {
       return End::Lost;
     }
-    // A start that is passed at once is where the step begins.
-    double after = count == 0 ? 1e-9 : 0.0;
+    double after = 0.0;
     for (auto passed = FirstPassed(seeds, first, mayClose, from, *step, after); passed;
          passed = FirstPassed(seeds, first, mayClose, from, *step, after))
     {
@@ -188,7 +194,7 @@ CurveTracer::End CurveTracer::Follow(
       seed.used = true;
       points.push_back(seed.point);
       // One in a corner or on an edge may be passed on the way along the boundary.
-      if (seed.onBoundary && Inward(seed.point) != sense)
+      if (seed.onBoundary && Inward(seed) != sense)
       {
         return End::Crossing;
       }
@@ -226,7 +232,7 @@ std::vector<CurvePiece> CurveTracer::TraceAll(std::vector<ContourSeed>& seeds)
   for (ContourSeed& seed : seeds)
   {
     // Where it touches a face from inside, it goes on.
-    seed.onBoundary = seed.onBoundary && (!HeldFaces.empty() || !IsGrazing(seed.point));
+    seed.onBoundary = seed.onBoundary && (!HeldFaces.empty() || !IsGrazing(seed));
   }
   for (std::size_t k = 0; k < seeds.size(); ++k)
   {
@@ -234,7 +240,7 @@ std::vector<CurvePiece> CurveTracer::TraceAll(std::vector<ContourSeed>& seeds)
     {
       continue;
     }
-    const int sense = Inward(seeds[k].point);
+    const int sense = Inward(seeds[k]);
     seeds[k].used = true;
     if (sense == 0)
     {

@@ -58,9 +58,10 @@ private:
     Lost
   };
   /// +1 or -1: the sense of the direction that leads into the element; 0 where neither does.
-  [[nodiscard]] int Inward(const CurvePoint& point) const;
+  [[nodiscard]] int Inward(const ContourSeed& seed) const;
+  [[nodiscard]] bool IsOn(std::size_t face, const ContourSeed& seed) const;
   /// Whether the curve is parallel to all faces that the point is on.
-  [[nodiscard]] bool IsGrazing(const CurvePoint& point) const;
+  [[nodiscard]] bool IsGrazing(const ContourSeed& seed) const;
   std::optional<Step> Try(const CurvePoint& from, double length, int sense);
   End Follow(
     std::vector<ContourSeed>& seeds, std::size_t first, int sense, std::vector<CurvePoint>& points);

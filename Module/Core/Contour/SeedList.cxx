@@ -36,32 +36,33 @@ Parameters MiddleOf(const ParameterIntervals& box)
   return { box[0].Middle(), box[1].Middle(), box[2].Middle() };
 }
 
-void SeedList::AddRoot(const std::optional<CurvePoint>& point, bool onBoundary)
+void SeedList::AddRoot(const std::optional<CurvePoint>& point, unsigned faces)
 {
   result.complete = result.complete && point.has_value();
   // A root beyond the end of a face, or of the cube, by less than its enclosure is on it.
   if (point && Margin(TheShape, point->xi) >= kOutside)
   {
-    Add(*point, onBoundary, Exact);
+    Add(*point, faces, Exact);
   }
 }
 
-void SeedList::AddUndecided(const std::optional<CurvePoint>& point, bool onBoundary)
+void SeedList::AddUndecided(const std::optional<CurvePoint>& point, unsigned faces)
 {
   result.complete = false;
   if (point && Margin(TheShape, point->xi) >= kOutside)
   {
-    Add(*point, onBoundary, false);
+    Add(*point, faces, false);
   }
 }
 
-void SeedList::Add(const CurvePoint& point, bool onBoundary, bool certain)
+void SeedList::Add(const CurvePoint& point, unsigned faces, bool certain)
 {
   for (ContourSeed& known : result.seeds)
   {
     if (glm::length(known.point.xi - point.xi) <= kSame)
     {
-      known.onBoundary = known.onBoundary || onBoundary;
+      known.faces |= faces;
+      known.onBoundary = known.faces != 0;
       known.certain = known.certain || certain;
       return;
     }
@@ -72,6 +73,6 @@ void SeedList::Add(const CurvePoint& point, bool onBoundary, bool certain)
     result.complete = false;
     return;
   }
-  result.seeds.push_back({ point, onBoundary, certain });
+  result.seeds.push_back({ point, faces, faces != 0, certain });
 }
 } // namespace pixelexact

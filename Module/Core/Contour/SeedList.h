@@ -33,15 +33,16 @@ public:
   {
   }
 
-  /// The point that stands for an isolated root; none where Newton's iteration did not find it.
-  void AddRoot(const std::optional<CurvePoint>& point, bool onBoundary);
+  /// The point that stands for an isolated root, on these faces (ContourSeed); none where Newton's
+  /// iteration did not find it.
+  void AddRoot(const std::optional<CurvePoint>& point, unsigned faces);
   /// A point found where roots are undecided, or none.
-  void AddUndecided(const std::optional<CurvePoint>& point, bool onBoundary);
+  void AddUndecided(const std::optional<CurvePoint>& point, unsigned faces);
 
   SeedSearchResult result;
 
 private:
-  void Add(const CurvePoint& point, bool onBoundary, bool certain);
+  void Add(const CurvePoint& point, unsigned faces, bool certain);
 
   Shape TheShape;
   bool Exact;

@@ -47,7 +47,7 @@ void TurnSearch::Visit(CurvePart part, int depth)
   if (Left <= 0)
   {
     const Vec3 middle = (part.box.lower + part.box.upper) / 2.0;
-    List.AddUndecided(Evaluator.Near(TensorToReference(TheShape, middle), 0.5), false);
+    List.AddUndecided(Evaluator.Near(TensorToReference(TheShape, middle), 0.5), 0);
     return;
   }
   --Left;
@@ -141,11 +141,11 @@ bool TurnSearch::Ask(const CurvePart& part, bool last)
   };
   for (const IsolatedRoot& root : found.roots)
   {
-    List.AddRoot(Evaluator.Near(toXi(MiddleOf(root.enclosure)), Accuracy.reach), false);
+    List.AddRoot(Evaluator.Near(toXi(MiddleOf(root.enclosure)), Accuracy.reach), 0);
   }
   for (const ParameterBox& box : found.undecided)
   {
-    List.AddUndecided(Evaluator.Near(toXi(MiddleOf(box)), kNear), false);
+    List.AddUndecided(Evaluator.Near(toXi(MiddleOf(box)), kNear), 0);
   }
   return true;
 }
