@@ -11,8 +11,10 @@
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
 #include <vtkPointData.h>
+#include <vtkPolyData.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkXMLImageDataWriter.h>
+#include <vtkXMLPolyDataWriter.h>
 
 #include <algorithm>
 
@@ -22,10 +24,10 @@ namespace
 {
 /// Throws Error where a writer could not make the file's content.
 template <class Writer>
-void Encode(Writer& writer, const std::string& file, vtkImageData* image)
+void Encode(Writer& writer, const std::string& file, vtkDataObject* data)
 {
   const VtkMessages messages;
-  writer.SetInputData(image);
+  writer.SetInputData(data);
   writer.Write();
   if (const std::string error = messages.FirstError(); !error.empty())
   {
@@ -38,6 +40,16 @@ void WriteBytes(const std::string& file, const char* bytes, std::size_t size)
   OutputFile output(file);
   output.Stream().write(bytes, static_cast<std::streamsize>(size));
   output.Close();
+}
+
+/// Inline and not appended: ParaView 5.11 of Debian 12 cannot read the latter with the newest
+/// expat. Higher levels take longer for some percent less. A header of 32 bits would end at 4 GB.
+void SetFormat(vtkXMLWriter& writer)
+{
+  writer.SetDataModeToBinary();
+  writer.SetCompressorTypeToZLib();
+  writer.SetCompressionLevel(1);
+  writer.SetHeaderTypeToUInt64();
 }
 
 /// All arrays but these go; empty: none does.
@@ -77,17 +89,22 @@ void WriteBuffers(const std::string& file, const std::vector<std::string>& array
   std::span<const std::uint8_t> contours)
 {
   vtkNew<vtkXMLImageDataWriter> writer;
-  // Inline and not appended: ParaView 5.11 of Debian 12 cannot read the latter with the newest
-  // expat. Higher levels take longer for some percent less. A header of 32 bits would end at 4 GB.
-  writer->SetDataModeToBinary();
-  writer->SetCompressorTypeToZLib();
-  writer->SetCompressionLevel(1);
-  writer->SetHeaderTypeToUInt64();
+  SetFormat(*writer);
   writer->WriteToOutputStringOn();
   const vtkSmartPointer<vtkImageData> image = ToImageData(frame, sourceCells);
   AddContours(*image, contours);
   Keep(arrays, *image->GetPointData());
   Encode(*writer, file, image);
+  const std::string text = writer->GetOutputString();
+  WriteBytes(file, text.data(), text.size());
+}
+
+void WriteLines(const std::string& file, vtkPolyData* lines)
+{
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  SetFormat(*writer);
+  writer->WriteToOutputStringOn();
+  Encode(*writer, file, lines);
   const std::string text = writer->GetOutputString();
   WriteBytes(file, text.data(), text.size());
 }

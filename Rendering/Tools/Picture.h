@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+class vtkPolyData;
+
 namespace pixelexact
 {
 /// Files: see OutputFile. Writes RGB pixels, lower left first. Throws Error when the file cannot be
@@ -20,4 +22,7 @@ void WritePng(const std::string& file, int width, int height, const std::vector<
 void WriteBuffers(const std::string& file, const std::vector<std::string>& arrays,
   const Frame& frame, std::span<const std::int64_t> sourceCells,
   std::span<const std::uint8_t> contours);
+
+/// Writes polylines, compressed and inline. Throws Error when the file cannot be written.
+void WriteLines(const std::string& file, vtkPolyData* lines);
 } // namespace pixelexact

@@ -2,6 +2,7 @@
 #include "BufferOptions.h"
 #include "Command.h"
 #include "ContourDrawing.h"
+#include "ContourFile.h"
 #include "ContourOptions.h"
 #include "DebugOptions.h"
 #include "Looks.h"
@@ -18,6 +19,7 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
+#include <optional>
 
 namespace pixelexact
 {
@@ -30,6 +32,7 @@ struct RenderOptions
   BufferOptions buffers;
   std::string output;
   ContourOptions contours;
+  ContourFileOptions lines;
 };
 
 /// A file of another kind than its name says would mislead whoever opens it.
@@ -46,10 +49,17 @@ void Render(const RenderOptions& options, const CommonOptions& common)
 {
   CheckSuffix("--output", options.output, ".png");
   CheckSuffix("--buffers", options.buffers.File(), ".vti");
-  const std::vector<std::string> outputs{ options.output, options.buffers.File() };
+  CheckSuffix("--contours-output", options.lines.file, ".vtp");
+  const std::vector<std::string> outputs{ options.output, options.buffers.File(),
+    options.lines.file };
   CheckStandardOutput(outputs, common.json);
   CheckOutput("--output", options.output, options.shot.input.files);
   CheckOutput("--buffers", options.buffers.File(), options.shot.input.files);
+  CheckOutput("--contours-output", options.lines.file, options.shot.input.files);
+  if (!options.lines.file.empty() && !options.contours.AreGiven())
+  {
+    throw UsageError("--contours-output: there are no contours to write; give --contours");
+  }
   options.buffers.Check();
   DebugOptions debug = options.debug;
   const std::vector<LayerSettings> layers = options.shot.MakeLayers();
@@ -57,6 +67,10 @@ void Render(const RenderOptions& options, const CommonOptions& common)
   options.contours.Check(layers);
   Stopwatch stopwatch;
   const Shot shot = Prepare(options.shot, stopwatch);
+  if (!options.lines.file.empty())
+  {
+    CheckContourSurfaces(shot);
+  }
 
   const bool hasField = shot.scene.layers.front().field != nullptr;
   const Buffer wanted =
@@ -99,6 +113,11 @@ void Render(const RenderOptions& options, const CommonOptions& common)
       contours ? std::span(contours->Verdicts()) : std::span<const std::uint8_t>());
   }
   stopwatch.Stage("write");
+  if (!options.lines.file.empty())
+  {
+    WriteContours(options.lines, shot, found.contours->values);
+    stopwatch.Stage("contours");
+  }
 
   WarnOf(frame, found);
   if (common.json)
@@ -126,5 +145,6 @@ void AddRenderCommand(CLI::App& program, const CommonOptions& common, Action& ac
     "PNG image to write; - for standard output")
     .Required();
   options->buffers.AddTo(command);
+  options->lines.AddTo(command);
 }
 } // namespace pixelexact

@@ -25,6 +25,7 @@ CORE_LAYERS = [
     "Questions",
     "Location",
     "Faces",
+    "Contour",
 ]
 
 # What the files of each room may include. Filters and Rendering do not know each other, and nothing

@@ -10,6 +10,7 @@ CLASSES = [
     "vtkGLVisReader",
     "vtkHighOrderBoundarySurface",
     "vtkHighOrderCertifier",
+    "vtkHighOrderContour",
     "vtkHighOrderGrid",
     "vtkHighOrderIsoSurface",
     "vtkHighOrderLayer",
@@ -43,6 +44,7 @@ class Import(unittest.TestCase):
         # The wrapping takes out what looks like a tag.
         for name, arrays in {
             "vtkHighOrderProbe": ["`FIELD`", "`FIELD_Gradient`", "`FIELD_lower`", "`FIELD_upper`"],
+            "vtkHighOrderContour": ["`Element`", "`Xi`", "`Gradient`", "`Closed`", "`Certified`"],
             "vtkHighOrderCertifier": ["`FIELD_lower`", "`FIELD_upper`", "`Verdict`"],
         }.items():
             for array in arrays:

@@ -141,6 +141,7 @@ void Elevate(const Degrees& from, const Degrees& to, std::span<const double> coe
   std::span<double> elevated)
 {
   std::vector<double> current(coefficients.begin(), coefficients.end());
+  std::vector<double> weights;
   Degrees degree = from;
   for (int d = 0; d < 3; ++d)
   {
@@ -155,23 +156,29 @@ void Elevate(const Degrees& from, const Degrees& to, std::span<const double> coe
     std::vector<double> raised(CoefficientCount(next), 0.0);
     const std::size_t stride = StrideOf(degree, d);
     const std::size_t lines = current.size() / (stride * static_cast<std::size_t>(n + 1));
-    for (std::size_t line = 0; line < lines; ++line)
+    for (int j = 0; j <= m; ++j)
     {
-      for (std::size_t inner = 0; inner < stride; ++inner)
+      const int first = std::max(0, j - (m - n));
+      const int last = std::min(n, j);
+      weights.clear();
+      for (int i = first; i <= last; ++i)
       {
-        for (int j = 0; j <= m; ++j)
+        weights.push_back(Binomial(j, i) * Binomial(m - j, n - i) / Binomial(m, n));
+      }
+      for (std::size_t line = 0; line < lines; ++line)
+      {
+        const double* row =
+          &current[(line * static_cast<std::size_t>(n + 1) + static_cast<std::size_t>(first)) *
+            stride];
+        double* sums =
+          &raised[(line * static_cast<std::size_t>(m + 1) + static_cast<std::size_t>(j)) * stride];
+        for (const double weight : weights)
         {
-          double sum = 0.0;
-          for (int i = std::max(0, j - (m - n)); i <= std::min(n, j); ++i)
+          for (std::size_t inner = 0; inner < stride; ++inner)
           {
-            const double weight = Binomial(j, i) * Binomial(m - j, n - i) / Binomial(m, n);
-            sum += weight *
-              current[(line * static_cast<std::size_t>(n + 1) + static_cast<std::size_t>(i)) *
-                  stride +
-                inner];
+            sums[inner] += weight * row[inner];
           }
-          raised[(line * static_cast<std::size_t>(m + 1) + static_cast<std::size_t>(j)) * stride +
-            inner] = sum;
+          row += stride;
         }
       }
     }

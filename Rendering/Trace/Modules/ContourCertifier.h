@@ -63,7 +63,10 @@ public:
   /// Of the last frame: a ContourVerdict for each pixel, lower-left first.
   [[nodiscard]] const std::vector<std::uint8_t>& Verdicts() const { return Pixels; }
   [[nodiscard]] const ContourCounters& Counters() const { return Counted; }
-  [[nodiscard]] const std::vector<std::unique_ptr<const LayerBounds>>& Kept() const { return Bounds; }
+  [[nodiscard]] const std::vector<std::unique_ptr<const LayerBounds>>& Kept() const
+  {
+    return Bounds;
+  }
   /// In ascending order.
   [[nodiscard]] const std::vector<std::vector<double>>& Values() const { return IsoValues; }
 

@@ -16,6 +16,8 @@ public:
   void Meet(const RayLanes& rays, HitSlots& hits) const override;
   [[nodiscard]] Vec3 Normal(const SurfacePoint& point) const override;
   [[nodiscard]] bool IsFlat() const override { return true; }
+  /// One of its points.
+  [[nodiscard]] const Vec3& Point() const { return Origin; }
 
   /// The point that it was made of.
   [[nodiscard]] const Vec3& Through() const { return Origin; }

@@ -29,6 +29,9 @@ public:
   /// Along the gradient; where that is zero, as at a cone's apex, some direction.
   [[nodiscard]] Vec3 Normal(const SurfacePoint& point) const override;
 
+  /// Its equation, times some power of two.
+  [[nodiscard]] const QuadraticForm& GetForm() const { return Form; }
+
 private:
   friend Quadric MakeCylinder(const Vec3&, const Vec3&, double, const AffineMap&);
   friend Quadric MakeCone(const Vec3&, const Vec3&, double, const AffineMap&);

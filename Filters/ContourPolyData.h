@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ContourPolyData_h
+#define ContourPolyData_h
+
+#include "PixelExactFiltersModule.h"
+
+#include "Core/Contour/Contour.h"
+
+#include <string>
+#include <vector>
+
+class vtkPolyData;
+
+namespace pixelexact
+{
+class HighOrderModel;
+
+/// Contours as polylines in VTK's data, with the arrays that vtkHighOrderContour names. The
+/// vertices' values are in an array of this name.
+PIXELEXACTFILTERS_EXPORT void ToPolyData(const ContourSet& set, const HighOrderModel& model,
+  const std::string& name, const std::vector<double>& values, vtkPolyData* output);
+
+/// Lines of text about what was found, and about all that could not be decided or drawn. The second
+/// alone: empty where all is certified.
+PIXELEXACTFILTERS_EXPORT std::string DescribeContours(const ContourSet& set);
+PIXELEXACTFILTERS_EXPORT std::string DescribeDoubts(const ContourReport& report);
+} // namespace pixelexact
+#endif

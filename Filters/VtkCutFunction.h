@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef VtkCutFunction_h
+#define VtkCutFunction_h
+
+#include "Core/Contour/CutFunction.h"
+
+#include <memory>
+
+class vtkImplicitFunction;
+
+namespace pixelexact
+{
+/// The cut-surface of a vtkImplicitFunction, its transform included. vtkPlane, vtkSphere,
+/// vtkCylinder, vtkCone (both halves) and vtkQuadric, moved by an affine transform or not, become
+/// copies in closed form. Any other function, or transform, is asked itself, by the calling thread
+/// alone; its gradient by differences over 1e-6 of `length`, for some of VTK's functions have none
+/// (vtkSuperquadric says 0).
+///
+/// Throws InvalidData for a surface without points for want of a direction: a plane's normal or a
+/// cylinder's axis of length zero, a transform without inverse.
+std::unique_ptr<const CutFunction> MakeCutFunction(vtkImplicitFunction* function, double length);
+} // namespace pixelexact
+#endif

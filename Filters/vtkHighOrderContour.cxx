@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHighOrderContour.h"
+
+#include "ContourPolyData.h"
+#include "ModelSource.h"
+#include "VtkCutFunction.h"
+
+#include "Core/Base/Error.h"
+#include "Core/Location/Locator.h"
+
+#include "vtkImplicitFunction.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <exception>
+
+vtkStandardNewMacro(vtkHighOrderContour);
+
+namespace
+{
+using namespace pixelexact;
+
+const Field& FieldIn(const HighOrderModel& model, const std::string& name)
+{
+  if (model.Fields().empty())
+  {
+    throw InvalidData("the grid carries no high-order field; there is nothing to contour.");
+  }
+  if (name.empty())
+  {
+    return model.Fields().front();
+  }
+  if (const Field* field = model.FindField(name))
+  {
+    return *field;
+  }
+  std::string names;
+  for (const Field& field : model.Fields())
+  {
+    names += (names.empty() ? "" : ", ") + field.name;
+  }
+  throw InvalidData("no high-order field '" + name + "'; there are: " + names + ".");
+}
+
+/// The number of a component; -1: the magnitude.
+int ComponentOf(const Field& field, int component)
+{
+  const int components = field.values.components;
+  if (component < -1 || component >= components)
+  {
+    throw InvalidData("component " + std::to_string(component) + " of field '" + field.name +
+      "', which has " + std::to_string(components) + ", counted from 0; -1 is the magnitude.");
+  }
+  return component < 0 && components == 1 ? 0 : component;
+}
+} // namespace
+
+vtkHighOrderContour::vtkHighOrderContour()
+  : Source(std::make_unique<ModelSource>())
+{
+}
+
+vtkHighOrderContour::~vtkHighOrderContour() = default;
+
+void vtkHighOrderContour::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent
+     << "CutFunction: " << (this->CutFunction ? this->CutFunction->GetClassName() : "(none)")
+     << "\n";
+  os << indent << "Values:";
+  for (const double value : this->Values)
+  {
+    os << " " << value;
+  }
+  os << "\n" << indent << "FieldName: " << this->FieldName << "\n";
+  os << indent << "Component: " << this->Component << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "NumberOfUncertifiedLines: " << this->NumberOfUncertifiedLines << "\n";
+  os << indent << "NumberOfUndecidedElements: " << this->NumberOfUndecidedElements << "\n";
+}
+
+vtkMTimeType vtkHighOrderContour::GetMTime()
+{
+  const vtkMTimeType own = this->Superclass::GetMTime();
+  return this->CutFunction ? std::max(own, this->CutFunction->GetMTime()) : own;
+}
+
+void vtkHighOrderContour::SetCutFunction(vtkImplicitFunction* function)
+{
+  if (this->CutFunction != function)
+  {
+    this->CutFunction = function;
+    this->Modified();
+  }
+}
+
+vtkImplicitFunction* vtkHighOrderContour::GetCutFunction()
+{
+  return this->CutFunction;
+}
+
+void vtkHighOrderContour::SetValue(int i, double value)
+{
+  if (i < 0)
+  {
+    vtkErrorMacro("SetValue: values are counted from 0, and " << i << " was given.");
+    return;
+  }
+  if (i >= static_cast<int>(this->Values.size()))
+  {
+    this->SetNumberOfContours(i + 1);
+  }
+  if (this->Values[i] != value)
+  {
+    this->Values[i] = value;
+    this->Modified();
+  }
+}
+
+double vtkHighOrderContour::GetValue(int i)
+{
+  if (i < 0 || i >= static_cast<int>(this->Values.size()))
+  {
+    vtkErrorMacro("GetValue: there are " << this->Values.size() << " values, counted from 0, and "
+                                         << i << " was asked for.");
+    return 0.0;
+  }
+  return this->Values[i];
+}
+
+double* vtkHighOrderContour::GetValues()
+{
+  return this->Values.data();
+}
+
+void vtkHighOrderContour::GetValues(double* values)
+{
+  std::copy(this->Values.begin(), this->Values.end(), values);
+}
+
+void vtkHighOrderContour::SetNumberOfContours(int number)
+{
+  const auto count = static_cast<std::size_t>(std::max(number, 0));
+  if (count != this->Values.size())
+  {
+    this->Values.resize(count, 0.0);
+    this->Modified();
+  }
+}
+
+vtkIdType vtkHighOrderContour::GetNumberOfContours()
+{
+  return static_cast<vtkIdType>(this->Values.size());
+}
+
+void vtkHighOrderContour::GenerateValues(int number, double range[2])
+{
+  this->GenerateValues(number, range[0], range[1]);
+}
+
+void vtkHighOrderContour::GenerateValues(int number, double rangeStart, double rangeEnd)
+{
+  this->SetNumberOfContours(number);
+  for (int i = 0; i < number; ++i)
+  {
+    this->SetValue(
+      i, number == 1 ? rangeStart : rangeStart + i * ((rangeEnd - rangeStart) / (number - 1)));
+  }
+}
+
+int vtkHighOrderContour::FillInputPortInformation(int /*port*/, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return 1;
+}
+
+int vtkHighOrderContour::RequestUpdateExtent(vtkInformation* /*request*/,
+  vtkInformationVector** inputVector, vtkInformationVector* /*outputVector*/)
+{
+  // All of the grid: lines go on from piece to piece.
+  if (auto* grid = inputVector[0]->GetInformationObject(0))
+  {
+    grid->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
+    grid->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+    grid->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  }
+  return 1;
+}
+
+std::string vtkHighOrderContour::GetChosenName()
+{
+  if (!this->FieldName.empty())
+  {
+    return this->FieldName;
+  }
+  // Not GetInputArrayInformation(0), which would make an entry where there is none.
+  vtkInformationVector* arrays =
+    this->GetInformation()->Get(vtkAlgorithm::INPUT_ARRAYS_TO_PROCESS());
+  vtkInformation* array = arrays != nullptr ? arrays->GetInformationObject(0) : nullptr;
+  return array != nullptr && array->Has(vtkDataObject::FIELD_NAME())
+    ? array->Get(vtkDataObject::FIELD_NAME())
+    : "";
+}
+
+void vtkHighOrderContour::Trace(vtkDataObject* grid, vtkPolyData* output)
+{
+  if (!this->CutFunction)
+  {
+    throw InvalidData("there is no cut function; give one with SetCutFunction.");
+  }
+  const auto model = this->Source->Get(grid, this);
+  const Field& field = FieldIn(*model, this->GetChosenName());
+  const int component = ComponentOf(field, this->Component);
+  const Box3 box = model->GetLocator().Bounds();
+  const double extent = glm::length(box.upper - box.lower);
+  const double diagonal = extent > 0.0 ? extent : 1.0; // a grid may be empty
+  const auto cut = MakeCutFunction(this->CutFunction, diagonal);
+  ContourRequest options{ this->Values, this->Tolerance };
+  if (options.tolerance == 0.0)
+  {
+    options.tolerance = 1e-4 * diagonal;
+  }
+  this->UpdateProgress(0.2);
+  const ContourSet set = TraceContours({ model->GetMesh(), &field, component, cut.get() },
+    model->GetLocator(), model->Faces(), options);
+  this->UpdateProgress(0.9);
+  ToPolyData(set, *model, field.name.empty() ? "Value" : field.name, options.values, output);
+  this->NumberOfUncertifiedLines = set.report.uncertified;
+  this->NumberOfUndecidedElements = set.report.undecided;
+  this->ReportText = DescribeContours(set);
+  if (cut->Quadric() == nullptr)
+  {
+    this->ReportText +=
+      std::string(this->CutFunction->GetClassName()) + " is searched by samples: not certified\n";
+  }
+  const std::string doubts = DescribeDoubts(set.report);
+  if (!doubts.empty())
+  {
+    vtkWarningMacro(<< doubts);
+  }
+}
+
+int vtkHighOrderContour::RequestData(vtkInformation* /*request*/,
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  auto* output = vtkPolyData::GetData(outputVector);
+  this->NumberOfUncertifiedLines = 0;
+  this->NumberOfUndecidedElements = 0;
+  this->ReportText.clear();
+  try
+  {
+    this->Trace(vtkDataObject::GetData(inputVector[0]), output);
+    return 1;
+  }
+  catch (const std::exception& error) // memory may run out too
+  {
+    output->Initialize();
+    vtkErrorMacro(<< error.what());
+    return 0;
+  }
+}

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Contour/ContourSeeds.h"
+
+#include "Core/Contour/TurnSearch.h"
+#include "Core/Faces/FacePlane.h"
+#include "Core/Questions/Questions.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pixelexact
+{
+namespace
+{
+/// Directions along which closed contours are searched for after that of a known piece: no axes,
+/// so that what is aligned in a mesh is not normal to them.
+constexpr Vec3 kAlong[2] = { { 0.7304251, 0.5231847, 0.4391063 },
+  { -0.4137902, 0.6920318, 0.5914827 } };
+/// A seed found by Newton's iteration is the root that was isolated if it is as near in xi; where
+/// the root is that of an interpolated surface, it may be off by more.
+constexpr double kRefined = 2e-6;
+constexpr double kFoundNear = 0.1;
+/// How far, in xi, a contour is looked for beside what is undecided.
+constexpr double kNear = 1e-2;
+/// A polynomial as small as this on a face, relative to its size in the element, is zero there.
+constexpr double kHeld = 1e-13;
+
+double Size(const BoxPolynomial& f)
+{
+  return f.Hull().Magnitude();
+}
+
+class Search
+{
+public:
+  Search(const CurveEquations& equations, CurveEvaluator& evaluator, Shape shape, double value,
+    const SeedEffort& effort)
+    : Equations(equations)
+    , Evaluator(evaluator)
+    , TheShape(shape)
+    , Value(value)
+    , Accuracy{ equations.IsExact() ? kRefined : kFoundNear, effort.boxes }
+    , List(shape, equations.IsExact())
+  {
+  }
+
+  SeedSearchResult Run()
+  {
+    const int level = Equations.IsExact() ? Equations.Level() : std::max(Equations.Level(), 1);
+    const int pieces = 1 << level;
+    std::vector<CurvePart> parts;
+    for (int i = 0; i < pieces * pieces * pieces; ++i)
+    {
+      const Vec3 at(i / (pieces * pieces), i / pieces % pieces, i % pieces);
+      const double side = 2.0 / pieces;
+      const Box3 box{ Vec3(-1.0) + side * at, Vec3(-1.0) + side * (at + 1.0) };
+      BoxPolynomial s = Equations.CutOver(level, box);
+      SizeOfS = std::max(SizeOfS, Size(s));
+      if (!s.Hull().Contains(0.0))
+      {
+        continue;
+      }
+      parts.push_back({ box, { Equations.FieldOver(level, box, Value), std::move(s) } });
+      SizeOfF = std::max(SizeOfF, Size(parts.back().polynomials.f));
+    }
+    FindHeldFaces(parts);
+    if (List.result.constant)
+    {
+      return std::move(List.result);
+    }
+    for (const CurvePart& part : parts)
+    {
+      if (part.polynomials.MayVanish())
+      {
+        Ends(part);
+      }
+    }
+    SearchTurns(parts);
+    return std::move(List.result);
+  }
+
+private:
+  /// Along one direction after the other, until one tells all.
+  void SearchTurns(const std::vector<CurvePart>& parts)
+  {
+    std::vector<Vec3> directions(std::begin(kAlong), std::end(kAlong));
+    if (!List.result.seeds.empty())
+    {
+      directions.insert(directions.begin(), AlongEta(List.result.seeds.front().point));
+    }
+    const SeedSearchResult ends = List.result;
+    for (const Vec3& direction : directions)
+    {
+      List.result = ends;
+      TurnSearch search(Evaluator, TheShape, direction, Accuracy, List);
+      for (const CurvePart& part : parts)
+      {
+        search.Search(part);
+      }
+      if (List.result.complete || !ends.complete)
+      {
+        return;
+      }
+    }
+  }
+
+  /// The curve's direction in eta.
+  [[nodiscard]] Vec3 AlongEta(const CurvePoint& point) const
+  {
+    constexpr double kStep = 1e-4;
+    const Vec3 inside = point.xi + kStep * (Centre(TheShape) - point.xi);
+    const Vec3 along = ReferenceToTensor(TheShape, inside + kStep * kStep * point.direction) -
+      ReferenceToTensor(TheShape, inside - kStep * kStep * point.direction);
+    const double length = glm::length(along);
+    return length > 0.0 && std::isfinite(length) ? along / length : kAlong[0];
+  }
+
+  [[nodiscard]] static bool Reaches(const CurvePart& part, const ShapeFace& face)
+  {
+    return face.upper ? part.box.upper[face.direction] == 1.0
+                      : part.box.lower[face.direction] == -1.0;
+  }
+
+  void FindHeldFaces(const std::vector<CurvePart>& parts)
+  {
+    const auto faces = FacesOf(TheShape);
+    for (std::size_t k = 0; k < faces.size(); ++k)
+    {
+      double f = 0.0;
+      double s = 0.0;
+      bool reached = false;
+      for (const CurvePart& part : parts)
+      {
+        if (Reaches(part, faces[k]))
+        {
+          reached = true;
+          f = std::max(f, Size(part.polynomials.f.AtEnd(faces[k].direction, faces[k].upper)));
+          s = std::max(s, Size(part.polynomials.s.AtEnd(faces[k].direction, faces[k].upper)));
+        }
+      }
+      const bool fIsZero = f <= kHeld;
+      const bool sIsZero = s <= kHeld * SizeOfS;
+      if (reached && (fIsZero || sIsZero))
+      {
+        List.result.heldFaces.push_back(static_cast<int>(k));
+        List.result.constant = List.result.constant || (fIsZero && sIsZero);
+      }
+    }
+    List.result.constant =
+      List.result.constant || (!parts.empty() && (SizeOfF <= kHeld || SizeOfS <= 0x1p-900));
+  }
+
+  [[nodiscard]] bool IsHeld(std::size_t face) const
+  {
+    return std::ranges::find(List.result.heldFaces, static_cast<int>(face)) !=
+      List.result.heldFaces.end();
+  }
+
+  /// Crossings with the element's faces.
+  void Ends(const CurvePart& part)
+  {
+    const auto faces = FacesOf(TheShape);
+    for (std::size_t k = 0; k < faces.size(); ++k)
+    {
+      if (IsHeld(k) || !Reaches(part, faces[k]))
+      {
+        continue;
+      }
+      const auto fixed = static_cast<std::size_t>(faces[k].direction);
+      const std::size_t first = fixed == 0 ? 1 : 0;
+      const std::size_t second = fixed == 2 ? 1 : 2;
+      std::vector<TensorPolynomial> system;
+      for (const BoxPolynomial* one : { &part.polynomials.f, &part.polynomials.s })
+      {
+        BoxPolynomial end = one->AtEnd(faces[k].direction, faces[k].upper);
+        system.push_back(
+          { { end.degree[first], end.degree[second], 0 }, std::move(end.b), end.error });
+      }
+      const auto toEta = [&](const Parameters& t)
+      {
+        Vec3 eta;
+        eta[faces[k].direction] = faces[k].upper ? 1.0 : -1.0;
+        eta[static_cast<int>(first)] = part.Between(first, t[0]);
+        eta[static_cast<int>(second)] = part.Between(second, t[1]);
+        return eta;
+      };
+      RootSearch options;
+      options.budget = kLastBoxes;
+      options.smallest = kSmallestBox;
+      const RootSearchResult found = FindRoots(PolynomialSystem(2, system), options);
+      const FacePlane& plane = FacePlanesOf(TheShape)[k];
+      const CurvePlane inFace{ plane.gradient, -plane.constant };
+      for (const IsolatedRoot& root : found.roots)
+      {
+        const Vec3 xi = TensorToReference(TheShape, toEta(MiddleOf(root.enclosure)));
+        List.AddRoot(Evaluator.InPlane(xi, inFace, Accuracy.reach), 1U << k);
+      }
+      for (const ParameterBox& box : found.undecided)
+      {
+        const Vec3 xi = TensorToReference(TheShape, toEta(MiddleOf(box)));
+        List.AddUndecided(Evaluator.InPlane(xi, inFace, kNear), 1U << k);
+      }
+    }
+  }
+
+  const CurveEquations& Equations;
+  CurveEvaluator& Evaluator;
+  Shape TheShape;
+  double Value;
+  SeedAccuracy Accuracy;
+  SeedList List;
+  double SizeOfF = 0.0;
+  double SizeOfS = 0.0;
+};
+} // namespace
+
+SeedSearchResult FindContourSeeds(const CurveEquations& equations, CurveEvaluator& evaluator,
+  Shape shape, double value, const SeedEffort& effort)
+{
+  return Search(equations, evaluator, shape, value, effort).Run();
+}
+} // namespace pixelexact

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Contour/ContourQuestion.h"
+#include "Core/Element/RangeIngredients.h"
+
+#include <memory>
+
+namespace pixelexact
+{
+/// The two polynomials in eta whose common zeros are an element's contour: of the field's value,
+/// f, and of the cut-surface, s, each scaled by a power of two.
+struct CurvePolynomials
+{
+  BoxPolynomial f;
+  BoxPolynomial s;
+
+  /// Whether the hulls leave room for a common zero.
+  [[nodiscard]] bool MayVanish() const;
+  /// Halves both along a direction and returns the upper halves.
+  CurvePolynomials Halve(int direction);
+};
+
+/// Makes them over parts of one element: of the stored map and field, exactly, up to the errors
+/// that the polynomials carry. A cut-surface that is no quadric is interpolated: what is concluded
+/// from its polynomial is not proven.
+class CurveEquations
+{
+public:
+  /// Throws Unsupported for a mapped field (H(curl), H(div), density).
+  CurveEquations(const ContourQuestion& question, int element);
+
+  /// Whether all coefficients are finite, and the degrees are such as the root finder takes.
+  [[nodiscard]] bool IsFinite() const { return Finite; }
+  [[nodiscard]] bool IsTooHigh() const { return TooHigh; }
+  [[nodiscard]] bool IsExact() const { return Question.cut->Quadric() != nullptr; }
+
+  /// log2 of the number of pieces along each direction on which they are well converted.
+  [[nodiscard]] int Level() const { return TheLevel; }
+  /// s over a box of the cube that lies in one piece of this level.
+  [[nodiscard]] BoxPolynomial CutOver(int level, const Box3& box) const;
+  /// The field's value less `value` (of a norm, their squares).
+  [[nodiscard]] BoxPolynomial FieldOver(int level, const Box3& box, double value) const;
+
+private:
+  [[nodiscard]] BoxPolynomial QuadricOver(int level, const Box3& box) const;
+  [[nodiscard]] BoxPolynomial SampledOver(const Box3& box) const;
+
+  ContourQuestion Question;
+  int Element;
+  Shape TheShape;
+  ScaledModes Map;
+  ScaledModes Modes; ///< of the field
+  int TheLevel = 0;
+  bool Finite = true;
+  bool TooHigh = false;
+};
+} // namespace pixelexact

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Math/Vec.h"
+
+#include <array>
+
+namespace pixelexact
+{
+/// z Q z + g z + c with z = x - origin: a plane, a sphere, any quadric. Its origin near the surface
+/// keeps the digits of surfaces far from the world's.
+struct QuadricForm
+{
+  Vec3 origin{ 0.0 };
+  std::array<double, 6> q{}; ///< of z0^2, z1^2, z2^2, z0 z1, z1 z2, z0 z2
+  Vec3 g{ 0.0 };
+  double c = 0.0;
+
+  [[nodiscard]] bool IsPlane() const { return q == std::array<double, 6>{}; }
+  /// At x = origin + z.
+  [[nodiscard]] double ValueAround(const Vec3& z) const;
+  [[nodiscard]] Vec3 GradientAround(const Vec3& z) const;
+};
+
+/// The function S whose zeros are a cut-surface.
+class CutFunction
+{
+public:
+  virtual ~CutFunction() = default;
+  [[nodiscard]] virtual double Value(const Vec3& x) const = 0;
+  [[nodiscard]] virtual Vec3 Gradient(const Vec3& x) const = 0;
+  /// The form of a quadric, of which contours can be certified; null of other functions, whose
+  /// contours are searched for by samples.
+  [[nodiscard]] virtual const QuadricForm* Quadric() const { return nullptr; }
+  /// Whether it may be asked by one thread alone.
+  [[nodiscard]] virtual bool NeedsCallingThread() const { return false; }
+};
+
+class QuadricCut final : public CutFunction
+{
+public:
+  explicit QuadricCut(const QuadricForm& form)
+    : Form(form)
+  {
+  }
+  [[nodiscard]] double Value(const Vec3& x) const override
+  {
+    return Form.ValueAround(x - Form.origin);
+  }
+  [[nodiscard]] Vec3 Gradient(const Vec3& x) const override
+  {
+    return Form.GradientAround(x - Form.origin);
+  }
+  [[nodiscard]] const QuadricForm* Quadric() const override { return &Form; }
+
+private:
+  QuadricForm Form;
+};
+} // namespace pixelexact

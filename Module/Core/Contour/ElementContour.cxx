@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Contour/ElementContour.h"
+
+#include "Core/Contour/ArcProof.h"
+
+#include <algorithm>
+
+namespace pixelexact
+{
+namespace
+{
+/// The longest chord, in units of the element's size.
+constexpr double kLongest = 0.25;
+
+/// Whether the hulls over the whole element leave room for the contour.
+bool MayBe(const CurveEquations& equations, double value)
+{
+  const Box3 whole{ Vec3(-1.0), Vec3(1.0) };
+  if (equations.IsExact() && !equations.CutOver(0, whole).Hull().Contains(0.0))
+  {
+    return false;
+  }
+  return equations.FieldOver(0, whole, value).Hull().Contains(0.0);
+}
+
+void Prove(const CurveEquations& equations, CurveEvaluator& evaluator, Shape shape, double value,
+  const std::vector<ContourSeed>& seeds, std::vector<CurvePiece>& pieces)
+{
+  std::vector<Vec3> crossings;
+  for (const ContourSeed& seed : seeds)
+  {
+    if (seed.onBoundary)
+    {
+      crossings.push_back(ReferenceToTensor(shape, seed.point.xi));
+    }
+  }
+  ArcProof proof(equations, evaluator, shape, value, std::move(crossings));
+  for (CurvePiece& piece : pieces)
+  {
+    std::vector<CurvePoint> points = piece.points;
+    if (piece.closed)
+    {
+      points.push_back(points.front());
+    }
+    piece.certain = !piece.lost && proof.Holds(points);
+  }
+}
+} // namespace
+
+ElementContour TraceElement(const ContourQuestion& question, const CurveEquations& equations,
+  int element, double value, double tolerance)
+{
+  ElementContour contour;
+  if (!equations.IsFinite())
+  {
+    contour.notFinite = true;
+    return contour;
+  }
+  contour.mayBe = MayBe(equations, value);
+  if (!contour.mayBe)
+  {
+    return contour;
+  }
+  contour.tooHigh = equations.IsTooHigh();
+  if (contour.tooHigh)
+  {
+    contour.complete = false;
+    return contour;
+  }
+  const Shape shape = question.mesh.ShapeOf(element);
+  CurveEvaluator evaluator(question, element, value);
+  SeedSearchResult search = FindContourSeeds(equations, evaluator, shape, value);
+  contour.complete = search.complete && equations.IsExact();
+  contour.constant = search.constant;
+  contour.heldFaces = search.heldFaces;
+  if (search.seeds.empty())
+  {
+    return contour;
+  }
+  const double size = question.mesh.size[static_cast<std::size_t>(element)];
+  CurveTracer tracer(evaluator, shape, { tolerance, kLongest * size }, search.heldFaces);
+  contour.pieces = tracer.TraceAll(search.seeds);
+  if (contour.complete)
+  {
+    Prove(equations, evaluator, shape, value, search.seeds, contour.pieces);
+  }
+  return contour;
+}
+} // namespace pixelexact

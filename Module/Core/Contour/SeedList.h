@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Bernstein/RootFinder.h"
+#include "Core/Contour/ContourSeeds.h"
+
+#include <optional>
+
+namespace pixelexact
+{
+/// A part of an element, and the polynomials over it.
+struct CurvePart
+{
+  Box3 box; ///< of eta
+  CurvePolynomials polynomials;
+
+  /// A place in it along a direction, t from 0 to 1.
+  [[nodiscard]] double Between(std::size_t direction, double t) const;
+};
+
+/// The middle of a box, or of an enclosure.
+Parameters MiddleOf(const ParameterBox& box);
+Parameters MiddleOf(const ParameterIntervals& box);
+
+/// The seeds found so far in an element, each listed once.
+class SeedList
+{
+public:
+  /// `exact`: roots of the polynomials are the contour's.
+  SeedList(Shape shape, bool exact)
+    : TheShape(shape)
+    , Exact(exact)
+  {
+  }
+
+  /// The point that stands for an isolated root, on these faces (ContourSeed); none where Newton's
+  /// iteration did not find it.
+  void AddRoot(const std::optional<CurvePoint>& point, unsigned faces);
+  /// A point found where roots are undecided, or none.
+  void AddUndecided(const std::optional<CurvePoint>& point, unsigned faces);
+
+  SeedSearchResult result;
+
+private:
+  void Add(const CurvePoint& point, unsigned faces, bool certain);
+
+  Shape TheShape;
+  bool Exact;
+};
+} // namespace pixelexact

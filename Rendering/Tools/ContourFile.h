@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI
+{
+class App;
+} // namespace CLI
+
+namespace pixelexact
+{
+class Surface;
+struct Shot;
+
+/// Contours as polylines, for other programs: see vtkHighOrderContour.
+struct ContourFileOptions
+{
+  std::string file;                ///< empty: none
+  std::optional<double> tolerance; ///< world units; none: 1e-4 of the diagonal of the mesh's box
+
+  void AddTo(CLI::App& added);
+};
+
+/// Throws Error, naming the option and the remedy, for a shot with a surface that is no plane and
+/// no quadric, or without a field.
+void CheckContourSurfaces(const Shot& shot);
+
+/// Writes the contours of each layer's field on its surface, of these values by layer, as a `.vtp`
+/// file with a cell array Layer; warns of what is not certified. Throws Error when the file cannot
+/// be written.
+void WriteContours(const ContourFileOptions& options, const Shot& shot,
+  const std::vector<std::vector<double>>& values);
+} // namespace pixelexact

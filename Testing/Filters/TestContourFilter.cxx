@@ -1,0 +1,365 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkHighOrderContour: against probing, against VTK's contours of a triangulated cut, wrong use.
+#include "Support.h"
+
+#include "vtkHighOrderContour.h"
+#include "vtkHighOrderProbe.h"
+#include "vtkMFEMReader.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCone.h"
+#include "vtkContourFilter.h"
+#include "vtkCylinder.h"
+#include "vtkIdList.h"
+#include "vtkMath.h"
+#include "vtkPlane.h"
+#include "vtkPlaneSource.h"
+#include "vtkPolyData.h"
+#include "vtkQuadric.h"
+#include "vtkSphere.h"
+#include "vtkSuperquadric.h"
+#include "vtkTransform.h"
+#include "vtkTriangleFilter.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <limits>
+
+namespace
+{
+using namespace pixelexact::testing;
+
+const std::filesystem::path kToroid =
+  std::filesystem::path(PIXELEXACT_DATA_DIR) / "toroid_hex_g3_p6.vtu";
+
+vtkNew<vtkPlane> PlaneAt(double z)
+{
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(0.0, 0.0, z);
+  plane->SetNormal(0.0, 0.0, 1.0);
+  return plane;
+}
+
+struct Contouring
+{
+  vtkNew<vtkHighOrderContour> filter;
+  vtkNew<Messages> messages;
+
+  Contouring(vtkUnstructuredGrid* grid, vtkImplicitFunction* function)
+  {
+    messages->Watch(filter);
+    filter->SetInputData(grid);
+    filter->SetCutFunction(function);
+  }
+  vtkPolyData* Output()
+  {
+    filter->Update();
+    return filter->GetOutput();
+  }
+};
+
+double LengthOf(vtkPolyData* lines)
+{
+  double length = 0.0;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < lines->GetNumberOfCells(); ++cell)
+  {
+    lines->GetCellPoints(cell, ids);
+    for (vtkIdType i = 0; i + 1 < ids->GetNumberOfIds(); ++i)
+    {
+      double a[3];
+      double b[3];
+      lines->GetPoint(ids->GetId(i), a);
+      lines->GetPoint(ids->GetId(i + 1), b);
+      length += std::sqrt(vtkMath::Distance2BetweenPoints(a, b));
+    }
+  }
+  return length;
+}
+
+/// Of a point to the chords of the lines.
+double Distance(const double* x, vtkPolyData* lines)
+{
+  double nearest = std::numeric_limits<double>::infinity();
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < lines->GetNumberOfCells(); ++cell)
+  {
+    lines->GetCellPoints(cell, ids);
+    for (vtkIdType i = 0; i + 1 < ids->GetNumberOfIds(); ++i)
+    {
+      double a[3];
+      double b[3];
+      lines->GetPoint(ids->GetId(i), a);
+      lines->GetPoint(ids->GetId(i + 1), b);
+      double along = 0.0;
+      double square = 0.0;
+      for (int d = 0; d < 3; ++d)
+      {
+        along += (x[d] - a[d]) * (b[d] - a[d]);
+        square += (b[d] - a[d]) * (b[d] - a[d]);
+      }
+      const double t = square > 0.0 ? std::clamp(along / square, 0.0, 1.0) : 0.0;
+      double distance = 0.0;
+      for (int d = 0; d < 3; ++d)
+      {
+        const double away = x[d] - a[d] - t * (b[d] - a[d]);
+        distance += away * away;
+      }
+      nearest = std::min(nearest, std::sqrt(distance));
+    }
+  }
+  return nearest;
+}
+
+TEST(ContourFilter, StraightLinesHaveTheirLengths)
+{
+  const auto grid = Boxes(2); // f = x + 2 y + 3 z
+  const auto plane = PlaneAt(0.3);
+  Contouring contours(grid, plane);
+  contours.filter->SetFieldName("f");
+  contours.filter->GenerateValues(3, 1.2, 2.4); // x + 2 y = 0.3, 0.9, 1.5
+  vtkPolyData* lines = contours.Output();
+  EXPECT_EQ(contours.messages->errors + contours.messages->warnings, "");
+  ASSERT_EQ(lines->GetNumberOfCells(), 3);
+  EXPECT_EQ(contours.filter->GetNumberOfUncertifiedLines(), 0);
+  // From (0.3, 0) to (0, 0.15); from (0.9, 0) to (0, 0.45); from (1, 0.25) to (0, 0.75).
+  const double expected = std::hypot(0.3, 0.15) + std::hypot(0.9, 0.45) + std::hypot(1.0, 0.5);
+  EXPECT_NEAR(LengthOf(lines), expected, 1e-14);
+  auto* certified = lines->GetCellData()->GetArray("Certified");
+  auto* value = lines->GetCellData()->GetArray("ContourValue");
+  for (vtkIdType i = 0; i < 3; ++i)
+  {
+    EXPECT_EQ(certified->GetTuple1(i), 1.0);
+    EXPECT_DOUBLE_EQ(value->GetTuple1(i), 1.2 + 0.6 * static_cast<double>(i));
+    EXPECT_EQ(lines->GetCellData()->GetArray("Closed")->GetTuple1(i), 0.0);
+  }
+  for (vtkIdType i = 0; i < lines->GetNumberOfPoints(); ++i)
+  {
+    double gradient[3];
+    lines->GetPointData()->GetArray("Gradient")->GetTuple(i, gradient);
+    EXPECT_NEAR(gradient[0], 1.0, 1e-13);
+    EXPECT_NEAR(gradient[1], 2.0, 1e-13);
+    EXPECT_NEAR(gradient[2], 3.0, 1e-13);
+  }
+}
+
+TEST(ContourFilter, PointsHaveTheValueThatProbingFinds)
+{
+  const auto grid = Converted(ReadGrid(kToroid));
+  const auto plane = PlaneAt(0.02);
+  Contouring contours(grid, plane);
+  contours.filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "u");
+  contours.filter->SetValue(0, 0.02);
+  vtkPolyData* lines = contours.Output();
+  ASSERT_GT(lines->GetNumberOfCells(), 0);
+  EXPECT_EQ(contours.filter->GetNumberOfUncertifiedLines(), 0);
+  EXPECT_EQ(contours.messages->warnings, "");
+  vtkNew<vtkHighOrderProbe> probe;
+  probe->SetInputData(lines);
+  probe->SetSourceData(grid);
+  probe->ComputeGradientsOn();
+  probe->Update();
+  auto* found = probe->GetPolyDataOutput()->GetPointData();
+  for (vtkIdType i = 0; i < lines->GetNumberOfPoints(); ++i)
+  {
+    EXPECT_NEAR(lines->GetPoint(i)[2], 0.02, 1e-16);
+    EXPECT_NEAR(lines->GetPointData()->GetArray("u")->GetTuple1(i), 0.02, 1e-15);
+    EXPECT_EQ(found->GetArray("Verdict")->GetTuple1(i), 1.0);
+    EXPECT_NEAR(found->GetArray("u")->GetTuple1(i), 0.02, 1e-13);
+    if (found->GetArray("Element")->GetTuple1(i) ==
+      lines->GetPointData()->GetArray("Element")->GetTuple1(i))
+    {
+      for (int d = 0; d < 3; ++d)
+      {
+        EXPECT_NEAR(found->GetArray("u_Gradient")->GetComponent(i, d),
+          lines->GetPointData()->GetArray("Gradient")->GetComponent(i, d), 1e-10);
+        EXPECT_NEAR(found->GetArray("Xi")->GetComponent(i, d),
+          lines->GetPointData()->GetArray("Xi")->GetComponent(i, d), 1e-12);
+      }
+    }
+  }
+}
+
+/// VTK's contours of a triangulated cut with exact values at its nodes come nearer with the square
+/// of the triangles' size.
+TEST(ContourFilter, ContoursOfTrianglesApproachTheseQuadratically)
+{
+  const auto grid = Converted(ReadGrid(kToroid));
+  const auto plane = PlaneAt(0.02);
+  Contouring contours(grid, plane);
+  contours.filter->SetFieldName("u");
+  contours.filter->SetValue(0, 0.02);
+  contours.filter->SetTolerance(1e-6);
+  vtkPolyData* lines = contours.Output();
+  double bounds[6];
+  grid->GetBounds(bounds);
+  double before = 0.0;
+  for (const int n : { 100, 200, 400 })
+  {
+    vtkNew<vtkPlaneSource> nodes;
+    nodes->SetOrigin(bounds[0], bounds[2], 0.02);
+    nodes->SetPoint1(bounds[1], bounds[2], 0.02);
+    nodes->SetPoint2(bounds[0], bounds[3], 0.02);
+    nodes->SetResolution(n, n);
+    nodes->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+    vtkNew<vtkTriangleFilter> triangles;
+    triangles->SetInputConnection(nodes->GetOutputPort());
+    vtkNew<vtkHighOrderProbe> probe;
+    probe->SetInputConnection(triangles->GetOutputPort());
+    probe->SetSourceData(grid);
+    probe->Update();
+    probe->GetPolyDataOutput()->GetPointData()->SetActiveScalars("u");
+    vtkNew<vtkContourFilter> flat;
+    flat->SetInputData(probe->GetOutput());
+    flat->SetValue(0, 0.02);
+    flat->Update();
+    double mean = 0.0;
+    vtkIdType count = 0;
+    for (vtkIdType i = 0; i < flat->GetOutput()->GetNumberOfPoints(); ++i)
+    {
+      double x[3];
+      flat->GetOutput()->GetPoint(i, x);
+      if (std::isfinite(x[0] + x[1]))
+      {
+        mean += Distance(x, lines);
+        ++count;
+      }
+    }
+    ASSERT_GT(count, 100);
+    mean /= static_cast<double>(count);
+    RecordProperty("mean_distance_" + std::to_string(n), std::to_string(mean));
+    std::cout << n << " x " << n << " squares: mean distance " << mean << "\n";
+    if (before > 0.0)
+    {
+      EXPECT_NEAR(before / mean, 4.0, 1.0);
+    }
+    before = mean;
+  }
+}
+
+TEST(ContourFilter, FunctionsThatBecomePolynomialsAreCertified)
+{
+  const auto grid = Boxes(2);
+  vtkNew<vtkSphere> sphere;
+  sphere->SetCenter(0.4, 0.5, 0.45);
+  sphere->SetRadius(0.35);
+  vtkNew<vtkCylinder> cylinder;
+  cylinder->SetCenter(0.4, 0.5, 0.45);
+  cylinder->SetAxis(0.3, 1.0, 0.2);
+  cylinder->SetRadius(0.25);
+  vtkNew<vtkTransform> toTip; // from the world to the cone's own space
+  toTip->RotateZ(20.0);
+  toTip->Scale(1.0, 1.2, 0.9);
+  toTip->Translate(-0.1, -0.5, -0.4);
+  vtkNew<vtkCone> cone;
+  cone->SetAngle(25.0);
+  cone->SetTransform(toTip);
+  vtkNew<vtkQuadric> quadric;
+  quadric->SetCoefficients(1.0, -0.5, 0.8, 0.3, -0.2, 0.1, -0.6, 0.2, -0.4, 0.1);
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(0.3, 0.4, 0.5);
+  plane->SetNormal(1.0, 2.0, -0.5);
+  plane->SetTransform(toTip);
+  for (vtkImplicitFunction* function :
+    std::initializer_list<vtkImplicitFunction*>{ sphere, cylinder, cone, quadric, plane })
+  {
+    Contouring contours(grid, function);
+    contours.filter->GenerateValues(3, 2.0, 3.1);
+    vtkPolyData* lines = contours.Output();
+    EXPECT_EQ(contours.messages->errors + contours.messages->warnings, "")
+      << function->GetClassName();
+    EXPECT_GT(lines->GetNumberOfCells(), 0) << function->GetClassName();
+    EXPECT_EQ(contours.filter->GetNumberOfUncertifiedLines(), 0);
+    for (vtkIdType i = 0; i < lines->GetNumberOfPoints(); ++i)
+    {
+      double x[3];
+      lines->GetPoint(i, x);
+      EXPECT_NEAR(function->FunctionValue(x), 0.0, 2e-15) << function->GetClassName();
+    }
+  }
+}
+
+TEST(ContourFilter, OtherFunctionsAreSearchedAndToldSo)
+{
+  const auto grid = Boxes(2);
+  vtkNew<vtkSuperquadric> superquadric;
+  superquadric->SetCenter(0.5, 0.5, 0.5);
+  superquadric->SetScale(0.6, 0.6, 0.6);
+  superquadric->SetPhiRoundness(0.8);
+  superquadric->SetThetaRoundness(0.9);
+  superquadric->ToroidalOff();
+  Contouring contours(grid, superquadric);
+  contours.filter->SetValue(0, 3.0);
+  vtkPolyData* lines = contours.Output();
+  EXPECT_GT(lines->GetNumberOfCells(), 0);
+  EXPECT_EQ(contours.filter->GetNumberOfUncertifiedLines(), lines->GetNumberOfCells());
+  EXPECT_NE(contours.messages->warnings.find("not certified"), std::string::npos);
+  EXPECT_NE(contours.filter->GetReportText().find("vtkSuperquadric"), std::string::npos);
+  for (vtkIdType i = 0; i < lines->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    lines->GetPoint(i, x);
+    EXPECT_NEAR(superquadric->FunctionValue(x), 0.0, 1e-9);
+    EXPECT_NEAR(x[0] + 2.0 * x[1] + 3.0 * x[2], 3.0, 1e-14);
+  }
+}
+
+TEST(ContourFilter, FollowsItsFunctionAndValues)
+{
+  const auto grid = Boxes(1);
+  const auto plane = PlaneAt(0.25);
+  Contouring contours(grid, plane);
+  EXPECT_EQ(contours.filter->GetNumberOfContours(), 0);
+  EXPECT_EQ(contours.Output()->GetNumberOfCells(), 0);
+  contours.filter->SetValue(0, 1.5);
+  EXPECT_EQ(contours.Output()->GetNumberOfCells(), 1);
+  plane->SetOrigin(0.0, 0.0, 0.375);
+  EXPECT_EQ(contours.Output()->GetPoint(0)[2], 0.375);
+  plane->SetOrigin(0.0, 0.0, 2.0);
+  EXPECT_EQ(contours.Output()->GetNumberOfCells(), 0);
+}
+
+TEST(ContourFilter, WrongUseIsAnError)
+{
+  const auto grid = Boxes(1);
+  const auto plane = PlaneAt(0.25);
+  const auto errorOf = [&](auto&& change)
+  {
+    Contouring contours(grid, plane);
+    contours.filter->SetValue(0, 1.5);
+    change(contours.filter.Get());
+    EXPECT_EQ(contours.Output()->GetNumberOfCells(), 0);
+    return std::string(contours.messages->errors);
+  };
+  using Filter = vtkHighOrderContour*;
+  const auto has = [](const std::string& text, const char* part)
+  { return text.find(part) != std::string::npos; };
+  EXPECT_TRUE(has(errorOf([](Filter f) { f->SetCutFunction(nullptr); }), "SetCutFunction"));
+  EXPECT_TRUE(has(errorOf([](Filter f) { f->SetFieldName("g"); }), "'g'; there are: f"));
+  EXPECT_TRUE(has(errorOf([](Filter f) { f->SetComponent(1); }), "component 1"));
+  EXPECT_TRUE(has(errorOf([](Filter f) { f->SetTolerance(-1.0); }), "tolerance"));
+  EXPECT_TRUE(has(errorOf([](Filter f) { f->SetValue(0, std::nan("")); }), "finite"));
+  const auto zero = PlaneAt(0.0);
+  zero->SetNormal(0.0, 0.0, 0.0);
+  EXPECT_TRUE(has(errorOf([&](Filter f) { f->SetCutFunction(zero); }), "normal"));
+}
+
+TEST(ContourFilter, MappedFieldsAreRefused)
+{
+  const std::filesystem::path folder =
+    std::filesystem::path(PIXELEXACT_DATA_DIR) / "mfem_escher_tet_darcy_p3";
+  vtkNew<vtkMFEMReader> reader;
+  reader->SetFileName((folder / "mfem_escher_tet_darcy_p3.mesh").c_str());
+  reader->AddGridFunctionFileName((folder / "flux.gf").c_str());
+  reader->Update();
+  const auto plane = PlaneAt(0.1);
+  Contouring refused(reader->GetHighOrderOutput(), plane);
+  refused.filter->SetValue(0, 0.1);
+  EXPECT_EQ(refused.Output()->GetNumberOfCells(), 0);
+  EXPECT_NE(refused.messages->errors.find("H(div)"), std::string::npos);
+}
+} // namespace
