@@ -4,6 +4,7 @@
 #include "ContourLabels.h"
 
 #include "Core/Base/Error.h"
+#include "Trace/Contours/LayerBounds.h"
 #include "Trace/FrameTiles.h"
 
 #include <utility>
@@ -46,7 +47,11 @@ void FrameContours::Make(const Scene& scene, const std::vector<LayerContours>& l
   Labels = translucent ? std::nullopt : look.labels;
   style.onSheet = translucent;
   style.keepBeneath = Labels.has_value();
-  Certifier.emplace(std::move(values));
+  if (!Bounds)
+  {
+    Bounds = std::make_shared<ContourBounds>();
+  }
+  Certifier.emplace(std::move(values), ContourMethod{}, Bounds);
   Lines.emplace(*Certifier, style, std::move(lineColors));
 }
 

@@ -6,6 +6,7 @@
 #include "Trace/Modules/ContourLines.h"
 #include "Trace/Scene.h"
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -41,6 +42,9 @@ public:
   void Make(const Scene& scene, const std::vector<LayerContours>& layers,
     const std::vector<LayerColors>& colors, const ContourLook& look);
 
+  /// What is known of the scene's fields, when they or their mesh go.
+  void Forget() { Bounds.reset(); }
+
   /// Last in the pipeline; points to modules here.
   void AddTo(Pipeline& pipeline);
   /// The buffers of centres that labels read.
@@ -52,6 +56,7 @@ public:
   [[nodiscard]] const ContourCertifier* Found() const { return Certifier ? &*Certifier : nullptr; }
 
 private:
+  std::shared_ptr<ContourBounds> Bounds;
   std::optional<ContourCertifier> Certifier;
   std::optional<ContourLines> Lines;
   std::optional<int> Labels;

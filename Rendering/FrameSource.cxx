@@ -60,6 +60,7 @@ void FrameSource::DropFrame()
   Forget();
   TheScene = {};
   TheModel.reset();
+  Contours.Forget();
 }
 
 void FrameSource::Count(bool traced)

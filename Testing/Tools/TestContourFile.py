@@ -58,9 +58,9 @@ class ContourFile(ToolTest):
         cube = self.folder / "cube.vtu"
         cube.write_text(unit_cube_grid(), encoding="utf-8")
         cut = ["--field", "u", "--plane", "0,0,0.5,0,0,1"]
-        self.succeeds("render", cube, *cut, "--contours", "3", *self.more)
+        self.succeeds("render", cube, *cut, "--contours", "3", "--range", "0.25,0.75", *self.more)
         points, _, of = read_lines(self.lines)
-        np.testing.assert_allclose(of["ContourValue"], [0.25, 0.5, 0.75], atol=0.02)
+        np.testing.assert_allclose(of["ContourValue"], [0.25, 0.5, 0.75], atol=1e-12)
         self.assertEqual(len(set(np.round(points[:, 0], 12))), 3)
 
     def test_what_is_not_honoured_is_refused(self):

@@ -3,6 +3,9 @@
 
 #include "Core/Shape/Shape.h"
 
+#include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,11 +15,13 @@ namespace pixelexact
 namespace
 {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// Sagitta over chord of the edges on curved surfaces that are held against other elements.
+constexpr double kBulge = 0.25;
 } // namespace
 
-ContourTile::ContourTile(TileVisit& tile, const ContourEffort& effort)
+ContourTile::ContourTile(TileVisit& tile, const ContourMethod& method)
   : Tile(tile)
-  , Effort(effort)
+  , Method(method)
   , Across(static_cast<std::size_t>(tile.Area().Width()) + 1)
   , Up(static_cast<std::size_t>(tile.Area().Height()) + 1)
   , Edges((Across - 1) * Up + Across * (Up - 1), State::Out)
@@ -54,24 +59,31 @@ EdgeEnd ContourTile::EndOf(
 
 SurfaceEdge ContourTile::EdgeBetween(const EdgeEnd& a, const EdgeEnd& b) const
 {
-  SurfaceEdge edge;
-  edge.sagitta = TheSurface->IsFlat() ? 0.0 : kInfinity;
-  const auto place = [&](const EdgeEnd& end)
+  SurfaceEdge edge{ a.point.x, b.point.x, kInfinity };
+  const Camera& camera = Tile.GetCamera();
+  const auto rayOf = [&](const EdgeEnd& end)
+  { return camera.At(end.position[0], end.position[1]); };
+  if (!TheSurface->IsFlat())
   {
-    if (end.layer == Layer)
+    if (a.layer == Layer && b.layer == Layer)
     {
-      return end.point.x;
+      edge.sagitta = TheSurface->Sagitta(rayOf(a), edge.from, rayOf(b), edge.to);
     }
-    const auto hits = HitsOf(*TheSurface, Tile.GetCamera().At(end.position[0], end.position[1]));
-    if (hits.empty())
+    return edge;
+  }
+  // A plane goes on where the mesh ends.
+  edge.sagitta = 0.0;
+  const auto place = [&](const EdgeEnd& end, Vec3& x)
+  {
+    if (end.layer != Layer)
     {
-      edge.sagitta = kInfinity;
-      return Vec3(0.0);
+      const auto hits = HitsOf(*TheSurface, rayOf(end));
+      edge.sagitta = hits.empty() ? kInfinity : edge.sagitta;
+      x = hits.empty() ? Vec3(0.0) : hits.front().position;
     }
-    return hits.front().position;
   };
-  edge.from = place(a);
-  edge.to = place(b);
+  place(a, edge.from);
+  place(b, edge.to);
   return edge;
 }
 
@@ -79,29 +91,83 @@ std::vector<int> ContourTile::ElementsNear() const
 {
   const ElementIndex& index = Tile.GetScene().locator->Index();
   Box3 box{ Vec3(kInfinity), Vec3(-kInfinity) };
-  bool known = TheSurface->IsFlat();
-  for (const std::size_t i : { std::size_t{ 0 }, Across - 1, Across * (Up - 1), Across * Up - 1 })
+  const auto add = [&](const Vec3& x)
   {
-    const SurfaceEdge edge = EdgeBetween(Corners[i], Corners[i]);
-    known = known && std::isfinite(edge.sagitta);
-    box.lower = glm::min(box.lower, edge.from);
-    box.upper = glm::max(box.upper, edge.from);
+    box.lower = glm::min(box.lower, x);
+    box.upper = glm::max(box.upper, x);
+  };
+  bool known = true;
+  Vec3 margin(0.0);
+  if (TheSurface->IsFlat())
+  {
+    for (const std::size_t i : { std::size_t{ 0 }, Across - 1, Across * (Up - 1), Across * Up - 1 })
+    {
+      const SurfaceEdge edge = EdgeBetween(Corners[i], Corners[i]);
+      known = known && std::isfinite(edge.sagitta);
+      add(edge.from);
+    }
+    margin = 1e-12 * (glm::abs(box.lower) + glm::abs(box.upper));
   }
-  const Vec3 margin = 1e-12 * (glm::abs(box.lower) + glm::abs(box.upper));
-  box.lower -= margin;
-  box.upper += margin;
+  else
+  {
+    for (const EdgeEnd& corner : Corners)
+    {
+      if (corner.layer == Layer)
+      {
+        add(corner.point.x);
+      }
+    }
+    // Edges whose sagitta is at most kBulge of their length stay within.
+    margin = kBulge * (box.upper - box.lower) + 1e-12 * (glm::abs(box.lower) + glm::abs(box.upper));
+  }
   std::vector<int> elements;
-  index.FindNear(known ? box : index.Bounds(), elements);
+  // Written so that nothing is near an empty box.
+  if (!known || glm::all(glm::lessThanEqual(box.lower, box.upper)))
+  {
+    index.FindNear(
+      known ? Box3{ box.lower - margin, box.upper + margin } : index.Bounds(), elements);
+  }
   return elements;
+}
+
+template <class Visit, class EndRow>
+void ContourTile::ForEachEdge(const Visit& visit, const EndRow& endRow) const
+{
+  for (std::size_t i = 0; i < Up; ++i)
+  {
+    for (std::size_t j = 0; j + 1 < Across; ++j)
+    {
+      visit(i * Across + j, i * Across + j + 1);
+    }
+    endRow();
+  }
+  for (std::size_t j = 0; j < Across; ++j)
+  {
+    for (std::size_t i = 0; i + 1 < Up; ++i)
+    {
+      visit(i * Across + j, (i + 1) * Across + j);
+    }
+    endRow();
+  }
 }
 
 void ContourTile::Judge(const ContouredLayer& layer)
 {
   Layer = layer.number;
   TheSurface = Tile.GetScene().layers[static_cast<std::size_t>(Layer)].surface.get();
+  if (!layer.bounds->CanProve())
+  {
+    LeaveOpen();
+    return;
+  }
   const EdgeJudge judge(*layer.bounds, layer.values, ElementsNear());
   if (!judge.IsNeeded())
   {
+    return;
+  }
+  if (!TheSurface->HasSagitta())
+  {
+    LeaveOpen();
     return;
   }
   Judging = &judge;
@@ -126,26 +192,27 @@ void ContourTile::Judge(const ContouredLayer& layer)
     run.clear();
     ++edge;
   };
-  for (std::size_t i = 0; i < Up; ++i)
-  {
-    for (std::size_t j = 0; j + 1 < Across; ++j)
+  ForEachEdge(visit,
+    [&]
     {
-      visit(i * Across + j, i * Across + j + 1);
-    }
-    SettleRun(run, open);
-    run.clear();
-  }
-  edge = (Across - 1) * Up;
-  for (std::size_t j = 0; j < Across; ++j)
-  {
-    for (std::size_t i = 0; i + 1 < Up; ++i)
-    {
-      visit(i * Across + j, (i + 1) * Across + j);
-    }
-    SettleRun(run, open);
-    run.clear();
-  }
+      SettleRun(run, open);
+      run.clear();
+    });
   Refine(std::move(open));
+}
+
+void ContourTile::LeaveOpen()
+{
+  std::size_t edge = 0;
+  const auto visit = [&](std::size_t a, std::size_t b)
+  {
+    if (Corners[a].layer == Layer || Corners[b].layer == Layer)
+    {
+      Edges[edge] = std::max(Edges[edge], State::Undecided);
+    }
+    ++edge;
+  };
+  ForEachEdge(visit, [] {});
 }
 
 EdgeFinding ContourTile::JudgeWithin(const Part& part) const
@@ -168,11 +235,14 @@ void ContourTile::SettleRun(std::span<const Part> run, std::vector<Part>& open)
   {
     return;
   }
-  // Together they are a straight edge.
-  const SurfaceEdge all = EdgeBetween(run.front().a, run.back().b);
-  if (run.size() > 1 && (Judging->IsFar(all) || Judging->IsExcluded(all, false)))
+  if (run.size() > 1 && TheSurface->IsFlat())
   {
-    return;
+    // Together they are a straight edge.
+    const SurfaceEdge all = EdgeBetween(run.front().a, run.back().b);
+    if (Judging->IsFar(all) || Judging->IsExcluded(all, false))
+    {
+      return;
+    }
   }
   if (run.size() == 1)
   {
@@ -194,17 +264,31 @@ void ContourTile::Settle(const Part& part, EdgeFinding finding, int level, std::
     Edges[part.edge] = State::In;
     return;
   }
-  const int deepest = finding == EdgeFinding::Open ? Effort.halvings : Effort.crossings;
-  if (level < deepest && Parts[part.edge] < Effort.parts)
+  const bool onBoth = part.a.layer == Layer && part.b.layer == Layer;
+  if (!TheSurface->IsFlat())
+  {
+    if (!onBoth && part.a.layer != Layer && part.b.layer != Layer)
+    {
+      // Whether the surface shows between two rays that do not see it is not asked.
+      return;
+    }
+  }
+  const int deepest = finding == EdgeFinding::Open ? Method.halvings : Method.crossings;
+  if (level < deepest && Parts[part.edge] < Method.parts)
   {
     ++Parts[part.edge];
     open.push_back(part);
     return;
   }
-  if (part.a.layer == Layer && part.b.layer == Layer && Judging->AreOpposite(part.a, part.b))
+  if (onBoth && finding == EdgeFinding::Uncovered && Judging->AreOpposite(part.a, part.b))
   {
     Edges[part.edge] = State::In;
     Counted.jumps += Judging->IsJump(part.a, part.b, EdgeBetween(part.a, part.b)) ? 1 : 0;
+    return;
+  }
+  if (level >= deepest && finding == EdgeFinding::Uncovered && !TheSurface->IsFlat())
+  {
+    // Closer to a silhouette, or to where the surface leaves the mesh, nothing is asked.
     return;
   }
   Edges[part.edge] = std::max(Edges[part.edge], State::Undecided);
@@ -220,7 +304,8 @@ void ContourTile::SettlePart(const Part& part, int level, std::vector<Part>& ope
   if (finding == EdgeFinding::Uncovered)
   {
     const SurfaceEdge edge = EdgeBetween(part.a, part.b);
-    if (Judging->IsFar(edge) || Judging->IsExcluded(edge, true))
+    const bool inReach = edge.sagitta <= kBulge * glm::distance(edge.from, edge.to);
+    if (inReach && (Judging->IsFar(edge) || Judging->IsExcluded(edge, true)))
     {
       finding = EdgeFinding::Out;
     }
@@ -259,23 +344,22 @@ void ContourTile::Refine(std::vector<Part> parts)
   }
 }
 
-std::vector<ContourVerdict> ContourTile::Verdicts() const
+void ContourTile::Tell(std::span<std::uint8_t> verdicts) const
 {
-  std::vector<ContourVerdict> verdicts;
   const std::size_t ups = (Across - 1) * Up;
+  auto verdict = verdicts.begin();
   for (std::size_t i = 0; i + 1 < Up; ++i)
   {
-    for (std::size_t j = 0; j + 1 < Across; ++j)
+    for (std::size_t j = 0; j + 1 < Across; ++j, ++verdict)
     {
       const std::size_t across = i * (Across - 1) + j;
       const std::size_t up = ups + j * (Up - 1) + i;
       const State state =
         std::max({ Edges[across], Edges[across + Across - 1], Edges[up], Edges[up + Up - 1] });
-      verdicts.push_back(state == State::In ? ContourVerdict::In
-          : state == State::Undecided       ? ContourVerdict::Undecided
-                                            : ContourVerdict::Out);
+      *verdict = static_cast<std::uint8_t>(state == State::In ? ContourVerdict::In
+          : state == State::Undecided                         ? ContourVerdict::Undecided
+                                                              : ContourVerdict::Out);
     }
   }
-  return verdicts;
 }
 } // namespace pixelexact

@@ -23,12 +23,12 @@ struct ContouredLayer
 class ContourTile
 {
 public:
-  ContourTile(TileVisit& tile, const ContourEffort& effort);
+  ContourTile(TileVisit& tile, const ContourMethod& method);
 
   /// Adds the findings of a layer's values to those of the tile's edges.
   void Judge(const ContouredLayer& layer);
-  /// Of each pixel of the tile, row by row.
-  [[nodiscard]] std::vector<ContourVerdict> Verdicts() const;
+  /// A ContourVerdict for each pixel of the tile, row by row.
+  void Tell(std::span<std::uint8_t> verdicts) const;
   [[nodiscard]] const ContourCounters& Counters() const { return Counted; }
 
 private:
@@ -51,6 +51,11 @@ private:
     const SampleBuffers& samples, std::size_t i, const ImagePosition& position) const;
   [[nodiscard]] SurfaceEdge EdgeBetween(const EdgeEnd& a, const EdgeEnd& b) const;
   [[nodiscard]] std::vector<int> ElementsNear() const;
+  /// visit(a, b), of corners, in the order of Edges; endRow() after each row and column.
+  template <class Visit, class EndRow>
+  void ForEachEdge(const Visit& visit, const EndRow& endRow) const;
+  /// Of all edges that show the layer.
+  void LeaveOpen();
   [[nodiscard]] EdgeFinding JudgeWithin(const Part& part) const;
   /// Consecutive edges of a row or a column.
   void SettleRun(std::span<const Part> run, std::vector<Part>& open);
@@ -59,7 +64,7 @@ private:
   void Refine(std::vector<Part> parts);
 
   TileVisit& Tile;
-  ContourEffort Effort;
+  ContourMethod Method;
   std::vector<EdgeEnd> Corners;
   std::size_t Across;       ///< corners in a row
   std::size_t Up;           ///< corners in a column

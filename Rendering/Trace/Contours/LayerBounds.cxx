@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trace/Contours/LayerBounds.h"
 
-#include "Core/Base/Error.h"
-
 #include <algorithm>
 
 namespace pixelexact
@@ -17,15 +15,12 @@ LayerBounds::LayerBounds(const Locator& locator, const Layer& layer)
   : TheIndex(locator.Index())
   , TheField(*layer.field)
   , Component(std::max(layer.component, 0))
+  , Provable(TheField.mapping == Mapping::Identity &&
+      (layer.component != kMagnitude || TheField.values.components == 1))
   , Rounding(layer.precision == Precision::Float ? kFloatRounding : 0.0)
   , Count(static_cast<std::size_t>(locator.GetMesh().Elements()))
   , Made(std::make_unique<std::atomic<const EdgeBounds*>[]>(Count))
 {
-  if (TheField.mapping != Mapping::Identity)
-  {
-    throw Unsupported("contours of field '" + TheField.name +
-      "', an H(curl), H(div) or density field, cannot be certified; project it to a nodal field.");
-  }
 }
 
 LayerBounds::~LayerBounds()
@@ -58,6 +53,17 @@ std::int64_t LayerBounds::Elements() const
 {
   return std::count_if(Made.get(), Made.get() + Count,
     [](const auto& place) { return place.load(std::memory_order_relaxed) != nullptr; });
+}
+
+const LayerBounds& ContourBounds::Of(const Locator& locator, const Layer& layer)
+{
+  const std::scoped_lock lock(Making);
+  auto& kept = Kept[{ layer.field, layer.component, layer.precision }];
+  if (!kept)
+  {
+    kept = std::make_unique<const LayerBounds>(locator, layer);
+  }
+  return *kept;
 }
 
 std::int64_t LayerBounds::Nodes() const

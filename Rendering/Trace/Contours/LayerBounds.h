@@ -6,7 +6,10 @@
 
 #include <atomic>
 #include <cstddef>
+#include <map>
 #include <memory>
+#include <mutex>
+#include <tuple>
 
 namespace pixelexact
 {
@@ -16,12 +19,15 @@ namespace pixelexact
 class LayerBounds
 {
 public:
-  /// Throws Unsupported for a field whose contours cannot be certified: mapped ones.
   LayerBounds(const Locator& locator, const Layer& layer);
   ~LayerBounds();
   LayerBounds(const LayerBounds&) = delete;
   LayerBounds& operator=(const LayerBounds&) = delete;
 
+  /// Whether contours can be proven: not those of magnitudes of several components, nor of mapped
+  /// fields.
+  [[nodiscard]] bool CanProve() const { return Provable; }
+  /// Where contours can be proven.
   [[nodiscard]] const EdgeBounds& Of(int element) const;
   [[nodiscard]] const ElementIndex& Index() const { return TheIndex; }
 
@@ -33,8 +39,21 @@ private:
   const ElementIndex& TheIndex;
   const Field& TheField;
   int Component;
+  bool Provable;
   double Rounding;
   std::size_t Count;
   std::unique_ptr<std::atomic<const EdgeBounds*>[]> Made;
+};
+
+/// What is known of the fields of one locator's mesh, kept from frame to frame. Safe to use from
+/// several threads. Whoever keeps it drops it with the locator or its fields.
+class ContourBounds
+{
+public:
+  const LayerBounds& Of(const Locator& locator, const Layer& layer);
+
+private:
+  std::mutex Making;
+  std::map<std::tuple<const Field*, int, Precision>, std::unique_ptr<const LayerBounds>> Kept;
 };
 } // namespace pixelexact

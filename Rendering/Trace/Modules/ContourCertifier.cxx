@@ -3,6 +3,7 @@
 
 #include "Core/Base/Error.h"
 #include "Trace/Contours/ContourTile.h"
+#include "Trace/Contours/IntervalEdges.h"
 #include "Trace/TileVisit.h"
 
 #include <algorithm>
@@ -19,10 +20,11 @@ void ContourCounters::Add(const ContourCounters& other)
   samples += other.samples;
 }
 
-ContourCertifier::ContourCertifier(
-  std::vector<std::vector<double>> values, const ContourEffort& effort)
+ContourCertifier::ContourCertifier(std::vector<std::vector<double>> values,
+  const ContourMethod& method, std::shared_ptr<ContourBounds> bounds)
   : IsoValues(std::move(values))
-  , Effort(effort)
+  , Method(method)
+  , Given(std::move(bounds))
 {
   for (std::vector<double>& ofLayer : IsoValues)
   {
@@ -38,8 +40,7 @@ ContourCertifier::~ContourCertifier() = default;
 
 SampleNeeds ContourCertifier::Needs() const
 {
-  return { .corners = Buffer::Value | Buffer::Verdict | Buffer::Layer | Buffer::Element |
-      Buffer::Xi | Buffer::Position };
+  return { .corners = kEdgeSampleBuffers };
 }
 
 void ContourCertifier::Begin(int width, int height)
@@ -48,43 +49,47 @@ void ContourCertifier::Begin(int width, int height)
   Pixels.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height),
     static_cast<std::uint8_t>(ContourVerdict::Out));
   Counted = {};
-}
-
-const LayerBounds& ContourCertifier::BoundsOf(const Scene& scene, std::size_t layer)
-{
-  const std::scoped_lock lock(Making);
-  Bounds.resize(scene.layers.size());
-  if (!Bounds[layer])
-  {
-    Bounds[layer] = std::make_unique<const LayerBounds>(*scene.locator, scene.layers[layer]);
-  }
-  return *Bounds[layer];
+  Bounds = Given ? Given : std::make_shared<ContourBounds>();
 }
 
 void ContourCertifier::Process(TileVisit& tile)
 {
-  const Scene& scene = tile.GetScene();
-  ContourTile pixels(tile, Effort);
-  for (std::size_t k = 0; k < std::min(IsoValues.size(), scene.layers.size()); ++k)
+  ContourCounters counters;
+  std::vector<std::uint8_t> verdicts(
+    static_cast<std::size_t>(tile.Area().Width()) * static_cast<std::size_t>(tile.Area().Height()));
+  if (Method.subdivisions)
   {
-    if (!IsoValues[k].empty() && scene.layers[k].field)
-    {
-      pixels.Judge({ static_cast<int>(k), IsoValues[k], &BoundsOf(scene, k) });
-    }
+    IntervalCounters found;
+    JudgeByIntervals(tile, IsoValues, *Method.subdivisions, verdicts, found);
+    counters.samples = found.samples;
   }
-  ContourCounters counters = pixels.Counters();
+  else
+  {
+    const Scene& scene = tile.GetScene();
+    ContourTile pixels(tile, Method);
+    for (std::size_t k = 0; k < std::min(IsoValues.size(), scene.layers.size()); ++k)
+    {
+      if (!IsoValues[k].empty() && scene.layers[k].field)
+      {
+        pixels.Judge(
+          { static_cast<int>(k), IsoValues[k], &Bounds->Of(*scene.locator, scene.layers[k]) });
+      }
+    }
+    pixels.Tell(verdicts);
+    counters = pixels.Counters();
+  }
   const TileArea& area = tile.Area();
-  const std::vector<ContourVerdict> verdicts = pixels.Verdicts();
   auto verdict = verdicts.begin();
   for (int y = area.y0; y < area.y1; ++y)
   {
     for (int x = area.x0; x < area.x1; ++x, ++verdict)
     {
-      counters.in += *verdict == ContourVerdict::In ? 1 : 0;
-      counters.out += *verdict == ContourVerdict::Out ? 1 : 0;
-      counters.undecided += *verdict == ContourVerdict::Undecided ? 1 : 0;
+      const auto told = static_cast<ContourVerdict>(*verdict);
+      counters.in += told == ContourVerdict::In ? 1 : 0;
+      counters.out += told == ContourVerdict::Out ? 1 : 0;
+      counters.undecided += told == ContourVerdict::Undecided ? 1 : 0;
       Pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(Width) +
-        static_cast<std::size_t>(x)] = static_cast<std::uint8_t>(*verdict);
+        static_cast<std::size_t>(x)] = *verdict;
     }
   }
   const std::lock_guard lock(CountersMutex);

@@ -6,12 +6,11 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 namespace pixelexact
 {
-struct Scene;
-
 /// What is known of a pixel and the iso-values (paper, section 5.3): whether one of them occurs on
 /// its edge.
 enum class ContourVerdict : std::uint8_t
@@ -33,15 +32,18 @@ struct ContourCounters
   void Add(const ContourCounters& other);
 };
 
-/// What may be spent on an edge.
-struct ContourEffort
+/// How pixels are told.
+struct ContourMethod
 {
+  /// The paper's algorithm with so many subdivisions (JudgeByIntervals); none: the project's own.
+  std::optional<int> subdivisions;
+  // What may be spent on an edge by the project's own.
   int halvings = 8;   ///< of an edge in one element
   int crossings = 12; ///< of one that leaves its element
   int parts = 16;     ///< of an edge that are open at once
 };
 
-class LayerBounds;
+class ContourBounds;
 
 /// Which of a layer's iso-values occur on the edges of a pixel: the verdicts, with which lines are
 /// drawn (ContourLines).
@@ -49,9 +51,10 @@ class ContourCertifier final : public FrameModule
 {
 public:
   /// `values`: of each of the scene's layers its iso-values, in any order; none: no contours on it.
+  /// `bounds`: what is known of the fields, to be used again; null: it is found out for each frame.
   /// Throws Error for a value that is not finite.
-  explicit ContourCertifier(
-    std::vector<std::vector<double>> values, const ContourEffort& effort = {});
+  explicit ContourCertifier(std::vector<std::vector<double>> values,
+    const ContourMethod& method = {}, std::shared_ptr<ContourBounds> bounds = nullptr);
   ~ContourCertifier() override;
   ContourCertifier(const ContourCertifier&) = delete;
   ContourCertifier& operator=(const ContourCertifier&) = delete;
@@ -63,22 +66,16 @@ public:
   /// Of the last frame: a ContourVerdict for each pixel, lower-left first.
   [[nodiscard]] const std::vector<std::uint8_t>& Verdicts() const { return Pixels; }
   [[nodiscard]] const ContourCounters& Counters() const { return Counted; }
-  [[nodiscard]] const std::vector<std::unique_ptr<const LayerBounds>>& Kept() const
-  {
-    return Bounds;
-  }
   /// In ascending order.
   [[nodiscard]] const std::vector<std::vector<double>>& Values() const { return IsoValues; }
 
 private:
-  const LayerBounds& BoundsOf(const Scene& scene, std::size_t layer);
-
   std::vector<std::vector<double>> IsoValues;
-  ContourEffort Effort;
-  std::vector<std::unique_ptr<const LayerBounds>> Bounds;
+  ContourMethod Method;
+  std::shared_ptr<ContourBounds> Given;
+  std::shared_ptr<ContourBounds> Bounds;
   std::vector<std::uint8_t> Pixels;
   int Width = 0;
-  std::mutex Making;
   std::mutex CountersMutex;
   ContourCounters Counted;
 };

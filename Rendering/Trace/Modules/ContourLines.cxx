@@ -160,7 +160,7 @@ private:
       PutOver(Lines.Style.undecided, 1.0, color);
       return;
     }
-    const bool held = verdict != ContourVerdict::Out;
+    const bool held = verdict == ContourVerdict::In;
     if (!held && !(range[0] <= range[1]))
     {
       return;

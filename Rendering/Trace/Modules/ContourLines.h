@@ -17,8 +17,8 @@ struct ContourStyle
   static constexpr double kWidest = 32.0;
 
   double width = 1.5; ///< in pixels, kNarrowest to kWidest
-  /// Undecided pixels get a colour of their own, teal as in the paper; else they are drawn as those
-  /// that are in.
+  /// Undecided pixels get a colour of their own, teal as in the paper; else they show what they
+  /// have of the lines between the samples.
   bool showUndecided = false;
   Rgba undecided{ 0, 128, 128, 255 };
   /// Whether sheets of a surface may hide each other: of planes they do not, and two buffers less

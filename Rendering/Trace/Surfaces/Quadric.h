@@ -29,6 +29,10 @@ public:
   /// Along the gradient; where that is zero, as at a cone's apex, some direction.
   [[nodiscard]] Vec3 Normal(const SurfacePoint& point) const override;
 
+  [[nodiscard]] double Sagitta(
+    const Ray& a, const Vec3& atA, const Ray& b, const Vec3& atB) const override;
+  [[nodiscard]] bool HasSagitta() const override { return true; }
+
   /// Its equation, times some power of two.
   [[nodiscard]] const QuadraticForm& GetForm() const { return Form; }
 

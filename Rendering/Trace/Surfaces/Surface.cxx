@@ -2,6 +2,7 @@
 #include "Trace/Surfaces/Surface.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace pixelexact
 {
@@ -9,6 +10,12 @@ void Surface::Normals(std::span<const SurfacePoint> points, std::span<Vec3> norm
 {
   std::ranges::transform(
     points, normals.begin(), [this](const SurfacePoint& point) { return Normal(point); });
+}
+
+double Surface::Sagitta(
+  const Ray& /*a*/, const Vec3& /*atA*/, const Ray& /*b*/, const Vec3& /*atB*/) const
+{
+  return IsFlat() ? 0.0 : std::numeric_limits<double>::infinity();
 }
 
 std::vector<Hit> HitsOf(const Surface& surface, const Ray& ray, double tNear, double tFar)

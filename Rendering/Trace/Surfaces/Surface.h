@@ -39,6 +39,14 @@ public:
   /// Whether its normal is everywhere the same: it is then not lit unless asked for.
   [[nodiscard]] virtual bool IsFlat() const { return false; }
 
+  /// How far off the straight line between two of its hits, at most, is the surface along the rays
+  /// between the two of these hits; all of them then meet it there. Infinite where that is not
+  /// known.
+  [[nodiscard]] virtual double Sagitta(
+    const Ray& a, const Vec3& atA, const Ray& b, const Vec3& atB) const;
+  /// Whether it is known anywhere.
+  [[nodiscard]] virtual bool HasSagitta() const { return IsFlat(); }
+
   /// Whether all of its points lie in the mesh: rays that cannot see through it end at their first
   /// hit (RayLanes::nearestOnly).
   [[nodiscard]] virtual bool IsOfMesh() const { return false; }
