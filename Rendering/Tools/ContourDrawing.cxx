@@ -62,7 +62,7 @@ ContourDrawing::ContourDrawing(const ContourOptions& options, const ColorOptions
       style.curved || (!values.back().empty() && !shot.scene.layers[k].surface->IsFlat());
   }
   LabelHeight = options.Labels();
-  Certifier.emplace(std::move(values));
+  Certifier.emplace(std::move(values), options.HowTold());
   Lines.emplace(*Certifier, style, std::move(lineColors));
   if (options.Only())
   {

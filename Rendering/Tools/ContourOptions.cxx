@@ -11,6 +11,8 @@
 #include "ContourLabels.h"
 #include "VtkLook.h"
 
+#include "Trace/Contours/IntervalEdges.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,6 +24,7 @@ namespace pixelexact
 namespace
 {
 constexpr const char* kContours = "--contours";
+constexpr int kUsualSubdivisions = 3;
 constexpr const char* kColorForm = "r,g,b|r:g:b,r:g:b,...|map";
 
 Rgba ReadColor(const std::string& text, char separator)
@@ -152,9 +155,45 @@ void ContourOptions::AddTo(CLI::App& added)
       LabelFont::kSmallest, LabelFont::kLargest))
     .Needs(contours)
     .Group(group);
+  const AddedOption certifier = AddRead(
+    added, "--certifier",
+    [this](const std::string& text)
+    {
+      if (text != "exact" && text != "interval")
+      {
+        Refuse("--certifier", text, "exact or interval");
+      }
+      Method.subdivisions.reset();
+      if (text == "interval")
+      {
+        Method.subdivisions = kUsualSubdivisions;
+      }
+    },
+    "exact|interval",
+    "How pixels are proven to have a contour or none: by bounds of second derivatives (exact, the "
+    "default), or as in the paper by interval arithmetic along their edges")
+                                  .Needs(contours)
+                                  .Group(group);
+  AddRead(
+    added, "--subdivisions",
+    [this](const std::string& text)
+    {
+      int count = 0;
+      if (!ParseInteger(text, count) || count < 0 || count > kMostSubdivisions)
+      {
+        Refuse(
+          "--subdivisions", text, fmt::format("a whole number from 0 to {}", kMostSubdivisions));
+      }
+      Subdivisions = count;
+    },
+    "N",
+    fmt::format("How often --certifier interval halves an edge, 0 to {} (default: {})",
+      kMostSubdivisions, kUsualSubdivisions))
+    .Needs(certifier)
+    .Group(group);
   const AddedOption shown = AddFlag(added, "--show-undecided-contours", ShowUndecided,
-    "Paint pixels of which it could not be decided whether a contour goes through them; else they "
-    "are drawn as if one did")
+    "Paint pixels of which it could not be decided whether a contour goes through them, as "
+    "--show-undecided does, too; else they show the lines between the samples alone")
                               .Needs(contours)
                               .Group(group);
   AddNumbers(added, "--undecided-contour-color", UndecidedColor, 3, "r,g,b",
@@ -166,6 +205,10 @@ void ContourOptions::AddTo(CLI::App& added)
 void ContourOptions::Check(const std::vector<LayerSettings>& layers) const
 {
   CheckColor("--undecided-contour-color", UndecidedColor);
+  if (Subdivisions && !Method.subdivisions)
+  {
+    throw UsageError("--subdivisions are those of --certifier interval; leave them out");
+  }
   if (LabelHeight && *LabelHeight != std::floor(*LabelHeight))
   {
     throw UsageError("--contour-labels: a height is a whole number of pixels");
@@ -194,10 +237,20 @@ ContourStyle ContourOptions::Style() const
 {
   ContourStyle style;
   style.width = Width.value_or(style.width);
-  style.showUndecided = ShowUndecided;
+  style.showUndecided = ShowUndecided || IsGiven(*Command, "--show-undecided");
   style.undecided = ToRgba(UndecidedColor.data());
   style.keepBeneath = LabelHeight.has_value();
   return style;
+}
+
+ContourMethod ContourOptions::HowTold() const
+{
+  ContourMethod method = Method;
+  if (method.subdivisions)
+  {
+    method.subdivisions = Subdivisions.value_or(*method.subdivisions);
+  }
+  return method;
 }
 
 std::optional<int> ContourOptions::Labels() const

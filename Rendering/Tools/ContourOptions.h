@@ -49,6 +49,8 @@ public:
   /// Of all layers that do not say so themselves.
   [[nodiscard]] const ContourChoice& OfAll() const { return *Choice; }
   [[nodiscard]] ContourStyle Style() const;
+  /// How pixels are told.
+  [[nodiscard]] ContourMethod HowTold() const;
   /// One for each value in the order given, or one for all; empty: by the colour map.
   [[nodiscard]] const std::vector<Rgba>& Colors() const { return TheColors; }
   [[nodiscard]] bool ByMap() const { return TheColors.empty(); }
@@ -65,6 +67,8 @@ private:
   const CLI::App* Command = nullptr;
   std::optional<ContourChoice> Choice;
   std::optional<double> Width;
+  ContourMethod Method;
+  std::optional<int> Subdivisions;
   std::vector<Rgba> TheColors{ { 0, 0, 0, 255 } };
   bool ShowUndecided = false;
   std::vector<double> UndecidedColor{ 0.0, 0.5, 0.5 };
