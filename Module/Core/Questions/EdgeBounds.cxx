@@ -118,8 +118,9 @@ EdgeBounds::EdgeBounds(const Mesh& mesh, const ElementBounds& bounds, int elemen
   : Map(mesh.map.SpaceOf(element), mesh.map.Coefficients(element), 3)
   , Component(field.values.SpaceOf(element),
       field.values.Coefficients(element) +
-        static_cast<std::ptrdiff_t>(component) * field.values.SpaceOf(element).Modes(),
-      1)
+        static_cast<std::ptrdiff_t>(std::max(component, 0)) * field.values.SpaceOf(element).Modes(),
+      component < 0 ? field.values.components : 1)
+  , Components(component < 0 ? field.values.components : 1)
   , Centre(mesh.centre[3 * static_cast<std::size_t>(element)],
       mesh.centre[3 * static_cast<std::size_t>(element) + 1],
       mesh.centre[3 * static_cast<std::size_t>(element) + 2])
@@ -132,13 +133,17 @@ EdgeBounds::EdgeBounds(const Mesh& mesh, const ElementBounds& bounds, int elemen
     ValueError = kInfinity;
     return;
   }
-  std::vector<RangeIngredient> all{ { &Component, 0, Part::Value } };
+  std::vector<RangeIngredient> all;
+  for (int c = 0; c < Components; ++c)
+  {
+    all.push_back({ &Component, c, Part::Value });
+  }
   for (int c = 0; c < 3; ++c)
   {
     all.push_back({ &Map, c, Part::Value });
   }
   AddDerivatives(Map, 0, 3, all);
-  AddDerivatives(Component, 0, 1, all);
+  AddDerivatives(Component, 0, Components, all);
   Level = LevelFor(all);
   const auto fewer = [](std::size_t coefficients)
   {
@@ -151,18 +156,20 @@ EdgeBounds::EdgeBounds(const Mesh& mesh, const ElementBounds& bounds, int elemen
   {
     Deepest[k] = kMostHalvings[k] - besides[k];
   }
-  Range = Nothing();
+  Range = ValuesOver({});
   double error = 0.0;
-  for (int i = 0; i < 1 << (3 * Level); ++i)
-  {
-    const int last = (1 << Level) - 1;
-    const PieceForm::Piece piece{ i >> (2 * Level), i >> Level & last, i & last };
-    const BoxPolynomial polynomial =
-      RangeIngredient{ &Component, 0, Part::Value }.Over(Level, piece, kWholeElement);
-    Range = Union(Range, polynomial.Hull());
-    error = std::max(error, polynomial.error);
-  }
-  Range = Scaled(Range, Component.exponent);
+  ForEachPiece({},
+    [&](const PieceForm::Piece& piece, const Box3& /*within*/)
+    {
+      double sum = 0.0;
+      for (int c = 0; c < Components; ++c)
+      {
+        const RangeIngredient ingredient{ &Component, c, Part::Value };
+        sum +=
+          PieceForm::Of(Component.space, Level).ErrorBound(Part::Value, piece, ingredient.Modes());
+      }
+      error = std::max(error, sum);
+    });
   // The same sums as the kernels make, but for the order of the factors; `error` is the bound of
   // their rounding (accuracy.md).
   ValueError = std::ldexp(4.0 * error * (1.0 + rounding / kUnitRoundoff), Component.exponent);
@@ -190,7 +197,7 @@ struct Evaluated
   double values[3][kRoom];
   double slopes[9][kRoom];
 
-  Evaluated(const ScaledModes& modes, int components, const Vec3& xi)
+  Evaluated(const Space& space, const double* modes, int components, const Vec3& xi)
   {
     double at[3][kRoom];
     for (int d = 0; d < 3; ++d)
@@ -203,16 +210,15 @@ struct Evaluated
     {
       gradient[k] = slopes[k];
     }
-    KernelsFor(modes.space)
-      .gradient(modes.space, modes.values.data(), components, { { at[0], at[1], at[2] }, 1 }, out,
-        gradient);
+    KernelsFor(space).gradient(
+      space, modes, components, { { at[0], at[1], at[2] }, 1 }, out, gradient);
   }
 };
 } // namespace
 
 EdgeBounds::View EdgeBounds::ViewAt(const Vec3& xi) const
 {
-  const Evaluated map(Map, 3, xi);
+  const Evaluated map(Map.space, Map.values.data(), 3, xi);
   const double scale = std::ldexp(1.0, Map.exponent);
   View view{ xi, Vec3(0.0), Mat3(0.0) };
   Mat3 jacobian;
@@ -303,14 +309,39 @@ void EdgeBounds::Fill(EdgeNode& node, const Interval& values) const
   {
     return;
   }
-  node.values = HullOver(node.wide, Component, 0, Part::Value);
+  node.values = ValuesOver(node.wide);
+  std::vector<std::array<HessianFunction::XiRanges, 4>> ranges;
+  for (int c = 0; c < Components; ++c)
+  {
+    ranges.push_back(RangesOf(node.wide, c));
+  }
+  DescribeCurves(node, ranges);
+}
+
+Interval EdgeBounds::ValuesOver(const EtaBox& box) const
+{
+  if (Components == 1)
+  {
+    return HullOver(box, Component, 0, Part::Value);
+  }
+  Interval square(0.0);
+  for (int c = 0; c < Components; ++c)
+  {
+    square += Square(HullOver(box, Component, c, Part::Value));
+  }
+  return Sqrt(square);
+}
+
+std::array<HessianFunction::XiRanges, 4> EdgeBounds::RangesOf(
+  const EtaBox& box, int component) const
+{
   std::array<HessianFunction::XiRanges, 4> ranges;
   bool first = true;
-  ForEachPiece(node.wide,
+  ForEachPiece(box,
     [&](const PieceForm::Piece& piece, const Box3& within)
     {
-      const auto here = HessianFunction::RangesByXi(
-        Map.space.shape, HessianFunction::Polynomials(Map, Component, 0, Level, piece, within));
+      const auto here = HessianFunction::RangesByXi(Map.space.shape,
+        HessianFunction::Polynomials(Map, Component, component, Level, piece, within));
       for (std::size_t f = 0; f < 4; ++f)
       {
         const int exponent = f < 3 ? Map.exponent : Component.exponent;
@@ -327,7 +358,7 @@ void EdgeBounds::Fill(EdgeNode& node, const Interval& values) const
       }
       first = false;
     });
-  DescribeCurves(node, ranges);
+  return ranges;
 }
 
 bool EdgeBounds::DescribeMap(
@@ -379,8 +410,20 @@ bool EdgeBounds::DescribeMap(
 }
 
 void EdgeBounds::DescribeCurves(
-  EdgeNode& node, const std::array<HessianFunction::XiRanges, 4>& ranges) const
+  EdgeNode& node, std::span<const std::array<HessianFunction::XiRanges, 4>> components) const
 {
+  const auto& ranges = components.front();
+  // Of all components: the Euclidean norm of bounds bounds that of vectors.
+  const auto norm = [&components](auto&& of)
+  {
+    double sum = 0.0;
+    for (const auto& one : components)
+    {
+      const double magnitude = of(one[3]).Magnitude();
+      sum += magnitude * magnitude;
+    }
+    return components.size() == 1 ? of(components.front()[3]).Magnitude() : std::sqrt(sum) * kUp;
+  };
   double bend[6][3];
   for (std::size_t p = 0; p < 6; ++p)
   {
@@ -397,7 +440,7 @@ void EdgeBounds::DescribeCurves(
   }
   for (std::size_t k = 0; k < 3; ++k)
   {
-    node.slope[k] = ranges[3].first[k].Magnitude();
+    node.slope[k] = norm([k](const HessianFunction::XiRanges& one) { return one.first[k]; });
     node.lean[k] = 0.0;
     node.shift[k] = 0.0;
     for (std::size_t c = 0; c < 3; ++c)
@@ -412,7 +455,7 @@ void EdgeBounds::DescribeCurves(
   for (std::size_t p = 0; p < 6; ++p)
   {
     const double twice = kRows[p] == kColumns[p] ? 1.0 : 2.0;
-    node.curve[p] = ranges[3].second[p].Magnitude();
+    node.curve[p] = norm([p](const HessianFunction::XiRanges& one) { return one.second[p]; });
     for (std::size_t k = 0; k < 3; ++k)
     {
       node.bend[k][p] = twice * bend[p][k];
@@ -509,6 +552,18 @@ std::optional<EdgeRange> EdgeBounds::Along(
     {
       return std::nullopt;
     }
+  }
+  if (Components > 1)
+  {
+    // Of the norm of a vector that changes linearly, by at most `change`: it is convex, and its
+    // second derivative is at most the change's square over the norm.
+    double change = 2.0 * ValueError;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      change += node->slope[k] * (s[k] + 2.0 * node->shift[k]);
+    }
+    const double least = std::max(a.value, b.value) - change;
+    range.deviation += least > 0.25 * change ? change * change / (8.0 * least) : 0.5 * change;
   }
   range.deviation = (range.deviation + ValueError) * kUp;
   range.error *= kUp;
@@ -656,22 +711,15 @@ EdgeBounds::Meeting EdgeBounds::MeetNode(const EdgeNode& node, std::span<const d
   {
     return Meeting::None;
   }
-  const Evaluated component(Component, 1, view.xi);
-  const double unit = std::ldexp(1.0, Component.exponent);
-  const double value = unit * component.values[0][0];
-  const Vec3 slope =
-    unit * Vec3(component.slopes[0][0], component.slopes[1][0], component.slopes[2][0]);
-  const double rises[2] = { glm::dot(slope, steps[0]), glm::dot(slope, steps[1]) };
-  const double atFirst = rises[0] + first * (rises[1] - rises[0]);
-  const double atLast = rises[0] + last * (rises[1] - rises[0]);
+  const Interval linear = LinearValues(
+    view.xi, steps[0] + first * (steps[1] - steps[0]), steps[0] + last * (steps[1] - steps[0]));
   double most = Quadratic(node.curve, away) / 2.0 + 2.0 * ValueError;
   for (std::size_t k = 0; k < 3; ++k)
   {
     most += node.slope[k] * besides[k];
   }
-  most = most * kUp + 1e-14 * (std::fabs(rises[0]) + std::fabs(rises[1]));
-  if (!AnyIn(values, rounding::Below(value + std::min(atFirst, atLast) - most),
-        rounding::Above(value + std::max(atFirst, atLast) + most)))
+  most = most * kUp + 1e-14 * (std::fabs(linear.lower) + std::fabs(linear.upper));
+  if (!AnyIn(values, rounding::Below(linear.lower - most), rounding::Above(linear.upper + most)))
   {
     return Meeting::None;
   }
@@ -683,6 +731,41 @@ EdgeBounds::Meeting EdgeBounds::MeetNode(const EdgeNode& node, std::span<const d
     }
   }
   return Meeting::Near;
+}
+
+Interval EdgeBounds::LinearValues(const Vec3& xi, const Vec3& from, const Vec3& to) const
+{
+  const double unit = std::ldexp(1.0, Component.exponent);
+  const auto width = static_cast<std::ptrdiff_t>(Component.width);
+  // Of all components: the values at both ends, and their squares and product.
+  double ends[2] = {};
+  double squares[2] = {};
+  double product = 0.0;
+  double size = 0.0;
+  for (int c = 0; c < Components; ++c)
+  {
+    const Evaluated component(Component.space, Component.values.data() + c * width, 1, xi);
+    const Vec3 slope(component.slopes[0][0], component.slopes[1][0], component.slopes[2][0]);
+    const double rises[2] = { glm::dot(slope, from), glm::dot(slope, to) };
+    for (std::size_t k = 0; k < 2; ++k)
+    {
+      ends[k] = unit * (component.values[0][0] + rises[k]);
+      squares[k] += ends[k] * ends[k];
+    }
+    product += ends[0] * ends[1];
+    size += unit * (std::fabs(component.values[0][0]) + std::fabs(rises[0]) + std::fabs(rises[1]));
+  }
+  const double slack = 1e-14 * size;
+  if (Components == 1)
+  {
+    return { std::min(ends[0], ends[1]) - slack, std::max(ends[0], ends[1]) + slack };
+  }
+  // |p + t (q - p)|: convex, least where (p + t (q - p)) . (q - p) = 0.
+  const double along = squares[0] + squares[1] - 2.0 * product;
+  const double t = along > 0.0 ? std::clamp((squares[0] - product) / along, 0.0, 1.0) : 0.0;
+  const double least = squares[0] - 2.0 * t * (squares[0] - product) + t * t * along;
+  return { std::sqrt(std::max(0.0, least - slack * size)) - slack,
+    std::sqrt(std::max(squares[0], squares[1])) + slack };
 }
 
 bool EdgeBounds::MayTake(

@@ -74,9 +74,9 @@ struct EdgeNode
 class EdgeBounds
 {
 public:
-  /// `field` must have Mapping::Identity, and component be one of its; the arrays must outlive the
-  /// object. `rounding`: of values, as a part of their largest possible magnitude, beyond that of
-  /// the kernels in double precision.
+  /// `field` must have Mapping::Identity, and component be one of its, or -1: the Euclidean norm of
+  /// all, if there are several. The arrays must outlive the object. `rounding`: of values, as a
+  /// part of their largest possible magnitude, beyond that of the kernels in double precision.
   EdgeBounds(const Mesh& mesh, const ElementBounds& bounds, int element, const Field& field,
     int component, double rounding = 0.0);
   ~EdgeBounds();
@@ -117,7 +117,14 @@ private:
   void Fill(EdgeNode& node, const Interval& values) const;
   /// Whether the map is regular.
   bool DescribeMap(EdgeNode& node, const std::array<std::array<Interval, 3>, 3>& slopes) const;
-  void DescribeCurves(EdgeNode& node, const std::array<HessianFunction::XiRanges, 4>& ranges) const;
+  /// By component.
+  void DescribeCurves(
+    EdgeNode& node, std::span<const std::array<HessianFunction::XiRanges, 4>> components) const;
+  [[nodiscard]] Interval ValuesOver(const EtaBox& box) const;
+  [[nodiscard]] std::array<HessianFunction::XiRanges, 4> RangesOf(
+    const EtaBox& box, int component) const;
+  /// Of the expansion of first order about a xi, from one step to another.
+  [[nodiscard]] Interval LinearValues(const Vec3& xi, const Vec3& from, const Vec3& to) const;
   [[nodiscard]] bool Misses(
     const EdgeNode& node, const Vec3& from, const Vec3& to, double slack) const;
   /// By the affine map of a node.
@@ -137,6 +144,7 @@ private:
 
   ScaledModes Map;
   ScaledModes Component;
+  int Components; ///< of which the norm is taken, if there are several
   int Level = 0;
   int Deepest[2] = {}; ///< halvings of nodes that are not regular, and that are
   Vec3 Centre;

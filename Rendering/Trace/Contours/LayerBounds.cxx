@@ -14,9 +14,8 @@ constexpr double kFloatRounding = 0x1p-19;
 LayerBounds::LayerBounds(const Locator& locator, const Layer& layer)
   : TheIndex(locator.Index())
   , TheField(*layer.field)
-  , Component(std::max(layer.component, 0))
-  , Provable(TheField.mapping == Mapping::Identity &&
-      (layer.component != kMagnitude || TheField.values.components == 1))
+  , Component(layer.component == kMagnitude ? -1 : layer.component)
+  , Provable(TheField.mapping == Mapping::Identity)
   , Rounding(layer.precision == Precision::Float ? kFloatRounding : 0.0)
   , Count(static_cast<std::size_t>(locator.GetMesh().Elements()))
   , Made(std::make_unique<std::atomic<const EdgeBounds*>[]>(Count))

@@ -24,8 +24,7 @@ public:
   LayerBounds(const LayerBounds&) = delete;
   LayerBounds& operator=(const LayerBounds&) = delete;
 
-  /// Whether contours can be proven: not those of magnitudes of several components, nor of mapped
-  /// fields.
+  /// Whether contours can be proven: not those of mapped fields.
   [[nodiscard]] bool CanProve() const { return Provable; }
   /// Where contours can be proven.
   [[nodiscard]] const EdgeBounds& Of(int element) const;
