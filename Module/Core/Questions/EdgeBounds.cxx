@@ -93,18 +93,17 @@ Vec3 MovedInto(Shape shape, const EtaBox& box, const Vec3& xi)
     shape, glm::clamp(ReferenceToTensor(shape, moved), box.lower, box.upper));
 }
 
-/// Whether a number of an ascending list is in an interval.
-bool AnyIn(std::span<const double> values, double lower, double upper)
-{
-  const auto at = std::ranges::lower_bound(values, lower);
-  return at != values.end() && *at <= upper;
-}
-
 bool Holds(const EtaBox& box, const Vec3& eta)
 {
   return Box3{ box.lower, box.upper }.Contains(eta);
 }
 } // namespace
+
+bool ValueSet::Meets(double from, double to) const
+{
+  const auto at = std::ranges::lower_bound(values, from);
+  return from <= lower || to >= upper || (at != values.end() && *at <= to);
+}
 
 int EdgeNode::DirectionOfSplit() const
 {
@@ -633,7 +632,7 @@ Vec3 EdgeBounds::ToXi(const EdgeNode& node, const Vec3& x) const
 }
 
 /// In a regular node, from the second-order expansion about a point of it near the segment.
-EdgeBounds::Meeting EdgeBounds::MeetNode(const EdgeNode& node, std::span<const double> values,
+EdgeBounds::Meeting EdgeBounds::MeetNode(const EdgeNode& node, const ValueSet& wanted,
   const Vec3& from, const Vec3& to, double slack) const
 {
   const Shape shape = Map.space.shape;
@@ -719,7 +718,7 @@ EdgeBounds::Meeting EdgeBounds::MeetNode(const EdgeNode& node, std::span<const d
     most += node.slope[k] * besides[k];
   }
   most = most * kUp + 1e-14 * (std::fabs(linear.lower) + std::fabs(linear.upper));
-  if (!AnyIn(values, rounding::Below(linear.lower - most), rounding::Above(linear.upper + most)))
+  if (!wanted.Meets(rounding::Below(linear.lower - most), rounding::Above(linear.upper + most)))
   {
     return Meeting::None;
   }
@@ -769,31 +768,30 @@ Interval EdgeBounds::LinearValues(const Vec3& xi, const Vec3& from, const Vec3& 
 }
 
 bool EdgeBounds::MayTake(
-  std::span<const double> values, const Vec3& from, const Vec3& to, double slack, bool grow) const
+  const ValueSet& wanted, const Vec3& from, const Vec3& to, double slack, bool grow) const
 {
-  return !Component.finite || MayTakeIn(Whole(), values, from, to, slack, grow);
+  return !Component.finite || MayTakeIn(Whole(), wanted, from, to, slack, grow);
 }
 
-bool EdgeBounds::MayTakeIn(const EdgeNode& node, std::span<const double> values, const Vec3& from,
+bool EdgeBounds::MayTakeIn(const EdgeNode& node, const ValueSet& wanted, const Vec3& from,
   const Vec3& to, double slack, bool grow) const
 {
-  if (!AnyIn(values, node.values.lower, node.values.upper) || Misses(node, from, to, slack))
+  if (!wanted.Meets(node.values.lower, node.values.upper) || Misses(node, from, to, slack))
   {
     return false;
   }
-  const Meeting meeting = node.regular ? MeetNode(node, values, from, to, slack) : Meeting::Coarse;
+  const Meeting meeting = node.regular ? MeetNode(node, wanted, from, to, slack) : Meeting::Coarse;
   if (meeting != Meeting::Coarse)
   {
     return meeting == Meeting::Near;
   }
-  if (node.halvings >= Deepest[node.regular ? 1 : 0] ||
-    (!grow && node.regular && !node.children.load(std::memory_order_acquire)))
+  if (node.halvings >= Deepest[node.regular ? 1 : 0] || (!grow && node.regular))
   {
     return true;
   }
   const auto& halves = Split(node);
   return std::ranges::any_of(
-    halves, [&](const EdgeNode& half) { return MayTakeIn(half, values, from, to, slack, grow); });
+    halves, [&](const EdgeNode& half) { return MayTakeIn(half, wanted, from, to, slack, grow); });
 }
 
 double EdgeBounds::ChangeWithin(const LocatedPoint& point, double distance) const

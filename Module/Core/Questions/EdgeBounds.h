@@ -7,6 +7,7 @@
 
 #include <array>
 #include <atomic>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -22,6 +23,17 @@ struct LocatedPoint
   Vec3 xi{ 0.0 };
   Vec3 eta{ 0.0 }; ///< ReferenceToTensor of xi
   double value = 0.0;
+};
+
+/// Values that are looked for: some numbers, in ascending order, and all that are not between two.
+struct ValueSet
+{
+  std::span<const double> values;
+  double lower = -std::numeric_limits<double>::infinity();
+  double upper = std::numeric_limits<double>::infinity();
+
+  /// Whether one of them is in an interval.
+  [[nodiscard]] bool Meets(double from, double to) const;
 };
 
 /// What is known of a component along an edge that lies in one element.
@@ -93,11 +105,11 @@ public:
   [[nodiscard]] std::optional<EdgeRange> Along(
     const LocatedPoint& a, const LocatedPoint& b, double sagitta = 0.0) const;
 
-  /// Whether the component may take one of these values, in ascending order, at a point of the
-  /// element on a segment, widened by `slack` in each coordinate; false: proven that it does not.
-  /// `grow`: smaller nodes are made where they would tell more.
-  [[nodiscard]] bool MayTake(std::span<const double> values, const Vec3& from, const Vec3& to,
-    double slack, bool grow) const;
+  /// Whether the component may take one of these values at a point of the element on a segment,
+  /// widened by `slack` in each coordinate; false: proven that it does not. `grow`: smaller nodes
+  /// are made where they would tell more.
+  [[nodiscard]] bool MayTake(
+    const ValueSet& wanted, const Vec3& from, const Vec3& to, double slack, bool grow) const;
   /// A bound of how far the values within a distance of a point, in the element and next to the
   /// point in xi as well, are from its own; infinite where none is known.
   [[nodiscard]] double ChangeWithin(const LocatedPoint& point, double distance) const;
@@ -137,10 +149,10 @@ private:
     Near,   ///< there may be one
     Coarse, ///< and smaller nodes would tell more
   };
-  [[nodiscard]] Meeting MeetNode(const EdgeNode& node, std::span<const double> values,
-    const Vec3& from, const Vec3& to, double slack) const;
-  [[nodiscard]] bool MayTakeIn(const EdgeNode& node, std::span<const double> values,
-    const Vec3& from, const Vec3& to, double slack, bool grow) const;
+  [[nodiscard]] Meeting MeetNode(const EdgeNode& node, const ValueSet& wanted, const Vec3& from,
+    const Vec3& to, double slack) const;
+  [[nodiscard]] bool MayTakeIn(const EdgeNode& node, const ValueSet& wanted, const Vec3& from,
+    const Vec3& to, double slack, bool grow) const;
 
   ScaledModes Map;
   ScaledModes Component;

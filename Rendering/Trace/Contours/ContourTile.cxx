@@ -161,13 +161,13 @@ void ContourTile::Judge(const ContouredLayer& layer)
     return;
   }
   const EdgeJudge judge(*layer.bounds, layer.values, ElementsNear());
-  if (!judge.IsNeeded())
-  {
-    return;
-  }
-  if (!TheSurface->HasSagitta())
+  if (judge.IsNeeded() && !TheSurface->HasSagitta())
   {
     LeaveOpen();
+    return;
+  }
+  if (!judge.IsNeeded())
+  {
     return;
   }
   Judging = &judge;
@@ -179,12 +179,17 @@ void ContourTile::Judge(const ContouredLayer& layer)
     if (Edges[edge] != State::In)
     {
       Part part{ edge, Corners[a], Corners[b] };
-      const EdgeFinding finding = JudgeWithin(part);
+      const bool jumps = MayJump(part);
+      const EdgeFinding finding = jumps ? EdgeFinding::Out : JudgeWithin(part);
       if (finding == EdgeFinding::Uncovered)
       {
         run.push_back(std::move(part));
         ++edge;
         return;
+      }
+      if (jumps)
+      {
+        SettlePart(part, 0, open);
       }
       Settle(part, finding, 0, open);
     }
@@ -229,6 +234,19 @@ EdgeFinding ContourTile::JudgeWithin(const Part& part) const
     : EdgeFinding::Uncovered;
 }
 
+int ContourTile::SideOf(const Part& part) const
+{
+  return part.a.layer == Layer ? Judging->SideOf(part.a.point.value)
+    : part.b.layer == Layer    ? Judging->SideOf(part.b.point.value)
+                               : EdgeJudge::kNoSide;
+}
+
+bool ContourTile::MayJump(const Part& part) const
+{
+  return part.a.layer == Layer && part.b.layer == Layer && part.a.element != part.b.element &&
+    Judging->AreOpposite(part.a, part.b);
+}
+
 void ContourTile::SettleRun(std::span<const Part> run, std::vector<Part>& open)
 {
   if (run.empty())
@@ -239,7 +257,9 @@ void ContourTile::SettleRun(std::span<const Part> run, std::vector<Part>& open)
   {
     // Together they are a straight edge.
     const SurfaceEdge all = EdgeBetween(run.front().a, run.back().b);
-    if (Judging->IsFar(all) || Judging->IsExcluded(all, false))
+    const int side = SideOf(run.front());
+    if (std::ranges::all_of(run, [&](const Part& part) { return SideOf(part) == side; }) &&
+      Judging->StaysOn(side, all, false))
     {
       return;
     }
@@ -305,7 +325,7 @@ void ContourTile::SettlePart(const Part& part, int level, std::vector<Part>& ope
   {
     const SurfaceEdge edge = EdgeBetween(part.a, part.b);
     const bool inReach = edge.sagitta <= kBulge * glm::distance(edge.from, edge.to);
-    if (inReach && (Judging->IsFar(edge) || Judging->IsExcluded(edge, true)))
+    if (inReach && !MayJump(part) && Judging->StaysOn(SideOf(part), edge, true))
     {
       finding = EdgeFinding::Out;
     }

@@ -56,6 +56,11 @@ private:
   void ForEachEdge(const Visit& visit, const EndRow& endRow) const;
   /// Of all edges that show the layer.
   void LeaveOpen();
+  /// Of its ends that are on the layer; see EdgeJudge.
+  [[nodiscard]] int SideOf(const Part& part) const;
+  /// Whether the values of two elements lie on either side of one: it is between them even if none
+  /// takes it.
+  [[nodiscard]] bool MayJump(const Part& part) const;
   [[nodiscard]] EdgeFinding JudgeWithin(const Part& part) const;
   /// Consecutive edges of a row or a column.
   void SettleRun(std::span<const Part> run, std::vector<Part>& open);

@@ -36,13 +36,21 @@ EdgeJudge::EdgeJudge(
   for (const int element : elements)
   {
     const EdgeBounds& own = bounds.Of(element);
+    const Interval& range = own.Values();
     // What is not finite has no values.
-    if (own.Values().IsFinite() && AnyIn(own.Values().lower, own.Values().upper))
+    if (range.IsFinite())
     {
-      Active.push_back({ element, bounds.Index().ElementBox(element), &own });
+      const int side = AnyIn(range.lower, range.upper) ? kNoSide : SideOf(range.lower);
+      Near.push_back({ element, bounds.Index().ElementBox(element), &own, side });
+      Needed = Needed || side == kNoSide || side != Near.front().side;
     }
   }
-  std::ranges::sort(Active, {}, &Element::number);
+  std::ranges::sort(Near, {}, &Element::number);
+}
+
+int EdgeJudge::SideOf(double value) const
+{
+  return static_cast<int>(std::ranges::lower_bound(Values, value) - Values.begin());
 }
 
 bool EdgeJudge::AnyIn(double lower, double upper) const
@@ -51,33 +59,8 @@ bool EdgeJudge::AnyIn(double lower, double upper) const
   return at != Values.end() && *at <= upper;
 }
 
-bool EdgeJudge::IsActive(int element) const
-{
-  return std::ranges::binary_search(Active, element, {}, &Element::number);
-}
-
-bool EdgeJudge::IsFar(const SurfaceEdge& edge) const
-{
-  const double slack = SlackOf(edge);
-  const Vec3 lower = glm::min(edge.from, edge.to) - slack;
-  const Vec3 upper = glm::max(edge.from, edge.to) + slack;
-  // Written so that nothing is far from a NaN.
-  return std::ranges::none_of(Active,
-    [&](const Element& element)
-    {
-      const Box3& box = element.box;
-      return !(lower.x > box.upper.x || upper.x < box.lower.x || lower.y > box.upper.y ||
-        upper.y < box.lower.y || lower.z > box.upper.z || upper.z < box.lower.z);
-    });
-}
-
 EdgeFinding EdgeJudge::Within(const EdgeEnd& a, const EdgeEnd& b, const SurfaceEdge& edge) const
 {
-  const bool active = IsActive(a.element);
-  if (!active && IsFar(edge))
-  {
-    return EdgeFinding::Out;
-  }
   const EdgeBounds& bounds = Bounds.Of(a.element);
   const auto range =
     std::isfinite(edge.sagitta) ? bounds.Along(a.point, b.point, edge.sagitta) : std::nullopt;
@@ -87,7 +70,7 @@ EdgeFinding EdgeJudge::Within(const EdgeEnd& a, const EdgeEnd& b, const SurfaceE
   }
   const double lower = std::min(a.point.value, b.point.value);
   const double upper = std::max(a.point.value, b.point.value);
-  if (!active || !AnyIn(lower - range->deviation, upper + range->deviation))
+  if (!AnyIn(lower - range->deviation, upper + range->deviation))
   {
     return EdgeFinding::Out;
   }
@@ -101,7 +84,7 @@ EdgeFinding EdgeJudge::Within(const EdgeEnd& a, const EdgeEnd& b, const SurfaceE
                                                                   : EdgeFinding::Open;
 }
 
-bool EdgeJudge::IsExcluded(const SurfaceEdge& edge, bool thorough) const
+bool EdgeJudge::StaysOn(int side, const SurfaceEdge& edge, bool thorough) const
 {
   if (!std::isfinite(edge.sagitta))
   {
@@ -110,20 +93,26 @@ bool EdgeJudge::IsExcluded(const SurfaceEdge& edge, bool thorough) const
   const double slack = SlackOf(edge);
   const Vec3 lower = glm::min(edge.from, edge.to) - slack;
   const Vec3 upper = glm::max(edge.from, edge.to) + slack;
-  for (const Element& element : Active)
+  ValueSet others;
+  if (side == kNoSide)
   {
-    const Box3& box = element.box;
-    if (lower.x > box.upper.x || upper.x < box.lower.x || lower.y > box.upper.y ||
-      upper.y < box.lower.y || lower.z > box.upper.z || upper.z < box.lower.z)
-    {
-      continue;
-    }
-    if (element.bounds->MayTake(Values, edge.from, edge.to, slack, thorough))
-    {
-      return false;
-    }
+    others.values = Values;
   }
-  return true;
+  else
+  {
+    const auto above = static_cast<std::size_t>(side);
+    others.lower = above > 0 ? Values[above - 1] : others.lower;
+    others.upper = above < Values.size() ? Values[above] : others.upper;
+  }
+  return std::ranges::none_of(Near,
+    [&](const Element& element)
+    {
+      const Box3& box = element.box;
+      return !element.StaysOn(side) &&
+        !(lower.x > box.upper.x || upper.x < box.lower.x || lower.y > box.upper.y ||
+          upper.y < box.lower.y || lower.z > box.upper.z || upper.z < box.lower.z) &&
+        element.bounds->MayTake(others, edge.from, edge.to, slack, thorough);
+    });
 }
 
 bool EdgeJudge::AreOpposite(const EdgeEnd& a, const EdgeEnd& b) const

@@ -44,34 +44,40 @@ public:
   EdgeJudge(
     const LayerBounds& bounds, std::span<const double> values, std::span<const int> elements);
 
-  /// Whether some element may take a value.
-  [[nodiscard]] bool IsNeeded() const { return !Active.empty(); }
+  /// Between which values a value is: the number of those below it.
+  [[nodiscard]] int SideOf(double value) const;
+  /// Of an edge that is on no known side.
+  static constexpr int kNoSide = -1;
+
+  /// Whether some element may take a value, or elements lie on several sides.
+  [[nodiscard]] bool IsNeeded() const { return Needed; }
 
   /// An edge between points of the same element, by the bounds of that element alone.
   [[nodiscard]] EdgeFinding Within(
     const EdgeEnd& a, const EdgeEnd& b, const SurfaceEdge& edge) const;
-  /// Whether no element that may take a value comes near.
-  [[nodiscard]] bool IsFar(const SurfaceEdge& edge) const;
-  /// Whether no element that the edge may meet takes a value there. `thorough`: more is found out
-  /// about the elements where that helps.
-  [[nodiscard]] bool IsExcluded(const SurfaceEdge& edge, bool thorough) const;
+  /// Whether all elements that the edge may meet stay on a side there; of kNoSide, whether none
+  /// takes a value. `thorough`: more is found out about the elements where that helps.
+  [[nodiscard]] bool StaysOn(int side, const SurfaceEdge& edge, bool thorough) const;
   /// Whether the ends' values lie on either side of a value, by more than rounding.
   [[nodiscard]] bool AreOpposite(const EdgeEnd& a, const EdgeEnd& b) const;
   /// Whether the two values are farther apart than the field varies along the edge.
   [[nodiscard]] bool IsJump(const EdgeEnd& a, const EdgeEnd& b, const SurfaceEdge& edge) const;
 
 private:
-  [[nodiscard]] bool AnyIn(double lower, double upper) const;
-  [[nodiscard]] bool IsActive(int element) const;
-
-  const LayerBounds& Bounds;
-  std::span<const double> Values;
   struct Element
   {
     int number;
     Box3 box;
     const EdgeBounds* bounds;
+    int side; ///< of all of its values; kNoSide: they may be on several
+
+    [[nodiscard]] bool StaysOn(int all) const { return side >= 0 && (all < 0 || all == side); }
   };
-  std::vector<Element> Active; ///< by number
+  [[nodiscard]] bool AnyIn(double lower, double upper) const;
+
+  const LayerBounds& Bounds;
+  std::span<const double> Values;
+  std::vector<Element> Near; ///< by number
+  bool Needed = false;
 };
 } // namespace pixelexact
