@@ -71,19 +71,18 @@ constexpr Interval Nothing()
 }
 
 /// A xi of a box, not far from the nearest one.
-Vec3 MovedInto(Shape shape, const EtaBox& box, const Vec3& xi)
+Vec3 MovedInto(Shape shape, const EdgeNode& node, const Vec3& xi)
 {
-  const auto normals = EndNormals(shape, box);
+  const EtaBox& box = node.wide;
   Vec3 moved = xi;
   for (int round = 0; round < 3; ++round)
   {
-    for (int end = 0; end < 6; ++end)
+    for (const EdgeNodeEnd& end : node.wideEnds)
     {
-      const double(&n)[3] = normals[static_cast<std::size_t>(end)];
-      const double depth = DepthOf(shape, box, end, moved);
+      const double depth = end.DepthOf(moved);
       if (depth < 0.0)
       {
-        const Vec3 normal(n[0], n[1], n[2]);
+        const Vec3 normal(end.normal[0], end.normal[1], end.normal[2]);
         moved += normal * (depth / glm::dot(normal, normal));
       }
     }
@@ -91,6 +90,20 @@ Vec3 MovedInto(Shape shape, const EtaBox& box, const Vec3& xi)
   // What is left, in eta: of a NaN, any point.
   return TensorToReference(
     shape, glm::clamp(ReferenceToTensor(shape, moved), box.lower, box.upper));
+}
+
+std::array<EdgeNodeEnd, 6> EndsOf(Shape shape, const EtaBox& box)
+{
+  const auto normals = EndNormals(shape, box);
+  std::array<EdgeNodeEnd, 6> ends;
+  for (int k = 0; k < 6; ++k)
+  {
+    EdgeNodeEnd& end = ends[static_cast<std::size_t>(k)];
+    std::copy_n(normals[static_cast<std::size_t>(k)], 3, end.normal);
+    end.offset = DepthOf(shape, box, k, Vec3(0.0));
+    end.ofElement = k % 2 == 1 ? box.upper[k / 2] == 1.0 : box.lower[k / 2] == -1.0;
+  }
+  return ends;
 }
 
 bool Holds(const EtaBox& box, const Vec3& eta)
@@ -103,13 +116,6 @@ bool ValueSet::Meets(double from, double to) const
 {
   const auto at = std::ranges::lower_bound(values, from);
   return from <= lower || to >= upper || (at != values.end() && *at <= to);
-}
-
-int EdgeNode::DirectionOfSplit() const
-{
-  const Vec3 sides = box.upper - box.lower;
-  const int wider = sides.x >= sides.y ? 0 : 1;
-  return sides[wider] >= sides.z ? wider : 2;
 }
 
 EdgeBounds::EdgeBounds(const Mesh& mesh, const ElementBounds& bounds, int element,
@@ -285,6 +291,9 @@ void EdgeBounds::Fill(EdgeNode& node, const Interval& values) const
   node.wide.lower = glm::max(node.box.lower - margin, Vec3(-1.0));
   node.wide.upper = glm::min(node.box.upper + margin, Vec3(1.0));
   node.values = values;
+  const Vec3 sides = node.box.upper - node.box.lower;
+  const int wider = sides.x >= sides.y ? 0 : 1;
+  node.direction = sides[wider] >= sides.z ? wider : 2;
   for (int d = 0; d < 3; ++d)
   {
     const double slack = Uncertainty[static_cast<std::size_t>(d)];
@@ -309,6 +318,8 @@ void EdgeBounds::Fill(EdgeNode& node, const Interval& values) const
     return;
   }
   node.values = ValuesOver(node.wide);
+  node.boxEnds = EndsOf(Map.space.shape, node.box);
+  node.wideEnds = EndsOf(Map.space.shape, node.wide);
   std::vector<std::array<HessianFunction::XiRanges, 4>> ranges;
   for (int c = 0; c < Components; ++c)
   {
@@ -477,7 +488,7 @@ const std::array<EdgeNode, 2>& EdgeBounds::Split(const EdgeNode& node) const
   {
     return *made;
   }
-  const int direction = node.DirectionOfSplit();
+  const int direction = node.direction;
   const double middle = 0.5 * (node.box.lower[direction] + node.box.upper[direction]);
   auto halves = std::make_unique<std::array<EdgeNode, 2>>();
   for (std::size_t k = 0; k < 2; ++k)
@@ -498,7 +509,7 @@ const EdgeNode& EdgeBounds::LeafAt(const Vec3& eta) const
   while (!node->regular && node->halvings < Deepest[0])
   {
     const auto& halves = Split(*node);
-    const int d = node->DirectionOfSplit();
+    const int d = node->direction;
     node = &halves[eta[d] <= halves[0].box.upper[d] ? 0 : 1];
   }
   return *node;
@@ -533,19 +544,10 @@ std::optional<EdgeRange> EdgeBounds::Along(
     range.error += node->slope[k] * node->shift[k];
     range.deviation += node->slope[k] * (besides + 2.0 * beside[k]);
   }
-  const Shape shape = Map.space.shape;
-  const auto normals = EndNormals(shape, node->wide);
-  for (int end = 0; end < 6; ++end)
+  for (const EdgeNodeEnd& end : node->wideEnds)
   {
-    const bool ofElement =
-      end % 2 == 1 ? node->wide.upper[end / 2] == 1.0 : node->wide.lower[end / 2] == -1.0;
-    const double(&normal)[3] = normals[static_cast<std::size_t>(end)];
-    double depth =
-      std::min(DepthOf(shape, node->wide, end, a.xi), DepthOf(shape, node->wide, end, b.xi));
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      depth -= std::fabs(normal[k]) * (off[k] - (ofElement ? beside[k] : 0.0));
-    }
+    const double depth = std::min(end.DepthOf(a.xi), end.DepthOf(b.xi)) - end.Across(off) +
+      (end.ofElement ? end.Across(beside) : 0.0);
     // Written so that a NaN is not covered.
     if (!(depth >= 0.0))
     {
@@ -592,17 +594,13 @@ bool EdgeBounds::Misses(const EdgeNode& node, const Vec3& from, const Vec3& to, 
   {
     off[k] = (node.turn[k] * most + node.shift[k] + node.lean[k] * slack / Size) * kUp + 1e-13;
   }
-  const Shape shape = Map.space.shape;
-  const auto normals = EndNormals(shape, node.box);
   double first = 0.0;
   double last = 1.0;
-  for (int end = 0; end < 6; ++end)
+  for (const EdgeNodeEnd& end : node.boxEnds)
   {
-    const double(&normal)[3] = normals[static_cast<std::size_t>(end)];
-    const double wider =
-      std::fabs(normal[0]) * off[0] + std::fabs(normal[1]) * off[1] + std::fabs(normal[2]) * off[2];
-    const double a = DepthOf(shape, node.box, end, ends[0]) + wider;
-    const double b = DepthOf(shape, node.box, end, ends[1]) + wider;
+    const double wider = end.Across(off);
+    const double a = end.DepthOf(ends[0]) + wider;
+    const double b = end.DepthOf(ends[1]) + wider;
     if (a < 0.0 && b < 0.0)
     {
       return true;
@@ -638,11 +636,11 @@ EdgeBounds::Meeting EdgeBounds::MeetNode(const EdgeNode& node, const ValueSet& w
   const Shape shape = Map.space.shape;
   const Vec3 ends[2] = { (from - Centre) / Size, (to - Centre) / Size };
   const Vec3 middle = 0.5 * (ends[0] + ends[1]);
-  View view = ViewAt(MovedInto(shape, node.wide, ToXi(node, 0.5 * (from + to))));
+  View view = ViewAt(MovedInto(shape, node, ToXi(node, 0.5 * (from + to))));
   for (int step = 0; step < kSteps; ++step)
   {
     const Vec3 half = 0.5 * (view.inverse * (ends[1] - ends[0]));
-    const Vec3 next = MovedInto(shape, node.wide, view.xi + view.inverse * (middle - view.y));
+    const Vec3 next = MovedInto(shape, node, view.xi + view.inverse * (middle - view.y));
     const Vec3 moved = next - view.xi;
     // Written so that a NaN ends it.
     if (!(glm::dot(moved, moved) > glm::dot(half, half)))
@@ -685,14 +683,11 @@ EdgeBounds::Meeting EdgeBounds::MeetNode(const EdgeNode& node, const ValueSet& w
   }
   double first = 0.0;
   double last = 1.0;
-  const auto normals = EndNormals(shape, node.box);
-  for (int end = 0; end < 6; ++end)
+  for (const EdgeNodeEnd& end : node.boxEnds)
   {
-    const double(&normal)[3] = normals[static_cast<std::size_t>(end)];
-    const double wider =
-      std::fabs(normal[0]) * off[0] + std::fabs(normal[1]) * off[1] + std::fabs(normal[2]) * off[2];
-    const double a = DepthOf(shape, node.box, end, view.xi + steps[0]) + wider;
-    const double b = DepthOf(shape, node.box, end, view.xi + steps[1]) + wider;
+    const double wider = end.Across(off);
+    const double a = end.DepthOf(view.xi + steps[0]) + wider;
+    const double b = end.DepthOf(view.xi + steps[1]) + wider;
     if (a < 0.0 && b < 0.0)
     {
       return Meeting::None;

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <mutex>
@@ -43,6 +44,25 @@ struct EdgeRange
   double error = 0.0;     ///< of these values: F at the true points is no farther off
 };
 
+/// An end of a box of eta, in xi: points inside are at a depth >= 0.
+struct EdgeNodeEnd
+{
+  double normal[3]{}; ///< outwards
+  double offset = 0.0;
+  bool ofElement = false; ///< a face of the element
+
+  [[nodiscard]] double DepthOf(const Vec3& xi) const
+  {
+    return offset - (normal[0] * xi.x + normal[1] * xi.y + normal[2] * xi.z);
+  }
+  /// By how much points that are off by no more than this may be deeper.
+  [[nodiscard]] double Across(const double (&off)[3]) const
+  {
+    return std::fabs(normal[0]) * off[0] + std::fabs(normal[1]) * off[1] +
+      std::fabs(normal[2]) * off[2];
+  }
+};
+
 /// What is known of a box of eta, made once: derivatives are by xi and in the element's units, and
 /// all bounds hold over `wide`, the box and a margin.
 struct EdgeNode
@@ -64,11 +84,12 @@ struct EdgeNode
   double slope[3]{};   ///< |dF / dxi|
   double curve[6]{};   ///< |F''| + slope . bend: of F along straight lines in the world
   double shift[3]{};   ///< by how much a located point's xi may be off
-  double lean[3]{};    ///< by how much it moves, for a unit in y
+  std::array<EdgeNodeEnd, 6> boxEnds;
+  std::array<EdgeNodeEnd, 6> wideEnds;
+  double lean[3]{}; ///< by how much it moves, for a unit in y
   int halvings = 0;
 
-  /// Across which direction of eta it is halved.
-  [[nodiscard]] int DirectionOfSplit() const;
+  int direction = 0; ///< of eta, across which it is halved
 
   mutable std::atomic<const std::array<EdgeNode, 2>*> children{ nullptr };
 
