@@ -20,10 +20,8 @@ constexpr double kSame = 1e-9;
 
 ArcProof::ArcProof(const CurveEquations& equations, CurveEvaluator& evaluator, Shape shape,
   double value, std::vector<Vec3> crossings)
-  : Equations(equations)
-  , Evaluator(evaluator)
+  : Evaluator(evaluator)
   , TheShape(shape)
-  , Value(value)
   , Crossings(std::move(crossings))
   , Left(kBudget)
 {

@@ -35,10 +35,8 @@ private:
   [[nodiscard]] bool IsTube(const Vec3& from, const Vec3& to, int along, double room) const;
   [[nodiscard]] bool IsCrossedElsewhere(const Box3& box, const Vec3& from, const Vec3& to) const;
 
-  const CurveEquations& Equations;
   CurveEvaluator& Evaluator;
   Shape TheShape;
-  double Value;
   std::vector<Vec3> Crossings;
   BoxPolynomial F; ///< over the whole element
   BoxPolynomial S;

@@ -35,7 +35,6 @@ constexpr double kCoarse = 0.25;
 constexpr int kRounds = 6;
 /// Of Newton's iteration towards a segment's middle.
 constexpr int kSteps = 2;
-constexpr std::size_t kPlaces[3][3] = { { 0, 1, 2 }, { 1, 3, 4 }, { 2, 4, 5 } };
 constexpr std::size_t kRows[6] = { 0, 0, 0, 1, 1, 2 };
 constexpr std::size_t kColumns[6] = { 0, 1, 2, 1, 2, 2 };
 
@@ -139,6 +138,7 @@ EdgeBounds::EdgeBounds(const Mesh& mesh, const ElementBounds& bounds, int elemen
     return;
   }
   std::vector<RangeIngredient> all;
+  all.reserve(4 * (static_cast<std::size_t>(Components) + 3));
   for (int c = 0; c < Components; ++c)
   {
     all.push_back({ &Component, c, Part::Value });
@@ -321,6 +321,7 @@ void EdgeBounds::Fill(EdgeNode& node, const Interval& values) const
   node.boxEnds = EndsOf(Map.space.shape, node.box);
   node.wideEnds = EndsOf(Map.space.shape, node.wide);
   std::vector<std::array<HessianFunction::XiRanges, 4>> ranges;
+  ranges.reserve(static_cast<std::size_t>(Components));
   for (int c = 0; c < Components; ++c)
   {
     ranges.push_back(RangesOf(node.wide, c));

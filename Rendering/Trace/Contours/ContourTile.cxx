@@ -30,10 +30,13 @@ ContourTile::ContourTile(TileVisit& tile, const ContourMethod& method)
   const SampleBuffers& samples = tile.Corners();
   const TileArea& area = tile.Area();
   Corners.reserve(samples.Size());
-  for (std::size_t i = 0; i < samples.Size(); ++i)
+  std::size_t i = 0;
+  for (int y = area.y0; y <= area.y1; ++y)
   {
-    Corners.push_back(EndOf(samples, i,
-      { area.x0 + static_cast<double>(i % Across), area.y0 + static_cast<double>(i / Across) }));
+    for (int x = area.x0; x <= area.x1; ++x, ++i)
+    {
+      Corners.push_back(EndOf(samples, i, { static_cast<double>(x), static_cast<double>(y) }));
+    }
   }
 }
 
@@ -42,9 +45,7 @@ EdgeEnd ContourTile::EndOf(
 {
   EdgeEnd end;
   end.position = position;
-  const auto verdict = static_cast<PixelVerdict>(samples.verdict[i]);
-  end.unknown = verdict == PixelVerdict::Unknown;
-  if (verdict == PixelVerdict::Exact)
+  if (samples.verdict[i] == static_cast<std::uint8_t>(PixelVerdict::Exact))
   {
     end.layer = samples.layer[i];
     end.element = static_cast<int>(samples.element[i]);
@@ -178,12 +179,12 @@ void ContourTile::Judge(const ContouredLayer& layer)
   {
     if (Edges[edge] != State::In)
     {
-      Part part{ edge, Corners[a], Corners[b] };
+      const Part part{ edge, Corners[a], Corners[b] };
       const bool jumps = MayJump(part);
       const EdgeFinding finding = jumps ? EdgeFinding::Out : JudgeWithin(part);
       if (finding == EdgeFinding::Uncovered)
       {
-        run.push_back(std::move(part));
+        run.push_back(part);
         ++edge;
         return;
       }

@@ -13,8 +13,7 @@ namespace pixelexact
 struct EdgeEnd
 {
   ImagePosition position{};
-  int layer = -1;       ///< that is seen, in the mesh and decided; -1: none is
-  bool unknown = false; ///< what is seen is not decided
+  int layer = -1; ///< that is seen, in the mesh and decided; -1: none is
   int element = -1;
   LocatedPoint point; ///< where there is a layer
 };
