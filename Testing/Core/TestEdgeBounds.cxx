@@ -1,169 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Bounds along edges against dense points of them, inverted and evaluated in 113 bits.
-#include "EnclosureCases.h"
-#include "QuadLine.h"
-#include "RangeCases.h"
+#include "EdgeCases.h"
 
-#include "Core/Location/Sample.h"
-#include "Core/Questions/EdgeBounds.h"
-
-#include <glm/geometric.hpp>
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include <algorithm>
 #include <iostream>
-#include <limits>
 
 namespace pixelexact::testing
 {
 namespace
 {
-const Vec3 kCentre{ 3.0, -2.0, 1.0 };
-constexpr double kSize = 0.25;
-
-LongVec3 MapOfAnyOrder(int order, const LongVec3& xi)
-{
-  const auto [a, b, c] = xi;
-  const LongVec3 bump{ b * b * c * c, a * a * c * c, a * a * b * b };
-  return Plus(MapOfOrder(order, xi), Times(order < 4 ? 0.0L : 0.03L, bump));
-}
-
-/// An element with a field of noise, and what is known of it.
-struct Case : RangeCase
-{
-  Case(Shape shape, int mapOrder, int fieldOrder, Random& random)
-    : RangeCase(
-        UniformSpace(shape, mapOrder),
-        [=](const LongVec3& xi)
-        { return Plus(ToLong(kCentre), Times(kSize, MapOfAnyOrder(mapOrder, xi))); },
-        kCentre, kSize)
-    , locator(mesh)
-  {
-    SetNoise(fieldOrder, random, 0.7);
-    Renew();
-    Interval sampled(
-      std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity());
-    for (int i = 0; i < 300; ++i)
-    {
-      const double value = ValueAt(random.Inside(shape));
-      sampled = { std::min(sampled.lower, value), std::max(sampled.upper, value) };
-    }
-    range = sampled.upper - sampled.lower;
-  }
-
-  /// After a change of the field.
-  void Renew()
-  {
-    bounds = std::make_unique<EdgeBounds>(mesh, locator.Index().BoundsOf(0), 0, field, 0);
-  }
-
-  [[nodiscard]] double ValueAt(const Vec3& xi) const
-  {
-    double value = 0.0;
-    EvaluateAt(mesh, field, 0, { &xi, 1 }, { &value, 1 }, {});
-    return value;
-  }
-  [[nodiscard]] Vec3 PointAt(const Vec3& xi) const
-  {
-    Vec3 x;
-    MapForward(mesh, 0, { &xi, 1 }, { &x, 1 });
-    return x;
-  }
-  [[nodiscard]] Quad Truth(const QuadVec3& xi) const
-  {
-    return EvaluateQuad(field.values, 0, xi)[0].value;
-  }
-
-  /// By the locator; nothing outside.
-  [[nodiscard]] std::optional<LocatedPoint> Located(const Vec3& x) const
-  {
-    std::int32_t element = -1;
-    LocatedPoint point{ x };
-    SampleTarget target;
-    target.element = { &element, 1 };
-    target.xi = { &point.xi, 1 };
-    target.value = { &point.value, 1 };
-    SampleTile(locator, &field, std::span(&x, 1), target);
-    point.eta = ReferenceToTensor(mesh.ShapeOf(0), point.xi);
-    return element < 0 ? std::nullopt : std::optional(point);
-  }
-
-  Locator locator;
-  std::unique_ptr<EdgeBounds> bounds;
-  double range = 0.0; ///< of some samples
-};
-
-Vec3 Direction(Random& random)
-{
-  return glm::normalize(Vec3(random(), random(), random()));
-}
-
-QuadVec3 ToQuad(const Vec3& x)
-{
-  return { x.x, x.y, x.z };
-}
-
-/// How far a xi is within the shape, at its nearest face; negative outside.
-double DepthIn(Shape shape, const QuadVec3& at)
-{
-  const Vec3 xi(static_cast<double>(at[0]), static_cast<double>(at[1]), static_cast<double>(at[2]));
-  const double low = std::min({ 1.0 + xi.x, 1.0 + xi.y, 1.0 + xi.z });
-  switch (shape)
-  {
-    case Shape::Hexahedron:
-      return std::min({ low, 1.0 - xi.x, 1.0 - xi.y, 1.0 - xi.z });
-    case Shape::Prism:
-      return std::min({ low, -xi.x - xi.z, 1.0 - xi.y });
-    case Shape::Tetrahedron:
-      return std::min(low, -1.0 - xi.x - xi.y - xi.z);
-    default:
-      return std::min({ low, -xi.x - xi.z, -xi.y - xi.z });
-  }
-}
-
-/// Calls check(case, shape, mapOrder, fieldOrder) for elements of every shape and order.
-template <class Check>
-void ForAllOrders(Random& random, const Check& check)
-{
-  for (const Shape shape : kShapes)
-  {
-    for (int mapOrder = 1; mapOrder <= 4; ++mapOrder)
-    {
-      for (int fieldOrder = 1; fieldOrder <= 8; ++fieldOrder)
-      {
-        SCOPED_TRACE(::testing::Message()
-          << Name(shape) << ", map of order " << mapOrder << ", field of order " << fieldOrder);
-        const Case one(shape, mapOrder, fieldOrder, random);
-        check(one);
-      }
-    }
-  }
-}
-
-/// The values of a segment's points in the element, from a point known to be there outwards: all
-/// that are connected with it.
-std::vector<Quad> ValuesAlong(
-  const Case& one, const Segment& segment, double known, const Vec3& knownXi, int steps)
-{
-  const Shape shape = one.mesh.ShapeOf(0);
-  std::vector<Quad> values;
-  for (const double end : { 0.0, 1.0 })
-  {
-    std::optional<QuadVec3> at = ToQuad(knownXi);
-    for (int i = 0; i <= steps; ++i)
-    {
-      const Quad t = Quad(known) + (Quad(end) - Quad(known)) * Quad(i) / Quad(steps);
-      at = Preimage(one.mesh, 0, PointAt(segment, t), *at);
-      if (!at || DepthIn(shape, *at) < 0.0)
-      {
-        break;
-      }
-      values.push_back(one.Truth(*at));
-    }
-  }
-  return values;
-}
-
 double SlackOf(const Vec3& x)
 {
   return 16.0 * 0x1p-53 * std::max({ std::fabs(x.x), std::fabs(x.y), std::fabs(x.z) });
@@ -180,7 +25,7 @@ TEST(EdgeBounds, AlongHoldsDensePoints)
   int shortAnswered = 0;
   double least = 1.0;
   ForAllOrders(random,
-    [&](const Case& one)
+    [&](const EdgeCase& one)
     {
       const Shape shape = one.mesh.ShapeOf(0);
       for (int k = 0; k < 6; ++k)
@@ -243,12 +88,12 @@ TEST(EdgeBounds, DeviationFallsWithTheSquareOfTheLength)
   int compared = 0;
   std::vector<double> overTrue;
   ForAllOrders(random,
-    [&](const Case& one)
+    [&](const EdgeCase& one)
     {
       for (int k = 0; k < 4; ++k)
       {
         const auto a = one.Located(one.PointAt(random.Inside(one.mesh.ShapeOf(0))));
-        const Vec3 step = 0.02 * kSize * Direction(random);
+        const Vec3 step = 0.02 * kEdgeCaseSize * Direction(random);
         if (!a)
         {
           continue;
@@ -291,13 +136,13 @@ TEST(EdgeBounds, AlongHoldsCurvesBesideTheEdge)
   {
     for (const int order : { 1, 3, 4 })
     {
-      const Case one(shape, order, order + 2, random);
+      const EdgeCase one(shape, order, order + 2, random);
       for (int k = 0; k < 12; ++k)
       {
         const auto a = one.Located(one.PointAt(random.Inside(shape)));
-        const Vec3 chord = 0.01 * kSize * Direction(random);
+        const Vec3 chord = 0.01 * kEdgeCaseSize * Direction(random);
         const auto b = a ? one.Located(a->x + chord) : std::nullopt;
-        const double sagitta = 1e-4 * kSize;
+        const double sagitta = 1e-4 * kEdgeCaseSize;
         const auto range = b ? one.bounds->Along(*a, *b, sagitta) : std::nullopt;
         if (!range)
         {
@@ -328,7 +173,7 @@ TEST(EdgeBounds, MayTakeWhatTheSegmentTakes)
   Random random(74);
   int taken = 0;
   ForAllOrders(random,
-    [&](const Case& one)
+    [&](const EdgeCase& one)
     {
       const Shape shape = one.mesh.ShapeOf(0);
       for (int k = 0; k < 6; ++k)
@@ -340,7 +185,7 @@ TEST(EdgeBounds, MayTakeWhatTheSegmentTakes)
           eta[1] = -1.0;
         }
         const Vec3 x = one.PointAt(TensorToReference(shape, eta));
-        const double length = kSize * std::pow(10.0, random(-6.0, 0.5));
+        const double length = kEdgeCaseSize * std::pow(10.0, random(-6.0, 0.5));
         const Vec3 along = length * Direction(random);
         const double part = k % 2 == 0 ? 0.0 : random(0.0, 1.0);
         const Segment segment{ x - part * along, x + (1.0 - part) * along };
@@ -355,8 +200,8 @@ TEST(EdgeBounds, MayTakeWhatTheSegmentTakes)
           const double taking = static_cast<double>(value);
           for (const bool grow : { false, true })
           {
-            EXPECT_TRUE(
-              one.bounds->MayTake({ &taking, 1 }, segment.from, segment.to, SlackOf(kCentre), grow))
+            EXPECT_TRUE(one.bounds->MayTake(
+              { &taking, 1 }, segment.from, segment.to, SlackOf(kEdgeCaseCentre), grow))
               << "of length " << length << ", case " << k;
           }
           ++taken;
@@ -374,7 +219,7 @@ TEST(EdgeBounds, MayTakeIsTight)
   int asked = 0;
   int proven = 0;
   ForAllOrders(random,
-    [&](const Case& one)
+    [&](const EdgeCase& one)
     {
       for (int k = 0; k < 6; ++k)
       {
@@ -383,7 +228,7 @@ TEST(EdgeBounds, MayTakeIsTight)
         {
           continue;
         }
-        const Vec3 along = 1e-3 * kSize * Direction(random);
+        const Vec3 along = 1e-3 * kEdgeCaseSize * Direction(random);
         const Segment segment{ known->x - 0.5 * along, known->x + 0.5 * along };
         const auto values = ValuesAlong(one, segment, 0.5, known->xi, 4);
         if (values.empty())
@@ -395,9 +240,10 @@ TEST(EdgeBounds, MayTakeIsTight)
         const double missed =
           k % 2 == 0 ? static_cast<double>(*least) - besides : static_cast<double>(*most) + besides;
         ++asked;
-        proven +=
-          one.bounds->MayTake({ &missed, 1 }, segment.from, segment.to, SlackOf(kCentre), true) ? 0
-                                                                                                : 1;
+        proven += one.bounds->MayTake(
+                    { &missed, 1 }, segment.from, segment.to, SlackOf(kEdgeCaseCentre), true)
+          ? 0
+          : 1;
       }
     });
   std::cout << proven << " of " << asked << " are proven\n";
@@ -411,9 +257,9 @@ TEST(EdgeBounds, NothingIsTakenFarOutside)
   Random random(76);
   for (const Shape shape : kShapes)
   {
-    const Case one(shape, 3, 5, random);
+    const EdgeCase one(shape, 3, 5, random);
     const double value = one.ValueAt(Centre(shape));
-    const Vec3 far = kCentre + Vec3(4.0 * kSize, 0.0, 0.0);
+    const Vec3 far = kEdgeCaseCentre + Vec3(4.0 * kEdgeCaseSize, 0.0, 0.0);
     EXPECT_FALSE(one.bounds->MayTake({ &value, 1 }, far, far + Vec3(0.1), 1e-12, true));
   }
 }
@@ -424,7 +270,7 @@ TEST(EdgeBounds, ChangeWithinHoldsNearPoints)
   int known = 0;
   int all = 0;
   ForAllOrders(random,
-    [&](const Case& one)
+    [&](const EdgeCase& one)
     {
       const Shape shape = one.mesh.ShapeOf(0);
       for (int k = 0; k < 6; ++k)
@@ -453,7 +299,7 @@ TEST(EdgeBounds, OfWhatIsNotFiniteNothingIsKnown)
   Random random(78);
   for (const double bad : { std::nan(""), std::numeric_limits<double>::infinity() })
   {
-    Case one(Shape::Prism, 2, 3, random);
+    EdgeCase one(Shape::Prism, 2, 3, random);
     one.values[1] = bad;
     one.Renew();
     const auto a = one.Located(one.PointAt(Vec3(-0.5, 0.0, -0.5)));
@@ -472,7 +318,7 @@ TEST(EdgeBounds, ConstantFieldsDeviateByRounding)
   Random random(79);
   for (const Shape shape : kShapes)
   {
-    Case one(shape, 3, 4, random);
+    EdgeCase one(shape, 3, 4, random);
     std::ranges::fill(one.values, 0.0);
     one.values[0] = 2.5;
     one.Renew();
