@@ -38,7 +38,7 @@ struct Placement
 };
 
 /// An axis-aligned box of the cube.
-struct Block
+struct CubeBox
 {
   std::array<double, 3> lower;
   double side;
@@ -60,7 +60,7 @@ public:
 
   /// Fills the block with elements of this shape: one hexahedron, 2 prisms, 6 tetrahedra about the
   /// diagonal or 6 pyramids about the centre.
-  void Fill(const Block& block, Shape shape)
+  void Fill(const CubeBox& block, Shape shape)
   {
     switch (shape)
     {
@@ -87,7 +87,7 @@ public:
   [[nodiscard]] const Placement& Placed() const { return Place; }
 
 private:
-  void AddTetrahedra(const Block& block)
+  void AddTetrahedra(const CubeBox& block)
   {
     const int order[6][3] = { { 0, 1, 2 }, { 0, 2, 1 }, { 1, 0, 2 }, { 1, 2, 0 }, { 2, 0, 1 },
       { 2, 1, 0 } };
@@ -102,7 +102,7 @@ private:
     }
   }
 
-  void AddPyramid(const Block& block, int axis, int side)
+  void AddPyramid(const CubeBox& block, int axis, int side)
   {
     const int u = (axis + 1) % 3;
     const int v = (axis + 2) % 3;
@@ -177,24 +177,25 @@ inline CurvedMesh Hanging(std::span<const Shape> shapes, const Placement& place 
 {
   CurvedMesh mesh(place);
   std::size_t count = 0;
-  const auto fill = [&](const Block& block) { mesh.Fill(block, shapes[count++ % shapes.size()]); };
-  const auto octant = [](const Block& block, int i)
+  const auto fill = [&](const CubeBox& block)
+  { mesh.Fill(block, shapes[count++ % shapes.size()]); };
+  const auto octant = [](const CubeBox& block, int i)
   {
     const double half = block.side / 2;
     const int row = i / 2 % 2;
     const int layer = i / 4;
-    return Block{ { block.lower[0] + half * (i % 2), block.lower[1] + half * row,
-                    block.lower[2] + half * layer },
+    return CubeBox{ { block.lower[0] + half * (i % 2), block.lower[1] + half * row,
+                      block.lower[2] + half * layer },
       half };
   };
-  const Block cube{ { -1, -1, -1 }, 2 };
+  const CubeBox cube{ { -1, -1, -1 }, 2 };
   for (int i = 0; i < 8; ++i)
   {
-    const Block block = octant(cube, i);
+    const CubeBox block = octant(cube, i);
     const bool refined = (i % 2 + i / 2 % 2 + i / 4) % 2 == 1;
     for (int k = 0; refined && k < 8; ++k)
     {
-      const Block small = octant(block, k);
+      const CubeBox small = octant(block, k);
       for (int m = 0; i == 1 && k == 5 && m < 8; ++m)
       {
         fill(octant(small, m));

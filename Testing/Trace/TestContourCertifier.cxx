@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Verdicts on pixels against many samples of fields in closed form.
+#include "BentCube.h"
+
+#include "Trace/Contours/LayerBounds.h"
+#include "Trace/Surfaces/Quadric.h"
+#include "Trace/Surfaces/Torus.h"
+#include "Trace/TileVisit.h"
+
+#include <glm/geometric.hpp>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace pixelexact::testing
+{
+namespace
+{
+constexpr int kWidth = 64;
+constexpr int kHeight = 48;
+
+CameraView Oblique(bool parallel = false)
+{
+  CameraView view;
+  view.position = { 1.3, -1.9, 4.0 };
+  view.viewUp = { 0.1, 1.0, 0.0 };
+  view.viewAngle = 30.0;
+  view.parallel = parallel;
+  view.parallelScale = 1.2;
+  return view;
+}
+
+Sight QuadraticSight(const CameraView& view, const LongHits& hits)
+{
+  return SightOf(view, kWidth, kHeight, hits,
+    [](const LongVec3& x, const LongVec3& /*u*/) { return Quadratic(x); });
+}
+
+using Values = std::vector<std::vector<double>>;
+
+void Judge(ContourCertifier& certifier, const Scene& scene, const CameraView& view = Oblique())
+{
+  Trace(scene, Camera(view, kWidth, kHeight), { {}, { &certifier } });
+}
+
+/// On planes hardly any; on curved surfaces some near silhouettes.
+void ExpectFewUndecided(const ContourCertifier& certifier, bool isFlat)
+{
+  const ContourCounters& counters = certifier.Counters();
+  EXPECT_LE(static_cast<double>(counters.undecided),
+    1.0 + (isFlat ? 1e-4 : 4e-3) * static_cast<double>(counters.in + counters.out));
+}
+
+struct Cut
+{
+  const char* name;
+  std::shared_ptr<const Surface> surface;
+  LongHits hits;
+};
+
+const Vec3 kOrigin{ 0.1, 0.0, 0.05 };
+const Vec3 kNormal{ 0.2, 0.1, 1.0 };
+
+std::vector<Cut> AllCuts()
+{
+  const Vec3 centre(0.05, -0.1, 0.1);
+  const Vec3 axis = glm::normalize(Vec3(0.6, 0.64, 0.48));
+  return { { "plane", std::make_shared<Plane>(kOrigin, kNormal), PlaneHits(kOrigin, kNormal) },
+    { "sphere", std::make_shared<Quadric>(MakeSphere(centre, 0.7)),
+      RoundHits(centre, Vec3(0.0), 0.7) },
+    { "large sphere", std::make_shared<Quadric>(MakeSphere(centre, 1.05)),
+      RoundHits(centre, Vec3(0.0), 1.05) },
+    { "cylinder", std::make_shared<Quadric>(MakeCylinder(centre, axis, 0.5)),
+      RoundHits(centre, axis, 0.5) } };
+}
+
+const std::vector<double> kValues{ -2.0, -0.7, -0.1, 0.05, 0.4, 1.1 };
+constexpr long double kTolerance = 1e-11L;
+
+std::vector<std::vector<Shape>> AllMeshes()
+{
+  std::vector<std::vector<Shape>> all;
+  for (const Shape shape : kShapes)
+  {
+    all.push_back({ shape });
+  }
+  all.emplace_back(std::begin(kShapes), std::end(kShapes));
+  return all;
+}
+} // namespace
+
+TEST(ContourCertifier, NoVerdictIsWrong)
+{
+  for (const auto& cut : AllCuts())
+  {
+    for (const bool parallel : { false, true })
+    {
+      const CameraView view = Oblique(parallel);
+      const TrueVerdicts truth(
+        QuadraticSight(view, cut.hits), kWidth, kHeight, kValues, kTolerance);
+      for (const auto& shapes : AllMeshes())
+      {
+        if (parallel && shapes.size() == 1)
+        {
+          continue;
+        }
+        SCOPED_TRACE(::testing::Message() << cut.name << (parallel ? ", parallel, " : ", ")
+                                          << Name(shapes.front()) << " of " << shapes.size());
+        const BentCube cube(shapes);
+        ContourCertifier certifier({ kValues });
+        Judge(certifier, cube.With(cut.surface), view);
+        truth.Check(certifier.Verdicts(), cut.surface->IsFlat());
+        ExpectFewUndecided(certifier, cut.surface->IsFlat());
+        EXPECT_GT(certifier.Counters().in, 150);
+      }
+    }
+  }
+}
+
+namespace
+{
+constexpr auto kOut = static_cast<std::uint8_t>(ContourVerdict::Out);
+constexpr auto kIn = static_cast<std::uint8_t>(ContourVerdict::In);
+constexpr auto kUndecided = static_cast<std::uint8_t>(ContourVerdict::Undecided);
+
+const std::vector<Shape> kHexahedra{ Shape::Hexahedron };
+
+std::vector<std::uint8_t> VerdictsOf(
+  const Scene& scene, const std::vector<double>& values, const ContourMethod& method = {})
+{
+  ContourCertifier certifier({ values }, method);
+  Judge(certifier, scene);
+  return certifier.Verdicts();
+}
+
+/// Of the block, in which z = 0 is a face between elements.
+Sight BlockSight(const CameraView& view, const LongHits& hits,
+  const std::function<long double(const LongVec3& x)>& value)
+{
+  return [=](long double px, long double py) -> std::optional<TrueSight>
+  {
+    const LongRay ray = RayThrough(view, kWidth, kHeight, px, py);
+    const std::vector<long double> all = hits(ray);
+    for (std::size_t k = 0; k < all.size(); ++k)
+    {
+      const LongVec3 x = Plus(ray.origin, Times(all[k], ray.direction));
+      if (all[k] > 0 && Largest(x) < 1)
+      {
+        return TrueSight{ k, value(x) };
+      }
+    }
+    return std::nullopt;
+  };
+}
+} // namespace
+
+/// The plane z = 0 between two layers of elements; saddles and extrema in it, on element edges too.
+TEST(ContourCertifier, NoVerdictIsWrongAlongFaces)
+{
+  const Vec3 normal(0.0, 0.0, 1.0);
+  struct Case
+  {
+    const char* name;
+    std::function<long double(const LongVec3& x)> value;
+    std::vector<double> values;
+  };
+  const Case cases[] = { { "several values", Quadratic, kValues },
+    { "saddle", [](const LongVec3& x) { return x[0] * x[1]; }, { 0.0 } },
+    { "saddle beside edges",
+      [](const LongVec3& x) { return (x[0] - 0.23L) * (x[1] + 0.37L) + x[2]; }, { 0.0 } },
+    { "minimum",
+      [](const LongVec3& x)
+      { return (x[0] - 0.23L) * (x[0] - 0.23L) + (x[1] + 0.37L) * (x[1] + 0.37L); },
+      { 0.0 } },
+    { "valley", [](const LongVec3& x) { return (x[0] - 0.23L) * (x[0] - 0.23L); }, { 1e-6 } } };
+  for (const Case& one : cases)
+  {
+    SCOPED_TRACE(one.name);
+    Block block;
+    Scene scene = block.TheScene;
+    const Field& field =
+      block.Add(1, [&](const LongVec3& x, long double* u) { u[0] = one.value(x); });
+    scene.layers = { { std::make_shared<Plane>(Vec3(0.0), normal), &field } };
+    const TrueVerdicts truth(BlockSight(Oblique(), PlaneHits(Vec3(0.0), normal), one.value), kWidth,
+      kHeight, one.values, kTolerance);
+    ContourCertifier certifier({ one.values });
+    Judge(certifier, scene);
+    truth.Check(certifier.Verdicts(), true);
+    ExpectFewUndecided(certifier, true);
+  }
+}
+
+TEST(ContourCertifier, ValuesOutOfRangeAreOut)
+{
+  const BentCube cube(AllMeshes().back());
+  for (const Cut& cut : AllCuts())
+  {
+    SCOPED_TRACE(cut.name);
+    const auto verdicts = VerdictsOf(cube.With(cut.surface), { -50.0, 50.0 });
+    EXPECT_EQ(std::ranges::count(verdicts, kOut), kWidth * kHeight);
+  }
+}
+
+/// Every pixel that shows a plateau of the value is in; none of any other value.
+TEST(ContourCertifier, PlateausAreIn)
+{
+  const BentCube cube(
+    AllMeshes().back(), [](const LongVec3& /*x*/, int /*element*/) { return 0.375L; });
+  for (const Cut& cut : AllCuts())
+  {
+    SCOPED_TRACE(cut.name);
+    const auto verdicts = VerdictsOf(cube.With(cut.surface), { 0.375 });
+    const Sight sight = QuadraticSight(Oblique(), cut.hits);
+    int shown = 0;
+    for (int y = 0; y < kHeight; ++y)
+    {
+      for (int x = 0; x < kWidth; ++x)
+      {
+        const bool all = sight(x, y) && sight(x + 1, y) && sight(x, y + 1) && sight(x + 1, y + 1);
+        shown += all ? 1 : 0;
+        EXPECT_TRUE(!all || verdicts[static_cast<std::size_t>(y * kWidth + x)] == kIn)
+          << x << " " << y;
+      }
+    }
+    EXPECT_GT(shown, 300);
+    const auto others = VerdictsOf(cube.With(cut.surface), { 0.375 - 1e-9, 0.375 + 1e-9 });
+    EXPECT_EQ(std::ranges::count(others, kOut), kWidth * kHeight);
+  }
+}
+
+/// What is not finite has no values, and takes none from its neighbours.
+TEST(ContourCertifier, NanElementsTakeNoValue)
+{
+  BentCube cube(kHexahedra);
+  cube.Values.Coefficients[0] = std::nan("");
+  const Cut cut = AllCuts()[1];
+  const Sight sight = SightOf(Oblique(), kWidth, kHeight, cut.hits,
+    [](const LongVec3& x, const LongVec3& u)
+    {
+      return std::max({ u[0], u[1], u[2] }) < 0 ? std::numeric_limits<long double>::quiet_NaN()
+                                                : Quadratic(x);
+    });
+  const TrueVerdicts truth(sight, kWidth, kHeight, kValues, kTolerance);
+  truth.Check(VerdictsOf(cube.With(cut.surface), kValues), cut.surface->IsFlat());
+}
+
+TEST(ContourCertifier, MagnitudesAndToriAreUndecidedWhereShown)
+{
+  Block block;
+  const Field& field = block.Add(2,
+    [](const LongVec3& x, long double* u)
+    {
+      u[0] = x[0];
+      u[1] = x[1];
+    });
+  Scene scene = block.TheScene;
+  scene.layers = { { std::make_shared<Plane>(kOrigin, kNormal), &field, kMagnitude } };
+  const Scene torus{ scene.locator,
+    { { std::make_shared<Torus>(Vec3(0.0), Vec3(0.0, 0.0, 1.0), 0.6, 0.25), &field, 0 } }, {} };
+  for (const Scene& one : { scene, torus })
+  {
+    const Frame frame = Trace(one, Camera(Oblique(), kWidth, kHeight), {}, { .corners = kAll });
+    const auto verdicts = VerdictsOf(one, { 0.25 });
+    int shown = 0;
+    for (int y = 0; y < kHeight; ++y)
+    {
+      for (int x = 0; x < kWidth; ++x)
+      {
+        const auto at = static_cast<std::size_t>(y * (kWidth + 1) + x);
+        bool any = false;
+        for (const std::size_t corner : { at, at + 1, at + kWidth + 1, at + kWidth + 2 })
+        {
+          any =
+            any || frame.corners.verdict[corner] == static_cast<std::uint8_t>(PixelVerdict::Exact);
+        }
+        shown += any ? 1 : 0;
+        EXPECT_EQ(verdicts[static_cast<std::size_t>(y * kWidth + x)], any ? kUndecided : kOut);
+      }
+    }
+    EXPECT_GT(shown, 200);
+  }
+  const auto beyond = VerdictsOf(torus, { 7.0 });
+  EXPECT_EQ(std::ranges::count(beyond, kOut), kWidth * kHeight);
+}
+
+TEST(ContourCertifier, AgreesWithThePapersMethod)
+{
+  const BentCube cube(kHexahedra);
+  const Scene scene = cube.With(AllCuts()[0].surface);
+  const auto own = VerdictsOf(scene, kValues);
+  const auto theirs = VerdictsOf(scene, kValues, { .subdivisions = 2 });
+  int compared = 0;
+  for (std::size_t i = 0; i < own.size(); ++i)
+  {
+    if (own[i] != kUndecided && theirs[i] != kUndecided)
+    {
+      ++compared;
+      EXPECT_EQ(own[i], theirs[i]) << i;
+    }
+  }
+  EXPECT_GT(compared, kWidth * kHeight / 2);
+}
+
+/// Neither threads nor tiles nor what was found out for another view.
+TEST(ContourCertifier, VerdictsDependOnNothingElse)
+{
+  const BentCube cube(AllMeshes().back());
+  for (const std::size_t which : { 0, 1 })
+  {
+    const Scene scene = cube.With(AllCuts()[which].surface);
+    SCOPED_TRACE(AllCuts()[which].name);
+    const auto wanted = VerdictsOf(scene, kValues);
+    for (const std::size_t threads : { 1, 2 })
+    {
+      const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+      EXPECT_EQ(VerdictsOf(scene, kValues), wanted) << threads << " threads";
+    }
+
+    const auto bounds = std::make_shared<ContourBounds>();
+    ContourCertifier kept({ kValues }, {}, bounds);
+    Judge(kept, scene, Oblique(true));
+    Judge(kept, scene);
+    EXPECT_EQ(kept.Verdicts(), wanted) << "bounds of another view";
+
+    const Camera camera(Oblique(), kWidth, kHeight);
+    ContourCertifier tiled({ kValues });
+    const Pipeline pipeline{ {}, { &tiled } };
+    Frame frame;
+    frame.width = kWidth;
+    frame.height = kHeight;
+    for (const int size : { 7, 20 })
+    {
+      tiled.Begin(kWidth, kHeight);
+      for (int y = 0; y < kHeight; y += size)
+      {
+        for (int x = 0; x < kWidth; x += size)
+        {
+          TileVisit(&scene, &camera, pipeline, frame,
+            { x, y, std::min(x + size, kWidth), std::min(y + size, kHeight) })
+            .Run();
+        }
+      }
+      EXPECT_EQ(tiled.Verdicts(), wanted) << "tiles of " << size;
+    }
+  }
+}
+
+/// A ridge along a face between elements, just above the value: seen by no sample.
+TEST(ContourCertifier, RidgesAlongFacesAreNotOut)
+{
+  Block block;
+  ExpansionBuilder values(1);
+  for (int e = 0; e < 8; ++e)
+  {
+    values.Add(UniformSpace(Shape::Hexahedron, 4),
+      [&](const LongVec3& xi, long double* u) { u[0] = (e & 4 ? -1 : 1) * Block::Map(e, xi)[2]; });
+  }
+  const Field field{ "ridge", values.View() };
+  const Vec3 normal(0.1, 1.0, 0.3);
+  const Scene scene{ block.TheScene.locator,
+    { { std::make_shared<Plane>(Vec3(0.0), normal), &field } }, {} };
+  const TrueVerdicts truth(
+    BlockSight(Oblique(), PlaneHits(Vec3(0.0), normal), [](const LongVec3& x) { return x[2]; }),
+    kWidth, kHeight, { 0.0 }, 0.0L);
+  EXPECT_EQ(truth.CountOutThatTake(VerdictsOf(scene, { -1e-9 })), 0);
+}
+} // namespace pixelexact::testing

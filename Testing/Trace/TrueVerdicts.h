@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Block.h"
+
+#include "Trace/Modules/ContourCertifier.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <optional>
+#include <vector>
+
+// Whether a field takes values on pixels' edges, by many samples in long double.
+namespace pixelexact::testing
+{
+/// All hits of a ray, in order.
+using LongHits = std::function<std::vector<long double>(const LongRay& ray)>;
+
+inline LongHits PlaneHits(const Vec3& origin, const Vec3& normal)
+{
+  return [o = ToLong(origin), n = ToLong(normal)](const LongRay& ray)
+  { return std::vector{ Dot(n, Minus(o, ray.origin)) / Dot(n, ray.direction) }; };
+}
+
+/// Of a cylinder about a unit axis; of a sphere where that is zero.
+inline LongHits RoundHits(const Vec3& point, const Vec3& axis, double radius)
+{
+  return
+    [p = ToLong(point), a = ToLong(axis), r = static_cast<long double>(radius)](const LongRay& ray)
+  {
+    const auto across = [&](const LongVec3& v) { return Minus(v, Times(Dot(a, v), a)); };
+    const LongVec3 from = across(Minus(ray.origin, p));
+    const LongVec3 along = across(ray.direction);
+    const long double square = Dot(along, along);
+    const long double half = Dot(from, along) / square;
+    const long double d = half * half - (Dot(from, from) - r * r) / square;
+    return d >= 0 ? std::vector{ -half - std::sqrt(d), -half + std::sqrt(d) }
+                  : std::vector<long double>();
+  };
+}
+
+/// What is seen at an image position: which of the ray's hits, and the field's value there.
+struct TrueSight
+{
+  std::size_t hit;
+  long double value;
+};
+using Sight = std::function<std::optional<TrueSight>(long double px, long double py)>;
+
+/// The values of a pixel's edges: of consecutive samples on the same sheet.
+class TrueVerdicts
+{
+public:
+  TrueVerdicts(
+    Sight sight, int width, int height, std::vector<double> values, long double tolerance)
+    : At(std::move(sight))
+    , Width(width)
+    , Height(height)
+    , Values(std::move(values))
+    , Tolerance(tolerance)
+  {
+    for (int y = 0; y <= height; ++y)
+    {
+      for (int x = 0; x <= width; ++x)
+      {
+        Across.push_back(Of(x, y, true));
+        Up.push_back(Of(x, y, false));
+      }
+    }
+  }
+
+  struct Edge
+  {
+    bool takes = false;  ///< a value lies between samples, by more than the tolerance
+    bool meets = false;  ///< or by less than it beyond them
+    bool leaps = false;  ///< or between samples on different sheets
+    bool isSeen = false; ///< at an end
+  };
+
+  [[nodiscard]] Edge Of(long double x, long double y, bool across, int samples = kSamples) const
+  {
+    Edge edge;
+    std::optional<TrueSight> before;
+    for (int k = 0; k <= samples; ++k)
+    {
+      const long double part = static_cast<long double>(k) / samples;
+      const auto sight = across ? At(x + part, y) : At(x, y + part);
+      if (sight)
+      {
+        const bool isNext = before && before->hit == sight->hit;
+        if (before && !isNext)
+        {
+          Edge leap;
+          Add(before->value, sight->value, leap);
+          edge.leaps = edge.leaps || leap.meets;
+        }
+        Add(isNext ? before->value : sight->value, sight->value, edge);
+        edge.isSeen = edge.isSeen || k == 0 || k == samples;
+      }
+      before = sight;
+    }
+    return edge;
+  }
+
+  /// No pixel is Out on whose edge a value is taken, none In on whose edge none is met. Of curved
+  /// surfaces edges without a corner that sees the surface are not asked for.
+  void Check(const std::vector<std::uint8_t>& verdicts, bool isFlat) const
+  {
+    int wrong = 0;
+    for (int y = 0; y < Height; ++y)
+    {
+      for (int x = 0; x < Width; ++x)
+      {
+        const auto edges = EdgesOf(x, y);
+        const auto verdict =
+          static_cast<ContourVerdict>(verdicts[static_cast<std::size_t>(y * Width + x)]);
+        const bool takes = std::ranges::any_of(
+          edges, [&](const Edge& edge) { return edge.takes && (isFlat || edge.isSeen); });
+        const bool meets = std::ranges::any_of(edges, &Edge::meets);
+        const bool leaps = std::ranges::any_of(edges, &Edge::leaps);
+        const bool isWrong = (verdict == ContourVerdict::Out && takes) ||
+          (verdict == ContourVerdict::In && !meets && !leaps && !MeetsBetween(x, y));
+        wrong += isWrong ? 1 : 0;
+        EXPECT_TRUE(!isWrong || wrong > 5)
+          << x << " " << y << " verdict " << int(verdict) << " of a pixel that"
+          << (takes ? " takes a value" : " takes none");
+      }
+    }
+    EXPECT_EQ(wrong, 0);
+  }
+
+  [[nodiscard]] int CountOutThatTake(const std::vector<std::uint8_t>& verdicts) const
+  {
+    int count = 0;
+    for (int y = 0; y < Height; ++y)
+    {
+      for (int x = 0; x < Width; ++x)
+      {
+        const bool out = verdicts[static_cast<std::size_t>(y * Width + x)] ==
+          static_cast<std::uint8_t>(ContourVerdict::Out);
+        count += out && std::ranges::any_of(EdgesOf(x, y), &Edge::takes) ? 1 : 0;
+      }
+    }
+    return count;
+  }
+
+private:
+  [[nodiscard]] std::array<Edge, 4> EdgesOf(int x, int y) const
+  {
+    const auto at = static_cast<std::size_t>(y * (Width + 1) + x);
+    const auto above = at + static_cast<std::size_t>(Width) + 1;
+    return { Across[at], Across[above], Up[at], Up[at + 1] };
+  }
+
+  static constexpr int kSamples = 64;
+  static constexpr int kMany = 1 << 13;
+
+  void Add(long double a, long double b, Edge& edge) const
+  {
+    const auto [lower, upper] = std::minmax(a, b);
+    for (const double value : Values)
+    {
+      edge.takes = edge.takes || (lower + Tolerance < value && value < upper - Tolerance);
+      edge.meets = edge.meets || (lower - Tolerance <= value && value <= upper + Tolerance);
+    }
+  }
+  [[nodiscard]] bool MeetsBetween(int x, int y) const
+  {
+    return Of(x, y, true, kMany).meets || Of(x, y + 1, true, kMany).meets ||
+      Of(x, y, false, kMany).meets || Of(x + 1, y, false, kMany).meets;
+  }
+
+  Sight At;
+  int Width;
+  int Height;
+  std::vector<double> Values;
+  long double Tolerance;
+  std::vector<Edge> Across; ///< from each corner
+  std::vector<Edge> Up;
+};
+} // namespace pixelexact::testing
