@@ -201,7 +201,7 @@ TEST(EdgeBounds, MayTakeWhatTheSegmentTakes)
           for (const bool grow : { false, true })
           {
             EXPECT_TRUE(one.bounds->MayTake(
-              { &taking, 1 }, segment.from, segment.to, SlackOf(kEdgeCaseCentre), grow))
+              ValueSet{ { &taking, 1 } }, segment.from, segment.to, SlackOf(kEdgeCaseCentre), grow))
               << "of length " << length << ", case " << k;
           }
           ++taken;
@@ -240,8 +240,8 @@ TEST(EdgeBounds, MayTakeIsTight)
         const double missed =
           k % 2 == 0 ? static_cast<double>(*least) - besides : static_cast<double>(*most) + besides;
         ++asked;
-        proven += one.bounds->MayTake(
-                    { &missed, 1 }, segment.from, segment.to, SlackOf(kEdgeCaseCentre), true)
+        proven += one.bounds->MayTake(ValueSet{ { &missed, 1 } }, segment.from, segment.to,
+                    SlackOf(kEdgeCaseCentre), true)
           ? 0
           : 1;
       }
@@ -260,7 +260,7 @@ TEST(EdgeBounds, NothingIsTakenFarOutside)
     const EdgeCase one(shape, 3, 5, random);
     const double value = one.ValueAt(Centre(shape));
     const Vec3 far = kEdgeCaseCentre + Vec3(4.0 * kEdgeCaseSize, 0.0, 0.0);
-    EXPECT_FALSE(one.bounds->MayTake({ &value, 1 }, far, far + Vec3(0.1), 1e-12, true));
+    EXPECT_FALSE(one.bounds->MayTake(ValueSet{ { &value, 1 } }, far, far + Vec3(0.1), 1e-12, true));
   }
 }
 
@@ -308,7 +308,7 @@ TEST(EdgeBounds, OfWhatIsNotFiniteNothingIsKnown)
     EXPECT_FALSE(one.bounds->Values().IsFinite());
     EXPECT_FALSE(one.bounds->Along(*a, *b));
     const double value = 0.0;
-    EXPECT_TRUE(one.bounds->MayTake({ &value, 1 }, a->x, b->x, 1e-15, true));
+    EXPECT_TRUE(one.bounds->MayTake(ValueSet{ { &value, 1 } }, a->x, b->x, 1e-15, true));
     EXPECT_FALSE(std::isfinite(one.bounds->ChangeWithin(*a, 1e-9)));
   }
 }
@@ -330,9 +330,9 @@ TEST(EdgeBounds, ConstantFieldsDeviateByRounding)
     EXPECT_LE(range->deviation, 1e-12) << Name(shape);
     EXPECT_LE(range->error, 1e-12);
     const double value = a->value;
-    EXPECT_TRUE(one.bounds->MayTake({ &value, 1 }, a->x, b->x, 1e-15, true));
+    EXPECT_TRUE(one.bounds->MayTake(ValueSet{ { &value, 1 } }, a->x, b->x, 1e-15, true));
     const double missed = value + 1e-9;
-    EXPECT_FALSE(one.bounds->MayTake({ &missed, 1 }, a->x, b->x, 1e-15, true));
+    EXPECT_FALSE(one.bounds->MayTake(ValueSet{ { &missed, 1 } }, a->x, b->x, 1e-15, true));
   }
 }
 } // namespace pixelexact::testing

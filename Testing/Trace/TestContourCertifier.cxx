@@ -245,7 +245,32 @@ TEST(ContourCertifier, NanElementsTakeNoValue)
   truth.Check(VerdictsOf(cube.With(cut.surface), kValues), cut.surface->IsFlat());
 }
 
-TEST(ContourCertifier, MagnitudesAndToriAreUndecidedWhereShown)
+/// Neighbours differ by a half: across that a value is in.
+TEST(ContourCertifier, JumpsAreInAndCounted)
+{
+  const auto besides = [](int element) { return (element & 1) != 0 ? 0.5L : 0.0L; };
+  const BentCube cube(
+    kHexahedra, [&](const LongVec3& x, int element) { return 0.5L * x[1] + besides(element); });
+  for (const std::size_t which : { 0, 1, 3 })
+  {
+    const Cut cut = AllCuts()[which];
+    SCOPED_TRACE(cut.name);
+    const Sight sight = SightOf(Oblique(), kWidth, kHeight, cut.hits,
+      [&](const LongVec3& x, const LongVec3& u)
+      { return 0.5L * x[1] + besides(u[0] > 0 ? 1 : 0); });
+    const std::vector<double> values{ 0.25, 0.7 };
+    const TrueVerdicts truth(sight, kWidth, kHeight, values, kTolerance);
+    ContourCertifier certifier({ values });
+    Judge(certifier, cube.With(cut.surface));
+    truth.Check(certifier.Verdicts(), cut.surface->IsFlat());
+    EXPECT_GT(certifier.Counters().in, 20);
+    EXPECT_GT(certifier.Counters().jumps, 20);
+    EXPECT_EQ(certifier.Counters().undecided, 0);
+  }
+}
+
+/// |(x, y)|, which is no polynomial and has a corner where it is 0.
+TEST(ContourCertifier, MagnitudesAreProven)
 {
   Block block;
   const Field& field = block.Add(2,
@@ -255,31 +280,73 @@ TEST(ContourCertifier, MagnitudesAndToriAreUndecidedWhereShown)
       u[1] = x[1];
     });
   Scene scene = block.TheScene;
-  scene.layers = { { std::make_shared<Plane>(kOrigin, kNormal), &field, kMagnitude } };
-  const Scene torus{ scene.locator,
-    { { std::make_shared<Torus>(Vec3(0.0), Vec3(0.0, 0.0, 1.0), 0.6, 0.25), &field, 0 } }, {} };
-  for (const Scene& one : { scene, torus })
+  const Plane plane(kOrigin, kNormal);
+  scene.layers = { { std::make_shared<Plane>(plane), &field, kMagnitude } };
+  const Camera camera(Oblique(), kWidth, kHeight);
+  const Frame frame = Trace(scene, camera, {}, { .corners = kAll });
+  constexpr double kValue = 0.25;
+  const auto verdicts = VerdictsOf(scene, { kValue });
+  int in = 0;
+  for (int y = 0; y < kHeight; ++y)
   {
-    const Frame frame = Trace(one, Camera(Oblique(), kWidth, kHeight), {}, { .corners = kAll });
-    const auto verdicts = VerdictsOf(one, { 0.25 });
-    int shown = 0;
-    for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x)
     {
-      for (int x = 0; x < kWidth; ++x)
+      const auto at = static_cast<std::size_t>(y * (kWidth + 1) + x);
+      const std::size_t corners[4] = { at, at + 1, at + kWidth + 1, at + kWidth + 2 };
+      const bool shown = std::ranges::all_of(corners,
+        [&](std::size_t corner) {
+          return frame.corners.verdict[corner] == static_cast<std::uint8_t>(PixelVerdict::Exact);
+        });
+      double least = 1e9;
+      double most = 0.0;
+      for (int k = 0; k <= 64; ++k)
       {
-        const auto at = static_cast<std::size_t>(y * (kWidth + 1) + x);
-        bool any = false;
-        for (const std::size_t corner : { at, at + 1, at + kWidth + 1, at + kWidth + 2 })
+        const double part = k / 64.0;
+        for (const auto& [dx, dy] : { std::array{ part, 0.0 }, std::array{ part, 1.0 },
+               std::array{ 0.0, part }, std::array{ 1.0, part } })
         {
-          any =
-            any || frame.corners.verdict[corner] == static_cast<std::uint8_t>(PixelVerdict::Exact);
+          const Vec3 hit = HitsOf(plane, camera.At(x + dx, y + dy)).front().position;
+          least = std::min(least, std::hypot(hit.x, hit.y));
+          most = std::max(most, std::hypot(hit.x, hit.y));
         }
-        shown += any ? 1 : 0;
-        EXPECT_EQ(verdicts[static_cast<std::size_t>(y * kWidth + x)], any ? kUndecided : kOut);
+      }
+      if (shown && std::fabs(least - kValue) > 1e-4 && std::fabs(most - kValue) > 1e-4)
+      {
+        const bool takes = least < kValue && kValue < most;
+        in += takes ? 1 : 0;
+        EXPECT_EQ(verdicts[static_cast<std::size_t>(y * kWidth + x)], takes ? kIn : kOut)
+          << x << ' ' << y;
       }
     }
-    EXPECT_GT(shown, 200);
   }
+  EXPECT_GT(in, 20);
+}
+
+TEST(ContourCertifier, ToriAreUndecidedWhereShown)
+{
+  Block block;
+  const Field& field = block.Add(1, [](const LongVec3& x, long double* u) { u[0] = x[0]; });
+  const Scene torus{ block.TheScene.locator,
+    { { std::make_shared<Torus>(Vec3(0.0), Vec3(0.0, 0.0, 1.0), 0.6, 0.25), &field, 0 } }, {} };
+  const Frame frame = Trace(torus, Camera(Oblique(), kWidth, kHeight), {}, { .corners = kAll });
+  const auto verdicts = VerdictsOf(torus, { 0.25 });
+  int shown = 0;
+  for (int y = 0; y < kHeight; ++y)
+  {
+    for (int x = 0; x < kWidth; ++x)
+    {
+      const auto at = static_cast<std::size_t>(y * (kWidth + 1) + x);
+      bool any = false;
+      for (const std::size_t corner : { at, at + 1, at + kWidth + 1, at + kWidth + 2 })
+      {
+        any =
+          any || frame.corners.verdict[corner] == static_cast<std::uint8_t>(PixelVerdict::Exact);
+      }
+      shown += any ? 1 : 0;
+      EXPECT_EQ(verdicts[static_cast<std::size_t>(y * kWidth + x)], any ? kUndecided : kOut);
+    }
+  }
+  EXPECT_GT(shown, 200);
   const auto beyond = VerdictsOf(torus, { 7.0 });
   EXPECT_EQ(std::ranges::count(beyond, kOut), kWidth * kHeight);
 }
@@ -329,7 +396,7 @@ TEST(ContourCertifier, VerdictsDependOnNothingElse)
     Frame frame;
     frame.width = kWidth;
     frame.height = kHeight;
-    for (const int size : { 7, 20 })
+    for (const int size : { 1, 7, 20 })
     {
       tiled.Begin(kWidth, kHeight);
       for (int y = 0; y < kHeight; y += size)
@@ -357,12 +424,24 @@ TEST(ContourCertifier, RidgesAlongFacesAreNotOut)
       [&](const LongVec3& xi, long double* u) { u[0] = (e & 4 ? -1 : 1) * Block::Map(e, xi)[2]; });
   }
   const Field field{ "ridge", values.View() };
+  struct Case
+  {
+    std::shared_ptr<const Surface> surface;
+    LongHits hits;
+  };
   const Vec3 normal(0.1, 1.0, 0.3);
-  const Scene scene{ block.TheScene.locator,
-    { { std::make_shared<Plane>(Vec3(0.0), normal), &field } }, {} };
-  const TrueVerdicts truth(
-    BlockSight(Oblique(), PlaneHits(Vec3(0.0), normal), [](const LongVec3& x) { return x[2]; }),
-    kWidth, kHeight, { 0.0 }, 0.0L);
-  EXPECT_EQ(truth.CountOutThatTake(VerdictsOf(scene, { -1e-9 })), 0);
+  const Case cases[] = {
+    { std::make_shared<Plane>(Vec3(0.0), normal), PlaneHits(Vec3(0.0), normal) },
+    { std::make_shared<Quadric>(MakeSphere(Vec3(0.0), 0.6)), RoundHits(Vec3(0.0), Vec3(0.0), 0.6) }
+  };
+  for (const Case& one : cases)
+  {
+    const Scene scene{ block.TheScene.locator, { { one.surface, &field } }, {} };
+    const TrueVerdicts truth(
+      BlockSight(Oblique(), one.hits, [](const LongVec3& x) { return x[2]; }), kWidth, kHeight,
+      { 0.0 }, 0.0L);
+    const int wrong = truth.CountOutThatTake(VerdictsOf(scene, { -1e-9 }));
+    EXPECT_EQ(wrong, 0) << (one.surface->IsFlat() ? "plane" : "sphere");
+  }
 }
 } // namespace pixelexact::testing

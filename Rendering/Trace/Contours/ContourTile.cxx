@@ -4,7 +4,6 @@
 #include "Core/Shape/Shape.h"
 
 #include <glm/geometric.hpp>
-#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +14,8 @@ namespace pixelexact
 namespace
 {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// Distance of two hits over that of their rays, where the surface is taken to go on between them.
+constexpr double kSteepest = 64.0;
 /// Sagitta over chord of the edges on curved surfaces that are held against other elements.
 constexpr double kBulge = 0.25;
 } // namespace
@@ -92,42 +93,17 @@ std::vector<int> ContourTile::ElementsNear() const
 {
   const ElementIndex& index = Tile.GetScene().locator->Index();
   Box3 box{ Vec3(kInfinity), Vec3(-kInfinity) };
-  const auto add = [&](const Vec3& x)
-  {
-    box.lower = glm::min(box.lower, x);
-    box.upper = glm::max(box.upper, x);
-  };
   bool known = true;
-  Vec3 margin(0.0);
-  if (TheSurface->IsFlat())
+  for (const std::size_t i : { std::size_t{ 0 }, Across - 1, Across * (Up - 1), Across * Up - 1 })
   {
-    for (const std::size_t i : { std::size_t{ 0 }, Across - 1, Across * (Up - 1), Across * Up - 1 })
-    {
-      const SurfaceEdge edge = EdgeBetween(Corners[i], Corners[i]);
-      known = known && std::isfinite(edge.sagitta);
-      add(edge.from);
-    }
-    margin = 1e-12 * (glm::abs(box.lower) + glm::abs(box.upper));
+    const SurfaceEdge edge = EdgeBetween(Corners[i], Corners[i]);
+    known = known && std::isfinite(edge.sagitta);
+    box.lower = glm::min(box.lower, edge.from);
+    box.upper = glm::max(box.upper, edge.from);
   }
-  else
-  {
-    for (const EdgeEnd& corner : Corners)
-    {
-      if (corner.layer == Layer)
-      {
-        add(corner.point.x);
-      }
-    }
-    // Edges whose sagitta is at most kBulge of their length stay within.
-    margin = kBulge * (box.upper - box.lower) + 1e-12 * (glm::abs(box.lower) + glm::abs(box.upper));
-  }
+  const Vec3 margin = 1e-12 * (glm::abs(box.lower) + glm::abs(box.upper));
   std::vector<int> elements;
-  // Written so that nothing is near an empty box.
-  if (!known || glm::all(glm::lessThanEqual(box.lower, box.upper)))
-  {
-    index.FindNear(
-      known ? Box3{ box.lower - margin, box.upper + margin } : index.Bounds(), elements);
-  }
+  index.FindNear(known ? Box3{ box.lower - margin, box.upper + margin } : index.Bounds(), elements);
   return elements;
 }
 
@@ -161,12 +137,19 @@ void ContourTile::Judge(const ContouredLayer& layer)
     LeaveOpen();
     return;
   }
-  const EdgeJudge judge(*layer.bounds, layer.values, ElementsNear());
-  if (judge.IsNeeded() && !TheSurface->HasSagitta())
+  if (!TheSurface->HasSagitta())
   {
-    LeaveOpen();
+    const Interval& range = layer.bounds->Values();
+    const auto first = std::ranges::lower_bound(layer.values, range.lower);
+    if (first != layer.values.end() && *first <= range.upper)
+    {
+      LeaveOpen();
+    }
     return;
   }
+  const EdgeJudge judge = TheSurface->IsFlat()
+    ? EdgeJudge(*layer.bounds, layer.values, ElementsNear())
+    : EdgeJudge(*layer.bounds, layer.values);
   if (!judge.IsNeeded())
   {
     return;
@@ -235,6 +218,21 @@ EdgeFinding ContourTile::JudgeWithin(const Part& part) const
     : EdgeFinding::Uncovered;
 }
 
+/// Whether two hits are about as far apart as their rays: a surface that goes on between them.
+bool ContourTile::AreJoined(const EdgeEnd& a, const EdgeEnd& b) const
+{
+  if (TheSurface->IsFlat())
+  {
+    return true;
+  }
+  const Camera& camera = Tile.GetCamera();
+  const Ray first = camera.At(a.position[0], a.position[1]);
+  const Ray second = camera.At(b.position[0], b.position[1]);
+  const double depth = glm::distance(first.origin, a.point.x);
+  const double apart = glm::distance(a.point.x, second.origin + depth * second.direction);
+  return glm::distance(a.point.x, b.point.x) <= kSteepest * apart;
+}
+
 int ContourTile::SideOf(const Part& part) const
 {
   return part.a.layer == Layer ? Judging->SideOf(part.a.point.value)
@@ -301,13 +299,14 @@ void ContourTile::Settle(const Part& part, EdgeFinding finding, int level, std::
     open.push_back(part);
     return;
   }
-  if (onBoth && finding == EdgeFinding::Uncovered && Judging->AreOpposite(part.a, part.b))
+  const bool joined = onBoth && AreJoined(part.a, part.b);
+  if (joined && finding == EdgeFinding::Uncovered && Judging->AreOpposite(part.a, part.b))
   {
     Edges[part.edge] = State::In;
     Counted.jumps += Judging->IsJump(part.a, part.b, EdgeBetween(part.a, part.b)) ? 1 : 0;
     return;
   }
-  if (level >= deepest && finding == EdgeFinding::Uncovered && !TheSurface->IsFlat())
+  if (level >= deepest && !joined && !TheSurface->IsFlat())
   {
     // Closer to a silhouette, or to where the surface leaves the mesh, nothing is asked.
     return;

@@ -56,6 +56,7 @@ private:
   void ForEachEdge(const Visit& visit, const EndRow& endRow) const;
   /// Of all edges that show the layer.
   void LeaveOpen();
+  [[nodiscard]] bool AreJoined(const EdgeEnd& a, const EdgeEnd& b) const;
   /// Of its ends that are on the layer; see EdgeJudge.
   [[nodiscard]] int SideOf(const Part& part) const;
   /// Whether the values of two elements lie on either side of one: it is between them even if none

@@ -35,17 +35,30 @@ EdgeJudge::EdgeJudge(
 {
   for (const int element : elements)
   {
-    const EdgeBounds& own = bounds.Of(element);
-    const Interval& range = own.Values();
     // What is not finite has no values.
-    if (range.IsFinite())
+    if (bounds.Of(element).Values().IsFinite())
     {
-      const int side = AnyIn(range.lower, range.upper) ? kNoSide : SideOf(range.lower);
-      Near.push_back({ element, bounds.Index().ElementBox(element), &own, side });
-      Needed = Needed || side == kNoSide || side != Near.front().side;
+      Near.push_back(MakeElement(element));
+      Needed = Needed || Near.back().side == kNoSide || Near.back().side != Near.front().side;
     }
   }
   std::ranges::sort(Near, {}, &Element::number);
+}
+
+EdgeJudge::EdgeJudge(const LayerBounds& bounds, std::span<const double> values)
+  : Bounds(bounds)
+  , Values(values)
+  , Needed(true)
+  , LooksForElements(true)
+{
+}
+
+EdgeJudge::Element EdgeJudge::MakeElement(int element) const
+{
+  const EdgeBounds& own = Bounds.Of(element);
+  const Interval& range = own.Values();
+  return { element, Bounds.Index().ElementBox(element), &own,
+    AnyIn(range.lower, range.upper) ? kNoSide : SideOf(range.lower) };
 }
 
 int EdgeJudge::SideOf(double value) const
@@ -104,15 +117,23 @@ bool EdgeJudge::StaysOn(int side, const SurfaceEdge& edge, bool thorough) const
     others.lower = above > 0 ? Values[above - 1] : others.lower;
     others.upper = above < Values.size() ? Values[above] : others.upper;
   }
-  return std::ranges::none_of(Near,
-    [&](const Element& element)
-    {
-      const Box3& box = element.box;
-      return !element.StaysOn(side) &&
-        !(lower.x > box.upper.x || upper.x < box.lower.x || lower.y > box.upper.y ||
-          upper.y < box.lower.y || lower.z > box.upper.z || upper.z < box.lower.z) &&
-        element.bounds->MayTake(others, edge.from, edge.to, slack, thorough);
-    });
+  const auto leaves = [&](const Element& element)
+  {
+    const Box3& box = element.box;
+    return !element.StaysOn(side) &&
+      !(lower.x > box.upper.x || upper.x < box.lower.x || lower.y > box.upper.y ||
+        upper.y < box.lower.y || lower.z > box.upper.z || upper.z < box.lower.z) &&
+      element.bounds->MayTake(others, edge.from, edge.to, slack, thorough);
+  };
+  if (!LooksForElements)
+  {
+    return std::ranges::none_of(Near, leaves);
+  }
+  std::vector<int> elements;
+  Bounds.Index().FindNear({ lower, upper }, elements);
+  return std::ranges::none_of(elements,
+    [&](int element)
+    { return Bounds.Of(element).Values().IsFinite() && leaves(MakeElement(element)); });
 }
 
 bool EdgeJudge::AreOpposite(const EdgeEnd& a, const EdgeEnd& b) const

@@ -42,6 +42,8 @@ public:
   /// `values`: in ascending order; `elements`: all whose boxes meet the tile's part of the surface.
   EdgeJudge(
     const LayerBounds& bounds, std::span<const double> values, std::span<const int> elements);
+  /// The same where nobody knows the elements: each edge's are looked for.
+  EdgeJudge(const LayerBounds& bounds, std::span<const double> values);
 
   /// Between which values a value is: the number of those below it.
   [[nodiscard]] int SideOf(double value) const;
@@ -57,7 +59,7 @@ public:
   /// Whether all elements that the edge may meet stay on a side there; of kNoSide, whether none
   /// takes a value. `thorough`: more is found out about the elements where that helps.
   [[nodiscard]] bool StaysOn(int side, const SurfaceEdge& edge, bool thorough) const;
-  /// Whether the ends' values lie on either side of a value, by more than rounding.
+  /// Whether a value lies between those of the ends, or is one.
   [[nodiscard]] bool AreOpposite(const EdgeEnd& a, const EdgeEnd& b) const;
   /// Whether the two values are farther apart than the field varies along the edge.
   [[nodiscard]] bool IsJump(const EdgeEnd& a, const EdgeEnd& b, const SurfaceEdge& edge) const;
@@ -73,10 +75,12 @@ private:
     [[nodiscard]] bool StaysOn(int all) const { return side >= 0 && (all < 0 || all == side); }
   };
   [[nodiscard]] bool AnyIn(double lower, double upper) const;
+  [[nodiscard]] Element MakeElement(int element) const;
 
   const LayerBounds& Bounds;
   std::span<const double> Values;
   std::vector<Element> Near; ///< by number
   bool Needed = false;
+  bool LooksForElements = false;
 };
 } // namespace pixelexact

@@ -54,6 +54,25 @@ std::int64_t LayerBounds::Elements() const
     [](const auto& place) { return place.load(std::memory_order_relaxed) != nullptr; });
 }
 
+const Interval& LayerBounds::Values() const
+{
+  std::call_once(Found,
+    [this]
+    {
+      for (int e = 0; e < static_cast<int>(Count); ++e)
+      {
+        const Interval& own = Of(e).Values();
+        if (own.IsFinite())
+        {
+          All = All.IsEmpty()
+            ? own
+            : Interval(std::min(All.lower, own.lower), std::max(All.upper, own.upper));
+        }
+      }
+    });
+  return All;
+}
+
 const LayerBounds& ContourBounds::Of(const Locator& locator, const Layer& layer)
 {
   const std::scoped_lock lock(Making);

@@ -29,6 +29,8 @@ public:
   /// Where contours can be proven.
   [[nodiscard]] const EdgeBounds& Of(int element) const;
   [[nodiscard]] const ElementIndex& Index() const { return TheIndex; }
+  /// Holds the values in all elements but those that are not finite; found out once.
+  [[nodiscard]] const Interval& Values() const;
 
   /// Elements that have been asked for, and their nodes.
   [[nodiscard]] std::int64_t Elements() const;
@@ -42,6 +44,8 @@ private:
   double Rounding;
   std::size_t Count;
   std::unique_ptr<std::atomic<const EdgeBounds*>[]> Made;
+  mutable std::once_flag Found;
+  mutable Interval All{ 1.0, -1.0 };
 };
 
 /// What is known of the fields of one locator's mesh, kept from frame to frame. Safe to use from
