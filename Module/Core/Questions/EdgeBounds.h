@@ -3,11 +3,10 @@
 
 #include "Core/Element/HessianFunction.h"
 #include "Core/Index/ElementIndex.h"
-#include "Core/Tree/EtaBox.h"
+#include "Core/Questions/EdgeNode.h"
 
 #include <array>
 #include <atomic>
-#include <cmath>
 #include <limits>
 #include <memory>
 #include <mutex>
@@ -42,61 +41,6 @@ struct EdgeRange
 {
   double deviation = 0.0; ///< from the straight line between the ends' values
   double error = 0.0;     ///< of these values: F at the true points is no farther off
-};
-
-/// An end of a box of eta, in xi: points inside are at a depth >= 0.
-struct EdgeNodeEnd
-{
-  double normal[3]{}; ///< outwards
-  double offset = 0.0;
-  bool ofElement = false; ///< a face of the element
-
-  [[nodiscard]] double DepthOf(const Vec3& xi) const
-  {
-    return offset - (normal[0] * xi.x + normal[1] * xi.y + normal[2] * xi.z);
-  }
-  /// By how much points that are off by no more than this may be deeper.
-  [[nodiscard]] double Across(const double (&off)[3]) const
-  {
-    return std::fabs(normal[0]) * off[0] + std::fabs(normal[1]) * off[1] +
-      std::fabs(normal[2]) * off[2];
-  }
-};
-
-/// What is known of a box of eta, made once: derivatives are by xi and in the element's units, and
-/// all bounds hold over `wide`, the box and a margin.
-struct EdgeNode
-{
-  EtaBox box;
-  EtaBox wide;     ///< the margin ends at the element's faces
-  Box3 bounds;     ///< holds the image of `wide`, in world coordinates
-  Interval values; ///< of the component over `wide`
-
-  /// The map is so nearly affine over `wide` that what follows holds: M J = I + E with row sums of
-  /// |E| at most `turn`, all below 1.
-  bool regular = false;
-  Vec3 centre{ 0.0 };     ///< in xi
-  Vec3 origin{ 0.0 };     ///< its image, in the element's units
-  double inverse[3][3]{}; ///< M
-  double turn[3]{};
-  double reach[3]{};   ///< |xi - centre| of the points of `wide`
-  double bend[3][6]{}; ///< of solved M Phi'': 11, 12, 13, 22, 23, 33; mixed ones twice
-  double slope[3]{};   ///< |dF / dxi|
-  double curve[6]{};   ///< |F''| + slope . bend: of F along straight lines in the world
-  double shift[3]{};   ///< by how much a located point's xi may be off
-  std::array<EdgeNodeEnd, 6> boxEnds;
-  std::array<EdgeNodeEnd, 6> wideEnds;
-  double lean[3]{}; ///< by how much it moves, for a unit in y
-  int halvings = 0;
-
-  int direction = 0; ///< of eta, across which it is halved
-
-  mutable std::atomic<const std::array<EdgeNode, 2>*> children{ nullptr };
-
-  EdgeNode() = default;
-  ~EdgeNode() { delete children.load(std::memory_order_relaxed); }
-  EdgeNode(const EdgeNode&) = delete;
-  EdgeNode& operator=(const EdgeNode&) = delete;
 };
 
 /// Bounds of a component of a field along short edges in one element, from what is kept of its map
@@ -162,6 +106,8 @@ private:
     const EdgeNode& node, const Vec3& from, const Vec3& to, double slack) const;
   /// By the affine map of a node.
   [[nodiscard]] Vec3 ToXi(const EdgeNode& node, const Vec3& x) const;
+  /// In the element's units.
+  [[nodiscard]] Vec3 ImageOf(const Vec3& xi) const;
   struct View;
   [[nodiscard]] View ViewAt(const Vec3& xi) const;
   enum class Meeting : std::uint8_t

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+
+// What bounds along edges are reckoned with: sums and products that are not negative.
+namespace pixelexact::edges
+{
+/// Covers the rounding of some dozen of them.
+inline constexpr double kUp = 1.0 + 1e-13;
+/// Of symmetric matrices: 11, 12, 13, 22, 23, 33.
+inline constexpr std::size_t kRows[6] = { 0, 0, 0, 1, 1, 2 };
+inline constexpr std::size_t kColumns[6] = { 0, 1, 2, 1, 2, 2 };
+
+/// sum of m_ij s_i s_j.
+inline double Quadratic(const double (&m)[6], const double (&s)[3])
+{
+  double sum = 0.0;
+  for (std::size_t k = 0; k < 6; ++k)
+  {
+    sum += m[k] * s[kRows[k]] * s[kColumns[k]];
+  }
+  return sum;
+}
+
+/// Bounds of the solution of (I + E) v = w from those of w.
+inline void Solve(const double (&turn)[3], double (&v)[3])
+{
+  const double largest = std::max({ v[0], v[1], v[2] });
+  const double most = std::max({ turn[0], turn[1], turn[2] });
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    v[k] = (v[k] + turn[k] * largest / (1.0 - most)) * kUp;
+  }
+}
+} // namespace pixelexact::edges
