@@ -300,15 +300,17 @@ void ContourTile::Settle(const Part& part, EdgeFinding finding, int level, std::
     return;
   }
   const bool joined = onBoth && AreJoined(part.a, part.b);
-  if (joined && finding == EdgeFinding::Uncovered && Judging->AreOpposite(part.a, part.b))
+  const bool opposite = onBoth && Judging->AreOpposite(part.a, part.b);
+  if (joined && opposite && finding == EdgeFinding::Uncovered)
   {
     Edges[part.edge] = State::In;
     Counted.jumps += Judging->IsJump(part.a, part.b, EdgeBetween(part.a, part.b)) ? 1 : 0;
     return;
   }
-  if (level >= deepest && !joined && !TheSurface->IsFlat())
+  if (level >= deepest && !joined && !opposite && !TheSurface->IsFlat())
   {
-    // Closer to a silhouette, or to where the surface leaves the mesh, nothing is asked.
+    // Closer to a silhouette, or to where the surface leaves the mesh, nothing is asked. Where a
+    // value is between those of two sheets it stays open whether that is a line.
     return;
   }
   Edges[part.edge] = std::max(Edges[part.edge], State::Undecided);
