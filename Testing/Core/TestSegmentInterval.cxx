@@ -42,8 +42,8 @@ std::vector<Interval> IntervalsOf(const Mesh& mesh, const Field& field, int comp
   const std::vector<double> slacks(
     static_cast<std::size_t>(PaddedCount(static_cast<int>(segments.size()))), slack);
   SegmentIntervals(mesh, field, component, 0,
-    { lanes[0].View(), lanes[1].View(), lanes[2].View(), lanes[3].View(),
-    slacks.data() }, intervals);
+    { lanes[0].View(), lanes[1].View(), lanes[2].View(), lanes[3].View(), slacks.data() },
+    intervals);
   return intervals;
 }
 
