@@ -18,7 +18,7 @@ if [[ "${1:-}" == --quick ]]; then
   stages="dependencies build test"
 fi
 # In seconds. The network has none.
-declare -A budgets=([build]=1200 [test]=400 [instructions]=240 [sanitize]=1900 [fuzz]=400
+declare -A budgets=([build]=1500 [test]=400 [instructions]=240 [sanitize]=1900 [fuzz]=400
   [format]=60 [tidy]=1800)
 budget_scale=${PIXELEXACT_BUDGET:-1}
 build=build
