@@ -17,41 +17,18 @@ LayerBounds::LayerBounds(const Locator& locator, const Layer& layer)
   , Component(layer.component == kMagnitude ? -1 : layer.component)
   , Provable(TheField.mapping == Mapping::Identity)
   , Rounding(layer.precision == Precision::Float ? kFloatRounding : 0.0)
-  , Count(static_cast<std::size_t>(locator.GetMesh().Elements()))
-  , Made(std::make_unique<std::atomic<const EdgeBounds*>[]>(Count))
+  , Made(static_cast<std::size_t>(locator.GetMesh().Elements()))
 {
-}
-
-LayerBounds::~LayerBounds()
-{
-  for (std::size_t e = 0; e < Count; ++e)
-  {
-    delete Made[e].load(std::memory_order_relaxed);
-  }
 }
 
 const EdgeBounds& LayerBounds::Of(int element) const
 {
-  std::atomic<const EdgeBounds*>& place = Made[static_cast<std::size_t>(element)];
-  if (const EdgeBounds* made = place.load(std::memory_order_acquire))
-  {
-    return *made;
-  }
-  auto mine = std::make_unique<const EdgeBounds>(
-    TheIndex.GetMesh(), TheIndex.BoundsOf(element), element, TheField, Component, Rounding);
-  const EdgeBounds* before = nullptr;
-  // Two threads may make the same; they are equal, and the first stay.
-  if (!place.compare_exchange_strong(before, mine.get(), std::memory_order_acq_rel))
-  {
-    return *before;
-  }
-  return *mine.release();
-}
-
-std::int64_t LayerBounds::Elements() const
-{
-  return std::count_if(Made.get(), Made.get() + Count,
-    [](const auto& place) { return place.load(std::memory_order_relaxed) != nullptr; });
+  return Made.Get(static_cast<std::size_t>(element),
+    [&]
+    {
+      return std::make_unique<const EdgeBounds>(
+        TheIndex.GetMesh(), TheIndex.BoundsOf(element), element, TheField, Component, Rounding);
+    });
 }
 
 const Interval& LayerBounds::Values() const
@@ -59,7 +36,7 @@ const Interval& LayerBounds::Values() const
   std::call_once(Found,
     [this]
     {
-      for (int e = 0; e < static_cast<int>(Count); ++e)
+      for (int e = 0; e < static_cast<int>(Made.Size()); ++e)
       {
         const Interval& own = Of(e).Values();
         if (own.IsFinite())
@@ -87,9 +64,9 @@ const LayerBounds& ContourBounds::Of(const Locator& locator, const Layer& layer)
 std::int64_t LayerBounds::Nodes() const
 {
   std::int64_t nodes = 0;
-  for (std::size_t e = 0; e < Count; ++e)
+  for (std::size_t e = 0; e < Made.Size(); ++e)
   {
-    const EdgeBounds* made = Made[e].load(std::memory_order_relaxed);
+    const EdgeBounds* made = Made.IfMade(e);
     nodes += made ? made->Nodes() : 0;
   }
   return nodes;

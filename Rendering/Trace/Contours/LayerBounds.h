@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Core/Base/MadeOnDemand.h"
 #include "Core/Questions/EdgeBounds.h"
 #include "Trace/Scene.h"
 
-#include <atomic>
-#include <cstddef>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -20,9 +20,6 @@ class LayerBounds
 {
 public:
   LayerBounds(const Locator& locator, const Layer& layer);
-  ~LayerBounds();
-  LayerBounds(const LayerBounds&) = delete;
-  LayerBounds& operator=(const LayerBounds&) = delete;
 
   /// Whether contours can be proven: not those of mapped fields.
   [[nodiscard]] bool CanProve() const { return Provable; }
@@ -33,7 +30,10 @@ public:
   [[nodiscard]] const Interval& Values() const;
 
   /// Elements that have been asked for, and their nodes.
-  [[nodiscard]] std::int64_t Elements() const;
+  [[nodiscard]] std::int64_t Elements() const
+  {
+    return static_cast<std::int64_t>(Made.MadeCount());
+  }
   [[nodiscard]] std::int64_t Nodes() const;
 
 private:
@@ -42,8 +42,7 @@ private:
   int Component;
   bool Provable;
   double Rounding;
-  std::size_t Count;
-  std::unique_ptr<std::atomic<const EdgeBounds*>[]> Made;
+  MadeOnDemand<EdgeBounds> Made;
   mutable std::once_flag Found;
   mutable Interval All{ 1.0, -1.0 };
 };

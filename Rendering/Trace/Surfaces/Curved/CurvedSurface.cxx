@@ -156,7 +156,7 @@ CurvedSurface::CurvedSurface(
   const CurvedEquation& equation, std::vector<CurvedPart> parts, std::span<const Box3> boxes)
   : TheEquation(equation)
   , All(std::move(parts))
-  , Trees(std::make_unique<std::atomic<const PartTree*>[]>(All.size()))
+  , Trees(All.size())
 {
   if (!All.empty())
   {
@@ -164,30 +164,10 @@ CurvedSurface::CurvedSurface(
   }
 }
 
-CurvedSurface::~CurvedSurface()
-{
-  for (std::size_t k = 0; k < All.size(); ++k)
-  {
-    delete Trees[k].load();
-  }
-}
-
 const PartTree& CurvedSurface::TreeOf(std::int32_t part) const
 {
-  auto& place = Trees[static_cast<std::size_t>(part)];
-  if (const PartTree* made = place.load(std::memory_order_acquire))
-  {
-    return *made;
-  }
-  // Two threads may make it; one is kept.
-  auto tree = std::make_unique<const PartTree>(TheEquation, PartOf(part));
-  const PartTree* expected = nullptr;
-  if (place.compare_exchange_strong(expected, tree.get(), std::memory_order_acq_rel))
-  {
-    ++MadeCount;
-    return *tree.release();
-  }
-  return *expected;
+  return Trees.Get(static_cast<std::size_t>(part),
+    [&] { return std::make_unique<const PartTree>(TheEquation, PartOf(part)); });
 }
 
 std::int64_t CurvedSurface::PiecesMade() const
@@ -195,7 +175,7 @@ std::int64_t CurvedSurface::PiecesMade() const
   std::int64_t pieces = 0;
   for (std::size_t k = 0; k < All.size(); ++k)
   {
-    const PartTree* tree = Trees[k].load(std::memory_order_acquire);
+    const PartTree* tree = Trees.IfMade(k);
     pieces += tree ? tree->Pieces() : 0;
   }
   return pieces;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Core/Base/MadeOnDemand.h"
 #include "Trace/Surfaces/Curved/BundleHierarchy.h"
 #include "Trace/Surfaces/Curved/PartTree.h"
 #include "Trace/Surfaces/Curved/PieceSolver.h"
 #include "Trace/Surfaces/Surface.h"
 
-#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -24,17 +24,16 @@ namespace pixelexact
 class CurvedSurface : public Surface
 {
 public:
-  ~CurvedSurface() override;
-  CurvedSurface(const CurvedSurface&) = delete;
-  CurvedSurface& operator=(const CurvedSurface&) = delete;
-
   void Meet(const RayLanes& rays, HitSlots& hits) const override;
   [[nodiscard]] bool HasCostlyNormals() const override { return true; }
   [[nodiscard]] Vec3 Normal(const SurfacePoint& point) const final;
   void Normals(std::span<const SurfacePoint> points, std::span<Vec3> normals) const final;
 
   /// Parts whose pieces have been made, and all of these.
-  [[nodiscard]] std::int64_t PartsMade() const { return MadeCount; }
+  [[nodiscard]] std::int64_t PartsMade() const
+  {
+    return static_cast<std::int64_t>(Trees.MadeCount());
+  }
   [[nodiscard]] std::int64_t PiecesMade() const;
   [[nodiscard]] int Parts() const { return static_cast<int>(All.size()); }
   [[nodiscard]] std::size_t MemoryUsage() const;
@@ -45,6 +44,7 @@ protected:
     const CurvedEquation& equation, std::vector<CurvedPart> parts, std::span<const Box3> boxes);
 
   [[nodiscard]] const CurvedEquation& Equation() const { return TheEquation; }
+  [[nodiscard]] std::span<const CurvedPart> AllParts() const { return All; }
   [[nodiscard]] const CurvedPart& PartOf(std::int32_t part) const
   {
     return All[static_cast<std::size_t>(part)];
@@ -64,7 +64,6 @@ private:
   CurvedEquation TheEquation;
   std::vector<CurvedPart> All;
   std::unique_ptr<BundleHierarchy> Hierarchy;
-  std::unique_ptr<std::atomic<const PartTree*>[]> Trees;
-  mutable std::atomic<std::int64_t> MadeCount{ 0 };
+  MadeOnDemand<PartTree> Trees;
 };
 } // namespace pixelexact
