@@ -9,6 +9,9 @@ namespace pixelexact::edges
 {
 /// Covers the rounding of some dozen of them.
 inline constexpr double kUp = 1.0 + 1e-13;
+/// By how much a path may leave the element, in xi: far less than would be seen, and more than
+/// rounding makes of an edge in a face.
+inline constexpr double kBeside = 1e-10;
 /// Of symmetric matrices: 11, 12, 13, 22, 23, 33.
 inline constexpr std::size_t kRows[6] = { 0, 0, 0, 1, 1, 2 };
 inline constexpr std::size_t kColumns[6] = { 0, 1, 2, 1, 2, 2 };
@@ -20,6 +23,17 @@ inline double Quadratic(const double (&m)[6], const double (&s)[3])
   for (std::size_t k = 0; k < 6; ++k)
   {
     sum += m[k] * s[kRows[k]] * s[kColumns[k]];
+  }
+  return sum;
+}
+
+/// sum of m_ij s_i t_j.
+inline double Bilinear(const double (&m)[6], const double (&s)[3], const double (&t)[3])
+{
+  double sum = 0.0;
+  for (std::size_t k = 0; k < 6; ++k)
+  {
+    sum += 0.5 * m[k] * (s[kRows[k]] * t[kColumns[k]] + s[kColumns[k]] * t[kRows[k]]);
   }
   return sum;
 }

@@ -3,6 +3,7 @@
 
 #include "Core/Math/Rounding.h"
 #include "Core/Questions/EdgeArithmetic.h"
+#include "Core/Questions/PointValues.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -19,9 +20,6 @@ using namespace edges;
 namespace
 {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// By how much a path may leave the element, in xi: far less than would be seen, and more than
-/// rounding makes of an edge in a face.
-constexpr double kBeside = 1e-10;
 /// What the expansion's error may be of the distance.
 constexpr double kCoarse = 0.25;
 constexpr int kRounds = 6;
@@ -70,40 +68,9 @@ struct EdgeBounds::View
   Mat3 inverse; ///< of J
 };
 
-namespace
-{
-/// Room for one point's lanes.
-constexpr std::size_t kRoom = 16;
-
-/// `components` functions and their derivatives by xi at a point: values, then slopes, of
-/// `components` times 3.
-struct Evaluated
-{
-  double values[3][kRoom];
-  double slopes[9][kRoom];
-
-  Evaluated(const Space& space, const double* modes, int components, const Vec3& xi)
-  {
-    double at[3][kRoom];
-    for (int d = 0; d < 3; ++d)
-    {
-      std::fill_n(at[d], kRoom, xi[d]);
-    }
-    double* const out[3] = { values[0], values[1], values[2] };
-    double* gradient[9];
-    for (std::size_t k = 0; k < 9; ++k)
-    {
-      gradient[k] = slopes[k];
-    }
-    KernelsFor(space).gradient(
-      space, modes, components, { { at[0], at[1], at[2] }, 1 }, out, gradient);
-  }
-};
-} // namespace
-
 EdgeBounds::View EdgeBounds::ViewAt(const Vec3& xi) const
 {
-  const Evaluated map(Map.space, Map.values.data(), 3, xi);
+  const PointValues map(Map.space, Map.values.data(), 3, std::span(&xi, 1));
   const double scale = std::ldexp(1.0, Map.exponent);
   View view{ xi, Vec3(0.0), Mat3(0.0) };
   Mat3 jacobian;
@@ -347,7 +314,8 @@ Interval EdgeBounds::LinearValues(const Vec3& xi, const Vec3& from, const Vec3& 
   double size = 0.0;
   for (int c = 0; c < Components; ++c)
   {
-    const Evaluated component(Component.space, Component.values.data() + c * width, 1, xi);
+    const PointValues component(
+      Component.space, Component.values.data() + c * width, 1, std::span(&xi, 1));
     const Vec3 slope(component.slopes[0][0], component.slopes[1][0], component.slopes[2][0]);
     const double rises[2] = { glm::dot(slope, from), glm::dot(slope, to) };
     for (std::size_t k = 0; k < 2; ++k)

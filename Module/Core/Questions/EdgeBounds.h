@@ -4,6 +4,7 @@
 #include "Core/Element/HessianFunction.h"
 #include "Core/Index/ElementIndex.h"
 #include "Core/Questions/EdgeNode.h"
+#include "Core/Questions/Sheet.h"
 
 #include <array>
 #include <atomic>
@@ -56,6 +57,8 @@ public:
   /// part of their largest possible magnitude, beyond that of the kernels in double precision.
   EdgeBounds(const Mesh& mesh, const ElementBounds& bounds, int element, const Field& field,
     int component, double rounding = 0.0);
+  /// Of the map alone, and of faces: the component is 0.
+  EdgeBounds(const Mesh& mesh, const ElementBounds& bounds, int element);
   ~EdgeBounds();
   EdgeBounds(const EdgeBounds&) = delete;
   EdgeBounds& operator=(const EdgeBounds&) = delete;
@@ -75,14 +78,26 @@ public:
   /// are made where they would tell more.
   [[nodiscard]] bool MayTake(
     const ValueSet& wanted, const Vec3& from, const Vec3& to, double slack, bool grow) const;
+
   /// A bound of how far the values within a distance of a point, in the element and next to the
   /// point in xi as well, are from its own; infinite where none is known.
   [[nodiscard]] double ChangeWithin(const LocatedPoint& point, double distance) const;
+
+  /// How far the sheet is off the straight line between two of its points at most, along all rays
+  /// between those that meet it there: all of them meet it in the element, as far as rounding goes.
+  /// Infinite where that is not proven.
+  [[nodiscard]] double Sagitta(const Sheet& sheet, const SheetPoint& a, const SheetPoint& b) const;
+  /// Where the sheet leaves the element on the way to another ray. Nothing is proven of what is
+  /// between: Sagitta tells. Nothing where it is not found.
+  [[nodiscard]] std::optional<SheetExit> ExitOf(
+    const Sheet& sheet, const SheetPoint& from, const SheetPoint& towards) const;
 
   /// Nodes that have been made.
   [[nodiscard]] std::int64_t Nodes() const { return Count.load(std::memory_order_relaxed); }
 
 private:
+  class OnSheet;
+  void Begin(const Mesh& mesh, const ElementBounds& bounds, int element, double rounding);
   const EdgeNode& Whole() const;
   const EdgeNode& LeafAt(const Vec3& eta) const;
   const std::array<EdgeNode, 2>& Split(const EdgeNode& node) const;
@@ -123,14 +138,16 @@ private:
 
   ScaledModes Map;
   ScaledModes Component;
-  int Components; ///< of which the norm is taken, if there are several
+  int Components; ///< of which the norm is taken, if there are several; 0: of the map alone
   int Level = 0;
   int Deepest[2] = {}; ///< halvings of nodes that are not regular, and that are
-  Vec3 Centre;
-  double Size;
-  std::array<double, 3> Uncertainty;
+  Vec3 Centre{ 0.0 };
+  double Size = 1.0;
+  std::array<double, 3> Uncertainty{};
+  std::array<EdgeNodeEnd, 6> Ends; ///< of the element
   double ValueError = 0.0;
-  Interval Range;
+  double SlopeErrors[2] = {}; ///< of derivatives by xi, as the kernels make them: of map and field
+  Interval Range = Interval::Everything();
   mutable std::unique_ptr<EdgeNode> Root;
   mutable std::atomic<const EdgeNode*> Ready{ nullptr };
   mutable std::mutex Growing;

@@ -30,6 +30,9 @@ struct EdgeNodeEnd
   }
 };
 
+/// The six ends of a box, in the order of EndNormals.
+[[nodiscard]] std::array<EdgeNodeEnd, 6> EndsOf(Shape shape, const EtaBox& box);
+
 /// What is known of a box of eta, made once: derivatives are by xi and in the element's units, and
 /// all bounds hold over `wide`, the box and a margin.
 struct EdgeNode
@@ -50,7 +53,10 @@ struct EdgeNode
   double bend[3][6]{}; ///< of solved M Phi'': 11, 12, 13, 22, 23, 33; mixed ones twice
   double slope[3]{};   ///< |dF / dxi|
   double curve[6]{};   ///< |F''| + slope . bend: of F along straight lines in the world
-  double shift[3]{};   ///< by how much a located point's xi may be off
+  /// Ranges of the second derivatives of Phi and, last, of F: 11, 12, 13, 22, 23, 33. Of a norm, of
+  /// the norm of F''.
+  std::array<std::array<Interval, 6>, 4> second;
+  double shift[3]{}; ///< by how much a located point's xi may be off
   std::array<EdgeNodeEnd, 6> boxEnds;
   std::array<EdgeNodeEnd, 6> wideEnds;
   double lean[3]{}; ///< by how much it moves, for a unit in y

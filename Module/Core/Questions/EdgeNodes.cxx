@@ -27,6 +27,8 @@ constexpr double kMostTurn = 0.7;
 constexpr int kMostHalvings[2] = { 15, 17 };
 constexpr double kFewCoefficients = 216.0;
 
+constexpr Part kBy[3] = { Part::ByXi1, Part::ByXi2, Part::ByXi3 };
+
 Interval Union(const Interval& a, const Interval& b)
 {
   return { std::min(a.lower, b.lower), std::max(a.upper, b.upper) };
@@ -35,6 +37,7 @@ constexpr Interval Nothing()
 {
   return { kInfinity, -kInfinity };
 }
+} // namespace
 
 std::array<EdgeNodeEnd, 6> EndsOf(Shape shape, const EtaBox& box)
 {
@@ -49,7 +52,6 @@ std::array<EdgeNodeEnd, 6> EndsOf(Shape shape, const EtaBox& box)
   }
   return ends;
 }
-} // namespace
 
 EdgeBounds::EdgeBounds(const Mesh& mesh, const ElementBounds& bounds, int element,
   const Field& field, int component, double rounding)
@@ -59,13 +61,25 @@ EdgeBounds::EdgeBounds(const Mesh& mesh, const ElementBounds& bounds, int elemen
         static_cast<std::ptrdiff_t>(std::max(component, 0)) * field.values.SpaceOf(element).Modes(),
       component < 0 ? field.values.components : 1)
   , Components(component < 0 ? field.values.components : 1)
-  , Centre(mesh.centre[3 * static_cast<std::size_t>(element)],
-      mesh.centre[3 * static_cast<std::size_t>(element) + 1],
-      mesh.centre[3 * static_cast<std::size_t>(element) + 2])
-  , Size(mesh.size[static_cast<std::size_t>(element)])
-  , Uncertainty{ bounds.uncertainty[0], bounds.uncertainty[1], bounds.uncertainty[2] }
-  , Range(Interval::Everything())
 {
+  Begin(mesh, bounds, element, rounding);
+}
+
+EdgeBounds::EdgeBounds(const Mesh& mesh, const ElementBounds& bounds, int element)
+  : Map(mesh.map.SpaceOf(element), mesh.map.Coefficients(element), 3)
+  , Component(Map.space, Map.values.data(), 0)
+  , Components(0)
+{
+  Begin(mesh, bounds, element, 0.0);
+}
+
+void EdgeBounds::Begin(const Mesh& mesh, const ElementBounds& bounds, int element, double rounding)
+{
+  const auto e = static_cast<std::size_t>(element);
+  Centre = Vec3(mesh.centre[3 * e], mesh.centre[3 * e + 1], mesh.centre[3 * e + 2]);
+  Size = mesh.size[e];
+  std::ranges::copy(bounds.uncertainty, Uncertainty.begin());
+  Ends = EndsOf(Map.space.shape, {});
   if (!Component.finite)
   {
     ValueError = kInfinity;
@@ -112,6 +126,24 @@ EdgeBounds::EdgeBounds(const Mesh& mesh, const ElementBounds& bounds, int elemen
   // The same sums as the kernels make, but for the order of the factors; `error` is the bound of
   // their rounding (accuracy.md).
   ValueError = std::ldexp(4.0 * error * (1.0 + rounding / kUnitRoundoff), Component.exponent);
+  // So are derivatives; seen over the whole element they are bounded well enough.
+  const auto slopeError = [](const ScaledModes& modes, int components)
+  {
+    double largest = 0.0;
+    for (const Part by : kBy)
+    {
+      double sum = 0.0;
+      for (int c = 0; c < components; ++c)
+      {
+        sum += PieceForm::Of(modes.space, 0)
+                 .ErrorBound(by, { 0, 0, 0 }, RangeIngredient{ &modes, c, by }.Modes());
+      }
+      largest = std::max(largest, sum);
+    }
+    return std::ldexp(4.0 * largest, modes.exponent);
+  };
+  SlopeErrors[0] = slopeError(Map, 3);
+  SlopeErrors[1] = slopeError(Component, Components);
 }
 
 EdgeBounds::~EdgeBounds() = default;
@@ -181,7 +213,6 @@ void EdgeBounds::Fill(EdgeNode& node, const Interval& values) const
     node.bounds.upper[d] = x.upper;
   }
   std::array<std::array<Interval, 3>, 3> slopes;
-  constexpr Part kBy[3] = { Part::ByXi1, Part::ByXi2, Part::ByXi3 };
   for (std::size_t c = 0; c < 3; ++c)
   {
     for (std::size_t j = 0; j < 3; ++j)
@@ -197,9 +228,9 @@ void EdgeBounds::Fill(EdgeNode& node, const Interval& values) const
   node.values = ValuesOver(node.wide);
   node.boxEnds = EndsOf(Map.space.shape, node.box);
   node.wideEnds = EndsOf(Map.space.shape, node.wide);
-  std::vector<std::array<HessianFunction::XiRanges, 4>> ranges;
-  ranges.reserve(static_cast<std::size_t>(Components));
-  for (int c = 0; c < Components; ++c)
+  // One at least, for the map.
+  std::vector<std::array<HessianFunction::XiRanges, 4>> ranges{ RangesOf(node.wide, 0) };
+  for (int c = 1; c < Components; ++c)
   {
     ranges.push_back(RangesOf(node.wide, c));
   }
@@ -229,8 +260,10 @@ std::array<HessianFunction::XiRanges, 4> EdgeBounds::RangesOf(
     [&](const PieceForm::Piece& piece, const Box3& within)
     {
       const auto here = HessianFunction::RangesByXi(Map.space.shape,
-        HessianFunction::Polynomials(Map, Component, component, Level, piece, within));
-      for (std::size_t f = 0; f < 4; ++f)
+        HessianFunction::Polynomials(
+          Map, Components == 0 ? Map : Component, component, Level, piece, within));
+      const std::size_t functions = Components == 0 ? 3 : 4;
+      for (std::size_t f = 0; f < functions; ++f)
       {
         const int exponent = f < 3 ? Map.exponent : Component.exponent;
         const auto add = [&](Interval& to, const Interval& range)
@@ -351,6 +384,15 @@ void EdgeBounds::DescribeCurves(
     }
     node.curve[p] *= twice * kUp;
     finite = finite && std::isfinite(node.curve[p]);
+  }
+  for (std::size_t f = 0; f < 3; ++f)
+  {
+    node.second[f] = ranges[f].second;
+  }
+  for (std::size_t p = 0; p < 6; ++p)
+  {
+    const double most = norm([p](const HessianFunction::XiRanges& one) { return one.second[p]; });
+    node.second[3][p] = components.size() == 1 ? ranges[3].second[p] : Interval(-most, most);
   }
   node.regular = finite;
 }
