@@ -59,6 +59,14 @@ EdgeEnd ContourTile::EndOf(
   return end;
 }
 
+namespace
+{
+SurfacePoint PointOf(const EdgeEnd& end)
+{
+  return { end.point.x, end.element, end.point.xi };
+}
+} // namespace
+
 SurfaceEdge ContourTile::EdgeBetween(const EdgeEnd& a, const EdgeEnd& b) const
 {
   SurfaceEdge edge{ a.point.x, b.point.x, kInfinity };
@@ -69,7 +77,7 @@ SurfaceEdge ContourTile::EdgeBetween(const EdgeEnd& a, const EdgeEnd& b) const
   {
     if (a.layer == Layer && b.layer == Layer)
     {
-      edge.sagitta = TheSurface->Sagitta(rayOf(a), edge.from, rayOf(b), edge.to);
+      edge.sagitta = TheSurface->Sagitta(rayOf(a), PointOf(a), rayOf(b), PointOf(b));
     }
     return edge;
   }
