@@ -5,7 +5,9 @@
 #include "LongMap.h"
 #include "TrueVerdicts.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 // A cube of curved elements of any shapes with a field in closed form, and what is seen of it.
 namespace pixelexact::testing
@@ -15,6 +17,23 @@ inline long double Quadratic(const LongVec3& x)
 {
   const auto [a, b, c] = x;
   return 2 * a * a - 3 * b * b + a * b + c * c + 0.5L * a - 0.3L * c;
+}
+
+/// The derivatives of Bend, one after the other.
+inline std::array<LongVec3, 3> BendColumns(const LongVec3& u)
+{
+  const auto [a, b, c] = u;
+  return { { { 1 - 0.06L * b * c, 0.09L * c - 0.15L * a * a, 0.08L * b + 0.14L * a },
+    { 0.22L * b - 0.06L * c * a, 1, 0.08L * a + 0.06L * b * c },
+    { 0.05L - 0.06L * a * b, 0.09L * a, 1 + 0.03L * b * b } } };
+}
+
+/// What these columns have to be multiplied with to make r.
+inline LongVec3 Weights(const std::array<LongVec3, 3>& columns, const LongVec3& r)
+{
+  const auto& [a, b, c] = columns;
+  const long double determinant = Dot(a, Cross(b, c));
+  return Times(1 / determinant, { Dot(r, Cross(b, c)), Dot(r, Cross(c, a)), Dot(r, Cross(a, b)) });
 }
 
 /// u of Bend(u) = x, by Newton's iteration; nothing where it does not converge, as it does in the
@@ -29,18 +48,72 @@ inline std::optional<LongVec3> Unbent(const LongVec3& x)
     {
       return u;
     }
-    const auto [a, b, c] = u;
-    const std::array<LongVec3, 3> J{
-      { { 1 - 0.06L * b * c, 0.09L * c - 0.15L * a * a, 0.08L * b + 0.14L * a },
-        { 0.22L * b - 0.06L * c * a, 1, 0.08L * a + 0.06L * b * c },
-        { 0.05L - 0.06L * a * b, 0.09L * a, 1 + 0.03L * b * b } }
-    };
-    const long double determinant = Dot(J[0], Cross(J[1], J[2]));
-    u = Plus(u,
-      Times(1 / determinant,
-        { Dot(r, Cross(J[1], J[2])), Dot(r, Cross(J[2], J[0])), Dot(r, Cross(J[0], J[1])) }));
+    u = Plus(u, Weights(BendColumns(u), r));
   }
   return std::nullopt;
+}
+
+/// A point of the bent cube's boundary on a ray.
+struct BoundaryPoint
+{
+  long double t;
+  LongVec3 u;
+};
+
+/// Where a ray meets the bent face u_axis = side, by Newton's iteration from a u; nothing where
+/// that leads nowhere.
+inline std::optional<BoundaryPoint> MeetFace(
+  const LongRay& ray, int axis, long double side, const LongVec3& start)
+{
+  BoundaryPoint point{ Dot(Minus(Bend(start), ray.origin), ray.direction), start };
+  point.u[axis] = side;
+  for (int step = 0; step < 12; ++step)
+  {
+    const LongVec3 r = Minus(Plus(ray.origin, Times(point.t, ray.direction)), Bend(point.u));
+    if (Largest(r) < 1e-17L * (1 + std::fabs(point.t)))
+    {
+      return Largest(point.u) <= 1 + 1e-12L ? std::optional(point) : std::nullopt;
+    }
+    auto columns = BendColumns(point.u);
+    columns[axis] = Times(-1, ray.direction);
+    LongVec3 by = Weights(columns, r);
+    point.t += by[axis];
+    by[axis] = 0;
+    point.u = Plus(point.u, by);
+    if (!(Largest(point.u) < 3))
+    {
+      break;
+    }
+  }
+  return std::nullopt;
+}
+
+/// Where a ray enters the bent cube first.
+inline std::optional<BoundaryPoint> MeetBentCube(const LongRay& ray)
+{
+  std::optional<BoundaryPoint> nearest;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (const int side : { -1, 1 })
+    {
+      // From where it meets the flat face, and from the middle.
+      const long double t = (side - ray.origin[axis]) / ray.direction[axis];
+      LongVec3 flat = Plus(ray.origin, Times(t, ray.direction));
+      for (long double& one : flat)
+      {
+        one = std::clamp(one, -1.0L, 1.0L);
+      }
+      for (const LongVec3& start : { flat, LongVec3{ 0, 0, 0 } })
+      {
+        const auto point = MeetFace(ray, axis, side, start);
+        if (point && point->t > 0 && (!nearest || point->t < nearest->t))
+        {
+          nearest = point;
+        }
+      }
+    }
+  }
+  return nearest;
 }
 
 /// The bent cube in 2 x 2 x 2 blocks of these shapes, with a field.
@@ -55,19 +128,27 @@ public:
     : Cube(Blocks(2, shapes))
     , TheLocator(Cube.View())
   {
-    const Mesh mesh = Cube.View();
-    LongMap map(mesh);
-    for (int e = 0; e < mesh.Elements(); ++e)
-    {
-      Values.Add(UniformSpace(mesh.ShapeOf(e), 6),
-        [&](const LongVec3& xi, long double* u) { u[0] = value(map(e, xi), e); });
-    }
+    Values = FieldOf(value);
     TheField = { "u", Values.View() };
   }
 
   [[nodiscard]] Scene With(std::shared_ptr<const Surface> surface) const
   {
     return { &TheLocator, { { std::move(surface), &TheField } }, {} };
+  }
+
+  /// Another field on the cube.
+  [[nodiscard]] ExpansionBuilder FieldOf(const Value& value) const
+  {
+    ExpansionBuilder values(1);
+    const Mesh mesh = Cube.View();
+    LongMap map(mesh);
+    for (int e = 0; e < mesh.Elements(); ++e)
+    {
+      values.Add(UniformSpace(mesh.ShapeOf(e), 6),
+        [&](const LongVec3& xi, long double* u) { u[0] = value(map(e, xi), e); });
+    }
+    return values;
   }
 
   CurvedMesh Cube;

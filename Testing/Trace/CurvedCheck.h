@@ -6,6 +6,7 @@
 #include "Core/MeshBuilder.h"
 #include "Core/QuadReference.h"
 
+#include "Core/Faces/FaceTable.h"
 #include "Core/Index/ElementIndex.h"
 #include "Core/Questions/Questions.h"
 #include "Trace/Scene.h"
@@ -77,5 +78,24 @@ inline double ResidualQuad(const Mesh& mesh, const Ray& ray, double t, int eleme
     largest = std::max(largest, std::fabs(static_cast<double>(off)));
   }
   return largest;
+}
+
+/// All faces with nothing behind them.
+inline std::vector<ElementFace> BoundaryOf(const ElementIndex& index)
+{
+  const Mesh& mesh = index.GetMesh();
+  const FaceTable table(index);
+  std::vector<ElementFace> faces;
+  for (int e = 0; e < mesh.Elements(); ++e)
+  {
+    for (int f = 0; f < static_cast<int>(FacesOf(mesh.ShapeOf(e)).size()); ++f)
+    {
+      if (table.KindOf(e, f) == FaceKind::Boundary)
+      {
+        faces.push_back({ e, f });
+      }
+    }
+  }
+  return faces;
 }
 } // namespace pixelexact::testing

@@ -5,7 +5,6 @@
 #include "FacePatch.h"
 
 #include "Core/CurvedMeshes.h"
-#include "Core/Faces/FaceTable.h"
 
 #include <sstream>
 
@@ -193,25 +192,6 @@ TEST(FacesOracle, AgainstSubdivision)
 
 namespace
 {
-/// All faces with nothing behind them.
-std::vector<ElementFace> BoundaryOf(const ElementIndex& index)
-{
-  const Mesh& mesh = index.GetMesh();
-  const FaceTable table(index);
-  std::vector<ElementFace> faces;
-  for (int e = 0; e < mesh.Elements(); ++e)
-  {
-    for (int f = 0; f < static_cast<int>(FacesOf(mesh.ShapeOf(e)).size()); ++f)
-    {
-      if (table.KindOf(e, f) == FaceKind::Boundary)
-      {
-        faces.push_back({ e, f });
-      }
-    }
-  }
-  return faces;
-}
-
 /// Rays from outside meet a closed body an even number of times, through its middle at least twice.
 void ExpectClosed(const std::string& name, const Mesh& mesh, Random& random, int count)
 {

@@ -4,6 +4,7 @@
 #include "Core/Faces/FaceNumbers.h"
 #include "Core/Index/ElementIndex.h"
 #include "Trace/Surfaces/Curved/CurvedSurface.h"
+#include "Trace/Surfaces/Curved/PartSagitta.h"
 
 #include <span>
 
@@ -19,9 +20,18 @@ public:
   ElementFaces(const ElementIndex& index, std::span<const ElementFace> faces);
 
   [[nodiscard]] bool IsOfMesh() const override { return true; }
+  [[nodiscard]] double Sagitta(
+    const Ray& a, const SurfacePoint& atA, const Ray& b, const SurfacePoint& atB) const override
+  {
+    return Chords.Of(a, atA, b, atB);
+  }
+  [[nodiscard]] bool HasSagitta() const override { return true; }
 
 protected:
   void NormalsOf(
     const CurvedPart& part, std::span<const Vec3> xi, std::span<Vec3> normals) const override;
+
+private:
+  PartSagitta Chords;
 };
 } // namespace pixelexact

@@ -86,9 +86,10 @@ IsoSurface::IsoSurface(const ElementIndex& index, const Field& field, int compon
 }
 
 IsoSurface::IsoSurface(
-  const ElementIndex& /*index*/, const CurvedEquation& equation, const Elements& elements)
+  const ElementIndex& index, const CurvedEquation& equation, const Elements& elements)
   : CurvedSurface(equation, elements.parts, elements.boxes)
   , TheField(*equation.field)
+  , Chords(index, equation, elements.parts)
 {
 }
 

@@ -3,6 +3,7 @@
 
 #include "Core/Index/ElementIndex.h"
 #include "Trace/Surfaces/Curved/CurvedSurface.h"
+#include "Trace/Surfaces/Curved/PartSagitta.h"
 
 namespace pixelexact
 {
@@ -21,6 +22,12 @@ public:
   IsoSurface(const ElementIndex& index, const Field& field, int component, double value);
 
   [[nodiscard]] bool IsOfMesh() const override { return true; }
+  [[nodiscard]] double Sagitta(
+    const Ray& a, const SurfacePoint& atA, const Ray& b, const SurfacePoint& atB) const override
+  {
+    return Chords.Of(a, atA, b, atB);
+  }
+  [[nodiscard]] bool HasSagitta() const override { return true; }
 
 protected:
   void NormalsOf(
@@ -31,5 +38,6 @@ private:
   IsoSurface(const ElementIndex& index, const CurvedEquation& equation, const Elements& elements);
 
   const Field& TheField;
+  PartSagitta Chords;
 };
 } // namespace pixelexact

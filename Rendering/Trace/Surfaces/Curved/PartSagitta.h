@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Base/MadeOnDemand.h"
+#include "Core/Index/ElementIndex.h"
+#include "Core/Questions/EdgeBounds.h"
+#include "Trace/Camera.h"
+#include "Trace/Surfaces/Curved/CurvedPiece.h"
+#include "Trace/Surfaces/HitSlots.h"
+
+#include <span>
+#include <vector>
+
+namespace pixelexact
+{
+/// How far a surface made of faces, or an iso-surface, is off chords: Surface::Sagitta. What is
+/// known of an element is made when somebody first asks, and kept. Safe to use from several
+/// threads.
+class PartSagitta
+{
+public:
+  /// Index and field must outlive the object.
+  PartSagitta(
+    const ElementIndex& index, const CurvedEquation& equation, std::span<const CurvedPart> parts);
+
+  [[nodiscard]] double Of(
+    const Ray& a, const SurfacePoint& atA, const Ray& b, const SurfacePoint& atB) const;
+
+private:
+  /// A hit, and the sheets of its element that it is on.
+  struct End
+  {
+    SheetPoint point;
+    const EdgeBounds* bounds = nullptr;
+    std::vector<Sheet> sheets;
+  };
+  [[nodiscard]] End EndOf(const Ray& ray, const SurfacePoint& at) const;
+  [[nodiscard]] const EdgeBounds& BoundsOf(int element) const;
+
+  const ElementIndex& Index;
+  CurvedEquation Equation;
+  std::vector<CurvedPart> Faces; ///< in order; of an iso-surface none
+  MadeOnDemand<EdgeBounds> Bounds;
+};
+} // namespace pixelexact

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How far faces and iso-surfaces are off chords, against closed forms in long double.
+#include "BentCube.h"
+#include "ChordCheck.h"
+#include "CurvedCheck.h"
+
+#include <cmath>
+#include <iostream>
+
+namespace pixelexact::testing
+{
+namespace
+{
+/// How far the surface is at least off a segment, along a ray, if the ray meets it there.
+using Truth = std::function<double(
+  const LongRay& ray, const Vec3& from, const Vec3& to, const SurfacePoint& at)>;
+
+struct Seen
+{
+  int known = 0;
+  int close = 0;
+  int closeKnown = 0;
+  int crossing = 0; ///< from one element to another
+  int crossingKnown = 0;
+  int tight = 0; ///< of close ones in an element
+  int closeInside = 0;
+};
+
+/// A point of the surface near where elements meet: at a plane u_axis = 0, as far as that.
+using Meeting = std::function<Vec3(int axis, double off, Random& random)>;
+
+/// Pairs from a millionth to a tenth apart, from near and far, some of them across elements.
+Seen CheckPairs(const Surface& surface, const Truth& truth, const Meeting& meeting, int count)
+{
+  Random random(83);
+  Seen seen;
+  for (int k = 0; k < count; ++k)
+  {
+    const double apart = std::pow(10.0, random(-6.0, -1.0));
+    const double away = std::pow(10.0, random(0.6, k % 4 == 0 ? 3.0 : 1.5));
+    const bool isAcross = k % 3 == 0;
+    const auto across = [&](Random& of) { return meeting(k / 3 % 3, apart * of(), of); };
+    const RayPair pair = isAcross ? RayPair(random, across, away, apart, k % 2 == 0)
+                                  : RayPair(random, away, apart, k % 2 == 0);
+    const std::vector<Ray> rays{ pair.At(0.0), pair.At(1.0) };
+    const auto hits = MeetPoints(surface, rays);
+    if (hits[0].empty() || hits[1].empty() ||
+      glm::distance(hits[0][0].position, hits[1][0].position) > 16.0 * apart)
+    {
+      continue;
+    }
+    const SurfacePoint& from = hits[0][0].point;
+    const SurfacePoint& to = hits[1][0].point;
+    const double sagitta = surface.Sagitta(rays[0], from, rays[1], to);
+    const bool isClose = apart < 1e-3;
+    const bool isInside = from.element == to.element;
+    const bool isKnown = std::isfinite(sagitta);
+    seen.close += isClose ? 1 : 0;
+    seen.closeKnown += isClose && isKnown ? 1 : 0;
+    seen.crossing += isClose && !isInside ? 1 : 0;
+    seen.crossingKnown += isClose && !isInside && isKnown ? 1 : 0;
+    if (!isKnown)
+    {
+      continue;
+    }
+    ++seen.known;
+    double farthest = 0.0;
+    for (int i = 1; i < 16; ++i)
+    {
+      const Ray ray = pair.At(i / 16.0);
+      farthest = std::max(farthest,
+        truth(
+          { ToLong(ray.origin), Unit(ToLong(ray.direction)) }, from.position, to.position, from));
+    }
+    EXPECT_LE(farthest, sagitta + 1e-14 * away) << "apart " << apart << ", away " << away;
+    if (isClose && isInside)
+    {
+      ++seen.closeInside;
+      seen.tight += sagitta <= 4.0 * farthest + 1e-12 * away ? 1 : 0;
+    }
+  }
+  return seen;
+}
+
+std::string Report(const std::vector<Shape>& shapes, const Seen& seen)
+{
+  const std::string name =
+    Name(shapes.front()) + std::string(shapes.size() > 1 ? " and others" : "");
+  std::cout << name << ": " << seen.known << " known, of close ones " << seen.closeKnown << " of "
+            << seen.close << ", tight " << seen.tight << " of " << seen.closeInside
+            << ", of crossing ones " << seen.crossingKnown << " of " << seen.crossing << '\n';
+  return name;
+}
+
+const std::vector<std::vector<Shape>> kMeshes{ { Shape::Hexahedron }, { Shape::Tetrahedron },
+  { std::begin(kShapes), std::end(kShapes) } };
+} // namespace
+
+TEST(CurvedSagitta, OfFacesHoldsClosedForm)
+{
+  for (const auto& shapes : kMeshes)
+  {
+    const BentCube cube(shapes);
+    const ElementIndex& index = cube.TheLocator.Index();
+    const ElementFaces surface(index, BoundaryOf(index));
+    const Seen seen = CheckPairs(
+      surface,
+      [](const LongRay& ray, const Vec3& from, const Vec3& to, const SurfacePoint& at)
+      {
+        const auto start = Unbent(ToLong(at.position));
+        double nearest = kNoHit;
+        for (int axis = 0; start && axis < 3; ++axis)
+        {
+          for (const int side : { -1, 1 })
+          {
+            const auto point = MeetFace(ray, axis, side, *start);
+            nearest = point
+              ? std::min(nearest,
+                  DistanceAlong(from, to, ToDouble(ray.direction), ToDouble(Bend(point->u))))
+              : nearest;
+          }
+        }
+        return nearest;
+      },
+      [](int axis, double off, Random& of)
+      {
+        LongVec3 u{ of(), of(), of() };
+        u[(axis + 1) % 3] = of() < 0.0 ? -1 : 1;
+        u[axis] = off;
+        return ToDouble(Bend(u));
+      },
+      2000);
+    SCOPED_TRACE(Report(shapes, seen));
+    EXPECT_GT(seen.known, 700);
+    EXPECT_GT(seen.closeKnown, 0.95 * seen.close);
+    EXPECT_GT(seen.tight, 0.6 * seen.closeInside);
+    EXPECT_GT(seen.crossingKnown, 0.9 * seen.crossing);
+  }
+}
+
+TEST(CurvedSagitta, OfIsoSurfacesHoldsClosedForm)
+{
+  for (const auto& shapes : kMeshes)
+  {
+    const BentCube cube(shapes);
+    const ExpansionBuilder values =
+      cube.FieldOf([](const LongVec3& x, int /*element*/) { return Dot(x, x); });
+    const Field field{ "square", values.View() };
+    constexpr double kRadius = 0.75;
+    const IsoSurface surface(cube.TheLocator.Index(), field, 0, kRadius * kRadius);
+    const LongHits sphere = RoundHits(Vec3(0.0), Vec3(0.0), kRadius);
+    const Seen seen = CheckPairs(
+      surface,
+      [&](const LongRay& ray, const Vec3& from, const Vec3& to, const SurfacePoint& /*at*/)
+      {
+        double nearest = kNoHit;
+        for (const long double t : sphere(ray))
+        {
+          const Vec3 x = ToDouble(Plus(ray.origin, Times(t, ray.direction)));
+          nearest = std::min(nearest, DistanceAlong(from, to, ToDouble(ray.direction), x));
+        }
+        return nearest;
+      },
+      [](int axis, double off, Random& of)
+      {
+        LongVec3 u{ of(), of(), of() };
+        for (int step = 0; step < 40; ++step)
+        {
+          u[axis] = off;
+          const LongVec3 x = Bend(u);
+          u = Times(kRadius / std::sqrt(Dot(x, x)), u);
+        }
+        return ToDouble(Bend(u));
+      },
+      2000);
+    SCOPED_TRACE(Report(shapes, seen));
+    EXPECT_GT(seen.known, 400);
+    EXPECT_GT(seen.closeKnown, 0.95 * seen.close);
+    EXPECT_GT(seen.tight, 0.6 * seen.closeInside);
+    EXPECT_GT(seen.crossingKnown, 0.9 * seen.crossing);
+  }
+}
+} // namespace pixelexact::testing
