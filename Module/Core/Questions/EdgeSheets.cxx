@@ -47,6 +47,8 @@ constexpr double kGrazing = 1e-6;
 constexpr double kSteep = 1e-8;
 /// In xi, after a step: far less than what exits are beside the element.
 constexpr double kArrived = 1e-12;
+/// In xi: more than rays and hits are off by rounding, in thin elements seen from afar.
+constexpr double kMostRounding = 1e-7;
 /// In xi: what no bound has to be below.
 constexpr double kTiny = 1e-15;
 
@@ -371,10 +373,15 @@ std::optional<EdgeBounds::OnSheet::Tube> EdgeBounds::OnSheet::Contain(const Edge
   return std::nullopt;
 }
 
-/// As far as a path that lies in the element may be beside it.
+/// As far as a path that lies in the element may be beside it, and up to rounding, which is the
+/// tube's ends.
 bool EdgeBounds::OnSheet::IsInside(
   const EdgeNode& node, const Vec3& a, const Vec3& b, const Tube& tube) const
 {
+  if (tube.end.Largest() > kMostRounding)
+  {
+    return false;
+  }
   constexpr double kBesides[3] = { kBeside, kBeside, kBeside };
   for (std::size_t k = 0; k < 6; ++k)
   {
@@ -388,12 +395,12 @@ bool EdgeBounds::OnSheet::IsInside(
       }
       continue;
     }
-    const double beside = end.ofElement ? end.Across(kBesides) : 0.0;
+    // So far beside a box its bounds hold, too, up to kSteep. On a collapsed edge all boxes meet.
+    const double beside = end.Across(kBesides);
     const double depths[2] = { end.DepthOf(a) + beside, end.DepthOf(b) + beside };
-    const double least = end.Across(tube.end.at) * kUp;
     // 4 u (1 - u) is at most 4 times the distance from the end that is deeper. A NaN is outside.
-    if (!(std::min(depths[0], depths[1]) >= least &&
-          std::max(depths[0], depths[1]) >= (4.0 * end.Across(tube.middle.at) + least) * kUp))
+    if (!(std::min(depths[0], depths[1]) >= 0.0 &&
+          std::max(depths[0], depths[1]) >= 4.0 * end.Across(tube.middle.at) * kUp))
     {
       return false;
     }
@@ -404,28 +411,36 @@ bool EdgeBounds::OnSheet::IsInside(
 double EdgeBounds::OnSheet::BendAlong(
   const EdgeNode& node, const Pencil& pencil, const Values& at, const Vec3& d, const Bent& f) const
 {
-  // By the world: n = g W.
-  std::array<Interval, 3> n;
-  for (int c = 0; c < 3; ++c)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      n[static_cast<std::size_t>(c)] += Interval(at.gradient[k]) * Interval(pencil.inverse[c][k]);
-    }
-  }
-  Interval bend(0.0);
+  // By the world: n = g W. Middles of ranges and how far what they stand for is off.
+  double middle = 0.0;
+  double off = 0.0;
+  const Vec3 n = at.gradient * pencil.inverse;
+  const Vec3 sizes = glm::abs(at.gradient) *
+    Mat3(glm::abs(pencil.inverse[0]), glm::abs(pencil.inverse[1]), glm::abs(pencil.inverse[2]));
   for (std::size_t p = 0; p < 6; ++p)
   {
-    Interval entry = IsNorm() ? Interval(0.0) : -node.second[3][p];
-    for (std::size_t c = 0; c < 3; ++c)
+    double entry = 0.0;
+    double radius = 0.0;
+    const auto add = [&](double factor, double size, const Interval& range)
     {
-      entry += n[c] * node.second[c][p];
+      const double centre = 0.5 * (range.lower + range.upper);
+      entry += factor * centre;
+      radius += size * (0.5 * (range.upper - range.lower) + kRoundoffs * std::fabs(centre));
+    };
+    for (int c = 0; c < 3; ++c)
+    {
+      add(n[c], sizes[c], node.second[static_cast<std::size_t>(c)][p]);
+    }
+    if (!IsNorm())
+    {
+      add(-1.0, 1.0, node.second[3][p]);
     }
     const double twice = kRows[p] == kColumns[p] ? 1.0 : 2.0;
-    bend += entry * Interval(twice * d[static_cast<int>(kRows[p])]) *
-      Interval(d[static_cast<int>(kColumns[p])]);
+    const double product = twice * d[static_cast<int>(kRows[p])] * d[static_cast<int>(kColumns[p])];
+    middle += entry * product;
+    off += radius * std::fabs(product);
   }
-  return bend.Magnitude() + (IsNorm() ? Quadratic(f.at, Magnitudes(d).at) : 0.0);
+  return (std::fabs(middle) + off + (IsNorm() ? Quadratic(f.at, Magnitudes(d).at) : 0.0)) * kUp;
 }
 
 double EdgeBounds::OnSheet::Sagitta(const EdgeNode& node, const SheetPoint& a, const SheetPoint& b,

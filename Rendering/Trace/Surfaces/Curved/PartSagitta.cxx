@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace pixelexact
 {
@@ -38,7 +39,10 @@ PartSagitta::PartSagitta(
   if (equation.field == nullptr)
   {
     Faces.assign(parts.begin(), parts.end());
-    std::ranges::sort(Faces, {}, &CurvedPart::element);
+    const auto order = [](const CurvedPart& part) { return std::pair(part.element, part.face); };
+    std::ranges::sort(Faces, {}, order);
+    const auto repeated = std::ranges::unique(Faces, {}, order);
+    Faces.erase(repeated.begin(), repeated.end());
   }
 }
 
@@ -68,7 +72,7 @@ PartSagitta::End PartSagitta::EndOf(const Ray& ray, const SurfacePoint& at) cons
     32.0 * kUnitRoundoff * (glm::length(ray.origin) + glm::length(at.position));
   if (Equation.field != nullptr)
   {
-    end.sheets.push_back({ -1, Equation.value });
+    end.sheets[end.count++] = { -1, Equation.value };
     return end;
   }
   const auto planes = FacePlanesOf(Equation.mesh.ShapeOf(at.element));
@@ -77,7 +81,7 @@ PartSagitta::End PartSagitta::EndOf(const Ray& ray, const SurfacePoint& at) cons
   {
     if (std::fabs(planes[static_cast<std::size_t>(part.face)].Distance(at.xi)) <= kOnFace)
     {
-      end.sheets.push_back({ part.face });
+      end.sheets[end.count++] = { part.face };
     }
   }
   return end;
@@ -87,10 +91,10 @@ double PartSagitta::Of(
   const Ray& a, const SurfacePoint& atA, const Ray& b, const SurfacePoint& atB) const
 {
   End ends[2] = { EndOf(a, atA), EndOf(b, atB) };
-  for (const Sheet& sheet : ends[0].sheets)
+  for (const Sheet& sheet : ends[0].Sheets())
   {
     const bool isOnBoth = atA.element == atB.element &&
-      std::ranges::find(ends[1].sheets, sheet.face, &Sheet::face) != ends[1].sheets.end();
+      std::ranges::find(ends[1].Sheets(), sheet.face, &Sheet::face) != ends[1].Sheets().end();
     const double sagitta =
       isOnBoth ? ends[0].bounds->Sagitta(sheet, ends[0].point, ends[1].point) : kInfinity;
     if (std::isfinite(sagitta))
@@ -116,7 +120,7 @@ double PartSagitta::Of(
     const End& from = ends[k];
     double best = kInfinity;
     double reached = 0.0;
-    for (const Sheet& sheet : from.sheets)
+    for (const Sheet& sheet : from.Sheets())
     {
       const auto exit = from.bounds->ExitOf(sheet, from.point, ends[1 - k].point);
       const double off = exit && exit->part > 0.0

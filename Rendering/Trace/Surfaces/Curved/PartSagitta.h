@@ -8,6 +8,7 @@
 #include "Trace/Surfaces/Curved/CurvedPiece.h"
 #include "Trace/Surfaces/HitSlots.h"
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -32,7 +33,10 @@ private:
   {
     SheetPoint point;
     const EdgeBounds* bounds = nullptr;
-    std::vector<Sheet> sheets;
+    std::array<Sheet, 6> sheets; ///< where several faces meet: as many as an element has
+    std::size_t count = 0;
+
+    [[nodiscard]] std::span<const Sheet> Sheets() const { return { sheets.data(), count }; }
   };
   [[nodiscard]] End EndOf(const Ray& ray, const SurfacePoint& at) const;
   [[nodiscard]] const EdgeBounds& BoundsOf(int element) const;
