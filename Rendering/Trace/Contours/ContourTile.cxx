@@ -17,7 +17,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Distance of two hits over that of their rays, where the surface is taken to go on between them.
 constexpr double kSteepest = 64.0;
 /// Sagitta over chord of the edges on curved surfaces that are held against other elements.
-constexpr double kBulge = 0.25;
+constexpr double kBulge = 1.0;
 } // namespace
 
 ContourTile::ContourTile(TileVisit& tile, const ContourMethod& method)
