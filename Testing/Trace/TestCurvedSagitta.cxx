@@ -180,4 +180,58 @@ TEST(CurvedSagitta, OfIsoSurfacesHoldsClosedForm)
     EXPECT_GT(seen.crossingKnown, 0.9 * seen.crossing);
   }
 }
+
+namespace
+{
+/// A ball as an iso-surface.
+struct Ball
+{
+  static constexpr double kRadius = 0.75;
+
+  BentCube cube{ std::vector<Shape>{ Shape::Hexahedron } };
+  ExpansionBuilder values =
+    cube.FieldOf([](const LongVec3& x, int /*element*/) { return Dot(x, x); });
+  Field field{ "square", values.View() };
+  IsoSurface surface{ cube.TheLocator.Index(), field, 0, kRadius* kRadius };
+};
+} // namespace
+
+/// Nothing is known between the front and the back, however near to each other they are.
+TEST(CurvedSagitta, IsInfiniteAcrossSilhouettes)
+{
+  const Ball ball;
+  for (const double beside : { 1e-9, 1e-6, 1e-3, 0.1 })
+  {
+    const double rim = std::sqrt(Ball::kRadius * Ball::kRadius - 0.01);
+    const Ray ray{ Vec3(rim - beside, 0.1, 5.0), Vec3(0.0, 0.0, -1.0) };
+    const auto hits = MeetPoints(ball.surface, { ray })[0];
+    ASSERT_EQ(hits.size(), 2U);
+    EXPECT_FALSE(std::isfinite(ball.surface.Sagitta(ray, hits[0].point, ray, hits[1].point)));
+  }
+}
+
+/// What is wrong with a hit is measured: the bound holds it, or nothing is known.
+TEST(CurvedSagitta, HoldsWhatHitsAreOff)
+{
+  const Ball ball;
+  const Ray a{ Vec3(0.1, 0.12, 5.0), Vec3(0.0, 0.0, -1.0) };
+  const Ray b{ Vec3(0.101, 0.12, 5.0), Vec3(0.0, 0.0, -1.0) };
+  const auto hits = MeetPoints(ball.surface, { a, b });
+  const SurfacePoint right = hits[0].front().point;
+  const SurfacePoint to = hits[1].front().point;
+  ASSERT_LE(ball.surface.Sagitta(a, right, b, to), 1e-6);
+  for (const double off : { 1e-9, 1e-6, 1e-4, 1e-2 })
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      SurfacePoint wrong = right;
+      wrong.position[axis] += off;
+      EXPECT_GE(ball.surface.Sagitta(a, wrong, b, to), 0.9 * off);
+      wrong = right;
+      wrong.xi[axis] += off;
+      const double sagitta = ball.surface.Sagitta(a, wrong, b, to);
+      EXPECT_TRUE(sagitta >= 0.1 * off) << sagitta << " at " << off;
+    }
+  }
+}
 } // namespace pixelexact::testing

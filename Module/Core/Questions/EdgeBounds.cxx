@@ -47,11 +47,6 @@ Vec3 MovedInto(Shape shape, const EdgeNode& node, const Vec3& xi)
   return TensorToReference(
     shape, glm::clamp(ReferenceToTensor(shape, moved), box.lower, box.upper));
 }
-
-bool Holds(const EtaBox& box, const Vec3& eta)
-{
-  return Box3{ box.lower, box.upper }.Contains(eta);
-}
 } // namespace
 
 bool ValueSet::Meets(double from, double to) const
@@ -99,10 +94,10 @@ std::optional<EdgeRange> EdgeBounds::Along(
     return std::nullopt;
   }
   const EdgeNode* node = &LeafAt(a.eta);
-  if (!node->regular || !Holds(node->wide, b.eta))
+  if (!node->regular || !node->wide.Holds(b.eta))
   {
     node = &LeafAt(b.eta);
-    if (!node->regular || !Holds(node->wide, a.eta))
+    if (!node->regular || !node->wide.Holds(a.eta))
     {
       return std::nullopt;
     }

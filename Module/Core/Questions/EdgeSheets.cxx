@@ -37,6 +37,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kRounds = 6;
 /// Of Newton's iteration towards where a sheet leaves its element.
 constexpr int kSteps = 8;
+/// Halvings of a node for a chord.
+constexpr int kSmaller = 6;
 /// Covers the rounding of some dozen products and sums.
 constexpr double kRoundoffs = 32.0 * kUnitRoundoff;
 /// Row sums of |W J - I|, of rounding: beyond, the map is too nearly singular.
@@ -94,12 +96,6 @@ public:
   template <std::size_t N>
   [[nodiscard]] std::array<Values, N> At(const std::array<Vec3, N>& xi) const;
 
-  [[nodiscard]] double Sagitta(const EdgeNode& node, const SheetPoint& a, const SheetPoint& b,
-    const std::array<Values, 3>& at) const;
-  [[nodiscard]] std::optional<SheetExit> ExitOf(
-    const SheetPoint& from, const SheetPoint& towards) const;
-
-private:
   /// N's numbers at a point, for all rays between two.
   struct Pencil
   {
@@ -112,6 +108,12 @@ private:
   [[nodiscard]] std::optional<Pencil> PencilOf(
     const Values& at, const Vec3& first, const Vec3& last) const;
 
+  [[nodiscard]] double Sagitta(const EdgeNode& node, const Pencil& pencil, const SheetPoint& a,
+    const SheetPoint& b, const std::array<Values, 3>& at) const;
+  [[nodiscard]] std::optional<SheetExit> ExitOf(
+    const SheetPoint& from, const SheetPoint& towards) const;
+
+private:
   /// |f''| over a node, mixed ones twice: as far from the path's first point as that, if f is a
   /// norm.
   struct Bent
@@ -443,11 +445,10 @@ double EdgeBounds::OnSheet::BendAlong(
   return (std::fabs(middle) + off + (IsNorm() ? Quadratic(f.at, Magnitudes(d).at) : 0.0)) * kUp;
 }
 
-double EdgeBounds::OnSheet::Sagitta(const EdgeNode& node, const SheetPoint& a, const SheetPoint& b,
-  const std::array<Values, 3>& at) const
+double EdgeBounds::OnSheet::Sagitta(const EdgeNode& node, const Pencil& pencil, const SheetPoint& a,
+  const SheetPoint& b, const std::array<Values, 3>& at) const
 {
-  const auto pencil = PencilOf(at[0], a.direction, b.direction);
-  if (!node.regular || !pencil)
+  if (!node.regular)
   {
     return kInfinity;
   }
@@ -484,7 +485,7 @@ double EdgeBounds::OnSheet::Sagitta(const EdgeNode& node, const SheetPoint& a, c
     for (int c = 0; c < 3; ++c)
     {
       const auto axis = static_cast<std::size_t>(c);
-      const double size = std::fabs(pencil->inverse[c][static_cast<int>(k)]);
+      const double size = std::fabs(pencil.inverse[c][static_cast<int>(k)]);
       shift[k] += size * miss[axis];
       roundings += std::fabs(at[0].gradient[static_cast<int>(k)]) * size * Of.Uncertainty[axis];
     }
@@ -493,26 +494,26 @@ double EdgeBounds::OnSheet::Sagitta(const EdgeNode& node, const SheetPoint& a, c
   const double most = bend.Largest();
   for (std::size_t k = 0; k < 3; ++k)
   {
-    middle[k] = pencil->towards[k] * curve;
-    end[k] = pencil->towards[k] * f;
+    middle[k] = pencil.towards[k] * curve;
+    end[k] = pencil.towards[k] * f;
     for (std::size_t j = 0; j < 3; ++j)
     {
-      middle[k] += pencil->project[k][j] * (bend[j] + pencil->miss[j] * most);
-      end[k] += pencil->project[k][j] * shift[j];
+      middle[k] += pencil.project[k][j] * (bend[j] + pencil.miss[j] * most);
+      end[k] += pencil.project[k][j] * shift[j];
     }
     middle[k] *= kUp;
     end[k] *= kUp;
   }
-  const auto tube = Contain(node, *pencil, at[0], length, middle, end);
+  const auto tube = Contain(node, pencil, at[0], length, middle, end);
   if (!tube || !IsInside(node, a.xi, b.xi, *tube))
   {
     return kInfinity;
   }
   // Off the straight line at the middle, as evaluated, and off those to the middle.
-  const Vec3 sag = pencil->inverse * (at[2].y - 0.5 * (at[0].y + at[1].y));
+  const Vec3 sag = pencil.inverse * (at[2].y - 0.5 * (at[0].y + at[1].y));
   rise += std::fabs(glm::dot(at[0].gradient, sag) - at[2].f + 0.5 * (at[0].f + at[1].f)) +
-    2.0 * roundings + BendAlong(node, *pencil, at[0], d, bent) / 32.0 + tube->rise;
-  return (rise / pencil->across * Of.Size + off) * (1.0 + kSteep);
+    2.0 * roundings + BendAlong(node, pencil, at[0], d, bent) / 32.0 + tube->rise;
+  return (rise / pencil.across * Of.Size + off) * (1.0 + kSteep);
 }
 
 std::optional<SheetExit> EdgeBounds::OnSheet::ExitOf(
@@ -583,16 +584,29 @@ double EdgeBounds::Sagitta(const Sheet& sheet, const SheetPoint& a, const SheetP
   }
   const OnSheet on(*this, sheet);
   const auto at = on.At(std::array{ a.xi, b.xi, 0.5 * (a.xi + b.xi) });
-  const auto etaOf = [this](const SheetPoint& point)
-  { return glm::clamp(ReferenceToTensor(Map.space.shape, point.xi), Vec3(-1.0), Vec3(1.0)); };
-  const EdgeNode* first = &LeafAt(etaOf(a));
-  const double sagitta = on.Sagitta(*first, a, b, at);
-  if (std::isfinite(sagitta))
+  const auto pencil = on.PencilOf(at[0], a.direction, b.direction);
+  if (!pencil)
   {
-    return sagitta;
+    return kInfinity;
   }
-  const EdgeNode* second = &LeafAt(etaOf(b));
-  return second == first ? kInfinity : on.Sagitta(*second, a, b, at);
+  const auto etaOf = [this](const Vec3& xi)
+  { return glm::clamp(ReferenceToTensor(Map.space.shape, xi), Vec3(-1.0), Vec3(1.0)); };
+  const Vec3 etas[3] = { etaOf(a.xi), etaOf(b.xi), etaOf(0.5 * (a.xi + b.xi)) };
+  // Where rays nearly touch the sheet, smaller nodes tell more.
+  const EdgeNode* node = &LeafAt(etas[2]);
+  double sagitta = on.Sagitta(*node, *pencil, a, b, at);
+  for (int k = 0; k < kSmaller && !std::isfinite(sagitta) && node->regular; ++k)
+  {
+    const auto& halves = Split(*node);
+    const int d = node->direction;
+    node = &halves[etas[2][d] <= halves[0].box.upper[d] ? 0 : 1];
+    if (!node->wide.Holds(etas[0]) || !node->wide.Holds(etas[1]))
+    {
+      break;
+    }
+    sagitta = on.Sagitta(*node, *pencil, a, b, at);
+  }
+  return sagitta;
 }
 
 std::optional<SheetExit> EdgeBounds::ExitOf(

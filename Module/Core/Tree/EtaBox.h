@@ -15,6 +15,8 @@ struct EtaBox
 {
   Vec3 lower{ -1.0 };
   Vec3 upper{ 1.0 };
+
+  [[nodiscard]] bool Holds(const Vec3& eta) const { return Box3{ lower, upper }.Contains(eta); }
 };
 
 /// The box of the corners in xi; the polytope lies in it, up to rounding.

@@ -20,6 +20,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// In xi: how far from a face's plane a hit of it may be.
 constexpr double kOnFace = 1e-9;
 
+/// Of a chord: how far apart two sheets may leave their elements that are one surface.
+constexpr double kApart = 1e-3;
+
 /// How far a sheet that leaves its element, or a chord on it, is off the straight line between two
 /// points that is `beside` off at its end: the rays are nearly parallel.
 double Off(const SheetExit& exit, double sagitta, const Vec3& chord, const Vec3& turn)
@@ -112,31 +115,35 @@ double PartSagitta::Of(
     }
     ends[0].point.distance = ends[1].point.distance = 1.0;
   }
-  const Vec3 chord = atB.position - atA.position;
-  double part = 0.0;
-  double most = 0.0;
-  for (std::size_t k = 0; k < 2; ++k)
+  double least = kInfinity;
+  for (const Sheet& first : ends[0].Sheets())
   {
-    const End& from = ends[k];
-    double best = kInfinity;
-    double reached = 0.0;
-    for (const Sheet& sheet : from.Sheets())
+    const Reach there = ReachOf(ends[0], first, ends[1].point);
+    for (const Sheet& second : ends[1].Sheets())
     {
-      const auto exit = from.bounds->ExitOf(sheet, from.point, ends[1 - k].point);
-      const double off = exit && exit->part > 0.0
-        ? Off(*exit, from.bounds->Sagitta(sheet, from.point, exit->point), chord,
-            b.direction - a.direction)
-        : kInfinity;
-      if (off < best)
+      const Reach back =
+        std::isfinite(there.off) ? ReachOf(ends[1], second, ends[0].point) : Reach{};
+      // Together they reach all rays, and they are one surface: else one of them hides the other.
+      const double apart = kApart * glm::distance(atA.position, atB.position) +
+        kOnFace *
+          (Equation.mesh.size[static_cast<std::size_t>(atA.element)] +
+            Equation.mesh.size[static_cast<std::size_t>(atB.element)]);
+      if (there.part + back.part >= 1.0 && glm::distance(there.end, back.end) <= apart)
       {
-        best = off;
-        reached = exit->part;
+        least = std::min(least, std::max(there.off, back.off));
       }
     }
-    most = std::max(most, best);
-    part += reached;
   }
-  // Together they reach all rays.
-  return part >= 1.0 ? most : kInfinity;
+  return least;
+}
+
+PartSagitta::Reach PartSagitta::ReachOf(
+  const End& from, const Sheet& sheet, const SheetPoint& towards)
+{
+  const auto exit = from.bounds->ExitOf(sheet, from.point, towards);
+  return exit && exit->part > 0.0 ? Reach{ exit->part, exit->point.x,
+    Off(*exit, from.bounds->Sagitta(sheet, from.point, exit->point), towards.x - from.point.x,
+      towards.direction - from.point.direction) }
+                                  : Reach{};
 }
 } // namespace pixelexact

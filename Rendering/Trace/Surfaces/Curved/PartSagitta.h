@@ -9,6 +9,7 @@
 #include "Trace/Surfaces/HitSlots.h"
 
 #include <array>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -38,6 +39,15 @@ private:
 
     [[nodiscard]] std::span<const Sheet> Sheets() const { return { sheets.data(), count }; }
   };
+  /// How far towards another ray a sheet is proven.
+  struct Reach
+  {
+    double part = 0.0; ///< of the chord to there
+    Vec3 end{ 0.0 };
+    double off = std::numeric_limits<double>::infinity(); ///< from that chord
+  };
+  [[nodiscard]] static Reach ReachOf(
+    const End& from, const Sheet& sheet, const SheetPoint& towards);
   [[nodiscard]] End EndOf(const Ray& ray, const SurfacePoint& at) const;
   [[nodiscard]] const EdgeBounds& BoundsOf(int element) const;
 
