@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Questions/OnSheet.h"
+#include "Core/Questions/PointValues.h"
+#include "Core/Questions/Questions.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+namespace pixelexact
+{
+using namespace edges;
+
+namespace
+{
+/// Row sums of |W J - I|, of rounding: beyond, the map is too nearly singular.
+constexpr double kSingular = 1e-3;
+} // namespace
+
+EdgeBounds::OnSheet::OnSheet(const EdgeBounds& bounds, const Sheet& sheet)
+  : Of(bounds)
+  , TheSheet(sheet)
+{
+  if (sheet.face >= 0)
+  {
+    const ShapeFace& face = FacesOf(bounds.Map.space.shape)[static_cast<std::size_t>(sheet.face)];
+    Own = 2 * static_cast<std::size_t>(face.direction) + (face.upper ? 1U : 0U);
+  }
+}
+
+void EdgeBounds::OnSheet::Evaluate(std::span<const Vec3> xi, std::span<Values> all) const
+{
+  const PointValues map(Of.Map.space, Of.Map.values.data(), 3, xi);
+  const double scale = std::ldexp(1.0, Of.Map.exponent);
+  for (std::size_t i = 0; i < xi.size(); ++i)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      all[i].y[c] = scale * map.values[c][i];
+      for (int j = 0; j < 3; ++j)
+      {
+        all[i].jacobian[j][c] = scale * map.slopes[3 * c + j][i];
+      }
+    }
+    if (Own < 6)
+    {
+      const EdgeNodeEnd& end = Of.Ends[Own];
+      all[i].f = end.DepthOf(xi[i]);
+      all[i].gradient = -Vec3(end.normal[0], end.normal[1], end.normal[2]);
+    }
+  }
+  if (Own < 6)
+  {
+    return;
+  }
+  const double unit = std::ldexp(1.0, Of.Component.exponent);
+  for (int c = 0; c < Of.Components; ++c)
+  {
+    const PointValues component(Of.Component.space,
+      Of.Component.values.data() +
+        static_cast<std::ptrdiff_t>(c) * static_cast<std::ptrdiff_t>(Of.Component.width),
+      1, xi);
+    for (std::size_t i = 0; i < xi.size(); ++i)
+    {
+      const double value = unit * component.values[0][i];
+      const Vec3 slope =
+        unit * Vec3(component.slopes[0][i], component.slopes[1][i], component.slopes[2][i]);
+      all[i].size = IsNorm() ? std::hypot(all[i].size, value) : value;
+      all[i].gradient += (IsNorm() ? value : 1.0) * slope;
+    }
+  }
+  for (Values& at : all)
+  {
+    at.gradient /= IsNorm() ? at.size : 1.0;
+    at.f = at.size - TheSheet.value;
+    at.size = std::fabs(at.size);
+  }
+}
+
+std::optional<EdgeBounds::OnSheet::Pencil> EdgeBounds::OnSheet::PencilOf(
+  const Values& at, const Vec3& first, const Vec3& last) const
+{
+  Pencil pencil;
+  pencil.inverse = glm::inverse(at.jacobian);
+  const Mat3& W = pencil.inverse;
+  const Mat3 product = W * at.jacobian;
+  for (int k = 0; k < 3; ++k)
+  {
+    double sum = 0.0;
+    for (int j = 0; j < 3; ++j)
+    {
+      double size = 0.0;
+      for (int c = 0; c < 3; ++c)
+      {
+        size +=
+          std::fabs(W[c][k]) * (kRoundoffs * std::fabs(at.jacobian[j][c]) + Of.SlopeErrors[0]);
+      }
+      sum += std::fabs(product[j][k] - (j == k ? 1.0 : 0.0)) + size;
+    }
+    pencil.miss[static_cast<std::size_t>(k)] = sum * kUp;
+  }
+  // Written so that a NaN is not known.
+  if (!(pencil.miss[0] <= kSingular && pencil.miss[1] <= kSingular && pencil.miss[2] <= kSingular))
+  {
+    return std::nullopt;
+  }
+  const bool rises = glm::dot(at.gradient, W * first) > 0.0;
+  for (const Vec3& direction : { first, last })
+  {
+    const Vec3 w = W * direction;
+    const double across = glm::dot(at.gradient, w);
+    double size = 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        size += std::fabs(at.gradient[k] * W[c][k] * direction[c]);
+      }
+    }
+    if (!(std::fabs(across) > kGrazing * size && (across > 0.0) == rises))
+    {
+      return std::nullopt;
+    }
+    pencil.across = std::min(pencil.across, std::fabs(across) - kRoundoffs * size);
+    for (int k = 0; k < 3; ++k)
+    {
+      const auto row = static_cast<std::size_t>(k);
+      const double q = w[k] / across;
+      pencil.towards[row] =
+        std::max(pencil.towards[row], std::fabs(q) + kSteep * glm::length(w) / std::fabs(across));
+      for (int j = 0; j < 3; ++j)
+      {
+        const double back = q * at.gradient[j];
+        double& entry = pencil.project[row][static_cast<std::size_t>(j)];
+        entry = std::max(
+          entry, std::fabs((j == k ? 1.0 : 0.0) - back) + kSteep * (1.0 + std::fabs(back)));
+      }
+    }
+  }
+  return pencil;
+}
+
+double EdgeBounds::OnSheet::ErrorOf(const Values& at) const
+{
+  return Own < 6 ? kRoundoffs : Of.ValueError + kRoundoffs * (at.size + std::fabs(TheSheet.value));
+}
+
+double EdgeBounds::OnSheet::SlopeErrorOf(const EdgeNode& node, const Values& at) const
+{
+  if (Own < 6)
+  {
+    return 0.0;
+  }
+  const double most = std::max({ node.slope[0], node.slope[1], node.slope[2] });
+  return Of.SlopeErrors[1] + kRoundoffs * most +
+    (IsNorm() ? 2.0 * most * Of.ValueError / at.size : 0.0);
+}
+} // namespace pixelexact
