@@ -82,6 +82,36 @@ Seen CheckPairs(const Surface& surface, const Truth& truth, const Meeting& meeti
   return seen;
 }
 
+/// Of a sphere about the origin.
+Seen CheckSphere(const Surface& surface, double radius, int count)
+{
+  const LongHits sphere = RoundHits(Vec3(0.0), Vec3(0.0), radius);
+  return CheckPairs(
+    surface,
+    [&](const LongRay& ray, const Vec3& from, const Vec3& to, const SurfacePoint& /*at*/)
+    {
+      double nearest = kNoHit;
+      for (const long double t : sphere(ray))
+      {
+        const Vec3 x = ToDouble(Plus(ray.origin, Times(t, ray.direction)));
+        nearest = std::min(nearest, DistanceAlong(from, to, ToDouble(ray.direction), x));
+      }
+      return nearest;
+    },
+    [&](int axis, double off, Random& of)
+    {
+      LongVec3 u{ of(), of(), of() };
+      for (int step = 0; step < 40; ++step)
+      {
+        u[axis] = off;
+        const LongVec3 x = Bend(u);
+        u = Times(radius / std::sqrt(Dot(x, x)), u);
+      }
+      return ToDouble(Bend(u));
+    },
+    count);
+}
+
 std::string Report(const std::vector<Shape>& shapes, const Seen& seen)
 {
   const std::string name =
@@ -148,37 +178,37 @@ TEST(CurvedSagitta, OfIsoSurfacesHoldsClosedForm)
     const Field field{ "square", values.View() };
     constexpr double kRadius = 0.75;
     const IsoSurface surface(cube.TheLocator.Index(), field, 0, kRadius * kRadius);
-    const LongHits sphere = RoundHits(Vec3(0.0), Vec3(0.0), kRadius);
-    const Seen seen = CheckPairs(
-      surface,
-      [&](const LongRay& ray, const Vec3& from, const Vec3& to, const SurfacePoint& /*at*/)
-      {
-        double nearest = kNoHit;
-        for (const long double t : sphere(ray))
-        {
-          const Vec3 x = ToDouble(Plus(ray.origin, Times(t, ray.direction)));
-          nearest = std::min(nearest, DistanceAlong(from, to, ToDouble(ray.direction), x));
-        }
-        return nearest;
-      },
-      [](int axis, double off, Random& of)
-      {
-        LongVec3 u{ of(), of(), of() };
-        for (int step = 0; step < 40; ++step)
-        {
-          u[axis] = off;
-          const LongVec3 x = Bend(u);
-          u = Times(kRadius / std::sqrt(Dot(x, x)), u);
-        }
-        return ToDouble(Bend(u));
-      },
-      2000);
+    const Seen seen = CheckSphere(surface, kRadius, 2000);
     SCOPED_TRACE(Report(shapes, seen));
     EXPECT_GT(seen.known, 400);
     EXPECT_GT(seen.closeKnown, 0.95 * seen.close);
     EXPECT_GT(seen.tight, 0.6 * seen.closeInside);
     EXPECT_GT(seen.crossingKnown, 0.9 * seen.crossing);
   }
+}
+
+/// |x|, which is no polynomial.
+TEST(CurvedSagitta, OfMagnitudesHoldsClosedForm)
+{
+  const BentCube cube(kMeshes.front());
+  const Mesh mesh = cube.Cube.View();
+  LongMap map(mesh);
+  ExpansionBuilder values(3);
+  for (int e = 0; e < mesh.Elements(); ++e)
+  {
+    values.Add(UniformSpace(mesh.ShapeOf(e), 3),
+      [&](const LongVec3& xi, long double* u)
+      {
+        const LongVec3 x = map(e, xi);
+        std::copy(x.begin(), x.end(), u);
+      });
+  }
+  const Field field{ "x", values.View() };
+  constexpr double kRadius = 0.75;
+  const IsoSurface surface(cube.TheLocator.Index(), field, kMagnitude, kRadius);
+  const Seen seen = CheckSphere(surface, kRadius, 600);
+  Report(kMeshes.front(), seen);
+  EXPECT_GT(seen.closeKnown, 0.9 * seen.close);
 }
 
 namespace
