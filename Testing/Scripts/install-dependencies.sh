@@ -33,6 +33,6 @@ as_root=()
 if [[ $EUID -ne 0 ]]; then
   as_root=(sudo)
 fi
-"${as_root[@]}" apt-get update -q
+"${as_root[@]}" apt-get -o Acquire::Retries=3 update -q
 "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
-  apt-get install -q -y --no-install-recommends "${missing[@]}"
+  apt-get -o Acquire::Retries=3 install -q -y --no-install-recommends "${missing[@]}"
