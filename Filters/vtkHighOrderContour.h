@@ -34,6 +34,7 @@ class vtkImplicitFunction;
 
 namespace pixelexact
 {
+class ContourList;
 class ModelSource;
 }
 
@@ -125,7 +126,7 @@ private:
   std::string GetChosenName();
 
   vtkSmartPointer<vtkImplicitFunction> CutFunction;
-  std::vector<double> Values;
+  std::unique_ptr<pixelexact::ContourList> Values;
   std::string FieldName;
   int Component = -1;
   double Tolerance = 0.0;
