@@ -36,7 +36,7 @@ namespace pixelexact
 {
 class ContourList;
 class ModelSource;
-}
+} // namespace pixelexact
 
 class PIXELEXACTFILTERS_EXPORT vtkHighOrderContour : public vtkPolyDataAlgorithm
 {
