@@ -212,6 +212,45 @@ TEST(EdgeBounds, MayTakeWhatTheSegmentTakes)
   EXPECT_GT(taken, 5000);
 }
 
+/// Where a rounding error of the map is 1e5 or 1e8 of one in xi.
+TEST(EdgeBounds, MayTakeWhatSegmentsOfFlatElementsTake)
+{
+  Random random(76);
+  int taken = 0;
+  for (const Shape shape : kShapes)
+  {
+    for (const int order : { 1, 2, 3 })
+    {
+      for (const double flat : { 1e-5, 1e-8 })
+      {
+        SCOPED_TRACE(
+          ::testing::Message() << Name(shape) << ", map of order " << order << ", flat " << flat);
+        const EdgeCase one(shape, order, order + 1, random, flat);
+        for (int k = 0; k < 20; ++k)
+        {
+          const Vec3 xi = random.Inside(shape);
+          const Vec3 from = one.PointAt(xi);
+          const Vec3 to = one.PointAt(xi + std::pow(10.0, random(-4.0, -1.0)) * Direction(random));
+          const auto known = one.Located(from);
+          if (!known)
+          {
+            continue;
+          }
+          for (const Quad& value : ValuesAlong(one, { from, to }, 0.0, known->xi, 8))
+          {
+            const double taking = static_cast<double>(value);
+            EXPECT_TRUE(one.bounds->MayTake(
+              ValueSet{ { &taking, 1 } }, from, to, SlackOf(kEdgeCaseCentre), true));
+            ++taken;
+          }
+        }
+      }
+    }
+  }
+  std::cout << taken << " values\n";
+  EXPECT_GT(taken, 1000);
+}
+
 /// Short segments whose values miss the asked one by a hundredth of the range.
 TEST(EdgeBounds, MayTakeIsTight)
 {

@@ -27,6 +27,18 @@ constexpr double kCoarse = 0.25;
 constexpr int kRounds = 6;
 /// Of Newton's iteration towards a segment's middle.
 constexpr int kSteps = 2;
+/// Covers the rounding of sums of some five products, of their magnitudes' sum.
+constexpr double kSum = 8.0 * kUnitRoundoff;
+
+double LargestOf(const Vec3& a)
+{
+  return std::max({ std::fabs(a.x), std::fabs(a.y), std::fabs(a.z) });
+}
+
+double SumOf(const Vec3& a)
+{
+  return std::fabs(a.x) + std::fabs(a.y) + std::fabs(a.z);
+}
 
 /// A xi of a box, not far from the nearest one.
 Vec3 MovedInto(Shape shape, const EdgeNode& node, const Vec3& xi)
@@ -67,7 +79,8 @@ struct EdgeBounds::View
 {
   Vec3 xi;
   Vec3 y;
-  Mat3 inverse; ///< of J
+  Mat3 jacobian;
+  Mat3 inverse; ///< of J, as rounding leaves it
 };
 
 namespace
@@ -105,17 +118,16 @@ EdgeBounds::View EdgeBounds::ViewAt(const Vec3& xi) const
 {
   const Evaluated map(Map.space, Map.values.data(), 3, xi);
   const double scale = std::ldexp(1.0, Map.exponent);
-  View view{ xi, Vec3(0.0), Mat3(0.0) };
-  Mat3 jacobian;
+  View view{ xi, Vec3(0.0), Mat3(0.0), Mat3(0.0) };
   for (int c = 0; c < 3; ++c)
   {
     view.y[c] = scale * map.values[c][0];
     for (int j = 0; j < 3; ++j)
     {
-      jacobian[j][c] = scale * map.slopes[3 * c + j][0];
+      view.jacobian[j][c] = scale * map.slopes[3 * c + j][0];
     }
   }
-  view.inverse = glm::inverse(jacobian);
+  view.inverse = glm::inverse(view.jacobian);
   return view;
 }
 
@@ -198,10 +210,14 @@ bool EdgeBounds::Misses(const EdgeNode& node, const Vec3& from, const Vec3& to, 
   // two: T(xi) = M (Phi(xi) - origin) - (xi - centre) changes by `turn` at most.
   const Vec3 ends[2] = { ToXi(node, from), ToXi(node, to) };
   const double most = std::max({ node.reach[0], node.reach[1], node.reach[2] });
+  const double inY = slack / Size + ImageError +
+    kSum *
+      (std::max(LargestOf((from - Centre) / Size), LargestOf((to - Centre) / Size)) +
+        LargestOf(node.origin));
   double off[3];
   for (std::size_t k = 0; k < 3; ++k)
   {
-    off[k] = (node.turn[k] * most + node.shift[k] + node.lean[k] * slack / Size) * kUp + 1e-13;
+    off[k] = (node.turn[k] * most + node.shift[k] + node.lean[k] * inY) * kUp + 1e-13;
   }
   double first = 0.0;
   double last = 1.0;
@@ -260,6 +276,8 @@ EdgeBounds::Meeting EdgeBounds::MeetNode(const EdgeNode& node, const ValueSet& w
   }
 
   // |xi - view.xi| of the preimages in `wide` of the segment's points.
+  const double inY = slack / Size + ImageError +
+    kSum * std::max({ LargestOf(ends[0]), LargestOf(ends[1]), LargestOf(view.y) });
   double away[3];
   double besides[3];
   for (std::size_t k = 0; k < 3; ++k)
@@ -270,11 +288,26 @@ EdgeBounds::Meeting EdgeBounds::MeetNode(const EdgeNode& node, const ValueSet& w
       const Vec3 d = y - view.y;
       return std::fabs(row[0] * d.x + row[1] * d.y + row[2] * d.z);
     };
-    besides[k] = node.shift[k] + node.lean[k] * (slack / Size) + 1e-14;
+    besides[k] = node.shift[k] + node.lean[k] * inY + 1e-14;
     away[k] = std::max(along(ends[0]), along(ends[1])) * kUp + besides[k];
   }
   Solve(node.turn, away);
   const Vec3 steps[2] = { view.inverse * (ends[0] - view.y), view.inverse * (ends[1] - view.y) };
+  // What the computed Jacobian and its inverse leave of the steps' equations, in y.
+  double left = 0.0;
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    const Vec3& step = steps[k];
+    const Vec3 magnitudes = LargestOf(step) *
+      (glm::abs(view.jacobian[0]) + glm::abs(view.jacobian[1]) + glm::abs(view.jacobian[2]));
+    left = std::max(left,
+      LargestOf(ends[k] - view.y - view.jacobian * step) + kSum * LargestOf(magnitudes) +
+        ImageSlopeError * SumOf(step));
+  }
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    besides[k] += node.lean[k] * left;
+  }
   // They are where the expansion puts them, up to `off`, and so no farther away than that.
   double off[3];
   for (int round = 0; round < kRounds; ++round)
@@ -345,6 +378,7 @@ Interval EdgeBounds::LinearValues(const Vec3& xi, const Vec3& from, const Vec3& 
   double squares[2] = {};
   double product = 0.0;
   double size = 0.0;
+  double slack = ValueSlopeError * std::max(SumOf(from), SumOf(to));
   for (int c = 0; c < Components; ++c)
   {
     const Evaluated component(Component.space, Component.values.data() + c * width, 1, xi);
@@ -356,9 +390,10 @@ Interval EdgeBounds::LinearValues(const Vec3& xi, const Vec3& from, const Vec3& 
       squares[k] += ends[k] * ends[k];
     }
     product += ends[0] * ends[1];
-    size += unit * (std::fabs(component.values[0][0]) + std::fabs(rises[0]) + std::fabs(rises[1]));
+    size += unit *
+      (std::fabs(component.values[0][0]) + LargestOf(slope) * std::max(SumOf(from), SumOf(to)));
   }
-  const double slack = 1e-14 * size;
+  slack += 1e-14 * size;
   if (Components == 1)
   {
     return { std::min(ends[0], ends[1]) - slack, std::max(ends[0], ends[1]) + slack };
@@ -400,8 +435,12 @@ bool EdgeBounds::MayTakeIn(const EdgeNode& node, const ValueSet& wanted, const V
 
 double EdgeBounds::ChangeWithin(const LocatedPoint& point, double distance) const
 {
+  if (!Component.finite)
+  {
+    return kInfinity;
+  }
   const EdgeNode& node = LeafAt(point.eta);
-  if (!Component.finite || !node.regular)
+  if (!node.regular)
   {
     return kInfinity;
   }

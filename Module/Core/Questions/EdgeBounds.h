@@ -92,6 +92,11 @@ private:
     const EtaBox& box, const ScaledModes& modes, int component, Part part) const;
   /// `values`: hold those of the node.
   void Fill(EdgeNode& node, const Interval& values) const;
+  /// `rounding`: as of the constructor.
+  void DescribeErrors(double rounding);
+  /// Of `components` functions together, 4 times what the conversion to a part makes at most: the
+  /// kernels make the same sums, but for the order of the factors (accuracy.md).
+  [[nodiscard]] double ErrorOf(const ScaledModes& modes, int components, Part part) const;
   /// Whether the map is regular.
   bool DescribeMap(EdgeNode& node, const std::array<std::array<Interval, 3>, 3>& slopes) const;
   /// By component.
@@ -129,7 +134,11 @@ private:
   Vec3 Centre;
   double Size;
   std::array<double, 3> Uncertainty;
+  // Of what the kernels compute: a value, a derivative by xi; of the map in the element's units.
   double ValueError = 0.0;
+  double ValueSlopeError = 0.0;
+  double ImageError = 0.0;
+  double ImageSlopeError = 0.0;
   Interval Range;
   mutable std::unique_ptr<EdgeNode> Root;
   mutable std::atomic<const EdgeNode*> Ready{ nullptr };

@@ -27,6 +27,8 @@ constexpr double kMostTurn = 0.7;
 constexpr int kMostHalvings[2] = { 15, 17 };
 constexpr double kFewCoefficients = 216.0;
 
+constexpr Part kBy[3] = { Part::ByXi1, Part::ByXi2, Part::ByXi3 };
+
 Interval Union(const Interval& a, const Interval& b)
 {
   return { std::min(a.lower, b.lower), std::max(a.upper, b.upper) };
@@ -96,22 +98,7 @@ EdgeBounds::EdgeBounds(const Mesh& mesh, const ElementBounds& bounds, int elemen
     Deepest[k] = kMostHalvings[k] - besides[k];
   }
   Range = ValuesOver({});
-  double error = 0.0;
-  ForEachPiece({},
-    [&](const PieceForm::Piece& piece, const Box3& /*within*/)
-    {
-      double sum = 0.0;
-      for (int c = 0; c < Components; ++c)
-      {
-        const RangeIngredient ingredient{ &Component, c, Part::Value };
-        sum +=
-          PieceForm::Of(Component.space, Level).ErrorBound(Part::Value, piece, ingredient.Modes());
-      }
-      error = std::max(error, sum);
-    });
-  // The same sums as the kernels make, but for the order of the factors; `error` is the bound of
-  // their rounding (accuracy.md).
-  ValueError = std::ldexp(4.0 * error * (1.0 + rounding / kUnitRoundoff), Component.exponent);
+  DescribeErrors(rounding);
 }
 
 EdgeBounds::~EdgeBounds() = default;
@@ -148,6 +135,34 @@ void EdgeBounds::ForEachPiece(const EtaBox& box, const Visit& visit) const
   }
 }
 
+double EdgeBounds::ErrorOf(const ScaledModes& modes, int components, Part part) const
+{
+  double error = 0.0;
+  ForEachPiece({},
+    [&](const PieceForm::Piece& piece, const Box3& /*within*/)
+    {
+      double sum = 0.0;
+      for (int c = 0; c < components; ++c)
+      {
+        const RangeIngredient ingredient{ &modes, c, part };
+        sum += PieceForm::Of(modes.space, Level).ErrorBound(part, piece, ingredient.Modes());
+      }
+      error = std::max(error, sum);
+    });
+  return std::ldexp(4.0 * error, modes.exponent);
+}
+
+void EdgeBounds::DescribeErrors(double rounding)
+{
+  ValueError = ErrorOf(Component, Components, Part::Value) * (1.0 + rounding / kUnitRoundoff);
+  ImageError = ErrorOf(Map, 3, Part::Value);
+  for (const Part part : kBy)
+  {
+    ValueSlopeError = std::max(ValueSlopeError, ErrorOf(Component, Components, part));
+    ImageSlopeError = std::max(ImageSlopeError, ErrorOf(Map, 3, part));
+  }
+}
+
 Interval EdgeBounds::HullOver(
   const EtaBox& box, const ScaledModes& modes, int component, Part part) const
 {
@@ -181,7 +196,6 @@ void EdgeBounds::Fill(EdgeNode& node, const Interval& values) const
     node.bounds.upper[d] = x.upper;
   }
   std::array<std::array<Interval, 3>, 3> slopes;
-  constexpr Part kBy[3] = { Part::ByXi1, Part::ByXi2, Part::ByXi3 };
   for (std::size_t c = 0; c < 3; ++c)
   {
     for (std::size_t j = 0; j < 3; ++j)
