@@ -21,7 +21,7 @@ namespace
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// By how much a path may leave the element, in xi: far less than would be seen, and more than
 /// rounding makes of an edge in a face.
-constexpr double kBeside = 1e-10;
+constexpr double kBeside = 1e-13;
 /// What the expansion's error may be of the distance.
 constexpr double kCoarse = 0.25;
 constexpr int kRounds = 6;

@@ -14,7 +14,7 @@ namespace
 {
 /// Of the largest magnitude of an element's values: rounding beyond which a value that is met by
 /// an end up to rounding is not told from one that is missed.
-constexpr double kTouch = 1e-10;
+constexpr double kTouch = 1e-13;
 
 /// How far an end may be off, by the rounding of rays and hits.
 double SlackOf(const SurfaceEdge& edge)
