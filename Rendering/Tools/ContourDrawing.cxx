@@ -35,7 +35,7 @@ std::vector<double> Spaced(int count, const std::array<double, 2>& range, bool l
 } // namespace
 
 ContourDrawing::ContourDrawing(const ContourOptions& options, const ColorOptions& colors,
-  const Shot& shot, const Looks& looks, const Frame& frame)
+  const Shot& shot, const Looks& looks, const Frame& frame, std::shared_ptr<ContourBounds> bounds)
 {
   std::vector<std::vector<double>> values;
   std::vector<std::vector<Rgba>> lineColors;
@@ -62,7 +62,7 @@ ContourDrawing::ContourDrawing(const ContourOptions& options, const ColorOptions
       style.curved || (!values.back().empty() && !shot.scene.layers[k].surface->IsFlat());
   }
   LabelHeight = options.Labels();
-  Certifier.emplace(std::move(values), options.HowTold());
+  Certifier.emplace(std::move(values), options.HowTold(), std::move(bounds));
   Lines.emplace(*Certifier, style, std::move(lineColors));
   if (options.Only())
   {

@@ -5,6 +5,7 @@
 #include "Trace/Modules/ContourLines.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -28,9 +29,10 @@ struct FoundContours
 class ContourDrawing
 {
 public:
-  /// Of a frame whose samples are there. Throws Error as RangeOfLayer.
+  /// Of a frame whose samples are there. `bounds`: as of ContourCertifier. Throws Error as
+  /// RangeOfLayer.
   ContourDrawing(const ContourOptions& options, const ColorOptions& colors, const Shot& shot,
-    const Looks& looks, const Frame& frame);
+    const Looks& looks, const Frame& frame, std::shared_ptr<ContourBounds> bounds = nullptr);
   ContourDrawing(const ContourDrawing&) = delete;
   ContourDrawing& operator=(const ContourDrawing&) = delete;
 
@@ -42,6 +44,7 @@ public:
 
   /// What was found in a frame that went through the pipeline.
   [[nodiscard]] FoundContours Found(const Frame& frame) const;
+  [[nodiscard]] const ContourCounters& Pixels() const { return Certifier->Counters(); }
   /// A ContourVerdict for each pixel.
   [[nodiscard]] const std::vector<std::uint8_t>& Verdicts() const { return Certifier->Verdicts(); }
 
