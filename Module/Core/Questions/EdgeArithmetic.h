@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Core/Math/Vec.h"
+
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 // What bounds along edges are reckoned with: sums and products that are not negative.
@@ -12,6 +15,16 @@ inline constexpr double kUp = 1.0 + 1e-13;
 /// Of symmetric matrices: 11, 12, 13, 22, 23, 33.
 inline constexpr std::size_t kRows[6] = { 0, 0, 0, 1, 1, 2 };
 inline constexpr std::size_t kColumns[6] = { 0, 1, 2, 1, 2, 2 };
+
+inline double LargestOf(const Vec3& a)
+{
+  return std::max({ std::fabs(a.x), std::fabs(a.y), std::fabs(a.z) });
+}
+
+inline double SumOf(const Vec3& a)
+{
+  return std::fabs(a.x) + std::fabs(a.y) + std::fabs(a.z);
+}
 
 /// sum of m_ij s_i s_j.
 inline double Quadratic(const double (&m)[6], const double (&s)[3])

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Trace/Contours/EdgeJudge.h"
+#include "Trace/Contours/EdgeSettler.h"
 #include "Trace/Modules/ContourCertifier.h"
 #include "Trace/TileVisit.h"
 
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -32,53 +31,21 @@ public:
   [[nodiscard]] const ContourCounters& Counters() const { return Counted; }
 
 private:
-  /// Of an edge.
-  enum class State : std::uint8_t
-  {
-    Out,
-    Undecided,
-    In
-  };
-  /// Of an edge: what is still open.
-  struct Part
-  {
-    std::size_t edge;
-    EdgeEnd a;
-    EdgeEnd b;
-  };
-
-  [[nodiscard]] EdgeEnd EndOf(
-    const SampleBuffers& samples, std::size_t i, const ImagePosition& position) const;
-  [[nodiscard]] SurfaceEdge EdgeBetween(const EdgeEnd& a, const EdgeEnd& b) const;
-  [[nodiscard]] std::vector<int> ElementsNear() const;
-  /// visit(a, b), of corners, in the order of Edges; endRow() after each row and column.
+  /// Of all corners, row by row.
+  [[nodiscard]] std::vector<EdgeEnd> EndsOf(const LayerSight& sight);
+  /// Whose boxes meet the tile's part of a flat surface.
+  [[nodiscard]] std::vector<int> ElementsNear(std::span<const EdgeEnd> corners) const;
+  /// visit(edge, a, b), of corners, in the order of Edges; endRow() after each row and column.
   template <class Visit, class EndRow>
   void ForEachEdge(const Visit& visit, const EndRow& endRow) const;
-  /// Of all edges that show the layer.
-  void LeaveOpen();
-  [[nodiscard]] bool AreJoined(const EdgeEnd& a, const EdgeEnd& b) const;
-  /// Of its ends that are on the layer; see EdgeJudge.
-  [[nodiscard]] int SideOf(const Part& part) const;
-  /// Whether the values of two elements lie on either side of one: it is between them even if none
-  /// takes it.
-  [[nodiscard]] bool MayJump(const Part& part) const;
-  [[nodiscard]] EdgeFinding JudgeWithin(const Part& part) const;
-  /// Consecutive edges of a row or a column.
-  void SettleRun(std::span<const Part> run, std::vector<Part>& open);
-  void SettlePart(const Part& part, int level, std::vector<Part>& open);
-  void Settle(const Part& part, EdgeFinding finding, int level, std::vector<Part>& open);
-  void Refine(std::vector<Part> parts);
+  /// All edges that show the layer.
+  void LeaveOpen(int layer);
 
   TileVisit& Tile;
   ContourMethod Method;
-  std::vector<EdgeEnd> Corners;
-  std::size_t Across;       ///< corners in a row
-  std::size_t Up;           ///< corners in a column
-  std::vector<State> Edges; ///< those across, row by row, then those up, column by column
-  std::vector<int> Parts;   ///< open, of each edge
+  std::size_t Across;           ///< corners in a row
+  std::size_t Up;               ///< corners in a column
+  std::vector<EdgeState> Edges; ///< those across, row by row, then those up, column by column
   ContourCounters Counted;
-  const Surface* TheSurface = nullptr; ///< of the layer being judged
-  int Layer = -1;
-  const EdgeJudge* Judging = nullptr;
 };
 } // namespace pixelexact

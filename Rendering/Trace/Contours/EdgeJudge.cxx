@@ -31,7 +31,7 @@ double SlackOf(const SurfaceEdge& edge)
 EdgeJudge::EdgeJudge(
   const LayerBounds& bounds, std::span<const double> values, std::span<const int> elements)
   : Bounds(bounds)
-  , Values(values)
+  , Wanted{ values }
 {
   for (const int element : elements)
   {
@@ -47,7 +47,7 @@ EdgeJudge::EdgeJudge(
 
 EdgeJudge::EdgeJudge(const LayerBounds& bounds, std::span<const double> values)
   : Bounds(bounds)
-  , Values(values)
+  , Wanted{ values }
   , Needed(true)
   , LooksForElements(true)
 {
@@ -58,18 +58,25 @@ EdgeJudge::Element EdgeJudge::MakeElement(int element) const
   const EdgeBounds& own = Bounds.Of(element);
   const Interval& range = own.Values();
   return { element, Bounds.Index().ElementBox(element), &own,
-    AnyIn(range.lower, range.upper) ? kNoSide : SideOf(range.lower) };
+    Wanted.Meets(range.lower, range.upper) ? kNoSide : SideOf(range.lower) };
 }
 
 int EdgeJudge::SideOf(double value) const
 {
-  return static_cast<int>(std::ranges::lower_bound(Values, value) - Values.begin());
+  return static_cast<int>(std::ranges::lower_bound(Wanted.values, value) - Wanted.values.begin());
 }
 
-bool EdgeJudge::AnyIn(double lower, double upper) const
+ValueSet EdgeJudge::NotOn(int side) const
 {
-  const auto at = std::ranges::lower_bound(Values, lower);
-  return at != Values.end() && *at <= upper;
+  if (side == kNoSide)
+  {
+    return Wanted;
+  }
+  const auto above = static_cast<std::size_t>(side);
+  ValueSet others;
+  others.lower = above > 0 ? Wanted.values[above - 1] : others.lower;
+  others.upper = above < Wanted.values.size() ? Wanted.values[above] : others.upper;
+  return others;
 }
 
 EdgeFinding EdgeJudge::Within(const EdgeEnd& a, const EdgeEnd& b, const SurfaceEdge& edge) const
@@ -83,16 +90,17 @@ EdgeFinding EdgeJudge::Within(const EdgeEnd& a, const EdgeEnd& b, const SurfaceE
   }
   const double lower = std::min(a.point.value, b.point.value);
   const double upper = std::max(a.point.value, b.point.value);
-  if (!AnyIn(lower - range->deviation, upper + range->deviation))
+  if (!Wanted.Meets(lower - range->deviation, upper + range->deviation))
   {
     return EdgeFinding::Out;
   }
   const double error = range->error;
-  if (lower + error < upper - error && AnyIn(lower + error, upper - error))
+  if (lower + error < upper - error && Wanted.Meets(lower + error, upper - error))
   {
     return EdgeFinding::In;
   }
-  const bool touches = AnyIn(lower - error, lower + error) || AnyIn(upper - error, upper + error);
+  const bool touches =
+    Wanted.Meets(lower - error, lower + error) || Wanted.Meets(upper - error, upper + error);
   return touches && error <= kTouch * bounds.Values().Magnitude() ? EdgeFinding::Touching
                                                                   : EdgeFinding::Open;
 }
@@ -106,17 +114,7 @@ bool EdgeJudge::StaysOn(int side, const SurfaceEdge& edge, bool thorough) const
   const double slack = SlackOf(edge);
   const Vec3 lower = glm::min(edge.from, edge.to) - slack;
   const Vec3 upper = glm::max(edge.from, edge.to) + slack;
-  ValueSet others;
-  if (side == kNoSide)
-  {
-    others.values = Values;
-  }
-  else
-  {
-    const auto above = static_cast<std::size_t>(side);
-    others.lower = above > 0 ? Values[above - 1] : others.lower;
-    others.upper = above < Values.size() ? Values[above] : others.upper;
-  }
+  const ValueSet others = NotOn(side);
   const auto leaves = [&](const Element& element)
   {
     const Box3& box = element.box;
@@ -140,7 +138,7 @@ bool EdgeJudge::AreOpposite(const EdgeEnd& a, const EdgeEnd& b) const
 {
   const double lower = std::min(a.point.value, b.point.value);
   const double upper = std::max(a.point.value, b.point.value);
-  return AnyIn(lower, upper);
+  return Wanted.Meets(lower, upper);
 }
 
 bool EdgeJudge::IsJump(const EdgeEnd& a, const EdgeEnd& b, const SurfaceEdge& edge) const

@@ -13,9 +13,11 @@ namespace pixelexact
 struct EdgeEnd
 {
   ImagePosition position{};
-  int layer = -1; ///< that is seen, in the mesh and decided; -1: none is
-  int element = -1;
-  LocatedPoint point; ///< where there is a layer
+  int layer = -1;   ///< that is seen, in the mesh and decided; -1: none is
+  int element = -1; ///< where the layer that is judged is seen
+  LocatedPoint
+    point; ///< there; of flat surfaces `x` is known beside the mesh and behind others, too
+  bool meets = false; ///< whether `x` is known
 };
 
 /// An edge of a pixel or a part of it, as far as it is on one layer's surface.
@@ -74,11 +76,12 @@ private:
 
     [[nodiscard]] bool StaysOn(int all) const { return side >= 0 && (all < 0 || all == side); }
   };
-  [[nodiscard]] bool AnyIn(double lower, double upper) const;
+  /// Of kNoSide, the values.
+  [[nodiscard]] ValueSet NotOn(int side) const;
   [[nodiscard]] Element MakeElement(int element) const;
 
   const LayerBounds& Bounds;
-  std::span<const double> Values;
+  ValueSet Wanted;
   std::vector<Element> Near; ///< by number
   bool Needed = false;
   bool LooksForElements = false;

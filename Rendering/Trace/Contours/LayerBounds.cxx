@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trace/Contours/LayerBounds.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
 #include <algorithm>
 
 namespace pixelexact
@@ -9,6 +12,13 @@ namespace
 {
 /// Of sums in single precision, as a part of the largest they can be: some roundoffs of a float.
 constexpr double kFloatRounding = 0x1p-19;
+
+Interval Union(const Interval& a, const Interval& b)
+{
+  return a.IsEmpty() ? b
+    : b.IsEmpty()    ? a
+                     : Interval(std::min(a.lower, b.lower), std::max(a.upper, b.upper));
+}
 } // namespace
 
 LayerBounds::LayerBounds(const Locator& locator, const Layer& layer)
@@ -56,19 +66,21 @@ std::int64_t LayerBounds::Elements() const
 
 const Interval& LayerBounds::Values() const
 {
-  std::call_once(Found,
+  tbb::collaborative_call_once(Found,
     [this]
     {
-      for (int e = 0; e < static_cast<int>(Count); ++e)
-      {
-        const Interval& own = Of(e).Values();
-        if (own.IsFinite())
+      All = tbb::parallel_reduce(
+        tbb::blocked_range<std::size_t>(0, Count), Interval(1.0, -1.0),
+        [this](const tbb::blocked_range<std::size_t>& elements, Interval all)
         {
-          All = All.IsEmpty()
-            ? own
-            : Interval(std::min(All.lower, own.lower), std::max(All.upper, own.upper));
-        }
-      }
+          for (std::size_t e = elements.begin(); e < elements.end(); ++e)
+          {
+            const Interval& own = Of(static_cast<int>(e)).Values();
+            all = own.IsFinite() ? Union(all, own) : all;
+          }
+          return all;
+        },
+        Union);
     });
   return All;
 }

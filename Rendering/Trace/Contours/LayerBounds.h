@@ -4,6 +4,8 @@
 #include "Core/Questions/EdgeBounds.h"
 #include "Trace/Scene.h"
 
+#include <tbb/collaborative_call_once.h>
+
 #include <atomic>
 #include <cstddef>
 #include <map>
@@ -29,7 +31,8 @@ public:
   /// Where contours can be proven.
   [[nodiscard]] const EdgeBounds& Of(int element) const;
   [[nodiscard]] const ElementIndex& Index() const { return TheIndex; }
-  /// Holds the values in all elements but those that are not finite; found out once.
+  /// Holds the values in all elements but those that are not finite; found out once, by all threads
+  /// that ask.
   [[nodiscard]] const Interval& Values() const;
 
   /// Elements that have been asked for, and their nodes.
@@ -44,7 +47,7 @@ private:
   double Rounding;
   std::size_t Count;
   std::unique_ptr<std::atomic<const EdgeBounds*>[]> Made;
-  mutable std::once_flag Found;
+  mutable tbb::collaborative_once_flag Found;
   mutable Interval All{ 1.0, -1.0 };
 };
 
