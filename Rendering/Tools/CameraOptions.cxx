@@ -27,11 +27,31 @@ Vec3 UsualUp(const Vec3& towardsViewer)
     std::abs(towardsViewer.z) > 0.9 * std::hypot(towardsViewer.x, towardsViewer.y, towardsViewer.z);
   return alongZ ? Vec3(0.0, 1.0, 0.0) : Vec3(0.0, 0.0, 1.0);
 }
+constexpr const char* kViewForm = "+x|-x|+y|-y|+z|-z|iso";
+
+Vec3 ReadView(const std::string& text)
+{
+  if (text == "iso")
+  {
+    return Vec3(1.0);
+  }
+  const std::size_t axis = text.size() == 2 ? std::string("xyz").find(text[1]) : std::string::npos;
+  if (axis == std::string::npos || (text[0] != '+' && text[0] != '-'))
+  {
+    Refuse("--view", text, kViewForm);
+  }
+  Vec3 from(0.0);
+  from[static_cast<int>(axis)] = text[0] == '+' ? 1.0 : -1.0;
+  return from;
+}
 } // namespace
 
 void CameraOptions::AddTo(CLI::App& command)
 {
   const char* group = "Camera (default: the whole data set, along the first surface's normal)";
+  AddedOption view = AddRead(
+    command, "--view", [this](const std::string& text) { From = ReadView(text); }, kViewForm,
+    "See the whole data set from there: from the side where x is largest, ..., or from (1, 1, 1)");
   AddedOption position =
     AddNumbers(command, "--camera-position", Position, 3, "x,y,z", "Where the camera stands");
   AddedOption focus =
@@ -41,6 +61,7 @@ void CameraOptions::AddTo(CLI::App& command)
     "Vertical angle of a perspective view (default: 30)");
   AddedOption scale = AddNumber(command, "--parallel-scale", ParallelScale, "LENGTH",
     "Parallel view; half of the image's height in world units");
+  view.Excludes(position).Group(group);
   position.Needs(focus).Group(group);
   focus.Needs(position).Group(group);
   angle.Excludes(scale).Group(group);
@@ -63,8 +84,10 @@ void CameraOptions::Check() const
     { Vec3(-1.0), Vec3(1.0) }, upAlongZ ? Vec3(1.0, 0.0, 0.0) : Vec3(0.0, 0.0, 1.0), { 1, 1 });
 }
 
-CameraView CameraOptions::Make(const Box3& bounds, const Vec3& normal, const ImageSize& size) const
+CameraView CameraOptions::Make(
+  const Box3& bounds, const Vec3& surfaceNormal, const ImageSize& size) const
 {
+  const Vec3 normal = From.value_or(surfaceNormal);
   const bool parallel = ParallelScale.has_value();
   CameraView view;
   try

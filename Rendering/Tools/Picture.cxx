@@ -78,6 +78,7 @@ void WritePng(const std::string& file, int width, int height, const std::vector<
   vtkNew<vtkPNGWriter> writer;
   // In memory, because VTK's writers do not see that a disk is full.
   writer->WriteToMemoryOn();
+  writer->AddText("Software", kPictureMark);
   Encode(*writer, file, image);
   vtkUnsignedCharArray* bytes = writer->GetResult();
   WriteBytes(file, reinterpret_cast<const char*>(bytes->GetPointer(0)),

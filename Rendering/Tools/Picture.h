@@ -12,6 +12,9 @@ class vtkPolyData;
 
 namespace pixelexact
 {
+/// In the files of WritePng, as the program that made them.
+inline constexpr const char* kPictureMark = "PixelExact " PIXELEXACT_VERSION;
+
 /// Files: see OutputFile. Writes RGB pixels, lower left first. Throws Error when the file cannot be
 /// written.
 void WritePng(const std::string& file, int width, int height, const std::vector<std::uint8_t>& rgb);

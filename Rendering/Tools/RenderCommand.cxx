@@ -8,6 +8,7 @@
 #include "Looks.h"
 #include "Output.h"
 #include "Picture.h"
+#include "PictureName.h"
 #include "RenderReport.h"
 #include "Report.h"
 #include "Shot.h"
@@ -47,13 +48,14 @@ void CheckSuffix(const char* option, const std::string& file, const char* suffix
 
 void Render(const RenderOptions& options, const CommonOptions& common)
 {
-  CheckSuffix("--output", options.output, ".png");
+  const std::string picture =
+    options.output.empty() ? PictureNamedAfter(options.shot.input.files.front()) : options.output;
+  CheckSuffix("--output", picture, ".png");
   CheckSuffix("--buffers", options.buffers.File(), ".vti");
   CheckSuffix("--contours-output", options.lines.file, ".vtp");
-  const std::vector<std::string> outputs{ options.output, options.buffers.File(),
-    options.lines.file };
+  const std::vector<std::string> outputs{ picture, options.buffers.File(), options.lines.file };
   CheckStandardOutput(outputs, common.json);
-  CheckOutput("--output", options.output, options.shot.input.files);
+  CheckOutput("--output", picture, options.shot.input.files);
   CheckOutput("--buffers", options.buffers.File(), options.shot.input.files);
   CheckOutput("--contours-output", options.lines.file, options.shot.input.files);
   if (!options.lines.file.empty() && !options.contours.AreGiven())
@@ -105,7 +107,7 @@ void Render(const RenderOptions& options, const CommonOptions& common)
   }
   stopwatch.Stage("trace+colour");
 
-  WritePng(options.output, frame.width, frame.height, options.shot.colors.Flatten(frame));
+  WritePng(picture, frame.width, frame.height, options.shot.colors.Flatten(frame));
   if (!options.buffers.File().empty())
   {
     WriteBuffers(options.buffers.File(), options.buffers.Arrays(), frame,
@@ -119,15 +121,21 @@ void Render(const RenderOptions& options, const CommonOptions& common)
     stopwatch.Stage("contours");
   }
 
+  RepeatedCommand command{ common.words, shot.chosen };
+  if (options.output.empty())
+  {
+    command.chosen.insert(command.chosen.end(), { "--output", picture });
+    Note("written to '" + picture + "'");
+  }
   WarnOf(frame, found);
   if (common.json)
   {
-    PrintJson(shot, frame, found, looks, debug, stopwatch);
+    PrintJson(shot, frame, found, looks, debug, command, stopwatch);
   }
   else
   {
-    PrintTable(
-      shot, frame, found, looks, debug, stopwatch, std::ranges::any_of(outputs, IsStandardStream));
+    PrintTable(shot, frame, found, looks, debug, command, stopwatch,
+      std::ranges::any_of(outputs, IsStandardStream));
   }
 }
 } // namespace
@@ -142,8 +150,8 @@ void AddRenderCommand(CLI::App& program, const CommonOptions& common, Action& ac
   options->contours.AddTo(command);
   options->debug.AddTo(command);
   AddText(command, "-o,--output", options->output, "IMAGE.png",
-    "PNG image to write; - for standard output")
-    .Required();
+    "PNG image to write; - for standard output (default: named after the input, in the current "
+    "folder; a file of that name is written over where pixelexact made it)");
   options->buffers.AddTo(command);
   options->lines.AddTo(command);
 }

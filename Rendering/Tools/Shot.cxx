@@ -28,10 +28,11 @@ void ShotOptions::AddTo(CLI::App& added, bool required)
       component = ParseComponent(text);
       if (!component)
       {
-        Refuse("--component", text, "'magnitude' or a number from 0");
+        Refuse("--component", text, "'magnitude', x, y, z or a number from 0");
       }
     },
-    "magnitude|i", "Component of a vector field, counted from 0, or its magnitude (default)");
+    "magnitude|x|y|z|i",
+    "Component of a vector field, by name or counted from 0, or its magnitude (default)");
   AddSize(added, "--size", size, "Size of the image in pixels (default: 1000x1000)");
   AddChoice(
     added, "--precision",
@@ -135,6 +136,23 @@ void AddLayers(const ShotOptions& options,
       settings.field ? FieldNamed(model, *settings.field) : *ofAll));
   }
 }
+
+/// For those who want the same once more.
+void TellWhatWasChosen(const ShotOptions& options, Shot& shot)
+{
+  const bool shared = std::ranges::any_of(
+    shot.settings, [](const LayerSettings& settings) { return !settings.field; });
+  if (options.field.empty() && shared && !shot.input.model->Fields().empty())
+  {
+    shot.chosen.insert(shot.chosen.end(), { "--field", shot.input.model->Fields().front().name });
+  }
+  if (!options.surfaces.AreGiven())
+  {
+    const std::string plane = PlaneChoice::ThroughTheMiddle().Numbers(BoxOf(*shot.input.model));
+    shot.chosen.push_back("--plane=" + plane);
+    Note("no surface was given; cut by --plane " + plane);
+  }
+}
 } // namespace
 
 std::vector<LayerSettings> ShotOptions::MakeLayers() const
@@ -185,15 +203,11 @@ Shot Prepare(const ShotOptions& options, Stopwatch& stopwatch)
     surfaces.push_back(surface(shot.input.model));
   }
   AddLayers(options, surfaces, shot);
+  TellWhatWasChosen(options, shot);
   shot.scene.locator = &model.GetLocator();
   stopwatch.Stage("bounds+bvh");
 
-  Box3 box = shot.scene.locator->Bounds();
-  if (model.GetMesh().Elements() == 0)
-  {
-    // Any camera sees all of nothing.
-    box = { Vec3(-1.0), Vec3(1.0) };
-  }
+  const Box3 box = BoxOf(model);
   // A surface that is not flat has normals in many directions.
   const Vec3 normal = surfaces.front()->IsFlat()
     ? surfaces.front()->Normal({ 0.5 * (box.lower + box.upper) })

@@ -63,7 +63,6 @@ class Bench(ToolTest):
         self.fails(2, "bench", source, *MIDDLE, "--elements", 5, names=["--elements", "no effect"])
         for words in [MIDDLE, ["--field", "u"], ["--colormap", "jet"], ["--outlines"]]:
             self.fails(2, "bench", *words, names=[words[0], "without an INPUT"])
-        self.fails(2, "bench", case("escher_tet_g3_p3"), "--field", "u", names=["--plane"])
         base = ["bench", case("escher_tet_g3_p3"), "--field", "u"]
         self.fails(2, *base, *MIDDLE, "--repeat", "0", names=["--repeat"])
 
