@@ -48,8 +48,7 @@ const Field& FieldIn(const HighOrderModel& model, const std::string& name)
   throw InvalidData("no high-order field '" + name + "'; there are: " + names + ".");
 }
 
-/// The number of a component; -1: the magnitude.
-int ComponentOf(const Field& field, int component)
+void RequireComponent(const Field& field, int component)
 {
   const int components = field.values.components;
   if (component < -1 || component >= components)
@@ -57,7 +56,6 @@ int ComponentOf(const Field& field, int component)
     throw InvalidData("component " + std::to_string(component) + " of field '" + field.name +
       "', which has " + std::to_string(components) + ", counted from 0; -1 is the magnitude.");
   }
-  return component < 0 && components == 1 ? 0 : component;
 }
 } // namespace
 
@@ -208,7 +206,7 @@ void vtkHighOrderContour::Trace(vtkDataObject* grid, vtkPolyData* output)
   }
   const auto model = this->Source->Get(grid, this);
   const Field& field = FieldIn(*model, this->GetChosenName());
-  const int component = ComponentOf(field, this->Component);
+  RequireComponent(field, this->Component);
   const Box3 box = model->GetLocator().Bounds();
   const double extent = glm::length(box.upper - box.lower);
   const double diagonal = extent > 0.0 ? extent : 1.0; // a grid may be empty
@@ -219,7 +217,7 @@ void vtkHighOrderContour::Trace(vtkDataObject* grid, vtkPolyData* output)
     options.tolerance = 1e-4 * diagonal;
   }
   this->UpdateProgress(0.2);
-  const ContourSet set = TraceContours({ model->GetMesh(), &field, component, cut.get() },
+  const ContourSet set = TraceContours({ model->GetMesh(), &field, this->Component, cut.get() },
     model->GetLocator(), model->Faces(), options);
   this->UpdateProgress(0.9);
   ToPolyData(set, *model, field.name.empty() ? "Value" : field.name, options.values, output);

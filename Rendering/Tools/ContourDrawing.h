@@ -20,7 +20,7 @@ struct Shot;
 struct FoundContours
 {
   std::vector<std::vector<double>> values; ///< by layer, in ascending order
-  std::size_t outside = 0; ///< of them, that lie outside of the values seen on their layer
+  std::size_t outside = 0; ///< of them, outside of the values at centres of their layer's pixels
   ContourCounters pixels;
   std::optional<int> labels; ///< written, where they were asked for
 };

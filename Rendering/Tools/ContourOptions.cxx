@@ -229,7 +229,7 @@ void ContourOptions::Check(const std::vector<LayerSettings>& layers) const
   }
   if (TheOnly)
   {
-    CheckEffectsWithoutColors(ByMap(), *Command, layers);
+    CheckEffectsWithoutColors(*this, *Command, layers);
   }
 }
 

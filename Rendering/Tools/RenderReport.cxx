@@ -308,7 +308,7 @@ void WarnOf(const Frame& frame, const Found& found)
       "; shown in the colour of NaN; leave out --log, or choose the colour with --nan-color");
   }
   if (found.contours && CountOf(*found.contours) > 0 &&
-    found.contours->outside == CountOf(*found.contours))
+    found.contours->outside == CountOf(*found.contours) && found.contours->pixels.in == 0)
   {
     Warn("--contours: all of the values lie outside of those that the picture shows" +
       (found.values ? ", " + Short((*found.values)[0]) + " to " + Short((*found.values)[1])

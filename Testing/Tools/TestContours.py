@@ -94,6 +94,14 @@ class Contours(ToolTest):
         self.assertIn("2 values, 2 of them not among those that are seen", result.stdout)
         self.assertTrue((read_image(self.folder / "i.png") == 255).all())
 
+    def test_a_line_between_the_values_at_centres_is_not_denied(self):
+        # One pixel from x = 0.1 to 0.9.
+        pixel = View([0.5, 0.5, 3.0], [0.5, 0.5, 0.0], [0.0, 1.0, 0.0], 1, 1, scale=0.4).options()
+        result = self.succeeds(*self.words(*HALF, *pixel, *WHITE, "--contours", "0.75"))
+        self.assertIn("1 pixel in", result.stdout)
+        self.assertLess(read_image(self.folder / "i.png").min(), 255)
+        self.assertNotIn("no lines", result.stderr)
+
     def test_colours(self):
         red, green = [255, 0, 0], [0, 255, 0]
         base = ["--contours", "0.755,0.255", "--contour-width", "3"]
@@ -116,11 +124,19 @@ class Contours(ToolTest):
         self.assertEqual(image[60, 60].tolist(), [255, 255, 0])
         self.assertEqual(image[2, 2].tolist(), [0, 0, 255])
         for option in [["--colormap", "jet"], ["--color", "1,0,0"], ["--lights", "on"],
-                       ["--nan-color", "1,0,0"], ["--layer", "1:opacity=0.5"]]:
+                       ["--nan-color", "1,0,0"], ["--layer", "1:opacity=0.5"], ["--range", "0,1"],
+                       ["--log"], ["--layer", "1:range=0:1"], ["--samples", "4"]]:
             self.fails(2, *self.words(*HALF, *base, "--contours-only", *option),
                        names=[option[0], "no effect", "--contours-only"])
         self.succeeds(*self.words(*HALF, *base, "--contours-only", "--contour-color", "map",
-                                  "--colormap", "jet"))
+                                  "--colormap", "jet", "--range", "0,1"))
+        # By a range, values are spaced.
+        self.succeeds(*self.words(*HALF, "--contours", "3", "--contours-only", "--range", "0.1,1",
+                                  "--log"))
+        two = ["--plane", "0.5,0,0,1,0,0", "--contours", "3", "--contours-only", "--range", "0,1"]
+        self.succeeds(*self.words(*HALF, *two, "--layer", "1:contours=0.5"))
+        self.fails(2, *self.words(*HALF, *two, "--layer", "1:contours=0.5,range=0:2"),
+                   names=["--layer", "no effect", "--contours-only"])
 
     def test_layers_with_contours_of_their_own(self):
         two = ["--plane", "0.5,0,0,1,0,0"]

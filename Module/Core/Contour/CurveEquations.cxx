@@ -32,7 +32,7 @@ ScaledModes ModesOf(const ContourQuestion& question, int element)
     return { space, modes, field.values.components };
   }
   const auto skipped =
-    static_cast<std::size_t>(question.component) * static_cast<std::size_t>(space.Modes());
+    static_cast<std::size_t>(question.Component()) * static_cast<std::size_t>(space.Modes());
   return { space, modes + skipped, 1 };
 }
 
