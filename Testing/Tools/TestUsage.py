@@ -158,7 +158,8 @@ class WrongUsage(ToolTest):
         self.fails(2, "--paint")
         self.fails(2, "info")
         self.fails(2, "info", self.cube, "--paint")
-        self.fails(2, "probe", self.cube, "--field", "u", "--points", "p.csv")
+        self.fails(1, "probe", self.cube, "--field", "u", "--points", "p.csv")
+        self.fails(2, "probe", self.cube, "--field", "u")
         self.fails(2, "probe", self.cube, "--output", "o.csv")
 
     def test_threads(self):
