@@ -200,6 +200,32 @@ TEST_F(ContoursInWindow, ColorsAreOfEachValueOrTheTables)
   EXPECT_EQ(count({ 0, 0, 0 }), 0);
 }
 
+/// A value that is set twice is a line that is drawn, and labelled, once.
+TEST_F(ContoursInWindow, AreDrawnOnceForEachValue)
+{
+  const auto picture = [&]
+  {
+    View.Render();
+    std::vector<Rgb> colors;
+    for (int i = 0; i < Window::kWidth * Window::kHeight; ++i)
+    {
+      colors.push_back(View.Color(i % Window::kWidth, i / Window::kWidth));
+    }
+    return colors;
+  };
+  for (const bool labels : { false, true })
+  {
+    Scene.Mapper->SetContourLabels(labels);
+    Scene.Mapper->RemoveColorsOfContours();
+    Scene.Mapper->GenerateContourValues(1, 0.25, 0.25);
+    const std::vector<Rgb> once = picture();
+    Scene.Mapper->GenerateContourValues(3, 0.25, 0.25);
+    EXPECT_TRUE(picture() == once) << labels;
+    Scene.Mapper->SetColorOfContour(1, 1.0, 0.0, 0.0);
+    EXPECT_TRUE(picture() == once) << labels;
+  }
+}
+
 TEST_F(ContoursInWindow, OfLayersAreTheirOwn)
 {
   Scene.Mapper->SetCutFunction(nullptr);
