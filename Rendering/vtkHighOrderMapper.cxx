@@ -142,7 +142,7 @@ pixelexact::FrameRequest vtkHighOrderMapper::Internals::Request(
     if (layer->GetVisibility())
     {
       pixelexact::LayerRequest own = pixelexact::LayerOf(layer, ofAll);
-      if (layer->GetNumberOfContours() > 0 && !own.contours.colors.empty())
+      if (layer->GetNumberOfContours() > 0 && !self->ContourScalarVisibility)
       {
         // Colours of single contours are of the mapper's.
         own.contours.colors = { pixelexact::ToRgba(self->ContourColor) };

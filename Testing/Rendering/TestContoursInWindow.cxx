@@ -246,6 +246,21 @@ TEST_F(ContoursInWindow, OfLayersAreTheirOwn)
   View.Render();
   EXPECT_EQ(Scene.Mapper->GetNumberOfContourPixels(), 0);
   EXPECT_EQ(Scene.Mapper->GetNumberOfTraces(), 1);
+  // In the mapper's colour, whatever colours single ones of its own have.
+  layer->ContourVisibilityOn();
+  Scene.Mapper->SetContourWidth(6.0);
+  for (const int own : { 1, 0 })
+  {
+    Scene.Mapper->SetNumberOfContours(own);
+    Scene.Mapper->SetColorOfContour(0, 1.0, 0.0, 0.0);
+    View.Render();
+    int black = 0;
+    for (int i = 0; i < Window::kWidth * Window::kHeight; ++i)
+    {
+      black += View.Color(i % Window::kWidth, i / Window::kWidth) == Rgb{ 0, 0, 0 } ? 1 : 0;
+    }
+    EXPECT_GT(black, 50) << own;
+  }
 }
 
 /// Lines are on the nearest sheet and go with it.
