@@ -226,6 +226,64 @@ TEST_F(ContoursInWindow, AreDrawnOnceForEachValue)
   }
 }
 
+/// A surface of one colour has lines by the table as well, of the component that it chooses.
+TEST_F(ContoursInWindow, ColorsAreTheTablesWhereTheSurfaceHasOne)
+{
+  Scene.Mapper->SetContourValue(0, 0.5);
+  Scene.Mapper->SetContourWidth(6.0);
+  Scene.Mapper->ContourScalarVisibilityOn();
+  const int gray = static_cast<int>(std::lround(255.0 * (0.5 + 1.0) / 3.0));
+  const auto count = [&](int wanted)
+  {
+    View.Render();
+    int found = 0;
+    for (int i = 0; i < Window::kWidth * Window::kHeight; ++i)
+    {
+      found +=
+        std::abs(View.Color(i % Window::kWidth, i / Window::kWidth)[0] - wanted) <= 1 ? 1 : 0;
+    }
+    return found;
+  };
+  EXPECT_GT(count(gray), 50);
+  // A range that follows from the field, as where the surface is coloured.
+  Scene.Mapper->SetRangeModeToField();
+  Scene.Mapper->ScalarVisibilityOn();
+  View.Render();
+  const std::vector<double> range(
+    Scene.Mapper->GetScalarRange(), Scene.Mapper->GetScalarRange() + 2);
+  Scene.Mapper->SetScalarRange(-7.0, 8.0);
+  Scene.Mapper->SetRangeModeToField();
+  Scene.Mapper->ScalarVisibilityOff();
+  EXPECT_GT(
+    count(static_cast<int>(std::lround(255.0 * (0.5 - range[0]) / (range[1] - range[0])))), 50);
+  EXPECT_EQ(std::vector<double>(Scene.Table->GetRange(), Scene.Table->GetRange() + 2), range);
+  // And of a layer.
+  Scene.Mapper->ScalarVisibilityOn();
+  Scene.Mapper->SetScalarRange(-1.0, 2.0);
+  Scene.Mapper->SetCutFunction(nullptr);
+  vtkNew<vtkHighOrderLayer> layer;
+  layer->SetCutFunction(Scene.Function);
+  layer->ScalarVisibilityOff();
+  Scene.Mapper->AddLayer(layer);
+  EXPECT_GT(count(gray), 50);
+}
+
+TEST_F(ContoursInWindow, AreOfTheTablesComponentWhereTheSurfaceHasOneColor)
+{
+  Scene.Mapper->SetFieldName("v");
+  Scene.Mapper->SetContourValue(0, 1.25);
+  Scene.Table->SetVectorModeToMagnitude();
+  View.Render();
+  const vtkIdType solid = Scene.Mapper->GetNumberOfContourPixels();
+  Scene.Mapper->ScalarVisibilityOn();
+  View.Render();
+  const vtkIdType ofMagnitude = Scene.Mapper->GetNumberOfContourPixels();
+  Scene.Table->SetVectorModeToComponent();
+  View.Render();
+  ASSERT_NE(Scene.Mapper->GetNumberOfContourPixels(), ofMagnitude);
+  EXPECT_EQ(solid, ofMagnitude);
+}
+
 TEST_F(ContoursInWindow, OfLayersAreTheirOwn)
 {
   Scene.Mapper->SetCutFunction(nullptr);
