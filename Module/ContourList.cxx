@@ -34,7 +34,8 @@ void ContourList::Generate(int number, double lower, double upper)
   const double step = number > 1 ? (upper - lower) / (number - 1) : 0.0;
   for (int i = 0; i < number; ++i)
   {
-    Values[static_cast<std::size_t>(i)] = lower + i * step;
+    // The last one as given, and not what rounding leaves of it.
+    Values[static_cast<std::size_t>(i)] = i > 0 && i + 1 == number ? upper : lower + i * step;
   }
 }
 } // namespace pixelexact

@@ -12,7 +12,7 @@
 namespace pixelexact
 {
 void FrameContours::Make(const Scene& scene, const std::vector<LayerContours>& layers,
-  const std::vector<LayerColors>& colors, const ContourLook& look)
+  const std::vector<ColorMap>& maps, const ContourLook& look)
 {
   Lines.reset();
   Certifier.reset();
@@ -26,7 +26,7 @@ void FrameContours::Make(const Scene& scene, const std::vector<LayerContours>& l
   {
     const LayerContours& layer = layers[k];
     values.push_back(layer.values);
-    lineColors.push_back(layer.colors.empty() ? ColorsOf(layer.values, colors[k].map)
+    lineColors.push_back(layer.colors.empty() ? ColorsOf(layer.values, maps[k])
                                               : InOrderOf(layer.values, layer.colors));
     if (layer.values.empty())
     {

@@ -142,7 +142,7 @@ pixelexact::FrameRequest vtkHighOrderMapper::Internals::Request(
     if (layer->GetVisibility())
     {
       pixelexact::LayerRequest own = pixelexact::LayerOf(layer, ofAll);
-      if (layer->GetNumberOfContours() > 0 && !own.contours.colors.empty())
+      if (layer->GetNumberOfContours() > 0 && !self->ContourScalarVisibility)
       {
         // Colours of single contours are of the mapper's.
         own.contours.colors = { pixelexact::ToRgba(self->ContourColor) };
@@ -151,9 +151,13 @@ pixelexact::FrameRequest vtkHighOrderMapper::Internals::Request(
     }
   }
   Drawer.Surfaces().KeepOnly(sources);
-  if (ofAll.table != nullptr)
+  vtkScalarsToColors* const table = self->GetLookupTable();
+  if (self->ScalarVisibility ||
+    std::ranges::any_of(request.layers,
+      [table](const pixelexact::LayerRequest& layer)
+      { return pixelexact::TableOf(layer) == table; }))
   {
-    this->ChooseRange(self, request, ofAll.table);
+    this->ChooseRange(self, request, table);
   }
   return request;
 }
@@ -715,7 +719,10 @@ void vtkHighOrderMapper::Warn(vtkRenderer* renderer, vtkActor* actor)
 {
   const bool translucent =
     actor->GetProperty()->GetOpacity() < 1.0 || this->HasTranslucentPolygonalGeometry();
-  std::vector<std::string> texts = pixelexact::SettingsWithoutEffect(this, actor, translucent);
+  const bool mapped = this->ScalarVisibility ||
+    (this->ContourScalarVisibility && this->Data->Drawer.LastSource()->LastContours() != nullptr);
+  std::vector<std::string> texts =
+    pixelexact::SettingsWithoutEffect(this, actor, translucent, mapped);
   // One plane that is not opaque has nothing behind it.
   if (this->ContourLabels &&
     pixelexact::HasTranslucent(this->Data->Drawer.LastSource()->LastScene()))

@@ -22,6 +22,9 @@ class Contours(unittest.TestCase):
         self.assertEqual(mapper.GetNumberOfContours(), 0)
         mapper.GenerateContourValues(3, (0, 1))
         self.assertEqual(mapper.GetContourValues(), (0, 0.5, 1))
+        # Both ends, where 49 * (1 / 49) is less than 1.
+        mapper.GenerateContourValues(50, 0, 1)
+        self.assertEqual((mapper.GetContourValue(0), mapper.GetContourValue(49)), (0, 1))
         mapper.GenerateContourValues(1, 0.25, 5)
         self.assertEqual(mapper.GetContourValues(), (0.25,))
         mapper.SetContourValue(2, 7)

@@ -33,6 +33,7 @@ ContourCertifier::ContourCertifier(std::vector<std::vector<double>> values,
       throw Error("contours: an iso-value is not finite; give finite numbers.");
     }
     std::ranges::sort(ofLayer);
+    ofLayer.erase(std::unique(ofLayer.begin(), ofLayer.end()), ofLayer.end());
   }
 }
 

@@ -50,7 +50,8 @@ class ContourBounds;
 class ContourCertifier final : public FrameModule
 {
 public:
-  /// `values`: of each of the scene's layers its iso-values, in any order; none: no contours on it.
+  /// `values`: of each of the scene's layers its iso-values, in any order, each counted once; none:
+  /// no contours on it.
   /// `bounds`: what is known of the fields, to be used again; null: it is found out for each frame.
   /// Throws Error for a value that is not finite.
   explicit ContourCertifier(std::vector<std::vector<double>> values,
@@ -66,7 +67,7 @@ public:
   /// Of the last frame: a ContourVerdict for each pixel, lower-left first.
   [[nodiscard]] const std::vector<std::uint8_t>& Verdicts() const { return Pixels; }
   [[nodiscard]] const ContourCounters& Counters() const { return Counted; }
-  /// In ascending order.
+  /// In ascending order, each once.
   [[nodiscard]] const std::vector<std::vector<double>>& Values() const { return IsoValues; }
 
 private:

@@ -31,11 +31,11 @@ struct ContourStyle
   bool operator==(const ContourStyle&) const = default;
 };
 
-/// Colours in the ascending order of the values that they are given for; one for all stays as it
-/// is.
+/// Colours in the ascending order of the values that they are given for, of equal ones the first;
+/// one for all stays as it is.
 [[nodiscard]] std::vector<Rgba> InOrderOf(
   const std::vector<double>& values, const std::vector<Rgba>& colors);
-/// The map's, in the ascending order of the values.
+/// The map's, in the ascending order of the values, each once.
 [[nodiscard]] std::vector<Rgba> ColorsOf(std::vector<double> values, const ColorMap& map);
 
 /// Draws the lines on which the field has the iso-values of a ContourCertifier, of a width in
