@@ -6,6 +6,7 @@
 
 #include "Core/Base/Error.h"
 #include "Core/Location/Locator.h"
+#include "Trace/Tracer.h"
 
 #include "VtkLook.h"
 
@@ -13,6 +14,8 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 
 namespace pixelexact
 {
@@ -137,6 +140,21 @@ void AddLayers(const ShotOptions& options,
   }
 }
 
+/// What a small picture shows.
+std::vector<Vec3> SeenPoints(const Shot& shot)
+{
+  constexpr double kSide = 100.0;
+  const double part = std::min(1.0, kSide / std::max(shot.size.width, shot.size.height));
+  const auto side = [part](int all) { return std::max(1, static_cast<int>(part * all)); };
+  const Frame frame =
+    Trace(shot.scene, { shot.view, side(shot.size.width), side(shot.size.height) }, {},
+      { .centres = Buffer::Position });
+  std::vector<Vec3> points;
+  std::ranges::copy_if(frame.centres.position, std::back_inserter(points),
+    [](const Vec3& x) { return std::isfinite(x.x + x.y + x.z); });
+  return points;
+}
+
 /// For those who want the same once more.
 void TellWhatWasChosen(const ShotOptions& options, Shot& shot)
 {
@@ -213,6 +231,7 @@ Shot Prepare(const ShotOptions& options, Stopwatch& stopwatch)
     ? surfaces.front()->Normal({ 0.5 * (box.lower + box.upper) })
     : Vec3(1.0);
   shot.view = options.camera.Make(box, normal, shot.size);
+  shot.view = options.camera.FitTo(SeenPoints(shot), shot.view, shot.size);
   return shot;
 }
 

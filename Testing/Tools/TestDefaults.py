@@ -22,7 +22,8 @@ class Defaults(ToolTest):
             plain_grid(BOX, [(12, list(range(8)))], [("u", [p[2] for p in BOX])]), encoding="utf-8")
 
     def render(self, *arguments, status=0):
-        done = run("render", "--size", "40x40", *arguments, folder=self.folder)
+        size = [] if "--size" in arguments else ["--size", "40x40"]
+        done = run("render", *size, *arguments, folder=self.folder)
         self.assertEqual(done.returncode, status, done.stderr)
         return done
 
@@ -93,6 +94,24 @@ class Defaults(ToolTest):
         self.render(self.box, "--view", "up", status=2)
         self.render(self.box, "--view", "+x", "--camera-position", "1,2,3", "--focal-point",
             "0,0,0", status=2)
+
+    def test_framing(self):
+        """What is cut fills most of a side, and is in the middle."""
+        long = self.folder / "long.vtu"
+        long.write_text(plain_grid([[13 * x, 1.1 * y, z] for x, y, z in BOX],
+            [(12, list(range(8)))], [("u", [p[2] for p in BOX])]), encoding="utf-8")
+        for name, arguments in [
+            ("box", ["--plane", "x"]), ("box", ["--plane", "x=95%", "--view", "iso"]),
+            ("box", ["--sphere", "5,0,0,0.3"]), ("long", []), ("long", ["--plane", "y=10%"]),
+            ("long", ["--boundary", "--view", "iso"]), ("box", ["--plane", "y", "--view-angle", 70]),
+        ]:
+            self.render(f"{name}.vtu", *arguments, "--size", "160x60", "--buffers", "cut.vti")
+            rows, columns = np.nonzero(read_buffers(self.folder / "cut.vti")["Element"] >= 0)
+            filled = max(np.ptp(rows) / 60, np.ptp(columns) / 160)
+            self.assertGreater(filled, 0.8, arguments)
+            self.assertLess(filled, 0.97, arguments)
+            self.assertAlmostEqual(rows.min() + rows.max(), 59, delta=8, msg=arguments)
+            self.assertAlmostEqual(columns.min() + columns.max(), 159, delta=8, msg=arguments)
 
     def test_components_by_name(self):
         rows = [[p[0], 2.0 * p[1], 3.0 * p[2]] for p in BOX]
