@@ -131,7 +131,7 @@ CameraView CameraOptions::Make(
 CameraView CameraOptions::FitTo(
   std::span<const Vec3> points, const CameraView& all, const ImageSize& size) const
 {
-  if (!Position.empty() || points.empty())
+  if (points.empty())
   {
     return all;
   }

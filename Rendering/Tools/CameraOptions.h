@@ -23,8 +23,10 @@ public:
   /// Throws UsageError when the options contradict each other.
   [[nodiscard]] CameraView Make(
     const Box3& bounds, const Vec3& surfaceNormal, const ImageSize& size) const;
+  /// Whether it was said where it stands.
+  [[nodiscard]] bool IsPlaced() const { return !Position.empty(); }
   /// Nearer, or to the side, so that points fill most of an image: those that are seen in the view
-  /// that Make made. Where the camera was placed, or there are none, that view.
+  /// that Make made. Of no points that view.
   [[nodiscard]] CameraView FitTo(
     std::span<const Vec3> points, const CameraView& all, const ImageSize& size) const;
   /// The part of Make's checks that needs no data, for failing before the file is read.

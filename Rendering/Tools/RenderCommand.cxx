@@ -5,6 +5,7 @@
 #include "ContourFile.h"
 #include "ContourOptions.h"
 #include "DebugOptions.h"
+#include "Figure.h"
 #include "Looks.h"
 #include "Output.h"
 #include "Picture.h"
@@ -34,6 +35,7 @@ struct RenderOptions
   std::string output;
   ContourOptions contours;
   ContourFileOptions lines;
+  FigureOptions figure;
 };
 
 /// A file of another kind than its name says would mislead whoever opens it.
@@ -44,6 +46,26 @@ void CheckSuffix(const char* option, const std::string& file, const char* suffix
     throw UsageError(
       std::string(option) + ": '" + file + "' is written as " + suffix + "; name it so");
   }
+}
+
+/// The picture alone, or with a figure around it, which says where it comes from.
+void WritePicture(const RenderOptions& options, const Shot& shot, const Looks& looks,
+  const Frame& frame, const std::string& file, const RepeatedCommand& command)
+{
+  if (!options.figure.IsAsked())
+  {
+    WritePng(file, frame.width, frame.height, options.shot.colors.Flatten(frame));
+    return;
+  }
+  const ImageSize& size = options.shot.size;
+  const bool bars = !options.contours.Only() || options.contours.ByMap();
+  const FrameCounters& pixels = frame.counters;
+  WritePng(file, size.width, size.height,
+    options.figure.Draw(size, shot, looks, frame, options.shot.colors, bars),
+    { { "Source", DescribeFiles(options.shot.input.files) }, { "Command", command.Text() },
+      { "Pixels",
+        fmt::format(
+          "{} exact, {} nothing, {} unknown", pixels.exact, pixels.nothing, pixels.unknown) } });
 }
 
 void Render(const RenderOptions& options, const CommonOptions& common)
@@ -67,8 +89,18 @@ void Render(const RenderOptions& options, const CommonOptions& common)
   const std::vector<LayerSettings> layers = options.shot.MakeLayers();
   debug.Check(options.shot.samples, layers);
   options.contours.Check(layers);
+  ShotOptions asked = options.shot;
+  if (options.figure.IsAsked())
+  {
+    if (debug.IsInPlace())
+    {
+      throw UsageError("--figure has no bar for the colours of --show and --owners; leave it out");
+    }
+    options.figure.Check(asked.size);
+    asked.size = options.figure.PictureSize(asked.size);
+  }
   Stopwatch stopwatch;
-  const Shot shot = Prepare(options.shot, stopwatch);
+  const Shot shot = Prepare(asked, stopwatch);
   if (!options.lines.file.empty())
   {
     CheckContourSurfaces(shot);
@@ -107,7 +139,12 @@ void Render(const RenderOptions& options, const CommonOptions& common)
   }
   stopwatch.Stage("trace+colour");
 
-  WritePng(picture, frame.width, frame.height, options.shot.colors.Flatten(frame));
+  RepeatedCommand command{ common.words, shot.chosen };
+  if (options.output.empty())
+  {
+    command.chosen.insert(command.chosen.end(), { "--output", picture });
+  }
+  WritePicture(options, shot, looks, frame, picture, command);
   if (!options.buffers.File().empty())
   {
     WriteBuffers(options.buffers.File(), options.buffers.Arrays(), frame,
@@ -121,10 +158,8 @@ void Render(const RenderOptions& options, const CommonOptions& common)
     stopwatch.Stage("contours");
   }
 
-  RepeatedCommand command{ common.words, shot.chosen };
   if (options.output.empty())
   {
-    command.chosen.insert(command.chosen.end(), { "--output", picture });
     Note("written to '" + picture + "'");
   }
   WarnOf(frame, found);
@@ -154,5 +189,6 @@ void AddRenderCommand(CLI::App& program, const CommonOptions& common, Action& ac
     "folder; a file of that name is written over where pixelexact made it)");
   options->buffers.AddTo(command);
   options->lines.AddTo(command);
+  options->figure.AddTo(command);
 }
 } // namespace pixelexact

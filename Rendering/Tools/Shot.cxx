@@ -231,7 +231,11 @@ Shot Prepare(const ShotOptions& options, Stopwatch& stopwatch)
     ? surfaces.front()->Normal({ 0.5 * (box.lower + box.upper) })
     : Vec3(1.0);
   shot.view = options.camera.Make(box, normal, shot.size);
-  shot.view = options.camera.FitTo(SeenPoints(shot), shot.view, shot.size);
+  // The second time from nearer, where the first saw what is small in a few of its pixels.
+  for (int look = 0; look < 2 && !options.camera.IsPlaced(); ++look)
+  {
+    shot.view = options.camera.FitTo(SeenPoints(shot), shot.view, shot.size);
+  }
   return shot;
 }
 
