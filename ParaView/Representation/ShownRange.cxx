@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ShownRange.h"
+
+#include "CompositeParts.h"
+#include "FieldRange.h"
+#include "HighOrderModel.h"
+#include "VtkColorMap.h"
+
+#include "Core/Base/Error.h"
+
+#include "vtkCellData.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+#include "vtkScalarsToColors.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <vector>
+
+namespace pixelexact
+{
+namespace
+{
+std::vector<vtkUnstructuredGrid*> GridsOf(vtkDataObject* data)
+{
+  std::vector<vtkUnstructuredGrid*> grids;
+  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
+  {
+    grids.push_back(grid);
+  }
+  else if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    for (const CompositePart& part : PartsOf(composite))
+    {
+      grids.push_back(part.grid);
+    }
+  }
+  return grids;
+}
+
+/// Of an array's values, as ParaView finds it: over all blocks.
+ShownRange::Range OfArray(vtkDataObject* data, const std::string& name, int component)
+{
+  ShownRange::Range range{ std::numeric_limits<double>::infinity(),
+    -std::numeric_limits<double>::infinity() };
+  for (vtkUnstructuredGrid* grid : GridsOf(data))
+  {
+    vtkDataArray* array = grid->GetPointData()->GetArray(name.c_str());
+    array = array != nullptr ? array : grid->GetCellData()->GetArray(name.c_str());
+    if (array != nullptr && component < array->GetNumberOfComponents())
+    {
+      ShownRange::Range own;
+      array->GetFiniteRange(own.data(), component);
+      range = { std::min(range[0], own[0]), std::max(range[1], own[1]) };
+    }
+  }
+  return range;
+}
+} // namespace
+
+std::optional<ShownRange::Range> ShownRange::OfField(
+  vtkDataObject* data, const std::string& field, vtkScalarsToColors* table)
+{
+  try
+  {
+    const std::shared_ptr<HighOrderModel> model = HighOrderModel::From(data);
+    const Field* found = model->FindField(field);
+    if (found == nullptr)
+    {
+      return std::nullopt;
+    }
+    const int component = ComponentOf(table, found->values.components);
+    if (Model != model || Name != field || Component != component)
+    {
+      Known = FieldRange(model->GetMesh(), *found, component);
+      Model = model;
+      Name = field;
+      Component = component;
+    }
+    return Known;
+  }
+  catch (const Error&)
+  {
+    return std::nullopt; // drawing says what is wrong
+  }
+}
+
+std::string ShownRange::Complaint(
+  vtkDataObject* data, const std::string& field, vtkScalarsToColors* table)
+{
+  const std::optional<Range> range = this->OfField(data, field, table);
+  if (!range)
+  {
+    return {};
+  }
+  const double* shown = table->GetRange();
+  const double width = shown[1] - shown[0];
+  const Range atPoints = OfArray(data, field, Component);
+  const auto isNear = [width](double a, double b) { return std::fabs(a - b) <= 1e-6 * width; };
+  const bool isParaViews = isNear(shown[0], atPoints[0]) && isNear(shown[1], atPoints[1]);
+  const double beyond = std::max(shown[0] - (*range)[0], (*range)[1] - shown[1]);
+  if (!isParaViews || beyond <= width / 256.0)
+  {
+    return {};
+  }
+  std::ostringstream text;
+  text << "the colour map spans the values that '" << field << "' has at the cells' points, "
+       << shown[0] << " to " << shown[1] << ", but the field has values from " << (*range)[0]
+       << " to " << (*range)[1]
+       << ", and those beyond have the colours of its ends; 'Rescale to Custom Range' shows all";
+  return text.str();
+}
+} // namespace pixelexact
