@@ -37,6 +37,19 @@ void RemoveField(vtkUnstructuredGrid* grid, const std::string& name)
   grid->GetPointData()->RemoveArray(name.c_str());
   grid->GetCellData()->RemoveArray(name.c_str());
 }
+
+/// Makes the first field the one that ParaView takes where it takes one.
+void ChooseScalars(vtkUnstructuredGrid* grid)
+{
+  for (const std::string& name : pixelexact::StoredFieldNames(grid))
+  {
+    if (grid->GetPointData()->SetActiveScalars(name.c_str()) >= 0 ||
+      grid->GetCellData()->SetActiveScalars(name.c_str()) >= 0)
+    {
+      return;
+    }
+  }
+}
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -168,6 +181,7 @@ int vtkPixelExactReader::RequestData(
       RemoveField(output, name);
     }
   }
+  ChooseScalars(output);
   vtkInformation* made = grid->GetInformation();
   if (made->Has(vtkDataObject::DATA_TIME_STEP()))
   {
