@@ -163,6 +163,10 @@ int vtkPixelExactReader::RequestData(
   vtkInformation* info = outputVector->GetInformationObject(0);
   auto* output = vtkUnstructuredGrid::GetData(outputVector);
   output->Initialize();
+  if (this->PrepareTime < this->GetMTime())
+  {
+    return 0; // RequestInformation said why
+  }
   const bool hasTime = info->Has(Pipeline::UPDATE_TIME_STEP()) != 0;
   const bool done = hasTime
     ? this->GetSource()->UpdateTimeStep(info->Get(Pipeline::UPDATE_TIME_STEP())) != 0
@@ -181,6 +185,7 @@ int vtkPixelExactReader::RequestData(
       RemoveField(output, name);
     }
   }
+  this->PrepareTime.Modified(); // what was offered now needs nothing else to be read
   ChooseScalars(output);
   vtkInformation* made = grid->GetInformation();
   if (made->Has(vtkDataObject::DATA_TIME_STEP()))

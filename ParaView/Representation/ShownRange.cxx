@@ -108,9 +108,8 @@ std::string ShownRange::Complaint(
     return {};
   }
   std::ostringstream text;
-  text << "the colour map spans the values that '" << field << "' has at the cells' points, "
-       << shown[0] << " to " << shown[1] << ", but the field has values from " << (*range)[0]
-       << " to " << (*range)[1]
+  text << "the colour map spans the values in the array '" << field << "', " << shown[0] << " to "
+       << shown[1] << ", but the field has values from " << (*range)[0] << " to " << (*range)[1]
        << ", and those beyond have the colours of its ends; 'Rescale to Custom Range' shows all";
   return text.str();
 }

@@ -3,6 +3,7 @@
 
 #include "CompositeParts.h"
 #include "HighOrderArrays.h"
+#include "HighOrderModel.h"
 #include "RepresentationInternals.h"
 
 #include "Core/Base/Error.h"
@@ -94,18 +95,26 @@ int vtkPixelExactRepresentation::RequestData(
   vtkMath::UninitializeBounds(my.Bounds.data());
   if (inputVector[0]->GetNumberOfInformationObjects() == 1)
   {
+    vtkDataObject* data = vtkDataObject::GetData(inputVector[0], 0);
     try
     {
-      vtkDataObject* data = vtkDataObject::GetData(inputVector[0], 0);
       my.Shown = my.WithCoefficients(data);
       if (HasCells(my.Shown))
       {
+        // Held until the mapper has it.
+        const auto model = pixelexact::HighOrderModel::From(my.Shown);
         my.Mapper->SetInputData(my.Shown);
         my.Mapper->GetBounds(my.Bounds.data());
       }
     }
+    catch (const pixelexact::StaleData& error)
+    {
+      my.Shown = nullptr;
+      vtkErrorMacro(<< error.what() << " In ParaView: the filter PixelExact Convert.");
+    }
     catch (const pixelexact::Error& error)
     {
+      my.Shown = nullptr;
       vtkErrorMacro(<< error.what());
     }
   }

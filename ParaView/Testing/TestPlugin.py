@@ -7,6 +7,8 @@ import unittest
 
 from paraview import simple
 
+import scene
+
 
 class Plugin(unittest.TestCase):
     def test_it_is_loaded(self):
@@ -34,4 +36,4 @@ class Plugin(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    scene.main()
