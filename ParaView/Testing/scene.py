@@ -79,15 +79,20 @@ def tool_values(inputs, field, points):
     return numpy.array([[float(row[key]) for key in columns] for row in rows])
 
 
+def make_plain(the_view):
+    """Nothing but data on a background, each pixel as it was drawn."""
+    the_view.ViewSize = SIZE
+    the_view.OrientationAxesVisibility = 0
+    the_view.UseColorPaletteForBackground = 0
+    the_view.BackgroundColorMode = "Single Color"
+    the_view.Background = [0.2, 0.4, 0.6]
+    the_view.UseFXAA = 0
+
+
 def view(direction=(0, 0, -1), up=(0, 1, 0), centre=(0, 0, 0), scale=1.6):
-    """A view in parallel projection on a plain background."""
+    """A plain view in parallel projection."""
     made = simple.CreateView("RenderView")
-    made.ViewSize = SIZE
-    made.OrientationAxesVisibility = 0
-    made.UseColorPaletteForBackground = 0
-    made.BackgroundColorMode = "Single Color"
-    made.Background = [0.2, 0.4, 0.6]
-    made.UseFXAA = 0
+    make_plain(made)
     made.CameraParallelProjection = 1
     made.CameraParallelScale = scale
     made.CameraFocalPoint = list(centre)
