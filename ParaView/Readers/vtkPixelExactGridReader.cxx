@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPixelExactGridReader.h"
 
+#include "HighOrderArrays.h"
+#include "TimeSeries.h"
 #include "vtkHighOrderSeriesReader.h"
 #include "vtkUnstructuredGridToHighOrderGrid.h"
 
 #include "vtkObjectFactory.h"
+#include "vtkXMLUnstructuredGridReader.h"
 
 vtkStandardNewMacro(vtkPixelExactGridReader);
 
@@ -51,5 +54,24 @@ void vtkPixelExactGridReader::Prepare()
   for (const std::string& file : this->FileNames)
   {
     this->Reader->AddFileName(file.c_str());
+  }
+  if (pixelexact::LowerSuffix(this->FileNames.front()) != ".vtu")
+  {
+    return; // what fields there are is known when it has been read
+  }
+  vtkNew<vtkXMLUnstructuredGridReader> head;
+  head->SetFileName(this->FileNames.front().c_str());
+  head->UpdateInformation();
+  for (int i = 0; i < head->GetNumberOfPointArrays(); ++i)
+  {
+    this->Offer(head->GetPointArrayName(i), true);
+  }
+  for (int i = 0; i < head->GetNumberOfCellArrays(); ++i)
+  {
+    const std::string name = head->GetCellArrayName(i);
+    if (name != pixelexact::kElementIds)
+    {
+      this->Offer(name, true);
+    }
   }
 }

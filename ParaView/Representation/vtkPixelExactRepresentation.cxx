@@ -29,9 +29,15 @@ vtkStandardNewMacro(vtkPixelExactRepresentation);
 
 namespace
 {
-bool IsPlain(const pixelexact::CompositePart& part)
+/// Whether any grid is without coefficients.
+bool HasPlainGrids(vtkDataObject* data)
 {
-  return !pixelexact::HasHighOrderArrays(part.grid);
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    return std::ranges::any_of(pixelexact::PartsOf(composite),
+      [](const auto& part) { return !pixelexact::HasHighOrderArrays(part.grid); });
+  }
+  return !pixelexact::HasHighOrderArrays(vtkUnstructuredGrid::SafeDownCast(data));
 }
 
 bool HasCells(vtkDataObject* data)
@@ -44,13 +50,9 @@ bool HasCells(vtkDataObject* data)
 vtkSmartPointer<vtkDataObject> vtkPixelExactRepresentation::Internals::WithCoefficients(
   vtkDataObject* data)
 {
-  auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
-  auto* composite = vtkCompositeDataSet::SafeDownCast(data);
-  const bool isPlain = grid != nullptr
-    ? !pixelexact::HasHighOrderArrays(grid)
-    : std::ranges::any_of(pixelexact::PartsOf(composite), IsPlain);
   auto shown = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
-  if (isPlain)
+  // In parallel, processes may have no cells.
+  if (HasCells(data) && HasPlainGrids(data))
   {
     // A copy: the pipeline's object does not know that somebody else reads it.
     shown->ShallowCopy(data);

@@ -84,6 +84,10 @@ class Readers(unittest.TestCase):
             with self.subTest(name):
                 file = f"{name}.vtu"
                 reader = simple.PixelExactGridReader(FileName=[scene.data(file)])
+                reader.UpdatePipelineInformation()
+                self.assertIn("u", reader.Fields)
+                reader.Fields = ["u"]
+                self.assertEqual(set(scene.probe(reader, [[0, 0, 0]])) & {"u", "attribute"}, {"u"})
                 self.check(reader, f"{name}.oracle.csv", "u", [file])
 
     def test_nodes_elsewhere(self):
