@@ -230,6 +230,25 @@ class Representation(unittest.TestCase):
         moved = numpy.abs(after[:, 20:].astype(int) - before[:, :-20]).max(axis=-1) > 1
         self.assertLess(moved.sum(), 20)
 
+    def test_time_steps(self):
+        files = [scene.data(name) for name in TORUS + ["escher_tet_g3_p3.vtu"]]
+        source = simple.PixelExactGridReader(FileName=files)
+        steps = []
+        for time in 0.0, 1.0:
+            representation = show(source)
+            representation.CutFunction.Origin = [0, 0, 0]
+            representation.CutFunction.Normal = [0, 0, 1]
+            simple.GetColorTransferFunction("u").RescaleTransferFunction(-0.5, 0.5)
+            self.view.ViewTime = time
+            steps.append(scene.pixels(self.view))
+        simple.Hide(source)
+        representation = show(simple.PixelExactGridReader(FileName=files[1:]))
+        representation.CutFunction.Origin = [0, 0, 0]
+        representation.CutFunction.Normal = [0, 0, 1]
+        simple.GetColorTransferFunction("u").RescaleTransferFunction(-0.5, 0.5)
+        self.assertTrue(numpy.array_equal(scene.pixels(self.view), steps[1]))
+        self.assertFalse(numpy.array_equal(*steps))
+
     def test_plain_grid_is_converted(self):
         plain = simple.XMLUnstructuredGridReader(FileName=[scene.data(TORUS[0])])
         representation = show(plain)
