@@ -42,8 +42,8 @@ std::vector<vtkUnstructuredGrid*> GridsOf(vtkDataObject* data)
   return grids;
 }
 
-/// Of an array's values, as ParaView finds it: over all blocks.
-ShownRange::Range OfArray(vtkDataObject* data, const std::string& name, int component)
+/// Of the component of an array that a table shows, as ParaView finds it: over all blocks.
+ShownRange::Range OfArray(vtkDataObject* data, const std::string& name, vtkScalarsToColors* table)
 {
   ShownRange::Range range{ std::numeric_limits<double>::infinity(),
     -std::numeric_limits<double>::infinity() };
@@ -51,14 +51,31 @@ ShownRange::Range OfArray(vtkDataObject* data, const std::string& name, int comp
   {
     vtkDataArray* array = grid->GetPointData()->GetArray(name.c_str());
     array = array != nullptr ? array : grid->GetCellData()->GetArray(name.c_str());
-    if (array != nullptr && component < array->GetNumberOfComponents())
+    if (array != nullptr)
     {
       ShownRange::Range own;
-      array->GetFiniteRange(own.data(), component);
+      array->GetFiniteRange(own.data(), ComponentOf(table, array->GetNumberOfComponents()));
       range = { std::min(range[0], own[0]), std::max(range[1], own[1]) };
     }
   }
   return range;
+}
+
+/// Whether a table spans what ParaView makes it span: an array's values.
+bool IsAsParaViewSetsIt(vtkDataObject* data, const std::string& field, vtkScalarsToColors* table)
+{
+  const double* shown = table->GetRange();
+  const double tolerance = 1e-6 * (shown[1] - shown[0]);
+  try
+  {
+    const ShownRange::Range range = OfArray(data, field, table);
+    return std::fabs(shown[0] - range[0]) <= tolerance &&
+      std::fabs(shown[1] - range[1]) <= tolerance;
+  }
+  catch (const Error&)
+  {
+    return false; // drawing says what is wrong
+  }
 }
 } // namespace
 
@@ -92,18 +109,14 @@ std::optional<ShownRange::Range> ShownRange::OfField(
 std::string ShownRange::Complaint(
   vtkDataObject* data, const std::string& field, vtkScalarsToColors* table)
 {
-  const std::optional<Range> range = this->OfField(data, field, table);
-  if (!range)
+  if (!IsAsParaViewSetsIt(data, field, table))
   {
     return {};
   }
+  const std::optional<Range> range = this->OfField(data, field, table);
   const double* shown = table->GetRange();
-  const double width = shown[1] - shown[0];
-  const Range atPoints = OfArray(data, field, Component);
-  const auto isNear = [width](double a, double b) { return std::fabs(a - b) <= 1e-6 * width; };
-  const bool isParaViews = isNear(shown[0], atPoints[0]) && isNear(shown[1], atPoints[1]);
-  const double beyond = std::max(shown[0] - (*range)[0], (*range)[1] - shown[1]);
-  if (!isParaViews || beyond <= width / 256.0)
+  if (!range ||
+    std::max(shown[0] - (*range)[0], (*range)[1] - shown[1]) <= (shown[1] - shown[0]) / 256.0)
   {
     return {};
   }
