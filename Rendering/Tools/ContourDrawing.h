@@ -22,6 +22,7 @@ struct FoundContours
   std::size_t outside = 0; ///< of them, that lie outside of the values seen on their layer
   ContourCounters pixels;
   std::optional<int> labels; ///< written, where they were asked for
+  bool interior = false;     ///< whether loops inside of pixels were looked for
 };
 
 /// The contours of a shot.
@@ -47,6 +48,7 @@ public:
 
 private:
   std::optional<ColorMapping> InPlace; ///< of the surface's colours
+  bool Interior = false;
   std::optional<ContourCertifier> Certifier;
   std::optional<ContourLines> Lines;
   std::optional<int> LabelHeight;
