@@ -51,7 +51,9 @@ void FrameContours::Make(const Scene& scene, const std::vector<LayerContours>& l
   {
     Bounds = std::make_shared<ContourBounds>();
   }
-  Certifier.emplace(std::move(values), ContourMethod{}, Bounds);
+  ContourMethod method;
+  method.interior = look.interior;
+  Certifier.emplace(std::move(values), method, Bounds);
   Lines.emplace(*Certifier, style, std::move(lineColors));
 }
 

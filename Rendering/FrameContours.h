@@ -29,6 +29,7 @@ struct ContourLook
   /// The height of labels in pixels; none: no labels. There are none where something is seen
   /// through.
   std::optional<int> labels;
+  bool interior = false; ///< see ContourMethod
 
   bool operator==(const ContourLook&) const = default;
 };

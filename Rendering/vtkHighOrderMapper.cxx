@@ -128,6 +128,7 @@ pixelexact::FrameRequest vtkHighOrderMapper::Internals::Request(
   {
     request.contours.labels = self->ContourLabelSize;
   }
+  request.contours.interior = self->ContourInterior;
   request.contours.style.width = self->ContourWidth;
   request.contours.style.showUndecided = self->ShowUndecidedContours;
   request.contours.style.undecided = pixelexact::ToRgba(self->UndecidedContourColor);
@@ -476,6 +477,12 @@ vtkIdType vtkHighOrderMapper::GetNumberOfContourJumpPixels()
 }
 
 //------------------------------------------------------------------------------
+vtkIdType vtkHighOrderMapper::GetNumberOfContourLoopPixels()
+{
+  return this->Data->CountContours().loops;
+}
+
+//------------------------------------------------------------------------------
 vtkIdType vtkHighOrderMapper::GetNumberOfUndecidedContourPixels()
 {
   return this->Data->CountContours().undecided;
@@ -792,6 +799,7 @@ void vtkHighOrderMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetContourScalarVisibility(other->ContourScalarVisibility);
     this->SetShowUndecidedContours(other->ShowUndecidedContours);
     this->SetUndecidedContourColor(other->UndecidedContourColor);
+    this->SetContourInterior(other->ContourInterior);
     this->SetContourLabels(other->ContourLabels);
     this->SetContourLabelSize(other->ContourLabelSize);
     this->Data->Cuts = other->Data->Cuts;
@@ -834,6 +842,7 @@ void vtkHighOrderMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ShowUndecidedContours: " << (this->ShowUndecidedContours ? "on" : "off") << "\n";
   os << indent << "UndecidedContourColor: " << this->UndecidedContourColor[0] << ", "
      << this->UndecidedContourColor[1] << ", " << this->UndecidedContourColor[2] << "\n";
+  os << indent << "ContourInterior: " << (this->ContourInterior ? "on" : "off") << "\n";
   os << indent << "ContourLabels: " << (this->ContourLabels ? "on" : "off") << "\n";
   os << indent << "ContourLabelSize: " << this->ContourLabelSize << "\n";
   os << indent << "UnknownColor: " << int{ this->UnknownColor[0] } << ", "

@@ -228,6 +228,16 @@ public:
 
   ///@{
   /**
+   * Whether contours are looked for inside of pixels, too, on whose edges there are none: closed
+   * loops smaller than a pixel, on planes and quadrics. Frames take longer. The default is off.
+   */
+  vtkSetMacro(ContourInterior, bool);
+  vtkGetMacro(ContourInterior, bool);
+  vtkBooleanMacro(ContourInterior, bool);
+  ///@}
+
+  ///@{
+  /**
    * Whether values are written along the contours, where these are straight and apart, in letters
    * ContourLabelSize pixels high, 6 to 72; the defaults are off, and 12. Not where a layer is seen
    * through: a warning says so.
@@ -242,11 +252,12 @@ public:
   ///@{
   /**
    * Of the last frame's pixels: through how many a contour goes, for sure; because the field jumps
-   * across a value there; and of how many that could not be decided. 0 where there are no contours,
-   * and of coarse frames.
+   * across a value there; with ContourInterior, because of a loop inside alone; and of how many
+   * that could not be decided. 0 where there are no contours, and of coarse frames.
    */
   vtkIdType GetNumberOfContourPixels();
   vtkIdType GetNumberOfContourJumpPixels();
+  vtkIdType GetNumberOfContourLoopPixels();
   vtkIdType GetNumberOfUndecidedContourPixels();
   ///@}
 
@@ -363,6 +374,7 @@ protected:
   bool ContourScalarVisibility = false;
   bool ShowUndecidedContours = false;
   double UndecidedContourColor[3] = { 0.0, 0.5, 0.5 };
+  bool ContourInterior = false;
   bool ContourLabels = false;
   int ContourLabelSize = 12;
 

@@ -23,6 +23,7 @@ struct FoundContours
   std::size_t outside = 0; ///< of them, outside of the values at centres of their layer's pixels
   ContourCounters pixels;
   std::optional<int> labels; ///< written, where they were asked for
+  bool interior = false;     ///< whether loops inside of pixels were looked for
 };
 
 /// The contours of a shot.
@@ -50,6 +51,7 @@ public:
 
 private:
   std::optional<ColorMapping> InPlace; ///< of the surface's colours
+  bool Interior = false;
   std::optional<ContourCertifier> Certifier;
   std::optional<ContourLines> Lines;
   std::optional<int> LabelHeight;

@@ -100,6 +100,10 @@ nlohmann::ordered_json ToJson(const FoundContours& contours)
     { "pixels",
       { { "in", pixels.in }, { "out", pixels.out }, { "undecided", pixels.undecided },
         { "jumps", pixels.jumps } } } };
+  if (contours.interior)
+  {
+    summary["pixels"]["loops"] = pixels.loops;
+  }
   if (contours.labels)
   {
     summary["labels"] = *contours.labels;
@@ -114,8 +118,10 @@ void AddContours(Table& table, const FoundContours& contours)
     : std::string();
   table.Row("contours", Counted(CountOf(contours), "value") + outside);
   const ContourCounters& pixels = contours.pixels;
-  table.Row("", "{} in, {} out, {} undecided, {} at jumps", Counted(pixels.in, "pixel"), pixels.out,
-    pixels.undecided, pixels.jumps);
+  const std::string loops =
+    contours.interior ? fmt::format(", {} by loops inside", pixels.loops) : std::string();
+  table.Row("", "{} in, {} out, {} undecided, {} at jumps{}", Counted(pixels.in, "pixel"),
+    pixels.out, pixels.undecided, pixels.jumps, loops);
   if (contours.labels)
   {
     table.Row("", Counted(*contours.labels, "label"));

@@ -9,6 +9,8 @@ namespace pixelexact::testing
 {
 namespace
 {
+constexpr int kAnyHalvings = std::numeric_limits<int>::max();
+
 double SlackOf(const Vec3& x)
 {
   return 16.0 * 0x1p-53 * std::max({ std::fabs(x.x), std::fabs(x.y), std::fabs(x.z) });
@@ -198,10 +200,10 @@ TEST(EdgeBounds, MayTakeWhatTheSegmentTakes)
         for (const Quad& value : values)
         {
           const double taking = static_cast<double>(value);
-          for (const bool grow : { false, true })
+          for (const int halvings : { 0, 6, kAnyHalvings })
           {
-            EXPECT_TRUE(one.bounds->MayTake(
-              ValueSet{ { &taking, 1 } }, segment.from, segment.to, SlackOf(kEdgeCaseCentre), grow))
+            EXPECT_TRUE(one.bounds->MayTake(ValueSet{ { &taking, 1 } },
+              { { segment.from, segment.to }, SlackOf(kEdgeCaseCentre) }, halvings))
               << "of length " << length << ", case " << k;
           }
           ++taken;
@@ -239,8 +241,8 @@ TEST(EdgeBounds, MayTakeWhatSegmentsOfFlatElementsTake)
           for (const Quad& value : ValuesAlong(one, { from, to }, 0.0, known->xi, 8))
           {
             const double taking = static_cast<double>(value);
-            EXPECT_TRUE(one.bounds->MayTake(
-              ValueSet{ { &taking, 1 } }, from, to, SlackOf(kEdgeCaseCentre), true));
+            EXPECT_TRUE(one.bounds->MayTake(ValueSet{ { &taking, 1 } },
+              { { from, to }, SlackOf(kEdgeCaseCentre) }, kAnyHalvings));
             ++taken;
           }
         }
@@ -279,8 +281,8 @@ TEST(EdgeBounds, MayTakeIsTight)
         const double missed =
           k % 2 == 0 ? static_cast<double>(*least) - besides : static_cast<double>(*most) + besides;
         ++asked;
-        proven += one.bounds->MayTake(ValueSet{ { &missed, 1 } }, segment.from, segment.to,
-                    SlackOf(kEdgeCaseCentre), true)
+        proven += one.bounds->MayTake(ValueSet{ { &missed, 1 } },
+                    { { segment.from, segment.to }, SlackOf(kEdgeCaseCentre) }, kAnyHalvings)
           ? 0
           : 1;
       }
@@ -299,7 +301,8 @@ TEST(EdgeBounds, NothingIsTakenFarOutside)
     const EdgeCase one(shape, 3, 5, random);
     const double value = one.ValueAt(Centre(shape));
     const Vec3 far = kEdgeCaseCentre + Vec3(4.0 * kEdgeCaseSize, 0.0, 0.0);
-    EXPECT_FALSE(one.bounds->MayTake(ValueSet{ { &value, 1 } }, far, far + Vec3(0.1), 1e-12, true));
+    EXPECT_FALSE(one.bounds->MayTake(
+      ValueSet{ { &value, 1 } }, { { far, far + Vec3(0.1) }, 1e-12 }, kAnyHalvings));
   }
 }
 
@@ -347,7 +350,8 @@ TEST(EdgeBounds, OfWhatIsNotFiniteNothingIsKnown)
     EXPECT_FALSE(one.bounds->Values().IsFinite());
     EXPECT_FALSE(one.bounds->Along(*a, *b));
     const double value = 0.0;
-    EXPECT_TRUE(one.bounds->MayTake(ValueSet{ { &value, 1 } }, a->x, b->x, 1e-15, true));
+    EXPECT_TRUE(
+      one.bounds->MayTake(ValueSet{ { &value, 1 } }, { { a->x, b->x }, 1e-15 }, kAnyHalvings));
     EXPECT_FALSE(std::isfinite(one.bounds->ChangeWithin(*a, 1e-9)));
   }
 }
@@ -369,9 +373,11 @@ TEST(EdgeBounds, ConstantFieldsDeviateByRounding)
     EXPECT_LE(range->deviation, 1e-12) << Name(shape);
     EXPECT_LE(range->error, 1e-12);
     const double value = a->value;
-    EXPECT_TRUE(one.bounds->MayTake(ValueSet{ { &value, 1 } }, a->x, b->x, 1e-15, true));
+    EXPECT_TRUE(
+      one.bounds->MayTake(ValueSet{ { &value, 1 } }, { { a->x, b->x }, 1e-15 }, kAnyHalvings));
     const double missed = value + 1e-9;
-    EXPECT_FALSE(one.bounds->MayTake(ValueSet{ { &missed, 1 } }, a->x, b->x, 1e-15, true));
+    EXPECT_FALSE(
+      one.bounds->MayTake(ValueSet{ { &missed, 1 } }, { { a->x, b->x }, 1e-15 }, kAnyHalvings));
   }
 }
 } // namespace pixelexact::testing

@@ -41,10 +41,12 @@ class Contours(unittest.TestCase):
         mapper.GenerateContourValues(3, 0, 1)
         mapper.SetContourWidth(3)
         mapper.ContourLabelsOn()
+        mapper.ContourInteriorOn()
         copy.ShallowCopy(mapper)
         self.assertEqual(copy.GetContourValues(), (0, 0.5, 1))
         self.assertEqual(copy.GetContourWidth(), 3)
         self.assertTrue(copy.GetContourLabels())
+        self.assertTrue(copy.GetContourInterior())
         self.assertIn("ContourWidth: 3", str(copy))
 
     def test_a_window_shows_them_and_tells_of_them(self):

@@ -86,6 +86,18 @@ class Contours(ToolTest):
         self.assertNotIn("Contour", buffers)
         self.fails(2, *self.words(*HALF, "--arrays", "Contour"), names=["Contour", "--contours"])
 
+    def test_loops_inside_of_pixels(self):
+        plain, _, _ = self.picture("--contours", "0.5025,0.25")
+        summary, buffers, _ = self.picture("--contours", "0.5025,0.25", "--interior")
+        pixels = summary["contours"]["pixels"]
+        self.assertEqual(sorted(pixels), ["in", "jumps", "loops", "out", "undecided"])
+        self.assertEqual(pixels["loops"], 0)
+        self.assertEqual(pixels["in"], plain["contours"]["pixels"]["in"])
+        self.assertEqual((buffers["Contour"] == 1).sum(), pixels["in"])
+        self.fails(2, *self.words(*HALF, "--contours", "3", "--interior", "--certifier",
+                                  "interval"), names=["--interior", "--certifier"])
+        self.fails(2, *self.words(*HALF, "--interior"), names=["--interior", "--contours"])
+
     def test_values_that_are_not_seen(self):
         summary, buffers, image = self.picture("--contours", "-1,0.5,2")
         self.assertEqual(summary["contours"]["outside"], 2)

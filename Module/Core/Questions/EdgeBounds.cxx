@@ -88,31 +88,51 @@ std::optional<EdgeRange> EdgeBounds::Along(
   return range;
 }
 
-bool EdgeBounds::MayTake(
-  const ValueSet& wanted, const Vec3& from, const Vec3& to, double slack, bool grow) const
+std::optional<Interval> EdgeBounds::ValuesIn(
+  const WideOutline& region, const ValueSet& wanted, int halvings) const
 {
-  return !Functions.IsFinite() || MayTakeIn(Tree.Whole(), wanted, { from, to, slack }, grow);
+  return Functions.IsFinite() ? ValuesIn(Tree.Whole(), region, wanted, halvings)
+                              : Interval::Everything();
 }
 
-bool EdgeBounds::MayTakeIn(
-  const EdgeNode& node, const ValueSet& wanted, const WideEdge& edge, bool grow) const
+std::optional<Interval> EdgeBounds::ValuesIn(
+  const EdgeNode& node, const WideOutline& region, const ValueSet& wanted, int halvings) const
 {
-  if (!wanted.Meets(node.values.lower, node.values.upper) || Misses(Functions, node, edge))
+  const auto meets = [&wanted](const std::optional<Interval>& values)
+  { return values && wanted.Meets(values->lower, values->upper); };
+  if (Misses(Functions, node, region))
   {
-    return false;
+    return std::nullopt;
   }
-  const EdgeMeeting meeting =
-    node.regular ? Meet(Functions, node, wanted, edge) : EdgeMeeting::Coarse;
-  if (meeting != EdgeMeeting::Coarse)
+  std::optional<Interval> values = node.values;
+  bool divide = !node.regular;
+  if (node.regular && meets(values))
   {
-    return meeting == EdgeMeeting::Near;
+    const EdgeMeeting meeting = Meet(Functions, node, region);
+    values = meeting.values;
+    divide = meeting.coarse && node.halvings < halvings;
   }
-  if (!Tree.CanSplit(node) || (!grow && node.regular))
+  if (!divide || !meets(values) || !Tree.CanSplit(node))
   {
-    return true;
+    return values;
   }
-  return std::ranges::any_of(
-    Tree.Split(node), [&](const EdgeNode& half) { return MayTakeIn(half, wanted, edge, grow); });
+  values.reset();
+  for (const EdgeNode& half : Tree.Split(node))
+  {
+    const std::optional<Interval> own = ValuesIn(half, region, wanted, halvings);
+    values = values && own ? Join(*values, *own) : (own ? own : values);
+    if (meets(values))
+    {
+      break;
+    }
+  }
+  return values;
+}
+
+bool EdgeBounds::MayTake(const ValueSet& wanted, const WideOutline& region, int halvings) const
+{
+  const std::optional<Interval> values = ValuesIn(region, wanted, halvings);
+  return values && wanted.Meets(values->lower, values->upper);
 }
 
 double EdgeBounds::ChangeWithin(const LocatedPoint& point, double distance) const

@@ -3,6 +3,7 @@
 
 #include "Core/Questions/EdgeMeeting.h"
 #include "Core/Questions/EdgeTree.h"
+#include "Core/Questions/ValueSet.h"
 
 #include <optional>
 
@@ -51,11 +52,13 @@ public:
   [[nodiscard]] std::optional<EdgeRange> Along(
     const LocatedPoint& a, const LocatedPoint& b, double sagitta = 0.0) const;
 
-  /// Whether the component may take one of these values at a point of the element on a segment,
-  /// widened by `slack` in each coordinate; false: proven that it does not. `grow`: smaller nodes
-  /// are made where they would tell more.
-  [[nodiscard]] bool MayTake(
-    const ValueSet& wanted, const Vec3& from, const Vec3& to, double slack, bool grow) const;
+  /// Holds the values at the points of the element in a region; nothing: there are none. More is
+  /// found out only as long as they meet those that are wanted: what is told then may lack others.
+  /// `halvings`: of regular nodes, at most, where smaller ones would tell more.
+  [[nodiscard]] std::optional<Interval> ValuesIn(
+    const WideOutline& region, const ValueSet& wanted, int halvings) const;
+  /// Whether these meet the wanted ones; false: proven that the component takes none there.
+  [[nodiscard]] bool MayTake(const ValueSet& wanted, const WideOutline& region, int halvings) const;
   /// A bound of how far the values within a distance of a point, in the element and next to the
   /// point in xi as well, are from its own; infinite where none is known.
   [[nodiscard]] double ChangeWithin(const LocatedPoint& point, double distance) const;
@@ -64,8 +67,8 @@ public:
   [[nodiscard]] std::int64_t Nodes() const { return Tree.Nodes(); }
 
 private:
-  [[nodiscard]] bool MayTakeIn(
-    const EdgeNode& node, const ValueSet& wanted, const WideEdge& edge, bool grow) const;
+  [[nodiscard]] std::optional<Interval> ValuesIn(
+    const EdgeNode& node, const WideOutline& region, const ValueSet& wanted, int halvings) const;
 
   EdgeFunctions Functions;
   EdgeTree Tree;

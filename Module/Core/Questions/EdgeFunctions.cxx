@@ -26,11 +26,6 @@ constexpr int kMostHalvings[2] = { 15, 17 };
 constexpr double kFewCoefficients = 216.0;
 constexpr Part kBy[3] = { Part::ByXi1, Part::ByXi2, Part::ByXi3 };
 
-Interval Union(const Interval& a, const Interval& b)
-{
-  return { std::min(a.lower, b.lower), std::max(a.upper, b.upper) };
-}
-
 /// Room for one point's lanes.
 constexpr std::size_t kRoom = 16;
 
@@ -138,41 +133,54 @@ EdgeFunctions::View EdgeFunctions::ViewAt(const Vec3& xi) const
   return view;
 }
 
-Interval EdgeFunctions::LinearValues(const Vec3& xi, const Vec3& from, const Vec3& to) const
+Interval EdgeFunctions::LinearValues(const Vec3& xi, std::span<const Vec3> places) const
 {
+  constexpr std::size_t kMost = Outline::kMostCorners + Outline::kMostCuts;
   const double unit = std::ldexp(1.0, Component.exponent);
   const auto width = static_cast<std::ptrdiff_t>(Component.width);
-  // Of all components: the values at both ends, and their squares and product.
-  double ends[2] = {};
-  double squares[2] = {};
-  double product = 0.0;
+  // Of all components: at each place the value, its square, and its product with the sum of all.
+  std::array<double, kMost> values{};
+  std::array<double, kMost> squares{};
+  std::array<double, kMost> products{};
+  double square = 0.0;
   double size = 0.0;
-  const double length = std::max(SumOf(from), SumOf(to));
+  double length = 0.0;
+  for (const Vec3& place : places)
+  {
+    length = std::max(length, SumOf(place - xi));
+  }
   for (int c = 0; c < Count; ++c)
   {
     const Evaluated component(
       ComponentKernels, Component.space, Component.values.data() + c * width, 1, xi);
     const Vec3 slope(component.slopes[0][0], component.slopes[1][0], component.slopes[2][0]);
-    const double rises[2] = { glm::dot(slope, from), glm::dot(slope, to) };
-    for (std::size_t k = 0; k < 2; ++k)
+    double sum = 0.0;
+    for (std::size_t k = 0; k < places.size(); ++k)
     {
-      ends[k] = unit * (component.values[0][0] + rises[k]);
-      squares[k] += ends[k] * ends[k];
+      const double rise = glm::dot(slope, places[k] - xi);
+      values[k] = unit * (component.values[0][0] + rise);
+      sum += values[k];
     }
-    product += ends[0] * ends[1];
+    for (std::size_t k = 0; k < places.size(); ++k)
+    {
+      squares[k] += values[k] * values[k];
+      products[k] += values[k] * sum;
+    }
+    square += sum * sum;
     size += unit * (std::fabs(component.values[0][0]) + LargestOf(slope) * length);
   }
   const double slack = 1e-14 * size + SlopeError * length;
   if (Count == 1)
   {
-    return { std::min(ends[0], ends[1]) - slack, std::max(ends[0], ends[1]) + slack };
+    const auto [least, most] =
+      std::minmax_element(values.begin(), values.begin() + std::ssize(places));
+    return { *least - slack, *most + slack };
   }
-  // |p + t (q - p)|: convex, least where (p + t (q - p)) . (q - p) = 0.
-  const double along = squares[0] + squares[1] - 2.0 * product;
-  const double t = along > 0.0 ? std::clamp((squares[0] - product) / along, 0.0, 1.0) : 0.0;
-  const double least = squares[0] - 2.0 * t * (squares[0] - product) + t * t * along;
-  return { std::sqrt(std::max(0.0, least - slack * size)) - slack,
-    std::sqrt(std::max(squares[0], squares[1])) + slack };
+  // |v| >= v . n of the unit vector n along the sum, which is least at a corner.
+  const auto least = *std::min_element(products.begin(), products.begin() + std::ssize(places));
+  const auto most = *std::max_element(squares.begin(), squares.begin() + std::ssize(places));
+  return { square > 0.0 ? std::max(0.0, least / std::sqrt(square) - 16.0 * slack) : 0.0,
+    std::sqrt(most) + slack };
 }
 
 double EdgeFunctions::ErrorOf(const ScaledModes& modes, int components, Part part) const
@@ -216,7 +224,7 @@ Interval EdgeFunctions::RangeOver(
     [&](const PieceForm::Piece& piece, const Box3& within)
     {
       range =
-        Union(range, RangeIngredient{ &modes, component, part }.Over(Level, piece, within).Hull());
+        Join(range, RangeIngredient{ &modes, component, part }.Over(Level, piece, within).Hull());
     });
   return Scaled(range, modes.exponent);
 }
@@ -276,7 +284,7 @@ EdgeFunctions::Derivatives EdgeFunctions::DerivativesOver(const EtaBox& box, int
       {
         const int exponent = f < 3 ? Map.exponent : Component.exponent;
         const auto add = [&](Interval& to, const Interval& range)
-        { to = first ? Scaled(range, exponent) : Union(to, Scaled(range, exponent)); };
+        { to = first ? Scaled(range, exponent) : Join(to, Scaled(range, exponent)); };
         for (std::size_t k = 0; k < 3; ++k)
         {
           add(ranges[f].first[k], here[f].first[k]);

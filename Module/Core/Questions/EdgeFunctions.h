@@ -4,9 +4,11 @@
 #include "Core/Element/HessianFunction.h"
 #include "Core/Element/Kernels.h"
 #include "Core/Index/ElementIndex.h"
+#include "Core/Questions/Outline.h"
 #include "Core/Tree/EtaBox.h"
 
 #include <array>
+#include <span>
 
 namespace pixelexact
 {
@@ -49,8 +51,8 @@ public:
     Mat3 inverse; ///< of the Jacobian, as rounding leaves it
   };
   [[nodiscard]] View ViewAt(const Vec3& xi) const;
-  /// Of the expansion of first order about a xi, from one step to another.
-  [[nodiscard]] Interval LinearValues(const Vec3& xi, const Vec3& from, const Vec3& to) const;
+  /// Of the expansion of first order about a xi, between these places in xi: of an Outline.
+  [[nodiscard]] Interval LinearValues(const Vec3& xi, std::span<const Vec3> places) const;
 
   /// Holds the image of a box, in world coordinates.
   [[nodiscard]] Box3 ImageOver(const EtaBox& box) const;

@@ -8,7 +8,9 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 namespace pixelexact
 {
@@ -19,7 +21,7 @@ namespace
 /// What the expansion's error may be of the distance.
 constexpr double kCoarse = 0.25;
 constexpr int kRounds = 6;
-/// Of Newton's iteration towards an edge's middle.
+/// Of Newton's iteration towards a region's middle.
 constexpr int kSteps = 2;
 /// Covers the rounding of sums of some five products, of their magnitudes' sum.
 constexpr double kSum = 8.0 * kUnitRoundoff;
@@ -58,15 +60,37 @@ Vec3 ToXi(const EdgeFunctions& functions, const EdgeNode& node, const Vec3& x)
   }
   return xi;
 }
+
+/// What of it is in the node, or no farther beside it than `off`.
+Outline KeepDeep(const EdgeNode& node, const double (&off)[3], Outline outline)
+{
+  for (const EdgeNodeEnd& end : node.boxEnds)
+  {
+    if (outline.IsEmpty())
+    {
+      break;
+    }
+    const double wider = end.Across(off);
+    outline.Keep([&](const Vec3& xi) { return end.DepthOf(xi) + wider; });
+  }
+  return outline;
+}
 } // namespace
 
-bool Misses(const EdgeFunctions& functions, const EdgeNode& node, const WideEdge& edge)
+bool Misses(const EdgeFunctions& functions, const EdgeNode& node, const WideOutline& region)
 {
-  const auto& [from, to, slack] = edge;
+  const auto corners = region.outline.Corners();
+  const double slack = region.slack;
   for (int d = 0; d < 3; ++d)
   {
-    if (std::max(from[d], to[d]) + slack < node.bounds.lower[d] ||
-      std::min(from[d], to[d]) - slack > node.bounds.upper[d])
+    double least = corners.front()[d];
+    double most = least;
+    for (const Vec3& corner : corners)
+    {
+      least = std::min(least, corner[d]);
+      most = std::max(most, corner[d]);
+    }
+    if (most + slack < node.bounds.lower[d] || least - slack > node.bounds.upper[d])
     {
       return true;
     }
@@ -75,96 +99,114 @@ bool Misses(const EdgeFunctions& functions, const EdgeNode& node, const WideEdge
   {
     return false;
   }
-  // Every preimage in `wide` of a point of the segment is within `off` of the line between these
-  // two: T(xi) = M (Phi(xi) - origin) - (xi - centre) changes by `turn` at most.
-  const Vec3 ends[2] = { ToXi(functions, node, from), ToXi(functions, node, to) };
+  // Every preimage in `wide` of a point of the region is within `off` of what is between these:
+  // T(xi) = M (Phi(xi) - origin) - (xi - centre) changes by `turn` at most.
   const double most = std::max({ node.reach[0], node.reach[1], node.reach[2] });
-  const double inY = slack / functions.Size() + functions.ImageError() +
-    kSum *
-      (std::max(LargestOf(functions.InUnits(from)), LargestOf(functions.InUnits(to))) +
-        LargestOf(node.origin));
+  double largest = LargestOf(node.origin);
+  for (const Vec3& corner : corners)
+  {
+    largest = std::max(largest, LargestOf(functions.InUnits(corner)));
+  }
+  const double inY = slack / functions.Size() + functions.ImageError() + 2.0 * kSum * largest;
   double off[3];
   for (std::size_t k = 0; k < 3; ++k)
   {
     off[k] = (node.turn[k] * most + node.shift[k] + node.lean[k] * inY) * kUp + 1e-13;
   }
-  double first = 0.0;
-  double last = 1.0;
-  for (const EdgeNodeEnd& end : node.boxEnds)
-  {
-    const double wider = end.Across(off);
-    const double a = end.DepthOf(ends[0]) + wider;
-    const double b = end.DepthOf(ends[1]) + wider;
-    if (a < 0.0 && b < 0.0)
-    {
-      return true;
-    }
-    if (a < 0.0)
-    {
-      first = std::max(first, a / (a - b));
-    }
-    if (b < 0.0)
-    {
-      last = std::min(last, a / (a - b));
-    }
-  }
-  return first > last + 1e-12;
+  std::array<Vec3, Outline::kMostCorners> images;
+  std::ranges::transform(
+    corners, images.begin(), [&](const Vec3& x) { return ToXi(functions, node, x); });
+  return KeepDeep(node, off, Outline(std::span(images).first(corners.size()))).IsEmpty();
 }
 
-EdgeMeeting Meet(const EdgeFunctions& functions, const EdgeNode& node, const ValueSet& wanted,
-  const WideEdge& edge)
+EdgeMeeting Meet(const EdgeFunctions& functions, const EdgeNode& node, const WideOutline& region)
 {
-  const auto& [from, to, slack] = edge;
+  const double slack = region.slack;
   const Shape shape = functions.GetShape();
-  const Vec3 ends[2] = { functions.InUnits(from), functions.InUnits(to) };
-  const Vec3 middle = 0.5 * (ends[0] + ends[1]);
+  const auto corners = region.outline.Corners();
+  const std::size_t count = corners.size();
+  std::array<Vec3, Outline::kMostCorners> ends;
+  std::ranges::transform(
+    corners, ends.begin(), [&](const Vec3& x) { return functions.InUnits(x); });
+  const auto farthest = [&](auto&& distanceOf)
+  {
+    double most = 0.0;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      most = std::max(most, distanceOf(ends[i]));
+    }
+    return most;
+  };
+  const Vec3 centre = region.outline.Middle();
+  const Vec3 middle = functions.InUnits(centre);
   EdgeFunctions::View view =
-    functions.ViewAt(MovedInto(shape, node, ToXi(functions, node, 0.5 * (from + to))));
+    functions.ViewAt(MovedInto(shape, node, ToXi(functions, node, centre)));
   for (int step = 0; step < kSteps; ++step)
   {
-    const Vec3 half = 0.5 * (view.inverse * (ends[1] - ends[0]));
+    const double reach = farthest(
+      [&](const Vec3& end)
+      {
+        const Vec3 half = view.inverse * (end - middle);
+        return glm::dot(half, half);
+      });
     const Vec3 next = MovedInto(shape, node, view.xi + view.inverse * (middle - view.y));
     const Vec3 moved = next - view.xi;
     // Written so that a NaN ends it.
-    if (!(glm::dot(moved, moved) > glm::dot(half, half)))
+    if (!(glm::dot(moved, moved) > reach))
     {
       break;
     }
     view = functions.ViewAt(next);
   }
 
-  // |xi - view.xi| of the preimages in `wide` of the segment's points.
+  // |xi - view.xi| of the preimages in `wide` of the region's points.
   const double inY = slack / functions.Size() + functions.ImageError() +
-    kSum * std::max({ LargestOf(ends[0]), LargestOf(ends[1]), LargestOf(view.y) });
+    kSum * std::max(LargestOf(view.y), farthest(LargestOf));
   double away[3];
   double besides[3];
   for (std::size_t k = 0; k < 3; ++k)
   {
     const double(&row)[3] = node.inverse[k];
-    const auto along = [&](const Vec3& y)
-    {
-      const Vec3 d = y - view.y;
-      return std::fabs(row[0] * d.x + row[1] * d.y + row[2] * d.z);
-    };
     besides[k] = node.shift[k] + node.lean[k] * inY + 1e-14;
-    away[k] = std::max(along(ends[0]), along(ends[1])) * kUp + besides[k];
+    away[k] = farthest(
+                [&](const Vec3& end)
+                {
+                  const Vec3 d = end - view.y;
+                  return std::fabs(row[0] * d.x + row[1] * d.y + row[2] * d.z);
+                }) *
+        kUp +
+      besides[k];
   }
   Solve(node.turn, away);
-  const Vec3 steps[2] = { view.inverse * (ends[0] - view.y), view.inverse * (ends[1] - view.y) };
-  // What the computed Jacobian and its inverse leave of the steps' equations, in y.
-  double left = 0.0;
-  for (std::size_t k = 0; k < 2; ++k)
+  for (std::size_t k = 0; k < 3; ++k)
   {
-    const Vec3& step = steps[k];
-    const Vec3 magnitudes = LargestOf(step) *
-      (glm::abs(view.jacobian[0]) + glm::abs(view.jacobian[1]) + glm::abs(view.jacobian[2]));
-    left = std::max(left,
-      LargestOf(ends[k] - view.y - view.jacobian * step) + kSum * LargestOf(magnitudes) +
-        functions.ImageSlopeError() * SumOf(step));
+    // None of the node's is farther away.
+    const int d = static_cast<int>(k);
+    away[k] = std::min(away[k], (node.reach[k] + std::fabs(view.xi[d] - node.centre[d])) * kUp);
   }
+  std::array<Vec3, Outline::kMostCorners> steps;
+  std::ranges::transform(std::span(ends).first(count), steps.begin(),
+    [&](const Vec3& end) { return view.inverse * (end - view.y); });
+  // What the computed Jacobian and its inverse leave of the steps' equations, in y.
+  const Vec3 columns =
+    glm::abs(view.jacobian[0]) + glm::abs(view.jacobian[1]) + glm::abs(view.jacobian[2]);
+  double left = 0.0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    left = std::max(left,
+      LargestOf(ends[i] - view.y - view.jacobian * steps[i]) +
+        kSum * LargestOf(columns) * LargestOf(steps[i]) +
+        functions.ImageSlopeError() * SumOf(steps[i]));
+  }
+  double farther[3];
   for (std::size_t k = 0; k < 3; ++k)
   {
     besides[k] += node.lean[k] * left;
+    farther[k] = 0.0;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      farther[k] = std::max(farther[k], std::fabs(steps[i][static_cast<int>(k)]));
+    }
   }
   // They are where the expansion puts them, up to `off`, and so no farther away than that.
   double off[3];
@@ -176,54 +218,31 @@ EdgeMeeting Meet(const EdgeFunctions& functions, const EdgeNode& node, const Val
     }
     for (std::size_t k = 0; k < 3; ++k)
     {
-      const int d = static_cast<int>(k);
-      away[k] = std::min(
-        away[k], (std::max(std::fabs(steps[0][d]), std::fabs(steps[1][d])) + off[k]) * kUp);
+      away[k] = std::min(away[k], (farther[k] + off[k]) * kUp);
     }
   }
-  double first = 0.0;
-  double last = 1.0;
-  for (const EdgeNodeEnd& end : node.boxEnds)
+  for (Vec3& step : steps)
   {
-    const double wider = end.Across(off);
-    const double a = end.DepthOf(view.xi + steps[0]) + wider;
-    const double b = end.DepthOf(view.xi + steps[1]) + wider;
-    if (a < 0.0 && b < 0.0)
-    {
-      return EdgeMeeting::None;
-    }
-    if (a < 0.0)
-    {
-      first = std::max(first, a / (a - b) - 1e-12);
-    }
-    if (b < 0.0)
-    {
-      last = std::min(last, a / (a - b) + 1e-12);
-    }
+    step += view.xi;
   }
-  if (first > last)
+  const Outline inside = KeepDeep(node, off, Outline(std::span(steps).first(count)));
+  if (inside.IsEmpty())
   {
-    return EdgeMeeting::None;
+    return {};
   }
-  const Interval linear = functions.LinearValues(
-    view.xi, steps[0] + first * (steps[1] - steps[0]), steps[0] + last * (steps[1] - steps[0]));
-  double most = Quadratic(node.curve, away) / 2.0 + 2.0 * functions.ValueError();
+  const Interval linear = functions.LinearValues(view.xi, inside.Corners());
+  const double curved = Quadratic(node.curve, away) / 2.0;
+  double most = curved + 2.0 * functions.ValueError();
+  bool coarse = false;
+  const bool wide = curved > kCoarse * (linear.upper - linear.lower);
   for (std::size_t k = 0; k < 3; ++k)
   {
     most += node.slope[k] * besides[k];
+    coarse = coarse || off[k] > kCoarse * away[k] + 2.0 * besides[k] ||
+      (wide && node.reach[k] > 2.0 * away[k]);
   }
   most = most * kUp + 1e-14 * (std::fabs(linear.lower) + std::fabs(linear.upper));
-  if (!wanted.Meets(rounding::Below(linear.lower - most), rounding::Above(linear.upper + most)))
-  {
-    return EdgeMeeting::None;
-  }
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    if (off[k] > kCoarse * away[k] + 2.0 * besides[k])
-    {
-      return EdgeMeeting::Coarse;
-    }
-  }
-  return EdgeMeeting::Near;
+  return { Interval(rounding::Below(linear.lower - most), rounding::Above(linear.upper + most)),
+    coarse };
 }
 } // namespace pixelexact

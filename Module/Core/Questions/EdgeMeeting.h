@@ -2,34 +2,32 @@
 #pragma once
 
 #include "Core/Questions/EdgeNode.h"
-#include "Core/Questions/ValueSet.h"
+#include "Core/Questions/Outline.h"
 
-#include <cstdint>
+#include <optional>
 
 namespace pixelexact
 {
-/// A straight edge, widened by `slack` in each coordinate, in world units.
-struct WideEdge
+/// A straight edge or a flat convex polygon, widened by `slack` in each coordinate, in world units.
+struct WideOutline
 {
-  Vec3 from{ 0.0 };
-  Vec3 to{ 0.0 };
+  Outline outline;
   double slack = 0.0;
 };
 
-/// Of an edge and the points of a node that have one of some values.
-enum class EdgeMeeting : std::uint8_t
+/// Of such an edge or polygon and a node.
+struct EdgeMeeting
 {
-  None,   ///< proven: it holds none of them
-  Near,   ///< it may
-  Coarse, ///< and smaller nodes would tell more
+  std::optional<Interval> values; ///< hold those of the node in the region; nothing: there are none
+  bool coarse = false;            ///< smaller nodes would tell more
 };
 
-/// Whether an edge is proven to miss a node's image: by its box and, where the node is regular, by
+/// Whether a region is proven to miss a node's image: by its box and, where the node is regular, by
 /// the affine map.
 [[nodiscard]] bool Misses(
-  const EdgeFunctions& functions, const EdgeNode& node, const WideEdge& edge);
+  const EdgeFunctions& functions, const EdgeNode& node, const WideOutline& region);
 
-/// In a regular node, from the second-order expansion about a point of it near the edge.
-[[nodiscard]] EdgeMeeting Meet(const EdgeFunctions& functions, const EdgeNode& node,
-  const ValueSet& wanted, const WideEdge& edge);
+/// In a regular node, from the second-order expansion about a point of it near the region.
+[[nodiscard]] EdgeMeeting Meet(
+  const EdgeFunctions& functions, const EdgeNode& node, const WideOutline& region);
 } // namespace pixelexact

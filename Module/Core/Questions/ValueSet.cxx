@@ -8,6 +8,7 @@ namespace pixelexact
 bool ValueSet::Meets(double from, double to) const
 {
   const auto at = std::ranges::lower_bound(values, from);
-  return from <= lower || to >= upper || (at != values.end() && *at <= to);
+  // Written so that a NaN meets.
+  return !(from > lower && to < upper) || (at != values.end() && *at <= to);
 }
 } // namespace pixelexact

@@ -1,72 +1,113 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trace/Contours/ContourTile.h"
 
+#include "Trace/Contours/FlatBlocks.h"
+#include "Trace/Contours/PixelInteriors.h"
+
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 namespace pixelexact
 {
+namespace
+{
+/// Whose boxes meet a part of a surface; all where it is not known.
+std::vector<int> ElementsNear(const ElementIndex& index, const std::optional<Outline>& part)
+{
+  Box3 box = index.Bounds();
+  if (part)
+  {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    box = { Vec3(kInfinity), Vec3(-kInfinity) };
+    for (const Vec3& corner : part->Corners())
+    {
+      const Vec3 margin = 1e-12 * glm::abs(corner);
+      box.lower = glm::min(box.lower, corner - margin);
+      box.upper = glm::max(box.upper, corner + margin);
+    }
+  }
+  std::vector<int> elements;
+  index.FindNear(box, elements);
+  return elements;
+}
+} // namespace
+
 ContourTile::ContourTile(TileVisit& tile, const ContourMethod& method)
   : Tile(tile)
   , Method(method)
   , Across(static_cast<std::size_t>(tile.Area().Width()) + 1)
   , Up(static_cast<std::size_t>(tile.Area().Height()) + 1)
-  , Edges((Across - 1) * Up + Across * (Up - 1), EdgeState::Out)
+  , Pixels((Across - 1) * (Up - 1), ContourVerdict::Out)
 {
 }
 
-std::vector<EdgeEnd> ContourTile::EndsOf(const LayerSight& sight)
+std::vector<EdgeEnd> ContourTile::EndsOf(
+  const LayerSight& sight, std::span<const std::uint8_t> open)
 {
+  std::vector<std::uint8_t> wanted(Across * Up, 0);
+  for (std::size_t i = 0; i < open.size(); ++i)
+  {
+    if (open[i] != 0)
+    {
+      const std::size_t corner = i / (Across - 1) * Across + i % (Across - 1);
+      wanted[corner] = wanted[corner + 1] = wanted[corner + Across] = wanted[corner + Across + 1] =
+        1;
+    }
+  }
   const SampleBuffers& samples = Tile.Corners();
   const TileArea& area = Tile.Area();
-  std::vector<EdgeEnd> ends;
-  ends.reserve(samples.Size());
+  std::vector<EdgeEnd> ends(Across * Up);
+  std::size_t i = 0;
   for (int y = area.y0; y <= area.y1; ++y)
   {
-    for (int x = area.x0; x <= area.x1; ++x)
+    for (int x = area.x0; x <= area.x1; ++x, ++i)
     {
-      ends.push_back(
-        sight.EndOf(samples, ends.size(), { static_cast<double>(x), static_cast<double>(y) }));
+      if (wanted[i] != 0)
+      {
+        ends[i] = sight.EndOf(samples, i, { static_cast<double>(x), static_cast<double>(y) });
+      }
     }
   }
   return ends;
 }
 
-std::vector<int> ContourTile::ElementsNear(std::span<const EdgeEnd> corners) const
-{
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  const ElementIndex& index = Tile.GetScene().locator->Index();
-  Box3 box{ Vec3(kInfinity), Vec3(-kInfinity) };
-  bool known = true;
-  for (const std::size_t i : { std::size_t{ 0 }, Across - 1, Across * (Up - 1), Across * Up - 1 })
-  {
-    known = known && corners[i].meets;
-    box.lower = glm::min(box.lower, corners[i].point.x);
-    box.upper = glm::max(box.upper, corners[i].point.x);
-  }
-  const Vec3 margin = 1e-12 * (glm::abs(box.lower) + glm::abs(box.upper));
-  std::vector<int> elements;
-  index.FindNear(known ? Box3{ box.lower - margin, box.upper + margin } : index.Bounds(), elements);
-  return elements;
-}
-
 template <class Visit, class EndRow>
-void ContourTile::ForEachEdge(const Visit& visit, const EndRow& endRow) const
+void ContourTile::ForEachEdge(
+  std::span<const std::uint8_t> open, const Visit& visit, const EndRow& endRow) const
 {
+  const std::size_t columns = Across - 1;
+  const std::size_t rows = Up - 1;
+  const auto visitOpen = [&](
+                           bool before, bool after, std::size_t edge, std::size_t a, std::size_t b)
+  {
+    if (before || after)
+    {
+      visit(edge, a, b);
+    }
+    else
+    {
+      endRow();
+    }
+  };
   std::size_t edge = 0;
   for (std::size_t i = 0; i < Up; ++i)
   {
-    for (std::size_t j = 0; j + 1 < Across; ++j, ++edge)
+    for (std::size_t j = 0; j < columns; ++j, ++edge)
     {
-      visit(edge, i * Across + j, i * Across + j + 1);
+      visitOpen(i > 0 && open[(i - 1) * columns + j] != 0, i < rows && open[i * columns + j] != 0,
+        edge, i * Across + j, i * Across + j + 1);
     }
     endRow();
   }
   for (std::size_t j = 0; j < Across; ++j)
   {
-    for (std::size_t i = 0; i + 1 < Up; ++i, ++edge)
+    for (std::size_t i = 0; i < rows; ++i, ++edge)
     {
-      visit(edge, i * Across + j, (i + 1) * Across + j);
+      visitOpen(j > 0 && open[i * columns + j - 1] != 0, j < columns && open[i * columns + j] != 0,
+        edge, i * Across + j, (i + 1) * Across + j);
     }
     endRow();
   }
@@ -75,12 +116,13 @@ void ContourTile::ForEachEdge(const Visit& visit, const EndRow& endRow) const
 void ContourTile::Judge(const ContouredLayer& layer)
 {
   LayerSight sight(Tile, layer.number);
+  const Surface& surface = sight.GetSurface();
   if (!layer.bounds->CanProve())
   {
     LeaveOpen(layer.number);
     return;
   }
-  if (!sight.GetSurface().HasSagitta())
+  if (!surface.HasSagitta())
   {
     const Interval& range = layer.bounds->Values();
     if (ValueSet{ layer.values }.Meets(range.lower, range.upper))
@@ -89,19 +131,67 @@ void ContourTile::Judge(const ContouredLayer& layer)
     }
     return;
   }
-  const std::vector<EdgeEnd> corners = EndsOf(sight);
-  const EdgeJudge judge = sight.GetSurface().IsFlat()
-    ? EdgeJudge(*layer.bounds, layer.values, ElementsNear(corners))
-    : EdgeJudge(*layer.bounds, layer.values);
-  if (!judge.IsNeeded())
+  if (!surface.IsFlat())
+  {
+    const EdgeJudge judge(*layer.bounds, layer.values);
+    JudgeEdges(sight, judge, std::vector<std::uint8_t>(Pixels.size(), 1));
+    return;
+  }
+  const FlatBlocks blocks(surface, Tile.GetCamera(), Tile.Area());
+  const EdgeJudge judge(
+    *layer.bounds, layer.values, ElementsNear(Tile.GetScene().locator->Index(), blocks.Whole()));
+  if (judge.IsNeeded())
+  {
+    JudgeEdges(sight, judge, blocks.FindOpen(judge));
+  }
+}
+
+void ContourTile::JudgeEdges(
+  LayerSight& sight, const EdgeJudge& judge, std::span<const std::uint8_t> open)
+{
+  if (std::ranges::find(open, 1) == open.end())
   {
     return;
   }
-  EdgeSettler settler(sight, judge, Method, Edges, Counted);
-  ForEachEdge([&](std::size_t edge, std::size_t a, std::size_t b)
+  const std::vector<EdgeEnd> corners = EndsOf(sight, open);
+  std::vector<EdgeState> edges(CountEdges(), EdgeState::Out);
+  EdgeSettler settler(sight, judge, Method, edges, Counted);
+  ForEachEdge(
+    open,
+    [&](std::size_t edge, std::size_t a, std::size_t b)
     { settler.Add(edge, corners[a], corners[b]); },
     [&] { settler.EndRow(); });
   settler.Refine();
+  std::vector<EdgeState> states = StatesOf(edges, open);
+  if (Method.interior)
+  {
+    JudgeInteriors(sight, judge, corners, open, states);
+  }
+  Add(states);
+}
+
+void ContourTile::JudgeInteriors(LayerSight& sight, const EdgeJudge& judge,
+  std::span<const EdgeEnd> corners, std::span<const std::uint8_t> open, std::span<EdgeState> states)
+{
+  const std::vector<EdgeState> before(states.begin(), states.end());
+  PixelInteriors interiors(sight, judge, Method, states, Counted);
+  const std::size_t columns = Across - 1;
+  for (std::size_t pixel = 0; pixel < states.size(); ++pixel)
+  {
+    if (open[pixel] != 0)
+    {
+      const auto lower =
+        corners.begin() + static_cast<std::ptrdiff_t>(pixel / columns * Across + pixel % columns);
+      const auto upper = lower + static_cast<std::ptrdiff_t>(Across);
+      interiors.Add(pixel, { lower[0], lower[1], upper[1], upper[0] });
+    }
+  }
+  interiors.Refine();
+  for (std::size_t pixel = 0; pixel < states.size(); ++pixel)
+  {
+    const bool isLoop = before[pixel] == EdgeState::Out && states[pixel] == EdgeState::In;
+    Counted.loops += isLoop && Pixels[pixel] != ContourVerdict::In ? 1 : 0;
+  }
 }
 
 void ContourTile::LeaveOpen(int layer)
@@ -112,32 +202,43 @@ void ContourTile::LeaveOpen(int layer)
     return samples.verdict[corner] == static_cast<std::uint8_t>(PixelVerdict::Exact) &&
       samples.layer[corner] == layer;
   };
+  const std::vector<std::uint8_t> all(Pixels.size(), 1);
+  std::vector<EdgeState> edges(CountEdges(), EdgeState::Out);
   ForEachEdge(
+    all,
     [&](std::size_t edge, std::size_t a, std::size_t b)
-    {
-      if (shows(a) || shows(b))
-      {
-        Edges[edge] = std::max(Edges[edge], EdgeState::Undecided);
-      }
-    },
+    { edges[edge] = shows(a) || shows(b) ? EdgeState::Undecided : EdgeState::Out; },
     [] {});
+  Add(StatesOf(edges, all));
 }
 
-void ContourTile::Tell(std::span<std::uint8_t> verdicts) const
+std::vector<EdgeState> ContourTile::StatesOf(
+  std::span<const EdgeState> edges, std::span<const std::uint8_t> open) const
 {
-  const std::size_t ups = (Across - 1) * Up;
-  auto verdict = verdicts.begin();
-  for (std::size_t i = 0; i + 1 < Up; ++i)
+  const std::size_t columns = Across - 1;
+  const std::size_t rows = Up - 1;
+  const std::size_t ups = columns * Up;
+  std::vector<EdgeState> states(Pixels.size(), EdgeState::Out);
+  for (std::size_t pixel = 0; pixel < states.size(); ++pixel)
   {
-    for (std::size_t j = 0; j + 1 < Across; ++j, ++verdict)
+    if (open[pixel] != 0)
     {
-      const std::size_t across = i * (Across - 1) + j;
-      const std::size_t up = ups + j * (Up - 1) + i;
-      const EdgeState state =
-        std::max({ Edges[across], Edges[across + Across - 1], Edges[up], Edges[up + Up - 1] });
-      *verdict = static_cast<std::uint8_t>(state == EdgeState::In ? ContourVerdict::In
-          : state == EdgeState::Undecided                         ? ContourVerdict::Undecided
-                                                                  : ContourVerdict::Out);
+      const std::size_t up = ups + pixel % columns * rows + pixel / columns;
+      states[pixel] =
+        std::max({ edges[pixel], edges[pixel + columns], edges[up], edges[up + rows] });
+    }
+  }
+  return states;
+}
+
+void ContourTile::Add(std::span<const EdgeState> states)
+{
+  for (std::size_t pixel = 0; pixel < Pixels.size(); ++pixel)
+  {
+    ContourVerdict& verdict = Pixels[pixel];
+    if (verdict != ContourVerdict::In && states[pixel] != EdgeState::Out)
+    {
+      verdict = states[pixel] == EdgeState::In ? ContourVerdict::In : ContourVerdict::Undecided;
     }
   }
 }

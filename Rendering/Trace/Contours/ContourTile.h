@@ -5,6 +5,7 @@
 #include "Trace/Modules/ContourCertifier.h"
 #include "Trace/TileVisit.h"
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -24,28 +25,38 @@ class ContourTile
 public:
   ContourTile(TileVisit& tile, const ContourMethod& method);
 
-  /// Adds the findings of a layer's values to those of the tile's edges.
+  /// Adds the findings of a layer's values to those of the tile's pixels.
   void Judge(const ContouredLayer& layer);
   /// A ContourVerdict for each pixel of the tile, row by row.
-  void Tell(std::span<std::uint8_t> verdicts) const;
+  [[nodiscard]] std::span<const ContourVerdict> Verdicts() const { return Pixels; }
   [[nodiscard]] const ContourCounters& Counters() const { return Counted; }
 
 private:
-  /// Of all corners, row by row.
-  [[nodiscard]] std::vector<EdgeEnd> EndsOf(const LayerSight& sight);
-  /// Whose boxes meet the tile's part of a flat surface.
-  [[nodiscard]] std::vector<int> ElementsNear(std::span<const EdgeEnd> corners) const;
-  /// visit(edge, a, b), of corners, in the order of Edges; endRow() after each row and column.
+  /// Of the corners of open pixels, row by row.
+  [[nodiscard]] std::vector<EdgeEnd> EndsOf(
+    const LayerSight& sight, std::span<const std::uint8_t> open);
+  /// visit(edge, a, b) of corners, for the edges of open pixels, in the order of `edges` in
+  /// JudgeEdges; endRow() where rows and columns of them end.
   template <class Visit, class EndRow>
-  void ForEachEdge(const Visit& visit, const EndRow& endRow) const;
-  /// All edges that show the layer.
+  void ForEachEdge(
+    std::span<const std::uint8_t> open, const Visit& visit, const EndRow& endRow) const;
+  /// Of those that show the layer.
   void LeaveOpen(int layer);
+  void JudgeEdges(LayerSight& sight, const EdgeJudge& judge, std::span<const std::uint8_t> open);
+  /// Of pixels by those of their edges: across, row by row, then up, column by column.
+  [[nodiscard]] std::vector<EdgeState> StatesOf(
+    std::span<const EdgeState> edges, std::span<const std::uint8_t> open) const;
+  /// Looks inside of those that are out.
+  void JudgeInteriors(LayerSight& sight, const EdgeJudge& judge, std::span<const EdgeEnd> corners,
+    std::span<const std::uint8_t> open, std::span<EdgeState> states);
+  void Add(std::span<const EdgeState> states);
+  [[nodiscard]] std::size_t CountEdges() const { return (Across - 1) * Up + Across * (Up - 1); }
 
   TileVisit& Tile;
   ContourMethod Method;
-  std::size_t Across;           ///< corners in a row
-  std::size_t Up;               ///< corners in a column
-  std::vector<EdgeState> Edges; ///< those across, row by row, then those up, column by column
+  std::size_t Across; ///< corners in a row
+  std::size_t Up;     ///< corners in a column
+  std::vector<ContourVerdict> Pixels;
   ContourCounters Counted;
 };
 } // namespace pixelexact

@@ -3,10 +3,14 @@
 
 #include "Core/Math/Rounding.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 
 namespace pixelexact
 {
@@ -15,16 +19,52 @@ namespace
 /// Of the largest magnitude of an element's values: rounding beyond which a value that is met by
 /// an end up to rounding is not told from one that is missed.
 constexpr double kTouch = 1e-13;
+/// Of regular nodes for parts of a surface that are many pixels wide.
+constexpr int kHalvings = 6;
 
-/// How far an end may be off, by the rounding of rays and hits.
-double SlackOf(const SurfaceEdge& edge)
+int HalvingsFor(bool thorough)
+{
+  return thorough ? std::numeric_limits<int>::max() : 0;
+}
+
+/// How far corners may be off, by the rounding of rays and hits.
+double SlackOf(std::span<const Vec3> corners)
 {
   double largest = 0.0;
-  for (int d = 0; d < 3; ++d)
+  for (const Vec3& x : corners)
   {
-    largest = std::max({ largest, std::fabs(edge.from[d]), std::fabs(edge.to[d]) });
+    largest = std::max({ largest, std::fabs(x.x), std::fabs(x.y), std::fabs(x.z) });
   }
-  return edge.sagitta + 16.0 * kUnitRoundoff * largest;
+  return 16.0 * kUnitRoundoff * largest;
+}
+
+bool Meet(const Box3& a, const Box3& b)
+{
+  return glm::all(glm::lessThanEqual(a.lower, b.upper)) &&
+    glm::all(glm::lessThanEqual(b.lower, a.upper));
+}
+
+Box3 BoxOf(const WideOutline& region)
+{
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Box3 box{ Vec3(kInfinity), Vec3(-kInfinity) };
+  for (const Vec3& corner : region.outline.Corners())
+  {
+    box.lower = glm::min(box.lower, corner - region.slack);
+    box.upper = glm::max(box.upper, corner + region.slack);
+  }
+  return box;
+}
+
+void Add(const std::optional<Interval>& values, std::optional<Interval>& all)
+{
+  all = values && all ? Join(*values, *all) : (values ? values : all);
+}
+
+WideOutline RegionOf(const SurfaceEdge& edge)
+{
+  const Outline outline(edge.from, edge.to);
+  return { outline, edge.sagitta + SlackOf(outline.Corners()) };
 }
 } // namespace
 
@@ -68,10 +108,6 @@ int EdgeJudge::SideOf(double value) const
 
 ValueSet EdgeJudge::NotOn(int side) const
 {
-  if (side == kNoSide)
-  {
-    return Wanted;
-  }
   const auto above = static_cast<std::size_t>(side);
   ValueSet others;
   others.lower = above > 0 ? Wanted.values[above - 1] : others.lower;
@@ -111,39 +147,119 @@ bool EdgeJudge::StaysOn(int side, const SurfaceEdge& edge, bool thorough) const
   {
     return false;
   }
-  const double slack = SlackOf(edge);
-  const Vec3 lower = glm::min(edge.from, edge.to) - slack;
-  const Vec3 upper = glm::max(edge.from, edge.to) + slack;
-  const ValueSet others = NotOn(side);
-  const auto leaves = [&](const Element& element)
+  const WideOutline region = RegionOf(edge);
+  return StaysOn(side, ElementsAt(region), region, HalvingsFor(thorough));
+}
+
+bool EdgeJudge::StaysOn(int side, const Outline& part, double sagitta) const
+{
+  if (!std::isfinite(sagitta))
   {
-    const Box3& box = element.box;
-    return !element.StaysOn(side) &&
-      !(lower.x > box.upper.x || upper.x < box.lower.x || lower.y > box.upper.y ||
-        upper.y < box.lower.y || lower.z > box.upper.z || upper.z < box.lower.z) &&
-      element.bounds->MayTake(others, edge.from, edge.to, slack, thorough);
-  };
+    return false;
+  }
+  const WideOutline region{ part, sagitta + SlackOf(part.Corners()) };
+  return StaysOn(side, ElementsAt(region), region, HalvingsFor(true));
+}
+
+std::span<const EdgeJudge::Element> EdgeJudge::ElementsAt(const WideOutline& region) const
+{
+  const Box3 box = BoxOf(region);
+  Found.clear();
   if (!LooksForElements)
   {
-    return std::ranges::none_of(Near, leaves);
+    std::ranges::copy_if(Near, std::back_inserter(Found),
+      [&box](const Element& element) { return Meet(box, element.box); });
+    return Found;
   }
   std::vector<int> elements;
-  Bounds.Index().FindNear({ lower, upper }, elements);
-  return std::ranges::none_of(elements,
-    [&](int element)
-    { return Bounds.Of(element).Values().IsFinite() && leaves(MakeElement(element)); });
+  Bounds.Index().FindNear(box, elements);
+  for (const int element : elements)
+  {
+    if (Bounds.Of(element).Values().IsFinite())
+    {
+      Found.push_back(MakeElement(element));
+    }
+  }
+  return Found;
+}
+
+bool EdgeJudge::StaysOn(
+  int side, std::span<const Element> elements, const WideOutline& region, int halvings) const
+{
+  if (side != kNoSide)
+  {
+    const ValueSet others = NotOn(side);
+    return std::ranges::all_of(elements,
+      [&](const Element& element)
+      { return element.side == side || !element.bounds->MayTake(others, region, halvings); });
+  }
+  // It is the side of one that the region meets, if it meets any.
+  std::vector<int> tried;
+  for (const Element& element : elements)
+  {
+    const std::optional<Interval> values = element.bounds->ValuesIn(region, Wanted, halvings);
+    if (!values)
+    {
+      continue;
+    }
+    const int its = SideOf(values->lower);
+    if (Meets(*values) ||
+      (std::ranges::find(tried, its) == tried.end() && StaysOn(its, elements, region, halvings)))
+    {
+      return !Meets(*values);
+    }
+    tried.push_back(its);
+  }
+  return tried.empty();
+}
+
+EdgeJudge::Nearby EdgeJudge::All() const
+{
+  Nearby all;
+  for (std::size_t k = 0; k < Near.size(); ++k)
+  {
+    all.open.push_back(static_cast<int>(k));
+  }
+  return all;
+}
+
+EdgeJudge::Nearby EdgeJudge::Narrow(const Nearby& whole, const Outline& part) const
+{
+  const WideOutline region{ part, SlackOf(part.Corners()) };
+  const Box3 box = BoxOf(region);
+  Nearby nearby{ {}, whole.rest };
+  for (const int k : whole.open)
+  {
+    const Element& element = Near[static_cast<std::size_t>(k)];
+    if (!Meet(box, element.box))
+    {
+      continue;
+    }
+    const std::optional<Interval> values = element.bounds->ValuesIn(region, Wanted, kHalvings);
+    std::optional<Interval> all = nearby.rest;
+    Add(values, all);
+    if (all && Meets(*all))
+    {
+      nearby.open.push_back(k);
+    }
+    else
+    {
+      nearby.rest = all;
+    }
+  }
+  return nearby;
 }
 
 bool EdgeJudge::AreOpposite(const EdgeEnd& a, const EdgeEnd& b) const
 {
-  const double lower = std::min(a.point.value, b.point.value);
-  const double upper = std::max(a.point.value, b.point.value);
-  return Wanted.Meets(lower, upper);
+  const auto [lower, upper] = std::minmax(a.point.value, b.point.value);
+  // What is not finite has no values.
+  return std::isfinite(lower) && std::isfinite(upper) && Wanted.Meets(lower, upper);
 }
 
 bool EdgeJudge::IsJump(const EdgeEnd& a, const EdgeEnd& b, const SurfaceEdge& edge) const
 {
-  const double distance = glm::distance(edge.from, edge.to) + SlackOf(edge);
+  const double distance = glm::distance(edge.from, edge.to) + RegionOf(edge).slack;
   const double change = Bounds.Of(a.element).ChangeWithin(a.point, distance) +
     Bounds.Of(b.element).ChangeWithin(b.point, distance);
   return std::fabs(a.point.value - b.point.value) > change;

@@ -4,6 +4,7 @@
 #include "Trace/Contours/LayerBounds.h"
 #include "Trace/TileSamples.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -58,9 +59,20 @@ public:
   /// An edge between points of the same element, by the bounds of that element alone.
   [[nodiscard]] EdgeFinding Within(
     const EdgeEnd& a, const EdgeEnd& b, const SurfaceEdge& edge) const;
-  /// Whether all elements that the edge may meet stay on a side there; of kNoSide, whether none
-  /// takes a value. `thorough`: more is found out about the elements where that helps.
+  /// Whether all elements that the edge may meet stay on a side there; of kNoSide, on any one.
+  /// `thorough`: more is found out about the elements where that helps.
   [[nodiscard]] bool StaysOn(int side, const SurfaceEdge& edge, bool thorough) const;
+  /// The same of a flat polygon and how far off it the surface is.
+  [[nodiscard]] bool StaysOn(int side, const Outline& part, double sagitta) const;
+  /// Elements that some part of a flat surface meets.
+  struct Nearby
+  {
+    std::vector<int> open;        ///< that may take a value there
+    std::optional<Interval> rest; ///< holds the values of all others there
+  };
+  [[nodiscard]] Nearby All() const;
+  /// Of a part of that part. Without open elements all values there are on one side.
+  [[nodiscard]] Nearby Narrow(const Nearby& whole, const Outline& part) const;
   /// Whether a value lies between those of the ends, or is one.
   [[nodiscard]] bool AreOpposite(const EdgeEnd& a, const EdgeEnd& b) const;
   /// Whether the two values are farther apart than the field varies along the edge.
@@ -73,16 +85,23 @@ private:
     Box3 box;
     const EdgeBounds* bounds;
     int side; ///< of all of its values; kNoSide: they may be on several
-
-    [[nodiscard]] bool StaysOn(int all) const { return side >= 0 && (all < 0 || all == side); }
   };
-  /// Of kNoSide, the values.
   [[nodiscard]] ValueSet NotOn(int side) const;
+  [[nodiscard]] bool Meets(const Interval& values) const
+  {
+    return Wanted.Meets(values.lower, values.upper);
+  }
+  /// Whether the values of all elements there are on one side; of kNoSide, any.
+  [[nodiscard]] bool StaysOn(
+    int side, std::span<const Element> elements, const WideOutline& region, int halvings) const;
+  /// Finite ones whose boxes it meets; until it is called again.
+  [[nodiscard]] std::span<const Element> ElementsAt(const WideOutline& region) const;
   [[nodiscard]] Element MakeElement(int element) const;
 
   const LayerBounds& Bounds;
   ValueSet Wanted;
   std::vector<Element> Near; ///< by number
+  mutable std::vector<Element> Found;
   bool Needed = false;
   bool LooksForElements = false;
 };

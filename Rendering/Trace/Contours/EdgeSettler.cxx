@@ -65,8 +65,7 @@ EdgeFinding EdgeSettler::JudgeWithin(const Part& part) const
 {
   const EdgeEnd& a = part.a;
   const EdgeEnd& b = part.b;
-  const bool hidden[2] = { a.layer >= 0 && !Sight.Shows(a), b.layer >= 0 && !Sight.Shows(b) };
-  if (hidden[0] && hidden[1])
+  if (Sight.Hides(a) && Sight.Hides(b))
   {
     // Another layer hides this one at both ends.
     return EdgeFinding::Out;

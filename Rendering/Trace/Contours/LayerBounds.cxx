@@ -5,6 +5,7 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace pixelexact
 {
@@ -12,13 +13,6 @@ namespace
 {
 /// Of sums in single precision, as a part of the largest they can be: some roundoffs of a float.
 constexpr double kFloatRounding = 0x1p-19;
-
-Interval Union(const Interval& a, const Interval& b)
-{
-  return a.IsEmpty() ? b
-    : b.IsEmpty()    ? a
-                     : Interval(std::min(a.lower, b.lower), std::max(a.upper, b.upper));
-}
 } // namespace
 
 LayerBounds::LayerBounds(const Locator& locator, const Layer& layer)
@@ -69,18 +63,19 @@ const Interval& LayerBounds::Values() const
   tbb::collaborative_call_once(Found,
     [this]
     {
+      constexpr double kInfinity = std::numeric_limits<double>::infinity();
       All = tbb::parallel_reduce(
-        tbb::blocked_range<std::size_t>(0, Count), Interval(1.0, -1.0),
+        tbb::blocked_range<std::size_t>(0, Count), Interval(kInfinity, -kInfinity),
         [this](const tbb::blocked_range<std::size_t>& elements, Interval all)
         {
           for (std::size_t e = elements.begin(); e < elements.end(); ++e)
           {
             const Interval& own = Of(static_cast<int>(e)).Values();
-            all = own.IsFinite() ? Union(all, own) : all;
+            all = own.IsFinite() ? Join(all, own) : all;
           }
           return all;
         },
-        Union);
+        Join);
     });
   return All;
 }

@@ -80,6 +80,22 @@ SurfaceEdge LayerSight::EdgeBetween(const EdgeEnd& a, const EdgeEnd& b) const
   return edge;
 }
 
+double LayerSight::SagittaOver(const std::array<const EdgeEnd*, 3>& ends) const
+{
+  std::array<Ray, 3> rays;
+  std::array<Vec3, 3> hits;
+  for (std::size_t k = 0; k < ends.size(); ++k)
+  {
+    if (!ends[k]->meets)
+    {
+      return std::numeric_limits<double>::infinity();
+    }
+    rays[k] = RayOf(*ends[k]);
+    hits[k] = ends[k]->point.x;
+  }
+  return TheSurface.SagittaOver(rays, hits);
+}
+
 bool LayerSight::AreJoined(const EdgeEnd& a, const EdgeEnd& b) const
 {
   if (TheSurface.IsFlat())

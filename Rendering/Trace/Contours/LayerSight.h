@@ -4,6 +4,7 @@
 #include "Trace/Contours/EdgeJudge.h"
 #include "Trace/TileVisit.h"
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -23,6 +24,10 @@ public:
   [[nodiscard]] std::vector<EdgeEnd> Trace(std::span<const ImagePosition> positions);
 
   [[nodiscard]] SurfaceEdge EdgeBetween(const EdgeEnd& a, const EdgeEnd& b) const;
+  /// Whether another layer is seen instead.
+  [[nodiscard]] bool Hides(const EdgeEnd& end) const { return end.layer >= 0 && !Shows(end); }
+  /// How far off the triangle between three ends it is.
+  [[nodiscard]] double SagittaOver(const std::array<const EdgeEnd*, 3>& ends) const;
   /// Whether two ends that show it are about as far apart as their rays: it then goes on between
   /// them.
   [[nodiscard]] bool AreJoined(const EdgeEnd& a, const EdgeEnd& b) const;

@@ -17,6 +17,7 @@ void ContourCounters::Add(const ContourCounters& other)
   out += other.out;
   undecided += other.undecided;
   jumps += other.jumps;
+  loops += other.loops;
   samples += other.samples;
 }
 
@@ -26,6 +27,11 @@ ContourCertifier::ContourCertifier(std::vector<std::vector<double>> values,
   , Method(method)
   , Given(std::move(bounds))
 {
+  if (method.interior && method.subdivisions)
+  {
+    throw Error("contours: the paper's algorithm looks at edges alone; look inside of pixels with "
+                "the project's own, without subdivisions.");
+  }
   for (std::vector<double>& ofLayer : IsoValues)
   {
     if (!std::ranges::all_of(ofLayer, [](double value) { return std::isfinite(value); }))
@@ -76,7 +82,8 @@ void ContourCertifier::Process(TileVisit& tile)
           { static_cast<int>(k), IsoValues[k], &Bounds->Of(*scene.locator, scene.layers[k]) });
       }
     }
-    pixels.Tell(verdicts);
+    std::ranges::transform(pixels.Verdicts(), verdicts.begin(),
+      [](ContourVerdict verdict) { return static_cast<std::uint8_t>(verdict); });
     counters = pixels.Counters();
   }
   const TileArea& area = tile.Area();

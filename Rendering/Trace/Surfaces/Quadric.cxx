@@ -263,23 +263,55 @@ Vec3 HalfGradient(const QuadraticForm& form, const Vec3& position)
 
 double Quadric::Sagitta(const Ray& a, const Vec3& atA, const Ray& b, const Vec3& atB) const
 {
-  // At c = A + s (B - A) on the chord f(c) = -s (1 - s) q(B - A), q the quadratic part, because f
-  // vanishes at both ends. Along the ray d through c, f(c + t d) = f(c) + 2 t h.d + t^2 q(d), h
-  // half the gradient, has a root with |t| <= |f(c)| / |h.d| where |h.d|^2 >= |f(c)| |q|; as long
-  // as that holds it is the one that goes from A to B.
-  const Vec3 slopes[2] = { HalfGradient(Form, atA), HalfGradient(Form, atB) };
-  const Vec3 chord = atB - atA;
+  return SagittaAmong(std::array{ a, b }, std::array{ atA, atB });
+}
+
+double Quadric::SagittaOver(const std::array<Ray, 3>& rays, const std::array<Vec3, 3>& hits) const
+{
+  return SagittaAmong(rays, hits);
+}
+
+double Quadric::SagittaAmong(std::span<const Ray> rays, std::span<const Vec3> hits) const
+{
+  // At c = sum w_i A_i, w_i >= 0 of sum 1, f(c) = -sum_{i<j} w_i w_j q(A_i - A_j), q the quadratic
+  // part, because f vanishes at all A_i; sum_{i<j} w_i w_j is at most (1 - 1 / n) / 2. Along the
+  // ray d through c, f(c + t d) = f(c) + 2 t h.d + t^2 q(d), h half the gradient, has a root with
+  // |t| <= |f(c)| / |h.d| where |h.d|^2 >= |f(c)| |q|; as long as that holds it is the one that
+  // goes from hit to hit.
   double largest = 0.0;
   for (std::size_t k = 0; k < 6; ++k)
   {
     largest += (k < 3 ? 1.0 : 2.0) * std::fabs(Form.Q[k].high);
   }
-  const double length = std::max(glm::length(slopes[0]), glm::length(slopes[1]));
-  const double across = std::fabs(glm::dot(slopes[0], a.direction)) -
-    glm::distance(slopes[0], slopes[1]) - length * glm::distance(a.direction, b.direction);
-  // q(B - A) is (h(B) - h(A)).(B - A); the hits are off by rounding.
-  const double off = 0.25 * std::fabs(glm::dot(slopes[1] - slopes[0], chord)) +
-    1e-14 * (length * (glm::length(atA) + glm::length(atB)) + largest * glm::dot(chord, chord));
+  std::array<Vec3, 3> slopes{};
+  double length = 0.0;
+  double farthest = 0.0;
+  for (std::size_t i = 0; i < hits.size(); ++i)
+  {
+    slopes[i] = HalfGradient(Form, hits[i]);
+    length = std::max(length, glm::length(slopes[i]));
+    farthest = std::max(farthest, glm::length(hits[i]));
+  }
+  double turn = 0.0;
+  double spread = 0.0;
+  double bulge = 0.0;
+  double chord = 0.0;
+  for (std::size_t i = 1; i < hits.size(); ++i)
+  {
+    turn = std::max(turn, glm::distance(slopes[0], slopes[i]));
+    spread = std::max(spread, glm::distance(rays[0].direction, rays[i].direction));
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      // q(A - B) is (h(A) - h(B)).(A - B).
+      const Vec3 between = hits[i] - hits[j];
+      bulge = std::max(bulge, std::fabs(glm::dot(slopes[i] - slopes[j], between)));
+      chord = std::max(chord, glm::dot(between, between));
+    }
+  }
+  const double across = std::fabs(glm::dot(slopes[0], rays[0].direction)) - turn - length * spread;
+  // The hits are off by rounding.
+  const double off = 0.5 * (1.0 - 1.0 / static_cast<double>(hits.size())) * bulge +
+    1e-14 * (2.0 * length * farthest + largest * chord);
   // Written so that a NaN is not known.
   return across > 0.0 && across * across >= 2.0 * off * largest
     ? off / across * (1.0 + 1e-9)

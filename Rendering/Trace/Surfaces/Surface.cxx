@@ -18,6 +18,12 @@ double Surface::Sagitta(
   return IsFlat() ? 0.0 : std::numeric_limits<double>::infinity();
 }
 
+double Surface::SagittaOver(
+  const std::array<Ray, 3>& /*rays*/, const std::array<Vec3, 3>& /*hits*/) const
+{
+  return IsFlat() ? 0.0 : std::numeric_limits<double>::infinity();
+}
+
 std::vector<Hit> HitsOf(const Surface& surface, const Ray& ray, double tNear, double tFar)
 {
   double lanes[8][kLanePadding];

@@ -5,6 +5,7 @@
 #include "Trace/Rays.h"
 #include "Trace/Surfaces/HitSlots.h"
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -44,7 +45,11 @@ public:
   /// known.
   [[nodiscard]] virtual double Sagitta(
     const Ray& a, const Vec3& atA, const Ray& b, const Vec3& atB) const;
-  /// Whether it is known anywhere.
+  /// How far off the triangle between three of its hits, at most, is the surface along the rays
+  /// between these hits' rays; all of them then meet it there. Infinite where that is not known.
+  [[nodiscard]] virtual double SagittaOver(
+    const std::array<Ray, 3>& rays, const std::array<Vec3, 3>& hits) const;
+  /// Whether Sagitta is known anywhere.
   [[nodiscard]] virtual bool HasSagitta() const { return IsFlat(); }
 
   /// Whether all of its points lie in the mesh: rays that cannot see through it end at their first
