@@ -414,7 +414,7 @@ private:
 };
 } // namespace
 
-/// Undecided pixels have a line, or a colour of their own.
+/// Undecided pixels have what there is of lines between corners, or a colour of their own.
 TEST(ContourLines, AreDrawnWhereItIsUndecided)
 {
   Block block;
