@@ -530,5 +530,14 @@ TEST(ContourLines, RefuseWhatTheyCannotDraw)
   EXPECT_THROW(ContourLines(certifier, {}, {}), Error);
   EXPECT_THROW(ContourLines(certifier, {}, { { kBlack, kRed, kGreen } }), Error);
   EXPECT_NO_THROW(ContourLines(certifier, {}, { { kBlack, kRed } }));
+  // One list of values for two layers, and three.
+  const LayeredScene layered(false);
+  const ColorMapping ofLayers = LayeredColors();
+  for (const std::size_t lists : { 1U, 3U })
+  {
+    Contours others({ 1.0 }, 1.5, lists);
+    EXPECT_THROW(Trace(layered.TheScene, Camera(ObliqueView(), 20, 20), others.On(ofLayers)), Error)
+      << lists;
+  }
 }
 } // namespace pixelexact::testing
