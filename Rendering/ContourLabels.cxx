@@ -180,7 +180,8 @@ int DrawContourLabels(Frame& frame, const Camera& camera, const ContourCertifier
     std::ranges::transform(texts.back(), std::back_inserter(sizes.back()),
       [&writer](const std::string& text) { return writer.SizeOf(text); });
   }
-  const std::vector<ContourPlace> places = PlaceLabels(frame, camera, contours, sizes);
+  const std::vector<ContourPlace> places =
+    PlaceLabels(frame, camera, contours, sizes, lines.DrawsUndecided());
   for (const ContourPlace& place : places)
   {
     OpenGap(frame, place, sizes[place.layer][place.value], lines.Beneath());

@@ -198,6 +198,18 @@ class Contours(ToolTest):
                        names=["--contour-labels"])
         self.fails(2, *self.words(*HALF, "--contour-labels"), names=["--contours"])
 
+    def test_labels_where_no_pixel_is_proven(self):
+        source = case("toroid_hex_g3_p6")
+        view = View([3.0, 0.0, 2.0], [0.0, 0.0, 0.0], [0.0, 0.0, 1.0], 300, 300,
+                    angle=30).options()
+        base = ["--boundary", *view, "--contours", "7", "--contour-labels=8"]
+        summary = self.summary(*self.words(*base, source=source))
+        self.assertGreater(summary["contours"]["pixels"]["undecided"], 1000)
+        self.assertGreater(summary["contours"]["labels"], 2)
+        # Where these have a colour of their own they have no lines that could be labelled.
+        shown = self.summary(*self.words(*base, "--show-undecided-contours", source=source))
+        self.assertLess(shown["contours"]["labels"], summary["contours"]["labels"])
+
     def test_without_a_field(self):
         source = self.folder / "bare.vtu"
         source.write_text(unit_cube_grid([]), encoding="utf-8")

@@ -71,6 +71,8 @@ public:
   void Begin(int width, int height) override;
   void Process(TileVisit& tile) override;
 
+  /// Whether undecided pixels have lines, and not a colour of their own.
+  [[nodiscard]] bool DrawsUndecided() const { return !Style.showUndecided; }
   [[nodiscard]] const Rgba& ColorOf(std::size_t layer, std::size_t value) const;
   /// With ContourStyle::keepBeneath.
   [[nodiscard]] const std::vector<std::uint8_t>& Beneath() const { return Under; }
