@@ -161,8 +161,7 @@ std::vector<std::string> LabelTexts(const std::vector<double>& values)
   return texts;
 }
 
-int DrawContourLabels(Frame& frame, const Camera& camera, const ContourCertifier& contours,
-  const ContourLines& lines, int size)
+void RequireLabelSize(int size)
 {
   if (size < LabelFont::kSmallest || size > LabelFont::kLargest)
   {
@@ -170,6 +169,12 @@ int DrawContourLabels(Frame& frame, const Camera& camera, const ContourCertifier
       std::to_string(LabelFont::kSmallest) + " to " + std::to_string(LabelFont::kLargest) +
       " pixels high");
   }
+}
+
+int DrawContourLabels(Frame& frame, const Camera& camera, const ContourCertifier& contours,
+  const ContourLines& lines, int size)
+{
+  RequireLabelSize(size);
   Writer writer(size);
   std::vector<std::vector<std::string>> texts;
   std::vector<std::vector<LabelSize>> sizes;
