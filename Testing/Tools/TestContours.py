@@ -128,13 +128,13 @@ class Contours(ToolTest):
                        ["--log"], ["--layer", "1:range=0:1"], ["--samples", "4"]]:
             self.fails(2, *self.words(*HALF, *base, "--contours-only", *option),
                        names=[option[0], "no effect", "--contours-only"])
-        self.succeeds(*self.words(*HALF, *base, "--contours-only", "--contour-color", "map",
+        self.succeeds(*self.words(*HALF, *VIEW, *base, "--contours-only", "--contour-color", "map",
                                   "--colormap", "jet", "--range", "0,1"))
         # By a range, values are spaced.
-        self.succeeds(*self.words(*HALF, "--contours", "3", "--contours-only", "--range", "0.1,1",
-                                  "--log"))
+        self.succeeds(*self.words(*HALF, *VIEW, "--contours", "3", "--contours-only", "--range",
+                                  "0.1,1", "--log"))
         two = ["--plane", "0.5,0,0,1,0,0", "--contours", "3", "--contours-only", "--range", "0,1"]
-        self.succeeds(*self.words(*HALF, *two, "--layer", "1:contours=0.5"))
+        self.succeeds(*self.words(*HALF, *VIEW, *two, "--layer", "1:contours=0.5"))
         self.fails(2, *self.words(*HALF, *two, "--layer", "1:contours=0.5,range=0:2"),
                    names=["--layer", "no effect", "--contours-only"])
 
