@@ -90,8 +90,8 @@ public:
 
   ///@{
   /**
-   * How far chords may be from the curves, in world units, measured at chords' middles. 0, the
-   * default: 1e-4 of the diagonal of the grid's box.
+   * How far chords may be from the curves, in world units, measured at chords' middles: 1e-10 of
+   * the diagonal of the grid's box or more. 0, the default: 1e-4 of it.
    */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);

@@ -84,8 +84,7 @@ std::vector<std::string> LabelTexts(const std::vector<double>& values)
   return texts;
 }
 
-int DrawContourLabels(Frame& frame, const Camera& camera, const ContourCertifier& contours,
-  const ContourLines& lines, int size)
+void RequireLabelSize(int size)
 {
   if (size < LabelFont::kSmallest || size > LabelFont::kLargest)
   {
@@ -93,6 +92,12 @@ int DrawContourLabels(Frame& frame, const Camera& camera, const ContourCertifier
       std::to_string(LabelFont::kSmallest) + " to " + std::to_string(LabelFont::kLargest) +
       " pixels high");
   }
+}
+
+int DrawContourLabels(Frame& frame, const Camera& camera, const ContourCertifier& contours,
+  const ContourLines& lines, int size)
+{
+  RequireLabelSize(size);
   TextImages writer(size);
   const PixelSpan image{ frame.width, frame.height, frame.color.data() };
   std::vector<std::vector<std::string>> texts;
@@ -108,7 +113,8 @@ int DrawContourLabels(Frame& frame, const Camera& camera, const ContourCertifier
         return LabelSize{ box.width, box.height };
       });
   }
-  const std::vector<ContourPlace> places = PlaceLabels(frame, camera, contours, sizes);
+  const std::vector<ContourPlace> places =
+    PlaceLabels(frame, camera, contours, sizes, lines.DrawsUndecided());
   for (const ContourPlace& place : places)
   {
     OpenGap(frame, place, sizes[place.layer][place.value], lines.Beneath());

@@ -43,6 +43,10 @@ void FrameContours::Make(const Scene& scene, const std::vector<LayerContours>& l
   {
     return;
   }
+  if (look.labels)
+  {
+    RequireLabelSize(*look.labels);
+  }
   const bool translucent = HasTranslucent(scene);
   Labels = translucent ? std::nullopt : look.labels;
   style.onSheet = translucent;

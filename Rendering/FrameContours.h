@@ -38,8 +38,8 @@ struct ContourLook
 class FrameContours
 {
 public:
-  /// By layer; `maps` for contours without colours. Throws Error for values and widths that cannot
-  /// be drawn, and where a layer has no field.
+  /// By layer; `maps` for contours without colours. Throws Error for values, widths and labels
+  /// that cannot be drawn, and where a layer has no field.
   void Make(const Scene& scene, const std::vector<LayerContours>& layers,
     const std::vector<ColorMap>& maps, const ContourLook& look);
 

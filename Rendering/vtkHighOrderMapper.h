@@ -178,7 +178,7 @@ public:
    * evenly spaced values, both ends among them. Layers have the same values, or their own
    * (vtkHighOrderLayer). Other values, colours and widths trace nothing. Coarse frames (see
    * SetProgressive) have no contours. A value that is not finite is an error when it is drawn; one
-   * that the field does not have draws nothing.
+   * that the field does not have draws nothing, one that is there twice is drawn once.
    */
   void SetContourValue(int i, double value);
   double GetContourValue(int i);
@@ -203,7 +203,7 @@ public:
   /**
    * The contours' colour; the default is black. That of a single one goes before it, until
    * RemoveColorsOfContours; and with ContourScalarVisibility on (the default is off) each has the
-   * colour that its value has in the lookup table.
+   * colour that its value has in the lookup table, also where surfaces have one colour.
    */
   vtkSetVector3Macro(ContourColor, double);
   vtkGetVector3Macro(ContourColor, double);
@@ -217,7 +217,9 @@ public:
   ///@{
   /**
    * Whether pixels of which it could not be decided whether a contour goes through them have a
-   * colour of their own (the default is teal), or are drawn as if one did. The default is off.
+   * colour of their own (the default is teal). Else, the default, they show the lines between the
+   * values at pixels' corners, as if none was missing; how many there are
+   * GetNumberOfUndecidedContourPixels tells.
    */
   vtkSetMacro(ShowUndecidedContours, bool);
   vtkGetMacro(ShowUndecidedContours, bool);

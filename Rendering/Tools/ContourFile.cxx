@@ -88,7 +88,9 @@ void ContourFileOptions::AddTo(CLI::App& added)
       }
       tolerance = length;
     },
-    "LENGTH", "How far their chords may be from the curves (default: 1e-4 of the mesh's diagonal)")
+    "LENGTH",
+    "How far their chords may be from the curves, 1e-10 of the mesh's diagonal or more (default: "
+    "1e-4 of it)")
     .Needs(lines);
 }
 

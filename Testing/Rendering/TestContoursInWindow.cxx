@@ -408,6 +408,9 @@ TEST_F(ContoursInWindow, LabelsThatAreNotWrittenAreTold)
   behind->SetNormal(0.0, 0.0, 1.0);
   Scene.Mapper->AddCutFunction(behind);
   EXPECT_TRUE(Contains(Complaint(), "ContourLabels")) << Errors->Text;
+  // Not even then a size that they cannot have.
+  Scene.Mapper->SetContourLabelSize(5);
+  EXPECT_TRUE(Contains(Complaint(), "6 to 72")) << Errors->Text;
 }
 
 TEST(ContourLabels, AreShortAndTellValuesApart)

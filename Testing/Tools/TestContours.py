@@ -140,13 +140,13 @@ class Contours(ToolTest):
                        ["--log"], ["--layer", "1:range=0:1"], ["--samples", "4"]]:
             self.fails(2, *self.words(*HALF, *base, "--contours-only", *option),
                        names=[option[0], "no effect", "--contours-only"])
-        self.succeeds(*self.words(*HALF, *base, "--contours-only", "--contour-color", "map",
+        self.succeeds(*self.words(*HALF, *VIEW, *base, "--contours-only", "--contour-color", "map",
                                   "--colormap", "jet", "--range", "0,1"))
         # By a range, values are spaced.
-        self.succeeds(*self.words(*HALF, "--contours", "3", "--contours-only", "--range", "0.1,1",
-                                  "--log"))
+        self.succeeds(*self.words(*HALF, *VIEW, "--contours", "3", "--contours-only", "--range",
+                                  "0.1,1", "--log"))
         two = ["--plane", "0.5,0,0,1,0,0", "--contours", "3", "--contours-only", "--range", "0,1"]
-        self.succeeds(*self.words(*HALF, *two, "--layer", "1:contours=0.5"))
+        self.succeeds(*self.words(*HALF, *VIEW, *two, "--layer", "1:contours=0.5"))
         self.fails(2, *self.words(*HALF, *two, "--layer", "1:contours=0.5,range=0:2"),
                    names=["--layer", "no effect", "--contours-only"])
 
@@ -209,6 +209,18 @@ class Contours(ToolTest):
             self.fails(2, *self.words(*base, f"--contour-labels={size}", source=source),
                        names=["--contour-labels"])
         self.fails(2, *self.words(*HALF, "--contour-labels"), names=["--contours"])
+
+    def test_labels_where_no_pixel_is_proven(self):
+        source = case("toroid_hex_g3_p6")
+        view = View([3.0, 0.0, 2.0], [0.0, 0.0, 0.0], [0.0, 0.0, 1.0], 300, 300,
+                    angle=30).options()
+        base = ["--boundary", *view, "--contours", "7", "--contour-labels=8"]
+        summary = self.summary(*self.words(*base, source=source))
+        self.assertGreater(summary["contours"]["pixels"]["undecided"], 1000)
+        self.assertGreater(summary["contours"]["labels"], 2)
+        # Where these have a colour of their own they have no lines that could be labelled.
+        shown = self.summary(*self.words(*base, "--show-undecided-contours", source=source))
+        self.assertLess(shown["contours"]["labels"], summary["contours"]["labels"])
 
     def test_without_a_field(self):
         source = self.folder / "bare.vtu"

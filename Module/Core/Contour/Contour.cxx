@@ -6,16 +6,21 @@
 #include "Core/Contour/LineAssembly.h"
 #include "Core/Faces/FacePlane.h"
 
+#include <glm/geometric.hpp>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace pixelexact
 {
 namespace
 {
 constexpr double kOnFace = 1e-9;
+/// Of the mesh's diagonal: the least tolerance. A line as long as that has some 100,000 points
+/// then.
+constexpr double kLeastTolerance = 1e-10;
 
 /// Of one element: of the values for which the hulls leave room, in their order.
 struct FoundInElement
@@ -47,7 +52,7 @@ FoundInElement TraceAll(const ContourQuestion& question, int element, const Cont
   return found;
 }
 
-void Check(const ContourRequest& request)
+void Check(const ContourRequest& request, const Box3& box)
 {
   for (const double value : request.values)
   {
@@ -60,6 +65,14 @@ void Check(const ContourRequest& request)
   if (!(request.tolerance > 0.0 && std::isfinite(request.tolerance)))
   {
     throw InvalidData("the tolerance of contours must be greater than 0, in world units.");
+  }
+  const double diagonal = glm::length(box.upper - box.lower);
+  if (box.lower.x <= box.upper.x && request.tolerance < kLeastTolerance * diagonal)
+  {
+    std::ostringstream text;
+    text << "a tolerance of contours of " << request.tolerance << ": it may be 1e-10 of the mesh's "
+         << "diagonal, " << diagonal << ", or larger.";
+    throw InvalidData(text.str());
   }
 }
 
@@ -82,7 +95,7 @@ bool IsAnothers(const CurvePiece& piece, const ElementContour& contour, const Me
 ContourSet TraceContours(const ContourQuestion& question, const Locator& locator,
   const FaceTable& faces, const ContourRequest& request)
 {
-  Check(request);
+  Check(request, locator.Bounds());
   ContourSet set;
   const auto count = static_cast<std::size_t>(question.mesh.Elements());
   std::vector<FoundInElement> found(count);

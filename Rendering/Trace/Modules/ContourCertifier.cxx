@@ -8,9 +8,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace pixelexact
 {
+namespace
+{
+void RequireListsFor(const Scene& scene, std::size_t lists)
+{
+  const std::size_t layers = scene.layers.size();
+  if (lists != layers)
+  {
+    throw Error("contours: " + std::to_string(lists) + " lists of iso-values for " +
+      std::to_string(layers) + " layers; give one for each, which may be empty.");
+  }
+}
+} // namespace
+
 void ContourCounters::Add(const ContourCounters& other)
 {
   in += other.in;
@@ -61,6 +75,8 @@ void ContourCertifier::Begin(int width, int height)
 
 void ContourCertifier::Process(TileVisit& tile)
 {
+  const Scene& scene = tile.GetScene();
+  RequireListsFor(scene, IsoValues.size());
   ContourCounters counters;
   std::vector<std::uint8_t> verdicts(
     static_cast<std::size_t>(tile.Area().Width()) * static_cast<std::size_t>(tile.Area().Height()));
@@ -72,9 +88,8 @@ void ContourCertifier::Process(TileVisit& tile)
   }
   else
   {
-    const Scene& scene = tile.GetScene();
     ContourTile pixels(tile, Method);
-    for (std::size_t k = 0; k < std::min(IsoValues.size(), scene.layers.size()); ++k)
+    for (std::size_t k = 0; k < IsoValues.size(); ++k)
     {
       if (!IsoValues[k].empty() && scene.layers[k].field)
       {

@@ -59,7 +59,8 @@ public:
   /// `values`: of each of the scene's layers its iso-values, in any order, each counted once; none:
   /// no contours on it.
   /// `bounds`: what is known of the fields, to be used again; null: it is found out for each frame.
-  /// Throws Error for a value that is not finite, and for a method that contradicts itself.
+  /// Throws Error for a value that is not finite, and for a method that contradicts itself; Process
+  /// does for fewer or more lists than layers.
   explicit ContourCertifier(std::vector<std::vector<double>> values,
     const ContourMethod& method = {}, std::shared_ptr<ContourBounds> bounds = nullptr);
   ~ContourCertifier() override;
