@@ -106,7 +106,7 @@ TEST(Sagitta, HoldsHitsBetween)
       }
       const Vec3 from = hitsA.front().position;
       const Vec3 to = hitsB.front().position;
-      const double sagitta = one.surface.Sagitta(a, from, b, to);
+      const double sagitta = one.surface.Sagitta(a, { from }, b, { to });
       const bool isClose = apart < 1e-3;
       close += isClose ? 1 : 0;
       closeKnown += isClose && std::isfinite(sagitta) ? 1 : 0;
@@ -141,7 +141,8 @@ TEST(Sagitta, IsInfiniteAcrossSilhouettes)
     const Ray ray{ Vec3(1.0 - beside, 0.0, 5.0), along };
     const auto hits = HitsOf(sphere, ray);
     ASSERT_EQ(hits.size(), 2U);
-    EXPECT_FALSE(std::isfinite(sphere.Sagitta(ray, hits[0].position, ray, hits[1].position)));
+    EXPECT_FALSE(
+      std::isfinite(sphere.Sagitta(ray, { hits[0].position }, ray, { hits[1].position })));
   }
   for (const double apart : { 0.2, 1e-2, 1e-5 })
   {
@@ -149,13 +150,13 @@ TEST(Sagitta, IsInfiniteAcrossSilhouettes)
     const Ray a{ Vec3(1.0 - apart, 0.0, 5.0), along };
     const Ray b{ Vec3(1.0, 0.0, 5.0), along };
     const Vec3 at = HitsOf(sphere, a).front().position;
-    EXPECT_FALSE(std::isfinite(sphere.Sagitta(a, at, b, Vec3(1.0, 0.0, 0.0))));
+    EXPECT_FALSE(std::isfinite(sphere.Sagitta(a, { at }, b, { Vec3(1.0, 0.0, 0.0) })));
   }
   const Quadric cylinder = MakeCylinder(Vec3(0.0), Vec3(0.0, 1.0, 0.0), 1.0);
   const Ray left{ Vec3(-0.999, 0.0, 5.0), along };
   const Ray right{ Vec3(0.999, 0.5, 5.0), along };
-  EXPECT_FALSE(std::isfinite(cylinder.Sagitta(left, HitsOf(cylinder, left).front().position, right,
-    HitsOf(cylinder, right).front().position)));
+  EXPECT_FALSE(std::isfinite(cylinder.Sagitta(left, { HitsOf(cylinder, left).front().position },
+    right, { HitsOf(cylinder, right).front().position })));
 }
 
 TEST(Sagitta, OfOtherSurfaces)
@@ -163,9 +164,9 @@ TEST(Sagitta, OfOtherSurfaces)
   const Ray ray{ Vec3(0.0, 0.0, 5.0), Vec3(0.0, 0.0, -1.0) };
   const Plane plane(Vec3(0.0), Vec3(0.0, 0.0, 1.0));
   EXPECT_TRUE(plane.HasSagitta());
-  EXPECT_EQ(plane.Sagitta(ray, Vec3(0.0), ray, Vec3(0.0)), 0.0);
+  EXPECT_EQ(plane.Sagitta(ray, { Vec3(0.0) }, ray, { Vec3(0.0) }), 0.0);
   const Torus torus(Vec3(0.0), Vec3(0.0, 0.0, 1.0), 1.0, 0.3);
   EXPECT_FALSE(torus.HasSagitta());
-  EXPECT_FALSE(std::isfinite(torus.Sagitta(ray, Vec3(0.0), ray, Vec3(0.0))));
+  EXPECT_FALSE(std::isfinite(torus.Sagitta(ray, { Vec3(0.0) }, ray, { Vec3(0.0) })));
 }
 } // namespace pixelexact::testing

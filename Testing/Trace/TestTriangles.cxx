@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Block.h"
 #include "RayCheck.h"
 #include "SurfaceCheck.h"
 
@@ -210,6 +211,33 @@ TEST(Triangles, NormalsAreTheTriangles)
   EXPECT_EQ(surface.Normal(point), Vec3(0.0, 0.0, 1.0));
   point.piece = 1;
   EXPECT_EQ(surface.Normal(point), Vec3(1.0, 0.0, 0.0));
+}
+
+/// Samples tell the triangle, and where on it.
+TEST(Triangles, SamplesTellThePiece)
+{
+  const Block block;
+  const auto ball = std::make_shared<Triangles>(Ball(1, Vec3(0.1, 0.0, 0.0), 0.8));
+  const Scene scene{ block.TheScene.locator, { { ball, &block.TheField } }, {} };
+  const Camera camera = ViewAlongZ(24, 18);
+  const SampleBuffers samples =
+    Trace(scene, camera, {}, { .corners = kAll | Buffer::Piece }).corners;
+  int seen = 0;
+  for (int y = 0, i = 0; y <= 18; ++y)
+  {
+    for (int x = 0; x <= 24; ++x, ++i)
+    {
+      const auto at = static_cast<std::size_t>(i);
+      const auto hits =
+        MeetPoints(*ball, std::vector<Ray>{ camera.At(x, y) }, std::vector{ kNearest }).front();
+      const bool isSeen = samples.verdict[at] == static_cast<std::uint8_t>(PixelVerdict::Exact);
+      EXPECT_EQ(samples.piece[at], isSeen ? hits.front().point.piece : -1);
+      EXPECT_EQ(samples.pieceU[at], isSeen ? hits.front().point.parameters[0] : 0.0);
+      EXPECT_EQ(samples.pieceV[at], isSeen ? hits.front().point.parameters[1] : 0.0);
+      seen += isSeen ? 1 : 0;
+    }
+  }
+  EXPECT_GT(seen, 90);
 }
 
 TEST(Triangles, NonsenseIsRefused)

@@ -53,6 +53,9 @@ EdgeEnd ContourTile::EndOf(
     end.point.x = samples.position[i];
     end.point.xi = samples.xi[i];
     end.point.value = samples.value[i];
+    end.piece = samples.piece[i];
+    end.parameters[0] = samples.pieceU[i];
+    end.parameters[1] = samples.pieceV[i];
     end.point.eta =
       ReferenceToTensor(Tile.GetScene().locator->GetMesh().ShapeOf(end.element), end.point.xi);
   }
@@ -69,7 +72,7 @@ SurfaceEdge ContourTile::EdgeBetween(const EdgeEnd& a, const EdgeEnd& b) const
   {
     if (a.layer == Layer && b.layer == Layer)
     {
-      edge.sagitta = TheSurface->Sagitta(rayOf(a), edge.from, rayOf(b), edge.to);
+      edge.sagitta = TheSurface->Sagitta(rayOf(a), a.OnSurface(), rayOf(b), b.OnSurface());
     }
     return edge;
   }
@@ -338,7 +341,7 @@ void ContourTile::SettlePart(const Part& part, int level, std::vector<Part>& ope
 void ContourTile::Refine(std::vector<Part> parts)
 {
   const Buffer wanted =
-    Buffer::Value | Buffer::Xi | Buffer::Element | Buffer::Position | Buffer::Layer;
+    Buffer::Value | Buffer::Xi | Buffer::Element | Buffer::Position | Buffer::Layer | Buffer::Piece;
   for (int level = 1; !parts.empty(); ++level)
   {
     std::erase_if(parts, [this](const Part& part) { return Edges[part.edge] == State::In; });

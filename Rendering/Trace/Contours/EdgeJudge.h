@@ -15,7 +15,14 @@ struct EdgeEnd
   ImagePosition position{};
   int layer = -1; ///< that is seen, in the mesh and decided; -1: none is
   int element = -1;
-  LocatedPoint point; ///< where there is a layer
+  LocatedPoint point;      ///< where there is a layer
+  std::int32_t piece = -1; ///< of the surface, and where on it: what the hit tells
+  double parameters[2] = { 0.0, 0.0 };
+
+  [[nodiscard]] SurfacePoint OnSurface() const
+  {
+    return { point.x, element, point.xi, piece, { parameters[0], parameters[1] } };
+  }
 };
 
 /// An edge of a pixel or a part of it, as far as it is on one layer's surface.

@@ -261,14 +261,17 @@ Vec3 HalfGradient(const QuadraticForm& form, const Vec3& position)
 }
 } // namespace
 
-double Quadric::Sagitta(const Ray& a, const Vec3& atA, const Ray& b, const Vec3& atB) const
+double Quadric::Sagitta(
+  const Ray& a, const SurfacePoint& atA, const Ray& b, const SurfacePoint& atB) const
 {
   // At c = A + s (B - A) on the chord f(c) = -s (1 - s) q(B - A), q the quadratic part, because f
   // vanishes at both ends. Along the ray d through c, f(c + t d) = f(c) + 2 t h.d + t^2 q(d), h
   // half the gradient, has a root with |t| <= |f(c)| / |h.d| where |h.d|^2 >= |f(c)| |q|; as long
   // as that holds it is the one that goes from A to B.
-  const Vec3 slopes[2] = { HalfGradient(Form, atA), HalfGradient(Form, atB) };
-  const Vec3 chord = atB - atA;
+  const Vec3& from = atA.position;
+  const Vec3& to = atB.position;
+  const Vec3 slopes[2] = { HalfGradient(Form, from), HalfGradient(Form, to) };
+  const Vec3 chord = to - from;
   double largest = 0.0;
   for (std::size_t k = 0; k < 6; ++k)
   {
@@ -279,7 +282,7 @@ double Quadric::Sagitta(const Ray& a, const Vec3& atA, const Ray& b, const Vec3&
     glm::distance(slopes[0], slopes[1]) - length * glm::distance(a.direction, b.direction);
   // q(B - A) is (h(B) - h(A)).(B - A); the hits are off by rounding.
   const double off = 0.25 * std::fabs(glm::dot(slopes[1] - slopes[0], chord)) +
-    1e-14 * (length * (glm::length(atA) + glm::length(atB)) + largest * glm::dot(chord, chord));
+    1e-14 * (length * (glm::length(from) + glm::length(to)) + largest * glm::dot(chord, chord));
   // Written so that a NaN is not known.
   return across > 0.0 && across * across >= 2.0 * off * largest
     ? off / across * (1.0 + 1e-9)

@@ -30,7 +30,7 @@ public:
   [[nodiscard]] Vec3 Normal(const SurfacePoint& point) const override;
 
   [[nodiscard]] double Sagitta(
-    const Ray& a, const Vec3& atA, const Ray& b, const Vec3& atB) const override;
+    const Ray& a, const SurfacePoint& atA, const Ray& b, const SurfacePoint& atB) const override;
   [[nodiscard]] bool HasSagitta() const override { return true; }
 
   /// Its equation, times some power of two.

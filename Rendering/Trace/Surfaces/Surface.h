@@ -43,7 +43,7 @@ public:
   /// between the two of these hits; all of them then meet it there. Infinite where that is not
   /// known.
   [[nodiscard]] virtual double Sagitta(
-    const Ray& a, const Vec3& atA, const Ray& b, const Vec3& atB) const;
+    const Ray& a, const SurfacePoint& atA, const Ray& b, const SurfacePoint& atB) const;
   /// Whether it is known anywhere.
   [[nodiscard]] virtual bool HasSagitta() const { return IsFlat(); }
 
