@@ -5,6 +5,8 @@
 #include "Trace/Surfaces/Arguments.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace pixelexact
@@ -26,6 +28,9 @@ struct Scratch
   std::vector<PartHit> found;
   std::vector<bool> inside;
 };
+
+/// Near one chord: all orders in which they may be crossed are gone through.
+constexpr std::size_t kMostCrossed = 4;
 
 /// Of a piece of a ray without end, a point that lies on it.
 double Middle(double from, double to)
@@ -115,6 +120,96 @@ void Combined::Meet(const RayLanes& rays, HitSlots& hits) const
       before = after;
     }
   }
+}
+
+bool Combined::HasSagitta() const
+{
+  return std::ranges::all_of(Parts, [](const Part& part) { return part.surface->HasSagitta(); });
+}
+
+double Combined::Sagitta(
+  const Ray& a, const SurfacePoint& atA, const Ray& b, const SurfacePoint& atB) const
+{
+  // In a ball that holds the chord and what rays meet within `reach` of it, parts that are clear of
+  // it are the same everywhere. Each of the others is crossed once by each ray, where, is
+  // continuous. If the whole only ever changes in one direction while parts are crossed, in
+  // whatever order, each ray meets it once: where the first of some parts, or the last, is crossed,
+  // and the least and the largest of continuous functions are continuous.
+  const Chord chord{ a, atA.position, b, atB.position };
+  const Vec3 middle = chord.Middle();
+  std::vector<bool> isNear(Parts.size(), false);
+  double reach = 0.0;
+  for (bool grows = true; grows;)
+  {
+    grows = false;
+    for (std::size_t p = 0; p < Parts.size(); ++p)
+    {
+      const double radius = 0.5 * chord.Length() + reach + chord.Slack();
+      if (!isNear[p] && !Parts[p].surface->IsClearOf(middle, radius))
+      {
+        isNear[p] = true;
+        reach = std::max(reach, Parts[p].surface->Reach(chord));
+        grows = true;
+      }
+      if (!std::isfinite(reach))
+      {
+        return reach;
+      }
+    }
+  }
+  return ChangesOnce(isNear, middle, 0.5 * chord.Length() * a.direction)
+    ? reach
+    : std::numeric_limits<double>::infinity();
+}
+
+bool Combined::ChangesOnce(
+  const std::vector<bool>& isNear, const Vec3& middle, const Vec3& step) const
+{
+  std::vector<bool> inside(Parts.size());
+  std::vector<std::size_t> crossed;
+  std::vector<bool> after(Parts.size());
+  for (std::size_t p = 0; p < Parts.size(); ++p)
+  {
+    inside[p] = Parts[p].side(isNear[p] ? middle - step : middle) < 0.0;
+    after[p] = isNear[p] ? Parts[p].side(middle + step) < 0.0 : inside[p];
+    if (isNear[p])
+    {
+      crossed.push_back(p);
+      // Too close to tell.
+      if (inside[p] == after[p])
+      {
+        return false;
+      }
+    }
+  }
+  if (crossed.empty() || crossed.size() > kMostCrossed)
+  {
+    return false;
+  }
+  // Of all sets of parts that have been crossed, and one more part each.
+  const bool before = IsInside(inside);
+  const bool last = IsInside(after);
+  const auto isChanged = [&](std::size_t set)
+  {
+    std::vector<bool> state = inside;
+    for (std::size_t k = 0; k < crossed.size(); ++k)
+    {
+      state[crossed[k]] = (set >> k & 1U) != 0 ? after[crossed[k]] : inside[crossed[k]];
+    }
+    return IsInside(state) != before;
+  };
+  const std::size_t sets = std::size_t{ 1 } << crossed.size();
+  for (std::size_t set = 0; before != last && set < sets; ++set)
+  {
+    for (std::size_t k = 0; k < crossed.size(); ++k)
+    {
+      if ((set >> k & 1U) == 0 && isChanged(set) && !isChanged(set | std::size_t{ 1 } << k))
+      {
+        return false;
+      }
+    }
+  }
+  return before != last;
 }
 
 Vec3 Combined::Normal(const SurfacePoint& point) const

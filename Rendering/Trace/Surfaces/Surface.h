@@ -3,6 +3,7 @@
 
 #include "Trace/Camera.h"
 #include "Trace/Rays.h"
+#include "Trace/Surfaces/Chord.h"
 #include "Trace/Surfaces/HitSlots.h"
 
 #include <span>
@@ -46,6 +47,16 @@ public:
     const Ray& a, const SurfacePoint& atA, const Ray& b, const SurfacePoint& atB) const;
   /// Whether it is known anywhere.
   [[nodiscard]] virtual bool HasSagitta() const { return IsFlat(); }
+
+  // What bodies that are made of others ask of their parts' surfaces. Not known unless told.
+
+  /// How far at most the rays of a chord meet the surface from it: along each of them it is
+  /// crossed, from one side to the other, exactly once within half the chord's length of the chord,
+  /// and there, continuously from ray to ray. The chord need not end on the surface. Infinite where
+  /// that is not known.
+  [[nodiscard]] virtual double Reach(const Chord& chord) const;
+  /// Whether no point of the surface lies in a ball.
+  [[nodiscard]] virtual bool IsClearOf(const Vec3& centre, double radius) const;
 
   /// Whether all of its points lie in the mesh: rays that cannot see through it end at their first
   /// hit (RayLanes::nearestOnly).

@@ -47,6 +47,12 @@ void Torus::Meet(const RayLanes& rays, HitSlots& hits) const
   GetTorusKernels().meet(Form, rays, hits);
 }
 
+double Torus::Sagitta(
+  const Ray& a, const SurfacePoint& atA, const Ray& b, const SurfacePoint& atB) const
+{
+  return Reach({ a, atA.position, b, atB.position });
+}
+
 Vec3 Torus::Normal(const SurfacePoint& point) const
 {
   // In units, so that no square overflows.
