@@ -68,7 +68,7 @@ SurfaceEdge ContourTile::EdgeBetween(const EdgeEnd& a, const EdgeEnd& b) const
   const Camera& camera = Tile.GetCamera();
   const auto rayOf = [&](const EdgeEnd& end)
   { return camera.At(end.position[0], end.position[1]); };
-  if (!TheSurface->IsFlat())
+  if (!TheSurface->IsPlane())
   {
     if (a.layer == Layer && b.layer == Layer)
     {
@@ -150,7 +150,7 @@ void ContourTile::Judge(const ContouredLayer& layer)
     }
     return;
   }
-  const EdgeJudge judge = TheSurface->IsFlat()
+  const EdgeJudge judge = TheSurface->IsPlane()
     ? EdgeJudge(*layer.bounds, layer.values, ElementsNear())
     : EdgeJudge(*layer.bounds, layer.values);
   if (!judge.IsNeeded())
@@ -224,7 +224,7 @@ EdgeFinding ContourTile::JudgeWithin(const Part& part) const
 /// Whether two hits are about as far apart as their rays: a surface that goes on between them.
 bool ContourTile::AreJoined(const EdgeEnd& a, const EdgeEnd& b) const
 {
-  if (TheSurface->IsFlat())
+  if (TheSurface->IsPlane())
   {
     return true;
   }
@@ -255,7 +255,7 @@ void ContourTile::SettleRun(std::span<const Part> run, std::vector<Part>& open)
   {
     return;
   }
-  if (run.size() > 1 && TheSurface->IsFlat())
+  if (run.size() > 1 && TheSurface->IsPlane())
   {
     // Together they are a straight edge.
     const SurfaceEdge all = EdgeBetween(run.front().a, run.back().b);
@@ -287,7 +287,7 @@ void ContourTile::Settle(const Part& part, EdgeFinding finding, int level, std::
     return;
   }
   const bool onBoth = part.a.layer == Layer && part.b.layer == Layer;
-  if (!TheSurface->IsFlat())
+  if (!TheSurface->IsPlane())
   {
     if (!onBoth && part.a.layer != Layer && part.b.layer != Layer)
     {
@@ -310,7 +310,7 @@ void ContourTile::Settle(const Part& part, EdgeFinding finding, int level, std::
     Counted.jumps += Judging->IsJump(part.a, part.b, EdgeBetween(part.a, part.b)) ? 1 : 0;
     return;
   }
-  if (level >= deepest && !joined && !opposite && !TheSurface->IsFlat())
+  if (level >= deepest && !joined && !opposite && !TheSurface->IsPlane())
   {
     // Closer to a silhouette, or to where the surface leaves the mesh, nothing is asked. Where a
     // value is between those of two sheets it stays open whether that is a line.

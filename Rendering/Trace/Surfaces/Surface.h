@@ -40,6 +40,9 @@ public:
   /// Whether its normal is everywhere the same: it is then not lit unless asked for.
   [[nodiscard]] virtual bool IsFlat() const { return false; }
 
+  /// Whether it is a plane without end, which goes on where the mesh ends.
+  [[nodiscard]] virtual bool IsPlane() const { return false; }
+
   /// How far off the straight line between two of its hits, at most, is the surface along the rays
   /// between the two of these hits; all of them then meet it there. Infinite where that is not
   /// known.
@@ -51,7 +54,7 @@ public:
   // What bodies that are made of others ask of their parts' surfaces. Not known unless told.
 
   /// How far at most the rays of a chord meet the surface from it: along each of them it is
-  /// crossed, from one side to the other, exactly once within half the chord's length of the chord,
+  /// crossed, from one side to the other, exactly once within the room of the chord,
   /// and there, continuously from ray to ray. The chord need not end on the surface. Infinite where
   /// that is not known.
   [[nodiscard]] virtual double Reach(const Chord& chord) const;
