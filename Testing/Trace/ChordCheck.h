@@ -13,6 +13,7 @@
 #include <cmath>
 #include <functional>
 #include <iostream>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -100,13 +101,41 @@ struct ChordTally
 /// Below 0 inside of a body.
 using LongSide = std::function<long double(const LongVec3& x)>;
 
+/// How far from the chord a ray meets the body's boundary nearest to it, up to `most`; infinite if
+/// it meets none so near.
+inline long double NearestChange(
+  const std::function<long double(long double off)>& side, long double most)
+{
+  constexpr int kSamples = 16;
+  constexpr int kSteps = 24;
+  const bool inside = side(0) < 0;
+  for (int k = 1; k <= kSamples; ++k)
+  {
+    for (const int sign : { -1, 1 })
+    {
+      long double ends[2] = { sign * most * (k - 1) / kSamples, sign * most * k / kSamples };
+      if ((side(ends[1]) < 0) != inside)
+      {
+        for (int step = 0; step < kSteps; ++step)
+        {
+          const long double middle = (ends[0] + ends[1]) / 2;
+          ends[(side(middle) < 0) == inside ? 0 : 1] = middle;
+        }
+        return std::fabs(ends[1]);
+      }
+    }
+  }
+  return std::numeric_limits<long double>::infinity();
+}
+
 /// Between rays' first hits of a body: where the bound is known, `side` changes its sign along each
 /// ray between within the bound of the chord. Chords are from a millionth to a tenth long.
-inline ChordTally CheckChords(const Surface& surface, const LongSide& side, unsigned seed)
+inline ChordTally CheckChords(
+  const Surface& surface, const LongSide& side, unsigned seed, int count = 3000)
 {
   Random random(seed);
   ChordTally tally;
-  for (int k = 0; k < 3000; ++k)
+  for (int k = 0; k < count; ++k)
   {
     const double apart = std::pow(10.0, random(-6.0, -1.0));
     const double away = std::pow(10.0, random(0.5, k % 4 == 0 ? 5.0 : 1.5));
@@ -138,19 +167,12 @@ inline ChordTally CheckChords(const Surface& surface, const LongSide& side, unsi
       const LongVec3 origin = ToLong(ray.origin);
       const LongVec3 direction = Unit(ToLong(ray.direction));
       const long double t = PassingAt(origin, direction, start, along);
-      const auto at = [&](long double off)
-      { return side(Plus(origin, Times(t + off, direction))); };
-      long double ends[2] = { -sagitta - slack, sagitta + slack };
-      const bool falls = at(ends[0]) > 0;
-      EXPECT_NE(falls, at(ends[1]) > 0)
-        << "apart " << apart << ", away " << away << ", " << sagitta;
-      for (int step = 0; step < 60; ++step)
-      {
-        const long double middle = (ends[0] + ends[1]) / 2;
-        ends[(at(middle) > 0) == falls ? 0 : 1] = middle;
-      }
-      farthest = std::max(farthest, std::fabs(ends[0]));
+      farthest = std::max(farthest,
+        NearestChange([&](long double off)
+          { return side(Plus(origin, Times(t + off, direction))); },
+          sagitta + slack));
     }
+    EXPECT_TRUE(std::isfinite(farthest)) << "apart " << apart << ", away " << away;
     tally.tight += isClose && sagitta <= 4.0L * farthest + 64.0L * slack ? 1 : 0;
   }
   return tally;

@@ -32,7 +32,7 @@ double ReachBySlope(const Chord& chord, double value, double slope, double chang
 {
   const double reach = value / (std::fabs(slope) - change) * (1.0 + 1e-9);
   // Written so that a NaN is not known.
-  return std::fabs(slope) > change && reach <= 0.5 * chord.Length()
+  return std::fabs(slope) > change && reach <= chord.Room()
     ? reach
     : std::numeric_limits<double>::infinity();
 }

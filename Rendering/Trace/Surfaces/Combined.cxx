@@ -32,6 +32,14 @@ struct Scratch
 /// Near one chord: all orders in which they may be crossed are gone through.
 constexpr std::size_t kMostCrossed = 4;
 
+/// What the part's own hit tells.
+SurfacePoint OfPart(const SurfacePoint& point)
+{
+  SurfacePoint ofPart = point;
+  ofPart.piece = static_cast<std::int32_t>(point.parameters[0]);
+  return ofPart;
+}
+
 /// Of a piece of a ray without end, a point that lies on it.
 double Middle(double from, double to)
 {
@@ -130,12 +138,34 @@ bool Combined::HasSagitta() const
 double Combined::Sagitta(
   const Ray& a, const SurfacePoint& atA, const Ray& b, const SurfacePoint& atB) const
 {
+  const Chord whole{ a, atA.position, b, atB.position };
+  if (atA.piece >= 0 && atA.piece == atB.piece)
+  {
+    // Where all other parts are the same along the part's own path, so is what it does to the
+    // whole.
+    const auto own = static_cast<std::size_t>(atA.piece);
+    const double sagitta = Parts[own].surface->Sagitta(a, OfPart(atA), b, OfPart(atB));
+    const double radius = 0.5 * whole.Length() + sagitta + whole.Slack();
+    bool isAlone = std::isfinite(sagitta);
+    for (std::size_t p = 0; isAlone && p < Parts.size(); ++p)
+    {
+      isAlone = p == own || Parts[p].surface->IsClearOf(whole.Middle(), radius);
+    }
+    if (isAlone)
+    {
+      return sagitta;
+    }
+  }
+  return ReachWithRoom(whole, [this](const Chord& chord) { return Reach(chord); });
+}
+
+double Combined::Reach(const Chord& chord) const
+{
   // In a ball that holds the chord and what rays meet within `reach` of it, parts that are clear of
   // it are the same everywhere. Each of the others is crossed once by each ray, where, is
   // continuous. If the whole only ever changes in one direction while parts are crossed, in
   // whatever order, each ray meets it once: where the first of some parts, or the last, is crossed,
   // and the least and the largest of continuous functions are continuous.
-  const Chord chord{ a, atA.position, b, atB.position };
   const Vec3 middle = chord.Middle();
   std::vector<bool> isNear(Parts.size(), false);
   double reach = 0.0;
@@ -157,7 +187,7 @@ double Combined::Sagitta(
       }
     }
   }
-  return ChangesOnce(isNear, middle, 0.5 * chord.Length() * a.direction)
+  return ChangesOnce(isNear, middle, chord.Room() * chord.a.direction)
     ? reach
     : std::numeric_limits<double>::infinity();
 }
@@ -214,8 +244,6 @@ bool Combined::ChangesOnce(
 
 Vec3 Combined::Normal(const SurfacePoint& point) const
 {
-  SurfacePoint ofPart = point;
-  ofPart.piece = static_cast<std::int32_t>(point.parameters[0]);
-  return Parts[static_cast<std::size_t>(point.piece)].surface->Normal(ofPart);
+  return Parts[static_cast<std::size_t>(point.piece)].surface->Normal(OfPart(point));
 }
 } // namespace pixelexact

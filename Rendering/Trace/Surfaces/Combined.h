@@ -40,6 +40,7 @@ public:
   [[nodiscard]] double Sagitta(
     const Ray& a, const SurfacePoint& atA, const Ray& b, const SurfacePoint& atB) const override;
   [[nodiscard]] bool HasSagitta() const override;
+  [[nodiscard]] double Reach(const Chord& chord) const override;
 
 private:
   /// Whether the whole changes exactly once along rays that cross these parts, each once, in any

@@ -70,7 +70,7 @@ double ConvexBody::Sagitta(
     const ConvexFace& face = Faces[static_cast<std::size_t>(atA.piece)];
     return ReachOfPlane(chord, face.point, face.normal);
   }
-  return Reach(chord);
+  return ReachWithRoom(chord, [this](const Chord& wider) { return Reach(wider); });
 }
 
 double ConvexBody::Reach(const Chord& chord) const
@@ -83,7 +83,7 @@ double ConvexBody::Reach(const Chord& chord) const
   // beta how far the planes fall towards the other end.
   const Vec3 e = chord.Along();
   const Vec3 middle = chord.Middle();
-  const double radius = chord.Length() + chord.Slack();
+  const double radius = chord.Radius();
   double size = 0.0;
   double atA = -kNoHit;
   double atB = -kNoHit;

@@ -69,11 +69,11 @@ double Quadric::Sagitta(
 
 double Quadric::Reach(const Chord& chord) const
 {
-  // f changes by q(B - A) / 4 from the straight line between its ends' values at most, and half its
-  // gradient by |Q| times the way.
+  // f changes by q(B - A) / 4 from the straight line between its ends' values at most. Half its
+  // gradient is linear along the chord, and changes by |Q| times the way beside it.
   const Vec3 slopes[2] = { HalfGradient(chord.from), HalfGradient(chord.to) };
   const double largest = SizeOf(Form);
-  const double radius = chord.Length() + chord.Slack();
+  const double radius = chord.Radius();
   const double middle = 0.5 * glm::length(slopes[0] + slopes[1]);
   const double steepest = 2.0 * (middle + largest * radius) * (1.0 + 1e-14);
   const double bend = 0.25 * std::fabs(glm::dot(slopes[1] - slopes[0], chord.Along()));
@@ -81,7 +81,8 @@ double Quadric::Reach(const Chord& chord) const
                          ValueBounds(Form, slopes[1], chord.to).most) +
     bend + steepest * (chord.Slack() + 1e-14 * chord.Length());
   return ReachBySlope(chord, value, glm::dot(slopes[0] + slopes[1], chord.a.direction),
-    2.0 * largest * radius + steepest * (chord.Turn() + 1e-14));
+    std::fabs(glm::dot(slopes[1] - slopes[0], chord.a.direction)) +
+      2.0 * largest * (chord.Room() + chord.Slack()) + steepest * (chord.Turn() + 1e-14));
 }
 
 bool Quadric::IsClearOf(const Vec3& centre, double radius) const

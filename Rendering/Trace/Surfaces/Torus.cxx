@@ -50,7 +50,8 @@ void Torus::Meet(const RayLanes& rays, HitSlots& hits) const
 double Torus::Sagitta(
   const Ray& a, const SurfacePoint& atA, const Ray& b, const SurfacePoint& atB) const
 {
-  return Reach({ a, atA.position, b, atB.position });
+  return ReachWithRoom(
+    { a, atA.position, b, atB.position }, [this](const Chord& chord) { return Reach(chord); });
 }
 
 Vec3 Torus::Normal(const SurfacePoint& point) const

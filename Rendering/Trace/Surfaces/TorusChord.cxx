@@ -67,7 +67,6 @@ double Torus::Reach(const Chord& chord) const
   const TorusPoint middle = point(chord.Middle());
   const Vec3 e = b.y - a.y;
   const double square = glm::dot(e, e);
-  const double length = std::sqrt(square);
   const double slack = chord.Slack() * unit;
 
   // Along the chord f'' = 4 (|y|^2 - R^2 - r^2) |e|^2 + 8 (y.e)^2 + 8 (R z_e)^2, z_e of the axis.
@@ -86,7 +85,7 @@ double Torus::Reach(const Chord& chord) const
 
   // The gradient is 4 Rim y + 8 R^2 z axis, and the second derivatives are
   // 4 Rim + 8 (y y^T + R^2 axis axis^T); a y.axis is z. In the ball about the middle:
-  const double radius = length + slack;
+  const double radius = chord.Radius() * unit;
   const double farthest = glm::length(middle.y) + radius;
   const double rim =
     std::fabs(middle.Rim()) + middle.RimError() + radius * (2.0 * glm::length(middle.y) + radius);
@@ -95,10 +94,19 @@ double Torus::Reach(const Chord& chord) const
   const Vec3 gradient = 4.0 * middle.Rim() * middle.y + 8.0 * R * R * middle.z * Axis;
   const double error = 4.0 * middle.RimError() * farthest + 8.0 * R * R * middle.Off();
   const double steepest = glm::length(gradient) + error + hessian * radius;
+  // The slope along d changes by the second derivatives times d: along the chord, along the ray,
+  // and with what third derivatives, 24 |y| at most, add to them.
+  const Vec3& d = chord.a.direction;
+  const Vec3 turn = 4.0 * middle.Rim() * d + 8.0 * glm::dot(middle.y, d) * middle.y +
+    8.0 * R * R * glm::dot(Axis, d) * Axis;
+  const double room = chord.Room() * unit;
+  const double change = 0.5 * std::fabs(glm::dot(turn, e)) + std::fabs(glm::dot(turn, d)) * room +
+    (glm::length(turn) + 4.0 * middle.RimError()) * (slack + (chord.Turn() + 1e-9) * radius) +
+    12.0 * farthest * radius * radius;
   // f is in units to the fourth, its slope in units to the third.
   const double value = std::max(a.Value(), b.Value()) + bend / 8.0 + steepest * slack;
-  return ReachBySlope(chord, value / unit, glm::dot(gradient, chord.a.direction),
-    error + hessian * radius + steepest * chord.Turn());
+  return ReachBySlope(chord, value / unit, glm::dot(gradient, d),
+    error + std::min(change, hessian * radius) + steepest * chord.Turn());
 }
 
 bool Torus::IsClearOf(const Vec3& centre, double radius) const
