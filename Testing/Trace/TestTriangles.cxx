@@ -2,6 +2,7 @@
 #include "Block.h"
 #include "RayCheck.h"
 #include "SurfaceCheck.h"
+#include "TriangleBall.h"
 
 #include "Core/Base/Error.h"
 #include "Trace/Surfaces/Triangles.h"
@@ -16,45 +17,6 @@ namespace pixelexact::testing
 namespace
 {
 using Triangle = Triangles::Triangle;
-
-/// An octahedron about a centre whose faces are cut in four `level` times, with all corners on the
-/// sphere: convex, and shared to the bit.
-std::vector<Triangle> Ball(int level, const Vec3& centre = Vec3(0.0), double radius = 1.0)
-{
-  std::vector<Triangle> faces;
-  for (int k = 0; k < 8; ++k)
-  {
-    const Vec3 x((k & 1) != 0 ? 1.0 : -1.0, 0.0, 0.0);
-    const Vec3 y(0.0, (k & 2) != 0 ? 1.0 : -1.0, 0.0);
-    const Vec3 z(0.0, 0.0, (k & 4) != 0 ? 1.0 : -1.0);
-    faces.push_back({ x, y, z });
-  }
-  const auto middle = [](const Vec3& a, const Vec3& b)
-  {
-    // Commutative, so that neighbours get the same.
-    return glm::normalize(a + b);
-  };
-  for (int i = 0; i < level; ++i)
-  {
-    std::vector<Triangle> finer;
-    for (const auto& [a, b, c] : faces)
-    {
-      const Vec3 ab = middle(a, b);
-      const Vec3 bc = middle(b, c);
-      const Vec3 ca = middle(c, a);
-      finer.insert(finer.end(), { { a, ab, ca }, { ab, b, bc }, { ca, bc, c }, { ab, bc, ca } });
-    }
-    faces = finer;
-  }
-  for (Triangle& face : faces)
-  {
-    for (Vec3& x : face)
-    {
-      x = centre + radius * x;
-    }
-  }
-  return faces;
-}
 
 Vec3 Towards(const Vec3& from, const Vec3& to)
 {
