@@ -4,6 +4,8 @@
 #include "Core/Base/CheckedOut.h"
 #include "Trace/Surfaces/Arguments.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -38,6 +40,17 @@ SurfacePoint OfPart(const SurfacePoint& point)
   SurfacePoint ofPart = point;
   ofPart.piece = static_cast<std::int32_t>(point.parameters[0]);
   return ofPart;
+}
+
+/// Whether no point of a surface is within `beside` of a straight line: by balls along it, the
+/// smaller the nearer the surface is.
+bool IsClearAlong(
+  const Surface& surface, const Vec3& from, const Vec3& to, double beside, int halvings = 5)
+{
+  const Vec3 middle = 0.5 * from + 0.5 * to;
+  return surface.IsClearOf(middle, 0.5 * glm::distance(from, to) + beside) ||
+    (halvings > 0 && IsClearAlong(surface, from, middle, beside, halvings - 1) &&
+      IsClearAlong(surface, middle, to, beside, halvings - 1));
 }
 
 /// Of a piece of a ray without end, a point that lies on it.
@@ -145,28 +158,27 @@ double Combined::Sagitta(
     // whole.
     const auto own = static_cast<std::size_t>(atA.piece);
     const double sagitta = Parts[own].surface->Sagitta(a, OfPart(atA), b, OfPart(atB));
-    const double radius = 0.5 * whole.Length() + sagitta + whole.Slack();
     bool isAlone = std::isfinite(sagitta);
     for (std::size_t p = 0; isAlone && p < Parts.size(); ++p)
     {
-      isAlone = p == own || Parts[p].surface->IsClearOf(whole.Middle(), radius);
+      isAlone =
+        p == own || IsClearAlong(*Parts[p].surface, whole.from, whole.to, sagitta + whole.Slack());
     }
     if (isAlone)
     {
       return sagitta;
     }
   }
-  return ReachWithRoom(whole, [this](const Chord& chord) { return Reach(chord); });
+  return ReachWithRoom(whole, [this](const Chord& chord) { return ReachOfParts(chord); });
 }
 
-double Combined::Reach(const Chord& chord) const
+double Combined::ReachOfParts(const Chord& chord) const
 {
-  // In a ball that holds the chord and what rays meet within `reach` of it, parts that are clear of
-  // it are the same everywhere. Each of the others is crossed once by each ray, where, is
-  // continuous. If the whole only ever changes in one direction while parts are crossed, in
-  // whatever order, each ray meets it once: where the first of some parts, or the last, is crossed,
-  // and the least and the largest of continuous functions are continuous.
-  const Vec3 middle = chord.Middle();
+  // Within `reach` of the chord, parts that are clear of it are the same everywhere. Each of the
+  // others is crossed once by each ray, where, is continuous. If the whole only ever changes in one
+  // direction while parts are crossed, in whatever order, each ray meets it once: where the first
+  // of some parts, or the last, is crossed, and the least and the largest of continuous functions
+  // are continuous.
   std::vector<bool> isNear(Parts.size(), false);
   double reach = 0.0;
   for (bool grows = true; grows;)
@@ -174,11 +186,11 @@ double Combined::Reach(const Chord& chord) const
     grows = false;
     for (std::size_t p = 0; p < Parts.size(); ++p)
     {
-      const double radius = 0.5 * chord.Length() + reach + chord.Slack();
-      if (!isNear[p] && !Parts[p].surface->IsClearOf(middle, radius))
+      const Surface& surface = *Parts[p].surface;
+      if (!isNear[p] && !IsClearAlong(surface, chord.from, chord.to, reach + chord.Slack()))
       {
         isNear[p] = true;
-        reach = std::max(reach, Parts[p].surface->Reach(chord));
+        reach = std::max(reach, surface.Reach(chord));
         grows = true;
       }
       if (!std::isfinite(reach))
@@ -187,7 +199,7 @@ double Combined::Reach(const Chord& chord) const
       }
     }
   }
-  return ChangesOnce(isNear, middle, chord.Room() * chord.a.direction)
+  return ChangesOnce(isNear, chord.Middle(), chord.Room() * chord.a.direction)
     ? reach
     : std::numeric_limits<double>::infinity();
 }

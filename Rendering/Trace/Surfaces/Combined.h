@@ -40,9 +40,10 @@ public:
   [[nodiscard]] double Sagitta(
     const Ray& a, const SurfacePoint& atA, const Ray& b, const SurfacePoint& atB) const override;
   [[nodiscard]] bool HasSagitta() const override;
-  [[nodiscard]] double Reach(const Chord& chord) const override;
 
 private:
+  /// How far from a chord at most its rays meet the whole, each once within that.
+  [[nodiscard]] double ReachOfParts(const Chord& chord) const;
   /// Whether the whole changes exactly once along rays that cross these parts, each once, in any
   /// order, between `middle` - `step` and `middle` + `step`; all others are nowhere near.
   [[nodiscard]] bool ChangesOnce(
