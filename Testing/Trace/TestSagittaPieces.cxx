@@ -64,7 +64,9 @@ public:
 
   [[nodiscard]] Vec3 Corner(int i, int j) const
   {
-    return { Place(i), Place(j), Heights[static_cast<std::size_t>(i * (N + 1) + j)] };
+    return { Place(i), Place(j),
+      Heights[static_cast<std::size_t>(i) * (static_cast<std::size_t>(N) + 1) +
+        static_cast<std::size_t>(j)] };
   }
   [[nodiscard]] std::vector<Triangles::Triangle> All() const
   {
@@ -192,7 +194,9 @@ public:
       {
         long double slope = 0;
         const long double place = CurveAt(
-          Degree[d], [&](int k) { return Places[d][static_cast<std::size_t>(begin[d] + k)]; },
+          Degree[d],
+          [&](int k)
+          { return Places[d][static_cast<std::size_t>(begin[d]) + static_cast<std::size_t>(k)]; },
           at[d], &slope);
         at[d] += (x[axis] - place) / slope;
       }
@@ -208,7 +212,8 @@ public:
 private:
   [[nodiscard]] double Height(int i, int j) const
   {
-    return Heights[static_cast<std::size_t>(i * (2 * Degree[1] + 1) + j)];
+    return Heights[static_cast<std::size_t>(i) * (2 * static_cast<std::size_t>(Degree[1]) + 1) +
+      static_cast<std::size_t>(j)];
   }
 
   int Degree[2];

@@ -31,7 +31,8 @@ struct Net
 
   [[nodiscard]] Vec3& At(int i, int j)
   {
-    return points[static_cast<std::size_t>(i * count[1] + j)];
+    return points[static_cast<std::size_t>(i) * static_cast<std::size_t>(count[1]) +
+      static_cast<std::size_t>(j)];
   }
   [[nodiscard]] double Largest() const
   {
@@ -77,7 +78,8 @@ Net Differences(Net net, int d)
   const int n = net.count[d] - 1;
   Net by{ { net.count[0], net.count[1] }, {} };
   by.count[d] = std::max(n, 1);
-  by.points.resize(static_cast<std::size_t>(by.count[0] * by.count[1]), Vec3(0.0));
+  by.points.resize(
+    static_cast<std::size_t>(by.count[0]) * static_cast<std::size_t>(by.count[1]), Vec3(0.0));
   for (int i = 0; n > 0 && i < by.count[0]; ++i)
   {
     for (int j = 0; j < by.count[1]; ++j)

@@ -21,14 +21,15 @@ constexpr int kSteps = 8;
 
 std::vector<Vec3> EdgePoints(const BezierPatch& patch, int edge)
 {
-  const int columns = patch.degree[1] + 1;
+  const auto rows = static_cast<std::size_t>(patch.degree[0]) + 1;
+  const auto columns = static_cast<std::size_t>(patch.degree[1]) + 1;
   const bool alongV = edge < 2;
-  const int first = edge == 1 ? patch.degree[0] * columns : (edge == 3 ? patch.degree[1] : 0);
-  const int step = alongV ? 1 : columns;
+  const std::size_t first = edge == 1 ? (rows - 1) * columns : (edge == 3 ? columns - 1 : 0);
+  const std::size_t step = alongV ? 1 : columns;
   std::vector<Vec3> points;
-  for (int k = 0; k <= patch.degree[alongV ? 1 : 0]; ++k)
+  for (std::size_t k = 0; k < (alongV ? columns : rows); ++k)
   {
-    points.push_back(patch.points[static_cast<std::size_t>(first + k * step)]);
+    points.push_back(patch.points[first + k * step]);
   }
   return points;
 }
