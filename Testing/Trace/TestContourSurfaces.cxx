@@ -90,8 +90,12 @@ LongHits SaddleHits()
 {
   return [](const LongRay& ray)
   {
-    const auto [x, y, z] = ray.origin;
-    const auto [a, b, c] = ray.direction;
+    const long double x = ray.origin[0];
+    const long double y = ray.origin[1];
+    const long double z = ray.origin[2];
+    const long double a = ray.direction[0];
+    const long double b = ray.direction[1];
+    const long double c = ray.direction[2];
     const long double squares = 0.3L * a * a - 0.2L * b * b + 0.25L * a * b;
     const long double slope = 0.1L * a + 0.6L * x * a - 0.4L * y * b + 0.25L * (x * b + y * a) - c;
     const long double value = 0.1L + 0.1L * x + 0.3L * x * x - 0.2L * y * y + 0.25L * x * y - z;
