@@ -131,7 +131,7 @@ void ContourTile::Judge(const ContouredLayer& layer)
     }
     return;
   }
-  if (!surface.IsFlat())
+  if (!surface.IsPlane())
   {
     const EdgeJudge judge(*layer.bounds, layer.values);
     JudgeEdges(sight, judge, std::vector<std::uint8_t>(Pixels.size(), 1));

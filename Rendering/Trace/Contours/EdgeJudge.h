@@ -14,11 +14,17 @@ namespace pixelexact
 struct EdgeEnd
 {
   ImagePosition position{};
-  int layer = -1;   ///< that is seen, in the mesh and decided; -1: none is
-  int element = -1; ///< where the layer that is judged is seen
-  LocatedPoint
-    point; ///< there; of flat surfaces `x` is known beside the mesh and behind others, too
-  bool meets = false; ///< whether `x` is known
+  int layer = -1;          ///< that is seen, in the mesh and decided; -1: none is
+  int element = -1;        ///< where the layer that is judged is seen
+  LocatedPoint point;      ///< there; of planes `x` is known beside the mesh and behind others, too
+  bool meets = false;      ///< whether `x` is known
+  std::int32_t piece = -1; ///< of the surface, and where on it: what the hit tells
+  double parameters[2] = { 0.0, 0.0 };
+
+  [[nodiscard]] SurfacePoint OnSurface() const
+  {
+    return { point.x, element, point.xi, piece, { parameters[0], parameters[1] } };
+  }
 };
 
 /// An edge of a pixel or a part of it, as far as it is on one layer's surface.

@@ -19,7 +19,7 @@ EdgeSettler::EdgeSettler(LayerSight& sight, const EdgeJudge& judge, const Contou
   : Sight(sight)
   , Judge(judge)
   , Method(method)
-  , IsFlat(sight.GetSurface().IsFlat())
+  , IsFlat(sight.GetSurface().IsPlane())
   , States(states)
   , Counted(counted)
   , Parts(states.size(), 0)

@@ -43,11 +43,14 @@ EdgeEnd LayerSight::EndOf(
     end.point.x = samples.position[i];
     end.point.xi = samples.xi[i];
     end.point.value = samples.value[i];
+    end.piece = samples.piece[i];
+    end.parameters[0] = samples.pieceU[i];
+    end.parameters[1] = samples.pieceV[i];
     end.point.eta =
       ReferenceToTensor(Tile.GetScene().locator->GetMesh().ShapeOf(end.element), end.point.xi);
     end.meets = true;
   }
-  else if (TheSurface.IsFlat())
+  else if (TheSurface.IsPlane())
   {
     // A plane goes on where the mesh ends.
     const std::vector<Hit> hits = HitsOf(TheSurface, RayOf(end));
@@ -59,7 +62,7 @@ EdgeEnd LayerSight::EndOf(
 
 std::vector<EdgeEnd> LayerSight::Trace(std::span<const ImagePosition> positions)
 {
-  const SampleBuffers samples = Tile.Trace(positions, kEdgeSampleBuffers);
+  const SampleBuffers samples = Tile.Trace(positions, kEdgeSampleBuffers | Buffer::Piece);
   std::vector<EdgeEnd> ends;
   ends.reserve(positions.size());
   for (std::size_t i = 0; i < positions.size(); ++i)
@@ -74,8 +77,9 @@ SurfaceEdge LayerSight::EdgeBetween(const EdgeEnd& a, const EdgeEnd& b) const
   SurfaceEdge edge{ a.point.x, b.point.x, std::numeric_limits<double>::infinity() };
   if (a.meets && b.meets)
   {
-    edge.sagitta =
-      TheSurface.IsFlat() ? 0.0 : TheSurface.Sagitta(RayOf(a), edge.from, RayOf(b), edge.to);
+    edge.sagitta = TheSurface.IsPlane()
+      ? 0.0
+      : TheSurface.Sagitta(RayOf(a), a.OnSurface(), RayOf(b), b.OnSurface());
   }
   return edge;
 }
@@ -98,7 +102,7 @@ double LayerSight::SagittaOver(const std::array<const EdgeEnd*, 3>& ends) const
 
 bool LayerSight::AreJoined(const EdgeEnd& a, const EdgeEnd& b) const
 {
-  if (TheSurface.IsFlat())
+  if (TheSurface.IsPlane())
   {
     return true;
   }

@@ -18,7 +18,7 @@ public:
 
   [[nodiscard]] const Surface& GetSurface() const { return TheSurface; }
   [[nodiscard]] bool Shows(const EdgeEnd& end) const { return end.layer == Layer; }
-  /// Of a sample with kEdgeSampleBuffers.
+  /// Of a sample with kEdgeSampleBuffers and Buffer::Piece.
   [[nodiscard]] EdgeEnd EndOf(
     const SampleBuffers& samples, std::size_t i, const ImagePosition& position) const;
   [[nodiscard]] std::vector<EdgeEnd> Trace(std::span<const ImagePosition> positions);

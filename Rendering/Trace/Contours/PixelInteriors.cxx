@@ -63,7 +63,7 @@ bool PixelInteriors::IsOut(const Square& square) const
       side = its;
     }
   }
-  const bool isFlat = Sight.GetSurface().IsFlat();
+  const bool isFlat = Sight.GetSurface().IsPlane();
   if (!std::ranges::all_of(ends, &EdgeEnd::meets))
   {
     // A curved surface that no corner shows is not asked for; see EdgeSettler.

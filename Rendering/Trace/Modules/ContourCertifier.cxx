@@ -61,7 +61,9 @@ ContourCertifier::~ContourCertifier() = default;
 
 SampleNeeds ContourCertifier::Needs() const
 {
-  return { .corners = kEdgeSampleBuffers };
+  // Whether a surface goes on between two corners is asked of the surface alone.
+  return { .corners =
+             Method.subdivisions ? kEdgeSampleBuffers : kEdgeSampleBuffers | Buffer::Piece };
 }
 
 void ContourCertifier::Begin(int width, int height)

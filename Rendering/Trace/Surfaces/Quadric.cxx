@@ -4,11 +4,8 @@
 #include "Trace/Surfaces/Arguments.h"
 #include "Trace/Surfaces/PairArithmetic.h"
 
-#include <glm/geometric.hpp>
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace pixelexact
 {
@@ -241,86 +238,25 @@ void Quadric::Meet(const RayLanes& rays, HitSlots& hits) const
   }
 }
 
-namespace
-{
-/// Q (x - c) + b.
-Vec3 HalfGradient(const QuadraticForm& form, const Vec3& position)
+Vec3 Quadric::HalfGradient(const Vec3& position) const
 {
   PairVec3 x;
   for (int d = 0; d < 3; ++d)
   {
-    x[static_cast<std::size_t>(d)] = ExactSum(position[d], -form.centre[d]);
+    x[static_cast<std::size_t>(d)] = ExactSum(position[d], -Form.centre[d]);
   }
-  const PairVec3 Qx = Apply(form.Q, x);
+  const PairVec3 Qx = Apply(Form.Q, x);
   Vec3 gradient;
   for (int d = 0; d < 3; ++d)
   {
-    gradient[d] = (Qx[static_cast<std::size_t>(d)] + form.b[d]).high;
+    gradient[d] = (Qx[static_cast<std::size_t>(d)] + Form.b[d]).high;
   }
   return gradient;
-}
-} // namespace
-
-double Quadric::Sagitta(const Ray& a, const Vec3& atA, const Ray& b, const Vec3& atB) const
-{
-  return SagittaAmong(std::array{ a, b }, std::array{ atA, atB });
-}
-
-double Quadric::SagittaOver(const std::array<Ray, 3>& rays, const std::array<Vec3, 3>& hits) const
-{
-  return SagittaAmong(rays, hits);
-}
-
-double Quadric::SagittaAmong(std::span<const Ray> rays, std::span<const Vec3> hits) const
-{
-  // At c = sum w_i A_i, w_i >= 0 of sum 1, f(c) = -sum_{i<j} w_i w_j q(A_i - A_j), q the quadratic
-  // part, because f vanishes at all A_i; sum_{i<j} w_i w_j is at most (1 - 1 / n) / 2. Along the
-  // ray d through c, f(c + t d) = f(c) + 2 t h.d + t^2 q(d), h half the gradient, has a root with
-  // |t| <= |f(c)| / |h.d| where |h.d|^2 >= |f(c)| |q|; as long as that holds it is the one that
-  // goes from hit to hit.
-  double largest = 0.0;
-  for (std::size_t k = 0; k < 6; ++k)
-  {
-    largest += (k < 3 ? 1.0 : 2.0) * std::fabs(Form.Q[k].high);
-  }
-  std::array<Vec3, 3> slopes{};
-  double length = 0.0;
-  double farthest = 0.0;
-  for (std::size_t i = 0; i < hits.size(); ++i)
-  {
-    slopes[i] = HalfGradient(Form, hits[i]);
-    length = std::max(length, glm::length(slopes[i]));
-    farthest = std::max(farthest, glm::length(hits[i]));
-  }
-  double turn = 0.0;
-  double spread = 0.0;
-  double bulge = 0.0;
-  double chord = 0.0;
-  for (std::size_t i = 1; i < hits.size(); ++i)
-  {
-    turn = std::max(turn, glm::distance(slopes[0], slopes[i]));
-    spread = std::max(spread, glm::distance(rays[0].direction, rays[i].direction));
-    for (std::size_t j = 0; j < i; ++j)
-    {
-      // q(A - B) is (h(A) - h(B)).(A - B).
-      const Vec3 between = hits[i] - hits[j];
-      bulge = std::max(bulge, std::fabs(glm::dot(slopes[i] - slopes[j], between)));
-      chord = std::max(chord, glm::dot(between, between));
-    }
-  }
-  const double across = std::fabs(glm::dot(slopes[0], rays[0].direction)) - turn - length * spread;
-  // The hits are off by rounding.
-  const double off = 0.5 * (1.0 - 1.0 / static_cast<double>(hits.size())) * bulge +
-    1e-14 * (2.0 * length * farthest + largest * chord);
-  // Written so that a NaN is not known.
-  return across > 0.0 && across * across >= 2.0 * off * largest
-    ? off / across * (1.0 + 1e-9)
-    : std::numeric_limits<double>::infinity();
 }
 
 Vec3 Quadric::Normal(const SurfacePoint& point) const
 {
-  const Vec3 gradient = HalfGradient(Form, point.position);
+  const Vec3 gradient = HalfGradient(point.position);
   if (!(LargestOf(gradient) > 0.0))
   {
     return { 0.0, 0.0, 1.0 };

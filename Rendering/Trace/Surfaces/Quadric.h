@@ -31,16 +31,20 @@ public:
   [[nodiscard]] Vec3 Normal(const SurfacePoint& point) const override;
 
   [[nodiscard]] double Sagitta(
-    const Ray& a, const Vec3& atA, const Ray& b, const Vec3& atB) const override;
+    const Ray& a, const SurfacePoint& atA, const Ray& b, const SurfacePoint& atB) const override;
   [[nodiscard]] double SagittaOver(
     const std::array<Ray, 3>& rays, const std::array<Vec3, 3>& hits) const override;
   [[nodiscard]] bool HasSagitta() const override { return true; }
+  [[nodiscard]] double Reach(const Chord& chord) const override;
+  [[nodiscard]] bool IsClearOf(const Vec3& centre, double radius) const override;
 
   /// Its equation, times some power of two.
   [[nodiscard]] const QuadraticForm& GetForm() const { return Form; }
 
 private:
   [[nodiscard]] double SagittaAmong(std::span<const Ray> rays, std::span<const Vec3> hits) const;
+  /// Q (x - c) + b.
+  [[nodiscard]] Vec3 HalfGradient(const Vec3& position) const;
 
   friend Quadric MakeCylinder(const Vec3&, const Vec3&, double, const AffineMap&);
   friend Quadric MakeCone(const Vec3&, const Vec3&, double, const AffineMap&);

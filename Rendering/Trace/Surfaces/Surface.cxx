@@ -12,8 +12,8 @@ void Surface::Normals(std::span<const SurfacePoint> points, std::span<Vec3> norm
     points, normals.begin(), [this](const SurfacePoint& point) { return Normal(point); });
 }
 
-double Surface::Sagitta(
-  const Ray& /*a*/, const Vec3& /*atA*/, const Ray& /*b*/, const Vec3& /*atB*/) const
+double Surface::Sagitta(const Ray& /*a*/, const SurfacePoint& /*atA*/, const Ray& /*b*/,
+  const SurfacePoint& /*atB*/) const
 {
   return IsFlat() ? 0.0 : std::numeric_limits<double>::infinity();
 }
@@ -22,6 +22,16 @@ double Surface::SagittaOver(
   const std::array<Ray, 3>& /*rays*/, const std::array<Vec3, 3>& /*hits*/) const
 {
   return IsFlat() ? 0.0 : std::numeric_limits<double>::infinity();
+}
+
+double Surface::Reach(const Chord& /*chord*/) const
+{
+  return std::numeric_limits<double>::infinity();
+}
+
+bool Surface::IsClearOf(const Vec3& /*centre*/, double /*radius*/) const
+{
+  return false;
 }
 
 std::vector<Hit> HitsOf(const Surface& surface, const Ray& ray, double tNear, double tFar)
