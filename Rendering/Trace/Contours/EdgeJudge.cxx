@@ -19,13 +19,11 @@ namespace
 /// Of the largest magnitude of an element's values: rounding beyond which a value that is met by
 /// an end up to rounding is not told from one that is missed.
 constexpr double kTouch = 1e-10;
-/// Of regular nodes for parts of a surface that are many pixels wide.
-constexpr int kHalvings = 6;
-
-int HalvingsFor(bool thorough)
-{
-  return thorough ? std::numeric_limits<int>::max() : 0;
-}
+/// For parts of a surface that are many pixels wide, for edges and parts of them, and for squares
+/// of a pixel and less.
+constexpr EdgeEffort kForBlocks{ 0, 6 };
+constexpr EdgeEffort kForEdges{ EdgeEffort::kAny, 0 };
+constexpr EdgeEffort kForSquares{ EdgeEffort::kAny, EdgeEffort::kAny };
 
 /// How far corners may be off, by the rounding of rays and hits.
 double SlackOf(std::span<const Vec3> corners)
@@ -148,7 +146,7 @@ bool EdgeJudge::StaysOn(int side, const SurfaceEdge& edge, bool thorough) const
     return false;
   }
   const WideOutline region = RegionOf(edge);
-  return StaysOn(side, ElementsAt(region), region, HalvingsFor(thorough));
+  return StaysOn(side, ElementsAt(region), region, thorough ? kForEdges : EdgeEffort{});
 }
 
 bool EdgeJudge::StaysOn(int side, const Outline& part, double sagitta) const
@@ -158,7 +156,7 @@ bool EdgeJudge::StaysOn(int side, const Outline& part, double sagitta) const
     return false;
   }
   const WideOutline region{ part, sagitta + SlackOf(part.Corners()) };
-  return StaysOn(side, ElementsAt(region), region, HalvingsFor(true));
+  return StaysOn(side, ElementsAt(region), region, kForSquares);
 }
 
 std::span<const EdgeJudge::Element> EdgeJudge::ElementsAt(const WideOutline& region) const
@@ -183,28 +181,28 @@ std::span<const EdgeJudge::Element> EdgeJudge::ElementsAt(const WideOutline& reg
   return Found;
 }
 
-bool EdgeJudge::StaysOn(
-  int side, std::span<const Element> elements, const WideOutline& region, int halvings) const
+bool EdgeJudge::StaysOn(int side, std::span<const Element> elements, const WideOutline& region,
+  const EdgeEffort& effort) const
 {
   if (side != kNoSide)
   {
     const ValueSet others = NotOn(side);
     return std::ranges::all_of(elements,
       [&](const Element& element)
-      { return element.side == side || !element.bounds->MayTake(others, region, halvings); });
+      { return element.side == side || !element.bounds->MayTake(others, region, effort); });
   }
   // It is the side of one that the region meets, if it meets any.
   std::vector<int> tried;
   for (const Element& element : elements)
   {
-    const std::optional<Interval> values = element.bounds->ValuesIn(region, Wanted, halvings);
+    const std::optional<Interval> values = element.bounds->ValuesIn(region, Wanted, effort);
     if (!values)
     {
       continue;
     }
     const int its = SideOf(values->lower);
     if (Meets(*values) ||
-      (std::ranges::find(tried, its) == tried.end() && StaysOn(its, elements, region, halvings)))
+      (std::ranges::find(tried, its) == tried.end() && StaysOn(its, elements, region, effort)))
     {
       return !Meets(*values);
     }
@@ -235,7 +233,7 @@ EdgeJudge::Nearby EdgeJudge::Narrow(const Nearby& whole, const Outline& part) co
     {
       continue;
     }
-    const std::optional<Interval> values = element.bounds->ValuesIn(region, Wanted, kHalvings);
+    const std::optional<Interval> values = element.bounds->ValuesIn(region, Wanted, kForBlocks);
     std::optional<Interval> all = nearby.rest;
     Add(values, all);
     if (all && Meets(*all))

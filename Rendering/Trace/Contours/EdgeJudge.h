@@ -92,8 +92,8 @@ private:
     return Wanted.Meets(values.lower, values.upper);
   }
   /// Whether the values of all elements there are on one side; of kNoSide, any.
-  [[nodiscard]] bool StaysOn(
-    int side, std::span<const Element> elements, const WideOutline& region, int halvings) const;
+  [[nodiscard]] bool StaysOn(int side, std::span<const Element> elements, const WideOutline& region,
+    const EdgeEffort& effort) const;
   /// Finite ones whose boxes it meets; until it is called again.
   [[nodiscard]] std::span<const Element> ElementsAt(const WideOutline& region) const;
   [[nodiscard]] Element MakeElement(int element) const;
