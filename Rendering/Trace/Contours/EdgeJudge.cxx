@@ -21,7 +21,7 @@ namespace
 constexpr double kTouch = 1e-10;
 /// For parts of a surface that are many pixels wide, for edges and parts of them, and for squares
 /// of a pixel and less.
-constexpr EdgeEffort kForBlocks{ 0, 6 };
+constexpr EdgeEffort kForBlocks{ 0, 3 };
 constexpr EdgeEffort kForEdges{ EdgeEffort::kAny, 0 };
 constexpr EdgeEffort kForSquares{ EdgeEffort::kAny, EdgeEffort::kAny };
 
@@ -52,11 +52,6 @@ Box3 BoxOf(const WideOutline& region)
     box.upper = glm::max(box.upper, corner + region.slack);
   }
   return box;
-}
-
-void Add(const std::optional<Interval>& values, std::optional<Interval>& all)
-{
-  all = values && all ? Join(*values, *all) : (values ? values : all);
 }
 
 WideOutline RegionOf(const SurfaceEdge& edge)
@@ -211,41 +206,10 @@ bool EdgeJudge::StaysOn(int side, std::span<const Element> elements, const WideO
   return tried.empty();
 }
 
-EdgeJudge::Nearby EdgeJudge::All() const
-{
-  Nearby all;
-  for (std::size_t k = 0; k < Near.size(); ++k)
-  {
-    all.open.push_back(static_cast<int>(k));
-  }
-  return all;
-}
-
-EdgeJudge::Nearby EdgeJudge::Narrow(const Nearby& whole, const Outline& part) const
+bool EdgeJudge::StaysOnOne(const Outline& part) const
 {
   const WideOutline region{ part, SlackOf(part.Corners()) };
-  const Box3 box = BoxOf(region);
-  Nearby nearby{ {}, whole.rest };
-  for (const int k : whole.open)
-  {
-    const Element& element = Near[static_cast<std::size_t>(k)];
-    if (!Meet(box, element.box))
-    {
-      continue;
-    }
-    const std::optional<Interval> values = element.bounds->ValuesIn(region, Wanted, kForBlocks);
-    std::optional<Interval> all = nearby.rest;
-    Add(values, all);
-    if (all && Meets(*all))
-    {
-      nearby.open.push_back(k);
-    }
-    else
-    {
-      nearby.rest = all;
-    }
-  }
-  return nearby;
+  return StaysOn(kNoSide, ElementsAt(region), region, kForBlocks);
 }
 
 bool EdgeJudge::AreOpposite(const EdgeEnd& a, const EdgeEnd& b) const

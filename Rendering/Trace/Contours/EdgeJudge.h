@@ -64,15 +64,9 @@ public:
   [[nodiscard]] bool StaysOn(int side, const SurfaceEdge& edge, bool thorough) const;
   /// The same of a flat polygon and how far off it the surface is.
   [[nodiscard]] bool StaysOn(int side, const Outline& part, double sagitta) const;
-  /// Elements that some part of a flat surface meets.
-  struct Nearby
-  {
-    std::vector<int> open;        ///< that may take a value there
-    std::optional<Interval> rest; ///< holds the values of all others there
-  };
-  [[nodiscard]] Nearby All() const;
-  /// Of a part of that part. Without open elements all values there are on one side.
-  [[nodiscard]] Nearby Narrow(const Nearby& whole, const Outline& part) const;
+  /// Whether all elements that a flat part of the surface, many pixels wide, may meet stay on one
+  /// side there.
+  [[nodiscard]] bool StaysOnOne(const Outline& part) const;
   /// Whether a value lies between those of the ends, or is one.
   [[nodiscard]] bool AreOpposite(const EdgeEnd& a, const EdgeEnd& b) const;
   /// Whether the two values are farther apart than the field varies along the edge.
