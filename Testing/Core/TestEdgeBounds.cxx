@@ -9,7 +9,7 @@ namespace pixelexact::testing
 {
 namespace
 {
-constexpr int kAnyHalvings = std::numeric_limits<int>::max();
+constexpr EdgeEffort kAnyEffort{ EdgeEffort::kAny, EdgeEffort::kAny };
 
 double SlackOf(const Vec3& x)
 {
@@ -200,10 +200,10 @@ TEST(EdgeBounds, MayTakeWhatTheSegmentTakes)
         for (const Quad& value : values)
         {
           const double taking = static_cast<double>(value);
-          for (const int halvings : { 0, 6, kAnyHalvings })
+          for (const EdgeEffort& effort : { EdgeEffort{}, EdgeEffort{ 0, 6 }, kAnyEffort })
           {
             EXPECT_TRUE(one.bounds->MayTake(ValueSet{ { &taking, 1 } },
-              { { segment.from, segment.to }, SlackOf(kEdgeCaseCentre) }, halvings))
+              { { segment.from, segment.to }, SlackOf(kEdgeCaseCentre) }, effort))
               << "of length " << length << ", case " << k;
           }
           ++taken;
@@ -282,7 +282,7 @@ TEST(EdgeBounds, MayTakeIsTight)
           k % 2 == 0 ? static_cast<double>(*least) - besides : static_cast<double>(*most) + besides;
         ++asked;
         proven += one.bounds->MayTake(ValueSet{ { &missed, 1 } },
-                    { { segment.from, segment.to }, SlackOf(kEdgeCaseCentre) }, kAnyHalvings)
+                    { { segment.from, segment.to }, SlackOf(kEdgeCaseCentre) }, kAnyEffort)
           ? 0
           : 1;
       }
@@ -302,7 +302,7 @@ TEST(EdgeBounds, NothingIsTakenFarOutside)
     const double value = one.ValueAt(Centre(shape));
     const Vec3 far = kEdgeCaseCentre + Vec3(4.0 * kEdgeCaseSize, 0.0, 0.0);
     EXPECT_FALSE(one.bounds->MayTake(
-      ValueSet{ { &value, 1 } }, { { far, far + Vec3(0.1) }, 1e-12 }, kAnyHalvings));
+      ValueSet{ { &value, 1 } }, { { far, far + Vec3(0.1) }, 1e-12 }, kAnyEffort));
   }
 }
 
@@ -351,7 +351,7 @@ TEST(EdgeBounds, OfWhatIsNotFiniteNothingIsKnown)
     EXPECT_FALSE(one.bounds->Along(*a, *b));
     const double value = 0.0;
     EXPECT_TRUE(
-      one.bounds->MayTake(ValueSet{ { &value, 1 } }, { { a->x, b->x }, 1e-15 }, kAnyHalvings));
+      one.bounds->MayTake(ValueSet{ { &value, 1 } }, { { a->x, b->x }, 1e-15 }, kAnyEffort));
     EXPECT_FALSE(std::isfinite(one.bounds->ChangeWithin(*a, 1e-9)));
   }
 }
@@ -374,10 +374,10 @@ TEST(EdgeBounds, ConstantFieldsDeviateByRounding)
     EXPECT_LE(range->error, 1e-12);
     const double value = a->value;
     EXPECT_TRUE(
-      one.bounds->MayTake(ValueSet{ { &value, 1 } }, { { a->x, b->x }, 1e-15 }, kAnyHalvings));
+      one.bounds->MayTake(ValueSet{ { &value, 1 } }, { { a->x, b->x }, 1e-15 }, kAnyEffort));
     const double missed = value + 1e-9;
     EXPECT_FALSE(
-      one.bounds->MayTake(ValueSet{ { &missed, 1 } }, { { a->x, b->x }, 1e-15 }, kAnyHalvings));
+      one.bounds->MayTake(ValueSet{ { &missed, 1 } }, { { a->x, b->x }, 1e-15 }, kAnyEffort));
   }
 }
 } // namespace pixelexact::testing

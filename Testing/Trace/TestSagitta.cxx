@@ -84,6 +84,63 @@ TEST(Sagitta, HoldsHitsBetween)
   }
 }
 
+/// Triangles of rays about as far apart, and rays between them.
+TEST(Sagitta, HoldsHitsOverTriangles)
+{
+  Random random(82);
+  for (const Case& one : AllQuadrics())
+  {
+    SCOPED_TRACE(one.name);
+    int known = 0;
+    for (int k = 0; k < 2000; ++k)
+    {
+      const double apart = std::pow(10.0, random(-6.0, -1.0));
+      Pair pair(random, std::pow(10.0, random(0.3, 1.5)), apart, k % 2 == 0);
+      const Vec3 aside = pair.Step;
+      const Vec3 up =
+        apart * glm::normalize(glm::cross(pair.Target - pair.Eye, aside) + random() * aside);
+      const auto rayAt = [&](double s, double t)
+      {
+        pair.Step = s * aside + t * up;
+        return pair.At(1.0);
+      };
+      const std::array<Ray, 3> rays{ rayAt(0.0, 0.0), rayAt(1.0, 0.0), rayAt(0.0, 1.0) };
+      std::array<Vec3, 3> corners;
+      bool all = true;
+      const std::size_t count = HitsOf(one.surface, rays[0]).size();
+      for (std::size_t i = 0; i < rays.size(); ++i)
+      {
+        const auto hits = HitsOf(one.surface, rays[i]);
+        all = all && !hits.empty() && hits.size() == count;
+        corners[i] = hits.empty() ? Vec3(0.0) : hits.front().position;
+      }
+      const double sagitta =
+        all ? one.surface.SagittaOver(rays, corners) : std::numeric_limits<double>::infinity();
+      if (!std::isfinite(sagitta))
+      {
+        continue;
+      }
+      ++known;
+      const Vec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+      for (int i = 0; i < 8; ++i)
+      {
+        const double s = random(0.0, 1.0);
+        const Ray ray = rayAt(s, random(0.0, 1.0 - s));
+        const double t =
+          glm::dot(corners[0] - ray.origin, normal) / glm::dot(ray.direction, normal);
+        const Vec3 at = ray.origin + t * ray.direction;
+        double nearest = kNoHit;
+        for (const Hit& hit : HitsOf(one.surface, ray))
+        {
+          nearest = std::min(nearest, glm::distance(hit.position, at));
+        }
+        EXPECT_LE(nearest, sagitta + 1e-9 * apart) << "apart " << apart;
+      }
+    }
+    EXPECT_GT(known, 200);
+  }
+}
+
 /// Between the front and the back, and where one ray passes beside, nothing is known.
 TEST(Sagitta, IsInfiniteAcrossSilhouettes)
 {

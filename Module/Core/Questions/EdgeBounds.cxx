@@ -89,14 +89,14 @@ std::optional<EdgeRange> EdgeBounds::Along(
 }
 
 std::optional<Interval> EdgeBounds::ValuesIn(
-  const WideOutline& region, const ValueSet& wanted, int halvings) const
+  const WideOutline& region, const ValueSet& wanted, const EdgeEffort& effort) const
 {
-  return Functions.IsFinite() ? ValuesIn(Tree.Whole(), region, wanted, halvings)
+  return Functions.IsFinite() ? ValuesIn(Tree.Whole(), region, wanted, effort)
                               : Interval::Everything();
 }
 
-std::optional<Interval> EdgeBounds::ValuesIn(
-  const EdgeNode& node, const WideOutline& region, const ValueSet& wanted, int halvings) const
+std::optional<Interval> EdgeBounds::ValuesIn(const EdgeNode& node, const WideOutline& region,
+  const ValueSet& wanted, const EdgeEffort& effort) const
 {
   const auto meets = [&wanted](const std::optional<Interval>& values)
   { return values && wanted.Meets(values->lower, values->upper); };
@@ -110,7 +110,8 @@ std::optional<Interval> EdgeBounds::ValuesIn(
   {
     const EdgeMeeting meeting = Meet(Functions, node, region);
     values = meeting.values;
-    divide = meeting.coarse && node.halvings < halvings;
+    divide = (meeting.bends && node.halvings < effort.whereMapBends) ||
+      (meeting.curves && node.halvings < effort.whereFieldCurves);
   }
   if (!divide || !meets(values) || !Tree.CanSplit(node))
   {
@@ -119,7 +120,7 @@ std::optional<Interval> EdgeBounds::ValuesIn(
   values.reset();
   for (const EdgeNode& half : Tree.Split(node))
   {
-    const std::optional<Interval> own = ValuesIn(half, region, wanted, halvings);
+    const std::optional<Interval> own = ValuesIn(half, region, wanted, effort);
     values = values && own ? Join(*values, *own) : (own ? own : values);
     if (meets(values))
     {
@@ -129,9 +130,10 @@ std::optional<Interval> EdgeBounds::ValuesIn(
   return values;
 }
 
-bool EdgeBounds::MayTake(const ValueSet& wanted, const WideOutline& region, int halvings) const
+bool EdgeBounds::MayTake(
+  const ValueSet& wanted, const WideOutline& region, const EdgeEffort& effort) const
 {
-  const std::optional<Interval> values = ValuesIn(region, wanted, halvings);
+  const std::optional<Interval> values = ValuesIn(region, wanted, effort);
   return values && wanted.Meets(values->lower, values->upper);
 }
 

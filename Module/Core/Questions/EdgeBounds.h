@@ -5,6 +5,7 @@
 #include "Core/Questions/EdgeTree.h"
 #include "Core/Questions/ValueSet.h"
 
+#include <limits>
 #include <optional>
 
 namespace pixelexact
@@ -17,6 +18,14 @@ struct LocatedPoint
   Vec3 xi{ 0.0 };
   Vec3 eta{ 0.0 }; ///< ReferenceToTensor of xi
   double value = 0.0;
+};
+
+/// How often regular nodes are halved, at most, where smaller ones would tell more.
+struct EdgeEffort
+{
+  static constexpr int kAny = std::numeric_limits<int>::max();
+  int whereMapBends = 0;
+  int whereFieldCurves = 0;
 };
 
 /// What is known of a component along an edge that lies in one element.
@@ -54,11 +63,11 @@ public:
 
   /// Holds the values at the points of the element in a region; nothing: there are none. More is
   /// found out only as long as they meet those that are wanted: what is told then may lack others.
-  /// `halvings`: of regular nodes, at most, where smaller ones would tell more.
   [[nodiscard]] std::optional<Interval> ValuesIn(
-    const WideOutline& region, const ValueSet& wanted, int halvings) const;
+    const WideOutline& region, const ValueSet& wanted, const EdgeEffort& effort) const;
   /// Whether these meet the wanted ones; false: proven that the component takes none there.
-  [[nodiscard]] bool MayTake(const ValueSet& wanted, const WideOutline& region, int halvings) const;
+  [[nodiscard]] bool MayTake(
+    const ValueSet& wanted, const WideOutline& region, const EdgeEffort& effort) const;
   /// A bound of how far the values within a distance of a point, in the element and next to the
   /// point in xi as well, are from its own; infinite where none is known.
   [[nodiscard]] double ChangeWithin(const LocatedPoint& point, double distance) const;
@@ -67,8 +76,8 @@ public:
   [[nodiscard]] std::int64_t Nodes() const { return Tree.Nodes(); }
 
 private:
-  [[nodiscard]] std::optional<Interval> ValuesIn(
-    const EdgeNode& node, const WideOutline& region, const ValueSet& wanted, int halvings) const;
+  [[nodiscard]] std::optional<Interval> ValuesIn(const EdgeNode& node, const WideOutline& region,
+    const ValueSet& wanted, const EdgeEffort& effort) const;
 
   EdgeFunctions Functions;
   EdgeTree Tree;

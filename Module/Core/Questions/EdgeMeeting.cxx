@@ -232,17 +232,18 @@ EdgeMeeting Meet(const EdgeFunctions& functions, const EdgeNode& node, const Wid
   }
   const Interval linear = functions.LinearValues(view.xi, inside.Corners());
   const double curved = Quadratic(node.curve, away) / 2.0;
+  const bool isWide = curved > kCoarse * (linear.upper - linear.lower);
   double most = curved + 2.0 * functions.ValueError();
-  bool coarse = false;
-  const bool wide = curved > kCoarse * (linear.upper - linear.lower);
+  EdgeMeeting meeting;
   for (std::size_t k = 0; k < 3; ++k)
   {
     most += node.slope[k] * besides[k];
-    coarse = coarse || off[k] > kCoarse * away[k] + 2.0 * besides[k] ||
-      (wide && node.reach[k] > 2.0 * away[k]);
+    meeting.bends = meeting.bends || off[k] > kCoarse * away[k] + 2.0 * besides[k];
+    meeting.curves = meeting.curves || (isWide && node.reach[k] > 2.0 * away[k]);
   }
   most = most * kUp + 1e-14 * (std::fabs(linear.lower) + std::fabs(linear.upper));
-  return { Interval(rounding::Below(linear.lower - most), rounding::Above(linear.upper + most)),
-    coarse };
+  meeting.values =
+    Interval(rounding::Below(linear.lower - most), rounding::Above(linear.upper + most));
+  return meeting;
 }
 } // namespace pixelexact

@@ -19,7 +19,9 @@ struct WideOutline
 struct EdgeMeeting
 {
   std::optional<Interval> values; ///< hold those of the node in the region; nothing: there are none
-  bool coarse = false;            ///< smaller nodes would tell more
+  // Whether smaller nodes would tell more, because
+  bool bends = false;  ///< the map, or
+  bool curves = false; ///< the field does, over a node that is larger than the region
 };
 
 /// Whether a region is proven to miss a node's image: by its box and, where the node is regular, by

@@ -19,13 +19,11 @@ namespace
 /// Of the largest magnitude of an element's values: rounding beyond which a value that is met by
 /// an end up to rounding is not told from one that is missed.
 constexpr double kTouch = 1e-13;
-/// Of regular nodes for parts of a surface that are many pixels wide.
-constexpr int kHalvings = 6;
-
-int HalvingsFor(bool thorough)
-{
-  return thorough ? std::numeric_limits<int>::max() : 0;
-}
+/// For parts of a surface that are many pixels wide, for edges and parts of them, and for squares
+/// of a pixel and less.
+constexpr EdgeEffort kForBlocks{ 0, 3 };
+constexpr EdgeEffort kForEdges{ EdgeEffort::kAny, 0 };
+constexpr EdgeEffort kForSquares{ EdgeEffort::kAny, EdgeEffort::kAny };
 
 /// How far corners may be off, by the rounding of rays and hits.
 double SlackOf(std::span<const Vec3> corners)
@@ -54,11 +52,6 @@ Box3 BoxOf(const WideOutline& region)
     box.upper = glm::max(box.upper, corner + region.slack);
   }
   return box;
-}
-
-void Add(const std::optional<Interval>& values, std::optional<Interval>& all)
-{
-  all = values && all ? Join(*values, *all) : (values ? values : all);
 }
 
 WideOutline RegionOf(const SurfaceEdge& edge)
@@ -148,7 +141,7 @@ bool EdgeJudge::StaysOn(int side, const SurfaceEdge& edge, bool thorough) const
     return false;
   }
   const WideOutline region = RegionOf(edge);
-  return StaysOn(side, ElementsAt(region), region, HalvingsFor(thorough));
+  return StaysOn(side, ElementsAt(region), region, thorough ? kForEdges : EdgeEffort{});
 }
 
 bool EdgeJudge::StaysOn(int side, const Outline& part, double sagitta) const
@@ -158,7 +151,7 @@ bool EdgeJudge::StaysOn(int side, const Outline& part, double sagitta) const
     return false;
   }
   const WideOutline region{ part, sagitta + SlackOf(part.Corners()) };
-  return StaysOn(side, ElementsAt(region), region, HalvingsFor(true));
+  return StaysOn(side, ElementsAt(region), region, kForSquares);
 }
 
 std::span<const EdgeJudge::Element> EdgeJudge::ElementsAt(const WideOutline& region) const
@@ -183,28 +176,28 @@ std::span<const EdgeJudge::Element> EdgeJudge::ElementsAt(const WideOutline& reg
   return Found;
 }
 
-bool EdgeJudge::StaysOn(
-  int side, std::span<const Element> elements, const WideOutline& region, int halvings) const
+bool EdgeJudge::StaysOn(int side, std::span<const Element> elements, const WideOutline& region,
+  const EdgeEffort& effort) const
 {
   if (side != kNoSide)
   {
     const ValueSet others = NotOn(side);
     return std::ranges::all_of(elements,
       [&](const Element& element)
-      { return element.side == side || !element.bounds->MayTake(others, region, halvings); });
+      { return element.side == side || !element.bounds->MayTake(others, region, effort); });
   }
   // It is the side of one that the region meets, if it meets any.
   std::vector<int> tried;
   for (const Element& element : elements)
   {
-    const std::optional<Interval> values = element.bounds->ValuesIn(region, Wanted, halvings);
+    const std::optional<Interval> values = element.bounds->ValuesIn(region, Wanted, effort);
     if (!values)
     {
       continue;
     }
     const int its = SideOf(values->lower);
     if (Meets(*values) ||
-      (std::ranges::find(tried, its) == tried.end() && StaysOn(its, elements, region, halvings)))
+      (std::ranges::find(tried, its) == tried.end() && StaysOn(its, elements, region, effort)))
     {
       return !Meets(*values);
     }
@@ -213,41 +206,10 @@ bool EdgeJudge::StaysOn(
   return tried.empty();
 }
 
-EdgeJudge::Nearby EdgeJudge::All() const
-{
-  Nearby all;
-  for (std::size_t k = 0; k < Near.size(); ++k)
-  {
-    all.open.push_back(static_cast<int>(k));
-  }
-  return all;
-}
-
-EdgeJudge::Nearby EdgeJudge::Narrow(const Nearby& whole, const Outline& part) const
+bool EdgeJudge::StaysOnOne(const Outline& part) const
 {
   const WideOutline region{ part, SlackOf(part.Corners()) };
-  const Box3 box = BoxOf(region);
-  Nearby nearby{ {}, whole.rest };
-  for (const int k : whole.open)
-  {
-    const Element& element = Near[static_cast<std::size_t>(k)];
-    if (!Meet(box, element.box))
-    {
-      continue;
-    }
-    const std::optional<Interval> values = element.bounds->ValuesIn(region, Wanted, kHalvings);
-    std::optional<Interval> all = nearby.rest;
-    Add(values, all);
-    if (all && Meets(*all))
-    {
-      nearby.open.push_back(k);
-    }
-    else
-    {
-      nearby.rest = all;
-    }
-  }
-  return nearby;
+  return StaysOn(kNoSide, ElementsAt(region), region, kForBlocks);
 }
 
 bool EdgeJudge::AreOpposite(const EdgeEnd& a, const EdgeEnd& b) const

@@ -70,15 +70,9 @@ public:
   [[nodiscard]] bool StaysOn(int side, const SurfaceEdge& edge, bool thorough) const;
   /// The same of a flat polygon and how far off it the surface is.
   [[nodiscard]] bool StaysOn(int side, const Outline& part, double sagitta) const;
-  /// Elements that some part of a flat surface meets.
-  struct Nearby
-  {
-    std::vector<int> open;        ///< that may take a value there
-    std::optional<Interval> rest; ///< holds the values of all others there
-  };
-  [[nodiscard]] Nearby All() const;
-  /// Of a part of that part. Without open elements all values there are on one side.
-  [[nodiscard]] Nearby Narrow(const Nearby& whole, const Outline& part) const;
+  /// Whether all elements that a flat part of the surface, many pixels wide, may meet stay on one
+  /// side there.
+  [[nodiscard]] bool StaysOnOne(const Outline& part) const;
   /// Whether a value lies between those of the ends, or is one.
   [[nodiscard]] bool AreOpposite(const EdgeEnd& a, const EdgeEnd& b) const;
   /// Whether the two values are farther apart than the field varies along the edge.
@@ -98,8 +92,8 @@ private:
     return Wanted.Meets(values.lower, values.upper);
   }
   /// Whether the values of all elements there are on one side; of kNoSide, any.
-  [[nodiscard]] bool StaysOn(
-    int side, std::span<const Element> elements, const WideOutline& region, int halvings) const;
+  [[nodiscard]] bool StaysOn(int side, std::span<const Element> elements, const WideOutline& region,
+    const EdgeEffort& effort) const;
   /// Finite ones whose boxes it meets; until it is called again.
   [[nodiscard]] std::span<const Element> ElementsAt(const WideOutline& region) const;
   [[nodiscard]] Element MakeElement(int element) const;

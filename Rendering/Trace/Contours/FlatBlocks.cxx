@@ -8,17 +8,16 @@ namespace pixelexact
 {
 namespace
 {
-constexpr int kLargest = kTileSize;
-/// Smaller ones cost more than their edges.
-constexpr int kSmallest = 16;
+/// Pixels along a side: of smaller ones the answers cost as much as their edges.
+constexpr int kBlock = kTileSize;
 } // namespace
 
 FlatBlocks::FlatBlocks(const Surface& surface, const Camera& camera, const TileArea& area)
   : TheSurface(surface)
   , TheCamera(camera)
   , Area(area)
-  , Blocks{ area.x0 / kLargest * kLargest, area.y0 / kLargest * kLargest,
-    (area.x1 + kLargest - 1) / kLargest * kLargest, (area.y1 + kLargest - 1) / kLargest * kLargest }
+  , Blocks{ area.x0 / kBlock * kBlock, area.y0 / kBlock * kBlock,
+    (area.x1 + kBlock - 1) / kBlock * kBlock, (area.y1 + kBlock - 1) / kBlock * kBlock }
 {
 }
 
@@ -45,47 +44,23 @@ std::vector<std::uint8_t> FlatBlocks::FindOpen(const EdgeJudge& judge) const
 {
   std::vector<std::uint8_t> open(
     static_cast<std::size_t>(Area.Width()) * static_cast<std::size_t>(Area.Height()), 0);
-  for (int y = Blocks.y0; y < Blocks.y1; y += kLargest)
+  for (int y = Blocks.y0; y < Blocks.y1; y += kBlock)
   {
-    for (int x = Blocks.x0; x < Blocks.x1; x += kLargest)
+    for (int x = Blocks.x0; x < Blocks.x1; x += kBlock)
     {
-      Find(judge, judge.All(), x, y, kLargest, open);
+      const std::optional<Outline> outline = OutlineOf({ x, y, x + kBlock, y + kBlock });
+      if (outline && judge.StaysOnOne(*outline))
+      {
+        continue;
+      }
+      for (int row = std::max(y, Area.y0); row < std::min(y + kBlock, Area.y1); ++row)
+      {
+        const auto first = open.begin() + static_cast<std::ptrdiff_t>(row - Area.y0) * Area.Width();
+        std::fill(first + (std::max(x, Area.x0) - Area.x0),
+          first + (std::min(x + kBlock, Area.x1) - Area.x0), 1);
+      }
     }
   }
   return open;
-}
-
-void FlatBlocks::Find(const EdgeJudge& judge, const EdgeJudge::Nearby& nearby, int x, int y,
-  int size, std::vector<std::uint8_t>& open) const
-{
-  const TileArea own{ std::max(x, Area.x0), std::max(y, Area.y0), std::min(x + size, Area.x1),
-    std::min(y + size, Area.y1) };
-  if (own.Width() <= 0 || own.Height() <= 0)
-  {
-    return;
-  }
-  const std::optional<Outline> outline = OutlineOf({ x, y, x + size, y + size });
-  const EdgeJudge::Nearby here = outline ? judge.Narrow(nearby, *outline) : nearby;
-  if (outline && here.open.empty())
-  {
-    return;
-  }
-  if (size > kSmallest)
-  {
-    const int half = size / 2;
-    for (const int dy : { 0, half })
-    {
-      for (const int dx : { 0, half })
-      {
-        Find(judge, here, x + dx, y + dy, half, open);
-      }
-    }
-    return;
-  }
-  for (int row = own.y0; row < own.y1; ++row)
-  {
-    const auto first = open.begin() + static_cast<std::ptrdiff_t>(row - Area.y0) * Area.Width();
-    std::fill(first + (own.x0 - Area.x0), first + (own.x1 - Area.x0), 1);
-  }
 }
 } // namespace pixelexact

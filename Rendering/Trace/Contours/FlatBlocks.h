@@ -25,9 +25,6 @@ public:
 
 private:
   [[nodiscard]] std::optional<Outline> OutlineOf(const TileArea& pixels) const;
-  /// Of a square of so many pixels.
-  void Find(const EdgeJudge& judge, const EdgeJudge::Nearby& nearby, int x, int y, int size,
-    std::vector<std::uint8_t>& open) const;
 
   const Surface& TheSurface;
   const Camera& TheCamera;
