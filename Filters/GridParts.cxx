@@ -10,7 +10,6 @@
 
 #include "vtkAppendFilter.h"
 #include "vtkCellData.h"
-#include "vtkCellTypes.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkErrorCode.h"
 #include "vtkNew.h"
@@ -143,11 +142,10 @@ std::vector<GridPart> ListFiles(const std::vector<GridPart>& parts, std::vector<
 
 bool HasVolume(vtkUnstructuredGrid* grid)
 {
-  vtkNew<vtkCellTypes> types;
-  grid->GetCellTypes(types);
-  for (int i = 0; i < types->GetNumberOfTypes(); ++i)
+  // Cell by cell: what VTK has for the types that there are differs between its versions.
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
   {
-    const int dimension = CellDimension(types->GetCellType(i));
+    const int dimension = CellDimension(grid->GetCellType(cell));
     if (dimension < 0 || dimension > 2)
     {
       return true; // or unknown: the converter says what it is

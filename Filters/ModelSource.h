@@ -14,6 +14,8 @@
 class vtkAlgorithm;
 class vtkCompositeDataSet;
 class vtkDataObject;
+class vtkInformation;
+class vtkInformationVector;
 class vtkUnstructuredGrid;
 
 namespace pixelexact
@@ -42,5 +44,10 @@ private:
   std::shared_ptr<HighOrderModel> Model;
   std::vector<std::unique_ptr<KeptMesh>> Meshes; ///< by leaf
 };
+
+/// A port that takes what a ModelSource does.
+void TakeGrids(vtkInformation* port);
+/// All of the input is asked for, whatever piece of the output is.
+void AskForWhole(vtkInformationVector* input);
 } // namespace pixelexact
 #endif

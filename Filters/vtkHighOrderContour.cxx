@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHighOrderContour.h"
 
+#include "ContourList.h"
 #include "ContourPolyData.h"
 #include "ModelSource.h"
 #include "VtkCutFunction.h"
@@ -13,7 +14,6 @@
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <glm/geometric.hpp>
 
@@ -48,8 +48,7 @@ const Field& FieldIn(const HighOrderModel& model, const std::string& name)
   throw InvalidData("no high-order field '" + name + "'; there are: " + names + ".");
 }
 
-/// The number of a component; -1: the magnitude.
-int ComponentOf(const Field& field, int component)
+void RequireComponent(const Field& field, int component)
 {
   const int components = field.values.components;
   if (component < -1 || component >= components)
@@ -57,12 +56,12 @@ int ComponentOf(const Field& field, int component)
     throw InvalidData("component " + std::to_string(component) + " of field '" + field.name +
       "', which has " + std::to_string(components) + ", counted from 0; -1 is the magnitude.");
   }
-  return component < 0 && components == 1 ? 0 : component;
 }
 } // namespace
 
 vtkHighOrderContour::vtkHighOrderContour()
-  : Source(std::make_unique<ModelSource>())
+  : Values(std::make_unique<ContourList>())
+  , Source(std::make_unique<ModelSource>())
 {
 }
 
@@ -75,7 +74,7 @@ void vtkHighOrderContour::PrintSelf(ostream& os, vtkIndent indent)
      << "CutFunction: " << (this->CutFunction ? this->CutFunction->GetClassName() : "(none)")
      << "\n";
   os << indent << "Values:";
-  for (const double value : this->Values)
+  for (const double value : this->Values->All())
   {
     os << " " << value;
   }
@@ -113,51 +112,46 @@ void vtkHighOrderContour::SetValue(int i, double value)
     vtkErrorMacro("SetValue: values are counted from 0, and " << i << " was given.");
     return;
   }
-  if (i >= static_cast<int>(this->Values.size()))
+  if (this->Values->At(i) != value)
   {
-    this->SetNumberOfContours(i + 1);
-  }
-  if (this->Values[i] != value)
-  {
-    this->Values[i] = value;
+    this->Values->Set(i, value);
     this->Modified();
   }
 }
 
 double vtkHighOrderContour::GetValue(int i)
 {
-  if (i < 0 || i >= static_cast<int>(this->Values.size()))
+  if (i < 0 || i >= this->Values->Size())
   {
-    vtkErrorMacro("GetValue: there are " << this->Values.size() << " values, counted from 0, and "
+    vtkErrorMacro("GetValue: there are " << this->Values->Size() << " values, counted from 0, and "
                                          << i << " was asked for.");
     return 0.0;
   }
-  return this->Values[i];
+  return this->Values->At(i);
 }
 
 double* vtkHighOrderContour::GetValues()
 {
-  return this->Values.data();
+  return this->Values->Data();
 }
 
 void vtkHighOrderContour::GetValues(double* values)
 {
-  std::copy(this->Values.begin(), this->Values.end(), values);
+  std::copy_n(this->Values->Data(), this->Values->Size(), values);
 }
 
 void vtkHighOrderContour::SetNumberOfContours(int number)
 {
-  const auto count = static_cast<std::size_t>(std::max(number, 0));
-  if (count != this->Values.size())
+  if (std::max(number, 0) != this->Values->Size())
   {
-    this->Values.resize(count, 0.0);
+    this->Values->Resize(number);
     this->Modified();
   }
 }
 
 vtkIdType vtkHighOrderContour::GetNumberOfContours()
 {
-  return static_cast<vtkIdType>(this->Values.size());
+  return this->Values->Size();
 }
 
 void vtkHighOrderContour::GenerateValues(int number, double range[2])
@@ -167,18 +161,17 @@ void vtkHighOrderContour::GenerateValues(int number, double range[2])
 
 void vtkHighOrderContour::GenerateValues(int number, double rangeStart, double rangeEnd)
 {
-  this->SetNumberOfContours(number);
-  for (int i = 0; i < number; ++i)
+  const std::vector<double> before = this->Values->All();
+  this->Values->Generate(number, rangeStart, rangeEnd);
+  if (this->Values->All() != before)
   {
-    this->SetValue(
-      i, number == 1 ? rangeStart : rangeStart + i * ((rangeEnd - rangeStart) / (number - 1)));
+    this->Modified();
   }
 }
 
 int vtkHighOrderContour::FillInputPortInformation(int /*port*/, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  TakeGrids(info);
   return 1;
 }
 
@@ -186,12 +179,7 @@ int vtkHighOrderContour::RequestUpdateExtent(vtkInformation* /*request*/,
   vtkInformationVector** inputVector, vtkInformationVector* /*outputVector*/)
 {
   // All of the grid: lines go on from piece to piece.
-  if (auto* grid = inputVector[0]->GetInformationObject(0))
-  {
-    grid->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
-    grid->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-    grid->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
-  }
+  AskForWhole(inputVector[0]);
   return 1;
 }
 
@@ -218,18 +206,18 @@ void vtkHighOrderContour::Trace(vtkDataObject* grid, vtkPolyData* output)
   }
   const auto model = this->Source->Get(grid, this);
   const Field& field = FieldIn(*model, this->GetChosenName());
-  const int component = ComponentOf(field, this->Component);
+  RequireComponent(field, this->Component);
   const Box3 box = model->GetLocator().Bounds();
   const double extent = glm::length(box.upper - box.lower);
   const double diagonal = extent > 0.0 ? extent : 1.0; // a grid may be empty
   const auto cut = MakeCutFunction(this->CutFunction, diagonal);
-  ContourRequest options{ this->Values, this->Tolerance };
+  ContourRequest options{ this->Values->All(), this->Tolerance };
   if (options.tolerance == 0.0)
   {
     options.tolerance = 1e-4 * diagonal;
   }
   this->UpdateProgress(0.2);
-  const ContourSet set = TraceContours({ model->GetMesh(), &field, component, cut.get() },
+  const ContourSet set = TraceContours({ model->GetMesh(), &field, this->Component, cut.get() },
     model->GetLocator(), model->Faces(), options);
   this->UpdateProgress(0.9);
   ToPolyData(set, *model, field.name.empty() ? "Value" : field.name, options.values, output);

@@ -34,8 +34,9 @@ class vtkImplicitFunction;
 
 namespace pixelexact
 {
+class ContourList;
 class ModelSource;
-}
+} // namespace pixelexact
 
 class PIXELEXACTFILTERS_EXPORT vtkHighOrderContour : public vtkPolyDataAlgorithm
 {
@@ -89,8 +90,8 @@ public:
 
   ///@{
   /**
-   * How far chords may be from the curves, in world units, measured at chords' middles. 0, the
-   * default: 1e-4 of the diagonal of the grid's box.
+   * How far chords may be from the curves, in world units, measured at chords' middles: 1e-10 of
+   * the diagonal of the grid's box or more. 0, the default: 1e-4 of it.
    */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
@@ -125,7 +126,7 @@ private:
   std::string GetChosenName();
 
   vtkSmartPointer<vtkImplicitFunction> CutFunction;
-  std::vector<double> Values;
+  std::unique_ptr<pixelexact::ContourList> Values;
   std::string FieldName;
   int Component = -1;
   double Tolerance = 0.0;

@@ -149,8 +149,7 @@ void vtkHighOrderLinearResample::ClearFields()
 
 int vtkHighOrderLinearResample::FillInputPortInformation(int /*port*/, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  TakeGrids(info);
   return 1;
 }
 
@@ -179,12 +178,7 @@ int vtkHighOrderLinearResample::RequestUpdateExtent(vtkInformation* /*request*/,
   vtkInformationVector** inputVector, vtkInformationVector* /*outputVector*/)
 {
   // All of the grid, whatever part of the image is asked for.
-  if (auto* grid = inputVector[0]->GetInformationObject(0))
-  {
-    grid->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
-    grid->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-    grid->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
-  }
+  AskForWhole(inputVector[0]);
   return 1;
 }
 

@@ -62,12 +62,12 @@ void vtkHighOrderProbe::ClearFields()
 
 int vtkHighOrderProbe::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(
-    vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkDataSet" : "vtkUnstructuredGrid");
   if (port == 1)
   {
-    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+    pixelexact::TakeGrids(info);
+    return 1;
   }
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
   return 1;
 }
 
@@ -97,12 +97,7 @@ int vtkHighOrderProbe::RequestUpdateExtent(
     return 0;
   }
   // All of the grid, whatever piece of the points is asked for.
-  if (auto* grid = inputVector[1]->GetInformationObject(0))
-  {
-    grid->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
-    grid->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-    grid->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
-  }
+  pixelexact::AskForWhole(inputVector[1]);
   return 1;
 }
 

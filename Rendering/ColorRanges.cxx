@@ -34,7 +34,7 @@ ColorRanges::Range ColorRanges::OfFields(const FrameRequest& request, vtkScalars
   Range sum;
   for (const LayerRequest& layer : request.layers)
   {
-    if (layer.table != table)
+    if (TableOf(layer) != table)
     {
       continue;
     }
@@ -73,7 +73,7 @@ ColorRanges::Range ColorRanges::OfFrame(
     for (std::size_t i = 0; i < sheet.value.size(); ++i)
     {
       const double value = sheet.value[i];
-      if (std::isfinite(value) && request.layers[many ? sheet.layer[i] : 0].table == table)
+      if (std::isfinite(value) && TableOf(request.layers[many ? sheet.layer[i] : 0]) == table)
       {
         lower = std::min(lower, value);
         upper = std::max(upper, value);
@@ -90,7 +90,7 @@ ColorRanges::Range ColorRanges::OfFrame(
   for (const LayerRequest& layer : request.layers)
   {
     // Of several fields, the one whose values are rounded most.
-    range = layer.table == table ? BeyondRounding(layer.field.In(*request.model), range) : range;
+    range = TableOf(layer) == table ? BeyondRounding(layer.field.In(*request.model), range) : range;
   }
   return range;
 }

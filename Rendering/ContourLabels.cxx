@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ContourLabels.h"
 
+#include "TextImages.h"
+
 #include "Core/Base/Error.h"
 #include "Trace/Modules/ContourPlaces.h"
-
-#include "vtkFreeTypeTools.h"
-#include "vtkImageData.h"
-#include "vtkNew.h"
-#include "vtkStdString.h"
-#include "vtkTextProperty.h"
 
 #include <glm/geometric.hpp>
 
@@ -23,8 +19,6 @@ namespace pixelexact
 {
 namespace
 {
-/// Of a point of the font's size a pixel.
-constexpr int kDotsPerInch = 72;
 /// Around a text, in pixels.
 constexpr double kGap = 2.0;
 
@@ -33,63 +27,6 @@ std::string Formatted(double value, int digits)
   std::array<char, 40> text{};
   std::snprintf(text.data(), text.size(), "%.*g", digits, value == 0.0 ? 0.0 : value);
   return text.data();
-}
-
-/// Makes texts of one font.
-class Writer
-{
-public:
-  explicit Writer(int size)
-  {
-    Property->SetFontFamilyToArial();
-    Property->SetFontSize(size);
-    Property->SetJustificationToCentered();
-    Property->SetVerticalJustificationToCentered();
-  }
-
-  [[nodiscard]] LabelSize SizeOf(const std::string& text)
-  {
-    std::array<int, 4> box{};
-    Property->SetOrientation(0.0);
-    if (!vtkFreeTypeTools::GetInstance()->GetBoundingBox(Property, text, kDotsPerInch, box.data()))
-    {
-      Fail();
-    }
-    return { box[1] - box[0] + 1.0, box[3] - box[2] + 1.0 };
-  }
-
-  /// The text about the origin; its extent's first point is the lower left pixel.
-  [[nodiscard]] vtkImageData* Write(const std::string& text, const Rgba& color, double angle)
-  {
-    Property->SetColor(color[0] / 255.0, color[1] / 255.0, color[2] / 255.0);
-    Property->SetOrientation(angle);
-    if (!vtkFreeTypeTools::GetInstance()->RenderString(Property, text, kDotsPerInch, Image))
-    {
-      Fail();
-    }
-    return Image;
-  }
-
-private:
-  [[noreturn]] static void Fail()
-  {
-    throw Error("contours: FreeType makes no text for labels; leave labels out");
-  }
-
-  vtkNew<vtkTextProperty> Property;
-  vtkNew<vtkImageData> Image;
-};
-
-/// A text's colour, of straight alpha, over an image's.
-void Blend(const unsigned char* over, std::uint8_t* to)
-{
-  const double part = over[3] / 255.0;
-  const double left = (1.0 - part) * to[3] / 255.0;
-  for (int c = 0; c < 3 && part + left > 0.0; ++c)
-  {
-    to[c] = static_cast<std::uint8_t>(std::lround((part * over[c] + left * to[c]) / (part + left)));
-  }
-  to[3] = static_cast<std::uint8_t>(std::lround(255.0 * (part + left)));
 }
 
 /// visit(x, y, pixel) for the pixels of the frame in a rectangle.
@@ -127,20 +64,6 @@ void OpenGap(Frame& frame, const ContourPlace& place, const LabelSize& size,
       }
     });
 }
-
-void Put(Frame& frame, const ContourPlace& place, vtkImageData* text)
-{
-  std::array<int, 6> extent{};
-  text->GetExtent(extent.data());
-  const int x0 = static_cast<int>(std::floor(place.centre.x));
-  const int y0 = static_cast<int>(std::floor(place.centre.y));
-  ForEachPixel(frame, { x0 + extent[0], x0 + extent[1], y0 + extent[2], y0 + extent[3] },
-    [&](int x, int y, std::size_t pixel)
-    {
-      Blend(static_cast<unsigned char*>(text->GetScalarPointer(x - x0, y - y0, extent[4])),
-        &frame.color[4 * pixel]);
-    });
-}
 } // namespace
 
 std::vector<std::string> LabelTexts(const std::vector<double>& values)
@@ -161,8 +84,7 @@ std::vector<std::string> LabelTexts(const std::vector<double>& values)
   return texts;
 }
 
-int DrawContourLabels(Frame& frame, const Camera& camera, const ContourCertifier& contours,
-  const ContourLines& lines, int size)
+void RequireLabelSize(int size)
 {
   if (size < LabelFont::kSmallest || size > LabelFont::kLargest)
   {
@@ -170,7 +92,14 @@ int DrawContourLabels(Frame& frame, const Camera& camera, const ContourCertifier
       std::to_string(LabelFont::kSmallest) + " to " + std::to_string(LabelFont::kLargest) +
       " pixels high");
   }
-  Writer writer(size);
+}
+
+int DrawContourLabels(Frame& frame, const Camera& camera, const ContourCertifier& contours,
+  const ContourLines& lines, int size)
+{
+  RequireLabelSize(size);
+  TextImages writer(size);
+  const PixelSpan image{ frame.width, frame.height, frame.color.data() };
   std::vector<std::vector<std::string>> texts;
   std::vector<std::vector<LabelSize>> sizes;
   for (const std::vector<double>& values : contours.Values())
@@ -178,15 +107,19 @@ int DrawContourLabels(Frame& frame, const Camera& camera, const ContourCertifier
     texts.push_back(LabelTexts(values));
     sizes.emplace_back();
     std::ranges::transform(texts.back(), std::back_inserter(sizes.back()),
-      [&writer](const std::string& text) { return writer.SizeOf(text); });
+      [&writer](const std::string& text)
+      {
+        const TextSize box = writer.SizeOf(text);
+        return LabelSize{ box.width, box.height };
+      });
   }
-  const std::vector<ContourPlace> places = PlaceLabels(frame, camera, contours, sizes);
+  const std::vector<ContourPlace> places =
+    PlaceLabels(frame, camera, contours, sizes, lines.DrawsUndecided());
   for (const ContourPlace& place : places)
   {
     OpenGap(frame, place, sizes[place.layer][place.value], lines.Beneath());
-    Put(frame, place,
-      writer.Write(
-        texts[place.layer][place.value], lines.ColorOf(place.layer, place.value), place.angle));
+    writer.Put(texts[place.layer][place.value], place.centre.x, place.centre.y, TextAnchor::Centre,
+      lines.ColorOf(place.layer, place.value), place.angle, image);
   }
   return static_cast<int>(places.size());
 }

@@ -19,6 +19,9 @@ struct LabelFont
   static constexpr int kUsual = 12;
 };
 
+/// Throws Error for a size out of LabelFont's limits.
+void RequireLabelSize(int size);
+
 /// The values as texts, in as few digits, from 3, as tell them apart.
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT std::vector<std::string> LabelTexts(
   const std::vector<double>& values);

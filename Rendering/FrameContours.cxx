@@ -12,7 +12,7 @@
 namespace pixelexact
 {
 void FrameContours::Make(const Scene& scene, const std::vector<LayerContours>& layers,
-  const std::vector<LayerColors>& colors, const ContourLook& look)
+  const std::vector<ColorMap>& maps, const ContourLook& look)
 {
   Lines.reset();
   Certifier.reset();
@@ -26,7 +26,7 @@ void FrameContours::Make(const Scene& scene, const std::vector<LayerContours>& l
   {
     const LayerContours& layer = layers[k];
     values.push_back(layer.values);
-    lineColors.push_back(layer.colors.empty() ? ColorsOf(layer.values, colors[k].map)
+    lineColors.push_back(layer.colors.empty() ? ColorsOf(layer.values, maps[k])
                                               : InOrderOf(layer.values, layer.colors));
     if (layer.values.empty())
     {
@@ -43,6 +43,10 @@ void FrameContours::Make(const Scene& scene, const std::vector<LayerContours>& l
   {
     return;
   }
+  if (look.labels)
+  {
+    RequireLabelSize(*look.labels);
+  }
   const bool translucent = HasTranslucent(scene);
   Labels = translucent ? std::nullopt : look.labels;
   style.onSheet = translucent;
@@ -51,7 +55,9 @@ void FrameContours::Make(const Scene& scene, const std::vector<LayerContours>& l
   {
     Bounds = std::make_shared<ContourBounds>();
   }
-  Certifier.emplace(std::move(values), ContourMethod{}, Bounds);
+  ContourMethod method;
+  method.interior = look.interior;
+  Certifier.emplace(std::move(values), method, Bounds);
   Lines.emplace(*Certifier, style, std::move(lineColors));
 }
 

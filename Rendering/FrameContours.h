@@ -16,7 +16,7 @@ namespace pixelexact
 struct LayerContours
 {
   std::vector<double> values; ///< in any order
-  /// One for each value, or one for all; empty: those of the layer's values.
+  /// One for each value, or one for all; empty: those that a map gives the values.
   std::vector<Rgba> colors;
 
   bool operator==(const LayerContours&) const = default;
@@ -29,6 +29,7 @@ struct ContourLook
   /// The height of labels in pixels; none: no labels. There are none where something is seen
   /// through.
   std::optional<int> labels;
+  bool interior = false; ///< see ContourMethod
 
   bool operator==(const ContourLook&) const = default;
 };
@@ -37,10 +38,10 @@ struct ContourLook
 class FrameContours
 {
 public:
-  /// By layer. Throws Error for values and widths that cannot be drawn, and where a layer has no
-  /// field.
+  /// By layer; `maps` for contours without colours. Throws Error for values, widths and labels
+  /// that cannot be drawn, and where a layer has no field.
   void Make(const Scene& scene, const std::vector<LayerContours>& layers,
-    const std::vector<LayerColors>& colors, const ContourLook& look);
+    const std::vector<ColorMap>& maps, const ContourLook& look);
 
   /// What is known of the scene's fields, when they or their mesh go.
   void Forget() { Bounds.reset(); }

@@ -27,6 +27,12 @@ bool Includes(Buffer set, Buffer wanted)
 }
 } // namespace
 
+vtkScalarsToColors* TableOf(const LayerRequest& layer)
+{
+  const bool byTable = !layer.contours.values.empty() && layer.contours.colors.empty();
+  return layer.table == nullptr && byTable ? layer.contourTable : layer.table;
+}
+
 const Field* FieldOf(const LayerRequest& layer, const HighOrderModel& model)
 {
   const bool none = layer.table == nullptr && layer.field == FieldChoice{};
@@ -35,7 +41,9 @@ const Field* FieldOf(const LayerRequest& layer, const HighOrderModel& model)
 
 int ComponentOf(const LayerRequest& layer, const Field& field)
 {
-  const int component = layer.component.value_or(ComponentOf(layer.table, field.values.components));
+  const bool solid = layer.table == nullptr && !layer.contours.values.empty();
+  const int component = layer.component.value_or(
+    ComponentOf(solid ? layer.contourTable : layer.table, field.values.components));
   RequireComponent(field, component);
   return component;
 }
@@ -118,12 +126,13 @@ FrameSource::ColorKey FrameSource::ColorKeyOf(const FrameRequest& request) const
     const bool lit =
       layer.material && (layer.litWhereFlat || !TheScene.layers[k].surface->IsFlat());
     anyLit = anyLit || lit;
+    vtkScalarsToColors* const table = TableOf(layer);
     std::uint64_t state = 0;
-    if (layer.table != nullptr)
+    if (table != nullptr)
     {
-      state = layer.table->GetMTime();
+      state = table->GetMTime();
     }
-    key.layers.push_back({ layer.table, state, layer.solidColor, layer.opacity,
+    key.layers.push_back({ table, state, layer.table == nullptr, layer.solidColor, layer.opacity,
       lit ? layer.material : std::nullopt, layer.contours });
   }
   if (anyLit)
@@ -145,16 +154,19 @@ void FrameSource::MakeColors(const ColorKey& key)
   std::vector<LayerColors> colors;
   std::vector<std::optional<Material>> materials;
   std::vector<LayerContours> contours;
+  std::vector<ColorMap> contourMaps;
   for (const ColoredLayer& layer : key.layers)
   {
-    colors.push_back({ layer.table != nullptr ? ToColorMap(layer.table) : SolidColor(layer.solid),
-      key.unknown, layer.opacity, layer.table != nullptr });
+    const ColorMap map = layer.table != nullptr ? ToColorMap(layer.table) : SolidColor(layer.solid);
+    colors.push_back({ layer.isSolid ? SolidColor(layer.solid) : map, key.unknown, layer.opacity,
+      !layer.isSolid });
     materials.push_back(layer.material);
     contours.push_back(layer.contours);
+    contourMaps.push_back(map);
   }
   const bool lit = std::ranges::any_of(
     materials, [](const std::optional<Material>& material) { return material.has_value(); });
-  Contours.Make(TheScene, contours, colors, key.contours);
+  Contours.Make(TheScene, contours, contourMaps, key.contours);
   Colors.emplace(std::move(colors));
   Lights.reset();
   if (lit)

@@ -37,12 +37,18 @@ struct LayerRequest
   Precision precision = Precision::Double;
   /// Null: every exact pixel gets the solid colour.
   vtkScalarsToColors* table = nullptr;
+  /// That of contours on a surface of one colour: their component and, where they have none,
+  /// colours.
+  vtkScalarsToColors* contourTable = nullptr;
   Rgba solidColor{ 255, 255, 255, 255 };
   double opacity = 1.0;
   std::optional<Material> material; ///< none: not lit
   bool litWhereFlat = false;        ///< also a plane
   LayerContours contours;
 };
+
+/// The table that the layer is coloured by, or else its contours are; null: none.
+[[nodiscard]] vtkScalarsToColors* TableOf(const LayerRequest& layer);
 
 /// The layer's field. Null where the model has none and none is asked for, by name or to be mapped
 /// to colours. Throws Error when there is no such field.
@@ -158,6 +164,7 @@ private:
     // Kept alive, so that no other table can have its address.
     vtkSmartPointer<vtkScalarsToColors> table;
     std::uint64_t state = 0;
+    bool isSolid = false; ///< the table is that of contours alone
     Rgba solid{};
     double opacity = 1.0;
     std::optional<Material> material;

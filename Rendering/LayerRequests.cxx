@@ -22,6 +22,7 @@ LayerRequest LayerOf(vtkHighOrderMapper* mapper, vtkProperty* property)
   {
     layer.table = mapper->GetLookupTable();
   }
+  layer.contourTable = mapper->GetLookupTable();
   if (mapper->GetArrayComponent() >= 0)
   {
     layer.component = mapper->GetArrayComponent();
@@ -46,6 +47,7 @@ LayerRequest LayerOf(vtkHighOrderLayer* layer, LayerRequest ofAll)
   if (layer->GetLookupTable() != nullptr)
   {
     request.table = layer->GetLookupTable();
+    request.contourTable = layer->GetLookupTable();
   }
   if (!layer->GetScalarVisibility())
   {

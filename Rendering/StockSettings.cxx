@@ -61,7 +61,8 @@ void RequireFieldColors(vtkMapper* mapper)
   }
 }
 
-std::vector<std::string> SettingsWithoutEffect(vtkMapper* mapper, vtkActor* actor, bool translucent)
+std::vector<std::string> SettingsWithoutEffect(
+  vtkMapper* mapper, vtkActor* actor, bool translucent, bool mapped)
 {
   vtkProperty* property = actor->GetProperty();
   struct Setting
@@ -95,7 +96,7 @@ std::vector<std::string> SettingsWithoutEffect(vtkMapper* mapper, vtkActor* acto
       texts.emplace_back(setting.text);
     }
   }
-  if (mapper->GetScalarVisibility() && HasNoLogarithm(mapper))
+  if (mapped && HasNoLogarithm(mapper))
   {
     texts.push_back(LogarithmText(mapper));
   }

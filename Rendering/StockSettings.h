@@ -17,7 +17,8 @@ namespace pixelexact
 void RequireFieldColors(vtkMapper* mapper);
 
 /// One sentence for each setting of actor, property and mapper that is not honoured and without
-/// which the picture is right in all else. `translucent`: some of the cut is seen through.
+/// which the picture is right in all else. `translucent`: some of the cut is seen through;
+/// `mapped`: the mapper's lookup table colours something.
 [[nodiscard]] std::vector<std::string> SettingsWithoutEffect(
-  vtkMapper* mapper, vtkActor* actor, bool translucent);
+  vtkMapper* mapper, vtkActor* actor, bool translucent, bool mapped);
 } // namespace pixelexact

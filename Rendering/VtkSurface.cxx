@@ -29,8 +29,10 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -214,11 +216,11 @@ std::shared_ptr<const Surface> FromTorus(vtkImplicitTorus* torus)
 // The surface of a function of class T. Not of a class derived from it, which may be another
 // function.
 template <class T>
-bool Try(const char* name, vtkImplicitFunction* function,
+bool Try(std::initializer_list<std::string_view> names, vtkImplicitFunction* function,
   std::shared_ptr<const Surface> (*from)(T*), std::shared_ptr<const Surface>& surface)
 {
   T* const known = T::SafeDownCast(function);
-  if (known == nullptr || std::string_view(function->GetClassName()) != name)
+  if (known == nullptr || std::ranges::find(names, function->GetClassName()) == names.end())
   {
     return false;
   }
@@ -229,15 +231,15 @@ bool Try(const char* name, vtkImplicitFunction* function,
 std::shared_ptr<const Surface> ToClosedForm(vtkImplicitFunction* function)
 {
   std::shared_ptr<const Surface> surface;
-  // The first that knows it.
-  (void)(Try<vtkPlane>("vtkPlane", function, FromPlane, surface) ||
-    Try<vtkSphere>("vtkSphere", function, FromSphere, surface) ||
-    Try<vtkCylinder>("vtkCylinder", function, FromCylinder, surface) ||
-    Try<vtkCone>("vtkCone", function, FromCone<vtkCone>, surface) ||
-    Try<vtkQuadric>("vtkQuadric", function, FromQuadric, surface) ||
-    Try<vtkBox>("vtkBox", function, FromBox, surface) ||
-    Try<vtkPlanes>("vtkPlanes", function, FromPlanes, surface) ||
-    Try<vtkImplicitTorus>("vtkImplicitTorus", function, FromTorus, surface));
+  // The first that knows it. Those of ParaView differ from VTK's in how they are set.
+  (void)(Try<vtkPlane>({ "vtkPlane", "vtkPVPlane" }, function, FromPlane, surface) ||
+    Try<vtkSphere>({ "vtkSphere" }, function, FromSphere, surface) ||
+    Try<vtkCylinder>({ "vtkCylinder", "vtkPVCylinder" }, function, FromCylinder, surface) ||
+    Try<vtkCone>({ "vtkCone" }, function, FromCone<vtkCone>, surface) ||
+    Try<vtkQuadric>({ "vtkQuadric" }, function, FromQuadric, surface) ||
+    Try<vtkBox>({ "vtkBox", "vtkPVBox" }, function, FromBox, surface) ||
+    Try<vtkPlanes>({ "vtkPlanes" }, function, FromPlanes, surface) ||
+    Try<vtkImplicitTorus>({ "vtkImplicitTorus" }, function, FromTorus, surface));
   return surface;
 }
 } // namespace

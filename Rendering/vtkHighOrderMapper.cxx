@@ -128,6 +128,7 @@ pixelexact::FrameRequest vtkHighOrderMapper::Internals::Request(
   {
     request.contours.labels = self->ContourLabelSize;
   }
+  request.contours.interior = self->ContourInterior;
   request.contours.style.width = self->ContourWidth;
   request.contours.style.showUndecided = self->ShowUndecidedContours;
   request.contours.style.undecided = pixelexact::ToRgba(self->UndecidedContourColor);
@@ -142,7 +143,7 @@ pixelexact::FrameRequest vtkHighOrderMapper::Internals::Request(
     if (layer->GetVisibility())
     {
       pixelexact::LayerRequest own = pixelexact::LayerOf(layer, ofAll);
-      if (layer->GetNumberOfContours() > 0 && !own.contours.colors.empty())
+      if (layer->GetNumberOfContours() > 0 && !self->ContourScalarVisibility)
       {
         // Colours of single contours are of the mapper's.
         own.contours.colors = { pixelexact::ToRgba(self->ContourColor) };
@@ -151,9 +152,13 @@ pixelexact::FrameRequest vtkHighOrderMapper::Internals::Request(
     }
   }
   Drawer.Surfaces().KeepOnly(sources);
-  if (ofAll.table != nullptr)
+  vtkScalarsToColors* const table = self->GetLookupTable();
+  if (self->ScalarVisibility ||
+    std::ranges::any_of(request.layers,
+      [table](const pixelexact::LayerRequest& layer)
+      { return pixelexact::TableOf(layer) == table; }))
   {
-    this->ChooseRange(self, request, ofAll.table);
+    this->ChooseRange(self, request, table);
   }
   return request;
 }
@@ -472,6 +477,12 @@ vtkIdType vtkHighOrderMapper::GetNumberOfContourJumpPixels()
 }
 
 //------------------------------------------------------------------------------
+vtkIdType vtkHighOrderMapper::GetNumberOfContourLoopPixels()
+{
+  return this->Data->CountContours().loops;
+}
+
+//------------------------------------------------------------------------------
 vtkIdType vtkHighOrderMapper::GetNumberOfUndecidedContourPixels()
 {
   return this->Data->CountContours().undecided;
@@ -715,7 +726,10 @@ void vtkHighOrderMapper::Warn(vtkRenderer* renderer, vtkActor* actor)
 {
   const bool translucent =
     actor->GetProperty()->GetOpacity() < 1.0 || this->HasTranslucentPolygonalGeometry();
-  std::vector<std::string> texts = pixelexact::SettingsWithoutEffect(this, actor, translucent);
+  const bool mapped = this->ScalarVisibility ||
+    (this->ContourScalarVisibility && this->Data->Drawer.LastSource()->LastContours() != nullptr);
+  std::vector<std::string> texts =
+    pixelexact::SettingsWithoutEffect(this, actor, translucent, mapped);
   // One plane that is not opaque has nothing behind it.
   if (this->ContourLabels &&
     pixelexact::HasTranslucent(this->Data->Drawer.LastSource()->LastScene()))
@@ -785,6 +799,7 @@ void vtkHighOrderMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetContourScalarVisibility(other->ContourScalarVisibility);
     this->SetShowUndecidedContours(other->ShowUndecidedContours);
     this->SetUndecidedContourColor(other->UndecidedContourColor);
+    this->SetContourInterior(other->ContourInterior);
     this->SetContourLabels(other->ContourLabels);
     this->SetContourLabelSize(other->ContourLabelSize);
     this->Data->Cuts = other->Data->Cuts;
@@ -827,6 +842,7 @@ void vtkHighOrderMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ShowUndecidedContours: " << (this->ShowUndecidedContours ? "on" : "off") << "\n";
   os << indent << "UndecidedContourColor: " << this->UndecidedContourColor[0] << ", "
      << this->UndecidedContourColor[1] << ", " << this->UndecidedContourColor[2] << "\n";
+  os << indent << "ContourInterior: " << (this->ContourInterior ? "on" : "off") << "\n";
   os << indent << "ContourLabels: " << (this->ContourLabels ? "on" : "off") << "\n";
   os << indent << "ContourLabelSize: " << this->ContourLabelSize << "\n";
   os << indent << "UnknownColor: " << int{ this->UnknownColor[0] } << ", "

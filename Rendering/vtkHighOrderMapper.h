@@ -178,7 +178,7 @@ public:
    * evenly spaced values, both ends among them. Layers have the same values, or their own
    * (vtkHighOrderLayer). Other values, colours and widths trace nothing. Coarse frames (see
    * SetProgressive) have no contours. A value that is not finite is an error when it is drawn; one
-   * that the field does not have draws nothing.
+   * that the field does not have draws nothing, one that is there twice is drawn once.
    */
   void SetContourValue(int i, double value);
   double GetContourValue(int i);
@@ -203,7 +203,7 @@ public:
   /**
    * The contours' colour; the default is black. That of a single one goes before it, until
    * RemoveColorsOfContours; and with ContourScalarVisibility on (the default is off) each has the
-   * colour that its value has in the lookup table.
+   * colour that its value has in the lookup table, also where surfaces have one colour.
    */
   vtkSetVector3Macro(ContourColor, double);
   vtkGetVector3Macro(ContourColor, double);
@@ -217,13 +217,25 @@ public:
   ///@{
   /**
    * Whether pixels of which it could not be decided whether a contour goes through them have a
-   * colour of their own (the default is teal), or are drawn as if one did. The default is off.
+   * colour of their own (the default is teal). Else, the default, they show the lines between the
+   * values at pixels' corners, as if none was missing; how many there are
+   * GetNumberOfUndecidedContourPixels tells.
    */
   vtkSetMacro(ShowUndecidedContours, bool);
   vtkGetMacro(ShowUndecidedContours, bool);
   vtkBooleanMacro(ShowUndecidedContours, bool);
   vtkSetVector3Macro(UndecidedContourColor, double);
   vtkGetVector3Macro(UndecidedContourColor, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether contours are looked for inside of pixels, too, on whose edges there are none: closed
+   * loops smaller than a pixel, on planes and quadrics. Frames take longer. The default is off.
+   */
+  vtkSetMacro(ContourInterior, bool);
+  vtkGetMacro(ContourInterior, bool);
+  vtkBooleanMacro(ContourInterior, bool);
   ///@}
 
   ///@{
@@ -242,11 +254,12 @@ public:
   ///@{
   /**
    * Of the last frame's pixels: through how many a contour goes, for sure; because the field jumps
-   * across a value there; and of how many that could not be decided. 0 where there are no contours,
-   * and of coarse frames.
+   * across a value there; with ContourInterior, because of a loop inside alone; and of how many
+   * that could not be decided. 0 where there are no contours, and of coarse frames.
    */
   vtkIdType GetNumberOfContourPixels();
   vtkIdType GetNumberOfContourJumpPixels();
+  vtkIdType GetNumberOfContourLoopPixels();
   vtkIdType GetNumberOfUndecidedContourPixels();
   ///@}
 
@@ -363,6 +376,7 @@ protected:
   bool ContourScalarVisibility = false;
   bool ShowUndecidedContours = false;
   double UndecidedContourColor[3] = { 0.0, 0.5, 0.5 };
+  bool ContourInterior = false;
   bool ContourLabels = false;
   int ContourLabelSize = 12;
 

@@ -63,6 +63,10 @@ if(PIXELEXACT_BUILD_TESTING OR PIXELEXACT_BUILD_BENCHMARKS)
     RenderingAnnotation
     TestingRendering)
 endif()
+if(PIXELEXACT_BUILD_PARAVIEW)
+  include(PixelExactParaViewPackage)
+  return()
+endif()
 find_package(VTK 9.1 REQUIRED COMPONENTS ${PIXELEXACT_VTK_COMPONENTS} ${vtk_build_components})
 
 find_package(CLI11 REQUIRED)

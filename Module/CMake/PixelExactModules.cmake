@@ -29,21 +29,27 @@ set(PIXELEXACT_MODULES
   PixelExact::PixelExactFilters
   PixelExact::PixelExactRendering)
 
-vtk_module_scan(
-  MODULE_FILES
-    "${PROJECT_SOURCE_DIR}/Module/vtk.module"
-    "${PROJECT_SOURCE_DIR}/Filters/vtk.module"
-    "${PROJECT_SOURCE_DIR}/Rendering/vtk.module"
-  PROVIDES_MODULES modules
-  WANT_BY_DEFAULT ON
-  ENABLE_TESTS OFF)
+set(PIXELEXACT_MODULE_FILES
+  "${PROJECT_SOURCE_DIR}/Module/vtk.module"
+  "${PROJECT_SOURCE_DIR}/Filters/vtk.module"
+  "${PROJECT_SOURCE_DIR}/Rendering/vtk.module")
 
-vtk_module_build(
-  MODULES ${modules}
-  PACKAGE PixelExact
-  INSTALL_EXPORT PixelExact
-  UTILITY_TARGET PixelExactWarnings
-  ENABLE_WRAPPING ${PIXELEXACT_BUILD_PYTHON}
-  HEADERS_DESTINATION "${PIXELEXACT_INCLUDE_DESTINATION}"
-  CMAKE_DESTINATION "${PIXELEXACT_CMAKE_DESTINATION}"
-  TEST_DIRECTORY_NAME NONE)
+# Builds them against VTK; for ParaView's VTK the plugin does (PixelExactParaView.cmake). A macro, since
+# the wrapping in Python looks for what it sets.
+macro(pixelexact_build_vtk_modules)
+  vtk_module_scan(
+    MODULE_FILES ${PIXELEXACT_MODULE_FILES}
+    PROVIDES_MODULES modules
+    WANT_BY_DEFAULT ON
+    ENABLE_TESTS OFF)
+
+  vtk_module_build(
+    MODULES ${modules}
+    PACKAGE PixelExact
+    INSTALL_EXPORT PixelExact
+    UTILITY_TARGET PixelExactWarnings
+    ENABLE_WRAPPING ${PIXELEXACT_BUILD_PYTHON}
+    HEADERS_DESTINATION "${PIXELEXACT_INCLUDE_DESTINATION}"
+    CMAKE_DESTINATION "${PIXELEXACT_CMAKE_DESTINATION}"
+    TEST_DIRECTORY_NAME NONE)
+endmacro()

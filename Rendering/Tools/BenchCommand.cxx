@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BenchFigures.h"
 #include "Command.h"
+#include "ContourDrawing.h"
+#include "ContourOptions.h"
+#include "ContourTime.h"
 #include "FrameTime.h"
 #include "Looks.h"
 #include "Report.h"
@@ -8,6 +11,7 @@
 
 #include "Core/Base/Error.h"
 #include "Core/Element/Kernels.h"
+#include "Trace/Contours/LayerBounds.h"
 
 #include <nlohmann/json.hpp>
 #include <tbb/global_control.h>
@@ -15,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
 #include <string_view>
 
 namespace pixelexact
@@ -24,6 +29,7 @@ namespace
 struct BenchOptions
 {
   ShotOptions shot;
+  ContourOptions contours;
   int repeat = 5;
   int largest = 200000; ///< elements of the made meshes
 };
@@ -32,6 +38,7 @@ struct Measured
 {
   FrameTime time;
   FrameCounters first; ///< of the first frame, for which elements are bounded and trees grown
+  std::optional<ContourTime> contours;
 };
 
 /// What made meshes have no use for.
@@ -52,12 +59,24 @@ Measured Measure(const Shot& shot, const BenchOptions& options)
 {
   const Camera camera = shot.MakeCamera();
   // Tells the range, which is no part of a frame.
-  const Frame first = Trace(shot.scene, camera, {}, { .centres = NeedsOfLooks(shot) });
+  const Frame first =
+    Trace(shot.scene, camera, {}, { .centres = NeedsOfLooks(shot) | options.contours.Needs() });
   Looks looks(options.shot.colors, shot, first);
+  const Pipeline pipeline = looks.MakePipeline();
   ProgressLine line("measuring");
-  return { MeasureFrames(shot.scene, camera, looks.MakePipeline(), options.repeat,
-             [&line](double part) { line(part); }),
-    first.counters };
+  Measured measured{ MeasureFrames(shot.scene, camera, pipeline, options.repeat,
+                       [&line](double part) { line(part); }),
+    first.counters, std::nullopt };
+  if (options.contours.AreGiven())
+  {
+    ContourDrawing drawing(
+      options.contours, options.shot.colors, shot, looks, first, std::make_shared<ContourBounds>());
+    Pipeline with = pipeline;
+    drawing.AddTo(with);
+    measured.contours = MeasureContours(
+      shot.scene, camera, pipeline, with, options.repeat, [&drawing] { return drawing.Pixels(); });
+  }
+  return measured;
 }
 
 void Bench(const BenchOptions& options, const CommonOptions& common)
@@ -72,13 +91,18 @@ void Bench(const BenchOptions& options, const CommonOptions& common)
   {
     throw UsageError("--elements has no effect on an INPUT; leave one of them out");
   }
+  if (options.contours.Labels())
+  {
+    throw UsageError("--contour-labels has no effect on times; leave it out");
+  }
+  options.contours.Check(options.shot.MakeLayers());
   Stopwatch stopwatch;
   const Shot shot = Prepare(options.shot, stopwatch);
   if (shot.scene.layers.front().field == nullptr)
   {
     throw Error("the input has no field to time; name the file of a field");
   }
-  const auto [measured, first] = Measure(shot, options);
+  const auto [measured, first, contours] = Measure(shot, options);
   const double median = measured.Frame();
   const auto points = static_cast<double>(measured.points);
   const double perSecond = points / median;
@@ -102,6 +126,10 @@ void Bench(const BenchOptions& options, const CommonOptions& common)
       { "index_bytes", shot.scene.locator->Index().MemoryUsage() },
       { "tree_bytes", shot.scene.locator->Index().TreeBytes() },
       { "seconds", ToJson(stopwatch) } });
+    if (contours)
+    {
+      summary["contours"] = ToJson(*contours);
+    }
     Print(summary);
     return;
   }
@@ -118,6 +146,10 @@ void Bench(const BenchOptions& options, const CommonOptions& common)
   table.Row("kernel", "{} s for as many bare evaluations; the frame takes {} times as long",
     Short(measured.Kernel()), Short(ratio));
   table.Row("tiles", Shares(measured.stages));
+  if (contours)
+  {
+    table.Row("contours", Describe(*contours));
+  }
   AddStages(table, stopwatch);
   table.Print();
 }
@@ -127,10 +159,12 @@ void AddBenchCommand(CLI::App& program, const CommonOptions& common, Action& act
 {
   const auto options = std::make_shared<BenchOptions>();
   CLI::App& command = AddCommand(program, "bench",
-    "Time frames of a cut, against the bare evaluation of as many points; without INPUT, "
-    "of made meshes",
+    "Time frames of a cut, against the bare evaluation of as many points, and with --contours "
+    "against "
+    "frames that have them; without INPUT, of made meshes",
     [options, &common, &action] { action = [options, &common] { Bench(*options, common); }; });
   options->shot.AddTo(command, false);
+  options->contours.AddTo(command);
   AddInteger(command, "--repeat", options->repeat, 1, 1000000, "N", "Frames to time (default: 5)");
   AddInteger(command, "--elements", options->largest, 1, 10000000, "N",
     "Without INPUT: the most elements of a made mesh (default: 200000)");

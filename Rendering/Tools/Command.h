@@ -6,6 +6,7 @@
 #include <functional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 // One file per command. Each declares its options and, when the command line names it, leaves what
 // is to be done in `action`; Main.cxx runs that and turns exceptions into an exit status.
@@ -26,6 +27,8 @@ struct CommonOptions
 {
   int threads = 0; ///< 0: as many as the machine has
   bool json = false;
+  bool quiet = false;
+  std::vector<std::string> words; ///< the command line, without the program's name
 };
 void AddCommonOptions(CLI::App& command, CommonOptions& options);
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <set>
 
 namespace pixelexact
@@ -60,6 +61,44 @@ std::string UsualValue(const CLI::Option& option)
   return form.starts_with("[=") ? form.substr(2, form.find_first_of("|]") - 2) : std::string();
 }
 
+/// How many letters must change, come or go.
+std::size_t Distance(const std::string& a, const std::string& b)
+{
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{ 0 });
+  for (std::size_t i = 1; i <= a.size(); ++i)
+  {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j)
+    {
+      const std::size_t changed = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({ row[j] + 1, row[j - 1] + 1, changed });
+    }
+  }
+  return row.back();
+}
+
+/// The name that a word was meant to be: one that goes on from it, or differs in a third of its
+/// letters at most. Empty: none.
+std::string NearestOf(const std::vector<std::string>& names, const std::string& word)
+{
+  std::string nearest;
+  std::size_t least = word.size() / 3 + 1;
+  for (const std::string& name : names)
+  {
+    const std::size_t distance =
+      word.size() > 3 && name.starts_with(word) ? 0 : Distance(name, word);
+    if (distance < least)
+    {
+      least = distance;
+      nearest = name;
+    }
+  }
+  return nearest;
+}
+
 /// Reads words one after the other.
 class Reader
 {
@@ -93,6 +132,21 @@ public:
   }
 
 private:
+  /// The option whose name is nearest to what was written, where it is near.
+  [[nodiscard]] std::string Suggestion(const std::string& given) const
+  {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : Command.get_options())
+    {
+      for (const std::string& name : option->get_lnames())
+      {
+        names.push_back("--" + name);
+      }
+    }
+    const std::string nearest = NearestOf(names, given);
+    return nearest.empty() ? std::string() : "; did you mean " + nearest + "?";
+  }
+
   /// Returns how many of the words behind it were read, too.
   std::size_t ReadOption(std::size_t at)
   {
@@ -107,7 +161,7 @@ private:
       }
       const std::string given = Words[at].starts_with("--") ? name : Words[at];
       throw UsageError(Command.get_parent() != nullptr
-          ? Command.get_name() + " has no option '" + given + "'"
+          ? Command.get_name() + " has no option '" + given + "'" + Suggestion(given)
           : "there is no option '" + given + "' before the command");
     }
     if (option->get_items_expected_max() == 0)
@@ -197,8 +251,11 @@ std::vector<std::string> PrepareWords(
   if (command == nullptr)
   {
     const bool announced = std::ranges::find(kAnnounced, words.front()) != kAnnounced.end();
+    const std::string nearest = NearestOf(Commands(program), words.front());
     throw UsageError(announced ? "'" + words.front() + "' is not available yet; " + choices
-                               : "there is no command '" + words.front() + "'; " + choices);
+        : nearest.empty()
+        ? "there is no command '" + words.front() + "'; " + choices
+        : "there is no command '" + words.front() + "'; did you mean " + nearest + "? " + choices);
   }
   std::vector<std::string> prepared = Reader(*command, words).Read(1);
   prepared.insert(prepared.begin(), words.front());

@@ -35,7 +35,7 @@ std::vector<double> Spaced(int count, const std::array<double, 2>& range, bool l
 } // namespace
 
 ContourDrawing::ContourDrawing(const ContourOptions& options, const ColorOptions& colors,
-  const Shot& shot, const Looks& looks, const Frame& frame)
+  const Shot& shot, const Looks& looks, const Frame& frame, std::shared_ptr<ContourBounds> bounds)
 {
   std::vector<std::vector<double>> values;
   std::vector<std::vector<Rgba>> lineColors;
@@ -62,7 +62,8 @@ ContourDrawing::ContourDrawing(const ContourOptions& options, const ColorOptions
       style.curved || (!values.back().empty() && !shot.scene.layers[k].surface->IsFlat());
   }
   LabelHeight = options.Labels();
-  Certifier.emplace(std::move(values), options.HowTold());
+  Interior = options.HowTold().interior;
+  Certifier.emplace(std::move(values), options.HowTold(), std::move(bounds));
   Lines.emplace(*Certifier, style, std::move(lineColors));
   if (options.Only())
   {
@@ -92,7 +93,7 @@ void ContourDrawing::DrawLabels(const Shot& shot, Frame& frame)
 FoundContours ContourDrawing::Found(const Frame& frame) const
 {
   FoundContours found{ Certifier->Values(), 0, Certifier->Counters(),
-    LabelHeight ? std::optional(Labels) : std::nullopt };
+    LabelHeight ? std::optional(Labels) : std::nullopt, Interior };
   for (std::size_t k = 0; k < found.values.size(); ++k)
   {
     std::vector<bool> alone(found.values.size(), false);

@@ -5,6 +5,7 @@
 #include "Trace/Modules/ContourLines.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -19,18 +20,20 @@ struct Shot;
 struct FoundContours
 {
   std::vector<std::vector<double>> values; ///< by layer, in ascending order
-  std::size_t outside = 0; ///< of them, that lie outside of the values seen on their layer
+  std::size_t outside = 0; ///< of them, outside of the values at centres of their layer's pixels
   ContourCounters pixels;
   std::optional<int> labels; ///< written, where they were asked for
+  bool interior = false;     ///< whether loops inside of pixels were looked for
 };
 
 /// The contours of a shot.
 class ContourDrawing
 {
 public:
-  /// Of a frame whose samples are there. Throws Error as RangeOfLayer.
+  /// Of a frame whose samples are there. `bounds`: as of ContourCertifier. Throws Error as
+  /// RangeOfLayer.
   ContourDrawing(const ContourOptions& options, const ColorOptions& colors, const Shot& shot,
-    const Looks& looks, const Frame& frame);
+    const Looks& looks, const Frame& frame, std::shared_ptr<ContourBounds> bounds = nullptr);
   ContourDrawing(const ContourDrawing&) = delete;
   ContourDrawing& operator=(const ContourDrawing&) = delete;
 
@@ -42,11 +45,13 @@ public:
 
   /// What was found in a frame that went through the pipeline.
   [[nodiscard]] FoundContours Found(const Frame& frame) const;
+  [[nodiscard]] const ContourCounters& Pixels() const { return Certifier->Counters(); }
   /// A ContourVerdict for each pixel.
   [[nodiscard]] const std::vector<std::uint8_t>& Verdicts() const { return Certifier->Verdicts(); }
 
 private:
   std::optional<ColorMapping> InPlace; ///< of the surface's colours
+  bool Interior = false;
   std::optional<ContourCertifier> Certifier;
   std::optional<ContourLines> Lines;
   std::optional<int> LabelHeight;

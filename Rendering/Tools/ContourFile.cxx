@@ -28,6 +28,8 @@ namespace pixelexact
 {
 namespace
 {
+static_assert(kMagnitude == -1, "that of a ContourQuestion");
+
 constexpr const char* kOption = "--contours-output";
 
 /// Null for what is no plane and no quadric.
@@ -86,7 +88,9 @@ void ContourFileOptions::AddTo(CLI::App& added)
       }
       tolerance = length;
     },
-    "LENGTH", "How far their chords may be from the curves (default: 1e-4 of the mesh's diagonal)")
+    "LENGTH",
+    "How far their chords may be from the curves, 1e-10 of the mesh's diagonal or more (default: "
+    "1e-4 of it)")
     .Needs(lines);
 }
 
@@ -122,9 +126,7 @@ void WriteContours(const ContourFileOptions& options, const Shot& shot,
   {
     const Layer& layer = shot.scene.layers[k];
     const QuadricCut cut(*FormOf(*layer.surface));
-    const int component =
-      layer.field->values.components == 1 || layer.component != kMagnitude ? layer.component : -1;
-    ContourSet set = TraceContours({ model.GetMesh(), layer.field, component, &cut },
+    ContourSet set = TraceContours({ model.GetMesh(), layer.field, layer.component, &cut },
       *shot.scene.locator, model.Faces(),
       { values[k], options.tolerance.value_or(1e-4 * (diagonal > 0 ? diagonal : 1)) });
     if (const std::string doubts = DescribeDoubts(set.report); !doubts.empty())

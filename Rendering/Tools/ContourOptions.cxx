@@ -191,6 +191,11 @@ void ContourOptions::AddTo(CLI::App& added)
       kMostSubdivisions, kUsualSubdivisions))
     .Needs(certifier)
     .Group(group);
+  AddFlag(added, "--interior", Method.interior,
+    "Look for contours inside of pixels, too, on whose edges there are none: closed loops smaller "
+    "than a pixel. On planes and quadrics; pixels that show another surface are undecided anyway")
+    .Needs(contours)
+    .Group(group);
   const AddedOption shown = AddFlag(added, "--show-undecided-contours", ShowUndecided,
     "Paint pixels of which it could not be decided whether a contour goes through them, as "
     "--show-undecided does, too; else they show the lines between the samples alone")
@@ -208,6 +213,12 @@ void ContourOptions::Check(const std::vector<LayerSettings>& layers) const
   if (Subdivisions && !Method.subdivisions)
   {
     throw UsageError("--subdivisions are those of --certifier interval; leave them out");
+  }
+  if (Method.interior && Method.subdivisions)
+  {
+    throw UsageError(
+      "--interior: --certifier interval looks at edges alone, as in the paper; leave "
+      "one of them out");
   }
   if (LabelHeight && *LabelHeight != std::floor(*LabelHeight))
   {
@@ -229,7 +240,7 @@ void ContourOptions::Check(const std::vector<LayerSettings>& layers) const
   }
   if (TheOnly)
   {
-    CheckEffectsWithoutColors(ByMap(), *Command, layers);
+    CheckEffectsWithoutColors(*this, *Command, layers);
   }
 }
 

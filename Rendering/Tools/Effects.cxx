@@ -91,17 +91,28 @@ void CheckEffectsBeside(const std::string& option, const CLI::App& command, cons
   }
 }
 
-void CheckEffectsWithoutColors(bool maps, const CLI::App& command, const Layers& layers)
+void CheckEffectsWithoutColors(
+  const ContourOptions& contours, const CLI::App& command, const Layers& layers)
 {
-  std::string idle =
-    FirstGiven(command, std::array{ "--color", "--lights", "--nan-color", "--show-undecided" });
+  const bool maps = contours.ByMap();
+  const auto readsRange = [&](const LayerSettings& layer)
+  { return maps || layer.contours.value_or(contours.OfAll()).count > 0; };
+  std::string idle = FirstGiven(
+    command, std::array{ "--color", "--lights", "--nan-color", "--show-undecided", "--samples" });
   if (idle.empty() && !maps)
   {
     idle = FirstGiven(command, std::array{ "--colormap" });
   }
+  if (idle.empty() && std::ranges::none_of(layers, readsRange))
+  {
+    idle = FirstGiven(command, std::array{ "--range", "--log" });
+  }
   const bool layered = std::ranges::any_of(layers,
-    [maps](const LayerSettings& layer)
-    { return layer.color || layer.lights || layer.opacity < 1.0 || (layer.colormap && !maps); });
+    [&](const LayerSettings& layer)
+    {
+      return layer.color || layer.lights || layer.opacity < 1.0 || (layer.colormap && !maps) ||
+        (layer.range && !readsRange(layer));
+    });
   if (idle.empty() && layered)
   {
     idle = "--layer with colours, lights or an opacity";

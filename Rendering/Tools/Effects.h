@@ -12,6 +12,7 @@ class App;
 // An option that changes nothing is a misunderstanding: it is refused, by its name.
 namespace pixelexact
 {
+class ContourOptions;
 struct LayerSettings;
 
 /// Throws UsageError for an option of all surfaces that each of them overrides.
@@ -22,10 +23,10 @@ void CheckEffects(const CLI::App& command, const std::vector<LayerSettings>& lay
 void CheckEffectsBeside(
   const std::string& option, const CLI::App& command, const std::vector<LayerSettings>& layers);
 
-/// The same for what colours surfaces, where none of their colours are shown; `maps`: but those of
-/// lines, by the colour map.
-void CheckEffectsWithoutColors(
-  bool maps, const CLI::App& command, const std::vector<LayerSettings>& layers);
+/// The same for what colours surfaces, where none of their colours are shown, but those of
+/// contours: these may be the colour map's, and spaced over its range.
+void CheckEffectsWithoutColors(const ContourOptions& contours, const CLI::App& command,
+  const std::vector<LayerSettings>& layers);
 
 /// Throws Error for an option that needs a field: the input has none.
 void CheckEffectsWithoutField(const CLI::App& command, const std::vector<LayerSettings>& layers);

@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numeric>
 
@@ -17,6 +16,7 @@ namespace
 {
 constexpr const char* kNames[kStages] = { "rays and hits", "candidates", "bounds", "inversion",
   "evaluation", "careful path", "writing", "colours" };
+} // namespace
 
 double Median(std::vector<double> values)
 {
@@ -25,18 +25,13 @@ double Median(std::vector<double> values)
   return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
 
-class Timer
+std::vector<double> Ratios(const std::vector<double>& times, const std::vector<double>& others)
 {
-public:
-  [[nodiscard]] double Seconds() const
-  {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - Begin).count();
-  }
-
-private:
-  std::chrono::steady_clock::time_point Begin = std::chrono::steady_clock::now();
-};
-} // namespace
+  std::vector<double> ratios(times.size());
+  std::transform(
+    times.begin(), times.end(), others.begin(), ratios.begin(), std::divides<double>());
+  return ratios;
+}
 
 double FrameTime::Frame() const
 {
@@ -54,10 +49,7 @@ double FrameTime::Ratio() const
   {
     return 0.0;
   }
-  std::vector<double> ratios(frames.size());
-  std::transform(
-    frames.begin(), frames.end(), kernels.begin(), ratios.begin(), std::divides<double>());
-  return Median(ratios);
+  return Median(Ratios(frames, kernels));
 }
 
 FrameTime MeasureFrames(const Scene& scene, const Camera& camera, const Pipeline& pipeline,

@@ -5,12 +5,30 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <chrono>
 #include <functional>
 #include <string>
 #include <vector>
 
 namespace pixelexact
 {
+/// From its beginning on.
+class Timer
+{
+public:
+  [[nodiscard]] double Seconds() const
+  {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - Begin).count();
+  }
+
+private:
+  std::chrono::steady_clock::time_point Begin = std::chrono::steady_clock::now();
+};
+
+double Median(std::vector<double> values);
+/// Of each of as many times to its other.
+std::vector<double> Ratios(const std::vector<double>& times, const std::vector<double>& others);
+
 /// What frames of a scene cost, beside the bare kernel on as many points. Frames and kernel take
 /// turns, so that a machine whose speed changes changes both.
 struct FrameTime

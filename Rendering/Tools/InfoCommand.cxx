@@ -2,6 +2,7 @@
 #include "CertifiedFacts.h"
 #include "Command.h"
 #include "Continuity.h"
+#include "FoundRanges.h"
 #include "Input.h"
 #include "Model.h"
 #include "OrderCounts.h"
@@ -38,6 +39,7 @@ struct FieldFacts
   Continuity continuity;
   std::int64_t nonFiniteElements = 0;
   std::string basis; ///< as the solver's file names it
+  FoundRanges ranges;
 };
 
 struct Facts
@@ -83,8 +85,9 @@ Facts Gather(const LoadedModel& input)
   const std::vector<Continuity> continuity = CompareAcrossElements(mesh, fields);
   for (std::size_t f = 0; f < fields.size(); ++f)
   {
-    facts.fields.push_back({ &fields[f], CountOrders(fields[f].values), continuity[f],
-      CountNonFinite(fields[f].values), BasisOf(*input.grid, fields[f].name) });
+    facts.fields.push_back(
+      { &fields[f], CountOrders(fields[f].values), continuity[f], CountNonFinite(fields[f].values),
+        BasisOf(*input.grid, fields[f].name), FindRanges(mesh, fields[f]) });
   }
   input.grid->GetBounds(facts.bounds.data());
   facts.solver = GatherSolverFacts(*input.grid, *input.model);
@@ -161,6 +164,7 @@ void PrintTable(const LoadedModel& input, const Facts& facts)
     }
     table.Row(name, text);
     name.clear();
+    AddTo(table, field.ranges);
   }
   if (facts.fields.empty())
   {
@@ -195,6 +199,7 @@ void PrintJson(const LoadedModel& input, const Facts& facts)
       { "continuity", ContinuityName(one.continuity) },
       { "largest_jump", one.continuity.largestJump },
       { "non_finite_elements", one.nonFiniteElements } };
+    AddTo(field, one.ranges);
     if (facts.certified)
     {
       field["certified"] = ToJson(facts.certified->fields[fields.size()]);
@@ -239,7 +244,8 @@ void Info(const InfoOptions& options, const CommonOptions& common)
 void AddInfoCommand(CLI::App& program, const CommonOptions& common, Action& action)
 {
   const auto options = std::make_shared<InfoOptions>();
-  CLI::App& command = AddCommand(program, "info", "Tell what a mesh file holds",
+  CLI::App& command = AddCommand(program, "info",
+    "Tell what a mesh file holds, and between which values its fields are, to a thousandth",
     [options, &common, &action] { action = [options, &common] { Info(*options, common); }; });
   options->input.AddTo(command);
   AddFlag(command, "--certify", options->certify,

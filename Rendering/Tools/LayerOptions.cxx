@@ -80,7 +80,7 @@ const std::map<std::string, Setter>& Setters()
         layer.component = ParseComponent(value);
         if (!layer.component)
         {
-          Complain(value, "expected 'magnitude' or a number from 0");
+          Complain(value, "expected 'magnitude', x, y, z or a number from 0");
         }
       } },
     { "precision",
@@ -155,11 +155,15 @@ void Read(const std::string& text, std::vector<LayerSettings>& layers, Given& gi
 
 std::optional<int> ParseComponent(const std::string& text)
 {
-  int component = 0;
   if (text == "magnitude")
   {
     return kMagnitude;
   }
+  if (text == "x" || text == "y" || text == "z")
+  {
+    return text.front() - 'x';
+  }
+  int component = 0;
   return ParseInteger(text, component) && component >= 0 ? std::optional(component) : std::nullopt;
 }
 
@@ -168,7 +172,7 @@ void LayerOptions::AddTo(CLI::App& command)
   AddRepeated(
     command, "--layer", [this](const std::string& text) { Texts.push_back(text); }, kForm,
     "Show surface N, counted from 1 in the order of their kinds here, in its own way: field=NAME, "
-    "component=i|magnitude, precision=double|float, opacity=0..1, colormap=NAME, "
+    "component=magnitude|x|y|z|i, precision=double|float, opacity=0..1, colormap=NAME, "
     "range=cut|field|a:b, "
     "color=r:g:b, lights=on|off, contours=N|v1:v2:...|off")
     .Group("Surfaces (any number of each)");

@@ -63,6 +63,7 @@ int Perform(const pixelexact::Action& action, const pixelexact::CommonOptions& c
     limit.emplace(
       tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(common.threads));
   }
+  pixelexact::BeQuiet(common.quiet);
   try
   {
     action();
@@ -90,6 +91,7 @@ int Run(const std::vector<std::string>& words)
   program.footer(kFooter);
 
   pixelexact::CommonOptions common;
+  common.words = words;
   pixelexact::Action action;
   pixelexact::AddInfoCommand(program, common, action);
   pixelexact::AddProbeCommand(program, common, action);

@@ -6,6 +6,7 @@
 #include "VtkMessages.h"
 
 #include "Core/Base/Error.h"
+#include "Core/Location/Locator.h"
 #include "HighOrderArrays.h"
 #include "vtkHighOrderGrid.h"
 #include "vtkUnstructuredGridToHighOrderGrid.h"
@@ -124,6 +125,12 @@ void AddTime(nlohmann::ordered_json& summary, const LoadedModel& input)
     summary["time_step"] = input.step;
     summary["time"] = input.times[static_cast<std::size_t>(input.step)];
   }
+}
+
+Box3 BoxOf(const HighOrderModel& model)
+{
+  return model.GetMesh().Elements() > 0 ? model.GetLocator().Bounds()
+                                        : Box3{ Vec3(-1.0), Vec3(1.0) };
 }
 
 void WarnOfDiagnostics(const LoadedModel& input)

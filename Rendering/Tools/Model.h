@@ -40,6 +40,9 @@ LoadedModel LoadModel(const InputRequest& request, const std::string& field, Sto
 void AddTime(Table& table, const LoadedModel& input);
 void AddTime(nlohmann::ordered_json& summary, const LoadedModel& input);
 
+/// A box that is proven to hold the mesh; one about 0 where there is no element.
+Box3 BoxOf(const HighOrderModel& model);
+
 /// Says on stderr what looks wrong in the file.
 void WarnOfDiagnostics(const LoadedModel& input);
 

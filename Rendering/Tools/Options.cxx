@@ -19,33 +19,6 @@ namespace
 // Limits of an image: its pixels and their buffers must be countable in 32 bits.
 constexpr std::int64_t kMaxPixels = std::int64_t{ 1 } << 30;
 
-std::vector<double> ParseNumbers(
-  const std::string& option, const std::string& text, int count, const char* form)
-{
-  std::vector<double> numbers;
-  std::string_view rest = text;
-  while (true)
-  {
-    const auto comma = rest.find(',');
-    double number = 0.0;
-    if (!ParseNumber(rest.substr(0, comma), number) || !std::isfinite(number))
-    {
-      Refuse(option, text, form);
-    }
-    numbers.push_back(number);
-    if (comma == std::string_view::npos)
-    {
-      break;
-    }
-    rest.remove_prefix(comma + 1);
-  }
-  if (numbers.size() != static_cast<std::size_t>(count))
-  {
-    Refuse(option, text, form);
-  }
-  return numbers;
-}
-
 ImageSize ParseSize(const std::string& option, const std::string& text)
 {
   const auto cross = text.find('x');
@@ -180,7 +153,7 @@ AddedOption AddNumbers(CLI::App& command, const std::string& name, std::vector<d
   return AddRead(
     command, name,
     [&numbers, name, count, form](const std::string& text)
-    { numbers = ParseNumbers(name, text, count, form); },
+    { numbers = ReadNumbers(name, text, count, form); },
     form, help);
 }
 
@@ -190,7 +163,7 @@ AddedOption AddRepeatedNumbers(CLI::App& command, const std::string& name,
   return AddRepeated(
     command, name,
     [&values, name, count, form](const std::string& text)
-    { values.push_back(ParseNumbers(name, text, count, form)); },
+    { values.push_back(ReadNumbers(name, text, count, form)); },
     form, help);
 }
 
@@ -224,6 +197,33 @@ AddedOption AddRepeated(CLI::App& command, const std::string& name, const ReadTe
 void Refuse(const std::string& option, const std::string& text, const std::string& form)
 {
   throw UsageError(option + ": expected " + form + ", got '" + text + "'");
+}
+
+std::vector<double> ReadNumbers(
+  const std::string& option, const std::string& text, int count, const char* form)
+{
+  std::vector<double> numbers;
+  std::string_view rest = text;
+  while (true)
+  {
+    const auto comma = rest.find(',');
+    double number = 0.0;
+    if (!ParseNumber(rest.substr(0, comma), number) || !std::isfinite(number))
+    {
+      Refuse(option, text, form);
+    }
+    numbers.push_back(number);
+    if (comma == std::string_view::npos)
+    {
+      break;
+    }
+    rest.remove_prefix(comma + 1);
+  }
+  if (numbers.size() != static_cast<std::size_t>(count))
+  {
+    Refuse(option, text, form);
+  }
+  return numbers;
 }
 
 bool IsGiven(const CLI::App& command, const std::string& name)
@@ -275,5 +275,7 @@ void AddCommonOptions(CLI::App& command, CommonOptions& options)
   AddInteger(command, "--threads", options.threads, 1, 1 << 16, "N",
     "Number of threads (default: as the machine has)");
   AddFlag(command, "--json", options.json, "Print a machine-readable summary on stdout");
+  AddFlag(command, "-q,--quiet", options.quiet,
+    "Print no table, and not what was chosen; warnings and errors remain");
 }
 } // namespace pixelexact

@@ -89,6 +89,9 @@ AddedOption AddRepeated(CLI::App& command, const std::string& name, const ReadTe
   const char* form, const std::string& help);
 [[noreturn]] void Refuse(
   const std::string& option, const std::string& text, const std::string& form);
+/// `count` comma-separated finite numbers of an option; else Refuse.
+std::vector<double> ReadNumbers(
+  const std::string& option, const std::string& text, int count, const char* form);
 
 /// Whether the command line holds the option, by its long name.
 bool IsGiven(const CLI::App& command, const std::string& name);

@@ -65,7 +65,8 @@ void Keep(const std::vector<std::string>& arrays, vtkPointData& data)
 }
 } // namespace
 
-void WritePng(const std::string& file, int width, int height, const std::vector<std::uint8_t>& rgb)
+void WritePng(const std::string& file, int width, int height, const std::vector<std::uint8_t>& rgb,
+  const PictureTexts& texts)
 {
   vtkNew<vtkUnsignedCharArray> pixels;
   pixels->SetName("Color");
@@ -78,6 +79,11 @@ void WritePng(const std::string& file, int width, int height, const std::vector<
   vtkNew<vtkPNGWriter> writer;
   // In memory, because VTK's writers do not see that a disk is full.
   writer->WriteToMemoryOn();
+  writer->AddText("Software", kPictureMark);
+  for (const auto& [key, text] : texts)
+  {
+    writer->AddText(key.c_str(), text.c_str());
+  }
   Encode(*writer, file, image);
   vtkUnsignedCharArray* bytes = writer->GetResult();
   WriteBytes(file, reinterpret_cast<const char*>(bytes->GetPointer(0)),

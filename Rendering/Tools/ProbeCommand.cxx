@@ -11,7 +11,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 
 namespace pixelexact
@@ -21,9 +23,10 @@ namespace
 struct ProbeOptions
 {
   InputRequest input;
-  std::string field;
+  std::vector<std::string> fields; ///< none: the first one, where there is one
   std::string points;
-  std::string output;
+  std::vector<double> line; ///< from, to, and how many points; empty: those of a file
+  std::string output = "-";
   ProbeColumns columns;
 };
 
@@ -34,11 +37,11 @@ void AddEnclosures(nlohmann::ordered_json& summary, const ProbeSamples& samples)
     { "unbounded", widths.unbounded } };
 }
 
-void AddEnclosures(Table& table, const ProbeSamples& samples)
+void AddEnclosures(Table& table, const ProbeSamples& samples, const std::string& of)
 {
   const EnclosureWidths widths = MeasureEnclosures(samples);
   // Two digits say all that there is to say of a width.
-  table.Row("enclosures", "median width {}, largest {} of the range of values",
+  table.Row("enclosures", "{}median width {}, largest {} of the range of values", of,
     Short(widths.median, 2), Short(widths.largest, 2));
   if (widths.unbounded > 0)
   {
@@ -70,91 +73,187 @@ void AddCoverage(Table& table, const ProbeSamples& samples)
   table.Row("covered", Listed(entries));
 }
 
-/// Null where the input has none: points are located, too, and counted how often they are covered.
-const Field* FieldToProbe(const HighOrderModel& model, const ProbeOptions& options)
+/// None where the input has none: points are located, too, and counted how often they are covered.
+std::vector<const Field*> FieldsToProbe(const HighOrderModel& model, const ProbeOptions& options)
 {
-  if (!model.Fields().empty() || !options.field.empty())
+  if (!options.fields.empty())
   {
-    return &FieldOrFirst(model, options.field);
+    std::vector<const Field*> fields;
+    for (const std::string& name : options.fields)
+    {
+      fields.push_back(&FieldNamed(model, name));
+    }
+    return fields;
+  }
+  if (!model.Fields().empty())
+  {
+    return { &FieldOrFirst(model, {}) };
   }
   if (options.columns.gradient || options.columns.enclosures)
   {
     throw Error(std::string(options.columns.gradient ? "--gradient" : "--enclosures") +
       ": the input has no field; leave it out, or name the file of a field");
   }
-  return nullptr;
+  return {};
+}
+
+ProbePoints PointsOf(const ProbeOptions& options)
+{
+  if (options.line.empty())
+  {
+    return { ReadPoints(options.points), {} };
+  }
+  const std::vector<double>& l = options.line;
+  return PointsOnLine({ l[0], l[1], l[2] }, { l[3], l[4], l[5] }, static_cast<int>(l[6]));
+}
+
+/// Of one field, and of nothing but places where there is none.
+std::vector<ProbedField> ProbeFields(const LoadedModel& input,
+  const std::vector<const Field*>& fields, const ProbePoints& points, const ProbeColumns& columns)
+{
+  const Locator& locator = input.model->GetLocator();
+  std::vector<ProbedField> probed;
+  for (std::size_t k = 0; k < std::max<std::size_t>(1, fields.size()); ++k)
+  {
+    const Field* field = fields.empty() ? nullptr : fields[k];
+    ProbeColumns own = columns;
+    own.owners = own.owners && k == 0;
+    const int components = field != nullptr ? field->values.components : 0;
+    probed.push_back({ fields.size() > 1 ? field->name : "value",
+      ProbeSamples(points.x.size(), components, own) });
+    Sample(locator, field, points.x, probed.back().samples.Target());
+  }
+  return probed;
+}
+
+nlohmann::ordered_json ToJson(const Field* field, const ProbedField& probed, bool enclosures)
+{
+  nlohmann::ordered_json facts{
+    { "field", field != nullptr ? nlohmann::ordered_json(field->name) : nlohmann::ordered_json() },
+    { "components", probed.samples.components },
+    { "non_finite", CountProbes(probed.samples).nonFinite }
+  };
+  if (enclosures)
+  {
+    AddEnclosures(facts, probed.samples);
+  }
+  return facts;
+}
+
+void PrintJson(const ProbeOptions& options, const LoadedModel& input,
+  const std::vector<const Field*>& fields, const std::vector<ProbedField>& probed,
+  const Stopwatch& stopwatch)
+{
+  const ProbeSamples& first = probed.front().samples;
+  const ProbeCounts counts = CountProbes(first);
+  nlohmann::ordered_json summary =
+    ToJson(fields.empty() ? nullptr : fields.front(), probed.front(), options.columns.enclosures);
+  AddTime(summary, input);
+  summary.update({ { "points", first.element.size() }, { "inside", counts.inside },
+    { "outside", counts.outside }, { "unknown", counts.unknown } });
+  if (options.columns.owners)
+  {
+    AddCoverage(summary, first);
+  }
+  if (fields.size() > 1)
+  {
+    summary["fields"] = nlohmann::ordered_json::array();
+    for (std::size_t k = 0; k < fields.size(); ++k)
+    {
+      summary["fields"].push_back(ToJson(fields[k], probed[k], options.columns.enclosures));
+    }
+  }
+  summary["seconds"] = ToJson(stopwatch);
+  Print(summary);
+}
+
+void PrintTable(const ProbeOptions& options, const LoadedModel& input,
+  const std::vector<const Field*>& fields, const std::vector<ProbedField>& probed,
+  const Stopwatch& stopwatch)
+{
+  const ProbeSamples& first = probed.front().samples;
+  const ProbeCounts counts = CountProbes(first);
+  Table table;
+  for (std::size_t k = 0; k < fields.size(); ++k)
+  {
+    table.Row(k == 0 ? "field" : "", fields[k]->name + FieldKind(*fields[k]));
+  }
+  if (fields.empty())
+  {
+    table.Row("field", "none");
+  }
+  AddTime(table, input);
+  table.Row("points", "{}: {} inside, {} outside, {} unknown", first.element.size(), counts.inside,
+    counts.outside, counts.unknown);
+  for (const ProbedField& field : probed)
+  {
+    const std::string of = probed.size() > 1 ? field.name + ": " : std::string();
+    if (const std::size_t count = CountProbes(field.samples).nonFinite; count > 0)
+    {
+      table.Row("non-finite", "{}{} of the values inside", of, count);
+    }
+    if (options.columns.enclosures)
+    {
+      AddEnclosures(table, field.samples, of);
+    }
+  }
+  if (options.columns.owners)
+  {
+    AddCoverage(table, first);
+  }
+  AddStages(table, stopwatch);
+  table.Print(IsStandardStream(options.output));
 }
 
 void Probe(const ProbeOptions& options, const CommonOptions& common)
 {
+  if (options.points.empty() && options.line.empty())
+  {
+    throw UsageError("no points were given; name a table of them, --points, or a line, --line");
+  }
   CheckStandardOutput({ options.output }, common.json);
   std::vector<std::string> read = options.input.files;
   read.push_back(options.points);
   CheckOutput("--output", options.output, read);
   Stopwatch stopwatch;
   // First what is quick and goes wrong often.
-  const std::vector<Vec3> points = ReadPoints(options.points);
+  const ProbePoints points = PointsOf(options);
   stopwatch.Stage("points");
-  const LoadedModel input = LoadModel(options.input, options.field, stopwatch);
+  const LoadedModel input = LoadModel(
+    options.input, options.fields.size() == 1 ? options.fields.front() : std::string(), stopwatch);
   WarnOfDiagnostics(input);
-  const Field* field = FieldToProbe(*input.model, options);
-  const Locator& locator = input.model->GetLocator();
+  const std::vector<const Field*> fields = FieldsToProbe(*input.model, options);
+  (void)input.model->GetLocator();
   stopwatch.Stage("bounds+bvh");
 
-  const int components = field != nullptr ? field->values.components : 0;
-  ProbeSamples samples(points.size(), components, options.columns);
-  Sample(locator, field, points, samples.Target());
+  std::vector<ProbedField> probed = ProbeFields(input, fields, points, options.columns);
   stopwatch.Stage("probe");
   if (options.columns.owners)
   {
-    FindOwners(locator, points, samples.owners);
+    FindOwners(input.model->GetLocator(), points.x, probed.front().samples.owners);
     stopwatch.Stage("owners");
   }
-  WriteProbeTable(options.output, points, samples, input.model->SourceCells());
+  WriteProbeTable(options.output, points, probed, input.model->SourceCells());
   stopwatch.Stage("write");
-
-  const ProbeCounts counts = CountProbes(samples);
   if (common.json)
   {
-    nlohmann::ordered_json summary{ { "field",
-                                      field != nullptr ? nlohmann::ordered_json(field->name)
-                                                       : nlohmann::ordered_json() },
-      { "components", components } };
-    AddTime(summary, input);
-    summary.update(
-      { { "points", points.size() }, { "inside", counts.inside }, { "outside", counts.outside },
-        { "unknown", counts.unknown }, { "non_finite", counts.nonFinite } });
-    if (options.columns.enclosures)
-    {
-      AddEnclosures(summary, samples);
-    }
-    if (options.columns.owners)
-    {
-      AddCoverage(summary, samples);
-    }
-    summary["seconds"] = ToJson(stopwatch);
-    Print(summary);
+    PrintJson(options, input, fields, probed, stopwatch);
     return;
   }
-  Table table;
-  table.Row("field", field != nullptr ? field->name + FieldKind(*field) : "none");
-  AddTime(table, input);
-  table.Row("points", "{}: {} inside, {} outside, {} unknown", points.size(), counts.inside,
-    counts.outside, counts.unknown);
-  if (counts.nonFinite > 0)
+  PrintTable(options, input, fields, probed, stopwatch);
+}
+
+/// Six coordinates and a number of points.
+std::vector<double> ReadLine(const std::string& text)
+{
+  constexpr const char* kForm = "x0,y0,z0,x1,y1,z1,n";
+  constexpr double kMost = 1e9;
+  const std::vector<double> numbers = ReadNumbers("--line", text, 7, kForm);
+  if (!(numbers[6] >= 2.0 && numbers[6] <= kMost && numbers[6] == std::floor(numbers[6])))
   {
-    table.Row("non-finite", "{} of the values inside", counts.nonFinite);
+    Refuse("--line", text, std::string(kForm) + " with a whole number n from 2 to 1000000000");
   }
-  if (options.columns.enclosures)
-  {
-    AddEnclosures(table, samples);
-  }
-  if (options.columns.owners)
-  {
-    AddCoverage(table, samples);
-  }
-  AddStages(table, stopwatch);
-  table.Print(IsStandardStream(options.output));
+  return numbers;
 }
 } // namespace
 
@@ -165,17 +264,33 @@ void AddProbeCommand(CLI::App& program, const CommonOptions& common, Action& act
     "Evaluate a field at the points of a table; without a field, locate them",
     [options, &common, &action] { action = [options, &common] { Probe(*options, common); }; });
   options->input.AddTo(command);
-  AddField(command, options->field);
-  AddText(command, "--points", options->points, "FILE",
+  AddRepeated(
+    command, "--field",
+    [options](const std::string& name)
+    {
+      if (std::ranges::find(options->fields, name) != options->fields.end())
+      {
+        throw UsageError("--field: '" + name + "' is there twice; give it once");
+      }
+      options->fields.push_back(name);
+    },
+    "NAME",
+    "Name of a field; of several each has columns of its name (default: the first one, which is "
+    "named on stderr)");
+  const AddedOption points = AddText(command, "--points", options->points, "FILE",
     "CSV file with a header line and the columns x, y and z; others are ignored; - for standard "
-    "input")
-    .Required();
+    "input");
+  AddRead(
+    command, "--line", [options](const std::string& text) { options->line = ReadLine(text); },
+    "x0,y0,z0,x1,y1,z1,n",
+    "Instead of these n points on the line from one point to another, evenly spaced, both among "
+    "them; their distance from the first one is a column, too")
+    .Excludes(points);
   AddText(command, "-o,--output", options->output, "FILE",
     "CSV file to write: the points in their order, the field's values (nan outside), the element's "
     "number "
     "in the input (-1 outside), its reference coordinates and the verdict inside, outside or "
-    "unknown; - for standard output")
-    .Required();
+    "unknown; - for standard output (default)");
   AddFlag(command, "--gradient", options->columns.gradient,
     "Also write the gradient in world coordinates");
   AddFlag(command, "--enclosures", options->columns.enclosures,

@@ -6,6 +6,8 @@
 
 #include "Core/Math/Interval.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,25 +16,58 @@ namespace pixelexact
 {
 namespace
 {
-std::string Header(const ProbeSamples& samples)
+/// As a field of CSV.
+std::string Quoted(const std::string& text)
 {
-  std::string header = "x,y,z";
-  const auto name = [&samples](std::size_t c)
-  { return samples.components == 1 ? std::string("value") : "value_" + std::to_string(c); };
+  if (text.find_first_of(",\"\r\n") == std::string::npos)
+  {
+    return text;
+  }
+  std::string quoted = "\"";
+  for (const char c : text)
+  {
+    quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  }
+  return quoted + '"';
+}
+
+/// The columns of a field, each behind a comma.
+std::string ColumnsOf(const ProbedField& field)
+{
+  const ProbeSamples& samples = field.samples;
+  std::string columns;
+  const auto add = [&](std::size_t c, const char* what)
+  {
+    columns +=
+      ',' + Quoted(field.name + (samples.components == 1 ? "" : "_" + std::to_string(c)) + what);
+  };
   for (std::size_t c = 0; c < samples.components; ++c)
   {
-    header += "," + name(c);
+    add(c, "");
   }
   for (std::size_t c = 0; !samples.gradient.empty() && c < samples.components; ++c)
   {
-    header += "," + name(c) + "_x," + name(c) + "_y," + name(c) + "_z";
+    add(c, "_x");
+    add(c, "_y");
+    add(c, "_z");
   }
   for (std::size_t c = 0; !samples.lower.empty() && c < samples.components; ++c)
   {
-    header += "," + name(c) + "_lower," + name(c) + "_upper";
+    add(c, "_lower");
+    add(c, "_upper");
+  }
+  return columns;
+}
+
+std::string Header(const ProbePoints& points, std::span<const ProbedField> fields)
+{
+  std::string header = points.distance.empty() ? "x,y,z" : "x,y,z,distance";
+  for (const ProbedField& field : fields)
+  {
+    header += ColumnsOf(field);
   }
   header += ",element,xi_0,xi_1,xi_2,verdict";
-  return header + (samples.owners.empty() ? "\n" : ",owners,coverage\n");
+  return header + (fields.front().samples.owners.empty() ? "\n" : ",owners,coverage\n");
 }
 
 void AppendNumbers(std::string& line, std::span<const double> numbers)
@@ -49,6 +84,18 @@ std::span<const double> Entries(
   const std::vector<double>& array, std::size_t point, std::size_t width)
 {
   return array.empty() ? std::span<const double>() : std::span(array).subspan(point * width, width);
+}
+
+/// The columns of a field.
+void AppendValues(std::string& line, const ProbeSamples& samples, std::size_t point)
+{
+  const std::size_t width = samples.components;
+  AppendNumbers(line, Entries(samples.value, point, width));
+  AppendNumbers(line, Entries(samples.gradient, point, 3 * width));
+  for (std::size_t c = point * width; !samples.lower.empty() && c < (point + 1) * width; ++c)
+  {
+    AppendNumbers(line, std::array{ samples.lower[c], samples.upper[c] });
+  }
 }
 
 /// Calls visit(interval, component) for every enclosure of a point inside.
@@ -80,32 +127,44 @@ std::vector<Interval> RangesOf(const ProbeSamples& samples)
 }
 } // namespace
 
-void WriteProbeTable(const std::string& file, std::span<const Vec3> points,
-  const ProbeSamples& samples, std::span<const std::int64_t> sourceCells)
+ProbePoints PointsOnLine(const Vec3& from, const Vec3& to, int count)
+{
+  ProbePoints points;
+  for (int i = 0; i < count; ++i)
+  {
+    const double part = static_cast<double>(i) / (count - 1);
+    points.x.push_back({ std::lerp(from.x, to.x, part), std::lerp(from.y, to.y, part),
+      std::lerp(from.z, to.z, part) });
+    points.distance.push_back(glm::distance(from, to) * part);
+  }
+  return points;
+}
+
+void WriteProbeTable(const std::string& file, const ProbePoints& points,
+  std::span<const ProbedField> fields, std::span<const std::int64_t> sourceCells)
 {
   OutputFile output(file);
   std::ostream& stream = output.Stream();
-  stream << Header(samples);
-  const std::size_t width = samples.components;
+  stream << Header(points, fields);
+  const ProbeSamples& first = fields.front().samples;
   std::string line;
-  for (std::size_t i = 0; i < points.size(); ++i)
+  for (std::size_t i = 0; i < points.x.size(); ++i)
   {
     line.clear();
-    AppendNumbers(line, std::array{ points[i].x, points[i].y, points[i].z });
-    AppendNumbers(line, Entries(samples.value, i, width));
-    AppendNumbers(line, Entries(samples.gradient, i, 3 * width));
-    for (std::size_t c = 0; !samples.lower.empty() && c < width; ++c)
+    AppendNumbers(line, std::array{ points.x[i].x, points.x[i].y, points.x[i].z });
+    AppendNumbers(line, Entries(points.distance, i, 1));
+    for (const ProbedField& field : fields)
     {
-      AppendNumbers(line, std::array{ samples.lower[i * width + c], samples.upper[i * width + c] });
+      AppendValues(line, field.samples, i);
     }
-    const std::int32_t element = samples.element[i];
+    const std::int32_t element = first.element[i];
     line += std::to_string(element < 0 ? -1 : sourceCells[static_cast<std::size_t>(element)]) + ',';
-    AppendNumbers(line, std::array{ samples.xi[i].x, samples.xi[i].y, samples.xi[i].z });
-    line += Name(samples.verdict[i]);
-    if (!samples.owners.empty())
+    AppendNumbers(line, std::array{ first.xi[i].x, first.xi[i].y, first.xi[i].z });
+    line += Name(first.verdict[i]);
+    if (!first.owners.empty())
     {
-      line += ',' + std::to_string(samples.owners[i].preimages) + ',';
-      line += Name(samples.owners[i].coverage);
+      line += ',' + std::to_string(first.owners[i].preimages) + ',';
+      line += Name(first.owners[i].coverage);
     }
     line += '\n';
     stream << line;

@@ -53,9 +53,26 @@ struct ProbeSamples
   std::vector<Owners> owners;
 };
 
-/// Writes a row per point. Throws Error naming the file.
-void WriteProbeTable(const std::string& file, std::span<const Vec3> points,
-  const ProbeSamples& samples, std::span<const std::int64_t> sourceCells);
+/// Where fields are probed.
+struct ProbePoints
+{
+  std::vector<Vec3> x;
+  std::vector<double> distance; ///< from the first one, along a line; empty: they are on none
+};
+/// `count` points, evenly spaced, the first and the last at the line's ends.
+ProbePoints PointsOnLine(const Vec3& from, const Vec3& to, int count);
+
+/// What was found of a field.
+struct ProbedField
+{
+  std::string name; ///< of its columns: "value" where there is but one
+  ProbeSamples samples;
+};
+
+/// Writes a row per point; places and coverage are those of the first of the fields, which are at
+/// least one. Throws Error naming the file.
+void WriteProbeTable(const std::string& file, const ProbePoints& points,
+  std::span<const ProbedField> fields, std::span<const std::int64_t> sourceCells);
 
 struct ProbeCounts
 {

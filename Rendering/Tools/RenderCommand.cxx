@@ -5,9 +5,11 @@
 #include "ContourFile.h"
 #include "ContourOptions.h"
 #include "DebugOptions.h"
+#include "Figure.h"
 #include "Looks.h"
 #include "Output.h"
 #include "Picture.h"
+#include "PictureName.h"
 #include "RenderReport.h"
 #include "Report.h"
 #include "Shot.h"
@@ -33,6 +35,7 @@ struct RenderOptions
   std::string output;
   ContourOptions contours;
   ContourFileOptions lines;
+  FigureOptions figure;
 };
 
 /// A file of another kind than its name says would mislead whoever opens it.
@@ -45,15 +48,36 @@ void CheckSuffix(const char* option, const std::string& file, const char* suffix
   }
 }
 
+/// The picture alone, or with a figure around it, which says where it comes from.
+void WritePicture(const RenderOptions& options, const Shot& shot, const Looks& looks,
+  const Frame& frame, const std::string& file, const RepeatedCommand& command)
+{
+  if (!options.figure.IsAsked())
+  {
+    WritePng(file, frame.width, frame.height, options.shot.colors.Flatten(frame));
+    return;
+  }
+  const ImageSize& size = options.shot.size;
+  const bool bars = !options.contours.Only() || options.contours.ByMap();
+  const FrameCounters& pixels = frame.counters;
+  WritePng(file, size.width, size.height,
+    options.figure.Draw(size, shot, looks, frame, options.shot.colors, bars),
+    { { "Source", DescribeFiles(options.shot.input.files) }, { "Command", command.Text() },
+      { "Pixels",
+        fmt::format(
+          "{} exact, {} nothing, {} unknown", pixels.exact, pixels.nothing, pixels.unknown) } });
+}
+
 void Render(const RenderOptions& options, const CommonOptions& common)
 {
-  CheckSuffix("--output", options.output, ".png");
+  const std::string picture =
+    options.output.empty() ? PictureNamedAfter(options.shot.input.files.front()) : options.output;
+  CheckSuffix("--output", picture, ".png");
   CheckSuffix("--buffers", options.buffers.File(), ".vti");
   CheckSuffix("--contours-output", options.lines.file, ".vtp");
-  const std::vector<std::string> outputs{ options.output, options.buffers.File(),
-    options.lines.file };
+  const std::vector<std::string> outputs{ picture, options.buffers.File(), options.lines.file };
   CheckStandardOutput(outputs, common.json);
-  CheckOutput("--output", options.output, options.shot.input.files);
+  CheckOutput("--output", picture, options.shot.input.files);
   CheckOutput("--buffers", options.buffers.File(), options.shot.input.files);
   CheckOutput("--contours-output", options.lines.file, options.shot.input.files);
   if (!options.lines.file.empty() && !options.contours.AreGiven())
@@ -65,8 +89,18 @@ void Render(const RenderOptions& options, const CommonOptions& common)
   const std::vector<LayerSettings> layers = options.shot.MakeLayers();
   debug.Check(options.shot.samples, layers);
   options.contours.Check(layers);
+  ShotOptions asked = options.shot;
+  if (options.figure.IsAsked())
+  {
+    if (debug.IsInPlace())
+    {
+      throw UsageError("--figure has no bar for the colours of --show and --owners; leave it out");
+    }
+    options.figure.Check(asked.size);
+    asked.size = options.figure.PictureSize(asked.size);
+  }
   Stopwatch stopwatch;
-  const Shot shot = Prepare(options.shot, stopwatch);
+  const Shot shot = Prepare(asked, stopwatch);
   if (!options.lines.file.empty())
   {
     CheckContourSurfaces(shot);
@@ -105,7 +139,12 @@ void Render(const RenderOptions& options, const CommonOptions& common)
   }
   stopwatch.Stage("trace+colour");
 
-  WritePng(options.output, frame.width, frame.height, options.shot.colors.Flatten(frame));
+  RepeatedCommand command{ common.words, shot.chosen };
+  if (options.output.empty())
+  {
+    command.chosen.insert(command.chosen.end(), { "--output", picture });
+  }
+  WritePicture(options, shot, looks, frame, picture, command);
   if (!options.buffers.File().empty())
   {
     WriteBuffers(options.buffers.File(), options.buffers.Arrays(), frame,
@@ -119,15 +158,19 @@ void Render(const RenderOptions& options, const CommonOptions& common)
     stopwatch.Stage("contours");
   }
 
+  if (options.output.empty())
+  {
+    Note("written to '" + picture + "'");
+  }
   WarnOf(frame, found);
   if (common.json)
   {
-    PrintJson(shot, frame, found, looks, debug, stopwatch);
+    PrintJson(shot, frame, found, looks, debug, command, stopwatch);
   }
   else
   {
-    PrintTable(
-      shot, frame, found, looks, debug, stopwatch, std::ranges::any_of(outputs, IsStandardStream));
+    PrintTable(shot, frame, found, looks, debug, command, stopwatch,
+      std::ranges::any_of(outputs, IsStandardStream));
   }
 }
 } // namespace
@@ -142,9 +185,10 @@ void AddRenderCommand(CLI::App& program, const CommonOptions& common, Action& ac
   options->contours.AddTo(command);
   options->debug.AddTo(command);
   AddText(command, "-o,--output", options->output, "IMAGE.png",
-    "PNG image to write; - for standard output")
-    .Required();
+    "PNG image to write; - for standard output (default: named after the input, in the current "
+    "folder; a file of that name is written over where pixelexact made it)");
   options->buffers.AddTo(command);
   options->lines.AddTo(command);
+  options->figure.AddTo(command);
 }
 } // namespace pixelexact

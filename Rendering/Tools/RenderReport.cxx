@@ -10,10 +10,13 @@
 #include "Core/Location/Locator.h"
 #include "Trace/Sheets.h"
 
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <iterator>
 #include <string>
+#include <string_view>
 
 namespace pixelexact
 {
@@ -97,6 +100,10 @@ nlohmann::ordered_json ToJson(const FoundContours& contours)
     { "pixels",
       { { "in", pixels.in }, { "out", pixels.out }, { "undecided", pixels.undecided },
         { "jumps", pixels.jumps } } } };
+  if (contours.interior)
+  {
+    summary["pixels"]["loops"] = pixels.loops;
+  }
   if (contours.labels)
   {
     summary["labels"] = *contours.labels;
@@ -111,12 +118,32 @@ void AddContours(Table& table, const FoundContours& contours)
     : std::string();
   table.Row("contours", Counted(CountOf(contours), "value") + outside);
   const ContourCounters& pixels = contours.pixels;
-  table.Row("", "{} in, {} out, {} undecided, {} at jumps", Counted(pixels.in, "pixel"), pixels.out,
-    pixels.undecided, pixels.jumps);
+  const std::string loops =
+    contours.interior ? fmt::format(", {} by loops inside", pixels.loops) : std::string();
+  table.Row("", "{} in, {} out, {} undecided, {} at jumps{}", Counted(pixels.in, "pixel"),
+    pixels.out, pixels.undecided, pixels.jumps, loops);
   if (contours.labels)
   {
     table.Row("", Counted(*contours.labels, "label"));
   }
+}
+
+/// As a shell reads it.
+std::string Quoted(const std::string& word)
+{
+  constexpr std::string_view kPlain =
+    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+    "_-./,=:%+@";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos)
+  {
+    return word;
+  }
+  std::string quoted = "'";
+  for (const char c : word)
+  {
+    quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  }
+  return quoted + "'";
 }
 
 void AddRanges(Table& table, const Looks& looks, const Found& found)
@@ -139,8 +166,24 @@ void AddRanges(Table& table, const Looks& looks, const Found& found)
 }
 } // namespace
 
+std::vector<std::string> RepeatedCommand::Words() const
+{
+  std::vector<std::string> words{ "pixelexact" };
+  words.insert(words.end(), given.begin(), given.end());
+  // What follows "--" is no option.
+  words.insert(std::ranges::find(words, "--"), chosen.begin(), chosen.end());
+  return words;
+}
+
+std::string RepeatedCommand::Text() const
+{
+  std::vector<std::string> words = Words();
+  std::ranges::transform(words, words.begin(), Quoted);
+  return fmt::format("{}", fmt::join(words, " "));
+}
+
 void PrintJson(const Shot& shot, const Frame& frame, const Found& found, const Looks& looks,
-  const DebugOptions& debug, const Stopwatch& stopwatch)
+  const DebugOptions& debug, const RepeatedCommand& command, const Stopwatch& stopwatch)
 {
   const Layer& first = shot.scene.layers.front();
   const FrameCounters& pixels = frame.counters;
@@ -188,12 +231,14 @@ void PrintJson(const Shot& shot, const Frame& frame, const Found& found, const L
   summary["location"] = { { "queries", location.queries.load() },
     { "candidates", location.candidates.load() }, { "careful", location.careful.load() },
     { "unknown", location.unknown.load() } };
+  summary["command"] = command.Words();
   summary["seconds"] = ToJson(stopwatch);
   Print(summary);
 }
 
 void PrintTable(const Shot& shot, const Frame& frame, const Found& found, const Looks& looks,
-  const DebugOptions& debug, const Stopwatch& stopwatch, bool onStderr)
+  const DebugOptions& debug, const RepeatedCommand& command, const Stopwatch& stopwatch,
+  bool onStderr)
 {
   Table table;
   table.Row("elements", "{}", shot.input.model->GetMesh().Elements());
@@ -238,6 +283,10 @@ void PrintTable(const Shot& shot, const Frame& frame, const Found& found, const 
   }
   debug.AddTo(table);
   AddStages(table, stopwatch);
+  if (!command.chosen.empty())
+  {
+    table.Row("repeat", command.Text());
+  }
   table.Print(onStderr);
 }
 
@@ -265,7 +314,7 @@ void WarnOf(const Frame& frame, const Found& found)
       "; shown in the colour of NaN; leave out --log, or choose the colour with --nan-color");
   }
   if (found.contours && CountOf(*found.contours) > 0 &&
-    found.contours->outside == CountOf(*found.contours))
+    found.contours->outside == CountOf(*found.contours) && found.contours->pixels.in == 0)
   {
     Warn("--contours: all of the values lie outside of those that the picture shows" +
       (found.values ? ", " + Short((*found.values)[0]) + " to " + Short((*found.values)[1])

@@ -6,6 +6,8 @@
 
 #include <array>
 #include <optional>
+#include <string>
+#include <vector>
 
 // What render tells of a frame.
 namespace pixelexact
@@ -23,12 +25,25 @@ struct Found
   std::optional<FoundContours> contours;       ///< where they were asked for
 };
 
+/// The words of a command line, and those that were chosen.
+struct RepeatedCommand
+{
+  std::vector<std::string> given;
+  std::vector<std::string> chosen;
+
+  /// That of the same picture.
+  [[nodiscard]] std::vector<std::string> Words() const;
+  /// The same for a shell.
+  [[nodiscard]] std::string Text() const;
+};
+
 /// On stdout.
 void PrintJson(const Shot& shot, const Frame& frame, const Found& found, const Looks& looks,
-  const DebugOptions& debug, const Stopwatch& stopwatch);
+  const DebugOptions& debug, const RepeatedCommand& command, const Stopwatch& stopwatch);
 /// On stdout, or on stderr, where stdout is a file's.
 void PrintTable(const Shot& shot, const Frame& frame, const Found& found, const Looks& looks,
-  const DebugOptions& debug, const Stopwatch& stopwatch, bool onStderr);
+  const DebugOptions& debug, const RepeatedCommand& command, const Stopwatch& stopwatch,
+  bool onStderr);
 
 /// Says on stderr what the picture does not show as it is.
 void WarnOf(const Frame& frame, const Found& found);

@@ -15,6 +15,16 @@
 
 namespace pixelexact
 {
+namespace
+{
+bool isQuiet = false;
+} // namespace
+
+void BeQuiet(bool quiet)
+{
+  isQuiet = quiet;
+}
+
 void Stopwatch::Stage(const std::string& name)
 {
   const Clock::time_point now = Clock::now();
@@ -29,6 +39,10 @@ void Table::Row(const std::string& name, const std::string& value)
 
 void Table::Print(bool onStderr) const
 {
+  if (isQuiet)
+  {
+    return;
+  }
   std::ostream& stream = onStderr ? std::cerr : std::cout;
   std::size_t width = 0;
   for (const auto& [name, value] : Rows)
@@ -113,7 +127,10 @@ void Warn(const std::string& message)
 
 void Note(const std::string& message)
 {
-  std::cerr << "pixelexact: " << message << '\n';
+  if (!isQuiet)
+  {
+    std::cerr << "pixelexact: " << message << '\n';
+  }
 }
 
 std::string Listed(const std::vector<std::string>& texts)

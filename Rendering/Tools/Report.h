@@ -78,6 +78,9 @@ private:
   int Shown = -1;
 };
 
+/// Whether tables and notes are left out from here on.
+void BeQuiet(bool quiet);
+
 void Warn(const std::string& message);
 /// Says on stderr what was chosen.
 void Note(const std::string& message);

@@ -6,6 +6,7 @@
 
 #include "Core/Base/Error.h"
 #include "Core/Location/Locator.h"
+#include "Trace/Tracer.h"
 
 #include "VtkLook.h"
 
@@ -13,6 +14,8 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 
 namespace pixelexact
 {
@@ -28,10 +31,11 @@ void ShotOptions::AddTo(CLI::App& added, bool required)
       component = ParseComponent(text);
       if (!component)
       {
-        Refuse("--component", text, "'magnitude' or a number from 0");
+        Refuse("--component", text, "'magnitude', x, y, z or a number from 0");
       }
     },
-    "magnitude|i", "Component of a vector field, counted from 0, or its magnitude (default)");
+    "magnitude|x|y|z|i",
+    "Component of a vector field, by name or counted from 0, or its magnitude (default)");
   AddSize(added, "--size", size, "Size of the image in pixels (default: 1000x1000)");
   AddChoice(
     added, "--precision",
@@ -135,6 +139,38 @@ void AddLayers(const ShotOptions& options,
       settings.field ? FieldNamed(model, *settings.field) : *ofAll));
   }
 }
+
+/// What a small picture shows.
+std::vector<Vec3> SeenPoints(const Shot& shot)
+{
+  constexpr double kSide = 100.0;
+  const double part = std::min(1.0, kSide / std::max(shot.size.width, shot.size.height));
+  const auto side = [part](int all) { return std::max(1, static_cast<int>(part * all)); };
+  const Frame frame =
+    Trace(shot.scene, { shot.view, side(shot.size.width), side(shot.size.height) }, {},
+      { .centres = Buffer::Position });
+  std::vector<Vec3> points;
+  std::ranges::copy_if(frame.centres.position, std::back_inserter(points),
+    [](const Vec3& x) { return std::isfinite(x.x + x.y + x.z); });
+  return points;
+}
+
+/// For those who want the same once more.
+void TellWhatWasChosen(const ShotOptions& options, Shot& shot)
+{
+  const bool shared = std::ranges::any_of(
+    shot.settings, [](const LayerSettings& settings) { return !settings.field; });
+  if (options.field.empty() && shared && !shot.input.model->Fields().empty())
+  {
+    shot.chosen.insert(shot.chosen.end(), { "--field", shot.input.model->Fields().front().name });
+  }
+  if (!options.surfaces.AreGiven())
+  {
+    const std::string plane = PlaneChoice::ThroughTheMiddle().Numbers(BoxOf(*shot.input.model));
+    shot.chosen.push_back("--plane=" + plane);
+    Note("no surface was given; cut by --plane " + plane);
+  }
+}
 } // namespace
 
 std::vector<LayerSettings> ShotOptions::MakeLayers() const
@@ -185,20 +221,21 @@ Shot Prepare(const ShotOptions& options, Stopwatch& stopwatch)
     surfaces.push_back(surface(shot.input.model));
   }
   AddLayers(options, surfaces, shot);
+  TellWhatWasChosen(options, shot);
   shot.scene.locator = &model.GetLocator();
   stopwatch.Stage("bounds+bvh");
 
-  Box3 box = shot.scene.locator->Bounds();
-  if (model.GetMesh().Elements() == 0)
-  {
-    // Any camera sees all of nothing.
-    box = { Vec3(-1.0), Vec3(1.0) };
-  }
+  const Box3 box = BoxOf(model);
   // A surface that is not flat has normals in many directions.
   const Vec3 normal = surfaces.front()->IsFlat()
     ? surfaces.front()->Normal({ 0.5 * (box.lower + box.upper) })
     : Vec3(1.0);
   shot.view = options.camera.Make(box, normal, shot.size);
+  // The second time from nearer, where the first saw what is small in a few of its pixels.
+  for (int look = 0; look < 2 && !options.camera.IsPlaced(); ++look)
+  {
+    shot.view = options.camera.FitTo(SeenPoints(shot), shot.view, shot.size);
+  }
   return shot;
 }
 

@@ -71,6 +71,7 @@ struct Shot
   std::optional<EdgeStyle> edges;                ///< none: none
   bool edgesByKind = false;                      ///< what lies behind faces is told apart
   std::optional<std::array<double, 3>> outlines; ///< the colour of elements' outlines; none: none
+  std::vector<std::string> chosen; ///< words of a command line that were not given, and are so
 
   [[nodiscard]] Camera MakeCamera() const { return { view, size.width, size.height }; }
 };

@@ -2,6 +2,7 @@
 #include "SurfaceOptions.h"
 
 #include "Command.h"
+#include "Model.h"
 #include "Options.h"
 #include "PatchFile.h"
 #include "TriangleFile.h"
@@ -9,7 +10,6 @@
 #include "Core/Base/Error.h"
 #include "Trace/Surfaces/ConvexBody.h"
 #include "Trace/Surfaces/Disc.h"
-#include "Trace/Surfaces/Plane.h"
 #include "Trace/Surfaces/Quadric.h"
 #include "Trace/Surfaces/Torus.h"
 #include "VtkPatches.h"
@@ -41,9 +41,6 @@ struct Kind
 };
 // In the order of the help.
 const Kind kKinds[] = {
-  { "--plane", 6, "ox,oy,oz,nx,ny,nz", "Cut by the plane through o with normal n",
-    [](const Given& p) -> std::shared_ptr<const Surface>
-    { return std::make_shared<Plane>(At(p, 0), At(p, 3)); } },
   { "--disc", 7, "cx,cy,cz,nx,ny,nz,r",
     "Cut by the disc about c with normal n: the part of a plane within a circle",
     [](const Given& p) -> std::shared_ptr<const Surface>
@@ -103,6 +100,16 @@ GivenSurface OfMesh(const char* option, Make make)
 void SurfaceOptions::AddTo(CLI::App& command)
 {
   const char* group = "Surfaces (any number of each)";
+  AddRepeated(
+    command, "--plane",
+    [this](const std::string& text) { Planes.push_back(PlaneChoice::Read(text)); },
+    PlaneChoice::kForm,
+    "Cut by the plane through o with normal n; or across x, y or z through the middle of the "
+    "mesh's "
+    "box, at a coordinate (z=0.2), or at a part of the box from its lower side (z=10%). Without "
+    "any "
+    "surface: through the middle, across the shortest side")
+    .Group(group);
   for (const Kind& kind : kKinds)
   {
     AddRepeatedNumbers(command, kind.name, Numbers[kind.name], kind.count, kind.form, kind.help)
@@ -121,7 +128,7 @@ void SurfaceOptions::AddTo(CLI::App& command)
     command, "--isosurface", [this](const std::string& text) { Isos.push_back(ParseIso(text)); },
     "FIELD=VALUE",
     "Cut by the points where a field has a value; of a vector field its magnitude, or "
-    "FIELD.COMPONENT=VALUE, counted from 0")
+    "FIELD.COMPONENT=VALUE, x, y, z or counted from 0")
     .Group(group);
   AddRepeated(
     command, "--boundary",
@@ -132,16 +139,13 @@ void SurfaceOptions::AddTo(CLI::App& command)
     .Group(group);
 }
 
-std::size_t SurfaceOptions::Count() const
+std::size_t SurfaceOptions::CountGiven() const
 {
-  std::size_t count = Files.size() + Patches.size() + Isos.size() + Boundaries.size();
+  std::size_t count =
+    Planes.size() + Files.size() + Patches.size() + Isos.size() + Boundaries.size();
   for (const auto& [name, given] : Numbers)
   {
     count += given.size();
-  }
-  if (count == 0)
-  {
-    throw UsageError("no surface was given; cut by a plane, say --plane 0,0,0,0,0,1");
   }
   return count;
 }
@@ -157,6 +161,17 @@ std::vector<std::string> SurfaceOptions::Fields() const
 std::vector<GivenSurface> SurfaceOptions::Make() const
 {
   std::vector<GivenSurface> surfaces;
+  const auto add = [&surfaces](const PlaneChoice& choice)
+  {
+    surfaces.push_back(OfMesh("--plane",
+      [choice](const std::shared_ptr<const HighOrderModel>& model)
+      { return std::make_shared<Plane>(choice.Make(BoxOf(*model))); }));
+  };
+  std::ranges::for_each(Planes, add);
+  if (!AreGiven())
+  {
+    add(PlaneChoice::ThroughTheMiddle());
+  }
   for (const Kind& kind : kKinds)
   {
     for (const Given& numbers : Numbers.at(kind.name))

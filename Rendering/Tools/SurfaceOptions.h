@@ -3,6 +3,7 @@
 
 #include "MeshSurfaceOptions.h"
 #include "Options.h"
+#include "PlaneOption.h"
 
 #include "Trace/Surfaces/Surface.h"
 
@@ -25,8 +26,10 @@ class SurfaceOptions
 public:
   void AddTo(CLI::App& command);
 
-  /// How many there are. Throws UsageError when there is none.
-  [[nodiscard]] std::size_t Count() const;
+  /// Whether there are any; else a plane is chosen.
+  [[nodiscard]] bool AreGiven() const { return CountGiven() > 0; }
+  /// How many there are.
+  [[nodiscard]] std::size_t Count() const { return AreGiven() ? CountGiven() : 1; }
 
   /// What needs no mesh is made here, and files are read. Throws UsageError when a number describes
   /// no surface, Error for a file that cannot be read.
@@ -36,6 +39,9 @@ public:
   [[nodiscard]] std::vector<std::string> Fields() const;
 
 private:
+  [[nodiscard]] std::size_t CountGiven() const;
+
+  std::vector<PlaneChoice> Planes;
   std::map<std::string, std::vector<std::vector<double>>> Numbers; ///< by option
   std::vector<std::string> Files;                                  ///< of triangles
   std::vector<std::string> Patches;                                ///< files of patches

@@ -67,6 +67,12 @@ inline constexpr std::tuple kBufferTable{
     Written::Inside, false, [](const HitResults& hits, std::size_t i) { return hits.upper[i]; } },
   BufferRow{ Buffer::Layer, "Layer", &SampleBuffers::layer, kNoLayer, Written::Held, true,
     [](const HitResults& hits, std::size_t) { return hits.layerNumber; } },
+  BufferRow{ Buffer::Piece, "Piece", &SampleBuffers::piece, std::int32_t{ -1 }, Written::Inside,
+    false, [](const HitResults& hits, std::size_t i) { return hits.Point(i).piece; } },
+  BufferRow{ Buffer::Piece, "Piece_u", &SampleBuffers::pieceU, 0.0, Written::Inside, false,
+    [](const HitResults& hits, std::size_t i) { return hits.Point(i).parameters[0]; } },
+  BufferRow{ Buffer::Piece, "Piece_v", &SampleBuffers::pieceV, 0.0, Written::Inside, false,
+    [](const HitResults& hits, std::size_t i) { return hits.Point(i).parameters[1]; } },
 };
 
 /// visit(row) for each row of the table.

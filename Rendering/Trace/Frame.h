@@ -24,7 +24,8 @@ enum class Buffer : std::uint32_t
   Color = 1U << 7,
   Coverage = 1U << 8,  ///< Owners and Coverage together
   Enclosure = 1U << 9, ///< the value's lower and upper bound
-  Layer = 1U << 10
+  Layer = 1U << 10,
+  Piece = 1U << 11 ///< of a surface that is made of pieces: which one, and where on it
 };
 constexpr Buffer operator|(Buffer a, Buffer b)
 {
@@ -75,6 +76,10 @@ struct SampleBuffers
   std::vector<double> valueLower;
   std::vector<double> valueUpper;
   std::vector<std::uint8_t> layer; ///< number of the scene's layer, or kNoLayer
+  /// What the surface tells (SurfacePoint::piece, parameters): -1 and 0 where it tells nothing.
+  std::vector<std::int32_t> piece;
+  std::vector<double> pieceU;
+  std::vector<double> pieceV;
   /// RGBA per sample, straight alpha, its layer's opacity included; made by the colours of a
   /// pipeline, 0 where nothing is drawn.
   std::vector<std::uint8_t> color;

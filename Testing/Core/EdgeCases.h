@@ -30,14 +30,24 @@ inline LongVec3 MapOfAnyOrder(int order, const LongVec3& xi)
   return Plus(MapOfOrder(order, xi), Times(order < 4 ? 0.0L : 0.03L, bump));
 }
 
+/// Pressed flat, across no axis.
+inline LongVec3 Flattened(const LongVec3& x, long double flat)
+{
+  const LongVec3 across{ 2.0L / 3.0L, -1.0L / 3.0L, 2.0L / 3.0L };
+  const long double height = across[0] * x[0] + across[1] * x[1] + across[2] * x[2];
+  return Plus(x, Times((flat - 1.0L) * height, across));
+}
+
 /// An element with a field of noise, and what is known of it.
 struct EdgeCase : RangeCase
 {
-  EdgeCase(Shape shape, int mapOrder, int fieldOrder, Random& random)
+  EdgeCase(Shape shape, int mapOrder, int fieldOrder, Random& random, double flat = 1.0)
     : RangeCase(
         UniformSpace(shape, mapOrder),
-        [=](const LongVec3& xi) {
-          return Plus(ToLong(kEdgeCaseCentre), Times(kEdgeCaseSize, MapOfAnyOrder(mapOrder, xi)));
+        [=](const LongVec3& xi)
+        {
+          return Plus(ToLong(kEdgeCaseCentre),
+            Times(kEdgeCaseSize, Flattened(MapOfAnyOrder(mapOrder, xi), flat)));
         },
         kEdgeCaseCentre, kEdgeCaseSize)
     , locator(mesh)

@@ -359,6 +359,38 @@ TEST(Contour, ConstantsAndWhatIsNoNumberAreTold)
   EXPECT_THROW(ContoursOf(mesh, values, cut, { 0.5 }, 0.0), InvalidData);
 }
 
+/// Whichever values are asked for: of a magnitude, those that it cannot have do not count.
+TEST(Contour, WhatIsNoNumberIsToldWhateverTheValues)
+{
+  const MeshBuilder builder = Stack(2);
+  const Mesh mesh = builder.View();
+  ExpansionBuilder values(2);
+  LongMap map(mesh);
+  for (int e = 0; e < mesh.Elements(); ++e)
+  {
+    values.Add(UniformSpace(mesh.ShapeOf(e), 2),
+      [&](const LongVec3& xi, long double* v)
+      {
+        v[0] = map(e, xi)[0];
+        v[1] = 1.0L;
+      });
+  }
+  values.Coefficients[0] = std::nan("");
+  const Field field{ "f", values.View() };
+  const Locator locator(mesh);
+  const FaceTable faces(locator.Index());
+  const QuadricCut cut(PlaneAt({ 0.0, 0.2, 0.0 }, { 0.0, 1.0, 0.0 }));
+  for (const std::vector<double>& levels :
+    { std::vector{ 0.0, 1.1 }, std::vector{ -1.0, 1.1 }, std::vector{ 1.1, 1.2 } })
+  {
+    const ContourSet set =
+      TraceContours({ mesh, &field, -1, &cut }, locator, faces, { levels, 1e-6 });
+    EXPECT_EQ(set.report.notFinite, 1) << levels[0];
+    EXPECT_EQ(set.report.normsOfZero, levels[0] == 0.0 ? 1 : 0);
+    EXPECT_FALSE(set.lines.empty());
+  }
+}
+
 /// A quadric that does not say so.
 class AnyCut final : public CutFunction
 {

@@ -9,6 +9,8 @@ namespace pixelexact::testing
 {
 namespace
 {
+constexpr EdgeEffort kAnyEffort{ EdgeEffort::kAny, EdgeEffort::kAny };
+
 double SlackOf(const Vec3& x)
 {
   return 16.0 * 0x1p-53 * std::max({ std::fabs(x.x), std::fabs(x.y), std::fabs(x.z) });
@@ -198,10 +200,10 @@ TEST(EdgeBounds, MayTakeWhatTheSegmentTakes)
         for (const Quad& value : values)
         {
           const double taking = static_cast<double>(value);
-          for (const bool grow : { false, true })
+          for (const EdgeEffort& effort : { EdgeEffort{}, EdgeEffort{ 0, 6 }, kAnyEffort })
           {
-            EXPECT_TRUE(one.bounds->MayTake(
-              ValueSet{ { &taking, 1 } }, segment.from, segment.to, SlackOf(kEdgeCaseCentre), grow))
+            EXPECT_TRUE(one.bounds->MayTake(ValueSet{ { &taking, 1 } },
+              { { segment.from, segment.to }, SlackOf(kEdgeCaseCentre) }, effort))
               << "of length " << length << ", case " << k;
           }
           ++taken;
@@ -210,6 +212,45 @@ TEST(EdgeBounds, MayTakeWhatTheSegmentTakes)
     });
   std::cout << taken << " values\n";
   EXPECT_GT(taken, 5000);
+}
+
+/// Where a rounding error of the map is 1e5 or 1e8 of one in xi.
+TEST(EdgeBounds, MayTakeWhatSegmentsOfFlatElementsTake)
+{
+  Random random(76);
+  int taken = 0;
+  for (const Shape shape : kShapes)
+  {
+    for (const int order : { 1, 2, 3 })
+    {
+      for (const double flat : { 1e-5, 1e-8 })
+      {
+        SCOPED_TRACE(
+          ::testing::Message() << Name(shape) << ", map of order " << order << ", flat " << flat);
+        const EdgeCase one(shape, order, order + 1, random, flat);
+        for (int k = 0; k < 20; ++k)
+        {
+          const Vec3 xi = random.Inside(shape);
+          const Vec3 from = one.PointAt(xi);
+          const Vec3 to = one.PointAt(xi + std::pow(10.0, random(-4.0, -1.0)) * Direction(random));
+          const auto known = one.Located(from);
+          if (!known)
+          {
+            continue;
+          }
+          for (const Quad& value : ValuesAlong(one, { from, to }, 0.0, known->xi, 8))
+          {
+            const double taking = static_cast<double>(value);
+            EXPECT_TRUE(one.bounds->MayTake(ValueSet{ { &taking, 1 } },
+              { { from, to }, SlackOf(kEdgeCaseCentre) }, kAnyEffort));
+            ++taken;
+          }
+        }
+      }
+    }
+  }
+  std::cout << taken << " values\n";
+  EXPECT_GT(taken, 1000);
 }
 
 /// Short segments whose values miss the asked one by a hundredth of the range.
@@ -240,8 +281,8 @@ TEST(EdgeBounds, MayTakeIsTight)
         const double missed =
           k % 2 == 0 ? static_cast<double>(*least) - besides : static_cast<double>(*most) + besides;
         ++asked;
-        proven += one.bounds->MayTake(ValueSet{ { &missed, 1 } }, segment.from, segment.to,
-                    SlackOf(kEdgeCaseCentre), true)
+        proven += one.bounds->MayTake(ValueSet{ { &missed, 1 } },
+                    { { segment.from, segment.to }, SlackOf(kEdgeCaseCentre) }, kAnyEffort)
           ? 0
           : 1;
       }
@@ -260,7 +301,8 @@ TEST(EdgeBounds, NothingIsTakenFarOutside)
     const EdgeCase one(shape, 3, 5, random);
     const double value = one.ValueAt(Centre(shape));
     const Vec3 far = kEdgeCaseCentre + Vec3(4.0 * kEdgeCaseSize, 0.0, 0.0);
-    EXPECT_FALSE(one.bounds->MayTake(ValueSet{ { &value, 1 } }, far, far + Vec3(0.1), 1e-12, true));
+    EXPECT_FALSE(one.bounds->MayTake(
+      ValueSet{ { &value, 1 } }, { { far, far + Vec3(0.1) }, 1e-12 }, kAnyEffort));
   }
 }
 
@@ -308,7 +350,8 @@ TEST(EdgeBounds, OfWhatIsNotFiniteNothingIsKnown)
     EXPECT_FALSE(one.bounds->Values().IsFinite());
     EXPECT_FALSE(one.bounds->Along(*a, *b));
     const double value = 0.0;
-    EXPECT_TRUE(one.bounds->MayTake(ValueSet{ { &value, 1 } }, a->x, b->x, 1e-15, true));
+    EXPECT_TRUE(
+      one.bounds->MayTake(ValueSet{ { &value, 1 } }, { { a->x, b->x }, 1e-15 }, kAnyEffort));
     EXPECT_FALSE(std::isfinite(one.bounds->ChangeWithin(*a, 1e-9)));
   }
 }
@@ -330,9 +373,11 @@ TEST(EdgeBounds, ConstantFieldsDeviateByRounding)
     EXPECT_LE(range->deviation, 1e-12) << Name(shape);
     EXPECT_LE(range->error, 1e-12);
     const double value = a->value;
-    EXPECT_TRUE(one.bounds->MayTake(ValueSet{ { &value, 1 } }, a->x, b->x, 1e-15, true));
+    EXPECT_TRUE(
+      one.bounds->MayTake(ValueSet{ { &value, 1 } }, { { a->x, b->x }, 1e-15 }, kAnyEffort));
     const double missed = value + 1e-9;
-    EXPECT_FALSE(one.bounds->MayTake(ValueSet{ { &missed, 1 } }, a->x, b->x, 1e-15, true));
+    EXPECT_FALSE(
+      one.bounds->MayTake(ValueSet{ { &missed, 1 } }, { { a->x, b->x }, 1e-15 }, kAnyEffort));
   }
 }
 } // namespace pixelexact::testing

@@ -342,6 +342,8 @@ TEST(ContourFilter, WrongUseIsAnError)
   EXPECT_TRUE(has(errorOf([](Filter f) { f->SetFieldName("g"); }), "'g'; there are: f"));
   EXPECT_TRUE(has(errorOf([](Filter f) { f->SetComponent(1); }), "component 1"));
   EXPECT_TRUE(has(errorOf([](Filter f) { f->SetTolerance(-1.0); }), "tolerance"));
+  // Chords as short as that would take all memory.
+  EXPECT_TRUE(has(errorOf([](Filter f) { f->SetTolerance(1e-13); }), "1e-10"));
   EXPECT_TRUE(has(errorOf([](Filter f) { f->SetValue(0, std::nan("")); }), "finite"));
   const auto zero = PlaneAt(0.0);
   zero->SetNormal(0.0, 0.0, 0.0);

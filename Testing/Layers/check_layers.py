@@ -43,7 +43,7 @@ ALLOWED = {
 VTK_FREE = {"Core", "Formats", "Trace"}
 
 # Folders from which the compiler resolves includes; sources below are the ones checked.
-INCLUDE_ROOTS = ["Module", "Filters", "Rendering"]
+INCLUDE_ROOTS = ["Module", "Filters", "Rendering", "ParaView/Representation"]
 SUFFIXES = {".h", ".cxx", ".txx"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
@@ -57,7 +57,9 @@ def room(path):
     if parts[0] == "Filters":
         return "Formats" if parts[1] == "Formats" else "Filters"
     if parts[0] == "Rendering":
-        return parts[1] if parts[1] in ("Trace", "Tools", "ParaView") else "Rendering"
+        return parts[1] if parts[1] in ("Trace", "Tools") else "Rendering"
+    if parts[0] == "ParaView":
+        return "ParaView"
     return None
 
 

@@ -22,6 +22,9 @@ class Contours(unittest.TestCase):
         self.assertEqual(mapper.GetNumberOfContours(), 0)
         mapper.GenerateContourValues(3, (0, 1))
         self.assertEqual(mapper.GetContourValues(), (0, 0.5, 1))
+        # Both ends, where 49 * (1 / 49) is less than 1.
+        mapper.GenerateContourValues(50, 0, 1)
+        self.assertEqual((mapper.GetContourValue(0), mapper.GetContourValue(49)), (0, 1))
         mapper.GenerateContourValues(1, 0.25, 5)
         self.assertEqual(mapper.GetContourValues(), (0.25,))
         mapper.SetContourValue(2, 7)
@@ -38,10 +41,12 @@ class Contours(unittest.TestCase):
         mapper.GenerateContourValues(3, 0, 1)
         mapper.SetContourWidth(3)
         mapper.ContourLabelsOn()
+        mapper.ContourInteriorOn()
         copy.ShallowCopy(mapper)
         self.assertEqual(copy.GetContourValues(), (0, 0.5, 1))
         self.assertEqual(copy.GetContourWidth(), 3)
         self.assertTrue(copy.GetContourLabels())
+        self.assertTrue(copy.GetContourInterior())
         self.assertIn("ContourWidth: 3", str(copy))
 
     def test_a_window_shows_them_and_tells_of_them(self):

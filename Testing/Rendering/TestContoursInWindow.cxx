@@ -200,6 +200,90 @@ TEST_F(ContoursInWindow, ColorsAreOfEachValueOrTheTables)
   EXPECT_EQ(count({ 0, 0, 0 }), 0);
 }
 
+/// A value that is set twice is a line that is drawn, and labelled, once.
+TEST_F(ContoursInWindow, AreDrawnOnceForEachValue)
+{
+  const auto picture = [&]
+  {
+    View.Render();
+    std::vector<Rgb> colors;
+    for (int i = 0; i < Window::kWidth * Window::kHeight; ++i)
+    {
+      colors.push_back(View.Color(i % Window::kWidth, i / Window::kWidth));
+    }
+    return colors;
+  };
+  for (const bool labels : { false, true })
+  {
+    Scene.Mapper->SetContourLabels(labels);
+    Scene.Mapper->RemoveColorsOfContours();
+    Scene.Mapper->GenerateContourValues(1, 0.25, 0.25);
+    const std::vector<Rgb> once = picture();
+    Scene.Mapper->GenerateContourValues(3, 0.25, 0.25);
+    EXPECT_TRUE(picture() == once) << labels;
+    Scene.Mapper->SetColorOfContour(1, 1.0, 0.0, 0.0);
+    EXPECT_TRUE(picture() == once) << labels;
+  }
+}
+
+/// A surface of one colour has lines by the table as well, of the component that it chooses.
+TEST_F(ContoursInWindow, ColorsAreTheTablesWhereTheSurfaceHasOne)
+{
+  Scene.Mapper->SetContourValue(0, 0.5);
+  Scene.Mapper->SetContourWidth(6.0);
+  Scene.Mapper->ContourScalarVisibilityOn();
+  const int gray = static_cast<int>(std::lround(255.0 * (0.5 + 1.0) / 3.0));
+  const auto count = [&](int wanted)
+  {
+    View.Render();
+    int found = 0;
+    for (int i = 0; i < Window::kWidth * Window::kHeight; ++i)
+    {
+      found +=
+        std::abs(View.Color(i % Window::kWidth, i / Window::kWidth)[0] - wanted) <= 1 ? 1 : 0;
+    }
+    return found;
+  };
+  EXPECT_GT(count(gray), 50);
+  // A range that follows from the field, as where the surface is coloured.
+  Scene.Mapper->SetRangeModeToField();
+  Scene.Mapper->ScalarVisibilityOn();
+  View.Render();
+  const std::vector<double> range(
+    Scene.Mapper->GetScalarRange(), Scene.Mapper->GetScalarRange() + 2);
+  Scene.Mapper->SetScalarRange(-7.0, 8.0);
+  Scene.Mapper->SetRangeModeToField();
+  Scene.Mapper->ScalarVisibilityOff();
+  EXPECT_GT(
+    count(static_cast<int>(std::lround(255.0 * (0.5 - range[0]) / (range[1] - range[0])))), 50);
+  EXPECT_EQ(std::vector<double>(Scene.Table->GetRange(), Scene.Table->GetRange() + 2), range);
+  // And of a layer.
+  Scene.Mapper->ScalarVisibilityOn();
+  Scene.Mapper->SetScalarRange(-1.0, 2.0);
+  Scene.Mapper->SetCutFunction(nullptr);
+  vtkNew<vtkHighOrderLayer> layer;
+  layer->SetCutFunction(Scene.Function);
+  layer->ScalarVisibilityOff();
+  Scene.Mapper->AddLayer(layer);
+  EXPECT_GT(count(gray), 50);
+}
+
+TEST_F(ContoursInWindow, AreOfTheTablesComponentWhereTheSurfaceHasOneColor)
+{
+  Scene.Mapper->SetFieldName("v");
+  Scene.Mapper->SetContourValue(0, 1.25);
+  Scene.Table->SetVectorModeToMagnitude();
+  View.Render();
+  const vtkIdType solid = Scene.Mapper->GetNumberOfContourPixels();
+  Scene.Mapper->ScalarVisibilityOn();
+  View.Render();
+  const vtkIdType ofMagnitude = Scene.Mapper->GetNumberOfContourPixels();
+  Scene.Table->SetVectorModeToComponent();
+  View.Render();
+  ASSERT_NE(Scene.Mapper->GetNumberOfContourPixels(), ofMagnitude);
+  EXPECT_EQ(solid, ofMagnitude);
+}
+
 TEST_F(ContoursInWindow, OfLayersAreTheirOwn)
 {
   Scene.Mapper->SetCutFunction(nullptr);
@@ -220,6 +304,21 @@ TEST_F(ContoursInWindow, OfLayersAreTheirOwn)
   View.Render();
   EXPECT_EQ(Scene.Mapper->GetNumberOfContourPixels(), 0);
   EXPECT_EQ(Scene.Mapper->GetNumberOfTraces(), 1);
+  // In the mapper's colour, whatever colours single ones of its own have.
+  layer->ContourVisibilityOn();
+  Scene.Mapper->SetContourWidth(6.0);
+  for (const int own : { 1, 0 })
+  {
+    Scene.Mapper->SetNumberOfContours(own);
+    Scene.Mapper->SetColorOfContour(0, 1.0, 0.0, 0.0);
+    View.Render();
+    int black = 0;
+    for (int i = 0; i < Window::kWidth * Window::kHeight; ++i)
+    {
+      black += View.Color(i % Window::kWidth, i / Window::kWidth) == Rgb{ 0, 0, 0 } ? 1 : 0;
+    }
+    EXPECT_GT(black, 50) << own;
+  }
 }
 
 /// Lines are on the nearest sheet and go with it.
@@ -309,6 +408,9 @@ TEST_F(ContoursInWindow, LabelsThatAreNotWrittenAreTold)
   behind->SetNormal(0.0, 0.0, 1.0);
   Scene.Mapper->AddCutFunction(behind);
   EXPECT_TRUE(Contains(Complaint(), "ContourLabels")) << Errors->Text;
+  // Not even then a size that they cannot have.
+  Scene.Mapper->SetContourLabelSize(5);
+  EXPECT_TRUE(Contains(Complaint(), "6 to 72")) << Errors->Text;
 }
 
 TEST(ContourLabels, AreShortAndTellValuesApart)

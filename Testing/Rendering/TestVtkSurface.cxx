@@ -8,8 +8,10 @@
 #include "vtkCylinder.h"
 #include "vtkImplicitBoolean.h"
 #include "vtkImplicitTorus.h"
+#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
 #include "vtkPerspectiveTransform.h"
 #include "vtkPlane.h"
 #include "vtkPlanes.h"
@@ -35,6 +37,19 @@ vtkNew<vtkPlane> MakePlane()
   plane->SetNormal(kNormal);
   return plane;
 }
+
+/// By name and what it does, the plane of ParaView's widgets: an offset along the normal.
+class vtkPVPlane : public vtkPlane
+{
+public:
+  static vtkPVPlane* New() { VTK_STANDARD_NEW_BODY(vtkPVPlane); }
+  vtkTypeMacro(vtkPVPlane, vtkPlane);
+  using vtkPlane::EvaluateFunction;
+  double EvaluateFunction(double x[3]) override
+  {
+    return this->vtkPlane::EvaluateFunction(x) - 0.25 * vtkMath::Norm(this->Normal);
+  }
+};
 
 /// A row of numbers times (x, 1).
 long double Apply(const std::array<long double, 4>& row, const LongVec3& x)
@@ -122,6 +137,20 @@ void ExpectZeros(vtkHomogeneousTransform* transform)
   EXPECT_GT(certain, 500);
 }
 } // namespace
+
+TEST(VtkSurface, ParaViewsPlaneIsAPlane)
+{
+  vtkNew<vtkPVPlane> plane;
+  plane->SetOrigin(kOrigin);
+  plane->SetNormal(kNormal);
+  const auto surface = ToSurface(plane);
+  EXPECT_TRUE(surface->IsFlat());
+  // Where n . (x - o) = |n| / 4.
+  Ray ray;
+  ray.origin = { kOrigin[0], kOrigin[1], kOrigin[2] };
+  ray.direction = glm::normalize(Vec3(kNormal[0], kNormal[1], kNormal[2]));
+  EXPECT_NEAR(HitsOf(*surface, ray).at(0).t, 0.25, 1e-15);
+}
 
 TEST(VtkSurface, PlaneWithAndWithoutTransform)
 {

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Installs what PixelExact needs on Debian 12 or newer, and only what is missing.
 #
-#   install-dependencies.sh            to build and run
-#   install-dependencies.sh --testing  to test as well
+#   install-dependencies.sh                    to build and run
+#   install-dependencies.sh --testing          to test as well
+#   install-dependencies.sh --paraview PREFIX  to build the ParaView plugin: unpacks ParaView below PREFIX
 set -euo pipefail
 
 packages=(
@@ -17,6 +18,11 @@ if [[ "${1:-}" == --testing ]]; then
     libmpfr-dev python3-numpy valgrind xauth xvfb
   )
 fi
+prefix=""
+if [[ "${1:-}" == --paraview ]]; then
+  prefix=${2:?"--paraview PREFIX: where to unpack ParaView"}
+  packages+=(libqt5help5 libqt5opengl5 python3-numpy xauth xvfb)
+fi
 
 missing=()
 for package in "${packages[@]}"; do
@@ -25,14 +31,27 @@ for package in "${packages[@]}"; do
     missing+=("$package")
   fi
 done
-if [[ ${#missing[@]} -eq 0 ]]; then
-  exit 0
-fi
-
 as_root=()
 if [[ $EUID -ne 0 ]]; then
   as_root=(sudo)
 fi
-"${as_root[@]}" apt-get update -q
-"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
-  apt-get install -q -y --no-install-recommends "${missing[@]}"
+if [[ ${#missing[@]} -gt 0 ]]; then
+  "${as_root[@]}" apt-get -o Acquire::Retries=3 update -q
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+    apt-get -o Acquire::Retries=3 install -q -y --no-install-recommends "${missing[@]}"
+fi
+
+# Unpacked and not installed: python3-paraview conflicts with python3-vtk9, which libvtk9-dev needs.
+if [[ -n "$prefix" && ! -e "$prefix/complete" ]]; then
+  mkdir -p "$prefix/packages"
+  cd "$prefix/packages"
+  apt-get -o Acquire::Retries=3 download paraview paraview-dev python3-paraview || {
+    "${as_root[@]}" apt-get -o Acquire::Retries=3 update -q
+    apt-get -o Acquire::Retries=3 download paraview paraview-dev python3-paraview
+  }
+  for package in *.deb; do
+    dpkg -x "$package" ..
+    rm "$package"
+  done
+  touch ../complete
+fi

@@ -7,6 +7,7 @@
 #   frames        made meshes by shape, order, elements and pixels; against the bare kernel
 #   suite         real data: three planes of each larger case; against the bare kernel
 #   surfaces      curved surfaces beside planes, on real data; what a pipeline adds to a frame
+#   contours      what they add to frames of real data, and the paper's algorithm beside ours
 #   instructions  counted under callgrind
 #   baselines     vtkProbeFilter, VTK's window, loading
 #   careful-path  its share in the files of Data/ and the larger cases
@@ -23,7 +24,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 build=${PIXELEXACT_BUILD:-build}
-all=(frames suite surfaces instructions baselines careful-path slowest-point face-points stability adversary
+all=(frames suite surfaces contours instructions baselines careful-path slowest-point face-points stability adversary
   collapsed history enclosures ranges curved oracles)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -63,6 +64,16 @@ run_surfaces() {
   echo '```' >>"$scratch/output"
   measure "$build/bin/PixelExactBenchmarks" --benchmark_filter=Pipelines
   echo '```' >>"$scratch/output"
+  table
+}
+run_contours() {
+  title="Contours on real data"
+  local script=Testing/Benchmarks/contours.py
+  measure "$script" "$build/bin/pixelexact" ../shared/data --scratch "$scratch"
+  printf '\n500 x 500 pixels, 10 values: pixels undecided, and seconds of a frame; the project'"'"'s own, then the\npaper'"'"'s algorithm at 0 to 8 subdivisions.\n\n' >>"$scratch/output"
+  measure "$script" "$build/bin/pixelexact" ../shared/data --levels --size 500 --repeat 1 \
+    --scratch "$scratch" --only fichera_hex_g3 toroid_hex_g3_p6 toroid_prism escher_tet_p3 escher_tet_p8 \
+    cylinder_hexprism
   table
 }
 run_instructions() {

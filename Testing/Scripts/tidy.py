@@ -1,23 +1,25 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Reads sources with clang-tidy: those that changed, those that include what changed, and a third
-of the rest, so that three runs in a row read everything.
+"""Reads sources with clang-tidy: those that changed and those that include what changed first, then
+the rest, in another order for each commit, until the time is used up.
 
-    tidy.py BUILD [--all]    BUILD holds compile_commands.json; --all: every source
-    tidy.py --advance        before a new piece of work: what is committed now has been read,
-                             and the next third is due
+    tidy.py BUILD [--seconds S]    BUILD holds compile_commands.json; without S every source is read
+    tidy.py --advance              before a new piece of work: what is committed now has been read
 
-tidy.json records the commit up to which changes have been read, and which third is due. Everything
-is read where clang-tidy's configuration or version or the dependencies changed, and where the
-record is too old to say.
+tidy.json records the commit up to which changes have been read, and by which clang-tidy. Where that
+cannot be told, or the configuration or the dependencies changed, no source comes first. How many
+were not read is told; it is not a failure.
 """
 
 import argparse
+import concurrent.futures
 import json
+import os
 import pathlib
 import re
 import subprocess
 import sys
+import time
 import zlib
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -25,9 +27,6 @@ sys.path.insert(0, str(ROOT / "Testing" / "Layers"))
 from check_layers import INCLUDE, INCLUDE_ROOTS, SUFFIXES, resolve  # noqa: E402
 
 RECORD = ROOT / "Testing" / "Scripts" / "tidy.json"
-PARTS = 3
-# A record that nobody advances must not leave two thirds unread for ever.
-MAX_COMMITS = 100
 # What every source depends on.
 CONFIGURATION = {
     ".clang-tidy",
@@ -57,8 +56,6 @@ def version():
 def changed_since(base):
     """Paths that differ from `base`, uncommitted ones included; None where that cannot be told."""
     if git("merge-base", "--is-ancestor", base, "HEAD") is None:
-        return None
-    if int(git("rev-list", "--count", f"{base}..HEAD")) > MAX_COMMITS:
         return None
     tracked = git("diff", "--name-only", base)
     new = git("ls-files", "--others", "--exclude-standard")
@@ -93,31 +90,46 @@ def with_includers(paths):
     return reached
 
 
-def select(sources, record):
-    """The sources to read, and why as a sentence."""
+def order(sources, record):
+    """The sources in the order in which they are read, how many of them are due, and why."""
     changed = changed_since(record["base"])
+    due = set()
     if changed is None:
-        return sources, "everything: no recent record of what has been read"
-    reasons = sorted(changed & CONFIGURATION)
-    if record["clang-tidy"] != version():
-        reasons.append(f"clang-tidy {version()}")
-    if reasons:
-        return sources, "everything: changed is " + ", ".join(reasons)
-    reached = with_includers(changed)
-    own = [s for s in sources if s in reached]
-    due = [s for s in sources if zlib.crc32(s.encode()) % PARTS == record["part"]]
-    chosen = sorted(set(own) | set(due))
-    return chosen, f"{len(own)} changed or including what changed, and part {record['part']}"
+        reason = "no record of what has been read"
+    elif record["clang-tidy"] != version():
+        reason = f"clang-tidy {version()}"
+    elif changed & CONFIGURATION:
+        reason = "changed is " + ", ".join(sorted(changed & CONFIGURATION))
+    else:
+        due = with_includers(changed)
+        reason = "changed, or including what changed"
+    seed = git("rev-parse", "HEAD") or ""
+    rest = sorted((s for s in sources if s not in due), key=lambda s: zlib.crc32((seed + s).encode()))
+    first = [s for s in sources if s in due] or rest
+    return first + (rest if due else []), len(first), reason
 
 
-def advance(record):
-    record["base"] = git("rev-parse", "HEAD")
-    record["part"] = (record["part"] + 1) % PARTS
-    record["clang-tidy"] = version()
+def advance():
+    record = {"base": git("rev-parse", "HEAD"), "clang-tidy": version()}
     RECORD.write_text(json.dumps(record, indent=2) + "\n", encoding="utf-8")
 
 
-def read(build, choose_all):
+def read_one(folder, path):
+    """Whether clang-tidy is content with one source."""
+    # One of Highway's instruction sets is enough to read a kernel.
+    run = subprocess.run(
+        ["clang-tidy", "-quiet", "-p", str(folder), "-extra-arg=-DHWY_COMPILE_ONLY_STATIC"]
+        + [str(ROOT / path)],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    if run.returncode != 0:
+        print(run.stdout + run.stderr, flush=True)
+    return run.returncode == 0
+
+
+def read(build, seconds):
     commands = json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))
     for command in commands:
         command["command"] = PRECOMPILED.sub("", command["command"])
@@ -130,17 +142,23 @@ def read(build, choose_all):
         if pathlib.Path(c["file"]).resolve().is_relative_to(ROOT)
     }
     sources = sorted(path for path in relative if OWN_SOURCE.match(path))
-    record = json.loads(RECORD.read_text(encoding="utf-8"))
-    chosen, reason = (sources, "all were asked for") if choose_all else select(sources, record)
-    print(f"{len(chosen)} of {len(sources)} sources: {reason}", flush=True)
-    if not chosen:
-        return 0
-    # One of Highway's instruction sets is enough to read a kernel.
-    return subprocess.run(
-        ["run-clang-tidy", "-quiet", "-p", str(folder), "-extra-arg=-DHWY_COMPILE_ONLY_STATIC"]
-        + [f"^{re.escape(str(ROOT / path))}$" for path in chosen],
-        check=False,
-    ).returncode
+    ordered, due, reason = order(sources, json.loads(RECORD.read_text(encoding="utf-8")))
+    print(f"{due} of {len(sources)} sources are due: {reason}", flush=True)
+    end = None if seconds is None else time.monotonic() + seconds
+
+    def visit(path):
+        if end is not None and time.monotonic() > end:
+            return None
+        return read_one(folder, path)
+
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        results = list(pool.map(visit, ordered))
+    wrong = [path for path, good in zip(ordered, results) if good is False]
+    unread = results.count(None)
+    print(f"{len(sources) - unread} read, {len(wrong)} with findings, {unread} not read for want of time")
+    for path in wrong:
+        print(f"  {path}")
+    return 1 if wrong else 0
 
 
 def main():
@@ -148,15 +166,15 @@ def main():
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
     parser.add_argument("build", nargs="?", type=pathlib.Path)
-    parser.add_argument("--all", action="store_true")
+    parser.add_argument("--seconds", type=float)
     parser.add_argument("--advance", action="store_true")
     arguments = parser.parse_args()
     if arguments.advance:
-        advance(json.loads(RECORD.read_text(encoding="utf-8")))
+        advance()
         return 0
     if arguments.build is None:
         parser.error("BUILD is missing")
-    return read(arguments.build.resolve(), arguments.all)
+    return read(arguments.build.resolve(), arguments.seconds)
 
 
 if __name__ == "__main__":

@@ -26,6 +26,18 @@ class Bench(ToolTest):
         self.assertGreater(summary["stages"]["inversion"], 0)
         self.assertLessEqual(sum(stages), summary["staged_frame_seconds"])
 
+    def test_contours(self):
+        shot = [case("escher_tet_g3_p3"), "--field", "u", *MIDDLE, "--size", "60x60"]
+        shot += ["--contours", "-0.2,0,0.1"]
+        found = self.summary("bench", *shot, "--repeat", "3")["contours"]
+        render = self.summary("render", *shot, "--output", self.folder / "image.png")
+        for key in ["in", "out", "undecided"]:
+            self.assertEqual(found[key], render["contours"]["pixels"][key])
+        self.assertEqual(len(found["frame_seconds"]), 3)
+        self.assertGreater(found["ratio_to_frame"], 1)
+        self.fails(2, "bench", *shot, "--contour-labels", "12", names=["--contour-labels"])
+        self.fails(2, "bench", "--contours", "3", names=["--contours", "without an INPUT"])
+
     def test_nothing_to_measure(self):
         base = ["bench", case("escher_tet_g3_p3"), "--field", "u", "--size", "9x9"]
         summary = self.summary(*base, "--plane", "0,0,9,0,0,1")
@@ -51,7 +63,6 @@ class Bench(ToolTest):
         self.fails(2, "bench", source, *MIDDLE, "--elements", 5, names=["--elements", "no effect"])
         for words in [MIDDLE, ["--field", "u"], ["--colormap", "jet"], ["--outlines"]]:
             self.fails(2, "bench", *words, names=[words[0], "without an INPUT"])
-        self.fails(2, "bench", case("escher_tet_g3_p3"), "--field", "u", names=["--plane"])
         base = ["bench", case("escher_tet_g3_p3"), "--field", "u"]
         self.fails(2, *base, *MIDDLE, "--repeat", "0", names=["--repeat"])
 

@@ -63,6 +63,15 @@ class ContourFile(ToolTest):
         np.testing.assert_allclose(of["ContourValue"], [0.25, 0.5, 0.75], atol=1e-12)
         self.assertEqual(len(set(np.round(points[:, 0], 12))), 3)
 
+    def test_the_magnitude_of_a_scalar_is_the_scalar(self):
+        # As in the picture, where values below 0 are seen.
+        cut = ["--field", "u", "--plane", "0,0,0.02,0,0,1", "--component", "magnitude"]
+        self.succeeds("render", case("toroid_hex_g3_p6"), *cut, "--contours", "-0.3,0.3", *self.more)
+        _, at, of = read_lines(self.lines)
+        self.assertEqual(set(of["ContourValue"]), {-0.3, 0.3})
+        self.assertLess(np.abs(np.abs(at["u"]) - 0.3).max(), 1e-14)
+        self.assertLess(at["u"].min(), -0.29)
+
     def test_what_is_not_honoured_is_refused(self):
         base = ["render", case("escher_tet_g3_p3"), "--field", "u", *self.more]
         plane = ["--plane", "0,0,0,0,0,1"]

@@ -86,6 +86,18 @@ class Contours(ToolTest):
         self.assertNotIn("Contour", buffers)
         self.fails(2, *self.words(*HALF, "--arrays", "Contour"), names=["Contour", "--contours"])
 
+    def test_loops_inside_of_pixels(self):
+        plain, _, _ = self.picture("--contours", "0.5025,0.25")
+        summary, buffers, _ = self.picture("--contours", "0.5025,0.25", "--interior")
+        pixels = summary["contours"]["pixels"]
+        self.assertEqual(sorted(pixels), ["in", "jumps", "loops", "out", "undecided"])
+        self.assertEqual(pixels["loops"], 0)
+        self.assertEqual(pixels["in"], plain["contours"]["pixels"]["in"])
+        self.assertEqual((buffers["Contour"] == 1).sum(), pixels["in"])
+        self.fails(2, *self.words(*HALF, "--contours", "3", "--interior", "--certifier",
+                                  "interval"), names=["--interior", "--certifier"])
+        self.fails(2, *self.words(*HALF, "--interior"), names=["--interior", "--contours"])
+
     def test_values_that_are_not_seen(self):
         summary, buffers, image = self.picture("--contours", "-1,0.5,2")
         self.assertEqual(summary["contours"]["outside"], 2)
@@ -93,6 +105,14 @@ class Contours(ToolTest):
         self.assertIn("there are no lines", result.stderr)
         self.assertIn("2 values, 2 of them not among those that are seen", result.stdout)
         self.assertTrue((read_image(self.folder / "i.png") == 255).all())
+
+    def test_a_line_between_the_values_at_centres_is_not_denied(self):
+        # One pixel from x = 0.1 to 0.9.
+        pixel = View([0.5, 0.5, 3.0], [0.5, 0.5, 0.0], [0.0, 1.0, 0.0], 1, 1, scale=0.4).options()
+        result = self.succeeds(*self.words(*HALF, *pixel, *WHITE, "--contours", "0.75"))
+        self.assertIn("1 pixel in", result.stdout)
+        self.assertLess(read_image(self.folder / "i.png").min(), 255)
+        self.assertNotIn("no lines", result.stderr)
 
     def test_colours(self):
         red, green = [255, 0, 0], [0, 255, 0]
@@ -116,11 +136,19 @@ class Contours(ToolTest):
         self.assertEqual(image[60, 60].tolist(), [255, 255, 0])
         self.assertEqual(image[2, 2].tolist(), [0, 0, 255])
         for option in [["--colormap", "jet"], ["--color", "1,0,0"], ["--lights", "on"],
-                       ["--nan-color", "1,0,0"], ["--layer", "1:opacity=0.5"]]:
+                       ["--nan-color", "1,0,0"], ["--layer", "1:opacity=0.5"], ["--range", "0,1"],
+                       ["--log"], ["--layer", "1:range=0:1"], ["--samples", "4"]]:
             self.fails(2, *self.words(*HALF, *base, "--contours-only", *option),
                        names=[option[0], "no effect", "--contours-only"])
-        self.succeeds(*self.words(*HALF, *base, "--contours-only", "--contour-color", "map",
-                                  "--colormap", "jet"))
+        self.succeeds(*self.words(*HALF, *VIEW, *base, "--contours-only", "--contour-color", "map",
+                                  "--colormap", "jet", "--range", "0,1"))
+        # By a range, values are spaced.
+        self.succeeds(*self.words(*HALF, *VIEW, "--contours", "3", "--contours-only", "--range",
+                                  "0.1,1", "--log"))
+        two = ["--plane", "0.5,0,0,1,0,0", "--contours", "3", "--contours-only", "--range", "0,1"]
+        self.succeeds(*self.words(*HALF, *VIEW, *two, "--layer", "1:contours=0.5"))
+        self.fails(2, *self.words(*HALF, *two, "--layer", "1:contours=0.5,range=0:2"),
+                   names=["--layer", "no effect", "--contours-only"])
 
     def test_layers_with_contours_of_their_own(self):
         two = ["--plane", "0.5,0,0,1,0,0"]
@@ -181,6 +209,18 @@ class Contours(ToolTest):
             self.fails(2, *self.words(*base, f"--contour-labels={size}", source=source),
                        names=["--contour-labels"])
         self.fails(2, *self.words(*HALF, "--contour-labels"), names=["--contours"])
+
+    def test_labels_where_no_pixel_is_proven(self):
+        source = case("toroid_hex_g3_p6")
+        view = View([3.0, 0.0, 2.0], [0.0, 0.0, 0.0], [0.0, 0.0, 1.0], 300, 300,
+                    angle=30).options()
+        base = ["--boundary", *view, "--contours", "7", "--contour-labels=8"]
+        summary = self.summary(*self.words(*base, source=source))
+        self.assertGreater(summary["contours"]["pixels"]["undecided"], 1000)
+        self.assertGreater(summary["contours"]["labels"], 2)
+        # Where these have a colour of their own they have no lines that could be labelled.
+        shown = self.summary(*self.words(*base, "--show-undecided-contours", source=source))
+        self.assertLess(shown["contours"]["labels"], summary["contours"]["labels"])
 
     def test_without_a_field(self):
         source = self.folder / "bare.vtu"

@@ -5,7 +5,7 @@ import unittest
 
 import numpy as np
 
-from tool import CASES, CUBE, ToolTest, case, plain_grid
+from tool import CASES, CUBE, ToolTest, case, oracle, plain_grid, unit_cube_grid
 
 # Shape, number of elements, orders of the geometry, order at which the file stores it, continuity.
 FACTS = {
@@ -45,6 +45,32 @@ class Info(ToolTest):
         field = "u: scalar, order 6, continuous"
         for word in ["48 hexahedra", "order 3", "stored as order 6", field]:
             self.assertIn(word, text)
+
+    def test_ranges(self):
+        rows = [[p[1] - 0.25, 4.0 * p[2], 3.0] for p in CUBE]
+        gap = [p[0] if p[0] < 1.0 else float("nan") for p in CUBE]
+        path = self.write(unit_cube_grid([("u", [p[0] for p in CUBE]), ("v", rows), ("w", gap)]))
+        u, v, w = self.summary("info", path)["fields"]
+        np.testing.assert_allclose(u["ranges"], [[0.0, 1.0]], rtol=0, atol=1e-14)
+        self.assertNotIn("magnitude_range", u)
+        np.testing.assert_allclose(
+            v["ranges"], [[-0.25, 0.75], [0.0, 4.0], [3.0, 3.0]], rtol=0, atol=1e-14)
+        lower, upper = v["magnitude_range"]
+        self.assertAlmostEqual(upper, np.hypot(5.0, 0.75), delta=0.002)
+        self.assertAlmostEqual(lower, 3.0, delta=0.002)
+        self.assertEqual(w["ranges"], [None])
+        text = self.succeeds("info", path).stdout
+        for words in ["values 0 to 1", "component 1 0 to 4", "values not finite"]:
+            self.assertIn(words, text)
+
+    def test_ranges_hold_the_oracle(self):
+        for name in CASES:
+            field = next(f for f in self.summary("info", case(name))["fields"] if f["name"] == "u")
+            (lower, upper), values = field["ranges"][0], oracle(name)["u"]
+            beyond = 1e-3 * (upper - lower)
+            self.assertLess(upper - lower, 3.0 * np.ptp(values), name)
+            self.assertLessEqual(lower - beyond, values.min(), name)
+            self.assertGreaterEqual(upper + beyond, values.max(), name)
 
     def test_bounds(self):
         summary = self.summary("info", case("toroid_hex_g3_p6"))

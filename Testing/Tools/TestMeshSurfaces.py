@@ -24,7 +24,7 @@ class MeshSurfaces(ToolTest):
             self.assertIn("--isosurface", done.stderr)
         for text, names in {
             "w=0.5": ["no field 'w'", "'u'", "'v'"],
-            "v.x=0.5": ["no field 'v.x'"],
+            "v.w=0.5": ["no field 'v.w'"],
             "v.3=0.5": ["component 3", "'v' has 3 components"],
             "u.1=0.5": ["component 1", "'u' has 1 component"],
         }.items():

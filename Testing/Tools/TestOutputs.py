@@ -42,6 +42,20 @@ class Buffers(OutputTest):
         self.succeeds("render", *self.shot, *self.both, *more)
         self.assertEqual(set(read_buffers(self.buffers)), set(names.split(",")))
 
+    def test_pieces_of_a_surface(self):
+        """Of a box the face; of a plane nothing."""
+        names = "Piece,Piece_u,Piece_v"
+        self.succeeds("render", *self.shot, *self.both, "--arrays", names)
+        self.assertEqual(set(read_buffers(self.buffers)["Piece"].ravel()), {-1})
+        shot = [case("escher_tet_g3_p3"), "--field", "u", "--size", "60x50"]
+        box = ["--box", "-0.4,-0.4,-0.4,0.4,0.4,0.4"]
+        view = ["--camera-position", "3,2,4", "--focal-point", "0,0,0"]
+        self.succeeds("render", *shot, *box, *view, *self.both, "--arrays", names)
+        some = read_buffers(self.buffers)
+        self.assertEqual(list(some), names.split(","))
+        faces = set(some["Piece"].ravel()) - {-1}
+        self.assertTrue(faces and faces <= set(range(6)), faces)
+
     def test_names_of_none(self):
         base = ["render", *self.shot, *self.both]
         for names in ["value", "Value,", "Values", "Value Verdict"]:

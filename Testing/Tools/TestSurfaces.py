@@ -297,7 +297,7 @@ class Layers(SurfaceTest):
             ("1:colormap=nope", "viridis"),
             ("1:range=2:1", "below"),
             ("1:color=1:2", "red:green:blue"),
-            ("1:component=x", "magnitude"),
+            ("1:component=w", "magnitude"),
             ("1:lights=maybe", "on or off"),
         ]:
             done = run(

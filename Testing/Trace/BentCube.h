@@ -180,7 +180,7 @@ inline Sight SightOf(const CameraView& view, int width, int height, const LongHi
       }
       if (depth > 0)
       {
-        return TrueSight{ k, value(x, *u) };
+        return TrueSight{ SheetOf(k, all), value(x, *u) };
       }
     }
     return std::nullopt;

@@ -145,7 +145,8 @@ TEST(SampleBuffers, AreThereWhenAskedFor)
     { Buffer::Depth, { "Depth" } }, { Buffer::Verdict, { "Verdict" } },
     { Buffer::Coverage, { "Owners", "Coverage" } },
     { Buffer::Enclosure, { "Value_lower", "Value_upper" } }, { Buffer::Layer, { "Layer" } },
-    { Buffer::Color, {} }, { Buffer::None, {} } };
+    { Buffer::Piece, { "Piece", "Piece_u", "Piece_v" } }, { Buffer::Color, {} },
+    { Buffer::None, {} } };
   SampleBuffers samples;
   for (const auto& [buffer, names] : rows)
   {
@@ -198,7 +199,7 @@ TEST(SampleBuffers, OfFramesAreThoseThatWereAskedFor)
   const Camera camera(ObliqueView(), 9, 7);
   for (const Buffer buffer :
     { Buffer::Value, Buffer::Position, Buffer::Normal, Buffer::Xi, Buffer::Element, Buffer::Depth,
-      Buffer::Verdict, Buffer::Coverage, Buffer::Enclosure, Buffer::Layer })
+      Buffer::Verdict, Buffer::Coverage, Buffer::Enclosure, Buffer::Layer, Buffer::Piece })
   {
     const Frame frame = Trace(scene.TheScene, camera, {}, { .centres = buffer });
     const Frame corners = Trace(scene.TheScene, camera, {}, { .corners = buffer });

@@ -4,7 +4,7 @@
 
 #include "Trace/Contours/LayerBounds.h"
 #include "Trace/Surfaces/Quadric.h"
-#include "Trace/Surfaces/Torus.h"
+#include "Trace/Surfaces/SearchedSurface.h"
 #include "Trace/TileVisit.h"
 
 #include <glm/geometric.hpp>
@@ -147,7 +147,7 @@ Sight BlockSight(const CameraView& view, const LongHits& hits,
       const LongVec3 x = Plus(ray.origin, Times(all[k], ray.direction));
       if (all[k] > 0 && Largest(x) < 1)
       {
-        return TrueSight{ k, value(x) };
+        return TrueSight{ SheetOf(k, all), value(x) };
       }
     }
     return std::nullopt;
@@ -322,14 +322,30 @@ TEST(ContourCertifier, MagnitudesAreProven)
   EXPECT_GT(in, 20);
 }
 
-TEST(ContourCertifier, ToriAreUndecidedWhereShown)
+/// Of surfaces that are searched for, nothing is known between two hits.
+TEST(ContourCertifier, SearchedSurfacesAreUndecidedWhereShown)
 {
   Block block;
   const Field& field = block.Add(1, [](const LongVec3& x, long double* u) { u[0] = x[0]; });
-  const Scene torus{ block.TheScene.locator,
-    { { std::make_shared<Torus>(Vec3(0.0), Vec3(0.0, 0.0, 1.0), 0.6, 0.25), &field, 0 } }, {} };
-  const Frame frame = Trace(torus, Camera(Oblique(), kWidth, kHeight), {}, { .corners = kAll });
-  const auto verdicts = VerdictsOf(torus, { 0.25 });
+  class Ball final : public SampledFunction
+  {
+  public:
+    void Evaluate(std::span<const Vec3> x, std::span<double> values) const override
+    {
+      std::ranges::transform(
+        x, values.begin(), [](const Vec3& at) { return glm::dot(at, at) - 0.5; });
+    }
+    void Gradients(std::span<const Vec3> x, std::span<Vec3> gradients) const override
+    {
+      std::ranges::copy(x, gradients.begin());
+    }
+  };
+  const Scene searched{ block.TheScene.locator,
+    { { std::make_shared<SearchedSurface>(std::make_shared<Ball>(), Box3{ Vec3(-1.0), Vec3(1.0) }),
+      &field, 0 } },
+    {} };
+  const Frame frame = Trace(searched, Camera(Oblique(), kWidth, kHeight), {}, { .corners = kAll });
+  const auto verdicts = VerdictsOf(searched, { 0.25 });
   int shown = 0;
   for (int y = 0; y < kHeight; ++y)
   {
@@ -347,7 +363,7 @@ TEST(ContourCertifier, ToriAreUndecidedWhereShown)
     }
   }
   EXPECT_GT(shown, 200);
-  const auto beyond = VerdictsOf(torus, { 7.0 });
+  const auto beyond = VerdictsOf(searched, { 7.0 });
   EXPECT_EQ(std::ranges::count(beyond, kOut), kWidth * kHeight);
 }
 

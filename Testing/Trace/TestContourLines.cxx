@@ -414,7 +414,7 @@ private:
 };
 } // namespace
 
-/// Undecided pixels have a line, or a colour of their own.
+/// Undecided pixels have what there is of lines between corners, or a colour of their own.
 TEST(ContourLines, AreDrawnWhereItIsUndecided)
 {
   Block block;
@@ -530,5 +530,14 @@ TEST(ContourLines, RefuseWhatTheyCannotDraw)
   EXPECT_THROW(ContourLines(certifier, {}, {}), Error);
   EXPECT_THROW(ContourLines(certifier, {}, { { kBlack, kRed, kGreen } }), Error);
   EXPECT_NO_THROW(ContourLines(certifier, {}, { { kBlack, kRed } }));
+  // One list of values for two layers, and three.
+  const LayeredScene layered(false);
+  const ColorMapping ofLayers = LayeredColors();
+  for (const std::size_t lists : { 1U, 3U })
+  {
+    Contours others({ 1.0 }, 1.5, lists);
+    EXPECT_THROW(Trace(layered.TheScene, Camera(ObliqueView(), 20, 20), others.On(ofLayers)), Error)
+      << lists;
+  }
 }
 } // namespace pixelexact::testing

@@ -29,7 +29,7 @@ struct Placed
   [[nodiscard]] std::vector<ContourPlace> Labels(const LabelSize& size) const
   {
     return PlaceLabels(
-      frame, camera, certifier, { std::vector(certifier.Values()[0].size(), size) });
+      frame, camera, certifier, { std::vector(certifier.Values()[0].size(), size) }, false);
   }
 
   Scene& scene;
@@ -110,6 +110,6 @@ TEST(ContourPlaces, AreNoneWhereThereIsNothing)
   Block block;
   const Placed placed(block, { 500.0 });
   EXPECT_TRUE(placed.Labels({ 24.0, 10.0 }).empty());
-  EXPECT_TRUE(PlaceLabels({}, placed.camera, placed.certifier, { { LabelSize{} } }).empty());
+  EXPECT_TRUE(PlaceLabels({}, placed.camera, placed.certifier, { { LabelSize{} } }, true).empty());
 }
 } // namespace pixelexact::testing

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How far faces and iso-surfaces are off chords, against closed forms in long double.
 #include "BentCube.h"
-#include "ChordCheck.h"
 #include "CurvedCheck.h"
+#include "RayPairs.h"
 
 #include <cmath>
 #include <iostream>
@@ -39,9 +39,10 @@ Seen CheckPairs(const Surface& surface, const Truth& truth, const Meeting& meeti
     const double apart = std::pow(10.0, random(-6.0, -1.0));
     const double away = std::pow(10.0, random(0.6, k % 4 == 0 ? 3.0 : 1.5));
     const bool isAcross = k % 3 == 0;
-    const auto across = [&](Random& of) { return meeting(k / 3 % 3, apart * of(), of); };
-    const RayPair pair = isAcross ? RayPair(random, across, away, apart, k % 2 == 0)
-                                  : RayPair(random, away, apart, k % 2 == 0);
+    const bool isParallel = k % 2 == 0;
+    const Pair pair = isAcross
+      ? PairTo(meeting(k / 3 % 3, apart * random(), random), random, away, apart, isParallel)
+      : Pair(random, away, apart, isParallel);
     const std::vector<Ray> rays{ pair.At(0.0), pair.At(1.0) };
     const auto hits = MeetPoints(surface, rays);
     if (hits[0].empty() || hits[1].empty() ||

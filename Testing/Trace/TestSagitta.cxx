@@ -4,8 +4,8 @@
 
 #include "Trace/Surfaces/Plane.h"
 #include "Trace/Surfaces/Quadric.h"
-#include "Trace/Surfaces/Torus.h"
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -31,17 +31,6 @@ std::vector<Case> AllQuadrics()
     { "ellipsoid", MakeQuadric({ 1.0, 4.0, 9.0, 0.2, 0.0, 0.1, 0.1, 0.0, 0.0, -1.0 }) },
     { "paraboloid", MakeQuadric({ 1.0, 2.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0 }) } };
 }
-
-/// The distance of the hit that is nearest to the segment.
-double NearestHit(const Surface& surface, const Ray& ray, const Vec3& from, const Vec3& to)
-{
-  double nearest = kNoHit;
-  for (const Hit& hit : HitsOf(surface, ray))
-  {
-    nearest = std::min(nearest, DistanceTo(from, to, hit.position));
-  }
-  return nearest;
-}
 } // namespace
 
 /// From near and far, pairs from a millionth to a tenth apart.
@@ -59,7 +48,7 @@ TEST(Sagitta, HoldsHitsBetween)
     {
       const double apart = std::pow(10.0, random(-6.0, -1.0));
       const double away = std::pow(10.0, random(0.3, k % 4 == 0 ? 5.0 : 1.5));
-      const RayPair pair(random, away, apart, k % 2 == 0);
+      const Pair pair(random, away, apart, k % 2 == 0);
       const Ray a = pair.At(0.0);
       const Ray b = pair.At(1.0);
       const auto hitsA = HitsOf(one.surface, a);
@@ -95,6 +84,63 @@ TEST(Sagitta, HoldsHitsBetween)
   }
 }
 
+/// Triangles of rays about as far apart, and rays between them.
+TEST(Sagitta, HoldsHitsOverTriangles)
+{
+  Random random(82);
+  for (const Case& one : AllQuadrics())
+  {
+    SCOPED_TRACE(one.name);
+    int known = 0;
+    for (int k = 0; k < 2000; ++k)
+    {
+      const double apart = std::pow(10.0, random(-6.0, -1.0));
+      Pair pair(random, std::pow(10.0, random(0.3, 1.5)), apart, k % 2 == 0);
+      const Vec3 aside = pair.Step;
+      const Vec3 up =
+        apart * glm::normalize(glm::cross(pair.Target - pair.Eye, aside) + random() * aside);
+      const auto rayAt = [&](double s, double t)
+      {
+        pair.Step = s * aside + t * up;
+        return pair.At(1.0);
+      };
+      const std::array<Ray, 3> rays{ rayAt(0.0, 0.0), rayAt(1.0, 0.0), rayAt(0.0, 1.0) };
+      std::array<Vec3, 3> corners;
+      bool all = true;
+      const std::size_t count = HitsOf(one.surface, rays[0]).size();
+      for (std::size_t i = 0; i < rays.size(); ++i)
+      {
+        const auto hits = HitsOf(one.surface, rays[i]);
+        all = all && !hits.empty() && hits.size() == count;
+        corners[i] = hits.empty() ? Vec3(0.0) : hits.front().position;
+      }
+      const double sagitta =
+        all ? one.surface.SagittaOver(rays, corners) : std::numeric_limits<double>::infinity();
+      if (!std::isfinite(sagitta))
+      {
+        continue;
+      }
+      ++known;
+      const Vec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+      for (int i = 0; i < 8; ++i)
+      {
+        const double s = random(0.0, 1.0);
+        const Ray ray = rayAt(s, random(0.0, 1.0 - s));
+        const double t =
+          glm::dot(corners[0] - ray.origin, normal) / glm::dot(ray.direction, normal);
+        const Vec3 at = ray.origin + t * ray.direction;
+        double nearest = kNoHit;
+        for (const Hit& hit : HitsOf(one.surface, ray))
+        {
+          nearest = std::min(nearest, glm::distance(hit.position, at));
+        }
+        EXPECT_LE(nearest, sagitta + 1e-9 * apart) << "apart " << apart;
+      }
+    }
+    EXPECT_GT(known, 200);
+  }
+}
+
 /// Between the front and the back, and where one ray passes beside, nothing is known.
 TEST(Sagitta, IsInfiniteAcrossSilhouettes)
 {
@@ -123,14 +169,11 @@ TEST(Sagitta, IsInfiniteAcrossSilhouettes)
     right, { HitsOf(cylinder, right).front().position })));
 }
 
-TEST(Sagitta, OfOtherSurfaces)
+TEST(Sagitta, OfPlanes)
 {
   const Ray ray{ Vec3(0.0, 0.0, 5.0), Vec3(0.0, 0.0, -1.0) };
   const Plane plane(Vec3(0.0), Vec3(0.0, 0.0, 1.0));
   EXPECT_TRUE(plane.HasSagitta());
   EXPECT_EQ(plane.Sagitta(ray, { Vec3(0.0) }, ray, { Vec3(0.0) }), 0.0);
-  const Torus torus(Vec3(0.0), Vec3(0.0, 0.0, 1.0), 1.0, 0.3);
-  EXPECT_FALSE(torus.HasSagitta());
-  EXPECT_FALSE(std::isfinite(torus.Sagitta(ray, { Vec3(0.0) }, ray, { Vec3(0.0) })));
 }
 } // namespace pixelexact::testing

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Block.h"
 #include "RayCheck.h"
 #include "SurfaceCheck.h"
+#include "TriangleBall.h"
 
 #include "Core/Base/Error.h"
 #include "Trace/Surfaces/Triangles.h"
@@ -15,45 +17,6 @@ namespace pixelexact::testing
 namespace
 {
 using Triangle = Triangles::Triangle;
-
-/// An octahedron about a centre whose faces are cut in four `level` times, with all corners on the
-/// sphere: convex, and shared to the bit.
-std::vector<Triangle> Ball(int level, const Vec3& centre = Vec3(0.0), double radius = 1.0)
-{
-  std::vector<Triangle> faces;
-  for (int k = 0; k < 8; ++k)
-  {
-    const Vec3 x((k & 1) != 0 ? 1.0 : -1.0, 0.0, 0.0);
-    const Vec3 y(0.0, (k & 2) != 0 ? 1.0 : -1.0, 0.0);
-    const Vec3 z(0.0, 0.0, (k & 4) != 0 ? 1.0 : -1.0);
-    faces.push_back({ x, y, z });
-  }
-  const auto middle = [](const Vec3& a, const Vec3& b)
-  {
-    // Commutative, so that neighbours get the same.
-    return glm::normalize(a + b);
-  };
-  for (int i = 0; i < level; ++i)
-  {
-    std::vector<Triangle> finer;
-    for (const auto& [a, b, c] : faces)
-    {
-      const Vec3 ab = middle(a, b);
-      const Vec3 bc = middle(b, c);
-      const Vec3 ca = middle(c, a);
-      finer.insert(finer.end(), { { a, ab, ca }, { ab, b, bc }, { ca, bc, c }, { ab, bc, ca } });
-    }
-    faces = finer;
-  }
-  for (Triangle& face : faces)
-  {
-    for (Vec3& x : face)
-    {
-      x = centre + radius * x;
-    }
-  }
-  return faces;
-}
 
 Vec3 Towards(const Vec3& from, const Vec3& to)
 {
@@ -210,6 +173,33 @@ TEST(Triangles, NormalsAreTheTriangles)
   EXPECT_EQ(surface.Normal(point), Vec3(0.0, 0.0, 1.0));
   point.piece = 1;
   EXPECT_EQ(surface.Normal(point), Vec3(1.0, 0.0, 0.0));
+}
+
+/// Samples tell the triangle, and where on it.
+TEST(Triangles, SamplesTellThePiece)
+{
+  const Block block;
+  const auto ball = std::make_shared<Triangles>(Ball(1, Vec3(0.1, 0.0, 0.0), 0.8));
+  const Scene scene{ block.TheScene.locator, { { ball, &block.TheField } }, {} };
+  const Camera camera = ViewAlongZ(24, 18);
+  const SampleBuffers samples =
+    Trace(scene, camera, {}, { .corners = kAll | Buffer::Piece }).corners;
+  int seen = 0;
+  for (int y = 0, i = 0; y <= 18; ++y)
+  {
+    for (int x = 0; x <= 24; ++x, ++i)
+    {
+      const auto at = static_cast<std::size_t>(i);
+      const auto hits =
+        MeetPoints(*ball, std::vector<Ray>{ camera.At(x, y) }, std::vector{ kNearest }).front();
+      const bool isSeen = samples.verdict[at] == static_cast<std::uint8_t>(PixelVerdict::Exact);
+      EXPECT_EQ(samples.piece[at], isSeen ? hits.front().point.piece : -1);
+      EXPECT_EQ(samples.pieceU[at], isSeen ? hits.front().point.parameters[0] : 0.0);
+      EXPECT_EQ(samples.pieceV[at], isSeen ? hits.front().point.parameters[1] : 0.0);
+      seen += isSeen ? 1 : 0;
+    }
+  }
+  EXPECT_GT(seen, 90);
 }
 
 TEST(Triangles, NonsenseIsRefused)

@@ -42,10 +42,16 @@ inline LongHits RoundHits(const Vec3& point, const Vec3& axis, double radius)
   };
 }
 
-/// What is seen at an image position: which of the ray's hits, and the field's value there.
+/// Of the k-th hit: another one beside where a sheet begins or ends.
+inline std::size_t SheetOf(std::size_t k, const std::vector<long double>& all)
+{
+  return 16 * all.size() + k;
+}
+
+/// What is seen at an image position: which of the ray's sheets, and the field's value there.
 struct TrueSight
 {
-  std::size_t hit;
+  std::size_t sheet;
   long double value;
 };
 using Sight = std::function<std::optional<TrueSight>(long double px, long double py)>;
@@ -90,7 +96,7 @@ public:
       const auto sight = across ? At(x + part, y) : At(x, y + part);
       if (sight)
       {
-        const bool isNext = before && before->hit == sight->hit;
+        const bool isNext = before && before->sheet == sight->sheet;
         if (before && !isNext)
         {
           Edge leap;

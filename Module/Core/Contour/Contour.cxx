@@ -6,18 +6,53 @@
 #include "Core/Contour/LineAssembly.h"
 #include "Core/Faces/FacePlane.h"
 
+#include <glm/geometric.hpp>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace pixelexact
 {
 namespace
 {
 constexpr double kOnFace = 1e-9;
+/// Of the mesh's diagonal: the least tolerance. A line as long as that has some 100,000 points
+/// then.
+constexpr double kLeastTolerance = 1e-10;
 
-void Check(const ContourRequest& request)
+/// Of one element: of the values for which the hulls leave room, in their order.
+struct FoundInElement
+{
+  struct OfValue
+  {
+    std::size_t value = 0;
+    ElementContour contour;
+  };
+  std::vector<OfValue> contours;
+  bool finite = true;
+};
+
+FoundInElement TraceAll(const ContourQuestion& question, int element, const ContourRequest& request)
+{
+  FoundInElement found;
+  const CurveEquations equations(question, element);
+  found.finite = equations.IsFinite();
+  for (std::size_t v = 0; v < request.values.size() && equations.MayMeetCut(); ++v)
+  {
+    const double value = request.values[v];
+    // The norm of a vector is 0 at points.
+    if ((!question.IsMagnitude() || value > 0.0) && equations.MayHave(value))
+    {
+      found.contours.push_back(
+        { v, TraceElement(question, equations, element, value, request.tolerance) });
+    }
+  }
+  return found;
+}
+
+void Check(const ContourRequest& request, const Box3& box)
 {
   for (const double value : request.values)
   {
@@ -30,6 +65,14 @@ void Check(const ContourRequest& request)
   if (!(request.tolerance > 0.0 && std::isfinite(request.tolerance)))
   {
     throw InvalidData("the tolerance of contours must be greater than 0, in world units.");
+  }
+  const double diagonal = glm::length(box.upper - box.lower);
+  if (box.lower.x <= box.upper.x && request.tolerance < kLeastTolerance * diagonal)
+  {
+    std::ostringstream text;
+    text << "a tolerance of contours of " << request.tolerance << ": it may be 1e-10 of the mesh's "
+         << "diagonal, " << diagonal << ", or larger.";
+    throw InvalidData(text.str());
   }
 }
 
@@ -52,25 +95,12 @@ bool IsAnothers(const CurvePiece& piece, const ElementContour& contour, const Me
 ContourSet TraceContours(const ContourQuestion& question, const Locator& locator,
   const FaceTable& faces, const ContourRequest& request)
 {
-  Check(request);
+  Check(request, locator.Bounds());
   ContourSet set;
   const auto count = static_cast<std::size_t>(question.mesh.Elements());
-  const auto values = request.values.size();
-  std::vector<ElementContour> found(count * values);
+  std::vector<FoundInElement> found(count);
   const auto trace = [&](std::size_t e)
-  {
-    const auto element = static_cast<int>(e);
-    const CurveEquations equations(question, element);
-    for (std::size_t v = 0; v < values; ++v)
-    {
-      // The norm of a vector is 0 at points.
-      if (!question.IsMagnitude() || request.values[v] > 0.0)
-      {
-        found[v * count + e] =
-          TraceElement(question, equations, element, request.values[v], request.tolerance);
-      }
-    }
-  };
+  { found[e] = TraceAll(question, static_cast<int>(e), request); };
   if (question.cut->NeedsCallingThread())
   {
     for (std::size_t e = 0; e < count; ++e)
@@ -85,18 +115,17 @@ ContourSet TraceContours(const ContourQuestion& question, const Locator& locator
 
   const FaceOwner owner(locator, faces);
   ContourReport& report = set.report;
-  for (std::size_t v = 0; v < values; ++v)
+  report.notFinite =
+    std::ranges::count_if(found, [](const FoundInElement& one) { return !one.finite; });
+  std::vector<std::vector<PlacedPiece>> pieces(request.values.size());
+  for (std::size_t e = 0; e < count; ++e)
   {
-    report.normsOfZero += question.IsMagnitude() && request.values[v] == 0.0 ? 1 : 0;
-    std::vector<PlacedPiece> pieces;
-    for (std::size_t e = 0; e < count; ++e)
+    const auto element = static_cast<int>(e);
+    for (auto& [v, contour] : found[e].contours)
     {
-      const auto element = static_cast<int>(e);
-      ElementContour& contour = found[v * count + e];
-      report.elements += contour.mayBe ? 1 : 0;
+      ++report.elements;
       report.undecided += contour.complete ? 0 : 1;
       report.constant += contour.constant ? 1 : 0;
-      report.notFinite += contour.notFinite && v == 0 ? 1 : 0;
       report.tooHigh += contour.tooHigh ? 1 : 0;
       for (CurvePiece& piece : contour.pieces)
       {
@@ -105,11 +134,15 @@ ContourSet TraceContours(const ContourQuestion& question, const Locator& locator
           ++report.pieces;
           report.unproven += piece.certain ? 0 : 1;
           report.lost += piece.lost ? 1 : 0;
-          pieces.push_back({ element, std::move(piece), contour.complete });
+          pieces[v].push_back({ element, std::move(piece), contour.complete });
         }
       }
     }
-    AssembleLines(question.mesh, faces, std::move(pieces), v, set);
+  }
+  for (std::size_t v = 0; v < pieces.size(); ++v)
+  {
+    report.normsOfZero += question.IsMagnitude() && request.values[v] == 0.0 ? 1 : 0;
+    AssembleLines(question.mesh, faces, std::move(pieces[v]), v, set);
   }
   return set;
 }

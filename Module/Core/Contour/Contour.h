@@ -54,14 +54,15 @@ struct ContourSet
 struct ContourRequest
 {
   std::vector<double> values;
-  /// World units, > 0: chords lie within it of the contours, as measured at their middles.
+  /// World units, at least 1e-10 of the mesh's diagonal: chords lie within it of the contours, as
+  /// measured at their middles.
   double tolerance = 0.0;
 };
 
 /// The contours of a field on a cut-surface as polylines: see Documentation/contour-lines.md for
 /// the method and for what is proven. The locator is the mesh's. In parallel; the result does not
 /// depend on threads.
-/// Throws InvalidData for values that are not finite or a tolerance that is not positive, and
+/// Throws InvalidData for values that are not finite or a tolerance that is too small, and
 /// Unsupported for a mapped field (H(curl), H(div), density).
 ContourSet TraceContours(const ContourQuestion& question, const Locator& locator,
   const FaceTable& faces, const ContourRequest& request);

@@ -11,9 +11,12 @@ struct ContourQuestion
 {
   Mesh mesh;
   const Field* field = nullptr; ///< Mapping::Identity
-  int component = 0;            ///< -1: the Euclidean norm of all components
+  /// -1: the Euclidean norm of all components, which of a single one is itself, sign and all.
+  int component = 0;
   const CutFunction* cut = nullptr;
 
-  [[nodiscard]] bool IsMagnitude() const { return component < 0; }
+  [[nodiscard]] bool IsMagnitude() const { return component < 0 && field->values.components > 1; }
+  /// The one that is contoured, where that is not the norm.
+  [[nodiscard]] int Component() const { return component < 0 ? 0 : component; }
 };
 } // namespace pixelexact

@@ -32,7 +32,7 @@ ScaledModes ModesOf(const ContourQuestion& question, int element)
     return { space, modes, field.values.components };
   }
   const auto skipped =
-    static_cast<std::size_t>(question.component) * static_cast<std::size_t>(space.Modes());
+    static_cast<std::size_t>(question.Component()) * static_cast<std::size_t>(space.Modes());
   return { space, modes + skipped, 1 };
 }
 
@@ -80,24 +80,38 @@ CurveEquations::CurveEquations(const ContourQuestion& question, int element)
   const int ofField =
     std::ranges::max(Modes.space.TensorDegree()) * (question.IsMagnitude() ? 2 : 1);
   TooHigh = ofCut + ofField > kMaxDegree;
+  const Box3 whole{ Vec3(-1.0), Vec3(1.0) };
+  MeetsCut = !IsExact() || CutOver(0, whole).Hull().Contains(0.0);
+  if (MeetsCut)
+  {
+    Reached = FieldOver(0, whole, 0.0).Hull();
+  }
+}
+
+Interval CurveEquations::InModesUnits(double value) const
+{
+  const Interval scaled = Scaled(Interval(value), -Modes.exponent);
+  return Question.IsMagnitude() ? Square(scaled) : scaled;
+}
+
+bool CurveEquations::MayHave(double value) const
+{
+  return !Intersect(Reached, InModesUnits(value)).IsEmpty();
 }
 
 BoxPolynomial CurveEquations::FieldOver(int level, const Box3& box, double value) const
 {
-  const Interval scaled = Scaled(Interval(value), -Modes.exponent);
   BoxPolynomial f = Over(Modes, 0, level, box);
-  if (!Question.IsMagnitude())
+  if (Question.IsMagnitude())
   {
-    Add(-scaled, f);
-    return f;
+    f = Multiply(f, f);
+    for (int c = 1; c < Question.field->values.components; ++c)
+    {
+      const BoxPolynomial next = Over(Modes, c, level, box);
+      f = Combine(1.0, f, 1.0, Multiply(next, next));
+    }
   }
-  f = Multiply(f, f);
-  for (int c = 1; c < Question.field->values.components; ++c)
-  {
-    const BoxPolynomial next = Over(Modes, c, level, box);
-    f = Combine(1.0, f, 1.0, Multiply(next, next));
-  }
-  Add(-(scaled * scaled), f);
+  Add(-InModesUnits(value), f);
   return f;
 }
 

@@ -35,6 +35,11 @@ public:
   [[nodiscard]] bool IsTooHigh() const { return TooHigh; }
   [[nodiscard]] bool IsExact() const { return Question.cut->Quadric() != nullptr; }
 
+  /// Whether the hulls over the whole element leave room for the surface (if it is no quadric, they
+  /// do), and for a value.
+  [[nodiscard]] bool MayMeetCut() const { return MeetsCut; }
+  [[nodiscard]] bool MayHave(double value) const;
+
   /// log2 of the number of pieces along each direction on which they are well converted.
   [[nodiscard]] int Level() const { return TheLevel; }
   /// s over a box of the cube that lies in one piece of this level.
@@ -43,6 +48,8 @@ public:
   [[nodiscard]] BoxPolynomial FieldOver(int level, const Box3& box, double value) const;
 
 private:
+  /// The value (of a norm, its square), scaled as the modes are.
+  [[nodiscard]] Interval InModesUnits(double value) const;
   [[nodiscard]] BoxPolynomial QuadricOver(int level, const Box3& box) const;
   [[nodiscard]] BoxPolynomial SampledOver(const Box3& box) const;
 
@@ -54,5 +61,7 @@ private:
   int TheLevel = 0;
   bool Finite = true;
   bool TooHigh = false;
+  bool MeetsCut = false;
+  Interval Reached; ///< holds the values (of a norm, their squares), scaled
 };
 } // namespace pixelexact

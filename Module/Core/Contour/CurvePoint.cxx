@@ -103,8 +103,8 @@ CurvePoint CurveEvaluator::At(const Vec3& xi)
   };
   if (!Question.IsMagnitude())
   {
-    point.value = valueOf(Question.component);
-    point.valueByXi = slopeOf(Question.component);
+    point.value = valueOf(Question.Component());
+    point.valueByXi = slopeOf(Question.Component());
   }
   else
   {

@@ -12,17 +12,6 @@ namespace
 /// The longest chord, in units of the element's size.
 constexpr double kLongest = 0.25;
 
-/// Whether the hulls over the whole element leave room for the contour.
-bool MayBe(const CurveEquations& equations, double value)
-{
-  const Box3 whole{ Vec3(-1.0), Vec3(1.0) };
-  if (equations.IsExact() && !equations.CutOver(0, whole).Hull().Contains(0.0))
-  {
-    return false;
-  }
-  return equations.FieldOver(0, whole, value).Hull().Contains(0.0);
-}
-
 void Prove(const CurveEquations& equations, CurveEvaluator& evaluator, Shape shape, double value,
   const std::vector<ContourSeed>& seeds, std::vector<CurvePiece>& pieces)
 {
@@ -51,16 +40,6 @@ ElementContour TraceElement(const ContourQuestion& question, const CurveEquation
   int element, double value, double tolerance)
 {
   ElementContour contour;
-  if (!equations.IsFinite())
-  {
-    contour.notFinite = true;
-    return contour;
-  }
-  contour.mayBe = MayBe(equations, value);
-  if (!contour.mayBe)
-  {
-    return contour;
-  }
   contour.tooHigh = equations.IsTooHigh();
   if (contour.tooHigh)
   {

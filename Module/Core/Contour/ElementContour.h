@@ -10,14 +10,13 @@ struct ElementContour
 {
   std::vector<CurvePiece> pieces;
   std::vector<int> heldFaces; ///< as in SeedSearchResult
-  bool mayBe = false;         ///< the hulls leave room for it
   bool complete = true;       ///< no piece is missing, proven
   bool constant = false;
   bool tooHigh = false;
-  bool notFinite = false;
 };
 
-/// The tolerance in world units. The equations are those of the element.
+/// The tolerance in world units. The equations are those of the element, finite, and the hulls
+/// leave room for the contour (MayMeetCut, MayHave).
 ElementContour TraceElement(const ContourQuestion& question, const CurveEquations& equations,
   int element, double value, double tolerance);
 } // namespace pixelexact

@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Questions/EdgeBounds.h"
 
-#include "Core/Math/Rounding.h"
 #include "Core/Questions/EdgeArithmetic.h"
-#include "Core/Questions/PointValues.h"
-
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
+#include "Core/Questions/EdgeMeeting.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,97 +14,51 @@ using namespace edges;
 
 namespace
 {
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// What the expansion's error may be of the distance.
-constexpr double kCoarse = 0.25;
-constexpr int kRounds = 6;
-/// Of Newton's iteration towards a segment's middle.
-constexpr int kSteps = 2;
-
-/// A xi of a box, not far from the nearest one.
-Vec3 MovedInto(Shape shape, const EdgeNode& node, const Vec3& xi)
-{
-  const EtaBox& box = node.wide;
-  Vec3 moved = xi;
-  for (int round = 0; round < 3; ++round)
-  {
-    for (const EdgeNodeEnd& end : node.wideEnds)
-    {
-      const double depth = end.DepthOf(moved);
-      if (depth < 0.0)
-      {
-        const Vec3 normal(end.normal[0], end.normal[1], end.normal[2]);
-        moved += normal * (depth / glm::dot(normal, normal));
-      }
-    }
-  }
-  // What is left, in eta: of a NaN, any point.
-  return TensorToReference(
-    shape, glm::clamp(ReferenceToTensor(shape, moved), box.lower, box.upper));
-}
+/// By how much a path may leave the element, in xi: far less than would be seen, and more than
+/// rounding makes of an edge in a face.
+constexpr double kBeside = 1e-13;
 } // namespace
 
-bool ValueSet::Meets(double from, double to) const
+EdgeBounds::EdgeBounds(const Mesh& mesh, const ElementBounds& bounds, int element,
+  const Field& field, int component, double rounding)
+  : Functions(mesh, bounds, element, field, component, rounding)
+  , Tree(Functions)
+  , Ends(EndsOf(Functions.GetShape(), {}))
 {
-  const auto at = std::ranges::lower_bound(values, from);
-  return from <= lower || to >= upper || (at != values.end() && *at <= to);
 }
 
-/// The map at a point.
-struct EdgeBounds::View
+EdgeBounds::EdgeBounds(const Mesh& mesh, const ElementBounds& bounds, int element)
+  : Functions(mesh, bounds, element)
+  , Tree(Functions)
+  , Ends(EndsOf(Functions.GetShape(), {}))
 {
-  Vec3 xi;
-  Vec3 y;
-  Mat3 inverse; ///< of J
-};
-
-EdgeBounds::View EdgeBounds::ViewAt(const Vec3& xi) const
-{
-  const PointValues map(Map.space, Map.values.data(), 3, std::span(&xi, 1));
-  const double scale = std::ldexp(1.0, Map.exponent);
-  View view{ xi, Vec3(0.0), Mat3(0.0) };
-  Mat3 jacobian;
-  for (int c = 0; c < 3; ++c)
-  {
-    view.y[c] = scale * map.values[c][0];
-    for (int j = 0; j < 3; ++j)
-    {
-      jacobian[j][c] = scale * map.slopes[3 * c + j][0];
-    }
-  }
-  view.inverse = glm::inverse(jacobian);
-  return view;
-}
-
-Vec3 EdgeBounds::ImageOf(const Vec3& xi) const
-{
-  return ViewAt(xi).y;
 }
 
 std::optional<EdgeRange> EdgeBounds::Along(
   const LocatedPoint& a, const LocatedPoint& b, double sagitta) const
 {
-  if (!Component.finite)
+  if (!Functions.IsFinite())
   {
     return std::nullopt;
   }
-  const EdgeNode* node = &LeafAt(a.eta);
+  const EdgeNode* node = &Tree.LeafAt(a.eta);
   if (!node->regular || !node->wide.Holds(b.eta))
   {
-    node = &LeafAt(b.eta);
+    node = &Tree.LeafAt(b.eta);
     if (!node->regular || !node->wide.Holds(a.eta))
     {
       return std::nullopt;
     }
   }
+  const double error = Functions.ValueError();
   const double s[3] = { std::fabs(a.xi.x - b.xi.x), std::fabs(a.xi.y - b.xi.y),
     std::fabs(a.xi.z - b.xi.z) };
   double off[3];
   double beside[3];
-  EdgeRange range{ Quadratic(node->curve, s) / 8.0, ValueError };
+  EdgeRange range{ Quadratic(node->curve, s) / 8.0, error };
   for (std::size_t k = 0; k < 3; ++k)
   {
-    const double besides = node->shift[k] + node->lean[k] * sagitta / Size;
+    const double besides = node->shift[k] + node->lean[k] * sagitta / Functions.Size();
     off[k] = (Quadratic(node->bend[k], s) / 8.0 + besides) * kUp;
     beside[k] = kBeside + 2.0 * node->shift[k];
     range.error += node->slope[k] * node->shift[k];
@@ -125,11 +74,11 @@ std::optional<EdgeRange> EdgeBounds::Along(
       return std::nullopt;
     }
   }
-  if (Components > 1)
+  if (Functions.Components() > 1)
   {
     // Of the norm of a vector that changes linearly, by at most `change`: it is convex, and its
     // second derivative is at most the change's square over the norm.
-    double change = 2.0 * ValueError;
+    double change = 2.0 * error;
     for (std::size_t k = 0; k < 3; ++k)
     {
       change += node->slope[k] * (s[k] + 2.0 * node->shift[k]);
@@ -137,241 +86,76 @@ std::optional<EdgeRange> EdgeBounds::Along(
     const double least = std::max(a.value, b.value) - change;
     range.deviation += least > 0.25 * change ? change * change / (8.0 * least) : 0.5 * change;
   }
-  range.deviation = (range.deviation + ValueError) * kUp;
+  range.deviation = (range.deviation + error) * kUp;
   range.error *= kUp;
   return range;
 }
 
-bool EdgeBounds::Misses(const EdgeNode& node, const Vec3& from, const Vec3& to, double slack) const
+std::optional<Interval> EdgeBounds::ValuesIn(
+  const WideOutline& region, const ValueSet& wanted, const EdgeEffort& effort) const
 {
-  for (int d = 0; d < 3; ++d)
-  {
-    if (std::max(from[d], to[d]) + slack < node.bounds.lower[d] ||
-      std::min(from[d], to[d]) - slack > node.bounds.upper[d])
-    {
-      return true;
-    }
-  }
-  if (!node.regular)
-  {
-    return false;
-  }
-  // Every preimage in `wide` of a point of the segment is within `off` of the line between these
-  // two: T(xi) = M (Phi(xi) - origin) - (xi - centre) changes by `turn` at most.
-  const Vec3 ends[2] = { ToXi(node, from), ToXi(node, to) };
-  const double most = std::max({ node.reach[0], node.reach[1], node.reach[2] });
-  double off[3];
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    off[k] = (node.turn[k] * most + node.shift[k] + node.lean[k] * slack / Size) * kUp + 1e-13;
-  }
-  double first = 0.0;
-  double last = 1.0;
-  for (const EdgeNodeEnd& end : node.boxEnds)
-  {
-    const double wider = end.Across(off);
-    const double a = end.DepthOf(ends[0]) + wider;
-    const double b = end.DepthOf(ends[1]) + wider;
-    if (a < 0.0 && b < 0.0)
-    {
-      return true;
-    }
-    if (a < 0.0)
-    {
-      first = std::max(first, a / (a - b));
-    }
-    if (b < 0.0)
-    {
-      last = std::min(last, a / (a - b));
-    }
-  }
-  return first > last + 1e-12;
+  return Functions.IsFinite() ? ValuesIn(Tree.Whole(), region, wanted, effort)
+                              : Interval::Everything();
 }
 
-Vec3 EdgeBounds::ToXi(const EdgeNode& node, const Vec3& x) const
+std::optional<Interval> EdgeBounds::ValuesIn(const EdgeNode& node, const WideOutline& region,
+  const ValueSet& wanted, const EdgeEffort& effort) const
 {
-  const Vec3 y = (x - Centre) / Size - node.origin;
-  Vec3 xi = node.centre;
-  for (int k = 0; k < 3; ++k)
+  const auto meets = [&wanted](const std::optional<Interval>& values)
+  { return values && wanted.Meets(values->lower, values->upper); };
+  if (Misses(Functions, node, region))
   {
-    const double(&row)[3] = node.inverse[k];
-    xi[k] += row[0] * y.x + row[1] * y.y + row[2] * y.z;
+    return std::nullopt;
   }
-  return xi;
-}
-
-/// In a regular node, from the second-order expansion about a point of it near the segment.
-EdgeBounds::Meeting EdgeBounds::MeetNode(const EdgeNode& node, const ValueSet& wanted,
-  const Vec3& from, const Vec3& to, double slack) const
-{
-  const Shape shape = Map.space.shape;
-  const Vec3 ends[2] = { (from - Centre) / Size, (to - Centre) / Size };
-  const Vec3 middle = 0.5 * (ends[0] + ends[1]);
-  View view = ViewAt(MovedInto(shape, node, ToXi(node, 0.5 * (from + to))));
-  for (int step = 0; step < kSteps; ++step)
+  std::optional<Interval> values = node.values;
+  bool divide = !node.regular;
+  if (node.regular && meets(values))
   {
-    const Vec3 half = 0.5 * (view.inverse * (ends[1] - ends[0]));
-    const Vec3 next = MovedInto(shape, node, view.xi + view.inverse * (middle - view.y));
-    const Vec3 moved = next - view.xi;
-    // Written so that a NaN ends it.
-    if (!(glm::dot(moved, moved) > glm::dot(half, half)))
+    const EdgeMeeting meeting = Meet(Functions, node, region);
+    values = meeting.values;
+    divide = (meeting.bends && node.halvings < effort.whereMapBends) ||
+      (meeting.curves && node.halvings < effort.whereFieldCurves);
+  }
+  if (!divide || !meets(values) || !Tree.CanSplit(node))
+  {
+    return values;
+  }
+  values.reset();
+  for (const EdgeNode& half : Tree.Split(node))
+  {
+    const std::optional<Interval> own = ValuesIn(half, region, wanted, effort);
+    values = values && own ? Join(*values, *own) : (own ? own : values);
+    if (meets(values))
     {
       break;
     }
-    view = ViewAt(next);
   }
-
-  // |xi - view.xi| of the preimages in `wide` of the segment's points.
-  double away[3];
-  double besides[3];
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    const double(&row)[3] = node.inverse[k];
-    const auto along = [&](const Vec3& y)
-    {
-      const Vec3 d = y - view.y;
-      return std::fabs(row[0] * d.x + row[1] * d.y + row[2] * d.z);
-    };
-    besides[k] = node.shift[k] + node.lean[k] * (slack / Size) + 1e-14;
-    away[k] = std::max(along(ends[0]), along(ends[1])) * kUp + besides[k];
-  }
-  Solve(node.turn, away);
-  const Vec3 steps[2] = { view.inverse * (ends[0] - view.y), view.inverse * (ends[1] - view.y) };
-  // They are where the expansion puts them, up to `off`, and so no farther away than that.
-  double off[3];
-  for (int round = 0; round < kRounds; ++round)
-  {
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      off[k] = (Quadratic(node.bend[k], away) / 2.0 + besides[k]) * kUp;
-    }
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      const int d = static_cast<int>(k);
-      away[k] = std::min(
-        away[k], (std::max(std::fabs(steps[0][d]), std::fabs(steps[1][d])) + off[k]) * kUp);
-    }
-  }
-  double first = 0.0;
-  double last = 1.0;
-  for (const EdgeNodeEnd& end : node.boxEnds)
-  {
-    const double wider = end.Across(off);
-    const double a = end.DepthOf(view.xi + steps[0]) + wider;
-    const double b = end.DepthOf(view.xi + steps[1]) + wider;
-    if (a < 0.0 && b < 0.0)
-    {
-      return Meeting::None;
-    }
-    if (a < 0.0)
-    {
-      first = std::max(first, a / (a - b) - 1e-12);
-    }
-    if (b < 0.0)
-    {
-      last = std::min(last, a / (a - b) + 1e-12);
-    }
-  }
-  if (first > last)
-  {
-    return Meeting::None;
-  }
-  const Interval linear = LinearValues(
-    view.xi, steps[0] + first * (steps[1] - steps[0]), steps[0] + last * (steps[1] - steps[0]));
-  double most = Quadratic(node.curve, away) / 2.0 + 2.0 * ValueError;
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    most += node.slope[k] * besides[k];
-  }
-  most = most * kUp + 1e-14 * (std::fabs(linear.lower) + std::fabs(linear.upper));
-  if (!wanted.Meets(rounding::Below(linear.lower - most), rounding::Above(linear.upper + most)))
-  {
-    return Meeting::None;
-  }
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    if (off[k] > kCoarse * away[k] + 2.0 * besides[k])
-    {
-      return Meeting::Coarse;
-    }
-  }
-  return Meeting::Near;
-}
-
-Interval EdgeBounds::LinearValues(const Vec3& xi, const Vec3& from, const Vec3& to) const
-{
-  const double unit = std::ldexp(1.0, Component.exponent);
-  const auto width = static_cast<std::ptrdiff_t>(Component.width);
-  // Of all components: the values at both ends, and their squares and product.
-  double ends[2] = {};
-  double squares[2] = {};
-  double product = 0.0;
-  double size = 0.0;
-  for (int c = 0; c < Components; ++c)
-  {
-    const PointValues component(
-      Component.space, Component.values.data() + c * width, 1, std::span(&xi, 1));
-    const Vec3 slope(component.slopes[0][0], component.slopes[1][0], component.slopes[2][0]);
-    const double rises[2] = { glm::dot(slope, from), glm::dot(slope, to) };
-    for (std::size_t k = 0; k < 2; ++k)
-    {
-      ends[k] = unit * (component.values[0][0] + rises[k]);
-      squares[k] += ends[k] * ends[k];
-    }
-    product += ends[0] * ends[1];
-    size += unit * (std::fabs(component.values[0][0]) + std::fabs(rises[0]) + std::fabs(rises[1]));
-  }
-  const double slack = 1e-14 * size;
-  if (Components == 1)
-  {
-    return { std::min(ends[0], ends[1]) - slack, std::max(ends[0], ends[1]) + slack };
-  }
-  // |p + t (q - p)|: convex, least where (p + t (q - p)) . (q - p) = 0.
-  const double along = squares[0] + squares[1] - 2.0 * product;
-  const double t = along > 0.0 ? std::clamp((squares[0] - product) / along, 0.0, 1.0) : 0.0;
-  const double least = squares[0] - 2.0 * t * (squares[0] - product) + t * t * along;
-  return { std::sqrt(std::max(0.0, least - slack * size)) - slack,
-    std::sqrt(std::max(squares[0], squares[1])) + slack };
+  return values;
 }
 
 bool EdgeBounds::MayTake(
-  const ValueSet& wanted, const Vec3& from, const Vec3& to, double slack, bool grow) const
+  const ValueSet& wanted, const WideOutline& region, const EdgeEffort& effort) const
 {
-  return !Component.finite || MayTakeIn(Whole(), wanted, from, to, slack, grow);
-}
-
-bool EdgeBounds::MayTakeIn(const EdgeNode& node, const ValueSet& wanted, const Vec3& from,
-  const Vec3& to, double slack, bool grow) const
-{
-  if (!wanted.Meets(node.values.lower, node.values.upper) || Misses(node, from, to, slack))
-  {
-    return false;
-  }
-  const Meeting meeting = node.regular ? MeetNode(node, wanted, from, to, slack) : Meeting::Coarse;
-  if (meeting != Meeting::Coarse)
-  {
-    return meeting == Meeting::Near;
-  }
-  if (node.halvings >= Deepest[node.regular ? 1 : 0] || (!grow && node.regular))
-  {
-    return true;
-  }
-  const auto& halves = Split(node);
-  return std::ranges::any_of(
-    halves, [&](const EdgeNode& half) { return MayTakeIn(half, wanted, from, to, slack, grow); });
+  const std::optional<Interval> values = ValuesIn(region, wanted, effort);
+  return values && wanted.Meets(values->lower, values->upper);
 }
 
 double EdgeBounds::ChangeWithin(const LocatedPoint& point, double distance) const
 {
-  const EdgeNode& node = LeafAt(point.eta);
-  if (!Component.finite || !node.regular)
+  constexpr double kUnknown = std::numeric_limits<double>::infinity();
+  if (!Functions.IsFinite())
   {
-    return kInfinity;
+    return kUnknown;
   }
-  double change = ValueError;
+  const EdgeNode& node = Tree.LeafAt(point.eta);
+  if (!node.regular)
+  {
+    return kUnknown;
+  }
+  double change = Functions.ValueError();
   for (std::size_t k = 0; k < 3; ++k)
   {
-    change += node.slope[k] * (node.lean[k] * (distance / Size) + node.shift[k]);
+    change += node.slope[k] * (node.lean[k] * (distance / Functions.Size()) + node.shift[k]);
   }
   return change * kUp;
 }

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Core/Element/HessianFunction.h"
-#include "Core/Index/ElementIndex.h"
-#include "Core/Questions/EdgeNode.h"
+#include "Core/Questions/EdgeMeeting.h"
+#include "Core/Questions/EdgeTree.h"
 #include "Core/Questions/Sheet.h"
+#include "Core/Questions/ValueSet.h"
 
 #include <array>
-#include <atomic>
 #include <limits>
-#include <memory>
-#include <mutex>
 #include <optional>
-#include <span>
 
 namespace pixelexact
 {
@@ -26,15 +22,12 @@ struct LocatedPoint
   double value = 0.0;
 };
 
-/// Values that are looked for: some numbers, in ascending order, and all that are not between two.
-struct ValueSet
+/// How often regular nodes are halved, at most, where smaller ones would tell more.
+struct EdgeEffort
 {
-  std::span<const double> values;
-  double lower = -std::numeric_limits<double>::infinity();
-  double upper = std::numeric_limits<double>::infinity();
-
-  /// Whether one of them is in an interval.
-  [[nodiscard]] bool Meets(double from, double to) const;
+  static constexpr int kAny = std::numeric_limits<int>::max();
+  int whereMapBends = 0;
+  int whereFieldCurves = 0;
 };
 
 /// What is known of a component along an edge that lies in one element.
@@ -59,12 +52,11 @@ public:
     int component, double rounding = 0.0);
   /// Of the map alone, and of faces: the component is 0.
   EdgeBounds(const Mesh& mesh, const ElementBounds& bounds, int element);
-  ~EdgeBounds();
   EdgeBounds(const EdgeBounds&) = delete;
   EdgeBounds& operator=(const EdgeBounds&) = delete;
 
   /// Holds all values in the element; everything where a coefficient is not finite.
-  [[nodiscard]] const Interval& Values() const { return Range; }
+  [[nodiscard]] const Interval& Values() const { return Functions.Values(); }
 
   /// The field along the straight edge between two points: it lies in the element, as far as
   /// rounding goes, and at a + s (b - a) the value is within `deviation` of the one between the
@@ -73,12 +65,13 @@ public:
   [[nodiscard]] std::optional<EdgeRange> Along(
     const LocatedPoint& a, const LocatedPoint& b, double sagitta = 0.0) const;
 
-  /// Whether the component may take one of these values at a point of the element on a segment,
-  /// widened by `slack` in each coordinate; false: proven that it does not. `grow`: smaller nodes
-  /// are made where they would tell more.
+  /// Holds the values at the points of the element in a region; nothing: there are none. More is
+  /// found out only as long as they meet those that are wanted: what is told then may lack others.
+  [[nodiscard]] std::optional<Interval> ValuesIn(
+    const WideOutline& region, const ValueSet& wanted, const EdgeEffort& effort) const;
+  /// Whether these meet the wanted ones; false: proven that the component takes none there.
   [[nodiscard]] bool MayTake(
-    const ValueSet& wanted, const Vec3& from, const Vec3& to, double slack, bool grow) const;
-
+    const ValueSet& wanted, const WideOutline& region, const EdgeEffort& effort) const;
   /// A bound of how far the values within a distance of a point, in the element and next to the
   /// point in xi as well, are from its own; infinite where none is known.
   [[nodiscard]] double ChangeWithin(const LocatedPoint& point, double distance) const;
@@ -93,64 +86,14 @@ public:
     const Sheet& sheet, const SheetPoint& from, const SheetPoint& towards) const;
 
   /// Nodes that have been made.
-  [[nodiscard]] std::int64_t Nodes() const { return Count.load(std::memory_order_relaxed); }
+  [[nodiscard]] std::int64_t Nodes() const { return Tree.Nodes(); }
 
 private:
-  class OnSheet;
-  void Begin(const Mesh& mesh, const ElementBounds& bounds, int element, double rounding);
-  const EdgeNode& Whole() const;
-  const EdgeNode& LeafAt(const Vec3& eta) const;
-  const std::array<EdgeNode, 2>& Split(const EdgeNode& node) const;
-  template <class Visit>
-  void ForEachPiece(const EtaBox& box, const Visit& visit) const;
-  [[nodiscard]] Interval HullOver(
-    const EtaBox& box, const ScaledModes& modes, int component, Part part) const;
-  /// `values`: hold those of the node.
-  void Fill(EdgeNode& node, const Interval& values) const;
-  /// Whether the map is regular.
-  bool DescribeMap(EdgeNode& node, const std::array<std::array<Interval, 3>, 3>& slopes) const;
-  /// By component.
-  void DescribeCurves(
-    EdgeNode& node, std::span<const std::array<HessianFunction::XiRanges, 4>> components) const;
-  [[nodiscard]] Interval ValuesOver(const EtaBox& box) const;
-  [[nodiscard]] std::array<HessianFunction::XiRanges, 4> RangesOf(
-    const EtaBox& box, int component) const;
-  /// Of the expansion of first order about a xi, from one step to another.
-  [[nodiscard]] Interval LinearValues(const Vec3& xi, const Vec3& from, const Vec3& to) const;
-  [[nodiscard]] bool Misses(
-    const EdgeNode& node, const Vec3& from, const Vec3& to, double slack) const;
-  /// By the affine map of a node.
-  [[nodiscard]] Vec3 ToXi(const EdgeNode& node, const Vec3& x) const;
-  /// In the element's units.
-  [[nodiscard]] Vec3 ImageOf(const Vec3& xi) const;
-  struct View;
-  [[nodiscard]] View ViewAt(const Vec3& xi) const;
-  enum class Meeting : std::uint8_t
-  {
-    None,   ///< of the segment and a point with one of the values: proven
-    Near,   ///< there may be one
-    Coarse, ///< and smaller nodes would tell more
-  };
-  [[nodiscard]] Meeting MeetNode(const EdgeNode& node, const ValueSet& wanted, const Vec3& from,
-    const Vec3& to, double slack) const;
-  [[nodiscard]] bool MayTakeIn(const EdgeNode& node, const ValueSet& wanted, const Vec3& from,
-    const Vec3& to, double slack, bool grow) const;
+  [[nodiscard]] std::optional<Interval> ValuesIn(const EdgeNode& node, const WideOutline& region,
+    const ValueSet& wanted, const EdgeEffort& effort) const;
 
-  ScaledModes Map;
-  ScaledModes Component;
-  int Components; ///< of which the norm is taken, if there are several; 0: of the map alone
-  int Level = 0;
-  int Deepest[2] = {}; ///< halvings of nodes that are not regular, and that are
-  Vec3 Centre{ 0.0 };
-  double Size = 1.0;
-  std::array<double, 3> Uncertainty{};
+  EdgeFunctions Functions;
+  EdgeTree Tree;
   std::array<EdgeNodeEnd, 6> Ends; ///< of the element
-  double ValueError = 0.0;
-  double SlopeErrors[2] = {}; ///< of derivatives by xi, as the kernels make them: of map and field
-  Interval Range = Interval::Everything();
-  mutable std::unique_ptr<EdgeNode> Root;
-  mutable std::atomic<const EdgeNode*> Ready{ nullptr };
-  mutable std::mutex Growing;
-  mutable std::atomic<std::int64_t> Count{ 0 };
 };
 } // namespace pixelexact

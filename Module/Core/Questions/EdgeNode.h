@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Core/Math/Interval.h"
-#include "Core/Math/Vec.h"
-#include "Core/Tree/EtaBox.h"
+#include "Core/Questions/EdgeFunctions.h"
 
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <span>
 
 namespace pixelexact
 {
@@ -70,5 +69,15 @@ struct EdgeNode
   ~EdgeNode() { delete children.load(std::memory_order_relaxed); }
   EdgeNode(const EdgeNode&) = delete;
   EdgeNode& operator=(const EdgeNode&) = delete;
+
+  /// Finds out all that is known of `box`. `those`: hold the component's values over `wide`.
+  void Describe(const EdgeFunctions& functions, const Interval& those);
+
+private:
+  /// Whether the map is regular.
+  bool DescribeMap(const EdgeFunctions& functions, const EdgeFunctions::Slopes& slopes);
+  /// By component.
+  void DescribeCurves(
+    const EdgeFunctions& functions, std::span<const EdgeFunctions::Derivatives> components);
 };
 } // namespace pixelexact

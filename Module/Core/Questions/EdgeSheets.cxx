@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Questions/EdgeBounds.h"
 #include "Core/Questions/OnSheet.h"
 
 #include <glm/common.hpp>
@@ -20,10 +21,9 @@ constexpr int kSmaller = 6;
 constexpr double kArrived = 1e-12;
 } // namespace
 
-std::optional<SheetExit> EdgeBounds::OnSheet::ExitOf(
-  const SheetPoint& from, const SheetPoint& towards) const
+std::optional<SheetExit> OnSheet::ExitOf(const SheetPoint& from, const SheetPoint& towards) const
 {
-  const Vec3 chord = (towards.x - from.x) / Of.Size;
+  const Vec3 chord = (towards.x - from.x) / Of.Size();
   const auto directionAt = [&](double part)
   {
     return glm::normalize(
@@ -38,18 +38,18 @@ std::optional<SheetExit> EdgeBounds::OnSheet::ExitOf(
     const Vec3 w = W * directionAt(exit.part);
     const Vec3 q = w / glm::dot(at.gradient, w);
     // Where the ray through c(u) meets the sheet, to first order: base + u along.
-    const Vec3 back = W * (at.y - (from.x - Of.Centre) / Of.Size);
+    const Vec3 back = W * (at.y - Of.InUnits(from.x));
     const Vec3 forth = W * chord;
     const Vec3 base = exit.point.xi - back + q * (glm::dot(at.gradient, back) - at.f);
     const Vec3 along = forth - q * glm::dot(at.gradient, forth);
     double part = 1.0;
     for (std::size_t k = 0; k < 6; ++k)
     {
-      const EdgeNodeEnd& end = Of.Ends[k];
+      const EdgeNodeEnd& end = Ends[k];
       const double outwards =
         end.normal[0] * along.x + end.normal[1] * along.y + end.normal[2] * along.z;
       // Half of what a path may be beside the element, for the neighbour's to overlap.
-      constexpr double kHalf[3] = { 0.5 * kBeside, 0.5 * kBeside, 0.5 * kBeside };
+      constexpr double kHalf[3] = { 0.5 * kOverlap, 0.5 * kOverlap, 0.5 * kOverlap };
       if (k != Own && outwards > 0.0)
       {
         part = std::min(part, (end.DepthOf(base) + end.Across(kHalf)) / outwards);
@@ -69,7 +69,8 @@ std::optional<SheetExit> EdgeBounds::OnSheet::ExitOf(
     {
       const Vec3 c = from.x + part * (towards.x - from.x);
       exit.point.direction = directionAt(part);
-      const double tau = glm::dot(Of.Centre + Of.Size * Of.ImageOf(next) - c, exit.point.direction);
+      const double tau =
+        glm::dot(Of.InWorld(At(std::array{ next })[0].y) - c, exit.point.direction);
       exit.point.x = c + tau * exit.point.direction;
       exit.point.distance = (1.0 - part) * from.distance + part * towards.distance;
       exit.point.off = std::max(from.off, towards.off);
@@ -80,42 +81,44 @@ std::optional<SheetExit> EdgeBounds::OnSheet::ExitOf(
   return std::nullopt;
 }
 
-double EdgeBounds::Sagitta(const Sheet& sheet, const SheetPoint& a, const SheetPoint& b) const
+double OnSheet::Sagitta(const EdgeTree& tree, const SheetPoint& a, const SheetPoint& b) const
 {
-  if (!Component.finite)
-  {
-    return kInfinity;
-  }
-  const OnSheet on(*this, sheet);
-  const auto at = on.At(std::array{ a.xi, b.xi, 0.5 * (a.xi + b.xi) });
-  const auto pencil = on.PencilOf(at[0], a.direction, b.direction);
+  const Vec3 middle = 0.5 * (a.xi + b.xi);
+  const auto at = At(std::array{ a.xi, b.xi, middle });
+  const auto pencil = PencilOf(at[0], a.direction, b.direction);
   if (!pencil)
   {
     return kInfinity;
   }
   const auto etaOf = [this](const Vec3& xi)
-  { return glm::clamp(ReferenceToTensor(Map.space.shape, xi), Vec3(-1.0), Vec3(1.0)); };
-  const Vec3 etas[3] = { etaOf(a.xi), etaOf(b.xi), etaOf(0.5 * (a.xi + b.xi)) };
+  { return glm::clamp(ReferenceToTensor(Of.GetShape(), xi), Vec3(-1.0), Vec3(1.0)); };
+  const Vec3 etas[3] = { etaOf(a.xi), etaOf(b.xi), etaOf(middle) };
   // Where rays nearly touch the sheet, smaller nodes tell more.
-  const EdgeNode* node = &LeafAt(etas[2]);
-  double sagitta = on.Sagitta(*node, *pencil, a, b, at);
+  const EdgeNode* node = &tree.LeafAt(etas[2]);
+  double sagitta = Sagitta(*node, *pencil, a, b, at);
   for (int k = 0; k < kSmaller && !std::isfinite(sagitta) && node->regular; ++k)
   {
-    const auto& halves = Split(*node);
+    const auto& halves = tree.Split(*node);
     const int d = node->direction;
     node = &halves[etas[2][d] <= halves[0].box.upper[d] ? 0 : 1];
     if (!node->wide.Holds(etas[0]) || !node->wide.Holds(etas[1]))
     {
       break;
     }
-    sagitta = on.Sagitta(*node, *pencil, a, b, at);
+    sagitta = Sagitta(*node, *pencil, a, b, at);
   }
   return sagitta;
+}
+
+double EdgeBounds::Sagitta(const Sheet& sheet, const SheetPoint& a, const SheetPoint& b) const
+{
+  return Functions.IsFinite() ? OnSheet(Functions, Ends, sheet).Sagitta(Tree, a, b) : kInfinity;
 }
 
 std::optional<SheetExit> EdgeBounds::ExitOf(
   const Sheet& sheet, const SheetPoint& from, const SheetPoint& towards) const
 {
-  return Component.finite ? OnSheet(*this, sheet).ExitOf(from, towards) : std::nullopt;
+  return Functions.IsFinite() ? OnSheet(Functions, Ends, sheet).ExitOf(from, towards)
+                              : std::nullopt;
 }
 } // namespace pixelexact

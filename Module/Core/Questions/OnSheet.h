@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Core/Math/Rounding.h"
 #include "Core/Questions/EdgeArithmetic.h"
-#include "Core/Questions/EdgeBounds.h"
+#include "Core/Questions/EdgeTree.h"
+#include "Core/Questions/Sheet.h"
 
 #include <algorithm>
 #include <array>
@@ -30,8 +30,9 @@ namespace pixelexact
 {
 namespace edges
 {
-/// Covers the rounding of some dozen products and sums.
-inline constexpr double kRoundoffs = 32.0 * kUnitRoundoff;
+/// By how much a path on a sheet may leave the element, in xi: far less than would be seen, and
+/// enough for those of two elements to overlap.
+inline constexpr double kOverlap = 1e-10;
 /// A ray is not known to cross the sheet where g . w is so much smaller than its terms; then q is
 /// good to kSteep.
 inline constexpr double kGrazing = 1e-6;
@@ -55,10 +56,12 @@ inline Numbers Magnitudes(const Vec3& v)
 } // namespace edges
 
 /// A sheet of an element.
-class EdgeBounds::OnSheet
+class OnSheet
 {
 public:
-  OnSheet(const EdgeBounds& bounds, const Sheet& sheet);
+  /// `ends`: of the element. They and the functions must outlive the object.
+  OnSheet(
+    const EdgeFunctions& functions, const std::array<EdgeNodeEnd, 6>& ends, const Sheet& sheet);
 
   struct Values
   {
@@ -88,6 +91,9 @@ public:
   [[nodiscard]] std::optional<Pencil> PencilOf(
     const Values& at, const Vec3& first, const Vec3& last) const;
 
+  /// With what is known of the tree's boxes.
+  [[nodiscard]] double Sagitta(
+    const EdgeTree& tree, const SheetPoint& a, const SheetPoint& b) const;
   [[nodiscard]] double Sagitta(const EdgeNode& node, const Pencil& pencil, const SheetPoint& a,
     const SheetPoint& b, const std::array<Values, 3>& at) const;
   [[nodiscard]] std::optional<SheetExit> ExitOf(
@@ -121,9 +127,10 @@ private:
   /// Of g . W Phi(xi(u)) - f(xi(u)), by u.
   [[nodiscard]] double BendAlong(const EdgeNode& node, const Pencil& pencil, const Values& at,
     const Vec3& d, const Bent& f) const;
-  [[nodiscard]] bool IsNorm() const { return TheSheet.face < 0 && Of.Components > 1; }
+  [[nodiscard]] bool IsNorm() const { return TheSheet.face < 0 && Of.Components() > 1; }
 
-  const EdgeBounds& Of;
+  const EdgeFunctions& Of;
+  const std::array<EdgeNodeEnd, 6>& Ends;
   Sheet TheSheet;
   std::size_t Own = 6; ///< the element's end that the face is
 };

@@ -4,6 +4,7 @@
 #include "Core/Element/Kernels.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <span>
 
 namespace pixelexact
@@ -16,7 +17,9 @@ struct PointValues
   double values[3][kRoom];
   double slopes[9][kRoom];
 
-  PointValues(const Space& space, const double* modes, int components, std::span<const Vec3> points)
+  /// The functions are `scale` times those of the modes.
+  PointValues(const KernelSet& kernels, const Space& space, const double* modes, int components,
+    double scale, std::span<const Vec3> points)
   {
     double at[3][kRoom];
     for (std::size_t i = 0; i < kRoom; ++i)
@@ -33,8 +36,25 @@ struct PointValues
     {
       gradient[k] = slopes[k];
     }
-    KernelsFor(space).gradient(space, modes, components,
+    kernels.gradient(space, modes, components,
       { { at[0], at[1], at[2] }, static_cast<int>(points.size()) }, out, gradient);
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      for (std::size_t c = 0; c < static_cast<std::size_t>(components); ++c)
+      {
+        values[c][i] *= scale;
+        for (std::size_t k = 3 * c; k < 3 * c + 3; ++k)
+        {
+          slopes[k][i] *= scale;
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] Vec3 SlopeOf(std::size_t component, std::size_t point) const
+  {
+    return { slopes[3 * component][point], slopes[3 * component + 1][point],
+      slopes[3 * component + 2][point] };
   }
 };
 } // namespace pixelexact

@@ -18,8 +18,7 @@ constexpr double kMostRounding = 1e-7;
 constexpr double kTiny = 1e-15;
 } // namespace
 
-EdgeBounds::OnSheet::Bent EdgeBounds::OnSheet::BentOf(
-  const EdgeNode& node, const Values& at, const Numbers& near) const
+OnSheet::Bent OnSheet::BentOf(const EdgeNode& node, const Values& at, const Numbers& near) const
 {
   Bent bent;
   if (TheSheet.face >= 0)
@@ -30,7 +29,7 @@ EdgeBounds::OnSheet::Bent EdgeBounds::OnSheet::BentOf(
   double least = kInfinity;
   if (IsNorm())
   {
-    least = at.size - Of.ValueError;
+    least = at.size - Of.ValueError();
     for (std::size_t k = 0; k < 3; ++k)
     {
       least -= node.slope[k] * near[k] * kUp;
@@ -45,9 +44,8 @@ EdgeBounds::OnSheet::Bent EdgeBounds::OnSheet::BentOf(
   return bent;
 }
 
-std::optional<EdgeBounds::OnSheet::Tube> EdgeBounds::OnSheet::Contain(const EdgeNode& node,
-  const Pencil& pencil, const Values& at, const Numbers& length, const Numbers& middle,
-  const Numbers& end) const
+std::optional<OnSheet::Tube> OnSheet::Contain(const EdgeNode& node, const Pencil& pencil,
+  const Values& at, const Numbers& length, const Numbers& middle, const Numbers& end) const
 {
   const double slopeError = SlopeErrorOf(node, at);
   Tube tube;
@@ -118,14 +116,13 @@ std::optional<EdgeBounds::OnSheet::Tube> EdgeBounds::OnSheet::Contain(const Edge
 
 /// As far as a path that lies in the element may be beside it, and up to rounding, which is the
 /// tube's ends.
-bool EdgeBounds::OnSheet::IsInside(
-  const EdgeNode& node, const Vec3& a, const Vec3& b, const Tube& tube) const
+bool OnSheet::IsInside(const EdgeNode& node, const Vec3& a, const Vec3& b, const Tube& tube) const
 {
   if (tube.end.Largest() > kMostRounding)
   {
     return false;
   }
-  constexpr double kBesides[3] = { kBeside, kBeside, kBeside };
+  constexpr double kOverlaps[3] = { kOverlap, kOverlap, kOverlap };
   for (std::size_t k = 0; k < 6; ++k)
   {
     const EdgeNodeEnd& end = node.wideEnds[k];
@@ -139,7 +136,7 @@ bool EdgeBounds::OnSheet::IsInside(
       continue;
     }
     // So far beside a box its bounds hold, too, up to kSteep. On a collapsed edge all boxes meet.
-    const double beside = end.Across(kBesides);
+    const double beside = end.Across(kOverlaps);
     const double depths[2] = { end.DepthOf(a) + beside, end.DepthOf(b) + beside };
     // 4 u (1 - u) is at most 4 times the distance from the end that is deeper. A NaN is outside.
     if (!(std::min(depths[0], depths[1]) >= 0.0 &&
@@ -151,7 +148,7 @@ bool EdgeBounds::OnSheet::IsInside(
   return true;
 }
 
-double EdgeBounds::OnSheet::BendAlong(
+double OnSheet::BendAlong(
   const EdgeNode& node, const Pencil& pencil, const Values& at, const Vec3& d, const Bent& f) const
 {
   // By the world: n = g W. Middles of ranges and how far what they stand for is off.
@@ -186,7 +183,7 @@ double EdgeBounds::OnSheet::BendAlong(
   return (std::fabs(middle) + off + (IsNorm() ? Quadratic(f.at, Magnitudes(d).at) : 0.0)) * kUp;
 }
 
-double EdgeBounds::OnSheet::Sagitta(const EdgeNode& node, const Pencil& pencil, const SheetPoint& a,
+double OnSheet::Sagitta(const EdgeNode& node, const Pencil& pencil, const SheetPoint& a,
   const SheetPoint& b, const std::array<Values, 3>& at) const
 {
   if (!node.regular)
@@ -200,13 +197,13 @@ double EdgeBounds::OnSheet::Sagitta(const EdgeNode& node, const Pencil& pencil, 
   for (std::size_t i = 0; i < 2; ++i)
   {
     const SheetPoint& end = i == 0 ? a : b;
-    const Vec3 y = (end.x - Of.Centre) / Of.Size;
+    const Vec3 y = Of.InUnits(end.x);
+    const Vec3 rounding = Of.RoundingInUnits(end.x);
     for (int c = 0; c < 3; ++c)
     {
       const auto axis = static_cast<std::size_t>(c);
       miss[axis] = std::max(miss[axis],
-        std::fabs(y[c] - at[i].y[c]) + Of.Uncertainty[axis] + off / Of.Size +
-          kRoundoffs * (std::fabs(end.x[c]) + std::fabs(Of.Centre[c])) / Of.Size);
+        std::fabs(y[c] - at[i].y[c]) + Of.Uncertainty()[axis] + off / Of.Size() + rounding[c]);
     }
     f = std::max(f, std::fabs(at[i].f) + ErrorOf(at[i]));
   }
@@ -228,7 +225,7 @@ double EdgeBounds::OnSheet::Sagitta(const EdgeNode& node, const Pencil& pencil, 
       const auto axis = static_cast<std::size_t>(c);
       const double size = std::fabs(pencil.inverse[c][static_cast<int>(k)]);
       shift[k] += size * miss[axis];
-      roundings += std::fabs(at[0].gradient[static_cast<int>(k)]) * size * Of.Uncertainty[axis];
+      roundings += std::fabs(at[0].gradient[static_cast<int>(k)]) * size * Of.Uncertainty()[axis];
     }
     rise += std::fabs(at[0].gradient[static_cast<int>(k)]) * shift[k];
   }
@@ -254,6 +251,6 @@ double EdgeBounds::OnSheet::Sagitta(const EdgeNode& node, const Pencil& pencil, 
   const Vec3 sag = pencil.inverse * (at[2].y - 0.5 * (at[0].y + at[1].y));
   rise += std::fabs(glm::dot(at[0].gradient, sag) - at[2].f + 0.5 * (at[0].f + at[1].f)) +
     2.0 * roundings + BendAlong(node, pencil, at[0], d, bent) / 32.0 + tube->rise;
-  return (rise / pencil.across * Of.Size + off) * (1.0 + kSteep);
+  return (rise / pencil.across * Of.Size() + off) * (1.0 + kSteep);
 }
 } // namespace pixelexact

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Questions/OnSheet.h"
-#include "Core/Questions/PointValues.h"
 #include "Core/Questions/Questions.h"
 
 #include <glm/common.hpp>
@@ -17,34 +16,35 @@ namespace
 constexpr double kSingular = 1e-3;
 } // namespace
 
-EdgeBounds::OnSheet::OnSheet(const EdgeBounds& bounds, const Sheet& sheet)
-  : Of(bounds)
+OnSheet::OnSheet(
+  const EdgeFunctions& functions, const std::array<EdgeNodeEnd, 6>& ends, const Sheet& sheet)
+  : Of(functions)
+  , Ends(ends)
   , TheSheet(sheet)
 {
   if (sheet.face >= 0)
   {
-    const ShapeFace& face = FacesOf(bounds.Map.space.shape)[static_cast<std::size_t>(sheet.face)];
+    const ShapeFace& face = FacesOf(functions.GetShape())[static_cast<std::size_t>(sheet.face)];
     Own = 2 * static_cast<std::size_t>(face.direction) + (face.upper ? 1U : 0U);
   }
 }
 
-void EdgeBounds::OnSheet::Evaluate(std::span<const Vec3> xi, std::span<Values> all) const
+void OnSheet::Evaluate(std::span<const Vec3> xi, std::span<Values> all) const
 {
-  const PointValues map(Of.Map.space, Of.Map.values.data(), 3, xi);
-  const double scale = std::ldexp(1.0, Of.Map.exponent);
+  const PointValues map = Of.ImagesAt(xi);
   for (std::size_t i = 0; i < xi.size(); ++i)
   {
     for (int c = 0; c < 3; ++c)
     {
-      all[i].y[c] = scale * map.values[c][i];
+      all[i].y[c] = map.values[c][i];
       for (int j = 0; j < 3; ++j)
       {
-        all[i].jacobian[j][c] = scale * map.slopes[3 * c + j][i];
+        all[i].jacobian[j][c] = map.slopes[3 * c + j][i];
       }
     }
     if (Own < 6)
     {
-      const EdgeNodeEnd& end = Of.Ends[Own];
+      const EdgeNodeEnd& end = Ends[Own];
       all[i].f = end.DepthOf(xi[i]);
       all[i].gradient = -Vec3(end.normal[0], end.normal[1], end.normal[2]);
     }
@@ -53,20 +53,14 @@ void EdgeBounds::OnSheet::Evaluate(std::span<const Vec3> xi, std::span<Values> a
   {
     return;
   }
-  const double unit = std::ldexp(1.0, Of.Component.exponent);
-  for (int c = 0; c < Of.Components; ++c)
+  for (int c = 0; c < Of.Components(); ++c)
   {
-    const PointValues component(Of.Component.space,
-      Of.Component.values.data() +
-        static_cast<std::ptrdiff_t>(c) * static_cast<std::ptrdiff_t>(Of.Component.width),
-      1, xi);
+    const PointValues component = Of.ValuesAt(c, xi);
     for (std::size_t i = 0; i < xi.size(); ++i)
     {
-      const double value = unit * component.values[0][i];
-      const Vec3 slope =
-        unit * Vec3(component.slopes[0][i], component.slopes[1][i], component.slopes[2][i]);
+      const double value = component.values[0][i];
       all[i].size = IsNorm() ? std::hypot(all[i].size, value) : value;
-      all[i].gradient += (IsNorm() ? value : 1.0) * slope;
+      all[i].gradient += (IsNorm() ? value : 1.0) * component.SlopeOf(0, i);
     }
   }
   for (Values& at : all)
@@ -77,7 +71,7 @@ void EdgeBounds::OnSheet::Evaluate(std::span<const Vec3> xi, std::span<Values> a
   }
 }
 
-std::optional<EdgeBounds::OnSheet::Pencil> EdgeBounds::OnSheet::PencilOf(
+std::optional<OnSheet::Pencil> OnSheet::PencilOf(
   const Values& at, const Vec3& first, const Vec3& last) const
 {
   Pencil pencil;
@@ -93,7 +87,7 @@ std::optional<EdgeBounds::OnSheet::Pencil> EdgeBounds::OnSheet::PencilOf(
       for (int c = 0; c < 3; ++c)
       {
         size +=
-          std::fabs(W[c][k]) * (kRoundoffs * std::fabs(at.jacobian[j][c]) + Of.SlopeErrors[0]);
+          std::fabs(W[c][k]) * (kRoundoffs * std::fabs(at.jacobian[j][c]) + Of.ImageSlopeError());
       }
       sum += std::fabs(product[j][k] - (j == k ? 1.0 : 0.0)) + size;
     }
@@ -140,19 +134,20 @@ std::optional<EdgeBounds::OnSheet::Pencil> EdgeBounds::OnSheet::PencilOf(
   return pencil;
 }
 
-double EdgeBounds::OnSheet::ErrorOf(const Values& at) const
+double OnSheet::ErrorOf(const Values& at) const
 {
-  return Own < 6 ? kRoundoffs : Of.ValueError + kRoundoffs * (at.size + std::fabs(TheSheet.value));
+  return Own < 6 ? kRoundoffs
+                 : Of.ValueError() + kRoundoffs * (at.size + std::fabs(TheSheet.value));
 }
 
-double EdgeBounds::OnSheet::SlopeErrorOf(const EdgeNode& node, const Values& at) const
+double OnSheet::SlopeErrorOf(const EdgeNode& node, const Values& at) const
 {
   if (Own < 6)
   {
     return 0.0;
   }
   const double most = std::max({ node.slope[0], node.slope[1], node.slope[2] });
-  return Of.SlopeErrors[1] + kRoundoffs * most +
-    (IsNorm() ? 2.0 * most * Of.ValueError / at.size : 0.0);
+  return Of.ValueSlopeError() + kRoundoffs * most +
+    (IsNorm() ? 2.0 * most * Of.ValueError() / at.size : 0.0);
 }
 } // namespace pixelexact

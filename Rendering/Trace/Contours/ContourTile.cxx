@@ -1,23 +1,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trace/Contours/ContourTile.h"
 
-#include "Core/Shape/Shape.h"
+#include "Trace/Contours/FlatBlocks.h"
+#include "Trace/Contours/PixelInteriors.h"
 
-#include <glm/geometric.hpp>
+#include <glm/common.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
+#include <optional>
 
 namespace pixelexact
 {
 namespace
 {
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// Distance of two hits over that of their rays, where the surface is taken to go on between them.
-constexpr double kSteepest = 64.0;
-/// Sagitta over chord of the edges on curved surfaces that are held against other elements.
-constexpr double kBulge = 1.0;
+/// Whose boxes meet a part of a surface; all where it is not known.
+std::vector<int> ElementsNear(const ElementIndex& index, const std::optional<Outline>& part)
+{
+  Box3 box = index.Bounds();
+  if (part)
+  {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    box = { Vec3(kInfinity), Vec3(-kInfinity) };
+    for (const Vec3& corner : part->Corners())
+    {
+      const Vec3 margin = 1e-12 * glm::abs(corner);
+      box.lower = glm::min(box.lower, corner - margin);
+      box.upper = glm::max(box.upper, corner + margin);
+    }
+  }
+  std::vector<int> elements;
+  index.FindNear(box, elements);
+  return elements;
+}
 } // namespace
 
 ContourTile::ContourTile(TileVisit& tile, const ContourMethod& method)
@@ -25,112 +40,74 @@ ContourTile::ContourTile(TileVisit& tile, const ContourMethod& method)
   , Method(method)
   , Across(static_cast<std::size_t>(tile.Area().Width()) + 1)
   , Up(static_cast<std::size_t>(tile.Area().Height()) + 1)
-  , Edges((Across - 1) * Up + Across * (Up - 1), State::Out)
-  , Parts(Edges.size(), 0)
+  , Pixels((Across - 1) * (Up - 1), ContourVerdict::Out)
 {
-  const SampleBuffers& samples = tile.Corners();
-  const TileArea& area = tile.Area();
-  Corners.reserve(samples.Size());
+}
+
+std::vector<EdgeEnd> ContourTile::EndsOf(
+  const LayerSight& sight, std::span<const std::uint8_t> open)
+{
+  std::vector<std::uint8_t> wanted(Across * Up, 0);
+  for (std::size_t i = 0; i < open.size(); ++i)
+  {
+    if (open[i] != 0)
+    {
+      const std::size_t corner = i / (Across - 1) * Across + i % (Across - 1);
+      wanted[corner] = wanted[corner + 1] = wanted[corner + Across] = wanted[corner + Across + 1] =
+        1;
+    }
+  }
+  const SampleBuffers& samples = Tile.Corners();
+  const TileArea& area = Tile.Area();
+  std::vector<EdgeEnd> ends(Across * Up);
   std::size_t i = 0;
   for (int y = area.y0; y <= area.y1; ++y)
   {
     for (int x = area.x0; x <= area.x1; ++x, ++i)
     {
-      Corners.push_back(EndOf(samples, i, { static_cast<double>(x), static_cast<double>(y) }));
+      if (wanted[i] != 0)
+      {
+        ends[i] = sight.EndOf(samples, i, { static_cast<double>(x), static_cast<double>(y) });
+      }
     }
   }
-}
-
-EdgeEnd ContourTile::EndOf(
-  const SampleBuffers& samples, std::size_t i, const ImagePosition& position) const
-{
-  EdgeEnd end;
-  end.position = position;
-  if (samples.verdict[i] == static_cast<std::uint8_t>(PixelVerdict::Exact))
-  {
-    end.layer = samples.layer[i];
-    end.element = static_cast<int>(samples.element[i]);
-    end.point.x = samples.position[i];
-    end.point.xi = samples.xi[i];
-    end.point.value = samples.value[i];
-    end.point.eta =
-      ReferenceToTensor(Tile.GetScene().locator->GetMesh().ShapeOf(end.element), end.point.xi);
-  }
-  return end;
-}
-
-namespace
-{
-SurfacePoint PointOf(const EdgeEnd& end)
-{
-  return { end.point.x, end.element, end.point.xi };
-}
-} // namespace
-
-SurfaceEdge ContourTile::EdgeBetween(const EdgeEnd& a, const EdgeEnd& b) const
-{
-  SurfaceEdge edge{ a.point.x, b.point.x, kInfinity };
-  const Camera& camera = Tile.GetCamera();
-  const auto rayOf = [&](const EdgeEnd& end)
-  { return camera.At(end.position[0], end.position[1]); };
-  if (!TheSurface->IsFlat())
-  {
-    if (a.layer == Layer && b.layer == Layer)
-    {
-      edge.sagitta = TheSurface->Sagitta(rayOf(a), PointOf(a), rayOf(b), PointOf(b));
-    }
-    return edge;
-  }
-  // A plane goes on where the mesh ends.
-  edge.sagitta = 0.0;
-  const auto place = [&](const EdgeEnd& end, Vec3& x)
-  {
-    if (end.layer != Layer)
-    {
-      const auto hits = HitsOf(*TheSurface, rayOf(end));
-      edge.sagitta = hits.empty() ? kInfinity : edge.sagitta;
-      x = hits.empty() ? Vec3(0.0) : hits.front().position;
-    }
-  };
-  place(a, edge.from);
-  place(b, edge.to);
-  return edge;
-}
-
-std::vector<int> ContourTile::ElementsNear() const
-{
-  const ElementIndex& index = Tile.GetScene().locator->Index();
-  Box3 box{ Vec3(kInfinity), Vec3(-kInfinity) };
-  bool known = true;
-  for (const std::size_t i : { std::size_t{ 0 }, Across - 1, Across * (Up - 1), Across * Up - 1 })
-  {
-    const SurfaceEdge edge = EdgeBetween(Corners[i], Corners[i]);
-    known = known && std::isfinite(edge.sagitta);
-    box.lower = glm::min(box.lower, edge.from);
-    box.upper = glm::max(box.upper, edge.from);
-  }
-  const Vec3 margin = 1e-12 * (glm::abs(box.lower) + glm::abs(box.upper));
-  std::vector<int> elements;
-  index.FindNear(known ? Box3{ box.lower - margin, box.upper + margin } : index.Bounds(), elements);
-  return elements;
+  return ends;
 }
 
 template <class Visit, class EndRow>
-void ContourTile::ForEachEdge(const Visit& visit, const EndRow& endRow) const
+void ContourTile::ForEachEdge(
+  std::span<const std::uint8_t> open, const Visit& visit, const EndRow& endRow) const
 {
+  const std::size_t columns = Across - 1;
+  const std::size_t rows = Up - 1;
+  const auto visitOpen = [&](
+                           bool before, bool after, std::size_t edge, std::size_t a, std::size_t b)
+  {
+    if (before || after)
+    {
+      visit(edge, a, b);
+    }
+    else
+    {
+      endRow();
+    }
+  };
+  std::size_t edge = 0;
   for (std::size_t i = 0; i < Up; ++i)
   {
-    for (std::size_t j = 0; j + 1 < Across; ++j)
+    for (std::size_t j = 0; j < columns; ++j, ++edge)
     {
-      visit(i * Across + j, i * Across + j + 1);
+      visitOpen(i > 0 && open[(i - 1) * columns + j] != 0, i < rows && open[i * columns + j] != 0,
+        edge, i * Across + j, i * Across + j + 1);
     }
     endRow();
   }
   for (std::size_t j = 0; j < Across; ++j)
   {
-    for (std::size_t i = 0; i + 1 < Up; ++i)
+    for (std::size_t i = 0; i < rows; ++i, ++edge)
     {
-      visit(i * Across + j, (i + 1) * Across + j);
+      visitOpen(j > 0 && open[i * columns + j - 1] != 0, j < columns && open[i * columns + j] != 0,
+        edge, i * Across + j, (i + 1) * Across + j);
     }
     endRow();
   }
@@ -138,257 +115,130 @@ void ContourTile::ForEachEdge(const Visit& visit, const EndRow& endRow) const
 
 void ContourTile::Judge(const ContouredLayer& layer)
 {
-  Layer = layer.number;
-  TheSurface = Tile.GetScene().layers[static_cast<std::size_t>(Layer)].surface.get();
+  LayerSight sight(Tile, layer.number);
+  const Surface& surface = sight.GetSurface();
   if (!layer.bounds->CanProve())
   {
-    LeaveOpen();
+    LeaveOpen(layer.number);
     return;
   }
-  if (!TheSurface->HasSagitta())
+  if (!surface.HasSagitta())
   {
     const Interval& range = layer.bounds->Values();
-    const auto first = std::ranges::lower_bound(layer.values, range.lower);
-    if (first != layer.values.end() && *first <= range.upper)
+    if (ValueSet{ layer.values }.Meets(range.lower, range.upper))
     {
-      LeaveOpen();
+      LeaveOpen(layer.number);
     }
     return;
   }
-  const EdgeJudge judge = TheSurface->IsFlat()
-    ? EdgeJudge(*layer.bounds, layer.values, ElementsNear())
-    : EdgeJudge(*layer.bounds, layer.values);
-  if (!judge.IsNeeded())
+  if (!surface.IsPlane())
+  {
+    const EdgeJudge judge(*layer.bounds, layer.values);
+    JudgeEdges(sight, judge, std::vector<std::uint8_t>(Pixels.size(), 1));
+    return;
+  }
+  const FlatBlocks blocks(surface, Tile.GetCamera(), Tile.Area());
+  const EdgeJudge judge(
+    *layer.bounds, layer.values, ElementsNear(Tile.GetScene().locator->Index(), blocks.Whole()));
+  if (judge.IsNeeded())
+  {
+    JudgeEdges(sight, judge, blocks.FindOpen(judge));
+  }
+}
+
+void ContourTile::JudgeEdges(
+  LayerSight& sight, const EdgeJudge& judge, std::span<const std::uint8_t> open)
+{
+  if (std::ranges::find(open, 1) == open.end())
   {
     return;
   }
-  Judging = &judge;
-  std::vector<Part> open;
-  std::vector<Part> run;
-  std::size_t edge = 0;
-  const auto visit = [&](std::size_t a, std::size_t b)
+  const std::vector<EdgeEnd> corners = EndsOf(sight, open);
+  std::vector<EdgeState> edges(CountEdges(), EdgeState::Out);
+  EdgeSettler settler(sight, judge, Method, edges, Counted);
+  ForEachEdge(
+    open,
+    [&](std::size_t edge, std::size_t a, std::size_t b)
+    { settler.Add(edge, corners[a], corners[b]); },
+    [&] { settler.EndRow(); });
+  settler.Refine();
+  std::vector<EdgeState> states = StatesOf(edges, open);
+  if (Method.interior)
   {
-    if (Edges[edge] != State::In)
+    JudgeInteriors(sight, judge, corners, open, states);
+  }
+  Add(states);
+}
+
+void ContourTile::JudgeInteriors(LayerSight& sight, const EdgeJudge& judge,
+  std::span<const EdgeEnd> corners, std::span<const std::uint8_t> open, std::span<EdgeState> states)
+{
+  const std::vector<EdgeState> before(states.begin(), states.end());
+  PixelInteriors interiors(sight, judge, Method, states, Counted);
+  const std::size_t columns = Across - 1;
+  for (std::size_t pixel = 0; pixel < states.size(); ++pixel)
+  {
+    if (open[pixel] != 0)
     {
-      const Part part{ edge, Corners[a], Corners[b] };
-      const bool jumps = MayJump(part);
-      const EdgeFinding finding = jumps ? EdgeFinding::Out : JudgeWithin(part);
-      if (finding == EdgeFinding::Uncovered)
-      {
-        run.push_back(part);
-        ++edge;
-        return;
-      }
-      if (jumps)
-      {
-        SettlePart(part, 0, open);
-      }
-      Settle(part, finding, 0, open);
+      const auto lower =
+        corners.begin() + static_cast<std::ptrdiff_t>(pixel / columns * Across + pixel % columns);
+      const auto upper = lower + static_cast<std::ptrdiff_t>(Across);
+      interiors.Add(pixel, { lower[0], lower[1], upper[1], upper[0] });
     }
-    SettleRun(run, open);
-    run.clear();
-    ++edge;
+  }
+  interiors.Refine();
+  for (std::size_t pixel = 0; pixel < states.size(); ++pixel)
+  {
+    const bool isLoop = before[pixel] == EdgeState::Out && states[pixel] == EdgeState::In;
+    Counted.loops += isLoop && Pixels[pixel] != ContourVerdict::In ? 1 : 0;
+  }
+}
+
+void ContourTile::LeaveOpen(int layer)
+{
+  const SampleBuffers& samples = Tile.Corners();
+  const auto shows = [&](std::size_t corner)
+  {
+    return samples.verdict[corner] == static_cast<std::uint8_t>(PixelVerdict::Exact) &&
+      samples.layer[corner] == layer;
   };
-  ForEachEdge(visit,
-    [&]
+  const std::vector<std::uint8_t> all(Pixels.size(), 1);
+  std::vector<EdgeState> edges(CountEdges(), EdgeState::Out);
+  ForEachEdge(
+    all,
+    [&](std::size_t edge, std::size_t a, std::size_t b)
+    { edges[edge] = shows(a) || shows(b) ? EdgeState::Undecided : EdgeState::Out; },
+    [] {});
+  Add(StatesOf(edges, all));
+}
+
+std::vector<EdgeState> ContourTile::StatesOf(
+  std::span<const EdgeState> edges, std::span<const std::uint8_t> open) const
+{
+  const std::size_t columns = Across - 1;
+  const std::size_t rows = Up - 1;
+  const std::size_t ups = columns * Up;
+  std::vector<EdgeState> states(Pixels.size(), EdgeState::Out);
+  for (std::size_t pixel = 0; pixel < states.size(); ++pixel)
+  {
+    if (open[pixel] != 0)
     {
-      SettleRun(run, open);
-      run.clear();
-    });
-  Refine(std::move(open));
-}
-
-void ContourTile::LeaveOpen()
-{
-  std::size_t edge = 0;
-  const auto visit = [&](std::size_t a, std::size_t b)
-  {
-    if (Corners[a].layer == Layer || Corners[b].layer == Layer)
-    {
-      Edges[edge] = std::max(Edges[edge], State::Undecided);
-    }
-    ++edge;
-  };
-  ForEachEdge(visit, [] {});
-}
-
-EdgeFinding ContourTile::JudgeWithin(const Part& part) const
-{
-  const EdgeEnd& a = part.a;
-  const EdgeEnd& b = part.b;
-  if (a.layer >= 0 && b.layer >= 0 && a.layer != Layer && b.layer != Layer)
-  {
-    // Another layer hides this one at both ends.
-    return EdgeFinding::Out;
-  }
-  return a.layer == Layer && b.layer == Layer && a.element == b.element
-    ? Judging->Within(a, b, EdgeBetween(a, b))
-    : EdgeFinding::Uncovered;
-}
-
-/// Whether two hits are about as far apart as their rays: a surface that goes on between them.
-bool ContourTile::AreJoined(const EdgeEnd& a, const EdgeEnd& b) const
-{
-  if (TheSurface->IsFlat())
-  {
-    return true;
-  }
-  const Camera& camera = Tile.GetCamera();
-  const Ray first = camera.At(a.position[0], a.position[1]);
-  const Ray second = camera.At(b.position[0], b.position[1]);
-  const double depth = glm::distance(first.origin, a.point.x);
-  const double apart = glm::distance(a.point.x, second.origin + depth * second.direction);
-  return glm::distance(a.point.x, b.point.x) <= kSteepest * apart;
-}
-
-int ContourTile::SideOf(const Part& part) const
-{
-  return part.a.layer == Layer ? Judging->SideOf(part.a.point.value)
-    : part.b.layer == Layer    ? Judging->SideOf(part.b.point.value)
-                               : EdgeJudge::kNoSide;
-}
-
-bool ContourTile::MayJump(const Part& part) const
-{
-  return part.a.layer == Layer && part.b.layer == Layer && part.a.element != part.b.element &&
-    Judging->AreOpposite(part.a, part.b);
-}
-
-void ContourTile::SettleRun(std::span<const Part> run, std::vector<Part>& open)
-{
-  if (run.empty())
-  {
-    return;
-  }
-  if (run.size() > 1 && TheSurface->IsFlat())
-  {
-    // Together they are a straight edge.
-    const SurfaceEdge all = EdgeBetween(run.front().a, run.back().b);
-    const int side = SideOf(run.front());
-    if (std::ranges::all_of(run, [&](const Part& part) { return SideOf(part) == side; }) &&
-      Judging->StaysOn(side, all, false))
-    {
-      return;
+      const std::size_t up = ups + pixel % columns * rows + pixel / columns;
+      states[pixel] =
+        std::max({ edges[pixel], edges[pixel + columns], edges[up], edges[up + rows] });
     }
   }
-  if (run.size() == 1)
-  {
-    SettlePart(run.front(), 0, open);
-    return;
-  }
-  SettleRun(run.first(run.size() / 2), open);
-  SettleRun(run.subspan(run.size() / 2), open);
+  return states;
 }
 
-void ContourTile::Settle(const Part& part, EdgeFinding finding, int level, std::vector<Part>& open)
+void ContourTile::Add(std::span<const EdgeState> states)
 {
-  if (finding == EdgeFinding::Out)
+  for (std::size_t pixel = 0; pixel < Pixels.size(); ++pixel)
   {
-    return;
-  }
-  if (finding == EdgeFinding::In || finding == EdgeFinding::Touching)
-  {
-    Edges[part.edge] = State::In;
-    return;
-  }
-  const bool onBoth = part.a.layer == Layer && part.b.layer == Layer;
-  if (!TheSurface->IsFlat())
-  {
-    if (!onBoth && part.a.layer != Layer && part.b.layer != Layer)
+    ContourVerdict& verdict = Pixels[pixel];
+    if (verdict != ContourVerdict::In && states[pixel] != EdgeState::Out)
     {
-      // Whether the surface shows between two rays that do not see it is not asked.
-      return;
-    }
-  }
-  const int deepest = finding == EdgeFinding::Open ? Method.halvings : Method.crossings;
-  if (level < deepest && Parts[part.edge] < Method.parts)
-  {
-    ++Parts[part.edge];
-    open.push_back(part);
-    return;
-  }
-  const bool joined = onBoth && AreJoined(part.a, part.b);
-  const bool opposite = onBoth && Judging->AreOpposite(part.a, part.b);
-  if (joined && opposite && finding == EdgeFinding::Uncovered)
-  {
-    Edges[part.edge] = State::In;
-    Counted.jumps += Judging->IsJump(part.a, part.b, EdgeBetween(part.a, part.b)) ? 1 : 0;
-    return;
-  }
-  if (level >= deepest && !joined && !opposite && !TheSurface->IsFlat())
-  {
-    // Closer to a silhouette, or to where the surface leaves the mesh, nothing is asked. Where a
-    // value is between those of two sheets it stays open whether that is a line.
-    return;
-  }
-  Edges[part.edge] = std::max(Edges[part.edge], State::Undecided);
-}
-
-void ContourTile::SettlePart(const Part& part, int level, std::vector<Part>& open)
-{
-  if (Edges[part.edge] == State::In)
-  {
-    return;
-  }
-  EdgeFinding finding = JudgeWithin(part);
-  if (finding == EdgeFinding::Uncovered)
-  {
-    const SurfaceEdge edge = EdgeBetween(part.a, part.b);
-    const bool inReach = edge.sagitta <= kBulge * glm::distance(edge.from, edge.to);
-    if (inReach && !MayJump(part) && Judging->StaysOn(SideOf(part), edge, true))
-    {
-      finding = EdgeFinding::Out;
-    }
-  }
-  Settle(part, finding, level, open);
-}
-
-void ContourTile::Refine(std::vector<Part> parts)
-{
-  const Buffer wanted =
-    Buffer::Value | Buffer::Xi | Buffer::Element | Buffer::Position | Buffer::Layer;
-  for (int level = 1; !parts.empty(); ++level)
-  {
-    std::erase_if(parts, [this](const Part& part) { return Edges[part.edge] == State::In; });
-    std::vector<ImagePosition> middles;
-    for (const Part& part : parts)
-    {
-      middles.push_back({ 0.5 * (part.a.position[0] + part.b.position[0]),
-        0.5 * (part.a.position[1] + part.b.position[1]) });
-      Parts[part.edge] = 0;
-    }
-    if (parts.empty())
-    {
-      return;
-    }
-    const SampleBuffers samples = Tile.Trace(middles, wanted);
-    std::vector<Part> open;
-    for (std::size_t i = 0; i < parts.size(); ++i)
-    {
-      const EdgeEnd middle = EndOf(samples, i, middles[i]);
-      SettlePart({ parts[i].edge, parts[i].a, middle }, level, open);
-      SettlePart({ parts[i].edge, middle, parts[i].b }, level, open);
-    }
-    Counted.samples += static_cast<std::int64_t>(middles.size());
-    parts = std::move(open);
-  }
-}
-
-void ContourTile::Tell(std::span<std::uint8_t> verdicts) const
-{
-  const std::size_t ups = (Across - 1) * Up;
-  auto verdict = verdicts.begin();
-  for (std::size_t i = 0; i + 1 < Up; ++i)
-  {
-    for (std::size_t j = 0; j + 1 < Across; ++j, ++verdict)
-    {
-      const std::size_t across = i * (Across - 1) + j;
-      const std::size_t up = ups + j * (Up - 1) + i;
-      const State state =
-        std::max({ Edges[across], Edges[across + Across - 1], Edges[up], Edges[up + Up - 1] });
-      *verdict = static_cast<std::uint8_t>(state == State::In ? ContourVerdict::In
-          : state == State::Undecided                         ? ContourVerdict::Undecided
-                                                              : ContourVerdict::Out);
+      verdict = states[pixel] == EdgeState::In ? ContourVerdict::In : ContourVerdict::Undecided;
     }
   }
 }

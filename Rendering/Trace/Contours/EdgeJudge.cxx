@@ -3,10 +3,14 @@
 
 #include "Core/Math/Rounding.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 
 namespace pixelexact
 {
@@ -14,24 +18,53 @@ namespace
 {
 /// Of the largest magnitude of an element's values: rounding beyond which a value that is met by
 /// an end up to rounding is not told from one that is missed.
-constexpr double kTouch = 1e-10;
+constexpr double kTouch = 1e-13;
+/// For parts of a surface that are many pixels wide, for edges and parts of them, and for squares
+/// of a pixel and less.
+constexpr EdgeEffort kForBlocks{ 0, 3 };
+constexpr EdgeEffort kForEdges{ EdgeEffort::kAny, 0 };
+constexpr EdgeEffort kForSquares{ EdgeEffort::kAny, EdgeEffort::kAny };
 
-/// How far an end may be off, by the rounding of rays and hits.
-double SlackOf(const SurfaceEdge& edge)
+/// How far corners may be off, by the rounding of rays and hits.
+double SlackOf(std::span<const Vec3> corners)
 {
   double largest = 0.0;
-  for (int d = 0; d < 3; ++d)
+  for (const Vec3& x : corners)
   {
-    largest = std::max({ largest, std::fabs(edge.from[d]), std::fabs(edge.to[d]) });
+    largest = std::max({ largest, std::fabs(x.x), std::fabs(x.y), std::fabs(x.z) });
   }
-  return edge.sagitta + 16.0 * kUnitRoundoff * largest;
+  return 16.0 * kUnitRoundoff * largest;
+}
+
+bool Meet(const Box3& a, const Box3& b)
+{
+  return glm::all(glm::lessThanEqual(a.lower, b.upper)) &&
+    glm::all(glm::lessThanEqual(b.lower, a.upper));
+}
+
+Box3 BoxOf(const WideOutline& region)
+{
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Box3 box{ Vec3(kInfinity), Vec3(-kInfinity) };
+  for (const Vec3& corner : region.outline.Corners())
+  {
+    box.lower = glm::min(box.lower, corner - region.slack);
+    box.upper = glm::max(box.upper, corner + region.slack);
+  }
+  return box;
+}
+
+WideOutline RegionOf(const SurfaceEdge& edge)
+{
+  const Outline outline(edge.from, edge.to);
+  return { outline, edge.sagitta + SlackOf(outline.Corners()) };
 }
 } // namespace
 
 EdgeJudge::EdgeJudge(
   const LayerBounds& bounds, std::span<const double> values, std::span<const int> elements)
   : Bounds(bounds)
-  , Values(values)
+  , Wanted{ values }
 {
   for (const int element : elements)
   {
@@ -47,7 +80,7 @@ EdgeJudge::EdgeJudge(
 
 EdgeJudge::EdgeJudge(const LayerBounds& bounds, std::span<const double> values)
   : Bounds(bounds)
-  , Values(values)
+  , Wanted{ values }
   , Needed(true)
   , LooksForElements(true)
 {
@@ -58,18 +91,21 @@ EdgeJudge::Element EdgeJudge::MakeElement(int element) const
   const EdgeBounds& own = Bounds.Of(element);
   const Interval& range = own.Values();
   return { element, Bounds.Index().ElementBox(element), &own,
-    AnyIn(range.lower, range.upper) ? kNoSide : SideOf(range.lower) };
+    Wanted.Meets(range.lower, range.upper) ? kNoSide : SideOf(range.lower) };
 }
 
 int EdgeJudge::SideOf(double value) const
 {
-  return static_cast<int>(std::ranges::lower_bound(Values, value) - Values.begin());
+  return static_cast<int>(std::ranges::lower_bound(Wanted.values, value) - Wanted.values.begin());
 }
 
-bool EdgeJudge::AnyIn(double lower, double upper) const
+ValueSet EdgeJudge::NotOn(int side) const
 {
-  const auto at = std::ranges::lower_bound(Values, lower);
-  return at != Values.end() && *at <= upper;
+  const auto above = static_cast<std::size_t>(side);
+  ValueSet others;
+  others.lower = above > 0 ? Wanted.values[above - 1] : others.lower;
+  others.upper = above < Wanted.values.size() ? Wanted.values[above] : others.upper;
+  return others;
 }
 
 EdgeFinding EdgeJudge::Within(const EdgeEnd& a, const EdgeEnd& b, const SurfaceEdge& edge) const
@@ -83,16 +119,17 @@ EdgeFinding EdgeJudge::Within(const EdgeEnd& a, const EdgeEnd& b, const SurfaceE
   }
   const double lower = std::min(a.point.value, b.point.value);
   const double upper = std::max(a.point.value, b.point.value);
-  if (!AnyIn(lower - range->deviation, upper + range->deviation))
+  if (!Wanted.Meets(lower - range->deviation, upper + range->deviation))
   {
     return EdgeFinding::Out;
   }
   const double error = range->error;
-  if (lower + error < upper - error && AnyIn(lower + error, upper - error))
+  if (lower + error < upper - error && Wanted.Meets(lower + error, upper - error))
   {
     return EdgeFinding::In;
   }
-  const bool touches = AnyIn(lower - error, lower + error) || AnyIn(upper - error, upper + error);
+  const bool touches =
+    Wanted.Meets(lower - error, lower + error) || Wanted.Meets(upper - error, upper + error);
   return touches && error <= kTouch * bounds.Values().Magnitude() ? EdgeFinding::Touching
                                                                   : EdgeFinding::Open;
 }
@@ -103,49 +140,88 @@ bool EdgeJudge::StaysOn(int side, const SurfaceEdge& edge, bool thorough) const
   {
     return false;
   }
-  const double slack = SlackOf(edge);
-  const Vec3 lower = glm::min(edge.from, edge.to) - slack;
-  const Vec3 upper = glm::max(edge.from, edge.to) + slack;
-  ValueSet others;
-  if (side == kNoSide)
+  const WideOutline region = RegionOf(edge);
+  return StaysOn(side, ElementsAt(region), region, thorough ? kForEdges : EdgeEffort{});
+}
+
+bool EdgeJudge::StaysOn(int side, const Outline& part, double sagitta) const
+{
+  if (!std::isfinite(sagitta))
   {
-    others.values = Values;
+    return false;
   }
-  else
-  {
-    const auto above = static_cast<std::size_t>(side);
-    others.lower = above > 0 ? Values[above - 1] : others.lower;
-    others.upper = above < Values.size() ? Values[above] : others.upper;
-  }
-  const auto leaves = [&](const Element& element)
-  {
-    const Box3& box = element.box;
-    return !element.StaysOn(side) &&
-      !(lower.x > box.upper.x || upper.x < box.lower.x || lower.y > box.upper.y ||
-        upper.y < box.lower.y || lower.z > box.upper.z || upper.z < box.lower.z) &&
-      element.bounds->MayTake(others, edge.from, edge.to, slack, thorough);
-  };
+  const WideOutline region{ part, sagitta + SlackOf(part.Corners()) };
+  return StaysOn(side, ElementsAt(region), region, kForSquares);
+}
+
+std::span<const EdgeJudge::Element> EdgeJudge::ElementsAt(const WideOutline& region) const
+{
+  const Box3 box = BoxOf(region);
+  Found.clear();
   if (!LooksForElements)
   {
-    return std::ranges::none_of(Near, leaves);
+    std::ranges::copy_if(Near, std::back_inserter(Found),
+      [&box](const Element& element) { return Meet(box, element.box); });
+    return Found;
   }
   std::vector<int> elements;
-  Bounds.Index().FindNear({ lower, upper }, elements);
-  return std::ranges::none_of(elements,
-    [&](int element)
-    { return Bounds.Of(element).Values().IsFinite() && leaves(MakeElement(element)); });
+  Bounds.Index().FindNear(box, elements);
+  for (const int element : elements)
+  {
+    if (Bounds.Of(element).Values().IsFinite())
+    {
+      Found.push_back(MakeElement(element));
+    }
+  }
+  return Found;
+}
+
+bool EdgeJudge::StaysOn(int side, std::span<const Element> elements, const WideOutline& region,
+  const EdgeEffort& effort) const
+{
+  if (side != kNoSide)
+  {
+    const ValueSet others = NotOn(side);
+    return std::ranges::all_of(elements,
+      [&](const Element& element)
+      { return element.side == side || !element.bounds->MayTake(others, region, effort); });
+  }
+  // It is the side of one that the region meets, if it meets any.
+  std::vector<int> tried;
+  for (const Element& element : elements)
+  {
+    const std::optional<Interval> values = element.bounds->ValuesIn(region, Wanted, effort);
+    if (!values)
+    {
+      continue;
+    }
+    const int its = SideOf(values->lower);
+    if (Meets(*values) ||
+      (std::ranges::find(tried, its) == tried.end() && StaysOn(its, elements, region, effort)))
+    {
+      return !Meets(*values);
+    }
+    tried.push_back(its);
+  }
+  return tried.empty();
+}
+
+bool EdgeJudge::StaysOnOne(const Outline& part) const
+{
+  const WideOutline region{ part, SlackOf(part.Corners()) };
+  return StaysOn(kNoSide, ElementsAt(region), region, kForBlocks);
 }
 
 bool EdgeJudge::AreOpposite(const EdgeEnd& a, const EdgeEnd& b) const
 {
-  const double lower = std::min(a.point.value, b.point.value);
-  const double upper = std::max(a.point.value, b.point.value);
-  return AnyIn(lower, upper);
+  const auto [lower, upper] = std::minmax(a.point.value, b.point.value);
+  // What is not finite has no values.
+  return std::isfinite(lower) && std::isfinite(upper) && Wanted.Meets(lower, upper);
 }
 
 bool EdgeJudge::IsJump(const EdgeEnd& a, const EdgeEnd& b, const SurfaceEdge& edge) const
 {
-  const double distance = glm::distance(edge.from, edge.to) + SlackOf(edge);
+  const double distance = glm::distance(edge.from, edge.to) + RegionOf(edge).slack;
   const double change = Bounds.Of(a.element).ChangeWithin(a.point, distance) +
     Bounds.Of(b.element).ChangeWithin(b.point, distance);
   return std::fabs(a.point.value - b.point.value) > change;

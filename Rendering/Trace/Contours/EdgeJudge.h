@@ -4,6 +4,7 @@
 #include "Trace/Contours/LayerBounds.h"
 #include "Trace/TileSamples.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -13,9 +14,17 @@ namespace pixelexact
 struct EdgeEnd
 {
   ImagePosition position{};
-  int layer = -1; ///< that is seen, in the mesh and decided; -1: none is
-  int element = -1;
-  LocatedPoint point; ///< where there is a layer
+  int layer = -1;          ///< that is seen, in the mesh and decided; -1: none is
+  int element = -1;        ///< where the layer that is judged is seen
+  LocatedPoint point;      ///< there; of planes `x` is known beside the mesh and behind others, too
+  bool meets = false;      ///< whether `x` is known
+  std::int32_t piece = -1; ///< of the surface, and where on it: what the hit tells
+  double parameters[2] = { 0.0, 0.0 };
+
+  [[nodiscard]] SurfacePoint OnSurface() const
+  {
+    return { point.x, element, point.xi, piece, { parameters[0], parameters[1] } };
+  }
 };
 
 /// An edge of a pixel or a part of it, as far as it is on one layer's surface.
@@ -56,9 +65,14 @@ public:
   /// An edge between points of the same element, by the bounds of that element alone.
   [[nodiscard]] EdgeFinding Within(
     const EdgeEnd& a, const EdgeEnd& b, const SurfaceEdge& edge) const;
-  /// Whether all elements that the edge may meet stay on a side there; of kNoSide, whether none
-  /// takes a value. `thorough`: more is found out about the elements where that helps.
+  /// Whether all elements that the edge may meet stay on a side there; of kNoSide, on any one.
+  /// `thorough`: more is found out about the elements where that helps.
   [[nodiscard]] bool StaysOn(int side, const SurfaceEdge& edge, bool thorough) const;
+  /// The same of a flat polygon and how far off it the surface is.
+  [[nodiscard]] bool StaysOn(int side, const Outline& part, double sagitta) const;
+  /// Whether all elements that a flat part of the surface, many pixels wide, may meet stay on one
+  /// side there.
+  [[nodiscard]] bool StaysOnOne(const Outline& part) const;
   /// Whether a value lies between those of the ends, or is one.
   [[nodiscard]] bool AreOpposite(const EdgeEnd& a, const EdgeEnd& b) const;
   /// Whether the two values are farther apart than the field varies along the edge.
@@ -71,15 +85,23 @@ private:
     Box3 box;
     const EdgeBounds* bounds;
     int side; ///< of all of its values; kNoSide: they may be on several
-
-    [[nodiscard]] bool StaysOn(int all) const { return side >= 0 && (all < 0 || all == side); }
   };
-  [[nodiscard]] bool AnyIn(double lower, double upper) const;
+  [[nodiscard]] ValueSet NotOn(int side) const;
+  [[nodiscard]] bool Meets(const Interval& values) const
+  {
+    return Wanted.Meets(values.lower, values.upper);
+  }
+  /// Whether the values of all elements there are on one side; of kNoSide, any.
+  [[nodiscard]] bool StaysOn(int side, std::span<const Element> elements, const WideOutline& region,
+    const EdgeEffort& effort) const;
+  /// Finite ones whose boxes it meets; until it is called again.
+  [[nodiscard]] std::span<const Element> ElementsAt(const WideOutline& region) const;
   [[nodiscard]] Element MakeElement(int element) const;
 
   const LayerBounds& Bounds;
-  std::span<const double> Values;
+  ValueSet Wanted;
   std::vector<Element> Near; ///< by number
+  mutable std::vector<Element> Found;
   bool Needed = false;
   bool LooksForElements = false;
 };

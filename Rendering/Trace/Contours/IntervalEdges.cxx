@@ -2,6 +2,7 @@
 #include "Trace/Contours/IntervalEdges.h"
 
 #include "Core/Base/Error.h"
+#include "Core/Questions/ValueSet.h"
 #include "Trace/Contours/IntervalLattice.h"
 #include "Trace/Modules/ContourCertifier.h"
 #include "Trace/TileVisit.h"
@@ -113,7 +114,7 @@ private:
     // A NaN changes nothing.
     range.lower = std::min(range.lower, sample.value);
     range.upper = std::max(range.upper, sample.value);
-    seen.in = seen.in || HasValueIn(Values[sample.layer], range);
+    seen.in = seen.in || ValueSet{ Values[sample.layer] }.Meets(range.lower, range.upper);
   }
 
   [[nodiscard]] bool IsAsked(int edge) const

@@ -5,6 +5,7 @@
 #include "Core/Element/SegmentInterval.h"
 #include "Core/Math/Rounding.h"
 #include "Core/Questions/MeshMiss.h"
+#include "Core/Questions/ValueSet.h"
 #include "Trace/Surfaces/Plane.h"
 
 #include <glm/geometric.hpp>
@@ -26,19 +27,6 @@ double LargestOf(const Vec3& x)
   return std::max({ std::fabs(x.x), std::fabs(x.y), std::fabs(x.z) });
 }
 } // namespace
-
-EdgeSample SampleFrom(const SampleBuffers& samples, std::size_t i, const ImagePosition& at)
-{
-  return { at, static_cast<PixelVerdict>(samples.verdict[i]), samples.layer[i],
-    static_cast<int>(samples.element[i]), samples.value.empty() ? std::nan("") : samples.value[i],
-    samples.xi[i], samples.position[i] };
-}
-
-bool HasValueIn(std::span<const double> ascending, const Interval& interval)
-{
-  const auto first = std::ranges::lower_bound(ascending, interval.lower);
-  return first != ascending.end() && *first <= interval.upper;
-}
 
 IntervalParts::IntervalParts(
   const Scene& scene, const Camera& camera, std::span<const std::vector<double>> values)
@@ -130,8 +118,9 @@ void IntervalParts::JudgeInElement(std::span<const EdgeSample> samples,
   for (std::size_t k = 0; k < chosen.size(); ++k)
   {
     verdicts[static_cast<std::size_t>(chosen[k])] = !intervals[k].IsFinite() ? PartVerdict::Unproven
-      : HasValueIn(Values.front(), intervals[k])                             ? PartVerdict::Possible
-                                                                             : PartVerdict::Out;
+      : ValueSet{ Values.front() }.Meets(intervals[k].lower, intervals[k].upper)
+      ? PartVerdict::Possible
+      : PartVerdict::Out;
   }
 }
 

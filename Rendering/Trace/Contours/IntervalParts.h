@@ -3,9 +3,8 @@
 
 #include "Core/Math/Interval.h"
 #include "Trace/Camera.h"
-#include "Trace/Frame.h"
+#include "Trace/Contours/EdgeSample.h"
 #include "Trace/Scene.h"
-#include "Trace/TileSamples.h"
 
 #include <cstdint>
 #include <span>
@@ -14,23 +13,6 @@
 namespace pixelexact
 {
 class Plane;
-
-/// What is seen at a point of a pixel's edge.
-struct EdgeSample
-{
-  ImagePosition at{};
-  PixelVerdict verdict = PixelVerdict::Nothing;
-  std::uint8_t layer = kNoLayer;
-  int element = -1;
-  double value = 0.0;
-  Vec3 xi{ 0.0 };
-  Vec3 position{ 0.0 };
-};
-
-/// The buffers that a sample is made of.
-inline constexpr Buffer kEdgeSampleBuffers =
-  Buffer::Value | Buffer::Verdict | Buffer::Layer | Buffer::Element | Buffer::Xi | Buffer::Position;
-EdgeSample SampleFrom(const SampleBuffers& samples, std::size_t i, const ImagePosition& at);
 
 /// A part of a pixel's edge, between two samples.
 struct EdgePart
@@ -47,9 +29,6 @@ enum class PartVerdict : std::uint8_t
   Possible = 1, ///< one lies in the interval
   Unproven = 2  ///< there is no interval: it is infinite
 };
-
-/// Whether one of some values, in ascending order, lies in an interval.
-bool HasValueIn(std::span<const double> ascending, const Interval& interval);
 
 /// Intervals of a scene's field on parts of pixels' edges.
 ///

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trace/Contours/LayerBounds.h"
 
-#include <algorithm>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
+#include <limits>
 
 namespace pixelexact
 {
@@ -33,19 +36,22 @@ const EdgeBounds& LayerBounds::Of(int element) const
 
 const Interval& LayerBounds::Values() const
 {
-  std::call_once(Found,
+  tbb::collaborative_call_once(Found,
     [this]
     {
-      for (int e = 0; e < static_cast<int>(Made.Size()); ++e)
-      {
-        const Interval& own = Of(e).Values();
-        if (own.IsFinite())
+      constexpr double kInfinity = std::numeric_limits<double>::infinity();
+      All = tbb::parallel_reduce(
+        tbb::blocked_range<std::size_t>(0, Made.Size()), Interval(kInfinity, -kInfinity),
+        [this](const tbb::blocked_range<std::size_t>& elements, Interval all)
         {
-          All = All.IsEmpty()
-            ? own
-            : Interval(std::min(All.lower, own.lower), std::max(All.upper, own.upper));
-        }
-      }
+          for (std::size_t e = elements.begin(); e < elements.end(); ++e)
+          {
+            const Interval& own = Of(static_cast<int>(e)).Values();
+            all = own.IsFinite() ? Join(all, own) : all;
+          }
+          return all;
+        },
+        Join);
     });
   return All;
 }

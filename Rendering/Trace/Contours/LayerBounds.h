@@ -5,6 +5,8 @@
 #include "Core/Questions/EdgeBounds.h"
 #include "Trace/Scene.h"
 
+#include <tbb/collaborative_call_once.h>
+
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -26,7 +28,8 @@ public:
   /// Where contours can be proven.
   [[nodiscard]] const EdgeBounds& Of(int element) const;
   [[nodiscard]] const ElementIndex& Index() const { return TheIndex; }
-  /// Holds the values in all elements but those that are not finite; found out once.
+  /// Holds the values in all elements but those that are not finite; found out once, by all threads
+  /// that ask.
   [[nodiscard]] const Interval& Values() const;
 
   /// Elements that have been asked for, and their nodes.
@@ -43,7 +46,7 @@ private:
   bool Provable;
   double Rounding;
   MadeOnDemand<EdgeBounds> Made;
-  mutable std::once_flag Found;
+  mutable tbb::collaborative_once_flag Found;
   mutable Interval All{ 1.0, -1.0 };
 };
 

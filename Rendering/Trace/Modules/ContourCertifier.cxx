@@ -8,15 +8,30 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace pixelexact
 {
+namespace
+{
+void RequireListsFor(const Scene& scene, std::size_t lists)
+{
+  const std::size_t layers = scene.layers.size();
+  if (lists != layers)
+  {
+    throw Error("contours: " + std::to_string(lists) + " lists of iso-values for " +
+      std::to_string(layers) + " layers; give one for each, which may be empty.");
+  }
+}
+} // namespace
+
 void ContourCounters::Add(const ContourCounters& other)
 {
   in += other.in;
   out += other.out;
   undecided += other.undecided;
   jumps += other.jumps;
+  loops += other.loops;
   samples += other.samples;
 }
 
@@ -26,6 +41,11 @@ ContourCertifier::ContourCertifier(std::vector<std::vector<double>> values,
   , Method(method)
   , Given(std::move(bounds))
 {
+  if (method.interior && method.subdivisions)
+  {
+    throw Error("contours: the paper's algorithm looks at edges alone; look inside of pixels with "
+                "the project's own, without subdivisions.");
+  }
   for (std::vector<double>& ofLayer : IsoValues)
   {
     if (!std::ranges::all_of(ofLayer, [](double value) { return std::isfinite(value); }))
@@ -33,6 +53,7 @@ ContourCertifier::ContourCertifier(std::vector<std::vector<double>> values,
       throw Error("contours: an iso-value is not finite; give finite numbers.");
     }
     std::ranges::sort(ofLayer);
+    ofLayer.erase(std::unique(ofLayer.begin(), ofLayer.end()), ofLayer.end());
   }
 }
 
@@ -40,7 +61,9 @@ ContourCertifier::~ContourCertifier() = default;
 
 SampleNeeds ContourCertifier::Needs() const
 {
-  return { .corners = kEdgeSampleBuffers };
+  // Whether a surface goes on between two corners is asked of the surface alone.
+  return { .corners =
+             Method.subdivisions ? kEdgeSampleBuffers : kEdgeSampleBuffers | Buffer::Piece };
 }
 
 void ContourCertifier::Begin(int width, int height)
@@ -54,6 +77,8 @@ void ContourCertifier::Begin(int width, int height)
 
 void ContourCertifier::Process(TileVisit& tile)
 {
+  const Scene& scene = tile.GetScene();
+  RequireListsFor(scene, IsoValues.size());
   ContourCounters counters;
   std::vector<std::uint8_t> verdicts(
     static_cast<std::size_t>(tile.Area().Width()) * static_cast<std::size_t>(tile.Area().Height()));
@@ -65,9 +90,8 @@ void ContourCertifier::Process(TileVisit& tile)
   }
   else
   {
-    const Scene& scene = tile.GetScene();
     ContourTile pixels(tile, Method);
-    for (std::size_t k = 0; k < std::min(IsoValues.size(), scene.layers.size()); ++k)
+    for (std::size_t k = 0; k < IsoValues.size(); ++k)
     {
       if (!IsoValues[k].empty() && scene.layers[k].field)
       {
@@ -75,7 +99,8 @@ void ContourCertifier::Process(TileVisit& tile)
           { static_cast<int>(k), IsoValues[k], &Bounds->Of(*scene.locator, scene.layers[k]) });
       }
     }
-    pixels.Tell(verdicts);
+    std::ranges::transform(pixels.Verdicts(), verdicts.begin(),
+      [](ContourVerdict verdict) { return static_cast<std::uint8_t>(verdict); });
     counters = pixels.Counters();
   }
   const TileArea& area = tile.Area();

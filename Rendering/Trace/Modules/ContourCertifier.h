@@ -12,7 +12,7 @@
 namespace pixelexact
 {
 /// What is known of a pixel and the iso-values (paper, section 5.3): whether one of them occurs on
-/// its edge.
+/// its edge or, with ContourMethod::interior, in it.
 enum class ContourVerdict : std::uint8_t
 {
   Out = 0, ///< proven: none does
@@ -27,6 +27,7 @@ struct ContourCounters
   std::int64_t out = 0; ///< of pixels that show the mesh somewhere on their edge
   std::int64_t undecided = 0;
   std::int64_t jumps = 0;   ///< edges that are in because the field jumps across a value
+  std::int64_t loops = 0;   ///< pixels that are in because of a value inside alone
   std::int64_t samples = 0; ///< beside the corners
 
   void Add(const ContourCounters& other);
@@ -41,6 +42,11 @@ struct ContourMethod
   int halvings = 8;   ///< of an edge in one element
   int crossings = 12; ///< of one that leaves its element
   int parts = 16;     ///< of an edge that are open at once
+  /// Whether values are looked for inside of pixels on whose edges there are none, too; not with
+  /// subdivisions.
+  bool interior = false;
+  int quarterings = 6; ///< of a pixel's square, for that
+  int squares = 64;    ///< of a pixel that are open at once
 };
 
 class ContourBounds;
@@ -50,9 +56,11 @@ class ContourBounds;
 class ContourCertifier final : public FrameModule
 {
 public:
-  /// `values`: of each of the scene's layers its iso-values, in any order; none: no contours on it.
+  /// `values`: of each of the scene's layers its iso-values, in any order, each counted once; none:
+  /// no contours on it.
   /// `bounds`: what is known of the fields, to be used again; null: it is found out for each frame.
-  /// Throws Error for a value that is not finite.
+  /// Throws Error for a value that is not finite, and for a method that contradicts itself; Process
+  /// does for fewer or more lists than layers.
   explicit ContourCertifier(std::vector<std::vector<double>> values,
     const ContourMethod& method = {}, std::shared_ptr<ContourBounds> bounds = nullptr);
   ~ContourCertifier() override;
@@ -66,7 +74,7 @@ public:
   /// Of the last frame: a ContourVerdict for each pixel, lower-left first.
   [[nodiscard]] const std::vector<std::uint8_t>& Verdicts() const { return Pixels; }
   [[nodiscard]] const ContourCounters& Counters() const { return Counted; }
-  /// In ascending order.
+  /// In ascending order, each once.
   [[nodiscard]] const std::vector<std::vector<double>>& Values() const { return IsoValues; }
 
 private:

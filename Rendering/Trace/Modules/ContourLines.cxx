@@ -55,9 +55,12 @@ std::vector<Rgba> InOrderOf(const std::vector<double>& values, const std::vector
   std::ranges::stable_sort(order, {}, [&values](std::size_t i) { return values[i]; });
   std::vector<Rgba> sorted;
   sorted.reserve(order.size());
-  for (const std::size_t i : order)
+  for (std::size_t k = 0; k < order.size(); ++k)
   {
-    sorted.push_back(colors[i]);
+    if (k == 0 || values[order[k]] != values[order[k - 1]])
+    {
+      sorted.push_back(colors[order[k]]);
+    }
   }
   return sorted;
 }
@@ -65,6 +68,7 @@ std::vector<Rgba> InOrderOf(const std::vector<double>& values, const std::vector
 std::vector<Rgba> ColorsOf(std::vector<double> values, const ColorMap& map)
 {
   std::ranges::sort(values);
+  values.erase(std::unique(values.begin(), values.end()), values.end());
   std::vector<Rgba> colors(values.size());
   if (!values.empty())
   {

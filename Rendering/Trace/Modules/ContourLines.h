@@ -31,11 +31,11 @@ struct ContourStyle
   bool operator==(const ContourStyle&) const = default;
 };
 
-/// Colours in the ascending order of the values that they are given for; one for all stays as it
-/// is.
+/// Colours in the ascending order of the values that they are given for, of equal ones the first;
+/// one for all stays as it is.
 [[nodiscard]] std::vector<Rgba> InOrderOf(
   const std::vector<double>& values, const std::vector<Rgba>& colors);
-/// The map's, in the ascending order of the values.
+/// The map's, in the ascending order of the values, each once.
 [[nodiscard]] std::vector<Rgba> ColorsOf(std::vector<double> values, const ColorMap& map);
 
 /// Draws the lines on which the field has the iso-values of a ContourCertifier, of a width in
@@ -44,11 +44,12 @@ struct ContourStyle
 /// Where the line goes follows from the exact values at the corners (ContourCells): from a pixel's
 /// centre the field is followed up or down to the value, through pixels whose corners all show one
 /// sheet of one layer. So there is no line from one sheet or layer to another, none beyond the
-/// mesh, and none near an extremum that does not reach the value. A pixel whose verdict is not Out
+/// mesh, and none near an extremum that does not reach the value. A pixel whose verdict is In
 /// always shows some of the line, as much as a straight line through its centre would cover where
 /// the corners do not tell where it goes: at the ends of surfaces and of the mesh, where the field
 /// is constant, or where a contour comes and goes by the same side. A pixel that is Out has a part
-/// of the width of its neighbours' lines, or nothing; without finite values there are none.
+/// of the width of its neighbours' lines, or nothing, and so has an Undecided one unless it has a
+/// colour of its own; without finite values there are none.
 ///
 /// Lines are opaque, over translucent layers, too, of which the nearest sheet counts; they are
 /// drawn over the image, also where that is transparent. The frame's image alone changes, unless
@@ -70,6 +71,8 @@ public:
   void Begin(int width, int height) override;
   void Process(TileVisit& tile) override;
 
+  /// Whether undecided pixels have lines, and not a colour of their own.
+  [[nodiscard]] bool DrawsUndecided() const { return !Style.showUndecided; }
   [[nodiscard]] const Rgba& ColorOf(std::size_t layer, std::size_t value) const;
   /// With ContourStyle::keepBeneath.
   [[nodiscard]] const std::vector<std::uint8_t>& Beneath() const { return Under; }

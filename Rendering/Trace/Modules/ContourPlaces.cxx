@@ -35,10 +35,11 @@ class Search
 {
 public:
   Search(const Frame& frame, const Camera& camera, const ContourCertifier& contours,
-    const std::vector<std::vector<LabelSize>>& sizes)
+    const std::vector<std::vector<LabelSize>>& sizes, bool undecided)
     : TheFrame(frame)
     , Contours(contours)
     , Sizes(sizes)
+    , OnUndecided(undecided)
   {
     const SampleBuffers& centres = frame.centres;
     const bool sheets = !centres.position.empty() && !centres.normal.empty();
@@ -117,7 +118,7 @@ private:
     const LabelSize& size = Sizes[layer][value];
     const auto middle = Project(near, wanted);
     // Of pixels whose middles these are.
-    if (!middle || glm::distance(middle->at, near) > kTried || !IsHeld(middle->at) ||
+    if (!middle || glm::distance(middle->at, near) > kTried || !HasLines(middle->at) ||
       !IsAlone(*middle, layer, size.height))
     {
       return std::nullopt;
@@ -148,13 +149,14 @@ private:
     return Judge({ .layer = layer, .value = value }, size, points);
   }
 
-  /// Whether a pixel is proven to have a contour.
-  [[nodiscard]] bool IsHeld(const glm::dvec2& at) const
+  /// Whether a pixel has lines: not where it is proven to have none.
+  [[nodiscard]] bool HasLines(const glm::dvec2& at) const
   {
     const auto pixel =
       static_cast<std::size_t>(std::floor(at.y + 0.5)) * static_cast<std::size_t>(TheFrame.width) +
       static_cast<std::size_t>(std::floor(at.x + 0.5));
-    return Contours.Verdicts()[pixel] == static_cast<std::uint8_t>(ContourVerdict::In);
+    const auto verdict = static_cast<ContourVerdict>(Contours.Verdicts()[pixel]);
+    return verdict == ContourVerdict::In || (OnUndecided && verdict == ContourVerdict::Undecided);
   }
 
   /// `points`: the first and the last one are a contour's ends.
@@ -191,19 +193,21 @@ private:
   const Frame& TheFrame;
   const ContourCertifier& Contours;
   const std::vector<std::vector<LabelSize>>& Sizes;
+  bool OnUndecided;
   ContourCells Cells;
 };
 } // namespace
 
 std::vector<ContourPlace> PlaceLabels(const Frame& frame, const Camera& camera,
-  const ContourCertifier& contours, const std::vector<std::vector<LabelSize>>& sizes)
+  const ContourCertifier& contours, const std::vector<std::vector<LabelSize>>& sizes,
+  bool undecided)
 {
   std::vector<ContourPlace> places;
   if (frame.width < 2 || frame.height < 2 || frame.centres.value.empty())
   {
     return places;
   }
-  std::vector<Candidate> candidates = Search(frame, camera, contours, sizes).Find();
+  std::vector<Candidate> candidates = Search(frame, camera, contours, sizes, undecided).Find();
   std::ranges::stable_sort(candidates, {}, &Candidate::bent);
   const double apart = kApart * std::min(frame.width, frame.height);
   for (const Candidate& candidate : candidates)

@@ -34,7 +34,9 @@ struct ContourPlace
 /// value are kApart of the image's shorter side from each other. A contour may have none.
 ///
 /// Reads Value, Verdict and Layer of the frame's centres and, to tell sheets of curved surfaces
-/// apart, Position and Normal where there are any. `sizes`: by layer and value.
+/// apart, Position and Normal where there are any. `sizes`: by layer and value. `undecided`:
+/// whether there are lines in undecided pixels, too.
 [[nodiscard]] std::vector<ContourPlace> PlaceLabels(const Frame& frame, const Camera& camera,
-  const ContourCertifier& contours, const std::vector<std::vector<LabelSize>>& sizes);
+  const ContourCertifier& contours, const std::vector<std::vector<LabelSize>>& sizes,
+  bool undecided);
 } // namespace pixelexact

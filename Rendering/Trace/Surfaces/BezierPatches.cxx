@@ -145,6 +145,7 @@ std::vector<CurvedPart> BezierPatches::Storage::Parts() const
 BezierPatches::BezierPatches(std::span<const BezierPatch> patches)
   : BezierPatches(std::make_unique<const Storage>(patches))
 {
+  Seams = BezierSeams(patches);
 }
 
 BezierPatches::BezierPatches(std::unique_ptr<const Storage> storage)
@@ -154,6 +155,12 @@ BezierPatches::BezierPatches(std::unique_ptr<const Storage> storage)
 }
 
 BezierPatches::~BezierPatches() = default;
+
+double BezierPatches::Sagitta(
+  const Ray& a, const SurfacePoint& atA, const Ray& b, const SurfacePoint& atB) const
+{
+  return Seams.Sagitta({ a, atA.position, b, atB.position }, atA, atB);
+}
 
 void BezierPatches::NormalsOf(
   const CurvedPart& part, std::span<const Vec3> xi, std::span<Vec3> normals) const

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Trace/Surfaces/BezierPatch.h"
+#include "Trace/Surfaces/BezierSeams.h"
 #include "Trace/Surfaces/Curved/CurvedSurface.h"
 
 #include <memory>
@@ -24,6 +25,10 @@ public:
   BezierPatches(const BezierPatches&) = delete;
   BezierPatches& operator=(const BezierPatches&) = delete;
 
+  [[nodiscard]] double Sagitta(
+    const Ray& a, const SurfacePoint& atA, const Ray& b, const SurfacePoint& atB) const override;
+  [[nodiscard]] bool HasSagitta() const override { return true; }
+
   /// What a surface is made of, and the arrays that it is a view of.
   struct Storage;
 
@@ -36,5 +41,6 @@ private:
   explicit BezierPatches(std::unique_ptr<const Storage> storage);
 
   std::unique_ptr<const Storage> Arrays;
+  BezierSeams Seams;
 };
 } // namespace pixelexact

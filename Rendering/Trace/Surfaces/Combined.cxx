@@ -4,7 +4,11 @@
 #include "Core/Base/CheckedOut.h"
 #include "Trace/Surfaces/Arguments.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace pixelexact
@@ -26,6 +30,28 @@ struct Scratch
   std::vector<PartHit> found;
   std::vector<bool> inside;
 };
+
+/// Near one chord: all orders in which they may be crossed are gone through.
+constexpr std::size_t kMostCrossed = 4;
+
+/// What the part's own hit tells.
+SurfacePoint OfPart(const SurfacePoint& point)
+{
+  SurfacePoint ofPart = point;
+  ofPart.piece = static_cast<std::int32_t>(point.parameters[0]);
+  return ofPart;
+}
+
+/// Whether no point of a surface is within `beside` of a straight line: by balls along it, the
+/// smaller the nearer the surface is.
+bool IsClearAlong(
+  const Surface& surface, const Vec3& from, const Vec3& to, double beside, int halvings = 5)
+{
+  const Vec3 middle = 0.5 * from + 0.5 * to;
+  return surface.IsClearOf(middle, 0.5 * glm::distance(from, to) + beside) ||
+    (halvings > 0 && IsClearAlong(surface, from, middle, beside, halvings - 1) &&
+      IsClearAlong(surface, middle, to, beside, halvings - 1));
+}
 
 /// Of a piece of a ray without end, a point that lies on it.
 double Middle(double from, double to)
@@ -117,10 +143,119 @@ void Combined::Meet(const RayLanes& rays, HitSlots& hits) const
   }
 }
 
+bool Combined::HasSagitta() const
+{
+  return std::ranges::all_of(Parts, [](const Part& part) { return part.surface->HasSagitta(); });
+}
+
+double Combined::Sagitta(
+  const Ray& a, const SurfacePoint& atA, const Ray& b, const SurfacePoint& atB) const
+{
+  const Chord whole{ a, atA.position, b, atB.position };
+  if (atA.piece >= 0 && atA.piece == atB.piece)
+  {
+    // Where all other parts are the same along the part's own path, so is what it does to the
+    // whole.
+    const auto own = static_cast<std::size_t>(atA.piece);
+    const double sagitta = Parts[own].surface->Sagitta(a, OfPart(atA), b, OfPart(atB));
+    bool isAlone = std::isfinite(sagitta);
+    for (std::size_t p = 0; isAlone && p < Parts.size(); ++p)
+    {
+      isAlone =
+        p == own || IsClearAlong(*Parts[p].surface, whole.from, whole.to, sagitta + whole.Slack());
+    }
+    if (isAlone)
+    {
+      return sagitta;
+    }
+  }
+  return ReachWithRoom(whole, [this](const Chord& chord) { return ReachOfParts(chord); });
+}
+
+double Combined::ReachOfParts(const Chord& chord) const
+{
+  // Within `reach` of the chord, parts that are clear of it are the same everywhere. Each of the
+  // others is crossed once by each ray, where, is continuous. If the whole only ever changes in one
+  // direction while parts are crossed, in whatever order, each ray meets it once: where the first
+  // of some parts, or the last, is crossed, and the least and the largest of continuous functions
+  // are continuous.
+  std::vector<bool> isNear(Parts.size(), false);
+  double reach = 0.0;
+  for (bool grows = true; grows;)
+  {
+    grows = false;
+    for (std::size_t p = 0; p < Parts.size(); ++p)
+    {
+      const Surface& surface = *Parts[p].surface;
+      if (!isNear[p] && !IsClearAlong(surface, chord.from, chord.to, reach + chord.Slack()))
+      {
+        isNear[p] = true;
+        reach = std::max(reach, surface.Reach(chord));
+        grows = true;
+      }
+      if (!std::isfinite(reach))
+      {
+        return reach;
+      }
+    }
+  }
+  return ChangesOnce(isNear, chord.Middle(), chord.Room() * chord.a.direction)
+    ? reach
+    : std::numeric_limits<double>::infinity();
+}
+
+bool Combined::ChangesOnce(
+  const std::vector<bool>& isNear, const Vec3& middle, const Vec3& step) const
+{
+  std::vector<bool> inside(Parts.size());
+  std::vector<std::size_t> crossed;
+  std::vector<bool> after(Parts.size());
+  for (std::size_t p = 0; p < Parts.size(); ++p)
+  {
+    inside[p] = Parts[p].side(isNear[p] ? middle - step : middle) < 0.0;
+    after[p] = isNear[p] ? Parts[p].side(middle + step) < 0.0 : inside[p];
+    if (isNear[p])
+    {
+      crossed.push_back(p);
+      // Too close to tell.
+      if (inside[p] == after[p])
+      {
+        return false;
+      }
+    }
+  }
+  if (crossed.empty() || crossed.size() > kMostCrossed)
+  {
+    return false;
+  }
+  // Of all sets of parts that have been crossed, and one more part each.
+  const bool before = IsInside(inside);
+  const bool last = IsInside(after);
+  const auto isChanged = [&](std::size_t set)
+  {
+    std::vector<bool> state = inside;
+    for (std::size_t k = 0; k < crossed.size(); ++k)
+    {
+      state[crossed[k]] = (set >> k & 1U) != 0 ? after[crossed[k]] : inside[crossed[k]];
+    }
+    return IsInside(state) != before;
+  };
+  const std::size_t sets = std::size_t{ 1 } << crossed.size();
+  for (std::size_t set = 0; before != last && set < sets; ++set)
+  {
+    for (std::size_t k = 0; k < crossed.size(); ++k)
+    {
+      if ((set >> k & 1U) == 0 && isChanged(set) && !isChanged(set | std::size_t{ 1 } << k))
+      {
+        return false;
+      }
+    }
+  }
+  return before != last;
+}
+
 Vec3 Combined::Normal(const SurfacePoint& point) const
 {
-  SurfacePoint ofPart = point;
-  ofPart.piece = static_cast<std::int32_t>(point.parameters[0]);
-  return Parts[static_cast<std::size_t>(point.piece)].surface->Normal(ofPart);
+  return Parts[static_cast<std::size_t>(point.piece)].surface->Normal(OfPart(point));
 }
 } // namespace pixelexact

@@ -37,7 +37,18 @@ public:
   /// That of the part.
   [[nodiscard]] Vec3 Normal(const SurfacePoint& point) const override;
 
+  [[nodiscard]] double Sagitta(
+    const Ray& a, const SurfacePoint& atA, const Ray& b, const SurfacePoint& atB) const override;
+  [[nodiscard]] bool HasSagitta() const override;
+
 private:
+  /// How far from a chord at most its rays meet the whole, each once within that.
+  [[nodiscard]] double ReachOfParts(const Chord& chord) const;
+  /// Whether the whole changes exactly once along rays that cross these parts, each once, in any
+  /// order, between `middle` - `step` and `middle` + `step`; all others are nowhere near.
+  [[nodiscard]] bool ChangesOnce(
+    const std::vector<bool>& isNear, const Vec3& middle, const Vec3& step) const;
+
   std::vector<Part> Parts;
   Rule IsInside;
 };

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trace/Surfaces/ConvexBody.h"
 
+#include "Core/Math/Rounding.h"
 #include "Trace/Surfaces/Arguments.h"
 #include "Trace/Surfaces/PairArithmetic.h"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace pixelexact
@@ -56,6 +58,83 @@ ConvexBody::ConvexBody(
 void ConvexBody::Meet(const RayLanes& rays, HitSlots& hits) const
 {
   GetConvexKernels().meet(Faces.data(), static_cast<int>(Faces.size()), rays, hits);
+}
+
+double ConvexBody::Sagitta(
+  const Ray& a, const SurfacePoint& atA, const Ray& b, const SurfacePoint& atB) const
+{
+  const Chord chord{ a, atA.position, b, atB.position };
+  if (atA.piece >= 0 && atA.piece == atB.piece)
+  {
+    // A face is convex: the chord lies in it.
+    const ConvexFace& face = Faces[static_cast<std::size_t>(atA.piece)];
+    return ReachOfPlane(chord, face.point, face.normal);
+  }
+  return ReachWithRoom(chord, [this](const Chord& wider) { return Reach(wider); });
+}
+
+double ConvexBody::Reach(const Chord& chord) const
+{
+  // The boundary is where g, the largest of the faces' heights, vanishes: a convex function that
+  // changes no faster than one moves. On the chord it is at most the larger of its ends' values. It
+  // is no less than the heights over the planes of the faces a and b on which the ends have theirs,
+  //   g_a + s n_a.e  and  g_b - (1 - s) n_b.e,  e from end to end,
+  // the larger of which is below both g_a and g_b by alpha beta / (alpha + beta) at most, alpha and
+  // beta how far the planes fall towards the other end.
+  const Vec3 e = chord.Along();
+  const Vec3 middle = chord.Middle();
+  const double radius = chord.Radius();
+  double size = 0.0;
+  double atA = -kNoHit;
+  double atB = -kNoHit;
+  double atMiddle = -kNoHit;
+  double alpha = 0.0;
+  double beta = 0.0;
+  for (const ConvexFace& face : Faces)
+  {
+    const auto height = [&](const Vec3& x) { return glm::dot(face.normal, x - face.point); };
+    if (const double h = height(chord.from); h > atA)
+    {
+      atA = h;
+      alpha = std::max(0.0, -glm::dot(face.normal, e));
+    }
+    if (const double h = height(chord.to); h > atB)
+    {
+      atB = h;
+      beta = std::max(0.0, glm::dot(face.normal, e));
+    }
+    atMiddle = std::max(atMiddle, height(middle));
+    size = std::max(size, glm::length(face.point));
+  }
+  const double rounding = chord.Slack() + 16.0 * kUnitRoundoff * size;
+  const double fall = alpha + beta > 0.0 ? alpha * beta / (alpha + beta) : 0.0;
+  const double value = std::max(std::fabs(atA), std::fabs(atB)) + fall + 2.0 * rounding;
+  // In the ball about the middle g has the slope of a face whose height there may be the largest.
+  double least = kNoHit;
+  double most = -kNoHit;
+  for (const ConvexFace& face : Faces)
+  {
+    if (glm::dot(face.normal, middle - face.point) >= atMiddle - 2.0 * (radius + rounding))
+    {
+      const double slope = glm::dot(face.normal, chord.a.direction);
+      least = std::min(least, slope);
+      most = std::max(most, slope);
+    }
+  }
+  const double slope = least > 0.0 ? least : std::min(most, 0.0);
+  return ReachBySlope(chord, value, slope, chord.Turn() + 16.0 * kUnitRoundoff);
+}
+
+bool ConvexBody::IsClearOf(const Vec3& centre, double radius) const
+{
+  double largest = -kNoHit;
+  double size = glm::length(centre) + radius;
+  for (const ConvexFace& face : Faces)
+  {
+    largest = std::max(largest, glm::dot(face.normal, centre - face.point));
+    size = std::max(size, glm::length(face.point));
+  }
+  return std::fabs(largest) > radius + 32.0 * kUnitRoundoff * size;
 }
 
 Vec3 ConvexBody::Normal(const SurfacePoint& point) const

@@ -35,6 +35,12 @@ public:
   /// That of the point's face, or, where that is not known, of the one that is closest; outwards.
   [[nodiscard]] Vec3 Normal(const SurfacePoint& point) const override;
 
+  [[nodiscard]] double Sagitta(
+    const Ray& a, const SurfacePoint& atA, const Ray& b, const SurfacePoint& atB) const override;
+  [[nodiscard]] bool HasSagitta() const override { return true; }
+  [[nodiscard]] double Reach(const Chord& chord) const override;
+  [[nodiscard]] bool IsClearOf(const Vec3& centre, double radius) const override;
+
 private:
   std::vector<ConvexFace> Faces;
 };

@@ -2,6 +2,7 @@
 #include "Trace/Surfaces/Plane.h"
 
 #include "Core/Base/Error.h"
+#include "Core/Math/Rounding.h"
 #include "Trace/RayKernels.h"
 
 #include <glm/geometric.hpp>
@@ -32,6 +33,18 @@ Plane::Plane(const Vec3& origin, const Vec3& normal)
 void Plane::Meet(const RayLanes& rays, HitSlots& hits) const
 {
   GetRayKernels().meetPlane(Origin, UnitNormal, rays, hits.Slot(0));
+}
+
+double Plane::Reach(const Chord& chord) const
+{
+  return ReachOfPlane(chord, Origin, UnitNormal);
+}
+
+bool Plane::IsClearOf(const Vec3& centre, double radius) const
+{
+  const double rounding =
+    16.0 * kUnitRoundoff * (glm::length(centre) + glm::length(Origin) + radius);
+  return std::fabs(glm::dot(UnitNormal, centre - Origin)) > radius + rounding;
 }
 
 Vec3 Plane::Normal(const SurfacePoint& /*point*/) const

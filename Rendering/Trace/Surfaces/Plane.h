@@ -16,6 +16,9 @@ public:
   void Meet(const RayLanes& rays, HitSlots& hits) const override;
   [[nodiscard]] Vec3 Normal(const SurfacePoint& point) const override;
   [[nodiscard]] bool IsFlat() const override { return true; }
+  [[nodiscard]] bool IsPlane() const override { return true; }
+  [[nodiscard]] double Reach(const Chord& chord) const override;
+  [[nodiscard]] bool IsClearOf(const Vec3& centre, double radius) const override;
   /// One of its points.
   [[nodiscard]] const Vec3& Point() const { return Origin; }
 

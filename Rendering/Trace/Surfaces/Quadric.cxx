@@ -4,11 +4,8 @@
 #include "Trace/Surfaces/Arguments.h"
 #include "Trace/Surfaces/PairArithmetic.h"
 
-#include <glm/geometric.hpp>
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace pixelexact
 {
@@ -241,57 +238,25 @@ void Quadric::Meet(const RayLanes& rays, HitSlots& hits) const
   }
 }
 
-namespace
-{
-/// Q (x - c) + b.
-Vec3 HalfGradient(const QuadraticForm& form, const Vec3& position)
+Vec3 Quadric::HalfGradient(const Vec3& position) const
 {
   PairVec3 x;
   for (int d = 0; d < 3; ++d)
   {
-    x[static_cast<std::size_t>(d)] = ExactSum(position[d], -form.centre[d]);
+    x[static_cast<std::size_t>(d)] = ExactSum(position[d], -Form.centre[d]);
   }
-  const PairVec3 Qx = Apply(form.Q, x);
+  const PairVec3 Qx = Apply(Form.Q, x);
   Vec3 gradient;
   for (int d = 0; d < 3; ++d)
   {
-    gradient[d] = (Qx[static_cast<std::size_t>(d)] + form.b[d]).high;
+    gradient[d] = (Qx[static_cast<std::size_t>(d)] + Form.b[d]).high;
   }
   return gradient;
-}
-} // namespace
-
-double Quadric::Sagitta(
-  const Ray& a, const SurfacePoint& atA, const Ray& b, const SurfacePoint& atB) const
-{
-  // At c = A + s (B - A) on the chord f(c) = -s (1 - s) q(B - A), q the quadratic part, because f
-  // vanishes at both ends. Along the ray d through c, f(c + t d) = f(c) + 2 t h.d + t^2 q(d), h
-  // half the gradient, has a root with |t| <= |f(c)| / |h.d| where |h.d|^2 >= |f(c)| |q|; as long
-  // as that holds it is the one that goes from A to B.
-  const Vec3 slopes[2] = { HalfGradient(Form, atA.position), HalfGradient(Form, atB.position) };
-  const Vec3 chord = atB.position - atA.position;
-  double largest = 0.0;
-  for (std::size_t k = 0; k < 6; ++k)
-  {
-    largest += (k < 3 ? 1.0 : 2.0) * std::fabs(Form.Q[k].high);
-  }
-  const double length = std::max(glm::length(slopes[0]), glm::length(slopes[1]));
-  const double across = std::fabs(glm::dot(slopes[0], a.direction)) -
-    glm::distance(slopes[0], slopes[1]) - length * glm::distance(a.direction, b.direction);
-  // q(B - A) is (h(B) - h(A)).(B - A); the hits are off by rounding.
-  const double off = 0.25 * std::fabs(glm::dot(slopes[1] - slopes[0], chord)) +
-    1e-14 *
-      (length * (glm::length(atA.position) + glm::length(atB.position)) +
-        largest * glm::dot(chord, chord));
-  // Written so that a NaN is not known.
-  return across > 0.0 && across * across >= 2.0 * off * largest
-    ? off / across * (1.0 + 1e-9)
-    : std::numeric_limits<double>::infinity();
 }
 
 Vec3 Quadric::Normal(const SurfacePoint& point) const
 {
-  const Vec3 gradient = HalfGradient(Form, point.position);
+  const Vec3 gradient = HalfGradient(point.position);
   if (!(LargestOf(gradient) > 0.0))
   {
     return { 0.0, 0.0, 1.0 };

@@ -6,6 +6,7 @@
 #include "Trace/Surfaces/Surface.h"
 
 #include <array>
+#include <span>
 
 namespace pixelexact
 {
@@ -31,12 +32,20 @@ public:
 
   [[nodiscard]] double Sagitta(
     const Ray& a, const SurfacePoint& atA, const Ray& b, const SurfacePoint& atB) const override;
+  [[nodiscard]] double SagittaOver(
+    const std::array<Ray, 3>& rays, const std::array<Vec3, 3>& hits) const override;
   [[nodiscard]] bool HasSagitta() const override { return true; }
+  [[nodiscard]] double Reach(const Chord& chord) const override;
+  [[nodiscard]] bool IsClearOf(const Vec3& centre, double radius) const override;
 
   /// Its equation, times some power of two.
   [[nodiscard]] const QuadraticForm& GetForm() const { return Form; }
 
 private:
+  [[nodiscard]] double SagittaAmong(std::span<const Ray> rays, std::span<const Vec3> hits) const;
+  /// Q (x - c) + b.
+  [[nodiscard]] Vec3 HalfGradient(const Vec3& position) const;
+
   friend Quadric MakeCylinder(const Vec3&, const Vec3&, double, const AffineMap&);
   friend Quadric MakeCone(const Vec3&, const Vec3&, double, const AffineMap&);
 

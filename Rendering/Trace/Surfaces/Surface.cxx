@@ -18,6 +18,22 @@ double Surface::Sagitta(const Ray& /*a*/, const SurfacePoint& /*atA*/, const Ray
   return IsFlat() ? 0.0 : std::numeric_limits<double>::infinity();
 }
 
+double Surface::SagittaOver(
+  const std::array<Ray, 3>& /*rays*/, const std::array<Vec3, 3>& /*hits*/) const
+{
+  return IsFlat() ? 0.0 : std::numeric_limits<double>::infinity();
+}
+
+double Surface::Reach(const Chord& /*chord*/) const
+{
+  return std::numeric_limits<double>::infinity();
+}
+
+bool Surface::IsClearOf(const Vec3& /*centre*/, double /*radius*/) const
+{
+  return false;
+}
+
 std::vector<Hit> HitsOf(const Surface& surface, const Ray& ray, double tNear, double tFar)
 {
   double lanes[8][kLanePadding];

@@ -3,8 +3,10 @@
 
 #include "Trace/Camera.h"
 #include "Trace/Rays.h"
+#include "Trace/Surfaces/Chord.h"
 #include "Trace/Surfaces/HitSlots.h"
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -39,13 +41,30 @@ public:
   /// Whether its normal is everywhere the same: it is then not lit unless asked for.
   [[nodiscard]] virtual bool IsFlat() const { return false; }
 
+  /// Whether it is a plane without end, which goes on where the mesh ends.
+  [[nodiscard]] virtual bool IsPlane() const { return false; }
+
   /// How far off the straight line between two of its hits, at most, is the surface along the rays
   /// between the two of these hits; all of them then meet it there. Infinite where that is not
   /// known.
   [[nodiscard]] virtual double Sagitta(
     const Ray& a, const SurfacePoint& atA, const Ray& b, const SurfacePoint& atB) const;
-  /// Whether it is known anywhere.
+  /// How far off the triangle between three of its hits, at most, is the surface along the rays
+  /// between these hits' rays; all of them then meet it there. Infinite where that is not known.
+  [[nodiscard]] virtual double SagittaOver(
+    const std::array<Ray, 3>& rays, const std::array<Vec3, 3>& hits) const;
+  /// Whether Sagitta is known anywhere.
   [[nodiscard]] virtual bool HasSagitta() const { return IsFlat(); }
+
+  // What bodies that are made of others ask of their parts' surfaces. Not known unless told.
+
+  /// How far at most the rays of a chord meet the surface from it: along each of them it is
+  /// crossed, from one side to the other, exactly once within the room of the chord,
+  /// and there, continuously from ray to ray. The chord need not end on the surface. Infinite where
+  /// that is not known.
+  [[nodiscard]] virtual double Reach(const Chord& chord) const;
+  /// Whether no point of the surface lies in a ball.
+  [[nodiscard]] virtual bool IsClearOf(const Vec3& centre, double radius) const;
 
   /// Whether all of its points lie in the mesh: rays that cannot see through it end at their first
   /// hit (RayLanes::nearestOnly).

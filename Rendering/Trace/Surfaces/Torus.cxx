@@ -47,6 +47,13 @@ void Torus::Meet(const RayLanes& rays, HitSlots& hits) const
   GetTorusKernels().meet(Form, rays, hits);
 }
 
+double Torus::Sagitta(
+  const Ray& a, const SurfacePoint& atA, const Ray& b, const SurfacePoint& atB) const
+{
+  return ReachWithRoom(
+    { a, atA.position, b, atB.position }, [this](const Chord& chord) { return Reach(chord); });
+}
+
 Vec3 Torus::Normal(const SurfacePoint& point) const
 {
   // In units, so that no square overflows.

@@ -23,6 +23,12 @@ public:
   void Meet(const RayLanes& rays, HitSlots& hits) const override;
   [[nodiscard]] Vec3 Normal(const SurfacePoint& point) const override;
 
+  [[nodiscard]] double Sagitta(
+    const Ray& a, const SurfacePoint& atA, const Ray& b, const SurfacePoint& atB) const override;
+  [[nodiscard]] bool HasSagitta() const override { return true; }
+  [[nodiscard]] double Reach(const Chord& chord) const override;
+  [[nodiscard]] bool IsClearOf(const Vec3& centre, double radius) const override;
+
 private:
   TorusForm Form;
   Vec3 Axis; ///< of unit length

@@ -32,10 +32,21 @@ public:
   void Meet(const RayLanes& rays, HitSlots& hits) const override;
   [[nodiscard]] Vec3 Normal(const SurfacePoint& point) const override;
 
+  [[nodiscard]] double Sagitta(
+    const Ray& a, const SurfacePoint& atA, const Ray& b, const SurfacePoint& atB) const override;
+  [[nodiscard]] bool HasSagitta() const override { return true; }
+
   [[nodiscard]] const Box3& Bounds() const { return TheBounds; }
   [[nodiscard]] std::size_t MemoryUsage() const;
 
 private:
+  /// The triangle on the other side of an edge, or of several the wanted one; -1 where there is
+  /// none, or no telling which.
+  [[nodiscard]] std::int32_t Beyond(
+    std::int32_t triangle, const Vec3& p, const Vec3& q, std::int32_t wanted) const;
+  /// How far off a triangle's plane its hits may be, beside the rounding of positions.
+  [[nodiscard]] double SlackOf(std::int32_t triangle) const;
+
   std::vector<Triangle> All;
   Box3 TheBounds;
   std::unique_ptr<Bvh> Hierarchy;

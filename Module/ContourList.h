@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#pragma once
+#ifndef ContourList_h
+#define ContourList_h
+
+#include "PixelExactDataModelModule.h"
 
 #include <vector>
 
 namespace pixelexact
 {
 /// Contour values as VTK's filters keep them: numbered from 0.
-class ContourList
+class PIXELEXACTDATAMODEL_EXPORT ContourList
 {
 public:
   /// Those between that were not set are 0. False where there is no such number.
@@ -25,3 +28,4 @@ private:
   std::vector<double> Values;
 };
 } // namespace pixelexact
+#endif

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ContourList.h"
 
-#include "vtkContourValues.h"
-#include "vtkNew.h"
-
 #include <algorithm>
 #include <limits>
 
@@ -33,9 +30,12 @@ void ContourList::Resize(int number)
 
 void ContourList::Generate(int number, double lower, double upper)
 {
-  vtkNew<vtkContourValues> generated;
-  generated->GenerateValues(number, lower, upper);
   Resize(number);
-  std::copy_n(generated->GetValues(), Values.size(), Values.begin());
+  const double step = number > 1 ? (upper - lower) / (number - 1) : 0.0;
+  for (int i = 0; i < number; ++i)
+  {
+    // The last one as given, and not what rounding leaves of it.
+    Values[static_cast<std::size_t>(i)] = i > 0 && i + 1 == number ? upper : lower + i * step;
+  }
 }
 } // namespace pixelexact

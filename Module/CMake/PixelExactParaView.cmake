@@ -1,0 +1,33 @@
+# The ParaView plugin: the three VTK modules and that of the representation, built against ParaView's
+# VTK and wrapped for its server manager.
+
+paraview_plugin_scan(
+  PLUGIN_FILES "${PROJECT_SOURCE_DIR}/ParaView/paraview.plugin"
+  PROVIDES_PLUGINS plugins
+  REQUIRES_MODULES required_modules
+  ENABLE_BY_DEFAULT ON)
+foreach(module IN LISTS required_modules)
+  if(NOT TARGET "${module}")
+    message(FATAL_ERROR "PIXELEXACT_BUILD_PARAVIEW: ParaView ${ParaView_VERSION} lacks ${module}")
+  endif()
+endforeach()
+
+paraview_plugin_build(
+  PLUGINS ${plugins}
+  PLUGINS_FILE_NAME "pixelexact.plugins.xml"
+  HEADERS_DESTINATION "${PIXELEXACT_INCLUDE_DESTINATION}"
+  RUNTIME_DESTINATION "${CMAKE_INSTALL_BINDIR}"
+  LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+  LIBRARY_SUBDIRECTORY "${PARAVIEW_PLUGIN_SUBDIR}"
+  INSTALL_HEADERS OFF)
+
+# An unpacked ParaView finds its libraries and Python modules through this script only.
+get_target_property(paraview_library ParaView::RemotingCore LOCATION)
+cmake_path(GET paraview_library PARENT_PATH paraview_libdir)
+file(RELATIVE_PATH paraview_libdir "${ParaView_PREFIX_PATH}" "${paraview_libdir}")
+configure_file("${PROJECT_SOURCE_DIR}/ParaView/with-paraview.sh.in"
+  "${PROJECT_BINARY_DIR}/with-paraview.sh" @ONLY)
+
+if(PIXELEXACT_BUILD_TESTING)
+  add_subdirectory("${PROJECT_SOURCE_DIR}/ParaView/Testing" "${PROJECT_BINARY_DIR}/Testing")
+endif()

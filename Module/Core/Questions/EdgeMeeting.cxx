@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Questions/EdgeMeeting.h"
+
+#include "Core/Math/Rounding.h"
+#include "Core/Questions/EdgeArithmetic.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+namespace pixelexact
+{
+using namespace edges;
+
+namespace
+{
+/// What the expansion's error may be of the distance.
+constexpr double kCoarse = 0.25;
+constexpr int kRounds = 6;
+/// Of Newton's iteration towards a region's middle.
+constexpr int kSteps = 2;
+/// Covers the rounding of sums of some five products, of their magnitudes' sum.
+constexpr double kSum = 8.0 * kUnitRoundoff;
+
+/// A xi of a box, not far from the nearest one.
+Vec3 MovedInto(Shape shape, const EdgeNode& node, const Vec3& xi)
+{
+  const EtaBox& box = node.wide;
+  Vec3 moved = xi;
+  for (int round = 0; round < 3; ++round)
+  {
+    for (const EdgeNodeEnd& end : node.wideEnds)
+    {
+      const double depth = end.DepthOf(moved);
+      if (depth < 0.0)
+      {
+        const Vec3 normal(end.normal[0], end.normal[1], end.normal[2]);
+        moved += normal * (depth / glm::dot(normal, normal));
+      }
+    }
+  }
+  // What is left, in eta: of a NaN, any point.
+  return TensorToReference(
+    shape, glm::clamp(ReferenceToTensor(shape, moved), box.lower, box.upper));
+}
+
+/// By the affine map of a node.
+Vec3 ToXi(const EdgeFunctions& functions, const EdgeNode& node, const Vec3& x)
+{
+  const Vec3 y = functions.InUnits(x) - node.origin;
+  Vec3 xi = node.centre;
+  for (int k = 0; k < 3; ++k)
+  {
+    const double(&row)[3] = node.inverse[k];
+    xi[k] += row[0] * y.x + row[1] * y.y + row[2] * y.z;
+  }
+  return xi;
+}
+
+/// What of it is in the node, or no farther beside it than `off`.
+Outline KeepDeep(const EdgeNode& node, const double (&off)[3], Outline outline)
+{
+  for (const EdgeNodeEnd& end : node.boxEnds)
+  {
+    if (outline.IsEmpty())
+    {
+      break;
+    }
+    const double wider = end.Across(off);
+    outline.Keep([&](const Vec3& xi) { return end.DepthOf(xi) + wider; });
+  }
+  return outline;
+}
+} // namespace
+
+bool Misses(const EdgeFunctions& functions, const EdgeNode& node, const WideOutline& region)
+{
+  const auto corners = region.outline.Corners();
+  const double slack = region.slack;
+  for (int d = 0; d < 3; ++d)
+  {
+    double least = corners.front()[d];
+    double most = least;
+    for (const Vec3& corner : corners)
+    {
+      least = std::min(least, corner[d]);
+      most = std::max(most, corner[d]);
+    }
+    if (most + slack < node.bounds.lower[d] || least - slack > node.bounds.upper[d])
+    {
+      return true;
+    }
+  }
+  if (!node.regular)
+  {
+    return false;
+  }
+  // Every preimage in `wide` of a point of the region is within `off` of what is between these:
+  // T(xi) = M (Phi(xi) - origin) - (xi - centre) changes by `turn` at most.
+  const double most = std::max({ node.reach[0], node.reach[1], node.reach[2] });
+  double largest = LargestOf(node.origin);
+  for (const Vec3& corner : corners)
+  {
+    largest = std::max(largest, LargestOf(functions.InUnits(corner)));
+  }
+  const double inY = slack / functions.Size() + functions.ImageError() + 2.0 * kSum * largest;
+  double off[3];
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    off[k] = (node.turn[k] * most + node.shift[k] + node.lean[k] * inY) * kUp + 1e-13;
+  }
+  std::array<Vec3, Outline::kMostCorners> images;
+  std::ranges::transform(
+    corners, images.begin(), [&](const Vec3& x) { return ToXi(functions, node, x); });
+  return KeepDeep(node, off, Outline(std::span(images).first(corners.size()))).IsEmpty();
+}
+
+EdgeMeeting Meet(const EdgeFunctions& functions, const EdgeNode& node, const WideOutline& region)
+{
+  const double slack = region.slack;
+  const Shape shape = functions.GetShape();
+  const auto corners = region.outline.Corners();
+  const std::size_t count = corners.size();
+  std::array<Vec3, Outline::kMostCorners> ends;
+  std::ranges::transform(
+    corners, ends.begin(), [&](const Vec3& x) { return functions.InUnits(x); });
+  const auto farthest = [&](auto&& distanceOf)
+  {
+    double most = 0.0;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      most = std::max(most, distanceOf(ends[i]));
+    }
+    return most;
+  };
+  const Vec3 centre = region.outline.Middle();
+  const Vec3 middle = functions.InUnits(centre);
+  EdgeFunctions::View view =
+    functions.ViewAt(MovedInto(shape, node, ToXi(functions, node, centre)));
+  for (int step = 0; step < kSteps; ++step)
+  {
+    const double reach = farthest(
+      [&](const Vec3& end)
+      {
+        const Vec3 half = view.inverse * (end - middle);
+        return glm::dot(half, half);
+      });
+    const Vec3 next = MovedInto(shape, node, view.xi + view.inverse * (middle - view.y));
+    const Vec3 moved = next - view.xi;
+    // Written so that a NaN ends it.
+    if (!(glm::dot(moved, moved) > reach))
+    {
+      break;
+    }
+    view = functions.ViewAt(next);
+  }
+
+  // |xi - view.xi| of the preimages in `wide` of the region's points.
+  const double inY = slack / functions.Size() + functions.ImageError() +
+    kSum * std::max(LargestOf(view.y), farthest(LargestOf));
+  double away[3];
+  double besides[3];
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const double(&row)[3] = node.inverse[k];
+    besides[k] = node.shift[k] + node.lean[k] * inY + 1e-14;
+    away[k] = farthest(
+                [&](const Vec3& end)
+                {
+                  const Vec3 d = end - view.y;
+                  return std::fabs(row[0] * d.x + row[1] * d.y + row[2] * d.z);
+                }) *
+        kUp +
+      besides[k];
+  }
+  Solve(node.turn, away);
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    // None of the node's is farther away.
+    const int d = static_cast<int>(k);
+    away[k] = std::min(away[k], (node.reach[k] + std::fabs(view.xi[d] - node.centre[d])) * kUp);
+  }
+  std::array<Vec3, Outline::kMostCorners> steps;
+  std::ranges::transform(std::span(ends).first(count), steps.begin(),
+    [&](const Vec3& end) { return view.inverse * (end - view.y); });
+  // What the computed Jacobian and its inverse leave of the steps' equations, in y.
+  const Vec3 columns =
+    glm::abs(view.jacobian[0]) + glm::abs(view.jacobian[1]) + glm::abs(view.jacobian[2]);
+  double left = 0.0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    left = std::max(left,
+      LargestOf(ends[i] - view.y - view.jacobian * steps[i]) +
+        kSum * LargestOf(columns) * LargestOf(steps[i]) +
+        functions.ImageSlopeError() * SumOf(steps[i]));
+  }
+  double farther[3];
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    besides[k] += node.lean[k] * left;
+    farther[k] = 0.0;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      farther[k] = std::max(farther[k], std::fabs(steps[i][static_cast<int>(k)]));
+    }
+  }
+  // They are where the expansion puts them, up to `off`, and so no farther away than that.
+  double off[3];
+  for (int round = 0; round < kRounds; ++round)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      off[k] = (Quadratic(node.bend[k], away) / 2.0 + besides[k]) * kUp;
+    }
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      away[k] = std::min(away[k], (farther[k] + off[k]) * kUp);
+    }
+  }
+  for (Vec3& step : steps)
+  {
+    step += view.xi;
+  }
+  const Outline inside = KeepDeep(node, off, Outline(std::span(steps).first(count)));
+  if (inside.IsEmpty())
+  {
+    return {};
+  }
+  const Interval linear = functions.LinearValues(view.xi, inside.Corners());
+  const double curved = Quadratic(node.curve, away) / 2.0;
+  const bool isWide = curved > kCoarse * (linear.upper - linear.lower);
+  double most = curved + 2.0 * functions.ValueError();
+  EdgeMeeting meeting;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    most += node.slope[k] * besides[k];
+    meeting.bends = meeting.bends || off[k] > kCoarse * away[k] + 2.0 * besides[k];
+    meeting.curves = meeting.curves || (isWide && node.reach[k] > 2.0 * away[k]);
+  }
+  most = most * kUp + 1e-14 * (std::fabs(linear.lower) + std::fabs(linear.upper));
+  meeting.values =
+    Interval(rounding::Below(linear.lower - most), rounding::Above(linear.upper + most));
+  return meeting;
+}
+} // namespace pixelexact

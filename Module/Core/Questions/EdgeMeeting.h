@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Questions/EdgeNode.h"
+#include "Core/Questions/Outline.h"
+
+#include <optional>
+
+namespace pixelexact
+{
+/// A straight edge or a flat convex polygon, widened by `slack` in each coordinate, in world units.
+struct WideOutline
+{
+  Outline outline;
+  double slack = 0.0;
+};
+
+/// Of such an edge or polygon and a node.
+struct EdgeMeeting
+{
+  std::optional<Interval> values; ///< hold those of the node in the region; nothing: there are none
+  // Whether smaller nodes would tell more, because
+  bool bends = false;  ///< the map, or
+  bool curves = false; ///< the field does, over a node that is larger than the region
+};
+
+/// Whether a region is proven to miss a node's image: by its box and, where the node is regular, by
+/// the affine map.
+[[nodiscard]] bool Misses(
+  const EdgeFunctions& functions, const EdgeNode& node, const WideOutline& region);
+
+/// In a regular node, from the second-order expansion about a point of it near the region.
+[[nodiscard]] EdgeMeeting Meet(
+  const EdgeFunctions& functions, const EdgeNode& node, const WideOutline& region);
+} // namespace pixelexact

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Questions/EdgeNode.h"
+
+#include "Core/Questions/EdgeArithmetic.h"
+
+#include <glm/common.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace pixelexact
+{
+using namespace edges;
+
+namespace
+{
+/// Of a box's sides, on either side.
+constexpr double kMargin = 0.25;
+/// Row sums of |M J - I| up to which a box is regular.
+constexpr double kMostTurn = 0.7;
+} // namespace
+
+std::array<EdgeNodeEnd, 6> EndsOf(Shape shape, const EtaBox& box)
+{
+  const auto normals = EndNormals(shape, box);
+  std::array<EdgeNodeEnd, 6> ends;
+  for (int k = 0; k < 6; ++k)
+  {
+    EdgeNodeEnd& end = ends[static_cast<std::size_t>(k)];
+    std::copy_n(normals[static_cast<std::size_t>(k)], 3, end.normal);
+    end.offset = DepthOf(shape, box, k, Vec3(0.0));
+    end.ofElement = k % 2 == 1 ? box.upper[k / 2] == 1.0 : box.lower[k / 2] == -1.0;
+  }
+  return ends;
+}
+
+void EdgeNode::Describe(const EdgeFunctions& functions, const Interval& those)
+{
+  const Vec3 sides = box.upper - box.lower;
+  const Vec3 margin = kMargin * sides;
+  wide.lower = glm::max(box.lower - margin, Vec3(-1.0));
+  wide.upper = glm::min(box.upper + margin, Vec3(1.0));
+  values = those;
+  const int wider = sides.x >= sides.y ? 0 : 1;
+  direction = sides[wider] >= sides.z ? wider : 2;
+  bounds = functions.ImageOver(wide);
+  // What follows costs more.
+  if (!DescribeMap(functions, functions.SlopesOver(wide)))
+  {
+    return;
+  }
+  values = functions.ValuesOver(wide);
+  boxEnds = EndsOf(functions.GetShape(), box);
+  wideEnds = EndsOf(functions.GetShape(), wide);
+  // One at least, for the map.
+  std::vector<EdgeFunctions::Derivatives> derivatives{ functions.DerivativesOver(wide, 0) };
+  for (int c = 1; c < functions.Components(); ++c)
+  {
+    derivatives.push_back(functions.DerivativesOver(wide, c));
+  }
+  DescribeCurves(functions, derivatives);
+}
+
+bool EdgeNode::DescribeMap(const EdgeFunctions& functions, const EdgeFunctions::Slopes& slopes)
+{
+  const Shape shape = functions.GetShape();
+  const Box3 hull = HullInXi(shape, wide);
+  centre = TensorToReference(shape, 0.5 * (wide.lower + wide.upper));
+  origin = functions.ViewAt(centre).y;
+  Mat3 middle;
+  for (int c = 0; c < 3; ++c)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      const Interval& range = slopes[static_cast<std::size_t>(c)][static_cast<std::size_t>(j)];
+      if (!range.IsFinite())
+      {
+        return false;
+      }
+      middle[j][c] = range.Middle();
+    }
+  }
+  const Mat3 unturned = glm::inverse(middle);
+  double most = 0.0;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    double sum = 0.0;
+    for (std::size_t j = 0; j < 3; ++j)
+    {
+      inverse[i][j] = unturned[static_cast<int>(j)][static_cast<int>(i)];
+    }
+    for (std::size_t j = 0; j < 3; ++j)
+    {
+      Interval entry(i == j ? -1.0 : 0.0);
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        entry += Interval(inverse[i][c]) * slopes[c][j];
+      }
+      sum += entry.Magnitude();
+    }
+    turn[i] = sum * kUp;
+    most = std::max(most, turn[i]);
+    const int d = static_cast<int>(i);
+    reach[i] = std::max(hull.upper[d] - centre[d], centre[d] - hull.lower[d]) * kUp + 1e-15;
+  }
+  // Written so that a NaN is not regular.
+  return most <= kMostTurn;
+}
+
+void EdgeNode::DescribeCurves(
+  const EdgeFunctions& functions, std::span<const EdgeFunctions::Derivatives> components)
+{
+  const auto& ranges = components.front();
+  // Of all components: the Euclidean norm of bounds bounds that of vectors.
+  const auto norm = [&components](auto&& of)
+  {
+    double sum = 0.0;
+    for (const auto& one : components)
+    {
+      const double magnitude = of(one[3]).Magnitude();
+      sum += magnitude * magnitude;
+    }
+    return components.size() == 1 ? of(components.front()[3]).Magnitude() : std::sqrt(sum) * kUp;
+  };
+  double bends[6][3];
+  for (std::size_t p = 0; p < 6; ++p)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      Interval entry(0.0);
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        entry += Interval(inverse[k][c]) * ranges[c].second[p];
+      }
+      bends[p][k] = entry.Magnitude();
+    }
+    Solve(turn, bends[p]);
+  }
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    slope[k] = norm([k](const HessianFunction::XiRanges& one) { return one.first[k]; });
+    lean[k] = 0.0;
+    shift[k] = 0.0;
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      lean[k] += std::fabs(inverse[k][c]);
+      shift[k] += std::fabs(inverse[k][c]) * kMostMiss * functions.Uncertainty()[c];
+    }
+  }
+  Solve(turn, lean);
+  Solve(turn, shift);
+  bool finite = true;
+  for (std::size_t p = 0; p < 6; ++p)
+  {
+    const double twice = kRows[p] == kColumns[p] ? 1.0 : 2.0;
+    curve[p] = norm([p](const HessianFunction::XiRanges& one) { return one.second[p]; });
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      bend[k][p] = twice * bends[p][k];
+      curve[p] += slope[k] * bends[p][k];
+    }
+    curve[p] *= twice * kUp;
+    finite = finite && std::isfinite(curve[p]);
+  }
+  for (std::size_t f = 0; f < 3; ++f)
+  {
+    second[f] = ranges[f].second;
+  }
+  for (std::size_t p = 0; p < 6; ++p)
+  {
+    const double most = norm([p](const HessianFunction::XiRanges& one) { return one.second[p]; });
+    second[3][p] = components.size() == 1 ? ranges[3].second[p] : Interval(-most, most);
+  }
+  regular = finite;
+}
+} // namespace pixelexact

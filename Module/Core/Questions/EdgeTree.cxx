@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Questions/EdgeTree.h"
+
+#include <memory>
+
+namespace pixelexact
+{
+void EdgeTree::Describe(EdgeNode& node, const Interval& values) const
+{
+  ++Count;
+  node.Describe(Functions, values);
+}
+
+const EdgeNode& EdgeTree::Whole() const
+{
+  if (!HasRoot.load(std::memory_order_acquire))
+  {
+    const std::scoped_lock lock(Growing);
+    if (!HasRoot.load(std::memory_order_relaxed))
+    {
+      Describe(Root, Functions.Values());
+      HasRoot.store(true, std::memory_order_release);
+    }
+  }
+  return Root;
+}
+
+const std::array<EdgeNode, 2>& EdgeTree::Split(const EdgeNode& node) const
+{
+  if (const auto* made = node.children.load(std::memory_order_acquire))
+  {
+    return *made;
+  }
+  const std::scoped_lock lock(Growing);
+  if (const auto* made = node.children.load(std::memory_order_acquire))
+  {
+    return *made;
+  }
+  const int direction = node.direction;
+  const double middle = 0.5 * (node.box.lower[direction] + node.box.upper[direction]);
+  auto halves = std::make_unique<std::array<EdgeNode, 2>>();
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    EdgeNode& half = (*halves)[k];
+    half.box = node.box;
+    (k == 0 ? half.box.upper : half.box.lower)[direction] = middle;
+    half.halvings = node.halvings + 1;
+    Describe(half, node.values);
+  }
+  node.children.store(halves.get(), std::memory_order_release);
+  return *halves.release();
+}
+
+const EdgeNode& EdgeTree::LeafAt(const Vec3& eta) const
+{
+  const EdgeNode* node = &Whole();
+  while (!node->regular && CanSplit(*node))
+  {
+    const auto& halves = Split(*node);
+    const int d = node->direction;
+    node = &halves[eta[d] <= halves[0].box.upper[d] ? 0 : 1];
+  }
+  return *node;
+}
+} // namespace pixelexact

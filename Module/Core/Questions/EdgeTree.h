@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Questions/EdgeNode.h"
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <mutex>
+
+namespace pixelexact
+{
+/// What is known of an element's boxes of eta, each made where somebody first asks. Safe to use
+/// from several threads.
+class EdgeTree
+{
+public:
+  /// `functions` must outlive it, and be finite where nodes are asked for.
+  explicit EdgeTree(const EdgeFunctions& functions)
+    : Functions(functions)
+  {
+  }
+
+  [[nodiscard]] const EdgeNode& Whole() const;
+  [[nodiscard]] const std::array<EdgeNode, 2>& Split(const EdgeNode& node) const;
+  /// Whether halves of a node are worth it.
+  [[nodiscard]] bool CanSplit(const EdgeNode& node) const
+  {
+    return node.halvings < Functions.Deepest(node.regular);
+  }
+  /// The largest regular node with this eta; the last one, where there is none.
+  [[nodiscard]] const EdgeNode& LeafAt(const Vec3& eta) const;
+
+  /// Nodes that have been made.
+  [[nodiscard]] std::int64_t Nodes() const { return Count.load(std::memory_order_relaxed); }
+
+private:
+  void Describe(EdgeNode& node, const Interval& values) const;
+
+  const EdgeFunctions& Functions;
+  mutable EdgeNode Root;
+  mutable std::atomic<bool> HasRoot{ false };
+  mutable std::mutex Growing;
+  mutable std::atomic<std::int64_t> Count{ 0 };
+};
+} // namespace pixelexact

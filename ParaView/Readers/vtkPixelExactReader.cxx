@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPixelExactReader.h"
+
+#include "HighOrderArrays.h"
+
+#include "Core/Base/Error.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArraySelection.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkPointData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <exception>
+
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+namespace
+{
+void RemoveField(vtkUnstructuredGrid* grid, const std::string& name)
+{
+  const std::string prefix = pixelexact::kFieldPrefix + name + ".";
+  vtkFieldData* arrays = grid->GetFieldData();
+  for (int i = arrays->GetNumberOfArrays() - 1; i >= 0; --i)
+  {
+    const std::string array = arrays->GetArrayName(i);
+    // Not those of a field whose name goes on behind the point.
+    if (array.starts_with(prefix) && array.find('.', prefix.size()) == std::string::npos)
+    {
+      arrays->RemoveArray(i);
+    }
+  }
+  grid->GetPointData()->RemoveArray(name.c_str());
+  grid->GetCellData()->RemoveArray(name.c_str());
+}
+
+/// Makes the first field the one that ParaView takes where it takes one.
+void ChooseScalars(vtkUnstructuredGrid* grid)
+{
+  for (const std::string& name : pixelexact::StoredFieldNames(grid))
+  {
+    if (grid->GetPointData()->SetActiveScalars(name.c_str()) >= 0 ||
+      grid->GetCellData()->SetActiveScalars(name.c_str()) >= 0)
+    {
+      return;
+    }
+  }
+}
+} // namespace
+
+//------------------------------------------------------------------------------
+vtkPixelExactReader::vtkPixelExactReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+//------------------------------------------------------------------------------
+vtkPixelExactReader::~vtkPixelExactReader() = default;
+
+//------------------------------------------------------------------------------
+void vtkPixelExactReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  for (const std::string& name : this->FileNames)
+  {
+    os << indent << "FileName: " << name << "\n";
+  }
+  this->Fields->PrintSelf(os, indent.GetNextIndent());
+}
+
+//------------------------------------------------------------------------------
+void vtkPixelExactReader::SetFileName(const char* name)
+{
+  this->RemoveAllFileNames();
+  this->AddFileName(name);
+}
+
+//------------------------------------------------------------------------------
+void vtkPixelExactReader::AddFileName(const char* name)
+{
+  if (name != nullptr && name[0] != '\0')
+  {
+    this->FileNames.emplace_back(name);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPixelExactReader::RemoveAllFileNames()
+{
+  this->FileNames.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+vtkDataArraySelection* vtkPixelExactReader::GetFieldSelection()
+{
+  return this->Fields;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkPixelExactReader::GetMTime()
+{
+  return std::max(this->Superclass::GetMTime(), this->Fields->GetMTime());
+}
+
+//------------------------------------------------------------------------------
+void vtkPixelExactReader::Offer(const std::string& field, bool chosen)
+{
+  if (this->Fields->ArrayExists(field.c_str()) == 0)
+  {
+    this->Fields->AddArray(field.c_str(), chosen);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkPixelExactReader::IsChosen(const std::string& field)
+{
+  return this->Fields->ArrayIsEnabled(field.c_str()) != 0;
+}
+
+//------------------------------------------------------------------------------
+int vtkPixelExactReader::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkInformation* output = outputVector->GetInformationObject(0);
+  output->Remove(Pipeline::TIME_STEPS());
+  output->Remove(Pipeline::TIME_RANGE());
+  try
+  {
+    if (this->FileNames.empty())
+    {
+      throw pixelexact::InvalidData("no file is named; open one");
+    }
+    if (this->PrepareTime < this->GetMTime())
+    {
+      this->Prepare();
+      this->PrepareTime.Modified();
+    }
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< error.what());
+    return 0;
+  }
+  this->GetSource()->UpdateInformation();
+  vtkInformation* source = this->GetSource()->GetOutputInformation(0);
+  for (vtkInformationDoubleVectorKey* key : { Pipeline::TIME_STEPS(), Pipeline::TIME_RANGE() })
+  {
+    output->CopyEntry(source, key);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkPixelExactReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  auto* output = vtkUnstructuredGrid::GetData(outputVector);
+  output->Initialize();
+  if (this->PrepareTime < this->GetMTime())
+  {
+    return 0; // RequestInformation said why
+  }
+  const bool hasTime = info->Has(Pipeline::UPDATE_TIME_STEP()) != 0;
+  const bool done = hasTime
+    ? this->GetSource()->UpdateTimeStep(info->Get(Pipeline::UPDATE_TIME_STEP())) != 0
+    : this->GetSource()->GetExecutive()->Update() != 0;
+  if (!done)
+  {
+    return 0; // the source said why
+  }
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(this->GetSource()->GetOutputDataObject(0));
+  output->ShallowCopy(grid);
+  for (const std::string& name : pixelexact::StoredFieldNames(grid))
+  {
+    this->Offer(name, true);
+    if (!this->IsChosen(name))
+    {
+      RemoveField(output, name);
+    }
+  }
+  this->PrepareTime.Modified(); // what was offered now needs nothing else to be read
+  ChooseScalars(output);
+  vtkInformation* made = grid->GetInformation();
+  if (made->Has(vtkDataObject::DATA_TIME_STEP()))
+  {
+    output->GetInformation()->Set(
+      vtkDataObject::DATA_TIME_STEP(), made->Get(vtkDataObject::DATA_TIME_STEP()));
+  }
+  return 1;
+}

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPixelExactReader
+ * @brief   what opens a file in ParaView: a reader with what else it needs, and a choice of fields
+ *
+ * Subclasses find the files that belong to the one that was opened and set up the readers and
+ * filters that make the grid. The output is that grid, a vtkUnstructuredGrid with the fields that
+ * are chosen. Times are those of the readers.
+ */
+
+#ifndef vtkPixelExactReader_h
+#define vtkPixelExactReader_h
+
+#include "PixelExactParaViewReadersModule.h"
+#include "vtkNew.h"       // for the choice of fields
+#include "vtkTimeStamp.h" // for when files were looked for
+#include "vtkUnstructuredGridAlgorithm.h"
+
+#include <string> // for names
+#include <vector> // for names
+
+class vtkDataArraySelection;
+
+class PIXELEXACTPARAVIEWREADERS_EXPORT vtkPixelExactReader : public vtkUnstructuredGridAlgorithm
+{
+public:
+  vtkTypeMacro(vtkPixelExactReader, vtkUnstructuredGridAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The files that were opened.
+   */
+  void SetFileName(const char* name);
+  void AddFileName(const char* name);
+  void RemoveAllFileNames();
+  ///@}
+
+  /**
+   * Which fields the output has: of those that are known before reading, and of those that were
+   * found then.
+   */
+  vtkDataArraySelection* GetFieldSelection();
+
+  /**
+   * Changes with the choice of fields, too.
+   */
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkPixelExactReader();
+  ~vtkPixelExactReader() override;
+
+  /**
+   * What makes the grid. After Prepare.
+   */
+  virtual vtkAlgorithm* GetSource() = 0;
+
+  /**
+   * Sets up what makes the grid, after anything was changed, and offers fields. Throws
+   * pixelexact::Error.
+   */
+  virtual void Prepare() = 0;
+
+  /**
+   * A field that may be chosen, and whether it is until somebody says otherwise.
+   */
+  void Offer(const std::string& field, bool chosen);
+  bool IsChosen(const std::string& field);
+
+  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  std::vector<std::string> FileNames;
+
+private:
+  vtkPixelExactReader(const vtkPixelExactReader&) = delete;
+  void operator=(const vtkPixelExactReader&) = delete;
+
+  vtkNew<vtkDataArraySelection> Fields;
+  vtkTimeStamp PrepareTime;
+};
+
+#endif

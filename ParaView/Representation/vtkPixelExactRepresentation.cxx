@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPixelExactRepresentation.h"
+
+#include "CompositeParts.h"
+#include "HighOrderArrays.h"
+#include "HighOrderModel.h"
+#include "RepresentationInternals.h"
+
+#include "Core/Base/Error.h"
+
+#include "vtkActor.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkImplicitFunction.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkObjectFactory.h"
+#include "vtkPVRenderView.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkScalarsToColors.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <utility>
+
+vtkStandardNewMacro(vtkPixelExactRepresentation);
+
+namespace
+{
+/// Whether any grid is without coefficients.
+bool HasPlainGrids(vtkDataObject* data)
+{
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    return std::ranges::any_of(pixelexact::PartsOf(composite),
+      [](const auto& part) { return !pixelexact::HasHighOrderArrays(part.grid); });
+  }
+  return !pixelexact::HasHighOrderArrays(vtkUnstructuredGrid::SafeDownCast(data));
+}
+
+bool HasCells(vtkDataObject* data)
+{
+  return data != nullptr && data->GetNumberOfElements(vtkDataObject::CELL) > 0;
+}
+} // namespace
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataObject> vtkPixelExactRepresentation::Internals::WithCoefficients(
+  vtkDataObject* data)
+{
+  auto shown = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
+  // In parallel, processes may have no cells.
+  if (HasCells(data) && HasPlainGrids(data))
+  {
+    // A copy: the pipeline's object does not know that somebody else reads it.
+    shown->ShallowCopy(data);
+    Convert->SetInputDataObject(shown);
+    Convert->Update();
+    data = Convert->GetOutputDataObject(0);
+    shown = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
+  }
+  shown->ShallowCopy(data);
+  return shown;
+}
+
+//------------------------------------------------------------------------------
+vtkPixelExactRepresentation::vtkPixelExactRepresentation()
+  : Data(std::make_unique<Internals>())
+{
+  this->Data->Actor->SetMapper(this->Data->Mapper);
+  this->Data->Mapper->SetUseLookupTableScalarRange(1);
+  this->Data->Mapper->ScalarVisibilityOff();
+  vtkMath::UninitializeBounds(this->Data->Bounds.data());
+}
+
+//------------------------------------------------------------------------------
+vtkPixelExactRepresentation::~vtkPixelExactRepresentation() = default;
+
+//------------------------------------------------------------------------------
+int vtkPixelExactRepresentation::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  // Clients and render servers have none.
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkPixelExactRepresentation::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  Internals& my = *this->Data;
+  my.Shown = nullptr;
+  vtkMath::UninitializeBounds(my.Bounds.data());
+  if (inputVector[0]->GetNumberOfInformationObjects() == 1)
+  {
+    vtkDataObject* data = vtkDataObject::GetData(inputVector[0], 0);
+    try
+    {
+      my.Shown = my.WithCoefficients(data);
+      if (HasCells(my.Shown))
+      {
+        // Held until the mapper has it.
+        const auto model = pixelexact::HighOrderModel::From(my.Shown);
+        my.Mapper->SetInputData(my.Shown);
+        my.Mapper->GetBounds(my.Bounds.data());
+      }
+    }
+    catch (const pixelexact::StaleData& error)
+    {
+      my.Shown = nullptr;
+      vtkErrorMacro(<< error.what() << " In ParaView: the filter PixelExact Convert.");
+    }
+    catch (const pixelexact::Error& error)
+    {
+      my.Shown = nullptr;
+      vtkErrorMacro(<< error.what());
+    }
+  }
+  return this->Superclass::RequestData(request, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
+int vtkPixelExactRepresentation::ProcessViewRequest(
+  vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
+{
+  if (!this->Superclass::ProcessViewRequest(request, inInfo, outInfo))
+  {
+    return 0;
+  }
+  Internals& my = *this->Data;
+  if (request == vtkPVView::REQUEST_UPDATE())
+  {
+    vtkPVView::SetPiece(inInfo, this, my.Shown);
+    vtkNew<vtkMatrix4x4> matrix;
+    my.Actor->GetMatrix(matrix);
+    vtkPVRenderView::SetGeometryBounds(inInfo, this, my.Bounds.data(), matrix);
+    // Moved grids are appended, after which their coefficients are stale.
+    vtkPVRenderView::SetRequiresDistributedRendering(inInfo, this, true);
+    vtkPVRenderView::SetOrderedCompositingConfiguration(
+      inInfo, this, vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION);
+    outInfo->Set(vtkPVRenderView::NEED_ORDERED_COMPOSITING(),
+      my.Mapper->HasTranslucentPolygonalGeometry() || my.Actor->GetProperty()->GetOpacity() < 1.0
+        ? 1
+        : 0);
+  }
+  else if (request == vtkPVView::REQUEST_UPDATE_LOD())
+  {
+    vtkPVRenderView::SetRequiresDistributedRenderingLOD(inInfo, this, true);
+  }
+  else if (request == vtkPVView::REQUEST_RENDER())
+  {
+    vtkDataObject* delivered = vtkPVView::GetDeliveredPiece(inInfo, this);
+    const bool isThere = HasCells(delivered);
+    my.Actor->SetVisibility(this->GetVisibility() && isThere);
+    if (isThere)
+    {
+      my.Mapper->SetInputData(delivered);
+      this->ChooseSurface();
+      this->Warn(delivered);
+    }
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkPixelExactRepresentation::ChooseSurface()
+{
+  Internals& my = *this->Data;
+  switch (my.Surface)
+  {
+    case BOUNDARY:
+      my.Mapper->SetSurface(my.Boundary);
+      break;
+    case ISO_SURFACE:
+      my.Mapper->SetSurface(my.Iso);
+      break;
+    default:
+      my.Mapper->SetSurface(nullptr);
+      my.Mapper->SetCutFunction(my.Cut);
+      break;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPixelExactRepresentation::Warn(vtkDataObject* shown)
+{
+  Internals& my = *this->Data;
+  std::set<std::string> texts;
+  if (my.Mapper->GetScalarVisibility() && my.Mapper->GetLookupTable() != nullptr)
+  {
+    texts.insert(my.Range.Complaint(shown, my.ColorArray, my.Mapper->GetLookupTable()));
+  }
+  if (my.HasBlockColors || my.HasBlockOpacities ||
+    std::ranges::any_of(my.Selectors, [](const auto& s) { return s != "/"; }))
+  {
+    texts.insert("blocks are not chosen, coloured or made translucent one by one: all are one "
+                 "scene; the filter Extract Block takes out those to be seen");
+  }
+  texts.erase("");
+  for (const std::string& text : texts)
+  {
+    if (!my.Told.contains(text))
+    {
+      vtkWarningMacro(<< text);
+    }
+  }
+  my.Told = std::move(texts);
+}
+
+//------------------------------------------------------------------------------
+double* vtkPixelExactRepresentation::GetFieldRange()
+{
+  Internals& my = *this->Data;
+  const auto range = my.Shown != nullptr
+    ? my.Range.OfField(my.Shown, my.ColorArray, my.Mapper->GetLookupTable())
+    : std::nullopt;
+  my.FieldRange = range.value_or(std::array{ 1.0, -1.0 });
+  return my.FieldRange.data();
+}
+
+//------------------------------------------------------------------------------
+bool vtkPixelExactRepresentation::AddToView(vtkView* view)
+{
+  auto* renderView = vtkPVRenderView::SafeDownCast(view);
+  if (renderView == nullptr)
+  {
+    return false;
+  }
+  renderView->GetRenderer()->AddActor(this->Data->Actor);
+  return this->Superclass::AddToView(view);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPixelExactRepresentation::RemoveFromView(vtkView* view)
+{
+  auto* renderView = vtkPVRenderView::SafeDownCast(view);
+  if (renderView == nullptr)
+  {
+    return false;
+  }
+  renderView->GetRenderer()->RemoveActor(this->Data->Actor);
+  return this->Superclass::RemoveFromView(view);
+}

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPixelExactRepresentation
+ * @brief   shows a high-order field in ParaView's render views, by vtkHighOrderMapper
+ *
+ * Takes a vtkUnstructuredGrid that carries high-order coefficients, or a plain one, which is
+ * converted, or composite data of such grids, which are then one scene. A cut, the mesh's boundary
+ * or an iso-surface is coloured by ParaView's array and colour map, or in one colour.
+ *
+ * Errors and warnings are those of the mapper, the converter and, where ParaView's colour map
+ * leaves out values that the field has, of this class; they go to ParaView's messages. After an
+ * error nothing is drawn.
+ *
+ * Each process draws the elements that it has: in parallel, data are not moved.
+ */
+
+#ifndef vtkPixelExactRepresentation_h
+#define vtkPixelExactRepresentation_h
+
+#include "PixelExactParaViewModule.h"
+#include "vtkPVDataRepresentation.h"
+
+#include <memory> // for the implementation
+
+class vtkActor;
+class vtkHighOrderMapper;
+class vtkImplicitFunction;
+class vtkScalarsToColors;
+
+class PIXELEXACTPARAVIEW_EXPORT vtkPixelExactRepresentation : public vtkPVDataRepresentation
+{
+public:
+  static vtkPixelExactRepresentation* New();
+  vtkTypeMacro(vtkPixelExactRepresentation, vtkPVDataRepresentation);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  int ProcessViewRequest(
+    vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
+  void SetVisibility(bool visible) override;
+
+  /**
+   * What is shown.
+   */
+  enum Surfaces
+  {
+    CUT = 0,        ///< where the cut function is zero
+    BOUNDARY = 1,   ///< of the mesh, or those of its parts that have an attribute
+    ISO_SURFACE = 2 ///< where a field has a value
+  };
+  void SetSurface(int surface);
+
+  /**
+   * See vtkHighOrderMapper::SetCutFunction.
+   */
+  void SetCutFunction(vtkImplicitFunction* function);
+
+  ///@{
+  /**
+   * Parts of the boundary; none: all of it. See vtkHighOrderBoundarySurface.
+   */
+  void AddBoundaryAttribute(int attribute);
+  void RemoveAllBoundaryAttributes();
+  ///@}
+
+  ///@{
+  /**
+   * The iso-surface; see vtkHighOrderIsoSurface. Of the array only the name counts; empty: the
+   * grid's first field.
+   */
+  void SetIsoArray(int idx, int port, int connection, int association, const char* name);
+  void SetIsoComponent(int component);
+  void SetIsoValue(double value);
+  ///@}
+
+  ///@{
+  /**
+   * Contours and edges; see vtkHighOrderMapper.
+   */
+  void SetContourValue(int i, double value);
+  void SetNumberOfContours(int number);
+  void SetContourWidth(double width);
+  void SetContourColor(double red, double green, double blue);
+  void SetContourScalarVisibility(bool visible);
+  void SetContourLabels(bool labels);
+  void SetContourLabelSize(int size);
+  void SetEdgeVisibility(bool visible);
+  void SetLightFlat(bool light);
+  ///@}
+
+  ///@{
+  /**
+   * Which field colours: only the array's name counts. Empty: the DiffuseColor.
+   */
+  using Superclass::SetInputArrayToProcess;
+  void SetInputArrayToProcess(
+    int idx, int port, int connection, int association, const char* name) override;
+  void SetLookupTable(vtkScalarsToColors* table);
+  void SetMapScalars(bool map);
+  ///@}
+
+  /**
+   * The ends of the values that the field in colours has over the mesh, of the component that the
+   * colour map shows; see pixelexact::FieldRange. 1 and -1 where there is no such field.
+   */
+  double* GetFieldRange() VTK_SIZEHINT(2);
+
+  ///@{
+  /**
+   * As those of vtkProperty and vtkActor.
+   */
+  void SetAmbientColor(double red, double green, double blue);
+  void SetDiffuseColor(double red, double green, double blue);
+  void SetSpecularColor(double red, double green, double blue);
+  void SetEdgeColor(double red, double green, double blue);
+  void SetAmbient(double ambient);
+  void SetDiffuse(double diffuse);
+  void SetSpecular(double specular);
+  void SetSpecularPower(double power);
+  void SetInterpolation(int interpolation);
+  void SetLineWidth(double width);
+  void SetOpacity(double opacity);
+  void SetOrientation(double x, double y, double z);
+  void SetOrigin(double x, double y, double z);
+  void SetPosition(double x, double y, double z);
+  void SetScale(double x, double y, double z);
+  void SetUserTransform(const double matrix[16]);
+  void SetPickable(bool pickable);
+  ///@}
+
+  ///@{
+  /**
+   * ParaView's choice of blocks and their colours, which are refused by a warning: blocks are one
+   * scene.
+   */
+  void AddBlockSelector(const char* selector);
+  void RemoveAllBlockSelectors();
+  void SetBlockColor(const char* selector, double red, double green, double blue);
+  void RemoveAllBlockColors();
+  void SetBlockOpacity(const char* selector, double opacity);
+  void RemoveAllBlockOpacities();
+  ///@}
+
+  ///@{
+  /**
+   * What draws.
+   */
+  vtkHighOrderMapper* GetMapper();
+  vtkActor* GetActor();
+  ///@}
+
+protected:
+  vtkPixelExactRepresentation();
+  ~vtkPixelExactRepresentation() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  bool AddToView(vtkView* view) override;
+  bool RemoveFromView(vtkView* view) override;
+
+private:
+  vtkPixelExactRepresentation(const vtkPixelExactRepresentation&) = delete;
+  void operator=(const vtkPixelExactRepresentation&) = delete;
+
+  void ChooseSurface();
+  /**
+   * Of what ParaView's panels offer and a cut does not have, and of a colour map that is too
+   * narrow.
+   */
+  void Warn(vtkDataObject* shown);
+
+  struct Internals;
+  std::unique_ptr<Internals> Data;
+};
+
+#endif

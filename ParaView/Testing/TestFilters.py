@@ -1,0 +1,101 @@
+"""The filters' numbers, against the solver's library, the program and closed forms."""
+
+import unittest
+
+import numpy
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+import scene
+
+NAME = "toroid_hex_g3_p6"
+
+
+def cell_array(source, name):
+    return vtk_to_numpy(servermanager.Fetch(source).GetCellData().GetArray(name))
+
+
+class Filters(unittest.TestCase):
+    def setUp(self):
+        self.table = scene.oracle(f"{NAME}.oracle.csv")
+        self.points = scene.numbers(self.table, "x", "y", "z")
+        self.plain = simple.XMLUnstructuredGridReader(FileName=[scene.data(f"{NAME}.vtu")])
+
+    def tearDown(self):
+        simple.ResetSession()
+
+    def test_convert(self):
+        converted = simple.PixelExactConvert(self.plain)
+        converted.UpdatePipeline()
+        self.assertIn("PixelExact.Field.u.Coefficients", converted.FieldData.keys())
+        found = scene.probe(converted, self.points)
+        inside = found["Verdict"] == 1
+        values = scene.numbers(self.table, "u")[:, 0]
+        self.assertLess(numpy.abs(found["u"] - values)[inside].max(), 1e-9 * abs(values).max())
+
+    def test_probe(self):
+        found = scene.probe(self.plain, self.points, ComputeGradients=1, Enclosures=1)
+        inside = found["Verdict"] == 1
+        self.assertGreater(inside.mean(), 0.95)
+        values = scene.numbers(self.table, "u")[:, 0]
+        gradients = scene.numbers(self.table, "dudx", "dudy", "dudz")
+        self.assertTrue((found["u_lower"] <= found["u"])[inside].all())
+        self.assertTrue((found["u"] <= found["u_upper"])[inside].all())
+        off = numpy.abs(found["u_Gradient"] - gradients)[inside].max()
+        self.assertLess(off, 1e-8 * abs(gradients).max())
+        theirs = scene.tool_values([scene.data(f"{NAME}.vtu")], "u", self.points)
+        if theirs is not None:
+            self.assertTrue(numpy.array_equal(found["u"][inside], theirs[inside, 0]))
+        self.assertLess(numpy.abs(found["u"] - values)[inside].max(), 1e-9 * abs(values).max())
+
+    def test_probe_along_a_line(self):
+        line = simple.Line(Point1=[-2, 0, 0], Point2=[2, 0, 0], Resolution=100)
+        probe = simple.PixelExactProbe(Input=line, Source=self.plain)
+        probe.UpdatePipeline()
+        self.assertEqual(probe.GetDataInformation().GetNumberOfPoints(), 101)
+        self.assertEqual(tuple(probe.PointData["Verdict"].GetRange()), (0.0, 1.0))
+
+    def test_certify(self):
+        certified = simple.PixelExactCertify(self.plain, Field="u")
+        certified.UpdatePipeline()
+        self.assertEqual(tuple(certified.CellData["Verdict"].GetRange()), (0.0, 0.0))
+        lower, upper = cell_array(certified, "u_lower"), cell_array(certified, "u_upper")
+        element = scene.numbers(self.table, "element")[:, 0].astype(int)
+        values = scene.numbers(self.table, "u")[:, 0]
+        self.assertTrue((lower[element] <= values + 1e-12).all())
+        self.assertTrue((values <= upper[element] + 1e-12).all())
+        self.assertGreater(cell_array(certified, "JacobianLower").min(), 0.0)
+
+    def test_linear_resample(self):
+        image = simple.PixelExactLinearResample(self.plain, Dimensions=[9, 10, 11])
+        data = servermanager.Fetch(image)
+        self.assertEqual(data.GetDimensions(), (9, 10, 11))
+        arrays = data.GetPointData()
+        valid = vtk_to_numpy(arrays.GetArray("vtkValidPointMask")) == 1
+        values = vtk_to_numpy(arrays.GetArray("u"))
+        nodes = numpy.array([data.GetPoint(i) for i in range(data.GetNumberOfPoints())])
+        self.assertTrue(numpy.isnan(values[~valid]).all())
+        self.assertGreater(valid.sum(), 20)
+        found = scene.probe(self.plain, nodes[valid])
+        self.assertTrue(numpy.array_equal(found["u"], values[valid]))
+
+    def test_contour(self):
+        lines = simple.PixelExactContour(self.plain)
+        lines.CutFunction.Origin = [0, 0, 0]
+        lines.CutFunction.Normal = [0, 0, 1]
+        lines.ContourBy = ["POINTS", "u"]
+        lines.ContourValues = [-0.3, 0.3]
+        data = servermanager.Fetch(lines)
+        self.assertGreater(data.GetNumberOfCells(), 2)
+        self.assertTrue((vtk_to_numpy(data.GetCellData().GetArray("Certified")) == 1).all())
+        points = vtk_to_numpy(data.GetPoints().GetData())
+        self.assertLess(numpy.abs(points[:, 2]).max(), 1e-12)
+        found = scene.probe(self.plain, points)
+        inside = found["Verdict"] == 1
+        self.assertGreater(inside.mean(), 0.9)
+        off = numpy.abs(numpy.abs(found["u"][inside]) - 0.3)
+        self.assertLess(off.max(), 1e-6)
+
+
+if __name__ == "__main__":
+    scene.main()

@@ -1,0 +1,152 @@
+"""Each reader's fields have the values that the solver's library computed."""
+
+import os
+import shutil
+import tempfile
+import unittest
+
+import numpy
+from paraview import simple
+
+import scene
+
+NEKTAR = [
+    "nek_hex_aniso_p3p5p7",
+    "nek_hex_gll_lagrange_p6",
+    "nek_prism_curved_p7",
+    "nek_pyramid_curved_p6",
+    "nek_tet_varp",
+]
+GRIDS = ["dolfinx_hex_g2_p4", "escher_tet_g3_p3", "fichera_hex_g3_p4", "toroid_hex_g3_p6"]
+
+
+class Readers(unittest.TestCase):
+    def tearDown(self):
+        simple.ResetSession()
+
+    def check(self, reader, oracle, field, inputs, columns=("u",)):
+        table = scene.oracle(oracle)
+        points, values = scene.numbers(table, "x", "y", "z"), scene.numbers(table, *columns)
+        found = scene.probe(reader, points)
+        scale = numpy.abs(values).max()
+        # A face's point may lie outside by its rounding.
+        inside = found["Verdict"] == 1
+        self.assertGreater(inside.mean(), 0.95)
+        mine = found[field].reshape(values.shape)
+        self.assertLess(numpy.abs(mine - values)[inside].max(), 1e-9 * scale)
+        theirs = inputs and scene.tool_values([scene.data(n) for n in inputs], field, points)
+        if theirs is not None and len(theirs) > 0:
+            self.assertTrue(numpy.array_equal(mine[inside], theirs[inside]))
+
+    def test_nektar(self):
+        for name in NEKTAR:
+            with self.subTest(name):
+                files = [f"{name}/{name}.xml", f"{name}/{name}.fld"]
+                reader = simple.PixelExactNektarReader(FileName=[scene.data(files[0])])
+                self.check(reader, f"{name}/oracle.csv", "u", files)
+
+    def test_nektar_field_finds_its_session(self):
+        name = "nek_tet_varp"
+        files = [f"{name}/{name}.xml", f"{name}/{name}.fld"]
+        reader = simple.PixelExactNektarReader(FileName=[scene.data(files[1])])
+        self.check(reader, f"{name}/oracle.csv", "u", files)
+
+    def test_nektar_steps(self):
+        name = "nek_pyramid_curved_p6"
+        with tempfile.TemporaryDirectory() as folder:
+            session = os.path.join(folder, "run.xml")
+            shutil.copy(scene.data(f"{name}/{name}.xml"), session)
+            for step in "0", "2", "10":
+                shutil.copy(
+                    scene.data(f"{name}/{name}.fld"), os.path.join(folder, f"run_{step}.chk")
+                )
+            reader = simple.PixelExactNektarReader(FileName=[session])
+            reader.UpdatePipelineInformation()
+            self.assertEqual(list(reader.TimestepValues), [0.0, 1.0, 2.0])
+            self.check(reader, f"{name}/oracle.csv", "u", [])
+            one = simple.PixelExactNektarReader(FileName=[os.path.join(folder, "run_10.chk")])
+            self.check(one, f"{name}/oracle.csv", "u", [])
+
+    def test_mfem_of_several_meshes(self):
+        name = "mfem_escher_tet_darcy_p3"
+        with tempfile.TemporaryDirectory() as folder:
+            for file in "escher.mesh", "other.mesh":
+                shutil.copy(scene.data(f"{name}/{name}.mesh"), os.path.join(folder, file))
+            for file in "escher_pressure.gf", "flux.gf":
+                shutil.copy(
+                    scene.data(f"{name}/{file.split('_')[-1]}"), os.path.join(folder, file)
+                )
+            reader = simple.PixelExactMFEMReader(FileName=os.path.join(folder, "escher.mesh"))
+            reader.UpdatePipeline()
+            self.assertIn("escher_pressure", reader.CellData.keys())
+            self.assertNotIn("flux", reader.CellData.keys())
+
+    def test_mfem(self):
+        name = "mfem_escher_tet_darcy_p3"
+        files = [f"{name}/{name}.mesh", f"{name}/pressure.gf", f"{name}/flux.gf"]
+        reader = simple.PixelExactMFEMReader(FileName=scene.data(files[0]))
+        self.check(reader, f"{name}/oracle_pressure.csv", "pressure", files)
+        self.check(reader, f"{name}/oracle_flux.csv", "flux", files, ("u0", "u1", "u2"))
+
+    def test_fields_are_chosen(self):
+        name = "mfem_escher_tet_darcy_p3"
+        reader = simple.PixelExactMFEMReader(FileName=scene.data(f"{name}/{name}.mesh"))
+        reader.UpdatePipelineInformation()
+        self.assertEqual(list(reader.Fields), ["flux", "pressure"])
+        reader.Fields = ["pressure"]
+        reader.UpdatePipeline()
+        self.assertIn("pressure", reader.CellData.keys())
+        self.assertNotIn("flux", reader.CellData.keys())
+        found = scene.probe(reader, [[0.0, 0.0, 0.0]])
+        self.assertIn("pressure", found)
+        self.assertNotIn("flux", found)
+
+    def test_glvis(self):
+        name = "mfem49_tinyzoo_g3_p5"
+        saved = os.path.join(scene.PICTURES, "tinyzoo.saved")
+        with open(saved, "w") as file:
+            file.write("solution\n")
+            for part in f"{name}.mesh", "u.gf":
+                with open(scene.data(f"{name}/{part}")) as text:
+                    file.write(text.read() + "\n")
+        reader = simple.PixelExactGLVisReader(FileName=saved)
+        self.check(reader, f"{name}/oracle_u.csv", "solution", [saved])
+
+    def test_grids(self):
+        for name in GRIDS:
+            with self.subTest(name):
+                file = f"{name}.vtu"
+                reader = simple.PixelExactGridReader(FileName=[scene.data(file)])
+                reader.UpdatePipelineInformation()
+                self.assertIn("u", reader.Fields)
+                reader.Fields = ["u"]
+                self.assertEqual(set(scene.probe(reader, [[0, 0, 0]])) & {"u", "attribute"}, {"u"})
+                self.check(reader, f"{name}.oracle.csv", "u", [file])
+
+    def test_nodes_elsewhere(self):
+        reader = simple.PixelExactGridReader(FileName=[scene.data("dolfinx_hex_g2_p4.vtu")])
+        reader.Nodes = "Gauss-Lobatto"
+        with scene.messages() as heard:
+            reader.UpdatePipeline()
+        self.assertIn("equispaced", heard[0])
+
+    def test_times(self):
+        name = scene.data("toroid_hex_g3_p6.vtu")
+        reader = simple.PixelExactGridReader(FileName=[name, name, name])
+        reader.UpdatePipelineInformation()
+        self.assertEqual(list(reader.TimestepValues), [0.0, 1.0, 2.0])
+        reader.UpdatePipeline(1.0)
+        self.assertEqual(reader.GetDataInformation().GetTime(), 1.0)
+
+    def test_a_missing_session(self):
+        name = os.path.join(scene.PICTURES, "alone.fld")
+        with open(name, "w") as file:
+            file.write("<NEKTAR />")
+        with scene.messages() as heard:
+            simple.PixelExactNektarReader(FileName=[name]).UpdatePipeline()
+        for part in "alone.fld", "alone.xml", "Session Files":
+            self.assertIn(part, heard[0])
+
+
+if __name__ == "__main__":
+    scene.main()

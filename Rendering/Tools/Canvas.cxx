@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Canvas.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pixelexact
+{
+Canvas::Canvas(int width, int height, const Rgba& background, int fontSize)
+  : Width(width)
+  , Height(height)
+  , Colors(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
+  , Texts(fontSize)
+{
+  Fill(0, 0, width, height, background);
+}
+
+std::uint8_t* Canvas::At(int x, int y)
+{
+  return x >= 0 && x < Width && y >= 0 && y < Height
+    ? &Colors[4 *
+        (static_cast<std::size_t>(y) * static_cast<std::size_t>(Width) +
+          static_cast<std::size_t>(x))]
+    : nullptr;
+}
+
+void Canvas::Place(const std::vector<std::uint8_t>& rgb, int width, int height, int x, int y)
+{
+  auto from = rgb.begin();
+  for (int j = 0; j < height; ++j)
+  {
+    for (int i = 0; i < width; ++i, from += 3)
+    {
+      if (std::uint8_t* to = At(x + i, y + j))
+      {
+        std::copy_n(from, 3, to);
+      }
+    }
+  }
+}
+
+void Canvas::Fill(int x, int y, int width, int height, const Rgba& color)
+{
+  for (int j = y; j < y + height; ++j)
+  {
+    for (int i = x; i < x + width; ++i)
+    {
+      if (std::uint8_t* to = At(i, j))
+      {
+        std::ranges::copy(color, to);
+      }
+    }
+  }
+}
+
+void Canvas::Frame(int x, int y, int width, int height, const Rgba& color)
+{
+  Fill(x - 1, y - 1, width + 2, 1, color);
+  Fill(x - 1, y + height, width + 2, 1, color);
+  Fill(x - 1, y, 1, height, color);
+  Fill(x + width, y, 1, height, color);
+}
+
+void Canvas::Line(const CanvasPoint& from, const CanvasPoint& to, double width, const Rgba& color)
+{
+  const double dx = to[0] - from[0];
+  const double dy = to[1] - from[1];
+  const double square = dx * dx + dy * dy;
+  const double reach = 0.5 * width + 1.0;
+  const auto first = [reach](double a, double b)
+  { return static_cast<int>(std::floor(std::min(a, b) - reach)); };
+  const auto last = [reach](double a, double b)
+  { return static_cast<int>(std::ceil(std::max(a, b) + reach)); };
+  for (int y = first(from[1], to[1]); y <= last(from[1], to[1]); ++y)
+  {
+    for (int x = first(from[0], to[0]); x <= last(from[0], to[0]); ++x)
+    {
+      std::uint8_t* pixel = At(x, y);
+      if (pixel == nullptr)
+      {
+        continue;
+      }
+      const double px = x + 0.5 - from[0];
+      const double py = y + 0.5 - from[1];
+      const double s = square > 0.0 ? std::clamp((px * dx + py * dy) / square, 0.0, 1.0) : 0.0;
+      const double away = std::hypot(px - s * dx, py - s * dy);
+      const double part = std::clamp(0.5 * width + 0.5 - away, 0.0, 1.0);
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        pixel[c] =
+          static_cast<std::uint8_t>(std::lround(part * color[c] + (1.0 - part) * pixel[c]));
+      }
+    }
+  }
+}
+
+void Canvas::Write(
+  const std::string& text, double x, double y, TextAnchor anchor, const Rgba& color)
+{
+  Texts.Put(text, x, y, anchor, color, 0.0, { Width, Height, Colors.data() });
+}
+
+std::vector<std::uint8_t> Canvas::Pixels() const
+{
+  std::vector<std::uint8_t> rgb(Colors.size() / 4 * 3);
+  for (std::size_t i = 0; i < Colors.size() / 4; ++i)
+  {
+    std::copy_n(&Colors[4 * i], 3, &rgb[3 * i]);
+  }
+  return rgb;
+}
+} // namespace pixelexact

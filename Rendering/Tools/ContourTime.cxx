@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ContourTime.h"
+
+#include "FrameTime.h"
+#include "Report.h"
+
+#include <nlohmann/json.hpp>
+
+namespace pixelexact
+{
+double ContourTime::Frame() const
+{
+  return Median(frames);
+}
+
+double ContourTime::Ratio() const
+{
+  return Median(Ratios(frames, plain));
+}
+
+double ContourTime::FirstRatio() const
+{
+  return first / Median(plain);
+}
+
+ContourTime MeasureContours(const Scene& scene, const Camera& camera, const Pipeline& without,
+  const Pipeline& with, int repeat, const std::function<ContourCounters()>& pixels)
+{
+  const auto seconds = [&](const Pipeline& pipeline)
+  {
+    const Timer timer;
+    (void)Trace(scene, camera, pipeline);
+    return timer.Seconds();
+  };
+  ContourTime time;
+  time.first = seconds(with);
+  for (int i = 0; i < repeat; ++i)
+  {
+    time.plain.push_back(seconds(without));
+    time.frames.push_back(seconds(with));
+  }
+  time.pixels = pixels();
+  return time;
+}
+
+nlohmann::ordered_json ToJson(const ContourTime& time)
+{
+  return { { "first_frame_seconds", time.first }, { "frame_seconds", time.frames },
+    { "frame_seconds_without", time.plain }, { "median_frame_seconds", time.Frame() },
+    { "ratio_to_frame", time.Ratio() }, { "first_ratio_to_frame", time.FirstRatio() },
+    { "in", time.pixels.in }, { "out", time.pixels.out }, { "undecided", time.pixels.undecided },
+    { "jumps", time.pixels.jumps }, { "samples", time.pixels.samples } };
+}
+
+std::string Describe(const ContourTime& time)
+{
+  return fmt::format("{} s, {} times a frame without; the first {} s, {} times; {} pixels in, {} "
+                     "undecided",
+    Short(time.Frame()), Short(time.Ratio()), Short(time.first), Short(time.FirstRatio()),
+    time.pixels.in, time.pixels.undecided);
+}
+} // namespace pixelexact

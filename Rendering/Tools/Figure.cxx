@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Figure.h"
+
+#include "Canvas.h"
+#include "ColorOptions.h"
+#include "Command.h"
+#include "Looks.h"
+#include "Numbers.h"
+#include "Report.h"
+#include "Shot.h"
+#include "Ticks.h"
+
+#include "Trace/Surfaces/Surface.h"
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pixelexact
+{
+namespace
+{
+constexpr double kSmallestFont = 8.0;
+constexpr double kLargestFont = 200.0;
+/// Of the font's size: the column beside the picture, and the room for a title.
+constexpr int kColumn = 11;
+constexpr int kTitle = 3;
+/// The least of a picture, in pixels.
+constexpr int kLeast = 32;
+
+/// What a bar tells.
+struct Bar
+{
+  std::string name;
+  std::array<double, 2> range;
+  const ColorMap* map;
+};
+
+/// "u", "|v|" of a magnitude, "v 0" of a component.
+std::string NameOf(const Layer& layer)
+{
+  const std::string& name = layer.field->name;
+  if (layer.field->values.components == 1)
+  {
+    return name;
+  }
+  return layer.component == kMagnitude ? "|" + name + "|" : name + " " + ComponentName(layer);
+}
+
+/// One for layers that are alike.
+std::vector<Bar> BarsOf(const Shot& shot, const Looks& looks)
+{
+  std::vector<Bar> bars;
+  for (std::size_t k = 0; k < shot.scene.layers.size(); ++k)
+  {
+    const auto& range = looks.Ranges()[k];
+    if (!range)
+    {
+      continue;
+    }
+    const auto colormap = shot.settings[k].colormap;
+    const std::string name = NameOf(shot.scene.layers[k]);
+    bool isNew = true;
+    for (std::size_t other = 0; other < k && isNew; ++other)
+    {
+      isNew = looks.Ranges()[other] != range || shot.settings[other].colormap != colormap ||
+        NameOf(shot.scene.layers[other]) != name;
+    }
+    if (isNew)
+    {
+      bars.push_back({ name, *range, &looks.Maps()[k] });
+    }
+  }
+  return bars;
+}
+
+/// Draws down a column, from the top.
+class Column
+{
+public:
+  Column(Canvas& canvas, int left, int font, const Rgba& ink)
+    : To(canvas)
+    , Left(left)
+    , Font(font)
+    , Ink(ink)
+  {
+  }
+
+  void DrawBar(const Bar& bar, int top, int height, bool logarithm)
+  {
+    const int width = Font * 6 / 5;
+    const int y0 = top - height;
+    const auto valueAt = [&](double part)
+    {
+      return logarithm ? bar.range[0] * std::pow(bar.range[1] / bar.range[0], part)
+                       : std::lerp(bar.range[0], bar.range[1], part);
+    };
+    std::vector<double> values;
+    for (int row = 0; row < height; ++row)
+    {
+      values.push_back(std::clamp(valueAt((row + 0.5) / height), bar.range[0], bar.range[1]));
+    }
+    std::vector<std::uint8_t> colors(4 * values.size());
+    (*bar.map)(values, colors.data());
+    for (int row = 0; row < height; ++row)
+    {
+      const std::uint8_t* color = &colors[4 * static_cast<std::size_t>(row)];
+      To.Fill(Left, y0 + row, width, 1, { color[0], color[1], color[2], 255 });
+    }
+    To.Frame(Left, y0, width, height, Ink);
+    const double length = bar.range[1] - bar.range[0];
+    for (const Tick& tick : TicksWithin(bar.range, logarithm, std::max(2, height / (2 * Font))))
+    {
+      double part = length > 0.0 ? (tick.value - bar.range[0]) / length : 0.5;
+      if (logarithm && length > 0.0)
+      {
+        part = std::log(tick.value / bar.range[0]) / std::log(bar.range[1] / bar.range[0]);
+      }
+      // In the middle of a row of pixels, where a line is sharp.
+      const double y = std::floor(y0 + part * height) + 0.5;
+      To.Line({ Left + width + 1.0, y }, { Left + width + 0.4 * Font, y }, 1.0, Ink);
+      To.Write(tick.text, Left + width + 0.7 * Font, y, TextAnchor::Left, Ink);
+    }
+  }
+
+  void Write(const std::string& text, double y)
+  {
+    std::string shown = text;
+    const double room = (kColumn - 1.0) * Font;
+    while (shown.size() > 3 && To.WidthOf(shown) > room)
+    {
+      shown = shown.substr(0, shown.size() - 4) + "...";
+    }
+    To.Write(shown, Left, y, TextAnchor::Left, Ink);
+  }
+
+  void DrawMark(const Rgba& color, const std::string& text, double y)
+  {
+    const int side = Font;
+    To.Fill(Left, static_cast<int>(y) - side / 2, side, side, color);
+    To.Frame(Left, static_cast<int>(y) - side / 2, side, side, Ink);
+    To.Write(text, Left + 1.5 * Font, y, TextAnchor::Left, Ink);
+  }
+
+  /// The axes as the camera sees them.
+  void DrawAxes(const CameraView& view, double y)
+  {
+    const Vec3 towards = glm::normalize(view.position - view.focalPoint);
+    const Vec3 right = glm::normalize(glm::cross(view.viewUp, towards));
+    const Vec3 up = glm::cross(towards, right);
+    const double length = 2.2 * Font;
+    const CanvasPoint centre{ Left + 3.0 * Font, y };
+    constexpr std::array<Rgba, 3> kColors{ Rgba{ 200, 40, 40, 255 }, Rgba{ 30, 140, 50, 255 },
+      Rgba{ 50, 80, 220, 255 } };
+    std::array<int, 3> order{ 0, 1, 2 };
+    std::ranges::sort(order, {}, [&](int d) { return towards[d]; });
+    for (const int d : order)
+    {
+      const Rgba& color = kColors[static_cast<std::size_t>(d)];
+      const double across = length * right[d];
+      const double along = length * up[d];
+      To.Line(centre, { centre[0] + across, centre[1] + along }, std::max(1.5, Font / 9.0), color);
+      // An axis that points at the viewer has no end to be named.
+      if (const double seen = std::hypot(across, along); seen > 0.15 * length)
+      {
+        const double further = 1.0 + 0.6 * Font / seen;
+        To.Write(std::string(1, "xyz"[d]), centre[0] + further * across,
+          centre[1] + further * along, TextAnchor::Centre, color);
+      }
+    }
+  }
+
+  /// `unit`: the world's in a pixel.
+  void DrawScale(double unit, double y)
+  {
+    const double most = 7.0 * Font;
+    const double power = std::pow(10.0, std::floor(std::log10(most * unit)));
+    const double length = power *
+      (most * unit >= 5.0 * power      ? 5.0
+          : most * unit >= 2.0 * power ? 2.0
+                                       : 1.0);
+    const double end = Left + length / unit;
+    To.Line({ static_cast<double>(Left), y }, { end, y }, std::max(1.5, Font / 9.0), Ink);
+    for (const double x : { static_cast<double>(Left), end })
+    {
+      To.Line({ x, y - 0.3 * Font }, { x, y + 0.3 * Font }, 1.0, Ink);
+    }
+    To.Write(Short(length), 0.5 * (Left + end), y + 0.9 * Font, TextAnchor::Centre, Ink);
+  }
+
+private:
+  Canvas& To;
+  int Left;
+  int Font;
+  Rgba Ink;
+};
+
+/// The world's length of a pixel where it is the same all over what is seen; 0: it is not.
+double UnitOf(const Shot& shot)
+{
+  const CameraView& view = shot.view;
+  if (view.parallel)
+  {
+    return 2.0 * view.parallelScale / shot.size.height;
+  }
+  const Surface& surface = *shot.scene.layers.front().surface;
+  const Vec3 towards = glm::normalize(view.position - view.focalPoint);
+  if (shot.scene.layers.size() > 1 || !surface.IsFlat() ||
+    std::fabs(glm::dot(surface.Normal({ view.focalPoint }), towards)) < 1.0 - 1e-9)
+  {
+    return 0.0;
+  }
+  const auto hits =
+    HitsOf(surface, shot.MakeCamera().At(0.5 * shot.size.width, 0.5 * shot.size.height));
+  return hits.empty() ? 0.0
+                      : 2.0 * glm::distance(hits.front().position, view.position) *
+      std::tan(0.5 * glm::radians(view.viewAngle)) / shot.size.height;
+}
+} // namespace
+
+void FigureOptions::AddTo(CLI::App& command)
+{
+  const char* group = "Figure";
+  const AddedOption figure = AddFlag(command, "--figure", Asked,
+    "A whole figure of --size: beside the picture the colours' bars with ticks and names, the "
+    "time, "
+    "what pixels show no value, the axes, and a scale where lengths in the picture have one")
+                               .Group(group);
+  AddText(command, "--title", Title, "TEXT", "A title above the picture")
+    .Needs(figure)
+    .Group(group);
+  AddRead(
+    command, "--font-size",
+    [this](const std::string& text)
+    {
+      double size = 0.0;
+      if (!ParseNumber(text, size) || !(size >= kSmallestFont && size <= kLargestFont))
+      {
+        Refuse(
+          "--font-size", text, fmt::format("a number from {} to {}", kSmallestFont, kLargestFont));
+      }
+      FontSize = size;
+    },
+    "PIXELS", "The size of its letters (default: a 40th of the figure's height)")
+    .Needs(figure)
+    .Group(group);
+}
+
+int FigureOptions::FontOf(const ImageSize& figure) const
+{
+  return static_cast<int>(FontSize.value_or(std::clamp(figure.height / 40.0, 10.0, kLargestFont)));
+}
+
+ImageSize FigureOptions::PictureSize(const ImageSize& figure) const
+{
+  const int font = FontOf(figure);
+  return { figure.width - kColumn * font, figure.height - (Title.empty() ? 0 : kTitle * font) };
+}
+
+void FigureOptions::Check(const ImageSize& size) const
+{
+  const ImageSize picture = PictureSize(size);
+  if (Asked &&
+    (picture.width < kLeast || picture.height < kLeast || size.height < 18 * FontOf(size)))
+  {
+    throw UsageError(fmt::format("--figure: {} x {} pixels have no room for it with letters of {}; "
+                                 "choose a larger --size, or a smaller --font-size",
+      size.width, size.height, FontOf(size)));
+  }
+}
+
+std::vector<std::uint8_t> FigureOptions::Draw(const ImageSize& figure, const Shot& shot,
+  const Looks& looks, const Frame& frame, const ColorOptions& colors, bool bars) const
+{
+  const int font = FontOf(figure);
+  const Rgba background = colors.BackgroundColor();
+  const double light = 0.299 * background[0] + 0.587 * background[1] + 0.114 * background[2];
+  const Rgba ink = light > 127.0 ? Rgba{ 0, 0, 0, 255 } : Rgba{ 255, 255, 255, 255 };
+  Canvas canvas(figure.width, figure.height, background, font);
+  canvas.Place(colors.Flatten(frame), frame.width, frame.height, 0, 0);
+  if (!Title.empty())
+  {
+    canvas.Write(
+      Title, 0.5 * figure.width, figure.height - 0.5 * kTitle * font, TextAnchor::Centre, ink);
+  }
+  Column column(canvas, figure.width - kColumn * font + font, font, ink);
+  // From below: axes, scale, what shows no value, time; the bars get what is left.
+  double y = 3.5 * font;
+  column.DrawAxes(shot.view, y);
+  y += 4.0 * font;
+  if (const double unit = UnitOf(shot); unit > 0.0 && std::isfinite(unit))
+  {
+    column.DrawScale(unit, y);
+    y += 2.5 * font;
+  }
+  const FrameCounters& pixels = frame.counters;
+  if (pixels.unknown > 0)
+  {
+    column.DrawMark(LayerColors().unknown, "unknown", y);
+    y += 1.6 * font;
+  }
+  const std::vector<Bar> all = bars ? BarsOf(shot, looks) : std::vector<Bar>();
+  if (pixels.nonFinite > 0 && !all.empty())
+  {
+    Rgba color{};
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    (*all.front().map)({ &nan, 1 }, color.data());
+    color[3] = 255;
+    column.DrawMark(color, "not a number", y);
+    y += 1.6 * font;
+  }
+  if (!shot.input.times.empty())
+  {
+    const auto step = static_cast<std::size_t>(shot.input.step);
+    column.Write("t = " + Short(shot.input.times[step]), y);
+    y += 1.6 * font;
+  }
+  double top = frame.height - 0.5 * font;
+  const double share = (top - y) / std::max<std::size_t>(1, all.size());
+  for (const Bar& bar : all)
+  {
+    column.Write(bar.name, top - font);
+    const double height = std::min(share - 3.5 * font, 0.6 * figure.height);
+    column.DrawBar(bar, static_cast<int>(top - 2.5 * font),
+      std::max(font, static_cast<int>(height)), colors.Logarithm() && bar.range[0] > 0.0);
+    top -= share;
+  }
+  return canvas.Pixels();
+}
+} // namespace pixelexact

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pixelexact
+{
+/// What a picture's file says of itself: keys and texts.
+using PictureTexts = std::vector<std::pair<std::string, std::string>>;
+
+/// A line for each file: its name, size and XXH3-64 hash. Throws Error for one that cannot be read.
+std::string DescribeFiles(const std::vector<std::string>& files);
+} // namespace pixelexact

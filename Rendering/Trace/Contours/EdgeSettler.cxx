@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Trace/Contours/EdgeSettler.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace pixelexact
+{
+namespace
+{
+/// Sagitta over chord of the edges on curved surfaces that are held against other elements.
+constexpr double kBulge = 1.0;
+} // namespace
+
+EdgeSettler::EdgeSettler(LayerSight& sight, const EdgeJudge& judge, const ContourMethod& method,
+  std::span<EdgeState> states, ContourCounters& counted)
+  : Sight(sight)
+  , Judge(judge)
+  , Method(method)
+  , IsFlat(sight.GetSurface().IsPlane())
+  , States(states)
+  , Counted(counted)
+  , Parts(states.size(), 0)
+{
+}
+
+void EdgeSettler::Add(std::size_t edge, const EdgeEnd& a, const EdgeEnd& b)
+{
+  if (States[edge] != EdgeState::In)
+  {
+    Part part{ edge, a, b };
+    const EdgeFinding finding = JudgeWithin(part);
+    if (finding == EdgeFinding::Uncovered && !MayJump(part))
+    {
+      Run.push_back(std::move(part));
+      return;
+    }
+    Settle(part, finding, 0);
+  }
+  EndRow();
+}
+
+void EdgeSettler::EndRow()
+{
+  SettleRun(Run);
+  Run.clear();
+}
+
+int EdgeSettler::SideOf(const Part& part) const
+{
+  return Sight.Shows(part.a) ? Judge.SideOf(part.a.point.value)
+    : Sight.Shows(part.b)    ? Judge.SideOf(part.b.point.value)
+                             : EdgeJudge::kNoSide;
+}
+
+bool EdgeSettler::MayJump(const Part& part) const
+{
+  return Sight.Shows(part.a) && Sight.Shows(part.b) && part.a.element != part.b.element &&
+    Judge.AreOpposite(part.a, part.b);
+}
+
+EdgeFinding EdgeSettler::JudgeWithin(const Part& part) const
+{
+  const EdgeEnd& a = part.a;
+  const EdgeEnd& b = part.b;
+  if (Sight.Hides(a) && Sight.Hides(b))
+  {
+    // Another layer hides this one at both ends.
+    return EdgeFinding::Out;
+  }
+  return Sight.Shows(a) && Sight.Shows(b) && a.element == b.element
+    ? Judge.Within(a, b, Sight.EdgeBetween(a, b))
+    : EdgeFinding::Uncovered;
+}
+
+EdgeFinding EdgeSettler::JudgeBeyond(const Part& part) const
+{
+  const SurfaceEdge edge = Sight.EdgeBetween(part.a, part.b);
+  const bool inReach = edge.sagitta <= kBulge * glm::distance(edge.from, edge.to);
+  return inReach && !MayJump(part) && Judge.StaysOn(SideOf(part), edge, true)
+    ? EdgeFinding::Out
+    : EdgeFinding::Uncovered;
+}
+
+void EdgeSettler::SettleRun(std::span<const Part> run)
+{
+  if (run.size() <= 1)
+  {
+    for (const Part& part : run)
+    {
+      Settle(part, EdgeFinding::Uncovered, 0);
+    }
+    return;
+  }
+  if (IsFlat)
+  {
+    // Together they are a straight edge.
+    const SurfaceEdge all = Sight.EdgeBetween(run.front().a, run.back().b);
+    const int side = SideOf(run.front());
+    if (std::ranges::all_of(run, [&](const Part& part) { return SideOf(part) == side; }) &&
+      Judge.StaysOn(side, all, false))
+    {
+      return;
+    }
+  }
+  SettleRun(run.first(run.size() / 2));
+  SettleRun(run.subspan(run.size() / 2));
+}
+
+void EdgeSettler::Settle(const Part& part, EdgeFinding finding, int level)
+{
+  if (finding == EdgeFinding::Uncovered)
+  {
+    finding = JudgeBeyond(part);
+  }
+  if (finding == EdgeFinding::Out)
+  {
+    return;
+  }
+  if (finding == EdgeFinding::In || finding == EdgeFinding::Touching)
+  {
+    States[part.edge] = EdgeState::In;
+    return;
+  }
+  const bool onBoth = Sight.Shows(part.a) && Sight.Shows(part.b);
+  if (!IsFlat && !Sight.Shows(part.a) && !Sight.Shows(part.b))
+  {
+    // Whether the surface shows between two rays that do not see it is not asked.
+    return;
+  }
+  const int deepest = finding == EdgeFinding::Open ? Method.halvings : Method.crossings;
+  if (level < deepest && Parts[part.edge] < Method.parts)
+  {
+    ++Parts[part.edge];
+    Open.push_back(part);
+    return;
+  }
+  const bool joined = onBoth && Sight.AreJoined(part.a, part.b);
+  const bool opposite = onBoth && Judge.AreOpposite(part.a, part.b);
+  if (joined && opposite && finding == EdgeFinding::Uncovered)
+  {
+    States[part.edge] = EdgeState::In;
+    Counted.jumps += Judge.IsJump(part.a, part.b, Sight.EdgeBetween(part.a, part.b)) ? 1 : 0;
+    return;
+  }
+  if (level >= deepest && !joined && !opposite && !IsFlat)
+  {
+    // Closer to a silhouette, or to where the surface leaves the mesh, nothing is asked. Where a
+    // value is between those of two sheets it stays open whether that is a line.
+    return;
+  }
+  States[part.edge] = std::max(States[part.edge], EdgeState::Undecided);
+}
+
+void EdgeSettler::Refine()
+{
+  for (int level = 1;; ++level)
+  {
+    std::vector<Part> parts = std::exchange(Open, {});
+    std::erase_if(parts, [this](const Part& part) { return States[part.edge] == EdgeState::In; });
+    if (parts.empty())
+    {
+      return;
+    }
+    std::vector<ImagePosition> middles;
+    for (const Part& part : parts)
+    {
+      middles.push_back({ 0.5 * (part.a.position[0] + part.b.position[0]),
+        0.5 * (part.a.position[1] + part.b.position[1]) });
+      Parts[part.edge] = 0;
+    }
+    const std::vector<EdgeEnd> ends = Sight.Trace(middles);
+    for (std::size_t i = 0; i < parts.size(); ++i)
+    {
+      const Part halves[2] = { { parts[i].edge, parts[i].a, ends[i] },
+        { parts[i].edge, ends[i], parts[i].b } };
+      for (const Part& half : halves)
+      {
+        if (States[half.edge] != EdgeState::In)
+        {
+          Settle(half, JudgeWithin(half), level);
+        }
+      }
+    }
+    Counted.samples += std::ssize(middles);
+  }
+}
+} // namespace pixelexact

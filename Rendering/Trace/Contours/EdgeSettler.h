@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Trace/Contours/LayerSight.h"
+#include "Trace/Modules/ContourCertifier.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace pixelexact
+{
+/// Of an edge.
+enum class EdgeState : std::uint8_t
+{
+  Out,
+  Undecided,
+  In
+};
+
+/// Settles a tile's edges, and halves those that are open.
+class EdgeSettler
+{
+public:
+  /// `states`: of all edges; those that are in stay so. All must outlive it.
+  EdgeSettler(LayerSight& sight, const EdgeJudge& judge, const ContourMethod& method,
+    std::span<EdgeState> states, ContourCounters& counted);
+
+  /// Edges of a row or a column, one after the other.
+  void Add(std::size_t edge, const EdgeEnd& a, const EdgeEnd& b);
+  /// After a row or a column, or where edges were left out.
+  void EndRow();
+  /// Halves what is open.
+  void Refine();
+
+private:
+  struct Part
+  {
+    std::size_t edge;
+    EdgeEnd a;
+    EdgeEnd b;
+  };
+
+  /// Of its ends that are on the layer; see EdgeJudge.
+  [[nodiscard]] int SideOf(const Part& part) const;
+  /// Whether the values of two elements lie on either side of one: it is between them even if none
+  /// takes it.
+  [[nodiscard]] bool MayJump(const Part& part) const;
+  [[nodiscard]] EdgeFinding JudgeWithin(const Part& part) const;
+  /// Of one that is Uncovered: Out where all that it may meet stays on its side.
+  [[nodiscard]] EdgeFinding JudgeBeyond(const Part& part) const;
+  /// Consecutive edges that are Uncovered.
+  void SettleRun(std::span<const Part> run);
+  void Settle(const Part& part, EdgeFinding finding, int level);
+
+  LayerSight& Sight;
+  const EdgeJudge& Judge;
+  ContourMethod Method;
+  bool IsFlat;
+  std::span<EdgeState> States;
+  ContourCounters& Counted;
+  std::vector<int> Parts; ///< open, of each edge
+  std::vector<Part> Run;
+  std::vector<Part> Open;
+};
+} // namespace pixelexact

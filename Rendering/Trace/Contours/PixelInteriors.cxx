@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Trace/Contours/PixelInteriors.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace pixelexact
+{
+namespace
+{
+/// Of a square, the middles of its sides, from below on, and its own.
+constexpr std::size_t kAdded = 5;
+
+std::array<ImagePosition, kAdded> PlacesIn(const PixelInteriors::Corners& corners)
+{
+  const auto between = [&](std::size_t i, std::size_t j) -> ImagePosition
+  {
+    return { 0.5 * (corners[i].position[0] + corners[j].position[0]),
+      0.5 * (corners[i].position[1] + corners[j].position[1]) };
+  };
+  return { between(0, 1), between(1, 2), between(2, 3), between(3, 0), between(0, 2) };
+}
+} // namespace
+
+PixelInteriors::PixelInteriors(LayerSight& sight, const EdgeJudge& judge,
+  const ContourMethod& method, std::span<EdgeState> states, ContourCounters& counted)
+  : Sight(sight)
+  , Judge(judge)
+  , Method(method)
+  , States(states)
+  , Counted(counted)
+  , Lines(sight, judge, method, states, counted)
+  , Squares(states.size(), 0)
+{
+}
+
+void PixelInteriors::Add(std::size_t pixel, const Corners& corners)
+{
+  if (States[pixel] == EdgeState::Out)
+  {
+    Settle({ pixel, corners }, 0);
+  }
+}
+
+bool PixelInteriors::IsOut(const Square& square) const
+{
+  const Corners& ends = square.corners;
+  if (std::ranges::all_of(ends, [this](const EdgeEnd& end) { return Sight.Hides(end); }))
+  {
+    // Another layer hides this one at all corners.
+    return true;
+  }
+  int side = EdgeJudge::kNoSide;
+  for (const EdgeEnd& end : ends)
+  {
+    if (Sight.Shows(end))
+    {
+      const int its = Judge.SideOf(end.point.value);
+      if (side != EdgeJudge::kNoSide && its != side)
+      {
+        return false;
+      }
+      side = its;
+    }
+  }
+  const bool isFlat = Sight.GetSurface().IsPlane();
+  if (!std::ranges::all_of(ends, &EdgeEnd::meets))
+  {
+    // A curved surface that no corner shows is not asked for; see EdgeSettler.
+    return !isFlat &&
+      std::ranges::none_of(ends, [this](const EdgeEnd& end) { return Sight.Shows(end); });
+  }
+  const Vec3 x[4] = { ends[0].point.x, ends[1].point.x, ends[2].point.x, ends[3].point.x };
+  if (isFlat)
+  {
+    return Judge.StaysOn(side, Outline(x), 0.0);
+  }
+  // One side of both triangles, of which all corners are.
+  const auto staysOn = [&](std::size_t a, std::size_t b, std::size_t c)
+  {
+    return Judge.StaysOn(side, Outline(std::array{ x[a], x[b], x[c] }),
+      Sight.SagittaOver({ &ends[a], &ends[b], &ends[c] }));
+  };
+  return staysOn(0, 1, 2) && staysOn(0, 2, 3);
+}
+
+void PixelInteriors::Settle(const Square& square, int level)
+{
+  if (IsOut(square))
+  {
+    return;
+  }
+  int& open = Squares[square.pixel];
+  if (level < Method.quarterings && open < Method.squares)
+  {
+    ++open;
+    Open.push_back(square);
+    return;
+  }
+  States[square.pixel] = std::max(States[square.pixel], EdgeState::Undecided);
+}
+
+void PixelInteriors::Compare(const Square& square, std::span<const EdgeEnd> samples)
+{
+  const auto shows = [this](const EdgeEnd& end) { return Sight.Shows(end); };
+  const auto corner = std::ranges::find_if(square.corners, shows);
+  const auto sample = std::ranges::find_if(samples, shows);
+  if (sample == samples.end())
+  {
+    return;
+  }
+  const EdgeEnd& first = corner != square.corners.end() ? *corner : *sample;
+  for (const EdgeEnd& other : samples)
+  {
+    if (Sight.Shows(other) && Judge.AreOpposite(first, other))
+    {
+      Lines.Add(square.pixel, first, other);
+      Lines.EndRow();
+    }
+  }
+}
+
+void PixelInteriors::Refine()
+{
+  for (int level = 1;; ++level)
+  {
+    std::vector<Square> squares = std::exchange(Open, {});
+    std::erase_if(
+      squares, [this](const Square& square) { return States[square.pixel] == EdgeState::In; });
+    if (squares.empty())
+    {
+      return;
+    }
+    std::vector<ImagePosition> places;
+    for (const Square& square : squares)
+    {
+      const auto added = PlacesIn(square.corners);
+      places.insert(places.end(), added.begin(), added.end());
+      Squares[square.pixel] = 0;
+    }
+    const std::vector<EdgeEnd> ends = Sight.Trace(places);
+    Counted.samples += std::ssize(places);
+    for (std::size_t i = 0; i < squares.size(); ++i)
+    {
+      Compare(squares[i], std::span(ends).subspan(kAdded * i, kAdded));
+    }
+    Lines.Refine();
+    for (std::size_t i = 0; i < squares.size(); ++i)
+    {
+      const auto& [pixel, corners] = squares[i];
+      if (States[pixel] == EdgeState::In)
+      {
+        continue;
+      }
+      const std::span<const EdgeEnd> added = std::span(ends).subspan(kAdded * i, kAdded);
+      for (std::size_t k = 0; k < corners.size(); ++k)
+      {
+        // From its corner on, around.
+        Settle({ pixel, { corners[k], added[k], added[4], added[(k + 3) % 4] } }, level);
+      }
+    }
+  }
+}
+} // namespace pixelexact

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How far quadrics are off chords.
+#include "Trace/Surfaces/Quadric.h"
+
+#include "Core/Math/Rounding.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace pixelexact
+{
+namespace
+{
+/// The largest row sum of Q's magnitudes: no smaller than its norm.
+double SizeOf(const QuadraticForm& form)
+{
+  const auto size = [&](std::size_t k) { return std::fabs(form.Q[k].high); };
+  return std::max({ size(0) + size(3) + size(5), size(3) + size(1) + size(4),
+           size(5) + size(4) + size(2) }) *
+    (1.0 + 1e-14);
+}
+
+/// No farther from zero than this f is at a point where half its gradient is h.
+struct ValueBounds
+{
+  double least;
+  double most;
+
+  ValueBounds(const QuadraticForm& form, const Vec3& h, const Vec3& position)
+  {
+    const Vec3 x = position - form.centre;
+    const Vec3 b(form.b[0].high, form.b[1].high, form.b[2].high);
+    const double value = std::fabs(glm::dot(h + b, x) + form.k.high);
+    const double length = glm::length(x);
+    const double rounding = 32.0 * kUnitRoundoff *
+      ((SizeOf(form) * length + 2.0 * glm::length(b)) * length + std::fabs(form.k.high));
+    least = value - rounding;
+    most = value + rounding;
+  }
+};
+} // namespace
+
+double Quadric::Sagitta(
+  const Ray& a, const SurfacePoint& atA, const Ray& b, const SurfacePoint& atB) const
+{
+  return SagittaAmong(std::array{ a, b }, std::array{ atA.position, atB.position });
+}
+
+double Quadric::SagittaOver(const std::array<Ray, 3>& rays, const std::array<Vec3, 3>& hits) const
+{
+  return SagittaAmong(rays, hits);
+}
+
+double Quadric::SagittaAmong(std::span<const Ray> rays, std::span<const Vec3> hits) const
+{
+  // At c = sum w_i A_i, w_i >= 0 of sum 1, f(c) = -sum_{i<j} w_i w_j q(A_i - A_j), q the quadratic
+  // part, because f vanishes at all A_i; sum_{i<j} w_i w_j is at most (1 - 1 / n) / 2. Along the
+  // ray d through c, f(c + t d) = f(c) + 2 t h.d + t^2 q(d), h half the gradient, has a root with
+  // |t| <= |f(c)| / |h.d| where |h.d|^2 >= |f(c)| |q|; as long as that holds it is the one that
+  // goes from hit to hit.
+  const double largest = SizeOf(Form);
+  std::array<Vec3, 3> slopes{};
+  double length = 0.0;
+  double farthest = 0.0;
+  for (std::size_t i = 0; i < hits.size(); ++i)
+  {
+    slopes[i] = HalfGradient(hits[i]);
+    length = std::max(length, glm::length(slopes[i]));
+    farthest = std::max(farthest, glm::length(hits[i]));
+  }
+  double turn = 0.0;
+  double spread = 0.0;
+  double bulge = 0.0;
+  double chord = 0.0;
+  for (std::size_t i = 1; i < hits.size(); ++i)
+  {
+    turn = std::max(turn, glm::distance(slopes[0], slopes[i]));
+    spread = std::max(spread, glm::distance(rays[0].direction, rays[i].direction));
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      // q(A - B) is (h(A) - h(B)).(A - B).
+      const Vec3 between = hits[i] - hits[j];
+      bulge = std::max(bulge, std::fabs(glm::dot(slopes[i] - slopes[j], between)));
+      chord = std::max(chord, glm::dot(between, between));
+    }
+  }
+  const double across = std::fabs(glm::dot(slopes[0], rays[0].direction)) - turn - length * spread;
+  // The hits are off by rounding.
+  const double off = 0.5 * (1.0 - 1.0 / static_cast<double>(hits.size())) * bulge +
+    1e-14 * (2.0 * length * farthest + largest * chord);
+  // Written so that a NaN is not known.
+  return across > 0.0 && across * across >= 2.0 * off * largest
+    ? off / across * (1.0 + 1e-9)
+    : std::numeric_limits<double>::infinity();
+}
+
+double Quadric::Reach(const Chord& chord) const
+{
+  // f changes by q(B - A) / 4 from the straight line between its ends' values at most. Half its
+  // gradient is linear along the chord, and changes by |Q| times the way beside it.
+  const Vec3 slopes[2] = { HalfGradient(chord.from), HalfGradient(chord.to) };
+  const double largest = SizeOf(Form);
+  const double radius = chord.Radius();
+  const double middle = 0.5 * glm::length(slopes[0] + slopes[1]);
+  const double steepest = 2.0 * (middle + largest * radius) * (1.0 + 1e-14);
+  const double bend = 0.25 * std::fabs(glm::dot(slopes[1] - slopes[0], chord.Along()));
+  const double value = std::max(ValueBounds(Form, slopes[0], chord.from).most,
+                         ValueBounds(Form, slopes[1], chord.to).most) +
+    bend + steepest * (chord.Slack() + 1e-14 * chord.Length());
+  return ReachBySlope(chord, value, glm::dot(slopes[0] + slopes[1], chord.a.direction),
+    std::fabs(glm::dot(slopes[1] - slopes[0], chord.a.direction)) +
+      2.0 * largest * (chord.Room() + chord.Slack()) + steepest * (chord.Turn() + 1e-14));
+}
+
+bool Quadric::IsClearOf(const Vec3& centre, double radius) const
+{
+  const Vec3 slope = HalfGradient(centre);
+  const double reach = radius + 16.0 * kUnitRoundoff * glm::length(centre);
+  return ValueBounds(Form, slope, centre).least >
+    (2.0 * glm::length(slope) + SizeOf(Form) * reach) * reach * (1.0 + 1e-14);
+}
+} // namespace pixelexact

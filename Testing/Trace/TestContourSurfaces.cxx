@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Verdicts on pixels that show tori, bodies with creases, discs, triangles and patches, against
+// many samples of a field in closed form.
+#include "BentCube.h"
+#include "SurfaceHits.h"
+#include "TriangleBall.h"
+
+#include "Trace/Surfaces/BezierPatches.h"
+#include "Trace/Surfaces/Combined.h"
+#include "Trace/Surfaces/ConvexBody.h"
+#include "Trace/Surfaces/Disc.h"
+#include "Trace/Surfaces/Quadric.h"
+#include "Trace/Surfaces/Torus.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <iostream>
+
+namespace pixelexact::testing
+{
+namespace
+{
+constexpr int kWidth = 64;
+constexpr int kHeight = 48;
+
+CameraView Oblique(bool parallel)
+{
+  CameraView view;
+  view.position = { 1.3, -1.9, 4.0 };
+  view.viewUp = { 0.1, 1.0, 0.0 };
+  view.viewAngle = 30.0;
+  view.parallel = parallel;
+  view.parallelScale = 1.2;
+  return view;
+}
+
+struct Cut
+{
+  const char* name;
+  std::shared_ptr<const Surface> surface;
+  LongHits hits;
+  double undecided; ///< at most, of pixels that show it
+};
+
+Combined::Part BallPart(const Vec3& centre, double radius)
+{
+  return { std::make_shared<Quadric>(MakeSphere(centre, radius)),
+    [=](const Vec3& x) { return glm::dot(x - centre, x - centre) - radius * radius; } };
+}
+
+Combined::Part BoxPart(double half)
+{
+  return { std::make_shared<ConvexBody>(MakeBox(Vec3(-half), Vec3(half))),
+    [=](const Vec3& x)
+    {
+      const Vec3 size = glm::abs(x);
+      return std::max({ size.x, size.y, size.z }) - half;
+    } };
+}
+
+/// z = 0.1 + 0.1 x + 0.3 x^2 - 0.2 y^2 + 0.25 x y, as two patches that share the edge x = 0.
+std::vector<BezierPatch> Saddle()
+{
+  std::vector<BezierPatch> all;
+  for (const double end : { -0.9, 0.9 })
+  {
+    const double x[2] = { std::min(end, 0.0), std::max(end, 0.0) };
+    const double y[2] = { -0.8, 0.8 };
+    BezierPatch patch{ { 2, 2 }, {} };
+    for (int i = 0; i <= 2; ++i)
+    {
+      for (int j = 0; j <= 2; ++j)
+      {
+        const auto blossom = [](const double(&at)[2], int k) {
+          return k == 0 ? at[0] * at[0] : k == 1 ? at[0] * at[1] : at[1] * at[1];
+        };
+        const double px = x[0] + 0.5 * i * (x[1] - x[0]);
+        const double py = y[0] + 0.5 * j * (y[1] - y[0]);
+        patch.points.emplace_back(
+          px, py, 0.1 + 0.1 * px + 0.3 * blossom(x, i) - 0.2 * blossom(y, j) + 0.25 * px * py);
+      }
+    }
+    all.push_back(patch);
+  }
+  return all;
+}
+
+LongHits SaddleHits()
+{
+  return [](const LongRay& ray)
+  {
+    const long double x = ray.origin[0];
+    const long double y = ray.origin[1];
+    const long double z = ray.origin[2];
+    const long double a = ray.direction[0];
+    const long double b = ray.direction[1];
+    const long double c = ray.direction[2];
+    const long double squares = 0.3L * a * a - 0.2L * b * b + 0.25L * a * b;
+    const long double slope = 0.1L * a + 0.6L * x * a - 0.4L * y * b + 0.25L * (x * b + y * a) - c;
+    const long double value = 0.1L + 0.1L * x + 0.3L * x * x - 0.2L * y * y + 0.25L * x * y - z;
+    std::vector<long double> hits = RealRoots({ value, slope, squares }, -10, 10);
+    std::erase_if(hits,
+      [&](long double t) { return std::fabs(x + t * a) > 0.9L || std::fabs(y + t * b) > 0.8L; });
+    return hits;
+  };
+}
+
+std::vector<Cut> AllCuts()
+{
+  const Vec3 centre(0.05, -0.1, 0.1);
+  const Vec3 axis = glm::normalize(Vec3(0.6, 0.34, 0.78));
+  const Vec3 ball(0.45, 0.3, 0.35);
+  const auto boxHits = BoxHits(0.55);
+  const auto ballHits = RoundHits(ball, Vec3(0.0), 0.5);
+  const auto inBox = [](const LongVec3& x) { return Largest(x) < 0.55L; };
+  const auto inBall = [ball](const LongVec3& x)
+  {
+    const LongVec3 y = Minus(x, ToLong(ball));
+    return Dot(y, y) < 0.25L;
+  };
+  const auto triangles = Ball(2, centre, 0.75);
+  return { { "torus", std::make_shared<Torus>(centre, axis, 0.55, 0.25),
+             TorusHits(centre, axis, 0.55, 0.25), 0.04 },
+    { "box", std::make_shared<ConvexBody>(MakeBox(Vec3(-0.55), Vec3(0.55))), boxHits, 0.03 },
+    { "union",
+      std::make_shared<Combined>(std::vector{ BoxPart(0.55), BallPart(ball, 0.5) },
+        [](const std::vector<bool>& in) { return in[0] || in[1]; }),
+      BooleanHits({ boxHits, ballHits }, [=](const LongVec3& x) { return inBox(x) || inBall(x); }),
+      0.04 },
+    { "difference",
+      std::make_shared<Combined>(std::vector{ BoxPart(0.55), BallPart(ball, 0.5) },
+        [](const std::vector<bool>& in) { return in[0] && !in[1]; }),
+      BooleanHits({ boxHits, ballHits }, [=](const LongVec3& x) { return inBox(x) && !inBall(x); }),
+      0.05 },
+    { "disc", std::make_shared<Disc>(centre, axis, 0.8), DiscHits(centre, axis, 0.8), 0.03 },
+    { "triangles", std::make_shared<Triangles>(triangles), TriangleHits(triangles), 0.04 },
+    { "patches", std::make_shared<BezierPatches>(Saddle()), SaddleHits(), 0.03 } };
+}
+
+const std::vector<double> kValues{ -2.0, -0.7, -0.1, 0.05, 0.4, 1.1 };
+constexpr long double kTolerance = 1e-11L;
+} // namespace
+
+TEST(ContourSurfaces, NoVerdictIsWrong)
+{
+  const BentCube cube(std::vector<Shape>(std::begin(kShapes), std::end(kShapes)));
+  for (const bool parallel : { false, true })
+  {
+    const CameraView view = Oblique(parallel);
+    for (const Cut& cut : AllCuts())
+    {
+      SCOPED_TRACE(::testing::Message() << cut.name << (parallel ? ", parallel" : ""));
+      const Sight sight = SightOf(view, kWidth, kHeight, cut.hits,
+        [](const LongVec3& x, const LongVec3& /*u*/) { return Quadratic(x); });
+      const TrueVerdicts truth(sight, kWidth, kHeight, kValues, kTolerance);
+      ContourCertifier certifier({ kValues });
+      Trace(cube.With(cut.surface), Camera(view, kWidth, kHeight), { {}, { &certifier } });
+      truth.Check(certifier.Verdicts(), false);
+      const ContourCounters& counters = certifier.Counters();
+      int shown = 0;
+      for (int y = 0; y < kHeight; ++y)
+      {
+        for (int x = 0; x < kWidth; ++x)
+        {
+          shown += sight(x, y) || sight(x + 1, y) || sight(x, y + 1) || sight(x + 1, y + 1) ? 1 : 0;
+        }
+      }
+      std::cout << cut.name << ": " << shown << " pixels, in " << counters.in << ", undecided "
+                << counters.undecided << '\n';
+      EXPECT_GT(counters.in, 150);
+      EXPECT_LE(static_cast<double>(counters.undecided), cut.undecided * shown);
+    }
+  }
+}
+
+/// Every pixel that shows nothing but a plateau of the value is in; none of any other value.
+TEST(ContourSurfaces, PlateausAreIn)
+{
+  const BentCube cube(std::vector<Shape>(std::begin(kShapes), std::end(kShapes)),
+    [](const LongVec3& /*x*/, int /*element*/) { return 0.375L; });
+  const CameraView view = Oblique(false);
+  for (const Cut& cut : AllCuts())
+  {
+    SCOPED_TRACE(cut.name);
+    ContourCertifier own({ std::vector{ 0.375 } });
+    Trace(cube.With(cut.surface), Camera(view, kWidth, kHeight), { {}, { &own } });
+    const Sight sight = SightOf(view, kWidth, kHeight, cut.hits,
+      [](const LongVec3& /*x*/, const LongVec3& /*u*/) { return 0.375L; });
+    int shown = 0;
+    for (int y = 0; y < kHeight; ++y)
+    {
+      for (int x = 0; x < kWidth; ++x)
+      {
+        const bool all = sight(x, y) && sight(x + 1, y) && sight(x, y + 1) && sight(x + 1, y + 1);
+        shown += all ? 1 : 0;
+        EXPECT_TRUE(!all ||
+          own.Verdicts()[static_cast<std::size_t>(y * kWidth + x)] ==
+            static_cast<std::uint8_t>(ContourVerdict::In))
+          << x << " " << y;
+      }
+    }
+    EXPECT_GT(shown, 300);
+    ContourCertifier others({ std::vector{ 0.375 - 1e-9, 0.375 + 1e-9 } });
+    Trace(cube.With(cut.surface), Camera(view, kWidth, kHeight), { {}, { &others } });
+    EXPECT_EQ(others.Counters().in, 0);
+    EXPECT_LE(static_cast<double>(others.Counters().undecided), cut.undecided * shown);
+  }
+}
+} // namespace pixelexact::testing
