@@ -242,7 +242,7 @@ TEST(EdgeBounds, MayTakeWhatSegmentsOfFlatElementsTake)
           {
             const double taking = static_cast<double>(value);
             EXPECT_TRUE(one.bounds->MayTake(ValueSet{ { &taking, 1 } },
-              { { from, to }, SlackOf(kEdgeCaseCentre) }, kAnyHalvings));
+              { { from, to }, SlackOf(kEdgeCaseCentre) }, kAnyEffort));
             ++taken;
           }
         }
