@@ -286,12 +286,14 @@ TEST(PixelInteriors, JumpsInsideAreIn)
   EXPECT_EQ(told.At(32, 23), kIn);
 }
 
-TEST(PixelInteriors, ToriAreUndecided)
+/// Their edges are proven, their squares are not.
+TEST(PixelInteriors, InsidesOfToriAreUndecided)
 {
   const Shown shown(std::make_shared<Torus>(Vec3(0.0), Vec3(0.0, 0.0, 1.0), 0.6, 0.25),
     [](const LongVec3& x) { return x[0]; });
   const Told told = Judge(shown.scene, Oblique(false), { 0.25 });
-  EXPECT_EQ(told.counters.in, 0);
+  EXPECT_GT(told.counters.in, 20);
+  EXPECT_EQ(told.counters.loops, 0);
   EXPECT_GT(std::ranges::count(told.verdicts, kUndecided), 200);
 }
 
