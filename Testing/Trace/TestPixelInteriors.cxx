@@ -15,23 +15,9 @@ namespace pixelexact::testing
 {
 namespace
 {
-constexpr int kWidth = 64;
-constexpr int kHeight = 48;
-
 constexpr auto kOut = static_cast<std::uint8_t>(ContourVerdict::Out);
 constexpr auto kIn = static_cast<std::uint8_t>(ContourVerdict::In);
 constexpr auto kUndecided = static_cast<std::uint8_t>(ContourVerdict::Undecided);
-
-CameraView Oblique(bool parallel)
-{
-  CameraView view;
-  view.position = { 1.3, -1.9, 4.0 };
-  view.viewUp = { 0.1, 1.0, 0.0 };
-  view.viewAngle = 30.0;
-  view.parallel = parallel;
-  view.parallelScale = 1.2;
-  return view;
-}
 
 const Vec3 kOrigin{ 0.1, 0.0, 0.05 };
 const Vec3 kNormal{ 0.2, 0.1, 1.0 };
