@@ -21,20 +21,6 @@ namespace pixelexact::testing
 {
 namespace
 {
-constexpr int kWidth = 64;
-constexpr int kHeight = 48;
-
-CameraView Oblique(bool parallel)
-{
-  CameraView view;
-  view.position = { 1.3, -1.9, 4.0 };
-  view.viewUp = { 0.1, 1.0, 0.0 };
-  view.viewAngle = 30.0;
-  view.parallel = parallel;
-  view.parallelScale = 1.2;
-  return view;
-}
-
 struct Cut
 {
   const char* name;

@@ -15,23 +15,9 @@ namespace pixelexact::testing
 {
 namespace
 {
-constexpr int kWidth = 64;
-constexpr int kHeight = 48;
-
 constexpr auto kOut = static_cast<std::uint8_t>(ContourVerdict::Out);
 constexpr auto kIn = static_cast<std::uint8_t>(ContourVerdict::In);
 constexpr auto kUndecided = static_cast<std::uint8_t>(ContourVerdict::Undecided);
-
-CameraView Oblique(bool parallel)
-{
-  CameraView view;
-  view.position = { 1.3, -1.9, 4.0 };
-  view.viewUp = { 0.1, 1.0, 0.0 };
-  view.viewAngle = 30.0;
-  view.parallel = parallel;
-  view.parallelScale = 1.2;
-  return view;
-}
 
 const Vec3 kOrigin{ 0.1, 0.0, 0.05 };
 const Vec3 kNormal{ 0.2, 0.1, 1.0 };
@@ -286,12 +272,14 @@ TEST(PixelInteriors, JumpsInsideAreIn)
   EXPECT_EQ(told.At(32, 23), kIn);
 }
 
-TEST(PixelInteriors, ToriAreUndecided)
+/// Their edges are proven, their squares are not.
+TEST(PixelInteriors, InsidesOfToriAreUndecided)
 {
   const Shown shown(std::make_shared<Torus>(Vec3(0.0), Vec3(0.0, 0.0, 1.0), 0.6, 0.25),
     [](const LongVec3& x) { return x[0]; });
   const Told told = Judge(shown.scene, Oblique(false), { 0.25 });
-  EXPECT_EQ(told.counters.in, 0);
+  EXPECT_GT(told.counters.in, 20);
+  EXPECT_EQ(told.counters.loops, 0);
   EXPECT_GT(std::ranges::count(told.verdicts, kUndecided), 200);
 }
 

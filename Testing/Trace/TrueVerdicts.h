@@ -16,6 +16,20 @@
 // Whether a field takes values on pixels' edges, by many samples in long double.
 namespace pixelexact::testing
 {
+// Of the pictures that are judged.
+inline constexpr int kWidth = 64;
+inline constexpr int kHeight = 48;
+inline CameraView Oblique(bool parallel = false)
+{
+  CameraView view;
+  view.position = { 1.3, -1.9, 4.0 };
+  view.viewUp = { 0.1, 1.0, 0.0 };
+  view.viewAngle = 30.0;
+  view.parallel = parallel;
+  view.parallelScale = 1.2;
+  return view;
+}
+
 /// All hits of a ray, in order.
 using LongHits = std::function<std::vector<long double>(const LongRay& ray)>;
 

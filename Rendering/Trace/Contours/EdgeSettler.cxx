@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace pixelexact
@@ -139,11 +140,16 @@ void EdgeSettler::Settle(const Part& part, EdgeFinding finding, int level)
   }
   const bool joined = onBoth && Sight.AreJoined(part.a, part.b);
   const bool opposite = onBoth && Judge.AreOpposite(part.a, part.b);
-  if (joined && opposite && finding == EdgeFinding::Uncovered)
+  if (opposite && finding == EdgeFinding::Uncovered)
   {
-    States[part.edge] = EdgeState::In;
-    Counted.jumps += Judge.IsJump(part.a, part.b, Sight.EdgeBetween(part.a, part.b)) ? 1 : 0;
-    return;
+    const SurfaceEdge edge = Sight.EdgeBetween(part.a, part.b);
+    // Proven that the surface goes on between them.
+    if (std::isfinite(edge.sagitta))
+    {
+      States[part.edge] = EdgeState::In;
+      Counted.jumps += Judge.IsJump(part.a, part.b, edge) ? 1 : 0;
+      return;
+    }
   }
   if (level >= deepest && !joined && !opposite && !IsFlat)
   {
