@@ -9,18 +9,14 @@ namespace pixelexact::testing
 {
 namespace
 {
-constexpr int kWidth = 64;
-constexpr int kHeight = 48;
 const std::vector<double> kValues{ -2.0, -0.7, -0.1, 0.05, 0.4, 1.1 };
 constexpr long double kTolerance = 1e-11L;
 
-CameraView Oblique(bool parallel = false)
+/// Shows all of the cube.
+CameraView FromAfar(bool parallel)
 {
-  CameraView view;
+  CameraView view = Oblique(parallel);
   view.position = { 1.9, -2.9, 6.0 };
-  view.viewUp = { 0.1, 1.0, 0.0 };
-  view.viewAngle = 30.0;
-  view.parallel = parallel;
   view.parallelScale = 1.9;
   return view;
 }
@@ -45,7 +41,7 @@ TEST(ContourFaces, NoVerdictOnABoundaryIsWrong)
 {
   for (const bool parallel : { false, true })
   {
-    const CameraView view = Oblique(parallel);
+    const CameraView view = FromAfar(parallel);
     const TrueVerdicts truth(
       [&](long double px, long double py) -> std::optional<TrueSight>
       {
@@ -76,7 +72,7 @@ TEST(ContourFaces, NoVerdictOnAnIsoSurfaceIsWrong)
   constexpr double kRadius = 0.75;
   for (const bool parallel : { false, true })
   {
-    const CameraView view = Oblique(parallel);
+    const CameraView view = FromAfar(parallel);
     const TrueVerdicts truth(
       SightOf(view, kWidth, kHeight, RoundHits(Vec3(0.0), Vec3(0.0), kRadius),
         [](const LongVec3& x, const LongVec3& /*u*/) { return Quadratic(x); }),
