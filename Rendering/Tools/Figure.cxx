@@ -99,6 +99,7 @@ public:
                        : std::lerp(bar.range[0], bar.range[1], part);
     };
     std::vector<double> values;
+    values.reserve(static_cast<std::size_t>(height));
     for (int row = 0; row < height; ++row)
     {
       values.push_back(std::clamp(valueAt((row + 0.5) / height), bar.range[0], bar.range[1]));

@@ -248,7 +248,7 @@ std::vector<double> ReadLine(const std::string& text)
 {
   constexpr const char* kForm = "x0,y0,z0,x1,y1,z1,n";
   constexpr double kMost = 1e9;
-  const std::vector<double> numbers = ReadNumbers("--line", text, 7, kForm);
+  std::vector<double> numbers = ReadNumbers("--line", text, 7, kForm);
   if (!(numbers[6] >= 2.0 && numbers[6] <= kMost && numbers[6] == std::floor(numbers[6])))
   {
     Refuse("--line", text, std::string(kForm) + " with a whole number n from 2 to 1000000000");
