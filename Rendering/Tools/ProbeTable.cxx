@@ -133,8 +133,8 @@ ProbePoints PointsOnLine(const Vec3& from, const Vec3& to, int count)
   for (int i = 0; i < count; ++i)
   {
     const double part = static_cast<double>(i) / (count - 1);
-    points.x.emplace_back(std::lerp(from.x, to.x, part), std::lerp(from.y, to.y, part),
-      std::lerp(from.z, to.z, part));
+    points.x.emplace_back(
+      std::lerp(from.x, to.x, part), std::lerp(from.y, to.y, part), std::lerp(from.z, to.z, part));
     points.distance.push_back(glm::distance(from, to) * part);
   }
   return points;

@@ -241,8 +241,8 @@ TEST(EdgeBounds, MayTakeWhatSegmentsOfFlatElementsTake)
           for (const Quad& value : ValuesAlong(one, { from, to }, 0.0, known->xi, 8))
           {
             const double taking = static_cast<double>(value);
-            EXPECT_TRUE(one.bounds->MayTake(ValueSet{ { &taking, 1 } },
-              { { from, to }, SlackOf(kEdgeCaseCentre) }, kAnyEffort));
+            EXPECT_TRUE(one.bounds->MayTake(
+              ValueSet{ { &taking, 1 } }, { { from, to }, SlackOf(kEdgeCaseCentre) }, kAnyEffort));
             ++taken;
           }
         }

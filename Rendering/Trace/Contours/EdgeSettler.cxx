@@ -31,11 +31,11 @@ void EdgeSettler::Add(std::size_t edge, const EdgeEnd& a, const EdgeEnd& b)
 {
   if (States[edge] != EdgeState::In)
   {
-    Part part{ edge, a, b };
+    const Part part{ edge, a, b };
     const EdgeFinding finding = JudgeWithin(part);
     if (finding == EdgeFinding::Uncovered && !MayJump(part))
     {
-      Run.push_back(std::move(part));
+      Run.push_back(part);
       return;
     }
     Settle(part, finding, 0);

@@ -44,8 +44,9 @@ PartSagitta::PartSagitta(
     Faces.assign(parts.begin(), parts.end());
     const auto order = [](const CurvedPart& part) { return std::pair(part.element, part.face); };
     std::ranges::sort(Faces, {}, order);
-    const auto repeated = std::ranges::unique(Faces, {}, order);
-    Faces.erase(repeated.begin(), repeated.end());
+    const auto same = [&order](const CurvedPart& a, const CurvedPart& b)
+    { return order(a) == order(b); };
+    Faces.erase(std::unique(Faces.begin(), Faces.end(), same), Faces.end());
   }
 }
 
@@ -79,12 +80,12 @@ PartSagitta::End PartSagitta::EndOf(const Ray& ray, const SurfacePoint& at) cons
     return end;
   }
   const auto planes = FacePlanesOf(Equation.mesh.ShapeOf(at.element));
-  for (const CurvedPart& part :
-    std::ranges::equal_range(Faces, at.element, {}, &CurvedPart::element))
+  for (auto part = std::ranges::lower_bound(Faces, at.element, {}, &CurvedPart::element);
+       part != Faces.end() && part->element == at.element; ++part)
   {
-    if (std::fabs(planes[static_cast<std::size_t>(part.face)].Distance(at.xi)) <= kOnFace)
+    if (std::fabs(planes[static_cast<std::size_t>(part->face)].Distance(at.xi)) <= kOnFace)
     {
-      end.sheets[end.count++] = { part.face };
+      end.sheets[end.count++] = { part->face };
     }
   }
   return end;
