@@ -123,15 +123,28 @@ EdgeFinding EdgeJudge::Within(const EdgeEnd& a, const EdgeEnd& b, const SurfaceE
   {
     return EdgeFinding::Out;
   }
-  const double error = range->error;
+  return Between(lower, upper, range->error, bounds.Values().Magnitude());
+}
+
+EdgeFinding EdgeJudge::Between(double lower, double upper, double error, double magnitude) const
+{
   if (lower + error < upper - error && Wanted.Meets(lower + error, upper - error))
   {
     return EdgeFinding::In;
   }
   const bool touches =
     Wanted.Meets(lower - error, lower + error) || Wanted.Meets(upper - error, upper + error);
-  return touches && error <= kTouch * bounds.Values().Magnitude() ? EdgeFinding::Touching
-                                                                  : EdgeFinding::Open;
+  return touches && error <= kTouch * magnitude ? EdgeFinding::Touching : EdgeFinding::Open;
+}
+
+EdgeFinding EdgeJudge::Across(const EdgeEnd& a, const EdgeEnd& b) const
+{
+  const EdgeBounds& ofA = Bounds.Of(a.element);
+  const EdgeBounds& ofB = Bounds.Of(b.element);
+  const auto [lower, upper] = std::minmax(a.point.value, b.point.value);
+  // Where the true points may be, the values are no farther off than that.
+  const double error = std::max(ofA.ChangeWithin(a.point, 0.0), ofB.ChangeWithin(b.point, 0.0));
+  return Between(lower, upper, error, std::max(ofA.Values().Magnitude(), ofB.Values().Magnitude()));
 }
 
 bool EdgeJudge::StaysOn(int side, const SurfaceEdge& edge, bool thorough) const

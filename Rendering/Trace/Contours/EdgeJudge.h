@@ -73,7 +73,10 @@ public:
   /// Whether all elements that a flat part of the surface, many pixels wide, may meet stay on one
   /// side there.
   [[nodiscard]] bool StaysOnOne(const Outline& part) const;
-  /// Whether a value lies between those of the ends, or is one.
+  /// Of ends in any elements between which the surface goes on: by their values, In, Touching or
+  /// Open.
+  [[nodiscard]] EdgeFinding Across(const EdgeEnd& a, const EdgeEnd& b) const;
+  /// Whether a value lies between those of the ends, or is one, as far as they are known.
   [[nodiscard]] bool AreOpposite(const EdgeEnd& a, const EdgeEnd& b) const;
   /// Whether the two values are farther apart than the field varies along the edge.
   [[nodiscard]] bool IsJump(const EdgeEnd& a, const EdgeEnd& b, const SurfaceEdge& edge) const;
@@ -87,6 +90,9 @@ private:
     int side; ///< of all of its values; kNoSide: they may be on several
   };
   [[nodiscard]] ValueSet NotOn(int side) const;
+  /// Of two values that are good to `error`, which rounding explains up to a part of `magnitude`.
+  [[nodiscard]] EdgeFinding Between(
+    double lower, double upper, double error, double magnitude) const;
   [[nodiscard]] bool Meets(const Interval& values) const
   {
     return Wanted.Meets(values.lower, values.upper);

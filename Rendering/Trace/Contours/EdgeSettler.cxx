@@ -20,7 +20,7 @@ EdgeSettler::EdgeSettler(LayerSight& sight, const EdgeJudge& judge, const Contou
   : Sight(sight)
   , Judge(judge)
   , Method(method)
-  , IsFlat(sight.GetSurface().IsPlane())
+  , IsPlane(sight.GetSurface().IsPlane())
   , States(states)
   , Counted(counted)
   , Parts(states.size(), 0)
@@ -95,7 +95,7 @@ void EdgeSettler::SettleRun(std::span<const Part> run)
     }
     return;
   }
-  if (IsFlat)
+  if (IsPlane)
   {
     // Together they are a straight edge.
     const SurfaceEdge all = Sight.EdgeBetween(run.front().a, run.back().b);
@@ -126,7 +126,7 @@ void EdgeSettler::Settle(const Part& part, EdgeFinding finding, int level)
     return;
   }
   const bool onBoth = Sight.Shows(part.a) && Sight.Shows(part.b);
-  if (!IsFlat && !Sight.Shows(part.a) && !Sight.Shows(part.b))
+  if (!IsPlane && !Sight.Shows(part.a) && !Sight.Shows(part.b))
   {
     // Whether the surface shows between two rays that do not see it is not asked.
     return;
@@ -138,20 +138,20 @@ void EdgeSettler::Settle(const Part& part, EdgeFinding finding, int level)
     Open.push_back(part);
     return;
   }
-  const bool joined = onBoth && Sight.AreJoined(part.a, part.b);
   const bool opposite = onBoth && Judge.AreOpposite(part.a, part.b);
   if (opposite && finding == EdgeFinding::Uncovered)
   {
     const SurfaceEdge edge = Sight.EdgeBetween(part.a, part.b);
     // Proven that the surface goes on between them.
-    if (std::isfinite(edge.sagitta))
+    if (std::isfinite(edge.sagitta) && Judge.Across(part.a, part.b) != EdgeFinding::Open)
     {
       States[part.edge] = EdgeState::In;
       Counted.jumps += Judge.IsJump(part.a, part.b, edge) ? 1 : 0;
       return;
     }
   }
-  if (level >= deepest && !joined && !opposite && !IsFlat)
+  const bool near = onBoth && Sight.AreNear(part.a, part.b);
+  if (level >= deepest && !near && !opposite && !IsPlane)
   {
     // Closer to a silhouette, or to where the surface leaves the mesh, nothing is asked. Where a
     // value is between those of two sheets it stays open whether that is a line.

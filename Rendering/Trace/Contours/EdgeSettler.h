@@ -56,7 +56,7 @@ private:
   LayerSight& Sight;
   const EdgeJudge& Judge;
   ContourMethod Method;
-  bool IsFlat;
+  bool IsPlane;
   std::span<EdgeState> States;
   ContourCounters& Counted;
   std::vector<int> Parts; ///< open, of each edge

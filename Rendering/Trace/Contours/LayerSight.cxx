@@ -12,7 +12,7 @@ namespace pixelexact
 {
 namespace
 {
-/// Distance of two hits over that of their rays, where the surface is taken to go on between them.
+/// Distance of two hits over that of their rays, up to which they count as near.
 constexpr double kSteepest = 64.0;
 } // namespace
 
@@ -100,7 +100,7 @@ double LayerSight::SagittaOver(const std::array<const EdgeEnd*, 3>& ends) const
   return TheSurface.SagittaOver(rays, hits);
 }
 
-bool LayerSight::AreJoined(const EdgeEnd& a, const EdgeEnd& b) const
+bool LayerSight::AreNear(const EdgeEnd& a, const EdgeEnd& b) const
 {
   if (TheSurface.IsPlane())
   {

@@ -28,9 +28,9 @@ public:
   [[nodiscard]] bool Hides(const EdgeEnd& end) const { return end.layer >= 0 && !Shows(end); }
   /// How far off the triangle between three ends it is.
   [[nodiscard]] double SagittaOver(const std::array<const EdgeEnd*, 3>& ends) const;
-  /// Whether two ends that show it are about as far apart as their rays: it then goes on between
-  /// them.
-  [[nodiscard]] bool AreJoined(const EdgeEnd& a, const EdgeEnd& b) const;
+  /// Whether two ends that show it are about as far apart as their rays, so that it may well go on
+  /// between them.
+  [[nodiscard]] bool AreNear(const EdgeEnd& a, const EdgeEnd& b) const;
 
 private:
   [[nodiscard]] Ray RayOf(const EdgeEnd& end) const;

@@ -63,15 +63,15 @@ bool PixelInteriors::IsOut(const Square& square) const
       side = its;
     }
   }
-  const bool isFlat = Sight.GetSurface().IsPlane();
+  const bool isPlane = Sight.GetSurface().IsPlane();
   if (!std::ranges::all_of(ends, &EdgeEnd::meets))
   {
     // A curved surface that no corner shows is not asked for; see EdgeSettler.
-    return !isFlat &&
+    return !isPlane &&
       std::ranges::none_of(ends, [this](const EdgeEnd& end) { return Sight.Shows(end); });
   }
   const Vec3 x[4] = { ends[0].point.x, ends[1].point.x, ends[2].point.x, ends[3].point.x };
-  if (isFlat)
+  if (isPlane)
   {
     return Judge.StaysOn(side, Outline(x), 0.0);
   }
