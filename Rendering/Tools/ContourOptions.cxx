@@ -273,6 +273,8 @@ Buffer ContourOptions::Needs() const
 {
   // Labels keep away from where a surface hides a part of itself.
   const Buffer ofLabels = LabelHeight ? Buffer::Position | Buffer::Normal : Buffer::None;
-  return AreGiven() ? Buffer::Verdict | Buffer::Layer | ofLabels : Buffer::None;
+  return AreGiven()
+    ? ContourCertifier({}, HowTold()).Needs().welcome | Buffer::Verdict | Buffer::Layer | ofLabels
+    : Buffer::None;
 }
 } // namespace pixelexact

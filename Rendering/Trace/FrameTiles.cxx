@@ -206,21 +206,60 @@ void BeginPipeline(const Pipeline& pipeline, Frame& frame)
   frame.color.assign(hasImage ? bytes : 0, 0);
 }
 
-void RunPipelineOn(const TileArea& area, const Scene* scene, const Camera* camera,
-  const Pipeline& pipeline, Frame& frame, FrameCounters& counters)
+namespace
 {
-  TileVisit visit(scene, camera, pipeline, frame, area);
-  visit.Run();
+/// One run of modules over all tiles.
+FrameCounters RunModules(const Scene* scene, const Camera* camera, const Pipeline& pipeline,
+  std::span<FrameModule* const> modules, bool makesImage, Frame& frame, StageTimes* stages)
+{
+  return ForEachTile(scene, frame.width, frame.height, stages,
+    [&](const TileArea& area, FrameCounters& counters)
+    {
+      TileVisit visit(scene, camera, pipeline, frame, area);
+      if (makesImage)
+      {
+        visit.MakeImage();
+      }
+      visit.Run(modules);
+      AddSamples(visit.Counters(), counters);
+    });
+}
+
+/// The runs from one on.
+FrameCounters RunFrom(std::size_t first, const Scene* scene, const Camera* camera,
+  const Pipeline& pipeline, Frame& frame, StageTimes* stages)
+{
+  FrameCounters total;
+  const auto runs = pipeline.Runs();
+  for (std::size_t i = first; i < runs.size(); ++i)
+  {
+    AddCounters(RunModules(scene, camera, pipeline, runs[i], i == 0, frame, stages), total);
+  }
+  return total;
+}
+} // namespace
+
+void BeginPipelineOn(const TileArea& area, const Scene& scene, const Camera& camera,
+  const Pipeline& pipeline, std::span<FrameModule* const> modules, Frame& frame,
+  FrameCounters& counters)
+{
+  TileVisit visit(&scene, &camera, pipeline, frame, area);
+  visit.MakeImage();
+  visit.Run(modules);
   AddSamples(visit.Counters(), counters);
+}
+
+FrameCounters FinishPipeline(const Scene& scene, const Camera& camera, const Pipeline& pipeline,
+  Frame& frame, StageTimes* stages)
+{
+  return RunFrom(1, &scene, &camera, pipeline, frame, stages);
 }
 
 FrameCounters RunPipeline(const Scene* scene, const Camera* camera, const Pipeline& pipeline,
   Frame& frame, StageTimes* stages)
 {
   BeginPipeline(pipeline, frame);
-  return ForEachTile(scene, frame.width, frame.height, stages,
-    [&](const TileArea& area, FrameCounters& counters)
-    { RunPipelineOn(area, scene, camera, pipeline, frame, counters); });
+  return RunFrom(0, scene, camera, pipeline, frame, stages);
 }
 
 void AddSamples(const FrameCounters& counted, FrameCounters& total)

@@ -53,10 +53,14 @@ bool HasTranslucent(const Scene& scene);
 /// for colours.
 void BeginPipeline(const Pipeline& pipeline, Frame& frame);
 
-/// Runs a pipeline over a tile; scene and camera may be null (TileVisit). Samples that modules ask
-/// for are counted.
-void RunPipelineOn(const TileArea& area, const Scene* scene, const Camera* camera,
-  const Pipeline& pipeline, Frame& frame, FrameCounters& counters);
+/// Gives a tile its colours, image and what `modules`, the first of Pipeline::Runs, make of it.
+/// Samples that they ask for are counted.
+void BeginPipelineOn(const TileArea& area, const Scene& scene, const Camera& camera,
+  const Pipeline& pipeline, std::span<FrameModule* const> modules, Frame& frame,
+  FrameCounters& counters);
+/// The runs of modules after that one, over all tiles; returns what was counted.
+FrameCounters FinishPipeline(const Scene& scene, const Camera& camera, const Pipeline& pipeline,
+  Frame& frame, StageTimes* stages);
 
 /// Runs the pipeline over all tiles of a frame whose samples are there; scene and camera may be
 /// null (TileVisit). Returns what was counted of samples that modules asked for.

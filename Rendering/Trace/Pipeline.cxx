@@ -8,11 +8,12 @@ namespace pixelexact
 void SampleNeeds::Add(const SampleNeeds& other)
 {
   centres = centres | other.centres;
+  welcome = welcome | other.welcome;
   corners = corners | other.corners;
   edges = edges | other.edges;
   edgeLevel = std::max(edgeLevel, other.edgeLevel);
-  cornersAround = std::max(cornersAround, other.cornersAround);
   coloredCorners = coloredCorners || other.coloredCorners;
+  wholeFrame = wholeFrame || other.wholeFrame;
 }
 
 Buffer Pipeline::ColorNeeds() const
@@ -37,5 +38,22 @@ SampleNeeds Pipeline::Needs() const
     needs.corners = needs.corners | ColorNeeds();
   }
   return needs;
+}
+
+std::vector<std::span<FrameModule* const>> Pipeline::Runs() const
+{
+  std::vector<std::span<FrameModule* const>> runs;
+  const std::span<FrameModule* const> all = modules;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    if (all[i]->Needs().wholeFrame)
+    {
+      runs.push_back(all.subspan(begin, i - begin));
+      begin = i;
+    }
+  }
+  runs.push_back(all.subspan(begin));
+  return runs;
 }
 } // namespace pixelexact

@@ -3,6 +3,7 @@
 
 #include "Trace/Frame.h"
 
+#include <span>
 #include <vector>
 
 namespace pixelexact
@@ -28,11 +29,12 @@ public:
 struct SampleNeeds
 {
   Buffer centres = Buffer::None;
+  Buffer welcome = Buffer::None; ///< of centres: it is faster where they are there
   Buffer corners = Buffer::None; ///< of the tile's pixels
   Buffer edges = Buffer::None;   ///< between the corners, see edgeLevel
   int edgeLevel = 0;             ///< an edge is cut into 2^edgeLevel parts; 0: no samples on edges
-  int cornersAround = 0;         ///< pixels about the tile whose corners are wanted, too
   bool coloredCorners = false;   ///< with all that the pipeline's colours read
+  bool wholeFrame = false; ///< tiles are visited when the modules before it have seen them all
 
   void Add(const SampleNeeds& other);
   [[nodiscard]] bool BeyondCentres() const
@@ -69,5 +71,7 @@ struct Pipeline
   [[nodiscard]] Buffer ColorNeeds() const;
   /// The union of all needs.
   [[nodiscard]] SampleNeeds Needs() const;
+  /// The modules that visit all tiles together, one after the other in each; one run at least.
+  [[nodiscard]] std::vector<std::span<FrameModule* const>> Runs() const;
 };
 } // namespace pixelexact

@@ -58,13 +58,9 @@ void BlendSheets(
   }
 }
 
-void TileVisit::Run()
+void TileVisit::Run(std::span<FrameModule* const> modules)
 {
-  {
-    const StageScope scope(Stage::Modules);
-    MakeImage();
-  }
-  for (FrameModule* module : ThePipeline.modules)
+  for (FrameModule* module : modules)
   {
     const StageScope scope(Stage::Modules);
     module->Process(*this);
@@ -77,6 +73,7 @@ void TileVisit::MakeImage()
   {
     return;
   }
+  const StageScope scope(Stage::Modules);
   const auto width = static_cast<std::size_t>(TheFrame.width);
   const auto inRow = static_cast<std::size_t>(TheArea.Width());
   for (int y = TheArea.y0; y < TheArea.y1; ++y)
@@ -180,66 +177,82 @@ void CopyPart(const CornerLattice& from, const TileArea& area, SampleBuffers& to
 }
 } // namespace
 
-void TileVisit::TraceCorners(const TileArea& lattice, SampleBuffers& corners)
-{
-  RequireTracing();
-  const int width = lattice.Width();
-  const Buffer wanted = ThePipeline.Needs().corners;
-  corners.Allocate(wanted, width, lattice.Height());
-  const auto first = static_cast<std::ptrdiff_t>(lattice.y0) * width + lattice.x0;
-  Sheets sheets(corners, wanted);
-  // A tile of samples is not as large as what lies about it.
-  for (int y = lattice.y0; y < lattice.y1; y += kTileSize + 1)
-  {
-    for (int x = lattice.x0; x < lattice.x1; x += kTileSize + 1)
-    {
-      const TileArea part{ x, y, std::min(x + kTileSize + 1, lattice.x1),
-        std::min(y + kTileSize + 1, lattice.y1) };
-      const CheckedOut<TileSamples> tile;
-      (*tile).Begin(*TheCamera, part, { .offset = 0.0 }, width);
-      for (std::size_t& place :
-        std::span((*tile).place).first(static_cast<std::size_t>((*tile).Count())))
-      {
-        place -= static_cast<std::size_t>(first);
-      }
-      WalkTile(*TheScene, *TheCamera, *tile, sheets, Asked);
-    }
-  }
-}
-
 SampleBuffers& TileVisit::Corners()
 {
-  if (AtCorners.Size() == 0)
+  if (AtCorners.Size() > 0)
   {
-    const TileArea lattice{ TheArea.x0, TheArea.y0, TheArea.x1 + 1, TheArea.y1 + 1 };
-    if (HasCorners() || ThePipeline.Needs().cornersAround > 0)
-    {
-      CopyPart(CornersAround(), lattice, AtCorners);
-    }
-    else
-    {
-      TraceCorners(lattice, AtCorners);
-    }
+    return AtCorners;
   }
+  const TileArea lattice{ TheArea.x0, TheArea.y0, TheArea.x1 + 1, TheArea.y1 + 1 };
+  if (HasCorners())
+  {
+    CopyPart({ TheFrame.corners }, lattice, AtCorners);
+    return AtCorners;
+  }
+  RequireTracing();
+  const Buffer wanted = ThePipeline.Needs().corners;
+  AtCorners.Allocate(wanted, lattice.Width(), lattice.Height());
+  Sheets sheets(AtCorners, wanted);
+  const CheckedOut<TileSamples> tile;
+  (*tile).Begin(*TheCamera, lattice, { .offset = 0.0 }, lattice.Width());
+  const auto first =
+    static_cast<std::size_t>(lattice.y0) * static_cast<std::size_t>(lattice.Width()) +
+    static_cast<std::size_t>(lattice.x0);
+  for (std::size_t& place :
+    std::span((*tile).place).first(static_cast<std::size_t>((*tile).Count())))
+  {
+    place -= first;
+  }
+  WalkTile(*TheScene, *TheCamera, *tile, sheets, Asked);
   return AtCorners;
 }
 
-CornerLattice TileVisit::CornersAround()
+CornerLattice TileVisit::CornersOf(
+  const TileArea& lattice, std::span<const std::uint8_t> wanted, SampleBuffers& traced)
 {
   if (HasCorners())
   {
     return { TheFrame.corners };
   }
-  const int far = ThePipeline.Needs().cornersAround;
-  const int x0 = std::max(0, TheArea.x0 - far);
-  const int y0 = std::max(0, TheArea.y0 - far);
-  if (Around.Size() == 0)
+  RequireTracing();
+  std::vector<ImagePosition> positions;
+  std::vector<std::size_t> places;
+  // Block by block, so that neighbours follow each other.
+  constexpr int kBlock = TileSamples::kRow;
+  const auto width = static_cast<std::size_t>(lattice.Width());
+  for (int y0 = lattice.y0; y0 < lattice.y1; y0 += kBlock)
   {
-    TraceCorners({ x0, y0, std::min(TheFrame.width, TheArea.x1 + far) + 1,
-                   std::min(TheFrame.height, TheArea.y1 + far) + 1 },
-      Around);
+    for (int x0 = lattice.x0; x0 < lattice.x1; x0 += kBlock)
+    {
+      for (int y = y0; y < std::min(y0 + kBlock, lattice.y1); ++y)
+      {
+        for (int x = x0; x < std::min(x0 + kBlock, lattice.x1); ++x)
+        {
+          const std::size_t place = static_cast<std::size_t>(y - lattice.y0) * width +
+            static_cast<std::size_t>(x - lattice.x0);
+          if (wanted[place] != 0)
+          {
+            positions.push_back({ static_cast<double>(x), static_cast<double>(y) });
+            places.push_back(place);
+          }
+        }
+      }
+    }
   }
-  return { Around, x0, y0 };
+  const Buffer needed = ThePipeline.Needs().corners;
+  const SampleBuffers some = Trace(positions, needed);
+  traced.Allocate(needed, lattice.Width(), lattice.Height());
+  ForEachBuffer(
+    [&](const auto& row)
+    {
+      const auto& from = some.*row.member;
+      auto& to = traced.*row.member;
+      for (std::size_t i = 0; i < places.size() && !to.empty(); ++i)
+      {
+        to[places[i]] = from[i];
+      }
+    });
+  return { traced, lattice.x0, lattice.y0 };
 }
 
 int TileVisit::SamplesPerEdge() const

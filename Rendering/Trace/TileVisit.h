@@ -5,7 +5,9 @@
 #include "Trace/Scene.h"
 #include "Trace/TileSamples.h"
 
+#include <cstdint>
 #include <span>
+#include <vector>
 
 namespace pixelexact
 {
@@ -38,8 +40,9 @@ public:
   {
   }
 
-  /// Colours, image, modules: what a pipeline does with the tile.
-  void Run();
+  /// Colours and the image.
+  void MakeImage();
+  void Run(std::span<FrameModule* const> modules);
 
   [[nodiscard]] const TileArea& Area() const { return TheArea; }
   /// The frame; of the area's pixels alone.
@@ -52,9 +55,10 @@ public:
   /// The corners of the area's pixels, (width + 1) x (height + 1), with the buffers that the
   /// modules need. Their colours are made by Image, if a module needs them coloured.
   [[nodiscard]] SampleBuffers& Corners();
-  /// Those and the corners of the pixels about the tile, SampleNeeds::cornersAround far and within
-  /// the image. There may be more: of what lies farther nothing must be read.
-  [[nodiscard]] CornerLattice CornersAround();
+  /// Some corners of a part of the lattice, which may reach beyond the tile: those that are wanted,
+  /// row by row. Of others there is nothing, or what is seen there. `traced` must outlive it.
+  [[nodiscard]] CornerLattice CornersOf(
+    const TileArea& lattice, std::span<const std::uint8_t> wanted, SampleBuffers& traced);
   /// Samples within edges, so many for each edge (SampleNeeds::edgeLevel): those that go across,
   /// width x (height + 1) edges, and those that go up, (width + 1) x height; edge by edge, rows of
   /// edges lower-left first.
@@ -81,7 +85,6 @@ private:
   /// Corners of a part of the lattice.
   void TraceCorners(const TileArea& lattice, SampleBuffers& corners);
   const SampleBuffers& Edges(SampleBuffers& samples, bool across);
-  void MakeImage();
 
   const Scene* TheScene;
   const Camera* TheCamera;
@@ -90,7 +93,6 @@ private:
   TileArea TheArea;
   FrameCounters Asked;
   SampleBuffers AtCorners;
-  SampleBuffers Around; ///< where the frame has no corners and some about the tile are wanted
   SampleBuffers Across;
   SampleBuffers Up;
 };

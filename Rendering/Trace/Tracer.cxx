@@ -26,6 +26,7 @@ Frame Trace(const Scene& scene, const Camera& camera, const Pipeline& pipeline,
   const auto start = std::chrono::steady_clock::now();
   SampleNeeds needs = pipeline.Needs();
   needs.Add(extra);
+  needs.centres = needs.centres | needs.welcome;
   RequireTraceable(scene, needs);
   Frame frame;
   frame.width = camera.Width();
@@ -57,11 +58,15 @@ Frame Trace(const Scene& scene, const Camera& camera, const Pipeline& pipeline,
     if (!translucent)
     {
       BeginPipeline(pipeline, frame);
-      after = [&](const TileArea& area, FrameCounters& counters)
-      { RunPipelineOn(area, &scene, &camera, pipeline, frame, counters); };
+      after = [&, first = pipeline.Runs().front()](const TileArea& area, FrameCounters& counters)
+      { BeginPipelineOn(area, scene, camera, pipeline, first, frame, counters); };
     }
     AddCounters(
       TraceLattice(scene, camera, kCentres, sheets, reporter, stages, after), frame.counters);
+    if (after && !reporter.IsAborted())
+    {
+      AddSamples(FinishPipeline(scene, camera, pipeline, frame, stages), frame.counters);
+    }
   }
   if (translucent)
   {

@@ -395,9 +395,7 @@ TEST(ContourCertifier, VerdictsDependOnNothingElse)
     const Camera camera(Oblique(), kWidth, kHeight);
     ContourCertifier tiled({ kValues });
     const Pipeline pipeline{ {}, { &tiled } };
-    Frame frame;
-    frame.width = kWidth;
-    frame.height = kHeight;
+    Frame frame = Trace(scene, camera, pipeline);
     for (const int size : { 1, 7, 20 })
     {
       tiled.Begin(kWidth, kHeight);
@@ -407,7 +405,7 @@ TEST(ContourCertifier, VerdictsDependOnNothingElse)
         {
           TileVisit(&scene, &camera, pipeline, frame,
             { x, y, std::min(x + size, kWidth), std::min(y + size, kHeight) })
-            .Run();
+            .Run(pipeline.modules);
         }
       }
       EXPECT_EQ(tiled.Verdicts(), wanted) << "tiles of " << size;

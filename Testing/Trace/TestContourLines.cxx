@@ -462,13 +462,20 @@ TEST(ContourLines, DoNotDependOnTilesAndThreads)
     EXPECT_EQ(traced(4).Image(), frame.Image());
     Frame again = frame;
     BeginPipeline(pipeline, again);
-    for (int y = 0; y < 61; y += 7)
+    for (const auto& modules : pipeline.Runs())
     {
-      for (int x = 0; x < 75; x += 13)
+      for (int y = 0; y < 61; y += 7)
       {
-        TileVisit visit(&scene.TheScene, &camera, pipeline, again,
-          { x, y, std::min(x + 13, 75), std::min(y + 7, 61) });
-        visit.Run();
+        for (int x = 0; x < 75; x += 13)
+        {
+          TileVisit visit(&scene.TheScene, &camera, pipeline, again,
+            { x, y, std::min(x + 13, 75), std::min(y + 7, 61) });
+          if (modules.data() == pipeline.Runs().front().data())
+          {
+            visit.MakeImage();
+          }
+          visit.Run(modules);
+        }
       }
     }
     EXPECT_EQ(again.Image(), frame.Image());

@@ -197,7 +197,9 @@ TEST(ElementOutlines, AreTheSameForAnyTilesAndThreads)
       for (int x = 0; x < 150; x += size)
       {
         const TileArea area{ x, y, std::min(x + size, 150), std::min(y + size, 101) };
-        TileVisit(&cut.scene.Traced, &camera, pipeline, tiled, area).Run();
+        TileVisit visit(&cut.scene.Traced, &camera, pipeline, tiled, area);
+        visit.MakeImage();
+        visit.Run(pipeline.modules);
       }
     }
     EXPECT_EQ(tiled.Image(), many.Image()) << size;

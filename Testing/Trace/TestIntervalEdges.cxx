@@ -274,7 +274,7 @@ TEST(IntervalEdges, TilesChangeNothing)
   other.verdicts = whole.verdicts;
   for (const TileArea& area : { TileArea{ 16, 16, 48, 48 }, TileArea{ 31, 20, 33, 40 } })
   {
-    TileVisit(&scene, &camera, pipeline, frame, area).Run();
+    TileVisit(&scene, &camera, pipeline, frame, area).Run(pipeline.modules);
     EXPECT_EQ(other.verdicts, whole.verdicts);
   }
   EXPECT_GT(other.counters.in, 50);

@@ -15,6 +15,9 @@ namespace pixelexact::edges
 inline constexpr double kUp = 1.0 + 1e-13;
 /// The same, as a part of the largest.
 inline constexpr double kRoundoffs = 32.0 * kUnitRoundoff;
+/// By how much a path may leave the element, in xi: far less than would be seen, and more than
+/// rounding makes of an edge in a face.
+inline constexpr double kBeside = 1e-13;
 /// Of symmetric matrices: 11, 12, 13, 22, 23, 33.
 inline constexpr std::size_t kRows[6] = { 0, 0, 0, 1, 1, 2 };
 inline constexpr std::size_t kColumns[6] = { 0, 1, 2, 1, 2, 2 };

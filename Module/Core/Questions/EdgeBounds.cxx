@@ -12,17 +12,11 @@ namespace pixelexact
 {
 using namespace edges;
 
-namespace
-{
-/// By how much a path may leave the element, in xi: far less than would be seen, and more than
-/// rounding makes of an edge in a face.
-constexpr double kBeside = 1e-13;
-} // namespace
-
 EdgeBounds::EdgeBounds(const Mesh& mesh, const ElementBounds& bounds, int element,
   const Field& field, int component, double rounding)
   : Functions(mesh, bounds, element, field, component, rounding)
   , Tree(Functions)
+  , Frame(Functions.GetShape(), bounds)
   , Ends(EndsOf(Functions.GetShape(), {}))
 {
 }
@@ -30,6 +24,7 @@ EdgeBounds::EdgeBounds(const Mesh& mesh, const ElementBounds& bounds, int elemen
 EdgeBounds::EdgeBounds(const Mesh& mesh, const ElementBounds& bounds, int element)
   : Functions(mesh, bounds, element)
   , Tree(Functions)
+  , Frame(Functions.GetShape(), bounds)
   , Ends(EndsOf(Functions.GetShape(), {}))
 {
 }
@@ -94,8 +89,12 @@ std::optional<EdgeRange> EdgeBounds::Along(
 std::optional<Interval> EdgeBounds::ValuesIn(
   const WideOutline& region, const ValueSet& wanted, const EdgeEffort& effort) const
 {
-  return Functions.IsFinite() ? ValuesIn(Tree.Whole(), region, wanted, effort)
-                              : Interval::Everything();
+  if (!Functions.IsFinite())
+  {
+    return Interval::Everything();
+  }
+  return Frame.Misses(Functions, region) ? std::nullopt
+                                         : ValuesIn(Tree.Whole(), region, wanted, effort);
 }
 
 std::optional<Interval> EdgeBounds::ValuesIn(const EdgeNode& node, const WideOutline& region,

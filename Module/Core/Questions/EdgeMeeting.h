@@ -4,6 +4,7 @@
 #include "Core/Questions/EdgeNode.h"
 #include "Core/Questions/Outline.h"
 
+#include <array>
 #include <optional>
 
 namespace pixelexact
@@ -13,6 +14,24 @@ struct WideOutline
 {
   Outline outline;
   double slack = 0.0;
+};
+
+/// An element's affine map with its certified deviation; see ElementBounds.
+class EdgeFrame
+{
+public:
+  EdgeFrame(Shape shape, const ElementBounds& bounds);
+
+  /// Whether a region is proven to miss the element.
+  [[nodiscard]] bool Misses(const EdgeFunctions& functions, const WideOutline& region) const;
+
+private:
+  bool Known;
+  Vec3 Start; ///< in xi, the middle of the shape
+  Vec3 Origin;
+  Mat3 Inverse;
+  /// Of the element, wider by the deviation.
+  std::array<EdgeNodeEnd, 6> Ends;
 };
 
 /// Of such an edge or polygon and a node.

@@ -44,8 +44,7 @@ ContourTile::ContourTile(TileVisit& tile, const ContourMethod& method)
 {
 }
 
-std::vector<EdgeEnd> ContourTile::EndsOf(
-  const LayerSight& sight, std::span<const std::uint8_t> open)
+std::vector<std::uint8_t> ContourTile::CornersOf(std::span<const std::uint8_t> open) const
 {
   std::vector<std::uint8_t> wanted(Across * Up, 0);
   for (std::size_t i = 0; i < open.size(); ++i)
@@ -57,8 +56,17 @@ std::vector<EdgeEnd> ContourTile::EndsOf(
         1;
     }
   }
-  const SampleBuffers& samples = Tile.Corners();
+  return wanted;
+}
+
+std::vector<EdgeEnd> ContourTile::EndsOf(
+  const LayerSight& sight, std::span<const std::uint8_t> open)
+{
+  const std::vector<std::uint8_t> wanted = CornersOf(open);
   const TileArea& area = Tile.Area();
+  SampleBuffers traced;
+  const CornerLattice corners =
+    Tile.CornersOf({ area.x0, area.y0, area.x1 + 1, area.y1 + 1 }, wanted, traced);
   std::vector<EdgeEnd> ends(Across * Up);
   std::size_t i = 0;
   for (int y = area.y0; y <= area.y1; ++y)
@@ -67,7 +75,8 @@ std::vector<EdgeEnd> ContourTile::EndsOf(
     {
       if (wanted[i] != 0)
       {
-        ends[i] = sight.EndOf(samples, i, { static_cast<double>(x), static_cast<double>(y) });
+        ends[i] = sight.EndOf(
+          corners.samples, corners.At(x, y), { static_cast<double>(x), static_cast<double>(y) });
       }
     }
   }
@@ -137,7 +146,7 @@ void ContourTile::Judge(const ContouredLayer& layer)
     JudgeEdges(sight, judge, std::vector<std::uint8_t>(Pixels.size(), 1));
     return;
   }
-  const FlatBlocks blocks(surface, Tile.GetCamera(), Tile.Area());
+  FlatBlocks blocks(sight, Tile);
   const EdgeJudge judge(
     *layer.bounds, layer.values, ElementsNear(Tile.GetScene().locator->Index(), blocks.Whole()));
   if (judge.IsNeeded())

@@ -35,6 +35,8 @@ private:
   /// Of the corners of open pixels, row by row.
   [[nodiscard]] std::vector<EdgeEnd> EndsOf(
     const LayerSight& sight, std::span<const std::uint8_t> open);
+  /// For each corner, whether a pixel there is open.
+  [[nodiscard]] std::vector<std::uint8_t> CornersOf(std::span<const std::uint8_t> open) const;
   /// visit(edge, a, b) of corners, for the edges of open pixels, in the order of `edges` in
   /// JudgeEdges; endRow() where rows and columns of them end.
   template <class Visit, class EndRow>

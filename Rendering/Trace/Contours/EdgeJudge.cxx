@@ -21,7 +21,7 @@ namespace
 constexpr double kTouch = 1e-13;
 /// For parts of a surface that are many pixels wide, for edges and parts of them, and for squares
 /// of a pixel and less.
-constexpr EdgeEffort kForBlocks{ 0, 3 };
+constexpr EdgeEffort kForBlocks{ 4, 0 };
 constexpr EdgeEffort kForEdges{ EdgeEffort::kAny, 0 };
 constexpr EdgeEffort kForSquares{ EdgeEffort::kAny, EdgeEffort::kAny };
 
@@ -219,10 +219,17 @@ bool EdgeJudge::StaysOn(int side, std::span<const Element> elements, const WideO
   return tried.empty();
 }
 
-bool EdgeJudge::StaysOnOne(const Outline& part) const
+std::optional<Interval> EdgeJudge::Over(
+  const std::array<EdgeEnd, 3>& ends, const Outline& part) const
+{
+  return Bounds.Of(ends[0].element)
+    .Over({ ends[0].point, ends[1].point, ends[2].point }, { part, SlackOf(part.Corners()) });
+}
+
+bool EdgeJudge::BlockStaysOn(int side, const Outline& part, bool thorough) const
 {
   const WideOutline region{ part, SlackOf(part.Corners()) };
-  return StaysOn(kNoSide, ElementsAt(region), region, kForBlocks);
+  return StaysOn(side, ElementsAt(region), region, thorough ? kForEdges : kForBlocks);
 }
 
 bool EdgeJudge::AreOpposite(const EdgeEnd& a, const EdgeEnd& b) const

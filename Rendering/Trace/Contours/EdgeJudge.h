@@ -4,6 +4,7 @@
 #include "Trace/Contours/LayerBounds.h"
 #include "Trace/TileSamples.h"
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -70,9 +71,18 @@ public:
   [[nodiscard]] bool StaysOn(int side, const SurfaceEdge& edge, bool thorough) const;
   /// The same of a flat polygon and how far off it the surface is.
   [[nodiscard]] bool StaysOn(int side, const Outline& part, double sagitta) const;
-  /// Whether all elements that a flat part of the surface, many pixels wide, may meet stay on one
-  /// side there.
-  [[nodiscard]] bool StaysOnOne(const Outline& part) const;
+  /// The values on a flat part of the surface next to three ends in one element, by the bounds of
+  /// that element alone; nothing where it is not proven that the part lies in it.
+  [[nodiscard]] std::optional<Interval> Over(
+    const std::array<EdgeEnd, 3>& ends, const Outline& part) const;
+  /// Whether an interval holds a value.
+  [[nodiscard]] bool Meets(const Interval& values) const
+  {
+    return Wanted.Meets(values.lower, values.upper);
+  }
+  /// Whether all elements that a flat part of the surface may meet stay on a side there; of
+  /// kNoSide, on any one. `thorough`: as above.
+  [[nodiscard]] bool BlockStaysOn(int side, const Outline& part, bool thorough) const;
   /// Of ends in any elements between which the surface goes on: by their values, In, Touching or
   /// Open.
   [[nodiscard]] EdgeFinding Across(const EdgeEnd& a, const EdgeEnd& b) const;
@@ -93,10 +103,6 @@ private:
   /// Of two values that are good to `error`, which rounding explains up to a part of `magnitude`.
   [[nodiscard]] EdgeFinding Between(
     double lower, double upper, double error, double magnitude) const;
-  [[nodiscard]] bool Meets(const Interval& values) const
-  {
-    return Wanted.Meets(values.lower, values.upper);
-  }
   /// Whether the values of all elements there are on one side; of kNoSide, any.
   [[nodiscard]] bool StaysOn(int side, std::span<const Element> elements, const WideOutline& region,
     const EdgeEffort& effort) const;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trace/Contours/FlatBlocks.h"
 
+#include "Trace/Contours/EdgeSample.h"
+
 #include <algorithm>
 #include <array>
 
@@ -8,59 +10,155 @@ namespace pixelexact
 {
 namespace
 {
-/// Pixels along a side: of smaller ones the answers cost as much as their edges.
-constexpr int kBlock = kTileSize;
+/// Pixels along a side, up to which blocks are held against all elements that they may meet.
+constexpr int kBlock = 8;
+/// And up to which more is found out about these for it.
+constexpr int kThorough = 2;
 } // namespace
 
-FlatBlocks::FlatBlocks(const Surface& surface, const Camera& camera, const TileArea& area)
-  : TheSurface(surface)
-  , TheCamera(camera)
-  , Area(area)
-  , Blocks{ area.x0 / kBlock * kBlock, area.y0 / kBlock * kBlock,
-    (area.x1 + kBlock - 1) / kBlock * kBlock, (area.y1 + kBlock - 1) / kBlock * kBlock }
+FlatBlocks::FlatBlocks(const LayerSight& sight, TileVisit& tile)
+  : Sight(sight)
+  , TheCamera(tile.GetCamera())
+  , Centres(tile.GetFrame().centres)
+  , HasCentres(Centres.Holds(kEdgeSampleBuffers))
+  , Area(tile.Area())
+  , Corners(
+      static_cast<std::size_t>(Area.Width() + 1) * static_cast<std::size_t>(Area.Height() + 1))
+  , HasCorner(Corners.size(), 0)
+  , Open(static_cast<std::size_t>(Area.Width()) * static_cast<std::size_t>(Area.Height()), 0)
 {
 }
 
-std::optional<Outline> FlatBlocks::OutlineOf(const TileArea& pixels) const
+std::size_t FlatBlocks::At(int x, int y) const
 {
-  const std::array<ImagePosition, Outline::kMostCorners> places{
-    { { 1.0 * pixels.x0, 1.0 * pixels.y0 }, { 1.0 * pixels.x1, 1.0 * pixels.y0 },
-      { 1.0 * pixels.x1, 1.0 * pixels.y1 }, { 1.0 * pixels.x0, 1.0 * pixels.y1 } }
+  return static_cast<std::size_t>(y) * static_cast<std::size_t>(Centres.width) +
+    static_cast<std::size_t>(x);
+}
+
+EdgeEnd FlatBlocks::EndAt(int x, int y) const
+{
+  return Sight.EndOf(Centres, At(x, y), { x + 0.5, y + 0.5 });
+}
+
+const std::optional<Vec3>& FlatBlocks::CornerAt(int x, int y)
+{
+  const std::size_t i =
+    static_cast<std::size_t>(y - Area.y0) * static_cast<std::size_t>(Area.Width() + 1) +
+    static_cast<std::size_t>(x - Area.x0);
+  if (HasCorner[i] == 0)
+  {
+    HasCorner[i] = 1;
+    const std::vector<Hit> hits = HitsOf(Sight.GetSurface(), TheCamera.At(x, y));
+    if (!hits.empty())
+    {
+      Corners[i] = hits.front().position;
+    }
+  }
+  return Corners[i];
+}
+
+std::optional<Outline> FlatBlocks::OutlineOf(const TileArea& pixels)
+{
+  const std::array<std::optional<Vec3>, Outline::kMostCorners> found{
+    CornerAt(pixels.x0, pixels.y0), CornerAt(pixels.x1, pixels.y0), CornerAt(pixels.x1, pixels.y1),
+    CornerAt(pixels.x0, pixels.y1)
   };
   std::array<Vec3, Outline::kMostCorners> corners;
-  for (std::size_t k = 0; k < places.size(); ++k)
+  for (std::size_t k = 0; k < found.size(); ++k)
   {
-    const std::vector<Hit> hits = HitsOf(TheSurface, TheCamera.At(places[k][0], places[k][1]));
-    if (hits.empty())
+    if (!found[k])
     {
       return std::nullopt;
     }
-    corners[k] = hits.front().position;
+    corners[k] = *found[k];
   }
   return Outline(corners);
 }
 
-std::vector<std::uint8_t> FlatBlocks::FindOpen(const EdgeJudge& judge) const
+FlatBlocks::Finding FlatBlocks::JudgeInside(const EdgeJudge& judge, const TileArea& block)
 {
-  std::vector<std::uint8_t> open(
-    static_cast<std::size_t>(Area.Width()) * static_cast<std::size_t>(Area.Height()), 0);
-  for (int y = Blocks.y0; y < Blocks.y1; y += kBlock)
+  const int x = block.x0;
+  const int y = block.y0;
+  // Of a single row or column the next one serves, in the same pair of pixels.
+  const auto next = [](int at, int width, int from, int to)
+  { return width > 1 ? at + width - 1 : ((at ^ 1) < to ? at ^ 1 : std::max(at - 1, from)); };
+  const int right = next(x, block.Width(), Area.x0, Area.x1);
+  const int above = next(y, block.Height(), Area.y0, Area.y1);
+  if (right == x || above == y || !ShowsAt(x, y) || !ShowsAt(right, y) || !ShowsAt(x, above))
   {
-    for (int x = Blocks.x0; x < Blocks.x1; x += kBlock)
+    return Finding::Uncovered;
+  }
+  const std::int64_t element = Centres.element[At(x, y)];
+  if (Centres.element[At(right, y)] != element || Centres.element[At(x, above)] != element)
+  {
+    return Finding::Uncovered;
+  }
+  const std::array<EdgeEnd, 3> ends{ EndAt(x, y), EndAt(right, y), EndAt(x, above) };
+  const int side = judge.SideOf(ends[0].point.value);
+  if (judge.SideOf(ends[1].point.value) != side || judge.SideOf(ends[2].point.value) != side)
+  {
+    return Finding::Open;
+  }
+  const std::optional<Outline> outline = OutlineOf(block);
+  const std::optional<Interval> values = outline ? judge.Over(ends, *outline) : std::nullopt;
+  return !values ? Finding::Uncovered : judge.Meets(*values) ? Finding::Open : Finding::Out;
+}
+
+bool FlatBlocks::IsOutAnyhow(const EdgeJudge& judge, const TileArea& block)
+{
+  int side = EdgeJudge::kNoSide;
+  for (int y = block.y0; y < block.y1; ++y)
+  {
+    for (int x = block.x0; x < block.x1; ++x)
     {
-      const std::optional<Outline> outline = OutlineOf({ x, y, x + kBlock, y + kBlock });
-      if (outline && judge.StaysOnOne(*outline))
+      if (ShowsAt(x, y))
       {
-        continue;
-      }
-      for (int row = std::max(y, Area.y0); row < std::min(y + kBlock, Area.y1); ++row)
-      {
-        const auto first = open.begin() + static_cast<std::ptrdiff_t>(row - Area.y0) * Area.Width();
-        std::fill(first + (std::max(x, Area.x0) - Area.x0),
-          first + (std::min(x + kBlock, Area.x1) - Area.x0), 1);
+        const int its = judge.SideOf(Centres.value[At(x, y)]);
+        if (side != EdgeJudge::kNoSide && its != side)
+        {
+          return false;
+        }
+        side = its;
       }
     }
   }
-  return open;
+  if (side != EdgeJudge::kNoSide && std::max(block.Width(), block.Height()) > kBlock)
+  {
+    return false;
+  }
+  const std::optional<Outline> outline = OutlineOf(block);
+  return outline && judge.BlockStaysOn(side, *outline, block.Width() <= kThorough);
+}
+
+void FlatBlocks::Settle(const EdgeJudge& judge, const TileArea& block)
+{
+  const Finding finding = JudgeInside(judge, block);
+  if (finding == Finding::Out || (finding == Finding::Uncovered && IsOutAnyhow(judge, block)))
+  {
+    return;
+  }
+  if (block.Width() == 1 && block.Height() == 1)
+  {
+    Open[static_cast<std::size_t>(block.y0 - Area.y0) * static_cast<std::size_t>(Area.Width()) +
+      static_cast<std::size_t>(block.x0 - Area.x0)] = 1;
+    return;
+  }
+  const int x = block.x0 + (block.Width() + 1) / 2;
+  const int y = block.y0 + (block.Height() + 1) / 2;
+  for (const TileArea& part :
+    { TileArea{ block.x0, block.y0, x, y }, TileArea{ x, block.y0, block.x1, y },
+      TileArea{ block.x0, y, x, block.y1 }, TileArea{ x, y, block.x1, block.y1 } })
+  {
+    if (part.Width() > 0 && part.Height() > 0)
+    {
+      Settle(judge, part);
+    }
+  }
+}
+
+std::vector<std::uint8_t> FlatBlocks::FindOpen(const EdgeJudge& judge)
+{
+  Settle(judge, Area);
+  return Open;
 }
 } // namespace pixelexact

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Trace/Contours/EdgeJudge.h"
+#include "Trace/Contours/LayerSight.h"
 
 #include <cstdint>
 #include <optional>
@@ -9,26 +10,49 @@
 
 namespace pixelexact
 {
-/// Blocks of a tile's pixels on a flat surface, which are proven out together where all elements
-/// that they may meet stay on one side of the values: no sample is needed. They lie where they lie
-/// in the image, so that what is proven of a pixel does not depend on tiles.
+/// Blocks of a tile's pixels on a flat surface that are proven out together, by what is seen at
+/// the pixels' centres, where the frame has kEdgeSampleBuffers of them, and what is known of the
+/// elements there: no other samples are needed.
 class FlatBlocks
 {
 public:
-  FlatBlocks(const Surface& surface, const Camera& camera, const TileArea& area);
+  FlatBlocks(const LayerSight& sight, TileVisit& tile);
 
-  /// The tile's blocks on the surface; nothing where a ray does not meet it.
-  [[nodiscard]] std::optional<Outline> Whole() const { return OutlineOf(Blocks); }
+  /// The tile's part of the surface; nothing where a ray does not meet it.
+  [[nodiscard]] std::optional<Outline> Whole() { return OutlineOf(Area); }
 
   /// For each pixel of the tile, row by row, whether it is still open.
-  [[nodiscard]] std::vector<std::uint8_t> FindOpen(const EdgeJudge& judge) const;
+  [[nodiscard]] std::vector<std::uint8_t> FindOpen(const EdgeJudge& judge);
 
 private:
-  [[nodiscard]] std::optional<Outline> OutlineOf(const TileArea& pixels) const;
+  enum class Finding : std::uint8_t
+  {
+    Out,
+    Open,     ///< a value may occur
+    Uncovered ///< nor proven that the block lies in one element
+  };
 
-  const Surface& TheSurface;
+  void Settle(const EdgeJudge& judge, const TileArea& block);
+  /// By three of its centres, if they are in one element.
+  [[nodiscard]] Finding JudgeInside(const EdgeJudge& judge, const TileArea& block);
+  /// By all elements that it may meet.
+  [[nodiscard]] bool IsOutAnyhow(const EdgeJudge& judge, const TileArea& block);
+  [[nodiscard]] std::optional<Outline> OutlineOf(const TileArea& pixels);
+  [[nodiscard]] const std::optional<Vec3>& CornerAt(int x, int y);
+  [[nodiscard]] bool ShowsAt(int x, int y) const
+  {
+    return HasCentres && Sight.ShowsAt(Centres, At(x, y));
+  }
+  [[nodiscard]] std::size_t At(int x, int y) const;
+  [[nodiscard]] EdgeEnd EndAt(int x, int y) const;
+
+  const LayerSight& Sight;
   const Camera& TheCamera;
+  const SampleBuffers& Centres;
+  bool HasCentres;
   TileArea Area;
-  TileArea Blocks; ///< of whole blocks
+  std::vector<std::optional<Vec3>> Corners;
+  std::vector<std::uint8_t> HasCorner;
+  std::vector<std::uint8_t> Open;
 };
 } // namespace pixelexact

@@ -43,9 +43,12 @@ EdgeEnd LayerSight::EndOf(
     end.point.x = samples.position[i];
     end.point.xi = samples.xi[i];
     end.point.value = samples.value[i];
-    end.piece = samples.piece[i];
-    end.parameters[0] = samples.pieceU[i];
-    end.parameters[1] = samples.pieceV[i];
+    if (!samples.piece.empty())
+    {
+      end.piece = samples.piece[i];
+      end.parameters[0] = samples.pieceU[i];
+      end.parameters[1] = samples.pieceV[i];
+    }
     end.point.eta =
       ReferenceToTensor(Tile.GetScene().locator->GetMesh().ShapeOf(end.element), end.point.xi);
     end.meets = true;

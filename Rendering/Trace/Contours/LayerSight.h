@@ -18,7 +18,12 @@ public:
 
   [[nodiscard]] const Surface& GetSurface() const { return TheSurface; }
   [[nodiscard]] bool Shows(const EdgeEnd& end) const { return end.layer == Layer; }
-  /// Of a sample with kEdgeSampleBuffers and Buffer::Piece.
+  [[nodiscard]] bool ShowsAt(const SampleBuffers& samples, std::size_t i) const
+  {
+    return samples.verdict[i] == static_cast<std::uint8_t>(PixelVerdict::Exact) &&
+      samples.layer[i] == Layer;
+  }
+  /// Of a sample with kEdgeSampleBuffers and, where the surface has pieces, Buffer::Piece.
   [[nodiscard]] EdgeEnd EndOf(
     const SampleBuffers& samples, std::size_t i, const ImagePosition& position) const;
   [[nodiscard]] std::vector<EdgeEnd> Trace(std::span<const ImagePosition> positions);

@@ -62,8 +62,11 @@ ContourCertifier::~ContourCertifier() = default;
 SampleNeeds ContourCertifier::Needs() const
 {
   // Whether a surface goes on between two corners is asked of the surface alone.
-  return { .corners =
-             Method.subdivisions ? kEdgeSampleBuffers : kEdgeSampleBuffers | Buffer::Piece };
+  if (Method.subdivisions)
+  {
+    return { .corners = kEdgeSampleBuffers };
+  }
+  return { .welcome = kEdgeSampleBuffers, .corners = kEdgeSampleBuffers | Buffer::Piece };
 }
 
 void ContourCertifier::Begin(int width, int height)

@@ -30,6 +30,12 @@ std::size_t NearestTo(double value, std::span<const double> values)
   return below ? at - 1 : at;
 }
 
+TileArea Widened(const TileArea& area, int by, int width, int height)
+{
+  return { std::max(0, area.x0 - by), std::max(0, area.y0 - by), std::min(width, area.x1 + by),
+    std::min(height, area.y1 + by) };
+}
+
 /// A colour over another, both of straight alpha.
 void PutOver(const Rgba& color, double share, std::uint8_t* to)
 {
@@ -81,18 +87,16 @@ std::vector<Rgba> ColorsOf(std::vector<double> values, const ColorMap& map)
 class ContourLines::Tile
 {
 public:
-  Tile(const ContourLines& lines, TileVisit& visit, ContourCells& cells)
+  /// `corners`: of `about`, the pixels on which a line in the tile may depend.
+  Tile(const ContourLines& lines, TileVisit& visit, const TileArea& about,
+    const CornerLattice& corners, ContourCells& cells)
     : Lines(lines)
     , Image(visit.GetFrame())
     , Area(visit.Area())
-    , Corners(visit.CornersAround())
+    , Corners(corners)
     , Cells(cells)
   {
-    const int far = lines.Far;
-    Cells.Begin(Corners,
-      { std::max(0, Area.x0 - far), std::max(0, Area.y0 - far),
-        std::min(Image.width, Area.x1 + far), std::min(Image.height, Area.y1 + far) },
-      lines.Style.curved ? &visit.GetCamera() : nullptr);
+    Cells.Begin(Corners, about, lines.Style.curved ? &visit.GetCamera() : nullptr);
   }
 
   /// On pixels of 4 bytes each.
@@ -250,7 +254,8 @@ SampleNeeds ContourLines::Needs() const
   return { .centres = Buffer::Verdict | (Colors.size() > 1 ? Buffer::Layer : Buffer::None),
     .corners =
       Buffer::Value | Buffer::Verdict | Buffer::Layer | (Style.curved ? kSheets : Buffer::None),
-    .cornersAround = Far };
+    // A line in a pixel follows from the verdicts about it.
+    .wholeFrame = true };
 }
 
 void ContourLines::Begin(int width, int height)
@@ -263,6 +268,38 @@ const Rgba& ContourLines::ColorOf(std::size_t layer, std::size_t value) const
 {
   const std::vector<Rgba>& colors = Colors[layer];
   return colors.size() == 1 ? colors.front() : colors[value];
+}
+
+std::vector<std::uint8_t> ContourLines::CornersOfLines(
+  const TileArea& about, int width, int height) const
+{
+  // From a pixel that shows a line to one that it passes, and back to whatever is between.
+  const int far = 2 * Far;
+  const auto across = static_cast<std::size_t>(about.Width()) + 1;
+  std::vector<std::uint8_t> wanted(across * (static_cast<std::size_t>(about.Height()) + 1), 0);
+  const TileArea near = Widened(about, far, width, height);
+  const std::vector<std::uint8_t>& verdicts = Certifier.Verdicts();
+  for (int y = near.y0; y < near.y1; ++y)
+  {
+    const std::uint8_t* const row =
+      &verdicts[static_cast<std::size_t>(y) * static_cast<std::size_t>(width)];
+    for (int x = near.x0; x < near.x1; ++x)
+    {
+      if (row[x] == static_cast<std::uint8_t>(ContourVerdict::Out))
+      {
+        continue;
+      }
+      const TileArea own = { std::max(x - far, about.x0), std::max(y - far, about.y0),
+        std::min(x + far, about.x1 - 1) + 1, std::min(y + far, about.y1 - 1) + 1 };
+      for (int j = own.y0; j <= own.y1 && own.x0 < own.x1 && own.y0 < own.y1; ++j)
+      {
+        std::fill_n(&wanted[static_cast<std::size_t>(j - about.y0) * across +
+                      static_cast<std::size_t>(own.x0 - about.x0)],
+          own.x1 - own.x0 + 1, 1);
+      }
+    }
+  }
+  return wanted;
 }
 
 void ContourLines::Process(TileVisit& tile)
@@ -280,8 +317,17 @@ void ContourLines::Process(TileVisit& tile)
         static_cast<std::size_t>(area.x0));
     std::copy_n(&frame.color[first], 4 * area.Width(), &Under[first]);
   }
+  const TileArea about = Widened(area, Far, frame.width, frame.height);
+  const std::vector<std::uint8_t> wanted = CornersOfLines(about, frame.width, frame.height);
+  if (std::ranges::find(wanted, 1) == wanted.end())
+  {
+    return;
+  }
+  SampleBuffers traced;
+  const CornerLattice corners =
+    tile.CornersOf({ about.x0, about.y0, about.x1 + 1, about.y1 + 1 }, wanted, traced);
   const CheckedOut<ContourCells> cells;
-  Tile drawn(*this, tile, *cells);
+  Tile drawn(*this, tile, about, corners, *cells);
   drawn.Draw(frame.color);
   if (Style.onSheet)
   {

@@ -4,6 +4,7 @@
 #include "Trace/Modules/ColorMapping.h"
 #include "Trace/Modules/ContourCertifier.h"
 #include "Trace/Pipeline.h"
+#include "Trace/TileSamples.h"
 
 #include <cstdint>
 #include <vector>
@@ -79,6 +80,10 @@ public:
 
 private:
   class Tile;
+  /// For each of the corners of these pixels, row by row, whether a line in them, or next to them,
+  /// may depend on it: pixels that are out have none.
+  [[nodiscard]] std::vector<std::uint8_t> CornersOfLines(
+    const TileArea& about, int width, int height) const;
 
   const ContourCertifier& Certifier;
   ContourStyle Style;

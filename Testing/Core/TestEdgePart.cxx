@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Parts of planes through three points of an element, against points of them inverted and evaluated
+// in 113 bits.
+#include "EdgeCases.h"
+
+#include <array>
+#include <iostream>
+
+namespace pixelexact::testing
+{
+/// Squares about the triangle, as a block of pixels lies about three of its centres, from a
+/// millionth of the element to a third of it.
+TEST(EdgePart, HoldsTheValuesOfItsPoints)
+{
+  Random random(91);
+  int answered = 0;
+  int shortOnes = 0;
+  int shortAnswered = 0;
+  double least = 1.0;
+  ForAllOrders(random,
+    [&](const EdgeCase& one)
+    {
+      const Shape shape = one.mesh.ShapeOf(0);
+      for (int k = 0; k < 6; ++k)
+      {
+        const double length = kEdgeCaseSize * std::pow(10.0, random(-6.0, -0.5));
+        const Vec3 u = length * Direction(random);
+        const Vec3 v = length * Direction(random);
+        const auto first = one.Located(one.PointAt(random.Inside(shape)));
+        const auto second = first ? one.Located(first->x + u) : std::nullopt;
+        const auto third = first ? one.Located(first->x + v) : std::nullopt;
+        if (!first || !second || !third)
+        {
+          continue;
+        }
+        // Of one pixel, or of several.
+        const double from = -0.5;
+        const double to = k % 2 == 0 ? 0.5 : 1.1;
+        const auto at = [&](double s, double t) { return first->x + s * u + t * v; };
+        const std::array<Vec3, 4> square{ at(from, from), at(to, from), at(to, to), at(from, to) };
+        const auto values =
+          one.bounds->Over({ *first, *second, *third }, { Outline(square), 1e-14 });
+        const bool isShort = length < 1e-3 * kEdgeCaseSize;
+        shortOnes += isShort ? 1 : 0;
+        shortAnswered += isShort && values ? 1 : 0;
+        if (!values)
+        {
+          continue;
+        }
+        ++answered;
+        least = std::min(least, (values->upper - values->lower) / one.range);
+        std::optional<QuadVec3> xi = ToQuad(first->xi);
+        for (int i = 0; i <= 16; ++i)
+        {
+          for (int j = 0; j <= 16; ++j)
+          {
+            const double s = from + (to - from) * i / 16.0;
+            const double t = from + (to - from) * (i % 2 == 0 ? j : 16 - j) / 16.0;
+            xi = Preimage(one.mesh, 0, ToQuad(at(s, t)), *xi);
+            ASSERT_TRUE(xi);
+            EXPECT_GE(DepthIn(shape, *xi), -1e-9);
+            const auto truth = static_cast<double>(one.Truth(*xi));
+            EXPECT_LE(values->lower, truth);
+            EXPECT_GE(values->upper, truth);
+          }
+        }
+      }
+    });
+  std::cout << answered << " parts, of " << shortOnes << " short ones " << shortAnswered
+            << "; least width over range " << least << '\n';
+  EXPECT_GT(answered, 400);
+  EXPECT_GT(shortAnswered, 0.9 * shortOnes);
+}
+} // namespace pixelexact::testing
