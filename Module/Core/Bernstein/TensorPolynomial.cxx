@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Bernstein/TensorPolynomial.h"
 
+#include "Core/Bernstein/SweepKernels.h"
 #include "Core/Math/Rounding.h"
 
 #include <algorithm>
@@ -85,48 +86,25 @@ double Binomial(int n, int k)
 
 double LargestMagnitude(std::span<const double> coefficients)
 {
-  double largest = 0.0;
-  for (const double b : coefficients)
+  if (coefficients.empty())
   {
-    // Written so that a NaN makes the result NaN.
-    largest = std::fabs(b) <= largest ? largest : std::fabs(b);
+    return 0.0;
   }
-  return largest;
+  const Extremes extremes = ExtremesOf(coefficients);
+  if (extremes.finite)
+  {
+    return std::max(-extremes.least, extremes.most);
+  }
+  return std::ranges::any_of(coefficients, [](double b) { return std::isnan(b); })
+    ? std::numeric_limits<double>::quiet_NaN()
+    : kInfinity;
 }
 
 void Restrict(
   const Degrees& degree, int direction, double from, double to, std::span<double> coefficients)
 {
-  const int n = degree[static_cast<std::size_t>(direction)];
-  const std::size_t stride = StrideOf(degree, direction);
-  const double rest = from < 1.0 ? std::clamp((to - from) / (1.0 - from), 0.0, 1.0) : 1.0;
-  ForEachLine(degree, direction, coefficients.size(),
-    [&](std::size_t offset)
-    {
-      const auto at = [&](int i) -> double&
-      { return coefficients[offset + static_cast<std::size_t>(i) * stride]; };
-      if (from > 0.0)
-      {
-        // The upper part: what remains in place of a sweep from below.
-        for (int level = 1; level <= n; ++level)
-        {
-          for (int i = 0; i <= n - level; ++i)
-          {
-            at(i) = (1.0 - from) * at(i) + from * at(i + 1);
-          }
-        }
-      }
-      if (rest < 1.0)
-      {
-        for (int level = 1; level <= n; ++level)
-        {
-          for (int i = n; i >= level; --i)
-          {
-            at(i) = (1.0 - rest) * at(i - 1) + rest * at(i);
-          }
-        }
-      }
-    });
+  SweepTo(degree, direction, from,
+    from < 1.0 ? std::clamp((to - from) / (1.0 - from), 0.0, 1.0) : 1.0, coefficients);
 }
 
 double RestrictionError(int degree, double magnitude)
