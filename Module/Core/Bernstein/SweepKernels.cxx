@@ -7,6 +7,7 @@
 #include "Core/Math/Lanes-inl.h"
 
 #include <cmath>
+#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
@@ -219,6 +220,87 @@ double FindLargestDifference(
   return last > left ? last : left;
 }
 
+/// The least and the most of packs and of single numbers, and whether all are finite.
+struct Range
+{
+  Lanes least;
+  Lanes most;
+  Lanes none; ///< not zero where something is not finite
+
+  HWY_INLINE Range()
+    : least(Traits::Splat(std::numeric_limits<double>::infinity()))
+    , most(Traits::Splat(-std::numeric_limits<double>::infinity()))
+    , none(Traits::Splat(0.0))
+  {
+  }
+
+  HWY_INLINE void Add(Lanes v)
+  {
+    least = Min(least, v);
+    most = Max(most, v);
+    none = none + (v - v);
+  }
+  [[nodiscard]] HWY_INLINE Extremes Found() const
+  {
+    const Lanes zero = Traits::Splat(0.0);
+    return { Least(least), Most(most), All(And(none <= zero, none >= zero)) };
+  }
+};
+
+Extremes FindDifferences(
+  const double* values, std::size_t size, std::size_t stride, std::size_t block)
+{
+  const auto lanes = static_cast<std::size_t>(LaneCount());
+  Range range;
+  for (std::size_t start = 0; start < size; start += block)
+  {
+    const double* const b = values + start;
+    std::size_t i = 0;
+    for (; i + lanes <= block - stride; i += lanes)
+    {
+      range.Add(Traits::Load(b + i + stride) - Traits::Load(b + i));
+    }
+    for (; i < block - stride; ++i)
+    {
+      range.Add(Traits::Splat(b[i + stride] - b[i]));
+    }
+  }
+  return range.Found();
+}
+
+bool FindExtremesAlong(const double* values, std::size_t size, std::size_t stride,
+  std::size_t block, double* least, double* most)
+{
+  const auto lanes = static_cast<std::size_t>(LaneCount());
+  double none = 0.0; // not zero where something is not finite
+  for (std::size_t slice = 0; slice * stride < block; ++slice)
+  {
+    Range range;
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (std::size_t start = slice * stride; start < size; start += block)
+    {
+      const double* const b = values + start;
+      std::size_t i = 0;
+      for (; i + lanes <= stride; i += lanes)
+      {
+        range.Add(Traits::Load(b + i));
+      }
+      for (; i < stride; ++i)
+      {
+        low = b[i] < low ? b[i] : low;
+        high = b[i] > high ? b[i] : high;
+        none += b[i] - b[i];
+      }
+    }
+    const Extremes found = range.Found();
+    none += found.finite ? 0.0 : std::numeric_limits<double>::quiet_NaN();
+    least[slice] = found.least < low ? found.least : low;
+    most[slice] = found.most > high ? found.most : high;
+  }
+  return none == 0.0;
+}
+
 void SubtractFrom(double shift, double* values, std::size_t count)
 {
   const auto lanes = static_cast<std::size_t>(LaneCount());
@@ -255,7 +337,9 @@ std::size_t StrideAlong(const std::array<int, 3>& degree, int direction)
 HWY_EXPORT(HalveAll);
 HWY_EXPORT(AddOuterTo);
 HWY_EXPORT(CombineRows);
+HWY_EXPORT(FindDifferences);
 HWY_EXPORT(FindExtremes);
+HWY_EXPORT(FindExtremesAlong);
 HWY_EXPORT(FindLargestDifference);
 HWY_EXPORT(RestrictAll);
 HWY_EXPORT(SubtractFrom);
@@ -279,6 +363,18 @@ void SweepTo(const std::array<int, 3>& degree, int direction, double from, doubl
 Extremes ExtremesOf(std::span<const double> values)
 {
   return HWY_DYNAMIC_DISPATCH(FindExtremes)(values.data(), values.size());
+}
+
+Extremes DifferencesOf(std::span<const double> values, std::size_t stride, std::size_t block)
+{
+  return HWY_DYNAMIC_DISPATCH(FindDifferences)(values.data(), values.size(), stride, block);
+}
+
+bool ExtremesAlong(std::span<const double> values, std::size_t stride, std::size_t block,
+  std::span<double> least, std::span<double> most)
+{
+  return HWY_DYNAMIC_DISPATCH(FindExtremesAlong)(
+    values.data(), values.size(), stride, block, least.data(), most.data());
 }
 
 double LargestDifference(

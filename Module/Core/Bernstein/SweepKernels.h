@@ -34,6 +34,14 @@ Extremes ExtremesOf(std::span<const double> values);
 double LargestDifference(
   std::span<const double> values, std::size_t stride, std::size_t block, int order);
 
+/// Of first differences of numbers that lie `stride` apart, in blocks of `block` numbers each.
+Extremes DifferencesOf(std::span<const double> values, std::size_t stride, std::size_t block);
+
+/// Of each slice of numbers across a direction: number i of a block of `block` numbers is in slice
+/// i / stride. False where a number is not finite; the others then mean nothing.
+bool ExtremesAlong(std::span<const double> values, std::size_t stride, std::size_t block,
+  std::span<double> least, std::span<double> most);
+
 /// values[i] -= shift.
 void Subtract(double shift, std::span<double> values);
 
