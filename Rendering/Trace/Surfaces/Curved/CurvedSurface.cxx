@@ -100,6 +100,10 @@ private:
         Bundle.EndAt(hit.ray, Bundle.DepthAt(hit.ray, hit.t));
       }
     }
+    if (Rays.nearestOnly && Work.hits.size() > before)
+    {
+      Bundle.FindFarthest();
+    }
   }
 
   void Descend(PieceSolver& solver, const CurvedPiece& piece, const RaySet& rays)
