@@ -4,7 +4,6 @@
 namespace pixelexact
 {
 // The lines are filled below.
-// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
 JetBasis::JetBasis(const Degrees& degree, const Parameters& t, Parts parts)
   : Degree(degree)
 {
