@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <numeric>
 
 namespace pixelexact
@@ -62,7 +63,9 @@ FrameTime MeasureFrames(const Scene& scene, const Camera& camera, const Pipeline
   for (int i = 0; i < repeat; ++i)
   {
     const Timer frame;
+    const std::clock_t begin = std::clock();
     (void)Trace(scene, camera, pipeline);
+    time.busy.push_back(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
     time.frames.push_back(frame.Seconds());
     time.kernels.push_back(KernelSeconds(scene.layers.front().field->values, time.points));
     done(static_cast<double>(i + 1) / (repeat + 1));

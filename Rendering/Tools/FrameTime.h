@@ -35,6 +35,7 @@ struct FrameTime
 {
   std::int64_t points = 0;     ///< located and evaluated in one frame
   std::vector<double> frames;  ///< seconds each, on all threads
+  std::vector<double> busy;    ///< seconds of processors for each frame, of all threads together
   std::vector<double> kernels; ///< seconds of the kernel after each
   StageTimes stages{};         ///< of one more frame, with its stages timed, summed over threads
   double staged = 0.0;         ///< seconds of that frame, colours and all

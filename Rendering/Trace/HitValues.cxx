@@ -19,8 +19,8 @@ double Component(std::span<const double> values, int component)
     return values[static_cast<std::size_t>(std::max(component, 0))];
   }
   // hypot neither overflows nor underflows on the way.
-  return std::accumulate(
-    values.begin(), values.end(), 0.0, [](double sum, double v) { return std::hypot(sum, v); });
+  return std::accumulate(values.begin() + 1, values.end(), std::fabs(values.front()),
+    [](double sum, double v) { return std::hypot(sum, v); });
 }
 
 Interval Component(std::span<const double> lower, std::span<const double> upper, int component)

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "InstructionSets.h"
 #include "MeshBuilder.h"
 
 #include "Core/Element/SecondDerivatives.h"
 #include "Core/Location/Sample.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 // Closed forms: reference functions made, by hand, so that the mapped field is u = (y, z + x, x -
 // y) or the density z - 2 x on a map of degree 2.
@@ -127,6 +130,36 @@ TEST_P(FieldMapping, ContravariantGivesTheWorldField)
 TEST_P(FieldMapping, DensityGivesTheWorldField)
 {
   Check(Mapping::Density);
+}
+
+TEST_P(FieldMapping, ManyPointsLikeOneAlone)
+{
+  for (const Mapping mapping : { Mapping::Covariant, Mapping::Contravariant, Mapping::Density })
+  {
+    const int components = mapping == Mapping::Density ? 1 : 3;
+    ExpansionBuilder values(components);
+    values.Add(UniformSpace(GetParam(), mapping == Mapping::Density ? 5 : 4),
+      [&](const LongVec3& xi, long double* out) { Reference(mapping, xi, out); });
+    const Field field{ "u", values.View(), mapping };
+    Random random(5);
+    std::vector<Vec3> xi(301);
+    std::ranges::generate(xi, [&] { return random.Inside(GetParam()); });
+    const auto width = static_cast<std::size_t>(components);
+    OnEveryInstructionSet(
+      [&]
+      {
+        std::vector<double> expected;
+        for (const Vec3& one : xi)
+        {
+          std::vector<double> value(width);
+          EvaluateAt(Builder.View(), field, 0, std::span(&one, 1), value, {});
+          expected.insert(expected.end(), value.begin(), value.end());
+        }
+        std::vector<double> value(width * xi.size());
+        EvaluateAt(Builder.View(), field, 0, xi, value, {});
+        EXPECT_EQ(value, expected);
+      });
+  }
 }
 
 TEST_P(FieldMapping, SecondDerivativesOfThePolynomial)

@@ -14,6 +14,7 @@ class Bench(ToolTest):
         self.assertEqual(summary["points"], render["pixels"]["exact"])
         self.assertEqual(summary["threads"], 1)
         self.assertEqual(len(summary["frame_seconds"]), 3)
+        self.assertEqual(len(summary["frame_processor_seconds"]), 3)
         median = sorted(summary["frame_seconds"])[1]
         self.assertEqual(summary["median_frame_seconds"], median)
         self.assertGreater(median, 0)

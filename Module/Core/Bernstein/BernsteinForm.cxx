@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Bernstein/BernsteinForm.h"
 
+#include "Core/Bernstein/SweepKernels.h"
 #include "Core/Math/Rounding.h"
 
 #include <algorithm>
@@ -179,6 +180,11 @@ Vec3 BernsteinForm::GridPoint(int i, int j, int k) const
 
 Hull HullOf(std::span<const double> bernstein)
 {
+  const Extremes extremes = ExtremesOf(bernstein);
+  if (extremes.finite)
+  {
+    return { extremes.least, extremes.most };
+  }
   const auto [low, high] = std::ranges::minmax_element(bernstein);
   return { *low, *high };
 }

@@ -100,17 +100,7 @@ double BoxPolynomial::Variation(int direction, int difference) const
   {
     return 0.0;
   }
-  const auto reach = static_cast<std::size_t>(difference);
-  double most = 0.0;
-  for (std::size_t block = 0; block < b.size(); block += stride * (n + 1))
-  {
-    for (std::size_t at = block; at < block + stride * (n + 1 - reach); ++at)
-    {
-      const double step = b[at + stride] - b[at];
-      most = std::max(
-        most, std::fabs(difference == 1 ? step : b[at + 2 * stride] - b[at + stride] - step));
-    }
-  }
+  const double most = LargestDifference(b, stride, stride * (n + 1), difference);
   const auto count = static_cast<double>(n);
   return most * (difference == 1 ? count : count * (count - 1.0));
 }

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Bernstein/Krawczyk.h"
 
+#include "Core/Bernstein/JetBasis.h"
+#include "Core/Bernstein/SweepKernels.h"
 #include "Core/Math/Rounding.h"
 
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -20,9 +23,10 @@ struct LinearModel
 LinearModel ModelAt(const LocalSystem& system, const Parameters& t)
 {
   LinearModel model;
+  const JetBasis basis(system.degree, t, JetBasis::Parts::Jets);
   for (int k = 0; k < system.variables; ++k)
   {
-    const Jet jet = EvaluateJet(system.degree, system.Polynomial(k), t);
+    const Jet jet = basis.JetOf(system.Polynomial(k));
     model.value[static_cast<std::size_t>(k)] = jet.value;
     model.jacobian[static_cast<std::size_t>(k)] = jet.gradient;
   }
@@ -85,18 +89,17 @@ IntervalMatrix Precondition(const LocalSystem& system, const SmallMatrix& invers
   for (std::size_t i = 0; i < n; ++i)
   {
     double error = 0.0;
-    product.assign(system.Polynomial(0).size(), 0.0);
+    std::array<const double*, 3> rows{};
+    product.resize(system.Polynomial(0).size());
     for (std::size_t k = 0; k < n; ++k)
     {
       const auto f = system.Polynomial(static_cast<int>(k));
       const double factor = inverse[i][k];
-      for (std::size_t at = 0; at < product.size(); ++at)
-      {
-        product[at] += factor * f[at];
-      }
+      rows[k] = f.data();
       // A product and up to three sums.
       error += std::fabs(factor) * (system.error[k] + Gamma(4) * LargestMagnitude(f));
     }
+    Combine({ inverse[i].data(), n }, rows.data(), product);
     error = error * (1.0 + Gamma(16)) + 0x1p-1000;
     for (std::size_t j = 0; j < n; ++j)
     {
@@ -227,6 +230,12 @@ std::optional<KrawczykImage> ApplyKrawczyk(const LocalSystem& system, double rea
   IntervalMatrix deviation = Precondition(system, *inverse, reach);
   ParameterIntervals fixed{};
   ParameterIntervals cube{};
+  ParameterIntervals value{};
+  for (std::size_t k = 0; k < n; ++k)
+  {
+    value[k] =
+      EncloseValue(system.degree, system.Polynomial(static_cast<int>(k)), system.error[k], m);
+  }
   for (std::size_t i = 0; i < n; ++i)
   {
     fixed[i] = m[i];
@@ -237,8 +246,7 @@ std::optional<KrawczykImage> ApplyKrawczyk(const LocalSystem& system, double rea
     }
     for (std::size_t k = 0; k < n; ++k)
     {
-      fixed[i] -= Interval((*inverse)[i][k]) *
-        EncloseValue(system.degree, system.Polynomial(static_cast<int>(k)), system.error[k], m);
+      fixed[i] -= Interval((*inverse)[i][k]) * value[k];
     }
   }
   KrawczykImage result;

@@ -6,6 +6,9 @@
 #include "Core/Bernstein/SweepKernels.h"
 #include "Core/Math/Lanes-inl.h"
 
+#include <cmath>
+#include <limits>
+
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
@@ -54,6 +57,58 @@ void HalveAll(int degree, std::size_t stride, double* b, double* u, std::size_t 
   for (std::size_t start = 0; start < size; start += block)
   {
     HalveBlock(degree, stride, b + start, u + start);
+  }
+}
+
+/// b[i] = (1 - t) b[i] + t b[i + stride] for `count` numbers.
+HWY_INLINE void SweepFromBelow(double t, std::size_t stride, double* b, std::size_t count)
+{
+  const auto lanes = static_cast<std::size_t>(LaneCount());
+  const double s = 1.0 - t;
+  std::size_t i = 0;
+  for (; i + lanes <= count; i += lanes)
+  {
+    Store(Traits::Splat(s) * Traits::Load(b + i) + Traits::Splat(t) * Traits::Load(b + i + stride),
+      b + i);
+  }
+  for (; i < count; ++i)
+  {
+    b[i] = s * b[i] + t * b[i + stride];
+  }
+}
+
+/// b[i + stride] = (1 - t) b[i] + t b[i + stride] for `count` numbers, from the end on.
+HWY_INLINE void SweepFromAbove(double t, std::size_t stride, double* b, std::size_t count)
+{
+  const auto lanes = static_cast<std::size_t>(LaneCount());
+  const double s = 1.0 - t;
+  std::size_t i = count;
+  for (; i >= lanes; i -= lanes)
+  {
+    double* const at = b + i - lanes;
+    Store(Traits::Splat(s) * Traits::Load(at) + Traits::Splat(t) * Traits::Load(at + stride),
+      at + stride);
+  }
+  while (i-- > 0)
+  {
+    b[i + stride] = s * b[i] + t * b[i + stride];
+  }
+}
+
+void RestrictAll(
+  int degree, std::size_t stride, double from, double rest, double* b, std::size_t size)
+{
+  const auto n = static_cast<std::size_t>(degree);
+  for (std::size_t start = 0; start < size; start += stride * (n + 1))
+  {
+    for (std::size_t level = 1; from > 0.0 && level <= n; ++level)
+    {
+      SweepFromBelow(from, stride, b + start, (n + 1 - level) * stride);
+    }
+    for (std::size_t level = 1; rest < 1.0 && level <= n; ++level)
+    {
+      SweepFromAbove(rest, stride, b + start + (level - 1) * stride, (n + 1 - level) * stride);
+    }
   }
 }
 
@@ -129,6 +184,123 @@ Extremes FindExtremes(const double* values, std::size_t count)
     All(And(none <= zero, none >= zero)) };
 }
 
+double FindLargestDifference(
+  const double* values, std::size_t size, std::size_t stride, std::size_t block, int order)
+{
+  const auto lanes = static_cast<std::size_t>(LaneCount());
+  const std::size_t count = block - static_cast<std::size_t>(order) * stride;
+  // Comparisons with what is no number are false.
+  Lanes most = Traits::Splat(0.0);
+  double left = 0.0;
+  const auto visit = [&](const double* b) PIXELEXACT_INLINED
+  {
+    std::size_t i = 0;
+    for (; i + lanes <= count; i += lanes)
+    {
+      const Lanes middle = Traits::Load(b + i + stride);
+      Lanes step = middle - Traits::Load(b + i);
+      if (order == 2)
+      {
+        step = (Traits::Load(b + i + 2 * stride) - middle) - step;
+      }
+      most = Select(most < Abs(step), Abs(step), most);
+    }
+    for (; i < count; ++i)
+    {
+      const double step = b[i + stride] - b[i];
+      const double size1 = std::fabs(order == 2 ? b[i + 2 * stride] - b[i + stride] - step : step);
+      left = left < size1 ? size1 : left;
+    }
+  };
+  for (std::size_t start = 0; start < size; start += block)
+  {
+    visit(values + start);
+  }
+  const double last = Most(most);
+  return last > left ? last : left;
+}
+
+/// The least and the most of packs and of single numbers, and whether all are finite.
+struct Range
+{
+  Lanes least;
+  Lanes most;
+  Lanes none; ///< not zero where something is not finite
+
+  HWY_INLINE Range()
+    : least(Traits::Splat(std::numeric_limits<double>::infinity()))
+    , most(Traits::Splat(-std::numeric_limits<double>::infinity()))
+    , none(Traits::Splat(0.0))
+  {
+  }
+
+  HWY_INLINE void Add(Lanes v)
+  {
+    least = Min(least, v);
+    most = Max(most, v);
+    none = none + (v - v);
+  }
+  [[nodiscard]] HWY_INLINE Extremes Found() const
+  {
+    const Lanes zero = Traits::Splat(0.0);
+    return { Least(least), Most(most), All(And(none <= zero, none >= zero)) };
+  }
+};
+
+Extremes FindDifferences(
+  const double* values, std::size_t size, std::size_t stride, std::size_t block)
+{
+  const auto lanes = static_cast<std::size_t>(LaneCount());
+  Range range;
+  for (std::size_t start = 0; start < size; start += block)
+  {
+    const double* const b = values + start;
+    std::size_t i = 0;
+    for (; i + lanes <= block - stride; i += lanes)
+    {
+      range.Add(Traits::Load(b + i + stride) - Traits::Load(b + i));
+    }
+    for (; i < block - stride; ++i)
+    {
+      range.Add(Traits::Splat(b[i + stride] - b[i]));
+    }
+  }
+  return range.Found();
+}
+
+bool FindExtremesAlong(const double* values, std::size_t size, std::size_t stride,
+  std::size_t block, double* least, double* most)
+{
+  const auto lanes = static_cast<std::size_t>(LaneCount());
+  double none = 0.0; // not zero where something is not finite
+  for (std::size_t slice = 0; slice * stride < block; ++slice)
+  {
+    Range range;
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (std::size_t start = slice * stride; start < size; start += block)
+    {
+      const double* const b = values + start;
+      std::size_t i = 0;
+      for (; i + lanes <= stride; i += lanes)
+      {
+        range.Add(Traits::Load(b + i));
+      }
+      for (; i < stride; ++i)
+      {
+        low = b[i] < low ? b[i] : low;
+        high = b[i] > high ? b[i] : high;
+        none += b[i] - b[i];
+      }
+    }
+    const Extremes found = range.Found();
+    none += found.finite ? 0.0 : std::numeric_limits<double>::quiet_NaN();
+    least[slice] = found.least < low ? found.least : low;
+    most[slice] = found.most > high ? found.most : high;
+  }
+  return none == 0.0;
+}
+
 void SubtractFrom(double shift, double* values, std::size_t count)
 {
   const auto lanes = static_cast<std::size_t>(LaneCount());
@@ -149,28 +321,67 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace pixelexact
 {
-HWY_EXPORT(HalveAll);
-HWY_EXPORT(AddOuterTo);
-HWY_EXPORT(CombineRows);
-HWY_EXPORT(FindExtremes);
-HWY_EXPORT(SubtractFrom);
-
-void Halve(const std::array<int, 3>& degree, int direction, std::span<double> bernstein,
-  std::span<double> upper)
+namespace
+{
+std::size_t StrideAlong(const std::array<int, 3>& degree, int direction)
 {
   std::size_t stride = 1;
   for (int d = 2; d > direction; --d)
   {
     stride *= static_cast<std::size_t>(degree[static_cast<std::size_t>(d)] + 1);
   }
+  return stride;
+}
+} // namespace
+
+HWY_EXPORT(HalveAll);
+HWY_EXPORT(AddOuterTo);
+HWY_EXPORT(CombineRows);
+HWY_EXPORT(FindDifferences);
+HWY_EXPORT(FindExtremes);
+HWY_EXPORT(FindExtremesAlong);
+HWY_EXPORT(FindLargestDifference);
+HWY_EXPORT(RestrictAll);
+HWY_EXPORT(SubtractFrom);
+
+void Halve(const std::array<int, 3>& degree, int direction, std::span<double> bernstein,
+  std::span<double> upper)
+{
   HWY_DYNAMIC_DISPATCH(HalveAll)
-  (degree[static_cast<std::size_t>(direction)], stride, bernstein.data(), upper.data(),
-    bernstein.size());
+  (degree[static_cast<std::size_t>(direction)], StrideAlong(degree, direction), bernstein.data(),
+    upper.data(), bernstein.size());
+}
+
+void SweepTo(const std::array<int, 3>& degree, int direction, double from, double rest,
+  std::span<double> bernstein)
+{
+  HWY_DYNAMIC_DISPATCH(RestrictAll)
+  (degree[static_cast<std::size_t>(direction)], StrideAlong(degree, direction), from, rest,
+    bernstein.data(), bernstein.size());
 }
 
 Extremes ExtremesOf(std::span<const double> values)
 {
   return HWY_DYNAMIC_DISPATCH(FindExtremes)(values.data(), values.size());
+}
+
+Extremes DifferencesOf(std::span<const double> values, std::size_t stride, std::size_t block)
+{
+  return HWY_DYNAMIC_DISPATCH(FindDifferences)(values.data(), values.size(), stride, block);
+}
+
+bool ExtremesAlong(std::span<const double> values, std::size_t stride, std::size_t block,
+  std::span<double> least, std::span<double> most)
+{
+  return HWY_DYNAMIC_DISPATCH(FindExtremesAlong)(
+    values.data(), values.size(), stride, block, least.data(), most.data());
+}
+
+double LargestDifference(
+  std::span<const double> values, std::size_t stride, std::size_t block, int order)
+{
+  return HWY_DYNAMIC_DISPATCH(FindLargestDifference)(
+    values.data(), values.size(), stride, block, order);
 }
 
 void Subtract(double shift, std::span<double> values)

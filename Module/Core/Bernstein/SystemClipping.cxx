@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Bernstein/SystemClipping.h"
 
+#include "Core/Bernstein/SweepKernels.h"
 #include "Core/Math/Rounding.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -34,11 +36,16 @@ SmallMatrix MeanJacobian(const LocalSystem& system)
       const std::size_t stride = StrideOf(system.degree, d);
       const auto count = static_cast<std::size_t>(system.degree[static_cast<std::size_t>(d)]) + 1;
       double sum = 0.0;
-      for (std::size_t at = 0; at < size; ++at)
+      for (std::size_t block = 0; count > 1 && block < size; block += stride * count)
       {
-        const std::size_t place = at / stride % count;
-        sum += place + 1 == count ? b[at] : 0.0;
-        sum -= place == 0 ? b[at] : 0.0;
+        for (std::size_t at = block; at < block + stride; ++at)
+        {
+          sum -= b[at];
+        }
+        for (std::size_t at = block + stride * (count - 1); at < block + stride * count; ++at)
+        {
+          sum += b[at];
+        }
       }
       mean[static_cast<std::size_t>(k)][static_cast<std::size_t>(d)] =
         sum * static_cast<double>(count) / static_cast<double>(size);
@@ -59,20 +66,19 @@ bool ClipPreconditioned(const LocalSystem& system, Sections& sections, Parameter
   std::vector<double> combined(CoefficientCount(system.degree));
   for (std::size_t i = 0; i < static_cast<std::size_t>(system.variables); ++i)
   {
-    std::ranges::fill(combined, 0.0);
     double error = 0.0;
     double magnitude = 0.0;
+    std::array<const double*, 3> rows{};
     for (std::size_t k = 0; k < static_cast<std::size_t>(system.equations); ++k)
     {
       const double weight = (*inverse)[i][k];
       const auto from = system.Polynomial(static_cast<int>(k));
-      for (std::size_t at = 0; at < combined.size(); ++at)
-      {
-        combined[at] += weight * from[at];
-      }
+      rows[k] = from.data();
       error += std::fabs(weight) * system.error[k];
       magnitude += std::fabs(weight) * LargestMagnitude(from);
     }
+    Combine(
+      { (*inverse)[i].data(), static_cast<std::size_t>(system.equations) }, rows.data(), combined);
     error = (error + Gamma(8) * magnitude) * (1.0 + Gamma(16)) +
       16.0 * std::numeric_limits<double>::denorm_min();
     if (!Meet(sections[i], ClipToZero(system.degree, static_cast<int>(i), combined, error)))

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Bernstein/TensorPolynomial.h"
 
+#include "Core/Bernstein/JetBasis.h"
+#include "Core/Bernstein/SweepKernels.h"
 #include "Core/Math/Rounding.h"
 
 #include <algorithm>
@@ -15,50 +17,6 @@ namespace
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 using Line = std::array<double, kMaxDegree + 1>;
-
-/// Calls visit(offset) for the first coefficient of every line along a direction.
-template <class Visit>
-void ForEachLine(const Degrees& degree, int direction, std::size_t count, Visit&& visit)
-{
-  const std::size_t stride = StrideOf(degree, direction);
-  const std::size_t block =
-    stride * static_cast<std::size_t>(degree[static_cast<std::size_t>(direction)] + 1);
-  for (std::size_t start = 0; start < count; start += block)
-  {
-    for (std::size_t offset = start; offset < start + stride; ++offset)
-    {
-      visit(offset);
-    }
-  }
-}
-
-/// B_0 .. B_n at t, by convex combinations.
-void FillBasis(int n, double t, Line& basis)
-{
-  basis[0] = 1.0;
-  for (int level = 1; level <= n; ++level)
-  {
-    basis[static_cast<std::size_t>(level)] = t * basis[static_cast<std::size_t>(level - 1)];
-    for (auto i = static_cast<std::size_t>(level - 1); i > 0; --i)
-    {
-      basis[i] = (1.0 - t) * basis[i] + t * basis[i - 1];
-    }
-    basis[0] *= 1.0 - t;
-  }
-}
-
-/// Derivatives of B_0 .. B_n at t.
-void FillDerivatives(int n, double t, Line& derivative)
-{
-  Line lower{};
-  FillBasis(n - 1, t, lower);
-  for (std::size_t i = 0; i <= static_cast<std::size_t>(n); ++i)
-  {
-    const double left = i > 0 ? lower[i - 1] : 0.0;
-    const double right = i < static_cast<std::size_t>(n) ? lower[i] : 0.0;
-    derivative[i] = n * (left - right);
-  }
-}
 
 int TotalDegree(const Degrees& degree)
 {
@@ -85,48 +43,25 @@ double Binomial(int n, int k)
 
 double LargestMagnitude(std::span<const double> coefficients)
 {
-  double largest = 0.0;
-  for (const double b : coefficients)
+  if (coefficients.empty())
   {
-    // Written so that a NaN makes the result NaN.
-    largest = std::fabs(b) <= largest ? largest : std::fabs(b);
+    return 0.0;
   }
-  return largest;
+  const Extremes extremes = ExtremesOf(coefficients);
+  if (extremes.finite)
+  {
+    return std::max(-extremes.least, extremes.most);
+  }
+  return std::ranges::any_of(coefficients, [](double b) { return std::isnan(b); })
+    ? std::numeric_limits<double>::quiet_NaN()
+    : kInfinity;
 }
 
 void Restrict(
   const Degrees& degree, int direction, double from, double to, std::span<double> coefficients)
 {
-  const int n = degree[static_cast<std::size_t>(direction)];
-  const std::size_t stride = StrideOf(degree, direction);
-  const double rest = from < 1.0 ? std::clamp((to - from) / (1.0 - from), 0.0, 1.0) : 1.0;
-  ForEachLine(degree, direction, coefficients.size(),
-    [&](std::size_t offset)
-    {
-      const auto at = [&](int i) -> double&
-      { return coefficients[offset + static_cast<std::size_t>(i) * stride]; };
-      if (from > 0.0)
-      {
-        // The upper part: what remains in place of a sweep from below.
-        for (int level = 1; level <= n; ++level)
-        {
-          for (int i = 0; i <= n - level; ++i)
-          {
-            at(i) = (1.0 - from) * at(i) + from * at(i + 1);
-          }
-        }
-      }
-      if (rest < 1.0)
-      {
-        for (int level = 1; level <= n; ++level)
-        {
-          for (int i = n; i >= level; --i)
-          {
-            at(i) = (1.0 - rest) * at(i - 1) + rest * at(i);
-          }
-        }
-      }
-    });
+  SweepTo(degree, direction, from,
+    from < 1.0 ? std::clamp((to - from) / (1.0 - from), 0.0, 1.0) : 1.0, coefficients);
 }
 
 double RestrictionError(int degree, double magnitude)
@@ -198,48 +133,13 @@ double ElevationError(const Degrees& to, double magnitude)
 
 Jet EvaluateJet(const Degrees& degree, std::span<const double> coefficients, const Parameters& t)
 {
-  std::array<Line, 3> basis{};
-  std::array<Line, 3> slope{};
-  for (std::size_t d = 0; d < 3; ++d)
-  {
-    FillBasis(degree[d], t[d], basis[d]);
-    if (degree[d] > 0)
-    {
-      FillDerivatives(degree[d], t[d], slope[d]);
-    }
-  }
-  Jet jet;
-  const double* b = coefficients.data();
-  for (std::size_t i = 0; i <= static_cast<std::size_t>(degree[0]); ++i)
-  {
-    double row = 0.0;
-    double row1 = 0.0;
-    double row2 = 0.0;
-    for (std::size_t j = 0; j <= static_cast<std::size_t>(degree[1]); ++j)
-    {
-      double line = 0.0;
-      double line2 = 0.0;
-      for (std::size_t k = 0; k <= static_cast<std::size_t>(degree[2]); ++k, ++b)
-      {
-        line += *b * basis[2][k];
-        line2 += *b * slope[2][k];
-      }
-      row += basis[1][j] * line;
-      row1 += slope[1][j] * line;
-      row2 += basis[1][j] * line2;
-    }
-    jet.value += basis[0][i] * row;
-    jet.gradient[0] += slope[0][i] * row;
-    jet.gradient[1] += basis[0][i] * row1;
-    jet.gradient[2] += basis[0][i] * row2;
-  }
-  return jet;
+  return JetBasis(degree, t, JetBasis::Parts::Jets).JetOf(coefficients);
 }
 
 Interval EncloseValue(
   const Degrees& degree, std::span<const double> coefficients, double error, const Parameters& t)
 {
-  const double value = EvaluateJet(degree, coefficients, t).value;
+  const double value = JetBasis(degree, t, JetBasis::Parts::Values).ValueOf(coefficients);
   double lebesgue = 1.0;
   for (std::size_t d = 0; d < 3; ++d)
   {
@@ -261,26 +161,14 @@ Interval EncloseDerivative(const Degrees& degree, int direction,
     return 0.0;
   }
   const std::size_t stride = StrideOf(degree, direction);
-  double least = kInfinity;
-  double most = -kInfinity;
-  bool sound = true;
-  ForEachLine(degree, direction, coefficients.size(),
-    [&](std::size_t offset)
-    {
-      for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i)
-      {
-        const double difference =
-          coefficients[offset + (i + 1) * stride] - coefficients[offset + i * stride];
-        least = std::min(least, difference);
-        most = std::max(most, difference);
-        sound = sound && difference == difference;
-      }
-    });
-  if (!sound)
+  const Extremes differences =
+    DifferencesOf(coefficients, stride, stride * static_cast<std::size_t>(n + 1));
+  if (!differences.finite)
   {
     return Interval::Everything();
   }
-  const Interval difference = rounding::Outward(least, most) + Interval(-2.0 * error, 2.0 * error);
+  const Interval difference =
+    rounding::Outward(differences.least, differences.most) + Interval(-2.0 * error, 2.0 * error);
   const double middle = difference.Middle();
   const double growth =
     std::pow(1.0 + 2.0 * reach, TotalDegree(degree) - 1) * (1.0 + Gamma(4 * 3 * kMaxDegree));
@@ -295,21 +183,7 @@ Section ClipToZero(
   const std::size_t stride = StrideOf(degree, direction);
   Line low;
   Line high;
-  low.fill(kInfinity);
-  high.fill(-kInfinity);
-  bool sound = true;
-  ForEachLine(degree, direction, coefficients.size(),
-    [&](std::size_t offset)
-    {
-      for (std::size_t i = 0; i <= n; ++i)
-      {
-        const double b = coefficients[offset + i * stride];
-        low[i] = std::min(low[i], b);
-        high[i] = std::max(high[i], b);
-        sound = sound && std::fabs(b) < kInfinity;
-      }
-    });
-  if (!sound || !(error < kInfinity))
+  if (!ExtremesAlong(coefficients, stride, stride * (n + 1), low, high) || !(error < kInfinity))
   {
     return {};
   }

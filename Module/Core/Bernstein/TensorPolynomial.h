@@ -39,6 +39,7 @@ constexpr std::size_t StrideOf(const Degrees& degree, int direction)
   return stride;
 }
 
+/// 0 of none; a NaN makes it NaN.
 double LargestMagnitude(std::span<const double> coefficients);
 
 /// Replaces coefficients by those of f over `from` <= t_direction <= `to`, two numbers in [0, 1]

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Element/FieldMapping.h"
 
+#include "Core/Element/MappingKernels.h"
 #include "Core/Element/SecondDerivatives.h"
 #include "Core/Element/Transform.h"
 
 #include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <array>
+#include <vector>
 
 // With H_ijk = d^2 x_i / d xi_j d xi_k, D = det J and t_k = (d D / d xi_k) / D = (J^-1)_ja H_ajk:
 //
@@ -25,34 +30,19 @@ public:
   MapAt(const Mesh& mesh, int element, const Mat3& jacobian, const Vec3& xi)
     : J(jacobian * mesh.size[element])
     , Inverse(glm::inverse(jacobian) * (1.0 / mesh.size[element]))
-    , D(glm::determinant(jacobian))
-    , TheMesh(mesh)
-    , Element(element)
-    , Xi(xi)
+    , InverseD(1.0 / glm::determinant(jacobian))
+    , H(SecondDerivatives(mesh.map.SpaceOf(element), mesh.map.Coefficients(element), xi))
   {
     // One factor after the other: the cube of a size may overflow where the quotient does not.
     for (int i = 0; i < 3; ++i)
     {
-      InverseD = (i == 0 ? 1.0 / D : InverseD) / mesh.size[element];
+      InverseD /= mesh.size[element];
     }
-  }
-
-  /// World value of one tuple.
-  [[nodiscard]] Vec3 Value(Mapping mapping, const Vec3& F) const
-  {
-    return mapping == Mapping::Covariant ? glm::transpose(Inverse) * F : (J * F) * InverseD;
-  }
-  [[nodiscard]] double Density(double F) const { return F * InverseD; }
-
-  void LoadSecondDerivatives()
-  {
-    H = SecondDerivatives(TheMesh.map.SpaceOf(Element), TheMesh.map.Coefficients(Element), Xi);
-    LogD = Vec3(0.0);
     for (auto& component : H)
     {
       for (auto& row : component)
       {
-        row *= TheMesh.size[Element];
+        row *= mesh.size[element];
       }
     }
     for (int a = 0; a < 3; ++a)
@@ -94,12 +84,8 @@ public:
 private:
   Mat3 J;
   Mat3 Inverse;
-  double D;
-  double InverseD = 0.0; ///< 1 / det J in world units
-  const Mesh& TheMesh;
-  int Element;
-  Vec3 Xi;
-  Hessian H{};
+  double InverseD; ///< 1 / det J in world units
+  Hessian H;
   Vec3 LogD{ 0.0 }; ///< the gradient of log |det J| by xi
 };
 
@@ -116,15 +102,10 @@ void Put(const Vec3& tuple, double* const* arrays, int at)
   }
 }
 
-void MapVector(MapAt& map, Mapping mapping, int at, double* const* value, double* const* gradient)
+/// A tuple's gradient, from reference to world: u is its world value, F its reference value.
+void MapGradient(
+  const MapAt& map, Mapping mapping, int at, const Vec3& u, const Vec3& F, double* const* gradient)
 {
-  const Vec3 F = Tuple(value, at);
-  const Vec3 u = map.Value(mapping, F);
-  Put(u, value, at);
-  if (!gradient)
-  {
-    return;
-  }
   const Mat3 byXi =
     glm::transpose(Mat3(Tuple(gradient, at), Tuple(gradient + 3, at), Tuple(gradient + 6, at)));
   const auto rows = map.Gradient(mapping, u, F, byXi);
@@ -134,12 +115,51 @@ void MapVector(MapAt& map, Mapping mapping, int at, double* const* value, double
   }
 }
 
-void MapDensity(MapAt& map, int at, double* value, double* const* gradient)
+/// Points that are mapped together, so that their Jacobians stay in cache.
+constexpr int kTogether = 128;
+
+void MapValues(const Mesh& mesh, int element, Mapping mapping, const LanePoints& xi, int components,
+  double* const* value)
 {
-  value[at] = map.Density(value[at]);
-  if (gradient)
+  const Space& space = mesh.map.SpaceOf(element);
+  const KernelSet kernels = KernelsFor(space);
+  std::array<std::array<double, kTogether>, 12> storage;
+  std::array<double*, 12> map;
+  std::ranges::transform(storage, map.begin(), [](auto& array) { return array.data(); });
+  std::vector<double*> at(static_cast<std::size_t>(components));
+  for (int begin = 0; begin < xi.count; begin += kTogether)
   {
-    Put(map.DensityGradient(value[at], Tuple(gradient, at)), gradient, at);
+    const LanePoints some{ { xi.x[0] + begin, xi.x[1] + begin, xi.x[2] + begin },
+      std::min(kTogether, xi.count - begin) };
+    kernels.gradient(space, mesh.map.Coefficients(element), 3, some, map.data(), map.data() + 3);
+    std::transform(
+      value, value + components, at.begin(), [begin](double* array) { return array + begin; });
+    GetMappingKernels().toWorld(
+      mapping, mesh.size[element], map.data() + 3, some.count, components, at.data());
+  }
+}
+
+/// `reference` are the values before they were mapped, component by component.
+void MapGradients(const Mesh& mesh, int element, Mapping mapping, const LanePoints& xi,
+  int components, const std::vector<double>& reference, double* const* value,
+  double* const* gradient)
+{
+  const auto jacobians = Jacobians(mesh, element, xi);
+  const auto stride = static_cast<std::size_t>(xi.count);
+  for (int i = 0; i < xi.count; ++i)
+  {
+    const MapAt map(mesh, element, jacobians[i], { xi.x[0][i], xi.x[1][i], xi.x[2][i] });
+    if (mapping != Mapping::Density)
+    {
+      const double* F = &reference[static_cast<std::size_t>(i)];
+      MapGradient(map, mapping, i, Tuple(value, i), Vec3(F[0], F[stride], F[2 * stride]), gradient);
+      continue;
+    }
+    for (int c = 0; c < components; ++c)
+    {
+      double* const* byXi = gradient + 3 * c;
+      Put(map.DensityGradient(value[c][i], Tuple(byXi, i)), byXi, i);
+    }
   }
 }
 } // namespace
@@ -155,23 +175,15 @@ void ApplyMapping(const Mesh& mesh, int element, Mapping mapping, const LanePoin
     }
     return;
   }
-  const auto jacobians = Jacobians(mesh, element, xi);
-  for (int i = 0; i < xi.count; ++i)
+  std::vector<double> reference;
+  for (int c = 0; gradient && mapping != Mapping::Density && c < components; ++c)
   {
-    MapAt map(mesh, element, jacobians[i], { xi.x[0][i], xi.x[1][i], xi.x[2][i] });
-    if (gradient)
-    {
-      map.LoadSecondDerivatives();
-    }
-    if (mapping != Mapping::Density)
-    {
-      MapVector(map, mapping, i, value, gradient);
-      continue;
-    }
-    for (int c = 0; c < components; ++c)
-    {
-      MapDensity(map, i, value[c], gradient ? gradient + 3 * c : nullptr);
-    }
+    reference.insert(reference.end(), value[c], value[c] + xi.count);
+  }
+  MapValues(mesh, element, mapping, xi, components, value);
+  if (gradient)
+  {
+    MapGradients(mesh, element, mapping, xi, components, reference, value, gradient);
   }
 }
 } // namespace pixelexact

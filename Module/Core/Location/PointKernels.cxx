@@ -261,7 +261,7 @@ std::uint64_t Select(const ElementBounds& bounds, const InverseProblem& problem,
       }
     }
     const std::uint64_t kept = BitsOf(in);
-    // Packing costs more than the test: mostly all or none of a pack are kept.
+    // Mostly all or none of a pack are kept.
     if (kept == pack)
     {
       ForEachAxis([&](auto d) PIXELEXACT_INLINED { Store(x.x[d], to[d] + count); });
@@ -270,11 +270,10 @@ std::uint64_t Select(const ElementBounds& bounds, const InverseProblem& problem,
     }
     else if (kept != 0)
     {
-      ForEachAxis([&](auto d) PIXELEXACT_INLINED { StorePacked(x.x[d], in, to[d] + count); });
-      for (std::uint64_t bits = kept; bits != 0; bits &= bits - 1)
-      {
-        index[count++] = begin + i + std::countr_zero(bits);
-      }
+      const LanesToFront front(kept);
+      ForEachAxis([&](auto d) PIXELEXACT_INLINED { Store(front(x.x[d]), to[d] + count); });
+      front.StoreNumbers(begin + i, index + count);
+      count += std::popcount(kept);
     }
     result |= kept << static_cast<unsigned>(i);
   }

@@ -11,7 +11,9 @@
 
 #include <hwy/highway.h>
 
+#include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 
@@ -173,11 +175,56 @@ HWY_INLINE LaneMask MaskOf(std::uint64_t bits)
   const std::uint8_t bytes[8] = { static_cast<std::uint8_t>(bits) };
   return hwy::HWY_NAMESPACE::LoadMaskBits(LaneTag(), bytes);
 }
-/// Stores the lanes of the mask one after the other; up to a whole pack may be written.
-HWY_INLINE void StorePacked(Lanes a, LaneMask mask, double* to)
+/// Moves the lanes of a set to the front, in order; behind them may be anything. Highway's Compress
+/// copies its table at every call (1.0.3), and storing through a mask is microcode on some
+/// processors.
+class LanesToFront
 {
-  hwy::HWY_NAMESPACE::CompressStore(a.v, mask, LaneTag(), to);
-}
+public:
+  HWY_INLINE explicit LanesToFront(std::uint64_t bits)
+    : Number(hwy::HWY_NAMESPACE::LoadU(NumberTag(), kOrders[bits].data()))
+  {
+  }
+
+  HWY_INLINE Lanes operator()(Lanes a) const
+  {
+    const hwy::HWY_NAMESPACE::RebindToSigned<LaneTag> whole;
+    return { hwy::HWY_NAMESPACE::TableLookupLanes(a.v,
+      hwy::HWY_NAMESPACE::IndicesFromVec(
+        LaneTag(), hwy::HWY_NAMESPACE::PromoteTo(whole, Number))) };
+  }
+  /// Stores first + the number of each; a whole pack is written.
+  HWY_INLINE void StoreNumbers(int first, int* to) const
+  {
+    hwy::HWY_NAMESPACE::StoreU(
+      hwy::HWY_NAMESPACE::Add(Number, hwy::HWY_NAMESPACE::Set(NumberTag(), first)), NumberTag(),
+      to);
+  }
+
+private:
+  using NumberTag = hwy::HWY_NAMESPACE::Rebind<std::int32_t, LaneTag>;
+  static constexpr std::size_t kMostLanes = 8;
+  using Orders = std::array<std::array<std::int32_t, kMostLanes>, 1U << kMostLanes>;
+  /// Of each set of lanes the numbers, in order, and then 0.
+  static constexpr Orders kOrders = []
+  {
+    Orders orders{};
+    for (std::size_t set = 0; set < orders.size(); ++set)
+    {
+      std::size_t count = 0;
+      for (std::size_t lane = 0; lane < kMostLanes; ++lane)
+      {
+        if ((set >> lane & 1U) != 0)
+        {
+          orders[set][count++] = static_cast<std::int32_t>(lane);
+        }
+      }
+    }
+    return orders;
+  }();
+
+  hwy::HWY_NAMESPACE::Vec<NumberTag> Number;
+};
 /// first, first + 1, ...: as many as there are lanes.
 HWY_INLINE void StoreNumbers(int first, int* to)
 {

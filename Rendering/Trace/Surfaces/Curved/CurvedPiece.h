@@ -31,26 +31,28 @@ struct CurvedPart
 /// A box of eta (of a face, flat), and what is proven of the four functions
 ///   y = Phi in the element's units,  f = the face's plane in xi, or (F - value) 2^-exponent
 /// over it. Derivatives are by xi, which no collapsed edge makes singular.
-struct CurvedPiece
+///
+/// A search goes past most pieces: what it asks first is in one line of the cache.
+struct alignas(64) CurvedPiece
 {
-  EtaBox box;
-  Box3 bounds;           ///< in world coordinates: no point of the surface's piece lies outside
-  Vec3 centre{ 0.0 };    ///< in xi
-  Vec3 half{ 0.0 };      ///< the box lies within centre +- half
-  double value[4] = {};  ///< at the centre
-  double error[4] = {};  ///< of it, the map's uncertainty included
-  double slope[4][3]{};  ///< middles of the derivatives' ranges over the box
-  double radius[4][3]{}; ///< of these ranges
+  Box3 bounds; ///< in world coordinates: no point of the surface's piece lies outside
+  /// Null before the piece is split; an end without a surface has no bounds (lower > upper).
+  mutable std::atomic<const std::array<CurvedPiece, 2>*> children{ nullptr };
+  int halvings = 0;
   /// The ranges are so small that most rays are decided here, or it has been halved often enough to
   /// ask first.
   bool flat = false;
   /// f vanishes throughout, or all of a face's piece is one point, up to rounding: no halving
   /// decides anything.
   bool plateau = false;
-  int halvings = 0;
 
-  /// Null before the piece is split; an end without a surface has no bounds (lower > upper).
-  mutable std::atomic<const std::array<CurvedPiece, 2>*> children{ nullptr };
+  EtaBox box;
+  Vec3 centre{ 0.0 };    ///< in xi
+  Vec3 half{ 0.0 };      ///< the box lies within centre +- half
+  double value[4] = {};  ///< at the centre
+  double error[4] = {};  ///< of it, the map's uncertainty included
+  double slope[4][3]{};  ///< middles of the derivatives' ranges over the box
+  double radius[4][3]{}; ///< of these ranges
 
   CurvedPiece() = default;
   ~CurvedPiece() { delete children.load(std::memory_order_relaxed); }

@@ -100,6 +100,10 @@ private:
         Bundle.EndAt(hit.ray, Bundle.DepthAt(hit.ray, hit.t));
       }
     }
+    if (Rays.nearestOnly && Work.hits.size() > before)
+    {
+      Bundle.FindFarthest();
+    }
   }
 
   void Descend(PieceSolver& solver, const CurvedPiece& piece, const RaySet& rays)
@@ -183,7 +187,13 @@ std::int64_t CurvedSurface::PiecesMade() const
 
 std::size_t CurvedSurface::MemoryUsage() const
 {
-  return (Hierarchy ? Hierarchy->MemoryUsage() : 0) + All.capacity() * sizeof(CurvedPart) +
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < All.size(); ++k)
+  {
+    const PartTree* tree = Trees.IfMade(k);
+    kept += tree ? tree->Kept() : 0;
+  }
+  return (Hierarchy ? Hierarchy->MemoryUsage() : 0) + kept + All.capacity() * sizeof(CurvedPart) +
     All.size() * sizeof(void*) + static_cast<std::size_t>(PiecesMade()) * sizeof(CurvedPiece) +
     static_cast<std::size_t>(PartsMade()) * sizeof(PartTree);
 }

@@ -78,7 +78,8 @@ PartTree::PartTree(const CurvedEquation& equation, const CurvedPart& part)
     }
     if (onFace)
     {
-      Fill(*root, Convert(root->box, true), 0);
+      const Polys whole = Convert(PieceAt({ root->box.lower, root->box.upper }, Level));
+      Fill(*root, Restricted(whole, root->box, true), 0);
       if (!root->IsEmpty())
       {
         All.push_back(std::move(root));
@@ -92,59 +93,93 @@ int PartTree::Components() const
   return Equation.component == kMagnitude ? Equation.field->values.components : 1;
 }
 
-PartTree::Polys PartTree::Convert(const EtaBox& box, bool slopes) const
+PartTree::Polys PartTree::Convert(const PieceForm::Piece& piece) const
 {
-  const PieceForm::Piece piece = PieceAt({ box.lower, box.upper }, Level);
-  Box3 within = PartInPiece({ box.lower, box.upper }, Level, piece);
+  const Box3 all{ Vec3(-1.0), Vec3(1.0) };
   const ShapeFace* face =
     ThePart.face < 0 ? nullptr : &FacesOf(TheShape)[static_cast<std::size_t>(ThePart.face)];
-  if (face)
-  {
-    within.lower[face->direction] = -1.0;
-    within.upper[face->direction] = 1.0;
-  }
   Polys polys;
-  const auto add = [&](const ScaledModes& modes, int components)
+  const auto add = [&](const ScaledModes& modes, int c, Part part)
+  {
+    const BoxPolynomial whole = RangeIngredient{ &modes, c, part }.Over(Level, piece, all);
+    polys.push_back(face ? whole.AtEnd(face->direction, face->upper) : whole);
+  };
+  const auto addAll = [&](const ScaledModes& modes, int components)
   {
     for (int c = 0; c < components; ++c)
     {
-      polys.push_back(RangeIngredient{ &modes, c, Part::Value }.Over(Level, piece, within));
+      add(modes, c, Part::Value);
     }
-    for (int c = 0; slopes && c < components; ++c)
+    for (int c = 0; c < components; ++c)
     {
       for (const Part by : kBy)
       {
-        polys.push_back(RangeIngredient{ &modes, c, by }.Over(Level, piece, within));
+        add(modes, c, by);
       }
     }
   };
-  add(Map, 3);
-  const double scale = std::ldexp(1.0, Map.exponent);
-  for (BoxPolynomial& p : polys)
-  {
-    for (double& b : p.b)
-    {
-      b *= scale;
-    }
-    p.error = rounding::Above(std::ldexp(p.error, Map.exponent)) + 0x1p-1000;
-  }
+  addAll(Map, 3);
   if (Field)
   {
-    add(*Field, Components());
+    addAll(*Field, Components());
   }
-  for (BoxPolynomial& p : polys)
+  return polys;
+}
+
+const PartTree::Polys& PartTree::Converted(const PieceForm::Piece& piece) const
+{
+  const std::scoped_lock lock(Converting);
+  const auto found = Whole.find(piece);
+  if (found != Whole.end())
   {
-    if (face)
-    {
-      p = p.AtEnd(face->direction, face->upper);
-    }
+    return found->second;
   }
+  const Polys& polys = Whole.emplace(piece, Convert(piece)).first->second;
+  std::size_t bytes = 0;
+  for (const BoxPolynomial& p : polys)
+  {
+    bytes += sizeof(BoxPolynomial) + p.b.capacity() * sizeof(double);
+  }
+  Bytes.fetch_add(bytes, std::memory_order_relaxed);
+  return polys;
+}
+
+PartTree::Polys PartTree::Restricted(const Polys& whole, const EtaBox& box, bool slopes) const
+{
+  const Box3 at{ box.lower, box.upper };
+  Box3 within = PartInPiece(at, Level, PieceAt(at, Level));
+  if (ThePart.face >= 0)
+  {
+    const int across = FacesOf(TheShape)[static_cast<std::size_t>(ThePart.face)].direction;
+    within.lower[across] = -1.0;
+    within.upper[across] = 1.0;
+  }
+  constexpr std::size_t kOfMap = 12;
+  const double scale = std::ldexp(1.0, Map.exponent);
+  Polys polys;
+  const auto add = [&](std::size_t first, std::size_t count)
+  {
+    for (std::size_t k = first; k < first + count; ++k)
+    {
+      BoxPolynomial& p = polys.emplace_back(whole[k]);
+      RestrictTo(within, p);
+      if (k < kOfMap)
+      {
+        std::ranges::for_each(p.b, [scale](double& b) { b *= scale; });
+        p.error = rounding::Above(std::ldexp(p.error, Map.exponent)) + 0x1p-1000;
+      }
+    }
+  };
+  add(0, slopes ? kOfMap : 3);
+  const std::size_t components = (whole.size() - kOfMap) / 4;
+  add(kOfMap, slopes ? 4 * components : components);
   return polys;
 }
 
 std::vector<BoxPolynomial> PartTree::Polynomials(const CurvedPiece& piece) const
 {
-  Polys polys = Convert(piece.box, false);
+  Polys polys =
+    Restricted(Converted(PieceAt({ piece.box.lower, piece.box.upper }, Level)), piece.box, false);
   const bool hasField = Field && Equation.component != kMagnitude;
   for (std::size_t c = 0; c < 3; ++c)
   {
@@ -206,7 +241,8 @@ const std::array<CurvedPiece, 2>& PartTree::Split(const CurvedPiece& piece) cons
   const std::scoped_lock lock(Growing);
   if (piece.children.load(std::memory_order_relaxed) == nullptr)
   {
-    SplitInto(piece, Convert(piece.box, true), kBesides);
+    const Polys& whole = Converted(PieceAt({ piece.box.lower, piece.box.upper }, Level));
+    SplitInto(piece, Restricted(whole, piece.box, true), kBesides);
   }
   return *piece.children.load(std::memory_order_relaxed);
 }

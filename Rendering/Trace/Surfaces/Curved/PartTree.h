@@ -6,7 +6,10 @@
 #include "Trace/Surfaces/Curved/CurvedPiece.h"
 
 #include <array>
+#include <atomic>
+#include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -33,14 +36,20 @@ public:
   [[nodiscard]] std::vector<BoxPolynomial> Polynomials(const CurvedPiece& piece) const;
 
   [[nodiscard]] std::int64_t Pieces() const { return Count.load(std::memory_order_relaxed); }
+  /// Bytes of the polynomials that are kept.
+  [[nodiscard]] std::size_t Kept() const { return Bytes.load(std::memory_order_relaxed); }
 
 private:
   /// Of the map, by functions: the coordinates, their derivatives, components of the field, their
   /// derivatives.
   using Polys = std::vector<BoxPolynomial>;
 
-  /// Slopes only where they are wanted.
-  [[nodiscard]] Polys Convert(const EtaBox& box, bool slopes) const;
+  /// Over a piece of the conversion, on the face, in the scales of the modes.
+  [[nodiscard]] Polys Convert(const PieceForm::Piece& piece) const;
+  /// The same, kept.
+  [[nodiscard]] const Polys& Converted(const PieceForm::Piece& piece) const;
+  /// What has been converted, over a box of it. Slopes only where they are wanted.
+  [[nodiscard]] Polys Restricted(const Polys& whole, const EtaBox& box, bool slopes) const;
   /// How many components make f.
   [[nodiscard]] int Components() const;
   void Fill(CurvedPiece& piece, Polys polys, int besides) const;
@@ -59,6 +68,9 @@ private:
   double Uncertainty = 0.0;
   std::vector<std::unique_ptr<CurvedPiece>> All;
   mutable std::mutex Growing;
+  mutable std::mutex Converting;
+  mutable std::map<PieceForm::Piece, const Polys> Whole; ///< of pieces that rays need halved
+  mutable std::atomic<std::size_t> Bytes{ 0 };
   mutable std::atomic<std::int64_t> Count{ 0 };
 };
 } // namespace pixelexact

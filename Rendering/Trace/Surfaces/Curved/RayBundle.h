@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Trace/Rays.h"
+#include "Trace/Surfaces/Curved/BundleKernels.h"
 
 #include "Core/Math/Vec.h"
 
@@ -42,8 +43,9 @@ public:
   [[nodiscard]] double TimeAt(int i, const Vec3& x) const;
   /// The ray is of no interest beyond a depth.
   void EndAt(int i, double depth);
-  /// Beyond it no ray is of interest.
-  [[nodiscard]] double Farthest() const;
+  /// Beyond it no ray is of interest. What has ended since FindFarthest does not count.
+  [[nodiscard]] double Farthest() const { return Ranges.mostFar; }
+  void FindFarthest();
 
   std::array<int, 3> axes{};
   double z0 = 0.0;
@@ -55,24 +57,9 @@ public:
   Numbers far{};   ///< to this one
 
 private:
-  struct Range
-  {
-    double least = std::numeric_limits<double>::infinity();
-    double most = -std::numeric_limits<double>::infinity();
-
-    void Add(double value)
-    {
-      least = value < least ? value : least;
-      most = value > most ? value : most;
-    }
-  };
-
   int Size = 0;
   int Offset = 0;
-  double Slack = 0.0; ///< the largest
-  std::array<Range, 2> Places;
-  std::array<Range, 2> Slopes;
-  Range Depths;
+  BundleRanges Ranges;
   Numbers Origin{};    ///< along axes[2], from z0
   Numbers Direction{}; ///< along axes[2]
 };

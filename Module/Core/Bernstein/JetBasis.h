@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Bernstein/TensorPolynomial.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace pixelexact
+{
+/// Bernstein's polynomials of some degrees at a point, made once for all polynomials that are asked
+/// for there, in plain arithmetic.
+class JetBasis
+{
+public:
+  enum class Parts : std::uint8_t
+  {
+    Values,
+    Jets
+  };
+  JetBasis(const Degrees& degree, const Parameters& t, Parts parts);
+
+  [[nodiscard]] double ValueOf(std::span<const double> coefficients) const;
+  /// Of a basis that was made for jets.
+  [[nodiscard]] Jet JetOf(std::span<const double> coefficients) const;
+
+private:
+  using Line = std::array<double, kMaxDegree + 1>;
+  static void FillBasis(int n, double t, Line& basis);
+  static void FillSlopes(int n, double t, Line& slope);
+
+  Degrees Degree;
+  // As far as the degrees go.
+  std::array<Line, 3> Basis;
+  std::array<Line, 3> Slope;
+};
+} // namespace pixelexact

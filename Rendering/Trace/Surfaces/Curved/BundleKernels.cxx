@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "Trace/Surfaces/Curved/BundleKernels.cxx"
+#include <hwy/foreach_target.h>
+
+#include "Core/Element/Matrix-inl.h"
+#include "Core/Math/Rounding.h"
+#include "Trace/Surfaces/Curved/BundleKernels.h"
+
+#include <algorithm>
+
+HWY_BEFORE_NAMESPACE();
+namespace pixelexact::HWY_NAMESPACE
+{
+/// A pack of at most kLanePadding numbers, of which `count` are there; the last one fills it up.
+HWY_INLINE Lanes LoadSome(const double* from, int count)
+{
+  if (count >= LaneCount())
+  {
+    return NumberTraits<Lanes>::Load(from);
+  }
+  std::array<double, kLanePadding> some;
+  some.fill(from[count - 1]);
+  std::copy_n(from, count, some.begin());
+  return NumberTraits<Lanes>::Load(some.data());
+}
+
+/// Of directions, that `axis` is the first of those along which they are longest.
+HWY_INLINE LaneMask IsLongest(int axis, const Lanes (&direction)[3])
+{
+  const Lanes x = Abs(direction[0]);
+  const Lanes y = Abs(direction[1]);
+  const Lanes z = Abs(direction[2]);
+  const LaneMask first = And(x >= y, x >= z);
+  const LaneMask second = AndNot(y >= z, first);
+  const LaneMask all = Or(x >= x, Or(y >= y, z >= z));
+  return axis == 0 ? first : axis == 1 ? second : AndNot(AndNot(all, first), second);
+}
+
+/// o - d / d_k o_k, where the two are far larger than it: the ray's own point, not one beside it.
+HWY_INLINE Lanes PlaceOf(Lanes origin, Lanes direction, Lanes along, const Pair& depth)
+{
+  const Lanes high = direction / along;
+  const Pair rest = Pair::Of(direction) - Pair::Of(high) * Pair::Of(along);
+  const Pair slope = ExactSum(high, rest.high / along);
+  return (Pair::Of(origin) - slope * depth).high;
+}
+
+struct LaneRange
+{
+  Lanes least;
+  Lanes most;
+
+  HWY_INLINE LaneRange()
+    : least(Splat(std::numeric_limits<double>::infinity()))
+    , most(Splat(-std::numeric_limits<double>::infinity()))
+  {
+  }
+  // A NaN changes nothing.
+  HWY_INLINE void Add(LaneMask mask, Lanes value)
+  {
+    least = Select(And(mask, value < least), value, least);
+    most = Select(And(mask, most < value), value, most);
+  }
+  [[nodiscard]] HWY_INLINE NumberRange Found() const { return { Least(least), Most(most) }; }
+};
+
+bool Describe(const RayLanes& rays, int first, int count, const BundleFrame& frame,
+  const BundleColumns& to, BundleRanges& ranges)
+{
+  const auto axis = [&](std::size_t a) PIXELEXACT_INLINED
+  { return static_cast<std::size_t>(frame.axes[a]); };
+  const Lanes sign = Splat(frame.sign);
+  LaneRange places[2];
+  LaneRange slopes[2];
+  LaneRange depths;
+  LaneRange slacks;
+  LaneRange fars;
+  for (int i = 0; i < count; i += LaneCount())
+  {
+    const int left = std::min(count - i, LaneCount());
+    const auto load = [&](const double* from) PIXELEXACT_INLINED
+    { return LoadSome(from + first + i, left); };
+    const Lanes direction[3] = { load(rays.direction[0]), load(rays.direction[1]),
+      load(rays.direction[2]) };
+    const Lanes along = direction[axis(2)];
+    // A NaN is not positive.
+    if (!All(And(IsLongest(frame.axes[2], direction), Splat(0.0) < sign * along)))
+    {
+      return false;
+    }
+    const Lanes from = load(rays.origin[axis(2)]);
+    const Pair depth = ExactSum(from, Splat(-frame.z0));
+    Store(along, to.direction + i);
+    Store(depth.high, to.origin + i);
+    Lanes size = Splat(frame.around) + Abs(from);
+    Lanes place[2];
+    Lanes slope[2];
+    for (std::size_t a = 0; a < 2; ++a)
+    {
+      const Lanes origin = load(rays.origin[axis(a)]);
+      slope[a] = direction[axis(a)] / along;
+      place[a] = PlaceOf(origin, direction[axis(a)], along, depth);
+      size = size + Abs(origin);
+      Store(place[a], to.place[a] + i);
+      Store(slope[a], to.slope[a] + i);
+    }
+    const Lanes slack = Splat(16.0 * kUnitRoundoff) * size;
+    const Lanes tNear = load(rays.tNear);
+    const Lanes tFar = load(rays.tFar);
+    const LaneMask isThere = And(tNear <= tFar, IsFinite(size));
+    const Lanes near = sign * (depth.high + tNear * along) - slack;
+    const Lanes far = Select(isThere, sign * (depth.high + tFar * along) + slack,
+      Splat(-std::numeric_limits<double>::infinity()));
+    Store(slack, to.slack + i);
+    Store(near, to.near + i);
+    Store(far, to.far + i);
+    for (std::size_t a = 0; a < 2; ++a)
+    {
+      places[a].Add(isThere, place[a]);
+      slopes[a].Add(isThere, slope[a]);
+    }
+    slacks.Add(isThere, slack);
+    depths.Add(isThere, near);
+    depths.Add(isThere, far);
+    fars.Add(isThere, far);
+  }
+  for (std::size_t a = 0; a < 2; ++a)
+  {
+    ranges.place[a] = places[a].Found();
+    ranges.slope[a] = slopes[a].Found();
+  }
+  ranges.depth = depths.Found();
+  ranges.mostSlack = std::max(0.0, slacks.Found().most);
+  ranges.mostFar = fars.Found().most;
+  return true;
+}
+
+const BundleKernels& BundleKernelSet()
+{
+  static constexpr BundleKernels kKernels{ &Describe };
+  return kKernels;
+}
+} // namespace pixelexact::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace pixelexact
+{
+HWY_EXPORT(BundleKernelSet);
+
+const BundleKernels& GetBundleKernels()
+{
+  return HWY_DYNAMIC_DISPATCH(BundleKernelSet)();
+}
+} // namespace pixelexact
+#endif

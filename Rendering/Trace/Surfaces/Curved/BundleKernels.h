@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Trace/Rays.h"
+
+#include <array>
+#include <limits>
+
+namespace pixelexact
+{
+/// The least and the most of some numbers; of none, nothing.
+struct NumberRange
+{
+  double least = std::numeric_limits<double>::infinity();
+  double most = -std::numeric_limits<double>::infinity();
+};
+
+/// What a bundle knows of its rays (RayBundle), ray by ray: arrays with room for whole packs.
+struct BundleColumns
+{
+  std::array<double*, 2> place;
+  std::array<double*, 2> slope;
+  double* slack;
+  double* near;
+  double* far;
+  double* origin;
+  double* direction;
+};
+
+/// What the rays have in common: of those that are of interest.
+struct BundleRanges
+{
+  std::array<NumberRange, 2> place;
+  std::array<NumberRange, 2> slope;
+  NumberRange depth;
+  double mostSlack = 0.0;
+  double mostFar = -std::numeric_limits<double>::infinity();
+};
+
+/// Where the rays of a bundle run, and what for.
+struct BundleFrame
+{
+  std::array<int, 3> axes;
+  double z0;
+  double sign;
+  double around; ///< the largest coordinate that is met
+};
+
+/// Kernels dispatched at run time to the instruction set. All of them give the same bits.
+struct BundleKernels
+{
+  /// Of `count` rays from number `first` on. False where they do not all run along the frame's last
+  /// axis, in the direction of its sign.
+  bool (*describe)(const RayLanes& rays, int first, int count, const BundleFrame& frame,
+    const BundleColumns& to, BundleRanges& ranges);
+};
+
+const BundleKernels& GetBundleKernels();
+} // namespace pixelexact

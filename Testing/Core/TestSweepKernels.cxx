@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InstructionSets.h"
+
+#include "Core/Bernstein/SweepKernels.h"
+#include "Core/Bernstein/TensorPolynomial.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+// The sweeps in lanes against the same written number by number: the same bits, whatever part of a
+// pack the lines fill.
+namespace pixelexact::testing
+{
+namespace
+{
+using Numbers = std::vector<double>;
+
+const std::vector<Degrees> kDegrees{ { 0, 0, 0 }, { 1, 1, 1 }, { 3, 3, 3 }, { 6, 0, 2 },
+  { 2, 5, 1 }, { 1, 2, 9 }, { 4, 8, 0 } };
+
+Numbers Made(const Degrees& degree)
+{
+  std::mt19937_64 engine(7);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  Numbers b(CoefficientCount(degree));
+  std::ranges::generate(b, [&] { return any(engine); });
+  return b;
+}
+
+/// De Casteljau's scheme on each line along a direction.
+Numbers Restricted(const Degrees& degree, int direction, double from, double rest, Numbers b)
+{
+  const int n = degree[static_cast<std::size_t>(direction)];
+  const std::size_t stride = StrideOf(degree, direction);
+  for (std::size_t first = 0; first < b.size(); ++first)
+  {
+    if (first / stride % static_cast<std::size_t>(n + 1) != 0)
+    {
+      continue;
+    }
+    const auto at = [&](int i) -> double&
+    { return b[first + static_cast<std::size_t>(i) * stride]; };
+    for (int level = 1; from > 0.0 && level <= n; ++level)
+    {
+      for (int i = 0; i <= n - level; ++i)
+      {
+        at(i) = (1.0 - from) * at(i) + from * at(i + 1);
+      }
+    }
+    for (int level = 1; rest < 1.0 && level <= n; ++level)
+    {
+      for (int i = n; i >= level; --i)
+      {
+        at(i) = (1.0 - rest) * at(i - 1) + rest * at(i);
+      }
+    }
+  }
+  return b;
+}
+
+double Difference(const Degrees& degree, int direction, int order, const Numbers& b)
+{
+  const auto n = static_cast<std::size_t>(degree[static_cast<std::size_t>(direction)]);
+  const std::size_t stride = StrideOf(degree, direction);
+  double most = 0.0;
+  for (std::size_t i = 0; i < b.size(); ++i)
+  {
+    if (i / stride % (n + 1) + static_cast<std::size_t>(order) <= n)
+    {
+      const double step = b[i + stride] - b[i];
+      most =
+        std::max(most, std::fabs(order == 1 ? step : b[i + 2 * stride] - b[i + stride] - step));
+    }
+  }
+  return most;
+}
+} // namespace
+
+TEST(SweepKernels, RestrictLikeDeCasteljau)
+{
+  OnEveryInstructionSet(
+    []
+    {
+      for (const Degrees& degree : kDegrees)
+      {
+        for (int direction = 0; direction < 3; ++direction)
+        {
+          for (const auto& [from, rest] : { std::pair{ 0.0, 1.0 }, std::pair{ 0.3, 1.0 },
+                 std::pair{ 0.0, 0.6 }, std::pair{ 0.7, 0.2 } })
+          {
+            Numbers b = Made(degree);
+            const Numbers expected = Restricted(degree, direction, from, rest, b);
+            SweepTo(degree, direction, from, rest, b);
+            EXPECT_EQ(b, expected) << degree[0] << degree[1] << degree[2] << " along " << direction;
+          }
+        }
+      }
+    });
+}
+
+TEST(SweepKernels, LargestDifferenceAndMagnitude)
+{
+  OnEveryInstructionSet(
+    []
+    {
+      for (const Degrees& degree : kDegrees)
+      {
+        const Numbers b = Made(degree);
+        double largest = 0.0;
+        for (const double one : b)
+        {
+          largest = std::max(largest, std::fabs(one));
+        }
+        EXPECT_EQ(LargestMagnitude(b), largest);
+        for (int direction = 0; direction < 3; ++direction)
+        {
+          const int n = degree[static_cast<std::size_t>(direction)];
+          const std::size_t stride = StrideOf(degree, direction);
+          for (int order = 1; order <= std::min(n, 2); ++order)
+          {
+            EXPECT_EQ(LargestDifference(b, stride, stride * static_cast<std::size_t>(n + 1), order),
+              Difference(degree, direction, order, b));
+          }
+        }
+      }
+    });
+}
+
+TEST(SweepKernels, MagnitudesOfWhatIsNoNumber)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const std::size_t at : { 0, 3, 16 })
+  {
+    Numbers b(17, 2.0);
+    b[at] = nan;
+    EXPECT_TRUE(std::isnan(LargestMagnitude(b)));
+    b[at] = -infinity;
+    EXPECT_EQ(LargestMagnitude(b), infinity);
+    b[at] = -3.0;
+    EXPECT_EQ(LargestMagnitude(b), 3.0);
+  }
+  EXPECT_EQ(LargestMagnitude({}), 0.0);
+}
+} // namespace pixelexact::testing
