@@ -71,6 +71,7 @@ constexpr std::array kFormats{
   Format{ ".mesh", "MFEM", &ReadMfemFiles },
   Format{ ".gf", "MFEM", &RefuseFieldFile },
   Format{ ".saved", "GLVis", &ReadGlvisFile },
+  Format{ ".msh", "Gmsh", &ReadGmshFiles },
   Format{ ".xml", "Nektar++", &ReadNektarFiles },
   Format{ ".fld", "Nektar++", &RefuseFieldFile },
   Format{ ".chk", "Nektar++", &RefuseFieldFile },
@@ -223,8 +224,10 @@ void AddField(CLI::App& command, std::string& field)
 void InputRequest::AddTo(CLI::App& command, bool required)
 {
   AddArguments(command, "INPUT", files, "FILE",
-    "The mesh file (.vtu, .pvtu, .pvd, .vtk, .mesh, .saved or .xml) and, where the format keeps "
-    "them apart, its field files (.gf; .fld, .chk or .rst); further .xml files are the rest of a "
+    "The mesh file (.vtu, .pvtu, .pvd, .vtk, .mesh, .saved, .msh or .xml) and, where the format "
+    "keeps "
+    "them apart, its field files (.gf; .fld, .chk or .rst; .msh without a mesh); further .xml "
+    "files are the rest of a "
     "Nektar++ session or parts of its mesh; numbered .vtu or .pvtu files and several Nektar++ "
     "field files make a time series")
     .Required(required);

@@ -7,6 +7,7 @@
 #include "Core/Base/Error.h"
 #include "TimeSeries.h"
 #include "vtkGLVisReader.h"
+#include "vtkGmshReader.h"
 #include "vtkHighOrderGrid.h"
 #include "vtkMFEMReader.h"
 #include "vtkNektarReader.h"
@@ -74,6 +75,16 @@ InputGrid ReadGlvisFile(const InputRequest& request)
 {
   CheckAlone(request.files);
   vtkNew<vtkGLVisReader> reader;
+  return ReadWith(*reader, request);
+}
+
+InputGrid ReadGmshFiles(const InputRequest& request)
+{
+  vtkNew<vtkGmshReader> reader;
+  for (std::size_t i = 1; i < request.files.size(); ++i)
+  {
+    reader->AddViewFileName(request.files[i].c_str());
+  }
   return ReadWith(*reader, request);
 }
 

@@ -10,6 +10,8 @@ namespace pixelexact
 InputGrid ReadMfemFiles(const InputRequest& request);
 /// x.saved
 InputGrid ReadGlvisFile(const InputRequest& request);
+/// x.msh [views.msh ...]
+InputGrid ReadGmshFiles(const InputRequest& request);
 /// x.xml [more.xml ...] [u.fld ...]; several field files are time steps.
 InputGrid ReadNektarFiles(const InputRequest& request);
 /// A field file in the first place.
