@@ -3,6 +3,7 @@
 #include "OracleCheck.h"
 
 #include "vtkGLVisReader.h"
+#include "vtkGmshReader.h"
 #include "vtkMFEMReader.h"
 #include "vtkNektarReader.h"
 
@@ -52,6 +53,10 @@ vtkSmartPointer<vtkHighOrderFileReader> MakeReader(const Case& c)
   {
     return vtkSmartPointer<vtkGLVisReader>::New();
   }
+  if (std::string(c.mesh).ends_with(".msh"))
+  {
+    return vtkSmartPointer<vtkGmshReader>::New();
+  }
   auto reader = vtkSmartPointer<vtkMFEMReader>::New();
   reader->AddGridFunctionFileName(InFolder(c, c.values).c_str());
   return reader;
@@ -98,6 +103,20 @@ TEST_P(NativeOracles, AreMet)
 }
 
 const Case kCases[] = {
+#define GMSH(name, field, order)                                                                   \
+  {                                                                                                \
+    name, name ".msh", "", "oracle.csv", field, order, false                                       \
+  }
+  GMSH("gmsh_shell_tet_g3", "u", 3),
+  GMSH("gmsh_zoo_g2", "u", 2),
+  GMSH("gmsh_zoo_g2", "v", 2),
+  GMSH("gmsh_zoo_g2", "d", 2),
+  GMSH("gmsh_zoo_g2", "m", 0),
+  GMSH("gmsh_zoo_g4", "u", 4),
+  GMSH("gmsh_zoo_g4", "v", 4),
+  GMSH("gmsh_zoo_g4", "d", 4),
+  GMSH("gmsh_zoo_g4", "m", 0),
+#undef GMSH
 #define MFEM(name, field, order)                                                                   \
   {                                                                                                \
     name, name ".mesh", field ".gf", "oracle_" field ".csv", field, order, false                   \

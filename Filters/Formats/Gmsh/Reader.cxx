@@ -71,9 +71,16 @@ void AddMesh(const MeshFile& mesh, BasisTable& bases, const std::string& file, S
 {
   std::vector<const ElementBasis*> basis;
   basis.reserve(mesh.elements.size());
-  for (const Solid& element : mesh.elements)
+  try
   {
-    basis.push_back(&bases.Nodal(*element.type));
+    for (const Solid& element : mesh.elements)
+    {
+      basis.push_back(&bases.Nodal(*element.type));
+    }
+  }
+  catch (const Unsupported& error)
+  {
+    throw Unsupported(file + ": " + error.what());
   }
   AssembleMap(
     basis,
@@ -111,10 +118,12 @@ void AddMesh(const MeshFile& mesh, BasisTable& bases, const std::string& file, S
     model.notes.push_back(file + ": " + Counted(mesh.inSeveralGroups, "element") +
       " in several physical groups; Attribute is the first of them.");
   }
-  if (mesh.partitionsHere.size() > 0 && mesh.partitionsHere.size() < mesh.partitions)
+  // Version 2.2 does not tell how many there are.
+  if (!mesh.partitionsHere.empty() &&
+    mesh.partitionsHere.size() < std::max<std::size_t>(mesh.partitions, 2))
   {
     model.notes.push_back(file + ": it holds " + Counted(mesh.partitionsHere.size(), "partition") +
-      " of " + std::to_string(mesh.partitions) +
+      " of a mesh of " + (mesh.partitions > 1 ? std::to_string(mesh.partitions) : "several") +
       "; what is shown is not the whole mesh. Save it in one file (Mesh.PartitionSplitMeshFiles = "
       "0).");
   }

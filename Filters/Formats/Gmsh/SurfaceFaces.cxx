@@ -47,11 +47,13 @@ std::vector<BoundaryFace> FindFaces(const MeshFile& mesh, bool byEntity, std::si
       Key key{ -1, -1, -1, -1 };
       std::ranges::transform(
         face.corners, key.begin(), [&](int corner) { return corner < 0 ? -1 : nodes[corner]; });
-      for (auto& match : std::ranges::equal_range(known, Sorted(key), {}, &KnownFace::key))
+      const Key sorted = Sorted(key);
+      auto match = std::ranges::lower_bound(known, sorted, {}, &KnownFace::key);
+      for (; match != known.end() && match->key == sorted; ++match)
       {
-        match.owned = true;
+        match->owned = true;
         found.push_back({ static_cast<std::int32_t>(e), static_cast<std::int8_t>(face.vtkFace),
-          match.attribute });
+          match->attribute });
       }
     }
   }

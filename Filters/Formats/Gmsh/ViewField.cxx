@@ -209,6 +209,11 @@ void AddView(std::vector<Scanner>& scanners, const View& view, std::int64_t step
   }
   const ViewPart& part = at->second.front();
   const ViewValues values = ReadValues(scanners, view, at->second, mesh);
+  if (view.kind == ViewKind::Node && values.strangers > 0)
+  {
+    model.notes.push_back(where + " has " + Counted(values.strangers, "value") +
+      " at nodes that the mesh does not have.");
+  }
   const ViewElements elements(view, part, values, mesh, bases);
   if (elements.Given == 0)
   {

@@ -80,7 +80,7 @@ Head ReadHead(Scanner& scanner)
   return head;
 }
 
-Interpolation ReadMatrices(Scanner& scanner, const std::string& scheme)
+Interpolation ReadMatrices(Scanner& scanner, const std::string& scheme, bool isSolid)
 {
   const auto count = scanner.TextInteger("the number of interpolation matrices");
   if (count != 2)
@@ -102,13 +102,15 @@ Interpolation ReadMatrices(Scanner& scanner, const std::string& scheme)
   {
     interpolation.coefficients.push_back(scanner.TextNumber("a coefficient"));
   }
-  if (scanner.TextCount("the rows of a matrix", 2) != n ||
-    scanner.TextCount("the columns of a matrix", 2) != 3)
+  // One column for each of u, v, w; those of lines, triangles and quadrilaterals have fewer.
+  const bool matches = scanner.TextCount("the rows of a matrix", 2) == n;
+  const std::size_t columns = scanner.TextCount("the columns of a matrix", 2);
+  if (!matches || columns > 3 || (isSolid && columns != 3))
   {
     scanner.Fail("the exponents of the interpolation scheme '" + scheme +
       "' are not three for each of its " + std::to_string(n) + " functions.");
   }
-  for (std::size_t i = 0; i < 3 * n; ++i)
+  for (std::size_t i = 0; i < columns * n; ++i)
   {
     const double exponent = scanner.TextNumber("an exponent");
     if (!(exponent >= 0.0 && exponent <= kMaxOrder && exponent == std::floor(exponent)))
@@ -248,7 +250,7 @@ void ViewList::AddScheme(Scanner& scanner)
   for (std::size_t i = 0; i < shapes; ++i)
   {
     const auto shape = ShapeOf(scanner.TextInteger("an element topology"));
-    Interpolation matrices = ReadMatrices(scanner, name);
+    Interpolation matrices = ReadMatrices(scanner, name, shape.has_value());
     if (shape)
     {
       scheme[*shape] = std::move(matrices);

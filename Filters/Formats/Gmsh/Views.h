@@ -82,7 +82,7 @@ struct ViewValues
   std::vector<double> values;
   std::vector<std::int64_t> first; ///< per node or element, in values; -1: none
   std::vector<std::int32_t> count; ///< per element: tuples; empty: one each
-  std::size_t strangers = 0;       ///< of nodes or elements that the mesh does not have
+  std::size_t strangers = 0;       ///< values of nodes or elements that are not among the mesh's
 };
 ViewValues ReadValues(std::vector<Scanner>& scanners, const View& view,
   const std::vector<ViewPart>& parts, const MeshFile& mesh);
