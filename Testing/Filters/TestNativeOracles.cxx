@@ -103,19 +103,17 @@ TEST_P(NativeOracles, AreMet)
 }
 
 const Case kCases[] = {
-#define GMSH(name, field, order)                                                                   \
+#define GMSH(name, oracle, field, order)                                                           \
   {                                                                                                \
-    name, name ".msh", "", "oracle.csv", field, order, false                                       \
+    name, name ".msh", "", oracle, field, order, false                                             \
   }
-  GMSH("gmsh_shell_tet_g3", "u", 3),
-  GMSH("gmsh_zoo_g2", "u", 2),
-  GMSH("gmsh_zoo_g2", "v", 2),
-  GMSH("gmsh_zoo_g2", "d", 2),
-  GMSH("gmsh_zoo_g2", "m", 0),
-  GMSH("gmsh_zoo_g4", "u", 4),
-  GMSH("gmsh_zoo_g4", "v", 4),
-  GMSH("gmsh_zoo_g4", "d", 4),
-  GMSH("gmsh_zoo_g4", "m", 0),
+  GMSH("gmsh_shell_tet_g3", "oracle.csv", "u", 3),
+  GMSH("gmsh_zoo_g2", "oracle.csv", "u", 2),
+  GMSH("gmsh_zoo_g2", "oracle.csv", "d", 2),
+  GMSH("gmsh_zoo_g2", "oracle_v.csv", "v", 2),
+  GMSH("gmsh_zoo_g4", "oracle.csv", "u", 4),
+  GMSH("gmsh_zoo_g4", "oracle.csv", "d", 4),
+  GMSH("gmsh_zoo_g4", "oracle_v.csv", "v", 4),
 #undef GMSH
 #define MFEM(name, field, order)                                                                   \
   {                                                                                                \

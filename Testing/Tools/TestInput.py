@@ -41,7 +41,7 @@ class BadFiles(FileTest):
         self.refuses(path, "permissions")
 
     def test_noise_in_solvers_files(self):
-        for suffix in ["mesh", "saved", "xml"]:
+        for suffix in ["mesh", "msh", "saved", "xml"]:
             self.refuses(self.write("text." + suffix, "x"))
             self.refuses(self.write("noise." + suffix, bytes(range(256)) * 10))
 
