@@ -21,6 +21,8 @@ find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(ZLIB REQUIRED)
 find_package(pugixml REQUIRED)
 find_package(pegtl REQUIRED)
+# For the HDF5 files of Nektar++; without it they are refused.
+find_package(HDF5 COMPONENTS C)
 
 # Debian's xxHash has no CMake package.
 find_path(XXHASH_INCLUDE_DIR xxhash.h REQUIRED)

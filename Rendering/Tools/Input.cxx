@@ -73,6 +73,7 @@ constexpr std::array kFormats{
   Format{ ".saved", "GLVis", &ReadGlvisFile },
   Format{ ".msh", "Gmsh", &ReadGmshFiles },
   Format{ ".xml", "Nektar++", &ReadNektarFiles },
+  Format{ ".nekg", "Nektar++", &ReadNektarFiles },
   Format{ ".fld", "Nektar++", &RefuseFieldFile },
   Format{ ".chk", "Nektar++", &RefuseFieldFile },
   Format{ ".rst", "Nektar++", &RefuseFieldFile },

@@ -12,7 +12,7 @@ InputGrid ReadMfemFiles(const InputRequest& request);
 InputGrid ReadGlvisFile(const InputRequest& request);
 /// x.msh [views.msh ...]
 InputGrid ReadGmshFiles(const InputRequest& request);
-/// x.xml [more.xml ...] [u.fld ...]; several field files are time steps.
+/// x.xml [more.xml x.nekg ...] [u.fld ...]; several field files are time steps.
 InputGrid ReadNektarFiles(const InputRequest& request);
 /// A field file in the first place.
 InputGrid RefuseFieldFile(const InputRequest& request);

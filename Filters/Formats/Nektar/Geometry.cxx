@@ -6,6 +6,7 @@
 #include "Formats/Nektar/Curves.h"
 #include "Formats/Nektar/Entities.h"
 
+#include <algorithm>
 #include <set>
 
 namespace pixelexact::nektar
@@ -16,11 +17,17 @@ namespace
 pugi::xml_node FindGeometry(const Document& document, std::span<const Document* const> session)
 {
   const pugi::xml_node geometry = document.Only(document.Root(), "GEOMETRY");
-  if (geometry.attribute("HDF5FILE"))
+  if (const std::string mesh = geometry.attribute("HDF5FILE").value(); !mesh.empty())
   {
-    document.FailUnsupported(geometry,
-      "the geometry is in an HDF5 file, which is not read; write it as XML (NekMesh " +
-        document.BaseName() + " new.xml).");
+    if (std::ranges::none_of(session,
+          [&](const Document* file)
+          { return file->BaseName() == mesh.substr(mesh.rfind('/') + 1); }))
+    {
+      document.Fail(geometry,
+        "the geometry is in the HDF5 file " + mesh +
+          ", which is not there; put it beside this file, or name it as well.");
+    }
+    return {}; // the other file's is read
   }
   const auto dimension = [&](const char* name)
   { return geometry.attribute(name) ? document.Id(geometry, name) : 3; };
