@@ -107,8 +107,8 @@ TEST(NektarGeometry, HomogeneousSessionsAndHdf5NameWhatToDo)
   ExpectRefusal({ { "a.xml", flat } }, { "three-dimensional" });
   ExpectRefusal(
     { { "case/a.xml", "<NEKTAR><GEOMETRY DIM=\"3\" SPACE=\"3\" HDF5FILE=\"a.nekg\"/></NEKTAR>" } },
-    { "HDF5", "NekMesh a.xml new.xml" });
-  ExpectRefusal({ { "a.nekg", "\x89HDF\r\n\x1a\n" } }, { "HDF5", "out.fld:fld:format=Xml" });
+    { "HDF5 file a.nekg", "not there" });
+  ExpectRefusal({ { "a.nekg", "\x89HDF\r\n\x1a\n" } }, { "a.nekg", "HDF5" });
   ExpectRefusal(Session(Cube()),
     "<NEKTAR><ELEMENTS FIELDS=\"u\" SHAPE=\"Quadrilateral-HomogenousExp1D\"/></NEKTAR>",
     { "u.fld", "homogeneous", "interpfield" });
