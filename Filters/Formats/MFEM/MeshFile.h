@@ -20,10 +20,11 @@ struct Cell
 /// What an MFEM mesh file holds, as numbered by MFEM once it has read it.
 struct MeshFile
 {
+  int dimension = 3;          ///< of the elements, 2 or 3
   std::vector<Cell> elements; ///< leaves of the refinement, in MFEM's order
   std::vector<Cell> boundary;
   int vertices = 0;
-  std::vector<double> coordinates; ///< three per vertex; empty where there are nodes
+  std::vector<double> coordinates; ///< three per vertex, z = 0 in a plane; empty: there are nodes
   std::optional<GridFunctionFile> nodes;
   std::vector<Group> groups;
 };
@@ -32,6 +33,10 @@ struct MeshFile
 /// Unsupported.
 MeshFile ReadMesh(TextScanner& scanner);
 
-/// An element or a boundary element: attribute, geometry, vertices below `vertices`.
-Cell ReadCell(TextScanner& scanner, int vertices, bool solid);
+/// An element or a boundary element, of `dimension` 1 to 3: attribute, geometry, vertices below
+/// `vertices`.
+Cell ReadCell(TextScanner& scanner, int vertices, int dimension);
+
+/// Whether elements of that dimension are of this kind.
+bool IsOfDimension(Geometry geometry, int dimension);
 } // namespace pixelexact::mfem

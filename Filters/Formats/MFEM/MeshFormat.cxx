@@ -12,38 +12,6 @@ namespace
 /// What MFEM writes a rank with, as suffix of a file's name.
 constexpr std::size_t kRankDigits = 6;
 
-[[noreturn]] void RefuseDimension(const TextScanner& scanner, int dimension)
-{
-  scanner.FailUnsupported("the mesh is " + std::to_string(dimension) +
-    "-dimensional; only three-dimensional ones are read.");
-}
-
-/// The dimension of a NURBS mesh, or of an INLINE one by its type of element.
-int OtherDimension(TextScanner& scanner, bool isInline)
-{
-  if (!isInline)
-  {
-    scanner.Expect("dimension");
-    return scanner.Integer("the dimension");
-  }
-  scanner.Expect("type");
-  scanner.Expect("=");
-  const std::string_view type = scanner.Word("the type of element");
-  return type == "segment" ? 1 : type == "tri" || type == "quad" ? 2 : 3;
-}
-
-/// NURBS and INLINE meshes: of a plane one no conversion makes a solid.
-[[noreturn]] void RefuseOther(TextScanner& scanner, std::string_view kind)
-{
-  scanner.RestOfLine(); // also "NC-patch mesh"
-  if (const int dimension = OtherDimension(scanner, kind == "INLINE"); dimension != 3)
-  {
-    RefuseDimension(scanner, dimension);
-  }
-  scanner.FailUnsupported(std::string(kind) +
-    " meshes are not read; load the mesh with MFEM, give it polynomial nodes "
-    "(Mesh::SetCurvature) and save that.");
-}
 } // namespace
 
 MeshFormat ReadMeshFormat(TextScanner& scanner)
@@ -52,7 +20,9 @@ MeshFormat ReadMeshFormat(TextScanner& scanner)
   const std::string_view kind = scanner.Word("the kind of mesh");
   if (kind == "NURBS" || kind == "INLINE")
   {
-    RefuseOther(scanner, kind);
+    scanner.FailUnsupported(std::string(kind) +
+      " meshes are not read; load the mesh with MFEM, give it polynomial nodes "
+      "(Mesh::SetCurvature) and save that.");
   }
   if (kind == "NC")
   {
@@ -78,12 +48,27 @@ MeshFormat ReadMeshFormat(TextScanner& scanner)
   return version == "v1.1" ? MeshFormat::Legacy : MeshFormat::Conforming;
 }
 
-void RequireThreeDimensions(TextScanner& scanner)
+int ReadDimension(TextScanner& scanner)
 {
-  if (const int dimension = scanner.Integer("the dimension"); dimension != 3)
+  const int dimension = scanner.Integer("the dimension");
+  if (dimension != 2 && dimension != 3)
   {
-    RefuseDimension(scanner, dimension);
+    scanner.FailUnsupported("the mesh is " + std::to_string(dimension) +
+      "-dimensional; only two- and three-dimensional ones are read.");
   }
+  return dimension;
+}
+
+int ReadSpaceDimension(TextScanner& scanner, int dimension)
+{
+  const int space = scanner.Integer("the vertices' dimension");
+  if (space < dimension || space > 3)
+  {
+    scanner.FailUnsupported("the vertices are in " + std::to_string(space) +
+      "-dimensional space, the elements are " + std::to_string(dimension) +
+      "-dimensional; only meshes in two- and three-dimensional space are read.");
+  }
+  return space;
 }
 
 void RefusePiece(const TextScanner& scanner, const std::string& sign)

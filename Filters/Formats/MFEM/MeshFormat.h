@@ -16,12 +16,15 @@ enum class MeshFormat : std::uint8_t
   NonconformingScaled ///< NC v1.1: vertices anywhere between their parents
 };
 
-/// Reads the first line. Throws Unsupported for kinds and versions that are not read, where they
-/// have other than three dimensions for that reason; InvalidData for what is no MFEM mesh.
+/// Reads the first line. Throws Unsupported for kinds and versions that are not read, InvalidData
+/// for what is no MFEM mesh.
 MeshFormat ReadMeshFormat(TextScanner& scanner);
 
-/// Reads the dimension; throws Unsupported for others than three.
-void RequireThreeDimensions(TextScanner& scanner);
+/// Reads the dimension of the elements, 2 or 3; throws Unsupported for others.
+int ReadDimension(TextScanner& scanner);
+
+/// Reads the dimension of the vertices' space, not below the elements'; throws as ReadDimension.
+int ReadSpaceDimension(TextScanner& scanner, int dimension);
 
 /// Throws Unsupported: the file holds one piece of a mesh, by this sign.
 [[noreturn]] void RefusePiece(const TextScanner& scanner, const std::string& sign);

@@ -53,11 +53,11 @@ void RequireValues(const GridFunctionFile& file, const FunctionSpace& space,
   }
 }
 
-Collection ParseCollection(const std::string& name, const std::string& where)
+Collection ParseCollection(const std::string& name, int dimension, const std::string& where)
 {
   try
   {
-    return Collection::Parse(name);
+    return Collection::Parse(name, dimension);
   }
   catch (const Unsupported& error)
   {
@@ -74,6 +74,12 @@ Corners CornersOf(const Cell& cell)
 {
   Corners corners{};
   std::ranges::copy(cell.vertices, corners.begin());
+  if (IsOfDimension(cell.geometry, 2))
+  {
+    // Those of the slab below and above.
+    const int vertices = TableOf(cell.geometry).vertices;
+    std::copy_n(cell.vertices.begin(), vertices, corners.begin() + vertices);
+  }
   return corners;
 }
 
@@ -117,20 +123,32 @@ void ModelBuilder::AddMap()
   const GridFunctionFile nodes = File.nodes ? std::move(*File.nodes) : LinearNodes(File);
   File.nodes.reset();
   const std::string where = MeshName + ": the mesh's nodes (" + nodes.collection + ")";
-  const Collection collection = ParseCollection(nodes.collection, MeshName);
+  const Collection collection = ParseCollection(nodes.collection, File.dimension, MeshName);
   if (collection.IsVector() || collection.GetMapping() != Mapping::Identity ||
-    nodes.components != 3)
+    nodes.components < File.dimension || nodes.components > 3)
   {
-    throw InvalidData(where + " are no positions: they need an H1 or L2 collection with VDim 3.");
+    throw InvalidData(where + " are no positions: they need an H1 or L2 collection with VDim " +
+      (File.dimension == 2 ? "2 or 3." : "3."));
   }
   const FunctionSpace space(File, Entities, collection);
   RequireValues(nodes, space, where, File);
   const Bases bases = BasesOf(File, collection, MeshName);
-  AssembleMap(
-    bases,
-    [&](std::size_t e, std::span<double> source)
-    { space.Gather(e, nodes.values, 3, nodes.byNodes, source); },
-    [&](std::size_t e) { return MeshName + ": element " + std::to_string(e); }, Model.mesh);
+  const auto gather = [&](std::size_t e, std::span<double> source)
+  { space.Gather(e, nodes.values, nodes.components, nodes.byNodes, source); };
+  const auto describe = [&](std::size_t e) { return MeshName + ": element " + std::to_string(e); };
+  if (File.dimension == 3)
+  {
+    AssembleMap(bases, gather, describe, Model.mesh);
+    return;
+  }
+  try
+  {
+    AssemblePlaneMap(bases, nodes.components, gather, describe, Model.mesh);
+  }
+  catch (const Unsupported& error)
+  {
+    throw Unsupported(MeshName + ": " + error.what());
+  }
 }
 
 void ModelBuilder::AddGroups()
@@ -150,8 +168,10 @@ void ModelBuilder::AddGroups()
     ownerless += owners.empty() ? 1 : 0;
     for (const auto& owner : owners)
     {
-      const auto& faces = TableOf(File.elements[owner.element].geometry).faces;
-      mesh.boundary.push_back({ owner.element, faces[owner.localFace].vtkFace, cell.attribute });
+      const GeometryTable& table = TableOf(File.elements[owner.element].geometry);
+      mesh.boundary.push_back({ owner.element,
+        table.sides.empty() ? table.faces[owner.localFace].vtkFace : table.sides[owner.localFace],
+        cell.attribute });
     }
   }
   if (ownerless > 0)
@@ -165,7 +185,7 @@ void ModelBuilder::AddGroups()
 void ModelBuilder::AddField(
   const GridFunctionFile& file, const std::string& where, const std::string& name)
 {
-  const Collection collection = ParseCollection(file.collection, where);
+  const Collection collection = ParseCollection(file.collection, File.dimension, where);
   if (collection.IsVector() && file.components != 1)
   {
     throw Unsupported(where + ": " + file.collection + " with VDim " +
@@ -183,6 +203,10 @@ void ModelBuilder::AddField(
   field.values = AssembleField(bases, collection.IsVector() ? 3 : file.components,
     [&](std::size_t e, std::span<double> source)
     { space.Gather(e, file.values, file.components, file.byNodes, source); });
+  if (Model.mesh.slab)
+  {
+    ScaleToSlab(*Model.mesh.slab, field);
+  }
   Model.fields.push_back(std::move(field));
 }
 

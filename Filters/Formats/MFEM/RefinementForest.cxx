@@ -18,6 +18,8 @@ namespace
 constexpr int kAllDirections = 7;
 constexpr int kMostNodes = 1 << 30;
 constexpr int kStates = 24;
+constexpr int kPlaneStates = 8;
+constexpr int kPlaneDirections = 3;
 constexpr int kDeepestTree = 64;
 constexpr std::size_t kShortestElement = 4;
 
@@ -52,6 +54,7 @@ private:
   void CollectAllLeaves();
   void CollectLeaves(int element, int state, int depth);
   void NumberVertices();
+  void AddBoundary(std::size_t e, Geometry geometry, std::span<const int> corners);
   void CollectBoundary();
   void ReadPositions();
 
@@ -79,7 +82,7 @@ std::array<int, 4> Sorted(std::span<const int> nodes)
 void Forest::ReadHeader()
 {
   Scanner.Expect("dimension");
-  RequireThreeDimensions(Scanner);
+  Mesh.dimension = ReadDimension(Scanner);
   if (Scanner.Peek() == "rank")
   {
     Scanner.Word("rank");
@@ -104,11 +107,13 @@ void Forest::ReadElement(int index, int count)
   }
   element.used = true;
   element.cell.geometry = static_cast<Geometry>(geometry);
-  if (geometry < static_cast<int>(Geometry::Tetrahedron))
+  if (!IsOfDimension(element.cell.geometry, Mesh.dimension))
   {
-    Scanner.Fail("geometry type " + std::to_string(geometry) + " is no solid's.");
+    Scanner.Fail("geometry type " + std::to_string(geometry) + " is no element's of dimension " +
+      std::to_string(Mesh.dimension) + ".");
   }
-  element.refinement = Scanner.Integer("a refinement type", 0, kAllDirections);
+  element.refinement = Scanner.Integer(
+    "a refinement type", 0, Mesh.dimension == 2 ? kPlaneDirections : kAllDirections);
   if (element.refinement != 0)
   {
     for (int& child : std::span(element.children).first(ChildrenOf(element.refinement)))
@@ -132,7 +137,7 @@ void Forest::ReadBoundary()
   const int count = Scanner.Count("the number of boundary elements", kShortestElement);
   for (int i = 0; i < count; ++i)
   {
-    const Cell cell = ReadCell(Scanner, kMostNodes, false);
+    const Cell cell = ReadCell(Scanner, kMostNodes, Mesh.dimension - 1);
     BoundaryAttribute[Sorted(std::span(cell.vertices).first(TableOf(cell.geometry).vertices))] =
       cell.attribute;
   }
@@ -143,7 +148,8 @@ void Forest::ReadRootStates()
   const int count = Scanner.Count("the number of root states", 2);
   for (int i = 0; i < count; ++i)
   {
-    RootStates.push_back(Scanner.Integer("a root state", 0, kStates - 1));
+    RootStates.push_back(
+      Scanner.Integer("a root state", 0, (Mesh.dimension == 2 ? kPlaneStates : kStates) - 1));
   }
 }
 
@@ -181,6 +187,15 @@ void Forest::CollectLeaves(int element, int state, int depth)
   {
     const HilbertState& curve = HilbertCurve(state);
     for (int i = 0; i < 8; ++i)
+    {
+      CollectLeaves(e.children[curve.child[i]], curve.state[i], depth + 1);
+    }
+    return;
+  }
+  if (e.cell.geometry == Geometry::Square && e.refinement == kPlaneDirections)
+  {
+    const PlaneHilbertState curve = PlaneHilbertCurve(state);
+    for (int i = 0; i < 4; ++i)
     {
       CollectLeaves(e.children[curve.child[i]], curve.state[i], depth + 1);
     }
@@ -239,34 +254,45 @@ void Forest::NumberVertices()
   }
 }
 
+/// A face of a leaf, or an edge of a plane one, where the file has an attribute for it.
+void Forest::AddBoundary(std::size_t e, Geometry geometry, std::span<const int> corners)
+{
+  const Cell& nodes = Elements[Leaves[e]].cell;
+  Cell cell{ geometry, 0, {} };
+  std::array<int, 4> key{};
+  for (std::size_t k = 0; k < corners.size(); ++k)
+  {
+    key[k] = nodes.vertices[corners[k]];
+    cell.vertices[k] = Mesh.elements[e].vertices[corners[k]];
+  }
+  const auto found = BoundaryAttribute.find(Sorted(std::span(key).first(corners.size())));
+  if (found != BoundaryAttribute.end())
+  {
+    cell.attribute = found->second;
+    Mesh.boundary.push_back(cell);
+  }
+}
+
 void Forest::CollectBoundary()
 {
   for (std::size_t e = 0; e < Leaves.size() && !BoundaryAttribute.empty(); ++e)
   {
-    const Cell& nodes = Elements[Leaves[e]].cell;
-    for (const LocalFace& face : TableOf(nodes.geometry).faces)
+    const GeometryTable& table = TableOf(Elements[Leaves[e]].cell.geometry);
+    for (const LocalFace& face : table.faces)
     {
-      Cell cell{ face.geometry, 0, {} };
-      const int corners = TableOf(face.geometry).vertices;
-      std::array<int, 4> key{};
-      for (int k = 0; k < corners; ++k)
-      {
-        key[k] = nodes.vertices[face.vertices[k]];
-        cell.vertices[k] = Mesh.elements[e].vertices[face.vertices[k]];
-      }
-      const auto found = BoundaryAttribute.find(Sorted(std::span(key).first(corners)));
-      if (found != BoundaryAttribute.end())
-      {
-        cell.attribute = found->second;
-        Mesh.boundary.push_back(cell);
-      }
+      AddBoundary(
+        e, face.geometry, std::span(face.vertices).first(TableOf(face.geometry).vertices));
+    }
+    for (const auto& edge : table.sides.empty() ? table.edges.first(0) : table.edges)
+    {
+      AddBoundary(e, Geometry::Segment, edge);
     }
   }
 }
 
 void Forest::ReadPositions()
 {
-  Hierarchy.ReadCoordinates(Scanner);
+  Hierarchy.ReadCoordinates(Scanner, Mesh.dimension);
   for (const int node : NodeOf)
   {
     const auto x = Hierarchy.Position(Scanner, node);
