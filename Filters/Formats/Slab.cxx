@@ -45,6 +45,10 @@ Slab MakeSlab(const Vec3& low, const Vec3& high, double roundings)
   {
     slab.thickness = std::ldexp(1.0, std::ilogb(side) - kThinner);
   }
+  if (std::fabs(slab.middle) <= roundings * slab.thickness)
+  {
+    slab.middle = 0.0; // files hold 1e-310 where they mean 0
+  }
   return slab;
 }
 
