@@ -81,6 +81,41 @@ void ReadVertices(TextScanner& scanner, MeshFile& mesh)
   scanner.Positions(mesh.vertices, space, mesh.coordinates);
 }
 
+/// What a piece shares with others: its unknowns are its own here, so that only the processes
+/// count. Returns how many there are at least.
+int ReadSharing(TextScanner& scanner)
+{
+  scanner.Expect("number_of_groups");
+  const int groups = scanner.Count("the number of groups", 2);
+  int last = 0;
+  for (int g = 0; g < groups; ++g)
+  {
+    const int size = scanner.Count("the size of a group", 2);
+    for (int k = 0; k < size; ++k)
+    {
+      last = std::max(last, scanner.Integer("a process", 0, kMostVertices));
+    }
+  }
+  while (!scanner.Peek().empty() && scanner.Peek() != "mfem_mesh_end")
+  {
+    if (double number = 0.0; scanner.TryNumber(number))
+    {
+      continue;
+    }
+    const std::string_view word = scanner.Peek();
+    if (!word.starts_with("total_shared_") && !word.starts_with("shared_"))
+    {
+      scanner.FailAtWord("among the vertices, edges and faces that processes share");
+    }
+    scanner.Word("what processes share");
+  }
+  if (!scanner.Peek().empty())
+  {
+    scanner.Word("the end of the mesh");
+  }
+  return last + 1;
+}
+
 /// Reads one section. False: the word is none of a mesh's, what follows is something else.
 bool ReadSection(TextScanner& scanner, MeshFile& mesh, Sections& seen)
 {
@@ -130,9 +165,14 @@ bool ReadSection(TextScanner& scanner, MeshFile& mesh, Sections& seen)
   {
     return false;
   }
-  else if (section == "communication_groups" || section == "mfem_serial_mesh_end")
+  else if (section == "mfem_serial_mesh_end" && seen.vertices)
   {
-    RefusePiece(scanner, "it has the section '" + std::string(section) + "'");
+    return true; // what processes share follows
+  }
+  else if (section == "communication_groups")
+  {
+    mesh.ranks = ReadSharing(scanner);
+    return false;
   }
   else
   {

@@ -1,19 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/MFEM/MeshFormat.h"
 
-#include <algorithm>
-#include <array>
-#include <filesystem>
+#include "Core/Base/Error.h"
 
 namespace pixelexact::mfem
 {
-namespace
-{
-/// What MFEM writes a rank with, as suffix of a file's name.
-constexpr std::size_t kRankDigits = 6;
-
-} // namespace
-
 MeshFormat ReadMeshFormat(TextScanner& scanner)
 {
   scanner.Expect("MFEM");
@@ -71,25 +62,13 @@ int ReadSpaceDimension(TextScanner& scanner, int dimension)
   return space;
 }
 
-void RefusePiece(const TextScanner& scanner, const std::string& sign)
+void RefusePiece(const TextScanner& scanner, int processes, int pieces)
 {
-  scanner.FailUnsupported("this is one piece of a parallel mesh (" + sign +
-    "), the rest is in other files; save the whole mesh (ParMesh::PrintAsOne or SaveAsOne, grid "
-    "functions with ParGridFunction::SaveAsOne) and read that.");
-}
-
-std::string OtherPiece(const std::string& path)
-{
-  const std::filesystem::path file(path);
-  const std::string rank = file.extension().string();
-  const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
-  if (rank.size() != kRankDigits + 1 || !std::all_of(rank.begin() + 1, rank.end(), isDigit))
-  {
-    return {};
-  }
-  std::filesystem::path other = file;
-  other.replace_extension(rank == ".000000" ? ".000001" : ".000000");
-  std::error_code failure;
-  return std::filesystem::exists(other, failure) ? other.string() : std::string();
+  throw InvalidData(scanner.Name() + ": this is one piece of the mesh of a parallel run of " +
+    std::to_string(processes) + " processes at least, but " +
+    (pieces == 1 ? std::string("no other piece is") : std::to_string(pieces) + " pieces are") +
+    " beside it; have all of them in one folder, named x.000000, x.000001, ... (ParMesh::Save), or "
+    "save the whole mesh (ParMesh::PrintAsOne or SaveAsOne, grid functions with "
+    "ParGridFunction::SaveAsOne).");
 }
 } // namespace pixelexact::mfem

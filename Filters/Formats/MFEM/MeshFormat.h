@@ -26,10 +26,7 @@ int ReadDimension(TextScanner& scanner);
 /// Reads the dimension of the vertices' space, not below the elements'; throws as ReadDimension.
 int ReadSpaceDimension(TextScanner& scanner, int dimension);
 
-/// Throws Unsupported: the file holds one piece of a mesh, by this sign.
-[[noreturn]] void RefusePiece(const TextScanner& scanner, const std::string& sign);
-
-/// A file that seems to hold another piece of the same parallel mesh as `path`, by their names
-/// ("x.000000", "x.000001"); empty where there is none.
-std::string OtherPiece(const std::string& path);
+/// Throws InvalidData: the file holds a piece of the mesh of so many processes, of which so many
+/// are read.
+[[noreturn]] void RefusePiece(const TextScanner& scanner, int processes, int pieces);
 } // namespace pixelexact::mfem

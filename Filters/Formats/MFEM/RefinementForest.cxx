@@ -28,6 +28,7 @@ struct TreeElement
 {
   Cell cell;
   int refinement = 0;
+  int rank = 0;
   std::array<int, 8> children{};
   bool used = false;
   bool isChild = false;
@@ -62,6 +63,7 @@ private:
   bool Scaled;
   int Rank = 0;
   std::vector<TreeElement> Elements;
+  std::vector<int> AllLeaves; ///< of this process and its neighbours
   std::vector<int> Leaves;
   std::vector<int> RootStates;
   VertexHierarchy Hierarchy;
@@ -98,7 +100,7 @@ void Forest::ReadHeader()
 void Forest::ReadElement(int index, int count)
 {
   TreeElement& element = Elements[index];
-  const int rank = Scanner.Integer("a rank");
+  element.rank = Scanner.Integer("a rank");
   element.cell.attribute = Scanner.Integer("an attribute");
   const int geometry = Scanner.Integer("an element's geometry type", -1, 7);
   if (geometry < 0)
@@ -122,10 +124,7 @@ void Forest::ReadElement(int index, int count)
     }
     return;
   }
-  if (rank != Rank)
-  {
-    RefusePiece(Scanner, "rank " + std::to_string(rank) + " beside " + std::to_string(Rank));
-  }
+  Mesh.ranks = std::max({ Mesh.ranks, Rank + 1, element.rank + 1 });
   for (int& node : std::span(element.cell.vertices).first(TableOf(element.cell.geometry).vertices))
   {
     node = Scanner.Integer("a vertex", 0, kMostNodes);
@@ -180,7 +179,15 @@ void Forest::CollectLeaves(int element, int state, int depth)
   }
   if (e.refinement == 0)
   {
-    Leaves.push_back(element);
+    // Around a piece are those of its neighbours; what is beyond has no rank.
+    if (e.rank >= 0)
+    {
+      AllLeaves.push_back(element);
+    }
+    if (e.rank == Rank)
+    {
+      Leaves.push_back(element);
+    }
     return;
   }
   if (e.cell.geometry == Geometry::Cube && e.refinement == kAllDirections)
@@ -222,15 +229,30 @@ void Forest::CollectAllLeaves()
 
 void Forest::NumberVertices()
 {
-  std::vector<int> coarse;
-  std::vector<int> fine; // in the leaves' order
-  for (const int leaf : Leaves)
+  constexpr int kOpen = -2;
+  constexpr int kListed = -1;
+  const auto nodesOf = [this](int leaf)
   {
     const Cell& cell = Elements[leaf].cell;
-    for (const int node : std::span(cell.vertices).first(TableOf(cell.geometry).vertices))
+    return std::span(cell.vertices).first(TableOf(cell.geometry).vertices);
+  };
+  for (const int leaf : Leaves)
+  {
+    for (const int node : nodesOf(leaf))
     {
-      if (VertexOf.try_emplace(node, -1).second)
+      VertexOf[node] = kOpen;
+    }
+  }
+  std::vector<int> coarse;
+  std::vector<int> fine; // in the order of all leaves
+  for (const int leaf : AllLeaves)
+  {
+    for (const int node : nodesOf(leaf))
+    {
+      const auto own = VertexOf.find(node);
+      if (own != VertexOf.end() && own->second == kOpen)
       {
+        own->second = kListed;
         (Hierarchy.HasParents(node) ? fine : coarse).push_back(node);
       }
     }
