@@ -2,6 +2,7 @@
 #include "Formats/MFEM/MeshFile.h"
 
 #include "Formats/MFEM/GeometryTable.h"
+#include "Formats/MFEM/InlineMesh.h"
 #include "Formats/MFEM/MeshFormat.h"
 #include "Formats/MFEM/RefinementForest.h"
 
@@ -307,6 +308,8 @@ MeshFile ReadMesh(TextScanner& scanner)
       return ReadNonconforming(scanner, false);
     case MeshFormat::NonconformingScaled:
       return ReadNonconforming(scanner, true);
+    case MeshFormat::Inline:
+      return ReadInline(scanner);
     case MeshFormat::Legacy:
       return ReadConforming(scanner, true);
     default:

@@ -27,6 +27,7 @@ struct MeshFile
   std::vector<double> coordinates; ///< three per vertex, z = 0 in a plane; empty: there are nodes
   std::optional<GridFunctionFile> nodes;
   std::vector<Group> groups;
+  bool isNumbered = true; ///< as MFEM numbers it: grid functions need that
   int ranks = 1; ///< processes that a piece of a parallel mesh tells of, at least; 1: it is none
 };
 

@@ -9,10 +9,19 @@ MeshFormat ReadMeshFormat(TextScanner& scanner)
 {
   scanner.Expect("MFEM");
   const std::string_view kind = scanner.Word("the kind of mesh");
-  if (kind == "NURBS" || kind == "INLINE")
+  if (kind == "INLINE")
   {
-    scanner.FailUnsupported(std::string(kind) +
-      " meshes are not read; load the mesh with MFEM, give it polynomial nodes "
+    scanner.Expect("mesh");
+    if (scanner.Word("the version") != "v1.0")
+    {
+      scanner.FailUnsupported("of INLINE meshes only version v1.0 is read.");
+    }
+    return MeshFormat::Inline;
+  }
+  if (kind == "NURBS")
+  {
+    scanner.FailUnsupported(
+      "NURBS meshes are not read; load the mesh with MFEM, give it polynomial nodes "
       "(Mesh::SetCurvature) and save that.");
   }
   if (kind == "NC")

@@ -12,6 +12,7 @@ enum class MeshFormat : std::uint8_t
 {
   Conforming,
   Legacy, ///< v1.1: numbered as it stands
+  Inline, ///< a box, by its numbers
   Nonconforming,
   NonconformingScaled ///< NC v1.1: vertices anywhere between their parents
 };

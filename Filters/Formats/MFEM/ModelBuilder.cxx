@@ -242,9 +242,24 @@ void ModelBuilder::AddBoundary(std::size_t p, std::int32_t firstElement)
   }
 }
 
+/// An INLINE mesh has no numbers of MFEM's.
+void ModelBuilder::RequireNumbers(const std::string& name) const
+{
+  for (const MeshPiece& piece : Pieces)
+  {
+    if (!piece.file.isNumbered)
+    {
+      throw Unsupported(name + ": grid functions on INLINE meshes (" + piece.name +
+        ") are not read: MFEM numbers their elements along a curve of its own; save the mesh "
+        "(Mesh::Save) and read it with that.");
+    }
+  }
+}
+
 void ModelBuilder::AddField(const std::vector<GridFunctionFile>& files,
   const std::vector<std::string>& names, const std::string& name)
 {
+  RequireNumbers(names[0]);
   const Source source(*this, files, names);
   const Collection& collection = source.collection;
   if (collection.IsVector() && files[0].components != 1)

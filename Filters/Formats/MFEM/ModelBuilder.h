@@ -40,6 +40,7 @@ private:
   };
   struct Source;
 
+  void RequireNumbers(const std::string& name) const;
   void AddMap();
   void AddGroups();
   void AddBoundary(std::size_t p, std::int32_t firstElement);
