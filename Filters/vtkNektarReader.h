@@ -3,7 +3,8 @@
  * @class   vtkNektarReader
  * @brief   reads Nektar++ sessions and field files
  *
- * The session (SetFileName) holds the geometry: XML, plain or compressed, three-dimensional.
+ * The session (SetFileName) holds the geometry: XML, plain or compressed, of
+ * three dimensions or two (planar.md).
  * Further session files (AddSessionFileName) may hold the rest, or other parts of the mesh; a
  * folder (`NAME_xml`, as parallel runs write it) stands for the parts in it. Field files
  * (AddFieldFileName: `.fld`, `.chk`, `.rst`, XML; a folder for those of parallel runs) become
