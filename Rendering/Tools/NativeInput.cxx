@@ -5,6 +5,7 @@
 #include "VtkMessages.h"
 
 #include "Core/Base/Error.h"
+#include "Formats/MFEM/PieceNames.h"
 #include "TimeSeries.h"
 #include "vtkGLVisReader.h"
 #include "vtkGmshReader.h"
@@ -15,6 +16,9 @@
 #include <vtkInformation.h>
 #include <vtkNew.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
+
+#include <filesystem>
+#include <set>
 
 namespace pixelexact
 {
@@ -59,14 +63,35 @@ InputGrid ReadWith(vtkHighOrderFileReader& reader, const InputRequest& request)
   }
   return input;
 }
+/// The name that the pieces of a mesh or a grid function share.
+std::string WithoutPiece(const std::string& file)
+{
+  return mfem::IsPieceName(file) ? std::filesystem::path(file).replace_extension(".*").string()
+                                 : file;
+}
 } // namespace
 
 InputGrid ReadMfemFiles(const InputRequest& request)
 {
   vtkNew<vtkMFEMReader> reader;
+  std::set<std::string> known{ WithoutPiece(request.files[0]) };
   for (std::size_t i = 1; i < request.files.size(); ++i)
   {
-    reader->AddGridFunctionFileName(request.files[i].c_str());
+    // x.* names all pieces, of which one stands for the others.
+    if (known.insert(WithoutPiece(request.files[i])).second)
+    {
+      reader->AddGridFunctionFileName(request.files[i].c_str());
+    }
+  }
+  return ReadWith(*reader, request);
+}
+
+InputGrid ReadMfemCollection(const InputRequest& request)
+{
+  vtkNew<vtkMFEMReader> reader;
+  for (std::size_t i = 1; i < request.files.size(); ++i)
+  {
+    reader->AddStepFileName(request.files[i].c_str());
   }
   return ReadWith(*reader, request);
 }

@@ -6,8 +6,10 @@
 // The solvers' own formats, for Input.cxx. They throw as ReadInput.
 namespace pixelexact
 {
-/// x.mesh [u.gf ...]
+/// x.mesh [u.gf ...], x.000000 [u.000000 ...]
 InputGrid ReadMfemFiles(const InputRequest& request);
+/// x_000000.mfem_root [x_000010.mfem_root ...], which are time steps.
+InputGrid ReadMfemCollection(const InputRequest& request);
 /// x.saved
 InputGrid ReadGlvisFile(const InputRequest& request);
 /// x.msh [views.msh ...]

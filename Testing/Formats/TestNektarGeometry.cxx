@@ -104,7 +104,9 @@ TEST(NektarGeometry, HomogeneousSessionsAndHdf5NameWhatToDo)
     { { "a.xml",
       Replaced(conditions, "<CONDITIONS>", "<GEOMETRY DIM=\"2\" SPACE=\"2\"/><CONDITIONS>") } },
     { "NekMesh -m extrude" });
-  ExpectRefusal({ { "a.xml", flat } }, { "three-dimensional" });
+  ExpectRefusal({ { "a.xml", flat } }, { "a.xml", "no triangles" });
+  ExpectRefusal({ { "a.xml", "<NEKTAR><GEOMETRY DIM=\"1\" SPACE=\"2\"/></NEKTAR>" } },
+    { "two- and three-dimensional" });
   ExpectRefusal(
     { { "case/a.xml", "<NEKTAR><GEOMETRY DIM=\"3\" SPACE=\"3\" HDF5FILE=\"a.nekg\"/></NEKTAR>" } },
     { "HDF5 file a.nekg", "not there" });

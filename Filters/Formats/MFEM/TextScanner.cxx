@@ -135,13 +135,16 @@ double TextScanner::Number(const char* what)
   return value;
 }
 
-void TextScanner::Positions(int count, std::vector<double>& positions)
+void TextScanner::Positions(int count, int dimension, std::vector<double>& positions)
 {
-  const std::size_t numbers = 3 * static_cast<std::size_t>(count);
-  positions.reserve(positions.size() + std::min(numbers, Remaining() / 2));
-  for (std::size_t i = 0; i < numbers; ++i)
+  positions.reserve(
+    positions.size() + std::min(3 * static_cast<std::size_t>(count), Remaining() / 2));
+  for (int i = 0; i < count; ++i)
   {
-    positions.push_back(Number("a vertex coordinate"));
+    for (int d = 0; d < 3; ++d)
+    {
+      positions.push_back(d < dimension ? Number("a vertex coordinate") : 0.0);
+    }
   }
 }
 

@@ -21,6 +21,14 @@ struct Placement
   const ElementBasis* basis = nullptr;
 };
 
+std::string NameOf(const Expansion3& expansion)
+{
+  if (!expansion.IsPlane())
+  {
+    return Name(expansion.shape);
+  }
+  return expansion.shape == Shape::Prism ? "triangle" : "quadrilateral";
+}
 } // namespace
 
 void AddFields(const std::vector<NamedText>& parts, const std::string& meshName, SolverModel& model)
@@ -59,9 +67,10 @@ void AddFields(const std::vector<NamedText>& parts, const std::string& meshName,
       {
         const auto element = elementOf.find(data.id);
         const Expansion3& expansion = block.expansions[data.expansion];
-        if (element == elementOf.end() || shapeOf(element->second) != expansion.shape)
+        if (element == elementOf.end() || shapeOf(element->second) != expansion.shape ||
+          expansion.IsPlane() != mesh.slab.has_value())
         {
-          throw InvalidData(part.name + ": it has coefficients for " + Name(expansion.shape) + " " +
+          throw InvalidData(part.name + ": it has coefficients for " + NameOf(expansion) + " " +
             std::to_string(data.id) + ", which the mesh of " + std::to_string(mesh.number.size()) +
             " elements (" + meshName + ") has not; the two do not belong together.");
         }

@@ -28,14 +28,26 @@ std::vector<std::string> Split(std::string_view text)
   return words;
 }
 
+/// The directions of xi that the file tells of, in its order.
+std::vector<std::size_t> DirectionsOf(const pugi::xml_node& node)
+{
+  const std::string_view name = node.attribute("SHAPE").value();
+  if (name == "Triangle")
+  {
+    return { 0, 2 };
+  }
+  return name == "Quadrilateral" ? std::vector<std::size_t>{ 0, 1 }
+                                 : std::vector<std::size_t>{ 0, 1, 2 };
+}
+
 Shape ShapeNamed(const Document& document, const pugi::xml_node& node)
 {
   const std::string_view name = node.attribute("SHAPE").value();
-  if (name == "Hexahedron")
+  if (name == "Hexahedron" || name == "Quadrilateral")
   {
     return Shape::Hexahedron;
   }
-  if (name == "Prism")
+  if (name == "Prism" || name == "Triangle")
   {
     return Shape::Prism;
   }
@@ -48,9 +60,10 @@ Shape ShapeNamed(const Document& document, const pugi::xml_node& node)
     return Shape::Pyramid;
   }
   document.FailUnsupported(node,
-    name.find("-Homogen") != name.npos ? HomogeneousRemedy()
-                                       : "elements of the shape '" +
-        std::string(name.substr(0, 40)) + "' are not read; only solids are.");
+    name.find("-Homogen") != name.npos
+      ? HomogeneousRemedy()
+      : "elements of the shape '" + std::string(name.substr(0, 40)) +
+        "' are not read; only solids, triangles and quadrilaterals are.");
 }
 
 class BlockReader
@@ -71,11 +84,18 @@ public:
     Base.shape = ShapeNamed(File, Node);
     Block.fields = Split(Node.attribute("FIELDS").value());
     const auto families = Split(Node.attribute("BASIS").value());
-    if (Block.fields.empty() || families.size() != 3)
+    Directions = DirectionsOf(Node);
+    if (Block.fields.empty() || families.size() != Directions.size())
     {
-      File.Fail(Node, "the block should have FIELDS and a BASIS of three families.");
+      File.Fail(Node,
+        "the block should have FIELDS and a BASIS of " +
+          std::string(Directions.size() == 2 ? "two" : "three") + " families.");
     }
-    std::ranges::copy(families, Base.families.begin());
+    Base.count = { 1, 1, 1 };
+    for (std::size_t d = 0; d < families.size(); ++d)
+    {
+      Base.families[Directions[d]] = families[d];
+    }
     const auto ids = File.List(Node, Node.attribute("ID").value(), kMostElements);
     const bool compressed = File.IsCompressedField(Node);
     ReadOrders(ids);
@@ -111,15 +131,18 @@ private:
     }
     const auto counts = Split(text.substr(std::min(colon + 1, text.size())));
     const std::size_t sets = mixed ? ids.size() : 1;
-    if (counts.size() != 3 * sets)
+    const std::size_t directions = Directions.size();
+    if (counts.size() != directions * sets)
     {
       File.Fail(Node,
         "NUMMODESPERDIR has " + std::to_string(counts.size()) + " numbers for " +
-          std::to_string(sets) + (mixed ? " elements" : " order") + " of three directions.");
+          std::to_string(sets) + (mixed ? " elements" : " order") + " of " +
+          (directions == 2 ? "two" : "three") + " directions.");
     }
     for (std::size_t e = 0; e < ids.size(); ++e)
     {
-      const int expansion = AddExpansion(std::span(counts).subspan(mixed ? 3 * e : 0, 3));
+      const int expansion =
+        AddExpansion(std::span(counts).subspan(mixed ? directions * e : 0, directions));
       Block.elements.push_back({ ids[e], expansion, Block.perField, ModeCounts[expansion] });
       Block.perField += ModeCounts[expansion];
     }
@@ -128,9 +151,10 @@ private:
   int AddExpansion(std::span<const std::string> counts)
   {
     Expansion3 expansion = Base;
-    for (int d = 0; d < 3; ++d)
+    for (std::size_t k = 0; k < counts.size(); ++k)
     {
-      const std::string& word = counts[d];
+      const std::string& word = counts[k];
+      const std::size_t d = Directions[k];
       const bool digits = !word.empty() && word.size() < 4 &&
         std::ranges::all_of(word, [](char c) { return c >= '0' && c <= '9'; });
       expansion.count[d] = digits ? std::stoi(word) : 0;
@@ -155,6 +179,7 @@ private:
   const Document& File;
   pugi::xml_node Node;
   Expansion3 Base;
+  std::vector<std::size_t> Directions;
   FieldBlock Block;
   std::map<Expansion3, int> Known;
   std::vector<std::size_t> ModeCounts;
@@ -197,6 +222,11 @@ FieldFile ReadFieldFile(const NamedText& file)
 
 std::string Describe(const Expansion3& expansion)
 {
-  return expansion.families[0] + " x " + expansion.families[1] + " x " + expansion.families[2];
+  std::string text = expansion.families[0];
+  for (const std::size_t d : { 1, 2 })
+  {
+    text += expansion.families[d].empty() ? "" : " x " + expansion.families[d];
+  }
+  return text;
 }
 } // namespace pixelexact::nektar

@@ -10,7 +10,8 @@
 
 namespace pixelexact::nektar
 {
-/// What a family of functions is along each direction, and how many there are.
+/// What a family of functions is along each direction, and how many there are. Of plane elements,
+/// on the solids of a slab, one function without a family across.
 struct Expansion3
 {
   Shape shape = Shape::Hexahedron;
@@ -18,6 +19,7 @@ struct Expansion3
   std::array<int, 3> count{};
 
   auto operator<=>(const Expansion3&) const = default;
+  [[nodiscard]] bool IsPlane() const { return families[1].empty() || families[2].empty(); }
 };
 
 /// An element's coefficients in a block.

@@ -57,12 +57,12 @@ public:
       kSolids, [this](const Entity& e) { return File.Has(kGeometry + "/MESH/" + e.set); });
     const std::string dimension = solid ? "3" : "2";
     std::string xml = "<NEKTAR><GEOMETRY DIM=\"" + dimension + "\" SPACE=\"3\">";
-    xml += Vertices() + Edges() + "<FACE>";
-    for (const Entity& face : kFaces)
+    xml += Vertices() + Edges();
+    if (solid)
     {
-      xml += Block(face.tag, Records(face));
+      xml += "<FACE>" + Block("T", Records(kFaces[0])) + Block("Q", Records(kFaces[1])) + "</FACE>";
     }
-    xml += "</FACE><ELEMENT>";
+    xml += "<ELEMENT>";
     for (const Entity& element : solid ? std::span<const Entity>(kSolids) : std::span(kFaces))
     {
       xml += Block(element.tag, Records(element));
