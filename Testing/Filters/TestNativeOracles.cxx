@@ -152,6 +152,7 @@ const Case kCases[] = {
   NEKTAR("nek_hex_aniso_p3p5p7", "u", 7),
   NEKTAR("nek_hex_dg_varp", "u", 9),
   NEKTAR("nek_hex_gll_lagrange_p6", "u", 6),
+  NEKTAR("nek_homogeneous_chan", "u", 3),
   NEKTAR("nek_ns_cylinder_hexprism_p4", "u", 4),
   NEKTAR("nek_ns_cylinder_hexprism_p4", "p", 4),
   { "nek_ns_cylinder_paperscale_p3", "nek_ns_cylinder_paperscale_p3.xml",

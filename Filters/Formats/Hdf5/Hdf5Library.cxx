@@ -240,7 +240,8 @@ std::vector<std::string> LibraryFile::ReadTexts(
   }
   for (std::size_t i = 0; i < count; ++i)
   {
-    texts[i] = all.substr(i * size, size).c_str(); // to its first zero
+    const std::string_view whole = std::string_view(all).substr(i * size, size);
+    texts[i] = whole.substr(0, whole.find('\0'));
   }
   return texts;
 }
@@ -309,7 +310,7 @@ std::unique_ptr<Hdf5File> Open(const std::string& name, std::string_view bytes, 
   if (inMemory)
   {
     constexpr std::size_t kGrowth = 65536;
-    H5Pset_fapl_core(access.Get(), kGrowth, 0);
+    H5Pset_fapl_core(access.Get(), kGrowth, false);
     // The library copies the image, and does not change what it was given.
     H5Pset_file_image(access.Get(), const_cast<char*>(bytes.data()), bytes.size());
   }

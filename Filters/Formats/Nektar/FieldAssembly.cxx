@@ -109,19 +109,49 @@ void AddFields(const std::vector<NamedText>& parts, const std::string& meshName,
   }
   std::vector<const ElementBasis*> ordered;
   std::ranges::transform(places, std::back_inserter(ordered), &Placement::basis);
-  for (std::size_t f = 0; f < names.size(); ++f)
+  const auto assemble = [&](std::size_t f, std::size_t plane)
   {
-    SolverField field;
-    field.name = names[f];
-    field.basis = basisName;
-    field.values = AssembleField(ordered, 1,
+    return AssembleField(ordered, 1,
       [&](std::size_t e, std::span<double> source)
       {
         const Placement& place = places[e];
-        std::copy_n(&place.block->values[f * place.block->perField + place.data->offset],
+        std::copy_n(
+          &place.block
+             ->values[f * place.block->perField + place.data->offset + plane * place.data->count],
           place.data->count, source.begin());
       });
-    model.fields.push_back(std::move(field));
+  };
+  const auto& homogeneous = places.front().block->homogeneous;
+  if (std::ranges::any_of(
+        places, [&](const Placement& place) { return place.block->homogeneous != homogeneous; }))
+  {
+    throw Unsupported(parts.front().name +
+      ": its blocks differ in their functions or lengths along z; join them (FieldConvert in.fld "
+      "out.fld).");
+  }
+  std::vector<HomogeneousField> along;
+  for (std::size_t f = 0; f < names.size(); ++f)
+  {
+    if (!homogeneous)
+    {
+      SolverField field;
+      field.name = names[f];
+      field.basis = basisName;
+      field.values = assemble(f, 0);
+      model.fields.push_back(std::move(field));
+      continue;
+    }
+    HomogeneousField& field = along.emplace_back();
+    field.name = names[f];
+    field.basis = basisName;
+    for (std::size_t plane = 0; plane < homogeneous->functions.size(); ++plane)
+    {
+      field.planes.push_back(assemble(f, plane));
+    }
+  }
+  if (homogeneous)
+  {
+    LiftHomogeneous(*homogeneous, std::move(along), model);
   }
 }
 } // namespace pixelexact::nektar

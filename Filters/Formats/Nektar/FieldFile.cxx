@@ -2,12 +2,15 @@
 #include "Formats/Nektar/FieldFile.h"
 
 #include "Core/Base/Error.h"
+#include "Core/Base/ParseWhole.h"
 #include "Core/Basis/Space.h"
 #include "Formats/Nektar/Conditions.h"
 #include "Formats/Nektar/ModifiedModes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <numeric>
 
 namespace pixelexact::nektar
 {
@@ -29,20 +32,18 @@ std::vector<std::string> Split(std::string_view text)
 }
 
 /// The directions of xi that the file tells of, in its order.
-std::vector<std::size_t> DirectionsOf(const pugi::xml_node& node)
+std::vector<std::size_t> DirectionsOf(std::string_view shape)
 {
-  const std::string_view name = node.attribute("SHAPE").value();
-  if (name == "Triangle")
+  if (shape == "Triangle")
   {
     return { 0, 2 };
   }
-  return name == "Quadrilateral" ? std::vector<std::size_t>{ 0, 1 }
-                                 : std::vector<std::size_t>{ 0, 1, 2 };
+  return shape == "Quadrilateral" ? std::vector<std::size_t>{ 0, 1 }
+                                  : std::vector<std::size_t>{ 0, 1, 2 };
 }
 
-Shape ShapeNamed(const Document& document, const pugi::xml_node& node)
+Shape ShapeNamed(const Document& document, const pugi::xml_node& node, std::string_view name)
 {
-  const std::string_view name = node.attribute("SHAPE").value();
   if (name == "Hexahedron" || name == "Quadrilateral")
   {
     return Shape::Hexahedron;
@@ -60,10 +61,8 @@ Shape ShapeNamed(const Document& document, const pugi::xml_node& node)
     return Shape::Pyramid;
   }
   document.FailUnsupported(node,
-    name.find("-Homogen") != name.npos
-      ? HomogeneousRemedy()
-      : "elements of the shape '" + std::string(name.substr(0, 40)) +
-        "' are not read; only solids, triangles and quadrilaterals are.");
+    "elements of the shape '" + std::string(name.substr(0, 40)) +
+      "' are not read; only solids, triangles and quadrilaterals are.");
 }
 
 class BlockReader
@@ -77,14 +76,16 @@ public:
 
   FieldBlock Read()
   {
-    if (Node.attribute("HOMOGENEOUSLENGTHS") || Node.attribute("NUMHOMODIRECTIONS"))
-    {
-      File.FailUnsupported(Node, HomogeneousRemedy());
-    }
-    Base.shape = ShapeNamed(File, Node);
+    const std::string_view name = Node.attribute("SHAPE").value();
+    const std::string_view shape = name.substr(0, name.find('-'));
+    Base.shape = ShapeNamed(File, Node, shape);
     Block.fields = Split(Node.attribute("FIELDS").value());
-    const auto families = Split(Node.attribute("BASIS").value());
-    Directions = DirectionsOf(Node);
+    auto families = Split(Node.attribute("BASIS").value());
+    Directions = DirectionsOf(shape);
+    if (shape.size() < name.size() || Node.attribute("HOMOGENEOUSLENGTHS"))
+    {
+      ReadHomogeneous(name.substr(shape.size()), families);
+    }
     if (Block.fields.empty() || families.size() != Directions.size())
     {
       File.Fail(Node,
@@ -120,6 +121,63 @@ public:
   }
 
 private:
+  /// Fourier's functions along z, the last of the families.
+  void ReadHomogeneous(std::string_view kind, std::vector<std::string>& families)
+  {
+    const std::string last = families.empty() ? std::string() : families.back();
+    if (kind != "-HomogenousExp1D" || Directions.size() != 2 ||
+      (last != "Fourier" && last != "FourierSingleMode"))
+    {
+      File.FailUnsupported(Node,
+        "of homogeneous expansions those of triangles and quadrilaterals are read, with Fourier or "
+        "FourierSingleMode along z, not '" +
+          std::string(Node.attribute("SHAPE").value()).substr(0, 40) + "' with '" +
+          last.substr(0, 40) + "'; " + HomogeneousRemedy());
+    }
+    families.pop_back();
+    Homogeneous& along = Block.homogeneous.emplace();
+    const std::string_view length = Trim(Node.attribute("HOMOGENEOUSLENGTHS").value());
+    if (!ParseWhole(length, along.length) || !(along.length > 0.0) || std::isinf(along.length))
+    {
+      File.Fail(Node, "HOMOGENEOUSLENGTHS should be one number above 0.");
+    }
+    constexpr std::int64_t kMostFunctions = 4096;
+    const auto list = Node.attribute("HOMOGENEOUSZIDS")
+      ? File.List(Node, Node.attribute("HOMOGENEOUSZIDS").value(), kMostFunctions)
+      : NumbersOfFunctions();
+    for (const std::int64_t number : list)
+    {
+      if (number >= kMostFunctions ||
+        std::ranges::find(along.functions, number) != along.functions.end())
+      {
+        File.Fail(Node,
+          "HOMOGENEOUSZIDS names the function " + std::to_string(number) + " twice, or one above " +
+            std::to_string(kMostFunctions - 1) + ".");
+      }
+      along.functions.push_back(static_cast<int>(number));
+    }
+    if (along.functions.empty())
+    {
+      File.Fail(Node, "HOMOGENEOUSZIDS names no function.");
+    }
+  }
+
+  /// Where the file does not list them: 0 to the last number of NUMMODESPERDIR less one.
+  std::vector<std::int64_t> NumbersOfFunctions() const
+  {
+    const std::string text = Node.attribute("NUMMODESPERDIR").value();
+    const auto comma = text.rfind(',');
+    std::int64_t count = 0;
+    if (comma == std::string::npos || !ParseWhole(Trim(text).substr(comma + 1), count) ||
+      count < 1 || count > kMaxOrder * kMaxOrder)
+    {
+      File.Fail(Node, "NUMMODESPERDIR does not tell how many functions there are along z.");
+    }
+    std::vector<std::int64_t> numbers(static_cast<std::size_t>(count));
+    std::iota(numbers.begin(), numbers.end(), 0);
+    return numbers;
+  }
+
   void ReadOrders(const std::vector<std::int64_t>& ids)
   {
     const std::string_view text = Trim(Node.attribute("NUMMODESPERDIR").value());
@@ -131,7 +189,8 @@ private:
     }
     const auto counts = Split(text.substr(std::min(colon + 1, text.size())));
     const std::size_t sets = mixed ? ids.size() : 1;
-    const std::size_t directions = Directions.size();
+    const std::size_t directions = Directions.size() + (Block.homogeneous ? 1 : 0);
+    const std::size_t planes = Block.homogeneous ? Block.homogeneous->functions.size() : 1;
     if (counts.size() != directions * sets)
     {
       File.Fail(Node,
@@ -142,9 +201,9 @@ private:
     for (std::size_t e = 0; e < ids.size(); ++e)
     {
       const int expansion =
-        AddExpansion(std::span(counts).subspan(mixed ? directions * e : 0, directions));
+        AddExpansion(std::span(counts).subspan(mixed ? directions * e : 0, Directions.size()));
       Block.elements.push_back({ ids[e], expansion, Block.perField, ModeCounts[expansion] });
-      Block.perField += ModeCounts[expansion];
+      Block.perField += planes * ModeCounts[expansion];
     }
   }
 

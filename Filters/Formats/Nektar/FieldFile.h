@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Formats/Nektar/Document.h"
+#include "Formats/Nektar/Homogeneous.h"
 
 #include "Core/Shape/Shape.h"
 
@@ -22,7 +23,8 @@ struct Expansion3
   [[nodiscard]] bool IsPlane() const { return families[1].empty() || families[2].empty(); }
 };
 
-/// An element's coefficients in a block.
+/// An element's coefficients in a block. Of homogeneous blocks, those of the first function of z;
+/// the others' follow.
 struct ElementData
 {
   std::int64_t id = 0;
@@ -37,6 +39,7 @@ struct FieldBlock
   std::vector<std::string> fields;
   std::vector<Expansion3> expansions;
   std::vector<ElementData> elements;
+  std::optional<Homogeneous> homogeneous;
   std::size_t perField = 0;
   std::vector<double> values; ///< field by field
 };

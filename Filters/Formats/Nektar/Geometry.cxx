@@ -37,11 +37,11 @@ pugi::xml_node FindGeometry(const Document& document, std::span<const Document* 
     return {}; // the other file's is read
   }
   if (const auto homogeneous = HomogeneousType(session);
-      geometry && homogeneous && DimensionOf(document, geometry) != 3)
+      geometry && homogeneous && *homogeneous != "1D" && DimensionOf(document, geometry) != 3)
   {
     document.FailUnsupported(geometry,
-      "the mesh is two-dimensional, the session HOMOGENEOUS (" + *homogeneous +
-        "): " + HomogeneousRemedy());
+      "the session is HOMOGENEOUS (" + *homogeneous +
+        "), and only 1D is read: " + HomogeneousRemedy());
   }
   if (geometry)
   {

@@ -15,7 +15,7 @@ namespace
 {
 const std::string kRoot = "/NEKTAR";
 
-/// Nektar++'s enumeration of families of functions.
+/// Nektar++ 5's enumeration of families of functions.
 constexpr std::array kFamilies{ "NoBasisType", "Ortho_A", "Ortho_B", "Ortho_C", "Modified_A",
   "Modified_B", "Modified_C", "OrthoPyr_C", "ModifiedPyr_C", "Fourier", "GLL_Lagrange",
   "Gauss_Lagrange", "Legendre", "Chebyshev", "Monomial", "FourierSingleMode", "FourierHalfModeRe",
@@ -41,6 +41,7 @@ struct Offsets
   std::size_t elements = 0;
   std::size_t values = 0;
   std::size_t orders = 0;
+  std::size_t planes = 0;
 };
 
 template <class Number>
@@ -60,6 +61,18 @@ std::string Joined(const std::vector<std::string>& texts)
   for (const std::string& text : texts)
   {
     list += (list.empty() ? "" : ",") + text;
+  }
+  return list;
+}
+
+std::string JoinedReals(const std::vector<double>& numbers)
+{
+  std::string list;
+  for (const double number : numbers)
+  {
+    char text[32];
+    const auto end = std::to_chars(text, text + sizeof(text), number);
+    list += (list.empty() ? "" : ",") + std::string(text, end.ptr);
   }
   return list;
 }
@@ -108,6 +121,10 @@ public:
     if (File.Has(kRoot + "/POLYORDERS"))
     {
       Orders = File.Unsigned(kRoot + "/POLYORDERS");
+    }
+    if (File.Has(kRoot + "/HOMOGENEOUSZIDS"))
+    {
+      Planes = File.Unsigned(kRoot + "/HOMOGENEOUSZIDS");
     }
     std::string xml;
     Offsets at;
@@ -177,15 +194,30 @@ private:
     std::string xml = "<ELEMENTS FIELDS=\"" + TextsOf(group, "FIELDS") + "\" SHAPE=\"" +
       TextsOf(group, "SHAPE") + "\" BASIS=\"" + Families(group) + "\" NUMMODESPERDIR=\"" + modes +
       "\" ID=\"" + Joined(ids) + "\"";
+    const auto planes = Take(Planes, at.planes, At(row, kPlanesZ), "HOMOGENEOUSZIDS");
     if (File.HasAttribute(group, "HOMOGENEOUSLENGTHS"))
     {
-      xml += " HOMOGENEOUSLENGTHS=\"\"";
+      xml += " HOMOGENEOUSLENGTHS=\"" +
+        JoinedReals(File.RealAttributes(group, "HOMOGENEOUSLENGTHS")) + "\" HOMOGENEOUSZIDS=\"" +
+        Joined(planes) + "\"";
     }
     return xml + " " + kBlockAttributes + ">" + StoredBlock(std::as_bytes(values)) + "</ELEMENTS>";
   }
 
+  /// Whether Nektar++ 4 wrote the file, whose enumeration goes on differently behind Modified_C.
+  [[nodiscard]] bool IsOld() const
+  {
+    const std::string provenance = kRoot + "/Metadata/Provenance";
+    const auto version = File.HasAttribute(provenance, "NektarVersion")
+      ? File.TextAttributes(provenance, "NektarVersion")
+      : std::vector<std::string>();
+    return !version.empty() && version.front() < "5";
+  }
+
   [[nodiscard]] std::string Families(const std::string& group) const
   {
+    constexpr std::int64_t kCommon = 6; // Modified_C
+    constexpr std::int64_t kOldFourier = 7;
     std::vector<std::string> names;
     for (const std::int64_t number : File.IntegerAttributes(group, "BASIS"))
     {
@@ -193,7 +225,14 @@ private:
       {
         Contradiction("a BASIS is number " + std::to_string(number) + ", which is none");
       }
-      names.emplace_back(kFamilies[static_cast<std::size_t>(number)]);
+      const bool old = number > kCommon && IsOld();
+      if (old && !(number == kOldFourier && File.HasAttribute(group, "HOMOGENEOUSLENGTHS")))
+      {
+        throw Unsupported(Name + ": a BASIS is number " + std::to_string(number) +
+          ", which Nektar++ 4 counts otherwise than 5; write the file anew (FieldConvert in.fld "
+          "out.fld).");
+      }
+      names.emplace_back(old ? "Fourier" : kFamilies[static_cast<std::size_t>(number)]);
     }
     return Joined(names);
   }
@@ -204,6 +243,7 @@ private:
   std::vector<std::uint64_t> Ids;
   std::vector<double> Values;
   std::vector<std::uint64_t> Orders;
+  std::vector<std::uint64_t> Planes; ///< numbers of functions along z
 };
 } // namespace
 

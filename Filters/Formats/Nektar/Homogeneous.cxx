@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Formats/Nektar/Homogeneous.h"
+
+#include "Core/Basis/BasisFactor.h"
+#include "Core/Basis/ModeBound.h"
+#include "Formats/Nektar/FourierLayers.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace pixelexact::nektar
+{
+namespace
+{
+std::size_t Across(Shape shape)
+{
+  return shape == Shape::Prism ? 1 : 2;
+}
+
+/// A number as people read it.
+std::string Short(double number)
+{
+  constexpr int kDigits = 3;
+  char text[32];
+  const auto end =
+    std::to_chars(text, text + sizeof(text), number, std::chars_format::general, kDigits);
+  return { text, end.ptr };
+}
+
+std::span<const double> CoefficientsOf(const SolverExpansion& expansion, std::size_t e)
+{
+  const Space& space = expansion.spaces[static_cast<std::size_t>(expansion.spaceOf[e])];
+  return { &expansion.coefficients.data[static_cast<std::size_t>(expansion.offset[e])],
+    static_cast<std::size_t>(space.Modes() * expansion.components) };
+}
+
+/// A bound of |function| on all elements.
+double LargestOf(const SolverExpansion& plane)
+{
+  std::vector<std::vector<double>> bounds;
+  for (const Space& space : plane.spaces)
+  {
+    auto& own = bounds.emplace_back();
+    ForEachMode(
+      space, [&](int p, int q, int r, int /*mode*/) { own.push_back(ModeBound(space, p, q, r)); });
+  }
+  double largest = 0.0;
+  for (std::size_t e = 0; e < plane.spaceOf.size(); ++e)
+  {
+    const auto coefficients = CoefficientsOf(plane, e);
+    double sum = 0.0;
+    for (std::size_t m = 0; m < coefficients.size(); ++m)
+    {
+      sum += std::fabs(coefficients[m]) * bounds[static_cast<std::size_t>(plane.spaceOf[e])][m];
+    }
+    largest = std::max(largest, sum);
+  }
+  return largest;
+}
+
+/// The range of values that are attained in the elements' middles.
+double AttainedRange(const HomogeneousField& field, const FourierLayers& layers)
+{
+  constexpr int kPlaces = 4; // in each layer
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  std::vector<double> middle(field.planes.size());
+  for (std::size_t e = 0; e < field.planes.front().spaceOf.size(); ++e)
+  {
+    for (std::size_t f = 0; f < middle.size(); ++f)
+    {
+      const SolverExpansion& plane = field.planes[f];
+      const Space& space = plane.spaces[static_cast<std::size_t>(plane.spaceOf[e])];
+      std::vector<long double> modes(static_cast<std::size_t>(space.Modes()));
+      EvaluateModes(space, { -0.4L, -0.4L, -0.4L }, modes.data());
+      const auto coefficients = CoefficientsOf(plane, e);
+      middle[f] = 0.0;
+      for (std::size_t m = 0; m < modes.size(); ++m)
+      {
+        middle[f] += coefficients[m] * static_cast<double>(modes[m]);
+      }
+    }
+    for (int k = 0; k < kPlaces * layers.Layers(); ++k)
+    {
+      double value = 0.0;
+      for (std::size_t f = 0; f < middle.size(); ++f)
+      {
+        value += middle[f] * layers.Value(f, 2 * layers.Half() * k / kPlaces);
+      }
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+  }
+  return high > low ? high - low : 0.0;
+}
+
+/// What polynomials of an order lose of a field at most.
+double LossOf(const std::vector<double>& largest, const FourierLayers& layers, int order)
+{
+  double loss = 0.0;
+  for (std::size_t f = 0; f < largest.size(); ++f)
+  {
+    loss += largest[f] * layers.Loss(f, order);
+  }
+  return loss;
+}
+
+struct Accuracy
+{
+  int order = 0;
+  double loss = 0.0;  ///< at most
+  double range = 0.0; ///< at least
+};
+
+Accuracy AccuracyOf(const HomogeneousField& field, const FourierLayers& layers)
+{
+  std::vector<double> largest;
+  std::ranges::transform(field.planes, std::back_inserter(largest), &LargestOf);
+  Accuracy found;
+  found.range = AttainedRange(field, layers);
+  found.loss = LossOf(largest, layers, 0);
+  while (found.order < kMaxOrder && found.loss > kHomogeneousLoss * found.range)
+  {
+    found.loss = LossOf(largest, layers, ++found.order);
+  }
+  return found;
+}
+
+Space WithOrderAcross(const Space& plane, int order)
+{
+  Space space = plane;
+  space.order[Across(plane.shape)] = static_cast<std::uint8_t>(order);
+  return space;
+}
+
+/// Per function, layer and order the coefficients of Legendre's polynomials.
+class LayerCoefficients
+{
+public:
+  LayerCoefficients(const FourierLayers& layers, std::size_t functions, int order)
+    : Functions(functions)
+    , Orders(static_cast<std::size_t>(order) + 1)
+  {
+    for (int layer = 0; layer < layers.Layers(); ++layer)
+    {
+      for (std::size_t f = 0; f < functions; ++f)
+      {
+        for (int n = 0; n <= order; ++n)
+        {
+          Values.push_back(layers.Coefficient(layer, f, n));
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] double At(int layer, std::size_t function, int n) const
+  {
+    return Values[(static_cast<std::size_t>(layer) * Functions + function) * Orders +
+      static_cast<std::size_t>(n)];
+  }
+
+private:
+  std::size_t Functions;
+  std::size_t Orders;
+  std::vector<double> Values;
+};
+
+SolverExpansion LiftField(const HomogeneousField& field, const FourierLayers& layers, int order)
+{
+  const SolverExpansion& plane = field.planes.front();
+  const std::size_t elements = plane.spaceOf.size();
+  const LayerCoefficients along(layers, field.planes.size(), order);
+  SolverExpansion lifted;
+  for (const Space& space : plane.spaces)
+  {
+    lifted.spaces.push_back(WithOrderAcross(space, order));
+  }
+  std::size_t size = 0;
+  for (int layer = 0; layer < layers.Layers(); ++layer)
+  {
+    for (std::size_t e = 0; e < elements; ++e)
+    {
+      lifted.spaceOf.push_back(plane.spaceOf[e]);
+      lifted.offset.push_back(static_cast<std::int64_t>(size));
+      size +=
+        static_cast<std::size_t>(lifted.spaces[static_cast<std::size_t>(plane.spaceOf[e])].Modes());
+    }
+  }
+  lifted.coefficients = { std::unique_ptr<double[]>(new double[size]), size };
+  for (std::size_t at = 0; at < lifted.spaceOf.size(); ++at)
+  {
+    const int layer = static_cast<int>(at / elements);
+    const std::size_t e = at % elements;
+    const Space& space = lifted.spaces[static_cast<std::size_t>(lifted.spaceOf[at])];
+    const std::size_t across = Across(space.shape);
+    const bool downwards = space.shape == Shape::Prism; // xi2 runs against z
+    std::vector<std::size_t> planar(static_cast<std::size_t>(order) + 1, 0);
+    double* target = &lifted.coefficients.data[static_cast<std::size_t>(lifted.offset[at])];
+    ForEachMode(space,
+      [&](int p, int q, int r, int mode)
+      {
+        // Modes of one order across follow each other as those of the plane element.
+        const int n = std::array<int, 3>{ p, q, r }[across];
+        const std::size_t m = planar[static_cast<std::size_t>(n)]++;
+        double value = 0.0;
+        for (std::size_t f = 0; f < field.planes.size(); ++f)
+        {
+          value += along.At(layer, f, n) * CoefficientsOf(field.planes[f], e)[m];
+        }
+        target[mode] = downwards && n % 2 != 0 ? -value : value;
+      });
+  }
+  return lifted;
+}
+
+/// Copies the slab's elements into layers.
+void LiftMesh(const FourierLayers& layers, SolverMesh& mesh)
+{
+  const std::size_t elements = mesh.number.size();
+  SolverMesh lifted;
+  lifted.map.components = 3;
+  lifted.map.spaces = mesh.map.spaces;
+  const std::size_t size = mesh.map.coefficients.size;
+  const auto count = static_cast<std::size_t>(layers.Layers());
+  lifted.map.coefficients = { std::unique_ptr<double[]>(new double[size * count]), size * count };
+  const std::int64_t stride = 1 + *std::ranges::max_element(mesh.number);
+  int exponent = 0;
+  std::frexp(layers.Half(), &exponent);
+  for (std::size_t layer = 0; layer < count; ++layer)
+  {
+    for (std::size_t e = 0; e < elements; ++e)
+    {
+      const Space& space = mesh.map.spaces[static_cast<std::size_t>(mesh.map.spaceOf[e])];
+      const auto modes = static_cast<std::size_t>(space.Modes());
+      const auto offset = layer * size + static_cast<std::size_t>(mesh.map.offset[e]);
+      const double own = std::max(mesh.size[e], std::ldexp(1.0, exponent)); // powers of two
+      double* target = &lifted.map.coefficients.data[offset];
+      std::ranges::transform(CoefficientsOf(mesh.map, e), target,
+        [&](double value) { return value * (mesh.size[e] / own); });
+      ForEachMode(space,
+        [&](int p, int q, int r, int mode)
+        {
+          double& z = target[2 * modes + static_cast<std::size_t>(mode)];
+          const bool linear =
+            p + q + r == 1 && std::array<int, 3>{ p, q, r }[Across(space.shape)] == 1;
+          z = linear ? std::copysign(layers.Half() / own, z) : 0.0;
+        });
+      lifted.map.spaceOf.push_back(mesh.map.spaceOf[e]);
+      lifted.map.offset.push_back(static_cast<std::int64_t>(offset));
+      lifted.centre.insert(lifted.centre.end(),
+        { mesh.centre[3 * e], mesh.centre[3 * e + 1], layers.Middle(static_cast<int>(layer)) });
+      lifted.size.push_back(own);
+      lifted.uncertainty.push_back(mesh.uncertainty[e] +
+        8 * std::numeric_limits<double>::epsilon() * 2 * layers.Half() * layers.Layers());
+      lifted.number.push_back(mesh.number[e] + static_cast<std::int64_t>(layer) * stride);
+      lifted.corners.push_back(mesh.corners[e]);
+      lifted.attribute.push_back(mesh.attribute[e]);
+    }
+    for (const BoundaryFace& face : mesh.boundary)
+    {
+      lifted.boundary.push_back(
+        { face.element + static_cast<std::int32_t>(layer * elements), face.face, face.attribute });
+    }
+  }
+  lifted.groups = std::move(mesh.groups);
+  mesh = std::move(lifted);
+}
+} // namespace
+
+void LiftHomogeneous(
+  const Homogeneous& along, std::vector<HomogeneousField> fields, SolverModel& model)
+{
+  const FourierLayers layers(along);
+  LiftMesh(layers, model.mesh);
+  const std::string functions = std::to_string(along.functions.size()) + " Fourier functions";
+  std::string orders;
+  double worst = 0.0;
+  for (const HomogeneousField& field : fields)
+  {
+    const Accuracy accuracy = AccuracyOf(field, layers);
+    SolverField lifted;
+    lifted.name = field.name;
+    lifted.basis = field.basis + " x " + functions;
+    lifted.values = LiftField(field, layers, accuracy.order);
+    model.fields.push_back(std::move(lifted));
+    orders +=
+      (orders.empty() ? "" : ", ") + std::to_string(accuracy.order) + " (" + field.name + ")";
+    worst = std::max(worst, accuracy.range > 0.0 ? accuracy.loss / accuracy.range : 0.0);
+  }
+  model.notes.push_back("homogeneous along z: periodic with the length " + Short(along.length) +
+    ", " + functions + "; they are polynomials in " + std::to_string(layers.Layers()) +
+    " layers of elements, of order " + orders + ", which are off by at most " + Short(worst) +
+    " of a field's range.");
+}
+} // namespace pixelexact::nektar
