@@ -151,7 +151,7 @@ void AddFields(const std::vector<NamedText>& parts, const std::string& meshName,
   }
   if (homogeneous)
   {
-    LiftHomogeneous(*homogeneous, std::move(along), model);
+    LiftHomogeneous(*homogeneous, along, model);
   }
 }
 } // namespace pixelexact::nektar

@@ -270,7 +270,7 @@ void LiftMesh(const FourierLayers& layers, SolverMesh& mesh)
 } // namespace
 
 void LiftHomogeneous(
-  const Homogeneous& along, std::vector<HomogeneousField> fields, SolverModel& model)
+  const Homogeneous& along, const std::vector<HomogeneousField>& fields, SolverModel& model)
 {
   const FourierLayers layers(along);
   LiftMesh(layers, model.mesh);

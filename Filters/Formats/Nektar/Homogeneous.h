@@ -35,5 +35,5 @@ struct HomogeneousField
 /// l times (1 + the largest number) added to its number. Notes say how many layers and which order
 /// there are, and what is lost at most.
 void LiftHomogeneous(
-  const Homogeneous& along, std::vector<HomogeneousField> fields, SolverModel& model);
+  const Homogeneous& along, const std::vector<HomogeneousField>& fields, SolverModel& model);
 } // namespace pixelexact::nektar
