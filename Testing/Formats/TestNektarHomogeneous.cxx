@@ -138,7 +138,7 @@ TEST(NektarHomogeneous, RefusesWithReasons)
   refuse(Replaced(block, "Quadrilateral", "Segment"), { "Segment" });
   refuse(Replaced(block, "HOMOGENEOUSLENGTHS=\"3\"", "HOMOGENEOUSLENGTHS=\"0\""), { "above 0" });
   refuse(Replaced(block, "HOMOGENEOUSZIDS=\"0\"", "HOMOGENEOUSZIDS=\"0,0\""), { "twice" });
-  refuse(Replaced(block, "HOMOGENEOUSZIDS=\"0\"", "HOMOGENEOUSZIDS=\"5000\""), { "4095" });
+  refuse(Replaced(block, "HOMOGENEOUSZIDS=\"0\"", "HOMOGENEOUSZIDS=\"5000\""), { "1023" });
   refuse(Replaced(block, " 1 1 1 1 ", " 1 1 1 "), { "3 coefficients", "have 4" });
   refuse(block + Block("Triangle", 9, "2", 1, " 1 1 1 "), { "differ in their functions" });
 }

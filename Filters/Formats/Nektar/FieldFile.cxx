@@ -18,6 +18,8 @@ namespace
 {
 /// An element has one value at least; ids alone are not in proportion to anything.
 constexpr std::size_t kMostElements = std::size_t{ 1 } << 28U;
+/// Functions along z; layers are in proportion to them.
+constexpr std::int64_t kMostFunctions = 1024;
 
 std::vector<std::string> Split(std::string_view text)
 {
@@ -141,7 +143,6 @@ private:
     {
       File.Fail(Node, "HOMOGENEOUSLENGTHS should be one number above 0.");
     }
-    constexpr std::int64_t kMostFunctions = 4096;
     const auto list = Node.attribute("HOMOGENEOUSZIDS")
       ? File.List(Node, Node.attribute("HOMOGENEOUSZIDS").value(), kMostFunctions)
       : NumbersOfFunctions();
@@ -169,7 +170,7 @@ private:
     const auto comma = text.rfind(',');
     std::int64_t count = 0;
     if (comma == std::string::npos || !ParseWhole(Trim(text).substr(comma + 1), count) ||
-      count < 1 || count > kMaxOrder * kMaxOrder)
+      count < 1 || count > kMostFunctions)
     {
       File.Fail(Node, "NUMMODESPERDIR does not tell how many functions there are along z.");
     }

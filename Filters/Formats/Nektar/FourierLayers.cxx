@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/Nektar/FourierLayers.h"
 
+#include "Core/Basis/Space.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -13,6 +15,13 @@ FourierLayers::FourierLayers(const Homogeneous& along)
   for (std::size_t f = 0; f < along.functions.size(); ++f)
   {
     Count = std::max(Count, Wave(f));
+  }
+  for (std::size_t f = 0; f < along.functions.size(); ++f)
+  {
+    for (unsigned n = 0; n <= kMaxOrder; ++n)
+    {
+      Bessel.push_back(std::sph_bessel(n, Phase(Wave(f))));
+    }
   }
 }
 
@@ -34,7 +43,7 @@ double FourierLayers::Coefficient(int layer, std::size_t function, int n) const
   // cos(a + t x) and -sin(a + t x): the real part of exp(i (a + t x)), and minus the imaginary one.
   const long double t = Phase(Wave(function));
   const long double a = t * (2 * layer + 1);
-  const long double amplitude = (2 * n + 1) * std::sph_bessel(static_cast<unsigned>(n), t);
+  const long double amplitude = (2 * n + 1) * Bessel[function * (kMaxOrder + 1) + n];
   const long double parts[4] = { std::cos(a), -std::sin(a), -std::cos(a), std::sin(a) };
   const int turn = Along.functions[function] % 2 == 0 ? n : n + 1;
   return static_cast<double>(amplitude * parts[turn % 4]);

@@ -22,7 +22,7 @@ public:
 
   /// The value of a function (by its place in the list) at z.
   [[nodiscard]] double Value(std::size_t function, double z) const;
-  /// A function's coefficient of P_n(x), x from -1 to 1 upwards in the layer.
+  /// A function's coefficient of P_n(x), n to kMaxOrder, x from -1 to 1 upwards in the layer.
   [[nodiscard]] double Coefficient(int layer, std::size_t function, int n) const;
   /// A bound of what polynomials of this order lose of the function, anywhere.
   [[nodiscard]] double Loss(std::size_t function, int order) const;
@@ -34,5 +34,6 @@ private:
 
   Homogeneous Along;
   int Count = 1;
+  std::vector<long double> Bessel; ///< j_n of each function's phase, n to kMaxOrder
 };
 } // namespace pixelexact::nektar

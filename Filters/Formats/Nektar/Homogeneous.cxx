@@ -5,10 +5,14 @@
 #include "Core/Basis/ModeBound.h"
 #include "Formats/Nektar/FourierLayers.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace pixelexact::nektar
 {
@@ -60,35 +64,38 @@ double LargestOf(const SolverExpansion& plane)
   return largest;
 }
 
-/// The range of values that are attained in the elements' middles.
+/// A range of values that are attained in elements' middles; the true one is no smaller.
 double AttainedRange(const HomogeneousField& field, const FourierLayers& layers)
 {
-  constexpr int kPlaces = 4; // in each layer
+  constexpr std::size_t kElements = 2000;
+  constexpr int kPlaces = 64;
+  const std::size_t functions = field.planes.size();
+  std::vector<double> waves;
+  for (int k = 0; k < kPlaces; ++k)
+  {
+    for (std::size_t f = 0; f < functions; ++f)
+    {
+      waves.push_back(layers.Value(f, 2 * layers.Half() * layers.Layers() * k / kPlaces));
+    }
+  }
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
-  std::vector<double> middle(field.planes.size());
-  for (std::size_t e = 0; e < field.planes.front().spaceOf.size(); ++e)
+  std::vector<double> middle(functions);
+  const std::size_t elements = field.planes.front().spaceOf.size();
+  for (std::size_t e = 0; e < elements; e += 1 + elements / kElements)
   {
-    for (std::size_t f = 0; f < middle.size(); ++f)
+    const SolverExpansion& first = field.planes.front();
+    const Space& space = first.spaces[static_cast<std::size_t>(first.spaceOf[e])];
+    std::vector<long double> modes(static_cast<std::size_t>(space.Modes()));
+    EvaluateModes(space, { -0.4L, -0.4L, -0.4L }, modes.data());
+    for (std::size_t f = 0; f < functions; ++f)
     {
-      const SolverExpansion& plane = field.planes[f];
-      const Space& space = plane.spaces[static_cast<std::size_t>(plane.spaceOf[e])];
-      std::vector<long double> modes(static_cast<std::size_t>(space.Modes()));
-      EvaluateModes(space, { -0.4L, -0.4L, -0.4L }, modes.data());
-      const auto coefficients = CoefficientsOf(plane, e);
-      middle[f] = 0.0;
-      for (std::size_t m = 0; m < modes.size(); ++m)
-      {
-        middle[f] += coefficients[m] * static_cast<double>(modes[m]);
-      }
+      middle[f] = static_cast<double>(std::inner_product(
+        modes.begin(), modes.end(), CoefficientsOf(field.planes[f], e).begin(), 0.0L));
     }
-    for (int k = 0; k < kPlaces * layers.Layers(); ++k)
+    for (auto at = waves.begin(); at != waves.end(); at += static_cast<std::ptrdiff_t>(functions))
     {
-      double value = 0.0;
-      for (std::size_t f = 0; f < middle.size(); ++f)
-      {
-        value += middle[f] * layers.Value(f, 2 * layers.Half() * k / kPlaces);
-      }
+      const double value = std::inner_product(middle.begin(), middle.end(), at, 0.0);
       low = std::min(low, value);
       high = std::max(high, value);
     }
@@ -135,83 +142,93 @@ Space WithOrderAcross(const Space& plane, int order)
   return space;
 }
 
-/// Per function, layer and order the coefficients of Legendre's polynomials.
-class LayerCoefficients
+/// Per layer, function and order the coefficients of Legendre's polynomials, orders fastest.
+std::vector<double> LayerCoefficients(const FourierLayers& layers, std::size_t functions, int order)
 {
-public:
-  LayerCoefficients(const FourierLayers& layers, std::size_t functions, int order)
-    : Functions(functions)
-    , Orders(static_cast<std::size_t>(order) + 1)
+  std::vector<double> values;
+  for (int layer = 0; layer < layers.Layers(); ++layer)
   {
-    for (int layer = 0; layer < layers.Layers(); ++layer)
+    for (std::size_t f = 0; f < functions; ++f)
     {
-      for (std::size_t f = 0; f < functions; ++f)
+      for (int n = 0; n <= order; ++n)
       {
-        for (int n = 0; n <= order; ++n)
-        {
-          Values.push_back(layers.Coefficient(layer, f, n));
-        }
+        values.push_back(layers.Coefficient(layer, f, n));
       }
     }
   }
+  return values;
+}
 
-  [[nodiscard]] double At(int layer, std::size_t function, int n) const
-  {
-    return Values[(static_cast<std::size_t>(layer) * Functions + function) * Orders +
-      static_cast<std::size_t>(n)];
-  }
-
-private:
-  std::size_t Functions;
-  std::size_t Orders;
-  std::vector<double> Values;
-};
-
-SolverExpansion LiftField(const HomogeneousField& field, const FourierLayers& layers, int order)
+SolverExpansion AllocateLayers(const SolverExpansion& plane, int layers, int order)
 {
-  const SolverExpansion& plane = field.planes.front();
-  const std::size_t elements = plane.spaceOf.size();
-  const LayerCoefficients along(layers, field.planes.size(), order);
   SolverExpansion lifted;
   for (const Space& space : plane.spaces)
   {
     lifted.spaces.push_back(WithOrderAcross(space, order));
   }
   std::size_t size = 0;
-  for (int layer = 0; layer < layers.Layers(); ++layer)
+  for (int layer = 0; layer < layers; ++layer)
   {
-    for (std::size_t e = 0; e < elements; ++e)
+    for (const std::int32_t space : plane.spaceOf)
     {
-      lifted.spaceOf.push_back(plane.spaceOf[e]);
+      lifted.spaceOf.push_back(space);
       lifted.offset.push_back(static_cast<std::int64_t>(size));
-      size +=
-        static_cast<std::size_t>(lifted.spaces[static_cast<std::size_t>(plane.spaceOf[e])].Modes());
+      size += static_cast<std::size_t>(lifted.spaces[static_cast<std::size_t>(space)].Modes());
     }
   }
   lifted.coefficients = { std::unique_ptr<double[]>(new double[size]), size };
-  for (std::size_t at = 0; at < lifted.spaceOf.size(); ++at)
+  return lifted;
+}
+
+SolverExpansion LiftField(const HomogeneousField& field, const FourierLayers& layers, int order)
+{
+  const SolverExpansion& plane = field.planes.front();
+  const std::size_t elements = plane.spaceOf.size();
+  const std::size_t functions = field.planes.size();
+  const std::size_t orders = static_cast<std::size_t>(order) + 1;
+  const auto along = LayerCoefficients(layers, functions, order);
+  SolverExpansion lifted = AllocateLayers(plane, layers.Layers(), order);
+  const auto lift = [&](std::size_t at, std::vector<double>& sums)
   {
-    const int layer = static_cast<int>(at / elements);
+    const std::size_t layer = at / elements;
     const std::size_t e = at % elements;
     const Space& space = lifted.spaces[static_cast<std::size_t>(lifted.spaceOf[at])];
+    const std::size_t modes = CoefficientsOf(plane, e).size();
+    sums.assign(orders * modes, 0.0);
+    for (std::size_t f = 0; f < functions; ++f)
+    {
+      const auto source = CoefficientsOf(field.planes[f], e);
+      for (std::size_t n = 0; n < orders; ++n)
+      {
+        const double factor = along[(layer * functions + f) * orders + n];
+        for (std::size_t m = 0; m < modes; ++m)
+        {
+          sums[n * modes + m] += factor * source[m];
+        }
+      }
+    }
     const std::size_t across = Across(space.shape);
     const bool downwards = space.shape == Shape::Prism; // xi2 runs against z
-    std::vector<std::size_t> planar(static_cast<std::size_t>(order) + 1, 0);
+    std::vector<std::size_t> planar(orders, 0);
     double* target = &lifted.coefficients.data[static_cast<std::size_t>(lifted.offset[at])];
     ForEachMode(space,
       [&](int p, int q, int r, int mode)
       {
         // Modes of one order across follow each other as those of the plane element.
-        const int n = std::array<int, 3>{ p, q, r }[across];
-        const std::size_t m = planar[static_cast<std::size_t>(n)]++;
-        double value = 0.0;
-        for (std::size_t f = 0; f < field.planes.size(); ++f)
-        {
-          value += along.At(layer, f, n) * CoefficientsOf(field.planes[f], e)[m];
-        }
+        const auto n = static_cast<std::size_t>(std::array<int, 3>{ p, q, r }[across]);
+        const double value = sums[n * modes + planar[n]++];
         target[mode] = downwards && n % 2 != 0 ? -value : value;
       });
-  }
+  };
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, lifted.spaceOf.size(), 64),
+    [&lift](const tbb::blocked_range<std::size_t>& range)
+    {
+      std::vector<double> sums;
+      for (std::size_t at = range.begin(); at < range.end(); ++at)
+      {
+        lift(at, sums);
+      }
+    });
   return lifted;
 }
 
