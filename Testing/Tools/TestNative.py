@@ -6,7 +6,7 @@ import unittest
 
 import numpy as np
 
-from tool import DATA, ToolTest, columns, read_csv
+from tool import DATA, ToolTest, columns, read_csv, run
 
 ZOO = DATA / "mfem49_tinyzoo_g3_p5"
 DARCY = DATA / "mfem_escher_tet_darcy_p3"
@@ -96,6 +96,29 @@ class Native(ToolTest):
         oracle, found = self.probe(files, "u", ANISOTROPIC / "oracle.csv")
         np.testing.assert_allclose(found["value"], oracle["u"], rtol=0, atol=1e-13)
         np.testing.assert_array_equal(found["element"], oracle["element"])
+
+    def test_nektar_hdf5(self):
+        session = DATA / "nek_hdf5" / "Tet_channel_m4_per_hdf5.xml"
+        done = run("info", session)
+        if "without the HDF5 library" in done.stderr:
+            self.skipTest("built without the HDF5 library")
+        summary = self.summary("info", session)
+        self.assertEqual(summary["shapes"], {"tetrahedron": 6})
+        alone = self.summary("info", session.with_suffix(".nekg"))
+        self.assertEqual(alone["node_bounds"], summary["node_bounds"])
+        name = "nek_tet_varp"
+        files = [DATA / name / f"{name}.xml", DATA / "nek_hdf5" / f"{name}.fld"]
+        oracle, found = self.probe(files, "u", DATA / name / "oracle.csv")
+        np.testing.assert_allclose(found["value"], oracle["u"], rtol=0, atol=1e-13)
+
+    def test_nektar_homogeneous(self):
+        folder = DATA / "nek_homogeneous_chan"
+        files = [folder / f"{folder.name}.xml", folder / f"{folder.name}.fld"]
+        oracle, found = self.probe(files, "u", folder / "oracle.csv")
+        np.testing.assert_allclose(found["value"], oracle["u"], rtol=0, atol=1e-13)
+        done = self.succeeds("info", *files)
+        for word in ["length 1, 8 Fourier functions", "3 layers", "off by at most"]:
+            self.assertIn(word, done.stderr)
 
     def test_info(self):
         name = ANISOTROPIC.name
