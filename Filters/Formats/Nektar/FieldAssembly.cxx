@@ -151,7 +151,14 @@ void AddFields(const std::vector<NamedText>& parts, const std::string& meshName,
   }
   if (homogeneous)
   {
-    LiftHomogeneous(*homogeneous, along, model);
+    try
+    {
+      LiftHomogeneous(*homogeneous, along, model);
+    }
+    catch (const Unsupported& error)
+    {
+      throw Unsupported(parts.front().name + ": " + error.what());
+    }
   }
 }
 } // namespace pixelexact::nektar

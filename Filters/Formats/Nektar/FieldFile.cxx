@@ -8,7 +8,6 @@
 #include "Formats/Nektar/ModifiedModes.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <numeric>
 
@@ -138,10 +137,11 @@ private:
     }
     families.pop_back();
     Homogeneous& along = Block.homogeneous.emplace();
+    constexpr double kLongest = 1e150; // a size must have a square
     const std::string_view length = Trim(Node.attribute("HOMOGENEOUSLENGTHS").value());
-    if (!ParseWhole(length, along.length) || !(along.length > 0.0) || std::isinf(along.length))
+    if (!ParseWhole(length, along.length) || !(along.length > 0.0) || along.length > kLongest)
     {
-      File.Fail(Node, "HOMOGENEOUSLENGTHS should be one number above 0.");
+      File.Fail(Node, "HOMOGENEOUSLENGTHS should be one number above 0, and below 1e150.");
     }
     const auto list = Node.attribute("HOMOGENEOUSZIDS")
       ? File.List(Node, Node.attribute("HOMOGENEOUSZIDS").value(), kMostFunctions)

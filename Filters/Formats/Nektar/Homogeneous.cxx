@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/Nektar/Homogeneous.h"
 
+#include "Core/Base/Error.h"
 #include "Formats/Nektar/FourierLayers.h"
 #include "Formats/Nektar/HomogeneousAccuracy.h"
 
@@ -137,8 +138,15 @@ void LiftMesh(const FourierLayers& layers, SolverMesh& mesh)
   lifted.map.spaces = mesh.map.spaces;
   const std::size_t size = mesh.map.coefficients.size;
   const auto count = static_cast<std::size_t>(layers.Layers());
+  const std::int64_t largest = *std::ranges::max_element(mesh.number);
+  if (largest >= std::numeric_limits<std::int64_t>::max() / layers.Layers() ||
+    elements > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()) / count)
+  {
+    throw Unsupported("the mesh in " + std::to_string(count) +
+      " layers has more elements, or larger numbers, than are read.");
+  }
+  const std::int64_t stride = 1 + largest;
   lifted.map.coefficients = { std::unique_ptr<double[]>(new double[size * count]), size * count };
-  const std::int64_t stride = 1 + *std::ranges::max_element(mesh.number);
   int exponent = 0;
   std::frexp(layers.Half(), &exponent);
   for (std::size_t layer = 0; layer < count; ++layer)
