@@ -180,7 +180,7 @@ TEST(GmshViews, RefusesWithReasons)
   ExpectParts(scheme("4 4\n", "3 4\n"), { "square" });
   ExpectParts(scheme("4 3\n", "4 2\n"), { "three for each of its 4" });
   ExpectParts(scheme("1 0 1\n", "1 0 0.5\n"), { "whole number" });
-  ExpectParts(scheme("1 0 1\n", "1 30 1\n"), { "'q'", "'S'", "orders" });
+  ExpectParts(scheme("1 0 1\n", "1 30 1\n"), { "a.msh", "'q'", "'S'", "orders" });
   ExpectParts(message("$NodeData\n1\n\"u\"\n1\nnan\n3\n0\n1\n5\n" + kNodal + "$EndNodeData\n"),
     { "time", "finite" });
 }

@@ -16,9 +16,11 @@ namespace
 class ViewElements
 {
 public:
-  ViewElements(const View& view, const ViewPart& part, const ViewValues& values,
+  /// `where`: file and view, for messages.
+  ViewElements(std::string where, const View& view, const ViewPart& part, const ViewValues& values,
     const MeshFile& mesh, BasisTable& bases)
-    : TheView(view)
+    : Where(std::move(where))
+    , TheView(view)
     , Part(part)
     , Values(values)
     , Mesh(mesh)
@@ -47,6 +49,7 @@ private:
   [[nodiscard]] int TuplesOf(std::size_t e) const;
   const ElementBasis& Choose(std::size_t e);
 
+  std::string Where;
   const View& TheView;
   const ViewPart& Part;
   const ViewValues& Values;
@@ -81,7 +84,6 @@ const ElementBasis& ViewElements::Choose(std::size_t e)
 {
   const ElementType& type = *Mesh.elements[e].type;
   const int tuples = TuplesOf(e);
-  const std::string where = "the view '" + TheView.name + "'";
   if (Part.scheme)
   {
     const ElementBasis* basis = nullptr;
@@ -92,18 +94,18 @@ const ElementBasis& ViewElements::Choose(std::size_t e)
     catch (const InvalidData& error)
     {
       throw InvalidData(
-        where + ", interpolation scheme '" + Part.schemeName + "': " + error.what());
+        Where + ", interpolation scheme '" + Part.schemeName + "': " + error.what());
     }
     catch (const Unsupported& error)
     {
       throw Unsupported(
-        where + ", interpolation scheme '" + Part.schemeName + "': " + error.what());
+        Where + ", interpolation scheme '" + Part.schemeName + "': " + error.what());
     }
     if (basis != nullptr)
     {
       if (basis->sources != tuples)
       {
-        throw InvalidData(where + " has " + Counted(static_cast<std::size_t>(tuples), "value") +
+        throw InvalidData(Where + " has " + Counted(static_cast<std::size_t>(tuples), "value") +
           " on element " + std::to_string(Mesh.elements[e].number) +
           ", but its interpolation scheme '" + Part.schemeName + "' " +
           std::to_string(basis->sources) + " functions there.");
@@ -119,7 +121,7 @@ const ElementBasis& ViewElements::Choose(std::size_t e)
   {
     return Bases.Constant(type.shape);
   }
-  throw Unsupported(where + " has " + Counted(static_cast<std::size_t>(tuples), "value") +
+  throw Unsupported(Where + " has " + Counted(static_cast<std::size_t>(tuples), "value") +
     " on element " + std::to_string(Mesh.elements[e].number) + " of " + std::to_string(type.nodes) +
     " nodes, and no interpolation scheme says what they are; write one value for each node, or an "
     "$InterpolationScheme.");
@@ -214,7 +216,7 @@ void AddView(std::vector<Scanner>& scanners, const View& view, std::int64_t step
     model.notes.push_back(where + " has " + Counted(values.strangers, "value") +
       " at nodes that the mesh does not have.");
   }
-  const ViewElements elements(view, part, values, mesh, bases);
+  const ViewElements elements(where, view, part, values, mesh, bases);
   if (elements.Given == 0)
   {
     model.notes.push_back(where + " has no values on elements of volumes and is left out.");
