@@ -65,8 +65,8 @@ if(PIXELEXACT_BUILD_TESTING OR PIXELEXACT_BUILD_BENCHMARKS)
     RenderingAnnotation
     TestingRendering)
 endif()
-find_package(nlohmann_json REQUIRED)
 if(PIXELEXACT_BUILD_PARAVIEW)
+  find_package(nlohmann_json REQUIRED)
   include(PixelExactParaViewPackage)
   return()
 endif()
@@ -74,6 +74,7 @@ find_package(VTK 9.1 REQUIRED COMPONENTS ${PIXELEXACT_VTK_COMPONENTS} ${vtk_buil
 
 find_package(CLI11 REQUIRED)
 find_package(fmt REQUIRED)
+find_package(nlohmann_json REQUIRED)
 
 if(PIXELEXACT_BUILD_TESTING)
   find_package(GTest REQUIRED)

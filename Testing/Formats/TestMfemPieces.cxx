@@ -154,9 +154,18 @@ TEST_F(MfemPieces, MissingOnesAreNamed)
   ExpectRefusal([&] { mfem::ReadFiles(mesh, {}); }, { "mesh.000001" });
 }
 
-TEST_F(MfemPieces, EmptyPiecesArePartOfTheWhole)
+TEST_F(MfemPieces, LeftoversOfAnotherRunAreRefused)
 {
   const std::string mesh = Write("mesh.000000", Square(0));
+  Write("mesh.000001", Square(1));
+  Write("mesh.000002", Square(2));
+  ExpectRefusal(
+    [&] { mfem::ReadFiles(mesh, {}); }, { "mesh.000002", "mesh.000000", "different runs" });
+}
+
+TEST_F(MfemPieces, EmptyPiecesArePartOfTheWhole)
+{
+  const std::string mesh = Write("mesh.000000", Square(0, false));
   Write("mesh.000001", "MFEM mesh v1.0\ndimension\n2\nelements\n0\nboundary\n0\nvertices\n0\n2\n");
   EXPECT_EQ(mfem::ReadFiles(mesh, {}).mesh.number.size(), 1U);
 }

@@ -72,7 +72,7 @@ std::string Field(const std::string& collection, int vdim, const std::vector<dou
 /// Points of both kinds of solids, in xi.
 const Vec3 kInside[] = { { -0.7, -0.2, -0.5 }, { -0.1, 0.9, -0.6 }, { -0.3, -0.9, -0.1 } };
 
-/// A vector that is constant in space, as the unknowns see it: 1 + i for both components.
+/// A vector that is constant in space.
 constexpr double kConstant[2] = { 2.0, -3.0 };
 } // namespace
 

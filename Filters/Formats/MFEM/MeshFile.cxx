@@ -83,18 +83,18 @@ void ReadVertices(TextScanner& scanner, MeshFile& mesh)
 }
 
 /// What a piece shares with others: its unknowns are its own here, so that only the processes
-/// count. Returns how many there are at least.
-int ReadSharing(TextScanner& scanner)
+/// count.
+std::set<int> ReadSharing(TextScanner& scanner)
 {
   scanner.Expect("number_of_groups");
   const int groups = scanner.Count("the number of groups", 2);
-  int last = 0;
+  std::set<int> processes;
   for (int g = 0; g < groups; ++g)
   {
     const int size = scanner.Count("the size of a group", 2);
     for (int k = 0; k < size; ++k)
     {
-      last = std::max(last, scanner.Integer("a process", 0, kMostVertices));
+      processes.insert(scanner.Integer("a process", 0, kMostVertices));
     }
   }
   while (!scanner.Peek().empty() && scanner.Peek() != "mfem_mesh_end")
@@ -114,7 +114,7 @@ int ReadSharing(TextScanner& scanner)
   {
     scanner.Word("the end of the mesh");
   }
-  return last + 1;
+  return processes;
 }
 
 /// Reads one section. False: the word is none of a mesh's, what follows is something else.
@@ -172,7 +172,8 @@ bool ReadSection(TextScanner& scanner, MeshFile& mesh, Sections& seen)
   }
   else if (section == "communication_groups")
   {
-    mesh.ranks = ReadSharing(scanner);
+    mesh.sharing = ReadSharing(scanner);
+    mesh.ranks = mesh.sharing.empty() ? 1 : *mesh.sharing.rbegin() + 1;
     return false;
   }
   else

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <optional>
+#include <set>
 
 namespace pixelexact::mfem
 {
@@ -28,6 +29,7 @@ struct MeshFile
   std::optional<GridFunctionFile> nodes;
   std::vector<Group> groups;
   bool isNumbered = true; ///< as MFEM numbers it: grid functions need that
+  std::set<int> sharing;  ///< processes that a piece shares something with, and its own
   int ranks = 1; ///< processes that a piece of a parallel mesh tells of, at least; 1: it is none
 };
 

@@ -95,14 +95,13 @@ std::vector<std::string> PiecesOf(
   std::vector<std::string> names;
   for (int rank = 0; rank < pieces; ++rank)
   {
-    const std::string name = NameOf(gridFunction, rank);
+    names.push_back(NameOf(gridFunction, rank));
     std::error_code failure;
-    if (!fs::exists(name, failure))
+    if (!fs::exists(names.back(), failure))
     {
-      throw InvalidData(name + " is missing; the mesh " + mesh + " has " + std::to_string(pieces) +
-        " pieces, and the grid function needs as many.");
+      throw InvalidData(names.back() + " is missing; the mesh " + mesh + " has " +
+        std::to_string(pieces) + " pieces, and the grid function needs as many.");
     }
-    names.push_back(name);
   }
   return names;
 }

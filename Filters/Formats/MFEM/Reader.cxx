@@ -24,6 +24,25 @@ void RequireRanks(const TextScanner& scanner, const MeshFile& mesh, int pieces)
   }
 }
 
+/// What one piece shares with another, that one shares with it.
+void RequireOneRun(const std::vector<MeshPiece>& pieces)
+{
+  for (std::size_t p = 0; p < pieces.size(); ++p)
+  {
+    for (const int other : pieces[p].file.sharing)
+    {
+      // Those beyond have been refused (RequireRanks).
+      const MeshPiece& shared = pieces[static_cast<std::size_t>(other)];
+      if (!shared.file.sharing.contains(static_cast<int>(p)))
+      {
+        throw InvalidData(pieces[p].name + " shares its border with " + shared.name +
+          ", which knows nothing of that; they are of different runs: remove what an earlier one "
+          "has left.");
+      }
+    }
+  }
+}
+
 MeshFile ParseMesh(const NamedText& text, int pieces)
 {
   TextScanner scanner(text);
@@ -128,6 +147,7 @@ SolverModel ReadFiles(const std::string& mesh, const std::vector<std::string>& g
     const std::string text = ReadFileText(name);
     pieces.push_back({ ParseMesh({ name, text }, count), name });
   }
+  RequireOneRun(pieces);
   ModelBuilder builder(std::move(pieces));
   for (const std::string& file : gridFunctions)
   {
