@@ -3,8 +3,8 @@
  * @class   vtkNektarReader
  * @brief   reads Nektar++ sessions and field files
  *
- * The session (SetFileName) holds the geometry of three dimensions or two (planar.md): XML, plain or
- * compressed, or the name of an HDF5 file beside it (`.nekg`), which may also be named itself.
+ * The session (SetFileName) holds the geometry of three dimensions or two (planar.md): XML, plain
+ * or compressed, or the name of an HDF5 file beside it (`.nekg`), which may also be named itself.
  * Further session files (AddSessionFileName) may hold the rest, or other parts of the mesh; a
  * folder (`NAME_xml`, as parallel runs write it) stands for the parts in it. Field files
  * (AddFieldFileName: `.fld`, `.chk`, `.rst`, XML or HDF5; a folder for those of parallel runs)
