@@ -41,12 +41,18 @@ CellBasis MakeCellBasis(const CellKind& kind)
   {
     return MakeFixedCellBasis(kind);
   }
+  if (IsHigherOrderPlaneCell(kind.type))
+  {
+    return MakeHigherOrderPlaneCellBasis(kind);
+  }
   if (IsHigherOrderCell(kind.type))
   {
     return MakeHigherOrderCellBasis(kind);
   }
   throw Unsupported(CellTypeName(kind.type) +
-    " is not supported: it is no polynomial on a tetrahedron, hexahedron, wedge or pyramid whose "
-    "nodes VTK defines; take out such cells (vtkExtractCells) or split them.");
+    " is not supported: it is no polynomial on a tetrahedron, hexahedron, wedge or pyramid, "
+    "triangle "
+    "or quadrilateral whose nodes VTK defines; take out such cells (vtkExtractCells) or split "
+    "them.");
 }
 } // namespace pixelexact

@@ -14,6 +14,7 @@
 //   hexahedron, tetrahedron   xi = 2 (r, s, t) - 1
 //   wedge                     xi = (2 r - 1, 1 - 2 t, 2 s - 1): triangle in xi1 and xi3, line in
 //                             xi2, reversed so that the handedness stays
+//   triangle, quadrilateral   those of the wedge and the hexahedron, of order 0 across (planar.md)
 //   pyramid                   eta = 2 (r, s, t) - 1, collapsed to xi: VTK's are those of the cube
 namespace pixelexact
 {
@@ -59,8 +60,9 @@ std::string CellTypeName(int type);
 /// Topological dimension of a cell type; -1 for types that VTK does not know.
 int CellDimension(int type);
 
-/// The basis of a three-dimensional kind of cell. Throws Unsupported for types that have none
-/// here, InvalidData where the number of points fits no order. Messages begin with the type's name.
+/// The basis of a kind of cell of two or three dimensions. Throws Unsupported for types that have
+/// none here, InvalidData where the number of points fits no order. Messages begin with the type's
+/// name.
 CellBasis MakeCellBasis(const CellKind& kind);
 
 /// VTK's cells of fixed order: linear, quadratic and their relatives. False: not such a type.
@@ -70,7 +72,17 @@ CellBasis MakeFixedCellBasis(const CellKind& kind);
 /// VTK's Lagrange and Bezier cells of any order. Bezier: with equal rational weights.
 bool IsHigherOrderCell(int type);
 bool IsLagrangeCell(int type);
+bool IsHigherOrderPlaneCell(int type);
 CellBasis MakeHigherOrderCellBasis(const CellKind& kind);
+CellBasis MakeHigherOrderPlaneCellBasis(const CellKind& kind);
+
+// For those two.
+
+/// Of the kind's nodes or control points.
+Family FamilyOf(const CellKind& kind);
+/// Throws Unsupported where the places of nodes inside of triangles of that order are a matter of
+/// choice.
+void RequireKnownNodes(const CellKind& kind, int triangleOrder);
 
 /// The map of a Lagrange wedge whose nodes inside the quadrilateral r = 0 run the other way along s
 /// than `kind.nodes` says: MFEM writes them mirrored. The kind must be one of order >= 3 in the

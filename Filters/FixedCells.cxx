@@ -20,6 +20,14 @@ struct FixedCell
 
 constexpr auto kCollapsed = Form::Collapsed;
 constexpr FixedCell kFixedCells[] = {
+  { VTK_TRIANGLE, 3, { Shape::Prism, kCollapsed, { 1, 0, 1 } } },
+  { VTK_QUADRATIC_TRIANGLE, 6, { Shape::Prism, kCollapsed, { 2, 0, 2 } } },
+  { VTK_BIQUADRATIC_TRIANGLE, 7, { Shape::Prism, kCollapsed, { 3, 0, 3 } } },
+  { VTK_PIXEL, 4, { Shape::Hexahedron, kCollapsed, { 1, 1, 0 } } },
+  { VTK_QUAD, 4, { Shape::Hexahedron, kCollapsed, { 1, 1, 0 } } },
+  { VTK_QUADRATIC_LINEAR_QUAD, 6, { Shape::Hexahedron, kCollapsed, { 2, 1, 0 } } },
+  { VTK_QUADRATIC_QUAD, 8, { Shape::Hexahedron, kCollapsed, { 2, 2, 0 } } },
+  { VTK_BIQUADRATIC_QUAD, 9, { Shape::Hexahedron, kCollapsed, { 2, 2, 0 } } },
   { VTK_TETRA, 4, { Shape::Tetrahedron, kCollapsed, { 1, 1, 1 } } },
   { VTK_QUADRATIC_TETRA, 10, { Shape::Tetrahedron, kCollapsed, { 2, 2, 2 } } },
   { VTK_VOXEL, 8, { Shape::Hexahedron, kCollapsed, { 1, 1, 1 } } },

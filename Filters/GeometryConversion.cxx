@@ -48,6 +48,11 @@ ElementUnits UnitsOf(const SourceMesh& mesh, int element)
     low = glm::min(low, x);
     high = glm::max(high, x);
   }
+  if (const auto& slab = mesh.GetSlab())
+  {
+    low.z = slab->middle - slab->thickness / 2;
+    high.z = slab->middle + slab->thickness / 2;
+  }
   try
   {
     return MakeElementUnits(low, high);
@@ -205,7 +210,8 @@ std::vector<double> ModesOf(
   const auto count = static_cast<std::size_t>(change.Target().Modes());
   std::vector<double> modes(3 * count);
   std::vector<double> nodes;
-  for (int c = 0; c < 3; ++c)
+  // A slab's z is not the points'.
+  for (int c = 0; c < (mesh.GetSlab() ? 2 : 3); ++c)
   {
     mesh.Gather(element, mesh.Coordinates(), 3, c, nodes);
     change.Apply(nodes, centre[c], std::span(modes).subspan(c * count, count));
@@ -240,6 +246,18 @@ std::optional<double> DistanceToStraight(const CellBasis& basis, std::vector<dou
     largest = std::max(largest, sum);
   }
   return largest;
+}
+/// From the plane's space into the slab's.
+void Lift(const Slab& slab, const ElementUnits& units, ElementGeometry& geometry)
+{
+  const Space plane = geometry.space;
+  const auto inUnits = [&units](double x) { return std::ldexp(x, -units.exponent); };
+  std::vector<double> modes = std::move(geometry.coefficients);
+  modes.resize(2 * static_cast<std::size_t>(plane.Modes()));
+  geometry.space = Lifted(plane);
+  geometry.coefficients.resize(3 * static_cast<std::size_t>(geometry.space.Modes()));
+  LiftMap(plane, modes, inUnits(slab.middle - units.centre.z), inUnits(slab.thickness / 2),
+    geometry.coefficients);
 }
 } // namespace
 
@@ -280,6 +298,10 @@ ElementGeometry ConvertGeometry(const SourceMesh& mesh, int element)
           geometry.coefficients.push_back(std::ldexp(modes[c * count + mode], -units.exponent));
         }
       });
+  }
+  if (mesh.GetSlab())
+  {
+    Lift(*mesh.GetSlab(), units, geometry);
   }
   return geometry;
 }

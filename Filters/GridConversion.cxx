@@ -9,6 +9,7 @@
 #include "KeptMesh.h"
 #include "MeshDiagnostics.h"
 #include "OutputGrid.h"
+#include "SlabArray.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
@@ -66,6 +67,10 @@ void ConvertMesh(const SourceMesh& mesh, vtkUnstructuredGrid* grid)
   ForElements(
     mesh, [&](int e) { std::ranges::copy(geometry[e].coefficients, arrays.map.Coefficients(e)); });
   StoreMesh(grid, arrays, Origin::PointData);
+  if (mesh.GetSlab())
+  {
+    StoreSlab(*mesh.GetSlab(), grid);
+  }
 }
 
 /// Adds the coefficients of a field of the grid's points, in the spaces of the cells. Returns the

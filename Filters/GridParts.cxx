@@ -16,9 +16,11 @@
 #include "vtkPointData.h"
 #include "vtkXMLUnstructuredGridReader.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <new>
 #include <set>
+#include <utility>
 
 namespace pixelexact
 {
@@ -140,18 +142,18 @@ std::vector<GridPart> ListFiles(const std::vector<GridPart>& parts, std::vector<
   return files;
 }
 
-bool HasVolume(vtkUnstructuredGrid* grid)
+/// The highest of its cells; 0: there is none.
+int DimensionOf(vtkUnstructuredGrid* grid)
 {
   // Cell by cell: what VTK has for the types that there are differs between its versions.
-  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  int highest = 0;
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells() && highest < 3; ++cell)
   {
     const int dimension = CellDimension(grid->GetCellType(cell));
-    if (dimension < 0 || dimension > 2)
-    {
-      return true; // or unknown: the converter says what it is
-    }
+    // Unknown: the converter says what it is.
+    highest = std::max(highest, dimension < 0 ? 3 : dimension);
   }
-  return false;
+  return highest;
 }
 
 /// Takes out what only a grid of one part may have.
@@ -230,23 +232,33 @@ ReadGrid ReadParts(const std::vector<GridPart>& parts)
     result.grid = reader.Read(files[0]);
     return result;
   }
-  std::vector<Grid> volumes;
+  std::vector<std::pair<Grid, int>> read; // and its dimension
+  int dimension = 0;
   for (const auto& file : files)
   {
     const Grid grid = reader.Read(file);
     StripPart(file, grid);
-    if (HasVolume(grid))
+    read.emplace_back(grid, DimensionOf(grid));
+    dimension = std::max(dimension, read.back().second);
+  }
+  if (dimension < 2)
+  {
+    throw Error(Cannot(parts.front()) + "it holds no volume and no plane mesh");
+  }
+  std::vector<Grid> volumes;
+  for (std::size_t i = 0; i < files.size(); ++i)
+  {
+    const auto& [grid, own] = read[i];
+    if (own == dimension)
     {
       volumes.push_back(grid);
     }
     else if (grid->GetNumberOfCells() > 0) // an idle process writes an empty file
     {
-      result.notes.push_back("'" + file.file + "' holds no volume and is left out.");
+      result.notes.push_back("'" + files[i].file +
+        (dimension == 3 ? "' holds no volume and is left out."
+                        : "' holds nothing of two dimensions and is left out."));
     }
-  }
-  if (volumes.empty())
-  {
-    throw Error(Cannot(parts.front()) + "it holds no volume");
   }
   result.grid = volumes.size() == 1 ? volumes[0] : Append(volumes, result.notes);
   return result;

@@ -21,29 +21,6 @@ namespace
 /// Above this order Gauss-Lobatto-Legendre nodes inside triangles are placed in several ways.
 constexpr int kUniqueTriangle = 3;
 
-Family FamilyOf(const CellKind& kind)
-{
-  if (!IsLagrangeCell(kind.type))
-  {
-    return Family::Bernstein;
-  }
-  return kind.nodes.gaussLobatto ? Family::GaussLobattoLagrange : Family::EquispacedLagrange;
-}
-
-/// Fails where the places of the nodes inside the cell's triangles are a matter of choice.
-void RequireKnownNodes(const CellKind& kind, int triangleOrder)
-{
-  if (FamilyOf(kind) == Family::GaussLobattoLagrange && triangleOrder > kUniqueTriangle)
-  {
-    throw Unsupported(CellTypeName(kind.type) + " of order " + std::to_string(triangleOrder) +
-      " with Gauss-Lobatto-Legendre nodes (SetNodePlacement, --nodes gll): above order " +
-      std::to_string(kUniqueTriangle) +
-      " solvers place the nodes inside triangles in several ways "
-      "(warped, blended, Fekete), and the file does not tell which; write it with equispaced nodes "
-      "(DOLFINx: basix.LagrangeVariant.equispaced).");
-  }
-}
-
 int NumberOfPoints(Shape shape, const std::array<int, 3>& n)
 {
   switch (shape)
@@ -209,9 +186,32 @@ std::optional<Space> BubbleSpace(const CellKind& kind)
 }
 } // namespace
 
+Family FamilyOf(const CellKind& kind)
+{
+  if (!IsLagrangeCell(kind.type))
+  {
+    return Family::Bernstein;
+  }
+  return kind.nodes.gaussLobatto ? Family::GaussLobattoLagrange : Family::EquispacedLagrange;
+}
+
+void RequireKnownNodes(const CellKind& kind, int triangleOrder)
+{
+  if (FamilyOf(kind) == Family::GaussLobattoLagrange && triangleOrder > kUniqueTriangle)
+  {
+    throw Unsupported(CellTypeName(kind.type) + " of order " + std::to_string(triangleOrder) +
+      " with Gauss-Lobatto-Legendre nodes (SetNodePlacement, --nodes gll): above order " +
+      std::to_string(kUniqueTriangle) +
+      " solvers place the nodes inside triangles in several ways "
+      "(warped, blended, Fekete), and the file does not tell which; write it with equispaced nodes "
+      "(DOLFINx: basix.LagrangeVariant.equispaced).");
+  }
+}
+
 bool IsLagrangeCell(int type)
 {
-  return type == VTK_LAGRANGE_TETRAHEDRON || type == VTK_LAGRANGE_HEXAHEDRON ||
+  return type == VTK_LAGRANGE_TRIANGLE || type == VTK_LAGRANGE_QUADRILATERAL ||
+    type == VTK_LAGRANGE_TETRAHEDRON || type == VTK_LAGRANGE_HEXAHEDRON ||
     type == VTK_LAGRANGE_WEDGE;
 }
 

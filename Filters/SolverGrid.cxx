@@ -6,6 +6,7 @@
 #include "HighOrderArrays.h"
 #include "HighOrderModel.h"
 #include "LinearCell.h"
+#include "SlabArray.h"
 #include "SolverGroups.h"
 
 #include "vtkCellArray.h"
@@ -193,6 +194,10 @@ void StoreSolverMesh(SolverMesh&& mesh, vtkUnstructuredGrid* grid)
   arrays.uncertainty = std::move(mesh.uncertainty);
   arrays.sourceCell = std::move(mesh.number);
   StoreMesh(grid, arrays, Origin::Coefficients);
+  if (mesh.slab)
+  {
+    StoreSlab(*mesh.slab, grid);
+  }
 }
 
 void StoreSolverField(SolverField&& field, vtkUnstructuredGrid* grid)

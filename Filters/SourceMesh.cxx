@@ -14,6 +14,8 @@
 #include "vtkPoints.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -22,10 +24,40 @@ namespace pixelexact
 {
 namespace
 {
+/// Of coordinates, by which points of a plane may be off it.
+constexpr double kPlaneRoundings = 4.0;
+
 bool IsHidden(vtkDataArray* ghosts, vtkIdType cell)
 {
   return ghosts &&
     (static_cast<int>(ghosts->GetComponent(cell, 0)) & vtkDataSetAttributes::HIDDENCELL) != 0;
+}
+
+/// By cell type.
+std::map<int, int> DimensionsOf(vtkUnstructuredGrid* grid)
+{
+  std::map<int, int> dimensions;
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    const int type = grid->GetCellType(cell);
+    const auto [known, isNew] = dimensions.try_emplace(type);
+    if (isNew)
+    {
+      known->second = CellDimension(type);
+    }
+  }
+  return dimensions;
+}
+
+/// Of the grid's cells; 3 where there is a type that VTK does not know.
+int HighestDimension(const std::map<int, int>& dimensions)
+{
+  int highest = 0;
+  for (const auto& [type, dimension] : dimensions)
+  {
+    highest = std::max(highest, dimension < 0 ? 3 : dimension);
+  }
+  return highest;
 }
 
 std::string NameCell(vtkIdType cell, int type)
@@ -53,6 +85,12 @@ std::array<int, 3> GivenDegrees(vtkUnstructuredGrid* grid, vtkIdType cell)
     n[d] = static_cast<int>(value);
   }
   return n;
+}
+
+bool IsSimplex(int type)
+{
+  return type == VTK_LAGRANGE_TETRAHEDRON || type == VTK_BEZIER_TETRAHEDRON ||
+    type == VTK_LAGRANGE_TRIANGLE || type == VTK_BEZIER_TRIANGLE;
 }
 
 /// With equal weights a rational Bezier cell is a polynomial one.
@@ -84,17 +122,14 @@ SourceMesh::SourceMesh(vtkUnstructuredGrid* grid, const NodeConvention& nodes)
   : Nodes(nodes)
 {
   vtkDataArray* ghosts = grid->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName());
-  std::map<int, int> dimensions;
+  const std::map<int, int> dimensions = DimensionsOf(grid);
+  const bool isPlane = HighestDimension(dimensions) == 2;
+  const int wanted = isPlane ? 2 : 3;
   for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
   {
     const int type = grid->GetCellType(cell);
-    const auto [known, isNew] = dimensions.try_emplace(type);
-    if (isNew)
-    {
-      known->second = CellDimension(type);
-    }
-    const int dimension = known->second;
-    if ((dimension >= 0 && dimension < 3) || IsHidden(ghosts, cell))
+    const int dimension = dimensions.at(type);
+    if ((dimension >= 0 && dimension < wanted) || IsHidden(ghosts, cell))
     {
       ++Skipped;
       continue;
@@ -103,8 +138,8 @@ SourceMesh::SourceMesh(vtkUnstructuredGrid* grid, const NodeConvention& nodes)
   }
   if (Cells.empty())
   {
-    throw InvalidData("the grid has no three-dimensional cell (" + std::to_string(Skipped) +
-      " of other dimensions); check that the file holds a volume mesh.");
+    throw InvalidData("the grid has no two- or three-dimensional cell (" + std::to_string(Skipped) +
+      " of other dimensions); check that the file holds a mesh.");
   }
   if (Cells.size() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
   {
@@ -116,6 +151,23 @@ SourceMesh::SourceMesh(vtkUnstructuredGrid* grid, const NodeConvention& nodes)
   Points3 = AsDoubles(grid->GetPoints()->GetData());
   Xyz = { Points3->GetPointer(0), static_cast<std::size_t>(Points3->GetNumberOfValues()) };
   CheckCoordinates();
+  if (isPlane)
+  {
+    FindSlab();
+  }
+}
+
+void SourceMesh::FindSlab()
+{
+  Vec3 low(INFINITY);
+  Vec3 high(-INFINITY);
+  for (const auto p : PointIds)
+  {
+    const Vec3 x(Xyz[3 * p], Xyz[3 * p + 1], Xyz[3 * p + 2]);
+    low = glm::min(low, x);
+    high = glm::max(high, x);
+  }
+  Plane = MakeSlab(low, high, kPlaneRoundings * Roundoff);
 }
 
 void SourceMesh::AddCell(vtkUnstructuredGrid* grid, vtkIdType cell, int type)
@@ -134,14 +186,14 @@ void SourceMesh::AddCell(vtkUnstructuredGrid* grid, vtkIdType cell, int type)
         std::to_string(grid->GetNumberOfPoints()) + "; the file's connectivity is damaged.");
     }
   }
-  if (IsHigherOrderCell(kind.type))
+  if (IsHigherOrderCell(kind.type) || IsHigherOrderPlaneCell(kind.type))
   {
-    // A tetrahedron's order is told by its points.
-    if (kind.type != VTK_LAGRANGE_TETRAHEDRON && kind.type != VTK_BEZIER_TETRAHEDRON)
+    // A simplex's order is told by its points.
+    if (!IsSimplex(kind.type))
     {
       kind.degrees = GivenDegrees(grid, cell);
     }
-    if (kind.type >= VTK_BEZIER_TETRAHEDRON && !HasEqualWeights(grid, points))
+    if (!IsLagrangeCell(kind.type) && !HasEqualWeights(grid, points))
     {
       throw Unsupported(NameCell(cell, kind.type) +
         " has unequal rational weights; rational cells are not polynomials: elevate or refit the "

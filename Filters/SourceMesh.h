@@ -4,11 +4,14 @@
 
 #include "CellBasis.h"
 
+#include "Formats/Slab.h"
+
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
 #include <deque>
 #include <map>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,14 +21,15 @@ class vtkUnstructuredGrid;
 
 namespace pixelexact
 {
-/// The three-dimensional cells of a grid, in the grid's order, with basis and points. Keeps no
+/// The three-dimensional cells of a grid or, where it has none, the two-dimensional ones, in the
+/// grid's order, with basis and points. Keeps no
 /// reference to the grid; safe to read from several threads.
 class SourceMesh
 {
 public:
   /// Throws Unsupported or InvalidData, naming the cell, for cells without a basis, rational Bezier
-  /// cells, points that are not there, coordinates that are NaN or infinite; InvalidData for a grid
-  /// without any three-dimensional cell.
+  /// cells, points that are not there, coordinates that are NaN or infinite, plane cells in no
+  /// plane z = const; InvalidData for a grid without any such cell.
   explicit SourceMesh(vtkUnstructuredGrid* grid, const NodeConvention& nodes = {});
 
   [[nodiscard]] int Elements() const { return static_cast<int>(Cells.size()); }
@@ -37,6 +41,8 @@ public:
     return std::span(PointIds).subspan(
       Offsets[element], static_cast<std::size_t>(Offsets[element + 1] - Offsets[element]));
   }
+  /// Of plane cells: the slab that they become.
+  [[nodiscard]] const std::optional<Slab>& GetSlab() const { return Plane; }
   /// Cells of lower dimension, empty and hidden ones.
   [[nodiscard]] vtkIdType SkippedCells() const { return Skipped; }
   /// "cell 12 (vtkLagrangeWedge)"
@@ -54,6 +60,7 @@ public:
 private:
   void AddCell(vtkUnstructuredGrid* grid, vtkIdType cell, int type);
   void CheckCoordinates() const;
+  void FindSlab();
 
   NodeConvention Nodes;
   std::deque<CellBasis> Bases;
@@ -64,6 +71,7 @@ private:
   std::vector<std::size_t> Offsets{ 0 };
   vtkIdType Skipped = 0;
   double Roundoff = 0.0;
+  std::optional<Slab> Plane;
   vtkSmartPointer<vtkDoubleArray> Points3;
   std::span<const double> Xyz;
 };

@@ -4,7 +4,8 @@
  * @brief   reads GLVis stream files (`.saved`)
  *
  * A stream file holds an MFEM mesh and a grid function one after the other, as a solver sends them
- * to GLVis. The field is named `solution`. See vtkMFEMReader for what meshes and grid functions may
+ * to GLVis, or those of all processes of a parallel run (`parallel n i`). The field is named
+ * `solution`. See vtkMFEMReader for what meshes and grid functions may
  * be.
  */
 

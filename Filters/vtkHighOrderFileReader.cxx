@@ -145,7 +145,8 @@ int vtkHighOrderFileReader::RequestData(vtkInformation* /*request*/,
       throw InvalidData("no file is named; call SetFileName.");
     }
     const int step = this->RequestedStep(outputVector->GetInformationObject(0));
-    const bool wantMesh = !this->MeshGrid || this->MeshTime < this->GetMTime();
+    const bool wantMesh = !this->MeshGrid || this->MeshTime < this->GetMTime() ||
+      (this->StepsHaveMeshes() && step != this->MeshStep);
     SolverModel model = this->ReadModel(step, wantMesh);
     this->UpdateProgress(0.6);
     if (wantMesh)
@@ -153,6 +154,7 @@ int vtkHighOrderFileReader::RequestData(vtkInformation* /*request*/,
       this->MeshGrid = vtkSmartPointer<vtkHighOrderGrid>::New();
       StoreSolverMesh(std::move(model.mesh), this->MeshGrid);
       this->MeshTime.Modified();
+      this->MeshStep = step;
     }
     output->ShallowCopy(this->MeshGrid);
     // A list of its own: the fields of a step must not be added to what steps share.

@@ -11,9 +11,10 @@
  * computes comes from the coefficients, and boundary attributes from a list that holds all
  * (data-set.md).
  *
- * A new time step keeps the mesh's arrays, and with them the locator; after Modified() the mesh is
- * read anew. Where files hold times, they are the steps of the pipeline; the step nearest below the
- * time asked for is read, the first one without such a request.
+ * A new time step keeps the mesh's arrays, and with them the locator, where steps share a mesh;
+ * after Modified() the mesh is read anew. Where files hold times, they are the steps of the
+ * pipeline; the step nearest below the time asked for is read, the first one without such a
+ * request.
  *
  * Errors go to vtkErrorMacro, with file, line or tag, and remedy; the output is then empty. What
  * was noticed in the files is reported as warnings and by GetDiagnostic().
@@ -78,6 +79,12 @@ protected:
   virtual pixelexact::SolverModel ReadModel(int step, bool wantMesh) = 0;
 
   /**
+   * Whether each step has a mesh of its own, so that a new one asks for it. Otherwise steps share
+   * it.
+   */
+  virtual bool StepsHaveMeshes() { return false; }
+
+  /**
    * Times of the steps, ascending; empty for files without time. Throws pixelexact::Error.
    */
   virtual std::vector<double> ReadTimes();
@@ -99,6 +106,7 @@ private:
   std::vector<std::string> Diagnostics;
   vtkSmartPointer<vtkHighOrderGrid> MeshGrid; ///< without fields; what steps share
   vtkTimeStamp MeshTime;
+  int MeshStep = 0; ///< whose mesh it is, where steps have their own
 };
 
 #endif

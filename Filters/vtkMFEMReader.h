@@ -4,10 +4,13 @@
  * @brief   reads MFEM meshes and grid functions
  *
  * The mesh (SetFileName): MFEM mesh v1.0 to v1.3 and NC mesh v1.0, straight or with nodes of any
- * order, tetrahedra, hexahedra, prisms and pyramids, conforming or not, periodic too. Grid
- * functions (AddGridFunctionFileName) become fields named after their files: H1, L2, H(curl) and
- * H(div) of any order and basis type. Files may be gzip-compressed. Module/Documentation/readers.md
- * says what is refused.
+ * order, tetrahedra, hexahedra, prisms and pyramids, or in the plane triangles and quadrilaterals
+ * (planar.md), conforming or not, periodic too. Grid functions (AddGridFunctionFileName) become
+ * fields named after their files: H1, L2, H(curl) and H(div) of any order and basis type. Files may
+ * be gzip-compressed. Files of parallel runs: of a mesh `x.000000` all pieces that lie beside it
+ * are read, and of a grid function `u.000000` as many. A root file of a VisIt collection
+ * (`x.mfem_root`) stands for its mesh and its grid functions; several (AddStepFileName) are time
+ * steps, each with a mesh of its own. Module/Documentation/readers.md says what is refused.
  */
 
 #ifndef vtkMFEMReader_h
@@ -31,17 +34,29 @@ public:
   void ClearGridFunctionFileNames();
   ///@}
 
+  ///@{
+  /**
+   * Root files of further cycles of a collection whose first one is the file.
+   */
+  void AddStepFileName(const char* name);
+  void ClearStepFileNames();
+  ///@}
+
 protected:
   vtkMFEMReader();
   ~vtkMFEMReader() override;
 
   pixelexact::SolverModel ReadModel(int step, bool wantMesh) override;
+  std::vector<double> ReadTimes() override;
+  bool StepsHaveMeshes() override { return true; }
 
 private:
   vtkMFEMReader(const vtkMFEMReader&) = delete;
   void operator=(const vtkMFEMReader&) = delete;
 
   std::vector<std::string> GridFunctions;
+  std::vector<std::string> Steps; ///< root files beside FileName
+  std::vector<std::string> Order; ///< all root files, by time
 };
 
 #endif

@@ -3,11 +3,13 @@
 
 #include "Formats/FileText.h"
 #include "Formats/Nektar/FieldSeries.h"
+#include "Formats/Nektar/Hdf5Meshes.h"
 #include "Formats/Nektar/Reader.h"
 
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
+#include <deque>
 #include <numeric>
 
 vtkStandardNewMacro(vtkNektarReader);
@@ -19,18 +21,16 @@ namespace
 /// Texts and the views of them that the parser takes.
 struct Texts
 {
-  explicit Texts(const std::vector<std::string>& files)
+  explicit Texts(const std::vector<std::string>& files) { this->Add(files); }
+  void Add(const std::vector<std::string>& files)
   {
     for (const auto& file : files)
     {
       Storage.push_back(ReadFileText(file));
-    }
-    for (std::size_t i = 0; i < files.size(); ++i)
-    {
-      Named.push_back({ files[i], Storage[i] });
+      Named.push_back({ file, Storage.back() });
     }
   }
-  std::vector<std::string> Storage;
+  std::deque<std::string> Storage; ///< which stay where they are
   std::vector<nektar::NamedText> Named;
 };
 } // namespace
@@ -115,7 +115,8 @@ SolverModel vtkNektarReader::ReadModel(int step, bool /*wantMesh*/)
   {
     parts = nektar::FileParts(this->FieldFiles[this->FileOfStep[step]]);
   }
-  const Texts session(sessions);
+  Texts session(sessions);
+  session.Add(nektar::MissingMeshes(session.Named));
   const Texts fields(parts);
   return nektar::Read(session.Named, fields.Named);
 }

@@ -7,7 +7,9 @@
  * and Bezier: no pyramids; Bezier: equal weights) and makes a vtkHighOrderGrid of the same points
  * and cells, with the coefficients of the geometry and of the fields. Point data become fields of
  * the cells' orders, cell data fields that are constant in each cell. Cells of lower dimension are
- * left out and counted.
+ * left out and counted. A grid without solid cells whose triangles and quadrilaterals (linear,
+ * quadratic, Lagrange, Bezier) lie in a plane z = const becomes a thin slab on it (planar.md): its
+ * cells stay plane, its coefficients are those of prisms and hexahedra.
  *
  * A grid that carries coefficients already, for instance one whose points were moved since, is
  * converted anew from its points and nodal values; coefficients that a reader took from a solver's

@@ -5,9 +5,11 @@
 #include "Core/Basis/ModeBound.h"
 #include "Core/Element/ElementUnits.h"
 
+#include <glm/common.hpp>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -18,7 +20,7 @@ namespace
 {
 /// A coordinate in a file is off by half a unit in the last place from writing it and by a few from
 /// the solver's evaluation.
-constexpr double kCoordinateRoundings = 4.0;
+constexpr double kRoundings = 4.0 * std::numeric_limits<double>::epsilon() / 2;
 
 using Bases = std::span<const ElementBasis* const>;
 
@@ -36,7 +38,13 @@ void ForElements(std::size_t elements, Function&& function)
     });
 }
 
-SolverExpansion Allocate(Bases basis, int components)
+Space Same(const Space& space)
+{
+  return space;
+}
+
+/// In spaces that `spaceOf` makes of the bases'.
+SolverExpansion Allocate(Bases basis, int components, Space (*spaceOf)(const Space&))
 {
   SolverExpansion expansion;
   expansion.components = components;
@@ -46,7 +54,7 @@ SolverExpansion Allocate(Bases basis, int components)
   std::size_t size = 0;
   for (const auto* b : basis)
   {
-    const Space& space = b->GetSpace();
+    const Space space = spaceOf(b->GetSpace());
     const auto [at, isNew] = known.try_emplace(space, static_cast<std::int32_t>(known.size()));
     if (isNew)
     {
@@ -79,12 +87,22 @@ double NoiseOf(const ChangeOfBasis& change)
   return noise;
 }
 
-ElementUnits UnitsOf(std::span<const double> source, const std::string& name)
+struct Box
 {
-  const std::size_t n = source.size() / 3;
-  Vec3 low(INFINITY);
-  Vec3 high(-INFINITY);
-  for (int c = 0; c < 3; ++c)
+  Vec3 low{ INFINITY };
+  Vec3 high{ -INFINITY };
+};
+
+/// Of source values, component by component; a plane mesh's z stays 0.
+Box BoxOf(std::span<const double> source, int components, const std::string& name)
+{
+  const std::size_t n = source.size() / components;
+  Box box;
+  if (components < 3)
+  {
+    box.low.z = box.high.z = 0.0;
+  }
+  for (int c = 0; c < components; ++c)
   {
     for (const double x : source.subspan(c * n, n))
     {
@@ -92,24 +110,77 @@ ElementUnits UnitsOf(std::span<const double> source, const std::string& name)
       {
         throw InvalidData(name + " has a coordinate that is NaN or infinite; write the mesh anew.");
       }
-      low[c] = std::fmin(low[c], x);
-      high[c] = std::fmax(high[c], x);
+      box.low[c] = std::fmin(box.low[c], x);
+      box.high[c] = std::fmax(box.high[c], x);
     }
   }
+  return box;
+}
+
+ElementUnits UnitsOf(const Box& box, const std::string& name)
+{
   try
   {
-    return MakeElementUnits(low, high);
+    return MakeElementUnits(box.low, box.high);
   }
   catch (const InvalidData& error)
   {
     throw InvalidData(name + " " + error.what());
   }
 }
+
+std::map<const ElementBasis*, double> NoiseOf(Bases basis)
+{
+  std::map<const ElementBasis*, double> noise;
+  for (const auto* b : basis)
+  {
+    if (!noise.contains(b))
+    {
+      noise[b] = NoiseOf(b->parts[0]);
+    }
+  }
+  return noise;
+}
+
+void Prepare(Bases basis, Space (*spaceOf)(const Space&), SolverMesh& mesh)
+{
+  mesh.map = Allocate(basis, 3, spaceOf);
+  mesh.centre.resize(3 * basis.size());
+  mesh.size.resize(basis.size());
+  mesh.uncertainty.resize(basis.size());
+}
+
+void StoreUnits(const ElementUnits& units, double noise, std::size_t e, SolverMesh& mesh)
+{
+  for (int c = 0; c < 3; ++c)
+  {
+    mesh.centre[3 * e + c] = units.centre[c];
+  }
+  mesh.size[e] = std::ldexp(1.0, units.exponent);
+  mesh.uncertainty[e] = kRoundings * units.largest * noise;
+}
+
+/// The box of all elements, by their source values.
+Box BoxOfMesh(Bases basis, int components, const Gather& gather,
+  const std::function<std::string(std::size_t)>& describe)
+{
+  Box all;
+  std::vector<double> source;
+  for (std::size_t e = 0; e < basis.size(); ++e)
+  {
+    source.resize(static_cast<std::size_t>(components) * basis[e]->sources);
+    gather(e, source);
+    const Box box = BoxOf(source, components, describe(e));
+    all.low = glm::min(all.low, box.low);
+    all.high = glm::max(all.high, box.high);
+  }
+  return all;
+}
 } // namespace
 
 SolverExpansion AssembleField(Bases basis, int components, const Gather& gather)
 {
-  SolverExpansion expansion = Allocate(basis, components);
+  SolverExpansion expansion = Allocate(basis, components, &Same);
   ForElements(basis.size(),
     [&](std::size_t e, std::vector<double>& source)
     {
@@ -130,18 +201,8 @@ SolverExpansion AssembleField(Bases basis, int components, const Gather& gather)
 void AssembleMap(Bases basis, const Gather& gather,
   const std::function<std::string(std::size_t)>& describe, SolverMesh& mesh)
 {
-  mesh.map = Allocate(basis, 3);
-  mesh.centre.resize(3 * basis.size());
-  mesh.size.resize(basis.size());
-  mesh.uncertainty.resize(basis.size());
-  std::map<const ElementBasis*, double> noise;
-  for (const auto* b : basis)
-  {
-    if (!noise.contains(b))
-    {
-      noise[b] = NoiseOf(b->parts[0]);
-    }
-  }
+  Prepare(basis, &Same, mesh);
+  const auto noise = NoiseOf(basis);
   ForElements(basis.size(),
     [&](std::size_t e, std::vector<double>& source)
     {
@@ -149,7 +210,7 @@ void AssembleMap(Bases basis, const Gather& gather,
       const auto n = static_cast<std::size_t>(basis[e]->sources);
       source.resize(3 * n);
       gather(e, source);
-      const ElementUnits units = UnitsOf(source, describe(e));
+      const ElementUnits units = UnitsOf(BoxOf(source, 3, describe(e)), describe(e));
       for (int c = 0; c < 3; ++c)
       {
         const auto coefficients = Component(mesh.map, e, c);
@@ -158,11 +219,57 @@ void AssembleMap(Bases basis, const Gather& gather,
         {
           value = std::ldexp(value, -units.exponent); // a power of two: exact
         }
-        mesh.centre[3 * e + c] = units.centre[c];
       }
-      mesh.size[e] = std::ldexp(1.0, units.exponent);
-      mesh.uncertainty[e] = kCoordinateRoundings * std::numeric_limits<double>::epsilon() / 2 *
-        units.largest * noise.at(basis[e]);
+      StoreUnits(units, noise.at(basis[e]), e, mesh);
     });
+}
+
+void AssemblePlaneMap(Bases basis, int components, const Gather& gather,
+  const std::function<std::string(std::size_t)>& describe, SolverMesh& mesh)
+{
+  const Box all = BoxOfMesh(basis, components, gather, describe);
+  const Slab slab = MakeSlab(all.low, all.high, kRoundings);
+  mesh.slab = slab;
+  Prepare(basis, &Lifted, mesh);
+  const auto noise = NoiseOf(basis);
+  ForElements(basis.size(),
+    [&](std::size_t e, std::vector<double>& source)
+    {
+      const ChangeOfBasis& change = basis[e]->parts[0];
+      const auto n = static_cast<std::size_t>(basis[e]->sources);
+      const auto modes = static_cast<std::size_t>(change.Target().Modes());
+      source.resize(components * n);
+      gather(e, source);
+      Box box = BoxOf(source, components, describe(e));
+      box.low.z = slab.middle - slab.thickness / 2;
+      box.high.z = slab.middle + slab.thickness / 2;
+      const ElementUnits units = UnitsOf(box, describe(e));
+      std::vector<double> plane(2 * modes);
+      for (int c = 0; c < 2; ++c)
+      {
+        change.Apply(std::span(source).subspan(c * n, n), units.centre[c],
+          std::span(plane).subspan(c * modes, modes));
+      }
+      const auto inUnits = [&units](double x) { return std::ldexp(x, -units.exponent); };
+      std::ranges::transform(plane, plane.begin(), inUnits);
+      const std::span lifted(Component(mesh.map, e, 0).data(),
+        static_cast<std::size_t>(3 * Lifted(change.Target()).Modes()));
+      LiftMap(change.Target(), plane, inUnits(slab.middle - units.centre.z),
+        inUnits(slab.thickness / 2), lifted);
+      StoreUnits(units, noise.at(basis[e]), e, mesh);
+    });
+}
+
+void ScaleToSlab(const Slab& slab, SolverField& field)
+{
+  if (field.mapping != Mapping::Contravariant && field.mapping != Mapping::Density)
+  {
+    return;
+  }
+  const CoefficientBlock& block = field.values.coefficients;
+  for (double& value : std::span(block.data.get(), block.size))
+  {
+    value *= slab.thickness / 2;
+  }
 }
 } // namespace pixelexact

@@ -41,7 +41,7 @@ std::string ReadFileText(const std::string& path)
     throw InvalidData("'" + path + "' cannot be opened; check its permissions.");
   }
   std::string text;
-  text.reserve(size);
+  text.reserve(size + kBlock); // what is read next must fit, too: a copy would double the memory
   for (;;)
   {
     const std::size_t begin = text.size();

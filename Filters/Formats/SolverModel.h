@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Core/Element/Mesh.h"
+#include "Formats/Slab.h"
 
 #include <array>
 #include <cstdint>
@@ -31,7 +32,8 @@ struct SolverExpansion
   int components = 1;
 };
 
-/// The vertices' places in VTK's linear cells: hexahedron 8, prism 6, pyramid 5, tetrahedron 4.
+/// The vertices' places in VTK's linear cells: hexahedron 8, prism 6, pyramid 5, tetrahedron 4. A
+/// plane element's vertices are there twice, below and above.
 using Corners = std::array<std::int64_t, 8>;
 
 /// A face of an element with an attribute, or in a composite. A face between two elements has it in
@@ -62,6 +64,7 @@ struct SolverMesh
   std::vector<std::int32_t> attribute; ///< per element: material or composite; may be empty
   std::vector<BoundaryFace> boundary;
   std::vector<Group> groups;
+  std::optional<Slab> slab; ///< of a plane mesh; none: a solid one
 };
 
 struct SolverField

@@ -21,6 +21,8 @@ find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(ZLIB REQUIRED)
 find_package(pugixml REQUIRED)
 find_package(pegtl REQUIRED)
+# For the HDF5 files of Nektar++; without it they are refused.
+find_package(HDF5 COMPONENTS C)
 
 # Debian's xxHash has no CMake package.
 find_path(XXHASH_INCLUDE_DIR xxhash.h REQUIRED)
@@ -64,6 +66,7 @@ if(PIXELEXACT_BUILD_TESTING OR PIXELEXACT_BUILD_BENCHMARKS)
     TestingRendering)
 endif()
 if(PIXELEXACT_BUILD_PARAVIEW)
+  find_package(nlohmann_json REQUIRED)
   include(PixelExactParaViewPackage)
   return()
 endif()

@@ -6,7 +6,46 @@
 
 #include "vtkObjectFactory.h"
 
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
 vtkStandardNewMacro(vtkPixelExactMFEMReader);
+
+namespace
+{
+constexpr const char* kFirstPiece = ".000000";
+
+/// Pieces of meshes and of grid functions have names of one kind; their first words differ.
+bool IsGridFunction(const std::filesystem::path& file)
+{
+  std::ifstream stream(file);
+  std::string first;
+  std::string second;
+  stream >> first >> second;
+  return first == "FiniteElementSpace" || (first == "MFEM" && second == "FiniteElementSpace");
+}
+
+/// The grid functions beside a mesh, and whether that is the only mesh there.
+struct Companions
+{
+  std::vector<std::filesystem::path> functions;
+  bool isAlone = false;
+};
+
+Companions CompanionsOf(const std::filesystem::path& mesh)
+{
+  const auto alike = pixelexact::FilesBeside(mesh, mesh.extension());
+  if (mesh.extension() != kFirstPiece)
+  {
+    return { pixelexact::FilesBeside(mesh, ".gf"), alike.size() == 1 };
+  }
+  Companions companions;
+  std::ranges::copy_if(alike, std::back_inserter(companions.functions), &IsGridFunction);
+  companions.isAlone = alike.size() == companions.functions.size() + 1;
+  return companions;
+}
+} // namespace
 
 //------------------------------------------------------------------------------
 vtkPixelExactMFEMReader::vtkPixelExactMFEMReader() = default;
@@ -43,11 +82,18 @@ void vtkPixelExactMFEMReader::Prepare()
   const std::filesystem::path mesh = this->FileNames.front();
   this->Reader->SetFileName(mesh.c_str());
   this->Reader->ClearGridFunctionFileNames();
-  const bool isAlone = pixelexact::FilesBeside(mesh, mesh.extension()).size() == 1;
-  for (const auto& file : pixelexact::FilesBeside(mesh, ".gf"))
+  this->Reader->ClearStepFileNames();
+  if (mesh.extension() == ".mfem_root")
+  {
+    std::for_each(this->FileNames.begin() + 1, this->FileNames.end(),
+      [this](const std::string& step) { this->Reader->AddStepFileName(step.c_str()); });
+    return; // a collection knows its grid functions
+  }
+  const Companions companions = CompanionsOf(mesh);
+  for (const auto& file : companions.functions)
   {
     const std::string name = file.stem();
-    this->Offer(name, isAlone || name.starts_with(mesh.stem().string()));
+    this->Offer(name, companions.isAlone || name.starts_with(mesh.stem().string()));
     if (this->IsChosen(name))
     {
       this->Reader->AddGridFunctionFileName(file.c_str());

@@ -4,7 +4,9 @@
  * @brief   opens MFEM meshes in ParaView, with the grid functions beside them
  *
  * Offers the grid functions (.gf) in the folder of the mesh. They are chosen where no other mesh
- * lies there, else those whose names begin with the mesh's. See vtkMFEMReader.
+ * lies there, else those whose names begin with the mesh's. Of a mesh `x.000000`, all pieces of
+ * which are read, these are files of that number. Root files of VisIt collections (.mfem_root) are
+ * time steps, with their own grid functions. See vtkMFEMReader.
  */
 
 #ifndef vtkPixelExactMFEMReader_h

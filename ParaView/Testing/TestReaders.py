@@ -112,6 +112,14 @@ class Readers(unittest.TestCase):
         reader = simple.PixelExactGLVisReader(FileName=saved)
         self.check(reader, f"{name}/oracle_u.csv", "solution", [saved])
 
+    def test_gmsh(self):
+        name = "gmsh_zoo_g2"
+        file = f"{name}/{name}.msh"
+        reader = simple.PixelExactGmshReader(FileName=scene.data(file))
+        reader.UpdatePipelineInformation()
+        self.assertEqual(list(reader.TimestepValues), [0.0, 0.25, 0.5])
+        self.check(reader, f"{name}/oracle.csv", "u", [file])
+
     def test_grids(self):
         for name in GRIDS:
             with self.subTest(name):

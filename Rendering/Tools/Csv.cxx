@@ -23,7 +23,15 @@ namespace
   throw Error("'" + file + "', line " + std::to_string(line) + ": " + why);
 }
 
-/// Which columns hold x, y and z.
+constexpr std::size_t kNoColumn = std::string::npos;
+
+[[noreturn]] void RefuseHeader(const std::string& file, std::size_t line, const std::string& name)
+{
+  Refuse(
+    file, line, "the header names no column '" + name + "'; the columns x, y and z are needed");
+}
+
+/// Which columns hold x, y and z; kNoColumn: no z.
 std::array<std::size_t, 3> FindColumns(
   const std::string& file, std::size_t line, const std::vector<std::string>& header)
 {
@@ -35,8 +43,12 @@ std::array<std::size_t, 3> FindColumns(
     const auto found = std::find_if(header.begin(), header.end(), named);
     if (found == header.end())
     {
-      Refuse(
-        file, line, "the header names no column '" + name + "'; the columns x, y and z are needed");
+      if (d < 2)
+      {
+        RefuseHeader(file, line, name);
+      }
+      columns[d] = kNoColumn;
+      continue;
     }
     if (std::any_of(found + 1, header.end(), named))
     {
@@ -95,7 +107,7 @@ bool SplitLine(std::string_view line, std::vector<std::string>& fields)
 }
 } // namespace
 
-std::vector<Vec3> ReadPoints(const std::string& file)
+PointTable ReadPoints(const std::string& file)
 {
   std::ifstream opened;
   if (!IsStandardStream(file))
@@ -107,7 +119,7 @@ std::vector<Vec3> ReadPoints(const std::string& file)
     }
   }
   std::istream& stream = IsStandardStream(file) ? std::cin : opened;
-  std::vector<Vec3> points;
+  PointTable table;
   std::array<std::size_t, 3> columns{};
   std::vector<std::string> fields;
   bool header = true;
@@ -133,11 +145,13 @@ std::vector<Vec3> ReadPoints(const std::string& file)
     if (header)
     {
       columns = FindColumns(file, number, fields);
+      table.headerLine = number;
+      table.hasZ = columns[2] != kNoColumn;
       header = false;
       continue;
     }
     Vec3 point(0.0);
-    for (int d = 0; d < 3; ++d)
+    for (int d = 0; d < (table.hasZ ? 3 : 2); ++d)
     {
       const std::size_t column = columns[static_cast<std::size_t>(d)];
       if (column >= fields.size())
@@ -149,7 +163,7 @@ std::vector<Vec3> ReadPoints(const std::string& file)
         Refuse(file, number, std::string(1, "xyz"[d]) + " is no number: '" + fields[column] + "'");
       }
     }
-    points.push_back(point);
+    table.points.push_back(point);
   }
   if (stream.bad())
   {
@@ -159,7 +173,15 @@ std::vector<Vec3> ReadPoints(const std::string& file)
   {
     throw Error("the points '" + file + "' hold no header line; the columns x, y and z are needed");
   }
-  return points;
+  return table;
+}
+
+void RequireZ(const std::string& file, const PointTable& table)
+{
+  if (!table.hasZ)
+  {
+    RefuseHeader(file, table.headerLine, "z");
+  }
 }
 
 void AppendNumber(std::string& line, double number)

@@ -8,10 +8,20 @@
 
 namespace pixelexact
 {
-/// The columns x, y and z of a CSV file, or of standard input ("-"), with a header line; further
-/// columns are ignored. Accepts quoted fields, a byte-order mark, CRLF, and empty lines, which it
-/// skips. Throws Error naming the line where a number is missing or none.
-std::vector<Vec3> ReadPoints(const std::string& file);
+struct PointTable
+{
+  std::vector<Vec3> points;
+  std::size_t headerLine = 0;
+  bool hasZ = true; ///< else z = 0 is all that there is
+};
+
+/// The columns x, y and, where there is one, z of a CSV file, or of standard input ("-"), with a
+/// header line; further columns are ignored. Accepts quoted fields, a byte-order mark, CRLF, and
+/// empty lines, which it skips. Throws Error naming the line where a number is missing or none.
+PointTable ReadPoints(const std::string& file);
+
+/// For meshes that are not plane: throws Error, naming the line, where the table has no z.
+void RequireZ(const std::string& file, const PointTable& table);
 
 /// 17 significant digits, which give back the same double; NaN is "nan".
 void AppendNumber(std::string& line, double number);

@@ -11,6 +11,7 @@
 #include "StoredOrder.h"
 
 #include "Core/Base/Counted.h"
+#include "SlabArray.h"
 
 #include <nlohmann/json.hpp>
 #include <vtkUnstructuredGrid.h>
@@ -49,6 +50,7 @@ struct Facts
   OrderCounts orders;       ///< of the geometry, without orders that hold nothing but rounding
   std::vector<FieldFacts> fields;
   std::array<double, 6> bounds{}; ///< of the nodes: x, y, z, lower and upper each
+  std::optional<Slab> slab;       ///< of a plane mesh
   SolverFacts solver;
   std::optional<CertifiedFacts> certified; ///< on request
 };
@@ -70,6 +72,8 @@ Facts Gather(const LoadedModel& input)
 {
   const Mesh& mesh = input.model->GetMesh();
   Facts facts;
+  facts.slab = SlabOf(input.grid);
+  const bool isPlane = facts.slab.has_value();
   for (int e = 0; e < mesh.Elements(); ++e)
   {
     ++facts.shapes[static_cast<std::size_t>(mesh.ShapeOf(e))];
@@ -77,27 +81,40 @@ Facts Gather(const LoadedModel& input)
     const int stored = input.converted ? StoredOrder(*input.grid, e) : 0;
     if (stored > 0)
     {
-      ++facts.storedOrders[{ stored, stored, stored }];
+      ++facts.storedOrders[{ stored, stored, isPlane ? kPlane : stored }];
     }
   }
-  facts.orders = CountOrders(mesh.map);
+  facts.orders = CountOrders(mesh.map, isPlane);
   const std::span<const Field> fields = input.model->Fields();
   const std::vector<Continuity> continuity = CompareAcrossElements(mesh, fields);
   for (std::size_t f = 0; f < fields.size(); ++f)
   {
-    facts.fields.push_back(
-      { &fields[f], CountOrders(fields[f].values), continuity[f], CountNonFinite(fields[f].values),
-        BasisOf(*input.grid, fields[f].name), FindRanges(mesh, fields[f]) });
+    facts.fields.push_back({ &fields[f], CountOrders(fields[f].values, isPlane), continuity[f],
+      CountNonFinite(fields[f].values), BasisOf(*input.grid, fields[f].name),
+      FindRanges(mesh, fields[f]) });
   }
   input.grid->GetBounds(facts.bounds.data());
+  if (isPlane)
+  {
+    facts.bounds[4] = facts.bounds[5] = facts.slab->middle;
+  }
   facts.solver = GatherSolverFacts(*input.grid, *input.model);
   return facts;
 }
 
-/// "hexahedron", or "hexahedra" of any other number than one.
-std::string NameOf(Shape shape, std::int64_t count)
+/// Of an element, of a plane mesh what its solid stands on.
+std::string NameOf(Shape shape, bool isPlane)
 {
-  std::string name = Name(shape);
+  if (!isPlane)
+  {
+    return Name(shape);
+  }
+  return shape == Shape::Prism ? "triangle" : "quadrilateral";
+}
+
+/// "hexahedron", or "hexahedra" of any other number than one.
+std::string CountedName(std::string name, std::int64_t count)
+{
   if (count == 1)
   {
     return name;
@@ -127,7 +144,8 @@ void PrintTable(const LoadedModel& input, const Facts& facts)
   {
     if (const std::int64_t count = facts.shapes[static_cast<std::size_t>(s)]; count > 0)
     {
-      shapes.push_back(fmt::format("{} {}", count, NameOf(static_cast<Shape>(s), count)));
+      shapes.push_back(fmt::format(
+        "{} {}", count, CountedName(NameOf(static_cast<Shape>(s), facts.slab.has_value()), count)));
     }
   }
   table.Row("elements", "{}{}{}", input.model->GetMesh().Elements(), shapes.empty() ? "" : ": ",
@@ -141,8 +159,18 @@ void PrintTable(const LoadedModel& input, const Facts& facts)
       ? std::string()
       : ", stored as order " + Text(facts.storedOrders));
   const auto& b = facts.bounds;
-  table.Row("nodes", "x {} to {}, y {} to {}, z {} to {}", Short(b[0]), Short(b[1]), Short(b[2]),
-    Short(b[3]), Short(b[4]), Short(b[5]));
+  const std::string sides =
+    fmt::format("x {} to {}, y {} to {}", Short(b[0]), Short(b[1]), Short(b[2]), Short(b[3]));
+  if (facts.slab)
+  {
+    table.Row("plane", "2-D, at z = {}; shown as a slab {} thick", Short(facts.slab->middle),
+      Short(facts.slab->thickness));
+    table.Row("nodes", sides);
+  }
+  else
+  {
+    table.Row("nodes", "{}, z {} to {}", sides, Short(b[4]), Short(b[5]));
+  }
   AddTime(table, input);
   std::string name = "fields";
   for (const FieldFacts& field : facts.fields)
@@ -187,7 +215,7 @@ void PrintJson(const LoadedModel& input, const Facts& facts)
   {
     if (const std::int64_t count = facts.shapes[static_cast<std::size_t>(s)]; count > 0)
     {
-      shapes[Name(static_cast<Shape>(s))] = count;
+      shapes[NameOf(static_cast<Shape>(s), facts.slab.has_value())] = count;
     }
   }
   auto fields = nlohmann::ordered_json::array();
@@ -211,6 +239,11 @@ void PrintJson(const LoadedModel& input, const Facts& facts)
     { "geometry_orders", ToJson(facts.orders) },
     { "stored_geometry_orders", ToJson(facts.storedOrders) }, { "node_bounds", facts.bounds },
     { "fields", fields } };
+  summary["dimension"] = facts.slab ? 2 : 3;
+  if (facts.slab)
+  {
+    summary["slab"] = { { "z", facts.slab->middle }, { "thickness", facts.slab->thickness } };
+  }
   AddTo(summary, facts.solver);
   if (facts.certified)
   {

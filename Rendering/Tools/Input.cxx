@@ -9,6 +9,7 @@
 
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
+#include "Formats/MFEM/PieceNames.h"
 #include "GridCheck.h"
 #include "TimeSeries.h"
 
@@ -69,16 +70,21 @@ constexpr std::array kFormats{
   Format{ ".pvd", "collection of VTK XML files", &ReadXmlCollection },
   Format{ ".vtk", "VTK legacy", &ReadLegacyFile },
   Format{ ".mesh", "MFEM", &ReadMfemFiles },
+  Format{ ".mfem_root", "collection of MFEM files", &ReadMfemCollection },
   Format{ ".gf", "MFEM", &RefuseFieldFile },
   Format{ ".saved", "GLVis", &ReadGlvisFile },
+  Format{ ".msh", "Gmsh", &ReadGmshFiles },
   Format{ ".xml", "Nektar++", &ReadNektarFiles },
+  Format{ ".nekg", "Nektar++", &ReadNektarFiles },
   Format{ ".fld", "Nektar++", &RefuseFieldFile },
   Format{ ".chk", "Nektar++", &RefuseFieldFile },
   Format{ ".rst", "Nektar++", &RefuseFieldFile },
 };
 
-const Format* FormatOf(const std::string& suffix)
+const Format* FormatOf(std::string suffix)
 {
+  // Pieces of MFEM's parallel runs have no other.
+  suffix = mfem::IsPieceName("x" + suffix) ? ".mesh" : suffix;
   const auto* format = std::ranges::find(kFormats, suffix, &Format::suffix);
   return format == kFormats.end() ? nullptr : format;
 }
@@ -192,8 +198,8 @@ InputGrid ReadInput(const InputRequest& request)
   if (format == nullptr)
   {
     CannotRead(first,
-      "its suffix is of no format known here; .vtu, .pvtu, .pvd, .vtk, .mesh, .saved and .xml are "
-      "read");
+      "its suffix is of no format known here; .vtu, .pvtu, .pvd, .vtk, .mesh, .mfem_root, .000000 "
+      "(a piece of an MFEM mesh), .saved, .msh, .nekg and .xml are read");
   }
   CheckCompanions(request.files, *format);
   std::for_each(request.files.begin() + 1, request.files.end(), CheckFile);
@@ -223,10 +229,14 @@ void AddField(CLI::App& command, std::string& field)
 void InputRequest::AddTo(CLI::App& command, bool required)
 {
   AddArguments(command, "INPUT", files, "FILE",
-    "The mesh file (.vtu, .pvtu, .pvd, .vtk, .mesh, .saved or .xml) and, where the format keeps "
-    "them apart, its field files (.gf; .fld, .chk or .rst); further .xml files are the rest of a "
-    "Nektar++ session or parts of its mesh; numbered .vtu or .pvtu files and several Nektar++ "
-    "field files make a time series")
+    "The mesh file (.vtu, .pvtu, .pvd, .vtk, .mesh, .mfem_root, .saved, .msh, .nekg or .xml) and, "
+    "where the "
+    "format keeps them apart, its field files (.gf; .fld, .chk or .rst; .msh without a mesh); "
+    "x.000000 and u.000000 "
+    "stand "
+    "for all pieces that a parallel run of MFEM wrote; further .xml files are the rest of a "
+    "Nektar++ session or parts of its mesh; numbered .vtu or .pvtu files, several Nektar++ "
+    "field files and several .mfem_root files make a time series")
     .Required(required);
   const AddedOption number = AddRead(
     command, "--time-step", [this](const std::string& text) { step = ParseStep(text); }, "N",

@@ -5,8 +5,10 @@
 #include "VtkMessages.h"
 
 #include "Core/Base/Error.h"
+#include "Formats/MFEM/PieceNames.h"
 #include "TimeSeries.h"
 #include "vtkGLVisReader.h"
+#include "vtkGmshReader.h"
 #include "vtkHighOrderGrid.h"
 #include "vtkMFEMReader.h"
 #include "vtkNektarReader.h"
@@ -14,6 +16,9 @@
 #include <vtkInformation.h>
 #include <vtkNew.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
+
+#include <filesystem>
+#include <set>
 
 namespace pixelexact
 {
@@ -58,14 +63,35 @@ InputGrid ReadWith(vtkHighOrderFileReader& reader, const InputRequest& request)
   }
   return input;
 }
+/// The name that the pieces of a mesh or a grid function share.
+std::string WithoutPiece(const std::string& file)
+{
+  return mfem::IsPieceName(file) ? std::filesystem::path(file).replace_extension(".*").string()
+                                 : file;
+}
 } // namespace
 
 InputGrid ReadMfemFiles(const InputRequest& request)
 {
   vtkNew<vtkMFEMReader> reader;
+  std::set<std::string> known{ WithoutPiece(request.files[0]) };
   for (std::size_t i = 1; i < request.files.size(); ++i)
   {
-    reader->AddGridFunctionFileName(request.files[i].c_str());
+    // x.* names all pieces, of which one stands for the others.
+    if (known.insert(WithoutPiece(request.files[i])).second)
+    {
+      reader->AddGridFunctionFileName(request.files[i].c_str());
+    }
+  }
+  return ReadWith(*reader, request);
+}
+
+InputGrid ReadMfemCollection(const InputRequest& request)
+{
+  vtkNew<vtkMFEMReader> reader;
+  for (std::size_t i = 1; i < request.files.size(); ++i)
+  {
+    reader->AddStepFileName(request.files[i].c_str());
   }
   return ReadWith(*reader, request);
 }
@@ -77,13 +103,23 @@ InputGrid ReadGlvisFile(const InputRequest& request)
   return ReadWith(*reader, request);
 }
 
+InputGrid ReadGmshFiles(const InputRequest& request)
+{
+  vtkNew<vtkGmshReader> reader;
+  for (std::size_t i = 1; i < request.files.size(); ++i)
+  {
+    reader->AddViewFileName(request.files[i].c_str());
+  }
+  return ReadWith(*reader, request);
+}
+
 InputGrid ReadNektarFiles(const InputRequest& request)
 {
   vtkNew<vtkNektarReader> reader;
   for (std::size_t i = 1; i < request.files.size(); ++i)
   {
     const std::string& file = request.files[i];
-    if (LowerSuffix(file) == ".xml")
+    if (LowerSuffix(file) == ".xml" || LowerSuffix(file) == ".nekg")
     {
       reader->AddSessionFileName(file.c_str());
     }

@@ -14,8 +14,13 @@ namespace pixelexact
 {
 namespace
 {
-Orders OrdersOf(const Space& space)
+Orders OrdersOf(const Space& space, bool isPlane)
 {
+  if (isPlane)
+  {
+    // A prism's triangle has the first and the third.
+    return { space.order[0], space.order[space.shape == Shape::Prism ? 2 : 1], kPlane };
+  }
   Orders orders{ space.order[0], space.order[1], space.order[2] };
   if (space.form == Form::Tensor)
   {
@@ -25,20 +30,24 @@ Orders OrdersOf(const Space& space)
   return orders;
 }
 
-/// "3", or where the directions differ "3 x 5 x 7".
+/// "3", or where the directions differ "3 x 5 x 7", "3 x 5" of plane elements.
 std::string Label(const Orders& orders)
 {
   const auto [p, q, r] = orders;
+  if (r == kPlane)
+  {
+    return p == q ? fmt::format("{}", p) : fmt::format("{} x {}", p, q);
+  }
   return p == q && q == r ? fmt::format("{}", p) : fmt::format("{} x {} x {}", p, q, r);
 }
 } // namespace
 
-OrderCounts CountOrders(const Expansion& expansion)
+OrderCounts CountOrders(const Expansion& expansion, bool isPlane)
 {
   OrderCounts counts;
   for (int e = 0; e < expansion.Elements(); ++e)
   {
-    ++counts[OrdersOf(expansion.SpaceOf(e))];
+    ++counts[OrdersOf(expansion.SpaceOf(e), isPlane)];
   }
   return counts;
 }

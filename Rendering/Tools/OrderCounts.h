@@ -13,11 +13,14 @@
 // How many elements have which polynomial orders, and how that is written.
 namespace pixelexact
 {
-/// Elements by polynomial orders along the three directions.
+/// Elements by polynomial orders along the three directions; the third of plane ones is kPlane.
 using Orders = std::array<int, 3>;
 using OrderCounts = std::map<Orders, std::int64_t>;
 
-OrderCounts CountOrders(const Expansion& expansion);
+inline constexpr int kPlane = -1;
+
+/// `isPlane`: of a slab's elements, whose order across tells nothing.
+OrderCounts CountOrders(const Expansion& expansion, bool isPlane = false);
 
 /// "3" or, for several, "3 (40 elements), 4 (2 elements)".
 std::string Text(const OrderCounts& counts);

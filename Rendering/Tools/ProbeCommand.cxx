@@ -8,13 +8,17 @@
 #include "Report.h"
 
 #include "Core/Base/Error.h"
+#include "SlabArray.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <memory>
+#include <optional>
+#include <utility>
 
 namespace pixelexact
 {
@@ -26,6 +30,7 @@ struct ProbeOptions
   std::vector<std::string> fields; ///< none: the first one, where there is one
   std::string points;
   std::vector<double> line; ///< from, to, and how many points; empty: those of a file
+  bool lineHasZ = true;     ///< else its z are 0 for now
   std::string output = "-";
   ProbeColumns columns;
 };
@@ -97,14 +102,53 @@ std::vector<const Field*> FieldsToProbe(const HighOrderModel& model, const Probe
   return {};
 }
 
-ProbePoints PointsOf(const ProbeOptions& options)
+/// In x0,y0,x1,y1,n.
+constexpr std::ptrdiff_t kPlaneCommas = 4;
+constexpr const char* kLineForm = "x0,y0,z0,x1,y1,z1,n";
+
+/// Points, and what they are if the mesh is no plane one.
+struct GivenPoints
 {
+  ProbePoints points;
+  PointTable table; ///< without the points; of a line its `hasZ` alone
+};
+
+GivenPoints PointsOf(const ProbeOptions& options)
+{
+  GivenPoints given;
   if (options.line.empty())
   {
-    return { ReadPoints(options.points), {} };
+    given.table = ReadPoints(options.points);
+    given.points.x = std::move(given.table.points);
+    return given;
   }
   const std::vector<double>& l = options.line;
-  return PointsOnLine({ l[0], l[1], l[2] }, { l[3], l[4], l[5] }, static_cast<int>(l[6]));
+  given.points = PointsOnLine({ l[0], l[1], l[2] }, { l[3], l[4], l[5] }, static_cast<int>(l[6]));
+  given.table.hasZ = options.lineHasZ;
+  return given;
+}
+
+/// Points with x and y alone lie in the plane of a 2-D mesh.
+void AddZ(const ProbeOptions& options, const LoadedModel& input, GivenPoints& given)
+{
+  if (given.table.hasZ)
+  {
+    return;
+  }
+  const std::optional<Slab> slab = SlabOf(input.grid);
+  if (!slab)
+  {
+    if (!options.line.empty())
+    {
+      throw UsageError(std::string("--line: the mesh is 3-D; give ") + kLineForm);
+    }
+    RequireZ(options.points, given.table);
+    return;
+  }
+  for (Vec3& point : given.points.x)
+  {
+    point.z = slab->middle;
+  }
 }
 
 /// Of one field, and of nothing but places where there is none.
@@ -217,11 +261,13 @@ void Probe(const ProbeOptions& options, const CommonOptions& common)
   CheckOutput("--output", options.output, read);
   Stopwatch stopwatch;
   // First what is quick and goes wrong often.
-  const ProbePoints points = PointsOf(options);
+  GivenPoints given = PointsOf(options);
   stopwatch.Stage("points");
   const LoadedModel input = LoadModel(
     options.input, options.fields.size() == 1 ? options.fields.front() : std::string(), stopwatch);
   WarnOfDiagnostics(input);
+  AddZ(options, input, given);
+  const ProbePoints& points = given.points;
   const std::vector<const Field*> fields = FieldsToProbe(*input.model, options);
   (void)input.model->GetLocator();
   stopwatch.Stage("bounds+bvh");
@@ -243,15 +289,20 @@ void Probe(const ProbeOptions& options, const CommonOptions& common)
   PrintTable(options, input, fields, probed, stopwatch);
 }
 
-/// Six coordinates and a number of points.
+/// Six coordinates and a number of points, or four in a plane, whose z become 0.
 std::vector<double> ReadLine(const std::string& text)
 {
-  constexpr const char* kForm = "x0,y0,z0,x1,y1,z1,n";
   constexpr double kMost = 1e9;
-  std::vector<double> numbers = ReadNumbers("--line", text, 7, kForm);
+  const bool isPlane = std::ranges::count(text, ',') == kPlaneCommas;
+  std::vector<double> numbers = ReadNumbers("--line", text, isPlane ? 5 : 7, kLineForm);
+  if (isPlane)
+  {
+    numbers.insert(numbers.begin() + 2, 0.0);
+    numbers.insert(numbers.begin() + 5, 0.0);
+  }
   if (!(numbers[6] >= 2.0 && numbers[6] <= kMost && numbers[6] == std::floor(numbers[6])))
   {
-    Refuse("--line", text, std::string(kForm) + " with a whole number n from 2 to 1000000000");
+    Refuse("--line", text, std::string(kLineForm) + " with a whole number n from 2 to 1000000000");
   }
   return numbers;
 }
@@ -278,13 +329,18 @@ void AddProbeCommand(CLI::App& program, const CommonOptions& common, Action& act
     "Name of a field; of several each has columns of its name (default: the first one, which is "
     "named on stderr)");
   const AddedOption points = AddText(command, "--points", options->points, "FILE",
-    "CSV file with a header line and the columns x, y and z; others are ignored; - for standard "
-    "input");
+    "CSV file with a header line and the columns x, y and z (2-D meshes need no z); others are "
+    "ignored; - for standard input");
   AddRead(
-    command, "--line", [options](const std::string& text) { options->line = ReadLine(text); },
-    "x0,y0,z0,x1,y1,z1,n",
+    command, "--line",
+    [options](const std::string& text)
+    {
+      options->line = ReadLine(text);
+      options->lineHasZ = std::ranges::count(text, ',') != kPlaneCommas;
+    },
+    kLineForm,
     "Instead of these n points on the line from one point to another, evenly spaced, both among "
-    "them; their distance from the first one is a column, too")
+    "them; their distance from the first one is a column, too; x0,y0,x1,y1,n in 2-D meshes")
     .Excludes(points);
   AddText(command, "-o,--output", options->output, "FILE",
     "CSV file to write: the points in their order, the field's values (nan outside), the element's "

@@ -32,6 +32,12 @@ int HigherOrder(int type, vtkIdType points)
     case VTK_LAGRANGE_TETRAHEDRON:
     case VTK_BEZIER_TETRAHEDRON:
       return OrderOf(points, [](vtkIdType n) { return (n + 1) * (n + 2) * (n + 3) / 6; });
+    case VTK_LAGRANGE_TRIANGLE:
+    case VTK_BEZIER_TRIANGLE:
+      return OrderOf(points, [](vtkIdType n) { return (n + 1) * (n + 2) / 2; });
+    case VTK_LAGRANGE_QUADRILATERAL:
+    case VTK_BEZIER_QUADRILATERAL:
+      return OrderOf(points, [](vtkIdType n) { return (n + 1) * (n + 1); });
     case VTK_LAGRANGE_WEDGE:
     case VTK_BEZIER_WEDGE:
       return OrderOf(points, [](vtkIdType n) { return (n + 1) * (n + 1) * (n + 2) / 2; });
@@ -49,12 +55,20 @@ int StoredOrder(vtkUnstructuredGrid& grid, vtkIdType cell)
   const int type = grid.GetCellType(cell);
   switch (type)
   {
+    case VTK_TRIANGLE:
+    case VTK_PIXEL:
+    case VTK_QUAD:
     case VTK_TETRA:
     case VTK_VOXEL:
     case VTK_HEXAHEDRON:
     case VTK_WEDGE:
     case VTK_PYRAMID:
       return 1;
+    case VTK_QUADRATIC_TRIANGLE:
+    case VTK_BIQUADRATIC_TRIANGLE:
+    case VTK_QUADRATIC_QUAD:
+    case VTK_QUADRATIC_LINEAR_QUAD:
+    case VTK_BIQUADRATIC_QUAD:
     case VTK_QUADRATIC_TETRA:
     case VTK_QUADRATIC_HEXAHEDRON:
     case VTK_QUADRATIC_WEDGE:

@@ -52,12 +52,27 @@ std::vector<double> Nodes(int points)
 TEST(BadInput, EmptyGrid)
 {
   vtkNew<vtkUnstructuredGrid> grid;
-  ExpectRefused(grid, { "no three-dimensional cell" });
+  ExpectRefused(grid, { "no two- or three-dimensional cell" });
 }
 
-TEST(BadInput, OnlyTriangles)
+TEST(BadInput, OnlyLines)
 {
-  ExpectRefused(OneCell(VTK_TRIANGLE, Nodes(3)), { "no three-dimensional cell", "1 of other" });
+  ExpectRefused(OneCell(VTK_LINE, Nodes(2)), { "no two- or three-dimensional cell", "1 of other" });
+}
+
+TEST(BadInput, SurfacesInSpace)
+{
+  ExpectRefused(OneCell(VTK_TRIANGLE, Nodes(3)), { "surface in space", "z = const" });
+}
+
+TEST(BadInput, PlaneCellsThatAreNoPolynomials)
+{
+  auto points = Nodes(5);
+  for (std::size_t i = 2; i < points.size(); i += 3)
+  {
+    points[i] = 0.0;
+  }
+  ExpectRefused(OneCell(VTK_POLYGON, points), { "cell 0", "vtkPolygon", "not supported" });
 }
 
 TEST(BadInput, UnsupportedTypes)

@@ -25,7 +25,10 @@ struct Kind
   int points;
   Shape shape;
   std::array<int, 3> degrees{ 0, 0, 0 };
+  bool isPlane = false; ///< in z = kHeight
 };
+
+constexpr double kHeight = 0.3;
 
 std::ostream& operator<<(std::ostream& os, const Kind& kind)
 {
@@ -81,6 +84,10 @@ TEST_P(CellBasis, MapsAsVtkDoes)
   std::vector<double> values(kind.points);
   std::ranges::generate(xyz, [&] { return anywhere(random); });
   std::ranges::generate(values, [&] { return anywhere(random); });
+  for (std::size_t i = 2; kind.isPlane && i < xyz.size(); i += 3)
+  {
+    xyz[i] = kHeight;
+  }
   const auto grid = OneCell(kind.type, xyz);
   AddPointField(grid, "u", values);
   if (kind.degrees[0] > 0)
@@ -118,9 +125,14 @@ TEST_P(CellBasis, MapsAsVtkDoes)
     }
     // VTK's own functions, in double, set the limit.
     const double tolerance = 2e-13 * sum * std::cbrt(kind.points);
-    for (int d = 0; d < 3; ++d)
+    for (int d = 0; d < (kind.isPlane ? 2 : 3); ++d)
     {
       EXPECT_NEAR(x[d], expected[d], tolerance);
+    }
+    if (kind.isPlane)
+    {
+      // Between a 64th of 2 and nothing: the box is smaller than that of all points there may be.
+      EXPECT_LE(std::fabs(x[2] - kHeight), 1.0 / 32);
     }
     EXPECT_NEAR(found->GetValue(0), expected[3], tolerance);
   }
@@ -150,6 +162,19 @@ std::vector<Kind> Kinds()
     { VTK_LAGRANGE_WEDGE, 10 * 6, Shape::Prism, { 3, 3, 5 } },
     { VTK_BEZIER_WEDGE, 15 * 3, Shape::Prism, { 4, 4, 2 } },
   };
+  const std::array none{ 0, 0, 0 };
+  for (const auto& [type, points] : { std::pair(VTK_TRIANGLE, 3), { VTK_QUADRATIC_TRIANGLE, 6 },
+         { VTK_BIQUADRATIC_TRIANGLE, 7 }, { VTK_LAGRANGE_TRIANGLE, 7 } })
+  {
+    kinds.push_back({ type, points, Shape::Prism, none, true });
+  }
+  for (const auto& [type, points] : { std::pair(VTK_PIXEL, 4), { VTK_QUAD, 4 },
+         { VTK_QUADRATIC_LINEAR_QUAD, 6 }, { VTK_QUADRATIC_QUAD, 8 }, { VTK_BIQUADRATIC_QUAD, 9 } })
+  {
+    kinds.push_back({ type, points, Shape::Hexahedron, none, true });
+  }
+  kinds.push_back({ VTK_LAGRANGE_QUADRILATERAL, 5 * 3, Shape::Hexahedron, { 4, 2, 0 }, true });
+  kinds.push_back({ VTK_BEZIER_QUADRILATERAL, 2 * 4, Shape::Hexahedron, { 1, 3, 1 }, true });
   for (int n = 1; n <= 8; ++n)
   {
     const int line = n + 1;
@@ -157,8 +182,12 @@ std::vector<Kind> Kinds()
     kinds.push_back({ VTK_LAGRANGE_HEXAHEDRON, line * line * line, Shape::Hexahedron });
     kinds.push_back({ VTK_LAGRANGE_WEDGE, triangle * line, Shape::Prism });
     kinds.push_back({ VTK_LAGRANGE_TETRAHEDRON, triangle * (n + 3) / 3, Shape::Tetrahedron });
+    kinds.push_back({ VTK_LAGRANGE_QUADRILATERAL, line * line, Shape::Hexahedron, none, true });
+    kinds.push_back({ VTK_LAGRANGE_TRIANGLE, triangle, Shape::Prism, none, true });
     if (n <= 5)
     {
+      kinds.push_back({ VTK_BEZIER_QUADRILATERAL, line * line, Shape::Hexahedron, none, true });
+      kinds.push_back({ VTK_BEZIER_TRIANGLE, triangle, Shape::Prism, none, true });
       kinds.push_back({ VTK_BEZIER_HEXAHEDRON, line * line * line, Shape::Hexahedron });
       kinds.push_back({ VTK_BEZIER_WEDGE, triangle * line, Shape::Prism });
       kinds.push_back({ VTK_BEZIER_TETRAHEDRON, triangle * (n + 3) / 3, Shape::Tetrahedron });

@@ -3,6 +3,7 @@
 #include "OracleCheck.h"
 
 #include "vtkGLVisReader.h"
+#include "vtkGmshReader.h"
 #include "vtkMFEMReader.h"
 #include "vtkNektarReader.h"
 
@@ -52,6 +53,10 @@ vtkSmartPointer<vtkHighOrderFileReader> MakeReader(const Case& c)
   {
     return vtkSmartPointer<vtkGLVisReader>::New();
   }
+  if (std::string(c.mesh).ends_with(".msh"))
+  {
+    return vtkSmartPointer<vtkGmshReader>::New();
+  }
   auto reader = vtkSmartPointer<vtkMFEMReader>::New();
   reader->AddGridFunctionFileName(InFolder(c, c.values).c_str());
   return reader;
@@ -98,6 +103,18 @@ TEST_P(NativeOracles, AreMet)
 }
 
 const Case kCases[] = {
+#define GMSH(name, oracle, field, order)                                                           \
+  {                                                                                                \
+    name, name ".msh", "", oracle, field, order, false                                             \
+  }
+  GMSH("gmsh_shell_tet_g3", "oracle.csv", "u", 3),
+  GMSH("gmsh_zoo_g2", "oracle.csv", "u", 2),
+  GMSH("gmsh_zoo_g2", "oracle.csv", "d", 2),
+  GMSH("gmsh_zoo_g2", "oracle_v.csv", "v", 2),
+  GMSH("gmsh_zoo_g4", "oracle.csv", "u", 4),
+  GMSH("gmsh_zoo_g4", "oracle.csv", "d", 4),
+  GMSH("gmsh_zoo_g4", "oracle_v.csv", "v", 4),
+#undef GMSH
 #define MFEM(name, field, order)                                                                   \
   {                                                                                                \
     name, name ".mesh", field ".gf", "oracle_" field ".csv", field, order, false                   \
@@ -117,6 +134,9 @@ const Case kCases[] = {
   MFEM("mfem_fichera_hex_amr_g3_p3", "u", 3),
   MFEM("mfem_fichera_hex_g3_p4", "u", 4),
   MFEM("mfem_periodic_hex_dg_g3_p4", "u", 4),
+  MFEM("mfem_plane_amr_g3_p5", "u", 5),
+  MFEM("mfem_plane_amr_g3_p5", "flux", 3),
+  MFEM("mfem_plane_amr_g3_p5", "circulation", 3),
   MFEM("mfem_toroid_hex_g3_p16", "u", 16),
   MFEM("mfem_toroid_hex_g3_p6", "u", 6),
   MFEM("mfem_toroid_prism_g3_p4", "u", 4),
@@ -132,6 +152,7 @@ const Case kCases[] = {
   NEKTAR("nek_hex_aniso_p3p5p7", "u", 7),
   NEKTAR("nek_hex_dg_varp", "u", 9),
   NEKTAR("nek_hex_gll_lagrange_p6", "u", 6),
+  NEKTAR("nek_homogeneous_chan", "u", 3),
   NEKTAR("nek_ns_cylinder_hexprism_p4", "u", 4),
   NEKTAR("nek_ns_cylinder_hexprism_p4", "p", 4),
   { "nek_ns_cylinder_paperscale_p3", "nek_ns_cylinder_paperscale_p3.xml",

@@ -307,26 +307,60 @@ TEST(NativeReaders, RefuseWhatIsNotThere)
   ExpectRefusal(twice, "pressure");
 }
 
-TEST(NativeReaders, NamesOfPiecesAreNoted)
+TEST(NativeReaders, PiecesAreOneMesh)
 {
-  // ParMesh::Save writes pieces as if each were a whole mesh; only their names tell.
   const std::string mesh = Text(kData / "mfem49_tinyzoo_g3_p5" / "mfem49_tinyzoo_g3_p5.mesh");
+  const std::string field = Text(kData / "mfem49_tinyzoo_g3_p5" / "u.gf");
   const Scratch scratch;
-  const auto notes = [](const std::string& file)
+  const std::string first = scratch.Write("a.000000", mesh);
+  scratch.Write("a.000001", mesh);
+  const std::string u = scratch.Write("u.000000", field);
+  vtkNew<vtkMFEMReader> reader;
+  reader->SetFileName(first.c_str());
+  reader->AddGridFunctionFileName(u.c_str());
+  ExpectRefusal(reader, "u.000001");
+  scratch.Write("u.000001", field);
+  reader->Modified();
+  reader->Update();
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfCells(), 8);
+  EXPECT_EQ(reader->GetNumberOfDiagnostics(), 0);
+}
+
+/// Each cycle has a mesh of its own: the second one is twice as wide.
+TEST(NativeReaders, RootFilesAreTimeSteps)
+{
+  const auto mesh = [](int width)
   {
-    vtkNew<vtkMFEMReader> reader;
-    vtkNew<Messages> messages;
-    messages->Watch(reader);
-    reader->SetFileName(file.c_str());
-    reader->Update();
-    EXPECT_EQ(messages->errors, "");
-    return messages->warnings;
+    const std::string x = std::to_string(width);
+    return "MFEM mesh v1.0\ndimension\n2\nelements\n1\n1 3 0 1 2 3\nboundary\n0\nvertices\n4\n2\n"
+           "0 0\n" +
+      x + " 0\n" + x + " 1\n0 1\n";
   };
-  const std::string alone = scratch.Write("a.000000", mesh);
-  EXPECT_EQ(notes(alone), "");
-  const std::string other = scratch.Write("a.000001", mesh);
-  EXPECT_NE(notes(alone).find(other), std::string::npos);
-  EXPECT_NE(notes(other).find("PrintAsOne"), std::string::npos);
+  const Scratch scratch;
+  std::vector<std::string> roots;
+  for (const int cycle : { 2, 1 })
+  {
+    const std::string name = "m" + std::to_string(cycle);
+    scratch.Write(name + ".000000", mesh(cycle));
+    roots.push_back(scratch.Write(name + ".mfem_root",
+      R"({"dsets": {"main": {"cycle": )" + std::to_string(cycle) + R"(, "time": )" +
+        std::to_string(cycle) + R"(, "domains": 1, "mesh": {"path": ")" + name + R"(.%06d"}}}})"));
+  }
+  vtkNew<vtkMFEMReader> reader;
+  reader->SetFileName(roots[0].c_str());
+  reader->AddStepFileName(roots[1].c_str());
+  for (const double time : { 2.0, 1.0, 1.5, 2.5 })
+  {
+    reader->UpdateTimeStep(time);
+    EXPECT_EQ(reader->GetOutput()->GetBounds()[1], time < 2.0 ? 1.0 : 2.0) << time;
+    EXPECT_EQ(reader->GetOutput()->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP()),
+      time < 2.0 ? 1.0 : 2.0);
+  }
+  reader->AddStepFileName(roots[1].c_str());
+  vtkNew<Messages> messages;
+  messages->Watch(reader);
+  reader->Update();
+  EXPECT_NE(messages->errors.find("of one time"), std::string::npos) << messages->errors;
 }
 
 TEST(NativeReaders, RefuseEveryTruncation)

@@ -248,7 +248,7 @@ TEST(MfemCollection, VectorBasesReproduceLinearFields)
     { "ND_3D_P2", "ND_3D_P4", "ND@Uo_3D_P2", "RT_3D_P1", "RT_3D_P3", "RT@co_3D_P2", "RT1_3D" })
   {
     const auto collection = Collection::Parse(text);
-    const auto name = ParseCollectionName(text);
+    const auto name = ParseCollectionName(text, 3);
     for (const Geometry solid : { Geometry::Tetrahedron, Geometry::Cube, Geometry::Prism })
     {
       if (!HasBasis(collection, solid))

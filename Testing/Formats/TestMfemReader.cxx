@@ -211,7 +211,7 @@ TEST(MfemReader, PiecesOfParallelMeshesAreRefused)
     "ranks in group\n1 0\n2 0 1\n\ntotal_shared_vertices 4\ntotal_shared_edges 4\n"
     "total_shared_faces 1\n";
   piece += "\nmfem_serial_mesh_end\n\n" + groups + "\nmfem_mesh_end\n";
-  ExpectMessage(Message(piece), { "a.mesh, line", "one piece", "PrintAsOne", "SaveAsOne" });
+  ExpectMessage(Message(piece), { "a.mesh", "one piece", "2 processes", "x.000001", "PrintAsOne" });
   // With nodes, whose numbers end where the groups begin.
   std::string curved = piece;
   curved.replace(curved.find("vertices\n8\n3\n") + 11, std::string(kCubeVertices).size() + 2,
@@ -219,11 +219,19 @@ TEST(MfemReader, PiecesOfParallelMeshesAreRefused)
   ExpectMessage(Message(curved), { "one piece", "SaveAsOne" });
   ExpectMessage(Message(serial + "\n" + groups), { "one piece" });
   const std::string stream = "mesh\n" + piece;
-  EXPECT_THROW(mfem::ReadStream({ "a.saved", stream }), Unsupported);
-  // Of a refined mesh: leaves of another rank, those of a rank that is not told.
+  EXPECT_THROW(mfem::ReadStream({ "a.saved", stream }), InvalidData);
+  // Of a refined mesh: that of another rank than the first.
   ExpectMessage(
-    Message("MFEM NC mesh v1.0\ndimension\n3\nrank 1\nelements\n1\n0 1 5 0 0 1 2 3 4 5 6 7\n"),
+    Message("MFEM NC mesh v1.0\ndimension\n3\nrank 1\nelements\n1\n1 1 5 0 0 1 2 3 4 5 6 7\n"
+            "coordinates\n8\n3\n" +
+      std::string(kCubeVertices)),
     { "one piece", "SaveAsOne" });
+  // A run of one process has it all.
+  std::string alone = piece;
+  alone.replace(alone.find("2 0 1\n"), 6, "1 0\n");
+  EXPECT_EQ(Message(alone), "");
+  ExpectMessage(Message(serial + "\nmfem_serial_mesh_end\n" + groups + "shared_vertices 1\nx\n"),
+    { "'x'", "processes share" });
   // The whole as the same version has it.
   EXPECT_EQ(Message(serial + "\nmfem_mesh_end\n"), "");
 }
@@ -293,18 +301,9 @@ TEST(MfemReader, MessagesNameFileLineAndRemedy)
   ExpectMessage(Message("MFEM mesh v7.0"), { "v7.0", "v1.0 to v1.3" });
   ExpectMessage(Message("MFEM NURBS mesh v1.0\n\ndimension\n3\n"), { "NURBS", "SetCurvature" });
   ExpectMessage(Message("MFEM NURBS NC-patch mesh v1.0\ndimension\n3\n"), { "NURBS" });
-  ExpectMessage(
-    Message("MFEM INLINE mesh v1.0\n\ntype = hex\nnx = 2\n"), { "INLINE", "SetCurvature" });
-  // What no conversion makes a solid.
   ExpectMessage(Message("MFEM mesh v1.0\ndimension\n1\n"), { "line 3", "1-dimensional" });
-  for (const std::string plane :
-    { "MFEM mesh v1.0\ndimension\n2\n", "MFEM NURBS mesh v1.0\n\ndimension\n2\n",
-      "MFEM NC mesh v1.0\ndimension\n2\n", "MFEM INLINE mesh v1.0\n\ntype = quad\nnx = 2\n" })
-  {
-    const std::string message = Message(plane);
-    ExpectMessage(message, { "2-dimensional", "three-dimensional" });
-    EXPECT_EQ(message.find("SetCurvature"), std::string::npos) << message;
-  }
+  ExpectMessage(Message("MFEM NC mesh v1.0\ndimension\n1\n"), { "line 3", "1-dimensional" });
+  ExpectMessage(Message("MFEM mesh v1.0\nelements\n1\n"), { "line 2", "begin", "'dimension'" });
 
   std::string mesh = OneCube();
   mesh.replace(mesh.find("elements\n1"), 10, "elements\n99999999");

@@ -98,19 +98,17 @@ TEST(NektarGeometry, HomogeneousSessionsAndHdf5NameWhatToDo)
   const std::string flat = "<NEKTAR><GEOMETRY DIM=\"2\" SPACE=\"2\"/></NEKTAR>";
   const std::string conditions = "<NEKTAR><CONDITIONS><SOLVERINFO><I PROPERTY=\"Homogeneous\" "
                                  "VALUE=\"1D\"/></SOLVERINFO></CONDITIONS></NEKTAR>";
-  ExpectRefusal({ { "a.xml", flat }, { "b.xml", conditions } },
-    { "a.xml", "homogeneous", "1D", "NekMesh -m extrude", "interpfield" });
-  ExpectRefusal(
-    { { "a.xml",
-      Replaced(conditions, "<CONDITIONS>", "<GEOMETRY DIM=\"2\" SPACE=\"2\"/><CONDITIONS>") } },
-    { "NekMesh -m extrude" });
-  ExpectRefusal({ { "a.xml", flat } }, { "three-dimensional" });
+  ExpectRefusal({ { "a.xml", flat }, { "b.xml", Replaced(conditions, "1D", "2D") } },
+    { "a.xml", "HOMOGENEOUS (2D)", "NekMesh -m extrude", "interpfield" });
+  ExpectRefusal({ { "a.xml", flat } }, { "a.xml", "no triangles" });
+  ExpectRefusal({ { "a.xml", "<NEKTAR><GEOMETRY DIM=\"1\" SPACE=\"2\"/></NEKTAR>" } },
+    { "two- and three-dimensional" });
   ExpectRefusal(
     { { "case/a.xml", "<NEKTAR><GEOMETRY DIM=\"3\" SPACE=\"3\" HDF5FILE=\"a.nekg\"/></NEKTAR>" } },
-    { "HDF5", "NekMesh a.xml new.xml" });
-  ExpectRefusal({ { "a.nekg", "\x89HDF\r\n\x1a\n" } }, { "HDF5", "out.fld:fld:format=Xml" });
+    { "HDF5 file a.nekg", "not there" });
+  ExpectRefusal({ { "a.nekg", "\x89HDF\r\n\x1a\n" } }, { "a.nekg", "HDF5" });
   ExpectRefusal(Session(Cube()),
     "<NEKTAR><ELEMENTS FIELDS=\"u\" SHAPE=\"Quadrilateral-HomogenousExp1D\"/></NEKTAR>",
-    { "u.fld", "homogeneous", "interpfield" });
+    { "u.fld", "homogeneous", "Fourier", "interpfield" });
 }
 } // namespace pixelexact::testing

@@ -69,10 +69,10 @@ TEST(NektarReader, DamagedSessions)
   ExpectRefusal("<OTHER/>", "", { "NEKTAR" });
   ExpectRefusal("<NEKTAR><CONDITIONS/></NEKTAR>", "", { "GEOMETRY" });
   ExpectRefusal("<!DOCTYPE x [<!ENTITY a \"b\">]><NEKTAR>&a;</NEKTAR>", "", { "DOCTYPE" });
-  ExpectRefusal("\x89HDF\r\n\x1a\n", "", { "HDF5", "convert" });
-  ExpectRefusal("<NEKTAR><GEOMETRY DIM=\"2\" SPACE=\"2\"/></NEKTAR>", "", { "three-dimensional" });
+  ExpectRefusal("\x89HDF\r\n\x1a\n", "", { "a.xml", "HDF5" });
+  ExpectRefusal("<NEKTAR><GEOMETRY DIM=\"1\" SPACE=\"1\"/></NEKTAR>", "", { "three-dimensional" });
   ExpectRefusal("<NEKTAR><GEOMETRY DIM=\"3\" SPACE=\"3\" HDF5FILE=\"a.nekg\"/></NEKTAR>", "",
-    { "HDF5", "XML" });
+    { "HDF5 file a.nekg", "not there" });
   const auto broken = [&](const std::string& from, const std::string& to)
   {
     std::string text = good;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Any bytes as a GLVis stream, which holds a mesh and a grid function, and as a mesh alone.
+// Any bytes as a GLVis stream, which holds a mesh and a grid function, as a mesh alone, and as a root
+// file of a collection.
 #include "Core/Base/Error.h"
 #include "Formats/MFEM/Reader.h"
+#include "Formats/MFEM/RootFile.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -14,6 +16,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (text.starts_with("MFEM"))
     {
       pixelexact::mfem::Read({ "input.mesh", text }, {});
+    }
+    else if (text.starts_with("{"))
+    {
+      pixelexact::mfem::ParseRootFile({ "input.mfem_root", text });
     }
     else
     {

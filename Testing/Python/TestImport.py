@@ -8,6 +8,7 @@ import pixelexact
 ABSTRACT = ["vtkHighOrderFileReader", "vtkHighOrderSurface"]
 CLASSES = [
     "vtkGLVisReader",
+    "vtkGmshReader",
     "vtkHighOrderBoundarySurface",
     "vtkHighOrderCertifier",
     "vtkHighOrderContour",

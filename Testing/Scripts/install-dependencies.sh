@@ -8,7 +8,7 @@ set -euo pipefail
 
 packages=(
   ca-certificates cmake g++ ninja-build
-  libcli11-dev libeigen3-dev libembree-dev libfmt-dev libglm-dev libhwy-dev libpugixml-dev
+  libcli11-dev libeigen3-dev libembree-dev libfmt-dev libglm-dev libhdf5-dev libhwy-dev libpugixml-dev
   libtbb-dev libvtk9-dev libxxhash-dev nlohmann-json3-dev tao-pegtl-dev zlib1g-dev
   python3 python3-dev python3-vtk9
 )

@@ -41,7 +41,7 @@ class BadFiles(FileTest):
         self.refuses(path, "permissions")
 
     def test_noise_in_solvers_files(self):
-        for suffix in ["mesh", "saved", "xml"]:
+        for suffix in ["mesh", "msh", "saved", "xml"]:
             self.refuses(self.write("text." + suffix, "x"))
             self.refuses(self.write("noise." + suffix, bytes(range(256)) * 10))
 
@@ -245,22 +245,23 @@ class Truncated(ToolTest):
 
 
 class EmptyMesh(FileTest):
-    """Without a volume there is nothing to cut, and every command says so."""
+    """Without a volume or a plane there is nothing to cut, and every command says so."""
 
-    def refused_by_all(self, path):
+    def refused_by_all(self, path, why):
         points = self.write("points.csv", "x,y,z\n0,0,0\n")
         field = [path, "--field", "u", "--output", self.folder / "out.png"]
-        self.refuses(path, "volume")
-        self.fails(1, "probe", *field, "--points", points, names=[path, "volume"])
-        self.fails(1, "render", *field, "--plane", "0,0,0,0,0,1", names=[path, "volume"])
+        self.refuses(path, why)
+        self.fails(1, "probe", *field, "--points", points, names=[path, why])
+        self.fails(1, "render", *field, "--plane", "0,0,0,0,0,1", names=[path, why])
 
     def test_empty_mesh(self):
-        self.refused_by_all(self.write("empty.vtu", plain_grid([], [])))
+        self.refused_by_all(self.write("empty.vtu", plain_grid([], [])),
+                            "no two- or three-dimensional cell")
 
-    def test_no_volume_cell(self):
+    def test_surface_in_space(self):
         fields = [("u", np.arange(3.0))]
         text = plain_grid(np.eye(3), [(5, [0, 1, 2])], fields)
-        self.refused_by_all(self.write("triangle.vtu", text))
+        self.refused_by_all(self.write("triangle.vtu", text), "surface in space")
 
     def test_cells_of_lower_dimension_are_skipped_and_counted(self):
         points = np.eye(4, 3)

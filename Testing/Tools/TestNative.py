@@ -6,10 +6,11 @@ import unittest
 
 import numpy as np
 
-from tool import DATA, ToolTest, columns, read_csv
+from tool import DATA, ToolTest, columns, read_csv, run
 
 ZOO = DATA / "mfem49_tinyzoo_g3_p5"
 DARCY = DATA / "mfem_escher_tet_darcy_p3"
+GMSH = DATA / "gmsh_zoo_g2"
 ANISOTROPIC = DATA / "nek_hex_aniso_p3p5p7"
 
 
@@ -44,12 +45,80 @@ class Native(ToolTest):
         oracle, found = self.probe([stream], "solution", ZOO / "oracle_u.csv")
         np.testing.assert_allclose(found["value"], oracle["u"], rtol=0, atol=1e-12)
 
+    def test_gmsh(self):
+        file = GMSH / "gmsh_zoo_g2.msh"
+        for field in ["u", "d", "m"]:
+            oracle, found = self.probe([file], field, GMSH / "oracle.csv")
+            np.testing.assert_allclose(found["value"], oracle[field], rtol=0, atol=1e-13)
+            np.testing.assert_array_equal(found["element"], oracle["element"])
+
+    def test_gmsh_steps_and_groups(self):
+        file = GMSH / "gmsh_zoo_g2.msh"
+        text = self.succeeds("info", file, "--time-step", 2).stdout
+        for word in ["step 2 of 3", "9 'side' (2 elements)", "3 'floor' (1 face)", "discontinuous"]:
+            self.assertIn(word, text)
+        out = self.folder / "out.csv"
+        self.succeeds("probe", file, "--field", "u", "--time", 0.5, "--points", GMSH / "oracle.csv",
+                      "--output", out)
+        oracle = columns(read_csv(GMSH / "oracle.csv"))
+        # The field of the last step is twice that of the first.
+        np.testing.assert_allclose(columns(read_csv(out))["value"], 2 * np.array(oracle["u"]),
+                                   rtol=0, atol=1e-13)
+
+    def test_gmsh_mesh_alone(self):
+        mesh = self.folder / "straight.msh.gz"
+        straight = (DATA / "gmsh_straight_g6" / "gmsh_straight_g6.msh").read_bytes()
+        mesh.write_bytes(gzip.compress(straight))
+        summary = self.summary("info", mesh)
+        self.assertEqual(summary["geometry_orders"], {"6": 4})
+        self.assertEqual(summary["fields"], [])
+        picture = self.folder / "straight.png"
+        self.succeeds("render", mesh, "--plane", "0,0.5,0,0,1,0", "--size", "100x100", "--output",
+                      picture)
+        self.assertGreater(picture.stat().st_size, 500)
+
+    def test_gmsh_views_in_files_of_their_own(self):
+        zoo = (DATA / "gmsh_zoo_g4" / "gmsh_zoo_g4.msh").read_text()
+        cut = zoo.index("$NodeData")
+        mesh, views = self.folder / "zoo.msh", self.folder / "views.msh"
+        mesh.write_text(zoo[:cut])
+        views.write_text("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n" + zoo[cut:])
+        oracle, found = self.probe([mesh, views], "u", DATA / "gmsh_zoo_g4" / "oracle.csv")
+        np.testing.assert_allclose(found["value"], oracle["u"], rtol=0, atol=1e-13)
+        self.fails(1, "info", views, names=["views.msh", "no $Nodes"])
+        other = self.folder / "other.msh"
+        other.write_text(zoo[:cut])
+        self.fails(1, "info", mesh, other, names=["other.msh", "mesh of its own"])
+
     def test_nektar(self):
         name = ANISOTROPIC.name
         files = [ANISOTROPIC / f"{name}.xml", ANISOTROPIC / f"{name}.fld"]
         oracle, found = self.probe(files, "u", ANISOTROPIC / "oracle.csv")
         np.testing.assert_allclose(found["value"], oracle["u"], rtol=0, atol=1e-13)
         np.testing.assert_array_equal(found["element"], oracle["element"])
+
+    def test_nektar_hdf5(self):
+        session = DATA / "nek_hdf5" / "Tet_channel_m4_per_hdf5.xml"
+        done = run("info", session)
+        if "without the HDF5 library" in done.stderr:
+            self.skipTest("built without the HDF5 library")
+        summary = self.summary("info", session)
+        self.assertEqual(summary["shapes"], {"tetrahedron": 6})
+        alone = self.summary("info", session.with_suffix(".nekg"))
+        self.assertEqual(alone["node_bounds"], summary["node_bounds"])
+        name = "nek_tet_varp"
+        files = [DATA / name / f"{name}.xml", DATA / "nek_hdf5" / f"{name}.fld"]
+        oracle, found = self.probe(files, "u", DATA / name / "oracle.csv")
+        np.testing.assert_allclose(found["value"], oracle["u"], rtol=0, atol=1e-13)
+
+    def test_nektar_homogeneous(self):
+        folder = DATA / "nek_homogeneous_chan"
+        files = [folder / f"{folder.name}.xml", folder / f"{folder.name}.fld"]
+        oracle, found = self.probe(files, "u", folder / "oracle.csv")
+        np.testing.assert_allclose(found["value"], oracle["u"], rtol=0, atol=1e-13)
+        done = self.succeeds("info", *files)
+        for word in ["length 1, 8 Fourier functions", "3 layers", "off by at most"]:
+            self.assertIn(word, done.stderr)
 
     def test_info(self):
         name = ANISOTROPIC.name

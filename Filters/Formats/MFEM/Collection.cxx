@@ -28,6 +28,8 @@ int LargestOrder(const CollectionName& name, Geometry solid)
       case Geometry::Cube:
         return name.continuity == Continuity::HDiv ? kMaxOrder : 8;
       case Geometry::Prism:
+      case Geometry::Triangle:
+      case Geometry::Square:
         return 16;
       case Geometry::Pyramid:
         return 6;
@@ -38,6 +40,7 @@ int LargestOrder(const CollectionName& name, Geometry solid)
   switch (solid)
   {
     case Geometry::Cube:
+    case Geometry::Square:
       return kMaxOrder;
     case Geometry::Pyramid:
       return name.continuity == Continuity::H1 ? 8 : 12;
@@ -61,7 +64,7 @@ const char* PluralOf(Geometry geometry)
 /// The collections of fixed order are not defined on all shapes.
 bool IsDefined(const CollectionName& name, Geometry solid)
 {
-  if (!name.legacy || solid == Geometry::Cube)
+  if (!name.legacy || solid == Geometry::Cube || name.dimension == 2)
   {
     return true;
   }
@@ -116,11 +119,11 @@ Collection::Collection(Collection&&) noexcept = default;
 Collection& Collection::operator=(Collection&&) noexcept = default;
 Collection::~Collection() = default;
 
-Collection Collection::Parse(const std::string& name)
+Collection Collection::Parse(const std::string& name, int dimension)
 {
   Collection collection;
   auto& data = *collection.Data;
-  data.name = ParseCollectionName(name);
+  data.name = ParseCollectionName(name, dimension);
   for (int g = 0; g < kGeometries; ++g)
   {
     const auto geometry = static_cast<Geometry>(g);

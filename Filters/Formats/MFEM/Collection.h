@@ -40,9 +40,10 @@ class Collection
 public:
   /// From its name in a file: "H1_3D_P4", "H1@U_3D_P2", "H1Pos_3D_P3", "L2_T2_3D_P1",
   /// "L2Int_3D_P2", "ND_3D_P2", "RT_3D_P1", "Linear", "Quadratic", "Cubic", "Const3D",
-  /// "LinearDiscont3D", ... Throws Unsupported (NURBS, trace and 2-D collections) with a remedy,
-  /// InvalidData for what is no collection's name.
-  static Collection Parse(const std::string& name);
+  /// "LinearDiscont3D", ...; of elements of `dimension` 3, or 2 ("H1_2D_P4", ...). Throws
+  /// Unsupported (NURBS, trace collections, those of another dimension) with a remedy, InvalidData
+  /// for what is no collection's name.
+  static Collection Parse(const std::string& name, int dimension = 3);
   Collection(Collection&&) noexcept;
   Collection& operator=(Collection&&) noexcept;
   ~Collection();
@@ -67,7 +68,8 @@ public:
   [[nodiscard]] bool MixesTriangleUnknowns() const;
   [[nodiscard]] std::array<double, 4> TriangleMixing(int orientation) const;
 
-  /// The basis on a solid shape, made at first use. Throws Unsupported where MFEM defines none.
+  /// The basis on a solid shape, or on a plane one as on a slab's solid (of order 0 across), made
+  /// at first use. Throws Unsupported where MFEM defines none.
   [[nodiscard]] const ElementBasis& Basis(Geometry solid) const;
 
 private:

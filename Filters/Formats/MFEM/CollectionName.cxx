@@ -98,11 +98,9 @@ public:
     {
       RejectName(Text);
     }
-    if (dimension != 3)
+    if (dimension != name.dimension)
     {
-      RefuseCollection(Text,
-        "it is one of " + std::to_string(dimension) +
-          "-D elements; PixelExact shows solid elements");
+      RefuseDimension(Text, dimension, name.dimension);
     }
     if (name.order < least)
     {
@@ -200,15 +198,16 @@ void ParseVector(Parser& parser, CollectionName& name, int least)
 }
 } // namespace
 
-CollectionName ParseCollectionName(const std::string& text)
+CollectionName ParseCollectionName(const std::string& text, int dimension)
 {
-  if (auto fixed = FixedCollection(text))
+  if (auto fixed = FixedCollection(text, dimension))
   {
     return *fixed;
   }
   RefuseOtherCollections(text);
   CollectionName name;
   name.text = text;
+  name.dimension = dimension;
   Parser parser(text);
   if (parser.Skip("H1"))
   {

@@ -35,6 +35,7 @@ struct CollectionName
   std::string text;
   Continuity continuity = Continuity::H1;
   int order = 1;
+  int dimension = 3;                          ///< of the elements
   LineBasis closed = LineBasis::GaussLobatto; ///< the basis of scalar functions
   LineBasis open = LineBasis::GaussLegendre;  ///< H(curl), H(div): where a component is lower
   PyramidSpace pyramid = PyramidSpace::Fuentes;
@@ -44,9 +45,9 @@ struct CollectionName
   bool entityOrdered = true; ///< local order: vertices, edges, faces, interior
 };
 
-/// Throws Unsupported for collections that no solid element has a basis in, InvalidData for what is
-/// no name.
-CollectionName ParseCollectionName(const std::string& text);
+/// Of elements of that dimension. Throws Unsupported for collections of others, or that no solid or
+/// plane element has a basis in; InvalidData for what is no name.
+CollectionName ParseCollectionName(const std::string& text, int dimension);
 
 /// "Gauss-Lobatto nodes"
 std::string Describe(LineBasis basis);

@@ -78,6 +78,22 @@ int HCurlUnknowns(Geometry geometry, int p)
   }
 }
 
+/// Of elements in the plane.
+int PlaneHDivUnknowns(Geometry geometry, int p)
+{
+  switch (geometry)
+  {
+    case Geometry::Segment:
+      return p + 1;
+    case Geometry::Triangle:
+      return p * (p + 1);
+    case Geometry::Square:
+      return 2 * p * (p + 1);
+    default:
+      return 0;
+  }
+}
+
 int HDivUnknowns(Geometry geometry, int p)
 {
   const int n = p + 1;
@@ -99,14 +115,16 @@ int HDivUnknowns(Geometry geometry, int p)
   }
 }
 
-bool IsSolid(Geometry geometry)
+/// Whether it is an element, not a face or edge of some.
+bool IsElement(Geometry geometry, int dimension)
 {
-  return geometry >= Geometry::Tetrahedron;
+  const bool isSolid = geometry >= Geometry::Tetrahedron;
+  return dimension == 3 ? isSolid : geometry == Geometry::Triangle || geometry == Geometry::Square;
 }
 
 int DiscontinuousUnknowns(const CollectionName& name, Geometry geometry)
 {
-  if (!IsSolid(geometry))
+  if (!IsElement(geometry, name.dimension))
   {
     return 0;
   }
@@ -242,7 +260,8 @@ int EntityUnknowns(const CollectionName& name, Geometry geometry)
     case Continuity::HCurl:
       return HCurlUnknowns(geometry, name.order);
     case Continuity::HDiv:
-      return HDivUnknowns(geometry, name.order);
+      return name.dimension == 2 ? PlaneHDivUnknowns(geometry, name.order)
+                                 : HDivUnknowns(geometry, name.order);
     default:
       return H1Unknowns(geometry, name.order,
         name.closed == LineBasis::Positive ? PyramidSpace::Bergot : name.pyramid);
@@ -275,7 +294,8 @@ std::vector<int> EntityOrder(const CollectionName& name, Geometry geometry, int 
   const bool tangent = name.continuity == Continuity::HCurl;
   if (geometry == Geometry::Segment)
   {
-    return SegmentOrder(unknowns, o, tangent);
+    // Normals of edges in the plane turn with the edge.
+    return SegmentOrder(unknowns, o, tangent || name.continuity == Continuity::HDiv);
   }
   if (tangent)
   {

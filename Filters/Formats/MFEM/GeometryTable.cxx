@@ -11,6 +11,11 @@ using Edge = std::array<int, 2>;
 constexpr auto kTriangle = Geometry::Triangle;
 constexpr auto kSquare = Geometry::Square;
 
+constexpr std::array<Edge, 3> kTriangleEdges{ Edge{ 0, 1 }, { 1, 2 }, { 2, 0 } };
+constexpr std::array<std::int8_t, 3> kTriangleSides{ 2, 3, 4 };
+constexpr std::array<Edge, 4> kSquareEdges{ Edge{ 0, 1 }, { 1, 2 }, { 2, 3 }, { 3, 0 } };
+constexpr std::array<std::int8_t, 4> kSquareSides{ 2, 1, 3, 0 };
+
 constexpr std::array<Edge, 6> kTetrahedronEdges{ Edge{ 0, 1 }, { 0, 2 }, { 0, 3 }, { 1, 2 },
   { 1, 3 }, { 2, 3 } };
 constexpr std::array<LocalFace, 4> kTetrahedronFaces{ LocalFace{ kTriangle, { 1, 2, 3, -1 }, 1 },
@@ -38,14 +43,17 @@ constexpr std::array<LocalFace, 5> kPyramidFaces{ LocalFace{ kSquare, { 3, 2, 1,
 
 const GeometryTable& TableOf(Geometry geometry)
 {
-  static const GeometryTable triangle{ 3, {}, {} };
-  static const GeometryTable square{ 4, {}, {} };
+  static const GeometryTable segment{ 2, {}, {} };
+  static const GeometryTable triangle{ 3, kTriangleEdges, {}, kTriangleSides };
+  static const GeometryTable square{ 4, kSquareEdges, {}, kSquareSides };
   static const GeometryTable tetrahedron{ 4, kTetrahedronEdges, kTetrahedronFaces };
   static const GeometryTable cube{ 8, kCubeEdges, kCubeFaces };
   static const GeometryTable prism{ 6, kPrismEdges, kPrismFaces };
   static const GeometryTable pyramid{ 5, kPyramidEdges, kPyramidFaces };
   switch (geometry)
   {
+    case Geometry::Segment:
+      return segment;
     case Geometry::Triangle:
       return triangle;
     case Geometry::Square:
@@ -59,7 +67,7 @@ const GeometryTable& TableOf(Geometry geometry)
     case Geometry::Pyramid:
       return pyramid;
     default:
-      throw Error("points and segments have no table.");
+      throw Error("points have no table.");
   }
 }
 } // namespace pixelexact::mfem

@@ -21,8 +21,10 @@ struct GeometryTable
   int vertices = 0;
   std::span<const std::array<int, 2>> edges;
   std::span<const LocalFace> faces;
+  /// Of plane elements: the faces behind their edges in VTK's linear cell of the slab.
+  std::span<const std::int8_t> sides{};
 };
 
-/// The table of a solid; triangles and squares have vertices only.
+/// The table of a solid or plane element, or of a segment, which has vertices only.
 const GeometryTable& TableOf(Geometry geometry);
 } // namespace pixelexact::mfem

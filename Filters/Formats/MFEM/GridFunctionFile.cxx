@@ -21,6 +21,17 @@ void ReadSections(TextScanner& scanner)
 GridFunctionFile ReadGridFunction(TextScanner& scanner)
 {
   GridFunctionFile file;
+  if (scanner.Peek() == "QuadratureSpace")
+  {
+    scanner.FailUnsupported(
+      "quadrature functions, which have values at points of their own, are not "
+      "read; project the function to L2 and save that.");
+  }
+  if (scanner.Peek() == "ComplexGridFunction")
+  {
+    scanner.FailUnsupported(
+      "complex grid functions are not read; save their real and imaginary parts.");
+  }
   const bool hasSections = scanner.Peek() == "MFEM";
   if (hasSections)
   {

@@ -73,4 +73,19 @@ const HilbertState& HilbertCurve(int state)
   static const std::vector<HilbertState> states = MakeStates();
   return states.at(state);
 }
+
+/// State 2 c goes around from corner c, state 2 c + 1 the other way. The first child is run through
+/// the other way, the last one from the opposite corner.
+PlaneHilbertState PlaneHilbertCurve(int state)
+{
+  const int first = state / 2;
+  const int step = state % 2 == 0 ? 1 : 3;
+  PlaneHilbertState curve{};
+  for (int i = 0; i < 4; ++i)
+  {
+    curve.child[i] = (first + i * step) % 4;
+  }
+  curve.state = { state ^ 1, state, state, ((state + 4) % 8) ^ 1 };
+  return curve;
+}
 } // namespace pixelexact::mfem

@@ -14,4 +14,12 @@ struct HilbertState
 
 /// One of the 24 states of the curve, numbered as in the files' root_state.
 const HilbertState& HilbertCurve(int state);
+
+/// The same of the four children of a refined square; one of 8 states.
+struct PlaneHilbertState
+{
+  std::array<int, 4> child;
+  std::array<int, 4> state;
+};
+PlaneHilbertState PlaneHilbertCurve(int state);
 } // namespace pixelexact::mfem

@@ -216,17 +216,39 @@ std::vector<LatticePoint> Pyramid(int p, bool bergotNodes)
   return entities.Take();
 }
 
+std::vector<LatticePoint> PlaneTriangle(int p)
+{
+  static constexpr std::array<std::array<int, 2>, 3> kEdges{ { { 0, 1 }, { 1, 2 }, { 2, 0 } } };
+  static constexpr std::array<Corner, 3> kCorners{ { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } } };
+  Entities entities = VerticesAndEdges(kCorners, kEdges, p);
+  entities.Triangle(kCorners[0], kCorners[1], kCorners[2]);
+  return entities.Take();
+}
+
+std::vector<LatticePoint> PlaneSquare(int p)
+{
+  static constexpr std::array<std::array<int, 2>, 4> kEdges{ { { 0, 1 }, { 1, 2 }, { 2, 3 },
+    { 3, 0 } } };
+  static constexpr std::array<Corner, 4> kCorners{ { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 },
+    { 0, 1, 0 } } };
+  Entities entities = VerticesAndEdges(kCorners, kEdges, p);
+  entities.Square(kCorners[0], kCorners[1], kCorners[3]);
+  return entities.Take();
+}
+
 /// The whole lattice, x fastest.
 std::vector<LatticePoint> Lexicographic(Geometry solid, int p)
 {
   std::vector<LatticePoint> points;
-  for (int k = 0; k <= p; ++k)
+  const bool isPlane = solid == Geometry::Triangle || solid == Geometry::Square;
+  for (int k = 0; k <= (isPlane ? 0 : p); ++k)
   {
     const bool narrows = solid == Geometry::Tetrahedron || solid == Geometry::Pyramid;
     const int rows = narrows ? p - k : p;
     for (int j = 0; j <= rows; ++j)
     {
-      const bool square = solid == Geometry::Cube || solid == Geometry::Pyramid;
+      const bool square =
+        solid == Geometry::Cube || solid == Geometry::Pyramid || solid == Geometry::Square;
       const int last = square ? rows : rows - j;
       for (int i = 0; i <= last; ++i)
       {
@@ -244,6 +266,14 @@ std::vector<LatticePoint> LocalOrder(const CollectionName& name, Geometry solid)
   if (!name.entityOrdered || p == 0)
   {
     return Lexicographic(solid, p);
+  }
+  if (solid == Geometry::Triangle)
+  {
+    return PlaneTriangle(p);
+  }
+  if (solid == Geometry::Square)
+  {
+    return PlaneSquare(p);
   }
   if (solid == Geometry::Tetrahedron)
   {

@@ -13,6 +13,6 @@ namespace pixelexact::mfem
 using LatticePoint = std::array<int, 3>;
 
 /// Of unknown n. On pyramids the lattice narrows upwards, as that of Bergot's space; unknowns
-/// inside of Fuentes's pyramids are not in it.
+/// inside of Fuentes's pyramids are not in it. z of plane elements is 0.
 std::vector<LatticePoint> LocalOrder(const CollectionName& name, Geometry solid);
 } // namespace pixelexact::mfem

@@ -2,16 +2,18 @@
 #include "Formats/MFEM/MeshFile.h"
 
 #include "Formats/MFEM/GeometryTable.h"
+#include "Formats/MFEM/InlineMesh.h"
 #include "Formats/MFEM/MeshFormat.h"
 #include "Formats/MFEM/RefinementForest.h"
 
 #include <algorithm>
+#include <array>
 
 namespace pixelexact::mfem
 {
 namespace
 {
-constexpr std::size_t kShortestCell = 10; ///< "1 4 0 1 2 3"
+constexpr std::size_t kShortestCell = 6; ///< "1 1 0 1" at a line's end
 constexpr int kMostVertices = 1 << 30;
 
 /// Words of a section that comes before the vertices.
@@ -22,14 +24,16 @@ struct Sections
   bool vertices = false;
 };
 
-std::vector<Cell> ReadCells(TextScanner& scanner, const char* what, bool solid)
+std::vector<Cell> ReadCells(TextScanner& scanner, const char* what, int dimension)
 {
-  const int count = scanner.Count(what, solid ? kShortestCell : kShortestCell - 2);
+  // A vertex more with each dimension.
+  const int count =
+    scanner.Count(what, kShortestCell + 2 * static_cast<std::size_t>(dimension - 1));
   std::vector<Cell> cells;
   cells.reserve(count);
   for (int i = 0; i < count; ++i)
   {
-    cells.push_back(ReadCell(scanner, kMostVertices, solid));
+    cells.push_back(ReadCell(scanner, kMostVertices, dimension));
   }
   return cells;
 }
@@ -74,11 +78,43 @@ void ReadVertices(TextScanner& scanner, MeshFile& mesh)
   {
     return;
   }
-  if (scanner.Integer("the vertices' dimension") != 3)
+  const int space = ReadSpaceDimension(scanner, mesh.dimension);
+  scanner.Positions(mesh.vertices, space, mesh.coordinates);
+}
+
+/// What a piece shares with others: its unknowns are its own here, so that only the processes
+/// count.
+std::set<int> ReadSharing(TextScanner& scanner)
+{
+  scanner.Expect("number_of_groups");
+  const int groups = scanner.Count("the number of groups", 2);
+  std::set<int> processes;
+  for (int g = 0; g < groups; ++g)
   {
-    scanner.FailUnsupported("only meshes in three-dimensional space are read.");
+    const int size = scanner.Count("the size of a group", 2);
+    for (int k = 0; k < size; ++k)
+    {
+      processes.insert(scanner.Integer("a process", 0, kMostVertices));
+    }
   }
-  scanner.Positions(mesh.vertices, mesh.coordinates);
+  while (!scanner.Peek().empty() && scanner.Peek() != "mfem_mesh_end")
+  {
+    if (double number = 0.0; scanner.TryNumber(number))
+    {
+      continue;
+    }
+    const std::string_view word = scanner.Peek();
+    if (!word.starts_with("total_shared_") && !word.starts_with("shared_"))
+    {
+      scanner.FailAtWord("among the vertices, edges and faces that processes share");
+    }
+    scanner.Word("what processes share");
+  }
+  if (!scanner.Peek().empty())
+  {
+    scanner.Word("the end of the mesh");
+  }
+  return processes;
 }
 
 /// Reads one section. False: the word is none of a mesh's, what follows is something else.
@@ -93,17 +129,21 @@ bool ReadSection(TextScanner& scanner, MeshFile& mesh, Sections& seen)
   scanner.Word("a section of the mesh");
   if (section == "dimension")
   {
-    RequireThreeDimensions(scanner);
+    mesh.dimension = ReadDimension(scanner);
     seen.dimension = true;
+  }
+  else if (!seen.dimension)
+  {
+    scanner.Fail("the mesh does not begin with its section 'dimension'.");
   }
   else if (section == "elements")
   {
-    mesh.elements = ReadCells(scanner, "the number of elements", true);
+    mesh.elements = ReadCells(scanner, "the number of elements", mesh.dimension);
     seen.elements = true;
   }
   else if (section == "boundary")
   {
-    mesh.boundary = ReadCells(scanner, "the number of boundary elements", false);
+    mesh.boundary = ReadCells(scanner, "the number of boundary elements", mesh.dimension - 1);
   }
   else if (section == "attribute_sets" || section == "bdr_attribute_sets")
   {
@@ -126,9 +166,15 @@ bool ReadSection(TextScanner& scanner, MeshFile& mesh, Sections& seen)
   {
     return false;
   }
-  else if (section == "communication_groups" || section == "mfem_serial_mesh_end")
+  else if (section == "mfem_serial_mesh_end" && seen.vertices)
   {
-    RefusePiece(scanner, "it has the section '" + std::string(section) + "'");
+    return true; // what processes share follows
+  }
+  else if (section == "communication_groups")
+  {
+    mesh.sharing = ReadSharing(scanner);
+    mesh.ranks = mesh.sharing.empty() ? 1 : *mesh.sharing.rbegin() + 1;
+    return false;
   }
   else
   {
@@ -218,19 +264,35 @@ MeshFile ReadConforming(TextScanner& scanner, bool legacy)
 }
 } // namespace
 
-Cell ReadCell(TextScanner& scanner, int vertices, bool solid)
+bool IsOfDimension(Geometry geometry, int dimension)
 {
+  switch (geometry)
+  {
+    case Geometry::Point:
+      return dimension == 0;
+    case Geometry::Segment:
+      return dimension == 1;
+    case Geometry::Triangle:
+    case Geometry::Square:
+      return dimension == 2;
+    default:
+      return dimension == 3;
+  }
+}
+
+Cell ReadCell(TextScanner& scanner, int vertices, int dimension)
+{
+  static constexpr std::array kKinds{ " is no edge's: those of a plane mesh are segments (1).",
+    " is no face's: faces and plane elements are triangles (2) or squares (3).",
+    " is no solid's: elements are tetrahedra (4), cubes (5), prisms (6) or pyramids (7)." };
   Cell cell;
   cell.attribute = scanner.Integer("an attribute");
   const int geometry = scanner.Integer("an element's geometry type", 0, 7);
   cell.geometry = static_cast<Geometry>(geometry);
-  const bool isSolid = geometry >= static_cast<int>(Geometry::Tetrahedron);
-  const bool isFace = cell.geometry == Geometry::Triangle || cell.geometry == Geometry::Square;
-  if (solid ? !isSolid : !isFace)
+  if (!IsOfDimension(cell.geometry, dimension))
   {
     scanner.Fail("geometry type " + std::to_string(geometry) +
-      (solid ? " is no solid's: elements are tetrahedra (4), cubes (5), prisms (6) or pyramids (7)."
-             : " is no face's: boundary elements are triangles (2) or squares (3)."));
+      kKinds.at(static_cast<std::size_t>(dimension - 1)));
   }
   for (int& v : std::span(cell.vertices).first(TableOf(cell.geometry).vertices))
   {
@@ -247,6 +309,8 @@ MeshFile ReadMesh(TextScanner& scanner)
       return ReadNonconforming(scanner, false);
     case MeshFormat::NonconformingScaled:
       return ReadNonconforming(scanner, true);
+    case MeshFormat::Inline:
+      return ReadInline(scanner);
     case MeshFormat::Legacy:
       return ReadConforming(scanner, true);
     default:

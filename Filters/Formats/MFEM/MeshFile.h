@@ -7,6 +7,7 @@
 
 #include <array>
 #include <optional>
+#include <set>
 
 namespace pixelexact::mfem
 {
@@ -20,18 +21,26 @@ struct Cell
 /// What an MFEM mesh file holds, as numbered by MFEM once it has read it.
 struct MeshFile
 {
+  int dimension = 3;          ///< of the elements, 2 or 3
   std::vector<Cell> elements; ///< leaves of the refinement, in MFEM's order
   std::vector<Cell> boundary;
   int vertices = 0;
-  std::vector<double> coordinates; ///< three per vertex; empty where there are nodes
+  std::vector<double> coordinates; ///< three per vertex, z = 0 in a plane; empty: there are nodes
   std::optional<GridFunctionFile> nodes;
   std::vector<Group> groups;
+  bool isNumbered = true; ///< as MFEM numbers it: grid functions need that
+  std::set<int> sharing;  ///< processes that a piece shares something with, and its own
+  int ranks = 1; ///< processes that a piece of a parallel mesh tells of, at least; 1: it is none
 };
 
 /// Reads a mesh of any version; what follows it stays in the scanner. Throws InvalidData and
 /// Unsupported.
 MeshFile ReadMesh(TextScanner& scanner);
 
-/// An element or a boundary element: attribute, geometry, vertices below `vertices`.
-Cell ReadCell(TextScanner& scanner, int vertices, bool solid);
+/// An element or a boundary element, of `dimension` 1 to 3: attribute, geometry, vertices below
+/// `vertices`.
+Cell ReadCell(TextScanner& scanner, int vertices, int dimension);
+
+/// Whether elements of that dimension are of this kind.
+bool IsOfDimension(Geometry geometry, int dimension);
 } // namespace pixelexact::mfem

@@ -1,58 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/MFEM/MeshFormat.h"
 
-#include <algorithm>
-#include <array>
-#include <filesystem>
+#include "Core/Base/Error.h"
 
 namespace pixelexact::mfem
 {
-namespace
-{
-/// What MFEM writes a rank with, as suffix of a file's name.
-constexpr std::size_t kRankDigits = 6;
-
-[[noreturn]] void RefuseDimension(const TextScanner& scanner, int dimension)
-{
-  scanner.FailUnsupported("the mesh is " + std::to_string(dimension) +
-    "-dimensional; only three-dimensional ones are read.");
-}
-
-/// The dimension of a NURBS mesh, or of an INLINE one by its type of element.
-int OtherDimension(TextScanner& scanner, bool isInline)
-{
-  if (!isInline)
-  {
-    scanner.Expect("dimension");
-    return scanner.Integer("the dimension");
-  }
-  scanner.Expect("type");
-  scanner.Expect("=");
-  const std::string_view type = scanner.Word("the type of element");
-  return type == "segment" ? 1 : type == "tri" || type == "quad" ? 2 : 3;
-}
-
-/// NURBS and INLINE meshes: of a plane one no conversion makes a solid.
-[[noreturn]] void RefuseOther(TextScanner& scanner, std::string_view kind)
-{
-  scanner.RestOfLine(); // also "NC-patch mesh"
-  if (const int dimension = OtherDimension(scanner, kind == "INLINE"); dimension != 3)
-  {
-    RefuseDimension(scanner, dimension);
-  }
-  scanner.FailUnsupported(std::string(kind) +
-    " meshes are not read; load the mesh with MFEM, give it polynomial nodes "
-    "(Mesh::SetCurvature) and save that.");
-}
-} // namespace
-
 MeshFormat ReadMeshFormat(TextScanner& scanner)
 {
   scanner.Expect("MFEM");
   const std::string_view kind = scanner.Word("the kind of mesh");
-  if (kind == "NURBS" || kind == "INLINE")
+  if (kind == "INLINE")
   {
-    RefuseOther(scanner, kind);
+    scanner.Expect("mesh");
+    if (scanner.Word("the version") != "v1.0")
+    {
+      scanner.FailUnsupported("of INLINE meshes only version v1.0 is read.");
+    }
+    return MeshFormat::Inline;
+  }
+  if (kind == "NURBS")
+  {
+    scanner.FailUnsupported(
+      "NURBS meshes are not read; load the mesh with MFEM, give it polynomial nodes "
+      "(Mesh::SetCurvature) and save that.");
   }
   if (kind == "NC")
   {
@@ -78,33 +48,36 @@ MeshFormat ReadMeshFormat(TextScanner& scanner)
   return version == "v1.1" ? MeshFormat::Legacy : MeshFormat::Conforming;
 }
 
-void RequireThreeDimensions(TextScanner& scanner)
+int ReadDimension(TextScanner& scanner)
 {
-  if (const int dimension = scanner.Integer("the dimension"); dimension != 3)
+  const int dimension = scanner.Integer("the dimension");
+  if (dimension != 2 && dimension != 3)
   {
-    RefuseDimension(scanner, dimension);
+    scanner.FailUnsupported("the mesh is " + std::to_string(dimension) +
+      "-dimensional; only two- and three-dimensional ones are read.");
   }
+  return dimension;
 }
 
-void RefusePiece(const TextScanner& scanner, const std::string& sign)
+int ReadSpaceDimension(TextScanner& scanner, int dimension)
 {
-  scanner.FailUnsupported("this is one piece of a parallel mesh (" + sign +
-    "), the rest is in other files; save the whole mesh (ParMesh::PrintAsOne or SaveAsOne, grid "
-    "functions with ParGridFunction::SaveAsOne) and read that.");
+  const int space = scanner.Integer("the vertices' dimension");
+  if (space < dimension || space > 3)
+  {
+    scanner.FailUnsupported("the vertices are in " + std::to_string(space) +
+      "-dimensional space, the elements are " + std::to_string(dimension) +
+      "-dimensional; only meshes in two- and three-dimensional space are read.");
+  }
+  return space;
 }
 
-std::string OtherPiece(const std::string& path)
+void RefusePiece(const TextScanner& scanner, int processes, int pieces)
 {
-  const std::filesystem::path file(path);
-  const std::string rank = file.extension().string();
-  const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
-  if (rank.size() != kRankDigits + 1 || !std::all_of(rank.begin() + 1, rank.end(), isDigit))
-  {
-    return {};
-  }
-  std::filesystem::path other = file;
-  other.replace_extension(rank == ".000000" ? ".000001" : ".000000");
-  std::error_code failure;
-  return std::filesystem::exists(other, failure) ? other.string() : std::string();
+  throw InvalidData(scanner.Name() + ": this is one piece of the mesh of a parallel run of " +
+    std::to_string(processes) + " processes at least, but " +
+    (pieces == 1 ? std::string("no other piece is") : std::to_string(pieces) + " pieces are") +
+    " beside it; have all of them in one folder, named x.000000, x.000001, ... (ParMesh::Save), or "
+    "save the whole mesh (ParMesh::PrintAsOne or SaveAsOne, grid functions with "
+    "ParGridFunction::SaveAsOne).");
 }
 } // namespace pixelexact::mfem

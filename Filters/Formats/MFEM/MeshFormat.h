@@ -12,21 +12,22 @@ enum class MeshFormat : std::uint8_t
 {
   Conforming,
   Legacy, ///< v1.1: numbered as it stands
+  Inline, ///< a box, by its numbers
   Nonconforming,
   NonconformingScaled ///< NC v1.1: vertices anywhere between their parents
 };
 
-/// Reads the first line. Throws Unsupported for kinds and versions that are not read, where they
-/// have other than three dimensions for that reason; InvalidData for what is no MFEM mesh.
+/// Reads the first line. Throws Unsupported for kinds and versions that are not read, InvalidData
+/// for what is no MFEM mesh.
 MeshFormat ReadMeshFormat(TextScanner& scanner);
 
-/// Reads the dimension; throws Unsupported for others than three.
-void RequireThreeDimensions(TextScanner& scanner);
+/// Reads the dimension of the elements, 2 or 3; throws Unsupported for others.
+int ReadDimension(TextScanner& scanner);
 
-/// Throws Unsupported: the file holds one piece of a mesh, by this sign.
-[[noreturn]] void RefusePiece(const TextScanner& scanner, const std::string& sign);
+/// Reads the dimension of the vertices' space, not below the elements'; throws as ReadDimension.
+int ReadSpaceDimension(TextScanner& scanner, int dimension);
 
-/// A file that seems to hold another piece of the same parallel mesh as `path`, by their names
-/// ("x.000000", "x.000001"); empty where there is none.
-std::string OtherPiece(const std::string& path);
+/// Throws InvalidData: the file holds a piece of the mesh of so many processes, of which so many
+/// are read.
+[[noreturn]] void RefusePiece(const TextScanner& scanner, int processes, int pieces);
 } // namespace pixelexact::mfem

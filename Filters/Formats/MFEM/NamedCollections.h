@@ -15,8 +15,12 @@ namespace pixelexact::mfem
 /// For messages: in quotes, shortened, without control characters.
 std::string Quoted(const std::string& text);
 
-/// A collection of fixed order.
-std::optional<CollectionName> FixedCollection(const std::string& text);
+/// Throws Unsupported: of elements of another dimension than the mesh's.
+[[noreturn]] void RefuseDimension(const std::string& text, int dimension, int wanted);
+
+/// A collection of fixed order, of elements of that dimension. Throws Unsupported for those of
+/// others.
+std::optional<CollectionName> FixedCollection(const std::string& text, int dimension);
 
 /// Throws for names of collections that are not read.
 void RefuseOtherCollections(const std::string& text);

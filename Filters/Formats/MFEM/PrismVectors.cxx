@@ -2,6 +2,7 @@
 #include "Formats/MFEM/PrismVectors.h"
 
 #include "Formats/MFEM/NodalFunctions.h"
+#include "Formats/MFEM/PlaneVectors.h"
 #include "Formats/MFEM/VectorSpaces.h"
 #include "Formats/MFEM/VectorUnknownBuilder.h"
 
@@ -80,31 +81,6 @@ LineFunctions AlongHeight(const Products& products, long double weight)
     } };
 }
 
-/// The component along x or y of the functions that are dual to the unknowns in the triangle.
-SolidFunctions InPlane(Continuity kind, int order, const Products& products, int axis)
-{
-  const PlaneSpace space = TriangleVectors(kind, order);
-  const auto n = static_cast<std::size_t>(space.count);
-  std::vector<std::array<long double, 2>> values(n);
-  std::vector<long double> functionals(n * n);
-  for (std::size_t k = 0; k < n; ++k)
-  {
-    const auto& [node, direction] = products.triangle[k];
-    space.evaluate(node[0], node[1], values.data());
-    for (std::size_t m = 0; m < n; ++m)
-    {
-      functionals[k * n + m] = values[m][0] * direction[0] + values[m][1] * direction[1];
-    }
-  }
-  const auto component = [space, axis](const LongVec3& xi, long double* out)
-  {
-    std::vector<std::array<long double, 2>> at(space.count);
-    space.evaluate((1 + xi[0]) / 2, (1 + xi[2]) / 2, at.data());
-    std::ranges::transform(at, out, [axis](const auto& value) { return value[axis]; });
-  };
-  return Combined(component, space.count, DualMatrix(space.count, functionals), space.count);
-}
-
 SolidFunctions Upright(int order, const Products& products)
 {
   std::vector<LongVec3> nodes;
@@ -133,7 +109,7 @@ ElementBasis PrismVectors(const CollectionName& name, const std::vector<VectorUn
   {
     const Products& products = d == 1 ? upright : lying;
     const SolidFunctions triangle =
-      d == 1 ? Upright(p, products) : InPlane(name.continuity, p, products, d / 2);
+      d == 1 ? Upright(p, products) : InPlane(name.continuity, p, products.triangle, d / 2);
     basis.parts.push_back(ChangeOfBasis::FromTriangleAndLine(
       space, static_cast<int>(products.triangle.size()),
       [&triangle](long double xi1, long double xi3, long double* values) {

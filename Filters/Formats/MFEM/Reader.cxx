@@ -1,203 +1,49 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/MFEM/Reader.h"
 
-#include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
-#include "Formats/Assembly.h"
 #include "Formats/FileText.h"
-#include "Formats/MFEM/FunctionSpace.h"
-#include "Formats/MFEM/GeometryTable.h"
 #include "Formats/MFEM/MeshFormat.h"
+#include "Formats/MFEM/ModelBuilder.h"
+#include "Formats/MFEM/PieceNames.h"
 #include "Formats/MFEM/StreamCommands.h"
 
 #include <algorithm>
-#include <filesystem>
+#include <optional>
 
 namespace pixelexact::mfem
 {
 namespace
 {
-using Bases = std::vector<const ElementBasis*>;
-
-Bases BasesOf(const MeshFile& mesh, const Collection& collection, const std::string& where)
+/// How many processes wrote the pieces that are read together.
+void RequireRanks(const TextScanner& scanner, const MeshFile& mesh, int pieces)
 {
-  Bases bases;
-  bases.reserve(mesh.elements.size());
-  try
+  if (mesh.ranks > pieces)
   {
-    for (const Cell& cell : mesh.elements)
+    RefusePiece(scanner, mesh.ranks, pieces);
+  }
+}
+
+/// What one piece shares with another, that one shares with it.
+void RequireOneRun(const std::vector<MeshPiece>& pieces)
+{
+  for (std::size_t p = 0; p < pieces.size(); ++p)
+  {
+    for (const int other : pieces[p].file.sharing)
     {
-      bases.push_back(&collection.Basis(cell.geometry));
+      // Those beyond have been refused (RequireRanks).
+      const MeshPiece& shared = pieces[static_cast<std::size_t>(other)];
+      if (!shared.file.sharing.contains(static_cast<int>(p)))
+      {
+        throw InvalidData(pieces[p].name + " shares its border with " + shared.name +
+          ", which knows nothing of that; they are of different runs: remove what an earlier one "
+          "has left.");
+      }
     }
   }
-  catch (const Unsupported& error)
-  {
-    throw Unsupported(where + ": " + error.what());
-  }
-  return bases;
 }
 
-/// Bases are made only when the values are known to fit: a damaged name may ask for order 32.
-void RequireValues(const GridFunctionFile& file, const FunctionSpace& space,
-  const std::string& where, const MeshFile& mesh)
-{
-  const std::int64_t expected = space.Size() * file.components;
-  if (static_cast<std::int64_t>(file.values.size()) != expected)
-  {
-    throw InvalidData(where + " holds " + Counted(file.values.size(), "value") + ", but " +
-      file.collection + " with VDim " + std::to_string(file.components) + " on this mesh of " +
-      Counted(mesh.elements.size(), "element") + " has " + std::to_string(expected) +
-      "; the file is cut short, holds one piece of a parallel one (save it with SaveAsOne) or "
-      "belongs "
-      "to another mesh.");
-  }
-}
-
-Collection ParseCollection(const std::string& name, const std::string& where)
-{
-  try
-  {
-    return Collection::Parse(name);
-  }
-  catch (const Unsupported& error)
-  {
-    throw Unsupported(where + ": " + error.what());
-  }
-  catch (const InvalidData& error)
-  {
-    throw InvalidData(where + ": " + error.what());
-  }
-}
-
-/// Unused entries of cell.vertices are zero.
-Corners CornersOf(const Cell& cell)
-{
-  Corners corners{};
-  std::ranges::copy(cell.vertices, corners.begin());
-  return corners;
-}
-
-/// The linear map of a mesh without nodes.
-GridFunctionFile LinearNodes(MeshFile& mesh)
-{
-  return { "Linear", 3, false, std::move(mesh.coordinates) };
-}
-
-class ModelBuilder
-{
-public:
-  ModelBuilder(MeshFile mesh, std::string meshName)
-    : File(std::move(mesh))
-    , MeshName(std::move(meshName))
-    , Entities(File)
-  {
-    if (File.elements.empty())
-    {
-      throw InvalidData(MeshName + ": the mesh has no elements; there is nothing to show.");
-    }
-    AddMap();
-    AddGroups();
-  }
-
-  void AddField(const GridFunctionFile& file, const std::string& where, const std::string& name);
-
-  SolverModel Model;
-
-private:
-  void AddMap();
-  void AddGroups();
-
-  MeshFile File;
-  std::string MeshName;
-  Topology Entities;
-};
-
-void ModelBuilder::AddMap()
-{
-  const GridFunctionFile nodes = File.nodes ? std::move(*File.nodes) : LinearNodes(File);
-  File.nodes.reset();
-  const std::string where = MeshName + ": the mesh's nodes (" + nodes.collection + ")";
-  const Collection collection = ParseCollection(nodes.collection, MeshName);
-  if (collection.IsVector() || collection.GetMapping() != Mapping::Identity ||
-    nodes.components != 3)
-  {
-    throw InvalidData(where + " are no positions: they need an H1 or L2 collection with VDim 3.");
-  }
-  const FunctionSpace space(File, Entities, collection);
-  RequireValues(nodes, space, where, File);
-  const Bases bases = BasesOf(File, collection, MeshName);
-  AssembleMap(
-    bases,
-    [&](std::size_t e, std::span<double> source)
-    { space.Gather(e, nodes.values, 3, nodes.byNodes, source); },
-    [&](std::size_t e) { return MeshName + ": element " + std::to_string(e); }, Model.mesh);
-}
-
-void ModelBuilder::AddGroups()
-{
-  SolverMesh& mesh = Model.mesh;
-  for (std::size_t e = 0; e < File.elements.size(); ++e)
-  {
-    mesh.number.push_back(static_cast<std::int64_t>(e));
-    mesh.corners.push_back(CornersOf(File.elements[e]));
-    mesh.attribute.push_back(File.elements[e].attribute);
-  }
-  std::size_t ownerless = 0;
-  for (const Cell& cell : File.boundary)
-  {
-    const auto owners =
-      Entities.FindFace(std::span(cell.vertices).first(TableOf(cell.geometry).vertices));
-    ownerless += owners.empty() ? 1 : 0;
-    for (const auto& owner : owners)
-    {
-      const auto& faces = TableOf(File.elements[owner.element].geometry).faces;
-      mesh.boundary.push_back({ owner.element, faces[owner.localFace].vtkFace, cell.attribute });
-    }
-  }
-  if (ownerless > 0)
-  {
-    Model.notes.push_back(MeshName + ": " + std::to_string(ownerless) + " of " +
-      Counted(File.boundary.size(), "boundary element") + " are no face of an element.");
-  }
-  mesh.groups = std::move(File.groups);
-}
-
-void ModelBuilder::AddField(
-  const GridFunctionFile& file, const std::string& where, const std::string& name)
-{
-  const Collection collection = ParseCollection(file.collection, where);
-  if (collection.IsVector() && file.components != 1)
-  {
-    throw Unsupported(where + ": " + file.collection + " with VDim " +
-      std::to_string(file.components) +
-      " (several vector fields in one) is not read; save them one by one.");
-  }
-  const FunctionSpace space(File, Entities, collection);
-  RequireValues(file, space, where, File);
-  const Bases bases = BasesOf(File, collection, where);
-  SolverField field;
-  field.name = name;
-  field.mapping = collection.GetMapping();
-  field.basis = collection.Description();
-  field.continuous = collection.GetContinuity() == Continuity::H1;
-  field.values = AssembleField(bases, collection.IsVector() ? 3 : file.components,
-    [&](std::size_t e, std::span<double> source)
-    { space.Gather(e, file.values, file.components, file.byNodes, source); });
-  Model.fields.push_back(std::move(field));
-}
-
-/// "u" of "results/u.gf" and of "u.gf.gz".
-std::string FieldName(const std::string& path)
-{
-  std::filesystem::path file = std::filesystem::path(path).filename();
-  if (file.extension() == ".gz")
-  {
-    file = file.stem();
-  }
-  return file.stem().string();
-}
-
-MeshFile ParseMesh(const NamedText& text)
+MeshFile ParseMesh(const NamedText& text, int pieces)
 {
   TextScanner scanner(text);
   MeshFile mesh = ReadMesh(scanner);
@@ -205,6 +51,7 @@ MeshFile ParseMesh(const NamedText& text)
   {
     scanner.FailAtWord("behind the end of the mesh");
   }
+  RequireRanks(scanner, mesh, pieces);
   return mesh;
 }
 
@@ -219,38 +66,99 @@ GridFunctionFile ParseGridFunction(const NamedText& text)
   return file;
 }
 
-/// What a parser makes of a file, whose text is gone before anything is assembled.
-template <class Result>
-Result LoadFile(const std::string& path, Result (*parse)(const NamedText&))
+/// One process' part of a stream.
+struct StreamPiece
 {
-  const std::string text = ReadFileText(path);
-  return parse({ path, text });
+  MeshPiece mesh;
+  std::optional<GridFunctionFile> field;
+};
+
+StreamPiece ReadStreamPiece(TextScanner& scanner, int pieces)
+{
+  const bool hasField = ReadStreamKeyword(scanner);
+  StreamPiece piece{ { ReadMesh(scanner), scanner.Name() }, std::nullopt };
+  RequireRanks(scanner, piece.mesh.file, pieces);
+  if (scanner.Peek() == "mfem_mesh_end")
+  {
+    scanner.Word("the end of the mesh");
+  }
+  if (hasField)
+  {
+    piece.field = ReadGridFunction(scanner);
+  }
+  return piece;
+}
+
+/// Those of all processes, in their order.
+std::vector<StreamPiece> ReadStreamPieces(TextScanner& scanner)
+{
+  std::vector<StreamPiece> pieces;
+  if (scanner.Peek() != "parallel")
+  {
+    pieces.push_back(ReadStreamPiece(scanner, 1));
+    return pieces;
+  }
+  std::vector<std::optional<StreamPiece>> found;
+  while (scanner.Peek() == "parallel")
+  {
+    const StreamRank rank = ReadStreamRank(scanner, static_cast<int>(found.size()));
+    found.resize(static_cast<std::size_t>(rank.processes));
+    auto& place = found[static_cast<std::size_t>(rank.number)];
+    if (place)
+    {
+      scanner.Fail("the stream of process " + std::to_string(rank.number) + " is there twice.");
+    }
+    place = ReadStreamPiece(scanner, rank.processes);
+    SkipCommands(scanner, true);
+  }
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    if (!found[i])
+    {
+      scanner.Fail("the streams of " + std::to_string(found.size()) +
+        " processes should be here, but that of process " + std::to_string(i) +
+        " is missing; save the streams of all.");
+    }
+    pieces.push_back(std::move(*found[i]));
+  }
+  return pieces;
 }
 } // namespace
 
 SolverModel Read(const NamedText& mesh, const std::vector<NamedText>& gridFunctions)
 {
-  ModelBuilder builder(ParseMesh(mesh), mesh.name);
+  std::vector<MeshPiece> pieces;
+  pieces.push_back({ ParseMesh(mesh, 1), mesh.name });
+  ModelBuilder builder(std::move(pieces));
   for (const NamedText& text : gridFunctions)
   {
-    builder.AddField(ParseGridFunction(text), text.name, FieldName(text.name));
+    builder.AddField({ ParseGridFunction(text) }, { text.name }, FieldName(text.name));
   }
   return std::move(builder.Model);
 }
 
 SolverModel ReadFiles(const std::string& mesh, const std::vector<std::string>& gridFunctions)
 {
-  ModelBuilder builder(LoadFile(mesh, &ParseMesh), mesh);
-  if (const std::string other = OtherPiece(mesh); !other.empty())
+  const std::vector<std::string> names = PiecesOf(mesh);
+  const auto count = static_cast<int>(names.size());
+  std::vector<MeshPiece> pieces;
+  for (const std::string& name : names)
   {
-    builder.Model.notes.push_back(mesh +
-      ": its name is that of one piece of a parallel mesh, and '" + other +
-      "' of another; what is shown may not be the whole. Save the whole mesh " +
-      "(ParMesh::PrintAsOne or SaveAsOne) and read that.");
+    const std::string text = ReadFileText(name);
+    pieces.push_back({ ParseMesh({ name, text }, count), name });
   }
+  RequireOneRun(pieces);
+  ModelBuilder builder(std::move(pieces));
   for (const std::string& file : gridFunctions)
   {
-    builder.AddField(LoadFile(file, &ParseGridFunction), file, FieldName(file));
+    const std::vector<std::string> parts = PiecesOf(file, count, mesh);
+    std::vector<GridFunctionFile> functions;
+    for (const std::string& part : parts)
+    {
+      const std::string text = ReadFileText(part);
+      functions.push_back(ParseGridFunction({ part, text }));
+    }
+    builder.AddField(functions, parts, FieldName(file));
   }
   return std::move(builder.Model);
 }
@@ -258,15 +166,26 @@ SolverModel ReadFiles(const std::string& mesh, const std::vector<std::string>& g
 SolverModel ReadStream(const NamedText& saved)
 {
   TextScanner scanner(saved);
-  const bool hasField = ReadStreamKeyword(scanner);
-  ModelBuilder builder(ReadMesh(scanner), saved.name);
-  if (scanner.Peek() == "mfem_mesh_end")
+  std::vector<StreamPiece> streams = ReadStreamPieces(scanner);
+  std::vector<MeshPiece> pieces;
+  std::vector<GridFunctionFile> functions;
+  for (StreamPiece& stream : streams)
   {
-    scanner.Word("the end of the mesh");
+    if (stream.field)
+    {
+      functions.push_back(std::move(*stream.field));
+    }
+    pieces.push_back(std::move(stream.mesh));
   }
-  if (hasField)
+  const std::size_t count = pieces.size();
+  ModelBuilder builder(std::move(pieces));
+  if (!functions.empty() && functions.size() != count)
   {
-    builder.AddField(ReadGridFunction(scanner), saved.name, "solution");
+    scanner.Fail("some of the processes sent a grid function, and some did not.");
+  }
+  if (!functions.empty())
+  {
+    builder.AddField(functions, std::vector<std::string>(functions.size(), saved.name), "solution");
   }
   SkipCommands(scanner);
   return std::move(builder.Model);

@@ -20,9 +20,13 @@ struct NamedText
 SolverModel Read(const NamedText& mesh, const std::vector<NamedText>& gridFunctions);
 
 /// The same from files, one after the other: no more than one file's text is in memory at a time.
+/// A file "x.000000" that has others beside it ("x.000001", ...) is a piece of a parallel mesh: all
+/// of them are read as one, elements one after another, and of grid functions as many ("u.000000").
+/// Throws InvalidData, naming the file, where a piece is missing.
 SolverModel ReadFiles(const std::string& mesh, const std::vector<std::string>& gridFunctions);
 
-/// A GLVis stream: keyword, mesh, grid function (named `solution`), commands. Throws as Read, also
-/// where several streams follow each other.
+/// A GLVis stream: keyword, mesh, grid function (named `solution`), commands; or those of all
+/// processes of a parallel run, each with "parallel n i" before it. Throws as Read, also where
+/// several streams follow each other.
 SolverModel ReadStream(const NamedText& saved);
 } // namespace pixelexact::mfem

@@ -18,6 +18,8 @@ namespace
 constexpr int kAllDirections = 7;
 constexpr int kMostNodes = 1 << 30;
 constexpr int kStates = 24;
+constexpr int kPlaneStates = 8;
+constexpr int kPlaneDirections = 3;
 constexpr int kDeepestTree = 64;
 constexpr std::size_t kShortestElement = 4;
 
@@ -26,6 +28,7 @@ struct TreeElement
 {
   Cell cell;
   int refinement = 0;
+  int rank = 0;
   std::array<int, 8> children{};
   bool used = false;
   bool isChild = false;
@@ -52,6 +55,7 @@ private:
   void CollectAllLeaves();
   void CollectLeaves(int element, int state, int depth);
   void NumberVertices();
+  void AddBoundary(std::size_t e, Geometry geometry, std::span<const int> corners);
   void CollectBoundary();
   void ReadPositions();
 
@@ -59,6 +63,7 @@ private:
   bool Scaled;
   int Rank = 0;
   std::vector<TreeElement> Elements;
+  std::vector<int> AllLeaves; ///< of this process and its neighbours
   std::vector<int> Leaves;
   std::vector<int> RootStates;
   VertexHierarchy Hierarchy;
@@ -79,7 +84,7 @@ std::array<int, 4> Sorted(std::span<const int> nodes)
 void Forest::ReadHeader()
 {
   Scanner.Expect("dimension");
-  RequireThreeDimensions(Scanner);
+  Mesh.dimension = ReadDimension(Scanner);
   if (Scanner.Peek() == "rank")
   {
     Scanner.Word("rank");
@@ -95,7 +100,7 @@ void Forest::ReadHeader()
 void Forest::ReadElement(int index, int count)
 {
   TreeElement& element = Elements[index];
-  const int rank = Scanner.Integer("a rank");
+  element.rank = Scanner.Integer("a rank");
   element.cell.attribute = Scanner.Integer("an attribute");
   const int geometry = Scanner.Integer("an element's geometry type", -1, 7);
   if (geometry < 0)
@@ -104,11 +109,13 @@ void Forest::ReadElement(int index, int count)
   }
   element.used = true;
   element.cell.geometry = static_cast<Geometry>(geometry);
-  if (geometry < static_cast<int>(Geometry::Tetrahedron))
+  if (!IsOfDimension(element.cell.geometry, Mesh.dimension))
   {
-    Scanner.Fail("geometry type " + std::to_string(geometry) + " is no solid's.");
+    Scanner.Fail("geometry type " + std::to_string(geometry) + " is no element's of dimension " +
+      std::to_string(Mesh.dimension) + ".");
   }
-  element.refinement = Scanner.Integer("a refinement type", 0, kAllDirections);
+  element.refinement = Scanner.Integer(
+    "a refinement type", 0, Mesh.dimension == 2 ? kPlaneDirections : kAllDirections);
   if (element.refinement != 0)
   {
     for (int& child : std::span(element.children).first(ChildrenOf(element.refinement)))
@@ -117,10 +124,7 @@ void Forest::ReadElement(int index, int count)
     }
     return;
   }
-  if (rank != Rank)
-  {
-    RefusePiece(Scanner, "rank " + std::to_string(rank) + " beside " + std::to_string(Rank));
-  }
+  Mesh.ranks = std::max({ Mesh.ranks, Rank + 1, element.rank + 1 });
   for (int& node : std::span(element.cell.vertices).first(TableOf(element.cell.geometry).vertices))
   {
     node = Scanner.Integer("a vertex", 0, kMostNodes);
@@ -132,7 +136,7 @@ void Forest::ReadBoundary()
   const int count = Scanner.Count("the number of boundary elements", kShortestElement);
   for (int i = 0; i < count; ++i)
   {
-    const Cell cell = ReadCell(Scanner, kMostNodes, false);
+    const Cell cell = ReadCell(Scanner, kMostNodes, Mesh.dimension - 1);
     BoundaryAttribute[Sorted(std::span(cell.vertices).first(TableOf(cell.geometry).vertices))] =
       cell.attribute;
   }
@@ -143,7 +147,8 @@ void Forest::ReadRootStates()
   const int count = Scanner.Count("the number of root states", 2);
   for (int i = 0; i < count; ++i)
   {
-    RootStates.push_back(Scanner.Integer("a root state", 0, kStates - 1));
+    RootStates.push_back(
+      Scanner.Integer("a root state", 0, (Mesh.dimension == 2 ? kPlaneStates : kStates) - 1));
   }
 }
 
@@ -174,13 +179,30 @@ void Forest::CollectLeaves(int element, int state, int depth)
   }
   if (e.refinement == 0)
   {
-    Leaves.push_back(element);
+    // Around a piece are those of its neighbours; what is beyond has no rank.
+    if (e.rank >= 0)
+    {
+      AllLeaves.push_back(element);
+    }
+    if (e.rank == Rank)
+    {
+      Leaves.push_back(element);
+    }
     return;
   }
   if (e.cell.geometry == Geometry::Cube && e.refinement == kAllDirections)
   {
     const HilbertState& curve = HilbertCurve(state);
     for (int i = 0; i < 8; ++i)
+    {
+      CollectLeaves(e.children[curve.child[i]], curve.state[i], depth + 1);
+    }
+    return;
+  }
+  if (e.cell.geometry == Geometry::Square && e.refinement == kPlaneDirections)
+  {
+    const PlaneHilbertState curve = PlaneHilbertCurve(state);
+    for (int i = 0; i < 4; ++i)
     {
       CollectLeaves(e.children[curve.child[i]], curve.state[i], depth + 1);
     }
@@ -207,15 +229,30 @@ void Forest::CollectAllLeaves()
 
 void Forest::NumberVertices()
 {
-  std::vector<int> coarse;
-  std::vector<int> fine; // in the leaves' order
-  for (const int leaf : Leaves)
+  constexpr int kOpen = -2;
+  constexpr int kListed = -1;
+  const auto nodesOf = [this](int leaf)
   {
     const Cell& cell = Elements[leaf].cell;
-    for (const int node : std::span(cell.vertices).first(TableOf(cell.geometry).vertices))
+    return std::span(cell.vertices).first(TableOf(cell.geometry).vertices);
+  };
+  for (const int leaf : Leaves)
+  {
+    for (const int node : nodesOf(leaf))
     {
-      if (VertexOf.try_emplace(node, -1).second)
+      VertexOf[node] = kOpen;
+    }
+  }
+  std::vector<int> coarse;
+  std::vector<int> fine; // in the order of all leaves
+  for (const int leaf : AllLeaves)
+  {
+    for (const int node : nodesOf(leaf))
+    {
+      const auto own = VertexOf.find(node);
+      if (own != VertexOf.end() && own->second == kOpen)
       {
+        own->second = kListed;
         (Hierarchy.HasParents(node) ? fine : coarse).push_back(node);
       }
     }
@@ -239,34 +276,45 @@ void Forest::NumberVertices()
   }
 }
 
+/// A face of a leaf, or an edge of a plane one, where the file has an attribute for it.
+void Forest::AddBoundary(std::size_t e, Geometry geometry, std::span<const int> corners)
+{
+  const Cell& nodes = Elements[Leaves[e]].cell;
+  Cell cell{ geometry, 0, {} };
+  std::array<int, 4> key{};
+  for (std::size_t k = 0; k < corners.size(); ++k)
+  {
+    key[k] = nodes.vertices[corners[k]];
+    cell.vertices[k] = Mesh.elements[e].vertices[corners[k]];
+  }
+  const auto found = BoundaryAttribute.find(Sorted(std::span(key).first(corners.size())));
+  if (found != BoundaryAttribute.end())
+  {
+    cell.attribute = found->second;
+    Mesh.boundary.push_back(cell);
+  }
+}
+
 void Forest::CollectBoundary()
 {
   for (std::size_t e = 0; e < Leaves.size() && !BoundaryAttribute.empty(); ++e)
   {
-    const Cell& nodes = Elements[Leaves[e]].cell;
-    for (const LocalFace& face : TableOf(nodes.geometry).faces)
+    const GeometryTable& table = TableOf(Elements[Leaves[e]].cell.geometry);
+    for (const LocalFace& face : table.faces)
     {
-      Cell cell{ face.geometry, 0, {} };
-      const int corners = TableOf(face.geometry).vertices;
-      std::array<int, 4> key{};
-      for (int k = 0; k < corners; ++k)
-      {
-        key[k] = nodes.vertices[face.vertices[k]];
-        cell.vertices[k] = Mesh.elements[e].vertices[face.vertices[k]];
-      }
-      const auto found = BoundaryAttribute.find(Sorted(std::span(key).first(corners)));
-      if (found != BoundaryAttribute.end())
-      {
-        cell.attribute = found->second;
-        Mesh.boundary.push_back(cell);
-      }
+      AddBoundary(
+        e, face.geometry, std::span(face.vertices).first(TableOf(face.geometry).vertices));
+    }
+    for (const auto& edge : table.sides.empty() ? table.edges.first(0) : table.edges)
+    {
+      AddBoundary(e, Geometry::Segment, edge);
     }
   }
 }
 
 void Forest::ReadPositions()
 {
-  Hierarchy.ReadCoordinates(Scanner);
+  Hierarchy.ReadCoordinates(Scanner, Mesh.dimension);
   for (const int node : NodeOf)
   {
     const auto x = Hierarchy.Position(Scanner, node);

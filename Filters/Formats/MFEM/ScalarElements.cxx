@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 namespace pixelexact::mfem
 {
@@ -15,7 +16,11 @@ constexpr int kAxes = 3;
 
 long double Density(const CollectionName& name)
 {
-  return name.integral ? kUnitDensity : 1.0L;
+  if (!name.integral)
+  {
+    return 1.0L;
+  }
+  return name.dimension == 2 ? kPlaneUnitDensity : kUnitDensity;
 }
 
 LineFunctions Line(const CollectionName& name)
@@ -193,6 +198,36 @@ ElementBasis Prism(const CollectionName& name, const std::vector<LatticePoint>& 
   return OnePart(ChangeOfBasis::FromTriangleAndLine(space, static_cast<int>(lattice.size()),
     OnTriangle(name, space, lattice), Times(Density(name), Mirrored(Line(name))), source));
 }
+/// Across the slab on a plane element.
+LineFunctions Constant(long double value)
+{
+  return { 1, [value](long double /*z*/, long double* values) { *values = value; } };
+}
+
+ElementBasis Square(const CollectionName& name, const std::vector<LatticePoint>& order)
+{
+  const int n = name.order + 1;
+  std::vector<int> source(order.size());
+  for (std::size_t unknown = 0; unknown < order.size(); ++unknown)
+  {
+    const auto& point = order[unknown];
+    source[std::size_t(point[0]) * n + point[1]] = static_cast<int>(unknown);
+  }
+  const auto line = Line(name);
+  const auto p = static_cast<std::uint8_t>(name.order);
+  return OnePart(ChangeOfBasis::FromLines({ Shape::Hexahedron, Form::Collapsed, { p, p, 0 } },
+    { line, line, Constant(Density(name)) }, source));
+}
+
+ElementBasis Triangle(const CollectionName& name, const std::vector<LatticePoint>& order)
+{
+  const auto p = static_cast<std::uint8_t>(name.order);
+  const Space space{ Shape::Prism, Form::Collapsed, { p, 0, p } };
+  std::vector<int> source(order.size());
+  std::iota(source.begin(), source.end(), 0);
+  return OnePart(ChangeOfBasis::FromTriangleAndLine(space, static_cast<int>(order.size()),
+    OnTriangle(name, space, order), Constant(Density(name)), source));
+}
 } // namespace
 
 ElementBasis ConstantBasis(const CollectionName& name, Shape shape)
@@ -210,6 +245,10 @@ ElementBasis ScalarBasis(const CollectionName& name, Geometry solid)
       return Cube(name, order);
     case Geometry::Prism:
       return Prism(name, order);
+    case Geometry::Square:
+      return Square(name, order);
+    case Geometry::Triangle:
+      return Triangle(name, order);
     default:
       return Tetrahedron(name, order);
   }

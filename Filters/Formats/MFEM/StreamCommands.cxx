@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/MFEM/StreamCommands.h"
 
+#include <algorithm>
+
 namespace pixelexact::mfem
 {
 namespace
 {
+/// Of a process: its kind, a mesh's first lines.
+constexpr std::size_t kShortestStream = 64;
+
 /// Whether a line begins a mesh or a grid function.
 bool BeginsData(std::string_view line)
 {
@@ -22,13 +27,29 @@ bool IsStreamKeyword(std::string_view word)
 }
 } // namespace
 
+StreamRank ReadStreamRank(TextScanner& scanner, int processes)
+{
+  scanner.Expect("parallel");
+  StreamRank rank;
+  // A process' stream has some lines.
+  rank.processes = processes > 0 ? scanner.Integer("the number of processes")
+                                 : scanner.Count("the number of processes", kShortestStream);
+  rank.number = scanner.Integer("the number of the process", 0, std::max(0, rank.processes - 1));
+  if (rank.processes < 1 || (processes > 0 && rank.processes != processes))
+  {
+    scanner.Fail("this stream is one of " + std::to_string(rank.processes) +
+      " processes, those before it are of " + std::to_string(processes) + ".");
+  }
+  return rank;
+}
+
 bool ReadStreamKeyword(TextScanner& scanner)
 {
   const std::string_view keyword = scanner.Peek();
-  if (keyword == "parallel" || keyword == "quadrature")
+  if (keyword == "quadrature")
   {
-    scanner.FailUnsupported("streams of the kind '" + std::string(keyword) +
-      "' are not read; send the whole solution as one grid function.");
+    scanner.FailUnsupported("quadrature functions, which have values at points of their own, are "
+                            "not read; project the function to L2 and save that.");
   }
   if (!IsStreamKeyword(keyword))
   {
@@ -38,13 +59,13 @@ bool ReadStreamKeyword(TextScanner& scanner)
   return keyword != "mesh";
 }
 
-void SkipCommands(TextScanner& scanner)
+void SkipCommands(TextScanner& scanner, bool toNextProcess)
 {
   if (double number = 0.0; scanner.TryNumber(number))
   {
     scanner.Fail("a number stands behind the end of the data; the file contradicts itself.");
   }
-  while (!scanner.Peek().empty())
+  while (!scanner.Peek().empty() && !(toNextProcess && scanner.Peek() == "parallel"))
   {
     if (BeginsData(scanner.RestOfLine()))
     {

@@ -4,10 +4,9 @@
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 #include "Core/Base/ParseWhole.h"
+#include "Formats/ParseReal.h"
 
 #include <algorithm>
-#include <charconv>
-#include <limits>
 
 namespace pixelexact::mfem
 {
@@ -27,45 +26,6 @@ std::string Quote(std::string_view word)
   std::ranges::replace_if(
     text, [](unsigned char c) { return c < 0x20 || c > 0x7e; }, '?');
   return "'" + text + (word.size() > kLongestQuote ? "...'" : "'");
-}
-
-/// Of a decimal number that is not zero: whether it is below 1.
-bool IsSmall(std::string_view number)
-{
-  const auto letter = std::min(number.find_first_of("eE"), number.size());
-  const std::string_view digits = number.substr(0, letter);
-  const std::string_view power = number.substr(std::min(letter + 1, number.size()));
-  long exponent = 0;
-  if (!power.empty() && !ParseWhole(power, exponent))
-  {
-    return power.starts_with('-');
-  }
-  const auto first = static_cast<long>(digits.find_first_of("123456789"));
-  const auto point = static_cast<long>(std::min(digits.find('.'), digits.size()));
-  // The first digit stands before the point, or behind it.
-  return exponent < (first < point ? first - point + 1 : first - point);
-}
-
-/// As ParseWhole; numbers beyond the range of doubles become zero or infinite, as the C library has
-/// it.
-bool ParseReal(std::string_view word, double& value)
-{
-  if (ParseWhole(word, value))
-  {
-    return true;
-  }
-  word.remove_prefix(word.starts_with('+') ? 1 : 0);
-  double none = 0.0;
-  const auto [end, failure] = std::from_chars(word.data(), word.data() + word.size(), none);
-  if (failure != std::errc::result_out_of_range || end != word.data() + word.size())
-  {
-    return false;
-  }
-  const bool negative = word.starts_with('-');
-  word.remove_prefix(negative ? 1 : 0);
-  value = IsSmall(word) ? 0.0 : std::numeric_limits<double>::infinity();
-  value = negative ? -value : value;
-  return true;
 }
 } // namespace
 
@@ -175,13 +135,16 @@ double TextScanner::Number(const char* what)
   return value;
 }
 
-void TextScanner::Positions(int count, std::vector<double>& positions)
+void TextScanner::Positions(int count, int dimension, std::vector<double>& positions)
 {
-  const std::size_t numbers = 3 * static_cast<std::size_t>(count);
-  positions.reserve(positions.size() + std::min(numbers, Remaining() / 2));
-  for (std::size_t i = 0; i < numbers; ++i)
+  positions.reserve(
+    positions.size() + std::min(3 * static_cast<std::size_t>(count), Remaining() / 2));
+  for (int i = 0; i < count; ++i)
   {
-    positions.push_back(Number("a vertex coordinate"));
+    for (int d = 0; d < 3; ++d)
+    {
+      positions.push_back(d < dimension ? Number("a vertex coordinate") : 0.0);
+    }
   }
 }
 

@@ -30,10 +30,10 @@ public:
   /// A number of things that each take at least `bytes` bytes of the text that is left.
   int Count(const char* what, std::size_t bytes);
   double Number(const char* what);
-  /// Appends the positions of `count` vertices, (x, y, z) each. `count` is not yet believed: memory
-  /// is taken for what the text that is left can hold, and where it ends too soon the scanner
-  /// fails.
-  void Positions(int count, std::vector<double>& positions);
+  /// Appends the positions of `count` vertices, (x, y, z) each, z = 0 where the file has two
+  /// coordinates (`dimension`). `count` is not yet believed: memory is taken for what the text that
+  /// is left can hold, and where it ends too soon the scanner fails.
+  void Positions(int count, int dimension, std::vector<double>& positions);
   /// Takes the next word if it is a number.
   bool TryNumber(double& value);
   /// A word, or words between quotation marks.

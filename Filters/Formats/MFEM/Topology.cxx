@@ -31,6 +31,14 @@ int SquareOrientation(const std::array<int, 4>& base, const std::array<int, 4>& 
 }
 } // namespace
 
+void Topology::Owners::Add(const Owner& owner)
+{
+  if (count < static_cast<int>(list.size()))
+  {
+    list[count++] = owner;
+  }
+}
+
 Topology::FaceKey Topology::KeyOf(std::span<const int> vertices)
 {
   FaceKey key{ -1, -1, -1, -1 };
@@ -45,22 +53,28 @@ Topology::Topology(const MeshFile& mesh)
   {
     FirstEdge.push_back(EdgeIncidences.size());
     FirstFace.push_back(FaceIncidences.size());
-    AddEdges(mesh.elements[e]);
+    AddEdges(mesh.elements[e], static_cast<int>(e));
     AddFaces(mesh.elements[e], static_cast<int>(e));
   }
   FirstEdge.push_back(EdgeIncidences.size());
   FirstFace.push_back(FaceIncidences.size());
 }
 
-void Topology::AddEdges(const Cell& cell)
+void Topology::AddEdges(const Cell& cell, int element)
 {
-  for (const auto& edge : TableOf(cell.geometry).edges)
+  const GeometryTable& table = TableOf(cell.geometry);
+  for (std::size_t local = 0; local < table.edges.size(); ++local)
   {
-    const int a = cell.vertices[edge[0]];
-    const int b = cell.vertices[edge[1]];
+    const int a = cell.vertices[table.edges[local][0]];
+    const int b = cell.vertices[table.edges[local][1]];
     const auto [at, isNew] =
       EdgeOf.try_emplace({ std::min(a, b), std::max(a, b) }, static_cast<int>(EdgeOf.size()));
     EdgeIncidences.push_back({ at->second, a < b ? 1 : -1 });
+    if (!table.sides.empty())
+    {
+      EdgeOwners.resize(EdgeOf.size());
+      EdgeOwners[at->second].Add({ element, static_cast<int>(local) });
+    }
   }
 }
 
@@ -84,10 +98,7 @@ void Topology::AddFaces(const Cell& cell, int element)
       FaceGeometries.push_back(face.geometry);
     }
     Face& known = FaceList[at->second];
-    if (known.owned < static_cast<int>(known.owners.size()))
-    {
-      known.owners[known.owned++] = { element, static_cast<int>(local) };
-    }
+    known.owners.Add({ element, static_cast<int>(local) });
     const auto& base = known.vertices;
     FaceIncidences.push_back({ at->second,
       face.geometry == Geometry::Triangle ? TriangleOrientation(base, seen)
@@ -109,12 +120,14 @@ std::span<const Incidence> Topology::FacesOf(std::size_t element) const
 
 std::span<const Topology::Owner> Topology::FindFace(std::span<const int> vertices) const
 {
-  const auto found = FaceOf.find(KeyOf(vertices));
-  if (found == FaceOf.end())
+  if (vertices.size() == 2)
   {
-    return {};
+    const auto edge =
+      EdgeOf.find({ std::min(vertices[0], vertices[1]), std::max(vertices[0], vertices[1]) });
+    return edge == EdgeOf.end() || EdgeOwners.empty() ? std::span<const Owner>()
+                                                      : EdgeOwners[edge->second].Get();
   }
-  const Face& face = FaceList[found->second];
-  return std::span(face.owners).first(face.owned);
+  const auto found = FaceOf.find(KeyOf(vertices));
+  return found == FaceOf.end() ? std::span<const Owner>() : FaceList[found->second].owners.Get();
 }
 } // namespace pixelexact::mfem

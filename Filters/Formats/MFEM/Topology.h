@@ -32,29 +32,37 @@ public:
   [[nodiscard]] std::span<const Incidence> EdgesOf(std::size_t element) const;
   [[nodiscard]] std::span<const Incidence> FacesOf(std::size_t element) const;
 
-  /// An element that has a face, and the face's number there.
+  /// An element that has a face, and the face's number there; of plane elements the edge's.
   struct Owner
   {
     int element = -1;
     int localFace = -1;
   };
-  /// The first two elements that have a face of the given vertices; none where there is no such
-  /// face.
+  /// The first two elements that have a face of the given vertices, or plane elements that have an
+  /// edge of these two; none where there is none.
   [[nodiscard]] std::span<const Owner> FindFace(std::span<const int> vertices) const;
 
 private:
   using FaceKey = std::array<int, 4>;
+  struct Owners
+  {
+    std::array<Owner, 2> list;
+    int count = 0;
+
+    void Add(const Owner& owner);
+    [[nodiscard]] std::span<const Owner> Get() const { return std::span(list).first(count); }
+  };
   struct Face
   {
     FaceKey vertices; ///< in the first element's order; the fourth is -1 for triangles
-    std::array<Owner, 2> owners;
-    int owned = 0; ///< of them
+    Owners owners;
   };
   static FaceKey KeyOf(std::span<const int> vertices);
-  void AddEdges(const Cell& cell);
+  void AddEdges(const Cell& cell, int element);
   void AddFaces(const Cell& cell, int element);
 
   std::map<std::array<int, 2>, int> EdgeOf;
+  std::vector<Owners> EdgeOwners; ///< of plane elements alone
   std::map<FaceKey, int> FaceOf;
   std::vector<Face> FaceList;
   std::vector<Geometry> FaceGeometries;

@@ -3,6 +3,7 @@
 
 #include "Formats/MFEM/FuentesVectors.h"
 #include "Formats/MFEM/NodalFunctions.h"
+#include "Formats/MFEM/PlaneVectors.h"
 #include "Formats/MFEM/PrismVectors.h"
 #include "Formats/MFEM/VectorSpaces.h"
 #include "Formats/MFEM/VectorUnknowns.h"
@@ -245,6 +246,14 @@ ElementBasis VectorBasis(const CollectionName& name, Geometry solid)
   if (solid == Geometry::Cube)
   {
     return OnCube(name);
+  }
+  if (solid == Geometry::Triangle)
+  {
+    return TriangleVectorBasis(name);
+  }
+  if (solid == Geometry::Square)
+  {
+    return SquareVectorBasis(name);
   }
   auto unknowns = VectorUnknowns(name, solid);
   HalveTriangles(name, solid, unknowns);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/MFEM/VertexHierarchy.h"
 
+#include "Formats/MFEM/MeshFormat.h"
+
 #include <algorithm>
 
 namespace pixelexact::mfem
@@ -28,14 +30,14 @@ void VertexHierarchy::ReadParents(TextScanner& scanner, bool scaled)
   }
 }
 
-void VertexHierarchy::ReadCoordinates(TextScanner& scanner)
+void VertexHierarchy::ReadCoordinates(TextScanner& scanner, int dimension)
 {
   const int count = scanner.Count("the number of vertices with coordinates", 2);
-  if (count > 0 && scanner.Integer("the vertices' dimension") != 3)
+  if (count > 0)
   {
-    scanner.FailUnsupported("only meshes in three-dimensional space are read.");
+    const int space = ReadSpaceDimension(scanner, dimension);
+    scanner.Positions(count, space, Coordinates);
   }
-  scanner.Positions(count, Coordinates);
 }
 
 std::array<double, 3> VertexHierarchy::Position(TextScanner& scanner, int node, int generation)

@@ -16,7 +16,7 @@ class VertexHierarchy
 public:
   /// `scaled`: each has its place between its parents, otherwise it is halfway.
   void ReadParents(TextScanner& scanner, bool scaled);
-  void ReadCoordinates(TextScanner& scanner);
+  void ReadCoordinates(TextScanner& scanner, int dimension);
 
   [[nodiscard]] bool HasParents(int node) const { return ParentsOf.contains(node); }
   /// Fails, through the scanner, for a node without coordinates and parents.

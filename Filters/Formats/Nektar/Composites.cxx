@@ -50,11 +50,15 @@ void ReadComposites(const Document& document, const pugi::xml_node& composites, 
     const std::string_view text = Trim(whole);
     const auto open = text.find('[');
     const std::string_view tag = Trim(text.substr(0, open));
-    const bool solid = std::ranges::find(kSolidTags, tag, &SolidTag::tag) != std::end(kSolidTags);
-    const bool face = tag == "F" || tag == "T" || tag == "Q";
+    const bool isPlane = geometry.dimension == 2;
+    const bool onPlane = std::ranges::find(kPlaneTags, tag, &SolidTag::tag) != std::end(kPlaneTags);
+    const bool solid = isPlane
+      ? onPlane
+      : std::ranges::find(kSolidTags, tag, &SolidTag::tag) != std::end(kSolidTags);
+    const bool face = isPlane ? tag == "E" : tag == "F" || onPlane;
     if (!solid && !face)
     {
-      continue; // edges and vertices are nobody's group here
+      continue; // what is below faces (in the plane, edges) is nobody's group here
     }
     if (open == std::string_view::npos || text.back() != ']')
     {
@@ -65,7 +69,9 @@ void ReadComposites(const Document& document, const pugi::xml_node& composites, 
     composite.name = node.attribute("NAME").value();
     composite.boundary = face;
     composite.members = document.List(node, text.substr(open + 1, text.size() - open - 2),
-      face ? geometry.faces.size() : geometry.solids.size());
+      !face       ? geometry.solids.size()
+        : isPlane ? geometry.edges.size()
+                  : geometry.faces.size());
     Join(document, node, std::move(composite), geometry.composites);
   }
 }

@@ -76,7 +76,7 @@ std::optional<std::string> HomogeneousType(std::span<const Document* const> sess
 
 std::string HomogeneousRemedy()
 {
-  return "homogeneous (quasi-3-D) expansions are not read; extrude the mesh (NekMesh -m "
+  return "extrude the mesh (NekMesh -m "
          "extrude:layers=<n>:length=<l> 2D.xml 3D.xml) and bring the field onto it (FieldConvert "
          "-m "
          "interpfield:fromxml=2D.xml:fromfld=2D.fld 3D.xml 3D.fld).";

@@ -2,6 +2,7 @@
 #include "Formats/Nektar/Entities.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace pixelexact::nektar
 {
@@ -60,8 +61,14 @@ public:
   {
     ReadVertices();
     ReadEdges();
-    ReadFaces<3>("T");
-    ReadFaces<4>("Q");
+    if (Target.dimension == 2)
+    {
+      ReadPlaneElements<3>(kPlaneTags[0]);
+      ReadPlaneElements<4>(kPlaneTags[1]);
+      return;
+    }
+    ReadFaces<3>("FACE", "T");
+    ReadFaces<4>("FACE", "Q");
     ReadSolids<4>(kSolidTags[0]);
     ReadSolids<5>(kSolidTags[1]);
     ReadSolids<5>(kSolidTags[2]);
@@ -138,10 +145,26 @@ private:
     ForEntities<2>(File, parent, "E", add);
   }
 
+  /// An element is a face with the same number.
   template <std::size_t N>
-  void ReadFaces(const char* tag)
+  void ReadPlaneElements(const SolidTag& tag)
   {
-    ForEntities<N>(File, File.Only(Node, "FACE"), tag,
+    ReadFaces<N>("ELEMENT", tag.tag.data(),
+      [&](const pugi::xml_node& node, std::int64_t id)
+      {
+        Solid element;
+        element.id = id;
+        element.shape = tag.shape;
+        element.faces[0] = id;
+        AddSolid(node, element);
+      });
+  }
+
+  template <std::size_t N>
+  void ReadFaces(const char* list, const char* tag,
+    const std::function<void(const pugi::xml_node&, std::int64_t)>& also = {})
+  {
+    ForEntities<N>(File, File.Only(Node, list), tag,
       [&](const pugi::xml_node& node, std::int64_t id, const std::array<std::int64_t, N>& edges)
       {
         Face face;
@@ -157,6 +180,10 @@ private:
           face.vertices[k] = Shared(node, id, edges[(k + N - 1) % N], edges[k]);
         }
         Insert(node, Target.faces, "face", id, face);
+        if (also)
+        {
+          also(node, id);
+        }
       });
   }
 
@@ -189,14 +216,19 @@ private:
         {
           Require(node, Target.faces.contains(f), "element", id, "face", f);
         }
-        const auto [at, isNew] =
-          Target.solidOf.try_emplace(id, static_cast<int>(Target.solids.size()));
-        if (isNew)
-        {
-          Target.solids.push_back(solid);
-        }
-        RequireSame(node, Target.solids[at->second] == solid, "element", id);
+        AddSolid(node, solid);
       });
+  }
+
+  void AddSolid(const pugi::xml_node& node, const Solid& solid)
+  {
+    const auto [at, isNew] =
+      Target.solidOf.try_emplace(solid.id, static_cast<int>(Target.solids.size()));
+    if (isNew)
+    {
+      Target.solids.push_back(solid);
+    }
+    RequireSame(node, Target.solids[at->second] == solid, "element", solid.id);
   }
 
   void Require(const pugi::xml_node& node, bool known, const char* what, std::int64_t id,

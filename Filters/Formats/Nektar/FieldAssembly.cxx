@@ -21,6 +21,14 @@ struct Placement
   const ElementBasis* basis = nullptr;
 };
 
+std::string NameOf(const Expansion3& expansion)
+{
+  if (!expansion.IsPlane())
+  {
+    return Name(expansion.shape);
+  }
+  return expansion.shape == Shape::Prism ? "triangle" : "quadrilateral";
+}
 } // namespace
 
 void AddFields(const std::vector<NamedText>& parts, const std::string& meshName, SolverModel& model)
@@ -59,9 +67,10 @@ void AddFields(const std::vector<NamedText>& parts, const std::string& meshName,
       {
         const auto element = elementOf.find(data.id);
         const Expansion3& expansion = block.expansions[data.expansion];
-        if (element == elementOf.end() || shapeOf(element->second) != expansion.shape)
+        if (element == elementOf.end() || shapeOf(element->second) != expansion.shape ||
+          expansion.IsPlane() != mesh.slab.has_value())
         {
-          throw InvalidData(part.name + ": it has coefficients for " + Name(expansion.shape) + " " +
+          throw InvalidData(part.name + ": it has coefficients for " + NameOf(expansion) + " " +
             std::to_string(data.id) + ", which the mesh of " + std::to_string(mesh.number.size()) +
             " elements (" + meshName + ") has not; the two do not belong together.");
         }
@@ -100,19 +109,56 @@ void AddFields(const std::vector<NamedText>& parts, const std::string& meshName,
   }
   std::vector<const ElementBasis*> ordered;
   std::ranges::transform(places, std::back_inserter(ordered), &Placement::basis);
-  for (std::size_t f = 0; f < names.size(); ++f)
+  const auto assemble = [&](std::size_t f, std::size_t plane)
   {
-    SolverField field;
-    field.name = names[f];
-    field.basis = basisName;
-    field.values = AssembleField(ordered, 1,
+    return AssembleField(ordered, 1,
       [&](std::size_t e, std::span<double> source)
       {
         const Placement& place = places[e];
-        std::copy_n(&place.block->values[f * place.block->perField + place.data->offset],
+        std::copy_n(
+          &place.block
+             ->values[f * place.block->perField + place.data->offset + plane * place.data->count],
           place.data->count, source.begin());
       });
-    model.fields.push_back(std::move(field));
+  };
+  const auto& homogeneous = places.front().block->homogeneous;
+  if (std::ranges::any_of(
+        places, [&](const Placement& place) { return place.block->homogeneous != homogeneous; }))
+  {
+    throw Unsupported(parts.front().name +
+      ": its blocks differ in their functions or lengths along z; join them (FieldConvert in.fld "
+      "out.fld).");
+  }
+  std::vector<HomogeneousField> along;
+  for (std::size_t f = 0; f < names.size(); ++f)
+  {
+    if (!homogeneous)
+    {
+      SolverField field;
+      field.name = names[f];
+      field.basis = basisName;
+      field.values = assemble(f, 0);
+      model.fields.push_back(std::move(field));
+      continue;
+    }
+    HomogeneousField& field = along.emplace_back();
+    field.name = names[f];
+    field.basis = basisName;
+    for (std::size_t plane = 0; plane < homogeneous->functions.size(); ++plane)
+    {
+      field.planes.push_back(assemble(f, plane));
+    }
+  }
+  if (homogeneous)
+  {
+    try
+    {
+      LiftHomogeneous(*homogeneous, along, model);
+    }
+    catch (const Unsupported& error)
+    {
+      throw Unsupported(parts.front().name + ": " + error.what());
+    }
   }
 }
 } // namespace pixelexact::nektar

@@ -73,6 +73,12 @@ LineFunctions LineOf(const std::string& family, int count)
     "' is not read on hexahedra; Modified_A, Ortho_A, GLL_Lagrange and Gauss_Lagrange are.");
 }
 
+/// Across a slab.
+LineFunctions Constant()
+{
+  return { 1, [](long double /*z*/, long double* value) { *value = 1.0L; } };
+}
+
 ChangeOfBasis HexahedronChange(const Expansion3& expansion)
 {
   Space space{ Shape::Hexahedron, Form::Collapsed, {} };
@@ -80,7 +86,8 @@ ChangeOfBasis HexahedronChange(const Expansion3& expansion)
   for (int d = 0; d < 3; ++d)
   {
     space.order[d] = static_cast<std::uint8_t>(expansion.count[d] - 1);
-    lines[d] = LineOf(expansion.families[d], expansion.count[d]);
+    lines[d] = expansion.families[d].empty() ? Constant()
+                                             : LineOf(expansion.families[d], expansion.count[d]);
   }
   const auto& n = expansion.count;
   std::vector<int> source;
@@ -108,7 +115,7 @@ bool IsFamily(const Expansion3& expansion, const char* kind)
   switch (expansion.shape)
   {
     case Shape::Prism:
-      return f[0] == a && f[1] == a && f[2] == b;
+      return f[0] == a && (f[1] == a || expansion.IsPlane()) && f[2] == b;
     case Shape::Tetrahedron:
       return f[0] == a && f[1] == b && f[2] == c;
     default:
@@ -181,9 +188,12 @@ ElementBasis MakeFieldBasis(const Expansion3& expansion)
   basis.parts.push_back(ChangeInto(expansion.shape, { n[0] - 1, n[1] - 1, n[2] - 1 }, basis.sources,
     [&](const LongVec3& xi, long double* values)
     {
+      // A triangle's functions are a prism's at one end, up to what the line's one is there.
+      const LongVec3 at = expansion.IsPlane() ? LongVec3{ xi[0], -1, xi[2] } : xi;
+      const long double across = expansion.IsPlane() && !modified ? std::sqrt(0.5L) : 1.0L;
       for (const Mode& mode : modes)
       {
-        *values++ = function(expansion.shape, mode, xi);
+        *values++ = function(expansion.shape, mode, at) / across;
       }
     }));
   return basis;

@@ -2,12 +2,14 @@
 #include "Formats/Nektar/FieldFile.h"
 
 #include "Core/Base/Error.h"
+#include "Core/Base/ParseWhole.h"
 #include "Core/Basis/Space.h"
 #include "Formats/Nektar/Conditions.h"
 #include "Formats/Nektar/ModifiedModes.h"
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 
 namespace pixelexact::nektar
 {
@@ -15,6 +17,8 @@ namespace
 {
 /// An element has one value at least; ids alone are not in proportion to anything.
 constexpr std::size_t kMostElements = std::size_t{ 1 } << 28U;
+/// Functions along z; layers are in proportion to them.
+constexpr std::int64_t kMostFunctions = 1024;
 
 std::vector<std::string> Split(std::string_view text)
 {
@@ -28,14 +32,24 @@ std::vector<std::string> Split(std::string_view text)
   return words;
 }
 
-Shape ShapeNamed(const Document& document, const pugi::xml_node& node)
+/// The directions of xi that the file tells of, in its order.
+std::vector<std::size_t> DirectionsOf(std::string_view shape)
 {
-  const std::string_view name = node.attribute("SHAPE").value();
-  if (name == "Hexahedron")
+  if (shape == "Triangle")
+  {
+    return { 0, 2 };
+  }
+  return shape == "Quadrilateral" ? std::vector<std::size_t>{ 0, 1 }
+                                  : std::vector<std::size_t>{ 0, 1, 2 };
+}
+
+Shape ShapeNamed(const Document& document, const pugi::xml_node& node, std::string_view name)
+{
+  if (name == "Hexahedron" || name == "Quadrilateral")
   {
     return Shape::Hexahedron;
   }
-  if (name == "Prism")
+  if (name == "Prism" || name == "Triangle")
   {
     return Shape::Prism;
   }
@@ -48,9 +62,8 @@ Shape ShapeNamed(const Document& document, const pugi::xml_node& node)
     return Shape::Pyramid;
   }
   document.FailUnsupported(node,
-    name.find("-Homogen") != name.npos ? HomogeneousRemedy()
-                                       : "elements of the shape '" +
-        std::string(name.substr(0, 40)) + "' are not read; only solids are.");
+    "elements of the shape '" + std::string(name.substr(0, 40)) +
+      "' are not read; only solids, triangles and quadrilaterals are.");
 }
 
 class BlockReader
@@ -64,18 +77,27 @@ public:
 
   FieldBlock Read()
   {
-    if (Node.attribute("HOMOGENEOUSLENGTHS") || Node.attribute("NUMHOMODIRECTIONS"))
-    {
-      File.FailUnsupported(Node, HomogeneousRemedy());
-    }
-    Base.shape = ShapeNamed(File, Node);
+    const std::string_view name = Node.attribute("SHAPE").value();
+    const std::string_view shape = name.substr(0, name.find('-'));
+    Base.shape = ShapeNamed(File, Node, shape);
     Block.fields = Split(Node.attribute("FIELDS").value());
-    const auto families = Split(Node.attribute("BASIS").value());
-    if (Block.fields.empty() || families.size() != 3)
+    auto families = Split(Node.attribute("BASIS").value());
+    Directions = DirectionsOf(shape);
+    if (shape.size() < name.size() || Node.attribute("HOMOGENEOUSLENGTHS"))
     {
-      File.Fail(Node, "the block should have FIELDS and a BASIS of three families.");
+      ReadHomogeneous(name.substr(shape.size()), families);
     }
-    std::ranges::copy(families, Base.families.begin());
+    if (Block.fields.empty() || families.size() != Directions.size())
+    {
+      File.Fail(Node,
+        "the block should have FIELDS and a BASIS of " +
+          std::string(Directions.size() == 2 ? "two" : "three") + " families.");
+    }
+    Base.count = { 1, 1, 1 };
+    for (std::size_t d = 0; d < families.size(); ++d)
+    {
+      Base.families[Directions[d]] = families[d];
+    }
     const auto ids = File.List(Node, Node.attribute("ID").value(), kMostElements);
     const bool compressed = File.IsCompressedField(Node);
     ReadOrders(ids);
@@ -100,6 +122,63 @@ public:
   }
 
 private:
+  /// Fourier's functions along z, the last of the families.
+  void ReadHomogeneous(std::string_view kind, std::vector<std::string>& families)
+  {
+    const std::string last = families.empty() ? std::string() : families.back();
+    if (kind != "-HomogenousExp1D" || Directions.size() != 2 ||
+      (last != "Fourier" && last != "FourierSingleMode"))
+    {
+      File.FailUnsupported(Node,
+        "of homogeneous expansions those of triangles and quadrilaterals are read, with Fourier or "
+        "FourierSingleMode along z, not '" +
+          std::string(Node.attribute("SHAPE").value()).substr(0, 40) + "' with '" +
+          last.substr(0, 40) + "'; " + HomogeneousRemedy());
+    }
+    families.pop_back();
+    Homogeneous& along = Block.homogeneous.emplace();
+    constexpr double kLongest = 1e150; // a size must have a square
+    const std::string_view length = Trim(Node.attribute("HOMOGENEOUSLENGTHS").value());
+    if (!ParseWhole(length, along.length) || !(along.length > 0.0) || along.length > kLongest)
+    {
+      File.Fail(Node, "HOMOGENEOUSLENGTHS should be one number above 0, and below 1e150.");
+    }
+    const auto list = Node.attribute("HOMOGENEOUSZIDS")
+      ? File.List(Node, Node.attribute("HOMOGENEOUSZIDS").value(), kMostFunctions)
+      : NumbersOfFunctions();
+    for (const std::int64_t number : list)
+    {
+      if (number >= kMostFunctions ||
+        std::ranges::find(along.functions, number) != along.functions.end())
+      {
+        File.Fail(Node,
+          "HOMOGENEOUSZIDS names the function " + std::to_string(number) + " twice, or one above " +
+            std::to_string(kMostFunctions - 1) + ".");
+      }
+      along.functions.push_back(static_cast<int>(number));
+    }
+    if (along.functions.empty())
+    {
+      File.Fail(Node, "HOMOGENEOUSZIDS names no function.");
+    }
+  }
+
+  /// Where the file does not list them: 0 to the last number of NUMMODESPERDIR less one.
+  std::vector<std::int64_t> NumbersOfFunctions() const
+  {
+    const std::string text = Node.attribute("NUMMODESPERDIR").value();
+    const auto comma = text.rfind(',');
+    std::int64_t count = 0;
+    if (comma == std::string::npos || !ParseWhole(Trim(text).substr(comma + 1), count) ||
+      count < 1 || count > kMostFunctions)
+    {
+      File.Fail(Node, "NUMMODESPERDIR does not tell how many functions there are along z.");
+    }
+    std::vector<std::int64_t> numbers(static_cast<std::size_t>(count));
+    std::iota(numbers.begin(), numbers.end(), 0);
+    return numbers;
+  }
+
   void ReadOrders(const std::vector<std::int64_t>& ids)
   {
     const std::string_view text = Trim(Node.attribute("NUMMODESPERDIR").value());
@@ -111,26 +190,31 @@ private:
     }
     const auto counts = Split(text.substr(std::min(colon + 1, text.size())));
     const std::size_t sets = mixed ? ids.size() : 1;
-    if (counts.size() != 3 * sets)
+    const std::size_t directions = Directions.size() + (Block.homogeneous ? 1 : 0);
+    const std::size_t planes = Block.homogeneous ? Block.homogeneous->functions.size() : 1;
+    if (counts.size() != directions * sets)
     {
       File.Fail(Node,
         "NUMMODESPERDIR has " + std::to_string(counts.size()) + " numbers for " +
-          std::to_string(sets) + (mixed ? " elements" : " order") + " of three directions.");
+          std::to_string(sets) + (mixed ? " elements" : " order") + " of " +
+          (directions == 2 ? "two" : "three") + " directions.");
     }
     for (std::size_t e = 0; e < ids.size(); ++e)
     {
-      const int expansion = AddExpansion(std::span(counts).subspan(mixed ? 3 * e : 0, 3));
+      const int expansion =
+        AddExpansion(std::span(counts).subspan(mixed ? directions * e : 0, Directions.size()));
       Block.elements.push_back({ ids[e], expansion, Block.perField, ModeCounts[expansion] });
-      Block.perField += ModeCounts[expansion];
+      Block.perField += planes * ModeCounts[expansion];
     }
   }
 
   int AddExpansion(std::span<const std::string> counts)
   {
     Expansion3 expansion = Base;
-    for (int d = 0; d < 3; ++d)
+    for (std::size_t k = 0; k < counts.size(); ++k)
     {
-      const std::string& word = counts[d];
+      const std::string& word = counts[k];
+      const std::size_t d = Directions[k];
       const bool digits = !word.empty() && word.size() < 4 &&
         std::ranges::all_of(word, [](char c) { return c >= '0' && c <= '9'; });
       expansion.count[d] = digits ? std::stoi(word) : 0;
@@ -155,6 +239,7 @@ private:
   const Document& File;
   pugi::xml_node Node;
   Expansion3 Base;
+  std::vector<std::size_t> Directions;
   FieldBlock Block;
   std::map<Expansion3, int> Known;
   std::vector<std::size_t> ModeCounts;
@@ -197,6 +282,11 @@ FieldFile ReadFieldFile(const NamedText& file)
 
 std::string Describe(const Expansion3& expansion)
 {
-  return expansion.families[0] + " x " + expansion.families[1] + " x " + expansion.families[2];
+  std::string text = expansion.families[0];
+  for (const std::size_t d : { 1, 2 })
+  {
+    text += expansion.families[d].empty() ? "" : " x " + expansion.families[d];
+  }
+  return text;
 }
 } // namespace pixelexact::nektar

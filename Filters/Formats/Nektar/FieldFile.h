@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Formats/Nektar/Document.h"
+#include "Formats/Nektar/Homogeneous.h"
 
 #include "Core/Shape/Shape.h"
 
@@ -10,7 +11,8 @@
 
 namespace pixelexact::nektar
 {
-/// What a family of functions is along each direction, and how many there are.
+/// What a family of functions is along each direction, and how many there are. Of plane elements,
+/// on the solids of a slab, one function without a family across.
 struct Expansion3
 {
   Shape shape = Shape::Hexahedron;
@@ -18,9 +20,11 @@ struct Expansion3
   std::array<int, 3> count{};
 
   auto operator<=>(const Expansion3&) const = default;
+  [[nodiscard]] bool IsPlane() const { return families[1].empty() || families[2].empty(); }
 };
 
-/// An element's coefficients in a block.
+/// An element's coefficients in a block. Of homogeneous blocks, those of the first function of z;
+/// the others' follow.
 struct ElementData
 {
   std::int64_t id = 0;
@@ -35,6 +39,7 @@ struct FieldBlock
   std::vector<std::string> fields;
   std::vector<Expansion3> expansions;
   std::vector<ElementData> elements;
+  std::optional<Homogeneous> homogeneous;
   std::size_t perField = 0;
   std::vector<double> values; ///< field by field
 };

@@ -3,6 +3,8 @@
 
 #include "Core/Base/Error.h"
 #include "Core/Base/ParseWhole.h"
+#include "Formats/Hdf5/Hdf5File.h"
+#include "Formats/Nektar/Hdf5Xml.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -22,7 +24,7 @@ std::string HeadOf(const std::string& path)
   std::string head(kHead, '\0');
   stream.read(head.data(), static_cast<std::streamsize>(head.size()));
   head.resize(static_cast<std::size_t>(stream.gcount()));
-  return head;
+  return IsHdf5(head) ? Hdf5Metadata(path) : head;
 }
 
 /// The number between a tag's end and what comes next, where there is nothing else.

@@ -6,31 +6,51 @@
 #include "Formats/Nektar/Curves.h"
 #include "Formats/Nektar/Entities.h"
 
+#include <algorithm>
 #include <set>
 
 namespace pixelexact::nektar
 {
 namespace
 {
+/// Of its elements (DIM), or of the space that they are in (SPACE).
+std::int64_t DimensionOf(
+  const Document& document, const pugi::xml_node& geometry, const char* name = "DIM")
+{
+  return geometry.attribute(name) ? document.Id(geometry, name) : 3;
+}
+
 /// The GEOMETRY of a file of the session; none where it has none. Refuses what is not read at all.
 pugi::xml_node FindGeometry(const Document& document, std::span<const Document* const> session)
 {
   const pugi::xml_node geometry = document.Only(document.Root(), "GEOMETRY");
-  if (geometry.attribute("HDF5FILE"))
+  if (const std::string mesh = geometry.attribute("HDF5FILE").value(); !mesh.empty())
   {
-    document.FailUnsupported(geometry,
-      "the geometry is in an HDF5 file, which is not read; write it as XML (NekMesh " +
-        document.BaseName() + " new.xml).");
+    if (std::ranges::none_of(session,
+          [&](const Document* file)
+          { return file->BaseName() == mesh.substr(mesh.rfind('/') + 1); }))
+    {
+      document.Fail(geometry,
+        "the geometry is in the HDF5 file " + mesh +
+          ", which is not there; put it beside this file, or name it as well.");
+    }
+    return {}; // the other file's is read
   }
-  const auto dimension = [&](const char* name)
-  { return geometry.attribute(name) ? document.Id(geometry, name) : 3; };
-  if (geometry && (dimension("DIM") != 3 || dimension("SPACE") != 3))
+  if (const auto homogeneous = HomogeneousType(session);
+      geometry && homogeneous && *homogeneous != "1D" && DimensionOf(document, geometry) != 3)
   {
-    const auto homogeneous = HomogeneousType(session);
     document.FailUnsupported(geometry,
-      homogeneous ? "the mesh is two-dimensional, the session HOMOGENEOUS (" + *homogeneous +
-          "): " + HomogeneousRemedy()
-                  : std::string("only three-dimensional geometries are read."));
+      "the session is HOMOGENEOUS (" + *homogeneous +
+        "), and only 1D is read: " + HomogeneousRemedy());
+  }
+  if (geometry)
+  {
+    const std::int64_t own = DimensionOf(document, geometry);
+    const std::int64_t space = DimensionOf(document, geometry, "SPACE");
+    if (own < 2 || own > 3 || space < own || space > 3)
+    {
+      document.FailUnsupported(geometry, "only two- and three-dimensional geometries are read.");
+    }
   }
   return geometry;
 }
@@ -77,6 +97,16 @@ Geometry ReadGeometry(std::span<const Document* const> session)
     }
   }
   Geometry target;
+  for (const Part& part : parts)
+  {
+    const auto dimension = static_cast<int>(DimensionOf(*part.file, part.geometry));
+    if (&part != parts.data() && dimension != target.dimension)
+    {
+      part.file->Fail(part.geometry,
+        "the geometries of the session are of different dimensions; name the parts of one mesh.");
+    }
+    target.dimension = dimension;
+  }
   for (const Part& part : parts)
   {
     ReadEntities(*part.file, part.geometry, part.transform, target);

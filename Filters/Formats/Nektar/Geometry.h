@@ -70,16 +70,21 @@ struct SolidTag
 inline constexpr SolidTag kSolidTags[] = { { "A", Shape::Tetrahedron }, { "P", Shape::Pyramid },
   { "R", Shape::Prism }, { "H", Shape::Hexahedron } };
 
+/// The elements of plane meshes, as the solids of a slab (planar.md), whose only face is their own.
+inline constexpr SolidTag kPlaneTags[] = { { "T", Shape::Prism }, { "Q", Shape::Hexahedron } };
+
 /// A session's GEOMETRY, with all references resolved or refused.
 struct Geometry
 {
+  int dimension = 3; ///< of the elements, 2 or 3
   std::unordered_map<std::int64_t, Point> vertices;
   std::unordered_map<std::int64_t, Edge> edges;
   std::unordered_map<std::int64_t, Face> faces;
   std::vector<Solid> solids; ///< hexahedra, prisms, pyramids, tetrahedra as the file has them
   std::unordered_map<std::int64_t, int> solidOf; ///< index in solids, by id
   std::vector<Curve> curves;
-  /// Per composite: its number, name, and the ids of its solids or faces.
+  /// Per composite: its number, name, and the ids of its solids or faces, in the plane its elements
+  /// or edges.
   struct Composite
   {
     int number = 0;

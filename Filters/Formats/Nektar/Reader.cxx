@@ -6,12 +6,13 @@
 #include "Formats/Nektar/BoundaryBasis.h"
 #include "Formats/Nektar/FaceMaps.h"
 #include "Formats/Nektar/FieldAssembly.h"
+#include "Formats/Nektar/Groups.h"
+#include "Formats/Nektar/PlaneModel.h"
 #include "Formats/Nektar/SolidTable.h"
 
 #include <algorithm>
 #include <deque>
 #include <map>
-#include <unordered_map>
 
 namespace pixelexact::nektar
 {
@@ -103,7 +104,7 @@ void ModelBuilder::FindElements()
   }
   if (Elements.empty())
   {
-    throw InvalidData(Name + ": there are no solid elements; only 3-D meshes are read.");
+    throw InvalidData(Name + ": there are no solid elements.");
   }
 }
 
@@ -191,9 +192,7 @@ void ModelBuilder::AddCorners()
 
 void ModelBuilder::AddComposites()
 {
-  SolverMesh& mesh = Model.mesh;
-  mesh.attribute.assign(Elements.size(), 0);
-  std::unordered_multimap<std::int64_t, BoundaryFace> owners;
+  FaceOwners owners;
   for (std::size_t e = 0; e < Elements.size(); ++e)
   {
     const auto& faces = TableOf(Elements[e].solid->shape).faces;
@@ -203,33 +202,7 @@ void ModelBuilder::AddComposites()
         BoundaryFace{ static_cast<std::int32_t>(e), faces[f].vtkFace, 0 });
     }
   }
-  std::vector<bool> taken(Elements.size(), false);
-  bool several = false;
-  for (const auto& composite : Source.composites)
-  {
-    mesh.groups.push_back({ composite.number, composite.name, composite.boundary });
-    for (const auto id : composite.members)
-    {
-      const auto [first, last] = owners.equal_range(id);
-      for (auto face = first; composite.boundary && face != last; ++face)
-      {
-        mesh.boundary.push_back({ face->second.element, face->second.face, composite.number });
-      }
-      if (const auto element = Source.solidOf.find(id);
-          !composite.boundary && element != Source.solidOf.end())
-      {
-        several = several || taken[element->second];
-        mesh.attribute[element->second] =
-          taken[element->second] ? mesh.attribute[element->second] : composite.number;
-        taken[element->second] = true;
-      }
-    }
-  }
-  if (several)
-  {
-    Model.notes.push_back(
-      Name + ": elements lie in several composites; Attribute holds the first one of each.");
-  }
+  AddGroups(Source, owners, Name, Model);
 }
 } // namespace
 
@@ -254,13 +227,13 @@ SolverModel Read(const std::vector<NamedText>& sessions, const std::vector<Named
       ": no file has an element GEOMETRY; name the file that holds the mesh as well.");
   }
   const Geometry geometry = ReadGeometry(session);
-  ModelBuilder builder(geometry, name);
-  builder.Model.notes.insert(
-    builder.Model.notes.end(), geometry.notes.begin(), geometry.notes.end());
+  SolverModel model =
+    geometry.dimension == 2 ? MakePlaneModel(geometry, name) : ModelBuilder(geometry, name).Model;
+  model.notes.insert(model.notes.end(), geometry.notes.begin(), geometry.notes.end());
   if (!fieldParts.empty())
   {
-    AddFields(fieldParts, name, builder.Model);
+    AddFields(fieldParts, name, model);
   }
-  return std::move(builder.Model);
+  return model;
 }
 } // namespace pixelexact::nektar

@@ -2,6 +2,8 @@
 #include "Formats/Nektar/XmlFile.h"
 
 #include "Core/Base/Error.h"
+#include "Formats/Hdf5/Hdf5File.h"
+#include "Formats/Nektar/Hdf5Xml.h"
 
 #include <algorithm>
 
@@ -9,8 +11,6 @@ namespace pixelexact::nektar
 {
 namespace
 {
-constexpr std::string_view kHdf5 = "\x89HDF\r\n";
-
 std::ptrdiff_t UnitSize(pugi::xml_encoding encoding)
 {
   switch (encoding)
@@ -91,15 +91,11 @@ private:
 };
 } // namespace
 
-void LoadXml(const NamedText& file, pugi::xml_document& xml)
+void LoadXml(const NamedText& original, pugi::xml_document& xml)
 {
-  if (file.text.starts_with(kHdf5))
-  {
-    throw Unsupported(file.name +
-      ": this is an HDF5 file, which is not read; convert it to XML: a field by FieldConvert "
-      "in.fld "
-      "out.fld:fld:format=Xml, a mesh by NekMesh in.xml out.xml (in.xml names the HDF5 file).");
-  }
+  const bool hdf5 = IsHdf5(original.text);
+  const std::string converted = hdf5 ? Hdf5AsXml(original) : std::string();
+  const NamedText file{ original.name, hdf5 ? converted : original.text };
   const auto result = xml.load_buffer(file.text.data(), file.text.size(),
     pugi::parse_default | pugi::parse_doctype | pugi::parse_fragment);
   Checker checker(file, result.encoding);

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Formats/ElementBasis.h"
+#include "Formats/Gmsh/ElementType.h"
+
+#include <vector>
+
+// Gmsh's functions on its elements. Its reference elements become ours by
+//   hexahedron    xi = (u, v, w)
+//   tetrahedron   xi = 2 (u, v, w) - 1
+//   prism         xi = (2 u - 1, -w, 2 v - 1)
+//   pyramid       xi = (u - w, v - w, 2 w - 1)
+namespace pixelexact::gmsh
+{
+/// One at one of the type's nodes and zero at the others, sources in Gmsh's order. Throws
+/// Unsupported for incomplete elements whose functions no document defines.
+ElementBasis NodalBasis(const ElementType& type);
+
+/// One function of value one.
+ElementBasis ConstantBasis(Shape shape);
+
+/// What a view's values stand for on one shape: f_i = sum_j C_ij m_j, m_j = u^a v^b w^c with row j
+/// of the exponents, on pyramids times (1 - w)^(max(a, b) - a - b).
+struct Interpolation
+{
+  int functions = 0;
+  std::vector<double> coefficients; ///< functions x functions, row-major
+  std::vector<int> exponents;       ///< functions x 3
+};
+
+/// Throws Unsupported where the space is beyond what is read.
+ElementBasis InterpolationBasis(Shape shape, const Interpolation& interpolation);
+} // namespace pixelexact::gmsh

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Formats/Gmsh/ElementType.h"
+#include "Formats/Gmsh/TagIndex.h"
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+// The mesh of a Gmsh file, as plain structs.
+namespace pixelexact::gmsh
+{
+/// An element of a volume.
+struct Solid
+{
+  const ElementType* type = nullptr;
+  std::int64_t number = 0;   ///< the file's
+  std::int32_t physical = 0; ///< the first of its physical groups, 0: none
+  std::int32_t entity = 0;
+  std::size_t firstNode = 0; ///< in MeshFile::elementNodes
+};
+
+/// An element of a surface, once for each of its physical groups.
+struct SurfaceElement
+{
+  std::array<std::int32_t, 4> corners{ -1, -1, -1, -1 }; ///< nodes
+  std::int32_t physical = 0;
+  std::int32_t entity = 0;
+};
+
+struct PhysicalName
+{
+  int dimension = 0;
+  int tag = 0;
+  std::string name;
+};
+
+struct MeshFile
+{
+  std::vector<double> positions; ///< (x, y, z) of each node
+  TagIndex nodeOf;
+  std::vector<Solid> elements;
+  std::vector<std::int32_t> elementNodes;
+  TagIndex elementOf; ///< also the numbers under which an element is repeated
+  std::vector<SurfaceElement> faces;
+  std::size_t lower = 0; ///< elements of points, curves and surfaces
+  std::vector<PhysicalName> names;
+  std::size_t inSeveralGroups = 0; ///< elements in more than one physical group
+  std::size_t partitions = 1;      ///< that the mesh was divided into
+  std::set<int> partitionsHere;
+
+  [[nodiscard]] std::span<const std::int32_t> NodesOf(const Solid& element) const
+  {
+    return { &elementNodes[element.firstNode], static_cast<std::size_t>(element.type->nodes) };
+  }
+};
+} // namespace pixelexact::gmsh

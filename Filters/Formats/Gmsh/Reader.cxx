@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Formats/Gmsh/Reader.h"
+
+#include "Core/Base/Counted.h"
+#include "Core/Base/Error.h"
+#include "Formats/Assembly.h"
+#include "Formats/Gmsh/FileSet.h"
+#include "Formats/Gmsh/SurfaceFaces.h"
+#include "Formats/Gmsh/ViewField.h"
+
+#include <algorithm>
+
+namespace pixelexact::gmsh
+{
+namespace
+{
+void RequireSolids(const MeshFile& mesh, const std::string& file)
+{
+  if (mesh.elements.empty())
+  {
+    throw Unsupported(file + ": the mesh has no tetrahedra, hexahedra, prisms or pyramids" +
+      (mesh.lower > 0
+          ? ", but " + Counted(mesh.lower, "element") + " of surfaces, curves and points" +
+            "; where the model has a volume, mesh it (gmsh -3), and where there are physical "
+            "groups, put the volume in one or set Mesh.SaveAll = 1."
+          : "; there is nothing to show."));
+  }
+}
+
+/// Where the file knows no physical group of a dimension, entities stand for them.
+bool HasPhysical(const auto& elements)
+{
+  return std::ranges::any_of(elements, [](const auto& e) { return e.physical != 0; });
+}
+
+void AddGroups(const MeshFile& mesh, bool boundary, std::vector<Group>& groups)
+{
+  std::map<std::int32_t, std::string> names;
+  const auto note = [&names](const auto& elements)
+  {
+    for (const auto& element : elements)
+    {
+      if (element.physical != 0)
+      {
+        names[element.physical];
+      }
+    }
+  };
+  boundary ? note(mesh.faces) : note(mesh.elements);
+  for (const PhysicalName& name : mesh.names)
+  {
+    if (name.dimension == (boundary ? 2 : 3))
+    {
+      names[name.tag] = name.name;
+    }
+  }
+  for (const auto& [id, name] : names)
+  {
+    groups.push_back({ id, name, boundary });
+  }
+}
+
+Corners CornersOf(const MeshFile& mesh, const Solid& element)
+{
+  Corners corners{};
+  std::copy_n(mesh.NodesOf(element).begin(), element.type->corners, corners.begin());
+  return corners;
+}
+
+void AddMesh(const MeshFile& mesh, BasisTable& bases, const std::string& file, SolverModel& model)
+{
+  std::vector<const ElementBasis*> basis;
+  basis.reserve(mesh.elements.size());
+  try
+  {
+    for (const Solid& element : mesh.elements)
+    {
+      basis.push_back(&bases.Nodal(*element.type));
+    }
+  }
+  catch (const Unsupported& error)
+  {
+    throw Unsupported(file + ": " + error.what());
+  }
+  AssembleMap(
+    basis,
+    [&](std::size_t e, std::span<double> source)
+    {
+      const auto nodes = mesh.NodesOf(mesh.elements[e]);
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+      {
+        for (std::size_t d = 0; d < 3; ++d)
+        {
+          source[d * nodes.size() + i] = mesh.positions[3 * static_cast<std::size_t>(nodes[i]) + d];
+        }
+      }
+    },
+    [&](std::size_t e) { return file + ": element " + std::to_string(mesh.elements[e].number); },
+    model.mesh);
+  const bool byEntity = !HasPhysical(mesh.elements);
+  for (const Solid& element : mesh.elements)
+  {
+    model.mesh.number.push_back(element.number);
+    model.mesh.corners.push_back(CornersOf(mesh, element));
+    model.mesh.attribute.push_back(byEntity ? element.entity : element.physical);
+  }
+  std::size_t strangers = 0;
+  model.mesh.boundary = FindFaces(mesh, !HasPhysical(mesh.faces), strangers);
+  AddGroups(mesh, false, model.mesh.groups);
+  AddGroups(mesh, true, model.mesh.groups);
+  if (strangers > 0)
+  {
+    model.notes.push_back(file + ": " + Counted(strangers, "element") +
+      " of surfaces with attributes are no face of an element of a volume.");
+  }
+  if (mesh.inSeveralGroups > 0)
+  {
+    model.notes.push_back(file + ": " + Counted(mesh.inSeveralGroups, "element") +
+      " in several physical groups; Attribute is the first of them.");
+  }
+  // Version 2.2 does not tell how many there are.
+  if (!mesh.partitionsHere.empty() &&
+    mesh.partitionsHere.size() < std::max<std::size_t>(mesh.partitions, 2))
+  {
+    model.notes.push_back(file + ": it holds " + Counted(mesh.partitionsHere.size(), "partition") +
+      " of a mesh of " + (mesh.partitions > 1 ? std::to_string(mesh.partitions) : "several") +
+      "; what is shown is not the whole mesh. Save it in one file (Mesh.PartitionSplitMeshFiles = "
+      "0).");
+  }
+}
+} // namespace
+
+std::vector<double> ReadTimes(const std::vector<NamedText>& files)
+{
+  return StepsOf(FileSet(files).Views.Views()).times;
+}
+
+SolverModel Read(const std::vector<NamedText>& files, int step, bool wantMesh)
+{
+  FileSet set(files);
+  SolverModel model;
+  model.notes = set.Notes;
+  const std::string& file = files.front().name;
+  const MeshFile mesh = set.ReadMesh();
+  RequireSolids(mesh, file);
+  BasisTable bases;
+  if (wantMesh)
+  {
+    AddMesh(mesh, bases, file, model);
+  }
+  const StepList steps = StepsOf(set.Views.Views());
+  if (steps.numbered && steps.numbers.size() > 1)
+  {
+    model.notes.push_back(file +
+      ": the times of its views do not ascend with their steps; the steps' numbers stand for "
+      "them.");
+  }
+  if (!steps.numbers.empty())
+  {
+    const auto last = static_cast<int>(steps.numbers.size()) - 1;
+    const std::int64_t number = steps.numbers[static_cast<std::size_t>(std::clamp(step, 0, last))];
+    for (const View& view : set.Views.Views())
+    {
+      AddView(set.Scanners, view, number, mesh, bases, model);
+    }
+  }
+  return model;
+}
+} // namespace pixelexact::gmsh

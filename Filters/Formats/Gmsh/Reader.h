@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Formats/SolverModel.h"
+
+#include <string_view>
+
+namespace pixelexact::gmsh
+{
+/// A file's content with the name that messages give it.
+struct NamedText
+{
+  std::string name;      ///< the file's path
+  std::string_view text; ///< kept alive by the caller
+};
+
+/// The times of the steps of all views, ascending; empty where there is one step without a time.
+/// Throws InvalidData or Unsupported: "<file>, line <n>: what; remedy".
+std::vector<double> ReadTimes(const std::vector<NamedText>& files);
+
+/// The mesh of the first file with the views of all files at a step (counted from 0). Further files
+/// hold views alone. Views become fields of their names; elements without values have NaN, which
+/// is noted. Where the mesh is not wanted it is left empty. Throws as ReadTimes.
+SolverModel Read(const std::vector<NamedText>& files, int step = 0, bool wantMesh = true);
+} // namespace pixelexact::gmsh

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pixelexact
+{
+/// Whether bytes begin as an HDF5 file.
+bool IsHdf5(std::string_view bytes);
+
+/// An HDF5 file as plain arrays. Paths are absolute. All throw InvalidData, with the file's name
+/// and the path, where something is not there, of another type, or damaged.
+class Hdf5File
+{
+public:
+  virtual ~Hdf5File() = default;
+
+  [[nodiscard]] virtual bool Has(const std::string& path) const = 0;
+  /// The lengths of a data set along its directions.
+  [[nodiscard]] virtual std::vector<std::size_t> Shape(const std::string& path) const = 0;
+  /// A whole data set, the last direction fastest.
+  [[nodiscard]] virtual std::vector<double> Reals(const std::string& path) const = 0;
+  [[nodiscard]] virtual std::vector<std::int64_t> Integers(const std::string& path) const = 0;
+  [[nodiscard]] virtual std::vector<std::uint64_t> Unsigned(const std::string& path) const = 0;
+  [[nodiscard]] virtual std::vector<std::string> Texts(const std::string& path) const = 0;
+
+  /// Attributes of the group or data set at `path`.
+  [[nodiscard]] virtual bool HasAttribute(
+    const std::string& path, const std::string& name) const = 0;
+  [[nodiscard]] virtual std::vector<double> RealAttributes(
+    const std::string& path, const std::string& name) const = 0;
+  [[nodiscard]] virtual std::vector<std::int64_t> IntegerAttributes(
+    const std::string& path, const std::string& name) const = 0;
+  [[nodiscard]] virtual std::vector<std::string> TextAttributes(
+    const std::string& path, const std::string& name) const = 0;
+};
+
+/// A file from its content in memory, which is kept alive by the caller. Throws InvalidData for
+/// what is no HDF5 file, Unsupported where the build has no HDF5 library.
+std::unique_ptr<Hdf5File> OpenHdf5(const std::string& name, std::string_view bytes);
+
+/// A file on disk, of which only what is asked for is read.
+std::unique_ptr<Hdf5File> OpenHdf5(const std::string& path);
+} // namespace pixelexact

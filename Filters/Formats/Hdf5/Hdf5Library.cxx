@@ -1,0 +1,340 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The only file that knows the HDF5 library.
+#include "Formats/Hdf5/Hdf5File.h"
+
+#include "Core/Base/Error.h"
+
+#include <hdf5.h>
+
+#include <algorithm>
+#include <atomic>
+#include <functional>
+#include <utility>
+
+namespace pixelexact
+{
+namespace
+{
+using Close = herr_t (*)(hid_t);
+
+/// An identifier of the library, closed at the end.
+class Handle
+{
+public:
+  Handle(hid_t id, Close close)
+    : Id(id)
+    , CloseIt(close)
+  {
+  }
+  ~Handle()
+  {
+    if (Id >= 0)
+    {
+      CloseIt(Id);
+    }
+  }
+  Handle(Handle&& other) noexcept
+    : Id(std::exchange(other.Id, H5I_INVALID_HID))
+    , CloseIt(other.CloseIt)
+  {
+  }
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  Handle& operator=(Handle&&) = delete;
+
+  [[nodiscard]] hid_t Get() const { return Id; }
+  [[nodiscard]] bool IsValid() const { return Id >= 0; }
+
+private:
+  hid_t Id;
+  Close CloseIt;
+};
+
+/// The library's own messages stay off stderr.
+class QuietLibrary
+{
+public:
+  QuietLibrary()
+  {
+    H5Eget_auto2(H5E_DEFAULT, &Function, &Data);
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  }
+  ~QuietLibrary() { H5Eset_auto2(H5E_DEFAULT, Function, Data); }
+  QuietLibrary(const QuietLibrary&) = delete;
+  QuietLibrary& operator=(const QuietLibrary&) = delete;
+
+private:
+  H5E_auto2_t Function = nullptr;
+  void* Data = nullptr;
+};
+
+class LibraryFile final : public Hdf5File
+{
+public:
+  LibraryFile(std::string name, Handle file, std::size_t bytes)
+    : FileName(std::move(name))
+    , File(std::move(file))
+    , Bytes(bytes)
+  {
+  }
+
+  [[nodiscard]] bool Has(const std::string& path) const override;
+  [[nodiscard]] std::vector<std::size_t> Shape(const std::string& path) const override;
+  [[nodiscard]] std::vector<double> Reals(const std::string& path) const override
+  {
+    return ReadSet<double>(path, H5T_NATIVE_DOUBLE, H5T_FLOAT);
+  }
+  [[nodiscard]] std::vector<std::int64_t> Integers(const std::string& path) const override
+  {
+    return ReadSet<std::int64_t>(path, H5T_NATIVE_INT64, H5T_INTEGER);
+  }
+  [[nodiscard]] std::vector<std::uint64_t> Unsigned(const std::string& path) const override
+  {
+    return ReadSet<std::uint64_t>(path, H5T_NATIVE_UINT64, H5T_INTEGER);
+  }
+  [[nodiscard]] std::vector<std::string> Texts(const std::string& path) const override;
+  [[nodiscard]] bool HasAttribute(const std::string& path, const std::string& name) const override;
+  [[nodiscard]] std::vector<double> RealAttributes(
+    const std::string& path, const std::string& name) const override
+  {
+    return ReadAttribute<double>(path, name, H5T_NATIVE_DOUBLE, H5T_FLOAT);
+  }
+  [[nodiscard]] std::vector<std::int64_t> IntegerAttributes(
+    const std::string& path, const std::string& name) const override
+  {
+    return ReadAttribute<std::int64_t>(path, name, H5T_NATIVE_INT64, H5T_INTEGER);
+  }
+  [[nodiscard]] std::vector<std::string> TextAttributes(
+    const std::string& path, const std::string& name) const override;
+
+private:
+  using Reader = std::function<herr_t(hid_t memoryType, void* values)>;
+
+  [[noreturn]] void Fail(const std::string& path, const std::string& problem) const
+  {
+    throw InvalidData(FileName + ", " + path + ": " + problem);
+  }
+  [[nodiscard]] Handle OpenSet(const std::string& path) const;
+  [[nodiscard]] Handle OpenAttribute(const std::string& path, const std::string& name) const;
+  [[nodiscard]] std::size_t Count(
+    const Handle& space, const Handle& type, const std::string& path) const;
+  template <class Value>
+  std::vector<Value> ReadSet(const std::string& path, hid_t memory, H5T_class_t kind) const;
+  template <class Value>
+  std::vector<Value> ReadAttribute(
+    const std::string& path, const std::string& name, hid_t memory, H5T_class_t kind) const;
+  [[nodiscard]] std::vector<std::string> ReadTexts(
+    const Handle& type, const Handle& space, const std::string& path, const Reader& read) const;
+
+  QuietLibrary Quiet;
+  std::string FileName;
+  Handle File;
+  std::size_t Bytes; ///< of the whole file
+};
+
+bool LibraryFile::Has(const std::string& path) const
+{
+  // Each part of the path must be asked for.
+  for (std::size_t end = path.find('/', 1);; end = path.find('/', end + 1))
+  {
+    if (H5Lexists(File.Get(), path.substr(0, end).c_str(), H5P_DEFAULT) <= 0)
+    {
+      return false;
+    }
+    if (end == std::string::npos)
+    {
+      return true;
+    }
+  }
+}
+
+Handle LibraryFile::OpenSet(const std::string& path) const
+{
+  Handle set(
+    Has(path) ? H5Dopen2(File.Get(), path.c_str(), H5P_DEFAULT) : H5I_INVALID_HID, &H5Dclose);
+  if (!set.IsValid())
+  {
+    Fail(path, "there is no such data set; the file is damaged or of another program.");
+  }
+  return set;
+}
+
+std::vector<std::size_t> LibraryFile::Shape(const std::string& path) const
+{
+  const Handle set = OpenSet(path);
+  const Handle space(H5Dget_space(set.Get()), &H5Sclose);
+  const int rank = H5Sget_simple_extent_ndims(space.Get());
+  std::vector<hsize_t> lengths(static_cast<std::size_t>(std::max(rank, 0)));
+  if (rank > 0)
+  {
+    H5Sget_simple_extent_dims(space.Get(), lengths.data(), nullptr);
+  }
+  return { lengths.begin(), lengths.end() };
+}
+
+std::size_t LibraryFile::Count(
+  const Handle& space, const Handle& type, const std::string& path) const
+{
+  // A compressed data set may be larger than the file: a thousandfold, zlib's limit.
+  constexpr std::size_t kExpansion = 1032;
+  const hssize_t count = H5Sget_simple_extent_npoints(space.Get());
+  const std::size_t size = H5Tget_size(type.Get());
+  if (count < 0 || size == 0 || static_cast<std::size_t>(count) / kExpansion > Bytes / size)
+  {
+    Fail(path, "it is larger than the file can hold; the file is damaged.");
+  }
+  return static_cast<std::size_t>(count);
+}
+
+template <class Value>
+std::vector<Value> LibraryFile::ReadSet(
+  const std::string& path, hid_t memory, H5T_class_t kind) const
+{
+  const Handle set = OpenSet(path);
+  const Handle space(H5Dget_space(set.Get()), &H5Sclose);
+  const Handle type(H5Dget_type(set.Get()), &H5Tclose);
+  if (H5Tget_class(type.Get()) != kind)
+  {
+    Fail(path, "its numbers are of another type than they should be.");
+  }
+  std::vector<Value> values(Count(space, type, path));
+  if (!values.empty() &&
+    H5Dread(set.Get(), memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
+  {
+    Fail(path, "it cannot be read; the file is damaged or cut short.");
+  }
+  return values;
+}
+
+std::vector<std::string> LibraryFile::ReadTexts(
+  const Handle& type, const Handle& space, const std::string& path, const Reader& read) const
+{
+  if (H5Tget_class(type.Get()) != H5T_STRING)
+  {
+    Fail(path, "it should be text.");
+  }
+  const std::size_t count = Count(space, type, path);
+  std::vector<std::string> texts(count);
+  if (H5Tis_variable_str(type.Get()) > 0)
+  {
+    const Handle memory(H5Tcopy(H5T_C_S1), &H5Tclose);
+    H5Tset_size(memory.Get(), H5T_VARIABLE);
+    H5Tset_cset(memory.Get(), H5Tget_cset(type.Get()));
+    std::vector<char*> words(count, nullptr);
+    if (count > 0 && read(memory.Get(), words.data()) < 0)
+    {
+      Fail(path, "it cannot be read; the file is damaged or cut short.");
+    }
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      texts[i] = words[i] != nullptr ? words[i] : "";
+      H5free_memory(words[i]);
+    }
+    return texts;
+  }
+  const std::size_t size = H5Tget_size(type.Get());
+  std::string all(count * size, '\0');
+  if (count > 0 && read(type.Get(), all.data()) < 0)
+  {
+    Fail(path, "it cannot be read; the file is damaged or cut short.");
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const std::string_view whole = std::string_view(all).substr(i * size, size);
+    texts[i] = whole.substr(0, whole.find('\0'));
+  }
+  return texts;
+}
+
+std::vector<std::string> LibraryFile::Texts(const std::string& path) const
+{
+  const Handle set = OpenSet(path);
+  const Handle space(H5Dget_space(set.Get()), &H5Sclose);
+  const Handle type(H5Dget_type(set.Get()), &H5Tclose);
+  return ReadTexts(type, space, path,
+    [&set](hid_t memory, void* values)
+    { return H5Dread(set.Get(), memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values); });
+}
+
+bool LibraryFile::HasAttribute(const std::string& path, const std::string& name) const
+{
+  return Has(path) && H5Aexists_by_name(File.Get(), path.c_str(), name.c_str(), H5P_DEFAULT) > 0;
+}
+
+Handle LibraryFile::OpenAttribute(const std::string& path, const std::string& name) const
+{
+  Handle attribute(HasAttribute(path, name)
+      ? H5Aopen_by_name(File.Get(), path.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT)
+      : H5I_INVALID_HID,
+    &H5Aclose);
+  if (!attribute.IsValid())
+  {
+    Fail(path, "there is no attribute " + name + "; the file is damaged or of another program.");
+  }
+  return attribute;
+}
+
+template <class Value>
+std::vector<Value> LibraryFile::ReadAttribute(
+  const std::string& path, const std::string& name, hid_t memory, H5T_class_t kind) const
+{
+  const Handle attribute = OpenAttribute(path, name);
+  const Handle space(H5Aget_space(attribute.Get()), &H5Sclose);
+  const Handle type(H5Aget_type(attribute.Get()), &H5Tclose);
+  if (H5Tget_class(type.Get()) != kind)
+  {
+    Fail(path, "the numbers of " + name + " are of another type than they should be.");
+  }
+  std::vector<Value> values(Count(space, type, path));
+  if (!values.empty() && H5Aread(attribute.Get(), memory, values.data()) < 0)
+  {
+    Fail(path, name + " cannot be read; the file is damaged or cut short.");
+  }
+  return values;
+}
+
+std::vector<std::string> LibraryFile::TextAttributes(
+  const std::string& path, const std::string& name) const
+{
+  const Handle attribute = OpenAttribute(path, name);
+  const Handle space(H5Aget_space(attribute.Get()), &H5Sclose);
+  const Handle type(H5Aget_type(attribute.Get()), &H5Tclose);
+  return ReadTexts(type, space, path + ", " + name,
+    [&attribute](hid_t memory, void* values) { return H5Aread(attribute.Get(), memory, values); });
+}
+
+std::unique_ptr<Hdf5File> Open(const std::string& name, std::string_view bytes, bool inMemory)
+{
+  const QuietLibrary quiet;
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), &H5Pclose);
+  if (inMemory)
+  {
+    constexpr std::size_t kGrowth = 65536;
+    H5Pset_fapl_core(access.Get(), kGrowth, false);
+    // The library copies the image, and does not change what it was given.
+    H5Pset_file_image(access.Get(), const_cast<char*>(bytes.data()), bytes.size());
+  }
+  // The library refuses an image under the name of a file that exists, and takes two of one name
+  // for the same.
+  static std::atomic<int> images = 0;
+  const std::string opened = inMemory ? name + " in memory " + std::to_string(++images) : name;
+  Handle file(H5Fopen(opened.c_str(), H5F_ACC_RDONLY, access.Get()), &H5Fclose);
+  hsize_t size = 0;
+  if (!file.IsValid() || H5Fget_filesize(file.Get(), &size) < 0)
+  {
+    throw InvalidData(name + ": this is no sound HDF5 file; it is damaged or cut short.");
+  }
+  return std::make_unique<LibraryFile>(name, std::move(file), static_cast<std::size_t>(size));
+}
+} // namespace
+
+std::unique_ptr<Hdf5File> OpenHdf5(const std::string& name, std::string_view bytes)
+{
+  return Open(name, bytes, true);
+}
+
+std::unique_ptr<Hdf5File> OpenHdf5(const std::string& path)
+{
+  return Open(path, {}, false);
+}
+} // namespace pixelexact

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Formats/MFEM/MeshFile.h"
+#include "Formats/MFEM/Topology.h"
+
+#include <cstdint>
+#include <deque>
+#include <string>
+#include <vector>
+
+namespace pixelexact::mfem
+{
+/// A mesh, or what one process of a parallel run has of it, with its file's name for messages.
+struct MeshPiece
+{
+  MeshFile file;
+  std::string name;
+};
+
+/// Puts meshes and grid functions together. Pieces stay as their files have them: the elements of
+/// one after those of the other, each with unknowns of its own.
+class ModelBuilder
+{
+public:
+  /// Throws InvalidData and Unsupported, naming the piece.
+  explicit ModelBuilder(std::vector<MeshPiece> pieces);
+
+  /// A grid function by its file for each piece, with that one's name.
+  void AddField(const std::vector<GridFunctionFile>& files, const std::vector<std::string>& names,
+    const std::string& name);
+
+  SolverModel Model;
+
+private:
+  struct Place
+  {
+    std::int32_t piece;
+    std::int32_t element; ///< in the piece
+  };
+  struct Source;
+
+  void RequireNumbers(const std::string& name) const;
+  void AddMap();
+  void AddGroups();
+  void AddBoundary(std::size_t p, std::int32_t firstElement);
+
+  std::vector<MeshPiece> Pieces;
+  std::deque<Topology> Entities; ///< per piece
+  std::vector<Place> Places;     ///< per element
+};
+} // namespace pixelexact::mfem

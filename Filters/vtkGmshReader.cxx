@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGmshReader.h"
+
+#include "Formats/FileText.h"
+#include "Formats/Gmsh/Reader.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkGmshReader);
+
+using namespace pixelexact;
+
+namespace
+{
+/// Texts and the views of them that the parser takes.
+struct Texts
+{
+  explicit Texts(const std::vector<std::string>& files)
+  {
+    for (const auto& file : files)
+    {
+      Storage.push_back(ReadFileText(file));
+    }
+    for (std::size_t i = 0; i < files.size(); ++i)
+    {
+      Named.push_back({ files[i], Storage[i] });
+    }
+  }
+  std::vector<std::string> Storage;
+  std::vector<gmsh::NamedText> Named;
+};
+} // namespace
+
+vtkGmshReader::vtkGmshReader() = default;
+vtkGmshReader::~vtkGmshReader() = default;
+
+void vtkGmshReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  for (const auto& name : this->ViewFiles)
+  {
+    os << indent << "ViewFile: " << name << "\n";
+  }
+}
+
+void vtkGmshReader::AddViewFileName(const char* name)
+{
+  this->ViewFiles.emplace_back(name ? name : "");
+  this->Modified();
+}
+
+void vtkGmshReader::ClearViewFileNames()
+{
+  this->ViewFiles.clear();
+  this->Modified();
+}
+
+std::vector<std::string> vtkGmshReader::Files() const
+{
+  std::vector<std::string> files{ this->FileName };
+  files.insert(files.end(), this->ViewFiles.begin(), this->ViewFiles.end());
+  return files;
+}
+
+std::vector<double> vtkGmshReader::ReadTimes()
+{
+  if (this->FileName.empty())
+  {
+    return {}; // RequestData says so
+  }
+  return gmsh::ReadTimes(Texts(this->Files()).Named);
+}
+
+SolverModel vtkGmshReader::ReadModel(int step, bool wantMesh)
+{
+  return gmsh::Read(Texts(this->Files()).Named, step, wantMesh);
+}

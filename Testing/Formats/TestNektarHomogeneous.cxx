@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Fourier's functions along z over two-dimensional meshes.
+#include "NektarTexts.h"
+
+#include "Formats/Nektar/FourierLayers.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace pixelexact::testing
+{
+namespace
+{
+using nektar::FourierLayers;
+using nektar::Homogeneous;
+
+constexpr double kLength = 3.0;
+
+/// The unit square, quadrilateral 7, and the triangle 9 with vertices (1, 0), (2, 0), (1, 1) to its
+/// right, with a wall below.
+const std::string kPlane =
+  "<NEKTAR><GEOMETRY DIM=\"2\" SPACE=\"2\"><VERTEX><V ID=\"0\">0 0 0</V><V ID=\"1\">1 0 0</V>"
+  "<V ID=\"2\">1 1 0</V><V ID=\"3\">0 1 0</V><V ID=\"4\">2 0 0</V></VERTEX>"
+  "<EDGE><E ID=\"0\">0 1</E><E ID=\"1\">1 2</E><E ID=\"2\">2 3</E><E ID=\"3\">3 0</E>"
+  "<E ID=\"4\">1 4</E><E ID=\"5\">4 2</E></EDGE>"
+  "<ELEMENT><Q ID=\"7\">0 1 2 3</Q><T ID=\"9\">4 5 1</T></ELEMENT><CURVED/>"
+  "<COMPOSITE><C ID=\"0\"> Q[7] </C><C ID=\"1\"> T[9] </C><C ID=\"2\"> E[0,4] </C></COMPOSITE>"
+  "</GEOMETRY></NEKTAR>";
+
+/// A block of `u` of order 1 with these functions of z and coefficients.
+std::string Block(const std::string& shape, int id, const std::string& functions, int count,
+  const std::string& values, const std::string& last = "Fourier")
+{
+  const std::string families =
+    shape == "Triangle" ? "Modified_A,Modified_B," : "Modified_A,Modified_A,";
+  return "<ELEMENTS FIELDS=\"u\" SHAPE=\"" + shape + "-HomogenousExp1D\" BASIS=\"" + families +
+    last + "\" HOMOGENEOUSLENGTHS=\"3\" HOMOGENEOUSZIDS=\"" + functions +
+    "\" NUMMODESPERDIR=\"UNIORDER:2,2," + std::to_string(count) + "\" ID=\"" + std::to_string(id) +
+    "\">" + values + "</ELEMENTS>";
+}
+
+std::string Field(const std::string& blocks)
+{
+  return "<NEKTAR>" + blocks + "</NEKTAR>";
+}
+
+double Wave(int k, double z)
+{
+  return 2 * std::numbers::pi * k * z / kLength;
+}
+} // namespace
+
+TEST(NektarHomogeneous, PolynomialsAreAsNearAsIsProven)
+{
+  const Homogeneous along{ kLength, { 0, 1, 2, 3, 6, 7 } };
+  const FourierLayers layers(along);
+  EXPECT_EQ(layers.Layers(), 3);
+  for (const int order : { 2, 6, 10, 16, 22 })
+  {
+    double worst = 0.0;
+    for (std::size_t f = 0; f < along.functions.size(); ++f)
+    {
+      const double loss = layers.Loss(f, order);
+      double error = 0.0;
+      for (int layer = 0; layer < layers.Layers(); ++layer)
+      {
+        for (double x = -1.0; x <= 1.0; x += 0.125)
+        {
+          long double value = 0.0L;
+          for (int n = 0; n <= order; ++n)
+          {
+            value += layers.Coefficient(layer, f, n) *
+              std::legendre(static_cast<unsigned>(n), static_cast<long double>(x));
+          }
+          const double z = layers.Middle(layer) + layers.Half() * x;
+          const int k = along.functions[f] / 2;
+          const double exact =
+            along.functions[f] % 2 == 0 ? std::cos(Wave(k, z)) : -std::sin(Wave(k, z));
+          EXPECT_NEAR(layers.Value(f, z), exact, 1e-14);
+          error = std::max(error, std::fabs(static_cast<double>(value) - exact));
+        }
+      }
+      EXPECT_LE(error, loss + 1e-14) << "function " << along.functions[f] << ", order " << order;
+      worst = std::max(worst, error);
+    }
+    // The bound is of use: the last function comes near it.
+    EXPECT_GE(worst + 1e-15, 0.1 * layers.Loss(5, order)) << order;
+  }
+}
+
+TEST(NektarHomogeneous, TrianglesAndQuadrilateralsInLayers)
+{
+  // Of order 1 in the plane, with one value at all vertices: 2 + cos(wave 1) - 3 sin(wave 2) there.
+  const std::string four = " 2 2 2 2 1 1 1 1 3 3 3 3 ";
+  const std::string three = " 2 2 2 1 1 1 3 3 3 ";
+  const SolverModel model = ReadTexts(kPlane,
+    Field(Block("Quadrilateral", 7, "0,2,5", 3, four) + Block("Triangle", 9, "0,2,5", 3, three)));
+  ASSERT_FALSE(model.mesh.slab.has_value());
+  // Two layers of the triangle, which comes first, and the quadrilateral.
+  EXPECT_EQ(model.mesh.number, (std::vector<std::int64_t>{ 9, 7, 19, 17 }));
+  EXPECT_EQ(model.mesh.attribute, (std::vector<std::int32_t>{ 1, 0, 1, 0 }));
+  EXPECT_EQ(model.mesh.boundary.size(), 4U);
+  ASSERT_EQ(model.notes.size(), 1U);
+  EXPECT_NE(model.notes[0].find("length 3, 3 Fourier functions"), std::string::npos);
+  for (int e = 0; e < 4; ++e)
+  {
+    for (const Vec3& xi : { Vec3(-0.6, 0.3, -0.7), Vec3(-0.2, -0.9, 0.1), Vec3(0.4, 0.8, -0.9) })
+    {
+      const Vec3 x = PointAt(model, e, xi);
+      EXPECT_GE(x.z, e < 2 ? 0.0 : kLength / 2);
+      EXPECT_LE(x.z, e < 2 ? kLength / 2 : kLength);
+      EXPECT_NEAR(ValueAt(model, 0, e, xi)[0],
+        2 + std::cos(Wave(1, x.z)) - 3 * std::sin(Wave(2, x.z)), 6e-13);
+    }
+  }
+}
+
+TEST(NektarHomogeneous, OneWaveAlone)
+{
+  // FourierSingleMode numbers its two functions as Fourier does.
+  const SolverModel model = ReadTexts(kPlane,
+    Field(Block("Quadrilateral", 7, "2,3", 2, " 1 1 1 1 0 0 0 0 ", "FourierSingleMode") +
+      Block("Triangle", 9, "2,3", 2, " 1 1 1 0 0 0 ", "FourierSingleMode")));
+  const Vec3 x = PointAt(model, 1, { 0.1, 0.2, 0.3 });
+  EXPECT_NEAR(ValueAt(model, 0, 1, { 0.1, 0.2, 0.3 })[0], std::cos(Wave(1, x.z)), 2e-13);
+}
+
+TEST(NektarHomogeneous, RefusesWithReasons)
+{
+  const std::string four = " 1 1 1 1 ";
+  const auto refuse = [](const std::string& blocks, const std::vector<std::string>& parts)
+  { ExpectRefusal(kPlane, Field(blocks), parts); };
+  const std::string block = Block("Quadrilateral", 7, "0", 1, four);
+  refuse(Block("Quadrilateral", 7, "0", 1, four, "FourierHalfModeRe"),
+    { "u.fld", "FourierHalfModeRe", "NekMesh -m extrude", "interpfield" });
+  refuse(Replaced(block, "Exp1D", "Exp1D-Strips"), { "Strips" });
+  refuse(Replaced(block, "Exp1D", "Exp2D"), { "Exp2D" });
+  refuse(Replaced(block, "Quadrilateral", "Segment"), { "Segment" });
+  refuse(Replaced(block, "HOMOGENEOUSLENGTHS=\"3\"", "HOMOGENEOUSLENGTHS=\"0\""), { "above 0" });
+  refuse(Replaced(block, "HOMOGENEOUSZIDS=\"0\"", "HOMOGENEOUSZIDS=\"0,0\""), { "twice" });
+  refuse(Replaced(block, "HOMOGENEOUSZIDS=\"0\"", "HOMOGENEOUSZIDS=\"5000\""), { "1023" });
+  refuse(Replaced(block, " 1 1 1 1 ", " 1 1 1 "), { "3 coefficients", "have 4" });
+  refuse(block + Block("Triangle", 9, "2", 1, " 1 1 1 "), { "differ in their functions" });
+}
+} // namespace pixelexact::testing
