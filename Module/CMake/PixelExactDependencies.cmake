@@ -58,6 +58,7 @@ if(PIXELEXACT_BUILD_TESTING OR PIXELEXACT_BUILD_BENCHMARKS)
   list(APPEND vtk_build_components
     FiltersExtraction
     FiltersGeneral
+    FiltersGeometry
     FiltersSources
     InteractionStyle
     RenderingAnnotation

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef CutTriangles_h
+#define CutTriangles_h
+
+#include "Core/Contour/CutFunction.h"
+#include "ParallelSteps.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace pixelexact
+{
+/// A triangulated cut-surface.
+struct CutTriangles
+{
+  std::vector<Vec3> points;
+  std::vector<std::array<std::int64_t, 3>> triangles;
+  std::int64_t offSurface = 0; ///< points that could not be brought onto the surface
+  bool aborted = false;
+};
+
+/// The part of a surface in a box, where the box is cut into cubes (of a plane: the part of the
+/// plane into squares), `resolution` along its longest side, at least 1.
+///
+/// A plane: a grid over the rectangle about its polygon in the box. Any other: the function is
+/// sampled at the cubes' corners, marched through, and the vertices are brought onto the surface by
+/// Newton's iteration along the gradient, to rounding. Those that it takes further than a cube's
+/// diagonal away stay where marching put them, and are counted. Parts of the surface that lie
+/// between samples are missed. Cubes lie about the part of the box where a coarse sampling, 32
+/// along its longest side, sees the surface.
+///
+/// Throws Error where it would not fit into memory, with `bytesPerPoint` of the caller's.
+[[nodiscard]] CutTriangles TriangulateCut(const CutFunction& cut, const Box3& box, int resolution,
+  double bytesPerPoint, const StepProgress& progress);
+} // namespace pixelexact
+#endif
