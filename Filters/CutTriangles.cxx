@@ -215,35 +215,6 @@ Box3 SeenIn(const Cubes& cubes, const vtkDoubleArray* values, const Box3& all)
   return { glm::max(seen.lower, all.lower), glm::min(seen.upper, all.upper) };
 }
 
-/// Brings a point onto the surface; false where that leads further than `reach`.
-bool Project(const CutFunction& cut, double reach, Vec3& x)
-{
-  constexpr int kMostSteps = 50;
-  Vec3 at = x;
-  for (int i = 0; i < kMostSteps; ++i)
-  {
-    const double value = cut.Value(at);
-    const Vec3 gradient = cut.Gradient(at);
-    const Vec3 step = gradient * (value / glm::dot(gradient, gradient));
-    if (value == 0.0 || glm::length(step) <= 1e-15 * reach)
-    {
-      break;
-    }
-    at -= step;
-    if (!(glm::distance(at, x) <= reach))
-    {
-      return false;
-    }
-    // Rounding of far coordinates lets steps become no smaller than this.
-    if (glm::length(step) <= 4e-16 * Longest(glm::abs(at)))
-    {
-      break;
-    }
-  }
-  x = at;
-  return true;
-}
-
 CutTriangles Marched(const CutFunction& cut, const Box3& box, int resolution, double bytesPerPoint,
   const StepProgress& progress)
 {
@@ -288,7 +259,7 @@ CutTriangles Marched(const CutFunction& cut, const Box3& box, int resolution, do
     output->GetPoints()->GetData()->GetTuple(static_cast<vtkIdType>(i), glm::value_ptr(place));
     Vec3& x = result.points[i];
     x = cubes.At(place);
-    if (!Project(cut, 2.0 * side, x))
+    if (!BringOntoSurface(cut, 2.0 * side, x))
     {
       ++off;
     }
@@ -307,6 +278,34 @@ CutTriangles Marched(const CutFunction& cut, const Box3& box, int resolution, do
   return result;
 }
 } // namespace
+
+bool BringOntoSurface(const CutFunction& cut, double reach, Vec3& x)
+{
+  constexpr int kMostSteps = 50;
+  Vec3 at = x;
+  for (int i = 0; i < kMostSteps; ++i)
+  {
+    const double value = cut.Value(at);
+    const Vec3 gradient = cut.Gradient(at);
+    const Vec3 step = gradient * (value / glm::dot(gradient, gradient));
+    if (value == 0.0 || glm::length(step) <= 1e-15 * reach)
+    {
+      break;
+    }
+    at -= step;
+    if (!(glm::distance(at, x) <= reach))
+    {
+      return false;
+    }
+    // Rounding of far coordinates lets steps become no smaller than this.
+    if (glm::length(step) <= 4e-16 * Longest(glm::abs(at)))
+    {
+      break;
+    }
+  }
+  x = at;
+  return true;
+}
 
 CutTriangles TriangulateCut(const CutFunction& cut, const Box3& box, int resolution,
   double bytesPerPoint, const StepProgress& progress)

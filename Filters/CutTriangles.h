@@ -33,5 +33,9 @@ struct CutTriangles
 /// Throws Error where it would not fit into memory, with `bytesPerPoint` of the caller's.
 [[nodiscard]] CutTriangles TriangulateCut(const CutFunction& cut, const Box3& box, int resolution,
   double bytesPerPoint, const StepProgress& progress);
+
+/// Brings a point onto a surface by Newton's iteration along the gradient, to rounding; false, and
+/// the point as it was, where that leads further than `reach`.
+[[nodiscard]] bool BringOntoSurface(const CutFunction& cut, double reach, Vec3& x);
 } // namespace pixelexact
 #endif

@@ -4,6 +4,7 @@
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 #include "Core/Location/Locator.h"
+#include "CutClip.h"
 #include "CutTriangles.h"
 #include "FieldsNamed.h"
 #include "ModelSource.h"
@@ -28,6 +29,8 @@
 #include <array>
 #include <cmath>
 #include <exception>
+#include <numeric>
+#include <utility>
 
 vtkStandardNewMacro(vtkHighOrderLinearCut);
 
@@ -35,40 +38,50 @@ namespace
 {
 using namespace pixelexact;
 
-/// The triangles whose corners are all inside, and their points.
-struct Kept
+/// Adds values of `from`, those of the numbered points, behind what `to` has.
+void Append(vtkPointData* from, const std::vector<std::int64_t>& numbers, vtkPointData* to)
 {
-  std::vector<Vec3> points;
-  vtkNew<vtkIdTypeArray> corners;
-  vtkIdType atTheEdge = 0;
-
-  Kept(const CutTriangles& cut, std::span<const Verdict> verdicts)
+  vtkNew<vtkIdList> ids;
+  vtkNew<vtkIdList> places;
+  const vtkIdType begin = to->GetNumberOfTuples();
+  for (std::size_t i = 0; i < numbers.size(); ++i)
   {
-    std::vector<vtkIdType> number(cut.points.size(), -1);
-    for (const auto& triangle : cut.triangles)
+    ids->InsertNextId(static_cast<vtkIdType>(numbers[i]));
+    places->InsertNextId(begin + static_cast<vtkIdType>(i));
+  }
+  to->CopyData(from, ids, places);
+}
+
+void SetShape(const CutTriangles& whole, const ClippedCut& clipped, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(clipped.kept.size() + clipped.rim.size()));
+  vtkIdType next = 0;
+  for (const std::int64_t point : clipped.kept)
+  {
+    points->SetPoint(next++, glm::value_ptr(whole.points[static_cast<std::size_t>(point)]));
+  }
+  for (const Vec3& x : clipped.rim)
+  {
+    points->SetPoint(next++, glm::value_ptr(x));
+  }
+  vtkNew<vtkIdTypeArray> corners;
+  corners->SetNumberOfValues(static_cast<vtkIdType>(3 * clipped.triangles.size()));
+  next = 0;
+  for (const auto& triangle : clipped.triangles)
+  {
+    for (const std::int64_t corner : triangle)
     {
-      const auto inside = std::ranges::count_if(triangle,
-        [&](std::int64_t p) { return verdicts[static_cast<std::size_t>(p)] == Verdict::Inside; });
-      atTheEdge += inside > 0 && inside < 3 ? 1 : 0;
-      if (inside < 3)
-      {
-        continue;
-      }
-      for (const std::int64_t p : triangle)
-      {
-        vtkIdType& mine = number[static_cast<std::size_t>(p)];
-        if (mine < 0)
-        {
-          mine = static_cast<vtkIdType>(points.size());
-          points.push_back(cut.points[static_cast<std::size_t>(p)]);
-          from.push_back(p);
-        }
-        corners->InsertNextValue(mine);
-      }
+      corners->SetValue(next++, static_cast<vtkIdType>(corner));
     }
   }
-  std::vector<std::int64_t> from; ///< per point, its number in the cut
-};
+  vtkNew<vtkCellArray> triangles;
+  triangles->SetData(3, corners);
+  output->SetPoints(points);
+  output->SetPolys(triangles);
+}
+
 /// The box that is proven to hold the mesh, but where the points' box ends as far out, up to what
 /// the bounds leave open: corners of the surface on a flat side of the mesh are in it then.
 Box3 CutBox(const HighOrderModel& model, vtkDataObject* grid)
@@ -101,7 +114,7 @@ void vtkHighOrderLinearCut::PrintSelf(ostream& os, vtkIndent indent)
      << "CutFunction: " << (this->CutFunction ? this->CutFunction->GetClassName() : "(none)")
      << "\n";
   os << indent << "Resolution: " << this->Resolution << "\n";
-  os << indent << "NumberOfTrianglesAtTheEdge: " << this->NumberOfTrianglesAtTheEdge << "\n";
+  os << indent << "NumberOfTrianglesAtTheRim: " << this->NumberOfTrianglesAtTheRim << "\n";
   os << indent << "NumberOfPointsOffSurface: " << this->NumberOfPointsOffSurface << "\n";
   os << indent << "Fields:";
   for (const auto& name : this->Fields)
@@ -190,31 +203,23 @@ bool vtkHighOrderLinearCut::Cut(vtkDataObject* grid, vtkPolyData* output)
   {
     return false;
   }
-  const Kept kept(cut, all.Verdicts());
-  vtkNew<vtkPointData> values;
-  all.AddFields({ this->Fields }, values);
-  all.AddLocations(values);
-
-  const auto count = static_cast<vtkIdType>(kept.points.size());
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(count);
-  vtkNew<vtkIdList> from;
-  vtkNew<vtkIdList> to;
-  for (vtkIdType i = 0; i < count; ++i)
+  const ClippedCut clipped = ClipToMesh(*function, cut, all.Verdicts(), model->GetLocator());
+  SetShape(cut, clipped, output);
+  const auto sampled = [this](const PointSampling& sampling)
   {
-    points->SetPoint(i, glm::value_ptr(kept.points[static_cast<std::size_t>(i)]));
-    from->InsertNextId(kept.from[static_cast<std::size_t>(i)]);
-    to->InsertNextId(i);
-  }
-  vtkNew<vtkCellArray> triangles;
-  triangles->SetData(3, kept.corners);
-  output->SetPoints(points);
-  output->SetPolys(triangles);
+    auto values = vtkSmartPointer<vtkPointData>::New();
+    sampling.AddFields({ this->Fields }, values);
+    sampling.AddLocations(values);
+    return values;
+  };
+  const auto inner = sampled(all);
   output->GetPointData()->CopyAllOn();
-  output->GetPointData()->CopyAllocate(values, count);
-  output->GetPointData()->CopyData(values, from, to);
-  this->NumberOfTrianglesAtTheEdge = kept.atTheEdge;
+  output->GetPointData()->CopyAllocate(inner, output->GetNumberOfPoints());
+  Append(inner, clipped.kept, output->GetPointData());
+  std::vector<std::int64_t> rim(clipped.rim.size());
+  std::iota(rim.begin(), rim.end(), std::int64_t{ 0 });
+  Append(sampled(PointSampling(*model, clipped.rim)), rim, output->GetPointData());
+  this->NumberOfTrianglesAtTheRim = clipped.atTheRim;
   this->NumberOfPointsOffSurface = cut.offSurface;
   if (cut.offSurface > 0)
   {
@@ -229,7 +234,7 @@ int vtkHighOrderLinearCut::RequestData(vtkInformation* /*request*/,
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   auto* output = vtkPolyData::GetData(outputVector);
-  this->NumberOfTrianglesAtTheEdge = 0;
+  this->NumberOfTrianglesAtTheRim = 0;
   this->NumberOfPointsOffSurface = 0;
   try
   {

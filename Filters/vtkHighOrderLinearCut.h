@@ -9,8 +9,9 @@
  *
  * A plane becomes a grid of squares, each two triangles. Of any other function samples are marched
  * through (vtkFlyingEdges3D), and the corners brought onto the surface, to rounding; what is
- * smaller than a sample's distance may be missed. Triangles with a corner outside of the mesh, or
- * undecided, are left out, so that the surface ends up to a triangle's side before the mesh does.
+ * smaller than a sample's distance may be missed. Triangles of which some corners are outside of
+ * the mesh, or undecided, end where the mesh does, to 2^-16 of their sides; what lies between
+ * corners of one kind, a hole or a tip smaller than a triangle, is not seen.
  *
  * Point data: the fields, and Element, Xi, Verdict and Residual as of vtkHighOrderProbe, of
  * composite data, which is one mesh, also Block.
@@ -71,10 +72,10 @@ public:
 
   ///@{
   /**
-   * Of the last output: triangles that were left out with a corner outside of the mesh while
-   * another one is inside, and corners that could not be brought onto the surface.
+   * Of the last output: triangles that were cut where the mesh ends, and corners that could not be
+   * brought onto the surface.
    */
-  vtkGetMacro(NumberOfTrianglesAtTheEdge, vtkIdType);
+  vtkGetMacro(NumberOfTrianglesAtTheRim, vtkIdType);
   vtkGetMacro(NumberOfPointsOffSurface, vtkIdType);
   ///@}
 
@@ -98,7 +99,7 @@ private:
   vtkSmartPointer<vtkImplicitFunction> CutFunction;
   int Resolution = 256;
   std::vector<std::string> Fields;
-  vtkIdType NumberOfTrianglesAtTheEdge = 0;
+  vtkIdType NumberOfTrianglesAtTheRim = 0;
   vtkIdType NumberOfPointsOffSurface = 0;
   std::unique_ptr<pixelexact::ModelSource> Source;
 };
