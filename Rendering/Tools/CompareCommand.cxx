@@ -215,7 +215,7 @@ void PrintRows(const std::vector<TradeRow>& rows, const TradeFacts& facts)
       error(row.errors.mean), error(row.errors.atShare), error(row.errors.largest),
       row.errors.missing);
   }
-  for (const TradeOrder& order : OrdersOf(rows))
+  for (const TradeOrder& order : OrdersOf(rows, facts.range))
   {
     table.Row(fmt::format("order of {}", Name(order.family)), "{:.2f}; {:.2f} at the end",
       order.overall, order.last);
@@ -279,7 +279,7 @@ void Compare(const CompareOptions& options, const CommonOptions& common)
   {
     summary["settings"].push_back(ToJson(row, scene.range));
   }
-  for (const TradeOrder& order : OrdersOf(rows))
+  for (const TradeOrder& order : OrdersOf(rows, facts.range))
   {
     summary["orders"][Name(order.family)] = { { "overall", order.overall },
       { "last", order.last } };

@@ -87,10 +87,10 @@ std::string TableOf(const std::vector<TradeRow>& rows, const TradeFacts& facts)
   return table + "</table>\n";
 }
 
-std::string OrdersText(const std::vector<TradeRow>& rows)
+std::string OrdersText(const std::vector<TradeRow>& rows, const TradeFacts& facts)
 {
   std::string text;
-  for (const TradeOrder& order : OrdersOf(rows))
+  for (const TradeOrder& order : OrdersOf(rows, facts.range))
   {
     text +=
       fmt::format("<li>{}: order {:.2f} over {} settings, {:.2f} between the two finest</li>\n",
@@ -162,7 +162,7 @@ void WriteTradeReport(const std::string& folder, const TradeScene& scene, const 
   }
   page.facts = FactsText(facts);
   page.table = TableOf(rows, facts);
-  page.orders = OrdersText(rows);
+  page.orders = OrdersText(rows, facts);
   page.recommendation = facts.recommendation;
   page.command = facts.command;
   OutputFile file(files.PathOf("report.html"));

@@ -15,6 +15,9 @@ namespace pixelexact
 {
 namespace
 {
+/// Over the range, of errors that tell an order.
+constexpr double kLeastError = 1e-6;
+
 /// The slope of the logarithms, by least squares.
 double SlopeOf(const std::vector<std::array<double, 2>>& points)
 {
@@ -53,11 +56,15 @@ std::string Number(double number)
 }
 
 void Measure(const TradeScene& scene, TradeRow& row, const Picture& truth,
-  const ErrorMeasure& measure, bool last)
+  const ErrorMeasure& measure, int turn, bool last)
 {
   // One at a time: runs hold models.
   const std::unique_ptr<TradeRun> run = MakeRun(scene, row.setting);
   const TradeTime time = run->Measure();
+  if (turn == 0)
+  {
+    return; // what is made once in a process is there now
+  }
   row.first.times.push_back(time.first);
   row.next.times.push_back(time.next);
   row.bytes = std::max(row.bytes, time.bytes);
@@ -92,7 +99,7 @@ std::vector<TradeRow> MeasureTrade(const TradeScene& scene,
     rows[k].setting = settings[k];
   }
   int steps = 0;
-  for (int turn = 0; turn < repeat; ++turn)
+  for (int turn = 0; turn <= repeat; ++turn)
   {
     for (TradeRow& row : rows)
     {
@@ -100,7 +107,10 @@ std::vector<TradeRow> MeasureTrade(const TradeScene& scene,
       {
         if (row.IsThere())
         {
-          Measure(scene, row, truth, measure, turn + 1 == repeat);
+          Measure(scene, row, truth, measure, turn, turn == repeat);
+        }
+        if (row.IsThere() && turn > 0)
+        {
           row.first.exact.push_back(rows.front().first.times.back());
           row.next.exact.push_back(rows.front().next.times.back());
         }
@@ -109,7 +119,7 @@ std::vector<TradeRow> MeasureTrade(const TradeScene& scene,
       {
         row.refused = error.what();
       }
-      done(++steps / static_cast<double>(static_cast<std::size_t>(repeat) * rows.size()));
+      done(++steps / static_cast<double>(static_cast<std::size_t>(repeat + 1) * rows.size()));
     }
     if (!rows.front().IsThere())
     {
@@ -119,7 +129,8 @@ std::vector<TradeRow> MeasureTrade(const TradeScene& scene,
   return rows;
 }
 
-std::vector<TradeOrder> OrdersOf(const std::vector<TradeRow>& rows)
+std::vector<TradeOrder> OrdersOf(
+  const std::vector<TradeRow>& rows, const std::array<double, 2>& range)
 {
   std::vector<TradeOrder> orders;
   for (const TradeFamily family :
@@ -128,7 +139,8 @@ std::vector<TradeOrder> OrdersOf(const std::vector<TradeRow>& rows)
     std::vector<std::array<double, 2>> points;
     for (const TradeRow& row : rows)
     {
-      if (row.setting.family == family && row.IsThere() && row.errors.mean > 0.0)
+      if (row.setting.family == family && row.IsThere() &&
+        Relative(row.errors.mean, range) > kLeastError)
       {
         points.push_back({ row.setting.spacing, row.errors.mean });
       }

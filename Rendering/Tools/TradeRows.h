@@ -38,8 +38,8 @@ struct TradeRow
 };
 
 /// Times all settings, turn by turn, so that a machine whose speed changes changes all alike, and
-/// compares their pictures with `truth`. The first setting is the exact picture. `done` receives
-/// the part done.
+/// compares their pictures with `truth`. A turn before them all is not counted. The first setting
+/// is the exact picture. `done` receives the part done.
 [[nodiscard]] std::vector<TradeRow> MeasureTrade(const TradeScene& scene,
   const std::vector<TradeSetting>& settings, const Picture& truth, const ErrorMeasure& measure,
   int repeat, const std::function<void(double)>& done);
@@ -52,8 +52,10 @@ struct TradeOrder
   double last;    ///< between the two finest
   int settings;   ///< that it is made of
 };
-/// Of families with three settings and more whose mean error is not 0.
-[[nodiscard]] std::vector<TradeOrder> OrdersOf(const std::vector<TradeRow>& rows);
+/// Of families with three settings and more whose mean error is above a millionth of the range:
+/// below, it may be the rounding of VTK's points, which are floats.
+[[nodiscard]] std::vector<TradeOrder> OrdersOf(
+  const std::vector<TradeRow>& rows, const std::array<double, 2>& range);
 
 /// Errors as parts of the range.
 [[nodiscard]] double Relative(double error, const std::array<double, 2>& range);
