@@ -28,6 +28,7 @@
 #include <cmath>
 #include <exception>
 #include <limits>
+#include <vector>
 
 vtkStandardNewMacro(vtkHighOrderComparison);
 
@@ -35,43 +36,60 @@ namespace
 {
 using namespace pixelexact;
 
-/// Adds a number to the column of a name, which the first row makes.
-template <class Array, class Number>
-void Add(vtkTable* table, const char* name, Number number)
+/// What is told of a linear surface.
+struct Row
 {
-  auto* column = Array::SafeDownCast(table->GetColumnByName(name));
-  if (column == nullptr)
+  std::int64_t triangles;
+  PictureErrors errors;
+};
+
+/// Adds a column of a number of each row.
+template <class Array, class Number>
+void AddColumn(
+  vtkTable* table, const char* name, const std::vector<Row>& rows, const Number& number)
+{
+  vtkNew<Array> column;
+  column->SetName(name);
+  for (const Row& row : rows)
   {
-    vtkNew<Array> made;
-    made->SetName(name);
-    table->AddColumn(made);
-    column = made;
+    column->InsertNextValue(number(row));
   }
-  column->InsertNextValue(number);
+  table->AddColumn(column);
 }
 
-void AddRow(vtkTable* table, std::size_t triangles, const PictureErrors& errors, double range)
+void Fill(vtkTable* table, const std::vector<Row>& rows, double range)
 {
-  const auto count = [table](const char* name, std::int64_t number)
-  { Add<vtkTypeInt64Array>(table, name, number); };
-  const auto part = [table, range](const char* name, double error)
-  { Add<vtkDoubleArray>(table, name, range > 0.0 ? error / range : error); };
-  count("Surface", table->GetNumberOfRows());
-  count("Triangles", static_cast<std::int64_t>(triangles));
-  count("Shown", errors.shown);
-  count("Missing", errors.missing);
-  count("Invented", errors.invented);
-  part("LargestError", errors.largest);
-  part("MeanError", errors.mean);
-  part("ErrorAtShare", errors.atShare);
-  count("WrongColors", errors.wrongBin);
-  if (errors.hasContours)
+  const auto count = [&](const char* name, std::int64_t PictureErrors::*member)
   {
-    count("ContourPixels", errors.contourPixels);
-    count("ContourMissed", errors.contourMissed);
-    count("ContourDisplaced", errors.contourDisplaced);
-    count("ContourInvented", errors.contourInvented);
-    Add<vtkDoubleArray>(table, "ContourFarthest", errors.contourFarthest);
+    AddColumn<vtkTypeInt64Array>(
+      table, name, rows, [member](const Row& row) { return row.errors.*member; });
+  };
+  const auto error = [&](const char* name, double PictureErrors::*member)
+  {
+    AddColumn<vtkDoubleArray>(table, name, rows,
+      [member, range](const Row& row)
+      { return range > 0.0 ? row.errors.*member / range : row.errors.*member; });
+  };
+  std::int64_t surface = 0;
+  AddColumn<vtkTypeInt64Array>(
+    table, "Surface", rows, [&surface](const Row& /*row*/) { return surface++; });
+  AddColumn<vtkTypeInt64Array>(
+    table, "Triangles", rows, [](const Row& row) { return row.triangles; });
+  count("Shown", &PictureErrors::shown);
+  count("Missing", &PictureErrors::missing);
+  count("Invented", &PictureErrors::invented);
+  error("LargestError", &PictureErrors::largest);
+  error("MeanError", &PictureErrors::mean);
+  error("ErrorAtShare", &PictureErrors::atShare);
+  count("WrongColors", &PictureErrors::wrongBin);
+  if (!rows.empty() && rows.front().errors.hasContours)
+  {
+    count("ContourPixels", &PictureErrors::contourPixels);
+    count("ContourMissed", &PictureErrors::contourMissed);
+    count("ContourDisplaced", &PictureErrors::contourDisplaced);
+    count("ContourInvented", &PictureErrors::contourInvented);
+    AddColumn<vtkDoubleArray>(
+      table, "ContourFarthest", rows, [](const Row& row) { return row.errors.contourFarthest; });
   }
 }
 
@@ -219,6 +237,7 @@ bool vtkHighOrderComparison::Compare(
     return false;
   }
   const std::array<double, 2> range = RangeOf(truth);
+  std::vector<Row> rows;
   for (++done; done < pictures; ++done)
   {
     const auto linear = ToLinearSurface(vtkPolyData::GetData(surfaces, done - 1), field.name,
@@ -228,10 +247,10 @@ bool vtkHighOrderComparison::Compare(
     {
       return false;
     }
-    AddRow(output, linear->Count(),
-      pixelexact::Compare(truth, picture, { this->Share, range, this->NumberOfColors }),
-      range[1] - range[0]);
+    rows.push_back({ static_cast<std::int64_t>(linear->Count()),
+      pixelexact::Compare(truth, picture, { this->Share, range, this->NumberOfColors }) });
   }
+  Fill(output, rows, range[1] - range[0]);
   return true;
 }
 

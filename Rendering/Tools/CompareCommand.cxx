@@ -115,7 +115,8 @@ std::vector<TradeSetting> SettingsOf(const CompareOptions& options, const TradeS
         { fmt::format("{}-{}", Name(family), number), family, number, spacing(number) });
     }
   };
-  add(TradeFamily::Cut, options.trade.Resolutions(), [](int n) { return 1.0 / n; });
+  const bool isPlane = scene.shot->scene.layers.front().surface->IsPlane();
+  add(TradeFamily::Cut, options.trade.Resolutions(isPlane), [](int n) { return 1.0 / n; });
   add(TradeFamily::Resample, options.trade.Grids(), [](int n) { return 1.0 / (n - 1); });
   add(TradeFamily::Subdivide, options.trade.Levels(), [](int l) { return 1.0 / (1 << l); });
   if (HasHighOrderCells(*scene.shot))

@@ -12,14 +12,15 @@ namespace pixelexact
 namespace
 {
 /// Integers between commas, or none; ascending, each once.
-void AddList(CLI::App& command, const std::string& name, std::vector<int>& numbers,
-  std::array<int, 2> limits, const std::string& help)
+template <class Numbers>
+void AddList(CLI::App& command, const std::string& name, Numbers& given, std::array<int, 2> limits,
+  const std::string& help)
 {
   AddRead(
     command, name,
-    [&numbers, name, limits](const std::string& text)
+    [&given, name, limits](const std::string& text)
     {
-      numbers.clear();
+      std::vector<int> numbers;
       for (const std::string& part :
         text == "none" ? std::vector<std::string>() : SplitAt(text, ','))
       {
@@ -34,6 +35,7 @@ void AddList(CLI::App& command, const std::string& name, std::vector<int>& numbe
       }
       std::ranges::sort(numbers);
       numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+      given = std::move(numbers);
     },
     "none|n1,n2,...", help)
     .Group("Comparison");
@@ -45,7 +47,7 @@ void TradeOptions::AddTo(CLI::App& command)
   const char* group = "Comparison";
   AddList(command, "--resolutions", TheResolutions, { 1, 1000000 },
     "Triangulated cuts: squares of a plane along its longer side, or samples along the mesh's box "
-    "(default: 64,128,256,512,1024)");
+    "(default: 64,128,256,512,1024; of surfaces that are no planes 32,64,128,256)");
   AddList(command, "--grids", TheGrids, { 2, 100000 },
     "Regular grids over the volume: nodes along its longest side (default: 16,32,64,128)");
   AddList(command, "--levels", TheLevels, { 0, 5 },
@@ -75,6 +77,12 @@ void TradeOptions::AddTo(CLI::App& command)
     "Folder for trade.csv, report.html and the pictures (default: named after the input, in the "
     "current folder)")
     .Group(group);
+}
+
+std::vector<int> TradeOptions::Resolutions(bool ofPlane) const
+{
+  return TheResolutions.value_or(
+    ofPlane ? std::vector{ 64, 128, 256, 512, 1024 } : std::vector{ 32, 64, 128, 256 });
 }
 
 void TradeOptions::Check() const

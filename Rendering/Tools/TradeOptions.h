@@ -23,8 +23,9 @@ public:
   /// Throws UsageError for what the command line alone shows to be wrong.
   void Check() const;
 
-  /// Of vtkHighOrderLinearCut, ascending.
-  [[nodiscard]] const std::vector<int>& Resolutions() const { return TheResolutions; }
+  /// Of vtkHighOrderLinearCut, ascending. Where none were given, lower ones of surfaces that are no
+  /// planes, for which a volume is sampled.
+  [[nodiscard]] std::vector<int> Resolutions(bool ofPlane) const;
   /// Nodes along the longest side.
   [[nodiscard]] const std::vector<int>& Grids() const { return TheGrids; }
   [[nodiscard]] const std::vector<int>& Levels() const { return TheLevels; }
@@ -38,7 +39,7 @@ public:
   [[nodiscard]] std::optional<TradeTarget> Target() const;
 
 private:
-  std::vector<int> TheResolutions{ 64, 128, 256, 512, 1024 };
+  std::optional<std::vector<int>> TheResolutions;
   std::vector<int> TheGrids{ 16, 32, 64, 128 };
   std::vector<int> TheLevels{ 0, 1, 2, 3 };
   int TheRepeat = 3;
