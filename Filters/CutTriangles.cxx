@@ -3,23 +3,12 @@
 
 #include "Core/Base/Counted.h"
 #include "FreeMemory.h"
-
-#include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
-#include "vtkDoubleArray.h"
-#include "vtkFlyingEdges3D.h"
-#include "vtkImageData.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
+#include "MarchedCubes.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 
@@ -27,7 +16,6 @@ namespace pixelexact
 {
 namespace
 {
-constexpr int kCoarse = 32;
 constexpr const char* kRemedy = "lower the resolution";
 /// Of three numbers each, two to a point.
 constexpr double kBytesOfTriangles = 48.0;
@@ -128,155 +116,6 @@ CutTriangles PlaneGrid(
   }
   return cut;
 }
-
-/// A box cut into cubes.
-struct Cubes
-{
-  Vec3 origin;
-  double side;
-  int n[3]; ///< nodes each way
-
-  Cubes(const Box3& box, double newSide)
-    : origin(box.lower)
-    , side(newSide)
-    , n{}
-  {
-    for (int d = 0; d < 3; ++d)
-    {
-      n[d] = 2 + static_cast<int>((box.upper[d] - box.lower[d]) / side);
-    }
-  }
-  [[nodiscard]] std::size_t Nodes() const
-  {
-    return static_cast<std::size_t>(n[0]) * static_cast<std::size_t>(n[1]) *
-      static_cast<std::size_t>(n[2]);
-  }
-  [[nodiscard]] Vec3 At(const Vec3& place) const { return origin + side * place; }
-};
-
-/// At the nodes, in VTK's order; empty where it was aborted.
-vtkSmartPointer<vtkDoubleArray> Sample(
-  const CutFunction& cut, const Cubes& cubes, const StepProgress& progress)
-{
-  auto values = vtkSmartPointer<vtkDoubleArray>::New();
-  values->SetName("S");
-  values->SetNumberOfValues(static_cast<vtkIdType>(cubes.Nodes()));
-  double* value = values->GetPointer(0);
-  const auto row = [&](std::size_t r)
-  {
-    const auto across = static_cast<std::size_t>(cubes.n[0]);
-    const auto j = static_cast<double>(r % static_cast<std::size_t>(cubes.n[1]));
-    const auto k = static_cast<double>(r / static_cast<std::size_t>(cubes.n[1]));
-    for (std::size_t i = 0; i < across; ++i)
-    {
-      value[r * across + i] = cut.Value(cubes.At({ static_cast<double>(i), j, k }));
-    }
-  };
-  const std::size_t rows =
-    static_cast<std::size_t>(cubes.n[1]) * static_cast<std::size_t>(cubes.n[2]);
-  const bool done = cut.NeedsCallingThread() ? SerialSteps(rows, progress, row)
-                                             : ParallelSteps(rows, progress, row);
-  return done ? values : nullptr;
-}
-
-/// About the cubes through which the surface goes, as far as their corners tell.
-Box3 SeenIn(const Cubes& cubes, const vtkDoubleArray* values, const Box3& all)
-{
-  const auto at = [&](int i, int j, int k)
-  {
-    return values->GetValue(
-      (static_cast<vtkIdType>(k) * cubes.n[1] + j) * static_cast<vtkIdType>(cubes.n[0]) + i);
-  };
-  Box3 seen{ all.upper, all.lower };
-  for (int k = 0; k + 1 < cubes.n[2]; ++k)
-  {
-    for (int j = 0; j + 1 < cubes.n[1]; ++j)
-    {
-      for (int i = 0; i + 1 < cubes.n[0]; ++i)
-      {
-        int below = 0;
-        for (int c = 0; c < 8; ++c)
-        {
-          below += at(i + (c & 1), j + ((c >> 1) & 1), k + (c >> 2)) <= 0.0 ? 1 : 0;
-        }
-        if (below != 0 && below != 8)
-        {
-          const Vec3 p(i, j, k);
-          seen.lower = glm::min(seen.lower, cubes.At(p - 1.0));
-          seen.upper = glm::max(seen.upper, cubes.At(p + 2.0));
-        }
-      }
-    }
-  }
-  if (seen.lower.x > seen.upper.x)
-  {
-    return all;
-  }
-  return { glm::max(seen.lower, all.lower), glm::min(seen.upper, all.upper) };
-}
-
-CutTriangles Marched(const CutFunction& cut, const Box3& box, int resolution, double bytesPerPoint,
-  const StepProgress& progress)
-{
-  CutTriangles result;
-  const double side = Longest(box.upper - box.lower) / resolution;
-  Box3 part = box;
-  if (resolution > kCoarse)
-  {
-    const Cubes coarse(box, Longest(box.upper - box.lower) / kCoarse);
-    const auto values = Sample(cut, coarse, {});
-    part = SeenIn(coarse, values, box);
-  }
-  const Cubes cubes(part, side);
-  const auto nodes = static_cast<double>(cubes.Nodes());
-  RequireMemory(nodes * 9.0, Counted(cubes.Nodes(), "sample") + " of the cut function", kRemedy);
-  const auto values = Sample(cut, cubes, progress);
-  if (values == nullptr)
-  {
-    result.aborted = true;
-    return result;
-  }
-  // In units of the cubes: marching leaves floats.
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(cubes.n);
-  image->GetPointData()->SetScalars(values);
-  vtkNew<vtkFlyingEdges3D> marching;
-  marching->SetInputData(image);
-  marching->SetValue(0, 0.0);
-  marching->ComputeNormalsOff();
-  marching->ComputeScalarsOff();
-  marching->Update();
-  vtkPolyData* output = marching->GetOutput();
-  const auto count = static_cast<std::size_t>(output->GetNumberOfPoints());
-  RequireMemory(static_cast<double>(count) * (sizeof(Vec3) + kBytesOfTriangles + bytesPerPoint),
-    Counted(output->GetNumberOfPolys(), "triangle"), kRemedy);
-  result.points.resize(count);
-  std::atomic<std::int64_t> off{ 0 };
-  const auto project = [&](std::size_t i)
-  {
-    Vec3 place;
-    // The points' array, which reading from several threads does not touch.
-    output->GetPoints()->GetData()->GetTuple(static_cast<vtkIdType>(i), glm::value_ptr(place));
-    Vec3& x = result.points[i];
-    x = cubes.At(place);
-    if (!BringOntoSurface(cut, 2.0 * side, x))
-    {
-      ++off;
-    }
-  };
-  result.aborted = !(
-    cut.NeedsCallingThread() ? SerialSteps(count, {}, project) : ParallelSteps(count, {}, project));
-  result.offSurface = off;
-  const auto cell = vtkSmartPointer<vtkCellArrayIterator>::Take(output->GetPolys()->NewIterator());
-  for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
-  {
-    vtkIdType corners = 0;
-    const vtkIdType* ids = nullptr;
-    cell->GetCurrentCell(corners, ids);
-    result.triangles.push_back({ ids[0], ids[1], ids[2] });
-  }
-  return result;
-}
 } // namespace
 
 bool BringOntoSurface(const CutFunction& cut, double reach, Vec3& x)
@@ -317,6 +156,6 @@ CutTriangles TriangulateCut(const CutFunction& cut, const Box3& box, int resolut
   const QuadricForm* form = cut.Quadric();
   return form != nullptr && form->IsPlane()
     ? PlaneGrid(*form, box, resolution, bytesPerPoint)
-    : Marched(cut, box, resolution, bytesPerPoint, progress);
+    : MarchCubes(cut, box, resolution, kBytesOfTriangles + bytesPerPoint, progress);
 }
 } // namespace pixelexact

@@ -23,12 +23,9 @@ struct CutTriangles
 /// The part of a surface in a box, where the box is cut into cubes (of a plane: the part of the
 /// plane into squares), `resolution` along its longest side, at least 1.
 ///
-/// A plane: a grid over the rectangle about its polygon in the box. Any other: the function is
-/// sampled at the cubes' corners, marched through, and the vertices are brought onto the surface by
-/// Newton's iteration along the gradient, to rounding. Those that it takes further than a cube's
-/// diagonal away stay where marching put them, and are counted. Parts of the surface that lie
-/// between samples are missed. Cubes lie about the part of the box where a coarse sampling, 32
-/// along its longest side, sees the surface.
+/// A plane: a grid over the rectangle about its polygon in the box. Any other: cubes are marched
+/// through (MarchedCubes.h), and the vertices brought onto the surface, to rounding; those that
+/// this takes further than two cubes' sides away stay where marching put them, and are counted.
 ///
 /// Throws Error where it would not fit into memory, with `bytesPerPoint` of the caller's.
 [[nodiscard]] CutTriangles TriangulateCut(const CutFunction& cut, const Box3& box, int resolution,

@@ -7,9 +7,9 @@
  * evaluated at the triangles' corners: exact there, up to rounding, and only there. VTK's mappers
  * interpolate linearly between them. What that costs is what vtkHighOrderMapper is for.
  *
- * A plane becomes a grid of squares, each two triangles. Of any other function samples are marched
- * through (vtkFlyingEdges3D), and the corners brought onto the surface, to rounding; what is
- * smaller than a sample's distance may be missed. Triangles of which some corners are outside of
+ * A plane becomes a grid of squares, each two triangles. Through any other function's surface cubes
+ * are marched, and the corners brought onto the surface, to rounding; what lies between corners of
+ * the cubes is missed. Triangles of which some corners are outside of
  * the mesh, or undecided, end where the mesh does, to 2^-16 of their sides; what lies between
  * corners of one kind, a hole or a tip smaller than a triangle, is not seen.
  *
@@ -56,7 +56,8 @@ public:
   ///@{
   /**
    * Of a plane: squares along the longer side of the rectangle about its part in the mesh's box.
-   * Of others: samples along the longest side of that box. At least 1; default 256.
+   * Of others: cubes along the longest side of that box, above 64 rounded up to at most 64 times a
+   * power of two. At least 1; default 256.
    */
   vtkSetClampMacro(Resolution, int, 1, 1000000);
   vtkGetMacro(Resolution, int);

@@ -2,7 +2,9 @@
 #include "Recommendation.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
+#include <utility>
 
 namespace pixelexact
 {
@@ -24,26 +26,28 @@ Recommendation Recommend(
   { return std::pair(seconds(*a), error(*a)) < std::pair(seconds(*b), error(*b)); };
   const auto byError = [&](const TradeRow* a, const TradeRow* b)
   { return std::pair(error(*a), seconds(*a)) < std::pair(error(*b), seconds(*b)); };
-  std::ranges::sort(all, byError);
-  if (target.error)
-  {
-    std::ranges::sort(all, byTime);
-  }
-  Recommendation result;
-  for (const TradeRow* row : all)
-  {
-    const bool isNear = !target.error || error(*row) <= *target.error;
-    const bool isFast = !target.seconds || seconds(*row) <= *target.seconds;
-    if (isNear && isFast)
+  std::vector<const TradeRow*> good;
+  std::ranges::copy_if(all, std::back_inserter(good),
+    [&](const TradeRow* row)
     {
-      result.row = row;
-      const double wanted = target.error ? *target.error : *target.seconds;
-      const double has = target.error ? error(*row) : seconds(*row);
-      result.margin = has > 0.0 ? wanted / has : std::numeric_limits<double>::infinity();
-      return result;
+      return (!target.error || error(*row) <= *target.error) &&
+        (!target.seconds || seconds(*row) <= *target.seconds);
+    });
+  Recommendation result;
+  if (!good.empty())
+  {
+    if (target.error)
+    {
+      const double most = kAlikeTimes * seconds(**std::ranges::min_element(good, byTime));
+      std::erase_if(good, [&](const TradeRow* row) { return seconds(*row) > most; });
     }
+    result.row = *std::ranges::min_element(good, byError);
+    const double wanted = target.error ? *target.error : *target.seconds;
+    const double has = target.error ? error(*result.row) : seconds(*result.row);
+    result.margin = has > 0.0 ? wanted / has : std::numeric_limits<double>::infinity();
+    return result;
   }
-  // Of settings that are near enough the fastest, else of all of them the nearest or the fastest.
+  // The nearest, or the fastest.
   if (!all.empty())
   {
     const bool byErrors = target.error && !target.seconds;

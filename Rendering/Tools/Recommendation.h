@@ -26,9 +26,12 @@ struct Recommendation
   const TradeRow* nearest = nullptr;
 };
 
-/// With an error: the fastest that is no further off, within the time where one is given. Else the
-/// one with the least error within the time, of equals the fastest. Of exact settings whose
-/// contours alone differ the usual one.
+/// Times that are this much longer than the shortest are taken for alike: repeats differ by more.
+inline constexpr double kAlikeTimes = 1.1;
+
+/// With an error: the fastest that is no further off, within the time where one is given; of those
+/// whose times are alike the most accurate. Else the one with the least error within the time, of
+/// equals the fastest. Of exact settings whose contours or colours alone differ the usual one.
 [[nodiscard]] Recommendation Recommend(
   const std::vector<TradeRow>& rows, const TradeTarget& target, const std::array<double, 2>& range);
 } // namespace pixelexact

@@ -189,6 +189,22 @@ TEST(LinearCut, SurfacesOfEachKindAreOnTheirFunctionsAndClosed)
   }
 }
 
+TEST(LinearCut, ThinAndSmallSurfacesAreFoundAtHighResolution)
+{
+  // Thinner than the largest cubes, between their corners.
+  vtkNew<vtkCylinder> needle;
+  needle->SetCenter(0.503, 0.0, 0.507);
+  needle->SetRadius(0.004);
+  vtkNew<vtkSphere> dot;
+  dot->SetCenter(0.503, 0.505, 0.507);
+  dot->SetRadius(0.004);
+  const double pi = std::acos(-1.0);
+  Cutting cylinder(Boxes(1), needle);
+  EXPECT_NEAR(AreaOf(cylinder.At(1024)), 2.0 * pi * 0.004, 2e-2 * 2.0 * pi * 0.004);
+  Cutting sphere(Boxes(1), dot);
+  EXPECT_NEAR(AreaOf(sphere.At(1024)), 4.0 * pi * 1.6e-5, 2e-2 * 4.0 * pi * 1.6e-5);
+}
+
 TEST(LinearCut, EndsWhereTheMeshDoes)
 {
   // The plane's part in a cube turned about z by 30 degrees is a square, whatever the grid.
@@ -357,7 +373,7 @@ TEST(LinearCut, WrongUseIsNamed)
   sphere->SetCenter(0.5, 0.5, 0.5);
   sphere->SetRadius(0.4);
   Cutting samples(grid, sphere);
-  refused(samples, 100000, "samples of the cut function need");
+  refused(samples, 100000, "cubes about the surface need");
   EXPECT_NE(samples.messages->errors.find("lower the resolution"), std::string::npos);
 
   vtkNew<Messages> messages;

@@ -96,7 +96,11 @@ class Compare(ToolTest):
                 if float(row["share_error"]) <= float(target) and "samples" not in name
             }
             recommended = summary["recommended"]
-            self.assertEqual(recommended["setting"], min(near, key=near.get))
+            # Times up to a tenth longer than the shortest count as alike.
+            fast = {name for name in near if near[name] <= 1.1 * min(near.values())}
+            self.assertIn(recommended["setting"], fast)
+            least = min(float(rows[name]["share_error"]) for name in fast)
+            self.assertEqual(float(rows[recommended["setting"]]["share_error"]), least)
             self.assertIn(recommended["setting"], recommended["text"])
             self.assertIn("Recommendation", (folder / "report.html").read_text(encoding="utf-8"))
         # Nothing linear is as near as that; the command is render's.
