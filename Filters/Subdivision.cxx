@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Subdivision.h"
 
-#include "Core/Location/Locator.h"
-#include "Core/Location/Sample.h"
-#include "ShapeLattice.h"
+#include "LevelLattice.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkCellType.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
@@ -17,158 +14,12 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
-#include <glm/geometric.hpp>
-#include <glm/gtc/type_ptr.hpp>
-
 #include <algorithm>
-#include <array>
-#include <atomic>
-#include <cmath>
-#include <limits>
-#include <mutex>
 
 namespace pixelexact
 {
 namespace
 {
-/// Something of each shape and level, made when it is first asked for.
-template <class Thing>
-class PerLevel
-{
-public:
-  template <class Make>
-  const Thing& Get(Shape shape, int level, const Make& make)
-  {
-    Entry& entry = Entries[static_cast<std::size_t>(shape)][static_cast<std::size_t>(level)];
-    std::call_once(entry.once, [&] { entry.thing = make(); });
-    return entry.thing;
-  }
-
-private:
-  struct Entry
-  {
-    std::once_flag once;
-    Thing thing;
-  };
-  std::array<std::array<Entry, kMostSubdivisions + 1>, kShapeCount> Entries;
-};
-
-const ShapeLattice& LatticeOf(Shape shape, int level)
-{
-  static PerLevel<ShapeLattice> all;
-  return all.Get(shape, level, [&] { return MakeShapeLattice(shape, 1 << level); });
-}
-
-/// Points of a lattice between which linear cells are judged: `of` each, their mean in xi.
-struct Middles
-{
-  std::vector<Vec3> xi;
-  std::vector<std::vector<int>> of;
-};
-
-Middles MakeMiddles(const ShapeLattice& lattice)
-{
-  Middles middles;
-  const auto add = [&](std::vector<int> corners)
-  {
-    Vec3 sum(0.0);
-    for (const int corner : corners)
-    {
-      sum += lattice.points[static_cast<std::size_t>(corner)];
-    }
-    middles.xi.push_back(sum / static_cast<double>(corners.size()));
-    middles.of.push_back(std::move(corners));
-  };
-  for (std::size_t cell = 0; cell < lattice.Cells(); ++cell)
-  {
-    const std::span<const int> corners = lattice.Corners(cell);
-    for (std::size_t k = 0; k < corners.size(); ++k)
-    {
-      add({ corners[k], corners[(k + 1) % corners.size()] });
-    }
-    const std::size_t base = lattice.types[cell] == VTK_PYRAMID ? 4 : corners.size();
-    add({ corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(base) });
-  }
-  return middles;
-}
-
-const Middles& MiddlesOf(Shape shape, int level)
-{
-  static PerLevel<Middles> all;
-  return all.Get(shape, level, [&] { return MakeMiddles(LatticeOf(shape, level)); });
-}
-
-/// Place or values at points of an element, `components` each.
-std::vector<double> At(
-  const Mesh& mesh, const Field* field, int element, std::span<const Vec3> xi, int components)
-{
-  std::vector<double> values(xi.size() * static_cast<std::size_t>(components));
-  if (field != nullptr)
-  {
-    EvaluateAt(mesh, *field, element, xi, values, {});
-    return values;
-  }
-  std::vector<Vec3> x(xi.size());
-  MapForward(mesh, element, xi, x);
-  for (std::size_t i = 0; i < x.size(); ++i)
-  {
-    std::copy_n(glm::value_ptr(x[i]), 3, &values[3 * i]);
-  }
-  return values;
-}
-
-/// How far values at middles are from the means of those of their corners, at most.
-double LargestMiss(const Mesh& mesh, const Field* field, int element, int level)
-{
-  const Shape shape = mesh.ShapeOf(element);
-  const Middles& middles = MiddlesOf(shape, level);
-  const int components = field != nullptr ? field->values.components : 3;
-  const auto n = static_cast<std::size_t>(components);
-  const auto corners = At(mesh, field, element, LatticeOf(shape, level).points, components);
-  const auto exact = At(mesh, field, element, middles.xi, components);
-  double largest = 0.0;
-  for (std::size_t m = 0; m < middles.of.size(); ++m)
-  {
-    for (std::size_t c = 0; c < n; ++c)
-    {
-      double sum = 0.0;
-      for (const int corner : middles.of[m])
-      {
-        sum += corners[static_cast<std::size_t>(corner) * n + c];
-      }
-      const double miss =
-        std::fabs(exact[m * n + c] - sum / static_cast<double>(middles.of[m].size()));
-      // What is no number is never near enough.
-      largest = miss <= largest ? largest : miss;
-    }
-  }
-  return largest;
-}
-
-/// Of all components, over the nodes of level 1; the widest.
-double RangeOf(const Mesh& mesh, const Field& field)
-{
-  const auto n = static_cast<std::size_t>(field.values.components);
-  std::vector<double> lower(n, std::numeric_limits<double>::infinity());
-  std::vector<double> upper(n, -std::numeric_limits<double>::infinity());
-  for (int e = 0; e < mesh.Elements(); ++e)
-  {
-    const auto& points = LatticeOf(mesh.ShapeOf(e), 1).points;
-    const auto values = At(mesh, &field, e, points, field.values.components);
-    for (std::size_t i = 0; i < values.size(); ++i)
-    {
-      lower[i % n] = std::min(lower[i % n], values[i]);
-      upper[i % n] = std::max(upper[i % n], values[i]);
-    }
-  }
-  double widest = 0.0;
-  for (std::size_t c = 0; c < n; ++c)
-  {
-    widest = std::max(widest, upper[c] - lower[c]);
-  }
-  return widest;
-}
-
 vtkDoubleArray* AddDoubles(
   vtkPointData* data, const std::string& name, int components, std::int64_t tuples)
 {
@@ -196,59 +47,6 @@ std::vector<SubdivisionSize> BeginningsOf(
   return begins;
 }
 } // namespace
-
-SubdivisionLevels UniformLevels(const HighOrderModel& model, int level)
-{
-  return { std::vector<std::uint8_t>(static_cast<std::size_t>(model.GetMesh().Elements()),
-             static_cast<std::uint8_t>(level)),
-    0, false };
-}
-
-SubdivisionLevels AdaptedLevels(const HighOrderModel& model,
-  const std::vector<const Field*>& fields, double tolerance, int most, const StepProgress& progress)
-{
-  const Mesh& mesh = model.GetMesh();
-  const Box3& box = model.GetLocator().Bounds();
-  const double length = tolerance * glm::length(box.upper - box.lower);
-  std::vector<double> allowed;
-  for (const Field* field : fields)
-  {
-    allowed.push_back(tolerance * RangeOf(mesh, *field));
-  }
-  SubdivisionLevels levels = UniformLevels(model, most);
-  std::atomic<std::int64_t> coarse{ 0 };
-  const auto isFine = [&](int element, int level)
-  {
-    if (!(LargestMiss(mesh, nullptr, element, level) <= length))
-    {
-      return false;
-    }
-    for (std::size_t f = 0; f < fields.size(); ++f)
-    {
-      if (!(LargestMiss(mesh, fields[f], element, level) <= allowed[f]))
-      {
-        return false;
-      }
-    }
-    return true;
-  };
-  levels.aborted = !ParallelSteps(levels.ofElement.size(), progress,
-    [&](std::size_t e)
-    {
-      int level = 0;
-      while (level < most && !isFine(static_cast<int>(e), level))
-      {
-        ++level;
-      }
-      levels.ofElement[e] = static_cast<std::uint8_t>(level);
-      if (level == most && !isFine(static_cast<int>(e), level))
-      {
-        ++coarse;
-      }
-    });
-  levels.coarse = coarse;
-  return levels;
-}
 
 SubdivisionSize SizeOf(const HighOrderModel& model, const SubdivisionLevels& levels)
 {
@@ -292,11 +90,11 @@ bool Subdivide(const HighOrderModel& model, const std::vector<const Field*>& fie
       const int element = static_cast<int>(e);
       const SubdivisionSize& begin = begins[e];
       const ShapeLattice& lattice = LatticeOf(mesh.ShapeOf(element), levels.ofElement[e]);
-      std::ranges::copy(At(mesh, nullptr, element, lattice.points, 3), x + 3 * begin.points);
+      std::ranges::copy(ValuesAt(mesh, nullptr, element, lattice.points, 3), x + 3 * begin.points);
       for (std::size_t f = 0; f < fields.size(); ++f)
       {
         const int components = fields[f]->values.components;
-        std::ranges::copy(At(mesh, fields[f], element, lattice.points, components),
+        std::ranges::copy(ValuesAt(mesh, fields[f], element, lattice.points, components),
           values[f] + components * begin.points);
       }
       for (std::size_t cell = 0; cell < lattice.Cells(); ++cell)

@@ -12,8 +12,6 @@ class vtkUnstructuredGrid;
 
 namespace pixelexact
 {
-inline constexpr int kMostSubdivisions = 5;
-
 /// How fine each element is cut: level l, edges into 2^l parts.
 struct SubdivisionLevels
 {
