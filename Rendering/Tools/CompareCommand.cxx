@@ -55,6 +55,11 @@ void CheckOptions(const CompareOptions& options)
       throw UsageError(name + " has no effect on a comparison; leave it out");
     }
   }
+  if (!options.shot.surfaces.IsoSurfaces().empty() &&
+    (IsGiven(*options.shot.command, "--resolutions") || IsGiven(*options.shot.command, "--grids")))
+  {
+    throw UsageError("--resolutions and --grids have no effect on iso-surfaces; leave them out");
+  }
   if (options.shot.surfaces.Count() > 1)
   {
     throw UsageError("compare takes one surface; leave the others out");
@@ -86,11 +91,23 @@ TradeScene MakeScene(const CompareOptions& options, const Shot& shot)
   }
   TradeScene scene;
   scene.shot = &shot;
+  scene.surface = options.shot.surfaces.Make().front();
   scene.function = FunctionOf(*shot.scene.layers.front().surface);
-  if (!scene.function)
+  const std::vector<IsoText>& isos = options.shot.surfaces.IsoSurfaces();
+  if (!isos.empty())
   {
-    throw Error("compare takes planes and quadrics, which VTK's filters know: --plane, --sphere, "
-                "--cylinder, --cone or --quadric");
+    const IsoChoice iso = Resolve(isos.front(), *shot.input.model);
+    if (shot.input.model->FindField(iso.field)->values.components > 1)
+    {
+      throw Error("--isosurface: compare takes those of scalar fields, which VTK's filters know");
+    }
+    scene.isoField = iso.field;
+    scene.isoValue = iso.value;
+  }
+  else if (!scene.function)
+  {
+    throw Error("compare takes what VTK's filters know: --plane, --sphere, --cylinder, --cone, "
+                "--quadric or --isosurface");
   }
   const Frame frame = Trace(shot.scene, shot.MakeCamera(), {},
     { .centres = NeedsOfLooks(shot) | options.contours.Needs() | Buffer::Value });
@@ -117,10 +134,13 @@ std::vector<TradeSetting> SettingsOf(const CompareOptions& options, const TradeS
     }
   };
   const bool isPlane = scene.shot->scene.layers.front().surface->IsPlane();
-  add(TradeFamily::Cut, options.trade.Resolutions(isPlane), [](int n) { return 1.0 / n; });
-  add(TradeFamily::Resample, options.trade.Grids(), [](int n) { return 1.0 / (n - 1); });
+  if (scene.function)
+  {
+    add(TradeFamily::Cut, options.trade.Resolutions(isPlane), [](int n) { return 1.0 / n; });
+    add(TradeFamily::Resample, options.trade.Grids(), [](int n) { return 1.0 / (n - 1); });
+  }
   add(TradeFamily::Subdivide, options.trade.Levels(), [](int l) { return 1.0 / (1 << l); });
-  if (HasHighOrderCells(*scene.shot))
+  if (HasHighOrderCells(scene))
   {
     settings.push_back({ "cells", TradeFamily::Cells, 0, 0.0 });
   }

@@ -80,6 +80,7 @@ public:
     const PeakMemory memory;
     const Timer first;
     scene.locator = &fresh.model->GetLocator();
+    layer.surface = TheScene.surface(fresh.model);
     TheFrame = MakeFrame(scene);
     time.first = first.Seconds();
     const Timer next;

@@ -40,10 +40,19 @@ struct Pipes
   vtkSmartPointer<vtkAlgorithm> volume; ///< that it gets its cells from; null: it cuts the field
 };
 
-vtkSmartPointer<vtkCutter> NewCutter(vtkImplicitFunction* function)
+vtkSmartPointer<vtkAlgorithm> NewCutter(const TradeScene& scene)
 {
+  if (!scene.function)
+  {
+    auto contour = vtkSmartPointer<vtkContourFilter>::New();
+    contour->SetInputArrayToProcess(
+      0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, scene.isoField.c_str());
+    contour->SetValue(0, scene.isoValue);
+    contour->ComputeNormalsOff();
+    return contour;
+  }
   auto cutter = vtkSmartPointer<vtkCutter>::New();
-  cutter->SetCutFunction(function);
+  cutter->SetCutFunction(scene.function);
   cutter->GenerateTrianglesOn();
   return cutter;
 }
@@ -60,10 +69,10 @@ Pipes MakePipes(const TradeScene& scene, const TradeSetting& setting, vtkUnstruc
     cut->AddField(field);
     return { cut, nullptr };
   }
-  const auto cutter = NewCutter(scene.function);
+  const vtkSmartPointer<vtkAlgorithm> cutter = NewCutter(scene);
   if (setting.family == TradeFamily::Cells)
   {
-    cutter->SetInputData(grid);
+    cutter->SetInputDataObject(grid);
     return { cutter, nullptr };
   }
   vtkSmartPointer<vtkAlgorithm> volume;
@@ -81,6 +90,10 @@ Pipes MakePipes(const TradeScene& scene, const TradeSetting& setting, vtkUnstruc
     subdivide->SetInputData(grid);
     subdivide->SetLevel(setting.number);
     subdivide->AddField(field);
+    if (!scene.isoField.empty() && scene.isoField != field)
+    {
+      subdivide->AddField(scene.isoField);
+    }
     volume = subdivide;
   }
   cutter->SetInputConnection(volume->GetOutputPort());
@@ -191,14 +204,17 @@ std::array<int, 3> NodesAlong(vtkUnstructuredGrid* grid, int number)
   return nodes;
 }
 
-bool HasHighOrderCells(const Shot& shot)
+bool HasHighOrderCells(const TradeScene& scene)
 {
-  vtkUnstructuredGrid* grid = shot.input.grid;
+  vtkUnstructuredGrid* grid = scene.shot->input.grid;
   for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
   {
     if (!grid->GetCell(i)->IsLinear())
     {
-      return grid->GetPointData()->HasArray(shot.scene.layers.front().field->name.c_str()) != 0;
+      const auto has = [grid](const std::string& name)
+      { return grid->GetPointData()->HasArray(name.c_str()) != 0; };
+      return has(scene.shot->scene.layers.front().field->name) &&
+        (scene.isoField.empty() || has(scene.isoField));
     }
   }
   return false;

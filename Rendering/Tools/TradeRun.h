@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -20,14 +21,21 @@ class vtkUnstructuredGrid;
 namespace pixelexact
 {
 class HighOrderModel;
+class Surface;
 struct Shot;
 
 /// What is compared: a shot of one layer.
 struct TradeScene
 {
   const Shot* shot = nullptr;
-  vtkSmartPointer<vtkImplicitFunction> function; ///< of the cut-surface, for VTK's filters
-  std::vector<double> isoValues;                 ///< of contours, ascending; none: no contours
+  /// The cut-surface of a model of the same mesh.
+  std::function<std::shared_ptr<const Surface>(const std::shared_ptr<const HighOrderModel>&)>
+    surface;
+  // What VTK's filters make it of: a function, or a field's name and value.
+  vtkSmartPointer<vtkImplicitFunction> function;
+  std::string isoField;
+  double isoValue = 0.0;
+  std::vector<double> isoValues; ///< of contours, ascending; none: no contours
   ColorMap map;
   std::array<double, 2> range{}; ///< of the colour map
 };
@@ -37,9 +45,9 @@ enum class TradeFamily
 {
   Exact,     ///< the ray tracer, with its knobs
   Cut,       ///< vtkHighOrderLinearCut
-  Resample,  ///< vtkHighOrderLinearResample and vtkCutter
-  Subdivide, ///< vtkHighOrderSubdivide and vtkCutter
-  Cells      ///< vtkCutter on the file's own high-order cells
+  Resample,  ///< vtkHighOrderLinearResample and vtkCutter; not of iso-surfaces, as Cut
+  Subdivide, ///< vtkHighOrderSubdivide and vtkCutter or vtkContourFilter
+  Cells      ///< these on the file's own high-order cells
 };
 [[nodiscard]] const char* Name(TradeFamily family);
 
@@ -88,8 +96,8 @@ struct FreshModel
 /// Whether its values, and not the contours or colours alone, differ from the exact picture's, or
 /// it is that.
 [[nodiscard]] bool HasOwnValues(const TradeSetting& setting);
-/// Whether VTK's filters would cut other cells than linear ones.
-[[nodiscard]] bool HasHighOrderCells(const Shot& shot);
+/// Whether VTK's filters would cut other cells than linear ones, with the fields at their points.
+[[nodiscard]] bool HasHighOrderCells(const TradeScene& scene);
 
 /// Of a regular grid over the volume: as many nodes along the longest side, and about as far apart
 /// along the others.

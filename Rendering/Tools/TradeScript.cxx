@@ -116,7 +116,8 @@ std::string ScriptOf(
   const TradeScene& scene, const TradeSetting& setting, const std::vector<std::string>& files)
 {
   const std::string reader = ReaderOf(files);
-  if (setting.family == TradeFamily::Exact || reader.empty() || !scene.shot->input.times.empty())
+  if (setting.family == TradeFamily::Exact || reader.empty() || !scene.function ||
+    !scene.shot->input.times.empty())
   {
     return {};
   }

@@ -69,6 +69,24 @@ class Compare(ToolTest):
             self.assertLess(float(row["largest_error"]), 1e-6 if rounded else 1e-12, name)
             self.assertEqual(int(row["missing"]), 0, name)
 
+    def test_iso_surfaces_are_compared_with_contour_filters(self):
+        path = self.folder / "cube.vtu"
+        fields = [
+            ("f", [x + 2.0 * y + 3.0 * z for x, y, z in CUBE]),
+            ("g", [2.0 * x - y for x, y, z in CUBE]),
+        ]
+        path.write_text(plain_grid(CUBE, [(12, list(range(8)))], fields), encoding="utf-8")
+        iso = ["--field", "g", "--isosurface", "f=2.9"]
+        _, _, rows = self.compare(path, *iso, "--levels", "0,1,2", "--repeat", "1")
+        self.assertNotIn("cut-64", rows)
+        for level in range(3):
+            row = rows[f"subdivide-{level}"]
+            self.assertLess(float(row["largest_error"]), 1e-6)
+            self.assertGreater(int(row["shown"]), 1000)
+            # Rays along the rim may go by.
+            self.assertLess(int(row["missing"]), 0.01 * int(row["shown"]))
+        self.fails(2, "compare", path, *iso, "--grids", "8", names=["--grids"])
+
     def test_threads_change_no_error(self):
         errors = []
         for threads in [1, 2]:
@@ -158,7 +176,7 @@ class Compare(ToolTest):
         self.fails(
             1,
             *["compare", mesh, "--field", "u", "--torus", "0,0,0,0,0,1,1,0.25"],
-            names=["planes and quadrics"],
+            names=["--quadric or --isosurface"],
         )
         blocked = self.folder / "file"
         blocked.write_text("", encoding="utf-8")
