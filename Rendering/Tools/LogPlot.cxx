@@ -102,7 +102,7 @@ std::vector<std::uint8_t> LogPlot::Draw(int width, int height) const
   const int left = 6 * font;
   const int bottom = 4 * font;
   const int right = width - 10 * font;
-  const int top = height - 4 * font;
+  const int top = height - 5 * font;
   Canvas canvas(width, height, kPaper, font);
   Scale x(left, right);
   Scale y(bottom, top);
@@ -149,8 +149,8 @@ std::vector<std::uint8_t> LogPlot::Draw(int width, int height) const
     canvas.Write(one.name, right + 2.5 * font, row, TextAnchor::Left, kInk);
     row -= 1.7 * font;
   }
-  canvas.Write(title, left, height - 1.3 * font, TextAnchor::Left, kInk);
-  canvas.Write(up, left, height - 3.0 * font, TextAnchor::Left, kInk);
+  canvas.Write(title, left, height - 1.2 * font, TextAnchor::Left, kInk);
+  canvas.Write(up, left, height - 2.8 * font, TextAnchor::Left, kInk);
   canvas.Write(across, 0.5 * (left + right), 1.2 * font, TextAnchor::Centre, kInk);
   return canvas.Pixels();
 }
