@@ -93,7 +93,7 @@ private:
       const bool alone = inside == 1;
       while (IsInside(t[0]) != alone || IsInside(t[1]) == alone)
       {
-        std::ranges::rotate(t, t.begin() + 1);
+        std::rotate(t.begin(), t.begin() + 1, t.end());
       }
       if (alone)
       {

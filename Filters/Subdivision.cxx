@@ -66,6 +66,7 @@ bool Subdivide(const HighOrderModel& model, const std::vector<const Field*>& fie
   points->SetNumberOfPoints(all.points);
   double* x = vtkDoubleArray::SafeDownCast(points->GetData())->GetPointer(0);
   std::vector<double*> values;
+  values.reserve(fields.size());
   for (const Field* field : fields)
   {
     values.push_back(

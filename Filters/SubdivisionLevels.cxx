@@ -122,11 +122,9 @@ SubdivisionLevels AdaptedLevels(const HighOrderModel& model,
   const Mesh& mesh = model.GetMesh();
   const Box3& box = model.GetLocator().Bounds();
   const double length = tolerance * glm::length(box.upper - box.lower);
-  std::vector<double> allowed;
-  for (const Field* field : fields)
-  {
-    allowed.push_back(tolerance * RangeOf(mesh, *field));
-  }
+  std::vector<double> allowed(fields.size());
+  std::ranges::transform(
+    fields, allowed.begin(), [&](const Field* field) { return tolerance * RangeOf(mesh, *field); });
   SubdivisionLevels levels = UniformLevels(model, most);
   std::atomic<std::int64_t> coarse{ 0 };
   const auto isFine = [&](int element, int level)

@@ -56,7 +56,8 @@ void SetShape(const CutTriangles& whole, const ClippedCut& clipped, vtkPolyData*
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(static_cast<vtkIdType>(clipped.kept.size() + clipped.rim.size()));
+  points->SetNumberOfPoints(
+    static_cast<vtkIdType>(clipped.kept.size()) + static_cast<vtkIdType>(clipped.rim.size()));
   vtkIdType next = 0;
   for (const std::int64_t point : clipped.kept)
   {
@@ -67,7 +68,7 @@ void SetShape(const CutTriangles& whole, const ClippedCut& clipped, vtkPolyData*
     points->SetPoint(next++, glm::value_ptr(x));
   }
   vtkNew<vtkIdTypeArray> corners;
-  corners->SetNumberOfValues(static_cast<vtkIdType>(3 * clipped.triangles.size()));
+  corners->SetNumberOfValues(3 * static_cast<vtkIdType>(clipped.triangles.size()));
   next = 0;
   for (const auto& triangle : clipped.triangles)
   {
@@ -91,8 +92,9 @@ Box3 CutBox(const HighOrderModel& model, vtkDataObject* grid)
   const std::array<double, 6> points = BoundsOf(grid);
   for (int d = 0; d < 3; ++d)
   {
-    const double lower = points[static_cast<std::size_t>(2 * d)];
-    const double upper = points[static_cast<std::size_t>(2 * d + 1)];
+    const std::size_t side = 2 * static_cast<std::size_t>(d);
+    const double lower = points[side];
+    const double upper = points[side + 1];
     box.lower[d] = std::fabs(lower - box.lower[d]) <= slack ? lower : box.lower[d];
     box.upper[d] = std::fabs(upper - box.upper[d]) <= slack ? upper : box.upper[d];
   }
