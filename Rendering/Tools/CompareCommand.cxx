@@ -20,6 +20,7 @@
 #include "HighOrderModel.h"
 #include "Trace/Compare/TracedPicture.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <tbb/global_control.h>
 #include <vtkImplicitFunction.h>
@@ -186,7 +187,7 @@ std::string WriteScript(const std::string& folder, const TradeScene& scene,
   {
     return {};
   }
-  const std::string name = (std::filesystem::path(folder) / "recommended.py").string();
+  std::string name = (std::filesystem::path(folder) / "recommended.py").string();
   OutputFile file(name);
   file.Stream() << text;
   file.Close();

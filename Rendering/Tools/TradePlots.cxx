@@ -3,6 +3,8 @@
 #include "Report.h"
 #include "TradeReport.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 

@@ -10,9 +10,8 @@
 
 #include "VtkColorMap.h"
 
+#include <fmt/format.h>
 #include <vtkLookupTable.h>
-
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <filesystem>

@@ -13,6 +13,7 @@
 #include <vtkQuadric.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace pixelexact
@@ -27,11 +28,9 @@ std::string Quoted(const std::string& text)
 
 std::string ReaderOf(const std::vector<std::string>& files)
 {
-  std::vector<std::string> paths;
-  for (const std::string& file : files)
-  {
-    paths.push_back(Quoted(std::filesystem::absolute(file).string()));
-  }
+  std::vector<std::string> paths(files.size());
+  std::ranges::transform(files, paths.begin(),
+    [](const std::string& file) { return Quoted(std::filesystem::absolute(file).string()); });
   const std::string suffix = std::filesystem::path(files.front()).extension().string();
   if (suffix == ".vtu" && files.size() == 1)
   {

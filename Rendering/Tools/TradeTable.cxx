@@ -4,6 +4,7 @@
 #include "Options.h"
 #include "Report.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace pixelexact

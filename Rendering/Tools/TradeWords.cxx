@@ -4,6 +4,8 @@
 #include "RenderReport.h"
 #include "Report.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
