@@ -114,6 +114,11 @@ std::shared_ptr<HighOrderModel> ModelSource::Get(vtkDataObject* data, vtkAlgorit
   return this->Model;
 }
 
+vtkDataObject* ModelSource::GridOf(vtkDataObject* data) const
+{
+  return this->Converted ? this->Converted.Get() : data;
+}
+
 void TakeGrids(vtkInformation* port)
 {
   port->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");

@@ -33,6 +33,10 @@ public:
   /// Diagnostics of the conversion become warnings of `owner`. Throws Error.
   std::shared_ptr<HighOrderModel> Get(vtkDataObject* data, vtkAlgorithm* owner);
 
+  /// After Get: the data whose cells are the model's elements, which of plain data is another
+  /// object.
+  [[nodiscard]] vtkDataObject* GridOf(vtkDataObject* data) const;
+
 private:
   vtkSmartPointer<vtkDataObject> Convert(vtkUnstructuredGrid* grid, vtkAlgorithm* owner);
   vtkSmartPointer<vtkDataObject> Convert(vtkCompositeDataSet* data, vtkAlgorithm* owner);

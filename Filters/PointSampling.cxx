@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PointSampling.h"
 
-#include "Core/Base/Error.h"
 #include "Core/Location/Owners.h"
 #include "Core/Location/Sample.h"
+#include "FieldsNamed.h"
 
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
@@ -48,7 +48,8 @@ std::vector<Vec3> PointsOf(vtkDataSet* data)
   return points;
 }
 
-PointSampling::PointSampling(const HighOrderModel& model, std::vector<Vec3> points)
+PointSampling::PointSampling(
+  const HighOrderModel& model, std::vector<Vec3> points, const StepProgress& progress)
   : Model(model)
   , Points(std::move(points))
   , Element(Points.size())
@@ -56,12 +57,24 @@ PointSampling::PointSampling(const HighOrderModel& model, std::vector<Vec3> poin
   , TheVerdicts(Points.size())
   , Residual(Points.size())
 {
-  SampleTarget target;
-  target.element = Element;
-  target.xi = Xi;
-  target.verdict = TheVerdicts;
-  target.residual = Residual;
-  Sample(model.GetLocator(), nullptr, Points, target);
+  // Points share work where they are near each other, as a data set's are in its own order.
+  constexpr std::size_t kStep = std::size_t{ 1 } << 17;
+  for (std::size_t begin = 0; begin < Points.size(); begin += kStep)
+  {
+    const std::size_t count = std::min(kStep, Points.size() - begin);
+    SampleTarget target;
+    target.element = std::span(Element).subspan(begin, count);
+    target.xi = std::span(Xi).subspan(begin, count);
+    target.verdict = std::span(TheVerdicts).subspan(begin, count);
+    target.residual = std::span(Residual).subspan(begin, count);
+    Sample(model.GetLocator(), nullptr, std::span(Points).subspan(begin, count), target);
+    if (progress &&
+      !progress(static_cast<double>(begin + count) / static_cast<double>(Points.size())))
+    {
+      Aborted = true;
+      return;
+    }
+  }
 
   for (int i = 0; i < static_cast<int>(Points.size()); ++i)
   {
@@ -91,27 +104,9 @@ void PointSampling::AddFields(const SamplingOptions& options, vtkPointData* outp
       AddEnclosures(field, output);
     }
   };
-  for (const auto& name : options.fields)
+  for (const Field* field : FieldsNamed(Model, options.fields))
   {
-    const Field* field = Model.FindField(name);
-    if (!field)
-    {
-      std::string known;
-      for (const auto& other : Model.Fields())
-      {
-        known += (known.empty() ? "" : ", ") + other.name;
-      }
-      throw InvalidData("there is no high-order field '" + name +
-        "'; the grid has: " + (known.empty() ? "none" : known) + ".");
-    }
     add(*field);
-  }
-  if (options.fields.empty())
-  {
-    for (const auto& field : Model.Fields())
-    {
-      add(field);
-    }
   }
 }
 

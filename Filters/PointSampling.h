@@ -3,6 +3,7 @@
 #define PointSampling_h
 
 #include "HighOrderModel.h"
+#include "ParallelSteps.h"
 
 #include "Core/Base/Verdict.h"
 
@@ -26,7 +27,15 @@ struct SamplingOptions
 class PointSampling
 {
 public:
-  PointSampling(const HighOrderModel& model, std::vector<Vec3> points);
+  /// Bytes that it takes for a point, without what AddFields adds.
+  static constexpr double kBytesPerPoint = 66.0;
+
+  /// `progress` is that of the location.
+  PointSampling(
+    const HighOrderModel& model, std::vector<Vec3> points, const StepProgress& progress = {});
+
+  /// Whether `progress` ended it; there is nothing more to ask then.
+  [[nodiscard]] bool IsAborted() const { return Aborted; }
 
   /// Adds to `output`, one tuple per point: each field (NaN where not inside) and, if asked for,
   /// <field>_Gradient (3 per component, d/dx, d/dy, d/dz in world units), <field>_lower and
@@ -51,6 +60,7 @@ private:
   void AddEnclosures(const Field& field, vtkPointData* output) const;
 
   const HighOrderModel& Model;
+  bool Aborted = false;
   std::vector<Vec3> Points;
   std::vector<std::int32_t> Element;
   std::vector<Vec3> Xi;

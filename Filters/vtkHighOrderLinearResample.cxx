@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHighOrderLinearResample.h"
 
+#include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
+#include "FieldsNamed.h"
+#include "FreeMemory.h"
 #include "ModelSource.h"
+#include "PointBounds.h"
 #include "PointSampling.h"
 
 #include "vtkCellData.h"
 #include "vtkCharArray.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -18,10 +21,8 @@
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <array>
 #include <exception>
 
 vtkStandardNewMacro(vtkHighOrderLinearResample);
@@ -29,6 +30,18 @@ vtkStandardNewMacro(vtkHighOrderLinearResample);
 namespace
 {
 using namespace pixelexact;
+
+void RequireRoom(const int dimensions[3], const std::vector<const Field*>& fields)
+{
+  double perNode = PointSampling::kBytesPerPoint + 3.0; // a mask, and flags of nodes and cells
+  for (const Field* field : fields)
+  {
+    perNode += 8.0 * field->values.components;
+  }
+  const std::int64_t nodes = std::int64_t{ dimensions[0] } * dimensions[1] * dimensions[2];
+  RequireMemory(
+    perNode * static_cast<double>(nodes), Counted(nodes, "node"), "lower the dimensions");
+}
 
 /// Marks nodes that are not inside, and the cells that touch them.
 void Blank(vtkImageData* image, std::span<const Verdict> verdicts)
@@ -92,21 +105,6 @@ void SetGeometry(vtkImageData* image, const int dimensions[3], const double boun
   image->SetOrigin(origin);
   image->SetSpacing(spacing);
   image->SetDimensions(dimensions);
-}
-
-/// Of the points, in all blocks of composite data.
-std::array<double, 6> BoundsOf(vtkDataObject* data)
-{
-  std::array<double, 6> bounds;
-  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
-  {
-    composite->GetBounds(bounds.data());
-  }
-  else
-  {
-    vtkUnstructuredGrid::SafeDownCast(data)->GetBounds(bounds.data());
-  }
-  return bounds;
 }
 } // namespace
 
@@ -197,10 +195,19 @@ int vtkHighOrderLinearResample::RequestData(vtkInformation* /*request*/,
     const auto model = this->Source->Get(grid, this);
     const bool own = this->SamplingBounds[0] <= this->SamplingBounds[1];
     output->Initialize();
+    RequireRoom(n, FieldsNamed(*model, this->Fields));
     SetGeometry(output, n, own ? this->SamplingBounds : BoundsOf(grid).data());
-    this->UpdateProgress(0.2);
-    const PointSampling sampling(*model, PointsOf(output));
-    this->UpdateProgress(0.8);
+    const PointSampling sampling(*model, PointsOf(output),
+      [this](double part)
+      {
+        this->UpdateProgress(0.8 * part);
+        return this->GetAbortExecute() == 0;
+      });
+    if (sampling.IsAborted())
+    {
+      output->Initialize();
+      return 1;
+    }
     sampling.AddFields({ this->Fields, false }, output->GetPointData());
     Blank(output, sampling.Verdicts());
     return 1;

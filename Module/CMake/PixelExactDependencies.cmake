@@ -52,7 +52,7 @@ set(PIXELEXACT_VTK_COMPONENTS
   RenderingCore
   RenderingFreeType
   RenderingOpenGL2)
-set(vtk_build_components IOGeometry IOImage IOLegacy)
+set(vtk_build_components IOCore IOGeometry IOImage IOLegacy)
 if(PIXELEXACT_BUILD_PYTHON)
   list(APPEND vtk_build_components Python WrappingPythonCore)
 endif()
@@ -60,6 +60,7 @@ if(PIXELEXACT_BUILD_TESTING OR PIXELEXACT_BUILD_BENCHMARKS)
   list(APPEND vtk_build_components
     FiltersExtraction
     FiltersGeneral
+    FiltersGeometry
     FiltersSources
     InteractionStyle
     RenderingAnnotation

@@ -36,4 +36,5 @@ void AddInfoCommand(CLI::App& program, const CommonOptions& common, Action& acti
 void AddProbeCommand(CLI::App& program, const CommonOptions& common, Action& action);
 void AddRenderCommand(CLI::App& program, const CommonOptions& common, Action& action);
 void AddBenchCommand(CLI::App& program, const CommonOptions& common, Action& action);
+void AddCompareCommand(CLI::App& program, const CommonOptions& common, Action& action);
 } // namespace pixelexact

@@ -97,6 +97,7 @@ int Run(const std::vector<std::string>& words)
   pixelexact::AddProbeCommand(program, common, action);
   pixelexact::AddRenderCommand(program, common, action);
   pixelexact::AddBenchCommand(program, common, action);
+  pixelexact::AddCompareCommand(program, common, action);
   for (CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
   {
     pixelexact::AddCommonOptions(*command, common);

@@ -35,6 +35,8 @@ public:
   /// no surface, Error for a file that cannot be read.
   [[nodiscard]] std::vector<GivenSurface> Make() const;
 
+  [[nodiscard]] const std::vector<IsoText>& IsoSurfaces() const { return Isos; }
+
   /// The fields whose values surfaces are made of, as they were named (IsoText::name).
   [[nodiscard]] std::vector<std::string> Fields() const;
 

@@ -5,7 +5,7 @@ import unittest
 
 from tool import DATA, MIDDLE, ToolTest, case, run, strict_json, unit_cube_grid
 
-COMMANDS = ["info", "probe", "render", "bench"]
+COMMANDS = ["info", "probe", "render", "bench", "compare"]
 
 
 class Help(ToolTest):
@@ -32,7 +32,7 @@ class Words(ToolTest):
     def test_commands_that_are_none(self):
         for word in ["foo", "INFO", "inf", str(self.cube)]:
             self.fails(2, word, names=[f"'{word}'", *COMMANDS])
-        for word in ["view", "compare"]:
+        for word in ["view"]:
             self.fails(2, word, self.cube, names=[f"'{word}'", "not available yet", *COMMANDS])
         self.fails(2, names=["name a command", *COMMANDS])
         self.fails(2, "--threads", "2", "info", self.cube, names=["--threads", "before the command"])

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ParallelSteps_h
+#define ParallelSteps_h
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+
+namespace pixelexact
+{
+/// Called by the calling thread between steps with the part done, 0 to 1; false ends the work. May
+/// be empty.
+using StepProgress = std::function<bool(double)>;
+
+/// run(begin, end) for ranges that follow each other from 0 to `count`, some hundredth of it each.
+/// False where `progress` ended it.
+template <class Run>
+[[nodiscard]] bool InSteps(std::size_t count, const StepProgress& progress, const Run& run)
+{
+  constexpr std::size_t kSteps = 100;
+  const std::size_t step = std::max<std::size_t>(1, (count + kSteps - 1) / kSteps);
+  for (std::size_t begin = 0; begin < count; begin += step)
+  {
+    const std::size_t end = std::min(count, begin + step);
+    run(begin, end);
+    if (progress && !progress(static_cast<double>(end) / static_cast<double>(count)))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// work(i) for i from 0 to `count`, on all threads. False where `progress` ended it.
+template <class Work>
+[[nodiscard]] bool ParallelSteps(std::size_t count, const StepProgress& progress, const Work& work)
+{
+  return InSteps(count, progress,
+    [&work](std::size_t begin, std::size_t end) { tbb::parallel_for(begin, end, work); });
+}
+
+/// The same by the calling thread alone.
+template <class Work>
+[[nodiscard]] bool SerialSteps(std::size_t count, const StepProgress& progress, const Work& work)
+{
+  return InSteps(count, progress,
+    [&work](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        work(i);
+      }
+    });
+}
+} // namespace pixelexact
+#endif

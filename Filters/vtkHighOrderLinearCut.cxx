@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHighOrderLinearCut.h"
+
+#include "Core/Base/Counted.h"
+#include "Core/Base/Error.h"
+#include "Core/Location/Locator.h"
+#include "CutClip.h"
+#include "CutTriangles.h"
+#include "FieldsNamed.h"
+#include "ModelSource.h"
+#include "PointBounds.h"
+#include "PointSampling.h"
+#include "VtkCutFunction.h"
+
+#include "vtkCellArray.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkImplicitFunction.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <exception>
+#include <numeric>
+#include <utility>
+
+vtkStandardNewMacro(vtkHighOrderLinearCut);
+
+namespace
+{
+using namespace pixelexact;
+
+/// Adds values of `from`, those of the numbered points, behind what `to` has.
+void Append(vtkPointData* from, const std::vector<std::int64_t>& numbers, vtkPointData* to)
+{
+  vtkNew<vtkIdList> ids;
+  vtkNew<vtkIdList> places;
+  const vtkIdType begin = to->GetNumberOfTuples();
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    ids->InsertNextId(static_cast<vtkIdType>(numbers[i]));
+    places->InsertNextId(begin + static_cast<vtkIdType>(i));
+  }
+  to->CopyData(from, ids, places);
+}
+
+void SetShape(const CutTriangles& whole, const ClippedCut& clipped, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(
+    static_cast<vtkIdType>(clipped.kept.size()) + static_cast<vtkIdType>(clipped.rim.size()));
+  vtkIdType next = 0;
+  for (const std::int64_t point : clipped.kept)
+  {
+    points->SetPoint(next++, glm::value_ptr(whole.points[static_cast<std::size_t>(point)]));
+  }
+  for (const Vec3& x : clipped.rim)
+  {
+    points->SetPoint(next++, glm::value_ptr(x));
+  }
+  vtkNew<vtkIdTypeArray> corners;
+  corners->SetNumberOfValues(3 * static_cast<vtkIdType>(clipped.triangles.size()));
+  next = 0;
+  for (const auto& triangle : clipped.triangles)
+  {
+    for (const std::int64_t corner : triangle)
+    {
+      corners->SetValue(next++, static_cast<vtkIdType>(corner));
+    }
+  }
+  vtkNew<vtkCellArray> triangles;
+  triangles->SetData(3, corners);
+  output->SetPoints(points);
+  output->SetPolys(triangles);
+}
+
+/// The box that is proven to hold the mesh, but where the points' box ends as far out, up to what
+/// the bounds leave open: corners of the surface on a flat side of the mesh are in it then.
+Box3 CutBox(const HighOrderModel& model, vtkDataObject* grid)
+{
+  Box3 box = model.GetLocator().Bounds();
+  const double slack = 1e-9 * glm::length(box.upper - box.lower);
+  const std::array<double, 6> points = BoundsOf(grid);
+  for (int d = 0; d < 3; ++d)
+  {
+    const std::size_t side = 2 * static_cast<std::size_t>(d);
+    const double lower = points[side];
+    const double upper = points[side + 1];
+    box.lower[d] = std::fabs(lower - box.lower[d]) <= slack ? lower : box.lower[d];
+    box.upper[d] = std::fabs(upper - box.upper[d]) <= slack ? upper : box.upper[d];
+  }
+  return box;
+}
+} // namespace
+
+vtkHighOrderLinearCut::vtkHighOrderLinearCut()
+  : Source(std::make_unique<ModelSource>())
+{
+}
+
+vtkHighOrderLinearCut::~vtkHighOrderLinearCut() = default;
+
+void vtkHighOrderLinearCut::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent
+     << "CutFunction: " << (this->CutFunction ? this->CutFunction->GetClassName() : "(none)")
+     << "\n";
+  os << indent << "Resolution: " << this->Resolution << "\n";
+  os << indent << "NumberOfTrianglesAtTheRim: " << this->NumberOfTrianglesAtTheRim << "\n";
+  os << indent << "NumberOfPointsOffSurface: " << this->NumberOfPointsOffSurface << "\n";
+  os << indent << "Fields:";
+  for (const auto& name : this->Fields)
+  {
+    os << " " << name;
+  }
+  os << (this->Fields.empty() ? " all\n" : "\n");
+}
+
+vtkMTimeType vtkHighOrderLinearCut::GetMTime()
+{
+  const vtkMTimeType own = this->Superclass::GetMTime();
+  return this->CutFunction ? std::max(own, this->CutFunction->GetMTime()) : own;
+}
+
+void vtkHighOrderLinearCut::SetCutFunction(vtkImplicitFunction* function)
+{
+  if (this->CutFunction != function)
+  {
+    this->CutFunction = function;
+    this->Modified();
+  }
+}
+
+vtkImplicitFunction* vtkHighOrderLinearCut::GetCutFunction()
+{
+  return this->CutFunction;
+}
+
+void vtkHighOrderLinearCut::AddField(const std::string& name)
+{
+  this->Fields.push_back(name);
+  this->Modified();
+}
+
+void vtkHighOrderLinearCut::ClearFields()
+{
+  this->Fields.clear();
+  this->Modified();
+}
+
+int vtkHighOrderLinearCut::FillInputPortInformation(int /*port*/, vtkInformation* info)
+{
+  TakeGrids(info);
+  return 1;
+}
+
+int vtkHighOrderLinearCut::RequestUpdateExtent(vtkInformation* /*request*/,
+  vtkInformationVector** inputVector, vtkInformationVector* /*outputVector*/)
+{
+  AskForWhole(inputVector[0]);
+  return 1;
+}
+
+bool vtkHighOrderLinearCut::Cut(vtkDataObject* grid, vtkPolyData* output)
+{
+  if (!this->CutFunction)
+  {
+    throw InvalidData("there is no cut function; give one with SetCutFunction.");
+  }
+  const auto model = this->Source->Get(grid, this);
+  double perPoint = PointSampling::kBytesPerPoint + 100.0; // also Xi, Element, ... of the output
+  for (const Field* field : FieldsNamed(*model, this->Fields))
+  {
+    perPoint += 16.0 * field->values.components;
+  }
+  const auto progressIn = [this](double from, double to)
+  {
+    return [this, from, to](double part)
+    {
+      this->UpdateProgress(from + (to - from) * part);
+      return this->GetAbortExecute() == 0;
+    };
+  };
+  const Box3 box = CutBox(*model, grid);
+  const double extent = glm::length(box.upper - box.lower);
+  const auto function = MakeCutFunction(this->CutFunction, extent > 0.0 ? extent : 1.0);
+  const CutTriangles cut =
+    TriangulateCut(*function, box, this->Resolution, perPoint, progressIn(0.0, 0.2));
+  if (cut.aborted)
+  {
+    return false;
+  }
+  const PointSampling all(*model, cut.points, progressIn(0.2, 0.9));
+  if (all.IsAborted())
+  {
+    return false;
+  }
+  const ClippedCut clipped = ClipToMesh(*function, cut, all.Verdicts(), model->GetLocator());
+  SetShape(cut, clipped, output);
+  const auto sampled = [this](const PointSampling& sampling)
+  {
+    auto values = vtkSmartPointer<vtkPointData>::New();
+    sampling.AddFields({ this->Fields }, values);
+    sampling.AddLocations(values);
+    return values;
+  };
+  const auto inner = sampled(all);
+  output->GetPointData()->CopyAllOn();
+  output->GetPointData()->CopyAllocate(inner, output->GetNumberOfPoints());
+  Append(inner, clipped.kept, output->GetPointData());
+  std::vector<std::int64_t> rim(clipped.rim.size());
+  std::iota(rim.begin(), rim.end(), std::int64_t{ 0 });
+  Append(sampled(PointSampling(*model, clipped.rim)), rim, output->GetPointData());
+  this->NumberOfTrianglesAtTheRim = clipped.atTheRim;
+  this->NumberOfPointsOffSurface = cut.offSurface;
+  if (cut.offSurface > 0)
+  {
+    vtkWarningMacro(<< Counted(cut.offSurface, "point")
+                    << " could not be brought onto the surface; raise the resolution, or give a "
+                       "function whose gradient does not vanish there.");
+  }
+  return true;
+}
+
+int vtkHighOrderLinearCut::RequestData(vtkInformation* /*request*/,
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  auto* output = vtkPolyData::GetData(outputVector);
+  this->NumberOfTrianglesAtTheRim = 0;
+  this->NumberOfPointsOffSurface = 0;
+  try
+  {
+    if (!this->Cut(vtkDataObject::GetData(inputVector[0]), output))
+    {
+      output->Initialize();
+    }
+    return 1;
+  }
+  catch (const std::exception& error) // memory may run out too
+  {
+    output->Initialize();
+    vtkErrorMacro(<< error.what());
+    return 0;
+  }
+}

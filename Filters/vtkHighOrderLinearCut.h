@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHighOrderLinearCut
+ * @brief   a cut-surface as triangles with the fields at their corners: a linear baseline
+ *
+ * The cut-surface of a function is triangulated, as finely as asked for, and the fields are
+ * evaluated at the triangles' corners: exact there, up to rounding, and only there. VTK's mappers
+ * interpolate linearly between them. What that costs is what vtkHighOrderMapper is for.
+ *
+ * A plane becomes a grid of squares, each two triangles. Through any other function's surface cubes
+ * are marched, and the corners brought onto the surface, to rounding; what lies between corners of
+ * the cubes is missed. Triangles of which some corners are outside of
+ * the mesh, or undecided, end where the mesh does, to 2^-16 of their sides; what lies between
+ * corners of one kind, a hole or a tip smaller than a triangle, is not seen.
+ *
+ * Point data: the fields, and Element, Xi, Verdict and Residual as of vtkHighOrderProbe, of
+ * composite data, which is one mesh, also Block.
+ */
+
+#ifndef vtkHighOrderLinearCut_h
+#define vtkHighOrderLinearCut_h
+
+#include "PixelExactFiltersModule.h"
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h" // for the cut function
+
+#include <memory> // for the model
+#include <string> // for names
+#include <vector> // for names
+
+class vtkImplicitFunction;
+
+namespace pixelexact
+{
+class ModelSource;
+}
+
+class PIXELEXACTFILTERS_EXPORT vtkHighOrderLinearCut : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkHighOrderLinearCut* New();
+  vtkTypeMacro(vtkHighOrderLinearCut, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Includes the cut function's.
+  vtkMTimeType GetMTime() override;
+
+  ///@{
+  /**
+   * The function whose zeros are the cut-surface; there must be one.
+   */
+  void SetCutFunction(vtkImplicitFunction* function);
+  vtkImplicitFunction* GetCutFunction();
+  ///@}
+
+  ///@{
+  /**
+   * Of a plane: squares along the longer side of the rectangle about its part in the mesh's box.
+   * Of others: cubes along the longest side of that box, above 64 rounded up to at most 64 times a
+   * power of two. At least 1; default 256.
+   */
+  vtkSetClampMacro(Resolution, int, 1, 1000000);
+  vtkGetMacro(Resolution, int);
+  ///@}
+
+  ///@{
+  /**
+   * Names of the fields that the output has; none: all. A name that the grid lacks is an error.
+   */
+  void AddField(const std::string& name);
+  void ClearFields();
+  ///@}
+
+  ///@{
+  /**
+   * Of the last output: triangles that were cut where the mesh ends, and corners that could not be
+   * brought onto the surface.
+   */
+  vtkGetMacro(NumberOfTrianglesAtTheRim, vtkIdType);
+  vtkGetMacro(NumberOfPointsOffSurface, vtkIdType);
+  ///@}
+
+protected:
+  vtkHighOrderLinearCut();
+  ~vtkHighOrderLinearCut() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkHighOrderLinearCut(const vtkHighOrderLinearCut&) = delete;
+  void operator=(const vtkHighOrderLinearCut&) = delete;
+
+  /// Throws Error. False where it was aborted.
+  bool Cut(vtkDataObject* grid, vtkPolyData* output);
+
+  vtkSmartPointer<vtkImplicitFunction> CutFunction;
+  int Resolution = 256;
+  std::vector<std::string> Fields;
+  vtkIdType NumberOfTrianglesAtTheRim = 0;
+  vtkIdType NumberOfPointsOffSurface = 0;
+  std::unique_ptr<pixelexact::ModelSource> Source;
+};
+
+#endif
