@@ -72,6 +72,10 @@ find_package(VTK 9.1 REQUIRED COMPONENTS ${PIXELEXACT_VTK_COMPONENTS} ${vtk_buil
 find_package(CLI11 REQUIRED)
 find_package(fmt REQUIRED)
 find_package(nlohmann_json REQUIRED)
+find_package(Freetype REQUIRED)
+find_package(TIFF REQUIRED)
+# The component CXX of CMake 3.25 forgets where it is.
+find_library(TIFF_STREAM_LIBRARY tiffxx REQUIRED)
 
 if(PIXELEXACT_BUILD_TESTING)
   find_package(GTest REQUIRED)

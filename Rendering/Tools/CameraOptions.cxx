@@ -89,7 +89,7 @@ void CameraOptions::Check() const
   // Any box and direction that the view-up given is not parallel to will do.
   const bool upAlongZ = !ViewUp.empty() && ViewUp[0] == 0.0 && ViewUp[1] == 0.0;
   (void)Make(
-    { Vec3(-1.0), Vec3(1.0) }, upAlongZ ? Vec3(1.0, 0.0, 0.0) : Vec3(0.0, 0.0, 1.0), { 1, 1 });
+    { Vec3(-1.0), Vec3(1.0) }, upAlongZ ? Vec3(1.0, 0.0, 0.0) : Vec3(0.0, 0.0, 1.0), { 1, 1, {} });
 }
 
 CameraView CameraOptions::Make(

@@ -82,11 +82,11 @@ void ContourDrawing::AddTo(Pipeline& pipeline)
   pipeline.modules.push_back(&*Lines);
 }
 
-void ContourDrawing::DrawLabels(const Shot& shot, Frame& frame)
+void ContourDrawing::DrawLabels(const Shot& shot, const FontChoice& font, Frame& frame)
 {
   if (LabelHeight)
   {
-    Labels = DrawContourLabels(frame, shot.MakeCamera(), *Certifier, *Lines, *LabelHeight);
+    Labels = DrawContourLabels(frame, shot.MakeCamera(), *Certifier, *Lines, *LabelHeight, font);
   }
 }
 

@@ -14,6 +14,7 @@ namespace pixelexact
 class ColorOptions;
 class ContourOptions;
 class Looks;
+struct FontChoice;
 struct Shot;
 
 /// What there is to tell of contours.
@@ -41,7 +42,7 @@ public:
   void AddTo(Pipeline& pipeline);
 
   /// On the image of a frame that went through the pipeline.
-  void DrawLabels(const Shot& shot, Frame& frame);
+  void DrawLabels(const Shot& shot, const FontChoice& font, Frame& frame);
 
   /// What was found in a frame that went through the pipeline.
   [[nodiscard]] FoundContours Found(const Frame& frame) const;

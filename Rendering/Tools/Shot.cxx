@@ -36,7 +36,8 @@ void ShotOptions::AddTo(CLI::App& added, bool required)
     },
     "magnitude|x|y|z|i",
     "Component of a vector field, by name or counted from 0, or its magnitude (default)");
-  AddSize(added, "--size", size, "Size of the image in pixels (default: 1000x1000)");
+  AddSize(added, "--size", size,
+    "Size of the image in pixels (default: 1000x1000), or in mm or in, as 85x60mm");
   AddChoice(
     added, "--precision",
     [this](const std::string& text)
@@ -140,21 +141,6 @@ void AddLayers(const ShotOptions& options,
   }
 }
 
-/// What a small picture shows.
-std::vector<Vec3> SeenPoints(const Shot& shot)
-{
-  constexpr double kSide = 100.0;
-  const double part = std::min(1.0, kSide / std::max(shot.size.width, shot.size.height));
-  const auto side = [part](int all) { return std::max(1, static_cast<int>(part * all)); };
-  const Frame frame =
-    Trace(shot.scene, { shot.view, side(shot.size.width), side(shot.size.height) }, {},
-      { .centres = Buffer::Position });
-  std::vector<Vec3> points;
-  std::ranges::copy_if(frame.centres.position, std::back_inserter(points),
-    [](const Vec3& x) { return std::isfinite(x.x + x.y + x.z); });
-  return points;
-}
-
 /// For those who want the same once more.
 void TellWhatWasChosen(const ShotOptions& options, Shot& shot)
 {
@@ -172,6 +158,19 @@ void TellWhatWasChosen(const ShotOptions& options, Shot& shot)
   }
 }
 } // namespace
+
+std::vector<Vec3> SeenPoints(const Scene& scene, const CameraView& view, const ImageSize& size)
+{
+  constexpr double kSide = 100.0;
+  const double part = std::min(1.0, kSide / std::max(size.width, size.height));
+  const auto side = [part](int all) { return std::max(1, static_cast<int>(part * all)); };
+  const Frame frame = Trace(
+    scene, { view, side(size.width), side(size.height) }, {}, { .centres = Buffer::Position });
+  std::vector<Vec3> points;
+  std::ranges::copy_if(frame.centres.position, std::back_inserter(points),
+    [](const Vec3& x) { return std::isfinite(x.x + x.y + x.z); });
+  return points;
+}
 
 std::vector<LayerSettings> ShotOptions::MakeLayers() const
 {
@@ -234,7 +233,12 @@ Shot Prepare(const ShotOptions& options, Stopwatch& stopwatch)
   // The second time from nearer, where the first saw what is small in a few of its pixels.
   for (int look = 0; look < 2 && !options.camera.IsPlaced(); ++look)
   {
-    shot.view = options.camera.FitTo(SeenPoints(shot), shot.view, shot.size);
+    std::vector<Vec3> points = SeenPoints(shot.scene, shot.view, shot.size);
+    if (options.alsoSeen)
+    {
+      std::ranges::copy(options.alsoSeen(shot), std::back_inserter(points));
+    }
+    shot.view = options.camera.FitTo(points, shot.view, shot.size);
   }
   return shot;
 }

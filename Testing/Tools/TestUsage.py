@@ -236,7 +236,7 @@ class WrongUsage(ToolTest):
 
     def test_outputs_of_another_kind(self):
         base = ["render", self.cube, "--field", "u", *MIDDLE]
-        self.fails(2, *base, "--output", self.folder / "image.jpg", names=["--output", ".png"])
+        self.fails(2, *base, "--output", self.folder / "image.gif", names=["--output", ".png"])
         image = ["--output", self.image]
         self.fails(2, *base, *image, "--buffers", self.image, names=["--buffers", ".vti"])
 
