@@ -33,4 +33,12 @@ std::optional<ProjectedPoint> Projection::Of(const Vec3& point) const
                            Middle[1] + glm::dot(from, Up) / pixel },
     Parallel ? forward : glm::length(from) };
 }
+
+Vec3 Projection::AsSeenFrom(const CameraView& view, const Vec3& point) const
+{
+  const Projection other(view, 2, 2);
+  const Vec3 from = point - Eye;
+  return other.Eye + glm::dot(from, Right) * other.Right + glm::dot(from, Up) * other.Up +
+    glm::dot(from, Forward) * other.Forward;
+}
 } // namespace pixelexact

@@ -28,6 +28,9 @@ public:
   /// The world's length of a pixel at a depth.
   [[nodiscard]] double PixelAt(double depth) const { return Parallel ? Slope : Slope * depth; }
 
+  /// The point that `view` sees where this one sees `point`, as far away.
+  [[nodiscard]] Vec3 AsSeenFrom(const CameraView& view, const Vec3& point) const;
+
 private:
   Vec3 Eye;
   Vec3 Forward;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Animation.h"
 #include "Command.h"
 #include "DrawnShot.h"
-#include "ImageFile.h"
 #include "Output.h"
 #include "Picture.h"
+#include "PictureFile.h"
 #include "PictureName.h"
 #include "RenderOptions.h"
 #include "RenderReport.h"
@@ -13,26 +14,19 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <utility>
 
 namespace pixelexact
 {
 namespace
 {
-/// The picture alone, or with a figure around it, which says where it comes from.
-void WritePicture(const RenderOptions& options, const DrawnShot& drawn, const std::string& file,
-  const RepeatedCommand& command)
-{
-  PictureFacts facts{ options.Dpi(), {} };
-  if (options.figure.IsAsked())
-  {
-    facts.texts = { { "Source", DescribeFiles(options.shot.input.files) },
-      { "Command", command.Text() }, { "Pixels", drawn.PixelsText() } };
-  }
-  WriteBytes(file, EncodeImage(drawn.Picture(), FormatOf("--output", file), facts, file));
-}
-
 void Render(RenderOptions options, const CommonOptions& common)
 {
+  if (options.animation.IsAsked(options.shot.input))
+  {
+    RenderAnimation(std::move(options), common);
+    return;
+  }
   const std::string picture =
     options.output.empty() ? PictureNamedAfter(options.shot.input.files.front()) : options.output;
   const std::vector<std::string> outputs{ picture, options.buffers.File(), options.lines.file };
@@ -57,7 +51,7 @@ void Render(RenderOptions options, const CommonOptions& common)
   {
     command.chosen.insert(command.chosen.end(), { "--output", picture });
   }
-  WritePicture(options, drawn, picture, command);
+  WriteBytes(picture, EncodePicture(options, drawn, picture, command));
   const ContourDrawing* contours = drawn.Contours();
   if (!options.buffers.File().empty())
   {

@@ -29,6 +29,7 @@ void CheckSuffix(const char* option, const std::string& file, const char* suffix
 
 void RenderOptions::AddTo(CLI::App& command)
 {
+  shot.input.mayBeAll = true;
   shot.AddTo(command);
   contours.AddTo(command);
   debug.AddTo(command);
@@ -42,6 +43,7 @@ void RenderOptions::AddTo(CLI::App& command)
   figure.AddTo(command);
   font.AddTo(command);
   outline.AddTo(command);
+  animation.AddTo(command);
   AddNumber(command, "--dpi", dpi, "N",
     fmt::format("Pixels in an inch, for a --size in mm or in, and as the file tells (default of "
                 "such sizes: {})",
@@ -75,7 +77,8 @@ void RenderOptions::Check(const std::string& picture)
   {
     throw UsageError(fmt::format("--dpi: expected a number from {} to {}", kLeastDpi, kMostDpi));
   }
-  if (shot.colors.Range().of == RangeChoice::Of::All)
+  animation.Check(shot.input);
+  if (shot.colors.Range().of == RangeChoice::Of::All && !animation.IsAsked(shot.input))
   {
     throw UsageError("--range all: there is one picture; leave it out, or choose cut");
   }

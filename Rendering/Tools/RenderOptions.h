@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "AnimationOptions.h"
 #include "BufferOptions.h"
 #include "ContourFile.h"
 #include "ContourOptions.h"
@@ -26,6 +27,7 @@ struct RenderOptions
   FigureOptions figure;
   FontOptions font;
   MeshOutline outline;
+  AnimationOptions animation;
   std::optional<double> dpi;
   std::string output;
 

@@ -186,12 +186,11 @@ std::vector<LayerSettings> ShotOptions::MakeLayers() const
   return settings;
 }
 
-Shot Prepare(const ShotOptions& options, Stopwatch& stopwatch)
+namespace
 {
-  options.camera.Check();
-  options.colors.Check();
-  CheckColor("--edge-color", options.edgeColor);
-  CheckColor("--outline-color", options.outlineColor);
+/// All but the view.
+Shot MakeShot(const ShotOptions& options, Stopwatch& stopwatch, vtkUnstructuredGrid* before)
+{
   Shot shot;
   shot.size = options.size;
   shot.lights = options.lights;
@@ -210,8 +209,11 @@ Shot Prepare(const ShotOptions& options, Stopwatch& stopwatch)
   }
   shot.settings = options.MakeLayers();
   const std::vector<GivenSurface> given = options.surfaces.Make();
-  shot.input = LoadModel(options.input, FieldToLoad(options, shot.settings), stopwatch);
-  WarnOfDiagnostics(shot.input);
+  shot.input = LoadModel(options.input, FieldToLoad(options, shot.settings), stopwatch, before);
+  if (before == nullptr)
+  {
+    WarnOfDiagnostics(shot.input);
+  }
   const HighOrderModel& model = *shot.input.model;
   std::vector<std::shared_ptr<const Surface>> surfaces;
   surfaces.reserve(given.size());
@@ -220,14 +222,28 @@ Shot Prepare(const ShotOptions& options, Stopwatch& stopwatch)
     surfaces.push_back(surface(shot.input.model));
   }
   AddLayers(options, surfaces, shot);
-  TellWhatWasChosen(options, shot);
+  if (before == nullptr)
+  {
+    TellWhatWasChosen(options, shot);
+  }
   shot.scene.locator = &model.GetLocator();
   stopwatch.Stage("bounds+bvh");
+  return shot;
+}
+} // namespace
 
-  const Box3 box = BoxOf(model);
+Shot Prepare(const ShotOptions& options, Stopwatch& stopwatch)
+{
+  options.camera.Check();
+  options.colors.Check();
+  CheckColor("--edge-color", options.edgeColor);
+  CheckColor("--outline-color", options.outlineColor);
+  Shot shot = MakeShot(options, stopwatch, nullptr);
+  const Box3 box = BoxOf(*shot.input.model);
+  const auto& first = shot.scene.layers.front().surface;
   // A surface that is not flat has normals in many directions.
-  const Vec3 normal = surfaces.front()->IsFlat()
-    ? surfaces.front()->Normal({ 0.5 * (box.lower + box.upper) })
+  const Vec3 normal = first->IsFlat()
+    ? first->Normal({ 0.5 * (box.lower + box.upper) })
     : Vec3(1.0);
   shot.view = options.camera.Make(box, normal, shot.size);
   // The second time from nearer, where the first saw what is small in a few of its pixels.
@@ -240,6 +256,21 @@ Shot Prepare(const ShotOptions& options, Stopwatch& stopwatch)
     }
     shot.view = options.camera.FitTo(points, shot.view, shot.size);
   }
+  return shot;
+}
+
+Shot PrepareStep(const ShotOptions& options, int step, const Shot& before, Stopwatch& stopwatch)
+{
+  ShotOptions asked = options;
+  asked.input.step = step;
+  asked.input.allSteps = false;
+  if (const Field* field = before.scene.layers.front().field; asked.field.empty() && field)
+  {
+    asked.field = field->name;
+  }
+  Shot shot = MakeShot(asked, stopwatch, before.input.grid);
+  shot.view = before.view;
+  shot.chosen = before.chosen;
   return shot;
 }
 

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PictureFile.h"
+
+#include "DrawnShot.h"
+#include "ImageFile.h"
+#include "RenderOptions.h"
+
+namespace pixelexact
+{
+std::string EncodePicture(const RenderOptions& options, const DrawnShot& drawn,
+  const std::string& file, const RepeatedCommand& command, const PictureTexts& told)
+{
+  PictureFacts facts{ options.Dpi(), told };
+  if (options.figure.IsAsked() || !told.empty())
+  {
+    facts.texts.insert(facts.texts.end(),
+      { { "Source", DescribeFiles(options.shot.input.files) }, { "Command", command.Text() },
+        { "Pixels", drawn.PixelsText() } });
+  }
+  return EncodeImage(drawn.Picture(), FormatOf("--output", file), facts, file);
+}
+} // namespace pixelexact
