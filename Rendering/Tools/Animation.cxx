@@ -4,6 +4,7 @@
 #include "Command.h"
 #include "DrawnShot.h"
 #include "FrameNames.h"
+#include "ImageFile.h"
 #include "Output.h"
 #include "Picture.h"
 #include "PictureFile.h"
@@ -338,7 +339,8 @@ void WriteFrames(const RenderOptions& options, const CommonOptions& common, Pict
     }
     CheckOutput("--output", file, options.shot.input.files);
     const Shot& shot = pictures.At(frame);
-    const DrawnShot drawn(options, shot, TraceShot(options, shot, {}));
+    const DrawnShot drawn(
+      options, shot, TraceShot(options, shot, {}), IsVector(FormatOf("--output", file)));
     WriteAtOnce(file,
       EncodePicture(options, drawn, file, { common.words, shot.chosen },
         { { "Provenance", HashOf(provenance, frame, frames) },

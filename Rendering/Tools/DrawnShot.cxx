@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DrawnShot.h"
 
-#include "Canvas.h"
 #include "RenderOptions.h"
+#include "VectorCanvas.h"
 
 #include <fmt/format.h>
 
@@ -19,7 +19,7 @@ Frame TraceShot(const RenderOptions& options, const Shot& shot, const Progress& 
   return Trace(shot.scene, shot.MakeCamera(), {}, { .centres = wanted }, progress);
 }
 
-DrawnShot::DrawnShot(const RenderOptions& options, const Shot& shot, Frame traced)
+DrawnShot::DrawnShot(const RenderOptions& options, const Shot& shot, Frame traced, bool paths)
   : Options(options)
   , Of(shot)
   , Pixels(std::move(traced))
@@ -32,7 +32,12 @@ DrawnShot::DrawnShot(const RenderOptions& options, const Shot& shot, Frame trace
   if (options.contours.AreGiven())
   {
     Lines.emplace(options.contours, options.shot.colors, shot, *Colors, Pixels);
-    Lines->AddTo(pipeline);
+    // Labels stand in gaps of the pixels' lines, undecided pixels in the pixels.
+    if (paths && !options.contours.Labels() && !options.contours.Style().showUndecided)
+    {
+      Paths = PathsOfContours(shot, Lines->ValuesOf(0));
+    }
+    Lines->AddTo(pipeline, !Paths);
   }
   Repaint(shot.scene, shot.MakeCamera(), pipeline, Pixels);
   Told.Count(Pixels);
@@ -52,6 +57,17 @@ DrawnShot::DrawnShot(const RenderOptions& options, const Shot& shot, Frame trace
   }
 }
 
+void DrawnShot::DrawFigure(Canvas& canvas) const
+{
+  FigureContent content{ Of, *Colors, Pixels, Options.shot.colors, true, {} };
+  content.bars = !Options.contours.Only() || Options.contours.ByMap();
+  if (const auto color = Told.UndecidedMark())
+  {
+    content.marks.push_back({ *color, "undecided" });
+  }
+  Options.figure.Draw(canvas, Options.shot.size, content);
+}
+
 Image DrawnShot::Picture() const
 {
   const ColorOptions& colors = Options.shot.colors;
@@ -59,18 +75,36 @@ Image DrawnShot::Picture() const
   {
     return colors.Flatten(Pixels);
   }
-  FigureContent content{ Of, *Colors, Pixels, colors, true, {} };
-  content.bars = !Options.contours.Only() || Options.contours.ByMap();
-  if (const auto color = Told.UndecidedMark())
-  {
-    content.marks.push_back({ *color, "undecided" });
-  }
   const ImageSize& size = Options.shot.size;
   RasterCanvas canvas(size.width, size.height, colors.BackgroundColor(),
     Options.figure.FontOf(size), Options.font.Choice());
   canvas.Place(colors.Flatten(Pixels));
-  Options.figure.Draw(canvas, size, content);
+  DrawFigure(canvas);
   return canvas.Picture();
+}
+
+std::string DrawnShot::Vectors(
+  PictureFormat format, const PictureTexts& texts, const std::string& file) const
+{
+  const ColorOptions& colors = Options.shot.colors;
+  const ImageSize& size = Options.shot.size;
+  VectorCanvas canvas(format, size.width, size.height, Options.Dpi().value_or(kUsualDpi),
+    colors.BackgroundColor(), Options.figure.FontOf(size), Options.font.Choice());
+  canvas.Place(colors.Flatten(Pixels));
+  if (Paths)
+  {
+    canvas.Clip(Pixels.width, Pixels.height);
+    for (const ContourPath& path : *Paths)
+    {
+      canvas.Line(path.points, Options.contours.Style().width, Lines->ColorOf(0, path.value));
+    }
+    canvas.Unclip();
+  }
+  if (Options.figure.IsAsked())
+  {
+    DrawFigure(canvas);
+  }
+  return canvas.Finish(texts, file);
 }
 
 std::string DrawnShot::PixelsText() const

@@ -2,8 +2,10 @@
 #pragma once
 
 #include "ContourDrawing.h"
+#include "ContourPaths.h"
 #include "DebugOptions.h"
 #include "Image.h"
+#include "ImageFile.h"
 #include "Looks.h"
 #include "RenderReport.h"
 
@@ -24,9 +26,9 @@ Frame TraceShot(const RenderOptions& options, const Shot& shot, const Progress& 
 class DrawnShot
 {
 public:
-  /// `traced`: of TraceShot. Throws Error as Looks and ContourDrawing. The options and the shot
-  /// must outlive it.
-  DrawnShot(const RenderOptions& options, const Shot& shot, Frame traced);
+  /// `traced`: of TraceShot. `paths`: contours are left out of the pixels where they can be had as
+  /// paths. Throws Error as Looks and ContourDrawing. The options and the shot must outlive it.
+  DrawnShot(const RenderOptions& options, const Shot& shot, Frame traced, bool paths = false);
   DrawnShot(const DrawnShot&) = delete;
   DrawnShot& operator=(const DrawnShot&) = delete;
 
@@ -38,16 +40,24 @@ public:
 
   /// The picture alone, or with a figure around it.
   [[nodiscard]] Image Picture() const;
+  /// The same as a PDF or SVG: its bytes.
+  [[nodiscard]] std::string Vectors(
+    PictureFormat format, const PictureTexts& texts, const std::string& file) const;
+  /// Whether contours are paths, and not in the pixels.
+  [[nodiscard]] bool HasPaths() const { return Paths.has_value(); }
   /// "12 exact, 3 nothing, 0 unknown".
   [[nodiscard]] std::string PixelsText() const;
 
 private:
+  void DrawFigure(Canvas& canvas) const;
+
   const RenderOptions& Options;
   const Shot& Of;
   Frame Pixels;
   DebugOptions Told;
   std::optional<Looks> Colors;
   std::optional<ContourDrawing> Lines;
+  std::optional<std::vector<ContourPath>> Paths;
   Found TheFound;
 };
 } // namespace pixelexact

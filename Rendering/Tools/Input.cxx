@@ -127,8 +127,9 @@ int ParseStep(const std::string& text, bool mayBeAll)
   if (!ParseInteger(text, number) || number < 0)
   {
     Refuse("--time-step", text,
-      mayBeAll ? "the number of a step, counted from 0, or all (info names the times)"
-               : "the number of one step, counted from 0 (call once for each; info names the times)");
+      mayBeAll
+        ? "the number of a step, counted from 0, or all (info names the times)"
+        : "the number of one step, counted from 0 (call once for each; info names the times)");
   }
   return number;
 }

@@ -17,6 +17,8 @@ std::string EncodePicture(const RenderOptions& options, const DrawnShot& drawn,
       { { "Source", DescribeFiles(options.shot.input.files) }, { "Command", command.Text() },
         { "Pixels", drawn.PixelsText() } });
   }
-  return EncodeImage(drawn.Picture(), FormatOf("--output", file), facts, file);
+  const PictureFormat format = FormatOf("--output", file);
+  return IsVector(format) ? drawn.Vectors(format, facts.texts, file)
+                          : EncodeImage(drawn.Picture(), format, facts, file);
 }
 } // namespace pixelexact

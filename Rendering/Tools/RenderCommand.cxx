@@ -2,6 +2,7 @@
 #include "Animation.h"
 #include "Command.h"
 #include "DrawnShot.h"
+#include "ImageFile.h"
 #include "Output.h"
 #include "Picture.h"
 #include "PictureFile.h"
@@ -43,7 +44,13 @@ void Render(RenderOptions options, const CommonOptions& common)
     ProgressLine line("tracing");
     return TraceShot(options, shot, std::ref(line));
   }();
-  const DrawnShot drawn(options, shot, std::move(traced));
+  const bool vectors = IsVector(FormatOf("--output", picture));
+  const DrawnShot drawn(options, shot, std::move(traced), vectors);
+  if (vectors && options.contours.AreGiven() && !drawn.HasPaths())
+  {
+    Note("the contours are in the picture's pixels: as paths there are proven ones of one plane "
+         "alone, without labels");
+  }
   stopwatch.Stage("trace+colour");
 
   RepeatedCommand command{ common.words, shot.chosen };

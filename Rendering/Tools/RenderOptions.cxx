@@ -34,7 +34,8 @@ void RenderOptions::AddTo(CLI::App& command)
   contours.AddTo(command);
   debug.AddTo(command);
   AddText(command, "-o,--output", output, "IMAGE",
-    "Image to write, by its suffix .png, .tif, .jpg; - for a PNG on standard output (default: "
+    "Image to write, by its suffix .png, .tif, .jpg, .svg or .pdf; - for a PNG on standard output "
+    "(default: "
     "named "
     "after the input, in the current folder; a file of that name is written over where pixelexact "
     "made it)");

@@ -242,9 +242,8 @@ Shot Prepare(const ShotOptions& options, Stopwatch& stopwatch)
   const Box3 box = BoxOf(*shot.input.model);
   const auto& first = shot.scene.layers.front().surface;
   // A surface that is not flat has normals in many directions.
-  const Vec3 normal = first->IsFlat()
-    ? first->Normal({ 0.5 * (box.lower + box.upper) })
-    : Vec3(1.0);
+  const Vec3 normal =
+    first->IsFlat() ? first->Normal({ 0.5 * (box.lower + box.upper) }) : Vec3(1.0);
   shot.view = options.camera.Make(box, normal, shot.size);
   // The second time from nearer, where the first saw what is small in a few of its pixels.
   for (int look = 0; look < 2 && !options.camera.IsPlaced(); ++look)
