@@ -51,6 +51,9 @@ set(PIXELEXACT_VTK_COMPONENTS
   RenderingFreeType
   RenderingOpenGL2)
 set(vtk_build_components IOGeometry IOImage IOLegacy)
+if(PIXELEXACT_BUILD_VIEW)
+  list(APPEND vtk_build_components InteractionStyle InteractionWidgets RenderingAnnotation)
+endif()
 if(PIXELEXACT_BUILD_PYTHON)
   list(APPEND vtk_build_components Python WrappingPythonCore)
 endif()

@@ -211,6 +211,33 @@ ColorMap ColorOptions::MapOver(
   return Log ? ByLogarithm(colors) : colors;
 }
 
+vtkSmartPointer<vtkLookupTable> ColorOptions::TableOver(
+  const std::array<double, 2>& range, const std::optional<std::string>& map) const
+{
+  // Over powers of ten, as MapOver; VTK takes logarithms of values and of the range.
+  const auto smooth = TableOf(map.value_or(Map), { 0.0, 1.0 });
+  const int count = TheBands.value_or(static_cast<int>(smooth->GetNumberOfTableValues()));
+  auto table = vtkSmartPointer<vtkLookupTable>::New();
+  table->SetNumberOfTableValues(count);
+  table->SetTableRange(range[0], range[1]);
+  for (int i = 0; i < count; ++i)
+  {
+    const auto at = static_cast<vtkIdType>(
+      (i + 0.5) / count * static_cast<double>(smooth->GetNumberOfTableValues()));
+    table->SetTableValue(i, smooth->GetTableValue(at));
+  }
+  if (Log)
+  {
+    table->SetScaleToLog10();
+  }
+  table->SetNanColor(smooth->GetNanColor());
+  if (!NanColor.empty())
+  {
+    table->SetNanColor(NanColor[0], NanColor[1], NanColor[2], 1.0);
+  }
+  return table;
+}
+
 Rgba ColorOptions::BackgroundColor() const
 {
   return Background ? ToRgba(Background->data()) : Rgba{ 255, 255, 255, 0 };

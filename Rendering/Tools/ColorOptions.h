@@ -7,10 +7,14 @@
 
 #include "Trace/Modules/ColorMapping.h"
 
+#include <vtkSmartPointer.h>
+
 #include <array>
 #include <optional>
 #include <string>
 #include <vector>
+
+class vtkLookupTable;
 
 namespace pixelexact
 {
@@ -30,6 +34,10 @@ public:
   [[nodiscard]] std::optional<std::array<double, 3>> Solid() const;
   /// `map`: another map than that of all layers. Throws UsageError where there is no such map.
   [[nodiscard]] ColorMap MapOver(
+    const std::array<double, 2>& range, const std::optional<std::string>& map = {}) const;
+
+  /// The same as a table, for mappers.
+  [[nodiscard]] vtkSmartPointer<vtkLookupTable> TableOver(
     const std::array<double, 2>& range, const std::optional<std::string>& map = {}) const;
 
   /// So many steps of colour in the place of a smooth map; none: smooth.

@@ -17,7 +17,7 @@ namespace pixelexact
 namespace
 {
 /// Commands of the interface that are still to come.
-constexpr std::array kAnnounced{ "compare", "view" };
+constexpr std::array kAnnounced{ "compare" };
 
 std::vector<std::string> Commands(const CLI::App& program)
 {

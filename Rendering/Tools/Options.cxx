@@ -316,6 +316,10 @@ void AddCommonOptions(CLI::App& command, CommonOptions& options)
   AddInteger(command, "--threads", options.threads, 1, 1 << 16, "N",
     "Number of threads (default: as the machine has)");
   AddFlag(command, "--json", options.json, "Print a machine-readable summary on stdout");
+  AddText(command, "--config", options.config, "FILE",
+    "Options that are not given, in JSON (default: ~/.config/pixelexact/config.json, where it is "
+    "there; before it come those of the environment's PIXELEXACT_OPTIONS)");
+  AddFlag(command, "--no-config", options.noConfig, "Neither that file nor PIXELEXACT_OPTIONS");
   AddFlag(command, "-q,--quiet", options.quiet,
     "Print no table, and not what was chosen; warnings and errors remain");
 }
