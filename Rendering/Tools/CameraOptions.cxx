@@ -176,6 +176,16 @@ CameraView CameraOptions::FitTo(
   }
   view.position = view.focalPoint + distance * towards;
   view.parallelScale = ParallelScale.value_or(view.parallelScale);
-  return AsHeld(view);
+  view = AsHeld(view);
+  try
+  {
+    (void)Camera(view, size.width, size.height);
+  }
+  catch (const Error&)
+  {
+    // So near that rounding leaves no direction.
+    return all;
+  }
+  return view;
 }
 } // namespace pixelexact

@@ -22,6 +22,18 @@ namespace
 {
 constexpr double kPointsPerInch = 72.0;
 
+/// Never freed, as cairo's cache of fonts is not.
+FT_Library Library()
+{
+  static const FT_Library kLibrary = []
+  {
+    FT_Library library = nullptr;
+    FT_Init_FreeType(&library);
+    return library;
+  }();
+  return kLibrary;
+}
+
 cairo_status_t Append(void* closure, const unsigned char* data, unsigned int length)
 {
   static_cast<std::string*>(closure)->append(reinterpret_cast<const char*>(data), length);
@@ -59,8 +71,6 @@ struct VectorCanvas::Cairo
   cairo_surface_t* surface = nullptr;
   cairo_t* context = nullptr;
   cairo_font_face_t* font = nullptr;
-  FT_Library library = nullptr;
-  FT_Face face = nullptr;
 
   void SetColor(const Rgba& color) const
   {
@@ -83,12 +93,16 @@ VectorCanvas::VectorCanvas(PictureFormat format, int width, int height, double d
   cairo_scale(With->context, point, point);
   if (font.family == FontChoice::Family::File)
   {
-    FT_Init_FreeType(&With->library);
-    if (FT_New_Face(With->library, font.file.c_str(), 0, &With->face) != 0)
+    FT_Face face = nullptr;
+    if (FT_New_Face(Library(), font.file.c_str(), 0, &face) != 0)
     {
       throw Error("--font: '" + font.file + "' cannot be read");
     }
-    With->font = cairo_ft_font_face_create_for_ft_face(With->face, 0);
+    With->font = cairo_ft_font_face_create_for_ft_face(face, 0);
+    // cairo keeps fonts in a cache of its own: the face ends with what is there.
+    static const cairo_user_data_key_t kKey{};
+    cairo_font_face_set_user_data(
+      With->font, &kKey, face, [](void* of) { FT_Done_Face(static_cast<FT_Face>(of)); });
   }
   else
   {
@@ -114,10 +128,6 @@ VectorCanvas::~VectorCanvas()
   cairo_destroy(With->context);
   cairo_surface_destroy(With->surface);
   cairo_font_face_destroy(With->font);
-  // cairo keeps faces of fonts in a cache of its own, which must not see this one again.
-  cairo_debug_reset_static_data();
-  FT_Done_Face(With->face);
-  FT_Done_FreeType(With->library);
 }
 
 void VectorCanvas::Place(const Image& picture)

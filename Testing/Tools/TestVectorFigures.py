@@ -150,6 +150,16 @@ class Pdf(VectorTest):
         self.assertIn("PixelExact", info)
         self.assertIn("cube.vtu", info)
 
+    @needs("pdffonts")
+    def test_a_font_of_a_file(self):
+        import glob
+
+        fonts = sorted(glob.glob("/usr/share/fonts/**/DejaVuSans-Bold.ttf", recursive=True))
+        if not fonts:
+            self.skipTest("this font file is not on this machine")
+        found = self.program("pdffonts", self.draw("a.pdf", "--figure", "--font", fonts[0]))
+        self.assertIn("DejaVuSans-Bold", found)
+
     @needs("pdfinfo")
     def test_size(self):
         self.succeeds("render", self.cube, "--field", "u", "--plane", "z", "--size", "85x60mm", "--figure",
