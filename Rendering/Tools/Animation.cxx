@@ -162,6 +162,7 @@ public:
       progress.Tell(frame, frame);
       const Shot& shot = At(frame);
       const Frame traced = TraceShot(Options, shot, {});
+      Watch.Stage("values of all");
       for (std::size_t k = 0; k < found.size(); ++k)
       {
         if (const auto here = ValueRange(traced, lowest, LayersAlike(shot, k)))
@@ -173,7 +174,6 @@ public:
       }
     }
     Values = found;
-    Watch.Stage("values of all");
   }
 
 private:
@@ -181,6 +181,7 @@ private:
   {
     const std::vector<Layer>& layers = shot.scene.layers;
     std::vector<bool> alike;
+    alike.reserve(layers.size());
     for (const Layer& other : layers)
     {
       alike.push_back(
@@ -347,8 +348,8 @@ void WriteFrames(const RenderOptions& options, const CommonOptions& common, Pict
           { "Frame", fmt::format("{} of {}", frame, frames) } }));
     Count(drawn, done);
     ++done.written;
+    watch.Stage("pictures");
   }
-  watch.Stage("pictures");
 }
 
 void WriteVideo(const RenderOptions& options, Pictures& pictures, Stopwatch& watch, Done& done)
@@ -368,10 +369,22 @@ void WriteVideo(const RenderOptions& options, Pictures& pictures, Stopwatch& wat
     video.Add(drawn.Picture());
     Count(drawn, done);
     ++done.written;
+    watch.Stage("pictures");
   }
   video.Close();
   done.files.push_back(options.output);
-  watch.Stage("pictures");
+  watch.Stage("video");
+}
+
+/// Seconds of stages, all that have one name together.
+nlohmann::ordered_json SumsOf(const Stopwatch& watch)
+{
+  auto sums = nlohmann::ordered_json::object();
+  for (const auto& [stage, seconds] : watch.Stages())
+  {
+    sums[stage] = sums.value(stage, 0.0) + seconds;
+  }
+  return sums;
 }
 
 void Tell(const Pictures& pictures, const Done& done, const RepeatedCommand& command,
@@ -385,7 +398,7 @@ void Tell(const Pictures& pictures, const Done& done, const RepeatedCommand& com
       { "read", pictures.TimesRead() }, { "locators", pictures.Located() },
       { "unknown", done.unknown },
       { "color_range", done.colors ? nlohmann::ordered_json(*done.colors) : nullptr },
-      { "files", done.files }, { "command", command.Words() }, { "seconds", ToJson(watch) } };
+      { "files", done.files }, { "command", command.Words() }, { "seconds", SumsOf(watch) } };
     Print(summary);
     return;
   }
@@ -398,7 +411,13 @@ void Tell(const Pictures& pictures, const Done& done, const RepeatedCommand& com
   {
     table.Row("range", "{} to {}", Short((*done.colors)[0]), Short((*done.colors)[1]));
   }
-  AddStages(table, watch);
+  std::string name = "seconds";
+  const nlohmann::ordered_json sums = SumsOf(watch);
+  for (const auto& [stage, seconds] : sums.items())
+  {
+    table.Row(name, "{} {}", Short(seconds.get<double>()), stage);
+    name.clear();
+  }
   table.Row("repeat", command.Text());
   table.Print();
 }

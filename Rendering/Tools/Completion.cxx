@@ -188,7 +188,7 @@ std::string Zsh(const CLI::App& program)
           : option.joined                                          ? "=-"
                                                                    : "=";
         cases += fmt::format("        '*{}{}[{}]{}{}' \\\n", name, join, ForZsh(option.help),
-          option.joined ? ":" : "", option.joined ? value : value);
+          option.joined ? ":" : "", value);
       }
     }
     cases += "        '*:file:_files'\n      ;;\n";

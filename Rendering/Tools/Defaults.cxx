@@ -5,6 +5,7 @@
 #include "CommandWords.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -146,7 +147,7 @@ std::vector<std::string> OfFile(
       const CLI::Option* option = command.get_option_no_throw(word);
       if (option == nullptr && (section != "*" || !AnyKnows(program, word)))
       {
-        throw UsageError("'" + file + "': " + section + " has no option '" + name + "'");
+        throw UsageError(fmt::format("'{}': {} has no option '{}'", file, section, name));
       }
       if (option != nullptr && own.insert(option).second)
       {
@@ -159,7 +160,7 @@ std::vector<std::string> OfFile(
   {
     if (name != "*" && CommandNamed(program, name) == nullptr)
     {
-      throw UsageError("'" + file + "': there is no command '" + name + "'");
+      throw UsageError(fmt::format("'{}': there is no command '{}'", file, name));
     }
   }
   return words;
@@ -260,7 +261,7 @@ std::string FileIn(const std::vector<std::string>& words)
   {
     if (NameOf(word) == kFile && word.find('=') != std::string::npos)
     {
-      const std::string file = word.substr(word.find('=') + 1);
+      std::string file = word.substr(word.find('=') + 1);
       if (!std::filesystem::exists(file))
       {
         throw UsageError(std::string(kFile) + ": there is no file '" + file + "'");

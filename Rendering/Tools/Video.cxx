@@ -18,8 +18,6 @@
 #include <sstream>
 #include <vector>
 
-extern char** environ;
-
 namespace pixelexact
 {
 namespace
@@ -32,7 +30,7 @@ bool IsThere(const std::string& program)
   std::istringstream folders(path != nullptr ? path : "");
   for (std::string folder; std::getline(folders, folder, ':');)
   {
-    if (access((folder + "/" + program).c_str(), X_OK) == 0)
+    if (access((std::filesystem::path(folder) / program).c_str(), X_OK) == 0)
     {
       return true;
     }
@@ -69,6 +67,7 @@ Video::Video(const std::string& file, int width, int height, double framesPerSec
   words.insert(words.end(), codec.begin(), codec.end());
   words.push_back(Beside);
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (std::string& word : words)
   {
     arguments.push_back(word.data());

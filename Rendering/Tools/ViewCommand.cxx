@@ -27,6 +27,7 @@ constexpr const char* kProgram = "pixelexact-view";
   std::vector<std::string> copies{ kProgram };
   copies.insert(copies.end(), words.begin(), words.end());
   std::vector<char*> arguments;
+  arguments.reserve(copies.size() + 1);
   for (std::string& word : copies)
   {
     arguments.push_back(word.data());

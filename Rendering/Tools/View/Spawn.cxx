@@ -3,10 +3,9 @@
 
 #include <spawn.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <filesystem>
-
-extern char** environ;
 
 namespace pixelexact
 {
@@ -19,6 +18,7 @@ bool RunTool(const std::vector<std::string>& words)
   copies.insert(copies.end(), words.begin(), words.end());
   copies.emplace_back("--quiet");
   std::vector<char*> arguments;
+  arguments.reserve(copies.size() + 1);
   for (std::string& word : copies)
   {
     arguments.push_back(word.data());

@@ -270,7 +270,12 @@ void ViewWindow::MakeWidgets()
     PlaneShape->GetPlaneProperty()->SetOpacity(0.01);
     PlaneShape->GetSelectedPlaneProperty()->SetOpacity(0.01);
     Observe(PlaneWidget, vtkCommand::StartInteractionEvent, [this] { Dragging = true; });
-    Observe(PlaneWidget, vtkCommand::EndInteractionEvent, [this] { Dragging = false; });
+    Observe(PlaneWidget, vtkCommand::EndInteractionEvent,
+      [this]
+      {
+        Dragging = false;
+        TellWhatIsAt(Interactor->GetEventPosition()[0], Interactor->GetEventPosition()[1]);
+      });
     PlaneWidget->SetInteractor(Interactor);
     PlaneWidget->SetRepresentation(PlaneShape);
     Observe(PlaneWidget, vtkCommand::InteractionEvent, [this] { MovePlane(); });
