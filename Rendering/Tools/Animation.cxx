@@ -252,7 +252,7 @@ private:
 /// What pictures are made of: the inputs, this program, and the words that change them.
 std::string ProvenanceOf(const RenderOptions& options, const CommonOptions& common)
 {
-  std::string all = DescribeFiles(options.shot.input.files) + '\n' + kPictureMark;
+  std::string all = DescribeFiles(WithFilesBehind(options.shot.input.files)) + '\n' + kPictureMark;
   for (std::size_t i = 0; i < common.words.size(); ++i)
   {
     const std::string& word = common.words[i];
@@ -312,6 +312,7 @@ void WriteFrames(const RenderOptions& options, const CommonOptions& common, Pict
   const FrameNames names(options.output);
   const int frames = pictures.Frames();
   const std::string provenance = ProvenanceOf(options, common);
+  const std::string source = DescribeFiles(options.shot.input.files);
   std::vector<bool> there;
   for (int frame = 0; frame < frames; ++frame)
   {
@@ -345,7 +346,7 @@ void WriteFrames(const RenderOptions& options, const CommonOptions& common, Pict
     WriteAtOnce(file,
       EncodePicture(options, drawn, file, { common.words, shot.chosen },
         { { "Provenance", HashOf(provenance, frame, frames) },
-          { "Frame", fmt::format("{} of {}", frame, frames) } }));
+          { "Frame", fmt::format("{} of {}", frame, frames) }, { kSourceText, source } }));
     Count(drawn, done);
     ++done.written;
     watch.Stage("pictures");

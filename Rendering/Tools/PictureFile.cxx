@@ -5,6 +5,8 @@
 #include "ImageFile.h"
 #include "RenderOptions.h"
 
+#include <algorithm>
+
 namespace pixelexact
 {
 std::string EncodePicture(const RenderOptions& options, const DrawnShot& drawn,
@@ -13,9 +15,14 @@ std::string EncodePicture(const RenderOptions& options, const DrawnShot& drawn,
   PictureFacts facts{ options.Dpi(), told };
   if (options.figure.IsAsked() || !told.empty())
   {
-    facts.texts.insert(facts.texts.end(),
-      { { "Source", DescribeFiles(options.shot.input.files) }, { "Command", command.Text() },
-        { "Pixels", drawn.PixelsText() } });
+    const bool hasSource =
+      std::ranges::any_of(told, [](const auto& text) { return text.first == kSourceText; });
+    if (!hasSource)
+    {
+      facts.texts.emplace_back(kSourceText, DescribeFiles(options.shot.input.files));
+    }
+    facts.texts.emplace_back("Command", command.Text());
+    facts.texts.emplace_back("Pixels", drawn.PixelsText());
   }
   const PictureFormat format = FormatOf("--output", file);
   return IsVector(format) ? drawn.Vectors(format, facts.texts, file)

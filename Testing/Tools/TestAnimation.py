@@ -184,6 +184,21 @@ class Resumed(AnimationTest):
         self.assertEqual(found["kept"], 4)
         self.assertFalse(list(self.folder.glob("*.part")))
 
+    def test_files_behind_a_collection(self):
+        text = unit_cube_grid([("u", [p[0] for p in CUBE])])
+        for step in range(2):
+            (self.folder / f"s_{step}.vtu").write_text(text, encoding="utf-8")
+        sets = "".join(f'<DataSet timestep="{k}" part="0" file="s_{k}.vtu"/>' for k in range(2))
+        series = self.folder / "series.pvd"
+        series.write_text(f'<VTKFile type="Collection"><Collection>{sets}</Collection></VTKFile>',
+            encoding="utf-8")
+        words = ["--time-step", "all", "--plane", "z", "--resume"]
+        self.assertEqual(self.animate(*words, source=series)["written"], 2)
+        self.assertEqual(self.animate(*words, source=series)["kept"], 2)
+        text = unit_cube_grid([("u", [p[1] for p in CUBE])])
+        (self.folder / "s_1.vtu").write_text(text, encoding="utf-8")
+        self.assertEqual(self.animate(*words, source=series)["kept"], 0)
+
     def test_other_formats(self):
         for output in ["r_%d.tif", "r_%d.jpg"]:
             words = ["--sweep", "z=0.2:0.8:2", "--resume"]
