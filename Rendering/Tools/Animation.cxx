@@ -262,6 +262,17 @@ std::string ProvenanceOf(const RenderOptions& options, const CommonOptions& comm
       !joined)
     {
       all += '\n' + word;
+      // A font, a colour map or a surface may be another one under the same name.
+      const std::string value = word.substr(word.starts_with("--") ? word.find('=') + 1 : 0);
+      for (const std::string& file : { value, value.substr(0, value.rfind(':')) })
+      {
+        std::error_code ignored;
+        if (std::filesystem::is_regular_file(file, ignored))
+        {
+          all += '\n' + DescribeFiles({ file });
+          break;
+        }
+      }
     }
     i += takesOne ? 1 : 0;
   }

@@ -184,6 +184,13 @@ class Resumed(AnimationTest):
         self.assertEqual(found["kept"], 4)
         self.assertFalse(list(self.folder.glob("*.part")))
 
+    def test_files_of_options(self):
+        colors = self.folder / "map.json"
+        words = ["--sweep", "z=0.2:0.8:2", "--colormap", f"{colors}:m", "--resume"]
+        for blue, kept in [(0, 0), (0, 2), (1, 0)]:
+            colors.write_text(f'[{{"Name":"m","RGBPoints":[0,0,0,{blue},1,1,1,1]}}]', encoding="utf-8")
+            self.assertEqual(self.animate(*words)["kept"], kept)
+
     def test_files_behind_a_collection(self):
         text = unit_cube_grid([("u", [p[0] for p in CUBE])])
         for step in range(2):
