@@ -4,294 +4,31 @@
 #include "Command.h"
 #include "DrawnShot.h"
 #include "FrameNames.h"
+#include "FrameProgress.h"
+#include "FrameProvenance.h"
 #include "ImageFile.h"
 #include "Output.h"
-#include "Picture.h"
 #include "PictureFile.h"
-#include "Projection.h"
+#include "Pictures.h"
 #include "RenderOptions.h"
 #include "Report.h"
 #include "Video.h"
 
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
-#include "Trace/Surfaces/Plane.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <unistd.h>
-#include <xxhash.h>
 
 #include <algorithm>
-#include <chrono>
-#include <filesystem>
-#include <fstream>
-#include <functional>
-#include <iostream>
-#include <iterator>
-#include <limits>
-#include <memory>
 #include <optional>
 #include <set>
-#include <sstream>
 
 namespace pixelexact
 {
 namespace
 {
-/// Of a sweep, for the view that sees all of it: so many places.
-constexpr int kPlaces = 12;
-
 using Range = std::array<double, 2>;
-
-/// How many pictures are done, and how long the rest will take, on stderr where that is a terminal.
-class FrameProgress
-{
-public:
-  FrameProgress(std::string what, int frames)
-    : What(std::move(what))
-    , Frames(frames)
-  {
-  }
-  ~FrameProgress()
-  {
-    if (Terminal)
-    {
-      std::cerr << "\r\033[K" << std::flush;
-    }
-  }
-  FrameProgress(const FrameProgress&) = delete;
-  FrameProgress& operator=(const FrameProgress&) = delete;
-
-  /// `made`: of those done, the ones that took time.
-  void Tell(int done, int made) const
-  {
-    if (!Terminal)
-    {
-      return;
-    }
-    std::cerr << fmt::format("\r\033[K{} {} of {}", What, done + 1, Frames);
-    if (made > 0)
-    {
-      const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - Begin;
-      const double left = passed.count() / made * (Frames - done);
-      std::cerr << (left < 90.0 ? fmt::format(", {:.0f} s left", left)
-                                : fmt::format(", {:.0f} min left", left / 60.0));
-    }
-    std::cerr << std::flush;
-  }
-
-private:
-  std::string What;
-  int Frames;
-  bool Terminal = isatty(STDERR_FILENO) != 0;
-  std::chrono::steady_clock::time_point Begin = std::chrono::steady_clock::now();
-};
-
-/// The pictures, one after the other.
-class Pictures
-{
-public:
-  Pictures(const RenderOptions& options, Stopwatch& watch)
-    : Options(options)
-    , Watch(watch)
-    , Asked(options.OfPicture())
-  {
-    const AnimationOptions& animation = Options.animation;
-    Asked.alsoSeen = [&animation, outlined = Asked.alsoSeen](const Shot& shot)
-    { return SeenOfAll(animation, shot, outlined); };
-    Now.emplace(Prepare(Asked, Watch));
-    ++Reads;
-    First = Now->view;
-    Pivot = Pivoted();
-    const auto steps = static_cast<int>(Now->input.times.size());
-    const bool all = Options.shot.input.allSteps;
-    Count = animation.Frames().value_or(steps);
-    if (all && (steps == 0 || Count != steps))
-    {
-      throw Error(steps == 0
-          ? "--time-step all: '" + Options.shot.input.files[0] + "' has no time steps"
-          : fmt::format("--time-step all: there are {} time steps, and {} pictures of --sweep or "
-                        "--turn; give as many",
-              steps, Count));
-    }
-  }
-
-  [[nodiscard]] int Frames() const { return Count; }
-  [[nodiscard]] int StepOf(int frame) const
-  {
-    return Options.shot.input.allSteps ? frame : Now->input.step;
-  }
-  [[nodiscard]] int Steps() const { return static_cast<int>(Now->input.times.size()); }
-  [[nodiscard]] std::int64_t TimesRead() const { return Reads; }
-  [[nodiscard]] std::int64_t Located() const { return Locators; }
-  [[nodiscard]] const Shot& Current() const { return *Now; }
-
-  /// Where everything is at a picture.
-  const Shot& At(int frame)
-  {
-    if (StepOf(frame) != Now->input.step)
-    {
-      const Shot before = std::move(*Now);
-      Now.emplace(PrepareStep(Asked, StepOf(frame), before, Watch));
-      ++Reads;
-    }
-    Shot& shot = *Now;
-    // The one before is held while another is made: they differ in their addresses.
-    Locators += shot.scene.locator != Latest ? 1 : 0;
-    Latest = shot.scene.locator;
-    shot.valuesOfAll = Values;
-    if (Options.animation.Sweeps())
-    {
-      shot.scene.layers.front().surface =
-        std::make_shared<Plane>(Options.animation.PlaneAt(frame).Make(BoxOf(*shot.input.model)));
-    }
-    shot.view = Options.animation.ViewAt(frame, First, Pivot);
-    return shot;
-  }
-
-  /// Finds what --range all spans.
-  void FindValues()
-  {
-    const FrameProgress progress("values of picture", Count);
-    const double lowest =
-      Options.shot.colors.Logarithm() ? 0.0 : -std::numeric_limits<double>::infinity();
-    std::vector<std::optional<Range>> found(Now->scene.layers.size());
-    for (int frame = 0; frame < Count; ++frame)
-    {
-      progress.Tell(frame, frame);
-      const Shot& shot = At(frame);
-      const Frame traced = TraceShot(Options, shot, {});
-      Watch.Stage("values of all");
-      for (std::size_t k = 0; k < found.size(); ++k)
-      {
-        if (const auto here = ValueRange(traced, lowest, LayersAlike(shot, k)))
-        {
-          found[k] = found[k]
-            ? Range{ std::min((*found[k])[0], (*here)[0]), std::max((*found[k])[1], (*here)[1]) }
-            : *here;
-        }
-      }
-    }
-    Values = found;
-  }
-
-private:
-  static std::vector<bool> LayersAlike(const Shot& shot, std::size_t layer)
-  {
-    const std::vector<Layer>& layers = shot.scene.layers;
-    std::vector<bool> alike;
-    alike.reserve(layers.size());
-    for (const Layer& other : layers)
-    {
-      alike.push_back(
-        other.field == layers[layer].field && other.component == layers[layer].component);
-    }
-    return alike;
-  }
-
-  [[nodiscard]] Vec3 Pivoted() const
-  {
-    const Box3 box = BoxOf(*Now->input.model);
-    return Options.shot.camera.IsPlaced() ? First.focalPoint : 0.5 * (box.lower + box.upper);
-  }
-
-  /// What is seen of places along the sweep, as if the camera stood still and all else turned.
-  static std::vector<Vec3> SeenOfAll(const AnimationOptions& animation, const Shot& shot,
-    const std::function<std::vector<Vec3>(const Shot&)>& outlined)
-  {
-    std::vector<Vec3> points = SeenPoints(shot.scene, shot.view, shot.size);
-    if (outlined)
-    {
-      std::ranges::copy(outlined(shot), std::back_inserter(points));
-    }
-    const int frames = animation.Frames().value_or(1);
-    const Box3 box = BoxOf(*shot.input.model);
-    const int places = animation.Sweeps() ? std::min(frames, kPlaces) : 0;
-    for (int k = 0; k < places; ++k)
-    {
-      const int frame =
-        static_cast<int>(std::int64_t{ k } * (frames - 1) / std::max(1, places - 1));
-      Scene scene = shot.scene;
-      scene.layers.front().surface = std::make_shared<Plane>(animation.PlaneAt(frame).Make(box));
-      std::ranges::copy(SeenPoints(scene, shot.view, shot.size), std::back_inserter(points));
-    }
-    if (!animation.Turns())
-    {
-      return points;
-    }
-    const Vec3 pivot = 0.5 * (box.lower + box.upper);
-    std::vector<Vec3> turned;
-    for (int k = 0; k < std::min(frames, 8 * kPlaces); ++k)
-    {
-      const int frame =
-        static_cast<int>(std::int64_t{ k } * frames / std::min(frames, 8 * kPlaces));
-      const CameraView view = animation.ViewAt(frame, shot.view, pivot);
-      const Projection from(view, shot.size.width, shot.size.height);
-      for (const Vec3& point : points)
-      {
-        turned.push_back(from.AsSeenFrom(shot.view, point));
-      }
-    }
-    return turned;
-  }
-
-  const RenderOptions& Options;
-  Stopwatch& Watch;
-  ShotOptions Asked;
-  std::optional<Shot> Now;
-  CameraView First;
-  Vec3 Pivot{ 0.0 };
-  int Count = 0;
-  std::vector<std::optional<Range>> Values;
-  std::int64_t Reads = 0;
-  const Locator* Latest = nullptr;
-  std::int64_t Locators = 0;
-};
-
-/// What pictures are made of: the inputs, this program, and the words that change them.
-std::string ProvenanceOf(const RenderOptions& options, const CommonOptions& common)
-{
-  std::string all = DescribeFiles(WithFilesBehind(options.shot.input.files)) + '\n' + kPictureMark;
-  for (std::size_t i = 0; i < common.words.size(); ++i)
-  {
-    const std::string& word = common.words[i];
-    const bool takesOne = word == "--threads" || word == "-o" || word == "--output";
-    const bool joined = word.starts_with("--threads=") || word.starts_with("--output=");
-    if (word != "--resume" && word != "--json" && word != "--quiet" && word != "-q" && !takesOne &&
-      !joined)
-    {
-      all += '\n' + word;
-      // A font, a colour map or a surface may be another one under the same name.
-      const std::string value = word.substr(word.starts_with("--") ? word.find('=') + 1 : 0);
-      for (const std::string& file : { value, value.substr(0, value.rfind(':')) })
-      {
-        std::error_code ignored;
-        if (std::filesystem::is_regular_file(file, ignored))
-        {
-          all += '\n' + DescribeFiles({ file });
-          break;
-        }
-      }
-    }
-    i += takesOne ? 1 : 0;
-  }
-  return all;
-}
-
-std::string HashOf(const std::string& provenance, int frame, int frames)
-{
-  const std::string text = fmt::format("{}\n{} of {}", provenance, frame, frames);
-  return fmt::format("{:016x}", XXH3_64bits(text.data(), text.size()));
-}
-
-bool IsThere(const std::string& file, const std::string& hash)
-{
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return stream && text.str().find(hash) != std::string::npos;
-}
 
 /// What was done.
 struct Done
