@@ -74,7 +74,7 @@ void WriteFrames(const RenderOptions& options, const CommonOptions& common, Pict
       "' gives several pictures one name; number them by {frame}, as cut_{frame}.png");
   }
   done.kept = static_cast<int>(std::ranges::count(there, true));
-  if (done.kept < frames && options.shot.colors.Range().of == RangeChoice::Of::All)
+  if (done.kept < frames && options.shot.SpansAllPictures())
   {
     pictures.FindValues();
   }
@@ -103,7 +103,7 @@ void WriteFrames(const RenderOptions& options, const CommonOptions& common, Pict
 
 void WriteVideo(const RenderOptions& options, Pictures& pictures, Stopwatch& watch, Done& done)
 {
-  if (options.shot.colors.Range().of == RangeChoice::Of::All)
+  if (options.shot.SpansAllPictures())
   {
     pictures.FindValues();
   }

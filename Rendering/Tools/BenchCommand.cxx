@@ -96,6 +96,7 @@ void Bench(const BenchOptions& options, const CommonOptions& common)
   {
     throw UsageError("--contour-labels has no effect on times; leave it out");
   }
+  options.shot.CheckRangeOfOne();
   options.contours.Check(options.shot.MakeLayers());
   Stopwatch stopwatch;
   const Shot shot = Prepare(options.shot, stopwatch);

@@ -79,9 +79,9 @@ void RenderOptions::Check(const std::string& picture)
     throw UsageError(fmt::format("--dpi: expected a number from {} to {}", kLeastDpi, kMostDpi));
   }
   animation.Check(shot.input);
-  if (shot.colors.Range().of == RangeChoice::Of::All && !animation.IsAsked(shot.input))
+  if (!animation.IsAsked(shot.input))
   {
-    throw UsageError("--range all: there is one picture; leave it out, or choose cut");
+    shot.CheckRangeOfOne();
   }
   shot.size = AtDpi(shot.size, Dpi().value_or(kUsualDpi));
   buffers.Check();

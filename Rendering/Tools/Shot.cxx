@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shot.h"
 
+#include "Command.h"
 #include "Effects.h"
 #include "Report.h"
 
@@ -170,6 +171,25 @@ std::vector<Vec3> SeenPoints(const Scene& scene, const CameraView& view, const I
   std::ranges::copy_if(frame.centres.position, std::back_inserter(points),
     [](const Vec3& x) { return std::isfinite(x.x + x.y + x.z); });
   return points;
+}
+
+bool ShotOptions::SpansAllPictures() const
+{
+  const std::vector<LayerSettings> all = layers.Make(surfaces.Count());
+  return colors.Range().of == RangeChoice::Of::All ||
+    std::ranges::any_of(all,
+      [](const LayerSettings& layer)
+      { return layer.range && layer.range->of == RangeChoice::Of::All; });
+}
+
+void ShotOptions::CheckRangeOfOne() const
+{
+  if (SpansAllPictures())
+  {
+    throw UsageError(
+      std::string(colors.Range().of == RangeChoice::Of::All ? "--range" : "--layer: range") +
+      " 'all': there is one picture; choose cut, or give --sweep, --turn or --time-step all");
+  }
 }
 
 std::vector<LayerSettings> ShotOptions::MakeLayers() const

@@ -59,6 +59,11 @@ struct ShotOptions
   /// `required`: INPUT is.
   void AddTo(CLI::App& added, bool required = true);
 
+  /// Throws UsageError where a range is that of all pictures, and there is one.
+  void CheckRangeOfOne() const;
+  /// Whether a range is that of all pictures of an animation.
+  [[nodiscard]] bool SpansAllPictures() const;
+
   /// What is said of each surface. Throws UsageError.
   [[nodiscard]] std::vector<LayerSettings> MakeLayers() const;
 };

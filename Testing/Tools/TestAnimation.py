@@ -60,6 +60,13 @@ class Sweeps(AnimationTest):
         found = self.animate("--sweep", "z=0.1:0.9:3", "--range", "symmetric-all", *self.camera())
         self.assertEqual(found["color_range"][0], -found["color_range"][1])
 
+    def test_range_of_all_of_a_layer(self):
+        found = self.animate("--sweep", "z=0.1:0.9:3", "--layer", "1:range=all", *self.camera())
+        self.assertAlmostEqual(found["color_range"][0], 1.0, delta=0.05)
+        low, high = found["color_range"]
+        expected = self.single("--plane", "z=0.5", *self.camera(), "--range", f"{low},{high}")
+        np.testing.assert_array_equal(read_image(found["files"][1]), expected)
+
     def test_camera_sees_all(self):
         # A wedge of planes across x: none leaves the picture.
         found = self.animate("--sweep", "x=0:1:4", "--view", "iso", "--background", "none")
