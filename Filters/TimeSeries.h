@@ -31,7 +31,7 @@ PIXELEXACTFILTERS_EXPORT std::vector<TimeStep> ReadCollection(const std::string&
 PIXELEXACTFILTERS_EXPORT std::vector<TimeStep> NumberFiles(const std::vector<std::string>& files);
 
 /// The pieces of a parallel file (.pvtu).
-std::vector<GridPart> ReadPieces(const GridPart& part);
+PIXELEXACTFILTERS_EXPORT std::vector<GridPart> ReadPieces(const GridPart& part);
 
 /// The suffix in lower case, with its point.
 PIXELEXACTFILTERS_EXPORT std::string LowerSuffix(const std::string& file);

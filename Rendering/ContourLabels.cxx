@@ -95,10 +95,10 @@ void RequireLabelSize(int size)
 }
 
 int DrawContourLabels(Frame& frame, const Camera& camera, const ContourCertifier& contours,
-  const ContourLines& lines, int size)
+  const ContourLines& lines, int size, const FontChoice& font)
 {
   RequireLabelSize(size);
-  TextImages writer(size);
+  TextImages writer(size, font);
   const PixelSpan image{ frame.width, frame.height, frame.color.data() };
   std::vector<std::vector<std::string>> texts;
   std::vector<std::vector<LabelSize>> sizes;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "PixelExactRenderingModule.h"
+#include "TextImages.h"
 #include "Trace/Camera.h"
 #include "Trace/Frame.h"
 #include "Trace/Modules/ContourLines.h"
@@ -30,5 +31,6 @@ void RequireLabelSize(int size);
 /// gaps of the lines: these must keep what is beneath them. Returns how many. Throws Error for a
 /// size out of LabelFont's limits, and where no text can be made.
 PIXELEXACTRENDERING_EXPORT int DrawContourLabels(Frame& frame, const Camera& camera,
-  const ContourCertifier& contours, const ContourLines& lines, int size);
+  const ContourCertifier& contours, const ContourLines& lines, int size,
+  const FontChoice& font = {});
 } // namespace pixelexact

@@ -44,10 +44,21 @@ struct TextImages::Font
   vtkNew<vtkImageData> image;
 };
 
-TextImages::TextImages(int size)
+TextImages::TextImages(int size, const FontChoice& font)
   : With(std::make_unique<Font>())
 {
-  With->property->SetFontFamilyToArial();
+  switch (font.family)
+  {
+    case FontChoice::Family::Serif:
+      With->property->SetFontFamilyToTimes();
+      break;
+    case FontChoice::Family::File:
+      With->property->SetFontFamily(VTK_FONT_FILE);
+      With->property->SetFontFile(font.file.c_str());
+      break;
+    default:
+      With->property->SetFontFamilyToArial();
+  }
   With->property->SetFontSize(size);
   With->property->SetVerticalJustificationToCentered();
 }

@@ -33,12 +33,25 @@ enum class TextAnchor
   Right
 };
 
-/// Texts of one font (FreeType's Arial) as pixels, without OpenGL.
+/// Letters: VTK's own, without (Arial) or with serifs (Times), or those of a file.
+struct FontChoice
+{
+  enum class Family
+  {
+    Sans,
+    Serif,
+    File
+  };
+  Family family = Family::Sans;
+  std::string file; ///< TrueType, OpenType or Type 1
+};
+
+/// Texts of one font as pixels, by FreeType, without OpenGL.
 class PIXELEXACTRENDERING_EXPORT TextImages
 {
 public:
   /// `size`: of the font, in pixels.
-  explicit TextImages(int size);
+  explicit TextImages(int size, const FontChoice& font = {});
   ~TextImages();
   TextImages(const TextImages&) = delete;
   TextImages& operator=(const TextImages&) = delete;

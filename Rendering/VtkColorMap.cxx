@@ -149,6 +149,22 @@ vtkSmartPointer<vtkLookupTable> MakeColorMap(
     }
     throw Error("unknown colour map '" + name + "' (available: " + names + ")");
   }
+  vtkNew<vtkColorTransferFunction> colors;
+  SetSpace(colors, found->between);
+  const std::size_t last = found->colors.size() - 1;
+  for (std::size_t i = 0; i <= last; ++i)
+  {
+    const double part = static_cast<double>(i) / static_cast<double>(last);
+    const std::uint32_t color = found->colors[i];
+    colors->AddRGBPoint(part, Channel(color, 16), Channel(color, 8), Channel(color, 0));
+  }
+  return MakeColorTable(
+    colors, { Channel(found->nan, 16), Channel(found->nan, 8), Channel(found->nan, 0) }, range);
+}
+
+vtkSmartPointer<vtkLookupTable> MakeColorTable(vtkColorTransferFunction* colors,
+  const std::array<double, 3>& nan, const std::array<double, 2>& range)
+{
   if (!std::isfinite(range[0]) || !std::isfinite(range[1]) || range[0] > range[1])
   {
     throw Error("the range of a colour map must be finite and run upwards");
@@ -162,15 +178,6 @@ vtkSmartPointer<vtkLookupTable> MakeColorMap(
     lower -= half;
     upper += half;
   }
-  vtkNew<vtkColorTransferFunction> colors;
-  SetSpace(colors, found->between);
-  const std::size_t last = found->colors.size() - 1;
-  for (std::size_t i = 0; i <= last; ++i)
-  {
-    const double part = static_cast<double>(i) / static_cast<double>(last);
-    const std::uint32_t color = found->colors[i];
-    colors->AddRGBPoint(part, Channel(color, 16), Channel(color, 8), Channel(color, 0));
-  }
   // A table: finding a colour costs a hundredth of interpolating it in CIELAB.
   std::vector<double> samples(3 * kTableSize);
   colors->GetTable(0.0, 1.0, kTableSize, samples.data());
@@ -182,7 +189,7 @@ vtkSmartPointer<vtkLookupTable> MakeColorMap(
     const double* rgb = &samples[3 * static_cast<std::size_t>(i)];
     table->SetTableValue(i, rgb[0], rgb[1], rgb[2]);
   }
-  table->SetNanColor(Channel(found->nan, 16), Channel(found->nan, 8), Channel(found->nan, 0), 1.0);
+  table->SetNanColor(nan[0], nan[1], nan[2], 1.0);
   return table;
 }
 } // namespace pixelexact

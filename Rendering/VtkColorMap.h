@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+class vtkColorTransferFunction;
 class vtkLookupTable;
 class vtkScalarsToColors;
 
@@ -35,4 +36,9 @@ namespace pixelexact
 /// unknown one, and for a range that is not finite or runs backwards.
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT vtkSmartPointer<vtkLookupTable> MakeColorMap(
   const std::string& name, const std::array<double, 2>& range);
+
+/// The same of the colours of a function from 0 to 1; `nan`: red, green and blue, 0 to 1.
+[[nodiscard]] PIXELEXACTRENDERING_EXPORT vtkSmartPointer<vtkLookupTable> MakeColorTable(
+  vtkColorTransferFunction* colors, const std::array<double, 3>& nan,
+  const std::array<double, 2>& range);
 } // namespace pixelexact

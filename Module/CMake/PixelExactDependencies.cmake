@@ -53,6 +53,9 @@ set(PIXELEXACT_VTK_COMPONENTS
   RenderingFreeType
   RenderingOpenGL2)
 set(vtk_build_components IOCore IOGeometry IOImage IOLegacy)
+if(PIXELEXACT_BUILD_VIEW)
+  list(APPEND vtk_build_components InteractionStyle InteractionWidgets RenderingAnnotation)
+endif()
 if(PIXELEXACT_BUILD_PYTHON)
   list(APPEND vtk_build_components Python WrappingPythonCore)
 endif()
@@ -76,6 +79,13 @@ find_package(VTK 9.1 REQUIRED COMPONENTS ${PIXELEXACT_VTK_COMPONENTS} ${vtk_buil
 find_package(CLI11 REQUIRED)
 find_package(fmt REQUIRED)
 find_package(nlohmann_json REQUIRED)
+find_package(Freetype REQUIRED)
+# cairo has no CMake package.
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo-ft cairo-pdf cairo-svg)
+find_package(TIFF REQUIRED)
+# The component CXX of CMake 3.25 forgets where it is.
+find_library(TIFF_STREAM_LIBRARY tiffxx REQUIRED)
 
 if(PIXELEXACT_BUILD_TESTING)
   find_package(GTest REQUIRED)

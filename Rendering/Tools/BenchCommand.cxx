@@ -44,8 +44,9 @@ struct Measured
 /// What made meshes have no use for.
 void CheckWithoutInput(const CLI::App& command)
 {
-  constexpr std::array<std::string_view, 5> kUsed{ "--size", "--repeat", "--elements", "--threads",
-    "--json" };
+  constexpr std::array<std::string_view, 7> kUsed{ "--size", "--repeat", "--elements", "--threads",
+    "--json", "--config", "--no-config" };
+
   for (const std::string& name : OptionsGiven(command))
   {
     if (std::ranges::find(kUsed, name) == kUsed.end())
@@ -95,6 +96,7 @@ void Bench(const BenchOptions& options, const CommonOptions& common)
   {
     throw UsageError("--contour-labels has no effect on times; leave it out");
   }
+  options.shot.CheckRangeOfOne();
   options.contours.Check(options.shot.MakeLayers());
   Stopwatch stopwatch;
   const Shot shot = Prepare(options.shot, stopwatch);

@@ -149,7 +149,7 @@ ImageSize Scaled(const ImageSize& size, double width, double height)
 {
   const auto scaled = [](double factor, int pixels)
   { return std::max(1, static_cast<int>(std::lround(factor * pixels))); };
-  return { scaled(width, size.width), scaled(height, size.height) };
+  return { scaled(width, size.width), scaled(height, size.height), {} };
 }
 
 /// Figure 10 (b) and (c): by elements, by pixels.

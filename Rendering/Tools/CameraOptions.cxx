@@ -89,7 +89,7 @@ void CameraOptions::Check() const
   // Any box and direction that the view-up given is not parallel to will do.
   const bool upAlongZ = !ViewUp.empty() && ViewUp[0] == 0.0 && ViewUp[1] == 0.0;
   (void)Make(
-    { Vec3(-1.0), Vec3(1.0) }, upAlongZ ? Vec3(1.0, 0.0, 0.0) : Vec3(0.0, 0.0, 1.0), { 1, 1 });
+    { Vec3(-1.0), Vec3(1.0) }, upAlongZ ? Vec3(1.0, 0.0, 0.0) : Vec3(0.0, 0.0, 1.0), { 1, 1, {} });
 }
 
 CameraView CameraOptions::Make(
@@ -176,6 +176,16 @@ CameraView CameraOptions::FitTo(
   }
   view.position = view.focalPoint + distance * towards;
   view.parallelScale = ParallelScale.value_or(view.parallelScale);
-  return AsHeld(view);
+  view = AsHeld(view);
+  try
+  {
+    (void)Camera(view, size.width, size.height);
+  }
+  catch (const Error&)
+  {
+    // So near that rounding leaves no direction.
+    return all;
+  }
+  return view;
 }
 } // namespace pixelexact

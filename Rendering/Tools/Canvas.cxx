@@ -1,21 +1,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Canvas.h"
 
+#include "Blending.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace pixelexact
 {
-Canvas::Canvas(int width, int height, const Rgba& background, int fontSize)
+void Canvas::Line(const CanvasPoint& from, const CanvasPoint& to, double width, const Rgba& color)
+{
+  Line(std::array{ from, to }, width, color);
+}
+
+void Canvas::Frame(int x, int y, int width, int height, const Rgba& color)
+{
+  Fill(x - 1, y - 1, width + 2, 1, color);
+  Fill(x - 1, y + height, width + 2, 1, color);
+  Fill(x - 1, y, 1, height, color);
+  Fill(x + width, y, 1, height, color);
+}
+
+RasterCanvas::RasterCanvas(
+  int width, int height, const Rgba& background, int fontSize, const FontChoice& font)
   : Width(width)
   , Height(height)
+  , Transparent(background[3] == 0)
   , Colors(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
-  , Texts(fontSize)
+  , Texts(fontSize, font)
 {
   Fill(0, 0, width, height, background);
 }
 
-std::uint8_t* Canvas::At(int x, int y)
+std::uint8_t* RasterCanvas::At(int x, int y)
 {
   return x >= 0 && x < Width && y >= 0 && y < Height
     ? &Colors[4 *
@@ -24,22 +41,23 @@ std::uint8_t* Canvas::At(int x, int y)
     : nullptr;
 }
 
-void Canvas::Place(const std::vector<std::uint8_t>& rgb, int width, int height, int x, int y)
+void RasterCanvas::Place(const Image& picture)
 {
-  auto from = rgb.begin();
-  for (int j = 0; j < height; ++j)
+  auto from = picture.pixels.begin();
+  for (int j = 0; j < picture.height; ++j)
   {
-    for (int i = 0; i < width; ++i, from += 3)
+    for (int i = 0; i < picture.width; ++i, from += picture.channels)
     {
-      if (std::uint8_t* to = At(x + i, y + j))
+      if (std::uint8_t* to = At(i, j))
       {
-        std::copy_n(from, 3, to);
+        std::copy_n(from, picture.channels, to);
+        to[3] = picture.channels == 4 ? to[3] : 255;
       }
     }
   }
 }
 
-void Canvas::Fill(int x, int y, int width, int height, const Rgba& color)
+void RasterCanvas::Fill(int x, int y, int width, int height, const Rgba& color)
 {
   for (int j = y; j < y + height; ++j)
   {
@@ -53,15 +71,16 @@ void Canvas::Fill(int x, int y, int width, int height, const Rgba& color)
   }
 }
 
-void Canvas::Frame(int x, int y, int width, int height, const Rgba& color)
+void RasterCanvas::Line(std::span<const CanvasPoint> points, double width, const Rgba& color)
 {
-  Fill(x - 1, y - 1, width + 2, 1, color);
-  Fill(x - 1, y + height, width + 2, 1, color);
-  Fill(x - 1, y, 1, height, color);
-  Fill(x + width, y, 1, height, color);
+  for (std::size_t i = 1; i < points.size(); ++i)
+  {
+    Segment(points[i - 1], points[i], width, color);
+  }
 }
 
-void Canvas::Line(const CanvasPoint& from, const CanvasPoint& to, double width, const Rgba& color)
+void RasterCanvas::Segment(
+  const CanvasPoint& from, const CanvasPoint& to, double width, const Rgba& color)
 {
   const double dx = to[0] - from[0];
   const double dy = to[1] - from[1];
@@ -85,28 +104,35 @@ void Canvas::Line(const CanvasPoint& from, const CanvasPoint& to, double width, 
       const double s = square > 0.0 ? std::clamp((px * dx + py * dy) / square, 0.0, 1.0) : 0.0;
       const double away = std::hypot(px - s * dx, py - s * dy);
       const double part = std::clamp(0.5 * width + 0.5 - away, 0.0, 1.0);
-      for (std::size_t c = 0; c < 3; ++c)
-      {
-        pixel[c] =
-          static_cast<std::uint8_t>(std::lround(part * color[c] + (1.0 - part) * pixel[c]));
-      }
+      BlendOver(color, part, pixel);
     }
   }
 }
 
-void Canvas::Write(
+void RasterCanvas::Write(
   const std::string& text, double x, double y, TextAnchor anchor, const Rgba& color)
 {
   Texts.Put(text, x, y, anchor, color, 0.0, { Width, Height, Colors.data() });
 }
 
-std::vector<std::uint8_t> Canvas::Pixels() const
+double RasterCanvas::WidthOf(const std::string& text)
 {
-  std::vector<std::uint8_t> rgb(Colors.size() / 4 * 3);
+  return Texts.SizeOf(text).width;
+}
+
+Image RasterCanvas::Picture() const
+{
+  Image picture{ Width, Height, Transparent ? 4 : 3, {} };
+  if (Transparent)
+  {
+    picture.pixels = Colors;
+    return picture;
+  }
+  picture.pixels.resize(Colors.size() / 4 * 3);
   for (std::size_t i = 0; i < Colors.size() / 4; ++i)
   {
-    std::copy_n(&Colors[4 * i], 3, &rgb[3 * i]);
+    std::copy_n(&Colors[4 * i], 3, &picture.pixels[3 * i]);
   }
-  return rgb;
+  return picture;
 }
 } // namespace pixelexact

@@ -1,44 +1,69 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Image.h"
+
 #include "TextImages.h"
 
 #include "Trace/Modules/ColorMapping.h"
 
 #include <array>
-#include <cstdint>
+#include <span>
 #include <string>
-#include <vector>
 
 namespace pixelexact
 {
 /// A point in pixels from the lower left.
 using CanvasPoint = std::array<double, 2>;
 
-/// A picture on which a figure is drawn. What leaves it is cut off.
+/// A picture on which a figure is drawn, in pixels. What leaves it is cut off.
 class Canvas
 {
 public:
-  Canvas(int width, int height, const Rgba& background, int fontSize);
+  Canvas() = default;
+  virtual ~Canvas() = default;
+  Canvas(const Canvas&) = delete;
+  Canvas& operator=(const Canvas&) = delete;
 
-  /// Opaque pixels, lower left first, three bytes each, from a place on.
-  void Place(const std::vector<std::uint8_t>& rgb, int width, int height, int x, int y);
-  void Fill(int x, int y, int width, int height, const Rgba& color);
-  /// The outline of the same, a pixel wide and around it.
-  void Frame(int x, int y, int width, int height, const Rgba& color);
-  /// With smooth borders.
+  /// In the lower left corner.
+  virtual void Place(const Image& picture) = 0;
+  virtual void Fill(int x, int y, int width, int height, const Rgba& color) = 0;
+  /// Through all points, with smooth borders and round ends.
+  virtual void Line(std::span<const CanvasPoint> points, double width, const Rgba& color) = 0;
+  virtual void Write(
+    const std::string& text, double x, double y, TextAnchor anchor, const Rgba& color) = 0;
+  [[nodiscard]] virtual double WidthOf(const std::string& text) = 0;
+
   void Line(const CanvasPoint& from, const CanvasPoint& to, double width, const Rgba& color);
-  void Write(const std::string& text, double x, double y, TextAnchor anchor, const Rgba& color);
-  [[nodiscard]] double WidthOf(const std::string& text) { return Texts.SizeOf(text).width; }
+  /// The outline of what Fill fills, a pixel wide and around it.
+  void Frame(int x, int y, int width, int height, const Rgba& color);
+};
 
-  /// Three bytes a pixel, lower left first.
-  [[nodiscard]] std::vector<std::uint8_t> Pixels() const;
+/// A canvas of pixels.
+class RasterCanvas final : public Canvas
+{
+public:
+  /// Transparent where the background is.
+  RasterCanvas(int width, int height, const Rgba& background, int fontSize, const FontChoice& font);
+
+  using Canvas::Line;
+  void Place(const Image& picture) override;
+  void Fill(int x, int y, int width, int height, const Rgba& color) override;
+  void Line(std::span<const CanvasPoint> points, double width, const Rgba& color) override;
+  void Write(
+    const std::string& text, double x, double y, TextAnchor anchor, const Rgba& color) override;
+  [[nodiscard]] double WidthOf(const std::string& text) override;
+
+  /// Of four channels where the background is transparent.
+  [[nodiscard]] Image Picture() const;
 
 private:
   [[nodiscard]] std::uint8_t* At(int x, int y);
+  void Segment(const CanvasPoint& from, const CanvasPoint& to, double width, const Rgba& color);
 
   int Width;
   int Height;
+  bool Transparent;
   std::vector<std::uint8_t> Colors;
   TextImages Texts;
 };

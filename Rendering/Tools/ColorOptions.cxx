@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ColorOptions.h"
 
+#include "ColorMapFile.h"
 #include "Command.h"
+#include "Numbers.h"
 #include "Options.h"
 #include "Report.h"
 
@@ -9,6 +11,7 @@
 #include "VtkColorMap.h"
 #include "VtkLook.h"
 
+#include <fmt/format.h>
 #include <vtkLookupTable.h>
 
 #include <algorithm>
@@ -19,6 +22,9 @@ namespace pixelexact
 {
 namespace
 {
+/// Colours of a table tell no more apart.
+constexpr int kMostBands = 256;
+
 std::array<double, 2> Log10(const std::array<double, 2>& range)
 {
   return { std::log10(range[0]), std::log10(range[1]) };
@@ -37,18 +43,66 @@ ColorMap ByLogarithm(ColorMap map)
   };
 }
 
+/// The colours of `map` in the middles of so many equal parts of what it spans.
+ColorMap ByBands(ColorMap map, const std::array<double, 2>& range, int bands)
+{
+  return [map = std::move(map), range, bands](std::span<const double> values, std::uint8_t* rgba)
+  {
+    const double length = range[1] - range[0];
+    std::vector<double> middles(values.begin(), values.end());
+    for (double& value : middles)
+    {
+      if (std::isfinite(value) && length > 0.0)
+      {
+        const double part = std::floor((value - range[0]) / length * bands);
+        value = range[0] + (std::clamp(part, 0.0, bands - 1.0) + 0.5) / bands * length;
+      }
+    }
+    map(middles, rgba);
+  };
+}
+
 std::string Names()
 {
   return Listed(ColorMapNames());
+}
+
+vtkSmartPointer<vtkLookupTable> TableOf(const std::string& map, const std::array<double, 2>& range)
+{
+  return NamesColorMapFile(map) ? ReadColorMapFile(map, range) : MakeColorMap(map, range);
+}
+
+constexpr const char* kBackgroundForm = "white, black, none or r,g,b, 0 to 1 each";
+
+std::optional<std::array<double, 3>> ReadBackground(const std::string& text)
+{
+  if (text == "none")
+  {
+    return std::nullopt;
+  }
+  if (text == "white" || text == "black")
+  {
+    const double all = text == "white" ? 1.0 : 0.0;
+    return std::array{ all, all, all };
+  }
+  const std::vector<double> rgb = ReadNumbers("--background", text, 3, kBackgroundForm);
+  CheckColor("--background", rgb);
+  return std::array{ rgb[0], rgb[1], rgb[2] };
 }
 } // namespace
 
 void CheckMap(const char* option, const std::string& map)
 {
+  if (NamesColorMapFile(map))
+  {
+    (void)ReadColorMapFile(map, { 0.0, 1.0 });
+    return;
+  }
   const std::vector<std::string> names = ColorMapNames();
   if (std::find(names.begin(), names.end(), map) == names.end())
   {
-    throw UsageError(std::string(option) + ": there is no '" + map + "'; there are " + Names());
+    throw UsageError(std::string(option) + ": there is no '" + map + "'; there are " + Names() +
+      ", and files of ParaView's, .json and .xml");
   }
 }
 
@@ -62,6 +116,11 @@ void CheckColor(const char* option, const std::vector<double>& color)
 
 void CheckLogarithm(const char* option, const RangeChoice& range)
 {
+  if (range.symmetric)
+  {
+    throw UsageError(
+      std::string(option) + ": --log needs a range above 0, and a symmetric one is not");
+  }
   if (range.of == RangeChoice::Of::Ends && !(range.ends[0] > 0.0))
   {
     throw UsageError(std::string(option) + ": --log needs a range above 0, and this begins at " +
@@ -75,15 +134,31 @@ void ColorOptions::AddTo(CLI::App& command)
   const AddedOption range = AddRead(
     command, "--range",
     [this](const std::string& text) { TheRange = ReadRange("--range", text, ','); },
-    "cut|field|a,b",
+    "cut|field|symmetric|P%,Q%|a,b",
     "Values of the colour map's ends: cut, those that the picture shows (default); field, a proven "
-    "enclosure of all values over the mesh; or two numbers, beyond which values take the colours "
-    "of "
-    "the ends")
+    "enclosure of all values over the mesh; symmetric, as cut, and as far to both sides of 0 "
+    "(symmetric-field: as field); 1%,99%, percentiles of the values that the picture shows; or two "
+    "numbers; values beyond take the colours of the ends. Of an animation also all and "
+    "symmetric-all: as cut, of all its pictures")
                               .Group(group);
-  const AddedOption map =
-    AddText(command, "--colormap", Map, "NAME", "Colour map: " + Names() + " (default: viridis)")
-      .Group(group);
+  const AddedOption map = AddText(command, "--colormap", Map, "NAME|FILE",
+    "Colour map: " + Names() +
+      " (default: viridis); or a file of ParaView's, .json or .xml, with :NAME behind it where "
+      "it holds several")
+                            .Group(group);
+  const AddedOption bands = AddRead(
+    command, "--bands",
+    [this](const std::string& text)
+    {
+      int count = 0;
+      if (!ParseInteger(text, count) || count < 2 || count > kMostBands)
+      {
+        Refuse("--bands", text, fmt::format("a whole number from 2 to {}", kMostBands));
+      }
+      TheBands = count;
+    },
+    "N", "So many steps of one colour each, equally wide, in the place of a smooth map")
+                              .Group(group);
   const AddedOption log = AddFlag(command, "--log", Log,
     "Colour by the logarithm of the value; values that have none get the colour of NaN")
                             .Group(group);
@@ -97,16 +172,18 @@ void ColorOptions::AddTo(CLI::App& command)
     .Excludes(map)
     .Excludes(log)
     .Excludes(nan)
+    .Excludes(bands)
     .Group(group);
-  AddNumbers(command, "--background", Background, 3, "r,g,b",
-    "Colour where there is nothing, 0 to 1 each (default: white)")
+  AddRead(
+    command, "--background", [this](const std::string& text) { Background = ReadBackground(text); },
+    "white|black|none|r,g,b",
+    "Colour where there is nothing, 0 to 1 each (default: white); none: transparent")
     .Group(group);
 }
 
 void ColorOptions::Check() const
 {
   CheckColor("--nan-color", NanColor);
-  CheckColor("--background", Background);
   CheckColor("--color", Color);
   if (Log)
   {
@@ -123,35 +200,70 @@ std::optional<std::array<double, 3>> ColorOptions::Solid() const
 ColorMap ColorOptions::MapOver(
   const std::array<double, 2>& range, const std::optional<std::string>& map) const
 {
-  const auto table = MakeColorMap(map.value_or(Map), Log ? Log10(range) : range);
+  const std::array<double, 2> spanned = Log ? Log10(range) : range;
+  const auto table = TableOf(map.value_or(Map), spanned);
   if (!NanColor.empty())
   {
     table->SetNanColor(NanColor[0], NanColor[1], NanColor[2], 1.0);
   }
-  const ColorMap colors = ToColorMap(table);
+  ColorMap colors = ToColorMap(table);
+  colors = TheBands ? ByBands(std::move(colors), spanned, *TheBands) : colors;
   return Log ? ByLogarithm(colors) : colors;
+}
+
+vtkSmartPointer<vtkLookupTable> ColorOptions::TableOver(
+  const std::array<double, 2>& range, const std::optional<std::string>& map) const
+{
+  // Over powers of ten, as MapOver; VTK takes logarithms of values and of the range.
+  const auto smooth = TableOf(map.value_or(Map), { 0.0, 1.0 });
+  const int count = TheBands.value_or(static_cast<int>(smooth->GetNumberOfTableValues()));
+  auto table = vtkSmartPointer<vtkLookupTable>::New();
+  table->SetNumberOfTableValues(count);
+  table->SetTableRange(range[0], range[1]);
+  for (int i = 0; i < count; ++i)
+  {
+    const auto at = static_cast<vtkIdType>(
+      (i + 0.5) / count * static_cast<double>(smooth->GetNumberOfTableValues()));
+    table->SetTableValue(i, smooth->GetTableValue(at));
+  }
+  if (Log)
+  {
+    table->SetScaleToLog10();
+  }
+  table->SetNanColor(smooth->GetNanColor());
+  if (!NanColor.empty())
+  {
+    table->SetNanColor(NanColor[0], NanColor[1], NanColor[2], 1.0);
+  }
+  return table;
 }
 
 Rgba ColorOptions::BackgroundColor() const
 {
-  return ToRgba(Background.data());
+  return Background ? ToRgba(Background->data()) : Rgba{ 255, 255, 255, 0 };
 }
 
-std::vector<std::uint8_t> ColorOptions::Flatten(const Frame& frame) const
+Image ColorOptions::Flatten(const Frame& frame) const
 {
-  const std::vector<std::uint8_t>& image = frame.Image();
-  const std::size_t pixels = image.size() / 4;
-  std::vector<std::uint8_t> rgb(3 * pixels);
-  for (std::size_t i = 0; i < pixels; ++i)
+  const std::vector<std::uint8_t>& pixels = frame.Image();
+  Image image{ frame.width, frame.height, Background ? 3 : 4, {} };
+  if (!Background)
   {
-    const std::uint8_t* color = &image[4 * i];
+    image.pixels = pixels;
+    return image;
+  }
+  const std::size_t count = pixels.size() / 4;
+  image.pixels.resize(3 * count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const std::uint8_t* color = &pixels[4 * i];
     const double alpha = color[3] / 255.0;
     for (std::size_t c = 0; c < 3; ++c)
     {
-      const double mixed = alpha * color[c] + (1.0 - alpha) * 255.0 * Background[c];
-      rgb[3 * i + c] = static_cast<std::uint8_t>(std::lround(mixed));
+      const double mixed = alpha * color[c] + (1.0 - alpha) * 255.0 * (*Background)[c];
+      image.pixels[3 * i + c] = static_cast<std::uint8_t>(std::lround(mixed));
     }
   }
-  return rgb;
+  return image;
 }
 } // namespace pixelexact

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Image.h"
 #include "LayerRanges.h"
 #include "Options.h"
 
 #include "Trace/Modules/ColorMapping.h"
 
+#include <vtkSmartPointer.h>
+
 #include <array>
 #include <optional>
 #include <string>
 #include <vector>
+
+class vtkLookupTable;
 
 namespace pixelexact
 {
@@ -31,10 +36,17 @@ public:
   [[nodiscard]] ColorMap MapOver(
     const std::array<double, 2>& range, const std::optional<std::string>& map = {}) const;
 
-  /// Opaque.
+  /// The same as a table, for mappers.
+  [[nodiscard]] vtkSmartPointer<vtkLookupTable> TableOver(
+    const std::array<double, 2>& range, const std::optional<std::string>& map = {}) const;
+
+  /// So many steps of colour in the place of a smooth map; none: smooth.
+  [[nodiscard]] std::optional<int> Bands() const { return TheBands; }
+
+  /// Of alpha 0 where there is none.
   [[nodiscard]] Rgba BackgroundColor() const;
-  /// The frame's colours in front of the background, RGB.
-  [[nodiscard]] std::vector<std::uint8_t> Flatten(const Frame& frame) const;
+  /// The frame's colours in front of the background; with alpha where there is none.
+  [[nodiscard]] Image Flatten(const Frame& frame) const;
 
 private:
   std::string Map = "viridis";
@@ -42,10 +54,12 @@ private:
   std::vector<double> Color;
   bool Log = false;
   std::vector<double> NanColor;
-  std::vector<double> Background{ 1.0, 1.0, 1.0 };
+  std::optional<int> TheBands;
+  std::optional<std::array<double, 3>> Background{ { 1.0, 1.0, 1.0 } };
 };
 
-/// Throws UsageError where there is no such colour map.
+/// Throws UsageError where there is no such colour map, Error where it is a file's and that cannot
+/// be read.
 void CheckMap(const char* option, const std::string& map);
 
 /// Throws UsageError where an option's red, green or blue is not within 0 to 1.

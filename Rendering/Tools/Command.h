@@ -28,7 +28,9 @@ struct CommonOptions
   int threads = 0; ///< 0: as many as the machine has
   bool json = false;
   bool quiet = false;
-  std::vector<std::string> words; ///< the command line, without the program's name
+  std::string config;             ///< a file of defaults (Defaults.h); empty: the usual one
+  bool noConfig = false;          ///< no defaults
+  std::vector<std::string> words; ///< the command line and its defaults, without the program's name
 };
 void AddCommonOptions(CLI::App& command, CommonOptions& options);
 
@@ -37,4 +39,5 @@ void AddProbeCommand(CLI::App& program, const CommonOptions& common, Action& act
 void AddRenderCommand(CLI::App& program, const CommonOptions& common, Action& action);
 void AddBenchCommand(CLI::App& program, const CommonOptions& common, Action& action);
 void AddCompareCommand(CLI::App& program, const CommonOptions& common, Action& action);
+void AddViewCommand(CLI::App& program, const CommonOptions& common, Action& action);
 } // namespace pixelexact

@@ -16,9 +16,6 @@ namespace pixelexact
 {
 namespace
 {
-/// Commands of the interface that are still to come.
-constexpr std::array kAnnounced{ "view" };
-
 std::vector<std::string> Commands(const CLI::App& program)
 {
   std::vector<std::string> names;
@@ -250,10 +247,8 @@ std::vector<std::string> PrepareWords(
   const CLI::App* command = FindCommand(program, words.front());
   if (command == nullptr)
   {
-    const bool announced = std::ranges::find(kAnnounced, words.front()) != kAnnounced.end();
     const std::string nearest = NearestOf(Commands(program), words.front());
-    throw UsageError(announced ? "'" + words.front() + "' is not available yet; " + choices
-        : nearest.empty()
+    throw UsageError(nearest.empty()
         ? "there is no command '" + words.front() + "'; " + choices
         : "there is no command '" + words.front() + "'; did you mean " + nearest + "? " + choices);
   }

@@ -72,21 +72,24 @@ ContourDrawing::ContourDrawing(const ContourOptions& options, const ColorOptions
   }
 }
 
-void ContourDrawing::AddTo(Pipeline& pipeline)
+void ContourDrawing::AddTo(Pipeline& pipeline, bool lines)
 {
   if (InPlace)
   {
     pipeline.colors = { &*InPlace };
   }
   pipeline.modules.push_back(&*Certifier);
-  pipeline.modules.push_back(&*Lines);
+  if (lines)
+  {
+    pipeline.modules.push_back(&*Lines);
+  }
 }
 
-void ContourDrawing::DrawLabels(const Shot& shot, Frame& frame)
+void ContourDrawing::DrawLabels(const Shot& shot, const FontChoice& font, Frame& frame)
 {
   if (LabelHeight)
   {
-    Labels = DrawContourLabels(frame, shot.MakeCamera(), *Certifier, *Lines, *LabelHeight);
+    Labels = DrawContourLabels(frame, shot.MakeCamera(), *Certifier, *Lines, *LabelHeight, font);
   }
 }
 

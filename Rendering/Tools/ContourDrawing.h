@@ -14,6 +14,7 @@ namespace pixelexact
 class ColorOptions;
 class ContourOptions;
 class Looks;
+struct FontChoice;
 struct Shot;
 
 /// What there is to tell of contours.
@@ -37,11 +38,21 @@ public:
   ContourDrawing(const ContourDrawing&) = delete;
   ContourDrawing& operator=(const ContourDrawing&) = delete;
 
-  /// Last, so that nothing is drawn over them. What is pointed to lives here.
-  void AddTo(Pipeline& pipeline);
+  /// Last, so that nothing is drawn over them. What is pointed to lives here. `lines`: whether they
+  /// are drawn, or told apart alone.
+  void AddTo(Pipeline& pipeline, bool lines = true);
+  /// Values of a layer, in ascending order, and the colour of one.
+  [[nodiscard]] const std::vector<double>& ValuesOf(std::size_t layer) const
+  {
+    return Certifier->Values()[layer];
+  }
+  [[nodiscard]] const Rgba& ColorOf(std::size_t layer, std::size_t value) const
+  {
+    return Lines->ColorOf(layer, value);
+  }
 
   /// On the image of a frame that went through the pipeline.
-  void DrawLabels(const Shot& shot, Frame& frame);
+  void DrawLabels(const Shot& shot, const FontChoice& font, Frame& frame);
 
   /// What was found in a frame that went through the pipeline.
   [[nodiscard]] FoundContours Found(const Frame& frame) const;

@@ -111,6 +111,16 @@ void CheckContourSurfaces(const Shot& shot)
   }
 }
 
+ContourSet ContoursOfLayer(
+  const Shot& shot, std::size_t layer, const std::vector<double>& values, double tolerance)
+{
+  const HighOrderModel& model = *shot.input.model;
+  const Layer& of = shot.scene.layers[layer];
+  const QuadricCut cut(*FormOf(*of.surface));
+  return TraceContours({ model.GetMesh(), of.field, of.component, &cut }, *shot.scene.locator,
+    model.Faces(), { values, tolerance });
+}
+
 void WriteContours(const ContourFileOptions& options, const Shot& shot,
   const std::vector<std::vector<double>>& values)
 {
@@ -125,10 +135,8 @@ void WriteContours(const ContourFileOptions& options, const Shot& shot,
   for (std::size_t k = 0; k < shot.scene.layers.size(); ++k)
   {
     const Layer& layer = shot.scene.layers[k];
-    const QuadricCut cut(*FormOf(*layer.surface));
-    ContourSet set = TraceContours({ model.GetMesh(), layer.field, layer.component, &cut },
-      *shot.scene.locator, model.Faces(),
-      { values[k], options.tolerance.value_or(1e-4 * (diagonal > 0 ? diagonal : 1)) });
+    ContourSet set = ContoursOfLayer(
+      shot, k, values[k], options.tolerance.value_or(1e-4 * (diagonal > 0 ? diagonal : 1)));
     if (const std::string doubts = DescribeDoubts(set.report); !doubts.empty())
     {
       Warn(std::string(kOption) + ": " + doubts.substr(0, doubts.size() - 1));

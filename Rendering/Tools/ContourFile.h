@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +14,7 @@ class App;
 namespace pixelexact
 {
 class Surface;
+struct ContourSet;
 struct Shot;
 
 /// Contours as polylines, for other programs: see vtkHighOrderContour.
@@ -27,6 +29,10 @@ struct ContourFileOptions
 /// Throws Error, naming the option and the remedy, for a shot with a surface that is no plane and
 /// no quadric, or without a field.
 void CheckContourSurfaces(const Shot& shot);
+
+/// The contours of a layer that CheckContourSurfaces takes, of these values.
+ContourSet ContoursOfLayer(
+  const Shot& shot, std::size_t layer, const std::vector<double>& values, double tolerance);
 
 /// Writes the contours of each layer's field on its surface, of these values by layer, as a `.vtp`
 /// file with a cell array Layer; warns of what is not certified. Throws Error when the file cannot

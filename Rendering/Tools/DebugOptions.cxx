@@ -141,6 +141,11 @@ void DebugOptions::AddTo(
   }
 }
 
+std::optional<Rgba> DebugOptions::UndecidedMark() const
+{
+  return ColorUndecided > 0 ? std::optional(ToRgba(UndecidedColor.data())) : std::nullopt;
+}
+
 void DebugOptions::Count(const Frame& frame)
 {
   if (Owners)

@@ -3,12 +3,14 @@
 
 #include "Options.h"
 
+#include "Trace/Modules/ColorMapping.h"
 #include "Trace/Modules/DebugColors.h"
 
 #include <nlohmann/json_fwd.hpp>
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +40,9 @@ public:
   /// Adds what was asked for to a pipeline that shows the field, or puts it in the field's place:
   /// of a frame whose samples are there. What is pointed to lives here.
   void AddTo(Pipeline& pipeline, const Shot& shot, const Looks& looks, const Frame& frame);
+
+  /// The colour of undecided pixels, where the frame that was counted has some.
+  [[nodiscard]] std::optional<Rgba> UndecidedMark() const;
 
   /// Counts what was found in a frame.
   void Count(const Frame& frame);

@@ -16,7 +16,7 @@ namespace pixelexact
 namespace
 {
 // Of colours by value.
-constexpr std::array kOfMaps{ "--range", "--colormap", "--log", "--nan-color" };
+constexpr std::array kOfMaps{ "--range", "--colormap", "--log", "--nan-color", "--bands" };
 
 using Layers = std::vector<LayerSettings>;
 
@@ -57,7 +57,7 @@ void CheckEffects(const CLI::App& command, const Layers& layers)
   check("--colormap", "colours",
     [](const LayerSettings& layer)
     { return layer.color.has_value() || layer.colormap.has_value(); });
-  for (const char* option : { "--log", "--nan-color" })
+  for (const char* option : { "--log", "--nan-color", "--bands" })
   {
     check(option, "a colour", [](const LayerSettings& layer) { return layer.color.has_value(); });
   }
@@ -101,7 +101,7 @@ void CheckEffectsWithoutColors(
     command, std::array{ "--color", "--lights", "--nan-color", "--show-undecided", "--samples" });
   if (idle.empty() && !maps)
   {
-    idle = FirstGiven(command, std::array{ "--colormap" });
+    idle = FirstGiven(command, std::array{ "--colormap", "--bands" });
   }
   if (idle.empty() && std::ranges::none_of(layers, readsRange))
   {

@@ -25,6 +25,9 @@ namespace
 {
 constexpr double kSmallestFont = 8.0;
 constexpr double kLargestFont = 200.0;
+constexpr double kPointsPerInch = 72.0;
+constexpr double kUsualPoints = 7.0;
+constexpr double kSmallestPoints = 4.0;
 /// Of the font's size: the column beside the picture, and the room for a title.
 constexpr int kColumn = 11;
 constexpr int kTitle = 3;
@@ -89,9 +92,10 @@ public:
   {
   }
 
-  void DrawBar(const Bar& bar, int top, int height, bool logarithm)
+  void DrawBar(const Bar& bar, int top, int height, bool logarithm, const std::optional<int>& bands)
   {
     const int width = Font * 6 / 5;
+    const double pen = std::max(1.0, Font / 20.0);
     const int y0 = top - height;
     const auto valueAt = [&](double part)
     {
@@ -113,7 +117,9 @@ public:
     }
     To.Frame(Left, y0, width, height, Ink);
     const double length = bar.range[1] - bar.range[0];
-    for (const Tick& tick : TicksWithin(bar.range, logarithm, std::max(2, height / (2 * Font))))
+    const int most = std::max(2, height / (2 * Font));
+    for (const Tick& tick : bands ? TicksOfBands(bar.range, logarithm, *bands, most)
+                                  : TicksWithin(bar.range, logarithm, most))
     {
       double part = length > 0.0 ? (tick.value - bar.range[0]) / length : 0.5;
       if (logarithm && length > 0.0)
@@ -122,7 +128,7 @@ public:
       }
       // In the middle of a row of pixels, where a line is sharp.
       const double y = std::floor(y0 + part * height) + 0.5;
-      To.Line({ Left + width + 1.0, y }, { Left + width + 0.4 * Font, y }, 1.0, Ink);
+      To.Line(CanvasPoint{ Left + width + 1.0, y }, { Left + width + 0.4 * Font, y }, pen, Ink);
       To.Write(tick.text, Left + width + 0.7 * Font, y, TextAnchor::Left, Ink);
     }
   }
@@ -184,10 +190,12 @@ public:
           : most * unit >= 2.0 * power ? 2.0
                                        : 1.0);
     const double end = Left + length / unit;
-    To.Line({ static_cast<double>(Left), y }, { end, y }, std::max(1.5, Font / 9.0), Ink);
+    To.Line(
+      CanvasPoint{ static_cast<double>(Left), y }, { end, y }, std::max(1.5, Font / 9.0), Ink);
     for (const double x : { static_cast<double>(Left), end })
     {
-      To.Line({ x, y - 0.3 * Font }, { x, y + 0.3 * Font }, 1.0, Ink);
+      To.Line(
+        CanvasPoint{ x, y - 0.3 * Font }, { x, y + 0.3 * Font }, std::max(1.0, Font / 20.0), Ink);
     }
     To.Write(Short(length), 0.5 * (Left + end), y + 0.9 * Font, TextAnchor::Centre, Ink);
   }
@@ -238,31 +246,51 @@ void FigureOptions::AddTo(CLI::App& command)
     [this](const std::string& text)
     {
       double size = 0.0;
-      if (!ParseNumber(text, size) || !(size >= kSmallestFont && size <= kLargestFont))
+      InPoints = text.ends_with("pt");
+      const double least = InPoints ? kSmallestPoints : kSmallestFont;
+      if (!ParseNumber(std::string_view(text).substr(0, text.size() - (InPoints ? 2 : 0)), size) ||
+        !(size >= least && size <= kLargestFont))
       {
-        Refuse(
-          "--font-size", text, fmt::format("a number from {} to {}", kSmallestFont, kLargestFont));
+        Refuse("--font-size", text,
+          fmt::format("pixels, a number from {} to {}, or points, 7pt", least, kLargestFont));
       }
       FontSize = size;
     },
-    "PIXELS", "The size of its letters (default: a 40th of the figure's height)")
+    "PIXELS|POINTSpt",
+    "The size of its letters (default: a 40th of the figure's height; 7pt where --size is a "
+    "length)")
     .Needs(figure)
     .Group(group);
 }
 
 int FigureOptions::FontOf(const ImageSize& figure) const
 {
-  return static_cast<int>(FontSize.value_or(std::clamp(figure.height / 40.0, 10.0, kLargestFont)));
+  // A point of print has a length, where the figure has one.
+  const double point = figure.inches ? figure.width / (*figure.inches)[0] / kPointsPerInch : 1.0;
+  const double usual =
+    figure.inches ? kUsualPoints * point : std::clamp(figure.height / 40.0, 10.0, kLargestFont);
+  const double size = FontSize ? *FontSize * (InPoints ? point : 1.0) : usual;
+  return static_cast<int>(std::clamp(size, kSmallestFont, kLargestFont));
+}
+
+Rgba InkOn(const Rgba& background)
+{
+  const double light = 0.299 * background[0] + 0.587 * background[1] + 0.114 * background[2];
+  return light > 127.0 ? Rgba{ 0, 0, 0, 255 } : Rgba{ 255, 255, 255, 255 };
 }
 
 ImageSize FigureOptions::PictureSize(const ImageSize& figure) const
 {
   const int font = FontOf(figure);
-  return { figure.width - kColumn * font, figure.height - (Title.empty() ? 0 : kTitle * font) };
+  return { figure.width - kColumn * font, figure.height - (Title.empty() ? 0 : kTitle * font), {} };
 }
 
 void FigureOptions::Check(const ImageSize& size) const
 {
+  if (Asked && InPoints && !size.inches)
+  {
+    throw UsageError("--font-size: points have no size in pixels here; give --size in mm or in");
+  }
   const ImageSize picture = PictureSize(size);
   if (Asked &&
     (picture.width < kLeast || picture.height < kLeast || size.height < 18 * FontOf(size)))
@@ -273,15 +301,12 @@ void FigureOptions::Check(const ImageSize& size) const
   }
 }
 
-std::vector<std::uint8_t> FigureOptions::Draw(const ImageSize& figure, const Shot& shot,
-  const Looks& looks, const Frame& frame, const ColorOptions& colors, bool bars) const
+void FigureOptions::Draw(
+  Canvas& canvas, const ImageSize& figure, const FigureContent& content) const
 {
+  const auto& [shot, looks, frame, colors, bars, marks] = content;
   const int font = FontOf(figure);
-  const Rgba background = colors.BackgroundColor();
-  const double light = 0.299 * background[0] + 0.587 * background[1] + 0.114 * background[2];
-  const Rgba ink = light > 127.0 ? Rgba{ 0, 0, 0, 255 } : Rgba{ 255, 255, 255, 255 };
-  Canvas canvas(figure.width, figure.height, background, font);
-  canvas.Place(colors.Flatten(frame), frame.width, frame.height, 0, 0);
+  const Rgba ink = InkOn(colors.BackgroundColor());
   if (!Title.empty())
   {
     canvas.Write(
@@ -301,6 +326,11 @@ std::vector<std::uint8_t> FigureOptions::Draw(const ImageSize& figure, const Sho
   if (pixels.unknown > 0)
   {
     column.DrawMark(LayerColors().unknown, "unknown", y);
+    y += 1.6 * font;
+  }
+  for (const ColorMark& mark : marks)
+  {
+    column.DrawMark(mark.color, mark.text, y);
     y += 1.6 * font;
   }
   const std::vector<Bar> all = bars ? BarsOf(shot, looks) : std::vector<Bar>();
@@ -326,9 +356,9 @@ std::vector<std::uint8_t> FigureOptions::Draw(const ImageSize& figure, const Sho
     column.Write(bar.name, top - font);
     const double height = std::min(share - 3.5 * font, 0.6 * figure.height);
     column.DrawBar(bar, static_cast<int>(top - 2.5 * font),
-      std::max(font, static_cast<int>(height)), colors.Logarithm() && bar.range[0] > 0.0);
+      std::max(font, static_cast<int>(height)), colors.Logarithm() && bar.range[0] > 0.0,
+      colors.Bands());
     top -= share;
   }
-  return canvas.Pixels();
 }
 } // namespace pixelexact

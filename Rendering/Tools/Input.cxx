@@ -127,13 +127,15 @@ void CheckCompanions(const std::vector<std::string>& files, const Format& format
   }
 }
 
-int ParseStep(const std::string& text)
+int ParseStep(const std::string& text, bool mayBeAll)
 {
   int number = 0;
   if (!ParseInteger(text, number) || number < 0)
   {
     Refuse("--time-step", text,
-      "the number of one step, counted from 0 (call once for each; info names the times)");
+      mayBeAll
+        ? "the number of a step, counted from 0, or all (info names the times)"
+        : "the number of one step, counted from 0 (call once for each; info names the times)");
   }
   return number;
 }
@@ -239,8 +241,15 @@ void InputRequest::AddTo(CLI::App& command, bool required)
     "field files and several .mfem_root files make a time series")
     .Required(required);
   const AddedOption number = AddRead(
-    command, "--time-step", [this](const std::string& text) { step = ParseStep(text); }, "N",
-    "Time step, counted from 0 (default: the first)");
+    command, "--time-step",
+    [this](const std::string& text)
+    {
+      allSteps = mayBeAll && text == "all";
+      step = allSteps ? std::nullopt : std::optional(ParseStep(text, mayBeAll));
+    },
+    mayBeAll ? "N|all" : "N",
+    std::string("Time step, counted from 0 (default: the first)") +
+      (mayBeAll ? "; all: a picture of each" : ""));
   AddNumber(command, "--time", time, "T", "Time; of the steps the nearest one").Excludes(number);
   AddChoice(
     command, "--nodes", [this](const std::string& text) { gaussLobatto = text == "gll"; },

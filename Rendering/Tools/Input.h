@@ -20,6 +20,8 @@ struct InputRequest
   std::vector<std::string> files;
   std::optional<int> step; ///< counted from 0
   std::optional<double> time;
+  bool mayBeAll = false;       ///< --time-step takes "all"
+  bool allSteps = false;       ///< one after the other
   bool gaussLobatto = false;   ///< where the nodes of VTK's Lagrange cells are, not equispaced
   bool mirroredWedges = false; ///< MFEM's order of the nodes of VTK's Lagrange wedges
 

@@ -11,9 +11,12 @@
 #include "Core/Element/MeshRanges.h"
 #include "FieldRange.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace pixelexact
 {
@@ -71,23 +74,83 @@ std::array<double, 2> Joined(const std::optional<std::array<double, 2>>& range, 
   return range ? std::array{ std::min((*range)[0], value), std::max((*range)[1], value) }
                : std::array{ value, value };
 }
+
+/// Calls `visit` with the finite values of exact pixels above `lowest` on these layers.
+template <class Visit>
+void VisitValues(
+  const Frame& frame, double lowest, const std::vector<bool>& layers, const Visit& visit)
+{
+  for (const SampleBuffers* samples : SheetsOf(frame))
+  {
+    for (std::size_t i = 0; i < samples->value.size(); ++i)
+    {
+      const double value = samples->value[i];
+      if (IsExact(*samples, i) && std::isfinite(value) && value > lowest &&
+        (layers.empty() || layers[LayerOf(*samples, i)]))
+      {
+        visit(value);
+      }
+    }
+  }
+}
+
+/// Between the two values whose ranks are nearest, by the part of the way.
+double Percentile(std::vector<double>& values, double percent)
+{
+  const double rank = percent / 100.0 * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<std::ptrdiff_t>(std::floor(rank));
+  const auto at = values.begin() + below;
+  std::nth_element(values.begin(), at, values.end());
+  const double part = rank - static_cast<double>(below);
+  return part > 0.0 ? std::lerp(*at, *std::min_element(at + 1, values.end()), part) : *at;
+}
+
+/// Of the values that the picture shows; none: there are none.
+std::optional<std::array<double, 2>> PercentileRange(const Frame& frame, double lowest,
+  const std::vector<bool>& layers, const std::array<double, 2>& percents)
+{
+  std::vector<double> values;
+  VisitValues(frame, lowest, layers, [&values](double value) { values.push_back(value); });
+  return values.empty()
+    ? std::nullopt
+    : std::optional(std::array{ Percentile(values, percents[0]), Percentile(values, percents[1]) });
+}
+
+std::array<double, 2> Symmetric(const std::array<double, 2>& range)
+{
+  const double most = std::max(std::fabs(range[0]), std::fabs(range[1]));
+  return { -most, most };
+}
 } // namespace
 
 RangeChoice ReadRange(const std::string& option, const std::string& text, char separator)
 {
-  RangeChoice choice;
-  if (text == "cut" || text == "field")
+  using Of = RangeChoice::Of;
+  static const std::map<std::string_view, RangeChoice> kNamed{ { "cut", { Of::Cut } },
+    { "field", { Of::Field } }, { "all", { Of::All } }, { "symmetric", { Of::Cut, {}, true } },
+    { "symmetric-cut", { Of::Cut, {}, true } }, { "symmetric-field", { Of::Field, {}, true } },
+    { "symmetric-all", { Of::All, {}, true } } };
+  if (const auto named = kNamed.find(text); named != kNamed.end())
   {
-    choice.of = text == "cut" ? RangeChoice::Of::Cut : RangeChoice::Of::Field;
-    return choice;
+    return named->second;
   }
-  choice.of = RangeChoice::Of::Ends;
+  RangeChoice choice;
   const auto middle = text.find(separator);
+  std::string_view first = std::string_view(text).substr(0, middle);
+  std::string_view second =
+    middle == std::string::npos ? std::string_view() : std::string_view(text).substr(middle + 1);
+  const bool parts = first.ends_with('%') && second.ends_with('%');
+  choice.of = parts ? Of::Parts : Of::Ends;
+  first.remove_suffix(parts ? 1 : 0);
+  second.remove_suffix(parts ? 1 : 0);
   auto& [lower, upper] = choice.ends;
-  if (middle == std::string::npos || !ParseNumber(text.substr(0, middle), lower) ||
-    !ParseNumber(text.substr(middle + 1), upper) || !std::isfinite(lower) || !std::isfinite(upper))
+  if (!ParseNumber(first, lower) || !ParseNumber(second, upper) || !std::isfinite(lower) ||
+    !std::isfinite(upper) || (parts && !(lower >= 0.0 && upper <= 100.0)))
   {
-    Refuse(option, text, std::string("cut, field or two numbers a") + separator + "b");
+    Refuse(option, text,
+      fmt::format("cut, field, symmetric, two numbers a{0}b or two percentages from 0 to 100, "
+                  "1%{0}99%",
+        separator));
   }
   if (!(lower < upper))
   {
@@ -100,18 +163,7 @@ std::optional<std::array<double, 2>> ValueRange(
   const Frame& frame, double lowest, const std::vector<bool>& layers)
 {
   std::optional<std::array<double, 2>> range;
-  for (const SampleBuffers* samples : SheetsOf(frame))
-  {
-    for (std::size_t i = 0; i < samples->value.size(); ++i)
-    {
-      const double value = samples->value[i];
-      if (IsExact(*samples, i) && std::isfinite(value) && value > lowest &&
-        (layers.empty() || layers[LayerOf(*samples, i)]))
-      {
-        range = Joined(range, value);
-      }
-    }
-  }
+  VisitValues(frame, lowest, layers, [&range](double value) { range = Joined(range, value); });
   return range;
 }
 
@@ -119,12 +171,14 @@ std::array<double, 2> RangeOfLayer(const RangeChoice& choice, const Shot& shot, 
   const Frame& frame, bool logarithm)
 {
   const std::vector<Layer>& layers = shot.scene.layers;
+  const auto sided = [&choice](const std::array<double, 2>& range)
+  { return choice.symmetric ? Symmetric(range) : range; };
   switch (choice.of)
   {
     case RangeChoice::Of::Ends:
       return choice.ends;
     case RangeChoice::Of::Field:
-      return FieldRange(shot, layers[layer], logarithm);
+      return sided(FieldRange(shot, layers[layer], logarithm));
     default:
       break;
   }
@@ -135,13 +189,17 @@ std::array<double, 2> RangeOfLayer(const RangeChoice& choice, const Shot& shot, 
     together.push_back(ShowTheSame(other, layers[layer]));
   }
   const double lowest = logarithm ? 0.0 : -std::numeric_limits<double>::infinity();
-  const auto range = ValueRange(frame, lowest, together);
+  const auto seen = choice.of == RangeChoice::Of::Parts
+    ? PercentileRange(frame, lowest, together, choice.ends)
+    : ValueRange(frame, lowest, together);
+  const auto range =
+    choice.of == RangeChoice::Of::All && !shot.valuesOfAll.empty() ? shot.valuesOfAll[layer] : seen;
   if (!range)
   {
     return logarithm ? std::array{ 1.0, 10.0 } : std::array{ 0.0, 1.0 };
   }
   const auto shown = BeyondRounding(*layers[layer].field, *range);
-  return logarithm && !(shown[0] > 0.0) ? *range : shown;
+  return logarithm && !(shown[0] > 0.0) ? *range : sided(shown);
 }
 
 PixelsBeyond CountBeyond(const Frame& frame,

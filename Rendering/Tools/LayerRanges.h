@@ -21,13 +21,17 @@ struct RangeChoice
   {
     Cut,   ///< the exact values that the picture shows
     Field, ///< a proven enclosure of all values of the field over the mesh
+    All,   ///< the exact values that all pictures of an animation show
+    Parts, ///< percentiles of the values that the picture shows, a pixel a value
     Ends   ///< as given
   };
   Of of = Of::Cut;
-  std::array<double, 2> ends{};
+  std::array<double, 2> ends{}; ///< values, or percentages
+  bool symmetric = false;       ///< made as wide to both sides of 0
 };
 
-/// "cut", "field" or two numbers with `separator` between them. Throws UsageError.
+/// "cut", "field" or "all", each behind "symmetric-" or not, "symmetric", two numbers with
+/// `separator` between them, or two percentages. Throws UsageError.
 RangeChoice ReadRange(const std::string& option, const std::string& text, char separator);
 
 /// The smallest and largest finite value of the exact pixels, what is seen through others included,

@@ -103,7 +103,7 @@ std::vector<std::uint8_t> LogPlot::Draw(int width, int height) const
   const int bottom = 4 * font;
   const int right = width - 10 * font;
   const int top = height - 5 * font;
-  Canvas canvas(width, height, kPaper, font);
+  RasterCanvas canvas(width, height, kPaper, font, {});
   Scale x(left, right);
   Scale y(bottom, top);
   for (const Series& one : series)
@@ -152,6 +152,6 @@ std::vector<std::uint8_t> LogPlot::Draw(int width, int height) const
   canvas.Write(title, left, height - 1.2 * font, TextAnchor::Left, kInk);
   canvas.Write(up, left, height - 2.8 * font, TextAnchor::Left, kInk);
   canvas.Write(across, 0.5 * (left + right), 1.2 * font, TextAnchor::Centre, kInk);
-  return canvas.Pixels();
+  return canvas.Picture().pixels;
 }
 } // namespace pixelexact

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Command.h"
 #include "CommandWords.h"
+#include "Completion.h"
+#include "Defaults.h"
 #include "Options.h"
 #include "Report.h"
 
@@ -25,6 +27,7 @@ constexpr int kWrongUsage = 2;
 
 constexpr const char* kFooter = R"(
 Exit status: 0 done, 1 the work failed, 2 wrong usage.
+pixelexact --completion bash|zsh|man prints a shell's completion, or the manual's page.
 
   pixelexact info toroid.vtu
   pixelexact render toroid.vtu --field u --plane 0,0,0,0,0,1 --output toroid.png
@@ -83,7 +86,7 @@ int Perform(const pixelexact::Action& action, const pixelexact::CommonOptions& c
   }
 }
 
-int Run(const std::vector<std::string>& words)
+int Run(std::vector<std::string> words)
 {
   CLI::App program("Pixel-exact pictures of high-order finite-element fields.", "pixelexact");
   program.set_version_flag("--version", "pixelexact " PIXELEXACT_VERSION);
@@ -91,13 +94,13 @@ int Run(const std::vector<std::string>& words)
   program.footer(kFooter);
 
   pixelexact::CommonOptions common;
-  common.words = words;
   pixelexact::Action action;
   pixelexact::AddInfoCommand(program, common, action);
   pixelexact::AddProbeCommand(program, common, action);
   pixelexact::AddRenderCommand(program, common, action);
   pixelexact::AddBenchCommand(program, common, action);
   pixelexact::AddCompareCommand(program, common, action);
+  pixelexact::AddViewCommand(program, common, action);
   for (CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
   {
     pixelexact::AddCommonOptions(*command, common);
@@ -113,6 +116,13 @@ int Run(const std::vector<std::string>& words)
   };
   try
   {
+    if (words.size() == 2 && words.front() == "--completion")
+    {
+      std::cout << pixelexact::GeneratedText(program, words.back());
+      return Done();
+    }
+    words = pixelexact::WithDefaults(program, words);
+    common.words = words;
     std::vector<std::string> arguments = pixelexact::PrepareWords(program, words);
     // CLI11 takes them from the back.
     std::ranges::reverse(arguments);

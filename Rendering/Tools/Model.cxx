@@ -15,11 +15,14 @@
 #include <vtkCallbackCommand.h>
 #include <vtkCellData.h>
 #include <vtkCommand.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
+#include <cstring>
 #include <utility>
 
 namespace pixelexact
@@ -76,9 +79,43 @@ void Convert(LoadedModel& input, const InputRequest& request, const std::string&
     input.diagnostics.push_back(converter->GetDiagnostic(i));
   }
 }
+
+bool AreSame(vtkDataArray& a, vtkDataArray& b)
+{
+  return a.GetDataType() == b.GetDataType() &&
+    a.GetNumberOfComponents() == b.GetNumberOfComponents() &&
+    a.GetNumberOfTuples() == b.GetNumberOfTuples() && a.HasStandardMemoryLayout() &&
+    b.HasStandardMemoryLayout() &&
+    std::memcmp(a.GetVoidPointer(0), b.GetVoidPointer(0),
+      static_cast<std::size_t>(a.GetNumberOfValues() * a.GetDataTypeSize())) == 0;
+}
+
+/// Arrays of the mesh that are the same in both become the same objects, by which a model knows
+/// that it may share mesh and locator.
+void ShareMesh(vtkUnstructuredGrid& before, vtkUnstructuredGrid& grid)
+{
+  const auto share = [](vtkFieldData& from, vtkFieldData& to)
+  {
+    for (int i = 0; i < from.GetNumberOfArrays(); ++i)
+    {
+      vtkDataArray* known = from.GetArray(i);
+      const std::string name =
+        known != nullptr && known->GetName() != nullptr ? known->GetName() : "";
+      vtkDataArray* same = to.GetArray(name.c_str());
+      if ((name.starts_with(kMeshPrefix) || name == kElementIds) && same != nullptr &&
+        AreSame(*known, *same))
+      {
+        to.AddArray(known);
+      }
+    }
+  };
+  share(*before.GetFieldData(), *grid.GetFieldData());
+  share(*before.GetCellData(), *grid.GetCellData());
+}
 } // namespace
 
-LoadedModel LoadModel(const InputRequest& request, const std::string& field, Stopwatch& stopwatch)
+LoadedModel LoadModel(const InputRequest& request, const std::string& field, Stopwatch& stopwatch,
+  vtkUnstructuredGrid* before)
 {
   InputGrid read = ReadInput(request);
   LoadedModel input;
@@ -97,6 +134,10 @@ LoadedModel LoadModel(const InputRequest& request, const std::string& field, Sto
     {
       throw Error("it holds coefficients, whose nodes nobody asks for; leave out --nodes and "
                   "--mirrored-wedges");
+    }
+    if (before != nullptr)
+    {
+      ShareMesh(*before, *input.grid);
     }
     input.model = HighOrderModel::From(input.grid);
   }

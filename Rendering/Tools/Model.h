@@ -34,7 +34,10 @@ struct LoadedModel
 /// Reads and converts, telling the seconds as stages "read" and "convert". Of a plain file only
 /// `field` is converted, all of them where that is empty or not there. Throws Error, naming the
 /// file.
-LoadedModel LoadModel(const InputRequest& request, const std::string& field, Stopwatch& stopwatch);
+/// `before`: what was read of another time step, whose mesh and locator it shares where its mesh is
+/// the same.
+LoadedModel LoadModel(const InputRequest& request, const std::string& field, Stopwatch& stopwatch,
+  vtkUnstructuredGrid* before = nullptr);
 
 /// Tells which time step this is; nothing where the input knows no time.
 void AddTime(Table& table, const LoadedModel& input);

@@ -19,24 +19,65 @@ namespace
 // Limits of an image: its pixels and their buffers must be countable in 32 bits.
 constexpr std::int64_t kMaxPixels = std::int64_t{ 1 } << 30;
 
+void CheckPixels(double width, double height)
+{
+  if (!(width >= 1.0 && height >= 1.0 && width * height <= static_cast<double>(kMaxPixels)))
+  {
+    throw UsageError(fmt::format(
+      "--size: {:.0f} x {:.0f} pixels; at least 1 x 1 and at most 2^30 of them", width, height));
+  }
+}
+
+constexpr const char* kSizeForm =
+  "WIDTHxHEIGHT in pixels, both at least 1, or in mm or in, as 85x60mm";
+
 ImageSize ParseSize(const std::string& option, const std::string& text)
 {
-  const auto cross = text.find('x');
   ImageSize size;
-  if (cross == std::string::npos ||
-    !ParseInteger(std::string_view(text).substr(0, cross), size.width) ||
-    !ParseInteger(std::string_view(text).substr(cross + 1), size.height) || size.width < 1 ||
+  std::string_view numbers = text;
+  const double perInch = numbers.ends_with("mm") ? 25.4 : numbers.ends_with("in") ? 1.0 : 0.0;
+  numbers.remove_suffix(perInch > 0.0 ? 2 : 0);
+  const auto cross = numbers.find('x');
+  if (cross == std::string_view::npos)
+  {
+    Refuse(option, text, kSizeForm);
+  }
+  const std::string_view width = numbers.substr(0, cross);
+  const std::string_view height = numbers.substr(cross + 1);
+  if (perInch > 0.0)
+  {
+    std::array<double, 2> lengths{};
+    if (!ParseNumber(width, lengths[0]) || !ParseNumber(height, lengths[1]) ||
+      !(lengths[0] > 0.0 && lengths[1] > 0.0) || !std::isfinite(lengths[0] * lengths[1]))
+    {
+      Refuse(option, text, kSizeForm);
+    }
+    size.inches = { lengths[0] / perInch, lengths[1] / perInch };
+    return AtDpi(size, kUsualDpi);
+  }
+  if (!ParseInteger(width, size.width) || !ParseInteger(height, size.height) || size.width < 1 ||
     size.height < 1)
   {
-    Refuse(option, text, "WIDTHxHEIGHT in pixels, both at least 1");
+    Refuse(option, text, kSizeForm);
   }
-  if (static_cast<std::int64_t>(size.width) * size.height > kMaxPixels)
-  {
-    throw UsageError(option + ": more than 2^30 pixels: '" + text + "'");
-  }
+  CheckPixels(size.width, size.height);
   return size;
 }
 } // namespace
+
+ImageSize AtDpi(const ImageSize& size, double dpi)
+{
+  ImageSize pixels = size;
+  if (size.inches)
+  {
+    const double width = std::round((*size.inches)[0] * dpi);
+    const double height = std::round((*size.inches)[1] * dpi);
+    CheckPixels(width, height);
+    pixels.width = static_cast<int>(width);
+    pixels.height = static_cast<int>(height);
+  }
+  return pixels;
+}
 
 AddedOption& AddedOption::Group(const std::string& name)
 {
@@ -171,8 +212,8 @@ AddedOption AddSize(
   CLI::App& command, const std::string& name, ImageSize& size, const std::string& help)
 {
   return AddRead(
-    command, name, [&size, name](const std::string& text) { size = ParseSize(name, text); }, "WxH",
-    help);
+    command, name, [&size, name](const std::string& text) { size = ParseSize(name, text); },
+    "WxH[mm|in]", help);
 }
 
 AddedOption AddRead(CLI::App& command, const std::string& name, const ReadText& read,
@@ -275,6 +316,10 @@ void AddCommonOptions(CLI::App& command, CommonOptions& options)
   AddInteger(command, "--threads", options.threads, 1, 1 << 16, "N",
     "Number of threads (default: as the machine has)");
   AddFlag(command, "--json", options.json, "Print a machine-readable summary on stdout");
+  AddText(command, "--config", options.config, "FILE",
+    "Options that are not given, in JSON (default: ~/.config/pixelexact/config.json, where it is "
+    "there; before it come those of the environment's PIXELEXACT_OPTIONS)");
+  AddFlag(command, "--no-config", options.noConfig, "Neither that file nor PIXELEXACT_OPTIONS");
   AddFlag(command, "-q,--quiet", options.quiet,
     "Print no table, and not what was chosen; warnings and errors remain");
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
@@ -72,12 +73,17 @@ AddedOption AddNumbers(CLI::App& command, const std::string& name, std::vector<d
 AddedOption AddRepeatedNumbers(CLI::App& command, const std::string& name,
   std::vector<std::vector<double>>& values, int count, const char* form, const std::string& help);
 
-/// An image size "WxH".
+/// An image size "WxH", in pixels; or in millimetres or inches, "85x60mm", "3.5x2.5in".
 struct ImageSize
 {
   int width = 1000;
   int height = 1000;
+  std::optional<std::array<double, 2>> inches; ///< as given; none: pixels were
 };
+/// Of prints, where sizes are lengths and nothing else is said.
+inline constexpr double kUsualDpi = 300.0;
+/// The pixels of a size that is a length, with so many to an inch; others stay. Throws UsageError.
+ImageSize AtDpi(const ImageSize& size, double dpi);
 AddedOption AddSize(
   CLI::App& command, const std::string& name, ImageSize& size, const std::string& help);
 

@@ -63,6 +63,26 @@ void OutputFile::Close()
   }
 }
 
+void WriteBytes(const std::string& file, const std::string& bytes)
+{
+  OutputFile output(file);
+  output.Stream().write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  output.Close();
+}
+
+void WriteAtOnce(const std::string& file, const std::string& bytes)
+{
+  const std::string beside = file + ".part";
+  WriteBytes(beside, bytes);
+  std::error_code failure;
+  std::filesystem::rename(beside, file, failure);
+  if (failure)
+  {
+    std::filesystem::remove(beside, failure);
+    CannotWrite(file);
+  }
+}
+
 void CheckOutput(const char* option, const std::string& file, std::vector<std::string> read)
 {
   if (file.empty() || IsStandardStream(file))

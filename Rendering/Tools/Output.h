@@ -27,6 +27,12 @@ private:
   std::ofstream File;
 };
 
+/// Writes all of a file. Throws Error as OutputFile.
+void WriteBytes(const std::string& file, const std::string& bytes);
+/// The same of a file that is there whole or not at all, whenever the program ends: written beside
+/// it under another name first.
+void WriteAtOnce(const std::string& file, const std::string& bytes);
+
 /// Before the work: throws Error where the file is a folder or its folder is not there, UsageError
 /// where the file is one of those that are read.
 void CheckOutput(const char* option, const std::string& file, std::vector<std::string> read);

@@ -9,10 +9,8 @@
 
 #include <vtkImageData.h>
 #include <vtkNew.h>
-#include <vtkPNGWriter.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkUnsignedCharArray.h>
 #include <vtkXMLImageDataWriter.h>
 #include <vtkXMLPolyDataWriter.h>
 
@@ -33,13 +31,6 @@ void Encode(Writer& writer, const std::string& file, vtkDataObject* data)
   {
     throw Error("cannot write '" + file + "': " + error);
   }
-}
-
-void WriteBytes(const std::string& file, const char* bytes, std::size_t size)
-{
-  OutputFile output(file);
-  output.Stream().write(bytes, static_cast<std::streamsize>(size));
-  output.Close();
 }
 
 /// Inline and not appended: ParaView 5.11 of Debian 12 cannot read the latter with the newest
@@ -65,31 +56,6 @@ void Keep(const std::vector<std::string>& arrays, vtkPointData& data)
 }
 } // namespace
 
-void WritePng(const std::string& file, int width, int height, const std::vector<std::uint8_t>& rgb,
-  const PictureTexts& texts)
-{
-  vtkNew<vtkUnsignedCharArray> pixels;
-  pixels->SetName("Color");
-  pixels->SetNumberOfComponents(3);
-  pixels->SetNumberOfTuples(static_cast<vtkIdType>(width) * height);
-  std::copy(rgb.begin(), rgb.end(), pixels->GetPointer(0));
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(width, height, 1);
-  image->GetPointData()->SetScalars(pixels);
-  vtkNew<vtkPNGWriter> writer;
-  // In memory, because VTK's writers do not see that a disk is full.
-  writer->WriteToMemoryOn();
-  writer->AddText("Software", kPictureMark);
-  for (const auto& [key, text] : texts)
-  {
-    writer->AddText(key.c_str(), text.c_str());
-  }
-  Encode(*writer, file, image);
-  vtkUnsignedCharArray* bytes = writer->GetResult();
-  WriteBytes(file, reinterpret_cast<const char*>(bytes->GetPointer(0)),
-    static_cast<std::size_t>(bytes->GetNumberOfValues()));
-}
-
 void WriteBuffers(const std::string& file, const std::vector<std::string>& arrays,
   const Frame& frame, std::span<const std::int64_t> sourceCells,
   std::span<const std::uint8_t> contours)
@@ -101,8 +67,7 @@ void WriteBuffers(const std::string& file, const std::vector<std::string>& array
   AddContours(*image, contours);
   Keep(arrays, *image->GetPointData());
   Encode(*writer, file, image);
-  const std::string text = writer->GetOutputString();
-  WriteBytes(file, text.data(), text.size());
+  WriteBytes(file, writer->GetOutputString());
 }
 
 void WriteLines(const std::string& file, vtkPolyData* lines)
@@ -111,7 +76,6 @@ void WriteLines(const std::string& file, vtkPolyData* lines)
   SetFormat(*writer);
   writer->WriteToOutputStringOn();
   Encode(*writer, file, lines);
-  const std::string text = writer->GetOutputString();
-  WriteBytes(file, text.data(), text.size());
+  WriteBytes(file, writer->GetOutputString());
 }
 } // namespace pixelexact

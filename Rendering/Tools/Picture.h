@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Provenance.h"
-
 #include "Trace/Frame.h"
 
 #include <cstdint>
@@ -14,13 +12,10 @@ class vtkPolyData;
 
 namespace pixelexact
 {
-/// In the files of WritePng, as the program that made them.
-inline constexpr const char* kPictureMark = "PixelExact " PIXELEXACT_VERSION;
+// Files: see OutputFile.
 
-/// Files: see OutputFile. Writes RGB pixels, lower left first, and texts that describe them. Throws
-/// Error when the file cannot be written.
-void WritePng(const std::string& file, int width, int height, const std::vector<std::uint8_t>& rgb,
-  const PictureTexts& texts = {});
+/// In pictures, as the program that made them.
+inline constexpr const char* kPictureMark = "PixelExact " PIXELEXACT_VERSION;
 
 /// Writes the buffers that the frame holds, and Contour, where `contours` has verdicts, of these
 /// names; none: all. Throws Error when the file

@@ -2,6 +2,7 @@
 #include "Provenance.h"
 
 #include "Core/Base/Error.h"
+#include "TimeSeries.h"
 
 #include <fmt/format.h>
 #include <xxhash.h>
@@ -38,5 +39,32 @@ std::string DescribeFiles(const std::vector<std::string>& files)
       std::filesystem::path(file).filename().string(), size, XXH3_64bits_digest(state.get()));
   }
   return text;
+}
+
+std::vector<std::string> WithFilesBehind(const std::vector<std::string>& files)
+{
+  std::vector<std::string> all;
+  for (const std::string& file : files)
+  {
+    all.push_back(file);
+    std::vector<GridPart> parts;
+    if (const std::string suffix = LowerSuffix(file); suffix == ".pvd")
+    {
+      for (const TimeStep& step : ReadCollection(file))
+      {
+        parts.insert(parts.end(), step.parts.begin(), step.parts.end());
+      }
+    }
+    else if (suffix == ".pvtu")
+    {
+      parts = ReadPieces({ file, {} });
+    }
+    for (const GridPart& part : parts)
+    {
+      const std::vector<std::string> behind = WithFilesBehind({ part.file });
+      all.insert(all.end(), behind.begin(), behind.end());
+    }
+  }
+  return all;
 }
 } // namespace pixelexact

@@ -12,4 +12,7 @@ using PictureTexts = std::vector<std::pair<std::string, std::string>>;
 
 /// A line for each file: its name, size and XXH3-64 hash. Throws Error for one that cannot be read.
 std::string DescribeFiles(const std::vector<std::string>& files);
+/// The same files, and those that they name: of collections (.pvd) and parallel files (.pvtu).
+/// Throws Error for one that cannot be read.
+std::vector<std::string> WithFilesBehind(const std::vector<std::string>& files);
 } // namespace pixelexact

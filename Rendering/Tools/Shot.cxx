@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shot.h"
 
+#include "Command.h"
 #include "Effects.h"
 #include "Report.h"
 
@@ -36,7 +37,8 @@ void ShotOptions::AddTo(CLI::App& added, bool required)
     },
     "magnitude|x|y|z|i",
     "Component of a vector field, by name or counted from 0, or its magnitude (default)");
-  AddSize(added, "--size", size, "Size of the image in pixels (default: 1000x1000)");
+  AddSize(added, "--size", size,
+    "Size of the image in pixels (default: 1000x1000), or in mm or in, as 85x60mm");
   AddChoice(
     added, "--precision",
     [this](const std::string& text)
@@ -140,21 +142,6 @@ void AddLayers(const ShotOptions& options,
   }
 }
 
-/// What a small picture shows.
-std::vector<Vec3> SeenPoints(const Shot& shot)
-{
-  constexpr double kSide = 100.0;
-  const double part = std::min(1.0, kSide / std::max(shot.size.width, shot.size.height));
-  const auto side = [part](int all) { return std::max(1, static_cast<int>(part * all)); };
-  const Frame frame =
-    Trace(shot.scene, { shot.view, side(shot.size.width), side(shot.size.height) }, {},
-      { .centres = Buffer::Position });
-  std::vector<Vec3> points;
-  std::ranges::copy_if(frame.centres.position, std::back_inserter(points),
-    [](const Vec3& x) { return std::isfinite(x.x + x.y + x.z); });
-  return points;
-}
-
 /// For those who want the same once more.
 void TellWhatWasChosen(const ShotOptions& options, Shot& shot)
 {
@@ -173,6 +160,38 @@ void TellWhatWasChosen(const ShotOptions& options, Shot& shot)
 }
 } // namespace
 
+std::vector<Vec3> SeenPoints(const Scene& scene, const CameraView& view, const ImageSize& size)
+{
+  constexpr double kSide = 100.0;
+  const double part = std::min(1.0, kSide / std::max(size.width, size.height));
+  const auto side = [part](int all) { return std::max(1, static_cast<int>(part * all)); };
+  const Frame frame = Trace(
+    scene, { view, side(size.width), side(size.height) }, {}, { .centres = Buffer::Position });
+  std::vector<Vec3> points;
+  std::ranges::copy_if(frame.centres.position, std::back_inserter(points),
+    [](const Vec3& x) { return std::isfinite(x.x + x.y + x.z); });
+  return points;
+}
+
+bool ShotOptions::SpansAllPictures() const
+{
+  const std::vector<LayerSettings> all = layers.Make(surfaces.Count());
+  return colors.Range().of == RangeChoice::Of::All ||
+    std::ranges::any_of(all,
+      [](const LayerSettings& layer)
+      { return layer.range && layer.range->of == RangeChoice::Of::All; });
+}
+
+void ShotOptions::CheckRangeOfOne() const
+{
+  if (SpansAllPictures())
+  {
+    throw UsageError(
+      std::string(colors.Range().of == RangeChoice::Of::All ? "--range" : "--layer: range") +
+      " 'all': there is one picture; choose cut, or give --sweep, --turn or --time-step all");
+  }
+}
+
 std::vector<LayerSettings> ShotOptions::MakeLayers() const
 {
   std::vector<LayerSettings> settings = layers.Make(surfaces.Count());
@@ -187,12 +206,11 @@ std::vector<LayerSettings> ShotOptions::MakeLayers() const
   return settings;
 }
 
-Shot Prepare(const ShotOptions& options, Stopwatch& stopwatch)
+namespace
 {
-  options.camera.Check();
-  options.colors.Check();
-  CheckColor("--edge-color", options.edgeColor);
-  CheckColor("--outline-color", options.outlineColor);
+/// All but the view.
+Shot MakeShot(const ShotOptions& options, Stopwatch& stopwatch, vtkUnstructuredGrid* before)
+{
   Shot shot;
   shot.size = options.size;
   shot.lights = options.lights;
@@ -211,8 +229,11 @@ Shot Prepare(const ShotOptions& options, Stopwatch& stopwatch)
   }
   shot.settings = options.MakeLayers();
   const std::vector<GivenSurface> given = options.surfaces.Make();
-  shot.input = LoadModel(options.input, FieldToLoad(options, shot.settings), stopwatch);
-  WarnOfDiagnostics(shot.input);
+  shot.input = LoadModel(options.input, FieldToLoad(options, shot.settings), stopwatch, before);
+  if (before == nullptr)
+  {
+    WarnOfDiagnostics(shot.input);
+  }
   const HighOrderModel& model = *shot.input.model;
   std::vector<std::shared_ptr<const Surface>> surfaces;
   surfaces.reserve(given.size());
@@ -221,21 +242,54 @@ Shot Prepare(const ShotOptions& options, Stopwatch& stopwatch)
     surfaces.push_back(surface(shot.input.model));
   }
   AddLayers(options, surfaces, shot);
-  TellWhatWasChosen(options, shot);
+  if (before == nullptr)
+  {
+    TellWhatWasChosen(options, shot);
+  }
   shot.scene.locator = &model.GetLocator();
   stopwatch.Stage("bounds+bvh");
+  return shot;
+}
+} // namespace
 
-  const Box3 box = BoxOf(model);
+Shot Prepare(const ShotOptions& options, Stopwatch& stopwatch)
+{
+  options.camera.Check();
+  options.colors.Check();
+  CheckColor("--edge-color", options.edgeColor);
+  CheckColor("--outline-color", options.outlineColor);
+  Shot shot = MakeShot(options, stopwatch, nullptr);
+  const Box3 box = BoxOf(*shot.input.model);
+  const auto& first = shot.scene.layers.front().surface;
   // A surface that is not flat has normals in many directions.
-  const Vec3 normal = surfaces.front()->IsFlat()
-    ? surfaces.front()->Normal({ 0.5 * (box.lower + box.upper) })
-    : Vec3(1.0);
+  const Vec3 normal =
+    first->IsFlat() ? first->Normal({ 0.5 * (box.lower + box.upper) }) : Vec3(1.0);
   shot.view = options.camera.Make(box, normal, shot.size);
   // The second time from nearer, where the first saw what is small in a few of its pixels.
   for (int look = 0; look < 2 && !options.camera.IsPlaced(); ++look)
   {
-    shot.view = options.camera.FitTo(SeenPoints(shot), shot.view, shot.size);
+    std::vector<Vec3> points = SeenPoints(shot.scene, shot.view, shot.size);
+    if (options.alsoSeen)
+    {
+      std::ranges::copy(options.alsoSeen(shot), std::back_inserter(points));
+    }
+    shot.view = options.camera.FitTo(points, shot.view, shot.size);
   }
+  return shot;
+}
+
+Shot PrepareStep(const ShotOptions& options, int step, const Shot& before, Stopwatch& stopwatch)
+{
+  ShotOptions asked = options;
+  asked.input.step = step;
+  asked.input.allSteps = false;
+  if (const Field* field = before.scene.layers.front().field; asked.field.empty() && field)
+  {
+    asked.field = field->name;
+  }
+  Shot shot = MakeShot(asked, stopwatch, before.input.grid);
+  shot.view = before.view;
+  shot.chosen = before.chosen;
   return shot;
 }
 

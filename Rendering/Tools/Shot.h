@@ -14,6 +14,7 @@
 #include "Trace/Scene.h"
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +22,7 @@
 namespace pixelexact
 {
 class Stopwatch;
+struct Shot;
 
 /// Which surfaces lights shine on, where a layer does not say so itself.
 enum class Lit
@@ -50,9 +52,17 @@ struct ShotOptions
   bool edgesByKind = false;
   bool outlines = false;
   std::vector<double> outlineColor{ 0.0, 0.0, 0.0 };
+  /// Points that a camera which was not placed must see beside the cut, with the view so far;
+  /// empty: none.
+  std::function<std::vector<Vec3>(const Shot&)> alsoSeen;
 
   /// `required`: INPUT is.
   void AddTo(CLI::App& added, bool required = true);
+
+  /// Throws UsageError where a range is that of all pictures, and there is one.
+  void CheckRangeOfOne() const;
+  /// Whether a range is that of all pictures of an animation.
+  [[nodiscard]] bool SpansAllPictures() const;
 
   /// What is said of each surface. Throws UsageError.
   [[nodiscard]] std::vector<LayerSettings> MakeLayers() const;
@@ -71,13 +81,22 @@ struct Shot
   std::optional<EdgeStyle> edges;                ///< none: none
   bool edgesByKind = false;                      ///< what lies behind faces is told apart
   std::optional<std::array<double, 3>> outlines; ///< the colour of elements' outlines; none: none
+  /// By layer, of the values that all pictures of an animation show (RangeChoice::Of::All).
+  std::vector<std::optional<std::array<double, 2>>> valuesOfAll;
   std::vector<std::string> chosen; ///< words of a command line that were not given, and are so
 
   [[nodiscard]] Camera MakeCamera() const { return { view, size.width, size.height }; }
 };
 
+/// What a small picture of a scene shows.
+std::vector<Vec3> SeenPoints(const Scene& scene, const CameraView& view, const ImageSize& size);
+
 /// Checks the options, reads, converts and locates, in the order in which mistakes show soonest.
 Shot Prepare(const ShotOptions& options, Stopwatch& stopwatch);
+
+/// The same of another time step, with the view that was, of options that Prepare took; where the
+/// mesh is the same it is shared. `before` is held while it is asked for.
+Shot PrepareStep(const ShotOptions& options, int step, const Shot& before, Stopwatch& stopwatch);
 
 /// "magnitude" or the component's number; "value" for a scalar. Of a layer with a field.
 std::string ComponentName(const Layer& layer);

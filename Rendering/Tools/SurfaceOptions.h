@@ -26,6 +26,9 @@ class SurfaceOptions
 public:
   void AddTo(CLI::App& command);
 
+  /// Before all others.
+  void AddFirst(const PlaneChoice& plane) { Planes.insert(Planes.begin(), plane); }
+
   /// Whether there are any; else a plane is chosen.
   [[nodiscard]] bool AreGiven() const { return CountGiven() > 0; }
   /// How many there are.

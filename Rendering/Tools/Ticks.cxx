@@ -13,11 +13,11 @@ namespace
 {
 /// Of a step, up to which a value counts as an end of the range.
 constexpr double kRounding = 1e-9;
+constexpr int kMostDigits = 17;
 
 /// In as few digits as tell them apart.
 std::vector<Tick> Written(const std::vector<double>& values)
 {
-  constexpr int kMostDigits = 17;
   std::vector<Tick> ticks;
   for (int digits = 1; digits <= kMostDigits; ++digits)
   {
@@ -93,6 +93,43 @@ std::vector<double> Logarithmic(const std::array<double, 2>& range, int most)
   return values;
 }
 } // namespace
+
+std::vector<Tick> TicksOfBands(
+  const std::array<double, 2>& range, bool logarithm, int bands, int most)
+{
+  const int stride = std::max(1, (bands + most) / std::max(1, most));
+  std::vector<double> values;
+  for (int i = 0; i <= bands; i += stride)
+  {
+    const double part = static_cast<double>(i) / bands;
+    values.push_back(i == bands ? range[1]
+        : logarithm             ? range[0] * std::pow(range[1] / range[0], part)
+                                : std::lerp(range[0], range[1], part));
+  }
+  const double length = range[1] - range[0];
+  for (double& value : values)
+  {
+    // 0, where it is one.
+    value = !logarithm && std::fabs(value) < kRounding * length ? 0.0 : value;
+  }
+  constexpr int kFewestDigits = 3;
+  std::vector<Tick> ticks;
+  for (int digits = kFewestDigits; digits <= kMostDigits; ++digits)
+  {
+    ticks.clear();
+    std::set<std::string> texts;
+    for (const double value : values)
+    {
+      ticks.push_back({ value, fmt::format("{:.{}g}", value, digits) });
+      texts.insert(ticks.back().text);
+    }
+    if (texts.size() == values.size())
+    {
+      break;
+    }
+  }
+  return ticks;
+}
 
 std::vector<Tick> TicksWithin(const std::array<double, 2>& range, bool logarithm, int most)
 {

@@ -19,4 +19,9 @@ struct Tick
 /// 2 and 5 where there is room, or as without where the range holds less than a decade. `range`
 /// ascends.
 std::vector<Tick> TicksWithin(const std::array<double, 2>& range, bool logarithm, int most);
+
+/// The ends of bands that are equally wide (with `logarithm` in powers), or every second, third,
+/// ... of them, so that there are at most `most`; in as few digits, from 3, as tell them apart.
+std::vector<Tick> TicksOfBands(
+  const std::array<double, 2>& range, bool logarithm, int bands, int most);
 } // namespace pixelexact

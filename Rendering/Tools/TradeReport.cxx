@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TradeReport.h"
 
+#include "ImageFile.h"
 #include "Output.h"
 #include "Picture.h"
 #include "Report.h"
@@ -121,7 +122,7 @@ public:
     const std::string& name, int width, int height, const std::vector<std::uint8_t>& rgb)
   {
     const std::string file = PathOf(name);
-    WritePng(file, width, height, rgb);
+    WriteBytes(file, EncodeImage({ width, height, 3, rgb }, PictureFormat::Png, {}, file));
     return DataAddressOf(file);
   }
   [[nodiscard]] std::string PathOf(const std::string& name) const

@@ -8,14 +8,15 @@ set -euo pipefail
 
 packages=(
   ca-certificates cmake g++ ninja-build
-  libcli11-dev libeigen3-dev libembree-dev libfmt-dev libglm-dev libhdf5-dev libhwy-dev libpugixml-dev
-  libtbb-dev libvtk9-dev libxxhash-dev nlohmann-json3-dev tao-pegtl-dev zlib1g-dev
+  libcairo2-dev libcli11-dev libeigen3-dev libembree-dev libfmt-dev libfreetype-dev libglm-dev
+  libhdf5-dev libhwy-dev libpugixml-dev libtbb-dev libtiff-dev libvtk9-dev libxxhash-dev
+  nlohmann-json3-dev pkg-config tao-pegtl-dev zlib1g-dev
   python3 python3-dev python3-vtk9
 )
 if [[ "${1:-}" == --testing ]]; then
   packages+=(
-    ccache clang clang-format clang-tidy git libbenchmark-dev libclang-rt-dev libgmp-dev libgtest-dev
-    libmpfr-dev python3-numpy valgrind xauth xvfb
+    ccache clang clang-format clang-tidy ffmpeg git libbenchmark-dev libclang-rt-dev libgmp-dev libgtest-dev
+    libmpfr-dev python3-numpy python3-pil poppler-utils valgrind xauth xdotool xvfb
   )
 fi
 prefix=""

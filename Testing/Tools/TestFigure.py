@@ -6,7 +6,7 @@ import unittest
 
 import numpy as np
 
-from tool import CUBE, ToolTest, read_buffers, read_image, unit_cube_grid
+from tool import CUBE, ToolTest, plain_grid, read_buffers, read_image, unit_cube_grid
 
 # A figure of 600 x 400 pixels has letters of 10; its layout in these.
 SIZE, FONT = "600x400", 10
@@ -123,6 +123,20 @@ class Figure(ToolTest):
         self.assertRegex(texts["Pixels"], r"^\d+ exact, \d+ nothing, 0 unknown$")
         self.succeeds("render", self.cube, "--field", "w", "-o", self.image, "--size", "9x9")
         self.assertEqual(set(texts_of(self.image)), {"Software"})
+
+    def test_unknown_pixels_are_in_the_legend(self):
+        # Of a cell without a volume, in the plane, nothing can be decided.
+        flat = [[0.1 * p[0] + 1.1, 0.1 * p[1], 0.5] for p in CUBE]
+        cells = [(12, list(range(8))), (12, list(range(8, 16)))]
+        for points, there in [(CUBE + flat, True), (CUBE, False)]:
+            grid = self.folder / "grid.vtu"
+            text = plain_grid(points, cells[: len(points) // 8], [("w", [p[0] for p in points])])
+            grid.write_text(text, encoding="utf-8")
+            found = self.summary("render", grid, "--plane", "0,0,0.5,0,0,1", "--figure", "--size", SIZE,
+                "-o", self.image)
+            self.assertEqual(found["pixels"]["unknown"] > 100, there)
+            magenta = (read_image(self.image)[:, LEFT:] == [255, 0, 255]).all(axis=2).sum()
+            self.assertEqual(magenta, FONT * FONT if there else 0)
 
     def test_black_background(self):
         self.figure("--background", "0,0,0", "--colormap", "grayscale", "--range", "0,1")

@@ -5,7 +5,7 @@ import unittest
 
 from tool import DATA, MIDDLE, ToolTest, case, run, strict_json, unit_cube_grid
 
-COMMANDS = ["info", "probe", "render", "bench", "compare"]
+COMMANDS = ["info", "probe", "render", "bench", "compare", "view"]
 
 
 class Help(ToolTest):
@@ -32,8 +32,6 @@ class Words(ToolTest):
     def test_commands_that_are_none(self):
         for word in ["foo", "INFO", "inf", str(self.cube)]:
             self.fails(2, word, names=[f"'{word}'", *COMMANDS])
-        for word in ["view"]:
-            self.fails(2, word, self.cube, names=[f"'{word}'", "not available yet", *COMMANDS])
         self.fails(2, names=["name a command", *COMMANDS])
         self.fails(2, "--threads", "2", "info", self.cube, names=["--threads", "before the command"])
 
@@ -85,8 +83,8 @@ class Words(ToolTest):
             ("--precision", "half", "double, float"),
             ("--view-angle", "nan", "a finite number"),
             ("--time", "soon", "a finite number"),
-            ("--time-step", "all", "one step"),
-            ("--time-step", "-1", "one step"),
+            ("--time-step", "every", "number of a step"),
+            ("--time-step", "-1", "number of a step"),
         ]:
             done = self.fails(2, *render, option, value, names=[option, f"'{value}'", expected])
             self.assertLess(len(done.stderr), 250)
@@ -236,7 +234,7 @@ class WrongUsage(ToolTest):
 
     def test_outputs_of_another_kind(self):
         base = ["render", self.cube, "--field", "u", *MIDDLE]
-        self.fails(2, *base, "--output", self.folder / "image.jpg", names=["--output", ".png"])
+        self.fails(2, *base, "--output", self.folder / "image.gif", names=["--output", ".png"])
         image = ["--output", self.image]
         self.fails(2, *base, *image, "--buffers", self.image, names=["--buffers", ".vti"])
 

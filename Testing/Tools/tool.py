@@ -175,10 +175,15 @@ def read_buffers(path):
 
 def read_image(path):
     """A PNG's pixels, lower left first, as (height, width, channels)."""
-    from vtkmodules.util.numpy_support import vtk_to_numpy
-    from vtkmodules.vtkIOImage import vtkPNGReader
+    return read_with("vtkPNGReader", path)
 
-    reader = vtkPNGReader()
+
+def read_with(name, path):
+    """The same of what one of VTK's readers reads."""
+    from vtkmodules import vtkIOImage
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+
+    reader = getattr(vtkIOImage, name)()
     reader.SetFileName(str(path))
     reader.Update()
     image = reader.GetOutput()

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Animation.h"
+
+#include "Command.h"
+#include "DrawnShot.h"
+#include "FrameNames.h"
+#include "FrameProgress.h"
+#include "FrameProvenance.h"
+#include "ImageFile.h"
+#include "Output.h"
+#include "PictureFile.h"
+#include "Pictures.h"
+#include "RenderOptions.h"
+#include "Report.h"
+#include "Video.h"
+
+#include "Core/Base/Counted.h"
+#include "Core/Base/Error.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+namespace pixelexact
+{
+namespace
+{
+using Range = std::array<double, 2>;
+
+/// What was done.
+struct Done
+{
+  std::vector<std::string> files;
+  int written = 0;
+  int kept = 0;
+  int withUnknown = 0;
+  std::int64_t unknown = 0;
+  std::optional<Range> colors; ///< of the first layer, of all pictures
+};
+
+void Count(const DrawnShot& drawn, Done& done)
+{
+  const std::int64_t unknown = drawn.GetFrame().counters.unknown;
+  done.unknown += unknown;
+  done.withUnknown += unknown > 0 ? 1 : 0;
+  if (const auto& range = drawn.GetLooks().Ranges().front())
+  {
+    done.colors = done.colors
+      ? Range{ std::min((*done.colors)[0], (*range)[0]), std::max((*done.colors)[1], (*range)[1]) }
+      : *range;
+  }
+}
+
+void WriteFrames(const RenderOptions& options, const CommonOptions& common, Pictures& pictures,
+  Stopwatch& watch, Done& done)
+{
+  const FrameNames names(options.output);
+  const int frames = pictures.Frames();
+  const std::string provenance = ProvenanceOf(options, common);
+  const std::string source = DescribeFiles(options.shot.input.files);
+  std::vector<bool> there;
+  for (int frame = 0; frame < frames; ++frame)
+  {
+    done.files.push_back(names.Of(frame, pictures.StepOf(frame), frames, pictures.Steps()));
+    there.push_back(
+      options.animation.Resumes() && IsThere(done.files.back(), HashOf(provenance, frame, frames)));
+  }
+  if (std::set<std::string>(done.files.begin(), done.files.end()).size() != done.files.size())
+  {
+    throw UsageError("--output: '" + options.output +
+      "' gives several pictures one name; number them by {frame}, as cut_{frame}.png");
+  }
+  done.kept = static_cast<int>(std::ranges::count(there, true));
+  if (done.kept < frames && options.shot.SpansAllPictures())
+  {
+    pictures.FindValues();
+  }
+  const FrameProgress progress("picture", frames);
+  for (int frame = 0; frame < frames; ++frame)
+  {
+    progress.Tell(frame, done.written);
+    const std::string& file = done.files[static_cast<std::size_t>(frame)];
+    if (there[static_cast<std::size_t>(frame)])
+    {
+      continue;
+    }
+    CheckOutput("--output", file, options.shot.input.files);
+    const Shot& shot = pictures.At(frame);
+    const DrawnShot drawn(
+      options, shot, TraceShot(options, shot, {}), IsVector(FormatOf("--output", file)));
+    WriteAtOnce(file,
+      EncodePicture(options, drawn, file, { common.words, shot.chosen },
+        { { "Provenance", HashOf(provenance, frame, frames) },
+          { "Frame", fmt::format("{} of {}", frame, frames) }, { kSourceText, source } }));
+    Count(drawn, done);
+    ++done.written;
+    watch.Stage("pictures");
+  }
+}
+
+void WriteVideo(const RenderOptions& options, Pictures& pictures, Stopwatch& watch, Done& done)
+{
+  if (options.shot.SpansAllPictures())
+  {
+    pictures.FindValues();
+  }
+  const ImageSize& size = options.shot.size;
+  Video video(options.output, size.width, size.height, options.animation.FramesPerSecond());
+  const FrameProgress progress("picture", pictures.Frames());
+  for (int frame = 0; frame < pictures.Frames(); ++frame)
+  {
+    progress.Tell(frame, frame);
+    const Shot& shot = pictures.At(frame);
+    const DrawnShot drawn(options, shot, TraceShot(options, shot, {}));
+    video.Add(drawn.Picture());
+    Count(drawn, done);
+    ++done.written;
+    watch.Stage("pictures");
+  }
+  video.Close();
+  done.files.push_back(options.output);
+  watch.Stage("video");
+}
+
+/// Seconds of stages, all that have one name together.
+nlohmann::ordered_json SumsOf(const Stopwatch& watch)
+{
+  auto sums = nlohmann::ordered_json::object();
+  for (const auto& [stage, seconds] : watch.Stages())
+  {
+    sums[stage] = sums.value(stage, 0.0) + seconds;
+  }
+  return sums;
+}
+
+void Tell(const Pictures& pictures, const Done& done, const RepeatedCommand& command,
+  const CommonOptions& common, const Stopwatch& watch)
+{
+  if (common.json)
+  {
+    nlohmann::ordered_json summary{ { "elements",
+                                      pictures.Current().input.model->GetMesh().Elements() },
+      { "frames", pictures.Frames() }, { "written", done.written }, { "kept", done.kept },
+      { "read", pictures.TimesRead() }, { "locators", pictures.Located() },
+      { "unknown", done.unknown },
+      { "color_range", done.colors ? nlohmann::ordered_json(*done.colors) : nullptr },
+      { "files", done.files }, { "command", command.Words() }, { "seconds", SumsOf(watch) } };
+    Print(summary);
+    return;
+  }
+  Table table;
+  table.Row("elements", "{}", pictures.Current().input.model->GetMesh().Elements());
+  table.Row("pictures", "{} written, {} kept of {}", done.written, done.kept, pictures.Frames());
+  table.Row("input", "read {}, {}", Counted(pictures.TimesRead(), "time"),
+    Counted(pictures.Located(), "locator"));
+  if (done.colors)
+  {
+    table.Row("range", "{} to {}", Short((*done.colors)[0]), Short((*done.colors)[1]));
+  }
+  std::string name = "seconds";
+  const nlohmann::ordered_json sums = SumsOf(watch);
+  for (const auto& [stage, seconds] : sums.items())
+  {
+    table.Row(name, "{} {}", Short(seconds.get<double>()), stage);
+    name.clear();
+  }
+  table.Row("repeat", command.Text());
+  table.Print();
+}
+} // namespace
+
+void RenderAnimation(RenderOptions options, const CommonOptions& common)
+{
+  const bool video = IsVideo(options.output);
+  if (!options.buffers.File().empty() || !options.lines.file.empty())
+  {
+    throw UsageError(
+      (options.buffers.File().empty() ? std::string("--contours-output") : "--buffers") +
+      ": an animation writes pictures alone; leave it out");
+  }
+  if (options.output.empty() || IsStandardStream(options.output))
+  {
+    throw UsageError("--output: an animation needs names, such as cut_%04d.png, cut_{step}.png or "
+                     "cut.mp4");
+  }
+  if (video)
+  {
+    if (options.animation.Resumes())
+    {
+      throw UsageError("--resume: a video is made as a whole; number pictures, as cut_%04d.png");
+    }
+    if (options.shot.colors.BackgroundColor()[3] == 0)
+    {
+      throw UsageError("--background none: a video is not transparent; number pictures, as "
+                       "cut_%04d.png");
+    }
+    Video::RequireProgram();
+    CheckOutput("--output", options.output, options.shot.input.files);
+  }
+  if (options.animation.Sweeps())
+  {
+    options.shot.surfaces.AddFirst(options.animation.PlaneAt(0));
+  }
+  options.Check(video ? "picture.png" : FrameNames(options.output).Of(0, 0, 1, 1));
+  Stopwatch watch;
+  Pictures pictures(options, watch);
+  Done done;
+  if (video)
+  {
+    WriteVideo(options, pictures, watch, done);
+  }
+  else
+  {
+    WriteFrames(options, common, pictures, watch, done);
+  }
+  if (done.unknown > 0)
+  {
+    Warn(Counted(done.unknown, "pixel") + " in " + Counted(done.withUnknown, "picture") +
+      " could not be decided; shown as unknown");
+  }
+  Tell(pictures, done, { common.words, pictures.Current().chosen }, common, watch);
+}
+} // namespace pixelexact

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace pixelexact
+{
+struct CommonOptions;
+struct RenderOptions;
+
+/// Renders the pictures of an animation: numbered files, or a video. Mesh, bounds and trees are
+/// kept from picture to picture; another time step is read, and shares them where its mesh is the
+/// same. A numbered picture is there whole or not at all, and tells of what it was made
+/// (`Provenance`), so that --resume knows it again. With --range all the pictures are traced twice,
+/// first for their values. Throws as render.
+void RenderAnimation(RenderOptions options, const CommonOptions& common);
+} // namespace pixelexact

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "ContourDrawing.h"
+#include "ContourPaths.h"
+#include "DebugOptions.h"
+#include "Image.h"
+#include "ImageFile.h"
+#include "Looks.h"
+#include "RenderReport.h"
+
+#include "Trace/Tracer.h"
+
+#include <optional>
+#include <string>
+
+namespace pixelexact
+{
+struct RenderOptions;
+struct Shot;
+
+/// Casts the rays that a picture needs.
+Frame TraceShot(const RenderOptions& options, const Shot& shot, const Progress& progress);
+
+/// A shot in its colours, with contours, labels, outlines and what is told of it.
+class DrawnShot
+{
+public:
+  /// `traced`: of TraceShot. `paths`: contours are left out of the pixels where they can be had as
+  /// paths. Throws Error as Looks and ContourDrawing. The options and the shot must outlive it.
+  DrawnShot(const RenderOptions& options, const Shot& shot, Frame traced, bool paths = false);
+  DrawnShot(const DrawnShot&) = delete;
+  DrawnShot& operator=(const DrawnShot&) = delete;
+
+  [[nodiscard]] const Frame& GetFrame() const { return Pixels; }
+  [[nodiscard]] const Looks& GetLooks() const { return *Colors; }
+  [[nodiscard]] const DebugOptions& Debug() const { return Told; }
+  [[nodiscard]] const ContourDrawing* Contours() const { return Lines ? &*Lines : nullptr; }
+  [[nodiscard]] const Found& WhatIsFound() const { return TheFound; }
+
+  /// The picture alone, or with a figure around it.
+  [[nodiscard]] Image Picture() const;
+  /// The same as a PDF or SVG: its bytes.
+  [[nodiscard]] std::string Vectors(
+    PictureFormat format, const PictureTexts& texts, const std::string& file) const;
+  /// Whether contours are paths, and not in the pixels.
+  [[nodiscard]] bool HasPaths() const { return Paths.has_value(); }
+  /// "12 exact, 3 nothing, 0 unknown".
+  [[nodiscard]] std::string PixelsText() const;
+
+private:
+  void DrawFigure(Canvas& canvas) const;
+
+  const RenderOptions& Options;
+  const Shot& Of;
+  Frame Pixels;
+  DebugOptions Told;
+  std::optional<Looks> Colors;
+  std::optional<ContourDrawing> Lines;
+  std::optional<std::vector<ContourPath>> Paths;
+  Found TheFound;
+};
+} // namespace pixelexact

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Provenance.h"
+#include "RenderReport.h"
+
+#include <string>
+
+namespace pixelexact
+{
+class DrawnShot;
+struct RenderOptions;
+
+/// What DescribeFiles tells of the inputs, among a picture's texts.
+inline constexpr const char* kSourceText = "Source";
+
+/// The bytes of a picture's file, of the format that its name says: the picture alone, or with a
+/// figure around it, which says where it comes from. `told`: what else it says of itself; with
+/// kSourceText the inputs are not read for it. Throws Error.
+std::string EncodePicture(const RenderOptions& options, const DrawnShot& drawn,
+  const std::string& file, const RepeatedCommand& command, const PictureTexts& told = {});
+} // namespace pixelexact

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VectorCanvas.h"
+
+#include "Picture.h"
+
+#include "Core/Base/Error.h"
+
+#include <cairo-ft.h>
+#include <cairo-pdf.h>
+#include <cairo-svg.h>
+#include <ft2build.h>
+#include FT_FREETYPE_H
+#include <pugixml.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <sstream>
+
+namespace pixelexact
+{
+namespace
+{
+constexpr double kPointsPerInch = 72.0;
+
+/// Never freed, as cairo's cache of fonts is not.
+FT_Library Library()
+{
+  static const FT_Library kLibrary = []
+  {
+    FT_Library library = nullptr;
+    FT_Init_FreeType(&library);
+    return library;
+  }();
+  return kLibrary;
+}
+
+cairo_status_t Append(void* closure, const unsigned char* data, unsigned int length)
+{
+  static_cast<std::string*>(closure)->append(reinterpret_cast<const char*>(data), length);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+std::string Described(const PictureTexts& texts)
+{
+  std::string all;
+  for (const auto& [key, text] : texts)
+  {
+    all.append(all.empty() ? "" : "\n").append(key).append(": ").append(text);
+  }
+  return all;
+}
+
+/// Behind the first tag of an SVG.
+void AddDescription(const std::string& text, std::string& svg)
+{
+  pugi::xml_document document;
+  document.append_child("desc").text().set(text.c_str());
+  std::ostringstream description;
+  document.save(description, "", pugi::format_raw | pugi::format_no_declaration);
+  const auto tag = svg.find("<svg");
+  const auto end = svg.find('>', tag);
+  svg.insert(end + 1, "\n" + description.str());
+}
+} // namespace
+
+struct VectorCanvas::Cairo
+{
+  PictureFormat format;
+  double height;
+  std::string bytes;
+  cairo_surface_t* surface = nullptr;
+  cairo_t* context = nullptr;
+  cairo_font_face_t* font = nullptr;
+
+  void SetColor(const Rgba& color) const
+  {
+    cairo_set_source_rgba(
+      context, color[0] / 255.0, color[1] / 255.0, color[2] / 255.0, color[3] / 255.0);
+  }
+};
+
+VectorCanvas::VectorCanvas(PictureFormat format, int width, int height, double dpi,
+  const Rgba& background, int fontSize, const FontChoice& font)
+  : With(std::make_unique<Cairo>())
+{
+  const double point = kPointsPerInch / dpi;
+  With->format = format;
+  With->height = height;
+  const auto create = format == PictureFormat::Pdf ? &cairo_pdf_surface_create_for_stream
+                                                   : &cairo_svg_surface_create_for_stream;
+  With->surface = create(&Append, &With->bytes, width * point, height * point);
+  With->context = cairo_create(With->surface);
+  cairo_scale(With->context, point, point);
+  if (font.family == FontChoice::Family::File)
+  {
+    FT_Face face = nullptr;
+    if (FT_New_Face(Library(), font.file.c_str(), 0, &face) != 0)
+    {
+      throw Error("--font: '" + font.file + "' cannot be read");
+    }
+    With->font = cairo_ft_font_face_create_for_ft_face(face, 0);
+    // cairo keeps fonts in a cache of its own: the face ends with what is there.
+    static const cairo_user_data_key_t kKey{};
+    cairo_font_face_set_user_data(
+      With->font, &kKey, face, [](void* of) { FT_Done_Face(static_cast<FT_Face>(of)); });
+  }
+  else
+  {
+    With->font = cairo_toy_font_face_create(
+      font.family == FontChoice::Family::Serif ? "Times New Roman" : "Arial",
+      CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+  }
+  cairo_set_font_face(With->context, With->font);
+  cairo_set_font_size(With->context, fontSize);
+  if (background[3] > 0)
+  {
+    With->SetColor(background);
+    cairo_paint(With->context);
+  }
+  if (cairo_status(With->context) != CAIRO_STATUS_SUCCESS)
+  {
+    throw Error(std::string("cairo: ") + cairo_status_to_string(cairo_status(With->context)));
+  }
+}
+
+VectorCanvas::~VectorCanvas()
+{
+  cairo_destroy(With->context);
+  cairo_surface_destroy(With->surface);
+  cairo_font_face_destroy(With->font);
+}
+
+void VectorCanvas::Place(const Image& picture)
+{
+  // Of premultiplied alpha, in the machine's order of bytes, from above.
+  const int stride = cairo_format_stride_for_width(CAIRO_FORMAT_ARGB32, picture.width);
+  std::vector<unsigned char> pixels(
+    static_cast<std::size_t>(stride) * static_cast<std::size_t>(picture.height));
+  const std::uint8_t* from = picture.pixels.data();
+  for (int j = picture.height; j-- > 0;)
+  {
+    auto* row = reinterpret_cast<std::uint32_t*>(
+      &pixels[static_cast<std::size_t>(stride) * static_cast<std::size_t>(j)]);
+    for (int i = 0; i < picture.width; ++i, from += picture.channels)
+    {
+      const std::uint32_t alpha = picture.channels == 4 ? from[3] : 255U;
+      const auto part = [&](int c) { return (from[c] * alpha + 127U) / 255U; };
+      row[i] = alpha << 24U | part(0) << 16U | part(1) << 8U | part(2);
+    }
+  }
+  cairo_surface_t* image = cairo_image_surface_create_for_data(
+    pixels.data(), CAIRO_FORMAT_ARGB32, picture.width, picture.height, stride);
+  cairo_set_source_surface(With->context, image, 0.0, With->height - picture.height);
+  // Pixels stay squares.
+  cairo_pattern_set_filter(cairo_get_source(With->context), CAIRO_FILTER_NEAREST);
+  cairo_paint(With->context);
+  // Now, because the pixels end here.
+  cairo_surface_flush(With->surface);
+  cairo_set_source_rgb(With->context, 0.0, 0.0, 0.0);
+  cairo_surface_finish(image);
+  cairo_surface_destroy(image);
+}
+
+void VectorCanvas::Fill(int x, int y, int width, int height, const Rgba& color)
+{
+  With->SetColor(color);
+  cairo_rectangle(With->context, x, With->height - y - height, width, height);
+  // Rows of a bar must not let the background through between them.
+  cairo_set_antialias(With->context, CAIRO_ANTIALIAS_NONE);
+  cairo_fill(With->context);
+  cairo_set_antialias(With->context, CAIRO_ANTIALIAS_DEFAULT);
+}
+
+void VectorCanvas::Line(std::span<const CanvasPoint> points, double width, const Rgba& color)
+{
+  if (points.empty())
+  {
+    return;
+  }
+  With->SetColor(color);
+  cairo_set_line_width(With->context, width);
+  cairo_set_line_cap(With->context, CAIRO_LINE_CAP_ROUND);
+  cairo_set_line_join(With->context, CAIRO_LINE_JOIN_ROUND);
+  // Not from where a text ended.
+  cairo_new_path(With->context);
+  for (const CanvasPoint& point : points)
+  {
+    cairo_line_to(With->context, point[0], With->height - point[1]);
+  }
+  if (points.size() > 2 && points.front() == points.back())
+  {
+    cairo_close_path(With->context);
+  }
+  cairo_stroke(With->context);
+}
+
+double VectorCanvas::WidthOf(const std::string& text)
+{
+  cairo_text_extents_t extents;
+  cairo_text_extents(With->context, text.c_str(), &extents);
+  return extents.x_advance;
+}
+
+void VectorCanvas::Write(
+  const std::string& text, double x, double y, TextAnchor anchor, const Rgba& color)
+{
+  const double width = WidthOf(text);
+  const double left = anchor == TextAnchor::Left ? x
+    : anchor == TextAnchor::Right                ? x - width
+                                                 : x - 0.5 * width;
+  // Digits are centred: all texts of a column have one line.
+  cairo_text_extents_t digit;
+  cairo_text_extents(With->context, "0", &digit);
+  With->SetColor(color);
+  cairo_move_to(With->context, left, With->height - y + 0.5 * digit.height);
+  cairo_show_text(With->context, text.c_str());
+}
+
+void VectorCanvas::Clip(int width, int height)
+{
+  cairo_save(With->context);
+  cairo_rectangle(With->context, 0.0, With->height - height, width, height);
+  cairo_clip(With->context);
+}
+
+void VectorCanvas::Unclip()
+{
+  cairo_restore(With->context);
+}
+
+std::string VectorCanvas::Finish(const PictureTexts& texts, const std::string& file)
+{
+  const std::string description = Described(texts);
+  if (With->format == PictureFormat::Pdf)
+  {
+    cairo_pdf_surface_set_metadata(With->surface, CAIRO_PDF_METADATA_CREATOR, kPictureMark);
+    cairo_pdf_surface_set_metadata(With->surface, CAIRO_PDF_METADATA_SUBJECT, description.c_str());
+  }
+  cairo_show_page(With->context);
+  cairo_surface_finish(With->surface);
+  const cairo_status_t status = cairo_surface_status(With->surface);
+  if (status != CAIRO_STATUS_SUCCESS)
+  {
+    throw Error("cannot write '" + file + "': cairo: " + cairo_status_to_string(status));
+  }
+  if (With->format == PictureFormat::Svg)
+  {
+    AddDescription(
+      "Software: " + std::string(kPictureMark) + (description.empty() ? "" : "\n" + description),
+      With->bytes);
+  }
+  return std::move(With->bytes);
+}
+} // namespace pixelexact

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Command.h"
+#include "CommandWords.h"
+#include "Options.h"
+#include "Report.h"
+#include "View/ViewWindow.h"
+#include "ViewCommand.h"
+
+#include <CLI/CLI.hpp>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <memory>
+#include <optional>
+
+// The window of `pixelexact view`, which starts it.
+namespace
+{
+using namespace pixelexact;
+
+int Fail(int status, const std::string& message)
+{
+  std::cerr << "pixelexact: " << message << '\n';
+  return status;
+}
+
+int Run(const std::vector<std::string>& words)
+{
+  CLI::App program("The window of pixelexact view.", "pixelexact-view");
+  program.set_version_flag("--version", "pixelexact " PIXELEXACT_VERSION);
+  program.require_subcommand(1);
+  CommonOptions common;
+  common.words = words;
+  Action action;
+  const auto options = std::make_shared<RenderOptions>();
+  std::vector<std::string> prepared;
+  AddViewOptions(program, options, action,
+    [&]
+    {
+      const char* display = std::getenv("DISPLAY");
+      if (display == nullptr || *display == '\0')
+      {
+        throw UsageError("view: there is no display (DISPLAY is not set); use render");
+      }
+      std::optional<tbb::global_control> limit;
+      if (common.threads > 0)
+      {
+        limit.emplace(
+          tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(common.threads));
+      }
+      BeQuiet(common.quiet);
+      ViewWindow(*options, prepared).Show();
+    });
+  AddCommonOptions(*program.get_subcommand("view"), common);
+  try
+  {
+    prepared = PrepareWords(program, words);
+    std::vector<std::string> arguments = prepared;
+    // CLI11 takes them from the back.
+    std::ranges::reverse(arguments);
+    program.parse(std::move(arguments));
+    action();
+  }
+  catch (const CLI::ParseError& error)
+  {
+    return program.exit(error);
+  }
+  catch (const UsageError& error)
+  {
+    return Fail(2, error.what());
+  }
+  catch (const std::exception& error)
+  {
+    return Fail(1, error.what());
+  }
+  return 0;
+}
+} // namespace
+
+int main(int argc, char** argv)
+{
+  return Run({ argv + 1, argv + argc });
+}

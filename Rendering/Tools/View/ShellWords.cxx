@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ShellWords.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace pixelexact
+{
+namespace
+{
+/// The name of "--name=value".
+std::string NameOf(const std::string& word)
+{
+  return word.starts_with("--") ? word.substr(0, word.find('=')) : std::string();
+}
+
+bool IsOneOf(const std::string& name, std::initializer_list<const char*> names)
+{
+  return std::ranges::any_of(names, [&name](const char* one) { return name == one; });
+}
+
+bool IsOfContours(const std::string& name)
+{
+  return name.starts_with("--contour") ||
+    IsOneOf(name,
+      { "--certifier", "--subdivisions", "--interior", "--show-undecided-contours",
+        "--undecided-contour-color" });
+}
+
+bool IsReplaced(const std::string& name, const ShownNow& now)
+{
+  return IsOneOf(name,
+           { "--view", "--camera-position", "--focal-point", "--view-up", "--view-angle",
+             "--parallel-scale", "--output", "--json" }) ||
+    (now.range && name == "--range") || (now.step && IsOneOf(name, { "--time-step", "--time" })) ||
+    (!now.contours && IsOfContours(name)) || (!now.edges && name.starts_with("--edge"));
+}
+
+std::string Text(const Vec3& v)
+{
+  return fmt::format("{},{},{}", v.x, v.y, v.z);
+}
+
+std::string Text(const Plane& plane)
+{
+  return "--plane=" + Text(plane.Point()) + "," + Text(plane.Normal({}));
+}
+} // namespace
+
+std::vector<std::string> WordsOf(const ShownNow& now, const std::vector<std::string>& words,
+  const std::vector<std::string>& chosen, const std::string& contours)
+{
+  std::vector<std::string> result{ "render" };
+  bool planeIsThere = !now.plane;
+  bool contoursAreThere = false;
+  bool edgesAreThere = false;
+  std::vector<std::string> all(words.begin() + 1, words.end());
+  all.insert(std::ranges::find(all, "--"), chosen.begin(), chosen.end());
+  std::vector<std::string> added;
+  for (const std::string& word : all)
+  {
+    const std::string name = NameOf(word);
+    if (IsReplaced(name, now) || word == "--")
+    {
+      continue;
+    }
+    contoursAreThere = contoursAreThere || name == "--contours";
+    edgesAreThere = edgesAreThere || name == "--edges";
+    if (name == "--plane" && !planeIsThere)
+    {
+      planeIsThere = true;
+      result.push_back(Text(*now.plane));
+      continue;
+    }
+    result.push_back(word);
+  }
+  if (!planeIsThere)
+  {
+    result.push_back(Text(*now.plane));
+  }
+  if (now.contours && !contoursAreThere)
+  {
+    result.push_back("--contours=" + contours);
+  }
+  if (now.edges && !edgesAreThere)
+  {
+    result.emplace_back("--edges");
+  }
+  if (now.range)
+  {
+    result.push_back(fmt::format("--range={},{}", (*now.range)[0], (*now.range)[1]));
+  }
+  if (now.step)
+  {
+    result.push_back(fmt::format("--time-step={}", *now.step));
+  }
+  const CameraView& view = now.view;
+  result.insert(result.end(),
+    { "--camera-position=" + Text(view.position), "--focal-point=" + Text(view.focalPoint),
+      "--view-up=" + Text(view.viewUp),
+      view.parallel ? fmt::format("--parallel-scale={}", view.parallelScale)
+                    : fmt::format("--view-angle={}", view.viewAngle),
+      "--output=" + now.output });
+  return result;
+}
+} // namespace pixelexact
