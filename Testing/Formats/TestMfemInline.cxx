@@ -131,7 +131,8 @@ TEST(MfemInline, Refusals)
   ExpectRefusal("type = quad\nnx 3\n", { "'nx 3'", "nx = 4" });
   ExpectRefusal("type = quad\nnx = 3.5\nny = 1\nsx = 1\nsy = 1\n", { "'nx'", "3.5" });
   ExpectRefusal("type = quad\nnx = 3\nny = 1\nsx = -1\nsy = 1\n", { "'sx'", "-1" });
-  ExpectRefusal("type = quad\nnx = 1000000\nny = 1000000\nsx = 1\nsy = 1\n", { "a million elements" });
+  ExpectRefusal(
+    "type = quad\nnx = 1000000\nny = 1000000\nsx = 1\nsy = 1\n", { "a million elements" });
   const std::string text = "MFEM INLINE mesh v1.0\n\ntype = quad\n" + plane;
   const std::string field =
     "FiniteElementSpace\nFiniteElementCollection: L2_2D_P0\nVDim: 1\nOrdering: 0\n\n1 2 3 4 5 6";

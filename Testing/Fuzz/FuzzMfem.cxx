@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Any bytes as a GLVis stream, which holds a mesh and a grid function, as a mesh alone, and as a root
-// file of a collection.
+// Any bytes as a GLVis stream, which holds a mesh and a grid function, as a mesh alone, and as a
+// root file of a collection.
 #include "Core/Base/Error.h"
 #include "Formats/MFEM/Reader.h"
 #include "Formats/MFEM/RootFile.h"
