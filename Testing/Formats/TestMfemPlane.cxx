@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Plane meshes of MFEM, by closed forms: fields that are polynomials in x and y.
-#include "SolverModelViews.h"
+#include "MfemTexts.h"
 
-#include "Core/Base/Error.h"
 #include "Formats/MFEM/Collection.h"
 #include "Formats/MFEM/HilbertCurve.h"
 #include "Formats/MFEM/Reader.h"
@@ -18,37 +17,7 @@ namespace
 using mfem::Collection;
 using mfem::Geometry;
 using mfem::NamedText;
-
-SolverModel ReadTexts(const std::string& mesh, const std::vector<std::string>& fields = {})
-{
-  std::vector<NamedText> texts;
-  for (const auto& field : fields)
-  {
-    texts.push_back({ "u.gf", field });
-  }
-  return mfem::Read({ "a.mesh", mesh }, texts);
-}
-
-std::string Message(const std::string& mesh, const std::vector<std::string>& fields = {})
-{
-  try
-  {
-    ReadTexts(mesh, fields);
-  }
-  catch (const Error& error)
-  {
-    return error.what();
-  }
-  return {};
-}
-
-void ExpectMessage(const std::string& message, const std::vector<std::string>& parts)
-{
-  for (const auto& part : parts)
-  {
-    EXPECT_NE(message.find(part), std::string::npos) << "'" << part << "' in: " << message;
-  }
-}
+using namespace mfemtexts;
 
 /// A rectangle [0, 2] x [0, 1] of a quadrilateral and two triangles, right of x = 1.
 std::string Mixed(const std::string& vertices = "2\n0 0\n1 0\n1 1\n0 1\n2 0\n2 1\n")

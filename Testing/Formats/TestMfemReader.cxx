@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SolverModelViews.h"
+#include "MfemTexts.h"
 
-#include "Core/Base/Error.h"
 #include "Formats/MFEM/HilbertCurve.h"
 #include "Formats/MFEM/Reader.h"
 
@@ -14,6 +13,7 @@ namespace pixelexact::testing
 namespace
 {
 using mfem::NamedText;
+using namespace mfemtexts;
 
 /// A unit cube's vertices in MFEM's order, as text.
 constexpr const char* kCubeVertices = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n";
@@ -22,37 +22,6 @@ std::string OneCube(const std::string& attributes = "7")
 {
   return "MFEM mesh v1.0\r\n# a comment\n\ndimension\n3\n\nelements\n1\n" + attributes +
     " 5 0 1 2 3 4 5 6 7\n\nboundary\n1\n3 3 1 2 6 5\n\nvertices\n8\n3\n" + kCubeVertices;
-}
-
-SolverModel ReadTexts(const std::string& mesh, const std::vector<std::string>& fields = {})
-{
-  std::vector<NamedText> texts;
-  for (const auto& field : fields)
-  {
-    texts.push_back({ "folder/u.gf", field });
-  }
-  return mfem::Read({ "folder/a.mesh", mesh }, texts);
-}
-
-std::string Message(const std::string& mesh, const std::vector<std::string>& fields = {})
-{
-  try
-  {
-    ReadTexts(mesh, fields);
-  }
-  catch (const Error& error)
-  {
-    return error.what();
-  }
-  return {};
-}
-
-void ExpectMessage(const std::string& message, const std::vector<std::string>& parts)
-{
-  for (const auto& part : parts)
-  {
-    EXPECT_NE(message.find(part), std::string::npos) << "'" << part << "' in: " << message;
-  }
 }
 
 std::string Field(const std::string& collection, int vdim, int ordering, const std::string& values)
