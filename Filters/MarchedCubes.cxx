@@ -227,7 +227,7 @@ private:
     std::vector<std::int64_t> keys;
     for (std::size_t i = 0; i < Active.size(); ++i)
     {
-      for (const EDGE_LIST* edge = table[cases[i]].edges; edge[0] >= 0; edge += 3)
+      for (const int* edge = table[cases[i]].edges; edge[0] >= 0; edge += 3)
       {
         result.triangles.push_back(
           { KeyOf(Active[i], edge[0]), KeyOf(Active[i], edge[1]), KeyOf(Active[i], edge[2]) });
