@@ -91,14 +91,14 @@ private:
 };
 } // namespace
 
-void LoadXml(const NamedText& original, pugi::xml_document& xml)
+void LoadXml(const NamedText& file, pugi::xml_document& xml)
 {
-  const bool hdf5 = IsHdf5(original.text);
-  const std::string converted = hdf5 ? Hdf5AsXml(original) : std::string();
-  const NamedText file{ original.name, hdf5 ? converted : original.text };
-  const auto result = xml.load_buffer(file.text.data(), file.text.size(),
+  const bool hdf5 = IsHdf5(file.text);
+  const std::string converted = hdf5 ? Hdf5AsXml(file) : std::string();
+  const NamedText read{ file.name, hdf5 ? converted : file.text };
+  const auto result = xml.load_buffer(read.text.data(), read.text.size(),
     pugi::parse_default | pugi::parse_doctype | pugi::parse_fragment);
-  Checker checker(file, result.encoding);
+  Checker checker(read, result.encoding);
   if (!result)
   {
     checker.Fail(result.offset,
