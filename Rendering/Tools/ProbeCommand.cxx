@@ -11,6 +11,7 @@
 #include "SlabArray.h"
 
 #include <nlohmann/json.hpp>
+#include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
 #include <array>

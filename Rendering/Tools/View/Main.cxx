@@ -10,6 +10,7 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
@@ -82,5 +83,13 @@ int Run(const std::vector<std::string>& words)
 
 int main(int argc, char** argv)
 {
-  return Run({ argv + 1, argv + argc });
+  try
+  {
+    return Run({ argv + 1, argv + argc });
+  }
+  catch (...)
+  {
+    std::fputs("pixelexact: internal error\n", stderr);
+    return 1;
+  }
 }
