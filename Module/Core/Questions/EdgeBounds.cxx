@@ -12,6 +12,12 @@ namespace pixelexact
 {
 using namespace edges;
 
+namespace
+{
+/// Of xi: what located points may be off is measured where it could be more than that.
+constexpr double kMostAssumed = 1e-10;
+} // namespace
+
 EdgeBounds::EdgeBounds(const Mesh& mesh, const ElementBounds& bounds, int element,
   const Field& field, int component, double rounding)
   : Functions(mesh, bounds, element, field, component, rounding)
@@ -27,6 +33,46 @@ EdgeBounds::EdgeBounds(const Mesh& mesh, const ElementBounds& bounds, int elemen
   , Frame(Functions.GetShape(), bounds)
   , Ends(EndsOf(Functions.GetShape(), {}))
 {
+}
+
+std::array<double, 3> EdgeBounds::ShiftOf(
+  const EdgeNode& node, std::span<const LocatedPoint> points) const
+{
+  const std::array<double, 3> most{ node.shift[0], node.shift[1], node.shift[2] };
+  if (std::ranges::all_of(most, [](double shift) { return shift <= kMostAssumed; }))
+  {
+    return most;
+  }
+  double off[3] = {};
+  for (const LocatedPoint& point : points)
+  {
+    const PointValues image = Functions.ImagesAt(std::span(&point.xi, 1));
+    const Vec3 y = Functions.InUnits(point.x);
+    const Vec3 rounding = Functions.RoundingInUnits(point.x);
+    double own[3] = {};
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      const int axis = static_cast<int>(c);
+      const double miss = std::fabs(image.values[c][0] - y[axis]) * kUp + rounding[axis] +
+        Functions.ImageError();
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        own[k] += std::fabs(node.inverse[k][c]) * miss;
+      }
+    }
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      off[k] = std::max(off[k], own[k]);
+    }
+  }
+  Solve(node.turn, off);
+  std::array<double, 3> shift;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    // Written so that a NaN leaves what is known.
+    shift[k] = off[k] < most[k] ? off[k] : most[k];
+  }
+  return shift;
 }
 
 std::optional<EdgeRange> EdgeBounds::Along(
@@ -45,6 +91,8 @@ std::optional<EdgeRange> EdgeBounds::Along(
       return std::nullopt;
     }
   }
+  const LocatedPoint ends[2] = { a, b };
+  const std::array<double, 3> shift = ShiftOf(*node, ends);
   const double error = Functions.ValueError();
   const double s[3] = { std::fabs(a.xi.x - b.xi.x), std::fabs(a.xi.y - b.xi.y),
     std::fabs(a.xi.z - b.xi.z) };
@@ -53,10 +101,10 @@ std::optional<EdgeRange> EdgeBounds::Along(
   EdgeRange range{ Quadratic(node->curve, s) / 8.0, error };
   for (std::size_t k = 0; k < 3; ++k)
   {
-    const double besides = node->shift[k] + node->lean[k] * sagitta / Functions.Size();
+    const double besides = shift[k] + node->lean[k] * sagitta / Functions.Size();
     off[k] = (Quadratic(node->bend[k], s) / 8.0 + besides) * kUp;
-    beside[k] = kBeside + 2.0 * node->shift[k];
-    range.error += node->slope[k] * node->shift[k];
+    beside[k] = kBeside + 2.0 * shift[k];
+    range.error += node->slope[k] * shift[k];
     range.deviation += node->slope[k] * (besides + 2.0 * beside[k]);
   }
   for (const EdgeNodeEnd& end : node->wideEnds)
@@ -76,7 +124,7 @@ std::optional<EdgeRange> EdgeBounds::Along(
     double change = 2.0 * error;
     for (std::size_t k = 0; k < 3; ++k)
     {
-      change += node->slope[k] * (s[k] + 2.0 * node->shift[k]);
+      change += node->slope[k] * (s[k] + 2.0 * shift[k]);
     }
     const double least = std::max(a.value, b.value) - change;
     range.deviation += least > 0.25 * change ? change * change / (8.0 * least) : 0.5 * change;
@@ -151,10 +199,11 @@ double EdgeBounds::ChangeWithin(const LocatedPoint& point, double distance) cons
   {
     return kUnknown;
   }
+  const std::array<double, 3> shift = ShiftOf(node, std::span(&point, 1));
   double change = Functions.ValueError();
   for (std::size_t k = 0; k < 3; ++k)
   {
-    change += node.slope[k] * (node.lean[k] * (distance / Functions.Size()) + node.shift[k]);
+    change += node.slope[k] * (node.lean[k] * (distance / Functions.Size()) + shift[k]);
   }
   return change * kUp;
 }

@@ -9,6 +9,7 @@
 #include <array>
 #include <limits>
 #include <optional>
+#include <span>
 
 namespace pixelexact
 {
@@ -94,6 +95,9 @@ public:
   [[nodiscard]] std::int64_t Nodes() const { return Tree.Nodes(); }
 
 private:
+  /// By how much the points' xi may be off: |xi - xi'| of Phi(xi') = x, by direction.
+  [[nodiscard]] std::array<double, 3> ShiftOf(
+    const EdgeNode& node, std::span<const LocatedPoint> points) const;
   [[nodiscard]] std::optional<Interval> ValuesIn(const EdgeNode& node, const WideOutline& region,
     const ValueSet& wanted, const EdgeEffort& effort) const;
 

@@ -80,6 +80,7 @@ std::optional<Interval> EdgeBounds::Over(
     return std::nullopt;
   }
 
+  const std::array<double, 3> shift = ShiftOf(node, triangle);
   // In xi, from the first corner; what is known of the corners adds up to `weight` times.
   const double weight = 1.0 + 2.0 * (seen->mostS + seen->mostT);
   const double inY = (part.slack + seen->off) / Functions.Size();
@@ -102,11 +103,11 @@ std::optional<Interval> EdgeBounds::Over(
   for (std::size_t k = 0; k < 3; ++k)
   {
     const int d = static_cast<int>(k);
-    along[0][k] = std::fabs(sides[0][d]) + 2.0 * node.shift[k];
-    along[1][k] = std::fabs(sides[1][d]) + 2.0 * node.shift[k];
-    way[k] += weight * node.shift[k];
-    besides[k] = weight * node.shift[k] + node.lean[k] * inY;
-    beside[k] = kBeside + 2.0 * node.shift[k];
+    along[0][k] = std::fabs(sides[0][d]) + 2.0 * shift[k];
+    along[1][k] = std::fabs(sides[1][d]) + 2.0 * shift[k];
+    way[k] += weight * shift[k];
+    besides[k] = weight * shift[k] + node.lean[k] * inY;
+    beside[k] = kBeside + 2.0 * shift[k];
   }
   // Half of what a form is on the way there, and on the two sides.
   const auto halfOf = [&](const double(&form)[6], const double(&there)[3])
@@ -138,7 +139,7 @@ std::optional<Interval> EdgeBounds::Over(
   for (std::size_t k = 0; k < 3; ++k)
   {
     way[k] = (way[k] + off[k]) * kUp;
-    error += node.slope[k] * node.shift[k];
+    error += node.slope[k] * shift[k];
     most += node.slope[k] * (besides[k] + 2.0 * beside[k]);
     change += node.slope[k] * std::max({ way[k], along[0][k], along[1][k] });
   }
