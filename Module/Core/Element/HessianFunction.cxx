@@ -149,13 +149,8 @@ T HessianFunction::Combine(std::span<const T> p) const
 }
 
 std::array<HessianFunction::XiRanges, 4> HessianFunction::RangesByXi(
-  Shape shape, std::span<const BoxPolynomial> polynomials)
+  Shape shape, std::span<const Interval> hulls)
 {
-  std::vector<Interval> hulls;
-  for (const BoxPolynomial& polynomial : polynomials)
-  {
-    hulls.push_back(polynomial.Hull());
-  }
   const Interval r3 = Interval(1.0) / hulls[kH3];
   const Interval r23 = shape == Shape::Tetrahedron ? r3 / hulls[kH2] : r3;
   std::array<XiRanges, 4> ranges;

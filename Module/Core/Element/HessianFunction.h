@@ -25,6 +25,7 @@ namespace pixelexact
 class HessianFunction final : public RangeFunction
 {
 public:
+  static constexpr std::size_t kPolynomials = 40;
   using Pair = std::array<std::array<double, 3>, 2>; ///< the directions a and b
 
   /// The norm, where no pair is given.
@@ -49,9 +50,9 @@ public:
     std::array<Interval, 3> first;
     std::array<Interval, 6> second;
   };
-  /// Of the map's components and of the field's.
+  /// Of the map's components and of the field's, by the hulls of the polynomials.
   [[nodiscard]] static std::array<XiRanges, 4> RangesByXi(
-    Shape shape, std::span<const BoxPolynomial> polynomials);
+    Shape shape, std::span<const Interval> hulls);
 
   /// Whether a derivative by eta_derivative is divided by h of a direction.
   [[nodiscard]] static bool IsDivided(Shape shape, int derivative, int direction);

@@ -26,6 +26,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// few coefficients. Nodes of many cost more, and there are fewer of them.
 constexpr int kMostHalvings[2] = { 15, 17 };
 constexpr double kFewCoefficients = 216.0;
+/// What all elements' polynomials may take; of others they are made each time.
+constexpr std::int64_t kMostBytes = std::int64_t{ 256 } << 20;
+std::atomic<std::int64_t> bytesKept{ 0 };
 constexpr Part kBy[3] = { Part::ByXi1, Part::ByXi2, Part::ByXi3 };
 } // namespace
 
@@ -67,6 +70,7 @@ EdgeFunctions::EdgeFunctions(const Mesh& mesh, const ElementBounds& bounds, int 
     return;
   }
   ChooseLevel();
+  Kept = std::make_unique<MadeOnDemand<EdgePolynomials>>(std::size_t{ 1 } << (3 * Level));
   Range = ValuesOver({});
   Error = ErrorOf(Component, Count, Part::Value) * (1.0 + rounding / kUnitRoundoff);
   MapError = ErrorOf(Map, 3, Part::Value);
@@ -75,6 +79,11 @@ EdgeFunctions::EdgeFunctions(const Mesh& mesh, const ElementBounds& bounds, int 
     SlopeError = std::max(SlopeError, ErrorOf(Component, Count, part));
     MapSlopeError = std::max(MapSlopeError, ErrorOf(Map, 3, part));
   }
+}
+
+EdgeFunctions::~EdgeFunctions()
+{
+  bytesKept -= Bytes.load();
 }
 
 void EdgeFunctions::ChooseLevel()
@@ -231,75 +240,130 @@ Interval EdgeFunctions::RangeOver(
   return Scaled(range, modes.exponent);
 }
 
-Box3 EdgeFunctions::ImageOver(const EtaBox& box) const
-{
-  Box3 image;
-  for (int d = 0; d < 3; ++d)
-  {
-    const double slack = Unsure[static_cast<std::size_t>(d)];
-    const Interval x =
-      Interval(Unit) * (RangeOver(box, Map, d, Part::Value) + Interval(-slack, slack)) +
-      Interval(Centre[d]);
-    image.lower[d] = x.lower;
-    image.upper[d] = x.upper;
-  }
-  return image;
-}
-
-Interval EdgeFunctions::ValuesOver(const EtaBox& box) const
+Interval EdgeFunctions::ValuesOf(std::span<const Interval> components) const
 {
   if (Count == 1)
   {
-    return RangeOver(box, Component, 0, Part::Value);
+    return components.front();
   }
   Interval square(0.0);
-  for (int c = 0; c < Count; ++c)
+  for (const Interval& component : components)
   {
-    square += Square(RangeOver(box, Component, c, Part::Value));
+    square += Square(component);
   }
   return Sqrt(square);
 }
 
-EdgeFunctions::Slopes EdgeFunctions::SlopesOver(const EtaBox& box) const
+Interval EdgeFunctions::ValuesOver(const EtaBox& box) const
 {
-  Slopes slopes;
-  for (std::size_t c = 0; c < 3; ++c)
+  std::vector<Interval> components;
+  for (int c = 0; c < Count; ++c)
   {
-    for (std::size_t j = 0; j < 3; ++j)
-    {
-      slopes[c][j] = RangeOver(box, Map, static_cast<int>(c), kBy[j]);
-    }
+    components.push_back(RangeOver(box, Component, c, Part::Value));
   }
-  return slopes;
+  return ValuesOf(components);
 }
 
-EdgeFunctions::Derivatives EdgeFunctions::DerivativesOver(const EtaBox& box, int component) const
+template <class Visit>
+void EdgeFunctions::WithPolynomials(const PieceForm::Piece& piece, const Visit& visit) const
 {
-  Derivatives ranges;
-  bool first = true;
+  const auto at =
+    static_cast<std::size_t>((((piece[0] << Level) + piece[1]) << Level) + piece[2]);
+  const auto make = [&]
+  {
+    return std::make_unique<const EdgePolynomials>(
+      Map, Count == 0 ? Map : Component, Count, Level, piece);
+  };
+  const EdgePolynomials* made = Kept->IfMade(at);
+  if (!made && bytesKept.load(std::memory_order_relaxed) < kMostBytes)
+  {
+    made = &Kept->Get(at, make);
+    // Once more, where two threads made them: a bound all the same, until it is all given back.
+    bytesKept += static_cast<std::int64_t>(made->Bytes());
+    Bytes += static_cast<std::int64_t>(made->Bytes());
+  }
+  visit(made ? *made : *make());
+}
+
+EdgeFunctions::MapRanges EdgeFunctions::MapOver(const EtaBox& box) const
+{
+  MapRanges ranges;
+  std::array<Interval, 3> image;
   ForEachPiece(box,
     [&](const PieceForm::Piece& piece, const Box3& within)
     {
-      const auto here = HessianFunction::RangesByXi(Map.space.shape,
-        HessianFunction::Polynomials(
-          Map, Count == 0 ? Map : Component, component, Level, piece, within));
-      const std::size_t functions = Count == 0 ? 3 : 4;
-      for (std::size_t f = 0; f < functions; ++f)
+      WithPolynomials(piece,
+        [&](const EdgePolynomials& polynomials)
+        { ranges.ofPieces.push_back(polynomials.MapOver(within)); });
+      const EdgePolynomials::MapHulls& here = ranges.ofPieces.back();
+      const bool first = ranges.ofPieces.size() == 1;
+      const auto add = [&](Interval& to, const Interval& hull)
       {
-        const int exponent = f < 3 ? Map.exponent : Component.exponent;
-        const auto add = [&](Interval& to, const Interval& range)
-        { to = first ? Scaled(range, exponent) : Join(to, Scaled(range, exponent)); };
+        const Interval range = Scaled(hull, Map.exponent);
+        to = first ? range : Join(to, range);
+      };
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        add(image[c], here.image[c]);
         for (std::size_t k = 0; k < 3; ++k)
         {
-          add(ranges[f].first[k], here[f].first[k]);
+          add(ranges.slopes[c][k], here.slopes[c][k]);
+        }
+      }
+    });
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    const int d = static_cast<int>(c);
+    const double slack = Unsure[c];
+    const Interval x =
+      Interval(Unit) * (image[c] + Interval(-slack, slack)) + Interval(Centre[d]);
+    ranges.image.lower[d] = x.lower;
+    ranges.image.upper[d] = x.upper;
+  }
+  return ranges;
+}
+
+EdgeFunctions::Derivatives EdgeFunctions::DerivativesOver(
+  const EtaBox& box, const MapRanges& map) const
+{
+  Derivatives ranges;
+  std::vector<Interval> values(static_cast<std::size_t>(Count));
+  ranges.components.resize(static_cast<std::size_t>(Count));
+  std::size_t number = 0;
+  ForEachPiece(box,
+    [&](const PieceForm::Piece& piece, const Box3& within)
+    {
+      const bool first = number == 0;
+      EdgePolynomials::Hulls here;
+      WithPolynomials(piece,
+        [&](const EdgePolynomials& polynomials)
+        { here = polynomials.Over(within, map.ofPieces[number]); });
+      ++number;
+      const auto add = [&](Interval& to, const Interval& hull, int exponent)
+      { to = first ? Scaled(hull, exponent) : Join(to, Scaled(hull, exponent)); };
+      const auto addAll = [&](HessianFunction::XiRanges& to, const HessianFunction::XiRanges& hulls,
+                            int exponent)
+      {
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+          add(to.first[k], hulls.first[k], exponent);
         }
         for (std::size_t k = 0; k < 6; ++k)
         {
-          add(ranges[f].second[k], here[f].second[k]);
+          add(to.second[k], hulls.second[k], exponent);
         }
+      };
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        addAll(ranges.map[c], here.map[c], Map.exponent);
       }
-      first = false;
+      for (std::size_t c = 0; c < values.size(); ++c)
+      {
+        addAll(ranges.components[c], here.components[c], Component.exponent);
+        add(values[c], here.values[c], Component.exponent);
+      }
     });
+  ranges.values = ValuesOf(values);
   return ranges;
 }
 } // namespace pixelexact

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Core/Element/HessianFunction.h"
+#include "Core/Base/MadeOnDemand.h"
 #include "Core/Element/Kernels.h"
 #include "Core/Index/ElementIndex.h"
+#include "Core/Questions/EdgePolynomials.h"
 #include "Core/Questions/Outline.h"
 #include "Core/Questions/PointValues.h"
 #include "Core/Tree/EtaBox.h"
 
 #include <array>
+#include <atomic>
+#include <cstdint>
+#include <memory>
 #include <span>
+#include <vector>
 
 namespace pixelexact
 {
@@ -65,16 +70,29 @@ public:
   /// Of the expansion of first order about a xi, between these places in xi: of an Outline.
   [[nodiscard]] Interval LinearValues(const Vec3& xi, std::span<const Vec3> places) const;
 
-  /// Holds the image of a box, in world coordinates.
-  [[nodiscard]] Box3 ImageOver(const EtaBox& box) const;
+  /// Holds all values of a box.
   [[nodiscard]] Interval ValuesOver(const EtaBox& box) const;
-  /// By coordinate and xi.
-  using Slopes = std::array<std::array<Interval, 3>, 3>;
-  [[nodiscard]] Slopes SlopesOver(const EtaBox& box) const;
-  /// Of the map's coordinates and of a component, if there are any: first and second derivatives
-  /// by xi.
-  using Derivatives = std::array<HessianFunction::XiRanges, 4>;
-  [[nodiscard]] Derivatives DerivativesOver(const EtaBox& box, int component) const;
+  /// Of the map over a box.
+  struct MapRanges
+  {
+    Box3 image; ///< holds it, in world coordinates
+    std::array<std::array<Interval, 3>, 3> slopes;    ///< by coordinate and xi
+    std::vector<EdgePolynomials::MapHulls> ofPieces; ///< of the cube, that the box meets
+  };
+  [[nodiscard]] MapRanges MapOver(const EtaBox& box) const;
+  /// First and second derivatives by xi of the map's coordinates and of the components; and of
+  /// these, together, the values. `map`: of the same box.
+  struct Derivatives
+  {
+    std::array<HessianFunction::XiRanges, 3> map;
+    std::vector<HessianFunction::XiRanges> components;
+    Interval values;
+  };
+  [[nodiscard]] Derivatives DerivativesOver(const EtaBox& box, const MapRanges& map) const;
+
+  ~EdgeFunctions();
+  EdgeFunctions(const EdgeFunctions&) = delete;
+  EdgeFunctions& operator=(const EdgeFunctions&) = delete;
 
 private:
   EdgeFunctions(const Mesh& mesh, const ElementBounds& bounds, int element, ScaledModes component,
@@ -83,6 +101,10 @@ private:
   void ForEachPiece(const EtaBox& box, const Visit& visit) const;
   [[nodiscard]] Interval RangeOver(
     const EtaBox& box, const ScaledModes& modes, int component, Part part) const;
+  /// Calls visit(the polynomials), which are kept as far as there is room.
+  template <class Visit>
+  void WithPolynomials(const PieceForm::Piece& piece, const Visit& visit) const;
+  [[nodiscard]] Interval ValuesOf(std::span<const Interval> components) const;
   void ChooseLevel();
   /// Of `components` functions together, 4 times what the conversion to a part makes at most: the
   /// kernels make the same sums, but for the order of the factors (accuracy.md).
@@ -103,5 +125,7 @@ private:
   double MapError = 0.0;
   double MapSlopeError = 0.0;
   Interval Range;
+  std::unique_ptr<MadeOnDemand<EdgePolynomials>> Kept; ///< by piece
+  mutable std::atomic<std::int64_t> Bytes{ 0 };
 };
 } // namespace pixelexact

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace pixelexact
 {
@@ -45,25 +44,21 @@ void EdgeNode::Describe(const EdgeFunctions& functions, const Interval& those)
   values = those;
   const int wider = sides.x >= sides.y ? 0 : 1;
   direction = sides[wider] >= sides.z ? wider : 2;
-  bounds = functions.ImageOver(wide);
+  const EdgeFunctions::MapRanges map = functions.MapOver(wide);
+  bounds = map.image;
   // What follows costs more.
-  if (!DescribeMap(functions, functions.SlopesOver(wide)))
+  if (!DescribeMap(functions, map))
   {
     return;
   }
-  values = functions.ValuesOver(wide);
   boxEnds = EndsOf(functions.GetShape(), box);
   wideEnds = EndsOf(functions.GetShape(), wide);
-  // One at least, for the map.
-  std::vector<EdgeFunctions::Derivatives> derivatives{ functions.DerivativesOver(wide, 0) };
-  for (int c = 1; c < functions.Components(); ++c)
-  {
-    derivatives.push_back(functions.DerivativesOver(wide, c));
-  }
+  const EdgeFunctions::Derivatives derivatives = functions.DerivativesOver(wide, map);
+  values = derivatives.values;
   DescribeCurves(functions, derivatives);
 }
 
-bool EdgeNode::DescribeMap(const EdgeFunctions& functions, const EdgeFunctions::Slopes& slopes)
+bool EdgeNode::DescribeMap(const EdgeFunctions& functions, const EdgeFunctions::MapRanges& map)
 {
   const Shape shape = functions.GetShape();
   const Box3 hull = HullInXi(shape, wide);
@@ -74,7 +69,7 @@ bool EdgeNode::DescribeMap(const EdgeFunctions& functions, const EdgeFunctions::
   {
     for (int j = 0; j < 3; ++j)
     {
-      const Interval& range = slopes[static_cast<std::size_t>(c)][static_cast<std::size_t>(j)];
+      const Interval& range = map.slopes[static_cast<std::size_t>(c)][static_cast<std::size_t>(j)];
       if (!range.IsFinite())
       {
         return false;
@@ -96,7 +91,7 @@ bool EdgeNode::DescribeMap(const EdgeFunctions& functions, const EdgeFunctions::
       Interval entry(i == j ? -1.0 : 0.0);
       for (std::size_t c = 0; c < 3; ++c)
       {
-        entry += Interval(inverse[i][c]) * slopes[c][j];
+        entry += Interval(inverse[i][c]) * map.slopes[c][j];
       }
       sum += entry.Magnitude();
     }
@@ -110,19 +105,19 @@ bool EdgeNode::DescribeMap(const EdgeFunctions& functions, const EdgeFunctions::
 }
 
 void EdgeNode::DescribeCurves(
-  const EdgeFunctions& functions, std::span<const EdgeFunctions::Derivatives> components)
+  const EdgeFunctions& functions, const EdgeFunctions::Derivatives& derivatives)
 {
-  const auto& ranges = components.front();
+  const auto& [ranges, components, all] = derivatives;
   // Of all components: the Euclidean norm of bounds bounds that of vectors.
-  const auto norm = [&components](auto&& of)
+  const auto norm = [&components = components](auto&& of)
   {
     double sum = 0.0;
     for (const auto& one : components)
     {
-      const double magnitude = of(one[3]).Magnitude();
+      const double magnitude = of(one).Magnitude();
       sum += magnitude * magnitude;
     }
-    return components.size() == 1 ? of(components.front()[3]).Magnitude() : std::sqrt(sum) * kUp;
+    return components.size() == 1 ? of(components.front()).Magnitude() : std::sqrt(sum) * kUp;
   };
   double bends[6][3];
   for (std::size_t p = 0; p < 6; ++p)
@@ -171,7 +166,7 @@ void EdgeNode::DescribeCurves(
   for (std::size_t p = 0; p < 6; ++p)
   {
     const double most = norm([p](const HessianFunction::XiRanges& one) { return one.second[p]; });
-    second[3][p] = components.size() == 1 ? ranges[3].second[p] : Interval(-most, most);
+    second[3][p] = components.size() == 1 ? components.front().second[p] : Interval(-most, most);
   }
   regular = finite;
 }

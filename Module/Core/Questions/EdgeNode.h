@@ -6,7 +6,6 @@
 #include <array>
 #include <atomic>
 #include <cmath>
-#include <span>
 
 namespace pixelexact
 {
@@ -75,9 +74,8 @@ struct EdgeNode
 
 private:
   /// Whether the map is regular.
-  bool DescribeMap(const EdgeFunctions& functions, const EdgeFunctions::Slopes& slopes);
-  /// By component.
+  bool DescribeMap(const EdgeFunctions& functions, const EdgeFunctions::MapRanges& map);
   void DescribeCurves(
-    const EdgeFunctions& functions, std::span<const EdgeFunctions::Derivatives> components);
+    const EdgeFunctions& functions, const EdgeFunctions::Derivatives& derivatives);
 };
 } // namespace pixelexact

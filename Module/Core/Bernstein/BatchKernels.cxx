@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "Core/Bernstein/BatchKernels.cxx"
+#include <hwy/foreach_target.h>
+
+#include "Core/Bernstein/BatchKernels.h"
+#include "Core/Math/Lanes-inl.h"
+
+#include <algorithm>
+
+HWY_BEFORE_NAMESPACE();
+namespace pixelexact::HWY_NAMESPACE
+{
+using Traits = NumberTraits<Lanes>;
+
+/// Calls atLanes(i) for packs that cover 0 <= i < count, the last of which may overlap the one
+/// before, or atOne(i) for each, where there are too few.
+template <class AtLanes, class AtOne>
+HWY_INLINE void ForEachPack(std::size_t count, const AtLanes& atLanes, const AtOne& atOne)
+{
+  const auto lanes = static_cast<std::size_t>(LaneCount());
+  if (count < lanes)
+  {
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      atOne(i);
+    }
+    return;
+  }
+  std::size_t i = 0;
+  for (; i + lanes <= count; i += lanes)
+  {
+    atLanes(i);
+  }
+  if (i < count)
+  {
+    atLanes(count - lanes);
+  }
+}
+
+void CombineBlocks(const double* factors, std::size_t count, std::size_t stride,
+  const double* from, std::size_t size, double* to)
+{
+  for (std::size_t start = 0; start < size; start += count * stride)
+  {
+    const double* const rows = from + start;
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      const double* const factor = factors + k * count;
+      double* const out = to + start + k * stride;
+      ForEachPack(
+        stride,
+        [&](std::size_t i) PIXELEXACT_INLINED
+        {
+          Lanes sum = Traits::Splat(factor[0]) * Traits::Load(rows + i);
+          for (std::size_t j = 1; j < count; ++j)
+          {
+            sum = sum + Traits::Splat(factor[j]) * Traits::Load(rows + j * stride + i);
+          }
+          Store(sum, out + i);
+        },
+        [&](std::size_t i) PIXELEXACT_INLINED
+        {
+          double sum = factor[0] * rows[i];
+          for (std::size_t j = 1; j < count; ++j)
+          {
+            sum += factor[j] * rows[j * stride + i];
+          }
+          out[i] = sum;
+        });
+    }
+  }
+}
+
+void FindEach(
+  const double* values, std::size_t size, std::size_t count, double* least, double* most)
+{
+  ForEachPack(
+    count,
+    [&](std::size_t i) PIXELEXACT_INLINED
+    {
+      Lanes low = Traits::Load(values + i);
+      Lanes high = low;
+      for (std::size_t at = count; at < size; at += count)
+      {
+        const Lanes v = Traits::Load(values + at + i);
+        low = Min(low, v);
+        high = Max(high, v);
+      }
+      Store(low, least + i);
+      Store(high, most + i);
+    },
+    [&](std::size_t i) PIXELEXACT_INLINED
+    {
+      least[i] = most[i] = values[i];
+      for (std::size_t at = count; at < size; at += count)
+      {
+        least[i] = std::min(least[i], values[at + i]);
+        most[i] = std::max(most[i], values[at + i]);
+      }
+    });
+}
+} // namespace pixelexact::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace pixelexact
+{
+HWY_EXPORT(CombineBlocks);
+HWY_EXPORT(FindEach);
+
+void CombineRows(std::span<const double> factors, std::size_t count, std::size_t stride,
+  std::span<const double> from, std::span<double> to)
+{
+  HWY_DYNAMIC_DISPATCH(CombineBlocks)
+  (factors.data(), count, stride, from.data(), from.size(), to.data());
+}
+
+void ExtremesOfEach(std::span<const double> values, std::span<double> least, std::span<double> most)
+{
+  HWY_DYNAMIC_DISPATCH(FindEach)
+  (values.data(), values.size(), least.size(), least.data(), most.data());
+}
+} // namespace pixelexact
+#endif

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+// Sums and extremes of several functions' coefficients that lie side by side, in as many lanes as
+// the instruction set has; the same bits on each.
+namespace pixelexact
+{
+/// Of blocks of `count` rows of `stride` numbers: row k of a block becomes the sum of
+/// factors[k count + j] times its row j.
+void CombineRows(std::span<const double> factors, std::size_t count, std::size_t stride,
+  std::span<const double> from, std::span<double> to);
+
+/// The least and the most of the numbers k, k + count, k + 2 count, ...: of finite ones.
+void ExtremesOfEach(std::span<const double> values, std::span<double> least, std::span<double> most);
+} // namespace pixelexact
