@@ -38,8 +38,8 @@ HWY_INLINE void ForEachPack(std::size_t count, const AtLanes& atLanes, const AtO
   }
 }
 
-void CombineBlocks(const double* factors, std::size_t count, std::size_t stride,
-  const double* from, std::size_t size, double* to)
+void CombineBlocks(const double* factors, std::size_t count, std::size_t stride, const double* from,
+  std::size_t size, double* to)
 {
   for (std::size_t start = 0; start < size; start += count * stride)
   {

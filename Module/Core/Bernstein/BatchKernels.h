@@ -14,5 +14,6 @@ void CombineRows(std::span<const double> factors, std::size_t count, std::size_t
   std::span<const double> from, std::span<double> to);
 
 /// The least and the most of the numbers k, k + count, k + 2 count, ...: of finite ones.
-void ExtremesOfEach(std::span<const double> values, std::span<double> least, std::span<double> most);
+void ExtremesOfEach(
+  std::span<const double> values, std::span<double> least, std::span<double> most);
 } // namespace pixelexact

@@ -30,8 +30,7 @@ std::vector<double> RestrictionRows(int n, double from, double to)
 }
 } // namespace
 
-PolynomialBatch::PolynomialBatch(
-  const Degrees& degree, std::span<const BoxPolynomial> polynomials)
+PolynomialBatch::PolynomialBatch(const Degrees& degree, std::span<const BoxPolynomial> polynomials)
   : Degree(degree)
   , B(CoefficientCount(degree) * polynomials.size())
 {
@@ -80,8 +79,8 @@ void PolynomialBatch::HullsOver(const Box3& within, std::span<Interval> hulls) c
     // The rows, as BoxPolynomial::Restrict, and the sums.
     for (std::size_t c = 0; c < Count(); ++c)
     {
-      errors[c] = (errors[c] + RestrictionError(n, Largest[c]) +
-                    Gamma(9 * n + 8) * Largest[c] + kUnderflow) *
+      errors[c] =
+        (errors[c] + RestrictionError(n, Largest[c]) + Gamma(9 * n + 8) * Largest[c] + kUnderflow) *
         (1.0 + Gamma(8));
     }
   }

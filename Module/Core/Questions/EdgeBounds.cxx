@@ -53,8 +53,8 @@ std::array<double, 3> EdgeBounds::ShiftOf(
     for (std::size_t c = 0; c < 3; ++c)
     {
       const int axis = static_cast<int>(c);
-      const double miss = std::fabs(image.values[c][0] - y[axis]) * kUp + rounding[axis] +
-        Functions.ImageError();
+      const double miss =
+        std::fabs(image.values[c][0] - y[axis]) * kUp + rounding[axis] + Functions.ImageError();
       for (std::size_t k = 0; k < 3; ++k)
       {
         own[k] += std::fabs(node.inverse[k][c]) * miss;
@@ -78,7 +78,7 @@ std::array<double, 3> EdgeBounds::ShiftOf(
 std::optional<EdgeRange> EdgeBounds::Along(
   const LocatedPoint& a, const LocatedPoint& b, double sagitta) const
 {
-  if (!Functions.IsFinite())
+  if (!Functions.IsKnown())
   {
     return std::nullopt;
   }
@@ -93,7 +93,7 @@ std::optional<EdgeRange> EdgeBounds::Along(
   }
   const LocatedPoint ends[2] = { a, b };
   const std::array<double, 3> shift = ShiftOf(*node, ends);
-  const double error = Functions.ValueError();
+  const double error = node->valueError;
   const double s[3] = { std::fabs(a.xi.x - b.xi.x), std::fabs(a.xi.y - b.xi.y),
     std::fabs(a.xi.z - b.xi.z) };
   double off[3];
@@ -137,7 +137,7 @@ std::optional<EdgeRange> EdgeBounds::Along(
 std::optional<Interval> EdgeBounds::ValuesIn(
   const WideOutline& region, const ValueSet& wanted, const EdgeEffort& effort) const
 {
-  if (!Functions.IsFinite())
+  if (!Functions.IsKnown())
   {
     return Interval::Everything();
   }
@@ -190,7 +190,7 @@ bool EdgeBounds::MayTake(
 double EdgeBounds::ChangeWithin(const LocatedPoint& point, double distance) const
 {
   constexpr double kUnknown = std::numeric_limits<double>::infinity();
-  if (!Functions.IsFinite())
+  if (!Functions.IsKnown())
   {
     return kUnknown;
   }
@@ -200,7 +200,7 @@ double EdgeBounds::ChangeWithin(const LocatedPoint& point, double distance) cons
     return kUnknown;
   }
   const std::array<double, 3> shift = ShiftOf(node, std::span(&point, 1));
-  double change = Functions.ValueError();
+  double change = node.valueError;
   for (std::size_t k = 0; k < 3; ++k)
   {
     change += node.slope[k] * (node.lean[k] * (distance / Functions.Size()) + shift[k]);

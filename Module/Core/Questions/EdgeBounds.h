@@ -46,7 +46,7 @@ struct EdgeRange
 class EdgeBounds
 {
 public:
-  /// `field` must have Mapping::Identity, and component be one of its, or -1: the Euclidean norm of
+  /// `component`: one of the field's, or -1: the Euclidean norm of
   /// all, if there are several. The arrays must outlive the object. `rounding`: of values, as a
   /// part of their largest possible magnitude, beyond that of the kernels in double precision.
   EdgeBounds(const Mesh& mesh, const ElementBounds& bounds, int element, const Field& field,
@@ -56,8 +56,11 @@ public:
   EdgeBounds(const EdgeBounds&) = delete;
   EdgeBounds& operator=(const EdgeBounds&) = delete;
 
-  /// Holds all values in the element; everything where a coefficient is not finite.
+  /// Holds all values in the element; everything where nothing is known of them, as of mapped
+  /// fields in pyramids (EdgeFunctions::IsKnown).
   [[nodiscard]] const Interval& Values() const { return Functions.Values(); }
+  /// False where a coefficient is not finite.
+  [[nodiscard]] bool HasValues() const { return Functions.HasValues(); }
 
   /// The field along the straight edge between two points: it lies in the element, as far as
   /// rounding goes, and at a + s (b - a) the value is within `deviation` of the one between the

@@ -29,34 +29,94 @@ constexpr double kFewCoefficients = 216.0;
 /// What all elements' polynomials may take; of others they are made each time.
 constexpr std::int64_t kMostBytes = std::int64_t{ 256 } << 20;
 std::atomic<std::int64_t> bytesKept{ 0 };
+/// Halvings of each direction after which det J is given up.
+constexpr int kMostOfDivisor = 4;
 constexpr Part kBy[3] = { Part::ByXi1, Part::ByXi2, Part::ByXi3 };
+
+Interval Widened(const Interval& range, double slack)
+{
+  return range + Interval(-slack, slack);
+}
+
+/// By order of the derivative.
+void Widen(HessianFunction::XiRanges& ranges, Interval& value, const std::array<double, 3>& slack)
+{
+  value = Widened(value, slack[0]);
+  for (Interval& first : ranges.first)
+  {
+    first = Widened(first, slack[1]);
+  }
+  for (Interval& second : ranges.second)
+  {
+    second = Widened(second, slack[2]);
+  }
+}
+
+/// Of a numerator, which becomes the quotient F = N / D; returns F.
+Interval Divide(HessianFunction::XiRanges& ranges, const HessianFunction::XiRanges& divisor,
+  const Interval& numerator, const Interval& by)
+{
+  const Interval value = numerator / by;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    ranges.first[k] = (ranges.first[k] - value * divisor.first[k]) / by;
+  }
+  for (std::size_t p = 0; p < 6; ++p)
+  {
+    const std::size_t i = edges::kRows[p];
+    const std::size_t j = edges::kColumns[p];
+    ranges.second[p] = (ranges.second[p] - ranges.first[i] * divisor.first[j] -
+                         ranges.first[j] * divisor.first[i] - value * divisor.second[p]) /
+      by;
+  }
+  return value;
+}
 } // namespace
 
 EdgeFunctions::EdgeFunctions(const Mesh& mesh, const ElementBounds& bounds, int element,
   const Field& field, int component, double rounding)
-  : EdgeFunctions(mesh, bounds, element,
-      ScaledModes(field.values.SpaceOf(element),
-        field.values.Coefficients(element) +
-          static_cast<std::ptrdiff_t>(std::max(component, 0)) *
-            field.values.SpaceOf(element).Modes(),
-        component < 0 ? field.values.components : 1),
-      component < 0 ? field.values.components : 1, rounding)
+  : EdgeFunctions(mesh, bounds, element, ModesOf(mesh, element, field, component), rounding)
 {
 }
 
 EdgeFunctions::EdgeFunctions(const Mesh& mesh, const ElementBounds& bounds, int element)
   : EdgeFunctions(mesh, bounds, element,
-      ScaledModes(mesh.map.SpaceOf(element), mesh.map.Coefficients(element), 0), 0, 0.0)
+      { ScaledModes(mesh.map.SpaceOf(element), mesh.map.Coefficients(element), 0), 0, std::nullopt,
+        true },
+      0.0)
 {
 }
 
-EdgeFunctions::EdgeFunctions(const Mesh& mesh, const ElementBounds& bounds, int element,
-  ScaledModes component, int count, double rounding)
+EdgeFunctions::Modes EdgeFunctions::ModesOf(
+  const Mesh& mesh, int element, const Field& field, int component)
+{
+  const Space& space = field.values.SpaceOf(element);
+  const int count = component < 0 ? field.values.components : 1;
+  // Of mapped vectors each component is made of all.
+  const bool isMapped = field.mapping != Mapping::Identity;
+  ScaledModes modes(space,
+    field.values.Coefficients(element) +
+      static_cast<std::ptrdiff_t>(isMapped ? 0 : std::max(component, 0)) * space.Modes(),
+    isMapped ? field.values.components : count);
+  const bool finite = modes.finite;
+  if (!isMapped || !finite)
+  {
+    return { std::move(modes), count, std::nullopt, finite };
+  }
+  std::optional<QuotientModes> quotient = MakeQuotientModes(mesh, element, field, component);
+  const bool known = quotient.has_value();
+  return { known ? quotient->numerators : std::move(modes), count, std::move(quotient), known };
+}
+
+EdgeFunctions::EdgeFunctions(
+  const Mesh& mesh, const ElementBounds& bounds, int element, Modes modes, double rounding)
   : Map(mesh.map.SpaceOf(element), mesh.map.Coefficients(element), 3)
-  , Component(std::move(component))
+  , Component(std::move(modes.component))
+  , Divisor(modes.quotient ? std::optional(modes.quotient->divisor) : std::nullopt)
   , MapKernels(KernelsFor(Map.space))
   , ComponentKernels(KernelsFor(Component.space))
-  , Count(count)
+  , Count(modes.count)
+  , Known(modes.known)
   , Centre(mesh.centre[3 * static_cast<std::size_t>(element)],
       mesh.centre[3 * static_cast<std::size_t>(element) + 1],
       mesh.centre[3 * static_cast<std::size_t>(element) + 2])
@@ -64,14 +124,47 @@ EdgeFunctions::EdgeFunctions(const Mesh& mesh, const ElementBounds& bounds, int 
   , Unsure{ bounds.uncertainty[0], bounds.uncertainty[1], bounds.uncertainty[2] }
   , Range(Interval::Everything())
 {
-  if (!IsFinite())
+  if (!Known)
   {
     Error = kInfinity;
     return;
   }
   ChooseLevel();
+  if (modes.quotient)
+  {
+    TakeSlack(*modes.quotient);
+  }
   Kept = std::make_unique<MadeOnDemand<EdgePolynomials>>(std::size_t{ 1 } << (3 * Level));
   Range = ValuesOver({});
+  BoundErrors(rounding);
+  if (modes.quotient)
+  {
+    const QuotientModes& quotient = *modes.quotient;
+    // Of kernels, and of ValuesAt.
+    Error += Count * (quotient.numeratorError + Slack[0]);
+    DivisorError = ErrorOf(*Divisor, 1, Part::Value) + quotient.divisorError + DivisorSlack[0];
+    for (const Part part : kBy)
+    {
+      DivisorSlopeError = std::max(DivisorSlopeError, ErrorOf(*Divisor, 1, part));
+    }
+    SlopeError += Count * Slack[1];
+    DivisorSlopeError += DivisorSlack[1];
+  }
+}
+
+void EdgeFunctions::TakeSlack(const QuotientModes& quotient)
+{
+  Slack[0] = quotient.numeratorSlack;
+  DivisorSlack[0] = quotient.divisorSlack;
+  for (std::size_t k = 1; k < 3; ++k)
+  {
+    Slack[k] = quotient.SlopeFactor() * Slack[k - 1];
+    DivisorSlack[k] = quotient.SlopeFactor() * DivisorSlack[k - 1];
+  }
+}
+
+void EdgeFunctions::BoundErrors(double rounding)
+{
   Error = ErrorOf(Component, Count, Part::Value) * (1.0 + rounding / kUnitRoundoff);
   MapError = ErrorOf(Map, 3, Part::Value);
   for (const Part part : kBy)
@@ -79,6 +172,71 @@ EdgeFunctions::EdgeFunctions(const Mesh& mesh, const ElementBounds& bounds, int 
     SlopeError = std::max(SlopeError, ErrorOf(Component, Count, part));
     MapSlopeError = std::max(MapSlopeError, ErrorOf(Map, 3, part));
   }
+}
+
+EdgeFunctions::Errors EdgeFunctions::ErrorsWith(const Derivatives& derivatives) const
+{
+  if (!Divisor)
+  {
+    return { Error, SlopeError };
+  }
+  // N / D moves by (dN + F dD) / D, and its slope is (N' - F D') / D.
+  const Interval& by = derivatives.divisor;
+  const double least = by.Contains(0.0) ? 0.0 : std::min(std::fabs(by.lower), std::fabs(by.upper));
+  const double most = derivatives.values.Magnitude();
+  double slope = 0.0;
+  double slopeOfDivisor = 0.0;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    slopeOfDivisor = std::max(slopeOfDivisor, derivatives.divisorSlopes[k].Magnitude());
+    for (const HessianFunction::XiRanges& component : derivatives.components)
+    {
+      slope = std::max(slope, component.first[k].Magnitude());
+    }
+  }
+  const double value = 2.0 * (Error + most * DivisorError) / least;
+  return { value,
+    2.0 * (SlopeError + most * DivisorSlopeError + value * slopeOfDivisor + slope * DivisorError) /
+      least };
+}
+
+Interval EdgeFunctions::DivisorOver(const EtaBox& box, int halvings) const
+{
+  const Interval whole = Widened(RangeOver(box, *Divisor, 0, Part::Value), DivisorSlack[0]);
+  if (halvings == 0 || !whole.Contains(0.0))
+  {
+    return whole;
+  }
+  const Vec3 middle = 0.5 * (box.lower + box.upper);
+  Interval all(kInfinity, -kInfinity);
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    EtaBox part = box;
+    for (int d = 0; d < 3; ++d)
+    {
+      ((corner >> d & 1) != 0 ? part.lower : part.upper)[d] = middle[d];
+    }
+    all = Join(all, DivisorOver(part, halvings - 1));
+    if (all.Contains(0.0))
+    {
+      break;
+    }
+  }
+  return all;
+}
+
+std::vector<EdgePolynomials::Function> EdgeFunctions::Functions() const
+{
+  std::vector<EdgePolynomials::Function> functions;
+  for (int c = 0; c < Count; ++c)
+  {
+    functions.push_back({ &Component, c });
+  }
+  if (Divisor)
+  {
+    functions.push_back({ &*Divisor, 0 });
+  }
+  return functions;
 }
 
 EdgeFunctions::~EdgeFunctions()
@@ -100,6 +258,11 @@ void EdgeFunctions::ChooseLevel()
   }
   AddDerivatives(Map, 0, 3, all);
   AddDerivatives(Component, 0, Count, all);
+  if (Divisor)
+  {
+    all.push_back({ &*Divisor, 0, Part::Value });
+    AddDerivatives(*Divisor, 0, 1, all);
+  }
   Level = LevelFor(all);
   const auto fewer = [](std::size_t coefficients)
   {
@@ -127,8 +290,24 @@ PointValues EdgeFunctions::ImagesAt(std::span<const Vec3> xi) const
 PointValues EdgeFunctions::ValuesAt(int component, std::span<const Vec3> xi) const
 {
   const RangeIngredient ingredient{ &Component, component, Part::Value };
-  return { ComponentKernels, Component.space, ingredient.Modes(), 1,
-    std::ldexp(1.0, Component.exponent), xi };
+  PointValues values(ComponentKernels, Component.space, ingredient.Modes(), 1,
+    std::ldexp(1.0, Component.exponent), xi);
+  if (Divisor)
+  {
+    const PointValues divisor(ComponentKernels, Divisor->space, Divisor->values.data(), 1,
+      std::ldexp(1.0, Divisor->exponent), xi);
+    for (std::size_t i = 0; i < xi.size(); ++i)
+    {
+      const double over = 1.0 / divisor.values[0][i];
+      values.values[0][i] *= over;
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        values.slopes[k][i] =
+          (values.slopes[k][i] - values.values[0][i] * divisor.slopes[k][i]) * over;
+      }
+    }
+  }
+  return values;
 }
 
 EdgeFunctions::View EdgeFunctions::ViewAt(const Vec3& xi) const
@@ -147,7 +326,8 @@ EdgeFunctions::View EdgeFunctions::ViewAt(const Vec3& xi) const
   return view;
 }
 
-Interval EdgeFunctions::LinearValues(const Vec3& xi, std::span<const Vec3> places) const
+Interval EdgeFunctions::LinearValues(
+  const Vec3& xi, std::span<const Vec3> places, double slopeError) const
 {
   constexpr std::size_t kMost = Outline::kMostCorners + Outline::kMostCuts;
   // Of all components: at each place the value, its square, and its product with the sum of all.
@@ -180,7 +360,7 @@ Interval EdgeFunctions::LinearValues(const Vec3& xi, std::span<const Vec3> place
     square += sum * sum;
     size += std::fabs(component.values[0][0]) + LargestOf(slope) * length;
   }
-  const double slack = 1e-14 * size + SlopeError * length;
+  const double slack = 1e-14 * size + slopeError * length;
   if (Count == 1)
   {
     const auto [least, most] =
@@ -260,6 +440,10 @@ Interval EdgeFunctions::ValuesOver(const EtaBox& box) const
   for (int c = 0; c < Count; ++c)
   {
     components.push_back(RangeOver(box, Component, c, Part::Value));
+    if (Divisor)
+    {
+      components.back() = Widened(components.back(), Slack[0]) / DivisorOver(box, kMostOfDivisor);
+    }
   }
   return ValuesOf(components);
 }
@@ -267,13 +451,9 @@ Interval EdgeFunctions::ValuesOver(const EtaBox& box) const
 template <class Visit>
 void EdgeFunctions::WithPolynomials(const PieceForm::Piece& piece, const Visit& visit) const
 {
-  const auto at =
-    static_cast<std::size_t>((((piece[0] << Level) + piece[1]) << Level) + piece[2]);
+  const auto at = static_cast<std::size_t>((((piece[0] << Level) + piece[1]) << Level) + piece[2]);
   const auto make = [&]
-  {
-    return std::make_unique<const EdgePolynomials>(
-      Map, Count == 0 ? Map : Component, Count, Level, piece);
-  };
+  { return std::make_unique<const EdgePolynomials>(Map, Functions(), Level, piece); };
   const EdgePolynomials* made = Kept->IfMade(at);
   if (!made && bytesKept.load(std::memory_order_relaxed) < kMostBytes)
   {
@@ -315,8 +495,7 @@ EdgeFunctions::MapRanges EdgeFunctions::MapOver(const EtaBox& box) const
   {
     const int d = static_cast<int>(c);
     const double slack = Unsure[c];
-    const Interval x =
-      Interval(Unit) * (image[c] + Interval(-slack, slack)) + Interval(Centre[d]);
+    const Interval x = Interval(Unit) * (image[c] + Interval(-slack, slack)) + Interval(Centre[d]);
     ranges.image.lower[d] = x.lower;
     ranges.image.upper[d] = x.upper;
   }
@@ -327,8 +506,9 @@ EdgeFunctions::Derivatives EdgeFunctions::DerivativesOver(
   const EtaBox& box, const MapRanges& map) const
 {
   Derivatives ranges;
-  std::vector<Interval> values(static_cast<std::size_t>(Count));
-  ranges.components.resize(static_cast<std::size_t>(Count));
+  const auto count = static_cast<std::size_t>(Count);
+  std::vector<Interval> values(count + (Divisor ? 1 : 0));
+  ranges.components.resize(values.size());
   std::size_t number = 0;
   ForEachPiece(box,
     [&](const PieceForm::Piece& piece, const Box3& within)
@@ -341,8 +521,8 @@ EdgeFunctions::Derivatives EdgeFunctions::DerivativesOver(
       ++number;
       const auto add = [&](Interval& to, const Interval& hull, int exponent)
       { to = first ? Scaled(hull, exponent) : Join(to, Scaled(hull, exponent)); };
-      const auto addAll = [&](HessianFunction::XiRanges& to, const HessianFunction::XiRanges& hulls,
-                            int exponent)
+      const auto addAll =
+        [&](HessianFunction::XiRanges& to, const HessianFunction::XiRanges& hulls, int exponent)
       {
         for (std::size_t k = 0; k < 3; ++k)
         {
@@ -359,10 +539,27 @@ EdgeFunctions::Derivatives EdgeFunctions::DerivativesOver(
       }
       for (std::size_t c = 0; c < values.size(); ++c)
       {
-        addAll(ranges.components[c], here.components[c], Component.exponent);
-        add(values[c], here.values[c], Component.exponent);
+        const int exponent = c < count ? Component.exponent : Divisor->exponent;
+        addAll(ranges.components[c], here.functions[c], exponent);
+        add(values[c], here.values[c], exponent);
       }
     });
+  if (Divisor)
+  {
+    for (std::size_t c = 0; c <= count; ++c)
+    {
+      Widen(ranges.components[c], values[c], c < count ? Slack : DivisorSlack);
+    }
+    const HessianFunction::XiRanges divisor = ranges.components.back();
+    ranges.divisor = values.back();
+    ranges.divisorSlopes = divisor.first;
+    for (std::size_t c = 0; c < count; ++c)
+    {
+      values[c] = Divide(ranges.components[c], divisor, values[c], ranges.divisor);
+    }
+    values.pop_back();
+    ranges.components.pop_back();
+  }
   ranges.values = ValuesOf(values);
   return ranges;
 }

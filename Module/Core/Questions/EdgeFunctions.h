@@ -7,12 +7,14 @@
 #include "Core/Questions/EdgePolynomials.h"
 #include "Core/Questions/Outline.h"
 #include "Core/Questions/PointValues.h"
+#include "Core/Questions/QuotientModes.h"
 #include "Core/Tree/EtaBox.h"
 
 #include <array>
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -29,14 +31,19 @@ public:
   /// Of the map alone.
   EdgeFunctions(const Mesh& mesh, const ElementBounds& bounds, int element);
 
-  /// Whether the component is: nothing else is known of one that is not.
-  [[nodiscard]] bool IsFinite() const { return Component.finite; }
+  /// Whether anything else is known: of mapped fields nothing is in pyramids, and with products of
+  /// high orders (QuotientModes).
+  [[nodiscard]] bool IsKnown() const { return Known; }
+  /// False where a coefficient is not finite: there are none then.
+  [[nodiscard]] bool HasValues() const { return Component.finite; }
   [[nodiscard]] Shape GetShape() const { return Map.space.shape; }
   /// Of which the norm is taken, if there are several; 0: of the map alone.
   [[nodiscard]] int Components() const { return Count; }
-  /// Holds all values in the element.
+  /// Holds all values in the element; everything where it is not known, and for mapped fields where
+  /// det J is not proven to keep its sign.
   [[nodiscard]] const Interval& Values() const { return Range; }
-  /// Bounds the rounding of values as the kernels make them; of the map's, in the element's units.
+  /// Bounds the rounding of values as the kernels make them, of fields that are not mapped (see
+  /// ErrorsWith); of the map's, in the element's units.
   [[nodiscard]] double ValueError() const { return Error; }
   [[nodiscard]] double ImageError() const { return MapError; }
   /// The same of derivatives by xi.
@@ -68,15 +75,17 @@ public:
   };
   [[nodiscard]] View ViewAt(const Vec3& xi) const;
   /// Of the expansion of first order about a xi, between these places in xi: of an Outline.
-  [[nodiscard]] Interval LinearValues(const Vec3& xi, std::span<const Vec3> places) const;
+  /// `slopeError`: of the component at points there (ErrorsWith).
+  [[nodiscard]] Interval LinearValues(
+    const Vec3& xi, std::span<const Vec3> places, double slopeError) const;
 
   /// Holds all values of a box.
   [[nodiscard]] Interval ValuesOver(const EtaBox& box) const;
   /// Of the map over a box.
   struct MapRanges
   {
-    Box3 image; ///< holds it, in world coordinates
-    std::array<std::array<Interval, 3>, 3> slopes;    ///< by coordinate and xi
+    Box3 image;                                      ///< holds it, in world coordinates
+    std::array<std::array<Interval, 3>, 3> slopes;   ///< by coordinate and xi
     std::vector<EdgePolynomials::MapHulls> ofPieces; ///< of the cube, that the box meets
   };
   [[nodiscard]] MapRanges MapOver(const EtaBox& box) const;
@@ -87,16 +96,41 @@ public:
     std::array<HessianFunction::XiRanges, 3> map;
     std::vector<HessianFunction::XiRanges> components;
     Interval values;
+    /// Of mapped fields, det J and its first derivatives.
+    Interval divisor{ 1.0 };
+    std::array<Interval, 3> divisorSlopes{};
   };
   [[nodiscard]] Derivatives DerivativesOver(const EtaBox& box, const MapRanges& map) const;
+  /// Bounds the rounding of values and of their derivatives by xi over a box, both of kernels and
+  /// of ValuesAt.
+  struct Errors
+  {
+    double value;
+    double slope;
+  };
+  [[nodiscard]] Errors ErrorsWith(const Derivatives& derivatives) const;
 
   ~EdgeFunctions();
   EdgeFunctions(const EdgeFunctions&) = delete;
   EdgeFunctions& operator=(const EdgeFunctions&) = delete;
 
 private:
-  EdgeFunctions(const Mesh& mesh, const ElementBounds& bounds, int element, ScaledModes component,
-    int count, double rounding);
+  /// Of functions: their modes, and of mapped ones what they are divided by.
+  struct Modes
+  {
+    ScaledModes component;
+    int count;
+    std::optional<QuotientModes> quotient;
+    bool known;
+  };
+  static Modes ModesOf(const Mesh& mesh, int element, const Field& field, int component);
+  EdgeFunctions(
+    const Mesh& mesh, const ElementBounds& bounds, int element, Modes modes, double rounding);
+  [[nodiscard]] std::vector<EdgePolynomials::Function> Functions() const;
+  /// Holds det J, in the element's units, over the element.
+  [[nodiscard]] Interval DivisorOver(const EtaBox& box, int halvings) const;
+  void TakeSlack(const QuotientModes& quotient);
+  void BoundErrors(double rounding);
   template <class Visit>
   void ForEachPiece(const EtaBox& box, const Visit& visit) const;
   [[nodiscard]] Interval RangeOver(
@@ -112,9 +146,11 @@ private:
 
   ScaledModes Map;
   ScaledModes Component;
+  std::optional<ScaledModes> Divisor;
   KernelSet MapKernels;
   KernelSet ComponentKernels;
   int Count;
+  bool Known;
   int Level = 0;
   int Halvings[2] = {};
   Vec3 Centre;
@@ -122,6 +158,11 @@ private:
   std::array<double, 3> Unsure;
   double Error = 0.0;
   double SlopeError = 0.0; ///< of values' derivatives by xi
+  double DivisorError = 0.0;
+  double DivisorSlopeError = 0.0;
+  // How far the quotient's polynomials are off, by order of the derivative: QuotientModes.
+  std::array<double, 3> Slack{};
+  std::array<double, 3> DivisorSlack{};
   double MapError = 0.0;
   double MapSlopeError = 0.0;
   Interval Range;

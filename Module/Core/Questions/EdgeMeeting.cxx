@@ -290,10 +290,10 @@ EdgeMeeting Meet(const EdgeFunctions& functions, const EdgeNode& node, const Wid
   {
     return {};
   }
-  const Interval linear = functions.LinearValues(view.xi, inside.Corners());
+  const Interval linear = functions.LinearValues(view.xi, inside.Corners(), node.slopeError);
   const double curved = Quadratic(node.curve, away) / 2.0;
   const bool isWide = curved > kCoarse * (linear.upper - linear.lower);
-  double most = curved + 2.0 * functions.ValueError();
+  double most = curved + 2.0 * node.valueError;
   EdgeMeeting meeting;
   for (std::size_t k = 0; k < 3; ++k)
   {

@@ -107,9 +107,10 @@ bool EdgeNode::DescribeMap(const EdgeFunctions& functions, const EdgeFunctions::
 void EdgeNode::DescribeCurves(
   const EdgeFunctions& functions, const EdgeFunctions::Derivatives& derivatives)
 {
-  const auto& [ranges, components, all] = derivatives;
+  const auto& ranges = derivatives.map;
+  const auto& components = derivatives.components;
   // Of all components: the Euclidean norm of bounds bounds that of vectors.
-  const auto norm = [&components = components](auto&& of)
+  const auto norm = [&components](auto&& of)
   {
     double sum = 0.0;
     for (const auto& one : components)
@@ -168,6 +169,9 @@ void EdgeNode::DescribeCurves(
     const double most = norm([p](const HessianFunction::XiRanges& one) { return one.second[p]; });
     second[3][p] = components.size() == 1 ? components.front().second[p] : Interval(-most, most);
   }
-  regular = finite;
+  const auto [ofValues, ofSlopes] = functions.ErrorsWith(derivatives);
+  valueError = ofValues;
+  slopeError = ofSlopes;
+  regular = finite && std::isfinite(valueError) && std::isfinite(slopeError);
 }
 } // namespace pixelexact

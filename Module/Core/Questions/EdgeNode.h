@@ -54,6 +54,8 @@ struct EdgeNode
   /// Ranges of the second derivatives of Phi and, last, of F: 11, 12, 13, 22, 23, 33. Of a norm, of
   /// the norm of F''.
   std::array<std::array<Interval, 6>, 4> second;
+  double valueError = 0.0; ///< EdgeFunctions::ErrorsWith
+  double slopeError = 0.0;
   double shift[3]{}; ///< by how much a located point's xi may be off
   std::array<EdgeNodeEnd, 6> boxEnds;
   std::array<EdgeNodeEnd, 6> wideEnds;

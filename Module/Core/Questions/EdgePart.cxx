@@ -65,7 +65,7 @@ std::optional<InTriangle> Seen(
 std::optional<Interval> EdgeBounds::Over(
   const std::array<LocatedPoint, 3>& triangle, const WideOutline& part) const
 {
-  if (!Functions.IsFinite())
+  if (!Functions.IsKnown())
   {
     return std::nullopt;
   }
@@ -133,7 +133,7 @@ std::optional<Interval> EdgeBounds::Over(
     }
   }
 
-  double error = Functions.ValueError();
+  double error = node.valueError;
   double most = 0.0;
   double change = 0.0;
   for (std::size_t k = 0; k < 3; ++k)

@@ -55,14 +55,14 @@ List AllOf(const ScaledModes& map, const ScaledModes& field, int component, int 
   return HessianFunction::Polynomials(map, field, component, level, piece, kWholePiece);
 }
 
-List FieldOf(const ScaledModes& map, const ScaledModes& field, int components, int level,
-  const PieceForm::Piece& piece)
+List FieldOf(const ScaledModes& map, std::span<const EdgePolynomials::Function> functions,
+  int level, const PieceForm::Piece& piece)
 {
   List list;
-  for (int c = 0; c < components; ++c)
+  for (const auto& [modes, component] : functions)
   {
-    const List all = AllOf(map, field, c, level, piece);
-    list = Joined(std::move(list), ValuesOf(field, c, 1, level, piece));
+    const List all = AllOf(map, *modes, component, level, piece);
+    list = Joined(std::move(list), ValuesOf(*modes, component, 1, level, piece));
     list = Joined(std::move(list), PartOf(all, 3 * kSlopes, kSlopes));
     list = Joined(std::move(list), PartOf(all, kFirstBend + 3 * kBends, kBends));
   }
@@ -70,19 +70,20 @@ List FieldOf(const ScaledModes& map, const ScaledModes& field, int components, i
 }
 } // namespace
 
-EdgePolynomials::EdgePolynomials(const ScaledModes& map, const ScaledModes& field, int components,
+EdgePolynomials::EdgePolynomials(const ScaledModes& map, std::span<const Function> functions,
   int level, const PieceForm::Piece& piece)
-  : EdgePolynomials(map, field, components, level, piece, AllOf(map, map, 0, level, piece))
+  : EdgePolynomials(map, functions, level, piece, AllOf(map, map, 0, level, piece))
 {
 }
 
-EdgePolynomials::EdgePolynomials(const ScaledModes& map, const ScaledModes& field, int components,
+EdgePolynomials::EdgePolynomials(const ScaledModes& map, std::span<const Function> functions,
   int level, const PieceForm::Piece& piece, const List& ofMap)
   : TheShape(map.space.shape)
   , Map(DegreeOf(map, level),
       Joined(ValuesOf(map, 0, 3, level, piece), PartOf(ofMap, 0, 3 * kSlopes)))
   , Bends(DegreeOf(map, level), PartOf(ofMap, kFirstBend, 3 * kBends))
-  , Field(DegreeOf(field, level), FieldOf(map, field, components, level, piece))
+  , Field(DegreeOf(functions.empty() ? map : *functions.front().modes, level),
+      FieldOf(map, functions, level, piece))
   , Factors(PartOf(ofMap, kFirstFactor, HessianFunction::kPolynomials - kFirstFactor))
 {
 }
@@ -100,8 +101,8 @@ EdgePolynomials::MapHulls EdgePolynomials::MapOver(const Box3& within) const
   for (std::size_t c = 0; c < 3; ++c)
   {
     map.image[c] = hulls[c];
-    std::copy_n(hulls.begin() + static_cast<std::ptrdiff_t>(3 + kSlopes * c), kSlopes,
-      map.slopes[c].begin());
+    std::copy_n(
+      hulls.begin() + static_cast<std::ptrdiff_t>(3 + kSlopes * c), kSlopes, map.slopes[c].begin());
   }
   return map;
 }
@@ -126,23 +127,23 @@ EdgePolynomials::Hulls EdgePolynomials::Over(const Box3& within, const MapHulls&
     Field.HullsOver(within, field);
   }
   Hulls hulls;
-  const std::size_t components = field.size() / kOfEach;
-  for (std::size_t c = 0; c < std::max<std::size_t>(components, 1); ++c)
+  const std::size_t count = field.size() / kOfEach;
+  for (std::size_t c = 0; c < std::max<std::size_t>(count, 1); ++c)
   {
     // Of the map alone: what stands for the field means nothing.
-    for (std::size_t k = 0; k < kSlopes && components > 0; ++k)
+    for (std::size_t k = 0; k < kSlopes && count > 0; ++k)
     {
       all[3 * kSlopes + k] = field[kOfEach * c + 1 + k];
     }
-    for (std::size_t k = 0; k < kBends && components > 0; ++k)
+    for (std::size_t k = 0; k < kBends && count > 0; ++k)
     {
       all[kFirstBend + 3 * kBends + k] = field[kOfEach * c + 1 + kSlopes + k];
     }
     const auto ranges = HessianFunction::RangesByXi(TheShape, all);
     std::copy_n(ranges.begin(), 3, hulls.map.begin());
-    if (components > 0)
+    if (count > 0)
     {
-      hulls.components.push_back(ranges[3]);
+      hulls.functions.push_back(ranges[3]);
       hulls.values.push_back(field[kOfEach * c]);
     }
   }

@@ -5,18 +5,25 @@
 #include "Core/Element/HessianFunction.h"
 
 #include <array>
+#include <span>
 #include <vector>
 
 namespace pixelexact
 {
-/// The polynomials of an element's map and of components of a field over a piece of the cube, from
+/// The polynomials of an element's map and of functions on it over a piece of the cube, from
 /// which all that is known of its boxes is made: kept, because converting them costs more than
 /// asking. In the units of the modes' exponents.
 class EdgePolynomials
 {
 public:
-  /// `components` of them, from the first one on; 0: of the map alone. Both must be finite.
-  EdgePolynomials(const ScaledModes& map, const ScaledModes& field, int components, int level,
+  /// A function, by its modes.
+  struct Function
+  {
+    const ScaledModes* modes;
+    int component;
+  };
+  /// `functions`: of one space; none: of the map alone. All must be finite.
+  EdgePolynomials(const ScaledModes& map, std::span<const Function> functions, int level,
     const PieceForm::Piece& piece);
 
   /// About the bytes held.
@@ -30,25 +37,25 @@ public:
   };
   [[nodiscard]] MapHulls MapOver(const Box3& within) const;
 
-  /// Of the map's coordinates, then of the components: derivatives by xi; and the components'
-  /// values. `map`: of the same part.
+  /// Of the map's coordinates, then of the functions: derivatives by xi; and the functions' values.
+  /// `map`: of the same part.
   struct Hulls
   {
     std::array<HessianFunction::XiRanges, 3> map;
-    std::vector<HessianFunction::XiRanges> components;
+    std::vector<HessianFunction::XiRanges> functions;
     std::vector<Interval> values;
   };
   [[nodiscard]] Hulls Over(const Box3& within, const MapHulls& map) const;
 
 private:
   /// `ofMap`: HessianFunction's polynomials of the map.
-  EdgePolynomials(const ScaledModes& map, const ScaledModes& field, int components, int level,
+  EdgePolynomials(const ScaledModes& map, std::span<const Function> functions, int level,
     const PieceForm::Piece& piece, const std::vector<BoxPolynomial>& ofMap);
 
   Shape TheShape;
-  PolynomialBatch Map;   ///< images, then derivatives by xi
-  PolynomialBatch Bends; ///< of the map: derivatives of those by eta
-  PolynomialBatch Field; ///< of each component: its value, and both
+  PolynomialBatch Map;                ///< images, then derivatives by xi
+  PolynomialBatch Bends;              ///< of the map: derivatives of those by eta
+  PolynomialBatch Field;              ///< of each function: its value, and both
   std::vector<BoxPolynomial> Factors; ///< that are divided by, or multiplied with
 };
 } // namespace pixelexact

@@ -112,13 +112,12 @@ double OnSheet::Sagitta(const EdgeTree& tree, const SheetPoint& a, const SheetPo
 
 double EdgeBounds::Sagitta(const Sheet& sheet, const SheetPoint& a, const SheetPoint& b) const
 {
-  return Functions.IsFinite() ? OnSheet(Functions, Ends, sheet).Sagitta(Tree, a, b) : kInfinity;
+  return Functions.IsKnown() ? OnSheet(Functions, Ends, sheet).Sagitta(Tree, a, b) : kInfinity;
 }
 
 std::optional<SheetExit> EdgeBounds::ExitOf(
   const Sheet& sheet, const SheetPoint& from, const SheetPoint& towards) const
 {
-  return Functions.IsFinite() ? OnSheet(Functions, Ends, sheet).ExitOf(from, towards)
-                              : std::nullopt;
+  return Functions.IsKnown() ? OnSheet(Functions, Ends, sheet).ExitOf(from, towards) : std::nullopt;
 }
 } // namespace pixelexact

@@ -126,11 +126,6 @@ void ContourTile::Judge(const ContouredLayer& layer)
 {
   LayerSight sight(Tile, layer.number);
   const Surface& surface = sight.GetSurface();
-  if (!layer.bounds->CanProve())
-  {
-    LeaveOpen(layer.number);
-    return;
-  }
   if (!surface.HasSagitta())
   {
     const Interval& range = layer.bounds->Values();

@@ -69,7 +69,7 @@ EdgeJudge::EdgeJudge(
   for (const int element : elements)
   {
     // What is not finite has no values.
-    if (bounds.Of(element).Values().IsFinite())
+    if (bounds.Of(element).HasValues())
     {
       Near.push_back(MakeElement(element));
       Needed = Needed || Near.back().side == kNoSide || Near.back().side != Near.front().side;
@@ -134,7 +134,10 @@ EdgeFinding EdgeJudge::Between(double lower, double upper, double error, double 
   }
   const bool touches =
     Wanted.Meets(lower - error, lower + error) || Wanted.Meets(upper - error, upper + error);
-  return touches && error <= kTouch * magnitude ? EdgeFinding::Touching : EdgeFinding::Open;
+  // Where the range is not known, what the ends tell of it.
+  const double size =
+    std::isfinite(magnitude) ? magnitude : std::max(std::fabs(lower), std::fabs(upper));
+  return touches && error <= kTouch * size ? EdgeFinding::Touching : EdgeFinding::Open;
 }
 
 EdgeFinding EdgeJudge::Across(const EdgeEnd& a, const EdgeEnd& b) const
@@ -181,7 +184,7 @@ std::span<const EdgeJudge::Element> EdgeJudge::ElementsAt(const WideOutline& reg
   Bounds.Index().FindNear(box, elements);
   for (const int element : elements)
   {
-    if (Bounds.Of(element).Values().IsFinite())
+    if (Bounds.Of(element).HasValues())
     {
       Found.push_back(MakeElement(element));
     }

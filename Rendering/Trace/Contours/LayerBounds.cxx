@@ -18,7 +18,6 @@ LayerBounds::LayerBounds(const Locator& locator, const Layer& layer)
   : TheIndex(locator.Index())
   , TheField(*layer.field)
   , Component(layer.component == kMagnitude ? -1 : layer.component)
-  , Provable(TheField.mapping == Mapping::Identity)
   , Rounding(layer.precision == Precision::Float ? kFloatRounding : 0.0)
   , Made(static_cast<std::size_t>(locator.GetMesh().Elements()))
 {
@@ -46,8 +45,8 @@ const Interval& LayerBounds::Values() const
         {
           for (std::size_t e = elements.begin(); e < elements.end(); ++e)
           {
-            const Interval& own = Of(static_cast<int>(e)).Values();
-            all = own.IsFinite() ? Join(all, own) : all;
+            const EdgeBounds& own = Of(static_cast<int>(e));
+            all = own.HasValues() ? Join(all, own.Values()) : all;
           }
           return all;
         },

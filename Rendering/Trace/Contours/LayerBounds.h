@@ -23,9 +23,6 @@ class LayerBounds
 public:
   LayerBounds(const Locator& locator, const Layer& layer);
 
-  /// Whether contours can be proven: not those of mapped fields.
-  [[nodiscard]] bool CanProve() const { return Provable; }
-  /// Where contours can be proven.
   [[nodiscard]] const EdgeBounds& Of(int element) const;
   [[nodiscard]] const ElementIndex& Index() const { return TheIndex; }
   /// Holds the values in all elements but those that are not finite; found out once, by all threads
@@ -43,7 +40,6 @@ private:
   const ElementIndex& TheIndex;
   const Field& TheField;
   int Component;
-  bool Provable;
   double Rounding;
   MadeOnDemand<EdgeBounds> Made;
   mutable tbb::collaborative_once_flag Found;
