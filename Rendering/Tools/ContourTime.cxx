@@ -49,7 +49,9 @@ nlohmann::ordered_json ToJson(const ContourTime& time)
     { "frame_seconds_without", time.plain }, { "median_frame_seconds", time.Frame() },
     { "ratio_to_frame", time.Ratio() }, { "first_ratio_to_frame", time.FirstRatio() },
     { "in", time.pixels.in }, { "out", time.pixels.out }, { "undecided", time.pixels.undecided },
-    { "jumps", time.pixels.jumps }, { "samples", time.pixels.samples } };
+    { "jumps", time.pixels.jumps }, { "samples", time.pixels.samples },
+    { "by_blocks", time.pixels.byBlocks }, { "by_edges", time.pixels.byEdges },
+    { "by_parts", time.pixels.byParts } };
 }
 
 std::string Describe(const ContourTime& time)

@@ -53,6 +53,12 @@ def range_of(tool, options, folder):
     return facts["value_range"]
 
 
+def settled(contours, pixels):
+    """Shares of pixels: by blocks of them, by whole edges, by halved ones; in per cent."""
+    return " | ".join(f"{100 * contours[by] / pixels:.1f}"
+                      for by in ("by_blocks", "by_edges", "by_parts"))
+
+
 def speed(tool, options, span, arguments):
     one = measure(tool, options, inner(1, *span), arguments)
     ten = measure(tool, options, inner(10, *span), arguments)
@@ -61,7 +67,7 @@ def speed(tool, options, span, arguments):
     return (f"{1e3 * one['median_frame_seconds']:.0f} | {a['first_ratio_to_frame']:.1f} "
             f"| {a['ratio_to_frame']:.1f} | {b['first_ratio_to_frame']:.1f} "
             f"| {b['ratio_to_frame']:.1f} | {b['in']} | {b['undecided']} "
-            f"| {100 * b['undecided'] / seen:.4f} % |")
+            f"| {100 * b['undecided'] / seen:.4f} % | {settled(b, arguments.size ** 2)} |")
 
 
 def levels(tool, options, span, arguments):
@@ -90,7 +96,7 @@ def main():
     heads = (
         ["in", "undecided"] + [f"paper, {k}" for k in LEVELS] if arguments.levels else
         ["frame, ms", "1 value, first", "next", "10 values, first", "next", "in", "undecided",
-         "of those seen"])
+         "of those seen", "by blocks, %", "edges", "halved"])
     print("| case | " + " | ".join(heads) + " |\n" + "|---" * (1 + len(heads)) + "|")
     for case in sorted(p for p in arguments.folder.iterdir() if p.is_dir()):
         inputs = inputs_of(case) if any(text in case.name for text in arguments.only) else []

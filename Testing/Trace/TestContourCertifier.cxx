@@ -34,6 +34,9 @@ void Judge(ContourCertifier& certifier, const Scene& scene, const CameraView& vi
 void ExpectFewUndecided(const ContourCertifier& certifier, bool isFlat)
 {
   const ContourCounters& counters = certifier.Counters();
+  // Each pixel by one of them, or by none.
+  EXPECT_EQ(
+    counters.byBlocks + counters.byEdges + counters.byParts + counters.undecided, kWidth * kHeight);
   EXPECT_LE(static_cast<double>(counters.undecided),
     1.0 + (isFlat ? 1e-4 : 3e-2) * static_cast<double>(counters.in + counters.out));
 }

@@ -144,15 +144,18 @@ void ContourTile::Judge(const ContouredLayer& layer)
   FlatBlocks blocks(sight, Tile);
   const EdgeJudge judge(
     *layer.bounds, layer.values, ElementsNear(Tile.GetScene().locator->Index(), blocks.Whole()));
-  if (judge.IsNeeded())
+  if (!judge.IsNeeded())
   {
-    JudgeEdges(sight, judge, blocks.FindOpen(judge));
+    Counted.byBlocks += std::ssize(Pixels);
+    return;
   }
+  JudgeEdges(sight, judge, blocks.FindOpen(judge));
 }
 
 void ContourTile::JudgeEdges(
   LayerSight& sight, const EdgeJudge& judge, std::span<const std::uint8_t> open)
 {
+  Counted.byBlocks += std::ranges::count(open, 0);
   if (std::ranges::find(open, 1) == open.end())
   {
     return;
@@ -165,13 +168,29 @@ void ContourTile::JudgeEdges(
     [&](std::size_t edge, std::size_t a, std::size_t b)
     { settler.Add(edge, corners[a], corners[b]); },
     [&] { settler.EndRow(); });
+  std::vector<EdgeState> unhalved = edges;
+  settler.MarkOpen(unhalved);
   settler.Refine();
   std::vector<EdgeState> states = StatesOf(edges, open);
+  CountStages(StatesOf(unhalved, open), states, open);
   if (Method.interior)
   {
     JudgeInteriors(sight, judge, corners, open, states);
   }
   Add(states);
+}
+
+void ContourTile::CountStages(std::span<const EdgeState> unhalved,
+  std::span<const EdgeState> states, std::span<const std::uint8_t> open)
+{
+  for (std::size_t pixel = 0; pixel < states.size(); ++pixel)
+  {
+    if (open[pixel] == 0 || states[pixel] == EdgeState::Undecided)
+    {
+      continue;
+    }
+    ++(unhalved[pixel] == EdgeState::Undecided ? Counted.byParts : Counted.byEdges);
+  }
 }
 
 void ContourTile::JudgeInteriors(LayerSight& sight, const EdgeJudge& judge,

@@ -48,6 +48,9 @@ private:
   /// Of pixels by those of their edges: across, row by row, then up, column by column.
   [[nodiscard]] std::vector<EdgeState> StatesOf(
     std::span<const EdgeState> edges, std::span<const std::uint8_t> open) const;
+  /// By what those that were open are settled.
+  void CountStages(std::span<const EdgeState> unhalved, std::span<const EdgeState> states,
+    std::span<const std::uint8_t> open);
   /// Looks inside of those that are out.
   void JudgeInteriors(LayerSight& sight, const EdgeJudge& judge, std::span<const EdgeEnd> corners,
     std::span<const std::uint8_t> open, std::span<EdgeState> states);

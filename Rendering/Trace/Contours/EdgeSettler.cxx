@@ -160,6 +160,14 @@ void EdgeSettler::Settle(const Part& part, EdgeFinding finding, int level)
   States[part.edge] = std::max(States[part.edge], EdgeState::Undecided);
 }
 
+void EdgeSettler::MarkOpen(std::span<EdgeState> states) const
+{
+  for (const Part& part : Open)
+  {
+    states[part.edge] = std::max(states[part.edge], EdgeState::Undecided);
+  }
+}
+
 void EdgeSettler::Refine()
 {
   for (int level = 1;; ++level)

@@ -30,6 +30,8 @@ public:
   void Add(std::size_t edge, const EdgeEnd& a, const EdgeEnd& b);
   /// After a row or a column, or where edges were left out.
   void EndRow();
+  /// Edges that are open become undecided here.
+  void MarkOpen(std::span<EdgeState> states) const;
   /// Halves what is open.
   void Refine();
 

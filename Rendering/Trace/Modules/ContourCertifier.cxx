@@ -33,6 +33,9 @@ void ContourCounters::Add(const ContourCounters& other)
   jumps += other.jumps;
   loops += other.loops;
   samples += other.samples;
+  byBlocks += other.byBlocks;
+  byEdges += other.byEdges;
+  byParts += other.byParts;
 }
 
 ContourCertifier::ContourCertifier(std::vector<std::vector<double>> values,

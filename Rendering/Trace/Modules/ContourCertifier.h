@@ -29,6 +29,11 @@ struct ContourCounters
   std::int64_t jumps = 0;   ///< edges that are in because the field jumps across a value
   std::int64_t loops = 0;   ///< pixels that are in because of a value inside alone
   std::int64_t samples = 0; ///< beside the corners
+  // By what pixels are settled, those of each layer with values: by ranges and by blocks of them,
+  // with no corner traced; by whole edges; by edges that were halved.
+  std::int64_t byBlocks = 0;
+  std::int64_t byEdges = 0;
+  std::int64_t byParts = 0;
 
   void Add(const ContourCounters& other);
 };
