@@ -107,14 +107,14 @@ void Apply(const Change& change, std::size_t stride, std::vector<double>& values
 }
 } // namespace
 
-BoxModel::BoxModel(const BoxPolynomial& polynomial, const std::array<int, 3>& axes)
+BoxModel::BoxModel(const BoxPolynomial& polynomial, const std::array<int, 3>& axes, bool wideB)
 {
   const Degrees& degree = polynomial.degree;
   std::array<const Change*, 3> change{}; // by direction of the box
   for (std::size_t v = 0; v < 3; ++v)
   {
     const auto d = static_cast<std::size_t>(axes[v]);
-    change[d] = &ChangeOf(degree[d], v > 0);
+    change[d] = &ChangeOf(degree[d], v == 2 || (v == 1 && wideB));
   }
   // What the coefficients have in common is set aside: small numbers round by less.
   std::vector<double> values = polynomial.b;
@@ -202,6 +202,14 @@ PointedModels::PointedModels(const ChebyshevModel& b, const ChebyshevModel& c)
 {
 }
 
+PointedModels::PointedModels(const ChebyshevModel& c)
+  : Within(c.TightRange().Magnitude() <= BoxModel::kReach)
+  , PlainB(true)
+  , ErrorC(c.error)
+  , C(PowersOf(c.Polynomial()))
+{
+}
+
 PointedModels::Powers PointedModels::PowersOf(const ChebyshevModel& argument)
 {
   Powers powers;
@@ -230,14 +238,16 @@ ChebyshevModel PointedModels::Of(const BoxModel& f) const
       bool inRow = false;
       for (std::size_t i = 0; i + j + k <= n; ++i)
       {
-        row.c[ChebyshevModel::Index(static_cast<int>(i), 0)] = f.P[k][j][i];
-        inRow = inRow || f.P[k][j][i] != 0.0;
+        const double value = f.P[k][j][i];
+        inRow = inRow || value != 0.0;
+        (PlainB ? inner : row)
+          .c[ChebyshevModel::Index(static_cast<int>(i), PlainB ? static_cast<int>(j) : 0)] = value;
       }
-      if (inRow)
+      if (inRow && !PlainB)
       {
         inner = inner + (j == 0 ? row : row * B[j]);
-        any = true;
       }
+      any = any || inRow;
     }
     if (any)
     {

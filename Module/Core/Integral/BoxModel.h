@@ -10,8 +10,8 @@ namespace pixelexact
 {
 /// A polynomial of three variables over a box, in Chebyshev's polynomials of total degree
 /// ChebyshevModel::kDegree; what is left is in `error`. The variables (a, b, c) are the box's
-/// directions in any order. The second and the third one reach kReach beyond the box, so that
-/// functions that only just stay in it can be put in.
+/// directions in any order. The third one, and the second one where asked, reach kReach beyond the
+/// box, so that functions that only just stay in it can be put in.
 class BoxModel
 {
 public:
@@ -19,15 +19,13 @@ public:
   static constexpr double kReach = 1.0 + 1.0 / 16.0;
 
   /// `axes`: the box's directions that a, b and c are.
-  BoxModel(const BoxPolynomial& polynomial, const std::array<int, 3>& axes);
+  BoxModel(const BoxPolynomial& polynomial, const std::array<int, 3>& axes, bool wideB);
 
-  /// All values where |a| <= 1, |b|, |c| <= kReach.
+  /// All values where |a| <= 1, |b| <= 1 or kReach, |c| <= kReach.
   [[nodiscard]] Interval Range() const;
-  /// f(s, b(s, t), c(s, t)): |b|, |c| <= kReach must be proven. The errors of b and c are turned
-  /// into one of the value.
-  friend class PointedModels;
 
 private:
+  friend class PointedModels;
   static constexpr int kDegree = ChebyshevModel::kDegree;
   /// [k][j][i], i + j + k <= kDegree.
   std::array<std::array<std::array<double, kDegree + 1>, kDegree + 1>, kDegree + 1> P{};
@@ -36,14 +34,20 @@ private:
   double SlopeC = 0.0;
 };
 
-/// Places b(s, t) and c(s, t) at which several polynomials are asked for.
+/// Places (s, b(s, t), c(s, t)) at which several polynomials are asked for.
 class PointedModels
 {
 public:
   PointedModels(const ChebyshevModel& b, const ChebyshevModel& c);
+  /// The same with b = t.
+  explicit PointedModels(const ChebyshevModel& c);
 
   /// Whether both stay within BoxModel::kReach; else nothing may be asked.
   [[nodiscard]] bool IsWithin() const { return Within; }
+  /// Whether polynomials have to reach beyond the box along b.
+  [[nodiscard]] bool IsWideB() const { return !PlainB; }
+  /// f there, which reaches along b as IsWideB tells. The errors of b and c are turned into one of
+  /// the value.
   [[nodiscard]] ChebyshevModel Of(const BoxModel& f) const;
 
 private:
@@ -51,9 +55,10 @@ private:
   static Powers PowersOf(const ChebyshevModel& argument);
 
   bool Within;
-  double ErrorB;
+  bool PlainB = false;
+  double ErrorB = 0.0;
   double ErrorC;
-  Powers B; ///< T_j(b / kReach)
+  Powers B; ///< T_j(b / kReach), unless b is t
   Powers C;
 };
 } // namespace pixelexact

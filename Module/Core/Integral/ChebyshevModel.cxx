@@ -3,6 +3,8 @@
 
 #include "Core/Math/Rounding.h"
 
+#include <algorithm>
+
 namespace pixelexact
 {
 namespace
@@ -200,47 +202,50 @@ ChebyshevModel operator*(double a, const ChebyshevModel& b)
 
 ChebyshevModel operator*(const ChebyshevModel& a, const ChebyshevModel& b)
 {
-  // T_i T_k = (T_{i+k} + T_{|i-k|}) / 2, in both variables; all of the product first.
+  // T_i T_k = (T_{i+k} + T_{|i-k|}) / 2, in both variables; all of the product first. Of one pair
+  // of i and k, row[n + m] is the factor of T_m; what is before the middle is folded at last.
   constexpr std::size_t n = kDegree;
   double all[2 * n + 1][2 * n + 1] = {};
   for (std::size_t i = 0; i <= n; ++i)
   {
+    const double* const left = &a.c[ChebyshevModel::Index(static_cast<int>(i), 0)];
+    if (std::all_of(left, left + (n - i) + 1, [](double v) { return v == 0.0; }))
+    {
+      continue;
+    }
     for (std::size_t k = 0; k <= n; ++k)
     {
-      double row[2 * n + 1] = {};
       const double* const right = &b.c[ChebyshevModel::Index(static_cast<int>(k), 0)];
-      bool any = false;
+      double row[3 * n + 1] = {};
+      const std::size_t count = n - k + 1;
       for (std::size_t j = 0; i + j <= n; ++j)
       {
-        const double left =
-          0.25 * a.c[ChebyshevModel::Index(static_cast<int>(i), static_cast<int>(j))];
-        if (left == 0.0)
+        const double factor = 0.25 * left[j];
+        if (factor == 0.0)
         {
           continue;
         }
-        any = true;
-        for (std::size_t l = 0; k + l <= n; ++l)
+        double* const above = row + n + j;
+        double* const below = row + n - j;
+        for (std::size_t l = 0; l < count; ++l)
         {
-          row[j + l] += left * right[l];
+          above[l] += factor * right[l];
         }
-        for (std::size_t l = 0; l <= j && k + l <= n; ++l)
+        for (std::size_t l = 0; l < count; ++l)
         {
-          row[j - l] += left * right[l];
-        }
-        for (std::size_t l = j + 1; k + l <= n; ++l)
-        {
-          row[l - j] += left * right[l];
+          below[l] += factor * right[l];
         }
       }
-      if (any)
+      const std::size_t last = n - i + n - k;
+      double* const sum = all[i + k];
+      double* const difference = all[i > k ? i - k : k - i];
+      sum[0] += row[n];
+      difference[0] += row[n];
+      for (std::size_t m = 1; m <= last; ++m)
       {
-        double* const above = all[i + k];
-        double* const below = all[i > k ? i - k : k - i];
-        for (std::size_t j = 0; j <= 2 * n; ++j)
-        {
-          above[j] += row[j];
-          below[j] += row[j];
-        }
+        const double value = m <= n ? row[n + m] + row[n - m] : row[n + m];
+        sum[m] += value;
+        difference[m] += value;
       }
     }
   }

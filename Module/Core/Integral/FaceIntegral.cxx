@@ -58,13 +58,13 @@ public:
     thick.upper[Face.direction] = 1.0;
     const ChebyshevModel b = ChebyshevModel::Second();
     const ChebyshevModel c(Face.upper ? 1.0 : -1.0);
-    const SurfaceModels models(Functions, thick, Axes, PointedModels(b, c));
+    const SurfaceModels models(Functions, thick, Axes, PointedModels(c));
     const auto eta = EtaModels(Functions, thick, Axes, b, c);
     std::array<ChebyshevModel, 3> normal;
     for (std::size_t i = 0; i < 3; ++i)
     {
-      normal[i] = Outward.x * models.cofactor[i][0] + Outward.y * models.cofactor[i][1] +
-        Outward.z * models.cofactor[i][2];
+      const std::array<ChebyshevModel, 3> cofactors = Cofactors(models.jacobian, i);
+      normal[i] = Outward.x * cofactors[0] + Outward.y * cofactors[1] + Outward.z * cofactors[2];
     }
     const double radius = Functions.Radius();
     const Interval widths =

@@ -10,7 +10,9 @@ namespace pixelexact
 {
 namespace
 {
-constexpr int kNewtonSteps = 12;
+constexpr int kNewtonSteps = 16;
+/// Of them, those that correct the slope's inverse.
+constexpr int kSlopeSteps = 3;
 constexpr std::array<std::array<std::size_t, 2>, 6> kPairs{ { { 0, 0 }, { 1, 1 }, { 2, 2 },
   { 0, 1 }, { 1, 2 }, { 0, 2 } } };
 
@@ -27,6 +29,7 @@ std::optional<ChebyshevModel> Solve(
     return std::nullopt;
   }
   double before = std::numeric_limits<double>::infinity();
+  ChebyshevModel inverse; // of the slope, about
   for (int step = 0; step < kNewtonSteps; ++step)
   {
     const PointedModels at = place(x);
@@ -41,12 +44,13 @@ std::optional<ChebyshevModel> Solve(
       break;
     }
     before = miss;
-    const ChebyshevModel inverse = Reciprocal(at.Of(slope).Polynomial());
-    if (!std::isfinite(inverse.error))
+    if (step < kSlopeSteps)
     {
-      return std::nullopt;
+      const ChebyshevModel by = at.Of(slope).Polynomial();
+      inverse = step == 0 ? ChebyshevModel(1.0 / by.c[0]) : inverse;
+      inverse = (inverse + inverse * (ChebyshevModel(1.0) - by * inverse)).Polynomial();
     }
-    x = (x - 2.0 * (left.Polynomial() * inverse.Polynomial())).Polynomial();
+    x = (x - 2.0 * (left.Polynomial() * inverse)).Polynomial();
   }
   const PointedModels at = place(x);
   if (!at.IsWithin())
@@ -94,19 +98,20 @@ public:
       return std::nullopt;
     }
     const ChebyshevModel half = 0.5 * (*high - *low);
-    const ChebyshevModel b = Graph.low == GraphLimit::BoxEnd && Graph.high == GraphLimit::BoxEnd
-      ? ChebyshevModel::Second()
-      : 0.5 * (*high + *low) + half * ChebyshevModel::Second();
-    const BoxModel f(cut, axes);
-    const BoxModel slope(Derivative(cut, axes[2]), axes);
+    const bool plain = Graph.low == GraphLimit::BoxEnd && Graph.high == GraphLimit::BoxEnd;
+    const ChebyshevModel b =
+      plain ? ChebyshevModel::Second() : 0.5 * (*high + *low) + half * ChebyshevModel::Second();
+    const auto placed = [&](const ChebyshevModel& x)
+    { return plain ? PointedModels(x) : PointedModels(b, x); };
+    const BoxModel f(cut, axes, !plain);
+    const BoxModel slope(Derivative(cut, axes[2]), axes, !plain);
     const auto c = Solve(f, slope,
-      RootOf(cut.Affine(), axes, 2, { ChebyshevModel::First(), b, ChebyshevModel() }),
-      [&b](const ChebyshevModel& x) { return PointedModels(b, x); });
+      RootOf(cut.Affine(), axes, 2, { ChebyshevModel::First(), b, ChebyshevModel() }), placed);
     if (!c)
     {
       return std::nullopt;
     }
-    const PointedModels place(b, *c);
+    const PointedModels place = placed(*c);
     const SurfaceModels models(Functions, Graph.box, axes, place);
     const Interval sign = models.determinant.Range();
     const Interval slopes = slope.Range();
@@ -129,7 +134,7 @@ private:
     }
     const auto& axes = Graph.axes;
     const BoxPolynomial phi = cut.AtEnd(axes[2], limit == GraphLimit::ThroughUpper);
-    return Solve(BoxModel(phi, axes), BoxModel(Derivative(phi, axes[1]), axes),
+    return Solve(BoxModel(phi, axes, true), BoxModel(Derivative(phi, axes[1]), axes, true),
       RootOf(phi.Affine(), axes, 1, { ChebyshevModel::First(), {}, {} }),
       [](const ChebyshevModel& x) { return PointedModels(x, ChebyshevModel()); });
   }
@@ -166,7 +171,8 @@ private:
     {
       z[d] = ChebyshevModel(Functions.Shift(static_cast<int>(d))) +
         Functions.Radius() *
-          place.Of(BoxModel(Functions.Map3(Graph.box, static_cast<int>(d)), Graph.axes));
+          place.Of(
+            BoxModel(Functions.Map3(Graph.box, static_cast<int>(d)), Graph.axes, place.IsWideB()));
     }
     for (std::size_t k = 0; k < 6; ++k)
     {

@@ -10,26 +10,30 @@ SurfaceModels::SurfaceModels(ElementFunctions& functions, const PieceBox& box,
   {
     for (std::size_t j = 0; j < 3; ++j)
     {
-      jacobian[i][j] =
-        place.Of(BoxModel(functions.Slope(box, static_cast<int>(i), static_cast<int>(j)), axes));
+      jacobian[i][j] = place.Of(BoxModel(
+        functions.Slope(box, static_cast<int>(i), static_cast<int>(j)), axes, place.IsWideB()));
     }
   }
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    const std::size_t k = (i + 1) % 3;
-    const std::size_t l = (i + 2) % 3;
-    for (std::size_t j = 0; j < 3; ++j)
-    {
-      const std::size_t m = (j + 1) % 3;
-      const std::size_t n = (j + 2) % 3;
-      cofactor[i][j] = jacobian[k][m] * jacobian[l][n] - jacobian[k][n] * jacobian[l][m];
-    }
-  }
-  determinant = Dot(jacobian[0], cofactor[0]);
+  determinant = Dot(jacobian[0], Cofactors(jacobian, 0));
   for (int c = 0; c < functions.Question().Components(); ++c)
   {
-    field.push_back(place.Of(BoxModel(functions.Values(box, c), axes)));
+    field.push_back(place.Of(BoxModel(functions.Values(box, c), axes, place.IsWideB())));
   }
+}
+
+std::array<ChebyshevModel, 3> Cofactors(
+  const std::array<std::array<ChebyshevModel, 3>, 3>& matrix, std::size_t row)
+{
+  const auto& next = matrix[(row + 1) % 3];
+  const auto& last = matrix[(row + 2) % 3];
+  std::array<ChebyshevModel, 3> cofactors;
+  for (std::size_t j = 0; j < 3; ++j)
+  {
+    const std::size_t m = (j + 1) % 3;
+    const std::size_t n = (j + 2) % 3;
+    cofactors[j] = next[m] * last[n] - next[n] * last[m];
+  }
+  return cofactors;
 }
 
 WeighedField Weigh(const SurfaceModels& models, Mapping mapping)
@@ -49,11 +53,14 @@ WeighedField Weigh(const SurfaceModels& models, Mapping mapping)
       break;
     default:
       // J F, or det J J^-T F, which is the cofactors times F.
-      const auto& matrix = mapping == Mapping::Contravariant ? models.jacobian : models.cofactor;
+      const std::array<ChebyshevModel, 3> field{ models.field[0], models.field[1],
+        models.field[2] };
       weighed.power = mapping == Mapping::Contravariant ? 1 : 2;
-      for (const auto& row : matrix)
+      for (std::size_t i = 0; i < 3; ++i)
       {
-        weighed.values.push_back(Dot(row, { models.field[0], models.field[1], models.field[2] }));
+        weighed.values.push_back(Dot(
+          mapping == Mapping::Contravariant ? models.jacobian[i] : Cofactors(models.jacobian, i),
+          field));
       }
       break;
   }

@@ -18,10 +18,13 @@ struct SurfaceModels
     const PointedModels& place);
 
   std::array<std::array<ChebyshevModel, 3>, 3> jacobian; ///< dy_i / dxi_j
-  std::array<std::array<ChebyshevModel, 3>, 3> cofactor; ///< of it
   ChebyshevModel determinant;
   std::vector<ChebyshevModel> field; ///< reference values
 };
+
+/// The cofactors of one row of a matrix.
+std::array<ChebyshevModel, 3> Cofactors(
+  const std::array<std::array<ChebyshevModel, 3>, 3>& matrix, std::size_t row);
 
 /// The determinant times the field's world values, which of all mappings has no quotients, times
 /// radius^power.
