@@ -33,6 +33,7 @@ class IntegralSurfaces
 public:
   void AddTo(CLI::App& command);
 
+  [[nodiscard]] bool HasBoundaries() const { return !Boundaries.empty(); }
   /// Without any: the plane through the middle. Throws UsageError when numbers describe no surface.
   [[nodiscard]] std::vector<IntegralSurface> Make(const Box3& box) const;
 

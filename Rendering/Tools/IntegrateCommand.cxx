@@ -28,7 +28,6 @@ namespace
 {
 struct IntegrateOptions
 {
-  const CLI::App* command = nullptr;
   InputRequest input;
   std::string field;
   IntegralSurfaces surfaces;
@@ -163,6 +162,10 @@ nlohmann::ordered_json ToJson(const Answer& answer, const IntegralEffort& effort
 void RunIntegrate(const IntegrateOptions& options, const CommonOptions& common)
 {
   const IntegralEffort effort = options.Effort();
+  if (options.surfaces.HasBoundaries() && options.linear >= 0)
+  {
+    throw UsageError("--linear is for cut-surfaces; leave it out with --boundary");
+  }
   Stopwatch stopwatch;
   const LoadedModel input = LoadModel(options.input, options.field, stopwatch);
   WarnOfDiagnostics(input);
@@ -174,10 +177,6 @@ void RunIntegrate(const IntegrateOptions& options, const CommonOptions& common)
   AddTime(summary, input);
   for (const IntegralSurface& surface : options.surfaces.Make(BoxOf(model)))
   {
-    if (!surface.function && options.linear >= 0)
-    {
-      throw UsageError("--linear is for cut-surfaces; leave it out with --boundary");
-    }
     const Answer answer = Solve(surface, input, field, options);
     if (common.json)
     {
@@ -208,7 +207,6 @@ void AddIntegrateCommand(CLI::App& program, const CommonOptions& common, Action&
     "Area, integral, mean and flux of a field over a cut or the boundary, with proven error bounds",
     [options, &common, &action]
     { action = [options, &common] { RunIntegrate(*options, common); }; });
-  options->command = &command;
   options->input.AddTo(command);
   AddField(command, options->field);
   options->surfaces.AddTo(command);
