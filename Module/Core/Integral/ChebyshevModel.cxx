@@ -334,4 +334,22 @@ ChebyshevModel SquareRoot(const ChebyshevModel& f)
   s.error = Up((f - s * s).Range().Magnitude() / std::sqrt(least) * (1.0 + 0x1p-40));
   return s;
 }
+
+void AddRoughness(const ChebyshevModel& model, std::array<double, 2>& along)
+{
+  /// Lower terms decide where there are no higher ones.
+  constexpr double kLower = 1e-9;
+  constexpr int kHighest = 3;
+  const double scale = 1.0 / (model.Norm() + 0x1p-1000);
+  for (int i = 0; i <= kDegree; ++i)
+  {
+    for (int j = 0; i + j <= kDegree; ++j)
+    {
+      const double size = scale * std::fabs(model.c[ChebyshevModel::Index(i, j)]) *
+        (i + j > kDegree - kHighest ? 1.0 : kLower);
+      along[0] += size * i;
+      along[1] += size * j;
+    }
+  }
+}
 } // namespace pixelexact

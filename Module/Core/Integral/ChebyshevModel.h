@@ -62,4 +62,8 @@ ChebyshevModel operator*(double a, const ChebyshevModel& b);
 ChebyshevModel Reciprocal(const ChebyshevModel& f);
 /// The root of f, which must be positive; else the error is infinite.
 ChebyshevModel SquareRoot(const ChebyshevModel& f);
+
+/// Adds how much of a model, as a part of it, is in its highest terms, along each variable: where
+/// there is more, halving gains more.
+void AddRoughness(const ChebyshevModel& model, std::array<double, 2>& along);
 } // namespace pixelexact

@@ -73,8 +73,10 @@ public:
     const ChebyshevModel area = SquareRoot(Dot(normal, normal)) * collapse;
     FacePart part{ box, Sums(question.Quantities()), std::vector<double>(question.Quantities()),
       Axes[0] };
-    const auto add = [&part](std::size_t q, const ChebyshevModel& density, const Interval& scale)
+    std::array<double, 2> rough{ 0.0, 0.0 };
+    const auto add = [&](std::size_t q, const ChebyshevModel& density, const Interval& scale)
     {
+      AddRoughness(density, rough);
       part.sums[q] = density.Integral() * scale;
       const double magnitude = 4.0 * density.Norm() * scale.Magnitude();
       part.magnitudes[q] = std::isfinite(magnitude) ? magnitude : 0.0;
@@ -82,9 +84,9 @@ public:
     const Interval unit = widths * Interval(radius * radius);
     add(0, area, unit);
     part.sums[0].lower = std::max(part.sums[0].lower, 0.0);
-    part.direction = Roughest(area, box);
     if (question.field == nullptr)
     {
+      part.direction = Roughest(part, rough, box);
       return part;
     }
     const Interval scale = unit * Interval(std::ldexp(1.0, Functions.FieldExponent()));
@@ -109,6 +111,7 @@ public:
       const ChebyshevModel flux = Dot({ values[0], values[1], values[2] }, normal) * collapse;
       add(part.sums.size() - 1, flux, scale);
     }
+    part.direction = Roughest(part, rough, box);
     return part;
   }
 
@@ -130,27 +133,15 @@ private:
     }
   }
 
-  [[nodiscard]] int Roughest(const ChebyshevModel& model, const PieceBox& box) const
+  /// Where it is to be halved; -1: it is too small.
+  [[nodiscard]] int Roughest(
+    const FacePart& part, const std::array<double, 2>& rough, const PieceBox& box) const
   {
-    double size[2] = { 0.0, 0.0 };
-    if (std::isfinite(model.error))
-    {
-      constexpr int n = ChebyshevModel::kDegree;
-      for (int i = 0; i <= n; ++i)
-      {
-        const int j = n - i;
-        const double value = std::fabs(model.c[ChebyshevModel::Index(i, j)]);
-        size[0] += value * i;
-        size[1] += value * j;
-      }
-    }
-    else
-    {
-      size[0] = box.upper[Axes[0]] - box.lower[Axes[0]];
-      size[1] = box.upper[Axes[1]] - box.lower[Axes[1]];
-    }
-    const int direction = size[1] > size[0] ? Axes[1] : Axes[0];
-    return box.upper[direction] - box.lower[direction] > kSmallest ? direction : -1;
+    const auto width = [&box](int d) { return box.upper[d] - box.lower[d]; };
+    const bool second =
+      part.sums[0].IsFinite() ? rough[1] > rough[0] : width(Axes[1]) > width(Axes[0]);
+    const int direction = second ? Axes[1] : Axes[0];
+    return width(direction) > kSmallest ? direction : -1;
   }
 
   ElementFunctions& Functions;

@@ -214,14 +214,15 @@ private:
       return std::nullopt;
     }
     result.magnitudes.resize(question.Quantities());
-    const auto add = [&result](std::size_t q, const ChebyshevModel& density, const Interval& unit)
+    std::array<double, 2> rough{ 0.0, 0.0 };
+    const auto add = [&](std::size_t q, const ChebyshevModel& density, const Interval& unit)
     {
+      AddRoughness(density, rough);
       result.sums[q] = density.Integral() * unit;
       // That of a model of degree 0 is four times its value.
       result.magnitudes[q] = 4.0 * density.Norm() * unit.Magnitude();
     };
     add(0, area, volume * power(3));
-    result.roughest = Roughest(area);
     if (question.field != nullptr)
     {
       const WeighedField field = Weigh(models, question.field->mapping);
@@ -238,26 +239,8 @@ private:
         add(result.sums.size() - 1, orientation * (normal * weight), unit);
       }
     }
+    result.roughest = rough[1] > rough[0] ? Graph.axes[1] : Graph.axes[0];
     return result;
-  }
-
-  /// Along which of a and b the model has more of its highest terms.
-  [[nodiscard]] int Roughest(const ChebyshevModel& model) const
-  {
-    constexpr int n = ChebyshevModel::kDegree;
-    double first = 0.0;
-    double second = 0.0;
-    for (int i = 0; i <= n; ++i)
-    {
-      for (int j = 0; i + j <= n; ++j)
-      {
-        const double size =
-          std::fabs(model.c[ChebyshevModel::Index(i, j)]) * (i + j > n - 3 ? 1.0 : 1e-9);
-        first += size * i;
-        second += size * j;
-      }
-    }
-    return second > first ? Graph.axes[1] : Graph.axes[0];
   }
 
   ElementFunctions& Functions;

@@ -194,6 +194,7 @@ SurfaceIntegral OverFaces(const IntegralQuestion& question, std::span<const Seen
       break;
     }
   }
+  result.magnitudes = rounds.Magnitudes;
   result.timeIsOver = deadline.IsOver() && !result.met;
   return result;
 }
@@ -248,7 +249,7 @@ SurfaceIntegral IntegrateCut(const IntegralQuestion& question, const Locator& lo
   for (std::int64_t boxes = kFirstBoxes;; boxes *= kMoreBoxes)
   {
     Sums total = ofFaces.sums;
-    rounds.Magnitudes.assign(question.Quantities(), 0.0);
+    rounds.Magnitudes = ofFaces.magnitudes;
     std::size_t meeting = 0;
     for (const auto& part : parts)
     {
@@ -259,10 +260,6 @@ SurfaceIntegral IntegrateCut(const IntegralQuestion& question, const Locator& lo
         rounds.Magnitudes[q] += magnitudes[q];
       }
       meeting += part->IsEmpty() ? 0 : 1;
-    }
-    for (std::size_t q = 0; q < total.size(); ++q)
-    {
-      rounds.Magnitudes[q] += ofFaces.sums[q].Magnitude();
     }
     result.sums = total;
     result.met = rounds.IsMet(total);
@@ -275,6 +272,7 @@ SurfaceIntegral IntegrateCut(const IntegralQuestion& question, const Locator& lo
     tbb::parallel_for(std::size_t{ 0 }, inside.size(),
       [&](std::size_t k) { parts[k]->Refine(allowed, boxes, stop); });
   }
+  result.magnitudes = rounds.Magnitudes;
   result.timeIsOver = deadline.IsOver() && !result.met;
   result.faces = static_cast<std::int64_t>(held.size());
   std::atomic<std::int64_t> notValid{ 0 };

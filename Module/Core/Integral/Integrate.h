@@ -26,7 +26,8 @@ struct SurfaceIntegral
   /// Hold the area, the integral of each component, and of a vector of three components the flux,
   /// along the gradient of the cut-surface's function, or out of the elements.
   Sums sums;
-  bool met = false; ///< the tolerance
+  std::vector<double> magnitudes; ///< about the integrals of the magnitudes
+  bool met = false;               ///< the tolerance
 
   std::int64_t elements = 0;  ///< that the surface meets, as far as is known
   std::int64_t faces = 0;     ///< of elements that lie in the surface, or were asked for
