@@ -18,12 +18,13 @@ class ChebyshevModel
 {
 public:
   static constexpr int kDegree = 8;
-  static constexpr std::size_t kSize = static_cast<std::size_t>((kDegree + 1) * (kDegree + 2) / 2);
+  static constexpr std::size_t kSize = std::size_t{ kDegree + 1 } * (kDegree + 2) / 2;
 
   /// Where c_ij is.
   static constexpr std::size_t Index(int i, int j)
   {
-    return static_cast<std::size_t>(i * (kDegree + 1) - i * (i - 1) / 2 + j);
+    const int at = i * (kDegree + 1) - i * (i - 1) / 2 + j;
+    return static_cast<std::size_t>(at);
   }
 
   ChebyshevModel() = default;
