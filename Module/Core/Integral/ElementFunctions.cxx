@@ -42,11 +42,8 @@ ElementFunctions::ElementFunctions(const IntegralQuestion& question, int element
   {
     return;
   }
-  std::vector<RangeIngredient> all;
-  for (int c = 0; c < 3; ++c)
-  {
-    all.push_back({ &Map, c, Part::Value });
-  }
+  std::vector<RangeIngredient> all{ { &Map, 0, Part::Value }, { &Map, 1, Part::Value },
+    { &Map, 2, Part::Value } };
   AddDerivatives(Map, 0, 3, all);
   for (int c = 0; c < question.Components(); ++c)
   {
