@@ -52,7 +52,7 @@ set(PIXELEXACT_VTK_COMPONENTS
   RenderingCore
   RenderingFreeType
   RenderingOpenGL2)
-set(vtk_build_components IOCore IOGeometry IOImage IOLegacy)
+set(vtk_build_components FiltersParallel IOCore IOGeometry IOImage IOLegacy)
 if(PIXELEXACT_BUILD_VIEW)
   list(APPEND vtk_build_components InteractionStyle InteractionWidgets RenderingAnnotation)
 endif()

@@ -6,6 +6,7 @@
 #include "ContourTime.h"
 #include "FrameTime.h"
 #include "Looks.h"
+#include "PaperReport.h"
 #include "Report.h"
 #include "Shot.h"
 
@@ -32,6 +33,8 @@ struct BenchOptions
   ContourOptions contours;
   int repeat = 5;
   int largest = 200000; ///< elements of the made meshes
+  std::string paper;    ///< how much of the paper's evaluation; empty: none
+  std::string folder = "paper";
 };
 
 struct Measured
@@ -80,8 +83,64 @@ Measured Measure(const Shot& shot, const BenchOptions& options)
   return measured;
 }
 
+/// The paper's evaluation: of made meshes, and with an INPUT of that, too.
+void BenchPaper(const BenchOptions& options, const CommonOptions& common)
+{
+  const bool hasInput = !options.shot.input.files.empty();
+  for (const std::string& name : OptionsGiven(*options.shot.command))
+  {
+    constexpr std::array<std::string_view, 11> kUsed{ "--paper", "--output", "--threads", "--json",
+      "--config", "--no-config", "--field", "--component", "--plane", "--size", "--time-step" };
+    if (std::ranges::find(kUsed, name) == kUsed.end() ||
+      (!hasInput && std::ranges::find(kUsed, name) >= kUsed.begin() + 6))
+    {
+      throw UsageError(name + " has no effect with --paper" +
+        (hasInput ? std::string() : " without an INPUT") + "; leave it out");
+    }
+  }
+  const PaperExtent extent = options.paper == "whole" ? PaperExtent::Whole : PaperExtent::Quick;
+  Stopwatch stopwatch;
+  PaperResults results;
+  if (hasInput)
+  {
+    const Shot shot = Prepare(options.shot, stopwatch);
+    MeasurePaperErrors(shot, extent, results);
+    stopwatch.Stage("data");
+  }
+  {
+    ProgressLine line("measuring");
+    MeasurePaper(
+      extent, [&line](double part) { line(part); }, results);
+  }
+  stopwatch.Stage("made meshes");
+  WritePaper(options.folder, results);
+  Note("written to '" + options.folder + "'");
+  if (common.json)
+  {
+    nlohmann::ordered_json summary = ToJson(results);
+    summary["threads"] =
+      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+    summary["seconds"] = ToJson(stopwatch);
+    Print(summary);
+    return;
+  }
+  PrintPaper(results);
+  Table table;
+  AddStages(table, stopwatch);
+  table.Print();
+}
+
 void Bench(const BenchOptions& options, const CommonOptions& common)
 {
+  if (!options.paper.empty())
+  {
+    BenchPaper(options, common);
+    return;
+  }
+  if (IsGiven(*options.shot.command, "--output"))
+  {
+    throw UsageError("--output has no effect without --paper; leave it out");
+  }
   if (options.shot.input.files.empty())
   {
     CheckWithoutInput(*options.shot.command);
@@ -171,5 +230,12 @@ void AddBenchCommand(CLI::App& program, const CommonOptions& common, Action& act
   AddInteger(command, "--repeat", options->repeat, 1, 1000000, "N", "Frames to time (default: 5)");
   AddInteger(command, "--elements", options->largest, 1, 10000000, "N",
     "Without INPUT: the most elements of a made mesh (default: 200000)");
+  AddChoice(
+    command, "--paper", [options](const std::string& text) { options->paper = text; },
+    { "quick", "whole" },
+    "Instead: the paper's figures 8 and 10 on made meshes, and with INPUT 9 and 11 on a plane "
+    "through it; tables, CSV and plots");
+  AddText(command, "-o,--output", options->folder, "FOLDER",
+    "Of --paper: where CSV and plots go (default: paper)");
 }
 } // namespace pixelexact

@@ -39,5 +39,6 @@ void AddProbeCommand(CLI::App& program, const CommonOptions& common, Action& act
 void AddRenderCommand(CLI::App& program, const CommonOptions& common, Action& action);
 void AddBenchCommand(CLI::App& program, const CommonOptions& common, Action& action);
 void AddCompareCommand(CLI::App& program, const CommonOptions& common, Action& action);
+void AddIntegrateCommand(CLI::App& program, const CommonOptions& common, Action& action);
 void AddViewCommand(CLI::App& program, const CommonOptions& common, Action& action);
 } // namespace pixelexact

@@ -100,6 +100,7 @@ int Run(std::vector<std::string> words)
   pixelexact::AddRenderCommand(program, common, action);
   pixelexact::AddBenchCommand(program, common, action);
   pixelexact::AddCompareCommand(program, common, action);
+  pixelexact::AddIntegrateCommand(program, common, action);
   pixelexact::AddViewCommand(program, common, action);
   for (CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
   {

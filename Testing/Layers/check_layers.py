@@ -26,6 +26,7 @@ CORE_LAYERS = [
     "Location",
     "Faces",
     "Contour",
+    "Integral",
 ]
 
 # What the files of each room may include. Filters and Rendering do not know each other, and nothing

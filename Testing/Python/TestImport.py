@@ -14,6 +14,7 @@ CLASSES = [
     "vtkHighOrderComparison",
     "vtkHighOrderContour",
     "vtkHighOrderGrid",
+    "vtkHighOrderIntegrate",
     "vtkHighOrderIsoSurface",
     "vtkHighOrderLayer",
     "vtkHighOrderLinearCut",

@@ -59,6 +59,31 @@ class Bench(ToolTest):
             self.assertGreater(frame["floats_error"], 0)
             self.assertLess(frame["floats_error"], 1e-5)
 
+    def test_the_papers_figures(self):
+        folder = self.folder / "paper"
+        found = self.summary(
+            *("bench", case("toroid_hex_g3_p6"), "--field", "u", "--plane", "z=0.1"),
+            *("--size", "200x200", "--paper", "quick", "--output", folder),
+        )
+        figures = {row["figure"] for row in found["rows"]}
+        self.assertEqual(figures, {"8a", "8b", "10a", "10b", "10c", "10d", "10e", "10f"})
+        for row in found["rows"]:
+            self.assertGreater(row.get("seconds", row.get("bytes")), 0.0, row)
+        # More triangles, smaller errors.
+        coarse, fine = found["linear"]
+        self.assertLess(2 * coarse["triangles"], fine["triangles"])
+        self.assertLess(fine["mean_error"], 0.5 * coarse["mean_error"])
+        names = {path.name for path in folder.iterdir()}
+        self.assertLessEqual({"paper.csv", "errors.csv", "figure-8a.png", "figure-10f.png"}, names)
+
+    def test_what_the_papers_figures_have_no_use_for(self):
+        self.fails(2, "bench", "--paper", "quick", "--repeat", "3", names=["--repeat"])
+        self.fails(2, "bench", "--paper", "quick", "--field", "u", names=["--field", "INPUT"])
+        self.fails(2, "bench", "--output", "x", names=["--output", "--paper"])
+        source = case("toroid_hex_g3_p6")
+        sphere = ["--paper", "quick", "--sphere", "0,0,0,1"]
+        self.fails(2, "bench", source, *sphere, names=["--sphere"])
+
     def test_errors(self):
         source = case("escher_tet_g3_p3")
         self.fails(2, "bench", source, *MIDDLE, "--elements", 5, names=["--elements", "no effect"])

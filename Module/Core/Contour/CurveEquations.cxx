@@ -3,6 +3,7 @@
 
 #include "Core/Base/Error.h"
 #include "Core/Bernstein/BoxAlgebra.h"
+#include "Core/Contour/QuadricPolynomial.h"
 #include "Core/Contour/SampledPolynomial.h"
 #include "Core/Element/Ranges.h"
 #include "Core/Location/Sample.h"
@@ -36,12 +37,6 @@ ScaledModes ModesOf(const ContourQuestion& question, int element)
   return { space, modes + skipped, 1 };
 }
 
-BoxPolynomial Over(const ScaledModes& modes, int component, int level, const Box3& box)
-{
-  const PieceForm::Piece piece = PieceAt(box, level);
-  return RangeIngredient{ &modes, component, Part::Value }.Over(
-    level, piece, PartInPiece(box, level, piece));
-}
 } // namespace
 
 bool CurvePolynomials::MayVanish() const
@@ -101,13 +96,13 @@ bool CurveEquations::MayHave(double value) const
 
 BoxPolynomial CurveEquations::FieldOver(int level, const Box3& box, double value) const
 {
-  BoxPolynomial f = Over(Modes, 0, level, box);
+  BoxPolynomial f = ValuesOver(Modes, 0, level, box);
   if (Question.IsMagnitude())
   {
     f = Multiply(f, f);
     for (int c = 1; c < Question.field->values.components; ++c)
     {
-      const BoxPolynomial next = Over(Modes, c, level, box);
+      const BoxPolynomial next = ValuesOver(Modes, c, level, box);
       f = Combine(1.0, f, 1.0, Multiply(next, next));
     }
   }
@@ -117,76 +112,9 @@ BoxPolynomial CurveEquations::FieldOver(int level, const Box3& box, double value
 
 BoxPolynomial CurveEquations::CutOver(int level, const Box3& box) const
 {
-  return IsExact() ? QuadricOver(level, box) : SampledOver(box);
-}
-
-BoxPolynomial CurveEquations::QuadricOver(int level, const Box3& box) const
-{
-  // z = z0 + r y, y the map in its modes' units and r a power of two:
-  // S = r^2 y Q y + r (2 Q z0 + g) y + S(z0).
-  const QuadricForm& form = *Question.cut->Quadric();
-  const auto e = static_cast<std::size_t>(Element);
-  const double r = std::ldexp(Question.mesh.size[e], Map.exponent);
-  std::array<Interval, 3> z;
-  std::array<BoxPolynomial, 3> y;
-  for (std::size_t d = 0; d < 3; ++d)
-  {
-    z[d] = Interval(Question.mesh.centre[3 * e + d]) - Interval(form.origin[static_cast<int>(d)]);
-    y[d] = Over(Map, static_cast<int>(d), level, box);
-  }
-  constexpr std::array<std::array<std::size_t, 2>, 6> kPairs{ { { 0, 0 }, { 1, 1 }, { 2, 2 },
-    { 0, 1 }, { 1, 2 }, { 0, 2 } } };
-  std::array<Interval, 3> linear{ form.g.x, form.g.y, form.g.z };
-  Interval constant = form.c;
-  for (std::size_t d = 0; d < 3; ++d)
-  {
-    constant += linear[d] * z[d];
-  }
-  double largest = 0.0;
-  for (std::size_t k = 0; k < 6; ++k)
-  {
-    const auto [a, b] = kPairs[k];
-    const Interval q = form.q[k];
-    constant += q * (z[a] * z[b]);
-    linear[a] += q * z[b];
-    linear[b] += q * z[a];
-    largest = std::max(largest, std::fabs(r * r * form.q[k]));
-  }
-  for (const Interval& one : linear)
-  {
-    largest = std::max(largest, r * one.Magnitude());
-  }
-  const double unit = largest > 0.0 ? std::ldexp(1.0, -std::ilogb(largest)) : 1.0;
-
-  // Factors that are not exact move the sum by their radius times the polynomial.
-  BoxPolynomial s{ y[0].degree, std::vector<double>(y[0].b.size(), 0.0), 0.0 };
-  for (std::size_t d = 0; d < 3; ++d)
-  {
-    const Interval factor = linear[d] * Interval(r * unit);
-    const double middle = factor.Middle();
-    s = Combine(1.0, s, middle, y[d]);
-    s.error = rounding::Above(
-      s.error + rounding::Above(factor.RadiusAround(middle) * y[d].Hull().Magnitude()));
-  }
-  if (!form.IsPlane())
-  {
-    const BoxPolynomial one{ s.degree, std::vector<double>(s.b.size(), 1.0), 0.0 };
-    s = Multiply(s, one);
-    for (std::size_t k = 0; k < 6; ++k)
-    {
-      if (form.q[k] != 0.0)
-      {
-        const Interval factor = Interval(form.q[k]) * Interval(r * r * unit);
-        const double middle = factor.Middle();
-        const BoxPolynomial product = Multiply(y[kPairs[k][0]], y[kPairs[k][1]]);
-        s = Combine(1.0, s, middle, product);
-        s.error = rounding::Above(
-          s.error + rounding::Above(factor.RadiusAround(middle) * product.Hull().Magnitude()));
-      }
-    }
-  }
-  Add(constant * Interval(unit), s);
-  return s;
+  return IsExact()
+    ? QuadricOver(Question.mesh, Element, Map, *Question.cut->Quadric(), level, box).s
+    : SampledOver(box);
 }
 
 BoxPolynomial CurveEquations::SampledOver(const Box3& box) const

@@ -50,7 +50,6 @@ public:
 private:
   /// The value (of a norm, its square), scaled as the modes are.
   [[nodiscard]] Interval InModesUnits(double value) const;
-  [[nodiscard]] BoxPolynomial QuadricOver(int level, const Box3& box) const;
   [[nodiscard]] BoxPolynomial SampledOver(const Box3& box) const;
 
   ContourQuestion Question;

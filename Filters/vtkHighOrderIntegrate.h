@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHighOrderIntegrate
+ * @brief   integrals of a high-order field over a cut or the boundary, with proven error bounds
+ *
+ * The input is a grid that carries high-order coefficients, a plain vtkUnstructuredGrid, which is
+ * converted, or composite data of such grids, which are then one. The output is a table with a row
+ * for each quantity: `Quantity`, its name; `Value`; `ErrorBound`, which Value is proven not to be
+ * off by more; `Lower` and `Upper`, which hold the quantity. Quantities: `Area`; `Integral` and
+ * `Mean` of a scalar, `Integral 0`, `Mean 0`, ... of fields with several components; `Flux` of a
+ * vector of three, along the gradient of the cut function, or out of the boundary.
+ *
+ * Planes, spheres, cylinders, cones (both halves) and quadrics are taken, also moved by affine
+ * transforms. What keeps the table from being of all of the surface is warned of.
+ */
+
+#ifndef vtkHighOrderIntegrate_h
+#define vtkHighOrderIntegrate_h
+
+#include "PixelExactFiltersModule.h"
+#include "vtkSmartPointer.h" // for the cut function
+#include "vtkTableAlgorithm.h"
+
+#include <cstdint> // for attributes
+#include <memory>  // for the model
+#include <string>  // for names
+#include <vector>  // for attributes
+
+class vtkImplicitFunction;
+
+namespace pixelexact
+{
+class ModelSource;
+} // namespace pixelexact
+
+class PIXELEXACTFILTERS_EXPORT vtkHighOrderIntegrate : public vtkTableAlgorithm
+{
+public:
+  static vtkHighOrderIntegrate* New();
+  vtkTypeMacro(vtkHighOrderIntegrate, vtkTableAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Includes the cut function's.
+  vtkMTimeType GetMTime() override;
+
+  ///@{
+  /**
+   * The function whose zeros are the cut-surface. None, the default: the boundary of the mesh, or
+   * the parts of it that AddBoundaryAttribute names.
+   */
+  void SetCutFunction(vtkImplicitFunction* function);
+  vtkImplicitFunction* GetCutFunction();
+  ///@}
+
+  ///@{
+  /**
+   * The part of the boundary with this attribute, as the solver numbers its parts.
+   */
+  void AddBoundaryAttribute(int attribute);
+  void ClearBoundaryAttributes();
+  int GetNumberOfBoundaryAttributes();
+  ///@}
+
+  ///@{
+  /**
+   * The field. Empty, the default: that of SetInputArrayToProcess(0, ...), else the first one;
+   * where there is none, the area alone. A name that the grid lacks is an error.
+   */
+  vtkSetMacro(FieldName, std::string);
+  vtkGetMacro(FieldName, std::string);
+  ///@}
+
+  ///@{
+  /**
+   * What the errors are to be at most, as a part of the integrals of magnitudes; of a vector the
+   * largest component's. Greater than 0; 1e-8 by default.
+   */
+  vtkSetMacro(Tolerance, double);
+  vtkGetMacro(Tolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * How long it may take. 0, the default: as long as it takes. When they are over what is known by
+   * then is given.
+   */
+  vtkSetMacro(Seconds, double);
+  vtkGetMacro(Seconds, double);
+  ///@}
+
+  ///@{
+  /**
+   * Of the last update: whether the tolerance was met; the area that is at most not accounted for.
+   */
+  vtkGetMacro(ToleranceMet, bool);
+  vtkGetMacro(UnresolvedArea, double);
+  ///@}
+
+protected:
+  vtkHighOrderIntegrate();
+  ~vtkHighOrderIntegrate() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkHighOrderIntegrate(const vtkHighOrderIntegrate&) = delete;
+  void operator=(const vtkHighOrderIntegrate&) = delete;
+
+  /// Throws Error.
+  void Integrate(vtkDataObject* grid, vtkTable* output);
+  std::string GetChosenName();
+
+  vtkSmartPointer<vtkImplicitFunction> CutFunction;
+  std::vector<std::int32_t> Attributes;
+  std::string FieldName;
+  double Tolerance = 1e-8;
+  double Seconds = 0.0;
+  bool ToleranceMet = false;
+  double UnresolvedArea = 0.0;
+  std::unique_ptr<pixelexact::ModelSource> Source;
+};
+
+#endif

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Integral/ElementFunctions.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace pixelexact
+{
+/// Where a graph ends along a direction: at the box's end, or where it leaves the box through the
+/// lower or upper end of the graph's own direction.
+enum class GraphLimit : std::uint8_t
+{
+  BoxEnd,
+  ThroughLower,
+  ThroughUpper
+};
+
+/// A part of a cut-surface in an element that is proven to be a graph: for every a of the box and
+/// every b between the limits, which are functions of a, there is exactly one c in the box on the
+/// surface, and beyond the limits there is none.
+struct CutGraph
+{
+  PieceBox box;
+  std::array<int, 3> axes{}; ///< the directions a, b, c
+  GraphLimit low = GraphLimit::BoxEnd;
+  GraphLimit high = GraphLimit::BoxEnd;
+};
+
+/// What is proven of the cut-surface in a box.
+struct CutInBox
+{
+  /// All of the surface in the box that was given lies in this one.
+  PieceBox box;
+  bool empty = false;
+  /// All of the surface is in these graphs and `rest`. Else nothing is known.
+  bool decided = false;
+  std::vector<CutGraph> graphs;
+  /// Thin strips about places where the limits change their kind: where the surface is in them, it
+  /// is a graph of some of the box's (a, b), too.
+  std::vector<CutGraph> rest;
+};
+
+/// Looks at a box: after R. Saye, High-order quadrature methods for implicitly defined surfaces and
+/// volumes in hyperrectangles, SIAM J. Sci. Comput. 37, 2015, whose heuristics are proofs here, by
+/// hulls of Bernstein coefficients. `tolerance`: of the cut's polynomial; on faces of the element
+/// smaller values count as zero, so that a surface through an edge or a vertex ends there.
+CutInBox LookAtCut(ElementFunctions& functions, const PieceBox& box, double tolerance);
+} // namespace pixelexact

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Integral/ElementIntegral.h"
+
+#include "Core/Questions/Questions.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pixelexact
+{
+namespace
+{
+/// Where boxes are halved: not in the middle, where surfaces of meshes made by people lie.
+constexpr double kDivision = 0.486328125;
+/// Boxes are not halved below this width, in the piece's units.
+constexpr double kSmallest = 0x1p-40;
+
+/// Of the magnitude: an integral over a box that is off by less is off by rounding.
+constexpr double kRounding = 4e-12;
+
+bool IsRounding(const Sums& sums, const std::vector<double>& magnitudes)
+{
+  for (std::size_t q = 0; q < sums.size(); ++q)
+  {
+    if (!(sums[q].Width() <= kRounding * magnitudes[q]))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Along which direction a box's image is longest.
+int LongestSide(ElementFunctions& functions, const PieceBox& box)
+{
+  int longest = -1;
+  double most = 0.0;
+  std::array<BoxPolynomial, 3> map{ functions.Map3(box, 0), functions.Map3(box, 1),
+    functions.Map3(box, 2) };
+  for (int d = 0; d < 3; ++d)
+  {
+    if (!(box.upper[d] - box.lower[d] > kSmallest))
+    {
+      continue;
+    }
+    double length = 0.0;
+    for (const BoxPolynomial& y : map)
+    {
+      length += std::pow(y.Variation(d, 1), 2);
+    }
+    if (length > most || longest < 0)
+    {
+      most = length;
+      longest = d;
+    }
+  }
+  return longest;
+}
+
+double WidthOf(const Interval& value)
+{
+  return std::isfinite(value.lower) && std::isfinite(value.upper)
+    ? value.Width()
+    : std::numeric_limits<double>::infinity();
+}
+} // namespace
+
+double CutTolerance(ElementFunctions& functions, const PieceBox& box)
+{
+  const IntegralQuestion& question = functions.Question();
+  const auto e = static_cast<std::size_t>(functions.Element());
+  Interval steepest = 0.0;
+  for (const Interval& one : GradientRange(functions, box))
+  {
+    steepest += Abs(one);
+  }
+  const BoxPolynomial cut = functions.Cut(box); // which makes the unit
+  return 4.0 * cut.error + 2.0 * functions.Unit() * steepest.upper * question.mesh.uncertainty[e];
+}
+
+ElementMeeting MeetingOf(ElementFunctions& functions)
+{
+  ElementMeeting meeting;
+  if (!functions.IsFinite() || functions.IsTooHigh())
+  {
+    meeting.problem = functions.IsFinite() ? ElementProblem::TooHigh : ElementProblem::NotFinite;
+    return meeting;
+  }
+  const std::span<const ShapeFace> faces = FacesOf(functions.GetShape());
+  unsigned held = (1U << faces.size()) - 1;
+  bool positive = true;
+  bool negative = true;
+  bool meets = false;
+  for (const PieceBox& piece : functions.Pieces())
+  {
+    const BoxPolynomial cut = functions.Cut(piece);
+    const double tolerance = CutTolerance(functions, piece);
+    const Interval hull = cut.Hull();
+    positive = positive && hull.lower >= -tolerance;
+    negative = negative && hull.upper <= tolerance;
+    meets = meets || hull.Contains(0.0);
+    for (std::size_t f = 0; f < faces.size(); ++f)
+    {
+      if (functions.IsOnCube(piece, faces[f].direction, faces[f].upper))
+      {
+        const Interval end = cut.AtEnd(faces[f].direction, faces[f].upper).Hull();
+        held &= end.Magnitude() <= tolerance ? ~0U : ~(1U << f);
+      }
+    }
+  }
+  meeting.faces = held;
+  meeting.above = positive;
+  meeting.inside = meets && !positive && !negative;
+  return meeting;
+}
+
+ElementIntegral::ElementIntegral(const IntegralQuestion& question, int element)
+  : Question(question)
+  , Element(element)
+{
+  ElementFunctions functions(question, element);
+  for (const PieceBox& piece : functions.Pieces())
+  {
+    Tolerance = std::max(Tolerance, CutTolerance(functions, piece));
+    Look(functions, piece);
+  }
+}
+
+ElementIntegral::~ElementIntegral() = default;
+ElementIntegral::ElementIntegral(ElementIntegral&&) noexcept = default;
+
+Sums ElementIntegral::Total() const
+{
+  Sums total(Question.Quantities());
+  for (const Part& part : Parts)
+  {
+    AddTo(total, part.sums);
+  }
+  return total;
+}
+
+std::vector<double> ElementIntegral::Magnitudes() const
+{
+  std::vector<double> sum(Question.Quantities());
+  for (const Part& part : Parts)
+  {
+    for (std::size_t q = 0; q < sum.size(); ++q)
+    {
+      sum[q] += part.magnitudes[q];
+    }
+  }
+  return sum;
+}
+
+double ElementIntegral::Unresolved() const
+{
+  double area = 0.0;
+  for (const Part& part : Parts)
+  {
+    area += part.resolved ? 0.0 : part.sums[0].upper;
+  }
+  return area;
+}
+
+void ElementIntegral::AddUnresolved(ElementFunctions& functions, const PieceBox& box)
+{
+  Parts.push_back({ box, BoundIn(functions, box), std::vector<double>(Question.Quantities()),
+    LongestSide(functions, box), false });
+}
+
+void ElementIntegral::Look(ElementFunctions& functions, const PieceBox& box)
+{
+  ++Looked;
+  const CutInBox found = LookAtCut(functions, box, Tolerance);
+  if (found.empty)
+  {
+    return;
+  }
+  Sums sums(Question.Quantities());
+  std::vector<double> magnitudes(Question.Quantities());
+  bool resolved = found.decided;
+  int direction = -1;
+  for (std::size_t g = 0; g < found.graphs.size() && resolved; ++g)
+  {
+    const auto part = Integrate(functions, found.graphs[g]);
+    resolved = part.has_value();
+    if (resolved)
+    {
+      AddTo(sums, part->sums);
+      direction = part->roughest;
+      for (std::size_t q = 0; q < magnitudes.size(); ++q)
+      {
+        magnitudes[q] += part->magnitudes[q];
+      }
+    }
+  }
+  if (!resolved)
+  {
+    AddUnresolved(functions, found.box);
+    return;
+  }
+  for (const CutGraph& strip : found.rest)
+  {
+    AddTo(sums, BoundOn(functions, strip));
+  }
+  if (direction >= 0)
+  {
+    if (IsRounding(sums, magnitudes))
+    {
+      Parts.push_back({ found.box, sums, magnitudes, -1, true });
+      return;
+    }
+    const bool wide = found.box.upper[direction] - found.box.lower[direction] > kSmallest;
+    Parts.push_back(
+      { found.box, sums, magnitudes, wide ? direction : LongestSide(functions, found.box), true });
+  }
+  else if (!found.rest.empty())
+  {
+    Parts.push_back({ found.box, sums, magnitudes, LongestSide(functions, found.box), true });
+  }
+}
+
+bool ElementIntegral::Refine(
+  const std::vector<double>& allowed, std::int64_t boxes, const std::function<bool()>& stop)
+{
+  const auto badness = [&allowed](const Sums& sums)
+  {
+    double worst = 0.0;
+    for (std::size_t q = 0; q < sums.size(); ++q)
+    {
+      worst = std::max(worst, WidthOf(sums[q]) / allowed[q]);
+    }
+    return worst;
+  };
+  if (badness(Total()) <= 1.0)
+  {
+    return true;
+  }
+  ElementFunctions functions(Question, Element);
+  std::vector<std::pair<double, std::size_t>> heap; // of parts that can be halved
+  // Of all parts together, or more: the unbounded ones and the sum of the others.
+  int unbounded = 0;
+  double known = 0.0;
+  const auto count = [&](double bad, int sign)
+  {
+    unbounded += std::isfinite(bad) ? 0 : sign;
+    known += std::isfinite(bad) ? sign * bad : 0.0;
+  };
+  const auto push = [&](std::size_t at)
+  {
+    const double bad = badness(Parts[at].sums);
+    count(bad, 1);
+    if (Parts[at].direction >= 0)
+    {
+      heap.emplace_back(bad, at);
+      std::ranges::push_heap(heap);
+    }
+  };
+  for (std::size_t at = 0; at < Parts.size(); ++at)
+  {
+    push(at);
+  }
+  std::vector<char> gone(Parts.size(), 0);
+  const std::int64_t last = Looked + boxes;
+  while (!heap.empty() && (unbounded > 0 || known > 0.99) && Looked < last && !stop())
+  {
+    std::ranges::pop_heap(heap);
+    const auto [bad, at] = heap.back();
+    count(bad, -1);
+    heap.pop_back();
+    gone[at] = 1;
+    const Part part = Parts[at];
+    PieceBox lower = part.box;
+    PieceBox upper = part.box;
+    const int d = part.direction;
+    const double middle = part.box.lower[d] + kDivision * (part.box.upper[d] - part.box.lower[d]);
+    lower.upper[d] = middle;
+    upper.lower[d] = middle;
+    const std::size_t first = Parts.size();
+    Look(functions, lower);
+    Look(functions, upper);
+    gone.resize(Parts.size(), 0);
+    for (std::size_t k = first; k < Parts.size(); ++k)
+    {
+      push(k);
+    }
+  }
+  std::vector<Part> left;
+  for (std::size_t k = 0; k < Parts.size(); ++k)
+  {
+    if (gone[k] == 0)
+    {
+      left.push_back(std::move(Parts[k]));
+    }
+  }
+  Parts = std::move(left);
+  return badness(Total()) <= 1.0;
+}
+} // namespace pixelexact

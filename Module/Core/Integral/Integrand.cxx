@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Integral/Integrand.h"
+
+namespace pixelexact
+{
+SurfaceModels::SurfaceModels(ElementFunctions& functions, const PieceBox& box,
+  const std::array<int, 3>& axes, const PointedModels& place)
+{
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    for (std::size_t j = 0; j < 3; ++j)
+    {
+      jacobian[i][j] = place.Of(BoxModel(
+        functions.Slope(box, static_cast<int>(i), static_cast<int>(j)), axes, place.IsWideB()));
+    }
+  }
+  determinant = Dot(jacobian[0], Cofactors(jacobian, 0));
+  for (int c = 0; c < functions.Question().Components(); ++c)
+  {
+    field.push_back(place.Of(BoxModel(functions.Values(box, c), axes, place.IsWideB())));
+  }
+}
+
+std::array<ChebyshevModel, 3> Cofactors(
+  const std::array<std::array<ChebyshevModel, 3>, 3>& matrix, std::size_t row)
+{
+  const auto& next = matrix[(row + 1) % 3];
+  const auto& last = matrix[(row + 2) % 3];
+  std::array<ChebyshevModel, 3> cofactors;
+  for (std::size_t j = 0; j < 3; ++j)
+  {
+    const std::size_t m = (j + 1) % 3;
+    const std::size_t n = (j + 2) % 3;
+    cofactors[j] = next[m] * last[n] - next[n] * last[m];
+  }
+  return cofactors;
+}
+
+WeighedField Weigh(const SurfaceModels& models, Mapping mapping)
+{
+  WeighedField weighed;
+  switch (mapping)
+  {
+    case Mapping::Identity:
+      weighed.power = 3;
+      for (const ChebyshevModel& value : models.field)
+      {
+        weighed.values.push_back(models.determinant * value);
+      }
+      break;
+    case Mapping::Density:
+      weighed.values = models.field;
+      break;
+    default:
+      // J F, or det J J^-T F, which is the cofactors times F.
+      const std::array<ChebyshevModel, 3> field{ models.field[0], models.field[1],
+        models.field[2] };
+      weighed.power = mapping == Mapping::Contravariant ? 1 : 2;
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        weighed.values.push_back(Dot(
+          mapping == Mapping::Contravariant ? models.jacobian[i] : Cofactors(models.jacobian, i),
+          field));
+      }
+      break;
+  }
+  return weighed;
+}
+
+ChebyshevModel Dot(const std::array<ChebyshevModel, 3>& a, const std::array<ChebyshevModel, 3>& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+std::array<ChebyshevModel, 3> EtaModels(const ElementFunctions& functions, const PieceBox& box,
+  const std::array<int, 3>& axes, const ChebyshevModel& b, const ChebyshevModel& c)
+{
+  const std::array<ChebyshevModel, 3> s{ ChebyshevModel::First(), b, c };
+  std::array<ChebyshevModel, 3> eta;
+  for (std::size_t v = 0; v < 3; ++v)
+  {
+    const int d = axes[v];
+    eta[static_cast<std::size_t>(d)] =
+      ChebyshevModel(functions.Middle(box, d)) + ChebyshevModel(functions.HalfWidth(box, d)) * s[v];
+  }
+  return eta;
+}
+
+ChebyshevModel Collapse(const ChebyshevModel& eta)
+{
+  return 0.5 * (ChebyshevModel(1.0) - eta);
+}
+
+void AddTo(Sums& sums, const Sums& more)
+{
+  for (std::size_t q = 0; q < sums.size(); ++q)
+  {
+    sums[q] += more[q];
+  }
+}
+} // namespace pixelexact

@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Integral/Integrate.h"
+
+#include "Core/Base/Error.h"
+#include "Core/Element/Validity.h"
+#include "Core/Faces/ReferenceFace.h"
+#include "Core/Integral/FaceIntegral.h"
+#include "Core/Location/Sample.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+namespace pixelexact
+{
+namespace
+{
+using Clock = std::chrono::steady_clock;
+
+/// Boxes of an element before anything is known of the others.
+constexpr std::int64_t kFirstBoxes = 16;
+/// How many times more they are in the next round, in which it is told anew what is allowed: time
+/// that ends early is then shared by all elements.
+constexpr std::int64_t kMoreBoxes = 3;
+/// How often what is allowed is told anew, of faces.
+constexpr int kRounds = 4;
+/// Of a face: what it is made of is smooth.
+constexpr std::int64_t kFaceBoxes = 4096;
+/// Where a field vanishes.
+constexpr double kNothing = 1e-280;
+
+void Check(const IntegralEffort& effort)
+{
+  if (!(effort.tolerance > 0.0 && std::isfinite(effort.tolerance)))
+  {
+    throw InvalidData("the tolerance of an integral must be greater than 0 and finite.");
+  }
+  if (!(effort.seconds > 0.0))
+  {
+    throw InvalidData("the seconds for an integral must be more than 0.");
+  }
+}
+
+class Deadline
+{
+public:
+  explicit Deadline(double seconds)
+    : End(std::isfinite(seconds) && seconds < 1e9
+          ? std::optional(Clock::now() +
+              std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds)))
+          : std::nullopt)
+  {
+  }
+  [[nodiscard]] bool IsOver() const { return End && Clock::now() > *End; }
+
+private:
+  std::optional<Clock::time_point> End;
+};
+
+/// What each of `count` parts may be off, that together they are off by at most this part. All
+/// integrals of a field are measured by the largest one: a component may vanish.
+std::vector<double> Allowed(
+  const std::vector<double>& magnitudes, double tolerance, std::size_t count)
+{
+  std::vector<double> allowed;
+  const double ofField =
+    magnitudes.size() > 1 ? *std::max_element(magnitudes.begin() + 1, magnitudes.end()) : 0.0;
+  for (std::size_t q = 0; q < magnitudes.size(); ++q)
+  {
+    const double magnitude = q == 0 ? magnitudes[0] : ofField;
+    // Widths are twice what the middle is off.
+    allowed.push_back(
+      std::max(2.0 * tolerance * magnitude / static_cast<double>(std::max<std::size_t>(count, 1)),
+        kNothing));
+  }
+  return allowed;
+}
+
+bool IsWithin(const Sums& sums, const std::vector<double>& allowed)
+{
+  for (std::size_t q = 0; q < sums.size(); ++q)
+  {
+    if (!(sums[q].IsFinite() && sums[q].Width() <= allowed[q]))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// A face that lies in the surface and is this element's to integrate.
+bool IsOurs(const Mesh& mesh, const FaceOwner& owner, int element, int face)
+{
+  const ReferenceFace& reference = ReferenceFaceOf(mesh.ShapeOf(element), face);
+  CurvePoint point;
+  point.xi = reference.At({ 1.0 / 3.0, 1.0 / 3.0 });
+  MapForward(mesh, element, std::span(&point.xi, 1), std::span(&point.x, 1));
+  return !owner.IsAnothers(element, face, point);
+}
+
+/// What several parts that are integrated to a common tolerance have to meet.
+class Rounds
+{
+public:
+  Rounds(std::size_t quantities, const IntegralEffort& effort)
+    : Effort(effort)
+    , Magnitudes(quantities, 0.0)
+  {
+  }
+
+  [[nodiscard]] std::vector<double> Share(std::size_t count) const
+  {
+    return Allowed(Magnitudes, 0.4 * Effort.tolerance, count);
+  }
+  [[nodiscard]] bool IsMet(const Sums& total) const
+  {
+    return IsWithin(total, Allowed(Magnitudes, Effort.tolerance, 1));
+  }
+
+  const IntegralEffort& Effort;
+  std::vector<double> Magnitudes; ///< of the integrals, so far
+};
+/// A face, and whether its flux counts out of its element, 1, or into it, -1.
+struct SeenFace
+{
+  ElementFace face;
+  double sense = 1.0;
+};
+
+SurfaceIntegral OverFaces(const IntegralQuestion& question, std::span<const SeenFace> faces,
+  const IntegralEffort& effort, const Deadline& deadline)
+{
+  SurfaceIntegral result;
+  result.faces = static_cast<std::int64_t>(faces.size());
+  Rounds rounds(question.Quantities(), effort);
+  struct OfFace
+  {
+    Sums sums;
+    std::vector<double> magnitudes;
+    bool finite = true;
+    bool valid = true;
+  };
+  std::vector<OfFace> parts(faces.size());
+  const std::vector<double> nothing(question.Quantities(), 0.0);
+  for (int round = 0;; ++round)
+  {
+    const std::vector<double> allowed = round == 0
+      ? std::vector<double>(question.Quantities(), std::numeric_limits<double>::infinity())
+      : rounds.Share(faces.size());
+    tbb::parallel_for(std::size_t{ 0 }, faces.size(),
+      [&](std::size_t k)
+      {
+        OfFace& part = parts[k];
+        if (round > 0 && (!part.finite || IsWithin(part.sums, allowed) || deadline.IsOver()))
+        {
+          return;
+        }
+        ElementFunctions functions(question, faces[k].face.element);
+        part.magnitudes = nothing;
+        part.finite = functions.IsFinite();
+        part.sums = part.finite ? IntegrateFace(functions, faces[k].face.face, allowed,
+                                    std::min(effort.boxes, kFaceBoxes), part.magnitudes)
+                                : Sums(question.Quantities());
+        if (question.HasFlux() && faces[k].sense < 0.0)
+        {
+          part.sums.back() = -part.sums.back();
+        }
+        if (round == 0)
+        {
+          part.valid = ValidityOf(question.mesh, faces[k].face.element).validity == Validity::Valid;
+        }
+      });
+    result.sums.assign(question.Quantities(), {});
+    rounds.Magnitudes = nothing;
+    result.notFinite = 0;
+    result.notValid = 0;
+    for (const OfFace& part : parts)
+    {
+      result.notFinite += part.finite ? 0 : 1;
+      result.notValid += part.valid ? 0 : 1;
+      AddTo(result.sums, part.sums);
+      for (std::size_t q = 0; q < nothing.size(); ++q)
+      {
+        rounds.Magnitudes[q] += part.magnitudes[q];
+      }
+    }
+    result.met = rounds.IsMet(result.sums);
+    if (result.met || round == kRounds || deadline.IsOver())
+    {
+      break;
+    }
+  }
+  result.magnitudes = rounds.Magnitudes;
+  result.timeIsOver = deadline.IsOver() && !result.met;
+  return result;
+}
+} // namespace
+
+SurfaceIntegral IntegrateCut(const IntegralQuestion& question, const Locator& locator,
+  const FaceTable& faces, const IntegralEffort& effort)
+{
+  Check(effort);
+  const Deadline deadline(effort.seconds);
+  const auto count = static_cast<std::size_t>(question.mesh.Elements());
+  std::vector<ElementMeeting> meetings(count);
+  tbb::parallel_for(std::size_t{ 0 }, count,
+    [&](std::size_t e)
+    {
+      ElementFunctions functions(question, static_cast<int>(e));
+      meetings[e] = MeetingOf(functions);
+    });
+
+  SurfaceIntegral result;
+  result.sums.resize(question.Quantities());
+  std::vector<int> inside;
+  std::vector<SeenFace> held;
+  const FaceOwner owner(locator, faces);
+  for (std::size_t e = 0; e < count; ++e)
+  {
+    const auto element = static_cast<int>(e);
+    const ElementMeeting& meeting = meetings[e];
+    result.notFinite += meeting.problem == ElementProblem::NotFinite ? 1 : 0;
+    result.tooHigh += meeting.problem == ElementProblem::TooHigh ? 1 : 0;
+    if (meeting.inside)
+    {
+      inside.push_back(element);
+      continue;
+    }
+    for (int f = 0; f < 6; ++f)
+    {
+      if ((meeting.faces >> static_cast<unsigned>(f) & 1U) != 0 &&
+        IsOurs(question.mesh, owner, element, f))
+      {
+        held.push_back({ { element, f }, meeting.above ? -1.0 : 1.0 });
+      }
+    }
+  }
+
+  const SurfaceIntegral ofFaces = OverFaces(question, held, effort, deadline);
+  Rounds rounds(question.Quantities(), effort);
+  std::vector<std::optional<ElementIntegral>> parts(inside.size());
+  const auto stop = [&deadline] { return deadline.IsOver(); };
+  tbb::parallel_for(
+    std::size_t{ 0 }, inside.size(), [&](std::size_t k) { parts[k].emplace(question, inside[k]); });
+  for (std::int64_t boxes = kFirstBoxes;; boxes *= kMoreBoxes)
+  {
+    Sums total = ofFaces.sums;
+    rounds.Magnitudes = ofFaces.magnitudes;
+    std::size_t meeting = 0;
+    for (const auto& part : parts)
+    {
+      AddTo(total, part->Total());
+      const std::vector<double> magnitudes = part->Magnitudes();
+      for (std::size_t q = 0; q < magnitudes.size(); ++q)
+      {
+        rounds.Magnitudes[q] += magnitudes[q];
+      }
+      meeting += part->IsEmpty() ? 0 : 1;
+    }
+    result.sums = total;
+    result.met = rounds.IsMet(total);
+    result.elements = static_cast<std::int64_t>(meeting);
+    if (result.met || boxes > effort.boxes || deadline.IsOver())
+    {
+      break;
+    }
+    const std::vector<double> allowed = rounds.Share(meeting);
+    tbb::parallel_for(std::size_t{ 0 }, inside.size(),
+      [&](std::size_t k) { parts[k]->Refine(allowed, boxes, stop); });
+  }
+  result.magnitudes = rounds.Magnitudes;
+  result.timeIsOver = deadline.IsOver() && !result.met;
+  result.faces = static_cast<std::int64_t>(held.size());
+  std::atomic<std::int64_t> notValid{ 0 };
+  tbb::parallel_for(std::size_t{ 0 }, inside.size(),
+    [&](std::size_t k)
+    {
+      if (!parts[k]->IsEmpty() && ValidityOf(question.mesh, inside[k]).validity != Validity::Valid)
+      {
+        ++notValid;
+      }
+    });
+  result.notValid = notValid + ofFaces.notValid;
+  result.boxes = ofFaces.boxes;
+  for (const auto& part : parts)
+  {
+    result.boxes += part->Boxes();
+    result.unresolved += part->Unresolved();
+  }
+  return result;
+}
+
+SurfaceIntegral IntegrateFaces(const IntegralQuestion& question, std::span<const ElementFace> faces,
+  const IntegralEffort& effort)
+{
+  Check(effort);
+  std::vector<SeenFace> seen;
+  for (const ElementFace& face : faces)
+  {
+    seen.push_back({ face });
+  }
+  return OverFaces(question, seen, effort, Deadline(effort.seconds));
+}
+} // namespace pixelexact

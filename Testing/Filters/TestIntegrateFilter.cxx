@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkHighOrderIntegrate: against closed forms and VTK's own filters, fields, wrong use.
+#include "Support.h"
+
+#include "vtkHighOrderIntegrate.h"
+#include "vtkHighOrderSubdivide.h"
+
+#include "vtkCellData.h"
+#include "vtkCutter.h"
+#include "vtkIntegrateAttributes.h"
+#include "vtkPlane.h"
+#include "vtkPolyData.h"
+#include "vtkSphere.h"
+#include "vtkSuperquadric.h"
+#include "vtkTable.h"
+#include "vtkVariant.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace
+{
+using namespace pixelexact::testing;
+
+struct Integration
+{
+  vtkNew<vtkHighOrderIntegrate> filter;
+  vtkNew<Messages> messages;
+
+  explicit Integration(vtkUnstructuredGrid* grid, vtkImplicitFunction* function = nullptr)
+  {
+    messages->Watch(filter);
+    filter->SetInputData(grid);
+    filter->SetCutFunction(function);
+  }
+  /// NaN where there is no such row.
+  double Get(const char* quantity, const char* column = "Value")
+  {
+    filter->Update();
+    vtkTable* const table = filter->GetOutput();
+    for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+    {
+      if (table->GetValueByName(row, "Quantity").ToString() == quantity)
+      {
+        return table->GetValueByName(row, column).ToDouble();
+      }
+    }
+    return std::nan("");
+  }
+};
+
+vtkNew<vtkPlane> PlaneAt(double z)
+{
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(0.0, 0.0, z);
+  plane->SetNormal(0.0, 0.0, 1.0);
+  return plane;
+}
+
+TEST(IntegrateFilter, APlaneThroughBoxes)
+{
+  const auto plane = PlaneAt(0.3);
+  Integration integration(Boxes(2), plane);
+  EXPECT_NEAR(integration.Get("Area"), 1.0, integration.Get("Area", "ErrorBound"));
+  EXPECT_LE(integration.Get("Area", "ErrorBound"), 1e-8);
+  // x + 2 y + 3 z.
+  EXPECT_NEAR(integration.Get("Integral"), 2.4, integration.Get("Integral", "ErrorBound"));
+  EXPECT_NEAR(integration.Get("Mean"), 2.4, integration.Get("Mean", "ErrorBound"));
+  EXPECT_LE(integration.Get("Mean", "Lower"), 2.4);
+  EXPECT_GE(integration.Get("Mean", "Upper"), 2.4);
+  EXPECT_TRUE(integration.filter->GetToleranceMet());
+  EXPECT_EQ(integration.messages->warnings, "");
+  EXPECT_TRUE(std::isnan(integration.Get("Flux")));
+}
+
+TEST(IntegrateFilter, APlaneInFacesOfBoxesCountsThemOnce)
+{
+  const auto plane = PlaneAt(0.5);
+  Integration integration(Boxes(2), plane);
+  EXPECT_NEAR(integration.Get("Area"), 1.0, 1e-8);
+  EXPECT_NEAR(integration.Get("Integral"), 3.0, 1e-7);
+}
+
+TEST(IntegrateFilter, ASphereAndTheBoundary)
+{
+  vtkNew<vtkSphere> sphere;
+  sphere->SetCenter(0.0, 0.0, 0.0);
+  sphere->SetRadius(0.75);
+  Integration integration(Boxes(1), sphere);
+  integration.filter->SetTolerance(1e-5);
+  EXPECT_NEAR(integration.Get("Area"), std::numbers::pi * 0.75 * 0.75 / 2.0,
+    integration.Get("Area", "ErrorBound"));
+  EXPECT_LE(integration.Get("Area", "ErrorBound"), 1e-4);
+
+  Integration boundary(Boxes(2));
+  EXPECT_NEAR(boundary.Get("Area"), 6.0, 1e-7);
+  // The mean of x + 2 y + 3 z over the unit cube's faces.
+  EXPECT_NEAR(boundary.Get("Mean"), 3.0, 1e-7);
+}
+
+TEST(IntegrateFilter, VtksFiltersConvergeToIt)
+{
+  const auto grid = ReadGrid(std::filesystem::path(PIXELEXACT_DATA_DIR) / "toroid_hex_g3_p6.vtu");
+  const auto plane = PlaneAt(0.1);
+  Integration integration(grid, plane);
+  integration.filter->SetFieldName("u");
+  integration.filter->SetTolerance(1e-4);
+  const double exact = integration.Get("Area");
+  double before = 0.0;
+  for (const int level : { 1, 2, 3 })
+  {
+    vtkNew<vtkHighOrderSubdivide> subdivide;
+    subdivide->SetInputData(Converted(grid));
+    subdivide->SetLevel(level);
+    vtkNew<vtkCutter> cutter;
+    cutter->SetInputConnection(subdivide->GetOutputPort());
+    cutter->SetCutFunction(plane);
+    vtkNew<vtkIntegrateAttributes> integrate;
+    integrate->SetInputConnection(cutter->GetOutputPort());
+    integrate->Update();
+    auto* sums = vtkUnstructuredGrid::SafeDownCast(integrate->GetOutputDataObject(0));
+    const double error = std::fabs(sums->GetCellData()->GetArray("Area")->GetTuple1(0) - exact);
+    if (level > 1)
+    {
+      // Of second order.
+      EXPECT_LT(error, 0.35 * before) << "level " << level;
+    }
+    before = error;
+  }
+  EXPECT_LT(before, 3e-3);
+}
+
+TEST(IntegrateFilter, WrongUseIsRefused)
+{
+  vtkNew<vtkSuperquadric> function;
+  Integration unknown(Boxes(1), function);
+  unknown.filter->Update();
+  EXPECT_NE(unknown.messages->errors.find("planes, spheres"), std::string::npos);
+
+  const auto plane = PlaneAt(0.5);
+  Integration named(Boxes(1), plane);
+  named.filter->SetFieldName("q");
+  named.filter->Update();
+  EXPECT_NE(named.messages->errors.find("'q'"), std::string::npos);
+
+  Integration both(Boxes(1), plane);
+  both.filter->AddBoundaryAttribute(1);
+  both.filter->Update();
+  EXPECT_NE(both.messages->errors.find("one of them"), std::string::npos);
+
+  Integration tolerance(Boxes(1), plane);
+  tolerance.filter->SetTolerance(-1.0);
+  tolerance.filter->Update();
+  EXPECT_NE(tolerance.messages->errors.find("greater than 0"), std::string::npos);
+}
+} // namespace
