@@ -118,6 +118,9 @@ public:
   /// The last frame, null when there is none or it failed.
   [[nodiscard]] const Frame* LastFrame() const;
 
+  /// Whether there is one, neither coarse nor aborted.
+  [[nodiscard]] bool IsComplete() const { return TheFrame && Complete; }
+
   /// What is known of the last frame's pixels and its contours; null where there are none, or only
   /// a coarse frame.
   [[nodiscard]] const ContourCertifier* LastContours() const

@@ -9,6 +9,8 @@
 #include "LayerRequests.h"
 #include "MapperExecutive.h"
 #include "StockSettings.h"
+#include "ViewRequest.h"
+#include "VtkColorMap.h"
 #include "VtkLook.h"
 #include "vtkHighOrderLayer.h"
 #include "vtkHighOrderSurface.h"
@@ -507,6 +509,19 @@ void vtkHighOrderMapper::SetScalarRange(double lower, double upper)
 }
 
 //------------------------------------------------------------------------------
+void vtkHighOrderMapper::SetColorMap(const std::string& name)
+{
+  try
+  {
+    this->SetLookupTable(pixelexact::MakeColorMap(name, { 0.0, 1.0 }));
+  }
+  catch (const pixelexact::Error& error)
+  {
+    vtkErrorMacro("SetColorMap: " << error.what());
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkMTimeType vtkHighOrderMapper::GetMTime()
 {
   vtkMTimeType time = this->Superclass::GetMTime();
@@ -758,6 +773,49 @@ std::optional<pixelexact::PickedSample> vtkHighOrderMapper::PickSample(
     return std::nullopt;
   }
   return pixelexact::Pick(this->Data->Picks, request, ray, this);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> vtkHighOrderMapper::TracePicture(pixelexact::FrameSource& source,
+  const pixelexact::CameraSight& sight, bool allBuffers,
+  const std::function<bool(double)>& progress)
+{
+  if (!this->Static && this->GetNumberOfInputConnections(0) > 0)
+  {
+    this->Update();
+  }
+  pixelexact::FrameRequest request = this->Data->Request(this, sight.actor);
+  if (request.layers.empty())
+  {
+    throw pixelexact::Error(
+      "nothing to cut with, or no layer is visible: call SetCutFunction, SetSurface or AddLayer");
+  }
+  pixelexact::CompleteRequest(sight, request);
+  const pixelexact::Frame* frame = &source.Render(request, progress);
+  if (source.IsComplete() && request.fitted != nullptr)
+  {
+    const auto fitted = pixelexact::ColorRanges::OfFrame(*frame, request, request.fitted);
+    if (fitted && pixelexact::ColorRanges::Set(request.fitted, *fitted))
+    {
+      this->TakeRange(*fitted);
+      frame = &source.Render(request, progress);
+    }
+  }
+  if (!source.IsComplete())
+  {
+    return nullptr;
+  }
+  if (allBuffers)
+  {
+    frame = source.FrameWithAllBuffers();
+  }
+  auto picture =
+    pixelexact::ToImageData(*frame, source.Model()->SourceCells(), source.Model()->Blocks());
+  if (const pixelexact::ContourCertifier* contours = source.LastContours())
+  {
+    pixelexact::AddContours(*picture, contours->Verdicts());
+  }
+  return picture;
 }
 
 //------------------------------------------------------------------------------

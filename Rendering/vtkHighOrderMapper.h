@@ -53,14 +53,18 @@
 
 #include "PixelExactRenderingModule.h"
 #include "vtkMapper.h"
+#include "vtkSmartPointer.h" // for pictures
 
-#include <array>    // for ranges
-#include <memory>   // for the implementation
-#include <optional> // for picks
-#include <string>   // for the field's name
+#include <array>      // for ranges
+#include <functional> // for progress
+#include <memory>     // for the implementation
+#include <optional>   // for picks
+#include <string>     // for the field's name
 
 namespace pixelexact
 {
+class FrameSource;
+struct CameraSight;
 struct PickRay;
 struct PickedSample;
 } // namespace pixelexact
@@ -290,6 +294,13 @@ public:
   void SetScalarRange(double lower, double upper) override;
   ///@}
 
+  /**
+   * Gives the mapper a lookup table of one of the maps that the command-line program has: viridis,
+   * inferno, plasma, coolwarm, jet, rainbow, grayscale. An error, which lists them, for another
+   * name.
+   */
+  void SetColorMap(const std::string& name);
+
   ///@{
   /**
    * RGBA of the pixels whose element could not be decided. The default is magenta.
@@ -382,6 +393,7 @@ protected:
 
 private:
   friend class vtkHighOrderPicker;
+  friend class vtkHighOrderPicture;
   friend class vtkHighOrderRayPass;
   vtkHighOrderMapper(const vtkHighOrderMapper&) = delete;
   void operator=(const vtkHighOrderMapper&) = delete;
@@ -405,6 +417,14 @@ private:
    */
   std::optional<pixelexact::PickedSample> PickSample(
     const pixelexact::PickRay& ray, vtkActor* actor);
+
+  /**
+   * What is shown, through a camera and without a renderer; null where it was aborted. Throws
+   * pixelexact::Error.
+   */
+  vtkSmartPointer<vtkImageData> TracePicture(pixelexact::FrameSource& source,
+    const pixelexact::CameraSight& sight, bool allBuffers,
+    const std::function<bool(double)>& progress);
 
   struct Internals;
   std::unique_ptr<Internals> Data;
