@@ -21,6 +21,7 @@ CLASSES = [
     "vtkHighOrderMapper",
     "vtkHighOrderPatchSurface",
     "vtkHighOrderPicker",
+    "vtkHighOrderPicture",
     "vtkHighOrderProbe",
     "vtkHighOrderRayPass",
     "vtkHighOrderSeriesReader",
