@@ -22,6 +22,7 @@ CLASSES = [
     "vtkHighOrderPatchSurface",
     "vtkHighOrderPicker",
     "vtkHighOrderPicture",
+    "vtkHighOrderPlotOverLine",
     "vtkHighOrderProbe",
     "vtkHighOrderRayPass",
     "vtkHighOrderSeriesReader",
