@@ -345,6 +345,21 @@ vtkIdType vtkHighOrderMapper::GetNumberOfNumericHits()
 }
 
 //------------------------------------------------------------------------------
+bool vtkHighOrderMapper::IsFrameComplete()
+{
+  const pixelexact::FrameSource* source = this->Data->Drawer.LastSource();
+  return source != nullptr && source->IsComplete();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkHighOrderMapper::GetNumberOfUnknownPixels()
+{
+  pixelexact::FrameSource* source = this->Data->Drawer.LastSource();
+  const pixelexact::Frame* frame = source != nullptr ? source->LastFrame() : nullptr;
+  return frame != nullptr ? frame->counters.unknown : 0;
+}
+
+//------------------------------------------------------------------------------
 void vtkHighOrderMapper::AddLayer(vtkHighOrderLayer* layer)
 {
   if (layer != nullptr)

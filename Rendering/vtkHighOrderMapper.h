@@ -156,6 +156,16 @@ public:
 
   ///@{
   /**
+   * Of the last frame: whether it is exact in every pixel that is decided, and not one of the
+   * coarse ones that are shown while the window is in a hurry (see SetProgressive), nor aborted;
+   * and how many of its pixels have the UnknownColor. False and 0 where there is none.
+   */
+  bool IsFrameComplete();
+  vtkIdType GetNumberOfUnknownPixels();
+  ///@}
+
+  ///@{
+  /**
    * Surfaces with looks of their own, drawn together with the cut functions and the surface.
    */
   void AddLayer(vtkHighOrderLayer* layer);

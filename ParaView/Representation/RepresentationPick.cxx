@@ -109,3 +109,9 @@ const char* vtkPixelExactRepresentation::GetPickedText()
   this->GetPicked();
   return this->Data->PickedText.c_str();
 }
+
+//------------------------------------------------------------------------------
+vtkIdType vtkPixelExactRepresentation::GetNumberOfUnknownPixels()
+{
+  return this->Data->Mapper->GetNumberOfUnknownPixels();
+}

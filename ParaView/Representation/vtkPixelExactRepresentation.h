@@ -117,6 +117,11 @@ public:
   const char* GetPickedText();
   ///@}
 
+  /**
+   * Of the last picture: pixels whose element could not be decided; they are magenta.
+   */
+  vtkIdType GetNumberOfUnknownPixels();
+
   ///@{
   /**
    * As those of vtkProperty and vtkActor.

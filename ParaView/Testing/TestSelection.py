@@ -98,6 +98,7 @@ class Selection(unittest.TestCase):
             self.assertIn(f"element {found['Element'][i]}, xi (", text)
             self.assertIn("u = ", text)
         self.assertGreater(told, 0)
+        self.assertEqual(self.shown.GetProperty("UnknownPixels")[0], 0)
 
 
 class PlotOverLine(unittest.TestCase):
