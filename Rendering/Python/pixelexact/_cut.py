@@ -90,6 +90,21 @@ def _set_colors(mapper: Any, cmap: Union[str, vtkScalarsToColors]) -> None:
         raise ValueError(f"cmap: {complaints[0]}")
 
 
+def _bar_of(mapper: Any, title: str) -> Any:
+    bar = vtkScalarBarActor()
+    bar.SetLookupTable(mapper.GetLookupTable())
+    bar.SetTitle(title)
+    bar.SetMaximumWidthInPixels(80)
+    bar.SetUnconstrainedFontSize(True)
+    for text in (bar.GetTitleTextProperty(), bar.GetLabelTextProperty()):
+        text.SetFontSize(16)
+        text.SetColor(0.5, 0.5, 0.5)  # seen on white and on black
+        text.ItalicOff()
+        text.BoldOff()
+        text.ShadowOff()
+    return bar
+
+
 def _between(whole: Cut, clim: Limits) -> Sequence[float]:
     from ._picture import known_range
 
@@ -150,8 +165,5 @@ def cut(
     whole = Cut(actor, None, mapper, shape)
     for i, value in enumerate(values_of(contours, lambda: _between(whole, clim))):
         mapper.SetContourValue(i, value)
-    bar = vtkScalarBarActor()
-    bar.SetLookupTable(mapper.GetLookupTable())
-    bar.SetTitle(field or (_fields_of(source) or [""])[0])
-    whole.scalar_bar = bar
+    whole.scalar_bar = _bar_of(mapper, field or (_fields_of(source) or [""])[0])
     return whole
