@@ -6,6 +6,7 @@
 # The root is made once (debootstrap) and taken again. In the environment:
 #   MATRIX_STAGES    of dependencies, build, test, paraview (default: the first three)
 #   MATRIX_TESTS     which tests, as ctest -R takes it (default: all)
+#   MATRIX_TARGETS   what is built (default: all)
 #   MATRIX_COMPILER  such as g++-15, installed there (default: what the release has)
 #   MATRIX_JOBS      compilers at once (default 1); all run at the lowest priority
 #   MATRIX_MIRROR    (default http://deb.debian.org/debian)
@@ -74,7 +75,7 @@ for stage in $stages; do
       ;;
     build)
       if inside "$stage" "cmake -S . -B build -G Ninja -D CMAKE_CXX_COMPILER=$compiler \
-        -D PIXELEXACT_WARNINGS_AS_ERRORS=ON && ninja -C build -k 0 -j $jobs"; then
+        -D PIXELEXACT_WARNINGS_AS_ERRORS=ON && ninja -C build -k 0 -j $jobs ${MATRIX_TARGETS:-}"; then
         compiled=yes
       else
         compiled=no
