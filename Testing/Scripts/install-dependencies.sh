@@ -15,7 +15,7 @@ packages=(
 )
 if [[ "${1:-}" == --testing ]]; then
   packages+=(
-    ccache clang clang-format clang-tidy ffmpeg git libbenchmark-dev libclang-rt-dev libgmp-dev libgtest-dev
+    ccache clang clang-format clang-tidy debootstrap dpkg-dev ffmpeg file git libbenchmark-dev libclang-rt-dev libgmp-dev libgtest-dev
     libmpfr-dev mypy python3-pil poppler-utils valgrind xauth xdotool xvfb
   )
 fi

@@ -14,9 +14,7 @@ if [[ $EUID -ne 0 ]]; then
   echo "package.sh: a root of its own is made and entered by root alone" >&2
   exit 2
 fi
-for program in debootstrap; do
-  command -v "$program" >/dev/null || apt-get install -q -y --no-install-recommends "$program"
-done
+command -v debootstrap >/dev/null || apt-get install -q -y --no-install-recommends debootstrap
 
 leave() {
   umount "$root/proc" 2>/dev/null || true
@@ -34,7 +32,7 @@ leave
 rm -rf --one-file-system "$root"
 mkdir -p "$roots"
 debootstrap --variant=minbase "$release" "$root" "${MATRIX_MIRROR:-http://deb.debian.org/debian}" >/dev/null
-mount -t proc proc "$root/proc"
+mount -t proc proc "$root/proc" 2>/dev/null || echo "without /proc, which may not be mounted here"
 cp /etc/resolv.conf "$root/etc/resolv.conf"
 told "a clean $release"
 
