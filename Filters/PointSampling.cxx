@@ -124,11 +124,27 @@ bool PointSampling::ForRuns(const StepProgress& progress, const Work& work) cons
 bool PointSampling::AddFields(
   const SamplingOptions& options, vtkPointData* output, const StepProgress& progress) const
 {
-  return std::ranges::all_of(FieldsNamed(Model, options.fields),
+  const std::vector<const Field*> fields = FieldsNamed(Model, options.fields);
+  // An enclosure costs many values.
+  const double ofValues = options.enclosures ? 0.05 : 1.0;
+  const double share = 1.0 / static_cast<double>(std::max<std::size_t>(fields.size(), 1));
+  double begin = 0.0;
+  const auto next = [&](double part) -> StepProgress
+  {
+    const double from = begin;
+    begin += part * share;
+    if (!progress)
+    {
+      return {};
+    }
+    return [&progress, from, part, share](double done)
+    { return progress(from + done * part * share); };
+  };
+  return std::ranges::all_of(fields,
     [&](const Field* field)
     {
-      return AddField(*field, options.gradients, output, progress) &&
-        (!options.enclosures || AddEnclosures(*field, output, progress));
+      return AddField(*field, options.gradients, output, next(ofValues)) &&
+        (!options.enclosures || AddEnclosures(*field, output, next(1.0 - ofValues)));
     });
 }
 

@@ -39,7 +39,7 @@ public:
 
   /// Adds to `output`, one tuple per point: each field (NaN where not inside) and, if asked for,
   /// <field>_Gradient (3 per component, d/dx, d/dy, d/dz in world units), <field>_lower and
-  /// <field>_upper (see EncloseValues). False where `progress`, of each of these, ended it. Throws
+  /// <field>_upper (see EncloseValues). False where `progress` ended it. Throws
   /// InvalidData for a field that is not there.
   bool AddFields(
     const SamplingOptions& options, vtkPointData* output, const StepProgress& progress = {}) const;

@@ -17,6 +17,7 @@
 
 #include <chrono>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -149,6 +150,14 @@ PyObject* Update(PyObject* /*module*/, PyObject* arguments)
   {
     return nullptr;
   }
+  // Grids keep their models for all who ask, and do not expect several threads at once. Whoever
+  // waits does so without the interpreter's lock, which progress and functions of Python need.
+  // Recursive: these may ask for work, too.
+  static std::recursive_mutex oneAtATime;
+  std::unique_lock turn(oneAtATime, std::defer_lock);
+  Py_BEGIN_ALLOW_THREADS;
+  turn.lock();
+  Py_END_ALLOW_THREADS;
   const bool release = mayRelease != 0 && !OthersListen(algorithm);
   const vtkNew<Watch> watch;
   watch->Begin(algorithm, callable);

@@ -295,6 +295,30 @@ class Work(unittest.TestCase):
         within = [tick for tick in ticks if begin + 0.01 < tick < end - 0.01]
         self.assertGreater(len(within), 5)
 
+    def test_several_threads_ask_the_same_grid(self):
+        expected = pixelexact.probe(self.grid, "u", self.points[:20_000]).values
+        fresh = pixelexact.read(TORUS)
+        found = []
+
+        def ask():
+            inner = []
+
+            def progress(part):  # asks, too
+                inner.append(pixelexact.probe(fresh, "u", [[1.0, 0.0, 0.0]]).values[0])
+
+            values = pixelexact.probe(fresh, "u", self.points[:20_000], progress=progress).values
+            found.append((values, inner))
+
+        threads = [threading.Thread(target=ask) for _ in range(6)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join(60)
+        self.assertEqual(len(found), 6)
+        for values, inner in found:
+            np.testing.assert_array_equal(values, expected)
+            self.assertEqual(set(inner), {inner[0]} if inner else set())
+
     def test_threads_do_not_matter(self):
         all_threads = pixelexact.get_threads()
         before = pixelexact.probe(self.grid, "u", self.points[:5000]).values
