@@ -752,27 +752,35 @@ void vtkHighOrderMapper::TakeRange(const std::array<double, 2>& range)
 }
 
 //------------------------------------------------------------------------------
-void vtkHighOrderMapper::Warn(vtkRenderer* renderer, vtkActor* actor)
+std::vector<std::string> vtkHighOrderMapper::Complaints(
+  const pixelexact::FrameSource& source, vtkActor* actor)
 {
   const bool translucent =
     actor->GetProperty()->GetOpacity() < 1.0 || this->HasTranslucentPolygonalGeometry();
-  const bool mapped = this->ScalarVisibility ||
-    (this->ContourScalarVisibility && this->Data->Drawer.LastSource()->LastContours() != nullptr);
+  const bool mapped =
+    this->ScalarVisibility || (this->ContourScalarVisibility && source.LastContours() != nullptr);
   std::vector<std::string> texts =
     pixelexact::SettingsWithoutEffect(this, actor, translucent, mapped);
   // One plane that is not opaque has nothing behind it.
-  if (this->ContourLabels &&
-    pixelexact::HasTranslucent(this->Data->Drawer.LastSource()->LastScene()))
+  if (this->ContourLabels && pixelexact::HasTranslucent(source.LastScene()))
   {
     texts.emplace_back("ContourLabels: they are not written where a layer is seen through");
   }
-  if (this->Data->Drawer.LastSource()->LastFrame()->counters.cutOff > 0)
+  if (source.LastFrame()->counters.cutOff > 0)
   {
     texts.push_back("at some pixels more than " + std::to_string(pixelexact::Sheets::kMost) +
       " translucent surfaces lie one behind the other, and what is behind these is not drawn: make "
       "some opaque or invisible");
   }
-  for (const std::string& text : this->Data->Drawer.Complain(renderer, actor, std::move(texts)))
+  return texts;
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderMapper::Warn(vtkRenderer* renderer, vtkActor* actor)
+{
+  pixelexact::FrameDrawer& drawer = this->Data->Drawer;
+  for (const std::string& text :
+    drawer.Complain(renderer, actor, this->Complaints(*drawer.LastSource(), actor)))
   {
     vtkWarningMacro(<< text);
   }

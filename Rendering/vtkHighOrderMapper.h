@@ -60,6 +60,7 @@
 #include <memory>     // for the implementation
 #include <optional>   // for picks
 #include <string>     // for the field's name
+#include <vector>     // for warnings
 
 namespace pixelexact
 {
@@ -414,8 +415,9 @@ private:
   void RenderAll(vtkRenderer* renderer, vtkActor* actor);
   void RenderPart(int part, vtkRenderer* renderer, vtkActor* actor);
   /**
-   * Of what is set and has no effect.
+   * Of a frame: what is set and has no effect, and what it lacks.
    */
+  std::vector<std::string> Complaints(const pixelexact::FrameSource& source, vtkActor* actor);
   void Warn(vtkRenderer* renderer, vtkActor* actor);
   /**
    * The range that colours are made with.

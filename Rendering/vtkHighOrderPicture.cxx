@@ -219,6 +219,10 @@ int vtkHighOrderPicture::RequestData(vtkInformation* /*request*/,
     {
       output->ShallowCopy(picture);
       output->GetPointData()->SetActiveScalars("Color");
+      for (const std::string& text : mapper->Complaints(this->Data->Source, this->Actor))
+      {
+        vtkWarningMacro(<< text);
+      }
     }
     return 1;
   }

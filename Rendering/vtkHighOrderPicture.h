@@ -11,7 +11,8 @@
  * The output's scalars are `Color` (RGBA, straight alpha, transparent where there is no cut), lower
  * left pixel first, so that writers of images take it as it is. Beside it are `Verdict` (0 nothing,
  * 1 exact, 2 unknown), `Position`, with contours `Contour`, and with AllBuffers all arrays of
- * vtkHighOrderMapper::GetBuffers. Where something is wrong there is an error and an empty image.
+ * vtkHighOrderMapper::GetBuffers. Where something is wrong there is an error and an empty image;
+ * what is set and has no effect is warned of.
  *
  * The last picture is kept: another lookup table colours it anew, and traces nothing.
  */

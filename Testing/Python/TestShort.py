@@ -176,6 +176,12 @@ class Render(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "leave them out"):
             pixelexact.cut(self.grid, "u", surface=ball, origin=0.1)
 
+    def test_what_has_no_effect_is_warned_of(self):
+        cut = pixelexact.cut(self.grid, "u")
+        cut.actor.GetProperty().SetRepresentationToWireframe()
+        with self.assertWarnsRegex(RuntimeWarning, "Representation"):
+            cut.render(size=(20, 20))
+
     def test_files(self):
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "cut.png"
@@ -266,7 +272,7 @@ class Work(unittest.TestCase):
         self.assertGreater(len(seen), 1)
 
     def test_interrupted(self):
-        many = np.tile(self.points, (20, 1))
+        many = np.tile(self.points, (8, 1))
         timer = threading.Timer(0.1, os.kill, (os.getpid(), signal.SIGINT))
         timer.start()
         with self.assertRaises(KeyboardInterrupt):
