@@ -205,8 +205,9 @@ private:
   std::optional<TraceKey> Traced;   ///< of TheScene; none: nothing to show
   std::optional<ColorKey> Colored;  ///< what Colors and Lights were made of
   std::optional<ColorMapping> Colors;
-  std::optional<Lighting> Lights;
-  std::optional<ElementEdges> Edges;
+  // Not optional, of which g++ 14 believes that it is reset before it holds anything.
+  std::unique_ptr<Lighting> Lights;
+  std::unique_ptr<ElementEdges> Edges;
   FrameContours Contours;
   std::optional<ProgressiveFrame> Passes; ///< of a frame that is not complete
   std::optional<Frame> TheFrame;
