@@ -12,7 +12,7 @@ from pathlib import Path
 # What VTK's wrapping writes for types that are Python's own.
 _PLAIN = {"int", "float", "str", "bool", "None", "Any"}
 _HEAD = """# Made by stubs.py: the classes as VTK wraps them.
-from typing import Any, Callable, Sequence, Union, overload
+from typing import Any, Sequence
 
 """
 
@@ -54,16 +54,13 @@ def signatures(name, text, known):
                 continue
             # Names of parameters differ between releases, and VTK takes none by name.
             words.append(f"__a{i}: {type_of(kind.split('=')[0], known)}")
-        words = words if words and words[0] == "self" else [*words]
         yield words, type_of(line[1] or "Any", known)
 
 
 def method(name, text, known):
     """The definition, or definitions where it is overloaded."""
     found = list(dict.fromkeys((tuple(w), r) for w, r in signatures(name, text or "", known)))
-    if not found:
-        return [f"    def {name}(self, *arguments: Any) -> Any: ..."]
-    if len(found) > 1:
+    if len(found) != 1:
         # Overloads that only differ in what is Any would be refused.
         return [f"    def {name}(self, *arguments: Any) -> Any: ..."]
     words, result = found[0]
@@ -80,10 +77,8 @@ def stub(module):
     for name in sorted(own, key=lambda each: (len(getattr(module, each).__mro__), each)):
         kind = getattr(module, name)
         base = kind.__mro__[1]
-        if base.__module__ == module.__name__:
-            parent = base.__name__
-        else:
-            parent = base.__name__
+        parent = base.__name__
+        if base.__module__ != module.__name__:
             imports.add(f"from {base.__module__} import {base.__name__} as {base.__name__}")
         lines.append(f"class {name}({parent}):")
         members = []
