@@ -16,7 +16,9 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
+#include <thread>
 
 namespace pixelexact
 {
@@ -94,29 +96,66 @@ PointSampling::PointSampling(
   Starts.push_back(static_cast<int>(Order.size()));
 }
 
-void PointSampling::AddFields(const SamplingOptions& options, vtkPointData* output) const
+template <class Work>
+bool PointSampling::ForRuns(const StepProgress& progress, const Work& work) const
 {
-  const auto add = [&](const Field& field)
-  {
-    AddField(field, options.gradients, output);
-    if (options.enclosures)
+  const std::size_t runs = Starts.size() - 1;
+  const auto caller = std::this_thread::get_id();
+  std::atomic<std::size_t> done = 0;
+  std::atomic<bool> stop = false;
+  tbb::parallel_for(std::size_t(0), runs,
+    [&](std::size_t run)
     {
-      AddEnclosures(field, output);
-    }
-  };
-  for (const Field* field : FieldsNamed(Model, options.fields))
-  {
-    add(*field);
-  }
+      if (stop)
+      {
+        return;
+      }
+      work(run);
+      ++done;
+      if (progress && std::this_thread::get_id() == caller &&
+        !progress(static_cast<double>(done) / static_cast<double>(runs)))
+      {
+        stop = true;
+      }
+    });
+  return !stop;
 }
 
-void PointSampling::AddField(const Field& field, bool gradients, vtkPointData* output) const
+bool PointSampling::AddFields(
+  const SamplingOptions& options, vtkPointData* output, const StepProgress& progress) const
+{
+  const std::vector<const Field*> fields = FieldsNamed(Model, options.fields);
+  // An enclosure costs many values.
+  const double ofValues = options.enclosures ? 0.05 : 1.0;
+  const double share = 1.0 / static_cast<double>(std::max<std::size_t>(fields.size(), 1));
+  double begin = 0.0;
+  const auto next = [&](double part) -> StepProgress
+  {
+    const double from = begin;
+    begin += part * share;
+    if (!progress)
+    {
+      return {};
+    }
+    return [&progress, from, part, share](double done)
+    { return progress(from + done * part * share); };
+  };
+  return std::ranges::all_of(fields,
+    [&](const Field* field)
+    {
+      return AddField(*field, options.gradients, output, next(ofValues)) &&
+        (!options.enclosures || AddEnclosures(*field, output, next(1.0 - ofValues)));
+    });
+}
+
+bool PointSampling::AddField(
+  const Field& field, bool gradients, vtkPointData* output, const StepProgress& progress) const
 {
   const int components = field.values.components;
   const auto values = NewDoubles(field.name, components, Points.size());
   const auto slopes =
     NewDoubles(field.name + "_Gradient", 3 * components, gradients ? Points.size() : 0);
-  tbb::parallel_for(std::size_t(0), Starts.size() - 1,
+  const bool done = ForRuns(progress,
     [&](std::size_t run)
     {
       const auto first = static_cast<std::size_t>(Starts[run]);
@@ -146,14 +185,16 @@ void PointSampling::AddField(const Field& field, bool gradients, vtkPointData* o
   {
     output->AddArray(slopes);
   }
+  return done;
 }
 
-void PointSampling::AddEnclosures(const Field& field, vtkPointData* output) const
+bool PointSampling::AddEnclosures(
+  const Field& field, vtkPointData* output, const StepProgress& progress) const
 {
   const int components = field.values.components;
   const auto lower = NewDoubles(field.name + "_lower", components, Points.size());
   const auto upper = NewDoubles(field.name + "_upper", components, Points.size());
-  tbb::parallel_for(std::size_t(0), Starts.size() - 1,
+  const bool done = ForRuns(progress,
     [&](std::size_t run)
     {
       const auto first = static_cast<std::size_t>(Starts[run]);
@@ -177,6 +218,7 @@ void PointSampling::AddEnclosures(const Field& field, vtkPointData* output) cons
     });
   output->AddArray(lower);
   output->AddArray(upper);
+  return done;
 }
 
 void PointSampling::AddBlocks(vtkPointData* output) const

@@ -39,8 +39,10 @@ public:
 
   /// Adds to `output`, one tuple per point: each field (NaN where not inside) and, if asked for,
   /// <field>_Gradient (3 per component, d/dx, d/dy, d/dz in world units), <field>_lower and
-  /// <field>_upper (see EncloseValues). Throws InvalidData for a field that is not there.
-  void AddFields(const SamplingOptions& options, vtkPointData* output) const;
+  /// <field>_upper (see EncloseValues). False where `progress` ended it. Throws
+  /// InvalidData for a field that is not there.
+  bool AddFields(
+    const SamplingOptions& options, vtkPointData* output, const StepProgress& progress = {}) const;
 
   /// Adds Xi (reference coordinates, NaN where not inside), Element (number of the source cell, -1
   /// outside, a candidate where undecided), Verdict (0 outside, 1 inside, 2 unknown) and Residual
@@ -55,9 +57,13 @@ public:
   [[nodiscard]] std::span<const Verdict> Verdicts() const { return TheVerdicts; }
 
 private:
-  void AddField(const Field& field, bool gradients, vtkPointData* output) const;
+  /// work(run) for the runs of points in an element; only the calling thread tells of progress.
+  template <class Work>
+  bool ForRuns(const StepProgress& progress, const Work& work) const;
+  bool AddField(
+    const Field& field, bool gradients, vtkPointData* output, const StepProgress& progress) const;
   void AddBlocks(vtkPointData* output) const;
-  void AddEnclosures(const Field& field, vtkPointData* output) const;
+  bool AddEnclosures(const Field& field, vtkPointData* output, const StepProgress& progress) const;
 
   const HighOrderModel& Model;
   bool Aborted = false;

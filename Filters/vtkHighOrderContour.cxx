@@ -205,7 +205,8 @@ void vtkHighOrderContour::Trace(vtkDataObject* grid, vtkPolyData* output)
     throw InvalidData("there is no cut function; give one with SetCutFunction.");
   }
   const auto model = this->Source->Get(grid, this);
-  const Field& field = FieldIn(*model, this->GetChosenName());
+  const std::string name = this->GetChosenName();
+  const Field& field = FieldIn(*model, name);
   RequireComponent(field, this->Component);
   const Box3 box = model->GetLocator().Bounds();
   const double extent = glm::length(box.upper - box.lower);

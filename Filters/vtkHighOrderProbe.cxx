@@ -111,11 +111,24 @@ int vtkHighOrderProbe::RequestData(vtkInformation* /*request*/, vtkInformationVe
   {
     output->CopyStructure(points);
     const auto model = this->Source->Get(grid, this);
-    this->UpdateProgress(0.2);
-    const pixelexact::PointSampling sampling(*model, pixelexact::PointsOf(points));
-    this->UpdateProgress(0.7);
-    sampling.AddFields(
-      { this->Fields, this->ComputeGradients, this->Enclosures }, output->GetPointData());
+    const auto within = [this](double from, double to)
+    {
+      return [this, from, to](double done)
+      {
+        this->UpdateProgress(from + done * (to - from));
+        return this->GetAbortExecute() == 0;
+      };
+    };
+    const double located = this->Enclosures ? 0.3 : 0.7;
+    const pixelexact::PointSampling sampling(
+      *model, pixelexact::PointsOf(points), within(0.1, located));
+    if (sampling.IsAborted() ||
+      !sampling.AddFields({ this->Fields, this->ComputeGradients, this->Enclosures },
+        output->GetPointData(), within(located, 1.0)))
+    {
+      output->Initialize();
+      return 1;
+    }
     sampling.AddLocations(output->GetPointData());
     if (this->Owners)
     {

@@ -59,10 +59,7 @@ ViewFrame& FrameDrawer::Begin(
     view.source.DropFrame();
     throw;
   }
-  if (vtkProperty* const property = actor->GetProperty(); property->GetEdgeVisibility())
-  {
-    request.edges = EdgeStyle::Plain(property->GetLineWidth(), ToRgba(property->GetEdgeColor()));
-  }
+  request.edges = EdgesOf(actor->GetProperty());
   return view;
 }
 

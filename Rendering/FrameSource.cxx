@@ -171,12 +171,12 @@ void FrameSource::MakeColors(const ColorKey& key)
   Lights.reset();
   if (lit)
   {
-    Lights.emplace(std::move(materials), key.lights, key.lit);
+    Lights = std::make_unique<Lighting>(std::move(materials), key.lights, key.lit);
   }
   Edges.reset();
   if (key.edges)
   {
-    Edges.emplace(*key.edges);
+    Edges = std::make_unique<ElementEdges>(*key.edges);
   }
   Colored = key;
 }
@@ -186,11 +186,11 @@ Pipeline FrameSource::ThePipeline()
   Pipeline pipeline{ { &*Colors }, {} };
   if (Lights)
   {
-    pipeline.colors.push_back(&*Lights);
+    pipeline.colors.push_back(Lights.get());
   }
   if (Edges)
   {
-    pipeline.modules.push_back(&*Edges);
+    pipeline.modules.push_back(Edges.get());
   }
   Contours.AddTo(pipeline);
   return pipeline;

@@ -118,6 +118,9 @@ public:
   /// The last frame, null when there is none or it failed.
   [[nodiscard]] const Frame* LastFrame() const;
 
+  /// Whether there is one, neither coarse nor aborted.
+  [[nodiscard]] bool IsComplete() const { return TheFrame && Complete; }
+
   /// What is known of the last frame's pixels and its contours; null where there are none, or only
   /// a coarse frame.
   [[nodiscard]] const ContourCertifier* LastContours() const
@@ -202,8 +205,9 @@ private:
   std::optional<TraceKey> Traced;   ///< of TheScene; none: nothing to show
   std::optional<ColorKey> Colored;  ///< what Colors and Lights were made of
   std::optional<ColorMapping> Colors;
-  std::optional<Lighting> Lights;
-  std::optional<ElementEdges> Edges;
+  // Not optional, of which g++ 14 believes that it is reset before it holds anything.
+  std::unique_ptr<Lighting> Lights;
+  std::unique_ptr<ElementEdges> Edges;
   FrameContours Contours;
   std::optional<ProgressiveFrame> Passes; ///< of a frame that is not complete
   std::optional<Frame> TheFrame;

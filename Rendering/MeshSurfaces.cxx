@@ -152,7 +152,8 @@ std::shared_ptr<const Surface> MakeIsoSurface(
   {
     throw Error("iso-surface: the mesh carries no field; choose another surface");
   }
-  const Field& field = FieldChoice{ .name = choice.field }.In(*model);
+  const FieldChoice chosen{ .name = choice.field };
+  const Field& field = chosen.In(*model);
   RequireComponent(field, choice.component);
   RequireValue(*model, field, choice.component, choice.value);
   return KeepingAlive(model,

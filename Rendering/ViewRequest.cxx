@@ -6,9 +6,11 @@
 
 #include "Core/Location/Locator.h"
 
+#include "vtkActor.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
+#include "vtkProperty.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
@@ -70,7 +72,7 @@ void CompleteRequest(const DataView& view, FrameRequest& request)
   request.camera = SetupOf(renderer->GetActiveCamera(), view.width, view.height,
     renderer->GetTiledAspectRatio(), view.dataToWorld);
   request.lights = LightsOf(renderer);
-  request.lit = LitViewOf(renderer, view.dataToWorld);
+  request.lit = LitViewOf(renderer->GetActiveCamera(), view.dataToWorld);
   request.translucent = view.opacity < 1.0;
   request.kept = ClippingPlanesOf(view.mapper, view.dataToWorld);
   // What lies before the near plane shows what is behind it. VTK puts that plane before all that is
@@ -80,6 +82,21 @@ void CompleteRequest(const DataView& view, FrameRequest& request)
   if (CutsInto(beyondNear, request.model->GetLocator().Bounds()))
   {
     request.kept.push_back(beyondNear);
+  }
+}
+
+void CompleteRequest(const CameraSight& sight, FrameRequest& request)
+{
+  vtkMatrix4x4* const dataToWorld = sight.actor->GetMatrix();
+  request.camera = SetupOf(sight.camera, sight.width, sight.height, 0.0, dataToWorld);
+  request.lights = { Light{ .headlight = true } };
+  request.lit = LitViewOf(sight.camera, dataToWorld);
+  request.kept = ClippingPlanesOf(sight.mapper, dataToWorld);
+  request.edges = EdgesOf(sight.actor->GetProperty());
+  // No compositor applies it afterwards.
+  for (LayerRequest& layer : request.layers)
+  {
+    layer.opacity *= sight.actor->GetProperty()->GetOpacity();
   }
 }
 } // namespace pixelexact

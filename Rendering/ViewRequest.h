@@ -6,6 +6,8 @@
 
 #include <vector>
 
+class vtkActor;
+class vtkCamera;
 class vtkMapper;
 class vtkMatrix4x4;
 class vtkRenderer;
@@ -30,6 +32,20 @@ std::vector<KeptHalfSpace> ClippingPlanesOf(vtkMapper* mapper, vtkMatrix4x4* dat
 /// Fills in what a view says of a request: camera, half-spaces, lights. Throws Error where the
 /// matrix has no inverse.
 void CompleteRequest(const DataView& view, FrameRequest& request);
+
+/// How a camera sees a mapper's data, without a renderer.
+struct CameraSight
+{
+  vtkCamera* camera = nullptr;
+  vtkActor* actor = nullptr;
+  vtkMapper* mapper = nullptr; ///< for its clipping planes
+  int width = 0;               ///< pixels
+  int height = 0;
+};
+
+/// The same in the light of one headlight, with the actor's opacity and edges; the camera's
+/// clipping range does not count. Throws Error where the actor's matrix has no inverse.
+void CompleteRequest(const CameraSight& sight, FrameRequest& request);
 
 /// The projection of OpenGL's geometry, from data space.
 DepthRows DepthRowsOf(vtkRenderer* renderer, vtkMatrix4x4* dataToWorld);

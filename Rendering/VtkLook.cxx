@@ -86,9 +86,8 @@ std::vector<Light> LightsOf(vtkRenderer* renderer)
   return lights;
 }
 
-LitView LitViewOf(vtkRenderer* renderer, vtkMatrix4x4* dataToWorld)
+LitView LitViewOf(vtkCamera* camera, vtkMatrix4x4* dataToWorld)
 {
-  vtkCamera* camera = renderer->GetActiveCamera();
   LitView view;
   camera->GetPosition(glm::value_ptr(view.eye));
   camera->GetDirectionOfProjection(glm::value_ptr(view.direction));
@@ -102,5 +101,14 @@ LitView LitViewOf(vtkRenderer* renderer, vtkMatrix4x4* dataToWorld)
     view.offset[row] = dataToWorld->GetElement(row, 3);
   }
   return view;
+}
+
+std::optional<EdgeStyle> EdgesOf(vtkProperty* property)
+{
+  if (!property->GetEdgeVisibility())
+  {
+    return std::nullopt;
+  }
+  return EdgeStyle::Plain(property->GetLineWidth(), ToRgba(property->GetEdgeColor()));
 }
 } // namespace pixelexact

@@ -3,11 +3,13 @@
 
 #include "PixelExactRenderingModule.h"
 #include "Trace/Modules/ColorMapping.h"
+#include "Trace/Modules/ElementEdges.h"
 #include "Trace/Modules/Lighting.h"
 
 #include <optional>
 #include <vector>
 
+class vtkCamera;
 class vtkMatrix4x4;
 class vtkProperty;
 class vtkRenderer;
@@ -29,7 +31,10 @@ namespace pixelexact
 /// The renderer's lights that are switched on, in world coordinates.
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT std::vector<Light> LightsOf(vtkRenderer* renderer);
 
-/// The renderer's camera, for samples in the space that `dataToWorld` leads from.
+/// The camera, for samples in the space that `dataToWorld` leads from.
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT LitView LitViewOf(
-  vtkRenderer* renderer, vtkMatrix4x4* dataToWorld);
+  vtkCamera* camera, vtkMatrix4x4* dataToWorld);
+
+/// Lines between elements, where the property makes edges visible.
+[[nodiscard]] PIXELEXACTRENDERING_EXPORT std::optional<EdgeStyle> EdgesOf(vtkProperty* property);
 } // namespace pixelexact

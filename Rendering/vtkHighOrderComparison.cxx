@@ -217,7 +217,8 @@ bool vtkHighOrderComparison::Compare(
     throw Error("Size: there must be at least a pixel each way.");
   }
   const auto model = this->Model->Of(grid);
-  const Field& field = FieldChoice{ this->FieldName }.In(*model);
+  const FieldChoice chosen{ this->FieldName };
+  const Field& field = chosen.In(*model);
   RequireComponent(field, this->Component);
   Scene scene{ &model->GetLocator(), {}, {} };
   scene.layers.push_back(

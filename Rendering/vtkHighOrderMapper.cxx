@@ -9,6 +9,8 @@
 #include "LayerRequests.h"
 #include "MapperExecutive.h"
 #include "StockSettings.h"
+#include "ViewRequest.h"
+#include "VtkColorMap.h"
 #include "VtkLook.h"
 #include "vtkHighOrderLayer.h"
 #include "vtkHighOrderSurface.h"
@@ -343,6 +345,21 @@ vtkIdType vtkHighOrderMapper::GetNumberOfNumericHits()
 }
 
 //------------------------------------------------------------------------------
+bool vtkHighOrderMapper::IsFrameComplete()
+{
+  const pixelexact::FrameSource* source = this->Data->Drawer.LastSource();
+  return source != nullptr && source->IsComplete();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkHighOrderMapper::GetNumberOfUnknownPixels()
+{
+  pixelexact::FrameSource* source = this->Data->Drawer.LastSource();
+  const pixelexact::Frame* frame = source != nullptr ? source->LastFrame() : nullptr;
+  return frame != nullptr ? frame->counters.unknown : 0;
+}
+
+//------------------------------------------------------------------------------
 void vtkHighOrderMapper::AddLayer(vtkHighOrderLayer* layer)
 {
   if (layer != nullptr)
@@ -504,6 +521,19 @@ void vtkHighOrderMapper::SetScalarRange(double lower, double upper)
 {
   this->SetRangeMode(RANGE_AS_SET);
   this->Superclass::SetScalarRange(lower, upper);
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderMapper::SetColorMap(const std::string& name)
+{
+  try
+  {
+    this->SetLookupTable(pixelexact::MakeColorMap(name, { 0.0, 1.0 }));
+  }
+  catch (const pixelexact::Error& error)
+  {
+    vtkErrorMacro("SetColorMap: " << error.what());
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -722,27 +752,35 @@ void vtkHighOrderMapper::TakeRange(const std::array<double, 2>& range)
 }
 
 //------------------------------------------------------------------------------
-void vtkHighOrderMapper::Warn(vtkRenderer* renderer, vtkActor* actor)
+std::vector<std::string> vtkHighOrderMapper::Complaints(
+  const pixelexact::FrameSource& source, vtkActor* actor)
 {
   const bool translucent =
     actor->GetProperty()->GetOpacity() < 1.0 || this->HasTranslucentPolygonalGeometry();
-  const bool mapped = this->ScalarVisibility ||
-    (this->ContourScalarVisibility && this->Data->Drawer.LastSource()->LastContours() != nullptr);
+  const bool mapped =
+    this->ScalarVisibility || (this->ContourScalarVisibility && source.LastContours() != nullptr);
   std::vector<std::string> texts =
     pixelexact::SettingsWithoutEffect(this, actor, translucent, mapped);
   // One plane that is not opaque has nothing behind it.
-  if (this->ContourLabels &&
-    pixelexact::HasTranslucent(this->Data->Drawer.LastSource()->LastScene()))
+  if (this->ContourLabels && pixelexact::HasTranslucent(source.LastScene()))
   {
     texts.emplace_back("ContourLabels: they are not written where a layer is seen through");
   }
-  if (this->Data->Drawer.LastSource()->LastFrame()->counters.cutOff > 0)
+  if (source.LastFrame()->counters.cutOff > 0)
   {
     texts.push_back("at some pixels more than " + std::to_string(pixelexact::Sheets::kMost) +
       " translucent surfaces lie one behind the other, and what is behind these is not drawn: make "
       "some opaque or invisible");
   }
-  for (const std::string& text : this->Data->Drawer.Complain(renderer, actor, std::move(texts)))
+  return texts;
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderMapper::Warn(vtkRenderer* renderer, vtkActor* actor)
+{
+  pixelexact::FrameDrawer& drawer = this->Data->Drawer;
+  for (const std::string& text :
+    drawer.Complain(renderer, actor, this->Complaints(*drawer.LastSource(), actor)))
   {
     vtkWarningMacro(<< text);
   }
@@ -758,6 +796,49 @@ std::optional<pixelexact::PickedSample> vtkHighOrderMapper::PickSample(
     return std::nullopt;
   }
   return pixelexact::Pick(this->Data->Picks, request, ray, this);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> vtkHighOrderMapper::TracePicture(pixelexact::FrameSource& source,
+  const pixelexact::CameraSight& sight, bool allBuffers,
+  const std::function<bool(double)>& progress)
+{
+  if (!this->Static && this->GetNumberOfInputConnections(0) > 0)
+  {
+    this->Update();
+  }
+  pixelexact::FrameRequest request = this->Data->Request(this, sight.actor);
+  if (request.layers.empty())
+  {
+    throw pixelexact::Error(
+      "nothing to cut with, or no layer is visible: call SetCutFunction, SetSurface or AddLayer");
+  }
+  pixelexact::CompleteRequest(sight, request);
+  const pixelexact::Frame* frame = &source.Render(request, progress);
+  if (source.IsComplete() && request.fitted != nullptr)
+  {
+    const auto fitted = pixelexact::ColorRanges::OfFrame(*frame, request, request.fitted);
+    if (fitted && pixelexact::ColorRanges::Set(request.fitted, *fitted))
+    {
+      this->TakeRange(*fitted);
+      frame = &source.Render(request, progress);
+    }
+  }
+  if (!source.IsComplete())
+  {
+    return nullptr;
+  }
+  if (allBuffers)
+  {
+    frame = source.FrameWithAllBuffers();
+  }
+  auto picture =
+    pixelexact::ToImageData(*frame, source.Model()->SourceCells(), source.Model()->Blocks());
+  if (const pixelexact::ContourCertifier* contours = source.LastContours())
+  {
+    pixelexact::AddContours(*picture, contours->Verdicts());
+  }
+  return picture;
 }
 
 //------------------------------------------------------------------------------

@@ -53,14 +53,19 @@
 
 #include "PixelExactRenderingModule.h"
 #include "vtkMapper.h"
+#include "vtkSmartPointer.h" // for pictures
 
-#include <array>    // for ranges
-#include <memory>   // for the implementation
-#include <optional> // for picks
-#include <string>   // for the field's name
+#include <array>      // for ranges
+#include <functional> // for progress
+#include <memory>     // for the implementation
+#include <optional>   // for picks
+#include <string>     // for the field's name
+#include <vector>     // for warnings
 
 namespace pixelexact
 {
+class FrameSource;
+struct CameraSight;
 struct PickRay;
 struct PickedSample;
 } // namespace pixelexact
@@ -149,6 +154,16 @@ public:
    * forms. Samples outside of the mesh do not count.
    */
   vtkIdType GetNumberOfNumericHits();
+
+  ///@{
+  /**
+   * Of the last frame: whether it is exact in every pixel that is decided, and not one of the
+   * coarse ones that are shown while the window is in a hurry (see SetProgressive), nor aborted;
+   * and how many of its pixels have the UnknownColor. False and 0 where there is none.
+   */
+  bool IsFrameComplete();
+  vtkIdType GetNumberOfUnknownPixels();
+  ///@}
 
   ///@{
   /**
@@ -290,6 +305,13 @@ public:
   void SetScalarRange(double lower, double upper) override;
   ///@}
 
+  /**
+   * Gives the mapper a lookup table of one of the maps that the command-line program has: viridis,
+   * inferno, plasma, coolwarm, jet, rainbow, grayscale. An error, which lists them, for another
+   * name.
+   */
+  void SetColorMap(const std::string& name);
+
   ///@{
   /**
    * RGBA of the pixels whose element could not be decided. The default is magenta.
@@ -382,6 +404,7 @@ protected:
 
 private:
   friend class vtkHighOrderPicker;
+  friend class vtkHighOrderPicture;
   friend class vtkHighOrderRayPass;
   vtkHighOrderMapper(const vtkHighOrderMapper&) = delete;
   void operator=(const vtkHighOrderMapper&) = delete;
@@ -392,8 +415,9 @@ private:
   void RenderAll(vtkRenderer* renderer, vtkActor* actor);
   void RenderPart(int part, vtkRenderer* renderer, vtkActor* actor);
   /**
-   * Of what is set and has no effect.
+   * Of a frame: what is set and has no effect, and what it lacks.
    */
+  std::vector<std::string> Complaints(const pixelexact::FrameSource& source, vtkActor* actor);
   void Warn(vtkRenderer* renderer, vtkActor* actor);
   /**
    * The range that colours are made with.
@@ -405,6 +429,14 @@ private:
    */
   std::optional<pixelexact::PickedSample> PickSample(
     const pixelexact::PickRay& ray, vtkActor* actor);
+
+  /**
+   * What is shown, through a camera and without a renderer; null where it was aborted. Throws
+   * pixelexact::Error.
+   */
+  vtkSmartPointer<vtkImageData> TracePicture(pixelexact::FrameSource& source,
+    const pixelexact::CameraSight& sight, bool allBuffers,
+    const std::function<bool(double)>& progress);
 
   struct Internals;
   std::unique_ptr<Internals> Data;

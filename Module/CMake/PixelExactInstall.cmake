@@ -20,3 +20,5 @@ install(
   DESTINATION "${PIXELEXACT_CMAKE_DESTINATION}")
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE"
   DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/licenses/PixelExact")
+
+include(PixelExactPackage)

@@ -7,6 +7,9 @@ function(pixelexact_add_library name)
 
   add_library(${name} SHARED ${arg_SOURCES})
   add_library(PixelExact::${name} ALIAS ${name})
+  set_target_properties(${name} PROPERTIES
+    VERSION "${PROJECT_VERSION}"
+    SOVERSION "${PIXELEXACT_SOVERSION}")
   target_compile_features(${name} PUBLIC cxx_std_20)
   target_include_directories(${name} PUBLIC
     $<BUILD_INTERFACE:${arg_INCLUDE_ROOT}>

@@ -11,6 +11,9 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 set(BUILD_SHARED_LIBS ON)
 
+# Before 1.0 each minor version may break what is linked with it.
+set(PIXELEXACT_SOVERSION "${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}")
+
 # The same layout in the build and in the install tree, on every distribution.
 set(CMAKE_INSTALL_LIBDIR lib CACHE PATH "Where libraries go below the prefix")
 include(GNUInstallDirs)

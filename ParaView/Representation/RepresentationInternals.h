@@ -12,7 +12,9 @@
 #include "vtkDataObject.h"
 #include "vtkImplicitFunction.h"
 #include "vtkNew.h"
+#include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
 
 #include <array>
 #include <set>
@@ -34,6 +36,11 @@ struct vtkPixelExactRepresentation::Internals
   std::string ColorArray;
   pixelexact::ShownRange Range;
   std::array<double, 2> FieldRange;
+  vtkWeakPointer<vtkRenderer> Renderer;
+  vtkWeakPointer<vtkDataObject> Delivered; ///< what the mapper shows
+  std::array<int, 2> PickedPixel = { -1, -1 };
+  std::array<double, 11> Picked;
+  std::string PickedText;
   std::set<std::string> Selectors;
   bool HasBlockColors = false;
   bool HasBlockOpacities = false;

@@ -159,6 +159,7 @@ int vtkPixelExactRepresentation::ProcessViewRequest(
     if (isThere)
     {
       my.Mapper->SetInputData(delivered);
+      my.Delivered = delivered;
       this->ChooseSurface();
       this->Warn(delivered);
     }
@@ -231,6 +232,8 @@ bool vtkPixelExactRepresentation::AddToView(vtkView* view)
     return false;
   }
   renderView->GetRenderer()->AddActor(this->Data->Actor);
+  renderView->RegisterPropForHardwareSelection(this, this->Data->Actor);
+  this->Data->Renderer = renderView->GetRenderer();
   return this->Superclass::AddToView(view);
 }
 
@@ -242,6 +245,8 @@ bool vtkPixelExactRepresentation::RemoveFromView(vtkView* view)
   {
     return false;
   }
+  renderView->UnRegisterPropForHardwareSelection(this, this->Data->Actor);
   renderView->GetRenderer()->RemoveActor(this->Data->Actor);
+  this->Data->Renderer = nullptr;
   return this->Superclass::RemoveFromView(view);
 }

@@ -106,6 +106,24 @@ public:
 
   ///@{
   /**
+   * What a pixel of the view shows (from 0, the lower left one; below 0: none), once it was
+   * rendered, see vtkHighOrderPicker: verdict (0 no cut, 1 exact, 2 undecided), element, xi (3),
+   * value, the two ends of an interval proven to hold it (of scalar fields), position in the data's
+   * coordinates (3); NaN, of the element -1, where there is none. And the same as a text, empty
+   * where there is no cut.
+   */
+  void SetPickedPixel(int x, int y);
+  double* GetPicked() VTK_SIZEHINT(11);
+  const char* GetPickedText();
+  ///@}
+
+  /**
+   * Of the last picture: pixels whose element could not be decided; they are magenta.
+   */
+  vtkIdType GetNumberOfUnknownPixels();
+
+  ///@{
+  /**
    * As those of vtkProperty and vtkActor.
    */
   void SetAmbientColor(double red, double green, double blue);

@@ -196,14 +196,20 @@ void BeginPipeline(const Pipeline& pipeline, Frame& frame)
     return;
   }
   const std::size_t bytes = 4 * frame.centres.Size();
-  frame.centres.color.assign(bytes, 0);
+  const auto clear = [](std::vector<std::uint8_t>& color, std::size_t size)
+  {
+    // Not assign(), of which g++ 14 believes that it may run over.
+    color.clear();
+    color.resize(size);
+  };
+  clear(frame.centres.color, bytes);
   for (SampleBuffers& sheet : frame.centres.behind)
   {
-    sheet.color.assign(bytes, 0);
+    clear(sheet.color, bytes);
   }
   // Else the nearest samples' colours are the image.
   const bool hasImage = !frame.centres.behind.empty() || !pipeline.modules.empty();
-  frame.color.assign(hasImage ? bytes : 0, 0);
+  clear(frame.color, hasImage ? bytes : 0);
 }
 
 namespace

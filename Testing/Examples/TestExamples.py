@@ -53,6 +53,33 @@ class Examples(unittest.TestCase):
         self.assertEqual((width, height), (800, 800))
         self.assertGreater(count, 200)
 
+    def test_short_values(self):
+        table = self.folder / "values.csv"
+        mesh = EXAMPLES.parent / "Data" / "escher_tet_g3_p3.vtu"
+        text = self.run_example("short_values.py", mesh, table)
+        self.assertIn("477 of 1001 points are inside", text)
+        rows = table.read_text(encoding="utf-8").splitlines()
+        self.assertEqual(rows[0], "x,y,z,u,lower,upper,d/dx,d/dy,d/dz,element")
+        self.assertEqual(len(rows), 478)
+        for row in rows[1:]:
+            value, lower, upper = map(float, row.split(",")[3:6])
+            self.assertLessEqual(lower, value)
+            self.assertLessEqual(value, upper)
+
+    def test_short_pictures(self):
+        text = self.run_example("short_pictures.py", self.folder, 200)
+        self.assertEqual(text.count(" 0 pixels unknown"), 5)
+        for picture in self.folder.glob("*.png"):
+            self.assertEqual(colors(picture)[:2], (200, 200))
+            self.assertGreater(colors(picture)[2], 100)
+        self.assertEqual(len(list(self.folder.glob("*.png"))), 5)
+
+    def test_short_check(self):
+        text = self.run_example("short_check.py")
+        differences = [float(each) for each in re.findall(r"difference (\S+)", text)]
+        self.assertEqual(len(differences), 6)
+        self.assertLess(max(differences), 1e-13)
+
     def test_readme_picture(self):
         self.run_example("readme_picture.py", self.image, 240)
         width, height, count = colors(self.image)

@@ -22,6 +22,8 @@ CLASSES = [
     "vtkHighOrderMapper",
     "vtkHighOrderPatchSurface",
     "vtkHighOrderPicker",
+    "vtkHighOrderPicture",
+    "vtkHighOrderPlotOverLine",
     "vtkHighOrderProbe",
     "vtkHighOrderRayPass",
     "vtkHighOrderSeriesReader",

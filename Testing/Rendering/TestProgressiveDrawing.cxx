@@ -75,6 +75,8 @@ protected:
 TEST_F(Dragging, CoarseFirstThenFinerUntilItIsExact)
 {
   EXPECT_EQ(Coarse(), 0);
+  EXPECT_TRUE(Scene.Mapper->IsFrameComplete());
+  EXPECT_EQ(Scene.Mapper->GetNumberOfUnknownPixels(), 0);
   Move();
   int before = Window::kWidth * Window::kHeight;
   for (int traces = 2; traces <= 5; ++traces)
@@ -118,7 +120,9 @@ TEST_F(Dragging, ScreenshotsAreExact)
     Move();
     Shown.Render();
     EXPECT_GT(Coarse(), 0);
+    EXPECT_FALSE(Scene.Mapper->IsFrameComplete());
     EXPECT_EQ(Differing(Screenshot(Shown), Screenshot(Wanted)), 0);
+    EXPECT_TRUE(Scene.Mapper->IsFrameComplete());
   }
 }
 

@@ -5,7 +5,7 @@
 #   test.sh --quick   dependencies, build and tests: for a first look
 #
 # PIXELEXACT_TEST_STAGES selects from (default: all, in this order)
-#   dependencies build test paraview instructions sanitize fuzz format tidy
+#   dependencies build test package paraview instructions sanitize fuzz format tidy
 # A stage that takes longer than its budget, made for two cores, is told at the end. After
 # PIXELEXACT_DEADLINE seconds in all (4800) what runs is ended and what is left fails: whoever stops a
 # run after 90 minutes still gets its report.
@@ -14,12 +14,12 @@
 set -uo pipefail
 cd "$(dirname "$0")/../.."
 
-stages=${PIXELEXACT_TEST_STAGES:-dependencies build test paraview instructions sanitize fuzz format tidy}
+stages=${PIXELEXACT_TEST_STAGES:-dependencies build test package paraview instructions sanitize fuzz format tidy}
 if [[ "${1:-}" == --quick ]]; then
   stages="dependencies build test"
 fi
 # In seconds. The network has none.
-declare -A budgets=([build]=1500 [test]=400 [paraview]=480 [instructions]=240 [sanitize]=1900
+declare -A budgets=([build]=1500 [test]=400 [package]=300 [paraview]=480 [instructions]=240 [sanitize]=1900
   [fuzz]=400 [format]=60 [tidy]=720)
 deadline=${PIXELEXACT_DEADLINE:-4800}
 build=build
@@ -122,6 +122,23 @@ stage_build() {
 
 stage_test() {
   run_ctest "$build"
+}
+
+# Debian's package, in a clean system of the same release.
+stage_package() {
+  local release package
+  release=$(. /etc/os-release && echo "$ID ${VERSION_CODENAME:-}")
+  if [[ $EUID -ne 0 || "$release" != "debian "* ]]; then
+    echo "skipped: a clean Debian is made and entered by root, on Debian"
+    skipped=$((skipped + 1))
+    return
+  fi
+  rm -f "$build"/*.deb
+  { (cd "$build" && limited cpack -G DEB) &&
+    limited ./Testing/Scripts/package.sh "$build"/*.deb "${release#debian }" "$PWD/$build/package"; } 2>&1 |
+    tee "$build/package.log"
+  count $? "$build/package.log"
+  rm -rf --one-file-system "$build/package"
 }
 
 # The plugin alone, in scripts that pvbatch runs. What is free of VTK comes from ccache.

@@ -1,7 +1,10 @@
 """Implicit functions that are written in Python."""
 
+from __future__ import annotations
+
 import _thread
 import threading
+from typing import Any, Callable, Optional
 
 from .PixelExactRendering import vtkImplicitCallback
 
@@ -9,18 +12,18 @@ from .PixelExactRendering import vtkImplicitCallback
 _SECONDS_UNTIL_INTERRUPT = 0.05
 
 
-def _interrupt_soon():
+def _interrupt_soon() -> None:
     timer = threading.Timer(_SECONDS_UNTIL_INTERRUPT, _thread.interrupt_main)
     timer.daemon = True
     timer.start()
 
 
-def _observer(function, answers):
+def _observer(function: Callable[[Any], Any], answers: str) -> Callable[[Any, str], None]:
     """An observer that hands points to a function and takes its answers to an array."""
     import numpy
     from vtkmodules.util.numpy_support import vtk_to_numpy
 
-    def observe(caller, _event):
+    def observe(caller: Any, _event: str) -> None:
         try:
             points = numpy.array(vtk_to_numpy(caller.GetPoints()))
             room = vtk_to_numpy(getattr(caller, answers)())
@@ -38,7 +41,9 @@ def _observer(function, answers):
     return observe
 
 
-def implicit_function(function, gradient=None):
+def implicit_function(
+    function: Callable[[Any], Any], gradient: Optional[Callable[[Any], Any]] = None
+) -> vtkImplicitCallback:
     """A vtkImplicitFunction of a Python function: the surface is where it is 0.
 
     function: takes points, an array of shape (n, 3), and returns n finite real numbers.

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHighOrderPlotOverLine.h"
+
+#include "Core/Base/Error.h"
+#include "LineBreaks.h"
+#include "ModelSource.h"
+#include "PointSampling.h"
+
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <iterator>
+
+vtkStandardNewMacro(vtkHighOrderPlotOverLine);
+
+vtkHighOrderPlotOverLine::vtkHighOrderPlotOverLine()
+  : Source(std::make_unique<pixelexact::ModelSource>())
+{
+}
+
+vtkHighOrderPlotOverLine::~vtkHighOrderPlotOverLine() = default;
+
+void vtkHighOrderPlotOverLine::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const auto point = [&](const char* name, const double* x)
+  { os << indent << name << ": " << x[0] << " " << x[1] << " " << x[2] << "\n"; };
+  point("Point1", this->Point1);
+  point("Point2", this->Point2);
+  os << indent << "Resolution: " << this->Resolution << "\n";
+  os << indent << "ElementBoundaries: " << (this->ElementBoundaries ? "on" : "off") << "\n";
+  os << indent << "ComputeGradients: " << (this->ComputeGradients ? "on" : "off") << "\n";
+  os << indent << "Enclosures: " << (this->Enclosures ? "on" : "off") << "\n";
+  os << indent << "Fields: " << (this->Fields.empty() ? "(all)" : "");
+  for (const std::string& field : this->Fields)
+  {
+    os << " " << field;
+  }
+  os << "\n";
+}
+
+void vtkHighOrderPlotOverLine::AddField(const std::string& name)
+{
+  this->Fields.push_back(name);
+  this->Modified();
+}
+
+void vtkHighOrderPlotOverLine::ClearFields()
+{
+  this->Fields.clear();
+  this->Modified();
+}
+
+int vtkHighOrderPlotOverLine::FillInputPortInformation(int /*port*/, vtkInformation* info)
+{
+  pixelexact::TakeGrids(info);
+  return 1;
+}
+
+int vtkHighOrderPlotOverLine::RequestUpdateExtent(vtkInformation* /*request*/,
+  vtkInformationVector** inputVector, vtkInformationVector* /*outputVector*/)
+{
+  pixelexact::AskForWhole(inputVector[0]);
+  return 1;
+}
+
+void vtkHighOrderPlotOverLine::Plot(vtkDataObject* grid, vtkPolyData* output)
+{
+  using pixelexact::Vec3;
+  const Vec3 start(this->Point1[0], this->Point1[1], this->Point1[2]);
+  const Vec3 end(this->Point2[0], this->Point2[1], this->Point2[2]);
+  const double length = glm::length(end - start);
+  if (!std::isfinite(length) || !(length > 0.0))
+  {
+    throw pixelexact::Error(
+      "Point1 and Point2 must be finite, and not the same; they are the ends of the line");
+  }
+  const auto model = this->Source->Get(grid, this);
+  this->UpdateProgress(0.1);
+  std::vector<double> places(static_cast<std::size_t>(this->Resolution) + 1);
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    places[i] = static_cast<double>(i) / this->Resolution;
+  }
+  if (this->ElementBoundaries)
+  {
+    const std::vector<double> breaks = pixelexact::LineBreaks(*model, start, end, places);
+    std::vector<double> all;
+    std::ranges::merge(places, breaks, std::back_inserter(all));
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    places = std::move(all);
+  }
+  this->UpdateProgress(0.3);
+
+  const auto count = static_cast<vtkIdType>(places.size());
+  std::vector<Vec3> line(places.size());
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(count);
+  vtkNew<vtkDoubleArray> distance;
+  distance->SetName("arc_length");
+  distance->SetNumberOfTuples(count);
+  vtkNew<vtkCellArray> cells;
+  cells->InsertNextCell(static_cast<int>(count));
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const auto k = static_cast<std::size_t>(i);
+    line[k] = start + places[k] * (end - start);
+    points->SetPoint(i, line[k].x, line[k].y, line[k].z);
+    distance->SetValue(i, places[k] * length);
+    cells->InsertCellPoint(i);
+  }
+  output->SetPoints(points);
+  output->SetLines(cells);
+  vtkPointData* data = output->GetPointData();
+  data->AddArray(distance);
+
+  const auto within = [this](double from, double to)
+  {
+    return [this, from, to](double done)
+    {
+      this->UpdateProgress(from + done * (to - from));
+      return this->GetAbortExecute() == 0;
+    };
+  };
+  const pixelexact::PointSampling sampling(*model, std::move(line), within(0.3, 0.6));
+  if (sampling.IsAborted() ||
+    !sampling.AddFields(
+      { this->Fields, this->ComputeGradients, this->Enclosures }, data, within(0.6, 1.0)))
+  {
+    output->Initialize();
+    return;
+  }
+  sampling.AddLocations(data);
+}
+
+int vtkHighOrderPlotOverLine::RequestData(vtkInformation* /*request*/,
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  auto* output = vtkPolyData::GetData(outputVector);
+  try
+  {
+    this->Plot(vtkDataObject::GetData(inputVector[0]), output);
+    return 1;
+  }
+  catch (const std::exception& error) // memory may run out too
+  {
+    output->Initialize();
+    vtkErrorMacro(<< error.what());
+    return 0;
+  }
+}

@@ -1,0 +1,169 @@
+"""Cuts for windows: an actor and its scalar bar."""
+
+from __future__ import annotations
+
+from typing import Any, Iterator, Optional, Sequence, Union
+
+from vtkmodules.vtkCommonCore import vtkScalarsToColors
+from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
+from vtkmodules.vtkRenderingCore import vtkActor
+
+from ._scene import (
+    Normal,
+    Surface,
+    Vector,
+    component_of,
+    source_of,
+    surface_of,
+    values_of,
+)
+from ._work import Error, Progress
+from .PixelExactRendering import vtkHighOrderMapper, vtkHighOrderSurface
+
+Limits = Union[None, str, Sequence[float]]
+
+
+class Cut:
+    """A cut through a field, to be added to a vtkRenderer or a pyvista.Plotter.
+
+    actor, scalar_bar, mapper (a vtkHighOrderMapper: all else is set there), surface. It may be
+    unpacked: actor, scalar_bar = pixelexact.cut(...). In notebooks it shows as a picture.
+    """
+
+    def __init__(self, actor: Any, scalar_bar: Any, mapper: Any, surface: Any) -> None:
+        self.actor = actor
+        self.scalar_bar = scalar_bar
+        self.mapper = mapper
+        self.surface = surface
+
+    def __iter__(self) -> Iterator[Any]:
+        return iter((self.actor, self.scalar_bar))
+
+    def render(self, **view: Any) -> Any:
+        """A Picture of it; see render for size, camera and the rest of a view."""
+        from ._picture import picture_of
+
+        return picture_of(self, **view)
+
+    def _repr_png_(self) -> bytes:
+        return bytes(self.render(size=(600, 600))._repr_png_())
+
+
+def _fields_of(source: Any) -> list[str]:
+    if not hasattr(source, "GetNumberOfHighOrderFields"):
+        return []  # composite data: the mapper knows
+    return [source.GetHighOrderFieldName(i) for i in range(source.GetNumberOfHighOrderFields())]
+
+
+def check_field(source: Any, field: Optional[str]) -> None:
+    """Raises Error where a grid lacks the field; of composite data the classes themselves tell."""
+    names = _fields_of(source)
+    if field is not None and names and field not in names:
+        raise Error(f"there is no field '{field}'; there are: {', '.join(names)}")
+
+
+def _set_range(mapper: Any, clim: Limits) -> None:
+    if clim is None or clim == "field":
+        mapper.SetRangeModeToField()
+    elif clim == "cut":
+        mapper.SetRangeModeToCut()
+    elif isinstance(clim, str) or len(clim) != 2 or not float(clim[0]) <= float(clim[1]):
+        raise ValueError(f"clim: 'field', 'cut' or (lowest, highest), not {clim!r}")
+    else:
+        mapper.SetScalarRange(float(clim[0]), float(clim[1]))
+
+
+def _set_colors(mapper: Any, cmap: Union[str, vtkScalarsToColors]) -> None:
+    if isinstance(cmap, vtkScalarsToColors):
+        mapper.SetLookupTable(cmap)
+        return
+    complaints: list[str] = []
+
+    def listen(_caller: Any, _event: str, text: str) -> None:
+        complaints.append(text.split("SetColorMap: ")[-1].strip())
+
+    listen.CallDataType = "string0"  # type: ignore[attr-defined]
+    tag = mapper.AddObserver("ErrorEvent", listen)
+    mapper.SetColorMap(cmap)
+    mapper.RemoveObserver(tag)
+    if complaints:
+        raise ValueError(f"cmap: {complaints[0]}")
+
+
+def _bar_of(mapper: Any, title: str) -> Any:
+    bar = vtkScalarBarActor()
+    bar.SetLookupTable(mapper.GetLookupTable())
+    bar.SetTitle(title)
+    bar.SetMaximumWidthInPixels(80)
+    bar.SetUnconstrainedFontSize(True)
+    for text in (bar.GetTitleTextProperty(), bar.GetLabelTextProperty()):
+        text.SetFontSize(16)
+        text.SetColor(0.5, 0.5, 0.5)  # seen on white and on black
+        text.ItalicOff()
+        text.BoldOff()
+        text.ShadowOff()
+    return bar
+
+
+def _between(whole: Cut, clim: Limits) -> Sequence[float]:
+    from ._picture import known_range
+
+    return known_range(whole) if clim is None or isinstance(clim, str) else clim
+
+
+def cut(
+    grid: Any,
+    field: Optional[str] = None,
+    *,
+    normal: Normal = "z",
+    origin: Union[float, Vector, None] = None,
+    surface: Surface = None,
+    component: Union[int, str, None] = None,
+    clim: Limits = None,
+    cmap: Union[str, vtkScalarsToColors] = "viridis",
+    contours: Union[int, Sequence[float], None] = None,
+    edges: Union[bool, float] = False,
+    opacity: float = 1.0,
+    progress: Progress = None,
+) -> Cut:
+    """A cut through a field: an actor, every pixel of which is the field's own value, and its bar.
+
+    grid: a vtkUnstructuredGrid, also a plain one or PyVista's, composite data of such, or a file's
+        name. field: None: the first one.
+    normal, origin: of the plane; "x", "y", "z", "-z" or three numbers; a point, a coordinate along
+        the axis, or None: the middle of the box. surface instead: a vtkImplicitFunction, a
+        vtkHighOrderSurface (boundary, iso-surface, patches), or a function that takes points (n, 3)
+        and is 0 on the surface.
+    component: of vectors: None or "magnitude", "x", "y", "z", a number from 0.
+    clim: "field" (None): the field's range over the mesh; "cut": of what a view shows; (low, high).
+    cmap: viridis, inferno, plasma, coolwarm, jet, rainbow, grayscale, or a vtkScalarsToColors.
+    contours: values, or how many between the range's ends. edges: lines between elements, True or
+        their width in pixels.
+
+    Raises Error, TypeError or ValueError, which name what is wrong.
+    """
+    source = source_of(grid, progress)
+    check_field(source, field)
+    mapper = vtkHighOrderMapper()
+    mapper.SetInputData(source)
+    if field is not None:
+        mapper.SetFieldName(field)
+    mapper.SetArrayComponent(component_of(component))
+    _set_colors(mapper, cmap)
+    shape = surface_of(surface, mapper.GetBounds(), normal, origin)
+    if isinstance(shape, vtkHighOrderSurface):
+        mapper.SetSurface(shape)
+    else:
+        mapper.SetCutFunction(shape)
+    _set_range(mapper, clim)
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetOpacity(opacity)
+    if edges:
+        actor.GetProperty().EdgeVisibilityOn()
+        actor.GetProperty().SetLineWidth(1.0 if edges is True else float(edges))
+    whole = Cut(actor, None, mapper, shape)
+    for i, value in enumerate(values_of(contours, lambda: _between(whole, clim))):
+        mapper.SetContourValue(i, value)
+    whole.scalar_bar = _bar_of(mapper, field or (_fields_of(source) or [""])[0])
+    return whole

@@ -1,0 +1,254 @@
+"""Pictures without a window, and what is known of their pixels."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING, Any, Optional, Sequence, Union
+
+from vtkmodules.vtkCommonDataModel import vtkPlane
+
+from ._cut import Cut, cut
+from ._read import Path
+from ._scene import Vector, asks_python, normal_of
+from ._work import Error, Progress, run
+from .PixelExactRendering import vtkHighOrderPicture
+
+if TYPE_CHECKING:
+    import numpy
+
+    Array = numpy.ndarray[Any, Any]
+
+_UP = (0.0, 1.0, 0.0)
+_UP_OF_ISO = (0.0, 0.0, 1.0)
+_COLORS = {"white": (1.0, 1.0, 1.0), "black": (0.0, 0.0, 0.0)}
+
+
+class Picture:
+    """Pixels of a cut, and what is known of each. Rows are from the top, as in other images.
+
+    image: RGBA, uint8, (height, width, 4). values: of the component that is shown, NaN where there
+    is none. verdicts: 0 nothing, 1 exact, 2 unknown. elements: cells of the source, -1 none.
+    positions, normals, xi: (height, width, 3). contours: 0 none, 1 a contour goes through the pixel,
+    2 undecided; None where there are none. range: of the colours. cut: what it is of.
+
+    Arrays are views of VTK's and not copies.
+    """
+
+    def __init__(self, image: Array, data: Any, of: Cut, camera: Any) -> None:
+        self.image = image
+        self.cut = of
+        self.camera = camera
+        self.range = tuple(of.mapper.GetScalarRange())
+        self._data = data
+
+    def array(self, name: str) -> Array:
+        """One of the arrays of vtkHighOrderMapper.GetBuffers; KeyError, which lists them."""
+        from vtkmodules.util.numpy_support import vtk_to_numpy
+
+        points = self._data.GetPointData()
+        found = points.GetArray(name)
+        if found is None:
+            names = [points.GetArrayName(i) for i in range(points.GetNumberOfArrays())]
+            raise KeyError(f"no array '{name}'; there are: {', '.join(names)}")
+        width, height, _ = self._data.GetDimensions()
+        numbers = vtk_to_numpy(found)
+        rows: Array = numbers.reshape((height, width) + numbers.shape[1:])[::-1]
+        return rows
+
+    @property
+    def values(self) -> Array:
+        return self.array("Value")
+
+    @property
+    def verdicts(self) -> Array:
+        return self.array("Verdict")
+
+    @property
+    def elements(self) -> Array:
+        return self.array("Element")
+
+    @property
+    def positions(self) -> Array:
+        return self.array("Position")
+
+    @property
+    def normals(self) -> Array:
+        return self.array("Normal")
+
+    @property
+    def xi(self) -> Array:
+        return self.array("Xi")
+
+    @property
+    def contours(self) -> Optional[Array]:
+        return self.array("Contour") if self._data.GetPointData().HasArray("Contour") else None
+
+    def __array__(self, dtype: Any = None, copy: Any = None) -> Array:
+        return self.image if dtype is None else self.image.astype(dtype)
+
+    def _png_writer(self) -> Any:
+        from vtkmodules.vtkIOImage import vtkPNGWriter
+
+        writer = vtkPNGWriter()
+        writer.SetInputData(_to_vtk(self.image))
+        return writer
+
+    def save(self, file: Path) -> None:
+        """Writes the picture (.png), or all that is known of its pixels (.vti)."""
+        name = os.fspath(file)
+        suffix = os.path.splitext(name)[1].lower()
+        if suffix == ".png":
+            writer = self._png_writer()
+        elif suffix == ".vti":
+            from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
+
+            writer = vtkXMLImageDataWriter()
+            writer.SetInputData(self._data)
+        else:
+            raise ValueError(f"save: .png or .vti, not '{name}'")
+        with open(name, "wb"):
+            pass  # says why it cannot be written; VTK does not
+        writer.SetFileName(name)
+        writer.Write()
+
+    def _repr_png_(self) -> bytes:
+        writer = self._png_writer()
+        writer.WriteToMemoryOn()
+        writer.Write()
+        return bytes(writer.GetResult())
+
+
+def _to_vtk(image: Array) -> Any:
+    import numpy
+    from vtkmodules.util.numpy_support import numpy_to_vtk
+    from vtkmodules.vtkCommonDataModel import vtkImageData
+
+    height, width, channels = image.shape
+    data = vtkImageData()
+    data.SetDimensions(width, height, 1)
+    pixels = numpy.ascontiguousarray(image[::-1]).reshape(-1, channels)
+    data.GetPointData().SetScalars(numpy_to_vtk(pixels, deep=True))
+    return data
+
+
+def _over(image: Array, background: Union[str, Vector, None]) -> Array:
+    """Straight alpha over a colour."""
+    import numpy
+
+    if background is None:
+        return image
+    if isinstance(background, str):
+        if background not in _COLORS:
+            raise ValueError(
+                f"background: 'white', 'black', (r, g, b) from 0 to 1, or None, not {background!r}"
+            )
+        background = _COLORS[background]
+    color = numpy.asarray(background, dtype=float)
+    if color.shape != (3,) or not ((color >= 0) & (color <= 1)).all():
+        raise ValueError(f"background: three numbers from 0 to 1, not {background!r}")
+    whole = image.copy()
+    clear = whole[..., 3] != 255
+    alpha = whole[clear][:, 3:] / 255.0
+    mixed = alpha * whole[clear][:, :3] + (1.0 - alpha) * 255.0 * color
+    whole[clear] = numpy.concatenate(
+        [numpy.rint(mixed), numpy.full((len(mixed), 1), 255.0)], axis=1
+    ).astype(numpy.uint8)
+    return whole
+
+
+def _place(picture: Any, of: Cut, view: Union[str, Vector, None]) -> None:
+    if view is None and not isinstance(of.surface, vtkPlane):
+        view = "iso"
+    if view is None:
+        picture.ViewAlong(of.surface.GetNormal(), _UP)
+    elif isinstance(view, str) and view == "iso":
+        picture.ViewAlong((1.0, 1.0, 1.0), _UP_OF_ISO)
+    else:
+        direction = normal_of(view)
+        picture.ViewAlong(direction, _UP if abs(direction[2]) > 0.999 else _UP_OF_ISO)
+
+
+def _trace(
+    of: Cut,
+    size: Sequence[int],
+    view: Union[str, Vector, None],
+    camera: Any,
+    buffers: bool,
+    progress: Progress,
+) -> Any:
+    if len(size) != 2 or min(size) < 1:
+        raise ValueError(f"size: pixels across and up, not {size!r}")
+    if camera is not None and view is not None:
+        raise ValueError("view and camera are two ways to say the same: leave one out")
+    picture = vtkHighOrderPicture()
+    picture.SetActor(of.actor)
+    picture.SetSize(int(size[0]), int(size[1]))
+    picture.SetAllBuffers(buffers)
+    picture.SetCamera(camera)
+    if camera is None:
+        _place(picture, of, view)
+    run(picture, progress, may_release=not asks_python(of.surface))
+    return picture
+
+
+def known_range(of: Cut) -> tuple[float, ...]:
+    """The range of the field over all of its mesh, as the mapper finds it."""
+    mode = of.mapper.GetRangeMode()
+    of.mapper.SetRangeModeToField()
+    _trace(of, (1, 1), None, None, False, None)
+    found = tuple(of.mapper.GetScalarRange())
+    of.mapper.SetRangeMode(mode)
+    return found
+
+
+def picture_of(
+    of: Cut,
+    size: Sequence[int] = (1000, 1000),
+    view: Union[str, Vector, None] = None,
+    camera: Any = None,
+    background: Union[str, Vector, None] = "white",
+    buffers: bool = True,
+    progress: Progress = None,
+) -> Picture:
+    """See render."""
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+
+    picture = _trace(of, size, view, camera, buffers, progress)
+    data = picture.GetOutput()
+    colors = data.GetPointData().GetArray("Color")
+    if colors is None:
+        raise Error("the picture was given up")
+    width, height, _ = data.GetDimensions()
+    image = vtk_to_numpy(colors).reshape(height, width, 4)[::-1]
+    return Picture(_over(image, background), data, of, picture.GetCamera())
+
+
+def render(
+    grid: Any,
+    field: Optional[str] = None,
+    *,
+    output: Optional[Path] = None,
+    size: Sequence[int] = (1000, 1000),
+    view: Union[str, Vector, None] = None,
+    camera: Any = None,
+    background: Union[str, Vector, None] = "white",
+    buffers: bool = True,
+    progress: Progress = None,
+    **options: Any,
+) -> Picture:
+    """A picture of a cut, traced without a window, a display or OpenGL, and what is known of it.
+
+    grid, field, options: as of cut. size: pixels across and up. view: from where, "x", "-z", "iso",
+    or a direction from the mesh to the viewer; None: along a plane's normal, else "iso". camera: a
+    vtkCamera instead. background: "white", "black", (r, g, b), or None: transparent. output: a .png
+    file, or a .vti with all buffers. buffers: whether all that is known of the pixels is kept; without
+    it positions, verdicts and values alone.
+
+    progress: a function of the part that is done; what it raises, and KeyboardInterrupt, end the
+    work. Other threads of Python run meanwhile, unless the surface is a function of Python.
+    """
+    of = cut(grid, field, **options)
+    picture = picture_of(of, size, view, camera, background, buffers, progress)
+    if output is not None:
+        picture.save(output)
+    return picture

@@ -1,0 +1,132 @@
+"""What is cut, of what, in which colours: what cut, render and contours have in common."""
+
+from __future__ import annotations
+
+import os
+from typing import Any, Callable, Sequence, Union
+
+from vtkmodules.vtkCommonDataModel import vtkImplicitFunction, vtkPlane, vtkUnstructuredGrid
+
+from ._functions import implicit_function
+from ._read import as_high_order, read
+from ._work import Progress
+
+from .PixelExactRendering import vtkHighOrderSurface, vtkImplicitCallback
+
+Vector = Sequence[float]
+Normal = Union[str, Vector]
+Surface = Union[vtkImplicitFunction, vtkHighOrderSurface, Callable[[Any], Any], None]
+
+_AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
+_COMPONENTS = {"x": 0, "y": 1, "z": 2}
+
+
+def source_of(grid: Any, progress: Progress = None) -> Any:
+    """A grid with coefficients, or composite data as they are; a path is read."""
+    if isinstance(grid, (str, os.PathLike)):
+        return read(grid, progress=progress)
+    if isinstance(grid, vtkUnstructuredGrid):
+        return as_high_order(grid, progress)
+    if hasattr(grid, "IsA") and grid.IsA("vtkCompositeDataSet"):
+        return grid
+    raise TypeError(
+        f"a grid is a vtkUnstructuredGrid, composite data of such, or a file's name, not "
+        f"{type(grid).__name__}"
+    )
+
+
+def three(numbers: Vector, what: str) -> tuple[float, float, float]:
+    values = [float(number) for number in numbers]
+    if len(values) != 3:
+        raise ValueError(f"{what}: three numbers, not {len(values)}")
+    return values[0], values[1], values[2]
+
+
+def normal_of(normal: Normal) -> tuple[float, float, float]:
+    if isinstance(normal, str):
+        sign = -1.0 if normal.startswith("-") else 1.0
+        axis = _AXES.get(normal.lstrip("+-"))
+        if axis is None:
+            raise ValueError(
+                f"normal: 'x', 'y', 'z' (or with a sign), or three numbers, not {normal!r}"
+            )
+        return three([sign * part for part in axis], "normal")
+    values = three(normal, "normal")
+    if not any(values):
+        raise ValueError("normal: it must not be zero")
+    return values
+
+
+def plane_of(
+    bounds: Sequence[float], normal: Normal, origin: Union[float, Vector, None]
+) -> vtkPlane:
+    """origin: a point, a coordinate along a normal that is an axis, None: the middle of the box."""
+    direction = normal_of(normal)
+    middle = [0.5 * (bounds[2 * i] + bounds[2 * i + 1]) for i in range(3)]
+    if origin is None:
+        point: Vector = middle
+    elif isinstance(origin, (int, float)):
+        if not isinstance(normal, str):
+            raise ValueError("origin: a single number goes with the normals 'x', 'y' and 'z' alone")
+        point = [float(origin) if part else middle[i] for i, part in enumerate(direction)]
+    else:
+        point = three(origin, "origin")
+    plane = vtkPlane()
+    plane.SetNormal(*direction)
+    plane.SetOrigin(*point)
+    return plane
+
+
+def surface_of(
+    surface: Surface, bounds: Sequence[float], normal: Normal, origin: Union[float, Vector, None]
+) -> Any:
+    """A vtkImplicitFunction or vtkHighOrderSurface."""
+    if surface is None:
+        return plane_of(bounds, normal, origin)
+    if origin is not None:
+        raise ValueError("origin and normal are of planes: leave them out where a surface is given")
+    if isinstance(surface, (vtkImplicitFunction, vtkHighOrderSurface)):
+        return surface
+    if callable(surface):
+        return implicit_function(surface)
+    raise TypeError(
+        "surface: a vtkImplicitFunction, a vtkHighOrderSurface or a function of points, not "
+        f"{type(surface).__name__}"
+    )
+
+
+def asks_python(surface: Any) -> bool:
+    """Whether tracing it calls functions of Python."""
+    if isinstance(surface, vtkImplicitCallback):
+        return True
+    # Others may hold one inside, or be somebody's own.
+    return isinstance(surface, vtkImplicitFunction) and surface.IsA("vtkImplicitBoolean") != 0
+
+
+def component_of(component: Union[int, str, None]) -> int:
+    """As vtkHighOrderContour and others number them: -1 for scalars, and magnitudes of vectors."""
+    if component is None or component == "magnitude":
+        return -1
+    if isinstance(component, str):
+        if component not in _COMPONENTS:
+            raise ValueError(
+                f"component: a number from 0, 'x', 'y', 'z' or 'magnitude', not {component!r}"
+            )
+        return _COMPONENTS[component]
+    if component < 0:
+        raise ValueError(f"component: a number from 0, not {component}")
+    return component
+
+
+def values_of(
+    contours: Union[int, Sequence[float], None], between: Callable[[], Sequence[float]]
+) -> list[float]:
+    """So many evenly spaced values within a range, without its ends; or those that are given."""
+    if contours is None:
+        return []
+    if isinstance(contours, int):
+        if contours < 1:
+            raise ValueError(f"contours: at least one, not {contours}")
+        low, high = between()
+        return [low + (high - low) * (i + 1) / (contours + 1) for i in range(contours)]
+    return [float(value) for value in contours]

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHighOrderPicture.h"
+
+#include "FrameSource.h"
+#include "MapperExecutive.h"
+#include "ViewRequest.h"
+#include "VtkCamera.h"
+#include "vtkHighOrderMapper.h"
+
+#include "Core/Base/Error.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkDataObject.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+
+vtkStandardNewMacro(vtkHighOrderPicture);
+
+struct vtkHighOrderPicture::Internals
+{
+  pixelexact::FrameSourceCounters Counters;
+  pixelexact::FrameSource Source{ Counters };
+};
+
+namespace
+{
+/// How much of the picture's half the farthest corner of a box takes.
+constexpr double kFilled = 0.95;
+
+/// Moves the camera along its view until the box, and not only the ball around it, is all that
+/// fits.
+void Fit(const pixelexact::Box3& box, double aspect, pixelexact::CameraView& view)
+{
+  using pixelexact::Vec3;
+  const Vec3 towards = glm::normalize(view.position - view.focalPoint);
+  const Vec3 right = glm::normalize(glm::cross(view.viewUp, towards));
+  const Vec3 up = glm::cross(towards, right);
+  const double tangent = std::tan(glm::radians(0.5 * view.viewAngle));
+  double scale = 0.0;
+  double distance = 0.0;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    Vec3 offset;
+    for (int i = 0; i < 3; ++i)
+    {
+      offset[i] = ((corner >> i) & 1 ? box.upper[i] : box.lower[i]) - view.focalPoint[i];
+    }
+    const double height =
+      std::max(std::abs(glm::dot(offset, up)), std::abs(glm::dot(offset, right)) / aspect);
+    scale = std::max(scale, height / kFilled);
+    distance = std::max(distance, glm::dot(offset, towards) + height / (kFilled * tangent));
+  }
+  if (view.parallel)
+  {
+    view.parallelScale = scale > 0.0 ? scale : view.parallelScale;
+  }
+  else if (distance > 0.0)
+  {
+    view.position = view.focalPoint + distance * towards;
+  }
+}
+
+vtkHighOrderMapper* MapperOf(vtkActor* actor)
+{
+  return actor != nullptr ? vtkHighOrderMapper::SafeDownCast(actor->GetMapper()) : nullptr;
+}
+} // namespace
+
+vtkHighOrderPicture::vtkHighOrderPicture()
+  : Data(std::make_unique<Internals>())
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+vtkHighOrderPicture::~vtkHighOrderPicture() = default;
+
+void vtkHighOrderPicture::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Actor: " << (this->Actor ? "" : "(none)") << "\n";
+  os << indent << "Camera: " << (this->Camera ? "" : "(none)") << "\n";
+  os << indent << "Size: " << this->Size[0] << " " << this->Size[1] << "\n";
+  os << indent << "AllBuffers: " << (this->AllBuffers ? "on" : "off") << "\n";
+}
+
+void vtkHighOrderPicture::SetActor(vtkActor* actor)
+{
+  if (this->Actor != actor)
+  {
+    this->Actor = actor;
+    this->Modified();
+  }
+}
+
+vtkActor* vtkHighOrderPicture::GetActor()
+{
+  return this->Actor;
+}
+
+void vtkHighOrderPicture::SetCamera(vtkCamera* camera)
+{
+  if (this->Camera != camera)
+  {
+    this->Camera = camera;
+    this->Modified();
+  }
+}
+
+vtkCamera* vtkHighOrderPicture::GetCamera()
+{
+  return this->Camera;
+}
+
+void vtkHighOrderPicture::ViewAlong(const double towardsViewer[3], const double viewUp[3])
+{
+  if (!this->Camera)
+  {
+    this->SetCamera(vtkSmartPointer<vtkCamera>::New());
+  }
+  const double* bounds = this->Actor ? this->Actor->GetBounds() : nullptr;
+  pixelexact::Box3 box;
+  for (int i = 0; i < 3 && bounds != nullptr; ++i)
+  {
+    box.lower[i] = bounds[2 * i];
+    box.upper[i] = bounds[2 * i + 1];
+  }
+  try
+  {
+    pixelexact::CameraView view = pixelexact::ViewOfBox(box,
+      pixelexact::Vec3(towardsViewer[0], towardsViewer[1], towardsViewer[2]), this->Size[0],
+      this->Size[1], pixelexact::Vec3(viewUp[0], viewUp[1], viewUp[2]),
+      this->Camera->GetParallelProjection() != 0, this->Camera->GetViewAngle());
+    Fit(box, static_cast<double>(this->Size[0]) / this->Size[1], view);
+    pixelexact::ApplyView(view, this->Camera);
+  }
+  catch (const pixelexact::Error& error)
+  {
+    vtkErrorMacro("ViewAlong: " << error.what());
+  }
+}
+
+vtkIdType vtkHighOrderPicture::GetNumberOfTraces()
+{
+  return this->Data->Counters.traces;
+}
+
+vtkMTimeType vtkHighOrderPicture::GetMTime()
+{
+  vtkMTimeType time = this->Superclass::GetMTime();
+  if (this->Actor)
+  {
+    time = std::max(time, this->Actor->GetMTime());
+  }
+  if (vtkHighOrderMapper* mapper = MapperOf(this->Actor))
+  {
+    time = std::max(time, mapper->GetMTime());
+    if (!mapper->GetStatic() && mapper->GetNumberOfInputConnections(0) > 0)
+    {
+      mapper->Update();
+    }
+    vtkDataObject* input = pixelexact::MapperExecutive::InputOf(mapper);
+    time = input != nullptr ? std::max(time, input->GetMTime()) : time;
+  }
+  return this->Camera ? std::max(time, this->Camera->GetMTime()) : time;
+}
+
+int vtkHighOrderPicture::RequestInformation(vtkInformation* /*request*/,
+  vtkInformationVector** /*inputVector*/, vtkInformationVector* outputVector)
+{
+  const int extent[6] = { 0, std::max(this->Size[0], 1) - 1, 0, std::max(this->Size[1], 1) - 1, 0,
+    0 };
+  outputVector->GetInformationObject(0)->Set(
+    vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  return 1;
+}
+
+int vtkHighOrderPicture::RequestData(vtkInformation* /*request*/,
+  vtkInformationVector** /*inputVector*/, vtkInformationVector* outputVector)
+{
+  auto* output = vtkImageData::GetData(outputVector);
+  output->Initialize();
+  try
+  {
+    vtkHighOrderMapper* mapper = MapperOf(this->Actor);
+    if (mapper == nullptr || !this->Camera)
+    {
+      throw pixelexact::Error(mapper == nullptr
+          ? "there is no actor with a vtkHighOrderMapper; give one with SetActor"
+          : "there is no camera; give one with SetCamera, or call ViewAlong");
+    }
+    if (this->Size[0] < 1 || this->Size[1] < 1)
+    {
+      throw pixelexact::Error("Size: there must be at least a pixel each way");
+    }
+    const pixelexact::CameraSight sight{ .camera = this->Camera,
+      .actor = this->Actor,
+      .mapper = mapper,
+      .width = this->Size[0],
+      .height = this->Size[1] };
+    const auto picture = mapper->TracePicture(this->Data->Source, sight, this->AllBuffers,
+      [this](double done)
+      {
+        this->UpdateProgress(done);
+        return this->GetAbortExecute() == 0;
+      });
+    if (picture)
+    {
+      output->ShallowCopy(picture);
+      output->GetPointData()->SetActiveScalars("Color");
+      for (const std::string& text : mapper->Complaints(this->Data->Source, this->Actor))
+      {
+        vtkWarningMacro(<< text);
+      }
+    }
+    return 1;
+  }
+  catch (const std::exception& error) // memory may run out too
+  {
+    vtkErrorMacro(<< error.what());
+    return 0;
+  }
+}

@@ -1,0 +1,103 @@
+#!/usr/bin/env bash
+# Builds and tests what is committed in a clean Debian of its own, as root.
+#
+#   run.sh RELEASE [ROOTS]   RELEASE: bookworm, trixie or testing; ROOTS: where the systems are kept
+#
+# The root is made once (debootstrap) and taken again. In the environment:
+#   MATRIX_STAGES    of dependencies, build, test, paraview (default: the first three)
+#   MATRIX_TESTS     which tests, as ctest -R takes it (default: all)
+#   MATRIX_TARGETS   what is built (default: all)
+#   MATRIX_COMPILER  such as g++-15, installed there (default: what the release has)
+#   MATRIX_JOBS      compilers at once (default 1); all run at the lowest priority
+#   MATRIX_MIRROR    (default http://deb.debian.org/debian)
+# The last line is a row of the table in README.md.
+set -euo pipefail
+release=${1:?"run.sh RELEASE [ROOTS]: bookworm, trixie or testing"}
+roots=${2:-/var/tmp/pixelexact-roots}
+stages=${MATRIX_STAGES:-dependencies build test}
+jobs=${MATRIX_JOBS:-1}
+compiler=${MATRIX_COMPILER:-g++}
+root=$roots/$release
+source=$(cd "$(dirname "$0")/../.." && pwd)
+if [[ $EUID -ne 0 ]]; then
+  echo "run.sh: a root of its own is made and entered by root alone" >&2
+  exit 2
+fi
+
+for program in debootstrap git; do
+  command -v "$program" >/dev/null || apt-get install -q -y --no-install-recommends "$program"
+done
+mkdir -p "$roots"
+if [[ ! -e $root/complete ]]; then
+  rm -rf "$root"
+  nice -n 19 debootstrap --variant=minbase "$release" "$root" \
+    "${MATRIX_MIRROR:-http://deb.debian.org/debian}"
+  touch "$root/complete"
+fi
+cp /etc/resolv.conf "$root/etc/resolv.conf"
+
+# What is mounted is taken away again, whatever happens.
+leave() {
+  umount "$root/dev" "$root/proc" 2>/dev/null || true
+}
+trap leave EXIT
+mountpoint -q "$root/proc" || mount -t proc proc "$root/proc"
+mountpoint -q "$root/dev" || mount --bind /dev "$root/dev"
+
+rm -rf "$root/src/new" && mkdir -p "$root/src/new"
+git -C "$source" archive HEAD | tar -x -C "$root/src/new"
+# Files that are as they were keep their times: not all is built anew.
+mkdir -p "$root/src/pixelexact"
+chroot "$root" sh -c 'command -v rsync >/dev/null || { apt-get update -q && apt-get install -q -y --no-install-recommends rsync; }' >/dev/null
+chroot "$root" rsync -rlpc --delete --exclude /build --exclude /build-paraview /src/new/ /src/pixelexact/
+
+inside() {
+  nice -n 19 chroot "$root" env -i HOME=/root LANG=C.UTF-8 DEBIAN_FRONTEND=noninteractive \
+    PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
+    CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_DEPEND=1 \
+    CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime \
+    PIXELEXACT_TEST_STAGES="$1" bash -c "cd /src/pixelexact && $2"
+}
+version() {
+  chroot "$root" dpkg-query -W -f '${Version}' "$1" 2>/dev/null | sed 's/^[0-9]*://; s/[+~-].*//'
+}
+
+compiled=-
+tested=-
+for stage in $stages; do
+  printf '\n== %s: %s\n' "$release" "$stage"
+  case $stage in
+    dependencies)
+      inside "$stage" "./Testing/Scripts/install-dependencies.sh --testing"
+      if [[ $compiler != g++ ]]; then
+        inside "$stage" "apt-get install -q -y --no-install-recommends $compiler"
+      fi
+      ;;
+    build)
+      if inside "$stage" "cmake -S . -B build -G Ninja -D CMAKE_CXX_COMPILER=$compiler \
+        -D PIXELEXACT_WARNINGS_AS_ERRORS=ON && ninja -C build -k 0 -j $jobs ${MATRIX_TARGETS:-}"; then
+        compiled=yes
+      else
+        compiled=no
+      fi
+      ;;
+    test)
+      inside "$stage" "xvfb-run -a -s '-screen 0 1280x1024x24 -noreset' bash -c '
+        export PIXELEXACT_TEST_DISPLAY=\$DISPLAY; unset DISPLAY
+        exec ctest --test-dir build --output-on-failure -j $jobs -R \"${MATRIX_TESTS:-.}\"'" |
+        tee "$roots/$release.tests" || true
+      tested=$(grep -o '[0-9]*% tests passed.*' "$roots/$release.tests" || echo failed)
+      ;;
+    paraview)
+      inside "$stage" "./Testing/Scripts/test.sh"
+      ;;
+    *)
+      echo "run.sh: no such stage: $stage" >&2
+      exit 2
+      ;;
+  esac
+done
+embree=$(version libembree-dev)
+printf '| %s | %s | %s | %s | %s | %s |\n' "$release" \
+  "$(chroot "$root" "$compiler" -dumpfullversion 2>/dev/null)" "$(version libvtk9-dev)" "$embree" \
+  "$compiled" "$tested"
