@@ -6,6 +6,8 @@
 
 #include "vtkObjectFactory.h"
 
+#include <deque>
+
 vtkStandardNewMacro(vtkGmshReader);
 
 using namespace pixelexact;
@@ -19,14 +21,11 @@ struct Texts
   {
     for (const auto& file : files)
     {
-      Storage.push_back(ReadFileText(file));
-    }
-    for (std::size_t i = 0; i < files.size(); ++i)
-    {
-      Named.push_back({ files[i], Storage[i] });
+      const FileText& text = Storage.emplace_back(file);
+      Named.push_back({ file, text.Get(), &text });
     }
   }
-  std::vector<std::string> Storage;
+  std::deque<FileText> Storage; ///< which stay where they are
   std::vector<gmsh::NamedText> Named;
 };
 } // namespace

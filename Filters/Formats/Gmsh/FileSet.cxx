@@ -58,7 +58,7 @@ FileSet::FileSet(const std::vector<NamedText>& files)
 {
   for (std::size_t file = 0; file < files.size(); ++file)
   {
-    Scanners.emplace_back(files[file].name, files[file].text);
+    Scanners.emplace_back(files[file].name, files[file].text, files[file].file);
     Sections.push_back(ListSections(Scanners.back()));
     ReadViews(file);
   }

@@ -42,7 +42,8 @@ struct PhysicalName
 
 struct MeshFile
 {
-  std::vector<double> positions; ///< (x, y, z) of each node
+  std::vector<double> positions; ///< (x, y, z) of each node; let go when the map is made
+  std::size_t nodes = 0;
   TagIndex nodeOf;
   std::vector<Solid> elements;
   std::vector<std::int32_t> elementNodes;

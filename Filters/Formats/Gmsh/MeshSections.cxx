@@ -31,6 +31,7 @@ void AddNode(Scanner& scanner, MeshFile& mesh)
 
 void FinishNodes(const Scanner& scanner, MeshFile& mesh)
 {
+  mesh.nodes = mesh.positions.size() / 3;
   if (mesh.positions.size() / 3 > kMostNodes)
   {
     scanner.FailUnsupported("meshes of more than 2147483647 nodes are not read.");

@@ -141,13 +141,14 @@ SolverModel Read(const std::vector<NamedText>& files, int step, bool wantMesh)
   SolverModel model;
   model.notes = set.Notes;
   const std::string& file = files.front().name;
-  const MeshFile mesh = set.ReadMesh();
+  MeshFile mesh = set.ReadMesh();
   RequireSolids(mesh, file);
   BasisTable bases;
   if (wantMesh)
   {
     AddMesh(mesh, bases, file, model);
   }
+  std::vector<double>().swap(mesh.positions); // with their memory
   const StepList steps = StepsOf(set.Views.Views());
   if (steps.numbered && steps.numbers.size() > 1)
   {

@@ -298,8 +298,7 @@ ViewValues ReadValues(std::vector<Scanner>& scanners, const View& view,
 {
   ViewValues values;
   values.components = parts.front().components;
-  values.first.assign(
-    view.kind == ViewKind::Node ? mesh.positions.size() / 3 : mesh.elements.size(), -1);
+  values.first.assign(view.kind == ViewKind::Node ? mesh.nodes : mesh.elements.size(), -1);
   if (view.kind == ViewKind::ElementNode)
   {
     values.count.assign(mesh.elements.size(), 0);
