@@ -2,6 +2,7 @@
 #include "vtkGmshReader.h"
 
 #include "Formats/FileText.h"
+#include "Formats/Gmsh/MeshPieces.h"
 #include "Formats/Gmsh/Reader.h"
 
 #include "vtkObjectFactory.h"
@@ -54,9 +55,10 @@ void vtkGmshReader::ClearViewFileNames()
   this->Modified();
 }
 
-std::vector<std::string> vtkGmshReader::Files() const
+std::vector<std::string> vtkGmshReader::Files(std::size_t& pieces) const
 {
-  std::vector<std::string> files{ this->FileName };
+  std::vector<std::string> files = gmsh::PiecesOf(this->FileName);
+  pieces = files.size();
   files.insert(files.end(), this->ViewFiles.begin(), this->ViewFiles.end());
   return files;
 }
@@ -67,10 +69,14 @@ std::vector<double> vtkGmshReader::ReadTimes()
   {
     return {}; // RequestData says so
   }
-  return gmsh::ReadTimes(Texts(this->Files()).Named);
+  std::size_t pieces = 1;
+  const Texts texts(this->Files(pieces));
+  return gmsh::ReadTimes(texts.Named, pieces);
 }
 
 SolverModel vtkGmshReader::ReadModel(int step, bool wantMesh)
 {
-  return gmsh::Read(Texts(this->Files()).Named, step, wantMesh);
+  std::size_t pieces = 1;
+  const Texts texts(this->Files(pieces));
+  return gmsh::Read(texts.Named, step, wantMesh, pieces);
 }

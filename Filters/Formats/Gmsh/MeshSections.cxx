@@ -219,7 +219,7 @@ void ReadEntities(Scanner& scanner, bool partitioned, Entities& entities, MeshFi
         for (std::size_t k = 0; k < parts; ++k)
         {
           const int part = scanner.Int("a partition");
-          if (dimension == kDimensions - 1)
+          if (dimension == (counts[3] > 0 ? 3 : 2))
           {
             mesh.partitionsHere.insert(part);
           }
