@@ -49,8 +49,8 @@ struct Facts
   OrderCounts storedOrders; ///< of the file's cells
   OrderCounts orders;       ///< of the geometry, without orders that hold nothing but rounding
   std::vector<FieldFacts> fields;
-  std::array<double, 6> bounds{}; ///< of the nodes: x, y, z, lower and upper each
-  std::optional<Slab> slab;       ///< of a plane mesh
+  std::array<double, 6> bounds{};   ///< of the nodes: x, y, z, lower and upper each
+  std::optional<Slab> slab;         ///< of a plane mesh
   std::size_t coefficientBytes = 0; ///< of the geometry and all fields
   SolverFacts solver;
   std::optional<CertifiedFacts> certified; ///< on request
