@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <limits>
 #include <map>
 
 namespace pixelexact
@@ -35,6 +36,7 @@ class ExodusFile
 {
 public:
   explicit ExodusFile(const std::string& path)
+    : Path(path)
   {
     int computerWord = sizeof(double);
     int fileWord = 0;
@@ -54,9 +56,11 @@ public:
   /// By their numbers.
   [[nodiscard]] std::map<std::int64_t, Block> Blocks() const
   {
-    const auto count = static_cast<std::size_t>(ex_inquire_int(Id, EX_INQ_ELEM_BLK));
-    std::vector<std::int64_t> ids(count);
-    ex_get_ids(Id, EX_ELEM_BLOCK, ids.data());
+    const std::int64_t count = ex_inquire_int(Id, EX_INQ_ELEM_BLK);
+    const std::int64_t points = ex_inquire_int(Id, EX_INQ_NODES);
+    Require(count >= 0 && count <= kMost && points >= 0 && points <= kMost);
+    std::vector<std::int64_t> ids(static_cast<std::size_t>(count));
+    Require(ids.empty() || ex_get_ids(Id, EX_ELEM_BLOCK, ids.data()) >= 0);
     std::map<std::int64_t, Block> blocks;
     for (const std::int64_t id : ids)
     {
@@ -66,8 +70,10 @@ public:
       std::int64_t edges = 0;
       std::int64_t faces = 0;
       std::int64_t attributes = 0;
-      ex_get_block(
+      const int got = ex_get_block(
         Id, EX_ELEM_BLOCK, id, type.data(), &elements, &nodes, &edges, &faces, &attributes);
+      Require(got >= 0 && elements >= 0 && elements <= kMost && nodes >= 0 && nodes <= kMostNodes);
+      RequireConnectivity(id, elements * nodes, points);
       if (elements > 0)
       {
         std::string name = type.data();
@@ -79,6 +85,31 @@ public:
   }
 
 private:
+  static constexpr std::int64_t kMost = std::numeric_limits<std::int32_t>::max();
+  static constexpr std::int64_t kMostNodes = 1000; ///< of an element
+
+  void Require(bool sound) const
+  {
+    if (!sound)
+    {
+      CannotRead(Path, "it is damaged or cut short; copy it anew");
+    }
+  }
+
+  /// VTK's reader believes the numbers of nodes.
+  void RequireConnectivity(std::int64_t block, std::int64_t count, std::int64_t points) const
+  {
+    if (count == 0)
+    {
+      return;
+    }
+    std::vector<std::int64_t> nodes(static_cast<std::size_t>(count));
+    Require(ex_get_conn(Id, EX_ELEM_BLOCK, block, nodes.data(), nullptr, nullptr) >= 0);
+    Require(std::ranges::all_of(
+      nodes, [points](std::int64_t node) { return node >= 1 && node <= points; }));
+  }
+
+  std::string Path;
   int Id = -1;
 };
 

@@ -2,6 +2,7 @@
 """Formats of several blocks, read by VTK's own readers."""
 
 import random
+import struct
 import unittest
 
 import numpy as np
@@ -45,6 +46,15 @@ class Blocks(ToolTest):
         for name in ("a.exo", "a.ex2"):
             (self.folder / name).write_bytes(EXODUS.read_bytes())
             self.succeeds("info", self.folder / name)
+
+    @unittest.skipUnless(known(EXODUS, "Exodus"), "VTK has no reader of Exodus II")
+    def test_exodus_with_a_node_that_is_not_there(self):
+        data = EXODUS.read_bytes()
+        nodes = struct.pack(">4i", 1, 2, 3, 4)  # the first hexahedron's
+        self.assertEqual(data.count(nodes), 1)
+        damaged = self.folder / "damaged.e"
+        damaged.write_bytes(data.replace(nodes, struct.pack(">4i", 1, 2, 3, 4000)))
+        self.fails(1, "info", damaged, names=[damaged, "damaged"])
 
     @unittest.skipUnless(known(CGNS, "CGNS"), "VTK has no reader of CGNS")
     def test_cgns(self):
