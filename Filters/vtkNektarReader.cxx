@@ -106,9 +106,11 @@ SolverModel vtkNektarReader::ReadModel(int step, bool wantMesh)
 {
   const bool isKnown = !wantMesh && this->Outline;
   nektar::SessionMesh mesh = isKnown ? nektar::OutlineOf(*this->Outline) : this->ReadSession();
-  if (!isKnown && this->FieldFiles.size() > 1)
+  if (!isKnown)
   {
-    this->Outline = std::make_unique<nektar::SessionMesh>(nektar::OutlineOf(mesh));
+    this->Outline = this->FieldFiles.size() > 1
+      ? std::make_unique<nektar::SessionMesh>(nektar::OutlineOf(mesh))
+      : nullptr;
   }
   if (!this->FieldFiles.empty())
   {
