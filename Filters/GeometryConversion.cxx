@@ -76,6 +76,14 @@ public:
     , Roundings(roundings)
     , Size(size)
   {
+    Visit(
+      [&](int p, int q, int r, int mode)
+      {
+        if (!IsExplained(mode))
+        {
+          Needed = { std::max(Needed[0], p), std::max(Needed[1], q), std::max(Needed[2], r) };
+        }
+      });
   }
 
   /// Whether nothing but noise is there.
@@ -97,6 +105,13 @@ public:
           return false;
         }
         --next.order[d];
+      }
+      for (std::size_t d = 0; d < 3; ++d)
+      {
+        if (next.order[d] < Needed[d])
+        {
+          return false;
+        }
       }
       if (!next.IsValid() || !IsNoise([&next](int p, int q, int r) { return Has(next, p, q, r); }))
       {
@@ -139,11 +154,12 @@ public:
   {
     std::array<double, 3> dropped{};
     double noise = 0.0;
+    const bool all = kept == Full;
     Visit(
       [&](int p, int q, int r, int mode)
       {
         const double bound = ModeBound(Full, p, q, r);
-        if (Has(kept, p, q, r))
+        if (all || Has(kept, p, q, r))
         {
           noise += Roundings * Amplification[mode] * bound;
           return;
@@ -172,6 +188,14 @@ private:
     return Modes[static_cast<std::size_t>(component) * Amplification.size() + mode];
   }
 
+  /// Whether rounding explains a mode.
+  [[nodiscard]] bool IsExplained(int mode) const
+  {
+    const double noise = Roundings * Amplification[mode] + kOwnRounding * Size;
+    return std::fabs(At(0, mode)) <= noise && std::fabs(At(1, mode)) <= noise &&
+      std::fabs(At(2, mode)) <= noise;
+  }
+
   /// Whether the modes that are not kept are noise.
   template <class Keeps>
   [[nodiscard]] bool IsNoise(const Keeps& keeps) const
@@ -185,11 +209,10 @@ private:
         {
           return;
         }
+        explained = IsExplained(mode);
         const double bound = ModeBound(Full, p, q, r);
-        const double noise = Roundings * Amplification[mode] + kOwnRounding * Size;
         for (int c = 0; c < 3; ++c)
         {
-          explained = explained && std::fabs(At(c, mode)) <= noise;
           dropped[c] += std::fabs(At(c, mode)) * bound;
         }
       });
@@ -201,21 +224,21 @@ private:
   std::span<const double> Modes;
   double Roundings;
   double Size;
+  std::array<int, 3> Needed{}; ///< orders below these drop a mode that is no noise
 };
 
 /// The modes of all three components, world units, relative to the centre.
 std::vector<double> ModesOf(
   const SourceMesh& mesh, int element, const ChangeOfBasis& change, const Vec3& centre)
 {
-  const auto count = static_cast<std::size_t>(change.Target().Modes());
-  std::vector<double> modes(3 * count);
-  std::vector<double> nodes;
+  thread_local std::vector<double> nodes;
+  thread_local ChangeOfBasis::Scratch scratch;
+  std::vector<double> modes(3 * static_cast<std::size_t>(change.Target().Modes()));
   // A slab's z is not the points'.
-  for (int c = 0; c < (mesh.GetSlab() ? 2 : 3); ++c)
-  {
-    mesh.Gather(element, mesh.Coordinates(), 3, c, nodes);
-    change.Apply(nodes, centre[c], std::span(modes).subspan(c * count, count));
-  }
+  const std::size_t components = mesh.GetSlab() ? 2 : 3;
+  const std::array<double, 3> shifts{ centre.x, centre.y, centre.z };
+  mesh.GatherAll(element, mesh.Coordinates(), 3, static_cast<int>(components), nodes);
+  change.Apply(nodes, std::span(shifts).first(components), modes, scratch);
   return modes;
 }
 
@@ -287,6 +310,15 @@ ElementGeometry ConvertGeometry(const SourceMesh& mesh, int element)
   geometry.space = reduction.Reduce();
   geometry.uncertainty += reduction.Uncertainty(geometry.space);
   const auto count = static_cast<std::size_t>(full.Modes());
+  const double inUnits = std::ldexp(1.0, -units.exponent);
+  if (geometry.space == full && !mesh.GetSlab())
+  {
+    std::ranges::transform(
+      modes, modes.begin(), [inUnits](double mode) { return inUnits * mode; }); // exact
+    geometry.coefficients = std::move(modes);
+    return geometry;
+  }
+  geometry.coefficients.reserve(3 * static_cast<std::size_t>(geometry.space.Modes()));
   for (int c = 0; c < 3; ++c)
   {
     ForEachMode(full,
@@ -295,7 +327,7 @@ ElementGeometry ConvertGeometry(const SourceMesh& mesh, int element)
         if (Reduction::Has(geometry.space, p, q, r))
         {
           // A power of two: exact.
-          geometry.coefficients.push_back(std::ldexp(modes[c * count + mode], -units.exponent));
+          geometry.coefficients.push_back(inUnits * modes[c * count + mode]);
         }
       });
   }
@@ -304,5 +336,19 @@ ElementGeometry ConvertGeometry(const SourceMesh& mesh, int element)
     Lift(*mesh.GetSlab(), units, geometry);
   }
   return geometry;
+}
+
+std::size_t MostCoefficients(const SourceMesh& mesh, int element)
+{
+  const CellBasis& basis = mesh.Basis(element);
+  int modes = 0;
+  const auto note = [&](const ChangeOfBasis& change)
+  {
+    const Space& space = change.Target();
+    modes = std::max(modes, mesh.GetSlab() ? Lifted(space).Modes() : space.Modes());
+  };
+  note(basis.change);
+  std::ranges::for_each(basis.straight, note);
+  return 3 * static_cast<std::size_t>(modes);
 }
 } // namespace pixelexact

@@ -20,5 +20,8 @@ struct ElementGeometry
 /// file's coordinates (isoparametric files store geometry of order 3 at the field's order 6).
 /// Throws InvalidData where the element is too large for doubles.
 ElementGeometry ConvertGeometry(const SourceMesh& mesh, int element);
+
+/// As many coefficients as the map of an element can have.
+std::size_t MostCoefficients(const SourceMesh& mesh, int element);
 } // namespace pixelexact
 #endif

@@ -21,15 +21,16 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <map>
 
 namespace pixelexact
 {
 namespace
 {
 template <class Function>
-void ForElements(const SourceMesh& mesh, Function&& function)
+void ForElements(int begin, int end, Function&& function)
 {
-  tbb::parallel_for(tbb::blocked_range<int>(0, mesh.Elements(), 16),
+  tbb::parallel_for(tbb::blocked_range<int>(begin, end, 16),
     [&](const tbb::blocked_range<int>& range)
     {
       for (int e = range.begin(); e < range.end(); ++e)
@@ -44,28 +45,74 @@ bool AllFinite(std::span<const double> values)
   return std::ranges::all_of(values, [](double v) { return std::isfinite(v); });
 }
 
+/// The maps of a mesh as they are converted. The orders that remain, and so the places of the
+/// coefficients, are known only then: some elements at a time are put behind the others, in room
+/// for all, of which what is never written takes no memory.
+class MapArrays
+{
+public:
+  explicit MapArrays(const SourceMesh& mesh)
+    : Source(mesh)
+  {
+    vtkIdType most = 0;
+    for (int e = 0; e < mesh.Elements(); ++e)
+    {
+      most += static_cast<vtkIdType>(MostCoefficients(mesh, e));
+    }
+    Arrays.map.components = 3;
+    Arrays.map.coefficients = vtkSmartPointer<vtkDoubleArray>::New();
+    Arrays.map.coefficients->SetNumberOfValues(most);
+  }
+
+  MeshArrays Convert()
+  {
+    constexpr int kTogether = 4096;
+    std::vector<ElementGeometry> geometry;
+    for (int begin = 0; begin < Source.Elements(); begin += kTogether)
+    {
+      const int end = std::min(begin + kTogether, Source.Elements());
+      geometry.resize(static_cast<std::size_t>(end - begin));
+      ForElements(begin, end, [&](int e) { geometry[e - begin] = ConvertGeometry(Source, e); });
+      for (int e = begin; e < end; ++e)
+      {
+        Place(e, geometry[e - begin]);
+      }
+      ForElements(begin, end,
+        [&](int e)
+        { std::ranges::copy(geometry[e - begin].coefficients, Arrays.map.Coefficients(e)); });
+    }
+    Arrays.map.coefficients->Resize(Placed);
+    return std::move(Arrays);
+  }
+
+private:
+  void Place(int element, const ElementGeometry& g)
+  {
+    const auto [known, isNew] =
+      SpaceNumbers.try_emplace(g.space, static_cast<std::int32_t>(SpaceNumbers.size()));
+    if (isNew)
+    {
+      Arrays.map.spaces.push_back(g.space);
+    }
+    Arrays.map.spaceOf.push_back(known->second);
+    Arrays.map.offset.push_back(Placed);
+    Placed += static_cast<std::int64_t>(g.coefficients.size());
+    Arrays.centre.insert(Arrays.centre.end(), g.centre.begin(), g.centre.end());
+    Arrays.size.push_back(g.size);
+    Arrays.uncertainty.push_back(g.uncertainty);
+    Arrays.sourceCell.push_back(Source.Cell(element));
+  }
+
+  const SourceMesh& Source;
+  MeshArrays Arrays;
+  std::map<Space, std::int32_t> SpaceNumbers;
+  std::int64_t Placed = 0; ///< coefficients
+};
+
 /// Adds the mesh's coefficients to `grid`, whose cell e is element e of `mesh`.
 void ConvertMesh(const SourceMesh& mesh, vtkUnstructuredGrid* grid)
 {
-  // The orders that remain, and so the offsets, are only known after the conversion.
-  std::vector<ElementGeometry> geometry(mesh.Elements());
-  ForElements(mesh, [&](int e) { geometry[e] = ConvertGeometry(mesh, e); });
-
-  MeshArrays arrays;
-  std::vector<Space> spaces;
-  spaces.reserve(static_cast<std::size_t>(mesh.Elements()));
-  for (int e = 0; e < mesh.Elements(); ++e)
-  {
-    const auto& g = geometry[e];
-    spaces.push_back(g.space);
-    arrays.centre.insert(arrays.centre.end(), g.centre.begin(), g.centre.end());
-    arrays.size.push_back(g.size);
-    arrays.uncertainty.push_back(g.uncertainty);
-    arrays.sourceCell.push_back(mesh.Cell(e));
-  }
-  arrays.map.Allocate(spaces, 3);
-  ForElements(
-    mesh, [&](int e) { std::ranges::copy(geometry[e].coefficients, arrays.map.Coefficients(e)); });
+  const MeshArrays arrays = MapArrays(mesh).Convert();
   StoreMesh(grid, arrays, Origin::PointData);
   if (mesh.GetSlab())
   {
@@ -90,19 +137,20 @@ int ConvertPointField(const SourceMesh& mesh, vtkDataArray* values, vtkUnstructu
   const std::span<const double> nodal(
     doubles->GetPointer(0), static_cast<std::size_t>(doubles->GetNumberOfValues()));
   std::atomic<int> nonFinite{ 0 };
-  ForElements(mesh,
+  const std::vector<double> shifts(static_cast<std::size_t>(components));
+  ForElements(0, mesh.Elements(),
     [&](int e)
     {
-      const ChangeOfBasis& change = mesh.Basis(e).change;
+      thread_local std::vector<double> atNodes;
+      thread_local ChangeOfBasis::Scratch scratch;
       const auto count = static_cast<std::size_t>(spaces[e].Modes());
       const std::span<double> out(arrays.Coefficients(e), count * components);
-      std::vector<double> atNodes;
-      for (int c = 0; c < components; ++c)
+      mesh.GatherAll(e, nodal, components, components, atNodes);
+      mesh.Basis(e).change.Apply(atNodes, shifts, out, scratch);
+      if (!AllFinite(out))
       {
-        mesh.Gather(e, nodal, components, c, atNodes);
-        change.Apply(atNodes, 0.0, out.subspan(c * count, count));
+        ++nonFinite;
       }
-      nonFinite += AllFinite(out) ? 0 : 1;
     });
   StoreField(grid, values->GetName(), arrays, Origin::PointData);
   return nonFinite;

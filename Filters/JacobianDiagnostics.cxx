@@ -3,13 +3,14 @@
 
 #include "Core/Element/Kernels.h"
 #include "Core/Shape/Shape.h"
+#include "GradientSpread.h"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
+#include <optional>
 
 namespace pixelexact
 {
@@ -64,7 +65,7 @@ Samples MakeSamples(const Space& space)
   return samples;
 }
 
-Sign SignOf(const Mesh& mesh, int element, const Samples& samples)
+Sign SampledSign(const Mesh& mesh, int element, const Samples& samples)
 {
   const Space& space = mesh.map.SpaceOf(element);
   const auto& xi = samples.xi;
@@ -90,12 +91,55 @@ Sign SignOf(const Mesh& mesh, int element, const Samples& samples)
     const Vec3 c = column(2);
     const double det =
       a.x * (b.y * c.z - b.z * c.y) - a.y * (b.x * c.z - b.z * c.x) + a.z * (b.x * c.y - b.y * c.x);
-    const auto length = [](const Vec3& v) { return std::hypot(v.x, v.y, v.z); };
+    const auto length = [](const Vec3& v) { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); };
     const double zero = kVanishing * length(a) * length(b) * length(c);
     positive += det > zero ? 1 : 0;
     negative += det < -zero ? 1 : 0;
   }
   return positive == count ? Sign::Positive : negative == count ? Sign::Negative : Sign::Mixed;
+}
+
+/// Of one space.
+struct SpaceSamples
+{
+  Samples samples;
+  std::optional<GradientSpread> spread; ///< where there are elements enough to be worth it
+};
+
+Sign SignOf(const Mesh& mesh, int element, const SpaceSamples& space)
+{
+  if (space.spread)
+  {
+    const int sign = space.spread->SignOfJacobian(mesh.map.Coefficients(element), kVanishing);
+    if (sign != 0)
+    {
+      return sign > 0 ? Sign::Positive : Sign::Negative;
+    }
+  }
+  return SampledSign(mesh, element, space.samples);
+}
+
+/// The spread takes a sampling of each mode.
+std::vector<SpaceSamples> MakeSpaceSamples(const Mesh& mesh)
+{
+  std::vector<std::int64_t> elements(mesh.map.spaces.size());
+  for (const auto space : mesh.map.spaceOf)
+  {
+    ++elements[space];
+  }
+  std::vector<SpaceSamples> all;
+  for (std::size_t s = 0; s < elements.size(); ++s)
+  {
+    const Space& space = mesh.map.spaces[s];
+    all.push_back({ MakeSamples(space), std::nullopt });
+    if (elements[s] > space.Modes())
+    {
+      const auto& xi = all.back().samples.xi;
+      all.back().spread.emplace(space,
+        LanePoints{ { xi[0].data(), xi[1].data(), xi[2].data() }, all.back().samples.count });
+    }
+  }
+  return all;
 }
 
 struct Group
@@ -117,8 +161,7 @@ std::vector<std::string> DiagnoseJacobian(
   const Mesh& mesh, std::span<const std::int64_t> sourceCells)
 {
   std::vector<Sign> sign(mesh.Elements());
-  std::vector<Samples> samples;
-  std::ranges::transform(mesh.map.spaces, std::back_inserter(samples), MakeSamples);
+  const std::vector<SpaceSamples> samples = MakeSpaceSamples(mesh);
   tbb::parallel_for(
     0, mesh.Elements(), [&](int e) { sign[e] = SignOf(mesh, e, samples[mesh.map.spaceOf[e]]); });
 

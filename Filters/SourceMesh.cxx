@@ -4,12 +4,11 @@
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
-#include "vtkIdList.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkUnstructuredGrid.h"
@@ -125,6 +124,7 @@ SourceMesh::SourceMesh(vtkUnstructuredGrid* grid, const NodeConvention& nodes)
   const std::map<int, int> dimensions = DimensionsOf(grid);
   const bool isPlane = HighestDimension(dimensions) == 2;
   const int wanted = isPlane ? 2 : 3;
+  ViewConnectivity(grid);
   for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
   {
     const int type = grid->GetCellType(cell);
@@ -161,21 +161,46 @@ void SourceMesh::FindSlab()
 {
   Vec3 low(INFINITY);
   Vec3 high(-INFINITY);
-  for (const auto p : PointIds)
+  for (int e = 0; e < Elements(); ++e)
   {
-    const Vec3 x(Xyz[3 * p], Xyz[3 * p + 1], Xyz[3 * p + 2]);
-    low = glm::min(low, x);
-    high = glm::max(high, x);
+    for (const auto p : Points(e))
+    {
+      const Vec3 x(Xyz[3 * p], Xyz[3 * p + 1], Xyz[3 * p + 2]);
+      low = glm::min(low, x);
+      high = glm::max(high, x);
+    }
   }
   Plane = MakeSlab(low, high, kPlaneRoundings * Roundoff);
 }
 
+/// The grid's own lists where they are of vtkIdType, else copies.
+void SourceMesh::ViewConnectivity(vtkUnstructuredGrid* grid)
+{
+  Connectivity = grid->GetCells();
+  if (!Connectivity)
+  {
+    return;
+  }
+  if (!Connectivity->IsStorage64Bit())
+  {
+    Connectivity = vtkSmartPointer<vtkCellArray>::New();
+    Connectivity->DeepCopy(grid->GetCells());
+    Connectivity->ConvertTo64BitStorage();
+  }
+  static_assert(sizeof(vtkIdType) == sizeof(vtkTypeInt64), "VTK with VTK_USE_64BIT_IDS is needed");
+  const auto view = [](auto* array)
+  {
+    return std::span<const vtkIdType>(
+      array->GetPointer(0), static_cast<std::size_t>(array->GetNumberOfValues()));
+  };
+  PointIds = view(Connectivity->GetConnectivityArray64());
+  Offsets = view(Connectivity->GetOffsetsArray64());
+}
+
 void SourceMesh::AddCell(vtkUnstructuredGrid* grid, vtkIdType cell, int type)
 {
-  vtkNew<vtkIdList> ids;
-  grid->GetCellPoints(cell, ids);
-  const std::span<const vtkIdType> points(
-    ids->GetPointer(0), static_cast<std::size_t>(ids->GetNumberOfIds()));
+  const auto first = static_cast<std::size_t>(Offsets[cell]);
+  const auto points = PointIds.subspan(first, static_cast<std::size_t>(Offsets[cell + 1]) - first);
   CellKind kind{ type, static_cast<int>(points.size()), { 0, 0, 0 },
     IsLagrangeCell(type) ? Nodes : NodeConvention() };
   for (const auto id : points)
@@ -218,8 +243,6 @@ void SourceMesh::AddCell(vtkUnstructuredGrid* grid, vtkIdType cell, int type)
   }
   Cells.push_back(cell);
   BasisOf.push_back(basis);
-  PointIds.insert(PointIds.end(), points.begin(), points.end());
-  Offsets.push_back(PointIds.size());
 }
 
 void SourceMesh::CheckCoordinates() const
@@ -250,6 +273,21 @@ void SourceMesh::CheckCoordinates() const
 std::string SourceMesh::Describe(int element) const
 {
   return NameCell(Cells[element], BasisOf[element]->kind.type);
+}
+
+void SourceMesh::GatherAll(int element, std::span<const double> values, int components, int wanted,
+  std::vector<double>& out) const
+{
+  const auto points = Points(element);
+  out.resize(points.size() * static_cast<std::size_t>(wanted));
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const double* tuple = &values[static_cast<std::size_t>(points[i]) * components];
+    for (int c = 0; c < wanted; ++c)
+    {
+      out[static_cast<std::size_t>(c) * points.size() + i] = tuple[c];
+    }
+  }
 }
 
 void SourceMesh::Gather(int element, std::span<const double> values, int components, int component,

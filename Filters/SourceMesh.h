@@ -15,6 +15,7 @@
 #include <span>
 #include <vector>
 
+class vtkCellArray;
 class vtkDataArray;
 class vtkDoubleArray;
 class vtkUnstructuredGrid;
@@ -22,8 +23,8 @@ class vtkUnstructuredGrid;
 namespace pixelexact
 {
 /// The three-dimensional cells of a grid or, where it has none, the two-dimensional ones, in the
-/// grid's order, with basis and points. Keeps no
-/// reference to the grid; safe to read from several threads.
+/// grid's order, with basis and points. Keeps the grid's points and connectivity, not the grid;
+/// safe to read from several threads.
 class SourceMesh
 {
 public:
@@ -38,8 +39,9 @@ public:
   [[nodiscard]] const CellBasis& Basis(int element) const { return *BasisOf[element]; }
   [[nodiscard]] std::span<const vtkIdType> Points(int element) const
   {
-    return std::span(PointIds).subspan(
-      Offsets[element], static_cast<std::size_t>(Offsets[element + 1] - Offsets[element]));
+    const vtkIdType cell = Cells[element];
+    return PointIds.subspan(static_cast<std::size_t>(Offsets[cell]),
+      static_cast<std::size_t>(Offsets[cell + 1] - Offsets[cell]));
   }
   /// Of plane cells: the slab that they become.
   [[nodiscard]] const std::optional<Slab>& GetSlab() const { return Plane; }
@@ -56,8 +58,12 @@ public:
   /// Component `component` of `values`, `components` per point, at the element's points.
   void Gather(int element, std::span<const double> values, int components, int component,
     std::vector<double>& out) const;
+  /// The first `wanted` components, one after the other.
+  void GatherAll(int element, std::span<const double> values, int components, int wanted,
+    std::vector<double>& out) const;
 
 private:
+  void ViewConnectivity(vtkUnstructuredGrid* grid);
   void AddCell(vtkUnstructuredGrid* grid, vtkIdType cell, int type);
   void CheckCoordinates() const;
   void FindSlab();
@@ -67,8 +73,9 @@ private:
   std::map<CellKind, const CellBasis*> BasisOfKind;
   std::vector<vtkIdType> Cells;
   std::vector<const CellBasis*> BasisOf;
-  std::vector<vtkIdType> PointIds;
-  std::vector<std::size_t> Offsets{ 0 };
+  vtkSmartPointer<vtkCellArray> Connectivity;
+  std::span<const vtkIdType> PointIds;
+  std::span<const vtkIdType> Offsets; ///< per cell of the grid, and one more
   vtkIdType Skipped = 0;
   double Roundoff = 0.0;
   std::optional<Slab> Plane;

@@ -2,9 +2,12 @@
 #include "vtkGmshReader.h"
 
 #include "Formats/FileText.h"
+#include "Formats/Gmsh/MeshPieces.h"
 #include "Formats/Gmsh/Reader.h"
 
 #include "vtkObjectFactory.h"
+
+#include <deque>
 
 vtkStandardNewMacro(vtkGmshReader);
 
@@ -19,14 +22,11 @@ struct Texts
   {
     for (const auto& file : files)
     {
-      Storage.push_back(ReadFileText(file));
-    }
-    for (std::size_t i = 0; i < files.size(); ++i)
-    {
-      Named.push_back({ files[i], Storage[i] });
+      const FileText& text = Storage.emplace_back(file);
+      Named.push_back({ file, text.Get(), &text });
     }
   }
-  std::vector<std::string> Storage;
+  std::deque<FileText> Storage; ///< which stay where they are
   std::vector<gmsh::NamedText> Named;
 };
 } // namespace
@@ -55,9 +55,10 @@ void vtkGmshReader::ClearViewFileNames()
   this->Modified();
 }
 
-std::vector<std::string> vtkGmshReader::Files() const
+std::vector<std::string> vtkGmshReader::Files(std::size_t& pieces) const
 {
-  std::vector<std::string> files{ this->FileName };
+  std::vector<std::string> files = gmsh::PiecesOf(this->FileName);
+  pieces = files.size();
   files.insert(files.end(), this->ViewFiles.begin(), this->ViewFiles.end());
   return files;
 }
@@ -68,10 +69,14 @@ std::vector<double> vtkGmshReader::ReadTimes()
   {
     return {}; // RequestData says so
   }
-  return gmsh::ReadTimes(Texts(this->Files()).Named);
+  std::size_t pieces = 1;
+  const Texts texts(this->Files(pieces));
+  return gmsh::ReadTimes(texts.Named, pieces);
 }
 
 SolverModel vtkGmshReader::ReadModel(int step, bool wantMesh)
 {
-  return gmsh::Read(Texts(this->Files()).Named, step, wantMesh);
+  std::size_t pieces = 1;
+  const Texts texts(this->Files(pieces));
+  return gmsh::Read(texts.Named, step, wantMesh, pieces);
 }

@@ -41,7 +41,8 @@ private:
   vtkGmshReader(const vtkGmshReader&) = delete;
   void operator=(const vtkGmshReader&) = delete;
 
-  std::vector<std::string> Files() const;
+  /** The mesh, as many files as `pieces` says, and the views. */
+  std::vector<std::string> Files(std::size_t& pieces) const;
 
   std::vector<std::string> ViewFiles;
 };

@@ -26,11 +26,11 @@ struct Texts
   {
     for (const auto& file : files)
     {
-      Storage.push_back(ReadFileText(file));
-      Named.push_back({ file, Storage.back() });
+      const FileText& text = Storage.emplace_back(file);
+      Named.push_back({ file, text.Get(), &text });
     }
   }
-  std::deque<std::string> Storage; ///< which stay where they are
+  std::deque<FileText> Storage; ///< which stay where they are
   std::vector<nektar::NamedText> Named;
 };
 } // namespace
@@ -102,7 +102,25 @@ std::vector<double> vtkNektarReader::ReadTimes()
   return times;
 }
 
-SolverModel vtkNektarReader::ReadModel(int step, bool /*wantMesh*/)
+SolverModel vtkNektarReader::ReadModel(int step, bool wantMesh)
+{
+  const bool isKnown = !wantMesh && this->Outline;
+  nektar::SessionMesh mesh = isKnown ? nektar::OutlineOf(*this->Outline) : this->ReadSession();
+  if (!isKnown)
+  {
+    this->Outline = this->FieldFiles.size() > 1
+      ? std::make_unique<nektar::SessionMesh>(nektar::OutlineOf(mesh))
+      : nullptr;
+  }
+  if (!this->FieldFiles.empty())
+  {
+    const Texts fields(nektar::FileParts(this->FieldFiles[this->FileOfStep[step]]));
+    nektar::AddFields(fields.Named, mesh);
+  }
+  return std::move(mesh.model);
+}
+
+nektar::SessionMesh vtkNektarReader::ReadSession()
 {
   std::vector<std::string> sessions = nektar::FileParts(this->FileName);
   for (const auto& name : this->Sessions)
@@ -110,13 +128,7 @@ SolverModel vtkNektarReader::ReadModel(int step, bool /*wantMesh*/)
     const auto parts = nektar::FileParts(name);
     sessions.insert(sessions.end(), parts.begin(), parts.end());
   }
-  std::vector<std::string> parts;
-  if (!this->FieldFiles.empty())
-  {
-    parts = nektar::FileParts(this->FieldFiles[this->FileOfStep[step]]);
-  }
   Texts session(sessions);
   session.Add(nektar::MissingMeshes(session.Named));
-  const Texts fields(parts);
-  return nektar::Read(session.Named, fields.Named);
+  return nektar::ReadMesh(session.Named);
 }

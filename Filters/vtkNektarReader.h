@@ -19,6 +19,13 @@
 #include "PixelExactFiltersModule.h"
 #include "vtkHighOrderFileReader.h"
 
+#include <memory>
+
+namespace pixelexact::nektar
+{
+struct SessionMesh;
+}
+
 class PIXELEXACTFILTERS_EXPORT vtkNektarReader : public vtkHighOrderFileReader
 {
 public:
@@ -53,6 +60,10 @@ private:
   vtkNektarReader(const vtkNektarReader&) = delete;
   void operator=(const vtkNektarReader&) = delete;
 
+  pixelexact::nektar::SessionMesh ReadSession();
+
+  /// Of the mesh, for further time steps; none: there is one step.
+  std::unique_ptr<pixelexact::nektar::SessionMesh> Outline;
   std::vector<std::string> Sessions;
   std::vector<std::string> FieldFiles;
   std::vector<int> FileOfStep;

@@ -3,6 +3,7 @@
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -13,17 +14,56 @@
 #include <tbb/parallel_for.h>
 #include <xxhash.h>
 
+#include <algorithm>
 #include <bit>
+#include <span>
 
 namespace pixelexact
 {
 namespace
 {
-void AppendTuple(std::vector<double>& numbers, vtkDataArray* array, vtkIdType tuple)
+/// Tuples of an array as doubles; of doubles without VTK's call for each.
+class Tuples
 {
-  const std::size_t begin = numbers.size();
-  numbers.resize(begin + array->GetNumberOfComponents());
-  array->GetTuple(tuple, numbers.data() + begin);
+public:
+  explicit Tuples(vtkDataArray* array)
+    : Array(array)
+    , Components(static_cast<std::size_t>(array->GetNumberOfComponents()))
+  {
+    if (auto* doubles = vtkDoubleArray::FastDownCast(array))
+    {
+      First = doubles->GetPointer(0);
+    }
+  }
+
+  void Append(std::vector<double>& numbers, std::span<const vtkIdType> tuples) const
+  {
+    const std::size_t begin = numbers.size();
+    numbers.resize(begin + tuples.size() * Components);
+    double* to = numbers.data() + begin;
+    for (const vtkIdType tuple : tuples)
+    {
+      if (First != nullptr)
+      {
+        std::copy_n(First + static_cast<std::size_t>(tuple) * Components, Components, to);
+      }
+      else
+      {
+        Array->GetTuple(tuple, to);
+      }
+      to += Components;
+    }
+  }
+
+private:
+  vtkDataArray* Array;
+  std::size_t Components;
+  const double* First = nullptr;
+};
+
+std::span<const vtkIdType> Ids(vtkIdList* list)
+{
+  return { list->GetPointer(0), static_cast<std::size_t>(list->GetNumberOfIds()) };
 }
 
 std::uint64_t Mixed(std::uint64_t state, std::uint64_t word)
@@ -79,35 +119,31 @@ std::vector<std::int64_t> ForCells(
 
 std::vector<std::int64_t> CellFingerprints(vtkUnstructuredGrid* grid, Hash hash)
 {
+  const Tuples places(grid->GetPoints()->GetData());
   return ForCells(grid, 2, hash,
-    [grid](std::vector<double>& numbers, vtkIdType cell, vtkIdList* points)
+    [grid, &places](std::vector<double>& numbers, vtkIdType cell, vtkIdList* points)
     {
       grid->GetCellPoints(cell, points);
       numbers.push_back(grid->GetCellType(cell));
       numbers.push_back(static_cast<double>(points->GetNumberOfIds()));
-      for (vtkIdType i = 0; i < points->GetNumberOfIds(); ++i)
-      {
-        AppendTuple(numbers, grid->GetPoints()->GetData(), points->GetId(i));
-      }
+      places.Append(numbers, Ids(points));
     });
 }
 
 std::vector<std::int64_t> ValueFingerprints(
   vtkUnstructuredGrid* grid, vtkDataArray* source, Origin origin, Hash hash)
 {
+  const Tuples values(source);
   return ForCells(grid, 0, hash,
-    [=](std::vector<double>& numbers, vtkIdType cell, vtkIdList* points)
+    [grid, origin, &values](std::vector<double>& numbers, vtkIdType cell, vtkIdList* points)
     {
       if (origin == Origin::CellData)
       {
-        AppendTuple(numbers, source, cell);
+        values.Append(numbers, { &cell, 1 });
         return;
       }
       grid->GetCellPoints(cell, points);
-      for (vtkIdType i = 0; i < points->GetNumberOfIds(); ++i)
-      {
-        AppendTuple(numbers, source, points->GetId(i));
-      }
+      values.Append(numbers, Ids(points));
     });
 }
 

@@ -23,6 +23,14 @@ namespace
 constexpr double kRoundings = 4.0 * std::numeric_limits<double>::epsilon() / 2;
 
 using Bases = std::span<const ElementBasis* const>;
+using Describe = std::function<std::string(std::size_t)>;
+
+/// What one thread works in.
+struct Work
+{
+  std::vector<double> source;
+  ChangeOfBasis::Scratch scratch;
+};
 
 template <class Function>
 void ForElements(std::size_t elements, Function&& function)
@@ -30,10 +38,10 @@ void ForElements(std::size_t elements, Function&& function)
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, elements, 64),
     [&](const tbb::blocked_range<std::size_t>& range)
     {
-      std::vector<double> source;
+      Work work;
       for (std::size_t e = range.begin(); e < range.end(); ++e)
       {
-        function(e, source);
+        function(e, work);
       }
     });
 }
@@ -76,6 +84,12 @@ std::span<double> Component(SolverExpansion& expansion, std::size_t e, int c)
   return { &expansion.coefficients.data[expansion.offset[e] + c * modes], modes };
 }
 
+std::span<double> AllComponents(SolverExpansion& expansion, std::size_t e)
+{
+  const std::span<double> first = Component(expansion, e, 0);
+  return { first.data(), first.size() * static_cast<std::size_t>(expansion.components) };
+}
+
 /// sum over the modes of what one unit of noise in every source value can put into the function.
 double NoiseOf(const ChangeOfBasis& change)
 {
@@ -94,7 +108,7 @@ struct Box
 };
 
 /// Of source values, component by component; a plane mesh's z stays 0.
-Box BoxOf(std::span<const double> source, int components, const std::string& name)
+Box BoxOf(std::span<const double> source, int components, const Describe& describe, std::size_t e)
 {
   const std::size_t n = source.size() / components;
   Box box;
@@ -108,7 +122,8 @@ Box BoxOf(std::span<const double> source, int components, const std::string& nam
     {
       if (!std::isfinite(x))
       {
-        throw InvalidData(name + " has a coordinate that is NaN or infinite; write the mesh anew.");
+        throw InvalidData(
+          describe(e) + " has a coordinate that is NaN or infinite; write the mesh anew.");
       }
       box.low[c] = std::fmin(box.low[c], x);
       box.high[c] = std::fmax(box.high[c], x);
@@ -117,7 +132,7 @@ Box BoxOf(std::span<const double> source, int components, const std::string& nam
   return box;
 }
 
-ElementUnits UnitsOf(const Box& box, const std::string& name)
+ElementUnits UnitsOf(const Box& box, const Describe& describe, std::size_t e)
 {
   try
   {
@@ -125,8 +140,15 @@ ElementUnits UnitsOf(const Box& box, const std::string& name)
   }
   catch (const InvalidData& error)
   {
-    throw InvalidData(name + " " + error.what());
+    throw InvalidData(describe(e) + " " + error.what());
   }
+}
+
+/// The centre, for as many components.
+std::span<const double> ShiftsOf(const ElementUnits& units, std::size_t components)
+{
+  static_assert(sizeof(units.centre) == 3 * sizeof(double));
+  return { &units.centre.x, components };
 }
 
 std::map<const ElementBasis*, double> NoiseOf(Bases basis)
@@ -161,8 +183,7 @@ void StoreUnits(const ElementUnits& units, double noise, std::size_t e, SolverMe
 }
 
 /// The box of all elements, by their source values.
-Box BoxOfMesh(Bases basis, int components, const Gather& gather,
-  const std::function<std::string(std::size_t)>& describe)
+Box BoxOfMesh(Bases basis, int components, const Gather& gather, const Describe& describe)
 {
   Box all;
   std::vector<double> source;
@@ -170,7 +191,7 @@ Box BoxOfMesh(Bases basis, int components, const Gather& gather,
   {
     source.resize(static_cast<std::size_t>(components) * basis[e]->sources);
     gather(e, source);
-    const Box box = BoxOf(source, components, describe(e));
+    const Box box = BoxOf(source, components, describe, e);
     all.low = glm::min(all.low, box.low);
     all.high = glm::max(all.high, box.high);
   }
@@ -181,18 +202,23 @@ Box BoxOfMesh(Bases basis, int components, const Gather& gather,
 SolverExpansion AssembleField(Bases basis, int components, const Gather& gather)
 {
   SolverExpansion expansion = Allocate(basis, components, &Same);
+  const std::vector<double> zeros(static_cast<std::size_t>(components));
   ForElements(basis.size(),
-    [&](std::size_t e, std::vector<double>& source)
+    [&](std::size_t e, Work& work)
     {
       const ElementBasis& b = *basis[e];
       const auto n = static_cast<std::size_t>(b.sources);
-      source.resize(b.IsVector() ? n : n * components);
-      gather(e, source);
+      work.source.resize(b.IsVector() ? n : n * components);
+      gather(e, work.source);
+      if (!b.IsVector())
+      {
+        b.parts[0].Apply(work.source, zeros, AllComponents(expansion, e), work.scratch);
+        return;
+      }
       for (int c = 0; c < components; ++c)
       {
-        const std::span values(source);
-        b.parts[b.IsVector() ? c : 0].Apply(
-          b.IsVector() ? values : values.subspan(c * n, n), 0.0, Component(expansion, e, c));
+        b.parts[c].Apply(
+          work.source, std::span(zeros).first(1), Component(expansion, e, c), work.scratch);
       }
     });
   return expansion;
@@ -204,21 +230,17 @@ void AssembleMap(Bases basis, const Gather& gather,
   Prepare(basis, &Same, mesh);
   const auto noise = NoiseOf(basis);
   ForElements(basis.size(),
-    [&](std::size_t e, std::vector<double>& source)
+    [&](std::size_t e, Work& work)
     {
-      const ChangeOfBasis& change = basis[e]->parts[0];
-      const auto n = static_cast<std::size_t>(basis[e]->sources);
-      source.resize(3 * n);
-      gather(e, source);
-      const ElementUnits units = UnitsOf(BoxOf(source, 3, describe(e)), describe(e));
-      for (int c = 0; c < 3; ++c)
+      work.source.resize(3 * static_cast<std::size_t>(basis[e]->sources));
+      gather(e, work.source);
+      const ElementUnits units = UnitsOf(BoxOf(work.source, 3, describe, e), describe, e);
+      const auto coefficients = AllComponents(mesh.map, e);
+      basis[e]->parts[0].Apply(work.source, ShiftsOf(units, 3), coefficients, work.scratch);
+      const double inUnits = std::ldexp(1.0, -units.exponent);
+      for (double& value : coefficients)
       {
-        const auto coefficients = Component(mesh.map, e, c);
-        change.Apply(std::span(source).subspan(c * n, n), units.centre[c], coefficients);
-        for (double& value : coefficients)
-        {
-          value = std::ldexp(value, -units.exponent); // a power of two: exact
-        }
+        value *= inUnits; // a power of two: exact
       }
       StoreUnits(units, noise.at(basis[e]), e, mesh);
     });
@@ -233,23 +255,19 @@ void AssemblePlaneMap(Bases basis, int components, const Gather& gather,
   Prepare(basis, &Lifted, mesh);
   const auto noise = NoiseOf(basis);
   ForElements(basis.size(),
-    [&](std::size_t e, std::vector<double>& source)
+    [&](std::size_t e, Work& work)
     {
       const ChangeOfBasis& change = basis[e]->parts[0];
       const auto n = static_cast<std::size_t>(basis[e]->sources);
       const auto modes = static_cast<std::size_t>(change.Target().Modes());
-      source.resize(components * n);
-      gather(e, source);
-      Box box = BoxOf(source, components, describe(e));
+      work.source.resize(components * n);
+      gather(e, work.source);
+      Box box = BoxOf(work.source, components, describe, e);
       box.low.z = slab.middle - slab.thickness / 2;
       box.high.z = slab.middle + slab.thickness / 2;
-      const ElementUnits units = UnitsOf(box, describe(e));
+      const ElementUnits units = UnitsOf(box, describe, e);
       std::vector<double> plane(2 * modes);
-      for (int c = 0; c < 2; ++c)
-      {
-        change.Apply(std::span(source).subspan(c * n, n), units.centre[c],
-          std::span(plane).subspan(c * modes, modes));
-      }
+      change.Apply(std::span(work.source).first(2 * n), ShiftsOf(units, 2), plane, work.scratch);
       const auto inUnits = [&units](double x) { return std::ldexp(x, -units.exponent); };
       std::ranges::transform(plane, plane.begin(), inUnits);
       const std::span lifted(Component(mesh.map, e, 0).data(),

@@ -3,8 +3,14 @@
 
 #include "Core/Base/Error.h"
 
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
 #include <zlib.h>
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <memory>
 
@@ -15,6 +21,14 @@ namespace
 /// Text of numbers is compressed to a third or so; much more than that is no text of numbers.
 constexpr std::uintmax_t kLargestExpansion = 200;
 constexpr std::size_t kBlock = std::size_t{ 1 } << 20U;
+/// Less is not worth a mapping.
+constexpr off_t kLeastMapped = off_t{ 1 } << 23U;
+
+bool IsGzip(int file)
+{
+  std::array<unsigned char, 2> magic{};
+  return pread(file, magic.data(), magic.size(), 0) == 2 && magic[0] == 0x1f && magic[1] == 0x8b;
+}
 
 struct CloseFile
 {
@@ -65,5 +79,93 @@ std::string ReadFileText(const std::string& path)
         " times its size; gunzip it if that is right.");
     }
   }
+}
+
+FileText::FileText(const std::string& path)
+  : Path(path)
+{
+  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  struct stat status
+  {
+  };
+  if (file >= 0 && fstat(file, &status) == 0 && S_ISREG(status.st_mode) &&
+    status.st_size >= kLeastMapped && !IsGzip(file))
+  {
+    const auto size = static_cast<std::size_t>(status.st_size);
+    void* begin = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE, file, 0);
+    if (begin != MAP_FAILED)
+    {
+      madvise(begin, size, MADV_SEQUENTIAL);
+      File = file;
+      Text = { static_cast<const char*>(begin), size };
+      return;
+    }
+  }
+  if (file >= 0)
+  {
+    close(file);
+  }
+  Held = ReadFileText(path);
+  Text = Held;
+}
+
+FileText::~FileText()
+{
+  if (File >= 0)
+  {
+    munmap(const_cast<char*>(Text.data()), Text.size());
+    close(File);
+  }
+}
+
+std::span<char> FileText::Own() const
+{
+  return File >= 0 ? std::span(const_cast<char*>(Text.data()), Text.size()) : std::span<char>();
+}
+
+void FileText::Forget(std::size_t begin, std::size_t end) const
+{
+  if (File < 0)
+  {
+    return;
+  }
+  RequireSameSize();
+  static const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  begin = begin / page * page;
+  end = end / page * page;
+  if (end > begin)
+  {
+    madvise(const_cast<char*>(Text.data()) + begin, end - begin, MADV_DONTNEED);
+  }
+}
+
+/// Pages beyond the end of a file that somebody cuts short must not be looked at.
+void FileText::RequireSameSize() const
+{
+  struct stat status
+  {
+  };
+  if (fstat(File, &status) != 0 || static_cast<std::size_t>(status.st_size) != Text.size())
+  {
+    throw InvalidData("'" + Path +
+      "' changes while it is read; read it when its solver has written it to the end.");
+  }
+}
+
+void ReadingTrace::MoveTo(std::size_t at)
+{
+  if (File != nullptr)
+  {
+    File->Forget(From, std::max(From, at));
+    From = at;
+    Next = at + kStep;
+  }
+}
+
+void ReadingTrace::Forget(std::size_t at)
+{
+  File->Forget(From, at);
+  From = at;
+  Next = at + kStep;
 }
 } // namespace pixelexact

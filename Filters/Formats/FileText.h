@@ -1,11 +1,80 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
+#include <limits>
+#include <span>
 #include <string>
+#include <string_view>
 
 namespace pixelexact
 {
 /// A file's whole content, gunzipped where it is compressed. Throws InvalidData (no such file, a
 /// folder, unreadable, damaged, or decompressing to more than 200 times its size).
 std::string ReadFileText(const std::string& path);
+
+/// The same for parsers that read a large file once, forward: the file is mapped, so that what they
+/// have passed need not stay in memory. Small and compressed files are read.
+class FileText
+{
+public:
+  /// Throws as ReadFileText.
+  explicit FileText(const std::string& path);
+  ~FileText();
+  FileText(const FileText&) = delete;
+  FileText& operator=(const FileText&) = delete;
+
+  [[nodiscard]] std::string_view Get() const { return Text; }
+
+  /// The same to be written into by one parser, and what it wrote forgotten with the text; empty
+  /// where the text is not mapped.
+  [[nodiscard]] std::span<char> Own() const;
+
+  /// Gives back the memory of the text from `begin` to `end`; where it is looked at again it comes
+  /// from the file. Throws InvalidData where the file has changed its size since.
+  void Forget(std::size_t begin, std::size_t end) const;
+
+private:
+  void RequireSameSize() const;
+
+  std::string Path;
+  std::string Held; ///< what is not mapped
+  int File = -1;    ///< of what is mapped
+  std::string_view Text;
+};
+
+/// Forgets a text behind one that reads it forward.
+class ReadingTrace
+{
+public:
+  ReadingTrace() = default;
+  /// `file` may be null; `from`: where reading begins.
+  explicit ReadingTrace(const FileText* file, std::size_t from = 0)
+    : File(file)
+    , From(from)
+    , Next(file != nullptr ? from + kStep : kNever)
+  {
+  }
+
+  /// To be called often.
+  void Passed(std::size_t at)
+  {
+    if (at >= Next)
+    {
+      Forget(at);
+    }
+  }
+  /// Reading goes on at another place.
+  void MoveTo(std::size_t at);
+
+private:
+  static constexpr std::size_t kStep = std::size_t{ 1 } << 23U;
+  static constexpr std::size_t kNever = std::numeric_limits<std::size_t>::max();
+
+  void Forget(std::size_t at);
+
+  const FileText* File = nullptr;
+  std::size_t From = 0;
+  std::size_t Next = kNever;
+};
 } // namespace pixelexact

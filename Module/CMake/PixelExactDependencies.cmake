@@ -74,7 +74,9 @@ if(PIXELEXACT_BUILD_PARAVIEW)
   include(PixelExactParaViewPackage)
   return()
 endif()
-find_package(VTK 9.1 REQUIRED COMPONENTS ${PIXELEXACT_VTK_COMPONENTS} ${vtk_build_components})
+# Without the last ones the program refuses their formats by name.
+find_package(VTK 9.1 REQUIRED COMPONENTS ${PIXELEXACT_VTK_COMPONENTS} ${vtk_build_components}
+  OPTIONAL_COMPONENTS IOExodus exodusII IOCGNSReader)
 
 find_package(CLI11 REQUIRED)
 find_package(fmt REQUIRED)

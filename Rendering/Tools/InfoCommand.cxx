@@ -49,8 +49,9 @@ struct Facts
   OrderCounts storedOrders; ///< of the file's cells
   OrderCounts orders;       ///< of the geometry, without orders that hold nothing but rounding
   std::vector<FieldFacts> fields;
-  std::array<double, 6> bounds{}; ///< of the nodes: x, y, z, lower and upper each
-  std::optional<Slab> slab;       ///< of a plane mesh
+  std::array<double, 6> bounds{};   ///< of the nodes: x, y, z, lower and upper each
+  std::optional<Slab> slab;         ///< of a plane mesh
+  std::size_t coefficientBytes = 0; ///< of the geometry and all fields
   SolverFacts solver;
   std::optional<CertifiedFacts> certified; ///< on request
 };
@@ -85,6 +86,7 @@ Facts Gather(const LoadedModel& input)
     }
   }
   facts.orders = CountOrders(mesh.map, isPlane);
+  facts.coefficientBytes = mesh.map.coefficients.size_bytes();
   const std::span<const Field> fields = input.model->Fields();
   const std::vector<Continuity> continuity = CompareAcrossElements(mesh, fields);
   for (std::size_t f = 0; f < fields.size(); ++f)
@@ -92,6 +94,7 @@ Facts Gather(const LoadedModel& input)
     facts.fields.push_back({ &fields[f], CountOrders(fields[f].values, isPlane), continuity[f],
       CountNonFinite(fields[f].values), BasisOf(*input.grid, fields[f].name),
       FindRanges(mesh, fields[f]) });
+    facts.coefficientBytes += fields[f].values.coefficients.size_bytes();
   }
   input.grid->GetBounds(facts.bounds.data());
   if (isPlane)
@@ -251,7 +254,7 @@ void PrintJson(const LoadedModel& input, const Facts& facts)
   }
   AddTime(summary, input);
   summary.update({ { "times", input.times }, { "converted", input.converted },
-    { "diagnostics", input.diagnostics } });
+    { "coefficient_bytes", facts.coefficientBytes }, { "diagnostics", input.diagnostics } });
   Print(summary);
 }
 

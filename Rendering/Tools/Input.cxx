@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Input.h"
 
+#include "BlockInput.h"
 #include "Command.h"
 #include "NativeInput.h"
 #include "Numbers.h"
@@ -69,6 +70,10 @@ constexpr std::array kFormats{
   Format{ ".pvtu", "VTK XML", &ReadXmlFiles },
   Format{ ".pvd", "collection of VTK XML files", &ReadXmlCollection },
   Format{ ".vtk", "VTK legacy", &ReadLegacyFile },
+  Format{ ".e", "Exodus II", &ReadExodusFile },
+  Format{ ".exo", "Exodus II", &ReadExodusFile },
+  Format{ ".ex2", "Exodus II", &ReadExodusFile },
+  Format{ ".cgns", "CGNS", &ReadCgnsFile },
   Format{ ".mesh", "MFEM", &ReadMfemFiles },
   Format{ ".mfem_root", "collection of MFEM files", &ReadMfemCollection },
   Format{ ".gf", "MFEM", &RefuseFieldFile },
@@ -200,8 +205,9 @@ InputGrid ReadInput(const InputRequest& request)
   if (format == nullptr)
   {
     CannotRead(first,
-      "its suffix is of no format known here; .vtu, .pvtu, .pvd, .vtk, .mesh, .mfem_root, .000000 "
-      "(a piece of an MFEM mesh), .saved, .msh, .nekg and .xml are read");
+      "its suffix is of no format known here; .vtu, .pvtu, .pvd, .vtk, .e, .exo, .ex2, .cgns, "
+      ".mesh, .mfem_root, .000000 (a piece of an MFEM mesh), .saved, .msh, .nekg and .xml are "
+      "read");
   }
   CheckCompanions(request.files, *format);
   std::for_each(request.files.begin() + 1, request.files.end(), CheckFile);
@@ -231,8 +237,8 @@ void AddField(CLI::App& command, std::string& field)
 void InputRequest::AddTo(CLI::App& command, bool required)
 {
   AddArguments(command, "INPUT", files, "FILE",
-    "The mesh file (.vtu, .pvtu, .pvd, .vtk, .mesh, .mfem_root, .saved, .msh, .nekg or .xml) and, "
-    "where the "
+    "The mesh file (.vtu, .pvtu, .pvd, .vtk, .e, .exo, .ex2, .cgns, .mesh, .mfem_root, .saved, "
+    ".msh, .nekg or .xml) and, where the "
     "format keeps them apart, its field files (.gf; .fld, .chk or .rst; .msh without a mesh); "
     "x.000000 and u.000000 "
     "stand "

@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <limits>
 #include <numeric>
 
 namespace pixelexact::testing
@@ -297,5 +300,77 @@ TEST(ChangeOfBasis, TriangleTimesLineReproducesAPrism)
     const long double expected = xi[0] * xi[2] * std::pow((1 + xi[1]) / 2, 3);
     EXPECT_NEAR(static_cast<double>(At(space, modes, xi) - expected), 0.0, 1e-15);
   }
+}
+
+TEST(ChangeOfBasis, ProductsHaveMoreBitsThanLongDouble)
+{
+  Random random(3);
+  for (const auto& [rows, columns, rest] :
+    { std::array{ 1, 1, 1 }, { 4, 4, 16 }, { 20, 20, 3 }, { 9, 17, 5 } })
+  {
+    BasisFactor factor{ rows, columns, {} };
+    for (int i = 0; i < rows * columns; ++i)
+    {
+      factor.matrix.push_back(1.0L / 3 + random(-1.0, 1.0));
+    }
+    PairBuffer from;
+    PairBuffer to;
+    from.Resize(static_cast<std::size_t>(columns * rest));
+    for (int i = 0; i < columns * rest; ++i)
+    {
+      from.high[i] = random(-1.0, 1.0);
+      from.low[i] = 0x1p-54 * from.high[i];
+    }
+    Multiply(PairMatrix(factor), static_cast<std::size_t>(rest), from, to);
+    for (int r = 0; r < rest; ++r)
+    {
+      for (int row = 0; row < rows; ++row)
+      {
+        long double sum = 0.0L;
+        for (int k = 0; k < columns; ++k)
+        {
+          const std::size_t at = static_cast<std::size_t>(k) * rest + r;
+          sum += factor.matrix[static_cast<std::size_t>(row) * columns + k] *
+            (static_cast<long double>(from.high[at]) + from.low[at]);
+        }
+        const std::size_t at = static_cast<std::size_t>(r) * rows + row;
+        EXPECT_NEAR(static_cast<double>(sum - to.high[at] - to.low[at]), 0.0, 0x1p-60 * columns);
+      }
+    }
+  }
+}
+
+TEST(ChangeOfBasis, ComponentsTogetherAreComponentsAlone)
+{
+  const Space space = UniformSpace(Shape::Prism, 4);
+  const auto change =
+    ChangeOfBasis::Prism(space, Family::EquispacedLagrange, Identity(space.Modes()));
+  const auto count = static_cast<std::size_t>(space.Modes());
+  const std::vector<double> shifts{ 0.25, -3.0, 1e9 };
+  Random random(9);
+  std::vector<double> values(3 * count);
+  std::ranges::generate(values, [&random] { return random(-2.0, 2.0); });
+  std::vector<double> together(3 * count);
+  ChangeOfBasis::Scratch scratch;
+  change.Apply(values, shifts, together, scratch);
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    std::vector<double> alone(count);
+    change.Apply(std::span(values).subspan(c * count, count), shifts[c], alone);
+    EXPECT_TRUE(std::ranges::equal(alone, std::span(together).subspan(c * count, count)));
+  }
+}
+
+TEST(ChangeOfBasis, TakesTheLargestDoubles)
+{
+  const Space space = UniformSpace(Shape::Hexahedron, 2);
+  const auto change =
+    ChangeOfBasis::Hexahedron(space, Family::EquispacedLagrange, Identity(space.Modes()));
+  const double largest = std::numeric_limits<double>::max();
+  std::vector<double> modes(27);
+  change.Apply(std::vector<double>(27, largest), 0.0, modes);
+  EXPECT_EQ(modes[0], largest);
+  change.Apply(std::vector<double>(27, std::nan("")), 0.0, modes);
+  EXPECT_TRUE(std::ranges::all_of(modes, [](double mode) { return std::isnan(mode); }));
 }
 } // namespace pixelexact::testing

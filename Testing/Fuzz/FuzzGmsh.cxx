@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Any bytes as a Gmsh file and, behind a line that separates them, a file of views.
+// Any bytes as a Gmsh file and, behind a line that separates them, a file of views, or another
+// partition of the mesh.
 #include "Core/Base/Error.h"
 #include "Formats/Gmsh/Reader.h"
 
@@ -24,6 +25,17 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   catch (const pixelexact::Error&)
   {
     // The answer that a bad file should get; anything else ends the process.
+  }
+  try
+  {
+    if (files.size() > 1)
+    {
+      pixelexact::gmsh::Read(files, 0, true, files.size());
+    }
+  }
+  catch (const pixelexact::Error&)
+  {
+    // As above.
   }
   return 0;
 }

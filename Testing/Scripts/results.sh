@@ -9,6 +9,7 @@
 #   surfaces      curved surfaces beside planes, on real data; what a pipeline adds to a frame
 #   contours      what they add to frames of real data, and the paper's algorithm beside ours
 #   instructions  counted under callgrind
+#   loading       time and memory from large files to first pictures (Python: numpy)
 #   baselines     vtkProbeFilter, VTK's window, loading
 #   careful-path  its share in the files of Data/ and the larger cases
 #   slowest-point the most that one point costs, cold, in the same files
@@ -24,7 +25,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 build=${PIXELEXACT_BUILD:-build}
-all=(frames suite surfaces contours instructions baselines careful-path slowest-point face-points stability adversary
+all=(frames suite surfaces contours instructions loading baselines careful-path slowest-point face-points stability adversary
   collapsed history enclosures ranges curved oracles)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -80,6 +81,12 @@ run_instructions() {
   title="Instructions a point"
   measure Testing/Benchmarks/instructions.py "$build/bin/InstructionCounts"
   text
+}
+run_loading() {
+  title="From large files to first pictures"
+  Testing/Benchmarks/large_files.py "$scratch/made" >/dev/null
+  measure Testing/Benchmarks/loading.py "$build/bin/pixelexact" "$scratch/made" ../shared/data
+  table
 }
 run_baselines() {
   title="What users have: vtkProbeFilter, the window, loading"

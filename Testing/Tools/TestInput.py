@@ -165,7 +165,7 @@ class Nodes(FileTest):
 class Warnings(FileTest):
     """What VTK warns of is handed on, and the file is read."""
 
-    KEY = "Could not locate key vtkExodusIIReader::GLOBAL_TEMPORAL_VARIABLE"
+    KEY = "Could not locate key vtkUnknownReader::GLOBAL_TEMPORAL_VARIABLE"
 
     def reads_with_a_warning(self, path):
         done = self.succeeds("info", path)
@@ -175,9 +175,9 @@ class Warnings(FileTest):
         self.assertEqual(len(self.summary("info", path)["diagnostics"]), 1)
 
     def test_keys_of_modules_that_are_not_there(self):
-        # As ParaView saves what it read from Exodus files.
+        # As ParaView saves what readers of its own have read.
         key = (
-            '<InformationKey name="GLOBAL_TEMPORAL_VARIABLE" location="vtkExodusIIReader">0'
+            '<InformationKey name="GLOBAL_TEMPORAL_VARIABLE" location="vtkUnknownReader">0'
             "</InformationKey>\n</DataArray>"
         )
         text = unit_cube_grid([("u", np.arange(8.0)), ("v", np.arange(8.0))])
@@ -193,7 +193,7 @@ class Warnings(FileTest):
         )
         field = (
             "POINT_DATA 4\nSCALARS u double 1\nLOOKUP_TABLE default\n0 1 2 3\nMETADATA\n"
-            "INFORMATION 1\nNAME GLOBAL_TEMPORAL_VARIABLE LOCATION vtkExodusIIReader\nDATA 0\n\n"
+            "INFORMATION 1\nNAME GLOBAL_TEMPORAL_VARIABLE LOCATION vtkUnknownReader\nDATA 0\n\n"
         )
         self.reads_with_a_warning(self.write("exodus.vtk", head + points + cells + field))
 

@@ -95,18 +95,64 @@ ChangeOfBasis Prism(int n)
   return ChangeOfBasis::Prism(UniformSpace(Shape::Prism, n), Family::EquispacedLagrange, source);
 }
 
-/// The first `count` nodes of an element; all shapes' lattices fill xi's cube in the same way.
-std::vector<LongVec3> NodesInXi(Shape shape, int order, int count)
+bool IsTriangle(const ElementType& type)
 {
-  std::vector<LongVec3> nodes;
-  for (const Lattice& at : NodeOrder(shape, order))
+  return type.dimension == 2 && type.corners == 3;
+}
+
+/// Of the type's order; of plane elements 0 across.
+Space SpaceOf(const ElementType& type)
+{
+  Space space = UniformSpace(type.shape, type.order);
+  if (type.dimension == 2)
   {
-    const auto x = [&](int d) { return 2.0L * at[d] / order - 1; };
-    nodes.push_back(
-      shape == Shape::Prism ? LongVec3{ x(0), -x(2), x(1) } : LongVec3{ x(0), x(1), x(2) });
+    space.order[type.shape == Shape::Prism ? 1 : 2] = 0;
   }
-  nodes.resize(static_cast<std::size_t>(count));
+  return space;
+}
+
+/// The first nodes of an element, as many as the type has; all shapes' lattices fill xi's cube in
+/// the same way.
+std::vector<LongVec3> NodesInXi(const ElementType& type)
+{
+  const bool isPlane = type.dimension == 2;
+  std::vector<LongVec3> nodes;
+  for (const Lattice& at :
+    isPlane ? PlaneOrder(IsTriangle(type), type.order) : NodeOrder(type.shape, type.order))
+  {
+    const auto x = [&](int d) { return 2.0L * at[d] / type.order - 1; };
+    if (isPlane)
+    {
+      nodes.push_back(IsTriangle(type) ? LongVec3{ x(0), 0, x(1) } : LongVec3{ x(0), x(1), 0 });
+      continue;
+    }
+    nodes.push_back(
+      type.shape == Shape::Prism ? LongVec3{ x(0), -x(2), x(1) } : LongVec3{ x(0), x(1), x(2) });
+  }
+  nodes.resize(static_cast<std::size_t>(type.nodes));
   return nodes;
+}
+
+/// A complete triangle or quadrilateral.
+ChangeOfBasis Plane(const ElementType& type)
+{
+  const int n = type.order;
+  std::map<Lattice, int> place;
+  for (const Lattice& at : PlaneOrder(IsTriangle(type), n))
+  {
+    place.emplace(at, static_cast<int>(place.size()));
+  }
+  std::vector<int> source;
+  for (int i = 0; i <= n; ++i)
+  {
+    for (int j = 0; j <= (IsTriangle(type) ? n - i : n); ++j)
+    {
+      source.push_back(place.at({ i, j, 0 }));
+    }
+  }
+  return IsTriangle(type)
+    ? ChangeOfBasis::Prism(SpaceOf(type), Family::EquispacedLagrange, source)
+    : ChangeOfBasis::Hexahedron(SpaceOf(type), Family::EquispacedLagrange, source);
 }
 
 /// Whether a mode of the complete space is one of the incomplete element's.
@@ -125,13 +171,15 @@ bool IsSerendipity(Shape shape, int p, int q, int r)
 
 ElementBasis Serendipity(const ElementType& type)
 {
-  if (type.shape == Shape::Tetrahedron || (type.shape != Shape::Hexahedron && type.order > 2))
+  if (type.shape == Shape::Tetrahedron || IsTriangle(type) ||
+    (type.shape != Shape::Hexahedron && type.order > 2))
   {
-    throw Unsupported(Describe(type.number) +
-      " have no nodes in their faces, and no document defines their functions; make complete "
+    throw Unsupported(Describe(type.number) + " have no nodes " +
+      (type.dimension == 2 ? "inside" : "in their faces") +
+      ", and no document defines their functions; make complete "
       "elements (Gmsh: Mesh.SecondOrderIncomplete = 0, setOrder).");
   }
-  const Space space = UniformSpace(type.shape, type.order);
+  const Space space = SpaceOf(type);
   std::vector<int> kept;
   ForEachMode(space,
     [&](int p, int q, int r, int mode)
@@ -149,7 +197,7 @@ ElementBasis Serendipity(const ElementType& type)
   };
   const int count = type.nodes;
   std::vector<long double> atNodes(std::size_t(count) * count);
-  const auto nodes = NodesInXi(type.shape, type.order, count);
+  const auto nodes = NodesInXi(type);
   for (int k = 0; k < count; ++k)
   {
     modes(nodes[k], &atNodes[std::size_t(k) * count]);
@@ -159,9 +207,13 @@ ElementBasis Serendipity(const ElementType& type)
 }
 
 /// Gmsh's u, v, w.
-LongVec3 FromXi(Shape shape, const LongVec3& xi)
+LongVec3 FromXi(int dimension, Shape shape, const LongVec3& xi)
 {
   const auto half = [&xi](int d) { return (1 + xi[d]) / 2; };
+  if (dimension == 2)
+  {
+    return shape == Shape::Prism ? LongVec3{ half(0), half(2), 0 } : LongVec3{ xi[0], xi[1], 0 };
+  }
   switch (shape)
   {
     case Shape::Hexahedron:
@@ -193,7 +245,7 @@ long double Monomial(Shape shape, const LongVec3& x, const int* e)
 }
 
 /// The smallest space that holds the monomials.
-Space SpaceOf(Shape shape, const Interpolation& interpolation)
+Space SpaceOf(int dimension, Shape shape, const Interpolation& interpolation)
 {
   std::array<int, 3> order{ 0, 0, 0 };
   for (int j = 0; j < interpolation.functions; ++j)
@@ -208,6 +260,10 @@ Space SpaceOf(Shape shape, const Interpolation& interpolation)
                                         std::max(e[0], e[1]) + e[2], std::max(e[0], e[1]) + e[2] };
     std::ranges::transform(
       order, needed, order.begin(), [](int a, int b) { return std::max(a, b); });
+  }
+  if (dimension == 2 && shape == Shape::Prism)
+  {
+    order[1] = 0; // across
   }
   Space space = UniformSpace(shape, 0);
   for (int d = 0; d < 3; ++d)
@@ -236,6 +292,10 @@ ElementBasis NodalBasis(const ElementType& type)
   {
     return Serendipity(type);
   }
+  if (type.dimension == 2)
+  {
+    return OnePart(Plane(type));
+  }
   switch (type.shape)
   {
     case Shape::Hexahedron:
@@ -248,8 +308,7 @@ ElementBasis NodalBasis(const ElementType& type)
       break;
   }
   const Space space = UniformSpace(type.shape, type.order);
-  return OnePart(ChangeOfBasis::FromFunctions(
-    space, type.nodes, Cardinal(space, NodesInXi(type.shape, type.order, type.nodes))));
+  return OnePart(ChangeOfBasis::FromFunctions(space, type.nodes, Cardinal(space, NodesInXi(type))));
 }
 
 ElementBasis ConstantBasis(Shape shape)
@@ -258,14 +317,14 @@ ElementBasis ConstantBasis(Shape shape)
     [](const LongVec3& /*xi*/, long double* values) { *values = 1.0L; }));
 }
 
-ElementBasis InterpolationBasis(Shape shape, const Interpolation& interpolation)
+ElementBasis InterpolationBasis(int dimension, Shape shape, const Interpolation& interpolation)
 {
-  const Space space = SpaceOf(shape, interpolation);
+  const Space space = SpaceOf(dimension, shape, interpolation);
   return OnePart(ChangeOfBasis::FromFunctions(space, interpolation.functions,
-    [shape, interpolation](const LongVec3& xi, long double* values)
+    [dimension, shape, interpolation](const LongVec3& xi, long double* values)
     {
       const auto n = static_cast<std::size_t>(interpolation.functions);
-      const LongVec3 x = FromXi(shape, xi);
+      const LongVec3 x = FromXi(dimension, shape, xi);
       std::vector<long double> monomial(n);
       for (std::size_t j = 0; j < n; ++j)
       {

@@ -11,13 +11,15 @@
 //   tetrahedron   xi = 2 (u, v, w) - 1
 //   prism         xi = (2 u - 1, -w, 2 v - 1)
 //   pyramid       xi = (u - w, v - w, 2 w - 1)
+//   triangle      xi = (2 u - 1, 0, 2 v - 1), quadrilateral xi = (u, v, 0), of order 0 across
+//                 (planar.md)
 namespace pixelexact::gmsh
 {
 /// One at one of the type's nodes and zero at the others, sources in Gmsh's order. Throws
 /// Unsupported for incomplete elements whose functions no document defines.
 ElementBasis NodalBasis(const ElementType& type);
 
-/// One function of value one.
+/// One function of value one, also of plane elements.
 ElementBasis ConstantBasis(Shape shape);
 
 /// What a view's values stand for on one shape: f_i = sum_j C_ij m_j, m_j = u^a v^b w^c with row j
@@ -29,6 +31,7 @@ struct Interpolation
   std::vector<int> exponents;       ///< functions x 3
 };
 
-/// Throws Unsupported where the space is beyond what is read.
-ElementBasis InterpolationBasis(Shape shape, const Interpolation& interpolation);
+/// Of dimension 2: on the triangles and quadrilaterals of a slab's prisms and hexahedra, whose w is
+/// 0. Throws Unsupported where the space is beyond what is read.
+ElementBasis InterpolationBasis(int dimension, Shape shape, const Interpolation& interpolation);
 } // namespace pixelexact::gmsh

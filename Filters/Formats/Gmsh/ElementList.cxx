@@ -6,12 +6,6 @@
 
 namespace pixelexact::gmsh
 {
-namespace
-{
-constexpr int kVolume = 3;
-constexpr int kSurface = 2;
-} // namespace
-
 ElementList::ElementList(MeshFile& mesh, std::size_t count)
   : Mesh(mesh)
 {
@@ -44,13 +38,13 @@ void ElementList::Add(
         ", which is not in $Nodes.");
     }
   }
-  if (type->dimension == kVolume)
+  if (type->dimension == Mesh.dimension)
   {
     AddSolid(*type, number, where);
     return;
   }
   ++Mesh.lower;
-  if (type->dimension == kSurface)
+  if (type->dimension == Mesh.dimension - 1)
   {
     AddSurface(*type, where);
   }

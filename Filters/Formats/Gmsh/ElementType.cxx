@@ -24,10 +24,10 @@ constexpr auto kNone = Shape::Hexahedron;
 constexpr Series kSeries[] = {
   { 0, 1, kNone, 0, true, { 15 } },
   { 1, 2, kNone, 1, true, { 1, 8, 26, 27, 28, 62, 63, 64, 65, 66 } },
-  { 2, 3, kNone, 1, true, { 2, 9, 21, 23, 25, 42, 43, 44, 45, 46 } },
-  { 2, 3, kNone, 3, false, { 20, 22, 24, 52, 53, 54, 55, 56 } },
-  { 2, 4, kNone, 1, true, { 3, 10, 36, 37, 38, 47, 48, 49, 50, 51 } },
-  { 2, 4, kNone, 2, false, { 16, 39, 40, 41, 57, 58, 59, 60, 61 } },
+  { 2, 3, Shape::Prism, 1, true, { 2, 9, 21, 23, 25, 42, 43, 44, 45, 46 } },
+  { 2, 3, Shape::Prism, 3, false, { 20, 22, 24, 52, 53, 54, 55, 56 } },
+  { 2, 4, Shape::Hexahedron, 1, true, { 3, 10, 36, 37, 38, 47, 48, 49, 50, 51 } },
+  { 2, 4, Shape::Hexahedron, 2, false, { 16, 39, 40, 41, 57, 58, 59, 60, 61 } },
   { 3, 4, Shape::Tetrahedron, 1, true, { 4, 11, 29, 30, 31, 71, 72, 73, 74, 75 } },
   { 3, 4, Shape::Tetrahedron, 3, false, { 137, 32, 33, 79, 80, 81, 82, 83 } },
   { 3, 8, Shape::Hexahedron, 1, true, { 5, 12, 92, 93, 94, 95, 96, 97, 98 } },
@@ -111,14 +111,15 @@ const ElementType* FindType(int number)
 std::string Describe(int number)
 {
   const ElementType* type = FindType(number);
-  if (type == nullptr || type->dimension != 3)
+  if (type == nullptr || type->dimension < 2)
   {
     return "elements of type " + std::to_string(number);
   }
-  const char* plural = type->shape == Shape::Tetrahedron ? "tetrahedra"
-    : type->shape == Shape::Hexahedron                   ? "hexahedra"
-    : type->shape == Shape::Prism                        ? "prisms"
-                                                         : "pyramids";
+  const char* plural = type->dimension == 2 ? (type->corners == 3 ? "triangles" : "quadrilaterals")
+    : type->shape == Shape::Tetrahedron     ? "tetrahedra"
+    : type->shape == Shape::Hexahedron      ? "hexahedra"
+    : type->shape == Shape::Prism           ? "prisms"
+                                            : "pyramids";
   return std::string(plural) + " of order " + std::to_string(type->order) + " with " +
     std::to_string(type->nodes) + " nodes (type " + std::to_string(number) + ")";
 }

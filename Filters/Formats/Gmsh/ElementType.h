@@ -13,11 +13,12 @@ struct ElementType
 {
   int number = 0; ///< Gmsh's
   int dimension = 0;
-  int corners = 0;                 ///< nodes that are vertices; they come first
-  int nodes = 0;                   ///< all of them
-  int order = 0;                   ///< of its polynomials
-  bool complete = true;            ///< false: without nodes in faces and interior
-  Shape shape = Shape::Hexahedron; ///< where the dimension is 3
+  int corners = 0;      ///< nodes that are vertices; they come first
+  int nodes = 0;        ///< all of them
+  int order = 0;        ///< of its polynomials
+  bool complete = true; ///< false: without nodes in faces and interior
+  /// Of dimension 3; of dimension 2 that of the slab's solid (planar.md).
+  Shape shape = Shape::Hexahedron;
 };
 
 /// Null for numbers that stand for none, or for elements without a fixed number of nodes (polygons,

@@ -54,11 +54,12 @@ const Section* Find(Scanner& scanner, const std::vector<Section>& sections, cons
 }
 } // namespace
 
-FileSet::FileSet(const std::vector<NamedText>& files)
+FileSet::FileSet(const std::vector<NamedText>& files, std::size_t pieces)
+  : Pieces(pieces)
 {
   for (std::size_t file = 0; file < files.size(); ++file)
   {
-    Scanners.emplace_back(files[file].name, files[file].text);
+    Scanners.emplace_back(files[file].name, files[file].text, files[file].file);
     Sections.push_back(ListSections(Scanners.back()));
     ReadViews(file);
   }
@@ -72,7 +73,7 @@ void FileSet::ReadViews(std::size_t file)
     scanner.MoveTo(section.begin);
     if (const auto kind = KindOf(section.name))
     {
-      Views.AddHead(scanner, file, *kind, Stem(scanner.Name()));
+      Views.AddHead(scanner, file, Pieces, *kind, Stem(scanner.Name()));
     }
     else if (section.name == "InterpolationScheme")
     {
@@ -90,7 +91,7 @@ void FileSet::Pass(const Section& section, std::size_t file)
 {
   if (Holds(kMeshSections, section.name))
   {
-    if (file > 0 && (section.name == "Nodes" || section.name == "Elements"))
+    if (file >= Pieces && (section.name == "Nodes" || section.name == "Elements"))
     {
       Scanners[file].Fail("it has a mesh of its own; name it alone, or write the views without the "
                           "mesh (PostProcessing.SaveMesh = 0).");
@@ -111,10 +112,39 @@ void FileSet::Pass(const Section& section, std::size_t file)
 
 MeshFile FileSet::ReadMesh()
 {
+  if (Pieces == 1)
+  {
+    return ReadPiece(0);
+  }
+  MeshUnion whole;
+  for (std::size_t file = 0; file < Pieces; ++file)
+  {
+    whole.Add(ReadPiece(file), Scanners[file].Name());
+  }
+  return whole.Finish();
+}
+
+Partitions FileSet::ReadPartitions()
+{
+  Scanner& scanner = Scanners.front();
+  MeshFile mesh;
+  if (Find(scanner, Sections.front(), "PartitionedEntities") != nullptr)
+  {
+    Entities entities;
+    ReadEntities(scanner, true, entities, mesh);
+    return { mesh.partitions, mesh.partitionsHere.size() };
+  }
+  // Version 2.2 tells of its elements alone.
+  mesh = ReadPiece(0);
+  return { mesh.partitionsHere.empty() ? 1U : 0U, mesh.partitionsHere.size() };
+}
+
+MeshFile FileSet::ReadPiece(std::size_t file)
+{
   MeshFile mesh;
   Entities entities;
-  Scanner& scanner = Scanners.front();
-  const auto& sections = Sections.front();
+  Scanner& scanner = Scanners[file];
+  const auto& sections = Sections[file];
   if (Find(scanner, sections, "PhysicalNames") != nullptr)
   {
     ReadPhysicalNames(scanner, mesh);
@@ -139,7 +169,17 @@ MeshFile FileSet::ReadMesh()
     throw InvalidData(
       scanner.Name() + ": the file has nodes, but no $Elements; there is nothing to show.");
   }
+  const std::size_t elements = scanner.Position();
   ReadElements(scanner, entities, mesh);
+  if (mesh.elements.empty() && !mesh.faces.empty())
+  {
+    mesh.dimension = 2;
+    mesh.faces.clear();
+    mesh.elementOf = {};
+    mesh.lower = 0;
+    scanner.MoveTo(elements);
+    ReadElements(scanner, entities, mesh);
+  }
   return mesh;
 }
 } // namespace pixelexact::gmsh

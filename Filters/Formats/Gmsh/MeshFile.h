@@ -15,7 +15,7 @@
 // The mesh of a Gmsh file, as plain structs.
 namespace pixelexact::gmsh
 {
-/// An element of a volume.
+/// An element of a volume or, where there is none, of a surface.
 struct Solid
 {
   const ElementType* type = nullptr;
@@ -25,7 +25,7 @@ struct Solid
   std::size_t firstNode = 0; ///< in MeshFile::elementNodes
 };
 
-/// An element of a surface, once for each of its physical groups.
+/// An element of a dimension less, once for each of its physical groups.
 struct SurfaceElement
 {
   std::array<std::int32_t, 4> corners{ -1, -1, -1, -1 }; ///< nodes
@@ -42,13 +42,15 @@ struct PhysicalName
 
 struct MeshFile
 {
-  std::vector<double> positions; ///< (x, y, z) of each node
+  int dimension = 3;             ///< of the elements, 3 or 2
+  std::vector<double> positions; ///< (x, y, z) of each node; let go when the map is made
+  std::size_t nodes = 0;
   TagIndex nodeOf;
   std::vector<Solid> elements;
   std::vector<std::int32_t> elementNodes;
   TagIndex elementOf; ///< also the numbers under which an element is repeated
   std::vector<SurfaceElement> faces;
-  std::size_t lower = 0; ///< elements of points, curves and surfaces
+  std::size_t lower = 0; ///< elements of lower dimensions
   std::vector<PhysicalName> names;
   std::size_t inSeveralGroups = 0; ///< elements in more than one physical group
   std::size_t partitions = 1;      ///< that the mesh was divided into

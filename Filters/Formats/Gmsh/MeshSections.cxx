@@ -31,6 +31,7 @@ void AddNode(Scanner& scanner, MeshFile& mesh)
 
 void FinishNodes(const Scanner& scanner, MeshFile& mesh)
 {
+  mesh.nodes = mesh.positions.size() / 3;
   if (mesh.positions.size() / 3 > kMostNodes)
   {
     scanner.FailUnsupported("meshes of more than 2147483647 nodes are not read.");
@@ -218,7 +219,7 @@ void ReadEntities(Scanner& scanner, bool partitioned, Entities& entities, MeshFi
         for (std::size_t k = 0; k < parts; ++k)
         {
           const int part = scanner.Int("a partition");
-          if (dimension == kDimensions - 1)
+          if (dimension == (counts[3] > 0 ? 3 : 2))
           {
             mesh.partitionsHere.insert(part);
           }

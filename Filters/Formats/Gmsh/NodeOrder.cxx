@@ -90,8 +90,41 @@ void Append(std::vector<Lattice>& nodes, std::vector<Lattice> inner, const Latti
   }
 }
 
-/// Nodes of a triangle or square with steps along its first two directions.
-std::vector<Lattice> FaceOrder(bool triangle, int order)
+void AddFace(std::vector<Lattice>& nodes, const std::array<int, 4>& corners, int order)
+{
+  const bool triangle = corners[3] < 0;
+  const Lattice origin = nodes[corners[0]];
+  const Lattice first = nodes[corners[1]];
+  const Lattice second = nodes[triangle ? corners[2] : corners[3]];
+  for (const Lattice& inner : PlaneOrder(triangle, order - (triangle ? 3 : 2)))
+  {
+    const Lattice base = Along(origin, first, order, inner[0] + 1);
+    const Lattice across = Along(origin, second, order, inner[1] + 1);
+    Lattice node{};
+    for (int d = 0; d < 3; ++d)
+    {
+      node[d] = base[d] + across[d] - origin[d];
+    }
+    nodes.push_back(node);
+  }
+}
+
+/// The inside of a prism: triangle by triangle node, along the line both ends first.
+void AddPrismInterior(std::vector<Lattice>& nodes, int order)
+{
+  for (const Lattice& at : PlaneOrder(true, order - 3))
+  {
+    nodes.push_back({ at[0] + 1, at[1] + 1, 1 });
+    nodes.push_back({ at[0] + 1, at[1] + 1, order - 1 });
+    for (int k = 2; k < order - 1; ++k)
+    {
+      nodes.push_back({ at[0] + 1, at[1] + 1, k });
+    }
+  }
+}
+} // namespace
+
+std::vector<Lattice> PlaneOrder(bool triangle, int order)
 {
   if (order <= 0)
   {
@@ -111,43 +144,9 @@ std::vector<Lattice> FaceOrder(bool triangle, int order)
     edges.insert(edges.end(), { { 2, 3 }, { 3, 0 } });
   }
   AddEdges(nodes, edges, order);
-  Append(nodes, FaceOrder(triangle, order - (triangle ? 3 : 2)), { 1, 1, 0 });
+  Append(nodes, PlaneOrder(triangle, order - (triangle ? 3 : 2)), { 1, 1, 0 });
   return nodes;
 }
-
-void AddFace(std::vector<Lattice>& nodes, const std::array<int, 4>& corners, int order)
-{
-  const bool triangle = corners[3] < 0;
-  const Lattice origin = nodes[corners[0]];
-  const Lattice first = nodes[corners[1]];
-  const Lattice second = nodes[triangle ? corners[2] : corners[3]];
-  for (const Lattice& inner : FaceOrder(triangle, order - (triangle ? 3 : 2)))
-  {
-    const Lattice base = Along(origin, first, order, inner[0] + 1);
-    const Lattice across = Along(origin, second, order, inner[1] + 1);
-    Lattice node{};
-    for (int d = 0; d < 3; ++d)
-    {
-      node[d] = base[d] + across[d] - origin[d];
-    }
-    nodes.push_back(node);
-  }
-}
-
-/// The inside of a prism: triangle by triangle node, along the line both ends first.
-void AddPrismInterior(std::vector<Lattice>& nodes, int order)
-{
-  for (const Lattice& at : FaceOrder(true, order - 3))
-  {
-    nodes.push_back({ at[0] + 1, at[1] + 1, 1 });
-    nodes.push_back({ at[0] + 1, at[1] + 1, order - 1 });
-    for (int k = 2; k < order - 1; ++k)
-    {
-      nodes.push_back({ at[0] + 1, at[1] + 1, k });
-    }
-  }
-}
-} // namespace
 
 std::vector<Lattice> NodeOrder(Shape shape, int order)
 {
@@ -180,5 +179,14 @@ std::vector<Lattice> NodeOrder(Shape shape, int order)
 const std::vector<ElementFace>& FacesOf(Shape shape)
 {
   return SolidOf(shape).faces;
+}
+
+const std::vector<ElementFace>& SidesOf(bool triangle)
+{
+  static const std::vector<ElementFace> ofTriangle{ { { 0, 1, -1, -1 }, 2 },
+    { { 1, 2, -1, -1 }, 3 }, { { 2, 0, -1, -1 }, 4 } };
+  static const std::vector<ElementFace> ofSquare{ { { 0, 1, -1, -1 }, 2 }, { { 1, 2, -1, -1 }, 1 },
+    { { 2, 3, -1, -1 }, 3 }, { { 3, 0, -1, -1 }, 0 } };
+  return triangle ? ofTriangle : ofSquare;
 }
 } // namespace pixelexact::gmsh

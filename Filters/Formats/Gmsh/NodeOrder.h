@@ -17,6 +17,9 @@ using Lattice = std::array<int, 3>;
 /// The nodes of a complete element, in Gmsh's order; order >= 0.
 std::vector<Lattice> NodeOrder(Shape shape, int order);
 
+/// The nodes of a complete triangle or quadrilateral, with steps along u and v.
+std::vector<Lattice> PlaneOrder(bool triangle, int order);
+
 /// The corners of each face, -1 behind those of triangles, by the element's corners, and the face's
 /// number in VTK's linear cell.
 struct ElementFace
@@ -25,4 +28,8 @@ struct ElementFace
   int vtkFace;
 };
 const std::vector<ElementFace>& FacesOf(Shape shape);
+
+/// The edges of a triangle or quadrilateral, and the faces behind them in VTK's linear cell of the
+/// slab (planar.md).
+const std::vector<ElementFace>& SidesOf(bool triangle);
 } // namespace pixelexact::gmsh

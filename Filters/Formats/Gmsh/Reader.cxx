@@ -18,12 +18,13 @@ void RequireSolids(const MeshFile& mesh, const std::string& file)
 {
   if (mesh.elements.empty())
   {
-    throw Unsupported(file + ": the mesh has no tetrahedra, hexahedra, prisms or pyramids" +
-      (mesh.lower > 0
-          ? ", but " + Counted(mesh.lower, "element") + " of surfaces, curves and points" +
+    throw Unsupported(file +
+      ": the mesh has no tetrahedra, hexahedra, prisms or pyramids, no triangles and no "
+      "quadrilaterals" +
+      (mesh.lower > 0 ? ", but " + Counted(mesh.lower, "element") + " of curves and points" +
             "; where the model has a volume, mesh it (gmsh -3), and where there are physical "
             "groups, put the volume in one or set Mesh.SaveAll = 1."
-          : "; there is nothing to show."));
+                      : "; there is nothing to show."));
   }
 }
 
@@ -49,7 +50,7 @@ void AddGroups(const MeshFile& mesh, bool boundary, std::vector<Group>& groups)
   boundary ? note(mesh.faces) : note(mesh.elements);
   for (const PhysicalName& name : mesh.names)
   {
-    if (name.dimension == (boundary ? 2 : 3))
+    if (name.dimension == mesh.dimension - (boundary ? 1 : 0))
     {
       names[name.tag] = name.name;
     }
@@ -63,7 +64,13 @@ void AddGroups(const MeshFile& mesh, bool boundary, std::vector<Group>& groups)
 Corners CornersOf(const MeshFile& mesh, const Solid& element)
 {
   Corners corners{};
-  std::copy_n(mesh.NodesOf(element).begin(), element.type->corners, corners.begin());
+  const auto count = static_cast<std::size_t>(element.type->corners);
+  std::copy_n(mesh.NodesOf(element).begin(), count, corners.begin());
+  if (element.type->dimension == 2)
+  {
+    // Those of the slab below and above.
+    std::copy_n(corners.begin(), count, corners.begin() + count);
+  }
   return corners;
 }
 
@@ -82,21 +89,37 @@ void AddMesh(const MeshFile& mesh, BasisTable& bases, const std::string& file, S
   {
     throw Unsupported(file + ": " + error.what());
   }
-  AssembleMap(
-    basis,
-    [&](std::size_t e, std::span<double> source)
+  const auto gather = [&](std::size_t e, std::span<double> source)
+  {
+    const auto nodes = mesh.NodesOf(mesh.elements[e]);
+    for (std::size_t i = 0; i < nodes.size(); ++i)
     {
-      const auto nodes = mesh.NodesOf(mesh.elements[e]);
-      for (std::size_t i = 0; i < nodes.size(); ++i)
+      for (std::size_t d = 0; d < 3; ++d)
       {
-        for (std::size_t d = 0; d < 3; ++d)
-        {
-          source[d * nodes.size() + i] = mesh.positions[3 * static_cast<std::size_t>(nodes[i]) + d];
-        }
+        source[d * nodes.size() + i] = mesh.positions[3 * static_cast<std::size_t>(nodes[i]) + d];
       }
-    },
-    [&](std::size_t e) { return file + ": element " + std::to_string(mesh.elements[e].number); },
-    model.mesh);
+    }
+  };
+  const auto describe = [&](std::size_t e)
+  { return file + ": element " + std::to_string(mesh.elements[e].number); };
+  if (mesh.dimension == 3)
+  {
+    AssembleMap(basis, gather, describe, model.mesh);
+  }
+  else
+  {
+    try
+    {
+      AssemblePlaneMap(basis, 3, gather, describe, model.mesh);
+    }
+    catch (const Unsupported& error)
+    {
+      throw Unsupported(file + ": " + error.what() +
+        " Where the model has a volume, mesh it (gmsh -3), and where there are physical groups, "
+        "put "
+        "the volume in one or set Mesh.SaveAll = 1.");
+    }
+  }
   const bool byEntity = !HasPhysical(mesh.elements);
   for (const Solid& element : mesh.elements)
   {
@@ -110,8 +133,10 @@ void AddMesh(const MeshFile& mesh, BasisTable& bases, const std::string& file, S
   AddGroups(mesh, true, model.mesh.groups);
   if (strangers > 0)
   {
-    model.notes.push_back(file + ": " + Counted(strangers, "element") +
-      " of surfaces with attributes are no face of an element of a volume.");
+    model.notes.push_back(file + ": " + Counted(strangers, "element") + " of " +
+      (mesh.dimension == 3 ? "surfaces" : "curves") +
+      " with attributes are no face of an element of a " +
+      (mesh.dimension == 3 ? "volume." : "surface."));
   }
   if (mesh.inSeveralGroups > 0)
   {
@@ -130,24 +155,25 @@ void AddMesh(const MeshFile& mesh, BasisTable& bases, const std::string& file, S
 }
 } // namespace
 
-std::vector<double> ReadTimes(const std::vector<NamedText>& files)
+std::vector<double> ReadTimes(const std::vector<NamedText>& files, std::size_t pieces)
 {
-  return StepsOf(FileSet(files).Views.Views()).times;
+  return StepsOf(FileSet(files, pieces).Views.Views()).times;
 }
 
-SolverModel Read(const std::vector<NamedText>& files, int step, bool wantMesh)
+SolverModel Read(const std::vector<NamedText>& files, int step, bool wantMesh, std::size_t pieces)
 {
-  FileSet set(files);
+  FileSet set(files, pieces);
   SolverModel model;
   model.notes = set.Notes;
   const std::string& file = files.front().name;
-  const MeshFile mesh = set.ReadMesh();
+  MeshFile mesh = set.ReadMesh();
   RequireSolids(mesh, file);
   BasisTable bases;
   if (wantMesh)
   {
     AddMesh(mesh, bases, file, model);
   }
+  std::vector<double>().swap(mesh.positions); // with their memory
   const StepList steps = StepsOf(set.Views.Views());
   if (steps.numbered && steps.numbers.size() > 1)
   {

@@ -5,21 +5,29 @@
 
 #include <string_view>
 
+namespace pixelexact
+{
+class FileText;
+}
+
 namespace pixelexact::gmsh
 {
 /// A file's content with the name that messages give it.
 struct NamedText
 {
-  std::string name;      ///< the file's path
-  std::string_view text; ///< kept alive by the caller
+  std::string name;               ///< the file's path
+  std::string_view text;          ///< kept alive by the caller
+  const FileText* file = nullptr; ///< whose text it is, to be forgotten as it is read; may be null
 };
 
 /// The times of the steps of all views, ascending; empty where there is one step without a time.
 /// Throws InvalidData or Unsupported: "<file>, line <n>: what; remedy".
-std::vector<double> ReadTimes(const std::vector<NamedText>& files);
+std::vector<double> ReadTimes(const std::vector<NamedText>& files, std::size_t pieces = 1);
 
-/// The mesh of the first file with the views of all files at a step (counted from 0). Further files
-/// hold views alone. Views become fields of their names; elements without values have NaN, which
+/// The mesh of the first file, or of the first `pieces` files, which are its partitions
+/// (MeshPieces.h), with the views of all files at a step (counted from 0). Further files hold views
+/// alone. Views become fields of their names; elements without values have NaN, which
 /// is noted. Where the mesh is not wanted it is left empty. Throws as ReadTimes.
-SolverModel Read(const std::vector<NamedText>& files, int step = 0, bool wantMesh = true);
+SolverModel Read(
+  const std::vector<NamedText>& files, int step = 0, bool wantMesh = true, std::size_t pieces = 1);
 } // namespace pixelexact::gmsh

@@ -16,6 +16,8 @@ namespace
 {
 /// Words quoted in messages are cut to this: binary data are one long word.
 constexpr std::size_t kLongestQuote = 40;
+/// What is searched at a time.
+constexpr std::size_t kWindow = std::size_t{ 1 } << 22U;
 
 bool IsBlank(char c)
 {
@@ -31,9 +33,10 @@ std::string Quote(std::string_view word)
   return "'" + text + (word.size() > kLongestQuote ? "...'" : "'");
 }
 
-Scanner::Scanner(std::string fileName, std::string_view text)
+Scanner::Scanner(std::string fileName, std::string_view text, const FileText* file)
   : FileName(std::move(fileName))
   , Text(text)
+  , Trace(file)
 {
 }
 
@@ -43,6 +46,7 @@ std::string_view Scanner::Peek()
   {
     ++At;
   }
+  Trace.Passed(At);
   std::size_t end = At;
   while (end < Text.size() && !IsBlank(Text[end]))
   {
@@ -134,6 +138,7 @@ Number Scanner::Bytes(const char* what)
   }
   std::memcpy(bytes, Text.data() + At, sizeof(Number));
   At += sizeof(Number);
+  Trace.Passed(At);
   if (Data.swapped)
   {
     std::ranges::reverse(bytes);
@@ -239,11 +244,20 @@ void Scanner::EndSection(std::string_view section)
 void Scanner::LeaveSection(std::string_view section)
 {
   const std::string end = "$End" + std::string(section);
+  const std::size_t begin = At;
   for (;;)
   {
-    const std::size_t found = Text.find(end, At);
+    const std::size_t window = std::min(Text.size(), At + kWindow + end.size());
+    const std::size_t found = Text.substr(0, window).find(end, At);
+    if (found == std::string_view::npos && window < Text.size())
+    {
+      At = window - end.size(); // which may begin there
+      Trace.Passed(At);
+      continue;
+    }
     if (found == std::string_view::npos)
     {
+      At = begin;
       Fail("the section $" + std::string(section) + " has no end; the file is cut short.");
     }
     At = found + end.size();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Formats/FileText.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -22,7 +24,8 @@ struct Encoding
 class Scanner
 {
 public:
-  Scanner(std::string fileName, std::string_view text);
+  /// `file`: whose text it is, to be forgotten as it is read; may be null.
+  Scanner(std::string fileName, std::string_view text, const FileText* file = nullptr);
 
   void SetEncoding(const Encoding& encoding) { Data = encoding; }
   [[nodiscard]] const Encoding& GetEncoding() const { return Data; }
@@ -58,7 +61,11 @@ public:
 
   [[nodiscard]] std::size_t Remaining() const { return Text.size() - At; }
   [[nodiscard]] std::size_t Position() const { return At; }
-  void MoveTo(std::size_t position) { At = position; }
+  void MoveTo(std::size_t position)
+  {
+    Trace.MoveTo(position);
+    At = position;
+  }
   [[nodiscard]] const std::string& Name() const { return FileName; }
 
   /// Throw InvalidData or Unsupported: "<file>, line <n>: <problem>"; in binary files the byte.
@@ -76,6 +83,7 @@ private:
   std::string FileName;
   std::string_view Text;
   std::size_t At = 0;
+  ReadingTrace Trace;
   Encoding Data;
 };
 

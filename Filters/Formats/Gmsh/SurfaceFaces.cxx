@@ -42,7 +42,9 @@ std::vector<BoundaryFace> FindFaces(const MeshFile& mesh, bool byEntity, std::si
   {
     const Solid& element = mesh.elements[e];
     const auto nodes = mesh.NodesOf(element);
-    for (const ElementFace& face : FacesOf(element.type->shape))
+    const auto& faces =
+      mesh.dimension == 3 ? FacesOf(element.type->shape) : SidesOf(element.type->corners == 3);
+    for (const ElementFace& face : faces)
     {
       Key key{ -1, -1, -1, -1 };
       std::ranges::transform(

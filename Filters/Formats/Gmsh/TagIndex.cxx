@@ -31,7 +31,7 @@ const std::uint64_t* TagIndex::Finish()
     {
       Dense[static_cast<std::size_t>(tag - First)] = place;
     }
-    Pairs = {};
+    std::vector<Pair>().swap(Pairs); // with its memory
   }
   return nullptr;
 }

@@ -15,6 +15,22 @@ public:
   void Add(std::uint64_t tag, std::int32_t place) { Pairs.emplace_back(tag, place); }
   /// To be called once, when all have been added. The first tag that was added twice, if any.
   [[nodiscard]] const std::uint64_t* Finish();
+  /// function(tag, place) for each; after Finish.
+  template <class Function>
+  void ForEach(Function&& function) const
+  {
+    for (const auto& [tag, place] : Pairs)
+    {
+      function(tag, place);
+    }
+    for (std::size_t i = 0; i < Dense.size(); ++i)
+    {
+      if (Dense[i] >= 0)
+      {
+        function(First + i, Dense[i]);
+      }
+    }
+  }
   /// -1 where there is no such tag.
   [[nodiscard]] std::int32_t Find(std::uint64_t tag) const;
 

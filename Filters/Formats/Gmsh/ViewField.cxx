@@ -89,7 +89,7 @@ const ElementBasis& ViewElements::Choose(std::size_t e)
     const ElementBasis* basis = nullptr;
     try
     {
-      basis = Bases.Of(*Part.scheme, type.shape);
+      basis = Bases.Of(*Part.scheme, type);
     }
     catch (const InvalidData& error)
     {
@@ -174,8 +174,9 @@ const ElementBasis& BasisTable::Nodal(const ElementType& type)
                                : ByType.emplace(type.number, NodalBasis(type)).first->second;
 }
 
-const ElementBasis* BasisTable::Of(const Scheme& scheme, Shape shape)
+const ElementBasis* BasisTable::Of(const Scheme& scheme, const ElementType& type)
 {
+  const std::pair shape(type.dimension, type.shape);
   const auto interpolation = scheme.find(shape);
   if (interpolation == scheme.end())
   {
@@ -185,7 +186,9 @@ const ElementBasis* BasisTable::Of(const Scheme& scheme, Shape shape)
   auto found = ByScheme.find(key);
   if (found == ByScheme.end())
   {
-    found = ByScheme.emplace(key, InterpolationBasis(shape, interpolation->second)).first;
+    found =
+      ByScheme.emplace(key, InterpolationBasis(type.dimension, type.shape, interpolation->second))
+        .first;
   }
   return &found->second;
 }
@@ -219,7 +222,8 @@ void AddView(std::vector<Scanner>& scanners, const View& view, std::int64_t step
   const ViewElements elements(where, view, part, values, mesh, bases);
   if (elements.Given == 0)
   {
-    model.notes.push_back(where + " has no values on elements of volumes and is left out.");
+    model.notes.push_back(where + " has no values on elements of " +
+      (mesh.dimension == 3 ? "volumes" : "surfaces") + " and is left out.");
     return;
   }
   const std::size_t missing = mesh.elements.size() - elements.Given;

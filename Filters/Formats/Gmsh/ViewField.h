@@ -12,13 +12,13 @@ class BasisTable
 {
 public:
   const ElementBasis& Nodal(const ElementType& type);
-  /// Of a view's scheme; null where it has none for the shape.
-  const ElementBasis* Of(const Scheme& scheme, Shape shape);
+  /// Of a view's scheme; null where it has none for the type's shape.
+  const ElementBasis* Of(const Scheme& scheme, const ElementType& type);
   const ElementBasis& Constant(Shape shape);
 
 private:
   std::map<int, ElementBasis> ByType;
-  std::map<std::pair<const Scheme*, Shape>, ElementBasis> ByScheme;
+  std::map<std::pair<const Scheme*, std::pair<int, Shape>>, ElementBasis> ByScheme;
   std::map<Shape, ElementBasis> Constants;
 };
 

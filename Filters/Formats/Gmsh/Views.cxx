@@ -80,7 +80,7 @@ Head ReadHead(Scanner& scanner)
   return head;
 }
 
-Interpolation ReadMatrices(Scanner& scanner, const std::string& scheme, bool isSolid)
+Interpolation ReadMatrices(Scanner& scanner, const std::string& scheme, int dimension)
 {
   const auto count = scanner.TextInteger("the number of interpolation matrices");
   if (count != 2)
@@ -105,10 +105,11 @@ Interpolation ReadMatrices(Scanner& scanner, const std::string& scheme, bool isS
   // One column for each of u, v, w; those of lines, triangles and quadrilaterals have fewer.
   const bool matches = scanner.TextCount("the rows of a matrix", 2) == n;
   const std::size_t columns = scanner.TextCount("the columns of a matrix", 2);
-  if (!matches || columns > 3 || (isSolid && columns != 3))
+  if (!matches || columns > 3 || columns < static_cast<std::size_t>(dimension))
   {
-    scanner.Fail("the exponents of the interpolation scheme '" + scheme +
-      "' are not three for each of its " + std::to_string(n) + " functions.");
+    scanner.Fail("the exponents of the interpolation scheme '" + scheme + "' are not " +
+      (dimension == 3 ? "three" : "two or three") + " for each of its " + std::to_string(n) +
+      " functions.");
   }
   for (std::size_t i = 0; i < columns * n; ++i)
   {
@@ -119,23 +120,37 @@ Interpolation ReadMatrices(Scanner& scanner, const std::string& scheme, bool isS
         "' is no whole number from 0 to " + std::to_string(kMaxOrder) + ".");
     }
     interpolation.exponents.push_back(static_cast<int>(exponent));
+    const bool isLast = (i + 1) % columns == 0;
+    if (dimension == 2 && isLast && columns == 3 && exponent > 0.0)
+    {
+      scanner.Fail("the interpolation scheme '" + scheme +
+        "' has functions of w on triangles or quadrilaterals, where w is 0.");
+    }
+    if (dimension == 2 && isLast && columns == 2)
+    {
+      interpolation.exponents.push_back(0);
+    }
   }
   return interpolation;
 }
 
 /// Gmsh's numbers for families of elements.
-std::optional<Shape> ShapeOf(std::int64_t topology)
+std::optional<std::pair<int, Shape>> ShapeOf(std::int64_t topology)
 {
   switch (topology)
   {
+    case 3:
+      return std::pair(2, Shape::Prism);
+    case 4:
+      return std::pair(2, Shape::Hexahedron);
     case 5:
-      return Shape::Tetrahedron;
+      return std::pair(3, Shape::Tetrahedron);
     case 6:
-      return Shape::Pyramid;
+      return std::pair(3, Shape::Pyramid);
     case 7:
-      return Shape::Prism;
+      return std::pair(3, Shape::Prism);
     case 8:
-      return Shape::Hexahedron;
+      return std::pair(3, Shape::Hexahedron);
     default:
       return std::nullopt;
   }
@@ -199,7 +214,7 @@ std::optional<ViewKind> KindOf(const std::string& section)
 }
 
 void ViewList::AddHead(
-  Scanner& scanner, std::size_t file, ViewKind kind, const std::string& unnamed)
+  Scanner& scanner, std::size_t file, std::size_t pieces, ViewKind kind, const std::string& unnamed)
 {
   Head head = ReadHead(scanner);
   head.part.file = file;
@@ -228,7 +243,8 @@ void ViewList::AddHead(
   auto& parts = view->steps[head.step];
   for (const ViewPart& other : parts)
   {
-    if (other.partition == head.part.partition)
+    const bool areParts = other.file != file && other.file < pieces && file < pieces;
+    if (other.partition == head.part.partition && !areParts)
     {
       scanner.Fail("the view '" + name + "' is there twice at step " + std::to_string(head.step) +
         "; where these are two views, rename one of them.");
@@ -250,7 +266,7 @@ void ViewList::AddScheme(Scanner& scanner)
   for (std::size_t i = 0; i < shapes; ++i)
   {
     const auto shape = ShapeOf(scanner.TextInteger("an element topology"));
-    Interpolation matrices = ReadMatrices(scanner, name, shape.has_value());
+    Interpolation matrices = ReadMatrices(scanner, name, shape ? shape->first : 0);
     if (shape)
     {
       scheme[*shape] = std::move(matrices);
@@ -298,8 +314,7 @@ ViewValues ReadValues(std::vector<Scanner>& scanners, const View& view,
 {
   ViewValues values;
   values.components = parts.front().components;
-  values.first.assign(
-    view.kind == ViewKind::Node ? mesh.positions.size() / 3 : mesh.elements.size(), -1);
+  values.first.assign(view.kind == ViewKind::Node ? mesh.nodes : mesh.elements.size(), -1);
   if (view.kind == ViewKind::ElementNode)
   {
     values.count.assign(mesh.elements.size(), 0);

@@ -25,9 +25,9 @@ enum class ViewKind : std::uint8_t
 /// The kind of a section by its name, such as "NodeData"; none: it holds no view.
 std::optional<ViewKind> KindOf(const std::string& section);
 
-/// What a view's values stand for, by shape. Shapes that are missing have the elements' own
-/// functions.
-using Scheme = std::map<Shape, Interpolation>;
+/// What a view's values stand for, by dimension and shape (ElementType). Those that are missing
+/// have the elements' own functions.
+using Scheme = std::map<std::pair<int, Shape>, Interpolation>;
 
 /// The head of one section.
 struct ViewPart
@@ -53,8 +53,10 @@ struct View
 class ViewList
 {
 public:
-  /// Reads the head of a section that holds a view. `unnamed` names views without a name.
-  void AddHead(Scanner& scanner, std::size_t file, ViewKind kind, const std::string& unnamed);
+  /// Reads the head of a section that holds a view. `unnamed` names views without a name. Files
+  /// below `pieces` hold parts of one mesh, and of views.
+  void AddHead(Scanner& scanner, std::size_t file, std::size_t pieces, ViewKind kind,
+    const std::string& unnamed);
   /// $InterpolationScheme
   void AddScheme(Scanner& scanner);
 

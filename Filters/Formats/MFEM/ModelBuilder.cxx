@@ -16,6 +16,13 @@ namespace
 {
 using Bases = std::vector<const ElementBasis*>;
 
+/// Whether elements share unknowns on edges or faces.
+bool HasShared(const Collection& collection)
+{
+  return collection.Unknowns(Geometry::Segment) > 0 ||
+    collection.Unknowns(Geometry::Triangle) > 0 || collection.Unknowns(Geometry::Square) > 0;
+}
+
 /// Bases are made only when the values are known to fit: a damaged name may ask for order 32.
 void RequireValues(const GridFunctionFile& file, const FunctionSpace& space,
   const std::string& where, const MeshFile& mesh)
@@ -82,7 +89,7 @@ ModelBuilder::ModelBuilder(std::vector<MeshPiece> pieces)
         "-D, those of " + Pieces[0].name + " " + std::to_string(Pieces[0].file.dimension) +
         "-D; the two are no pieces of one mesh.");
     }
-    Entities.emplace_back(file);
+    Entities.emplace_back();
     for (std::size_t e = 0; e < file.elements.size(); ++e)
     {
       Places.push_back({ static_cast<std::int32_t>(p), static_cast<std::int32_t>(e) });
@@ -95,12 +102,19 @@ ModelBuilder::ModelBuilder(std::vector<MeshPiece> pieces)
   }
   AddMap();
   AddGroups();
+  for (auto& entities : Entities)
+  {
+    if (entities)
+    {
+      entities->ForgetVertices();
+    }
+  }
 }
 
 /// A grid function of all pieces, ready to be assembled.
 struct ModelBuilder::Source
 {
-  Source(const ModelBuilder& builder, const std::vector<GridFunctionFile>& files,
+  Source(ModelBuilder& builder, const std::vector<GridFunctionFile>& files,
     const std::vector<std::string>& names);
   Source(const Source&) = delete; // the spaces refer to the collection
   Source& operator=(const Source&) = delete;
@@ -110,8 +124,8 @@ struct ModelBuilder::Source
   std::vector<const ElementBasis*> bases;
 };
 
-ModelBuilder::Source::Source(const ModelBuilder& builder,
-  const std::vector<GridFunctionFile>& files, const std::vector<std::string>& names)
+ModelBuilder::Source::Source(ModelBuilder& builder, const std::vector<GridFunctionFile>& files,
+  const std::vector<std::string>& names)
   : collection(ParseCollection(files[0].collection, builder.Pieces[0].file.dimension, names[0]))
 {
   for (std::size_t p = 0; p < files.size(); ++p)
@@ -124,7 +138,8 @@ ModelBuilder::Source::Source(const ModelBuilder& builder,
         "); they are no pieces of one grid function.");
     }
     const MeshFile& mesh = builder.Pieces[p].file;
-    spaces.emplace_back(mesh, builder.Entities[p], collection);
+    static const Topology nothing;
+    spaces.emplace_back(mesh, HasShared(collection) ? builder.EntitiesOf(p) : nothing, collection);
     RequireValues(files[p], spaces.back(), names[p], mesh);
   }
   try
@@ -138,6 +153,12 @@ ModelBuilder::Source::Source(const ModelBuilder& builder,
   {
     throw Unsupported(names[0] + ": " + error.what());
   }
+}
+
+const Topology& ModelBuilder::EntitiesOf(std::size_t p)
+{
+  auto& entities = Entities[p];
+  return entities ? *entities : entities.emplace(Pieces[p].file);
 }
 
 void ModelBuilder::AddMap()
@@ -225,7 +246,7 @@ void ModelBuilder::AddBoundary(std::size_t p, std::int32_t firstElement)
   for (const Cell& cell : file.boundary)
   {
     const auto owners =
-      Entities[p].FindFace(std::span(cell.vertices).first(TableOf(cell.geometry).vertices));
+      EntitiesOf(p).FindFace(std::span(cell.vertices).first(TableOf(cell.geometry).vertices));
     ownerless += owners.empty() ? 1 : 0;
     for (const auto& owner : owners)
     {

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,13 +41,14 @@ private:
   };
   struct Source;
 
+  const Topology& EntitiesOf(std::size_t p);
   void RequireNumbers(const std::string& name) const;
   void AddMap();
   void AddGroups();
   void AddBoundary(std::size_t p, std::int32_t firstElement);
 
   std::vector<MeshPiece> Pieces;
-  std::deque<Topology> Entities; ///< per piece
-  std::vector<Place> Places;     ///< per element
+  std::deque<std::optional<Topology>> Entities; ///< per piece, made when they are asked for
+  std::vector<Place> Places;                    ///< per element
 };
 } // namespace pixelexact::mfem

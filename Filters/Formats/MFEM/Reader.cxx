@@ -144,8 +144,8 @@ SolverModel ReadFiles(const std::string& mesh, const std::vector<std::string>& g
   std::vector<MeshPiece> pieces;
   for (const std::string& name : names)
   {
-    const std::string text = ReadFileText(name);
-    pieces.push_back({ ParseMesh({ name, text }, count), name });
+    const FileText text(name);
+    pieces.push_back({ ParseMesh({ name, text.Get(), &text }, count), name });
   }
   RequireOneRun(pieces);
   ModelBuilder builder(std::move(pieces));
@@ -155,8 +155,8 @@ SolverModel ReadFiles(const std::string& mesh, const std::vector<std::string>& g
     std::vector<GridFunctionFile> functions;
     for (const std::string& part : parts)
     {
-      const std::string text = ReadFileText(part);
-      functions.push_back(ParseGridFunction({ part, text }));
+      const FileText text(part);
+      functions.push_back(ParseGridFunction({ part, text.Get(), &text }));
     }
     builder.AddField(functions, parts, FieldName(file));
   }

@@ -32,6 +32,7 @@ std::string Quote(std::string_view word)
 TextScanner::TextScanner(const NamedText& file)
   : FileName(file.name)
   , Text(file.text)
+  , Trace(file.file)
 {
 }
 
@@ -46,6 +47,7 @@ void TextScanner::SkipBlanks()
 std::string_view TextScanner::Peek()
 {
   SkipBlanks();
+  Trace.Passed(At);
   std::size_t end = At;
   while (end < Text.size() && !IsBlank(Text[end]))
   {

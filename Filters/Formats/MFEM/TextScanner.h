@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Formats/FileText.h"
 #include "Formats/MFEM/Reader.h"
 
 #include <string_view>
@@ -55,5 +56,6 @@ private:
   std::string FileName;
   std::string_view Text;
   std::size_t At = 0;
+  ReadingTrace Trace;
 };
 } // namespace pixelexact::mfem

@@ -58,6 +58,15 @@ Topology::Topology(const MeshFile& mesh)
   }
   FirstEdge.push_back(EdgeIncidences.size());
   FirstFace.push_back(FaceIncidences.size());
+  EdgeCount = static_cast<int>(EdgeOf.size());
+}
+
+void Topology::ForgetVertices()
+{
+  EdgeOf.clear();
+  FaceOf.clear();
+  std::vector<Owners>().swap(EdgeOwners);
+  std::vector<Face>().swap(FaceList);
 }
 
 void Topology::AddEdges(const Cell& cell, int element)

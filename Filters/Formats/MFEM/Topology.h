@@ -25,8 +25,13 @@ class Topology
 {
 public:
   explicit Topology(const MeshFile& mesh);
+  /// Of nothing: for spaces without unknowns on edges and faces.
+  Topology() = default;
 
-  [[nodiscard]] int Edges() const { return static_cast<int>(EdgeOf.size()); }
+  /// Gives back the memory that only FindFace needs, which is not called any more.
+  void ForgetVertices();
+
+  [[nodiscard]] int Edges() const { return EdgeCount; }
   [[nodiscard]] int Faces() const { return static_cast<int>(FaceGeometries.size()); }
   [[nodiscard]] Geometry FaceGeometry(int face) const { return FaceGeometries[face]; }
   [[nodiscard]] std::span<const Incidence> EdgesOf(std::size_t element) const;
@@ -62,6 +67,7 @@ private:
   void AddFaces(const Cell& cell, int element);
 
   std::map<std::array<int, 2>, int> EdgeOf;
+  int EdgeCount = 0;
   std::vector<Owners> EdgeOwners; ///< of plane elements alone
   std::map<FaceKey, int> FaceOf;
   std::vector<Face> FaceList;

@@ -3,10 +3,9 @@
 
 #include "Core/Base/Error.h"
 
-#include <zlib.h>
-
 #include <algorithm>
 #include <array>
+#include <functional>
 
 namespace pixelexact::nektar
 {
@@ -14,6 +13,7 @@ namespace
 {
 constexpr std::string_view kDigits =
   "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+constexpr std::size_t kLargestPage = std::size_t{ 1 } << 16U;
 constexpr std::size_t kBlock = std::size_t{ 1 } << 16U;
 
 std::array<int, 256> MakeDigitTable()
@@ -27,82 +27,100 @@ std::array<int, 256> MakeDigitTable()
   return table;
 }
 
-std::vector<unsigned char> DecodeBase64(std::string_view text, const std::string& where)
+} // namespace
+
+Decompressor::Decompressor(
+  std::string_view base64, std::size_t most, std::string where, const FileText* file)
+  : Text(base64)
+  , Most(most)
+  , Where(std::move(where))
+{
+  State = inflateInit(&Stream);
+  // The parser's own marks stand before and behind; the page in which the text begins is kept.
+  const std::string_view whole = file != nullptr ? file->Get() : std::string_view();
+  if (!file || file->Own().empty() || base64.empty() ||
+    std::less<>()(base64.data(), whole.data()) ||
+    !std::less<>()(base64.data(), whole.data() + whole.size()))
+  {
+    return;
+  }
+  Begin = whole.data();
+  Trace = ReadingTrace(file, static_cast<std::size_t>(base64.data() - Begin) + kLargestPage);
+}
+
+Decompressor::~Decompressor()
+{
+  inflateEnd(&Stream);
+}
+
+/// The next bytes of the stream.
+void Decompressor::Decode()
 {
   static const auto table = MakeDigitTable();
-  std::vector<unsigned char> bytes;
-  bytes.reserve(text.size() / 4 * 3);
-  unsigned bits = 0;
-  unsigned count = 0;
-  for (const char c : text)
+  Packed.clear();
+  std::size_t at = 0;
+  for (; at < Text.size() && Packed.size() < kBlock; ++at)
   {
+    const char c = Text[at];
     if (c == ' ' || c == '\n' || c == '\r' || c == '\t')
     {
       continue;
     }
     if (c == '=')
     {
+      at = Text.size();
       break;
     }
     const int digit = table[static_cast<unsigned char>(c)];
     if (digit < 0)
     {
-      throw InvalidData(where +
+      throw InvalidData(Where +
         ": the compressed data hold a character that is no base64; the "
         "file is damaged.");
     }
-    bits = bits << 6U | static_cast<unsigned>(digit);
-    count += 6;
-    if (count >= 8)
+    Bits = Bits << 6U | static_cast<unsigned>(digit);
+    Count += 6;
+    if (Count >= 8)
     {
-      count -= 8;
-      bytes.push_back(static_cast<unsigned char>(bits >> count & 0xffU));
+      Count -= 8;
+      Packed.push_back(static_cast<unsigned char>(Bits >> Count & 0xffU));
     }
   }
-  return bytes;
+  Text.remove_prefix(at);
+  if (Begin != nullptr && !Text.empty())
+  {
+    Trace.Passed(static_cast<std::size_t>(Text.data() - Begin));
+  }
+  Stream.next_in = Packed.data();
+  Stream.avail_in = static_cast<uInt>(Packed.size());
 }
 
-/// Ends the stream however the function is left.
-struct Inflater
+std::size_t Decompressor::Read(std::span<std::byte> bytes)
 {
-  Inflater() { ready = inflateInit(&stream) == Z_OK; }
-  ~Inflater() { inflateEnd(&stream); }
-  Inflater(const Inflater&) = delete;
-  Inflater& operator=(const Inflater&) = delete;
-
-  z_stream stream{};
-  bool ready = false;
-};
-} // namespace
-
-std::vector<std::byte> Decompress(
-  std::string_view base64, std::size_t most, const std::string& where)
-{
-  std::vector<unsigned char> packed = DecodeBase64(base64, where);
-  Inflater inflater;
-  inflater.stream.next_in = packed.data();
-  inflater.stream.avail_in = static_cast<uInt>(packed.size());
-  std::vector<std::byte> bytes;
-  int state = inflater.ready ? Z_OK : Z_MEM_ERROR;
-  while (state == Z_OK)
+  std::size_t got = 0;
+  while (got < bytes.size() && State == Z_OK)
   {
-    const std::size_t begin = bytes.size();
-    bytes.resize(begin + kBlock);
-    inflater.stream.next_out = reinterpret_cast<Bytef*>(bytes.data() + begin);
-    inflater.stream.avail_out = kBlock;
-    state = inflate(&inflater.stream, Z_NO_FLUSH);
-    bytes.resize(begin + kBlock - inflater.stream.avail_out);
-    if (bytes.size() > most)
+    if (Stream.avail_in == 0)
     {
-      throw InvalidData(where + ": the compressed data expand to more than the " +
-        std::to_string(most) + " bytes that they should have; the file is damaged.");
+      Decode();
+    }
+    const auto room = static_cast<uInt>(std::min(bytes.size() - got, kBlock));
+    Stream.next_out = reinterpret_cast<Bytef*>(bytes.data() + got);
+    Stream.avail_out = room;
+    State = inflate(&Stream, Z_NO_FLUSH);
+    got += room - Stream.avail_out;
+    if (Given + got > Most)
+    {
+      throw InvalidData(Where + ": the compressed data expand to more than the " +
+        std::to_string(Most) + " bytes that they should have; the file is damaged.");
     }
   }
-  if (state != Z_STREAM_END)
+  if (State != Z_OK && State != Z_STREAM_END)
   {
     throw InvalidData(
-      where + ": the compressed data are damaged or cut short; copy the file anew.");
+      Where + ": the compressed data are damaged or cut short; copy the file anew.");
   }
-  return bytes;
+  Given += got;
+  return got;
 }
 } // namespace pixelexact::nektar

@@ -2,7 +2,7 @@
 #include "Formats/Nektar/Document.h"
 
 #include "Core/Base/Error.h"
-#include "Formats/Nektar/Compressed.h"
+#include "Formats/FileText.h"
 #include "Formats/Nektar/XmlFile.h"
 
 #include <algorithm>
@@ -64,12 +64,29 @@ std::string_view Trim(std::string_view text)
 
 Document::Document(const NamedText& file)
   : FileName(file.name)
+  , File(file.file)
   , MostExpanded(kExpansion * (file.text.size() + 1))
 {
   LoadXml(file, Xml);
   if (!Root())
   {
     throw InvalidData(FileName + ": there is no element NEKTAR; this is no Nektar++ file.");
+  }
+}
+
+Document::~Document()
+{
+  Xml.reset();
+  if (File != nullptr)
+  {
+    try
+    {
+      File->Forget(0, File->Get().size());
+    }
+    catch (const InvalidData&)
+    {
+      // What was read is whole.
+    }
   }
 }
 
@@ -141,9 +158,16 @@ bool Document::IsCompressedField(const pugi::xml_node& node) const
     (!text.empty() && std::isalpha(static_cast<unsigned char>(text.front())) != 0);
 }
 
-std::vector<std::byte> Document::Bytes(const pugi::xml_node& node, std::size_t most) const
+std::string_view Document::TextView(const pugi::xml_node& node, std::string& joined)
 {
-  return Decompress(Text(node), std::min(most, MostExpanded), Place(node));
+  const pugi::xml_node only = node.first_child();
+  if (only && !only.next_sibling() &&
+    (only.type() == pugi::node_pcdata || only.type() == pugi::node_cdata))
+  {
+    return only.value();
+  }
+  joined = Text(node);
+  return joined;
 }
 
 std::vector<std::int64_t> Document::Integers(const pugi::xml_node& node, std::size_t count) const

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Formats/Nektar/Compressed.h"
 #include "Formats/Nektar/Reader.h"
 
+#include <algorithm>
 #include <cstdint>
-#include <cstring>
 #include <pugixml.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,6 +19,9 @@ class Document
 public:
   /// Throws InvalidData: "<file>: ..." for what is no XML or has no NEKTAR element.
   explicit Document(const NamedText& file);
+  ~Document();
+  Document(const Document&) = delete;
+  Document& operator=(const Document&) = delete;
 
   [[nodiscard]] pugi::xml_node Root() const { return Xml.child("NEKTAR"); }
   [[nodiscard]] const std::string& Name() const { return FileName; }
@@ -41,20 +46,28 @@ public:
   template <class Record>
   std::vector<Record> Records(const pugi::xml_node& node, std::size_t most) const
   {
+    std::string joined;
+    const std::string_view text = TextView(node, joined);
+    Decompressor stream(text, std::min(most * sizeof(Record), MostExpanded), Place(node), File);
     std::vector<Record> records;
-    const auto bytes = Bytes(node, most * sizeof(Record));
-    if (bytes.size() % sizeof(Record) != 0)
+    // Numbers are rarely compressed to less than a quarter; what is not written takes no memory.
+    constexpr std::size_t kTogether = 8192;
+    records.reserve(std::min(most, 4 * text.size() / sizeof(Record)) + kTogether);
+    std::size_t bytes = 0;
+    while (bytes == records.size() * sizeof(Record))
+    {
+      const std::size_t begin = records.size();
+      records.resize(begin + kTogether);
+      bytes += stream.Read(std::as_writable_bytes(std::span(records).subspan(begin)));
+    }
+    if (bytes % sizeof(Record) != 0)
     {
       Fail(node,
-        "the compressed data hold " + std::to_string(bytes.size()) +
+        "the compressed data hold " + std::to_string(bytes) +
           " bytes, which is no multiple of a record's " + std::to_string(sizeof(Record)) +
           "; the file is damaged.");
     }
-    records.resize(bytes.size() / sizeof(Record));
-    if (!records.empty())
-    {
-      std::memcpy(records.data(), bytes.data(), bytes.size());
-    }
+    records.resize(bytes / sizeof(Record));
     return records;
   }
 
@@ -72,9 +85,11 @@ public:
   [[nodiscard]] std::size_t MostBytes() const { return MostExpanded; }
 
 private:
-  [[nodiscard]] std::vector<std::byte> Bytes(const pugi::xml_node& node, std::size_t most) const;
+  /// Text() without a copy where it is in one piece, else in `joined`.
+  static std::string_view TextView(const pugi::xml_node& node, std::string& joined);
 
   std::string FileName;
+  const FileText* File;
   pugi::xml_document Xml;
   std::size_t MostExpanded;
 };

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Formats/Nektar/FieldAssembly.h"
-
 #include "Core/Base/Error.h"
 #include "Formats/Assembly.h"
 #include "Formats/Nektar/FieldBasis.h"
+#include "Formats/Nektar/FieldFile.h"
 
 #include <algorithm>
 #include <map>
@@ -31,8 +30,9 @@ std::string NameOf(const Expansion3& expansion)
 }
 } // namespace
 
-void AddFields(const std::vector<NamedText>& parts, const std::string& meshName, SolverModel& model)
+void AddFields(const std::vector<NamedText>& parts, SessionMesh& session)
 {
+  SolverModel& model = session.model;
   const SolverMesh& mesh = model.mesh;
   std::unordered_map<std::int64_t, int> elementOf;
   for (std::size_t e = 0; e < mesh.number.size(); ++e)
@@ -72,7 +72,7 @@ void AddFields(const std::vector<NamedText>& parts, const std::string& meshName,
         {
           throw InvalidData(part.name + ": it has coefficients for " + NameOf(expansion) + " " +
             std::to_string(data.id) + ", which the mesh of " + std::to_string(mesh.number.size()) +
-            " elements (" + meshName + ") has not; the two do not belong together.");
+            " elements (" + session.name + ") has not; the two do not belong together.");
         }
         Placement& place = places[element->second];
         if (place.data)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Formats/Nektar/Document.h"
+#include "Formats/Nektar/IdMap.h"
 #include "Formats/Nektar/Transform.h"
 
 #include "Core/Shape/Shape.h"
@@ -9,7 +10,6 @@
 
 #include <array>
 #include <span>
-#include <unordered_map>
 
 namespace pixelexact::nektar
 {
@@ -77,11 +77,11 @@ inline constexpr SolidTag kPlaneTags[] = { { "T", Shape::Prism }, { "Q", Shape::
 struct Geometry
 {
   int dimension = 3; ///< of the elements, 2 or 3
-  std::unordered_map<std::int64_t, Point> vertices;
-  std::unordered_map<std::int64_t, Edge> edges;
-  std::unordered_map<std::int64_t, Face> faces;
+  IdMap<Point> vertices;
+  IdMap<Edge> edges;
+  IdMap<Face> faces;
   std::vector<Solid> solids; ///< hexahedra, prisms, pyramids, tetrahedra as the file has them
-  std::unordered_map<std::int64_t, int> solidOf; ///< index in solids, by id
+  IdMap<int> solidOf;        ///< index in solids, by id
   std::vector<Curve> curves;
   /// Per composite: its number, name, and the ids of its solids or faces, in the plane its elements
   /// or edges.

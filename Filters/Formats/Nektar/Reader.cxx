@@ -5,7 +5,6 @@
 #include "Formats/Assembly.h"
 #include "Formats/Nektar/BoundaryBasis.h"
 #include "Formats/Nektar/FaceMaps.h"
-#include "Formats/Nektar/FieldAssembly.h"
 #include "Formats/Nektar/Groups.h"
 #include "Formats/Nektar/PlaneModel.h"
 #include "Formats/Nektar/SolidTable.h"
@@ -13,6 +12,7 @@
 #include <algorithm>
 #include <deque>
 #include <map>
+#include <unordered_set>
 
 namespace pixelexact::nektar
 {
@@ -192,21 +192,32 @@ void ModelBuilder::AddCorners()
 
 void ModelBuilder::AddComposites()
 {
+  std::unordered_set<std::int64_t> named;
+  for (const auto& composite : Source.composites)
+  {
+    if (composite.boundary)
+    {
+      named.insert(composite.members.begin(), composite.members.end());
+    }
+  }
   FaceOwners owners;
-  for (std::size_t e = 0; e < Elements.size(); ++e)
+  for (std::size_t e = 0; e < Elements.size() && !named.empty(); ++e)
   {
     const auto& faces = TableOf(Elements[e].solid->shape).faces;
     for (std::size_t f = 0; f < faces.size(); ++f)
     {
-      owners.emplace(Elements[e].solid->faces[f],
-        BoundaryFace{ static_cast<std::int32_t>(e), faces[f].vtkFace, 0 });
+      const std::int64_t face = Elements[e].solid->faces[f];
+      if (named.contains(face))
+      {
+        owners.emplace(face, BoundaryFace{ static_cast<std::int32_t>(e), faces[f].vtkFace, 0 });
+      }
     }
   }
   AddGroups(Source, owners, Name, Model);
 }
 } // namespace
 
-SolverModel Read(const std::vector<NamedText>& sessions, const std::vector<NamedText>& fieldParts)
+SessionMesh ReadMesh(const std::vector<NamedText>& sessions)
 {
   std::deque<Document> documents;
   std::vector<const Document*> session;
@@ -227,13 +238,49 @@ SolverModel Read(const std::vector<NamedText>& sessions, const std::vector<Named
       ": no file has an element GEOMETRY; name the file that holds the mesh as well.");
   }
   const Geometry geometry = ReadGeometry(session);
-  SolverModel model =
-    geometry.dimension == 2 ? MakePlaneModel(geometry, name) : ModelBuilder(geometry, name).Model;
+  documents.clear(); // all is in the geometry now
+  SolverModel model = geometry.dimension == 2 ? MakePlaneModel(geometry, name)
+                                              : std::move(ModelBuilder(geometry, name).Model);
   model.notes.insert(model.notes.end(), geometry.notes.begin(), geometry.notes.end());
+  return { std::move(model), name };
+}
+
+SessionMesh OutlineOf(const SessionMesh& mesh)
+{
+  const SolverMesh& whole = mesh.model.mesh;
+  SessionMesh outline{ {}, mesh.name };
+  outline.model.notes = mesh.model.notes;
+  SolverMesh& kept = outline.model.mesh;
+  kept.map.spaces = whole.map.spaces;
+  kept.map.spaceOf = whole.map.spaceOf;
+  kept.number = whole.number;
+  if (!whole.slab)
+  {
+    return outline;
+  }
+  const CoefficientBlock& block = whole.map.coefficients;
+  kept.map.offset = whole.map.offset;
+  kept.map.components = whole.map.components;
+  kept.map.coefficients = { std::unique_ptr<double[]>(new double[block.size]), block.size };
+  std::copy_n(block.data.get(), block.size, kept.map.coefficients.data.get());
+  kept.centre = whole.centre;
+  kept.size = whole.size;
+  kept.uncertainty = whole.uncertainty;
+  kept.corners = whole.corners;
+  kept.attribute = whole.attribute;
+  kept.boundary = whole.boundary;
+  kept.groups = whole.groups;
+  kept.slab = whole.slab;
+  return outline;
+}
+
+SolverModel Read(const std::vector<NamedText>& sessions, const std::vector<NamedText>& fieldParts)
+{
+  SessionMesh mesh = ReadMesh(sessions);
   if (!fieldParts.empty())
   {
-    AddFields(fieldParts, name, model);
+    AddFields(fieldParts, mesh);
   }
-  return model;
+  return std::move(mesh.model);
 }
 } // namespace pixelexact::nektar

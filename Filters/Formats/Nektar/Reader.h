@@ -5,6 +5,11 @@
 
 #include <string_view>
 
+namespace pixelexact
+{
+class FileText;
+}
+
 namespace pixelexact::nektar
 {
 /// A file's content with the name that messages give it.
@@ -12,10 +17,29 @@ struct NamedText
 {
   std::string name;
   std::string_view text; ///< kept alive by the caller
+  /// Whose text it is, to be parsed where it lies and forgotten then; may be null.
+  const FileText* file = nullptr;
 };
 
 /// A Nektar++ mesh from the session files' GEOMETRY, with the fields of the parts of one field
 /// file. Several files with a GEOMETRY are the parts of one mesh; the others may hold the rest of
 /// the session. Throws InvalidData or Unsupported: "<file>, <tag> <id>: what; remedy".
 SolverModel Read(const std::vector<NamedText>& sessions, const std::vector<NamedText>& fieldParts);
+
+// The same in two steps, for several field files on one mesh.
+
+struct SessionMesh
+{
+  SolverModel model; ///< without fields
+  std::string name;  ///< of the file that holds the mesh, for messages
+};
+SessionMesh ReadMesh(const std::vector<NamedText>& sessions);
+
+/// What AddFields must know of a mesh when its coefficients have been handed on; of a
+/// two-dimensional mesh all of it, which homogeneous fields need.
+SessionMesh OutlineOf(const SessionMesh& mesh);
+
+/// Adds the fields of a field file's parts, and their time. Throws InvalidData where the parts do
+/// not give every element its coefficients once.
+void AddFields(const std::vector<NamedText>& parts, SessionMesh& mesh);
 } // namespace pixelexact::nektar

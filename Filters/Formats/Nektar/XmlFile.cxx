@@ -2,10 +2,12 @@
 #include "Formats/Nektar/XmlFile.h"
 
 #include "Core/Base/Error.h"
+#include "Formats/FileText.h"
 #include "Formats/Hdf5/Hdf5File.h"
 #include "Formats/Nektar/Hdf5Xml.h"
 
 #include <algorithm>
+#include <span>
 
 namespace pixelexact::nektar
 {
@@ -96,8 +98,12 @@ void LoadXml(const NamedText& file, pugi::xml_document& xml)
   const bool hdf5 = IsHdf5(file.text);
   const std::string converted = hdf5 ? Hdf5AsXml(file) : std::string();
   const NamedText read{ file.name, hdf5 ? converted : file.text };
-  const auto result = xml.load_buffer(read.text.data(), read.text.size(),
-    pugi::parse_default | pugi::parse_doctype | pugi::parse_fragment);
+  const std::span<char> own = file.file != nullptr && !hdf5 ? file.file->Own() : std::span<char>();
+  const bool hasZero = read.text.find('\0') != std::string_view::npos;
+  constexpr unsigned kOptions = pugi::parse_default | pugi::parse_doctype | pugi::parse_fragment;
+  const auto result = own.empty() || hasZero
+    ? xml.load_buffer(read.text.data(), read.text.size(), kOptions)
+    : xml.load_buffer_inplace(own.data(), own.size(), kOptions);
   Checker checker(read, result.encoding);
   if (!result)
   {
@@ -105,7 +111,10 @@ void LoadXml(const NamedText& file, pugi::xml_document& xml)
       std::string("this is no XML (") + result.description() +
         "); the file is damaged or cut short.");
   }
-  checker.CheckZeros();
+  if (hasZero)
+  {
+    checker.CheckZeros();
+  }
   xml.traverse(checker);
 }
 } // namespace pixelexact::nektar

@@ -112,6 +112,7 @@ ChangeOfBasis::ChangeOfBasis(const Space& space, std::vector<BasisFactor> factor
   std::span<const int> source, std::vector<int> modeOf)
   : TargetSpace(space)
   , Factors(std::move(factors))
+  , Matrices(Factors.begin(), Factors.end())
   , SourceOf(source.begin(), source.end())
   , ModeOf(std::move(modeOf))
 {
@@ -252,6 +253,59 @@ ChangeOfBasis ChangeOfBasis::FromFunctions(const Space& space, int sources,
 }
 
 void ChangeOfBasis::Apply(
+  std::span<const double> values, double shift, std::span<double> canonical) const
+{
+  Scratch scratch;
+  Apply(values, { &shift, 1 }, canonical, scratch);
+}
+
+void ChangeOfBasis::Apply(std::span<const double> values, std::span<const double> shifts,
+  std::span<double> canonical, Scratch& scratch) const
+{
+  const std::size_t components = shifts.size();
+  const std::size_t sources = values.size() / components;
+  auto& [from, to] = scratch;
+  // The factor that comes next has its columns slowest, what is done and the component fastest.
+  std::size_t size = SourceOf.size() * components;
+  from.Resize(size);
+  for (std::size_t i = 0; i < SourceOf.size(); ++i)
+  {
+    for (std::size_t c = 0; c < components; ++c)
+    {
+      const double value = values[c * sources + static_cast<std::size_t>(SourceOf[i])];
+      const double difference = value - shifts[c];
+      const double added = difference - value;
+      from.high[i * components + c] = difference;
+      from.low[i * components + c] = (value - (difference - added)) - (shifts[c] + added);
+    }
+  }
+  for (const PairMatrix& matrix : Matrices)
+  {
+    const std::size_t rest = size / static_cast<std::size_t>(matrix.columns);
+    Multiply(matrix, rest, from, to);
+    size = rest * static_cast<std::size_t>(matrix.rows);
+    std::swap(from, to);
+  }
+  const std::size_t modes = ModeOf.size();
+  for (std::size_t c = 0; c < components; ++c)
+  {
+    const std::span<double> out = canonical.subspan(c * modes, modes);
+    bool finite = true;
+    for (std::size_t i = 0; i < modes; ++i)
+    {
+      const double value = from.high[c * modes + i];
+      out[static_cast<std::size_t>(ModeOf[i])] = value;
+      finite = finite && std::isfinite(value);
+    }
+    if (!finite)
+    {
+      // Sums near the largest double, of which long double has the exponents.
+      ApplyInLongDouble(values.subspan(c * sources, sources), shifts[c], out);
+    }
+  }
+}
+
+void ChangeOfBasis::ApplyInLongDouble(
   std::span<const double> values, double shift, std::span<double> canonical) const
 {
   std::vector<long double> current(SourceOf.size());

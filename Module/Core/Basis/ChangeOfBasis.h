@@ -2,13 +2,15 @@
 #pragma once
 
 #include "Core/Basis/BasisFactor.h"
+#include "Core/Basis/FactorKernels.h"
 
 #include <functional>
 #include <span>
 #include <vector>
 
-// From a source's basis to the canonical one. The matrices are made and applied in long double (64
-// bits of mantissa on x86), once per kind of element, and rounded to double at the end.
+// From a source's basis to the canonical one. The matrices are made in long double (64 bits of
+// mantissa on x86), once per kind of element, applied with no fewer bits, and rounded to double at
+// the end.
 namespace pixelexact
 {
 /// One-dimensional and simplicial families of source bases.
@@ -66,6 +68,17 @@ public:
   /// call from several threads.
   void Apply(std::span<const double> values, double shift, std::span<double> canonical) const;
 
+  /// What Apply works in: a thread's own, which keeps its memory.
+  struct Scratch
+  {
+    PairBuffer from;
+    PairBuffer to;
+  };
+  /// The same of as many components as there are shifts, one after the other in `values` and in
+  /// `canonical`: their bits are those of one at a time.
+  void Apply(std::span<const double> values, std::span<const double> shifts,
+    std::span<double> canonical, Scratch& scratch) const;
+
   /// sum over s of |M[mode][s]|: how much noise of one unit in every source value can weigh in a
   /// mode.
   [[nodiscard]] std::span<const double> Amplification() const { return RowNorm; }
@@ -74,8 +87,12 @@ private:
   ChangeOfBasis(const Space& space, std::vector<BasisFactor> factors, std::span<const int> source,
     std::vector<int> modeOf);
 
+  void ApplyInLongDouble(
+    std::span<const double> values, double shift, std::span<double> canonical) const;
+
   Space TargetSpace;
   std::vector<BasisFactor> Factors;
+  std::vector<PairMatrix> Matrices; ///< the factors'
   std::vector<int> SourceOf; ///< position in the source of each combination of factor columns
   std::vector<int> ModeOf;   ///< mode of each combination of factor rows
   std::vector<double> RowNorm;

@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Formats of several blocks, read by VTK's own readers."""
+
+import random
+import struct
+import unittest
+
+import numpy as np
+
+from tool import DATA, ToolTest, columns, read_csv, run
+
+EXODUS = DATA / "exodus_quadratic.e"
+CGNS = DATA / "cgns_hexa27.cgns"
+
+
+def known(file, reader):
+    return f"has no reader of {reader}" not in run("info", file).stderr
+
+
+class Blocks(ToolTest):
+    """Both files hold the map and the field below at the nodes of quadratic elements."""
+
+    def check(self, file, height):
+        stream = random.Random(4)
+        points, values = [], []
+        for _ in range(50):
+            r, s, t = stream.random(), stream.random(), height * stream.random()
+            points.append((r + 0.125 * s * s, s - 0.0625 * t * t, t + 0.125 * r * s))
+            values.append(r * r - 2 * s * t + 0.5 * r)
+        table = self.folder / "points.csv"
+        table.write_text("x,y,z\n" + "".join(",".join(map(repr, p)) + "\n" for p in points))
+        out = self.folder / "values.csv"
+        self.succeeds("probe", file, "--field", "u", "--points", table, "--output", out)
+        found = columns(read_csv(out))
+        self.assertEqual(set(found["verdict"]), {"inside"})
+        np.testing.assert_allclose(found["value"], values, rtol=0, atol=1e-14)
+
+    @unittest.skipUnless(known(EXODUS, "Exodus"), "VTK has no reader of Exodus II")
+    def test_exodus(self):
+        self.check(EXODUS, 2.0)
+        summary = self.summary("info", EXODUS)
+        self.assertEqual(summary["shapes"], {"hexahedron": 2, "tetrahedron": 1})
+        self.assertEqual(summary["attributes"], {"3": 1, "7": 2})
+        self.assertEqual(summary["times"], [0.0])
+        self.fails(1, "info", EXODUS, "--time-step", "1", names=["1 time step"])
+        for name in ("a.exo", "a.ex2"):
+            (self.folder / name).write_bytes(EXODUS.read_bytes())
+            self.succeeds("info", self.folder / name)
+
+    @unittest.skipUnless(known(EXODUS, "Exodus"), "VTK has no reader of Exodus II")
+    def test_exodus_with_a_node_that_is_not_there(self):
+        data = EXODUS.read_bytes()
+        nodes = struct.pack(">4i", 1, 2, 3, 4)  # the first hexahedron's
+        self.assertEqual(data.count(nodes), 1)
+        damaged = self.folder / "damaged.e"
+        damaged.write_bytes(data.replace(nodes, struct.pack(">4i", 1, 2, 3, 4000)))
+        self.fails(1, "info", damaged, names=[damaged, "damaged"])
+
+    @unittest.skipUnless(known(CGNS, "CGNS"), "VTK has no reader of CGNS")
+    def test_cgns(self):
+        self.check(CGNS, 1.0)
+
+    def test_others_are_refused_by_name(self):
+        for suffix, name in ((".e", "Exodus"), (".cgns", "CGNS")):
+            wrong = self.folder / ("wrong" + suffix)
+            wrong.write_text("version https://git-lfs.github.com/spec/v1\n")
+            self.fails(1, "info", wrong, names=[wrong, name])
+        self.fails(2, "info", EXODUS, EXODUS, names=["once"])
+
+
+if __name__ == "__main__":
+    unittest.main()
