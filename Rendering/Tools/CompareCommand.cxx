@@ -2,8 +2,11 @@
 #include "Command.h"
 #include "ContourDrawing.h"
 #include "ContourOptions.h"
+#include "DifferenceCommand.h"
+#include "DifferenceOptions.h"
 #include "Looks.h"
 #include "Output.h"
+#include "OutputFolder.h"
 #include "Recommendation.h"
 #include "RenderReport.h"
 #include "Report.h"
@@ -40,6 +43,7 @@ struct CompareOptions
   ShotOptions shot;
   ContourOptions contours;
   TradeOptions trade;
+  DifferenceOptions difference;
 };
 
 /// Options of shots and contours that pictures of values have no use for.
@@ -65,22 +69,6 @@ void CheckOptions(const CompareOptions& options)
   {
     throw UsageError("compare takes one surface; leave the others out");
   }
-}
-
-std::string MakeFolder(const CompareOptions& options)
-{
-  const std::string& given = options.trade.Folder();
-  const std::filesystem::path folder = given.empty()
-    ? std::filesystem::path(options.shot.input.files.front()).filename().stem().string() + "-trade"
-    : given;
-  std::error_code error;
-  std::filesystem::create_directory(folder, error);
-  if (!std::filesystem::is_directory(folder))
-  {
-    throw Error("--output: the folder '" + folder.string() + "' cannot be made" +
-      (error ? ": " + error.message() : std::string()));
-  }
-  return folder.string();
 }
 
 /// The scene and its colours; the frame that told their range stays behind.
@@ -197,12 +185,19 @@ std::string WriteScript(const std::string& folder, const TradeScene& scene,
 void Compare(const CompareOptions& options, const CommonOptions& common)
 {
   CheckOptions(options);
+  options.difference.Check(*options.shot.command, options.shot.size);
+  if (options.difference.IsAsked())
+  {
+    CompareSolutions(options.shot, options.difference, options.trade.Output(), common);
+    return;
+  }
   options.trade.Check();
   options.contours.Check(options.shot.MakeLayers());
   Stopwatch stopwatch;
   const Shot shot = Prepare(options.shot, stopwatch);
   const TradeScene scene = MakeScene(options, shot);
-  const std::string folder = MakeFolder(options);
+  const std::string folder =
+    MakeOutputFolder(options.trade.Output(), options.shot.input.files.front(), "-trade");
   const Picture truth =
     TracePicture(shot.scene, shot.MakeCamera(), {}, scene.isoValues, ContourMethod());
   const ErrorMeasure measure{ options.trade.Share(), scene.range, options.trade.Bins() };
@@ -264,10 +259,14 @@ void AddCompareCommand(CLI::App& program, const CommonOptions& common, Action& a
 {
   const auto options = std::make_shared<CompareOptions>();
   CLI::App& command = AddCommand(program, "compare",
-    "Measure what linear pictures of a cut cost and miss, beside exact ones; writes a report",
+    "Measure what linear pictures of a cut cost and miss, beside exact ones; writes a report; or, "
+    "--with other solutions, how far these are from INPUT, pixel by pixel",
     [options, &common, &action] { action = [options, &common] { Compare(*options, common); }; });
   options->shot.AddTo(command);
   options->contours.AddTo(command);
   options->trade.AddTo(command);
+  options->difference.AddTo(command);
+  // A difference is read against its bar.
+  options->difference.AskForFigure();
 }
 } // namespace pixelexact

@@ -46,6 +46,9 @@ struct InputGrid
 /// files do not go together.
 InputGrid ReadInput(const InputRequest& request);
 
+/// Whether a file of this name holds fields without their mesh.
+bool HoldsFieldsAlone(const std::string& file);
+
 // For those who add formats.
 
 /// Throws Error.

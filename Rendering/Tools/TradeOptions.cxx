@@ -73,9 +73,9 @@ void TradeOptions::AddTo(CLI::App& command)
   AddNumber(command, "--target-time", TargetTime, "SECONDS",
     "Name the most accurate setting that takes no longer; with --target-error both are to hold")
     .Group(group);
-  AddText(command, "-o,--output", TheFolder, "FOLDER",
+  AddText(command, "-o,--output", TheOutput, "FOLDER|IMAGE",
     "Folder for trade.csv, report.html and the pictures (default: named after the input, in the "
-    "current folder)")
+    "current folder); with --with the picture of the difference, of several a folder")
     .Group(group);
 }
 

@@ -34,7 +34,7 @@ public:
   /// Of the shown pixels, 0 to 1.
   [[nodiscard]] double Share() const { return Percent.value_or(99.0) / 100.0; }
   [[nodiscard]] bool OfNext() const { return Next; }
-  [[nodiscard]] const std::string& Folder() const { return TheFolder; }
+  [[nodiscard]] const std::string& Output() const { return TheOutput; }
   /// None: nothing is asked.
   [[nodiscard]] std::optional<TradeTarget> Target() const;
 
@@ -48,6 +48,6 @@ private:
   bool Next = false;
   std::optional<double> TargetError;
   std::optional<double> TargetTime;
-  std::string TheFolder;
+  std::string TheOutput;
 };
 } // namespace pixelexact
