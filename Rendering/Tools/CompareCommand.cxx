@@ -44,6 +44,7 @@ struct CompareOptions
   ContourOptions contours;
   TradeOptions trade;
   DifferenceOptions difference;
+  KnobOptions knobs;
 };
 
 /// Options of shots and contours that pictures of values have no use for.
@@ -113,7 +114,9 @@ TradeScene MakeScene(const CompareOptions& options, const Shot& shot)
 
 std::vector<TradeSetting> SettingsOf(const CompareOptions& options, const TradeScene& scene)
 {
-  std::vector<TradeSetting> settings = ExactSettings(!scene.isoValues.empty());
+  const Field& field = *scene.shot->scene.layers.front().field;
+  std::vector<TradeSetting> settings =
+    ExactSettings(!scene.isoValues.empty(), options.trade.Orders(OrderRange(field.values)[1]));
   const auto add = [&settings](TradeFamily family, const std::vector<int>& numbers, auto spacing)
   {
     for (const int number : numbers)
@@ -192,6 +195,11 @@ void Compare(const CompareOptions& options, const CommonOptions& common)
     return;
   }
   options.trade.Check();
+  if (options.knobs.Stride() > 1 || options.shot.input.truncateOrder)
+  {
+    throw UsageError(std::string(options.knobs.Stride() > 1 ? "--stride" : "--truncate-order") +
+      " is among what is compared; leave it out, or name orders with --truncate-orders");
+  }
   options.contours.Check(options.shot.MakeLayers());
   Stopwatch stopwatch;
   const Shot shot = Prepare(options.shot, stopwatch);
@@ -217,7 +225,7 @@ void Compare(const CompareOptions& options, const CommonOptions& common)
     recommended = Recommend(rows, *target, scene.range);
     facts.script = WriteScript(folder, scene, *recommended, options.shot.input.files);
     facts.recommendation =
-      Describe(*recommended, *target, facts, SceneWords(common.words, shot.chosen), shot.size);
+      Describe(*recommended, *target, facts, SceneWords(common.words, shot.chosen));
   }
   WriteTradeReport(folder, scene, truth, rows, facts, options.shot.colors.BackgroundColor());
   OutputFile csv((std::filesystem::path(folder) / "trade.csv").string());
@@ -266,6 +274,7 @@ void AddCompareCommand(CLI::App& program, const CommonOptions& common, Action& a
   options->contours.AddTo(command);
   options->trade.AddTo(command);
   options->difference.AddTo(command);
+  options->knobs.AddTo(command, options->shot);
   // A difference is read against its bar.
   options->difference.AskForFigure();
 }

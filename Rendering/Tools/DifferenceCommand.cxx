@@ -45,11 +45,17 @@ void RequireField(const Shot& shot)
 }
 
 /// What a picture's file says of itself.
-PictureTexts TextsOf(const InputRequest& first, const InputRequest& second,
+PictureTexts TextsOf(const Shot& shot, const InputRequest& first, const InputRequest& second,
   const DifferenceNumbers& numbers, const RepeatedCommand& command)
 {
-  return { { "Source", DescribeFiles(first.files) }, { "With", DescribeFiles(second.files) },
-    { "Command", command.Text() }, { "Pixels", PixelsText(numbers) } };
+  PictureTexts texts{ { "Source", DescribeFiles(first.files) },
+    { "With", DescribeFiles(second.files) }, { "Command", command.Text() },
+    { "Pixels", PixelsText(numbers) } };
+  for (const std::string& given : KnobFacts{ 1, shot.truncated }.Texts())
+  {
+    texts.emplace_back("Given up", given);
+  }
+  return texts;
 }
 
 void CompareTwo(const ShotOptions& shot, const DifferenceOptions& difference,
@@ -84,7 +90,8 @@ void CompareTwo(const ShotOptions& shot, const DifferenceOptions& difference,
   const DifferencePicture drawn(asked, prepared, other.field->name, found);
   facts.range = drawn.Range();
   WriteBytes(picture,
-    drawn.Encode(difference, shot.size, TextsOf(shot.input, request, numbers, command), picture));
+    drawn.Encode(
+      difference, shot.size, TextsOf(prepared, shot.input, request, numbers, command), picture));
   if (!difference.BufferFile().empty())
   {
     WriteDifference(difference.BufferFile(), found, prepared.input.model->SourceCells(),
@@ -104,6 +111,7 @@ void CompareTwo(const ShotOptions& shot, const DifferenceOptions& difference,
   }
   nlohmann::ordered_json summary{ { "output", picture }, { "solution", other.name },
     { "pixels", ToJson(numbers) }, { "range", facts.range } };
+  KnobFacts{ 1, prepared.truncated }.AddTo(summary);
   summary["command"] = command.Words();
   summary["seconds"] = ToJson(stopwatch);
   Print(summary);
@@ -131,7 +139,8 @@ void CompareSeries(const ShotOptions& shot, const DifferenceOptions& difference,
     const std::string picture =
       (folder / fmt::format("difference-{}.png", rows.size() + 1)).string();
     WriteBytes(picture,
-      drawn.Encode(difference, shot.size, TextsOf(shot.input, request, numbers, command), picture));
+      drawn.Encode(
+        difference, shot.size, TextsOf(prepared, shot.input, request, numbers, command), picture));
     rows.push_back({ other.name, SizeOf(other.input, *other.field), numbers });
     stopwatch.Stage("compare");
   }
@@ -158,6 +167,7 @@ void CompareSeries(const ShotOptions& shot, const DifferenceOptions& difference,
       { "relative_length", row.size.length }, { "pixels", ToJson(row.numbers) } });
   }
   summary["convergence"] = convergence.ToJson();
+  KnobFacts{ 1, prepared.truncated }.AddTo(summary);
   summary["command"] = command.Words();
   summary["seconds"] = ToJson(stopwatch);
   Print(summary);
@@ -167,6 +177,10 @@ void CompareSeries(const ShotOptions& shot, const DifferenceOptions& difference,
 void CompareSolutions(ShotOptions shot, const DifferenceOptions& difference,
   const std::string& output, const CommonOptions& common)
 {
+  if (IsGiven(*shot.command, "--stride"))
+  {
+    throw UsageError("--stride: differences are of each pixel; leave it out");
+  }
   shot.size = AtDpi(shot.size, kUsualDpi);
   shot.CheckRangeOfOne();
   if (shot.colors.Range().of == RangeChoice::Of::Field)

@@ -56,8 +56,9 @@ void DifferenceOptions::AddTo(CLI::App& command)
 
 void DifferenceOptions::Check(const CLI::App& command, const ImageSize& size) const
 {
-  constexpr std::array<std::string_view, 9> kOfLinearPictures{ "--resolutions", "--grids",
-    "--levels", "--repeat", "--bins", "--share", "--timed", "--target-error", "--target-time" };
+  constexpr std::array<std::string_view, 10> kOfLinearPictures{ "--resolutions", "--grids",
+    "--levels", "--truncate-orders", "--repeat", "--bins", "--share", "--timed", "--target-error",
+    "--target-time" };
   constexpr std::array<std::string_view, 4> kOfFigures{ "--figure", "--title", "--font-size",
     "--font" };
   for (const std::string& name : OptionsGiven(command))
@@ -98,6 +99,7 @@ std::vector<InputRequest> DifferenceOptions::Requests(const InputRequest& first)
     request.step = Step;
     request.time = Time;
     request.files = files;
+    request.truncateOrder.reset();
     if (std::ranges::all_of(files, HoldsFieldsAlone))
     {
       request.files.clear();

@@ -29,6 +29,8 @@ public:
   /// Nodes along the longest side.
   [[nodiscard]] const std::vector<int>& Grids() const { return TheGrids; }
   [[nodiscard]] const std::vector<int>& Levels() const { return TheLevels; }
+  /// That fields are truncated to, ascending. Where none were given, some below the field's.
+  [[nodiscard]] std::vector<int> Orders(int ofField) const;
   [[nodiscard]] int Repeat() const { return TheRepeat; }
   [[nodiscard]] int Bins() const { return TheBins; }
   /// Of the shown pixels, 0 to 1.
@@ -41,6 +43,7 @@ public:
 private:
   std::optional<std::vector<int>> TheResolutions;
   std::vector<int> TheGrids{ 16, 32, 64, 128 };
+  std::optional<std::vector<int>> TheOrders;
   std::vector<int> TheLevels{ 0, 1, 2, 3 };
   int TheRepeat = 3;
   int TheBins = 256;

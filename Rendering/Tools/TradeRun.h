@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -59,6 +60,7 @@ struct TradeSetting
   int number = 0; ///< resolution, nodes along the longest side, level; of exact ones a stride or so
   /// Of the points between which is interpolated, but for a factor of the family's; 0: no spacing.
   double spacing = 0.0;
+  std::optional<int> order = {}; ///< of an exact one, what its field is truncated to
 };
 
 /// What making a picture twice took.
@@ -90,9 +92,10 @@ struct FreshModel
   std::shared_ptr<HighOrderModel> model;
 };
 
-/// What there is to try on the exact side: precision, stride, samples and, with contours, how they
-/// are told.
-[[nodiscard]] std::vector<TradeSetting> ExactSettings(bool contours);
+/// What there is to try on the exact side: precision, stride, samples, the field truncated to these
+/// orders and, with contours, how they are told.
+[[nodiscard]] std::vector<TradeSetting> ExactSettings(
+  bool contours, const std::vector<int>& orders);
 /// Whether its values, and not the contours or colours alone, differ from the exact picture's, or
 /// it is that.
 [[nodiscard]] bool HasOwnValues(const TradeSetting& setting);

@@ -26,6 +26,7 @@ CLASSES = [
     "vtkHighOrderSeriesReader",
     "vtkHighOrderSubdivide",
     "vtkHighOrderTriangleSurface",
+    "vtkHighOrderTruncate",
     "vtkImplicitCallback",
     "vtkImplicitTorus",
     "vtkMFEMReader",
