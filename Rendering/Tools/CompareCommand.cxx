@@ -97,7 +97,7 @@ TradeScene MakeScene(const CompareOptions& options, const Shot& shot)
   else if (!scene.function)
   {
     throw Error("compare takes what VTK's filters know: --plane, --sphere, --cylinder, --cone, "
-                "--quadric or --isosurface");
+                "--quadric, --torus, --box or --isosurface");
   }
   const Frame frame = Trace(shot.scene, shot.MakeCamera(), {},
     { .centres = NeedsOfLooks(shot) | options.contours.Needs() | Buffer::Value });

@@ -7,13 +7,9 @@
 #include "Shot.h"
 #include "VectorCanvas.h"
 
-#include "FrameImage.h"
+#include "DifferenceImage.h"
 
-#include <vtkDoubleArray.h>
 #include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <optional>
@@ -64,16 +60,6 @@ struct ShownAs
   Field field;
   Shot shown;
 };
-
-template <class Array, class T>
-void AddArray(vtkImageData& image, const char* name, const std::vector<T>& values)
-{
-  vtkNew<Array> array;
-  array->SetName(name);
-  array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
-  std::ranges::copy(values, array->GetPointer(0));
-  image.GetPointData()->AddArray(array);
-}
 } // namespace
 
 DifferencePicture::DifferencePicture(const ShotOptions& options, const Shot& shot,
@@ -127,21 +113,7 @@ std::string DifferencePicture::Encode(const DifferenceOptions& difference, const
 void WriteDifference(const std::string& file, const FieldDifference& difference,
   std::span<const std::int64_t> firstCells, std::span<const std::int64_t> secondCells)
 {
-  Frame frame = difference.frame;
-  std::vector<std::int64_t>& elements = frame.centres.element;
-  for (std::size_t i = 0; i < elements.size(); ++i)
-  {
-    const auto& cells = difference.seen[i] == 2 ? secondCells : firstCells;
-    if (elements[i] >= 0 && !cells.empty())
-    {
-      elements[i] = cells[static_cast<std::size_t>(elements[i])];
-    }
-  }
-  const vtkSmartPointer<vtkImageData> image = ToImageData(frame, {});
-  AddArray<vtkDoubleArray>(*image, "First", difference.first);
-  AddArray<vtkDoubleArray>(*image, "Second", difference.second);
-  AddArray<vtkUnsignedCharArray>(*image, "Side", difference.side);
-  AddArray<vtkUnsignedCharArray>(*image, "Seen", difference.seen);
+  const vtkSmartPointer<vtkImageData> image = ToImageData(difference, firstCells, secondCells);
   WriteImage(file, image);
 }
 } // namespace pixelexact

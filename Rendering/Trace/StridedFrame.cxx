@@ -18,9 +18,16 @@ void SpreadBlocks(std::vector<T>& buffer, std::size_t width, std::size_t step)
   const std::size_t height = buffer.empty() ? 0 : buffer.size() / width;
   for (std::size_t y = 0; y < height; ++y)
   {
-    for (std::size_t x = 0; x < width; ++x)
+    const auto row = buffer.begin() + static_cast<std::ptrdiff_t>(y * width);
+    if (y % step != 0)
     {
-      buffer[y * width + x] = buffer[(y - y % step) * width + (x - x % step)];
+      std::copy_n(row - static_cast<std::ptrdiff_t>(width), width, row);
+      continue;
+    }
+    for (std::size_t x = 0; x < width; x += step)
+    {
+      const auto first = row + static_cast<std::ptrdiff_t>(x);
+      std::fill_n(first, std::min(step, width - x), T(*first));
     }
   }
 }

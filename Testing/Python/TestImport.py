@@ -13,6 +13,7 @@ CLASSES = [
     "vtkHighOrderCertifier",
     "vtkHighOrderComparison",
     "vtkHighOrderContour",
+    "vtkHighOrderDifference",
     "vtkHighOrderGrid",
     "vtkHighOrderIsoSurface",
     "vtkHighOrderLayer",

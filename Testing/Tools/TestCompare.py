@@ -87,6 +87,23 @@ class Compare(ToolTest):
             self.assertLess(int(row["missing"]), 0.01 * int(row["shown"]))
         self.fails(2, "compare", path, *iso, "--grids", "8", names=["--grids"])
 
+    def test_tori_and_boxes_converge_too(self):
+        for name, surface in [
+            ("--torus", "0,0,0,0,0,1,1,0.2"),
+            ("--box", "-1.1,-1,-0.2,1.2,0.9,0.15"),
+        ]:
+            _, _, rows = self.compare(
+                *[case("toroid_hex_g3_p6"), "--field", "u", name, surface],
+                *["--resolutions", "16,32,64", "--grids", "none", "--levels", "3", "--repeat", "1"],
+            )
+            means = [float(rows[f"cut-{n}"]["mean_error"]) for n in (16, 32, 64)]
+            self.assertGreater(int(rows["cut-64"]["shown"]), 1000)
+            self.assertLess(means[1], 0.5 * means[0])
+            self.assertLess(means[2], 0.5 * means[1])
+            missing = [int(rows[f"cut-{n}"]["missing"]) for n in (16, 64)]
+            self.assertLess(missing[1], max(1, missing[0]))
+            self.assertGreater(int(rows["subdivide-3"]["triangles"]), 100)
+
     def test_threads_change_no_error(self):
         errors = []
         for threads in [1, 2]:
@@ -175,8 +192,8 @@ class Compare(ToolTest):
             self.fails(2, "compare", mesh, *arguments, names=[name])
         self.fails(
             1,
-            *["compare", mesh, "--field", "u", "--torus", "0,0,0,0,0,1,1,0.25"],
-            names=["--quadric or --isosurface"],
+            *["compare", mesh, "--field", "u", "--boundary"],
+            names=["--quadric, --torus, --box or --isosurface"],
         )
         blocked = self.folder / "file"
         blocked.write_text("", encoding="utf-8")
