@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHighOrderDifference.h"
 
+#include "CameraOfFilter.h"
 #include "Core/Base/Error.h"
 #include "Core/Location/Locator.h"
 #include "DifferenceImage.h"
 #include "FieldChoice.h"
 #include "GridModel.h"
 #include "HighOrderModel.h"
-#include "VtkCamera.h"
 #include "VtkSurface.h"
 
 #include "vtkCamera.h"
@@ -148,10 +148,9 @@ int vtkHighOrderDifference::RequestUpdateExtent(vtkInformation* /*request*/,
 bool vtkHighOrderDifference::Compare(
   vtkDataObject* first, vtkDataObject* second, vtkImageData* output)
 {
-  if (!this->CutFunction || !this->Camera)
+  if (!this->CutFunction)
   {
-    throw Error(this->CutFunction ? "there is no camera; give one with SetCamera."
-                                  : "there is no cut function; give one with SetCutFunction.");
+    throw Error("there is no cut function; give one with SetCutFunction.");
   }
   if (this->Size[0] < 1 || this->Size[1] < 1)
   {
@@ -168,8 +167,10 @@ bool vtkHighOrderDifference::Compare(
     { &secondModel->GetLocator(), &other },
     ToSurface(this->CutFunction, { firstModel->GetLocator().Bounds() }),
     this->Component == -1 ? kMagnitude : this->Component };
-  const FieldDifference found = TraceDifference(scene,
-    SetupOf(this->Camera, this->Size[0], this->Size[1]).Make(), Buffer::None, this->Bounds,
+  const Box3& bounds = firstModel->GetLocator().Bounds();
+  const pixelexact::Camera camera =
+    CameraOfFilter(this->Camera, *scene.surface, bounds, this->Size[0], this->Size[1]);
+  const FieldDifference found = TraceDifference(scene, camera, Buffer::None, this->Bounds,
     [this](double part)
     {
       this->UpdateProgress(part);

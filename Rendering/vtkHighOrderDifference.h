@@ -60,7 +60,8 @@ public:
 
   ///@{
   /**
-   * Where from the surface is seen; there must be one.
+   * Where from the surface is seen. Null, the default: all of the first grid, in parallel, along
+   * the normal of a plane, and of other surfaces from (1, 1, 1).
    */
   void SetCamera(vtkCamera* camera);
   vtkCamera* GetCamera();
