@@ -87,11 +87,9 @@ TradeScene MakeScene(const CompareOptions& options, const Shot& shot)
   if (!isos.empty())
   {
     const IsoChoice iso = Resolve(isos.front(), *shot.input.model);
-    if (shot.input.model->FindField(iso.field)->values.components > 1)
-    {
-      throw Error("--isosurface: compare takes those of scalar fields, which VTK's filters know");
-    }
     scene.isoField = iso.field;
+    scene.isoComponent = iso.component;
+    scene.isoComponents = shot.input.model->FindField(iso.field)->values.components;
     scene.isoValue = iso.value;
   }
   else if (!scene.function)

@@ -32,9 +32,12 @@ struct TradeScene
   /// The cut-surface of a model of the same mesh.
   std::function<std::shared_ptr<const Surface>(const std::shared_ptr<const HighOrderModel>&)>
     surface;
-  // What VTK's filters make it of: a function, or a field's name and value.
+  // What VTK's filters make it of: a function, or a field's name, component (or kMagnitude) and
+  // value.
   vtkSmartPointer<vtkImplicitFunction> function;
   std::string isoField;
+  int isoComponent = 0;
+  int isoComponents = 1; ///< that the field has
   double isoValue = 0.0;
   std::vector<double> isoValues; ///< of contours, ascending; none: no contours
   ColorMap map;

@@ -87,6 +87,24 @@ class Compare(ToolTest):
             self.assertLess(int(row["missing"]), 0.01 * int(row["shown"]))
         self.fails(2, "compare", path, *iso, "--grids", "8", names=["--grids"])
 
+    def test_iso_surfaces_of_components_and_magnitudes(self):
+        path = self.folder / "cube.vtu"
+        fields = [
+            ("v", [[x, 2.0 * y, 0.5 + z] for x, y, z in CUBE]),
+            ("g", [2.0 * x - y for x, y, z in CUBE]),
+        ]
+        path.write_text(plain_grid(CUBE, [(12, list(range(8)))], fields), encoding="utf-8")
+        options = ["--field", "g", "--levels", "1,2,3", "--repeat", "1"]
+        # A plane, y = 0.3, and a part of an ellipsoid.
+        _, _, rows = self.compare(path, "--isosurface", "v.y=0.6", *options)
+        self.assertLess(float(rows["subdivide-2"]["largest_error"]), 1e-6)
+        _, _, rows = self.compare(path, "--isosurface", "v.magnitude=1.3", *options)
+        errors = [float(rows[f"subdivide-{level}"]["mean_error"]) for level in (1, 2, 3)]
+        self.assertGreater(int(rows["subdivide-3"]["shown"]), 1000)
+        self.assertGreater(errors[2], 0.0)
+        self.assertLess(errors[1], 0.5 * errors[0])
+        self.assertLess(errors[2], 0.5 * errors[1])
+
     def test_tori_and_boxes_converge_too(self):
         for name, surface in [
             ("--torus", "0,0,0,0,0,1,1,0.2"),
