@@ -61,10 +61,12 @@ void CheckOptions(const CompareOptions& options)
       throw UsageError(name + " has no effect on a comparison; leave it out");
     }
   }
-  if (!options.shot.surfaces.IsoSurfaces().empty() &&
+  const bool boundary = IsGiven(*options.shot.command, "--boundary");
+  if ((boundary || !options.shot.surfaces.IsoSurfaces().empty()) &&
     (IsGiven(*options.shot.command, "--resolutions") || IsGiven(*options.shot.command, "--grids")))
   {
-    throw UsageError("--resolutions and --grids have no effect on iso-surfaces; leave them out");
+    throw UsageError(std::string("--resolutions and --grids have no effect on ") +
+      (boundary ? "boundaries" : "iso-surfaces") + "; leave them out");
   }
   if (options.shot.surfaces.Count() > 1)
   {
@@ -92,10 +94,10 @@ TradeScene MakeScene(const CompareOptions& options, const Shot& shot)
     scene.isoComponents = shot.input.model->FindField(iso.field)->values.components;
     scene.isoValue = iso.value;
   }
-  else if (!scene.function)
+  else if (!scene.function && !IsOfFaces(scene))
   {
     throw Error("compare takes what VTK's filters know: --plane, --sphere, --cylinder, --cone, "
-                "--quadric, --torus, --box or --isosurface");
+                "--quadric, --torus, --box, --isosurface or --boundary");
   }
   const Frame frame = Trace(shot.scene, shot.MakeCamera(), {},
     { .centres = NeedsOfLooks(shot) | options.contours.Needs() | Buffer::Value });
@@ -130,7 +132,7 @@ std::vector<TradeSetting> SettingsOf(const CompareOptions& options, const TradeS
     add(TradeFamily::Resample, options.trade.Grids(), [](int n) { return 1.0 / (n - 1); });
   }
   add(TradeFamily::Subdivide, options.trade.Levels(), [](int l) { return 1.0 / (1 << l); });
-  if (HasHighOrderCells(scene))
+  if (!IsOfFaces(scene) && HasHighOrderCells(scene))
   {
     settings.push_back({ "cells", TradeFamily::Cells, 0, 0.0 });
   }

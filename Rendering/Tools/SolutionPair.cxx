@@ -9,6 +9,7 @@
 #include "SlabArray.h"
 
 #include <fmt/format.h>
+#include <vtkUnstructuredGrid.h>
 
 #include <cmath>
 #include <filesystem>

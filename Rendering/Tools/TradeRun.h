@@ -102,6 +102,8 @@ struct FreshModel
 /// Whether its values, and not the contours or colours alone, differ from the exact picture's, or
 /// it is that.
 [[nodiscard]] bool HasOwnValues(const TradeSetting& setting);
+/// Whether the cut-surface is made of elements' faces.
+[[nodiscard]] bool IsOfFaces(const TradeScene& scene);
 /// Whether VTK's filters would cut other cells than linear ones, with the fields at their points.
 [[nodiscard]] bool HasHighOrderCells(const TradeScene& scene);
 
@@ -116,5 +118,8 @@ struct FreshModel
 [[nodiscard]] std::unique_ptr<TradeRun> MakeExactRun(
   const TradeScene& scene, const TradeSetting& setting);
 [[nodiscard]] std::unique_ptr<TradeRun> MakeLinearRun(
+  const TradeScene& scene, const TradeSetting& setting);
+/// Of scenes of faces, which have the family Subdivide alone, without VTK's filters.
+[[nodiscard]] std::unique_ptr<TradeRun> MakeFacesRun(
   const TradeScene& scene, const TradeSetting& setting);
 } // namespace pixelexact

@@ -6,7 +6,7 @@ import subprocess
 import sys
 import unittest
 
-from tool import MIDDLE, CUBE, ToolTest, case, plain_grid, read_csv
+from tool import DATA, MIDDLE, CUBE, ToolTest, case, plain_grid, read_csv
 
 # A small comparison of each family.
 FEW = ["--resolutions", "16,32,64", "--grids", "8,16,32", "--levels", "0,1,2", "--repeat", "1"]
@@ -104,6 +104,22 @@ class Compare(ToolTest):
         self.assertGreater(errors[2], 0.0)
         self.assertLess(errors[1], 0.5 * errors[0])
         self.assertLess(errors[2], 0.5 * errors[1])
+
+    def test_boundaries_as_triangles_converge_at_second_order(self):
+        for name in ["toroid_hex_g3_p6", "escher_tet_g3_p3", "toroid_prism_g3_p4"]:
+            _, summary, rows = self.compare(
+                *[case(name), "--field", "u", "--boundary", "--view", "iso"],
+                *["--levels", "1,2,3,4", "--repeat", "1"],
+            )
+            self.assertNotIn("cut-64", rows)
+            self.assertNotIn("cells", rows)
+            errors = [float(rows[f"subdivide-{level}"]["mean_error"]) for level in (2, 3, 4)]
+            # Linear faces hang inside of the curved ones, so that silhouettes move, too.
+            self.assertLess(errors[1], 0.4 * errors[0], name)
+            self.assertLess(errors[2], 0.4 * errors[1], name)
+            exact = rows["exact"]
+            self.assertGreater(int(exact["shown"]), 1000)
+        self.fails(2, "compare", case(name), "--boundary", "--grids", "8", names=["--grids"])
 
     def test_tori_and_boxes_converge_too(self):
         for name, surface in [
@@ -210,8 +226,8 @@ class Compare(ToolTest):
             self.fails(2, "compare", mesh, *arguments, names=[name])
         self.fails(
             1,
-            *["compare", mesh, "--field", "u", "--boundary"],
-            names=["--quadric, --torus, --box or --isosurface"],
+            *["compare", mesh, "--field", "u", "--surface", DATA / "surfaces" / "octahedron.stl"],
+            names=["--torus, --box, --isosurface or --boundary"],
         )
         blocked = self.folder / "file"
         blocked.write_text("", encoding="utf-8")
