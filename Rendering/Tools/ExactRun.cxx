@@ -101,6 +101,17 @@ public:
     return time;
   }
 
+  [[nodiscard]] std::optional<double> ProvenChange() const override
+  {
+    if (!Order)
+    {
+      return std::nullopt;
+    }
+    const Layer& layer = TheScene.shot->scene.layers.front();
+    return LargestChange(
+      TheScene.shot->input.model->GetMesh(), Truncation(*layer.field, *Order), layer.component);
+  }
+
   Picture Show() override
   {
     return PictureOf(TheFrame, Contours ? Contours->Verdicts() : std::vector<std::uint8_t>());

@@ -83,6 +83,9 @@ public:
   virtual TradeTime Measure() = 0;
   /// The picture that the last Measure made.
   [[nodiscard]] virtual Picture Show() = 0;
+  /// How far the values of the setting's picture are from the exact one's at most, anywhere in the
+  /// mesh, by proof; none: nothing is known but what is measured. Takes a while.
+  [[nodiscard]] virtual std::optional<double> ProvenChange() const { return std::nullopt; }
   /// Of the linear surface; 0: there is none.
   [[nodiscard]] virtual std::size_t Triangles() const { return 0; }
 };

@@ -126,6 +126,9 @@ class Truncated(Knobs):
         self.assertLess(errors[0], errors[1])
         self.assertLess(errors[1], errors[2])
         self.assertGreater(float(rows["exact-stride-2"]["largest_error"]), 0.0)
+        for order, error in zip((5, 4, 3), errors):
+            self.assertLessEqual(error, float(rows[f"exact-truncate-{order}"]["proven_change"]))
+        self.assertEqual(rows["exact"]["proven_change"], "")
         summary = self.summary(*arguments, "--truncate-orders", "1", "--target-error", "10")
         rows = {row["setting"]: row for row in read_csv(folder / "trade.csv")}
         self.assertIn("exact-truncate-1", rows)
