@@ -24,10 +24,10 @@ struct FaceLattice
 {
   FaceLattice(const ReferenceFace& face, int parts)
   {
-    const int across = parts + 1;
-    std::vector<int> number(static_cast<std::size_t>(across) * static_cast<std::size_t>(across));
+    const auto across = static_cast<std::size_t>(parts) + 1;
+    std::vector<int> number(across * across);
     const auto at = [&](int i, int j) -> int&
-    { return number[static_cast<std::size_t>(j * across + i)]; };
+    { return number[static_cast<std::size_t>(j) * across + static_cast<std::size_t>(i)]; };
     const bool square = face.corners == 4;
     for (int j = 0; j <= parts; ++j)
     {
