@@ -1,13 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FunctionOfSurface.h"
 
+#include "Trace/Surfaces/ConvexBody.h"
 #include "Trace/Surfaces/Plane.h"
 #include "Trace/Surfaces/Quadric.h"
+#include "Trace/Surfaces/Torus.h"
+#include "vtkImplicitTorus.h"
 
+#include "vtkBox.h"
 #include "vtkNew.h"
 #include "vtkPlane.h"
 #include "vtkQuadric.h"
 #include "vtkTransform.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
 
 namespace pixelexact
 {
@@ -38,6 +47,45 @@ vtkSmartPointer<vtkImplicitFunction> FunctionOf(const Quadric& quadric)
   }
   return function;
 }
+
+vtkSmartPointer<vtkImplicitFunction> FunctionOf(const Torus& torus)
+{
+  auto function = vtkSmartPointer<vtkImplicitTorus>::New();
+  const Vec3& centre = torus.Centre();
+  const Vec3& axis = torus.AxisDirection();
+  function->SetCenter(centre.x, centre.y, centre.z);
+  function->SetAxis(axis.x, axis.y, axis.z);
+  function->SetRadius(torus.Radius());
+  function->SetTubeRadius(torus.Tube());
+  return function;
+}
+
+/// Null where the body is no box along the axes.
+vtkSmartPointer<vtkImplicitFunction> FunctionOf(const ConvexBody& body)
+{
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  std::array<double, 6> bounds{ kNone, kNone, kNone, kNone, kNone, kNone };
+  for (const ConvexFace& face : body.PlanesOfFaces())
+  {
+    for (int d = 0; d < 3; ++d)
+    {
+      Vec3 axis(0.0);
+      axis[d] = face.normal[d];
+      if (axis == face.normal && axis[d] != 0.0)
+      {
+        bounds[static_cast<std::size_t>(2 * d + (axis[d] > 0.0 ? 1 : 0))] = face.point[d];
+      }
+    }
+  }
+  const bool whole = std::ranges::none_of(bounds, [](double end) { return std::isnan(end); });
+  if (!whole || body.PlanesOfFaces().size() != bounds.size())
+  {
+    return nullptr;
+  }
+  auto function = vtkSmartPointer<vtkBox>::New();
+  function->SetBounds(bounds.data());
+  return function;
+}
 } // namespace
 
 vtkSmartPointer<vtkImplicitFunction> FunctionOf(const Surface& surface)
@@ -49,6 +97,14 @@ vtkSmartPointer<vtkImplicitFunction> FunctionOf(const Surface& surface)
   if (const auto* quadric = dynamic_cast<const Quadric*>(&surface))
   {
     return FunctionOf(*quadric);
+  }
+  if (const auto* torus = dynamic_cast<const Torus*>(&surface))
+  {
+    return FunctionOf(*torus);
+  }
+  if (const auto* body = dynamic_cast<const ConvexBody*>(&surface))
+  {
+    return FunctionOf(*body);
   }
   return nullptr;
 }

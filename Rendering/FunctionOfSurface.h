@@ -11,9 +11,9 @@ namespace pixelexact
 {
 class Surface;
 
-/// The function of VTK's whose zeros a plane or quadric is, for VTK's own filters; null of other
-/// surfaces. A quadric's is moved by a transform to near its centre, so that far ones keep their
-/// digits.
+/// The function whose zeros a plane, quadric, torus or box along the axes is, for VTK's own
+/// filters; null of other surfaces. A quadric's is moved by a transform to near its centre, so that
+/// far ones keep their digits.
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT vtkSmartPointer<vtkImplicitFunction> FunctionOf(
   const Surface& surface);
 } // namespace pixelexact

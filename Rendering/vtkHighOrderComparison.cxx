@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHighOrderComparison.h"
 
+#include "CameraOfFilter.h"
 #include "ContourList.h"
 #include "Core/Base/Error.h"
 #include "Core/Location/Locator.h"
@@ -8,7 +9,6 @@
 #include "GridModel.h"
 #include "HighOrderModel.h"
 #include "Trace/Compare/TracedPicture.h"
-#include "VtkCamera.h"
 #include "VtkLinearSurface.h"
 #include "VtkSurface.h"
 
@@ -145,6 +145,11 @@ void vtkHighOrderComparison::AddSurfaceConnection(vtkAlgorithmOutput* surface)
   this->AddInputConnection(1, surface);
 }
 
+void vtkHighOrderComparison::RemoveAllSurfaces()
+{
+  this->SetInputConnection(1, nullptr);
+}
+
 void vtkHighOrderComparison::SetCutFunction(vtkImplicitFunction* function)
 {
   if (this->CutFunction != function)
@@ -207,10 +212,9 @@ int vtkHighOrderComparison::FillInputPortInformation(int port, vtkInformation* i
 bool vtkHighOrderComparison::Compare(
   vtkDataObject* grid, vtkInformationVector* surfaces, vtkTable* output)
 {
-  if (!this->CutFunction || !this->Camera)
+  if (!this->CutFunction)
   {
-    throw Error(this->CutFunction ? "there is no camera; give one with SetCamera."
-                                  : "there is no cut function; give one with SetCutFunction.");
+    throw Error("there is no cut function; give one with SetCutFunction.");
   }
   if (this->Size[0] < 1 || this->Size[1] < 1)
   {
@@ -223,7 +227,8 @@ bool vtkHighOrderComparison::Compare(
   Scene scene{ &model->GetLocator(), {}, {} };
   scene.layers.push_back(
     { ToSurface(this->CutFunction, { scene.locator->Bounds() }), &field, this->Component });
-  const pixelexact::Camera camera = SetupOf(this->Camera, this->Size[0], this->Size[1]).Make();
+  const pixelexact::Camera camera = CameraOfFilter(this->Camera, *scene.layers.front().surface,
+    scene.locator->Bounds(), this->Size[0], this->Size[1]);
   const int pictures = 1 + surfaces->GetNumberOfInformationObjects();
   int done = 0;
   const pixelexact::Progress progress = [&](double part)

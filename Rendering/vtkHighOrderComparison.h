@@ -48,10 +48,13 @@ public:
   /// Includes the cut function's and the camera's.
   vtkMTimeType GetMTime() override;
 
+  ///@{
   /**
    * The linear surfaces' port.
    */
   void AddSurfaceConnection(vtkAlgorithmOutput* surface);
+  void RemoveAllSurfaces();
+  ///@}
 
   ///@{
   /**
@@ -63,7 +66,8 @@ public:
 
   ///@{
   /**
-   * Where from the surfaces are seen; there must be one.
+   * Where from the surfaces are seen. Null, the default: all of the grid, in parallel, along
+   * the normal of a plane, and of other surfaces from (1, 1, 1).
    */
   void SetCamera(vtkCamera* camera);
   vtkCamera* GetCamera();

@@ -66,6 +66,59 @@ class Filters(unittest.TestCase):
         self.assertTrue((values <= upper[element] + 1e-12).all())
         self.assertGreater(cell_array(certified, "JacobianLower").min(), 0.0)
 
+    def test_subdivide(self):
+        cells = simple.PixelExactSubdivide(self.plain, Level=2)
+        data = servermanager.Fetch(cells)
+        self.assertEqual(data.GetNumberOfCells(), 48 * 4**3)
+        nodes = numpy.array([data.GetPoint(i) for i in range(0, data.GetNumberOfPoints(), 37)])
+        values = vtk_to_numpy(data.GetPointData().GetArray("u"))[::37]
+        found = scene.probe(self.plain, nodes)
+        inside = found["Verdict"] == 1
+        self.assertGreater(inside.mean(), 0.9)
+        self.assertLess(numpy.abs(found["u"] - values)[inside].max(), 1e-12)
+
+    def test_linear_cut(self):
+        cut = simple.PixelExactLinearCut(self.plain, Resolution=32)
+        cut.CutFunction.Origin = [0, 0, 0.1]
+        cut.CutFunction.Normal = [0, 0, 1]
+        data = servermanager.Fetch(cut)
+        self.assertGreater(data.GetNumberOfCells(), 500)
+        nodes = numpy.array([data.GetPoint(i) for i in range(data.GetNumberOfPoints())])
+        self.assertLess(numpy.abs(nodes[:, 2] - 0.1).max(), 1e-12)
+
+    def difference(self, first, second):
+        found = simple.PixelExactDifference(
+            Input=first, Other=second, Field="u", Size=[120, 100]
+        )
+        found.CutFunction.Origin = [0, 0, 0.1]
+        found.CutFunction.Normal = [0, 0, 1]
+        return servermanager.Fetch(found)
+
+    def test_truncate_and_difference(self):
+        converted = simple.PixelExactConvert(self.plain)
+        truncated = simple.PixelExactTruncate(converted, Order=3)
+        image = self.difference(converted, truncated)
+        side = vtk_to_numpy(image.GetPointData().GetArray("Side"))
+        value = vtk_to_numpy(image.GetPointData().GetArray("Value"))[side == 1]
+        self.assertGreater((side == 1).sum(), 1000)
+        bounds = servermanager.Fetch(truncated).GetFieldData().GetArray("u_LargestChange")
+        self.assertLessEqual(numpy.abs(value).max(), bounds.GetValue(0))
+        self.assertGreater(numpy.abs(value).max(), 0.02 * bounds.GetValue(0))
+
+    def test_comparison(self):
+        converted = simple.PixelExactConvert(self.plain)
+        cuts = [simple.PixelExactLinearCut(converted, Resolution=n) for n in (16, 64)]
+        found = simple.PixelExactComparison(
+            Input=converted, Surfaces=cuts, Field="u", Size=[120, 100]
+        )
+        for cut in [*cuts, found]:
+            cut.CutFunction.Origin = [0, 0, 0.1]
+            cut.CutFunction.Normal = [0, 0, 1]
+        table = servermanager.Fetch(found)
+        self.assertEqual(table.GetNumberOfRows(), 2)
+        means = vtk_to_numpy(table.GetColumnByName("MeanError"))
+        self.assertGreater(means[0], 4.0 * means[1])
+
     def test_linear_resample(self):
         image = simple.PixelExactLinearResample(self.plain, Dimensions=[9, 10, 11])
         data = servermanager.Fetch(image)

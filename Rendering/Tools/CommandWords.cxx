@@ -170,6 +170,10 @@ private:
       Prepared.push_back(Words[at]);
       return 0;
     }
+    if (option->get_items_expected_max() > 1)
+    {
+      return ReadGroup(at, *option, rest);
+    }
     if (option->get_multi_option_policy() == CLI::MultiOptionPolicy::Throw &&
       !Given.insert(option).second)
     {
@@ -202,6 +206,28 @@ private:
     }
     Prepared.push_back(LongName(*option) + "=" + rest);
     return joined ? 0 : 1;
+  }
+
+  /// Of an option that takes all words up to the next one; `rest` is joined to it.
+  std::size_t ReadGroup(std::size_t at, const CLI::Option& option, const std::string& rest)
+  {
+    std::size_t end = at + 1;
+    while (end < Words.size() && !IsOption(Words[end]))
+    {
+      ++end;
+    }
+    if (end == at + 1 && rest.empty())
+    {
+      throw UsageError(LongName(option) + ": its value is missing, " + option.get_type_name());
+    }
+    Prepared.push_back(LongName(option));
+    if (!rest.empty())
+    {
+      Prepared.push_back(rest.substr(rest.front() == '=' ? 1 : 0));
+    }
+    Prepared.insert(Prepared.end(), Words.begin() + static_cast<std::ptrdiff_t>(at) + 1,
+      Words.begin() + static_cast<std::ptrdiff_t>(end));
+    return end - at - 1;
   }
 
   const CLI::App& Command;

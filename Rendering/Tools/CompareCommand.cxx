@@ -2,8 +2,11 @@
 #include "Command.h"
 #include "ContourDrawing.h"
 #include "ContourOptions.h"
+#include "DifferenceCommand.h"
+#include "DifferenceOptions.h"
 #include "Looks.h"
 #include "Output.h"
+#include "OutputFolder.h"
 #include "Recommendation.h"
 #include "RenderReport.h"
 #include "Report.h"
@@ -40,6 +43,8 @@ struct CompareOptions
   ShotOptions shot;
   ContourOptions contours;
   TradeOptions trade;
+  DifferenceOptions difference;
+  KnobOptions knobs;
 };
 
 /// Options of shots and contours that pictures of values have no use for.
@@ -56,31 +61,17 @@ void CheckOptions(const CompareOptions& options)
       throw UsageError(name + " has no effect on a comparison; leave it out");
     }
   }
-  if (!options.shot.surfaces.IsoSurfaces().empty() &&
+  const bool boundary = IsGiven(*options.shot.command, "--boundary");
+  if ((boundary || !options.shot.surfaces.IsoSurfaces().empty()) &&
     (IsGiven(*options.shot.command, "--resolutions") || IsGiven(*options.shot.command, "--grids")))
   {
-    throw UsageError("--resolutions and --grids have no effect on iso-surfaces; leave them out");
+    throw UsageError(std::string("--resolutions and --grids have no effect on ") +
+      (boundary ? "boundaries" : "iso-surfaces") + "; leave them out");
   }
   if (options.shot.surfaces.Count() > 1)
   {
     throw UsageError("compare takes one surface; leave the others out");
   }
-}
-
-std::string MakeFolder(const CompareOptions& options)
-{
-  const std::string& given = options.trade.Folder();
-  const std::filesystem::path folder = given.empty()
-    ? std::filesystem::path(options.shot.input.files.front()).filename().stem().string() + "-trade"
-    : given;
-  std::error_code error;
-  std::filesystem::create_directory(folder, error);
-  if (!std::filesystem::is_directory(folder))
-  {
-    throw Error("--output: the folder '" + folder.string() + "' cannot be made" +
-      (error ? ": " + error.message() : std::string()));
-  }
-  return folder.string();
 }
 
 /// The scene and its colours; the frame that told their range stays behind.
@@ -98,17 +89,15 @@ TradeScene MakeScene(const CompareOptions& options, const Shot& shot)
   if (!isos.empty())
   {
     const IsoChoice iso = Resolve(isos.front(), *shot.input.model);
-    if (shot.input.model->FindField(iso.field)->values.components > 1)
-    {
-      throw Error("--isosurface: compare takes those of scalar fields, which VTK's filters know");
-    }
     scene.isoField = iso.field;
+    scene.isoComponent = iso.component;
+    scene.isoComponents = shot.input.model->FindField(iso.field)->values.components;
     scene.isoValue = iso.value;
   }
-  else if (!scene.function)
+  else if (!scene.function && !IsOfFaces(scene))
   {
     throw Error("compare takes what VTK's filters know: --plane, --sphere, --cylinder, --cone, "
-                "--quadric or --isosurface");
+                "--quadric, --torus, --box, --isosurface or --boundary");
   }
   const Frame frame = Trace(shot.scene, shot.MakeCamera(), {},
     { .centres = NeedsOfLooks(shot) | options.contours.Needs() | Buffer::Value });
@@ -125,7 +114,9 @@ TradeScene MakeScene(const CompareOptions& options, const Shot& shot)
 
 std::vector<TradeSetting> SettingsOf(const CompareOptions& options, const TradeScene& scene)
 {
-  std::vector<TradeSetting> settings = ExactSettings(!scene.isoValues.empty());
+  const Field& field = *scene.shot->scene.layers.front().field;
+  std::vector<TradeSetting> settings =
+    ExactSettings(!scene.isoValues.empty(), options.trade.Orders(OrderRange(field.values)[1]));
   const auto add = [&settings](TradeFamily family, const std::vector<int>& numbers, auto spacing)
   {
     for (const int number : numbers)
@@ -141,7 +132,7 @@ std::vector<TradeSetting> SettingsOf(const CompareOptions& options, const TradeS
     add(TradeFamily::Resample, options.trade.Grids(), [](int n) { return 1.0 / (n - 1); });
   }
   add(TradeFamily::Subdivide, options.trade.Levels(), [](int l) { return 1.0 / (1 << l); });
-  if (HasHighOrderCells(scene))
+  if (!IsOfFaces(scene) && HasHighOrderCells(scene))
   {
     settings.push_back({ "cells", TradeFamily::Cells, 0, 0.0 });
   }
@@ -197,12 +188,24 @@ std::string WriteScript(const std::string& folder, const TradeScene& scene,
 void Compare(const CompareOptions& options, const CommonOptions& common)
 {
   CheckOptions(options);
+  options.difference.Check(*options.shot.command, options.shot.size);
+  if (options.difference.IsAsked())
+  {
+    CompareSolutions(options.shot, options.difference, options.trade.Output(), common);
+    return;
+  }
   options.trade.Check();
+  if (options.knobs.Stride() > 1 || options.shot.input.truncateOrder)
+  {
+    throw UsageError(std::string(options.knobs.Stride() > 1 ? "--stride" : "--truncate-order") +
+      " is among what is compared; leave it out, or name orders with --truncate-orders");
+  }
   options.contours.Check(options.shot.MakeLayers());
   Stopwatch stopwatch;
   const Shot shot = Prepare(options.shot, stopwatch);
   const TradeScene scene = MakeScene(options, shot);
-  const std::string folder = MakeFolder(options);
+  const std::string folder =
+    MakeOutputFolder(options.trade.Output(), options.shot.input.files.front(), "-trade");
   const Picture truth =
     TracePicture(shot.scene, shot.MakeCamera(), {}, scene.isoValues, ContourMethod());
   const ErrorMeasure measure{ options.trade.Share(), scene.range, options.trade.Bins() };
@@ -222,7 +225,7 @@ void Compare(const CompareOptions& options, const CommonOptions& common)
     recommended = Recommend(rows, *target, scene.range);
     facts.script = WriteScript(folder, scene, *recommended, options.shot.input.files);
     facts.recommendation =
-      Describe(*recommended, *target, facts, SceneWords(common.words, shot.chosen), shot.size);
+      Describe(*recommended, *target, facts, SceneWords(common.words, shot.chosen));
   }
   WriteTradeReport(folder, scene, truth, rows, facts, options.shot.colors.BackgroundColor());
   OutputFile csv((std::filesystem::path(folder) / "trade.csv").string());
@@ -264,10 +267,15 @@ void AddCompareCommand(CLI::App& program, const CommonOptions& common, Action& a
 {
   const auto options = std::make_shared<CompareOptions>();
   CLI::App& command = AddCommand(program, "compare",
-    "Measure what linear pictures of a cut cost and miss, beside exact ones; writes a report",
+    "Measure what linear pictures of a cut cost and miss, beside exact ones; writes a report; or, "
+    "--with other solutions, how far these are from INPUT, pixel by pixel",
     [options, &common, &action] { action = [options, &common] { Compare(*options, common); }; });
   options->shot.AddTo(command);
   options->contours.AddTo(command);
   options->trade.AddTo(command);
+  options->difference.AddTo(command);
+  options->knobs.AddTo(command, options->shot);
+  // A difference is read against its bar.
+  options->difference.AskForFigure();
 }
 } // namespace pixelexact

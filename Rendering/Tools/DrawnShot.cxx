@@ -4,6 +4,8 @@
 #include "RenderOptions.h"
 #include "VectorCanvas.h"
 
+#include "Trace/StridedFrame.h"
+
 #include <fmt/format.h>
 
 #include <limits>
@@ -16,6 +18,10 @@ Frame TraceShot(const RenderOptions& options, const Shot& shot, const Progress& 
   const bool hasField = shot.scene.layers.front().field != nullptr;
   const Buffer wanted = NeedsOfLooks(shot) | options.debug.Needs() | options.contours.Needs() |
     options.buffers.Needs(hasField) | options.outline.Needs();
+  if (const int stride = options.knobs.Stride(); stride > 1)
+  {
+    return TraceStrided(shot.scene, shot.MakeCamera(), wanted, stride, progress);
+  }
   return Trace(shot.scene, shot.MakeCamera(), {}, { .centres = wanted }, progress);
 }
 
@@ -50,6 +56,7 @@ DrawnShot::DrawnShot(const RenderOptions& options, const Shot& shot, Frame trace
   {
     options.outline.Draw(shot, Pixels);
   }
+  TheFound.knobs = { options.knobs.Stride(), shot.truncated };
   TheFound.values = ValueRange(Pixels, -std::numeric_limits<double>::infinity());
   if (!Told.IsInPlace() && !options.contours.Only())
   {

@@ -4,11 +4,14 @@
 #include "Shot.h"
 #include "TradeRun.h"
 
+#include "Core/Element/Truncation.h"
 #include "HighOrderModel.h"
 #include "Trace/Contours/LayerBounds.h"
 #include "Trace/Modules/Antialiasing.h"
-#include "Trace/ProgressiveFrame.h"
+#include "Trace/StridedFrame.h"
 #include "Trace/Tracer.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <optional>
@@ -52,9 +55,10 @@ const std::vector<Knob>& Knobs()
 class ExactRun final : public TradeRun
 {
 public:
-  ExactRun(const TradeScene& scene, const Knob& knob)
+  ExactRun(const TradeScene& scene, const Knob& knob, std::optional<int> order)
     : TheScene(scene)
     , TheKnob(knob)
+    , Order(order)
     , Colors(scene.map)
   {
     if (knob.samples > 1)
@@ -79,6 +83,13 @@ public:
     TradeTime time;
     const PeakMemory memory;
     const Timer first;
+    std::optional<Truncation> truncation;
+    Field kept;
+    if (Order)
+    {
+      kept = truncation.emplace(*layer.field, *Order).Kept();
+      layer.field = &kept;
+    }
     scene.locator = &fresh.model->GetLocator();
     layer.surface = TheScene.surface(fresh.model);
     TheFrame = MakeFrame(scene);
@@ -88,6 +99,17 @@ public:
     time.next = next.Seconds();
     time.bytes = memory.Bytes().value_or(-1.0);
     return time;
+  }
+
+  [[nodiscard]] std::optional<double> ProvenChange() const override
+  {
+    if (!Order)
+    {
+      return std::nullopt;
+    }
+    const Layer& layer = TheScene.shot->scene.layers.front();
+    return LargestChange(
+      TheScene.shot->input.model->GetMesh(), Truncation(*layer.field, *Order), layer.component);
   }
 
   Picture Show() override
@@ -112,16 +134,14 @@ private:
     {
       return Trace(scene, camera, pipeline, { .centres = Buffer::Value | Buffer::Verdict });
     }
-    ProgressiveFrame frame(scene, camera, pipeline, Buffer::Value | Buffer::Verdict);
-    do
-    {
-      (void)frame.Refine();
-    } while (frame.Step() > TheKnob.stride);
-    return frame.Preview();
+    Frame frame = TraceStrided(scene, camera, Buffer::Value | Buffer::Verdict, TheKnob.stride);
+    Repaint(pipeline, frame);
+    return frame;
   }
 
   const TradeScene& TheScene;
   const Knob& TheKnob;
+  std::optional<int> Order;
   ColorMapping Colors;
   std::optional<Antialiasing> Smooth;
   std::optional<ContourCertifier> Contours;
@@ -129,7 +149,7 @@ private:
 };
 } // namespace
 
-std::vector<TradeSetting> ExactSettings(bool contours)
+std::vector<TradeSetting> ExactSettings(bool contours, const std::vector<int>& orders)
 {
   std::vector<TradeSetting> settings;
   for (std::size_t k = 0; k < Knobs().size(); ++k)
@@ -138,6 +158,11 @@ std::vector<TradeSetting> ExactSettings(bool contours)
     {
       settings.push_back({ Knobs()[k].name, TradeFamily::Exact, static_cast<int>(k), 0.0 });
     }
+  }
+  for (const int order : orders)
+  {
+    settings.push_back(
+      { fmt::format("exact-truncate-{}", order), TradeFamily::Exact, 0, 0.0, order });
   }
   return settings;
 }
@@ -154,6 +179,7 @@ bool HasOwnValues(const TradeSetting& setting)
 
 std::unique_ptr<TradeRun> MakeExactRun(const TradeScene& scene, const TradeSetting& setting)
 {
-  return std::make_unique<ExactRun>(scene, Knobs()[static_cast<std::size_t>(setting.number)]);
+  return std::make_unique<ExactRun>(
+    scene, Knobs()[static_cast<std::size_t>(setting.number)], setting.order);
 }
 } // namespace pixelexact

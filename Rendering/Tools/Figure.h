@@ -47,6 +47,8 @@ public:
   void AddTo(CLI::App& command);
 
   [[nodiscard]] bool IsAsked() const { return Asked; }
+  /// Also without --figure.
+  void Ask() { Asked = true; }
   /// Throws UsageError where a figure of this size has no room for a picture.
   void Check(const ImageSize& size) const;
   /// Of the picture in a figure: what is left of it and above are margins.

@@ -197,6 +197,12 @@ int ChooseStep(const InputRequest& request, std::span<const double> times)
   return static_cast<int>(nearest - times.begin());
 }
 
+bool HoldsFieldsAlone(const std::string& file)
+{
+  const Format* format = FormatOf(SuffixOf(file));
+  return format != nullptr && format->read == &RefuseFieldFile;
+}
+
 InputGrid ReadInput(const InputRequest& request)
 {
   const std::string& first = request.files[0];

@@ -20,10 +20,11 @@ struct InputRequest
   std::vector<std::string> files;
   std::optional<int> step; ///< counted from 0
   std::optional<double> time;
-  bool mayBeAll = false;       ///< --time-step takes "all"
-  bool allSteps = false;       ///< one after the other
-  bool gaussLobatto = false;   ///< where the nodes of VTK's Lagrange cells are, not equispaced
-  bool mirroredWedges = false; ///< MFEM's order of the nodes of VTK's Lagrange wedges
+  bool mayBeAll = false;            ///< --time-step takes "all"
+  bool allSteps = false;            ///< one after the other
+  bool gaussLobatto = false;        ///< where the nodes of VTK's Lagrange cells are, not equispaced
+  std::optional<int> truncateOrder; ///< of all fields; none: they stay as they are
+  bool mirroredWedges = false;      ///< MFEM's order of the nodes of VTK's Lagrange wedges
 
   /// Declares INPUT as the command's positional arguments, and the options.
   void AddTo(CLI::App& command, bool required = true);
@@ -45,6 +46,9 @@ struct InputGrid
 /// cannot be read or its cells contradict its points, or has no such time; UsageError when the
 /// files do not go together.
 InputGrid ReadInput(const InputRequest& request);
+
+/// Whether a file of this name holds fields without their mesh.
+bool HoldsFieldsAlone(const std::string& file);
 
 // For those who add formats.
 

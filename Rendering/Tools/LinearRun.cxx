@@ -11,6 +11,8 @@
 #include "Trace/Compare/TracedPicture.h"
 #include "VtkLinearSurface.h"
 
+#include <fmt/format.h>
+#include <vtkArrayCalculator.h>
 #include <vtkCell.h>
 #include <vtkContourFilter.h>
 #include <vtkCutter.h>
@@ -40,13 +42,40 @@ struct Pipes
   vtkSmartPointer<vtkAlgorithm> volume; ///< that it gets its cells from; null: it cuts the field
 };
 
+/// Of fields with several components, whose contours VTK's filter does not know.
+constexpr const char* kIsoScalar = "PixelExact.IsoScalar";
+
+/// Null where the contoured array is that of the field.
+vtkSmartPointer<vtkAlgorithm> NewIsoScalar(const TradeScene& scene)
+{
+  if (scene.function || scene.isoComponents == 1)
+  {
+    return nullptr;
+  }
+  auto calculator = vtkSmartPointer<vtkArrayCalculator>::New();
+  calculator->SetAttributeTypeToPointData();
+  calculator->SetResultArrayName(kIsoScalar);
+  std::string squares;
+  for (int c = 0; c < scene.isoComponents; ++c)
+  {
+    const std::string name = fmt::format("s{}", c);
+    calculator->AddScalarVariable(name.c_str(), scene.isoField.c_str(), c);
+    squares += fmt::format("{0}{1}*{1}", c > 0 ? "+" : "", name);
+  }
+  const std::string function = scene.isoComponent == kMagnitude
+    ? "sqrt(" + squares + ")"
+    : fmt::format("s{}", scene.isoComponent);
+  calculator->SetFunction(function.c_str());
+  return calculator;
+}
+
 vtkSmartPointer<vtkAlgorithm> NewCutter(const TradeScene& scene)
 {
   if (!scene.function)
   {
     auto contour = vtkSmartPointer<vtkContourFilter>::New();
-    contour->SetInputArrayToProcess(
-      0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, scene.isoField.c_str());
+    contour->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS,
+      scene.isoComponents == 1 ? scene.isoField.c_str() : kIsoScalar);
     contour->SetValue(0, scene.isoValue);
     contour->ComputeNormalsOff();
     return contour;
@@ -70,9 +99,15 @@ Pipes MakePipes(const TradeScene& scene, const TradeSetting& setting, vtkUnstruc
     return { cut, nullptr };
   }
   const vtkSmartPointer<vtkAlgorithm> cutter = NewCutter(scene);
+  const vtkSmartPointer<vtkAlgorithm> scalar = NewIsoScalar(scene);
+  vtkAlgorithm* first = scalar ? scalar.Get() : cutter.Get();
+  if (scalar)
+  {
+    cutter->SetInputConnection(scalar->GetOutputPort());
+  }
   if (setting.family == TradeFamily::Cells)
   {
-    cutter->SetInputDataObject(grid);
+    first->SetInputDataObject(grid);
     return { cutter, nullptr };
   }
   vtkSmartPointer<vtkAlgorithm> volume;
@@ -96,7 +131,7 @@ Pipes MakePipes(const TradeScene& scene, const TradeSetting& setting, vtkUnstruc
     }
     volume = subdivide;
   }
-  cutter->SetInputConnection(volume->GetOutputPort());
+  first->SetInputConnection(volume->GetOutputPort());
   return { cutter, volume };
 }
 

@@ -2,6 +2,7 @@
 #include "Model.h"
 
 #include "Input.h"
+#include "Knobs.h"
 #include "Report.h"
 #include "VtkMessages.h"
 
@@ -140,6 +141,10 @@ LoadedModel LoadModel(const InputRequest& request, const std::string& field, Sto
       ShareMesh(*before, *input.grid);
     }
     input.model = HighOrderModel::From(input.grid);
+    if (request.truncateOrder)
+    {
+      Truncate(input, *request.truncateOrder);
+    }
   }
   catch (const Error& error)
   {

@@ -7,6 +7,7 @@
 #include <vtkSmartPointer.h>
 
 #include <array>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -17,6 +18,7 @@ namespace pixelexact
 {
 class Stopwatch;
 class Table;
+class Truncation;
 struct InputRequest;
 
 /// An input, converted where it is plain.
@@ -29,6 +31,8 @@ struct LoadedModel
   std::vector<std::string> diagnostics; ///< what looks wrong in the file
   std::vector<double> times;            ///< of the time steps; none: the input knows no time
   int step = 0;                         ///< the one that this is
+  /// What was dropped of fields, by name; none: they are as in the file.
+  std::map<std::string, std::shared_ptr<const Truncation>> truncations;
 };
 
 /// Reads and converts, telling the seconds as stages "read" and "convert". Of a plain file only

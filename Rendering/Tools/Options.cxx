@@ -121,6 +121,12 @@ AddedOption AddArguments(CLI::App& command, const std::string& name,
   return AddedOption(command.add_option(name, texts, help)->type_name(form));
 }
 
+AddedOption AddWordGroups(CLI::App& command, const std::string& name,
+  std::vector<std::vector<std::string>>& groups, const char* form, const std::string& help)
+{
+  return AddedOption(command.add_option(name, groups, help)->type_name(form));
+}
+
 AddedOption AddChoice(CLI::App& command, const std::string& name, const ReadText& read,
   const std::vector<std::string>& choices, const std::string& help)
 {

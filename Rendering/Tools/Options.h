@@ -50,6 +50,10 @@ AddedOption AddArguments(CLI::App& command, const std::string& name,
 AddedOption AddChoice(CLI::App& command, const std::string& name, const ReadText& read,
   const std::vector<std::string>& choices, const std::string& help);
 
+/// Each --name takes all words up to the next option, and begins a group of its own.
+AddedOption AddWordGroups(CLI::App& command, const std::string& name,
+  std::vector<std::vector<std::string>>& groups, const char* form, const std::string& help);
+
 /// From `lowest` to `highest`.
 AddedOption AddInteger(CLI::App& command, const std::string& name, int& number, int lowest,
   int highest, const char* form, const std::string& help);

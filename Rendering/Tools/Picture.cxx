@@ -60,12 +60,17 @@ void WriteBuffers(const std::string& file, const std::vector<std::string>& array
   const Frame& frame, std::span<const std::int64_t> sourceCells,
   std::span<const std::uint8_t> contours)
 {
-  vtkNew<vtkXMLImageDataWriter> writer;
-  SetFormat(*writer);
-  writer->WriteToOutputStringOn();
   const vtkSmartPointer<vtkImageData> image = ToImageData(frame, sourceCells);
   AddContours(*image, contours);
   Keep(arrays, *image->GetPointData());
+  WriteImage(file, image);
+}
+
+void WriteImage(const std::string& file, vtkImageData* image)
+{
+  vtkNew<vtkXMLImageDataWriter> writer;
+  SetFormat(*writer);
+  writer->WriteToOutputStringOn();
   Encode(*writer, file, image);
   WriteBytes(file, writer->GetOutputString());
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+class vtkImageData;
 class vtkPolyData;
 
 namespace pixelexact
@@ -23,6 +24,9 @@ inline constexpr const char* kPictureMark = "PixelExact " PIXELEXACT_VERSION;
 void WriteBuffers(const std::string& file, const std::vector<std::string>& arrays,
   const Frame& frame, std::span<const std::int64_t> sourceCells,
   std::span<const std::uint8_t> contours);
+
+/// Writes an image, compressed and inline. Throws Error when the file cannot be written.
+void WriteImage(const std::string& file, vtkImageData* image);
 
 /// Writes polylines, compressed and inline. Throws Error when the file cannot be written.
 void WriteLines(const std::string& file, vtkPolyData* lines);

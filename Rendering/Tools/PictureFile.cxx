@@ -5,6 +5,8 @@
 #include "ImageFile.h"
 #include "RenderOptions.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace pixelexact
@@ -13,6 +15,11 @@ std::string EncodePicture(const RenderOptions& options, const DrawnShot& drawn,
   const std::string& file, const RepeatedCommand& command, const PictureTexts& told)
 {
   PictureFacts facts{ options.Dpi(), told };
+  // Whoever gets the file is to know, whatever else it tells.
+  if (const auto given = drawn.WhatIsFound().knobs.Texts(); !given.empty())
+  {
+    facts.texts.emplace_back("Given up", fmt::format("{}", fmt::join(given, "\n")));
+  }
   if (options.figure.IsAsked() || !told.empty())
   {
     const bool hasSource =

@@ -25,7 +25,7 @@ bool IsOurs(const std::filesystem::path& file)
 }
 } // namespace
 
-std::string PictureNamedAfter(const std::string& input)
+std::string PictureNamedAfter(const std::string& input, const std::string& ending)
 {
   std::filesystem::path name = std::filesystem::path(input).filename();
   if (name.extension() == ".gz")
@@ -37,7 +37,7 @@ std::string PictureNamedAfter(const std::string& input)
   {
     throw UsageError("'" + input + "' tells no name for the picture; give one, --output cut.png");
   }
-  name += ".png";
+  name += ending + ".png";
   if (std::filesystem::exists(name) && !IsOurs(name))
   {
     throw UsageError("'" + name.string() +

@@ -45,6 +45,7 @@ void RenderOptions::AddTo(CLI::App& command)
   font.AddTo(command);
   outline.AddTo(command);
   animation.AddTo(command);
+  knobs.AddTo(command, shot);
   AddNumber(command, "--dpi", dpi, "N",
     fmt::format("Pixels in an inch, for a --size in mm or in, and as the file tells (default of "
                 "such sizes: {})",
@@ -79,6 +80,7 @@ void RenderOptions::Check(const std::string& picture)
     throw UsageError(fmt::format("--dpi: expected a number from {} to {}", kLeastDpi, kMostDpi));
   }
   animation.Check(shot.input);
+  knobs.Check(*shot.command);
   if (!animation.IsAsked(shot.input))
   {
     shot.CheckRangeOfOne();

@@ -8,6 +8,7 @@
 #include "DebugOptions.h"
 #include "Figure.h"
 #include "FontOptions.h"
+#include "Knobs.h"
 #include "MeshOutline.h"
 #include "Shot.h"
 
@@ -28,6 +29,7 @@ struct RenderOptions
   FontOptions font;
   MeshOutline outline;
   AnimationOptions animation;
+  KnobOptions knobs;
   std::optional<double> dpi;
   std::string output;
 

@@ -227,6 +227,7 @@ void PrintJson(const Shot& shot, const Frame& frame, const Found& found, const L
       { "largest_difference", pixels.floatCheck.largest } };
   }
   debug.AddTo(summary);
+  found.knobs.AddTo(summary);
   const LocationCounters& location = shot.scene.locator->Counters();
   summary["location"] = { { "queries", location.queries.load() },
     { "candidates", location.candidates.load() }, { "careful", location.careful.load() },
@@ -282,6 +283,7 @@ void PrintTable(const Shot& shot, const Frame& frame, const Found& found, const 
       Short(pixels.floatCheck.largest), Counted(pixels.floatCheck.points, "point"));
   }
   debug.AddTo(table);
+  found.knobs.AddTo(table);
   AddStages(table, stopwatch);
   if (!command.chosen.empty())
   {

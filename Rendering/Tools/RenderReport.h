@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ContourDrawing.h"
+#include "Knobs.h"
 #include "LayerRanges.h"
 
 #include <array>
@@ -23,6 +24,7 @@ struct Found
   std::optional<std::array<double, 2>> values; ///< of exact pixels
   PixelsBeyond beyond;                         ///< ranges of colour maps
   std::optional<FoundContours> contours;       ///< where they were asked for
+  KnobFacts knobs;                             ///< what was given up
 };
 
 /// The words of a command line, and those that were chosen.

@@ -242,6 +242,7 @@ Shot MakeShot(const ShotOptions& options, Stopwatch& stopwatch, vtkUnstructuredG
     surfaces.push_back(surface(shot.input.model));
   }
   AddLayers(options, surfaces, shot);
+  shot.truncated = TruncatedFields(shot);
   if (before == nullptr)
   {
     TellWhatWasChosen(options, shot);

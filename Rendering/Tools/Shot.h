@@ -4,6 +4,7 @@
 #include "CameraOptions.h"
 #include "ColorOptions.h"
 #include "Input.h"
+#include "Knobs.h"
 #include "LayerOptions.h"
 #include "Model.h"
 #include "Options.h"
@@ -83,6 +84,7 @@ struct Shot
   std::optional<std::array<double, 3>> outlines; ///< the colour of elements' outlines; none: none
   /// By layer, of the values that all pictures of an animation show (RangeChoice::Of::All).
   std::vector<std::optional<std::array<double, 2>>> valuesOfAll;
+  std::vector<TruncatedField> truncated; ///< what is shown without its top modes
   std::vector<std::string> chosen; ///< words of a command line that were not given, and are so
 
   [[nodiscard]] Camera MakeCamera() const { return { view, size.width, size.height }; }

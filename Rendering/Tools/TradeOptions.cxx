@@ -5,7 +5,10 @@
 #include "Numbers.h"
 #include "Options.h"
 
+#include "Core/Basis/Space.h"
+
 #include <algorithm>
+#include <set>
 
 namespace pixelexact
 {
@@ -52,6 +55,9 @@ void TradeOptions::AddTo(CLI::App& command)
     "Regular grids over the volume: nodes along its longest side (default: 16,32,64,128)");
   AddList(command, "--levels", TheLevels, { 0, 5 },
     "Elements cut into linear cells: levels, at l each edge becomes 2^l (default: 0,1,2,3)");
+  AddList(command, "--truncate-orders", TheOrders, { 0, kMaxOrder },
+    "The exact picture of the field truncated to these orders (default: half of its order, two and "
+    "one below it)");
   AddInteger(command, "--repeat", TheRepeat, 1, 10000, "N",
     "How often each is timed, turn by turn (default: 3)")
     .Group(group);
@@ -73,9 +79,9 @@ void TradeOptions::AddTo(CLI::App& command)
   AddNumber(command, "--target-time", TargetTime, "SECONDS",
     "Name the most accurate setting that takes no longer; with --target-error both are to hold")
     .Group(group);
-  AddText(command, "-o,--output", TheFolder, "FOLDER",
+  AddText(command, "-o,--output", TheOutput, "FOLDER|IMAGE",
     "Folder for trade.csv, report.html and the pictures (default: named after the input, in the "
-    "current folder)")
+    "current folder); with --with the picture of the difference, of several a folder")
     .Group(group);
 }
 
@@ -83,6 +89,23 @@ std::vector<int> TradeOptions::Resolutions(bool ofPlane) const
 {
   return TheResolutions.value_or(
     ofPlane ? std::vector{ 64, 128, 256, 512, 1024 } : std::vector{ 32, 64, 128, 256 });
+}
+
+std::vector<int> TradeOptions::Orders(int ofField) const
+{
+  if (TheOrders)
+  {
+    return *TheOrders;
+  }
+  std::set<int> orders;
+  for (const int order : { ofField / 2, ofField - 2, ofField - 1 })
+  {
+    if (order > 0)
+    {
+      orders.insert(order);
+    }
+  }
+  return { orders.begin(), orders.end() };
 }
 
 void TradeOptions::Check() const

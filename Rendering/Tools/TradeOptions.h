@@ -29,18 +29,21 @@ public:
   /// Nodes along the longest side.
   [[nodiscard]] const std::vector<int>& Grids() const { return TheGrids; }
   [[nodiscard]] const std::vector<int>& Levels() const { return TheLevels; }
+  /// That fields are truncated to, ascending. Where none were given, some below the field's.
+  [[nodiscard]] std::vector<int> Orders(int ofField) const;
   [[nodiscard]] int Repeat() const { return TheRepeat; }
   [[nodiscard]] int Bins() const { return TheBins; }
   /// Of the shown pixels, 0 to 1.
   [[nodiscard]] double Share() const { return Percent.value_or(99.0) / 100.0; }
   [[nodiscard]] bool OfNext() const { return Next; }
-  [[nodiscard]] const std::string& Folder() const { return TheFolder; }
+  [[nodiscard]] const std::string& Output() const { return TheOutput; }
   /// None: nothing is asked.
   [[nodiscard]] std::optional<TradeTarget> Target() const;
 
 private:
   std::optional<std::vector<int>> TheResolutions;
   std::vector<int> TheGrids{ 16, 32, 64, 128 };
+  std::optional<std::vector<int>> TheOrders;
   std::vector<int> TheLevels{ 0, 1, 2, 3 };
   int TheRepeat = 3;
   int TheBins = 256;
@@ -48,6 +51,6 @@ private:
   bool Next = false;
   std::optional<double> TargetError;
   std::optional<double> TargetTime;
-  std::string TheFolder;
+  std::string TheOutput;
 };
 } // namespace pixelexact

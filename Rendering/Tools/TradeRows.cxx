@@ -72,6 +72,7 @@ void Measure(const TradeScene& scene, TradeRow& row, const Picture& truth,
   {
     row.picture = run->Show();
     row.triangles = run->Triangles();
+    row.proven = run->ProvenChange();
     row.errors = Compare(truth, row.picture, measure);
     row.unknown =
       std::ranges::count(row.picture.verdict, static_cast<std::uint8_t>(PixelVerdict::Unknown));
@@ -166,7 +167,8 @@ std::string ToCsv(const std::vector<TradeRow>& rows, const std::array<double, 2>
   std::string csv =
     "setting,family,spacing,first_seconds,first_ratio,next_seconds,next_ratio,peak_bytes,"
     "triangles,shown,missing,invented,unknown,largest_error,mean_error,share_error,wrong_colors,"
-    "contour_pixels,contour_missed,contour_displaced,contour_invented,contour_farthest,refused\n";
+    "contour_pixels,contour_missed,contour_displaced,contour_invented,contour_farthest,proven_"
+    "change,refused\n";
   for (const TradeRow& row : rows)
   {
     const PictureErrors& e = row.errors;
@@ -199,6 +201,7 @@ std::string ToCsv(const std::vector<TradeRow>& rows, const std::array<double, 2>
       }
     }
     fields.resize(22);
+    fields.push_back(row.proven ? Number(Relative(*row.proven, range)) : "");
     fields.push_back(row.IsThere() ? "" : Quoted(row.refused));
     csv += fmt::format("{}\n", fmt::join(fields, ","));
   }

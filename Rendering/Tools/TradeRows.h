@@ -29,6 +29,7 @@ struct TradeRow
   TradeSeconds next;
   double bytes = -1.0; ///< the most of all repeats; less than 0: not known
   std::size_t triangles = 0;
+  std::optional<double> proven; ///< TradeRun::ProvenChange
   PictureErrors errors;
   std::int64_t unknown = 0; ///< pixels
   Picture picture;

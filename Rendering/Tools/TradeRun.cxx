@@ -36,7 +36,10 @@ FreshModel::FreshModel(const Shot& shot)
 
 std::unique_ptr<TradeRun> MakeRun(const TradeScene& scene, const TradeSetting& setting)
 {
-  return setting.family == TradeFamily::Exact ? MakeExactRun(scene, setting)
-                                              : MakeLinearRun(scene, setting);
+  if (setting.family == TradeFamily::Exact)
+  {
+    return MakeExactRun(scene, setting);
+  }
+  return IsOfFaces(scene) ? MakeFacesRun(scene, setting) : MakeLinearRun(scene, setting);
 }
 } // namespace pixelexact

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,9 +32,12 @@ struct TradeScene
   /// The cut-surface of a model of the same mesh.
   std::function<std::shared_ptr<const Surface>(const std::shared_ptr<const HighOrderModel>&)>
     surface;
-  // What VTK's filters make it of: a function, or a field's name and value.
+  // What VTK's filters make it of: a function, or a field's name, component (or kMagnitude) and
+  // value.
   vtkSmartPointer<vtkImplicitFunction> function;
   std::string isoField;
+  int isoComponent = 0;
+  int isoComponents = 1; ///< that the field has
   double isoValue = 0.0;
   std::vector<double> isoValues; ///< of contours, ascending; none: no contours
   ColorMap map;
@@ -59,6 +63,7 @@ struct TradeSetting
   int number = 0; ///< resolution, nodes along the longest side, level; of exact ones a stride or so
   /// Of the points between which is interpolated, but for a factor of the family's; 0: no spacing.
   double spacing = 0.0;
+  std::optional<int> order = {}; ///< of an exact one, what its field is truncated to
 };
 
 /// What making a picture twice took.
@@ -78,6 +83,9 @@ public:
   virtual TradeTime Measure() = 0;
   /// The picture that the last Measure made.
   [[nodiscard]] virtual Picture Show() = 0;
+  /// How far the values of the setting's picture are from the exact one's at most, anywhere in the
+  /// mesh, by proof; none: nothing is known but what is measured. Takes a while.
+  [[nodiscard]] virtual std::optional<double> ProvenChange() const { return std::nullopt; }
   /// Of the linear surface; 0: there is none.
   [[nodiscard]] virtual std::size_t Triangles() const { return 0; }
 };
@@ -90,12 +98,15 @@ struct FreshModel
   std::shared_ptr<HighOrderModel> model;
 };
 
-/// What there is to try on the exact side: precision, stride, samples and, with contours, how they
-/// are told.
-[[nodiscard]] std::vector<TradeSetting> ExactSettings(bool contours);
+/// What there is to try on the exact side: precision, stride, samples, the field truncated to these
+/// orders and, with contours, how they are told.
+[[nodiscard]] std::vector<TradeSetting> ExactSettings(
+  bool contours, const std::vector<int>& orders);
 /// Whether its values, and not the contours or colours alone, differ from the exact picture's, or
 /// it is that.
 [[nodiscard]] bool HasOwnValues(const TradeSetting& setting);
+/// Whether the cut-surface is made of elements' faces.
+[[nodiscard]] bool IsOfFaces(const TradeScene& scene);
 /// Whether VTK's filters would cut other cells than linear ones, with the fields at their points.
 [[nodiscard]] bool HasHighOrderCells(const TradeScene& scene);
 
@@ -110,5 +121,8 @@ struct FreshModel
 [[nodiscard]] std::unique_ptr<TradeRun> MakeExactRun(
   const TradeScene& scene, const TradeSetting& setting);
 [[nodiscard]] std::unique_ptr<TradeRun> MakeLinearRun(
+  const TradeScene& scene, const TradeSetting& setting);
+/// Of scenes of faces, which have the family Subdivide alone, without VTK's filters.
+[[nodiscard]] std::unique_ptr<TradeRun> MakeFacesRun(
   const TradeScene& scene, const TradeSetting& setting);
 } // namespace pixelexact

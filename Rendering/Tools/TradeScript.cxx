@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <vtkBox.h>
+#include <vtkImplicitTorus.h>
 #include <vtkLinearTransform.h>
 #include <vtkMatrix4x4.h>
 #include <vtkPlane.h>
@@ -64,6 +66,21 @@ std::string FunctionText(vtkImplicitFunction* function)
     return fmt::format("function = vtkPlane()\nfunction.SetOrigin({}, {}, {})\n"
                        "function.SetNormal({}, {}, {})\n",
       o[0], o[1], o[2], n[0], n[1], n[2]);
+  }
+  if (auto* torus = vtkImplicitTorus::SafeDownCast(function))
+  {
+    const double* c = torus->GetCenter();
+    const double* a = torus->GetAxis();
+    return fmt::format("function = vtkImplicitTorus()\nfunction.SetCenter({}, {}, {})\n"
+                       "function.SetAxis({}, {}, {})\nfunction.SetRadius({})\n"
+                       "function.SetTubeRadius({})\n",
+      c[0], c[1], c[2], a[0], a[1], a[2], torus->GetRadius(), torus->GetTubeRadius());
+  }
+  if (auto* box = vtkBox::SafeDownCast(function))
+  {
+    const double* b = box->GetBounds();
+    return fmt::format("function = vtkBox()\nfunction.SetBounds({}, {}, {}, {}, {}, {})\n", b[0],
+      b[1], b[2], b[3], b[4], b[5]);
   }
   auto* quadric = vtkQuadric::SafeDownCast(function);
   std::string text = "function = vtkQuadric()\nfunction.SetCoefficients([";
@@ -124,7 +141,7 @@ std::string ScriptOf(
     R"(: a linear cut-surface, exact at its corners. Usage: FILE OUTPUT.vtp"""
 import sys
 
-from vtkmodules.vtkCommonDataModel import vtkPlane, vtkQuadric
+from vtkmodules.vtkCommonDataModel import vtkBox, vtkPlane, vtkQuadric
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersCore import vtkCutter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter, vtkXMLUnstructuredGridReader
@@ -132,6 +149,7 @@ from pixelexact import (
     vtkHighOrderLinearCut,
     vtkHighOrderLinearResample,
     vtkHighOrderSubdivide,
+    vtkImplicitTorus,
     vtkMFEMReader,
     vtkNektarReader,
 )

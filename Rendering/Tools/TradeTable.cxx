@@ -25,6 +25,10 @@ nlohmann::ordered_json ToJson(const TradeRow& row, const std::array<double, 2>& 
     { "invented", e.invented }, { "unknown", row.unknown },
     { "largest_error", Relative(e.largest, range) }, { "mean_error", Relative(e.mean, range) },
     { "share_error", Relative(e.atShare, range) }, { "wrong_colors", e.wrongBin } });
+  if (row.proven)
+  {
+    object["proven_change"] = Relative(*row.proven, range);
+  }
   if (e.hasContours)
   {
     object["contours"] = { { "pixels", e.contourPixels }, { "missed", e.contourMissed },
@@ -37,8 +41,8 @@ nlohmann::ordered_json ToJson(const TradeRow& row, const std::array<double, 2>& 
 void PrintRows(const std::vector<TradeRow>& rows, const TradeFacts& facts)
 {
   Table table;
-  table.Row("setting", "{:>10} {:>8} {:>10} {:>8} {:>9} {:>9} {:>9} {:>9} {:>8}", "first, s",
-    "ratio", "next, s", "ratio", "MB", "mean", "share", "largest", "missing");
+  table.Row("setting", "{:>10} {:>8} {:>10} {:>8} {:>9} {:>9} {:>9} {:>9} {:>8} {:>9}", "first, s",
+    "ratio", "next, s", "ratio", "MB", "mean", "share", "largest", "missing", "proven");
   for (const TradeRow& row : rows)
   {
     if (!row.IsThere())
@@ -47,11 +51,11 @@ void PrintRows(const std::vector<TradeRow>& rows, const TradeFacts& facts)
       continue;
     }
     const auto error = [&facts](double value) { return Short(Relative(value, facts.range), 3); };
-    table.Row(row.setting.name, "{:>10} {:>8} {:>10} {:>8} {:>9} {:>9} {:>9} {:>9} {:>8}",
+    table.Row(row.setting.name, "{:>10} {:>8} {:>10} {:>8} {:>9} {:>9} {:>9} {:>9} {:>8} {:>9}",
       Short(row.first.Median(), 3), Short(row.first.Ratio(), 3), Short(row.next.Median(), 3),
       Short(row.next.Ratio(), 3), row.bytes >= 0.0 ? Short(row.bytes * 1e-6, 3) : "-",
       error(row.errors.mean), error(row.errors.atShare), error(row.errors.largest),
-      row.errors.missing);
+      row.errors.missing, row.proven ? error(*row.proven) : "-");
   }
   for (const TradeOrder& order : OrdersOf(rows, facts.range))
   {

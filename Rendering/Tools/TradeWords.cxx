@@ -16,8 +16,9 @@ namespace pixelexact
 {
 namespace
 {
-constexpr std::array<std::string_view, 11> kOwn{ "--resolutions", "--grids", "--levels", "--repeat",
-  "--bins", "--share", "--timed", "--target-error", "--target-time", "--output", "-o" };
+constexpr std::array<std::string_view, 12> kOwn{ "--resolutions", "--grids", "--levels",
+  "--truncate-orders", "--repeat", "--bins", "--share", "--timed", "--target-error",
+  "--target-time", "--output", "-o" };
 
 std::string MarginText(const Recommendation& recommended)
 {
@@ -35,30 +36,22 @@ std::string HasText(const TradeRow& row, const TradeTarget& target, const TradeF
 }
 
 /// What makes the picture of an exact setting.
-std::string CommandOf(
-  const std::string& name, std::vector<std::string> words, const ImageSize& size)
+std::string CommandOf(const TradeSetting& setting, std::vector<std::string> words)
 {
-  if (name == "exact-float")
+  constexpr std::string_view kStride = "exact-stride-";
+  if (setting.name == "exact-float")
   {
     words.insert(words.end(), { "--precision", "float" });
   }
-  constexpr std::string_view kStride = "exact-stride-";
-  std::string more;
-  if (name.starts_with(kStride))
+  else if (setting.name.starts_with(kStride))
   {
-    const int stride = std::stoi(name.substr(kStride.size()));
-    for (auto at = words.begin(); at != words.end();)
-    {
-      const bool alone = *at == "--size" && at + 1 != words.end();
-      at = alone || at->starts_with("--size=") ? words.erase(at, at + (alone ? 2 : 1)) : at + 1;
-    }
-    words.insert(words.end(),
-      { "--size",
-        fmt::format(
-          "{}x{}", (size.width + stride - 1) / stride, (size.height + stride - 1) / stride) });
-    more = fmt::format(", enlarged {} times", stride);
+    words.insert(words.end(), { "--stride", setting.name.substr(kStride.size()) });
   }
-  return RepeatedCommand{ words, {} }.Text() + more;
+  else if (setting.order)
+  {
+    words.insert(words.end(), { "--truncate-order", fmt::to_string(*setting.order) });
+  }
+  return RepeatedCommand{ words, {} }.Text();
 }
 } // namespace
 
@@ -87,7 +80,7 @@ std::vector<std::string> SceneWords(
 }
 
 std::string Describe(const Recommendation& recommended, const TradeTarget& target,
-  const TradeFacts& facts, const std::vector<std::string>& sceneWords, const ImageSize& size)
+  const TradeFacts& facts, const std::vector<std::string>& sceneWords)
 {
   if (recommended.row == nullptr)
   {
@@ -101,7 +94,7 @@ std::string Describe(const Recommendation& recommended, const TradeTarget& targe
     "{}: {}; {}", row.setting.name, HasText(row, target, facts), MarginText(recommended));
   if (row.setting.family == TradeFamily::Exact)
   {
-    text += "\n" + CommandOf(row.setting.name, sceneWords, size);
+    text += "\n" + CommandOf(row.setting, sceneWords);
   }
   else if (!facts.script.empty())
   {

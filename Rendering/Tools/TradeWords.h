@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Options.h"
 #include "Recommendation.h"
 #include "TradeReport.h"
 
@@ -17,5 +16,5 @@ namespace pixelexact
 /// The recommended setting, its margin, and what makes its picture; or that there is none, and what
 /// comes nearest.
 [[nodiscard]] std::string Describe(const Recommendation& recommended, const TradeTarget& target,
-  const TradeFacts& facts, const std::vector<std::string>& sceneWords, const ImageSize& size);
+  const TradeFacts& facts, const std::vector<std::string>& sceneWords);
 } // namespace pixelexact

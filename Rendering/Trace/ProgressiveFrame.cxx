@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trace/ProgressiveFrame.h"
 
-#include "Trace/BufferTable.h"
 #include "Trace/FrameTiles.h"
+#include "Trace/StridedFrame.h"
 
 #include <algorithm>
 #include <chrono>
@@ -31,19 +31,6 @@ std::vector<SampleLattice> LatticesOf(int step, int known)
     }
   }
   return lattices;
-}
-
-template <class T>
-void SpreadBlocks(std::vector<T>& buffer, std::size_t width, std::size_t step)
-{
-  const std::size_t height = buffer.empty() ? 0 : buffer.size() / width;
-  for (std::size_t y = 0; y < height; ++y)
-  {
-    for (std::size_t x = 0; x < width; ++x)
-    {
-      buffer[y * width + x] = buffer[(y - y % step) * width + (x - x % step)];
-    }
-  }
 }
 } // namespace
 
@@ -146,12 +133,7 @@ Frame ProgressiveFrame::Preview() const
   Frame frame = TheFrame;
   if (Known > 1)
   {
-    const auto width = static_cast<std::size_t>(frame.width);
-    const auto step = static_cast<std::size_t>(Known);
-    const auto spread = [&](SampleBuffers& sheet)
-    { ForEachBuffer([&](const auto& row) { SpreadBlocks(sheet.*row.member, width, step); }); };
-    spread(frame.centres);
-    std::ranges::for_each(frame.centres.behind, spread);
+    SpreadOverBlocks(frame, Known);
   }
   Repaint({ .colors = ThePipeline.colors, .modules = {} }, frame);
   return frame;

@@ -6,7 +6,7 @@ import subprocess
 import sys
 import unittest
 
-from tool import MIDDLE, CUBE, ToolTest, case, plain_grid, read_csv
+from tool import DATA, MIDDLE, CUBE, ToolTest, case, plain_grid, read_csv
 
 # A small comparison of each family.
 FEW = ["--resolutions", "16,32,64", "--grids", "8,16,32", "--levels", "0,1,2", "--repeat", "1"]
@@ -86,6 +86,57 @@ class Compare(ToolTest):
             # Rays along the rim may go by.
             self.assertLess(int(row["missing"]), 0.01 * int(row["shown"]))
         self.fails(2, "compare", path, *iso, "--grids", "8", names=["--grids"])
+
+    def test_iso_surfaces_of_components_and_magnitudes(self):
+        path = self.folder / "cube.vtu"
+        fields = [
+            ("v", [[x, 2.0 * y, 0.5 + z] for x, y, z in CUBE]),
+            ("g", [2.0 * x - y for x, y, z in CUBE]),
+        ]
+        path.write_text(plain_grid(CUBE, [(12, list(range(8)))], fields), encoding="utf-8")
+        options = ["--field", "g", "--levels", "1,2,3", "--repeat", "1"]
+        # A plane, y = 0.3, and a part of an ellipsoid.
+        _, _, rows = self.compare(path, "--isosurface", "v.y=0.6", *options)
+        self.assertLess(float(rows["subdivide-2"]["largest_error"]), 1e-6)
+        _, _, rows = self.compare(path, "--isosurface", "v.magnitude=1.3", *options)
+        errors = [float(rows[f"subdivide-{level}"]["mean_error"]) for level in (1, 2, 3)]
+        self.assertGreater(int(rows["subdivide-3"]["shown"]), 1000)
+        self.assertGreater(errors[2], 0.0)
+        self.assertLess(errors[1], 0.5 * errors[0])
+        self.assertLess(errors[2], 0.5 * errors[1])
+
+    def test_boundaries_as_triangles_converge_at_second_order(self):
+        for name in ["toroid_hex_g3_p6", "escher_tet_g3_p3", "toroid_prism_g3_p4"]:
+            _, summary, rows = self.compare(
+                *[case(name), "--field", "u", "--boundary", "--view", "iso"],
+                *["--levels", "1,2,3,4", "--repeat", "1"],
+            )
+            self.assertNotIn("cut-64", rows)
+            self.assertNotIn("cells", rows)
+            errors = [float(rows[f"subdivide-{level}"]["mean_error"]) for level in (2, 3, 4)]
+            # Linear faces hang inside of the curved ones, so that silhouettes move, too.
+            self.assertLess(errors[1], 0.4 * errors[0], name)
+            self.assertLess(errors[2], 0.4 * errors[1], name)
+            exact = rows["exact"]
+            self.assertGreater(int(exact["shown"]), 1000)
+        self.fails(2, "compare", case(name), "--boundary", "--grids", "8", names=["--grids"])
+
+    def test_tori_and_boxes_converge_too(self):
+        for name, surface in [
+            ("--torus", "0,0,0,0,0,1,1,0.2"),
+            ("--box", "-1.1,-1,-0.2,1.2,0.9,0.15"),
+        ]:
+            _, _, rows = self.compare(
+                *[case("toroid_hex_g3_p6"), "--field", "u", name, surface],
+                *["--resolutions", "16,32,64", "--grids", "none", "--levels", "3", "--repeat", "1"],
+            )
+            means = [float(rows[f"cut-{n}"]["mean_error"]) for n in (16, 32, 64)]
+            self.assertGreater(int(rows["cut-64"]["shown"]), 1000)
+            self.assertLess(means[1], 0.5 * means[0])
+            self.assertLess(means[2], 0.5 * means[1])
+            missing = [int(rows[f"cut-{n}"]["missing"]) for n in (16, 64)]
+            self.assertLess(missing[1], max(1, missing[0]))
+            self.assertGreater(int(rows["subdivide-3"]["triangles"]), 100)
 
     def test_threads_change_no_error(self):
         errors = []
@@ -175,8 +226,8 @@ class Compare(ToolTest):
             self.fails(2, "compare", mesh, *arguments, names=[name])
         self.fails(
             1,
-            *["compare", mesh, "--field", "u", "--torus", "0,0,0,0,0,1,1,0.25"],
-            names=["--quadric or --isosurface"],
+            *["compare", mesh, "--field", "u", "--surface", DATA / "surfaces" / "octahedron.stl"],
+            names=["--torus, --box, --isosurface or --boundary"],
         )
         blocked = self.folder / "file"
         blocked.write_text("", encoding="utf-8")

@@ -130,6 +130,11 @@ ViewWindow::ViewWindow(RenderOptions options, std::vector<std::string> words)
   {
     throw UsageError("view shows one picture; leave out --sweep, --turn and --time-step all");
   }
+  if (Options.knobs.Stride() > 1)
+  {
+    throw UsageError("view draws coarse pictures while it is moved, and then all pixels; leave out "
+                     "--stride");
+  }
   Options.Check(NameOfFile(Options, 0));
   TheShot.emplace(Prepare(Options.shot, Watch));
   Contours = Options.contours.AreGiven();

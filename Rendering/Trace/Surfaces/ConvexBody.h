@@ -31,6 +31,8 @@ public:
   explicit ConvexBody(const std::vector<HalfSpace>& halfSpaces, const AffineMap& toFunction = {},
     const char* what = "convex body");
 
+  [[nodiscard]] const std::vector<ConvexFace>& PlanesOfFaces() const { return Faces; }
+
   void Meet(const RayLanes& rays, HitSlots& hits) const override;
   /// That of the point's face, or, where that is not known, of the one that is closest; outwards.
   [[nodiscard]] Vec3 Normal(const SurfacePoint& point) const override;

@@ -19,6 +19,8 @@ public:
   /// exist.
   ElementFaces(const ElementIndex& index, std::span<const ElementFace> faces);
 
+  [[nodiscard]] const std::vector<ElementFace>& Faces() const { return TheFaces; }
+
   [[nodiscard]] bool IsOfMesh() const override { return true; }
   [[nodiscard]] double Sagitta(
     const Ray& a, const SurfacePoint& atA, const Ray& b, const SurfacePoint& atB) const override
@@ -32,6 +34,7 @@ protected:
     const CurvedPart& part, std::span<const Vec3> xi, std::span<Vec3> normals) const override;
 
 private:
+  std::vector<ElementFace> TheFaces;
   PartSagitta Chords;
 };
 } // namespace pixelexact

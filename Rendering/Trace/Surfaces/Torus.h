@@ -20,6 +20,12 @@ public:
   /// or a number is not finite or out of range: r / R is between 1e-8 and 1e8.
   Torus(const Vec3& centre, const Vec3& axis, double R, double r);
 
+  [[nodiscard]] const Vec3& Centre() const { return Form.centre; }
+  [[nodiscard]] const Vec3& AxisDirection() const { return Axis; }
+  /// Of the circle that the tube's middle runs along, and of the tube.
+  [[nodiscard]] double Radius() const { return CircleRadius; }
+  [[nodiscard]] double Tube() const { return TubeRadius; }
+
   void Meet(const RayLanes& rays, HitSlots& hits) const override;
   [[nodiscard]] Vec3 Normal(const SurfacePoint& point) const override;
 

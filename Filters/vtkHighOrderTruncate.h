@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHighOrderTruncate
+ * @brief   high-order fields without their top modes, and how much that changes
+ *
+ * Drops, element by element, the modes above an order of an orthogonal basis (Legendre's and
+ * Dubiner's kind, see Core/Basis/Space.h): what is left is the best approximation of that order on
+ * the reference element, in the mean square. Continuous fields become discontinuous. The mesh is
+ * not touched.
+ *
+ * The output is the grid with these fields; FieldData's `FIELD_LargestChange` bounds how far values
+ * move anywhere (of several components the norm of the change): proven, of what the coefficients
+ * define; infinite where no bound was found. Point and cell arrays of the fields' names hold values
+ * of the whole fields, and are left out. A plain grid is converted first. Composite data are
+ * truncated block by block.
+ */
+
+#ifndef vtkHighOrderTruncate_h
+#define vtkHighOrderTruncate_h
+
+#include "PixelExactFiltersModule.h"
+#include "vtkPassInputTypeAlgorithm.h"
+
+#include <memory> // for the model
+#include <string> // for names
+#include <vector> // for names
+
+namespace pixelexact
+{
+class ModelSource;
+}
+
+class PIXELEXACTFILTERS_EXPORT vtkHighOrderTruncate : public vtkPassInputTypeAlgorithm
+{
+public:
+  static vtkHighOrderTruncate* New();
+  vtkTypeMacro(vtkHighOrderTruncate, vtkPassInputTypeAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The order that fields keep, 0 to 32, in each direction; fields of lower order stay. Default 1.
+   */
+  vtkSetClampMacro(Order, int, 0, 32);
+  vtkGetMacro(Order, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether to bound the change, which takes longer than all else. On by default.
+   */
+  vtkSetMacro(Bounds, bool);
+  vtkGetMacro(Bounds, bool);
+  vtkBooleanMacro(Bounds, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Names of the fields that are truncated; none: all. A name that the grid lacks is an error.
+   */
+  void AddField(const std::string& name);
+  void ClearFields();
+  ///@}
+
+protected:
+  vtkHighOrderTruncate();
+  ~vtkHighOrderTruncate() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkHighOrderTruncate(const vtkHighOrderTruncate&) = delete;
+  void operator=(const vtkHighOrderTruncate&) = delete;
+
+  int Order = 1;
+  bool Bounds = true;
+  std::vector<std::string> Fields;
+  std::unique_ptr<pixelexact::ModelSource> Source;
+};
+
+#endif

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Element/Truncation.h"
+
+#include <algorithm>
+#include <map>
+
+namespace pixelexact
+{
+namespace
+{
+/// Each bound on the modes' numbers falls or stays: a subset of the space.
+Space Lowered(const Space& space, int order)
+{
+  Space low = space;
+  for (std::uint8_t& one : low.order)
+  {
+    one = std::min(one, static_cast<std::uint8_t>(order));
+  }
+  return low;
+}
+
+/// By mode of `space`: its number in `low`, -1 where that lacks it.
+std::vector<int> NumbersIn(const Space& space, const Space& low)
+{
+  std::map<std::array<int, 3>, int> kept;
+  ForEachMode(low, [&kept](int p, int q, int r, int mode) { kept[{ p, q, r }] = mode; });
+  std::vector<int> numbers(static_cast<std::size_t>(space.Modes()), -1);
+  ForEachMode(space,
+    [&](int p, int q, int r, int mode)
+    {
+      if (const auto at = kept.find({ p, q, r }); at != kept.end())
+      {
+        numbers[static_cast<std::size_t>(mode)] = at->second;
+      }
+    });
+  return numbers;
+}
+} // namespace
+
+Truncation::Truncation(const Field& field, int order)
+  : Name(field.name)
+  , TheMapping(field.mapping)
+  , Components(field.values.components)
+  , TheOrder(order)
+{
+  const Expansion& values = field.values;
+  High.spaces.assign(values.spaces.begin(), values.spaces.end());
+  High.spaceOf.assign(values.spaceOf.begin(), values.spaceOf.end());
+  Low.spaceOf = High.spaceOf;
+  std::vector<std::vector<int>> numbers;
+  for (const Space& space : values.spaces)
+  {
+    Low.spaces.push_back(Lowered(space, order));
+    numbers.push_back(NumbersIn(space, Low.spaces.back()));
+  }
+  for (int e = 0; e < values.Elements(); ++e)
+  {
+    const auto space = static_cast<std::size_t>(values.spaceOf[static_cast<std::size_t>(e)]);
+    const auto modes = numbers[space].size();
+    const auto kept = static_cast<std::size_t>(Low.spaces[space].Modes());
+    AllModes += static_cast<std::int64_t>(modes);
+    Lost += static_cast<std::int64_t>(modes - kept);
+    Low.offset.push_back(static_cast<std::int64_t>(Low.coefficients.size()));
+    High.offset.push_back(static_cast<std::int64_t>(High.coefficients.size()));
+    const double* from = values.Coefficients(e);
+    for (int c = 0; c < Components; ++c)
+    {
+      const std::size_t begin = Low.coefficients.size();
+      Low.coefficients.resize(begin + kept);
+      for (const int number : numbers[space])
+      {
+        High.coefficients.push_back(number < 0 ? *from : 0.0);
+        if (number >= 0)
+        {
+          Low.coefficients[begin + static_cast<std::size_t>(number)] = *from;
+        }
+        ++from;
+      }
+    }
+  }
+}
+
+Field Truncation::ViewOf(const Part& part) const
+{
+  return { Name, { part.spaces, part.spaceOf, part.offset, part.coefficients, Components },
+    TheMapping };
+}
+
+Field Truncation::Kept() const
+{
+  return ViewOf(Low);
+}
+
+Field Truncation::Dropped() const
+{
+  return ViewOf(High);
+}
+
+double LargestChange(
+  const Mesh& mesh, const Truncation& truncation, int component, const RangeProgress& progress)
+{
+  if (truncation.DroppedModes() == 0)
+  {
+    return 0.0;
+  }
+  // A hundredth tells enough of an error.
+  constexpr RangeEffort kEffort{ 1e-2, 500 };
+  const Field dropped = truncation.Dropped();
+  RangeQuestion question;
+  question.field = &dropped;
+  const bool norm = component < 0 && dropped.values.components > 1;
+  question.quantity = norm ? Quantity::Magnitude : Quantity::Component;
+  question.component = std::max(component, 0);
+  const Interval range = RangeOf(mesh, question, kEffort, progress).range.outer;
+  return range.IsEmpty() ? 0.0 : range.Magnitude();
+}
+} // namespace pixelexact

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Element/MeshRanges.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace pixelexact
+{
+/// A field without the modes of its canonical basis (Space.h) that no space of a lower order has.
+/// The basis is orthogonal on the reference shape (that of a pyramid's Tensor form on the cube of
+/// eta), so that what is kept is the best approximation of that order there, in the mean square, of
+/// the reference values F; neighbours are not joined again. Fields of that order or less lose
+/// nothing.
+class Truncation
+{
+public:
+  /// `order`, 0 to kMaxOrder, of each of the three orders of every element. Copies coefficients;
+  /// the field may go afterwards. The field must be valid.
+  Truncation(const Field& field, int order);
+
+  /// Views of what is kept here, in the spaces of the lower orders; and of what was dropped, in the
+  /// field's own ones. The two add up to the field exactly.
+  [[nodiscard]] Field Kept() const;
+  [[nodiscard]] Field Dropped() const;
+
+  [[nodiscard]] int Order() const { return TheOrder; }
+  /// Modes of a component, summed over the elements.
+  [[nodiscard]] std::int64_t Modes() const { return AllModes; }
+  [[nodiscard]] std::int64_t DroppedModes() const { return Lost; }
+
+private:
+  struct Part
+  {
+    std::vector<Space> spaces;
+    std::vector<std::int32_t> spaceOf;
+    std::vector<std::int64_t> offset;
+    std::vector<double> coefficients;
+  };
+  [[nodiscard]] Field ViewOf(const Part& part) const;
+
+  std::string Name;
+  Mapping TheMapping;
+  int Components;
+  int TheOrder;
+  std::int64_t AllModes = 0;
+  std::int64_t Lost = 0;
+  Part Low;
+  Part High;
+};
+
+/// A bound of how far values of the field move, anywhere in the mesh: of a component, from 0, or
+/// with component < 0 the Euclidean norm of the change of all components, which bounds the change
+/// of the field's norm, too. Proven, of what the coefficients define; infinite where none was found
+/// (RangeOf). An element with a coefficient that is not finite is left out.
+[[nodiscard]] double LargestChange(const Mesh& mesh, const Truncation& truncation, int component,
+  const RangeProgress& progress = {});
+} // namespace pixelexact

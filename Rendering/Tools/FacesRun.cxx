@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The boundary as triangles: what elements cut into linear cells show of it.
+#include "FrameTime.h"
+#include "PeakMemory.h"
+#include "Shot.h"
+#include "TradeRun.h"
+
+#include "Core/Base/Counted.h"
+#include "FreeMemory.h"
+#include "HighOrderModel.h"
+#include "Trace/Compare/LinearFaces.h"
+#include "Trace/Compare/TracedPicture.h"
+#include "Trace/Surfaces/ElementFaces.h"
+
+#include <optional>
+
+namespace pixelexact
+{
+namespace
+{
+class FacesRun final : public TradeRun
+{
+public:
+  FacesRun(const TradeScene& scene, int level)
+    : TheScene(scene)
+    , Parts(1 << level)
+  {
+  }
+
+  TradeTime Measure() override
+  {
+    const FreshModel fresh(*TheScene.shot);
+    const Mesh& mesh = fresh.model->GetMesh();
+    const Layer& layer = TheScene.shot->scene.layers.front();
+    const Field& field = *fresh.model->FindField(layer.field->name);
+    TradeTime time;
+    const PeakMemory memory;
+    const Timer first;
+    const auto surface = TheScene.surface(fresh.model);
+    const auto& faces = dynamic_cast<const ElementFaces&>(*surface).Faces();
+    const std::size_t triangles = CountTriangles(mesh, faces, Parts);
+    RequireMemory(
+      96.0 * static_cast<double>(triangles), Counted(triangles, "triangle"), "lower the level");
+    Linear.emplace(TrianglesOfFaces(mesh, field, layer.component, faces, Parts));
+    time.first = first.Seconds();
+    const Timer next;
+    Linear.emplace(TrianglesOfFaces(mesh, field, layer.component, faces, Parts));
+    time.next = next.Seconds();
+    time.bytes = memory.Bytes().value_or(-1.0);
+    return time;
+  }
+
+  Picture Show() override
+  {
+    return TracePicture(*Linear, TheScene.shot->MakeCamera(), TheScene.isoValues);
+  }
+
+  [[nodiscard]] std::size_t Triangles() const override { return Linear ? Linear->Count() : 0; }
+
+private:
+  const TradeScene& TheScene;
+  int Parts;
+  std::optional<LinearSurface> Linear;
+};
+} // namespace
+
+bool IsOfFaces(const TradeScene& scene)
+{
+  return dynamic_cast<const ElementFaces*>(scene.shot->scene.layers.front().surface.get()) !=
+    nullptr;
+}
+
+std::unique_ptr<TradeRun> MakeFacesRun(const TradeScene& scene, const TradeSetting& setting)
+{
+  return std::make_unique<FacesRun>(scene, setting.number);
+}
+} // namespace pixelexact

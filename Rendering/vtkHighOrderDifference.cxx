@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHighOrderDifference.h"
+
+#include "CameraOfFilter.h"
+#include "Core/Base/Error.h"
+#include "Core/Location/Locator.h"
+#include "DifferenceImage.h"
+#include "FieldChoice.h"
+#include "GridModel.h"
+#include "HighOrderModel.h"
+#include "VtkSurface.h"
+
+#include "vtkCamera.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkImplicitFunction.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <exception>
+#include <initializer_list>
+
+vtkStandardNewMacro(vtkHighOrderDifference);
+
+namespace
+{
+using namespace pixelexact;
+
+void AddNumbers(vtkFieldData* data, const char* name, std::initializer_list<double> numbers)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  for (const double number : numbers)
+  {
+    array->InsertNextValue(number);
+  }
+  data->AddArray(array);
+}
+
+void AddNumbers(vtkFieldData* data, const DifferenceNumbers& numbers)
+{
+  const Vec3& at = numbers.largestAt;
+  AddNumbers(data, "Largest", { numbers.largest });
+  AddNumbers(data, "LargestAt", { at.x, at.y, at.z });
+  AddNumbers(data, "Mean", { numbers.mean });
+  AddNumbers(data, "RootMeanSquare", { numbers.rootMeanSquare });
+  AddNumbers(data, "FirstRootMeanSquare", { numbers.firstRootMeanSquare });
+  if (numbers.bounded)
+  {
+    AddNumbers(data, "LargestBound", { numbers.largestBound });
+    AddNumbers(data, "LargestTrue", { numbers.largestTrue.lower, numbers.largestTrue.upper });
+    AddNumbers(data, "Unbounded", { static_cast<double>(numbers.unbounded) });
+  }
+  AddNumbers(data, "Both", { static_cast<double>(numbers.both) });
+  AddNumbers(data, "OnlyFirst", { static_cast<double>(numbers.onlyFirst) });
+  AddNumbers(data, "OnlySecond", { static_cast<double>(numbers.onlySecond) });
+  AddNumbers(data, "Unknown", { static_cast<double>(numbers.unknown) });
+  AddNumbers(data, "NotFinite", { static_cast<double>(numbers.notFinite) });
+}
+} // namespace
+
+vtkHighOrderDifference::vtkHighOrderDifference()
+  : FirstModel(std::make_unique<GridModel>())
+  , SecondModel(std::make_unique<GridModel>())
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+vtkHighOrderDifference::~vtkHighOrderDifference() = default;
+
+void vtkHighOrderDifference::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent
+     << "CutFunction: " << (this->CutFunction ? this->CutFunction->GetClassName() : "(none)")
+     << "\n";
+  os << indent << "Camera: " << (this->Camera ? "" : "(none)") << "\n";
+  os << indent << "Size: " << this->Size[0] << " " << this->Size[1] << "\n";
+  os << indent << "FieldName: " << this->FieldName << "\n";
+  os << indent << "SecondFieldName: " << this->SecondFieldName << "\n";
+  os << indent << "Component: " << this->Component << "\n";
+  os << indent << "Bounds: " << this->Bounds << "\n";
+}
+
+vtkMTimeType vtkHighOrderDifference::GetMTime()
+{
+  vtkMTimeType time = this->Superclass::GetMTime();
+  time = this->CutFunction ? std::max(time, this->CutFunction->GetMTime()) : time;
+  return this->Camera ? std::max(time, this->Camera->GetMTime()) : time;
+}
+
+void vtkHighOrderDifference::SetCutFunction(vtkImplicitFunction* function)
+{
+  if (this->CutFunction != function)
+  {
+    this->CutFunction = function;
+    this->Modified();
+  }
+}
+
+vtkImplicitFunction* vtkHighOrderDifference::GetCutFunction()
+{
+  return this->CutFunction;
+}
+
+void vtkHighOrderDifference::SetCamera(vtkCamera* camera)
+{
+  if (this->Camera != camera)
+  {
+    this->Camera = camera;
+    this->Modified();
+  }
+}
+
+vtkCamera* vtkHighOrderDifference::GetCamera()
+{
+  return this->Camera;
+}
+
+int vtkHighOrderDifference::FillInputPortInformation(int /*port*/, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return 1;
+}
+
+int vtkHighOrderDifference::RequestInformation(vtkInformation* /*request*/,
+  vtkInformationVector** /*inputVector*/, vtkInformationVector* outputVector)
+{
+  const int extent[6] = { 0, this->Size[0] - 1, 0, this->Size[1] - 1, 0, 0 };
+  outputVector->GetInformationObject(0)->Set(
+    vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  return 1;
+}
+
+int vtkHighOrderDifference::RequestUpdateExtent(vtkInformation* /*request*/,
+  vtkInformationVector** /*inputVector*/, vtkInformationVector* /*outputVector*/)
+{
+  // Grids have no extent, and all of them is wanted.
+  return 1;
+}
+
+bool vtkHighOrderDifference::Compare(
+  vtkDataObject* first, vtkDataObject* second, vtkImageData* output)
+{
+  if (!this->CutFunction)
+  {
+    throw Error("there is no cut function; give one with SetCutFunction.");
+  }
+  if (this->Size[0] < 1 || this->Size[1] < 1)
+  {
+    throw Error("Size: there must be at least a pixel each way.");
+  }
+  const auto firstModel = this->FirstModel->Of(first);
+  const auto secondModel = this->SecondModel->Of(second);
+  const Field& field = FieldChoice{ this->FieldName }.In(*firstModel);
+  const Field& other =
+    FieldChoice{ this->SecondFieldName.empty() ? field.name : this->SecondFieldName }.In(
+      *secondModel);
+  RequireComponent(field, this->Component);
+  const DifferenceScene scene{ { &firstModel->GetLocator(), &field },
+    { &secondModel->GetLocator(), &other },
+    ToSurface(this->CutFunction, { firstModel->GetLocator().Bounds() }),
+    this->Component == -1 ? kMagnitude : this->Component };
+  const Box3& bounds = firstModel->GetLocator().Bounds();
+  const pixelexact::Camera camera =
+    CameraOfFilter(this->Camera, *scene.surface, bounds, this->Size[0], this->Size[1]);
+  const FieldDifference found = TraceDifference(scene, camera, Buffer::None, this->Bounds,
+    [this](double part)
+    {
+      this->UpdateProgress(part);
+      return this->GetAbortExecute() == 0;
+    });
+  if (found.side.empty())
+  {
+    return false;
+  }
+  output->ShallowCopy(ToImageData(found, firstModel->SourceCells(), secondModel->SourceCells()));
+  AddNumbers(output->GetFieldData(), NumbersOf(found));
+  return true;
+}
+
+int vtkHighOrderDifference::RequestData(vtkInformation* /*request*/,
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  auto* output = vtkImageData::GetData(outputVector);
+  try
+  {
+    if (!this->Compare(
+          vtkDataObject::GetData(inputVector[0]), vtkDataObject::GetData(inputVector[1]), output))
+    {
+      output->Initialize();
+    }
+    return 1;
+  }
+  catch (const std::exception& error) // memory may run out too
+  {
+    output->Initialize();
+    vtkErrorMacro(<< error.what());
+    return 0;
+  }
+}

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHighOrderDifference
+ * @brief   how two solutions differ on a cut-surface, pixel by pixel
+ *
+ * Port 0 takes the first grid, port 1 the second one: of another mesh, order, solver or time. Each
+ * carries high-order coefficients, or is composite data of such grids. The camera's rays are cast
+ * at the cut-surface; of each pixel the nearest point in either mesh is taken, and both fields are
+ * evaluated there exactly, each by location in its own mesh.
+ *
+ * The output is an image with a point for each pixel, lower left first, and these point arrays:
+ * Value, the first field less the second one's, NaN where only one has a value; Value_lower and
+ * Value_upper, proven to hold it; First and Second; Side: 0 nothing, 1 both have a value, 2
+ * unknown, 3 the first alone, 4 the second alone; Seen, the grid that Element, Xi, Position and
+ * Depth are of: 1, 2, or 0 for none; Verdict, 1 where both have a value, 2 where that is unknown.
+ *
+ * FieldData has numbers over the pixels in which both have a finite value: Largest, of absolute
+ * values, LargestAt, its point, Mean, RootMeanSquare, FirstRootMeanSquare, of the first field's
+ * values, and with bounds LargestBound, how far any difference is off at most (of pixels with a
+ * finite bound), Unbounded, pixels without one, and LargestTrue, two numbers that are proven to
+ * hold the largest true difference between them; and counts of pixels: Both, OnlyFirst, OnlySecond,
+ * Unknown, NotFinite.
+ */
+
+#ifndef vtkHighOrderDifference_h
+#define vtkHighOrderDifference_h
+
+#include "PixelExactRenderingModule.h"
+#include "vtkImageAlgorithm.h"
+#include "vtkSmartPointer.h" // for the cut function
+
+#include <memory> // for the models
+#include <string> // for the fields' names
+
+class vtkCamera;
+class vtkImplicitFunction;
+
+namespace pixelexact
+{
+class GridModel;
+}
+
+class PIXELEXACTRENDERING_EXPORT vtkHighOrderDifference : public vtkImageAlgorithm
+{
+public:
+  static vtkHighOrderDifference* New();
+  vtkTypeMacro(vtkHighOrderDifference, vtkImageAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Includes the cut function's and the camera's.
+  vtkMTimeType GetMTime() override;
+
+  ///@{
+  /**
+   * The function whose zeros are the cut-surface; there must be one.
+   */
+  void SetCutFunction(vtkImplicitFunction* function);
+  vtkImplicitFunction* GetCutFunction();
+  ///@}
+
+  ///@{
+  /**
+   * Where from the surface is seen. Null, the default: all of the first grid, in parallel, along
+   * the normal of a plane, and of other surfaces from (1, 1, 1).
+   */
+  void SetCamera(vtkCamera* camera);
+  vtkCamera* GetCamera();
+  ///@}
+
+  ///@{
+  /**
+   * Pixels across and up. Default 1000 each.
+   */
+  vtkSetVector2Macro(Size, int);
+  vtkGetVector2Macro(Size, int);
+  ///@}
+
+  ///@{
+  /**
+   * The field of the first grid; empty, the default: its first one. A name that the grid lacks is
+   * an error.
+   */
+  vtkSetMacro(FieldName, std::string);
+  vtkGetMacro(FieldName, std::string);
+  ///@}
+
+  ///@{
+  /**
+   * The field of the second grid, of as many components; empty, the default: of the same name.
+   */
+  vtkSetMacro(SecondFieldName, std::string);
+  vtkGetMacro(SecondFieldName, std::string);
+  ///@}
+
+  ///@{
+  /**
+   * Which component of the difference, from 0, or -1, the default: the difference of scalars, the
+   * magnitude of a vector's.
+   */
+  vtkSetMacro(Component, int);
+  vtkGetMacro(Component, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether to prove bounds, which takes some ten times as long as values. On by default.
+   */
+  vtkSetMacro(Bounds, bool);
+  vtkGetMacro(Bounds, bool);
+  vtkBooleanMacro(Bounds, bool);
+  ///@}
+
+protected:
+  vtkHighOrderDifference();
+  ~vtkHighOrderDifference() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkHighOrderDifference(const vtkHighOrderDifference&) = delete;
+  void operator=(const vtkHighOrderDifference&) = delete;
+
+  /// Throws Error. False where it was aborted.
+  bool Compare(vtkDataObject* first, vtkDataObject* second, vtkImageData* output);
+
+  vtkSmartPointer<vtkImplicitFunction> CutFunction;
+  vtkSmartPointer<vtkCamera> Camera;
+  int Size[2] = { 1000, 1000 };
+  std::string FieldName;
+  std::string SecondFieldName;
+  int Component = -1;
+  bool Bounds = true;
+  std::unique_ptr<pixelexact::GridModel> FirstModel;
+  std::unique_ptr<pixelexact::GridModel> SecondModel;
+};
+
+#endif
