@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <optional>
 #include <set>
+#include <utility>
 
 namespace pixelexact
 {
@@ -89,15 +90,17 @@ void WriteFrames(const RenderOptions& options, const CommonOptions& common, Pict
     }
     CheckOutput("--output", file, options.shot.input.files);
     const Shot& shot = pictures.At(frame);
-    const DrawnShot drawn(
-      options, shot, TraceShot(options, shot, {}), IsVector(FormatOf("--output", file)));
+    Frame traced = TraceShot(options, shot, {});
+    watch.Stage("rays");
+    const DrawnShot drawn(options, shot, std::move(traced), IsVector(FormatOf("--output", file)));
+    watch.Stage("colours");
     WriteAtOnce(file,
-      EncodePicture(options, drawn, file, { common.words, shot.chosen },
+      EncodePicture(options, drawn, file, { common.words, shot.chosen }, watch,
         { { "Provenance", HashOf(provenance, frame, frames) },
           { "Frame", fmt::format("{} of {}", frame, frames) }, { kSourceText, source } }));
+    watch.Stage("write");
     Count(drawn, done);
     ++done.written;
-    watch.Stage("pictures");
   }
 }
 
@@ -114,26 +117,20 @@ void WriteVideo(const RenderOptions& options, Pictures& pictures, Stopwatch& wat
   {
     progress.Tell(frame, frame);
     const Shot& shot = pictures.At(frame);
-    const DrawnShot drawn(options, shot, TraceShot(options, shot, {}));
-    video.Add(drawn.Picture());
+    Frame traced = TraceShot(options, shot, {});
+    watch.Stage("rays");
+    const DrawnShot drawn(options, shot, std::move(traced));
+    watch.Stage("colours");
+    const Image picture = drawn.Picture();
+    watch.Stage("figure");
+    video.Add(picture);
+    watch.Stage("video");
     Count(drawn, done);
     ++done.written;
-    watch.Stage("pictures");
   }
   video.Close();
   done.files.push_back(options.output);
   watch.Stage("video");
-}
-
-/// Seconds of stages, all that have one name together.
-nlohmann::ordered_json SumsOf(const Stopwatch& watch)
-{
-  auto sums = nlohmann::ordered_json::object();
-  for (const auto& [stage, seconds] : watch.Stages())
-  {
-    sums[stage] = sums.value(stage, 0.0) + seconds;
-  }
-  return sums;
 }
 
 void Tell(const Pictures& pictures, const Done& done, const RepeatedCommand& command,
@@ -147,7 +144,7 @@ void Tell(const Pictures& pictures, const Done& done, const RepeatedCommand& com
       { "read", pictures.TimesRead() }, { "locators", pictures.Located() },
       { "unknown", done.unknown },
       { "color_range", done.colors ? nlohmann::ordered_json(*done.colors) : nullptr },
-      { "files", done.files }, { "command", command.Words() }, { "seconds", SumsOf(watch) } };
+      { "files", done.files }, { "command", command.Words() }, { "seconds", ToJson(watch) } };
     Print(summary);
     return;
   }
@@ -160,13 +157,7 @@ void Tell(const Pictures& pictures, const Done& done, const RepeatedCommand& com
   {
     table.Row("range", "{} to {}", Short((*done.colors)[0]), Short((*done.colors)[1]));
   }
-  std::string name = "seconds";
-  const nlohmann::ordered_json sums = SumsOf(watch);
-  for (const auto& [stage, seconds] : sums.items())
-  {
-    table.Row(name, "{} {}", Short(seconds.get<double>()), stage);
-    name.clear();
-  }
+  AddStages(table, watch);
   table.Row("repeat", command.Text());
   table.Print();
 }

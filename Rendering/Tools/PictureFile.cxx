@@ -4,13 +4,15 @@
 #include "DrawnShot.h"
 #include "ImageFile.h"
 #include "RenderOptions.h"
+#include "Report.h"
 
 #include <algorithm>
 
 namespace pixelexact
 {
 std::string EncodePicture(const RenderOptions& options, const DrawnShot& drawn,
-  const std::string& file, const RepeatedCommand& command, const PictureTexts& told)
+  const std::string& file, const RepeatedCommand& command, Stopwatch& watch,
+  const PictureTexts& told)
 {
   PictureFacts facts{ options.Dpi(), told };
   if (options.figure.IsAsked() || !told.empty())
@@ -23,9 +25,21 @@ std::string EncodePicture(const RenderOptions& options, const DrawnShot& drawn,
     }
     facts.texts.emplace_back("Command", command.Text());
     facts.texts.emplace_back("Pixels", drawn.PixelsText());
+    watch.Stage("provenance");
   }
   const PictureFormat format = FormatOf("--output", file);
-  return IsVector(format) ? drawn.Vectors(format, facts.texts, file)
-                          : EncodeImage(drawn.Picture(), format, facts, file);
+  std::string bytes;
+  if (IsVector(format))
+  {
+    bytes = drawn.Vectors(format, facts.texts, file);
+  }
+  else
+  {
+    const Image picture = drawn.Picture();
+    watch.Stage("figure");
+    bytes = EncodeImage(picture, format, facts, file);
+  }
+  watch.Stage("encode");
+  return bytes;
 }
 } // namespace pixelexact

@@ -44,6 +44,7 @@ void Render(RenderOptions options, const CommonOptions& common)
     ProgressLine line("tracing");
     return TraceShot(options, shot, std::ref(line));
   }();
+  stopwatch.Stage("rays");
   const bool vectors = IsVector(FormatOf("--output", picture));
   const DrawnShot drawn(options, shot, std::move(traced), vectors);
   if (vectors && options.contours.AreGiven() && !drawn.HasPaths())
@@ -51,14 +52,14 @@ void Render(RenderOptions options, const CommonOptions& common)
     Note("the contours are in the picture's pixels: as paths there are proven ones of one plane "
          "alone, without labels");
   }
-  stopwatch.Stage("trace+colour");
+  stopwatch.Stage("colours");
 
   RepeatedCommand command{ common.words, shot.chosen };
   if (options.output.empty())
   {
     command.chosen.insert(command.chosen.end(), { "--output", picture });
   }
-  WriteBytes(picture, EncodePicture(options, drawn, picture, command));
+  WriteBytes(picture, EncodePicture(options, drawn, picture, command, stopwatch));
   const ContourDrawing* contours = drawn.Contours();
   if (!options.buffers.File().empty())
   {

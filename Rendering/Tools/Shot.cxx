@@ -275,6 +275,7 @@ Shot Prepare(const ShotOptions& options, Stopwatch& stopwatch)
     }
     shot.view = options.camera.FitTo(points, shot.view, shot.size);
   }
+  stopwatch.Stage("camera");
   return shot;
 }
 
