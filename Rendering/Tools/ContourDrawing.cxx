@@ -6,8 +6,6 @@
 #include "Looks.h"
 #include "Shot.h"
 
-#include "ContourLabels.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -91,6 +89,19 @@ void ContourDrawing::DrawLabels(const Shot& shot, const FontChoice& font, Frame&
   {
     Labels = DrawContourLabels(frame, shot.MakeCamera(), *Certifier, *Lines, *LabelHeight, font);
   }
+}
+
+std::vector<ContourLabel> ContourDrawing::PlaceLabels(
+  const Shot& shot, const FontChoice& font, const Frame& frame)
+{
+  if (!LabelHeight)
+  {
+    return {};
+  }
+  std::vector<ContourLabel> labels =
+    PlaceContourLabels(frame, shot.MakeCamera(), *Certifier, *Lines, *LabelHeight, font);
+  Labels = static_cast<int>(labels.size());
+  return labels;
 }
 
 FoundContours ContourDrawing::Found(const Frame& frame) const

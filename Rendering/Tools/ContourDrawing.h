@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "ContourLabels.h"
 #include "Trace/Modules/ColorMapping.h"
 #include "Trace/Modules/ContourLines.h"
 
@@ -53,6 +54,9 @@ public:
 
   /// On the image of a frame that went through the pipeline.
   void DrawLabels(const Shot& shot, const FontChoice& font, Frame& frame);
+  /// The same labels, for others to draw; none where they were not asked for.
+  std::vector<ContourLabel> PlaceLabels(
+    const Shot& shot, const FontChoice& font, const Frame& frame);
 
   /// What was found in a frame that went through the pipeline.
   [[nodiscard]] FoundContours Found(const Frame& frame) const;

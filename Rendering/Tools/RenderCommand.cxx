@@ -47,10 +47,11 @@ void Render(RenderOptions options, const CommonOptions& common)
   stopwatch.Stage("rays");
   const bool vectors = IsVector(FormatOf("--output", picture));
   const DrawnShot drawn(options, shot, std::move(traced), vectors);
-  if (vectors && options.contours.AreGiven() && !drawn.HasPaths())
+  if (!drawn.InPixels().empty())
   {
-    Note("the contours are in the picture's pixels: as paths there are proven ones of one plane "
-         "alone, without labels");
+    Note(Listed(drawn.InPixels()) +
+      ": in the picture's pixels; as paths there are proven contours and edges that are not too "
+      "dense, of one plane alone");
   }
   stopwatch.Stage("colours");
 

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <numbers>
 #include <sstream>
 
 namespace pixelexact
@@ -179,6 +180,20 @@ void VectorCanvas::Write(
                                                  : x - 0.5 * width;
   With->SetColor(color);
   With->fonts.Write(With->context, ValidUtf8(text), left, With->height - y);
+}
+
+void VectorCanvas::WriteTurned(
+  const std::string& text, const CanvasPoint& at, double angle, int fontSize, const Rgba& color)
+{
+  cairo_save(With->context);
+  cairo_translate(With->context, at[0], With->height - at[1]);
+  cairo_rotate(With->context, -angle * std::numbers::pi / 180.0);
+  cairo_set_font_size(With->context, fontSize);
+  const std::string valid = ValidUtf8(text);
+  const double width = With->fonts.WidthOf(With->context, valid);
+  With->SetColor(color);
+  With->fonts.Write(With->context, valid, -0.5 * width, 0.0);
+  cairo_restore(With->context);
 }
 
 void VectorCanvas::Clip(int width, int height)
