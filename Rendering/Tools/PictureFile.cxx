@@ -3,10 +3,13 @@
 
 #include "DrawnShot.h"
 #include "ImageFile.h"
+#include "Picture.h"
 #include "RenderOptions.h"
 #include "Report.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <span>
 
 namespace pixelexact
 {
@@ -41,5 +44,14 @@ std::string EncodePicture(const RenderOptions& options, const DrawnShot& drawn,
   }
   watch.Stage("encode");
   return bytes;
+}
+
+std::string EncodeBuffersOf(
+  const RenderOptions& options, const Shot& shot, const DrawnShot& drawn, const std::string& file)
+{
+  const ContourDrawing* contours = drawn.Contours();
+  return EncodeBuffers(file, options.buffers.Arrays(), drawn.GetFrame(),
+    shot.input.model->SourceCells(),
+    contours != nullptr ? std::span(contours->Verdicts()) : std::span<const std::uint8_t>());
 }
 } // namespace pixelexact

@@ -11,6 +11,7 @@ namespace pixelexact
 class DrawnShot;
 class Stopwatch;
 struct RenderOptions;
+struct Shot;
 
 /// What DescribeFiles tells of the inputs, among a picture's texts.
 inline constexpr const char* kSourceText = "Source";
@@ -22,4 +23,8 @@ inline constexpr const char* kSourceText = "Source";
 std::string EncodePicture(const RenderOptions& options, const DrawnShot& drawn,
   const std::string& file, const RepeatedCommand& command, Stopwatch& watch,
   const PictureTexts& told = {});
+
+/// The bytes of the file of --buffers. Throws as EncodeBuffers.
+std::string EncodeBuffersOf(
+  const RenderOptions& options, const Shot& shot, const DrawnShot& drawn, const std::string& file);
 } // namespace pixelexact

@@ -4,7 +4,6 @@
 #include "DrawnShot.h"
 #include "ImageFile.h"
 #include "Output.h"
-#include "Picture.h"
 #include "PictureFile.h"
 #include "PictureName.h"
 #include "RenderOptions.h"
@@ -14,7 +13,6 @@
 #include <algorithm>
 #include <functional>
 #include <memory>
-#include <span>
 #include <utility>
 
 namespace pixelexact
@@ -61,12 +59,9 @@ void Render(RenderOptions options, const CommonOptions& common)
     command.chosen.insert(command.chosen.end(), { "--output", picture });
   }
   WriteBytes(picture, EncodePicture(options, drawn, picture, command, stopwatch));
-  const ContourDrawing* contours = drawn.Contours();
-  if (!options.buffers.File().empty())
+  if (const std::string& buffers = options.buffers.File(); !buffers.empty())
   {
-    WriteBuffers(options.buffers.File(), options.buffers.Arrays(), drawn.GetFrame(),
-      shot.input.model->SourceCells(),
-      contours != nullptr ? std::span(contours->Verdicts()) : std::span<const std::uint8_t>());
+    WriteBytes(buffers, EncodeBuffersOf(options, shot, drawn, buffers));
   }
   stopwatch.Stage("write");
   const Found& found = drawn.WhatIsFound();
