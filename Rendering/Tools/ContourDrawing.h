@@ -5,6 +5,7 @@
 #include "Trace/Modules/ColorMapping.h"
 #include "Trace/Modules/ContourLines.h"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -15,6 +16,7 @@ namespace pixelexact
 class ColorOptions;
 class ContourOptions;
 class Looks;
+struct ContourChoice;
 struct FontChoice;
 struct Shot;
 
@@ -27,6 +29,10 @@ struct FoundContours
   std::optional<int> labels; ///< written, where they were asked for
   bool interior = false;     ///< whether loops inside of pixels were looked for
 };
+
+/// The values of a choice over a range, in the order given.
+std::vector<double> ContourValues(
+  const ContourChoice& choice, const std::array<double, 2>& range, bool logarithm);
 
 /// The contours of a shot.
 class ContourDrawing

@@ -237,15 +237,14 @@ void ViewWindow::ShowContours()
   {
     return;
   }
-  const ContourChoice choice =
-    Options.contours.AreGiven() ? Options.contours.OfAll() : ContourChoice{ kUsualContours, {} };
-  if (choice.count > 0)
+  const ContourChoice choice = Options.contours.AreGiven()
+    ? Options.contours.OfAll()
+    : ContourChoice{ kUsualContours, false, {} };
+  const std::vector<double> values =
+    ContourValues(choice, **first, Options.shot.colors.Logarithm());
+  for (std::size_t i = 0; i < values.size(); ++i)
   {
-    Mapper->GenerateContourValues(choice.count, (**first)[0], (**first)[1]);
-  }
-  for (std::size_t i = 0; i < choice.values.size(); ++i)
-  {
-    Mapper->SetContourValue(static_cast<int>(i), choice.values[i]);
+    Mapper->SetContourValue(static_cast<int>(i), values[i]);
   }
   Mapper->SetContourWidth(Options.contours.Style().width);
 }
