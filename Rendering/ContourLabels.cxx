@@ -19,9 +19,6 @@ namespace pixelexact
 {
 namespace
 {
-/// Around a text, in pixels.
-constexpr double kGap = 2.0;
-
 std::string Formatted(double value, int digits)
 {
   std::array<char, 40> text{};
@@ -45,20 +42,21 @@ void ForEachPixel(const Frame& frame, const std::array<int, 4>& box, const Visit
 }
 
 /// Takes the lines away where the text goes.
-void OpenGap(Frame& frame, const ContourPlace& place, const LabelSize& size,
-  const std::vector<std::uint8_t>& beneath)
+void OpenGap(Frame& frame, const ContourLabel& label, const std::vector<std::uint8_t>& beneath)
 {
-  const double angle = place.angle * std::numbers::pi / 180.0;
+  constexpr double kGap = ContourLabel::kGap;
+  const double angle = label.angle * std::numbers::pi / 180.0;
   const glm::dvec2 along(std::cos(angle), std::sin(angle));
-  const int reach = static_cast<int>(std::ceil(0.5 * std::hypot(size.width, size.height) + kGap));
-  const int cx = static_cast<int>(place.centre.x);
-  const int cy = static_cast<int>(place.centre.y);
+  const auto [width, height] = label.size;
+  const int reach = static_cast<int>(std::ceil(0.5 * std::hypot(width, height) + kGap));
+  const int cx = static_cast<int>(label.x);
+  const int cy = static_cast<int>(label.y);
   ForEachPixel(frame, { cx - reach, cx + reach, cy - reach, cy + reach },
     [&](int x, int y, std::size_t pixel)
     {
-      const glm::dvec2 from = glm::dvec2(x + 0.5, y + 0.5) - place.centre;
-      if (std::fabs(glm::dot(from, along)) <= 0.5 * size.width + kGap &&
-        std::fabs(from.y * along.x - from.x * along.y) <= 0.5 * size.height + kGap)
+      const glm::dvec2 from = glm::dvec2(x + 0.5, y + 0.5) - glm::dvec2(label.x, label.y);
+      if (std::fabs(glm::dot(from, along)) <= 0.5 * width + kGap &&
+        std::fabs(from.y * along.x - from.x * along.y) <= 0.5 * height + kGap)
       {
         std::copy_n(&beneath[4 * pixel], 4, &frame.color[4 * pixel]);
       }
@@ -94,12 +92,11 @@ void RequireLabelSize(int size)
   }
 }
 
-int DrawContourLabels(Frame& frame, const Camera& camera, const ContourCertifier& contours,
-  const ContourLines& lines, int size, const FontChoice& font)
+std::vector<ContourLabel> PlaceContourLabels(const Frame& frame, const Camera& camera,
+  const ContourCertifier& contours, const ContourLines& lines, int size, const FontChoice& font)
 {
   RequireLabelSize(size);
   TextImages writer(size, font);
-  const PixelSpan image{ frame.width, frame.height, frame.color.data() };
   std::vector<std::vector<std::string>> texts;
   std::vector<std::vector<LabelSize>> sizes;
   for (const std::vector<double>& values : contours.Values())
@@ -113,14 +110,29 @@ int DrawContourLabels(Frame& frame, const Camera& camera, const ContourCertifier
         return LabelSize{ box.width, box.height };
       });
   }
-  const std::vector<ContourPlace> places =
-    PlaceLabels(frame, camera, contours, sizes, lines.DrawsUndecided());
-  for (const ContourPlace& place : places)
+  std::vector<ContourLabel> labels;
+  for (const ContourPlace& place :
+    PlaceLabels(frame, camera, contours, sizes, lines.DrawsUndecided()))
   {
-    OpenGap(frame, place, sizes[place.layer][place.value], lines.Beneath());
-    writer.Put(texts[place.layer][place.value], place.centre.x, place.centre.y, TextAnchor::Centre,
-      lines.ColorOf(place.layer, place.value), place.angle, image);
+    const LabelSize& box = sizes[place.layer][place.value];
+    labels.push_back({ texts[place.layer][place.value], place.centre.x, place.centre.y, place.angle,
+      { box.width, box.height }, lines.ColorOf(place.layer, place.value) });
   }
-  return static_cast<int>(places.size());
+  return labels;
+}
+
+int DrawContourLabels(Frame& frame, const Camera& camera, const ContourCertifier& contours,
+  const ContourLines& lines, int size, const FontChoice& font)
+{
+  const std::vector<ContourLabel> labels =
+    PlaceContourLabels(frame, camera, contours, lines, size, font);
+  TextImages writer(size, font);
+  const PixelSpan image{ frame.width, frame.height, frame.color.data() };
+  for (const ContourLabel& label : labels)
+  {
+    OpenGap(frame, label, lines.Beneath());
+    writer.Put(label.text, label.x, label.y, TextAnchor::Centre, label.color, label.angle, image);
+  }
+  return static_cast<int>(labels.size());
 }
 } // namespace pixelexact

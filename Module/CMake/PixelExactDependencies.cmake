@@ -84,7 +84,7 @@ find_package(nlohmann_json REQUIRED)
 find_package(Freetype REQUIRED)
 # cairo has no CMake package.
 find_package(PkgConfig REQUIRED)
-pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo-ft cairo-pdf cairo-svg)
+pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo-ft cairo-pdf cairo-svg fontconfig)
 find_package(TIFF REQUIRED)
 # The component CXX of CMake 3.25 forgets where it is.
 find_library(TIFF_STREAM_LIBRARY tiffxx REQUIRED)

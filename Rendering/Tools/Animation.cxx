@@ -21,14 +21,20 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <filesystem>
 #include <optional>
 #include <set>
+#include <utility>
 
 namespace pixelexact
 {
 namespace
 {
 using Range = std::array<double, 2>;
+
+constexpr const char* kPictureNames =
+  "cut_%04d.png, cut_{frame}.png or cut_{step}.png, or name a video, .mp4 or .webm";
+constexpr const char* kBufferNames = "cut_%04d.vti or cut_{frame}.vti";
 
 /// What was done.
 struct Done
@@ -54,10 +60,64 @@ void Count(const DrawnShot& drawn, Done& done)
   }
 }
 
+void RequireDifferent(
+  const char* option, const std::string& pattern, const std::vector<std::string>& files)
+{
+  if (std::set<std::string>(files.begin(), files.end()).size() != files.size())
+  {
+    throw UsageError(std::string(option) + ": '" + pattern +
+      "' gives several pictures one name; number them by {frame}, as cut_{frame}" +
+      std::filesystem::path(pattern).extension().string());
+  }
+}
+
+/// The files of --buffers; none where they were not asked for.
+class BufferFiles
+{
+public:
+  BufferFiles(const RenderOptions& options, const Pictures& pictures)
+    : Options(options)
+  {
+    if (options.buffers.File().empty())
+    {
+      return;
+    }
+    const FrameNames names("--buffers", options.buffers.File(), kBufferNames);
+    for (int frame = 0; frame < pictures.Frames(); ++frame)
+    {
+      Names.push_back(names.Of(frame, pictures.StepOf(frame), pictures.Frames(), pictures.Steps()));
+    }
+    RequireDifferent("--buffers", options.buffers.File(), Names);
+  }
+
+  [[nodiscard]] bool IsThere(int frame) const
+  {
+    std::error_code ignored;
+    return Names.empty() ||
+      std::filesystem::is_regular_file(Names[static_cast<std::size_t>(frame)], ignored);
+  }
+
+  void Write(int frame, const Shot& shot, const DrawnShot& drawn, Stopwatch& watch) const
+  {
+    if (!Names.empty())
+    {
+      const std::string& file = Names[static_cast<std::size_t>(frame)];
+      CheckOutput("--buffers", file, Options.shot.input.files);
+      WriteAtOnce(file, EncodeBuffersOf(Options, shot, drawn, file));
+      watch.Stage("buffers");
+    }
+  }
+
+private:
+  const RenderOptions& Options;
+  std::vector<std::string> Names;
+};
+
 void WriteFrames(const RenderOptions& options, const CommonOptions& common, Pictures& pictures,
   Stopwatch& watch, Done& done)
 {
-  const FrameNames names(options.output);
+  const FrameNames names("--output", options.output, kPictureNames);
+  const BufferFiles buffers(options, pictures);
   const int frames = pictures.Frames();
   const std::string provenance = ProvenanceOf(options, common);
   const std::string source = DescribeFiles(options.shot.input.files);
@@ -65,14 +125,10 @@ void WriteFrames(const RenderOptions& options, const CommonOptions& common, Pict
   for (int frame = 0; frame < frames; ++frame)
   {
     done.files.push_back(names.Of(frame, pictures.StepOf(frame), frames, pictures.Steps()));
-    there.push_back(
-      options.animation.Resumes() && IsThere(done.files.back(), HashOf(provenance, frame, frames)));
+    there.push_back(options.animation.Resumes() && buffers.IsThere(frame) &&
+      IsThere(done.files.back(), HashOf(provenance, frame, frames)));
   }
-  if (std::set<std::string>(done.files.begin(), done.files.end()).size() != done.files.size())
-  {
-    throw UsageError("--output: '" + options.output +
-      "' gives several pictures one name; number them by {frame}, as cut_{frame}.png");
-  }
+  RequireDifferent("--output", options.output, done.files);
   done.kept = static_cast<int>(std::ranges::count(there, true));
   if (done.kept < frames && options.shot.SpansAllPictures())
   {
@@ -89,15 +145,19 @@ void WriteFrames(const RenderOptions& options, const CommonOptions& common, Pict
     }
     CheckOutput("--output", file, options.shot.input.files);
     const Shot& shot = pictures.At(frame);
-    const DrawnShot drawn(
-      options, shot, TraceShot(options, shot, {}), IsVector(FormatOf("--output", file)));
+    Frame traced = TraceShot(options, shot, {});
+    watch.Stage("rays");
+    const DrawnShot drawn(options, shot, std::move(traced), IsVector(FormatOf("--output", file)));
+    watch.Stage("colours");
+    // Before the picture, which tells --resume that both are there.
+    buffers.Write(frame, shot, drawn, watch);
     WriteAtOnce(file,
-      EncodePicture(options, drawn, file, { common.words, shot.chosen },
+      EncodePicture(options, drawn, file, { common.words, shot.chosen }, watch,
         { { "Provenance", HashOf(provenance, frame, frames) },
           { "Frame", fmt::format("{} of {}", frame, frames) }, { kSourceText, source } }));
+    watch.Stage("write");
     Count(drawn, done);
     ++done.written;
-    watch.Stage("pictures");
   }
 }
 
@@ -108,32 +168,28 @@ void WriteVideo(const RenderOptions& options, Pictures& pictures, Stopwatch& wat
     pictures.FindValues();
   }
   const ImageSize& size = options.shot.size;
+  const BufferFiles buffers(options, pictures);
   Video video(options.output, size.width, size.height, options.animation.FramesPerSecond());
   const FrameProgress progress("picture", pictures.Frames());
   for (int frame = 0; frame < pictures.Frames(); ++frame)
   {
     progress.Tell(frame, frame);
     const Shot& shot = pictures.At(frame);
-    const DrawnShot drawn(options, shot, TraceShot(options, shot, {}));
-    video.Add(drawn.Picture());
+    Frame traced = TraceShot(options, shot, {});
+    watch.Stage("rays");
+    const DrawnShot drawn(options, shot, std::move(traced));
+    watch.Stage("colours");
+    buffers.Write(frame, shot, drawn, watch);
+    const Image picture = drawn.Picture();
+    watch.Stage("figure");
+    video.Add(picture);
+    watch.Stage("video");
     Count(drawn, done);
     ++done.written;
-    watch.Stage("pictures");
   }
   video.Close();
   done.files.push_back(options.output);
   watch.Stage("video");
-}
-
-/// Seconds of stages, all that have one name together.
-nlohmann::ordered_json SumsOf(const Stopwatch& watch)
-{
-  auto sums = nlohmann::ordered_json::object();
-  for (const auto& [stage, seconds] : watch.Stages())
-  {
-    sums[stage] = sums.value(stage, 0.0) + seconds;
-  }
-  return sums;
 }
 
 void Tell(const Pictures& pictures, const Done& done, const RepeatedCommand& command,
@@ -147,7 +203,7 @@ void Tell(const Pictures& pictures, const Done& done, const RepeatedCommand& com
       { "read", pictures.TimesRead() }, { "locators", pictures.Located() },
       { "unknown", done.unknown },
       { "color_range", done.colors ? nlohmann::ordered_json(*done.colors) : nullptr },
-      { "files", done.files }, { "command", command.Words() }, { "seconds", SumsOf(watch) } };
+      { "files", done.files }, { "command", command.Words() }, { "seconds", ToJson(watch) } };
     Print(summary);
     return;
   }
@@ -160,13 +216,7 @@ void Tell(const Pictures& pictures, const Done& done, const RepeatedCommand& com
   {
     table.Row("range", "{} to {}", Short((*done.colors)[0]), Short((*done.colors)[1]));
   }
-  std::string name = "seconds";
-  const nlohmann::ordered_json sums = SumsOf(watch);
-  for (const auto& [stage, seconds] : sums.items())
-  {
-    table.Row(name, "{} {}", Short(seconds.get<double>()), stage);
-    name.clear();
-  }
+  AddStages(table, watch);
   table.Row("repeat", command.Text());
   table.Print();
 }
@@ -175,11 +225,9 @@ void Tell(const Pictures& pictures, const Done& done, const RepeatedCommand& com
 void RenderAnimation(RenderOptions options, const CommonOptions& common)
 {
   const bool video = IsVideo(options.output);
-  if (!options.buffers.File().empty() || !options.lines.file.empty())
+  if (!options.lines.file.empty())
   {
-    throw UsageError(
-      (options.buffers.File().empty() ? std::string("--contours-output") : "--buffers") +
-      ": an animation writes pictures alone; leave it out");
+    throw UsageError("--contours-output: an animation writes no lines; leave it out");
   }
   if (options.output.empty() || IsStandardStream(options.output))
   {
@@ -200,11 +248,16 @@ void RenderAnimation(RenderOptions options, const CommonOptions& common)
     Video::RequireProgram();
     CheckOutput("--output", options.output, options.shot.input.files);
   }
+  if (const std::string& buffers = options.buffers.File(); !buffers.empty())
+  {
+    FrameNames("--buffers", buffers, kBufferNames);
+  }
   if (options.animation.Sweeps())
   {
     options.shot.surfaces.AddFirst(options.animation.PlaneAt(0));
   }
-  options.Check(video ? "picture.png" : FrameNames(options.output).Of(0, 0, 1, 1));
+  options.Check(
+    video ? "picture.png" : FrameNames("--output", options.output, kPictureNames).Of(0, 0, 1, 1));
   Stopwatch watch;
   Pictures pictures(options, watch);
   Done done;

@@ -27,7 +27,9 @@ RasterCanvas::RasterCanvas(
   , Height(height)
   , Transparent(background[3] == 0)
   , Colors(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
+  , FontSize(fontSize)
   , Texts(fontSize, font)
+  , Letters(font)
 {
   Fill(0, 0, width, height, background);
 }
@@ -112,12 +114,64 @@ void RasterCanvas::Segment(
 void RasterCanvas::Write(
   const std::string& text, double x, double y, TextAnchor anchor, const Rgba& color)
 {
-  Texts.Put(text, x, y, anchor, color, 0.0, { Width, Height, Colors.data() });
+  if (IsAscii(text))
+  {
+    Texts.Put(text, x, y, anchor, color, 0.0, { Width, Height, Colors.data() });
+  }
+  else
+  {
+    WriteLetters(ValidUtf8(text), x, y, anchor, color);
+  }
+}
+
+void RasterCanvas::WriteLetters(
+  const std::string& text, double x, double y, TextAnchor anchor, const Rgba& color)
+{
+  const double width = WidthOf(text);
+  const int border = FontSize;
+  const int columns = static_cast<int>(std::ceil(width)) + 2 * border;
+  const int rows = 3 * FontSize;
+  cairo_surface_t* mask = cairo_image_surface_create(CAIRO_FORMAT_A8, columns, rows);
+  cairo_t* context = cairo_create(mask);
+  cairo_set_font_size(context, FontSize);
+  Letters.Write(context, text, border, 0.5 * rows);
+  cairo_destroy(context);
+  cairo_surface_flush(mask);
+  const double left = x -
+    (anchor == TextAnchor::Left       ? 0.0
+        : anchor == TextAnchor::Right ? width
+                                      : 0.5 * width);
+  const int x0 = static_cast<int>(std::lround(left)) - border;
+  const int y0 = static_cast<int>(std::lround(y + 0.5 * rows)) - 1;
+  const unsigned char* parts = cairo_image_surface_get_data(mask);
+  const int stride = cairo_image_surface_get_stride(mask);
+  for (int j = 0; parts != nullptr && j < rows; ++j)
+  {
+    for (int i = 0; i < columns; ++i)
+    {
+      std::uint8_t* pixel = At(x0 + i, y0 - j);
+      if (const unsigned char part = parts[j * stride + i]; pixel != nullptr && part > 0)
+      {
+        BlendOver(color, part / 255.0, pixel);
+      }
+    }
+  }
+  cairo_surface_destroy(mask);
 }
 
 double RasterCanvas::WidthOf(const std::string& text)
 {
-  return Texts.SizeOf(text).width;
+  if (IsAscii(text))
+  {
+    return Texts.SizeOf(text).width;
+  }
+  cairo_surface_t* none = cairo_image_surface_create(CAIRO_FORMAT_A8, 0, 0);
+  cairo_t* context = cairo_create(none);
+  cairo_set_font_size(context, FontSize);
+  const double width = Letters.WidthOf(context, ValidUtf8(text));
+  cairo_destroy(context);
+  cairo_surface_destroy(none);
+  return width;
 }
 
 Image RasterCanvas::Picture() const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "CairoFonts.h"
 #include "Image.h"
 
 #include "TextImages.h"
@@ -10,6 +11,7 @@
 #include <array>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace pixelexact
 {
@@ -60,11 +62,16 @@ public:
 private:
   [[nodiscard]] std::uint8_t* At(int x, int y);
   void Segment(const CanvasPoint& from, const CanvasPoint& to, double width, const Rgba& color);
+  /// A text with letters beyond ASCII.
+  void WriteLetters(
+    const std::string& text, double x, double y, TextAnchor anchor, const Rgba& color);
 
   int Width;
   int Height;
   bool Transparent;
   std::vector<std::uint8_t> Colors;
-  TextImages Texts;
+  int FontSize;
+  TextImages Texts;   ///< of VTK's fonts, which hold ASCII
+  CairoFonts Letters; ///< for what is more
 };
 } // namespace pixelexact

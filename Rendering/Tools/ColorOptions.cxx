@@ -3,6 +3,7 @@
 
 #include "ColorMapFile.h"
 #include "Command.h"
+#include "Nearest.h"
 #include "Numbers.h"
 #include "Options.h"
 #include "Report.h"
@@ -102,7 +103,7 @@ void CheckMap(const char* option, const std::string& map)
   if (std::find(names.begin(), names.end(), map) == names.end())
   {
     throw UsageError(std::string(option) + ": there is no '" + map + "'; there are " + Names() +
-      ", and files of ParaView's, .json and .xml");
+      ", and files of ParaView's, .json and .xml" + Suggestion(names, map));
   }
 }
 

@@ -2,6 +2,7 @@
 #include "CommandWords.h"
 
 #include "Command.h"
+#include "Nearest.h"
 #include "Numbers.h"
 #include "Report.h"
 
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <set>
 
 namespace pixelexact
@@ -58,44 +58,6 @@ std::string UsualValue(const CLI::Option& option)
   return form.starts_with("[=") ? form.substr(2, form.find_first_of("|]") - 2) : std::string();
 }
 
-/// How many letters must change, come or go.
-std::size_t Distance(const std::string& a, const std::string& b)
-{
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{ 0 });
-  for (std::size_t i = 1; i <= a.size(); ++i)
-  {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j)
-    {
-      const std::size_t changed = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({ row[j] + 1, row[j - 1] + 1, changed });
-    }
-  }
-  return row.back();
-}
-
-/// The name that a word was meant to be: one that goes on from it, or differs in a third of its
-/// letters at most. Empty: none.
-std::string NearestOf(const std::vector<std::string>& names, const std::string& word)
-{
-  std::string nearest;
-  std::size_t least = word.size() / 3 + 1;
-  for (const std::string& name : names)
-  {
-    const std::size_t distance =
-      word.size() > 3 && name.starts_with(word) ? 0 : Distance(name, word);
-    if (distance < least)
-    {
-      least = distance;
-      nearest = name;
-    }
-  }
-  return nearest;
-}
-
 /// Reads words one after the other.
 class Reader
 {
@@ -140,8 +102,7 @@ private:
         names.push_back("--" + name);
       }
     }
-    const std::string nearest = NearestOf(names, given);
-    return nearest.empty() ? std::string() : "; did you mean " + nearest + "?";
+    return pixelexact::Suggestion(names, given);
   }
 
   /// Returns how many of the words behind it were read, too.

@@ -5,8 +5,7 @@
 #include "ContourOptions.h"
 #include "Looks.h"
 #include "Shot.h"
-
-#include "ContourLabels.h"
+#include "Ticks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,6 +33,25 @@ std::vector<double> Spaced(int count, const std::array<double, 2>& range, bool l
 }
 } // namespace
 
+std::vector<double> ContourValues(
+  const ContourChoice& choice, const std::array<double, 2>& range, bool logarithm)
+{
+  if (choice.count == 0)
+  {
+    return choice.values;
+  }
+  if (!choice.round)
+  {
+    return Spaced(choice.count, range, logarithm);
+  }
+  std::vector<double> values;
+  for (const Tick& tick : TicksWithin(range, logarithm && range[0] > 0.0, choice.count))
+  {
+    values.push_back(tick.value);
+  }
+  return values;
+}
+
 ContourDrawing::ContourDrawing(const ContourOptions& options, const ColorOptions& colors,
   const Shot& shot, const Looks& looks, const Frame& frame, std::shared_ptr<ContourBounds> bounds)
 {
@@ -53,7 +71,7 @@ ContourDrawing::ContourDrawing(const ContourOptions& options, const ColorOptions
         RangeOfLayer(settings.range.value_or(colors.Range()), shot, k, frame, colors.Logarithm());
     }
     values.push_back(
-      choice.count > 0 ? Spaced(choice.count, *range, colors.Logarithm()) : choice.values);
+      choice.count > 0 ? ContourValues(choice, *range, colors.Logarithm()) : choice.values);
     lineColors.push_back(options.ByMap()
         ? ColorsOf(values.back(),
             looks.Ranges()[k] ? looks.Maps()[k] : colors.MapOver(*range, settings.colormap))
@@ -91,6 +109,19 @@ void ContourDrawing::DrawLabels(const Shot& shot, const FontChoice& font, Frame&
   {
     Labels = DrawContourLabels(frame, shot.MakeCamera(), *Certifier, *Lines, *LabelHeight, font);
   }
+}
+
+std::vector<ContourLabel> ContourDrawing::PlaceLabels(
+  const Shot& shot, const FontChoice& font, const Frame& frame)
+{
+  if (!LabelHeight)
+  {
+    return {};
+  }
+  std::vector<ContourLabel> labels =
+    PlaceContourLabels(frame, shot.MakeCamera(), *Certifier, *Lines, *LabelHeight, font);
+  Labels = static_cast<int>(labels.size());
+  return labels;
 }
 
 FoundContours ContourDrawing::Found(const Frame& frame) const

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "ContourLabels.h"
 #include "Trace/Modules/ColorMapping.h"
 #include "Trace/Modules/ContourLines.h"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -14,6 +16,7 @@ namespace pixelexact
 class ColorOptions;
 class ContourOptions;
 class Looks;
+struct ContourChoice;
 struct FontChoice;
 struct Shot;
 
@@ -26,6 +29,10 @@ struct FoundContours
   std::optional<int> labels; ///< written, where they were asked for
   bool interior = false;     ///< whether loops inside of pixels were looked for
 };
+
+/// The values of a choice over a range, in the order given.
+std::vector<double> ContourValues(
+  const ContourChoice& choice, const std::array<double, 2>& range, bool logarithm);
 
 /// The contours of a shot.
 class ContourDrawing
@@ -53,6 +60,9 @@ public:
 
   /// On the image of a frame that went through the pipeline.
   void DrawLabels(const Shot& shot, const FontChoice& font, Frame& frame);
+  /// The same labels, for others to draw; none where they were not asked for.
+  std::vector<ContourLabel> PlaceLabels(
+    const Shot& shot, const FontChoice& font, const Frame& frame);
 
   /// What was found in a frame that went through the pipeline.
   [[nodiscard]] FoundContours Found(const Frame& frame) const;

@@ -24,6 +24,7 @@ namespace pixelexact
 namespace
 {
 constexpr const char* kContours = "--contours";
+constexpr const char* kRound = "round";
 constexpr int kUsualSubdivisions = 3;
 constexpr const char* kColorForm = "r,g,b|r:g:b,r:g:b,...|map";
 
@@ -56,11 +57,14 @@ std::string TooMany(const std::string& option)
 ContourChoice ReadContours(const std::string& option, const std::string& text, char separator)
 {
   ContourChoice choice;
+  choice.round = text.starts_with(kRound);
+  const std::string_view number =
+    std::string_view(text).substr(choice.round ? std::string_view(kRound).size() : 0);
   const bool digits =
-    !text.empty() && std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
-  if (digits && text.find_first_not_of('0') != std::string::npos)
+    !number.empty() && std::ranges::all_of(number, [](char c) { return c >= '0' && c <= '9'; });
+  if (digits && number.find_first_not_of('0') != std::string::npos)
   {
-    if (!ParseInteger(text, choice.count) || choice.count > ContourOptions::kMost)
+    if (!ParseInteger(number, choice.count) || choice.count > ContourOptions::kMost)
     {
       throw UsageError(TooMany(option));
     }
@@ -72,7 +76,9 @@ ContourChoice ReadContours(const std::string& option, const std::string& text, c
     if (!ParseNumber(part, value) || !std::isfinite(value))
     {
       Refuse(option, text,
-        fmt::format("a number of contours, or finite values with '{}' between them", separator));
+        fmt::format(
+          "a number of contours, round and a number, or finite values with '{}' between them",
+          separator));
     }
     if (std::ranges::find(choice.values, value) != choice.values.end())
     {
@@ -111,11 +117,13 @@ void ContourOptions::AddTo(CLI::App& added)
   const char* group = "Contours";
   const AddedOption contours = AddRead(
     added, kContours,
-    [this](const std::string& text) { Choice = ReadContours(kContours, text, ','); }, "N|v1,v2,...",
+    [this](const std::string& text) { Choice = ReadContours(kContours, text, ','); },
+    "N|roundN|v1,v2,...",
     "Draw the lines on which the field has these values. A positive whole number N: N values, "
     "evenly "
     "spaced from one end of the colour map's range to the other, as by vtkContourFilter's "
-    "GenerateValues (with --log by their logarithms). A number that is no such (10.0, -3, 0), or "
+    "GenerateValues (with --log by their logarithms); roundN: N round values at most. A number "
+    "that is no such (10.0, -3, 0), or "
     "several with commas: these values")
                                  .Group(group);
   AddRead(

@@ -19,7 +19,8 @@ struct LayerSettings;
 /// Which iso-values are drawn.
 struct ContourChoice
 {
-  int count = 0; ///< so many, evenly spaced over the colour map's range; 0: those below
+  int count = 0;      ///< so many, evenly spaced over the colour map's range; 0: those below
+  bool round = false; ///< at most so many, at round values instead
   std::vector<double> values;
 
   [[nodiscard]] std::size_t Count() const
@@ -28,8 +29,8 @@ struct ContourChoice
   }
 };
 
-/// A positive integer without separator or decimal point is a count, everything else values. Throws
-/// UsageError.
+/// A positive integer without separator or decimal point is a count, with "round" before it that of
+/// round values, everything else values. Throws UsageError.
 ContourChoice ReadContours(const std::string& option, const std::string& text, char separator);
 
 /// Which contours render draws, and how.

@@ -90,7 +90,7 @@ void DebugOptions::AddTo(CLI::App& added)
 
 void DebugOptions::Check(int samples, const std::vector<LayerSettings>& layers) const
 {
-  if (samples > 1 && (Owners || ShowUndecided || Show != "field"))
+  if (samples > 1 && NeedsPureColors())
   {
     throw UsageError(
       "--samples mixes colours, and those of --owners, --show and --show-undecided are a legend's; "

@@ -33,6 +33,8 @@ public:
   void Check(int samples, const std::vector<LayerSettings>& layers) const;
   /// Whether a legend's colours are painted in the place of the field's.
   [[nodiscard]] bool IsInPlace() const { return Owners || Show != "field"; }
+  /// Whether colours are a legend's, and must not be mixed.
+  [[nodiscard]] bool NeedsPureColors() const { return IsInPlace() || ShowUndecided; }
 
   /// The buffers that it takes.
   [[nodiscard]] Buffer Needs() const;

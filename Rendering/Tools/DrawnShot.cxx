@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DrawnShot.h"
 
+#include "EdgePaths.h"
 #include "RenderOptions.h"
 #include "VectorCanvas.h"
 
@@ -33,26 +34,53 @@ DrawnShot::DrawnShot(const RenderOptions& options, const Shot& shot, Frame trace
 {
   // Colours after the rays, because the default range is that of the values found.
   Colors.emplace(options.shot.colors, shot, Pixels);
-  Pipeline pipeline = Colors->MakePipeline();
+  std::optional<std::vector<std::vector<CanvasPoint>>> edges;
+  if (paths && shot.edges)
+  {
+    edges = shot.edgesByKind ? std::nullopt : PathsOfEdges(shot, Pixels);
+    TellWhatStays("element edges", edges.has_value());
+  }
+  Pipeline pipeline = Colors->MakePipeline(!edges);
   Told.AddTo(pipeline, shot, *Colors, Pixels);
+  std::optional<std::vector<ContourPath>> contours;
   if (options.contours.AreGiven())
   {
     Lines.emplace(options.contours, options.shot.colors, shot, *Colors, Pixels);
-    // Labels stand in gaps of the pixels' lines, undecided pixels in the pixels.
-    if (paths && !options.contours.Labels() && !options.contours.Style().showUndecided)
+    // Undecided pixels are in the pixels.
+    if (paths && !options.contours.Style().showUndecided)
     {
-      Paths = PathsOfContours(shot, Lines->ValuesOf(0));
+      contours = PathsOfContours(shot, Lines->ValuesOf(0));
     }
-    Lines->AddTo(pipeline, !Paths);
+    if (paths)
+    {
+      TellWhatStays("contours", contours.has_value());
+    }
+    Lines->AddTo(pipeline, !contours);
   }
   Repaint(shot.scene, shot.MakeCamera(), pipeline, Pixels);
   Told.Count(Pixels);
-  if (Lines)
+  if (edges)
+  {
+    AddLines(*edges, shot.edges->width, shot.edges->colors.front());
+  }
+  if (contours)
+  {
+    AddContours(*contours);
+  }
+  else if (Lines)
   {
     Lines->DrawLabels(shot, options.font.Choice(), Pixels);
+  }
+  if (Lines)
+  {
     TheFound.contours = Lines->Found(Pixels);
   }
-  if (options.outline.IsAsked())
+  if (options.outline.IsAsked() && paths)
+  {
+    AddLines(options.outline.Paths(shot, Pixels), options.outline.LineWidth(),
+      options.outline.LineColor());
+  }
+  else if (options.outline.IsAsked())
   {
     options.outline.Draw(shot, Pixels);
   }
@@ -61,6 +89,34 @@ DrawnShot::DrawnShot(const RenderOptions& options, const Shot& shot, Frame trace
   if (!Told.IsInPlace() && !options.contours.Only())
   {
     TheFound.beyond = CountBeyond(Pixels, Colors->Ranges(), options.shot.colors.Logarithm());
+  }
+}
+
+void DrawnShot::TellWhatStays(const char* what, bool arePaths)
+{
+  if (!arePaths)
+  {
+    Staying.emplace_back(what);
+  }
+}
+
+void DrawnShot::AddLines(
+  std::vector<std::vector<CanvasPoint>> paths, double width, const Rgba& color)
+{
+  for (std::vector<CanvasPoint>& path : paths)
+  {
+    Over.lines.push_back({ std::move(path), width, color });
+  }
+}
+
+void DrawnShot::AddContours(const std::vector<ContourPath>& contours)
+{
+  Over.labels = Lines->PlaceLabels(Of, Options.font.Choice(), Pixels);
+  Over.labelSize = Options.contours.Labels().value_or(0);
+  for (const ContourPath& path : contours)
+  {
+    AddLines(PartsBeside(Over.labels, path.points), Options.contours.Style().width,
+      Lines->ColorOf(0, path.value));
   }
 }
 
@@ -98,15 +154,7 @@ std::string DrawnShot::Vectors(
   VectorCanvas canvas(format, size.width, size.height, Options.Dpi().value_or(kUsualDpi),
     colors.BackgroundColor(), Options.figure.FontOf(size), Options.font.Choice());
   canvas.Place(colors.Flatten(Pixels));
-  if (Paths)
-  {
-    canvas.Clip(Pixels.width, Pixels.height);
-    for (const ContourPath& path : *Paths)
-    {
-      canvas.Line(path.points, Options.contours.Style().width, Lines->ColorOf(0, path.value));
-    }
-    canvas.Unclip();
-  }
+  Over.Draw(canvas, Pixels.width, Pixels.height);
   if (Options.figure.IsAsked())
   {
     DrawFigure(canvas);

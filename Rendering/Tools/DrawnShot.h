@@ -8,11 +8,13 @@
 #include "ImageFile.h"
 #include "Looks.h"
 #include "RenderReport.h"
+#include "VectorLines.h"
 
 #include "Trace/Tracer.h"
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace pixelexact
 {
@@ -26,8 +28,9 @@ Frame TraceShot(const RenderOptions& options, const Shot& shot, const Progress& 
 class DrawnShot
 {
 public:
-  /// `traced`: of TraceShot. `paths`: contours are left out of the pixels where they can be had as
-  /// paths. Throws Error as Looks and ContourDrawing. The options and the shot must outlive it.
+  /// `traced`: of TraceShot. `paths`: contours, element edges and outlines are left out of the
+  /// pixels where they can be had as paths. Throws Error as Looks and ContourDrawing. The options
+  /// and the shot must outlive it.
   DrawnShot(const RenderOptions& options, const Shot& shot, Frame traced, bool paths = false);
   DrawnShot(const DrawnShot&) = delete;
   DrawnShot& operator=(const DrawnShot&) = delete;
@@ -43,12 +46,15 @@ public:
   /// The same as a PDF or SVG: its bytes.
   [[nodiscard]] std::string Vectors(
     PictureFormat format, const PictureTexts& texts, const std::string& file) const;
-  /// Whether contours are paths, and not in the pixels.
-  [[nodiscard]] bool HasPaths() const { return Paths.has_value(); }
+  /// What was wanted as paths and is in the pixels: "contours", "element edges".
+  [[nodiscard]] const std::vector<std::string>& InPixels() const { return Staying; }
   /// "12 exact, 3 nothing, 0 unknown".
   [[nodiscard]] std::string PixelsText() const;
 
 private:
+  void TellWhatStays(const char* what, bool arePaths);
+  void AddLines(std::vector<std::vector<CanvasPoint>> paths, double width, const Rgba& color);
+  void AddContours(const std::vector<ContourPath>& contours);
   void DrawFigure(Canvas& canvas) const;
 
   const RenderOptions& Options;
@@ -57,7 +63,8 @@ private:
   DebugOptions Told;
   std::optional<Looks> Colors;
   std::optional<ContourDrawing> Lines;
-  std::optional<std::vector<ContourPath>> Paths;
+  VectorLines Over;
+  std::vector<std::string> Staying;
   Found TheFound;
 };
 } // namespace pixelexact

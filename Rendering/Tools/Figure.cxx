@@ -113,7 +113,9 @@ public:
     for (int row = 0; row < height; ++row)
     {
       const std::uint8_t* color = &colors[4 * static_cast<std::size_t>(row)];
-      To.Fill(Left, y0 + row, width, 1, { color[0], color[1], color[2], 255 });
+      // Up to the row above: viewers of PDF would let the background through between rows.
+      To.Fill(
+        Left, y0 + row, width, std::min(2, height - row), { color[0], color[1], color[2], 255 });
     }
     To.Frame(Left, y0, width, height, Ink);
     const double length = bar.range[1] - bar.range[0];

@@ -33,7 +33,7 @@ void Replace(std::string& text, const std::string& what, const std::string& by)
 }
 } // namespace
 
-FrameNames::FrameNames(const std::string& pattern)
+FrameNames::FrameNames(const char* option, const std::string& pattern, const std::string& example)
   : Pattern(pattern)
 {
   static const std::regex kNumber("%(0([1-9]))?d");
@@ -46,9 +46,8 @@ FrameNames::FrameNames(const std::string& pattern)
   if (Pattern.find('%') != std::string::npos ||
     (Pattern.find(kFrame) == std::string::npos && Pattern.find(kStep) == std::string::npos))
   {
-    throw UsageError("--output: '" + pattern +
-      "' names one file, and there are several pictures; number them, as cut_%04d.png, "
-      "cut_{frame}.png or cut_{step}.png, or name a video, .mp4 or .webm");
+    throw UsageError(std::string(option) + ": '" + pattern +
+      "' names one file, and there are several pictures; number them, as " + example);
   }
 }
 

@@ -5,13 +5,14 @@
 
 namespace pixelexact
 {
-/// Names of an animation's pictures: a pattern in which the picture's number, from 0, stands as %d,
+/// Names of an animation's files: a pattern in which the picture's number, from 0, stands as %d,
 /// %04d or {frame}, and a time step's as {step}; the latter with as many digits as the last one.
 class FrameNames
 {
 public:
-  /// Throws UsageError for a pattern in which no number stands, or another %.
-  explicit FrameNames(const std::string& pattern);
+  /// `example`: a name as it could be. Throws UsageError for a pattern in which no number stands,
+  /// or another %.
+  FrameNames(const char* option, const std::string& pattern, const std::string& example);
 
   [[nodiscard]] std::string Of(int frame, int step, int frames, int steps) const;
 

@@ -128,7 +128,7 @@ Looks::Looks(const ColorOptions& colors, const Shot& shot, const Frame& frame)
   }
 }
 
-Pipeline Looks::MakePipeline()
+Pipeline Looks::MakePipeline(bool edges)
 {
   Pipeline pipeline{ { &*Colors }, {} };
   if (Lights)
@@ -140,7 +140,7 @@ Pipeline Looks::MakePipeline()
     pipeline.modules.push_back(&*Smooth);
   }
   // Last, so that nothing smooths them.
-  if (Edges)
+  if (Edges && edges)
   {
     pipeline.modules.push_back(&*Edges);
   }

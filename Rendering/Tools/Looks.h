@@ -26,8 +26,8 @@ public:
   Looks(const Looks&) = delete;
   Looks& operator=(const Looks&) = delete;
 
-  /// Points to modules here.
-  [[nodiscard]] Pipeline MakePipeline();
+  /// Points to modules here. `edges`: whether element edges that were asked for are drawn.
+  [[nodiscard]] Pipeline MakePipeline(bool edges = true);
 
   /// By layer; none: it is painted in one colour.
   [[nodiscard]] const std::vector<std::optional<std::array<double, 2>>>& Ranges() const

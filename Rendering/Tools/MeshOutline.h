@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Canvas.h"
 #include "Options.h"
 
 #include "Core/Math/Vec.h"
@@ -34,6 +35,11 @@ public:
   [[nodiscard]] std::vector<Vec3> Points(const Shot& shot) const;
   /// On the image of a frame that is painted. Throws Error where the mesh has no boundary.
   void Draw(const Shot& shot, Frame& frame) const;
+  /// The same lines in the picture's pixels. Throws as Draw.
+  [[nodiscard]] std::vector<std::vector<CanvasPoint>> Paths(
+    const Shot& shot, const Frame& frame) const;
+  [[nodiscard]] double LineWidth() const;
+  [[nodiscard]] Rgba LineColor() const;
 
 private:
   enum class Of

@@ -2,6 +2,7 @@
 #include "Options.h"
 
 #include "Command.h"
+#include "Nearest.h"
 #include "Numbers.h"
 #include "Report.h"
 
@@ -134,7 +135,8 @@ AddedOption AddChoice(CLI::App& command, const std::string& name, const ReadText
   {
     if (std::ranges::find(choices, text) == choices.end())
     {
-      Refuse(name, text, "one of " + Listed(choices));
+      throw UsageError(name + ": expected one of " + Listed(choices) + ", got '" + text + "'" +
+        Suggestion(choices, text));
     }
     read(text);
   };

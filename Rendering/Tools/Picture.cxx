@@ -56,7 +56,7 @@ void Keep(const std::vector<std::string>& arrays, vtkPointData& data)
 }
 } // namespace
 
-void WriteBuffers(const std::string& file, const std::vector<std::string>& arrays,
+std::string EncodeBuffers(const std::string& file, const std::vector<std::string>& arrays,
   const Frame& frame, std::span<const std::int64_t> sourceCells,
   std::span<const std::uint8_t> contours)
 {
@@ -72,7 +72,7 @@ void WriteImage(const std::string& file, vtkImageData* image)
   SetFormat(*writer);
   writer->WriteToOutputStringOn();
   Encode(*writer, file, image);
-  WriteBytes(file, writer->GetOutputString());
+  return writer->GetOutputString();
 }
 
 void WriteLines(const std::string& file, vtkPolyData* lines)

@@ -18,10 +18,9 @@ namespace pixelexact
 /// In pictures, as the program that made them.
 inline constexpr const char* kPictureMark = "PixelExact " PIXELEXACT_VERSION;
 
-/// Writes the buffers that the frame holds, and Contour, where `contours` has verdicts, of these
-/// names; none: all. Throws Error when the file
-/// cannot be written.
-void WriteBuffers(const std::string& file, const std::vector<std::string>& arrays,
+/// The bytes of a .vti with the buffers that the frame holds, and Contour, where `contours` has
+/// verdicts, of these names; none: all. `file`: for messages. Throws Error where it cannot be made.
+std::string EncodeBuffers(const std::string& file, const std::vector<std::string>& arrays,
   const Frame& frame, std::span<const std::int64_t> sourceCells,
   std::span<const std::uint8_t> contours);
 

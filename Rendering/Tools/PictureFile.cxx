@@ -3,16 +3,21 @@
 
 #include "DrawnShot.h"
 #include "ImageFile.h"
+#include "Picture.h"
 #include "RenderOptions.h"
+#include "Report.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <span>
 
 namespace pixelexact
 {
 std::string EncodePicture(const RenderOptions& options, const DrawnShot& drawn,
-  const std::string& file, const RepeatedCommand& command, const PictureTexts& told)
+  const std::string& file, const RepeatedCommand& command, Stopwatch& watch,
+  const PictureTexts& told)
 {
   PictureFacts facts{ options.Dpi(), told };
   // Whoever gets the file is to know, whatever else it tells.
@@ -30,9 +35,30 @@ std::string EncodePicture(const RenderOptions& options, const DrawnShot& drawn,
     }
     facts.texts.emplace_back("Command", command.Text());
     facts.texts.emplace_back("Pixels", drawn.PixelsText());
+    watch.Stage("provenance");
   }
   const PictureFormat format = FormatOf("--output", file);
-  return IsVector(format) ? drawn.Vectors(format, facts.texts, file)
-                          : EncodeImage(drawn.Picture(), format, facts, file);
+  std::string bytes;
+  if (IsVector(format))
+  {
+    bytes = drawn.Vectors(format, facts.texts, file);
+  }
+  else
+  {
+    const Image picture = drawn.Picture();
+    watch.Stage("figure");
+    bytes = EncodeImage(picture, format, facts, file);
+  }
+  watch.Stage("encode");
+  return bytes;
+}
+
+std::string EncodeBuffersOf(
+  const RenderOptions& options, const Shot& shot, const DrawnShot& drawn, const std::string& file)
+{
+  const ContourDrawing* contours = drawn.Contours();
+  return EncodeBuffers(file, options.buffers.Arrays(), drawn.GetFrame(),
+    shot.input.model->SourceCells(),
+    contours != nullptr ? std::span(contours->Verdicts()) : std::span<const std::uint8_t>());
 }
 } // namespace pixelexact

@@ -4,7 +4,6 @@
 #include "DrawnShot.h"
 #include "ImageFile.h"
 #include "Output.h"
-#include "Picture.h"
 #include "PictureFile.h"
 #include "PictureName.h"
 #include "RenderOptions.h"
@@ -14,7 +13,6 @@
 #include <algorithm>
 #include <functional>
 #include <memory>
-#include <span>
 #include <utility>
 
 namespace pixelexact
@@ -44,27 +42,26 @@ void Render(RenderOptions options, const CommonOptions& common)
     ProgressLine line("tracing");
     return TraceShot(options, shot, std::ref(line));
   }();
+  stopwatch.Stage("rays");
   const bool vectors = IsVector(FormatOf("--output", picture));
   const DrawnShot drawn(options, shot, std::move(traced), vectors);
-  if (vectors && options.contours.AreGiven() && !drawn.HasPaths())
+  if (!drawn.InPixels().empty())
   {
-    Note("the contours are in the picture's pixels: as paths there are proven ones of one plane "
-         "alone, without labels");
+    Note(Listed(drawn.InPixels()) +
+      ": in the picture's pixels; as paths there are proven contours and edges that are not too "
+      "dense, of one plane alone");
   }
-  stopwatch.Stage("trace+colour");
+  stopwatch.Stage("colours");
 
   RepeatedCommand command{ common.words, shot.chosen };
   if (options.output.empty())
   {
     command.chosen.insert(command.chosen.end(), { "--output", picture });
   }
-  WriteBytes(picture, EncodePicture(options, drawn, picture, command));
-  const ContourDrawing* contours = drawn.Contours();
-  if (!options.buffers.File().empty())
+  WriteBytes(picture, EncodePicture(options, drawn, picture, command, stopwatch));
+  if (const std::string& buffers = options.buffers.File(); !buffers.empty())
   {
-    WriteBuffers(options.buffers.File(), options.buffers.Arrays(), drawn.GetFrame(),
-      shot.input.model->SourceCells(),
-      contours != nullptr ? std::span(contours->Verdicts()) : std::span<const std::uint8_t>());
+    WriteBytes(buffers, EncodeBuffersOf(options, shot, drawn, buffers));
   }
   stopwatch.Stage("write");
   const Found& found = drawn.WhatIsFound();

@@ -15,6 +15,7 @@ namespace
 {
 constexpr double kLeastDpi = 10.0;
 constexpr double kMostDpi = 10000.0;
+constexpr int kSamplesOfFigures = 4;
 
 /// A file of another kind than its name says would mislead whoever opens it.
 void CheckSuffix(const char* option, const std::string& file, const char* suffix)
@@ -99,6 +100,11 @@ void RenderOptions::Check(const std::string& picture)
       throw UsageError("--figure has no bar for the colours of --show and --owners; leave it out");
     }
     figure.Check(shot.size);
+    // Steps of pixels are not what a reader wants; where colours are a legend's they stay pure.
+    if (!IsGiven(*shot.command, "--samples") && !debug.NeedsPureColors())
+    {
+      shot.samples = kSamplesOfFigures;
+    }
   }
 }
 

@@ -28,8 +28,15 @@ void BeQuiet(bool quiet)
 void Stopwatch::Stage(const std::string& name)
 {
   const Clock::time_point now = Clock::now();
-  Seconds.emplace_back(name, std::chrono::duration<double>(now - Begin).count());
+  const double seconds = std::chrono::duration<double>(now - Begin).count();
   Begin = now;
+  const auto known = std::ranges::find(Seconds, name, &std::pair<std::string, double>::first);
+  if (known != Seconds.end())
+  {
+    known->second += seconds;
+    return;
+  }
+  Seconds.emplace_back(name, seconds);
 }
 
 void Table::Row(const std::string& name, const std::string& value)
@@ -57,12 +64,14 @@ void Table::Print(bool onStderr) const
 
 void AddStages(Table& table, const Stopwatch& stopwatch)
 {
-  std::string name = "seconds";
+  double sum = 0.0;
+  std::vector<std::string> stages;
   for (const auto& [stage, seconds] : stopwatch.Stages())
   {
-    table.Row(name, "{} {}", Short(seconds), stage);
-    name.clear();
+    sum += seconds;
+    stages.push_back(Short(seconds, 3) + " " + stage);
   }
+  table.Row("seconds", "{}: {}", Short(sum, 3), Listed(stages));
 }
 
 nlohmann::ordered_json ToJson(const Stopwatch& stopwatch)

@@ -14,11 +14,11 @@
 // What a command tells while it works and when it is done.
 namespace pixelexact
 {
-/// Seconds by stage of the work, in the order in which the stages ended.
+/// Seconds by stage of the work, in the order in which the stages ended for the first time.
 class Stopwatch
 {
 public:
-  /// The stage `name` ends now; it began when the one before ended.
+  /// The stage `name` ends now; it began when the one before ended. Stages of one name are summed.
   void Stage(const std::string& name);
   [[nodiscard]] const std::vector<std::pair<std::string, double>>& Stages() const
   {

@@ -56,7 +56,7 @@ void ShotOptions::AddTo(CLI::App& added, bool required)
     { "curved", "on", "off" },
     "Shine a light from the eye on curved surfaces (curved, the default), on all, on none");
   AddInteger(added, "--samples", samples, 1, 1024, "N",
-    "Samples in pixels that are not of one colour, for smooth edges (default: 1)");
+    "Samples in pixels that are not of one colour, for smooth edges (default: 1; 4 with --figure)");
   const AddedOption edged = AddNumberIfAny(added, "--edges", edgeWidth,
     { EdgeStyle().width, EdgeStyle::kNarrowest, EdgeStyle::kWidest }, "PIXELS",
     fmt::format("Draw lines where the surface crosses from one element into another, of a width in "
@@ -276,6 +276,7 @@ Shot Prepare(const ShotOptions& options, Stopwatch& stopwatch)
     }
     shot.view = options.camera.FitTo(points, shot.view, shot.size);
   }
+  stopwatch.Stage("camera");
   return shot;
 }
 

@@ -139,6 +139,19 @@ void SurfaceOptions::AddTo(CLI::App& command)
     .Group(group);
 }
 
+SurfaceOptions::Described SurfaceOptions::First() const
+{
+  for (const Kind& kind : kKinds)
+  {
+    const auto found = Planes.empty() ? Numbers.find(kind.name) : Numbers.end();
+    if (found != Numbers.end() && !found->second.empty())
+    {
+      return { kind.name, found->second.front() };
+    }
+  }
+  return {};
+}
+
 std::size_t SurfaceOptions::CountGiven() const
 {
   std::size_t count =

@@ -40,6 +40,15 @@ public:
 
   [[nodiscard]] const std::vector<IsoText>& IsoSurfaces() const { return Isos; }
 
+  /// An option and its numbers.
+  struct Described
+  {
+    std::string option;
+    std::vector<double> numbers;
+  };
+  /// The first surface, where numbers describe it and it is no plane; empty otherwise.
+  [[nodiscard]] Described First() const;
+
   /// The fields whose values surfaces are made of, as they were named (IsoText::name).
   [[nodiscard]] std::vector<std::string> Fields() const;
 

@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VectorCanvas.h"
 
+#include "CairoFonts.h"
 #include "Picture.h"
 
 #include "Core/Base/Error.h"
 
-#include <cairo-ft.h>
 #include <cairo-pdf.h>
 #include <cairo-svg.h>
-#include <ft2build.h>
-#include FT_FREETYPE_H
 #include <pugixml.hpp>
 
 #include <algorithm>
 #include <cstdint>
+#include <numbers>
 #include <sstream>
 
 namespace pixelexact
@@ -21,18 +20,6 @@ namespace pixelexact
 namespace
 {
 constexpr double kPointsPerInch = 72.0;
-
-/// Never freed, as cairo's cache of fonts is not.
-FT_Library Library()
-{
-  static const FT_Library kLibrary = []
-  {
-    FT_Library library = nullptr;
-    FT_Init_FreeType(&library);
-    return library;
-  }();
-  return kLibrary;
-}
 
 cairo_status_t Append(void* closure, const unsigned char* data, unsigned int length)
 {
@@ -47,7 +34,7 @@ std::string Described(const PictureTexts& texts)
   {
     all.append(all.empty() ? "" : "\n").append(key).append(": ").append(text);
   }
-  return all;
+  return ValidUtf8(all);
 }
 
 /// Behind the first tag of an SVG.
@@ -65,12 +52,17 @@ void AddDescription(const std::string& text, std::string& svg)
 
 struct VectorCanvas::Cairo
 {
-  PictureFormat format;
-  double height;
+  PictureFormat format = PictureFormat::Pdf;
+  double height = 0.0;
   std::string bytes;
   cairo_surface_t* surface = nullptr;
   cairo_t* context = nullptr;
-  cairo_font_face_t* font = nullptr;
+  CairoFonts fonts;
+
+  explicit Cairo(const FontChoice& font)
+    : fonts(font)
+  {
+  }
 
   void SetColor(const Rgba& color) const
   {
@@ -81,7 +73,7 @@ struct VectorCanvas::Cairo
 
 VectorCanvas::VectorCanvas(PictureFormat format, int width, int height, double dpi,
   const Rgba& background, int fontSize, const FontChoice& font)
-  : With(std::make_unique<Cairo>())
+  : With(std::make_unique<Cairo>(font))
 {
   const double point = kPointsPerInch / dpi;
   With->format = format;
@@ -91,26 +83,7 @@ VectorCanvas::VectorCanvas(PictureFormat format, int width, int height, double d
   With->surface = create(&Append, &With->bytes, width * point, height * point);
   With->context = cairo_create(With->surface);
   cairo_scale(With->context, point, point);
-  if (font.family == FontChoice::Family::File)
-  {
-    FT_Face face = nullptr;
-    if (FT_New_Face(Library(), font.file.c_str(), 0, &face) != 0)
-    {
-      throw Error("--font: '" + font.file + "' cannot be read");
-    }
-    With->font = cairo_ft_font_face_create_for_ft_face(face, 0);
-    // cairo keeps fonts in a cache of its own: the face ends with what is there.
-    static const cairo_user_data_key_t kKey{};
-    cairo_font_face_set_user_data(
-      With->font, &kKey, face, [](void* of) { FT_Done_Face(static_cast<FT_Face>(of)); });
-  }
-  else
-  {
-    With->font = cairo_toy_font_face_create(
-      font.family == FontChoice::Family::Serif ? "Times New Roman" : "Arial",
-      CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
-  }
-  cairo_set_font_face(With->context, With->font);
+  With->fonts.Set(With->context, {});
   cairo_set_font_size(With->context, fontSize);
   if (background[3] > 0)
   {
@@ -127,7 +100,6 @@ VectorCanvas::~VectorCanvas()
 {
   cairo_destroy(With->context);
   cairo_surface_destroy(With->surface);
-  cairo_font_face_destroy(With->font);
 }
 
 void VectorCanvas::Place(const Image& picture)
@@ -196,9 +168,7 @@ void VectorCanvas::Line(std::span<const CanvasPoint> points, double width, const
 
 double VectorCanvas::WidthOf(const std::string& text)
 {
-  cairo_text_extents_t extents;
-  cairo_text_extents(With->context, text.c_str(), &extents);
-  return extents.x_advance;
+  return With->fonts.WidthOf(With->context, ValidUtf8(text));
 }
 
 void VectorCanvas::Write(
@@ -208,12 +178,22 @@ void VectorCanvas::Write(
   const double left = anchor == TextAnchor::Left ? x
     : anchor == TextAnchor::Right                ? x - width
                                                  : x - 0.5 * width;
-  // Digits are centred: all texts of a column have one line.
-  cairo_text_extents_t digit;
-  cairo_text_extents(With->context, "0", &digit);
   With->SetColor(color);
-  cairo_move_to(With->context, left, With->height - y + 0.5 * digit.height);
-  cairo_show_text(With->context, text.c_str());
+  With->fonts.Write(With->context, ValidUtf8(text), left, With->height - y);
+}
+
+void VectorCanvas::WriteTurned(
+  const std::string& text, const CanvasPoint& at, double angle, int fontSize, const Rgba& color)
+{
+  cairo_save(With->context);
+  cairo_translate(With->context, at[0], With->height - at[1]);
+  cairo_rotate(With->context, -angle * std::numbers::pi / 180.0);
+  cairo_set_font_size(With->context, fontSize);
+  const std::string valid = ValidUtf8(text);
+  const double width = With->fonts.WidthOf(With->context, valid);
+  With->SetColor(color);
+  With->fonts.Write(With->context, valid, -0.5 * width, 0.0);
+  cairo_restore(With->context);
 }
 
 void VectorCanvas::Clip(int width, int height)

@@ -28,6 +28,10 @@ public:
     const std::string& text, double x, double y, TextAnchor anchor, const Rgba& color) override;
   [[nodiscard]] double WidthOf(const std::string& text) override;
 
+  /// A text of a size of its own about its middle, anticlockwise by an angle in degrees.
+  void WriteTurned(
+    const std::string& text, const CanvasPoint& at, double angle, int fontSize, const Rgba& color);
+
   /// Draws within a part of it alone, from the lower left corner, until Unclip.
   void Clip(int width, int height);
   void Unclip();

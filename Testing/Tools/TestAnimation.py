@@ -7,7 +7,7 @@ import unittest
 
 import numpy as np
 
-from tool import CUBE, DATA, ToolTest, case, plain_grid, read_image, run, unit_cube_grid
+from tool import CUBE, DATA, ToolTest, case, plain_grid, read_buffers, read_image, run, unit_cube_grid
 
 from TestFigure import texts_of
 
@@ -260,12 +260,41 @@ class Refused(AnimationTest):
         for name in ["a.png", "a_%x.png", "a_%d_%d.png", "a_%4d.png"]:
             self.fails(2, *base, *sweep, "-o", self.folder / name, names=["--output", "{frame}"])
         self.fails(2, *base, *sweep, "-o", self.folder / "a_{step}.png", names=["one name"])
-        self.fails(2, *base, *sweep, *out, "--buffers", self.folder / "a.vti", names=["--buffers"])
+        self.fails(2, *base, *sweep, *out, "--buffers", self.folder / "a.vti", names=["--buffers", "%04d"])
         self.fails(2, *base, "--resume", "-o", self.folder / "a.png", names=["--resume"])
         self.fails(2, *base, *sweep, "--resume", "-o", self.folder / "a.mp4", names=["--resume"])
         self.fails(2, *base, *sweep, "--background", "none", "-o", self.folder / "a.mp4",
             names=["--background"])
         self.fails(1, *base, *sweep, "-o", self.folder / "absent" / "a_%d.png", names=["absent"])
+
+    def test_buffers(self):
+        """Those of single calls; where one is missing its picture is made again."""
+        sweep = ["--sweep", "z=0.1:0.9:3", *self.camera(), "--buffers", self.folder / "b_%d.vti"]
+        self.animate(*sweep, "--arrays", "Value,Position")
+        for k, place in enumerate([0.1, 0.5, 0.9]):
+            one = self.folder / "one.vti"
+            self.single("--plane", f"z={place}", *self.camera(), "--buffers", one, "--arrays", "Value,Position")
+            expected, found = read_buffers(one), read_buffers(self.folder / f"b_{k}.vti")
+            self.assertEqual(set(found), {"Value", "Position"})
+            for name, array in expected.items():
+                np.testing.assert_array_equal(found[name], array)
+        again = [*sweep, "--arrays", "Value,Position", "--resume"]
+        self.assertEqual(self.animate(*again)["kept"], 3)
+        (self.folder / "b_1.vti").unlink()
+        found = self.animate(*again)
+        self.assertEqual((found["kept"], found["written"]), (2, 1))
+        self.assertTrue((self.folder / "b_1.vti").exists())
+
+    @unittest.skipUnless(shutil.which("ffprobe"), "ffmpeg is not installed")
+    def test_pictures_in_a_second(self):
+        for asked, rate in [([], "25/1"), (["--fps", "10"], "10/1")]:
+            video = self.folder / "a.mp4"
+            self.animate("--sweep", "z=0.1:0.9:3", *asked, "--buffers", self.folder / "v_{frame}.vti", output="a.mp4")
+            told = subprocess.run(["ffprobe", "-v", "error", "-count_frames", "-show_entries",
+                "stream=r_frame_rate,nb_read_frames", "-of", "csv=p=0", str(video)], stdout=subprocess.PIPE, text=True,
+                check=True).stdout.strip()
+            self.assertEqual(told.split(",")[:2], [rate, "3"])
+            self.assertEqual(read_buffers(self.folder / "v_2.vti")["Value"].shape, (48, 64))
 
     def test_without_ffmpeg(self):
         import os

@@ -63,6 +63,19 @@ class Contours(ToolTest):
         summary, _, _ = self.picture("--contours", "3", "--log", "--range", "0.01,1", look=())
         np.testing.assert_allclose(summary["contours"]["values"], [0.01, 0.1, 1])
 
+    def test_round_values(self):
+        """Steps of 1, 2 or 5 times a power of ten, and lines where they are."""
+        for most, limits, wanted in [(6, "0.125,0.75", [0.2, 0.3, 0.4, 0.5, 0.6, 0.7]),
+                (5, "0.125,0.75", [0.2, 0.4, 0.6]), (3, "0,1", [0, 0.5, 1])]:
+            summary, _, _ = self.picture("--contours", f"round{most}", "--range", limits, look=())
+            np.testing.assert_allclose(summary["contours"]["values"], wanted, rtol=0, atol=1e-15)
+        summary, _, _ = self.picture("--plane", "0.5,0,0,1,0,0", "--contours", "0.5", "--range", "0.125,0.75",
+            "--layer", "2:contours=round5", look=())
+        self.assertEqual(summary["contours"]["values"][0], [0.5])
+        np.testing.assert_allclose(summary["contours"]["values"][1], [0.2, 0.4, 0.6], rtol=0, atol=1e-15)
+        for word in ["round", "round0", "round-1", "round2.5", "roundx"]:
+            self.fails(2, *self.words("--contours", word), names=["--contours", "round"])
+
     def test_what_is_a_count_and_what_a_value(self):
         for text, values in [("1.0", [1.0]), ("0", [0.0]), ("-3", [-3.0]), ("2.", [2.0]),
                              ("1e-1", [0.1]), ("0.5,0.25", [0.25, 0.5])]:

@@ -65,9 +65,14 @@ class Figure(ToolTest):
         self.assertEqual((found["width"], found["height"]), (600 - 11 * FONT, 400))
         pixels = read_image(self.image)[:, : found["width"]]
         self.succeeds("render", self.cube, "--field", "w", "--plane", "z", "--size",
-            f"{found['width']}x400", "-o", self.folder / "bare.png")
+            f"{found['width']}x400", "--samples", 4, "-o", self.folder / "bare.png")
         np.testing.assert_array_equal(pixels, read_image(self.folder / "bare.png"))
         self.assertEqual(read_buffers(self.folder / "cut.vti")["Value"].shape, (400, 490))
+
+    def test_smooth_edges_unless_colours_are_a_legends(self):
+        self.assertIn("refined_pixels", self.figure())
+        self.assertNotIn("refined_pixels", self.figure("--samples", 1))
+        self.assertNotIn("refined_pixels", self.figure("--show-undecided"))
 
     def test_bar_spans_the_map(self):
         self.figure("--colormap", "grayscale", "--range", "0,1")

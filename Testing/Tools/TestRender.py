@@ -350,7 +350,7 @@ class Errors(RenderTest):
     def test_table(self):
         shot = [case("escher_tet_g3_p3"), "--field", "u", *MIDDLE, "--size", "20x10"]
         done = self.succeeds("render", *shot, "--output", self.folder / "i.png")
-        for word in ["elements", "exact", "nothing", "unknown", "non-finite", "trace"]:
+        for word in ["elements", "exact", "nothing", "unknown", "non-finite", "rays"]:
             self.assertIn(word, done.stdout)
         self.assertEqual(done.stderr, "")
 

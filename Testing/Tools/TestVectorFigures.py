@@ -10,7 +10,7 @@ import xml.etree.ElementTree as ElementTree
 
 import numpy as np
 
-from tool import CUBE, ToolTest, read_image, unit_cube_grid
+from tool import CUBE, ToolTest, View, plain_grid, read_image, unit_cube_grid
 
 SVG = "{http://www.w3.org/2000/svg}"
 LINK = "{http://www.w3.org/1999/xlink}href"
@@ -97,12 +97,51 @@ class Svg(VectorTest):
         np.testing.assert_array_equal(found[..., :3], expected)
 
     def test_contours_that_stay_in_the_pixels(self):
-        for more in [["--contour-labels"], ["--sphere", "0.5,0.5,0.5,0.2"]]:
+        for more in [["--show-undecided-contours"], ["--sphere", "0.5,0.5,0.5,0.2"]]:
             path = self.draw("a.svg", *RED, "--contours", "0.25,0.5", *more)
             self.assertIn("in the picture's pixels", self.done.stderr)
             self.assertEqual(self.paths(path), [])
             pixels = self.image(path)
             self.assertTrue(((pixels[..., 0] > 200) & (pixels[..., 1] < 50)).any())
+
+    def test_labels_stand_in_gaps(self):
+        """No point of a line is where a text is, and the rest of the line is there."""
+        whole = self.paths(self.draw("a.svg", *RED, "--contours", "0.25,0.5"))
+        path = self.draw("a.svg", *RED, "--contours", "0.25,0.5", "--contour-labels", "10")
+        self.assertNotIn("in the picture's pixels", self.done.stderr)
+        lines = self.paths(path)
+        # Three texts on each.
+        self.assertEqual(len(lines), 8)
+
+        def length(lines):
+            return sum(np.hypot(*np.diff(line, axis=0).T).sum() for line in lines)
+
+        self.assertLess(length(whole) - length(lines), 6 * 40)
+        self.assertGreater(length(whole) - length(lines), 6 * 15)
+        uses = ElementTree.parse(path).getroot().iter(SVG + "use")
+        letters = [use for use in uses if use.get(LINK).startswith("#glyph")]
+        self.assertEqual(len(letters), 3 * (len("0.25") + len("0.5")))
+        pixels = self.image(path)
+        self.assertFalse(((pixels[..., 0] > 200) & (pixels[..., 1] < 50)).any())
+
+    def test_box(self):
+        """Twelve edges of the unit cube, where a parallel camera sees them."""
+        position = np.array([0.5, 0.5, 0.5]) + 3.0 * np.array([2.0, 1.0, 2.0]) / 3.0
+        view = View(position, [0.5, 0.5, 0.5], [0, 1, 0], 300, 200, scale=1.25)
+        path = self.folder / "box.svg"
+        self.succeeds("render", self.cube, "--field", "u", "--plane", "0,0,-9,0,0,1", "--mesh-outline=box",
+            "--mesh-outline-color", "1,0,0", *view.options(), "-o", path)
+        lines = self.paths(path)
+        self.assertEqual(len(lines), 12)
+        forward = -np.array([2.0, 1.0, 2.0]) / 3.0
+        right = np.cross(forward, [0, 1, 0])
+        right /= np.linalg.norm(right)
+        up = np.cross(right, forward)
+        seen = np.array([(150 + (p @ right) * 80, 100 + (p @ up) * 80) for p in np.array(CUBE) - 0.5])
+        for line in lines:
+            self.assertEqual(len(line), 2)
+            for end in line:
+                self.assertLess(np.hypot(*(seen - end).T).min(), 0.26)
 
     def test_figure(self):
         path = self.draw("a.svg", "--figure", "--title", "A <title> & more", "--font", "serif", "--font-size", 9)
@@ -135,6 +174,47 @@ class Svg(VectorTest):
             self.assertIn(f"Frame: {k} of 2", (self.folder / f"s_{k}.svg").read_text(encoding="utf-8"))
 
 
+class Edges(VectorTest):
+    """Two elements side by side, which meet where x + y / 4 = 0.6."""
+
+    def setUp(self):
+        super().setUp()
+        points = [[x, y, z] for z in (0.0, 1.0) for y in (0.0, 1.0) for x in (0.0, 0.6 - y / 4, 1.0)]
+        cells = [(12, [0, 1, 4, 3, 6, 7, 10, 9]), (12, [1, 2, 5, 4, 7, 8, 11, 10])]
+        self.cube.write_text(plain_grid(points, cells, [("u", [p[0] for p in points])]), encoding="utf-8")
+
+    def off(self, x, y):
+        """From the nearest of the five sides of the two elements, in pixels."""
+        slanted = np.abs(x + y / 4 - 0.6) / np.hypot(1, 0.25)
+        return np.minimum.reduce([slanted, *(np.abs(c - side) for c in (x, y) for side in (0, 1))]) / 0.00625
+
+    def test_paths(self):
+        for name, tolerance in [("--edges", 1 / 20), ("--mesh-outline", 1 / 2)]:
+            color = "--edge-color" if name == "--edges" else "--mesh-outline-color"
+            path = self.draw("a.svg", name, color, "1,0,0")
+            self.assertNotIn("in the picture's pixels", self.done.stderr)
+            lines = self.paths(path)
+            self.assertTrue(lines)
+            points = np.vstack([a + s * (b - a) for line in lines for a, b in zip(line, line[1:])
+                for s in np.linspace(0, 1, 50)[:, None]])
+            x, y = ((points - [150, 100]) * 0.00625 + 0.5).T
+            # Corners are cut off by a pixel.
+            corners = np.array([[cx, cy] for cx in (0, 1) for cy in (0, 1)] + [[0.6, 0], [0.35, 1]])
+            away = np.min([np.hypot(x - cx, y - cy) for cx, cy in corners], axis=0) / 0.00625
+            self.assertLess(self.off(x, y)[away > 2].max(), tolerance)
+            self.assertLess(self.off(x, y).max(), 1.0)
+            length = sum(np.hypot(*np.diff(line, axis=0).T).sum() for line in lines) * 0.00625
+            self.assertAlmostEqual(length, 4 + (np.hypot(1, 0.25) if name == "--edges" else 0), delta=0.05)
+            pixels = self.image(path)
+            self.assertFalse(((pixels[..., 0] > 200) & (pixels[..., 1] < 50)).any())
+
+    def test_that_stay_in_the_pixels(self):
+        for more in [["--edges-by-kind"], ["--sphere", "0.5,0.5,0.5,0.2"]]:
+            path = self.draw("a.svg", "--edges", *more)
+            self.assertIn("element edges: in the picture's pixels", self.done.stderr)
+            self.assertTrue((self.image(path)[..., :3].max(axis=2) < 40).any())
+
+
 class Pdf(VectorTest):
     @needs("pdftotext")
     def test_texts_are_texts(self):
@@ -146,6 +226,8 @@ class Pdf(VectorTest):
         self.assertTrue(fonts)
         for line in fonts:
             self.assertRegex(line, r"\byes\s+yes\b")  # embedded, a subset
+        labels = self.draw("b.pdf", "--contours", "0.25,0.5", "--contour-labels")
+        self.assertEqual(set(self.program("pdftotext", labels, "-").split()), {"0.25", "0.5"})
         info = self.program("pdfinfo", path)
         self.assertIn("PixelExact", info)
         self.assertIn("cube.vtu", info)

@@ -181,6 +181,78 @@ class View(ToolTest):
         cameras = [next(w for w in shlex.split(line) if w.startswith("--camera-position=")) for line in (first, second)]
         self.assertEqual(*cameras)
 
+    def seen(self, point):
+        """Where the window shows a point, by the camera of the command that it printed last."""
+        line = (self.folder / "out.txt").read_text(encoding="utf-8").splitlines()[-1]
+        words = dict(w[2:].split("=", 1) for w in shlex.split(line) if w.startswith("--") and "=" in w)
+
+        def vector(name):
+            return np.array([float(n) for n in words[name].split(",")])
+
+        eye = vector("camera-position")
+        forward = vector("focal-point") - eye
+        forward /= np.linalg.norm(forward)
+        right = np.cross(forward, vector("view-up"))
+        right /= np.linalg.norm(right)
+        off = np.array(point) - eye
+        pixel = SIZE[1] / 2 / np.tan(np.radians(float(words["view-angle"])) / 2) / (off @ forward)
+        up = np.cross(right, forward)
+        return round(SIZE[0] / 2 + off @ right * pixel), round(SIZE[1] / 2 - off @ up * pixel)
+
+    def dragged(self, option, words, at, button=1):
+        """The numbers of a surface before and after a drag by (40, -32) pixels from a point of it."""
+        self.open(self.cube, "--field", "u", *words, "--view", "iso")
+        xdotool("mousemove", 5, 5)
+        before = self.settled()
+        self.press("s")
+        self.wait((self.folder / "cube_view_0.png").exists)
+        self.settled()
+        x, y = self.seen(at)
+        xdotool("mousemove", x, y)
+        time.sleep(0.5)
+        xdotool("mousedown", button)
+        for step in range(1, 9):
+            xdotool("mousemove", x + 5 * step, y - 4 * step)
+            time.sleep(0.1)
+        xdotool("mouseup", button)
+        after = self.settled()
+        self.keep(f"dragged{option}.png")
+        self.assertGreater((before != after).any(axis=2).sum(), 200)
+        self.press("s")
+        self.wait((self.folder / "cube_view_1.png").exists)
+        self.wait(lambda: len((self.folder / "out.txt").read_text(encoding="utf-8").splitlines()) == 2)
+        lines = (self.folder / "out.txt").read_text(encoding="utf-8").splitlines()
+        found = []
+        for line in lines:
+            (word,) = [w for w in shlex.split(line) if w.startswith(option + "=")]
+            found.append(np.array([float(n) for n in word.split("=")[1].split(",")]))
+        self.close()
+        return found
+
+    def test_sphere_is_dragged(self):
+        words = ["--sphere", "0.5,0.5,0.5,0.4"]
+        first, second = self.dragged("--sphere", words, (0.73, 0.73, 0.73))
+        np.testing.assert_allclose(first, [0.5, 0.5, 0.5, 0.4], atol=1e-6)
+        self.assertGreater(np.abs(second[:3] - first[:3]).max(), 0.05)
+        self.assertAlmostEqual(second[3], first[3], delta=1e-6)
+
+    def test_radius_of_a_sphere_is_dragged(self):
+        first, second = self.dragged("--sphere", ["--sphere", "0.5,0.5,0.5,0.4"], (0.73, 0.73, 0.73), button=3)
+        np.testing.assert_allclose(second[:3], first[:3], atol=1e-6)
+        self.assertGreater(abs(second[3] - first[3]), 0.02)
+
+    def test_cylinder_is_dragged(self):
+        first, second = self.dragged("--cylinder", ["--cylinder", "0.5,0.5,0.5,0,0,1,0.3"], (0.782, 0.603, 0.5))
+        np.testing.assert_allclose(first, [0.5, 0.5, 0.5, 0, 0, 1, 0.3], atol=1e-6)
+        self.assertGreater(np.abs(second - first).max(), 0.02)
+
+    def test_box_is_dragged(self):
+        first, second = self.dragged("--box", ["--box", "0.2,0.2,0.2,0.8,0.8,0.8"], (0.8, 0.5, 0.5))
+        np.testing.assert_allclose(first, [0.2, 0.2, 0.2, 0.8, 0.8, 0.8], atol=1e-6)
+        # One face alone.
+        self.assertGreater(abs(second[3] - 0.8), 0.02)
+        np.testing.assert_allclose(np.delete(second, 3), np.delete(first, 3), atol=1e-6)
+
     def test_time_steps(self):
         sets = ""
         for step in range(3):

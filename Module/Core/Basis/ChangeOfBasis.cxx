@@ -318,21 +318,25 @@ void ChangeOfBasis::ApplyInLongDouble(
   std::size_t inner = current.size();
   for (const auto& factor : Factors)
   {
-    inner /= factor.columns;
-    next.assign(outer * factor.rows * inner, 0.0L);
+    const auto columns = static_cast<std::size_t>(factor.columns);
+    inner /= columns;
+    next.resize(outer * factor.rows * inner);
+    long double* to = next.data();
     for (std::size_t o = 0; o < outer; ++o)
     {
       for (int row = 0; row < factor.rows; ++row)
       {
-        long double* to = &next[(o * factor.rows + row) * inner];
-        for (int column = 0; column < factor.columns; ++column)
+        const long double* m = &factor.matrix[static_cast<std::size_t>(row) * columns];
+        const long double* from = &current[o * columns * inner];
+        // A sum at a time: it stays in a register, and long doubles are slow to store.
+        for (std::size_t i = 0; i < inner; ++i)
         {
-          const long double m = factor.matrix[std::size_t(row) * factor.columns + column];
-          const long double* from = &current[(o * factor.columns + column) * inner];
-          for (std::size_t i = 0; i < inner; ++i)
+          long double sum = 0.0L;
+          for (std::size_t column = 0; column < columns; ++column)
           {
-            to[i] += m * from[i];
+            sum += m[column] * from[column * inner + i];
           }
+          *to++ = sum;
         }
       }
     }

@@ -43,17 +43,14 @@ std::string Text(const Vec3& v)
   return fmt::format("{},{},{}", v.x, v.y, v.z);
 }
 
-std::string Text(const Plane& plane)
-{
-  return "--plane=" + Text(plane.Point()) + "," + Text(plane.Normal({}));
-}
 } // namespace
 
 std::vector<std::string> WordsOf(const ShownNow& now, const std::vector<std::string>& words,
   const std::vector<std::string>& chosen, const std::string& contours)
 {
   std::vector<std::string> result{ "render" };
-  bool planeIsThere = !now.plane;
+  bool surfaceIsThere = now.surface.empty();
+  const std::string moved = NameOf(now.surface);
   bool contoursAreThere = false;
   bool edgesAreThere = false;
   std::vector<std::string> all(words.begin() + 1, words.end());
@@ -68,17 +65,17 @@ std::vector<std::string> WordsOf(const ShownNow& now, const std::vector<std::str
     }
     contoursAreThere = contoursAreThere || name == "--contours";
     edgesAreThere = edgesAreThere || name == "--edges";
-    if (name == "--plane" && !planeIsThere)
+    if (name == moved && !surfaceIsThere)
     {
-      planeIsThere = true;
-      result.push_back(Text(*now.plane));
+      surfaceIsThere = true;
+      result.push_back(now.surface);
       continue;
     }
     result.push_back(word);
   }
-  if (!planeIsThere)
+  if (!surfaceIsThere)
   {
-    result.push_back(Text(*now.plane));
+    result.push_back(now.surface);
   }
   if (now.contours && !contoursAreThere)
   {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "Trace/Camera.h"
-#include "Trace/Surfaces/Plane.h"
 
 #include <array>
 #include <optional>
@@ -14,7 +13,7 @@ namespace pixelexact
 /// What a window shows, beside what its command line said.
 struct ShownNow
 {
-  std::optional<Plane> plane; ///< in the place of the first one
+  std::string surface; ///< "--plane=...", in the place of the first one of its kind; empty: none
   CameraView view;
   std::optional<std::array<double, 2>> range; ///< of the colour map, where there is one
   std::optional<int> step;

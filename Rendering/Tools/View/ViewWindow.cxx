@@ -4,36 +4,26 @@
 #include "Command.h"
 #include "DrawnShot.h"
 #include "Report.h"
-#include "View/GivenSurface.h"
+#include "View/Observe.h"
 #include "View/Spawn.h"
 
 #include "Core/Base/Error.h"
 #include "VtkCamera.h"
 
 #include <fmt/format.h>
+#include <vtkAbstractWidget.h>
 #include <vtkActor.h>
-#include <vtkBoundingBox.h>
-#include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
 #include <vtkHighOrderLayer.h>
 #include <vtkHighOrderMapper.h>
 #include <vtkHighOrderPicker.h>
-#include <vtkImplicitPlaneRepresentation.h>
-#include <vtkImplicitPlaneWidget2.h>
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkLookupTable.h>
 #include <vtkObjectFactory.h>
-#include <vtkPlane.h>
 #include <vtkProperty.h>
-#include <vtkProperty2D.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
-#include <vtkScalarBarActor.h>
-#include <vtkSliderRepresentation2D.h>
-#include <vtkSliderWidget.h>
-#include <vtkTextActor.h>
-#include <vtkTextProperty.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
@@ -50,18 +40,6 @@ namespace
 {
 /// Contours where the command line asks for none.
 constexpr int kUsualContours = 10;
-constexpr int kLetters = 15;
-
-constexpr const char* kHelp = "drag        turn, shift: move, wheel: nearer\n"
-                              "p           plane on, off: drag the cut, or the arrow\n"
-                              "c           contours\n"
-                              "e           edges of elements\n"
-                              "r           colours over what is seen\n"
-                              "left, right time step\n"
-                              "s           save the exact figure\n"
-                              "h           this help\n"
-                              "q           close";
-
 /// Turns and moves the camera as VTK's, whose keys are left out.
 class Style final : public vtkInteractorStyleTrackballCamera
 {
@@ -85,26 +63,6 @@ public:
   ViewWindow* Window = nullptr;
 };
 vtkStandardNewMacro(Style);
-
-template <class Function>
-void Observe(vtkObject* object, unsigned long event, Function function)
-{
-  vtkNew<vtkCallbackCommand> command;
-  command->SetClientData(new Function(std::move(function)));
-  command->SetClientDataDeleteCallback([](void* client) { delete static_cast<Function*>(client); });
-  command->SetCallback(
-    [](vtkObject*, unsigned long, void* client, void*) { (*static_cast<Function*>(client))(); });
-  object->AddObserver(event, command);
-}
-
-void SetLetters(vtkTextActor& text, const std::string& words)
-{
-  text.SetInput(words.c_str());
-  text.GetTextProperty()->SetFontSize(kLetters);
-  text.GetTextProperty()->SetColor(0.0, 0.0, 0.0);
-  text.GetTextProperty()->SetBackgroundColor(1.0, 1.0, 1.0);
-  text.GetTextProperty()->SetBackgroundOpacity(0.75);
-}
 
 std::string NameOfFile(const RenderOptions& options, int number)
 {
@@ -137,6 +95,7 @@ ViewWindow::ViewWindow(RenderOptions options, std::vector<std::string> words)
   }
   Options.Check(NameOfFile(Options, 0));
   TheShot.emplace(Prepare(Options.shot, Watch));
+  Dragged = MakeDragged(*TheShot->scene.layers.front().surface, Options.shot.surfaces.First());
   Contours = Options.contours.AreGiven();
   Edges = TheShot->edges.has_value();
 
@@ -162,11 +121,6 @@ ViewWindow::ViewWindow(RenderOptions options, std::vector<std::string> words)
 }
 
 ViewWindow::~ViewWindow() = default;
-
-bool ViewWindow::HasPlane() const
-{
-  return dynamic_cast<const Plane*>(TheShot->scene.layers.front().surface.get()) != nullptr;
-}
 
 void ViewWindow::MakeTables()
 {
@@ -201,21 +155,10 @@ void ViewWindow::MakeLayers()
   {
     const LayerSettings& settings = TheShot->settings[k];
     vtkNew<vtkHighOrderLayer> layer;
-    const bool moved = k == 0 && HasPlane();
-    if (moved)
-    {
-      const auto& plane = dynamic_cast<const Plane&>(*layers[k].surface);
-      const Vec3 normal = plane.Normal({});
-      Cut->SetOrigin(plane.Point().x, plane.Point().y, plane.Point().z);
-      Cut->SetNormal(normal.x, normal.y, normal.z);
-      layer->SetCutFunction(Cut);
-    }
-    else
-    {
-      vtkNew<GivenSurfaceOfLayer> surface;
-      surface->Set(layers[k].surface);
-      layer->SetSurface(surface);
-    }
+    vtkNew<GivenSurfaceOfLayer> own;
+    GivenSurfaceOfLayer* surface = k == 0 ? First.Get() : own.Get();
+    surface->Set(layers[k].surface);
+    layer->SetSurface(surface);
     if (layers[k].field != nullptr)
     {
       layer->SetFieldName(layers[k].field->name.c_str());
@@ -242,85 +185,54 @@ void ViewWindow::ShowContours()
   {
     return;
   }
-  const ContourChoice choice =
-    Options.contours.AreGiven() ? Options.contours.OfAll() : ContourChoice{ kUsualContours, {} };
-  if (choice.count > 0)
+  const ContourChoice choice = Options.contours.AreGiven()
+    ? Options.contours.OfAll()
+    : ContourChoice{ kUsualContours, false, {} };
+  const std::vector<double> values =
+    ContourValues(choice, **first, Options.shot.colors.Logarithm());
+  for (std::size_t i = 0; i < values.size(); ++i)
   {
-    Mapper->GenerateContourValues(choice.count, (**first)[0], (**first)[1]);
-  }
-  for (std::size_t i = 0; i < choice.values.size(); ++i)
-  {
-    Mapper->SetContourValue(static_cast<int>(i), choice.values[i]);
+    Mapper->SetContourValue(static_cast<int>(i), values[i]);
   }
   Mapper->SetContourWidth(Options.contours.Style().width);
 }
 
 void ViewWindow::MakeWidgets()
 {
-  if (HasPlane())
+  if (Dragged)
   {
-    PlaneShape->SetPlaceFactor(1.0);
-    PlaneShape->PlaceWidget(TheShot->input.grid->GetBounds());
-    // Its arrow stands in the middle of the mesh.
-    std::array<double, 3> middle{};
-    vtkBoundingBox(TheShot->input.grid->GetBounds()).GetCenter(middle.data());
-    Cut->ProjectPoint(middle.data(), middle.data());
-    PlaneShape->SetOrigin(middle.data());
-    PlaneShape->SetNormal(Cut->GetNormal());
-    PlaneShape->OutlineTranslationOff();
-    PlaneShape->ScaleEnabledOff();
-    PlaneShape->TubingOff();
-    // It is drawn, since it is dragged, and not seen: the cut is there.
-    PlaneShape->DrawPlaneOn();
-    PlaneShape->GetPlaneProperty()->SetOpacity(0.01);
-    PlaneShape->GetSelectedPlaneProperty()->SetOpacity(0.01);
-    Observe(PlaneWidget, vtkCommand::StartInteractionEvent, [this] { Dragging = true; });
-    Observe(PlaneWidget, vtkCommand::EndInteractionEvent,
+    vtkAbstractWidget& widget = Dragged->Widget();
+    widget.SetInteractor(Interactor);
+    Dragged->Place(TheShot->input.grid->GetBounds());
+    Observe(&widget, vtkCommand::StartInteractionEvent, [this] { Dragging = true; });
+    Observe(&widget, vtkCommand::EndInteractionEvent,
       [this]
       {
         Dragging = false;
         TellWhatIsAt(Interactor->GetEventPosition()[0], Interactor->GetEventPosition()[1]);
       });
-    PlaneWidget->SetInteractor(Interactor);
-    PlaneWidget->SetRepresentation(PlaneShape);
-    Observe(PlaneWidget, vtkCommand::InteractionEvent, [this] { MovePlane(); });
-    PlaneWidget->On();
+    Observe(&widget, vtkCommand::InteractionEvent, [this] { MoveSurface(); });
+    widget.On();
   }
-  if (TheShot->input.times.size() > 1)
+  if (const auto steps = static_cast<int>(TheShot->input.times.size()); steps > 1)
   {
-    vtkNew<vtkSliderRepresentation2D> shape;
-    shape->SetMinimumValue(0.0);
-    shape->SetMaximumValue(static_cast<double>(TheShot->input.times.size() - 1));
-    shape->SetValue(TheShot->input.step);
-    shape->SetTitleText("time step");
-    shape->SetLabelFormat("%.0f");
-    shape->GetPoint1Coordinate()->SetCoordinateSystemToNormalizedDisplay();
-    shape->GetPoint1Coordinate()->SetValue(0.35, 0.06);
-    shape->GetPoint2Coordinate()->SetCoordinateSystemToNormalizedDisplay();
-    shape->GetPoint2Coordinate()->SetValue(0.65, 0.06);
-    for (vtkTextProperty* text : { shape->GetTitleProperty(), shape->GetLabelProperty() })
-    {
-      text->SetColor(0.0, 0.0, 0.0);
-      text->ShadowOff();
-    }
-    shape->GetTubeProperty()->SetColor(0.6, 0.6, 0.6);
-    shape->GetSliderProperty()->SetColor(0.2, 0.2, 0.2);
-    shape->GetCapProperty()->SetColor(0.6, 0.6, 0.6);
-    Slider->SetInteractor(Interactor);
-    Slider->SetRepresentation(shape);
-    Observe(Slider, vtkCommand::EndInteractionEvent,
-      [this]
-      {
-        auto* slider = vtkSliderRepresentation::SafeDownCast(Slider->GetRepresentation());
-        GoToStep(static_cast<int>(std::lround(slider->GetValue())));
-      });
-    Slider->On();
+    Slider.AddTo(Interactor, steps, [this](int step) { GoToStep(step); });
+    Slider.Set(TheShot->input.step);
   }
 }
 
-void ViewWindow::MovePlane()
+void ViewWindow::MoveSurface()
 {
-  PlaneShape->GetPlane(Cut);
+  try
+  {
+    TheShot->scene.layers.front().surface = Dragged->Now();
+  }
+  catch (const Error& error)
+  {
+    Texts.Tell(error.what());
+    return;
+  }
+  First->Set(TheShot->scene.layers.front().surface);
   Window->Render();
 }
 
@@ -329,40 +241,33 @@ void ViewWindow::GoToStep(int step)
   const auto steps = static_cast<int>(TheShot->input.times.size());
   if (steps == 0)
   {
-    Status->SetInput("the input has no time steps");
+    Texts.Tell("the input has no time steps");
     Window->Render();
     return;
   }
   step = std::clamp(step, 0, steps - 1);
   if (step != TheShot->input.step)
   {
-    const ShownNow now = Now();
     const Shot before = std::move(*TheShot);
     TheShot.emplace(PrepareStep(Options.shot, step, before, Watch));
-    if (now.plane)
+    if (Dragged)
     {
-      TheShot->scene.layers.front().surface = std::make_shared<Plane>(*now.plane);
+      TheShot->scene.layers.front().surface = before.scene.layers.front().surface;
     }
     MakeLayers();
   }
-  if (auto* slider = vtkSliderRepresentation::SafeDownCast(Slider->GetRepresentation()))
-  {
-    slider->SetValue(step);
-  }
-  Status->SetInput(fmt::format(
-    "step {}, t = {}", step, Short(TheShot->input.times[static_cast<std::size_t>(step)]))
-                     .c_str());
+  Slider.Set(step);
+  Texts.Tell(fmt::format(
+    "step {}, t = {}", step, Short(TheShot->input.times[static_cast<std::size_t>(step)])));
   Window->Render();
 }
 
 ShownNow ViewWindow::Now() const
 {
   ShownNow now;
-  if (HasPlane())
+  if (Dragged)
   {
-    const double* o = Cut->GetOrigin();
-    const double* n = Cut->GetNormal();
-    now.plane.emplace(Vec3(o[0], o[1], o[2]), Vec3(n[0], n[1], n[2]));
+    now.surface = Dragged->Word();
   }
   now.view = ViewOf(Renderer->GetActiveCamera());
   if (Ranges.size() == 1)
@@ -388,13 +293,12 @@ void ViewWindow::Save()
   }
   RepeatedCommand command{ WordsOf(now, Words, TheShot->chosen, std::to_string(kUsualContours)),
     {} };
-  Status->SetInput(("saving '" + now.output + "' ...").c_str());
+  Texts.Tell("saving '" + now.output + "' ...");
   Window->Render();
   std::cout << command.Text() << std::endl;
   const bool saved = RunTool(command.given);
   ++Saved;
-  Status->SetInput(
-    ((saved ? "saved '" : "could not be saved (see the terminal): '") + now.output + "'").c_str());
+  Texts.Tell((saved ? "saved '" : "could not be saved (see the terminal): '") + now.output + "'");
   Window->Render();
 }
 
@@ -421,25 +325,20 @@ void ViewWindow::TellWhatIsAt(int x, int y)
   {
     text = "nothing";
   }
-  Status->SetInput(text.c_str());
+  Texts.Tell(text);
   Window->Render();
-}
-
-void ViewWindow::TellHelp()
-{
-  HelpText->SetInput(Help ? kHelp : "h: help");
 }
 
 bool ViewWindow::Press(const std::string& key)
 {
   if (key == "h")
   {
-    Help = !Help;
-    TellHelp();
+    Texts.TurnHelp();
   }
-  else if (key == "p" && HasPlane())
+  else if (key == "p" && Dragged)
   {
-    PlaneWidget->SetEnabled(PlaneWidget->GetEnabled() == 0 ? 1 : 0);
+    vtkAbstractWidget& widget = Dragged->Widget();
+    widget.SetEnabled(widget.GetEnabled() == 0 ? 1 : 0);
   }
   else if (key == "c")
   {
@@ -453,16 +352,11 @@ bool ViewWindow::Press(const std::string& key)
   }
   else if (key == "r")
   {
-    const ShownNow now = Now();
-    if (now.plane)
-    {
-      TheShot->scene.layers.front().surface = std::make_shared<Plane>(*now.plane);
-    }
-    TheShot->view = now.view;
+    TheShot->view = Now().view;
     MakeTables();
     MakeLayers();
     ShowContours();
-    Bar->SetLookupTable(Tables.front());
+    Texts.SetTable(Tables.front());
   }
   else if (key == "Left" || key == "Right")
   {
@@ -482,32 +376,8 @@ bool ViewWindow::Press(const std::string& key)
 
 void ViewWindow::Show()
 {
-  SetLetters(*HelpText, "");
-  SetLetters(*Status, "");
-  HelpText->GetTextProperty()->SetFontFamilyToCourier();
-  HelpText->GetTextProperty()->SetVerticalJustificationToTop();
-  HelpText->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-  HelpText->GetPositionCoordinate()->SetValue(0.01, 0.99);
-  Status->SetDisplayPosition(10, 10);
-  TellHelp();
-  Renderer->AddViewProp(HelpText);
-  Renderer->AddViewProp(Status);
-  if (Tables.front() != nullptr)
-  {
-    Bar->SetLookupTable(Tables.front());
-    Bar->SetTitle(TheShot->scene.layers.front().field->name.c_str());
-    Bar->SetNumberOfLabels(5);
-    Bar->UnconstrainedFontSizeOn();
-    for (vtkTextProperty* text : { Bar->GetTitleTextProperty(), Bar->GetLabelTextProperty() })
-    {
-      text->SetColor(0.0, 0.0, 0.0);
-      text->SetFontSize(kLetters);
-      text->ShadowOff();
-      text->ItalicOff();
-      text->BoldOff();
-    }
-    Renderer->AddViewProp(Bar);
-  }
+  const Layer& first = TheShot->scene.layers.front();
+  Texts.AddTo(*Renderer, Tables.front(), first.field != nullptr ? first.field->name : "");
   Interactor->Initialize();
   MakeWidgets();
   Observe(Interactor, vtkCommand::MouseMoveEvent,
@@ -518,6 +388,15 @@ void ViewWindow::Show()
       if (style->GetState() == VTKIS_NONE && !Dragging)
       {
         TellWhatIsAt(Interactor->GetEventPosition()[0], Interactor->GetEventPosition()[1]);
+      }
+    });
+  // What somebody does ends a frame that is under way; each event ends with a picture of its own.
+  Observe(Window, vtkCommand::AbortCheckEvent,
+    [this]
+    {
+      if (Window->GetEventPending() != 0)
+      {
+        Window->SetAbortRender(1);
       }
     });
   Window->Render();

@@ -3,11 +3,16 @@
 
 #include "RenderOptions.h"
 #include "Report.h"
+#include "View/DraggedShape.h"
+#include "View/GivenSurface.h"
 #include "View/ShellWords.h"
+#include "View/StepSlider.h"
+#include "View/ViewTexts.h"
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,22 +20,15 @@
 class vtkActor;
 class vtkHighOrderMapper;
 class vtkHighOrderPicker;
-class vtkImplicitPlaneRepresentation;
-class vtkImplicitPlaneWidget2;
 class vtkLookupTable;
-class vtkObject;
-class vtkPlane;
 class vtkRenderWindow;
 class vtkRenderWindowInteractor;
 class vtkRenderer;
-class vtkScalarBarActor;
-class vtkSliderWidget;
-class vtkTextActor;
 
 namespace pixelexact
 {
-/// A window with a cut, by VTK: vtkHighOrderMapper draws it, vtkImplicitPlaneWidget2 moves the
-/// first surface where that is a plane, vtkHighOrderPicker reads what is under the pointer. What
+/// A window with a cut, by VTK: vtkHighOrderMapper draws it, a widget moves the first surface where
+/// that is a DraggedShape, vtkHighOrderPicker reads what is under the pointer. What
 /// render's options say beyond that is drawn by the figure that `s` saves: it is made by render
 /// itself, of words that are printed.
 class ViewWindow
@@ -55,10 +53,9 @@ private:
   void GoToStep(int step);
   void Save();
   void TellWhatIsAt(int x, int y);
-  void TellHelp();
-  void MovePlane();
+  /// Takes the widget's place for the first surface.
+  void MoveSurface();
   [[nodiscard]] ShownNow Now() const;
-  [[nodiscard]] bool HasPlane() const;
 
   RenderOptions Options;
   std::vector<std::string> Words;
@@ -69,8 +66,8 @@ private:
   std::vector<std::array<double, 3>> Solids;
   bool Contours = false;
   bool Edges = false;
-  bool Help = false;
-  bool Dragging = false; ///< the plane
+  bool Dragging = false;                 ///< the surface
+  std::unique_ptr<DraggedShape> Dragged; ///< null: the first surface stays where it is
   int Saved = 0;
 
   vtkNew<vtkRenderer> Renderer;
@@ -79,12 +76,8 @@ private:
   vtkNew<vtkHighOrderMapper> Mapper;
   vtkNew<vtkActor> Actor;
   vtkNew<vtkHighOrderPicker> Picker;
-  vtkNew<vtkPlane> Cut;
-  vtkNew<vtkImplicitPlaneRepresentation> PlaneShape;
-  vtkNew<vtkImplicitPlaneWidget2> PlaneWidget;
-  vtkNew<vtkSliderWidget> Slider;
-  vtkNew<vtkScalarBarActor> Bar;
-  vtkNew<vtkTextActor> Status;
-  vtkNew<vtkTextActor> HelpText;
+  vtkNew<GivenSurfaceOfLayer> First;
+  StepSlider Slider;
+  ViewTexts Texts;
 };
 } // namespace pixelexact
