@@ -134,6 +134,35 @@ std::string NurbsSpace::Description() const
                      : "NURBS of orders " + std::to_string(low) + " to " + std::to_string(high);
 }
 
+template <class Visit>
+void NurbsSpace::ForSpans(const PatchNumbering::Boundary& boundary, Visit&& visit) const
+{
+  struct Line
+  {
+    std::vector<int> spans{ 0 };
+    int degree = 0;
+  };
+  std::array<Line, 2> lines;
+  for (std::size_t k = 0; k < 2 && boundary.vectors.at(k) >= 0; ++k)
+  {
+    const auto vector = static_cast<std::size_t>(boundary.vectors.at(k));
+    lines.at(k) = { Spans[vector], Vectors[vector].degree };
+  }
+  for (const int j : lines[1].spans)
+  {
+    for (const int i : lines[0].spans)
+    {
+      for (int jj = 0; jj <= lines[1].degree; ++jj)
+      {
+        for (int ii = 0; ii <= lines[0].degree; ++ii)
+        {
+          visit(static_cast<std::size_t>(j + jj) * boundary.counts[0] + (i + ii));
+        }
+      }
+    }
+  }
+}
+
 /// As MFEM does: pairs of boundaries are those that come last with their attributes, and go along
 /// their knot vectors together.
 void NurbsSpace::Identify(
@@ -159,22 +188,26 @@ void NurbsSpace::Identify(
       throw InvalidData("boundary " + std::to_string(attribute) +
         " is to be identified with another one, but there is none with this attribute.");
     }
-    return numbering.BoundaryGrid(static_cast<std::size_t>(boundary.rend() - found) - 1);
+    return numbering.BoundaryOf(static_cast<std::size_t>(boundary.rend() - found) - 1);
   };
   for (std::size_t i = 0; i < masters.size(); ++i)
   {
-    const std::vector<int> master = gridOf(masters[i]);
-    const std::vector<int> slave = gridOf(slaves[i]);
-    if (master.size() != slave.size())
+    const PatchNumbering::Boundary master = gridOf(masters[i]);
+    const PatchNumbering::Boundary slave = gridOf(slaves[i]);
+    if (master.counts != slave.counts)
     {
       throw InvalidData("boundaries " + std::to_string(masters[i]) + " and " +
-        std::to_string(slaves[i]) + " are identified, but have " + std::to_string(master.size()) +
-        " and " + std::to_string(slave.size()) + " control points.");
+        std::to_string(slaves[i]) + " are identified, but have " +
+        Counted(master.grid.size(), "control point") + " and " + std::to_string(slave.grid.size()) +
+        ", or as many in other directions.");
     }
-    for (std::size_t k = 0; k < master.size(); ++k)
-    {
-      numbers[static_cast<std::size_t>(master[k])] = numbers[static_cast<std::size_t>(slave[k])];
-    }
+    // Span by span: where the two have an edge in common, the order counts.
+    ForSpans(master,
+      [&](std::size_t k)
+      {
+        numbers[static_cast<std::size_t>(master.grid[k])] =
+          numbers[static_cast<std::size_t>(slave.grid[k])];
+      });
   }
   std::vector<int> used = numbers;
   std::ranges::sort(used);

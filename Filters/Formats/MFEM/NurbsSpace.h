@@ -34,6 +34,9 @@ public:
 private:
   void Identify(const std::vector<int>& masters, const std::vector<int>& slaves,
     const PatchNumbering& numbering);
+  /// Visits the places in a boundary's grid, those of one span after those of another.
+  template <class Visit>
+  void ForSpans(const PatchNumbering::Boundary& boundary, Visit&& visit) const;
   [[nodiscard]] const KnotVector& Along(std::size_t patch, int direction) const;
 
   const NurbsMesh& Mesh;

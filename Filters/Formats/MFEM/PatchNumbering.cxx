@@ -194,7 +194,7 @@ std::vector<int> PatchNumbering::GridOf(std::size_t patch) const
   return grid;
 }
 
-std::vector<int> PatchNumbering::BoundaryGrid(std::size_t boundary) const
+PatchNumbering::Boundary PatchNumbering::BoundaryOf(std::size_t boundary) const
 {
   const PatchTopology::Side& side = Topology.boundarySides[boundary].front();
   const Cell& patch = Topology.patches[side.patch];
@@ -210,10 +210,13 @@ std::vector<int> PatchNumbering::BoundaryGrid(std::size_t boundary) const
   };
   const std::array directions{ directionOf(corners[0], corners[1]),
     Topology.dimension == 3 ? directionOf(corners[1], corners[2]) : -1 };
-  std::array<int, 3> size{ counts.at(directions[0]),
-    directions[1] < 0 ? 1 : counts.at(directions[1]), 1 };
-  std::vector<int> grid;
-  ForGrid(size,
+  Boundary found;
+  for (std::size_t k = 0; k < 2 && directions.at(k) >= 0; ++k)
+  {
+    found.vectors.at(k) = Topology.lines[side.patch].at(directions.at(k)).vector;
+    found.counts.at(k) = counts.at(directions.at(k));
+  }
+  ForGrid({ found.counts[0], found.counts[1], 1 },
     [&](const std::array<int, 3>& at)
     {
       std::array<int, 3> place{};
@@ -224,9 +227,9 @@ std::vector<int> PatchNumbering::BoundaryGrid(std::size_t boundary) const
         place.at(d) =
           Topology.lines[side.patch].at(d).isReversed ? counts.at(d) - 1 - at.at(k) : at.at(k);
       }
-      grid.push_back(all[IndexIn(counts, place)]);
+      found.grid.push_back(all[IndexIn(counts, place)]);
     });
-  return grid;
+  return found;
 }
 
 MeshFile MakeGridMesh(

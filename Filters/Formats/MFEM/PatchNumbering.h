@@ -24,9 +24,15 @@ public:
   /// A patch's numbers, the first direction fastest. Call it only where Size() is no more than
   /// memory holds.
   [[nodiscard]] std::vector<int> GridOf(std::size_t patch) const;
-  /// Those of a boundary patch, along its knot vectors in their own sense, the one from its first
+  /// A boundary patch's numbers, along its knot vectors in their own sense, the one from its first
   /// vertex to its second fastest. MFEM turns outer ones so that their normals point outwards.
-  [[nodiscard]] std::vector<int> BoundaryGrid(std::size_t boundary) const;
+  struct Boundary
+  {
+    std::vector<int> grid;
+    std::array<int, 2> vectors{ -1, -1 }; ///< -1: there is none
+    std::array<int, 2> counts{ 1, 1 };
+  };
+  [[nodiscard]] Boundary BoundaryOf(std::size_t boundary) const;
 
 private:
   [[nodiscard]] int OnEdge(int a, int b, int n) const;

@@ -42,12 +42,14 @@ std::vector<Cell> ReadCells(TextScanner& scanner, const char* what, Geometry geo
   return cells;
 }
 
-/// The edges of a patch along a direction, from its lower end to its upper one.
+/// The edges of a patch along a direction, from its lower end to its upper one, in MFEM's order.
 std::vector<std::array<int, 2>> EdgesAlong(const Cell& patch, int dimension, int direction)
 {
   std::vector<std::array<int, 2>> edges;
-  for (int corner = 0; corner < (dimension == 3 ? 8 : 4); ++corner)
+  for (int i = 0; i < (dimension == 3 ? 8 : 4); ++i)
   {
+    // The second direction's edges begin at corners 1, 0, 5 and 4.
+    const int corner = direction == 1 ? i ^ 1 : i;
     std::array<int, 3> ends = EndsOf(corner);
     if (ends.at(direction) == 0)
     {
