@@ -218,7 +218,7 @@ void ModelBuilder::AddGroups()
     {
       const Cell& cell = shown.elements[e];
       mesh.number.push_back(
-        Nurbs ? Nurbs->NumberOf(e) : firstElement + static_cast<std::int64_t>(e));
+        Nurbs ? Nurbs->Parts()[e].element : firstElement + static_cast<std::int64_t>(e));
       mesh.corners.push_back(CornersOf(cell, firstVertex[p]));
       mesh.attribute.push_back(cell.attribute);
     }

@@ -3,6 +3,7 @@
 
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
+#include "Core/Basis/Space.h"
 #include "Formats/Assembly.h"
 
 #include <tbb/blocked_range.h>
@@ -21,8 +22,10 @@ namespace
 /// Orders above this make a span of the map be divided. Two parts with the order that suffices for
 /// each cost a ray less than one with the order that both need.
 constexpr int kMostMapOrder = 12;
-/// Fields live on the map's parts.
-constexpr int kMostFieldOrder = 24;
+/// Fields live on the map's parts. Two orders more tell whether this is enough.
+constexpr int kMostFieldOrder = kMaxOrder - 2;
+/// A field that loses more than this of its range is refused.
+constexpr double kMostFieldLoss = 1e-9;
 /// Of a span, along a direction.
 constexpr int kMostParts = 64;
 
@@ -182,14 +185,6 @@ void NurbsModel::MakeParts()
     part.element = firstElement[place.patch] + element;
     PartList.push_back(part);
   }
-}
-
-std::int64_t NurbsModel::NumberOf(std::size_t part) const
-{
-  const rational::ElementPart& own = PartList[part];
-  const std::int64_t before =
-    own.part[0] + own.of[0] * (own.part[1] + static_cast<std::int64_t>(own.of[1]) * own.part[2]);
-  return own.element + before * static_cast<std::int64_t>(File.elements.size());
 }
 
 NurbsModel::Function NurbsModel::FunctionOf(
@@ -368,6 +363,14 @@ void NurbsModel::AddField(const GridFunctionFile& file, const std::string& where
   const double range = RangeOf(function.values, function.components);
   const Bases bases =
     BasesOf(function, kMostFieldOrder, [&](std::size_t) { return kLoss * range; });
+  const double loss = *std::ranges::max_element(bases.loss);
+  if (loss > kMostFieldLoss * range)
+  {
+    throw Unsupported(where + ": its weights differ so much that polynomials of order " +
+      std::to_string(kMostFieldOrder) +
+      " do not come near it; refit it with weights that are more alike, or with those of the "
+      "mesh.");
+  }
   SolverField field;
   field.name = name;
   field.basis = function.space.Description();
@@ -377,7 +380,6 @@ void NurbsModel::AddField(const GridFunctionFile& file, const std::string& where
     { rational::NodeValues(ElementOf(function, i), bases.order[i], Tables, values); });
   if (!bases.isPolynomial)
   {
-    const double loss = *std::ranges::max_element(bases.loss);
     model.notes.push_back(where +
       ": polynomials in place of rational functions, which are proven to lose at most " +
       Text(loss) +

@@ -28,9 +28,6 @@ public:
   [[nodiscard]] const Topology& Entities() const { return *DrawnEntities; }
   /// Of each of its elements.
   [[nodiscard]] const std::vector<rational::ElementPart>& Parts() const { return PartList; }
-  /// A number for it: that of its knot span, plus that of all spans for each part before it.
-  [[nodiscard]] std::int64_t NumberOf(std::size_t part) const;
-
   /// The map through the file's nodes, which are NURBS; what is lost is added to the uncertainty.
   void AddMap(SolverModel& model);
   /// A NURBS grid function.
