@@ -285,7 +285,7 @@ ElementGeometry ConvertGeometry(const SourceMesh& mesh, int element)
   const Space full = change->Target();
   const Reduction reduction(full, change->Amplification(), modes, roundings, geometry.size);
   geometry.space = reduction.Reduce();
-  geometry.uncertainty += reduction.Uncertainty(geometry.space);
+  geometry.uncertainty += reduction.Uncertainty(geometry.space) + mesh.Loss(element);
   const auto count = static_cast<std::size_t>(full.Modes());
   for (int c = 0; c < 3; ++c)
   {

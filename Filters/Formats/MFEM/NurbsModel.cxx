@@ -26,8 +26,8 @@ constexpr int kMostMapOrder = 12;
 constexpr int kMostFieldOrder = kMaxOrder - 2;
 /// A field that loses more than this of its range is refused.
 constexpr double kMostFieldLoss = 1e-9;
-/// Of a span, along a direction.
-constexpr int kMostParts = 64;
+/// Of a span, in all.
+constexpr int kMostParts = 256;
 
 template <class Function>
 void ForParts(std::size_t parts, Function&& function)
@@ -85,27 +85,6 @@ double RangeOf(std::span<const double> values, int components)
     range = std::max(range, high - low);
   }
   return range;
-}
-
-/// The same of an element's control points.
-double ExtentOf(const rational::RationalElement& element)
-{
-  const std::size_t points = element.weights.size();
-  double extent = 0.0;
-  for (int c = 0; c < element.Components(); ++c)
-  {
-    long double low = std::numeric_limits<long double>::infinity();
-    long double high = -low;
-    for (std::size_t i = 0; i < points; ++i)
-    {
-      const long double x =
-        element.numerators[static_cast<std::size_t>(c) * points + i] / element.weights[i];
-      low = std::min(low, x);
-      high = std::max(high, x);
-    }
-    extent = std::max(extent, static_cast<double>(high - low));
-  }
-  return extent;
 }
 
 /// Where a span of a patch is in its knot vector.
@@ -215,7 +194,8 @@ rational::RationalElement NurbsModel::ElementOf(const Function& function, std::s
 void NurbsModel::Divide(const Function& function)
 {
   Extent.assign(File.elements.size(), 0.0);
-  ForParts(PartList.size(), [&](std::size_t i) { Extent[i] = ExtentOf(ElementOf(function, i)); });
+  ForParts(PartList.size(),
+    [&](std::size_t i) { Extent[i] = rational::ExtentOf(ElementOf(function, i)); });
   while (true)
   {
     std::vector<int> worst(PartList.size(), -1);
@@ -239,20 +219,35 @@ void NurbsModel::Divide(const Function& function)
       const std::size_t span = SpanOf(line, place.at.at(worst[i]), PartsOfSpan);
       const auto vector = static_cast<std::size_t>(line.vector);
       divided[vector][span] = 2 * PartsOfSpan[vector][span];
-      if (divided[vector][span] > kMostParts)
-      {
-        throw Unsupported(Name + ": the weights of knot span " +
-          std::to_string(PartList[i].element) + " differ so much that polynomials on a " +
-          std::to_string(kMostParts) +
-          "th of it do not come near its map; refit it with weights that are more alike.");
-      }
     }
     if (divided == PartsOfSpan)
     {
       return;
     }
     PartsOfSpan = std::move(divided);
+    RequireFewParts();
     MakeParts();
+  }
+}
+
+void NurbsModel::RequireFewParts() const
+{
+  for (std::size_t e = 0; e < Mesh.places.size(); ++e)
+  {
+    const GridPlace& place = Mesh.places[e];
+    int parts = 1;
+    for (int d = 0; d < Mesh.topology.dimension; ++d)
+    {
+      const PatchTopology::Line& line = Mesh.topology.lines[place.patch].at(d);
+      parts *= PartsOfSpan[static_cast<std::size_t>(line.vector)]
+                          [SpanOf(line, place.at.at(d), PartsOfSpan)];
+    }
+    if (parts > kMostParts)
+    {
+      throw Unsupported(Name + ": the weights of knot span " + std::to_string(e) +
+        " differ so much that polynomials on " + std::to_string(kMostParts) +
+        " parts of it do not come near its map; refit it with weights that are more alike.");
+    }
   }
 }
 

@@ -58,6 +58,8 @@ private:
     const Function& function, int most, const std::function<double(std::size_t)>& target);
 
   void Divide(const Function& function);
+  /// Throws Unsupported where a span is divided into too many parts.
+  void RequireFewParts() const;
   void MakeParts();
 
   const MeshFile& File;

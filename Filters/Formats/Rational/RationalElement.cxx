@@ -67,27 +67,6 @@ Lines ToNodes(const RationalElement& element, const Orders& order, LineTables& t
   return lines;
 }
 
-/// Whether the weights vary along a direction.
-bool Varies(const RationalElement& element, std::size_t direction)
-{
-  const GridSize size = SizeOf(element.degree);
-  std::size_t stride = 1;
-  for (std::size_t k = direction + 1; k < 3; ++k)
-  {
-    stride *= static_cast<std::size_t>(size[k]);
-  }
-  const std::size_t line = stride * static_cast<std::size_t>(size[direction]);
-  for (std::size_t i = 0; i < element.weights.size(); ++i)
-  {
-    const long double first = element.weights[i - i % line + i % stride];
-    if (std::fabs(element.weights[i] - first) > kSameWeights * first)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
 /// For each direction and number along it, the sum of |coefficient| of all that have this number or
 /// a higher one; the largest of all components.
 std::array<Grid, 3> TailsOf(const std::vector<Grid>& legendre, const GridSize& size)
@@ -126,6 +105,46 @@ std::array<Grid, 3> TailsOf(const std::vector<Grid>& legendre, const GridSize& s
   return tails;
 }
 } // namespace
+
+double ExtentOf(const RationalElement& element)
+{
+  const std::size_t points = element.weights.size();
+  double extent = 0.0;
+  for (int c = 0; c < element.Components(); ++c)
+  {
+    long double low = std::numeric_limits<long double>::infinity();
+    long double high = -low;
+    for (std::size_t i = 0; i < points; ++i)
+    {
+      const long double x =
+        element.numerators[static_cast<std::size_t>(c) * points + i] / element.weights[i];
+      low = std::min(low, x);
+      high = std::max(high, x);
+    }
+    extent = std::max(extent, static_cast<double>(high - low));
+  }
+  return extent;
+}
+
+bool VariesAlong(const RationalElement& element, std::size_t direction)
+{
+  const GridSize size = SizeOf(element.degree);
+  std::size_t stride = 1;
+  for (std::size_t k = direction + 1; k < 3; ++k)
+  {
+    stride *= static_cast<std::size_t>(size[k]);
+  }
+  const std::size_t line = stride * static_cast<std::size_t>(size[direction]);
+  for (std::size_t i = 0; i < element.weights.size(); ++i)
+  {
+    const long double first = element.weights[i - i % line + i % stride];
+    if (std::fabs(element.weights[i] - first) > kSameWeights * first)
+    {
+      return true;
+    }
+  }
+  return false;
+}
 
 void NodeValues(
   const RationalElement& element, const Orders& order, LineTables& tables, std::span<double> values)
@@ -200,7 +219,8 @@ OrderEstimate EstimateOrders(
   {
     return { element.degree, 0 };
   }
-  const std::array varies{ Varies(element, 0), Varies(element, 1), Varies(element, 2) };
+  const std::array varies{ VariesAlong(element, 0), VariesAlong(element, 1),
+    VariesAlong(element, 2) };
   OrderEstimate found;
   for (const int extra : kExtra)
   {

@@ -26,6 +26,12 @@ struct RationalElement
   [[nodiscard]] int Components() const { return static_cast<int>(shift.size()); }
 };
 
+/// The largest difference of one component's control points.
+double ExtentOf(const RationalElement& element);
+
+/// Whether the weights vary along a direction, by more than rounding.
+bool VariesAlong(const RationalElement& element, std::size_t direction);
+
 /// The values at the tensor nodes of an order (Gauss-Lobatto-Legendre; order 0: the centre),
 /// component by component. They depend on a face's points alone where the nodes are on that face.
 void NodeValues(const RationalElement& element, const Orders& order, LineTables& tables,
