@@ -3,6 +3,7 @@
 
 #include "Core/Basis/Space.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace pixelexact::mfem
@@ -32,6 +33,15 @@ bool KnotVector::IsContinuous() const
     }
   }
   return true;
+}
+
+bool KnotVector::IsSymmetric() const
+{
+  constexpr double kSame = 1e-12;
+  const double slack = kSame * (knots.back() - knots.front());
+  const KnotVector flipped = Flipped();
+  return std::equal(knots.begin(), knots.end(), flipped.knots.begin(),
+    [slack](double a, double b) { return std::fabs(a - b) <= slack; });
 }
 
 KnotVector KnotVector::Flipped() const

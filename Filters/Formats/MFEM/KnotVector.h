@@ -19,6 +19,8 @@ struct KnotVector
   [[nodiscard]] std::vector<int> Spans() const;
   /// Whether functions are continuous: no inner knot is there more than `degree` times.
   [[nodiscard]] bool IsContinuous() const;
+  /// Whether it is the same from the other end, up to rounding.
+  [[nodiscard]] bool IsSymmetric() const;
   /// Run through from the other end, with MFEM's roundings.
   [[nodiscard]] KnotVector Flipped() const;
   /// Of a higher degree, as MFEM makes it: the inner knots are as many as before.

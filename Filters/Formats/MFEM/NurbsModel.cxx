@@ -333,6 +333,15 @@ void NurbsModel::AddMap(SolverModel& model)
         return 0;
       });
   }
+  for (const int vector : Mesh.topology.listedDownwards)
+  {
+    if (!Mesh.vectors[static_cast<std::size_t>(vector)].IsSymmetric())
+    {
+      model.notes.push_back(Name + ": knot vector " + std::to_string(vector) +
+        " is not symmetric, and the file lists edges of it from their higher vertex: it is read as "
+        "MFEM to 4.8 does; MFEM 4.9 turns it.");
+    }
+  }
   if (bases.isPolynomial)
   {
     return;

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <set>
 
 namespace pixelexact::mfem
 {
@@ -219,6 +218,10 @@ void ReadEdges(TextScanner& scanner, PatchTopology& topology)
     }
     topology.vectors = std::max(topology.vectors, vector + 1);
     topology.knots.push_back({ vector, (number < 0) != (a > b) });
+    if (a > b)
+    {
+      topology.listedDownwards.insert(vector);
+    }
     topology.edges.push_back({ std::min(a, b), std::max(a, b) });
     if (!topology.edgeOf.try_emplace(topology.edges.back(), i).second)
     {

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <map>
+#include <set>
 #include <vector>
 
 // The patches of a NURBS mesh: squares or cubes whose edges run along knot vectors.
@@ -41,7 +42,9 @@ struct PatchTopology
   std::vector<std::array<int, 4>> faces;        ///< of cubes, in MFEM's order
   std::vector<std::array<Line, 3>> lines;       ///< per patch and direction
   std::vector<std::vector<Side>> boundarySides; ///< of each boundary patch: one or two
-  int vectors = 0;                              ///< distinct knot vectors
+  /// Knot vectors of which the file lists an edge from its higher vertex.
+  std::set<int> listedDownwards;
+  int vectors = 0; ///< distinct knot vectors
 
   [[nodiscard]] int FindEdge(int a, int b) const;
   [[nodiscard]] int FindFace(std::array<int, 4> corners) const;
