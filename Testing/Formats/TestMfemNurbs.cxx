@@ -168,20 +168,18 @@ TEST(MfemNurbs, KnotsThatAreThereTwiceSplitAPatch)
   EXPECT_EQ(PointAt(model, 1, Vec3(0.0, -1.0, 0.0)).x, 0.75);
 }
 
+/// At its only knot k a parabola's B-spline is (1 - k) P1 + k P2.
 TEST(MfemNurbs, KnotsRunAsEdgesAreListed)
 {
-  // The edges along the first direction from their higher vertex: the knot is at 0.75.
-  std::string text =
-    Square("1 3 0 0 0.25 1 1\n" + kLine, "unitweights", kCorners + "0.5 0\n0.5 1\n", 1);
-  text = Replaced(text, "0 0 1\n0 3 2\n", "0 1 0\n0 2 3\n");
-  const SolverModel model = ReadTexts(text,
-    { "FiniteElementSpace\nFiniteElementCollection: NURBS2\nVDim: 1\nOrdering: 0\n"
-      "0 0 0 0 1 2 1 2 0 0 3 4\n" });
-  ASSERT_EQ(model.notes.size(), 1u);
-  ExpectMessage(model.notes[0], { "knot vector 0", "symmetric", "4.9" });
-  // Where the knot vector is of order 2, its second function from below is 1 / 2 at the knot's
-  // neighbour: B(t) with knots 0 0 0.75 1 rises to 0.75 / 1 at the knot.
-  EXPECT_EQ(model.fields[0].values.spaces[0].order, (std::array<std::uint8_t, 3>{ 2, 2, 0 }));
+  const std::string text = Square(
+    "2 4 0 0 0 0.25 1 1 1\n" + kLine, "unitweights", kCorners + "0.3 0\n0.8 0\n0.8 1\n0.3 1\n", 0);
+  const SolverModel upwards = ReadTexts(text);
+  EXPECT_NEAR(PointAt(upwards, 0, Vec3(1.0, -1.0, 0.0)).x, 0.425, 1e-15);
+  EXPECT_TRUE(upwards.notes.empty());
+  const SolverModel downwards = ReadTexts(Replaced(text, "0 0 1\n0 3 2\n", "0 1 0\n0 2 3\n"));
+  EXPECT_NEAR(PointAt(downwards, 0, Vec3(1.0, -1.0, 0.0)).x, 0.675, 1e-15);
+  EXPECT_TRUE(downwards.notes.size() == 1);
+  ExpectMessage(downwards.notes.at(0), { "knot vector 0", "symmetric", "4.9" });
 }
 
 TEST(MfemNurbs, FieldsOfOtherOrdersAndWeights)

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <set>
 #include <sstream>
 
 namespace pixelexact::mfem
@@ -22,12 +23,14 @@ namespace
 /// Orders above this make a span of the map be divided. Two parts with the order that suffices for
 /// each cost a ray less than one with the order that both need.
 constexpr int kMostMapOrder = 12;
+/// Where that would make too many parts.
+constexpr int kHighMapOrder = 18;
 /// Fields live on the map's parts. Two orders more tell whether this is enough.
 constexpr int kMostFieldOrder = kMaxOrder - 2;
 /// A field that loses more than this of its range is refused.
 constexpr double kMostFieldLoss = 1e-9;
 /// Of a span, in all.
-constexpr int kMostParts = 256;
+constexpr int kMostParts = 64;
 
 template <class Function>
 void ForParts(std::size_t parts, Function&& function)
@@ -94,6 +97,29 @@ std::size_t SpanOf(
   const auto spans = static_cast<int>(parts[static_cast<std::size_t>(line.vector)].size());
   return static_cast<std::size_t>(line.isReversed ? spans - 1 - place : place);
 }
+/// Knot vectors that MFEM 4.9 takes from their other ends: it looks at a patch's edges from its
+/// first vertex.
+std::set<int> TurnedByOthers(const NurbsMesh& mesh)
+{
+  std::set<int> turned;
+  for (std::size_t p = 0; p < mesh.topology.patches.size(); ++p)
+  {
+    const Cell& patch = mesh.topology.patches[p];
+    for (int d = 0; d < mesh.topology.dimension; ++d)
+    {
+      std::array<int, 3> ends{};
+      ends.at(d) = 1;
+      const int edge = mesh.topology.FindEdge(patch.vertices[0], patch.vertices.at(CornerAt(ends)));
+      const int vector = mesh.topology.lines[p].at(d).vector;
+      if (mesh.topology.listedDownwards.contains(edge) &&
+        !mesh.vectors[static_cast<std::size_t>(vector)].IsSymmetric())
+      {
+        turned.insert(vector);
+      }
+    }
+  }
+  return turned;
+}
 } // namespace
 
 NurbsModel::NurbsModel(const MeshFile& file, std::string name)
@@ -115,7 +141,12 @@ NurbsModel::NurbsModel(const MeshFile& file, std::string name)
       throw InvalidData(Name + ": the mesh's nodes are no positions: they need VDim " +
         (File.dimension == 2 ? "2 or 3." : "3."));
     }
-    Divide(*Map);
+    if (!Divide(*Map, kMostMapOrder) && !Divide(*Map, kHighMapOrder))
+    {
+      throw Unsupported(Name + ": the weights of a knot span differ so much that polynomials on " +
+        std::to_string(kMostParts) +
+        " parts of it do not come near its map; refit it with weights that are more alike.");
+    }
   }
   DrawnEntities.emplace(Drawn);
 }
@@ -190,9 +221,14 @@ rational::RationalElement NurbsModel::ElementOf(const Function& function, std::s
     Mesh.places[static_cast<std::size_t>(own.element)], own, function.values, function.components);
 }
 
-/// Halves spans until each part needs no more than kMostMapOrder.
-void NurbsModel::Divide(const Function& function)
+bool NurbsModel::Divide(const Function& function, int most)
 {
+  MapOrder = most;
+  for (auto& parts : PartsOfSpan)
+  {
+    std::ranges::fill(parts, 1);
+  }
+  MakeParts();
   Extent.assign(File.elements.size(), 0.0);
   ForParts(PartList.size(),
     [&](std::size_t i) { Extent[i] = rational::ExtentOf(ElementOf(function, i)); });
@@ -204,7 +240,7 @@ void NurbsModel::Divide(const Function& function)
       {
         const double target = kLoss * Extent[static_cast<std::size_t>(PartList[i].element)];
         const rational::OrderEstimate estimate =
-          rational::EstimateOrders(ElementOf(function, i), target, kMostMapOrder, Tables);
+          rational::EstimateOrders(ElementOf(function, i), target, most, Tables);
         worst[i] = estimate.order ? -1 : estimate.worst;
       });
     auto divided = PartsOfSpan;
@@ -222,19 +258,22 @@ void NurbsModel::Divide(const Function& function)
     }
     if (divided == PartsOfSpan)
     {
-      return;
+      return true;
     }
     PartsOfSpan = std::move(divided);
-    RequireFewParts();
+    if (MostPartsOfSpan() > kMostParts)
+    {
+      return false;
+    }
     MakeParts();
   }
 }
 
-void NurbsModel::RequireFewParts() const
+int NurbsModel::MostPartsOfSpan() const
 {
-  for (std::size_t e = 0; e < Mesh.places.size(); ++e)
+  int most = 1;
+  for (const GridPlace& place : Mesh.places)
   {
-    const GridPlace& place = Mesh.places[e];
     int parts = 1;
     for (int d = 0; d < Mesh.topology.dimension; ++d)
     {
@@ -242,13 +281,9 @@ void NurbsModel::RequireFewParts() const
       parts *= PartsOfSpan[static_cast<std::size_t>(line.vector)]
                           [SpanOf(line, place.at.at(d), PartsOfSpan)];
     }
-    if (parts > kMostParts)
-    {
-      throw Unsupported(Name + ": the weights of knot span " + std::to_string(e) +
-        " differ so much that polynomials on " + std::to_string(kMostParts) +
-        " parts of it do not come near its map; refit it with weights that are more alike.");
-    }
+    most = std::max(most, parts);
   }
+  return most;
 }
 
 NurbsModel::Bases NurbsModel::BasesOf(
@@ -313,7 +348,7 @@ NurbsModel::Bases NurbsModel::BasesOf(
 void NurbsModel::AddMap(SolverModel& model)
 {
   const Function& function = *Map;
-  const Bases bases = BasesOf(function, kMostMapOrder,
+  const Bases bases = BasesOf(function, MapOrder,
     [this](std::size_t i)
     { return kLoss * Extent[static_cast<std::size_t>(PartList[i].element)]; });
   const auto gather = [&](std::size_t i, std::span<double> values)
@@ -333,14 +368,11 @@ void NurbsModel::AddMap(SolverModel& model)
         return 0;
       });
   }
-  for (const int vector : Mesh.topology.listedDownwards)
+  for (const int vector : TurnedByOthers(Mesh))
   {
-    if (!Mesh.vectors[static_cast<std::size_t>(vector)].IsSymmetric())
-    {
-      model.notes.push_back(Name + ": knot vector " + std::to_string(vector) +
-        " is not symmetric, and the file lists edges of it from their higher vertex: it is read as "
-        "MFEM to 4.8 does; MFEM 4.9 turns it.");
-    }
+    model.notes.push_back(Name + ": knot vector " + std::to_string(vector) +
+      " is not symmetric, and the file lists edges of it from their higher vertex: it is read as "
+      "MFEM to 4.8 does; MFEM 4.9 turns it.");
   }
   if (bases.isPolynomial)
   {

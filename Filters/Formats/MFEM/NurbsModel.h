@@ -57,9 +57,10 @@ private:
   Bases BasesOf(
     const Function& function, int most, const std::function<double(std::size_t)>& target);
 
-  void Divide(const Function& function);
-  /// Throws Unsupported where a span is divided into too many parts.
-  void RequireFewParts() const;
+  /// Halves spans until each part needs no order above `most`. False: there are too many parts.
+  bool Divide(const Function& function, int most);
+  /// Into how many parts a span is divided at most.
+  [[nodiscard]] int MostPartsOfSpan() const;
   void MakeParts();
 
   const MeshFile& File;
@@ -71,6 +72,7 @@ private:
   std::optional<Topology> DrawnEntities;
   std::optional<Function> Map; ///< where the nodes are NURBS
   std::vector<double> Extent;  ///< per knot span, of its control points
+  int MapOrder = 0;            ///< at most
   rational::LineTables Tables;
   std::map<Space, ElementBasis> KnownBases;
 };

@@ -220,7 +220,7 @@ void ReadEdges(TextScanner& scanner, PatchTopology& topology)
     topology.knots.push_back({ vector, (number < 0) != (a > b) });
     if (a > b)
     {
-      topology.listedDownwards.insert(vector);
+      topology.listedDownwards.insert(i);
     }
     topology.edges.push_back({ std::min(a, b), std::max(a, b) });
     if (!topology.edgeOf.try_emplace(topology.edges.back(), i).second)

@@ -42,7 +42,7 @@ struct PatchTopology
   std::vector<std::array<int, 4>> faces;        ///< of cubes, in MFEM's order
   std::vector<std::array<Line, 3>> lines;       ///< per patch and direction
   std::vector<std::vector<Side>> boundarySides; ///< of each boundary patch: one or two
-  /// Knot vectors of which the file lists an edge from its higher vertex.
+  /// Edges that the file lists from their higher vertex.
   std::set<int> listedDownwards;
   int vectors = 0; ///< distinct knot vectors
 

@@ -67,6 +67,28 @@ Lines ToNodes(const RationalElement& element, const Orders& order, LineTables& t
   return lines;
 }
 
+/// Whether tails fall so slowly that even twice the highest order would not do: to try these is not
+/// worth its time.
+bool IsHopeless(const std::array<std::vector<long double>, 3>& tails, const Orders& trial,
+  const std::array<bool, 3>& varies, double target, int most)
+{
+  for (std::size_t d = 0; d < 3; ++d)
+  {
+    const long double first = tails[d][1];
+    const long double last = tails[d][static_cast<std::size_t>(trial[d])];
+    if (varies[d] && last > target && trial[d] > 1)
+    {
+      const long double steps =
+        (trial[d] - 1) * std::log(target / first) / std::log(std::min(last / first, 0.999L));
+      if (steps > 2 * most)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 /// For each direction and number along it, the sum of |coefficient| of all that have this number or
 /// a higher one; the largest of all components.
 std::array<Grid, 3> TailsOf(const std::vector<Grid>& legendre, const GridSize& size)
@@ -219,7 +241,7 @@ OrderEstimate EstimateOrders(
   {
     return { element.degree, 0 };
   }
-  const std::array varies{ VariesAlong(element, 0), VariesAlong(element, 1),
+  const std::array<bool, 3> varies{ VariesAlong(element, 0), VariesAlong(element, 1),
     VariesAlong(element, 2) };
   OrderEstimate found;
   for (const int extra : kExtra)
@@ -265,6 +287,10 @@ OrderEstimate EstimateOrders(
         worst = last;
         found.worst = static_cast<int>(d);
       }
+    }
+    if (IsHopeless(tails, trial, varies, target, most))
+    {
+      return found;
     }
     if (isResolved && isWithin)
     {
