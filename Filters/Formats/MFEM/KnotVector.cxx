@@ -13,8 +13,8 @@ std::vector<int> KnotVector::Spans() const
   std::vector<int> spans;
   for (int i = 0; i + degree < Points(); ++i)
   {
-    const auto knot = static_cast<std::size_t>(i + degree);
-    if (knots[knot] != knots[knot + 1])
+    const int knot = i + degree;
+    if (knots.at(knot) != knots.at(knot + 1))
     {
       spans.push_back(i);
     }
@@ -51,10 +51,10 @@ KnotVector KnotVector::Flipped() const
   const int pairs = (Points() - degree) / 2;
   for (int i = 1; i <= pairs; ++i)
   {
-    const auto low = static_cast<std::size_t>(degree + i);
-    const auto high = static_cast<std::size_t>(Points() - i);
-    flipped.knots[low] = ends - knots[high];
-    flipped.knots[high] = ends - knots[low];
+    const int low = degree + i;
+    const int high = Points() - i;
+    flipped.knots.at(low) = ends - knots.at(high);
+    flipped.knots.at(high) = ends - knots.at(low);
   }
   return flipped;
 }
