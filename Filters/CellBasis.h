@@ -35,7 +35,8 @@ struct CellKind
   /// Degrees along r, s, t as the file gives them (HigherOrderDegrees); 0: to be told from the
   /// number of points.
   std::array<int, 3> degrees{ 0, 0, 0 };
-  NodeConvention nodes; ///< of Lagrange cells
+  NodeConvention nodes;      ///< of Lagrange cells
+  std::uint64_t weights = 0; ///< hash of rational weights; 0: they are equal
 
   auto operator<=>(const CellKind&) const = default;
 };
@@ -50,6 +51,9 @@ struct CellBasis
   /// For pyramids of order 2: the map of the pyramid between their five vertices, which come first,
   /// in the space of `change` and in its own. Empty otherwise.
   std::vector<ChangeOfBasis> straight{};
+  /// For Bezier hexahedra and quadrilaterals: positions in the cell of the control points, by their
+  /// numbers along r, s, t, the last one fastest. Empty otherwise.
+  std::vector<int> control{};
 
   [[nodiscard]] const Space& GetSpace() const { return change.Target(); }
 };
@@ -69,7 +73,7 @@ CellBasis MakeCellBasis(const CellKind& kind);
 bool IsFixedCell(int type);
 CellBasis MakeFixedCellBasis(const CellKind& kind);
 
-/// VTK's Lagrange and Bezier cells of any order. Bezier: with equal rational weights.
+/// VTK's Lagrange and Bezier cells of any order; Bezier as with equal rational weights.
 bool IsHigherOrderCell(int type);
 bool IsLagrangeCell(int type);
 bool IsHigherOrderPlaneCell(int type);

@@ -308,7 +308,7 @@ ElementGeometry ConvertGeometry(const SourceMesh& mesh, int element)
   const Space full = change->Target();
   const Reduction reduction(full, change->Amplification(), modes, roundings, geometry.size);
   geometry.space = reduction.Reduce();
-  geometry.uncertainty += reduction.Uncertainty(geometry.space);
+  geometry.uncertainty += reduction.Uncertainty(geometry.space) + mesh.Loss(element);
   const auto count = static_cast<std::size_t>(full.Modes());
   const double inUnits = std::ldexp(1.0, -units.exponent);
   if (geometry.space == full && !mesh.GetSlab())

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GridConversion.h"
 
+#include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 #include "FieldSelection.h"
 #include "GeometryConversion.h"
@@ -22,6 +23,7 @@
 #include <atomic>
 #include <cmath>
 #include <map>
+#include <sstream>
 
 namespace pixelexact
 {
@@ -180,11 +182,74 @@ int ConvertCellField(const SourceMesh& mesh, vtkDataArray* values, vtkUnstructur
   return nonFinite;
 }
 
+/// Of a field's range.
+constexpr double kMostRationalLoss = 1e-9;
+
+std::string InFewDigits(double number)
+{
+  std::ostringstream text;
+  text.precision(2);
+  text << number;
+  return text.str();
+}
+
+/// What is lost of the map.
+std::string DescribeRationals(const SourceMesh& mesh)
+{
+  double loss = 0.0;
+  for (int e = 0; e < mesh.Elements(); ++e)
+  {
+    loss = std::max(loss, mesh.Loss(e));
+  }
+  return Counted(mesh.RationalElements(), "cell") +
+    " with rational weights: polynomials in place of the maps are proven to lose at most " +
+    InFewDigits(loss) + ", which verdicts take into account";
+}
+
+/// The same of a field. Throws Unsupported where that could be seen.
+void DescribeRationalField(
+  const SourceMesh& mesh, vtkDataArray* values, std::vector<std::string>& lines)
+{
+  if (mesh.RationalElements() == 0)
+  {
+    return;
+  }
+  const int components = values->GetNumberOfComponents();
+  const auto doubles = AsDoubles(values);
+  const std::span<const double> nodal(
+    doubles->GetPointer(0), static_cast<std::size_t>(doubles->GetNumberOfValues()));
+  double loss = 0.0;
+  double range = 0.0;
+  for (int c = 0; c < components; ++c)
+  {
+    for (int e = 0; e < mesh.Elements(); ++e)
+    {
+      loss = std::fmax(loss, mesh.Loss(e, nodal, components, c));
+    }
+    double ends[2];
+    doubles->GetFiniteRange(ends, c);
+    range = std::max(range, ends[1] - ends[0]);
+  }
+  const std::string name = std::string("field '") + values->GetName() + "'";
+  if (loss > kMostRationalLoss * range)
+  {
+    throw Unsupported(name + " loses " + InFewDigits(loss) +
+      " where polynomials stand for the cells' rational functions; divide the cells, or refit them "
+      "with weights that are more alike.");
+  }
+  lines.push_back(name +
+    ": polynomials in place of rational functions are proven to lose at most " + InFewDigits(loss));
+}
+
 std::vector<std::string> DiagnoseMesh(const SourceMesh& mesh, const HighOrderModel& model)
 {
   auto lines = DiagnoseNodes(mesh);
   const auto more = DiagnoseJacobian(model.GetMesh(), model.SourceCells());
   lines.insert(lines.end(), more.begin(), more.end());
+  if (mesh.RationalElements() > 0)
+  {
+    lines.push_back(DescribeRationals(mesh));
+  }
   return lines;
 }
 } // namespace
@@ -211,9 +276,11 @@ ConversionReport ConvertGrid(vtkUnstructuredGrid* input, const ConversionOptions
   }
   progress(0.5);
   const FieldArrays fields = SelectFields(output, options.fields);
+  std::vector<std::string> rationals;
   for (auto* array : fields.points)
   {
     report.nonFinite[array->GetName()] = ConvertPointField(mesh, array, output);
+    DescribeRationalField(mesh, array, rationals);
   }
   for (auto* array : fields.cells)
   {
@@ -228,6 +295,7 @@ ConversionReport ConvertGrid(vtkUnstructuredGrid* input, const ConversionOptions
       kept.diagnostics = DiagnoseMesh(mesh, *model);
     }
     report.diagnostics = *kept.diagnostics;
+    report.diagnostics.insert(report.diagnostics.end(), rationals.begin(), rationals.end());
   }
   for (const auto& [name, count] : report.nonFinite)
   {

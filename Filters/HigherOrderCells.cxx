@@ -91,7 +91,7 @@ CellBasis Hexahedron(const CellKind& kind, const std::array<int, 3>& n)
     }
   }
   return { kind, ChangeOfBasis::Hexahedron(SpaceOf(Shape::Hexahedron, n), FamilyOf(kind), source),
-    std::move(edges) };
+    std::move(edges), {}, source };
 }
 
 int WedgeNode(int i, int j, int k, const std::array<int, 3>& n)

@@ -68,7 +68,8 @@ CellBasis Quadrilateral(const CellKind& kind)
   }
   const auto order = [&](std::size_t d) { return static_cast<std::uint8_t>(n[d]); };
   const Space space{ Shape::Hexahedron, Form::Collapsed, { order(0), order(1), 0 } };
-  return { kind, ChangeOfBasis::Hexahedron(space, FamilyOf(kind), source), std::move(edges) };
+  return { kind, ChangeOfBasis::Hexahedron(space, FamilyOf(kind), source), std::move(edges), {},
+    source };
 }
 
 CellBasis Triangle(const CellKind& kind)

@@ -4,6 +4,7 @@
 
 #include "CellBasis.h"
 
+#include "Formats/Rational/RationalElement.h"
 #include "Formats/Slab.h"
 
 #include "vtkSmartPointer.h"
@@ -29,8 +30,9 @@ class SourceMesh
 {
 public:
   /// Throws Unsupported or InvalidData, naming the cell, for cells without a basis, rational Bezier
-  /// cells, points that are not there, coordinates that are NaN or infinite, plane cells in no
-  /// plane z = const; InvalidData for a grid without any such cell.
+  /// wedges, tetrahedra and triangles, weights that are not positive, points that are not there,
+  /// coordinates that are NaN or infinite, plane cells in no plane z = const; InvalidData for a
+  /// grid without any such cell.
   explicit SourceMesh(vtkUnstructuredGrid* grid, const NodeConvention& nodes = {});
 
   [[nodiscard]] int Elements() const { return static_cast<int>(Cells.size()); }
@@ -55,7 +57,17 @@ public:
   /// x, y, z per point of the grid.
   [[nodiscard]] std::span<const double> Coordinates() const { return Xyz; }
 
-  /// Component `component` of `values`, `components` per point, at the element's points.
+  /// What the element's map loses because polynomials stand for rational functions (rational.md),
+  /// in world units; 0 for all other cells.
+  [[nodiscard]] double Loss(int element) const;
+  /// The same of a component of values, in their units.
+  [[nodiscard]] double Loss(
+    int element, std::span<const double> values, int components, int component) const;
+  /// How many elements are rational.
+  [[nodiscard]] int RationalElements() const { return static_cast<int>(Rationals.size()); }
+
+  /// Component `component` of `values`, `components` per point, at the element's points; for
+  /// rational elements at the nodes of their basis.
   void Gather(int element, std::span<const double> values, int components, int component,
     std::vector<double>& out) const;
   /// The first `wanted` components, one after the other.
@@ -67,9 +79,26 @@ private:
   void AddCell(vtkUnstructuredGrid* grid, vtkIdType cell, int type);
   void CheckCoordinates() const;
   void FindSlab();
+  void AddRational(
+    vtkUnstructuredGrid* grid, std::span<const vtkIdType> points, const CellBasis& basis);
+  void ConvertRationals();
 
   NodeConvention Nodes;
+  /// A Bezier cell with unequal weights, which are in the order of CellBasis::control.
+  struct Rational
+  {
+    rational::Orders degree{};
+    rational::Orders order{}; ///< of the polynomial in its place
+    std::vector<int> control;
+    std::vector<double> weights;
+    double loss = 0.0;
+  };
+  [[nodiscard]] rational::RationalElement ElementOf(int element, const Rational& cell,
+    std::span<const double> values, int components, std::span<const int> which) const;
+
   std::deque<CellBasis> Bases;
+  std::map<int, Rational> Rationals; ///< by element
+  mutable rational::LineTables Tables;
   std::map<CellKind, const CellBasis*> BasisOfKind;
   std::vector<vtkIdType> Cells;
   std::vector<const CellBasis*> BasisOf;

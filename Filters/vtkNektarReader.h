@@ -21,9 +21,14 @@
 
 #include <memory>
 
-namespace pixelexact::nektar
+// As vtkWrapHierarchy of VTK 9.1 reads it.
+// NOLINTNEXTLINE(modernize-concat-nested-namespaces)
+namespace pixelexact
+{
+namespace nektar
 {
 struct SessionMesh;
+}
 }
 
 class PIXELEXACTFILTERS_EXPORT vtkNektarReader : public vtkHighOrderFileReader

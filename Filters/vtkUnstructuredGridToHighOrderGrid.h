@@ -4,8 +4,9 @@
  * @brief   gives an unstructured grid its exact high-order polynomials
  *
  * Takes linear, quadratic, Lagrange and Bezier tetrahedra, hexahedra, wedges and pyramids (Lagrange
- * and Bezier: no pyramids; Bezier: equal weights) and makes a vtkHighOrderGrid of the same points
- * and cells, with the coefficients of the geometry and of the fields. Point data become fields of
+ * and Bezier: no pyramids; Bezier with unequal weights: hexahedra and quadrilaterals, see
+ * rational.md) and makes a vtkHighOrderGrid of the same points and cells, with the coefficients of
+ * the geometry and of the fields. Point data become fields of
  * the cells' orders, cell data fields that are constant in each cell. Cells of lower dimension are
  * left out and counted. A grid without solid cells whose triangles and quadrilaterals (linear,
  * quadratic, Lagrange, Bezier) lie in a plane z = const becomes a thin slab on it (planar.md): its

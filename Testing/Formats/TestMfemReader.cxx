@@ -268,8 +268,6 @@ TEST(MfemReader, MessagesNameFileLineAndRemedy)
   ExpectMessage(Message(""), { "a.mesh, line 1", "cut short" });
   ExpectMessage(Message("hello"), { "a.mesh, line 1", "'hello'" });
   ExpectMessage(Message("MFEM mesh v7.0"), { "v7.0", "v1.0 to v1.3" });
-  ExpectMessage(Message("MFEM NURBS mesh v1.0\n\ndimension\n3\n"), { "NURBS", "SetCurvature" });
-  ExpectMessage(Message("MFEM NURBS NC-patch mesh v1.0\ndimension\n3\n"), { "NURBS" });
   ExpectMessage(Message("MFEM mesh v1.0\ndimension\n1\n"), { "line 3", "1-dimensional" });
   ExpectMessage(Message("MFEM NC mesh v1.0\ndimension\n1\n"), { "line 3", "1-dimensional" });
   ExpectMessage(Message("MFEM mesh v1.0\nelements\n1\n"), { "line 2", "begin", "'dimension'" });

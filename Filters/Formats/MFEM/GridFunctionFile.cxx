@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/MFEM/GridFunctionFile.h"
 
+#include "Core/Basis/Space.h"
+
+#include <algorithm>
+#include <cmath>
+
 namespace pixelexact::mfem
 {
 namespace
@@ -8,9 +13,59 @@ namespace
 constexpr std::size_t kUsualBytes = 16;
 constexpr int kMostComponents = 1 << 16;
 
-/// The sections of a version 1.0 header.
-void ReadSections(TextScanner& scanner)
+std::vector<double> ReadNumbers(TextScanner& scanner)
 {
+  std::vector<double> numbers;
+  double number = 0.0;
+  while (scanner.TryNumber(number))
+  {
+    numbers.push_back(number);
+  }
+  return numbers;
+}
+
+std::vector<int> ReadAttributes(TextScanner& scanner)
+{
+  std::vector<int> list(
+    static_cast<std::size_t>(scanner.Count("the number of boundaries that are identified", 2)));
+  std::ranges::generate(list, [&] { return scanner.Integer("a boundary that is identified"); });
+  return list;
+}
+
+/// The sections of a version 1.0 header.
+void ReadSections(TextScanner& scanner, GridFunctionFile& file)
+{
+  while (scanner.Peek().starts_with("NURBS_"))
+  {
+    const std::string_view section = scanner.Word("a section");
+    NurbsSections& nurbs = file.nurbs ? *file.nurbs : file.nurbs.emplace();
+    if (section == "NURBS_order" || section == "NURBS_orders")
+    {
+      for (const double order : ReadNumbers(scanner))
+      {
+        if (!(order >= 1 && order <= kMaxOrder) || order != std::floor(order))
+        {
+          scanner.FailUnsupported(
+            "a NURBS space has an order that is none from 1 to " + std::to_string(kMaxOrder) + ".");
+        }
+        nurbs.orders.push_back(static_cast<int>(order));
+      }
+    }
+    else if (section == "NURBS_periodic")
+    {
+      nurbs.masters = ReadAttributes(scanner);
+      nurbs.slaves = ReadAttributes(scanner);
+    }
+    else if (section == "NURBS_weights")
+    {
+      nurbs.weights = ReadNumbers(scanner);
+    }
+    else
+    {
+      scanner.FailUnsupported("the section '" + std::string(section.substr(0, 40)) +
+        "' of a space is not read; save the grid function with MFEM 4.");
+    }
+  }
   scanner.Expect("End:");
   scanner.Expect("MFEM");
   scanner.Expect("FiniteElementSpace");
@@ -50,12 +105,12 @@ GridFunctionFile ReadGridFunction(TextScanner& scanner)
   file.byNodes = scanner.Integer("the ordering", 0, 1) == 0;
   if (hasSections)
   {
-    if (scanner.Peek().starts_with("NURBS"))
-    {
-      scanner.FailUnsupported("NURBS spaces are not read; project the grid function onto an H1 or "
-                              "L2 space in MFEM and save that.");
-    }
-    ReadSections(scanner);
+    ReadSections(scanner, file);
+  }
+  if (file.IsNurbs() && scanner.Peek() == "NURBS_patches")
+  {
+    scanner.Word("the patches");
+    file.byPatches = true;
   }
   // A number takes some 20 bytes, or, where it is short, the list grows as it goes.
   file.values.reserve(scanner.Remaining() / kUsualBytes);

@@ -3,11 +3,21 @@
 
 #include "Formats/MFEM/TextScanner.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace pixelexact::mfem
 {
+/// What a NURBS space's header says where it is another one than the mesh's.
+struct NurbsSections
+{
+  std::vector<int> orders; ///< one for all knot vectors, or one for each
+  std::vector<int> masters;
+  std::vector<int> slaves;
+  std::vector<double> weights; ///< per control point; empty: all are 1
+};
+
 /// A grid function as its file has it.
 struct GridFunctionFile
 {
@@ -15,6 +25,10 @@ struct GridFunctionFile
   int components = 1;  ///< VDim
   bool byNodes = true; ///< Ordering 0: component by component; 1: unknown by unknown
   std::vector<double> values;
+  std::optional<NurbsSections> nurbs;
+  bool byPatches = false; ///< NURBS: the values of each patch's control points, one after the other
+
+  [[nodiscard]] bool IsNurbs() const { return collection.starts_with("NURBS"); }
 };
 
 /// Reads a header and all the numbers that follow it.

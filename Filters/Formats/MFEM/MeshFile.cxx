@@ -4,6 +4,7 @@
 #include "Formats/MFEM/GeometryTable.h"
 #include "Formats/MFEM/InlineMesh.h"
 #include "Formats/MFEM/MeshFormat.h"
+#include "Formats/MFEM/NurbsMesh.h"
 #include "Formats/MFEM/RefinementForest.h"
 
 #include <algorithm>
@@ -311,6 +312,10 @@ MeshFile ReadMesh(TextScanner& scanner)
       return ReadNonconforming(scanner, true);
     case MeshFormat::Inline:
       return ReadInline(scanner);
+    case MeshFormat::Nurbs:
+      return ReadNurbs(scanner, false);
+    case MeshFormat::NurbsSpaced:
+      return ReadNurbs(scanner, true);
     case MeshFormat::Legacy:
       return ReadConforming(scanner, true);
     default:

@@ -6,11 +6,14 @@
 #include "Formats/SolverModel.h"
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <set>
 
 namespace pixelexact::mfem
 {
+struct NurbsMesh;
+
 struct Cell
 {
   Geometry geometry = Geometry::Point;
@@ -31,6 +34,8 @@ struct MeshFile
   bool isNumbered = true; ///< as MFEM numbers it: grid functions need that
   std::set<int> sharing;  ///< processes that a piece shares something with, and its own
   int ranks = 1; ///< processes that a piece of a parallel mesh tells of, at least; 1: it is none
+  /// Of a NURBS mesh: the elements are its knot spans, the nodes its control points.
+  std::shared_ptr<const NurbsMesh> nurbs;
 };
 
 /// Reads a mesh of any version; what follows it stays in the scanner. Throws InvalidData and

@@ -5,6 +5,27 @@
 
 namespace pixelexact::mfem
 {
+namespace
+{
+MeshFormat ReadNurbsVersion(TextScanner& scanner)
+{
+  if (scanner.Peek() == "NC-patch")
+  {
+    scanner.FailUnsupported(
+      "NURBS meshes whose patches do not conform (NC-patch) are not read; load the mesh with MFEM "
+      "and save it as Lagrange cells (Mesh::PrintVTU with high_order_output).");
+  }
+  scanner.Expect("mesh");
+  const std::string_view version = scanner.Word("the version");
+  if (version != "v1.0" && version != "v1.1")
+  {
+    scanner.FailUnsupported("version " + std::string(version.substr(0, 10)) +
+      " of NURBS meshes is not known; v1.0 and v1.1 are.");
+  }
+  return version == "v1.1" ? MeshFormat::NurbsSpaced : MeshFormat::Nurbs;
+}
+} // namespace
+
 MeshFormat ReadMeshFormat(TextScanner& scanner)
 {
   scanner.Expect("MFEM");
@@ -20,9 +41,7 @@ MeshFormat ReadMeshFormat(TextScanner& scanner)
   }
   if (kind == "NURBS")
   {
-    scanner.FailUnsupported(
-      "NURBS meshes are not read; load the mesh with MFEM, give it polynomial nodes "
-      "(Mesh::SetCurvature) and save that.");
+    return ReadNurbsVersion(scanner);
   }
   if (kind == "NC")
   {

@@ -14,7 +14,9 @@ enum class MeshFormat : std::uint8_t
   Legacy, ///< v1.1: numbered as it stands
   Inline, ///< a box, by its numbers
   Nonconforming,
-  NonconformingScaled ///< NC v1.1: vertices anywhere between their parents
+  NonconformingScaled, ///< NC v1.1: vertices anywhere between their parents
+  Nurbs,
+  NurbsSpaced ///< NURBS v1.1: says how to refine, too
 };
 
 /// Reads the first line. Throws Unsupported for kinds and versions that are not read, InvalidData

@@ -73,7 +73,7 @@ Corners CornersOf(const Cell& cell, std::int64_t first)
 /// The linear map of a mesh without nodes.
 GridFunctionFile LinearNodes(MeshFile& mesh)
 {
-  return { "Linear", 3, false, std::move(mesh.coordinates) };
+  return { "Linear", 3, false, std::move(mesh.coordinates), std::nullopt };
 }
 } // namespace
 
@@ -100,6 +100,16 @@ ModelBuilder::ModelBuilder(std::vector<MeshPiece> pieces)
     throw InvalidData(
       Pieces.front().name + ": the mesh has no elements; there is nothing to show.");
   }
+  if (Pieces[0].file.nurbs)
+  {
+    if (Pieces.size() > 1)
+    {
+      throw Unsupported(Pieces[1].name +
+        ": pieces of parallel NURBS meshes are not read; save the whole mesh "
+        "(ParMesh::PrintAsOne).");
+    }
+    Nurbs = std::make_unique<NurbsModel>(Pieces[0].file, Pieces[0].name);
+  }
   AddMap();
   AddGroups();
   for (auto& entities : Entities)
@@ -109,6 +119,11 @@ ModelBuilder::ModelBuilder(std::vector<MeshPiece> pieces)
       entities->ForgetVertices();
     }
   }
+}
+
+const MeshFile& ModelBuilder::ShownOf(std::size_t piece) const
+{
+  return Nurbs ? Nurbs->Shown() : Pieces[piece].file;
 }
 
 /// A grid function of all pieces, ready to be assembled.
@@ -163,6 +178,11 @@ const Topology& ModelBuilder::EntitiesOf(std::size_t p)
 
 void ModelBuilder::AddMap()
 {
+  if (Nurbs && Pieces[0].file.nodes->IsNurbs())
+  {
+    Nurbs->AddMap(Model);
+    return;
+  }
   std::vector<GridFunctionFile> nodes;
   std::vector<std::string> names;
   for (MeshPiece& piece : Pieces)
@@ -211,19 +231,20 @@ void ModelBuilder::AddGroups()
   {
     firstVertex.push_back(firstVertex.back() + piece.file.vertices);
   }
-  for (std::size_t e = 0; e < Places.size(); ++e)
-  {
-    const auto [piece, element] = Places[e];
-    const Cell& cell = Pieces[piece].file.elements[element];
-    mesh.number.push_back(static_cast<std::int64_t>(e));
-    mesh.corners.push_back(CornersOf(cell, firstVertex[piece]));
-    mesh.attribute.push_back(cell.attribute);
-  }
   std::int32_t firstElement = 0;
   for (std::size_t p = 0; p < Pieces.size(); ++p)
   {
+    const MeshFile& shown = ShownOf(p);
+    for (std::size_t e = 0; e < shown.elements.size(); ++e)
+    {
+      const Cell& cell = shown.elements[e];
+      mesh.number.push_back(
+        Nurbs ? Nurbs->Parts()[e].element : firstElement + static_cast<std::int64_t>(e));
+      mesh.corners.push_back(CornersOf(cell, firstVertex[p]));
+      mesh.attribute.push_back(cell.attribute);
+    }
     AddBoundary(p, firstElement);
-    firstElement += static_cast<std::int32_t>(Pieces[p].file.elements.size());
+    firstElement += static_cast<std::int32_t>(shown.elements.size());
     for (Group& group : Pieces[p].file.groups)
     {
       const bool known = std::ranges::any_of(mesh.groups,
@@ -241,12 +262,18 @@ void ModelBuilder::AddGroups()
 
 void ModelBuilder::AddBoundary(std::size_t p, std::int32_t firstElement)
 {
-  const auto& [file, name] = Pieces[p];
+  const MeshFile& file = ShownOf(p);
+  const std::string& name = Pieces[p].name;
+  if (file.boundary.empty())
+  {
+    return;
+  }
+  const Topology& entities = Nurbs ? Nurbs->Entities() : EntitiesOf(p);
   std::size_t ownerless = 0;
   for (const Cell& cell : file.boundary)
   {
     const auto owners =
-      EntitiesOf(p).FindFace(std::span(cell.vertices).first(TableOf(cell.geometry).vertices));
+      entities.FindFace(std::span(cell.vertices).first(TableOf(cell.geometry).vertices));
     ownerless += owners.empty() ? 1 : 0;
     for (const auto& owner : owners)
     {
@@ -281,6 +308,11 @@ void ModelBuilder::AddField(const std::vector<GridFunctionFile>& files,
   const std::vector<std::string>& names, const std::string& name)
 {
   RequireNumbers(names[0]);
+  if (files[0].IsNurbs() && Nurbs)
+  {
+    Nurbs->AddField(files[0], names[0], name, Model);
+    return;
+  }
   const Source source(*this, files, names);
   const Collection& collection = source.collection;
   if (collection.IsVector() && files[0].components != 1)
@@ -302,6 +334,10 @@ void ModelBuilder::AddField(const std::vector<GridFunctionFile>& files,
       source.spaces[piece].Gather(
         element, files[piece].values, components, files[piece].byNodes, values);
     });
+  if (Nurbs)
+  {
+    field.values = rational::RestrictToParts(field.values, field.mapping, Nurbs->Parts());
+  }
   if (Model.mesh.slab)
   {
     ScaleToSlab(*Model.mesh.slab, field);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Formats/MFEM/MeshFile.h"
+#include "Formats/MFEM/NurbsModel.h"
 #include "Formats/MFEM/Topology.h"
 
 #include <cstdint>
@@ -26,6 +27,8 @@ class ModelBuilder
 public:
   /// Throws InvalidData and Unsupported, naming the piece.
   explicit ModelBuilder(std::vector<MeshPiece> pieces);
+  ModelBuilder(const ModelBuilder&) = delete; // the entities refer to the pieces
+  ModelBuilder& operator=(const ModelBuilder&) = delete;
 
   /// A grid function by its file for each piece, with that one's name.
   void AddField(const std::vector<GridFunctionFile>& files, const std::vector<std::string>& names,
@@ -43,6 +46,8 @@ private:
 
   const Topology& EntitiesOf(std::size_t p);
   void RequireNumbers(const std::string& name) const;
+  /// What is shown of a piece: the elements of its file, or parts of them.
+  [[nodiscard]] const MeshFile& ShownOf(std::size_t piece) const;
   void AddMap();
   void AddGroups();
   void AddBoundary(std::size_t p, std::int32_t firstElement);
@@ -50,5 +55,6 @@ private:
   std::vector<MeshPiece> Pieces;
   std::deque<std::optional<Topology>> Entities; ///< per piece, made when they are asked for
   std::vector<Place> Places;                    ///< per element
+  std::unique_ptr<NurbsModel> Nurbs;            ///< of a NURBS mesh, which is one piece
 };
 } // namespace pixelexact::mfem
