@@ -48,7 +48,9 @@ set(PIXELEXACT_VTK_COMPONENTS
   CommonMisc
   CommonTransforms
   FiltersCore
+  FiltersExtraction
   IOXML
+  ParallelCore
   RenderingCore
   RenderingFreeType
   RenderingOpenGL2)
@@ -61,7 +63,6 @@ if(PIXELEXACT_BUILD_PYTHON)
 endif()
 if(PIXELEXACT_BUILD_TESTING OR PIXELEXACT_BUILD_BENCHMARKS)
   list(APPEND vtk_build_components
-    FiltersExtraction
     FiltersGeneral
     FiltersGeometry
     FiltersSources
@@ -74,7 +75,8 @@ if(PIXELEXACT_BUILD_PARAVIEW)
   include(PixelExactParaViewPackage)
   return()
 endif()
-find_package(VTK 9.1 REQUIRED COMPONENTS ${PIXELEXACT_VTK_COMPONENTS} ${vtk_build_components})
+find_package(VTK 9.1 REQUIRED COMPONENTS ${PIXELEXACT_VTK_COMPONENTS} ${vtk_build_components}
+  OPTIONAL_COMPONENTS mpi ParallelMPI)
 
 find_package(CLI11 REQUIRED)
 find_package(fmt REQUIRED)
