@@ -61,7 +61,7 @@ void ConvertMesh(const SourceMesh& mesh, vtkUnstructuredGrid* grid)
     arrays.centre.insert(arrays.centre.end(), g.centre.begin(), g.centre.end());
     arrays.size.push_back(g.size);
     arrays.uncertainty.push_back(g.uncertainty);
-    arrays.sourceCell.push_back(mesh.Cell(e));
+    arrays.sourceCell.push_back(mesh.Number(e));
   }
   arrays.map.Allocate(spaces, 3);
   ForElements(

@@ -140,6 +140,11 @@ ModelBuilder::Source::Source(const ModelBuilder& builder,
   }
 }
 
+std::int64_t ModelBuilder::ElementsOf(std::int32_t piece) const
+{
+  return std::ranges::count(Places, piece, &Place::piece);
+}
+
 void ModelBuilder::AddMap()
 {
   std::vector<GridFunctionFile> nodes;
