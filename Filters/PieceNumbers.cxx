@@ -2,14 +2,13 @@
 #include "PieceNumbers.h"
 
 #include "Core/Base/Error.h"
+#include "PartExchange.h"
 
 #include "vtkCommunicator.h"
 #include "vtkInformation.h"
 #include "vtkMultiProcessController.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
-#include <algorithm>
-#include <array>
 #include <numeric>
 
 namespace pixelexact
@@ -44,21 +43,18 @@ std::vector<std::int64_t> ElementsBefore(
   const PieceCounts& counts, const PieceOf& part, const std::string& problem)
 {
   auto* processes = ProcessesOf(part);
-  std::array<int, 2> all{ problem.empty() ? 0 : 1, counts.pieces };
+  int pieces = counts.pieces;
   if (processes != nullptr)
   {
-    const std::array<int, 2> own = all;
-    processes->AllReduce(own.data(), all.data(), 2, vtkCommunicator::MAX_OP);
+    AgreeThatAllIsWell(problem, processes);
+    // Which some do not know: those without any.
+    processes->AllReduce(&counts.pieces, &pieces, 1, vtkCommunicator::MAX_OP);
   }
-  if (!problem.empty())
+  else if (!problem.empty())
   {
     throw Error(problem);
   }
-  if (all[0] != 0)
-  {
-    throw Error("another process could not read its part; see what it says.");
-  }
-  std::vector<long long> elements(static_cast<std::size_t>(all[1]), 0);
+  std::vector<long long> elements(static_cast<std::size_t>(pieces), 0);
   for (const auto& [piece, count] : counts.elements)
   {
     elements[static_cast<std::size_t>(piece)] = count;

@@ -27,7 +27,7 @@ struct PieceCounts
 /// For each piece that was read here, the elements of all pieces before it. Where the parts are the
 /// processes of the global controller these tell each other, and all must call it; else elements
 /// are counted as if there were no other pieces. `problem`, where not empty, is why this process
-/// cannot go on. Throws Error where any cannot, so that no picture lacks a part.
+/// cannot go on. Throws Error, on all of them, where any cannot, so that no picture lacks a part.
 std::vector<std::int64_t> ElementsBefore(
   const PieceCounts& counts, const PieceOf& part, const std::string& problem);
 } // namespace pixelexact

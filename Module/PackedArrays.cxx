@@ -90,9 +90,17 @@ struct PackedExpansion
   vtkSmartPointer<vtkTypeInt64Array> marks;
 };
 
+/// What all of an expansion's cells have alike.
+struct PackedKind
+{
+  Origin origin = Origin::Coefficients;
+  Mapping mapping = Mapping::Identity;
+  std::size_t place = 0; ///< of a field, among the grid's
+};
+
 /// All but the marks.
 PackedExpansion PackExpansion(vtkUnstructuredGrid* grid, const std::string& prefix,
-  const Expansion& expansion, Origin origin, Mapping mapping, int width)
+  const Expansion& expansion, const PackedKind& kind, int width)
 {
   PackedExpansion packed;
   packed.space = AddArray<vtkUnsignedCharArray>(grid, prefix + "Space", kPackedSpace, 0.0);
@@ -103,7 +111,8 @@ PackedExpansion PackExpansion(vtkUnstructuredGrid* grid, const std::string& pref
     const Space& space = expansion.SpaceOf(e);
     const std::array<unsigned char, kPackedSpace> numbers{ static_cast<unsigned char>(space.shape),
       static_cast<unsigned char>(space.form), space.order[0], space.order[1], space.order[2],
-      static_cast<unsigned char>(origin), static_cast<unsigned char>(mapping) };
+      static_cast<unsigned char>(kind.origin), static_cast<unsigned char>(kind.mapping),
+      static_cast<unsigned char>(std::min<std::size_t>(kind.place, 255)) };
     std::ranges::copy(numbers, packed.space->GetPointer(std::int64_t{ e } * kPackedSpace));
     std::copy_n(expansion.Coefficients(e), space.Modes() * expansion.components,
       packed.coefficients->GetPointer(std::int64_t{ e } * width));
@@ -145,8 +154,8 @@ void PackMesh(vtkUnstructuredGrid* grid, vtkUnstructuredGrid* source, const High
   const PackedWidths& widths)
 {
   const Mesh& mesh = model.GetMesh();
-  const auto packed = PackExpansion(grid, kMesh, mesh.map, OriginOf(source, kMeshPrefix),
-    Mapping::Identity, widths.at(kMesh + "Coefficients"));
+  const auto packed = PackExpansion(
+    grid, kMesh, mesh.map, { OriginOf(source, kMeshPrefix) }, widths.at(kMesh + "Coefficients"));
   const auto place = AddArray<vtkDoubleArray>(grid, kMesh + "Place", kPackedPlace, 0.0);
   for (int e = 0; e < mesh.Elements(); ++e)
   {
@@ -174,12 +183,12 @@ void PackMesh(vtkUnstructuredGrid* grid, vtkUnstructuredGrid* source, const High
 }
 
 void PackField(vtkUnstructuredGrid* grid, vtkUnstructuredGrid* source, const Field& field,
-  const PackedWidths& widths)
+  std::size_t place, const PackedWidths& widths)
 {
   const Origin origin = OriginOf(source, kFieldPrefix + field.name + ".");
   const std::string prefix = FieldName(field.name);
-  const auto packed = PackExpansion(
-    grid, prefix, field.values, origin, field.mapping, widths.at(prefix + "Coefficients"));
+  const auto packed = PackExpansion(grid, prefix, field.values, { origin, field.mapping, place },
+    widths.at(prefix + "Coefficients"));
   vtkDataArray* nodal = FieldSource(source, field.name, origin);
   const auto prints =
     nodal ? ValueFingerprints(source, nodal, origin) : std::vector<std::int64_t>();
@@ -271,9 +280,10 @@ vtkSmartPointer<vtkUnstructuredGrid> Pack(vtkUnstructuredGrid* grid, const Packe
   Widen(widths, atLeast);
   const auto packed = BareCopy(grid, true);
   PackMesh(packed, grid, *model, widths);
-  for (const Field& field : model->Fields())
+  const auto fields = model->Fields();
+  for (std::size_t i = 0; i < fields.size(); ++i)
   {
-    PackField(packed, grid, field, widths);
+    PackField(packed, grid, fields[i], i, widths);
   }
   return packed;
 }
@@ -315,8 +325,10 @@ public:
       if (values > Width || cell.marks[2] != CheckOf(cell))
       {
         throw StaleData("cell " + std::to_string(e) + " has packed coefficients of " + What +
-          " that were changed on the way: averaged, rounded, filled in or blanked; pack again "
-          "(vtkHighOrderPack) behind the filter that did so.");
+          " that were changed on the way: averaged, rounded, transformed, filled in or blanked; "
+          "pack "
+          "behind that filter (vtkHighOrderPack), or run vtkUnstructuredGridToHighOrderGrid "
+          "again.");
       }
       spaces.push_back(space);
     }
@@ -448,16 +460,28 @@ void UnpackField(vtkUnstructuredGrid* grid, const std::string& name, vtkUnstruct
 std::vector<std::string> PackedFieldNames(vtkUnstructuredGrid* grid)
 {
   const std::string suffix = ".Marks";
-  std::vector<std::string> names;
-  for (int i = 0; i < grid->GetCellData()->GetNumberOfArrays(); ++i)
+  // By their places, since filters and files put arrays in an order of their own.
+  std::multimap<double, std::string> byPlace;
+  vtkCellData* data = grid->GetCellData();
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
-    const char* arrayName = grid->GetCellData()->GetArrayName(i);
+    const char* arrayName = data->GetArrayName(i);
     const std::string name = arrayName ? arrayName : "";
     if (name.starts_with(kField) && name.ends_with(suffix) &&
       name.size() > kField.size() + suffix.size())
     {
-      names.push_back(name.substr(kField.size(), name.size() - kField.size() - suffix.size()));
+      const std::string field =
+        name.substr(kField.size(), name.size() - kField.size() - suffix.size());
+      vtkDataArray* space = data->GetArray((FieldName(field) + "Space").c_str());
+      const bool isThere = space != nullptr && space->GetNumberOfTuples() > 0 &&
+        space->GetNumberOfComponents() == kPackedSpace;
+      byPlace.emplace(isThere ? space->GetComponent(0, kPackedSpace - 1) : 0.0, field);
     }
+  }
+  std::vector<std::string> names;
+  for (const auto& [place, field] : byPlace)
+  {
+    names.push_back(field);
   }
   return names;
 }

@@ -18,7 +18,8 @@ class vtkUnstructuredGrid;
 //
 // CellData, all names beginning with PixelExact.Packed., for the mesh `Mesh.` and for each field
 // `Field.<name>.`:
-//   Space         uint8 x 7     shape, form, three orders, Origin, Mapping
+//   Space         uint8 x 8     shape, form, three orders, Origin, Mapping, the field's place
+//                               among the fields
 //   Coefficients  double x W    component by component, as in Expansion; then zeros to the width W,
 //                               which is that of the cell with most
 //   Marks         int64 x 3     mesh: source cell, fingerprint, check. Field: components,
@@ -40,7 +41,7 @@ using PackedWidths = std::map<std::string, int>;
 /// Whether the grid carries packed coefficients of a mesh; says nothing of whether they are whole.
 PIXELEXACTDATAMODEL_EXPORT bool IsPacked(vtkUnstructuredGrid* grid);
 
-/// Names of the packed fields, in the order of their arrays.
+/// Names of the packed fields, in the order that they had in the grid that was packed.
 PIXELEXACTDATAMODEL_EXPORT std::vector<std::string> PackedFieldNames(vtkUnstructuredGrid* grid);
 
 /// Whether any packed cell or field is a solver's own, not made from nodal values.

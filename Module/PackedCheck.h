@@ -10,8 +10,9 @@
 // The tuples of one packed cell (PackedArrays.h), and the hash that tells whether they are whole.
 namespace pixelexact
 {
-inline constexpr int kPackedSpace = 7;
-inline constexpr int kPackedOrigin = 5; ///< among the numbers of a space; the mapping is behind
+inline constexpr int kPackedSpace = 8;
+inline constexpr int kPackedOrigin =
+  5; ///< among the numbers of a space; the mapping and the field's place follow
 inline constexpr int kPackedMarks = 3;
 inline constexpr int kPackedPlace = 5;
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DrawnShot.h"
 
+#include "Processes.h"
 #include "RenderOptions.h"
+#include "SharedTrace.h"
 #include "VectorCanvas.h"
 
 #include <fmt/format.h>
@@ -16,7 +18,9 @@ Frame TraceShot(const RenderOptions& options, const Shot& shot, const Progress& 
   const bool hasField = shot.scene.layers.front().field != nullptr;
   const Buffer wanted = NeedsOfLooks(shot) | options.debug.Needs() | options.contours.Needs() |
     options.buffers.Needs(hasField) | options.outline.Needs();
-  return Trace(shot.scene, shot.MakeCamera(), {}, { .centres = wanted }, progress);
+  return AreSeveralProcesses()
+    ? TraceTogether(shot, wanted, progress)
+    : Trace(shot.scene, shot.MakeCamera(), {}, { .centres = wanted }, progress);
 }
 
 DrawnShot::DrawnShot(const RenderOptions& options, const Shot& shot, Frame traced, bool paths)

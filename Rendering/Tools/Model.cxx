@@ -2,6 +2,7 @@
 #include "Model.h"
 
 #include "Input.h"
+#include "Processes.h"
 #include "Report.h"
 #include "VtkMessages.h"
 
@@ -126,6 +127,10 @@ LoadedModel LoadModel(const InputRequest& request, const std::string& field, Sto
   stopwatch.Stage("read");
   try
   {
+    if (AreSeveralProcesses() && input.grid->GetNumberOfCells() == 0)
+    {
+      return input; // this one has no share of it
+    }
     if (!HasHighOrderArrays(input.grid))
     {
       Convert(input, request, field);
@@ -140,6 +145,7 @@ LoadedModel LoadModel(const InputRequest& request, const std::string& field, Sto
       ShareMesh(*before, *input.grid);
     }
     input.model = HighOrderModel::From(input.grid);
+    input.elements = input.model->GetMesh().Elements();
   }
   catch (const Error& error)
   {

@@ -7,9 +7,11 @@
 #include "Picture.h"
 #include "PictureFile.h"
 #include "PictureName.h"
+#include "Processes.h"
 #include "RenderOptions.h"
 #include "RenderReport.h"
 #include "Report.h"
+#include "SeveralProcesses.h"
 
 #include <algorithm>
 #include <functional>
@@ -25,6 +27,7 @@ void Render(RenderOptions options, const CommonOptions& common)
 {
   if (options.animation.IsAsked(options.shot.input))
   {
+    RefuseSeveralProcesses("an animation");
     RenderAnimation(std::move(options), common);
     return;
   }
@@ -33,6 +36,7 @@ void Render(RenderOptions options, const CommonOptions& common)
   const std::vector<std::string> outputs{ picture, options.buffers.File(), options.lines.file };
   CheckStandardOutput(outputs, common.json);
   options.Check(picture);
+  CheckForSeveralProcesses(options);
   Stopwatch stopwatch;
   const Shot shot = Prepare(options.OfPicture(), stopwatch);
   if (!options.lines.file.empty())
@@ -44,6 +48,10 @@ void Render(RenderOptions options, const CommonOptions& common)
     ProgressLine line("tracing");
     return TraceShot(options, shot, std::ref(line));
   }();
+  if (!IsFirstProcess())
+  {
+    return; // the first one draws what all have traced
+  }
   const bool vectors = IsVector(FormatOf("--output", picture));
   const DrawnShot drawn(options, shot, std::move(traced), vectors);
   if (vectors && options.contours.AreGiven() && !drawn.HasPaths())

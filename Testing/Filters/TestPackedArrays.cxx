@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Packed coefficients behind VTK's filters: each cell keeps its own, or the change is noticed.
+#include "ElementFacts.h"
 #include "Support.h"
 
-#include "Core/Location/Sample.h"
 #include "HighOrderModel.h"
 #include "PackedArrays.h"
 #include "vtkHighOrderPack.h"
@@ -28,7 +28,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <map>
 
 namespace
 {
@@ -78,39 +77,6 @@ Grid Filtered(Filter& filter, vtkUnstructuredGrid* grid)
   filter.SetInputData(grid);
   filter.Update();
   return vtkUnstructuredGrid::SafeDownCast(filter.GetOutputDataObject(0));
-}
-
-/// Per source cell: place and values of all fields at a few points, bit for bit what a model gives.
-using Facts = std::map<std::int64_t, std::vector<double>>;
-Facts FactsOf(vtkDataObject* grid)
-{
-  const auto model = HighOrderModel::From(grid);
-  const Vec3 xi[] = { Vec3(-0.3, -0.5, -0.4), Vec3(-0.8, -0.1, -0.9) };
-  Facts facts;
-  for (int e = 0; e < model->GetMesh().Elements(); ++e)
-  {
-    auto& numbers = facts[model->SourceCells()[static_cast<std::size_t>(e)]];
-    Vec3 world[2];
-    MapForward(model->GetMesh(), e, xi, world);
-    for (const Vec3& x : world)
-    {
-      numbers.insert(numbers.end(), { x.x, x.y, x.z });
-    }
-    for (const Field& field : model->Fields())
-    {
-      std::vector<double> values(2 * static_cast<std::size_t>(field.values.components));
-      EvaluateAt(model->GetMesh(), field, e, xi, values, {});
-      numbers.insert(numbers.end(), values.begin(), values.end());
-    }
-    for (const AttributedFace& face : model->BoundaryFaces())
-    {
-      if (face.face.element == e)
-      {
-        numbers.push_back(10.0 * face.attribute + face.face.face);
-      }
-    }
-  }
-  return facts;
 }
 
 std::string Problem(vtkUnstructuredGrid* grid)
