@@ -2,6 +2,7 @@
 #include "PackedArrays.h"
 
 #include "ArrayViews.h"
+#include "CellSums.h"
 #include "Core/Base/Error.h"
 #include "Fingerprint.h"
 #include "HighOrderModel.h"
@@ -12,12 +13,16 @@
 #include "vtkFieldData.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
+#include "vtkPoints.h"
 #include "vtkTypeInt64Array.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
 #include <set>
 
 namespace pixelexact
@@ -150,6 +155,17 @@ Origin OriginOf(vtkUnstructuredGrid* grid, const std::string& prefix)
   return static_cast<Origin>(ViewArray<std::uint8_t>(grid, prefix + "Origin", 1, 1, keeper)[0]);
 }
 
+void PackSums(vtkUnstructuredGrid* grid, const std::string& prefix, vtkDataArray* values)
+{
+  const int count = SumsFor(values->GetNumberOfComponents());
+  const auto sums = AddArray<vtkDoubleArray>(grid, prefix + "Sums", count, 0.0);
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    SumOver(
+      grid, cell, values, { sums->GetPointer(cell * count), static_cast<std::size_t>(count) });
+  }
+}
+
 void PackMesh(vtkUnstructuredGrid* grid, vtkUnstructuredGrid* source, const HighOrderModel& model,
   const PackedWidths& widths)
 {
@@ -166,6 +182,7 @@ void PackMesh(vtkUnstructuredGrid* grid, vtkUnstructuredGrid* source, const High
   }
   Mark(packed, model.SourceCells(), CellFingerprints(grid), 3,
     { place->GetPointer(0), static_cast<std::size_t>(place->GetNumberOfValues()) });
+  PackSums(grid, kMesh, grid->GetPoints()->GetData());
   const auto width = widths.find(kBoundary);
   if (width == widths.end())
   {
@@ -193,6 +210,10 @@ void PackField(vtkUnstructuredGrid* grid, vtkUnstructuredGrid* source, const Fie
   const auto prints =
     nodal ? ValueFingerprints(source, nodal, origin) : std::vector<std::int64_t>();
   Mark(packed, {}, prints, field.values.components, {});
+  if (nodal != nullptr && origin == Origin::PointData)
+  {
+    PackSums(grid, prefix, nodal);
+  }
 }
 
 /// Arrays of ours that are not of elements: names of bases, a plane mesh's slab.
@@ -392,6 +413,49 @@ private:
   std::size_t Width = 0;
 };
 
+/// The fingerprints as they were, but for cells whose points or values are still the same up to
+/// rounding: those have the fingerprints that they have now. `roundings(cell)`: how far off each
+/// may be, and how large it is.
+std::vector<std::int64_t> Restamped(vtkUnstructuredGrid* grid, const std::string& prefix,
+  vtkDataArray* values, std::vector<std::int64_t> then, const std::vector<std::int64_t>& now,
+  const std::function<std::pair<double, double>(std::size_t)>& roundings)
+{
+  vtkDataArray* sums = grid->GetCellData()->GetArray((prefix + "Sums").c_str());
+  const auto count = static_cast<std::size_t>(SumsFor(values->GetNumberOfComponents()));
+  if (sums == nullptr || sums->GetNumberOfComponents() != static_cast<int>(count) ||
+    sums->GetNumberOfTuples() != grid->GetNumberOfCells())
+  {
+    return then;
+  }
+  std::vector<double> before(count);
+  std::vector<double> after(count);
+  for (std::size_t cell = 0; cell < then.size(); ++cell)
+  {
+    if (then[cell] != now[cell])
+    {
+      sums->GetTuple(static_cast<vtkIdType>(cell), before.data());
+      SumOver(grid, static_cast<vtkIdType>(cell), values, after);
+      const auto [tolerance, largest] = roundings(cell);
+      then[cell] = AreSameSums(before, after, tolerance, largest) ? now[cell] : then[cell];
+    }
+  }
+  return then;
+}
+
+double LargestOf(vtkDataArray* values)
+{
+  double largest = 0.0;
+  for (int c = 0; c < values->GetNumberOfComponents(); ++c)
+  {
+    double range[2] = { 0.0, 0.0 };
+    values->GetRange(range, c);
+    largest = std::max({ largest, std::fabs(range[0]), std::fabs(range[1]) });
+  }
+  return largest;
+}
+
+constexpr double kRounding = std::numeric_limits<double>::epsilon();
+
 std::vector<AttributedFace> UnpackBoundary(vtkUnstructuredGrid* grid)
 {
   std::vector<AttributedFace> boundary;
@@ -435,8 +499,12 @@ void UnpackMesh(vtkUnstructuredGrid* grid, vtkUnstructuredGrid* output)
   }
   mesh.sourceCell = packed.Column(0);
   mesh.boundary = UnpackBoundary(grid);
-  StoreMesh(output, mesh, packed.IsAnySolvers() ? Origin::Coefficients : Origin::PointData,
-    packed.Column(1));
+  vtkDataArray* points = grid->GetPoints()->GetData();
+  const double largest = LargestOf(points);
+  const auto prints = Restamped(grid, kMesh, points, packed.Column(1), CellFingerprints(grid),
+    [&](std::size_t cell)
+    { return std::pair(4.0 * mesh.uncertainty[cell] + 16.0 * kRounding * largest, largest); });
+  StoreMesh(output, mesh, packed.IsAnySolvers() ? Origin::Coefficients : Origin::PointData, prints);
 }
 
 void UnpackField(vtkUnstructuredGrid* grid, const std::string& name, vtkUnstructuredGrid* output)
@@ -453,7 +521,16 @@ void UnpackField(vtkUnstructuredGrid* grid, const std::string& name, vtkUnstruct
   }
   ExpansionArrays values = packed.Arrays({}, std::max(1, static_cast<int>(components)));
   values.mapping = static_cast<Mapping>(mapping);
-  StoreField(output, name, values, static_cast<Origin>(origin), packed.Column(1));
+  auto prints = packed.Column(1);
+  vtkDataArray* nodal = FieldSource(grid, name, static_cast<Origin>(origin));
+  if (nodal != nullptr && static_cast<Origin>(origin) == Origin::PointData)
+  {
+    const double largest = LargestOf(nodal);
+    prints = Restamped(grid, FieldName(name), nodal, std::move(prints),
+      ValueFingerprints(grid, nodal, Origin::PointData),
+      [&](std::size_t) { return std::pair(256.0 * kRounding * largest, largest); });
+  }
+  StoreField(output, name, values, static_cast<Origin>(origin), prints);
 }
 } // namespace
 
@@ -502,6 +579,10 @@ bool PacksSolverCoefficients(vtkUnstructuredGrid* grid)
 vtkSmartPointer<vtkUnstructuredGrid> Unpack(vtkUnstructuredGrid* grid)
 {
   const auto output = BareCopy(grid, false);
+  if (grid->GetNumberOfCells() == 0)
+  {
+    return output;
+  }
   // StoreMesh begins with nothing of ours.
   const auto fixed = FixedArrays(grid->GetFieldData());
   UnpackMesh(grid, output);

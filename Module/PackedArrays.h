@@ -24,6 +24,7 @@ class vtkUnstructuredGrid;
 //                               which is that of the cell with most
 //   Marks         int64 x 3     mesh: source cell, fingerprint, check. Field: components,
 //                               fingerprint of the values (0: none), check
+//   Sums          double        of points, or of nodal values at points (CellSums.h)
 // of the mesh alone:
 //   Place         double x 5    centre, size, uncertainty
 //   Boundary      int32 x 2k    k attributed faces: face and attribute, -1 where there are fewer
@@ -62,9 +63,11 @@ PIXELEXACTDATAMODEL_EXPORT void Widen(PackedWidths& widths, const PackedWidths& 
 PIXELEXACTDATAMODEL_EXPORT vtkSmartPointer<vtkUnstructuredGrid> Pack(
   vtkUnstructuredGrid* grid, const PackedWidths& atLeast = {});
 
-/// The other way: element e is cell e. Whether they fit cells and values is not looked at: the
-/// model does. Throws InvalidData where arrays are missing, of wrong type or size, or where cells
-/// of one field differ in components, origin or mapping; StaleData where a check differs.
+/// The other way: element e is cell e. Cells whose points, or values at points, differ from those
+/// that were packed by rounding alone, as where VTK made points one, are taken for the same.
+/// Whether others fit cells and values is not looked at: the model does. Throws InvalidData where
+/// arrays are missing, of wrong type or size, or where cells of one field differ in components,
+/// origin or mapping; StaleData where a check differs.
 PIXELEXACTDATAMODEL_EXPORT vtkSmartPointer<vtkUnstructuredGrid> Unpack(vtkUnstructuredGrid* grid);
 } // namespace pixelexact
 #endif

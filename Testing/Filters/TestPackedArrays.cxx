@@ -219,6 +219,33 @@ TEST(PackedArrays, ChangedValuesAreStale)
   EXPECT_NE(Problem(packed).find("'f'"), std::string::npos) << Problem(packed);
 }
 
+TEST(PackedArrays, PointsThatBecameOneAreTheSame)
+{
+  // As where VTK merges points that coincide up to rounding, with the values of one of them.
+  const Grid packed = Packed(Converted(ReadGrid(PIXELEXACT_DATA_DIR "/toroid_hex_g3_p6.vtu")));
+  const Facts before = FactsOf(packed);
+  const auto shift = [&](double place, double value)
+  {
+    double x[3];
+    packed->GetPoints()->GetPoint(7, x);
+    packed->GetPoints()->SetPoint(7, x[0] + place, x[1], x[2]);
+    vtkDataArray* u = packed->GetPointData()->GetArray("u");
+    u->SetComponent(7, 0, u->GetComponent(7, 0) + value);
+    packed->GetPoints()->Modified();
+    u->Modified();
+    packed->Modified();
+  };
+  shift(1e-16, 1e-15);
+  EXPECT_EQ(Problem(packed), "");
+  EXPECT_EQ(FactsOf(packed), before);
+  shift(0.0, 1e-8);
+  EXPECT_NE(Problem(packed).find("'u'"), std::string::npos);
+  shift(0.0, -1e-8);
+  EXPECT_EQ(Problem(packed), "");
+  shift(1e-8, 0.0);
+  EXPECT_NE(Problem(packed).find("moved"), std::string::npos);
+}
+
 TEST(PackedArrays, ChangedTuplesAreStale)
 {
   for (const char* name : { "Mesh.Coefficients", "Mesh.Place", "Field.flux.Coefficients" })
