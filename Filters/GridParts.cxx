@@ -3,6 +3,7 @@
 
 #include "CellBasis.h"
 #include "Core/Base/Error.h"
+#include "ExtractedCells.h"
 #include "GridCheck.h"
 #include "HighOrderArrays.h"
 #include "OutputGrid.h"
@@ -14,8 +15,6 @@
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkErrorCode.h"
-#include "vtkExtractCells.h"
-#include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkTypeInt64Array.h"
@@ -24,6 +23,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <new>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -255,18 +255,11 @@ void PackParts(const std::vector<GridPart>& files, std::vector<Grid>& grids)
 /// Cells of one part, in their order.
 Grid KeepCells(vtkUnstructuredGrid* grid, vtkIdType begin, vtkIdType end)
 {
-  vtkNew<vtkIdList> cells;
-  for (vtkIdType cell = begin; cell < end; ++cell)
-  {
-    cells->InsertNextId(cell);
-  }
-  vtkNew<vtkExtractCells> extract;
-  extract->SetCellList(cells);
+  std::vector<vtkIdType> cells(static_cast<std::size_t>(end - begin));
+  std::iota(cells.begin(), cells.end(), begin);
   // Packed, because FieldData would keep the coefficients of all.
   const bool carries = HasSolverCoefficients(grid);
-  extract->SetInputData(carries ? Pack(grid).Get() : grid);
-  extract->Update();
-  Grid kept = extract->GetOutput();
+  const Grid kept = ExtractedCells(carries ? Pack(grid).Get() : grid, cells);
   return carries && kept->GetNumberOfCells() > 0 ? Unpack(kept) : kept;
 }
 

@@ -3,14 +3,13 @@
 
 #include "CommonWidths.h"
 #include "Core/Base/Error.h"
+#include "ExtractedCells.h"
 #include "HighOrderArrays.h"
 #include "PackedArrays.h"
 
 #include "vtkAppendFilter.h"
 #include "vtkCellData.h"
-#include "vtkExtractCells.h"
 #include "vtkFieldData.h"
-#include "vtkIdList.h"
 #include "vtkMultiProcessController.h"
 #include "vtkMultiProcessStream.h"
 #include "vtkNew.h"
@@ -71,21 +70,12 @@ void AgreeThatAllIsWell(const std::string& problem, vtkMultiProcessController* p
 
 Grid PackedCells(vtkUnstructuredGrid* grid, const std::vector<vtkIdType>& cells, bool fields)
 {
-  vtkNew<vtkIdList> ids;
-  for (const vtkIdType cell : cells)
-  {
-    ids->InsertNextId(cell);
-  }
   if (cells.empty())
   {
     return Grid::New();
   }
   // The cells first: only theirs are packed.
-  vtkNew<vtkExtractCells> extract;
-  extract->SetInputData(fields ? grid : WithoutFields(grid).Get());
-  extract->SetCellList(ids);
-  extract->Update();
-  return Pack(extract->GetOutput());
+  return Pack(ExtractedCells(fields ? grid : WithoutFields(grid).Get(), cells));
 }
 
 std::vector<Grid> FromAll(vtkUnstructuredGrid* packed, vtkMultiProcessController* processes)

@@ -48,7 +48,6 @@ set(PIXELEXACT_VTK_COMPONENTS
   CommonMisc
   CommonTransforms
   FiltersCore
-  FiltersExtraction
   IOXML
   ParallelCore
   RenderingCore
@@ -63,6 +62,7 @@ if(PIXELEXACT_BUILD_PYTHON)
 endif()
 if(PIXELEXACT_BUILD_TESTING OR PIXELEXACT_BUILD_BENCHMARKS)
   list(APPEND vtk_build_components
+    FiltersExtraction
     FiltersGeneral
     FiltersGeometry
     FiltersSources
