@@ -64,10 +64,10 @@ PIXELEXACTDATAMODEL_EXPORT vtkSmartPointer<vtkUnstructuredGrid> Pack(
   vtkUnstructuredGrid* grid, const PackedWidths& atLeast = {});
 
 /// The other way: element e is cell e. Cells whose points, or values at points, differ from those
-/// that were packed by rounding alone, as where VTK made points one, are taken for the same; whether
-/// others fit, the model says. Throws InvalidData where arrays are missing, of wrong type or size,
-/// or where cells of one field differ in components, origin or mapping; StaleData where a check
-/// differs.
+/// that were packed by rounding alone, as where VTK made points one, are taken for the same;
+/// whether others fit, the model says. Throws InvalidData where arrays are missing, of wrong type
+/// or size, or where cells of one field differ in components, origin or mapping; StaleData where a
+/// check differs.
 PIXELEXACTDATAMODEL_EXPORT vtkSmartPointer<vtkUnstructuredGrid> Unpack(vtkUnstructuredGrid* grid);
 } // namespace pixelexact
 #endif
