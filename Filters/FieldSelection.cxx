@@ -3,6 +3,9 @@
 
 #include "Core/Base/Error.h"
 #include "HighOrderArrays.h"
+#include "HighOrderModel.h"
+#include "PackedArrays.h"
+#include "SourceMesh.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -72,10 +75,10 @@ private:
     }
     static const std::set<std::string> bookkeeping{ vtkDataSetAttributes::GhostArrayName(),
       "vtkOriginalPointIds", "vtkOriginalCellIds", "RationalWeights", "HigherOrderDegrees",
-      kElementIds };
-    return !bookkeeping.contains(name) && array != data->GetGlobalIds() &&
-      array != data->GetPedigreeIds() && array != data->GetRationalWeights() &&
-      array != data->GetHigherOrderDegrees();
+      kElementIds, kSourceCells, kInnerFaces };
+    return !bookkeeping.contains(name) && !name.starts_with(kPackedPrefix) &&
+      array != data->GetGlobalIds() && array != data->GetPedigreeIds() &&
+      array != data->GetRationalWeights() && array != data->GetHigherOrderDegrees();
   }
 
   std::set<std::string> Names;

@@ -102,7 +102,7 @@ private:
     Arrays.centre.insert(Arrays.centre.end(), g.centre.begin(), g.centre.end());
     Arrays.size.push_back(g.size);
     Arrays.uncertainty.push_back(g.uncertainty);
-    Arrays.sourceCell.push_back(Source.Cell(element));
+    Arrays.sourceCell.push_back(Source.Number(element));
   }
 
   const SourceMesh& Source;

@@ -52,7 +52,7 @@ bool KeptMesh::AddTo(const SourceMesh& mesh, vtkUnstructuredGrid* grid) const
   for (int e = 0; e < mesh.Elements(); ++e)
   {
     if (Kinds[e] != mesh.Basis(e).kind ||
-      cells->GetComponent(e, 0) != static_cast<double>(mesh.Cell(e)))
+      cells->GetComponent(e, 0) != static_cast<double>(mesh.Number(e)))
     {
       return false;
     }

@@ -2,6 +2,7 @@
 #include "OutputGrid.h"
 
 #include "HighOrderArrays.h"
+#include "PackedArrays.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -46,6 +47,10 @@ bool HasSolverCoefficients(vtkUnstructuredGrid* grid)
   if (!HasHighOrderArrays(grid))
   {
     return false;
+  }
+  if (IsPacked(grid))
+  {
+    return PacksSolverCoefficients(grid);
   }
   bool found = false;
   vtkFieldData* data = grid->GetFieldData();

@@ -169,6 +169,14 @@ SourceMesh::SourceMesh(vtkUnstructuredGrid* grid, const NodeConvention& nodes)
   {
     throw Unsupported("the grid has more than 2^31 - 1 cells; split it.");
   }
+  if (vtkDataArray* numbers = grid->GetCellData()->GetArray(kSourceCells);
+      numbers != nullptr && numbers->GetNumberOfValues() == grid->GetNumberOfCells())
+  {
+    for (const vtkIdType cell : Cells)
+    {
+      Numbers.push_back(static_cast<std::int64_t>(numbers->GetComponent(cell, 0)));
+    }
+  }
   Roundoff = grid->GetPoints()->GetDataType() == VTK_FLOAT
     ? static_cast<double>(std::numeric_limits<float>::epsilon()) / 2
     : std::numeric_limits<double>::epsilon() / 2;

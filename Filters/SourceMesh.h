@@ -10,6 +10,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
+#include <cstdint>
 #include <deque>
 #include <map>
 #include <optional>
@@ -23,6 +24,9 @@ class vtkUnstructuredGrid;
 
 namespace pixelexact
 {
+/// CellData, int64, of a grid that is a part of another: the numbers that its cells have there.
+inline constexpr const char* kSourceCells = "PixelExactSourceCell";
+
 /// The three-dimensional cells of a grid or, where it has none, the two-dimensional ones, in the
 /// grid's order, with basis and points. Keeps the grid's points and connectivity, not the grid;
 /// safe to read from several threads.
@@ -38,6 +42,11 @@ public:
   [[nodiscard]] int Elements() const { return static_cast<int>(Cells.size()); }
   /// Number of the element's cell in the grid.
   [[nodiscard]] vtkIdType Cell(int element) const { return Cells[element]; }
+  /// What users are shown as its number: that in the grid of which this is a part (kSourceCells).
+  [[nodiscard]] std::int64_t Number(int element) const
+  {
+    return Numbers.empty() ? Cells[element] : Numbers[element];
+  }
   [[nodiscard]] const CellBasis& Basis(int element) const { return *BasisOf[element]; }
   [[nodiscard]] std::span<const vtkIdType> Points(int element) const
   {
@@ -101,6 +110,7 @@ private:
   mutable rational::LineTables Tables;
   std::map<CellKind, const CellBasis*> BasisOfKind;
   std::vector<vtkIdType> Cells;
+  std::vector<std::int64_t> Numbers; ///< by element; empty: those of the cells
   std::vector<const CellBasis*> BasisOf;
   vtkSmartPointer<vtkCellArray> Connectivity;
   std::span<const vtkIdType> PointIds;

@@ -5,6 +5,7 @@
 #include "Core/Element/Validity.h"
 #include "HighOrderArrays.h"
 #include "ModelSource.h"
+#include "SourceMesh.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -18,6 +19,7 @@
 
 #include <cmath>
 #include <exception>
+#include <map>
 
 vtkStandardNewMacro(vtkHighOrderCertifier);
 
@@ -70,11 +72,19 @@ std::vector<vtkIdType> CellsOf(vtkUnstructuredGrid* grid, const HighOrderModel& 
 {
   // A plain grid's conversion may have left out cells.
   const bool same = HasHighOrderArrays(grid);
+  // A part of a grid is numbered as in the whole.
+  std::map<std::int64_t, vtkIdType> ofNumber;
+  vtkDataArray* numbers = same ? nullptr : grid->GetCellData()->GetArray(kSourceCells);
+  for (vtkIdType cell = 0; numbers != nullptr && cell < grid->GetNumberOfCells(); ++cell)
+  {
+    ofNumber.emplace(static_cast<std::int64_t>(numbers->GetComponent(cell, 0)), cell);
+  }
   std::vector<vtkIdType> cells;
   cells.reserve(static_cast<std::size_t>(model.GetMesh().Elements()));
   for (int e = 0; e < model.GetMesh().Elements(); ++e)
   {
-    cells.push_back(same ? e : model.SourceCells()[static_cast<std::size_t>(e)]);
+    const std::int64_t number = model.SourceCells()[static_cast<std::size_t>(e)];
+    cells.push_back(same ? e : (numbers != nullptr ? ofNumber.at(number) : number));
   }
   return cells;
 }

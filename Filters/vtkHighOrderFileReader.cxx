@@ -3,6 +3,8 @@
 
 #include "Core/Base/Error.h"
 #include "Formats/SolverModel.h"
+#include "Formats/SolverShare.h"
+#include "PieceNumbers.h"
 #include "SolverGrid.h"
 #include "vtkHighOrderGrid.h"
 
@@ -94,6 +96,7 @@ int vtkHighOrderFileReader::RequestInformation(vtkInformation* /*request*/,
   vtkInformation* output = outputVector->GetInformationObject(0);
   output->Remove(Pipeline::TIME_STEPS());
   output->Remove(Pipeline::TIME_RANGE());
+  output->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
   try
   {
     this->Times = this->ReadTimes();
@@ -132,6 +135,46 @@ void vtkHighOrderFileReader::Report(std::vector<std::string> lines)
   }
 }
 
+SolverModel vtkHighOrderFileReader::ReadPart(int step, bool wantMesh)
+{
+  SolverModel model;
+  std::string problem;
+  try
+  {
+    if (this->FileName.empty())
+    {
+      throw InvalidData("no file is named; call SetFileName.");
+    }
+    model = this->ReadModel(step, wantMesh);
+  }
+  catch (const std::exception& error)
+  {
+    // Not yet: the other processes wait for this one.
+    problem = error.what();
+  }
+  PieceCounts counts{ model.piecesOfRun, {} };
+  for (const ReadPiece& piece : model.pieces)
+  {
+    counts.elements.emplace_back(piece.piece, piece.elements);
+  }
+  const auto before = ElementsBefore(counts, { this->Piece, this->Pieces }, problem);
+  if (model.piecesOfRun == 0)
+  {
+    KeepPiece({ this->Piece, this->Pieces }, model);
+    return model;
+  }
+  std::size_t next = 0;
+  for (std::size_t p = 0; p < model.pieces.size() && !model.mesh.number.empty(); ++p)
+  {
+    const auto shift = before[p] - static_cast<std::int64_t>(next);
+    for (std::int64_t e = 0; e < model.pieces[p].elements; ++e)
+    {
+      model.mesh.number[next++] += shift;
+    }
+  }
+  return model;
+}
+
 int vtkHighOrderFileReader::RequestData(vtkInformation* /*request*/,
   vtkInformationVector** /*inputVector*/, vtkInformationVector* outputVector)
 {
@@ -140,14 +183,15 @@ int vtkHighOrderFileReader::RequestData(vtkInformation* /*request*/,
   this->Diagnostics.clear();
   try
   {
-    if (this->FileName.empty())
-    {
-      throw InvalidData("no file is named; call SetFileName.");
-    }
-    const int step = this->RequestedStep(outputVector->GetInformationObject(0));
+    vtkInformation* asked = outputVector->GetInformationObject(0);
+    const int step = this->RequestedStep(asked);
+    const PieceOf part = PieceAskedFor(asked);
+    this->Piece = part.piece;
+    this->Pieces = part.count;
     const bool wantMesh = !this->MeshGrid || this->MeshTime < this->GetMTime() ||
-      (this->StepsHaveMeshes() && step != this->MeshStep);
-    SolverModel model = this->ReadModel(step, wantMesh);
+      (this->StepsHaveMeshes() && step != this->MeshStep) ||
+      PieceOf{ this->MeshPiece, this->MeshPieces } != part;
+    SolverModel model = this->ReadPart(step, wantMesh);
     this->UpdateProgress(0.6);
     if (wantMesh)
     {
@@ -155,6 +199,8 @@ int vtkHighOrderFileReader::RequestData(vtkInformation* /*request*/,
       StoreSolverMesh(std::move(model.mesh), this->MeshGrid);
       this->MeshTime.Modified();
       this->MeshStep = step;
+      this->MeshPiece = part.piece;
+      this->MeshPieces = part.count;
     }
     output->ShallowCopy(this->MeshGrid);
     // A list of its own: the fields of a step must not be added to what steps share.

@@ -16,6 +16,14 @@
  * pipeline; the step nearest below the time asked for is read, the first one without such a
  * request.
  *
+ * Asked for a piece of several (UPDATE_PIECE_NUMBER), as by each process of a parallel run, it
+ * gives that piece: of a run that left a file for each of its processes the files whose number is
+ * the piece's modulo the number of pieces, and only these are read; of others, which are read
+ * whole, the piece's share of the elements, in the order of the file. Elements have the numbers
+ * that they have in the whole, where the pieces are the processes of the global controller; all of
+ * them must then execute, and where one fails all do. Boundary faces, as faces.md has them, are
+ * then those of the piece (parallel.md).
+ *
  * Errors go to vtkErrorMacro, with file, line or tag, and remedy; the output is then empty. What
  * was noticed in the files is reported as warnings and by GetDiagnostic().
  */
@@ -74,7 +82,7 @@ protected:
 
   /**
    * Reads the fields of `step`, and the mesh where `wantMesh` says so: it may be left empty
-   * otherwise. Throws pixelexact::Error.
+   * otherwise; of runs in pieces, of Piece of Pieces. Throws pixelexact::Error.
    */
   virtual pixelexact::SolverModel ReadModel(int step, bool wantMesh) = 0;
 
@@ -93,12 +101,15 @@ protected:
     vtkInformationVector* outputVector) override;
 
   std::string FileName;
+  int Piece = 0;  ///< that is asked for
+  int Pieces = 1; ///< of so many
 
 private:
   vtkHighOrderFileReader(const vtkHighOrderFileReader&) = delete;
   void operator=(const vtkHighOrderFileReader&) = delete;
 
   void Report(std::vector<std::string> lines);
+  pixelexact::SolverModel ReadPart(int step, bool wantMesh);
   int RequestedStep(vtkInformation* output);
 
   std::vector<double> Times;
@@ -107,6 +118,8 @@ private:
   vtkSmartPointer<vtkHighOrderGrid> MeshGrid; ///< without fields; what steps share
   vtkTimeStamp MeshTime;
   int MeshStep = 0; ///< whose mesh it is, where steps have their own
+  int MeshPiece = 0;
+  int MeshPieces = 1;
 };
 
 #endif

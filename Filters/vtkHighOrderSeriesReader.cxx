@@ -3,6 +3,7 @@
 
 #include "Core/Base/Error.h"
 #include "GridParts.h"
+#include "PieceNumbers.h"
 #include "TimeSeries.h"
 
 #include "vtkInformation.h"
@@ -131,6 +132,7 @@ int vtkHighOrderSeriesReader::RequestInformation(vtkInformation* /*request*/,
   vtkInformation* output = outputVector->GetInformationObject(0);
   output->Remove(Pipeline::TIME_STEPS());
   output->Remove(Pipeline::TIME_RANGE());
+  output->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
   try
   {
     this->Series->List(this->FileNames);
@@ -158,8 +160,9 @@ int vtkHighOrderSeriesReader::RequestData(vtkInformation* /*request*/,
   this->Diagnostics.clear();
   try
   {
-    const TimeStep& step = this->Series->StepAt(outputVector->GetInformationObject(0));
-    const auto read = ReadParts(step.parts);
+    vtkInformation* asked = outputVector->GetInformationObject(0);
+    const TimeStep& step = this->Series->StepAt(asked);
+    const auto read = ReadParts(step.parts, PieceAskedFor(asked));
     output->ShallowCopy(read.grid);
     if (this->Series->timed)
     {

@@ -13,8 +13,14 @@
  *
  * Parts of a step are put together without merging points. Ghost cells that another part holds too,
  * parts without volume cells, and arrays that not all parts have alike are left out, the latter two
- * with a warning. Coefficients that a file carries are read as they are where it is the only part;
- * of several parts only those that were made from nodal values are accepted, to be made again.
+ * with a warning. Coefficients that a file carries are read as they are where it is the only part,
+ * and put together where all parts carry those of a solver; those of several parts that were made
+ * from nodal values are dropped, to be made again.
+ *
+ * Asked for a piece of several (UPDATE_PIECE_NUMBER) it gives that piece: of several parts some
+ * that follow each other, of a single file, which is read whole, a
+ * share of the cells. CellData PixelExactSourceCell then has the cells' numbers in the whole, as
+ * vtkHighOrderFileReader says; the conversion keeps them.
  *
  * Errors go to vtkErrorMacro, with the file; the output is then empty. Modified() makes it read the
  * files anew.

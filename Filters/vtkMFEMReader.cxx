@@ -101,6 +101,7 @@ std::vector<double> vtkMFEMReader::ReadTimes()
 
 SolverModel vtkMFEMReader::ReadModel(int step, bool /*wantMesh*/)
 {
+  const PieceOf part{ this->Piece, this->Pieces };
   if (!IsRootFile(this->FileName))
   {
     if (!this->Steps.empty())
@@ -109,12 +110,12 @@ SolverModel vtkMFEMReader::ReadModel(int step, bool /*wantMesh*/)
         " is no root file of a collection (.mfem_root), which alone "
         "has time steps.");
     }
-    return mfem::ReadFiles(this->FileName, this->GridFunctions);
+    return mfem::ReadFiles(this->FileName, this->GridFunctions, part);
   }
   if (!this->GridFunctions.empty())
   {
     throw InvalidData(this->FileName + " tells of the collection's own grid functions; leave out " +
       this->GridFunctions.front() + ".");
   }
-  return mfem::ReadRootFile(this->Order.at(static_cast<std::size_t>(step)));
+  return mfem::ReadRootFile(this->Order.at(static_cast<std::size_t>(step)), part);
 }

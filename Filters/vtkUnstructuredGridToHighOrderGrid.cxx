@@ -5,6 +5,8 @@
 #include "GridConversion.h"
 #include "KeptMesh.h"
 #include "OutputGrid.h"
+#include "PackedArrays.h"
+#include "PieceNumbers.h"
 #include "vtkHighOrderGrid.h"
 
 #include "vtkInformation.h"
@@ -116,16 +118,22 @@ int vtkUnstructuredGridToHighOrderGrid::RequestData(vtkInformation* /*request*/,
     {
       throw InvalidData("there is no input grid; connect a vtkUnstructuredGrid.");
     }
-    if (HasSolverCoefficients(input))
+    if (input->GetNumberOfCells() == 0 &&
+      !PieceAskedFor(outputVector->GetInformationObject(0)).IsWhole())
+    {
+      output->ShallowCopy(input); // a process without a share of the data
+      return 1;
+    }
+    if (HasSolverCoefficients(input) || IsPacked(input))
     {
       const std::string problem = vtkHighOrderGrid::CheckCoefficients(input);
       if (problem.empty())
       {
-        output->ShallowCopy(input);
+        output->ShallowCopy(IsPacked(input) ? Unpack(input).Get() : input);
         return 1;
       }
-      this->Report(
-        "the solver's own coefficients no longer fit and are replaced by nodal ones: " + problem);
+      this->Report("the " + std::string(IsPacked(input) ? "packed" : "solver's own") +
+        " coefficients no longer fit and are replaced by nodal ones: " + problem);
     }
     const auto report = ConvertGrid(input,
       { this->Fields, this->Diagnose,

@@ -48,14 +48,14 @@ std::span<const T> View(vtkDataArray* array, const std::string& name, int compon
             : sizeof(T) == 4         ? "a 32-bit integer"
                                      : "a 64-bit integer"));
   }
-  if (array->GetNumberOfComponents() != components ||
+  if ((components >= 0 && array->GetNumberOfComponents() != components) ||
     (tuples >= 0 && array->GetNumberOfTuples() != tuples))
   {
     Fail(name,
       "has " + std::to_string(array->GetNumberOfTuples()) + " x " +
         std::to_string(array->GetNumberOfComponents()) + " values where " +
         (tuples >= 0 ? std::to_string(tuples) : std::string("any number")) + " x " +
-        std::to_string(components) + " are needed");
+        (components >= 0 ? std::to_string(components) : std::string("any number")) + " are needed");
   }
   if (!array->HasStandardMemoryLayout())
   {
@@ -74,10 +74,26 @@ std::span<const T> View(vtkDataArray* array, const std::string& name, int compon
 } // namespace
 
 template <class T>
+std::span<const T> ViewArrayOf(vtkFieldData* data, const std::string& name, int components,
+  vtkIdType tuples, ArrayKeeper& keeper)
+{
+  return View<T>(data->GetArray(name.c_str()), name, components, tuples, keeper);
+}
+
+template std::span<const double> ViewArrayOf(
+  vtkFieldData*, const std::string&, int, vtkIdType, ArrayKeeper&);
+template std::span<const std::uint8_t> ViewArrayOf(
+  vtkFieldData*, const std::string&, int, vtkIdType, ArrayKeeper&);
+template std::span<const std::int32_t> ViewArrayOf(
+  vtkFieldData*, const std::string&, int, vtkIdType, ArrayKeeper&);
+template std::span<const std::int64_t> ViewArrayOf(
+  vtkFieldData*, const std::string&, int, vtkIdType, ArrayKeeper&);
+
+template <class T>
 std::span<const T> ViewArray(vtkUnstructuredGrid* grid, const std::string& name, int components,
   vtkIdType tuples, ArrayKeeper& keeper)
 {
-  return View<T>(grid->GetFieldData()->GetArray(name.c_str()), name, components, tuples, keeper);
+  return ViewArrayOf<T>(grid->GetFieldData(), name, components, tuples, keeper);
 }
 
 template std::span<const double> ViewArray(

@@ -7,6 +7,8 @@
 
 #include "vtkDataArray.h"
 
+class vtkFieldData;
+
 // Typed views of the arrays that HighOrderArrays.h names. Every function throws InvalidData, naming
 // the array, where it is missing, of another type or of another size.
 namespace pixelexact
@@ -18,6 +20,12 @@ using ArrayKeeper = std::vector<vtkSmartPointer<vtkDataArray>>;
 /// `tuples` tuples. T: double, std::uint8_t, std::int32_t or std::int64_t.
 template <class T>
 std::span<const T> ViewArray(vtkUnstructuredGrid* grid, const std::string& name, int components,
+  vtkIdType tuples, ArrayKeeper& keeper);
+
+/// The same for the arrays of `data`, which may be CellData; any number of components where that is
+/// negative.
+template <class T>
+std::span<const T> ViewArrayOf(vtkFieldData* data, const std::string& name, int components,
   vtkIdType tuples, ArrayKeeper& keeper);
 
 /// The same for CellData, with one tuple per cell.

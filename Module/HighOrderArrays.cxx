@@ -4,6 +4,7 @@
 #include "ArrayViews.h"
 #include "Core/Base/Error.h"
 #include "Fingerprint.h"
+#include "PackedArrays.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -118,17 +119,25 @@ double* ExpansionArrays::Coefficients(std::size_t element) const
 bool HasHighOrderArrays(vtkUnstructuredGrid* grid)
 {
   return grid && grid->GetFieldData() &&
-    grid->GetFieldData()->HasArray((std::string(kMeshPrefix) + "Coefficients").c_str());
+    (grid->GetFieldData()->HasArray((std::string(kMeshPrefix) + "Coefficients").c_str()) ||
+      IsPacked(grid));
 }
 
 void RemoveHighOrderArrays(vtkUnstructuredGrid* grid)
 {
   RemovePrefix(grid->GetFieldData(), kMeshPrefix);
   RemovePrefix(grid->GetFieldData(), kFieldPrefix);
+  RemovePrefix(grid->GetCellData(), kPackedPrefix);
   grid->GetCellData()->RemoveArray(kElementIds);
 }
 
 void StoreMesh(vtkUnstructuredGrid* grid, const MeshArrays& mesh, Origin origin)
+{
+  StoreMesh(grid, mesh, origin, CellFingerprints(grid));
+}
+
+void StoreMesh(vtkUnstructuredGrid* grid, const MeshArrays& mesh, Origin origin,
+  std::span<const std::int64_t> fingerprints)
 {
   const auto cells = static_cast<std::size_t>(grid->GetNumberOfCells());
   if (mesh.map.spaceOf.size() != cells || mesh.sourceCell.size() != cells)
@@ -146,8 +155,7 @@ void StoreMesh(vtkUnstructuredGrid* grid, const MeshArrays& mesh, Origin origin)
   Add<vtkDoubleArray, double>(data, prefix + "Uncertainty", mesh.uncertainty);
   Add<vtkTypeInt64Array, std::int64_t>(data, prefix + "SourceCell", mesh.sourceCell);
   AddBoundary(data, mesh.boundary);
-  const auto prints = CellFingerprints(grid);
-  Add<vtkTypeInt64Array, std::int64_t>(data, prefix + "Fingerprint", prints);
+  Add<vtkTypeInt64Array, std::int64_t>(data, prefix + "Fingerprint", fingerprints);
 
   vtkNew<vtkTypeInt64Array> ids;
   ids->SetName(kElementIds);
@@ -170,6 +178,23 @@ bool StoredMeshFits(vtkUnstructuredGrid* grid)
 void StoreField(
   vtkUnstructuredGrid* grid, const std::string& name, const ExpansionArrays& values, Origin origin)
 {
+  if (origin == Origin::Coefficients)
+  {
+    StoreField(grid, name, values, origin, {});
+    return;
+  }
+  vtkDataArray* source = FieldSource(grid, name, origin);
+  if (!source)
+  {
+    throw InvalidData("field '" + name + "' cannot be stored as made from nodal values: the grid " +
+      "has no array of that name; add the array first.");
+  }
+  StoreField(grid, name, values, origin, ValueFingerprints(grid, source, origin));
+}
+
+void StoreField(vtkUnstructuredGrid* grid, const std::string& name, const ExpansionArrays& values,
+  Origin origin, std::span<const std::int64_t> fingerprints)
+{
   vtkFieldData* data = grid->GetFieldData();
   const std::string prefix = kFieldPrefix + name + ".";
   // AddArray replaces an array of the same name; of those of an earlier version only these might be
@@ -184,18 +209,10 @@ void StoreField(
   }
   const std::int32_t components = values.components;
   Add<vtkIntArray, std::int32_t>(data, prefix + "Components", { &components, 1 });
-  if (origin == Origin::Coefficients)
+  if (origin != Origin::Coefficients)
   {
-    return;
+    Add<vtkTypeInt64Array, std::int64_t>(data, prefix + "Fingerprint", fingerprints);
   }
-  vtkDataArray* source = FieldSource(grid, name, origin);
-  if (!source)
-  {
-    throw InvalidData("field '" + name + "' cannot be stored as made from nodal values: the grid " +
-      "has no array of that name; add the array first.");
-  }
-  const auto prints = ValueFingerprints(grid, source, origin);
-  Add<vtkTypeInt64Array, std::int64_t>(data, prefix + "Fingerprint", prints);
 }
 
 std::vector<std::string> StoredFieldNames(vtkUnstructuredGrid* grid)
@@ -213,6 +230,10 @@ std::vector<std::string> StoredFieldNames(vtkUnstructuredGrid* grid)
     {
       names.push_back(name.substr(prefix.size(), name.size() - prefix.size() - suffix.size()));
     }
+  }
+  if (names.empty())
+  {
+    names = PackedFieldNames(grid);
   }
   return names;
 }

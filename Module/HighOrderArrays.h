@@ -84,16 +84,21 @@ struct MeshArrays
   std::vector<AttributedFace> boundary; ///< in any order
 };
 
-/// Whether the grid carries the arrays of a mesh; says nothing of whether they fit.
+/// Whether the grid carries the arrays of a mesh, in FieldData or packed (PackedArrays.h); says
+/// nothing of whether they fit.
 PIXELEXACTDATAMODEL_EXPORT bool HasHighOrderArrays(vtkUnstructuredGrid* grid);
 
-/// Removes every array of ours from FieldData and CellData.
+/// Removes every array of ours from FieldData and CellData, packed ones too.
 PIXELEXACTDATAMODEL_EXPORT void RemoveHighOrderArrays(vtkUnstructuredGrid* grid);
 
 /// Adds a mesh whose element e is the grid's cell e, and fingerprints the cells as they are now.
 /// Throws InvalidData where the number of elements is not the number of cells.
 PIXELEXACTDATAMODEL_EXPORT void StoreMesh(
   vtkUnstructuredGrid* grid, const MeshArrays& mesh, Origin origin);
+
+/// The same with the fingerprints of the cells that the mesh was made with, as stored before.
+PIXELEXACTDATAMODEL_EXPORT void StoreMesh(vtkUnstructuredGrid* grid, const MeshArrays& mesh,
+  Origin origin, std::span<const std::int64_t> fingerprints);
 
 /// Whether the stored mesh was made of the grid's cells as they are now, cell e being element e; by
 /// the fingerprints.
@@ -104,7 +109,11 @@ PIXELEXACTDATAMODEL_EXPORT bool StoredMeshFits(vtkUnstructuredGrid* grid);
 PIXELEXACTDATAMODEL_EXPORT void StoreField(
   vtkUnstructuredGrid* grid, const std::string& name, const ExpansionArrays& values, Origin origin);
 
-/// Names of the fields whose coefficients are in FieldData, in their order there.
+/// The same with the fingerprints of the values that the field was made from, as stored before.
+PIXELEXACTDATAMODEL_EXPORT void StoreField(vtkUnstructuredGrid* grid, const std::string& name,
+  const ExpansionArrays& values, Origin origin, std::span<const std::int64_t> fingerprints);
+
+/// Names of the fields whose coefficients are in FieldData, in their order there, or packed.
 PIXELEXACTDATAMODEL_EXPORT std::vector<std::string> StoredFieldNames(vtkUnstructuredGrid* grid);
 } // namespace pixelexact
 #endif

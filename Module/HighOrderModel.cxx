@@ -7,8 +7,12 @@
 #include "Fingerprint.h"
 #include "JoinedArrays.h"
 #include "MeshPart.h"
+#include "PackedArrays.h"
 
+#include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkSmartPointer.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -19,6 +23,22 @@ namespace pixelexact
 {
 namespace
 {
+/// What a cell array says of each cell, 0 where there is none.
+std::vector<std::uint8_t> MarksOf(vtkUnstructuredGrid* grid, const char* name)
+{
+  vtkDataArray* array = grid->GetCellData()->GetArray(name);
+  std::vector<std::uint8_t> marks(static_cast<std::size_t>(grid->GetNumberOfCells()), 0);
+  if (array != nullptr && array->GetNumberOfValues() == grid->GetNumberOfCells())
+  {
+    for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+    {
+      marks[static_cast<std::size_t>(cell)] =
+        static_cast<std::uint8_t>(array->GetComponent(cell, 0));
+    }
+  }
+  return marks;
+}
+
 /// Models that somebody holds, by their data: a filter, a mapper and the grid itself share one.
 struct Registry
 {
@@ -39,6 +59,8 @@ struct HighOrderModel::Internals
   ViewStorage storage;
   std::vector<Field> fields;
   std::vector<Block> blocks;
+  std::vector<std::uint8_t> ghosts; ///< by element, VTK's marks
+  std::vector<std::uint8_t> inner;  ///< by element, kInnerFaces
   DataState state;
 
   void AddField(vtkUnstructuredGrid* source, const std::string& name)
@@ -68,15 +90,18 @@ struct HighOrderModel::Internals
   }
 };
 
-HighOrderModel::HighOrderModel(vtkUnstructuredGrid* grid)
+HighOrderModel::HighOrderModel(vtkUnstructuredGrid* given)
   : Data(std::make_unique<Internals>())
 {
-  if (!HasHighOrderArrays(grid))
+  if (!HasHighOrderArrays(given))
   {
     throw InvalidData("the grid carries no high-order coefficients; pass it through "
                       "vtkUnstructuredGridToHighOrderGrid first.");
   }
-  Data->state = StateOf(grid);
+  Data->state = StateOf(given);
+  Data->ghosts = MarksOf(given, vtkDataSetAttributes::GhostArrayName());
+  Data->inner = MarksOf(given, kInnerFaces);
+  const auto grid = IsPacked(given) ? Unpack(given) : vtkSmartPointer<vtkUnstructuredGrid>(given);
   Data->part = MeshPart::Of(grid);
   for (const auto& name : StoredFieldNames(grid))
   {
@@ -103,6 +128,9 @@ HighOrderModel::HighOrderModel(vtkCompositeDataSet* data)
     }
     parts.push_back(models.back()->Data->part);
     Data->blocks.push_back({ part.flatIndex, elements });
+    const Internals& leaf = *models.back()->Data;
+    Data->ghosts.insert(Data->ghosts.end(), leaf.ghosts.begin(), leaf.ghosts.end());
+    Data->inner.insert(Data->inner.end(), leaf.inner.begin(), leaf.inner.end());
     elements += models.back()->GetMesh().Elements();
   }
   if (parts.empty())
@@ -237,6 +265,17 @@ const HighOrderModel::Block& HighOrderModel::BlockOf(
 {
   const auto after = std::ranges::upper_bound(blocks, element, {}, &Block::begin);
   return *std::prev(after);
+}
+
+bool HighOrderModel::IsGhost(int element) const
+{
+  return (Data->ghosts[static_cast<std::size_t>(element)] & vtkDataSetAttributes::DUPLICATECELL) !=
+    0;
+}
+
+bool HighOrderModel::IsInner(int element, int face) const
+{
+  return (Data->inner[static_cast<std::size_t>(element)] >> static_cast<unsigned>(face) & 1U) != 0;
 }
 
 bool HighOrderModel::IsCurrent(vtkDataObject* data) const

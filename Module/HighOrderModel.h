@@ -21,6 +21,10 @@ namespace pixelexact
 class FaceTable;
 class Locator;
 
+/// CellData, uint8, where a grid is a part of a mesh: a bit for each face, as in FacesOf(shape),
+/// that has something behind it in the whole.
+inline constexpr const char* kInnerFaces = "PixelExactInnerFaces";
+
 /// The mesh and the fields that a vtkUnstructuredGrid carries in its arrays (HighOrderArrays.h),
 /// checked, as views that the numerics work on. Element numbers of the model are the grid's cell
 /// numbers, those of composite data count on from leaf to leaf. It keeps the arrays alive, not the
@@ -28,7 +32,8 @@ class Locator;
 class PIXELEXACTDATAMODEL_EXPORT HighOrderModel
 {
 public:
-  /// The model of `grid` as it is now; the same one again while somebody holds it and the grid is
+  /// The model of `grid` as it is now, of packed coefficients too (PackedArrays.h), which are then
+  /// copied; the same one again while somebody holds it and the grid is
   /// unchanged. Another grid or state whose mesh arrays (PixelExact.Mesh.*, PixelExactElementId)
   /// are the same objects, unmodified, has a model of its own but shares mesh and locator, while
   /// somebody holds a model with them: hold the old one while asking for that of the next time
@@ -82,12 +87,20 @@ public:
   /// `element`.
   [[nodiscard]] std::span<const std::int64_t> SourceCells() const;
 
+  /// Whether an element is a copy of one that another process or block holds (VTK's ghost cells,
+  /// marked as duplicates). Its field is as good as any; faces of boundaries are the other's.
+  [[nodiscard]] bool IsGhost(int element) const;
+
+  /// Whether the grid says that something is behind a face, in a part of the mesh that it does not
+  /// hold: bit `face` of CellData kInnerFaces.
+  [[nodiscard]] bool IsInner(int element, int face) const;
+
   /// Whether this is the model of `data` as it is now: same object, unmodified, leaves too.
   [[nodiscard]] bool IsCurrent(vtkDataObject* data) const;
 
 private:
   struct Internals;
-  explicit HighOrderModel(vtkUnstructuredGrid* grid);
+  explicit HighOrderModel(vtkUnstructuredGrid* given);
   explicit HighOrderModel(vtkCompositeDataSet* data);
   static std::shared_ptr<HighOrderModel> Known(vtkDataObject* data);
   /// The one that is known, else a new one.

@@ -99,6 +99,10 @@ std::vector<ElementFace> FacesFor(const HighOrderModel& model, const BoundaryCho
       model.GetMesh(),
       [&](int element, int face)
       {
+        if (model.IsGhost(element) || model.IsInner(element, face))
+        {
+          return false;
+        }
         const FaceKind kind = model.Faces().KindOf(element, face);
         return kind == FaceKind::Boundary || kind == FaceKind::Partly;
       },

@@ -76,6 +76,13 @@ struct SolverField
   bool continuous = false; ///< one value where elements meet, by construction
 };
 
+/// A file of a run that left one for each of its processes.
+struct ReadPiece
+{
+  int piece = 0;             ///< counted from 0
+  std::int64_t elements = 0; ///< that it holds
+};
+
 struct SolverModel
 {
   SolverMesh mesh;
@@ -83,5 +90,9 @@ struct SolverModel
   std::optional<double> time;
   /// What was noticed in the file that a user should know, one line each.
   std::vector<std::string> notes;
+  /// Where some pieces of a run were read and others were not: those that were, in the order of the
+  /// elements, and how many there are. Elements are then numbered as if there were no others.
+  std::vector<ReadPiece> pieces;
+  int piecesOfRun = 0; ///< 0: everything was read
 };
 } // namespace pixelexact

@@ -49,6 +49,7 @@ set(PIXELEXACT_VTK_COMPONENTS
   CommonTransforms
   FiltersCore
   IOXML
+  ParallelCore
   RenderingCore
   RenderingFreeType
   RenderingOpenGL2)
@@ -74,9 +75,9 @@ if(PIXELEXACT_BUILD_PARAVIEW)
   include(PixelExactParaViewPackage)
   return()
 endif()
-# Without the last ones the program refuses their formats by name.
+# Without these the program refuses the readers' formats by name, and several processes.
 find_package(VTK 9.1 REQUIRED COMPONENTS ${PIXELEXACT_VTK_COMPONENTS} ${vtk_build_components}
-  OPTIONAL_COMPONENTS IOExodus exodusII IOCGNSReader)
+  OPTIONAL_COMPONENTS IOExodus exodusII IOCGNSReader mpi ParallelMPI)
 
 find_package(CLI11 REQUIRED)
 find_package(fmt REQUIRED)

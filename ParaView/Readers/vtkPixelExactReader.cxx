@@ -130,6 +130,7 @@ int vtkPixelExactReader::RequestInformation(
   vtkInformation* output = outputVector->GetInformationObject(0);
   output->Remove(Pipeline::TIME_STEPS());
   output->Remove(Pipeline::TIME_RANGE());
+  output->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
   try
   {
     if (this->FileNames.empty())
@@ -167,10 +168,13 @@ int vtkPixelExactReader::RequestData(
   {
     return 0; // RequestInformation said why
   }
+  // Each process its piece, by which vtkHighOrderFileReader and vtkHighOrderSeriesReader choose.
+  const int piece = info->Get(Pipeline::UPDATE_PIECE_NUMBER());
+  const int pieces = std::max(1, info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()));
   const bool hasTime = info->Has(Pipeline::UPDATE_TIME_STEP()) != 0;
   const bool done = hasTime
-    ? this->GetSource()->UpdateTimeStep(info->Get(Pipeline::UPDATE_TIME_STEP())) != 0
-    : this->GetSource()->GetExecutive()->Update() != 0;
+    ? this->GetSource()->UpdateTimeStep(info->Get(Pipeline::UPDATE_TIME_STEP()), piece, pieces) != 0
+    : this->GetSource()->UpdatePiece(piece, pieces, 0) != 0;
   if (!done)
   {
     return 0; // the source said why

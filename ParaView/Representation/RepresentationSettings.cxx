@@ -19,7 +19,11 @@ void vtkPixelExactRepresentation::SetVisibility(bool visible)
 //------------------------------------------------------------------------------
 void vtkPixelExactRepresentation::SetSurface(int surface)
 {
-  this->Data->Surface = surface;
+  if (this->Data->Surface != surface)
+  {
+    this->Data->Surface = surface;
+    this->MarkModified(); // processes ask each other about boundaries alone
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -4,6 +4,7 @@
 #include "CompositeParts.h"
 #include "HighOrderArrays.h"
 #include "HighOrderModel.h"
+#include "InnerFaces.h"
 #include "RepresentationInternals.h"
 
 #include "Core/Base/Error.h"
@@ -15,6 +16,7 @@
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVRenderView.h"
 #include "vtkProperty.h"
@@ -119,8 +121,47 @@ int vtkPixelExactRepresentation::RequestData(
       my.Shown = nullptr;
       vtkErrorMacro(<< error.what());
     }
+    this->FindInnerFaces();
   }
   return this->Superclass::RequestData(request, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
+void vtkPixelExactRepresentation::FindInnerFaces()
+{
+  Internals& my = *this->Data;
+  auto* processes = vtkMultiProcessController::GetGlobalController();
+  if (my.Surface != BOUNDARY || processes == nullptr || processes->GetNumberOfProcesses() < 2)
+  {
+    return;
+  }
+  if (vtkCompositeDataSet::SafeDownCast(my.Shown) != nullptr)
+  {
+    vtkWarningMacro(<< "the boundary of blocks is shown with the walls between the processes' "
+                       "parts; put the blocks together first (PixelExact Pack, Merge Blocks)");
+  }
+  vtkSmartPointer<vtkUnstructuredGrid> grid = vtkUnstructuredGrid::SafeDownCast(my.Shown);
+  if (!grid)
+  {
+    // The others wait for this process, too, where it has nothing.
+    grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  }
+  try
+  {
+    const auto marked = pixelexact::WithInnerFaces(grid, processes);
+    if (HasCells(marked))
+    {
+      my.Shown = marked;
+      const auto model = pixelexact::HighOrderModel::From(my.Shown);
+      my.Mapper->SetInputData(my.Shown);
+      my.Mapper->GetBounds(my.Bounds.data());
+    }
+  }
+  catch (const pixelexact::Error& error)
+  {
+    my.Shown = nullptr;
+    vtkErrorMacro(<< error.what());
+  }
 }
 
 //------------------------------------------------------------------------------

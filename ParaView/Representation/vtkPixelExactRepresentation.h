@@ -181,6 +181,8 @@ private:
   void operator=(const vtkPixelExactRepresentation&) = delete;
 
   void ChooseSurface();
+  /// Of a boundary whose elements several processes have: all of them call it.
+  void FindInnerFaces();
   /**
    * Of what ParaView's panels offer and a cut does not have, and of a colour map that is too
    * narrow.

@@ -2,7 +2,9 @@
 #include "DrawnShot.h"
 
 #include "EdgePaths.h"
+#include "Processes.h"
 #include "RenderOptions.h"
+#include "SharedTrace.h"
 #include "VectorCanvas.h"
 
 #include "Trace/StridedFrame.h"
@@ -23,7 +25,9 @@ Frame TraceShot(const RenderOptions& options, const Shot& shot, const Progress& 
   {
     return TraceStrided(shot.scene, shot.MakeCamera(), wanted, stride, progress);
   }
-  return Trace(shot.scene, shot.MakeCamera(), {}, { .centres = wanted }, progress);
+  return AreSeveralProcesses()
+    ? TraceTogether(shot, wanted, progress)
+    : Trace(shot.scene, shot.MakeCamera(), {}, { .centres = wanted }, progress);
 }
 
 DrawnShot::DrawnShot(const RenderOptions& options, const Shot& shot, Frame traced, bool paths)

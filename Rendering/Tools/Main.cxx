@@ -4,6 +4,7 @@
 #include "Completion.h"
 #include "Defaults.h"
 #include "Options.h"
+#include "Processes.h"
 #include "Report.h"
 
 #include "Core/Base/Error.h"
@@ -35,11 +36,27 @@ pixelexact --completion bash|zsh|man prints a shell's completion, or the manual'
 
 int Fail(int status, const std::string& message, bool json)
 {
+  if (!pixelexact::IsFirstProcess())
+  {
+    return status; // the first one says the same
+  }
   std::cerr << "pixelexact: " << message << '\n';
   if (json)
   {
     pixelexact::PrintError(message);
   }
+  return status;
+}
+
+/// A failure that other processes, which may wait for this one, know nothing of.
+int FailAlone(const std::string& message, bool json)
+{
+  if (!pixelexact::IsFirstProcess())
+  {
+    std::cerr << "pixelexact: process " << pixelexact::ProcessNumber() << ": " << message << '\n';
+  }
+  const int status = Fail(kWorkFailed, message, json);
+  pixelexact::EndAllProcesses(status);
   return status;
 }
 
@@ -66,7 +83,7 @@ int Perform(const pixelexact::Action& action, const pixelexact::CommonOptions& c
     limit.emplace(
       tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(common.threads));
   }
-  pixelexact::BeQuiet(common.quiet);
+  pixelexact::BeQuiet(common.quiet || !pixelexact::IsFirstProcess());
   try
   {
     action();
@@ -76,13 +93,17 @@ int Perform(const pixelexact::Action& action, const pixelexact::CommonOptions& c
   {
     return Fail(kWrongUsage, error.what(), common.json);
   }
+  catch (const pixelexact::Error& error)
+  {
+    return Fail(kWorkFailed, error.what(), common.json);
+  }
   catch (const std::bad_alloc&)
   {
-    return Fail(kWorkFailed, "out of memory", common.json);
+    return FailAlone("out of memory", common.json);
   }
   catch (const std::exception& error)
   {
-    return Fail(kWorkFailed, error.what(), common.json);
+    return FailAlone(error.what(), common.json);
   }
 }
 
@@ -142,6 +163,10 @@ int Run(std::vector<std::string> words)
   {
     return misused(error.what());
   }
+  if (pixelexact::AreSeveralProcesses() && pixelexact::CommandOf(program, words) != "render")
+  {
+    return misused("this command is for one process; start it without mpirun");
+  }
   return Perform(action, common);
 }
 } // namespace
@@ -150,7 +175,12 @@ int main(int argc, char** argv)
 {
   try
   {
+    const pixelexact::ProgramProcesses processes(&argc, &argv);
     return Run({ argv + 1, argv + argc });
+  }
+  catch (const pixelexact::Error& error)
+  {
+    return Fail(kWrongUsage, error.what(), false);
   }
   catch (...)
   {

@@ -3,6 +3,7 @@
 
 #include "Input.h"
 #include "Knobs.h"
+#include "Processes.h"
 #include "Report.h"
 #include "VtkMessages.h"
 
@@ -127,6 +128,10 @@ LoadedModel LoadModel(const InputRequest& request, const std::string& field, Sto
   stopwatch.Stage("read");
   try
   {
+    if (AreSeveralProcesses() && input.grid->GetNumberOfCells() == 0)
+    {
+      return input; // this one has no share of it
+    }
     if (!HasHighOrderArrays(input.grid))
     {
       Convert(input, request, field);
@@ -141,6 +146,7 @@ LoadedModel LoadModel(const InputRequest& request, const std::string& field, Sto
       ShareMesh(*before, *input.grid);
     }
     input.model = HighOrderModel::From(input.grid);
+    input.elements = input.model->GetMesh().Elements();
     if (request.truncateOrder)
     {
       Truncate(input, *request.truncateOrder);

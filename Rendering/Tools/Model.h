@@ -7,6 +7,7 @@
 #include <vtkSmartPointer.h>
 
 #include <array>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
@@ -26,6 +27,7 @@ struct LoadedModel
 {
   vtkSmartPointer<vtkUnstructuredGrid> grid;
   std::shared_ptr<HighOrderModel> model;
+  std::int64_t elements = 0;            ///< of the whole input; the model may hold less of it
   bool converted = false;               ///< else the file carried our coefficients
   vtkIdType skippedCells = 0;           ///< of the file, that are no element
   std::vector<std::string> diagnostics; ///< what looks wrong in the file

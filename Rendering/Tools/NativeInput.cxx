@@ -2,6 +2,7 @@
 #include "NativeInput.h"
 
 #include "Command.h"
+#include "Processes.h"
 #include "VtkMessages.h"
 
 #include "Core/Base/Error.h"
@@ -47,13 +48,15 @@ InputGrid ReadWith(vtkHighOrderFileReader& reader, const InputRequest& request)
     input.times.assign(times, times + information->Length(Pipeline::TIME_STEPS()));
   }
   input.step = ChooseStep(request, input.times);
+  const PieceOf part = PartOfThisProcess();
   if (input.times.empty())
   {
-    reader.Update();
+    reader.UpdatePiece(part.piece, part.count, 0);
   }
   else
   {
-    reader.UpdateTimeStep(input.times[static_cast<std::size_t>(input.step)]);
+    reader.UpdateTimeStep(
+      input.times[static_cast<std::size_t>(input.step)], part.piece, part.count, 0);
   }
   check();
   input.grid = reader.GetOutput();

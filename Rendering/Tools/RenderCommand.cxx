@@ -6,9 +6,11 @@
 #include "Output.h"
 #include "PictureFile.h"
 #include "PictureName.h"
+#include "Processes.h"
 #include "RenderOptions.h"
 #include "RenderReport.h"
 #include "Report.h"
+#include "SeveralProcesses.h"
 
 #include <algorithm>
 #include <functional>
@@ -23,6 +25,7 @@ void Render(RenderOptions options, const CommonOptions& common)
 {
   if (options.animation.IsAsked(options.shot.input))
   {
+    RefuseSeveralProcesses("an animation");
     RenderAnimation(std::move(options), common);
     return;
   }
@@ -31,6 +34,7 @@ void Render(RenderOptions options, const CommonOptions& common)
   const std::vector<std::string> outputs{ picture, options.buffers.File(), options.lines.file };
   CheckStandardOutput(outputs, common.json);
   options.Check(picture);
+  CheckForSeveralProcesses(options);
   Stopwatch stopwatch;
   const Shot shot = Prepare(options.OfPicture(), stopwatch);
   if (!options.lines.file.empty())
@@ -43,6 +47,10 @@ void Render(RenderOptions options, const CommonOptions& common)
     return TraceShot(options, shot, std::ref(line));
   }();
   stopwatch.Stage("rays");
+  if (!IsFirstProcess())
+  {
+    return; // the first one draws what all have traced
+  }
   const bool vectors = IsVector(FormatOf("--output", picture));
   const DrawnShot drawn(options, shot, std::move(traced), vectors);
   if (!drawn.InPixels().empty())

@@ -187,7 +187,7 @@ void PrintJson(const Shot& shot, const Frame& frame, const Found& found, const L
 {
   const Layer& first = shot.scene.layers.front();
   const FrameCounters& pixels = frame.counters;
-  nlohmann::ordered_json summary{ { "elements", shot.input.model->GetMesh().Elements() },
+  nlohmann::ordered_json summary{ { "elements", shot.input.elements },
     { "field", FieldToJson(first) }, { "component", ComponentToJson(first) } };
   AddTime(summary, shot.input);
   summary.update({ { "width", frame.width }, { "height", frame.height },
@@ -242,7 +242,7 @@ void PrintTable(const Shot& shot, const Frame& frame, const Found& found, const 
   bool onStderr)
 {
   Table table;
-  table.Row("elements", "{}", shot.input.model->GetMesh().Elements());
+  table.Row("elements", "{}", shot.input.elements);
   for (std::size_t k = 0; k < shot.scene.layers.size(); ++k)
   {
     const Layer& layer = shot.scene.layers[k];

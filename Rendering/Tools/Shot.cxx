@@ -3,6 +3,8 @@
 
 #include "Command.h"
 #include "Effects.h"
+#include "NeededElements.h"
+#include "Processes.h"
 #include "Report.h"
 
 #include "Core/Base/Error.h"
@@ -229,7 +231,17 @@ Shot MakeShot(const ShotOptions& options, Stopwatch& stopwatch, vtkUnstructuredG
   }
   shot.settings = options.MakeLayers();
   const std::vector<GivenSurface> given = options.surfaces.Make();
-  shot.input = LoadModel(options.input, FieldToLoad(options, shot.settings), stopwatch, before);
+  const std::string field = FieldToLoad(options, shot.settings);
+  if (AreSeveralProcesses())
+  {
+    shot.input = LoadPart(options.input, field, stopwatch);
+    shot.input = WithNeededElements(std::move(shot.input), options.surfaces);
+    stopwatch.Stage("exchange");
+  }
+  else
+  {
+    shot.input = LoadModel(options.input, field, stopwatch, before);
+  }
   if (before == nullptr)
   {
     WarnOfDiagnostics(shot.input);

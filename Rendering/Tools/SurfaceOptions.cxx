@@ -171,7 +171,7 @@ std::vector<std::string> SurfaceOptions::Fields() const
   return names;
 }
 
-std::vector<GivenSurface> SurfaceOptions::Make() const
+std::vector<GivenSurface> SurfaceOptions::MakeInSpace() const
 {
   std::vector<GivenSurface> surfaces;
   const auto add = [&surfaces](const PlaneChoice& choice)
@@ -215,6 +215,12 @@ std::vector<GivenSurface> SurfaceOptions::Make() const
       throw Error("--patch: '" + file + "': " + error.what());
     }
   }
+  return surfaces;
+}
+
+std::vector<GivenSurface> SurfaceOptions::Make() const
+{
+  std::vector<GivenSurface> surfaces = MakeInSpace();
   for (const IsoText& iso : Isos)
   {
     surfaces.push_back(OfMesh("--isosurface",

@@ -38,7 +38,11 @@ public:
   /// no surface, Error for a file that cannot be read.
   [[nodiscard]] std::vector<GivenSurface> Make() const;
 
+  /// The same without those that are made of the mesh's elements.
+  [[nodiscard]] std::vector<GivenSurface> MakeInSpace() const;
+
   [[nodiscard]] const std::vector<IsoText>& IsoSurfaces() const { return Isos; }
+  [[nodiscard]] const std::vector<BoundaryChoice>& BoundaryChoices() const { return Boundaries; }
 
   /// An option and its numbers.
   struct Described

@@ -2,6 +2,7 @@
 #include "VtkInput.h"
 
 #include "Command.h"
+#include "Processes.h"
 #include "VtkMessages.h"
 
 #include "GridParts.h"
@@ -47,7 +48,7 @@ InputGrid ReadStep(
   input.times = std::move(times);
   input.step = ChooseStep(request, input.times);
   const VtkMessages messages;
-  ReadGrid read = ReadParts(steps[static_cast<std::size_t>(input.step)].parts);
+  ReadGrid read = ReadParts(steps[static_cast<std::size_t>(input.step)].parts, PartOfThisProcess());
   input.grid = read.grid;
   input.notes = std::move(read.notes);
   CheckMessages(messages, request.files[0], input.notes);

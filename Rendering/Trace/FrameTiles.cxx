@@ -150,7 +150,8 @@ FrameCounters ForEachTile(
 } // namespace
 
 FrameCounters TraceLattice(const Scene& scene, const Camera& camera, const SampleLattice& lattice,
-  Sheets& sheets, Reporter& reporter, StageTimes* stages, const AfterTile& after)
+  Sheets& sheets, Reporter& reporter, StageTimes* stages, const AfterTile& after,
+  const TileTurn& turn)
 {
   const int width = sheets.At(0).width;
   const int columns = SamplesAlong(lattice.x0, lattice.step, width);
@@ -158,7 +159,8 @@ FrameCounters TraceLattice(const Scene& scene, const Camera& camera, const Sampl
   FrameCounters total = ForEachTile(&scene, columns, rows, stages,
     [&](const TileArea& area, FrameCounters& counters)
     {
-      if (reporter.IsAborted())
+      const int tile = area.y0 / kTileSize * TilesAlong(columns) + area.x0 / kTileSize;
+      if (reporter.IsAborted() || !turn.Has(tile))
       {
         return;
       }

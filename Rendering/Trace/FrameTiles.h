@@ -42,9 +42,11 @@ int TilesOf(const SampleLattice& lattice, int width, int height);
 using AfterTile = std::function<void(const TileArea& area, FrameCounters& counters)>;
 
 /// Traces the samples of a lattice over width x height samples; aborted tiles are left out.
-/// `stages` may be null, `after` empty.
+/// `stages` may be null, `after` empty. Samples of the tiles that are
+/// another's turn are counted as nothing.
 FrameCounters TraceLattice(const Scene& scene, const Camera& camera, const SampleLattice& lattice,
-  Sheets& sheets, Reporter& reporter, StageTimes* stages, const AfterTile& after = {});
+  Sheets& sheets, Reporter& reporter, StageTimes* stages, const AfterTile& after = {},
+  const TileTurn& turn = {});
 
 /// Whether rays of the scene go on behind something.
 bool HasTranslucent(const Scene& scene);

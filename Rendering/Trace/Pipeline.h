@@ -25,6 +25,15 @@ public:
   virtual void Paint(SampleBuffers& samples, std::size_t begin, std::size_t end) const = 0;
 };
 
+/// Which of a frame's tiles one process of several traces: every `of`-th.
+struct TileTurn
+{
+  int turn = 0;
+  int of = 1;
+
+  [[nodiscard]] bool Has(int tile) const { return tile % of == turn; }
+};
+
 /// The samples and buffers that something after the rays needs.
 struct SampleNeeds
 {
@@ -35,6 +44,8 @@ struct SampleNeeds
   int edgeLevel = 0;             ///< an edge is cut into 2^edgeLevel parts; 0: no samples on edges
   bool coloredCorners = false;   ///< with all that the pipeline's colours read
   bool wholeFrame = false; ///< tiles are visited when the modules before it have seen them all
+
+  TileTurn tiles{}; ///< of centres, in a call of Trace; the other tiles come back as Nothing
 
   void Add(const SampleNeeds& other);
   [[nodiscard]] bool BeyondCentres() const

@@ -61,8 +61,8 @@ Frame Trace(const Scene& scene, const Camera& camera, const Pipeline& pipeline,
       after = [&, first = pipeline.Runs().front()](const TileArea& area, FrameCounters& counters)
       { BeginPipelineOn(area, scene, camera, pipeline, first, frame, counters); };
     }
-    AddCounters(
-      TraceLattice(scene, camera, kCentres, sheets, reporter, stages, after), frame.counters);
+    AddCounters(TraceLattice(scene, camera, kCentres, sheets, reporter, stages, after, extra.tiles),
+      frame.counters);
     if (after && !reporter.IsAborted())
     {
       AddSamples(FinishPipeline(scene, camera, pipeline, frame, stages), frame.counters);

@@ -127,6 +127,31 @@ TEST_F(MfemPieces, AreOneMesh)
   }
 }
 
+TEST_F(MfemPieces, ProcessesReadTheirOwn)
+{
+  const std::string mesh = Write("mesh.000000", Square(0));
+  Write("mesh.000001", Square(1));
+  const std::string u = Write("u.000000", Linear(0));
+  Write("u.000001", Linear(1));
+  const SolverModel second = mfem::ReadFiles(mesh, { u }, { 1, 2 });
+  EXPECT_EQ(second.mesh.attribute, (std::vector<std::int32_t>{ 2 }));
+  EXPECT_EQ(second.fields.at(0).values.spaceOf.size(), 1U);
+  EXPECT_EQ(second.piecesOfRun, 2);
+  ASSERT_EQ(second.pieces.size(), 1U);
+  EXPECT_EQ(second.pieces[0].piece, 1);
+  EXPECT_EQ(second.pieces[0].elements, 1);
+  // More processes than pieces: some have none, and each piece is somebody's.
+  int read = 0;
+  for (int process = 0; process < 5; ++process)
+  {
+    const SolverModel model = mfem::ReadFiles(mesh, { u }, { process, 5 });
+    EXPECT_EQ(model.piecesOfRun, 2);
+    EXPECT_EQ(model.mesh.number.size(), model.pieces.size());
+    read += static_cast<int>(model.pieces.size());
+  }
+  EXPECT_EQ(read, 2);
+}
+
 TEST_F(MfemPieces, MissingOnesAreNamed)
 {
   const std::string mesh = Write("mesh.000000", Square(0));

@@ -10,13 +10,13 @@ packages=(
   ca-certificates cmake g++ ninja-build
   libcairo2-dev libcli11-dev libeigen3-dev libembree-dev libfmt-dev libfontconfig-dev libfreetype-dev
   libglm-dev libhdf5-dev libhwy-dev libpugixml-dev libtbb-dev libtiff-dev libvtk9-dev libxxhash-dev
-  nlohmann-json3-dev pkg-config tao-pegtl-dev zlib1g-dev
+  mpi-default-dev nlohmann-json3-dev pkg-config tao-pegtl-dev zlib1g-dev
   python3 python3-dev python3-numpy python3-vtk9
 )
 if [[ "${1:-}" == --testing ]]; then
   packages+=(
-    ccache clang clang-format clang-tidy debootstrap dpkg-dev ffmpeg file git libbenchmark-dev libclang-rt-dev libgmp-dev libgtest-dev
-    libmpfr-dev mypy python3-pil poppler-utils valgrind xauth xdotool xvfb
+    ccache clang clang-format clang-tidy debootstrap dpkg-dev ffmpeg file git libbenchmark-dev libclang-rt-dev
+    libgmp-dev libgtest-dev libmpfr-dev mypy openmpi-bin python3-pil poppler-utils valgrind xauth xdotool xvfb
   )
 fi
 prefix=""

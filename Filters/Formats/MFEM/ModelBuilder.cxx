@@ -176,6 +176,11 @@ const Topology& ModelBuilder::EntitiesOf(std::size_t p)
   return entities ? *entities : entities.emplace(Pieces[p].file);
 }
 
+std::int64_t ModelBuilder::ElementsOf(std::int32_t piece) const
+{
+  return std::ranges::count(Places, piece, &Place::piece);
+}
+
 void ModelBuilder::AddMap()
 {
   if (Nurbs && Pieces[0].file.nodes->IsNurbs())

@@ -34,6 +34,9 @@ public:
   void AddField(const std::vector<GridFunctionFile>& files, const std::vector<std::string>& names,
     const std::string& name);
 
+  /// Of a piece.
+  [[nodiscard]] std::int64_t ElementsOf(std::int32_t piece) const;
+
   SolverModel Model;
 
 private:

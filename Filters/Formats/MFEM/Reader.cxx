@@ -137,28 +137,63 @@ SolverModel Read(const NamedText& mesh, const std::vector<NamedText>& gridFuncti
   return std::move(builder.Model);
 }
 
-SolverModel ReadFiles(const std::string& mesh, const std::vector<std::string>& gridFunctions)
+SolverModel ReadFiles(
+  const std::string& mesh, const std::vector<std::string>& gridFunctions, const PieceOf& part)
 {
   const std::vector<std::string> names = PiecesOf(mesh);
   const auto count = static_cast<int>(names.size());
-  std::vector<MeshPiece> pieces;
-  for (const std::string& name : names)
+  if (count == 1 && !part.IsWhole())
   {
+    return ReadFiles(mesh, gridFunctions);
+  }
+  const bool whole = part.IsWhole();
+  std::vector<ReadPiece> read;
+  std::vector<MeshPiece> pieces;
+  const auto [first, end] = part.Of(count);
+  for (auto p = static_cast<int>(first); p < static_cast<int>(end); ++p)
+  {
+    const std::string& name = names[static_cast<std::size_t>(p)];
     const FileText text(name);
     pieces.push_back({ ParseMesh({ name, text.Get(), &text }, count), name });
+    read.push_back({ p, 0 });
   }
-  RequireOneRun(pieces);
+  if (pieces.empty())
+  {
+    SolverModel nothing;
+    nothing.piecesOfRun = count;
+    return nothing;
+  }
+  if (pieces.front().file.nurbs && count > 1)
+  {
+    throw Unsupported(pieces.front().name +
+      ": pieces of parallel NURBS meshes are not read; save the whole mesh (ParMesh::PrintAsOne).");
+  }
+  if (whole)
+  {
+    RequireOneRun(pieces);
+  }
   ModelBuilder builder(std::move(pieces));
   for (const std::string& file : gridFunctions)
   {
-    const std::vector<std::string> parts = PiecesOf(file, count, mesh);
+    const std::vector<std::string> all = PiecesOf(file, count, mesh);
+    std::vector<std::string> parts;
     std::vector<GridFunctionFile> functions;
-    for (const std::string& part : parts)
+    for (const ReadPiece& piece : read)
     {
-      const FileText text(part);
-      functions.push_back(ParseGridFunction({ part, text.Get(), &text }));
+      const std::string& name = parts.emplace_back(all[static_cast<std::size_t>(piece.piece)]);
+      const FileText text(name);
+      functions.push_back(ParseGridFunction({ name, text.Get(), &text }));
     }
     builder.AddField(functions, parts, FieldName(file));
+  }
+  if (!whole)
+  {
+    for (std::size_t p = 0; p < read.size(); ++p)
+    {
+      read[p].elements = builder.ElementsOf(static_cast<std::int32_t>(p));
+    }
+    builder.Model.pieces = std::move(read);
+    builder.Model.piecesOfRun = count;
   }
   return std::move(builder.Model);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Formats/SolverModel.h"
+#include "Formats/SolverShare.h"
 
 #include <string_view>
 
@@ -28,8 +29,11 @@ SolverModel Read(const NamedText& mesh, const std::vector<NamedText>& gridFuncti
 /// The same from files, one after the other: no more than one file's text is in memory at a time.
 /// A file "x.000000" that has others beside it ("x.000001", ...) is a piece of a parallel mesh: all
 /// of them are read as one, elements one after another, and of grid functions as many ("u.000000").
-/// Throws InvalidData, naming the file, where a piece is missing.
-SolverModel ReadFiles(const std::string& mesh, const std::vector<std::string>& gridFunctions);
+/// Throws InvalidData, naming the file, where a piece is missing. Of several pieces, those of the
+/// part (SolverModel::pieces); whether all are of one run is then not looked at. What is no piece
+/// is read whole.
+SolverModel ReadFiles(
+  const std::string& mesh, const std::vector<std::string>& gridFunctions, const PieceOf& part = {});
 
 /// A GLVis stream: keyword, mesh, grid function (named `solution`), commands; or those of all
 /// processes of a parallel run, each with "parallel n i" before it. Throws as Read, also where

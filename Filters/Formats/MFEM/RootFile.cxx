@@ -95,7 +95,7 @@ RootFile ParseRootFile(const NamedText& file)
   return result;
 }
 
-SolverModel ReadRootFile(const std::string& path)
+SolverModel ReadRootFile(const std::string& path, const PieceOf& part)
 {
   const std::string text = ReadFileText(path);
   const RootFile root = ParseRootFile({ path, text });
@@ -122,7 +122,7 @@ SolverModel ReadRootFile(const std::string& path)
         "' is a quadrature function, which is not read; project it to L2 and save that.");
     }
   }
-  SolverModel model = ReadFiles(at(root.mesh), functions);
+  SolverModel model = ReadFiles(at(root.mesh), functions, part);
   model.time = root.time;
   model.notes.insert(model.notes.end(), notes.begin(), notes.end());
   return model;

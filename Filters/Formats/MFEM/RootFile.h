@@ -30,5 +30,5 @@ RootFile ParseRootFile(const NamedText& file);
 
 /// The mesh and all grid functions of a cycle; quadrature functions are left out, with a note.
 /// Throws as ReadFiles.
-SolverModel ReadRootFile(const std::string& path);
+SolverModel ReadRootFile(const std::string& path, const PieceOf& part = {});
 } // namespace pixelexact::mfem

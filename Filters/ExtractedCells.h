@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ExtractedCells_h
+#define ExtractedCells_h
+
+#include "vtkSmartPointer.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <span>
+
+namespace pixelexact
+{
+/// Cells of a grid, in the order given, with the points that they have and all data of both; field
+/// data are shared. As vtkExtractCells, whose module of VTK 9.1 loads MPI.
+vtkSmartPointer<vtkUnstructuredGrid> ExtractedCells(
+  vtkUnstructuredGrid* grid, std::span<const vtkIdType> cells);
+} // namespace pixelexact
+#endif

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHighOrderPack
+ * @brief   coefficients as cell arrays, which VTK's filters take along with the cells
+ *
+ * FieldData holds coefficients without a copy, but knows nothing of cells that filters add, drop
+ * and send. The output has them in cell arrays instead, named PixelExact.Packed.*: behind
+ * vtkAppendFilter, vtkExtractCells, vtkThreshold, vtkMergeBlocks, vtkRedistributeDataSetFilter,
+ * vtkGhostCellsGenerator, vtkMPIMoveData and .pvtu files each cell still has its own. All classes
+ * of PixelExact take such grids as they are; vtkHighOrderUnpack makes the FieldData anew. What was
+ * done to points, cells or nodal values is noticed as without packing. See
+ * Documentation/parallel.md for what survives which filter, and what it costs.
+ *
+ * An array is as wide as the element of most coefficients needs, so that mixed and varying orders
+ * are padded with zeros. VTK appends arrays of the same width alone: blocks of composite data and
+ * the grids of all processes get the same; for grids that are packed one by one, group them first,
+ * or set MinimumModes.
+ *
+ * The input is a grid that carries coefficients, or a plain vtkUnstructuredGrid, which is
+ * converted, or composite data of such. Coefficients that do not fit are an error.
+ */
+
+#ifndef vtkHighOrderPack_h
+#define vtkHighOrderPack_h
+
+#include "PixelExactFiltersModule.h"
+#include "vtkDataObjectAlgorithm.h"
+#include "vtkSmartPointer.h" // for the controller
+
+class vtkMultiProcessController;
+
+class PIXELEXACTFILTERS_EXPORT vtkHighOrderPack : public vtkDataObjectAlgorithm
+{
+public:
+  static vtkHighOrderPack* New();
+  vtkTypeMacro(vtkHighOrderPack, vtkDataObjectAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The modes of one component for which arrays have room at least, whatever the elements have: 0,
+   * the default, to 35937 (order 32).
+   */
+  vtkSetClampMacro(MinimumModes, int, 0, 35937);
+  vtkGetMacro(MinimumModes, int);
+  ///@}
+
+  ///@{
+  /**
+   * The processes whose grids get arrays of the same width, all of which must then execute. The
+   * global controller by default; null: this process alone.
+   */
+  void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController();
+  ///@}
+
+protected:
+  vtkHighOrderPack();
+  ~vtkHighOrderPack() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkHighOrderPack(const vtkHighOrderPack&) = delete;
+  void operator=(const vtkHighOrderPack&) = delete;
+
+  int MinimumModes = 0;
+  vtkSmartPointer<vtkMultiProcessController> Controller;
+};
+
+#endif

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHighOrderUnpack.h"
+
+#include "Core/Base/Error.h"
+#include "HighOrderModel.h"
+#include "LeafGrids.h"
+#include "ModelSource.h"
+#include "PackedArrays.h"
+
+#include "vtkObjectFactory.h"
+
+#include <exception>
+
+vtkStandardNewMacro(vtkHighOrderUnpack);
+
+vtkHighOrderUnpack::vtkHighOrderUnpack() = default;
+vtkHighOrderUnpack::~vtkHighOrderUnpack() = default;
+
+void vtkHighOrderUnpack::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}
+
+int vtkHighOrderUnpack::FillInputPortInformation(int /*port*/, vtkInformation* info)
+{
+  pixelexact::TakeGrids(info);
+  return 1;
+}
+
+int vtkHighOrderUnpack::RequestDataObject(vtkInformation* /*request*/,
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  pixelexact::MakeOutputLikeInput(inputVector, outputVector);
+  return 1;
+}
+
+int vtkHighOrderUnpack::RequestData(vtkInformation* /*request*/, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector)
+{
+  vtkDataObject* output = vtkDataObject::GetData(outputVector);
+  try
+  {
+    pixelexact::ForLeafGrids(vtkDataObject::GetData(inputVector[0]), output,
+      [](vtkUnstructuredGrid* grid) -> vtkSmartPointer<vtkUnstructuredGrid>
+      {
+        if (!pixelexact::IsPacked(grid))
+        {
+          return grid;
+        }
+        const auto unpacked = pixelexact::Unpack(grid);
+        (void)pixelexact::HighOrderModel::From(unpacked); // throws where it is stale
+        return unpacked;
+      });
+    return 1;
+  }
+  catch (const std::exception& error) // memory may run out too
+  {
+    output->Initialize();
+    vtkErrorMacro(<< error.what());
+    return 0;
+  }
+}

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PackedArrays_h
+#define PackedArrays_h
+
+#include "PixelExactDataModelModule.h"
+
+#include "vtkSmartPointer.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+class vtkUnstructuredGrid;
+
+// Coefficients as cell arrays, so that they go where VTK takes the cells: through filters that
+// append, extract, redistribute and exchange cells, to other processes, into files of pieces. What
+// a cell needs to be an element is in its own tuples; no array knows how many cells there are.
+//
+// CellData, all names beginning with PixelExact.Packed., for the mesh `Mesh.` and for each field
+// `Field.<name>.`:
+//   Space         uint8 x 8     shape, form, three orders, Origin, Mapping, the field's place
+//                               among the fields
+//   Coefficients  double x W    component by component, as in Expansion; then zeros to the width W,
+//                               which is that of the cell with most
+//   Marks         int64 x 3     mesh: source cell, fingerprint, check. Field: components,
+//                               fingerprint of the values (0: none), check
+//   Sums          double        of points, or of nodal values at points (CellSums.h)
+// of the mesh alone:
+//   Place         double x 5    centre, size, uncertainty
+//   Boundary      int32 x 2k    k attributed faces: face and attribute, -1 where there are fewer
+//
+// A check is the hash of all that an unpacked element is made of. Where a filter averaged, rounded,
+// filled or blanked tuples, it differs.
+namespace pixelexact
+{
+inline constexpr const char* kPackedPrefix = "PixelExact.Packed.";
+
+/// Components of the arrays whose number depends on the data, by array. Grids can be appended where
+/// these are alike.
+using PackedWidths = std::map<std::string, int>;
+
+/// Whether the grid carries packed coefficients of a mesh; says nothing of whether they are whole.
+PIXELEXACTDATAMODEL_EXPORT bool IsPacked(vtkUnstructuredGrid* grid);
+
+/// Names of the packed fields, in the order that they had in the grid that was packed.
+PIXELEXACTDATAMODEL_EXPORT std::vector<std::string> PackedFieldNames(vtkUnstructuredGrid* grid);
+
+/// Whether any packed cell or field is a solver's own, not made from nodal values.
+PIXELEXACTDATAMODEL_EXPORT bool PacksSolverCoefficients(vtkUnstructuredGrid* grid);
+
+/// What packing the grid would need. Throws as HighOrderModel::From.
+PIXELEXACTDATAMODEL_EXPORT PackedWidths WidthsFor(vtkUnstructuredGrid* grid);
+
+/// The same where every component had so many modes.
+PIXELEXACTDATAMODEL_EXPORT PackedWidths WidthsForModes(vtkUnstructuredGrid* grid, int modes);
+
+/// The larger ones of both.
+PIXELEXACTDATAMODEL_EXPORT void Widen(PackedWidths& widths, const PackedWidths& others);
+
+/// A copy of the grid, which shares its arrays, with packed coefficients instead of those in
+/// FieldData; arrays are at least as wide as told, and those of fields that the grid has not are
+/// left out. The coefficients must fit. Throws as HighOrderModel::From.
+PIXELEXACTDATAMODEL_EXPORT vtkSmartPointer<vtkUnstructuredGrid> Pack(
+  vtkUnstructuredGrid* grid, const PackedWidths& atLeast = {});
+
+/// The other way: element e is cell e. Cells whose points, or values at points, differ from those
+/// that were packed by rounding alone, as where VTK made points one, are taken for the same;
+/// whether others fit, the model says. Throws InvalidData where arrays are missing, of wrong type
+/// or size, or where cells of one field differ in components, origin or mapping; StaleData where a
+/// check differs.
+PIXELEXACTDATAMODEL_EXPORT vtkSmartPointer<vtkUnstructuredGrid> Unpack(vtkUnstructuredGrid* grid);
+} // namespace pixelexact
+#endif
