@@ -4,6 +4,7 @@
 #   package.sh PACKAGE.deb [RELEASE [ROOTS]]   RELEASE: what it was built on (default: bookworm)
 #
 # The root is made by debootstrap, in ROOTS (default: /var/tmp/pixelexact-roots) and anew each time.
+# Exit status 77: no clean system could be made here (no mirror within reach, no right to enter it).
 set -euo pipefail
 package=$(realpath "${1:?"package.sh PACKAGE.deb [RELEASE [ROOTS]]"}")
 release=${2:-bookworm}
@@ -31,7 +32,12 @@ told() {
 leave
 rm -rf --one-file-system "$root"
 mkdir -p "$roots"
-debootstrap --variant=minbase "$release" "$root" "${MATRIX_MIRROR:-http://deb.debian.org/debian}" >/dev/null
+none() {
+  echo "package.sh: no clean $release could be made here: $1" >&2
+  exit 77
+}
+debootstrap --variant=minbase "$release" "$root" "${MATRIX_MIRROR:-http://deb.debian.org/debian}" >/dev/null ||
+  none "debootstrap failed"
 mount -t proc proc "$root/proc" 2>/dev/null || echo "without /proc, which may not be mounted here"
 cp /etc/resolv.conf "$root/etc/resolv.conf"
 told "a clean $release"
@@ -39,7 +45,11 @@ told "a clean $release"
 mkdir "$root/work"
 cp "$package" "$root/work/package.deb"
 cp "$data/toroid_hex_g3_p6.vtu" "$root/work/mesh.vtu"
-inside apt-get update -q >/dev/null
+inside apt-get update -q >/dev/null || none "apt-get update failed in it"
+# What depends on a package that Debian does not have fails here; what cannot be downloaded, below.
+inside apt-get install -q -s --no-install-recommends /work/package.deb >/dev/null
+inside apt-get install -q -y -d --no-install-recommends /work/package.deb >/dev/null ||
+  none "what it depends on could not be downloaded"
 inside apt-get install -q -y --no-install-recommends /work/package.deb >"$roots/$release-package.log" 2>&1
 told "installed, with what it depends on"
 
