@@ -54,6 +54,15 @@ void Keep(const std::vector<std::string>& arrays, vtkPointData& data)
     }
   }
 }
+
+std::string EncodeImage(const std::string& file, vtkImageData* image)
+{
+  vtkNew<vtkXMLImageDataWriter> writer;
+  SetFormat(*writer);
+  writer->WriteToOutputStringOn();
+  Encode(*writer, file, image);
+  return writer->GetOutputString();
+}
 } // namespace
 
 std::string EncodeBuffers(const std::string& file, const std::vector<std::string>& arrays,
@@ -63,16 +72,12 @@ std::string EncodeBuffers(const std::string& file, const std::vector<std::string
   const vtkSmartPointer<vtkImageData> image = ToImageData(frame, sourceCells);
   AddContours(*image, contours);
   Keep(arrays, *image->GetPointData());
-  WriteImage(file, image);
+  return EncodeImage(file, image);
 }
 
 void WriteImage(const std::string& file, vtkImageData* image)
 {
-  vtkNew<vtkXMLImageDataWriter> writer;
-  SetFormat(*writer);
-  writer->WriteToOutputStringOn();
-  Encode(*writer, file, image);
-  return writer->GetOutputString();
+  WriteBytes(file, EncodeImage(file, image));
 }
 
 void WriteLines(const std::string& file, vtkPolyData* lines)
