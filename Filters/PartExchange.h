@@ -19,7 +19,8 @@ namespace pixelexact
 PIXELEXACTFILTERS_EXPORT void AgreeThatAllIsWell(
   const std::string& problem, vtkMultiProcessController* processes);
 
-/// Some cells of a grid with coefficients, packed; empty where there are none. `fields`: with these.
+/// Some cells of a grid with coefficients, packed; empty where there are none. `fields`: with
+/// these.
 PIXELEXACTFILTERS_EXPORT vtkSmartPointer<vtkUnstructuredGrid> PackedCells(
   vtkUnstructuredGrid* grid, const std::vector<vtkIdType>& cells, bool fields);
 

@@ -29,7 +29,7 @@ namespace nektar
 {
 struct SessionMesh;
 }
-}
+} // namespace pixelexact
 
 class PIXELEXACTFILTERS_EXPORT vtkNektarReader : public vtkHighOrderFileReader
 {
