@@ -321,6 +321,17 @@ std::string SourceMesh::Describe(int element) const
 void SourceMesh::GatherAll(int element, std::span<const double> values, int components, int wanted,
   std::vector<double>& out) const
 {
+  if (Rationals.contains(element))
+  {
+    out.clear();
+    std::vector<double> one;
+    for (int c = 0; c < wanted; ++c)
+    {
+      Gather(element, values, components, c, one);
+      out.insert(out.end(), one.begin(), one.end());
+    }
+    return;
+  }
   const auto points = Points(element);
   out.resize(points.size() * static_cast<std::size_t>(wanted));
   for (std::size_t i = 0; i < points.size(); ++i)
