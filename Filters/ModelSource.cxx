@@ -125,6 +125,21 @@ void TakeGrids(vtkInformation* port)
   port->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
 }
 
+std::string ChosenName(vtkAlgorithm* filter, const std::string& given)
+{
+  if (!given.empty())
+  {
+    return given;
+  }
+  // Not GetInputArrayInformation(0), which would make an entry where there is none.
+  vtkInformationVector* arrays =
+    filter->GetInformation()->Get(vtkAlgorithm::INPUT_ARRAYS_TO_PROCESS());
+  vtkInformation* array = arrays != nullptr ? arrays->GetInformationObject(0) : nullptr;
+  return array != nullptr && array->Has(vtkDataObject::FIELD_NAME())
+    ? array->Get(vtkDataObject::FIELD_NAME())
+    : "";
+}
+
 void AskForWhole(vtkInformationVector* input)
 {
   if (auto* grid = input->GetInformationObject(0))

@@ -53,5 +53,8 @@ private:
 void TakeGrids(vtkInformation* port);
 /// All of the input is asked for, whatever piece of the output is.
 void AskForWhole(vtkInformationVector* input);
+/// The name that is given, else that of the first array that the filter is told to process; empty
+/// where there is neither.
+std::string ChosenName(vtkAlgorithm* filter, const std::string& given);
 } // namespace pixelexact
 #endif

@@ -183,21 +183,6 @@ int vtkHighOrderContour::RequestUpdateExtent(vtkInformation* /*request*/,
   return 1;
 }
 
-std::string vtkHighOrderContour::GetChosenName()
-{
-  if (!this->FieldName.empty())
-  {
-    return this->FieldName;
-  }
-  // Not GetInputArrayInformation(0), which would make an entry where there is none.
-  vtkInformationVector* arrays =
-    this->GetInformation()->Get(vtkAlgorithm::INPUT_ARRAYS_TO_PROCESS());
-  vtkInformation* array = arrays != nullptr ? arrays->GetInformationObject(0) : nullptr;
-  return array != nullptr && array->Has(vtkDataObject::FIELD_NAME())
-    ? array->Get(vtkDataObject::FIELD_NAME())
-    : "";
-}
-
 void vtkHighOrderContour::Trace(vtkDataObject* grid, vtkPolyData* output)
 {
   if (!this->CutFunction)
@@ -205,7 +190,7 @@ void vtkHighOrderContour::Trace(vtkDataObject* grid, vtkPolyData* output)
     throw InvalidData("there is no cut function; give one with SetCutFunction.");
   }
   const auto model = this->Source->Get(grid, this);
-  const std::string name = this->GetChosenName();
+  const std::string name = ChosenName(this, this->FieldName);
   const Field& field = FieldIn(*model, name);
   RequireComponent(field, this->Component);
   const Box3 box = model->GetLocator().Bounds();

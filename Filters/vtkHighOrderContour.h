@@ -123,7 +123,6 @@ private:
 
   /// Throws Error.
   void Trace(vtkDataObject* grid, vtkPolyData* output);
-  std::string GetChosenName();
 
   vtkSmartPointer<vtkImplicitFunction> CutFunction;
   std::unique_ptr<pixelexact::ContourList> Values;

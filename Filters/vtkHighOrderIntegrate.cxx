@@ -154,21 +154,6 @@ int vtkHighOrderIntegrate::RequestUpdateExtent(vtkInformation* /*request*/,
   return 1;
 }
 
-std::string vtkHighOrderIntegrate::GetChosenName()
-{
-  if (!this->FieldName.empty())
-  {
-    return this->FieldName;
-  }
-  // Not GetInputArrayInformation(0), which would make an entry where there is none.
-  vtkInformationVector* arrays =
-    this->GetInformation()->Get(vtkAlgorithm::INPUT_ARRAYS_TO_PROCESS());
-  vtkInformation* array = arrays != nullptr ? arrays->GetInformationObject(0) : nullptr;
-  return array != nullptr && array->Has(vtkDataObject::FIELD_NAME())
-    ? array->Get(vtkDataObject::FIELD_NAME())
-    : "";
-}
-
 void vtkHighOrderIntegrate::Integrate(vtkDataObject* grid, vtkTable* output)
 {
   if (this->CutFunction && !this->Attributes.empty())
@@ -177,7 +162,7 @@ void vtkHighOrderIntegrate::Integrate(vtkDataObject* grid, vtkTable* output)
                       "of them at a time.");
   }
   const auto model = this->Source->Get(grid, this);
-  IntegralQuestion question{ model->GetMesh(), FieldIn(*model, this->GetChosenName()), nullptr };
+  IntegralQuestion question{ model->GetMesh(), FieldIn(*model, ChosenName(this, this->FieldName)), nullptr };
   const IntegralEffort effort{ this->Tolerance,
     this->Seconds != 0.0 ? this->Seconds : std::numeric_limits<double>::infinity() };
   this->UpdateProgress(0.2);

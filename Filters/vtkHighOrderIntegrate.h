@@ -112,7 +112,6 @@ private:
 
   /// Throws Error.
   void Integrate(vtkDataObject* grid, vtkTable* output);
-  std::string GetChosenName();
 
   vtkSmartPointer<vtkImplicitFunction> CutFunction;
   std::vector<std::int32_t> Attributes;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Each linear pipeline as its users build it.
 #include "FrameTime.h"
+#include "LinearContours.h"
 #include "PeakMemory.h"
 #include "Shot.h"
 #include "TradeRun.h"
@@ -16,8 +17,6 @@
 #include <vtkCell.h>
 #include <vtkContourFilter.h>
 #include <vtkCutter.h>
-#include <vtkDataArray.h>
-#include <vtkDoubleArray.h>
 #include <vtkHighOrderLinearCut.h>
 #include <vtkHighOrderLinearResample.h>
 #include <vtkHighOrderSubdivide.h>
@@ -191,31 +190,13 @@ private:
     }
   }
 
-  /// VTK's, of the values at the corners.
   void MakeContours(vtkPolyData* surface)
   {
-    const Layer& layer = TheScene.shot->scene.layers.front();
-    vtkDataArray* values = surface->GetPointData()->GetArray(layer.field->name.c_str());
-    if (values == nullptr)
+    if (const auto contours =
+          MakeLinearContours(surface, TheScene.shot->scene.layers.front(), TheScene.isoValues))
     {
-      return;
+      contours->Update();
     }
-    vtkNew<vtkPolyData> input;
-    input->CopyStructure(surface);
-    vtkNew<vtkDoubleArray> scalars;
-    scalars->SetNumberOfValues(values->GetNumberOfTuples());
-    for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
-    {
-      scalars->SetValue(i, ValueAt(values, i, layer.component));
-    }
-    input->GetPointData()->SetScalars(scalars);
-    vtkNew<vtkContourFilter> contours;
-    contours->SetInputData(input);
-    for (std::size_t k = 0; k < TheScene.isoValues.size(); ++k)
-    {
-      contours->SetValue(static_cast<int>(k), TheScene.isoValues[k]);
-    }
-    contours->Update();
   }
 
   const TradeScene& TheScene;

@@ -2,6 +2,7 @@
 // Figures 9 and 11 of the paper in numbers.
 #include "ColorOptions.h"
 #include "FrameTime.h"
+#include "LinearContours.h"
 #include "PaperRuns.h"
 #include "PeakMemory.h"
 #include "Shot.h"
@@ -14,12 +15,9 @@
 #include "VtkLinearSurface.h"
 
 #include <vtkContourFilter.h>
-#include <vtkDataArray.h>
-#include <vtkDoubleArray.h>
 #include <vtkHighOrderLinearCut.h>
 #include <vtkImplicitFunction.h>
 #include <vtkNew.h>
-#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkUnstructuredGrid.h>
 
@@ -53,22 +51,7 @@ std::array<double, 2> RangeOf(const Picture& picture)
 double ContourTriangles(
   vtkPolyData* surface, const Layer& layer, const std::vector<double>& isoValues)
 {
-  vtkDataArray* const values = surface->GetPointData()->GetArray(layer.field->name.c_str());
-  vtkNew<vtkPolyData> input;
-  input->CopyStructure(surface);
-  vtkNew<vtkDoubleArray> scalars;
-  scalars->SetNumberOfValues(values->GetNumberOfTuples());
-  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
-  {
-    scalars->SetValue(i, ValueAt(values, i, layer.component));
-  }
-  input->GetPointData()->SetScalars(scalars);
-  vtkNew<vtkContourFilter> contours;
-  contours->SetInputData(input);
-  for (std::size_t k = 0; k < isoValues.size(); ++k)
-  {
-    contours->SetValue(static_cast<int>(k), isoValues[k]);
-  }
+  const auto contours = MakeLinearContours(surface, layer, isoValues);
   const Timer timer;
   contours->Update();
   return timer.Seconds();
