@@ -111,7 +111,7 @@ Grid WithInnerFaces(vtkUnstructuredGrid* grid, vtkMultiProcessController* proces
   array->SetName(kInnerFaces);
   array->SetNumberOfValues(grid->GetNumberOfCells());
   std::ranges::copy(inner, array->GetPointer(0));
-  const Grid marked = Grid::Take(grid->NewInstance());
+  Grid marked = Grid::Take(grid->NewInstance());
   marked->ShallowCopy(grid);
   marked->GetCellData()->AddArray(array);
   return marked;

@@ -98,7 +98,7 @@ int vtkHighOrderPack::RequestData(vtkInformation* /*request*/, vtkInformationVec
     ForLeafGrids(input, carrying,
       [&](vtkUnstructuredGrid* grid)
       {
-        const auto carries = WithCoefficients(grid, this);
+        auto carries = WithCoefficients(grid, this);
         Widen(widths, WidthsFor(carries));
         Widen(widths, WidthsForModes(carries, this->MinimumModes));
         return carries;

@@ -47,7 +47,7 @@ int vtkHighOrderUnpack::RequestData(vtkInformation* /*request*/, vtkInformationV
         {
           return grid;
         }
-        const auto unpacked = pixelexact::Unpack(grid);
+        auto unpacked = pixelexact::Unpack(grid);
         (void)pixelexact::HighOrderModel::From(unpacked); // throws where it is stale
         return unpacked;
       });

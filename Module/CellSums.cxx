@@ -38,8 +38,8 @@ void SumOver(
     for (int c = 0; c < components; ++c)
     {
       const double value = values->GetComponent(points->GetId(i), c);
-      sums[static_cast<std::size_t>(1 + 2 * c)] += Weight(i, 0) * value;
-      sums[static_cast<std::size_t>(2 + 2 * c)] += Weight(i, 1) * value;
+      sums[1 + 2 * static_cast<std::size_t>(c)] += Weight(i, 0) * value;
+      sums[2 + 2 * static_cast<std::size_t>(c)] += Weight(i, 1) * value;
     }
   }
 }

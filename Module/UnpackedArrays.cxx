@@ -70,7 +70,8 @@ public:
     for (std::size_t e = 0; e < spaces.size(); ++e)
     {
       std::ranges::copy(
-        Packed.subspan(e * Width, static_cast<std::size_t>(spaces[e].Modes() * components)),
+        Packed.subspan(e * Width,
+          static_cast<std::size_t>(spaces[e].Modes()) * static_cast<std::size_t>(components)),
         arrays.Coefficients(e));
     }
     return arrays;
@@ -261,7 +262,7 @@ bool PacksSolverCoefficients(vtkUnstructuredGrid* grid)
 
 vtkSmartPointer<vtkUnstructuredGrid> Unpack(vtkUnstructuredGrid* grid)
 {
-  const auto output = BareCopy(grid, false);
+  auto output = BareCopy(grid, false);
   if (grid->GetNumberOfCells() == 0)
   {
     return output;

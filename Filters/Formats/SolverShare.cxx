@@ -40,7 +40,7 @@ void Keep(const Range& range, SolverExpansion& expansion)
   const auto valuesOf = [&expansion](std::size_t e)
   {
     const Space& space = expansion.spaces[static_cast<std::size_t>(expansion.spaceOf[e])];
-    return static_cast<std::size_t>(space.Modes() * expansion.components);
+    return static_cast<std::size_t>(space.Modes()) * static_cast<std::size_t>(expansion.components);
   };
   std::size_t total = 0;
   for (std::size_t e = 0; e < expansion.spaceOf.size(); ++e)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BlockInput.h"
 
+#include <fmt/format.h>
+
 #include <vtkAlgorithm.h>
 #include <vtkAppendFilter.h>
 #include <vtkCellData.h>
@@ -43,8 +45,8 @@ public:
     {
       if (count < blocks)
       {
-        notes.push_back("'" + file + "': the field '" + name + "' is in " + std::to_string(count) +
-          " of " + std::to_string(blocks) + " blocks and was left out.");
+        notes.push_back(fmt::format("'{}': the field '{}' is in {} of {} blocks and was left out.",
+          file, name, count, blocks));
       }
     }
   }

@@ -66,7 +66,7 @@ Partitions PartitionsOf(const std::string& path)
 std::vector<std::string> PiecesOf(const std::string& path)
 {
   const auto name = SplitName(path);
-  const std::vector<std::string> alone{ path };
+  std::vector<std::string> alone{ path };
   if (!name || !IsFile(path) || (!IsFile(name->Of(1)) && !IsFile(name->Of(2))))
   {
     return alone;

@@ -63,8 +63,9 @@ double LebesgueOf(const Space& space, const ChangeOfBasis& toModes)
     toModes.Apply(unit, 0.0, std::span(lagrange).subspan(s * count, count));
     unit[s] = 0.0;
   }
-  std::vector<double> points;
   const int along = (3 * space.order[2] + 1) / 2;
+  std::vector<double> points;
+  points.reserve(static_cast<std::size_t>(along));
   for (int i = 0; i < along; ++i)
   {
     points.push_back(std::cos(std::numbers::pi * (2 * i + 1) / (2.0 * along)));
