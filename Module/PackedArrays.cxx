@@ -238,7 +238,7 @@ vtkSmartPointer<vtkUnstructuredGrid> Pack(vtkUnstructuredGrid* grid, const Packe
   const auto model = HighOrderModel::From(grid);
   PackedWidths widths = WidthsFor(*model);
   Widen(widths, atLeast);
-  const auto packed = BareCopy(grid, true);
+  auto packed = BareCopy(grid, true);
   PackMesh(packed, grid, *model, widths);
   const auto fields = model->Fields();
   for (std::size_t i = 0; i < fields.size(); ++i)
