@@ -47,7 +47,9 @@ void OpenGap(Frame& frame, const ContourLabel& label, const std::vector<std::uin
   constexpr double kGap = ContourLabel::kGap;
   const double angle = label.angle * std::numbers::pi / 180.0;
   const glm::dvec2 along(std::cos(angle), std::sin(angle));
-  const auto [width, height] = label.size;
+  // Not a binding: clang 14 takes those into no lambda.
+  const double width = label.size.width;
+  const double height = label.size.height;
   const int reach = static_cast<int>(std::ceil(0.5 * std::hypot(width, height) + kGap));
   const int cx = static_cast<int>(label.x);
   const int cy = static_cast<int>(label.y);

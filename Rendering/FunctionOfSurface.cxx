@@ -73,7 +73,7 @@ vtkSmartPointer<vtkImplicitFunction> FunctionOf(const ConvexBody& body)
       axis[d] = face.normal[d];
       if (axis == face.normal && axis[d] != 0.0)
       {
-        bounds[static_cast<std::size_t>(2 * d + (axis[d] > 0.0 ? 1 : 0))] = face.point[d];
+        bounds[2 * static_cast<std::size_t>(d) + (axis[d] > 0.0 ? 1 : 0)] = face.point[d];
       }
     }
   }

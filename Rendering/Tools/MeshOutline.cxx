@@ -9,6 +9,8 @@
 
 #include "VtkLook.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 

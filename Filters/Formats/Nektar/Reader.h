@@ -41,5 +41,5 @@ SessionMesh OutlineOf(const SessionMesh& mesh);
 
 /// Adds the fields of a field file's parts, and their time. Throws InvalidData where the parts do
 /// not give every element its coefficients once.
-void AddFields(const std::vector<NamedText>& parts, SessionMesh& mesh);
+void AddFields(const std::vector<NamedText>& parts, SessionMesh& session);
 } // namespace pixelexact::nektar

@@ -228,6 +228,7 @@ Interval EdgeFunctions::DivisorOver(const EtaBox& box, int halvings) const
 std::vector<EdgePolynomials::Function> EdgeFunctions::Functions() const
 {
   std::vector<EdgePolynomials::Function> functions;
+  functions.reserve(static_cast<std::size_t>(Count) + 1);
   for (int c = 0; c < Count; ++c)
   {
     functions.push_back({ &Component, c });
@@ -451,7 +452,8 @@ Interval EdgeFunctions::ValuesOver(const EtaBox& box) const
 template <class Visit>
 void EdgeFunctions::WithPolynomials(const PieceForm::Piece& piece, const Visit& visit) const
 {
-  const auto at = static_cast<std::size_t>((((piece[0] << Level) + piece[1]) << Level) + piece[2]);
+  const int number = (((piece[0] << Level) + piece[1]) << Level) + piece[2];
+  const auto at = static_cast<std::size_t>(number);
   const auto make = [&]
   { return std::make_unique<const EdgePolynomials>(Map, Functions(), Level, piece); };
   const EdgePolynomials* made = Kept->IfMade(at);
