@@ -162,7 +162,8 @@ void vtkHighOrderIntegrate::Integrate(vtkDataObject* grid, vtkTable* output)
                       "of them at a time.");
   }
   const auto model = this->Source->Get(grid, this);
-  IntegralQuestion question{ model->GetMesh(), FieldIn(*model, ChosenName(this, this->FieldName)), nullptr };
+  IntegralQuestion question{ model->GetMesh(), FieldIn(*model, ChosenName(this, this->FieldName)),
+    nullptr };
   const IntegralEffort effort{ this->Tolerance,
     this->Seconds != 0.0 ? this->Seconds : std::numeric_limits<double>::infinity() };
   this->UpdateProgress(0.2);
