@@ -162,6 +162,48 @@ TEST(MappedEdges, AlongHoldsDensePoints)
   EXPECT_GT(answered, 0.9 * asked);
 }
 
+/// As sums in single precision make them.
+TEST(MappedEdges, ErrorsHoldValuesInFloats)
+{
+  Random random(95);
+  int answered = 0;
+  ForAllCases(random,
+    [&](const MappedCase& one)
+    {
+      const EdgeBounds inFloats(one.mesh, one.locator.Index().BoundsOf(0), 0, one.field,
+        std::max(one.component, 0), 0x1p-19);
+      for (int k = 0; k < 12; ++k)
+      {
+        const Vec3 eta(random(), random(), random());
+        auto point = one.Located(one.PointAt(TensorToReference(one.mesh.ShapeOf(0), eta)));
+        if (!point)
+        {
+          continue;
+        }
+        std::int32_t element = -1;
+        std::vector<double> value(static_cast<std::size_t>(one.field.values.components));
+        SampleTarget target;
+        target.element = { &element, 1 };
+        target.value = value;
+        target.precision = Precision::Float;
+        SampleTile(one.locator, &one.field, std::span(&point->x, 1), target);
+        point->value = value[static_cast<std::size_t>(std::max(one.component, 0))];
+        const auto range = inFloats.Along(*point, *point);
+        const auto at = Preimage(one.mesh, 0, ToQuad(point->x), ToQuad(point->xi));
+        if (!range || !at)
+        {
+          continue;
+        }
+        ++answered;
+        const auto truth = WorldValuesQuad(one.mesh, one.field, 0, *at);
+        const Quad off =
+          truth[static_cast<std::size_t>(std::max(one.component, 0))] - Quad(point->value);
+        EXPECT_LE(static_cast<double>(Abs(off)), range->error);
+      }
+    });
+  EXPECT_GT(answered, 250);
+}
+
 TEST(MappedEdges, MayTakeWhatPartsOfPlanesTake)
 {
   Random random(92);

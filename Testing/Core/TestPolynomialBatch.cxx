@@ -152,7 +152,7 @@ TEST(PolynomialBatch, HullsAreThoseOfEachAlone)
           list[c].Restrict(d, part.lower[d], part.upper[d]);
         }
         const Interval alone = list[c].Hull();
-        const double rounding = 1e-11;
+        const double rounding = 1e-12;
         EXPECT_GE(hulls[c].lower, alone.lower - rounding);
         EXPECT_LE(hulls[c].upper, alone.upper + rounding);
         if (!raised)

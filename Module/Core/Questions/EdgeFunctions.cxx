@@ -75,7 +75,8 @@ Interval Divide(HessianFunction::XiRanges& ranges, const HessianFunction::XiRang
 
 EdgeFunctions::EdgeFunctions(const Mesh& mesh, const ElementBounds& bounds, int element,
   const Field& field, int component, double rounding)
-  : EdgeFunctions(mesh, bounds, element, ModesOf(mesh, element, field, component), rounding)
+  : EdgeFunctions(
+      mesh, bounds, element, ModesOf(mesh, element, field, component, rounding), rounding)
 {
 }
 
@@ -88,7 +89,7 @@ EdgeFunctions::EdgeFunctions(const Mesh& mesh, const ElementBounds& bounds, int 
 }
 
 EdgeFunctions::Modes EdgeFunctions::ModesOf(
-  const Mesh& mesh, int element, const Field& field, int component)
+  const Mesh& mesh, int element, const Field& field, int component, double rounding)
 {
   const Space& space = field.values.SpaceOf(element);
   const int count = component < 0 ? field.values.components : 1;
@@ -103,7 +104,8 @@ EdgeFunctions::Modes EdgeFunctions::ModesOf(
   {
     return { std::move(modes), count, std::nullopt, finite };
   }
-  std::optional<QuotientModes> quotient = MakeQuotientModes(mesh, element, field, component);
+  std::optional<QuotientModes> quotient =
+    MakeQuotientModes(mesh, element, field, component, rounding);
   const bool known = quotient.has_value();
   return { known ? quotient->numerators : std::move(modes), count, std::move(quotient), known };
 }

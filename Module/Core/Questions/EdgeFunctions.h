@@ -123,7 +123,8 @@ private:
     std::optional<QuotientModes> quotient;
     bool known;
   };
-  static Modes ModesOf(const Mesh& mesh, int element, const Field& field, int component);
+  static Modes ModesOf(
+    const Mesh& mesh, int element, const Field& field, int component, double rounding);
   EdgeFunctions(
     const Mesh& mesh, const ElementBounds& bounds, int element, Modes modes, double rounding);
   [[nodiscard]] std::vector<EdgePolynomials::Function> Functions() const;

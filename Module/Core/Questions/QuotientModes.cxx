@@ -315,7 +315,7 @@ Size SizeOf(const ScaledModes& modes, int components, std::span<const Part> part
 } // namespace
 
 std::optional<QuotientModes> MakeQuotientModes(
-  const Mesh& mesh, int element, const Field& field, int component)
+  const Mesh& mesh, int element, const Field& field, int component, double rounding)
 {
   const ScaledModes map(mesh.map.SpaceOf(element), mesh.map.Coefficients(element), 3);
   const int given = field.values.components;
@@ -336,13 +336,15 @@ std::optional<QuotientModes> MakeQuotientModes(
   const Size cofactors{ 2.0 * J.most * J.most, 4.0 * kUp * J.most * J.error };
   const double power = PowerOf(mesh.size[static_cast<std::size_t>(element)], field.mapping);
   const double divisorError = 3.0 * kUp * (J.most * cofactors.error + cofactors.most * J.error);
-  double numeratorError = power * kUp * F.error;
-  if (field.mapping != Mapping::Density)
+  const auto numeratorErrorWith = [&](double errorOfField)
   {
+    if (field.mapping == Mapping::Density)
+    {
+      return power * kUp * errorOfField;
+    }
     const Size& by = field.mapping == Mapping::Covariant ? cofactors : J;
-    numeratorError *= 3.0 * by.most;
-    numeratorError += power * 3.0 * kUp * by.error * F.most;
-  }
+    return power * 3.0 * kUp * (by.most * errorOfField + by.error * F.most);
+  };
 
   const Interpolation& interpolation = InterpolationOf(*space);
   const KernelSet mapKernels = KernelsFor(map.space);
@@ -387,9 +389,9 @@ std::optional<QuotientModes> MakeQuotientModes(
   QuotientModes quotient{ Interpolated(*space, values, numeratorsOff),
     Interpolated(*space, divisors, divisorsOff) };
   const double grown = kUp * interpolation.lebesgue;
-  quotient.numeratorSlack = grown * (numeratorsOff + numeratorError);
+  quotient.numeratorSlack = grown * (numeratorsOff + numeratorErrorWith(F.error));
   quotient.divisorSlack = grown * (divisorsOff + divisorError);
-  quotient.numeratorError = numeratorError;
+  quotient.numeratorError = numeratorErrorWith(F.error * (1.0 + rounding / kUnitRoundoff));
   quotient.divisorError = divisorError;
   return quotient.numerators.finite && quotient.divisor.finite &&
       std::isfinite(quotient.numeratorSlack) && std::isfinite(quotient.divisorSlack)

@@ -30,7 +30,8 @@ struct QuotientModes
 };
 
 /// `component`: of the field; -1: all. Nothing on pyramids, where neither is a polynomial in xi,
-/// for products of orders above 16, and for modes that are not finite.
+/// for products of orders above 16, and for modes that are not finite. `rounding`: of the kernels'
+/// F, as EdgeBounds takes it.
 std::optional<QuotientModes> MakeQuotientModes(
-  const Mesh& mesh, int element, const Field& field, int component);
+  const Mesh& mesh, int element, const Field& field, int component, double rounding = 0.0);
 } // namespace pixelexact
