@@ -5,54 +5,19 @@
 #include "FunctionOfSurface.h"
 #include "MeshSurfaceOptions.h"
 #include "Options.h"
+#include "QuadricKinds.h"
 
 #include "Core/Base/Error.h"
-#include "Trace/Surfaces/Quadric.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <vtkImplicitFunction.h>
 
 #include <algorithm>
-#include <array>
+#include <string>
 
 namespace pixelexact
 {
-namespace
-{
-using Given = std::vector<double>;
-
-Vec3 At(const Given& numbers, std::size_t first)
-{
-  return { numbers[first], numbers[first + 1], numbers[first + 2] };
-}
-
-struct Kind
-{
-  const char* name;
-  int count;
-  const char* form;
-  const char* help;
-  Quadric (*make)(const Given& p);
-};
-const Kind kKinds[] = {
-  { "--sphere", 4, "cx,cy,cz,r", "Over a sphere",
-    [](const Given& p) { return MakeSphere(At(p, 0), p[3]); } },
-  { "--cylinder", 7, "px,py,pz,ax,ay,az,r", "Over the cylinder about the line through p along a",
-    [](const Given& p) { return MakeCylinder(At(p, 0), At(p, 3), p[6]); } },
-  { "--cone", 7, "ax,ay,az,dx,dy,dz,deg", "Over the cone, both halves, with apex a and axis d",
-    [](const Given& p) { return MakeCone(At(p, 0), At(p, 3), p[6]); } },
-  { "--quadric", 10, "a0,...,a9",
-    "Over a quadric, in vtkQuadric's order: xx, yy, zz, xy, yz, xz, x, y, z, 1",
-    [](const Given& p)
-    {
-      std::array<double, 10> a{};
-      std::ranges::copy(p, a.begin());
-      return MakeQuadric(a);
-    } },
-};
-} // namespace
-
 void IntegralSurfaces::AddTo(CLI::App& command)
 {
   const char* group = "Surfaces (any number of each)";
@@ -64,9 +29,10 @@ void IntegralSurfaces::AddTo(CLI::App& command)
     "box, at a coordinate (z=0.2), or at a part of the box (z=10%). Without any surface: through "
     "the middle, across the shortest side")
     .Group(group);
-  for (const Kind& kind : kKinds)
+  for (const QuadricKind& kind : kQuadricKinds)
   {
-    AddRepeatedNumbers(command, kind.name, Numbers[kind.name], kind.count, kind.form, kind.help)
+    AddRepeatedNumbers(command, kind.name, Numbers[kind.name], kind.count, kind.form,
+      std::string("Over ") + kind.what)
       .Group(group);
   }
   AddRepeated(
@@ -91,9 +57,9 @@ std::vector<IntegralSurface> IntegralSurfaces::Make(const Box3& box) const
     surfaces.push_back({ "--plane " + choice.Numbers(box), FunctionOf(choice.Make(box)), {} });
   };
   std::ranges::for_each(Planes, addPlane);
-  for (const Kind& kind : kKinds)
+  for (const QuadricKind& kind : kQuadricKinds)
   {
-    for (const Given& numbers : Numbers.at(kind.name))
+    for (const GivenNumbers& numbers : Numbers.at(kind.name))
     {
       const std::string name = fmt::format("{} {}", kind.name, fmt::join(numbers, ","));
       try

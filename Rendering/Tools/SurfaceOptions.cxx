@@ -5,72 +5,61 @@
 #include "Model.h"
 #include "Options.h"
 #include "PatchFile.h"
+#include "QuadricKinds.h"
 #include "TriangleFile.h"
 
 #include "Core/Base/Error.h"
 #include "Trace/Surfaces/ConvexBody.h"
 #include "Trace/Surfaces/Disc.h"
-#include "Trace/Surfaces/Quadric.h"
 #include "Trace/Surfaces/Torus.h"
 #include "VtkPatches.h"
 
 #include <algorithm>
-#include <array>
+#include <functional>
 #include <iterator>
+#include <string>
 #include <utility>
 
 namespace pixelexact
 {
 namespace
 {
-using Given = std::vector<double>;
-
-Vec3 At(const Given& numbers, std::size_t first)
-{
-  return { numbers[first], numbers[first + 1], numbers[first + 2] };
-}
-
 /// A surface that numbers describe.
 struct Kind
 {
   const char* name;
   int count;
   const char* form;
-  const char* help;
-  std::shared_ptr<const Surface> (*make)(const Given& p);
+  std::string help;
+  std::function<std::shared_ptr<const Surface>(const GivenNumbers& p)> make;
 };
-// In the order of the help.
-const Kind kKinds[] = {
-  { "--disc", 7, "cx,cy,cz,nx,ny,nz,r",
-    "Cut by the disc about c with normal n: the part of a plane within a circle",
-    [](const Given& p) -> std::shared_ptr<const Surface>
-    { return std::make_shared<Disc>(At(p, 0), At(p, 3), p[6]); } },
-  { "--sphere", 4, "cx,cy,cz,r", "Cut by a sphere",
-    [](const Given& p) -> std::shared_ptr<const Surface>
-    { return std::make_shared<Quadric>(MakeSphere(At(p, 0), p[3])); } },
-  { "--cylinder", 7, "px,py,pz,ax,ay,az,r", "Cut by the cylinder about the line through p along a",
-    [](const Given& p) -> std::shared_ptr<const Surface>
-    { return std::make_shared<Quadric>(MakeCylinder(At(p, 0), At(p, 3), p[6])); } },
-  { "--cone", 7, "ax,ay,az,dx,dy,dz,deg",
-    "Cut by the cone, both halves, with apex a, axis d and so many degrees between axis and "
-    "surface",
-    [](const Given& p) -> std::shared_ptr<const Surface>
-    { return std::make_shared<Quadric>(MakeCone(At(p, 0), At(p, 3), p[6])); } },
-  { "--quadric", 10, "a0,...,a9",
-    "Cut by a quadric, in vtkQuadric's order: xx, yy, zz, xy, yz, xz, x, y, z, 1",
-    [](const Given& p) -> std::shared_ptr<const Surface>
+
+/// In the order of the help.
+const std::vector<Kind>& Kinds()
+{
+  static const std::vector<Kind> kinds = []
+  {
+    std::vector<Kind> all;
+    all.push_back({ "--disc", 7, "cx,cy,cz,nx,ny,nz,r",
+      "Cut by the disc about c with normal n: the part of a plane within a circle",
+      [](const GivenNumbers& p)
+      { return std::make_shared<Disc>(VectorAt(p, 0), VectorAt(p, 3), p[6]); } });
+    for (const QuadricKind& kind : kQuadricKinds)
     {
-      std::array<double, 10> a{};
-      std::ranges::copy(p, a.begin());
-      return std::make_shared<Quadric>(MakeQuadric(a));
-    } },
-  { "--torus", 8, "cx,cy,cz,ax,ay,az,R,r", "Cut by the torus about c with axis a, of radii R and r",
-    [](const Given& p) -> std::shared_ptr<const Surface>
-    { return std::make_shared<Torus>(At(p, 0), At(p, 3), p[6], p[7]); } },
-  { "--box", 6, "x0,y0,z0,x1,y1,z1", "Cut by the faces of a box",
-    [](const Given& p) -> std::shared_ptr<const Surface>
-    { return std::make_shared<ConvexBody>(MakeBox(At(p, 0), At(p, 3))); } },
-};
+      all.push_back({ kind.name, kind.count, kind.form, std::string("Cut by ") + kind.what,
+        [make = kind.make](const GivenNumbers& p) { return std::make_shared<Quadric>(make(p)); } });
+    }
+    all.push_back({ "--torus", 8, "cx,cy,cz,ax,ay,az,R,r",
+      "Cut by the torus about c with axis a, of radii R and r", [](const GivenNumbers& p) {
+        return std::make_shared<Torus>(VectorAt(p, 0), VectorAt(p, 3), p[6], p[7]);
+      } });
+    all.push_back({ "--box", 6, "x0,y0,z0,x1,y1,z1", "Cut by the faces of a box",
+      [](const GivenNumbers& p)
+      { return std::make_shared<ConvexBody>(MakeBox(VectorAt(p, 0), VectorAt(p, 3))); } });
+    return all;
+  }();
+  return kinds;
+}
 
 /// A surface that is there, whatever the mesh.
 GivenSurface Made(std::shared_ptr<const Surface> surface)
@@ -110,7 +99,7 @@ void SurfaceOptions::AddTo(CLI::App& command)
     "any "
     "surface: through the middle, across the shortest side")
     .Group(group);
-  for (const Kind& kind : kKinds)
+  for (const Kind& kind : Kinds())
   {
     AddRepeatedNumbers(command, kind.name, Numbers[kind.name], kind.count, kind.form, kind.help)
       .Group(group);
@@ -141,7 +130,7 @@ void SurfaceOptions::AddTo(CLI::App& command)
 
 SurfaceOptions::Described SurfaceOptions::First() const
 {
-  for (const Kind& kind : kKinds)
+  for (const Kind& kind : Kinds())
   {
     const auto found = Planes.empty() ? Numbers.find(kind.name) : Numbers.end();
     if (found != Numbers.end() && !found->second.empty())
@@ -185,9 +174,9 @@ std::vector<GivenSurface> SurfaceOptions::MakeInSpace() const
   {
     add(PlaneChoice::ThroughTheMiddle());
   }
-  for (const Kind& kind : kKinds)
+  for (const Kind& kind : Kinds())
   {
-    for (const Given& numbers : Numbers.at(kind.name))
+    for (const GivenNumbers& numbers : Numbers.at(kind.name))
     {
       try
       {
