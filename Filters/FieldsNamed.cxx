@@ -5,24 +5,28 @@
 
 namespace pixelexact
 {
+const Field& FieldNamed(const HighOrderModel& model, const std::string& name)
+{
+  if (const Field* field = model.FindField(name))
+  {
+    return *field;
+  }
+  std::string known;
+  for (const auto& other : model.Fields())
+  {
+    known += (known.empty() ? "" : ", ") + other.name;
+  }
+  throw InvalidData("there is no high-order field '" + name +
+    "'; the grid has: " + (known.empty() ? "none" : known) + ".");
+}
+
 std::vector<const Field*> FieldsNamed(
   const HighOrderModel& model, const std::vector<std::string>& names)
 {
   std::vector<const Field*> fields;
   for (const auto& name : names)
   {
-    const Field* field = model.FindField(name);
-    if (!field)
-    {
-      std::string known;
-      for (const auto& other : model.Fields())
-      {
-        known += (known.empty() ? "" : ", ") + other.name;
-      }
-      throw InvalidData("there is no high-order field '" + name +
-        "'; the grid has: " + (known.empty() ? "none" : known) + ".");
-    }
-    fields.push_back(field);
+    fields.push_back(&FieldNamed(model, name));
   }
   if (names.empty())
   {
@@ -32,5 +36,15 @@ std::vector<const Field*> FieldsNamed(
     }
   }
   return fields;
+}
+
+void PrintFields(ostream& os, vtkIndent indent, const std::vector<std::string>& names)
+{
+  os << indent << "Fields:";
+  for (const auto& name : names)
+  {
+    os << " " << name;
+  }
+  os << (names.empty() ? " all\n" : "\n");
 }
 } // namespace pixelexact

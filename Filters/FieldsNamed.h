@@ -4,14 +4,21 @@
 
 #include "HighOrderModel.h"
 
+#include "vtkIndent.h"
+
 #include <string>
 #include <vector>
 
 namespace pixelexact
 {
-/// The fields of these names; none: all. Throws InvalidData for a name that is not there, with
-/// those that are.
+/// Throws InvalidData where there is none of this name, with those that are.
+[[nodiscard]] const Field& FieldNamed(const HighOrderModel& model, const std::string& name);
+
+/// The fields of these names; none: all. Throws as FieldNamed.
 [[nodiscard]] std::vector<const Field*> FieldsNamed(
   const HighOrderModel& model, const std::vector<std::string>& names);
+
+/// "Fields: u v", or "Fields: all": a line of PrintSelf.
+void PrintFields(ostream& os, vtkIndent indent, const std::vector<std::string>& names);
 } // namespace pixelexact
 #endif

@@ -3,6 +3,8 @@
 
 #include "Core/Base/Error.h"
 #include "Core/Element/Validity.h"
+#include "FieldsNamed.h"
+#include "FilterWork.h"
 #include "HighOrderArrays.h"
 #include "ModelSource.h"
 #include "SourceMesh.h"
@@ -18,7 +20,6 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <cmath>
-#include <exception>
 #include <map>
 
 vtkStandardNewMacro(vtkHighOrderCertifier);
@@ -111,75 +112,66 @@ int vtkHighOrderCertifier::FillInputPortInformation(int /*port*/, vtkInformation
   return 1;
 }
 
+void vtkHighOrderCertifier::Certify(vtkUnstructuredGrid* grid, vtkUnstructuredGrid* output)
+{
+  const auto model = this->Source->Get(grid, this);
+  const Mesh& mesh = model->GetMesh();
+  const auto cells = CellsOf(grid, *model);
+  const vtkIdType count = grid->GetNumberOfCells();
+  const RangeEffort effort{ this->Tolerance, this->MaximumBoxes };
+  const Field* field = this->FieldName.empty() ? nullptr : &FieldNamed(*model, this->FieldName);
+  // Parts of the work, of about the same length each.
+  const double parts = 2.0 + (field ? field->values.components : 0);
+  double done = 0.0;
+  const auto next = [&]() -> RangeProgress
+  {
+    const double from = done / parts;
+    done += 1.0;
+    return [this, from, parts](double part) { this->UpdateProgress(from + part / parts); };
+  };
+
+  const auto validity = ValidityOf(mesh, effort, next());
+  const auto jacobian = ElementRanges(mesh, { Quantity::Jacobian }, effort, next());
+  vtkNew<vtkUnsignedCharArray> verdict;
+  verdict->SetName("Verdict");
+  verdict->SetNumberOfValues(count);
+  verdict->FillValue(kNoElement);
+  BoundArrays bounds("JacobianLower", "JacobianUpper", 1, count);
+  for (std::size_t e = 0; e < cells.size(); ++e)
+  {
+    verdict->SetValue(cells[e], static_cast<unsigned char>(validity[e].validity));
+    // Both hold: the search for the sign may know more of the end at zero.
+    CertifiedRange both = jacobian[e];
+    both.outer = Intersect(both.outer, validity[e].jacobian.outer);
+    bounds.Set(cells[e], 0, both);
+  }
+  output->ShallowCopy(grid);
+  output->GetCellData()->AddArray(verdict);
+  bounds.AddTo(output->GetCellData());
+  if (field)
+  {
+    const int components = field->values.components;
+    BoundArrays values(this->FieldName + "_lower", this->FieldName + "_upper", components, count);
+    for (int c = 0; c < components; ++c)
+    {
+      const auto ranges = ElementRanges(mesh, { Quantity::Component, field, c }, effort, next());
+      for (std::size_t e = 0; e < cells.size(); ++e)
+      {
+        values.Set(cells[e], c, ranges[e]);
+      }
+    }
+    values.AddTo(output->GetCellData());
+  }
+}
+
 int vtkHighOrderCertifier::RequestData(vtkInformation* /*request*/,
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  auto* grid = vtkUnstructuredGrid::GetData(inputVector[0]);
   auto* output = vtkUnstructuredGrid::GetData(outputVector);
-  try
-  {
-    const auto model = this->Source->Get(grid, this);
-    const Mesh& mesh = model->GetMesh();
-    const auto cells = CellsOf(grid, *model);
-    const vtkIdType count = grid->GetNumberOfCells();
-    const RangeEffort effort{ this->Tolerance, this->MaximumBoxes };
-    const Field* field = nullptr;
-    if (!this->FieldName.empty())
+  return FillOutput(this, output,
+    [&]
     {
-      field = model->FindField(this->FieldName);
-      if (!field)
-      {
-        throw InvalidData("there is no field '" + this->FieldName + "' to certify.");
-      }
-    }
-    // Parts of the work, of about the same length each.
-    const double parts = 2.0 + (field ? field->values.components : 0);
-    double done = 0.0;
-    const auto next = [&]() -> RangeProgress
-    {
-      const double from = done / parts;
-      done += 1.0;
-      return [this, from, parts](double part) { this->UpdateProgress(from + part / parts); };
-    };
-
-    const auto validity = ValidityOf(mesh, effort, next());
-    const auto jacobian = ElementRanges(mesh, { Quantity::Jacobian }, effort, next());
-    vtkNew<vtkUnsignedCharArray> verdict;
-    verdict->SetName("Verdict");
-    verdict->SetNumberOfValues(count);
-    verdict->FillValue(kNoElement);
-    BoundArrays bounds("JacobianLower", "JacobianUpper", 1, count);
-    for (std::size_t e = 0; e < cells.size(); ++e)
-    {
-      verdict->SetValue(cells[e], static_cast<unsigned char>(validity[e].validity));
-      // Both hold: the search for the sign may know more of the end at zero.
-      CertifiedRange both = jacobian[e];
-      both.outer = Intersect(both.outer, validity[e].jacobian.outer);
-      bounds.Set(cells[e], 0, both);
-    }
-    output->ShallowCopy(grid);
-    output->GetCellData()->AddArray(verdict);
-    bounds.AddTo(output->GetCellData());
-    if (field)
-    {
-      const int components = field->values.components;
-      BoundArrays values(this->FieldName + "_lower", this->FieldName + "_upper", components, count);
-      for (int c = 0; c < components; ++c)
-      {
-        const auto ranges = ElementRanges(mesh, { Quantity::Component, field, c }, effort, next());
-        for (std::size_t e = 0; e < cells.size(); ++e)
-        {
-          values.Set(cells[e], c, ranges[e]);
-        }
-      }
-      values.AddTo(output->GetCellData());
-    }
-    return 1;
-  }
-  catch (const std::exception& error) // memory may run out too
-  {
-    output->Initialize();
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
+      this->Certify(vtkUnstructuredGrid::GetData(inputVector[0]), output);
+      return true;
+    });
 }

@@ -78,6 +78,9 @@ private:
   vtkHighOrderCertifier(const vtkHighOrderCertifier&) = delete;
   void operator=(const vtkHighOrderCertifier&) = delete;
 
+  /// Throws Error.
+  void Certify(vtkUnstructuredGrid* grid, vtkUnstructuredGrid* output);
+
   std::string FieldName;
   double Tolerance = 0.01;
   int MaximumBoxes = 2000;

@@ -3,6 +3,8 @@
 
 #include "ContourList.h"
 #include "ContourPolyData.h"
+#include "FieldsNamed.h"
+#include "FilterWork.h"
 #include "ModelSource.h"
 #include "VtkCutFunction.h"
 
@@ -18,7 +20,6 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <exception>
 
 vtkStandardNewMacro(vtkHighOrderContour);
 
@@ -32,20 +33,7 @@ const Field& FieldIn(const HighOrderModel& model, const std::string& name)
   {
     throw InvalidData("the grid carries no high-order field; there is nothing to contour.");
   }
-  if (name.empty())
-  {
-    return model.Fields().front();
-  }
-  if (const Field* field = model.FindField(name))
-  {
-    return *field;
-  }
-  std::string names;
-  for (const Field& field : model.Fields())
-  {
-    names += (names.empty() ? "" : ", ") + field.name;
-  }
-  throw InvalidData("no high-order field '" + name + "'; there are: " + names + ".");
+  return name.empty() ? model.Fields().front() : FieldNamed(model, name);
 }
 
 void RequireComponent(const Field& field, int component)
@@ -91,14 +79,7 @@ vtkMTimeType vtkHighOrderContour::GetMTime()
   return this->CutFunction ? std::max(own, this->CutFunction->GetMTime()) : own;
 }
 
-void vtkHighOrderContour::SetCutFunction(vtkImplicitFunction* function)
-{
-  if (this->CutFunction != function)
-  {
-    this->CutFunction = function;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkHighOrderContour, CutFunction, vtkImplicitFunction);
 
 vtkImplicitFunction* vtkHighOrderContour::GetCutFunction()
 {
@@ -229,15 +210,10 @@ int vtkHighOrderContour::RequestData(vtkInformation* /*request*/,
   this->NumberOfUncertifiedLines = 0;
   this->NumberOfUndecidedElements = 0;
   this->ReportText.clear();
-  try
-  {
-    this->Trace(vtkDataObject::GetData(inputVector[0]), output);
-    return 1;
-  }
-  catch (const std::exception& error) // memory may run out too
-  {
-    output->Initialize();
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
+  return FillOutput(this, output,
+    [&]
+    {
+      this->Trace(vtkDataObject::GetData(inputVector[0]), output);
+      return true;
+    });
 }

@@ -32,10 +32,6 @@ void vtkHighOrderFileReader::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName.empty() ? "none" : this->FileName) << "\n";
   os << indent << "Steps: " << this->Times.size() << "\n";
-  for (const auto& line : this->Diagnostics)
-  {
-    os << indent << line << "\n";
-  }
 }
 
 void vtkHighOrderFileReader::SetFileName(const char* name)
@@ -53,41 +49,9 @@ const char* vtkHighOrderFileReader::GetFileName()
   return this->FileName.c_str();
 }
 
-int vtkHighOrderFileReader::GetNumberOfDiagnostics()
-{
-  return static_cast<int>(this->Diagnostics.size());
-}
-
-std::string vtkHighOrderFileReader::GetDiagnostic(int index)
-{
-  return index >= 0 && index < this->GetNumberOfDiagnostics() ? this->Diagnostics[index]
-                                                              : std::string();
-}
-
-vtkHighOrderGrid* vtkHighOrderFileReader::GetHighOrderOutput()
-{
-  return vtkHighOrderGrid::SafeDownCast(this->GetOutputDataObject(0));
-}
-
 std::vector<double> vtkHighOrderFileReader::ReadTimes()
 {
   return {};
-}
-
-// RequestDataObject is not virtual in vtkUnstructuredGridAlgorithm.
-vtkTypeBool vtkHighOrderFileReader::ProcessRequest(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
-  {
-    if (!vtkHighOrderGrid::GetData(outputVector))
-    {
-      vtkNew<vtkHighOrderGrid> output;
-      outputVector->GetInformationObject(0)->Set(vtkDataObject::DATA_OBJECT(), output);
-    }
-    return 1;
-  }
-  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
 }
 
 int vtkHighOrderFileReader::RequestInformation(vtkInformation* /*request*/,
@@ -124,15 +88,6 @@ int vtkHighOrderFileReader::RequestedStep(vtkInformation* output)
   const double time = output->Get(Pipeline::UPDATE_TIME_STEP());
   const auto after = std::ranges::upper_bound(this->Times, time);
   return std::max(0, static_cast<int>(after - this->Times.begin()) - 1);
-}
-
-void vtkHighOrderFileReader::Report(std::vector<std::string> lines)
-{
-  this->Diagnostics = std::move(lines);
-  for (const auto& line : this->Diagnostics)
-  {
-    vtkWarningMacro(<< line);
-  }
 }
 
 SolverModel vtkHighOrderFileReader::ReadPart(int step, bool wantMesh)
@@ -180,7 +135,7 @@ int vtkHighOrderFileReader::RequestData(vtkInformation* /*request*/,
 {
   auto* output = vtkHighOrderGrid::GetData(outputVector);
   output->Initialize();
-  this->Diagnostics.clear();
+  this->ClearDiagnostics();
   try
   {
     vtkInformation* asked = outputVector->GetInformationObject(0);
@@ -216,7 +171,10 @@ int vtkHighOrderFileReader::RequestData(vtkInformation* /*request*/,
     {
       output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), this->Times[step]);
     }
-    this->Report(std::move(model.notes));
+    for (const auto& line : model.notes)
+    {
+      this->Report(line);
+    }
     return 1;
   }
   catch (const std::exception& error)

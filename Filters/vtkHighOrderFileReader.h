@@ -32,9 +32,9 @@
 #define vtkHighOrderFileReader_h
 
 #include "PixelExactFiltersModule.h"
+#include "vtkHighOrderGridAlgorithm.h"
 #include "vtkSmartPointer.h" // for the mesh
 #include "vtkTimeStamp.h"    // for its age
-#include "vtkUnstructuredGridAlgorithm.h"
 
 #include <string> // for names
 #include <vector> // for names
@@ -46,10 +46,10 @@ namespace pixelexact
 struct SolverModel;
 }
 
-class PIXELEXACTFILTERS_EXPORT vtkHighOrderFileReader : public vtkUnstructuredGridAlgorithm
+class PIXELEXACTFILTERS_EXPORT vtkHighOrderFileReader : public vtkHighOrderGridAlgorithm
 {
 public:
-  vtkTypeMacro(vtkHighOrderFileReader, vtkUnstructuredGridAlgorithm);
+  vtkTypeMacro(vtkHighOrderFileReader, vtkHighOrderGridAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -59,19 +59,6 @@ public:
   virtual void SetFileName(const char* name);
   virtual const char* GetFileName();
   ///@}
-
-  ///@{
-  /**
-   * Of the last execution: lines about what looks wrong in the files.
-   */
-  int GetNumberOfDiagnostics();
-  std::string GetDiagnostic(int index);
-  ///@}
-
-  vtkHighOrderGrid* GetHighOrderOutput();
-
-  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
 
 protected:
   vtkHighOrderFileReader();
@@ -108,13 +95,11 @@ private:
   vtkHighOrderFileReader(const vtkHighOrderFileReader&) = delete;
   void operator=(const vtkHighOrderFileReader&) = delete;
 
-  void Report(std::vector<std::string> lines);
   pixelexact::SolverModel ReadPart(int step, bool wantMesh);
   int RequestedStep(vtkInformation* output);
 
   std::vector<double> Times;
   std::vector<std::string> MeshNotes;
-  std::vector<std::string> Diagnostics;
   vtkSmartPointer<vtkHighOrderGrid> MeshGrid; ///< without fields; what steps share
   vtkTimeStamp MeshTime;
   int MeshStep = 0; ///< whose mesh it is, where steps have their own

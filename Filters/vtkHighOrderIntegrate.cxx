@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHighOrderIntegrate.h"
 
+#include "FieldsNamed.h"
+#include "FilterWork.h"
 #include "HighOrderModel.h"
 #include "IntegralRows.h"
 #include "ModelSource.h"
@@ -21,7 +23,6 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <exception>
 #include <limits>
 
 vtkStandardNewMacro(vtkHighOrderIntegrate);
@@ -33,20 +34,11 @@ using namespace pixelexact;
 /// Null where the grid has none and none was named.
 const Field* FieldIn(const HighOrderModel& model, const std::string& name)
 {
-  if (name.empty())
+  if (!name.empty())
   {
-    return model.Fields().empty() ? nullptr : &model.Fields().front();
+    return &FieldNamed(model, name);
   }
-  if (const Field* field = model.FindField(name))
-  {
-    return field;
-  }
-  std::string names;
-  for (const Field& field : model.Fields())
-  {
-    names += (names.empty() ? "" : ", ") + field.name;
-  }
-  throw InvalidData("no high-order field '" + name + "'; there are: " + names + ".");
+  return model.Fields().empty() ? nullptr : &model.Fields().front();
 }
 
 void ToTable(const std::vector<IntegralRow>& rows, vtkTable* table)
@@ -107,14 +99,7 @@ vtkMTimeType vtkHighOrderIntegrate::GetMTime()
   return this->CutFunction ? std::max(own, this->CutFunction->GetMTime()) : own;
 }
 
-void vtkHighOrderIntegrate::SetCutFunction(vtkImplicitFunction* function)
-{
-  if (this->CutFunction != function)
-  {
-    this->CutFunction = function;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkHighOrderIntegrate, CutFunction, vtkImplicitFunction);
 
 vtkImplicitFunction* vtkHighOrderIntegrate::GetCutFunction()
 {
@@ -206,15 +191,10 @@ int vtkHighOrderIntegrate::RequestData(vtkInformation* /*request*/,
   auto* output = vtkTable::GetData(outputVector);
   this->ToleranceMet = false;
   this->UnresolvedArea = 0.0;
-  try
-  {
-    this->Integrate(vtkDataObject::GetData(inputVector[0]), output);
-    return 1;
-  }
-  catch (const std::exception& error) // memory may run out too
-  {
-    output->Initialize();
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
+  return FillOutput(this, output,
+    [&]
+    {
+      this->Integrate(vtkDataObject::GetData(inputVector[0]), output);
+      return true;
+    });
 }

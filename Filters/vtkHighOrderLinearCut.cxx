@@ -7,6 +7,7 @@
 #include "CutClip.h"
 #include "CutTriangles.h"
 #include "FieldsNamed.h"
+#include "FilterWork.h"
 #include "ModelSource.h"
 #include "PointBounds.h"
 #include "PointSampling.h"
@@ -28,7 +29,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <exception>
 #include <numeric>
 #include <utility>
 
@@ -118,12 +118,7 @@ void vtkHighOrderLinearCut::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Resolution: " << this->Resolution << "\n";
   os << indent << "NumberOfTrianglesAtTheRim: " << this->NumberOfTrianglesAtTheRim << "\n";
   os << indent << "NumberOfPointsOffSurface: " << this->NumberOfPointsOffSurface << "\n";
-  os << indent << "Fields:";
-  for (const auto& name : this->Fields)
-  {
-    os << " " << name;
-  }
-  os << (this->Fields.empty() ? " all\n" : "\n");
+  PrintFields(os, indent, this->Fields);
 }
 
 vtkMTimeType vtkHighOrderLinearCut::GetMTime()
@@ -132,14 +127,7 @@ vtkMTimeType vtkHighOrderLinearCut::GetMTime()
   return this->CutFunction ? std::max(own, this->CutFunction->GetMTime()) : own;
 }
 
-void vtkHighOrderLinearCut::SetCutFunction(vtkImplicitFunction* function)
-{
-  if (this->CutFunction != function)
-  {
-    this->CutFunction = function;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkHighOrderLinearCut, CutFunction, vtkImplicitFunction);
 
 vtkImplicitFunction* vtkHighOrderLinearCut::GetCutFunction()
 {
@@ -183,24 +171,16 @@ bool vtkHighOrderLinearCut::Cut(vtkDataObject* grid, vtkPolyData* output)
   {
     perPoint += 16.0 * field->values.components;
   }
-  const auto progressIn = [this](double from, double to)
-  {
-    return [this, from, to](double part)
-    {
-      this->UpdateProgress(from + (to - from) * part);
-      return this->GetAbortExecute() == 0;
-    };
-  };
   const Box3 box = CutBox(*model, grid);
   const double extent = glm::length(box.upper - box.lower);
   const auto function = MakeCutFunction(this->CutFunction, extent > 0.0 ? extent : 1.0);
   const CutTriangles cut =
-    TriangulateCut(*function, box, this->Resolution, perPoint, progressIn(0.0, 0.2));
+    TriangulateCut(*function, box, this->Resolution, perPoint, ProgressOf(this, 0.0, 0.2));
   if (cut.aborted)
   {
     return false;
   }
-  const PointSampling all(*model, cut.points, progressIn(0.2, 0.9));
+  const PointSampling all(*model, cut.points, ProgressOf(this, 0.2, 0.9));
   if (all.IsAborted())
   {
     return false;
@@ -238,18 +218,6 @@ int vtkHighOrderLinearCut::RequestData(vtkInformation* /*request*/,
   auto* output = vtkPolyData::GetData(outputVector);
   this->NumberOfTrianglesAtTheRim = 0;
   this->NumberOfPointsOffSurface = 0;
-  try
-  {
-    if (!this->Cut(vtkDataObject::GetData(inputVector[0]), output))
-    {
-      output->Initialize();
-    }
-    return 1;
-  }
-  catch (const std::exception& error) // memory may run out too
-  {
-    output->Initialize();
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
+  return FillOutput(
+    this, output, [&] { return this->Cut(vtkDataObject::GetData(inputVector[0]), output); });
 }

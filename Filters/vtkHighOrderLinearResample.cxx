@@ -4,6 +4,7 @@
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 #include "FieldsNamed.h"
+#include "FilterWork.h"
 #include "FreeMemory.h"
 #include "ModelSource.h"
 #include "PointBounds.h"
@@ -23,7 +24,6 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <exception>
 
 vtkStandardNewMacro(vtkHighOrderLinearResample);
 
@@ -125,12 +125,8 @@ void vtkHighOrderLinearResample::PrintSelf(ostream& os, vtkIndent indent)
   {
     os << " " << bound;
   }
-  os << "\n" << indent << "Fields:";
-  for (const auto& name : this->Fields)
-  {
-    os << " " << name;
-  }
-  os << (this->Fields.empty() ? " all\n" : "\n");
+  os << "\n";
+  PrintFields(os, indent, this->Fields);
 }
 
 void vtkHighOrderLinearResample::AddField(const std::string& name)
@@ -180,42 +176,32 @@ int vtkHighOrderLinearResample::RequestUpdateExtent(vtkInformation* /*request*/,
   return 1;
 }
 
+bool vtkHighOrderLinearResample::Resample(vtkDataObject* grid, vtkImageData* output)
+{
+  const int* n = this->Dimensions;
+  if (n[0] < 1 || n[1] < 1 || n[2] < 1)
+  {
+    throw InvalidData("Dimensions must be at least 1 in each direction.");
+  }
+  const auto model = this->Source->Get(grid, this);
+  const bool own = this->SamplingBounds[0] <= this->SamplingBounds[1];
+  output->Initialize();
+  RequireRoom(n, FieldsNamed(*model, this->Fields));
+  SetGeometry(output, n, own ? this->SamplingBounds : BoundsOf(grid).data());
+  const PointSampling sampling(*model, PointsOf(output), ProgressOf(this, 0.0, 0.8));
+  if (sampling.IsAborted())
+  {
+    return false;
+  }
+  sampling.AddFields({ this->Fields, false }, output->GetPointData());
+  Blank(output, sampling.Verdicts());
+  return true;
+}
+
 int vtkHighOrderLinearResample::RequestData(vtkInformation* /*request*/,
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  auto* grid = vtkDataObject::GetData(inputVector[0]);
   auto* output = vtkImageData::GetData(outputVector);
-  try
-  {
-    const int* n = this->Dimensions;
-    if (n[0] < 1 || n[1] < 1 || n[2] < 1)
-    {
-      throw InvalidData("Dimensions must be at least 1 in each direction.");
-    }
-    const auto model = this->Source->Get(grid, this);
-    const bool own = this->SamplingBounds[0] <= this->SamplingBounds[1];
-    output->Initialize();
-    RequireRoom(n, FieldsNamed(*model, this->Fields));
-    SetGeometry(output, n, own ? this->SamplingBounds : BoundsOf(grid).data());
-    const PointSampling sampling(*model, PointsOf(output),
-      [this](double part)
-      {
-        this->UpdateProgress(0.8 * part);
-        return this->GetAbortExecute() == 0;
-      });
-    if (sampling.IsAborted())
-    {
-      output->Initialize();
-      return 1;
-    }
-    sampling.AddFields({ this->Fields, false }, output->GetPointData());
-    Blank(output, sampling.Verdicts());
-    return 1;
-  }
-  catch (const std::exception& error) // memory may run out too
-  {
-    output->Initialize();
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
+  return FillOutput(
+    this, output, [&] { return this->Resample(vtkDataObject::GetData(inputVector[0]), output); });
 }

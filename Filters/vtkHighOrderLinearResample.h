@@ -76,6 +76,9 @@ private:
   vtkHighOrderLinearResample(const vtkHighOrderLinearResample&) = delete;
   void operator=(const vtkHighOrderLinearResample&) = delete;
 
+  /// Throws Error. False where it was aborted.
+  bool Resample(vtkDataObject* grid, vtkImageData* output);
+
   int Dimensions[3] = { 64, 64, 64 };
   double SamplingBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
   std::vector<std::string> Fields;

@@ -2,6 +2,8 @@
 #include "vtkHighOrderPlotOverLine.h"
 
 #include "Core/Base/Error.h"
+#include "FieldsNamed.h"
+#include "FilterWork.h"
 #include "LineBreaks.h"
 #include "ModelSource.h"
 #include "PointSampling.h"
@@ -20,7 +22,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <iterator>
 
 vtkStandardNewMacro(vtkHighOrderPlotOverLine);
@@ -43,12 +44,7 @@ void vtkHighOrderPlotOverLine::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ElementBoundaries: " << (this->ElementBoundaries ? "on" : "off") << "\n";
   os << indent << "ComputeGradients: " << (this->ComputeGradients ? "on" : "off") << "\n";
   os << indent << "Enclosures: " << (this->Enclosures ? "on" : "off") << "\n";
-  os << indent << "Fields: " << (this->Fields.empty() ? "(all)" : "");
-  for (const std::string& field : this->Fields)
-  {
-    os << " " << field;
-  }
-  os << "\n";
+  pixelexact::PrintFields(os, indent, this->Fields);
 }
 
 void vtkHighOrderPlotOverLine::AddField(const std::string& name)
@@ -76,7 +72,7 @@ int vtkHighOrderPlotOverLine::RequestUpdateExtent(vtkInformation* /*request*/,
   return 1;
 }
 
-void vtkHighOrderPlotOverLine::Plot(vtkDataObject* grid, vtkPolyData* output)
+bool vtkHighOrderPlotOverLine::Plot(vtkDataObject* grid, vtkPolyData* output)
 {
   using pixelexact::Vec3;
   const Vec3 start(this->Point1[0], this->Point1[1], this->Point1[2]);
@@ -127,38 +123,22 @@ void vtkHighOrderPlotOverLine::Plot(vtkDataObject* grid, vtkPolyData* output)
   vtkPointData* data = output->GetPointData();
   data->AddArray(distance);
 
-  const auto within = [this](double from, double to)
-  {
-    return [this, from, to](double done)
-    {
-      this->UpdateProgress(from + done * (to - from));
-      return this->GetAbortExecute() == 0;
-    };
-  };
-  const pixelexact::PointSampling sampling(*model, std::move(line), within(0.3, 0.6));
+  const pixelexact::PointSampling sampling(
+    *model, std::move(line), pixelexact::ProgressOf(this, 0.3, 0.6));
   if (sampling.IsAborted() ||
-    !sampling.AddFields(
-      { this->Fields, this->ComputeGradients, this->Enclosures }, data, within(0.6, 1.0)))
+    !sampling.AddFields({ this->Fields, this->ComputeGradients, this->Enclosures }, data,
+      pixelexact::ProgressOf(this, 0.6, 1.0)))
   {
-    output->Initialize();
-    return;
+    return false;
   }
   sampling.AddLocations(data);
+  return true;
 }
 
 int vtkHighOrderPlotOverLine::RequestData(vtkInformation* /*request*/,
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   auto* output = vtkPolyData::GetData(outputVector);
-  try
-  {
-    this->Plot(vtkDataObject::GetData(inputVector[0]), output);
-    return 1;
-  }
-  catch (const std::exception& error) // memory may run out too
-  {
-    output->Initialize();
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
+  return pixelexact::FillOutput(
+    this, output, [&] { return this->Plot(vtkDataObject::GetData(inputVector[0]), output); });
 }

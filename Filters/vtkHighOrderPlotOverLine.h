@@ -98,8 +98,8 @@ private:
   vtkHighOrderPlotOverLine(const vtkHighOrderPlotOverLine&) = delete;
   void operator=(const vtkHighOrderPlotOverLine&) = delete;
 
-  /// Throws Error.
-  void Plot(vtkDataObject* grid, vtkPolyData* output);
+  /// Throws Error. False where it was aborted.
+  bool Plot(vtkDataObject* grid, vtkPolyData* output);
 
   double Point1[3] = { 0.0, 0.0, 0.0 };
   double Point2[3] = { 1.0, 0.0, 0.0 };

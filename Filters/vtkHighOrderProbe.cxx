@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHighOrderProbe.h"
 
+#include "FieldsNamed.h"
+#include "FilterWork.h"
 #include "ModelSource.h"
 #include "PointSampling.h"
 
@@ -11,8 +13,6 @@
 #include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
-
-#include <exception>
 
 vtkStandardNewMacro(vtkHighOrderProbe);
 
@@ -27,12 +27,7 @@ vtkHighOrderProbe::~vtkHighOrderProbe() = default;
 void vtkHighOrderProbe::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Fields:";
-  for (const auto& name : this->Fields)
-  {
-    os << " " << name;
-  }
-  os << (this->Fields.empty() ? " all\n" : "\n");
+  pixelexact::PrintFields(os, indent, this->Fields);
   os << indent << "ComputeGradients: " << this->ComputeGradients << "\n";
   os << indent << "Enclosures: " << this->Enclosures << "\n";
   os << indent << "Owners: " << this->Owners << "\n";
@@ -101,45 +96,36 @@ int vtkHighOrderProbe::RequestUpdateExtent(
   return 1;
 }
 
+bool vtkHighOrderProbe::Sample(vtkDataObject* grid, vtkDataSet* points, vtkDataSet* output)
+{
+  using namespace pixelexact;
+  output->CopyStructure(points);
+  const auto model = this->Source->Get(grid, this);
+  const double located = this->Enclosures ? 0.3 : 0.7;
+  const PointSampling sampling(*model, PointsOf(points), ProgressOf(this, 0.1, located));
+  vtkPointData* data = output->GetPointData();
+  if (sampling.IsAborted() ||
+    !sampling.AddFields({ this->Fields, this->ComputeGradients, this->Enclosures }, data,
+      ProgressOf(this, located, 1.0)))
+  {
+    return false;
+  }
+  sampling.AddLocations(data);
+  if (this->Owners)
+  {
+    sampling.AddOwners(data);
+  }
+  return true;
+}
+
 int vtkHighOrderProbe::RequestData(vtkInformation* /*request*/, vtkInformationVector** inputVector,
   vtkInformationVector* outputVector)
 {
-  auto* points = vtkDataSet::GetData(inputVector[0]);
-  auto* grid = vtkDataObject::GetData(inputVector[1]);
   auto* output = vtkDataSet::GetData(outputVector);
-  try
-  {
-    output->CopyStructure(points);
-    const auto model = this->Source->Get(grid, this);
-    const auto within = [this](double from, double to)
+  return pixelexact::FillOutput(this, output,
+    [&]
     {
-      return [this, from, to](double done)
-      {
-        this->UpdateProgress(from + done * (to - from));
-        return this->GetAbortExecute() == 0;
-      };
-    };
-    const double located = this->Enclosures ? 0.3 : 0.7;
-    const pixelexact::PointSampling sampling(
-      *model, pixelexact::PointsOf(points), within(0.1, located));
-    if (sampling.IsAborted() ||
-      !sampling.AddFields({ this->Fields, this->ComputeGradients, this->Enclosures },
-        output->GetPointData(), within(located, 1.0)))
-    {
-      output->Initialize();
-      return 1;
-    }
-    sampling.AddLocations(output->GetPointData());
-    if (this->Owners)
-    {
-      sampling.AddOwners(output->GetPointData());
-    }
-    return 1;
-  }
-  catch (const std::exception& error) // memory may run out too
-  {
-    output->Initialize();
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
+      return this->Sample(
+        vtkDataObject::GetData(inputVector[1]), vtkDataSet::GetData(inputVector[0]), output);
+    });
 }

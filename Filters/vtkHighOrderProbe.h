@@ -34,6 +34,7 @@
 #include <vector> // for names
 
 class vtkDataObject;
+class vtkDataSet;
 
 namespace pixelexact
 {
@@ -106,6 +107,9 @@ protected:
 private:
   vtkHighOrderProbe(const vtkHighOrderProbe&) = delete;
   void operator=(const vtkHighOrderProbe&) = delete;
+
+  /// Throws Error. False where it was aborted.
+  bool Sample(vtkDataObject* grid, vtkDataSet* points, vtkDataSet* output);
 
   std::vector<std::string> Fields;
   bool ComputeGradients = false;

@@ -2,6 +2,7 @@
 #include "vtkHighOrderSeriesReader.h"
 
 #include "Core/Base/Error.h"
+#include "FilterWork.h"
 #include "GridParts.h"
 #include "PieceNumbers.h"
 #include "TimeSeries.h"
@@ -158,27 +159,22 @@ int vtkHighOrderSeriesReader::RequestData(vtkInformation* /*request*/,
 {
   auto* output = vtkUnstructuredGrid::GetData(outputVector);
   this->Diagnostics.clear();
-  try
-  {
-    vtkInformation* asked = outputVector->GetInformationObject(0);
-    const TimeStep& step = this->Series->StepAt(asked);
-    const auto read = ReadParts(step.parts, PieceAskedFor(asked));
-    output->ShallowCopy(read.grid);
-    if (this->Series->timed)
+  return FillOutput(this, output,
+    [&]
     {
-      output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), step.time);
-    }
-    this->Diagnostics = read.notes;
-    for (const auto& line : this->Diagnostics)
-    {
-      vtkWarningMacro(<< line);
-    }
-    return 1;
-  }
-  catch (const std::exception& error) // memory may run out too
-  {
-    output->Initialize();
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
+      vtkInformation* asked = outputVector->GetInformationObject(0);
+      const TimeStep& step = this->Series->StepAt(asked);
+      const auto read = ReadParts(step.parts, PieceAskedFor(asked));
+      output->ShallowCopy(read.grid);
+      if (this->Series->timed)
+      {
+        output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), step.time);
+      }
+      this->Diagnostics = read.notes;
+      for (const auto& line : this->Diagnostics)
+      {
+        vtkWarningMacro(<< line);
+      }
+      return true;
+    });
 }

@@ -5,14 +5,13 @@
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 #include "FieldsNamed.h"
+#include "FilterWork.h"
 #include "FreeMemory.h"
 #include "ModelSource.h"
 #include "Subdivision.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkUnstructuredGrid.h"
-
-#include <exception>
 
 vtkStandardNewMacro(vtkHighOrderSubdivide);
 
@@ -49,12 +48,7 @@ void vtkHighOrderSubdivide::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Level: " << this->Level << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "NumberOfCoarseElements: " << this->NumberOfCoarseElements << "\n";
-  os << indent << "Fields:";
-  for (const auto& name : this->Fields)
-  {
-    os << " " << name;
-  }
-  os << (this->Fields.empty() ? " all\n" : "\n");
+  PrintFields(os, indent, this->Fields);
 }
 
 void vtkHighOrderSubdivide::AddField(const std::string& name)
@@ -86,16 +80,8 @@ bool vtkHighOrderSubdivide::Fill(vtkDataObject* input, vtkUnstructuredGrid* outp
 {
   const auto model = this->Source->Get(input, this);
   const std::vector<const Field*> fields = FieldsNamed(*model, this->Fields);
-  const auto progressIn = [this](double from, double to)
-  {
-    return [this, from, to](double part)
-    {
-      this->UpdateProgress(from + (to - from) * part);
-      return this->GetAbortExecute() == 0;
-    };
-  };
   const SubdivisionLevels levels = this->Tolerance > 0.0
-    ? AdaptedLevels(*model, fields, this->Tolerance, this->Level, progressIn(0.0, 0.5))
+    ? AdaptedLevels(*model, fields, this->Tolerance, this->Level, ProgressOf(this, 0.0, 0.5))
     : UniformLevels(*model, this->Level);
   if (levels.aborted)
   {
@@ -106,7 +92,7 @@ bool vtkHighOrderSubdivide::Fill(vtkDataObject* input, vtkUnstructuredGrid* outp
   RequireRoom(SizeOf(*model, levels), fields, grid);
   std::vector<int> elementOf;
   if (!Subdivide(*model, fields, levels, output, elementOf,
-        progressIn(this->Tolerance > 0.0 ? 0.5 : 0.0, 1.0)))
+        ProgressOf(this, this->Tolerance > 0.0 ? 0.5 : 0.0, 1.0)))
   {
     return false;
   }
@@ -119,18 +105,6 @@ int vtkHighOrderSubdivide::RequestData(vtkInformation* /*request*/,
 {
   auto* output = vtkUnstructuredGrid::GetData(outputVector);
   this->NumberOfCoarseElements = 0;
-  try
-  {
-    if (!this->Fill(vtkDataObject::GetData(inputVector[0]), output))
-    {
-      output->Initialize();
-    }
-    return 1;
-  }
-  catch (const std::exception& error) // memory may run out too
-  {
-    output->Initialize();
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
+  return FillOutput(
+    this, output, [&] { return this->Fill(vtkDataObject::GetData(inputVector[0]), output); });
 }

@@ -2,6 +2,7 @@
 #include "vtkHighOrderTruncate.h"
 
 #include "FieldsNamed.h"
+#include "FilterWork.h"
 #include "GridTruncation.h"
 #include "ModelSource.h"
 
@@ -12,8 +13,6 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkUnstructuredGrid.h"
-
-#include <exception>
 
 vtkStandardNewMacro(vtkHighOrderTruncate);
 
@@ -29,12 +28,7 @@ void vtkHighOrderTruncate::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Order: " << this->Order << "\n";
   os << indent << "Bounds: " << this->Bounds << "\n";
-  os << indent << "Fields:";
-  for (const auto& name : this->Fields)
-  {
-    os << " " << name;
-  }
-  os << (this->Fields.empty() ? " all\n" : "\n");
+  pixelexact::PrintFields(os, indent, this->Fields);
 }
 
 void vtkHighOrderTruncate::AddField(const std::string& name)
@@ -55,40 +49,39 @@ int vtkHighOrderTruncate::FillInputPortInformation(int /*port*/, vtkInformation*
   return 1;
 }
 
+void vtkHighOrderTruncate::Truncate(vtkUnstructuredGrid* input, vtkUnstructuredGrid* output)
+{
+  using namespace pixelexact;
+  const auto model = this->Source->Get(input, this);
+  std::vector<Truncation> truncations;
+  for (const Field* field : FieldsNamed(*model, this->Fields))
+  {
+    truncations.emplace_back(*field, this->Order);
+  }
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(this->Source->GridOf(input));
+  output->ShallowCopy(WithTruncated(grid, truncations));
+  for (std::size_t k = 0; this->Bounds && k < truncations.size(); ++k)
+  {
+    vtkNew<vtkDoubleArray> change;
+    change->SetName((truncations[k].Kept().name + "_LargestChange").c_str());
+    change->InsertNextValue(LargestChange(model->GetMesh(), truncations[k], -1,
+      [&](double part)
+      {
+        this->UpdateProgress(
+          (static_cast<double>(k) + part) / static_cast<double>(truncations.size()));
+      }));
+    output->GetFieldData()->AddArray(change);
+  }
+}
+
 int vtkHighOrderTruncate::RequestData(vtkInformation* /*request*/,
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  using namespace pixelexact;
-  auto* input = vtkUnstructuredGrid::GetData(inputVector[0]);
   auto* output = vtkUnstructuredGrid::GetData(outputVector);
-  try
-  {
-    const auto model = this->Source->Get(input, this);
-    std::vector<Truncation> truncations;
-    for (const Field* field : FieldsNamed(*model, this->Fields))
+  return pixelexact::FillOutput(this, output,
+    [&]
     {
-      truncations.emplace_back(*field, this->Order);
-    }
-    auto* grid = vtkUnstructuredGrid::SafeDownCast(this->Source->GridOf(input));
-    output->ShallowCopy(WithTruncated(grid, truncations));
-    for (std::size_t k = 0; this->Bounds && k < truncations.size(); ++k)
-    {
-      vtkNew<vtkDoubleArray> change;
-      change->SetName((truncations[k].Kept().name + "_LargestChange").c_str());
-      change->InsertNextValue(LargestChange(model->GetMesh(), truncations[k], -1,
-        [&](double part)
-        {
-          this->UpdateProgress(
-            (static_cast<double>(k) + part) / static_cast<double>(truncations.size()));
-        }));
-      output->GetFieldData()->AddArray(change);
-    }
-    return 1;
-  }
-  catch (const std::exception& error) // memory may run out too
-  {
-    output->Initialize();
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
+      this->Truncate(vtkUnstructuredGrid::GetData(inputVector[0]), output);
+      return true;
+    });
 }

@@ -74,6 +74,9 @@ private:
   vtkHighOrderTruncate(const vtkHighOrderTruncate&) = delete;
   void operator=(const vtkHighOrderTruncate&) = delete;
 
+  /// Throws Error.
+  void Truncate(vtkUnstructuredGrid* input, vtkUnstructuredGrid* output);
+
   int Order = 1;
   bool Bounds = true;
   std::vector<std::string> Fields;

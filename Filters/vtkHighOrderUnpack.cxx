@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHighOrderUnpack.h"
 
-#include "Core/Base/Error.h"
+#include "FilterWork.h"
 #include "HighOrderModel.h"
 #include "LeafGrids.h"
 #include "ModelSource.h"
 #include "PackedArrays.h"
 
 #include "vtkObjectFactory.h"
-
-#include <exception>
 
 vtkStandardNewMacro(vtkHighOrderUnpack);
 
@@ -38,25 +36,20 @@ int vtkHighOrderUnpack::RequestData(vtkInformation* /*request*/, vtkInformationV
   vtkInformationVector* outputVector)
 {
   vtkDataObject* output = vtkDataObject::GetData(outputVector);
-  try
-  {
-    pixelexact::ForLeafGrids(vtkDataObject::GetData(inputVector[0]), output,
-      [](vtkUnstructuredGrid* grid) -> vtkSmartPointer<vtkUnstructuredGrid>
-      {
-        if (!pixelexact::IsPacked(grid))
+  return pixelexact::FillOutput(this, output,
+    [&]
+    {
+      pixelexact::ForLeafGrids(vtkDataObject::GetData(inputVector[0]), output,
+        [](vtkUnstructuredGrid* grid) -> vtkSmartPointer<vtkUnstructuredGrid>
         {
-          return grid;
-        }
-        auto unpacked = pixelexact::Unpack(grid);
-        (void)pixelexact::HighOrderModel::From(unpacked); // throws where it is stale
-        return unpacked;
-      });
-    return 1;
-  }
-  catch (const std::exception& error) // memory may run out too
-  {
-    output->Initialize();
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
+          if (!pixelexact::IsPacked(grid))
+          {
+            return grid;
+          }
+          auto unpacked = pixelexact::Unpack(grid);
+          (void)pixelexact::HighOrderModel::From(unpacked); // throws where it is stale
+          return unpacked;
+        });
+      return true;
+    });
 }

@@ -2,6 +2,7 @@
 #include "vtkUnstructuredGridToHighOrderGrid.h"
 
 #include "Core/Base/Error.h"
+#include "FieldsNamed.h"
 #include "GridConversion.h"
 #include "KeptMesh.h"
 #include "OutputGrid.h"
@@ -11,9 +12,7 @@
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <exception>
 
@@ -31,21 +30,12 @@ vtkUnstructuredGridToHighOrderGrid::~vtkUnstructuredGridToHighOrderGrid() = defa
 void vtkUnstructuredGridToHighOrderGrid::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Fields:";
-  for (const auto& name : this->Fields)
-  {
-    os << " " << name;
-  }
-  os << (this->Fields.empty() ? " all\n" : "\n");
+  PrintFields(os, indent, this->Fields);
   os << indent << "NodePlacement: "
      << (this->NodePlacement == GAUSS_LOBATTO ? "Gauss-Lobatto-Legendre\n" : "equispaced\n");
   os << indent << "MirroredWedges: " << this->MirroredWedges << "\n";
   os << indent << "Diagnose: " << this->Diagnose << "\n";
   os << indent << "NumberOfSkippedCells: " << this->NumberOfSkippedCells << "\n";
-  for (const auto& line : this->Diagnostics)
-  {
-    os << indent << line << "\n";
-  }
 }
 
 void vtkUnstructuredGridToHighOrderGrid::AddField(const std::string& name)
@@ -66,44 +56,6 @@ int vtkUnstructuredGridToHighOrderGrid::GetNumberOfNonFiniteElements(const std::
   return found == this->NonFiniteElements.end() ? 0 : found->second;
 }
 
-int vtkUnstructuredGridToHighOrderGrid::GetNumberOfDiagnostics()
-{
-  return static_cast<int>(this->Diagnostics.size());
-}
-
-std::string vtkUnstructuredGridToHighOrderGrid::GetDiagnostic(int index)
-{
-  return index >= 0 && index < this->GetNumberOfDiagnostics() ? this->Diagnostics[index]
-                                                              : std::string();
-}
-
-vtkHighOrderGrid* vtkUnstructuredGridToHighOrderGrid::GetHighOrderOutput()
-{
-  return vtkHighOrderGrid::SafeDownCast(this->GetOutputDataObject(0));
-}
-
-// RequestDataObject is not virtual in vtkUnstructuredGridAlgorithm.
-vtkTypeBool vtkUnstructuredGridToHighOrderGrid::ProcessRequest(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
-  {
-    if (!vtkHighOrderGrid::GetData(outputVector))
-    {
-      vtkNew<vtkHighOrderGrid> output;
-      outputVector->GetInformationObject(0)->Set(vtkDataObject::DATA_OBJECT(), output);
-    }
-    return 1;
-  }
-  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
-}
-
-void vtkUnstructuredGridToHighOrderGrid::Report(const std::string& line)
-{
-  this->Diagnostics.push_back(line);
-  vtkWarningMacro(<< line);
-}
-
 int vtkUnstructuredGridToHighOrderGrid::RequestData(vtkInformation* /*request*/,
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -111,7 +63,7 @@ int vtkUnstructuredGridToHighOrderGrid::RequestData(vtkInformation* /*request*/,
   auto* output = vtkHighOrderGrid::SafeDownCast(vtkDataObject::GetData(outputVector));
   this->NumberOfSkippedCells = 0;
   this->NonFiniteElements.clear();
-  this->Diagnostics.clear();
+  this->ClearDiagnostics();
   try
   {
     if (!input || !output)

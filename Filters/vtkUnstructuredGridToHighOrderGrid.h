@@ -30,26 +30,23 @@
 #define vtkUnstructuredGridToHighOrderGrid_h
 
 #include "PixelExactFiltersModule.h"
-#include "vtkUnstructuredGridAlgorithm.h"
+#include "vtkHighOrderGridAlgorithm.h"
 
 #include <map>    // for counts
 #include <memory> // for the mesh
 #include <string> // for names
 #include <vector> // for names
 
-class vtkHighOrderGrid;
-
 namespace pixelexact
 {
 class KeptMesh;
 }
 
-class PIXELEXACTFILTERS_EXPORT vtkUnstructuredGridToHighOrderGrid
-  : public vtkUnstructuredGridAlgorithm
+class PIXELEXACTFILTERS_EXPORT vtkUnstructuredGridToHighOrderGrid : public vtkHighOrderGridAlgorithm
 {
 public:
   static vtkUnstructuredGridToHighOrderGrid* New();
-  vtkTypeMacro(vtkUnstructuredGridToHighOrderGrid, vtkUnstructuredGridAlgorithm);
+  vtkTypeMacro(vtkUnstructuredGridToHighOrderGrid, vtkHighOrderGridAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -105,18 +102,11 @@ public:
   ///@{
   /**
    * Of the last execution: cells left out; elements of a field with a coefficient that is NaN or
-   * infinite; lines about what looks wrong.
+   * infinite.
    */
   vtkGetMacro(NumberOfSkippedCells, vtkIdType);
   int GetNumberOfNonFiniteElements(const std::string& field);
-  int GetNumberOfDiagnostics();
-  std::string GetDiagnostic(int index);
   ///@}
-
-  vtkHighOrderGrid* GetHighOrderOutput();
-
-  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
 
 protected:
   vtkUnstructuredGridToHighOrderGrid();
@@ -129,15 +119,12 @@ private:
   vtkUnstructuredGridToHighOrderGrid(const vtkUnstructuredGridToHighOrderGrid&) = delete;
   void operator=(const vtkUnstructuredGridToHighOrderGrid&) = delete;
 
-  void Report(const std::string& line);
-
   std::vector<std::string> Fields;
   int NodePlacement = EQUISPACED;
   bool MirroredWedges = false;
   bool Diagnose = true;
   vtkIdType NumberOfSkippedCells = 0;
   std::map<std::string, int> NonFiniteElements;
-  std::vector<std::string> Diagnostics;
   std::unique_ptr<pixelexact::KeptMesh> Kept; ///< of the last execution
 };
 

@@ -5,7 +5,7 @@ import unittest
 import pixelexact
 
 # Bases of others, which cannot be made themselves.
-ABSTRACT = ["vtkHighOrderFileReader", "vtkHighOrderSurface"]
+ABSTRACT = ["vtkHighOrderFileReader", "vtkHighOrderGridAlgorithm", "vtkHighOrderSurface"]
 CLASSES = [
     "vtkGLVisReader",
     "vtkGmshReader",
