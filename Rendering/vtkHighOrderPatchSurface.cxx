@@ -7,13 +7,10 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointSet.h"
 
-#include <algorithm>
-
 vtkStandardNewMacro(vtkHighOrderPatchSurface);
 
 //------------------------------------------------------------------------------
 vtkHighOrderPatchSurface::vtkHighOrderPatchSurface()
-  : Input(vtkSmartPointer<pixelexact::SurfaceInput>::New())
 {
   this->Input->Accept({ "vtkPolyData", "vtkUnstructuredGrid" });
 }
@@ -28,27 +25,9 @@ void vtkHighOrderPatchSurface::SetInputData(vtkPointSet* data)
 }
 
 //------------------------------------------------------------------------------
-void vtkHighOrderPatchSurface::SetInputConnection(vtkAlgorithmOutput* output)
-{
-  this->Input->SetInputConnection(output);
-}
-
-//------------------------------------------------------------------------------
 vtkPointSet* vtkHighOrderPatchSurface::GetInput()
 {
   return vtkPointSet::SafeDownCast(this->Input->Data());
-}
-
-//------------------------------------------------------------------------------
-void vtkHighOrderPatchSurface::Update()
-{
-  this->Input->Update();
-}
-
-//------------------------------------------------------------------------------
-vtkMTimeType vtkHighOrderPatchSurface::GetMTime()
-{
-  return std::max(this->Superclass::GetMTime(), this->Input->GetMTime());
 }
 
 //------------------------------------------------------------------------------
@@ -63,13 +42,4 @@ std::shared_ptr<const pixelexact::Surface> vtkHighOrderPatchSurface::MakeSurface
 void vtkHighOrderPatchSurface::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Input: ";
-  if (vtkPointSet* input = this->GetInput())
-  {
-    os << input->GetNumberOfPoints() << " points, " << input->GetNumberOfCells() << " cells\n";
-  }
-  else
-  {
-    os << "(none)\n";
-  }
 }

@@ -16,47 +16,27 @@
 #define vtkHighOrderPatchSurface_h
 
 #include "PixelExactRenderingModule.h"
-#include "vtkHighOrderSurface.h"
+#include "vtkHighOrderDataSurface.h"
 
-#include "vtkSmartPointer.h" // for the input
-
-namespace pixelexact
-{
-class SurfaceInput;
-} // namespace pixelexact
-
-class vtkAlgorithmOutput;
 class vtkPointSet;
 
-class PIXELEXACTRENDERING_EXPORT vtkHighOrderPatchSurface : public vtkHighOrderSurface
+class PIXELEXACTRENDERING_EXPORT vtkHighOrderPatchSurface : public vtkHighOrderDataSurface
 {
 public:
   static vtkHighOrderPatchSurface* New();
-  vtkTypeMacro(vtkHighOrderPatchSurface, vtkHighOrderSurface);
+  vtkTypeMacro(vtkHighOrderPatchSurface, vtkHighOrderDataSurface);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
   /**
-   * The patches, in the data's coordinates: data, or a pipeline, which Update brings up to date.
-   * Required.
+   * The patches, in the data's coordinates: data, or with
+   * SetInputConnection a pipeline. Required.
    */
   void SetInputData(vtkPointSet* data);
-  void SetInputConnection(vtkAlgorithmOutput* output);
   vtkPointSet* GetInput();
   ///@}
 
-  void Update() override;
-
-  /**
-   * Changes with the input, too.
-   */
-  vtkMTimeType GetMTime() override;
-
 #ifndef __VTK_WRAP__
-  bool IsMadeOfMesh() const override
-  {
-    return false;
-  }
   std::shared_ptr<const pixelexact::Surface> MakeSurface(
     const std::shared_ptr<const pixelexact::HighOrderModel>& model,
     const pixelexact::SurfaceSearch& search) override;
@@ -69,8 +49,6 @@ protected:
 private:
   vtkHighOrderPatchSurface(const vtkHighOrderPatchSurface&) = delete;
   void operator=(const vtkHighOrderPatchSurface&) = delete;
-
-  vtkSmartPointer<pixelexact::SurfaceInput> Input;
 };
 
 #endif

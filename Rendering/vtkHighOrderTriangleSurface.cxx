@@ -7,13 +7,10 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
-#include <algorithm>
-
 vtkStandardNewMacro(vtkHighOrderTriangleSurface);
 
 //------------------------------------------------------------------------------
 vtkHighOrderTriangleSurface::vtkHighOrderTriangleSurface()
-  : Input(vtkSmartPointer<pixelexact::SurfaceInput>::New())
 {
   this->Input->Accept({ "vtkPolyData" });
 }
@@ -28,27 +25,9 @@ void vtkHighOrderTriangleSurface::SetInputData(vtkPolyData* data)
 }
 
 //------------------------------------------------------------------------------
-void vtkHighOrderTriangleSurface::SetInputConnection(vtkAlgorithmOutput* output)
-{
-  this->Input->SetInputConnection(output);
-}
-
-//------------------------------------------------------------------------------
 vtkPolyData* vtkHighOrderTriangleSurface::GetInput()
 {
   return vtkPolyData::SafeDownCast(this->Input->Data());
-}
-
-//------------------------------------------------------------------------------
-void vtkHighOrderTriangleSurface::Update()
-{
-  this->Input->Update();
-}
-
-//------------------------------------------------------------------------------
-vtkMTimeType vtkHighOrderTriangleSurface::GetMTime()
-{
-  return std::max(this->Superclass::GetMTime(), this->Input->GetMTime());
 }
 
 //------------------------------------------------------------------------------
@@ -63,13 +42,4 @@ std::shared_ptr<const pixelexact::Surface> vtkHighOrderTriangleSurface::MakeSurf
 void vtkHighOrderTriangleSurface::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Input: ";
-  if (vtkPolyData* input = this->GetInput())
-  {
-    os << input->GetNumberOfPolys() << " polygons, " << input->GetNumberOfStrips() << " strips\n";
-  }
-  else
-  {
-    os << "(none)\n";
-  }
 }

@@ -13,47 +13,27 @@
 #define vtkHighOrderTriangleSurface_h
 
 #include "PixelExactRenderingModule.h"
-#include "vtkHighOrderSurface.h"
+#include "vtkHighOrderDataSurface.h"
 
-#include "vtkSmartPointer.h" // for the input
-
-namespace pixelexact
-{
-class SurfaceInput;
-} // namespace pixelexact
-
-class vtkAlgorithmOutput;
 class vtkPolyData;
 
-class PIXELEXACTRENDERING_EXPORT vtkHighOrderTriangleSurface : public vtkHighOrderSurface
+class PIXELEXACTRENDERING_EXPORT vtkHighOrderTriangleSurface : public vtkHighOrderDataSurface
 {
 public:
   static vtkHighOrderTriangleSurface* New();
-  vtkTypeMacro(vtkHighOrderTriangleSurface, vtkHighOrderSurface);
+  vtkTypeMacro(vtkHighOrderTriangleSurface, vtkHighOrderDataSurface);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
   /**
-   * The surface, in the data's coordinates: data, or a pipeline, which Update brings up to date.
-   * Required.
+   * The surface, in the data's coordinates: data, or with
+   * SetInputConnection a pipeline. Required.
    */
   void SetInputData(vtkPolyData* data);
-  void SetInputConnection(vtkAlgorithmOutput* output);
   vtkPolyData* GetInput();
   ///@}
 
-  void Update() override;
-
-  /**
-   * Changes with the input, too.
-   */
-  vtkMTimeType GetMTime() override;
-
 #ifndef __VTK_WRAP__
-  bool IsMadeOfMesh() const override
-  {
-    return false;
-  }
   std::shared_ptr<const pixelexact::Surface> MakeSurface(
     const std::shared_ptr<const pixelexact::HighOrderModel>& model,
     const pixelexact::SurfaceSearch& search) override;
@@ -66,8 +46,6 @@ protected:
 private:
   vtkHighOrderTriangleSurface(const vtkHighOrderTriangleSurface&) = delete;
   void operator=(const vtkHighOrderTriangleSurface&) = delete;
-
-  vtkSmartPointer<pixelexact::SurfaceInput> Input;
 };
 
 #endif

@@ -5,7 +5,12 @@ import unittest
 import pixelexact
 
 # Bases of others, which cannot be made themselves.
-ABSTRACT = ["vtkHighOrderFileReader", "vtkHighOrderGridAlgorithm", "vtkHighOrderSurface"]
+ABSTRACT = [
+    "vtkHighOrderDataSurface",
+    "vtkHighOrderFileReader",
+    "vtkHighOrderGridAlgorithm",
+    "vtkHighOrderSurface",
+]
 CLASSES = [
     "vtkGLVisReader",
     "vtkGmshReader",
