@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHighOrderMapper.h"
 
-#include "ContourList.h"
 #include "FrameDrawer.h"
 #include "FrameImage.h"
 #include "FramePick.h"
 #include "HighOrderModel.h"
 #include "LayerRequests.h"
 #include "MapperExecutive.h"
+#include "MapperScene.h"
 #include "StockSettings.h"
 #include "ViewRequest.h"
 #include "VtkColorMap.h"
@@ -22,7 +22,6 @@
 
 #include "vtkCommand.h"
 #include "vtkCompositeDataSet.h"
-#include "vtkDataArray.h"
 #include "vtkExecutive.h"
 #include "vtkImageData.h"
 #include "vtkImplicitFunction.h"
@@ -38,18 +37,13 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <map>
 #include <vector>
 
 vtkStandardNewMacro(vtkHighOrderMapper);
 
 struct vtkHighOrderMapper::Internals
 {
-  std::vector<vtkSmartPointer<vtkImplicitFunction>> Cuts;
-  vtkSmartPointer<vtkHighOrderSurface> Surface;
-  std::vector<vtkSmartPointer<vtkHighOrderLayer>> Layers;
-  pixelexact::ContourList Contours;
-  std::map<int, std::array<double, 3>> ContourColors; ///< of single ones
+  pixelexact::MapperScene Scene;
   pixelexact::FrameDrawer Drawer;
   pixelexact::FrameSourceCounters PickCounters;
   pixelexact::FrameSource Picks{ PickCounters }; ///< of pixels apart from frames
@@ -59,62 +53,8 @@ struct vtkHighOrderMapper::Internals
   pixelexact::FrameRequest Request(vtkHighOrderMapper* self, vtkActor* actor);
   void ChooseRange(
     vtkHighOrderMapper* self, pixelexact::FrameRequest& request, vtkScalarsToColors* table);
-  /// Cut functions and surface, whose look is the mapper's.
-  std::vector<pixelexact::CutSource> Plain() const;
-  void Add(vtkHighOrderMapper* self, const pixelexact::CutSource& cut,
-    pixelexact::LayerRequest layer, pixelexact::FrameRequest& request);
-  void AddContours(vtkHighOrderMapper* self, pixelexact::LayerRequest& layer) const;
   pixelexact::ContourCounters CountContours();
-  bool Has(vtkHighOrderMapper* self, bool opaque) const;
-  bool IsEmpty() const { return Cuts.empty() && Surface == nullptr && Layers.empty(); }
 };
-
-namespace
-{
-pixelexact::CutSource SourceOf(vtkHighOrderLayer* layer)
-{
-  return { layer->GetCutFunction(), layer->GetSurface() };
-}
-} // namespace
-
-//------------------------------------------------------------------------------
-bool vtkHighOrderMapper::Internals::Has(vtkHighOrderMapper* self, bool opaque) const
-{
-  const bool layers = std::any_of(Layers.begin(), Layers.end(),
-    [&](vtkHighOrderLayer* layer)
-    { return layer->GetVisibility() && pixelexact::IsOpaque(self, layer) == opaque; });
-  const bool plain =
-    !(Cuts.empty() && Surface == nullptr) && pixelexact::IsOpaque(self, nullptr) == opaque;
-  // Somebody has to say what is missing.
-  return plain || layers || (opaque && this->IsEmpty());
-}
-
-//------------------------------------------------------------------------------
-std::vector<pixelexact::CutSource> vtkHighOrderMapper::Internals::Plain() const
-{
-  std::vector<pixelexact::CutSource> plain;
-  for (const auto& cut : Cuts)
-  {
-    plain.push_back({ cut, nullptr });
-  }
-  if (Surface != nullptr)
-  {
-    plain.push_back({ nullptr, Surface });
-  }
-  return plain;
-}
-
-//------------------------------------------------------------------------------
-void vtkHighOrderMapper::Internals::Add(vtkHighOrderMapper* self, const pixelexact::CutSource& cut,
-  pixelexact::LayerRequest layer, pixelexact::FrameRequest& request)
-{
-  if (cut.surface != nullptr && !self->Static)
-  {
-    cut.surface->Update();
-  }
-  layer.surface = Drawer.Surfaces().Of(cut, request.model, self->SearchSamples);
-  request.layers.push_back(std::move(layer));
-}
 
 //------------------------------------------------------------------------------
 pixelexact::FrameRequest vtkHighOrderMapper::Internals::Request(
@@ -124,36 +64,10 @@ pixelexact::FrameRequest vtkHighOrderMapper::Internals::Request(
   pixelexact::RequireFieldColors(self);
   request.model = Drawer.ModelOf(pixelexact::MapperExecutive::InputOf(self));
   std::copy_n(self->UnknownColor, 4, request.unknownColor.begin());
+  request.contours = self->LookOfContours();
   pixelexact::LayerRequest ofAll = pixelexact::LayerOf(self, actor->GetProperty());
-  this->AddContours(self, ofAll);
-  if (self->ContourLabels)
-  {
-    request.contours.labels = self->ContourLabelSize;
-  }
-  request.contours.interior = self->ContourInterior;
-  request.contours.style.width = self->ContourWidth;
-  request.contours.style.showUndecided = self->ShowUndecidedContours;
-  request.contours.style.undecided = pixelexact::ToRgba(self->UndecidedContourColor);
-  std::vector<pixelexact::CutSource> sources = this->Plain();
-  for (const pixelexact::CutSource& cut : sources)
-  {
-    this->Add(self, cut, ofAll, request);
-  }
-  for (const auto& layer : Layers)
-  {
-    sources.push_back(SourceOf(layer));
-    if (layer->GetVisibility())
-    {
-      pixelexact::LayerRequest own = pixelexact::LayerOf(layer, ofAll);
-      if (layer->GetNumberOfContours() > 0 && !self->ContourScalarVisibility)
-      {
-        // Colours of single contours are of the mapper's.
-        own.contours.colors = { pixelexact::ToRgba(self->ContourColor) };
-      }
-      this->Add(self, sources.back(), std::move(own), request);
-    }
-  }
-  Drawer.Surfaces().KeepOnly(sources);
+  ofAll.contours = self->ContoursOfAll();
+  Scene.AddLayers(self, ofAll, Drawer.Surfaces(), request);
   vtkScalarsToColors* const table = self->GetLookupTable();
   if (self->ScalarVisibility ||
     std::ranges::any_of(request.layers,
@@ -163,26 +77,6 @@ pixelexact::FrameRequest vtkHighOrderMapper::Internals::Request(
     this->ChooseRange(self, request, table);
   }
   return request;
-}
-
-//------------------------------------------------------------------------------
-void vtkHighOrderMapper::Internals::AddContours(
-  vtkHighOrderMapper* self, pixelexact::LayerRequest& layer) const
-{
-  layer.contours.values = Contours.All();
-  if (self->ContourScalarVisibility)
-  {
-    return;
-  }
-  layer.contours.colors.assign(ContourColors.empty() ? 1 : layer.contours.values.size(),
-    pixelexact::ToRgba(self->ContourColor));
-  for (const auto& [i, color] : ContourColors)
-  {
-    if (i < Contours.Size())
-    {
-      layer.contours.colors[static_cast<std::size_t>(i)] = pixelexact::ToRgba(color.data());
-    }
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -264,7 +158,7 @@ vtkCompositeDataSet* vtkHighOrderMapper::GetCompositeInput()
 //------------------------------------------------------------------------------
 void vtkHighOrderMapper::SetCutFunction(vtkImplicitFunction* function)
 {
-  auto& cuts = this->Data->Cuts;
+  auto& cuts = this->Data->Scene.cuts;
   const std::size_t wanted = function != nullptr ? 1 : 0;
   if (cuts.size() != wanted || (wanted == 1 && cuts[0] != function))
   {
@@ -282,7 +176,7 @@ void vtkHighOrderMapper::AddCutFunction(vtkImplicitFunction* function)
 {
   if (function != nullptr)
   {
-    this->Data->Cuts.emplace_back(function);
+    this->Data->Scene.cuts.emplace_back(function);
     this->Modified();
   }
 }
@@ -290,7 +184,7 @@ void vtkHighOrderMapper::AddCutFunction(vtkImplicitFunction* function)
 //------------------------------------------------------------------------------
 void vtkHighOrderMapper::RemoveCutFunction(vtkImplicitFunction* function)
 {
-  if (std::erase(this->Data->Cuts, function) > 0)
+  if (std::erase(this->Data->Scene.cuts, function) > 0)
   {
     this->Modified();
   }
@@ -305,14 +199,14 @@ void vtkHighOrderMapper::RemoveAllCutFunctions()
 //------------------------------------------------------------------------------
 int vtkHighOrderMapper::GetNumberOfCutFunctions()
 {
-  return static_cast<int>(this->Data->Cuts.size());
+  return static_cast<int>(this->Data->Scene.cuts.size());
 }
 
 //------------------------------------------------------------------------------
 vtkImplicitFunction* vtkHighOrderMapper::GetCutFunction(int index)
 {
   return index >= 0 && index < this->GetNumberOfCutFunctions()
-    ? this->Data->Cuts[static_cast<std::size_t>(index)].Get()
+    ? this->Data->Scene.cuts[static_cast<std::size_t>(index)].Get()
     : nullptr;
 }
 
@@ -323,9 +217,9 @@ void vtkHighOrderMapper::SetSurface(vtkHighOrderSurface* surface)
   {
     this->RemoveAllCutFunctions();
   }
-  if (this->Data->Surface != surface)
+  if (this->Data->Scene.surface != surface)
   {
-    this->Data->Surface = surface;
+    this->Data->Scene.surface = surface;
     this->Modified();
   }
 }
@@ -333,7 +227,7 @@ void vtkHighOrderMapper::SetSurface(vtkHighOrderSurface* surface)
 //------------------------------------------------------------------------------
 vtkHighOrderSurface* vtkHighOrderMapper::GetSurface()
 {
-  return this->Data->Surface;
+  return this->Data->Scene.surface;
 }
 
 //------------------------------------------------------------------------------
@@ -364,7 +258,7 @@ void vtkHighOrderMapper::AddLayer(vtkHighOrderLayer* layer)
 {
   if (layer != nullptr)
   {
-    this->Data->Layers.emplace_back(layer);
+    this->Data->Scene.layers.emplace_back(layer);
     this->Modified();
   }
 }
@@ -372,7 +266,7 @@ void vtkHighOrderMapper::AddLayer(vtkHighOrderLayer* layer)
 //------------------------------------------------------------------------------
 void vtkHighOrderMapper::RemoveLayer(vtkHighOrderLayer* layer)
 {
-  if (std::erase(this->Data->Layers, layer) > 0)
+  if (std::erase(this->Data->Scene.layers, layer) > 0)
   {
     this->Modified();
   }
@@ -381,9 +275,9 @@ void vtkHighOrderMapper::RemoveLayer(vtkHighOrderLayer* layer)
 //------------------------------------------------------------------------------
 void vtkHighOrderMapper::RemoveAllLayers()
 {
-  if (!this->Data->Layers.empty())
+  if (!this->Data->Scene.layers.empty())
   {
-    this->Data->Layers.clear();
+    this->Data->Scene.layers.clear();
     this->Modified();
   }
 }
@@ -391,94 +285,15 @@ void vtkHighOrderMapper::RemoveAllLayers()
 //------------------------------------------------------------------------------
 int vtkHighOrderMapper::GetNumberOfLayers()
 {
-  return static_cast<int>(this->Data->Layers.size());
+  return static_cast<int>(this->Data->Scene.layers.size());
 }
 
 //------------------------------------------------------------------------------
 vtkHighOrderLayer* vtkHighOrderMapper::GetLayer(int index)
 {
   return index >= 0 && index < this->GetNumberOfLayers()
-    ? this->Data->Layers[static_cast<std::size_t>(index)].Get()
+    ? this->Data->Scene.layers[static_cast<std::size_t>(index)].Get()
     : nullptr;
-}
-
-//------------------------------------------------------------------------------
-void vtkHighOrderMapper::SetContourValue(int i, double value)
-{
-  if (!this->Data->Contours.Set(i, value))
-  {
-    vtkErrorMacro("SetContourValue: contours are counted from 0, and this is " << i);
-    return;
-  }
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-double vtkHighOrderMapper::GetContourValue(int i)
-{
-  return this->Data->Contours.At(i);
-}
-
-//------------------------------------------------------------------------------
-void vtkHighOrderMapper::SetNumberOfContours(int number)
-{
-  this->Data->Contours.Resize(number);
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-int vtkHighOrderMapper::GetNumberOfContours()
-{
-  return this->Data->Contours.Size();
-}
-
-//------------------------------------------------------------------------------
-void vtkHighOrderMapper::GenerateContourValues(int number, double lower, double upper)
-{
-  this->Data->Contours.Generate(number, lower, upper);
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-void vtkHighOrderMapper::SetContourValues(vtkDataArray* values)
-{
-  const vtkIdType number = values != nullptr ? values->GetNumberOfTuples() : 0;
-  this->SetNumberOfContours(static_cast<int>(number));
-  for (vtkIdType i = 0; i < number; ++i)
-  {
-    this->SetContourValue(static_cast<int>(i), values->GetComponent(i, 0));
-  }
-}
-
-//------------------------------------------------------------------------------
-double* vtkHighOrderMapper::GetContourValues()
-{
-  return this->Data->Contours.Data();
-}
-
-//------------------------------------------------------------------------------
-void vtkHighOrderMapper::GenerateContourValues(int number, const double range[2])
-{
-  this->GenerateContourValues(number, range[0], range[1]);
-}
-
-//------------------------------------------------------------------------------
-void vtkHighOrderMapper::SetColorOfContour(int i, double red, double green, double blue)
-{
-  if (i < 0)
-  {
-    vtkErrorMacro("SetColorOfContour: contours are counted from 0, and this is " << i);
-    return;
-  }
-  this->Data->ContourColors[i] = { red, green, blue };
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-void vtkHighOrderMapper::RemoveColorsOfContours()
-{
-  this->Data->ContourColors.clear();
-  this->Modified();
 }
 
 //------------------------------------------------------------------------------
@@ -539,28 +354,19 @@ void vtkHighOrderMapper::SetColorMap(const std::string& name)
 //------------------------------------------------------------------------------
 vtkMTimeType vtkHighOrderMapper::GetMTime()
 {
-  vtkMTimeType time = this->Superclass::GetMTime();
-  for (const pixelexact::CutSource& cut : this->Data->Plain())
-  {
-    time = std::max(time, cut.Object()->GetMTime());
-  }
-  for (const auto& layer : this->Data->Layers)
-  {
-    time = std::max(time, layer->GetMTime());
-  }
-  return time;
+  return std::max(this->Superclass::GetMTime(), this->Data->Scene.GetMTime());
 }
 
 //------------------------------------------------------------------------------
 bool vtkHighOrderMapper::HasOpaqueGeometry()
 {
-  return this->Data->Has(this, true);
+  return this->Data->Scene.Has(this, true);
 }
 
 //------------------------------------------------------------------------------
 bool vtkHighOrderMapper::HasTranslucentPolygonalGeometry()
 {
-  return this->Data->Has(this, false);
+  return this->Data->Scene.Has(this, false);
 }
 
 //------------------------------------------------------------------------------
@@ -701,7 +507,7 @@ void vtkHighOrderMapper::RenderPart(int part, vtkRenderer* renderer, vtkActor* a
   pixelexact::FrameDrawer& drawer = this->Data->Drawer;
   try
   {
-    if (this->Data->IsEmpty())
+    if (this->Data->Scene.IsEmpty())
     {
       throw pixelexact::Error("nothing to cut with: call SetCutFunction, SetSurface or AddLayer");
     }
@@ -873,19 +679,7 @@ void vtkHighOrderMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetLightFlat(other->LightFlat);
     this->SetSearchSamples(other->SearchSamples);
     this->SetRangeMode(other->RangeMode);
-    this->Data->Contours = other->Data->Contours;
-    this->Data->ContourColors = other->Data->ContourColors;
-    this->SetContourWidth(other->ContourWidth);
-    this->SetContourColor(other->ContourColor);
-    this->SetContourScalarVisibility(other->ContourScalarVisibility);
-    this->SetShowUndecidedContours(other->ShowUndecidedContours);
-    this->SetUndecidedContourColor(other->UndecidedContourColor);
-    this->SetContourInterior(other->ContourInterior);
-    this->SetContourLabels(other->ContourLabels);
-    this->SetContourLabelSize(other->ContourLabelSize);
-    this->Data->Cuts = other->Data->Cuts;
-    this->Data->Surface = other->Data->Surface;
-    this->Data->Layers = other->Data->Layers;
+    this->Data->Scene = other->Data->Scene;
     this->Modified();
   }
 }
@@ -895,15 +689,17 @@ void vtkHighOrderMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FieldName: " << (this->FieldName.empty() ? "(first)" : this->FieldName) << "\n";
-  os << indent << "CutFunctions: " << this->Data->Cuts.size() << "\n";
-  for (const auto& cut : this->Data->Cuts)
+  os << indent << "CutFunctions: " << this->Data->Scene.cuts.size() << "\n";
+  for (const auto& cut : this->Data->Scene.cuts)
   {
     cut->PrintSelf(os, indent.GetNextIndent());
   }
   os << indent << "Surface: "
-     << (this->Data->Surface != nullptr ? this->Data->Surface->GetClassName() : "(none)") << "\n";
-  os << indent << "Layers: " << this->Data->Layers.size() << "\n";
-  for (const auto& layer : this->Data->Layers)
+     << (this->Data->Scene.surface != nullptr ? this->Data->Scene.surface->GetClassName()
+                                              : "(none)")
+     << "\n";
+  os << indent << "Layers: " << this->Data->Scene.layers.size() << "\n";
+  for (const auto& layer : this->Data->Scene.layers)
   {
     layer->PrintSelf(os, indent.GetNextIndent());
   }
@@ -914,18 +710,6 @@ void vtkHighOrderMapper::PrintSelf(ostream& os, vtkIndent indent)
             : this->RangeMode == RANGE_OF_FIELD ? "of the field"
                                                 : "of the cut")
      << "\n";
-  os << indent << "Contours: " << this->GetNumberOfContours() << "\n";
-  os << indent << "ContourWidth: " << this->ContourWidth << "\n";
-  os << indent << "ContourColor: " << this->ContourColor[0] << ", " << this->ContourColor[1] << ", "
-     << this->ContourColor[2] << "\n";
-  os << indent << "ContourScalarVisibility: " << (this->ContourScalarVisibility ? "on" : "off")
-     << "\n";
-  os << indent << "ShowUndecidedContours: " << (this->ShowUndecidedContours ? "on" : "off") << "\n";
-  os << indent << "UndecidedContourColor: " << this->UndecidedContourColor[0] << ", "
-     << this->UndecidedContourColor[1] << ", " << this->UndecidedContourColor[2] << "\n";
-  os << indent << "ContourInterior: " << (this->ContourInterior ? "on" : "off") << "\n";
-  os << indent << "ContourLabels: " << (this->ContourLabels ? "on" : "off") << "\n";
-  os << indent << "ContourLabelSize: " << this->ContourLabelSize << "\n";
   os << indent << "UnknownColor: " << int{ this->UnknownColor[0] } << ", "
      << int{ this->UnknownColor[1] } << ", " << int{ this->UnknownColor[2] } << ", "
      << int{ this->UnknownColor[3] } << "\n";

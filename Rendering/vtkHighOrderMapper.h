@@ -19,7 +19,7 @@
  *   (see SetRangeMode), or, with UseLookupTableScalarRange, over the table's own range. With
  *   ScalarVisibility off, the actor's colour. A pixel whose element could not be decided gets the
  *   UnknownColor. EdgeVisibility draws lines between elements, LineWidth wide.
- * - Contours of any number of values: SetContourValue, GenerateContourValues.
+ * - Contours of any number of values: vtkHighOrderContourMapper.
  * - Several surfaces with looks of their own: AddLayer.
  * - Light: the renderer's, by the surface's exact normals and the actor's property; planes show
  *   their colours as they are unless LightFlat is on.
@@ -52,7 +52,7 @@
 #define vtkHighOrderMapper_h
 
 #include "PixelExactRenderingModule.h"
-#include "vtkMapper.h"
+#include "vtkHighOrderContourMapper.h"
 #include "vtkSmartPointer.h" // for pictures
 
 #include <array>      // for ranges
@@ -71,7 +71,6 @@ struct PickedSample;
 } // namespace pixelexact
 
 class vtkCompositeDataSet;
-class vtkDataArray;
 class vtkDataObject;
 class vtkHighOrderLayer;
 class vtkHighOrderSurface;
@@ -79,11 +78,11 @@ class vtkImageData;
 class vtkImplicitFunction;
 class vtkUnstructuredGrid;
 
-class PIXELEXACTRENDERING_EXPORT vtkHighOrderMapper : public vtkMapper
+class PIXELEXACTRENDERING_EXPORT vtkHighOrderMapper : public vtkHighOrderContourMapper
 {
 public:
   static vtkHighOrderMapper* New();
-  vtkTypeMacro(vtkHighOrderMapper, vtkMapper);
+  vtkTypeMacro(vtkHighOrderMapper, vtkHighOrderContourMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -184,86 +183,6 @@ public:
   vtkSetMacro(LightFlat, bool);
   vtkGetMacro(LightFlat, bool);
   vtkBooleanMacro(LightFlat, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Contours: the lines on which the field has these values, drawn over the surfaces' colours. The
-   * functions are those of vtkContourFilter; there are none by default. GenerateContourValues makes
-   * evenly spaced values, both ends among them. Layers have the same values, or their own
-   * (vtkHighOrderLayer). Other values, colours and widths trace nothing. Coarse frames (see
-   * SetProgressive) have no contours. A value that is not finite is an error when it is drawn; one
-   * that the field does not have draws nothing, one that is there twice is drawn once.
-   */
-  void SetContourValue(int i, double value);
-  double GetContourValue(int i);
-  void SetContourValues(vtkDataArray* values);
-  double* GetContourValues() VTK_SIZEHINT(GetNumberOfContours());
-  void SetNumberOfContours(int number);
-  int GetNumberOfContours();
-  void GenerateContourValues(int number, double lower, double upper);
-  void GenerateContourValues(int number, const double range[2]);
-  ///@}
-
-  ///@{
-  /**
-   * The contours' width in pixels, 0.1 to 32; another one is an error when it is drawn. The default
-   * is 1.5.
-   */
-  vtkSetMacro(ContourWidth, double);
-  vtkGetMacro(ContourWidth, double);
-  ///@}
-
-  ///@{
-  /**
-   * The contours' colour; the default is black. That of a single one goes before it, until
-   * RemoveColorsOfContours; and with ContourScalarVisibility on (the default is off) each has the
-   * colour that its value has in the lookup table, also where surfaces have one colour.
-   */
-  vtkSetVector3Macro(ContourColor, double);
-  vtkGetVector3Macro(ContourColor, double);
-  void SetColorOfContour(int i, double red, double green, double blue);
-  void RemoveColorsOfContours();
-  vtkSetMacro(ContourScalarVisibility, bool);
-  vtkGetMacro(ContourScalarVisibility, bool);
-  vtkBooleanMacro(ContourScalarVisibility, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Whether pixels of which it could not be decided whether a contour goes through them have a
-   * colour of their own (the default is teal). Else, the default, they show the lines between the
-   * values at pixels' corners, as if none was missing; how many there are
-   * GetNumberOfUndecidedContourPixels tells.
-   */
-  vtkSetMacro(ShowUndecidedContours, bool);
-  vtkGetMacro(ShowUndecidedContours, bool);
-  vtkBooleanMacro(ShowUndecidedContours, bool);
-  vtkSetVector3Macro(UndecidedContourColor, double);
-  vtkGetVector3Macro(UndecidedContourColor, double);
-  ///@}
-
-  ///@{
-  /**
-   * Whether contours are looked for inside of pixels, too, on whose edges there are none: closed
-   * loops smaller than a pixel, on planes and quadrics. Frames take longer. The default is off.
-   */
-  vtkSetMacro(ContourInterior, bool);
-  vtkGetMacro(ContourInterior, bool);
-  vtkBooleanMacro(ContourInterior, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Whether values are written along the contours, where these are straight and apart, in letters
-   * ContourLabelSize pixels high, 6 to 72; the defaults are off, and 12. Not where a layer is seen
-   * through: a warning says so.
-   */
-  vtkSetMacro(ContourLabels, bool);
-  vtkGetMacro(ContourLabels, bool);
-  vtkBooleanMacro(ContourLabels, bool);
-  vtkSetMacro(ContourLabelSize, int);
-  vtkGetMacro(ContourLabelSize, int);
   ///@}
 
   ///@{
@@ -393,14 +312,6 @@ protected:
   bool LightFlat = false;
   int SearchSamples = 128;
   int RangeMode = RANGE_OF_FIELD;
-  double ContourWidth = 1.5;
-  double ContourColor[3] = { 0.0, 0.0, 0.0 };
-  bool ContourScalarVisibility = false;
-  bool ShowUndecidedContours = false;
-  double UndecidedContourColor[3] = { 0.0, 0.5, 0.5 };
-  bool ContourInterior = false;
-  bool ContourLabels = false;
-  int ContourLabelSize = 12;
 
 private:
   friend class vtkHighOrderPicker;

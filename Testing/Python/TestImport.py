@@ -6,6 +6,7 @@ import pixelexact
 
 # Bases of others, which cannot be made themselves.
 ABSTRACT = [
+    "vtkHighOrderContourMapper",
     "vtkHighOrderDataSurface",
     "vtkHighOrderFileReader",
     "vtkHighOrderGridAlgorithm",

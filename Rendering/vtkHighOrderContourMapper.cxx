@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHighOrderContourMapper.h"
+
+#include "ContourList.h"
+#include "FrameContours.h"
+#include "VtkColorMap.h"
+#include "VtkLook.h"
+
+#include "vtkDataArray.h"
+
+#include <array>
+#include <map>
+
+struct vtkHighOrderContourMapper::Internals
+{
+  pixelexact::ContourList values;
+  std::map<int, std::array<double, 3>> colors; ///< of single ones
+};
+
+//------------------------------------------------------------------------------
+vtkHighOrderContourMapper::vtkHighOrderContourMapper()
+  : Contours(std::make_unique<Internals>())
+{
+}
+
+//------------------------------------------------------------------------------
+vtkHighOrderContourMapper::~vtkHighOrderContourMapper() = default;
+
+//------------------------------------------------------------------------------
+void vtkHighOrderContourMapper::SetContourValue(int i, double value)
+{
+  if (!this->Contours->values.Set(i, value))
+  {
+    vtkErrorMacro("SetContourValue: contours are counted from 0, and this is " << i);
+    return;
+  }
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+double vtkHighOrderContourMapper::GetContourValue(int i)
+{
+  return this->Contours->values.At(i);
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderContourMapper::SetNumberOfContours(int number)
+{
+  this->Contours->values.Resize(number);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+int vtkHighOrderContourMapper::GetNumberOfContours()
+{
+  return this->Contours->values.Size();
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderContourMapper::GenerateContourValues(int number, double lower, double upper)
+{
+  this->Contours->values.Generate(number, lower, upper);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderContourMapper::SetContourValues(vtkDataArray* values)
+{
+  const vtkIdType number = values != nullptr ? values->GetNumberOfTuples() : 0;
+  this->SetNumberOfContours(static_cast<int>(number));
+  for (vtkIdType i = 0; i < number; ++i)
+  {
+    this->SetContourValue(static_cast<int>(i), values->GetComponent(i, 0));
+  }
+}
+
+//------------------------------------------------------------------------------
+double* vtkHighOrderContourMapper::GetContourValues()
+{
+  return this->Contours->values.Data();
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderContourMapper::GenerateContourValues(int number, const double range[2])
+{
+  this->GenerateContourValues(number, range[0], range[1]);
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderContourMapper::SetColorOfContour(int i, double red, double green, double blue)
+{
+  if (i < 0)
+  {
+    vtkErrorMacro("SetColorOfContour: contours are counted from 0, and this is " << i);
+    return;
+  }
+  this->Contours->colors[i] = { red, green, blue };
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderContourMapper::RemoveColorsOfContours()
+{
+  this->Contours->colors.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+pixelexact::LayerContours vtkHighOrderContourMapper::ContoursOfAll() const
+{
+  pixelexact::LayerContours contours;
+  contours.values = this->Contours->values.All();
+  if (this->ContourScalarVisibility)
+  {
+    return contours;
+  }
+  const auto& colors = this->Contours->colors;
+  contours.colors.assign(
+    colors.empty() ? 1 : contours.values.size(), pixelexact::ToRgba(this->ContourColor));
+  for (const auto& [i, color] : colors)
+  {
+    if (i < this->Contours->values.Size())
+    {
+      contours.colors[static_cast<std::size_t>(i)] = pixelexact::ToRgba(color.data());
+    }
+  }
+  return contours;
+}
+
+//------------------------------------------------------------------------------
+pixelexact::ContourLook vtkHighOrderContourMapper::LookOfContours() const
+{
+  pixelexact::ContourLook look;
+  if (this->ContourLabels)
+  {
+    look.labels = this->ContourLabelSize;
+  }
+  look.interior = this->ContourInterior;
+  look.style.width = this->ContourWidth;
+  look.style.showUndecided = this->ShowUndecidedContours;
+  look.style.undecided = pixelexact::ToRgba(this->UndecidedContourColor);
+  return look;
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderContourMapper::ShallowCopy(vtkAbstractMapper* mapper)
+{
+  this->Superclass::ShallowCopy(mapper);
+  if (auto* other = vtkHighOrderContourMapper::SafeDownCast(mapper))
+  {
+    *this->Contours = *other->Contours;
+    this->SetContourWidth(other->ContourWidth);
+    this->SetContourColor(other->ContourColor);
+    this->SetContourScalarVisibility(other->ContourScalarVisibility);
+    this->SetShowUndecidedContours(other->ShowUndecidedContours);
+    this->SetUndecidedContourColor(other->UndecidedContourColor);
+    this->SetContourInterior(other->ContourInterior);
+    this->SetContourLabels(other->ContourLabels);
+    this->SetContourLabelSize(other->ContourLabelSize);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderContourMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Contours: " << this->GetNumberOfContours() << "\n";
+  os << indent << "ContourWidth: " << this->ContourWidth << "\n";
+  os << indent << "ContourColor: " << this->ContourColor[0] << ", " << this->ContourColor[1] << ", "
+     << this->ContourColor[2] << "\n";
+  os << indent << "ContourScalarVisibility: " << (this->ContourScalarVisibility ? "on" : "off")
+     << "\n";
+  os << indent << "ShowUndecidedContours: " << (this->ShowUndecidedContours ? "on" : "off") << "\n";
+  os << indent << "UndecidedContourColor: " << this->UndecidedContourColor[0] << ", "
+     << this->UndecidedContourColor[1] << ", " << this->UndecidedContourColor[2] << "\n";
+  os << indent << "ContourInterior: " << (this->ContourInterior ? "on" : "off") << "\n";
+  os << indent << "ContourLabels: " << (this->ContourLabels ? "on" : "off") << "\n";
+  os << indent << "ContourLabelSize: " << this->ContourLabelSize << "\n";
+}

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHighOrderContourMapper
+ * @brief   superclass of vtkHighOrderMapper: what is asked for of contours
+ *
+ * Contours are the lines on which the field has given values, drawn over the surfaces' colours.
+ * Other values, colours and widths trace nothing. Coarse frames (see
+ * vtkHighOrderMapper::SetProgressive) have no contours.
+ */
+
+#ifndef vtkHighOrderContourMapper_h
+#define vtkHighOrderContourMapper_h
+
+#include "PixelExactRenderingModule.h"
+#include "vtkMapper.h"
+
+#include <memory> // for the values
+
+namespace pixelexact
+{
+struct ContourLook;
+struct LayerContours;
+} // namespace pixelexact
+
+class vtkDataArray;
+
+class PIXELEXACTRENDERING_EXPORT vtkHighOrderContourMapper : public vtkMapper
+{
+public:
+  vtkTypeMacro(vtkHighOrderContourMapper, vtkMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The values. The functions are those of vtkContourFilter; there are none by default.
+   * GenerateContourValues makes evenly spaced values, both ends among them. Layers have the same
+   * values, or their own (vtkHighOrderLayer). A value that is not finite is an error when it is
+   * drawn; one that the field does not have draws nothing, one that is there twice is drawn once.
+   */
+  void SetContourValue(int i, double value);
+  double GetContourValue(int i);
+  void SetContourValues(vtkDataArray* values);
+  double* GetContourValues() VTK_SIZEHINT(GetNumberOfContours());
+  void SetNumberOfContours(int number);
+  int GetNumberOfContours();
+  void GenerateContourValues(int number, double lower, double upper);
+  void GenerateContourValues(int number, const double range[2]);
+  ///@}
+
+  ///@{
+  /**
+   * The contours' width in pixels, 0.1 to 32; another one is an error when it is drawn. The default
+   * is 1.5.
+   */
+  vtkSetMacro(ContourWidth, double);
+  vtkGetMacro(ContourWidth, double);
+  ///@}
+
+  ///@{
+  /**
+   * The contours' colour; the default is black. That of a single one goes before it, until
+   * RemoveColorsOfContours; and with ContourScalarVisibility on (the default is off) each has the
+   * colour that its value has in the lookup table, also where surfaces have one colour.
+   */
+  vtkSetVector3Macro(ContourColor, double);
+  vtkGetVector3Macro(ContourColor, double);
+  void SetColorOfContour(int i, double red, double green, double blue);
+  void RemoveColorsOfContours();
+  vtkSetMacro(ContourScalarVisibility, bool);
+  vtkGetMacro(ContourScalarVisibility, bool);
+  vtkBooleanMacro(ContourScalarVisibility, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether pixels of which it could not be decided whether a contour goes through them have a
+   * colour of their own (the default is teal). Else, the default, they show the lines between the
+   * values at pixels' corners, as if none was missing; how many there are
+   * vtkHighOrderMapper::GetNumberOfUndecidedContourPixels tells.
+   */
+  vtkSetMacro(ShowUndecidedContours, bool);
+  vtkGetMacro(ShowUndecidedContours, bool);
+  vtkBooleanMacro(ShowUndecidedContours, bool);
+  vtkSetVector3Macro(UndecidedContourColor, double);
+  vtkGetVector3Macro(UndecidedContourColor, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether contours are looked for inside of pixels, too, on whose edges there are none: closed
+   * loops smaller than a pixel, on planes and quadrics. Frames take longer. The default is off.
+   */
+  vtkSetMacro(ContourInterior, bool);
+  vtkGetMacro(ContourInterior, bool);
+  vtkBooleanMacro(ContourInterior, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether values are written along the contours, where these are straight and apart, in letters
+   * ContourLabelSize pixels high, 6 to 72; the defaults are off, and 12. Not where a layer is seen
+   * through: a warning says so.
+   */
+  vtkSetMacro(ContourLabels, bool);
+  vtkGetMacro(ContourLabels, bool);
+  vtkBooleanMacro(ContourLabels, bool);
+  vtkSetMacro(ContourLabelSize, int);
+  vtkGetMacro(ContourLabelSize, int);
+  ///@}
+
+  void ShallowCopy(vtkAbstractMapper* mapper) override;
+
+protected:
+  vtkHighOrderContourMapper();
+  ~vtkHighOrderContourMapper() override;
+
+#ifndef __VTK_WRAP__
+  /**
+   * On surfaces without values of their own.
+   */
+  pixelexact::LayerContours ContoursOfAll() const;
+  pixelexact::ContourLook LookOfContours() const;
+#endif
+
+  double ContourWidth = 1.5;
+  double ContourColor[3] = { 0.0, 0.0, 0.0 };
+  bool ContourScalarVisibility = false;
+  bool ShowUndecidedContours = false;
+  double UndecidedContourColor[3] = { 0.0, 0.5, 0.5 };
+  bool ContourInterior = false;
+  bool ContourLabels = false;
+  int ContourLabelSize = 12;
+
+private:
+  vtkHighOrderContourMapper(const vtkHighOrderContourMapper&) = delete;
+  void operator=(const vtkHighOrderContourMapper&) = delete;
+
+  struct Internals;
+  std::unique_ptr<Internals> Contours;
+};
+
+#endif
