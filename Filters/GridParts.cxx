@@ -4,25 +4,20 @@
 #include "CellBasis.h"
 #include "Core/Base/Error.h"
 #include "ExtractedCells.h"
-#include "GridCheck.h"
+#include "GridFiles.h"
 #include "HighOrderArrays.h"
 #include "OutputGrid.h"
 #include "PackedArrays.h"
 #include "PieceNumbers.h"
-#include "ReaderMessages.h"
 
 #include "vtkAppendFilter.h"
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkErrorCode.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkTypeInt64Array.h"
-#include "vtkXMLUnstructuredGridReader.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <new>
 #include <numeric>
 #include <set>
 #include <utility>
@@ -32,120 +27,6 @@ namespace pixelexact
 namespace
 {
 using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
-
-std::string Cannot(const GridPart& part)
-{
-  return "cannot read '" + part.file + "'" +
-    (part.list.empty() ? "" : ", which '" + part.list + "' names") + ": ";
-}
-
-Grid ReadXml(const std::string& file, std::vector<std::string>& warnings)
-{
-  std::error_code failure;
-  if (!std::filesystem::exists(file, failure))
-  {
-    throw InvalidData("there is no such file");
-  }
-  vtkNew<vtkXMLUnstructuredGridReader> reader;
-  if (!reader->CanReadFile(file.c_str()))
-  {
-    throw InvalidData("it is not a VTK XML file of type UnstructuredGrid, or cut short");
-  }
-  vtkNew<ReaderMessages> messages;
-  messages->Watch(reader);
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  if (!messages->error.empty())
-  {
-    throw InvalidData(messages->error);
-  }
-  if (reader->GetErrorCode() != vtkErrorCode::NoError)
-  {
-    throw InvalidData(vtkErrorCode::GetStringFromErrorCode(reader->GetErrorCode()));
-  }
-  Grid grid = reader->GetOutput();
-  CheckConsistency(*grid);
-  warnings = messages->warnings;
-  return grid;
-}
-
-/// VTK's warnings become notes. What several parts have alike is said of the first one.
-class PartReader
-{
-public:
-  explicit PartReader(std::vector<std::string>& notes)
-    : Notes(notes)
-  {
-  }
-  Grid Read(const GridPart& part);
-
-private:
-  std::vector<std::string>& Notes;
-  std::set<std::string> Said;
-};
-
-Grid PartReader::Read(const GridPart& part)
-{
-  try
-  {
-    std::vector<std::string> warnings;
-    Grid grid = ReadXml(part.file, warnings);
-    for (const std::string& warning : warnings)
-    {
-      if (Said.insert(warning).second)
-      {
-        Notes.emplace_back("'").append(part.file).append("': ").append(warning).append(".");
-      }
-    }
-    return grid;
-  }
-  catch (const Error& error)
-  {
-    throw Error(Cannot(part) + error.what());
-  }
-  catch (const std::bad_alloc&)
-  {
-    // A damaged header asks for any amount; so does a file that is too large.
-    throw Error(Cannot(part) + "it asks for more memory than there is");
-  }
-}
-
-/// The .vtu files of all parts. Surfaces (.vtp) that a collection lists beside the volume are
-/// noted.
-std::vector<GridPart> ListFiles(const std::vector<GridPart>& parts, std::vector<std::string>& notes)
-{
-  std::vector<GridPart> files;
-  for (const auto& part : parts)
-  {
-    const std::string suffix = LowerSuffix(part.file);
-    if (suffix == ".pvtu")
-    {
-      const auto pieces = ReadPieces(part);
-      files.insert(files.end(), pieces.begin(), pieces.end());
-    }
-    else if (suffix == ".vtp" || suffix == ".pvtp")
-    {
-      notes.push_back("'" + part.file + "' holds surfaces and is left out.");
-    }
-    else
-    {
-      files.push_back(part);
-    }
-  }
-  for (const auto& file : files)
-  {
-    if (LowerSuffix(file.file) != ".vtu")
-    {
-      throw Unsupported(
-        Cannot(file) + "only .vtu and .pvtu files can be parts of a grid; write it as such");
-    }
-  }
-  if (files.empty())
-  {
-    throw Error(Cannot(parts.front()) + "it holds no volume");
-  }
-  return files;
-}
 
 /// The highest of its cells; 0: there is none.
 int DimensionOf(vtkUnstructuredGrid* grid)
@@ -222,10 +103,6 @@ Grid Append(const std::vector<Grid>& grids, std::vector<std::string>& notes)
   }
   return append->GetOutput();
 }
-} // namespace
-
-namespace
-{
 /// Parts that carry a solver's coefficients become packed ones, of the same widths, which can be
 /// appended.
 void PackParts(const std::vector<GridPart>& files, std::vector<Grid>& grids)
@@ -242,7 +119,7 @@ void PackParts(const std::vector<GridPart>& files, std::vector<Grid>& grids)
   }
   if (carrying != 0 && carrying != grids.size())
   {
-    throw Unsupported(Cannot(files.front()) +
+    throw Unsupported(CannotRead(files.front()) +
       "some of its parts carry a solver's own coefficients and others do not; write all parts with "
       "them, or one file per time step");
   }
@@ -288,7 +165,7 @@ ReadGrid ReadShare(const GridPart& file, const PieceOf& share)
   std::string problem;
   try
   {
-    PartReader reader(result.notes);
+    GridFileReader reader(result.notes);
     const Grid whole = reader.Read(file);
     const auto [begin, end] = share.Of(whole->GetNumberOfCells());
     result.grid = KeepCells(whole, begin, end);
@@ -316,7 +193,7 @@ struct ReadFile
 std::vector<ReadFile> ReadFiles(
   const std::vector<GridPart>& files, const PieceOf& share, std::vector<std::string>& notes)
 {
-  PartReader reader(notes);
+  GridFileReader reader(notes);
   std::vector<ReadFile> read;
   const auto [begin, end] = share.Of(static_cast<std::int64_t>(files.size()));
   for (auto i = static_cast<int>(begin); i < static_cast<int>(end); ++i)
@@ -339,7 +216,7 @@ Grid PutTogether(const std::vector<GridPart>& files, const std::vector<ReadFile>
   }
   if (dimension < 2)
   {
-    throw Error(Cannot(files.front()) + "it holds no volume and no plane mesh");
+    throw Error(CannotRead(files.front()) + "it holds no volume and no plane mesh");
   }
   std::vector<Grid> volumes;
   for (const ReadFile& file : read)
@@ -372,7 +249,7 @@ ReadGrid ReadParts(const std::vector<GridPart>& parts, const PieceOf& share)
     {
       return ReadShare(files[0], share);
     }
-    PartReader reader(result.notes);
+    GridFileReader reader(result.notes);
     result.grid = reader.Read(files[0]);
     return result;
   }
