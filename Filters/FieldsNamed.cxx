@@ -3,6 +3,9 @@
 
 #include "Core/Base/Error.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace pixelexact
 {
 const Field& FieldNamed(const HighOrderModel& model, const std::string& name)
@@ -24,10 +27,8 @@ std::vector<const Field*> FieldsNamed(
   const HighOrderModel& model, const std::vector<std::string>& names)
 {
   std::vector<const Field*> fields;
-  for (const auto& name : names)
-  {
-    fields.push_back(&FieldNamed(model, name));
-  }
+  std::ranges::transform(names, std::back_inserter(fields),
+    [&model](const std::string& name) { return &FieldNamed(model, name); });
   if (names.empty())
   {
     for (const auto& field : model.Fields())

@@ -79,7 +79,10 @@ vtkMTimeType vtkHighOrderContour::GetMTime()
   return this->CutFunction ? std::max(own, this->CutFunction->GetMTime()) : own;
 }
 
-vtkCxxSetSmartPointerMacro(vtkHighOrderContour, CutFunction, vtkImplicitFunction);
+void vtkHighOrderContour::SetCutFunction(vtkImplicitFunction* function)
+{
+  vtkSetSmartPointerBodyMacro(CutFunction, vtkImplicitFunction, function);
+}
 
 vtkImplicitFunction* vtkHighOrderContour::GetCutFunction()
 {

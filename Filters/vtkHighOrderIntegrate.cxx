@@ -99,7 +99,10 @@ vtkMTimeType vtkHighOrderIntegrate::GetMTime()
   return this->CutFunction ? std::max(own, this->CutFunction->GetMTime()) : own;
 }
 
-vtkCxxSetSmartPointerMacro(vtkHighOrderIntegrate, CutFunction, vtkImplicitFunction);
+void vtkHighOrderIntegrate::SetCutFunction(vtkImplicitFunction* function)
+{
+  vtkSetSmartPointerBodyMacro(CutFunction, vtkImplicitFunction, function);
+}
 
 vtkImplicitFunction* vtkHighOrderIntegrate::GetCutFunction()
 {

@@ -127,7 +127,10 @@ vtkMTimeType vtkHighOrderLinearCut::GetMTime()
   return this->CutFunction ? std::max(own, this->CutFunction->GetMTime()) : own;
 }
 
-vtkCxxSetSmartPointerMacro(vtkHighOrderLinearCut, CutFunction, vtkImplicitFunction);
+void vtkHighOrderLinearCut::SetCutFunction(vtkImplicitFunction* function)
+{
+  vtkSetSmartPointerBodyMacro(CutFunction, vtkImplicitFunction, function);
+}
 
 vtkImplicitFunction* vtkHighOrderLinearCut::GetCutFunction()
 {
