@@ -95,7 +95,11 @@ for stage in $stages; do
       tested=$(grep -o '[0-9]*% tests passed.*' "$roots/$release.tests" || echo failed)
       ;;
     paraview)
-      inside "$stage" "./Testing/Scripts/test.sh"
+      if inside "$stage" "./Testing/Scripts/test.sh"; then
+        tested+=", the plugin's passed"
+      else
+        tested+=", the plugin's failed"
+      fi
       ;;
     *)
       echo "run.sh: no such stage: $stage" >&2

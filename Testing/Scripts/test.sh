@@ -98,9 +98,9 @@ count() {
   fi
 }
 
-# The plugin is for the ParaView of Debian 12: those of later ones need their packages mended.
+# Of Debian's packages.
 has_paraview() {
-  [[ $(. /etc/os-release && echo "$ID $VERSION_ID") == "debian 12" ]]
+  [[ $(. /etc/os-release && echo "$ID") == debian ]]
 }
 
 stage_dependencies() {
@@ -155,7 +155,7 @@ stage_package() {
 # The plugin alone, in scripts that pvbatch runs. What is free of VTK comes from ccache.
 stage_paraview() {
   if ! has_paraview; then
-    echo "skipped: ParaView is taken from the packages of Debian 12"
+    echo "skipped: ParaView is taken from Debian's packages"
     skipped=$((skipped + 1))
     return
   fi
