@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GridCheck.h"
+#include "CellStorage.h"
 
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
@@ -8,7 +9,6 @@
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkPointData.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ void CheckConsistency(vtkUnstructuredGrid& grid)
   // A file that ends before its cells leaves none of the arrays.
   if (vtkCellArray* connectivity = cells > 0 ? grid.GetCells() : nullptr)
   {
-    if (grid.GetCellTypesArray()->GetNumberOfTuples() != cells)
+    if (CellTypeCount(grid) != cells)
     {
       throw InvalidData("the numbers of cells and of cell types differ");
     }

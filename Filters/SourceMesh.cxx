@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SourceMesh.h"
+#include "CellStorage.h"
 
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
@@ -226,8 +227,8 @@ void SourceMesh::ViewConnectivity(vtkUnstructuredGrid* grid)
     return std::span<const vtkIdType>(
       array->GetPointer(0), static_cast<std::size_t>(array->GetNumberOfValues()));
   };
-  PointIds = view(Connectivity->GetConnectivityArray64());
-  Offsets = view(Connectivity->GetOffsetsArray64());
+  PointIds = view(PointIds64(*Connectivity));
+  Offsets = view(Offsets64(*Connectivity));
 }
 
 void SourceMesh::AddCell(vtkUnstructuredGrid* grid, vtkIdType cell, int type)

@@ -158,10 +158,11 @@ bool vtkHighOrderDifference::Compare(
   }
   const auto firstModel = this->FirstModel->Of(first);
   const auto secondModel = this->SecondModel->Of(second);
-  const Field& field = FieldChoice{ this->FieldName }.In(*firstModel);
-  const Field& other =
-    FieldChoice{ this->SecondFieldName.empty() ? field.name : this->SecondFieldName }.In(
-      *secondModel);
+  const FieldChoice choice{ this->FieldName };
+  const Field& field = choice.In(*firstModel);
+  const FieldChoice otherChoice{ this->SecondFieldName.empty() ? field.name
+                                                               : this->SecondFieldName };
+  const Field& other = otherChoice.In(*secondModel);
   RequireComponent(field, this->Component);
   const DifferenceScene scene{ { &firstModel->GetLocator(), &field },
     { &secondModel->GetLocator(), &other },

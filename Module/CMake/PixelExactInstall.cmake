@@ -17,8 +17,11 @@ install(
   FILES
     "${PROJECT_BINARY_DIR}/${PIXELEXACT_CMAKE_DESTINATION}/PixelExactConfig.cmake"
     "${PROJECT_BINARY_DIR}/${PIXELEXACT_CMAKE_DESTINATION}/PixelExactConfigVersion.cmake"
-  DESTINATION "${PIXELEXACT_CMAKE_DESTINATION}")
+  DESTINATION "${PIXELEXACT_CMAKE_DESTINATION}"
+  COMPONENT development)
+# In no package of Debian's, which have it elsewhere.
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE"
-  DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/licenses/PixelExact")
+  DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/licenses/PixelExact"
+  COMPONENT license)
 
 include(PixelExactPackage)

@@ -21,9 +21,11 @@ function(pixelexact_add_library name)
     pixelexact_precompile(${name} <glm/mat3x3.hpp> <glm/vec3.hpp>)
   endif()
 
-  install(TARGETS ${name} EXPORT PixelExact)
+  install(TARGETS ${name} EXPORT PixelExact
+    LIBRARY COMPONENT runtime NAMELINK_COMPONENT development)
   install(DIRECTORY "${arg_INCLUDE_ROOT}/${arg_SUBDIR}/"
     DESTINATION "${PIXELEXACT_INCLUDE_DESTINATION}/${arg_SUBDIR}"
+    COMPONENT development
     FILES_MATCHING PATTERN "*.h")
 endfunction()
 

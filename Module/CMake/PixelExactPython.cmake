@@ -37,7 +37,9 @@ set_target_properties(PixelExactRun PROPERTIES
   LIBRARY_OUTPUT_DIRECTORY "${package_folder}")
 target_link_libraries(PixelExactRun PRIVATE
   PixelExactWarnings TBB::tbb VTK::CommonExecutionModel VTK::WrappingPythonCore)
-install(TARGETS PixelExactRun DESTINATION "${PIXELEXACT_PYTHON_DESTINATION}/pixelexact")
+install(TARGETS PixelExactRun
+  DESTINATION "${PIXELEXACT_PYTHON_DESTINATION}/pixelexact"
+  COMPONENT python)
 
 # Types of the wrapped classes, as their texts of help say them.
 set(stubs)
@@ -57,4 +59,5 @@ add_custom_command(
 add_custom_target(PixelExactStubs ALL DEPENDS ${stubs})
 
 install(FILES ${package_files} ${stubs}
-  DESTINATION "${PIXELEXACT_PYTHON_DESTINATION}/pixelexact")
+  DESTINATION "${PIXELEXACT_PYTHON_DESTINATION}/pixelexact"
+  COMPONENT python)

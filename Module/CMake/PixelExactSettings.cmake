@@ -24,6 +24,10 @@ set(PIXELEXACT_INCLUDE_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/PixelExact")
 set(PIXELEXACT_CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/PixelExact")
 set(PIXELEXACT_PYTHON_DESTINATION "${CMAKE_INSTALL_LIBDIR}/python3/dist-packages")
 
+# What is installed is of one of these components, as VTK's own rules name them: runtime, development,
+# python. Debian's packages (PixelExactPackage.cmake) are made of them.
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME runtime)
+
 # An installed tree may be moved: libraries find each other relative to themselves.
 file(RELATIVE_PATH bin_to_lib "/${CMAKE_INSTALL_BINDIR}" "/${CMAKE_INSTALL_LIBDIR}")
 set(CMAKE_INSTALL_RPATH "$ORIGIN" "$ORIGIN/${bin_to_lib}")

@@ -10,6 +10,7 @@
 #   MATRIX_COMPILER  such as g++-15, installed there (default: what the release has)
 #   MATRIX_JOBS      compilers at once (default 1); all run at the lowest priority
 #   MATRIX_MIRROR    (default http://deb.debian.org/debian)
+#   MATRIX_STALE     yes: of a mirror that is behind, lists that have expired are taken, too
 # The last line is a row of the table in README.md.
 set -euo pipefail
 release=${1:?"run.sh RELEASE [ROOTS]: bookworm, trixie or testing"}
@@ -35,6 +36,10 @@ if [[ ! -e $root/complete ]]; then
   touch "$root/complete"
 fi
 cp /etc/resolv.conf "$root/etc/resolv.conf"
+rm -f "$root/etc/apt/apt.conf.d/90stale"
+if [[ ${MATRIX_STALE:-no} == yes ]]; then
+  echo 'Acquire::Check-Valid-Until "false";' >"$root/etc/apt/apt.conf.d/90stale"
+fi
 
 # What is mounted is taken away again, whatever happens.
 leave() {
@@ -58,8 +63,9 @@ inside() {
     CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime \
     PIXELEXACT_TEST_STAGES="$1" bash -c "cd /src/pixelexact && $2"
 }
+# Of a package, installed or not.
 version() {
-  chroot "$root" dpkg-query -W -f '${Version}' "$1" 2>/dev/null | sed 's/^[0-9]*://; s/[+~-].*//'
+  chroot "$root" apt-cache policy "$1" 2>/dev/null | sed -n 's/^ *Candidate: \([0-9]*:\)\?\([^+~-]*\).*/\2/p'
 }
 
 compiled=-
@@ -89,7 +95,11 @@ for stage in $stages; do
       tested=$(grep -o '[0-9]*% tests passed.*' "$roots/$release.tests" || echo failed)
       ;;
     paraview)
-      inside "$stage" "./Testing/Scripts/test.sh"
+      if inside "$stage" "./Testing/Scripts/test.sh"; then
+        tested+=", the plugin's passed"
+      else
+        tested+=", the plugin's failed"
+      fi
       ;;
     *)
       echo "run.sh: no such stage: $stage" >&2
@@ -97,7 +107,6 @@ for stage in $stages; do
       ;;
   esac
 done
-embree=$(version libembree-dev)
-printf '| %s | %s | %s | %s | %s | %s |\n' "$release" \
-  "$(chroot "$root" "$compiler" -dumpfullversion 2>/dev/null)" "$(version libvtk9-dev)" "$embree" \
-  "$compiled" "$tested"
+printf '| %s | %s | %s | %s | %s | %s | %s | %s |\n' "$release" \
+  "$(chroot "$root" "$compiler" -dumpfullversion 2>/dev/null)" "$(version libvtk9-dev)" \
+  "$(version libembree-dev)" "$(version python3)" "$(version paraview)" "$compiled" "$tested"

@@ -16,13 +16,14 @@ packages=(
 if [[ "${1:-}" == --testing ]]; then
   packages+=(
     ccache clang clang-format clang-tidy debootstrap dpkg-dev ffmpeg file git libbenchmark-dev libclang-rt-dev
-    libgmp-dev libgtest-dev libmpfr-dev mypy openmpi-bin python3-pil poppler-utils valgrind xauth xdotool xvfb
+    jupyter-nbconvert libgmp-dev libgtest-dev libmpfr-dev mypy openmpi-bin python3-ipykernel python3-pil
+    poppler-utils valgrind xauth xdotool xvfb
   )
 fi
 prefix=""
 if [[ "${1:-}" == --paraview ]]; then
-  prefix=${2:?"--paraview PREFIX: where to unpack ParaView"}
-  packages+=(libqt5help5 libqt5opengl5 xauth xvfb)
+  prefix=$(realpath -m "${2:?"--paraview PREFIX: where to unpack ParaView"}")
+  packages+=(xauth xvfb)
 fi
 
 missing=()
@@ -50,9 +51,24 @@ if [[ -n "$prefix" && ! -e "$prefix/complete" ]]; then
     "${as_root[@]}" apt-get -o Acquire::Retries=3 update -q
     apt-get -o Acquire::Retries=3 download paraview paraview-dev python3-paraview
   }
+  dpkg-deb -f paraview_*.deb Depends | tr , '\n' | grep '^ *lib' | paste -s -d , >libraries
   for package in *.deb; do
     dpkg -x "$package" ..
     rm "$package"
   done
-  touch ../complete
+  # Its CMake files look for Python's modules under the names that they had before Debian added the
+  # interpreter's suffix.
+  find "$prefix/usr/lib/python3" -name '*.cpython-*.so' | while read -r module; do
+    plain=${module%.cpython-*}.so
+    [[ -e "$plain" ]] || ln -s "$(basename "$module")" "$plain"
+  done
+  mv libraries ../complete
+fi
+# What it is linked with.
+if [[ -n "$prefix" ]]; then
+  libraries=$(<"$prefix/complete")
+  if ! LC_ALL=C apt-get -s satisfy "$libraries" | grep -q '^0 upgraded, 0 newly installed'; then
+    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+      apt-get -o Acquire::Retries=3 satisfy -q -y --no-install-recommends "$libraries"
+  fi
 fi

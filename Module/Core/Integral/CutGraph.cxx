@@ -342,8 +342,8 @@ CutInBox LookAtCut(ElementFunctions& functions, const PieceBox& box, double tole
   AffineForm affine = cut.Affine();
   for (int clipping = 0;; ++clipping)
   {
-    Vec3 from;
-    Vec3 to;
+    Vec3 from(-1.0);
+    Vec3 to(1.0);
     if (!cut.Hull().Contains(0.0) || !Clip(affine, from, to))
     {
       found.empty = true;
