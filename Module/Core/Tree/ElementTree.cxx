@@ -122,7 +122,7 @@ std::int64_t ElementTree::SplitCost(const Node& node) const
 
 std::int64_t ElementTree::RegularCost(const Node& node) const
 {
-  return IsPlainlyRegular(node)
+  return node.TheFrame.injective || IsJudgedByFrames()
     ? 0
     : 2000 + static_cast<std::int64_t>(9 * Form.Size()) * (HighestDegree() / 2 + kSweep);
 }
@@ -132,11 +132,9 @@ int ElementTree::HighestDegree() const
   return *std::ranges::max_element(Form.Degree());
 }
 
-bool ElementTree::IsPlainlyRegular(const Node& node)
+bool ElementTree::IsJudgedByFrames() const
 {
-  // As IsRegular, with the same room for a root that lies beyond the box's reach by 1e-12.
-  constexpr double kRegular = 1.0 - 1e-4;
-  return node.TheFrame.slope < kRegular;
+  return TheProblem.space.shape == Shape::Hexahedron && Form.Size() > kMostWithSlopes;
 }
 
 const std::vector<std::unique_ptr<ElementTree::Node>>& ElementTree::Pieces()
@@ -321,11 +319,11 @@ int ElementTree::DirectionOf(const Node& node) const
 bool ElementTree::IsRegular(Node& node)
 {
   using Regular = Node::Regular;
-  if (IsPlainlyRegular(node))
+  if (node.TheFrame.injective)
   {
     return true;
   }
-  if (!HasSlopes)
+  if (!HasSlopes || IsJudgedByFrames())
   {
     return false;
   }
