@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The most that a single point costs: for every mesh file given (or in the folders given), points
 // at random in the mesh's box and those of the oracles beside it, each asked alone with trees that
-// have to be grown for it. A Markdown table on stdout.
+// have to be grown for it. A Markdown table on stdout; with --list, what each point gave and cost.
 //
-// usage: SlowestPoint [--points N] FILE|FOLDER...
+// usage: SlowestPoint [--points N] [--list FILE] FILE|FOLDER...
 #include "CaseFiles.h"
 #include "Filters/LoadMesh.h"
 
@@ -16,6 +16,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <fstream>
+#include <iomanip>
 #include <iostream>
 #include <random>
 #include <string_view>
@@ -48,7 +50,31 @@ std::vector<Vec3> PointsFor(
   return points;
 }
 
-void Measure(const std::filesystem::path& file, std::size_t atRandom)
+/// One line a point: two lists of the same points can be compared.
+class PointList
+{
+public:
+  void Open(const char* file)
+  {
+    Out.open(file);
+    Out << "file,point,x,y,z,verdict,element,xi1,xi2,xi3,ms\n" << std::setprecision(17);
+  }
+  void Add(const std::filesystem::path& file, std::size_t point, const Vec3& x, Verdict verdict,
+    int element, const Vec3& xi, double milliseconds)
+  {
+    if (Out.is_open())
+    {
+      Out << file.filename().string() << ',' << point << ',' << x.x << ',' << x.y << ',' << x.z
+          << ',' << static_cast<int>(verdict) << ',' << element << ',' << xi.x << ',' << xi.y << ','
+          << xi.z << ',' << milliseconds << '\n';
+    }
+  }
+
+private:
+  std::ofstream Out;
+};
+
+void Measure(const std::filesystem::path& file, std::size_t atRandom, PointList& list)
 {
   const auto grid = pixelexact::testing::LoadMesh(file);
   if (!grid || grid->GetNumberOfCells() == 0)
@@ -70,23 +96,36 @@ void Measure(const std::filesystem::path& file, std::size_t atRandom)
   const auto points = PointsFor(file, locator.Bounds(), atRandom);
   double slowest = 0.0;
   Vec3 where(0.0);
-  int above = 0;
+  std::vector<double> times;
   for (const Vec3& x : points)
   {
+    Verdict verdict{};
+    std::int32_t element = -1;
+    Vec3 xi(0.0);
     const auto start = std::clock();
-    SampleTile(locator, nullptr, { &x, 1 }, {});
+    SampleTarget target;
+    target.verdict = { &verdict, 1 };
+    target.element = { &element, 1 };
+    target.xi = { &xi, 1 };
+    SampleTile(locator, nullptr, { &x, 1 }, target);
     const double milliseconds = MillisecondsSince(start);
-    above += milliseconds > 10.0 ? 1 : 0;
+    list.Add(file, times.size(), x, verdict, element, xi, milliseconds);
+    times.push_back(milliseconds);
     if (milliseconds > slowest)
     {
       slowest = milliseconds;
       where = x;
     }
   }
+  const auto above =
+    std::ranges::count_if(times, [](double milliseconds) { return milliseconds > 10.0; });
+  std::ranges::sort(times);
   const auto& counters = locator.Counters();
-  std::printf("| %s | %zu | %lld | %lld | %.2f | %d | %.17g %.17g %.17g | %.2f |\n",
+  std::printf("| %s | %zu | %lld | %lld | %.3f | %.2f | %.2f | %lld | %.17g %.17g %.17g | %.2f |\n",
     file.filename().c_str(), points.size(), static_cast<long long>(counters.careful),
-    static_cast<long long>(counters.unknown), slowest, above, where.x, where.y, where.z, bounds);
+    static_cast<long long>(counters.unknown), times[times.size() / 2],
+    times[times.size() * 99 / 100], slowest, static_cast<long long>(above), where.x, where.y,
+    where.z, bounds);
   std::fflush(stdout);
 }
 } // namespace
@@ -95,9 +134,10 @@ int main(int argc, char** argv)
 {
   const tbb::global_control oneThread(tbb::global_control::max_allowed_parallelism, 1);
   std::size_t atRandom = 2000;
+  PointList list;
   std::puts(
-    "| file | points | on the careful path | unknown | slowest ms | above 10 ms | where | an "
-    "element's bounds ms |\n|---|---|---|---|---|---|---|---|");
+    "| file | points | on the careful path | unknown | median ms | 99 % ms | slowest ms | "
+    "above 10 ms | where | an element's bounds ms |\n|---|---|---|---|---|---|---|---|---|---|");
   try
   {
     for (int i = 1; i < argc; ++i)
@@ -107,9 +147,14 @@ int main(int argc, char** argv)
         atRandom = std::strtoul(argv[++i], nullptr, 10);
         continue;
       }
+      if (std::string_view(argv[i]) == "--list" && i + 1 < argc)
+      {
+        list.Open(argv[++i]);
+        continue;
+      }
       for (const auto& file : MeshFilesIn(argv[i]))
       {
-        Measure(file, atRandom);
+        Measure(file, atRandom, list);
       }
     }
   }

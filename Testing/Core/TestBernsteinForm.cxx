@@ -2,7 +2,7 @@
 #include "MeshBuilder.h"
 
 #include "Core/Bernstein/BernsteinForm.h"
-#include "Core/Bernstein/SweepKernels.h"
+#include "Core/Bernstein/HalvingKernels.h"
 
 #include <gtest/gtest.h>
 

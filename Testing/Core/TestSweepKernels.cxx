@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InstructionSets.h"
 
+#include "Core/Bernstein/HalvingKernels.h"
 #include "Core/Bernstein/SweepKernels.h"
 #include "Core/Bernstein/TensorPolynomial.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -21,7 +23,7 @@ namespace
 using Numbers = std::vector<double>;
 
 const std::vector<Degrees> kDegrees{ { 0, 0, 0 }, { 1, 1, 1 }, { 3, 3, 3 }, { 6, 0, 2 },
-  { 2, 5, 1 }, { 1, 2, 9 }, { 4, 8, 0 } };
+  { 2, 5, 1 }, { 1, 2, 9 }, { 4, 8, 0 }, { 2, 10, 10 }, { 34, 1, 12 } };
 
 Numbers Made(const Degrees& degree)
 {
@@ -32,7 +34,33 @@ Numbers Made(const Degrees& degree)
   return b;
 }
 
-/// De Casteljau's scheme on each line along a direction.
+/// De Casteljau's scheme at the middle of each line along a direction.
+std::array<Numbers, 2> Halved(const Degrees& degree, int direction, Numbers b)
+{
+  const int n = degree[static_cast<std::size_t>(direction)];
+  const std::size_t stride = StrideOf(degree, direction);
+  Numbers upper(b.size());
+  for (std::size_t first = 0; first < b.size(); ++first)
+  {
+    if (first / stride % static_cast<std::size_t>(n + 1) != 0)
+    {
+      continue;
+    }
+    const auto index = [&](int i) { return first + static_cast<std::size_t>(i) * stride; };
+    upper[index(n)] = b[index(n)];
+    for (int level = 1; level <= n; ++level)
+    {
+      for (int i = n; i >= level; --i)
+      {
+        b[index(i)] = 0.5 * (b[index(i - 1)] + b[index(i)]);
+      }
+      upper[index(n - level)] = b[index(n)];
+    }
+  }
+  return { b, upper };
+}
+
+/// The same over a part of each line.
 Numbers Restricted(const Degrees& degree, int direction, double from, double rest, Numbers b)
 {
   const int n = degree[static_cast<std::size_t>(direction)];
@@ -80,6 +108,27 @@ double Difference(const Degrees& degree, int direction, int order, const Numbers
   return most;
 }
 } // namespace
+
+TEST(SweepKernels, HalveLikeDeCasteljau)
+{
+  for (const Degrees& degree : kDegrees)
+  {
+    const Numbers b = Made(degree);
+    for (int direction = 0; direction < 3; ++direction)
+    {
+      const auto expected = Halved(degree, direction, b);
+      OnEveryInstructionSet(
+        [&]
+        {
+          Numbers lower = b;
+          Numbers upper(b.size());
+          Halve(degree, direction, lower, upper);
+          EXPECT_EQ(lower, expected[0]) << degree[0] << degree[1] << degree[2] << direction;
+          EXPECT_EQ(upper, expected[1]) << degree[0] << degree[1] << degree[2] << direction;
+        });
+    }
+  }
+}
 
 TEST(SweepKernels, RestrictLikeDeCasteljau)
 {

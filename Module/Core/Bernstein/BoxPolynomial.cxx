@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Bernstein/BoxPolynomial.h"
 
+#include "Core/Bernstein/HalvingKernels.h"
 #include "Core/Bernstein/SweepKernels.h"
 #include "Core/Bernstein/TensorPolynomial.h"
 #include "Core/Math/Rounding.h"

@@ -15,7 +15,7 @@ namespace pixelexact
 {
 namespace
 {
-std::size_t IndexOf(Part part)
+std::size_t NumberOf(Part part)
 {
   const int index = static_cast<int>(part) - static_cast<int>(Part::Value);
   return static_cast<std::size_t>(index);
@@ -100,7 +100,7 @@ PieceForm::PieceForm(const Space& space, int level)
   {
     for (const Product& product : ProductsOf(space, part))
     {
-      Terms[IndexOf(part)].push_back({ product });
+      Terms[NumberOf(part)].push_back({ product });
       MakeTables(product);
     }
   }
@@ -126,6 +126,7 @@ void PieceForm::MakeTables(const std::array<Factor, 3>& factor)
           table.push_back(key.n + key.power <= degree
               ? MakeFactorRow(key, factor[d], degree, TheLevel, piece)
               : FactorRow{});
+          Largest[d][static_cast<std::size_t>(factor[d])].push_back(table.back().largest);
         }
       }
     }
@@ -176,11 +177,22 @@ std::array<int, 3> PieceForm::FamilyOf(int p, int q) const
   }
 }
 
-const FactorRow& PieceForm::RowOf(int direction, Factor factor, int piece, int family, int n) const
+std::size_t PieceForm::IndexOf(int direction, int piece, int family, int n) const
 {
   const auto d = static_cast<std::size_t>(direction);
-  const int at = (piece * Families[d] + family) * (TheDegree[d] + 1) + n;
-  return Tables[d][static_cast<std::size_t>(factor)][static_cast<std::size_t>(at)];
+  return static_cast<std::size_t>((piece * Families[d] + family) * (TheDegree[d] + 1) + n);
+}
+
+const FactorRow& PieceForm::RowOf(int direction, Factor factor, int piece, int family, int n) const
+{
+  return Tables[static_cast<std::size_t>(direction)][static_cast<std::size_t>(factor)]
+               [IndexOf(direction, piece, family, n)];
+}
+
+const double* PieceForm::LargestOf(int direction, Factor factor, int piece, int family, int n) const
+{
+  return &Largest[static_cast<std::size_t>(direction)][static_cast<std::size_t>(factor)]
+                 [IndexOf(direction, piece, family, n)];
 }
 
 void PieceForm::AddTerm(
@@ -215,7 +227,7 @@ void PieceForm::Convert(
   Part part, const Piece& piece, const double* modes, std::span<double> out) const
 {
   std::ranges::fill(out, 0.0);
-  for (const Term& term : Terms[IndexOf(part)])
+  for (const Term& term : Terms[NumberOf(part)])
   {
     AddTerm(term, piece, modes, out);
   }
@@ -224,21 +236,19 @@ void PieceForm::Convert(
 double PieceForm::ErrorBound(Part part, const Piece& piece, const double* modes) const
 {
   double sum = 0.0;
-  for (const Term& term : Terms[IndexOf(part)])
+  for (const Term& term : Terms[NumberOf(part)])
   {
     const double* mode = modes;
     for (int p = 0; p <= TheSpace.order[0]; ++p)
     {
-      const double x = RowOf(0, term.factor[0], piece[0], 0, p).largest;
+      const double x = *LargestOf(0, term.factor[0], piece[0], 0, p);
       for (int q = 0; q <= TheSpace.LastQ(p); ++q)
       {
         const auto family = FamilyOf(p, q);
-        const double xy = x * RowOf(1, term.factor[1], piece[1], family[1], q).largest;
-        const FactorRow* z = &RowOf(2, term.factor[2], piece[2], family[2], 0);
-        for (int r = 0; r <= TheSpace.LastR(p, q); ++r)
-        {
-          sum += std::fabs(*mode++) * xy * z[r].largest;
-        }
+        const auto count = static_cast<std::size_t>(TheSpace.LastR(p, q)) + 1;
+        sum += x * *LargestOf(1, term.factor[1], piece[1], family[1], q) *
+          WeighMagnitudes({ mode, count }, LargestOf(2, term.factor[2], piece[2], family[2], 0));
+        mode += count;
       }
     }
   }

@@ -78,7 +78,10 @@ private:
   PieceForm(const Space& space, int level);
   void MakeTables(const std::array<Factor, 3>& factor);
   [[nodiscard]] std::array<int, 3> FamilyOf(int p, int q) const;
+  [[nodiscard]] std::size_t IndexOf(int direction, int piece, int family, int n) const;
   [[nodiscard]] const FactorRow& RowOf(
+    int direction, Factor factor, int piece, int family, int n) const;
+  [[nodiscard]] const double* LargestOf(
     int direction, Factor factor, int piece, int family, int n) const;
   void AddTerm(
     const Term& term, const Piece& piece, const double* modes, std::span<double> out) const;
@@ -89,6 +92,7 @@ private:
   std::array<std::vector<Term>, 4> Terms; ///< by Part + 1
   /// [direction][factor], then (piece * families + family) * (degree + 1) + n; empty where unused.
   std::array<std::array<std::vector<FactorRow>, kFactors>, 3> Tables;
+  std::array<std::array<std::vector<double>, kFactors>, 3> Largest; ///< of each of these rows
   std::array<int, 3> Families{ 1, 1, 1 };
 };
 } // namespace pixelexact

@@ -14,52 +14,6 @@ namespace pixelexact::HWY_NAMESPACE
 {
 using Traits = NumberTraits<Lanes>;
 
-/// b = (a + b) / 2 for `count` numbers; a and b may overlap where b is behind a.
-HWY_INLINE void Average(const double* a, double* b, std::size_t count)
-{
-  const auto lanes = static_cast<std::size_t>(LaneCount());
-  const Lanes half = Traits::Splat(0.5);
-  // From the end on, so that what is read has not been written.
-  std::size_t i = count;
-  for (; i >= lanes; i -= lanes)
-  {
-    Store(half * (Traits::Load(a + i - lanes) + Traits::Load(b + i - lanes)), b + i - lanes);
-  }
-  while (i-- > 0)
-  {
-    b[i] = 0.5 * (a[i] + b[i]);
-  }
-}
-
-/// One line or sheet of coefficients: n + 1 pieces of `stride` numbers.
-HWY_INLINE void HalveBlock(int degree, std::size_t stride, double* b, double* u)
-{
-  const auto n = static_cast<std::size_t>(degree);
-  const auto copy = [&](std::size_t to) PIXELEXACT_INLINED
-  {
-    for (std::size_t i = 0; i < stride; ++i)
-    {
-      u[to * stride + i] = b[n * stride + i];
-    }
-  };
-  // Each sweep leaves one coefficient of either half in place.
-  copy(n);
-  for (std::size_t level = 1; level <= n; ++level)
-  {
-    Average(b + (level - 1) * stride, b + level * stride, (n + 1 - level) * stride);
-    copy(n - level);
-  }
-}
-
-void HalveAll(int degree, std::size_t stride, double* b, double* u, std::size_t size)
-{
-  const std::size_t block = stride * static_cast<std::size_t>(degree + 1);
-  for (std::size_t start = 0; start < size; start += block)
-  {
-    HalveBlock(degree, stride, b + start, u + start);
-  }
-}
-
 /// b[i] = (1 - t) b[i] + t b[i + stride] for `count` numbers.
 HWY_INLINE void SweepFromBelow(double t, std::size_t stride, double* b, std::size_t count)
 {
@@ -301,6 +255,34 @@ bool FindExtremesAlong(const double* values, std::size_t size, std::size_t strid
   return none == 0.0;
 }
 
+/// In eight sums, however many lanes there are.
+double SumOfMagnitudes(const double* values, const double* weights, std::size_t count)
+{
+  constexpr std::size_t kSums = 8;
+  const auto lanes = static_cast<std::size_t>(LaneCount());
+  double sums[kSums] = {};
+  std::size_t i = 0;
+  for (; i + kSums <= count; i += kSums)
+  {
+    for (std::size_t k = 0; k < kSums; k += lanes)
+    {
+      Store(
+        Traits::Load(sums + k) + Abs(Traits::Load(values + i + k)) * Traits::Load(weights + i + k),
+        sums + k);
+    }
+  }
+  for (std::size_t k = 0; i < count; ++i, ++k)
+  {
+    sums[k] += std::fabs(values[i]) * weights[i];
+  }
+  double all = 0.0;
+  for (const double sum : sums)
+  {
+    all += sum;
+  }
+  return all;
+}
+
 void SubtractFrom(double shift, double* values, std::size_t count)
 {
   const auto lanes = static_cast<std::size_t>(LaneCount());
@@ -334,7 +316,6 @@ std::size_t StrideAlong(const std::array<int, 3>& degree, int direction)
 }
 } // namespace
 
-HWY_EXPORT(HalveAll);
 HWY_EXPORT(AddOuterTo);
 HWY_EXPORT(CombineRows);
 HWY_EXPORT(FindDifferences);
@@ -343,14 +324,7 @@ HWY_EXPORT(FindExtremesAlong);
 HWY_EXPORT(FindLargestDifference);
 HWY_EXPORT(RestrictAll);
 HWY_EXPORT(SubtractFrom);
-
-void Halve(const std::array<int, 3>& degree, int direction, std::span<double> bernstein,
-  std::span<double> upper)
-{
-  HWY_DYNAMIC_DISPATCH(HalveAll)
-  (degree[static_cast<std::size_t>(direction)], StrideAlong(degree, direction), bernstein.data(),
-    upper.data(), bernstein.size());
-}
+HWY_EXPORT(SumOfMagnitudes);
 
 void SweepTo(const std::array<int, 3>& degree, int direction, double from, double rest,
   std::span<double> bernstein)
@@ -382,6 +356,11 @@ double LargestDifference(
 {
   return HWY_DYNAMIC_DISPATCH(FindLargestDifference)(
     values.data(), values.size(), stride, block, order);
+}
+
+double WeighMagnitudes(std::span<const double> values, const double* weights)
+{
+  return HWY_DYNAMIC_DISPATCH(SumOfMagnitudes)(values.data(), weights, values.size());
 }
 
 void Subtract(double shift, std::span<double> values)

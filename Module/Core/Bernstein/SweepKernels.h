@@ -9,14 +9,9 @@
 // each.
 namespace pixelexact
 {
-/// Splits tensor-product Bernstein coefficients of the given degree at the middle of direction d
-/// (de Casteljau): `bernstein` becomes the lower half's, `upper` the upper half's. Rounding adds at
-/// most gamma(degree[d]) max |b|. Several functions may lie one after the other.
-void Halve(const std::array<int, 3>& degree, int direction, std::span<double> bernstein,
-  std::span<double> upper);
-
-/// Replaces such coefficients by those over a part of direction d: first, where `from` > 0, over
-/// [from, 1]; then, where `rest` < 1, over [0, rest] of that (de Casteljau).
+/// Replaces tensor-product Bernstein coefficients of the given degree by those over a part of
+/// direction d: first, where `from` > 0, over [from, 1]; then, where `rest` < 1, over [0, rest] of
+/// that (de Casteljau).
 void SweepTo(const std::array<int, 3>& degree, int direction, double from, double rest,
   std::span<double> bernstein);
 
@@ -41,6 +36,9 @@ Extremes DifferencesOf(std::span<const double> values, std::size_t stride, std::
 /// i / stride. False where a number is not finite; the others then mean nothing.
 bool ExtremesAlong(std::span<const double> values, std::size_t stride, std::size_t block,
   std::span<double> least, std::span<double> most);
+
+/// The sum of |values[i]| weights[i], up to the rounding of values.size() / 8 + 8 sums.
+double WeighMagnitudes(std::span<const double> values, const double* weights);
 
 /// values[i] -= shift.
 void Subtract(double shift, std::span<double> values);

@@ -37,7 +37,7 @@ struct Preimages
 /// What a point may cost, in about nanoseconds of one core.
 inline constexpr std::int64_t kMostWork = 4'500'000;
 /// Where the halving of a box of high order alone costs a good part of that.
-inline constexpr std::int64_t kMostWorkOfHighOrders = 62'000'000;
+inline constexpr std::int64_t kMostWorkOfHighOrders = 9'000'000;
 /// What it may in one of the elements between which that is divided (ShareOfWork).
 inline constexpr std::int64_t kLeastWork = 1'000'000;
 

@@ -18,9 +18,14 @@ constexpr double kPoint = 2e-12;
 
 constexpr Part kParts[3] = { Part::ByXi1, Part::ByXi2, Part::ByXi3 };
 
-/// Measured, in nanoseconds per coefficient: a sweep of de Casteljau costs half a degree, a frame
-/// or a product of slopes a dozen.
-constexpr std::int64_t kSweep = 12;
+/// Measured, in nanoseconds: what `size` coefficients of this degree cost where they are halved and
+/// have a frame made of them, or are the products that tell whether a box is regular. Many come in
+/// whole packs.
+std::int64_t CostOf(std::size_t size, int degree)
+{
+  const auto count = static_cast<std::int64_t>(size);
+  return size > 3 * kMostWithSlopes ? count * (34 + 3 * degree) / 10 : count * (12 + degree / 2);
+}
 
 std::int64_t BytesOf(const BoxCoefficients& coefficients)
 {
@@ -112,7 +117,7 @@ std::int64_t ElementTree::BeginCost() const
 
 std::int64_t ElementTree::SplitCost() const
 {
-  return 3000 + static_cast<std::int64_t>(3 * Form.Size()) * (HighestDegree() / 2 + kSweep);
+  return 3000 + CostOf(3 * Form.Size(), HighestDegree());
 }
 
 std::int64_t ElementTree::SplitCost(const Node& node) const
@@ -122,9 +127,9 @@ std::int64_t ElementTree::SplitCost(const Node& node) const
 
 std::int64_t ElementTree::RegularCost(const Node& node) const
 {
-  return IsPlainlyRegular(node)
+  return node.TheFrame.injective || IsJudgedByFrames()
     ? 0
-    : 2000 + static_cast<std::int64_t>(9 * Form.Size()) * (HighestDegree() / 2 + kSweep);
+    : 2000 + 3 * CostOf(3 * Form.Size(), HighestDegree());
 }
 
 int ElementTree::HighestDegree() const
@@ -132,11 +137,9 @@ int ElementTree::HighestDegree() const
   return *std::ranges::max_element(Form.Degree());
 }
 
-bool ElementTree::IsPlainlyRegular(const Node& node)
+bool ElementTree::IsJudgedByFrames() const
 {
-  // As IsRegular, with the same room for a root that lies beyond the box's reach by 1e-12.
-  constexpr double kRegular = 1.0 - 1e-4;
-  return node.TheFrame.slope < kRegular;
+  return TheProblem.space.shape == Shape::Hexahedron && Form.Size() > kMostWithSlopes;
 }
 
 const std::vector<std::unique_ptr<ElementTree::Node>>& ElementTree::Pieces()
@@ -321,11 +324,11 @@ int ElementTree::DirectionOf(const Node& node) const
 bool ElementTree::IsRegular(Node& node)
 {
   using Regular = Node::Regular;
-  if (IsPlainlyRegular(node))
+  if (node.TheFrame.injective)
   {
     return true;
   }
-  if (!HasSlopes)
+  if (!HasSlopes || IsJudgedByFrames())
   {
     return false;
   }

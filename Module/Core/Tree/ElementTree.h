@@ -63,7 +63,7 @@ private:
   [[nodiscard]] bool IsCoarse(const Node& node) const;
   [[nodiscard]] bool LeadsToPieces(const Node& node) const;
   [[nodiscard]] int DirectionOf(const Node& node) const;
-  static bool IsPlainlyRegular(const Node& node);
+  [[nodiscard]] bool IsJudgedByFrames() const;
   [[nodiscard]] int HighestDegree() const;
   const BoxCoefficients& SlopesOf(Node& node);
   [[nodiscard]] BoxCoefficients ConvertPiece(

@@ -118,33 +118,67 @@ void FindOutermost(const FrameTask& task, const double (*normal)[3], double oute
   }
 }
 
-double LargestStep(const double* row, std::size_t size, std::size_t count, std::size_t stride)
+void FillLine(const double from[3], const double step[3], std::size_t count, double* const to[3])
+{
+  constexpr double kNumbers[8] = { 0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0 };
+  const auto lanes = static_cast<std::size_t>(LaneCount());
+  const Lanes first = NumberTraits<Lanes>::Load(kNumbers);
+  for (int d = 0; d < 3; ++d)
+  {
+    const auto at = [&](std::size_t k) PIXELEXACT_INLINED
+    { return Splat(from[d]) + (Splat(static_cast<double>(k)) + first) * Splat(step[d]); };
+    if (count < lanes)
+    {
+      for (std::size_t k = 0; k < count; ++k)
+      {
+        to[d][k] = from[d] + static_cast<double>(k) * step[d];
+      }
+      continue;
+    }
+    for (std::size_t k = 0; k + lanes <= count; k += lanes)
+    {
+      Store(at(k), to[d] + k);
+    }
+    Store(at(count - lanes), to[d] + count - lanes);
+  }
+}
+
+FrameSteps FindSteps(const double* row, std::size_t size, std::size_t count, std::size_t stride)
 {
   const auto lanes = static_cast<std::size_t>(LaneCount());
   const std::size_t block = count * stride;
   const std::size_t steps = block - stride;
-  double largest = 0.0;
-  Lanes most = Splat(0.0);
+  if (steps == 0)
+  {
+    return { 0.0, 0.0 };
+  }
+  Lanes least = Splat(row[stride] - row[0]);
+  Lanes most = least;
+  const std::size_t whole = steps / lanes * lanes;
+  const LaneMask rest = MaskOf((std::uint64_t{ 1 } << (steps - whole)) - 1U);
   for (std::size_t start = 0; start + block <= size; start += block)
   {
     const double* from = row + start;
-    std::size_t i = 0;
-    for (; i + lanes <= steps; i += lanes)
+    const auto step = [&](std::size_t i) PIXELEXACT_INLINED
+    { return NumberTraits<Lanes>::Load(from + i + stride) - NumberTraits<Lanes>::Load(from + i); };
+    for (std::size_t i = 0; i < whole; i += lanes)
     {
-      most = Max(most,
-        Abs(NumberTraits<Lanes>::Load(from + i + stride) - NumberTraits<Lanes>::Load(from + i)));
+      least = Min(least, step(i));
+      most = Max(most, step(i));
     }
-    for (; i < steps; ++i)
+    if (whole < steps)
     {
-      largest = std::max(largest, std::fabs(from[i + stride] - from[i]));
+      const Lanes last = step(whole);
+      least = Select(rest, Min(least, last), least);
+      most = Select(rest, Max(most, last), most);
     }
   }
-  return std::max(largest, Most(most));
+  return { Least(least), Most(most) };
 }
 
 const FrameKernels& FrameKernelSet()
 {
-  static constexpr FrameKernels kKernels{ &Measure, &FindOutermost, &LargestStep };
+  static constexpr FrameKernels kKernels{ &Measure, &FillLine, &FindOutermost, &FindSteps };
   return kKernels;
 }
 } // namespace pixelexact::HWY_NAMESPACE

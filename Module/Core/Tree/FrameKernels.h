@@ -29,13 +29,24 @@ struct FrameSums
   double all;      ///< zero where everything is finite, else infinite
 };
 
+/// The least and the most of differences; both zero where there are none.
+struct FrameSteps
+{
+  double least;
+  double most;
+};
+
 struct FrameKernels
 {
   FrameSums (*measure)(const FrameTask& task);
+  /// to[d][k] = from[d] + k step[d] for three arrays of `count` numbers.
+  void (*fillLine)(
+    const double from[3], const double step[3], std::size_t count, double* const to[3]);
   /// The most of normal . (phi - shift) for six normals in y. All is finite.
   void (*outermost)(const FrameTask& task, const double (*normal)[3], double outer[6]);
-  /// The largest difference of neighbours along a direction: `count` coefficients, `stride` apart.
-  double (*largestStep)(const double* row, std::size_t size, std::size_t count, std::size_t stride);
+  /// Of the differences of neighbours along a direction: `count` coefficients, `stride` apart. Of
+  /// what lies behind the row, eight numbers are read.
+  FrameSteps (*steps)(const double* row, std::size_t size, std::size_t count, std::size_t stride);
 };
 
 const FrameKernels& GetFrameKernels();

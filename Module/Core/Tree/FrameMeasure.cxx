@@ -20,9 +20,19 @@ std::vector<double>& ArraysOfThread()
   return values;
 }
 
+/// Below 1 by far more than the rounding here, and than what Phi's derivatives change by over
+/// 1e-12, by which a root that counts as in a box's reach may lie beyond it.
+constexpr double kRegularSlope = 1.0 - 1e-4;
+
+double LargestOf(const FrameSteps& steps)
+{
+  return std::max(-steps.least, steps.most);
+}
+
 /// A bound, over a hexahedron's box and its reach, of the sums over j of |d T_d / d xi_j|: of the
 /// derivatives' coefficients, which are differences of neighbours times the degree.
-double SlopeOf(const std::array<int, 3>& degree, const SmallMatrix& steps, const NodeFrame& frame)
+double SlopeOf(
+  const std::array<int, 3>& degree, const DeviationSteps& steps, const NodeFrame& frame)
 {
   double largest = 0.0;
   for (std::size_t d = 0; d < 3; ++d)
@@ -31,12 +41,57 @@ double SlopeOf(const std::array<int, 3>& degree, const SmallMatrix& steps, const
     for (std::size_t j = 0; j < 3; ++j)
     {
       const auto axis = static_cast<int>(j);
-      sum += (steps[d][j] + 2.0 * frame.slack[d]) * degree[j] /
+      sum += (LargestOf(steps[d][j]) + 2.0 * frame.slack[d]) * degree[j] /
         (frame.box.upper[axis] - frame.box.lower[axis]);
     }
     largest = std::max(largest, sum);
   }
   return largest * GrowthInReach(degree) * (1.0 + Gamma(16));
+}
+
+/// Whether M J is strictly diagonally dominant over a hexahedron's box and its reach, where J is
+/// Phi's Jacobian and M near its inverse in the middle of what it is over the box: A J is I and the
+/// derivatives of T, which lie within radii R of their middles; with B about the inverse of I and
+/// these, B A J is B (I + middles) up to |B| R.
+bool IsDominant(
+  const std::array<int, 3>& degree, const DeviationSteps& steps, const NodeFrame& frame)
+{
+  const double growth = GrowthInReach(degree) * (1.0 + Gamma(16));
+  SmallMatrix middle{};
+  SmallMatrix radius{};
+  for (std::size_t d = 0; d < 3; ++d)
+  {
+    for (std::size_t j = 0; j < 3; ++j)
+    {
+      const auto axis = static_cast<int>(j);
+      const double factor = degree[j] / (frame.box.upper[axis] - frame.box.lower[axis]);
+      const auto& [least, most] = steps[d][j];
+      middle[d][j] = 0.5 * (least + most) * factor + (d == j ? 1.0 : 0.0);
+      radius[d][j] = (0.5 * (most - least) + 2.0 * frame.slack[d]) * factor * growth;
+    }
+  }
+  const auto inverse = Inverse(3, middle);
+  // Products stay below what would need more than the room that there is for rounding.
+  constexpr double kLargest = 1e6;
+  bool dominant = inverse.has_value();
+  for (std::size_t i = 0; dominant && i < 3; ++i)
+  {
+    const auto& B = (*inverse)[i];
+    double apart = 0.0;
+    for (std::size_t j = 0; j < 3; ++j)
+    {
+      double product = i == j ? -1.0 : 0.0;
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        product += B[k] * middle[k][j];
+        apart += std::fabs(B[k]) * radius[k][j];
+        dominant = dominant && std::fabs(B[k]) * (1.0 + std::fabs(middle[k][j])) < kLargest;
+      }
+      apart += std::fabs(product);
+    }
+    dominant = dominant && apart < kRegularSlope;
+  }
+  return dominant;
 }
 
 void SetOuter(double most, const ElementBounds& bounds, ImagePlane& plane)
@@ -103,9 +158,9 @@ FrameTask FrameMeasure::Task(std::span<const double[3]> normal)
   return task;
 }
 
-SmallMatrix FrameMeasure::Steps(const std::array<int, 3>& degree)
+DeviationSteps FrameMeasure::Steps(const std::array<int, 3>& degree)
 {
-  SmallMatrix steps{};
+  DeviationSteps steps{};
   std::size_t stride = Size;
   for (std::size_t direction = 0; direction < 3; ++direction)
   {
@@ -113,7 +168,7 @@ SmallMatrix FrameMeasure::Steps(const std::array<int, 3>& degree)
     stride /= count;
     for (std::size_t d = 0; d < 3; ++d)
     {
-      steps[d][direction] = GetFrameKernels().largestStep(Row(3 + d), Size, count, stride);
+      steps[d][direction] = GetFrameKernels().steps(Row(3 + d), Size, count, stride);
     }
   }
   return steps;
@@ -128,6 +183,7 @@ void FrameMeasure::MakeGrid(const std::array<int, 3>& degree)
     const double part = n == 0 ? 0.5 : static_cast<double>(i) / n;
     return Frame.box.lower[d] + part * (Frame.box.upper[d] - Frame.box.lower[d]);
   };
+  const FrameKernels& kernels = GetFrameKernels();
   std::size_t at = 0;
   for (int i = 0; i <= degree[0]; ++i)
   {
@@ -139,14 +195,10 @@ void FrameMeasure::MakeGrid(const std::array<int, 3>& degree)
         TensorToReference(TheSpace.shape, { eta(0, i), eta(1, j), eta(2, degree[2]) });
       const Vec3 from = first - Frame.centre;
       const Vec3 step = (last - first) / static_cast<double>(std::max(1, degree[2]));
-      for (int d = 0; d < 3; ++d)
-      {
-        double* row = Row(static_cast<std::size_t>(d)) + at;
-        for (int k = 0; k <= degree[2]; ++k)
-        {
-          row[k] = from[d] + k * step[d];
-        }
-      }
+      const double begin[3] = { from.x, from.y, from.z };
+      const double by[3] = { step.x, step.y, step.z };
+      double* const to[3] = { Row(0) + at, Row(1) + at, Row(2) + at };
+      kernels.fillLine(begin, by, static_cast<std::size_t>(degree[2]) + 1, to);
       at += static_cast<std::size_t>(degree[2]) + 1;
     }
   }
@@ -204,15 +256,21 @@ std::array<double, 3> FrameMeasure::Measure()
       sums.inner[k] - slack);
   }
   const auto degree = TheSpace.TensorDegree();
-  const SmallMatrix steps = Steps(degree);
+  const DeviationSteps steps = Steps(degree);
   if (TheSpace.shape == Shape::Hexahedron && sums.all == 0.0)
   {
-    Frame.slope = SlopeOf(degree, steps, Frame);
+    const double slope = SlopeOf(degree, steps, Frame);
+    // Products of what bends much are never dominant.
+    constexpr double kHopeless = 8.0;
+    Frame.injective = slope < kRegularSlope ||
+      (Size > kMostWithSlopes && slope < kHopeless && IsDominant(degree, steps, Frame));
   }
   std::array<double, 3> variation{};
   for (std::size_t j = 0; j < 3; ++j)
   {
-    variation[j] = std::max({ steps[0][j], steps[1][j], steps[2][j] }) * degree[j];
+    variation[j] =
+      std::max({ LargestOf(steps[0][j]), LargestOf(steps[1][j]), LargestOf(steps[2][j]) }) *
+      degree[j];
   }
   return variation;
 }

@@ -10,6 +10,9 @@
 
 namespace pixelexact
 {
+/// Differences of the deviation's coefficients: [row][direction].
+using DeviationSteps = std::array<std::array<FrameSteps, 3>, 3>;
+
 /// Compares Phi's coefficients over a box with the frame about its centre (value, Jacobian's
 /// inverse and hull of which are known): what MakeFrame consists of.
 class FrameMeasure
@@ -18,8 +21,8 @@ public:
   FrameMeasure(
     const Space& space, const ElementBounds& bounds, const BoxCoefficients& phi, NodeFrame& frame);
 
-  /// Sets deviation, slack, planes and slope; returns along which directions of eta the deviation
-  /// varies how much.
+  /// Sets deviation, slack, planes and whether it is injective; returns along which
+  /// directions of eta the deviation varies how much.
   std::array<double, 3> Measure();
 
   /// Of a box that bends so much that its centre's Jacobian says little of its ends: planes with
@@ -29,8 +32,8 @@ public:
 
 private:
   [[nodiscard]] FrameTask Task(std::span<const double[3]> normal);
-  /// Of each row of the deviation, the largest difference of neighbours in each direction of eta.
-  [[nodiscard]] SmallMatrix Steps(const std::array<int, 3>& degree);
+  /// Of each row of the deviation, the differences of neighbours in each direction of eta.
+  [[nodiscard]] DeviationSteps Steps(const std::array<int, 3>& degree);
   /// What rounding and uncertainty add to the products of a row with Phi - origin.
   [[nodiscard]] double SlackOf(const double* row) const;
   void MakeGrid(const std::array<int, 3>& degree);

@@ -8,10 +8,15 @@
 #include "Core/Tree/EtaBox.h"
 
 #include <array>
+#include <cstddef>
 #include <limits>
 
 namespace pixelexact
 {
+/// Of a hexahedron with more coefficients than this frames alone tell whether the map is regular in
+/// a box: the derivatives' own are three times as many, and it costs less to halve the box again.
+inline constexpr std::size_t kMostWithSlopes = 9 * 9 * 9;
+
 /// What an end of a box becomes in y. All values of Phi over the box have
 /// normal . (y - origin) <= outer; the normal is that of the frame, or of the end itself where the
 /// box bends so much that it holds nothing. A y with normal . (y - origin) <= inner, for all ends,
@@ -43,9 +48,9 @@ struct NodeFrame
   std::array<double, 3> slack{}; ///< in the deviation, for uncertainty and rounding
   /// The largest deviation, as a part of the box's longest side.
   double bending = std::numeric_limits<double>::infinity();
-  /// A bound of the sums over j of |d T_d / d xi_j|, T the deviation, over the box and its reach
-  /// (ReachOf); infinite where none is known. Below 1 the map is injective there.
-  double slope = std::numeric_limits<double>::infinity();
+  /// Whether the map is injective over the box and its reach (ReachOf), as far as the frame tells:
+  /// of hexahedra alone.
+  bool injective = false;
   /// Of framed boxes: of the polytope's six ends, uncertainty and rounding included.
   std::array<ImagePlane, 6> plane;
   int widest = 0; ///< the direction of eta along which the deviation varies most
