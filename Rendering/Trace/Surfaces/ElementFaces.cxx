@@ -4,8 +4,10 @@
 #include "Core/Questions/Questions.h"
 #include "Trace/Surfaces/Arguments.h"
 #include "Trace/Surfaces/Curved/FaceNormals.h"
+#include "Trace/Surfaces/Curved/HitsBehind.h"
 
 #include <string>
+#include <utility>
 
 namespace pixelexact
 {
@@ -49,6 +51,40 @@ ElementFaces::ElementFaces(const ElementIndex& index, std::span<const ElementFac
   , TheFaces(faces.begin(), faces.end())
   , Chords(index, Equation(), AllParts())
 {
+}
+
+ElementFaces::ElementFaces(
+  const Locator& locator, std::span<const ElementFace> faces, std::vector<bool> partly)
+  : ElementFaces(locator.Index(), faces)
+{
+  if (partly.size() != faces.size())
+  {
+    Refuse("element faces", "which of them are partly covered must be told of each");
+  }
+  Behind = &locator;
+  Partly = std::move(partly);
+}
+
+void ElementFaces::Review(
+  const CurvedPart& part, std::vector<CurvedHit>& hits, std::size_t first) const
+{
+  if (Behind == nullptr || !IsPartly(hits[first].part))
+  {
+    return;
+  }
+  const std::vector<BehindFace> behind = HitsBehind(*Behind, part, hits, first);
+  std::size_t kept = first;
+  for (std::size_t k = first; k < hits.size(); ++k)
+  {
+    const Verdict covered = behind[k - first].verdict;
+    if (covered != Verdict::Inside)
+    {
+      hits[kept] = hits[k];
+      hits[kept].status = covered == Verdict::Unknown ? HitStatus::Undecided : hits[k].status;
+      ++kept;
+    }
+  }
+  hits.resize(kept);
 }
 
 void ElementFaces::NormalsOf(

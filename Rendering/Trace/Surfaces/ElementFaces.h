@@ -2,11 +2,12 @@
 #pragma once
 
 #include "Core/Faces/FaceNumbers.h"
-#include "Core/Index/ElementIndex.h"
+#include "Core/Location/Locator.h"
 #include "Trace/Surfaces/Curved/CurvedSurface.h"
 #include "Trace/Surfaces/Curved/PartSagitta.h"
 
 #include <span>
+#include <vector>
 
 namespace pixelexact
 {
@@ -18,6 +19,11 @@ public:
   /// The index must outlive the surface. Throws Error without faces, and for faces that do not
   /// exist.
   ElementFaces(const ElementIndex& index, std::span<const ElementFace> faces);
+  /// Of the faces that are `partly` covered (one entry for each), only what nothing lies behind
+  /// counts: decided hit by hit (FindBehind), Undecided where that is unknown. The locator must
+  /// outlive the surface.
+  ElementFaces(
+    const Locator& locator, std::span<const ElementFace> faces, std::vector<bool> partly);
 
   [[nodiscard]] const std::vector<ElementFace>& Faces() const { return TheFaces; }
 
@@ -25,15 +31,25 @@ public:
   [[nodiscard]] double Sagitta(
     const Ray& a, const SurfacePoint& atA, const Ray& b, const SurfacePoint& atB) const override
   {
-    return Chords.Of(a, atA, b, atB);
+    // Between two hits something may cover a face.
+    return IsPartly(atA.piece) || IsPartly(atB.piece) ? kNoHit : Chords.Of(a, atA, b, atB);
   }
   [[nodiscard]] bool HasSagitta() const override { return true; }
 
 protected:
+  void Review(
+    const CurvedPart& part, std::vector<CurvedHit>& hits, std::size_t first) const override;
   void NormalsOf(
     const CurvedPart& part, std::span<const Vec3> xi, std::span<Vec3> normals) const override;
 
 private:
+  [[nodiscard]] bool IsPartly(std::int32_t part) const
+  {
+    return part >= 0 && !Partly.empty() && Partly[static_cast<std::size_t>(part)];
+  }
+
+  const Locator* Behind = nullptr; ///< null: all faces count as they are
+  std::vector<bool> Partly;
   std::vector<ElementFace> TheFaces;
   PartSagitta Chords;
 };

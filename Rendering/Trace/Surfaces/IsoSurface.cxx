@@ -6,6 +6,7 @@
 #include "Core/Location/Sample.h"
 #include "Trace/Scene.h"
 #include "Trace/Surfaces/Arguments.h"
+#include "Trace/Surfaces/IsoEquation.h"
 
 #include <glm/geometric.hpp>
 
@@ -21,50 +22,18 @@ struct IsoSurface::Elements
   std::vector<CurvedPart> parts;
   std::vector<Box3> boxes;
 
-  Elements(const ElementIndex& index, const CurvedEquation& equation);
+  Elements(const ElementIndex& index, const CurvedEquation& equation, bool mayBeEmpty);
 };
 
-namespace
-{
-CurvedEquation EquationOf(
-  const ElementIndex& index, const Field& field, int component, double value)
-{
-  if (field.mapping != Mapping::Identity)
-  {
-    throw Unsupported("An iso-surface of field '" + field.name +
-      "' is not available: it is an H(curl), H(div) or density field, whose values depend on the "
-      "elements' Jacobian; choose another field");
-  }
-  const bool scalar = field.values.components == 1;
-  const int which = component == kMagnitude && scalar ? 0 : component;
-  if (which != kMagnitude && (which < 0 || which >= field.values.components))
-  {
-    Refuse("iso-surface",
-      ("field '" + field.name + "' has no component " + std::to_string(component)).c_str());
-  }
-  if (!std::isfinite(value))
-  {
-    Refuse("iso-surface", "the value is not a finite number");
-  }
-  if (which == kMagnitude && !(value > 0.0))
-  {
-    Refuse("iso-surface",
-      ("the magnitude of field '" + field.name +
-        "' is zero at points and along lines alone, and never below; choose a positive value")
-        .c_str());
-  }
-  return { index.GetMesh(), &field, which, value };
-}
-} // namespace
-
-IsoSurface::Elements::Elements(const ElementIndex& index, const CurvedEquation& equation)
+IsoSurface::Elements::Elements(
+  const ElementIndex& index, const CurvedEquation& equation, bool mayBeEmpty)
 {
   const bool squares = equation.component == kMagnitude;
   const ValueIndex values(equation.mesh,
     { squares ? Quantity::Magnitude : Quantity::Component, equation.field, equation.component });
   std::vector<int> found;
   values.Find(Interval(equation.value), found);
-  if (found.empty())
+  if (found.empty() && !mayBeEmpty)
   {
     std::ostringstream why;
     why.precision(17);
@@ -79,9 +48,10 @@ IsoSurface::Elements::Elements(const ElementIndex& index, const CurvedEquation& 
   }
 }
 
-IsoSurface::IsoSurface(const ElementIndex& index, const Field& field, int component, double value)
-  : IsoSurface(index, EquationOf(index, field, component, value),
-      Elements(index, EquationOf(index, field, component, value)))
+IsoSurface::IsoSurface(
+  const ElementIndex& index, const Field& field, int component, double value, bool mayBeEmpty)
+  : IsoSurface(index, IsoEquation(index.GetMesh(), field, component, value),
+      Elements(index, IsoEquation(index.GetMesh(), field, component, value), mayBeEmpty))
 {
 }
 

@@ -10,7 +10,8 @@ namespace pixelexact
 class ValueIndex;
 
 /// Where a component of a field has a value. Elements whose certified range does not hold it are
-/// not looked at. Where the field jumps between elements, the surface ends: there are no walls.
+/// not looked at. Where the field jumps between elements, the surface ends: its walls are a surface
+/// of their own (JumpWalls).
 /// Hits are what CurvedSurface says, and tell their element and xi.
 class IsoSurface final : public CurvedSurface
 {
@@ -18,8 +19,9 @@ public:
   /// `component`: of the field, or kMagnitude. Index and field must outlive the surface. Throws
   /// Error, naming the field's range, where no element may hold the value, and for what is not a
   /// finite number or, of a magnitude, not positive; Unsupported for mapped fields (H(curl),
-  /// H(div), density).
-  IsoSurface(const ElementIndex& index, const Field& field, int component, double value);
+  /// H(div), density). With `mayBeEmpty` no element has to hold the value.
+  IsoSurface(const ElementIndex& index, const Field& field, int component, double value,
+    bool mayBeEmpty = false);
 
   [[nodiscard]] bool IsOfMesh() const override { return true; }
   [[nodiscard]] double Sagitta(

@@ -93,8 +93,15 @@ private:
     }
     for (std::size_t k = before; k < Work.hits.size(); ++k)
     {
-      CurvedHit& hit = Work.hits[k];
-      hit.part = part;
+      Work.hits[k].part = part;
+    }
+    if (Work.hits.size() > before)
+    {
+      Of.Review(*Which, Work.hits, before);
+    }
+    for (std::size_t k = before; k < Work.hits.size(); ++k)
+    {
+      const CurvedHit& hit = Work.hits[k];
       if (Rays.nearestOnly && hit.t >= Rays.tNear[Bundle.First() + hit.ray])
       {
         Bundle.EndAt(hit.ray, Bundle.DepthAt(hit.ray, hit.t));
@@ -196,6 +203,11 @@ std::size_t CurvedSurface::MemoryUsage() const
   return (Hierarchy ? Hierarchy->MemoryUsage() : 0) + kept + All.capacity() * sizeof(CurvedPart) +
     All.size() * sizeof(void*) + static_cast<std::size_t>(PiecesMade()) * sizeof(CurvedPiece) +
     static_cast<std::size_t>(PartsMade()) * sizeof(PartTree);
+}
+
+void CurvedSurface::Review(
+  const CurvedPart& /*part*/, std::vector<CurvedHit>& /*hits*/, std::size_t /*first*/) const
+{
 }
 
 void CurvedSurface::Meet(const RayLanes& rays, HitSlots& hits) const

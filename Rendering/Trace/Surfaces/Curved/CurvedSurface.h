@@ -49,6 +49,10 @@ protected:
   {
     return All[static_cast<std::size_t>(part)];
   }
+  /// Of hits of one part, from number `first` on: takes away those that are none, and marks what it
+  /// cannot tell as Undecided. All stay unless told.
+  virtual void Review(
+    const CurvedPart& part, std::vector<CurvedHit>& hits, std::size_t first) const;
   /// Unit normals at points of one part; zero where there is none.
   virtual void NormalsOf(
     const CurvedPart& part, std::span<const Vec3> xi, std::span<Vec3> normals) const = 0;

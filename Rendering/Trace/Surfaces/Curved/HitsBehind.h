@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Faces/BehindFace.h"
+#include "Trace/Surfaces/Curved/PieceSolver.h"
+
+#include <vector>
+
+namespace pixelexact
+{
+/// FindBehind at hits of a face, from number `first` on: one for each.
+std::vector<BehindFace> HitsBehind(const Locator& locator, const CurvedPart& part,
+  const std::vector<CurvedHit>& hits, std::size_t first);
+} // namespace pixelexact

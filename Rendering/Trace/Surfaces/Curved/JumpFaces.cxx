@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Trace/Surfaces/Curved/JumpFaces.h"
+
+#include "Core/Faces/BehindFace.h"
+#include "Core/Faces/FaceSampler.h"
+#include "Core/Index/ValueIndex.h"
+#include "Core/Location/Sample.h"
+#include "Core/Questions/Questions.h"
+#include "Trace/Scene.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pixelexact
+{
+namespace
+{
+/// Of the values' size: what rounding, and the solver's own, leave of a jump that is none.
+constexpr double kNoJump = 1e-12;
+
+ValueIndex RangesFor(const CurvedEquation& equation)
+{
+  const bool squares = equation.component == kMagnitude;
+  return ValueIndex(equation.mesh,
+    { squares ? Quantity::Magnitude : Quantity::Component, equation.field,
+      squares ? 0 : equation.component });
+}
+
+int HighestOrder(const Expansion& values)
+{
+  int order = 1;
+  for (const Space& space : values.spaces)
+  {
+    order = std::max(order, space.MaxOrder());
+  }
+  return order;
+}
+
+class Chooser
+{
+public:
+  Chooser(const Locator& locator, const FaceTable& table, const CurvedEquation& equation)
+    : TheLocator(locator)
+    , Table(table)
+    , Equation(equation)
+    , Ranges(RangesFor(equation))
+    , Grids(HighestOrder(equation.field->values))
+  {
+  }
+
+  [[nodiscard]] std::vector<CurvedPart> Of(int element) const
+  {
+    std::vector<CurvedPart> parts;
+    const Interval& mine = Ranges.RangeOf(element);
+    const auto faces = static_cast<int>(FacesOf(Equation.mesh.ShapeOf(element)).size());
+    for (int f = 0; f < faces && !mine.IsEmpty(); ++f)
+    {
+      const FaceKind kind = Table.KindOf(element, f);
+      const ElementFace other = Table.NeighbourOf(element, f);
+      const bool isOne = kind == FaceKind::Interior && other.element > element &&
+        MayBeBetween(mine, Ranges.RangeOf(other.element)) && Jumps({ element, f });
+      const bool isOfSeveral =
+        (kind == FaceKind::Hanging || kind == FaceKind::Partly) && MayBeBesideAny(element, mine);
+      if (isOne || isOfSeveral)
+      {
+        parts.push_back({ element, f });
+      }
+    }
+    return parts;
+  }
+
+private:
+  [[nodiscard]] bool MayBeBetween(const Interval& a, const Interval& b) const
+  {
+    return !b.IsEmpty() && Join(a, b).Contains(Equation.value);
+  }
+
+  [[nodiscard]] bool MayBeBesideAny(int element, const Interval& mine) const
+  {
+    std::vector<int> near;
+    TheLocator.Index().FindNear(TheLocator.Index().ElementBox(element), near);
+    return std::ranges::any_of(near,
+      [&](int other) { return other != element && MayBeBetween(mine, Ranges.RangeOf(other)); });
+  }
+
+  [[nodiscard]] bool Jumps(const ElementFace& face) const
+  {
+    const Mesh& mesh = Equation.mesh;
+    const Expansion& values = Equation.field->values;
+    const int neighbour = Table.NeighbourOf(face.element, face.face).element;
+    const ReferenceFace& reference = ReferenceFaceOf(mesh.ShapeOf(face.element), face.face);
+    const int order =
+      std::max(values.SpaceOf(face.element).MaxOrder(), values.SpaceOf(neighbour).MaxOrder());
+    std::vector<Vec3> xi;
+    for (const FacePoint& point : Grids.Open(reference.corners, order))
+    {
+      xi.push_back(reference.At(point));
+    }
+    std::vector<Vec3> x(xi.size());
+    MapForward(mesh, face.element, xi, x);
+    std::vector<BehindFace> behind(xi.size());
+    FindBehind(TheLocator, face, xi, x, behind);
+    std::vector<Vec3> there;
+    for (const BehindFace& at : behind)
+    {
+      if (at.verdict != Verdict::Inside || at.element != neighbour)
+      {
+        return true;
+      }
+      there.push_back(at.xi);
+    }
+    return Differ(ValuesAt(face.element, xi), ValuesAt(neighbour, there),
+      std::max(Ranges.RangeOf(face.element).Magnitude(), Ranges.RangeOf(neighbour).Magnitude()));
+  }
+
+  [[nodiscard]] std::vector<double> ValuesAt(int element, std::span<const Vec3> xi) const
+  {
+    std::vector<double> values(
+      xi.size() * static_cast<std::size_t>(Equation.field->values.components));
+    EvaluateAt(Equation.mesh, *Equation.field, element, xi, values, {});
+    return values;
+  }
+
+  [[nodiscard]] bool Differ(
+    const std::vector<double>& a, const std::vector<double>& b, double size) const
+  {
+    const auto components = static_cast<std::size_t>(Equation.field->values.components);
+    for (std::size_t i = 0; i < a.size(); ++i)
+    {
+      const bool counts =
+        Equation.component == kMagnitude || static_cast<int>(i % components) == Equation.component;
+      // Written so that a NaN differs.
+      if (counts && !(std::fabs(a[i] - b[i]) <= kNoJump * size))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  const Locator& TheLocator;
+  const FaceTable& Table;
+  CurvedEquation Equation;
+  ValueIndex Ranges;
+  FaceGrids Grids;
+};
+} // namespace
+
+std::vector<CurvedPart> JumpFaces(
+  const Locator& locator, const FaceTable& table, const CurvedEquation& equation)
+{
+  const Chooser chooser(locator, table, equation);
+  std::vector<std::vector<CurvedPart>> ofElement(
+    static_cast<std::size_t>(equation.mesh.Elements()));
+  tbb::parallel_for(0, equation.mesh.Elements(),
+    [&](int element) { ofElement[static_cast<std::size_t>(element)] = chooser.Of(element); });
+  std::vector<CurvedPart> parts;
+  for (const std::vector<CurvedPart>& some : ofElement)
+  {
+    parts.insert(parts.end(), some.begin(), some.end());
+  }
+  return parts;
+}
+} // namespace pixelexact
