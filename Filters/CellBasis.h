@@ -51,8 +51,8 @@ struct CellBasis
   /// For pyramids of order 2: the map of the pyramid between their five vertices, which come first,
   /// in the space of `change` and in its own. Empty otherwise.
   std::vector<ChangeOfBasis> straight{};
-  /// For Bezier hexahedra and quadrilaterals: positions in the cell of the control points, by their
-  /// numbers along r, s, t, the last one fastest. Empty otherwise.
+  /// For higher-order cells: positions in the cell of the nodes or control points, in the order in
+  /// which ChangeOfBasis::Hexahedron, Prism and Tetrahedron take them. Empty otherwise.
   std::vector<int> control{};
 
   [[nodiscard]] const Space& GetSpace() const { return change.Target(); }

@@ -11,9 +11,11 @@
 #include "MeshDiagnostics.h"
 #include "OutputGrid.h"
 #include "SlabArray.h"
+#include "SourceFaces.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <tbb/blocked_range.h>
@@ -114,7 +116,8 @@ private:
 /// Adds the mesh's coefficients to `grid`, whose cell e is element e of `mesh`.
 void ConvertMesh(const SourceMesh& mesh, vtkUnstructuredGrid* grid)
 {
-  const MeshArrays arrays = MapArrays(mesh).Convert();
+  MeshArrays arrays = MapArrays(mesh).Convert();
+  arrays.boundary = SourceFacesOf(grid, mesh);
   StoreMesh(grid, arrays, Origin::PointData);
   if (mesh.GetSlab())
   {
@@ -274,6 +277,7 @@ ConversionReport ConvertGrid(vtkUnstructuredGrid* input, const ConversionOptions
     ConvertMesh(mesh, output);
     kept.Keep(mesh, output);
   }
+  output->GetFieldData()->RemoveArray(kSourceFaces);
   progress(0.5);
   const FieldArrays fields = SelectFields(output, options.fields);
   std::vector<std::string> rationals;

@@ -151,7 +151,7 @@ CellBasis Tetrahedron(const CellKind& kind, const std::array<int, 3>& n)
     }
   }
   return { kind, ChangeOfBasis::Tetrahedron(SpaceOf(Shape::Tetrahedron, n), FamilyOf(kind), source),
-    std::move(edges) };
+    std::move(edges), {}, source };
 }
 
 CellBasis WedgeBasis(const CellKind& kind, const std::array<int, 3>& n)
@@ -166,7 +166,8 @@ CellBasis WedgeBasis(const CellKind& kind, const std::array<int, 3>& n)
   {
     edges[2].push_back(WedgeNode(0, 0, k, n));
   }
-  return { kind, Wedge(kind, n, kind.nodes.mirroredWedges), std::move(edges) };
+  return { kind, Wedge(kind, n, kind.nodes.mirroredWedges), std::move(edges), {},
+    WedgeSource(n, kind.nodes.mirroredWedges) };
 }
 
 /// Lagrange cells with bubble functions beside the complete polynomials.

@@ -104,7 +104,8 @@ CellBasis Triangle(const CellKind& kind)
   }
   const auto order = static_cast<std::uint8_t>(n);
   const Space space{ Shape::Prism, Form::Collapsed, { order, 0, order } };
-  return { kind, ChangeOfBasis::Prism(space, FamilyOf(kind), source), std::move(edges) };
+  return { kind, ChangeOfBasis::Prism(space, FamilyOf(kind), source), std::move(edges), {},
+    source };
 }
 } // namespace
 

@@ -20,7 +20,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <numeric>
 
 namespace pixelexact
 {
@@ -28,10 +27,6 @@ namespace
 {
 /// Of coordinates, by which points of a plane may be off it.
 constexpr double kPlaneRoundings = 4.0;
-
-/// As of NURBS meshes (rational.md), but a cell is one element.
-constexpr double kRationalLoss = 1e-14;
-constexpr int kMostRationalOrder = kMaxOrder - 2;
 
 bool IsHidden(vtkDataArray* ghosts, vtkIdType cell)
 {
@@ -188,7 +183,13 @@ SourceMesh::SourceMesh(vtkUnstructuredGrid* grid, const NodeConvention& nodes)
   {
     FindSlab();
   }
-  ConvertRationals();
+  Rationals.Convert(
+    Xyz, Plane ? 2 : 3, [this](int e) { return Describe(e); },
+    [this](int e, const ChangeOfBasis& change)
+    {
+      const auto index = static_cast<std::size_t>(e);
+      BasisOf[index] = &Bases.emplace_back(CellBasis{ BasisOf[index]->kind, change, {} });
+    });
 }
 
 void SourceMesh::FindSlab()
@@ -254,12 +255,6 @@ void SourceMesh::AddCell(vtkUnstructuredGrid* grid, vtkIdType cell, int type)
       kind.degrees = GivenDegrees(grid, cell);
     }
     isRational = !IsLagrangeCell(kind.type) && !HasEqualWeights(grid, points);
-    if (isRational && kind.type != VTK_BEZIER_HEXAHEDRON && kind.type != VTK_BEZIER_QUADRILATERAL)
-    {
-      throw Unsupported(NameCell(cell, kind.type) +
-        " has unequal rational weights; of rational cells hexahedra and quadrilaterals are read: "
-        "elevate or refit the cell without weights.");
-    }
     if (isRational)
     {
       kind.weights = HashWeights(grid, cell, kind.type, points);
@@ -283,7 +278,7 @@ void SourceMesh::AddCell(vtkUnstructuredGrid* grid, vtkIdType cell, int type)
   }
   if (isRational)
   {
-    AddRational(grid, points, *basis);
+    Rationals.Add(Elements(), *basis, points, grid->GetPointData()->GetRationalWeights());
   }
   Cells.push_back(cell);
   BasisOf.push_back(basis);
@@ -322,7 +317,7 @@ std::string SourceMesh::Describe(int element) const
 void SourceMesh::GatherAll(int element, std::span<const double> values, int components, int wanted,
   std::vector<double>& out) const
 {
-  if (Rationals.contains(element))
+  if (Rationals.Has(element))
   {
     out.clear();
     std::vector<double> one;
@@ -345,116 +340,12 @@ void SourceMesh::GatherAll(int element, std::span<const double> values, int comp
   }
 }
 
-void SourceMesh::AddRational(
-  vtkUnstructuredGrid* grid, std::span<const vtkIdType> points, const CellBasis& basis)
-{
-  vtkDataArray* weights = grid->GetPointData()->GetRationalWeights();
-  Rational cell;
-  const auto& degree = basis.GetSpace().order;
-  std::copy(degree.begin(), degree.end(), cell.degree.begin());
-  cell.control = basis.control;
-  for (const int position : cell.control)
-  {
-    cell.weights.push_back(weights->GetComponent(points[static_cast<std::size_t>(position)], 0));
-  }
-  Rationals.emplace(Elements(), std::move(cell));
-}
-
-/// Orders: those of all cells are the same in directions in which weights vary, and else the
-/// degree, so that cells which meet agree on their common face.
-void SourceMesh::ConvertRationals()
-{
-  const std::array<int, 3> all{ 0, 1, 2 };
-  const std::span<const int> which(all.data(), Plane ? 2 : 3);
-  int order = 0;
-  for (const auto& [e, cell] : Rationals)
-  {
-    const rational::RationalElement element = ElementOf(e, cell, Xyz, 3, which);
-    const rational::OrderEstimate estimate = rational::EstimateOrders(
-      element, kRationalLoss * ExtentOf(element), kMostRationalOrder, Tables);
-    if (!estimate.order)
-    {
-      throw Unsupported(Describe(e) +
-        " has rational weights that differ so much that polynomials of order " +
-        std::to_string(kMostRationalOrder) + " do not come near it; divide the cell.");
-    }
-    order = std::max(order, *std::ranges::max_element(*estimate.order));
-  }
-  std::map<rational::Orders, ChangeOfBasis> known;
-  for (auto& [e, cell] : Rationals)
-  {
-    const rational::RationalElement element = ElementOf(e, cell, Xyz, 3, which);
-    Space space{ Shape::Hexahedron, Form::Collapsed, { 0, 0, 0 } };
-    for (std::size_t d = 0; d < 3; ++d)
-    {
-      cell.order[d] = rational::VariesAlong(element, d) ? order : cell.degree[d];
-      space.order[d] = static_cast<std::uint8_t>(cell.order[d]);
-    }
-    cell.loss = rational::LossOf(element, cell.order, Tables);
-    auto at = known.find(cell.order);
-    if (at == known.end())
-    {
-      std::vector<int> source(static_cast<std::size_t>(space.Modes()));
-      std::iota(source.begin(), source.end(), 0);
-      at = known
-             .emplace(
-               cell.order, ChangeOfBasis::Hexahedron(space, Family::GaussLobattoLagrange, source))
-             .first;
-    }
-    const auto index = static_cast<std::size_t>(e);
-    BasisOf[index] = &Bases.emplace_back(CellBasis{ BasisOf[index]->kind, at->second, {} });
-  }
-}
-
-rational::RationalElement SourceMesh::ElementOf(int element, const Rational& cell,
-  std::span<const double> values, int components, std::span<const int> which) const
-{
-  const auto points = Points(element);
-  const auto valueAt = [&](int position, int component)
-  {
-    return static_cast<long double>(
-      values[static_cast<std::size_t>(points[static_cast<std::size_t>(position)]) * components +
-        component]);
-  };
-  rational::RationalElement made;
-  made.degree = cell.degree;
-  made.weights.assign(cell.weights.begin(), cell.weights.end());
-  for (const int component : which)
-  {
-    made.shift.push_back(valueAt(cell.control.front(), component));
-    for (std::size_t i = 0; i < cell.control.size(); ++i)
-    {
-      made.numerators.push_back(
-        made.weights[i] * (valueAt(cell.control[i], component) - made.shift.back()));
-    }
-  }
-  return made;
-}
-
-double SourceMesh::Loss(int element) const
-{
-  const auto found = Rationals.find(element);
-  return found == Rationals.end() ? 0.0 : found->second.loss;
-}
-
-double SourceMesh::Loss(
-  int element, std::span<const double> values, int components, int component) const
-{
-  const auto found = Rationals.find(element);
-  return found == Rationals.end()
-    ? 0.0
-    : rational::LossOf(ElementOf(element, found->second, values, components, { &component, 1 }),
-        found->second.order, Tables);
-}
-
 void SourceMesh::Gather(int element, std::span<const double> values, int components, int component,
   std::vector<double>& out) const
 {
-  if (const auto found = Rationals.find(element); found != Rationals.end())
+  if (Rationals.Has(element))
   {
-    out.resize(static_cast<std::size_t>(Basis(element).GetSpace().Modes()));
-    rational::NodeValues(ElementOf(element, found->second, values, components, { &component, 1 }),
-      found->second.order, Tables, out);
+    Rationals.Gather(element, values, components, component, out);
     return;
   }
   const auto points = Points(element);

@@ -3,8 +3,8 @@
 #define SourceMesh_h
 
 #include "CellBasis.h"
+#include "RationalCells.h"
 
-#include "Formats/Rational/RationalElement.h"
 #include "Formats/Slab.h"
 
 #include "vtkSmartPointer.h"
@@ -33,8 +33,8 @@ inline constexpr const char* kSourceCells = "PixelExactSourceCell";
 class SourceMesh
 {
 public:
-  /// Throws Unsupported or InvalidData, naming the cell, for cells without a basis, rational Bezier
-  /// wedges, tetrahedra and triangles, weights that are not positive, points that are not there,
+  /// Throws Unsupported or InvalidData, naming the cell, for cells without a basis, weights
+  /// that are not positive or differ too much, points that are not there,
   /// coordinates that are NaN or infinite, plane cells in no plane z = const; InvalidData for a
   /// grid without any such cell.
   explicit SourceMesh(vtkUnstructuredGrid* grid, const NodeConvention& nodes = {});
@@ -68,12 +68,15 @@ public:
 
   /// What the element's map loses because polynomials stand for rational functions (rational.md),
   /// in world units; 0 for all other cells.
-  [[nodiscard]] double Loss(int element) const;
+  [[nodiscard]] double Loss(int element) const { return Rationals.Loss(element); }
   /// The same of a component of values, in their units.
   [[nodiscard]] double Loss(
-    int element, std::span<const double> values, int components, int component) const;
+    int element, std::span<const double> values, int components, int component) const
+  {
+    return Rationals.Loss(element, values, components, component);
+  }
   /// How many elements are rational.
-  [[nodiscard]] int RationalElements() const { return static_cast<int>(Rationals.size()); }
+  [[nodiscard]] int RationalElements() const { return Rationals.Count(); }
 
   /// Component `component` of `values`, `components` per point, at the element's points; for
   /// rational elements at the nodes of their basis.
@@ -88,26 +91,10 @@ private:
   void AddCell(vtkUnstructuredGrid* grid, vtkIdType cell, int type);
   void CheckCoordinates() const;
   void FindSlab();
-  void AddRational(
-    vtkUnstructuredGrid* grid, std::span<const vtkIdType> points, const CellBasis& basis);
-  void ConvertRationals();
 
   NodeConvention Nodes;
-  /// A Bezier cell with unequal weights, which are in the order of CellBasis::control.
-  struct Rational
-  {
-    rational::Orders degree{};
-    rational::Orders order{}; ///< of the polynomial in its place
-    std::vector<int> control;
-    std::vector<double> weights;
-    double loss = 0.0;
-  };
-  [[nodiscard]] rational::RationalElement ElementOf(int element, const Rational& cell,
-    std::span<const double> values, int components, std::span<const int> which) const;
-
   std::deque<CellBasis> Bases;
-  std::map<int, Rational> Rationals; ///< by element
-  mutable rational::LineTables Tables;
+  RationalCells Rationals;
   std::map<CellKind, const CellBasis*> BasisOfKind;
   std::vector<vtkIdType> Cells;
   std::vector<std::int64_t> Numbers; ///< by element; empty: those of the cells

@@ -13,7 +13,8 @@ class vtkMultiBlockDataSet;
 // them; else they are refused. They throw as ReadInput.
 namespace pixelexact
 {
-/// .e, .exo, .ex2: element blocks as attributes; displacements are not applied.
+/// .e, .exo, .ex2, .exii, .g: element blocks and side sets as attributes; displacements are not
+/// applied.
 InputGrid ReadExodusFile(const InputRequest& request);
 /// .cgns: all zones of all bases.
 InputGrid ReadCgnsFile(const InputRequest& request);

@@ -17,7 +17,10 @@ InputGrid ReadCgnsFile(const InputRequest& request)
 {
   CheckAlone(request.files);
   const std::string& file = request.files[0];
-  constexpr std::array<std::string_view, 2> kMarks{ kHdf5Mark, "@(#)ADF Database" };
+  // Most writers of ADF set the high bit of the first four characters.
+  constexpr std::array<std::string_view, 3> kMarks{ kHdf5Mark, "@(#)ADF Database",
+    "\xC0\xA8\xA3\xA9"
+    "ADF Database" };
   RequireMark(file, kMarks, "CGNS file (HDF5 or ADF)");
   const VtkMessages messages;
   const auto check = [&]

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BlockInput.h"
+#include "ExodusFile.h"
+#include "ExodusSides.h"
 
+#include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
+#include "SolverGroups.h"
 #include "VtkMessages.h"
 
 #include <vtkCellArray.h>
@@ -12,106 +16,21 @@
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkTypeInt64Array.h>
 #include <vtkUnstructuredGrid.h>
-#include <vtk_exodusII.h>
 
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <limits>
 #include <map>
+#include <numeric>
 
 namespace pixelexact
 {
 namespace
 {
-/// An element block as the file has it.
-struct Block
-{
-  std::string type; ///< "HEX27"
-  int nodes = 0;    ///< of an element
-};
-
-class ExodusFile
-{
-public:
-  explicit ExodusFile(const std::string& path)
-    : Path(path)
-  {
-    int computerWord = sizeof(double);
-    int fileWord = 0;
-    float version = 0.0F;
-    ex_opts(0); // the library prints else
-    Id = ex_open(path.c_str(), EX_READ, &computerWord, &fileWord, &version);
-    if (Id < 0)
-    {
-      CannotRead(path, "it is no Exodus II file, or damaged");
-    }
-    ex_set_int64_status(Id, EX_ALL_INT64_API);
-  }
-  ~ExodusFile() { ex_close(Id); }
-  ExodusFile(const ExodusFile&) = delete;
-  ExodusFile& operator=(const ExodusFile&) = delete;
-
-  /// By their numbers.
-  [[nodiscard]] std::map<std::int64_t, Block> Blocks() const
-  {
-    const std::int64_t count = ex_inquire_int(Id, EX_INQ_ELEM_BLK);
-    const std::int64_t points = ex_inquire_int(Id, EX_INQ_NODES);
-    Require(count >= 0 && count <= kMost && points >= 0 && points <= kMost);
-    std::vector<std::int64_t> ids(static_cast<std::size_t>(count));
-    Require(ids.empty() || ex_get_ids(Id, EX_ELEM_BLOCK, ids.data()) >= 0);
-    std::map<std::int64_t, Block> blocks;
-    for (const std::int64_t id : ids)
-    {
-      std::array<char, MAX_STR_LENGTH + 1> type{};
-      std::int64_t elements = 0;
-      std::int64_t nodes = 0;
-      std::int64_t edges = 0;
-      std::int64_t faces = 0;
-      std::int64_t attributes = 0;
-      const int got = ex_get_block(
-        Id, EX_ELEM_BLOCK, id, type.data(), &elements, &nodes, &edges, &faces, &attributes);
-      Require(got >= 0 && elements >= 0 && elements <= kMost && nodes >= 0 && nodes <= kMostNodes);
-      RequireConnectivity(id, elements * nodes, points);
-      if (elements > 0)
-      {
-        std::string name = type.data();
-        std::ranges::transform(name, name.begin(), [](unsigned char c) { return std::toupper(c); });
-        blocks[id] = { name, static_cast<int>(nodes) };
-      }
-    }
-    return blocks;
-  }
-
-private:
-  static constexpr std::int64_t kMost = std::numeric_limits<std::int32_t>::max();
-  static constexpr std::int64_t kMostNodes = 1000; ///< of an element
-
-  void Require(bool sound) const
-  {
-    if (!sound)
-    {
-      CannotRead(Path, "it is damaged or cut short; copy it anew");
-    }
-  }
-
-  /// VTK's reader believes the numbers of nodes.
-  void RequireConnectivity(std::int64_t block, std::int64_t count, std::int64_t points) const
-  {
-    if (count == 0)
-    {
-      return;
-    }
-    std::vector<std::int64_t> nodes(static_cast<std::size_t>(count));
-    Require(ex_get_conn(Id, EX_ELEM_BLOCK, block, nodes.data(), nullptr, nullptr) >= 0);
-    Require(std::ranges::all_of(
-      nodes, [points](std::int64_t node) { return node >= 1 && node <= points; }));
-  }
-
-  std::string Path;
-  int Id = -1;
-};
+using ExodusBlocks = std::map<std::int64_t, ExodusFile::Block>;
 
 void ReadAllArrays(vtkExodusIIReader& reader)
 {
@@ -129,7 +48,7 @@ void ReadAllArrays(vtkExodusIIReader& reader)
 }
 
 /// VTK's reader takes only the first nodes of types that it does not know.
-void RequireAllNodes(vtkMultiBlockDataSet& read, const std::map<std::int64_t, Block>& blocks)
+void RequireAllNodes(vtkMultiBlockDataSet& read, const ExodusBlocks& blocks)
 {
   const auto leaves = vtk::TakeSmartPointer(read.NewIterator());
   for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
@@ -154,8 +73,34 @@ void RequireAllNodes(vtkMultiBlockDataSet& read, const std::map<std::int64_t, Bl
   }
 }
 
+/// VTK's reader numbers the elements of some files only.
+void NumberElements(vtkMultiBlockDataSet& read, const ExodusBlocks& blocks)
+{
+  const auto leaves = vtk::TakeSmartPointer(read.NewIterator());
+  for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
+  {
+    auto* leaf = vtkDataSet::SafeDownCast(leaves->GetCurrentDataObject());
+    vtkDataArray* ids = leaf != nullptr && leaf->GetNumberOfCells() > 0
+      ? leaf->GetCellData()->GetArray("ObjectId")
+      : nullptr;
+    const auto block = ids == nullptr
+      ? blocks.end()
+      : blocks.find(static_cast<std::int64_t>(ids->GetComponent(0, 0)));
+    if (block == blocks.end())
+    {
+      continue;
+    }
+    vtkNew<vtkTypeInt64Array> numbers;
+    numbers->SetName(kExodusElement);
+    numbers->SetNumberOfValues(leaf->GetNumberOfCells());
+    std::iota(numbers->GetPointer(0), numbers->GetPointer(0) + numbers->GetNumberOfValues(),
+      block->second.first);
+    leaf->GetCellData()->AddArray(numbers);
+  }
+}
+
 /// Shells have a thickness, and fields on both sides, that no plane element has.
-void RefuseShells(const std::map<std::int64_t, Block>& blocks)
+void RefuseShells(const ExodusBlocks& blocks)
 {
   const auto isShell = [](const auto& entry)
   { return entry.second.type.find("SHELL") != std::string::npos; };
@@ -169,6 +114,28 @@ void RefuseShells(const std::map<std::int64_t, Block>& blocks)
   {
     throw Unsupported("its elements are shells; solids and plane elements (TRI, QUAD) are read");
   }
+}
+
+/// Names of element blocks and side sets.
+void AddNames(const ExodusFile& file, const ExodusBlocks& blocks, vtkUnstructuredGrid& grid)
+{
+  SolverMesh named;
+  const auto add = [&named](std::int64_t id, const std::string& name, bool isBoundary)
+  {
+    if (!name.empty() && id <= std::numeric_limits<std::int32_t>::max())
+    {
+      named.groups.push_back({ static_cast<std::int32_t>(id), name, isBoundary });
+    }
+  };
+  for (const auto& [id, block] : blocks)
+  {
+    add(id, block.name, false);
+  }
+  for (const ExodusFile::SideSet& set : file.SideSets())
+  {
+    add(set.id, set.name, true);
+  }
+  AddGroups(named, &grid);
 }
 
 void NoteDisplacements(vtkDataSet& grid, std::vector<std::string>& notes)
@@ -192,7 +159,8 @@ InputGrid ReadExodusFile(const InputRequest& request)
   const std::string& file = request.files[0];
   constexpr std::array<std::string_view, 4> kMarks{ "CDF\x01", "CDF\x02", "CDF\x05", kHdf5Mark };
   RequireMark(file, kMarks, "Exodus II file (netCDF)");
-  const std::map<std::int64_t, Block> blocks = ExodusFile(file).Blocks();
+  const ExodusFile exodus(file);
+  const ExodusBlocks blocks = exodus.Blocks();
   RefuseShells(blocks);
   const VtkMessages messages;
   const auto check = [&]
@@ -214,12 +182,21 @@ InputGrid ReadExodusFile(const InputRequest& request)
   check();
   auto* read = vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(0));
   RequireAllNodes(*read, blocks);
+  NumberElements(*read, blocks);
   input.grid = JoinBlocks(*read, file, input.notes);
   if (vtkDataArray* ids = input.grid->GetCellData()->GetArray("ObjectId"))
   {
     ids->SetName("Attribute");
   }
+  AddSideSets(exodus.SideSets(), *input.grid, input.notes);
+  input.grid->GetCellData()->RemoveArray(kExodusElement);
+  AddNames(exodus, blocks, *input.grid);
   NoteDisplacements(*input.grid, input.notes);
+  if (const std::int64_t sets = exodus.NodeSets(); sets > 0)
+  {
+    input.notes.push_back("'" + file + "': " + Counted(sets, "node set") +
+      ", which name points and no faces, are left out.");
+  }
   return input;
 }
 } // namespace pixelexact

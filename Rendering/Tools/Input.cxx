@@ -56,6 +56,13 @@ void CheckFile(const std::string& file)
   {
     CannotRead(file, "it is empty");
   }
+  constexpr std::string_view kPointer = "version https://git-lfs.github.com/spec/";
+  std::string begin(kPointer.size(), '\0');
+  stream.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  if (begin == kPointer)
+  {
+    CannotRead(file, "it is a pointer of Git LFS; bring the file itself: git lfs pull");
+  }
 }
 
 // A new format is a line here and a function elsewhere.
@@ -73,6 +80,8 @@ constexpr std::array kFormats{
   Format{ ".e", "Exodus II", &ReadExodusFile },
   Format{ ".exo", "Exodus II", &ReadExodusFile },
   Format{ ".ex2", "Exodus II", &ReadExodusFile },
+  Format{ ".exii", "Exodus II", &ReadExodusFile },
+  Format{ ".g", "Exodus II", &ReadExodusFile },
   Format{ ".cgns", "CGNS", &ReadCgnsFile },
   Format{ ".mesh", "MFEM", &ReadMfemFiles },
   Format{ ".mfem_root", "collection of MFEM files", &ReadMfemCollection },
@@ -211,8 +220,9 @@ InputGrid ReadInput(const InputRequest& request)
   if (format == nullptr)
   {
     CannotRead(first,
-      "its suffix is of no format known here; .vtu, .pvtu, .pvd, .vtk, .e, .exo, .ex2, .cgns, "
-      ".mesh, .mfem_root, .000000 (a piece of an MFEM mesh), .saved, .msh, .nekg and .xml are "
+      "its suffix is of no format known here; .vtu, .pvtu, .pvd, .vtk, .e, .exo, .ex2, .exii, .g, "
+      ".cgns, .mesh, .mfem_root, .000000 (a piece of an MFEM mesh), .saved, .msh, .nekg and .xml "
+      "are "
       "read");
   }
   CheckCompanions(request.files, *format);
@@ -243,7 +253,8 @@ void AddField(CLI::App& command, std::string& field)
 void InputRequest::AddTo(CLI::App& command, bool required)
 {
   AddArguments(command, "INPUT", files, "FILE",
-    "The mesh file (.vtu, .pvtu, .pvd, .vtk, .e, .exo, .ex2, .cgns, .mesh, .mfem_root, .saved, "
+    "The mesh file (.vtu, .pvtu, .pvd, .vtk, .e, .exo, .ex2, .exii, .g, .cgns, .mesh, .mfem_root, "
+    ".saved, "
     ".msh, .nekg or .xml) and, where the "
     "format keeps them apart, its field files (.gf; .fld, .chk or .rst; .msh without a mesh); "
     "x.000000 and u.000000 "

@@ -111,6 +111,30 @@ TEST(GmshReader, BothVersionsAsText)
   }
 }
 
+/// Names without a dimension, and a third tag that is the partition.
+TEST(GmshReader, Versions20And21)
+{
+  const std::string elements =
+    "$Elements\n3\n10 2 3 5 7 1 2 3 4\n11 4 3 4 1 1 1 2 3 4\n12 4 3 4 2 2 2 3 4 5\n$EndElements\n";
+  const auto model = [&](const std::string& version, const std::string& names)
+  {
+    return ReadGmsh("$MeshFormat\n" + version + " 0 8\n$EndMeshFormat\n$PhysicalNames\n2\n" +
+      names + "$EndPhysicalNames\n" + kNodes22 + elements);
+  };
+  for (const SolverModel& read :
+    { model("2.0", "4 \"solid\"\n5 \"wall\"\n"), model("2.1", "3 4 \"solid\"\n2 5 \"wall\"\n") })
+  {
+    ExpectPair(read);
+    EXPECT_TRUE(read.notes.empty());
+    EXPECT_EQ(read.mesh.attribute, (std::vector<std::int32_t>{ 4, 4 }));
+    ASSERT_EQ(read.mesh.groups.size(), 2U);
+    EXPECT_EQ(read.mesh.groups[0].name, "solid");
+    EXPECT_FALSE(read.mesh.groups[0].boundary);
+    EXPECT_EQ(read.mesh.groups[1].name, "wall");
+    EXPECT_TRUE(read.mesh.groups[1].boundary);
+  }
+}
+
 TEST(GmshReader, BinaryOfBothByteOrders)
 {
   for (const bool swapped : { false, true })
@@ -193,7 +217,7 @@ TEST(GmshReader, RefusesWithReasons)
   ExpectParts(GmshMessage("(0 \"a Fluent file\")"), { "folder/a.msh", "$MeshFormat" });
   ExpectParts(GmshMessage("$NOD\n1\n1 0 0 0\n$ENDNOD\n"), { "version 1", "msh41" });
   ExpectParts(
-    GmshMessage("$MeshFormat\n4.0 0 8\n$EndMeshFormat\n"), { "version 4.0", "2.2 and 4.1" });
+    GmshMessage("$MeshFormat\n4.0 0 8\n$EndMeshFormat\n"), { "version 4.0", "2.0 to 2.2 and 4.1" });
   ExpectParts(GmshMessage("$MeshFormat\n4.1 2 8\n$EndMeshFormat\n"), { "file type is 2" });
   ExpectParts(GmshMessage("$MeshFormat\n4.1 0 16\n$EndMeshFormat\n"), { "data size is 16" });
   ExpectParts(GmshMessage(kFormat41), { "no $Nodes" });

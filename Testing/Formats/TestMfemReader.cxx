@@ -297,6 +297,13 @@ TEST(MfemReader, MessagesNameFileLineAndRemedy)
   ExpectMessage(Message(OneCube().substr(0, 120)), { "cut short" });
 }
 
+TEST(MfemReader, OtherFormatsOfTheSameSuffixAreNamed)
+{
+  ExpectMessage(Message("$MeshFormat\n2.2 0 8\n"), { "Gmsh", ".msh" });
+  ExpectMessage(Message("areamesh2\n4\n"), { "Netgen", "Save" });
+  ExpectMessage(Message("TrueGrid\n"), { "TrueGrid", "Save" });
+}
+
 TEST(MfemReader, FieldsThatDoNotFitAreRefusedWithBothNumbers)
 {
   ExpectMessage(Message(OneCube(), { Field("H1_3D_P2", 1, 0, "1 2 3") }), { "u.gf", "3", "27" });

@@ -125,14 +125,33 @@ TEST(NektarHomogeneous, OneWaveAlone)
   EXPECT_NEAR(ValueAt(model, 0, 1, { 0.1, 0.2, 0.3 })[0], std::cos(Wave(1, x.z)), 2e-13);
 }
 
+TEST(NektarHomogeneous, HalfModes)
+{
+  // Function 0 of a half mode is cos(pi x), x from -1 to 1 along the length.
+  const SolverModel model = ReadTexts(kPlane,
+    Field(Block("Quadrilateral", 7, "0", 1, " 1 1 1 1 ", "FourierHalfModeRe") +
+      Block("Triangle", 9, "0", 1, " 1 1 1 ", "FourierHalfModeRe")));
+  ASSERT_EQ(model.mesh.number.size(), 2U);
+  for (int e = 0; e < 2; ++e)
+  {
+    const Vec3 xi(0.1, 0.2, -0.7);
+    EXPECT_NEAR(ValueAt(model, 0, e, xi)[0], -std::cos(Wave(1, PointAt(model, e, xi).z)), 2e-13);
+  }
+  ASSERT_EQ(model.notes.size(), 2U);
+  EXPECT_NE(model.notes[1].find("realmodetoimag"), std::string::npos);
+}
+
 TEST(NektarHomogeneous, RefusesWithReasons)
 {
   const std::string four = " 1 1 1 1 ";
   const auto refuse = [](const std::string& blocks, const std::vector<std::string>& parts)
   { ExpectRefusal(kPlane, Field(blocks), parts); };
   const std::string block = Block("Quadrilateral", 7, "0", 1, four);
-  refuse(Block("Quadrilateral", 7, "0", 1, four, "FourierHalfModeRe"),
-    { "u.fld", "FourierHalfModeRe", "NekMesh -m extrude", "interpfield" });
+  refuse(Block("Quadrilateral", 7, "0", 1, four, "Legendre"),
+    { "u.fld", "Legendre", "NekMesh -m extrude", "interpfield" });
+  refuse(Block("Quadrilateral", 7, "0", 1, four, "FourierHalfModeIm"),
+    { "FourierHalfModeIm", "halfmodetofourier" });
+  refuse(Block("Quadrilateral", 7, "1", 1, four, "FourierHalfModeRe"), { "one function", "0" });
   refuse(Replaced(block, "Exp1D", "Exp1D-Strips"), { "Strips" });
   refuse(Replaced(block, "Exp1D", "Exp2D"), { "Exp2D" });
   refuse(Replaced(block, "Quadrilateral", "Segment"), { "Segment" });

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The proven bound of what polynomials lose of rational functions.
+#include "Formats/Rational/CollapsedModes.h"
 #include "Formats/Rational/RationalElement.h"
+#include "Formats/Rational/SimplexElement.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -161,5 +164,102 @@ TEST(RationalElement, PolynomialsLoseNothing)
   EXPECT_EQ(LossOf(element, { 3, 2, 1 }, tables), 0.0);
   EXPECT_GT(LossOf(element, { 2, 2, 1 }, tables), 1e-3);
   EXPECT_LE(MeasuredLoss(element, { 3, 2, 1 }), 1e-15);
+}
+
+/// A prism or tetrahedron of degree 2 with weights between 1 and 1.5, as a function of eta.
+RationalElement RandomSimplex(const pixelexact::Space& space, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> value(-1.0, 1.0);
+  std::uniform_real_distribution<double> weight(1.0, 1.5);
+  std::vector<long double> weights;
+  std::vector<long double> numerators;
+  for (int i = 0; i < space.Modes(); ++i)
+  {
+    weights.push_back(weight(random));
+    numerators.push_back(weights.back() * value(random));
+  }
+  return { CollapsedDegree(space), Collapse(space, weights), Collapse(space, numerators), { 0.25L },
+    false };
+}
+
+TEST(SimplexElement, CollapsedFunctionsAreBernsteins)
+{
+  const pixelexact::Space space{ pixelexact::Shape::Tetrahedron, pixelexact::Form::Collapsed,
+    { 2, 2, 2 } };
+  // Numbered by (i, j, k), k fastest.
+  std::vector<long double> control(10);
+  std::mt19937 random(2);
+  std::ranges::generate(control, [&] { return random() % 1000 / 1000.0L; });
+  RationalElement element{ { 2, 2, 2 }, std::vector<long double>(27, 1.0L),
+    Collapse(space, control), { 0.0L }, false };
+  for (const std::array<long double, 3>& eta :
+    { std::array{ 0.3L, -0.2L, 0.5L }, std::array{ -0.7L, 0.9L, -0.4L } })
+  {
+    const long double l3 = (1 + eta[2]) / 2;
+    const long double l2 = (1 + eta[1]) / 2 * (1 - l3);
+    const long double l1 = (1 + eta[0]) / 2 * (1 - l2 - l3);
+    const long double l0 = 1 - l1 - l2 - l3;
+    long double sum = 0.0L;
+    std::size_t at = 0;
+    const auto power = [](long double x, int n) { return n == 0 ? 1.0L : n == 1 ? x : x * x; };
+    for (int i = 0; i <= 2; ++i)
+    {
+      for (int j = 0; i + j <= 2; ++j)
+      {
+        for (int k = 0; i + j + k <= 2; ++k, ++at)
+        {
+          const int rest = 2 - i - j - k;
+          const int twice = i == 2 || j == 2 || k == 2 || rest == 2 ? 1 : 2;
+          sum += twice * control[at] * power(l1, i) * power(l2, j) * power(l3, k) * power(l0, rest);
+        }
+      }
+    }
+    EXPECT_NEAR(static_cast<double>(ValueAt(element, eta)), static_cast<double>(sum), 1e-16);
+  }
+}
+
+TEST(SimplexElement, TheBoundHoldsAndIsSharp)
+{
+  using pixelexact::Form;
+  using pixelexact::Shape;
+  using pixelexact::Space;
+  for (const Shape shape : { Shape::Prism, Shape::Tetrahedron })
+  {
+    const Space given = pixelexact::UniformSpace(shape, 2);
+    for (const int order : { 3, 6, 8 })
+    {
+      const SimplexBasis basis(pixelexact::UniformSpace(shape, order));
+      LineTables tables;
+      const RationalElement element = RandomSimplex(given, 7);
+      const double loss = basis.LossOf(element, tables);
+      std::vector<double> values(static_cast<std::size_t>(basis.GetSpace().Modes()));
+      std::vector<double> modes(values.size());
+      basis.NodeValues(element, values);
+      basis.GetChange().Apply(values, 0.25, modes);
+      std::vector<long double> places;
+      for (int i = 0; i <= 24; ++i)
+      {
+        places.push_back(-1.0L + i / 12.0L);
+      }
+      const auto found =
+        CollapsedModes(basis.GetSpace(), { places, places, places }).Evaluate(modes);
+      double error = 0.0;
+      auto at = found.value.begin();
+      for (const long double e1 : places)
+      {
+        for (const long double e2 : places)
+        {
+          for (const long double e3 : places)
+          {
+            const long double exact = ValueAt(element, { e1, e2, e3 });
+            error = std::max(error, static_cast<double>(std::fabs(exact - 0.25L - *at++)));
+          }
+        }
+      }
+      EXPECT_LE(error, loss) << Name(shape) << " " << order;
+      EXPECT_GE(error, loss / 20) << Name(shape) << " " << order;
+    }
+  }
 }
 } // namespace

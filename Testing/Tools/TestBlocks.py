@@ -7,9 +7,10 @@ import unittest
 
 import numpy as np
 
-from tool import DATA, ToolTest, columns, read_csv, run
+from tool import DATA, ToolTest, columns, read_buffers, read_csv, run
 
 EXODUS = DATA / "exodus_quadratic.e"
+SIDES = DATA / "exodus_sides.e"
 CGNS = DATA / "cgns_hexa27.cgns"
 
 
@@ -43,9 +44,48 @@ class Blocks(ToolTest):
         self.assertEqual(summary["attributes"], {"3": 1, "7": 2})
         self.assertEqual(summary["times"], [0.0])
         self.fails(1, "info", EXODUS, "--time-step", "1", names=["1 time step"])
-        for name in ("a.exo", "a.ex2"):
+        for name in ("a.exo", "a.ex2", "a.exii", "a.g"):
             (self.folder / name).write_bytes(EXODUS.read_bytes())
             self.succeeds("info", self.folder / name)
+
+    @unittest.skipUnless(known(EXODUS, "Exodus"), "VTK has no reader of Exodus II")
+    def test_exodus_side_sets(self):
+        """Set 10 + k holds side k of each element: nodes as the format's document has them."""
+        box = [(0, 0, 0), (1, 0, 0), (1, 2, 0), (0, 2, 0), (0, 0, 3), (1, 0, 3), (1, 2, 3), (0, 2, 3)]
+        simplex = [(0, 0, 0), (1, 0, 0), (0, 2, 0), (0, 0, 3), (1, 0, 3), (0, 2, 3)]
+        pyramid = box[:4] + [(0.5, 1, 3)]
+        # By where elements begin along x: corners, and of each side three of its nodes.
+        elements = {
+            0: (box, ["126", "237", "348", "158", "143", "567"]),
+            10: (simplex, ["125", "236", "146", "132", "456"]),
+            20: (simplex, ["124", "234", "143", "132"]),
+            30: (pyramid, ["125", "235", "345", "154", "143"]),
+        }
+        for k in range(6):
+            table = self.folder / "buffers.vti"
+            self.succeeds("render", SIDES, f"--boundary={11 + k}", "--view", "iso", "--size", "500x500",
+                          "--buffers", table, "--output", self.folder / "a.png")
+            buffers = read_buffers(table)
+            points = buffers["Position"][buffers["Verdict"] == 1]
+            seen = points[:, 0] // 10 * 10
+            expected = [begin for begin, (_, sides) in elements.items() if k < len(sides)]
+            self.assertEqual(sorted(set(seen)), expected)
+            for begin in expected:
+                corners, sides = elements[begin]
+                a, b, c = (np.array(corners[int(n) - 1]) + (begin, 0, 0) for n in sides[k])
+                normal = np.cross(b - a, c - a)
+                off = (points[seen == begin] - a) @ (normal / np.linalg.norm(normal))
+                self.assertLess(abs(off).max(), 1e-12)
+        summary = self.summary("info", SIDES)
+        self.assertEqual(summary["boundary_attributes"], {"11": 4, "12": 4, "13": 4, "14": 4, "15": 3, "16": 1})
+        self.assertEqual(summary["groups"], [
+            {"id": 5, "name": "wedges", "boundary": False},
+            {"id": 9, "name": "solid tetrahedra", "boundary": False},
+            {"id": 11, "name": "first", "boundary": True},
+            {"id": 12, "name": "second", "boundary": True},
+            {"id": 16, "name": "sixth", "boundary": True},
+        ])
+        self.assertIn("1 node set", self.succeeds("info", SIDES).stderr)
 
     @unittest.skipUnless(known(EXODUS, "Exodus"), "VTK has no reader of Exodus II")
     def test_exodus_with_a_node_that_is_not_there(self):
@@ -63,8 +103,10 @@ class Blocks(ToolTest):
     def test_others_are_refused_by_name(self):
         for suffix, name in ((".e", "Exodus"), (".cgns", "CGNS")):
             wrong = self.folder / ("wrong" + suffix)
-            wrong.write_text("version https://git-lfs.github.com/spec/v1\n")
+            wrong.write_text("a file of another kind\n")
             self.fails(1, "info", wrong, names=[wrong, name])
+            wrong.write_text("version https://git-lfs.github.com/spec/v1\noid sha256:1\nsize 7\n")
+            self.fails(1, "info", wrong, names=[wrong, "git lfs pull"])
         self.fails(2, "info", EXODUS, EXODUS, names=["once"])
 
 

@@ -33,9 +33,12 @@ struct SurfaceElement
   std::int32_t entity = 0;
 };
 
+/// Of names in files of version 2.0.
+inline constexpr int kAnyDimension = -1;
+
 struct PhysicalName
 {
-  int dimension = 0;
+  int dimension = kAnyDimension;
   int tag = 0;
   std::string name;
 };

@@ -9,6 +9,8 @@ namespace pixelexact::gmsh
 {
 namespace
 {
+constexpr double kNamesWithoutDimension = 2.0;
+constexpr double kCountsPartitions = 2.2;
 constexpr double kNew = 4.1;
 constexpr int kDimensions = 4;
 constexpr std::size_t kMostNodes = std::numeric_limits<std::int32_t>::max();
@@ -127,12 +129,17 @@ void ReadOldElements(Scanner& scanner, MeshFile& mesh)
         tag = scanner.Int("an element's tag");
       }
       // Physical group, entity, and behind the number of partitions these; a negative one has the
-      // element as a ghost.
+      // element as a ghost. Before version 2.2 one partition, without their number.
+      const bool counts = scanner.GetEncoding().version >= kCountsPartitions;
       const auto partitions =
-        tags.size() > 3 && tags[2] > 0 ? static_cast<std::size_t>(tags[2]) : 0;
+        counts && tags.size() > 3 && tags[2] > 0 ? static_cast<std::size_t>(tags[2]) : 0;
       if (partitions > 0)
       {
         mesh.partitionsHere.insert(tags[3]);
+      }
+      else if (!counts && tags.size() == 3 && tags[2] > 0)
+      {
+        mesh.partitionsHere.insert(tags[2]);
       }
       if (tags.size() > 3 + partitions)
       {
@@ -184,8 +191,11 @@ void ReadPhysicalNames(Scanner& scanner, MeshFile& mesh)
   for (std::size_t i = 0; i < count; ++i)
   {
     PhysicalName name;
-    name.dimension = static_cast<int>(scanner.TextInteger("the dimension of a physical group"));
-    RequireDimension(scanner, name.dimension);
+    if (scanner.GetEncoding().version > kNamesWithoutDimension)
+    {
+      name.dimension = static_cast<int>(scanner.TextInteger("the dimension of a physical group"));
+      RequireDimension(scanner, name.dimension);
+    }
     name.tag = static_cast<int>(scanner.TextInteger("the tag of a physical group"));
     name.name = scanner.Quoted("the name of a physical group");
     mesh.names.push_back(std::move(name));

@@ -50,7 +50,8 @@ void AddGroups(const MeshFile& mesh, bool boundary, std::vector<Group>& groups)
   boundary ? note(mesh.faces) : note(mesh.elements);
   for (const PhysicalName& name : mesh.names)
   {
-    if (name.dimension == mesh.dimension - (boundary ? 1 : 0))
+    if (name.dimension == mesh.dimension - (boundary ? 1 : 0) ||
+      (name.dimension == kAnyDimension && names.contains(name.tag)))
     {
       names[name.tag] = name.name;
     }

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/Gmsh/Sections.h"
 
+#include <algorithm>
+#include <array>
+
 namespace pixelexact::gmsh
 {
 namespace
 {
 constexpr const char* kFormat = "MeshFormat";
-constexpr double kOld = 2.2;
+constexpr std::array kOld{ 2.0, 2.1, 2.2 };
 constexpr double kNew = 4.1;
 
 void ReadEncoding(Scanner& scanner)
@@ -15,17 +18,19 @@ void ReadEncoding(Scanner& scanner)
   encoding.version = scanner.TextNumber("the version");
   const auto mode = scanner.TextInteger("the file type");
   const auto bytes = scanner.TextInteger("the data size");
-  if (encoding.version != kOld && encoding.version != kNew)
+  const bool isOld = std::ranges::find(kOld, encoding.version) != kOld.end();
+  if (!isOld && encoding.version != kNew)
   {
     scanner.FailUnsupported("version " + std::to_string(encoding.version).substr(0, 3) +
-      " of the format is not read, 2.2 and 4.1 are; convert it: gmsh FILE.msh -save -format msh41 "
+      " of the format is not read, 2.0 to 2.2 and 4.1 are; convert it: gmsh FILE.msh -save -format "
+      "msh41 "
       "-o NEW.msh.");
   }
   if (mode != 0 && mode != 1)
   {
     scanner.Fail("the file type is " + std::to_string(mode) + ", not 0 (text) or 1 (binary).");
   }
-  // In version 2.2 the size of doubles, in 4.1 that of counts.
+  // In versions 2 the size of doubles, in 4.1 that of counts.
   if (bytes != 8 && !(bytes == 4 && encoding.version == kNew))
   {
     scanner.Fail("the data size is " + std::to_string(bytes) + " bytes, not 8.");

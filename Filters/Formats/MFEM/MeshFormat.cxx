@@ -24,10 +24,32 @@ MeshFormat ReadNurbsVersion(TextScanner& scanner)
   }
   return version == "v1.1" ? MeshFormat::NurbsSpaced : MeshFormat::Nurbs;
 }
+
+/// Other formats that MFEM, too, takes under its own suffix.
+void RefuseOthers(TextScanner& scanner)
+{
+  constexpr const char* kConvert =
+    " mesh, which is not read; save it in MFEM's format (Mesh(\"a.mesh\").Save(\"b.mesh\")).";
+  const std::string_view first = scanner.Peek();
+  if (first == "$MeshFormat")
+  {
+    scanner.FailUnsupported("this is a Gmsh mesh; give the file the suffix .msh.");
+  }
+  if (first == "areamesh2" || first == "curved_areamesh2" || first == "NETGEN" ||
+    first == "NETGEN_Neutral_Format")
+  {
+    scanner.FailUnsupported("this is a Netgen" + std::string(kConvert));
+  }
+  if (first == "TrueGrid")
+  {
+    scanner.FailUnsupported("this is a TrueGrid" + std::string(kConvert));
+  }
+}
 } // namespace
 
 MeshFormat ReadMeshFormat(TextScanner& scanner)
 {
+  RefuseOthers(scanner);
   scanner.Expect("MFEM");
   const std::string_view kind = scanner.Word("the kind of mesh");
   if (kind == "INLINE")

@@ -109,7 +109,7 @@ std::size_t Decompressor::Read(std::span<std::byte> bytes)
     Stream.avail_out = room;
     State = inflate(&Stream, Z_NO_FLUSH);
     got += room - Stream.avail_out;
-    if (Given + got > Most)
+    if (Total + got > Most)
     {
       throw InvalidData(Where + ": the compressed data expand to more than the " +
         std::to_string(Most) + " bytes that they should have; the file is damaged.");
@@ -120,7 +120,7 @@ std::size_t Decompressor::Read(std::span<std::byte> bytes)
     throw InvalidData(
       Where + ": the compressed data are damaged or cut short; copy the file anew.");
   }
-  Given += got;
+  Total += got;
   return got;
 }
 } // namespace pixelexact::nektar

@@ -27,6 +27,8 @@ public:
   /// Fills `bytes`; says how many they are, fewer only at the end. Throws InvalidData for text that
   /// is no base64, a damaged or truncated stream, and one that gives more than `most` bytes.
   std::size_t Read(std::span<std::byte> bytes);
+  /// All that were given.
+  [[nodiscard]] std::size_t Given() const { return Total; }
 
 private:
   void Decode();
@@ -39,7 +41,7 @@ private:
   std::vector<unsigned char> Packed;
   z_stream Stream{};
   int State = 0;
-  std::size_t Given = 0;
+  std::size_t Total = 0;
   unsigned Bits = 0; ///< decoded, and how many
   unsigned Count = 0;
 };

@@ -46,29 +46,42 @@ public:
   template <class Record>
   std::vector<Record> Records(const pugi::xml_node& node, std::size_t most) const
   {
+    std::vector<Record> records;
+    PassRecords<Record>(node, most,
+      [&records, most](std::span<const Record> some, std::size_t packed)
+      {
+        // Numbers are rarely compressed to less than a quarter; what is not written takes no
+        // memory.
+        if (records.empty())
+        {
+          records.reserve(std::min(most, 4 * packed / sizeof(Record)) + some.size());
+        }
+        records.insert(records.end(), some.begin(), some.end());
+      });
+    return records;
+  }
+  /// The same, some at a time, with the bytes of the compressed text.
+  template <class Record, class Pass>
+  void PassRecords(const pugi::xml_node& node, std::size_t most, Pass&& pass) const
+  {
     std::string joined;
     const std::string_view text = TextView(node, joined);
     Decompressor stream(text, std::min(most * sizeof(Record), MostExpanded), Place(node), File);
-    std::vector<Record> records;
-    // Numbers are rarely compressed to less than a quarter; what is not written takes no memory.
     constexpr std::size_t kTogether = 8192;
-    records.reserve(std::min(most, 4 * text.size() / sizeof(Record)) + kTogether);
-    std::size_t bytes = 0;
-    while (bytes == records.size() * sizeof(Record))
+    std::vector<Record> some(kTogether);
+    std::size_t bytes = kTogether * sizeof(Record);
+    while (bytes == kTogether * sizeof(Record))
     {
-      const std::size_t begin = records.size();
-      records.resize(begin + kTogether);
-      bytes += stream.Read(std::as_writable_bytes(std::span(records).subspan(begin)));
+      bytes = stream.Read(std::as_writable_bytes(std::span(some)));
+      if (bytes % sizeof(Record) != 0)
+      {
+        Fail(node,
+          "the compressed data hold " + std::to_string(stream.Given()) +
+            " bytes, which is no multiple of a record's " + std::to_string(sizeof(Record)) +
+            "; the file is damaged.");
+      }
+      pass(std::span<const Record>(some).first(bytes / sizeof(Record)), text.size());
     }
-    if (bytes % sizeof(Record) != 0)
-    {
-      Fail(node,
-        "the compressed data hold " + std::to_string(bytes) +
-          " bytes, which is no multiple of a record's " + std::to_string(sizeof(Record)) +
-          "; the file is damaged.");
-    }
-    records.resize(bytes / sizeof(Record));
-    return records;
   }
 
   /// Whole numbers in an element's text; fails unless there are `count` of them.

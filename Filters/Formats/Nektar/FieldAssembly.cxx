@@ -15,7 +15,7 @@ namespace
 /// Where an element's coefficients are, and in which basis.
 struct Placement
 {
-  const FieldBlock* block = nullptr;
+  FieldBlock* block = nullptr;
   const ElementData* data = nullptr;
   const ElementBasis* basis = nullptr;
 };
@@ -48,9 +48,9 @@ void AddFields(const std::vector<NamedText>& parts, SessionMesh& session)
   files.reserve(parts.size());
   for (const NamedText& part : parts)
   {
-    const FieldFile& file = files.emplace_back(ReadFieldFile(part));
+    FieldFile& file = files.emplace_back(ReadFieldFile(part));
     model.time = file.time ? file.time : model.time;
-    for (const FieldBlock& block : file.blocks)
+    for (FieldBlock& block : file.blocks)
     {
       if (names.empty())
       {
@@ -109,16 +109,27 @@ void AddFields(const std::vector<NamedText>& parts, SessionMesh& session)
   }
   std::vector<const ElementBasis*> ordered;
   std::ranges::transform(places, std::back_inserter(ordered), &Placement::basis);
+  const auto beginOf = [](const Placement& place, std::size_t f, std::size_t plane)
+  { return f * place.block->perField + place.data->offset + plane * place.data->count; };
+  for (Placement& place : places)
+  {
+    const auto& along = place.block->homogeneous;
+    const std::size_t planes = along ? along->functions.size() : 1;
+    for (std::size_t f = 0; f < names.size(); ++f)
+    {
+      for (std::size_t plane = 0; plane < planes; ++plane)
+      {
+        place.block->values.Expect(beginOf(place, f, plane), place.data->count);
+      }
+    }
+  }
   const auto assemble = [&](std::size_t f, std::size_t plane)
   {
     return AssembleField(ordered, 1,
       [&](std::size_t e, std::span<double> source)
       {
-        const Placement& place = places[e];
-        std::copy_n(
-          &place.block
-             ->values[f * place.block->perField + place.data->offset + plane * place.data->count],
-          place.data->count, source.begin());
+        Placement& place = places[e];
+        place.block->values.Take(beginOf(place, f, plane), source.first(place.data->count));
       });
   };
   const auto& homogeneous = places.front().block->homogeneous;

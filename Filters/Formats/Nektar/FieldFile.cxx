@@ -105,16 +105,18 @@ public:
     if (compressed)
     {
       // One more than right would be noticed.
-      Block.values = File.Records<double>(Node, expected + 1);
+      File.PassRecords<double>(Node, expected + 1,
+        [this](std::span<const double> some, std::size_t /*packed*/)
+        { Block.values.Append(some); });
     }
     else
     {
-      Block.values = File.Numbers(Node);
+      Block.values.Append(File.Numbers(Node));
     }
-    if (Block.values.size() != expected)
+    if (Block.values.Size() != expected)
     {
       File.Fail(Node,
-        "the block holds " + std::to_string(Block.values.size()) + " coefficients, but its " +
+        "the block holds " + std::to_string(Block.values.Size()) + " coefficients, but its " +
           std::to_string(ids.size()) + " elements and " + std::to_string(Block.fields.size()) +
           " fields have " + std::to_string(expected) + ".");
     }
@@ -126,17 +128,26 @@ private:
   void ReadHomogeneous(std::string_view kind, std::vector<std::string>& families)
   {
     const std::string last = families.empty() ? std::string() : families.back();
-    if (kind != "-HomogenousExp1D" || Directions.size() != 2 ||
-      (last != "Fourier" && last != "FourierSingleMode"))
+    const bool isHalf = last == "FourierHalfModeRe";
+    if (last == "FourierHalfModeIm")
     {
       File.FailUnsupported(Node,
-        "of homogeneous expansions those of triangles and quadrilaterals are read, with Fourier or "
-        "FourierSingleMode along z, not '" +
+        "FourierHalfModeIm is not read: Nektar++'s values of that function and its derivatives "
+        "have opposite signs. Convert it (FieldConvert -m halfmodetofourier:realmodetoimag=0,1,... "
+        "in.xml in.fld out.fld, with the numbers of all fields).");
+    }
+    if (kind != "-HomogenousExp1D" || Directions.size() != 2 ||
+      (last != "Fourier" && last != "FourierSingleMode" && !isHalf))
+    {
+      File.FailUnsupported(Node,
+        "of homogeneous expansions those of triangles and quadrilaterals are read, with Fourier, "
+        "FourierSingleMode or FourierHalfModeRe along z, not '" +
           std::string(Node.attribute("SHAPE").value()).substr(0, 40) + "' with '" +
           last.substr(0, 40) + "'; " + HomogeneousRemedy());
     }
     families.pop_back();
     Homogeneous& along = Block.homogeneous.emplace();
+    along.isHalfMode = isHalf;
     constexpr double kLongest = 1e150; // a size must have a square
     const std::string_view length = Trim(Node.attribute("HOMOGENEOUSLENGTHS").value());
     if (!ParseWhole(length, along.length) || !(along.length > 0.0) || along.length > kLongest)
@@ -160,6 +171,14 @@ private:
     if (along.functions.empty())
     {
       File.Fail(Node, "HOMOGENEOUSZIDS names no function.");
+    }
+    if (isHalf && along.functions != std::vector{ 0 })
+    {
+      File.Fail(Node, "a half mode should have one function along z, number 0.");
+    }
+    if (isHalf)
+    {
+      along.functions = { 2 }; // where it stands among Fourier's
     }
   }
 

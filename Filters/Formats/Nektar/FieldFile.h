@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Formats/Nektar/Document.h"
+#include "Formats/Nektar/FieldValues.h"
 #include "Formats/Nektar/Homogeneous.h"
 
 #include "Core/Shape/Shape.h"
@@ -41,7 +42,7 @@ struct FieldBlock
   std::vector<ElementData> elements;
   std::optional<Homogeneous> homogeneous;
   std::size_t perField = 0;
-  std::vector<double> values; ///< field by field
+  FieldValues values; ///< field by field
 };
 
 struct FieldFile

@@ -11,12 +11,17 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace pixelexact::nektar
 {
 namespace
 {
+/// Half modes: the field that is the imaginary part, and the function that it has among Fourier's.
+constexpr const char* kImaginaryField = "w";
+constexpr int kFirstSine = 3;
+
 std::size_t Across(Shape shape)
 {
   return shape == Shape::Prism ? 1 : 2;
@@ -193,26 +198,44 @@ void LiftMesh(const FourierLayers& layers, SolverMesh& mesh)
 void LiftHomogeneous(
   const Homogeneous& along, const std::vector<HomogeneousField>& fields, SolverModel& model)
 {
-  const FourierLayers layers(along);
-  LiftMesh(layers, model.mesh);
+  const FourierLayers cosines(along);
+  LiftMesh(cosines, model.mesh);
+  Homogeneous other = along;
+  other.functions = { kFirstSine };
+  const FourierLayers sines(other);
   const std::string functions = std::to_string(along.functions.size()) + " Fourier functions";
   std::string orders;
   double worst = 0.0;
   for (const HomogeneousField& field : fields)
   {
+    const bool isSine = along.isHalfMode && field.name == kImaginaryField;
+    const FourierLayers& layers = isSine ? sines : cosines;
     const Accuracy accuracy = AccuracyOf(field, layers);
     SolverField lifted;
     lifted.name = field.name;
     lifted.basis = field.basis + " x " + functions;
     lifted.values = LiftField(field, layers, accuracy.order);
+    if (along.isHalfMode && !isSine)
+    {
+      CoefficientBlock& block = lifted.values.coefficients;
+      std::transform(
+        block.data.get(), block.data.get() + block.size, block.data.get(), std::negate<>());
+    }
     model.fields.push_back(std::move(lifted));
     orders +=
       (orders.empty() ? "" : ", ") + std::to_string(accuracy.order) + " (" + field.name + ")";
     worst = std::max(worst, accuracy.range > 0.0 ? accuracy.loss / accuracy.range : 0.0);
   }
   model.notes.push_back("homogeneous along z: periodic with the length " + Short(along.length) +
-    ", " + functions + "; they are polynomials in " + std::to_string(layers.Layers()) +
+    ", " + functions + "; they are polynomials in " + std::to_string(cosines.Layers()) +
     " layers of elements, of order " + orders + ", which are off by at most " + Short(worst) +
     " of a field's range.");
+  if (along.isHalfMode)
+  {
+    model.notes.emplace_back(
+      "half mode: fields are cosines of z, and w, as Nektar++'s solvers take it, a sine; where "
+      "others are imaginary, convert the file (FieldConvert -m halfmodetofourier:realmodetoimag=2 "
+      "in.xml in.fld out.fld, with the numbers of these fields).");
+  }
 }
 } // namespace pixelexact::nektar

@@ -16,6 +16,9 @@ struct Homogeneous
 {
   double length = 1.0;
   std::vector<int> functions; ///< those that there are, by number
+  /// Of a complex wave the file has one part alone: of the field "w" the imaginary one, function 3,
+  /// of all others the real one, minus function 2.
+  bool isHalfMode = false;
 
   bool operator==(const Homogeneous&) const = default;
 };
