@@ -10,8 +10,10 @@
  * `Mean` of a scalar, `Integral 0`, `Mean 0`, ... of fields with several components; `Flux` of a
  * vector of three, along the gradient of the cut function, or out of the boundary.
  *
- * Planes, spheres, cylinders, cones (both halves) and quadrics are taken, also moved by affine
- * transforms. What keeps the table from being of all of the surface is warned of.
+ * Planes, spheres, cylinders, cones (both halves), quadrics, boxes and convex bodies (vtkBox,
+ * vtkPlanes: their faces) are taken, also moved by affine transforms, vtkImplicitTorus,
+ * iso-surfaces and the boundary; and of each of them what clip functions leave: a disc is a plane
+ * that a sphere clips. What keeps the table from being of all of the surface is warned of.
  */
 
 #ifndef vtkHighOrderIntegrate_h
@@ -50,6 +52,31 @@ public:
    */
   void SetCutFunction(vtkImplicitFunction* function);
   vtkImplicitFunction* GetCutFunction();
+  ///@}
+
+  ///@{
+  /**
+   * Of the surface counts what is where none of these functions is positive: planes, quadrics,
+   * boxes and convex bodies. None at first.
+   */
+  void AddClipFunction(vtkImplicitFunction* function);
+  void ClearClipFunctions();
+  int GetNumberOfClipFunctions();
+  ///@}
+
+  ///@{
+  /**
+   * In place of a cut function: where a component of a field has a value, also of another field
+   * than the one that is integrated. Empty, the default: no iso-surface. IsoComponent: -1, the
+   * default, is a scalar itself, or the magnitude. Mapped fields (H(curl), H(div), density) are
+   * refused.
+   */
+  vtkSetMacro(IsoFieldName, std::string);
+  vtkGetMacro(IsoFieldName, std::string);
+  vtkSetMacro(IsoComponent, int);
+  vtkGetMacro(IsoComponent, int);
+  vtkSetMacro(IsoValue, double);
+  vtkGetMacro(IsoValue, double);
   ///@}
 
   ///@{
@@ -114,6 +141,10 @@ private:
   void Integrate(vtkDataObject* grid, vtkTable* output);
 
   vtkSmartPointer<vtkImplicitFunction> CutFunction;
+  std::vector<vtkSmartPointer<vtkImplicitFunction>> ClipFunctions;
+  std::string IsoFieldName;
+  int IsoComponent = -1;
+  double IsoValue = 0.0;
   std::vector<std::int32_t> Attributes;
   std::string FieldName;
   double Tolerance = 1e-8;
