@@ -92,7 +92,8 @@ void vtkHighOrderIntegrate::PrintSelf(ostream& os, vtkIndent indent)
   {
     os << " " << attribute;
   }
-  os << "\n" << indent << "ClipFunctions: " << this->ClipFunctions.size() << "\n";
+  os << "\n" << indent << "Over: " << this->Over << "\n";
+  os << indent << "ClipFunctions: " << this->ClipFunctions.size() << "\n";
   os << indent << "IsoFieldName: " << this->IsoFieldName << "\n";
   os << indent << "IsoComponent: " << this->IsoComponent << "\n";
   os << indent << "IsoValue: " << this->IsoValue << "\n";
@@ -189,15 +190,28 @@ int vtkHighOrderIntegrate::RequestUpdateExtent(vtkInformation* /*request*/,
   return 1;
 }
 
-void vtkHighOrderIntegrate::Integrate(vtkDataObject* grid, vtkTable* output)
+int vtkHighOrderIntegrate::Chosen() const
 {
-  if ((this->CutFunction ? 1 : 0) + (this->Attributes.empty() ? 0 : 1) +
-      (this->IsoFieldName.empty() ? 0 : 1) >
-    1)
+  if (this->Over == OverCutFunction && !this->CutFunction)
+  {
+    throw InvalidData("there is no cut function; give one with SetCutFunction.");
+  }
+  if (this->Over != OverAny)
+  {
+    return this->Over;
+  }
+  const bool iso = !this->IsoFieldName.empty();
+  if ((this->CutFunction ? 1 : 0) + (this->Attributes.empty() ? 0 : 1) + (iso ? 1 : 0) > 1)
   {
     throw InvalidData("there are several of a cut function, an iso-surface and attributes of the "
                       "boundary; integrate over one of them at a time.");
   }
+  return this->CutFunction ? OverCutFunction : iso ? OverIsoSurface : OverBoundary;
+}
+
+void vtkHighOrderIntegrate::Integrate(vtkDataObject* grid, vtkTable* output)
+{
+  const int over = this->Chosen();
   const auto model = this->Source->Get(grid, this);
   IntegralQuestion question{ model->GetMesh(), FieldIn(*model, ChosenName(this, this->FieldName)),
     nullptr };
@@ -210,14 +224,19 @@ void vtkHighOrderIntegrate::Integrate(vtkDataObject* grid, vtkTable* output)
     std::ranges::copy(ClipsOf(function), std::back_inserter(clips));
   }
   SurfaceIntegral found;
-  if (this->CutFunction)
+  if (over == OverCutFunction)
   {
     found = IntegratePieces(question, PiecesOf(this->CutFunction), clips, *model, effort);
   }
-  else if (!this->IsoFieldName.empty())
+  else if (over == OverIsoSurface)
   {
-    const IntegralPiece iso{ std::make_shared<IsoValueSurface>(*FieldIn(*model, this->IsoFieldName),
-                               this->IsoComponent, this->IsoValue),
+    const Field* const field = FieldIn(*model, this->IsoFieldName);
+    if (field == nullptr)
+    {
+      throw InvalidData("there is no field to take an iso-surface of.");
+    }
+    const IntegralPiece iso{ std::make_shared<IsoValueSurface>(
+                               *field, this->IsoComponent, this->IsoValue),
       {}, std::nullopt };
     found = IntegratePieces(question, std::span(&iso, 1), clips, *model, effort);
   }

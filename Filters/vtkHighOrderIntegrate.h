@@ -45,6 +45,24 @@ public:
   /// Includes the cut function's.
   vtkMTimeType GetMTime() override;
 
+  /// What is integrated over; Any: the cut function or the iso-surface where there is one, else the
+  /// boundary.
+  enum Surfaces
+  {
+    OverCutFunction,
+    OverIsoSurface,
+    OverBoundary,
+    OverAny
+  };
+  ///@{
+  /**
+   * One of Surfaces: those that it does not name are not looked at. OverAny by default; several at
+   * once are then refused.
+   */
+  vtkSetClampMacro(Over, int, OverCutFunction, OverAny);
+  vtkGetMacro(Over, int);
+  ///@}
+
   ///@{
   /**
    * The function whose zeros are the cut-surface. None, the default: the boundary of the mesh, or
@@ -140,6 +158,10 @@ private:
   /// Throws Error.
   void Integrate(vtkDataObject* grid, vtkTable* output);
 
+  /// One of OverCutFunction, OverIsoSurface, OverBoundary. Throws Error.
+  [[nodiscard]] int Chosen() const;
+
+  int Over = OverAny;
   vtkSmartPointer<vtkImplicitFunction> CutFunction;
   std::vector<vtkSmartPointer<vtkImplicitFunction>> ClipFunctions;
   std::string IsoFieldName;
