@@ -82,7 +82,9 @@ std::vector<std::string> DoubtsOf(const SurfaceIntegral& found, double tolerance
     doubts.push_back(text.str());
   }
   add(found.notFinite, "left out: coefficients are NaN or infinite");
-  add(found.tooHigh, "left out: the order is too high for a quadric; use a plane");
+  add(
+    found.tooHigh, "left out: the order is too high for so curved a surface, or clip; use planes");
+  add(found.flat, "left out: the field has the value of the iso-surface all over them");
   add(found.notValid,
     "not proven to have a map that does not fold: where it does the integrals count places several "
     "times");

@@ -4,12 +4,15 @@
 #include "Core/Base/Error.h"
 
 #include "vtkAbstractTransform.h"
+#include "vtkBox.h"
 #include "vtkCone.h"
 #include "vtkCylinder.h"
 #include "vtkHomogeneousTransform.h"
 #include "vtkImplicitFunction.h"
 #include "vtkMatrix4x4.h"
+#include "vtkNew.h"
 #include "vtkPlane.h"
+#include "vtkPlanes.h"
 #include "vtkQuadric.h"
 #include "vtkSmartPointer.h"
 #include "vtkSphere.h"
@@ -219,5 +222,42 @@ std::unique_ptr<const CutFunction> MakeCutFunction(vtkImplicitFunction* function
     }
   }
   return std::make_unique<AskedFunction>(function, length);
+}
+
+std::vector<QuadricForm> PlanesOf(vtkImplicitFunction* function)
+{
+  std::vector<QuadricForm> planes;
+  if (auto* box = vtkBox::SafeDownCast(function))
+  {
+    double bounds[6];
+    box->GetBounds(bounds);
+    for (int side = 0; side < 6; ++side)
+    {
+      QuadricForm form;
+      form.g[side / 2] = side % 2 == 0 ? -1.0 : 1.0;
+      form.origin[side / 2] = bounds[side];
+      planes.push_back(form);
+    }
+  }
+  else if (auto* several = vtkPlanes::SafeDownCast(function))
+  {
+    vtkNew<vtkPlane> plane;
+    for (int k = 0; k < several->GetNumberOfPlanes(); ++k)
+    {
+      several->GetPlane(k, plane);
+      planes.push_back(FormOf(plane));
+    }
+  }
+  for (QuadricForm& plane : planes)
+  {
+    const auto moved = Moved(plane, function);
+    if (!moved)
+    {
+      throw Unsupported(
+        std::string(function->GetClassName()) + ": a transform that is not affine is not taken.");
+    }
+    plane = *moved;
+  }
+  return planes;
 }
 } // namespace pixelexact

@@ -5,6 +5,7 @@
 #include "Core/Contour/CutFunction.h"
 
 #include <memory>
+#include <vector>
 
 class vtkImplicitFunction;
 
@@ -19,5 +20,9 @@ namespace pixelexact
 /// Throws InvalidData for a surface without points for want of a direction: a plane's normal or a
 /// cylinder's axis of length zero, a transform without inverse.
 std::unique_ptr<const CutFunction> MakeCutFunction(vtkImplicitFunction* function, double length);
+
+/// The planes of a vtkBox or vtkPlanes, with normals that point out of it, moved by an affine
+/// transform or not; none of other functions. Throws as MakeCutFunction.
+std::vector<QuadricForm> PlanesOf(vtkImplicitFunction* function);
 } // namespace pixelexact
 #endif

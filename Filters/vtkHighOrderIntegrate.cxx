@@ -4,12 +4,11 @@
 #include "FieldsNamed.h"
 #include "FilterWork.h"
 #include "HighOrderModel.h"
+#include "IntegralPieces.h"
 #include "IntegralRows.h"
 #include "ModelSource.h"
-#include "VtkCutFunction.h"
 
 #include "Core/Base/Error.h"
-#include "Core/Location/Locator.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkImplicitFunction.h"
@@ -20,9 +19,8 @@
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 
-#include <glm/geometric.hpp>
-
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 vtkStandardNewMacro(vtkHighOrderIntegrate);
@@ -86,7 +84,12 @@ void vtkHighOrderIntegrate::PrintSelf(ostream& os, vtkIndent indent)
   {
     os << " " << attribute;
   }
-  os << "\n" << indent << "FieldName: " << this->FieldName << "\n";
+  os << "\n" << indent << "Over: " << this->Over << "\n";
+  os << indent << "ClipFunctions: " << this->ClipFunctions.size() << "\n";
+  os << indent << "IsoFieldName: " << this->IsoFieldName << "\n";
+  os << indent << "IsoComponent: " << this->IsoComponent << "\n";
+  os << indent << "IsoValue: " << this->IsoValue << "\n";
+  os << indent << "FieldName: " << this->FieldName << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "Seconds: " << this->Seconds << "\n";
   os << indent << "ToleranceMet: " << this->ToleranceMet << "\n";
@@ -95,8 +98,16 @@ void vtkHighOrderIntegrate::PrintSelf(ostream& os, vtkIndent indent)
 
 vtkMTimeType vtkHighOrderIntegrate::GetMTime()
 {
-  const vtkMTimeType own = this->Superclass::GetMTime();
-  return this->CutFunction ? std::max(own, this->CutFunction->GetMTime()) : own;
+  vtkMTimeType latest = this->Superclass::GetMTime();
+  if (this->CutFunction)
+  {
+    latest = std::max(latest, this->CutFunction->GetMTime());
+  }
+  for (const auto& function : this->ClipFunctions)
+  {
+    latest = std::max(latest, function->GetMTime());
+  }
+  return latest;
 }
 
 void vtkHighOrderIntegrate::SetCutFunction(vtkImplicitFunction* function)
@@ -107,6 +118,31 @@ void vtkHighOrderIntegrate::SetCutFunction(vtkImplicitFunction* function)
 vtkImplicitFunction* vtkHighOrderIntegrate::GetCutFunction()
 {
   return this->CutFunction;
+}
+
+void vtkHighOrderIntegrate::AddClipFunction(vtkImplicitFunction* function)
+{
+  if (function == nullptr)
+  {
+    vtkErrorMacro("AddClipFunction: there is no function.");
+    return;
+  }
+  this->ClipFunctions.emplace_back(function);
+  this->Modified();
+}
+
+void vtkHighOrderIntegrate::ClearClipFunctions()
+{
+  if (!this->ClipFunctions.empty())
+  {
+    this->ClipFunctions.clear();
+    this->Modified();
+  }
+}
+
+int vtkHighOrderIntegrate::GetNumberOfClipFunctions()
+{
+  return static_cast<int>(this->ClipFunctions.size());
 }
 
 void vtkHighOrderIntegrate::AddBoundaryAttribute(int attribute)
@@ -142,35 +178,59 @@ int vtkHighOrderIntegrate::RequestUpdateExtent(vtkInformation* /*request*/,
   return 1;
 }
 
+int vtkHighOrderIntegrate::Chosen() const
+{
+  if (this->Over == OverCutFunction && !this->CutFunction)
+  {
+    throw InvalidData("there is no cut function; give one with SetCutFunction.");
+  }
+  if (this->Over != OverAny)
+  {
+    return this->Over;
+  }
+  const bool iso = !this->IsoFieldName.empty();
+  if ((this->CutFunction ? 1 : 0) + (this->Attributes.empty() ? 0 : 1) + (iso ? 1 : 0) > 1)
+  {
+    throw InvalidData("there are several of a cut function, an iso-surface and attributes of the "
+                      "boundary; integrate over one of them at a time.");
+  }
+  return this->CutFunction ? OverCutFunction : iso ? OverIsoSurface : OverBoundary;
+}
+
 void vtkHighOrderIntegrate::Integrate(vtkDataObject* grid, vtkTable* output)
 {
-  if (this->CutFunction && !this->Attributes.empty())
-  {
-    throw InvalidData("there are a cut function and attributes of the boundary; integrate over one "
-                      "of them at a time.");
-  }
+  const int over = this->Chosen();
   const auto model = this->Source->Get(grid, this);
   IntegralQuestion question{ model->GetMesh(), FieldIn(*model, ChosenName(this, this->FieldName)),
     nullptr };
   const IntegralEffort effort{ this->Tolerance,
     this->Seconds != 0.0 ? this->Seconds : std::numeric_limits<double>::infinity() };
   this->UpdateProgress(0.2);
-  SurfaceIntegral found;
-  if (this->CutFunction)
+  std::vector<QuadricForm> clips;
+  for (const auto& function : this->ClipFunctions)
   {
-    const Box3 box = model->GetLocator().Bounds();
-    const double extent = glm::length(box.upper - box.lower);
-    const auto cut = MakeCutFunction(this->CutFunction, extent > 0.0 ? extent : 1.0);
-    question.cut = cut->Quadric();
-    if (question.cut == nullptr)
+    std::ranges::copy(ClipsOf(function), std::back_inserter(clips));
+  }
+  SurfaceIntegral found;
+  if (over == OverCutFunction)
+  {
+    found = IntegratePieces(question, PiecesOf(this->CutFunction), clips, *model, effort);
+  }
+  else if (over == OverIsoSurface)
+  {
+    const Field* const field = FieldIn(*model, this->IsoFieldName);
+    if (field == nullptr)
     {
-      throw Unsupported(std::string(this->CutFunction->GetClassName()) +
-        ": integrals are taken over planes, spheres, cylinders, cones and quadrics.");
+      throw InvalidData("there is no field to take an iso-surface of.");
     }
-    found = IntegrateCut(question, model->GetLocator(), model->Faces(), effort);
+    const IntegralPiece iso{ std::make_shared<IsoValueSurface>(
+                               *field, this->IsoComponent, this->IsoValue),
+      {}, std::nullopt };
+    found = IntegratePieces(question, std::span(&iso, 1), clips, *model, effort);
   }
   else
   {
+    question.clips = clips;
     found = IntegrateFaces(question, BoundaryOf(*model, this->Attributes), effort);
   }
   this->UpdateProgress(0.9);

@@ -10,8 +10,10 @@
  * `Mean` of a scalar, `Integral 0`, `Mean 0`, ... of fields with several components; `Flux` of a
  * vector of three, along the gradient of the cut function, or out of the boundary.
  *
- * Planes, spheres, cylinders, cones (both halves) and quadrics are taken, also moved by affine
- * transforms. What keeps the table from being of all of the surface is warned of.
+ * Planes, spheres, cylinders, cones (both halves), quadrics, boxes and convex bodies (vtkBox,
+ * vtkPlanes: their faces) are taken, also moved by affine transforms, vtkImplicitTorus,
+ * iso-surfaces and the boundary; and of each of them what clip functions leave: a disc is a plane
+ * that a sphere clips. What keeps the table from being of all of the surface is warned of.
  */
 
 #ifndef vtkHighOrderIntegrate_h
@@ -43,6 +45,24 @@ public:
   /// Includes the cut function's.
   vtkMTimeType GetMTime() override;
 
+  /// What is integrated over; Any: the cut function or the iso-surface where there is one, else the
+  /// boundary.
+  enum Surfaces
+  {
+    OverCutFunction,
+    OverIsoSurface,
+    OverBoundary,
+    OverAny
+  };
+  ///@{
+  /**
+   * One of Surfaces: those that it does not name are not looked at. OverAny by default; several at
+   * once are then refused.
+   */
+  vtkSetClampMacro(Over, int, OverCutFunction, OverAny);
+  vtkGetMacro(Over, int);
+  ///@}
+
   ///@{
   /**
    * The function whose zeros are the cut-surface. None, the default: the boundary of the mesh, or
@@ -50,6 +70,31 @@ public:
    */
   void SetCutFunction(vtkImplicitFunction* function);
   vtkImplicitFunction* GetCutFunction();
+  ///@}
+
+  ///@{
+  /**
+   * Of the surface counts what is where none of these functions is positive: planes, quadrics,
+   * boxes and convex bodies. None at first.
+   */
+  void AddClipFunction(vtkImplicitFunction* function);
+  void ClearClipFunctions();
+  int GetNumberOfClipFunctions();
+  ///@}
+
+  ///@{
+  /**
+   * In place of a cut function: where a component of a field has a value, also of another field
+   * than the one that is integrated. Empty, the default: no iso-surface. IsoComponent: -1, the
+   * default, is a scalar itself, or the magnitude. Mapped fields (H(curl), H(div), density) are
+   * refused.
+   */
+  vtkSetMacro(IsoFieldName, std::string);
+  vtkGetMacro(IsoFieldName, std::string);
+  vtkSetMacro(IsoComponent, int);
+  vtkGetMacro(IsoComponent, int);
+  vtkSetMacro(IsoValue, double);
+  vtkGetMacro(IsoValue, double);
   ///@}
 
   ///@{
@@ -113,7 +158,15 @@ private:
   /// Throws Error.
   void Integrate(vtkDataObject* grid, vtkTable* output);
 
+  /// One of OverCutFunction, OverIsoSurface, OverBoundary. Throws Error.
+  [[nodiscard]] int Chosen() const;
+
+  int Over = OverAny;
   vtkSmartPointer<vtkImplicitFunction> CutFunction;
+  std::vector<vtkSmartPointer<vtkImplicitFunction>> ClipFunctions;
+  std::string IsoFieldName;
+  int IsoComponent = -1;
+  double IsoValue = 0.0;
   std::vector<std::int32_t> Attributes;
   std::string FieldName;
   double Tolerance = 1e-8;

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "MeshSurfaces.h"
+#include "IntegralPieces.h"
+#include "MeshSurfaceOptions.h"
 #include "PlaneOption.h"
+#include "QuadricKinds.h"
 
 #include <vtkSmartPointer.h>
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,9 +25,12 @@ namespace pixelexact
 /// A surface that is integrated over.
 struct IntegralSurface
 {
-  std::string name;                              ///< the option, and what it was given
-  vtkSmartPointer<vtkImplicitFunction> function; ///< null: the boundary
-  std::vector<std::int32_t> attributes;          ///< of the boundary's parts; none: all of it
+  std::string name; ///< the option, and what it was given
+  std::vector<IntegralPiece> pieces{};
+  vtkSmartPointer<vtkImplicitFunction> function{}; ///< for VTK's filters; null: they have none
+  std::optional<IsoText> iso{};
+  bool boundary = false;
+  std::vector<std::int32_t> attributes{}; ///< of the boundary's parts; none: all of it
 };
 
 /// The surfaces of `integrate`, in the order of their kinds in the help.
@@ -33,13 +39,18 @@ class IntegralSurfaces
 public:
   void AddTo(CLI::App& command);
 
-  [[nodiscard]] bool HasBoundaries() const { return !Boundaries.empty(); }
-  /// Without any: the plane through the middle. Throws UsageError when numbers describe no surface.
+  /// What clips all of them.
+  [[nodiscard]] std::vector<QuadricForm> Clips() const;
+  /// Without any: the plane through the middle. Throws UsageError when numbers describe no surface,
+  /// Error for files that are not of triangles.
   [[nodiscard]] std::vector<IntegralSurface> Make(const Box3& box) const;
 
 private:
   std::vector<PlaneChoice> Planes;
-  std::map<std::string, std::vector<std::vector<double>>> Numbers; ///< by option
+  std::map<std::string, std::vector<GivenNumbers>> Numbers; ///< by option
   std::vector<BoundaryChoice> Boundaries;
+  std::vector<std::string> Files;
+  std::vector<IsoText> Isos;
+  std::vector<GivenNumbers> HalfSpaces;
 };
 } // namespace pixelexact

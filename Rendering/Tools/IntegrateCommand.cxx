@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Command.h"
 #include "Input.h"
+#include "IntegralPieces.h"
 #include "IntegralRows.h"
 #include "IntegralSurfaces.h"
 #include "LinearIntegral.h"
@@ -9,10 +10,7 @@
 #include "Report.h"
 
 #include "Core/Base/Error.h"
-#include "VtkCutFunction.h"
-
 #include <fmt/format.h>
-#include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 #include <vtkImplicitFunction.h>
 #include <vtkUnstructuredGrid.h>
@@ -67,22 +65,39 @@ Answer Solve(const IntegralSurface& surface, const LoadedModel& input, const Fie
   const HighOrderModel& model = *input.model;
   IntegralQuestion question{ model.GetMesh(), field, nullptr };
   Answer answer{ surface.name, {}, {}, std::nullopt };
-  if (surface.function)
+  const std::vector<QuadricForm> clips = options.surfaces.Clips();
+  if (options.linear >= 0 && (surface.function == nullptr || !clips.empty()))
   {
-    const Box3 box = BoxOf(model);
-    const auto cut = MakeCutFunction(surface.function, glm::length(box.upper - box.lower));
-    question.cut = cut->Quadric();
-    answer.found = IntegrateCut(question, model.GetLocator(), model.Faces(), options.Effort());
-    answer.rows = RowsOf(question, answer.found);
-    if (options.linear >= 0)
-    {
-      answer.linear = IntegrateLinearly(
-        input.grid, surface.function, field != nullptr ? field->name : "", options.linear);
-    }
-    return answer;
+    throw UsageError(
+      "--linear is for planes, quadrics, tori and boxes that nothing clips; leave it "
+      "out with " +
+      surface.name + (clips.empty() ? "" : " and --clip"));
   }
-  answer.found = IntegrateFaces(question, BoundaryOf(model, surface.attributes), options.Effort());
+  std::vector<IntegralPiece> pieces = surface.pieces;
+  if (surface.iso)
+  {
+    const IsoChoice iso = Resolve(*surface.iso, model);
+    pieces.push_back(
+      { std::make_shared<IsoValueSurface>(FieldNamed(model, iso.field), iso.component, iso.value),
+        {}, std::nullopt });
+  }
+  if (surface.boundary)
+  {
+    question.clips = clips;
+    answer.found =
+      IntegrateFaces(question, BoundaryOf(model, surface.attributes), options.Effort());
+    question.clips = {};
+  }
+  else
+  {
+    answer.found = IntegratePieces(question, pieces, clips, model, options.Effort());
+  }
   answer.rows = RowsOf(question, answer.found);
+  if (options.linear >= 0)
+  {
+    answer.linear = IntegrateLinearly(
+      input.grid, surface.function, field != nullptr ? field->name : "", options.linear);
+  }
   return answer;
 }
 
@@ -141,7 +156,8 @@ nlohmann::ordered_json ToJson(const Answer& answer, const IntegralEffort& effort
   nlohmann::ordered_json summary{ { "surface", answer.name }, { "tolerance_met", found.met },
     { "elements", found.elements }, { "faces", found.faces }, { "boxes", found.boxes },
     { "unresolved_area", found.unresolved }, { "not_finite", found.notFinite },
-    { "not_valid", found.notValid }, { "notes", DoubtsOf(found, effort.tolerance) } };
+    { "flat", found.flat }, { "not_valid", found.notValid },
+    { "notes", DoubtsOf(found, effort.tolerance) } };
   for (const IntegralRow& row : answer.rows)
   {
     nlohmann::ordered_json entry{ { "quantity", row.quantity }, { "value", row.Middle() },
@@ -162,10 +178,7 @@ nlohmann::ordered_json ToJson(const Answer& answer, const IntegralEffort& effort
 void RunIntegrate(const IntegrateOptions& options, const CommonOptions& common)
 {
   const IntegralEffort effort = options.Effort();
-  if (options.surfaces.HasBoundaries() && options.linear >= 0)
-  {
-    throw UsageError("--linear is for cut-surfaces; leave it out with --boundary");
-  }
+  (void)options.surfaces.Clips(); // which refuses what is none
   Stopwatch stopwatch;
   const LoadedModel input = LoadModel(options.input, options.field, stopwatch);
   WarnOfDiagnostics(input);

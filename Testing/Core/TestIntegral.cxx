@@ -4,6 +4,7 @@
 #include "CurvedMeshes.h"
 
 #include "Core/Base/Error.h"
+#include "Core/Integral/IntegralCut.h"
 #include "Core/Integral/Integrate.h"
 #include "Core/Questions/Questions.h"
 
@@ -43,7 +44,8 @@ SurfaceIntegral Cut(
 {
   const Locator locator(mesh);
   const FaceTable faces(locator.Index());
-  return IntegrateCut({ mesh, field, &form }, locator, faces, effort);
+  const QuadricSurface surface(form);
+  return IntegrateCut({ mesh, field, &surface }, locator, faces, effort);
 }
 
 /// Holds the value, and is as narrow as was asked for.

@@ -4,7 +4,9 @@
 
 #include "vtkHighOrderIntegrate.h"
 #include "vtkHighOrderSubdivide.h"
+#include "vtkImplicitTorus.h"
 
+#include "vtkBox.h"
 #include "vtkCellData.h"
 #include "vtkCutter.h"
 #include "vtkIntegrateAttributes.h"
@@ -132,8 +134,66 @@ TEST(IntegrateFilter, VtksFiltersConvergeToIt)
   EXPECT_LT(before, 3e-3);
 }
 
+TEST(IntegrateFilter, BoxesToriAndDiscs)
+{
+  vtkNew<vtkBox> box;
+  box->SetBounds(0.25, 0.75, 0.125, 0.5, 0.5, 0.875);
+  Integration faces(Boxes(2), box);
+  const double area = 2.0 * (0.5 * 0.375 + 0.375 * 0.375 + 0.5 * 0.375);
+  EXPECT_NEAR(faces.Get("Area"), area, faces.Get("Area", "ErrorBound"));
+  EXPECT_LE(faces.Get("Area", "ErrorBound"), 1e-7);
+  // The mean of x + 2 y + 3 z is that in the box's middle.
+  EXPECT_NEAR(faces.Get("Mean"), 0.5 + 0.625 + 3.0 * 0.6875, 1e-6);
+
+  const auto plane = PlaneAt(0.3);
+  vtkNew<vtkSphere> ball;
+  ball->SetCenter(0.5, 0.5, 0.3);
+  ball->SetRadius(0.25);
+  Integration disc(Boxes(2), plane);
+  disc.filter->AddClipFunction(ball);
+  disc.filter->SetTolerance(1e-6);
+  EXPECT_NEAR(disc.Get("Area"), std::numbers::pi / 16.0, disc.Get("Area", "ErrorBound"));
+  EXPECT_LE(disc.Get("Area", "ErrorBound"), 1e-6);
+  EXPECT_NEAR(disc.Get("Mean"), 0.5 + 1.0 + 0.9, 1e-4);
+  disc.filter->ClearClipFunctions();
+  EXPECT_NEAR(disc.Get("Area"), 1.0, 1e-5);
+
+  vtkNew<vtkImplicitTorus> torus;
+  torus->SetCenter(0.5, 0.5, 0.5);
+  torus->SetRadius(0.3);
+  torus->SetTubeRadius(0.1);
+  Integration ring(Boxes(1), torus);
+  ring.filter->SetTolerance(2e-2);
+  EXPECT_NEAR(ring.Get("Area"), 4.0 * std::numbers::pi * std::numbers::pi * 0.03,
+    ring.Get("Area", "ErrorBound"));
+}
+
+TEST(IntegrateFilter, AnIsoSurface)
+{
+  // x + 2 y + 3 z = 3 through the middle of the unit cube, in which 3 z = 3 - x - 2 y is for all
+  // (x, y).
+  Integration iso(Boxes(2));
+  iso.filter->SetOver(vtkHighOrderIntegrate::OverIsoSurface);
+  iso.filter->SetIsoValue(3.0);
+  EXPECT_NEAR(iso.Get("Area"), std::sqrt(14.0) / 3.0, iso.Get("Area", "ErrorBound"));
+  EXPECT_NEAR(iso.Get("Mean"), 3.0, 1e-6);
+  EXPECT_EQ(iso.messages->errors, "");
+  iso.filter->SetOver(vtkHighOrderIntegrate::OverBoundary);
+  EXPECT_NEAR(iso.Get("Area"), 6.0, 1e-6);
+  iso.filter->SetOver(vtkHighOrderIntegrate::OverCutFunction);
+  iso.filter->Update();
+  EXPECT_NE(iso.messages->errors.find("SetCutFunction"), std::string::npos);
+}
+
 TEST(IntegrateFilter, WrongUseIsRefused)
 {
+  const auto clipped = PlaneAt(0.5);
+  vtkNew<vtkSuperquadric> wrongClip;
+  Integration clip(Boxes(1), clipped);
+  clip.filter->AddClipFunction(wrongClip);
+  clip.filter->Update();
+  EXPECT_NE(clip.messages->errors.find("clipped by planes"), std::string::npos);
+
   vtkNew<vtkSuperquadric> function;
   Integration unknown(Boxes(1), function);
   unknown.filter->Update();

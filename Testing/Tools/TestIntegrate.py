@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """pixelexact integrate: what it prints, against sums over pixels, what it refuses."""
 
+import math
 import unittest
 
 import numpy as np
 from rendering import EXACT
-from tool import ToolTest, case
+from tool import DATA, ToolTest, case
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader
 
@@ -56,7 +57,45 @@ class Integrate(ToolTest):
         _, rows = self.rows(case("dolfinx_hex_g2_p4"), "--boundary", "--tolerance", "1e-4")
         self.assertGreater(rows["Area"]["lower"], 0.0)
 
+    def test_discs_tori_boxes_triangles_and_iso_surfaces(self):
+        path = case("toroid_hex_g3_p6")
+        # All of them lie within the ring: closed forms.
+        for surface, area in (
+            (("--disc", "1,0,0.05,0,0,1,0.15"), math.pi * 0.15**2),
+            (("--torus", "0,0,0,0,0,1,1,0.2"), 4.0 * math.pi**2 * 0.2),
+            (("--box", "0.95,-0.05,-0.1,1.05,0.1,0.1"), 2 * (0.015 + 0.03 + 0.02)),
+        ):
+            with self.subTest(surface=surface[0]):
+                _, rows = self.rows(path, "--field", "u", *surface, "--tolerance", "1e-3")
+                found = rows["Area"]
+                self.assertLessEqual(found["lower"], area)
+                self.assertGreaterEqual(found["upper"], area)
+                self.assertLess(found["error_bound"], 2e-3 * area)
+        _, half = self.rows(
+            *(path, "--disc", "1,0,0.05,0,0,1,0.15", "--clip", "1,0,0.05,1,1,0"),
+            *("--tolerance", "1e-6"),
+        )
+        self.assertAlmostEqual(half["Area"]["value"], math.pi * 0.15**2 / 2, delta=1e-6)
+        _, triangles = self.rows(
+            path, "--surface", DATA / "surfaces" / "octahedron.stl", "--tolerance", "1e-4"
+        )
+        self.assertGreater(triangles["Area"]["lower"], 0.0)
+        path = case("fichera_hex_g3_p4")
+        _, iso = self.rows(path, "--field", "u", "--isosurface", "u=0.3", "--tolerance", "1e-2")
+        # The field's mean on its own iso-surface.
+        self.assertLessEqual(iso["Mean"]["lower"], 0.3)
+        self.assertGreaterEqual(iso["Mean"]["upper"], 0.3)
+        self.assertLess(iso["Mean"]["error_bound"], 0.02)
+
     def test_what_does_not_fit_is_refused(self):
+        for option in ("--patch", "--disc", "--clip"):
+            given = "saddle.txt" if option == "--patch" else "0,0,0,0,0,0" + ",1" * (option == "--disc")
+            self.fails(
+                2, "integrate", case("dolfinx_hex_g2_p4"), option, given, names=[option]
+            )
+        self.fails(
+            1, "integrate", case("dolfinx_hex_g2_p4"), "--isosurface", "none=1", names=["none"]
+        )
         path = case("dolfinx_hex_g2_p4")
         self.fails(2, "integrate", path, "--tolerance", "0", names=["--tolerance"])
         self.fails(2, "integrate", path, "--seconds", "-1", names=["--seconds"])

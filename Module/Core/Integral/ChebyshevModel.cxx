@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Integral/ChebyshevModel.h"
 
+#include "Core/Integral/ChebyshevBasis.h"
 #include "Core/Math/Rounding.h"
 
 #include <algorithm>
@@ -19,45 +20,6 @@ double Up(double bound)
 }
 /// Additions to one coefficient of a product, and what else rounds.
 constexpr int kProductRoundings = 4 * (kDegree + 1) * (kDegree + 1) + 8;
-/// Steps of Newton's iteration, which doubles the digits.
-constexpr int kNewtonSteps = 7;
-
-/// Chebyshev's polynomials in Bernstein's form of degree kDegree over [-1, 1]: T_n has
-/// (-1)^(n-i) C(2n, 2i) / C(n, i) in its own degree, which is then raised.
-struct ToBernstein
-{
-  ToBernstein()
-  {
-    for (int n = 0; n <= kDegree; ++n)
-    {
-      auto& b = column[static_cast<std::size_t>(n)];
-      double even = 1.0; // C(2n, 2i)
-      double all = 1.0;  // C(n, i)
-      for (int i = 0; i <= n; ++i)
-      {
-        b[static_cast<std::size_t>(i)] = ((n - i) % 2 == 0 ? 1.0 : -1.0) * even / all;
-        even = even * (2 * n - 2 * i) / (2 * i + 1) * (2 * n - 2 * i - 1) / (2 * i + 2);
-        all = all * (n - i) / (i + 1);
-      }
-      for (int m = n; m < kDegree; ++m)
-      {
-        b[static_cast<std::size_t>(m) + 1] = b[static_cast<std::size_t>(m)];
-        for (int i = m; i > 0; --i)
-        {
-          const double part = static_cast<double>(i) / (m + 1);
-          b[static_cast<std::size_t>(i)] = part * b[static_cast<std::size_t>(i) - 1] +
-            (1.0 - part) * b[static_cast<std::size_t>(i)];
-        }
-      }
-      for (const double value : b)
-      {
-        largest = std::max(largest, std::fabs(value));
-      }
-    }
-  }
-  std::array<std::array<double, kDegree + 1>, kDegree + 1> column{}; ///< [n][i]
-  double largest = 1.0;
-};
 } // namespace
 
 ChebyshevModel::ChebyshevModel(const Interval& value)
@@ -104,7 +66,7 @@ Interval ChebyshevModel::TightRange() const
   {
     return wide;
   }
-  static const ToBernstein kChange;
+  const ChebyshevInBernstein& change = ChebyshevInBernstein::Get();
   constexpr std::size_t n = kDegree;
   double half[n + 1][n + 1] = {}; // Chebyshev's in s, Bernstein's in t
   for (std::size_t i = 0; i <= n; ++i)
@@ -114,7 +76,7 @@ Interval ChebyshevModel::TightRange() const
       const double value = c[Index(static_cast<int>(i), static_cast<int>(j))];
       for (std::size_t l = 0; l <= n && value != 0.0; ++l)
       {
-        half[i][l] += value * kChange.column[j][l];
+        half[i][l] += value * change.column[j][l];
       }
     }
   }
@@ -127,14 +89,14 @@ Interval ChebyshevModel::TightRange() const
       double value = 0.0;
       for (std::size_t i = 0; i <= n; ++i)
       {
-        value += kChange.column[i][k] * half[i][l];
+        value += change.column[i][k] * half[i][l];
       }
       least = std::min(least, value);
       most = std::max(most, value);
     }
   }
   const double radius =
-    Up(error + Gamma(4 * kDegree + 8) * kChange.largest * kChange.largest * Norm());
+    Up(error + Gamma(4 * kDegree + 8) * change.largest * change.largest * Norm());
   return Intersect(wide, rounding::Outward(least - radius, most + radius));
 }
 
@@ -162,6 +124,39 @@ ChebyshevModel ChebyshevModel::Polynomial() const
   ChebyshevModel p = *this;
   p.error = 0.0;
   return p;
+}
+
+ChebyshevModel ChebyshevModel::Transposed() const
+{
+  ChebyshevModel other;
+  for (int i = 0; i <= kDegree; ++i)
+  {
+    for (int j = 0; i + j <= kDegree; ++j)
+    {
+      other.c[Index(j, i)] = c[Index(i, j)];
+    }
+  }
+  other.error = error;
+  return other;
+}
+
+ChebyshevModel ChebyshevModel::ByT() const
+{
+  // c'_{j-1} = c'_{j+1} + 2 j c_j, and half of it at the start.
+  ChebyshevModel slope;
+  double size = 0.0;
+  for (int i = 0; i <= kDegree; ++i)
+  {
+    for (int j = kDegree - i; j > 0; --j)
+    {
+      const double above = i + j + 1 <= kDegree ? slope.c[Index(i, j + 1)] : 0.0;
+      slope.c[Index(i, j - 1)] = above + 2.0 * j * c[Index(i, j)];
+      size += std::fabs(slope.c[Index(i, j - 1)]);
+    }
+    slope.c[Index(i, 0)] *= 0.5;
+  }
+  slope.error = error > 0.0 ? kInfinity : Up(Gamma(2 * kDegree) * kDegree * size);
+  return slope;
 }
 
 void ChebyshevModel::Widen(double radius)
@@ -273,83 +268,5 @@ ChebyshevModel operator*(const ChebyshevModel& a, const ChebyshevModel& b)
         Gamma(kProductRoundings) * a1 * b1)
     : kInfinity;
   return product;
-}
-
-ChebyshevModel Reciprocal(const ChebyshevModel& f)
-{
-  ChebyshevModel unknown;
-  unknown.error = kInfinity;
-  if (f.Range().Contains(0.0))
-  {
-    return unknown;
-  }
-  const ChebyshevModel p = f.Polynomial();
-  ChebyshevModel r(1.0 / f.c[0]);
-  for (int step = 0; step < kNewtonSteps; ++step)
-  {
-    const ChebyshevModel left = ChebyshevModel(1.0) - p * r;
-    r = (r + r * left).Polynomial();
-    if (left.Norm() < 1e-9)
-    {
-      break;
-    }
-  }
-  // 1/f = r / (1 - d) with d = 1 - f r.
-  const double d = (ChebyshevModel(1.0) - f * r).Range().Magnitude();
-  if (!(d < 1.0))
-  {
-    return unknown;
-  }
-  r.error = Up(r.Range().Magnitude() * d / (1.0 - d));
-  return r;
-}
-
-ChebyshevModel SquareRoot(const ChebyshevModel& f)
-{
-  ChebyshevModel unknown;
-  unknown.error = kInfinity;
-  const double least = f.Range().lower;
-  if (!(least > 0.0))
-  {
-    return unknown;
-  }
-  // Newton's iteration for 1 / sqrt(f), which needs no quotients.
-  const ChebyshevModel p = f.Polynomial();
-  ChebyshevModel r(1.0 / std::sqrt(f.c[0]));
-  for (int step = 0; step < kNewtonSteps; ++step)
-  {
-    const ChebyshevModel left = ChebyshevModel(1.0) - p * (r * r);
-    r = (r + 0.5 * (r * left)).Polynomial();
-    if (left.Norm() < 1e-9)
-    {
-      break;
-    }
-  }
-  ChebyshevModel s = (p * r).Polynomial();
-  // sqrt(f) - s = (f - s^2) / (sqrt(f) + s).
-  if (!(s.Range().lower > 0.0))
-  {
-    return unknown;
-  }
-  s.error = Up((f - s * s).Range().Magnitude() / std::sqrt(least) * (1.0 + 0x1p-40));
-  return s;
-}
-
-void AddRoughness(const ChebyshevModel& model, std::array<double, 2>& along)
-{
-  /// Lower terms decide where there are no higher ones.
-  constexpr double kLower = 1e-9;
-  constexpr int kHighest = 3;
-  const double scale = 1.0 / (model.Norm() + 0x1p-1000);
-  for (int i = 0; i <= kDegree; ++i)
-  {
-    for (int j = 0; i + j <= kDegree; ++j)
-    {
-      const double size = scale * std::fabs(model.c[ChebyshevModel::Index(i, j)]) *
-        (i + j > kDegree - kHighest ? 1.0 : kLower);
-      along[0] += size * i;
-      along[1] += size * j;
-    }
-  }
 }
 } // namespace pixelexact

@@ -49,6 +49,10 @@ public:
   [[nodiscard]] Interval Integral() const;
   /// The same coefficients, exactly.
   [[nodiscard]] ChebyshevModel Polynomial() const;
+  /// f(t, s).
+  [[nodiscard]] ChebyshevModel Transposed() const;
+  /// Its derivative by t; where there is an error, nothing is known of it.
+  [[nodiscard]] ChebyshevModel ByT() const;
   /// Up to `radius` more.
   void Widen(double radius);
 };

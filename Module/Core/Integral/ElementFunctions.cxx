@@ -3,6 +3,7 @@
 
 #include "Core/Bernstein/TensorPolynomial.h"
 #include "Core/Contour/QuadricPolynomial.h"
+#include "Core/Integral/IntegralCut.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +17,8 @@ constexpr std::size_t kCut = 0;
 constexpr std::size_t kMap = 1;
 constexpr std::size_t kSlopes = 4;
 constexpr std::size_t kValues = 13;
+/// Of the field that the cut-surface is made of: a component's values and derivatives.
+constexpr std::size_t kOfComponent = 4;
 
 BoxPolynomial Restricted(const BoxPolynomial& over, const PieceBox& box)
 {
@@ -29,15 +32,26 @@ ElementFunctions::ElementFunctions(const IntegralQuestion& question, int element
   : TheQuestion(question)
   , TheElement(element)
   , Map(question.mesh.map.SpaceOf(element), question.mesh.map.Coefficients(element), 3)
+  , FirstClip(kValues + static_cast<std::size_t>(question.Components()))
+  , FirstOfCut(FirstClip + question.clips.size())
   , TheRadius(std::ldexp(question.mesh.size[static_cast<std::size_t>(element)], Map.exponent))
 {
+  const auto modesOf = [element](const Expansion& values)
+  {
+    return std::make_unique<const ScaledModes>(
+      values.SpaceOf(element), values.Coefficients(element), values.components);
+  };
+  const Field* const ofCut = question.cut != nullptr ? question.cut->MadeOf() : nullptr;
   if (question.field != nullptr)
   {
-    const Expansion& values = question.field->values;
-    Modes = std::make_unique<const ScaledModes>(
-      values.SpaceOf(element), values.Coefficients(element), values.components);
+    Modes = modesOf(question.field->values);
   }
-  Finite = Map.finite && (Modes == nullptr || Modes->finite);
+  if (ofCut != nullptr)
+  {
+    CutModes = modesOf(ofCut->values);
+  }
+  Finite =
+    Map.finite && (Modes == nullptr || Modes->finite) && (CutModes == nullptr || CutModes->finite);
   if (!Finite)
   {
     return;
@@ -49,18 +63,26 @@ ElementFunctions::ElementFunctions(const IntegralQuestion& question, int element
   {
     all.push_back({ Modes.get(), c, Part::Value });
   }
-  TheLevel = LevelFor(all);
-  Made.resize(kValues + static_cast<std::size_t>(question.Components()));
-  if (question.cut != nullptr)
+  const auto degreeOf = [](const ScaledModes& modes)
+  { return std::ranges::max(modes.space.TensorDegree()); };
+  int degree = degreeOf(Map);
+  for (const QuadricForm& clip : question.clips)
   {
-    const int factor = question.cut->IsPlane() ? 1 : 2;
-    TooHigh = factor * std::ranges::max(Map.space.TensorDegree()) > kMaxDegree;
-    for (std::size_t d = 0; d < 3; ++d)
-    {
-      Z0[d] = Interval(question.mesh.centre[3 * static_cast<std::size_t>(element) + d]) -
-        Interval(question.cut->origin[static_cast<int>(d)]);
-    }
+    TooHigh = TooHigh || (clip.IsPlane() ? 1 : 2) * degree > kMaxDegree;
   }
+  if (ofCut != nullptr)
+  {
+    degree = degreeOf(*CutModes);
+    for (int c = 0; c < ofCut->values.components; ++c)
+    {
+      all.push_back({ CutModes.get(), c, Part::Value });
+    }
+    AddDerivatives(*CutModes, 0, ofCut->values.components, all);
+  }
+  TooHigh = TooHigh || (question.cut != nullptr && question.cut->Factor() * degree > kMaxDegree);
+  TheLevel = LevelFor(all);
+  Made.resize(FirstOfCut +
+    (ofCut != nullptr ? kOfComponent * static_cast<std::size_t>(ofCut->values.components) : 0));
 }
 
 std::vector<PieceBox> ElementFunctions::Pieces() const
@@ -117,36 +139,62 @@ const BoxPolynomial& ElementFunctions::Over(const PieceForm::Piece& piece, std::
     return made;
   }
   const Box3 whole{ Vec3(-1.0), Vec3(1.0) };
+  const auto over = [&](const ScaledModes& modes, std::size_t component, Part part)
+  {
+    return RangeIngredient{ &modes, static_cast<int>(component), part }.Over(
+      TheLevel, piece, whole);
+  };
   if (function == kCut)
   {
-    Box3 box;
-    const double n = 1 << TheLevel;
-    for (int d = 0; d < 3; ++d)
-    {
-      box.lower[d] = 2.0 * piece[static_cast<std::size_t>(d)] / n - 1.0;
-      box.upper[d] = box.lower[d] + 2.0 / n;
-    }
-    ScaledQuadric quadric =
-      QuadricOver(TheQuestion.mesh, TheElement, Map, *TheQuestion.cut, TheLevel, box);
-    TheUnit = quadric.unit;
-    made = std::move(quadric.s);
+    ScaledCut cut = TheQuestion.cut->Over(*this, piece);
+    TheUnit = cut.unit;
+    made = std::move(cut.s);
   }
   else if (function < kSlopes)
   {
-    made = RangeIngredient{ &Map, static_cast<int>(function - kMap), Part::Value }.Over(
-      TheLevel, piece, whole);
+    made = over(Map, function - kMap, Part::Value);
   }
   else if (function < kValues)
   {
-    const auto k = static_cast<int>(function - kSlopes);
-    made = RangeIngredient{ &Map, k / 3, static_cast<Part>(k % 3) }.Over(TheLevel, piece, whole);
+    const std::size_t k = function - kSlopes;
+    made = over(Map, k / 3, static_cast<Part>(k % 3));
+  }
+  else if (function < FirstClip)
+  {
+    made = over(*Modes, function - kValues, Part::Value);
+  }
+  else if (function < FirstOfCut)
+  {
+    made = Quadric(TheQuestion.clips[function - FirstClip], piece).s;
   }
   else
   {
-    made = RangeIngredient{ Modes.get(), static_cast<int>(function - kValues), Part::Value }.Over(
-      TheLevel, piece, whole);
+    const std::size_t k = function - FirstOfCut;
+    const std::size_t part = k % kOfComponent;
+    made = over(*CutModes, k / kOfComponent,
+      part == 0 ? Part::Value : static_cast<Part>(static_cast<int>(part) - 1));
   }
   return made;
+}
+
+Interval ElementFunctions::Shift(const Vec3& origin, int component) const
+{
+  return Interval(TheQuestion.mesh.centre[3 * static_cast<std::size_t>(TheElement) +
+           static_cast<std::size_t>(component)]) -
+    Interval(origin[component]);
+}
+
+ScaledCut ElementFunctions::Quadric(const QuadricForm& form, const PieceForm::Piece& piece) const
+{
+  Box3 box;
+  const double n = 1 << TheLevel;
+  for (int d = 0; d < 3; ++d)
+  {
+    box.lower[d] = 2.0 * piece[static_cast<std::size_t>(d)] / n - 1.0;
+    box.upper[d] = box.lower[d] + 2.0 / n;
+  }
+  ScaledQuadric quadric = QuadricOver(TheQuestion.mesh, TheElement, Map, form, TheLevel, box);
+  return { std::move(quadric.s), quadric.unit };
 }
 
 BoxPolynomial ElementFunctions::Cut(const PieceBox& box)
@@ -167,6 +215,30 @@ BoxPolynomial ElementFunctions::Slope(const PieceBox& box, int component, int xi
 BoxPolynomial ElementFunctions::Values(const PieceBox& box, int component)
 {
   return Restricted(Over(box.piece, kValues + static_cast<std::size_t>(component)), box);
+}
+
+BoxPolynomial ElementFunctions::Clip(const PieceBox& box, std::size_t clip)
+{
+  return Restricted(Over(box.piece, FirstClip + clip), box);
+}
+
+BoxPolynomial ElementFunctions::CutValues(const PieceBox& box, int component)
+{
+  return Restricted(
+    Over(box.piece, FirstOfCut + kOfComponent * static_cast<std::size_t>(component)), box);
+}
+
+BoxPolynomial ElementFunctions::CutSlope(const PieceBox& box, int component, int xi)
+{
+  return Restricted(Over(box.piece,
+                      FirstOfCut + kOfComponent * static_cast<std::size_t>(component) + 1 +
+                        static_cast<std::size_t>(xi)),
+    box);
+}
+
+int ElementFunctions::CutExponent() const
+{
+  return CutModes != nullptr ? CutModes->exponent : 0;
 }
 
 int ElementFunctions::FieldExponent() const

@@ -6,16 +6,24 @@
 #include "Core/Element/RangeIngredients.h"
 
 #include <memory>
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace pixelexact
 {
+class IntegralCut;
+
 /// What is integrated. The views must outlive whoever holds it.
 struct IntegralQuestion
 {
   Mesh mesh;
   const Field* field = nullptr;     ///< null: the area alone
-  const QuadricForm* cut = nullptr; ///< null: faces of elements
+  const IntegralCut* cut = nullptr; ///< null: faces of elements
+  /// What of the surface counts: where none of these is positive.
+  std::span<const QuadricForm> clips{};
+  /// All of what counts is in this box; nothing: it may be anywhere.
+  std::optional<Box3> within{};
 
   [[nodiscard]] int Components() const { return field != nullptr ? field->values.components : 0; }
   [[nodiscard]] bool HasFlux() const { return Components() == 3; }
@@ -34,6 +42,13 @@ struct PieceBox
   Vec3 upper{ 1.0 };
 };
 
+/// A function S over a part of an element, as a polynomial in eta.
+struct ScaledCut
+{
+  BoxPolynomial s;
+  double unit = 1.0; ///< s is unit times S: a power of two, the same for all of the element
+};
+
 /// The polynomials in eta that integrals over a cut of one element are made of, over boxes.
 class ElementFunctions
 {
@@ -42,7 +57,7 @@ public:
 
   /// Whether all coefficients are finite.
   [[nodiscard]] bool IsFinite() const { return Finite; }
-  /// The polynomial of a quadric has a degree that is not taken.
+  /// The polynomial of the cut-surface, or of what clips it, has a degree that is not taken.
   [[nodiscard]] bool IsTooHigh() const { return TooHigh; }
   [[nodiscard]] Shape GetShape() const { return Map.space.shape; }
   /// The cube is cut into 2^Level() pieces along each direction.
@@ -66,11 +81,19 @@ public:
   BoxPolynomial Values(const PieceBox& box, int component);
   [[nodiscard]] int FieldExponent() const;
 
-  /// z = x - the quadric's origin, of y.
-  [[nodiscard]] Interval Shift(int component) const
-  {
-    return Z0[static_cast<std::size_t>(component)];
-  }
+  /// Of z = x - origin where y is zero.
+  [[nodiscard]] Interval Shift(const Vec3& origin, int component) const;
+
+  /// What clips the surface: some factor times it.
+  BoxPolynomial Clip(const PieceBox& box, std::size_t clip);
+  /// A quadric's function over a whole piece.
+  [[nodiscard]] ScaledCut Quadric(const QuadricForm& form, const PieceForm::Piece& piece) const;
+
+  /// A component of the field that the cut-surface is made of, over 2^CutExponent(), and its
+  /// derivative by a xi.
+  BoxPolynomial CutValues(const PieceBox& box, int component);
+  BoxPolynomial CutSlope(const PieceBox& box, int component, int xi);
+  [[nodiscard]] int CutExponent() const;
 
   [[nodiscard]] const IntegralQuestion& Question() const { return TheQuestion; }
   [[nodiscard]] int Element() const { return TheElement; }
@@ -83,12 +106,14 @@ private:
   int TheElement;
   ScaledModes Map;
   std::unique_ptr<const ScaledModes> Modes;
+  std::unique_ptr<const ScaledModes> CutModes;
+  std::size_t FirstClip;
+  std::size_t FirstOfCut;
   int TheLevel = 0;
   double TheRadius;
   double TheUnit = 1.0;
   bool Finite = true;
   bool TooHigh = false;
-  std::array<Interval, 3> Z0;
   PieceForm::Piece At{ -1, -1, -1 };
   std::vector<BoxPolynomial> Made;
 };

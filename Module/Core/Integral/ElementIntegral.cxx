@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Integral/ElementIntegral.h"
 
+#include "Core/Integral/AreaBounds.h"
+#include "Core/Integral/IntegralCut.h"
 #include "Core/Questions/Questions.h"
 
 #include <algorithm>
@@ -67,15 +69,9 @@ double WidthOf(const Interval& value)
 
 double CutTolerance(ElementFunctions& functions, const PieceBox& box)
 {
-  const IntegralQuestion& question = functions.Question();
-  const auto e = static_cast<std::size_t>(functions.Element());
-  Interval steepest = 0.0;
-  for (const Interval& one : GradientRange(functions, box))
-  {
-    steepest += Abs(one);
-  }
   const BoxPolynomial cut = functions.Cut(box); // which makes the unit
-  return 4.0 * cut.error + 2.0 * functions.Unit() * steepest.upper * question.mesh.uncertainty[e];
+  return 4.0 * cut.error +
+    2.0 * functions.Unit() * functions.Question().cut->Uncertainty(functions, box);
 }
 
 ElementMeeting MeetingOf(ElementFunctions& functions)
@@ -91,8 +87,10 @@ ElementMeeting MeetingOf(ElementFunctions& functions)
   bool positive = true;
   bool negative = true;
   bool meets = false;
+  bool off = true;
   for (const PieceBox& piece : functions.Pieces())
   {
+    off = off && IsClippedOff(functions, piece);
     const BoxPolynomial cut = functions.Cut(piece);
     const double tolerance = CutTolerance(functions, piece);
     const Interval hull = cut.Hull();
@@ -107,6 +105,11 @@ ElementMeeting MeetingOf(ElementFunctions& functions)
         held &= end.Magnitude() <= tolerance ? ~0U : ~(1U << f);
       }
     }
+  }
+  if (off || (positive && negative))
+  {
+    meeting.problem = off ? ElementProblem::None : ElementProblem::Flat;
+    return meeting;
   }
   meeting.faces = held;
   meeting.above = positive;
@@ -172,7 +175,7 @@ void ElementIntegral::Look(ElementFunctions& functions, const PieceBox& box)
 {
   ++Looked;
   const CutInBox found = LookAtCut(functions, box, Tolerance);
-  if (found.empty)
+  if (found.empty || IsClippedOff(functions, found.box))
   {
     return;
   }

@@ -55,7 +55,8 @@ enum class ElementProblem : std::uint8_t
 {
   None,
   NotFinite, ///< a coefficient is NaN or infinite
-  TooHigh    ///< the order
+  TooHigh,   ///< the order
+  Flat       ///< all of the element is on the surface
 };
 
 /// Whether the surface may be in an element, and which of its faces lie in it, within the mesh's

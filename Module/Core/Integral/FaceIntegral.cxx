@@ -58,7 +58,19 @@ public:
     thick.upper[Face.direction] = 1.0;
     const ChebyshevModel b = ChebyshevModel::Second();
     const ChebyshevModel c(Face.upper ? 1.0 : -1.0);
-    const SurfaceModels models(Functions, thick, Axes, PointedModels(c));
+    const PointedModels place(c);
+    FacePart part{ box, Sums(question.Quantities()), std::vector<double>(question.Quantities()),
+      -1 };
+    if (IsClippedOff(Functions, box))
+    {
+      return part;
+    }
+    const auto clipped = ClippedPart(Functions, thick, Axes, place);
+    if (clipped && clipped->IsEmpty())
+    {
+      return part;
+    }
+    const SurfaceModels models(Functions, thick, Axes, place);
     const auto eta = EtaModels(Functions, thick, Axes, b, c);
     std::array<ChebyshevModel, 3> normal;
     for (std::size_t i = 0; i < 3; ++i)
@@ -71,14 +83,14 @@ public:
       Functions.HalfWidth(thick, Axes[0]) * Functions.HalfWidth(thick, Axes[1]);
     const ChebyshevModel collapse = Collapses(eta);
     const ChebyshevModel area = SquareRoot(Dot(normal, normal)) * collapse;
-    FacePart part{ box, Sums(question.Quantities()), std::vector<double>(question.Quantities()),
-      Axes[0] };
     std::array<double, 2> rough{ 0.0, 0.0 };
     const auto add = [&](std::size_t q, const ChebyshevModel& density, const Interval& scale)
     {
       AddRoughness(density, rough);
-      part.sums[q] = density.Integral() * scale;
-      const double magnitude = 4.0 * density.Norm() * scale.Magnitude();
+      part.sums[q] = (clipped ? clipped->Integral(density) : PartOf(density)) * scale;
+      // Where nothing is known, half of it may be in.
+      const double share = clipped ? clipped->Part() : 0.5;
+      const double magnitude = 4.0 * share * density.Norm() * scale.Magnitude();
       part.magnitudes[q] = std::isfinite(magnitude) ? magnitude : 0.0;
     };
     const Interval unit = widths * Interval(radius * radius);
@@ -86,7 +98,7 @@ public:
     part.sums[0].lower = std::max(part.sums[0].lower, 0.0);
     if (question.field == nullptr)
     {
-      part.direction = Roughest(part, rough, box);
+      part.direction = Roughest(part, clipped ? rough : std::array<double, 2>{}, box, !clipped);
       return part;
     }
     const Interval scale = unit * Interval(std::ldexp(1.0, Functions.FieldExponent()));
@@ -111,11 +123,18 @@ public:
       const ChebyshevModel flux = Dot({ values[0], values[1], values[2] }, normal) * collapse;
       add(part.sums.size() - 1, flux, scale);
     }
-    part.direction = Roughest(part, rough, box);
+    part.direction = Roughest(part, clipped ? rough : std::array<double, 2>{}, box, !clipped);
     return part;
   }
 
 private:
+  /// Over any part of the square.
+  static Interval PartOf(const ChebyshevModel& density)
+  {
+    const Interval range = density.TightRange();
+    return Interval(4.0) * Interval(std::min(range.lower, 0.0), std::max(range.upper, 0.0));
+  }
+
   [[nodiscard]] ChebyshevModel Collapses(const std::array<ChebyshevModel, 3>& eta) const
   {
     // det dxi / deta over the extent of the face's own direction.
@@ -134,12 +153,12 @@ private:
   }
 
   /// Where it is to be halved; -1: it is too small.
-  [[nodiscard]] int Roughest(
-    const FacePart& part, const std::array<double, 2>& rough, const PieceBox& box) const
+  [[nodiscard]] int Roughest(const FacePart& part, const std::array<double, 2>& rough,
+    const PieceBox& box, bool widest) const
   {
     const auto width = [&box](int d) { return box.upper[d] - box.lower[d]; };
     const bool second =
-      part.sums[0].IsFinite() ? rough[1] > rough[0] : width(Axes[1]) > width(Axes[0]);
+      part.sums[0].IsFinite() && !widest ? rough[1] > rough[0] : width(Axes[1]) > width(Axes[0]);
     const int direction = second ? Axes[1] : Axes[0];
     return width(direction) > kSmallest ? direction : -1;
   }

@@ -2,6 +2,8 @@
 #include "Core/Integral/GraphIntegral.h"
 
 #include "Core/Bernstein/BoxAlgebra.h"
+#include "Core/Integral/BoxRanges.h"
+#include "Core/Integral/IntegralCut.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +15,6 @@ namespace
 constexpr int kNewtonSteps = 16;
 /// Of them, those that correct the slope's inverse.
 constexpr int kSlopeSteps = 3;
-constexpr std::array<std::array<std::size_t, 2>, 6> kPairs{ { { 0, 0 }, { 1, 1 }, { 2, 2 },
-  { 0, 1 }, { 1, 2 }, { 0, 2 } } };
 
 /// The root x(s, t) of f along one of its variables, proven to be in the box, from a first guess.
 /// `place` puts the variable where f is asked for. `slope` is f's derivative by the box's own
@@ -112,6 +112,16 @@ public:
       return std::nullopt;
     }
     const PointedModels place = placed(*c);
+    const auto part = ClippedPart(Functions, Graph.box, axes, place);
+    if (!part)
+    {
+      return std::nullopt;
+    }
+    if (part->IsEmpty())
+    {
+      const std::size_t quantities = Functions.Question().Quantities();
+      return GraphSums{ Sums(quantities), std::vector<double>(quantities), Graph.axes[0] };
+    }
     const SurfaceModels models(Functions, Graph.box, axes, place);
     const Interval sign = models.determinant.Range();
     const Interval slopes = slope.Range();
@@ -121,7 +131,7 @@ public:
     }
     const ChebyshevModel weight =
       (slopes.lower > 0.0 ? 1.0 : -1.0) * (half * Reciprocal(place.Of(slope)) * Collapses(b, *c));
-    return Sum(models, place, weight, sign.lower > 0.0 ? 1.0 : -1.0);
+    return Sum(models, place, *part, weight, sign.lower > 0.0 ? 1.0 : -1.0);
   }
 
 private:
@@ -157,44 +167,35 @@ private:
     }
   }
 
-  /// The gradient of the quadric.
-  std::array<ChebyshevModel, 3> Gradient(const PointedModels& place)
+  /// The field over the surface, times what its mapping has as unit, in which det J is left out or
+  /// not.
+  static WeighedField FieldOf(const SurfaceModels& models, Mapping mapping, bool withDeterminant)
   {
-    const QuadricForm& form = *Functions.Question().cut;
-    std::array<ChebyshevModel, 3> gradient{ form.g.x, form.g.y, form.g.z };
-    if (form.IsPlane())
+    if (!withDeterminant && mapping == Mapping::Identity)
     {
-      return gradient;
+      return { models.field, 0 };
     }
-    std::array<ChebyshevModel, 3> z;
-    for (std::size_t d = 0; d < 3; ++d)
+    WeighedField field = Weigh(models, mapping);
+    if (!withDeterminant)
     {
-      z[d] = ChebyshevModel(Functions.Shift(static_cast<int>(d))) +
-        Functions.Radius() *
-          place.Of(
-            BoxModel(Functions.Map3(Graph.box, static_cast<int>(d)), Graph.axes, place.IsWideB()));
-    }
-    for (std::size_t k = 0; k < 6; ++k)
-    {
-      const auto [a, b] = kPairs[k];
-      if (form.q[k] != 0.0)
+      const ChebyshevModel inverse = Reciprocal(models.determinant);
+      for (ChebyshevModel& value : field.values)
       {
-        gradient[a] = gradient[a] + form.q[k] * z[b];
-        gradient[b] = gradient[b] + form.q[k] * z[a];
+        value = value * inverse;
       }
+      field.power -= 3;
     }
-    return gradient;
+    return field;
   }
 
   std::optional<GraphSums> Sum(const SurfaceModels& models, const PointedModels& place,
-    const ChebyshevModel& weight, double orientation)
+    const ClippedSquare& part, const ChebyshevModel& weight, double orientation)
   {
     const IntegralQuestion& question = Functions.Question();
-    const auto gradient = Gradient(place);
-    // Of a plane the same everywhere.
-    const ChebyshevModel length = question.cut->IsPlane()
-      ? ChebyshevModel(Sqrt(Square(Interval(question.cut->g.x)) +
-          Square(Interval(question.cut->g.y)) + Square(Interval(question.cut->g.z))))
+    const CutGradient cut = question.cut->Gradient(Functions, Graph.box, Graph.axes, place, models);
+    const auto& gradient = cut.gradient;
+    const ChebyshevModel length = cut.constant
+      ? ChebyshevModel(Length({ gradient[0].Range(), gradient[1].Range(), gradient[2].Range() }))
       : SquareRoot(Dot(gradient, gradient));
     // Widths in eta; derivatives of the cut are by [0, 1].
     Interval volume = Interval(Functions.Unit());
@@ -206,31 +207,35 @@ private:
     const auto power = [radius](int n) { return Interval(std::pow(radius, n)); };
     volume *= Interval(2.0);
     GraphSums result{ .sums = Sums(question.Quantities()), .magnitudes = {}, .roughest = 0 };
+    // Of |det J|, what the gradient does not have yet.
+    const int left = cut.timesDeterminant ? 2 : 0;
     const ChebyshevModel lengthWeight = length * weight;
-    // What is left of |det J| where a field is weighed with det J.
-    const ChebyshevModel area = orientation * (models.determinant * lengthWeight);
+    const ChebyshevModel area =
+      cut.timesDeterminant ? lengthWeight : orientation * (models.determinant * lengthWeight);
     if (!std::isfinite(area.error))
     {
       return std::nullopt;
     }
     result.magnitudes.resize(question.Quantities());
     std::array<double, 2> rough{ 0.0, 0.0 };
+    const double share = part.Part();
     const auto add = [&](std::size_t q, const ChebyshevModel& density, const Interval& unit)
     {
       AddRoughness(density, rough);
-      result.sums[q] = density.Integral() * unit;
+      result.sums[q] = part.Integral(density) * unit;
       // That of a model of degree 0 is four times its value.
-      result.magnitudes[q] = 4.0 * density.Norm() * unit.Magnitude();
+      result.magnitudes[q] = 4.0 * share * density.Norm() * unit.Magnitude();
     };
-    add(0, area, volume * power(3));
+    add(0, area, volume * power(cut.timesDeterminant ? 2 : 3));
     if (question.field != nullptr)
     {
-      const WeighedField field = Weigh(models, question.field->mapping);
+      const WeighedField field = FieldOf(models, question.field->mapping, !cut.timesDeterminant);
       const Interval unit =
-        volume * power(field.power) * Interval(std::ldexp(1.0, Functions.FieldExponent()));
+        volume * power(field.power + left) * Interval(std::ldexp(1.0, Functions.FieldExponent()));
+      const double sense = cut.timesDeterminant ? 1.0 : orientation;
       for (std::size_t k = 0; k < field.values.size(); ++k)
       {
-        add(k + 1, orientation * (field.values[k] * lengthWeight), unit);
+        add(k + 1, sense * (field.values[k] * lengthWeight), unit);
       }
       if (question.HasFlux())
       {
@@ -247,140 +252,11 @@ private:
   const CutGraph& Graph;
 };
 
-using Intervals3 = std::array<std::array<Interval, 3>, 3>;
-
-/// Ranges over a box, in world units, without the collapse of the shape, which is at most 1.
-struct BoxRanges
-{
-  BoxRanges(ElementFunctions& functions, const PieceBox& box)
-  {
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      for (std::size_t d = 0; d < 3; ++d)
-      {
-        jacobian[i][d] = functions.Slope(box, static_cast<int>(i), static_cast<int>(d)).Hull() *
-          Interval(functions.Radius());
-      }
-    }
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      for (std::size_t d = 0; d < 3; ++d)
-      {
-        const std::size_t k = (i + 1) % 3;
-        const std::size_t l = (i + 2) % 3;
-        const std::size_t m = (d + 1) % 3;
-        const std::size_t n = (d + 2) % 3;
-        cofactor[i][d] = jacobian[k][m] * jacobian[l][n] - jacobian[k][n] * jacobian[l][m];
-      }
-    }
-    determinant = jacobian[0][0] * cofactor[0][0] + jacobian[0][1] * cofactor[0][1] +
-      jacobian[0][2] * cofactor[0][2];
-  }
-  Intervals3 jacobian;
-  Intervals3 cofactor;
-  Interval determinant;
-};
-
-/// Of a component of the field, in world units.
-Interval FieldRange(ElementFunctions& functions, const PieceBox& box, int component)
-{
-  const auto values = [&](int c) {
-    return functions.Values(box, c).Hull() * Interval(std::ldexp(1.0, functions.FieldExponent()));
-  };
-  const Mapping mapping = functions.Question().field->mapping;
-  if (mapping == Mapping::Identity)
-  {
-    return values(component);
-  }
-  const BoxRanges ranges(functions, box);
-  if (mapping == Mapping::Density)
-  {
-    return values(component) / ranges.determinant;
-  }
-  const auto& matrix = mapping == Mapping::Contravariant ? ranges.jacobian : ranges.cofactor;
-  Interval sum = 0.0;
-  for (int d = 0; d < 3; ++d)
-  {
-    sum += matrix[static_cast<std::size_t>(component)][static_cast<std::size_t>(d)] * values(d);
-  }
-  return sum / ranges.determinant;
-}
-
-/// Of all quantities, where the area is at most this.
-Sums BoundsOfArea(ElementFunctions& functions, const PieceBox& box, double area)
-{
-  const IntegralQuestion& question = functions.Question();
-  Sums sums(question.Quantities());
-  sums[0] = Interval(0.0, area);
-  Interval largest = 0.0;
-  for (int c = 0; c < question.Components(); ++c)
-  {
-    const Interval value = FieldRange(functions, box, c);
-    sums[static_cast<std::size_t>(c) + 1] = value * sums[0];
-    largest += Square(value);
-  }
-  if (question.HasFlux())
-  {
-    const double flux = (Sqrt(largest) * Interval(area)).upper;
-    sums.back() = Interval(-flux, flux);
-  }
-  return sums;
-}
 } // namespace
-
-std::array<Interval, 3> GradientRange(ElementFunctions& functions, const PieceBox& box)
-{
-  const QuadricForm& form = *functions.Question().cut;
-  std::array<Interval, 3> gradient{ form.g.x, form.g.y, form.g.z };
-  if (form.IsPlane())
-  {
-    return gradient;
-  }
-  std::array<Interval, 3> z;
-  for (int d = 0; d < 3; ++d)
-  {
-    z[static_cast<std::size_t>(d)] =
-      functions.Shift(d) + functions.Map3(box, d).Hull() * Interval(functions.Radius());
-  }
-  for (std::size_t k = 0; k < 6; ++k)
-  {
-    const auto [a, b] = kPairs[k];
-    gradient[a] += Interval(form.q[k]) * z[b];
-    gradient[b] += Interval(form.q[k]) * z[a];
-  }
-  return gradient;
-}
 
 std::optional<GraphSums> Integrate(ElementFunctions& functions, const CutGraph& graph)
 {
   return GraphTask(functions, graph).Run();
 }
 
-Sums BoundIn(ElementFunctions& functions, const PieceBox& box)
-{
-  std::array<Interval, 3> side;
-  for (int d = 0; d < 3; ++d)
-  {
-    side[static_cast<std::size_t>(d)] =
-      Interval(functions.Map3(box, d).Hull().Width()) * Interval(functions.Radius());
-  }
-  const double sheets = functions.Question().cut->IsPlane() ? 1.0 : 2.0;
-  const double area =
-    (Interval(sheets) * (side[0] * side[1] + side[1] * side[2] + side[2] * side[0])).upper;
-  return BoundsOfArea(functions, box, area);
-}
-
-Sums BoundOn(ElementFunctions& functions, const CutGraph& graph)
-{
-  const auto gradient = GradientRange(functions, graph.box);
-  const Interval length = Sqrt(Square(gradient[0]) + Square(gradient[1]) + Square(gradient[2]));
-  const BoxRanges ranges(functions, graph.box);
-  const Interval slope = Derivative(functions.Cut(graph.box), graph.axes[2]).Hull();
-  Interval area = Abs(ranges.determinant) * length * Interval(functions.Unit()) / Abs(slope);
-  for (int d = 0; d < 3; ++d)
-  {
-    area *= Interval(2.0) * functions.HalfWidth(graph.box, d);
-  }
-  return BoundsOfArea(functions, graph.box, area.upper);
-}
 } // namespace pixelexact

@@ -19,21 +19,11 @@ struct GraphSums
 /// The integrals over a graph; none where its models do not converge on so large a box, or the sign
 /// of det J is not proven.
 ///
-/// With z the point less the quadric's origin, S the quadric and g its polynomial in eta, the
-/// surface is eta_c = h(eta_a, eta_b) and
+/// With S the cut-surface's function and g its polynomial in eta, the surface is eta_c = h(eta_a,
+/// eta_b) and
 ///   n dS = grad S |det J| / |dg / deta_c| deta_a deta_b
 /// by the implicit function theorem; det J by eta is that by xi times the collapse of the shape.
 /// h is Newton's iteration on models, and where |g| <= rho on it and |dg / deta_c| >= m all about
 /// it, off by at most rho / m. The integral of a model is that of its terms.
 std::optional<GraphSums> Integrate(ElementFunctions& functions, const CutGraph& graph);
-
-/// Bounds of the integrals over whatever part of the cut-surface is in a box: a line meets a plane
-/// once and a quadric twice, so that the area is at most that often the sum of the sides' areas of
-/// a box that holds the part. The map is taken to be injective there.
-Sums BoundIn(ElementFunctions& functions, const PieceBox& box);
-/// The range of the quadric's gradient in the image of a box.
-std::array<Interval, 3> GradientRange(ElementFunctions& functions, const PieceBox& box);
-/// The same as BoundIn where the surface is a graph of some of the (a, b), by ranges of the
-/// integrand.
-Sums BoundOn(ElementFunctions& functions, const CutGraph& graph);
 } // namespace pixelexact

@@ -86,6 +86,45 @@ std::array<ChebyshevModel, 3> EtaModels(const ElementFunctions& functions, const
   return eta;
 }
 
+std::array<ChebyshevModel, 3> PlaceModels(ElementFunctions& functions, const PieceBox& box,
+  const std::array<int, 3>& axes, const PointedModels& place, const Vec3& origin)
+{
+  std::array<ChebyshevModel, 3> z;
+  for (int d = 0; d < 3; ++d)
+  {
+    z[static_cast<std::size_t>(d)] = ChebyshevModel(functions.Shift(origin, d)) +
+      functions.Radius() * place.Of(BoxModel(functions.Map3(box, d), axes, place.IsWideB()));
+  }
+  return z;
+}
+
+std::optional<ClippedSquare> ClippedPart(ElementFunctions& functions, const PieceBox& box,
+  const std::array<int, 3>& axes, const PointedModels& place)
+{
+  std::vector<ChebyshevModel> clips;
+  for (std::size_t k = 0; k < functions.Question().clips.size(); ++k)
+  {
+    const BoxPolynomial clip = functions.Clip(box, k);
+    if (!(clip.Hull().upper <= 0.0))
+    {
+      clips.push_back(place.Of(BoxModel(clip, axes, place.IsWideB())));
+    }
+  }
+  return ClippedSquare::Of(clips);
+}
+
+bool IsClippedOff(ElementFunctions& functions, const PieceBox& box)
+{
+  for (std::size_t k = 0; k < functions.Question().clips.size(); ++k)
+  {
+    if (functions.Clip(box, k).Hull().lower > 0.0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 ChebyshevModel Collapse(const ChebyshevModel& eta)
 {
   return 0.5 * (ChebyshevModel(1.0) - eta);

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "Core/Integral/BoxModel.h"
+#include "Core/Integral/ClippedSquare.h"
 #include "Core/Integral/ElementFunctions.h"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace pixelexact
@@ -40,6 +42,15 @@ ChebyshevModel Dot(const std::array<ChebyshevModel, 3>& a, const std::array<Cheb
 /// eta along the directions a, b, c.
 std::array<ChebyshevModel, 3> EtaModels(const ElementFunctions& functions, const PieceBox& box,
   const std::array<int, 3>& axes, const ChebyshevModel& b, const ChebyshevModel& c);
+/// z = x - origin there.
+std::array<ChebyshevModel, 3> PlaceModels(ElementFunctions& functions, const PieceBox& box,
+  const std::array<int, 3>& axes, const PointedModels& place, const Vec3& origin);
+/// The part of (s, t) that the question's clips leave; nothing where it is not known on so large a
+/// box.
+std::optional<ClippedSquare> ClippedPart(ElementFunctions& functions, const PieceBox& box,
+  const std::array<int, 3>& axes, const PointedModels& place);
+/// Whether the clips leave nothing of a box.
+bool IsClippedOff(ElementFunctions& functions, const PieceBox& box);
 /// (1 - eta) / 2.
 ChebyshevModel Collapse(const ChebyshevModel& eta);
 

@@ -13,6 +13,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 namespace pixelexact
@@ -205,13 +206,19 @@ SurfaceIntegral IntegrateCut(const IntegralQuestion& question, const Locator& lo
 {
   Check(effort);
   const Deadline deadline(effort.seconds);
-  const auto count = static_cast<std::size_t>(question.mesh.Elements());
-  std::vector<ElementMeeting> meetings(count);
-  tbb::parallel_for(std::size_t{ 0 }, count,
-    [&](std::size_t e)
+  std::vector<int> near(static_cast<std::size_t>(question.mesh.Elements()));
+  std::iota(near.begin(), near.end(), 0);
+  if (question.within)
+  {
+    locator.Index().FindNear(*question.within, near);
+    std::ranges::sort(near);
+  }
+  std::vector<ElementMeeting> meetings(near.size());
+  tbb::parallel_for(std::size_t{ 0 }, near.size(),
+    [&](std::size_t k)
     {
-      ElementFunctions functions(question, static_cast<int>(e));
-      meetings[e] = MeetingOf(functions);
+      ElementFunctions functions(question, near[k]);
+      meetings[k] = MeetingOf(functions);
     });
 
   SurfaceIntegral result;
@@ -219,12 +226,13 @@ SurfaceIntegral IntegrateCut(const IntegralQuestion& question, const Locator& lo
   std::vector<int> inside;
   std::vector<SeenFace> held;
   const FaceOwner owner(locator, faces);
-  for (std::size_t e = 0; e < count; ++e)
+  for (std::size_t k = 0; k < near.size(); ++k)
   {
-    const auto element = static_cast<int>(e);
-    const ElementMeeting& meeting = meetings[e];
+    const int element = near[k];
+    const ElementMeeting& meeting = meetings[k];
     result.notFinite += meeting.problem == ElementProblem::NotFinite ? 1 : 0;
     result.tooHigh += meeting.problem == ElementProblem::TooHigh ? 1 : 0;
+    result.flat += meeting.problem == ElementProblem::Flat ? 1 : 0;
     if (meeting.inside)
     {
       inside.push_back(element);
@@ -292,6 +300,30 @@ SurfaceIntegral IntegrateCut(const IntegralQuestion& question, const Locator& lo
     result.unresolved += part->Unresolved();
   }
   return result;
+}
+
+void AddTo(SurfaceIntegral& sum, const SurfaceIntegral& more)
+{
+  if (sum.sums.empty())
+  {
+    sum = more;
+    return;
+  }
+  AddTo(sum.sums, more.sums);
+  for (std::size_t q = 0; q < sum.magnitudes.size(); ++q)
+  {
+    sum.magnitudes[q] += more.magnitudes[q];
+  }
+  sum.met = sum.met && more.met;
+  sum.elements += more.elements;
+  sum.faces += more.faces;
+  sum.boxes += more.boxes;
+  sum.unresolved += more.unresolved;
+  sum.notFinite = std::max(sum.notFinite, more.notFinite);
+  sum.tooHigh = std::max(sum.tooHigh, more.tooHigh);
+  sum.flat = std::max(sum.flat, more.flat);
+  sum.notValid = std::max(sum.notValid, more.notValid);
+  sum.timeIsOver = sum.timeIsOver || more.timeIsOver;
 }
 
 SurfaceIntegral IntegrateFaces(const IntegralQuestion& question, std::span<const ElementFace> faces,

@@ -34,16 +34,20 @@ struct SurfaceIntegral
   std::int64_t boxes = 0;     ///< looked at
   double unresolved = 0.0;    ///< at most so much area is where nothing is known of the surface
   std::int64_t notFinite = 0; ///< elements that are left out: with a NaN or infinite coefficient
-  std::int64_t tooHigh = 0;   ///< elements that are left out: of too high order for a quadric
+  std::int64_t tooHigh = 0;   ///< elements that are left out: of too high order for the surface
+  std::int64_t flat = 0;      ///< elements that are left out: the field has the value throughout
   std::int64_t notValid = 0;  ///< elements that meet, whose det J > 0 is not proven
   bool timeIsOver = false;
 };
 
-/// Over where a quadric is in a mesh: see Documentation/integrals.md for the method and for what is
-/// proven. The locator is the mesh's. In parallel; unless the time is over, the result does not
-/// depend on threads.
+/// Over where a cut-surface is in a mesh: see Documentation/integrals.md for the method and for
+/// what is proven. The locator is the mesh's. In parallel; unless the time is over, the result does
+/// not depend on threads.
 SurfaceIntegral IntegrateCut(const IntegralQuestion& question, const Locator& locator,
   const FaceTable& faces, const IntegralEffort& effort);
+
+/// Adds the integrals over another surface.
+void AddTo(SurfaceIntegral& sum, const SurfaceIntegral& more);
 
 /// Over faces of elements.
 SurfaceIntegral IntegrateFaces(const IntegralQuestion& question, std::span<const ElementFace> faces,

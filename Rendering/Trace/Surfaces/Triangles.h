@@ -36,6 +36,7 @@ public:
     const Ray& a, const SurfacePoint& atA, const Ray& b, const SurfacePoint& atB) const override;
   [[nodiscard]] bool HasSagitta() const override { return true; }
 
+  [[nodiscard]] const std::vector<Triangle>& Corners() const { return All; }
   [[nodiscard]] const Box3& Bounds() const { return TheBounds; }
   [[nodiscard]] std::size_t MemoryUsage() const;
 

@@ -11,10 +11,10 @@
 #ifndef vtkImplicitTorus_h
 #define vtkImplicitTorus_h
 
-#include "PixelExactRenderingModule.h"
+#include "PixelExactDataModelModule.h"
 #include "vtkImplicitFunction.h"
 
-class PIXELEXACTRENDERING_EXPORT vtkImplicitTorus : public vtkImplicitFunction
+class PIXELEXACTDATAMODEL_EXPORT vtkImplicitTorus : public vtkImplicitFunction
 {
 public:
   static vtkImplicitTorus* New();

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Contour/CutFunction.h"
+#include "Core/Integral/BoxModel.h"
+#include "Core/Integral/ElementFunctions.h"
+
+#include <array>
+
+namespace pixelexact
+{
+struct SurfaceModels;
+
+/// The gradient of S over a parametrised surface in an element.
+struct CutGradient
+{
+  std::array<ChebyshevModel, 3> gradient;
+  /// It is det J times the gradient, with J as SurfaceModels has it: in world units radius^2 times.
+  bool timesDeterminant = false;
+  bool constant = false; ///< the same everywhere
+};
+
+/// A cut-surface: the zeros of a function S that in each element is a polynomial in eta.
+class IntegralCut
+{
+public:
+  virtual ~IntegralCut() = default;
+
+  /// The field that S is made of; null where S is a function of the place.
+  [[nodiscard]] virtual const Field* MadeOf() const { return nullptr; }
+  /// How often S multiplies the map, or the field.
+  [[nodiscard]] virtual int Factor() const = 0;
+  /// Over a whole piece.
+  [[nodiscard]] virtual ScaledCut Over(
+    ElementFunctions& functions, const PieceForm::Piece& piece) const = 0;
+  /// How far S may be off over a box, because of what is uncertain in the mesh or the field.
+  [[nodiscard]] virtual double Uncertainty(
+    ElementFunctions& functions, const PieceBox& box) const = 0;
+  [[nodiscard]] virtual CutGradient Gradient(ElementFunctions& functions, const PieceBox& box,
+    const std::array<int, 3>& axes, const PointedModels& place,
+    const SurfaceModels& models) const = 0;
+  /// |grad S| |det J| over a box, in world units.
+  [[nodiscard]] virtual Interval Stretch(
+    ElementFunctions& functions, const PieceBox& box) const = 0;
+  /// At most so much area is in a box.
+  [[nodiscard]] virtual double AreaIn(ElementFunctions& functions, const PieceBox& box) const = 0;
+
+protected:
+  IntegralCut() = default;
+  IntegralCut(const IntegralCut&) = default;
+  IntegralCut& operator=(const IntegralCut&) = default;
+};
+
+/// A plane or a quadric.
+class QuadricSurface final : public IntegralCut
+{
+public:
+  explicit QuadricSurface(const QuadricForm& form)
+    : Form(form)
+  {
+  }
+  [[nodiscard]] int Factor() const override { return Form.IsPlane() ? 1 : 2; }
+  [[nodiscard]] ScaledCut Over(
+    ElementFunctions& functions, const PieceForm::Piece& piece) const override;
+  [[nodiscard]] double Uncertainty(ElementFunctions& functions, const PieceBox& box) const override;
+  [[nodiscard]] CutGradient Gradient(ElementFunctions& functions, const PieceBox& box,
+    const std::array<int, 3>& axes, const PointedModels& place,
+    const SurfaceModels& models) const override;
+  [[nodiscard]] Interval Stretch(ElementFunctions& functions, const PieceBox& box) const override;
+  /// A line meets a plane once and a quadric twice: at most so often the sum of the sides' areas of
+  /// a box that holds the part. The map is taken to be injective there.
+  [[nodiscard]] double AreaIn(ElementFunctions& functions, const PieceBox& box) const override;
+
+private:
+  QuadricForm Form;
+};
+
+/// (|z|^2 + R^2 - r^2)^2 = 4 R^2 (|z|^2 - (a z)^2), z the place less the centre, a the axis. With
+/// r > R the tube passes through itself, and its inner part belongs to the surface.
+class TorusSurface final : public IntegralCut
+{
+public:
+  /// The axis need not be of unit length. Throws Error when it is zero, a radius is not positive or
+  /// a number is not finite.
+  TorusSurface(const Vec3& centre, const Vec3& axis, double R, double r);
+  [[nodiscard]] int Factor() const override { return 4; }
+  [[nodiscard]] ScaledCut Over(
+    ElementFunctions& functions, const PieceForm::Piece& piece) const override;
+  [[nodiscard]] double Uncertainty(ElementFunctions& functions, const PieceBox& box) const override;
+  [[nodiscard]] CutGradient Gradient(ElementFunctions& functions, const PieceBox& box,
+    const std::array<int, 3>& axes, const PointedModels& place,
+    const SurfaceModels& models) const override;
+  [[nodiscard]] Interval Stretch(ElementFunctions& functions, const PieceBox& box) const override;
+  /// As of a quadric; a line meets a torus four times.
+  [[nodiscard]] double AreaIn(ElementFunctions& functions, const PieceBox& box) const override;
+
+private:
+  // S = A^2 - B.
+  QuadricForm A;
+  QuadricForm B;
+};
+
+/// Where a component of a field has a value. S is the field's less the value, of a magnitude that
+/// of the squares.
+class IsoValueSurface final : public IntegralCut
+{
+public:
+  static constexpr int kOfMagnitude = -1;
+  /// `component`: or kOfMagnitude, which of a scalar is itself. Throws Unsupported for mapped
+  /// fields; InvalidData for a component that is not there, for a value that is not finite, and for
+  /// a magnitude that is not positive.
+  IsoValueSurface(const Field& field, int component, double value);
+  [[nodiscard]] const Field* MadeOf() const override { return TheField; }
+  [[nodiscard]] int Factor() const override { return First == Last ? 1 : 2; }
+  [[nodiscard]] ScaledCut Over(
+    ElementFunctions& functions, const PieceForm::Piece& piece) const override;
+  /// What the rounding of the field's coefficients makes of zero.
+  [[nodiscard]] double Uncertainty(ElementFunctions& functions, const PieceBox& box) const override;
+  [[nodiscard]] CutGradient Gradient(ElementFunctions& functions, const PieceBox& box,
+    const std::array<int, 3>& axes, const PointedModels& place,
+    const SurfaceModels& models) const override;
+  [[nodiscard]] Interval Stretch(ElementFunctions& functions, const PieceBox& box) const override;
+  /// By Cauchy's formula in the box: a line along eta_d meets the surface at most as often as the
+  /// order of the first derivative of S by eta_d that has one sign, and what a face across eta_d
+  /// has as area becomes that times the length of the product of its tangents.
+  [[nodiscard]] double AreaIn(ElementFunctions& functions, const PieceBox& box) const override;
+
+private:
+  const Field* TheField;
+  int First;
+  int Last; ///< components
+  double Value;
+};
+} // namespace pixelexact
