@@ -94,6 +94,11 @@ void Measure(const std::filesystem::path& file, std::size_t atRandom, PointList&
   Locator locator(mesh);
   locator.Index().SetTreeLimit(0);
   const auto points = PointsFor(file, locator.Bounds(), atRandom);
+  if (points.empty())
+  {
+    std::cerr << file << ": no points\n";
+    return;
+  }
   double slowest = 0.0;
   Vec3 where(0.0);
   std::vector<double> times;

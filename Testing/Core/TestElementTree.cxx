@@ -4,6 +4,7 @@
 #include "LongMap.h"
 
 #include "Core/Index/ElementIndex.h"
+#include "Core/Tree/Regularity.h"
 #include "Core/Tree/TreeKernels.h"
 
 #include <gtest/gtest.h>
@@ -85,6 +86,7 @@ public:
   std::size_t Pieces() { return Index.TreeOf(0)->Pieces().size(); }
 
   double LastSlack = 0.0;
+  int InjectiveBoxes = 0;
 
 private:
   void Check(const ElementTree::Node& node, Random& random)
@@ -118,6 +120,49 @@ private:
     {
       CheckHeld(frame, random);
     }
+    if (frame.injective)
+    {
+      ++InjectiveBoxes;
+      CheckInjective(node, random);
+    }
+  }
+
+  /// M J is strictly diagonally dominant for one M: det J has one sign, also in the box's reach.
+  void CheckInjective(const ElementTree::Node& node, Random& random)
+  {
+    const EtaBox& box = node.Frame().box;
+    const double reach = ReachOf(TheMesh.map.SpaceOf(0).TensorDegree());
+    const long double step = 1e-7L;
+    int positive = 0;
+    constexpr int kPoints = 8;
+    for (int k = 0; k < kPoints; ++k)
+    {
+      Vec3 xi;
+      for (int d = 0; d < 3; ++d)
+      {
+        const double part = random(-reach, 1.0 + reach);
+        xi[d] = box.lower[d] + part * (box.upper[d] - box.lower[d]);
+      }
+      std::array<LongVec3, 3> column;
+      for (std::size_t d = 0; d < 3; ++d)
+      {
+        LongVec3 from = ToLong(xi);
+        LongVec3 to = from;
+        from[d] -= step;
+        to[d] += step;
+        const LongVec3 begin = Map(0, from);
+        const LongVec3 end = Map(0, to);
+        for (std::size_t c = 0; c < 3; ++c)
+        {
+          column[d][c] = end[c] - begin[c];
+        }
+      }
+      const auto& [u, v, w] = column;
+      positive += u[0] * (v[1] * w[2] - v[2] * w[1]) + u[1] * (v[2] * w[0] - v[0] * w[2]) +
+          u[2] * (v[0] * w[1] - v[1] * w[0]) >
+        0.0L;
+    }
+    EXPECT_TRUE(positive == 0 || positive == kPoints);
   }
 
   /// Of an injective map, the image of what lies outside of the box is no value over it.
@@ -189,5 +234,21 @@ TEST(ElementTree, HighOrdersBeginWithFewBoxesAndEndWithPreciseOnes)
   const double coarse = boxes.LastSlack;
   boxes.Walk(3, random);
   EXPECT_LT(boxes.LastSlack, 1e-2 * coarse);
+}
+
+TEST(ElementTree, BoxesOfHighOrdersAreInjectiveByTheirFrames)
+{
+  Random random(4);
+  for (const int order : { 9, 13, 20 })
+  {
+    SCOPED_TRACE("order " + std::to_string(order));
+    const MeshBuilder mesh = Element(Shape::Hexahedron, order, 0.2, random);
+    Boxes boxes(mesh.View());
+    for (int i = 0; i < 3; ++i)
+    {
+      boxes.Walk(12, random);
+    }
+    EXPECT_GT(boxes.InjectiveBoxes, 3);
+  }
 }
 } // namespace pixelexact::testing

@@ -102,9 +102,14 @@ int BernsteinForm::Size() const
 template <bool kAbsolute>
 void BernsteinForm::Contract(const double* modes, std::span<double> bernstein) const
 {
+  // Short lines are done before a kernel has been called.
+  constexpr std::size_t kLong = 8;
   const auto [P, Q, R] = TheDegree;
-  std::vector<double> line(R + 1);
-  std::vector<double> layer(static_cast<std::size_t>(Q + 1) * (R + 1));
+  const auto width = static_cast<std::size_t>(R) + 1;
+  std::vector<double> line(width);
+  std::vector<double> layer(static_cast<std::size_t>(Q + 1) * width);
+  std::vector<double> magnitudes(width);
+  std::vector<const double*> rows(width);
   std::ranges::fill(bernstein, 0.0);
   for (int p = 0; p <= P; ++p)
   {
@@ -112,36 +117,45 @@ void BernsteinForm::Contract(const double* modes, std::span<double> bernstein) c
     const Rows& y = Y[Y.size() > 1 ? p : 0];
     for (int q = 0; q <= TheSpace.LastQ(p); ++q)
     {
+      const auto& z = Z[FamilyOf(p, q)];
+      const auto count = static_cast<std::size_t>(TheSpace.LastR(p, q)) + 1;
+      std::span<const double> factors(modes, count);
+      modes += count;
+      if (kAbsolute)
+      {
+        std::ranges::transform(
+          factors, magnitudes.begin(), [](double mode) { return std::fabs(mode); });
+        factors = std::span(magnitudes).first(count);
+      }
+      const auto& along = RowOf<kAbsolute>(y[q]);
+      if (width >= kLong)
+      {
+        for (std::size_t r = 0; r < count; ++r)
+        {
+          rows[r] = RowOf<kAbsolute>(z[r]).data();
+        }
+        Combine(factors, rows.data(), line);
+        AddOuter(along, line, layer.data());
+        continue;
+      }
       std::ranges::fill(line, 0.0);
-      const int n = FamilyOf(p, q);
-      for (int r = 0; r <= TheSpace.LastR(p, q); ++r)
+      for (std::size_t r = 0; r < count; ++r)
       {
-        const double c = kAbsolute ? std::fabs(*modes) : *modes;
-        ++modes;
-        const auto& z = RowOf<kAbsolute>(Z[n][r]);
-        for (int k = 0; k <= R; ++k)
+        const auto& row = RowOf<kAbsolute>(z[r]);
+        for (std::size_t k = 0; k < width; ++k)
         {
-          line[k] += c * z[k];
+          line[k] += factors[r] * row[k];
         }
       }
-      for (int j = 0; j <= Q; ++j)
+      for (std::size_t j = 0; j < along.size(); ++j)
       {
-        const double factor = RowOf<kAbsolute>(y[q])[j];
-        for (int k = 0; k <= R; ++k)
+        for (std::size_t k = 0; k < width; ++k)
         {
-          layer[j * (R + 1) + k] += factor * line[k];
+          layer[j * width + k] += along[j] * line[k];
         }
       }
     }
-    for (int i = 0; i <= P; ++i)
-    {
-      const double factor = RowOf<kAbsolute>(X[p])[i];
-      double* out = &bernstein[static_cast<std::size_t>(i) * layer.size()];
-      for (std::size_t jk = 0; jk < layer.size(); ++jk)
-      {
-        out[jk] += factor * layer[jk];
-      }
-    }
+    AddOuter(RowOf<kAbsolute>(X[p]), layer, bernstein.data());
   }
 }
 

@@ -35,6 +35,9 @@ void TreeFilter::Run(ElementTree& tree, const LanePoints& points,
 {
   Tree = &tree;
   Kept = kept;
+  Points = &points;
+  Chunks = chunks;
+  Scaled = 0;
   const InverseProblem& problem = tree.Problem();
   if (tree.BeginCost() > kMostOfPoint)
   {
@@ -60,9 +63,6 @@ void TreeFilter::Run(ElementTree& tree, const LanePoints& points,
     const PointChunk& chunk = chunks[k];
     kept[k] = 0;
     open[k] = chunk.open;
-    double* y = &Y[3 * kGroupPoints * k];
-    double* const to[3] = { y, y + kGroupPoints, y + 2 * kGroupPoints };
-    Kernels.scale(points, chunk.begin, chunk.count, problem.centre, problem.inverseSize, to);
     for (int d = 0; d < 3; ++d)
     {
       const double lower = (chunk.box.lower[d] - problem.centre[d]) * problem.inverseSize;
@@ -76,6 +76,21 @@ void TreeFilter::Run(ElementTree& tree, const LanePoints& points,
   {
     Visit(*piece, 0, near, open);
   }
+}
+
+/// The points of a chunk in the element's units, made when a box leaves some of them open.
+std::array<const double*, 3> TreeFilter::InUnits(std::size_t chunk)
+{
+  double* const y = &Y[3 * kGroupPoints * chunk];
+  if ((Scaled >> chunk & 1U) == 0)
+  {
+    const InverseProblem& problem = Tree->Problem();
+    double* const to[3] = { y, y + kGroupPoints, y + 2 * kGroupPoints };
+    Kernels.scale(
+      *Points, Chunks[chunk].begin, Chunks[chunk].count, problem.centre, problem.inverseSize, to);
+    Scaled |= std::uint64_t{ 1 } << chunk;
+  }
+  return { y, y + kGroupPoints, y + 2 * kGroupPoints };
 }
 
 void TreeFilter::Visit(
@@ -95,9 +110,8 @@ void TreeFilter::Visit(
     }
     else if (mine[k] != 0)
     {
-      const double* y = &Y[3 * kGroupPoints * k];
-      const double* const at[3] = { y, y + kGroupPoints, y + 2 * kGroupPoints };
-      const NodeJudgement points = Kernels.judgeWidely(frame, at, mine[k]);
+      const auto y = InUnits(k);
+      const NodeJudgement points = Kernels.judgeWidely(frame, y.data(), mine[k]);
       // No smaller box will exclude what is held here.
       Kept[k] |= points.held;
       mine[k] = points.near & ~points.held;

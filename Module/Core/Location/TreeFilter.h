@@ -28,13 +28,17 @@ public:
 private:
   using ChunkBits = std::array<std::uint64_t, kGroupPoints>;
 
+  [[nodiscard]] std::array<const double*, 3> InUnits(std::size_t chunk);
   void Visit(ElementTree::Node& node, int depth, std::uint64_t active, const ChunkBits& bits);
 
   const TreeKernels& Kernels = GetTreeKernels();
   ElementTree* Tree = nullptr;
   int MostHalvings = 0;
   BoxesOfGroups Boxes;
-  std::vector<double> Y; ///< of each chunk, coordinate by coordinate
+  const LanePoints* Points = nullptr;
+  std::span<const PointChunk> Chunks;
+  std::vector<double> Y;    ///< of each chunk, coordinate by coordinate
+  std::uint64_t Scaled = 0; ///< chunks of which it is made
   std::span<std::uint64_t> Kept;
 };
 } // namespace pixelexact

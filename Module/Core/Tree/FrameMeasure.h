@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Core/Tree/DeviationSteps.h"
 #include "Core/Tree/FrameKernels.h"
 #include "Core/Tree/NodeFrame.h"
 
@@ -10,9 +11,6 @@
 
 namespace pixelexact
 {
-/// Differences of the deviation's coefficients: [row][direction].
-using DeviationSteps = std::array<std::array<FrameSteps, 3>, 3>;
-
 /// Compares Phi's coefficients over a box with the frame about its centre (value, Jacobian's
 /// inverse and hull of which are known): what MakeFrame consists of.
 class FrameMeasure

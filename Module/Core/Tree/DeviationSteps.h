@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Tree/FrameKernels.h"
+#include "Core/Tree/NodeFrame.h"
+
+#include <algorithm>
+#include <array>
+
+namespace pixelexact
+{
+/// Differences of neighbours among the coefficients of a frame's deviation T: [row][direction].
+using DeviationSteps = std::array<std::array<FrameSteps, 3>, 3>;
+
+inline double LargestStep(const FrameSteps& steps)
+{
+  return std::max(-steps.least, steps.most);
+}
+
+/// Whether Phi, of this degree, is injective over a hexahedron's box and its reach (ReachOf), as
+/// far as the frame tells: where the derivatives of T = A^-1 Phi - xi are small, and where
+/// `products` are asked for, where they hardly vary. False proves nothing.
+bool IsInjective(const std::array<int, 3>& degree, const DeviationSteps& steps,
+  const NodeFrame& frame, bool products);
+} // namespace pixelexact
