@@ -25,6 +25,48 @@ constexpr int kAtOnce[2] = { 8, 9 };
 constexpr int kBesides = 2;
 
 constexpr Part kBy[3] = { Part::ByXi1, Part::ByXi2, Part::ByXi3 };
+
+/// On a straight way in xi from a box's centre the part of the way is no less than that of eta's,
+/// times this: by how much the shape is wider, at most, than at the centre.
+Vec3 WideningOf(Shape shape, const EtaBox& box)
+{
+  const auto ratio = [&box](int d)
+  {
+    const double width = 1.0 - 0.5 * (box.lower[d] + box.upper[d]);
+    return width > 0.0 ? (1.0 - box.lower[d]) / width : 1.0;
+  };
+  switch (shape)
+  {
+    case Shape::Hexahedron:
+      return Vec3(1.0);
+    case Shape::Prism:
+      return { ratio(2), 1.0, 1.0 };
+    case Shape::Tetrahedron:
+      return { ratio(1) * ratio(2), ratio(2), 1.0 };
+    default:
+      return { ratio(2), ratio(2), 1.0 };
+  }
+}
+
+/// A derivative of function c by xi_d: its value at the centre, and how far it is from that. What
+/// is left of the function beyond value and slope is its mean on the way from the centre, less that
+/// value: half of what it may be at the end of the way.
+void AddSlope(
+  const BoxPolynomial& by, const Vec3& widening, std::size_t c, std::size_t d, CurvedPiece& piece)
+{
+  const Interval middle = by.At({ 0.0, 0.0, 0.0 });
+  piece.slope[c][d] = middle.Middle();
+  piece.radius[c][d] = by.Hull().RadiusAround(piece.slope[c][d]);
+  double varies = 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    // Its derivative by a coordinate that goes from 0 to 1, of which half is on either side.
+    varies += 0.5 * widening[k] * by.Variation(k, 1);
+  }
+  const double mean = 0.5 * varies + 2.0 * by.error + middle.RadiusAround(piece.slope[c][d]);
+  piece.bend[c] +=
+    std::min(mean, piece.radius[c][d]) * piece.half[static_cast<int>(d)] * (1.0 + 1e-9);
+}
 } // namespace
 
 PartTree::PartTree(const CurvedEquation& equation, const CurvedPart& part)
@@ -301,6 +343,7 @@ void PartTree::Describe(CurvedPiece& piece, const Polys& polys) const
   piece.half = glm::max(around.upper - piece.centre, piece.centre - around.lower);
   piece.half *= 1.0 + 8.0 * kUnitRoundoff;
   piece.plateau = true;
+  const Vec3 widening = WideningOf(TheShape, piece.box);
   for (std::size_t c = 0; c < 3; ++c)
   {
     const auto at = static_cast<int>(c);
@@ -316,9 +359,7 @@ void PartTree::Describe(CurvedPiece& piece, const Polys& polys) const
     piece.error[c] = middle.RadiusAround(piece.value[c]) + Uncertainty;
     for (std::size_t d = 0; d < 3; ++d)
     {
-      const Interval slope = polys[3 + 3 * c + d].Hull();
-      piece.slope[c][d] = slope.Middle();
-      piece.radius[c][d] = slope.RadiusAround(piece.slope[c][d]);
+      AddSlope(polys[3 + 3 * c + d], widening, c, d, piece);
     }
   }
   if (Field)
@@ -363,10 +404,10 @@ void PartTree::DescribeField(CurvedPiece& piece, const Polys& polys) const
     const Interval value = polys[kFirst + c].At({ 0.0, 0.0, 0.0 });
     hull += squares ? Square(values) : values;
     middle += squares ? Square(value) : value;
-    for (std::size_t d = 0; d < 3; ++d)
+    for (std::size_t d = 0; d < 3 && squares; ++d)
     {
       const Interval by = polys[kFirst + components + 3 * c + d].Hull();
-      slope[d] += squares ? Interval(2.0) * values * by : by;
+      slope[d] += Interval(2.0) * values * by;
     }
   }
   if (!hull.Contains(0.0))
@@ -377,10 +418,17 @@ void PartTree::DescribeField(CurvedPiece& piece, const Polys& polys) const
   piece.plateau = hull.Magnitude() <= kPlateau + 2.0 * error;
   piece.value[3] = middle.Middle();
   piece.error[3] = middle.RadiusAround(piece.value[3]);
+  const Vec3 widening = WideningOf(TheShape, piece.box);
   for (std::size_t d = 0; d < 3; ++d)
   {
+    if (!squares)
+    {
+      AddSlope(polys[kFirst + 1 + d], widening, 3, d, piece);
+      continue;
+    }
     piece.slope[3][d] = slope[d].Middle();
     piece.radius[3][d] = slope[d].RadiusAround(piece.slope[3][d]);
+    piece.bend[3] += piece.radius[3][d] * piece.half[static_cast<int>(d)] * (1.0 + 1e-12);
   }
 }
 } // namespace pixelexact
