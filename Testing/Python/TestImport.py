@@ -17,6 +17,7 @@ CLASSES = [
     "vtkHighOrderGrid",
     "vtkHighOrderIntegrate",
     "vtkHighOrderIsoSurface",
+    "vtkHighOrderJumpWalls",
     "vtkHighOrderLayer",
     "vtkHighOrderLinearCut",
     "vtkHighOrderLinearResample",

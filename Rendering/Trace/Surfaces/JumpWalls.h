@@ -4,6 +4,7 @@
 #include "Core/Faces/FaceTable.h"
 #include "Core/Location/Locator.h"
 #include "Trace/Surfaces/Curved/CurvedSurface.h"
+#include "Trace/Surfaces/Curved/JumpFaces.h"
 
 namespace pixelexact
 {
@@ -34,15 +35,19 @@ protected:
     const CurvedPart& part, std::span<const Vec3> xi, std::span<Vec3> normals) const override;
 
 private:
-  JumpWalls(const Locator& locator, std::vector<CurvedPart> parts, const Field& field,
-    int component, double value);
+  JumpWalls(const Locator& locator, const JumpFaces& faces, const CurvedEquation& equation);
+  /// Whether an element's value at points of a part is farther from the sought one than the field
+  /// jumps there.
+  [[nodiscard]] std::vector<bool> AreFar(
+    const CurvedPart& part, double jump, std::span<const Vec3> xi) const;
+  /// Takes away such hits of a part, from number `first` on.
+  void DropFar(const CurvedPart& part, std::vector<CurvedHit>& hits, std::size_t first) const;
   /// Enclosures of what is compared (of a magnitude, its square) at points of an element.
   [[nodiscard]] std::vector<Interval> EnclosuresAt(
     int element, std::span<const Vec3> xi, std::span<const Vec3> x) const;
 
   const Locator& Behind;
-  const Field& TheField;
-  int Component;
-  Interval Compared; ///< the value, or its square
+  CurvedEquation Sought;
+  std::vector<double> Jumps; ///< by part
 };
 } // namespace pixelexact

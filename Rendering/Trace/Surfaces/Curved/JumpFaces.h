@@ -14,6 +14,13 @@ namespace pixelexact
 /// Gauss points that tell polynomials apart, by more than 1e-12 of these ranges' largest number.
 /// Of two faces that are one, that of the lower element; of faces that meet several others, or
 /// cover a part of one, all. In order. Parallel; the same for any number of threads.
-std::vector<CurvedPart> JumpFaces(
-  const Locator& locator, const FaceTable& table, const CurvedEquation& equation);
+struct JumpFaces
+{
+  JumpFaces(const Locator& locator, const FaceTable& table, const CurvedEquation& equation);
+
+  std::vector<CurvedPart> parts;
+  /// By part: how far apart the values on both sides are, at most; infinite where that is not
+  /// known. Of polynomials, by their values at Gauss points.
+  std::vector<double> jumps;
+};
 } // namespace pixelexact
