@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace pixelexact
 {
@@ -65,17 +66,32 @@ JumpWalls::JumpWalls(const Locator& locator, const JumpFaces& faces, const Curve
   : CurvedSurface({ locator.GetMesh() }, faces.parts, BoxesOf(locator.Index(), faces.parts))
   , Behind(locator)
   , Sought(equation)
-  , Jumps(faces.jumps)
+  , Across(faces.across)
 {
 }
 
-std::vector<bool> JumpWalls::AreFar(
-  const CurvedPart& part, double jump, std::span<const Vec3> xi) const
+std::vector<BehindFace> JumpWalls::BehindHits(
+  const CurvedPart& part, const std::vector<CurvedHit>& hits, std::size_t first) const
+{
+  const AcrossFace& across = Across[static_cast<std::size_t>(hits[first].part)];
+  if (across.element < 0)
+  {
+    return HitsBehind(Behind, part, hits, first);
+  }
+  std::vector<BehindFace> behind;
+  for (std::size_t k = first; k < hits.size(); ++k)
+  {
+    behind.push_back({ Verdict::Inside, across.element, across.At(hits[k].xi) });
+  }
+  return behind;
+}
+
+std::vector<int> JumpWalls::SidesAt(int element, std::span<const Vec3> xi) const
 {
   const auto components = static_cast<std::size_t>(Sought.field->values.components);
   std::vector<double> values(components * xi.size());
-  EvaluateAt(Behind.GetMesh(), *Sought.field, part.element, xi, values, {});
-  std::vector<bool> far(xi.size());
+  EvaluateAt(Behind.GetMesh(), *Sought.field, element, xi, values, {});
+  std::vector<int> sides(xi.size());
   for (std::size_t i = 0; i < xi.size(); ++i)
   {
     const auto of = std::span(values).subspan(components * i, components);
@@ -86,10 +102,11 @@ std::vector<bool> JumpWalls::AreFar(
     }
     const double value =
       Sought.component == kMagnitude ? length : of[static_cast<std::size_t>(Sought.component)];
-    far[i] =
-      std::fabs(value - Sought.value) > jump + kRounding * (length + std::fabs(Sought.value));
+    const double off = value - Sought.value;
+    const double least = kRounding * (length + std::fabs(Sought.value));
+    sides[i] = off > least ? 1 : off < -least ? -1 : 0;
   }
-  return far;
+  return sides;
 }
 
 std::vector<Interval> JumpWalls::EnclosuresAt(
@@ -118,72 +135,76 @@ std::vector<Interval> JumpWalls::EnclosuresAt(
   return enclosures;
 }
 
-void JumpWalls::DropFar(
-  const CurvedPart& part, std::vector<CurvedHit>& hits, std::size_t first) const
+/// A hit, and the point on the other side.
+struct JumpWalls::OneHit
 {
-  std::vector<Vec3> xi;
-  for (std::size_t k = first; k < hits.size(); ++k)
-  {
-    xi.push_back(hits[k].xi);
-  }
-  const double jump = Jumps[static_cast<std::size_t>(hits[first].part)];
-  const std::vector<bool> far = AreFar(part, jump, xi);
-  std::size_t kept = first;
-  for (std::size_t k = first; k < hits.size(); ++k)
-  {
-    if (!far[k - first])
-    {
-      hits[kept++] = hits[k];
-    }
-  }
-  hits.resize(kept);
-}
+  CurvedHit hit;
+  BehindFace behind;
+};
 
 void JumpWalls::Review(
   const CurvedPart& part, std::vector<CurvedHit>& hits, std::size_t first) const
 {
-  DropFar(part, hits, first);
-  if (hits.size() == first)
-  {
-    return;
-  }
   const Interval value =
     Sought.component == kMagnitude ? Square(Interval(Sought.value)) : Interval(Sought.value);
-  const std::vector<BehindFace> behind = HitsBehind(Behind, part, hits, first);
-  std::vector<Vec3> xi;
-  std::vector<Vec3> x;
-  for (std::size_t k = first; k < hits.size(); ++k)
+  const auto xiOf = [](const auto& all, auto member)
   {
-    xi.push_back(hits[k].xi);
-    x.push_back(hits[k].position);
-  }
-  const std::vector<Interval> mine = EnclosuresAt(part.element, xi, x);
-  std::size_t kept = first;
-  for (std::size_t k = first; k < hits.size(); ++k)
+    std::vector<Vec3> xi(all.size());
+    std::ranges::transform(all, xi.begin(), member);
+    return xi;
+  };
+  // What has a face on both sides is met from one of them.
+  std::vector<OneHit> met;
+  const std::vector<BehindFace> behind = BehindHits(part, hits, first);
+  for (std::size_t i = 0; i < behind.size(); ++i)
   {
-    const std::size_t i = k - first;
-    const BehindFace& at = behind[i];
-    // What has a face on both sides is met from one of them.
-    if (at.verdict == Verdict::Outside ||
-      (at.verdict == Verdict::Inside && at.element < part.element))
+    if (behind[i].verdict == Verdict::Unknown ||
+      (behind[i].verdict == Verdict::Inside && behind[i].element > part.element))
     {
+      met.push_back({ hits[first + i], behind[i] });
+    }
+  }
+  hits.resize(first);
+  // Elements that several hits have in common are asked for all of them at once.
+  for (std::size_t begin = 0, end = 0; begin < met.size(); begin = end)
+  {
+    const int other = met[begin].behind.element;
+    while (end < met.size() && met[end].behind.element == other)
+    {
+      ++end;
+    }
+    const auto some = std::span(met).subspan(begin, end - begin);
+    const auto mine = xiOf(some, [](const OneHit& one) { return one.hit.xi; });
+    if (other < 0)
+    {
+      std::ranges::transform(some, std::back_inserter(hits),
+        [](OneHit& one)
+        {
+          one.hit.status = HitStatus::Undecided;
+          return one.hit;
+        });
       continue;
     }
-    Wall wall = Wall::Unknown;
-    if (at.verdict == Verdict::Inside)
+    const auto theirs = xiOf(some, [](const OneHit& one) { return one.behind.xi; });
+    const std::vector<int> here = SidesAt(part.element, mine);
+    const std::vector<int> there = SidesAt(other, theirs);
+    for (std::size_t i = 0; i < some.size(); ++i)
     {
-      const Interval other =
-        EnclosuresAt(at.element, std::span(&at.xi, 1), std::span(&x[i], 1)).front();
-      wall = WallBetween(mine[i], other, value);
-    }
-    if (wall != Wall::None)
-    {
-      hits[kept] = hits[k];
-      hits[kept].status = wall == Wall::Unknown ? HitStatus::Undecided : hits[k].status;
-      ++kept;
+      if (here[i] != 0 && here[i] == there[i])
+      {
+        continue;
+      }
+      CurvedHit hit = some[i].hit;
+      const std::span<const Vec3> x(&hit.position, 1);
+      const Wall wall = WallBetween(EnclosuresAt(part.element, std::span(&mine[i], 1), x).front(),
+        EnclosuresAt(other, std::span(&theirs[i], 1), x).front(), value);
+      if (wall != Wall::None)
+      {
+        hit.status = wall == Wall::Unknown ? HitStatus::Undecided : hit.status;
+        hits.push_back(hit);
+      }
     }
   }
-  hits.resize(kept);
 }
 
 void JumpWalls::NormalsOf(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Core/Faces/BehindFace.h"
 #include "Core/Faces/FaceTable.h"
 #include "Core/Location/Locator.h"
 #include "Trace/Surfaces/Curved/CurvedSurface.h"
@@ -12,8 +13,9 @@ namespace pixelexact
 /// to above it: what an iso-surface lacks there to be the boundary between less and more.
 ///
 /// A hit is Certain where the proven enclosures of the values on both sides lie on different sides
-/// of the value, none where they lie on the same side or meet each other, so that no jump is
-/// proven; else, or where what lies behind the face is not known, Undecided. Values are those of
+/// of the value, none where both values lie on the same side of it, or where their enclosures meet
+/// each other, so that no jump is proven; else, or where what lies behind the face is not known,
+/// Undecided. Values are those of
 /// the element that hits tell: of two elements the one with the lower number.
 ///
 /// Faces on which both sides agree to 1e-12 of the field's largest value near them, at points that
@@ -36,18 +38,19 @@ protected:
 
 private:
   JumpWalls(const Locator& locator, const JumpFaces& faces, const CurvedEquation& equation);
-  /// Whether an element's value at points of a part is farther from the sought one than the field
-  /// jumps there.
-  [[nodiscard]] std::vector<bool> AreFar(
-    const CurvedPart& part, double jump, std::span<const Vec3> xi) const;
-  /// Takes away such hits of a part, from number `first` on.
-  void DropFar(const CurvedPart& part, std::vector<CurvedHit>& hits, std::size_t first) const;
+  struct OneHit;
+  /// What lies behind hits of a part, from number `first` on.
+  [[nodiscard]] std::vector<BehindFace> BehindHits(
+    const CurvedPart& part, const std::vector<CurvedHit>& hits, std::size_t first) const;
+  /// On which side of the sought value an element's are: -1 below, 1 above, 0 too near to tell
+  /// without a proof.
+  [[nodiscard]] std::vector<int> SidesAt(int element, std::span<const Vec3> xi) const;
   /// Enclosures of what is compared (of a magnitude, its square) at points of an element.
   [[nodiscard]] std::vector<Interval> EnclosuresAt(
     int element, std::span<const Vec3> xi, std::span<const Vec3> x) const;
 
   const Locator& Behind;
   CurvedEquation Sought;
-  std::vector<double> Jumps; ///< by part
+  std::vector<AcrossFace> Across; ///< by part
 };
 } // namespace pixelexact

@@ -8,11 +8,13 @@
 #include "Core/Questions/Questions.h"
 #include "Trace/Scene.h"
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace pixelexact
 {
@@ -20,7 +22,8 @@ namespace
 {
 /// Of the values' size: what rounding, and the solver's own, leave of a jump that is none.
 constexpr double kNoJump = 1e-12;
-constexpr double kUnknownJump = std::numeric_limits<double>::infinity();
+/// Of xi.
+constexpr double kSameWay = 1e-9;
 
 ValueIndex RangesFor(const CurvedEquation& equation)
 {
@@ -40,19 +43,36 @@ int HighestOrder(const Expansion& values)
   return order;
 }
 
-/// A polynomial is no larger than so many times its largest value at n x n Gauss points: for each
-/// direction the Lebesgue constant, which is below 2 sqrt(n) for n up to 40; twice as much is
-/// taken.
-double BeyondPoints(std::size_t points)
-{
-  return 8.0 * std::sqrt(static_cast<double>(points));
-}
-
 struct Chosen
 {
   CurvedPart part;
-  double jump;
+  AcrossFace across;
 };
+
+/// The affine way that takes n x n points of a face to those of another one; none where there is no
+/// such way.
+AcrossFace WayAcross(int element, std::span<const Vec3> from, std::span<const Vec3> to)
+{
+  const auto side =
+    static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(from.size()))));
+  const std::size_t second = side - 1;
+  const std::size_t third = from.size() - side;
+  const Vec3 a = from[second] - from[0];
+  const Vec3 b = from[third] - from[0];
+  AcrossFace across{ element, from[0], to[0],
+    Mat3(to[second] - to[0], to[third] - to[0], Vec3(0.0)) *
+      glm::inverse(Mat3(a, b, glm::cross(a, b))) };
+  for (std::size_t i = 0; i < from.size(); ++i)
+  {
+    const Vec3 off = glm::abs(across.At(from[i]) - to[i]);
+    // Written so that a NaN is off.
+    if (!(std::max({ off.x, off.y, off.z }) <= kSameWay))
+    {
+      across.element = -1;
+    }
+  }
+  return across;
+}
 
 class Chooser
 {
@@ -75,20 +95,14 @@ public:
     {
       const FaceKind kind = Table.KindOf(element, f);
       const ElementFace other = Table.NeighbourOf(element, f);
-      double jump = 0.0;
-      if (kind == FaceKind::Interior && other.element > element &&
-        MayBeBetween(mine, Ranges.RangeOf(other.element)))
+      const bool isOne = kind == FaceKind::Interior && other.element > element &&
+        MayBeBetween(mine, Ranges.RangeOf(other.element));
+      const bool isOfSeveral =
+        (kind == FaceKind::Hanging || kind == FaceKind::Partly) && MayBeBesideAny(element, mine);
+      AcrossFace across;
+      if (isOfSeveral || (isOne && Jumps({ element, f }, across)))
       {
-        jump = JumpOf({ element, f });
-      }
-      else if ((kind == FaceKind::Hanging || kind == FaceKind::Partly) &&
-        MayBeBesideAny(element, mine))
-      {
-        jump = kUnknownJump;
-      }
-      if (jump > 0.0)
-      {
-        parts.push_back({ { element, f }, jump });
+        parts.push_back({ { element, f }, across });
       }
     }
     return parts;
@@ -108,8 +122,8 @@ private:
       [&](int other) { return other != element && MayBeBetween(mine, Ranges.RangeOf(other)); });
   }
 
-  /// 0 where both sides agree.
-  [[nodiscard]] double JumpOf(const ElementFace& face) const
+  /// Whether the sides do not agree; also where that is not known.
+  [[nodiscard]] bool Jumps(const ElementFace& face, AcrossFace& across) const
   {
     const Mesh& mesh = Equation.mesh;
     const Expansion& values = Equation.field->values;
@@ -131,21 +145,13 @@ private:
     {
       if (at.verdict != Verdict::Inside || at.element != neighbour)
       {
-        return kUnknownJump;
+        return true;
       }
       there.push_back(at.xi);
     }
-    const double jump = Difference(ValuesAt(face.element, xi), ValuesAt(neighbour, there));
-    const double size =
-      std::max(Ranges.RangeOf(face.element).Magnitude(), Ranges.RangeOf(neighbour).Magnitude());
-    if (jump <= kNoJump * size)
-    {
-      return 0.0;
-    }
-    // What pyramids hold may be rational on their faces.
-    const bool isPolynomial =
-      mesh.ShapeOf(face.element) != Shape::Pyramid && mesh.ShapeOf(neighbour) != Shape::Pyramid;
-    return isPolynomial ? BeyondPoints(xi.size()) * (jump + kNoJump * size) : kUnknownJump;
+    across = WayAcross(neighbour, xi, there);
+    return Differ(ValuesAt(face.element, xi), ValuesAt(neighbour, there),
+      std::max(Ranges.RangeOf(face.element).Magnitude(), Ranges.RangeOf(neighbour).Magnitude()));
   }
 
   [[nodiscard]] std::vector<double> ValuesAt(int element, std::span<const Vec3> xi) const
@@ -156,24 +162,21 @@ private:
     return values;
   }
 
-  /// The largest, of what is compared; of a magnitude, of the vector. Infinite where a value is no
-  /// number.
-  [[nodiscard]] double Difference(const std::vector<double>& a, const std::vector<double>& b) const
+  [[nodiscard]] bool Differ(
+    const std::vector<double>& a, const std::vector<double>& b, double size) const
   {
     const auto components = static_cast<std::size_t>(Equation.field->values.components);
-    double largest = 0.0;
     for (std::size_t i = 0; i < a.size(); ++i)
     {
-      if (Equation.component != kMagnitude &&
-        static_cast<int>(i % components) != Equation.component)
+      const bool counts =
+        Equation.component == kMagnitude || static_cast<int>(i % components) == Equation.component;
+      // Written so that a NaN differs.
+      if (counts && !(std::fabs(a[i] - b[i]) <= kNoJump * size))
       {
-        continue;
+        return true;
       }
-      const double apart = std::fabs(a[i] - b[i]);
-      largest = std::isnan(apart) ? kUnknownJump : std::max(largest, apart);
     }
-    return Equation.component == kMagnitude ? std::sqrt(static_cast<double>(components)) * largest
-                                            : largest;
+    return false;
   }
 
   const Locator& TheLocator;
@@ -195,7 +198,7 @@ JumpFaces::JumpFaces(const Locator& locator, const FaceTable& table, const Curve
     for (const Chosen& one : some)
     {
       parts.push_back(one.part);
-      jumps.push_back(one.jump);
+      across.push_back(one.across);
     }
   }
 }
