@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace pixelexact
 {
@@ -48,24 +49,35 @@ Vec3 WideningOf(Shape shape, const EtaBox& box)
   }
 }
 
-/// A derivative of function c by xi_d: its value at the centre, and how far it is from that. What
-/// is left of the function beyond value and slope is its mean on the way from the centre, less that
-/// value: half of what it may be at the end of the way.
-void AddSlope(
-  const BoxPolynomial& by, const Vec3& widening, std::size_t c, std::size_t d, CurvedPiece& piece)
+/// A derivative of function c by xi_d: its value at the centre, and how far it is from that.
+void SetSlope(const BoxPolynomial& by, std::size_t c, std::size_t d, CurvedPiece& piece)
 {
-  const Interval middle = by.At({ 0.0, 0.0, 0.0 });
-  piece.slope[c][d] = middle.Middle();
+  piece.slope[c][d] = by.At({ 0.0, 0.0, 0.0 }).Middle();
   piece.radius[c][d] = by.Hull().RadiusAround(piece.slope[c][d]);
-  double varies = 0.0;
-  for (int k = 0; k < 3; ++k)
+}
+
+/// Of a polynomial's largest coefficient: more than rounding leaves of an error in a value.
+constexpr double kEvaluation = 4096.0 * kUnitRoundoff;
+
+/// What is left of function c beyond value and slopes, by the derivatives along each xi: their mean
+/// on the way from the centre, less what they are there, is half of what they may be at its end.
+void SetBend(
+  std::span<const BoxPolynomial> by, const Vec3& widening, std::size_t c, CurvedPiece& piece)
+{
+  double bend = 0.0;
+  for (std::size_t d = 0; d < 3; ++d)
   {
-    // Its derivative by a coordinate that goes from 0 to 1, of which half is on either side.
-    varies += 0.5 * widening[k] * by.Variation(k, 1);
+    double varies = 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      // Its derivative by a coordinate that goes from 0 to 1, of which half is on either side.
+      varies += 0.5 * widening[k] * by[d].Variation(k, 1);
+    }
+    const double largest = std::fabs(piece.slope[c][d]) + piece.radius[c][d];
+    const double mean = 0.5 * varies + 4.0 * by[d].error + kEvaluation * largest;
+    bend += std::min(mean, piece.radius[c][d]) * piece.half[static_cast<int>(d)];
   }
-  const double mean = 0.5 * varies + 2.0 * by.error + middle.RadiusAround(piece.slope[c][d]);
-  piece.bend[c] +=
-    std::min(mean, piece.radius[c][d]) * piece.half[static_cast<int>(d)] * (1.0 + 1e-9);
+  piece.bend[c] = bend * (1.0 + 1e-9);
 }
 } // namespace
 
@@ -343,7 +355,6 @@ void PartTree::Describe(CurvedPiece& piece, const Polys& polys) const
   piece.half = glm::max(around.upper - piece.centre, piece.centre - around.lower);
   piece.half *= 1.0 + 8.0 * kUnitRoundoff;
   piece.plateau = true;
-  const Vec3 widening = WideningOf(TheShape, piece.box);
   for (std::size_t c = 0; c < 3; ++c)
   {
     const auto at = static_cast<int>(c);
@@ -359,7 +370,7 @@ void PartTree::Describe(CurvedPiece& piece, const Polys& polys) const
     piece.error[c] = middle.RadiusAround(piece.value[c]) + Uncertainty;
     for (std::size_t d = 0; d < 3; ++d)
     {
-      AddSlope(polys[3 + 3 * c + d], widening, c, d, piece);
+      SetSlope(polys[3 + 3 * c + d], c, d, piece);
     }
   }
   if (Field)
@@ -386,6 +397,19 @@ void PartTree::Describe(CurvedPiece& piece, const Polys& polys) const
   }
   const int which = Field ? 1 : 0;
   piece.flat = piece.halvings >= kAtOnce[which] || BendOf(piece, Field.has_value()) <= kFlat[which];
+  if (piece.flat && !piece.IsEmpty())
+  {
+    const std::span all(polys);
+    const Vec3 widening = WideningOf(TheShape, piece.box);
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      SetBend(all.subspan(3 + 3 * c, 3), widening, c, piece);
+    }
+    if (Field && Equation.component != kMagnitude)
+    {
+      SetBend(all.subspan(13, 3), widening, 3, piece);
+    }
+  }
 }
 
 void PartTree::DescribeField(CurvedPiece& piece, const Polys& polys) const
@@ -418,12 +442,11 @@ void PartTree::DescribeField(CurvedPiece& piece, const Polys& polys) const
   piece.plateau = hull.Magnitude() <= kPlateau + 2.0 * error;
   piece.value[3] = middle.Middle();
   piece.error[3] = middle.RadiusAround(piece.value[3]);
-  const Vec3 widening = WideningOf(TheShape, piece.box);
   for (std::size_t d = 0; d < 3; ++d)
   {
     if (!squares)
     {
-      AddSlope(polys[kFirst + 1 + d], widening, 3, d, piece);
+      SetSlope(polys[kFirst + 1 + d], 3, d, piece);
       continue;
     }
     piece.slope[3][d] = slope[d].Middle();
