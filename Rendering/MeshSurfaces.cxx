@@ -12,12 +12,14 @@
 #include "Core/Questions/Questions.h"
 #include "Trace/Surfaces/ElementFaces.h"
 #include "Trace/Surfaces/IsoSurface.h"
+#include "Trace/Surfaces/JumpWalls.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 namespace pixelexact
 {
@@ -141,27 +143,59 @@ std::shared_ptr<const Surface> MakeBoundary(
 {
   RequireElements(*model, choice.elements);
   const std::vector<ElementFace> faces = FacesFor(*model, choice);
+  std::vector<bool> partly;
+  if (choice == BoundaryChoice())
+  {
+    for (const ElementFace& one : faces)
+    {
+      partly.push_back(model->Faces().KindOf(one.element, one.face) == FaceKind::Partly);
+    }
+  }
+  if (std::ranges::find(partly, true) == partly.end())
+  {
+    return KeepingAlive(
+      model, std::make_unique<const ElementFaces>(model->GetLocator().Index(), faces));
+  }
   return KeepingAlive(
-    model, std::make_unique<const ElementFaces>(model->GetLocator().Index(), faces));
+    model, std::make_unique<const ElementFaces>(model->GetLocator(), faces, std::move(partly)));
 }
 
-std::shared_ptr<const Surface> MakeIsoSurface(
-  const std::shared_ptr<const HighOrderModel>& model, const IsoChoice& choice)
+namespace
+{
+/// The field of the choice, which has the component and may have the value.
+const Field& FieldFor(const HighOrderModel& model, const IsoChoice& choice)
 {
   if (!std::isfinite(choice.value))
   {
     throw Error("iso-surface: the value is not finite; choose a number");
   }
-  if (model->Fields().empty())
+  if (model.Fields().empty())
   {
     throw Error("iso-surface: the mesh carries no field; choose another surface");
   }
   const FieldChoice chosen{ .name = choice.field };
-  const Field& field = chosen.In(*model);
+  const Field& field = chosen.In(model);
   RequireComponent(field, choice.component);
-  RequireValue(*model, field, choice.component, choice.value);
+  RequireValue(model, field, choice.component, choice.value);
+  return field;
+}
+} // namespace
+
+std::shared_ptr<const Surface> MakeIsoSurface(
+  const std::shared_ptr<const HighOrderModel>& model, const IsoChoice& choice)
+{
+  const Field& field = FieldFor(*model, choice);
   return KeepingAlive(model,
     std::make_unique<const IsoSurface>(
-      model->GetLocator().Index(), field, choice.component, choice.value));
+      model->GetLocator().Index(), field, choice.component, choice.value, choice.mayBeEmpty));
+}
+
+std::shared_ptr<const Surface> MakeJumpWalls(
+  const std::shared_ptr<const HighOrderModel>& model, const IsoChoice& choice)
+{
+  const Field& field = FieldFor(*model, choice);
+  return KeepingAlive(model,
+    std::make_unique<const JumpWalls>(
+      model->GetLocator(), model->Faces(), field, choice.component, choice.value));
 }
 } // namespace pixelexact

@@ -15,7 +15,8 @@ namespace pixelexact
 {
 class HighOrderModel;
 
-/// Faces of elements; neither attributes nor elements: the boundary of the mesh.
+/// Faces of elements; neither attributes nor elements: the boundary of the mesh, where a face that
+/// is partly covered counts as far as nothing lies behind it.
 struct BoundaryChoice
 {
   std::vector<int> attributes; ///< of the boundary, as the solver numbers its parts
@@ -36,11 +37,17 @@ struct IsoChoice
   std::string field;          ///< empty: the first one
   int component = kMagnitude; ///< of a scalar: itself
   double value = 0.0;
+  bool mayBeEmpty = false; ///< no element has to hold a value that the field as a whole may have
 };
 
 /// Throws Error for a field or component that is not there, and for a value that the field is
 /// proven not to have, naming its range, or that is not finite; Unsupported for
 /// mapped fields.
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT std::shared_ptr<const Surface> MakeIsoSurface(
+  const std::shared_ptr<const HighOrderModel>& model, const IsoChoice& choice);
+
+/// What such a surface lacks where the field jumps between elements (JumpWalls); nowhere, perhaps.
+/// Throws as MakeIsoSurface does.
+[[nodiscard]] PIXELEXACTRENDERING_EXPORT std::shared_ptr<const Surface> MakeJumpWalls(
   const std::shared_ptr<const HighOrderModel>& model, const IsoChoice& choice);
 } // namespace pixelexact

@@ -9,6 +9,7 @@
 #include "Core/Base/Counted.h"
 #include "Core/Location/Locator.h"
 #include "Trace/Sheets.h"
+#include "Trace/Surfaces/JumpWalls.h"
 
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
@@ -69,6 +70,29 @@ nlohmann::ordered_json LayersToJson(const Shot& shot, const Frame& frame, const 
       { "pixels", std::ranges::count(frame.centres.layer, k) } });
   }
   return layers;
+}
+
+/// Layers that are walls of iso-surfaces.
+struct FoundWalls
+{
+  int layers = 0;
+  std::int64_t faces = 0; ///< on which there may be some
+  std::int64_t pixels = 0;
+};
+
+FoundWalls WallsOf(const Shot& shot, const Frame& frame)
+{
+  FoundWalls found;
+  for (std::size_t k = 0; k < shot.scene.layers.size(); ++k)
+  {
+    if (const auto* walls = dynamic_cast<const JumpWalls*>(shot.scene.layers[k].surface.get()))
+    {
+      ++found.layers;
+      found.faces += walls->Parts();
+      found.pixels += std::ranges::count(frame.centres.layer, k);
+    }
+  }
+  return found;
 }
 
 /// A layer's field and component.
@@ -213,6 +237,10 @@ void PrintJson(const Shot& shot, const Frame& frame, const Found& found, const L
     summary["hits"] = { { "numeric", pixels.numericHits }, { "undecided", pixels.undecidedHits },
       { "cut_off", pixels.cutOff } };
   }
+  if (const FoundWalls walls = WallsOf(shot, frame); walls.layers > 0)
+  {
+    summary["jump_walls"] = { { "faces", walls.faces }, { "pixels", walls.pixels } };
+  }
   if (found.contours)
   {
     summary["contours"] = ToJson(*found.contours);
@@ -268,6 +296,13 @@ void PrintTable(const Shot& shot, const Frame& frame, const Found& found, const 
   {
     table.Row("hits", "{} numeric, {} undecided, {} cut off", pixels.numericHits,
       pixels.undecidedHits, Counted(pixels.cutOff, "ray"));
+  }
+  if (const FoundWalls walls = WallsOf(shot, frame); walls.layers > 0)
+  {
+    table.Row("jump walls",
+      walls.faces > 0
+        ? fmt::format("{} of {}", Counted(walls.pixels, "pixel"), Counted(walls.faces, "face"))
+        : "none: nowhere does the field jump across the value");
   }
   if (found.contours)
   {

@@ -17,6 +17,7 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 
@@ -175,6 +176,12 @@ std::vector<Vec3> SeenPoints(const Scene& scene, const CameraView& view, const I
   return points;
 }
 
+namespace
+{
+/// Of walls of iso-surfaces: none of the usual colour maps has it.
+constexpr std::array<double, 3> kWallColor{ 0.84, 0.37, 0.0 };
+} // namespace
+
 bool ShotOptions::SpansAllPictures() const
 {
   const std::vector<LayerSettings> all = layers.Make(surfaces.Count());
@@ -198,6 +205,12 @@ std::vector<LayerSettings> ShotOptions::MakeLayers() const
 {
   std::vector<LayerSettings> settings = layers.Make(surfaces.Count());
   CheckEffects(*command, settings);
+  for (std::size_t k = settings.size() - surfaces.CountWalls(); k < settings.size(); ++k)
+  {
+    LayerSettings& wall = settings[k];
+    const bool hasColors = wall.color || wall.colormap || wall.range || wall.field;
+    wall.color = hasColors ? wall.color : kWallColor;
+  }
   for (const LayerSettings& layer : settings)
   {
     if (colors.Logarithm() && layer.range)
@@ -234,6 +247,11 @@ Shot MakeShot(const ShotOptions& options, Stopwatch& stopwatch, vtkUnstructuredG
   const std::string field = FieldToLoad(options, shot.settings);
   if (AreSeveralProcesses())
   {
+    if (options.surfaces.CountWalls() > 0)
+    {
+      throw UsageError("--jump-walls: what lies on both sides of a face is known to one process "
+                       "that has the whole mesh; start one, without mpirun");
+    }
     shot.input = LoadPart(options.input, field, stopwatch);
     shot.input = WithNeededElements(std::move(shot.input), options.surfaces);
     stopwatch.Stage("exchange");

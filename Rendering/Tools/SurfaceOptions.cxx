@@ -113,18 +113,23 @@ void SurfaceOptions::AddTo(CLI::App& command)
     "Cut by the bicubic Bezier patches of a text file: per patch 16 lines 'x y z', rows of u; what "
     "stands behind a # counts nothing")
     .Group(group);
-  AddRepeated(
+  AddedOption iso = AddRepeated(
     command, "--isosurface", [this](const std::string& text) { Isos.push_back(ParseIso(text)); },
     "FIELD=VALUE",
     "Cut by the points where a field has a value; of a vector field its magnitude, or "
-    "FIELD.COMPONENT=VALUE, x, y, z or counted from 0")
-    .Group(group);
+    "FIELD.COMPONENT=VALUE, x, y, z or counted from 0");
+  iso.Group(group);
   AddRepeated(
     command, "--boundary",
     [this](const std::string& text) { Boundaries.push_back(ParseBoundary(text)); },
     "[=all|ATTRIBUTE,...|element:NUMBER,...]",
     "Cut by the boundary of the mesh, by its parts with these attributes, or by all faces of these "
     "elements")
+    .Group(group);
+  AddFlag(command, "--jump-walls", Walls,
+    "Cut, too, by the parts of faces between elements across which the field of an --isosurface "
+    "jumps from below its value to above: of each of them, in a colour of its own")
+    .Needs(iso)
     .Group(group);
 }
 
@@ -144,7 +149,7 @@ SurfaceOptions::Described SurfaceOptions::First() const
 std::size_t SurfaceOptions::CountGiven() const
 {
   std::size_t count =
-    Planes.size() + Files.size() + Patches.size() + Isos.size() + Boundaries.size();
+    Planes.size() + Files.size() + Patches.size() + Isos.size() + Boundaries.size() + CountWalls();
   for (const auto& [name, given] : Numbers)
   {
     count += given.size();
@@ -213,14 +218,24 @@ std::vector<GivenSurface> SurfaceOptions::Make() const
   for (const IsoText& iso : Isos)
   {
     surfaces.push_back(OfMesh("--isosurface",
-      [iso](const std::shared_ptr<const HighOrderModel>& model)
-      { return MakeIsoSurface(model, Resolve(iso, *model)); }));
+      [iso, walls = Walls](const std::shared_ptr<const HighOrderModel>& model)
+      {
+        IsoChoice choice = Resolve(iso, *model);
+        choice.mayBeEmpty = walls;
+        return MakeIsoSurface(model, choice);
+      }));
   }
   for (const BoundaryChoice& choice : Boundaries)
   {
     surfaces.push_back(OfMesh("--boundary",
       [choice](const std::shared_ptr<const HighOrderModel>& model)
       { return MakeBoundary(model, choice); }));
+  }
+  for (std::size_t k = 0; k < CountWalls(); ++k)
+  {
+    surfaces.push_back(OfMesh("--jump-walls",
+      [iso = Isos[k]](const std::shared_ptr<const HighOrderModel>& model)
+      { return MakeJumpWalls(model, Resolve(iso, *model)); }));
   }
   return surfaces;
 }

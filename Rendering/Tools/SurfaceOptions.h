@@ -41,6 +41,9 @@ public:
   /// The same without those that are made of the mesh's elements.
   [[nodiscard]] std::vector<GivenSurface> MakeInSpace() const;
 
+  /// How many of them, the last ones, are walls of iso-surfaces.
+  [[nodiscard]] std::size_t CountWalls() const { return Walls ? Isos.size() : 0; }
+
   [[nodiscard]] const std::vector<IsoText>& IsoSurfaces() const { return Isos; }
   [[nodiscard]] const std::vector<BoundaryChoice>& BoundaryChoices() const { return Boundaries; }
 
@@ -65,5 +68,6 @@ private:
   std::vector<std::string> Patches;                                ///< files of patches
   std::vector<IsoText> Isos;
   std::vector<BoundaryChoice> Boundaries;
+  bool Walls = false; ///< of the iso-surfaces, where fields jump
 };
 } // namespace pixelexact

@@ -23,6 +23,7 @@ CLASSES = [
     "vtkHighOrderGrid",
     "vtkHighOrderIntegrate",
     "vtkHighOrderIsoSurface",
+    "vtkHighOrderJumpWalls",
     "vtkHighOrderLayer",
     "vtkHighOrderLinearCut",
     "vtkHighOrderLinearResample",

@@ -20,12 +20,12 @@ DATA = os.environ["PIXELEXACT_DATA_DIR"]
 
 
 class Scene:
-    """An actor of a torus, in an off-screen window."""
+    """An actor of a case of Data, a torus, in an off-screen window."""
 
-    def __init__(self):
+    def __init__(self, case="toroid_hex_g3_p6"):
         self.errors = []
         self.reader = vtkXMLUnstructuredGridReader()
-        self.reader.SetFileName(os.path.join(DATA, "toroid_hex_g3_p6.vtu"))
+        self.reader.SetFileName(os.path.join(DATA, case + ".vtu"))
         self.converter = pixelexact.vtkUnstructuredGridToHighOrderGrid()
         self.converter.SetInputConnection(self.reader.GetOutputPort())
         self.mapper = pixelexact.vtkHighOrderMapper()
@@ -78,6 +78,24 @@ class Surfaces(unittest.TestCase):
         np.testing.assert_allclose(scene.buffer("Value"), plane, rtol=0, atol=1e-12)
         self.assertEqual(scene.mapper.GetNumberOfSurfaceBuilds(), 3)
         self.assertEqual(scene.errors, [])
+
+    def test_walls_are_where_a_field_jumps(self):
+        walls = pixelexact.vtkHighOrderJumpWalls()
+        walls.SetFieldName("u")
+        walls.SetValue(0.3)
+        # A discontinuous solution on a cube of 27 bent elements, and a continuous one.
+        for case, least in [("periodic_hex_dg_g3_p4", 5), ("toroid_hex_g3_p6", 0)]:
+            scene = Scene(case)
+            scene.mapper.SetSurface(walls)
+            exact = scene.buffer("Verdict") == 1
+            self.assertEqual(scene.errors, [])
+            if least == 0:
+                self.assertEqual(exact.sum(), 0)
+                continue
+            self.assertGreater(exact.sum(), least)
+            # On a face of the element that they tell, up to rounding.
+            xi = scene.buffer("Xi")[exact]
+            self.assertLess(np.abs(np.abs(xi).max(axis=1) - 1).max(), 1e-14)
 
     def test_surfaces_that_cannot_be_drawn_say_why(self):
         iso = pixelexact.vtkHighOrderIsoSurface()

@@ -6,13 +6,14 @@ import unittest
 import numpy as np
 
 from rendering import EXACT, EYE, CurvedTest, along, slabs, sphere_hits
-from tool import CUBE, View, case, plain_grid
+from tool import CUBE, View, case, plain_grid, run
 
 VTK_TRIQUADRATIC_HEXAHEDRON = 29
 
 
 def quadratic_cube(function):
-    """[-1,1]^3 in 8 hexahedra of order 2, whose field u interpolates `function`."""
+    """[-1,1]^3 in 8 hexahedra of order 2, whose field u interpolates `function` of points, and of
+    the element's corner that is not the origin."""
     corners = np.array(CUBE)
     edges = [(0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4)]
     edges += [(k, k + 4) for k in range(4)]
@@ -23,7 +24,9 @@ def quadratic_cube(function):
     cells = [
         (VTK_TRIQUADRATIC_HEXAHEDRON, list(range(27 * k, 27 * (k + 1)))) for k in range(len(CUBE))
     ]
-    return plain_grid(points.tolist(), cells, [("u", [function(p) for p in points])])
+    outer = np.repeat(1 - 2 * np.array(CUBE), 27, axis=0)
+    values = [function(p, corner) for p, corner in zip(points, outer)]
+    return plain_grid(points.tolist(), cells, [("u", values)])
 
 
 class Boundaries(CurvedTest):
@@ -100,7 +103,7 @@ class IsoSurfaces(CurvedTest):
 
     def test_of_a_quadratic_field_a_sphere(self):
         source = self.folder / "quadratic.vtu"
-        source.write_text(quadratic_cube(lambda p: float(p @ p)), encoding="utf-8")
+        source.write_text(quadratic_cube(lambda p, _: float(p @ p)), encoding="utf-8")
         view = View([2.6, -2.1, 1.9], [0, 0, 0], [0.1, 0.2, 1.0], 60, 48, angle=36.0)
         summary, buffers, _ = self.render(source, "--isosurface", "u=0.81", *view.options())
         self.assertEqual(summary["pixels"]["unknown"], 0)
@@ -156,6 +159,50 @@ class IsoSurfaces(CurvedTest):
         self.assertGreater(exact.sum(), 300)
         self.assertLess(np.abs(buffers["Value"][exact] - 0.3).max(), 1e-11)
         self.check_elements(source, buffers, 1e-10)
+
+
+class Walls(CurvedTest):
+    view = View([2.6, -2.1, 1.9], [0, 0, 0], [0.1, 0.2, 1.0], 60, 48, angle=36.0)
+
+    def draw(self, function, *options):
+        source = self.folder / "jumps.vtu"
+        source.write_text(quadratic_cube(function), encoding="utf-8")
+        return self.render(source, "--isosurface", "u=0.5", *options, *self.view.options())
+
+    def test_of_constants_a_square(self):
+        """u is 0 at x < 0 and 1 at x > 0: it is 0.5 nowhere, and jumps across it at x = 0."""
+        summary, buffers, image = self.draw(lambda _, corner: float(corner[0] > 0), "--jump-walls", "--lights", "off")
+        enter, leave = slabs(self.view, [0, -1, -1], [0, 1, 1])
+        hit = self.check_hits(buffers, self.view, np.where(enter <= leave, enter, np.nan), delta=1e-12)
+        self.assertEqual(set(buffers["Layer"][hit]), {1})
+        self.assertEqual(summary["jump_walls"], {"faces": 4, "pixels": int(hit.sum())})
+        self.assertEqual({tuple(pixel) for pixel in image[hit].tolist()}, {(214, 94, 0)})
+        normal = buffers["Normal"][hit]
+        self.assertLess(np.abs(np.abs(normal) - [1, 0, 0]).max(), 1e-12)
+
+    def test_beside_the_surface_that_they_close(self):
+        """u = y, and y + 1 at x > 0: the surface is at y = 0.5 and, there, at y = -0.5."""
+        summary, buffers, _ = self.draw(lambda p, corner: p[1] + float(corner[0] > 0), "--jump-walls")
+        wall = buffers["Layer"] == 1
+        position = buffers["Position"][wall]
+        self.assertGreater(wall.sum(), 50)
+        self.assertLess(np.abs(position[:, 0]).max(), 1e-12)
+        self.assertLess(np.abs(position[:, 1]).max(), 0.5 + 1e-12)
+        self.assertEqual(summary["jump_walls"]["pixels"], int(wall.sum()))
+        self.assertEqual(summary["pixels"]["unknown"], 0)
+
+    def test_of_a_field_that_is_continuous_none(self):
+        summary, _, _ = self.draw(lambda p, _: p[1], "--jump-walls")
+        self.assertEqual(summary["jump_walls"], {"faces": 0, "pixels": 0})
+
+    def test_none_unless_asked_for(self):
+        summary, _, _ = self.draw(lambda p, corner: p[1] + float(corner[0] > 0))
+        self.assertNotIn("jump_walls", summary)
+
+    def test_only_of_iso_surfaces(self):
+        done = run("render", case("toroid_hex_g3_p6"), "--boundary", "--jump-walls")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("--isosurface", done.stderr)
 
 
 if __name__ == "__main__":

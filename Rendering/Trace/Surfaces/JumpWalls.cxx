@@ -10,11 +10,16 @@
 #include "Trace/Surfaces/IsoEquation.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 
 namespace pixelexact
 {
 namespace
 {
+/// Of values: far more than evaluation, and the place of a hit, leave of an error.
+constexpr double kRounding = 1e-9;
+
 std::vector<Box3> BoxesOf(const ElementIndex& index, std::span<const CurvedPart> parts)
 {
   std::vector<Box3> boxes(parts.size());
@@ -52,37 +57,74 @@ Wall WallBetween(const Interval& mine, const Interval& other, const Interval& va
 JumpWalls::JumpWalls(
   const Locator& locator, const FaceTable& table, const Field& field, int component, double value)
   : JumpWalls(locator,
-      JumpFaces(locator, table, IsoEquation(locator.GetMesh(), field, component, value)), field,
-      component, value)
+      JumpFaces(locator, table, IsoEquation(locator.GetMesh(), field, component, value)),
+      IsoEquation(locator.GetMesh(), field, component, value))
 {
 }
 
-JumpWalls::JumpWalls(const Locator& locator, std::vector<CurvedPart> parts, const Field& field,
-  int component, double value)
-  : CurvedSurface({ locator.GetMesh() }, parts, BoxesOf(locator.Index(), parts))
+JumpWalls::JumpWalls(const Locator& locator, const JumpFaces& faces, const CurvedEquation& equation)
+  : CurvedSurface({ locator.GetMesh() }, faces.parts, BoxesOf(locator.Index(), faces.parts))
   , Behind(locator)
-  , TheField(field)
-  , Component(IsoEquation(locator.GetMesh(), field, component, value).component)
-  , Compared(Component == kMagnitude ? Square(Interval(value)) : Interval(value))
+  , Sought(equation)
+  , Across(faces.across)
 {
+}
+
+std::vector<BehindFace> JumpWalls::BehindHits(
+  const CurvedPart& part, const std::vector<CurvedHit>& hits, std::size_t first) const
+{
+  const AcrossFace& across = Across[static_cast<std::size_t>(hits[first].part)];
+  if (across.element < 0)
+  {
+    return HitsBehind(Behind, part, hits, first);
+  }
+  std::vector<BehindFace> behind;
+  for (std::size_t k = first; k < hits.size(); ++k)
+  {
+    behind.push_back({ Verdict::Inside, across.element, across.At(hits[k].xi) });
+  }
+  return behind;
+}
+
+std::vector<int> JumpWalls::SidesAt(int element, std::span<const Vec3> xi) const
+{
+  const auto components = static_cast<std::size_t>(Sought.field->values.components);
+  std::vector<double> values(components * xi.size());
+  EvaluateAt(Behind.GetMesh(), *Sought.field, element, xi, values, {});
+  std::vector<int> sides(xi.size());
+  for (std::size_t i = 0; i < xi.size(); ++i)
+  {
+    const auto of = std::span(values).subspan(components * i, components);
+    double length = 0.0;
+    for (const double one : of)
+    {
+      length = std::hypot(length, one);
+    }
+    const double value =
+      Sought.component == kMagnitude ? length : of[static_cast<std::size_t>(Sought.component)];
+    const double off = value - Sought.value;
+    const double least = kRounding * (length + std::fabs(Sought.value));
+    sides[i] = off > least ? 1 : off < -least ? -1 : 0;
+  }
+  return sides;
 }
 
 std::vector<Interval> JumpWalls::EnclosuresAt(
   int element, std::span<const Vec3> xi, std::span<const Vec3> x) const
 {
-  const auto components = static_cast<std::size_t>(TheField.values.components);
+  const auto components = static_cast<std::size_t>(Sought.field->values.components);
   std::vector<double> lower(components * xi.size());
   std::vector<double> upper(lower.size());
-  EncloseAt(Behind.GetMesh(), TheField, element, xi, x, lower, upper);
+  EncloseAt(Behind.GetMesh(), *Sought.field, element, xi, x, lower, upper);
   std::vector<Interval> enclosures(xi.size());
   for (std::size_t i = 0; i < xi.size(); ++i)
   {
     const auto of = [&](std::size_t c) -> Interval {
       return { lower[components * i + c], upper[components * i + c] };
     };
-    if (Component != kMagnitude)
+    if (Sought.component != kMagnitude)
     {
-      enclosures[i] = of(static_cast<std::size_t>(Component));
+      enclosures[i] = of(static_cast<std::size_t>(Sought.component));
       continue;
     }
     for (std::size_t c = 0; c < components; ++c)
@@ -93,44 +135,76 @@ std::vector<Interval> JumpWalls::EnclosuresAt(
   return enclosures;
 }
 
+/// A hit, and the point on the other side.
+struct JumpWalls::OneHit
+{
+  CurvedHit hit;
+  BehindFace behind;
+};
+
 void JumpWalls::Review(
   const CurvedPart& part, std::vector<CurvedHit>& hits, std::size_t first) const
 {
-  const std::vector<BehindFace> behind = HitsBehind(Behind, part, hits, first);
-  std::vector<Vec3> xi;
-  std::vector<Vec3> x;
-  for (std::size_t k = first; k < hits.size(); ++k)
+  const Interval value =
+    Sought.component == kMagnitude ? Square(Interval(Sought.value)) : Interval(Sought.value);
+  const auto xiOf = [](const auto& all, auto member)
   {
-    xi.push_back(hits[k].xi);
-    x.push_back(hits[k].position);
-  }
-  const std::vector<Interval> mine = EnclosuresAt(part.element, xi, x);
-  std::size_t kept = first;
-  for (std::size_t k = first; k < hits.size(); ++k)
+    std::vector<Vec3> xi(all.size());
+    std::ranges::transform(all, xi.begin(), member);
+    return xi;
+  };
+  // What has a face on both sides is met from one of them.
+  std::vector<OneHit> met;
+  const std::vector<BehindFace> behind = BehindHits(part, hits, first);
+  for (std::size_t i = 0; i < behind.size(); ++i)
   {
-    const std::size_t i = k - first;
-    const BehindFace& at = behind[i];
-    // What has a face on both sides is met from one of them.
-    if (at.verdict == Verdict::Outside ||
-      (at.verdict == Verdict::Inside && at.element < part.element))
+    if (behind[i].verdict == Verdict::Unknown ||
+      (behind[i].verdict == Verdict::Inside && behind[i].element > part.element))
     {
+      met.push_back({ hits[first + i], behind[i] });
+    }
+  }
+  hits.resize(first);
+  // Elements that several hits have in common are asked for all of them at once.
+  for (std::size_t begin = 0, end = 0; begin < met.size(); begin = end)
+  {
+    const int other = met[begin].behind.element;
+    while (end < met.size() && met[end].behind.element == other)
+    {
+      ++end;
+    }
+    const auto some = std::span(met).subspan(begin, end - begin);
+    const auto mine = xiOf(some, [](const OneHit& one) { return one.hit.xi; });
+    if (other < 0)
+    {
+      std::ranges::transform(some, std::back_inserter(hits),
+        [](OneHit& one)
+        {
+          one.hit.status = HitStatus::Undecided;
+          return one.hit;
+        });
       continue;
     }
-    Wall wall = Wall::Unknown;
-    if (at.verdict == Verdict::Inside)
+    const auto theirs = xiOf(some, [](const OneHit& one) { return one.behind.xi; });
+    const std::vector<int> here = SidesAt(part.element, mine);
+    const std::vector<int> there = SidesAt(other, theirs);
+    for (std::size_t i = 0; i < some.size(); ++i)
     {
-      const Interval other =
-        EnclosuresAt(at.element, std::span(&at.xi, 1), std::span(&x[i], 1)).front();
-      wall = WallBetween(mine[i], other, Compared);
-    }
-    if (wall != Wall::None)
-    {
-      hits[kept] = hits[k];
-      hits[kept].status = wall == Wall::Unknown ? HitStatus::Undecided : hits[k].status;
-      ++kept;
+      if (here[i] != 0 && here[i] == there[i])
+      {
+        continue;
+      }
+      CurvedHit hit = some[i].hit;
+      const std::span<const Vec3> x(&hit.position, 1);
+      const Wall wall = WallBetween(EnclosuresAt(part.element, std::span(&mine[i], 1), x).front(),
+        EnclosuresAt(other, std::span(&theirs[i], 1), x).front(), value);
+      if (wall != Wall::None)
+      {
+        hit.status = wall == Wall::Unknown ? HitStatus::Undecided : hit.status;
+        hits.push_back(hit);
+      }
     }
   }
-  hits.resize(kept);
 }
 
 void JumpWalls::NormalsOf(

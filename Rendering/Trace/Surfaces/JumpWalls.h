@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Core/Faces/BehindFace.h"
 #include "Core/Faces/FaceTable.h"
 #include "Core/Location/Locator.h"
 #include "Trace/Surfaces/Curved/CurvedSurface.h"
+#include "Trace/Surfaces/Curved/JumpFaces.h"
 
 namespace pixelexact
 {
@@ -11,8 +13,9 @@ namespace pixelexact
 /// to above it: what an iso-surface lacks there to be the boundary between less and more.
 ///
 /// A hit is Certain where the proven enclosures of the values on both sides lie on different sides
-/// of the value, none where they lie on the same side or meet each other, so that no jump is
-/// proven; else, or where what lies behind the face is not known, Undecided. Values are those of
+/// of the value, none where both values lie on the same side of it, or where their enclosures meet
+/// each other, so that no jump is proven; else, or where what lies behind the face is not known,
+/// Undecided. Values are those of
 /// the element that hits tell: of two elements the one with the lower number.
 ///
 /// Faces on which both sides agree to 1e-12 of the field's largest value near them, at points that
@@ -34,15 +37,20 @@ protected:
     const CurvedPart& part, std::span<const Vec3> xi, std::span<Vec3> normals) const override;
 
 private:
-  JumpWalls(const Locator& locator, std::vector<CurvedPart> parts, const Field& field,
-    int component, double value);
+  JumpWalls(const Locator& locator, const JumpFaces& faces, const CurvedEquation& equation);
+  struct OneHit;
+  /// What lies behind hits of a part, from number `first` on.
+  [[nodiscard]] std::vector<BehindFace> BehindHits(
+    const CurvedPart& part, const std::vector<CurvedHit>& hits, std::size_t first) const;
+  /// On which side of the sought value an element's are: -1 below, 1 above, 0 too near to tell
+  /// without a proof.
+  [[nodiscard]] std::vector<int> SidesAt(int element, std::span<const Vec3> xi) const;
   /// Enclosures of what is compared (of a magnitude, its square) at points of an element.
   [[nodiscard]] std::vector<Interval> EnclosuresAt(
     int element, std::span<const Vec3> xi, std::span<const Vec3> x) const;
 
   const Locator& Behind;
-  const Field& TheField;
-  int Component;
-  Interval Compared; ///< the value, or its square
+  CurvedEquation Sought;
+  std::vector<AcrossFace> Across; ///< by part
 };
 } // namespace pixelexact

@@ -51,8 +51,10 @@ struct alignas(64) CurvedPiece
   Vec3 half{ 0.0 };      ///< the box lies within centre +- half
   double value[4] = {};  ///< at the centre
   double error[4] = {};  ///< of it, the map's uncertainty included
-  double slope[4][3]{};  ///< middles of the derivatives' ranges over the box
-  double radius[4][3]{}; ///< of these ranges
+  double slope[4][3]{};  ///< derivatives at the centre; of a magnitude the middles of their ranges
+  double radius[4][3]{}; ///< how far from these the derivatives are over the box
+  /// How far the functions are over the box from value and slopes, as they are.
+  double bend[4] = {};
 
   CurvedPiece() = default;
   ~CurvedPiece() { delete children.load(std::memory_order_relaxed); }

@@ -23,6 +23,8 @@ constexpr int kDeepestPlateau[3] = { 0, 12, 12 };
 constexpr int kTogether = 8;
 /// Of the referee, for a ray in a part: where a ray lies in a surface, no number of them decides.
 constexpr int kBoxes = 4000;
+/// Rays and pieces, in lanes, that are solved before pieces further behind are looked at.
+constexpr int kAhead = 96;
 /// Of an element's size.
 constexpr double kSame = 1e-11;
 
@@ -71,14 +73,15 @@ private:
     Which = &Of.All[static_cast<std::size_t>(part)];
     Tree = &Of.TreeOf(part);
     PieceSolver solver(Of.TheEquation, *Which, *Tree, Bundle, Work);
-    const std::size_t before = Work.hits.size();
+    Part = part;
+    Kept = Work.hits.size();
     BoxesLeft.fill(kBoxes);
     Work.unclear.clear();
     for (const auto& root : Tree->Roots())
     {
       Descend(solver, *root, rays);
     }
-    solver.Solve();
+    Solve(solver);
     while (!Work.unclear.empty())
     {
       const std::vector<PieceRay> unclear = std::move(Work.unclear);
@@ -89,33 +92,47 @@ private:
         ray.Add(one.ray);
         Deeper(solver, *one.piece, ray);
       }
-      solver.Solve();
+      Solve(solver);
     }
-    for (std::size_t k = before; k < Work.hits.size(); ++k)
+  }
+
+  /// Solves for all that is listed; where one hit is enough, rays end at those that are found.
+  void Solve(PieceSolver& solver)
+  {
+    solver.Solve();
+    TakeHits();
+  }
+
+  void TakeHits()
+  {
+    if (Work.hits.size() == Kept)
     {
-      Work.hits[k].part = part;
+      return;
     }
-    if (Work.hits.size() > before)
+    for (std::size_t k = Kept; k < Work.hits.size(); ++k)
     {
-      Of.Review(*Which, Work.hits, before);
+      Work.hits[k].part = Part;
     }
-    for (std::size_t k = before; k < Work.hits.size(); ++k)
+    Of.Review(*Which, Work.hits, Kept);
+    for (std::size_t k = Kept; k < Work.hits.size() && Rays.nearestOnly; ++k)
     {
       const CurvedHit& hit = Work.hits[k];
-      if (Rays.nearestOnly && hit.t >= Rays.tNear[Bundle.First() + hit.ray])
+      if (hit.t >= Rays.tNear[Bundle.First() + hit.ray])
       {
         Bundle.EndAt(hit.ray, Bundle.DepthAt(hit.ray, hit.t));
       }
     }
-    if (Rays.nearestOnly && Work.hits.size() > before)
+    if (Rays.nearestOnly && Work.hits.size() > Kept)
     {
       Bundle.FindFarthest();
     }
+    Kept = Work.hits.size();
   }
 
   void Descend(PieceSolver& solver, const CurvedPiece& piece, const RaySet& rays)
   {
-    if (piece.IsEmpty() || !Bundle.MayMeet(piece.bounds))
+    if (piece.IsEmpty() || !Bundle.MayMeet(piece.bounds) ||
+      Bundle.DepthOf(piece.bounds) > Bundle.Farthest())
     {
       return;
     }
@@ -131,6 +148,11 @@ private:
       return;
     }
     const RaySet unclear = piece.flat ? solver.Look(piece, near) : near;
+    // What lies behind the hits of enough rays need not be looked at.
+    if (Rays.nearestOnly && Work.pairs.count >= kAhead)
+    {
+      Solve(solver);
+    }
     if (!unclear.IsEmpty())
     {
       Deeper(solver, piece, unclear);
@@ -141,15 +163,17 @@ private:
   {
     if (piece.halvings >= (piece.plateau ? kDeepestPlateau : kDeepest)[Kind])
     {
-      solver.Solve();
+      Solve(solver);
       FindHits(Of.TheEquation, *Which, *Tree, Bundle, solver, piece,
         ThoseThatMayMeet(piece.bounds, rays), BoxesLeft, Work.hits);
+      TakeHits();
       return;
     }
-    for (const CurvedPiece& half : Tree->Split(piece))
-    {
-      Descend(solver, half, rays);
-    }
+    const std::array<CurvedPiece, 2>& halves = Tree->Split(piece);
+    const std::size_t first =
+      Bundle.DepthOf(halves[0].bounds) <= Bundle.DepthOf(halves[1].bounds) ? 0 : 1;
+    Descend(solver, halves[first], rays);
+    Descend(solver, halves[1 - first], rays);
   }
 
   const CurvedSurface& Of;
@@ -159,6 +183,8 @@ private:
   std::size_t Kind;
   RaySet All;
   std::array<int, RayBundle::kMost> BoxesLeft{};
+  std::int32_t Part = -1;
+  std::size_t Kept = 0; ///< hits that have been reviewed
   const CurvedPart* Which = nullptr;
   const PartTree* Tree = nullptr;
 };

@@ -8,6 +8,9 @@
 #include "Core/Questions/Questions.h"
 #include "Trace/Scene.h"
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -19,6 +22,8 @@ namespace
 {
 /// Of the values' size: what rounding, and the solver's own, leave of a jump that is none.
 constexpr double kNoJump = 1e-12;
+/// Of xi.
+constexpr double kSameWay = 1e-9;
 
 ValueIndex RangesFor(const CurvedEquation& equation)
 {
@@ -38,6 +43,37 @@ int HighestOrder(const Expansion& values)
   return order;
 }
 
+struct Chosen
+{
+  CurvedPart part;
+  AcrossFace across;
+};
+
+/// The affine way that takes n x n points of a face to those of another one; none where there is no
+/// such way.
+AcrossFace WayAcross(int element, std::span<const Vec3> from, std::span<const Vec3> to)
+{
+  const auto side =
+    static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(from.size()))));
+  const std::size_t second = side - 1;
+  const std::size_t third = from.size() - side;
+  const Vec3 a = from[second] - from[0];
+  const Vec3 b = from[third] - from[0];
+  AcrossFace across{ element, from[0], to[0],
+    Mat3(to[second] - to[0], to[third] - to[0], Vec3(0.0)) *
+      glm::inverse(Mat3(a, b, glm::cross(a, b))) };
+  for (std::size_t i = 0; i < from.size(); ++i)
+  {
+    const Vec3 off = glm::abs(across.At(from[i]) - to[i]);
+    // Written so that a NaN is off.
+    if (!(std::max({ off.x, off.y, off.z }) <= kSameWay))
+    {
+      across.element = -1;
+    }
+  }
+  return across;
+}
+
 class Chooser
 {
 public:
@@ -50,9 +86,9 @@ public:
   {
   }
 
-  [[nodiscard]] std::vector<CurvedPart> Of(int element) const
+  [[nodiscard]] std::vector<Chosen> Of(int element) const
   {
-    std::vector<CurvedPart> parts;
+    std::vector<Chosen> parts;
     const Interval& mine = Ranges.RangeOf(element);
     const auto faces = static_cast<int>(FacesOf(Equation.mesh.ShapeOf(element)).size());
     for (int f = 0; f < faces && !mine.IsEmpty(); ++f)
@@ -60,12 +96,13 @@ public:
       const FaceKind kind = Table.KindOf(element, f);
       const ElementFace other = Table.NeighbourOf(element, f);
       const bool isOne = kind == FaceKind::Interior && other.element > element &&
-        MayBeBetween(mine, Ranges.RangeOf(other.element)) && Jumps({ element, f });
+        MayBeBetween(mine, Ranges.RangeOf(other.element));
       const bool isOfSeveral =
         (kind == FaceKind::Hanging || kind == FaceKind::Partly) && MayBeBesideAny(element, mine);
-      if (isOne || isOfSeveral)
+      AcrossFace across;
+      if (isOfSeveral || (isOne && Jumps({ element, f }, across)))
       {
-        parts.push_back({ element, f });
+        parts.push_back({ { element, f }, across });
       }
     }
     return parts;
@@ -85,7 +122,8 @@ private:
       [&](int other) { return other != element && MayBeBetween(mine, Ranges.RangeOf(other)); });
   }
 
-  [[nodiscard]] bool Jumps(const ElementFace& face) const
+  /// Whether the sides do not agree; also where that is not known.
+  [[nodiscard]] bool Jumps(const ElementFace& face, AcrossFace& across) const
   {
     const Mesh& mesh = Equation.mesh;
     const Expansion& values = Equation.field->values;
@@ -111,6 +149,7 @@ private:
       }
       there.push_back(at.xi);
     }
+    across = WayAcross(neighbour, xi, there);
     return Differ(ValuesAt(face.element, xi), ValuesAt(neighbour, there),
       std::max(Ranges.RangeOf(face.element).Magnitude(), Ranges.RangeOf(neighbour).Magnitude()));
   }
@@ -148,19 +187,19 @@ private:
 };
 } // namespace
 
-std::vector<CurvedPart> JumpFaces(
-  const Locator& locator, const FaceTable& table, const CurvedEquation& equation)
+JumpFaces::JumpFaces(const Locator& locator, const FaceTable& table, const CurvedEquation& equation)
 {
   const Chooser chooser(locator, table, equation);
-  std::vector<std::vector<CurvedPart>> ofElement(
-    static_cast<std::size_t>(equation.mesh.Elements()));
+  std::vector<std::vector<Chosen>> ofElement(static_cast<std::size_t>(equation.mesh.Elements()));
   tbb::parallel_for(0, equation.mesh.Elements(),
     [&](int element) { ofElement[static_cast<std::size_t>(element)] = chooser.Of(element); });
-  std::vector<CurvedPart> parts;
-  for (const std::vector<CurvedPart>& some : ofElement)
+  for (const std::vector<Chosen>& some : ofElement)
   {
-    parts.insert(parts.end(), some.begin(), some.end());
+    for (const Chosen& one : some)
+    {
+      parts.push_back(one.part);
+      across.push_back(one.across);
+    }
   }
-  return parts;
 }
 } // namespace pixelexact

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace pixelexact
 {
@@ -25,6 +26,59 @@ constexpr int kAtOnce[2] = { 8, 9 };
 constexpr int kBesides = 2;
 
 constexpr Part kBy[3] = { Part::ByXi1, Part::ByXi2, Part::ByXi3 };
+
+/// On a straight way in xi from a box's centre the part of the way is no less than that of eta's,
+/// times this: by how much the shape is wider, at most, than at the centre.
+Vec3 WideningOf(Shape shape, const EtaBox& box)
+{
+  const auto ratio = [&box](int d)
+  {
+    const double width = 1.0 - 0.5 * (box.lower[d] + box.upper[d]);
+    return width > 0.0 ? (1.0 - box.lower[d]) / width : 1.0;
+  };
+  switch (shape)
+  {
+    case Shape::Hexahedron:
+      return Vec3(1.0);
+    case Shape::Prism:
+      return { ratio(2), 1.0, 1.0 };
+    case Shape::Tetrahedron:
+      return { ratio(1) * ratio(2), ratio(2), 1.0 };
+    default:
+      return { ratio(2), ratio(2), 1.0 };
+  }
+}
+
+/// A derivative of function c by xi_d: its value at the centre, and how far it is from that.
+void SetSlope(const BoxPolynomial& by, std::size_t c, std::size_t d, CurvedPiece& piece)
+{
+  piece.slope[c][d] = by.At({ 0.0, 0.0, 0.0 }).Middle();
+  piece.radius[c][d] = by.Hull().RadiusAround(piece.slope[c][d]);
+}
+
+/// Of a polynomial's largest coefficient: more than rounding leaves of an error in a value.
+constexpr double kEvaluation = 4096.0 * kUnitRoundoff;
+
+/// What is left of function c beyond value and slopes, by the derivatives along each xi: their mean
+/// on the way from the centre, less what they are there, is half of what they may be at its end.
+void SetBend(
+  std::span<const BoxPolynomial> by, const Vec3& widening, std::size_t c, CurvedPiece& piece)
+{
+  double bend = 0.0;
+  for (std::size_t d = 0; d < 3; ++d)
+  {
+    double varies = 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      // Its derivative by a coordinate that goes from 0 to 1, of which half is on either side.
+      varies += 0.5 * widening[k] * by[d].Variation(k, 1);
+    }
+    const double largest = std::fabs(piece.slope[c][d]) + piece.radius[c][d];
+    const double mean = 0.5 * varies + 4.0 * by[d].error + kEvaluation * largest;
+    bend += std::min(mean, piece.radius[c][d]) * piece.half[static_cast<int>(d)];
+  }
+  piece.bend[c] = bend * (1.0 + 1e-9);
+}
 } // namespace
 
 PartTree::PartTree(const CurvedEquation& equation, const CurvedPart& part)
@@ -316,9 +370,7 @@ void PartTree::Describe(CurvedPiece& piece, const Polys& polys) const
     piece.error[c] = middle.RadiusAround(piece.value[c]) + Uncertainty;
     for (std::size_t d = 0; d < 3; ++d)
     {
-      const Interval slope = polys[3 + 3 * c + d].Hull();
-      piece.slope[c][d] = slope.Middle();
-      piece.radius[c][d] = slope.RadiusAround(piece.slope[c][d]);
+      SetSlope(polys[3 + 3 * c + d], c, d, piece);
     }
   }
   if (Field)
@@ -345,6 +397,19 @@ void PartTree::Describe(CurvedPiece& piece, const Polys& polys) const
   }
   const int which = Field ? 1 : 0;
   piece.flat = piece.halvings >= kAtOnce[which] || BendOf(piece, Field.has_value()) <= kFlat[which];
+  if (piece.flat && !piece.IsEmpty())
+  {
+    const std::span all(polys);
+    const Vec3 widening = WideningOf(TheShape, piece.box);
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      SetBend(all.subspan(3 + 3 * c, 3), widening, c, piece);
+    }
+    if (Field && Equation.component != kMagnitude)
+    {
+      SetBend(all.subspan(13, 3), widening, 3, piece);
+    }
+  }
 }
 
 void PartTree::DescribeField(CurvedPiece& piece, const Polys& polys) const
@@ -363,10 +428,10 @@ void PartTree::DescribeField(CurvedPiece& piece, const Polys& polys) const
     const Interval value = polys[kFirst + c].At({ 0.0, 0.0, 0.0 });
     hull += squares ? Square(values) : values;
     middle += squares ? Square(value) : value;
-    for (std::size_t d = 0; d < 3; ++d)
+    for (std::size_t d = 0; d < 3 && squares; ++d)
     {
       const Interval by = polys[kFirst + components + 3 * c + d].Hull();
-      slope[d] += squares ? Interval(2.0) * values * by : by;
+      slope[d] += Interval(2.0) * values * by;
     }
   }
   if (!hull.Contains(0.0))
@@ -379,8 +444,14 @@ void PartTree::DescribeField(CurvedPiece& piece, const Polys& polys) const
   piece.error[3] = middle.RadiusAround(piece.value[3]);
   for (std::size_t d = 0; d < 3; ++d)
   {
+    if (!squares)
+    {
+      SetSlope(polys[kFirst + 1 + d], 3, d, piece);
+      continue;
+    }
     piece.slope[3][d] = slope[d].Middle();
     piece.radius[3][d] = slope[d].RadiusAround(piece.slope[3][d]);
+    piece.bend[3] += piece.radius[3][d] * piece.half[static_cast<int>(d)] * (1.0 + 1e-12);
   }
 }
 } // namespace pixelexact

@@ -15,8 +15,14 @@ namespace pixelexact::HWY_NAMESPACE
 {
 using Traits = NumberTraits<Lanes>;
 
-/// Beyond it a piece is halved: a step that is held back then lets a residual fall to 3/4 at least.
+/// Up to it a step that is held back lets a residual fall to 3/4 at least.
 constexpr double kMostKappa = 0.35;
+/// Up to it, in any norm, a piece has one root at most: where the first step stays in it, that is
+/// looked for by so many steps before the piece is halved.
+constexpr double kMostUnique = 0.8;
+constexpr double kFewRounds = 6.0;
+/// Of a pair whose residuals prove nothing.
+constexpr double kNoKappa = 2.0;
 constexpr double kMostRounds = 40.0;
 /// After a step as small as this, Newton's iteration has arrived up to rounding.
 constexpr double kArrived = 1e-8;
@@ -34,7 +40,9 @@ HWY_INLINE Lanes NormOf(const Lanes (&K)[3][3], const Lanes (&w)[3])
 /// A norm, max w_i |x_i|, in which ClampTo brings no two points farther from each other: the ends
 /// of collapsed directions move with the xi that they are clamped after. Of two, the one in which K
 /// is smaller; returns how large. A NaN in K gives no number, or an infinite one.
-HWY_INLINE Lanes ChooseNorm(Shape shape, const Lanes (&K)[3][3], Lanes (&w)[3])
+///
+/// `unique` is how large K is in the best of some norms in which ClampTo need not do that.
+HWY_INLINE Lanes ChooseNorm(Shape shape, const Lanes (&K)[3][3], Lanes (&w)[3], Lanes& unique)
 {
   // x = 1.618...: 1/x + 1/x^2 = 1. The ends of a tetrahedron's eta_1 move with both other xi.
   constexpr double kGolden[3] = { 1.0, 1.6180339887498949, 2.6180339887498949 };
@@ -52,6 +60,7 @@ HWY_INLINE Lanes ChooseNorm(Shape shape, const Lanes (&K)[3][3], Lanes (&w)[3])
   const Lanes least = Splat(1e-2) * largest + Splat(0x1p-1000);
   Lanes v[3];
   ForEachAxis([&](auto r) PIXELEXACT_INLINED { v[r] = largest / Max(sum[r], least); });
+  unique = Min(largest, NormOf(K, v));
   if (shape == Shape::Prism)
   {
     v[2] = Max(v[2], v[0]);
@@ -210,7 +219,8 @@ RaySet Look(const RayBundle& bundle, const ElementFrame& frame, const CurvedPiec
           radius[a][d] = Splat(piece.radius[c][d]) + Abs(s) * Splat(piece.radius[k][d]);
         });
       g[a] = Splat(piece.value[c]) - s * Splat(piece.value[k]) - q[a];
-      error[a] = Splat(piece.error[c]) + Abs(s) * Splat(piece.error[k]) +
+      error[a] = Splat(piece.error[c] + piece.bend[c]) +
+        Abs(s) * Splat(piece.error[k] + piece.bend[k]) +
         Splat(8.0 * kUnitRoundoff) * (Abs(q[a]) + Abs(along)) +
         load(bundle.slack) * Splat(frame.inverseSize);
     }
@@ -221,47 +231,59 @@ RaySet Look(const RayBundle& bundle, const ElementFrame& frame, const CurvedPiec
         radius[2][d] = Splat(piece.radius[3][d]);
       });
     g[2] = Splat(piece.value[3]);
-    error[2] = Splat(piece.error[3]);
+    error[2] = Splat(piece.error[3] + piece.bend[3]);
     Lanes inverse[9];
     InverseOf(m, inverse);
     Lanes first[3];
     Product(inverse, g, first);
-    // |M^-1| times the radii.
-    Lanes K[3][3];
     // NaNs neither miss nor decide.
     LaneMask misses = zero < zero;
     ForEachAxis(
       [&](auto r) PIXELEXACT_INLINED
       {
-        Lanes off = zero;
+        const Lanes off = Abs(inverse[3 * r]) * error[0] + Abs(inverse[3 * r + 1]) * error[1] +
+          Abs(inverse[3 * r + 2]) * error[2];
+        // A root in the piece lies in centre - first +- off, however large that is.
+        misses = Or(
+          misses, (Splat(piece.half[r]) + off) * Splat(1.0 + 1e-9) + Splat(1e-14) < Abs(first[r]));
+      });
+    const LaneMask open = AndNot(active, misses);
+    if (None(open))
+    {
+      return open;
+    }
+    // |M^-1| times the radii.
+    Lanes K[3][3];
+    ForEachAxis(
+      [&](auto r) PIXELEXACT_INLINED
+      {
         ForEachAxis(
           [&](auto d) PIXELEXACT_INLINED
           {
             K[r][d] = Abs(inverse[3 * r]) * radius[0][d] + Abs(inverse[3 * r + 1]) * radius[1][d] +
               Abs(inverse[3 * r + 2]) * radius[2][d];
-            off = off + K[r][d] * Splat(piece.half[d]) + Abs(inverse[3 * r + d]) * error[d];
           });
-        // A root in the piece lies in centre - first +- off, however large that is.
-        misses = Or(
-          misses, (Splat(piece.half[r]) + off) * Splat(1.0 + 1e-9) + Splat(1e-14) < Abs(first[r]));
       });
     Lanes norm[3];
-    const Lanes kappa = ChooseNorm(frame.shape, K, norm);
+    Lanes unique;
+    const Lanes kappa = ChooseNorm(frame.shape, K, norm, unique);
     // Max may lose a NaN, not so a sum.
     const Lanes all =
       K[0][0] + K[0][1] + K[0][2] + K[1][0] + K[1][1] + K[1][2] + K[2][0] + K[2][1] + K[2][2];
-    const LaneMask decides = And(active, And(IsFinite(all), kappa <= Splat(kMostKappa)));
-    const LaneMask open = AndNot(active, misses);
-    const LaneMask pair = And(open, decides);
-    const LaneMask rest = AndNot(open, decides);
-    if (None(pair))
-    {
-      return rest;
-    }
     Lanes start[3];
     Lanes xi[3];
     ForEachAxis([&](auto d) PIXELEXACT_INLINED { start[d] = Splat(piece.centre[d]) - first[d]; });
     ClampTo(frame.shape, lower, upper, start, xi);
+    LaneMask within = unique <= Splat(kMostUnique);
+    ForEachAxis([&](auto d) PIXELEXACT_INLINED
+      { within = And(within, Abs(start[d] - xi[d]) <= Splat(kEdge)); });
+    const LaneMask contracts = kappa <= Splat(kMostKappa);
+    const LaneMask pair = And(open, And(IsFinite(all), Or(contracts, within)));
+    const LaneMask rest = AndNot(open, pair);
+    if (None(pair))
+    {
+      return rest;
+    }
     const auto put = [&](int column, Lanes value) PIXELEXACT_INLINED
     { Store(value, pairs.Column(column) + pairs.count); };
     put(kOpenColumn, Select(pair, Splat(1.0), zero));
@@ -278,9 +300,9 @@ RaySet Look(const RayBundle& bundle, const ElementFrame& frame, const CurvedPiec
     {
       put(kInverseColumn + n, inverse[n]);
     }
-    put(kKappaColumn, kappa);
+    put(kKappaColumn, Select(contracts, kappa, Splat(kNoKappa)));
     put(kLastColumn, zero);
-    put(kRoundsColumn, zero);
+    put(kRoundsColumn, Select(contracts, zero, Splat(kMostRounds - kFewRounds)));
     ForEachAxis(
       [&](auto d) PIXELEXACT_INLINED
       {
@@ -380,11 +402,15 @@ void Step(const RayBundle& bundle, const ElementFrame& frame, const double* valu
           tolerance * (Abs(inverse[3 * r]) + Abs(inverse[3 * r + 1]) + Abs(inverse[3 * r + 2])) +
           Splat(kEdge);
       });
-    const LaneMask miss = And(
-      zero < last, falls * last * Splat(1.0 + 1e-6) + Splat(2.0) * Largest(norm, off) < residual);
+    const LaneMask contracts = kappa < Splat(1.0);
+    const LaneMask miss = And(contracts,
+      And(zero < last,
+        falls * last * Splat(1.0 + 1e-6) + Splat(2.0) * Largest(norm, off) < residual));
     const Lanes rounds = load(kRoundsColumn) + Splat(1.0);
-    const LaneMask goesOn = And(IsFinite(residual), rounds <= Splat(kMostRounds));
-    const LaneMask free = And(beyond <= zero, rounds < Splat(0.5 * kMostRounds));
+    const LaneMask stays = beyond <= zero;
+    const LaneMask goesOn =
+      And(And(IsFinite(residual), rounds <= Splat(kMostRounds)), Or(contracts, stays));
+    const LaneMask free = AndNot(stays, And(contracts, rounds >= Splat(0.5 * kMostRounds)));
     Lanes back[3];
     Lanes held[3];
     ForEachAxis([&](auto d) PIXELEXACT_INLINED { back[d] = xi[d] - frozen[d]; });
