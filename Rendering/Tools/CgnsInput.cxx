@@ -4,15 +4,61 @@
 #include "VtkMessages.h"
 
 #include <vtkCGNSReader.h>
+#include <vtkCellArray.h>
+#include <vtkCellType.h>
+#include <vtkIdList.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkUnstructuredGrid.h>
+#include <vtkVersionMacros.h>
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
 namespace pixelexact
 {
+namespace
+{
+/// VTK 9.1 changed the order of two edges in Lagrange hexahedra, but not in its reader of CGNS.
+constexpr bool kHasOldEdges = VTK_MAJOR_VERSION == 9 && VTK_MINOR_VERSION == 1;
+constexpr int kCubicPoints = 64;
+constexpr int kTenthEdge = 28; ///< of a cubic hexahedron, with two nodes as the next one
+
+void MendCubicHexahedra(vtkUnstructuredGrid& grid)
+{
+  vtkCellArray& cells = *grid.GetCells();
+  for (vtkIdType cell = 0; cell < grid.GetNumberOfCells(); ++cell)
+  {
+    if (grid.GetCellType(cell) != VTK_LAGRANGE_HEXAHEDRON ||
+      cells.GetCellSize(cell) != kCubicPoints)
+    {
+      continue;
+    }
+    vtkNew<vtkIdList> points;
+    cells.GetCellAtId(cell, points);
+    vtkIdType* edge = points->GetPointer(kTenthEdge);
+    std::swap_ranges(edge, edge + 2, edge + 2);
+    cells.ReplaceCellAtId(cell, points);
+  }
+}
+
+/// Whether there are cells of order above 2 other than cubic hexahedra.
+bool HasOtherOrders(vtkUnstructuredGrid& grid)
+{
+  for (vtkIdType cell = 0; cell < grid.GetNumberOfCells(); ++cell)
+  {
+    const int type = grid.GetCellType(cell);
+    const bool isLagrange = type >= VTK_LAGRANGE_CURVE && type <= VTK_LAGRANGE_PYRAMID;
+    if (isLagrange && grid.GetCells()->GetCellSize(cell) != kCubicPoints)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+} // namespace
+
 InputGrid ReadCgnsFile(const InputRequest& request)
 {
   CheckAlone(request.files);
@@ -45,6 +91,17 @@ InputGrid ReadCgnsFile(const InputRequest& request)
   check();
   input.grid = JoinBlocks(
     *vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(0)), file, input.notes);
+  if (kHasOldEdges)
+  {
+    MendCubicHexahedra(*input.grid);
+  }
+  if (HasOtherOrders(*input.grid))
+  {
+    input.notes.push_back("'" + file +
+      "': of elements of order above 2 only HEXA_64 was checked; the nodes of others stand as "
+      "VTK's "
+      "reader of CGNS puts them (info --certify shows elements that fold).");
+  }
   return input;
 }
 } // namespace pixelexact

@@ -4,7 +4,6 @@
 #include "ExodusSides.h"
 
 #include "Core/Base/Counted.h"
-#include "Core/Base/Error.h"
 #include "SolverGroups.h"
 #include "VtkMessages.h"
 
@@ -48,7 +47,8 @@ void ReadAllArrays(vtkExodusIIReader& reader)
 }
 
 /// VTK's reader takes only the first nodes of types that it does not know.
-void RequireAllNodes(vtkMultiBlockDataSet& read, const ExodusBlocks& blocks)
+void RequireAllNodes(
+  vtkMultiBlockDataSet& read, const ExodusBlocks& blocks, const std::string& file)
 {
   const auto leaves = vtk::TakeSmartPointer(read.NewIterator());
   for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
@@ -65,10 +65,12 @@ void RequireAllNodes(vtkMultiBlockDataSet& read, const ExodusBlocks& blocks)
     const auto nodes = static_cast<int>(leaf->GetCells()->GetCellSize(0));
     if (block != blocks.end() && block->second.nodes != nodes)
     {
-      throw Unsupported("block " + std::to_string(block->first) + " has elements of type " +
-        block->second.type + " with " + std::to_string(block->second.nodes) +
-        " nodes, of which VTK's reader takes " + std::to_string(nodes) +
-        "; write HEX8, 20, 27, TET4, 10, WEDGE6, 15, 18, 21, PYRAMID5, 13, TRI3, 6 or QUAD4, 8, 9");
+      CannotRead(file,
+        "block " + std::to_string(block->first) + " has elements of type " + block->second.type +
+          " with " + std::to_string(block->second.nodes) + " nodes, of which VTK's reader takes " +
+          std::to_string(nodes) +
+          "; write HEX8, 20, 27, TET4, 10, WEDGE6, 15, 18, 21, PYRAMID5, 13, TRI3, 6 or QUAD4, 8, "
+          "9");
     }
   }
 }
@@ -100,7 +102,7 @@ void NumberElements(vtkMultiBlockDataSet& read, const ExodusBlocks& blocks)
 }
 
 /// Shells have a thickness, and fields on both sides, that no plane element has.
-void RefuseShells(const ExodusBlocks& blocks)
+void RefuseShells(const ExodusBlocks& blocks, const std::string& file)
 {
   const auto isShell = [](const auto& entry)
   { return entry.second.type.find("SHELL") != std::string::npos; };
@@ -112,7 +114,7 @@ void RefuseShells(const ExodusBlocks& blocks)
   };
   if (std::ranges::any_of(blocks, isShell) && std::ranges::none_of(blocks, isSolid))
   {
-    throw Unsupported("its elements are shells; solids and plane elements (TRI, QUAD) are read");
+    CannotRead(file, "its elements are shells; solids and plane elements (TRI, QUAD) are read");
   }
 }
 
@@ -161,7 +163,7 @@ InputGrid ReadExodusFile(const InputRequest& request)
   RequireMark(file, kMarks, "Exodus II file (netCDF)");
   const ExodusFile exodus(file);
   const ExodusBlocks blocks = exodus.Blocks();
-  RefuseShells(blocks);
+  RefuseShells(blocks, file);
   const VtkMessages messages;
   const auto check = [&]
   {
@@ -181,7 +183,7 @@ InputGrid ReadExodusFile(const InputRequest& request)
   UpdateToStep(*reader, request, input);
   check();
   auto* read = vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(0));
-  RequireAllNodes(*read, blocks);
+  RequireAllNodes(*read, blocks, file);
   NumberElements(*read, blocks);
   input.grid = JoinBlocks(*read, file, input.notes);
   if (vtkDataArray* ids = input.grid->GetCellData()->GetArray("ObjectId"))

@@ -15,7 +15,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <fstream>
 #include <iterator>
+#include <sstream>
 #include <utility>
 
 namespace pixelexact
@@ -140,6 +142,25 @@ Files SortSeries(const Files& files)
   return sorted;
 }
 
+/// ", but POLYDATA; ...": what else a legacy file holds.
+std::string DescribeDataset(const std::string& file)
+{
+  constexpr int kHead = 6; // lines
+  std::ifstream stream(file);
+  std::string line;
+  for (int i = 0; i < kHead && std::getline(stream, line); ++i)
+  {
+    std::istringstream words(line);
+    std::string key;
+    std::string what;
+    if (words >> key >> what && (key == "DATASET" || key == "FIELD"))
+    {
+      return ", but " + (key == "FIELD" ? key : what) +
+        "; make one of its cells (vtkAppendFilter; ParaView: Append Datasets) and write that";
+    }
+  }
+  return {};
+}
 } // namespace
 
 InputGrid ReadXmlFiles(const InputRequest& request)
@@ -170,7 +191,8 @@ InputGrid ReadLegacyFile(const InputRequest& request)
     reader->SetFileName(file.c_str());
     if (!reader->IsFileUnstructuredGrid())
     {
-      CannotRead(file, "it is not a legacy VTK file that holds an UNSTRUCTURED_GRID");
+      CannotRead(file,
+        "it is not a legacy VTK file that holds an UNSTRUCTURED_GRID" + DescribeDataset(file));
     }
   }
   reader->ReadAllScalarsOn();

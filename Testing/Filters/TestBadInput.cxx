@@ -119,9 +119,12 @@ TEST(BadInput, RationalBezier)
   weights->FillValue(0.5);
   grid->GetPointData()->SetRationalWeights(weights);
   EXPECT_TRUE(Conversion(grid).done);
-  weights->SetValue(3, 0.7);
-  weights->Modified();
-  ExpectRefused(grid, { "cell 0", "vtkBezierTetra", "weights" });
+  for (const double bad : { 0.0, -0.5, kNaN })
+  {
+    weights->SetValue(3, bad);
+    weights->Modified();
+    ExpectRefused(grid, { "cell 0", "vtkBezierTetra", "weights must be positive" });
+  }
 }
 
 TEST(BadInput, CoordinatesThatAreNoNumbers)

@@ -122,7 +122,8 @@ TEST(GmshReader, Versions20And21)
       names + "$EndPhysicalNames\n" + kNodes22 + elements);
   };
   for (const SolverModel& read :
-    { model("2.0", "4 \"solid\"\n5 \"wall\"\n"), model("2.1", "3 4 \"solid\"\n2 5 \"wall\"\n") })
+    { model("2.0", "4 \"solid\"\n5 \"wall\"\n"), model("2", "3 4 \"solid\"\n2 5 \"wall\"\n"),
+      model("2.1", "3 4 \"solid\"\n2 5 \"wall\"\n") })
   {
     ExpectPair(read);
     EXPECT_TRUE(read.notes.empty());

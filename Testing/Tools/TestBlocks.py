@@ -12,6 +12,7 @@ from tool import DATA, ToolTest, columns, read_buffers, read_csv, run
 EXODUS = DATA / "exodus_quadratic.e"
 SIDES = DATA / "exodus_sides.e"
 CGNS = DATA / "cgns_hexa27.cgns"
+CUBIC = DATA / "cgns_hexa64.cgns"
 
 
 def known(file, reader):
@@ -99,6 +100,22 @@ class Blocks(ToolTest):
     @unittest.skipUnless(known(CGNS, "CGNS"), "VTK has no reader of CGNS")
     def test_cgns(self):
         self.check(CGNS, 1.0)
+
+    @unittest.skipUnless(known(CGNS, "CGNS"), "VTK has no reader of CGNS")
+    def test_cubic_cgns(self):
+        stream = random.Random(5)
+        points, values = [], []
+        for _ in range(50):
+            r, s, t = stream.random(), stream.random(), stream.random()
+            points.append((r + 0.125 * s**3, s - 0.0625 * t**3, t + 0.125 * r * s))
+            values.append(r**3 - 2 * s * t + 0.5 * r)
+        table = self.folder / "points.csv"
+        table.write_text("x,y,z\n" + "".join(",".join(map(repr, p)) + "\n" for p in points))
+        out = self.folder / "values.csv"
+        self.succeeds("probe", CUBIC, "--field", "u", "--points", table, "--output", out)
+        found = columns(read_csv(out))
+        self.assertEqual(set(found["verdict"]), {"inside"})
+        np.testing.assert_allclose(found["value"], values, rtol=0, atol=1e-13)
 
     def test_others_are_refused_by_name(self):
         for suffix, name in ((".e", "Exodus"), (".cgns", "CGNS")):

@@ -191,12 +191,14 @@ void ReadPhysicalNames(Scanner& scanner, MeshFile& mesh)
   for (std::size_t i = 0; i < count; ++i)
   {
     PhysicalName name;
-    if (scanner.GetEncoding().version > kNamesWithoutDimension)
+    // Version 2.0 has no dimension; some that write it give one all the same.
+    name.tag = static_cast<int>(scanner.TextInteger("the dimension of a physical group"));
+    if (scanner.GetEncoding().version > kNamesWithoutDimension || !scanner.Peek().starts_with('"'))
     {
-      name.dimension = static_cast<int>(scanner.TextInteger("the dimension of a physical group"));
+      name.dimension = name.tag;
       RequireDimension(scanner, name.dimension);
+      name.tag = static_cast<int>(scanner.TextInteger("the tag of a physical group"));
     }
-    name.tag = static_cast<int>(scanner.TextInteger("the tag of a physical group"));
     name.name = scanner.Quoted("the name of a physical group");
     mesh.names.push_back(std::move(name));
   }

@@ -1,10 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/Nektar/FieldValues.h"
 
+#include <sys/mman.h>
+
 #include <algorithm>
+#include <new>
 
 namespace pixelexact::nektar
 {
+namespace
+{
+double* MapPages(std::size_t bytes)
+{
+  void* pages = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (pages == MAP_FAILED)
+  {
+    throw std::bad_alloc();
+  }
+  return static_cast<double*>(pages);
+}
+} // namespace
+
+void FieldValues::Unmap::operator()(double* pages) const
+{
+  munmap(pages, kChunk * sizeof(double));
+}
+
 void FieldValues::Append(std::span<const double> values)
 {
   while (!values.empty())
@@ -12,7 +33,7 @@ void FieldValues::Append(std::span<const double> values)
     const std::size_t used = Count % kChunk;
     if (used == 0)
     {
-      Chunks.push_back({ std::unique_ptr<double[]>(new double[kChunk]),
+      Chunks.push_back({ std::unique_ptr<double[], Unmap>(MapPages(kChunk * sizeof(double))),
         std::make_unique<std::atomic<std::size_t>>(0) });
     }
     const auto part = values.first(std::min(values.size(), kChunk - used));

@@ -24,9 +24,14 @@ public:
 
 private:
   static constexpr std::size_t kChunk = std::size_t{ 1 } << 16U;
+  /// Pages of their own: those that go are the system's at once, not the heap's.
+  struct Unmap
+  {
+    void operator()(double* pages) const;
+  };
   struct Chunk
   {
-    std::unique_ptr<double[]> values;
+    std::unique_ptr<double[], Unmap> values;
     std::unique_ptr<std::atomic<std::size_t>> expected;
   };
   std::vector<Chunk> Chunks;
