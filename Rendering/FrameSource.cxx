@@ -6,6 +6,7 @@
 
 #include "Core/Base/Error.h"
 #include "Trace/BufferTable.h"
+#include "Trace/StridedFrame.h"
 #include "Trace/Surfaces/Plane.h"
 #include "Trace/TileVisit.h"
 #include "Trace/Tracer.h"
@@ -81,7 +82,7 @@ void FrameSource::Count(bool traced)
 
 FrameSource::TraceKey FrameSource::TraceKeyOf(const FrameRequest& request) const
 {
-  TraceKey key{ {}, request.kept, request.camera };
+  TraceKey key{ {}, request.kept, request.camera, request.stride };
   for (const LayerRequest& layer : request.layers)
   {
     const Field* const field = FieldOf(layer, *TheModel);
@@ -242,6 +243,28 @@ void FrameSource::TraceFrame(double seconds, const Progress& progress)
   Count(true);
 }
 
+void FrameSource::TraceBlocks(Buffer buffers, const Progress& progress)
+{
+  const Pipeline pipeline = ThePipeline();
+  if (pipeline.Needs().corners != Buffer::None || Contours.Found() != nullptr || Edges)
+  {
+    throw Error("a stride leaves out pixels, and contours and edges are of each; leave out one of "
+                "them.");
+  }
+  bool aborted = false;
+  const Camera camera = Traced->camera.Make();
+  TheBuffers = buffers;
+  TheFrame = TraceStrided(TheScene, camera, buffers, Traced->stride,
+    [&](double part)
+    {
+      aborted = aborted || (progress && !progress(part));
+      return !aborted;
+    });
+  Repaint(TheScene, camera, pipeline, *TheFrame);
+  Complete = !aborted;
+  Count(true);
+}
+
 const Frame& FrameSource::Render(const FrameRequest& request, const Progress& progress)
 {
   try
@@ -280,7 +303,15 @@ void FrameSource::Update(const FrameRequest& request, const Progress& progress)
   }
   const Buffer wanted =
     kDrawn | request.buffers | ThePipeline().Needs().centres | Contours.NeedsOfLabels();
-  if (!sameScene || !Includes(TheBuffers, wanted))
+  if (request.stride > 1)
+  {
+    if (!sameScene || !Complete || !Includes(TheBuffers, wanted))
+    {
+      TraceBlocks(wanted | AllBuffers(), progress);
+      return;
+    }
+  }
+  else if (!sameScene || !Includes(TheBuffers, wanted))
   {
     BeginFrame(wanted);
   }

@@ -79,6 +79,9 @@ struct FrameRequest
   /// by each further call with the same scene.
   double seconds = std::numeric_limits<double>::infinity();
   bool refine = true; ///< whether a coarse frame of the same scene is made finer
+  /// Above 1: of each stride x stride pixels the middle one is traced, and all show it. Throws
+  /// Error with what is of each pixel: contours, edges.
+  int stride = 1;
 };
 
 /// How often each step was taken.
@@ -159,6 +162,7 @@ private:
     std::vector<TracedLayer> layers;
     std::vector<KeptHalfSpace> kept;
     CameraSetup camera;
+    int stride = 1;
 
     bool operator==(const TraceKey&) const = default;
   };
@@ -195,6 +199,7 @@ private:
   [[nodiscard]] Pipeline ThePipeline();
   void BeginFrame(Buffer buffers);
   void TraceFrame(double seconds, const Progress& progress);
+  void TraceBlocks(Buffer buffers, const Progress& progress);
   void Count(bool traced);
   void Forget();
   [[nodiscard]] Buffer AllBuffers() const;

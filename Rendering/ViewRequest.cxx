@@ -93,6 +93,7 @@ void CompleteRequest(const CameraSight& sight, FrameRequest& request)
   request.lit = LitViewOf(sight.camera, dataToWorld);
   request.kept = ClippingPlanesOf(sight.mapper, dataToWorld);
   request.edges = EdgesOf(sight.actor->GetProperty());
+  request.stride = sight.stride;
   // No compositor applies it afterwards.
   for (LayerRequest& layer : request.layers)
   {

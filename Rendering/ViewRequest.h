@@ -41,6 +41,7 @@ struct CameraSight
   vtkMapper* mapper = nullptr; ///< for its clipping planes
   int width = 0;               ///< pixels
   int height = 0;
+  int stride = 1; ///< FrameRequest::stride
 };
 
 /// The same in the light of one headlight, with the actor's opacity and edges; the camera's

@@ -8,14 +8,13 @@
 #include "FieldChoice.h"
 #include "GridModel.h"
 #include "HighOrderModel.h"
+#include "SeenCut.h"
 #include "Trace/Compare/TracedPicture.h"
 #include "VtkLinearSurface.h"
 #include "VtkSurface.h"
 
-#include "vtkCamera.h"
 #include "vtkDataObject.h"
 #include "vtkDoubleArray.h"
-#include "vtkImplicitFunction.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -110,7 +109,8 @@ std::array<double, 2> RangeOf(const Picture& picture)
 } // namespace
 
 vtkHighOrderComparison::vtkHighOrderComparison()
-  : Contours(std::make_unique<ContourList>())
+  : Cut(std::make_unique<SeenCut>())
+  , Contours(std::make_unique<ContourList>())
   , Model(std::make_unique<GridModel>())
 {
   this->SetNumberOfInputPorts(2);
@@ -121,11 +121,7 @@ vtkHighOrderComparison::~vtkHighOrderComparison() = default;
 void vtkHighOrderComparison::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent
-     << "CutFunction: " << (this->CutFunction ? this->CutFunction->GetClassName() : "(none)")
-     << "\n";
-  os << indent << "Camera: " << (this->Camera ? "" : "(none)") << "\n";
-  os << indent << "Size: " << this->Size[0] << " " << this->Size[1] << "\n";
+  this->Cut->Print(os, indent, this->Size);
   os << indent << "FieldName: " << this->FieldName << "\n";
   os << indent << "Component: " << this->Component << "\n";
   os << indent << "NumberOfColors: " << this->NumberOfColors << "\n";
@@ -135,9 +131,7 @@ void vtkHighOrderComparison::PrintSelf(ostream& os, vtkIndent indent)
 
 vtkMTimeType vtkHighOrderComparison::GetMTime()
 {
-  vtkMTimeType time = this->Superclass::GetMTime();
-  time = this->CutFunction ? std::max(time, this->CutFunction->GetMTime()) : time;
-  return this->Camera ? std::max(time, this->Camera->GetMTime()) : time;
+  return this->Cut->Latest(this->Superclass::GetMTime());
 }
 
 void vtkHighOrderComparison::AddSurfaceConnection(vtkAlgorithmOutput* surface)
@@ -152,30 +146,28 @@ void vtkHighOrderComparison::RemoveAllSurfaces()
 
 void vtkHighOrderComparison::SetCutFunction(vtkImplicitFunction* function)
 {
-  if (this->CutFunction != function)
+  if (Replace(this->Cut->function, function))
   {
-    this->CutFunction = function;
     this->Modified();
   }
 }
 
 vtkImplicitFunction* vtkHighOrderComparison::GetCutFunction()
 {
-  return this->CutFunction;
+  return this->Cut->function;
 }
 
 void vtkHighOrderComparison::SetCamera(vtkCamera* camera)
 {
-  if (this->Camera != camera)
+  if (Replace(this->Cut->camera, camera))
   {
-    this->Camera = camera;
     this->Modified();
   }
 }
 
 vtkCamera* vtkHighOrderComparison::GetCamera()
 {
-  return this->Camera;
+  return this->Cut->camera;
 }
 
 void vtkHighOrderComparison::SetContourValue(int i, double value)
@@ -212,22 +204,15 @@ int vtkHighOrderComparison::FillInputPortInformation(int port, vtkInformation* i
 bool vtkHighOrderComparison::Compare(
   vtkDataObject* grid, vtkInformationVector* surfaces, vtkTable* output)
 {
-  if (!this->CutFunction)
-  {
-    throw Error("there is no cut function; give one with SetCutFunction.");
-  }
-  if (this->Size[0] < 1 || this->Size[1] < 1)
-  {
-    throw Error("Size: there must be at least a pixel each way.");
-  }
+  this->Cut->Require(this->Size);
   const auto model = this->Model->Of(grid);
   const FieldChoice chosen{ this->FieldName };
   const Field& field = chosen.In(*model);
   RequireComponent(field, this->Component);
   Scene scene{ &model->GetLocator(), {}, {} };
   scene.layers.push_back(
-    { ToSurface(this->CutFunction, { scene.locator->Bounds() }), &field, this->Component });
-  const pixelexact::Camera camera = CameraOfFilter(this->Camera, *scene.layers.front().surface,
+    { ToSurface(this->Cut->function, { scene.locator->Bounds() }), &field, this->Component });
+  const pixelexact::Camera camera = CameraOfFilter(this->Cut->camera, *scene.layers.front().surface,
     scene.locator->Bounds(), this->Size[0], this->Size[1]);
   const int pictures = 1 + surfaces->GetNumberOfInformationObjects();
   int done = 0;

@@ -23,7 +23,6 @@
 #define vtkHighOrderComparison_h
 
 #include "PixelExactRenderingModule.h"
-#include "vtkSmartPointer.h" // for the cut function
 #include "vtkTableAlgorithm.h"
 
 #include <memory> // for the model
@@ -36,6 +35,7 @@ namespace pixelexact
 {
 class ContourList;
 class GridModel;
+struct SeenCut;
 } // namespace pixelexact
 
 class PIXELEXACTRENDERING_EXPORT vtkHighOrderComparison : public vtkTableAlgorithm
@@ -138,8 +138,7 @@ private:
   /// Throws Error. False where it was aborted.
   bool Compare(vtkDataObject* grid, vtkInformationVector* surfaces, vtkTable* output);
 
-  vtkSmartPointer<vtkImplicitFunction> CutFunction;
-  vtkSmartPointer<vtkCamera> Camera;
+  std::unique_ptr<pixelexact::SeenCut> Cut;
   int Size[2] = { 1000, 1000 };
   std::string FieldName;
   int Component = -1;

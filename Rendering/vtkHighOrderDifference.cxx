@@ -8,13 +8,12 @@
 #include "FieldChoice.h"
 #include "GridModel.h"
 #include "HighOrderModel.h"
+#include "SeenCut.h"
 #include "VtkSurface.h"
 
-#include "vtkCamera.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
-#include "vtkImplicitFunction.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -65,7 +64,8 @@ void AddNumbers(vtkFieldData* data, const DifferenceNumbers& numbers)
 } // namespace
 
 vtkHighOrderDifference::vtkHighOrderDifference()
-  : FirstModel(std::make_unique<GridModel>())
+  : Cut(std::make_unique<SeenCut>())
+  , FirstModel(std::make_unique<GridModel>())
   , SecondModel(std::make_unique<GridModel>())
 {
   this->SetNumberOfInputPorts(2);
@@ -76,11 +76,7 @@ vtkHighOrderDifference::~vtkHighOrderDifference() = default;
 void vtkHighOrderDifference::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent
-     << "CutFunction: " << (this->CutFunction ? this->CutFunction->GetClassName() : "(none)")
-     << "\n";
-  os << indent << "Camera: " << (this->Camera ? "" : "(none)") << "\n";
-  os << indent << "Size: " << this->Size[0] << " " << this->Size[1] << "\n";
+  this->Cut->Print(os, indent, this->Size);
   os << indent << "FieldName: " << this->FieldName << "\n";
   os << indent << "SecondFieldName: " << this->SecondFieldName << "\n";
   os << indent << "Component: " << this->Component << "\n";
@@ -89,37 +85,33 @@ void vtkHighOrderDifference::PrintSelf(ostream& os, vtkIndent indent)
 
 vtkMTimeType vtkHighOrderDifference::GetMTime()
 {
-  vtkMTimeType time = this->Superclass::GetMTime();
-  time = this->CutFunction ? std::max(time, this->CutFunction->GetMTime()) : time;
-  return this->Camera ? std::max(time, this->Camera->GetMTime()) : time;
+  return this->Cut->Latest(this->Superclass::GetMTime());
 }
 
 void vtkHighOrderDifference::SetCutFunction(vtkImplicitFunction* function)
 {
-  if (this->CutFunction != function)
+  if (Replace(this->Cut->function, function))
   {
-    this->CutFunction = function;
     this->Modified();
   }
 }
 
 vtkImplicitFunction* vtkHighOrderDifference::GetCutFunction()
 {
-  return this->CutFunction;
+  return this->Cut->function;
 }
 
 void vtkHighOrderDifference::SetCamera(vtkCamera* camera)
 {
-  if (this->Camera != camera)
+  if (Replace(this->Cut->camera, camera))
   {
-    this->Camera = camera;
     this->Modified();
   }
 }
 
 vtkCamera* vtkHighOrderDifference::GetCamera()
 {
-  return this->Camera;
+  return this->Cut->camera;
 }
 
 int vtkHighOrderDifference::FillInputPortInformation(int /*port*/, vtkInformation* info)
@@ -148,14 +140,7 @@ int vtkHighOrderDifference::RequestUpdateExtent(vtkInformation* /*request*/,
 bool vtkHighOrderDifference::Compare(
   vtkDataObject* first, vtkDataObject* second, vtkImageData* output)
 {
-  if (!this->CutFunction)
-  {
-    throw Error("there is no cut function; give one with SetCutFunction.");
-  }
-  if (this->Size[0] < 1 || this->Size[1] < 1)
-  {
-    throw Error("Size: there must be at least a pixel each way.");
-  }
+  this->Cut->Require(this->Size);
   const auto firstModel = this->FirstModel->Of(first);
   const auto secondModel = this->SecondModel->Of(second);
   const FieldChoice choice{ this->FieldName };
@@ -166,11 +151,11 @@ bool vtkHighOrderDifference::Compare(
   RequireComponent(field, this->Component);
   const DifferenceScene scene{ { &firstModel->GetLocator(), &field },
     { &secondModel->GetLocator(), &other },
-    ToSurface(this->CutFunction, { firstModel->GetLocator().Bounds() }),
+    ToSurface(this->Cut->function, { firstModel->GetLocator().Bounds() }),
     this->Component == -1 ? kMagnitude : this->Component };
   const Box3& bounds = firstModel->GetLocator().Bounds();
   const pixelexact::Camera camera =
-    CameraOfFilter(this->Camera, *scene.surface, bounds, this->Size[0], this->Size[1]);
+    CameraOfFilter(this->Cut->camera, *scene.surface, bounds, this->Size[0], this->Size[1]);
   const FieldDifference found = TraceDifference(scene, camera, Buffer::None, this->Bounds,
     [this](double part)
     {

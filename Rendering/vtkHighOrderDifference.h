@@ -27,7 +27,6 @@
 
 #include "PixelExactRenderingModule.h"
 #include "vtkImageAlgorithm.h"
-#include "vtkSmartPointer.h" // for the cut function
 
 #include <memory> // for the models
 #include <string> // for the fields' names
@@ -38,7 +37,8 @@ class vtkImplicitFunction;
 namespace pixelexact
 {
 class GridModel;
-}
+struct SeenCut;
+} // namespace pixelexact
 
 class PIXELEXACTRENDERING_EXPORT vtkHighOrderDifference : public vtkImageAlgorithm
 {
@@ -129,8 +129,7 @@ private:
   /// Throws Error. False where it was aborted.
   bool Compare(vtkDataObject* first, vtkDataObject* second, vtkImageData* output);
 
-  vtkSmartPointer<vtkImplicitFunction> CutFunction;
-  vtkSmartPointer<vtkCamera> Camera;
+  std::unique_ptr<pixelexact::SeenCut> Cut;
   int Size[2] = { 1000, 1000 };
   std::string FieldName;
   std::string SecondFieldName;

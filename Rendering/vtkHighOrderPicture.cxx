@@ -92,6 +92,7 @@ void vtkHighOrderPicture::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Actor: " << (this->Actor ? "" : "(none)") << "\n";
   os << indent << "Camera: " << (this->Camera ? "" : "(none)") << "\n";
   os << indent << "Size: " << this->Size[0] << " " << this->Size[1] << "\n";
+  os << indent << "Stride: " << this->Stride << "\n";
   os << indent << "AllBuffers: " << (this->AllBuffers ? "on" : "off") << "\n";
 }
 
@@ -208,7 +209,8 @@ int vtkHighOrderPicture::RequestData(vtkInformation* /*request*/,
       .actor = this->Actor,
       .mapper = mapper,
       .width = this->Size[0],
-      .height = this->Size[1] };
+      .height = this->Size[1],
+      .stride = this->Stride };
     const auto picture = mapper->TracePicture(this->Data->Source, sight, this->AllBuffers,
       [this](double done)
       {

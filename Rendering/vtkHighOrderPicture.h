@@ -69,6 +69,16 @@ public:
 
   ///@{
   /**
+   * Above 1: of each Stride x Stride pixels the middle one is traced, bit for bit as in the whole
+   * picture, and all of them show it. 1 by default. Refused with what is of each pixel: contours
+   * and edges.
+   */
+  vtkSetClampMacro(Stride, int, 1, 64);
+  vtkGetMacro(Stride, int);
+  ///@}
+
+  ///@{
+  /**
    * Whether the output has all that is known of the pixels. Off by default.
    */
   vtkSetMacro(AllBuffers, bool);
@@ -102,6 +112,7 @@ private:
   vtkSmartPointer<vtkActor> Actor;
   vtkSmartPointer<vtkCamera> Camera;
   int Size[2] = { 1000, 1000 };
+  int Stride = 1;
   bool AllBuffers = false;
 
   struct Internals;

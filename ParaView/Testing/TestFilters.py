@@ -105,6 +105,22 @@ class Filters(unittest.TestCase):
         self.assertLessEqual(numpy.abs(value).max(), bounds.GetValue(0))
         self.assertGreater(numpy.abs(value).max(), 0.02 * bounds.GetValue(0))
 
+    def test_integrate(self):
+        found = simple.PixelExactIntegrate(self.plain, Field="u", Tolerance=1e-4)
+        found.CutFunction.Origin = [0, 0, 0.1]
+        found.CutFunction.Normal = [0, 0, 1]
+        table = servermanager.Fetch(found)
+        # Testing/Results/integrals.md: to 6.1e-10.
+        self.assertEqual(table.GetValueByName(0, "Quantity").ToString(), "Area")
+        area = table.GetValueByName(0, "Value").ToDouble()
+        bound = table.GetValueByName(0, "ErrorBound").ToDouble()
+        self.assertLess(abs(area - 3.78253205771), bound + 1e-9)
+        self.assertLess(bound, 1e-3)
+        found.Over = "Boundary"
+        found.Tolerance = 1e-2
+        boundary = servermanager.Fetch(found)
+        self.assertGreater(boundary.GetValueByName(0, "Lower").ToDouble(), 2.0 * area)
+
     def test_comparison(self):
         converted = simple.PixelExactConvert(self.plain)
         cuts = [simple.PixelExactLinearCut(converted, Resolution=n) for n in (16, 64)]

@@ -94,6 +94,10 @@ private:
   /// The option whose name is nearest to what was written, where it is near.
   [[nodiscard]] std::string Suggestion(const std::string& given) const
   {
+    if (given == "--minus")
+    {
+      return "; pixelexact compare A --with B -o IMAGE draws a difference";
+    }
     std::vector<std::string> names;
     for (const CLI::Option* option : Command.get_options())
     {

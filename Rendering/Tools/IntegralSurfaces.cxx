@@ -18,7 +18,9 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <string>
+#include <utility>
 
 namespace pixelexact
 {
@@ -133,6 +135,16 @@ void IntegralSurfaces::AddTo(CLI::App& command)
     .Group(group);
   AddRepeatedNumbers(command, "--clip", HalfSpaces, 6, "ox,oy,oz,nx,ny,nz",
     "Of all surfaces only what lies on the side of the plane through o that n points to");
+}
+
+std::string IntegralSurfaces::NotLinear() const
+{
+  const std::pair<const char*, bool> given[] = { { "--disc", !Numbers.at("--disc").empty() },
+    { "--surface", !Files.empty() }, { "--isosurface", !Isos.empty() },
+    { "--boundary", !Boundaries.empty() }, { "--clip", !HalfSpaces.empty() } };
+  const auto* const first =
+    std::ranges::find_if(given, [](const auto& option) { return option.second; });
+  return first != std::end(given) ? first->first : "";
 }
 
 std::vector<QuadricForm> IntegralSurfaces::Clips() const

@@ -39,6 +39,8 @@ class IntegralSurfaces
 public:
   void AddTo(CLI::App& command);
 
+  /// The first option given that VTK's filters have nothing for; empty: there is none.
+  [[nodiscard]] std::string NotLinear() const;
   /// What clips all of them.
   [[nodiscard]] std::vector<QuadricForm> Clips() const;
   /// Without any: the plane through the middle. Throws UsageError when numbers describe no surface,

@@ -66,13 +66,6 @@ Answer Solve(const IntegralSurface& surface, const LoadedModel& input, const Fie
   IntegralQuestion question{ model.GetMesh(), field, nullptr };
   Answer answer{ surface.name, {}, {}, std::nullopt };
   const std::vector<QuadricForm> clips = options.surfaces.Clips();
-  if (options.linear >= 0 && (surface.function == nullptr || !clips.empty()))
-  {
-    throw UsageError(
-      "--linear is for planes, quadrics, tori and boxes that nothing clips; leave it "
-      "out with " +
-      surface.name + (clips.empty() ? "" : " and --clip"));
-  }
   std::vector<IntegralPiece> pieces = surface.pieces;
   if (surface.iso)
   {
@@ -179,6 +172,11 @@ void RunIntegrate(const IntegrateOptions& options, const CommonOptions& common)
 {
   const IntegralEffort effort = options.Effort();
   (void)options.surfaces.Clips(); // which refuses what is none
+  if (const std::string other = options.surfaces.NotLinear(); options.linear >= 0 && !other.empty())
+  {
+    throw UsageError(
+      "--linear is for planes, quadrics, tori and boxes, whole; leave it out with " + other);
+  }
   Stopwatch stopwatch;
   const LoadedModel input = LoadModel(options.input, options.field, stopwatch);
   WarnOfDiagnostics(input);

@@ -212,6 +212,25 @@ class Render(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "viridis"):
             pixelexact.cut(self.grid, "u", cmap="nothing")
 
+    def test_strides_show_the_middle_pixels(self):
+        options = {"normal": "z", "origin": 0.1, "size": (81, 60)}
+        whole = pixelexact.render(self.grid, "u", **options).values[::-1]
+        coarse = pixelexact.render(self.grid, "u", stride=4, **options)
+        values = coarse.values[::-1]
+        middle = whole[2::4, 2::4]
+        rows, columns = middle.shape
+        self.assertTrue(np.array_equal(values[::4, ::4][:rows, :columns], middle, equal_nan=True))
+        self.assertTrue(np.array_equal(values[1::4], values[::4], equal_nan=True))
+        # Other colours, the same pixels.
+        again = pixelexact.render(self.grid, "u", stride=4, cmap="plasma", **options)
+        self.assertTrue(np.array_equal(again.values, coarse.values, equal_nan=True))
+        self.assertTrue((again.image != coarse.image).any())
+        for wrong in ({"contours": 5}, {"edges": True}):
+            with self.assertRaisesRegex(pixelexact.Error, "stride"):
+                pixelexact.render(self.grid, "u", stride=2, **wrong, **options)
+        with self.assertRaisesRegex(ValueError, "stride"):
+            pixelexact.render(self.grid, "u", stride=0)
+
     def test_a_new_table_traces_nothing(self):
         cut = pixelexact.cut(self.grid, "u")
         picture = pixelexact.vtkHighOrderPicture()

@@ -88,13 +88,17 @@ class Integrate(ToolTest):
         self.assertLess(iso["Mean"]["error_bound"], 0.02)
 
     def test_what_does_not_fit_is_refused(self):
-        for option in ("--patch", "--disc", "--clip"):
-            given = "saddle.txt" if option == "--patch" else "0,0,0,0,0,0" + ",1" * (option == "--disc")
-            self.fails(
-                2, "integrate", case("dolfinx_hex_g2_p4"), option, given, names=[option]
-            )
+        ring = (case("toroid_hex_g3_p6"), "--field", "u")
+        for option, given in (
+            ("--patch", "saddle.txt"),
+            ("--disc", "0,0,0,0,0,0,1"),
+            ("--clip", "0,0,0,0,0,0"),
+        ):
+            self.fails(2, "integrate", *ring, option, given, names=[option])
+        self.fails(1, "integrate", *ring, "--isosurface", "none=1", names=["none"])
         self.fails(
-            1, "integrate", case("dolfinx_hex_g2_p4"), "--isosurface", "none=1", names=["none"]
+            *(2, "integrate", *ring, "--plane", "z", "--clip", "0,0,0,1,0,0", "--linear", "1"),
+            names=["--linear", "--clip"],
         )
         path = case("dolfinx_hex_g2_p4")
         self.fails(2, "integrate", path, "--tolerance", "0", names=["--tolerance"])

@@ -4,14 +4,13 @@
 #include "Core/Base/Error.h"
 #include "Core/Element/Validity.h"
 #include "Core/Faces/ReferenceFace.h"
-#include "Core/Integral/FaceIntegral.h"
+#include "Core/Integral/FaceSums.h"
 #include "Core/Location/Sample.h"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -20,19 +19,11 @@ namespace pixelexact
 {
 namespace
 {
-using Clock = std::chrono::steady_clock;
-
 /// Boxes of an element before anything is known of the others.
 constexpr std::int64_t kFirstBoxes = 16;
 /// How many times more they are in the next round, in which it is told anew what is allowed: time
 /// that ends early is then shared by all elements.
 constexpr std::int64_t kMoreBoxes = 3;
-/// How often what is allowed is told anew, of faces.
-constexpr int kRounds = 4;
-/// Of a face: what it is made of is smooth.
-constexpr std::int64_t kFaceBoxes = 4096;
-/// Where a field vanishes.
-constexpr double kNothing = 1e-280;
 
 void Check(const IntegralEffort& effort)
 {
@@ -46,53 +37,6 @@ void Check(const IntegralEffort& effort)
   }
 }
 
-class Deadline
-{
-public:
-  explicit Deadline(double seconds)
-    : End(std::isfinite(seconds) && seconds < 1e9
-          ? std::optional(Clock::now() +
-              std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds)))
-          : std::nullopt)
-  {
-  }
-  [[nodiscard]] bool IsOver() const { return End && Clock::now() > *End; }
-
-private:
-  std::optional<Clock::time_point> End;
-};
-
-/// What each of `count` parts may be off, that together they are off by at most this part. All
-/// integrals of a field are measured by the largest one: a component may vanish.
-std::vector<double> Allowed(
-  const std::vector<double>& magnitudes, double tolerance, std::size_t count)
-{
-  std::vector<double> allowed;
-  const double ofField =
-    magnitudes.size() > 1 ? *std::max_element(magnitudes.begin() + 1, magnitudes.end()) : 0.0;
-  for (std::size_t q = 0; q < magnitudes.size(); ++q)
-  {
-    const double magnitude = q == 0 ? magnitudes[0] : ofField;
-    // Widths are twice what the middle is off.
-    allowed.push_back(
-      std::max(2.0 * tolerance * magnitude / static_cast<double>(std::max<std::size_t>(count, 1)),
-        kNothing));
-  }
-  return allowed;
-}
-
-bool IsWithin(const Sums& sums, const std::vector<double>& allowed)
-{
-  for (std::size_t q = 0; q < sums.size(); ++q)
-  {
-    if (!(sums[q].IsFinite() && sums[q].Width() <= allowed[q]))
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
 /// A face that lies in the surface and is this element's to integrate.
 bool IsOurs(const Mesh& mesh, const FaceOwner& owner, int element, int face)
 {
@@ -101,103 +45,6 @@ bool IsOurs(const Mesh& mesh, const FaceOwner& owner, int element, int face)
   point.xi = reference.At({ 1.0 / 3.0, 1.0 / 3.0 });
   MapForward(mesh, element, std::span(&point.xi, 1), std::span(&point.x, 1));
   return !owner.IsAnothers(element, face, point);
-}
-
-/// What several parts that are integrated to a common tolerance have to meet.
-class Rounds
-{
-public:
-  Rounds(std::size_t quantities, const IntegralEffort& effort)
-    : Effort(effort)
-    , Magnitudes(quantities, 0.0)
-  {
-  }
-
-  [[nodiscard]] std::vector<double> Share(std::size_t count) const
-  {
-    return Allowed(Magnitudes, 0.4 * Effort.tolerance, count);
-  }
-  [[nodiscard]] bool IsMet(const Sums& total) const
-  {
-    return IsWithin(total, Allowed(Magnitudes, Effort.tolerance, 1));
-  }
-
-  const IntegralEffort& Effort;
-  std::vector<double> Magnitudes; ///< of the integrals, so far
-};
-/// A face, and whether its flux counts out of its element, 1, or into it, -1.
-struct SeenFace
-{
-  ElementFace face;
-  double sense = 1.0;
-};
-
-SurfaceIntegral OverFaces(const IntegralQuestion& question, std::span<const SeenFace> faces,
-  const IntegralEffort& effort, const Deadline& deadline)
-{
-  SurfaceIntegral result;
-  result.faces = static_cast<std::int64_t>(faces.size());
-  Rounds rounds(question.Quantities(), effort);
-  struct OfFace
-  {
-    Sums sums;
-    std::vector<double> magnitudes;
-    bool finite = true;
-    bool valid = true;
-  };
-  std::vector<OfFace> parts(faces.size());
-  const std::vector<double> nothing(question.Quantities(), 0.0);
-  for (int round = 0;; ++round)
-  {
-    const std::vector<double> allowed = round == 0
-      ? std::vector<double>(question.Quantities(), std::numeric_limits<double>::infinity())
-      : rounds.Share(faces.size());
-    tbb::parallel_for(std::size_t{ 0 }, faces.size(),
-      [&](std::size_t k)
-      {
-        OfFace& part = parts[k];
-        if (round > 0 && (!part.finite || IsWithin(part.sums, allowed) || deadline.IsOver()))
-        {
-          return;
-        }
-        ElementFunctions functions(question, faces[k].face.element);
-        part.magnitudes = nothing;
-        part.finite = functions.IsFinite();
-        part.sums = part.finite ? IntegrateFace(functions, faces[k].face.face, allowed,
-                                    std::min(effort.boxes, kFaceBoxes), part.magnitudes)
-                                : Sums(question.Quantities());
-        if (question.HasFlux() && faces[k].sense < 0.0)
-        {
-          part.sums.back() = -part.sums.back();
-        }
-        if (round == 0)
-        {
-          part.valid = ValidityOf(question.mesh, faces[k].face.element).validity == Validity::Valid;
-        }
-      });
-    result.sums.assign(question.Quantities(), {});
-    rounds.Magnitudes = nothing;
-    result.notFinite = 0;
-    result.notValid = 0;
-    for (const OfFace& part : parts)
-    {
-      result.notFinite += part.finite ? 0 : 1;
-      result.notValid += part.valid ? 0 : 1;
-      AddTo(result.sums, part.sums);
-      for (std::size_t q = 0; q < nothing.size(); ++q)
-      {
-        rounds.Magnitudes[q] += part.magnitudes[q];
-      }
-    }
-    result.met = rounds.IsMet(result.sums);
-    if (result.met || round == kRounds || deadline.IsOver())
-    {
-      break;
-    }
-  }
-  result.magnitudes = rounds.Magnitudes;
-  result.timeIsOver = deadline.IsOver() && !result.met;
-  return result;
 }
 } // namespace
 

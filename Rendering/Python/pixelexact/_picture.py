@@ -175,7 +175,10 @@ def _trace(
     camera: Any,
     buffers: bool,
     progress: Progress,
+    stride: int = 1,
 ) -> Any:
+    if not 1 <= stride <= 64:
+        raise ValueError(f"stride: from 1 to 64, not {stride!r}")
     if len(size) != 2 or min(size) < 1:
         raise ValueError(f"size: pixels across and up, not {size!r}")
     if camera is not None and view is not None:
@@ -184,6 +187,7 @@ def _trace(
     picture.SetActor(of.actor)
     picture.SetSize(int(size[0]), int(size[1]))
     picture.SetAllBuffers(buffers)
+    picture.SetStride(stride)
     picture.SetCamera(camera)
     if camera is None:
         _place(picture, of, view)
@@ -209,11 +213,12 @@ def picture_of(
     background: Union[str, Vector, None] = "white",
     buffers: bool = True,
     progress: Progress = None,
+    stride: int = 1,
 ) -> Picture:
     """See render."""
     from vtkmodules.util.numpy_support import vtk_to_numpy
 
-    picture = _trace(of, size, view, camera, buffers, progress)
+    picture = _trace(of, size, view, camera, buffers, progress, stride)
     data = picture.GetOutput()
     colors = data.GetPointData().GetArray("Color")
     if colors is None:
@@ -234,6 +239,7 @@ def render(
     background: Union[str, Vector, None] = "white",
     buffers: bool = True,
     progress: Progress = None,
+    stride: int = 1,
     **options: Any,
 ) -> Picture:
     """A picture of a cut, traced without a window, a display or OpenGL, and what is known of it.
@@ -242,13 +248,14 @@ def render(
     or a direction from the mesh to the viewer; None: along a plane's normal, else "iso". camera: a
     vtkCamera instead. background: "white", "black", (r, g, b), or None: transparent. output: a .png
     file, or a .vti with all buffers. buffers: whether all that is known of the pixels is kept; without
-    it positions, verdicts and values alone.
+    it positions, verdicts and values alone. stride: above 1 the middle one of each stride x stride
+    pixels is traced, and all of them show it; without contours and edges.
 
     progress: a function of the part that is done; what it raises, and KeyboardInterrupt, end the
     work. Other threads of Python run meanwhile, unless the surface is a function of Python.
     """
     of = cut(grid, field, **options)
-    picture = picture_of(of, size, view, camera, background, buffers, progress)
+    picture = picture_of(of, size, view, camera, background, buffers, progress, stride)
     if output is not None:
         picture.save(output)
     return picture

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Integral/Integrate.h"
+
+#include <chrono>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace pixelexact
+{
+/// When the time is over.
+class Deadline
+{
+public:
+  explicit Deadline(double seconds);
+  [[nodiscard]] bool IsOver() const { return End && Clock::now() > *End; }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  std::optional<Clock::time_point> End;
+};
+
+/// Whether all widths are within what is allowed.
+bool IsWithin(const Sums& sums, const std::vector<double>& allowed);
+
+/// What several parts that are integrated to a common tolerance have to meet. All integrals of a
+/// field are measured by the largest one: a component may vanish.
+class Rounds
+{
+public:
+  Rounds(std::size_t quantities, const IntegralEffort& effort)
+    : Magnitudes(quantities, 0.0)
+    , Tolerance(effort.tolerance)
+  {
+  }
+
+  /// What each of so many parts may be wide, that together they are within some of what is allowed.
+  [[nodiscard]] std::vector<double> Share(std::size_t count) const;
+  [[nodiscard]] bool IsMet(const Sums& total) const;
+
+  std::vector<double> Magnitudes; ///< of the integrals, so far
+
+private:
+  [[nodiscard]] std::vector<double> Allowed(double tolerance, std::size_t count) const;
+  double Tolerance;
+};
+} // namespace pixelexact
