@@ -7,7 +7,10 @@
 #include "Core/Base/Error.h"
 #include "FrameImage.h"
 
+#include <vtkDataArray.h>
 #include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationDoubleVectorKey.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -15,6 +18,7 @@
 #include <vtkXMLPolyDataWriter.h>
 
 #include <algorithm>
+#include <array>
 
 namespace pixelexact
 {
@@ -55,8 +59,30 @@ void Keep(const std::vector<std::string>& arrays, vtkPointData& data)
   }
 }
 
+/// Vectors that are all NaN have no length. VTK's writers would tell one, as a text that its
+/// readers complain of.
+void NameEmptyRanges(vtkPointData& data)
+{
+  for (int i = 0; i < data.GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = data.GetArray(i);
+    if (array == nullptr || array->GetNumberOfComponents() < 2)
+    {
+      continue;
+    }
+    std::array<double, 2> lengths{};
+    array->GetRange(lengths.data(), -1);
+    if (!(lengths[0] <= lengths[1]))
+    {
+      constexpr std::array<double, 2> kNone{ 1.0, -1.0 };
+      array->GetInformation()->Set(vtkDataArray::L2_NORM_RANGE(), kNone.data(), 2);
+    }
+  }
+}
+
 std::string EncodeImage(const std::string& file, vtkImageData* image)
 {
+  NameEmptyRanges(*image->GetPointData());
   vtkNew<vtkXMLImageDataWriter> writer;
   SetFormat(*writer);
   writer->WriteToOutputStringOn();

@@ -27,6 +27,13 @@ class Buffers(OutputTest):
         self.succeeds("render", *self.shot, *self.both)
         self.assertEqual(list(read_buffers(self.buffers)), USUAL)
 
+    def test_those_of_empty_pictures_are_read_without_complaint(self):
+        self.succeeds(
+            "render", case("escher_tet_g3_p3"), "--plane", "0,0,9,0,0,1", "--size", "6x5", *self.both
+        )
+        self.assertNotRegex(self.buffers.read_bytes(), rb"(?m)^\s*-?nan\s*$")
+        self.assertTrue(np.isnan(read_buffers(self.buffers)["Position"]).all())
+
     def test_those_asked_for_alone(self):
         self.succeeds("render", *self.shot, *self.both)
         every, size = read_buffers(self.buffers), self.buffers.stat().st_size

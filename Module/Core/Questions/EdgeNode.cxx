@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace pixelexact
 {
@@ -19,6 +20,40 @@ namespace
 constexpr double kMargin = 0.25;
 /// Row sums of |M J - I| up to which a box is regular.
 constexpr double kMostTurn = 0.7;
+/// Part of these that the Jacobians along a box's middle lines have to explain, to be trusted.
+constexpr double kExplained = 0.125;
+
+/// Across which direction of eta the Jacobian changes most along the middle lines of a box, in the
+/// terms of its row sums; nothing where that is not more than `least` anywhere. Thin elements that
+/// bend turn along their length alone, however much wider their boxes are otherwise.
+std::optional<int> TurningDirection(
+  const EdgeFunctions& functions, const EdgeNode& node, double least)
+{
+  const Vec3 middle = 0.5 * (node.wide.lower + node.wide.upper);
+  const Mat3 atMiddle = functions.ViewAt(node.centre).jacobian;
+  std::optional<int> direction;
+  for (int d = 0; d < 3; ++d)
+  {
+    for (const double end : { node.wide.lower[d], node.wide.upper[d] })
+    {
+      Vec3 eta = middle;
+      eta[d] = end;
+      const Mat3 change =
+        functions.ViewAt(TensorToReference(functions.GetShape(), eta)).jacobian - atMiddle;
+      for (const auto& row : node.inverse)
+      {
+        const Vec3 turned = Vec3(row[0], row[1], row[2]) * change;
+        const double sum = std::fabs(turned.x) + std::fabs(turned.y) + std::fabs(turned.z);
+        if (sum > least)
+        {
+          least = sum;
+          direction = d;
+        }
+      }
+    }
+  }
+  return direction;
+}
 } // namespace
 
 std::array<EdgeNodeEnd, 6> EndsOf(Shape shape, const EtaBox& box)
@@ -101,7 +136,12 @@ bool EdgeNode::DescribeMap(const EdgeFunctions& functions, const EdgeFunctions::
     reach[i] = std::max(hull.upper[d] - centre[d], centre[d] - hull.lower[d]) * kUp + 1e-15;
   }
   // Written so that a NaN is not regular.
-  return most <= kMostTurn;
+  if (most <= kMostTurn)
+  {
+    return true;
+  }
+  direction = TurningDirection(functions, *this, kExplained * most).value_or(direction);
+  return false;
 }
 
 void EdgeNode::DescribeCurves(

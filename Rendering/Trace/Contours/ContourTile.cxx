@@ -142,6 +142,11 @@ void ContourTile::Judge(const ContouredLayer& layer)
     return;
   }
   FlatBlocks blocks(sight, Tile);
+  if (blocks.AreBeyond())
+  {
+    Counted.byBlocks += std::ssize(Pixels);
+    return;
+  }
   const EdgeJudge judge(
     *layer.bounds, layer.values, ElementsNear(Tile.GetScene().locator->Index(), blocks.Whole()));
   if (!judge.IsNeeded())

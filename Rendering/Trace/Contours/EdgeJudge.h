@@ -19,6 +19,7 @@ struct EdgeEnd
   int element = -1;        ///< where the layer that is judged is seen
   LocatedPoint point;      ///< there; of planes `x` is known beside the mesh and behind others, too
   bool meets = false;      ///< whether `x` is known
+  bool isAhead = false;    ///< and not behind the eye
   std::int32_t piece = -1; ///< of the surface, and where on it: what the hit tells
   double parameters[2] = { 0.0, 0.0 };
 

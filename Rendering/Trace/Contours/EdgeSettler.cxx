@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -66,9 +67,9 @@ EdgeFinding EdgeSettler::JudgeWithin(const Part& part) const
 {
   const EdgeEnd& a = part.a;
   const EdgeEnd& b = part.b;
-  if (Sight.Hides(a) && Sight.Hides(b))
+  if ((Sight.Hides(a) && Sight.Hides(b)) || Sight.IsPlaneBeyond(std::array{ a, b }))
   {
-    // Another layer hides this one at both ends.
+    // Another layer hides this one at both ends, or there is nothing of it.
     return EdgeFinding::Out;
   }
   return Sight.Shows(a) && Sight.Shows(b) && a.element == b.element

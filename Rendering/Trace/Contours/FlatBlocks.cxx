@@ -18,13 +18,11 @@ constexpr int kThorough = 2;
 
 FlatBlocks::FlatBlocks(const LayerSight& sight, TileVisit& tile)
   : Sight(sight)
-  , TheCamera(tile.GetCamera())
   , Centres(tile.GetFrame().centres)
   , HasCentres(Centres.Holds(kEdgeSampleBuffers))
   , Area(tile.Area())
   , Corners(
       static_cast<std::size_t>(Area.Width() + 1) * static_cast<std::size_t>(Area.Height() + 1))
-  , HasCorner(Corners.size(), 0)
   , Open(static_cast<std::size_t>(Area.Width()) * static_cast<std::size_t>(Area.Height()), 0)
 {
 }
@@ -40,39 +38,47 @@ EdgeEnd FlatBlocks::EndAt(int x, int y) const
   return Sight.EndOf(Centres, At(x, y), { x + 0.5, y + 0.5 });
 }
 
-const std::optional<Vec3>& FlatBlocks::CornerAt(int x, int y)
+const FlatBlocks::Corner& FlatBlocks::CornerAt(int x, int y)
 {
-  const std::size_t i =
-    static_cast<std::size_t>(y - Area.y0) * static_cast<std::size_t>(Area.Width() + 1) +
-    static_cast<std::size_t>(x - Area.x0);
-  if (HasCorner[i] == 0)
+  Corner& corner =
+    Corners[static_cast<std::size_t>(y - Area.y0) * static_cast<std::size_t>(Area.Width() + 1) +
+      static_cast<std::size_t>(x - Area.x0)];
+  if (!corner.isKnown)
   {
-    HasCorner[i] = 1;
-    const std::vector<Hit> hits = HitsOf(Sight.GetSurface(), TheCamera.At(x, y));
-    if (!hits.empty())
-    {
-      Corners[i] = hits.front().position;
-    }
+    EdgeEnd end;
+    end.position = { static_cast<double>(x), static_cast<double>(y) };
+    Sight.MeetPlane(end);
+    corner = { true, end.meets, end.isAhead, end.point.x };
   }
-  return Corners[i];
+  return corner;
+}
+
+std::array<FlatBlocks::Corner, Outline::kMostCorners> FlatBlocks::CornersOf(const TileArea& pixels)
+{
+  return { CornerAt(pixels.x0, pixels.y0), CornerAt(pixels.x1, pixels.y0),
+    CornerAt(pixels.x1, pixels.y1), CornerAt(pixels.x0, pixels.y1) };
+}
+
+bool FlatBlocks::IsBeyond(const TileArea& pixels)
+{
+  std::array<EdgeEnd, Outline::kMostCorners> ends;
+  const auto corners = CornersOf(pixels);
+  for (std::size_t k = 0; k < ends.size(); ++k)
+  {
+    ends[k].isAhead = corners[k].isAhead;
+    ends[k].point.x = corners[k].x;
+  }
+  return Sight.IsPlaneBeyond(ends);
 }
 
 std::optional<Outline> FlatBlocks::OutlineOf(const TileArea& pixels)
 {
-  const std::array<std::optional<Vec3>, Outline::kMostCorners> found{
-    CornerAt(pixels.x0, pixels.y0), CornerAt(pixels.x1, pixels.y0), CornerAt(pixels.x1, pixels.y1),
-    CornerAt(pixels.x0, pixels.y1)
-  };
-  std::array<Vec3, Outline::kMostCorners> corners;
-  for (std::size_t k = 0; k < found.size(); ++k)
+  const auto found = CornersOf(pixels);
+  if (!std::ranges::all_of(found, &Corner::meets))
   {
-    if (!found[k])
-    {
-      return std::nullopt;
-    }
-    corners[k] = *found[k];
+    return std::nullopt;
   }
-  return Outline(corners);
+  return Outline(std::array{ found[0].x, found[1].x, found[2].x, found[3].x });
 }
 
 FlatBlocks::Finding FlatBlocks::JudgeInside(const EdgeJudge& judge, const TileArea& block)
@@ -132,6 +138,10 @@ bool FlatBlocks::IsOutAnyhow(const EdgeJudge& judge, const TileArea& block)
 
 void FlatBlocks::Settle(const EdgeJudge& judge, const TileArea& block)
 {
+  if (IsBeyond(block))
+  {
+    return;
+  }
   const Finding finding = JudgeInside(judge, block);
   if (finding == Finding::Out || (finding == Finding::Uncovered && IsOutAnyhow(judge, block)))
   {

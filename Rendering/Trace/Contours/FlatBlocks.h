@@ -4,6 +4,7 @@
 #include "Trace/Contours/EdgeJudge.h"
 #include "Trace/Contours/LayerSight.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -18,6 +19,8 @@ class FlatBlocks
 public:
   FlatBlocks(const LayerSight& sight, TileVisit& tile);
 
+  /// Whether no ray of the tile meets it in the mesh.
+  [[nodiscard]] bool AreBeyond() { return IsBeyond(Area); }
   /// The tile's part of the surface; nothing where a ray does not meet it.
   [[nodiscard]] std::optional<Outline> Whole() { return OutlineOf(Area); }
 
@@ -37,8 +40,17 @@ private:
   [[nodiscard]] Finding JudgeInside(const EdgeJudge& judge, const TileArea& block);
   /// By all elements that it may meet.
   [[nodiscard]] bool IsOutAnyhow(const EdgeJudge& judge, const TileArea& block);
+  [[nodiscard]] bool IsBeyond(const TileArea& pixels);
   [[nodiscard]] std::optional<Outline> OutlineOf(const TileArea& pixels);
-  [[nodiscard]] const std::optional<Vec3>& CornerAt(int x, int y);
+  struct Corner
+  {
+    bool isKnown = false;
+    bool meets = false; ///< as of EdgeEnd
+    bool isAhead = false;
+    Vec3 x{ 0.0 };
+  };
+  [[nodiscard]] const Corner& CornerAt(int x, int y);
+  [[nodiscard]] std::array<Corner, Outline::kMostCorners> CornersOf(const TileArea& pixels);
   [[nodiscard]] bool ShowsAt(int x, int y) const
   {
     return HasCentres && Sight.ShowsAt(Centres, At(x, y));
@@ -47,12 +59,10 @@ private:
   [[nodiscard]] EdgeEnd EndAt(int x, int y) const;
 
   const LayerSight& Sight;
-  const Camera& TheCamera;
   const SampleBuffers& Centres;
   bool HasCentres;
   TileArea Area;
-  std::vector<std::optional<Vec3>> Corners;
-  std::vector<std::uint8_t> HasCorner;
+  std::vector<Corner> Corners;
   std::vector<std::uint8_t> Open;
 };
 } // namespace pixelexact

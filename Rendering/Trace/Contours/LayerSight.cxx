@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <limits>
 
 namespace pixelexact
@@ -14,6 +15,8 @@ namespace
 {
 /// Distance of two hits over that of their rays, up to which they count as near.
 constexpr double kSteepest = 64.0;
+/// Of the mesh's depth: room for rounding.
+constexpr double kBeyond = 1.0 + 1e-6;
 } // namespace
 
 LayerSight::LayerSight(TileVisit& tile, int layer)
@@ -21,6 +24,39 @@ LayerSight::LayerSight(TileVisit& tile, int layer)
   , Layer(layer)
   , TheSurface(*tile.GetScene().layers[static_cast<std::size_t>(layer)].surface)
 {
+  const CameraRays& rays = Tile.GetCamera().Rays();
+  IsParallel = rays.direction.u == Vec3(0.0) && rays.direction.v == Vec3(0.0);
+  if (IsParallel || !TheSurface.IsPlane())
+  {
+    return;
+  }
+  const Box3 box = Tile.GetScene().locator->Index().Bounds();
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const Vec3 x((corner & 1) != 0 ? box.upper.x : box.lower.x,
+      (corner & 2) != 0 ? box.upper.y : box.lower.y, (corner & 4) != 0 ? box.upper.z : box.lower.z);
+    MeshDepth = std::max(MeshDepth, kBeyond * DepthOf(x));
+  }
+}
+
+double LayerSight::DepthOf(const Vec3& x) const
+{
+  const auto& [origin, direction] = Tile.GetCamera().Rays();
+  const Vec3 across = glm::cross(direction.u, direction.v);
+  return glm::dot(x - origin.constant, across) / glm::dot(direction.constant, across);
+}
+
+bool LayerSight::IsPlaneBeyond(std::span<const EdgeEnd> ends) const
+{
+  if (!TheSurface.IsPlane() || std::ranges::all_of(ends, &EdgeEnd::isAhead))
+  {
+    return false;
+  }
+  // A plane's reciprocal depth (parallel: its depth) is linear in the image: where no end's ray
+  // meets it, none between them does, and none before the nearest end's.
+  return std::ranges::none_of(ends,
+    [this](const EdgeEnd& end)
+    { return end.isAhead && (IsParallel || DepthOf(end.point.x) <= MeshDepth); });
 }
 
 Ray LayerSight::RayOf(const EdgeEnd& end) const
@@ -52,15 +88,27 @@ EdgeEnd LayerSight::EndOf(
     end.point.eta =
       ReferenceToTensor(Tile.GetScene().locator->GetMesh().ShapeOf(end.element), end.point.xi);
     end.meets = true;
+    end.isAhead = true;
   }
   else if (TheSurface.IsPlane())
   {
-    // A plane goes on where the mesh ends.
-    const std::vector<Hit> hits = HitsOf(TheSurface, RayOf(end));
-    end.meets = !hits.empty();
-    end.point.x = end.meets ? hits.front().position : Vec3(0.0);
+    MeetPlane(end);
   }
   return end;
+}
+
+void LayerSight::MeetPlane(EdgeEnd& end) const
+{
+  // It goes on where the mesh ends, and of parallel rays behind the eye.
+  const Ray ray = RayOf(end);
+  std::vector<Hit> hits = HitsOf(TheSurface, ray);
+  end.isAhead = !hits.empty();
+  if (!end.isAhead && IsParallel)
+  {
+    hits = HitsOf(TheSurface, { ray.origin, -ray.direction });
+  }
+  end.meets = !hits.empty();
+  end.point.x = end.meets ? hits.front().position : Vec3(0.0);
 }
 
 std::vector<EdgeEnd> LayerSight::Trace(std::span<const ImagePosition> positions)

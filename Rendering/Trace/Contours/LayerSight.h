@@ -26,9 +26,14 @@ public:
   /// Of a sample with kEdgeSampleBuffers and, where the surface has pieces, Buffer::Piece.
   [[nodiscard]] EdgeEnd EndOf(
     const SampleBuffers& samples, std::size_t i, const ImagePosition& position) const;
+  /// Where its ray meets a plane: sets x, meets and isAhead.
+  void MeetPlane(EdgeEnd& end) const;
   [[nodiscard]] std::vector<EdgeEnd> Trace(std::span<const ImagePosition> positions);
 
   [[nodiscard]] SurfaceEdge EdgeBetween(const EdgeEnd& a, const EdgeEnd& b) const;
+  /// Whether no ray between those of some ends, in order around, meets a plane in the mesh: it is
+  /// behind the eye, or farther off than the mesh, as towards the horizon. Of other surfaces false.
+  [[nodiscard]] bool IsPlaneBeyond(std::span<const EdgeEnd> ends) const;
   /// Whether another layer is seen instead.
   [[nodiscard]] bool Hides(const EdgeEnd& end) const { return end.layer >= 0 && !Shows(end); }
   /// How far off the triangle between three ends it is.
@@ -39,9 +44,13 @@ public:
 
 private:
   [[nodiscard]] Ray RayOf(const EdgeEnd& end) const;
+  /// Along the direction of view, in units of the rays' own; of cameras whose rays meet in the eye.
+  [[nodiscard]] double DepthOf(const Vec3& x) const;
 
   TileVisit& Tile;
   int Layer;
   const Surface& TheSurface;
+  bool IsParallel;
+  double MeshDepth = 0.0; ///< of the mesh's farthest point, or more
 };
 } // namespace pixelexact

@@ -45,9 +45,10 @@ void PixelInteriors::Add(std::size_t pixel, const Corners& corners)
 bool PixelInteriors::IsOut(const Square& square) const
 {
   const Corners& ends = square.corners;
-  if (std::ranges::all_of(ends, [this](const EdgeEnd& end) { return Sight.Hides(end); }))
+  if (std::ranges::all_of(ends, [this](const EdgeEnd& end) { return Sight.Hides(end); }) ||
+    Sight.IsPlaneBeyond(ends))
   {
-    // Another layer hides this one at all corners.
+    // Another layer hides this one at all corners, or there is nothing of it.
     return true;
   }
   int side = EdgeJudge::kNoSide;

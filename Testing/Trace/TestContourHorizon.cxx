@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Verdicts on pixels whose rays miss a plane, or meet it beyond the mesh: above its horizon, behind
+// the eye, and along it.
+#include "BentCube.h"
+
+#include "Trace/Contours/LayerBounds.h"
+#include "Trace/TileVisit.h"
+
+namespace pixelexact::testing
+{
+namespace
+{
+const Vec3 kOrigin{ 0.1, 0.0, 0.05 };
+const Vec3 kNormal{ 0.2, 0.1, 1.0 };
+const std::vector<double> kValues{ -2.0, -0.7, -0.1, 0.05, 0.4, 1.1 };
+constexpr long double kTolerance = 1e-11L;
+
+ContourCounters Judge(const CameraView& view, const ContourMethod& method = {})
+{
+  const TrueVerdicts truth(SightOf(view, kWidth, kHeight, PlaneHits(kOrigin, kNormal),
+                             [](const LongVec3& x, const LongVec3& /*u*/) { return Quadratic(x); }),
+    kWidth, kHeight, kValues, kTolerance);
+  const std::vector<Shape> shapes{ Shape::Hexahedron };
+  const BentCube cube(shapes);
+  ContourCertifier certifier({ kValues }, method);
+  Trace(cube.With(std::make_shared<Plane>(kOrigin, kNormal)), Camera(view, kWidth, kHeight),
+    { {}, { &certifier } });
+  truth.Check(certifier.Verdicts(), true);
+  return certifier.Counters();
+}
+
+/// From beside the cube, low above the plane: a third of the image is sky.
+CameraView OverThePlane()
+{
+  CameraView view;
+  view.position = { -2.5, 0.3, 0.9 };
+  view.focalPoint = { 1.0, 0.0, 0.2 };
+  view.viewUp = { 0.0, 0.0, 1.0 };
+  view.viewAngle = 60.0;
+  return view;
+}
+} // namespace
+
+TEST(ContourHorizon, SkyIsOut)
+{
+  for (const bool interior : { false, true })
+  {
+    ContourMethod method;
+    method.interior = interior;
+    const ContourCounters counters = Judge(OverThePlane(), method);
+    EXPECT_GT(counters.in, 100) << interior;
+    EXPECT_LE(counters.undecided, 1) << interior;
+  }
+}
+
+TEST(ContourHorizon, EyesInTheMeshSeeWhatIsAhead)
+{
+  CameraView view = OverThePlane();
+  view.position = { 0.1, 0.2, 0.4 };
+  view.focalPoint = { 1.0, 0.1, 0.3 };
+  const ContourCounters counters = Judge(view);
+  EXPECT_GT(counters.in, 10);
+  EXPECT_LE(counters.undecided, 1);
+}
+
+TEST(ContourHorizon, WhatIsBehindAParallelEyeIsOut)
+{
+  CameraView view = OverThePlane();
+  view.position = { 0.0, 0.1, 0.2 };
+  view.focalPoint = { 1.0, 0.0, -0.9 };
+  view.parallel = true;
+  view.parallelScale = 1.5;
+  const ContourCounters counters = Judge(view);
+  EXPECT_GT(counters.in, 50);
+  // Where the plane passes the eye between pixels.
+  EXPECT_LE(counters.undecided, 10);
+}
+
+TEST(ContourHorizon, PlanesAlongTheViewAreOut)
+{
+  CameraView view;
+  view.position = { -5.0, 0.0, 0.0 };
+  view.viewUp = { 0.0, 0.0, 1.0 };
+  view.parallel = true;
+  const std::vector<Shape> shapes{ Shape::Hexahedron };
+  const BentCube cube(shapes);
+  ContourCertifier certifier({ kValues });
+  Trace(cube.With(std::make_shared<Plane>(Vec3(0.0), Vec3(0.0, 0.0, 1.0))),
+    Camera(view, kWidth, kHeight), { {}, { &certifier } });
+  EXPECT_EQ(certifier.Counters().out, kWidth * kHeight);
+}
+} // namespace pixelexact::testing
