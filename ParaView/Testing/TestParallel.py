@@ -21,8 +21,6 @@ CASES = {
     # ParaView blends processes in the order of their boxes, and theirs overlap.
     "boundary": (("boundary", *NEK), (2,), 320 * 240, 1),
     "boundary_opaque": (("boundary_opaque", *NEK), (4,), 0, 0),
-    # Behind Ghost Cells each process has its neighbours' elements, too.
-    "ghost_contours": (("ghost_contours", "toroid_hex_g3_p6.vtu"), (2,), 0, 0),
     # Pixels whose corners are in another process' part have no line.
     "contours": (("contours", "toroid_hex_g3_p6.vtu"), (2,), 20, 255),
 }

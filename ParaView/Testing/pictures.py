@@ -23,7 +23,7 @@ elif files[0].endswith(".mesh"):
     reader = PixelExactMFEMReader(FileName=files[:1], GridFunctionFileNames=files[1:])
 else:
     reader = PixelExactGridReader(FileName=files)
-if kind in ("packed", "ghost_contours"):
+if kind == "packed":
     reader = GhostCellsGenerator(RedistributeDataSet(PixelExactPack(Input=reader)))
 shown = Show(reader, view)
 shown.SetRepresentationType("PixelExact")
@@ -40,7 +40,7 @@ else:
     ColorBy(shown, ("POINTS" if files[0].endswith(".vtu") else "CELLS", "u"))
     GetColorTransferFunction("u").RescaleTransferFunction(-1.0, 1.0)
     shown.CutFunction.Normal = [0, 0, 1]
-    if kind.endswith("contours"):
+    if kind == "contours":
         shown.PixelExactContours = [0.2]
 middle = [0.5 * (a + b) for a, b in zip(*[iter(reader.GetDataInformation().GetBounds())] * 2)]
 length = max(b - a for a, b in zip(*[iter(reader.GetDataInformation().GetBounds())] * 2))
