@@ -36,6 +36,7 @@ in vec2 texCoord;
 uniform sampler2D frameColors;
 uniform sampler2D frameDepths;
 uniform ivec2 frameOrigin;
+uniform int frameStep;
 uniform float frameOpacity;
 uniform vec2 frameOffset;
 // Of the two differences to neighbours the lesser: the other may lead over an edge.
@@ -51,7 +52,7 @@ float frameSlope(ivec2 pixel, ivec2 along, float depth)
 }
 void main()
 {
-  ivec2 framePixel = ivec2(gl_FragCoord.xy) - frameOrigin;
+  ivec2 framePixel = (ivec2(gl_FragCoord.xy) - frameOrigin) / frameStep;
   float frameDepth = texelFetch(frameDepths, framePixel, 0).r;
   vec4 frameColor = texelFetch(frameColors, framePixel, 0);
   frameColor.a *= frameOpacity;
@@ -62,7 +63,7 @@ void main()
   if (frameOffset != vec2(0.0))
   {
     vec2 slope = vec2(frameSlope(framePixel, ivec2(1, 0), frameDepth),
-      frameSlope(framePixel, ivec2(0, 1), frameDepth));
+      frameSlope(framePixel, ivec2(0, 1), frameDepth)) / float(frameStep);
     frameDepth = clamp(frameDepth + frameOffset.x * length(slope) + frameOffset.y / 65000.0, 0.0, 1.0);
   }
   gl_FragDepth = frameDepth;
@@ -243,6 +244,7 @@ void FrameCompositor::Draw(
   quad->Program->SetUniformi("frameColors", held.colors->GetTextureUnit());
   quad->Program->SetUniformi("frameDepths", held.depths->GetTextureUnit());
   quad->Program->SetUniform2i("frameOrigin", viewport.data());
+  quad->Program->SetUniformi("frameStep", pixels.step);
   quad->Program->SetUniformf("frameOpacity", static_cast<float>(pixels.opacity));
   const float offset[2] = { static_cast<float>(pixels.offset.factor),
     static_cast<float>(pixels.offset.units) };

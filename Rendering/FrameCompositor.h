@@ -54,6 +54,7 @@ struct Pixels
   int sheet = 0; ///< whose textures hold them from call to call
   int width = 0;
   int height = 0;
+  int step = 1; ///< each is drawn as a block of step x step pixels
   double opacity = 1.0;
   DepthOffset offset;
   std::int64_t colorsVersion = 0;
@@ -75,7 +76,8 @@ public:
   /// renders to a framebuffer of its own (vtkSSAAPass).
   static std::array<int, 4> Viewport(vtkRenderer* renderer);
 
-  /// Draws into the renderer's current framebuffer and viewport, which must have the pixels' size.
+  /// Draws into the renderer's current framebuffer and viewport, which must have the size of the
+  /// pixels' blocks; those at the right and upper edge may be cut off.
   /// With an actor in its translucent phase the colours go to whatever pass sorts them there
   /// (order-independent translucency, depth peeling).
   void Draw(vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper, const Pixels& pixels);

@@ -91,6 +91,7 @@ ColorRanges::Range FrameDrawer::Draw(FrameRequest request, FramePart part, vtkRe
         .sheet = sheet,
         .width = frame->width,
         .height = frame->height,
+        .step = view.source.LastStep(),
         .opacity = actor->GetProperty()->GetOpacity(),
         .offset = OffsetOf(mapper),
         .colorsVersion = view.drawnVersion,

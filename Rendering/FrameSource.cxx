@@ -14,6 +14,8 @@
 #include "vtkScalarsToColors.h"
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 
 namespace pixelexact
 {
@@ -203,44 +205,85 @@ void FrameSource::BeginFrame(Buffer buffers)
   const Pipeline pipeline = ThePipeline();
   // Corners are kept, so that other contours trace nothing.
   Passes.emplace(TheScene, Traced->camera.Make(), pipeline, buffers, pipeline.Needs().corners);
+  Shown.reset();
   Complete = false;
 }
 
 void FrameSource::TraceFrame(double seconds, const Progress& progress)
 {
-  const double pixels =
-    static_cast<double>(Traced->camera.width) * static_cast<double>(Traced->camera.height);
-  const double before = Passes->Get().counters.seconds;
-  const auto spent = [&] { return Passes->Get().counters.seconds - before; };
-  bool going = true;
-  while (going && Passes->Step() != 1)
+  bool aborted = false;
+  const Progress watched = [&](double done)
   {
-    const int from = Passes->Step();
-    const double since = spent();
-    const FrameCost::Work work = Cost.Next(pixels, from, since, seconds);
-    if (work == FrameCost::Work::Show)
+    aborted = aborted || (progress && !progress(done));
+    return !aborted;
+  };
+  if (std::isinf(seconds))
+  {
+    const bool fresh = Passes->Step() == 0 && Passes->PartDone() == 0.0;
+    if (Passes->Complete(watched) && fresh)
     {
-      break;
-    }
-    going =
-      work == FrameCost::Work::Complete ? Passes->Complete(progress) : Passes->Refine(progress);
-    if (going)
-    {
-      Cost.Learn(pixels, from, Passes->Step(), spent() - since);
+      Cost.Learn(Pixels(), 1, 1.0, Passes->Seconds());
     }
   }
-  Complete = Passes->Step() == 1;
+  else
+  {
+    TraceInTime(seconds, watched, aborted);
+  }
+  Complete = Passes->IsComplete();
   if (Complete)
   {
     TheFrame = Passes->Take();
     Passes.reset();
+    TheStep = 1;
     Contours.Finish(*TheFrame, Traced->camera.Make());
+    Count(true);
   }
-  else
+  else if (!Shown || *Shown != Passes->Step())
   {
-    TheFrame = Passes->Preview();
+    ShowPreview();
+    Count(true);
   }
-  Count(true);
+}
+
+void FrameSource::ShowPreview()
+{
+  TheFrame = Passes->Preview();
+  TheStep = std::max(1, Passes->Step());
+  // Of a frame that was to be made at once and was ended, others will be there the next time.
+  Shown = Passes->Step() == 0 ? std::nullopt : std::optional(Passes->Step());
+}
+
+double FrameSource::Pixels() const
+{
+  return static_cast<double>(Traced->camera.width) * static_cast<double>(Traced->camera.height);
+}
+
+void FrameSource::TraceInTime(double seconds, const Progress& progress, const bool& aborted)
+{
+  using Seconds = std::chrono::duration<double>;
+  const Deadline end = std::chrono::steady_clock::now() +
+    std::chrono::duration_cast<Deadline::duration>(Seconds(seconds));
+  if (Passes->Step() == 0 && Passes->PartDone() == 0.0)
+  {
+    Passes->GoTo(Cost.First(Pixels(), seconds));
+  }
+  bool goesOn = true;
+  while (goesOn && !Passes->IsComplete())
+  {
+    const int step = Passes->NextStep();
+    const bool tracing = Passes->Step() != 1;
+    const double partBefore = Passes->PartDone();
+    const double before = Passes->Seconds();
+    const bool done = Passes->Refine(progress, end);
+    const double part = (Passes->Step() == step ? 1.0 : Passes->PartDone()) - partBefore;
+    if (tracing && part > 0.0)
+    {
+      Cost.Learn(Pixels(), step, part, Passes->Seconds() - before);
+    }
+    goesOn = done && !aborted && std::chrono::steady_clock::now() < end;
+  }
+  // A picture with holes is none.
+  Passes->Fill();
 }
 
 void FrameSource::TraceBlocks(Buffer buffers, const Progress& progress)
@@ -318,6 +361,7 @@ void FrameSource::Update(const FrameRequest& request, const Progress& progress)
   else if (!Complete && !sameColors)
   {
     Passes->Recolor(ThePipeline(), ThePipeline().Needs().corners);
+    Shown.reset();
   }
   if (!Complete && (request.refine || !TheFrame))
   {
@@ -335,7 +379,7 @@ void FrameSource::Update(const FrameRequest& request, const Progress& progress)
     }
     else
     {
-      TheFrame = Passes->Preview();
+      ShowPreview();
     }
     Count(false);
   }

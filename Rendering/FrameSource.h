@@ -75,8 +75,8 @@ struct FrameRequest
   ContourLook contours;           ///< where layers have some
   /// Beyond what drawing needs.
   Buffer buffers = Buffer::None;
-  /// What tracing may take. Where the frame is expected to take longer it is made coarse, and finer
-  /// by each further call with the same scene.
+  /// What tracing may take. Where the frame takes longer it is made coarse, and finer by each
+  /// further call with the same scene.
   double seconds = std::numeric_limits<double>::infinity();
   bool refine = true; ///< whether a coarse frame of the same scene is made finer
   /// Above 1: of each stride x stride pixels the middle one is traced, and all show it. Throws
@@ -105,8 +105,8 @@ public:
 
   /// The frame asked for, of a model that is not null; valid until the next call. An aborted frame
   /// (see Progress) lacks tiles and is traced anew by the next call; a coarse one (see
-  /// FrameRequest::seconds) shows blocks of pixels alike. Throws Error, after which there is no
-  /// frame.
+  /// FrameRequest::seconds) has only some of the pixels (LastStep). Throws Error, after which there
+  /// is no frame.
   const Frame& Render(const FrameRequest& request, const Progress& progress = {});
 
   /// Samples of the frame asked for at `positions` alone, with the usual buffers and colours; those
@@ -120,6 +120,10 @@ public:
 
   /// The last frame, null when there is none or it failed.
   [[nodiscard]] const Frame* LastFrame() const;
+
+  /// Pixels between those of the last frame, which has only every so many-th of each row and
+  /// column; 1: all of them.
+  [[nodiscard]] int LastStep() const { return TheStep; }
 
   /// Whether there is one, neither coarse nor aborted.
   [[nodiscard]] bool IsComplete() const { return TheFrame && Complete; }
@@ -200,6 +204,10 @@ private:
   void BeginFrame(Buffer buffers);
   void TraceFrame(double seconds, const Progress& progress);
   void TraceBlocks(Buffer buffers, const Progress& progress);
+  /// `aborted`: set by `progress`.
+  void TraceInTime(double seconds, const Progress& progress, const bool& aborted);
+  [[nodiscard]] double Pixels() const;
+  void ShowPreview();
   void Count(bool traced);
   void Forget();
   [[nodiscard]] Buffer AllBuffers() const;
@@ -215,7 +223,9 @@ private:
   std::unique_ptr<ElementEdges> Edges;
   FrameContours Contours;
   std::optional<ProgressiveFrame> Passes; ///< of a frame that is not complete
+  std::optional<int> Shown;               ///< the passes' step, of which TheFrame is the preview
   std::optional<Frame> TheFrame;
+  int TheStep = 1;
   bool Complete = false;
   FrameCost Cost;
   FrameSourceCounters& TheCounters;

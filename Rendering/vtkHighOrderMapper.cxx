@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHighOrderMapper.h"
 
+#include "AbortCheck.h"
 #include "FrameDrawer.h"
 #include "FrameImage.h"
 #include "FramePick.h"
@@ -8,6 +9,7 @@
 #include "LayerRequests.h"
 #include "MapperExecutive.h"
 #include "MapperScene.h"
+#include "RenderLater.h"
 #include "StockSettings.h"
 #include "ViewRequest.h"
 #include "VtkColorMap.h"
@@ -37,6 +39,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 vtkStandardNewMacro(vtkHighOrderMapper);
@@ -45,6 +48,7 @@ struct vtkHighOrderMapper::Internals
 {
   pixelexact::MapperScene Scene;
   pixelexact::FrameDrawer Drawer;
+  pixelexact::RenderLater Later;
   pixelexact::FrameSourceCounters PickCounters;
   pixelexact::FrameSource Picks{ PickCounters }; ///< of pixels apart from frames
   vtkSmartPointer<vtkImageData> Buffers;
@@ -499,10 +503,11 @@ void vtkHighOrderMapper::RenderPart(int part, vtkRenderer* renderer, vtkActor* a
   pixelexact::MapperExecutive::WarnAgain(this);
   vtkRenderWindow* window = renderer->GetRenderWindow();
   const vtkIdType traces = this->GetNumberOfTraces();
-  const pixelexact::Progress progress = [this, window](double done)
+  pixelexact::AbortCheck check(window);
+  const pixelexact::Progress progress = [this, &check](double done)
   {
     this->UpdateProgress(done);
-    return !this->GetAbortExecute() && !window->CheckAbortStatus();
+    return !this->GetAbortExecute() && !check.IsAborted();
   };
   pixelexact::FrameDrawer& drawer = this->Data->Drawer;
   try
@@ -524,11 +529,7 @@ void vtkHighOrderMapper::RenderPart(int part, vtkRenderer* renderer, vtkActor* a
     }
     // The opaque phase of the same picture has done that.
     request.refine = drawn != pixelexact::FramePart::Translucent || !this->HasOpaqueGeometry();
-    const double rate = window->GetDesiredUpdateRate();
-    if (this->Progressive && window->GetInteractor() != nullptr && rate >= 1.0)
-    {
-      request.seconds = 1.0 / rate;
-    }
+    request.seconds = this->SecondsToTrace(window);
     if (const auto fitted = drawer.Draw(request, drawn, renderer, actor, this, progress))
     {
       this->TakeRange(*fitted);
@@ -539,6 +540,11 @@ void vtkHighOrderMapper::RenderPart(int part, vtkRenderer* renderer, vtkActor* a
       this->UpdateProgress(1.0);
       this->TimeToDraw = drawer.LastSource()->LastFrame()->counters.seconds;
     }
+    if (this->StillSeconds > 0.0 && window->GetDesiredUpdateRate() < 1.0 &&
+      !this->IsFrameComplete())
+    {
+      this->Data->Later.Ask(window->GetInteractor());
+    }
   }
   catch (const pixelexact::Error& error)
   {
@@ -548,6 +554,16 @@ void vtkHighOrderMapper::RenderPart(int part, vtkRenderer* renderer, vtkActor* a
       vtkErrorMacro(<< text);
     }
   }
+}
+
+//------------------------------------------------------------------------------
+double vtkHighOrderMapper::SecondsToTrace(vtkRenderWindow* window)
+{
+  const double rate = window->GetDesiredUpdateRate();
+  const double seconds = rate >= 1.0 ? 1.0 / rate : this->StillSeconds;
+  return this->Progressive && window->GetInteractor() != nullptr && seconds > 0.0
+    ? seconds
+    : std::numeric_limits<double>::infinity();
 }
 
 //------------------------------------------------------------------------------
@@ -676,6 +692,7 @@ void vtkHighOrderMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->FieldName = other->FieldName;
     this->SetUnknownColor(other->UnknownColor);
     this->SetProgressive(other->Progressive);
+    this->SetStillSeconds(other->StillSeconds);
     this->SetLightFlat(other->LightFlat);
     this->SetSearchSamples(other->SearchSamples);
     this->SetRangeMode(other->RangeMode);
@@ -714,6 +731,7 @@ void vtkHighOrderMapper::PrintSelf(ostream& os, vtkIndent indent)
      << int{ this->UnknownColor[1] } << ", " << int{ this->UnknownColor[2] } << ", "
      << int{ this->UnknownColor[3] } << "\n";
   os << indent << "Progressive: " << (this->Progressive ? "on" : "off") << "\n";
+  os << indent << "StillSeconds: " << this->StillSeconds << "\n";
   os << indent << "Models: " << this->GetNumberOfModelBuilds()
      << ", surfaces: " << this->GetNumberOfSurfaceBuilds()
      << ", traces: " << this->GetNumberOfTraces() << ", colorings: " << this->GetNumberOfColorings()

@@ -76,6 +76,7 @@ class vtkHighOrderLayer;
 class vtkHighOrderSurface;
 class vtkImageData;
 class vtkImplicitFunction;
+class vtkRenderWindow;
 class vtkUnstructuredGrid;
 
 class PIXELEXACTRENDERING_EXPORT vtkHighOrderMapper : public vtkHighOrderContourMapper
@@ -248,6 +249,18 @@ public:
   vtkBooleanMacro(Progressive, bool);
   ///@}
 
+  ///@{
+  /**
+   * Where a window has an interactor and is not in a hurry: seconds, after which a frame that is
+   * not complete is shown as it is, and the window is rendered again by a timer of the interactor,
+   * until it is complete (IsFrameComplete). So events wait no longer than that, and for a tile.
+   * With 0, the default, each render ends with the complete frame. As Progressive, this is not for
+   * a camera's first frame.
+   */
+  vtkSetClampMacro(StillSeconds, double, 0.0, 1e9);
+  vtkGetMacro(StillSeconds, double);
+  ///@}
+
   /**
    * The last frame as an image of the viewport's size, lower left pixel first, with the point
    * arrays Value, Position, Normal, Xi, Element, Depth, Verdict, Layer, Color and, with contours,
@@ -309,6 +322,7 @@ protected:
   std::string FieldName;
   unsigned char UnknownColor[4] = { 255, 0, 255, 255 };
   bool Progressive = true;
+  double StillSeconds = 0.0;
   bool LightFlat = false;
   int SearchSamples = 128;
   int RangeMode = RANGE_OF_FIELD;
@@ -334,6 +348,10 @@ private:
    * The range that colours are made with.
    */
   void TakeRange(const std::array<double, 2>& range);
+  /**
+   * What a frame may take in this window; infinite: as long as it takes.
+   */
+  double SecondsToTrace(vtkRenderWindow* window);
 
   /**
    * The first thing that a ray meets. Throws pixelexact::Error.

@@ -2,9 +2,12 @@
 #pragma once
 
 #include "ShownRange.h"
+#include "SurfaceFile.h"
+#include "ViewNotes.h"
 #include "vtkHighOrderBoundarySurface.h"
 #include "vtkHighOrderIsoSurface.h"
 #include "vtkHighOrderMapper.h"
+#include "vtkHighOrderSurface.h"
 #include "vtkPixelExactRepresentation.h"
 #include "vtkUnstructuredGridToHighOrderGrid.h"
 
@@ -17,17 +20,23 @@
 #include "vtkWeakPointer.h"
 
 #include <array>
+#include <optional>
 #include <set>
 #include <string>
 
 struct vtkPixelExactRepresentation::Internals
 {
+  explicit Internals(vtkPixelExactRepresentation* self);
+
   vtkNew<vtkHighOrderMapper> Mapper;
   vtkNew<vtkActor> Actor;
   int Surface = CUT;
   vtkSmartPointer<vtkImplicitFunction> Cut;
   vtkNew<vtkHighOrderBoundarySurface> Boundary;
   vtkNew<vtkHighOrderIsoSurface> Iso;
+  std::string SurfaceFile;
+  vtkSmartPointer<vtkHighOrderSurface> OfFile; ///< null: not read yet, or in vain
+  std::optional<std::string> FailedFile;       ///< so that it is told once
 
   vtkNew<vtkUnstructuredGridToHighOrderGrid> Convert;
   vtkSmartPointer<vtkDataObject> Shown; ///< on processes that have data
@@ -45,6 +54,7 @@ struct vtkPixelExactRepresentation::Internals
   bool HasBlockColors = false;
   bool HasBlockOpacities = false;
   std::set<std::string> Told; ///< so that each is told once
+  pixelexact::ViewNotes Notes;
 
   /// The data with coefficients; converted where some are plain. Throws pixelexact::Error.
   vtkSmartPointer<vtkDataObject> WithCoefficients(vtkDataObject* data);

@@ -6,6 +6,7 @@
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkMultiProcessController.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -15,6 +16,7 @@
 #include <array>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 // What is known of a pixel: vtkHighOrderPicker asked for this representation's actor alone.
 
@@ -108,6 +110,35 @@ const char* vtkPixelExactRepresentation::GetPickedText()
 {
   this->GetPicked();
   return this->Data->PickedText.c_str();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkPixelExactRepresentation::TextAt(int x, int y)
+{
+  auto* processes = vtkMultiProcessController::GetGlobalController();
+  if (processes != nullptr && processes->GetNumberOfProcesses() > 1)
+  {
+    return {};
+  }
+  const std::array<int, 2> before = std::exchange(this->Data->PickedPixel, { x, y });
+  std::string text = this->GetPickedText();
+  this->Data->PickedPixel = before;
+  // In lines, for a view may be narrow.
+  for (const char* part : { " xi (", "), ", " in [" })
+  {
+    const std::size_t at = text.find(part);
+    if (at != std::string::npos)
+    {
+      text[text.find(' ', at)] = '\n';
+    }
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkPixelExactRepresentation::GetPointerText()
+{
+  return this->Data->Notes.PointerText().c_str();
 }
 
 //------------------------------------------------------------------------------

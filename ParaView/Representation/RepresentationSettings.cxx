@@ -14,6 +14,7 @@ void vtkPixelExactRepresentation::SetVisibility(bool visible)
   {
     this->Data->Actor->VisibilityOff(); // on again where there is something to draw
   }
+  this->Data->Notes.SetVisible(visible);
 }
 
 //------------------------------------------------------------------------------
@@ -60,6 +61,30 @@ void vtkPixelExactRepresentation::SetIsoComponent(int component)
 void vtkPixelExactRepresentation::SetIsoValue(double value)
 {
   this->Data->Iso->SetValue(value);
+}
+
+//------------------------------------------------------------------------------
+void vtkPixelExactRepresentation::SetSurfaceFile(const char* file)
+{
+  const std::string name = file != nullptr ? file : "";
+  if (this->Data->SurfaceFile != name)
+  {
+    this->Data->SurfaceFile = name;
+    this->Data->OfFile = nullptr;
+    this->Data->FailedFile.reset();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPixelExactRepresentation::SetVerdictLegend(bool show)
+{
+  this->Data->Notes.ShowLegend(show);
+}
+
+//------------------------------------------------------------------------------
+void vtkPixelExactRepresentation::SetValueUnderPointer(bool show)
+{
+  this->Data->Notes.ShowPointer(show);
 }
 
 //------------------------------------------------------------------------------

@@ -68,8 +68,14 @@ vtkSmartPointer<vtkDataObject> vtkPixelExactRepresentation::Internals::WithCoeff
 }
 
 //------------------------------------------------------------------------------
+vtkPixelExactRepresentation::Internals::Internals(vtkPixelExactRepresentation* self)
+  : Notes([self](int x, int y) { return self->TextAt(x, y); })
+{
+}
+
+//------------------------------------------------------------------------------
 vtkPixelExactRepresentation::vtkPixelExactRepresentation()
-  : Data(std::make_unique<Internals>())
+  : Data(std::make_unique<Internals>(this))
 {
   this->Data->Actor->SetMapper(this->Data->Mapper);
   this->Data->Mapper->SetUseLookupTableScalarRange(1);
@@ -197,6 +203,7 @@ int vtkPixelExactRepresentation::ProcessViewRequest(
     vtkDataObject* delivered = vtkPVView::GetDeliveredPiece(inInfo, this);
     const bool isThere = HasCells(delivered);
     my.Actor->SetVisibility(this->GetVisibility() && isThere);
+    my.Notes.Watch(vtkPVRenderView::SafeDownCast(this->GetView()));
     if (isThere)
     {
       my.Mapper->SetInputData(delivered);
@@ -220,10 +227,39 @@ void vtkPixelExactRepresentation::ChooseSurface()
     case ISO_SURFACE:
       my.Mapper->SetSurface(my.Iso);
       break;
+    case SURFACE_OF_FILE:
+      this->ReadSurfaceFile();
+      my.Mapper->SetCutFunction(nullptr);
+      my.Mapper->SetSurface(my.OfFile);
+      my.Actor->SetVisibility(my.Actor->GetVisibility() && my.OfFile != nullptr);
+      break;
     default:
       my.Mapper->SetSurface(nullptr);
       my.Mapper->SetCutFunction(my.Cut);
       break;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPixelExactRepresentation::ReadSurfaceFile()
+{
+  Internals& my = *this->Data;
+  if (my.OfFile != nullptr)
+  {
+    return;
+  }
+  try
+  {
+    my.OfFile = pixelexact::SurfaceOfFile(my.SurfaceFile);
+    my.FailedFile.reset();
+  }
+  catch (const pixelexact::Error& error)
+  {
+    if (my.FailedFile != my.SurfaceFile)
+    {
+      my.FailedFile = my.SurfaceFile;
+      vtkErrorMacro(<< error.what());
+    }
   }
 }
 
@@ -275,6 +311,7 @@ bool vtkPixelExactRepresentation::AddToView(vtkView* view)
   renderView->GetRenderer()->AddActor(this->Data->Actor);
   renderView->RegisterPropForHardwareSelection(this, this->Data->Actor);
   this->Data->Renderer = renderView->GetRenderer();
+  this->Data->Notes.AddTo(renderView);
   return this->Superclass::AddToView(view);
 }
 
@@ -289,5 +326,6 @@ bool vtkPixelExactRepresentation::RemoveFromView(vtkView* view)
   renderView->UnRegisterPropForHardwareSelection(this, this->Data->Actor);
   renderView->GetRenderer()->RemoveActor(this->Data->Actor);
   this->Data->Renderer = nullptr;
+  this->Data->Notes.RemoveFrom(renderView);
   return this->Superclass::RemoveFromView(view);
 }

@@ -21,6 +21,7 @@
 #include "vtkPVDataRepresentation.h"
 
 #include <memory> // for the implementation
+#include <string> // for texts
 
 class vtkActor;
 class vtkHighOrderMapper;
@@ -43,9 +44,10 @@ public:
    */
   enum Surfaces
   {
-    CUT = 0,        ///< where the cut function is zero
-    BOUNDARY = 1,   ///< of the mesh, or those of its parts that have an attribute
-    ISO_SURFACE = 2 ///< where a field has a value
+    CUT = 0,            ///< where the cut function is zero
+    BOUNDARY = 1,       ///< of the mesh, or those of its parts that have an attribute
+    ISO_SURFACE = 2,    ///< where a field has a value
+    SURFACE_OF_FILE = 3 ///< triangles or patches, see SetSurfaceFile
   };
   void SetSurface(int surface);
 
@@ -71,6 +73,12 @@ public:
   void SetIsoComponent(int component);
   void SetIsoValue(double value);
   ///@}
+
+  /**
+   * A file of triangles (.stl, .vtp) or Bezier patches (.vtu, .vtp), in the data's coordinates,
+   * that each process which draws reads.
+   */
+  void SetSurfaceFile(const char* file);
 
   ///@{
   /**
@@ -115,6 +123,17 @@ public:
   void SetPickedPixel(int x, int y);
   double* GetPicked() VTK_SIZEHINT(11);
   const char* GetPickedText();
+  ///@}
+
+  ///@{
+  /**
+   * What is written over the picture: what colours beside the map mean; and the text of the pixel
+   * under the pointer, while no button is down, in views with an interactor whose process has all
+   * of the data. PointerText is what is written.
+   */
+  void SetVerdictLegend(bool show);
+  void SetValueUnderPointer(bool show);
+  const char* GetPointerText();
   ///@}
 
   /**
@@ -181,6 +200,8 @@ private:
   void operator=(const vtkPixelExactRepresentation&) = delete;
 
   void ChooseSurface();
+  void ReadSurfaceFile();
+  std::string TextAt(int x, int y);
   /// Of a boundary whose elements several processes have: all of them call it.
   void FindInnerFaces();
   /**

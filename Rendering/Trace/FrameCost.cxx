@@ -2,34 +2,42 @@
 #include "Trace/FrameCost.h"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace pixelexact
 {
 namespace
 {
-/// The part of a frame's pixels that is known.
-double Part(int step)
-{
-  return step == 0 ? 0.0 : 1.0 / (static_cast<double>(step) * step);
-}
+constexpr std::array kSteps{ 1, ProgressiveFrame::kFiner, ProgressiveFrame::kCoarsest };
 } // namespace
 
-FrameCost::Work FrameCost::Next(double pixels, int step, double spent, double limit) const
+int FrameCost::First(double pixels, double limit) const
 {
-  const double left = (1.0 - Part(step)) * pixels * PixelSeconds;
-  if (spent + left <= limit)
+  for (std::size_t pass = 0; pass < kSteps.size(); ++pass)
   {
-    return Work::Complete;
+    if (pixels * Each[pass] <= limit)
+    {
+      return kSteps[pass];
+    }
   }
-  // The next pass makes three pixels more of each that is known, and each costs what those that
-  // were made just now did, or more.
-  const double pass = 3.0 * std::max(Part(step) * pixels * PixelSeconds, spent);
-  return spent <= 0.0 || (step > 1 && spent + pass <= limit) ? Work::Refine : Work::Show;
+  return kSteps.back();
 }
 
-void FrameCost::Learn(double pixels, int from, int to, double seconds)
+void FrameCost::Learn(double pixels, int step, double part, double seconds)
 {
-  const double each = seconds / ((Part(to) - Part(from)) * pixels);
-  PixelSeconds = from == 0 && to == 1 ? each : std::min(PixelSeconds, each);
+  const auto at = static_cast<std::size_t>(std::ranges::find(kSteps, step) - kSteps.begin());
+  Each[at] = seconds / (part * pixels);
+  double most = Each[at];
+  for (std::size_t finer = at; finer > 0; --finer)
+  {
+    most *= kFewer;
+    Each[finer - 1] = std::clamp(Each[finer - 1], Each[at], most);
+  }
+  double least = Each[at];
+  for (std::size_t coarser = at + 1; coarser < Each.size(); ++coarser)
+  {
+    least /= kFewer;
+    Each[coarser] = std::clamp(Each[coarser], least, Each[at]);
+  }
 }
 } // namespace pixelexact

@@ -23,9 +23,16 @@ int SamplesAlong(int first, int step, int size)
   return first < size ? (size - first + step - 1) / step : 0;
 }
 
-int TilesAlong(int samples)
+int TilesAlong(int samples, int side = kTileSize)
 {
-  return (samples + kTileSize - 1) / kTileSize;
+  return (samples + side - 1) / side;
+}
+
+/// Samples along a tile's side. Rays that are far apart have few elements in common: then a large
+/// tile asks many elements for few points each.
+int SideOf(const SampleLattice& lattice)
+{
+  return lattice.step > 1 ? TileSamples::kRow : kTileSize;
 }
 } // namespace
 
@@ -71,28 +78,11 @@ void RequireTraceable(const Scene& scene, const SampleNeeds& needs)
   }
 }
 
-Reporter::Reporter(const Progress& progress, int total)
-  : TheProgress(progress)
-  , Total(total)
-  , Caller(std::this_thread::get_id())
-{
-}
-
-void Reporter::TileDone()
-{
-  const int done = ++Done;
-  // VTK's progress may be reported from the calling thread only.
-  if (TheProgress && std::this_thread::get_id() == Caller &&
-    !TheProgress(static_cast<double>(done) / Total))
-  {
-    Aborted = true;
-  }
-}
-
 int TilesOf(const SampleLattice& lattice, int width, int height)
 {
-  return TilesAlong(SamplesAlong(lattice.x0, lattice.step, width)) *
-    TilesAlong(SamplesAlong(lattice.y0, lattice.step, height));
+  const int side = SideOf(lattice);
+  return TilesAlong(SamplesAlong(lattice.x0, lattice.step, width), side) *
+    TilesAlong(SamplesAlong(lattice.y0, lattice.step, height), side);
 }
 
 namespace
@@ -108,24 +98,23 @@ bool NeedsCallingThread(const Scene* scene)
 /// work(area, counters) for each tile of columns x rows samples, in parallel where the scene, which
 /// may be null, allows it.
 template <class Work>
-FrameCounters ForEachTile(
-  const Scene* scene, int columns, int rows, StageTimes* stages, const Work& work)
+FrameCounters ForEachTile(const Scene* scene, int columns, int rows, StageTimes* stages,
+  const Work& work, int side = kTileSize)
 {
-  const int across = TilesAlong(columns);
+  const int across = TilesAlong(columns, side);
   FrameCounters total;
   std::mutex mutex;
   const auto one = [&](int tile)
   {
-    const int x = tile % across * kTileSize;
-    const int y = tile / across * kTileSize;
+    const int x = tile % across * side;
+    const int y = tile / across * side;
     FrameCounters counters;
     std::optional<StageClock> clock;
     if (stages)
     {
       clock.emplace();
     }
-    work(
-      TileArea{ x, y, std::min(x + kTileSize, columns), std::min(y + kTileSize, rows) }, counters);
+    work(TileArea{ x, y, std::min(x + side, columns), std::min(y + side, rows) }, counters);
     const std::scoped_lock lock(mutex);
     if (clock)
     {
@@ -133,7 +122,7 @@ FrameCounters ForEachTile(
     }
     AddCounters(counters, total);
   };
-  const int tiles = across * TilesAlong(rows);
+  const int tiles = across * TilesAlong(rows, side);
   if (NeedsCallingThread(scene))
   {
     for (int tile = 0; tile < tiles; ++tile)
@@ -151,16 +140,21 @@ FrameCounters ForEachTile(
 
 FrameCounters TraceLattice(const Scene& scene, const Camera& camera, const SampleLattice& lattice,
   Sheets& sheets, Reporter& reporter, StageTimes* stages, const AfterTile& after,
-  const TileTurn& turn)
+  const TileTurn& turn, TilesDone* done)
 {
   const int width = sheets.At(0).width;
-  const int columns = SamplesAlong(lattice.x0, lattice.step, width);
-  const int rows = SamplesAlong(lattice.y0, lattice.step, sheets.At(0).height);
-  FrameCounters total = ForEachTile(&scene, columns, rows, stages,
+  const int height = sheets.At(0).height;
+  const int columns = lattice.packed ? width : SamplesAlong(lattice.x0, lattice.step, width);
+  const int rows = lattice.packed ? height : SamplesAlong(lattice.y0, lattice.step, height);
+  const int side = SideOf(lattice);
+  FrameCounters total = ForEachTile(
+    &scene, columns, rows, stages,
     [&](const TileArea& area, FrameCounters& counters)
     {
-      const int tile = area.y0 / kTileSize * TilesAlong(columns) + area.x0 / kTileSize;
-      if (reporter.IsAborted() || !turn.Has(tile))
+      const int tile = area.y0 / side * TilesAlong(columns, side) + area.x0 / side;
+      std::uint8_t* const isDone =
+        done != nullptr ? &(*done)[static_cast<std::size_t>(tile)] : nullptr;
+      if (!turn.Has(tile) || (isDone != nullptr && *isDone != 0) || !reporter.HasTime())
       {
         return;
       }
@@ -176,8 +170,13 @@ FrameCounters TraceLattice(const Scene& scene, const Camera& camera, const Sampl
       {
         after(area, counters);
       }
+      if (isDone != nullptr)
+      {
+        *isDone = 1;
+      }
       reporter.TileDone();
-    });
+    },
+    side);
   total.nothing = static_cast<std::int64_t>(columns) * rows - total.exact - total.unknown;
   return total;
 }
@@ -216,13 +215,21 @@ void BeginPipeline(const Pipeline& pipeline, Frame& frame)
 
 namespace
 {
-/// One run of modules over all tiles.
+/// One run of modules over all tiles or, with both of `reporter` and `done`, those not done.
 FrameCounters RunModules(const Scene* scene, const Camera* camera, const Pipeline& pipeline,
-  std::span<FrameModule* const> modules, bool makesImage, Frame& frame, StageTimes* stages)
+  std::span<FrameModule* const> modules, bool makesImage, Frame& frame, StageTimes* stages,
+  Reporter* reporter = nullptr, TilesDone* done = nullptr)
 {
   return ForEachTile(scene, frame.width, frame.height, stages,
     [&](const TileArea& area, FrameCounters& counters)
     {
+      const int tile = area.y0 / kTileSize * TilesAlong(frame.width) + area.x0 / kTileSize;
+      std::uint8_t* const isDone =
+        done != nullptr ? &(*done)[static_cast<std::size_t>(tile)] : nullptr;
+      if (isDone != nullptr && (*isDone != 0 || !reporter->HasTime()))
+      {
+        return;
+      }
       TileVisit visit(scene, camera, pipeline, frame, area);
       if (makesImage)
       {
@@ -230,6 +237,11 @@ FrameCounters RunModules(const Scene* scene, const Camera* camera, const Pipelin
       }
       visit.Run(modules);
       AddSamples(visit.Counters(), counters);
+      if (isDone != nullptr)
+      {
+        *isDone = 1;
+        reporter->TileDone();
+      }
     });
 }
 
@@ -268,6 +280,13 @@ FrameCounters RunPipeline(const Scene* scene, const Camera* camera, const Pipeli
 {
   BeginPipeline(pipeline, frame);
   return RunFrom(0, scene, camera, pipeline, frame, stages);
+}
+
+FrameCounters RunPipelinePart(const Scene& scene, const Camera& camera, const Pipeline& pipeline,
+  std::size_t run, Frame& frame, Reporter& reporter, TilesDone& done)
+{
+  return RunModules(
+    &scene, &camera, pipeline, pipeline.Runs()[run], run == 0, frame, nullptr, &reporter, &done);
 }
 
 void AddSamples(const FrameCounters& counted, FrameCounters& total)

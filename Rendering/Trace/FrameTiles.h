@@ -3,13 +3,14 @@
 
 #include "Core/Base/StageClock.h"
 #include "Trace/Pipeline.h"
+#include "Trace/Reporter.h"
 #include "Trace/Scene.h"
 #include "Trace/Sheets.h"
 #include "Trace/TileSamples.h"
 #include "Trace/Tracer.h"
 
-#include <atomic>
-#include <thread>
+#include <cstdint>
+#include <vector>
 
 // Loops over the tiles of a frame, in parallel.
 namespace pixelexact
@@ -18,22 +19,11 @@ namespace pixelexact
 /// component out of range, too many layers, or enclosures of values in single precision.
 void RequireTraceable(const Scene& scene, const SampleNeeds& needs);
 
-/// Progress and abort, shared by the tiles of a frame.
-class Reporter
-{
-public:
-  Reporter(const Progress& progress, int total);
+/// By tile, row by row: 1 where it is done.
+using TilesDone = std::vector<std::uint8_t>;
 
-  [[nodiscard]] bool IsAborted() const { return Aborted; }
-  void TileDone();
-
-private:
-  const Progress& TheProgress;
-  int Total;
-  std::thread::id Caller;
-  std::atomic<int> Done{ 0 };
-  std::atomic<bool> Aborted{ false };
-};
+/// The corners of pixels.
+inline constexpr SampleLattice kCorners{ 0.0 };
 
 /// Tiles of a lattice over width x height samples.
 int TilesOf(const SampleLattice& lattice, int width, int height);
@@ -41,12 +31,14 @@ int TilesOf(const SampleLattice& lattice, int width, int height);
 /// What a tile does when its samples are written.
 using AfterTile = std::function<void(const TileArea& area, FrameCounters& counters)>;
 
-/// Traces the samples of a lattice over width x height samples; aborted tiles are left out.
+/// Traces the samples of a lattice over the sheets' samples, or of a packed one as many as they
+/// have; aborted tiles are left out.
 /// `stages` may be null, `after` empty. Samples of the tiles that are
-/// another's turn are counted as nothing.
+/// another's turn are counted as nothing. `done`, where not null, has as many entries as there are
+/// tiles: those that are set are left out, and set when they are done.
 FrameCounters TraceLattice(const Scene& scene, const Camera& camera, const SampleLattice& lattice,
   Sheets& sheets, Reporter& reporter, StageTimes* stages, const AfterTile& after = {},
-  const TileTurn& turn = {});
+  const TileTurn& turn = {}, TilesDone* done = nullptr);
 
 /// Whether rays of the scene go on behind something.
 bool HasTranslucent(const Scene& scene);
@@ -68,6 +60,10 @@ FrameCounters FinishPipeline(const Scene& scene, const Camera& camera, const Pip
 /// null (TileVisit). Returns what was counted of samples that modules asked for.
 FrameCounters RunPipeline(const Scene* scene, const Camera* camera, const Pipeline& pipeline,
   Frame& frame, StageTimes* stages = nullptr);
+
+/// One of Pipeline::Runs over the tiles that are not done; BeginPipeline comes before the first.
+FrameCounters RunPipelinePart(const Scene& scene, const Camera& camera, const Pipeline& pipeline,
+  std::size_t run, Frame& frame, Reporter& reporter, TilesDone& done);
 
 /// Adds what was counted; seconds are left alone.
 void AddCounters(const FrameCounters& counted, FrameCounters& total);

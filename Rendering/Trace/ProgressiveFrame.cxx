@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trace/ProgressiveFrame.h"
 
-#include "Trace/FrameTiles.h"
-#include "Trace/StridedFrame.h"
-
 #include <algorithm>
 #include <chrono>
 #include <utility>
@@ -12,25 +9,34 @@ namespace pixelexact
 {
 namespace
 {
-/// The samples that are new when pixels `step` apart follow those `known` apart; 0: none yet.
-std::vector<SampleLattice> LatticesOf(int step, int known)
+SampleLattice LatticeOf(int step)
 {
-  if (known == 0)
+  return { .step = step, .packed = step > 1 };
+}
+
+/// Adds the seconds of its life.
+class Clock
+{
+public:
+  explicit Clock(double& seconds)
+    : Seconds(seconds)
   {
-    return { { 0.5, 0, 0, step } };
   }
-  std::vector<SampleLattice> lattices;
-  for (int y = 0; y < known; y += step)
+  Clock(const Clock&) = delete;
+  Clock& operator=(const Clock&) = delete;
+  ~Clock()
   {
-    for (int x = 0; x < known; x += step)
-    {
-      if (x > 0 || y > 0)
-      {
-        lattices.push_back({ 0.5, x, y, known });
-      }
-    }
+    Seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - Start).count();
   }
-  return lattices;
+
+private:
+  double& Seconds;
+  std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
+};
+
+bool AllDone(const TilesDone& tiles)
+{
+  return std::ranges::find(tiles, 0) == tiles.end();
 }
 } // namespace
 
@@ -44,25 +50,55 @@ ProgressiveFrame::ProgressiveFrame(
 {
   Needs.centres = Needs.centres | extra;
   RequireTraceable(TheScene, Needs);
-  TheFrame.width = camera.Width();
-  TheFrame.height = camera.Height();
-  TheFrame.centres.Allocate(Needs.centres, TheFrame.width, TheFrame.height);
 }
 
-bool ProgressiveFrame::Refine(const Progress& progress)
+Frame ProgressiveFrame::FrameOf(int step) const
 {
-  return Known == 1 || Pass(Known == 0 ? kCoarsest : Known / 2, progress);
+  Frame frame;
+  frame.width = (TheCamera.Width() + step - 1) / step;
+  frame.height = (TheCamera.Height() + step - 1) / step;
+  frame.centres.Allocate(Needs.centres, frame.width, frame.height);
+  return frame;
+}
+
+void ProgressiveFrame::GoTo(int step)
+{
+  if (Next != step)
+  {
+    Next = step;
+    Done.clear();
+  }
+}
+
+bool ProgressiveFrame::Refine(const Progress& progress, Deadline end)
+{
+  bool done = false;
+  {
+    const Clock clock(Spent);
+    done = (Left != Stage::Centres || Pass(progress, end)) &&
+      (Left != Stage::Corners || MakeCorners(progress, end)) &&
+      (Left != Stage::Modules || RunModules(progress, end));
+  }
+  TheFrame.counters.seconds = Coarse.counters.seconds = Spent;
+  return done;
 }
 
 bool ProgressiveFrame::Complete(const Progress& progress)
 {
-  return Known == 1 || (Known == 0 ? AtOnce(progress) : Pass(1, progress));
+  if (Known == 0 && Done.empty())
+  {
+    return AtOnce(progress);
+  }
+  if (Left == Stage::Centres)
+  {
+    GoTo(1);
+  }
+  return Refine(progress);
 }
 
 bool ProgressiveFrame::AtOnce(const Progress& progress)
 {
   bool aborted = false;
-  const double before = TheFrame.counters.seconds;
   TheFrame =
     Trace(TheScene, TheCamera, ThePipeline, { .centres = Needs.centres, .corners = Corners },
       [&](double done)
@@ -70,7 +106,8 @@ bool ProgressiveFrame::AtOnce(const Progress& progress)
         aborted = progress && !progress(done);
         return !aborted;
       });
-  TheFrame.counters.seconds += before;
+  Spent += TheFrame.counters.seconds;
+  TheFrame.counters.seconds = Spent;
   if (aborted)
   {
     // Those of some tiles.
@@ -81,60 +118,156 @@ bool ProgressiveFrame::AtOnce(const Progress& progress)
     {
       sheet.color.clear();
     }
+    return false;
   }
-  Known = aborted ? 0 : 1;
-  return !aborted;
+  Known = Next = 1;
+  BeginStage(Stage::Nothing);
+  return true;
 }
 
-bool ProgressiveFrame::Pass(int step, const Progress& progress)
+bool ProgressiveFrame::Pass(const Progress& progress, Deadline end)
 {
-  const auto start = std::chrono::steady_clock::now();
-  const std::vector<SampleLattice> lattices = LatticesOf(step, Known);
-  int tiles = 0;
-  for (const SampleLattice& lattice : lattices)
+  Frame& frame = Next == 1 ? TheFrame : Pending;
+  const SampleLattice lattice = LatticeOf(Next);
+  const int tiles = TilesOf(lattice, TheCamera.Width(), TheCamera.Height());
+  if (Done.empty())
   {
-    tiles += TilesOf(lattice, TheFrame.width, TheFrame.height);
+    frame = FrameOf(Next);
+    Done.assign(static_cast<std::size_t>(tiles), 0);
+    Counted = {};
   }
-  Reporter reporter(progress, tiles);
-  Sheets sheets(TheFrame.centres, Needs.centres);
-  FrameCounters counted;
-  for (const SampleLattice& lattice : lattices)
-  {
-    AddCounters(TraceLattice(TheScene, TheCamera, lattice, sheets, reporter, nullptr), counted);
-  }
-  bool aborted = reporter.IsAborted();
-  if (step == 1 && !aborted)
-  {
-    const FrameCounters before = std::exchange(TheFrame.counters, {});
-    aborted = !KeepCorners(TheScene, TheCamera, Corners, TheFrame, progress);
-    AddSamples(std::exchange(TheFrame.counters, before), counted);
-  }
-  if (step == 1 && !aborted)
-  {
-    AddSamples(RunPipeline(&TheScene, &TheCamera, ThePipeline, TheFrame), counted);
-  }
-  TheFrame.counters.seconds +=
-    std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  const double seconds = TheFrame.counters.seconds;
-  TheFrame.counters = Finished;
-  AddCounters(counted, TheFrame.counters);
-  TheFrame.counters.seconds = seconds;
-  if (aborted)
+  Reporter reporter(progress, tiles, end);
+  Sheets sheets(frame.centres, Needs.centres);
+  AddCounters(
+    TraceLattice(TheScene, TheCamera, lattice, sheets, reporter, nullptr, {}, {}, &Done), Counted);
+  if (!AllDone(Done))
   {
     return false;
   }
-  Finished = TheFrame.counters;
-  Known = step;
+  // Tiles that were left out have been counted as such.
+  Counted.nothing =
+    static_cast<std::int64_t>(frame.centres.Size()) - Counted.exact - Counted.unknown;
+  frame.counters = Counted;
+  if (Next > 1)
+  {
+    Coarse = std::move(Pending);
+  }
+  Known = Next;
+  Next = std::max(1, Known / kFiner);
+  BeginStage(Known == 1 ? Stage::Corners : Stage::Centres);
   return true;
+}
+
+void ProgressiveFrame::Fill()
+{
+  if (Known != 0)
+  {
+    return;
+  }
+  {
+    const Clock clock(Spent);
+    Coarse = FrameOf(kCoarsest);
+    const Progress none;
+    Reporter reporter(none, 1);
+    Sheets sheets(Coarse.centres, Needs.centres);
+    Coarse.counters =
+      TraceLattice(TheScene, TheCamera, LatticeOf(kCoarsest), sheets, reporter, nullptr);
+  }
+  Coarse.counters.seconds = Spent;
+  Known = kCoarsest;
+  if (Next == kCoarsest)
+  {
+    GoTo(kCoarsest / kFiner);
+  }
+}
+
+void ProgressiveFrame::BeginStage(Stage stage)
+{
+  Left = stage;
+  Done.clear();
+  Counted = {};
+  Run = 0;
+}
+
+bool ProgressiveFrame::MakeCorners(const Progress& progress, Deadline end)
+{
+  if (Corners != Buffer::None && !(Done.empty() && TheFrame.corners.Holds(Corners)))
+  {
+    const int tiles = TilesOf(kCorners, TheFrame.width + 1, TheFrame.height + 1);
+    if (Done.empty())
+    {
+      Done.assign(static_cast<std::size_t>(tiles), 0);
+      TheFrame.corners.Allocate(Corners, TheFrame.width + 1, TheFrame.height + 1);
+    }
+    Reporter reporter(progress, tiles, end);
+    Sheets sheets(TheFrame.corners, Corners);
+    AddSamples(
+      TraceLattice(TheScene, TheCamera, kCorners, sheets, reporter, nullptr, {}, {}, &Done),
+      TheFrame.counters);
+    if (!AllDone(Done))
+    {
+      return false;
+    }
+  }
+  BeginStage(Stage::Modules);
+  return true;
+}
+
+bool ProgressiveFrame::RunModules(const Progress& progress, Deadline end)
+{
+  const int tiles = TilesOf(LatticeOf(1), TheFrame.width, TheFrame.height);
+  while (Run < ThePipeline.Runs().size())
+  {
+    if (Done.empty())
+    {
+      if (Run == 0)
+      {
+        BeginPipeline(ThePipeline, TheFrame);
+      }
+      Done.assign(static_cast<std::size_t>(tiles), 0);
+    }
+    Reporter reporter(progress, tiles, end);
+    AddSamples(
+      RunPipelinePart(TheScene, TheCamera, ThePipeline, Run, TheFrame, reporter, Done), Counted);
+    if (!AllDone(Done))
+    {
+      return false;
+    }
+    Done.clear();
+    ++Run;
+  }
+  AddSamples(Counted, TheFrame.counters);
+  BeginStage(Stage::Nothing);
+  return true;
+}
+
+void ProgressiveFrame::Recolor(Pipeline pipeline, Buffer corners)
+{
+  ThePipeline = std::move(pipeline);
+  Corners = corners;
+  if (Left == Stage::Centres)
+  {
+    return;
+  }
+  if (Left == Stage::Corners && !Done.empty())
+  {
+    TheFrame.corners = {};
+  }
+  BeginStage(Stage::Corners);
+}
+
+double ProgressiveFrame::PartDone() const
+{
+  return Done.empty()
+    ? 0.0
+    : static_cast<double>(std::ranges::count(Done, 1)) / static_cast<double>(Done.size());
 }
 
 Frame ProgressiveFrame::Preview() const
 {
-  Frame frame = TheFrame;
-  if (Known > 1)
-  {
-    SpreadOverBlocks(frame, Known);
-  }
+  Frame frame = Known > 1 ? Coarse : TheFrame;
+  // That which modules have made so far is of some tiles.
+  frame.color.clear();
   Repaint({ .colors = ThePipeline.colors, .modules = {} }, frame);
   return frame;
 }

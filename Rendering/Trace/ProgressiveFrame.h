@@ -2,20 +2,27 @@
 #pragma once
 
 #include "Trace/Camera.h"
+#include "Trace/FrameTiles.h"
 #include "Trace/Tracer.h"
 
+#include <cstddef>
 #include <utility>
 
 namespace pixelexact
 {
-/// A frame that can be looked at before it is done: pixels far apart first, then those between,
-/// each traced once. The complete frame is that of Trace, bit for bit, but for its counters'
-/// seconds, which are the sum of the passes'.
+/// A frame that can be looked at before it is done: small frames of pixels far apart first, then
+/// all pixels, at last what the pipeline's modules make of them. Any of these passes may be ended,
+/// by progress functions or a deadline, and goes on tile by tile where it was. The complete frame
+/// is that of Trace, bit for bit, but for its counters' seconds, which are the sum of the passes'.
+///
+/// A pass traces the pixels again that are known: it has rays closer together for that, and what
+/// elements cost is shared by all that meet them.
 class ProgressiveFrame
 {
 public:
-  /// Pixels between the samples of the first pass; each pass halves it.
-  static constexpr int kCoarsest = 8;
+  /// Pixels between the samples of the first pass; each pass divides it by kFiner.
+  static constexpr int kCoarsest = 16;
+  static constexpr int kFiner = 4;
 
   /// Makes the pipeline's buffers of centres and those of `extra`; the complete frame has
   /// `corners`, too (KeepCorners). Throws Error for a scene that cannot be traced. What scene and
@@ -23,33 +30,58 @@ public:
   ProgressiveFrame(Scene scene, const Camera& camera, Pipeline pipeline,
     Buffer extra = Buffer::None, Buffer corners = Buffer::None);
 
-  /// The next pass. False where `progress` aborted it: it is to be made again.
-  bool Refine(const Progress& progress = {});
-  /// All that is left, in one pass if there was none yet. False as Refine.
+  /// The next pass is that of pixels `step` apart: 1, kFiner or kCoarsest, less than Step() where
+  /// that is not 0.
+  void GoTo(int step);
+  /// The next pass, or what is left of it. False where `progress` or the time ended it. At least a
+  /// tile is made.
+  bool Refine(const Progress& progress = {}, Deadline end = kNoDeadline);
+  /// All that is left, in one pass if there was none yet; what such a one has made is lost where
+  /// `progress` ends it. False as Refine.
   bool Complete(const Progress& progress = {});
+  /// Where no pass is done yet: the coarsest, beside the one that was begun.
+  void Fill();
 
   /// From now on in other colours; their buffers of centres must be among those that are made.
-  void Recolor(Pipeline pipeline, Buffer corners = Buffer::None)
-  {
-    ThePipeline = std::move(pipeline);
-    Corners = corners;
-  }
+  void Recolor(Pipeline pipeline, Buffer corners = Buffer::None);
 
-  /// Pixels between the samples that are known; 0: none are, 1: the frame is complete.
+  /// Pixels between the samples that are known; 0: none are, 1: all are.
   [[nodiscard]] int Step() const { return Known; }
+  /// Those of the next pass; the same as Step() where all are known.
+  [[nodiscard]] int NextStep() const { return Next; }
+  /// The part of the next pass that is done.
+  [[nodiscard]] double PartDone() const;
+  [[nodiscard]] bool IsComplete() const { return Left == Stage::Nothing; }
+  /// That all passes took.
+  [[nodiscard]] double Seconds() const { return Spent; }
 
-  /// The pixels known so far; all others show nothing, and none has a colour before all are known.
-  /// After an abort some of the next pass are there.
+  /// The frame, without colours before all pixels are known. Before that those of some tiles may be
+  /// there.
   [[nodiscard]] const Frame& Get() const { return TheFrame; }
   /// Takes the frame away.
   [[nodiscard]] Frame Take() { return std::move(TheFrame); }
-  /// A frame whose pixels show the known sample of their block of Step() x Step() pixels, its lower
-  /// left one, in their colours; the pipeline's modules are left out.
+
+  /// What is known, in colours, without the pipeline's modules: a frame of every Step()-th pixel of
+  /// every Step()-th row, from the lower left one on. Where no pass is done, Get() with the colours
+  /// of what is there.
   [[nodiscard]] Frame Preview() const;
 
 private:
+  enum class Stage
+  {
+    Centres,
+    Corners,
+    Modules,
+    Nothing
+  };
+
   bool AtOnce(const Progress& progress);
-  bool Pass(int step, const Progress& progress);
+  bool Pass(const Progress& progress, Deadline end);
+  bool MakeCorners(const Progress& progress, Deadline end);
+  bool RunModules(const Progress& progress, Deadline end);
+  void BeginStage(Stage stage);
+  /// An empty frame of pixels `step` apart.
+  [[nodiscard]] Frame FrameOf(int step) const;
 
   Scene TheScene;
   Camera TheCamera;
@@ -57,7 +89,14 @@ private:
   SampleNeeds Needs;
   Buffer Corners; ///< that the frame keeps
   Frame TheFrame;
-  FrameCounters Finished; ///< of the passes that were not aborted
+  Frame Coarse;                ///< of Known, where that is more than 1
+  Frame Pending;               ///< of a coarse pass that was begun
+  Stage Left = Stage::Centres; ///< the first thing that is not done
   int Known = 0;
+  int Next = kCoarsest;
+  std::size_t Run = 0;   ///< of modules
+  TilesDone Done;        ///< of the pass or run that was begun; empty: none was
+  FrameCounters Counted; ///< of that pass, and of corners and modules
+  double Spent = 0.0;
 };
 } // namespace pixelexact

@@ -78,7 +78,14 @@ void TileSamples::Begin(
   {
     v[static_cast<std::size_t>(j)] = camera.V(row(j) + lattice.offset);
   }
-  const auto step = static_cast<std::size_t>(lattice.step);
+  const auto placeOf = [&](int i, int j)
+  {
+    const int x = lattice.packed ? area.x0 + i : column(i);
+    const int y = lattice.packed ? area.y0 + j : row(j);
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+      static_cast<std::size_t>(x);
+  };
+  const auto step = static_cast<std::size_t>(lattice.packed ? 1 : lattice.step);
   std::size_t at = 0;
   // The first quarter holds the tiles without the corners at their ends.
   const bool whole = columns > kTileSize || rows > kTileSize;
@@ -91,8 +98,7 @@ void TileSamples::Begin(
       std::array<double, kRow> across;
       std::array<double, kRow> up;
       std::array<std::size_t, kRow> places;
-      const std::size_t first = static_cast<std::size_t>(row(y)) * static_cast<std::size_t>(width) +
-        static_cast<std::size_t>(column(block.x));
+      const std::size_t first = placeOf(block.x, y);
       for (std::size_t k = 0; k < kRow; ++k)
       {
         across[k] = u[static_cast<std::size_t>(block.x) + k];

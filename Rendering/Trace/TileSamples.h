@@ -15,13 +15,14 @@ namespace pixelexact
 inline constexpr int kTileSize = 32;
 
 /// Samples of an image: (i, j) lies at image position (x0 + i step + offset, y0 + j step + offset)
-/// and is the frame's sample (x0 + i step, y0 + j step).
+/// and is the frame's sample (x0 + i step, y0 + j step) or, packed, (i, j).
 struct SampleLattice
 {
   double offset = 0.5; ///< 0.5: the pixels' centres, 0: their corners
   int x0 = 0;
   int y0 = 0;
   int step = 1;
+  bool packed = false;
 };
 
 /// A rectangle of a sample lattice, or of pixels: [x0, x1) x [y0, y1).

@@ -9,8 +9,6 @@ namespace pixelexact
 {
 namespace
 {
-constexpr SampleLattice kCorners{ 0.0 };
-
 void TraceCorners(const Scene& scene, const Camera& camera, Buffer wanted, Frame& frame,
   Reporter& reporter, StageTimes* stages)
 {

@@ -5,16 +5,11 @@
 #include "Trace/Camera.h"
 #include "Trace/Frame.h"
 #include "Trace/Pipeline.h"
+#include "Trace/Reporter.h"
 #include "Trace/Scene.h"
-
-#include <functional>
 
 namespace pixelexact
 {
-/// Called from the calling thread's share of the work with the part done, 0 to 1; returning false
-/// aborts the frame. May be empty.
-using Progress = std::function<bool(double)>;
-
 /// Casts the rays that the pipeline (and `extra`, whose corners the frame keeps) needs, locates and
 /// evaluates the hits, and runs the pipeline tile by tile, while a tile's samples are in cache;
 /// with translucent layers when all are known. Parallel over tiles; the frame is the same, bit for

@@ -2,9 +2,13 @@
 // What is shown while somebody drags the scene, and what is saved then.
 #include "CutScene.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkRenderWindowInteractor.h"
+
+#include <chrono>
+#include <thread>
 
 namespace pixelexact
 {
@@ -78,27 +82,103 @@ TEST_F(Dragging, CoarseFirstThenFinerUntilItIsExact)
   EXPECT_TRUE(Scene.Mapper->IsFrameComplete());
   EXPECT_EQ(Scene.Mapper->GetNumberOfUnknownPixels(), 0);
   Move();
-  int before = Window::kWidth * Window::kHeight;
-  for (int traces = 2; traces <= 5; ++traces)
+  Shown.Render();
+  EXPECT_EQ(Traces(), 2);
+  const int coarse = Coarse();
+  EXPECT_GT(coarse, 0);
+  EXPECT_FALSE(Scene.Mapper->IsFrameComplete());
+  // Some tiles more each time, and a picture where they make one.
+  int renders = 0;
+  for (; !Scene.Mapper->IsFrameComplete(); ++renders)
   {
     Shown.Render();
-    EXPECT_EQ(Traces(), traces);
-    const int now = Coarse();
-    EXPECT_LT(now, before);
-    before = now;
+    ASSERT_LE(Coarse(), coarse);
+    ASSERT_LT(renders, 1000);
   }
-  EXPECT_EQ(before, 0);
+  EXPECT_GT(renders, 2);
+  const vtkIdType pictures = Traces();
+  EXPECT_LE(pictures, 5); // one without what modules make
+  EXPECT_EQ(Coarse(), 0);
   Shown.Render();
-  EXPECT_EQ(Traces(), 5);
+  EXPECT_EQ(Traces(), pictures);
 
   // Another view, coarse; then time enough.
   Move();
   Shown.Render();
-  EXPECT_EQ(Traces(), 6);
+  EXPECT_EQ(Traces(), pictures + 1);
   EXPECT_GT(Coarse(), 0);
   Shown.RenderWindow->SetDesiredUpdateRate(1e-4);
   Shown.Render();
-  EXPECT_EQ(Traces(), 7);
+  EXPECT_EQ(Traces(), pictures + 2);
+  EXPECT_EQ(Coarse(), 0);
+}
+
+TEST_F(Dragging, StillFramesAreMadeInSlices)
+{
+  Shown.RenderWindow->SetDesiredUpdateRate(1e-4);
+  Scene.Mapper->SetStillSeconds(1e-9);
+  Interactor->Initialize();
+  Move();
+  Shown.Render();
+  EXPECT_FALSE(Scene.Mapper->IsFrameComplete());
+  EXPECT_GT(Coarse(), 0);
+  // The interactor's timer does the rest.
+  struct Loop
+  {
+    vtkHighOrderMapper* mapper;
+    vtkRenderWindowInteractor* interactor;
+  } loop{ Scene.Mapper, Interactor };
+  vtkNew<vtkCallbackCommand> leave;
+  leave->SetClientData(&loop);
+  leave->SetCallback(
+    [](vtkObject*, unsigned long, void* data, void*)
+    {
+      const auto* const running = static_cast<const Loop*>(data);
+      if (running->mapper->IsFrameComplete())
+      {
+        running->interactor->TerminateApp();
+      }
+    });
+  const unsigned long leaving = Shown.RenderWindow->AddObserver(vtkCommand::EndEvent, leave);
+  Interactor->Start();
+  Shown.RenderWindow->RemoveObserver(leaving);
+  EXPECT_TRUE(Scene.Mapper->IsFrameComplete());
+  const vtkIdType traces = Traces();
+  Shown.Render();
+  EXPECT_EQ(Traces(), traces);
+  EXPECT_EQ(Coarse(), 0);
+  // Whoever saves the picture does not wait for it.
+  Move();
+  EXPECT_EQ(Differing(Screenshot(Shown), Screenshot(Wanted)), 0);
+}
+
+TEST_F(Dragging, ObserversEndAFrame)
+{
+  Shown.RenderWindow->SetDesiredUpdateRate(1e-4);
+  Scene.Mapper->ProgressiveOff();
+  int asked = 0;
+  vtkNew<vtkCallbackCommand> end;
+  end->SetClientData(&asked);
+  end->SetCallback(
+    [](vtkObject* window, unsigned long, void* count, void*)
+    {
+      ++*static_cast<int*>(count);
+      static_cast<vtkRenderWindow*>(window)->SetAbortRender(1);
+    });
+  const unsigned long observer = Shown.RenderWindow->AddObserver(vtkCommand::AbortCheckEvent, end);
+  // Slow enough to be asked: each tile takes more than the time between two questions.
+  vtkNew<vtkCallbackCommand> slow;
+  slow->SetCallback([](vtkObject*, unsigned long, void*, void*)
+    { std::this_thread::sleep_for(std::chrono::milliseconds(15)); });
+  const unsigned long slowly = Scene.Mapper->AddObserver(vtkCommand::ProgressEvent, slow);
+  Move();
+  Shown.Render();
+  EXPECT_GT(asked, 0);
+  EXPECT_FALSE(Scene.Mapper->IsFrameComplete());
+  Shown.RenderWindow->RemoveObserver(observer);
+  Scene.Mapper->RemoveObserver(slowly);
+  Shown.Render();
+  EXPECT_TRUE(Scene.Mapper->IsFrameComplete());
   EXPECT_EQ(Coarse(), 0);
 }
 

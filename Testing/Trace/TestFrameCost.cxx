@@ -3,88 +3,83 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
+#include <cmath>
 
 namespace pixelexact
 {
 namespace
 {
 constexpr double kPixels = 1e6;
-constexpr double kLimit = 0.066;
-using Work = FrameCost::Work;
 
-/// Makes a frame whose rays cost `each` second when traced together and twice that in passes; gives
-/// the step that is shown in the end.
-int Make(FrameCost& cost, double each, double limit = kLimit)
+/// A pass' seconds where elements and pixels cost something.
+double Seconds(double elements, double pixels, int step)
 {
-  int step = 0;
-  double spent = 0.0;
-  for (;;)
-  {
-    const Work work = cost.Next(kPixels, step, spent, limit);
-    if (work == Work::Show || step == 1)
-    {
-      return step;
-    }
-    const int next = work == Work::Complete ? 1 : step == 0 ? 8 : step / 2;
-    const double part = 1.0 / (next * next) - (step == 0 ? 0.0 : 1.0 / (step * step));
-    const double seconds = part * kPixels * each * (step == 0 && next == 1 ? 1.0 : 2.0);
-    cost.Learn(kPixels, step, next, seconds);
-    spent += seconds;
-    step = next;
-  }
+  return elements + pixels / (static_cast<double>(step) * step);
 }
 } // namespace
 
-TEST(FrameCost, WhoCanWaitGetsTheFrameAtOnce)
+TEST(FrameCost, NothingKnownBeginsCoarse)
 {
   const FrameCost cost;
-  const double forever = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(cost.Next(kPixels, 0, 0.0, forever), Work::Complete);
-  EXPECT_EQ(cost.Next(kPixels, 4, 0.0, forever), Work::Complete);
+  EXPECT_EQ(cost.First(kPixels, 1e9), ProgressiveFrame::kCoarsest);
 }
 
-TEST(FrameCost, ACostlyFirstFrameIsForgotten)
+TEST(FrameCost, TheFinestPassThatIsInTime)
 {
   FrameCost cost;
-  // A first frame makes what later ones keep: here 10 times of what they cost.
-  cost.Learn(kPixels, 0, 1, 0.3);
-  // Their passes show it, and are left at once.
-  EXPECT_EQ(Make(cost, 30e-9), 1);
-  EXPECT_EQ(cost.Next(kPixels, 0, 0.0, kLimit), Work::Complete);
+  cost.Learn(kPixels, 1, 1.0, 0.3);
+  EXPECT_EQ(cost.First(kPixels, 0.4), 1);
+  EXPECT_EQ(cost.First(kPixels / 4.0, 0.1), 1);
+  cost.Learn(kPixels, 4, 1.0, 0.02);
+  cost.Learn(kPixels, 16, 1.0, 0.01);
+  EXPECT_EQ(cost.First(kPixels, 0.4), 1);
+  EXPECT_EQ(cost.First(kPixels, 0.1), 4);
+  EXPECT_EQ(cost.First(kPixels, 0.015), 16);
+  EXPECT_EQ(cost.First(kPixels, 0.0), 16);
 }
 
-TEST(FrameCost, FramesThatAreCompleteAgainAreLearnedFrom)
+TEST(FrameCost, AFrameThatWasSlowOnceIsForgotten)
 {
   FrameCost cost;
-  cost.Learn(kPixels, 0, 1, 0.03);
-  EXPECT_EQ(cost.Next(kPixels, 0, 0.0, kLimit), Work::Complete);
-  // Somebody moves closer: one frame is late, the next ones are not.
-  EXPECT_EQ(Make(cost, 300e-9), 1);
-  EXPECT_EQ(cost.Next(kPixels, 0, 0.0, kLimit), Work::Refine);
-  EXPECT_GT(Make(cost, 300e-9), 1);
-  // And back.
-  EXPECT_EQ(Make(cost, 30e-9), 1);
+  // A first frame makes what later ones keep.
+  cost.Learn(kPixels, 1, 1.0, 30.0);
+  EXPECT_EQ(cost.First(kPixels, 0.1), 16);
+  // Coarse passes say what it costs now at most.
+  cost.Learn(kPixels, 16, 1.0, 1e-4);
+  EXPECT_EQ(cost.First(kPixels, 0.1), 1);
 }
 
-TEST(FrameCost, CoarseFramesKeepToTheirTime)
+TEST(FrameCost, WhatIsCloserCostsMore)
 {
-  for (const double each : { 100e-9, 300e-9, 1e-6 })
+  FrameCost cost;
+  cost.Learn(kPixels, 1, 1.0, 0.01);
+  EXPECT_EQ(cost.First(kPixels, 0.03), 1);
+  // A tenth of it took longer than all of it before.
+  cost.Learn(kPixels, 1, 0.1, 0.03);
+  EXPECT_EQ(cost.First(kPixels, 0.03), 4);
+  cost.Learn(kPixels, 16, 1.0, 0.04);
+  EXPECT_EQ(cost.First(kPixels, 0.03), 16);
+  EXPECT_EQ(cost.First(kPixels, 0.2), 4);
+}
+
+TEST(FrameCost, HoldsWhereElementsOrPixelsCost)
+{
+  for (const double elements : { 0.0, 0.01, 0.1 })
   {
-    FrameCost cost;
-    cost.Learn(kPixels, 0, 1, kPixels * each);
-    const int step = Make(cost, each);
-    ASSERT_GT(step, 1);
-    // Passes cost twice what was expected.
-    EXPECT_LE(kPixels * 2.0 * each / (step * step), kLimit);
+    for (const double pixels : { 0.001, 0.1, 1.0 })
+    {
+      FrameCost cost;
+      for (const int step : { 1, 4, 16 })
+      {
+        cost.Learn(kPixels, step, 1.0, Seconds(elements, pixels, step));
+      }
+      for (const double limit : { 0.005, 0.02, 0.05, 0.5 })
+      {
+        const int first = cost.First(kPixels, limit);
+        EXPECT_TRUE(first == 16 || Seconds(elements, pixels, first) <= limit);
+        EXPECT_TRUE(first == 1 || Seconds(elements, pixels, first / 4) > limit);
+      }
+    }
   }
-  // What is there is refined by each further picture, however slow that is.
-  FrameCost slow;
-  slow.Learn(kPixels, 0, 1, 100.0);
-  for (const int step : { 0, 8, 4, 2 })
-  {
-    EXPECT_EQ(slow.Next(kPixels, step, 0.0, kLimit), Work::Refine);
-  }
-  EXPECT_EQ(slow.Next(kPixels, 8, 1.0, kLimit), Work::Show);
 }
 } // namespace pixelexact

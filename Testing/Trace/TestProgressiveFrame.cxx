@@ -8,6 +8,8 @@
 
 #include "Core/Base/Error.h"
 
+#include <tbb/global_control.h>
+
 #include <gtest/gtest.h>
 
 namespace pixelexact::testing
@@ -54,6 +56,23 @@ Camera View(int width, int height)
   return { view, width, height };
 }
 
+/// The frame of every step-th pixel.
+void ExpectEvery(int step, const Frame& coarse, const Frame& wanted)
+{
+  ASSERT_EQ(coarse.width, (wanted.width + step - 1) / step);
+  ASSERT_EQ(coarse.height, (wanted.height + step - 1) / step);
+  for (int y = 0; y < coarse.height; ++y)
+  {
+    for (int x = 0; x < coarse.width; ++x)
+    {
+      const auto at = static_cast<std::size_t>(y * coarse.width + x);
+      const auto of = static_cast<std::size_t>(y * step * wanted.width + x * step);
+      ASSERT_EQ(coarse.centres.verdict[at], wanted.centres.verdict[of]);
+      ASSERT_EQ(coarse.centres.depth[at], wanted.centres.depth[of]);
+    }
+  }
+}
+
 constexpr Buffer kAll = Buffer::Value | Buffer::Position | Buffer::Normal | Buffer::Xi |
   Buffer::Element | Buffer::Depth | Buffer::Verdict | Buffer::Coverage;
 } // namespace
@@ -62,27 +81,17 @@ TEST(ProgressiveFrame, EndsAsAFrameMadeAtOnce)
 {
   const Cube cube;
   // Sizes that no step divides, one smaller than a step.
-  for (const auto& [width, height] : { std::pair(93, 71), std::pair(64, 40), std::pair(5, 3) })
+  for (const auto& [width, height] : { std::pair(93, 71), std::pair(256, 160), std::pair(5, 3) })
   {
     const Camera camera = View(width, height);
     const Frame wanted = Trace(cube.TheScene, camera, {}, { .centres = kAll });
     ProgressiveFrame frame(cube.TheScene, camera, {}, kAll);
     EXPECT_EQ(frame.Step(), 0);
-    for (const int step : { 8, 4, 2, 1 })
+    for (const int step : { 16, 4, 1 })
     {
       ASSERT_TRUE(frame.Refine());
       ASSERT_EQ(frame.Step(), step);
-      const Frame preview = frame.Preview();
-      for (int y = 0; y < height; ++y)
-      {
-        for (int x = 0; x < width; ++x)
-        {
-          const auto at = static_cast<std::size_t>(y * width + x);
-          const auto of = static_cast<std::size_t>((y - y % step) * width + (x - x % step));
-          EXPECT_EQ(preview.centres.verdict[at], wanted.centres.verdict[of]);
-          EXPECT_EQ(preview.centres.depth[at], wanted.centres.depth[of]);
-        }
-      }
+      ExpectEvery(step, frame.Preview(), wanted);
     }
     ExpectSame(frame.Get(), wanted);
     EXPECT_TRUE(frame.Refine());
@@ -108,18 +117,69 @@ TEST(ProgressiveFrame, MayBeCompletedAtAnyTime)
   }
 }
 
-TEST(ProgressiveFrame, AbortedPassesAreMadeAgain)
+TEST(ProgressiveFrame, PassesGoOnWhereTheyWereEnded)
 {
   const Cube cube;
-  const Camera camera = View(93, 71);
+  const Camera camera = View(193, 171);
+  const Frame wanted = Trace(cube.TheScene, camera, {}, { .centres = kAll });
+  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  for (const bool byTime : { false, true })
+  {
+    ProgressiveFrame frame(cube.TheScene, camera, {}, kAll);
+    frame.GoTo(1);
+    // Six by seven tiles, one by one.
+    for (int tile = 1; tile < 6 * 7; ++tile)
+    {
+      EXPECT_FALSE(
+        byTime ? frame.Refine({}, Deadline::min()) : frame.Refine([](double) { return false; }));
+      EXPECT_EQ(frame.Step(), 0);
+      EXPECT_NEAR(frame.PartDone(), tile / 42.0, 1e-12);
+      EXPECT_FALSE(frame.IsComplete());
+    }
+    // The last tile, and what comes after it.
+    while (!frame.IsComplete())
+    {
+      (void)frame.Refine({}, Deadline::min());
+    }
+    ExpectSame(frame.Get(), wanted);
+  }
+}
+
+TEST(ProgressiveFrame, ACoarseFrameMayBeMadeBesideAFineOne)
+{
+  const Cube cube;
+  const Camera camera = View(193, 171);
+  const Frame wanted = Trace(cube.TheScene, camera, {}, { .centres = kAll });
+  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  for (const int step : { 1, 4, 16 })
+  {
+    ProgressiveFrame frame(cube.TheScene, camera, {}, kAll);
+    frame.GoTo(step);
+    EXPECT_FALSE(frame.Refine({}, Deadline::min()));
+    const double part = frame.PartDone();
+    EXPECT_GT(part, 0.0);
+    frame.Fill();
+    EXPECT_EQ(frame.Step(), 16);
+    EXPECT_EQ(frame.PartDone(), step == 16 ? 0.0 : part);
+    EXPECT_EQ(frame.NextStep(), step == 16 ? 4 : step);
+    ExpectEvery(16, frame.Preview(), wanted);
+    EXPECT_TRUE(frame.Complete());
+    ExpectSame(frame.Get(), wanted);
+  }
+}
+
+TEST(ProgressiveFrame, AFrameMadeAtOnceIsLostWhereItIsEnded)
+{
+  const Cube cube;
+  const Camera camera = View(193, 171);
   const Frame wanted = Trace(cube.TheScene, camera, {}, { .centres = kAll });
   ProgressiveFrame frame(cube.TheScene, camera, {}, kAll);
   const Progress abort = [](double) { return false; };
-  EXPECT_FALSE(frame.Refine(abort));
-  EXPECT_EQ(frame.Step(), 0);
-  EXPECT_TRUE(frame.Refine());
   EXPECT_FALSE(frame.Complete(abort));
-  EXPECT_EQ(frame.Step(), 8);
+  EXPECT_EQ(frame.Step(), 0);
+  EXPECT_EQ(frame.PartDone(), 0.0);
+  EXPECT_TRUE(frame.Refine());
+  EXPECT_EQ(frame.Step(), 16);
   EXPECT_TRUE(frame.Complete());
   ExpectSame(frame.Get(), wanted);
 }

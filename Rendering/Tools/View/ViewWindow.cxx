@@ -38,6 +38,8 @@ vtkStandardNewMacro(GivenSurfaceOfLayer);
 
 namespace
 {
+/// What tracing may take between two events; drawing comes to that.
+constexpr double kSeconds = 0.03;
 /// Contours where the command line asks for none.
 constexpr int kUsualContours = 10;
 /// Turns and moves the camera as VTK's, whose keys are left out.
@@ -110,6 +112,8 @@ ViewWindow::ViewWindow(RenderOptions options, std::vector<std::string> words)
   Interactor->SetRenderWindow(Window);
   Interactor->SetInteractorStyle(style);
   Mapper->SetProgressive(true);
+  Mapper->SetStillSeconds(kSeconds);
+  Interactor->SetDesiredUpdateRate(1.0 / kSeconds);
   Actor->SetMapper(Mapper);
   Renderer->AddActor(Actor);
   MakeTables();
@@ -388,15 +392,6 @@ void ViewWindow::Show()
       if (style->GetState() == VTKIS_NONE && !Dragging)
       {
         TellWhatIsAt(Interactor->GetEventPosition()[0], Interactor->GetEventPosition()[1]);
-      }
-    });
-  // What somebody does ends a frame that is under way; each event ends with a picture of its own.
-  Observe(Window, vtkCommand::AbortCheckEvent,
-    [this]
-    {
-      if (Window->GetEventPending() != 0)
-      {
-        Window->SetAbortRender(1);
       }
     });
   Window->Render();

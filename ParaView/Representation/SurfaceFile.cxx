@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SurfaceFile.h"
+
+#include "vtkHighOrderPatchSurface.h"
+#include "vtkHighOrderTriangleSurface.h"
+
+#include "Core/Base/Error.h"
+
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkSTLReader.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkXMLPolyDataReader.h"
+#include "vtkXMLUnstructuredGridReader.h"
+
+#include <filesystem>
+
+namespace pixelexact
+{
+namespace
+{
+/// What a reader finds; an Error where that is nothing.
+template <class Reader>
+auto Read(const std::string& file)
+{
+  vtkNew<Reader> reader;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  vtkSmartPointer found = reader->GetOutput();
+  if (found == nullptr || found->GetNumberOfPoints() == 0)
+  {
+    throw Error("surface file '" + file + "': no points could be read; choose another file");
+  }
+  return found;
+}
+
+vtkSmartPointer<vtkHighOrderSurface> Triangles(vtkPolyData* data)
+{
+  auto surface = vtkSmartPointer<vtkHighOrderTriangleSurface>::New();
+  surface->SetInputData(data);
+  return surface;
+}
+
+vtkSmartPointer<vtkHighOrderSurface> Patches(vtkPointSet* data)
+{
+  auto surface = vtkSmartPointer<vtkHighOrderPatchSurface>::New();
+  surface->SetInputData(data);
+  return surface;
+}
+} // namespace
+
+vtkSmartPointer<vtkHighOrderSurface> SurfaceOfFile(const std::string& file)
+{
+  if (file.empty())
+  {
+    throw Error("no surface file is chosen: name one of triangles (.stl, .vtp) or patches (.vtu)");
+  }
+  if (!std::filesystem::is_regular_file(file))
+  {
+    throw Error("surface file '" + file + "': there is no such file");
+  }
+  const std::string suffix = std::filesystem::path(file).extension().string();
+  if (suffix == ".stl")
+  {
+    return Triangles(Read<vtkSTLReader>(file));
+  }
+  if (suffix == ".vtp")
+  {
+    const auto data = Read<vtkXMLPolyDataReader>(file);
+    return data->GetNumberOfPolys() + data->GetNumberOfStrips() > 0 ? Triangles(data)
+                                                                    : Patches(data);
+  }
+  if (suffix == ".vtu")
+  {
+    return Patches(Read<vtkXMLUnstructuredGridReader>(file));
+  }
+  throw Error("surface file '" + file +
+    "': unknown suffix; take triangles (.stl, .vtp) or Bezier patches (.vtu, .vtp)");
+}
+} // namespace pixelexact

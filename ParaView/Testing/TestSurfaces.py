@@ -1,0 +1,143 @@
+"""Tori, surfaces of files, and what is written over the picture."""
+
+import os
+import tempfile
+import unittest
+
+import numpy
+from paraview import simple
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkIOGeometry import vtkSTLWriter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+
+import scene
+
+HEIGHT = 0.1
+
+
+def square(triangles):
+    """The plane z = HEIGHT about the mesh: two triangles, or a bicubic patch of 16 points."""
+    points, cells = vtkPoints(), vtkCellArray()
+    points.SetDataTypeToDouble()
+    side = 2 if triangles else 4
+    for i in range(side):
+        for j in range(side):
+            points.InsertNextPoint(6.0 * i / (side - 1) - 3.0, 6.0 * j / (side - 1) - 3.0, HEIGHT)
+    data = vtkPolyData()
+    data.SetPoints(points)
+    if triangles:
+        for corners in ((0, 2, 3), (0, 3, 1)):
+            cells.InsertNextCell(3, corners)
+        data.SetPolys(cells)
+    return data
+
+
+def write(writer, data, name):
+    writer.SetFileName(name)
+    writer.SetInputData(data)
+    writer.Write()
+    return name
+
+
+class Surfaces(unittest.TestCase):
+    def setUp(self):
+        self.view = scene.view()
+        self.grid = simple.PixelExactGridReader(FileName=[scene.data("toroid_hex_g3_p6.vtu")])
+        self.shown = simple.Show(self.grid)
+        self.shown.SetRepresentationType("PixelExact")
+        simple.ColorBy(self.shown, ("POINTS", "u"))
+        simple.GetColorTransferFunction("u").RescaleTransferFunction(-1.0, 1.0)
+        self.shown.SetScalarBarVisibility(self.view, False)
+        self.shown.Ambient, self.shown.Diffuse = 1.0, 0.0
+        self.shown.CutFunction.Origin = [0, 0, HEIGHT]
+        self.shown.CutFunction.Normal = [0, 0, 1]
+
+    def tearDown(self):
+        simple.ResetSession()
+
+    def test_torus(self):
+        radius, tube = 1.0, 0.15
+        self.shown.CutFunction = "Torus"
+        self.shown.CutFunction.Center = [0, 0, 0]
+        self.shown.CutFunction.Axis = [0, 0, 2]
+        self.shown.CutFunction.Radius = radius
+        self.shown.CutFunction.TubeRadius = tube
+        rgb = scene.pixels(self.view, "torus.png")
+        rows, columns = numpy.mgrid[3:237:3, 3:317:3]
+        places = numpy.stack([columns.ravel(), rows.ravel()], axis=1)
+        points, _ = scene.rays(self.view, places)
+        # Seen from above: the upper half of the tube.
+        height = tube**2 - (numpy.hypot(points[:, 0], points[:, 1]) - radius) ** 2
+        points, places = points[height > 0.0], places[height > 0.0]
+        points[:, 2] = numpy.sqrt(height[height > 0.0])
+        found = scene.probe(self.grid, points)
+        hit = found["Verdict"] == 1
+        self.assertGreater(hit.sum(), 100)
+        shown = rgb[places[:, 1], places[:, 0]][hit].astype(int)
+        self.assertLessEqual(numpy.abs(shown - scene.mapped("u", found["u"][hit])).max(), 1)
+
+    def test_files(self):
+        wanted = scene.pixels(self.view).astype(int)
+        with tempfile.TemporaryDirectory() as folder:
+            files = [
+                write(vtkSTLWriter(), square(True), os.path.join(folder, "a.stl")),
+                write(vtkXMLPolyDataWriter(), square(True), os.path.join(folder, "b.vtp")),
+                write(vtkXMLPolyDataWriter(), square(False), os.path.join(folder, "c.vtp")),
+            ]
+            self.shown.PixelExactSurface = "File"
+            for file in files:
+                self.shown.SurfaceFile = file
+                name = os.path.basename(file)
+                off = numpy.abs(scene.pixels(self.view, f"file_{name}.png") - wanted).max(axis=-1)
+                # STL keeps heights in single precision.
+                self.assertLessEqual(numpy.count_nonzero(off > 1), 5, name)
+        self.assertGreater(numpy.count_nonzero(~scene.is_background(wanted)), 5000)
+
+    def test_files_that_are_none(self):
+        self.shown.PixelExactSurface = "File"
+        for name, word in (("", "no surface file"), ("absent.stl", "absent.stl"), (__file__, "suffix")):
+            with scene.messages() as heard:
+                self.shown.SurfaceFile = name
+                rgb = scene.pixels(self.view)
+            self.assertIn(word, heard[0])
+            self.assertTrue(scene.is_background(rgb).all())
+
+    def test_legend(self):
+        before = scene.pixels(self.view).astype(int)
+        self.shown.VerdictLegend = 1
+        after = scene.pixels(self.view, "verdict_legend.png").astype(int)
+        changed = numpy.abs(after - before).max(axis=-1) > 0
+        self.assertGreater(changed[:, :150].sum(), 300)
+        self.assertFalse(changed[:180].any())
+        self.assertTrue((after == [255, 0, 255]).all(axis=-1).any())
+        self.shown.Visibility = 0
+        self.assertTrue(scene.is_background(scene.pixels(self.view)).all())
+
+    def test_value_under_pointer(self):
+        self.view.MakeRenderWindowInteractor(True)
+        simple.Render(self.view)
+        before = scene.pixels(self.view).astype(int)
+        self.shown.ValueUnderPointer = 1
+        simple.Render(self.view)
+        interactor = self.view.GetInteractor()
+        found = []
+        for place in ((160, 120), (230, 120), (240, 130)):
+            interactor.SetEventInformation(*place)
+            interactor.InvokeEvent("MouseMoveEvent")
+            self.shown.UpdatePropertyInformation()
+            found.append(self.shown.GetProperty("PointerText")[0].replace("\n", " "))
+            self.shown.PickedPixel = place
+            self.shown.UpdatePropertyInformation()
+            self.assertEqual(found[-1], self.shown.GetProperty("PickedText")[0] or "")
+        self.assertEqual(found[0], "")  # the hole
+        self.assertIn(" in [", found[1])
+        self.assertNotEqual(found[1], found[2])
+        after = scene.pixels(self.view, "value_under_pointer.png").astype(int)
+        changed = numpy.abs(after - before).max(axis=-1) > 0
+        self.assertGreater(changed[:80].sum(), 300)
+        self.assertFalse(changed[100:].any())
+
+
+if __name__ == "__main__":
+    scene.main()
