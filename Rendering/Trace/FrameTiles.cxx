@@ -3,6 +3,7 @@
 
 #include "Core/Base/CheckedOut.h"
 #include "Core/Base/Error.h"
+#include "Trace/BufferTable.h"
 #include "Trace/TileVisit.h"
 #include "Trace/TileWalk.h"
 
@@ -149,9 +150,32 @@ FrameCounters ForEachTile(
 }
 } // namespace
 
+namespace
+{
+/// What the frame keeps of a tile's samples.
+void KeepRows(const SampleBuffers& own, const TileArea& area, SampleBuffers& frame)
+{
+  ForEachBuffer(
+    [&](const auto& row)
+    {
+      const auto& from = own.*row.member;
+      auto& to = frame.*row.member;
+      if (from.empty() || to.empty())
+      {
+        return;
+      }
+      for (int y = area.y0; y < area.y1; ++y)
+      {
+        std::copy_n(from.begin() + std::ptrdiff_t{ y - area.y0 } * area.Width(), area.Width(),
+          to.begin() + std::ptrdiff_t{ y } * frame.width + area.x0);
+      }
+    });
+}
+} // namespace
+
 FrameCounters TraceLattice(const Scene& scene, const Camera& camera, const SampleLattice& lattice,
   Sheets& sheets, Reporter& reporter, StageTimes* stages, const AfterTile& after,
-  const TileTurn& turn)
+  const TileTurn& turn, Buffer passing)
 {
   const int width = sheets.At(0).width;
   const int columns = SamplesAlong(lattice.x0, lattice.step, width);
@@ -164,6 +188,26 @@ FrameCounters TraceLattice(const Scene& scene, const Camera& camera, const Sampl
       {
         return;
       }
+      if (passing != Buffer::None)
+      {
+        // Kept until it has been visited: far smaller than the frame's would be.
+        const CheckedOut<SampleBuffers> own;
+        const Buffer all = sheets.Buffers() | passing;
+        (*own).Allocate(all, area.Width(), area.Height());
+        {
+          const CheckedOut<TileSamples> samples;
+          {
+            const StageScope scope(Stage::Rays);
+            (*samples).BeginAlone(camera, area, lattice.offset);
+          }
+          Sheets alone(*own, all);
+          WalkTile(scene, camera, *samples, alone, counters);
+        }
+        KeepRows(*own, area, sheets.At(0));
+        after(area, &*own, counters);
+        reporter.TileDone();
+        return;
+      }
       {
         const CheckedOut<TileSamples> samples;
         {
@@ -174,7 +218,7 @@ FrameCounters TraceLattice(const Scene& scene, const Camera& camera, const Sampl
       }
       if (after)
       {
-        after(area, counters);
+        after(area, nullptr, counters);
       }
       reporter.TileDone();
     });
@@ -247,11 +291,11 @@ FrameCounters RunFrom(std::size_t first, const Scene* scene, const Camera* camer
 }
 } // namespace
 
-void BeginPipelineOn(const TileArea& area, const Scene& scene, const Camera& camera,
-  const Pipeline& pipeline, std::span<FrameModule* const> modules, Frame& frame,
-  FrameCounters& counters)
+void BeginPipelineOn(const TileArea& area, const SampleBuffers* own, const Scene& scene,
+  const Camera& camera, const Pipeline& pipeline, std::span<FrameModule* const> modules,
+  Frame& frame, FrameCounters& counters)
 {
-  TileVisit visit(&scene, &camera, pipeline, frame, area);
+  TileVisit visit(&scene, &camera, pipeline, frame, area, own);
   visit.MakeImage();
   visit.Run(modules);
   AddSamples(visit.Counters(), counters);

@@ -38,15 +38,17 @@ private:
 /// Tiles of a lattice over width x height samples.
 int TilesOf(const SampleLattice& lattice, int width, int height);
 
-/// What a tile does when its samples are written.
-using AfterTile = std::function<void(const TileArea& area, FrameCounters& counters)>;
+/// What a tile does when its samples are written. `own`: TileVisit's.
+using AfterTile =
+  std::function<void(const TileArea& area, const SampleBuffers* own, FrameCounters& counters)>;
 
 /// Traces the samples of a lattice over width x height samples; aborted tiles are left out.
 /// `stages` may be null, `after` empty. Samples of the tiles that are
-/// another's turn are counted as nothing.
+/// another's turn are counted as nothing. `passing`: buffers that `after` has beside those of
+/// the sheets; of the lattice of all centres, and of scenes with one sheet.
 FrameCounters TraceLattice(const Scene& scene, const Camera& camera, const SampleLattice& lattice,
   Sheets& sheets, Reporter& reporter, StageTimes* stages, const AfterTile& after = {},
-  const TileTurn& turn = {});
+  const TileTurn& turn = {}, Buffer passing = Buffer::None);
 
 /// Whether rays of the scene go on behind something.
 bool HasTranslucent(const Scene& scene);
@@ -56,10 +58,10 @@ bool HasTranslucent(const Scene& scene);
 void BeginPipeline(const Pipeline& pipeline, Frame& frame);
 
 /// Gives a tile its colours, image and what `modules`, the first of Pipeline::Runs, make of it.
-/// Samples that they ask for are counted.
-void BeginPipelineOn(const TileArea& area, const Scene& scene, const Camera& camera,
-  const Pipeline& pipeline, std::span<FrameModule* const> modules, Frame& frame,
-  FrameCounters& counters);
+/// Samples that they ask for are counted. `own`: TileVisit's.
+void BeginPipelineOn(const TileArea& area, const SampleBuffers* own, const Scene& scene,
+  const Camera& camera, const Pipeline& pipeline, std::span<FrameModule* const> modules,
+  Frame& frame, FrameCounters& counters);
 /// The runs of modules after that one, over all tiles; returns what was counted.
 FrameCounters FinishPipeline(const Scene& scene, const Camera& camera, const Pipeline& pipeline,
   Frame& frame, StageTimes* stages);
