@@ -3,6 +3,7 @@
 
 #include "Core/Base/CheckedOut.h"
 #include "Core/Base/Error.h"
+#include "Trace/BufferTable.h"
 #include "Trace/TileVisit.h"
 #include "Trace/TileWalk.h"
 
@@ -138,38 +139,87 @@ FrameCounters ForEachTile(const Scene* scene, int columns, int rows, StageTimes*
 }
 } // namespace
 
+namespace
+{
+/// What the frame keeps of a tile's samples.
+void KeepRows(const SampleBuffers& own, const TileArea& area, SampleBuffers& frame)
+{
+  ForEachBuffer(
+    [&](const auto& row)
+    {
+      const auto& from = own.*row.member;
+      auto& to = frame.*row.member;
+      if (from.empty() || to.empty())
+      {
+        return;
+      }
+      for (int y = area.y0; y < area.y1; ++y)
+      {
+        std::copy_n(from.begin() + std::ptrdiff_t{ y - area.y0 } * area.Width(), area.Width(),
+          to.begin() + std::ptrdiff_t{ y } * frame.width + area.x0);
+      }
+    });
+}
+
+/// Samples that stay with the tile until it has been visited: far smaller than the frame's.
+void TraceAlone(const Scene& scene, const Camera& camera, const TileArea& area,
+  const SampleLattice& lattice, Sheets& sheets, const LatticeWork& work, FrameCounters& counters)
+{
+  const CheckedOut<SampleBuffers> own;
+  const Buffer all = sheets.Buffers() | work.passing;
+  (*own).Allocate(all, area.Width(), area.Height());
+  {
+    const CheckedOut<TileSamples> samples;
+    {
+      const StageScope scope(Stage::Rays);
+      (*samples).BeginAlone(camera, area, lattice.offset);
+    }
+    Sheets alone(*own, all);
+    WalkTile(scene, camera, *samples, alone, counters);
+  }
+  KeepRows(*own, area, sheets.At(0));
+  work.after(area, &*own, counters);
+}
+
+void TraceInto(const Scene& scene, const Camera& camera, const TileArea& area,
+  const SampleLattice& lattice, Sheets& sheets, const LatticeWork& work, FrameCounters& counters)
+{
+  {
+    const CheckedOut<TileSamples> samples;
+    {
+      const StageScope scope(Stage::Rays);
+      (*samples).Begin(camera, area, lattice, sheets.At(0).width);
+    }
+    WalkTile(scene, camera, *samples, sheets, counters);
+  }
+  if (work.after)
+  {
+    work.after(area, nullptr, counters);
+  }
+}
+} // namespace
+
 FrameCounters TraceLattice(const Scene& scene, const Camera& camera, const SampleLattice& lattice,
-  Sheets& sheets, Reporter& reporter, StageTimes* stages, const AfterTile& after,
-  const TileTurn& turn, TilesDone* done)
+  Sheets& sheets, Reporter& reporter, StageTimes* stages, const LatticeWork& work)
 {
   const int width = sheets.At(0).width;
   const int height = sheets.At(0).height;
   const int columns = lattice.packed ? width : SamplesAlong(lattice.x0, lattice.step, width);
   const int rows = lattice.packed ? height : SamplesAlong(lattice.y0, lattice.step, height);
   const int side = SideOf(lattice);
+  const auto trace = work.passing != Buffer::None ? &TraceAlone : &TraceInto;
   FrameCounters total = ForEachTile(
     &scene, columns, rows, stages,
     [&](const TileArea& area, FrameCounters& counters)
     {
       const int tile = area.y0 / side * TilesAlong(columns, side) + area.x0 / side;
       std::uint8_t* const isDone =
-        done != nullptr ? &(*done)[static_cast<std::size_t>(tile)] : nullptr;
-      if (!turn.Has(tile) || (isDone != nullptr && *isDone != 0) || !reporter.HasTime())
+        work.done != nullptr ? &(*work.done)[static_cast<std::size_t>(tile)] : nullptr;
+      if (!work.turn.Has(tile) || (isDone != nullptr && *isDone != 0) || !reporter.HasTime())
       {
         return;
       }
-      {
-        const CheckedOut<TileSamples> samples;
-        {
-          const StageScope scope(Stage::Rays);
-          (*samples).Begin(camera, area, lattice, width);
-        }
-        WalkTile(scene, camera, *samples, sheets, counters);
-      }
-      if (after)
-      {
-        after(area, counters);
-      }
+      trace(scene, camera, area, lattice, sheets, work, counters);
       if (isDone != nullptr)
       {
         *isDone = 1;
@@ -259,11 +309,11 @@ FrameCounters RunFrom(std::size_t first, const Scene* scene, const Camera* camer
 }
 } // namespace
 
-void BeginPipelineOn(const TileArea& area, const Scene& scene, const Camera& camera,
-  const Pipeline& pipeline, std::span<FrameModule* const> modules, Frame& frame,
-  FrameCounters& counters)
+void BeginPipelineOn(const TileArea& area, const SampleBuffers* own, const Scene& scene,
+  const Camera& camera, const Pipeline& pipeline, std::span<FrameModule* const> modules,
+  Frame& frame, FrameCounters& counters)
 {
-  TileVisit visit(&scene, &camera, pipeline, frame, area);
+  TileVisit visit(&scene, &camera, pipeline, frame, area, own);
   visit.MakeImage();
   visit.Run(modules);
   AddSamples(visit.Counters(), counters);

@@ -28,17 +28,27 @@ inline constexpr SampleLattice kCorners{ 0.0 };
 /// Tiles of a lattice over width x height samples.
 int TilesOf(const SampleLattice& lattice, int width, int height);
 
-/// What a tile does when its samples are written.
-using AfterTile = std::function<void(const TileArea& area, FrameCounters& counters)>;
+/// What a tile does when its samples are written. `own`: TileVisit's.
+using AfterTile =
+  std::function<void(const TileArea& area, const SampleBuffers* own, FrameCounters& counters)>;
+
+/// What else is done with the tiles of a lattice.
+struct LatticeWork
+{
+  AfterTile after{}; ///< may be empty
+  /// Buffers that `after` has beside those of the sheets: of the lattice of all centres, and of
+  /// scenes with one sheet.
+  Buffer passing = Buffer::None;
+  TileTurn turn{}; ///< samples of the tiles that are another's are counted as nothing
+  /// Null, or with as many entries as there are tiles: those that are set are left out, and set
+  /// when they are done.
+  TilesDone* done = nullptr;
+};
 
 /// Traces the samples of a lattice over the sheets' samples, or of a packed one as many as they
-/// have; aborted tiles are left out.
-/// `stages` may be null, `after` empty. Samples of the tiles that are
-/// another's turn are counted as nothing. `done`, where not null, has as many entries as there are
-/// tiles: those that are set are left out, and set when they are done.
+/// have; aborted tiles are left out. `stages` may be null.
 FrameCounters TraceLattice(const Scene& scene, const Camera& camera, const SampleLattice& lattice,
-  Sheets& sheets, Reporter& reporter, StageTimes* stages, const AfterTile& after = {},
-  const TileTurn& turn = {}, TilesDone* done = nullptr);
+  Sheets& sheets, Reporter& reporter, StageTimes* stages, const LatticeWork& work = {});
 
 /// Whether rays of the scene go on behind something.
 bool HasTranslucent(const Scene& scene);
@@ -48,10 +58,10 @@ bool HasTranslucent(const Scene& scene);
 void BeginPipeline(const Pipeline& pipeline, Frame& frame);
 
 /// Gives a tile its colours, image and what `modules`, the first of Pipeline::Runs, make of it.
-/// Samples that they ask for are counted.
-void BeginPipelineOn(const TileArea& area, const Scene& scene, const Camera& camera,
-  const Pipeline& pipeline, std::span<FrameModule* const> modules, Frame& frame,
-  FrameCounters& counters);
+/// Samples that they ask for are counted. `own`: TileVisit's.
+void BeginPipelineOn(const TileArea& area, const SampleBuffers* own, const Scene& scene,
+  const Camera& camera, const Pipeline& pipeline, std::span<FrameModule* const> modules,
+  Frame& frame, FrameCounters& counters);
 /// The runs of modules after that one, over all tiles; returns what was counted.
 FrameCounters FinishPipeline(const Scene& scene, const Camera& camera, const Pipeline& pipeline,
   Frame& frame, StageTimes* stages);

@@ -38,7 +38,9 @@ struct TileTurn
 struct SampleNeeds
 {
   Buffer centres = Buffer::None;
-  Buffer welcome = Buffer::None; ///< of centres: it is faster where they are there
+  /// Of centres: it is faster where they are there. New tiles have them for TileVisit::Centres,
+  /// frames need not keep them.
+  Buffer welcome = Buffer::None;
   Buffer corners = Buffer::None; ///< of the tile's pixels
   Buffer edges = Buffer::None;   ///< between the corners, see edgeLevel
   int edgeLevel = 0;             ///< an edge is cut into 2^edgeLevel parts; 0: no samples on edges

@@ -139,7 +139,8 @@ bool ProgressiveFrame::Pass(const Progress& progress, Deadline end)
   Reporter reporter(progress, tiles, end);
   Sheets sheets(frame.centres, Needs.centres);
   AddCounters(
-    TraceLattice(TheScene, TheCamera, lattice, sheets, reporter, nullptr, {}, {}, &Done), Counted);
+    TraceLattice(TheScene, TheCamera, lattice, sheets, reporter, nullptr, { .done = &Done }),
+    Counted);
   if (!AllDone(Done))
   {
     return false;
@@ -202,7 +203,7 @@ bool ProgressiveFrame::MakeCorners(const Progress& progress, Deadline end)
     Reporter reporter(progress, tiles, end);
     Sheets sheets(TheFrame.corners, Corners);
     AddSamples(
-      TraceLattice(TheScene, TheCamera, kCorners, sheets, reporter, nullptr, {}, {}, &Done),
+      TraceLattice(TheScene, TheCamera, kCorners, sheets, reporter, nullptr, { .done = &Done }),
       TheFrame.counters);
     if (!AllDone(Done))
     {

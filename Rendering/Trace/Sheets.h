@@ -22,6 +22,8 @@ public:
   {
   }
 
+  [[nodiscard]] Buffer Buffers() const { return Wanted; }
+
   /// From 0, the nearest, to kMost - 1. May be called from several threads at once.
   SampleBuffers& At(int k)
   {

@@ -113,6 +113,17 @@ void TileSamples::Begin(
   }
 }
 
+void TileSamples::BeginAlone(const Camera& camera, const TileArea& area, double offset)
+{
+  Begin(camera, area, { .offset = offset }, area.Width());
+  const auto first = static_cast<std::size_t>(area.y0) * static_cast<std::size_t>(area.Width()) +
+    static_cast<std::size_t>(area.x0);
+  for (std::size_t& at : std::span(place).first(static_cast<std::size_t>(Size)))
+  {
+    at -= first;
+  }
+}
+
 void TileSamples::Begin(const Camera& camera, std::span<const ImagePosition> positions)
 {
   Fit(static_cast<int>(positions.size()));

@@ -52,6 +52,9 @@ public:
 
   /// Samples of a lattice, at most kTileSize + 1 each way; results go to rows of `width` samples.
   void Begin(const Camera& camera, const TileArea& area, const SampleLattice& lattice, int width);
+  /// Of the lattice with this offset, an area's samples, whose results go to rows of the area
+  /// alone.
+  void BeginAlone(const Camera& camera, const TileArea& area, double offset);
   /// Any samples; the i-th one's results go to place i. Neighbours should follow each other.
   void Begin(const Camera& camera, std::span<const ImagePosition> positions);
 

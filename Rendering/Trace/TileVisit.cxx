@@ -8,6 +8,7 @@
 #include "Trace/TileWalk.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace pixelexact
@@ -29,6 +30,17 @@ void ForEachSheet(SampleBuffers& samples, const Visit& visit)
 void BlendSheets(
   const SampleBuffers& samples, std::size_t begin, std::size_t end, std::uint8_t* image)
 {
+  if (samples.behind.empty())
+  {
+    // Nothing shows through; what is not there at all has no colour.
+    for (std::size_t i = begin; i < end; ++i, image += 4)
+    {
+      constexpr std::array<std::uint8_t, 4> kNothing{};
+      const std::uint8_t* const own = &samples.color[4 * i];
+      std::copy_n(own[3] > 0 ? own : kNothing.data(), 4, image);
+    }
+    return;
+  }
   for (std::size_t i = begin; i < end; ++i, image += 4)
   {
     // Front to back; straight alpha.
@@ -151,7 +163,7 @@ bool TileVisit::HasCorners() const
 namespace
 {
 /// The samples of `area` of a lattice, sheet by sheet.
-void CopyPart(const CornerLattice& from, const TileArea& area, SampleBuffers& to)
+void CopyPart(const LatticePart& from, const TileArea& area, SampleBuffers& to)
 {
   const auto copy = [&](const SampleBuffers& source, SampleBuffers& part)
   {
@@ -194,20 +206,26 @@ SampleBuffers& TileVisit::Corners()
   AtCorners.Allocate(wanted, lattice.Width(), lattice.Height());
   Sheets sheets(AtCorners, wanted);
   const CheckedOut<TileSamples> tile;
-  (*tile).Begin(*TheCamera, lattice, { .offset = 0.0 }, lattice.Width());
-  const auto first =
-    static_cast<std::size_t>(lattice.y0) * static_cast<std::size_t>(lattice.Width()) +
-    static_cast<std::size_t>(lattice.x0);
-  for (std::size_t& place :
-    std::span((*tile).place).first(static_cast<std::size_t>((*tile).Count())))
-  {
-    place -= first;
-  }
+  (*tile).BeginAlone(*TheCamera, lattice, 0.0);
   WalkTile(*TheScene, *TheCamera, *tile, sheets, Asked);
   return AtCorners;
 }
 
-CornerLattice TileVisit::CornersOf(
+std::optional<LatticePart> TileVisit::Centres() const
+{
+  const Buffer wanted = ThePipeline.Needs().welcome;
+  if (TheFrame.centres.Holds(wanted))
+  {
+    return LatticePart{ TheFrame.centres };
+  }
+  if (Own && Own->Holds(wanted))
+  {
+    return LatticePart{ *Own, TheArea.x0, TheArea.y0 };
+  }
+  return std::nullopt;
+}
+
+LatticePart TileVisit::CornersOf(
   const TileArea& lattice, std::span<const std::uint8_t> wanted, SampleBuffers& traced)
 {
   if (HasCorners())

@@ -6,13 +6,15 @@
 #include "Trace/TileSamples.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace pixelexact
 {
-/// Corners of pixels, row by row. The pixel (x, y) has its lower left corner at (x, y).
-struct CornerLattice
+/// Samples of a part of an image, row by row: of the pixel (x, y) its centre or, where they are
+/// corners, the lower left one.
+struct LatticePart
 {
   const SampleBuffers& samples;
   int x0 = 0; ///< of the first
@@ -30,13 +32,16 @@ class TileVisit
 {
 public:
   /// `scene` null: a frame that is there already gets other colours, and nothing can be traced.
+  /// `own`: the area's centres, with more buffers than the frame keeps; null: there are none. It
+  /// must outlive it.
   TileVisit(const Scene* scene, const Camera* camera, const Pipeline& pipeline, Frame& frame,
-    const TileArea& area)
+    const TileArea& area, const SampleBuffers* own = nullptr)
     : TheScene(scene)
     , TheCamera(camera)
     , ThePipeline(pipeline)
     , TheFrame(frame)
     , TheArea(area)
+    , Own(own)
   {
   }
 
@@ -52,12 +57,15 @@ public:
   [[nodiscard]] const Scene& GetScene() const;
   [[nodiscard]] const Camera& GetCamera() const;
 
+  /// The centres of the area's pixels with the buffers that the modules welcome; nothing where they
+  /// are not at hand, as in frames that have been traced before and do not keep them.
+  [[nodiscard]] std::optional<LatticePart> Centres() const;
   /// The corners of the area's pixels, (width + 1) x (height + 1), with the buffers that the
   /// modules need. Their colours are made by Image, if a module needs them coloured.
   [[nodiscard]] SampleBuffers& Corners();
   /// Some corners of a part of the lattice, which may reach beyond the tile: those that are wanted,
   /// row by row. Of others there is nothing, or what is seen there. `traced` must outlive it.
-  [[nodiscard]] CornerLattice CornersOf(
+  [[nodiscard]] LatticePart CornersOf(
     const TileArea& lattice, std::span<const std::uint8_t> wanted, SampleBuffers& traced);
   /// Samples within edges, so many for each edge (SampleNeeds::edgeLevel): those that go across,
   /// width x (height + 1) edges, and those that go up, (width + 1) x height; edge by edge, rows of
@@ -82,8 +90,6 @@ private:
   void RequireTracing() const;
   /// Whether the frame has the corners that the modules need.
   [[nodiscard]] bool HasCorners() const;
-  /// Corners of a part of the lattice.
-  void TraceCorners(const TileArea& lattice, SampleBuffers& corners);
   const SampleBuffers& Edges(SampleBuffers& samples, bool across);
 
   const Scene* TheScene;
@@ -91,6 +97,7 @@ private:
   const Pipeline& ThePipeline;
   Frame& TheFrame;
   TileArea TheArea;
+  const SampleBuffers* Own;
   FrameCounters Asked;
   SampleBuffers AtCorners;
   SampleBuffers Across;

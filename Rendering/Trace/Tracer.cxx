@@ -16,6 +16,20 @@ void TraceCorners(const Scene& scene, const Camera& camera, Buffer wanted, Frame
   Sheets sheets(frame.corners, wanted);
   AddSamples(TraceLattice(scene, camera, kCorners, sheets, reporter, stages), frame.counters);
 }
+/// What modules welcome that come when all tiles are there, so that the frame keeps it.
+Buffer WelcomeLate(const Pipeline& pipeline, bool translucent)
+{
+  Buffer late = Buffer::None;
+  const auto runs = pipeline.Runs();
+  for (std::size_t i = translucent ? 0 : 1; i < runs.size(); ++i)
+  {
+    for (const FrameModule* module : runs[i])
+    {
+      late = late | module->Needs().welcome;
+    }
+  }
+  return late;
+}
 } // namespace
 
 Frame Trace(const Scene& scene, const Camera& camera, const Pipeline& pipeline,
@@ -24,7 +38,8 @@ Frame Trace(const Scene& scene, const Camera& camera, const Pipeline& pipeline,
   const auto start = std::chrono::steady_clock::now();
   SampleNeeds needs = pipeline.Needs();
   needs.Add(extra);
-  needs.centres = needs.centres | needs.welcome;
+  const bool translucent = HasTranslucent(scene);
+  needs.centres = needs.centres | WelcomeLate(pipeline, translucent);
   RequireTraceable(scene, needs);
   Frame frame;
   frame.width = camera.Width();
@@ -43,7 +58,6 @@ Frame Trace(const Scene& scene, const Camera& camera, const Pipeline& pipeline,
     tiles += TilesOf(kCorners, frame.width + 1, frame.height + 1);
   }
   Reporter reporter(progress, tiles);
-  const bool translucent = HasTranslucent(scene);
   if (extra.corners != Buffer::None)
   {
     // First, because modules read them.
@@ -56,10 +70,13 @@ Frame Trace(const Scene& scene, const Camera& camera, const Pipeline& pipeline,
     if (!translucent)
     {
       BeginPipeline(pipeline, frame);
-      after = [&, first = pipeline.Runs().front()](const TileArea& area, FrameCounters& counters)
-      { BeginPipelineOn(area, scene, camera, pipeline, first, frame, counters); };
+      after = [&, first = pipeline.Runs().front()](
+                const TileArea& area, const SampleBuffers* own, FrameCounters& counters)
+      { BeginPipelineOn(area, own, scene, camera, pipeline, first, frame, counters); };
     }
-    AddCounters(TraceLattice(scene, camera, kCentres, sheets, reporter, stages, after, extra.tiles),
+    const Buffer passing = translucent ? Buffer::None : Without(needs.welcome, needs.centres);
+    AddCounters(TraceLattice(scene, camera, kCentres, sheets, reporter, stages,
+                  { after, passing, extra.tiles }),
       frame.counters);
     if (after && !reporter.IsAborted())
     {

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <mutex>
+#include <optional>
 #include <set>
 
 namespace pixelexact::testing
@@ -161,6 +162,43 @@ TEST_P(Pipelines, GiveTheCornersThatAFrameHas)
   EXPECT_EQ(frame.corners.Size(), 0U);
   // Corners are no pixels.
   EXPECT_EQ(frame.counters.exact + frame.counters.nothing, 71 * 45);
+}
+
+TEST_P(Pipelines, GiveTheCentresThatModulesWelcome)
+{
+  const LayeredScene scene(GetParam().translucent);
+  const Camera camera(ObliqueView(), 71, 45);
+  const Frame wanted = Trace(scene.TheScene, camera, {}, { .centres = kSheets });
+  int visits = 0;
+  Asking module({ .centres = Buffer::Depth, .welcome = kSheets },
+    [&](TileVisit& tile)
+    {
+      const TileArea& area = tile.Area();
+      const std::optional<LatticePart> centres = tile.Centres();
+      ASSERT_TRUE(centres.has_value());
+      for (int y = area.y0; y < area.y1; ++y)
+      {
+        for (int x = area.x0; x < area.x1; ++x)
+        {
+          ExpectSameSample(centres->samples, centres->At(x, y), wanted.centres,
+            static_cast<std::size_t>(y * 71 + x));
+        }
+      }
+      EXPECT_EQ(tile.Counters().rays, 0);
+      ++visits;
+    });
+  Frame frame = Trace(scene.TheScene, camera, { {}, { &module } });
+  EXPECT_EQ(visits, 6);
+  EXPECT_EQ(frame.counters.rays, 71 * 45);
+  EXPECT_EQ(frame.counters.exact, wanted.counters.exact);
+  EXPECT_EQ(frame.centres.depth, wanted.centres.depth);
+  // Frames keep them only where modules come after all tiles.
+  EXPECT_EQ(frame.centres.Holds(kSheets), GetParam().translucent);
+  // Where they are not there, they are not traced.
+  Asking again({ .welcome = kSheets },
+    [&](TileVisit& tile) { EXPECT_EQ(tile.Centres().has_value(), GetParam().translucent); });
+  Repaint(scene.TheScene, camera, { {}, { &again } }, frame);
+  EXPECT_EQ(frame.counters.rays, 71 * 45);
 }
 
 /// In pixels eight times as small, whose centres they are.

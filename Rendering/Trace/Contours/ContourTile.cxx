@@ -65,7 +65,7 @@ std::vector<EdgeEnd> ContourTile::EndsOf(
   const std::vector<std::uint8_t> wanted = CornersOf(open);
   const TileArea& area = Tile.Area();
   SampleBuffers traced;
-  const CornerLattice corners =
+  const LatticePart corners =
     Tile.CornersOf({ area.x0, area.y0, area.x1 + 1, area.y1 + 1 }, wanted, traced);
   std::vector<EdgeEnd> ends(Across * Up);
   std::size_t i = 0;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trace/Contours/FlatBlocks.h"
 
-#include "Trace/Contours/EdgeSample.h"
-
 #include <algorithm>
 #include <array>
 
@@ -18,8 +16,7 @@ constexpr int kThorough = 2;
 
 FlatBlocks::FlatBlocks(const LayerSight& sight, TileVisit& tile)
   : Sight(sight)
-  , Centres(tile.GetFrame().centres)
-  , HasCentres(Centres.Holds(kEdgeSampleBuffers))
+  , Centres(tile.Centres())
   , Area(tile.Area())
   , Corners(
       static_cast<std::size_t>(Area.Width() + 1) * static_cast<std::size_t>(Area.Height() + 1))
@@ -27,15 +24,9 @@ FlatBlocks::FlatBlocks(const LayerSight& sight, TileVisit& tile)
 {
 }
 
-std::size_t FlatBlocks::At(int x, int y) const
-{
-  return static_cast<std::size_t>(y) * static_cast<std::size_t>(Centres.width) +
-    static_cast<std::size_t>(x);
-}
-
 EdgeEnd FlatBlocks::EndAt(int x, int y) const
 {
-  return Sight.EndOf(Centres, At(x, y), { x + 0.5, y + 0.5 });
+  return Sight.EndOf(Centres->samples, Centres->At(x, y), { x + 0.5, y + 0.5 });
 }
 
 const FlatBlocks::Corner& FlatBlocks::CornerAt(int x, int y)
@@ -94,8 +85,9 @@ FlatBlocks::Finding FlatBlocks::JudgeInside(const EdgeJudge& judge, const TileAr
   {
     return Finding::Uncovered;
   }
-  const std::int64_t element = Centres.element[At(x, y)];
-  if (Centres.element[At(right, y)] != element || Centres.element[At(x, above)] != element)
+  const std::vector<std::int64_t>& elements = Centres->samples.element;
+  const std::int64_t element = elements[Centres->At(x, y)];
+  if (elements[Centres->At(right, y)] != element || elements[Centres->At(x, above)] != element)
   {
     return Finding::Uncovered;
   }
@@ -119,7 +111,7 @@ bool FlatBlocks::IsOutAnyhow(const EdgeJudge& judge, const TileArea& block)
     {
       if (ShowsAt(x, y))
       {
-        const int its = judge.SideOf(Centres.value[At(x, y)]);
+        const int its = judge.SideOf(Centres->samples.value[Centres->At(x, y)]);
         if (side != EdgeJudge::kNoSide && its != side)
         {
           return false;

@@ -12,7 +12,7 @@
 namespace pixelexact
 {
 /// Blocks of a tile's pixels on a flat surface that are proven out together, by what is seen at
-/// the pixels' centres, where the frame has kEdgeSampleBuffers of them, and what is known of the
+/// the pixels' centres, where they are at hand (TileVisit::Centres), and what is known of the
 /// elements there: no other samples are needed.
 class FlatBlocks
 {
@@ -53,14 +53,12 @@ private:
   [[nodiscard]] std::array<Corner, Outline::kMostCorners> CornersOf(const TileArea& pixels);
   [[nodiscard]] bool ShowsAt(int x, int y) const
   {
-    return HasCentres && Sight.ShowsAt(Centres, At(x, y));
+    return Centres && Sight.ShowsAt(Centres->samples, Centres->At(x, y));
   }
-  [[nodiscard]] std::size_t At(int x, int y) const;
   [[nodiscard]] EdgeEnd EndAt(int x, int y) const;
 
   const LayerSight& Sight;
-  const SampleBuffers& Centres;
-  bool HasCentres;
+  std::optional<LatticePart> Centres;
   TileArea Area;
   std::vector<Corner> Corners;
   std::vector<std::uint8_t> Open;

@@ -69,7 +69,7 @@ bool AreOnOneSheet(
 }
 } // namespace
 
-void ContourCells::Begin(const CornerLattice& corners, const TileArea& pixels, const Camera* camera)
+void ContourCells::Begin(const LatticePart& corners, const TileArea& pixels, const Camera* camera)
 {
   Pixels = pixels;
   const auto count =

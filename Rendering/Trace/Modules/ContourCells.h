@@ -12,7 +12,7 @@
 
 namespace pixelexact
 {
-struct CornerLattice;
+struct LatticePart;
 
 /// Where a contour is nearest to a point of the image.
 struct ContourFoot
@@ -38,7 +38,7 @@ public:
 
   /// `pixels`: whose corners may be read; they must outlive what is asked. `camera`: to tell sheets
   /// apart, by the corners' positions and normals; null: there is one.
-  void Begin(const CornerLattice& corners, const TileArea& pixels, const Camera* camera);
+  void Begin(const LatticePart& corners, const TileArea& pixels, const Camera* camera);
 
   /// The layer of a whole pixel, else kNoLayer.
   [[nodiscard]] std::uint8_t LayerOf(int x, int y) const { return Layers[At(x, y)]; }

@@ -89,7 +89,7 @@ class ContourLines::Tile
 public:
   /// `corners`: of `about`, the pixels on which a line in the tile may depend.
   Tile(const ContourLines& lines, TileVisit& visit, const TileArea& about,
-    const CornerLattice& corners, ContourCells& cells)
+    const LatticePart& corners, ContourCells& cells)
     : Lines(lines)
     , Image(visit.GetFrame())
     , Area(visit.Area())
@@ -216,7 +216,7 @@ private:
   const ContourLines& Lines;
   const Frame& Image;
   TileArea Area;
-  CornerLattice Corners;
+  LatticePart Corners;
   ContourCells& Cells;
   std::uint8_t* Target = nullptr;
 };
@@ -324,7 +324,7 @@ void ContourLines::Process(TileVisit& tile)
     return;
   }
   SampleBuffers traced;
-  const CornerLattice corners =
+  const LatticePart corners =
     tile.CornersOf({ about.x0, about.y0, about.x1 + 1, about.y1 + 1 }, wanted, traced);
   const CheckedOut<ContourCells> cells;
   Tile drawn(*this, tile, about, corners, *cells);
