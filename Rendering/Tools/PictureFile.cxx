@@ -7,7 +7,7 @@
 #include "RenderOptions.h"
 #include "Report.h"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdint>
