@@ -180,6 +180,24 @@ TEST(SweepKernels, LargestDifferenceAndMagnitude)
     });
 }
 
+TEST(SweepKernels, WeighMagnitudesOnEachInstructionSetAlike)
+{
+  for (const std::size_t count : { 1U, 7U, 8U, 9U, 33U })
+  {
+    Numbers values = Made({ 4, 8, 0 });
+    values.resize(count);
+    const Numbers weights(count, 0.75);
+    long double exact = 0.0L;
+    for (const double value : values)
+    {
+      exact += 0.75L * std::fabs(static_cast<long double>(value));
+    }
+    const double first = WeighMagnitudes(values, weights.data());
+    EXPECT_NEAR(first, static_cast<double>(exact), 1e-14 * static_cast<double>(exact));
+    OnEveryInstructionSet([&] { EXPECT_EQ(WeighMagnitudes(values, weights.data()), first); });
+  }
+}
+
 TEST(SweepKernels, MagnitudesOfWhatIsNoNumber)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();

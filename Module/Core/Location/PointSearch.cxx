@@ -22,6 +22,9 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::int64_t kVisitCost = 50;
 constexpr std::int64_t kNewtonCost = 2000;
 constexpr std::int64_t kNewtonCostOfMode = 20;
+/// Where coefficients are more than the second cache holds.
+constexpr std::int64_t kManyModes = 16384;
+constexpr std::int64_t kNewtonCostOfManyModes = 50;
 
 const Vec3 kApex(-1.0, -1.0, 1.0);
 /// There no xi is better: kMostMiss for each of the elements that meet in it, and their rounding.
@@ -491,8 +494,10 @@ Bits Search::RunNewton(const NodeFrame& frame, Bits points)
       lanes[d][k] = lanes[d][k - 1];
     }
   }
+  const std::int64_t modes = Problem.space.Modes();
   Work +=
-    (kNewtonCost + kNewtonCostOfMode * Problem.space.Modes()) * (PaddedCount(count) / kLanePadding);
+    (kNewtonCost + (modes > kManyModes ? kNewtonCostOfManyModes : kNewtonCostOfMode) * modes) *
+    (PaddedCount(count) / kLanePadding);
   InverseProblem asked = Problem;
   asked.affine = false;
   asked.from = { lanes[3].data(), lanes[4].data(), lanes[5].data() };

@@ -17,7 +17,7 @@ constexpr double kBent = 0.2;
 /// nodes, and those that one point needs.
 constexpr int kMostHalvings = 9;
 constexpr std::int64_t kMostGrowth = 4'000'000;
-constexpr std::int64_t kMostOfPoint = 5'000'000;
+constexpr std::int64_t kMostOfPoint = 2'200'000;
 } // namespace
 
 bool TreeFilter::IsWorthIt(const ElementBounds& bounds)
