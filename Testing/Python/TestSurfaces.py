@@ -86,6 +86,7 @@ class Surfaces(unittest.TestCase):
         # A discontinuous solution on a cube of 27 bent elements, and a continuous one.
         for case, least in [("periodic_hex_dg_g3_p4", 5), ("toroid_hex_g3_p6", 0)]:
             scene = Scene(case)
+            scene.window.SetSize(200, 160)
             scene.mapper.SetSurface(walls)
             exact = scene.buffer("Verdict") == 1
             self.assertEqual(scene.errors, [])

@@ -8,6 +8,7 @@ import numpy as np
 from rendering import EXACT, EYE, CurvedTest, along, slabs, sphere_hits
 from tool import CUBE, View, case, plain_grid, run
 
+VTK_HEXAHEDRON = 12
 VTK_TRIQUADRATIC_HEXAHEDRON = 29
 
 
@@ -50,6 +51,24 @@ class Boundaries(CurvedTest):
         _, buffers, _ = self.render(self.cube, "--boundary", *view.options())
         _, leave = slabs(view, [0, 0, 0], [1, 1, 1])
         self.check_hits(buffers, view, leave)
+
+    def test_what_another_element_covers_is_not_there(self):
+        """From within a block, at x < 0, into one of half its height and width at x > 0."""
+        unit = np.array(CUBE)
+        points = np.concatenate([unit * [1, 2, 2] - [1, 1, 1], unit - [0, 0.5, 0.5]])
+        cells = [(VTK_HEXAHEDRON, list(range(8 * k, 8 * k + 8))) for k in range(2)]
+        source = self.folder / "blocks.vtu"
+        source.write_text(plain_grid(points.tolist(), cells, [("u", [0.0] * 16)]), encoding="utf-8")
+        view = View([-0.9, 0.01, 0.02], [0.0, 0.01, 0.02], [0.0, 0.0, 1.0], 60, 48, angle=70.0)
+        summary, buffers, _ = self.render(source, "--boundary", *view.options())
+        self.assertEqual(summary["pixels"]["exact"], 60 * 48)
+        origin, direction = view.rays()
+        across = origin + direction * (-origin[..., :1] / direction[..., :1])
+        covered = np.abs(across[..., 1:]).max(axis=-1) < 0.5
+        self.assertGreater(covered.sum(), 200)
+        x = buffers["Position"][..., 0]
+        self.assertGreater(x[covered].min(), 1e-3)
+        self.assertLess(x[~covered].max(), 1e-14)
 
     def test_a_translucent_cube_shows_its_far_side(self):
         look = ["--layer", "1:opacity=0.25,color=0:0:1,lights=off"]
