@@ -42,6 +42,7 @@ public:
   [[nodiscard]] std::vector<GivenSurface> MakeInSpace() const;
 
   [[nodiscard]] const std::vector<IsoText>& IsoSurfaces() const { return Isos; }
+  [[nodiscard]] const std::vector<std::string>& PatchFiles() const { return Patches; }
   [[nodiscard]] const std::vector<BoundaryChoice>& BoundaryChoices() const { return Boundaries; }
 
   /// An option and its numbers.
