@@ -74,7 +74,7 @@ std::vector<IntegralPiece> PiecesOf(vtkImplicitFunction* function)
 
 std::vector<QuadricForm> ClipsOf(vtkImplicitFunction* function)
 {
-  if (const auto planes = PlanesOf(function); !planes.empty())
+  if (auto planes = PlanesOf(function); !planes.empty())
   {
     return planes;
   }

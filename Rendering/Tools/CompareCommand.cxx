@@ -7,6 +7,7 @@
 #include "Looks.h"
 #include "Output.h"
 #include "OutputFolder.h"
+#include "PatchFile.h"
 #include "Recommendation.h"
 #include "RenderReport.h"
 #include "Report.h"
@@ -33,6 +34,7 @@
 #include <filesystem>
 #include <memory>
 #include <string_view>
+#include <utility>
 
 namespace pixelexact
 {
@@ -61,12 +63,17 @@ void CheckOptions(const CompareOptions& options)
       throw UsageError(name + " has no effect on a comparison; leave it out");
     }
   }
-  const bool boundary = IsGiven(*options.shot.command, "--boundary");
-  if ((boundary || !options.shot.surfaces.IsoSurfaces().empty()) &&
-    (IsGiven(*options.shot.command, "--resolutions") || IsGiven(*options.shot.command, "--grids")))
+  constexpr std::pair<const char*, const char*> kNotSampled[] = { { "--boundary", "boundaries" },
+    { "--isosurface", "iso-surfaces" }, { "--surface", "triangles" }, { "--patch", "patches" } };
+  for (const auto& [option, what] : kNotSampled)
   {
-    throw UsageError(std::string("--resolutions and --grids have no effect on ") +
-      (boundary ? "boundaries" : "iso-surfaces") + "; leave them out");
+    if (IsGiven(*options.shot.command, option) &&
+      (IsGiven(*options.shot.command, "--resolutions") ||
+        IsGiven(*options.shot.command, "--grids")))
+    {
+      throw UsageError(
+        std::string("--resolutions and --grids have no effect on ") + what + "; leave them out");
+    }
   }
   if (options.shot.surfaces.Count() > 1)
   {
@@ -94,10 +101,14 @@ TradeScene MakeScene(const CompareOptions& options, const Shot& shot)
     scene.isoComponents = shot.input.model->FindField(iso.field)->values.components;
     scene.isoValue = iso.value;
   }
-  else if (!scene.function && !IsOfFaces(scene))
+  else if (!scene.function && !IsOfFaces(scene) && !IsOfPieces(scene))
   {
-    throw Error("compare takes what VTK's filters know: --plane, --sphere, --cylinder, --cone, "
-                "--quadric, --torus, --box, --isosurface or --boundary");
+    throw Error("compare takes --plane, --sphere, --cylinder, --cone, --quadric, --torus, --box, "
+                "--isosurface, --boundary, --surface or --patch");
+  }
+  for (const std::string& file : options.shot.surfaces.PatchFiles())
+  {
+    scene.patches = ReadPatches(file);
   }
   const Frame frame = Trace(shot.scene, shot.MakeCamera(), {},
     { .centres = NeedsOfLooks(shot) | options.contours.Needs() | Buffer::Value });
@@ -132,7 +143,7 @@ std::vector<TradeSetting> SettingsOf(const CompareOptions& options, const TradeS
     add(TradeFamily::Resample, options.trade.Grids(), [](int n) { return 1.0 / (n - 1); });
   }
   add(TradeFamily::Subdivide, options.trade.Levels(), [](int l) { return 1.0 / (1 << l); });
-  if (!IsOfFaces(scene) && HasHighOrderCells(scene))
+  if (!IsOfFaces(scene) && !IsOfPieces(scene) && HasHighOrderCells(scene))
   {
     settings.push_back({ "cells", TradeFamily::Cells, 0, 0.0 });
   }

@@ -45,6 +45,7 @@ public:
   [[nodiscard]] std::size_t CountWalls() const { return Walls ? Isos.size() : 0; }
 
   [[nodiscard]] const std::vector<IsoText>& IsoSurfaces() const { return Isos; }
+  [[nodiscard]] const std::vector<std::string>& PatchFiles() const { return Patches; }
   [[nodiscard]] const std::vector<BoundaryChoice>& BoundaryChoices() const { return Boundaries; }
 
   /// An option and its numbers.

@@ -40,6 +40,10 @@ std::unique_ptr<TradeRun> MakeRun(const TradeScene& scene, const TradeSetting& s
   {
     return MakeExactRun(scene, setting);
   }
+  if (IsOfPieces(scene))
+  {
+    return MakePiecesRun(scene, setting);
+  }
   return IsOfFaces(scene) ? MakeFacesRun(scene, setting) : MakeLinearRun(scene, setting);
 }
 } // namespace pixelexact

@@ -5,6 +5,7 @@
 #include "Trace/Compare/PictureErrors.h"
 #include "Trace/Modules/ColorMapping.h"
 #include "Trace/Modules/ContourCertifier.h"
+#include "Trace/Surfaces/BezierPatch.h"
 
 #include <vtkSmartPointer.h>
 
@@ -39,7 +40,8 @@ struct TradeScene
   int isoComponent = 0;
   int isoComponents = 1; ///< that the field has
   double isoValue = 0.0;
-  std::vector<double> isoValues; ///< of contours, ascending; none: no contours
+  std::vector<BezierPatch> patches; ///< that the surface is made of
+  std::vector<double> isoValues;    ///< of contours, ascending; none: no contours
   ColorMap map;
   std::array<double, 2> range{}; ///< of the colour map
 };
@@ -107,6 +109,8 @@ struct FreshModel
 [[nodiscard]] bool HasOwnValues(const TradeSetting& setting);
 /// Whether the cut-surface is made of elements' faces.
 [[nodiscard]] bool IsOfFaces(const TradeScene& scene);
+/// Whether it is made of triangles of a file, or of Bezier patches.
+[[nodiscard]] bool IsOfPieces(const TradeScene& scene);
 /// Whether VTK's filters would cut other cells than linear ones, with the fields at their points.
 [[nodiscard]] bool HasHighOrderCells(const TradeScene& scene);
 
@@ -124,5 +128,8 @@ struct FreshModel
   const TradeScene& scene, const TradeSetting& setting);
 /// Of scenes of faces, which have the family Subdivide alone, without VTK's filters.
 [[nodiscard]] std::unique_ptr<TradeRun> MakeFacesRun(
+  const TradeScene& scene, const TradeSetting& setting);
+/// The same of scenes of triangles and patches: each edge in 16, 32, ... parts.
+[[nodiscard]] std::unique_ptr<TradeRun> MakePiecesRun(
   const TradeScene& scene, const TradeSetting& setting);
 } // namespace pixelexact

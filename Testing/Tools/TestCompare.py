@@ -19,6 +19,18 @@ class Compare(ToolTest):
         summary = self.summary("compare", *arguments, *SMALL, "--output", folder)
         return folder, summary, {row["setting"]: row for row in read_csv(folder / "trade.csv")}
 
+    def test_triangles_and_patches(self):
+        for option, file in (("--surface", "octahedron.stl"), ("--patch", "saddle.txt")):
+            summary = self.summary(
+                *("compare", case("toroid_hex_g3_p6"), "--field", "u", option),
+                *(DATA / "surfaces" / file, "--size", "120x120", "--repeat", "1"),
+                *("--levels", "0,2", "--truncate-orders", "none", "--output", self.folder / option),
+            )
+            coarse, fine = (s for s in summary["settings"] if s["setting"].startswith("sub"))
+            self.assertGreater(fine["triangles"], 10 * coarse["triangles"])
+            self.assertLess(fine["mean_error"], coarse["mean_error"])
+            self.assertLess(fine["missing"], coarse["missing"])
+
     def test_linear_pictures_converge_to_the_exact_one(self):
         folder, summary, rows = self.compare(
             case("toroid_hex_g3_p6"), "--field", "u", "--plane", "z=0.1", "--contours", 5, *FEW
@@ -224,11 +236,6 @@ class Compare(ToolTest):
             (["--resolutions", "4;5"], "--resolutions"),
         ]:
             self.fails(2, "compare", mesh, *arguments, names=[name])
-        self.fails(
-            1,
-            *["compare", mesh, "--field", "u", "--surface", DATA / "surfaces" / "octahedron.stl"],
-            names=["--torus, --box, --isosurface or --boundary"],
-        )
         blocked = self.folder / "file"
         blocked.write_text("", encoding="utf-8")
         self.fails(1, "compare", mesh, "--field", "u", *MIDDLE, "--output", blocked, names=[blocked])

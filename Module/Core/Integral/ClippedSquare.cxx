@@ -105,6 +105,7 @@ private:
     const double middle = 0.5 * (from + to);
     std::vector<RimEnds> lower = ends;
     std::vector<RimEnds> upper;
+    upper.reserve(ends.size());
     for (RimEnds& one : lower)
     {
       upper.push_back({ one.low.Halve(0), one.high.Halve(0) });
@@ -195,7 +196,7 @@ std::optional<ClippedSquare> ClippedSquare::Of(std::span<const ChebyshevModel> f
     {
       if (auto rim = MonotoneRim::Of(swapped ? f.Transposed() : f))
       {
-        rims.push_back(std::move(*rim));
+        rims.push_back(*rim);
       }
     }
     ClippedSquare clipped;
