@@ -183,8 +183,32 @@ std::optional<Interval> EdgeBounds::ValuesIn(const EdgeNode& node, const WideOut
 bool EdgeBounds::MayTake(
   const ValueSet& wanted, const WideOutline& region, const EdgeEffort& effort) const
 {
-  const std::optional<Interval> values = ValuesIn(region, wanted, effort);
-  return values && wanted.Meets(values->lower, values->upper);
+  if (!Functions.IsKnown())
+  {
+    return true;
+  }
+  // As ValuesIn; what a node's own values tell is asked first, because it costs least.
+  const auto mayTake = [&](const auto& self, const EdgeNode& node) -> bool
+  {
+    if (!wanted.Meets(node.values.lower, node.values.upper) || Misses(Functions, node, region))
+    {
+      return false;
+    }
+    bool divide = !node.regular;
+    if (node.regular)
+    {
+      const EdgeMeeting meeting = Meet(Functions, node, region);
+      if (!meeting.values || !wanted.Meets(meeting.values->lower, meeting.values->upper))
+      {
+        return false;
+      }
+      divide = (meeting.bends && node.halvings < effort.whereMapBends) ||
+        (meeting.curves && node.halvings < effort.whereFieldCurves);
+    }
+    return !divide || !Tree.CanSplit(node) ||
+      std::ranges::any_of(Tree.Split(node), [&](const EdgeNode& half) { return self(self, half); });
+  };
+  return !Frame.Misses(Functions, region) && mayTake(mayTake, Tree.Whole());
 }
 
 double EdgeBounds::ChangeWithin(const LocatedPoint& point, double distance) const
