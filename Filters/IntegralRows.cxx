@@ -67,6 +67,10 @@ std::vector<std::string> DoubtsOf(const SurfaceIntegral& found, double tolerance
       doubts.push_back(Counted(count, "element") + " " + text);
     }
   };
+  if (found.elements + found.faces + found.notFinite + found.tooHigh + found.flat == 0)
+  {
+    doubts.emplace_back("the surface meets no element of the mesh");
+  }
   if (!found.met)
   {
     std::ostringstream text;

@@ -57,6 +57,11 @@ class Integrate(ToolTest):
         _, rows = self.rows(case("dolfinx_hex_g2_p4"), "--boundary", "--tolerance", "1e-4")
         self.assertGreater(rows["Area"]["lower"], 0.0)
 
+    def test_what_misses_the_mesh_is_told(self):
+        summary, rows = self.rows(case("dolfinx_hex_g2_p4"), "--plane", "0,0,1e3,0,0,1")
+        self.assertLess(rows["Area"]["upper"], 1e-300)
+        self.assertIn("meets no element", " ".join(summary["surfaces"][0]["notes"]))
+
     def test_discs_tori_boxes_triangles_and_iso_surfaces(self):
         path = case("toroid_hex_g3_p6")
         # All of them lie within the ring: closed forms.

@@ -15,6 +15,7 @@ struct Section
 };
 
 /// The sections of a file, in its order, without $MeshFormat, which sets the scanner's encoding.
-/// Throws InvalidData for what is no Gmsh file, Unsupported for versions other than 2.0 to 2.2 and 4.1.
+/// Throws InvalidData for what is no Gmsh file, Unsupported for versions other than 2.0 to 2.2
+/// and 4.1.
 std::vector<Section> ListSections(Scanner& scanner);
 } // namespace pixelexact::gmsh
