@@ -2,27 +2,23 @@
 // The boundary as triangles: what elements cut into linear cells show of it.
 #include "FrameTime.h"
 #include "PeakMemory.h"
-#include "Shot.h"
-#include "TradeRun.h"
+#include "TrianglesRun.h"
 
 #include "Core/Base/Counted.h"
 #include "FreeMemory.h"
 #include "HighOrderModel.h"
 #include "Trace/Compare/LinearFaces.h"
-#include "Trace/Compare/TracedPicture.h"
 #include "Trace/Surfaces/ElementFaces.h"
-
-#include <optional>
 
 namespace pixelexact
 {
 namespace
 {
-class FacesRun final : public TradeRun
+class FacesRun final : public TrianglesRun
 {
 public:
   FacesRun(const TradeScene& scene, int level)
-    : TheScene(scene)
+    : TrianglesRun(scene)
     , Parts(1 << level)
   {
   }
@@ -50,17 +46,8 @@ public:
     return time;
   }
 
-  Picture Show() override
-  {
-    return TracePicture(*Linear, TheScene.shot->MakeCamera(), TheScene.isoValues);
-  }
-
-  [[nodiscard]] std::size_t Triangles() const override { return Linear ? Linear->Count() : 0; }
-
 private:
-  const TradeScene& TheScene;
   int Parts;
-  std::optional<LinearSurface> Linear;
 };
 } // namespace
 

@@ -2,22 +2,18 @@
 // Triangles of files and Bezier patches, refined, with exact values at their corners.
 #include "FrameTime.h"
 #include "PeakMemory.h"
-#include "Shot.h"
-#include "TradeRun.h"
+#include "TrianglesRun.h"
 
 #include "Core/Base/Counted.h"
 #include "Core/Location/Sample.h"
 #include "FreeMemory.h"
 #include "HighOrderModel.h"
-#include "Trace/Compare/LinearSurface.h"
-#include "Trace/Compare/TracedPicture.h"
 #include "Trace/Surfaces/BezierPatches.h"
 #include "Trace/Surfaces/Triangles.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 
 namespace pixelexact
 {
@@ -144,11 +140,11 @@ LinearSurface Valued(const Lattice& lattice, const HighOrderModel& model, const 
   return { std::move(shown), std::move(corners) };
 }
 
-class PiecesRun final : public TradeRun
+class PiecesRun final : public TrianglesRun
 {
 public:
   PiecesRun(const TradeScene& scene, int level)
-    : TheScene(scene)
+    : TrianglesRun(scene)
     , Parts(kFirstParts << level)
   {
   }
@@ -186,17 +182,8 @@ public:
     return time;
   }
 
-  Picture Show() override
-  {
-    return TracePicture(*Linear, TheScene.shot->MakeCamera(), TheScene.isoValues);
-  }
-
-  [[nodiscard]] std::size_t Triangles() const override { return Linear ? Linear->Count() : 0; }
-
 private:
-  const TradeScene& TheScene;
   int Parts;
-  std::optional<LinearSurface> Linear;
 };
 } // namespace
 
