@@ -180,7 +180,8 @@ std::array<int, 3> PieceForm::FamilyOf(int p, int q) const
 std::size_t PieceForm::IndexOf(int direction, int piece, int family, int n) const
 {
   const auto d = static_cast<std::size_t>(direction);
-  return static_cast<std::size_t>((piece * Families[d] + family) * (TheDegree[d] + 1) + n);
+  const int index = (piece * Families[d] + family) * (TheDegree[d] + 1) + n;
+  return static_cast<std::size_t>(index);
 }
 
 const FactorRow& PieceForm::RowOf(int direction, Factor factor, int piece, int family, int n) const
