@@ -2,6 +2,7 @@
 // Integrals over iso-surfaces, tori, and surfaces that are clipped: against closed forms, on
 // straight and curved meshes; wrong use.
 #include "CurvedMeshes.h"
+#include "IntegralCheck.h"
 
 #include "Core/Base/Error.h"
 #include "Core/Integral/ClippedSquare.h"
@@ -29,28 +30,6 @@ SurfaceIntegral Over(const IntegralCut& cut, const Mesh& mesh, const Field* fiel
   IntegralEffort effort;
   effort.tolerance = tolerance;
   return IntegrateCut({ mesh, field, &cut, clips }, locator, faces, effort);
-}
-
-void ExpectHolds(const Interval& found, double value, double width, const char* what)
-{
-  EXPECT_TRUE(found.Contains(value))
-    << what << ": " << value << " is not in [" << found.lower << ", " << found.upper << "]";
-  EXPECT_LE(found.Width(), width) << what;
-}
-
-MeshBuilder Cube()
-{
-  MeshBuilder builder;
-  builder.Add(UniformSpace(Shape::Hexahedron, 1), [](const LongVec3& xi) { return xi; });
-  return builder;
-}
-
-QuadricForm PlaneForm(const Vec3& normal, double c)
-{
-  QuadricForm form;
-  form.g = normal;
-  form.c = c;
-  return form;
 }
 
 QuadricForm BallForm(const Vec3& centre, double radius)

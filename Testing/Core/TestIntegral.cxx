@@ -2,6 +2,7 @@
 // Integrals over cut-surfaces and faces: against closed forms and sums in long double, of the same
 // body meshed in several ways, with any number of threads, wrong use.
 #include "CurvedMeshes.h"
+#include "IntegralCheck.h"
 
 #include "Core/Base/Error.h"
 #include "Core/Integral/IntegralCut.h"
@@ -22,14 +23,6 @@ using namespace pixelexact::testing;
 
 constexpr double kPi = std::numbers::pi;
 
-QuadricForm PlaneForm(const Vec3& normal, double c)
-{
-  QuadricForm form;
-  form.g = normal;
-  form.c = c;
-  return form;
-}
-
 QuadricForm Ball(const Vec3& centre, const Vec3& axes)
 {
   QuadricForm form;
@@ -46,22 +39,6 @@ SurfaceIntegral Cut(
   const FaceTable faces(locator.Index());
   const QuadricSurface surface(form);
   return IntegrateCut({ mesh, field, &surface }, locator, faces, effort);
-}
-
-/// Holds the value, and is as narrow as was asked for.
-void ExpectHolds(const Interval& found, double value, double width, const char* what)
-{
-  EXPECT_TRUE(found.Contains(value))
-    << what << ": " << value << " is not in [" << found.lower << ", " << found.upper << "]";
-  EXPECT_LE(found.Width(), width) << what;
-}
-
-/// [-1, 1]^3 as one straight hexahedron.
-MeshBuilder Cube()
-{
-  MeshBuilder builder;
-  builder.Add(UniformSpace(Shape::Hexahedron, 1), [](const LongVec3& xi) { return xi; });
-  return builder;
 }
 
 /// (x^2, 1, x y) on it.

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "CurvedMeshes.h"
+
+#include "Core/Integral/IntegralCut.h"
+
+#include <gtest/gtest.h>
+
+// What tests of integrals share.
+namespace pixelexact::testing
+{
+inline QuadricForm PlaneForm(const Vec3& normal, double c)
+{
+  QuadricForm form;
+  form.g = normal;
+  form.c = c;
+  return form;
+}
+
+/// Holds the value, and is as narrow as was asked for.
+inline void ExpectHolds(const Interval& found, double value, double width, const char* what)
+{
+  EXPECT_TRUE(found.Contains(value))
+    << what << ": " << value << " is not in [" << found.lower << ", " << found.upper << "]";
+  EXPECT_LE(found.Width(), width) << what;
+}
+
+/// [-1, 1]^3 as one straight hexahedron.
+inline MeshBuilder Cube()
+{
+  MeshBuilder builder;
+  builder.Add(UniformSpace(Shape::Hexahedron, 1), [](const LongVec3& xi) { return xi; });
+  return builder;
+}
+} // namespace pixelexact::testing
