@@ -7,15 +7,14 @@
 #include "Core/Base/Error.h"
 #include "Trace/BufferTable.h"
 #include "Trace/StridedFrame.h"
-#include "Trace/Surfaces/Plane.h"
 #include "Trace/TileVisit.h"
+#include "Trace/TimedPasses.h"
 #include "Trace/Tracer.h"
 
 #include "vtkScalarsToColors.h"
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
+#include <limits>
 
 namespace pixelexact
 {
@@ -29,27 +28,6 @@ bool Includes(Buffer set, Buffer wanted)
   return (set | wanted) == set;
 }
 } // namespace
-
-vtkScalarsToColors* TableOf(const LayerRequest& layer)
-{
-  const bool byTable = !layer.contours.values.empty() && layer.contours.colors.empty();
-  return layer.table == nullptr && byTable ? layer.contourTable : layer.table;
-}
-
-const Field* FieldOf(const LayerRequest& layer, const HighOrderModel& model)
-{
-  const bool none = layer.table == nullptr && layer.field == FieldChoice{};
-  return none && model.Fields().empty() ? nullptr : &layer.field.In(model);
-}
-
-int ComponentOf(const LayerRequest& layer, const Field& field)
-{
-  const bool solid = layer.table == nullptr && !layer.contours.values.empty();
-  const int component = layer.component.value_or(
-    ComponentOf(solid ? layer.contourTable : layer.table, field.values.components));
-  RequireComponent(field, component);
-  return component;
-}
 
 FrameSource::FrameSource(FrameSourceCounters& counters)
   : TheCounters(counters)
@@ -82,29 +60,6 @@ void FrameSource::Count(bool traced)
   TheTraceVersion = traced ? TheVersion : TheTraceVersion;
 }
 
-FrameSource::TraceKey FrameSource::TraceKeyOf(const FrameRequest& request) const
-{
-  TraceKey key{ {}, request.kept, request.camera, request.stride };
-  for (const LayerRequest& layer : request.layers)
-  {
-    const Field* const field = FieldOf(layer, *TheModel);
-    const int component = field != nullptr ? ComponentOf(layer, *field) : 0;
-    if (layer.table != nullptr)
-    {
-      // Before that it does not know whether its colours are opaque.
-      layer.table->Build();
-    }
-    // Nothing is behind a plane that is alone.
-    const bool alone =
-      request.layers.size() == 1 && dynamic_cast<const Plane*>(layer.surface.get()) != nullptr;
-    const bool seenThrough = !alone &&
-      (request.translucent || layer.opacity < 1.0 ||
-        (layer.table != nullptr && layer.table->IsOpaque() == 0));
-    key.layers.push_back({ layer.surface, layer.field, component, layer.precision, seenThrough });
-  }
-  return key;
-}
-
 void FrameSource::MakeScene(const FrameRequest& request)
 {
   TheScene = {};
@@ -116,40 +71,6 @@ void FrameSource::MakeScene(const FrameRequest& request)
     TheScene.layers.push_back({ traced.surface, FieldOf(request.layers[k], *TheModel),
       traced.component, traced.precision, traced.translucent });
   }
-}
-
-FrameSource::ColorKey FrameSource::ColorKeyOf(const FrameRequest& request) const
-{
-  ColorKey key;
-  key.unknown = request.unknownColor;
-  bool anyLit = false;
-  for (std::size_t k = 0; k < request.layers.size(); ++k)
-  {
-    const LayerRequest& layer = request.layers[k];
-    const bool lit =
-      layer.material && (layer.litWhereFlat || !TheScene.layers[k].surface->IsFlat());
-    anyLit = anyLit || lit;
-    vtkScalarsToColors* const table = TableOf(layer);
-    std::uint64_t state = 0;
-    if (table != nullptr)
-    {
-      state = table->GetMTime();
-    }
-    key.layers.push_back({ table, state, layer.table == nullptr, layer.solidColor, layer.opacity,
-      lit ? layer.material : std::nullopt, layer.contours });
-  }
-  if (anyLit)
-  {
-    key.lights = request.lights;
-    key.lit = request.lit;
-  }
-  key.edges = request.edges;
-  if (std::ranges::any_of(
-        request.layers, [](const LayerRequest& layer) { return !layer.contours.values.empty(); }))
-  {
-    key.contours = request.contours;
-  }
-  return key;
 }
 
 void FrameSource::MakeColors(const ColorKey& key)
@@ -211,24 +132,7 @@ void FrameSource::BeginFrame(Buffer buffers)
 
 void FrameSource::TraceFrame(double seconds, const Progress& progress)
 {
-  bool aborted = false;
-  const Progress watched = [&](double done)
-  {
-    aborted = aborted || (progress && !progress(done));
-    return !aborted;
-  };
-  if (std::isinf(seconds))
-  {
-    const bool fresh = Passes->Step() == 0 && Passes->PartDone() == 0.0;
-    if (Passes->Complete(watched) && fresh)
-    {
-      Cost.Learn(Pixels(), 1, 1.0, Passes->Seconds());
-    }
-  }
-  else
-  {
-    TraceInTime(seconds, watched, aborted);
-  }
+  TracePasses(*Passes, Cost, seconds, progress);
   Complete = Passes->IsComplete();
   if (Complete)
   {
@@ -251,39 +155,6 @@ void FrameSource::ShowPreview()
   TheStep = std::max(1, Passes->Step());
   // Of a frame that was to be made at once and was ended, others will be there the next time.
   Shown = Passes->Step() == 0 ? std::nullopt : std::optional(Passes->Step());
-}
-
-double FrameSource::Pixels() const
-{
-  return static_cast<double>(Traced->camera.width) * static_cast<double>(Traced->camera.height);
-}
-
-void FrameSource::TraceInTime(double seconds, const Progress& progress, const bool& aborted)
-{
-  using Seconds = std::chrono::duration<double>;
-  const Deadline end = std::chrono::steady_clock::now() +
-    std::chrono::duration_cast<Deadline::duration>(Seconds(seconds));
-  if (Passes->Step() == 0 && Passes->PartDone() == 0.0)
-  {
-    Passes->GoTo(Cost.First(Pixels(), seconds));
-  }
-  bool goesOn = true;
-  while (goesOn && !Passes->IsComplete())
-  {
-    const int step = Passes->NextStep();
-    const bool tracing = Passes->Step() != 1;
-    const double partBefore = Passes->PartDone();
-    const double before = Passes->Seconds();
-    const bool done = Passes->Refine(progress, end);
-    const double part = (Passes->Step() == step ? 1.0 : Passes->PartDone()) - partBefore;
-    if (tracing && part > 0.0)
-    {
-      Cost.Learn(Pixels(), step, part, Passes->Seconds() - before);
-    }
-    goesOn = done && !aborted && std::chrono::steady_clock::now() < end;
-  }
-  // A picture with holes is none.
-  Passes->Fill();
 }
 
 void FrameSource::TraceBlocks(Buffer buffers, const Progress& progress)
@@ -338,7 +209,7 @@ void FrameSource::Update(const FrameRequest& request, const Progress& progress)
     Traced = std::move(key);
     MakeScene(request);
   }
-  const ColorKey colors = ColorKeyOf(request);
+  const ColorKey colors = ColorKeyOf(request, TheScene);
   const bool sameColors = Colored == colors;
   if (!sameColors)
   {
@@ -392,7 +263,7 @@ SampleBuffers FrameSource::Sample(
   TheModel = request.model;
   Traced = TraceKeyOf(request);
   MakeScene(request);
-  MakeColors(ColorKeyOf(request));
+  MakeColors(ColorKeyOf(request, TheScene));
   const Pipeline pipeline = ThePipeline();
   const Camera camera = request.camera.Make();
   Frame none;

@@ -45,6 +45,11 @@ public:
   /// From now on in other colours; their buffers of centres must be among those that are made.
   void Recolor(Pipeline pipeline, Buffer corners = Buffer::None);
 
+  /// Of the complete frame.
+  [[nodiscard]] double Pixels() const
+  {
+    return static_cast<double>(TheCamera.Width()) * static_cast<double>(TheCamera.Height());
+  }
   /// Pixels between the samples that are known; 0: none are, 1: all are.
   [[nodiscard]] int Step() const { return Known; }
   /// Those of the next pass; the same as Step() where all are known.
