@@ -81,7 +81,7 @@ LayerRequest LayerOf(vtkHighOrderLayer* layer, LayerRequest ofAll)
   return request;
 }
 
-bool IsOpaque(vtkHighOrderMapper* mapper, vtkHighOrderLayer* layer)
+bool IsOpaque(vtkMapper* mapper, vtkHighOrderLayer* layer)
 {
   vtkScalarsToColors* table = mapper->GetScalarVisibility() ? mapper->GetLookupTable() : nullptr;
   if (layer != nullptr)

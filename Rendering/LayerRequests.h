@@ -5,6 +5,7 @@
 
 class vtkHighOrderLayer;
 class vtkHighOrderMapper;
+class vtkMapper;
 class vtkProperty;
 
 // What a mapper, its actor and its layers ask for, as requests for frames.
@@ -17,5 +18,5 @@ namespace pixelexact
 [[nodiscard]] LayerRequest LayerOf(vtkHighOrderLayer* layer, LayerRequest ofAll);
 
 /// Whether a layer of the mapper hides all that is behind it; null: one without a look of its own.
-[[nodiscard]] bool IsOpaque(vtkHighOrderMapper* mapper, vtkHighOrderLayer* layer);
+[[nodiscard]] bool IsOpaque(vtkMapper* mapper, vtkHighOrderLayer* layer);
 } // namespace pixelexact

@@ -5,7 +5,7 @@
 #include "VtkColorMap.h"
 #include "VtkLook.h"
 #include "vtkHighOrderLayer.h"
-#include "vtkHighOrderMapper.h"
+#include "vtkHighOrderSceneMapper.h"
 #include "vtkHighOrderSurface.h"
 
 #include "vtkImplicitFunction.h"
@@ -22,7 +22,7 @@ CutSource SourceOf(vtkHighOrderLayer* layer)
   return { layer->GetCutFunction(), layer->GetSurface() };
 }
 
-void Add(vtkHighOrderMapper* mapper, const CutSource& cut, LayerRequest layer,
+void Add(vtkHighOrderSceneMapper* mapper, const CutSource& cut, LayerRequest layer,
   SurfaceCache& surfaces, FrameRequest& request)
 {
   if (cut.surface != nullptr && !mapper->GetStatic())
@@ -39,7 +39,7 @@ bool MapperScene::IsEmpty() const
   return cuts.empty() && surface == nullptr && layers.empty();
 }
 
-bool MapperScene::Has(vtkHighOrderMapper* mapper, bool opaque) const
+bool MapperScene::Has(vtkHighOrderSceneMapper* mapper, bool opaque) const
 {
   const bool own = std::ranges::any_of(layers,
     [&](vtkHighOrderLayer* layer)
@@ -76,7 +76,7 @@ std::vector<CutSource> MapperScene::Plain() const
   return plain;
 }
 
-void MapperScene::AddLayers(vtkHighOrderMapper* mapper, const LayerRequest& ofAll,
+void MapperScene::AddLayers(vtkHighOrderSceneMapper* mapper, const LayerRequest& ofAll,
   SurfaceCache& surfaces, FrameRequest& request) const
 {
   std::vector<CutSource> sources = this->Plain();

@@ -10,7 +10,7 @@
 #include <vector>
 
 class vtkHighOrderLayer;
-class vtkHighOrderMapper;
+class vtkHighOrderSceneMapper;
 class vtkHighOrderSurface;
 class vtkImplicitFunction;
 
@@ -26,13 +26,13 @@ struct MapperScene
   [[nodiscard]] bool IsEmpty() const;
   /// Whether there is something opaque to draw, or something that is not. Nothing at all is opaque:
   /// somebody has to say what is missing.
-  [[nodiscard]] bool Has(vtkHighOrderMapper* mapper, bool opaque) const;
+  [[nodiscard]] bool Has(vtkHighOrderSceneMapper* mapper, bool opaque) const;
   /// The last change of anything in it.
   [[nodiscard]] vtkMTimeType GetMTime() const;
 
   /// Adds cut functions and surface, whose look is `ofAll`, and visible layers, which have looks of
   /// their own, to a request that has its model. Throws Error.
-  void AddLayers(vtkHighOrderMapper* mapper, const LayerRequest& ofAll, SurfaceCache& surfaces,
+  void AddLayers(vtkHighOrderSceneMapper* mapper, const LayerRequest& ofAll, SurfaceCache& surfaces,
     FrameRequest& request) const;
 
 private:

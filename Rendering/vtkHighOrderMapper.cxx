@@ -3,8 +3,8 @@
 
 #include "AbortCheck.h"
 #include "FrameDrawer.h"
-#include "FrameImage.h"
 #include "FramePick.h"
+#include "FramePicture.h"
 #include "HighOrderModel.h"
 #include "LayerRequests.h"
 #include "MapperExecutive.h"
@@ -14,8 +14,6 @@
 #include "ViewRequest.h"
 #include "VtkColorMap.h"
 #include "VtkLook.h"
-#include "vtkHighOrderLayer.h"
-#include "vtkHighOrderSurface.h"
 
 #include "Core/Base/Error.h"
 #include "Core/Location/Locator.h"
@@ -26,7 +24,6 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkExecutive.h"
 #include "vtkImageData.h"
-#include "vtkImplicitFunction.h"
 #include "vtkInformation.h"
 #include "vtkLookupTable.h"
 #include "vtkMath.h"
@@ -46,7 +43,6 @@ vtkStandardNewMacro(vtkHighOrderMapper);
 
 struct vtkHighOrderMapper::Internals
 {
-  pixelexact::MapperScene Scene;
   pixelexact::FrameDrawer Drawer;
   pixelexact::RenderLater Later;
   pixelexact::FrameSourceCounters PickCounters;
@@ -71,7 +67,7 @@ pixelexact::FrameRequest vtkHighOrderMapper::Internals::Request(
   request.contours = self->LookOfContours();
   pixelexact::LayerRequest ofAll = pixelexact::LayerOf(self, actor->GetProperty());
   ofAll.contours = self->ContoursOfAll();
-  Scene.AddLayers(self, ofAll, Drawer.Surfaces(), request);
+  self->GetScene().AddLayers(self, ofAll, Drawer.Surfaces(), request);
   vtkScalarsToColors* const table = self->GetLookupTable();
   if (self->ScalarVisibility ||
     std::ranges::any_of(request.layers,
@@ -160,81 +156,6 @@ vtkCompositeDataSet* vtkHighOrderMapper::GetCompositeInput()
 }
 
 //------------------------------------------------------------------------------
-void vtkHighOrderMapper::SetCutFunction(vtkImplicitFunction* function)
-{
-  auto& cuts = this->Data->Scene.cuts;
-  const std::size_t wanted = function != nullptr ? 1 : 0;
-  if (cuts.size() != wanted || (wanted == 1 && cuts[0] != function))
-  {
-    cuts.assign(wanted, function);
-    this->Modified();
-  }
-  if (function != nullptr)
-  {
-    this->SetSurface(nullptr);
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkHighOrderMapper::AddCutFunction(vtkImplicitFunction* function)
-{
-  if (function != nullptr)
-  {
-    this->Data->Scene.cuts.emplace_back(function);
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkHighOrderMapper::RemoveCutFunction(vtkImplicitFunction* function)
-{
-  if (std::erase(this->Data->Scene.cuts, function) > 0)
-  {
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkHighOrderMapper::RemoveAllCutFunctions()
-{
-  this->SetCutFunction(nullptr);
-}
-
-//------------------------------------------------------------------------------
-int vtkHighOrderMapper::GetNumberOfCutFunctions()
-{
-  return static_cast<int>(this->Data->Scene.cuts.size());
-}
-
-//------------------------------------------------------------------------------
-vtkImplicitFunction* vtkHighOrderMapper::GetCutFunction(int index)
-{
-  return index >= 0 && index < this->GetNumberOfCutFunctions()
-    ? this->Data->Scene.cuts[static_cast<std::size_t>(index)].Get()
-    : nullptr;
-}
-
-//------------------------------------------------------------------------------
-void vtkHighOrderMapper::SetSurface(vtkHighOrderSurface* surface)
-{
-  if (surface != nullptr)
-  {
-    this->RemoveAllCutFunctions();
-  }
-  if (this->Data->Scene.surface != surface)
-  {
-    this->Data->Scene.surface = surface;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-vtkHighOrderSurface* vtkHighOrderMapper::GetSurface()
-{
-  return this->Data->Scene.surface;
-}
-
-//------------------------------------------------------------------------------
 vtkIdType vtkHighOrderMapper::GetNumberOfNumericHits()
 {
   pixelexact::FrameSource* source = this->Data->Drawer.LastSource();
@@ -255,49 +176,6 @@ vtkIdType vtkHighOrderMapper::GetNumberOfUnknownPixels()
   pixelexact::FrameSource* source = this->Data->Drawer.LastSource();
   const pixelexact::Frame* frame = source != nullptr ? source->LastFrame() : nullptr;
   return frame != nullptr ? frame->counters.unknown : 0;
-}
-
-//------------------------------------------------------------------------------
-void vtkHighOrderMapper::AddLayer(vtkHighOrderLayer* layer)
-{
-  if (layer != nullptr)
-  {
-    this->Data->Scene.layers.emplace_back(layer);
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkHighOrderMapper::RemoveLayer(vtkHighOrderLayer* layer)
-{
-  if (std::erase(this->Data->Scene.layers, layer) > 0)
-  {
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkHighOrderMapper::RemoveAllLayers()
-{
-  if (!this->Data->Scene.layers.empty())
-  {
-    this->Data->Scene.layers.clear();
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-int vtkHighOrderMapper::GetNumberOfLayers()
-{
-  return static_cast<int>(this->Data->Scene.layers.size());
-}
-
-//------------------------------------------------------------------------------
-vtkHighOrderLayer* vtkHighOrderMapper::GetLayer(int index)
-{
-  return index >= 0 && index < this->GetNumberOfLayers()
-    ? this->Data->Scene.layers[static_cast<std::size_t>(index)].Get()
-    : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -353,24 +231,6 @@ void vtkHighOrderMapper::SetColorMap(const std::string& name)
   {
     vtkErrorMacro("SetColorMap: " << error.what());
   }
-}
-
-//------------------------------------------------------------------------------
-vtkMTimeType vtkHighOrderMapper::GetMTime()
-{
-  return std::max(this->Superclass::GetMTime(), this->Data->Scene.GetMTime());
-}
-
-//------------------------------------------------------------------------------
-bool vtkHighOrderMapper::HasOpaqueGeometry()
-{
-  return this->Data->Scene.Has(this, true);
-}
-
-//------------------------------------------------------------------------------
-bool vtkHighOrderMapper::HasTranslucentPolygonalGeometry()
-{
-  return this->Data->Scene.Has(this, false);
 }
 
 //------------------------------------------------------------------------------
@@ -435,12 +295,7 @@ vtkImageData* vtkHighOrderMapper::GetBuffers()
   }
   if (data.Buffers == nullptr || data.BuffersVersion != source->Version())
   {
-    data.Buffers =
-      pixelexact::ToImageData(*frame, source->Model()->SourceCells(), source->Model()->Blocks());
-    if (const pixelexact::ContourCertifier* contours = source->LastContours())
-    {
-      pixelexact::AddContours(*data.Buffers, contours->Verdicts());
-    }
+    data.Buffers = pixelexact::ToImageData(*source, *frame);
     data.BuffersVersion = source->Version();
   }
   return data.Buffers;
@@ -512,7 +367,7 @@ void vtkHighOrderMapper::RenderPart(int part, vtkRenderer* renderer, vtkActor* a
   pixelexact::FrameDrawer& drawer = this->Data->Drawer;
   try
   {
-    if (this->Data->Scene.IsEmpty())
+    if (this->GetScene().IsEmpty())
     {
       throw pixelexact::Error("nothing to cut with: call SetCutFunction, SetSurface or AddLayer");
     }
@@ -636,31 +491,13 @@ vtkSmartPointer<vtkImageData> vtkHighOrderMapper::TracePicture(pixelexact::Frame
       "nothing to cut with, or no layer is visible: call SetCutFunction, SetSurface or AddLayer");
   }
   pixelexact::CompleteRequest(sight, request);
-  const pixelexact::Frame* frame = &source.Render(request, progress);
-  if (source.IsComplete() && request.fitted != nullptr)
+  const pixelexact::FramePicture picture =
+    pixelexact::TracePicture(source, request, allBuffers, progress);
+  if (picture.fitted)
   {
-    const auto fitted = pixelexact::ColorRanges::OfFrame(*frame, request, request.fitted);
-    if (fitted && pixelexact::ColorRanges::Set(request.fitted, *fitted))
-    {
-      this->TakeRange(*fitted);
-      frame = &source.Render(request, progress);
-    }
+    this->TakeRange(*picture.fitted);
   }
-  if (!source.IsComplete())
-  {
-    return nullptr;
-  }
-  if (allBuffers)
-  {
-    frame = source.FrameWithAllBuffers();
-  }
-  auto picture =
-    pixelexact::ToImageData(*frame, source.Model()->SourceCells(), source.Model()->Blocks());
-  if (const pixelexact::ContourCertifier* contours = source.LastContours())
-  {
-    pixelexact::AddContours(*picture, contours->Verdicts());
-  }
-  return picture;
+  return picture.image;
 }
 
 //------------------------------------------------------------------------------
@@ -693,10 +530,7 @@ void vtkHighOrderMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetUnknownColor(other->UnknownColor);
     this->SetProgressive(other->Progressive);
     this->SetStillSeconds(other->StillSeconds);
-    this->SetLightFlat(other->LightFlat);
-    this->SetSearchSamples(other->SearchSamples);
     this->SetRangeMode(other->RangeMode);
-    this->Data->Scene = other->Data->Scene;
     this->Modified();
   }
 }
@@ -706,22 +540,6 @@ void vtkHighOrderMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FieldName: " << (this->FieldName.empty() ? "(first)" : this->FieldName) << "\n";
-  os << indent << "CutFunctions: " << this->Data->Scene.cuts.size() << "\n";
-  for (const auto& cut : this->Data->Scene.cuts)
-  {
-    cut->PrintSelf(os, indent.GetNextIndent());
-  }
-  os << indent << "Surface: "
-     << (this->Data->Scene.surface != nullptr ? this->Data->Scene.surface->GetClassName()
-                                              : "(none)")
-     << "\n";
-  os << indent << "Layers: " << this->Data->Scene.layers.size() << "\n";
-  for (const auto& layer : this->Data->Scene.layers)
-  {
-    layer->PrintSelf(os, indent.GetNextIndent());
-  }
-  os << indent << "LightFlat: " << (this->LightFlat ? "on" : "off") << "\n";
-  os << indent << "SearchSamples: " << this->SearchSamples << "\n";
   os << indent << "RangeMode: "
      << (this->RangeMode == RANGE_AS_SET        ? "as set"
             : this->RangeMode == RANGE_OF_FIELD ? "of the field"

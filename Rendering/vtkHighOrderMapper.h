@@ -10,8 +10,8 @@
  * and depths go into the framebuffer, so that ordinary geometry hides the cut and is hidden by it,
  * to the pixel.
  *
- * - What is cut: SetCutFunction, AddCutFunction, SetSurface. Functions and surfaces are written in
- *   the data's coordinates; the actor's matrix moves cut and field together.
+ * - What is cut: vtkHighOrderSceneMapper. Functions and surfaces are written in the data's
+ *   coordinates; the actor's matrix moves cut and field together.
  * - Which field: SetFieldName; else SelectColorArray; else SetInputArrayToProcess(0, ...); else the
  *   first field that the grid carries.
  * - Colours: the lookup table, with its VectorMode and VectorComponent (or the component of
@@ -20,7 +20,6 @@
  *   ScalarVisibility off, the actor's colour. A pixel whose element could not be decided gets the
  *   UnknownColor. EdgeVisibility draws lines between elements, LineWidth wide.
  * - Contours of any number of values: vtkHighOrderContourMapper.
- * - Several surfaces with looks of their own: AddLayer.
  * - Light: the renderer's, by the surface's exact normals and the actor's property; planes show
  *   their colours as they are unless LightFlat is on.
  * - Opacity and visibility are the actor's, clipping planes and the resolution of coincident
@@ -52,7 +51,7 @@
 #define vtkHighOrderMapper_h
 
 #include "PixelExactRenderingModule.h"
-#include "vtkHighOrderContourMapper.h"
+#include "vtkHighOrderSceneMapper.h"
 #include "vtkSmartPointer.h" // for pictures
 
 #include <array>      // for ranges
@@ -72,18 +71,15 @@ struct PickedSample;
 
 class vtkCompositeDataSet;
 class vtkDataObject;
-class vtkHighOrderLayer;
-class vtkHighOrderSurface;
 class vtkImageData;
-class vtkImplicitFunction;
 class vtkRenderWindow;
 class vtkUnstructuredGrid;
 
-class PIXELEXACTRENDERING_EXPORT vtkHighOrderMapper : public vtkHighOrderContourMapper
+class PIXELEXACTRENDERING_EXPORT vtkHighOrderMapper : public vtkHighOrderSceneMapper
 {
 public:
   static vtkHighOrderMapper* New();
-  vtkTypeMacro(vtkHighOrderMapper, vtkHighOrderContourMapper);
+  vtkTypeMacro(vtkHighOrderMapper, vtkHighOrderSceneMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -108,46 +104,6 @@ public:
   vtkGetCharFromStdStringMacro(FieldName);
   ///@}
 
-  ///@{
-  /**
-   * The cut-surfaces. SetCutFunction replaces all of them by one, and the Surface; null functions
-   * are none and leave it. Where the nearest surface lies outside of the mesh, the next one shows.
-   * In closed form, with their transforms, are vtkPlane, vtkSphere, vtkCylinder, vtkCone,
-   * vtkQuadric, vtkBox, vtkPlanes, vtkImplicitTorus and vtkImplicitBoolean of these. Any other
-   * function is searched for along the rays, by samples: see SetSearchSamples.
-   */
-  void SetCutFunction(vtkImplicitFunction* function);
-  void AddCutFunction(vtkImplicitFunction* function);
-  void RemoveCutFunction(vtkImplicitFunction* function);
-  void RemoveAllCutFunctions();
-  int GetNumberOfCutFunctions();
-  vtkImplicitFunction* GetCutFunction(int index);
-  ///@}
-
-  ///@{
-  /**
-   * A cut-surface that is no function: vtkHighOrderSurface. It replaces all cut functions; null,
-   * the default, leaves them. Those that are added afterwards (AddCutFunction) are drawn with it,
-   * and have the lower layer numbers. For several surfaces: AddLayer.
-   */
-  void SetSurface(vtkHighOrderSurface* surface);
-  vtkHighOrderSurface* GetSurface();
-  ///@}
-
-  ///@{
-  /**
-   * At how many points of a ray a function without a closed form is sampled, from 2 to 65536; the
-   * default is 128. They lie evenly on the part of the ray in the mesh's box. Between two of
-   * different sign a zero is found, up to rounding. Overlooked are pairs of sheets between two
-   * samples, as if nothing was there (what lies behind shows), and places where the function
-   * touches zero without changing its sign; a jump from one sign to the other is taken for a zero.
-   * The thinner a body is against the mesh, the more samples it needs, and frames take longer in
-   * proportion to them.
-   */
-  vtkSetClampMacro(SearchSamples, int, 2, 65536);
-  vtkGetMacro(SearchSamples, int);
-  ///@}
-
   /**
    * How many samples of the last frame, sheets behind others included, lie on surfaces that were
    * searched for, so that something may have been overlooked before them; 0 where all have closed
@@ -163,27 +119,6 @@ public:
    */
   bool IsFrameComplete();
   vtkIdType GetNumberOfUnknownPixels();
-  ///@}
-
-  ///@{
-  /**
-   * Surfaces with looks of their own, drawn together with the cut functions and the surface.
-   */
-  void AddLayer(vtkHighOrderLayer* layer);
-  void RemoveLayer(vtkHighOrderLayer* layer);
-  void RemoveAllLayers();
-  int GetNumberOfLayers();
-  vtkHighOrderLayer* GetLayer(int index);
-  ///@}
-
-  ///@{
-  /**
-   * Whether the renderer's lights shine on planes that are cut functions. Off (the default): their
-   * colours are shown as they are. Other surfaces are lit where the actor's property says so.
-   */
-  vtkSetMacro(LightFlat, bool);
-  vtkGetMacro(LightFlat, bool);
-  vtkBooleanMacro(LightFlat, bool);
   ///@}
 
   ///@{
@@ -290,26 +225,12 @@ public:
   void ShallowCopy(vtkAbstractMapper* mapper) override;
   void CreateDefaultLookupTable() override;
 
-  /**
-   * Changes with cut functions, surface and layers, too.
-   */
-  vtkMTimeType GetMTime() override;
-
   ///@{
   /**
    * A box that holds the field's whole domain, curved faces included.
    */
   double* GetBounds() VTK_SIZEHINT(6) override;
   void GetBounds(double bounds[6]) override { this->vtkMapper::GetBounds(bounds); }
-  ///@}
-
-  ///@{
-  /**
-   * Whether any layer is opaque, and whether any is not: by its opacity or its lookup table. The
-   * actor's opacity comes on top.
-   */
-  bool HasOpaqueGeometry() override;
-  bool HasTranslucentPolygonalGeometry() override;
   ///@}
 
 protected:
@@ -323,8 +244,6 @@ protected:
   unsigned char UnknownColor[4] = { 255, 0, 255, 255 };
   bool Progressive = true;
   double StillSeconds = 0.0;
-  bool LightFlat = false;
-  int SearchSamples = 128;
   int RangeMode = RANGE_OF_FIELD;
 
 private:

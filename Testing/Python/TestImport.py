@@ -10,6 +10,7 @@ ABSTRACT = [
     "vtkHighOrderDataSurface",
     "vtkHighOrderFileReader",
     "vtkHighOrderGridAlgorithm",
+    "vtkHighOrderSceneMapper",
     "vtkHighOrderSurface",
 ]
 CLASSES = [
