@@ -4,11 +4,11 @@
 #include "Canvas.h"
 #include "ColorOptions.h"
 #include "Command.h"
+#include "FigureColumn.h"
 #include "Looks.h"
 #include "Numbers.h"
 #include "Report.h"
 #include "Shot.h"
-#include "Ticks.h"
 
 #include "Trace/Surfaces/Surface.h"
 
@@ -28,19 +28,10 @@ constexpr double kLargestFont = 200.0;
 constexpr double kPointsPerInch = 72.0;
 constexpr double kUsualPoints = 7.0;
 constexpr double kSmallestPoints = 4.0;
-/// Of the font's size: the column beside the picture, and the room for a title.
-constexpr int kColumn = 11;
+/// Of the font's size: the room for a title.
 constexpr int kTitle = 3;
 /// The least of a picture, in pixels.
 constexpr int kLeast = 32;
-
-/// What a bar tells.
-struct Bar
-{
-  std::string name;
-  std::array<double, 2> range;
-  const ColorMap* map;
-};
 
 /// "u", "|v|" of a magnitude, "v 0" of a component.
 std::string NameOf(const Layer& layer)
@@ -54,9 +45,9 @@ std::string NameOf(const Layer& layer)
 }
 
 /// One for layers that are alike.
-std::vector<Bar> BarsOf(const Shot& shot, const Looks& looks)
+std::vector<FigureBar> BarsOf(const Shot& shot, const Looks& looks)
 {
-  std::vector<Bar> bars;
+  std::vector<FigureBar> bars;
   for (std::size_t k = 0; k < shot.scene.layers.size(); ++k)
   {
     const auto& range = looks.Ranges()[k];
@@ -79,135 +70,6 @@ std::vector<Bar> BarsOf(const Shot& shot, const Looks& looks)
   }
   return bars;
 }
-
-/// Draws down a column, from the top.
-class Column
-{
-public:
-  Column(Canvas& canvas, int left, int font, const Rgba& ink)
-    : To(canvas)
-    , Left(left)
-    , Font(font)
-    , Ink(ink)
-  {
-  }
-
-  void DrawBar(const Bar& bar, int top, int height, bool logarithm, const std::optional<int>& bands)
-  {
-    const int width = Font * 6 / 5;
-    const double pen = std::max(1.0, Font / 20.0);
-    const int y0 = top - height;
-    const auto valueAt = [&](double part)
-    {
-      return logarithm ? bar.range[0] * std::pow(bar.range[1] / bar.range[0], part)
-                       : std::lerp(bar.range[0], bar.range[1], part);
-    };
-    std::vector<double> values;
-    values.reserve(static_cast<std::size_t>(height));
-    for (int row = 0; row < height; ++row)
-    {
-      values.push_back(std::clamp(valueAt((row + 0.5) / height), bar.range[0], bar.range[1]));
-    }
-    std::vector<std::uint8_t> colors(4 * values.size());
-    (*bar.map)(values, colors.data());
-    for (int row = 0; row < height; ++row)
-    {
-      const std::uint8_t* color = &colors[4 * static_cast<std::size_t>(row)];
-      // Up to the row above: viewers of PDF would let the background through between rows.
-      To.Fill(
-        Left, y0 + row, width, std::min(2, height - row), { color[0], color[1], color[2], 255 });
-    }
-    To.Frame(Left, y0, width, height, Ink);
-    const double length = bar.range[1] - bar.range[0];
-    const int most = std::max(2, height / (2 * Font));
-    for (const Tick& tick : bands ? TicksOfBands(bar.range, logarithm, *bands, most)
-                                  : TicksWithin(bar.range, logarithm, most))
-    {
-      double part = length > 0.0 ? (tick.value - bar.range[0]) / length : 0.5;
-      if (logarithm && length > 0.0)
-      {
-        part = std::log(tick.value / bar.range[0]) / std::log(bar.range[1] / bar.range[0]);
-      }
-      // In the middle of a row of pixels, where a line is sharp.
-      const double y = std::floor(y0 + part * height) + 0.5;
-      To.Line(CanvasPoint{ Left + width + 1.0, y }, { Left + width + 0.4 * Font, y }, pen, Ink);
-      To.Write(tick.text, Left + width + 0.7 * Font, y, TextAnchor::Left, Ink);
-    }
-  }
-
-  void Write(const std::string& text, double y)
-  {
-    std::string shown = text;
-    const double room = (kColumn - 1.0) * Font;
-    while (shown.size() > 3 && To.WidthOf(shown) > room)
-    {
-      shown = shown.substr(0, shown.size() - 4) + "...";
-    }
-    To.Write(shown, Left, y, TextAnchor::Left, Ink);
-  }
-
-  void DrawMark(const Rgba& color, const std::string& text, double y)
-  {
-    const int side = Font;
-    To.Fill(Left, static_cast<int>(y) - side / 2, side, side, color);
-    To.Frame(Left, static_cast<int>(y) - side / 2, side, side, Ink);
-    To.Write(text, Left + 1.5 * Font, y, TextAnchor::Left, Ink);
-  }
-
-  /// The axes as the camera sees them.
-  void DrawAxes(const CameraView& view, double y)
-  {
-    const Vec3 towards = glm::normalize(view.position - view.focalPoint);
-    const Vec3 right = glm::normalize(glm::cross(view.viewUp, towards));
-    const Vec3 up = glm::cross(towards, right);
-    const double length = 2.2 * Font;
-    const CanvasPoint centre{ Left + 3.0 * Font, y };
-    constexpr std::array<Rgba, 3> kColors{ Rgba{ 200, 40, 40, 255 }, Rgba{ 30, 140, 50, 255 },
-      Rgba{ 50, 80, 220, 255 } };
-    std::array<int, 3> order{ 0, 1, 2 };
-    std::ranges::sort(order, {}, [&](int d) { return towards[d]; });
-    for (const int d : order)
-    {
-      const Rgba& color = kColors[static_cast<std::size_t>(d)];
-      const double across = length * right[d];
-      const double along = length * up[d];
-      To.Line(centre, { centre[0] + across, centre[1] + along }, std::max(1.5, Font / 9.0), color);
-      // An axis that points at the viewer has no end to be named.
-      if (const double seen = std::hypot(across, along); seen > 0.15 * length)
-      {
-        const double further = 1.0 + 0.6 * Font / seen;
-        To.Write(std::string(1, "xyz"[d]), centre[0] + further * across,
-          centre[1] + further * along, TextAnchor::Centre, color);
-      }
-    }
-  }
-
-  /// `unit`: the world's in a pixel.
-  void DrawScale(double unit, double y)
-  {
-    const double most = 7.0 * Font;
-    const double power = std::pow(10.0, std::floor(std::log10(most * unit)));
-    const double length = power *
-      (most * unit >= 5.0 * power      ? 5.0
-          : most * unit >= 2.0 * power ? 2.0
-                                       : 1.0);
-    const double end = Left + length / unit;
-    To.Line(
-      CanvasPoint{ static_cast<double>(Left), y }, { end, y }, std::max(1.5, Font / 9.0), Ink);
-    for (const double x : { static_cast<double>(Left), end })
-    {
-      To.Line(
-        CanvasPoint{ x, y - 0.3 * Font }, { x, y + 0.3 * Font }, std::max(1.0, Font / 20.0), Ink);
-    }
-    To.Write(Short(length), 0.5 * (Left + end), y + 0.9 * Font, TextAnchor::Centre, Ink);
-  }
-
-private:
-  Canvas& To;
-  int Left;
-  int Font;
-  Rgba Ink;
-};
 
 /// The world's length of a pixel where it is the same all over what is seen; 0: it is not.
 double UnitOf(const Shot& shot)
@@ -284,7 +146,8 @@ Rgba InkOn(const Rgba& background)
 ImageSize FigureOptions::PictureSize(const ImageSize& figure) const
 {
   const int font = FontOf(figure);
-  return { figure.width - kColumn * font, figure.height - (Title.empty() ? 0 : kTitle * font), {} };
+  return { figure.width - FigureColumn::kWidth * font,
+    figure.height - (Title.empty() ? 0 : kTitle * font), {} };
 }
 
 void FigureOptions::Check(const ImageSize& size) const
@@ -314,7 +177,7 @@ void FigureOptions::Draw(
     canvas.Write(
       Title, 0.5 * figure.width, figure.height - 0.5 * kTitle * font, TextAnchor::Centre, ink);
   }
-  Column column(canvas, figure.width - kColumn * font + font, font, ink);
+  FigureColumn column(canvas, figure.width - FigureColumn::kWidth * font + font, font, ink);
   // From below: axes, scale, what shows no value, time; the bars get what is left.
   double y = 3.5 * font;
   column.DrawAxes(shot.view, y);
@@ -335,7 +198,7 @@ void FigureOptions::Draw(
     column.DrawMark(mark.color, mark.text, y);
     y += 1.6 * font;
   }
-  const std::vector<Bar> all = bars ? BarsOf(shot, looks) : std::vector<Bar>();
+  const std::vector<FigureBar> all = bars ? BarsOf(shot, looks) : std::vector<FigureBar>();
   if (pixels.nonFinite > 0 && !all.empty())
   {
     Rgba color{};
@@ -353,7 +216,7 @@ void FigureOptions::Draw(
   }
   double top = frame.height - 0.5 * font;
   const double share = (top - y) / std::max<std::size_t>(1, all.size());
-  for (const Bar& bar : all)
+  for (const FigureBar& bar : all)
   {
     column.Write(bar.name, top - font);
     const double height = std::min(share - 3.5 * font, 0.6 * figure.height);

@@ -4,13 +4,13 @@
 #include "Input.h"
 #include "Model.h"
 #include "Output.h"
+#include "ProbeReport.h"
 #include "ProbeTable.h"
 #include "Report.h"
 
 #include "Core/Base/Error.h"
 #include "SlabArray.h"
 
-#include <nlohmann/json.hpp>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
@@ -35,49 +35,6 @@ struct ProbeOptions
   std::string output = "-";
   ProbeColumns columns;
 };
-
-void AddEnclosures(nlohmann::ordered_json& summary, const ProbeSamples& samples)
-{
-  const EnclosureWidths widths = MeasureEnclosures(samples);
-  summary["enclosures"] = { { "median_width", widths.median }, { "largest_width", widths.largest },
-    { "unbounded", widths.unbounded } };
-}
-
-void AddEnclosures(Table& table, const ProbeSamples& samples, const std::string& of)
-{
-  const EnclosureWidths widths = MeasureEnclosures(samples);
-  // Two digits say all that there is to say of a width.
-  table.Row("enclosures", "{}median width {}, largest {} of the range of values", of,
-    Short(widths.median, 2), Short(widths.largest, 2));
-  if (widths.unbounded > 0)
-  {
-    table.Row("", "{} unbounded", widths.unbounded);
-  }
-}
-
-constexpr std::array kCoverages{ Coverage::None, Coverage::Once, Coverage::Several,
-  Coverage::Undecided };
-
-void AddCoverage(nlohmann::ordered_json& summary, const ProbeSamples& samples)
-{
-  const CoverageCounts counts = CountCoverage(samples);
-  for (const Coverage kind : kCoverages)
-  {
-    summary["coverage"][Name(kind)] = counts[static_cast<std::size_t>(kind)];
-  }
-}
-
-void AddCoverage(Table& table, const ProbeSamples& samples)
-{
-  const CoverageCounts counts = CountCoverage(samples);
-  std::vector<std::string> entries;
-  entries.reserve(kCoverages.size());
-  for (const Coverage kind : kCoverages)
-  {
-    entries.push_back(fmt::format("{} {}", counts[static_cast<std::size_t>(kind)], Name(kind)));
-  }
-  table.Row("covered", Listed(entries));
-}
 
 /// None where the input has none: points are located, too, and counted how often they are covered.
 std::vector<const Field*> FieldsToProbe(const HighOrderModel& model, const ProbeOptions& options)
@@ -171,85 +128,6 @@ std::vector<ProbedField> ProbeFields(const LoadedModel& input,
   return probed;
 }
 
-nlohmann::ordered_json ToJson(const Field* field, const ProbedField& probed, bool enclosures)
-{
-  nlohmann::ordered_json facts{
-    { "field", field != nullptr ? nlohmann::ordered_json(field->name) : nlohmann::ordered_json() },
-    { "components", probed.samples.components },
-    { "non_finite", CountProbes(probed.samples).nonFinite }
-  };
-  if (enclosures)
-  {
-    AddEnclosures(facts, probed.samples);
-  }
-  return facts;
-}
-
-void PrintJson(const ProbeOptions& options, const LoadedModel& input,
-  const std::vector<const Field*>& fields, const std::vector<ProbedField>& probed,
-  const Stopwatch& stopwatch)
-{
-  const ProbeSamples& first = probed.front().samples;
-  const ProbeCounts counts = CountProbes(first);
-  nlohmann::ordered_json summary =
-    ToJson(fields.empty() ? nullptr : fields.front(), probed.front(), options.columns.enclosures);
-  AddTime(summary, input);
-  summary.update({ { "points", first.element.size() }, { "inside", counts.inside },
-    { "outside", counts.outside }, { "unknown", counts.unknown } });
-  if (options.columns.owners)
-  {
-    AddCoverage(summary, first);
-  }
-  if (fields.size() > 1)
-  {
-    summary["fields"] = nlohmann::ordered_json::array();
-    for (std::size_t k = 0; k < fields.size(); ++k)
-    {
-      summary["fields"].push_back(ToJson(fields[k], probed[k], options.columns.enclosures));
-    }
-  }
-  summary["seconds"] = ToJson(stopwatch);
-  Print(summary);
-}
-
-void PrintTable(const ProbeOptions& options, const LoadedModel& input,
-  const std::vector<const Field*>& fields, const std::vector<ProbedField>& probed,
-  const Stopwatch& stopwatch)
-{
-  const ProbeSamples& first = probed.front().samples;
-  const ProbeCounts counts = CountProbes(first);
-  Table table;
-  for (std::size_t k = 0; k < fields.size(); ++k)
-  {
-    table.Row(k == 0 ? "field" : "", fields[k]->name + FieldKind(*fields[k]));
-  }
-  if (fields.empty())
-  {
-    table.Row("field", "none");
-  }
-  AddTime(table, input);
-  table.Row("points", "{}: {} inside, {} outside, {} unknown", first.element.size(), counts.inside,
-    counts.outside, counts.unknown);
-  for (const ProbedField& field : probed)
-  {
-    const std::string of = probed.size() > 1 ? field.name + ": " : std::string();
-    if (const std::size_t count = CountProbes(field.samples).nonFinite; count > 0)
-    {
-      table.Row("non-finite", "{}{} of the values inside", of, count);
-    }
-    if (options.columns.enclosures)
-    {
-      AddEnclosures(table, field.samples, of);
-    }
-  }
-  if (options.columns.owners)
-  {
-    AddCoverage(table, first);
-  }
-  AddStages(table, stopwatch);
-  table.Print(IsStandardStream(options.output));
-}
-
 void Probe(const ProbeOptions& options, const CommonOptions& common)
 {
   if (options.points.empty() && options.line.empty())
@@ -284,10 +162,10 @@ void Probe(const ProbeOptions& options, const CommonOptions& common)
   stopwatch.Stage("write");
   if (common.json)
   {
-    PrintJson(options, input, fields, probed, stopwatch);
+    PrintJson(input, fields, probed, options.columns, stopwatch);
     return;
   }
-  PrintTable(options, input, fields, probed, stopwatch);
+  PrintTable(input, fields, probed, options.columns, stopwatch, IsStandardStream(options.output));
 }
 
 /// Six coordinates and a number of points, or four in a plane, whose z become 0.

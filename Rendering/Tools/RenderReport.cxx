@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RenderReport.h"
 
+#include "ContourReport.h"
 #include "DebugOptions.h"
 #include "Looks.h"
 #include "Report.h"
@@ -11,13 +12,11 @@
 #include "Trace/Sheets.h"
 #include "Trace/Surfaces/JumpWalls.h"
 
-#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <iterator>
 #include <string>
-#include <string_view>
 
 namespace pixelexact
 {
@@ -102,74 +101,6 @@ std::string Described(const Layer& layer)
     (layer.field->values.components > 1 ? ", " + ComponentName(layer) : std::string());
 }
 
-/// Values, of all layers.
-std::size_t CountOf(const FoundContours& contours)
-{
-  std::size_t count = 0;
-  for (const std::vector<double>& values : contours.values)
-  {
-    count += values.size();
-  }
-  return count;
-}
-
-nlohmann::ordered_json ToJson(const FoundContours& contours)
-{
-  // As there are layers, where there are several.
-  const nlohmann::ordered_json values = contours.values.size() > 1
-    ? nlohmann::ordered_json(contours.values)
-    : nlohmann::ordered_json(contours.values.front());
-  const ContourCounters& pixels = contours.pixels;
-  nlohmann::ordered_json summary{ { "values", values }, { "outside", contours.outside },
-    { "pixels",
-      { { "in", pixels.in }, { "out", pixels.out }, { "undecided", pixels.undecided },
-        { "jumps", pixels.jumps } } } };
-  if (contours.interior)
-  {
-    summary["pixels"]["loops"] = pixels.loops;
-  }
-  if (contours.labels)
-  {
-    summary["labels"] = *contours.labels;
-  }
-  return summary;
-}
-
-void AddContours(Table& table, const FoundContours& contours)
-{
-  const std::string outside = contours.outside > 0
-    ? fmt::format(", {} of them not among those that are seen", contours.outside)
-    : std::string();
-  table.Row("contours", Counted(CountOf(contours), "value") + outside);
-  const ContourCounters& pixels = contours.pixels;
-  const std::string loops =
-    contours.interior ? fmt::format(", {} by loops inside", pixels.loops) : std::string();
-  table.Row("", "{} in, {} out, {} undecided, {} at jumps{}", Counted(pixels.in, "pixel"),
-    pixels.out, pixels.undecided, pixels.jumps, loops);
-  if (contours.labels)
-  {
-    table.Row("", Counted(*contours.labels, "label"));
-  }
-}
-
-/// As a shell reads it.
-std::string Quoted(const std::string& word)
-{
-  constexpr std::string_view kPlain =
-    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
-    "_-./,=:%+@";
-  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos)
-  {
-    return word;
-  }
-  std::string quoted = "'";
-  for (const char c : word)
-  {
-    quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  }
-  return quoted + "'";
-}
-
 void AddRanges(Table& table, const Looks& looks, const Found& found)
 {
   std::string name = "range";
@@ -189,22 +120,6 @@ void AddRanges(Table& table, const Looks& looks, const Found& found)
   }
 }
 } // namespace
-
-std::vector<std::string> RepeatedCommand::Words() const
-{
-  std::vector<std::string> words{ "pixelexact" };
-  words.insert(words.end(), given.begin(), given.end());
-  // What follows "--" is no option.
-  words.insert(std::ranges::find(words, "--"), chosen.begin(), chosen.end());
-  return words;
-}
-
-std::string RepeatedCommand::Text() const
-{
-  std::vector<std::string> words = Words();
-  std::ranges::transform(words, words.begin(), Quoted);
-  return fmt::format("{}", fmt::join(words, " "));
-}
 
 void PrintJson(const Shot& shot, const Frame& frame, const Found& found, const Looks& looks,
   const DebugOptions& debug, const RepeatedCommand& command, const Stopwatch& stopwatch)

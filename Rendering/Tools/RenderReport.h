@@ -4,11 +4,10 @@
 #include "ContourDrawing.h"
 #include "Knobs.h"
 #include "LayerRanges.h"
+#include "RepeatedCommand.h"
 
 #include <array>
 #include <optional>
-#include <string>
-#include <vector>
 
 // What render tells of a frame.
 namespace pixelexact
@@ -25,18 +24,6 @@ struct Found
   PixelsBeyond beyond;                         ///< ranges of colour maps
   std::optional<FoundContours> contours;       ///< where they were asked for
   KnobFacts knobs;                             ///< what was given up
-};
-
-/// The words of a command line, and those that were chosen.
-struct RepeatedCommand
-{
-  std::vector<std::string> given;
-  std::vector<std::string> chosen;
-
-  /// That of the same picture.
-  [[nodiscard]] std::vector<std::string> Words() const;
-  /// The same for a shell.
-  [[nodiscard]] std::string Text() const;
 };
 
 /// On stdout.

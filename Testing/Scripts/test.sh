@@ -1,10 +1,12 @@
 #!/usr/bin/env bash
 # Everything that must hold before a change goes in. Runs on a clean Debian 12 or newer.
 #
-#   test.sh           all of it, as CI runs it
+#   test.sh           as CI runs it, in half an hour
 #   test.sh --quick   dependencies, build and tests: for a first look
+#   test.sh --full    also all tests under sanitizers, and ten minutes of clang-tidy: before a release,
+#                     and after work on what reads files or counts indices
 #
-# PIXELEXACT_TEST_STAGES selects from (default: all, in this order)
+# PIXELEXACT_TEST_STAGES selects from (default: all but sanitize, in this order)
 #   dependencies build test paraview instructions sanitize fuzz format tidy package
 # A stage that takes longer than its budget, made for two cores, is told at the end. After
 # PIXELEXACT_DEADLINE seconds in all (4800) what runs is ended and what is left fails: whoever stops a
@@ -14,10 +16,20 @@
 set -uo pipefail
 cd "$(dirname "$0")/../.."
 
-stages=${PIXELEXACT_TEST_STAGES:-dependencies build test paraview instructions sanitize fuzz format tidy package}
-if [[ "${1:-}" == --quick ]]; then
-  stages="dependencies build test"
-fi
+stages=${PIXELEXACT_TEST_STAGES:-dependencies build test paraview instructions fuzz format tidy package}
+tidy_seconds=120
+case "${1:-}" in
+  --quick) stages="dependencies build test" ;;
+  --full)
+    stages="dependencies build test paraview instructions sanitize fuzz format tidy package"
+    tidy_seconds=600
+    ;;
+  "") ;;
+  *)
+    echo "test.sh: --quick, --full, or nothing, not '$1'" >&2
+    exit 2
+    ;;
+esac
 # In seconds. The network has none.
 declare -A budgets=([build]=1500 [test]=400 [package]=600 [paraview]=480 [instructions]=240 [sanitize]=1900
   [fuzz]=400 [format]=60 [tidy]=720)
@@ -211,7 +223,7 @@ stage_format() {
 }
 
 stage_tidy() {
-  limited ./Testing/Scripts/tidy.py "$build" --seconds 600 2>&1 | tee "$build/tidy.log"
+  limited ./Testing/Scripts/tidy.py "$build" --seconds "$tidy_seconds" 2>&1 | tee "$build/tidy.log"
   count $? "$build/tidy.log"
 }
 

@@ -2,7 +2,7 @@
 #include "View/ViewWindow.h"
 
 #include "Command.h"
-#include "DrawnShot.h"
+#include "RepeatedCommand.h"
 #include "Report.h"
 #include "View/Observe.h"
 #include "View/Spawn.h"
@@ -14,7 +14,6 @@
 #include <vtkAbstractWidget.h>
 #include <vtkActor.h>
 #include <vtkCamera.h>
-#include <vtkHighOrderLayer.h>
 #include <vtkHighOrderMapper.h>
 #include <vtkHighOrderPicker.h>
 #include <vtkInteractorStyleTrackballCamera.h>
@@ -34,14 +33,11 @@
 
 namespace pixelexact
 {
-vtkStandardNewMacro(GivenSurfaceOfLayer);
-
 namespace
 {
 /// What tracing may take between two events; drawing comes to that.
 constexpr double kSeconds = 0.03;
-/// Contours where the command line asks for none.
-constexpr int kUsualContours = 10;
+
 /// Turns and moves the camera as VTK's, whose keys are left out.
 class Style final : public vtkInteractorStyleTrackballCamera
 {
@@ -85,6 +81,7 @@ std::string NameOfFile(const RenderOptions& options, int number)
 ViewWindow::ViewWindow(RenderOptions options, std::vector<std::string> words)
   : Options(std::move(options))
   , Words(std::move(words))
+  , Shown(Options)
 {
   if (Options.animation.IsAsked(Options.shot.input))
   {
@@ -111,95 +108,19 @@ ViewWindow::ViewWindow(RenderOptions options, std::vector<std::string> words)
   style->Window = this;
   Interactor->SetRenderWindow(Window);
   Interactor->SetInteractorStyle(style);
-  Mapper->SetProgressive(true);
-  Mapper->SetStillSeconds(kSeconds);
+  Shown.Mapper().SetProgressive(true);
+  Shown.Mapper().SetStillSeconds(kSeconds);
   Interactor->SetDesiredUpdateRate(1.0 / kSeconds);
-  Actor->SetMapper(Mapper);
-  Renderer->AddActor(Actor);
-  MakeTables();
-  MakeLayers();
-  ShowContours();
-  Actor->GetProperty()->SetEdgeVisibility(Edges);
+  Renderer->AddActor(&Shown.Actor());
+  Shown.MakeTables(*TheShot);
+  Shown.MakeLayers(*TheShot);
+  Shown.ShowContours(Contours);
+  Shown.Actor().GetProperty()->SetEdgeVisibility(Edges);
   ApplyView(TheShot->view, Renderer->GetActiveCamera());
   Renderer->ResetCameraClippingRange(TheShot->input.grid->GetBounds());
 }
 
 ViewWindow::~ViewWindow() = default;
-
-void ViewWindow::MakeTables()
-{
-  // Of what the view shows, as render's.
-  Shot seen = *TheShot;
-  const Frame frame = TraceShot(Options, seen, {});
-  const Looks looks(Options.shot.colors, seen, frame);
-  Ranges = looks.Ranges();
-  Tables.clear();
-  for (std::size_t k = 0; k < Ranges.size(); ++k)
-  {
-    Tables.push_back(Ranges[k]
-        ? Options.shot.colors.TableOver(*Ranges[k], TheShot->settings[k].colormap)
-        : nullptr);
-  }
-  Solids.clear();
-  for (const ColorMap& map : looks.Maps())
-  {
-    const double any = 0.0;
-    Rgba color{};
-    map({ &any, 1 }, color.data());
-    Solids.push_back({ color[0] / 255.0, color[1] / 255.0, color[2] / 255.0 });
-  }
-}
-
-void ViewWindow::MakeLayers()
-{
-  Mapper->SetInputData(TheShot->input.grid);
-  Mapper->RemoveAllLayers();
-  const std::vector<Layer>& layers = TheShot->scene.layers;
-  for (std::size_t k = 0; k < layers.size(); ++k)
-  {
-    const LayerSettings& settings = TheShot->settings[k];
-    vtkNew<vtkHighOrderLayer> layer;
-    vtkNew<GivenSurfaceOfLayer> own;
-    GivenSurfaceOfLayer* surface = k == 0 ? First.Get() : own.Get();
-    surface->Set(layers[k].surface);
-    layer->SetSurface(surface);
-    if (layers[k].field != nullptr)
-    {
-      layer->SetFieldName(layers[k].field->name.c_str());
-      layer->SetComponent(layers[k].component);
-    }
-    layer->SetScalarVisibility(Tables[k] != nullptr);
-    layer->SetLookupTable(Tables[k]);
-    layer->SetColor(Solids[k].data());
-    layer->SetOpacity(settings.opacity);
-    const bool lit = settings.lights.value_or(TheShot->lights != Lit::Off);
-    layer->SetLighting(lit);
-    layer->SetLightFlat(lit && (settings.lights || TheShot->lights == Lit::On));
-    Mapper->AddLayer(layer);
-  }
-  Mapper->SetUseLookupTableScalarRange(true);
-}
-
-void ViewWindow::ShowContours()
-{
-  const auto first =
-    std::ranges::find_if(Ranges, [](const auto& range) { return range.has_value(); });
-  Mapper->SetNumberOfContours(0);
-  if (!Contours || first == Ranges.end())
-  {
-    return;
-  }
-  const ContourChoice choice = Options.contours.AreGiven()
-    ? Options.contours.OfAll()
-    : ContourChoice{ kUsualContours, false, {} };
-  const std::vector<double> values =
-    ContourValues(choice, **first, Options.shot.colors.Logarithm());
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    Mapper->SetContourValue(static_cast<int>(i), values[i]);
-  }
-  Mapper->SetContourWidth(Options.contours.Style().width);
-}
 
 void ViewWindow::MakeWidgets()
 {
@@ -236,7 +157,7 @@ void ViewWindow::MoveSurface()
     Texts.Tell(error.what());
     return;
   }
-  First->Set(TheShot->scene.layers.front().surface);
+  Shown.MoveFirst(TheShot->scene.layers.front().surface);
   Window->Render();
 }
 
@@ -258,7 +179,7 @@ void ViewWindow::GoToStep(int step)
     {
       TheShot->scene.layers.front().surface = before.scene.layers.front().surface;
     }
-    MakeLayers();
+    Shown.MakeLayers(*TheShot);
   }
   Slider.Set(step);
   Texts.Tell(fmt::format(
@@ -274,9 +195,9 @@ ShownNow ViewWindow::Now() const
     now.surface = Dragged->Word();
   }
   now.view = ViewOf(Renderer->GetActiveCamera());
-  if (Ranges.size() == 1)
+  if (Shown.Ranges().size() == 1)
   {
-    now.range = Ranges.front();
+    now.range = Shown.Ranges().front();
   }
   if (!TheShot->input.times.empty())
   {
@@ -295,8 +216,9 @@ void ViewWindow::Save()
   {
     now.output = NameOfFile(Options, ++Saved);
   }
-  RepeatedCommand command{ WordsOf(now, Words, TheShot->chosen, std::to_string(kUsualContours)),
-    {} };
+  RepeatedCommand command{
+    WordsOf(now, Words, TheShot->chosen, std::to_string(ViewScene::kUsualContours)), {}
+  };
   Texts.Tell("saving '" + now.output + "' ...");
   Window->Render();
   std::cout << command.Text() << std::endl;
@@ -347,20 +269,20 @@ bool ViewWindow::Press(const std::string& key)
   else if (key == "c")
   {
     Contours = !Contours;
-    ShowContours();
+    Shown.ShowContours(Contours);
   }
   else if (key == "e")
   {
     Edges = !Edges;
-    Actor->GetProperty()->SetEdgeVisibility(Edges);
+    Shown.Actor().GetProperty()->SetEdgeVisibility(Edges);
   }
   else if (key == "r")
   {
     TheShot->view = Now().view;
-    MakeTables();
-    MakeLayers();
-    ShowContours();
-    Texts.SetTable(Tables.front());
+    Shown.MakeTables(*TheShot);
+    Shown.MakeLayers(*TheShot);
+    Shown.ShowContours(Contours);
+    Texts.SetTable(Shown.FirstTable());
   }
   else if (key == "Left" || key == "Right")
   {
@@ -381,7 +303,7 @@ bool ViewWindow::Press(const std::string& key)
 void ViewWindow::Show()
 {
   const Layer& first = TheShot->scene.layers.front();
-  Texts.AddTo(*Renderer, Tables.front(), first.field != nullptr ? first.field->name : "");
+  Texts.AddTo(*Renderer, Shown.FirstTable(), first.field != nullptr ? first.field->name : "");
   Interactor->Initialize();
   MakeWidgets();
   Observe(Interactor, vtkCommand::MouseMoveEvent,

@@ -4,23 +4,19 @@
 #include "RenderOptions.h"
 #include "Report.h"
 #include "View/DraggedShape.h"
-#include "View/GivenSurface.h"
 #include "View/ShellWords.h"
 #include "View/StepSlider.h"
+#include "View/ViewScene.h"
 #include "View/ViewTexts.h"
 
 #include <vtkNew.h>
-#include <vtkSmartPointer.h>
 
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-class vtkActor;
-class vtkHighOrderMapper;
 class vtkHighOrderPicker;
-class vtkLookupTable;
 class vtkRenderWindow;
 class vtkRenderWindowInteractor;
 class vtkRenderer;
@@ -46,9 +42,6 @@ public:
   bool Press(const std::string& key);
 
 private:
-  void MakeLayers();
-  void MakeTables();
-  void ShowContours();
   void MakeWidgets();
   void GoToStep(int step);
   void Save();
@@ -61,9 +54,7 @@ private:
   std::vector<std::string> Words;
   Stopwatch Watch;
   std::optional<Shot> TheShot;
-  std::vector<vtkSmartPointer<vtkLookupTable>> Tables; ///< by layer; null: one colour
-  std::vector<std::optional<std::array<double, 2>>> Ranges;
-  std::vector<std::array<double, 3>> Solids;
+  ViewScene Shown;
   bool Contours = false;
   bool Edges = false;
   bool Dragging = false;                 ///< the surface
@@ -73,10 +64,7 @@ private:
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkRenderWindowInteractor> Interactor;
-  vtkNew<vtkHighOrderMapper> Mapper;
-  vtkNew<vtkActor> Actor;
   vtkNew<vtkHighOrderPicker> Picker;
-  vtkNew<GivenSurfaceOfLayer> First;
   StepSlider Slider;
   ViewTexts Texts;
 };
