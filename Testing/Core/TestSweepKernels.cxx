@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InstructionSets.h"
 
+#include "Core/Bernstein/ExtremeKernels.h"
 #include "Core/Bernstein/HalvingKernels.h"
 #include "Core/Bernstein/SweepKernels.h"
 #include "Core/Bernstein/TensorPolynomial.h"
