@@ -14,6 +14,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
 #include <string_view>
 
 namespace pixelexact
@@ -57,6 +60,39 @@ bool HasOtherOrders(vtkUnstructuredGrid& grid)
   }
   return false;
 }
+/// CGNS's library ends the program where it finds a file damaged. While this lives, such an end
+/// says what was read, with the status of work that failed. One at a time.
+class ReadGuard
+{
+public:
+  explicit ReadGuard(const std::string& file)
+  {
+    reading = &file;
+    Arm();
+  }
+  ~ReadGuard() { reading = nullptr; }
+  ReadGuard(const ReadGuard&) = delete;
+  ReadGuard& operator=(const ReadGuard&) = delete;
+
+  /// Again after libraries were first used: what is registered last runs first, and HDF5 prints at
+  /// an end like that.
+  static void Arm() { std::atexit(&End); }
+
+private:
+  static void End()
+  {
+    if (reading)
+    {
+      std::fprintf(stderr,
+        "pixelexact: cannot read '%s': the library of CGNS gave up; the file is damaged or cut "
+        "short\n",
+        reading->c_str());
+      std::_Exit(EXIT_FAILURE);
+    }
+  }
+
+  static inline const std::string* reading = nullptr;
+};
 } // namespace
 
 InputGrid ReadCgnsFile(const InputRequest& request)
@@ -80,7 +116,9 @@ InputGrid ReadCgnsFile(const InputRequest& request)
   reader->SetFileName(file.c_str());
   reader->SetLoadBndPatch(false);
   reader->SetDoublePrecisionMesh(1);
+  const ReadGuard guard(file);
   reader->UpdateInformation();
+  ReadGuard::Arm();
   check();
   reader->EnableAllBases();
   reader->EnableAllFamilies();

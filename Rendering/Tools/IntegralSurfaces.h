@@ -41,6 +41,8 @@ public:
 
   /// The first option given that VTK's filters have nothing for; empty: there is none.
   [[nodiscard]] std::string NotLinear() const;
+  /// Whether one of them is made of a field.
+  [[nodiscard]] bool HasIsoSurfaces() const { return !Isos.empty(); }
   /// What clips all of them.
   [[nodiscard]] std::vector<QuadricForm> Clips() const;
   /// Without any: the plane through the middle. Throws UsageError when numbers describe no surface,

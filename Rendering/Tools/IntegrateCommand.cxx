@@ -178,7 +178,9 @@ void RunIntegrate(const IntegrateOptions& options, const CommonOptions& common)
       "--linear is for planes, quadrics, tori and boxes, whole; leave it out with " + other);
   }
   Stopwatch stopwatch;
-  const LoadedModel input = LoadModel(options.input, options.field, stopwatch);
+  // An iso-surface may be of another field than is integrated: then all of them.
+  const LoadedModel input = LoadModel(
+    options.input, options.surfaces.HasIsoSurfaces() ? std::string() : options.field, stopwatch);
   WarnOfDiagnostics(input);
   const HighOrderModel& model = *input.model;
   const Field* const field =

@@ -3,6 +3,7 @@
 
 import csv
 import os
+import resource
 import signal
 import tempfile
 import threading
@@ -117,9 +118,15 @@ class Probe(unittest.TestCase):
         self.assertIsNone(found.gradients)
         self.assertFalse(found.values.flags.owndata)
 
+    def test_masked_points_are_outside(self):
+        points = np.ma.masked_array([[1.0, 0.0, 0.0], [1.0, 0.0, 0.0]], [[0, 0, 0], [0, 1, 0]])
+        self.assertEqual(pixelexact.probe(self.grid, "u", points).verdicts.tolist(), [1, 0])
+
     def test_refused(self):
         with self.assertRaisesRegex(pixelexact.Error, "no field 'w'; there are: u"):
             pixelexact.probe(self.grid, "w", [[0, 0, 0]])
+        with self.assertRaisesRegex(TypeError, "complex"):
+            pixelexact.probe(self.grid, "u", np.array([[1.0 + 1j, 0.0, 0.0]]))
         with self.assertRaisesRegex(ValueError, r"shape \(n, 3\)"):
             pixelexact.probe(self.grid, "u", [[0, 0]])
         with self.assertRaisesRegex(TypeError, "file's name"):
@@ -198,6 +205,26 @@ class Render(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, ".png or .vti"):
                 picture.save(Path(folder) / "cut.bmp")
         self.assertEqual(picture._repr_png_()[:8], b"\x89PNG\r\n\x1a\n")
+
+    def test_no_part_of_a_file_is_left(self):
+        picture = pixelexact.render(self.grid, "u", size=(80, 80))
+        with tempfile.TemporaryDirectory() as folder:
+            before = resource.getrlimit(resource.RLIMIT_FSIZE)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (1000, before[1]))
+            try:
+                for name in ("cut.png", "cut.vti"):
+                    with self.assertRaisesRegex(OSError, f"{name}.*room"):
+                        picture.save(Path(folder) / name)
+            finally:
+                resource.setrlimit(resource.RLIMIT_FSIZE, before)
+            self.assertEqual(list(Path(folder).iterdir()), [])
+
+    def test_sizes_and_ranges_that_are_none(self):
+        for size in ((1.5, 2), (10**6, 10**6), (0, 1), (2,)):
+            with self.assertRaises((TypeError, ValueError)):
+                pixelexact.render(self.grid, "u", size=size)
+        with self.assertRaisesRegex(ValueError, "clim"):
+            pixelexact.render(self.grid, "u", size=(2, 2), clim=(0.0, np.inf))
 
     def test_ranges(self):
         picture = pixelexact.render(self.grid, "u", size=(60, 60), clim="cut")

@@ -117,6 +117,17 @@ class Blocks(ToolTest):
         self.assertEqual(set(found["verdict"]), {"inside"})
         np.testing.assert_allclose(found["value"], values, rtol=0, atol=1e-13)
 
+    @unittest.skipUnless(known(CGNS, "CGNS"), "VTK has no reader of CGNS")
+    def test_damaged_cgns(self):
+        """Its library ends the program, with a status and words of its own."""
+        data = CGNS.read_bytes()
+        short = self.folder / "short.cgns"
+        for part in (0.2, 0.6, 0.98):
+            short.write_bytes(data[: int(part * len(data))])
+            done = run("info", short)
+            self.assertEqual((done.returncode, done.stdout), (1, ""), done.stderr)
+            self.assertRegex(done.stderr, f"cannot read '{short}': .* damaged or cut short\n$")
+
     def test_others_are_refused_by_name(self):
         for suffix, name in ((".e", "Exodus"), (".cgns", "CGNS")):
             wrong = self.folder / ("wrong" + suffix)

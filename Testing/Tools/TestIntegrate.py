@@ -92,6 +92,15 @@ class Integrate(ToolTest):
         self.assertGreaterEqual(iso["Mean"]["upper"], 0.3)
         self.assertLess(iso["Mean"]["error_bound"], 0.02)
 
+    def test_a_field_over_the_iso_surface_of_another(self):
+        path = case("fichera_hex_g3_p4")
+        _, rows = self.rows(
+            path, "--field", "attribute", "--isosurface", "u=0.3", "--tolerance", "0.3"
+        )
+        # The field is 1.
+        self.assertLessEqual(rows["Integral"]["lower"], rows["Area"]["upper"])
+        self.assertGreaterEqual(rows["Integral"]["upper"], rows["Area"]["lower"])
+
     def test_what_does_not_fit_is_refused(self):
         ring = (case("toroid_hex_g3_p6"), "--field", "u")
         for option, given in (

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any, Iterator, Optional, Sequence, Union
 
 from vtkmodules.vtkCommonCore import vtkScalarsToColors
@@ -67,7 +68,11 @@ def _set_range(mapper: Any, clim: Limits) -> None:
         mapper.SetRangeModeToField()
     elif clim == "cut":
         mapper.SetRangeModeToCut()
-    elif isinstance(clim, str) or len(clim) != 2 or not float(clim[0]) <= float(clim[1]):
+    elif (
+        isinstance(clim, str)
+        or len(clim) != 2
+        or not -math.inf < float(clim[0]) <= float(clim[1]) < math.inf
+    ):
         raise ValueError(f"clim: 'field', 'cut' or (lowest, highest), not {clim!r}")
     else:
         mapper.SetScalarRange(float(clim[0]), float(clim[1]))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 import os
 from typing import TYPE_CHECKING, Any, Optional, Sequence, Union
 
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
 
 _UP = (0.0, 1.0, 0.0)
 _UP_OF_ISO = (0.0, 0.0, 1.0)
+_MOST_PIXELS = 2**30
 _COLORS = {"white": (1.0, 1.0, 1.0), "black": (0.0, 0.0, 0.0)}
 
 
@@ -94,7 +96,7 @@ class Picture:
         return writer
 
     def save(self, file: Path) -> None:
-        """Writes the picture (.png), or all that is known of its pixels (.vti)."""
+        """Writes the picture (.png), or all that is known of its pixels (.vti); OSError: it could not."""
         name = os.fspath(file)
         suffix = os.path.splitext(name)[1].lower()
         if suffix == ".png":
@@ -109,7 +111,13 @@ class Picture:
         with open(name, "wb"):
             pass  # says why it cannot be written; VTK does not
         writer.SetFileName(name)
+        for speaker in (writer, writer.GetExecutive()):
+            speaker.AddObserver("ErrorEvent", lambda *_: None)  # raised instead
         writer.Write()
+        if writer.GetErrorCode():
+            if os.path.isfile(name) and not os.path.islink(name):
+                os.remove(name)  # a part of a file would be taken for the whole
+            raise OSError(f"cannot write '{name}'; is there room?")
 
     def _repr_png_(self) -> bytes:
         writer = self._png_writer()
@@ -179,13 +187,13 @@ def _trace(
 ) -> Any:
     if not 1 <= stride <= 64:
         raise ValueError(f"stride: from 1 to 64, not {stride!r}")
-    if len(size) != 2 or min(size) < 1:
-        raise ValueError(f"size: pixels across and up, not {size!r}")
+    if len(size) != 2 or min(size) < 1 or int(size[0]) * int(size[1]) > _MOST_PIXELS:
+        raise ValueError(f"size: pixels across and up, at most 2^30 of them, not {size!r}")
     if camera is not None and view is not None:
         raise ValueError("view and camera are two ways to say the same: leave one out")
     picture = vtkHighOrderPicture()
     picture.SetActor(of.actor)
-    picture.SetSize(int(size[0]), int(size[1]))
+    picture.SetSize(operator.index(size[0]), operator.index(size[1]))
     picture.SetAllBuffers(buffers)
     picture.SetStride(stride)
     picture.SetCamera(camera)

@@ -61,6 +61,10 @@ def _cloud(points: Any) -> Any:
     from vtkmodules.vtkCommonCore import vtkPoints
     from vtkmodules.vtkCommonDataModel import vtkPolyData
 
+    if numpy.iscomplexobj(points):
+        raise TypeError("points: real numbers, not complex ones")
+    if numpy.ma.isMaskedArray(points):
+        points = points.astype(numpy.float64).filled(numpy.nan)
     places = numpy.ascontiguousarray(points, dtype=numpy.float64)
     if places.ndim == 1 and places.shape == (3,):
         places = places.reshape(1, 3)
@@ -86,7 +90,7 @@ def probe(
     """The exact values of a field at points (n, 3), in the order of these.
 
     grid: as of cut. field: None: the first one. points: an array of doubles that is contiguous is
-    used as it is; a point that is not finite is outside. enclosures: an interval for each value,
+    used as it is; a point that is not finite, or masked, is outside. enclosures: an interval for each value,
     20 to 50 times the cost of a value.
 
     progress: a function of the part that is done; what it raises, and KeyboardInterrupt, end the
