@@ -89,6 +89,48 @@ class Blocks(ToolTest):
         self.assertIn("1 node set", self.succeeds("info", SIDES).stderr)
 
     @unittest.skipUnless(known(EXODUS, "Exodus"), "VTK has no reader of Exodus II")
+    def test_exodus_parts(self):
+        """A mesh in parts has the elements and side sets of all; one that is missing is named."""
+        for part, source in enumerate((EXODUS, SIDES)):
+            (self.folder / f"a.e.2.{part}").write_bytes(source.read_bytes())
+        first, second = self.folder / "a.e.2.0", self.folder / "a.e.2.1"
+        alone = self.summary("info", SIDES)
+        for files in ([first], [second], [second, first]):
+            summary = self.summary("info", *files)
+            self.assertEqual(summary["elements"], alone["elements"] + 3)
+            self.assertEqual(summary["boundary_attributes"], alone["boundary_attributes"])
+            self.assertEqual(summary["groups"], alone["groups"])
+        seen = []
+        for files in ([SIDES], [first]):
+            table = self.folder / "buffers.vti"
+            self.succeeds("render", *files, "--boundary=16", "--view", "iso", "--size", "200x200",
+                          "--buffers", table, "--output", self.folder / "a.png")
+            buffers = read_buffers(table)
+            seen.append(buffers["Position"][buffers["Verdict"] == 1][:, 2].mean())
+        self.assertAlmostEqual(seen[0], seen[1])
+        second.unlink()
+        self.fails(1, "info", first, names=[second, "2 parts", "beside"])
+        second.write_bytes(b"no netCDF")
+        self.fails(1, "info", first, names=[second, "Exodus"])
+        self.fails(2, "info", first, SIDES, names=[SIDES, "one series"])
+
+    @unittest.skipUnless(known(EXODUS, "Exodus"), "VTK has no reader of Exodus II")
+    def test_exodus_series(self):
+        """Meshes of an adaptive run are time steps; one alone tells that there are more."""
+        first, second = self.folder / "a.e", self.folder / "a.e-s002"
+        first.write_bytes(EXODUS.read_bytes())
+        data = SIDES.read_bytes()
+        second.write_bytes(data)
+        self.assertIn(str(second), self.succeeds("info", first).stderr)
+        self.assertEqual(self.summary("info", first)["elements"], 3)
+        self.assertEqual(self.summary("info", second)["elements"], 4)
+        for step, elements in enumerate((3, 4)):
+            summary = self.summary("info", second, first, "--time-step", step)
+            self.assertEqual(summary["elements"], elements)
+            self.assertEqual(summary["times"], [0.0, 1.0])
+        self.fails(1, "info", first, second, "--time-step", 2, names=["2 time steps"])
+
+    @unittest.skipUnless(known(EXODUS, "Exodus"), "VTK has no reader of Exodus II")
     def test_exodus_with_a_node_that_is_not_there(self):
         data = EXODUS.read_bytes()
         nodes = struct.pack(">4i", 1, 2, 3, 4)  # the first hexahedron's
