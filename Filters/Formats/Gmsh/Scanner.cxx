@@ -84,7 +84,19 @@ std::string Scanner::Quoted(const char* what)
 
 std::int64_t Scanner::TextInteger(const char* what)
 {
+  return Integer(Word(what), what);
+}
+
+std::int64_t Scanner::IntegerBeforeName(const char* what)
+{
   const std::string_view word = Word(what);
+  const std::size_t behind = word.size() - std::min(word.size(), word.find('"'));
+  At -= behind;
+  return Integer(word.substr(0, word.size() - behind), what);
+}
+
+std::int64_t Scanner::Integer(std::string_view word, const char* what) const
+{
   std::int64_t value = 0;
   if (!ParseWhole(word, value))
   {
