@@ -13,6 +13,8 @@ EXODUS = DATA / "exodus_quadratic.e"
 SIDES = DATA / "exodus_sides.e"
 CGNS = DATA / "cgns_hexa27.cgns"
 CUBIC = DATA / "cgns_hexa64.cgns"
+ORDERS = DATA / "cgns_orders.cgns"
+BOUNDARIES = DATA / "cgns_boundaries.cgns"
 
 
 def known(file, reader):
@@ -158,6 +160,67 @@ class Blocks(ToolTest):
         found = columns(read_csv(out))
         self.assertEqual(set(found["verdict"]), {"inside"})
         np.testing.assert_allclose(found["value"], values, rtol=0, atol=1e-13)
+
+    @unittest.skipUnless(known(CGNS, "CGNS"), "VTK has no reader of CGNS")
+    def test_cubic_simplices_of_cgns(self):
+        """TETRA_20 and PENTA_40, straight, their nodes as the format's document has them."""
+        stream = random.Random(3)
+        corners = [
+            [(0, 0, 0), (1, 0.1, 0), (0.2, 0.9, 0.1), (0.1, 0.2, 1)],
+            [(2, 0, 0), (3, 0.1, 0), (2.2, 0.9, 0.1), (2.1, 0.2, 1), (3.1, 0.3, 1), (2.3, 1.1, 1.1)],
+        ]
+        points = []
+        for cell in corners:
+            for _ in range(25):
+                weights = np.array([stream.expovariate(1) for _ in range(3 if len(cell) == 6 else 4)])
+                weights /= weights.sum()
+                if len(cell) == 6:
+                    height = stream.random()
+                    weights = np.concatenate([weights * (1 - height), weights * height])
+                points.append(weights @ np.array(cell))
+        table = self.folder / "points.csv"
+        table.write_text("x,y,z\n" + "".join(",".join(map(repr, map(float, p))) + "\n" for p in points))
+        out = self.folder / "values.csv"
+        result = self.succeeds("probe", ORDERS, "--field", "u", "--points", table, "--output", out)
+        self.assertNotIn("warning", result.stderr)
+        found = columns(read_csv(out))
+        self.assertEqual(set(found["verdict"]), {"inside"})
+        x, y, z = np.array(points).T
+        values = x**3 - 2 * x * y * z + 0.5 * y * y * z - z * z + 0.25 * x
+        np.testing.assert_allclose(found["value"], values, rtol=0, atol=5e-14)
+
+    @unittest.skipUnless(known(CGNS, "CGNS"), "VTK has no reader of CGNS")
+    def test_boundary_conditions_of_cgns(self):
+        """Of two boxes with sides as elements, and of a grid of 3 x 2 x 1 cells from x = 10 on."""
+        summary = self.summary("info", BOUNDARIES)
+        self.assertEqual(summary["boundary_attributes"], {"1": 3, "2": 1, "3": 3, "4": 2, "5": 4, "6": 2})
+        self.assertEqual([group["name"] for group in summary["groups"]],
+                         ["low", "high", "walls", "floor", "roof", "far"])
+        self.assertIn("'nowhere'", self.succeeds("info", BOUNDARIES).stderr)
+        where = {
+            1: lambda x, y, z: (x == 0) | (x == 10),
+            2: lambda x, y, z: x == 2,
+            3: lambda x, y, z: (y == 0) | ((z == 1) & (x <= 1)),
+            4: lambda x, y, z: (z == 0) & (x <= 2),
+            5: lambda x, y, z: (z == 1) & (x >= 11),
+            6: lambda x, y, z: x == 13,
+        }
+        for attribute, holds in where.items():
+            table = self.folder / "buffers.vti"
+            self.succeeds("render", BOUNDARIES, f"--boundary={attribute}", "--view", "iso", "--size", "300x300",
+                          "--buffers", table, "--output", self.folder / "a.png")
+            buffers = read_buffers(table)
+            seen = np.round(buffers["Position"][buffers["Verdict"] == 1], 9)
+            self.assertGreater(len(seen), 20)
+            self.assertTrue(holds(*seen.T).all(), attribute)
+
+    @unittest.skipUnless(known(CGNS, "CGNS"), "VTK has no reader of CGNS")
+    def test_damaged_cgns(self):
+        data = BOUNDARIES.read_bytes()
+        for count in (600, len(data) // 2, len(data) - 3000):
+            damaged = self.folder / "damaged.cgns"
+            damaged.write_bytes(data[:count])
+            self.fails(1, "info", damaged, names=[damaged, "damaged"])
 
     def test_others_are_refused_by_name(self):
         for suffix, name in ((".e", "Exodus"), (".cgns", "CGNS")):
