@@ -82,6 +82,22 @@ std::string Scanner::Quoted(const char* what)
   return std::string(name);
 }
 
+std::string Scanner::QuotedOrLine(const char* what)
+{
+  if (Peek().empty() || Peek().front() == '"')
+  {
+    return Quoted(what);
+  }
+  const std::size_t begin = At;
+  At = std::min(Text.find('\n', At), Text.size());
+  std::string_view line = Text.substr(begin, At - begin);
+  while (IsBlank(line.back()))
+  {
+    line.remove_suffix(1);
+  }
+  return std::string(line);
+}
+
 std::int64_t Scanner::TextInteger(const char* what)
 {
   return Integer(Word(what), what);

@@ -36,6 +36,8 @@ public:
   std::string_view Word(const char* what);
   /// What is between the next pair of quotation marks, on the same line.
   std::string Quoted(const char* what);
+  /// The same; some programs write no quotation marks: all of the line, then.
+  std::string QuotedOrLine(const char* what);
   std::int64_t TextInteger(const char* what);
   /// The same where a name in quotation marks may follow without a blank.
   std::int64_t IntegerBeforeName(const char* what);
