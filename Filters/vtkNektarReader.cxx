@@ -112,7 +112,11 @@ SolverModel vtkNektarReader::ReadModel(int step, bool wantMesh)
       ? std::make_unique<nektar::SessionMesh>(nektar::OutlineOf(mesh))
       : nullptr;
   }
-  if (!this->FieldFiles.empty())
+  if (this->FieldFiles.empty())
+  {
+    nektar::RequireFields(mesh);
+  }
+  else
   {
     const Texts fields(nektar::FileParts(this->FieldFiles[this->FileOfStep[step]]));
     nektar::AddFields(fields.Named, mesh);

@@ -77,7 +77,7 @@ if(PIXELEXACT_BUILD_PARAVIEW)
 endif()
 # Without these the program refuses the readers' formats by name, and several processes.
 find_package(VTK 9.1 REQUIRED COMPONENTS ${PIXELEXACT_VTK_COMPONENTS} ${vtk_build_components}
-  OPTIONAL_COMPONENTS IOExodus exodusII IOCGNSReader mpi ParallelMPI)
+  OPTIONAL_COMPONENTS IOExodus exodusII IOCGNSReader cgns mpi ParallelMPI)
 
 find_package(CLI11 REQUIRED)
 find_package(fmt REQUIRED)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BlockInput.h"
+#include "CgnsSides.h"
 
 #include "VtkMessages.h"
 
@@ -16,6 +17,7 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -26,40 +28,88 @@ namespace
 /// VTK 9.1 changed the order of two edges in Lagrange hexahedra, but not in its reader of CGNS.
 constexpr bool kHasOldEdges = VTK_MAJOR_VERSION == 9 && VTK_MINOR_VERSION == 1;
 constexpr int kCubicPoints = 64;
+constexpr int kCubicTetrahedronPoints = 20;
 constexpr int kTenthEdge = 28; ///< of a cubic hexahedron, with two nodes as the next one
 
-void MendCubicHexahedra(vtkUnstructuredGrid& grid)
+/// VTK's reader puts the nodes inside a wedge's third quadrilateral from the third corner to the
+/// first; VTK's wedges have them the other way round.
+constexpr int kCubicWedgePoints = 40;
+constexpr int kThirdSquare = 34; ///< of a cubic wedge, with four nodes
+
+/// Exchanges `count` nodes with as many behind them, in all cells of a kind.
+void ExchangeNodes(vtkUnstructuredGrid& grid, int type, vtkIdType size, int first, int count)
 {
   vtkCellArray& cells = *grid.GetCells();
   for (vtkIdType cell = 0; cell < grid.GetNumberOfCells(); ++cell)
   {
-    if (grid.GetCellType(cell) != VTK_LAGRANGE_HEXAHEDRON ||
-      cells.GetCellSize(cell) != kCubicPoints)
+    if (grid.GetCellType(cell) != type || cells.GetCellSize(cell) != size)
     {
       continue;
     }
     vtkNew<vtkIdList> points;
     cells.GetCellAtId(cell, points);
-    vtkIdType* edge = points->GetPointer(kTenthEdge);
-    std::swap_ranges(edge, edge + 2, edge + 2);
+    vtkIdType* nodes = points->GetPointer(first);
+    std::swap_ranges(nodes, nodes + count, nodes + count);
     cells.ReplaceCellAtId(cell, points);
   }
 }
 
-/// Whether there are cells of order above 2 other than cubic hexahedra.
+void MendCubicCells(vtkUnstructuredGrid& grid)
+{
+  if (kHasOldEdges)
+  {
+    ExchangeNodes(grid, VTK_LAGRANGE_HEXAHEDRON, kCubicPoints, kTenthEdge, 2);
+  }
+  for (const int first : { kThirdSquare, kThirdSquare + 2 })
+  {
+    ExchangeNodes(grid, VTK_LAGRANGE_WEDGE, kCubicWedgePoints, first, 1);
+  }
+}
+
+/// VTK's reader makes empty cells of elements that it does not know.
+void RefuseUnknownElements(
+  vtkUnstructuredGrid& grid, const std::vector<CgnsZone>& zones, const std::string& file)
+{
+  for (vtkIdType cell = 0; cell < grid.GetNumberOfCells(); ++cell)
+  {
+    if (grid.GetCellType(cell) == VTK_EMPTY_CELL)
+    {
+      std::set<std::string> types;
+      for (const CgnsZone& zone : zones)
+      {
+        types.insert(zone.elements.begin(), zone.elements.end());
+      }
+      std::string list;
+      for (const std::string& type : types)
+      {
+        list += (list.empty() ? "" : ", ") + type;
+      }
+      CannotRead(file,
+        "VTK's reader does not know all of its elements (" + list +
+          "); write complete ones of orders 1 to 3, such as TETRA_20, PENTA_40 and HEXA_64");
+    }
+  }
+}
+
+/// Whether there are cells of order above 2 other than those that were checked.
 bool HasOtherOrders(vtkUnstructuredGrid& grid)
 {
   for (vtkIdType cell = 0; cell < grid.GetNumberOfCells(); ++cell)
   {
     const int type = grid.GetCellType(cell);
+    const vtkIdType points = grid.GetCells()->GetCellSize(cell);
     const bool isLagrange = type >= VTK_LAGRANGE_CURVE && type <= VTK_LAGRANGE_PYRAMID;
-    if (isLagrange && grid.GetCells()->GetCellSize(cell) != kCubicPoints)
+    const bool isChecked = (type == VTK_LAGRANGE_HEXAHEDRON && points == kCubicPoints) ||
+      (type == VTK_LAGRANGE_WEDGE && points == kCubicWedgePoints) ||
+      (type == VTK_LAGRANGE_TETRAHEDRON && points == kCubicTetrahedronPoints);
+    if (isLagrange && !isChecked)
     {
       return true;
     }
   }
   return false;
 }
+
 /// CGNS's library ends the program where it finds a file damaged. While this lives, such an end
 /// says what was read, with the status of work that failed. One at a time.
 class ReadGuard
@@ -104,12 +154,16 @@ InputGrid ReadCgnsFile(const InputRequest& request)
     "\xC0\xA8\xA3\xA9"
     "ADF Database" };
   RequireMark(file, kMarks, "CGNS file (HDF5 or ADF)");
+  const std::vector<CgnsZone> zones =
+    ReadCgnsZones(file); // before VTK's, which may end the program
   const VtkMessages messages;
   const auto check = [&]
   {
     if (const std::string error = messages.FirstError(); !error.empty())
     {
-      CannotRead(file, error);
+      CannotRead(file,
+        "VTK's reader says: " + error +
+          "; write the file anew with its solver or the CGNS library, or in another format");
     }
   };
   vtkNew<vtkCGNSReader> reader;
@@ -127,18 +181,17 @@ InputGrid ReadCgnsFile(const InputRequest& request)
   InputGrid input;
   UpdateToStep(*reader, request, input);
   check();
-  input.grid = JoinBlocks(
-    *vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(0)), file, input.notes);
-  if (kHasOldEdges)
-  {
-    MendCubicHexahedra(*input.grid);
-  }
+  auto* read = vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(0));
+  input.grid = JoinBlocks(*read, file, input.notes);
+  AddBoundaryConditions(zones, *read, *input.grid, input.notes);
+  RefuseUnknownElements(*input.grid, zones, file);
+  MendCubicCells(*input.grid);
   if (HasOtherOrders(*input.grid))
   {
     input.notes.push_back("'" + file +
-      "': of elements of order above 2 only HEXA_64 was checked; the nodes of others stand as "
-      "VTK's "
-      "reader of CGNS puts them (info --certify shows elements that fold).");
+      "': of elements of order above 2 TETRA_20, PENTA_40 and HEXA_64 were checked; the nodes of "
+      "others "
+      "stand as VTK's reader of CGNS puts them (info --certify shows elements that fold).");
   }
   return input;
 }

@@ -132,6 +132,20 @@ std::vector<ExodusFile::SideSet> ExodusFile::SideSets() const
   return sets;
 }
 
+std::int64_t ExodusFile::Elements() const
+{
+  return std::max<std::int64_t>(ex_inquire_int(Id, EX_INQ_ELEM), 0);
+}
+
+std::vector<double> ExodusFile::Times() const
+{
+  const std::int64_t count = ex_inquire_int(Id, EX_INQ_TIME);
+  Require(count >= 0 && count <= kMost);
+  std::vector<double> times(static_cast<std::size_t>(count));
+  Require(times.empty() || ex_get_all_times(Id, times.data()) >= 0);
+  return times;
+}
+
 std::int64_t ExodusFile::NodeSets() const
 {
   return std::max<std::int64_t>(ex_inquire_int(Id, EX_INQ_NODE_SETS), 0);

@@ -40,6 +40,8 @@ public:
   [[nodiscard]] std::vector<SideSet> SideSets() const;
 
   [[nodiscard]] std::int64_t NodeSets() const;
+  [[nodiscard]] std::int64_t Elements() const;
+  [[nodiscard]] std::vector<double> Times() const;
 
 private:
   void Require(bool sound) const;

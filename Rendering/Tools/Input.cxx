@@ -3,6 +3,7 @@
 
 #include "BlockInput.h"
 #include "Command.h"
+#include "ExodusName.h"
 #include "NativeInput.h"
 #include "Numbers.h"
 #include "Report.h"
@@ -103,9 +104,13 @@ const Format* FormatOf(std::string suffix)
   return format == kFormats.end() ? nullptr : format;
 }
 
-/// Of "x.mesh.gz" that of the mesh.
+/// Of "x.mesh.gz" that of the mesh, of "x.e-s002" and "x.e.4.0" that of an Exodus file.
 std::string SuffixOf(const std::string& file)
 {
+  if (IsExodusPart(file))
+  {
+    return ".e";
+  }
   const std::string suffix = LowerSuffix(file);
   return suffix == ".gz" ? LowerSuffix(file.substr(0, file.size() - suffix.size())) : suffix;
 }

@@ -123,7 +123,7 @@ TEST(GmshReader, Versions20And21)
   };
   for (const SolverModel& read :
     { model("2.0", "4 \"solid\"\n5 \"wall\"\n"), model("2", "3 4 \"solid\"\n2 5 \"wall\"\n"),
-      model("2.1", "3 4 \"solid\"\n2 5 \"wall\"\n") })
+      model("2", "4\"solid\"\n5\"wall\"\n"), model("2.1", "3 4\"solid\"\n2 5 \"wall\"\n") })
   {
     ExpectPair(read);
     EXPECT_TRUE(read.notes.empty());
@@ -246,6 +246,8 @@ TEST(GmshReader, RefusesDamagedMeshes)
   ExpectParts(replaced(kPair41, "3 1 4 1", "3 1 35 1"), { "type 35" });
   ExpectParts(replaced(kPair41, "3 1 4 1", "4 1 4 1"), { "dimension 4" });
   ExpectParts(replaced(kPair22, "11 4 2 0 1", "11 4 -1 0 1"), { "-1 tags" });
+  EXPECT_EQ(replaced(kPair22, "11 4 2 0 1", "11 4 4 0 1 0 7"), "");
+  ExpectParts(replaced(kPair22, "11 4 2 0 1", "11 4 5 0 1 0 7 77"), { "part of another" });
   ExpectParts(replaced(kPair22, "11 4 2 0 1", "11 4 5 0 1 1 1 77"), { "part of another" });
   ExpectParts(GmshMessage(std::string(kFormat22) + kNodes22 +
                 "$Elements\n1\n10 2 2 0 7 2 3 4\n$EndElements\n"),

@@ -29,6 +29,14 @@ const std::string kScheme = "$InterpolationScheme\n\"S\"\n2\n5\n2\n4 4\n1 0 0 0\
                             "$EndInterpolationScheme\n";
 } // namespace
 
+TEST(GmshViews, NamesWithoutQuotationMarks)
+{
+  const SolverModel model =
+    ReadGmsh(kPair22 + "$NodeData\n1\nlength of all \n0\n3\n0\n1\n5\n" + kNodal + "$EndNodeData\n");
+  ASSERT_EQ(model.fields.size(), 1U);
+  EXPECT_EQ(model.fields[0].name, "length of all");
+}
+
 TEST(GmshViews, ScalarsVectorsAndTensors)
 {
   std::string vectors;

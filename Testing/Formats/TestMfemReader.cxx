@@ -72,6 +72,41 @@ TEST(MfemReader, BothOrderingsOfAVectorField)
   EXPECT_TRUE(model.fields[0].continuous);
 }
 
+TEST(MfemReader, ComplexGridFunctionsAreTwo)
+{
+  // At the vertices x + 2 y + i z, and the vector of that and 3 of it.
+  const double corners[8][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
+    { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } };
+  std::string parts[2];
+  std::string vectors[2];
+  for (const auto& c : corners)
+  {
+    const double values[2] = { c[0] + 2 * c[1], c[2] };
+    for (int part = 0; part < 2; ++part)
+    {
+      parts[part] += std::to_string(values[part]) + " ";
+      vectors[part] += std::to_string(values[part]) + " " + std::to_string(3 * values[part]) + " ";
+    }
+  }
+  const std::string scalar = "ComplexGridFunction\n" + Field("H1_3D_P1", 1, 0, parts[0] + parts[1]);
+  const std::string vector =
+    "ParComplexGridFunction\n" + Field("H1_3D_P1", 2, 1, vectors[0] + vectors[1]);
+  const SolverModel model = ReadTexts(OneCube(), { scalar, vector });
+  ASSERT_EQ(model.fields.size(), 4U);
+  EXPECT_EQ(model.fields[0].name, "u_real");
+  EXPECT_EQ(model.fields[1].name, "u_imag");
+  const Vec3 xi(0.2, -0.4, 0.6);
+  EXPECT_NEAR(ValueAt(model, 0, 0, xi)[0], 1.2, 1e-15);
+  EXPECT_NEAR(ValueAt(model, 1, 0, xi)[0], 0.8, 1e-15);
+  EXPECT_NEAR(ValueAt(model, 2, 0, xi)[1], 3.6, 2e-15);
+  EXPECT_NEAR(ValueAt(model, 3, 0, xi)[1], 2.4, 2e-15);
+  ExpectMessage(
+    Message(OneCube(), { "ComplexGridFunction\n" + Field("H1_3D_P1", 1, 0, parts[0] + "1") }),
+    { "u.gf", "9 numbers", "imaginary" });
+  ExpectMessage(Message(OneCube(), { "ComplexGridFunction\n" + Field("H1_3D_P1", 1, 0, parts[0]) }),
+    { "u.gf", "4" });
+}
+
 TEST(MfemReader, UnusedVerticesAreDroppedAsMfemDoes)
 {
   const std::string mesh = "MFEM mesh v1.0\ndimension\n3\nelements\n1\n1 4 0 2 3 4\nboundary\n0\n"

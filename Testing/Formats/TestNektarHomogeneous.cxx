@@ -12,7 +12,7 @@ namespace pixelexact::testing
 namespace
 {
 using nektar::FourierLayers;
-using nektar::Homogeneous;
+using nektar::Periodic;
 
 constexpr double kLength = 3.0;
 
@@ -52,7 +52,7 @@ double Wave(int k, double z)
 
 TEST(NektarHomogeneous, PolynomialsAreAsNearAsIsProven)
 {
-  const Homogeneous along{ kLength, { 0, 1, 2, 3, 6, 7 } };
+  const Periodic along{ kLength, { 0, 1, 2, 3, 6, 7 } };
   const FourierLayers layers(along);
   EXPECT_EQ(layers.Layers(), 3);
   for (const int order : { 2, 6, 10, 16, 22 })
@@ -141,6 +141,134 @@ TEST(NektarHomogeneous, HalfModes)
   EXPECT_NE(model.notes[1].find("realmodetoimag"), std::string::npos);
 }
 
+TEST(NektarHomogeneous, ImaginaryHalfModes)
+{
+  // All fields are sines, as those of a real half mode are with realmodetoimag.
+  const SolverModel model = ReadTexts(kPlane,
+    Field(Block("Quadrilateral", 7, "0", 1, " 1 1 1 1 ", "FourierHalfModeIm") +
+      Block("Triangle", 9, "0", 1, " 1 1 1 ", "FourierHalfModeIm")));
+  ASSERT_EQ(model.mesh.number.size(), 2U);
+  for (int e = 0; e < 2; ++e)
+  {
+    const Vec3 xi(0.1, 0.2, -0.7);
+    EXPECT_NEAR(ValueAt(model, 0, e, xi)[0], -std::sin(Wave(1, PointAt(model, e, xi).z)), 2e-13);
+  }
+  ASSERT_EQ(model.notes.size(), 2U);
+  EXPECT_NE(model.notes[1].find("fields are sines of z"), std::string::npos);
+}
+
+TEST(NektarHomogeneous, StripsWhereTheSessionPutsThem)
+{
+  const std::string session = Replaced(kPlane, "</GEOMETRY>",
+    "</GEOMETRY><CONDITIONS><PARAMETERS><P> DistStrip = 2*5 </P></PARAMETERS></CONDITIONS>");
+  const auto strip = [](int id, const std::string& block)
+  {
+    return Replaced(Replaced(block, "Exp1D", "Exp1D-Strips"), "HOMOGENEOUSZIDS",
+      "HOMOGENEOUSSIDS=\"" + std::to_string(id) + "\" HOMOGENEOUSZIDS");
+  };
+  // 2 + cos(wave 1) in strip 0, 5 - sin(wave 1) in strip 3; what is between was not computed.
+  const std::string blocks =
+    strip(3, Block("Quadrilateral", 7, "0,2,3", 3, " 5 5 5 5 0 0 0 0 1 1 1 1 ")) +
+    strip(0, Block("Quadrilateral", 7, "0,2,3", 3, " 2 2 2 2 1 1 1 1 0 0 0 0 ")) +
+    strip(0, Block("Triangle", 9, "0,2,3", 3, " 2 2 2 1 1 1 0 0 0 ")) +
+    strip(3, Block("Triangle", 9, "0,2,3", 3, " 5 5 5 0 0 0 1 1 1 "));
+  const SolverModel model = ReadTexts(session, Field(blocks));
+  EXPECT_EQ(model.mesh.number, (std::vector<std::int64_t>{ 9, 7, 19, 17 }));
+  EXPECT_EQ(model.mesh.boundary.size(), 4U);
+  for (int e = 0; e < 4; ++e)
+  {
+    const double begin = e < 2 ? 0.0 : 30.0;
+    for (const Vec3& xi : { Vec3(-0.6, 0.3, -0.7), Vec3(0.4, 0.8, -0.9) })
+    {
+      const double z = PointAt(model, e, xi).z;
+      EXPECT_GE(z, begin);
+      EXPECT_LE(z, begin + kLength);
+      const double expected = e < 2 ? 2 + std::cos(Wave(1, z)) : 5 - std::sin(Wave(1, z - begin));
+      EXPECT_NEAR(ValueAt(model, 0, e, xi)[0], expected, 6e-13);
+    }
+  }
+  ASSERT_EQ(model.notes.size(), 2U);
+  EXPECT_NE(model.notes[1].find("2 strips, from z = 0 to 33"), std::string::npos);
+  ExpectRefusal(kPlane, Field(blocks), { "u.fld", "DistStrip", "session" });
+  ExpectRefusal(session,
+    Field(strip(3, Block("Quadrilateral", 7, "0", 1, " 5 5 5 5 ")) +
+      strip(0, Block("Triangle", 9, "0", 1, " 2 2 2 "))),
+    { "2 strips", "missing" });
+  ExpectRefusal(session,
+    Field(strip(3, Block("Quadrilateral", 7, "0", 1, " 5 5 5 5 ")) +
+      strip(3, Block("Quadrilateral", 7, "0", 1, " 5 5 5 5 "))),
+    { "element 7", "twice" });
+  ExpectRefusal(session,
+    Field(Replaced(
+      strip(3, Block("Quadrilateral", 7, "0", 1, " 5 5 5 5 ")), "SIDS=\"3\"", "SIDS=\"3,4\"")),
+    { "one strip" });
+}
+
+TEST(NektarHomogeneous, TwoDirectionsOverALine)
+{
+  const std::string line =
+    "<NEKTAR><GEOMETRY DIM=\"1\" SPACE=\"1\"><VERTEX><V ID=\"0\">1 0 0</V><V ID=\"1\">2 0 0</V>"
+    "<V ID=\"2\">4 0 0</V></VERTEX><ELEMENT><S ID=\"3\">0 1</S><S ID=\"5\">1 2</S></ELEMENT>"
+    "<COMPOSITE><C ID=\"0\"> S[3,5] </C><C ID=\"1\"> V[0] </C><C ID=\"2\"> V[2] </C></COMPOSITE>"
+    "</GEOMETRY><CONDITIONS><SOLVERINFO><I PROPERTY=\"HOMOGENEOUS\" VALUE=\"2D\"/></SOLVERINFO>"
+    "</CONDITIONS></NEKTAR>";
+  // Of order 1 along x: x * (1 + 2 cos(wave 1 of y)) - sin(wave 1 of z) cos(wave 1 of y) / 2, waves
+  // of lengths 3 and 7.
+  const auto coefficients = [](double a, double b)
+  {
+    const auto pair = [](double u, double v)
+    { return std::to_string(u) + " " + std::to_string(v) + " "; };
+    return pair(a, b) + pair(0, 0) + pair(2 * a, 2 * b) + pair(0, 0) + // function 0 of z
+      pair(0, 0) + pair(0, 0) + pair(0, 0) + pair(0, 0) +              // function 1
+      pair(0, 0) + pair(0, 0) + pair(0, 0) + pair(0, 0) +              // function 2
+      pair(0, 0) + pair(0, 0) + pair(0.5, 0.5) + pair(0, 0);           // function 3
+  };
+  const std::string block =
+    "<ELEMENTS FIELDS=\"u\" SHAPE=\"Segment-HomogenousExp2D\" BASIS=\"Modified_A,Fourier,Fourier\" "
+    "HOMOGENEOUSLENGTHS=\"3,7\" HOMOGENEOUSYIDS=\"0,1,2,3,0,1,2,3,0,1,2,3,0,1,2,3\" "
+    "HOMOGENEOUSZIDS=\"0,0,0,0,1,1,1,1,2,2,2,2,3,3,3,3\" NUMMODESPERDIR=\"UNIORDER:2,4,4\" "
+    "ID=\"3,5\">" +
+    coefficients(1, 2) + coefficients(2, 4) + "</ELEMENTS>";
+  const auto exact = [](const Vec3& x)
+  {
+    const double y = std::cos(2 * std::numbers::pi * x.y / 3);
+    return x.x * (1 + 2 * y) - std::sin(2 * std::numbers::pi * x.z / 7) * y / 2;
+  };
+  for (const std::string& text :
+    { block, Replaced(Replaced(block, "HOMOGENEOUSYIDS", "A"), "HOMOGENEOUSZIDS", "B") })
+  {
+    const SolverModel model = ReadTexts(line, Field(text));
+    ASSERT_FALSE(model.mesh.slab.has_value());
+    ASSERT_EQ(model.mesh.number.size(), 2U);
+    EXPECT_EQ(model.mesh.boundary.size(), 2U);
+    for (int e = 0; e < 2; ++e)
+    {
+      for (const Vec3& xi : { Vec3(-0.6, 0.3, -0.7), Vec3(0.2, -0.9, 0.1), Vec3(1, 0.8, -1) })
+      {
+        const Vec3 x = PointAt(model, e, xi);
+        EXPECT_NEAR(x.x, e == 0 ? 1.5 + xi.x / 2 : 3 + xi.x, 1e-14);
+        EXPECT_NEAR(x.y, 1.5 * (1 + xi.y), 1e-14);
+        EXPECT_NEAR(x.z, 3.5 * (1 + xi.z), 1e-14);
+        EXPECT_NEAR(ValueAt(model, 0, e, xi)[0], exact(x), 2e-12);
+      }
+    }
+    ASSERT_EQ(model.notes.size(), 1U);
+    EXPECT_NE(model.notes[0].find("lengths 3 x 7, 4 x 4 Fourier functions"), std::string::npos);
+  }
+  const auto refuse = [&line](const std::string& text, const std::vector<std::string>& parts)
+  { ExpectRefusal(line, Field(text), parts); };
+  refuse(Replaced(block, "0,1,2,3,0", "0,1,3,2,0"), { "YIDS", "fastest" });
+  refuse(Replaced(block, "\"3,7\"", "\"3\""), { "two numbers" });
+  refuse(Replaced(block, "Modified_A,Fourier", "Modified_A,Modified_A"), { "Exp2D" });
+  refuse(Replaced(block, "Exp2D", "Exp1D"), { "Segment-HomogenousExp1D" });
+  ExpectRefusal(kPlane, Field(block), { "segment 3", "do not belong together" });
+  ExpectRefusal(
+    Replaced(line, "<V ID=\"1\">2 0", "<V ID=\"1\">2 1"), Field(block), { "vertex 1", "along x" });
+  ExpectRefusal(Replaced(line, "\"2D\"", "\"1D\""), Field(block), { "dimension 1" });
+  ExpectRefusal(
+    Replaced(line, "PROPERTY=\"HOM", "PROPERTY=\"OM"), Field(block), { "one-dimensional" });
+}
+
 TEST(NektarHomogeneous, RefusesWithReasons)
 {
   const std::string four = " 1 1 1 1 ";
@@ -149,16 +277,16 @@ TEST(NektarHomogeneous, RefusesWithReasons)
   const std::string block = Block("Quadrilateral", 7, "0", 1, four);
   refuse(Block("Quadrilateral", 7, "0", 1, four, "Legendre"),
     { "u.fld", "Legendre", "NekMesh -m extrude", "interpfield" });
-  refuse(Block("Quadrilateral", 7, "0", 1, four, "FourierHalfModeIm"),
-    { "FourierHalfModeIm", "halfmodetofourier" });
+  refuse(Block("Quadrilateral", 7, "1", 1, four, "FourierHalfModeIm"), { "one function", "0" });
   refuse(Block("Quadrilateral", 7, "1", 1, four, "FourierHalfModeRe"), { "one function", "0" });
-  refuse(Replaced(block, "Exp1D", "Exp1D-Strips"), { "Strips" });
+  refuse(Replaced(block, "Exp1D", "Exp1D-Strips"), { "HOMOGENEOUSSIDS" });
   refuse(Replaced(block, "Exp1D", "Exp2D"), { "Exp2D" });
   refuse(Replaced(block, "Quadrilateral", "Segment"), { "Segment" });
   refuse(Replaced(block, "HOMOGENEOUSLENGTHS=\"3\"", "HOMOGENEOUSLENGTHS=\"0\""), { "above 0" });
   refuse(Replaced(block, "HOMOGENEOUSZIDS=\"0\"", "HOMOGENEOUSZIDS=\"0,0\""), { "twice" });
   refuse(Replaced(block, "HOMOGENEOUSZIDS=\"0\"", "HOMOGENEOUSZIDS=\"5000\""), { "1023" });
   refuse(Replaced(block, " 1 1 1 1 ", " 1 1 1 "), { "3 coefficients", "have 4" });
-  refuse(block + Block("Triangle", 9, "2", 1, " 1 1 1 "), { "differ in their functions" });
+  refuse(
+    block + Block("Triangle", 9, "2", 1, " 1 1 1 "), { "differ in their homogeneous functions" });
 }
 } // namespace pixelexact::testing

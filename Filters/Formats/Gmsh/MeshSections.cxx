@@ -141,7 +141,8 @@ void ReadOldElements(Scanner& scanner, MeshFile& mesh)
       {
         mesh.partitionsHere.insert(tags[2]);
       }
-      if (tags.size() > 3 + partitions)
+      // Where none are counted a fourth tag is a partition all the same.
+      if (tags.size() > 3 + std::max(partitions, std::size_t{ counts ? 1U : 0U }))
       {
         scanner.FailUnsupported("element " + std::to_string(number) +
           " is a part of another one (cut by a level set or a border); only whole ones are read.");
@@ -192,12 +193,12 @@ void ReadPhysicalNames(Scanner& scanner, MeshFile& mesh)
   {
     PhysicalName name;
     // Version 2.0 has no dimension; some that write it give one all the same.
-    name.tag = static_cast<int>(scanner.TextInteger("the dimension of a physical group"));
+    name.tag = static_cast<int>(scanner.IntegerBeforeName("the dimension of a physical group"));
     if (scanner.GetEncoding().version > kNamesWithoutDimension || !scanner.Peek().starts_with('"'))
     {
       name.dimension = name.tag;
       RequireDimension(scanner, name.dimension);
-      name.tag = static_cast<int>(scanner.TextInteger("the tag of a physical group"));
+      name.tag = static_cast<int>(scanner.IntegerBeforeName("the tag of a physical group"));
     }
     name.name = scanner.Quoted("the name of a physical group");
     mesh.names.push_back(std::move(name));

@@ -82,9 +82,37 @@ std::string Scanner::Quoted(const char* what)
   return std::string(name);
 }
 
+std::string Scanner::QuotedOrLine(const char* what)
+{
+  if (Peek().empty() || Peek().front() == '"')
+  {
+    return Quoted(what);
+  }
+  const std::size_t begin = At;
+  At = std::min(Text.find('\n', At), Text.size());
+  std::string_view line = Text.substr(begin, At - begin);
+  while (IsBlank(line.back()))
+  {
+    line.remove_suffix(1);
+  }
+  return std::string(line);
+}
+
 std::int64_t Scanner::TextInteger(const char* what)
 {
+  return Integer(Word(what), what);
+}
+
+std::int64_t Scanner::IntegerBeforeName(const char* what)
+{
   const std::string_view word = Word(what);
+  const std::size_t behind = word.size() - std::min(word.size(), word.find('"'));
+  At -= behind;
+  return Integer(word.substr(0, word.size() - behind), what);
+}
+
+std::int64_t Scanner::Integer(std::string_view word, const char* what) const
+{
   std::int64_t value = 0;
   if (!ParseWhole(word, value))
   {

@@ -36,7 +36,11 @@ public:
   std::string_view Word(const char* what);
   /// What is between the next pair of quotation marks, on the same line.
   std::string Quoted(const char* what);
+  /// The same; some programs write no quotation marks: all of the line, then.
+  std::string QuotedOrLine(const char* what);
   std::int64_t TextInteger(const char* what);
+  /// The same where a name in quotation marks may follow without a blank.
+  std::int64_t IntegerBeforeName(const char* what);
   std::size_t TextCount(const char* what, std::size_t bytes);
   double TextNumber(const char* what);
   /// Takes what is left of a line, with its end; binary data begin behind it.
@@ -73,6 +77,7 @@ public:
   [[noreturn]] void FailUnsupported(const std::string& problem) const;
 
 private:
+  std::int64_t Integer(std::string_view word, const char* what) const;
   template <class Number>
   Number Bytes(const char* what);
   void SkipWords(std::size_t count);

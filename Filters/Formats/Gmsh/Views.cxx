@@ -39,7 +39,7 @@ Head ReadHead(Scanner& scanner)
   const std::size_t strings = scanner.TextCount("the number of string tags", 2);
   for (std::size_t i = 0; i < strings; ++i)
   {
-    std::string text = scanner.Quoted("a string tag of a view");
+    std::string text = scanner.QuotedOrLine("a string tag of a view");
     if (i < 2)
     {
       (i == 0 ? head.name : head.part.schemeName) = std::move(text);

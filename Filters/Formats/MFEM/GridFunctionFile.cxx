@@ -71,9 +71,25 @@ void ReadSections(TextScanner& scanner, GridFunctionFile& file)
   scanner.Expect("FiniteElementSpace");
   scanner.Expect("v1.0");
 }
+
+bool IsComplex(TextScanner& scanner)
+{
+  // Of a process' piece, or of the whole.
+  return scanner.Peek() == "ComplexGridFunction" || scanner.Peek() == "ParComplexGridFunction";
+}
 } // namespace
 
 GridFunctionFile ReadGridFunction(TextScanner& scanner)
+{
+  if (IsComplex(scanner))
+  {
+    scanner.FailUnsupported(
+      "the mesh's nodes are a complex grid function, and should be a real one.");
+  }
+  return ReadAnyGridFunction(scanner);
+}
+
+GridFunctionFile ReadAnyGridFunction(TextScanner& scanner)
 {
   GridFunctionFile file;
   if (scanner.Peek() == "QuadratureSpace")
@@ -82,10 +98,10 @@ GridFunctionFile ReadGridFunction(TextScanner& scanner)
       "quadrature functions, which have values at points of their own, are not "
       "read; project the function to L2 and save that.");
   }
-  if (scanner.Peek() == "ComplexGridFunction")
+  file.isComplex = IsComplex(scanner);
+  if (file.isComplex)
   {
-    scanner.FailUnsupported(
-      "complex grid functions are not read; save their real and imaginary parts.");
+    scanner.Word("the kind of the grid function");
   }
   const bool hasSections = scanner.Peek() == "MFEM";
   if (hasSections)
@@ -111,6 +127,12 @@ GridFunctionFile ReadGridFunction(TextScanner& scanner)
   {
     scanner.Word("the patches");
     file.byPatches = true;
+    if (file.isComplex)
+    {
+      scanner.FailUnsupported(
+        "complex grid functions by patches are not read, as by MFEM; save them "
+        "without NURBS_patches.");
+    }
   }
   // A number takes some 20 bytes, or, where it is short, the list grows as it goes.
   file.values.reserve(scanner.Remaining() / kUsualBytes);
@@ -119,6 +141,26 @@ GridFunctionFile ReadGridFunction(TextScanner& scanner)
   {
     file.values.push_back(value);
   }
+  if (file.isComplex && file.values.size() % 2 != 0)
+  {
+    scanner.Fail("a complex grid function holds " + std::to_string(file.values.size()) +
+      " numbers, and should hold as many real as imaginary parts; the file is cut short.");
+  }
   return file;
+}
+
+std::pair<GridFunctionFile, GridFunctionFile> PartsOf(const GridFunctionFile& complex)
+{
+  GridFunctionFile real;
+  real.collection = complex.collection;
+  real.components = complex.components;
+  real.byNodes = complex.byNodes;
+  real.nurbs = complex.nurbs;
+  GridFunctionFile imaginary = real;
+  const auto middle =
+    complex.values.begin() + static_cast<std::ptrdiff_t>(complex.values.size() / 2);
+  real.values.assign(complex.values.begin(), middle);
+  imaginary.values.assign(middle, complex.values.end());
+  return { std::move(real), std::move(imaginary) };
 }
 } // namespace pixelexact::mfem

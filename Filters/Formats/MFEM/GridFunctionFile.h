@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pixelexact::mfem
@@ -27,10 +28,16 @@ struct GridFunctionFile
   std::vector<double> values;
   std::optional<NurbsSections> nurbs;
   bool byPatches = false; ///< NURBS: the values of each patch's control points, one after the other
+  bool isComplex = false; ///< the real parts of all unknowns, then the imaginary ones
 
   [[nodiscard]] bool IsNurbs() const { return collection.starts_with("NURBS"); }
 };
 
-/// Reads a header and all the numbers that follow it.
+/// Reads a header and all the numbers that follow it. Throws Unsupported for a complex one.
 GridFunctionFile ReadGridFunction(TextScanner& scanner);
+/// The same for one that may be complex.
+GridFunctionFile ReadAnyGridFunction(TextScanner& scanner);
+
+/// The real and the imaginary part of a complex one.
+std::pair<GridFunctionFile, GridFunctionFile> PartsOf(const GridFunctionFile& complex);
 } // namespace pixelexact::mfem

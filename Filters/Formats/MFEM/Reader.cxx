@@ -58,12 +58,39 @@ MeshFile ParseMesh(const NamedText& text, int pieces)
 GridFunctionFile ParseGridFunction(const NamedText& text)
 {
   TextScanner scanner(text);
-  GridFunctionFile file = ReadGridFunction(scanner);
+  GridFunctionFile file = ReadAnyGridFunction(scanner);
   if (!scanner.Peek().empty())
   {
     scanner.FailAtWord("among the numbers behind the header");
   }
   return file;
+}
+
+/// The pieces of a field; of a complex one its parts, as two.
+void AddField(ModelBuilder& builder, const std::vector<GridFunctionFile>& pieces,
+  const std::vector<std::string>& files, const std::string& name)
+{
+  const auto complex = std::ranges::count(pieces, true, &GridFunctionFile::isComplex);
+  if (complex == 0)
+  {
+    builder.AddField(pieces, files, name);
+    return;
+  }
+  if (complex != std::ssize(pieces))
+  {
+    throw InvalidData(
+      files.front() + ": some pieces of the grid function are complex, and others are not.");
+  }
+  std::vector<GridFunctionFile> real;
+  std::vector<GridFunctionFile> imaginary;
+  for (const GridFunctionFile& piece : pieces)
+  {
+    auto [first, second] = PartsOf(piece);
+    real.push_back(std::move(first));
+    imaginary.push_back(std::move(second));
+  }
+  builder.AddField(real, files, name + "_real");
+  builder.AddField(imaginary, files, name + "_imag");
 }
 
 /// One process' part of a stream.
@@ -84,7 +111,7 @@ StreamPiece ReadStreamPiece(TextScanner& scanner, int pieces)
   }
   if (hasField)
   {
-    piece.field = ReadGridFunction(scanner);
+    piece.field = ReadAnyGridFunction(scanner);
   }
   return piece;
 }
@@ -132,7 +159,7 @@ SolverModel Read(const NamedText& mesh, const std::vector<NamedText>& gridFuncti
   ModelBuilder builder(std::move(pieces));
   for (const NamedText& text : gridFunctions)
   {
-    builder.AddField({ ParseGridFunction(text) }, { text.name }, FieldName(text.name));
+    AddField(builder, { ParseGridFunction(text) }, { text.name }, FieldName(text.name));
   }
   return std::move(builder.Model);
 }
@@ -184,7 +211,7 @@ SolverModel ReadFiles(
       const FileText text(name);
       functions.push_back(ParseGridFunction({ name, text.Get(), &text }));
     }
-    builder.AddField(functions, parts, FieldName(file));
+    AddField(builder, functions, parts, FieldName(file));
   }
   if (!whole)
   {
@@ -220,7 +247,8 @@ SolverModel ReadStream(const NamedText& saved)
   }
   if (!functions.empty())
   {
-    builder.AddField(functions, std::vector<std::string>(functions.size(), saved.name), "solution");
+    AddField(
+      builder, functions, std::vector<std::string>(functions.size(), saved.name), "solution");
   }
   SkipCommands(scanner);
   return std::move(builder.Model);

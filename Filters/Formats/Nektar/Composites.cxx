@@ -50,15 +50,17 @@ void ReadComposites(const Document& document, const pugi::xml_node& composites, 
     const std::string_view text = Trim(whole);
     const auto open = text.find('[');
     const std::string_view tag = Trim(text.substr(0, open));
+    const bool isLine = geometry.dimension == 1;
     const bool isPlane = geometry.dimension == 2;
     const bool onPlane = std::ranges::find(kPlaneTags, tag, &SolidTag::tag) != std::end(kPlaneTags);
-    const bool solid = isPlane
-      ? onPlane
-      : std::ranges::find(kSolidTags, tag, &SolidTag::tag) != std::end(kSolidTags);
-    const bool face = isPlane ? tag == "E" : tag == "F" || onPlane;
+    const bool solid = isLine ? tag == kLineTag
+      : isPlane               ? onPlane
+                : std::ranges::find(kSolidTags, tag, &SolidTag::tag) != std::end(kSolidTags);
+    const bool face = isLine ? tag == "V" : isPlane ? tag == "E" : tag == "F" || onPlane;
     if (!solid && !face)
     {
-      continue; // what is below faces (in the plane, edges) is nobody's group here
+      continue; // what is below faces (in the plane, edges; on a line, vertices) is nobody's group
+                // here
     }
     if (open == std::string_view::npos || text.back() != ']')
     {
@@ -69,7 +71,8 @@ void ReadComposites(const Document& document, const pugi::xml_node& composites, 
     composite.name = node.attribute("NAME").value();
     composite.boundary = face;
     composite.members = document.List(node, text.substr(open + 1, text.size() - open - 2),
-      !face       ? geometry.solids.size()
+      isLine      ? std::max(geometry.edges.size(), geometry.vertices.size())
+        : !face   ? geometry.solids.size()
         : isPlane ? geometry.edges.size()
                   : geometry.faces.size());
     Join(document, node, std::move(composite), geometry.composites);

@@ -60,6 +60,11 @@ public:
   void Read()
   {
     ReadVertices();
+    if (Target.dimension == 1)
+    {
+      ReadLines(File.Only(Node, "ELEMENT"), kLineTag.data());
+      return;
+    }
     ReadEdges();
     if (Target.dimension == 2)
     {
@@ -120,17 +125,18 @@ private:
     }
   }
 
+  void AddEdge(
+    const pugi::xml_node& node, std::int64_t id, const std::array<std::int64_t, 2>& vertices)
+  {
+    for (const auto v : vertices)
+    {
+      Require(node, Target.vertices.contains(v), "edge", id, "vertex", v);
+    }
+    Insert(node, Target.edges, "edge", id, Edge{ vertices, -1 });
+  }
+
   void ReadEdges()
   {
-    const auto add =
-      [&](const pugi::xml_node& node, std::int64_t id, const std::array<std::int64_t, 2>& vertices)
-    {
-      for (const auto v : vertices)
-      {
-        Require(node, Target.vertices.contains(v), "edge", id, "vertex", v);
-      }
-      Insert(node, Target.edges, "edge", id, Edge{ vertices, -1 });
-    };
     const pugi::xml_node parent = File.Only(Node, "EDGE");
     if (File.IsCompressed(parent))
     {
@@ -138,11 +144,18 @@ private:
       const std::size_t most = File.MostBytes() / sizeof(EntityRecord<2>);
       for (const auto& record : File.Records<EntityRecord<2>>(parent, most))
       {
-        add(parent, record.id, record.parts);
+        AddEdge(parent, record.id, record.parts);
       }
       return;
     }
-    ForEntities<2>(File, parent, "E", add);
+    ReadLines(parent, "E");
+  }
+
+  void ReadLines(const pugi::xml_node& parent, const char* tag)
+  {
+    ForEntities<2>(File, parent, tag,
+      [this](const pugi::xml_node& node, std::int64_t id,
+        const std::array<std::int64_t, 2>& vertices) { AddEdge(node, id, vertices); });
   }
 
   /// An element is a face with the same number.

@@ -2,14 +2,12 @@
 #include "Formats/Nektar/FieldFile.h"
 
 #include "Core/Base/Error.h"
-#include "Core/Base/ParseWhole.h"
 #include "Core/Basis/Space.h"
-#include "Formats/Nektar/Conditions.h"
+#include "Formats/Nektar/HomogeneousBlock.h"
 #include "Formats/Nektar/ModifiedModes.h"
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 
 namespace pixelexact::nektar
 {
@@ -17,20 +15,6 @@ namespace
 {
 /// An element has one value at least; ids alone are not in proportion to anything.
 constexpr std::size_t kMostElements = std::size_t{ 1 } << 28U;
-/// Functions along z; layers are in proportion to them.
-constexpr std::int64_t kMostFunctions = 1024;
-
-std::vector<std::string> Split(std::string_view text)
-{
-  std::vector<std::string> words;
-  while (!text.empty())
-  {
-    const auto comma = std::min(text.find(','), text.size());
-    words.emplace_back(Trim(text.substr(0, comma)));
-    text.remove_prefix(std::min(comma + 1, text.size()));
-  }
-  return words;
-}
 
 /// The directions of xi that the file tells of, in its order.
 std::vector<std::size_t> DirectionsOf(std::string_view shape)
@@ -39,13 +23,18 @@ std::vector<std::size_t> DirectionsOf(std::string_view shape)
   {
     return { 0, 2 };
   }
+  if (shape == "Segment")
+  {
+    return { 0 };
+  }
   return shape == "Quadrilateral" ? std::vector<std::size_t>{ 0, 1 }
                                   : std::vector<std::size_t>{ 0, 1, 2 };
 }
 
-Shape ShapeNamed(const Document& document, const pugi::xml_node& node, std::string_view name)
+Shape ShapeNamed(
+  const Document& document, const pugi::xml_node& node, std::string_view name, bool isHomogeneous)
 {
-  if (name == "Hexahedron" || name == "Quadrilateral")
+  if (name == "Hexahedron" || name == "Quadrilateral" || (name == "Segment" && isHomogeneous))
   {
     return Shape::Hexahedron;
   }
@@ -63,7 +52,8 @@ Shape ShapeNamed(const Document& document, const pugi::xml_node& node, std::stri
   }
   document.FailUnsupported(node,
     "elements of the shape '" + std::string(name.substr(0, 40)) +
-      "' are not read; only solids, triangles and quadrilaterals are.");
+      "' are not read; only solids, triangles and quadrilaterals are, and segments of homogeneous "
+      "expansions.");
 }
 
 class BlockReader
@@ -79,13 +69,17 @@ public:
   {
     const std::string_view name = Node.attribute("SHAPE").value();
     const std::string_view shape = name.substr(0, name.find('-'));
-    Base.shape = ShapeNamed(File, Node, shape);
-    Block.fields = Split(Node.attribute("FIELDS").value());
-    auto families = Split(Node.attribute("BASIS").value());
+    const bool isHomogeneous = shape.size() < name.size() || Node.attribute("HOMOGENEOUSLENGTHS");
+    Base.shape = ShapeNamed(File, Node, shape, isHomogeneous);
+    Block.fields = SplitAtCommas(Node.attribute("FIELDS").value());
+    auto families = SplitAtCommas(Node.attribute("BASIS").value());
     Directions = DirectionsOf(shape);
-    if (shape.size() < name.size() || Node.attribute("HOMOGENEOUSLENGTHS"))
+    if (isHomogeneous)
     {
-      ReadHomogeneous(name.substr(shape.size()), families);
+      const HomogeneousBlock read =
+        ReadHomogeneousBlock(File, Node, shape, name.substr(shape.size()), families);
+      Block.homogeneous = read.along;
+      Block.strip = read.strip;
     }
     if (Block.fields.empty() || families.size() != Directions.size())
     {
@@ -124,80 +118,6 @@ public:
   }
 
 private:
-  /// Fourier's functions along z, the last of the families.
-  void ReadHomogeneous(std::string_view kind, std::vector<std::string>& families)
-  {
-    const std::string last = families.empty() ? std::string() : families.back();
-    const bool isHalf = last == "FourierHalfModeRe";
-    if (last == "FourierHalfModeIm")
-    {
-      File.FailUnsupported(Node,
-        "FourierHalfModeIm is not read: Nektar++'s values of that function and its derivatives "
-        "have opposite signs. Convert it (FieldConvert -m halfmodetofourier:realmodetoimag=0,1,... "
-        "in.xml in.fld out.fld, with the numbers of all fields).");
-    }
-    if (kind != "-HomogenousExp1D" || Directions.size() != 2 ||
-      (last != "Fourier" && last != "FourierSingleMode" && !isHalf))
-    {
-      File.FailUnsupported(Node,
-        "of homogeneous expansions those of triangles and quadrilaterals are read, with Fourier, "
-        "FourierSingleMode or FourierHalfModeRe along z, not '" +
-          std::string(Node.attribute("SHAPE").value()).substr(0, 40) + "' with '" +
-          last.substr(0, 40) + "'; " + HomogeneousRemedy());
-    }
-    families.pop_back();
-    Homogeneous& along = Block.homogeneous.emplace();
-    along.isHalfMode = isHalf;
-    constexpr double kLongest = 1e150; // a size must have a square
-    const std::string_view length = Trim(Node.attribute("HOMOGENEOUSLENGTHS").value());
-    if (!ParseWhole(length, along.length) || !(along.length > 0.0) || along.length > kLongest)
-    {
-      File.Fail(Node, "HOMOGENEOUSLENGTHS should be one number above 0, and below 1e150.");
-    }
-    const auto list = Node.attribute("HOMOGENEOUSZIDS")
-      ? File.List(Node, Node.attribute("HOMOGENEOUSZIDS").value(), kMostFunctions)
-      : NumbersOfFunctions();
-    for (const std::int64_t number : list)
-    {
-      if (number >= kMostFunctions ||
-        std::ranges::find(along.functions, number) != along.functions.end())
-      {
-        File.Fail(Node,
-          "HOMOGENEOUSZIDS names the function " + std::to_string(number) + " twice, or one above " +
-            std::to_string(kMostFunctions - 1) + ".");
-      }
-      along.functions.push_back(static_cast<int>(number));
-    }
-    if (along.functions.empty())
-    {
-      File.Fail(Node, "HOMOGENEOUSZIDS names no function.");
-    }
-    if (isHalf && along.functions != std::vector{ 0 })
-    {
-      File.Fail(Node, "a half mode should have one function along z, number 0.");
-    }
-    if (isHalf)
-    {
-      along.functions = { 2 }; // where it stands among Fourier's
-    }
-  }
-
-  /// Where the file does not list them: 0 to the last number of NUMMODESPERDIR less one.
-  std::vector<std::int64_t> NumbersOfFunctions() const
-  {
-    const std::string text = Node.attribute("NUMMODESPERDIR").value();
-    const auto comma = text.rfind(',');
-    std::int64_t count = 0;
-    if (comma == std::string::npos || !ParseWhole(Trim(text).substr(comma + 1), count) ||
-      count < 1 || count > kMostFunctions)
-    {
-      File.Fail(Node, "NUMMODESPERDIR does not tell how many functions there are along z.");
-    }
-    std::vector<std::int64_t> numbers(static_cast<std::size_t>(count));
-    std::iota(numbers.begin(), numbers.end(), 0);
-    return numbers;
-  }
-
   void ReadOrders(const std::vector<std::int64_t>& ids)
   {
     const std::string_view text = Trim(Node.attribute("NUMMODESPERDIR").value());
@@ -207,10 +127,10 @@ private:
     {
       File.Fail(Node, "NUMMODESPERDIR should begin with UNIORDER: or MIXORDER:.");
     }
-    const auto counts = Split(text.substr(std::min(colon + 1, text.size())));
+    const auto counts = SplitAtCommas(text.substr(std::min(colon + 1, text.size())));
     const std::size_t sets = mixed ? ids.size() : 1;
-    const std::size_t directions = Directions.size() + (Block.homogeneous ? 1 : 0);
-    const std::size_t planes = Block.homogeneous ? Block.homogeneous->functions.size() : 1;
+    const std::size_t directions = Block.homogeneous ? 3 : Directions.size();
+    const std::size_t planes = Block.homogeneous ? Block.homogeneous->Functions() : 1;
     if (counts.size() != directions * sets)
     {
       File.Fail(Node,

@@ -13,7 +13,7 @@
 namespace pixelexact::nektar
 {
 /// What a family of functions is along each direction, and how many there are. Of plane elements,
-/// on the solids of a slab, one function without a family across.
+/// on the solids of a slab, one function without a family across; of segments along y, too.
 struct Expansion3
 {
   Shape shape = Shape::Hexahedron;
@@ -22,10 +22,11 @@ struct Expansion3
 
   auto operator<=>(const Expansion3&) const = default;
   [[nodiscard]] bool IsPlane() const { return families[1].empty() || families[2].empty(); }
+  [[nodiscard]] bool IsLine() const { return families[1].empty() && families[2].empty(); }
 };
 
-/// An element's coefficients in a block. Of homogeneous blocks, those of the first function of z;
-/// the others' follow.
+/// An element's coefficients in a block. Of homogeneous blocks, those of the first function of y
+/// and z; the others' follow.
 struct ElementData
 {
   std::int64_t id = 0;
@@ -41,6 +42,7 @@ struct FieldBlock
   std::vector<Expansion3> expansions;
   std::vector<ElementData> elements;
   std::optional<Homogeneous> homogeneous;
+  int strip = 0; ///< its number, where there are strips
   std::size_t perField = 0;
   FieldValues values; ///< field by field
 };

@@ -9,7 +9,7 @@
 
 namespace pixelexact::nektar
 {
-FourierLayers::FourierLayers(const Homogeneous& along)
+FourierLayers::FourierLayers(const Periodic& along)
   : Along(along)
 {
   for (std::size_t f = 0; f < along.functions.size(); ++f)
@@ -30,10 +30,10 @@ long double FourierLayers::Phase(int wave) const
   return std::numbers::pi_v<long double> * wave / Count;
 }
 
-double FourierLayers::Value(std::size_t function, double z) const
+double FourierLayers::Value(std::size_t function, double s) const
 {
   const long double angle = 2 * std::numbers::pi_v<long double> * Wave(function) *
-    (z / static_cast<long double>(Along.length));
+    (s / static_cast<long double>(Along.length));
   return static_cast<double>(
     Along.functions[function] % 2 == 0 ? std::cos(angle) : -std::sin(angle));
 }

@@ -5,6 +5,7 @@
 #include "Formats/Nektar/Conditions.h"
 #include "Formats/Nektar/Curves.h"
 #include "Formats/Nektar/Entities.h"
+#include "Formats/Nektar/LineGeometry.h"
 
 #include <algorithm>
 #include <set>
@@ -36,20 +37,26 @@ pugi::xml_node FindGeometry(const Document& document, std::span<const Document* 
     }
     return {}; // the other file's is read
   }
-  if (const auto homogeneous = HomogeneousType(session);
-      geometry && homogeneous && *homogeneous != "1D" && DimensionOf(document, geometry) != 3)
-  {
-    document.FailUnsupported(geometry,
-      "the session is HOMOGENEOUS (" + *homogeneous +
-        "), and only 1D is read: " + HomogeneousRemedy());
-  }
   if (geometry)
   {
     const std::int64_t own = DimensionOf(document, geometry);
     const std::int64_t space = DimensionOf(document, geometry, "SPACE");
-    if (own < 2 || own > 3 || space < own || space > 3)
+    const auto homogeneous = HomogeneousType(session);
+    const bool isLine = own == 1 && homogeneous && homogeneous->ends_with("2D");
+    if (homogeneous && own != 3 && !isLine && !(own == 2 && homogeneous->ends_with("1D")))
     {
-      document.FailUnsupported(geometry, "only two- and three-dimensional geometries are read.");
+      document.FailUnsupported(geometry,
+        "the session is HOMOGENEOUS (" + *homogeneous + ") over a mesh of dimension " +
+          std::to_string(own) +
+          "; 1D over two-dimensional and 2D over one-dimensional ones are "
+          "read: " +
+          HomogeneousRemedy());
+    }
+    if ((own < 2 && !isLine) || own > 3 || space < own || space > 3)
+    {
+      document.FailUnsupported(geometry,
+        "only two- and three-dimensional geometries are read, and one-dimensional ones of sessions "
+        "that are HOMOGENEOUS (2D).");
     }
   }
   return geometry;
@@ -117,6 +124,10 @@ Geometry ReadGeometry(std::span<const Document* const> session)
     ReadComposites(*part.file, part.file->Only(part.geometry, "COMPOSITE"), target);
   }
   NoteMissingParts(parts, target);
+  if (target.dimension == 1)
+  {
+    MakeStrip(parts.front().file->Name(), target);
+  }
   return target;
 }
 } // namespace pixelexact::nektar

@@ -73,10 +73,14 @@ inline constexpr SolidTag kSolidTags[] = { { "A", Shape::Tetrahedron }, { "P", S
 /// The elements of plane meshes, as the solids of a slab (planar.md), whose only face is their own.
 inline constexpr SolidTag kPlaneTags[] = { { "T", Shape::Prism }, { "Q", Shape::Hexahedron } };
 
+/// The elements of one-dimensional meshes.
+inline constexpr std::string_view kLineTag = "S";
+
 /// A session's GEOMETRY, with all references resolved or refused.
 struct Geometry
 {
-  int dimension = 3; ///< of the elements, 2 or 3
+  int dimension = 3;   ///< of the elements, 2 or 3
+  bool isLine = false; ///< segments along x, as quadrilaterals of a width that means nothing
   IdMap<Point> vertices;
   IdMap<Edge> edges;
   IdMap<Face> faces;

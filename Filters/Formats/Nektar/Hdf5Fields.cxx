@@ -41,7 +41,9 @@ struct Offsets
   std::size_t elements = 0;
   std::size_t values = 0;
   std::size_t orders = 0;
-  std::size_t planes = 0;
+  std::size_t planesY = 0;
+  std::size_t planesZ = 0;
+  std::size_t strips = 0;
 };
 
 template <class Number>
@@ -122,10 +124,9 @@ public:
     {
       Orders = File.Unsigned(kRoot + "/POLYORDERS");
     }
-    if (File.Has(kRoot + "/HOMOGENEOUSZIDS"))
-    {
-      Planes = File.Unsigned(kRoot + "/HOMOGENEOUSZIDS");
-    }
+    PlanesY = NumbersIn("HOMOGENEOUSYIDS");
+    PlanesZ = NumbersIn("HOMOGENEOUSZIDS");
+    Strips = NumbersIn("HOMOGENEOUSSIDS");
     std::string xml;
     Offsets at;
     for (std::size_t row = 0; row < Rows.size() / kColumns; ++row)
@@ -136,6 +137,13 @@ public:
   }
 
 private:
+  /// A data set of numbers that a file need not have.
+  [[nodiscard]] std::vector<std::uint64_t> NumbersIn(const char* set) const
+  {
+    const std::string path = kRoot + "/" + set;
+    return File.Has(path) ? File.Unsigned(path) : std::vector<std::uint64_t>();
+  }
+
   [[noreturn]] void Contradiction(const std::string& what) const
   {
     throw InvalidData(Name + ": " + what + "; the file contradicts itself.");
@@ -194,12 +202,18 @@ private:
     std::string xml = "<ELEMENTS FIELDS=\"" + TextsOf(group, "FIELDS") + "\" SHAPE=\"" +
       TextsOf(group, "SHAPE") + "\" BASIS=\"" + Families(group) + "\" NUMMODESPERDIR=\"" + modes +
       "\" ID=\"" + Joined(ids) + "\"";
-    const auto planes = Take(Planes, at.planes, At(row, kPlanesZ), "HOMOGENEOUSZIDS");
+    const auto list = [](const char* name, std::span<const std::uint64_t> numbers)
+    {
+      return numbers.empty() ? std::string()
+                             : std::string(" ") + name + "=\"" + Joined(numbers) + "\"";
+    };
+    xml += list("HOMOGENEOUSYIDS", Take(PlanesY, at.planesY, At(row, kPlanesY), "HOMOGENEOUSYIDS"));
+    xml += list("HOMOGENEOUSZIDS", Take(PlanesZ, at.planesZ, At(row, kPlanesZ), "HOMOGENEOUSZIDS"));
+    xml += list("HOMOGENEOUSSIDS", Take(Strips, at.strips, At(row, kStrips), "HOMOGENEOUSSIDS"));
     if (File.HasAttribute(group, "HOMOGENEOUSLENGTHS"))
     {
       xml += " HOMOGENEOUSLENGTHS=\"" +
-        JoinedReals(File.RealAttributes(group, "HOMOGENEOUSLENGTHS")) + "\" HOMOGENEOUSZIDS=\"" +
-        Joined(planes) + "\"";
+        JoinedReals(File.RealAttributes(group, "HOMOGENEOUSLENGTHS")) + "\"";
     }
     return xml + " " + kBlockAttributes + ">" + StoredBlock(std::as_bytes(values)) + "</ELEMENTS>";
   }
@@ -243,7 +257,9 @@ private:
   std::vector<std::uint64_t> Ids;
   std::vector<double> Values;
   std::vector<std::uint64_t> Orders;
-  std::vector<std::uint64_t> Planes; ///< numbers of functions along z
+  std::vector<std::uint64_t> PlanesY; ///< numbers of functions along y
+  std::vector<std::uint64_t> PlanesZ;
+  std::vector<std::uint64_t> Strips;
 };
 } // namespace
 

@@ -3,30 +3,54 @@
 
 #include "Formats/SolverModel.h"
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
-// Homogeneous expansions: Fourier's functions along z over a two-dimensional mesh. Their elements
-// become solids in layers, with polynomials along z that are proven to be near enough.
+// Homogeneous expansions: Fourier's functions along z over a two-dimensional mesh, or along y and z
+// over a one-dimensional one. Their elements become solids in layers, with polynomials along these
+// directions that are proven to be near enough.
 namespace pixelexact::nektar
 {
-/// Along z from 0 to `length`: function 2 k is cos(2 pi k z / length), function 2 k + 1 is
-/// -sin(2 pi k z / length).
-struct Homogeneous
+/// Along a direction, from 0 to `length`: function 2 k is cos(2 pi k s / length), function 2 k + 1
+/// is -sin(2 pi k s / length).
+struct Periodic
 {
   double length = 1.0;
   std::vector<int> functions; ///< those that there are, by number
-  /// Of a complex wave the file has one part alone: of the field "w" the imaginary one, function 3,
-  /// of all others the real one, minus function 2.
-  bool isHalfMode = false;
 
+  bool operator==(const Periodic&) const = default;
+};
+
+/// Of a complex wave along z a file may have one part alone. The real one is minus function 2, the
+/// imaginary one function 3; the field "w" is always imaginary.
+enum class HalfMode : std::uint8_t
+{
+  None,
+  Real,
+  Imaginary
+};
+
+struct Homogeneous
+{
+  std::optional<Periodic> y; ///< over a one-dimensional mesh
+  Periodic z;
+  HalfMode half = HalfMode::None;
+  bool strips = false; ///< of a length each, with gaps between them
+
+  [[nodiscard]] std::size_t Functions() const
+  {
+    return (y ? y->functions.size() : 1) * z.functions.size();
+  }
   bool operator==(const Homogeneous&) const = default;
 };
 
-/// What a polynomial along z may lose, in parts of the field's range.
+/// What a polynomial may lose, in parts of the field's range.
 inline constexpr double kHomogeneousLoss = 1e-13;
 
-/// A field: per function of z the coefficients on the plane elements.
+/// A field: per strip, function of z and function of y, this one fastest, the coefficients on the
+/// mesh's elements.
 struct HomogeneousField
 {
   std::string name;
@@ -34,9 +58,10 @@ struct HomogeneousField
   std::vector<SolverExpansion> planes;
 };
 
-/// Makes the model of a slab one of layers, in place, with these fields. An element of layer l has
-/// l times (1 + the largest number) added to its number. Notes say how many layers and which order
-/// there are, and what is lost at most.
-void LiftHomogeneous(
-  const Homogeneous& along, const std::vector<HomogeneousField>& fields, SolverModel& model);
+/// Makes the model of a slab one of layers, in place, with these fields; their coefficients are
+/// taken. `begin`: where along z each strip begins, 0 alone without strips. An element of layer l,
+/// those along y fastest, has l times (1 + the largest number) added to its number. Notes say how
+/// many layers and which order there are, and what is lost at most.
+void LiftHomogeneous(const Homogeneous& along, const std::vector<double>& begin,
+  std::vector<HomogeneousField> fields, SolverModel& model);
 } // namespace pixelexact::nektar

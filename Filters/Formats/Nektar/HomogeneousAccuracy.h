@@ -10,15 +10,16 @@ namespace pixelexact::nektar
 /// An element's coefficients.
 std::span<const double> CoefficientsOf(const SolverExpansion& expansion, std::size_t e);
 
-/// How near polynomials along z come to a field.
+/// How near polynomials come to a field.
 struct Accuracy
 {
-  int order = 0;
+  int orderY = 0;
+  int orderZ = 0;
   double loss = 0.0;  ///< at most
   double range = 0.0; ///< at least
 };
 
-/// With the least order that is proven to lose no more than kHomogeneousLoss of the range, or the
-/// highest.
-Accuracy AccuracyOf(const HomogeneousField& field, const FourierLayers& layers);
+/// With orders that are proven to lose no more than kHomogeneousLoss of the range, each the least
+/// that will do, or the highest. `y` is null where the mesh is two-dimensional.
+Accuracy AccuracyOf(const HomogeneousField& field, const FourierLayers* y, const FourierLayers& z);
 } // namespace pixelexact::nektar

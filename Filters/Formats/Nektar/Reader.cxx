@@ -4,6 +4,7 @@
 #include "Core/Base/Error.h"
 #include "Formats/Assembly.h"
 #include "Formats/Nektar/BoundaryBasis.h"
+#include "Formats/Nektar/Conditions.h"
 #include "Formats/Nektar/FaceMaps.h"
 #include "Formats/Nektar/Groups.h"
 #include "Formats/Nektar/PlaneModel.h"
@@ -238,17 +239,28 @@ SessionMesh ReadMesh(const std::vector<NamedText>& sessions)
       ": no file has an element GEOMETRY; name the file that holds the mesh as well.");
   }
   const Geometry geometry = ReadGeometry(session);
+  const auto stripDistance = Parameters(session).Find("DistStrip");
   documents.clear(); // all is in the geometry now
   SolverModel model = geometry.dimension == 2 ? MakePlaneModel(geometry, name)
                                               : std::move(ModelBuilder(geometry, name).Model);
   model.notes.insert(model.notes.end(), geometry.notes.begin(), geometry.notes.end());
-  return { std::move(model), name };
+  return { std::move(model), name, geometry.isLine, stripDistance };
+}
+
+void RequireFields(const SessionMesh& mesh)
+{
+  if (mesh.isLine)
+  {
+    throw Unsupported(mesh.name +
+      ": the mesh is one-dimensional, and its functions along y and z are in the field files; name "
+      "one of them, too.");
+  }
 }
 
 SessionMesh OutlineOf(const SessionMesh& mesh)
 {
   const SolverMesh& whole = mesh.model.mesh;
-  SessionMesh outline{ {}, mesh.name };
+  SessionMesh outline{ {}, mesh.name, mesh.isLine, mesh.stripDistance };
   outline.model.notes = mesh.model.notes;
   SolverMesh& kept = outline.model.mesh;
   kept.map.spaces = whole.map.spaces;
@@ -277,7 +289,11 @@ SessionMesh OutlineOf(const SessionMesh& mesh)
 SolverModel Read(const std::vector<NamedText>& sessions, const std::vector<NamedText>& fieldParts)
 {
   SessionMesh mesh = ReadMesh(sessions);
-  if (!fieldParts.empty())
+  if (fieldParts.empty())
+  {
+    RequireFields(mesh);
+  }
+  else
   {
     AddFields(fieldParts, mesh);
   }

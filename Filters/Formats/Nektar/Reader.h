@@ -32,8 +32,14 @@ struct SessionMesh
 {
   SolverModel model; ///< without fields
   std::string name;  ///< of the file that holds the mesh, for messages
+  /// A one-dimensional mesh, as a strip of a plane until its fields make it one of solids.
+  bool isLine = false;
+  std::optional<double> stripDistance; ///< the parameter DistStrip
 };
 SessionMesh ReadMesh(const std::vector<NamedText>& sessions);
+
+/// Throws Unsupported for a mesh that is none without fields, a one-dimensional one.
+void RequireFields(const SessionMesh& mesh);
 
 /// What AddFields must know of a mesh when its coefficients have been handed on; of a
 /// two-dimensional mesh all of it, which homogeneous fields need.

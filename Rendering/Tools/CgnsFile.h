@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace pixelexact
+{
+/// A boundary condition on a zone, in the zone's points, counted from 0.
+struct CgnsBoundary
+{
+  /// The corners of a face of a solid, or of a plane element's edge; -1 where there are fewer.
+  using Face = std::array<std::int64_t, 4>;
+
+  std::string name; ///< the condition's own, or that of the family that it refers to
+  std::vector<Face> faces;
+  std::vector<std::int64_t> points; ///< where it is given by points: faces with all corners here
+};
+
+struct CgnsZone
+{
+  std::int64_t points = 0;
+  std::set<std::string> elements; ///< the names of their types, "HEXA_27"
+  std::vector<CgnsBoundary> boundaries;
+  std::vector<std::string> left; ///< names of conditions that are not read, or contradict the zone
+};
+
+/// What the CGNS library tells of a file's boundary conditions: the zones of all bases, in their
+/// order. Throws Error, naming the file, where the library cannot read it.
+std::vector<CgnsZone> ReadCgnsZones(const std::string& file);
+} // namespace pixelexact
