@@ -49,18 +49,33 @@ void vtkPixelExactRepresentation::RemoveAllBoundaryAttributes()
 void vtkPixelExactRepresentation::SetIsoArray(int, int, int, int, const char* name)
 {
   this->Data->Iso->SetFieldName(name);
+  this->Data->Walls->SetFieldName(name);
 }
 
 //------------------------------------------------------------------------------
 void vtkPixelExactRepresentation::SetIsoComponent(int component)
 {
   this->Data->Iso->SetComponent(component);
+  this->Data->Walls->SetComponent(component);
 }
 
 //------------------------------------------------------------------------------
 void vtkPixelExactRepresentation::SetIsoValue(double value)
 {
   this->Data->Iso->SetValue(value);
+  this->Data->Walls->SetValue(value);
+}
+
+//------------------------------------------------------------------------------
+void vtkPixelExactRepresentation::SetJumpWalls(bool walls)
+{
+  this->Data->HasWalls = walls;
+}
+
+//------------------------------------------------------------------------------
+void vtkPixelExactRepresentation::SetJumpWallColor(double red, double green, double blue)
+{
+  this->Data->WallLayer->SetColor(red, green, blue);
 }
 
 //------------------------------------------------------------------------------

@@ -46,6 +46,12 @@ bool HasCells(vtkDataObject* data)
 {
   return data != nullptr && data->GetNumberOfElements(vtkDataObject::CELL) > 0;
 }
+
+bool HasSeveralProcesses()
+{
+  auto* processes = vtkMultiProcessController::GetGlobalController();
+  return processes != nullptr && processes->GetNumberOfProcesses() > 1;
+}
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -80,6 +86,9 @@ vtkPixelExactRepresentation::vtkPixelExactRepresentation()
   this->Data->Actor->SetMapper(this->Data->Mapper);
   this->Data->Mapper->SetUseLookupTableScalarRange(1);
   this->Data->Mapper->ScalarVisibilityOff();
+  this->Data->WallLayer->SetSurface(this->Data->Walls);
+  this->Data->WallLayer->ScalarVisibilityOff();
+  this->Data->WallLayer->ContourVisibilityOff(); // which are not proven there
   vtkMath::UninitializeBounds(this->Data->Bounds.data());
 }
 
@@ -136,8 +145,7 @@ int vtkPixelExactRepresentation::RequestData(
 void vtkPixelExactRepresentation::FindInnerFaces()
 {
   Internals& my = *this->Data;
-  auto* processes = vtkMultiProcessController::GetGlobalController();
-  if (my.Surface != BOUNDARY || processes == nullptr || processes->GetNumberOfProcesses() < 2)
+  if (my.Surface != BOUNDARY || !HasSeveralProcesses())
   {
     return;
   }
@@ -154,7 +162,8 @@ void vtkPixelExactRepresentation::FindInnerFaces()
   }
   try
   {
-    const auto marked = pixelexact::WithInnerFaces(grid, processes);
+    const auto marked =
+      pixelexact::WithInnerFaces(grid, vtkMultiProcessController::GetGlobalController());
     if (HasCells(marked))
     {
       my.Shown = marked;
@@ -219,6 +228,7 @@ int vtkPixelExactRepresentation::ProcessViewRequest(
 void vtkPixelExactRepresentation::ChooseSurface()
 {
   Internals& my = *this->Data;
+  this->ChooseWalls();
   switch (my.Surface)
   {
     case BOUNDARY:
@@ -237,6 +247,22 @@ void vtkPixelExactRepresentation::ChooseSurface()
       my.Mapper->SetSurface(nullptr);
       my.Mapper->SetCutFunction(my.Cut);
       break;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPixelExactRepresentation::ChooseWalls()
+{
+  Internals& my = *this->Data;
+  const bool shown = my.HasWalls && my.Surface == ISO_SURFACE && !HasSeveralProcesses();
+  my.Iso->SetMayBeEmpty(shown);
+  if (!shown)
+  {
+    my.Mapper->RemoveAllLayers();
+  }
+  else if (my.Mapper->GetNumberOfLayers() == 0)
+  {
+    my.Mapper->AddLayer(my.WallLayer);
   }
 }
 
@@ -277,6 +303,11 @@ void vtkPixelExactRepresentation::Warn(vtkDataObject* shown)
   {
     texts.insert("blocks are not chosen, coloured or made translucent one by one: all are one "
                  "scene; the filter Extract Block takes out those to be seen");
+  }
+  if (my.HasWalls && my.Surface == ISO_SURFACE && HasSeveralProcesses())
+  {
+    texts.insert("jump walls are not shown: what lies on both sides of a face is known to one "
+                 "process that has the whole mesh");
   }
   texts.erase("");
   for (const std::string& text : texts)

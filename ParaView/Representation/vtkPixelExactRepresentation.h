@@ -74,6 +74,16 @@ public:
   void SetIsoValue(double value);
   ///@}
 
+  ///@{
+  /**
+   * With the iso-surface, in a colour of their own, the walls that close it where the field jumps
+   * across the value; see vtkHighOrderJumpWalls. Refused by a warning where several processes draw:
+   * none of them knows both sides of all faces.
+   */
+  void SetJumpWalls(bool walls);
+  void SetJumpWallColor(double red, double green, double blue);
+  ///@}
+
   /**
    * A file of triangles (.stl, .vtp) or Bezier patches (.vtu, .vtp), in the data's coordinates,
    * that each process which draws reads.
@@ -200,6 +210,7 @@ private:
   void operator=(const vtkPixelExactRepresentation&) = delete;
 
   void ChooseSurface();
+  void ChooseWalls();
   void ReadSurfaceFile();
   std::string TextAt(int x, int y);
   /// Of a boundary whose elements several processes have: all of them call it.
