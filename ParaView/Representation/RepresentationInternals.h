@@ -61,6 +61,10 @@ struct vtkPixelExactRepresentation::Internals
   std::set<std::string> Told; ///< so that each is told once
   pixelexact::ViewNotes Notes;
 
+  static bool HasCells(vtkDataObject* data);
+  static bool HasSeveralProcesses();
+  /// Contours or edges, which a pixel's corners decide.
+  bool HasLines();
   /// The data with coefficients; converted where some are plain. Throws pixelexact::Error.
   vtkSmartPointer<vtkDataObject> WithCoefficients(vtkDataObject* data);
 };

@@ -111,7 +111,9 @@ void vtkPixelExactRepresentation::SetContourValue(int i, double value)
 //------------------------------------------------------------------------------
 void vtkPixelExactRepresentation::SetNumberOfContours(int number)
 {
+  const bool had = this->Data->HasLines();
   this->Data->Mapper->SetNumberOfContours(number);
+  this->AskOthersAgain(had);
 }
 
 //------------------------------------------------------------------------------
@@ -145,6 +147,15 @@ void vtkPixelExactRepresentation::SetContourLabelSize(int size)
 }
 
 //------------------------------------------------------------------------------
+void vtkPixelExactRepresentation::AskOthersAgain(bool hadLines)
+{
+  if (this->Data->HasLines() != hadLines && Internals::HasSeveralProcesses())
+  {
+    this->MarkModified();
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkPixelExactRepresentation::SetLightFlat(bool light)
 {
   this->Data->Mapper->SetLightFlat(light);
@@ -153,7 +164,9 @@ void vtkPixelExactRepresentation::SetLightFlat(bool light)
 //------------------------------------------------------------------------------
 void vtkPixelExactRepresentation::SetEdgeVisibility(bool visible)
 {
+  const bool had = this->Data->HasLines();
   this->Data->Actor->GetProperty()->SetEdgeVisibility(visible);
+  this->AskOthersAgain(had);
 }
 
 //------------------------------------------------------------------------------

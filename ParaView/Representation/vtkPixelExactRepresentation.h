@@ -213,8 +213,12 @@ private:
   void ChooseWalls();
   void ReadSurfaceFile();
   std::string TextAt(int x, int y);
-  /// Of a boundary whose elements several processes have: all of them call it.
-  void FindInnerFaces();
+  /**
+   * What several processes, all of which call it, tell each other of their parts: which faces of a
+   * boundary lie between these; where there are contours or edges, elements beside them.
+   */
+  void AskOthers();
+  void AskOthersAgain(bool hadLines);
   /**
    * Of what ParaView's panels offer and a cut does not have, and of a colour map that is too
    * narrow.

@@ -21,8 +21,11 @@ CASES = {
     # ParaView blends processes in the order of their boxes, and theirs overlap.
     "boundary": (("boundary", *NEK), (2,), 320 * 240, 1),
     "boundary_opaque": (("boundary_opaque", *NEK), (4,), 0, 0),
-    # Pixels whose corners are in another process' part have no line.
-    "contours": (("contours", "toroid_hex_g3_p6.vtu"), (2,), 20, 255),
+    # Lines are decided by pixels' corners, which may be in another process' part.
+    "contours": (("contours", "toroid_hex_g3_p6.vtu"), (2, 4), 0, 0),
+    "contours_edges": (("contours:edges", "escher_tet_g3_p3.vtu"), (4,), 0, 0),
+    "edges_dg": (("edges", "periodic_hex_dg_g3_p4.vtu"), (3,), 0, 0),
+    "contours_orders": (("contours:edges", *NEK), (3,), 0, 0),
 }
 
 
