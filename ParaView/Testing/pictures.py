@@ -31,10 +31,11 @@ if kind.startswith("boundary"):
     shown.PixelExactSurface = "Boundary"
     shown.Opacity = 1.0 if kind.endswith("opaque") else 0.5
     shown.ColorArrayName = [None, ""]
-elif kind == "iso":
+elif kind.startswith("iso"):
     shown.PixelExactSurface = "Iso-Surface"
     shown.IsoArray = ["POINTS", "u"]
     shown.IsoValue = 0.2
+    shown.JumpWalls = int(kind.endswith("walls"))
     shown.ColorArrayName = [None, ""]
 else:
     ColorBy(shown, ("POINTS" if files[0].endswith(".vtu") else "CELLS", "u"))
