@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InnerFaces.h"
 
+#include "BareElements.h"
 #include "Core/Base/Error.h"
-#include "Core/Faces/FaceTable.h"
-#include "Core/Location/Locator.h"
-#include "Core/Questions/Questions.h"
 #include "HighOrderModel.h"
 #include "PartExchange.h"
 
@@ -22,35 +20,6 @@ namespace pixelexact
 namespace
 {
 using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
-
-int FacesOfElement(const HighOrderModel& model, int element)
-{
-  return static_cast<int>(FacesOf(model.GetMesh().ShapeOf(element)).size());
-}
-
-/// The faces of an element that have something behind them, as bits.
-unsigned char InnerOf(const HighOrderModel& model, int element)
-{
-  unsigned int bits = 0;
-  for (int face = 0; face < FacesOfElement(model, element); ++face)
-  {
-    const FaceKind kind = model.Faces().KindOf(element, face);
-    bits |= kind == FaceKind::Interior || kind == FaceKind::Hanging
-      ? 1U << static_cast<unsigned int>(face)
-      : 0U;
-  }
-  return static_cast<unsigned char>(bits);
-}
-
-/// The box of the elements, with some room.
-vtkBoundingBox BoxAround(const HighOrderModel& model)
-{
-  const Box3& box = model.GetLocator().Bounds();
-  vtkBoundingBox bounds(
-    box.lower.x, box.upper.x, box.lower.y, box.upper.y, box.lower.z, box.upper.z);
-  bounds.Inflate(1e-6 * bounds.GetDiagonalLength());
-  return bounds;
-}
 } // namespace
 
 Grid WithInnerFaces(vtkUnstructuredGrid* grid, vtkMultiProcessController* processes)
@@ -69,11 +38,8 @@ Grid WithInnerFaces(vtkUnstructuredGrid* grid, vtkMultiProcessController* proces
       for (int e = 0; e < model->GetMesh().Elements(); ++e)
       {
         inner.push_back(InnerOf(*model, e));
-        if (inner.back() + 1U != 1U << static_cast<unsigned int>(FacesOfElement(*model, e)))
-        {
-          bare.push_back(e);
-        }
       }
+      bare = BareElements(*model);
       sent = PackedCells(grid, bare, false);
     }
   }

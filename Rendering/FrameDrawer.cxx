@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FrameDrawer.h"
 
+#include "GhostPixels.h"
 #include "HighOrderModel.h"
 #include "SelectionImage.h"
 #include "ViewRequest.h"
@@ -60,6 +61,10 @@ ViewFrame& FrameDrawer::Begin(
     throw;
   }
   request.edges = EdgesOf(actor->GetProperty());
+  if (HasGhosts)
+  {
+    request.buffers = request.buffers | Buffer::Element;
+  }
   return view;
 }
 
@@ -127,8 +132,9 @@ void FrameDrawer::Select(FrameRequest request, vtkRenderer* renderer, vtkActor* 
   {
     return;
   }
-  const SelectionImage image = MakeSelectionImage(
+  SelectionImage image = MakeSelectionImage(
     pass, frame, DepthRowsOf(renderer, actor->GetMatrix()), model.SourceCells(), model.Blocks());
+  HideGhosts(frame.centres, model, image.depths);
   ++view.selected;
   view.selection.Draw(renderer, actor, mapper,
     { .rgba = image.rgba,
@@ -144,7 +150,12 @@ const std::shared_ptr<HighOrderModel>& FrameDrawer::ModelOf(vtkDataObject* grid)
 {
   try
   {
+    const std::int64_t builds = Model.Builds();
     const std::shared_ptr<HighOrderModel>& model = Model.Of(grid);
+    if (Model.Builds() != builds)
+    {
+      HasGhosts = pixelexact::HasGhosts(*model);
+    }
     Views.DropOthers(model.get());
     TheSurfaces.DropOthers(model);
     return model;

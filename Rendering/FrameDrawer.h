@@ -81,6 +81,7 @@ private:
     FrameRequest& request, vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper);
 
   GridModel Model;
+  bool HasGhosts = false; ///< the model
   SurfaceCache TheSurfaces;
   ColorRanges Ranges;
   ViewFrames Views;

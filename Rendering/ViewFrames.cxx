@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ViewFrames.h"
 
+#include "GhostPixels.h"
+
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkRenderer.h"
@@ -51,6 +53,7 @@ void ViewFrame::MakeDrawn(const DepthRows& rows)
     if (moved)
     {
       WindowDepth(frame.centres, rows, opaque.depths);
+      HideGhosts(frame.centres, *source.Model(), opaque.depths);
     }
     return;
   }
@@ -65,6 +68,7 @@ void ViewFrame::MakeDrawn(const DepthRows& rows)
     Drawn& drawn = seenThrough[k];
     drawn.rgba = sheet.color;
     WindowDepth(sheet, rows, drawn.depths);
+    HideGhosts(sheet, *source.Model(), drawn.depths);
     for (std::size_t i = 0; i < pixels; ++i)
     {
       const std::uint8_t layer = layers.size() > 1 ? sheet.layer[i] : std::uint8_t{ 0 };

@@ -18,7 +18,8 @@ std::shared_ptr<const pixelexact::Surface> vtkHighOrderIsoSurface::MakeSurface(
   const std::shared_ptr<const pixelexact::HighOrderModel>& model,
   const pixelexact::SurfaceSearch& /*search*/)
 {
-  return pixelexact::MakeIsoSurface(model, { this->FieldName, this->Component, this->Value });
+  return pixelexact::MakeIsoSurface(
+    model, { this->FieldName, this->Component, this->Value, this->MayBeEmpty });
 }
 
 //------------------------------------------------------------------------------
@@ -28,4 +29,5 @@ void vtkHighOrderIsoSurface::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FieldName: " << (this->FieldName.empty() ? "(first)" : this->FieldName) << "\n";
   os << indent << "Component: " << this->Component << "\n";
   os << indent << "Value: " << this->Value << "\n";
+  os << indent << "MayBeEmpty: " << this->MayBeEmpty << "\n";
 }

@@ -55,6 +55,17 @@ public:
   vtkGetMacro(Value, double);
   ///@}
 
+  ///@{
+  /**
+   * Whether the surface may be nowhere. Off (the default): a value that no element has is an error.
+   * On: only one beyond the values of the whole mesh. For surfaces with vtkHighOrderJumpWalls, as a
+   * field may have a value nowhere and jump across it.
+   */
+  vtkSetMacro(MayBeEmpty, bool);
+  vtkGetMacro(MayBeEmpty, bool);
+  vtkBooleanMacro(MayBeEmpty, bool);
+  ///@}
+
 #ifndef __VTK_WRAP__
   std::shared_ptr<const pixelexact::Surface> MakeSurface(
     const std::shared_ptr<const pixelexact::HighOrderModel>& model,
@@ -68,6 +79,7 @@ protected:
   std::string FieldName;
   int Component = MAGNITUDE;
   double Value = 0.0;
+  bool MayBeEmpty = false;
 
 private:
   vtkHighOrderIsoSurface(const vtkHighOrderIsoSurface&) = delete;

@@ -6,6 +6,8 @@
 #include "ViewNotes.h"
 #include "vtkHighOrderBoundarySurface.h"
 #include "vtkHighOrderIsoSurface.h"
+#include "vtkHighOrderJumpWalls.h"
+#include "vtkHighOrderLayer.h"
 #include "vtkHighOrderMapper.h"
 #include "vtkHighOrderSurface.h"
 #include "vtkPixelExactRepresentation.h"
@@ -34,6 +36,9 @@ struct vtkPixelExactRepresentation::Internals
   vtkSmartPointer<vtkImplicitFunction> Cut;
   vtkNew<vtkHighOrderBoundarySurface> Boundary;
   vtkNew<vtkHighOrderIsoSurface> Iso;
+  bool HasWalls = false;
+  vtkNew<vtkHighOrderJumpWalls> Walls; ///< of the iso-surface
+  vtkNew<vtkHighOrderLayer> WallLayer; ///< the mapper's
   std::string SurfaceFile;
   vtkSmartPointer<vtkHighOrderSurface> OfFile; ///< null: not read yet, or in vain
   std::optional<std::string> FailedFile;       ///< so that it is told once
@@ -56,6 +61,10 @@ struct vtkPixelExactRepresentation::Internals
   std::set<std::string> Told; ///< so that each is told once
   pixelexact::ViewNotes Notes;
 
+  static bool HasCells(vtkDataObject* data);
+  static bool HasSeveralProcesses();
+  /// Contours or edges, which a pixel's corners decide.
+  bool HasLines();
   /// The data with coefficients; converted where some are plain. Throws pixelexact::Error.
   vtkSmartPointer<vtkDataObject> WithCoefficients(vtkDataObject* data);
 };

@@ -49,18 +49,33 @@ void vtkPixelExactRepresentation::RemoveAllBoundaryAttributes()
 void vtkPixelExactRepresentation::SetIsoArray(int, int, int, int, const char* name)
 {
   this->Data->Iso->SetFieldName(name);
+  this->Data->Walls->SetFieldName(name);
 }
 
 //------------------------------------------------------------------------------
 void vtkPixelExactRepresentation::SetIsoComponent(int component)
 {
   this->Data->Iso->SetComponent(component);
+  this->Data->Walls->SetComponent(component);
 }
 
 //------------------------------------------------------------------------------
 void vtkPixelExactRepresentation::SetIsoValue(double value)
 {
   this->Data->Iso->SetValue(value);
+  this->Data->Walls->SetValue(value);
+}
+
+//------------------------------------------------------------------------------
+void vtkPixelExactRepresentation::SetJumpWalls(bool walls)
+{
+  this->Data->HasWalls = walls;
+}
+
+//------------------------------------------------------------------------------
+void vtkPixelExactRepresentation::SetJumpWallColor(double red, double green, double blue)
+{
+  this->Data->WallLayer->SetColor(red, green, blue);
 }
 
 //------------------------------------------------------------------------------
@@ -96,7 +111,9 @@ void vtkPixelExactRepresentation::SetContourValue(int i, double value)
 //------------------------------------------------------------------------------
 void vtkPixelExactRepresentation::SetNumberOfContours(int number)
 {
+  const bool had = this->Data->HasLines();
   this->Data->Mapper->SetNumberOfContours(number);
+  this->AskOthersAgain(had);
 }
 
 //------------------------------------------------------------------------------
@@ -130,6 +147,15 @@ void vtkPixelExactRepresentation::SetContourLabelSize(int size)
 }
 
 //------------------------------------------------------------------------------
+void vtkPixelExactRepresentation::AskOthersAgain(bool hadLines)
+{
+  if (this->Data->HasLines() != hadLines && Internals::HasSeveralProcesses())
+  {
+    this->MarkModified();
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkPixelExactRepresentation::SetLightFlat(bool light)
 {
   this->Data->Mapper->SetLightFlat(light);
@@ -138,7 +164,9 @@ void vtkPixelExactRepresentation::SetLightFlat(bool light)
 //------------------------------------------------------------------------------
 void vtkPixelExactRepresentation::SetEdgeVisibility(bool visible)
 {
+  const bool had = this->Data->HasLines();
   this->Data->Actor->GetProperty()->SetEdgeVisibility(visible);
+  this->AskOthersAgain(had);
 }
 
 //------------------------------------------------------------------------------

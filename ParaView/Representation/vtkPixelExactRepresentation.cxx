@@ -4,7 +4,6 @@
 #include "CompositeParts.h"
 #include "HighOrderArrays.h"
 #include "HighOrderModel.h"
-#include "InnerFaces.h"
 #include "RepresentationInternals.h"
 
 #include "Core/Base/Error.h"
@@ -16,7 +15,6 @@
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
-#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVRenderView.h"
 #include "vtkProperty.h"
@@ -40,11 +38,6 @@ bool HasPlainGrids(vtkDataObject* data)
       [](const auto& part) { return !pixelexact::HasHighOrderArrays(part.grid); });
   }
   return !pixelexact::HasHighOrderArrays(vtkUnstructuredGrid::SafeDownCast(data));
-}
-
-bool HasCells(vtkDataObject* data)
-{
-  return data != nullptr && data->GetNumberOfElements(vtkDataObject::CELL) > 0;
 }
 } // namespace
 
@@ -80,6 +73,9 @@ vtkPixelExactRepresentation::vtkPixelExactRepresentation()
   this->Data->Actor->SetMapper(this->Data->Mapper);
   this->Data->Mapper->SetUseLookupTableScalarRange(1);
   this->Data->Mapper->ScalarVisibilityOff();
+  this->Data->WallLayer->SetSurface(this->Data->Walls);
+  this->Data->WallLayer->ScalarVisibilityOff();
+  this->Data->WallLayer->ContourVisibilityOff(); // which are not proven there
   vtkMath::UninitializeBounds(this->Data->Bounds.data());
 }
 
@@ -109,7 +105,7 @@ int vtkPixelExactRepresentation::RequestData(
     try
     {
       my.Shown = my.WithCoefficients(data);
-      if (HasCells(my.Shown))
+      if (Internals::HasCells(my.Shown))
       {
         // Held until the mapper has it.
         const auto model = pixelexact::HighOrderModel::From(my.Shown);
@@ -127,47 +123,9 @@ int vtkPixelExactRepresentation::RequestData(
       my.Shown = nullptr;
       vtkErrorMacro(<< error.what());
     }
-    this->FindInnerFaces();
+    this->AskOthers();
   }
   return this->Superclass::RequestData(request, inputVector, outputVector);
-}
-
-//------------------------------------------------------------------------------
-void vtkPixelExactRepresentation::FindInnerFaces()
-{
-  Internals& my = *this->Data;
-  auto* processes = vtkMultiProcessController::GetGlobalController();
-  if (my.Surface != BOUNDARY || processes == nullptr || processes->GetNumberOfProcesses() < 2)
-  {
-    return;
-  }
-  if (vtkCompositeDataSet::SafeDownCast(my.Shown) != nullptr)
-  {
-    vtkWarningMacro(<< "the boundary of blocks is shown with the walls between the processes' "
-                       "parts; put the blocks together first (PixelExact Pack, Merge Blocks)");
-  }
-  vtkSmartPointer<vtkUnstructuredGrid> grid = vtkUnstructuredGrid::SafeDownCast(my.Shown);
-  if (!grid)
-  {
-    // The others wait for this process, too, where it has nothing.
-    grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  }
-  try
-  {
-    const auto marked = pixelexact::WithInnerFaces(grid, processes);
-    if (HasCells(marked))
-    {
-      my.Shown = marked;
-      const auto model = pixelexact::HighOrderModel::From(my.Shown);
-      my.Mapper->SetInputData(my.Shown);
-      my.Mapper->GetBounds(my.Bounds.data());
-    }
-  }
-  catch (const pixelexact::Error& error)
-  {
-    my.Shown = nullptr;
-    vtkErrorMacro(<< error.what());
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -201,7 +159,7 @@ int vtkPixelExactRepresentation::ProcessViewRequest(
   else if (request == vtkPVView::REQUEST_RENDER())
   {
     vtkDataObject* delivered = vtkPVView::GetDeliveredPiece(inInfo, this);
-    const bool isThere = HasCells(delivered);
+    const bool isThere = Internals::HasCells(delivered);
     my.Actor->SetVisibility(this->GetVisibility() && isThere);
     my.Notes.Watch(vtkPVRenderView::SafeDownCast(this->GetView()));
     if (isThere)
@@ -219,6 +177,7 @@ int vtkPixelExactRepresentation::ProcessViewRequest(
 void vtkPixelExactRepresentation::ChooseSurface()
 {
   Internals& my = *this->Data;
+  this->ChooseWalls();
   switch (my.Surface)
   {
     case BOUNDARY:
@@ -237,6 +196,22 @@ void vtkPixelExactRepresentation::ChooseSurface()
       my.Mapper->SetSurface(nullptr);
       my.Mapper->SetCutFunction(my.Cut);
       break;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPixelExactRepresentation::ChooseWalls()
+{
+  Internals& my = *this->Data;
+  const bool shown = my.HasWalls && my.Surface == ISO_SURFACE && !Internals::HasSeveralProcesses();
+  my.Iso->SetMayBeEmpty(shown);
+  if (!shown)
+  {
+    my.Mapper->RemoveAllLayers();
+  }
+  else if (my.Mapper->GetNumberOfLayers() == 0)
+  {
+    my.Mapper->AddLayer(my.WallLayer);
   }
 }
 
@@ -277,6 +252,11 @@ void vtkPixelExactRepresentation::Warn(vtkDataObject* shown)
   {
     texts.insert("blocks are not chosen, coloured or made translucent one by one: all are one "
                  "scene; the filter Extract Block takes out those to be seen");
+  }
+  if (my.HasWalls && my.Surface == ISO_SURFACE && Internals::HasSeveralProcesses())
+  {
+    texts.insert("jump walls are not shown: what lies on both sides of a face is known to one "
+                 "process that has the whole mesh");
   }
   texts.erase("");
   for (const std::string& text : texts)

@@ -74,6 +74,16 @@ public:
   void SetIsoValue(double value);
   ///@}
 
+  ///@{
+  /**
+   * With the iso-surface, in a colour of their own, the walls that close it where the field jumps
+   * across the value; see vtkHighOrderJumpWalls. Refused by a warning where several processes draw:
+   * none of them knows both sides of all faces.
+   */
+  void SetJumpWalls(bool walls);
+  void SetJumpWallColor(double red, double green, double blue);
+  ///@}
+
   /**
    * A file of triangles (.stl, .vtp) or Bezier patches (.vtu, .vtp), in the data's coordinates,
    * that each process which draws reads.
@@ -200,10 +210,15 @@ private:
   void operator=(const vtkPixelExactRepresentation&) = delete;
 
   void ChooseSurface();
+  void ChooseWalls();
   void ReadSurfaceFile();
   std::string TextAt(int x, int y);
-  /// Of a boundary whose elements several processes have: all of them call it.
-  void FindInnerFaces();
+  /**
+   * What several processes, all of which call it, tell each other of their parts: which faces of a
+   * boundary lie between these; where there are contours or edges, elements beside them.
+   */
+  void AskOthers();
+  void AskOthersAgain(bool hadLines);
   /**
    * Of what ParaView's panels offer and a cut does not have, and of a colour map that is too
    * narrow.

@@ -21,16 +21,20 @@ CASES = {
     # ParaView blends processes in the order of their boxes, and theirs overlap.
     "boundary": (("boundary", *NEK), (2,), 320 * 240, 1),
     "boundary_opaque": (("boundary_opaque", *NEK), (4,), 0, 0),
-    # Pixels whose corners are in another process' part have no line.
-    "contours": (("contours", "toroid_hex_g3_p6.vtu"), (2,), 20, 255),
+    # Lines are decided by pixels' corners, which may be in another process' part.
+    "contours": (("contours", "toroid_hex_g3_p6.vtu"), (2, 4), 0, 0),
+    "contours_edges": (("contours:edges", "escher_tet_g3_p3.vtu"), (4,), 0, 0),
+    "edges_dg": (("edges", "periodic_hex_dg_g3_p4.vtu"), (3,), 0, 0),
+    "contours_orders": (("contours:edges", *NEK), (3,), 0, 0),
 }
 
 
 @unittest.skipIf(shutil.which("mpirun") is None, "there is no mpirun")
 class Parallel(unittest.TestCase):
-    def picture(self, name, processes):
+    def draw(self, name, arguments, processes):
+        """The picture, and what was said."""
         picture = os.path.join(scene.PICTURES, f"parallel_{name}_{processes}.png")
-        kind, *files = CASES[name][0]
+        kind, *files = arguments
         # --sym: every process runs the script, as the processes of a batch job do.
         done = subprocess.run(
             ["mpirun", "--oversubscribe", "--bind-to", "none", "-n", str(processes)]
@@ -42,7 +46,16 @@ class Parallel(unittest.TestCase):
         )
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         self.assertNotIn("ERR|", done.stdout + done.stderr)
-        return pictures.read(picture)
+        return pictures.read(picture), done.stdout + done.stderr
+
+    def picture(self, name, processes):
+        return self.draw(name, CASES[name][0], processes)[0]
+
+    def test_walls_are_refused(self):
+        alone = self.picture("iso", 1)
+        rgb, said = self.draw("walls", ("iso_walls", *CASES["iso"][0][1:]), 2)
+        self.assertIn("jump walls are not shown", said)
+        self.assertTrue((rgb == alone).all())
 
     def test_the_same(self):
         for name, (_, counts, pixels, levels) in CASES.items():

@@ -6,8 +6,8 @@ import unittest
 
 import numpy
 from paraview import simple
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, vtkCellArray, vtkPolyData, vtkUnstructuredGrid
 from vtkmodules.vtkIOGeometry import vtkSTLWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
@@ -137,6 +137,113 @@ class Surfaces(unittest.TestCase):
         changed = numpy.abs(after - before).max(axis=-1) > 0
         self.assertGreater(changed[:80].sum(), 300)
         self.assertFalse(changed[100:].any())
+
+
+WALL = (214, 94, 0)
+
+
+def jumping_cube(function):
+    """Eight cubes that share no points and fill [-1, 1]^3; `function` of a point and a cube's middle."""
+    grid, points, values = vtkUnstructuredGrid(), vtkPoints(), vtkDoubleArray()
+    points.SetDataTypeToDouble()
+    values.SetName("u")
+    for cube in numpy.ndindex(2, 2, 2):
+        first = points.GetNumberOfPoints()
+        middle = numpy.array(cube) - 0.5
+        for corner in ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)):
+            place = middle + numpy.array(corner) - 0.5
+            points.InsertNextPoint(place)
+            values.InsertNextValue(function(place, middle))
+        grid.InsertNextCell(VTK_HEXAHEDRON, 8, range(first, first + 8))
+    grid.SetPoints(points)
+    grid.GetPointData().AddArray(values)
+    source = simple.TrivialProducer()
+    source.GetClientSideObject().SetOutput(grid)
+    source.MarkModified(source.SMProxy)
+    return source
+
+
+class JumpWalls(unittest.TestCase):
+    def setUp(self):
+        self.view = scene.view(direction=numpy.array([7.0, -5.0, -3.0]) / numpy.sqrt(83.0), up=(0, 0, 1))
+
+    def tearDown(self):
+        simple.ResetSession()
+
+    def show(self, source, value):
+        shown = simple.Show(source)
+        shown.SetRepresentationType("PixelExact")
+        simple.ColorBy(shown, ("POINTS", "u"))
+        simple.GetColorTransferFunction("u").RescaleTransferFunction(-1.0, 2.0)
+        shown.SetScalarBarVisibility(self.view, False)
+        shown.Ambient, shown.Diffuse = 1.0, 0.0
+        shown.PixelExactSurface = "Iso-Surface"
+        shown.IsoArray = ["POINTS", "u"]
+        shown.IsoValue = value
+        return shown
+
+    def test_close_the_surface(self):
+        """u = y, and y + 1 at x > 0: 0.5 is at y = 0.5, at y = -0.5, and on the wall between the two."""
+        shown = self.show(jumping_cube(lambda x, middle: x[1] + float(middle[0] > 0)), 0.5)
+        without = scene.pixels(self.view, "jump_walls_off.png")
+        shown.JumpWalls = 1
+        rgb = scene.pixels(self.view, "jump_walls.png")
+
+        rows, columns = numpy.mgrid[0:240, 0:320]
+        places = numpy.stack([columns.ravel(), rows.ravel()], axis=1)
+        eyes, ahead = scene.rays(self.view, places)
+        nearest = numpy.full(len(places), numpy.inf)
+        kind = numpy.zeros(len(places), dtype=int)
+        margin = numpy.full(len(places), numpy.inf)
+        for which, axis, at, low, high in (
+            (1, 1, 0.5, [-1, 0.5, -1], [0, 0.5, 1]),
+            (1, 1, -0.5, [0, -0.5, -1], [1, -0.5, 1]),
+            (2, 0, 0.0, [0, -0.5, -1], [0, 0.5, 1]),
+        ):
+            t = (at - eyes[:, axis]) / ahead[axis]
+            x = eyes + t[:, None] * ahead
+            others = [k for k in range(3) if k != axis]
+            inside = numpy.minimum(x - low, numpy.array(high) - x)[:, others].min(axis=1)
+            margin = numpy.minimum(margin, numpy.abs(inside))
+            nearer = (inside > 0) & (t < nearest)
+            nearest[nearer], kind[nearer] = t[nearer], which
+        # Rays that pass an edge by rounding may see either side.
+        sure = margin > 1e-9
+        colors = numpy.array([[51, 102, 153], scene.mapped("u", [0.5])[0], WALL])
+        off = numpy.abs(rgb.reshape(-1, 3).astype(int) - colors[kind]).max(axis=1)
+        self.assertLessEqual(off[sure].max(), 1)
+        self.assertGreater(numpy.count_nonzero(sure & (kind == 2)), 2000)
+        self.assertFalse((numpy.abs(without.astype(int) - WALL).max(axis=-1) <= 1).any())
+
+    def test_where_no_element_has_the_value(self):
+        """Of constants in each element nothing but a wall."""
+        shown = self.show(jumping_cube(lambda x, middle: float(middle[0] > 0)), 0.5)
+        with scene.messages() as heard:
+            self.assertTrue(scene.is_background(scene.pixels(self.view)).all())
+        self.assertIn("0.5", heard[0])
+        shown.JumpWalls = 1
+        shown.JumpWallColor = [0.0, 1.0, 0.0]
+        rgb = scene.pixels(self.view)
+        green = numpy.abs(rgb.astype(int) - [0, 255, 0]).max(axis=-1) <= 1
+        self.assertGreater(green.sum(), 2000)
+        self.assertTrue((green | scene.is_background(rgb)).all())
+        shown.PixelExactSurface = "Boundary"
+        rgb = scene.pixels(self.view)
+        self.assertFalse((numpy.abs(rgb.astype(int) - [0, 255, 0]).max(axis=-1) <= 1).any())
+
+    def test_of_a_solution(self):
+        """Of a discontinuous Galerkin solution some, of a continuous one none."""
+        for file, least in (("periodic_hex_dg_g3_p4.vtu", 20), ("toroid_hex_g3_p6.vtu", 0)):
+            shown = self.show(simple.PixelExactGridReader(FileName=[scene.data(file)]), 0.3)
+            simple.ResetCamera(self.view)
+            without = scene.pixels(self.view)
+            shown.JumpWalls = 1
+            rgb = scene.pixels(self.view, f"jump_walls_{file}.png")
+            wall = numpy.abs(rgb.astype(int) - WALL).max(axis=-1) <= 1
+            if least == 0:
+                self.assertTrue((rgb == without).all())
+            self.assertGreaterEqual(wall.sum(), least)
+            simple.Hide()
 
 
 if __name__ == "__main__":

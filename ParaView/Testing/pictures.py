@@ -31,17 +31,20 @@ if kind.startswith("boundary"):
     shown.PixelExactSurface = "Boundary"
     shown.Opacity = 1.0 if kind.endswith("opaque") else 0.5
     shown.ColorArrayName = [None, ""]
-elif kind == "iso":
+elif kind.startswith("iso"):
     shown.PixelExactSurface = "Iso-Surface"
     shown.IsoArray = ["POINTS", "u"]
     shown.IsoValue = 0.2
+    shown.JumpWalls = int(kind.endswith("walls"))
     shown.ColorArrayName = [None, ""]
 else:
     ColorBy(shown, ("POINTS" if files[0].endswith(".vtu") else "CELLS", "u"))
     GetColorTransferFunction("u").RescaleTransferFunction(-1.0, 1.0)
     shown.CutFunction.Normal = [0, 0, 1]
-    if kind == "contours":
+    if "contours" in kind:
         shown.PixelExactContours = [0.2]
+    if "edges" in kind:
+        shown.ElementEdges = 1
 middle = [0.5 * (a + b) for a, b in zip(*[iter(reader.GetDataInformation().GetBounds())] * 2)]
 length = max(b - a for a, b in zip(*[iter(reader.GetDataInformation().GetBounds())] * 2))
 view.CameraFocalPoint = middle

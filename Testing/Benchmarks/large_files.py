@@ -13,6 +13,7 @@ field. Files that are there already are kept. Needs numpy.
     gmsh_text_g2.msh      4.1, complete hexahedra of order 2 with a view of the nodes
     gmsh_binary_g2.msh    the same, binary
     nektar_p3.xml, .fld   straight hexahedra in compressed XML, Modified_A of order 3
+    pieces_g2.pvtu        Lagrange cells of order 2 in eight files, one after the other in z
 """
 import argparse
 import base64
@@ -27,12 +28,14 @@ def field(x, y, z):
 
 
 class Lattice:
-    """The nodes of `order` on n^3 boxes that share them, x fastest."""
+    """The nodes of `order` on n^3 boxes that share them, x fastest; or on `layers` of them in z."""
 
-    def __init__(self, n, order):
+    def __init__(self, n, order, layers=None):
         self.n, self.order, self.side = n, order, n * order + 1
+        first, last = layers or (0, n)
+        self.layers, self.cells = last - first, n * n * (last - first)
         axis = np.linspace(0.0, 1.0, self.side)
-        z, y, x = np.meshgrid(axis, axis, axis, indexing="ij")
+        z, y, x = np.meshgrid(axis[first * order:last * order + 1], axis, axis, indexing="ij")
         bent = [a + 0.01 * np.sin(3 * b) * np.cos(c)
                 for a, b, c in ((x, y, z), (y, z, x), (z, x, y))]
         self.points = np.stack([b.ravel() for b in bent], axis=1)
@@ -41,7 +44,7 @@ class Lattice:
     def nodes(self, places):
         """The node at each (i, j, k) of `places` of every box, boxes x places."""
         box = np.arange(self.n) * self.order
-        z, y, x = np.meshgrid(box, box, box, indexing="ij")
+        z, y, x = np.meshgrid(box[:self.layers], box, box, indexing="ij")
         first = ((z * self.side + y) * self.side + x).ravel()
         steps = np.array([(k * self.side + j) * self.side + i for i, j, k in places])
         return first[:, None] + steps[None, :]
@@ -88,7 +91,7 @@ def gmsh_places():
 
 
 def write_vtu(path, lattice, places, cell_type, compressed):
-    cells = lattice.n**3
+    cells = lattice.cells
     connectivity = lattice.nodes(places).astype("<i8")
     blocks, offset = [], 0
 
@@ -124,6 +127,22 @@ def write_vtu(path, lattice, places, cell_type, compressed):
         for block in blocks:
             out.write(block)
         out.write(b"\n</AppendedData>\n</VTKFile>\n")
+
+
+def write_pvtu(path, n, order, count):
+    """In `count` files beside it, each with its own copies of the points that it shares."""
+    names = []
+    for piece in range(count):
+        names.append(f"{path.stem}_{piece}.vtu")
+        lattice = Lattice(n, order, (n * piece // count, n * (piece + 1) // count))
+        write_vtu(path.with_name(names[-1]), lattice, vtk_places(order), 72, False)
+    path.write_text(
+        '<VTKFile type="PUnstructuredGrid" version="1.0" byte_order="LittleEndian" header_type="UInt64">\n'
+        '<PUnstructuredGrid GhostLevel="0">\n<PPointData>\n'
+        '<PDataArray type="Float64" Name="u" NumberOfComponents="1"/>\n</PPointData>\n<PPoints>\n'
+        '<PDataArray type="Float64" Name="Points" NumberOfComponents="3"/>\n</PPoints>\n' +
+        "".join(f'<Piece Source="{name}"/>\n' for name in names) +
+        "</PUnstructuredGrid>\n</VTKFile>\n")
 
 
 def lines(out, array, form):
@@ -312,6 +331,7 @@ def makers(folder, n):
         "gmsh_text_g2.msh": lambda: write_gmsh(folder / "gmsh_text_g2.msh", n, False),
         "gmsh_binary_g2.msh": lambda: write_gmsh(folder / "gmsh_binary_g2.msh", n, True),
         "nektar_p3.xml": lambda: write_nektar(folder, "nektar_p3", n, 4),
+        "pieces_g2.pvtu": lambda: write_pvtu(folder / "pieces_g2.pvtu", n, 2, 8),
     }
 
 

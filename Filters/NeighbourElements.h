@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef NeighbourElements_h
+#define NeighbourElements_h
+
+#include "PixelExactFiltersModule.h"
+
+#include "vtkSmartPointer.h"
+#include "vtkUnstructuredGrid.h"
+
+class vtkMultiProcessController;
+
+namespace pixelexact
+{
+/// The grid, packed, with copies of elements that other processes hold beside it, marked as VTK
+/// marks ghost cells: those with faces behind which their own process has nothing, and which are no
+/// farther from the box of the grid's elements than they are large. In the order of the processes,
+/// so that ties at faces are decided as in the whole mesh. All processes must call it, those
+/// without cells too, which get what they gave. Throws Error, and then on all of them.
+PIXELEXACTFILTERS_EXPORT vtkSmartPointer<vtkUnstructuredGrid> WithNeighbours(
+  vtkUnstructuredGrid* grid, vtkMultiProcessController* processes);
+} // namespace pixelexact
+#endif
