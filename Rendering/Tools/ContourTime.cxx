@@ -6,6 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <ctime>
+
 namespace pixelexact
 {
 double ContourTime::Frame() const
@@ -26,18 +28,23 @@ double ContourTime::FirstRatio() const
 ContourTime MeasureContours(const Scene& scene, const Camera& camera, const Pipeline& without,
   const Pipeline& with, int repeat, const std::function<ContourCounters()>& pixels)
 {
-  const auto seconds = [&](const Pipeline& pipeline)
+  ContourTime time;
+  const Timer first;
+  (void)Trace(scene, camera, with);
+  time.first = first.Seconds();
+  const auto measure =
+    [&](const Pipeline& pipeline, std::vector<double>& seconds, std::vector<double>& busy)
   {
     const Timer timer;
+    const std::clock_t begin = std::clock();
     (void)Trace(scene, camera, pipeline);
-    return timer.Seconds();
+    busy.push_back(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
+    seconds.push_back(timer.Seconds());
   };
-  ContourTime time;
-  time.first = seconds(with);
   for (int i = 0; i < repeat; ++i)
   {
-    time.plain.push_back(seconds(without));
-    time.frames.push_back(seconds(with));
+    measure(without, time.plain, time.plainBusy);
+    measure(with, time.frames, time.busy);
   }
   time.pixels = pixels();
   return time;
@@ -46,7 +53,8 @@ ContourTime MeasureContours(const Scene& scene, const Camera& camera, const Pipe
 nlohmann::ordered_json ToJson(const ContourTime& time)
 {
   return { { "first_frame_seconds", time.first }, { "frame_seconds", time.frames },
-    { "frame_seconds_without", time.plain }, { "median_frame_seconds", time.Frame() },
+    { "frame_seconds_without", time.plain }, { "frame_processor_seconds", time.busy },
+    { "frame_processor_seconds_without", time.plainBusy }, { "median_frame_seconds", time.Frame() },
     { "ratio_to_frame", time.Ratio() }, { "first_ratio_to_frame", time.FirstRatio() },
     { "in", time.pixels.in }, { "out", time.pixels.out }, { "undecided", time.pixels.undecided },
     { "jumps", time.pixels.jumps }, { "samples", time.pixels.samples },

@@ -19,7 +19,10 @@ struct ContourTime
   double first = 0.0;         ///< seconds of the first frame with them: elements are looked into
   std::vector<double> frames; ///< of later ones
   std::vector<double> plain;  ///< of one without, before each
-  ContourCounters pixels;     ///< of a frame
+  /// The same in seconds of processors, of all threads together.
+  std::vector<double> busy;
+  std::vector<double> plainBusy;
+  ContourCounters pixels; ///< of a frame
 
   [[nodiscard]] double Frame() const;
   /// The medians of the frames' ratios to those without.
