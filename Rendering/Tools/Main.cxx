@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Command.h"
-#include "CommandWords.h"
-#include "Completion.h"
-#include "Defaults.h"
-#include "Options.h"
-#include "Processes.h"
-#include "Report.h"
+#include "Base/Command.h"
+#include "Base/CommandWords.h"
+#include "Base/Completion.h"
+#include "Base/Defaults.h"
+#include "Base/Options.h"
+#include "Base/Processes.h"
+#include "Base/Report.h"
 
 #include "Core/Base/Error.h"
 

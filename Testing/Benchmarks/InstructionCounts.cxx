@@ -2,8 +2,8 @@
 // Work whose instructions are counted under valgrind's callgrind, so that figures repeat on a noisy
 // machine: frames of made meshes on one thread, each beside the bare kernel on as many points.
 // instructions.py runs it and compares. Without valgrind it does the work and counts nothing.
-#include "KernelTime.h"
-#include "MadeBlock.h"
+#include "Bench/KernelTime.h"
+#include "Bench/MadeBlock.h"
 
 #include "Core/Element/Kernels.h"
 #include "Core/Location/Locator.h"

@@ -26,7 +26,10 @@ GOOD = {
     "Filters/vtkProbe.h": '#include "vtkGrid.h"\n',
     "Rendering/Trace/Camera.h": '#include "Core/Math/Vec.h"\n',
     "Rendering/vtkMapper.h": '#include "Trace/Camera.h"\n#include "vtkGrid.h"\n',
-    "Rendering/Tools/main.cxx": '#include "vtkMapper.h"\n#include "vtkProbe.h"\n',
+    "Rendering/Tools/main.cxx": '#include "vtkMapper.h"\n#include "Commands/Render.h"\n',
+    "Rendering/Tools/Base/Report.h": '#include "vtkProbe.h"\n',
+    "Rendering/Tools/Commands/Render.h": '#include "Base/Report.h"\n',
+    "Rendering/Tools/View/Window.h": '#include "Commands/Render.h"\n',
 }
 
 # file, its text, what the checker must say about it
@@ -78,6 +81,16 @@ BAD = {
         "Rendering/vtkBad.cxx",
         '#include "Tools/main.cxx"\n',
         "Rendering may not include Rendering/Tools/main.cxx",
+    ),
+    "layer of Tools upwards": (
+        "Rendering/Tools/Base/Bad.h",
+        '#include "Commands/Render.h"\n',
+        "layer Base may not include Rendering/Tools/Commands/Render.h (layer Commands is above)",
+    ),
+    "Tools to its window": (
+        "Rendering/Tools/Commands/Bad.h",
+        '#include "View/Window.h"\n',
+        "layer Commands may not include Rendering/Tools/View/Window.h",
     ),
     "out of the rooms": (
         "Filters/vtkBad.cxx",

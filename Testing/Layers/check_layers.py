@@ -29,6 +29,18 @@ CORE_LAYERS = [
     "Integral",
 ]
 
+# The same of the program, whose window and main functions may include all of them.
+TOOL_LAYERS = [
+    "Base",
+    "Drawing",
+    "Input",
+    "Scene",
+    "Picture",
+    "Bench",
+    "Trade",
+    "Commands",
+]
+
 # What the files of each room may include. Filters and Rendering do not know each other, and nothing
 # includes the programs that stand on top.
 ALLOWED = {
@@ -43,8 +55,9 @@ ALLOWED = {
 }
 VTK_FREE = {"Core", "Formats", "Trace"}
 
-# Folders from which the compiler resolves includes; sources below are the ones checked.
-INCLUDE_ROOTS = ["Module", "Filters", "Rendering", "ParaView/Representation"]
+# Folders from which the compiler resolves includes, and those whose sources are checked.
+INCLUDE_ROOTS = ["Module", "Filters", "Rendering", "Rendering/Tools", "ParaView/Representation"]
+CHECKED = ["Module", "Filters", "Rendering", "ParaView/Representation"]
 SUFFIXES = {".h", ".cxx", ".txx"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
@@ -64,11 +77,11 @@ def room(path):
     return None
 
 
-def layer(path):
-    """The layer of a file of Core, or None if it lies in no known one."""
+def layer(path, layers):
+    """The layer of a file of Core or Tools, or None if it lies in no known one."""
     parts = PurePosixPath(path).parts
     name = parts[2] if len(parts) > 3 else None
-    return name if name in CORE_LAYERS else None
+    return name if name in layers else None
 
 
 def resolve(root, path, name):
@@ -103,10 +116,22 @@ def check_internal(path, target):
     if to not in ALLOWED[room(path)]:
         return f"{room(path)} may not include {target}" + (f" ({to})" if to else "")
     if to == room(path) == "Core":
-        if layer(target) is None:
+        if layer(target, CORE_LAYERS) is None:
             return f"{target} lies in no layer of Core"
-        if CORE_LAYERS.index(layer(target)) > CORE_LAYERS.index(layer(path)):
-            return f"layer {layer(path)} may not include {target} (layer {layer(target)} is above)"
+        return check_order(path, target, CORE_LAYERS)
+    if to == room(path) == "Tools":
+        return check_order(path, target, TOOL_LAYERS)
+    return None
+
+
+def check_order(path, target, layers):
+    """What is wrong with `path` including `target` of the same room, or None."""
+    own, other = layer(path, layers), layer(target, layers)
+    if own is None:
+        return None
+    if other is None or layers.index(other) > layers.index(own):
+        above = f"layer {other}" if other else "what starts the programs"
+        return f"layer {own} may not include {target} ({above} is above)"
     return None
 
 
@@ -115,12 +140,12 @@ def offences(root):
     root = Path(root)
     files = sorted(
         file.relative_to(root).as_posix()
-        for top in INCLUDE_ROOTS
+        for top in CHECKED
         for file in (root / top).rglob("*")
         if file.suffix in SUFFIXES
     )
     for path in files:
-        if room(path) == "Core" and layer(path) is None:
+        if room(path) == "Core" and layer(path, CORE_LAYERS) is None:
             yield path, 1, "lies in no layer of Core: " + ", ".join(CORE_LAYERS)
             continue
         text = (root / path).read_text(encoding="utf-8")

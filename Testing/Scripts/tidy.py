@@ -24,7 +24,7 @@ import zlib
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "Testing" / "Layers"))
-from check_layers import INCLUDE, INCLUDE_ROOTS, SUFFIXES, resolve  # noqa: E402
+from check_layers import CHECKED, INCLUDE, SUFFIXES, resolve  # noqa: E402
 
 RECORD = ROOT / "Testing" / "Scripts" / "tidy.json"
 # What every source depends on.
@@ -65,7 +65,7 @@ def changed_since(base):
 def includers():
     """For each file of the project, those that include it directly."""
     found = {}
-    for top in INCLUDE_ROOTS:
+    for top in CHECKED:
         for file in (ROOT / top).rglob("*"):
             if file.suffix not in SUFFIXES:
                 continue

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Processes.h"
+#include "Base/Processes.h"
 
 #include "Core/Base/Error.h"
 

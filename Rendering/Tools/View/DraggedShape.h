@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "SurfaceOptions.h"
+#include "Scene/SurfaceOptions.h"
 
 #include <memory>
 #include <string>

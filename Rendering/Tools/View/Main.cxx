@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Command.h"
-#include "CommandWords.h"
-#include "Options.h"
-#include "Report.h"
+#include "Base/Command.h"
+#include "Base/CommandWords.h"
+#include "Base/Options.h"
+#include "Base/Report.h"
+#include "Commands/ViewCommand.h"
 #include "View/ViewWindow.h"
-#include "ViewCommand.h"
 
 #include <CLI/CLI.hpp>
 #include <tbb/global_control.h>

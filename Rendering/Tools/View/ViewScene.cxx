@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "View/ViewScene.h"
 
-#include "DrawnShot.h"
+#include "Picture/DrawnShot.h"
 
 #include <vtkActor.h>
 #include <vtkHighOrderLayer.h>

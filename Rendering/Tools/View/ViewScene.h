@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "RenderOptions.h"
+#include "Picture/RenderOptions.h"
 #include "View/GivenSurface.h"
 
 #include <vtkNew.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "View/ViewWindow.h"
 
-#include "Command.h"
-#include "RepeatedCommand.h"
-#include "Report.h"
+#include "Base/Command.h"
+#include "Base/RepeatedCommand.h"
+#include "Base/Report.h"
 #include "View/Observe.h"
 #include "View/Spawn.h"
 

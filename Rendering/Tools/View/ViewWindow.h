@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "RenderOptions.h"
-#include "Report.h"
+#include "Base/Report.h"
+#include "Picture/RenderOptions.h"
 #include "View/DraggedShape.h"
 #include "View/ShellWords.h"
 #include "View/StepSlider.h"

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Base/Completion.h"
+
+#include "Base/Command.h"
+#include "Base/Options.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <string_view>
+#include <vector>
+
+namespace pixelexact
+{
+namespace
+{
+struct OptionFacts
+{
+  std::vector<std::string> names; ///< with their minus signs, the long one last
+  std::string form;               ///< empty: a flag
+  std::string help;
+  std::string group;
+  std::vector<std::string> choices; ///< that the form names
+  bool joined = false;              ///< its value may be left out, and is joined by "="
+};
+
+struct CommandFacts
+{
+  std::string name;
+  std::string help;
+  std::vector<OptionFacts> options;
+};
+
+/// Of "a|b|c", where all are words of small letters; else none.
+std::vector<std::string> ChoicesIn(const std::string& form)
+{
+  const bool optional = form.starts_with("[=");
+  const std::string inner = optional ? form.substr(2, form.size() - 3) : form;
+  std::vector<std::string> choices = SplitAt(inner, '|');
+  std::erase_if(choices,
+    [](const std::string& choice)
+    {
+      return choice.empty() ||
+        !std::ranges::all_of(
+          choice, [](unsigned char c) { return std::islower(c) != 0 || c == '+' || c == '-'; });
+    });
+  return inner.find('|') == std::string::npos && !optional ? std::vector<std::string>() : choices;
+}
+
+OptionFacts FactsOf(const CLI::Option& option)
+{
+  OptionFacts facts;
+  for (const std::string& name : option.get_snames())
+  {
+    facts.names.push_back("-" + name);
+  }
+  for (const std::string& name : option.get_lnames())
+  {
+    facts.names.push_back("--" + name);
+  }
+  facts.form = option.get_items_expected_max() > 0 ? option.get_type_name() : std::string();
+  facts.help = option.get_description();
+  facts.group = option.get_group();
+  facts.choices = ChoicesIn(facts.form);
+  facts.joined = facts.form.starts_with("[");
+  return facts;
+}
+
+std::vector<CommandFacts> CommandsOf(const CLI::App& program)
+{
+  std::vector<CommandFacts> commands;
+  for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
+  {
+    CommandFacts facts{ command->get_name(), command->get_description(), {} };
+    for (const CLI::Option* option : command->get_options())
+    {
+      if (!option->get_positional())
+      {
+        facts.options.push_back(FactsOf(*option));
+      }
+    }
+    commands.push_back(std::move(facts));
+  }
+  return commands;
+}
+
+std::string Joined(const std::vector<std::string>& texts)
+{
+  std::string all;
+  for (const std::string& text : texts)
+  {
+    all += (all.empty() ? "" : " ") + text;
+  }
+  return all;
+}
+
+std::string Bash(const CLI::App& program)
+{
+  const std::vector<CommandFacts> commands = CommandsOf(program);
+  std::vector<std::string> names;
+  std::string options;
+  std::string values;
+  for (const CommandFacts& command : commands)
+  {
+    names.push_back(command.name);
+    std::vector<std::string> words;
+    for (const OptionFacts& option : command.options)
+    {
+      words.insert(words.end(), option.names.begin(), option.names.end());
+      for (const std::string& name : option.names)
+      {
+        if (!option.form.empty() && !option.joined)
+        {
+          values += fmt::format("    {}:{}) {} ;;\n", command.name, name,
+            option.choices.empty()
+              ? "COMPREPLY=($(compgen -f -- \"$cur\"))"
+              : "COMPREPLY=($(compgen -W \"" + Joined(option.choices) + " \" -- \"$cur\"))");
+        }
+      }
+    }
+    options += fmt::format("    {}) options=\"{}\" ;;\n", command.name, Joined(words));
+  }
+  return fmt::format(R"(# Completion of pixelexact for bash, by "pixelexact --completion bash".
+_pixelexact()
+{{
+  local cur=${{COMP_WORDS[COMP_CWORD]}} prev=${{COMP_WORDS[COMP_CWORD-1]}} options=
+  if [[ $COMP_CWORD -eq 1 ]]; then
+    COMPREPLY=($(compgen -W "{} help --help --version --completion" -- "$cur"))
+    return
+  fi
+  if [[ $prev == --completion ]]; then
+    COMPREPLY=($(compgen -W "bash zsh man" -- "$cur"))
+    return
+  fi
+  COMPREPLY=()
+  case "${{COMP_WORDS[1]}}:$prev" in
+{}  esac
+  [[ ${{#COMPREPLY[@]}} -gt 0 ]] && return
+  case "${{COMP_WORDS[1]}}" in
+    help) options="{}" ;;
+{}  esac
+  if [[ $cur == -* || ${{COMP_WORDS[1]}} == help ]]; then
+    COMPREPLY=($(compgen -W "$options" -- "$cur"))
+  else
+    COMPREPLY=($(compgen -f -- "$cur"))
+  fi
+}}
+complete -o filenames -F _pixelexact pixelexact
+)",
+    Joined(names), values, Joined(names), options);
+}
+
+/// Within single quotes of a specification of zsh's _arguments.
+std::string ForZsh(const std::string& text)
+{
+  std::string escaped;
+  for (const char c : text)
+  {
+    if (c == '[' || c == ']' || c == ':' || c == '\\')
+    {
+      escaped += '\\';
+    }
+    escaped += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  }
+  return escaped;
+}
+
+std::string Zsh(const CLI::App& program)
+{
+  std::string commands;
+  std::string cases;
+  for (const CommandFacts& command : CommandsOf(program))
+  {
+    commands += fmt::format("    '{}:{}'\n", command.name, ForZsh(command.help));
+    cases += fmt::format("    {})\n      _arguments \\\n", command.name);
+    for (const OptionFacts& option : command.options)
+    {
+      for (const std::string& name : option.names)
+      {
+        const std::string value = option.form.empty() ? ""
+          : option.choices.empty()
+          ? ":" + ForZsh(option.form) + ":_files"
+          : ":" + ForZsh(option.form) + ":(" + Joined(option.choices) + ")";
+        // "=" : joined or not; "=-": joined alone.
+        const char* join = option.form.empty() || name.size() == 2 ? ""
+          : option.joined                                          ? "=-"
+                                                                   : "=";
+        cases += fmt::format("        '*{}{}[{}]{}{}' \\\n", name, join, ForZsh(option.help),
+          option.joined ? ":" : "", value);
+      }
+    }
+    cases += "        '*:file:_files'\n      ;;\n";
+  }
+  return fmt::format(R"(#compdef pixelexact
+# Completion of pixelexact for zsh, by "pixelexact --completion zsh".
+local -a commands
+commands=(
+{})
+if (( CURRENT == 2 )); then
+  _describe command commands
+else
+  local command=$words[2]
+  shift words
+  (( CURRENT-- ))
+  case $command in
+{}  esac
+fi
+)",
+    commands, cases);
+}
+
+/// As roff reads it.
+std::string ForRoff(const std::string& text)
+{
+  std::string escaped;
+  for (const char c : text)
+  {
+    escaped += c == '\\' ? std::string("\\e") : c == '-' ? std::string("\\-") : std::string(1, c);
+  }
+  return escaped.starts_with('.') || escaped.starts_with('\'') ? "\\&" + escaped : escaped;
+}
+
+std::string Manual(const CLI::App& program)
+{
+  std::string text = fmt::format(R"(.TH PIXELEXACT 1 "" "PixelExact {}"
+.SH NAME
+pixelexact \- pixel-exact pictures of high-order finite-element fields
+.SH SYNOPSIS
+.B pixelexact
+.I COMMAND INPUT...
+.RI [ options ]
+.SH DESCRIPTION
+{}
+.SH FILES
+.TP
+.I ~/.config/pixelexact/config.json
+Options that the command line does not give: an object whose members are commands, or * for all of
+them, each with options without their minus signs.
+.SH ENVIRONMENT
+.TP
+.B PIXELEXACT_OPTIONS
+The same as words of a command line; they go before the file's.
+.SH EXIT STATUS
+0 done, 1 the work failed, 2 wrong usage.
+)",
+    PIXELEXACT_VERSION, ForRoff(program.get_description()));
+  for (const CommandFacts& command : CommandsOf(program))
+  {
+    text += fmt::format(".SH \"pixelexact {}\"\n{}.\n", command.name, ForRoff(command.help));
+    std::string group;
+    for (const OptionFacts& option : command.options)
+    {
+      if (option.group != group)
+      {
+        group = option.group;
+        text += fmt::format(".SS \"{}\"\n", ForRoff(group));
+      }
+      std::string names;
+      for (const std::string& name : option.names)
+      {
+        names += (names.empty() ? "" : ", ") + ForRoff(name);
+      }
+      const bool joined = option.form.starts_with("[=");
+      text += fmt::format(".TP\n.BI \"{}\" \"{}{}\"\n{}\n", names,
+        option.form.empty() || joined ? "" : " ", ForRoff(option.form), ForRoff(option.help));
+    }
+  }
+  return text;
+}
+} // namespace
+
+std::string GeneratedText(const CLI::App& program, const std::string& what)
+{
+  if (what == "bash")
+  {
+    return Bash(program);
+  }
+  if (what == "zsh")
+  {
+    return Zsh(program);
+  }
+  if (what == "man")
+  {
+    return Manual(program);
+  }
+  throw UsageError("--completion: there is none for '" + what + "'; there are bash, zsh and man");
+}
+} // namespace pixelexact

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Commands/DifferenceCommand.h"
+
+#include "Base/Command.h"
+#include "Base/Output.h"
+#include "Base/OutputFolder.h"
+#include "Base/Report.h"
+#include "Picture/PictureName.h"
+#include "Scene/Shot.h"
+#include "Trade/Convergence.h"
+#include "Trade/DifferenceOptions.h"
+#include "Trade/DifferencePicture.h"
+#include "Trade/DifferenceReport.h"
+
+#include "Core/Base/Error.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <filesystem>
+#include <utility>
+
+namespace pixelexact
+{
+namespace
+{
+constexpr int kPlotWidth = 1100;
+constexpr int kPlotHeight = 720;
+
+/// The shot of the picture, which a figure is around.
+ShotOptions OfPicture(const ShotOptions& shot, const DifferenceOptions& difference)
+{
+  ShotOptions asked = shot;
+  asked.size = difference.Figure().PictureSize(shot.size);
+  return asked;
+}
+
+void RequireField(const Shot& shot)
+{
+  if (shot.scene.layers.front().field == nullptr)
+  {
+    throw Error("the input has no field to compare; name the file of a field");
+  }
+}
+
+/// What a picture's file says of itself.
+PictureTexts TextsOf(const Shot& shot, const InputRequest& first, const InputRequest& second,
+  const DifferenceNumbers& numbers, const RepeatedCommand& command)
+{
+  PictureTexts texts{ { "Source", DescribeFiles(first.files) },
+    { "With", DescribeFiles(second.files) }, { "Command", command.Text() },
+    { "Pixels", PixelsText(numbers) } };
+  for (const std::string& given : KnobFacts{ 1, shot.truncated }.Texts())
+  {
+    texts.emplace_back("Given up", given);
+  }
+  return texts;
+}
+
+void CompareTwo(const ShotOptions& shot, const DifferenceOptions& difference,
+  const std::string& output, const CommonOptions& common)
+{
+  const InputRequest request = difference.Requests(shot.input).front();
+  const std::string picture =
+    output.empty() ? PictureNamedAfter(shot.input.files.front(), "-difference") : output;
+  (void)FormatOf("--output", picture);
+  std::vector<std::string> read = shot.input.files;
+  read.insert(read.end(), request.files.begin(), request.files.end());
+  CheckOutput("--output", picture, read);
+  CheckOutput("--buffers", difference.BufferFile(), read);
+  const std::array<std::string, 2> outputs{ picture, difference.BufferFile() };
+  CheckStandardOutput({ outputs.begin(), outputs.end() }, common.json);
+  Stopwatch stopwatch;
+  const ShotOptions asked = OfPicture(shot, difference);
+  const Shot prepared = Prepare(asked, stopwatch);
+  RequireField(prepared);
+  const OtherSolution other = LoadOther(request, difference.FieldName(), prepared, stopwatch);
+  FieldDifference found = TraceDifferenceOf(prepared, other);
+  stopwatch.Stage("compare");
+
+  RepeatedCommand command{ common.words, prepared.chosen };
+  if (output.empty())
+  {
+    command.chosen.insert(command.chosen.end(), { "--output", picture });
+  }
+  DifferenceFacts facts{ { other.name, SizeOf(other.input, *other.field), NumbersOf(found) },
+    other.field->name + FieldKind(*other.field), {} };
+  const DifferenceNumbers& numbers = facts.row.numbers;
+  const DifferencePicture drawn(asked, prepared, other.field->name, found);
+  facts.range = drawn.Range();
+  WriteBytes(picture,
+    drawn.Encode(
+      difference, shot.size, TextsOf(prepared, shot.input, request, numbers, command), picture));
+  if (!difference.BufferFile().empty())
+  {
+    WriteDifference(difference.BufferFile(), found, prepared.input.model->SourceCells(),
+      other.input.model->SourceCells());
+  }
+  stopwatch.Stage("write");
+  if (output.empty())
+  {
+    Note("written to '" + picture + "'");
+  }
+  WarnOf(numbers, other.name);
+  if (!common.json)
+  {
+    const bool onStderr = std::ranges::any_of(outputs, IsStandardStream);
+    PrintDifference(prepared, facts, command, stopwatch, onStderr);
+    return;
+  }
+  nlohmann::ordered_json summary{ { "output", picture }, { "solution", other.name },
+    { "pixels", ToJson(numbers) }, { "range", facts.range } };
+  KnobFacts{ 1, prepared.truncated }.AddTo(summary);
+  summary["command"] = command.Words();
+  summary["seconds"] = ToJson(stopwatch);
+  Print(summary);
+}
+
+void CompareSeries(const ShotOptions& shot, const DifferenceOptions& difference,
+  const std::string& output, const CommonOptions& common)
+{
+  const std::vector<InputRequest> requests = difference.Requests(shot.input);
+  Stopwatch stopwatch;
+  const ShotOptions asked = OfPicture(shot, difference);
+  const Shot prepared = Prepare(asked, stopwatch);
+  RequireField(prepared);
+  const std::filesystem::path folder =
+    MakeOutputFolder(output, shot.input.files.front(), "-series");
+  const RepeatedCommand command{ common.words, prepared.chosen };
+  std::vector<SeriesRow> rows;
+  for (const InputRequest& request : requests)
+  {
+    const OtherSolution other = LoadOther(request, difference.FieldName(), prepared, stopwatch);
+    FieldDifference found = TraceDifferenceOf(prepared, other);
+    const DifferenceNumbers numbers = NumbersOf(found);
+    WarnOf(numbers, other.name);
+    const DifferencePicture drawn(asked, prepared, other.field->name, found);
+    const std::string picture =
+      (folder / fmt::format("difference-{}.png", rows.size() + 1)).string();
+    WriteBytes(picture,
+      drawn.Encode(
+        difference, shot.size, TextsOf(prepared, shot.input, request, numbers, command), picture));
+    rows.push_back({ other.name, SizeOf(other.input, *other.field), numbers });
+    stopwatch.Stage("compare");
+  }
+  const Convergence convergence(std::move(rows));
+  WriteBytes((folder / "convergence.csv").string(), convergence.ToCsv());
+  const std::string plot = (folder / "convergence.png").string();
+  const std::string reference = SolutionName(shot.input, prepared.input);
+  WriteBytes(plot,
+    EncodeImage(
+      { kPlotWidth, kPlotHeight, 3, convergence.Draw(reference, kPlotWidth, kPlotHeight) },
+      PictureFormat::Png, {}, plot));
+  stopwatch.Stage("write");
+  Note("written to '" + folder.string() + "'");
+  if (!common.json)
+  {
+    PrintSeries(prepared, convergence, command, stopwatch);
+    return;
+  }
+  nlohmann::ordered_json summary{ { "folder", folder.string() }, { "reference", reference } };
+  for (const SeriesRow& row : convergence.Rows())
+  {
+    summary["solutions"].push_back({ { "solution", row.name }, { "elements", row.size.elements },
+      { "orders", row.size.orders }, { "modes", row.size.modes },
+      { "relative_length", row.size.length }, { "pixels", ToJson(row.numbers) } });
+  }
+  summary["convergence"] = convergence.ToJson();
+  KnobFacts{ 1, prepared.truncated }.AddTo(summary);
+  summary["command"] = command.Words();
+  summary["seconds"] = ToJson(stopwatch);
+  Print(summary);
+}
+} // namespace
+
+void CompareSolutions(ShotOptions shot, const DifferenceOptions& difference,
+  const std::string& output, const CommonOptions& common)
+{
+  if (IsGiven(*shot.command, "--stride"))
+  {
+    throw UsageError("--stride: differences are of each pixel; leave it out");
+  }
+  shot.size = AtDpi(shot.size, kUsualDpi);
+  shot.CheckRangeOfOne();
+  if (shot.colors.Range().of == RangeChoice::Of::Field)
+  {
+    throw UsageError("--range field: a difference is no field of a mesh; choose symmetric, cut, "
+                     "percentages or a,b");
+  }
+  (difference.Requests(shot.input).size() > 1 ? CompareSeries : CompareTwo)(
+    shot, difference, output, common);
+}
+} // namespace pixelexact

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "IntegralPieces.h"
+#include "Scene/MeshSurfaceOptions.h"
+#include "Scene/PlaneOption.h"
+#include "Scene/QuadricKinds.h"
+
+#include <vtkSmartPointer.h>
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+class vtkImplicitFunction;
+
+namespace CLI
+{
+class App;
+} // namespace CLI
+
+namespace pixelexact
+{
+/// A surface that is integrated over.
+struct IntegralSurface
+{
+  std::string name; ///< the option, and what it was given
+  std::vector<IntegralPiece> pieces{};
+  vtkSmartPointer<vtkImplicitFunction> function{}; ///< for VTK's filters; null: they have none
+  std::optional<IsoText> iso{};
+  bool boundary = false;
+  std::vector<std::int32_t> attributes{}; ///< of the boundary's parts; none: all of it
+};
+
+/// The surfaces of `integrate`, in the order of their kinds in the help.
+class IntegralSurfaces
+{
+public:
+  void AddTo(CLI::App& command);
+
+  /// The first option given that VTK's filters have nothing for; empty: there is none.
+  [[nodiscard]] std::string NotLinear() const;
+  /// Whether one of them is made of a field.
+  [[nodiscard]] bool HasIsoSurfaces() const { return !Isos.empty(); }
+  /// What clips all of them.
+  [[nodiscard]] std::vector<QuadricForm> Clips() const;
+  /// Without any: the plane through the middle. Throws UsageError when numbers describe no surface,
+  /// Error for files that are not of triangles.
+  [[nodiscard]] std::vector<IntegralSurface> Make(const Box3& box) const;
+
+private:
+  std::vector<PlaneChoice> Planes;
+  std::map<std::string, std::vector<GivenNumbers>> Numbers; ///< by option
+  std::vector<BoundaryChoice> Boundaries;
+  std::vector<std::string> Files;
+  std::vector<IsoText> Isos;
+  std::vector<GivenNumbers> HalfSpaces;
+};
+} // namespace pixelexact

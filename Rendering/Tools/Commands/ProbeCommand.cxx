@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Base/Command.h"
+#include "Base/Csv.h"
+#include "Base/Output.h"
+#include "Base/Report.h"
+#include "Commands/ProbeReport.h"
+#include "Commands/ProbeTable.h"
+#include "Input/Input.h"
+#include "Scene/Model.h"
+
+#include "Core/Base/Error.h"
+#include "SlabArray.h"
+
+#include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace pixelexact
+{
+namespace
+{
+struct ProbeOptions
+{
+  InputRequest input;
+  std::vector<std::string> fields; ///< none: the first one, where there is one
+  std::string points;
+  std::vector<double> line; ///< from, to, and how many points; empty: those of a file
+  bool lineHasZ = true;     ///< else its z are 0 for now
+  std::string output = "-";
+  ProbeColumns columns;
+};
+
+/// None where the input has none: points are located, too, and counted how often they are covered.
+std::vector<const Field*> FieldsToProbe(const HighOrderModel& model, const ProbeOptions& options)
+{
+  if (!options.fields.empty())
+  {
+    std::vector<const Field*> fields;
+    for (const std::string& name : options.fields)
+    {
+      fields.push_back(&FieldNamed(model, name));
+    }
+    return fields;
+  }
+  if (!model.Fields().empty())
+  {
+    return { &FieldOrFirst(model, {}) };
+  }
+  if (options.columns.gradient || options.columns.enclosures)
+  {
+    throw Error(std::string(options.columns.gradient ? "--gradient" : "--enclosures") +
+      ": the input has no field; leave it out, or name the file of a field");
+  }
+  return {};
+}
+
+/// In x0,y0,x1,y1,n.
+constexpr std::ptrdiff_t kPlaneCommas = 4;
+constexpr const char* kLineForm = "x0,y0,z0,x1,y1,z1,n";
+
+/// Points, and what they are if the mesh is no plane one.
+struct GivenPoints
+{
+  ProbePoints points;
+  PointTable table; ///< without the points; of a line its `hasZ` alone
+};
+
+GivenPoints PointsOf(const ProbeOptions& options)
+{
+  GivenPoints given;
+  if (options.line.empty())
+  {
+    given.table = ReadPoints(options.points);
+    given.points.x = std::move(given.table.points);
+    return given;
+  }
+  const std::vector<double>& l = options.line;
+  given.points = PointsOnLine({ l[0], l[1], l[2] }, { l[3], l[4], l[5] }, static_cast<int>(l[6]));
+  given.table.hasZ = options.lineHasZ;
+  return given;
+}
+
+/// Points with x and y alone lie in the plane of a 2-D mesh.
+void AddZ(const ProbeOptions& options, const LoadedModel& input, GivenPoints& given)
+{
+  if (given.table.hasZ)
+  {
+    return;
+  }
+  const std::optional<Slab> slab = SlabOf(input.grid);
+  if (!slab)
+  {
+    if (!options.line.empty())
+    {
+      throw UsageError(std::string("--line: the mesh is 3-D; give ") + kLineForm);
+    }
+    RequireZ(options.points, given.table);
+    return;
+  }
+  for (Vec3& point : given.points.x)
+  {
+    point.z = slab->middle;
+  }
+}
+
+/// Of one field, and of nothing but places where there is none.
+std::vector<ProbedField> ProbeFields(const LoadedModel& input,
+  const std::vector<const Field*>& fields, const ProbePoints& points, const ProbeColumns& columns)
+{
+  const Locator& locator = input.model->GetLocator();
+  std::vector<ProbedField> probed;
+  for (std::size_t k = 0; k < std::max<std::size_t>(1, fields.size()); ++k)
+  {
+    const Field* field = fields.empty() ? nullptr : fields[k];
+    ProbeColumns own = columns;
+    own.owners = own.owners && k == 0;
+    const int components = field != nullptr ? field->values.components : 0;
+    probed.push_back({ fields.size() > 1 ? field->name : "value",
+      ProbeSamples(points.x.size(), components, own) });
+    Sample(locator, field, points.x, probed.back().samples.Target());
+  }
+  return probed;
+}
+
+void Probe(const ProbeOptions& options, const CommonOptions& common)
+{
+  if (options.points.empty() && options.line.empty())
+  {
+    throw UsageError("no points were given; name a table of them, --points, or a line, --line");
+  }
+  CheckStandardOutput({ options.output }, common.json);
+  std::vector<std::string> read = options.input.files;
+  read.push_back(options.points);
+  CheckOutput("--output", options.output, read);
+  Stopwatch stopwatch;
+  // First what is quick and goes wrong often.
+  GivenPoints given = PointsOf(options);
+  stopwatch.Stage("points");
+  const LoadedModel input = LoadModel(
+    options.input, options.fields.size() == 1 ? options.fields.front() : std::string(), stopwatch);
+  WarnOfDiagnostics(input);
+  AddZ(options, input, given);
+  const ProbePoints& points = given.points;
+  const std::vector<const Field*> fields = FieldsToProbe(*input.model, options);
+  (void)input.model->GetLocator();
+  stopwatch.Stage("bounds+bvh");
+
+  std::vector<ProbedField> probed = ProbeFields(input, fields, points, options.columns);
+  stopwatch.Stage("probe");
+  if (options.columns.owners)
+  {
+    FindOwners(input.model->GetLocator(), points.x, probed.front().samples.owners);
+    stopwatch.Stage("owners");
+  }
+  WriteProbeTable(options.output, points, probed, input.model->SourceCells());
+  stopwatch.Stage("write");
+  if (common.json)
+  {
+    PrintJson(input, fields, probed, options.columns, stopwatch);
+    return;
+  }
+  PrintTable(input, fields, probed, options.columns, stopwatch, IsStandardStream(options.output));
+}
+
+/// Six coordinates and a number of points, or four in a plane, whose z become 0.
+std::vector<double> ReadLine(const std::string& text)
+{
+  constexpr double kMost = 1e9;
+  const bool isPlane = std::ranges::count(text, ',') == kPlaneCommas;
+  std::vector<double> numbers = ReadNumbers("--line", text, isPlane ? 5 : 7, kLineForm);
+  if (isPlane)
+  {
+    numbers.insert(numbers.begin() + 2, 0.0);
+    numbers.insert(numbers.begin() + 5, 0.0);
+  }
+  if (!(numbers[6] >= 2.0 && numbers[6] <= kMost && numbers[6] == std::floor(numbers[6])))
+  {
+    Refuse("--line", text, std::string(kLineForm) + " with a whole number n from 2 to 1000000000");
+  }
+  return numbers;
+}
+} // namespace
+
+void AddProbeCommand(CLI::App& program, const CommonOptions& common, Action& action)
+{
+  const auto options = std::make_shared<ProbeOptions>();
+  CLI::App& command = AddCommand(program, "probe",
+    "Evaluate a field at the points of a table; without a field, locate them",
+    [options, &common, &action] { action = [options, &common] { Probe(*options, common); }; });
+  options->input.AddTo(command);
+  AddRepeated(
+    command, "--field",
+    [options](const std::string& name)
+    {
+      if (std::ranges::find(options->fields, name) != options->fields.end())
+      {
+        throw UsageError("--field: '" + name + "' is there twice; give it once");
+      }
+      options->fields.push_back(name);
+    },
+    "NAME",
+    "Name of a field; of several each has columns of its name (default: the first one, which is "
+    "named on stderr)");
+  const AddedOption points = AddText(command, "--points", options->points, "FILE",
+    "CSV file with a header line and the columns x, y and z (2-D meshes need no z); others are "
+    "ignored; - for standard input");
+  AddRead(
+    command, "--line",
+    [options](const std::string& text)
+    {
+      options->line = ReadLine(text);
+      options->lineHasZ = std::ranges::count(text, ',') != kPlaneCommas;
+    },
+    kLineForm,
+    "Instead of these n points on the line from one point to another, evenly spaced, both among "
+    "them; their distance from the first one is a column, too; x0,y0,x1,y1,n in 2-D meshes")
+    .Excludes(points);
+  AddText(command, "-o,--output", options->output, "FILE",
+    "CSV file to write: the points in their order, the field's values (nan outside), the element's "
+    "number "
+    "in the input (-1 outside), its reference coordinates and the verdict inside, outside or "
+    "unknown; - for standard output (default)");
+  AddFlag(command, "--gradient", options->columns.gradient,
+    "Also write the gradient in world coordinates");
+  AddFlag(command, "--enclosures", options->columns.enclosures,
+    "Also write value_lower and value_upper: an interval that is proven to hold the field's value "
+    "at the point, the error of the inverse map included (-inf to inf where nothing is proven)");
+  AddFlag(command, "--owners", options->columns.owners,
+    "Also write how often the mesh covers each point: owners, the preimages in all elements, and "
+    "coverage: none (outside, or a gap), once, several (an overlap, or a fold), undecided");
+}
+} // namespace pixelexact

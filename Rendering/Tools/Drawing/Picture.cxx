@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Drawing/Picture.h"
+
+#include "Base/Output.h"
+#include "Base/VtkMessages.h"
+
+#include "Core/Base/Error.h"
+#include "FrameImage.h"
+
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationDoubleVectorKey.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkXMLImageDataWriter.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include <algorithm>
+#include <array>
+
+namespace pixelexact
+{
+namespace
+{
+/// Throws Error where a writer could not make the file's content.
+template <class Writer>
+void Encode(Writer& writer, const std::string& file, vtkDataObject* data)
+{
+  const VtkMessages messages;
+  writer.SetInputData(data);
+  writer.Write();
+  if (const std::string error = messages.FirstError(); !error.empty())
+  {
+    throw Error("cannot write '" + file + "': " + error);
+  }
+}
+
+/// Inline and not appended: ParaView 5.11 of Debian 12 cannot read the latter with the newest
+/// expat. Higher levels take longer for some percent less. A header of 32 bits would end at 4 GB.
+void SetFormat(vtkXMLWriter& writer)
+{
+  writer.SetDataModeToBinary();
+  writer.SetCompressorTypeToZLib();
+  writer.SetCompressionLevel(1);
+  writer.SetHeaderTypeToUInt64();
+}
+
+/// All arrays but these go; empty: none does.
+void Keep(const std::vector<std::string>& arrays, vtkPointData& data)
+{
+  for (int i = data.GetNumberOfArrays(); i-- > 0 && !arrays.empty();)
+  {
+    if (std::ranges::find(arrays, data.GetArrayName(i)) == arrays.end())
+    {
+      data.RemoveArray(i);
+    }
+  }
+}
+
+/// Vectors that are all NaN have no length. VTK's writers would tell one, as a text that its
+/// readers complain of.
+void NameEmptyRanges(vtkPointData& data)
+{
+  for (int i = 0; i < data.GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = data.GetArray(i);
+    if (array == nullptr || array->GetNumberOfComponents() < 2)
+    {
+      continue;
+    }
+    std::array<double, 2> lengths{};
+    array->GetRange(lengths.data(), -1);
+    if (!(lengths[0] <= lengths[1]))
+    {
+      constexpr std::array<double, 2> kNone{ 1.0, -1.0 };
+      array->GetInformation()->Set(vtkDataArray::L2_NORM_RANGE(), kNone.data(), 2);
+    }
+  }
+}
+
+std::string EncodeImage(const std::string& file, vtkImageData* image)
+{
+  NameEmptyRanges(*image->GetPointData());
+  vtkNew<vtkXMLImageDataWriter> writer;
+  SetFormat(*writer);
+  writer->WriteToOutputStringOn();
+  Encode(*writer, file, image);
+  return writer->GetOutputString();
+}
+} // namespace
+
+std::string EncodeBuffers(const std::string& file, const std::vector<std::string>& arrays,
+  const Frame& frame, std::span<const std::int64_t> sourceCells,
+  std::span<const std::uint8_t> contours)
+{
+  const vtkSmartPointer<vtkImageData> image = ToImageData(frame, sourceCells);
+  AddContours(*image, contours);
+  Keep(arrays, *image->GetPointData());
+  return EncodeImage(file, image);
+}
+
+void WriteImage(const std::string& file, vtkImageData* image)
+{
+  WriteBytes(file, EncodeImage(file, image));
+}
+
+void WriteLines(const std::string& file, vtkPolyData* lines)
+{
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  SetFormat(*writer);
+  writer->WriteToOutputStringOn();
+  Encode(*writer, file, lines);
+  WriteBytes(file, writer->GetOutputString());
+}
+} // namespace pixelexact

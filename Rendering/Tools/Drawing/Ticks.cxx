@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Drawing/Ticks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace pixelexact
+{
+namespace
+{
+/// Of a step, up to which a value counts as an end of the range.
+constexpr double kRounding = 1e-9;
+constexpr int kMostDigits = 17;
+
+/// In as few digits as tell them apart.
+std::vector<Tick> Written(const std::vector<double>& values)
+{
+  std::vector<Tick> ticks;
+  for (int digits = 1; digits <= kMostDigits; ++digits)
+  {
+    ticks.clear();
+    std::set<std::string> texts;
+    bool same = true;
+    for (const double value : values)
+    {
+      ticks.push_back({ value, fmt::format("{:.{}g}", value, digits) });
+      texts.insert(ticks.back().text);
+      same = same && std::fabs(std::stod(ticks.back().text) - value) <= 1e-9 * std::fabs(value);
+    }
+    if (texts.size() == values.size() && same)
+    {
+      break;
+    }
+  }
+  return ticks;
+}
+
+std::vector<double> Linear(const std::array<double, 2>& range, int most)
+{
+  const double length = range[1] - range[0];
+  double unit = std::pow(10.0, std::floor(std::log10(length)) - 1.0);
+  for (;; unit *= 10.0)
+  {
+    for (const double factor : { 1.0, 2.0, 5.0 })
+    {
+      const double step = factor * unit;
+      const double first = std::ceil(range[0] / step - kRounding);
+      const double last = std::floor(range[1] / step + kRounding);
+      if (last - first < most)
+      {
+        std::vector<double> values;
+        for (double i = first; i <= last; ++i)
+        {
+          // Not i * step, which is 0.30000000000000004 where 0.3 is meant.
+          const double value = unit < 1.0 ? i * factor / std::round(1.0 / unit) : i * step;
+          // No -0.
+          values.push_back(std::clamp(value, range[0], range[1]) + 0.0);
+        }
+        return values;
+      }
+    }
+  }
+}
+
+std::vector<double> Logarithmic(const std::array<double, 2>& range, int most)
+{
+  const int first = static_cast<int>(std::floor(std::log10(range[0])));
+  const int last = static_cast<int>(std::ceil(std::log10(range[1])));
+  const auto with = [&](const std::vector<double>& factors, int stride)
+  {
+    std::vector<double> values;
+    for (int power = first; power <= last; power += stride)
+    {
+      for (const double factor : factors)
+      {
+        const double value = factor * std::pow(10.0, power);
+        if (value >= range[0] * (1.0 - kRounding) && value <= range[1] * (1.0 + kRounding))
+        {
+          values.push_back(value);
+        }
+      }
+    }
+    return values;
+  };
+  std::vector<double> values = with({ 1.0, 2.0, 5.0 }, 1);
+  for (int stride = 1; std::ssize(values) > most; ++stride)
+  {
+    values = with({ 1.0 }, stride);
+  }
+  return values;
+}
+} // namespace
+
+std::vector<Tick> TicksOfBands(
+  const std::array<double, 2>& range, bool logarithm, int bands, int most)
+{
+  const int stride = std::max(1, (bands + most) / std::max(1, most));
+  std::vector<double> values;
+  for (int i = 0; i <= bands; i += stride)
+  {
+    const double part = static_cast<double>(i) / bands;
+    values.push_back(i == bands ? range[1]
+        : logarithm             ? range[0] * std::pow(range[1] / range[0], part)
+                                : std::lerp(range[0], range[1], part));
+  }
+  const double length = range[1] - range[0];
+  for (double& value : values)
+  {
+    // 0, where it is one.
+    value = !logarithm && std::fabs(value) < kRounding * length ? 0.0 : value;
+  }
+  constexpr int kFewestDigits = 3;
+  std::vector<Tick> ticks;
+  for (int digits = kFewestDigits; digits <= kMostDigits; ++digits)
+  {
+    ticks.clear();
+    std::set<std::string> texts;
+    for (const double value : values)
+    {
+      ticks.push_back({ value, fmt::format("{:.{}g}", value, digits) });
+      texts.insert(ticks.back().text);
+    }
+    if (texts.size() == values.size())
+    {
+      break;
+    }
+  }
+  return ticks;
+}
+
+std::vector<Tick> TicksWithin(const std::array<double, 2>& range, bool logarithm, int most)
+{
+  const bool decades = logarithm && range[0] > 0.0 && range[1] >= 10.0 * range[0];
+  const double size = std::max(std::fabs(range[0]), std::fabs(range[1]));
+  std::vector<double> values{ range[0] };
+  if (range[1] - range[0] > 1e-12 * size)
+  {
+    values = decades ? Logarithmic(range, most) : Linear(range, most);
+    if (values.size() < 2)
+    {
+      values = { range[0], range[1] };
+    }
+  }
+  return Written(values);
+}
+} // namespace pixelexact

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Drawing/Canvas.h"
+
+#include "ContourLabels.h"
+
+#include <vector>
+
+namespace pixelexact
+{
+class VectorCanvas;
+
+/// A line over a picture's pixels.
+struct VectorLine
+{
+  std::vector<CanvasPoint> points;
+  double width;
+  Rgba color;
+};
+
+/// What a PDF or SVG draws over a picture's pixels: later lines on top, and labels above all of
+/// them.
+struct VectorLines
+{
+  std::vector<VectorLine> lines;
+  std::vector<ContourLabel> labels;
+  int labelSize = 0; ///< of their font, in pixels
+
+  /// Within the picture, which has its lower left corner on the canvas's.
+  void Draw(VectorCanvas& canvas, int width, int height) const;
+};
+
+/// The parts of a line that are not where a label is.
+std::vector<std::vector<CanvasPoint>> PartsBeside(
+  const std::vector<ContourLabel>& labels, const std::vector<CanvasPoint>& line);
+} // namespace pixelexact

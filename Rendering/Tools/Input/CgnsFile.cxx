@@ -1,0 +1,428 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Input/CgnsFile.h"
+
+#include "Input/Input.h"
+
+#include <vtk_cgns.h>
+#include VTK_CGNS(cgnslib.h)
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+namespace pixelexact
+{
+namespace
+{
+constexpr std::int64_t kMost = std::numeric_limits<std::int32_t>::max();
+using Name = std::array<char, 65>; // of the library's, with all that families may have
+
+/// Corners of elements that may be sides; 0: it is none. Of each kind they come first.
+int CornersOf(CGNS_ENUMT(ElementType_t) type)
+{
+  switch (type)
+  {
+    case CGNS_ENUMV(BAR_2):
+    case CGNS_ENUMV(BAR_3):
+    case CGNS_ENUMV(BAR_4):
+    case CGNS_ENUMV(BAR_5):
+      return 2;
+    case CGNS_ENUMV(TRI_3):
+    case CGNS_ENUMV(TRI_6):
+    case CGNS_ENUMV(TRI_9):
+    case CGNS_ENUMV(TRI_10):
+    case CGNS_ENUMV(TRI_12):
+    case CGNS_ENUMV(TRI_15):
+      return 3;
+    case CGNS_ENUMV(QUAD_4):
+    case CGNS_ENUMV(QUAD_8):
+    case CGNS_ENUMV(QUAD_9):
+    case CGNS_ENUMV(QUAD_12):
+    case CGNS_ENUMV(QUAD_16):
+    case CGNS_ENUMV(QUAD_25):
+      return 4;
+    default:
+      return 0;
+  }
+}
+
+class CgnsReader
+{
+public:
+  explicit CgnsReader(const std::string& path)
+    : Path(path)
+  {
+    if (cg_open(path.c_str(), CG_MODE_READ, &Id) != CG_OK)
+    {
+      Id = -1;
+      Fail();
+    }
+  }
+  ~CgnsReader()
+  {
+    if (Id >= 0)
+    {
+      cg_close(Id);
+    }
+  }
+  CgnsReader(const CgnsReader&) = delete;
+  CgnsReader& operator=(const CgnsReader&) = delete;
+
+  std::vector<CgnsZone> Read()
+  {
+    std::vector<CgnsZone> zones;
+    int bases = 0;
+    Require(cg_nbases(Id, &bases));
+    for (Base = 1; Base <= bases; ++Base)
+    {
+      int count = 0;
+      int space = 0;
+      Name name{};
+      Require(cg_base_read(Id, Base, name.data(), &CellDimension, &space));
+      Require(cg_nzones(Id, Base, &count));
+      for (Zone = 1; Zone <= count; ++Zone)
+      {
+        ReadZone(zones.emplace_back());
+      }
+    }
+    return zones;
+  }
+
+private:
+  [[noreturn]] void Fail() const
+  {
+    CannotRead(Path,
+      std::string("the CGNS library says: ") + cg_get_error() +
+        "; it is damaged or of another version: copy it anew, or write it with the library's own "
+        "tools (cgnsconvert)");
+  }
+
+  void Require(int status) const
+  {
+    if (status != CG_OK)
+    {
+      Fail();
+    }
+  }
+
+  /// Numbers that no zone has are told of, and no reason to refuse a mesh that is sound.
+  struct Contradiction
+  {
+  };
+  static void RequireSound(bool sound)
+  {
+    if (!sound)
+    {
+      throw Contradiction();
+    }
+  }
+
+  void ReadZone(CgnsZone& zone)
+  {
+    CGNS_ENUMT(ZoneType_t) type{};
+    Require(cg_zone_type(Id, Base, Zone, &type));
+    Name name{};
+    std::array<cgsize_t, 9> size{};
+    Require(cg_zone_read(Id, Base, Zone, name.data(), size.data()));
+    const bool structured = type == CGNS_ENUMV(Structured);
+    Directions = structured ? CellDimension : 1;
+    zone.points = Directions >= 1 && Directions <= 3 ? 1 : -1;
+    Extent = { 1, 1, 1 };
+    for (int d = 0; d < Directions && zone.points >= 0; ++d)
+    {
+      const auto own = static_cast<std::int64_t>(size[static_cast<std::size_t>(d)]);
+      Extent[static_cast<std::size_t>(d)] = own;
+      zone.points = own >= 0 && own <= kMost ? zone.points * own : -1;
+      zone.points = zone.points > kMost ? -1 : zone.points;
+    }
+    if (zone.points < 0)
+    {
+      return; // VTK's reader says what it makes of it
+    }
+    int count = 0;
+    Require(cg_nbocos(Id, Base, Zone, &count));
+    Sides.clear();
+    try
+    {
+      if (!structured)
+      {
+        ReadSections(count > 0, zone);
+      }
+    }
+    catch (const Contradiction&)
+    {
+      Sides.clear(); // conditions that need them are left out, and told
+    }
+    for (Condition = 1; Condition <= count; ++Condition)
+    {
+      ReadCondition(structured, zone);
+    }
+  }
+
+  /// What elements there are; and those that may be sides of others, by their numbers.
+  void ReadSections(bool wantSides, CgnsZone& zone)
+  {
+    int sections = 0;
+    Require(cg_nsections(Id, Base, Zone, &sections));
+    for (int section = 1; section <= sections; ++section)
+    {
+      Name name{};
+      CGNS_ENUMT(ElementType_t) type{};
+      cgsize_t first = 0;
+      cgsize_t last = 0;
+      int boundary = 0;
+      int parents = 0;
+      Require(cg_section_read(
+        Id, Base, Zone, section, name.data(), &type, &first, &last, &boundary, &parents));
+      const bool mixed = type == CGNS_ENUMV(MIXED);
+      zone.elements.insert(cg_ElementTypeName(type));
+      if (!wantSides || (!mixed && CornersOf(type) == 0))
+      {
+        continue;
+      }
+      cgsize_t size = 0;
+      Require(cg_ElementDataSize(Id, Base, Zone, section, &size));
+      RequireSound(first >= 1 && last >= first && last <= kMost && size >= 0 && size <= 64 * kMost);
+      std::vector<cgsize_t> nodes(static_cast<std::size_t>(size));
+      const auto elements = static_cast<std::size_t>(last - first + 1);
+      std::vector<cgsize_t> offsets(elements + 1);
+      Require(mixed
+          ? cg_poly_elements_read(Id, Base, Zone, section, nodes.data(), offsets.data(), nullptr)
+          : cg_elements_read(Id, Base, Zone, section, nodes.data(), nullptr));
+      int each = 0;
+      if (!mixed)
+      {
+        Require(cg_npe(type, &each));
+      }
+      for (std::size_t e = 0; e < elements; ++e)
+      {
+        std::size_t at = e * static_cast<std::size_t>(each);
+        CGNS_ENUMT(ElementType_t) own = type;
+        if (mixed)
+        {
+          RequireSound(offsets[e] >= 0 && offsets[e] < size);
+          at = static_cast<std::size_t>(offsets[e]);
+          own = static_cast<CGNS_ENUMT(ElementType_t)>(nodes[at++]);
+        }
+        const auto corners = static_cast<std::size_t>(CornersOf(own));
+        if (corners == 0)
+        {
+          continue;
+        }
+        RequireSound(at + corners <= nodes.size());
+        CgnsBoundary::Face face{ -1, -1, -1, -1 };
+        for (std::size_t k = 0; k < corners; ++k)
+        {
+          face[k] = static_cast<std::int64_t>(nodes[at + k]) - 1;
+          RequireSound(face[k] >= 0 && face[k] < zone.points);
+        }
+        Sides[first + static_cast<std::int64_t>(e)] = face;
+      }
+    }
+  }
+
+  void ReadCondition(bool structured, CgnsZone& zone)
+  {
+    Name own{};
+    CGNS_ENUMT(BCType_t) kind{};
+    CGNS_ENUMT(PointSetType_t) set{};
+    CGNS_ENUMT(DataType_t) normalType{};
+    CGNS_ENUMT(GridLocation_t) location{};
+    std::array<int, 3> normalIndex{};
+    cgsize_t count = 0;
+    cgsize_t normals = 0;
+    int dataSets = 0;
+    Require(cg_boco_info(Id, Base, Zone, Condition, own.data(), &kind, &set, &count,
+      normalIndex.data(), &normals, &normalType, &dataSets));
+    Require(cg_boco_gridlocation_read(Id, Base, Zone, Condition, &location));
+    CgnsBoundary boundary;
+    boundary.name = NameOf(own.data(), kind);
+    if (count < 0 || count > kMost || normals < 0 || normals > 3 * kMost)
+    {
+      zone.left.push_back(boundary.name);
+      return;
+    }
+    std::vector<cgsize_t> numbers(static_cast<std::size_t>(count * Directions));
+    std::vector<double> ignored(static_cast<std::size_t>(normals));
+    Require(cg_boco_read(Id, Base, Zone, Condition, numbers.data(), ignored.data()));
+    const bool isElements = set == CGNS_ENUMV(ElementRange) || set == CGNS_ENUMV(ElementList);
+    const bool isRange = set == CGNS_ENUMV(PointRange) || set == CGNS_ENUMV(ElementRange);
+    bool read = false;
+    try
+    {
+      RequireSound(!isRange || count == 2);
+      if (structured)
+      {
+        read = isRange ? AddRange(numbers, location, boundary)
+                       : location == CGNS_ENUMV(Vertex) && AddPlaces(numbers, boundary);
+      }
+      else
+      {
+        read = location == CGNS_ENUMV(Vertex) && !isElements
+          ? AddPoints(numbers, isRange, zone.points, boundary)
+          : AddElements(numbers, isRange, boundary);
+      }
+    }
+    catch (const Contradiction&)
+    {
+      read = false;
+    }
+    if (read)
+    {
+      zone.boundaries.push_back(std::move(boundary));
+    }
+    else
+    {
+      zone.left.push_back(boundary.name);
+    }
+  }
+
+  std::string NameOf(const char* own, CGNS_ENUMT(BCType_t) kind) const
+  {
+    std::array<char, 33 * 21> family{}; // paths of families, in the library's newer versions
+    if (kind == CGNS_ENUMV(FamilySpecified) &&
+      cg_goto(Id, Base, "Zone_t", Zone, "ZoneBC_t", 1, "BC_t", Condition, "end") == CG_OK &&
+      cg_famname_read(family.data()) == CG_OK && family[0] != '\0')
+    {
+      return family.data();
+    }
+    return own;
+  }
+
+  static bool AddPoints(
+    const std::vector<cgsize_t>& numbers, bool isRange, std::int64_t points, CgnsBoundary& boundary)
+  {
+    const auto all = isRange ? Range(numbers[0], numbers[1], points) : numbers;
+    for (const cgsize_t number : all)
+    {
+      RequireSound(number >= 1 && number <= points);
+      boundary.points.push_back(static_cast<std::int64_t>(number) - 1);
+    }
+    return true;
+  }
+
+  /// Points of a structured zone, by their places along each direction.
+  bool AddPlaces(const std::vector<cgsize_t>& numbers, CgnsBoundary& boundary) const
+  {
+    const auto n = static_cast<std::size_t>(Directions);
+    for (std::size_t at = 0; at + n <= numbers.size(); at += n)
+    {
+      std::int64_t point = 0;
+      for (std::size_t d = n; d-- > 0;)
+      {
+        const auto place = static_cast<std::int64_t>(numbers[at + d]) - 1;
+        RequireSound(place >= 0 && place < Extent[d]);
+        point = point * Extent[d] + place;
+      }
+      boundary.points.push_back(point);
+    }
+    return true;
+  }
+
+  bool AddElements(const std::vector<cgsize_t>& numbers, bool isRange, CgnsBoundary& boundary) const
+  {
+    const auto add = [&](const auto& side) { boundary.faces.push_back(side.second); };
+    if (isRange)
+    {
+      // Of a range those that are there, without going through all of it.
+      std::for_each(Sides.lower_bound(std::min(numbers[0], numbers[1])),
+        Sides.upper_bound(std::max(numbers[0], numbers[1])), add);
+    }
+    for (std::size_t i = 0; i < numbers.size() && !isRange; ++i)
+    {
+      if (const auto side = Sides.find(numbers[i]); side != Sides.end())
+      {
+        add(*side);
+      }
+    }
+    return !boundary.faces.empty() || numbers.empty();
+  }
+
+  static std::vector<cgsize_t> Range(cgsize_t first, cgsize_t last, std::int64_t most)
+  {
+    RequireSound(first >= 1 && last >= first && last <= most);
+    std::vector<cgsize_t> all;
+    for (cgsize_t number = first; number <= last; ++number)
+    {
+      all.push_back(number);
+    }
+    return all;
+  }
+
+  /// A range of points of a structured zone is a side's where it is flat; a range of faces across a
+  /// direction has points there, and cells along the others.
+  bool AddRange(const std::vector<cgsize_t>& numbers, CGNS_ENUMT(GridLocation_t) location,
+    CgnsBoundary& boundary) const
+  {
+    const auto n = static_cast<std::size_t>(Directions);
+    std::array<std::int64_t, 3> low{ 0, 0, 0 };
+    std::array<std::int64_t, 3> high{ 0, 0, 0 };
+    int across = -1;
+    const int named = location == CGNS_ENUMV(IFaceCenter) ? 0
+      : location == CGNS_ENUMV(JFaceCenter)               ? 1
+      : location == CGNS_ENUMV(KFaceCenter)               ? 2
+                                                          : -1;
+    if (n < 2 || (named < 0 && location != CGNS_ENUMV(Vertex)) || named >= Directions)
+    {
+      return false;
+    }
+    for (std::size_t d = 0; d < n; ++d)
+    {
+      low[d] = static_cast<std::int64_t>(std::min(numbers[d], numbers[n + d])) - 1;
+      high[d] = static_cast<std::int64_t>(std::max(numbers[d], numbers[n + d])) - 1;
+      high[d] += named >= 0 && named != static_cast<int>(d) ? 1 : 0;
+      RequireSound(low[d] >= 0 && high[d] < Extent[d]);
+      across = low[d] == high[d] && (across < 0 || named == static_cast<int>(d))
+        ? static_cast<int>(d)
+        : across;
+    }
+    if (across < 0 || (named >= 0 && across != named))
+    {
+      return false;
+    }
+    AddFaces(low, high, static_cast<std::size_t>(across), boundary);
+    return true;
+  }
+
+  void AddFaces(const std::array<std::int64_t, 3>& low, const std::array<std::int64_t, 3>& high,
+    std::size_t across, CgnsBoundary& boundary) const
+  {
+    const std::size_t a = across == 0 ? 1 : 0;
+    const std::size_t b = across == 2 ? 1 : 2;
+    const auto pointAt = [&](std::int64_t i, std::int64_t j)
+    {
+      std::array<std::int64_t, 3> at = low;
+      at[a] = i;
+      at[b] = j;
+      return at[0] + Extent[0] * (at[1] + Extent[1] * at[2]);
+    };
+    const bool isPlane = Directions == 2;
+    for (std::int64_t j = low[b]; j < std::max(high[b], low[b] + (isPlane ? 1 : 0)); ++j)
+    {
+      for (std::int64_t i = low[a]; i < high[a]; ++i)
+      {
+        boundary.faces.push_back(isPlane
+            ? CgnsBoundary::Face{ pointAt(i, j), pointAt(i + 1, j), -1, -1 }
+            : CgnsBoundary::Face{
+                pointAt(i, j), pointAt(i + 1, j), pointAt(i + 1, j + 1), pointAt(i, j + 1) });
+      }
+    }
+  }
+
+  const std::string& Path;
+  int Id = -1;
+  int Base = 1;
+  int Zone = 1;
+  int Condition = 1;
+  int CellDimension = 3;
+  int Directions = 1; ///< of a point's number
+  std::array<std::int64_t, 3> Extent{ 1, 1, 1 };
+  std::map<std::int64_t, CgnsBoundary::Face> Sides;
+};
+} // namespace
+
+std::vector<CgnsZone> ReadCgnsZones(const std::string& file)
+{
+  return CgnsReader(file).Read();
+}
+} // namespace pixelexact

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Input/BlockInput.h"
+#include "Input/CgnsSides.h"
+
+#include "Base/VtkMessages.h"
+
+#include <vtkCGNSReader.h>
+#include <vtkCellArray.h>
+#include <vtkCellType.h>
+#include <vtkIdList.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkNew.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkVersionMacros.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <set>
+#include <string>
+#include <string_view>
+
+namespace pixelexact
+{
+namespace
+{
+/// VTK 9.1 changed the order of two edges in Lagrange hexahedra, but not in its reader of CGNS.
+constexpr bool kHasOldEdges = VTK_MAJOR_VERSION == 9 && VTK_MINOR_VERSION == 1;
+constexpr int kCubicPoints = 64;
+constexpr int kCubicTetrahedronPoints = 20;
+constexpr int kTenthEdge = 28; ///< of a cubic hexahedron, with two nodes as the next one
+
+/// VTK's reader puts the nodes inside a wedge's third quadrilateral from the third corner to the
+/// first; VTK's wedges have them the other way round.
+constexpr int kCubicWedgePoints = 40;
+constexpr int kThirdSquare = 34; ///< of a cubic wedge, with four nodes
+
+/// Exchanges `count` nodes with as many behind them, in all cells of a kind.
+void ExchangeNodes(vtkUnstructuredGrid& grid, int type, vtkIdType size, int first, int count)
+{
+  vtkCellArray& cells = *grid.GetCells();
+  for (vtkIdType cell = 0; cell < grid.GetNumberOfCells(); ++cell)
+  {
+    if (grid.GetCellType(cell) != type || cells.GetCellSize(cell) != size)
+    {
+      continue;
+    }
+    vtkNew<vtkIdList> points;
+    cells.GetCellAtId(cell, points);
+    vtkIdType* nodes = points->GetPointer(first);
+    std::swap_ranges(nodes, nodes + count, nodes + count);
+    cells.ReplaceCellAtId(cell, points);
+  }
+}
+
+void MendCubicCells(vtkUnstructuredGrid& grid)
+{
+  if (kHasOldEdges)
+  {
+    ExchangeNodes(grid, VTK_LAGRANGE_HEXAHEDRON, kCubicPoints, kTenthEdge, 2);
+  }
+  for (const int first : { kThirdSquare, kThirdSquare + 2 })
+  {
+    ExchangeNodes(grid, VTK_LAGRANGE_WEDGE, kCubicWedgePoints, first, 1);
+  }
+}
+
+/// VTK's reader makes empty cells of elements that it does not know.
+void RefuseUnknownElements(
+  vtkUnstructuredGrid& grid, const std::vector<CgnsZone>& zones, const std::string& file)
+{
+  for (vtkIdType cell = 0; cell < grid.GetNumberOfCells(); ++cell)
+  {
+    if (grid.GetCellType(cell) == VTK_EMPTY_CELL)
+    {
+      std::set<std::string> types;
+      for (const CgnsZone& zone : zones)
+      {
+        types.insert(zone.elements.begin(), zone.elements.end());
+      }
+      std::string list;
+      for (const std::string& type : types)
+      {
+        list += (list.empty() ? "" : ", ") + type;
+      }
+      CannotRead(file,
+        "VTK's reader does not know all of its elements (" + list +
+          "); write complete ones of orders 1 to 3, such as TETRA_20, PENTA_40 and HEXA_64");
+    }
+  }
+}
+
+/// Whether there are cells of order above 2 other than those that were checked.
+bool HasOtherOrders(vtkUnstructuredGrid& grid)
+{
+  for (vtkIdType cell = 0; cell < grid.GetNumberOfCells(); ++cell)
+  {
+    const int type = grid.GetCellType(cell);
+    const vtkIdType points = grid.GetCells()->GetCellSize(cell);
+    const bool isLagrange = type >= VTK_LAGRANGE_CURVE && type <= VTK_LAGRANGE_PYRAMID;
+    const bool isChecked = (type == VTK_LAGRANGE_HEXAHEDRON && points == kCubicPoints) ||
+      (type == VTK_LAGRANGE_WEDGE && points == kCubicWedgePoints) ||
+      (type == VTK_LAGRANGE_TETRAHEDRON && points == kCubicTetrahedronPoints);
+    if (isLagrange && !isChecked)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// CGNS's library ends the program where it finds a file damaged. While this lives, such an end
+/// says what was read, with the status of work that failed. One at a time.
+class ReadGuard
+{
+public:
+  explicit ReadGuard(const std::string& file)
+  {
+    reading = &file;
+    Arm();
+  }
+  ~ReadGuard() { reading = nullptr; }
+  ReadGuard(const ReadGuard&) = delete;
+  ReadGuard& operator=(const ReadGuard&) = delete;
+
+  /// Again after libraries were first used: what is registered last runs first, and HDF5 prints at
+  /// an end like that.
+  static void Arm() { std::atexit(&End); }
+
+private:
+  static void End()
+  {
+    if (reading)
+    {
+      std::fprintf(stderr,
+        "pixelexact: cannot read '%s': the library of CGNS gave up; the file is damaged or cut "
+        "short\n",
+        reading->c_str());
+      std::_Exit(EXIT_FAILURE);
+    }
+  }
+
+  static inline const std::string* reading = nullptr;
+};
+} // namespace
+
+InputGrid ReadCgnsFile(const InputRequest& request)
+{
+  CheckAlone(request.files);
+  const std::string& file = request.files[0];
+  // Most writers of ADF set the high bit of the first four characters.
+  constexpr std::array<std::string_view, 3> kMarks{ kHdf5Mark, "@(#)ADF Database",
+    "\xC0\xA8\xA3\xA9"
+    "ADF Database" };
+  RequireMark(file, kMarks, "CGNS file (HDF5 or ADF)");
+  const std::vector<CgnsZone> zones =
+    ReadCgnsZones(file); // before VTK's, which may end the program
+  const VtkMessages messages;
+  const auto check = [&]
+  {
+    if (const std::string error = messages.FirstError(); !error.empty())
+    {
+      CannotRead(file,
+        "VTK's reader says: " + error +
+          "; write the file anew with its solver or the CGNS library, or in another format");
+    }
+  };
+  vtkNew<vtkCGNSReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->SetLoadBndPatch(false);
+  reader->SetDoublePrecisionMesh(1);
+  const ReadGuard guard(file);
+  reader->UpdateInformation();
+  ReadGuard::Arm();
+  check();
+  reader->EnableAllBases();
+  reader->EnableAllFamilies();
+  reader->EnableAllPointArrays();
+  reader->EnableAllCellArrays();
+  InputGrid input;
+  UpdateToStep(*reader, request, input);
+  check();
+  auto* read = vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(0));
+  input.grid = JoinBlocks(*read, file, input.notes);
+  AddBoundaryConditions(zones, *read, *input.grid, input.notes);
+  RefuseUnknownElements(*input.grid, zones, file);
+  MendCubicCells(*input.grid);
+  if (HasOtherOrders(*input.grid))
+  {
+    input.notes.push_back("'" + file +
+      "': of elements of order above 2 TETRA_20, PENTA_40 and HEXA_64 were checked; the nodes of "
+      "others "
+      "stand as VTK's reader of CGNS puts them (info --certify shows elements that fold).");
+  }
+  return input;
+}
+} // namespace pixelexact

@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Base/Command.h"
+#include "Input/BlockInput.h"
+#include "Input/ExodusFile.h"
+#include "Input/ExodusName.h"
+#include "Input/ExodusSides.h"
+
+#include "Base/VtkMessages.h"
+#include "Core/Base/Counted.h"
+#include "SolverGroups.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkCompositeDataIterator.h>
+#include <vtkDataSet.h>
+#include <vtkExodusIIReader.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkTypeInt64Array.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <set>
+
+namespace pixelexact
+{
+namespace
+{
+using ExodusBlocks = std::map<std::int64_t, ExodusFile::Block>;
+
+void ReadAllArrays(vtkExodusIIReader& reader)
+{
+  for (const int type : { vtkExodusIIReader::NODAL, vtkExodusIIReader::ELEM_BLOCK })
+  {
+    for (int i = 0; i < reader.GetNumberOfObjectArrays(type); ++i)
+    {
+      reader.SetObjectArrayStatus(type, i, 1);
+    }
+  }
+  for (int i = 0; i < reader.GetNumberOfObjects(vtkExodusIIReader::ELEM_BLOCK); ++i)
+  {
+    reader.SetObjectStatus(vtkExodusIIReader::ELEM_BLOCK, i, 1);
+  }
+}
+
+/// VTK's reader takes only the first nodes of types that it does not know.
+void RequireAllNodes(
+  vtkMultiBlockDataSet& read, const ExodusBlocks& blocks, const std::string& file)
+{
+  const auto leaves = vtk::TakeSmartPointer(read.NewIterator());
+  for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
+  {
+    auto* leaf = vtkUnstructuredGrid::SafeDownCast(leaves->GetCurrentDataObject());
+    vtkDataArray* ids = leaf != nullptr && leaf->GetNumberOfCells() > 0
+      ? leaf->GetCellData()->GetArray("ObjectId")
+      : nullptr;
+    if (ids == nullptr)
+    {
+      continue;
+    }
+    const auto block = blocks.find(static_cast<std::int64_t>(ids->GetComponent(0, 0)));
+    const auto nodes = static_cast<int>(leaf->GetCells()->GetCellSize(0));
+    if (block != blocks.end() && block->second.nodes != nodes)
+    {
+      CannotRead(file,
+        "block " + std::to_string(block->first) + " has elements of type " + block->second.type +
+          " with " + std::to_string(block->second.nodes) + " nodes, of which VTK's reader takes " +
+          std::to_string(nodes) +
+          "; write HEX8, 20, 27, TET4, 10, WEDGE6, 15, 18, 21, PYRAMID5, 13, TRI3, 6 or QUAD4, 8, "
+          "9");
+    }
+  }
+}
+
+/// VTK's reader numbers the elements of some files only. `before`: elements of the parts before.
+void NumberElements(vtkMultiBlockDataSet& read, const ExodusBlocks& blocks, std::int64_t before)
+{
+  const auto leaves = vtk::TakeSmartPointer(read.NewIterator());
+  for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
+  {
+    auto* leaf = vtkDataSet::SafeDownCast(leaves->GetCurrentDataObject());
+    vtkDataArray* ids = leaf != nullptr && leaf->GetNumberOfCells() > 0
+      ? leaf->GetCellData()->GetArray("ObjectId")
+      : nullptr;
+    const auto block = ids == nullptr
+      ? blocks.end()
+      : blocks.find(static_cast<std::int64_t>(ids->GetComponent(0, 0)));
+    if (block == blocks.end())
+    {
+      continue;
+    }
+    vtkNew<vtkTypeInt64Array> numbers;
+    numbers->SetName(kExodusElement);
+    numbers->SetNumberOfValues(leaf->GetNumberOfCells());
+    std::iota(numbers->GetPointer(0), numbers->GetPointer(0) + numbers->GetNumberOfValues(),
+      before + block->second.first);
+    leaf->GetCellData()->AddArray(numbers);
+  }
+}
+
+/// Shells have a thickness, and fields on both sides, that no plane element has.
+void RefuseShells(const std::set<std::string>& types, const std::string& file)
+{
+  const auto isShell = [](const std::string& type)
+  { return type.find("SHELL") != std::string::npos; };
+  const auto isSolid = [](const std::string& type)
+  {
+    constexpr std::array kSolids{ "HEX", "TET", "WEDGE", "PYRA" };
+    return std::ranges::any_of(kSolids, [&](const char* name) { return type.starts_with(name); });
+  };
+  if (std::ranges::any_of(types, isShell) && std::ranges::none_of(types, isSolid))
+  {
+    CannotRead(file, "its elements are shells; solids and plane elements (TRI, QUAD) are read");
+  }
+}
+
+/// What several parts of a mesh say of it, put together.
+struct ExodusSets
+{
+  std::map<std::int64_t, std::string> blocks; ///< names by number
+  std::map<std::int64_t, ExodusFile::SideSet> sides;
+  std::int64_t elements = 0;
+  std::int64_t nodeSets = 0; ///< of one part
+
+  void Add(const ExodusFile& file, const ExodusBlocks& added)
+  {
+    for (const auto& [id, block] : added)
+    {
+      std::string& name = blocks[id];
+      name = name.empty() ? block.name : name;
+    }
+    for (const ExodusFile::SideSet& set : file.SideSets())
+    {
+      ExodusFile::SideSet& all = sides[set.id];
+      all.id = set.id;
+      all.name = all.name.empty() ? set.name : all.name;
+      for (const std::int64_t element : set.elements)
+      {
+        all.elements.push_back(elements + element);
+      }
+      all.sides.insert(all.sides.end(), set.sides.begin(), set.sides.end());
+    }
+    nodeSets = std::max(nodeSets, file.NodeSets());
+    elements += file.Elements();
+  }
+};
+
+/// Names of element blocks and side sets.
+void AddNames(const ExodusSets& sets, vtkUnstructuredGrid& grid)
+{
+  SolverMesh named;
+  const auto add = [&named](std::int64_t id, const std::string& name, bool isBoundary)
+  {
+    if (!name.empty() && id <= std::numeric_limits<std::int32_t>::max())
+    {
+      named.groups.push_back({ static_cast<std::int32_t>(id), name, isBoundary });
+    }
+  };
+  for (const auto& [id, name] : sets.blocks)
+  {
+    add(id, name, false);
+  }
+  for (const auto& [id, set] : sets.sides)
+  {
+    add(id, set.name, true);
+  }
+  AddGroups(named, &grid);
+}
+
+void NoteDisplacements(vtkDataSet& grid, std::vector<std::string>& notes)
+{
+  for (int i = 0; i < grid.GetPointData()->GetNumberOfArrays(); ++i)
+  {
+    std::string name = grid.GetPointData()->GetArrayName(i);
+    std::ranges::transform(name, name.begin(), [](unsigned char c) { return std::tolower(c); });
+    if (name.starts_with("dis"))
+    {
+      notes.push_back(std::string("the displacements '") + grid.GetPointData()->GetArrayName(i) +
+        "' are a field; the mesh is shown where the file has it, not displaced.");
+    }
+  }
+}
+
+/// Where a time step is: in which mesh of a series, and which of its own steps.
+struct ExodusStep
+{
+  std::size_t mesh = 0;
+  std::size_t own = 0;
+};
+
+/// The meshes that the files name, each once, in their order.
+std::vector<ExodusName> MeshesOf(const std::vector<std::string>& files)
+{
+  std::map<int, ExodusName> meshes;
+  for (const std::string& file : files)
+  {
+    const auto name = ParseExodusName(file);
+    if (!name)
+    {
+      throw UsageError("'" + files[0] + "' holds mesh and fields, and '" + file +
+        "' is no other part or mesh of it; name one file alone");
+    }
+    const auto [at, isNew] = meshes.try_emplace(name->mesh, *name);
+    const ExodusName& first = meshes.begin()->second;
+    if (name->first != first.first || name->parts != first.parts ||
+      (!isNew && (name->parts == 0 || at->second.meshSuffix != name->meshSuffix)))
+    {
+      throw UsageError("'" + files[0] + "' and '" + file +
+        "' are no meshes of one series (out.e, out.e-s002, ...) and no parts of one mesh "
+        "(out.e.4.0, out.e.4.1, ...); name one file alone");
+    }
+  }
+  std::vector<ExodusName> ordered;
+  std::ranges::transform(
+    meshes, std::back_inserter(ordered), [](const auto& entry) { return entry.second; });
+  return ordered;
+}
+
+void RequireExodus(const std::string& file)
+{
+  constexpr std::array<std::string_view, 4> kMarks{ "CDF\x01", "CDF\x02", "CDF\x05", kHdf5Mark };
+  RequireMark(file, kMarks, "Exodus II file (netCDF)");
+}
+
+/// Chooses among the steps of all meshes.
+ExodusStep ChooseStep(
+  const std::vector<ExodusName>& meshes, const InputRequest& request, InputGrid& input)
+{
+  std::vector<ExodusStep> steps;
+  for (std::size_t mesh = 0; mesh < meshes.size(); ++mesh)
+  {
+    const std::vector<std::string> files = PartsOf(meshes[mesh]);
+    std::ranges::for_each(files, &RequireExodus);
+    const std::vector<double> times = ExodusFile(files.front()).Times();
+    input.times.insert(input.times.end(), times.begin(), times.end());
+    for (std::size_t own = 0; own < std::max(times.size(), std::size_t{ 1 }); ++own)
+    {
+      steps.push_back({ mesh, own });
+    }
+  }
+  if (meshes.size() > 1 &&
+    (input.times.size() != steps.size() ||
+      std::ranges::adjacent_find(input.times, std::greater_equal()) != input.times.end()))
+  {
+    input.times.resize(steps.size());
+    std::iota(input.times.begin(), input.times.end(), 0.0);
+    input.notes.push_back("'" + request.files[0] +
+      "': the times of its meshes do not ascend; numbers of steps stand for them.");
+  }
+  input.step = ChooseStep(request, input.times);
+  return steps[static_cast<std::size_t>(input.step)];
+}
+
+/// Reads one file, and says what it tells of the mesh. Elements are numbered from those before.
+vtkSmartPointer<vtkMultiBlockDataSet> ReadPart(
+  const std::string& file, std::size_t step, std::set<std::string>& types, ExodusSets& sets)
+{
+  const ExodusFile exodus(file);
+  const ExodusBlocks blocks = exodus.Blocks();
+  for (const auto& [id, block] : blocks)
+  {
+    types.insert(block.type);
+  }
+  const VtkMessages messages;
+  const auto check = [&]
+  {
+    if (const std::string error = messages.FirstError(); !error.empty())
+    {
+      CannotRead(file, error);
+    }
+  };
+  vtkNew<vtkExodusIIReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->ApplyDisplacementsOff();
+  reader->GenerateObjectIdCellArrayOn();
+  reader->UpdateInformation();
+  check();
+  ReadAllArrays(*reader);
+  if (const std::vector<double> times = TimesOf(*reader); times.empty())
+  {
+    reader->Update();
+  }
+  else if (step < times.size())
+  {
+    reader->UpdateTimeStep(times[step]);
+  }
+  else
+  {
+    CannotRead(file, "it has fewer time steps than the parts before it");
+  }
+  check();
+  vtkSmartPointer<vtkMultiBlockDataSet> read =
+    vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(0));
+  RequireAllNodes(*read, blocks, file);
+  NumberElements(*read, blocks, sets.elements);
+  sets.Add(exodus, blocks);
+  return read;
+}
+
+/// The numbers of blocks are attributes. Behind the file's fields: the first one is shown where
+/// none is named.
+void MakeAttributes(vtkCellData& cells)
+{
+  if (const vtkSmartPointer<vtkDataArray> ids = cells.GetArray("ObjectId"))
+  {
+    cells.RemoveArray("ObjectId");
+    ids->SetName("Attribute");
+    cells.AddArray(ids);
+  }
+}
+
+void NoteOtherMeshes(const ExodusName& only, std::vector<std::string>& notes)
+{
+  std::error_code failure;
+  const std::string next = only.first + "-s002" +
+    (only.parts > 0 ? "." + only.partsText + "." + std::string(only.digits, '0') : "");
+  if (only.mesh == 1 && std::filesystem::exists(next, failure))
+  {
+    notes.push_back("'" + next + "' continues '" + only.first +
+      "' on another mesh; name both, and what follows, for all time steps.");
+  }
+}
+} // namespace
+
+InputGrid ReadExodusFile(const InputRequest& request)
+{
+  const std::vector<ExodusName> meshes = MeshesOf(request.files);
+  InputGrid input;
+  const ExodusStep step = ChooseStep(meshes, request, input);
+  const std::vector<std::string> files = PartsOf(meshes[step.mesh]);
+  ExodusSets sets;
+  std::set<std::string> types;
+  vtkNew<vtkMultiBlockDataSet> parts;
+  for (const std::string& file : files)
+  {
+    parts->SetBlock(parts->GetNumberOfBlocks(), ReadPart(file, step.own, types, sets));
+  }
+  const std::string& file = files.front();
+  RefuseShells(types, file);
+  input.grid = JoinBlocks(*parts, file, input.notes);
+  std::vector<ExodusFile::SideSet> sides;
+  std::ranges::transform(
+    sets.sides, std::back_inserter(sides), [](const auto& entry) { return entry.second; });
+  AddSideSets(sides, *input.grid, input.notes);
+  input.grid->GetCellData()->RemoveArray(kExodusElement);
+  MakeAttributes(*input.grid->GetCellData());
+  AddNames(sets, *input.grid);
+  NoteDisplacements(*input.grid, input.notes);
+  if (sets.nodeSets > 0)
+  {
+    input.notes.push_back("'" + file + "': " + Counted(sets.nodeSets, "node set") +
+      ", which name points and no faces, are left out.");
+  }
+  if (meshes.size() == 1)
+  {
+    NoteOtherMeshes(meshes.front(), input.notes);
+  }
+  return input;
+}
+} // namespace pixelexact

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Input/Input.h"
+
+#include "Base/Command.h"
+#include "Base/Numbers.h"
+#include "Base/Report.h"
+#include "Input/BlockInput.h"
+#include "Input/ExodusName.h"
+#include "Input/NativeInput.h"
+#include "Input/VtkInput.h"
+
+#include "Core/Base/Counted.h"
+#include "Core/Base/Error.h"
+#include "Formats/MFEM/PieceNames.h"
+#include "GridCheck.h"
+#include "TimeSeries.h"
+
+#include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <new>
+#include <string_view>
+
+namespace pixelexact
+{
+namespace
+{
+/// What the operating system can tell before a reader guesses.
+void CheckFile(const std::string& file)
+{
+  std::error_code failure;
+  const auto status = std::filesystem::status(file, failure);
+  if (!std::filesystem::exists(status))
+  {
+    CannotRead(file, "there is no such file");
+  }
+  if (std::filesystem::is_directory(status))
+  {
+    // Parallel runs of Nektar++ write a folder of parts.
+    const std::string suffix = LowerSuffix(file);
+    if (suffix == ".fld" || suffix == ".chk" || suffix == ".rst")
+    {
+      return;
+    }
+    CannotRead(file, "it is a folder; name a file");
+  }
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream)
+  {
+    CannotRead(file, "it cannot be opened; check its permissions");
+  }
+  if (stream.peek() == std::ifstream::traits_type::eof())
+  {
+    CannotRead(file, "it is empty");
+  }
+  constexpr std::string_view kPointer = "version https://git-lfs.github.com/spec/";
+  std::string begin(kPointer.size(), '\0');
+  stream.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  if (begin == kPointer)
+  {
+    CannotRead(file, "it is a pointer of Git LFS; bring the file itself: git lfs pull");
+  }
+}
+
+// A new format is a line here and a function elsewhere.
+struct Format
+{
+  const char* suffix;
+  const char* what;
+  InputGrid (*read)(const InputRequest&);
+};
+constexpr std::array kFormats{
+  Format{ ".vtu", "VTK XML", &ReadXmlFiles },
+  Format{ ".pvtu", "VTK XML", &ReadXmlFiles },
+  Format{ ".pvd", "collection of VTK XML files", &ReadXmlCollection },
+  Format{ ".vtk", "VTK legacy", &ReadLegacyFile },
+  Format{ ".e", "Exodus II", &ReadExodusFile },
+  Format{ ".exo", "Exodus II", &ReadExodusFile },
+  Format{ ".ex2", "Exodus II", &ReadExodusFile },
+  Format{ ".exii", "Exodus II", &ReadExodusFile },
+  Format{ ".g", "Exodus II", &ReadExodusFile },
+  Format{ ".cgns", "CGNS", &ReadCgnsFile },
+  Format{ ".mesh", "MFEM", &ReadMfemFiles },
+  Format{ ".mfem_root", "collection of MFEM files", &ReadMfemCollection },
+  Format{ ".gf", "MFEM", &RefuseFieldFile },
+  Format{ ".saved", "GLVis", &ReadGlvisFile },
+  Format{ ".msh", "Gmsh", &ReadGmshFiles },
+  Format{ ".xml", "Nektar++", &ReadNektarFiles },
+  Format{ ".nekg", "Nektar++", &ReadNektarFiles },
+  Format{ ".fld", "Nektar++", &RefuseFieldFile },
+  Format{ ".chk", "Nektar++", &RefuseFieldFile },
+  Format{ ".rst", "Nektar++", &RefuseFieldFile },
+};
+
+const Format* FormatOf(std::string suffix)
+{
+  // Pieces of MFEM's parallel runs have no other.
+  suffix = mfem::IsPieceName("x" + suffix) ? ".mesh" : suffix;
+  const auto* format = std::ranges::find(kFormats, suffix, &Format::suffix);
+  return format == kFormats.end() ? nullptr : format;
+}
+
+/// Of "x.mesh.gz" that of the mesh, of "x.e-s002" and "x.e.4.0" that of an Exodus file.
+std::string SuffixOf(const std::string& file)
+{
+  if (IsExodusPart(file))
+  {
+    return ".e";
+  }
+  const std::string suffix = LowerSuffix(file);
+  return suffix == ".gz" ? LowerSuffix(file.substr(0, file.size() - suffix.size())) : suffix;
+}
+
+/// What stands beside the mesh may be meant for an option, or be another mesh.
+void CheckCompanions(const std::vector<std::string>& files, const Format& format)
+{
+  for (std::size_t i = 1; i < files.size(); ++i)
+  {
+    const std::string suffix = SuffixOf(files[i]);
+    if (suffix == ".csv")
+    {
+      throw UsageError("'" + files[i] +
+        "' holds neither mesh nor field; points of probe are given "
+        "as --points FILE");
+    }
+    const Format* other = FormatOf(suffix);
+    if (other != nullptr && std::string_view(other->what) != format.what)
+    {
+      throw UsageError("'" + files[0] + "' (" + format.what + ") and '" + files[i] + "' (" +
+        other->what + ") do not go together; name one mesh, and its own fields");
+    }
+    if (suffix == ".mesh")
+    {
+      throw UsageError(
+        "'" + files[0] + "' and '" + files[i] + "' are two meshes; name one, and its fields");
+    }
+    const auto here = files.begin() + static_cast<std::ptrdiff_t>(i);
+    if (std::find(files.begin(), here, files[i]) != here)
+    {
+      throw UsageError("'" + files[i] + "' was given more than once; give it once");
+    }
+  }
+}
+
+int ParseStep(const std::string& text, bool mayBeAll)
+{
+  int number = 0;
+  if (!ParseInteger(text, number) || number < 0)
+  {
+    Refuse("--time-step", text,
+      mayBeAll
+        ? "the number of a step, counted from 0, or all (info names the times)"
+        : "the number of one step, counted from 0 (call once for each; info names the times)");
+  }
+  return number;
+}
+
+std::string Span(std::span<const double> times)
+{
+  return Short(times.front()) + " to " + Short(times.back());
+}
+} // namespace
+
+void CannotRead(const std::string& file, const std::string& why)
+{
+  throw Error("cannot read '" + file + "': " + why);
+}
+
+void CheckAlone(const std::vector<std::string>& files)
+{
+  if (files.size() > 1)
+  {
+    throw UsageError("'" + files[0] + "' holds mesh and fields, but " +
+      std::to_string(files.size()) + " files were given; name it alone");
+  }
+}
+
+int ChooseStep(const InputRequest& request, std::span<const double> times)
+{
+  const std::string& file = request.files[0];
+  if (times.empty() && (request.time || request.step.value_or(0) > 0))
+  {
+    throw Error("'" + file + "' has no time steps; leave out --time and --time-step");
+  }
+  if (request.step)
+  {
+    if (*request.step > 0 && *request.step >= static_cast<int>(times.size()))
+    {
+      throw Error("--time-step: '" + file + "' has " + Counted(times.size(), "time step") +
+        ", counted from 0");
+    }
+    return *request.step;
+  }
+  if (!request.time)
+  {
+    return 0;
+  }
+  const double time = *request.time;
+  // As printed, a time may be a little beyond.
+  const double slack = 1e-5 * std::max(std::abs(times.front()), std::abs(times.back()));
+  if (time < times.front() - slack || time > times.back() + slack)
+  {
+    throw Error("--time: the times of '" + file + "' are " + Span(times));
+  }
+  const auto nearest = std::ranges::min_element(
+    times, {}, [time](double candidate) { return std::abs(candidate - time); });
+  return static_cast<int>(nearest - times.begin());
+}
+
+bool HoldsFieldsAlone(const std::string& file)
+{
+  const Format* format = FormatOf(SuffixOf(file));
+  return format != nullptr && format->read == &RefuseFieldFile;
+}
+
+InputGrid ReadInput(const InputRequest& request)
+{
+  const std::string& first = request.files[0];
+  CheckFile(first);
+  const Format* format = FormatOf(SuffixOf(first));
+  if (format == nullptr)
+  {
+    CannotRead(first,
+      "its suffix is of no format known here; .vtu, .pvtu, .pvd, .vtk, .e, .exo, .ex2, .exii, .g, "
+      ".cgns, .mesh, .mfem_root, .000000 (a piece of an MFEM mesh), .saved, .msh, .nekg and .xml "
+      "are "
+      "read");
+  }
+  CheckCompanions(request.files, *format);
+  std::for_each(request.files.begin() + 1, request.files.end(), CheckFile);
+  try
+  {
+    InputGrid input = format->read(request);
+    CheckConsistency(*input.grid);
+    return input;
+  }
+  catch (const InvalidData& error)
+  {
+    CannotRead(first, error.what());
+  }
+  catch (const std::bad_alloc&)
+  {
+    // A damaged header asks for any amount; so does a file that is too large.
+    CannotRead(first, "it asks for more memory than there is");
+  }
+}
+
+void AddField(CLI::App& command, std::string& field)
+{
+  AddText(command, "--field", field, "NAME",
+    "Name of the field (default: the first one, which is named on stderr)");
+}
+
+void InputRequest::AddTo(CLI::App& command, bool required)
+{
+  AddArguments(command, "INPUT", files, "FILE",
+    "The mesh file (.vtu, .pvtu, .pvd, .vtk, .e, .exo, .ex2, .exii, .g, .cgns, .mesh, .mfem_root, "
+    ".saved, "
+    ".msh, .nekg or .xml) and, where the "
+    "format keeps them apart, its field files (.gf; .fld, .chk or .rst; .msh without a mesh); "
+    "x.000000 and u.000000 "
+    "stand "
+    "for all pieces that a parallel run of MFEM wrote; further .xml files are the rest of a "
+    "Nektar++ session or parts of its mesh; numbered .vtu or .pvtu files, several Nektar++ "
+    "field files and several .mfem_root files make a time series")
+    .Required(required);
+  const AddedOption number = AddRead(
+    command, "--time-step",
+    [this](const std::string& text)
+    {
+      allSteps = mayBeAll && text == "all";
+      step = allSteps ? std::nullopt : std::optional(ParseStep(text, mayBeAll));
+    },
+    mayBeAll ? "N|all" : "N",
+    std::string("Time step, counted from 0 (default: the first)") +
+      (mayBeAll ? "; all: a picture of each" : ""));
+  AddNumber(command, "--time", time, "T", "Time; of the steps the nearest one").Excludes(number);
+  AddChoice(
+    command, "--nodes", [this](const std::string& text) { gaussLobatto = text == "gll"; },
+    { "equispaced", "gll" },
+    "Where the nodes of VTK's Lagrange cells are: equispaced (default), or at "
+    "Gauss-Lobatto-Legendre "
+    "points");
+  AddFlag(command, "--mirrored-wedges", mirroredWedges,
+    "VTK's Lagrange wedges have MFEM's order of nodes");
+}
+} // namespace pixelexact

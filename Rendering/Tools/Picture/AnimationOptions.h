@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Base/Options.h"
+#include "Scene/PlaneOption.h"
+
+#include "Core/Math/Vec.h"
+#include "Trace/Camera.h"
+
+#include <optional>
+#include <string>
+
+namespace pixelexact
+{
+struct InputRequest;
+
+/// Pictures that follow each other: a plane that is swept, a camera that turns, all time steps, or
+/// several of these at once, frame by frame.
+class AnimationOptions
+{
+public:
+  static constexpr int kMostFrames = 1000000;
+
+  void AddTo(CLI::App& command);
+  /// Throws UsageError for numbers of frames that differ, and options that have no effect.
+  void Check(const InputRequest& input) const;
+
+  [[nodiscard]] bool IsAsked(const InputRequest& input) const;
+  /// How many; none: as many as there are time steps.
+  [[nodiscard]] std::optional<int> Frames() const;
+
+  /// Whether there is a plane of each frame's own; it is the first surface.
+  [[nodiscard]] bool Sweeps() const { return Sweep.has_value(); }
+  [[nodiscard]] PlaneChoice PlaneAt(int frame) const;
+  [[nodiscard]] bool Turns() const { return Turn.has_value(); }
+  /// A view that is turned about its view-up through `pivot`, against the clock seen from above.
+  [[nodiscard]] CameraView ViewAt(int frame, const CameraView& first, const Vec3& pivot) const;
+
+  /// Whether frames that are there already, and are the same, stay.
+  [[nodiscard]] bool Resumes() const { return Resume; }
+  [[nodiscard]] double FramesPerSecond() const { return Rate.value_or(25.0); }
+
+private:
+  struct Swept
+  {
+    char axis;
+    double from;
+    double to;
+    bool inPercent;
+    int frames;
+  };
+  struct Turned
+  {
+    double degrees;
+    int frames;
+  };
+  const CLI::App* Command = nullptr;
+  std::optional<Swept> Sweep;
+  std::optional<Turned> Turn;
+  bool Resume = false;
+  std::optional<double> Rate;
+};
+} // namespace pixelexact

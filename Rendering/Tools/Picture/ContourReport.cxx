@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Picture/ContourReport.h"
+
+#include "Base/Report.h"
+
+#include "Core/Base/Counted.h"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+namespace pixelexact
+{
+std::size_t CountOf(const FoundContours& contours)
+{
+  std::size_t count = 0;
+  for (const std::vector<double>& values : contours.values)
+  {
+    count += values.size();
+  }
+  return count;
+}
+
+nlohmann::ordered_json ToJson(const FoundContours& contours)
+{
+  // As there are layers, where there are several.
+  const nlohmann::ordered_json values = contours.values.size() > 1
+    ? nlohmann::ordered_json(contours.values)
+    : nlohmann::ordered_json(contours.values.front());
+  const ContourCounters& pixels = contours.pixels;
+  nlohmann::ordered_json summary{ { "values", values }, { "outside", contours.outside },
+    { "pixels",
+      { { "in", pixels.in }, { "out", pixels.out }, { "undecided", pixels.undecided },
+        { "jumps", pixels.jumps } } } };
+  if (contours.interior)
+  {
+    summary["pixels"]["loops"] = pixels.loops;
+  }
+  if (contours.labels)
+  {
+    summary["labels"] = *contours.labels;
+  }
+  return summary;
+}
+
+void AddContours(Table& table, const FoundContours& contours)
+{
+  const std::string outside = contours.outside > 0
+    ? fmt::format(", {} of them not among those that are seen", contours.outside)
+    : std::string();
+  table.Row("contours", Counted(CountOf(contours), "value") + outside);
+  const ContourCounters& pixels = contours.pixels;
+  const std::string loops =
+    contours.interior ? fmt::format(", {} by loops inside", pixels.loops) : std::string();
+  table.Row("", "{} in, {} out, {} undecided, {} at jumps{}", Counted(pixels.in, "pixel"),
+    pixels.out, pixels.undecided, pixels.jumps, loops);
+  if (contours.labels)
+  {
+    table.Row("", Counted(*contours.labels, "label"));
+  }
+}
+} // namespace pixelexact

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Drawing/Image.h"
+#include "Drawing/ImageFile.h"
+#include "Drawing/VectorLines.h"
+#include "Picture/ContourDrawing.h"
+#include "Picture/ContourPaths.h"
+#include "Picture/RenderReport.h"
+#include "Scene/DebugOptions.h"
+#include "Scene/Looks.h"
+
+#include "Trace/Tracer.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pixelexact
+{
+struct RenderOptions;
+struct Shot;
+
+/// Casts the rays that a picture needs.
+Frame TraceShot(const RenderOptions& options, const Shot& shot, const Progress& progress);
+
+/// A shot in its colours, with contours, labels, outlines and what is told of it.
+class DrawnShot
+{
+public:
+  /// `traced`: of TraceShot. `paths`: contours, element edges and outlines are left out of the
+  /// pixels where they can be had as paths. Throws Error as Looks and ContourDrawing. The options
+  /// and the shot must outlive it.
+  DrawnShot(const RenderOptions& options, const Shot& shot, Frame traced, bool paths = false);
+  DrawnShot(const DrawnShot&) = delete;
+  DrawnShot& operator=(const DrawnShot&) = delete;
+
+  [[nodiscard]] const Frame& GetFrame() const { return Pixels; }
+  [[nodiscard]] const Looks& GetLooks() const { return *Colors; }
+  [[nodiscard]] const DebugOptions& Debug() const { return Told; }
+  [[nodiscard]] const ContourDrawing* Contours() const { return Lines ? &*Lines : nullptr; }
+  [[nodiscard]] const Found& WhatIsFound() const { return TheFound; }
+
+  /// The picture alone, or with a figure around it.
+  [[nodiscard]] Image Picture() const;
+  /// The same as a PDF or SVG: its bytes.
+  [[nodiscard]] std::string Vectors(
+    PictureFormat format, const PictureTexts& texts, const std::string& file) const;
+  /// What was wanted as paths and is in the pixels: "contours", "element edges".
+  [[nodiscard]] const std::vector<std::string>& InPixels() const { return Staying; }
+  /// "12 exact, 3 nothing, 0 unknown".
+  [[nodiscard]] std::string PixelsText() const;
+
+private:
+  void TellWhatStays(const char* what, bool arePaths);
+  void AddLines(std::vector<std::vector<CanvasPoint>> paths, double width, const Rgba& color);
+  void AddContours(const std::vector<ContourPath>& contours);
+  void DrawFigure(Canvas& canvas) const;
+
+  const RenderOptions& Options;
+  const Shot& Of;
+  Frame Pixels;
+  DebugOptions Told;
+  std::optional<Looks> Colors;
+  std::optional<ContourDrawing> Lines;
+  VectorLines Over;
+  std::vector<std::string> Staying;
+  Found TheFound;
+};
+} // namespace pixelexact

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Picture/MeshOutline.h"
+
+#include "Base/Command.h"
+#include "Drawing/Blending.h"
+#include "Picture/OutlineLines.h"
+#include "Scene/ColorOptions.h"
+#include "Scene/Shot.h"
+
+#include "VtkLook.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pixelexact
+{
+namespace
+{
+constexpr double kUsualWidth = 1.5;
+constexpr double kWidest = 100.0;
+/// In pixels of the grid in which the boundary is traced: what its stairs are from the line.
+constexpr double kStairs = 0.55;
+
+/// Places where a line is, and how much of each pixel it covers.
+class Pen
+{
+public:
+  Pen(int width, int height, double thickness)
+    : Width(width)
+    , Height(height)
+    , Half(0.5 * thickness)
+    , Covered(static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
+  {
+  }
+
+  void Dot(double x, double y)
+  {
+    const double reach = Half + 0.5;
+    for (int j = std::max(0, static_cast<int>(std::floor(y - reach)));
+         j <= std::min(Height - 1, static_cast<int>(std::floor(y + reach))); ++j)
+    {
+      for (int i = std::max(0, static_cast<int>(std::floor(x - reach)));
+           i <= std::min(Width - 1, static_cast<int>(std::floor(x + reach))); ++i)
+      {
+        const double away = std::hypot(i + 0.5 - x, j + 0.5 - y);
+        float& part = Covered[static_cast<std::size_t>(j) * static_cast<std::size_t>(Width) +
+          static_cast<std::size_t>(i)];
+        part = std::max(part, static_cast<float>(std::clamp(reach - away, 0.0, 1.0)));
+      }
+    }
+  }
+
+  void Paint(const Rgba& color, std::vector<std::uint8_t>& rgba) const
+  {
+    for (std::size_t i = 0; i < Covered.size(); ++i)
+    {
+      if (Covered[i] > 0.0F)
+      {
+        BlendOver(color, Covered[i], &rgba[4 * i]);
+      }
+    }
+  }
+
+private:
+  int Width;
+  int Height;
+  double Half;
+  std::vector<float> Covered;
+};
+
+} // namespace
+
+void MeshOutline::AddTo(CLI::App& command)
+{
+  const char* group = "Figure";
+  const AddedOption outlined = AddRead(
+    command, "--mesh-outline",
+    [this](const std::string& text)
+    {
+      if (text != "boundary" && text != "box")
+      {
+        Refuse("--mesh-outline", text, "boundary or box");
+      }
+      Kind = text == "box" ? Of::Box : Of::Boundary;
+    },
+    "[=boundary|box]",
+    "Draw where the mesh is: outlines and sharp edges of its boundary, or the edges of its box")
+                                 .Group(group);
+  AddNumber(command, "--mesh-outline-width", Width, "PIXELS",
+    fmt::format("The width of these lines (default: {})", kUsualWidth))
+    .Needs(outlined)
+    .Group(group);
+  AddNumbers(command, "--mesh-outline-color", Color, 3, "r,g,b",
+    "Their colour, 0 to 1 each (default: 0,0,0)")
+    .Needs(outlined)
+    .Group(group);
+}
+
+void MeshOutline::Check() const
+{
+  CheckColor("--mesh-outline-color", Color);
+  if (Width && !(*Width > 0.0 && *Width <= kWidest))
+  {
+    throw UsageError(
+      fmt::format("--mesh-outline-width: expected pixels above 0 and up to {}", kWidest));
+  }
+}
+
+Buffer MeshOutline::Needs() const
+{
+  return Kind == Of::Box ? Buffer::Depth : Buffer::None;
+}
+
+std::vector<Vec3> MeshOutline::Points(const Shot& shot) const
+{
+  if (Kind == Of::Box)
+  {
+    const auto corners = CornersOfBox(shot);
+    return { corners.begin(), corners.end() };
+  }
+  return Kind == Of::Boundary ? SeenPoints(BoundaryOf(shot), shot.view, shot.size)
+                              : std::vector<Vec3>();
+}
+
+double MeshOutline::LineWidth() const
+{
+  return Width.value_or(kUsualWidth);
+}
+
+Rgba MeshOutline::LineColor() const
+{
+  return ToRgba(Color.data());
+}
+
+void MeshOutline::Draw(const Shot& shot, Frame& frame) const
+{
+  Pen pen(frame.width, frame.height, LineWidth());
+  if (Kind == Of::Box)
+  {
+    for (const std::vector<CanvasPoint>& path : SeenEdgesOfBox(shot, frame))
+    {
+      std::ranges::for_each(path, [&pen](const CanvasPoint& at) { pen.Dot(at[0], at[1]); });
+    }
+  }
+  else
+  {
+    const BoundaryLines lines = LinesOfBoundary(shot, frame.width, frame.height);
+    for (const PixelStep& step : lines.steps)
+    {
+      pen.Dot(step.at[0] / lines.fine, step.at[1] / lines.fine);
+    }
+  }
+  pen.Paint(LineColor(), frame.color.empty() ? frame.centres.color : frame.color);
+}
+
+std::vector<std::vector<CanvasPoint>> MeshOutline::Paths(const Shot& shot, const Frame& frame) const
+{
+  if (Kind == Of::Box)
+  {
+    std::vector<std::vector<CanvasPoint>> paths = SeenEdgesOfBox(shot, frame);
+    for (std::vector<CanvasPoint>& path : paths)
+    {
+      // It is straight.
+      path = { path.front(), path.back() };
+    }
+    return paths;
+  }
+  const BoundaryLines lines = LinesOfBoundary(shot, frame.width, frame.height);
+  std::vector<std::vector<CanvasPoint>> paths = PathsOf(lines.steps, kStairs);
+  for (std::vector<CanvasPoint>& path : paths)
+  {
+    for (CanvasPoint& at : path)
+    {
+      at = { at[0] / lines.fine, at[1] / lines.fine };
+    }
+  }
+  return paths;
+}
+} // namespace pixelexact

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Picture/Pictures.h"
+
+#include "Base/Report.h"
+#include "Picture/DrawnShot.h"
+#include "Picture/FrameProgress.h"
+#include "Picture/Projection.h"
+#include "Picture/RenderOptions.h"
+
+#include "Core/Base/Error.h"
+#include "Trace/Surfaces/Plane.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <memory>
+#include <utility>
+
+namespace pixelexact
+{
+namespace
+{
+/// Of a sweep, for the view that sees all of it: so many places.
+constexpr int kPlaces = 12;
+
+using Range = std::array<double, 2>;
+
+std::vector<bool> LayersAlike(const Shot& shot, std::size_t layer)
+{
+  const std::vector<Layer>& layers = shot.scene.layers;
+  std::vector<bool> alike;
+  alike.reserve(layers.size());
+  for (const Layer& other : layers)
+  {
+    alike.push_back(
+      other.field == layers[layer].field && other.component == layers[layer].component);
+  }
+  return alike;
+}
+
+/// What is seen of places along the sweep, as if the camera stood still and all else turned.
+std::vector<Vec3> SeenOfAll(const AnimationOptions& animation, const Shot& shot,
+  const std::function<std::vector<Vec3>(const Shot&)>& outlined)
+{
+  std::vector<Vec3> points = SeenPoints(shot.scene, shot.view, shot.size);
+  if (outlined)
+  {
+    std::ranges::copy(outlined(shot), std::back_inserter(points));
+  }
+  const int frames = animation.Frames().value_or(1);
+  const Box3 box = BoxOf(*shot.input.model);
+  const int places = animation.Sweeps() ? std::min(frames, kPlaces) : 0;
+  for (int k = 0; k < places; ++k)
+  {
+    const int frame = static_cast<int>(std::int64_t{ k } * (frames - 1) / std::max(1, places - 1));
+    Scene scene = shot.scene;
+    scene.layers.front().surface = std::make_shared<Plane>(animation.PlaneAt(frame).Make(box));
+    std::ranges::copy(SeenPoints(scene, shot.view, shot.size), std::back_inserter(points));
+  }
+  if (!animation.Turns())
+  {
+    return points;
+  }
+  const Vec3 pivot = 0.5 * (box.lower + box.upper);
+  std::vector<Vec3> turned;
+  for (int k = 0; k < std::min(frames, 8 * kPlaces); ++k)
+  {
+    const int frame = static_cast<int>(std::int64_t{ k } * frames / std::min(frames, 8 * kPlaces));
+    const CameraView view = animation.ViewAt(frame, shot.view, pivot);
+    const Projection from(view, shot.size.width, shot.size.height);
+    for (const Vec3& point : points)
+    {
+      turned.push_back(from.AsSeenFrom(shot.view, point));
+    }
+  }
+  return turned;
+}
+} // namespace
+
+Pictures::Pictures(const RenderOptions& options, Stopwatch& watch)
+  : Options(options)
+  , Watch(watch)
+  , Asked(options.OfPicture())
+{
+  const AnimationOptions& animation = Options.animation;
+  Asked.alsoSeen = [&animation, outlined = Asked.alsoSeen](const Shot& shot)
+  { return SeenOfAll(animation, shot, outlined); };
+  Now.emplace(Prepare(Asked, Watch));
+  ++Reads;
+  First = Now->view;
+  Pivot = Pivoted();
+  const auto steps = static_cast<int>(Now->input.times.size());
+  const bool all = Options.shot.input.allSteps;
+  Count = animation.Frames().value_or(steps);
+  if (all && (steps == 0 || Count != steps))
+  {
+    throw Error(steps == 0
+        ? "--time-step all: '" + Options.shot.input.files[0] + "' has no time steps"
+        : fmt::format("--time-step all: there are {} time steps, and {} pictures of --sweep or "
+                      "--turn; give as many",
+            steps, Count));
+  }
+}
+
+int Pictures::StepOf(int frame) const
+{
+  return Options.shot.input.allSteps ? frame : Now->input.step;
+}
+
+Vec3 Pictures::Pivoted() const
+{
+  const Box3 box = BoxOf(*Now->input.model);
+  return Options.shot.camera.IsPlaced() ? First.focalPoint : 0.5 * (box.lower + box.upper);
+}
+
+const Shot& Pictures::At(int frame)
+{
+  if (StepOf(frame) != Now->input.step)
+  {
+    const Shot before = std::move(*Now);
+    Now.emplace(PrepareStep(Asked, StepOf(frame), before, Watch));
+    ++Reads;
+  }
+  Shot& shot = *Now;
+  // The one before is held while another is made: they differ in their addresses.
+  Locators += shot.scene.locator != Latest ? 1 : 0;
+  Latest = shot.scene.locator;
+  shot.valuesOfAll = Values;
+  if (Options.animation.Sweeps())
+  {
+    shot.scene.layers.front().surface =
+      std::make_shared<Plane>(Options.animation.PlaneAt(frame).Make(BoxOf(*shot.input.model)));
+  }
+  shot.view = Options.animation.ViewAt(frame, First, Pivot);
+  return shot;
+}
+
+void Pictures::FindValues()
+{
+  const FrameProgress progress("values of picture", Count);
+  const double lowest =
+    Options.shot.colors.Logarithm() ? 0.0 : -std::numeric_limits<double>::infinity();
+  std::vector<std::optional<Range>> found(Now->scene.layers.size());
+  for (int frame = 0; frame < Count; ++frame)
+  {
+    progress.Tell(frame, frame);
+    const Shot& shot = At(frame);
+    const Frame traced = TraceShot(Options, shot, {});
+    Watch.Stage("values of all");
+    for (std::size_t k = 0; k < found.size(); ++k)
+    {
+      if (const auto here = ValueRange(traced, lowest, LayersAlike(shot, k)))
+      {
+        found[k] = found[k]
+          ? Range{ std::min((*found[k])[0], (*here)[0]), std::max((*found[k])[1], (*here)[1]) }
+          : *here;
+      }
+    }
+  }
+  Values = found;
+}
+} // namespace pixelexact

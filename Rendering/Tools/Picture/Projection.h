@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Drawing/Canvas.h"
+
+#include "Core/Math/Vec.h"
+#include "Trace/Camera.h"
+
+#include <optional>
+
+namespace pixelexact
+{
+/// Where a picture shows a point.
+struct ProjectedPoint
+{
+  CanvasPoint at;
+  double depth; ///< along the ray there, as of Buffer::Depth
+};
+
+/// From points to pixels: the inverse of a Camera's rays.
+class Projection
+{
+public:
+  Projection(const CameraView& view, int width, int height);
+
+  /// None for a point that is not in front of the viewer.
+  [[nodiscard]] std::optional<ProjectedPoint> Of(const Vec3& point) const;
+  /// The world's length of a pixel at a depth.
+  [[nodiscard]] double PixelAt(double depth) const { return Parallel ? Slope : Slope * depth; }
+
+  /// The point that `view` sees where this one sees `point`, as far away.
+  [[nodiscard]] Vec3 AsSeenFrom(const CameraView& view, const Vec3& point) const;
+
+private:
+  Vec3 Eye;
+  Vec3 Forward;
+  Vec3 Right;
+  Vec3 Up;
+  bool Parallel;
+  double Slope; ///< a pixel's side, of a perspective view at distance 1
+  CanvasPoint Middle;
+};
+} // namespace pixelexact

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Picture/RenderOptions.h"
+
+#include "Base/Command.h"
+#include "Base/Output.h"
+#include "Drawing/ImageFile.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+namespace pixelexact
+{
+namespace
+{
+constexpr double kLeastDpi = 10.0;
+constexpr double kMostDpi = 10000.0;
+constexpr int kSamplesOfFigures = 4;
+
+/// A file of another kind than its name says would mislead whoever opens it.
+void CheckSuffix(const char* option, const std::string& file, const char* suffix)
+{
+  if (!file.empty() && !IsStandardStream(file) && std::filesystem::path(file).extension() != suffix)
+  {
+    throw UsageError(
+      std::string(option) + ": '" + file + "' is written as " + suffix + "; name it so");
+  }
+}
+} // namespace
+
+void RenderOptions::AddTo(CLI::App& command)
+{
+  shot.input.mayBeAll = true;
+  shot.AddTo(command);
+  contours.AddTo(command);
+  debug.AddTo(command);
+  AddText(command, "-o,--output", output, "IMAGE",
+    "Image to write, by its suffix .png, .tif, .jpg, .svg or .pdf; - for a PNG on standard output "
+    "(default: "
+    "named "
+    "after the input, in the current folder; a file of that name is written over where pixelexact "
+    "made it)");
+  buffers.AddTo(command);
+  lines.AddTo(command);
+  figure.AddTo(command);
+  font.AddTo(command);
+  outline.AddTo(command);
+  animation.AddTo(command);
+  knobs.AddTo(command, shot);
+  AddNumber(command, "--dpi", dpi, "N",
+    fmt::format("Pixels in an inch, for a --size in mm or in, and as the file tells (default of "
+                "such sizes: {})",
+      kUsualDpi))
+    .Group("Figure");
+}
+
+std::optional<double> RenderOptions::Dpi() const
+{
+  return dpi ? dpi : shot.size.inches ? std::optional(kUsualDpi) : std::nullopt;
+}
+
+void RenderOptions::Check(const std::string& picture)
+{
+  const PictureFormat format = FormatOf("--output", picture);
+  CheckSuffix("--buffers", buffers.File(), ".vti");
+  CheckSuffix("--contours-output", lines.file, ".vtp");
+  CheckOutput("--output", picture, shot.input.files);
+  CheckOutput("--buffers", buffers.File(), shot.input.files);
+  CheckOutput("--contours-output", lines.file, shot.input.files);
+  if (!lines.file.empty() && !contours.AreGiven())
+  {
+    throw UsageError("--contours-output: there are no contours to write; give --contours");
+  }
+  if (shot.colors.BackgroundColor()[3] == 0 && !HasAlpha(format))
+  {
+    throw UsageError(
+      "--background none: a JPEG is not transparent; write .png, .tif, .svg or .pdf");
+  }
+  if (dpi && !(*dpi >= kLeastDpi && *dpi <= kMostDpi))
+  {
+    throw UsageError(fmt::format("--dpi: expected a number from {} to {}", kLeastDpi, kMostDpi));
+  }
+  animation.Check(shot.input);
+  knobs.Check(*shot.command);
+  if (!animation.IsAsked(shot.input))
+  {
+    shot.CheckRangeOfOne();
+  }
+  shot.size = AtDpi(shot.size, Dpi().value_or(kUsualDpi));
+  buffers.Check();
+  outline.Check();
+  font.Check();
+  const std::vector<LayerSettings> layers = shot.MakeLayers();
+  debug.Check(shot.samples, layers);
+  contours.Check(layers);
+  if (figure.IsAsked())
+  {
+    if (debug.IsInPlace())
+    {
+      throw UsageError("--figure has no bar for the colours of --show and --owners; leave it out");
+    }
+    figure.Check(shot.size);
+    // Steps of pixels are not what a reader wants; where colours are a legend's they stay pure.
+    if (!IsGiven(*shot.command, "--samples") && !debug.NeedsPureColors())
+    {
+      shot.samples = kSamplesOfFigures;
+    }
+  }
+}
+
+ShotOptions RenderOptions::OfPicture() const
+{
+  ShotOptions asked = shot;
+  if (figure.IsAsked())
+  {
+    asked.size = figure.PictureSize(asked.size);
+  }
+  if (outline.IsAsked())
+  {
+    asked.alsoSeen = [&outline = outline](const Shot& of) { return outline.Points(of); };
+  }
+  return asked;
+}
+} // namespace pixelexact

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/BufferOptions.h"
+
+#include "Base/Command.h"
+#include "Base/Options.h"
+#include "Base/Report.h"
+
+#include "Core/Base/Error.h"
+#include "Trace/BufferTable.h"
+
+#include <algorithm>
+
+namespace pixelexact
+{
+namespace
+{
+constexpr const char* kColor = "Color";
+constexpr const char* kContour = "Contour";
+
+std::vector<std::string> ArrayNames()
+{
+  std::vector<std::string> names;
+  ForEachBuffer([&names](const auto& row) { names.emplace_back(row.name); });
+  names.emplace_back(kContour);
+  names.emplace_back(kColor);
+  return names;
+}
+
+/// None for what no ray brings: the picture itself, which is always there, and contours.
+Buffer BufferNamed(const std::string& name)
+{
+  Buffer found = Buffer::None;
+  ForEachBuffer([&](const auto& row) { found = row.name == name ? row.buffer : found; });
+  return found;
+}
+} // namespace
+
+void BufferOptions::AddTo(CLI::App& added)
+{
+  Command = &added;
+  const AddedOption file = AddText(added, "--buffers", TheFile, "OUT.vti",
+    "Also write what was found at each pixel, compressed: value, position, normal, xi, element, "
+    "depth, verdict, layer, colour, and with --contours Contour: 0 no contour goes through the "
+    "pixel, 1 one does, 2 undecided; - for standard output");
+  AddRead(
+    added, "--arrays", [this](const std::string& text) { Names = SplitAt(text, ','); }, "NAME,...",
+    "Of these only: " + Listed(ArrayNames()) +
+      " (Owners and Coverage with --owners, the bounds with --enclosures, Contour with --contours; "
+      "Piece, Piece_u and Piece_v: the triangle, patch, face or part that is met, from 0, and "
+      "where on it; default: all there are but these three)")
+    .Needs(file);
+}
+
+void BufferOptions::Check() const
+{
+  const std::vector<std::string> known = ArrayNames();
+  for (const std::string& name : Names)
+  {
+    if (std::ranges::find(known, name) == known.end())
+    {
+      throw UsageError("--arrays: there is no '" + name + "'; there are " + Listed(known));
+    }
+    if (name == kContour && !IsGiven(*Command, "--contours"))
+    {
+      throw UsageError("--arrays: 'Contour' needs --contours");
+    }
+    const Buffer buffer = BufferNamed(name);
+    const bool bounded = IsGiven(*Command, "--enclosures") || IsGiven(*Command, "--show-undecided");
+    if ((Has(buffer, Buffer::Coverage) && !IsGiven(*Command, "--owners")) ||
+      (Has(buffer, Buffer::Enclosure) && !bounded))
+    {
+      throw UsageError("--arrays: '" + name + "' needs " +
+        (Has(buffer, Buffer::Coverage) ? "--owners" : "--enclosures"));
+    }
+  }
+}
+
+Buffer BufferOptions::Needs(bool hasField) const
+{
+  Buffer wanted = Buffer::None;
+  for (const std::string& name : Names)
+  {
+    wanted = wanted | BufferNamed(name);
+  }
+  if (!hasField && Has(wanted, Buffer::Value))
+  {
+    throw Error("--arrays: the input has no field, so there is no 'Value'; leave it out");
+  }
+  if (!TheFile.empty() && Names.empty())
+  {
+    ForEachBuffer(
+      [&](const auto& row)
+      {
+        const bool there = row.usual && (hasField || row.buffer != Buffer::Value);
+        wanted = there ? wanted | row.buffer : wanted;
+      });
+  }
+  return wanted;
+}
+} // namespace pixelexact

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/ColorOptions.h"
+
+#include "Base/Command.h"
+#include "Base/Nearest.h"
+#include "Base/Numbers.h"
+#include "Base/Options.h"
+#include "Base/Report.h"
+#include "Input/ColorMapFile.h"
+
+#include "Core/Base/Error.h"
+#include "VtkColorMap.h"
+#include "VtkLook.h"
+
+#include <fmt/format.h>
+#include <vtkLookupTable.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pixelexact
+{
+namespace
+{
+/// Colours of a table tell no more apart.
+constexpr int kMostBands = 256;
+
+std::array<double, 2> Log10(const std::array<double, 2>& range)
+{
+  return { std::log10(range[0]), std::log10(range[1]) };
+}
+
+/// The colours of `map`, which spans powers of ten, by value: what has no logarithm gets the colour
+/// of NaN.
+ColorMap ByLogarithm(ColorMap map)
+{
+  return [map = std::move(map)](std::span<const double> values, std::uint8_t* rgba)
+  {
+    std::vector<double> logarithms(values.size());
+    std::transform(values.begin(), values.end(), logarithms.begin(),
+      [](double v) { return v > 0.0 ? std::log10(v) : std::numeric_limits<double>::quiet_NaN(); });
+    map(logarithms, rgba);
+  };
+}
+
+/// The colours of `map` in the middles of so many equal parts of what it spans.
+ColorMap ByBands(ColorMap map, const std::array<double, 2>& range, int bands)
+{
+  return [map = std::move(map), range, bands](std::span<const double> values, std::uint8_t* rgba)
+  {
+    const double length = range[1] - range[0];
+    std::vector<double> middles(values.begin(), values.end());
+    for (double& value : middles)
+    {
+      if (std::isfinite(value) && length > 0.0)
+      {
+        const double part = std::floor((value - range[0]) / length * bands);
+        value = range[0] + (std::clamp(part, 0.0, bands - 1.0) + 0.5) / bands * length;
+      }
+    }
+    map(middles, rgba);
+  };
+}
+
+std::string Names()
+{
+  return Listed(ColorMapNames());
+}
+
+vtkSmartPointer<vtkLookupTable> TableOf(const std::string& map, const std::array<double, 2>& range)
+{
+  return NamesColorMapFile(map) ? ReadColorMapFile(map, range) : MakeColorMap(map, range);
+}
+
+constexpr const char* kBackgroundForm = "white, black, none or r,g,b, 0 to 1 each";
+
+std::optional<std::array<double, 3>> ReadBackground(const std::string& text)
+{
+  if (text == "none")
+  {
+    return std::nullopt;
+  }
+  if (text == "white" || text == "black")
+  {
+    const double all = text == "white" ? 1.0 : 0.0;
+    return std::array{ all, all, all };
+  }
+  const std::vector<double> rgb = ReadNumbers("--background", text, 3, kBackgroundForm);
+  CheckColor("--background", rgb);
+  return std::array{ rgb[0], rgb[1], rgb[2] };
+}
+} // namespace
+
+void CheckMap(const char* option, const std::string& map)
+{
+  if (NamesColorMapFile(map))
+  {
+    (void)ReadColorMapFile(map, { 0.0, 1.0 });
+    return;
+  }
+  const std::vector<std::string> names = ColorMapNames();
+  if (std::find(names.begin(), names.end(), map) == names.end())
+  {
+    throw UsageError(std::string(option) + ": there is no '" + map + "'; there are " + Names() +
+      ", and files of ParaView's, .json and .xml" + Suggestion(names, map));
+  }
+}
+
+void CheckColor(const char* option, const std::vector<double>& color)
+{
+  if (std::any_of(color.begin(), color.end(), [](double c) { return c < 0.0 || c > 1.0; }))
+  {
+    throw UsageError(std::string(option) + ": red, green and blue lie between 0 and 1");
+  }
+}
+
+void CheckLogarithm(const char* option, const RangeChoice& range)
+{
+  if (range.symmetric)
+  {
+    throw UsageError(
+      std::string(option) + ": --log needs a range above 0, and a symmetric one is not");
+  }
+  if (range.of == RangeChoice::Of::Ends && !(range.ends[0] > 0.0))
+  {
+    throw UsageError(std::string(option) + ": --log needs a range above 0, and this begins at " +
+      Short(range.ends[0]));
+  }
+}
+
+void ColorOptions::AddTo(CLI::App& command)
+{
+  const char* group = "Colours";
+  const AddedOption range = AddRead(
+    command, "--range",
+    [this](const std::string& text) { TheRange = ReadRange("--range", text, ','); },
+    "cut|field|symmetric|P%,Q%|a,b",
+    "Values of the colour map's ends: cut, those that the picture shows (default); field, a proven "
+    "enclosure of all values over the mesh; symmetric, as cut, and as far to both sides of 0 "
+    "(symmetric-field: as field); 1%,99%, percentiles of the values that the picture shows; or two "
+    "numbers; values beyond take the colours of the ends. Of an animation also all and "
+    "symmetric-all: as cut, of all its pictures")
+                              .Group(group);
+  const AddedOption map = AddText(command, "--colormap", Map, "NAME|FILE",
+    "Colour map: " + Names() +
+      " (default: viridis); or a file of ParaView's, .json or .xml, with :NAME behind it where "
+      "it holds several")
+                            .Group(group);
+  const AddedOption bands = AddRead(
+    command, "--bands",
+    [this](const std::string& text)
+    {
+      int count = 0;
+      if (!ParseInteger(text, count) || count < 2 || count > kMostBands)
+      {
+        Refuse("--bands", text, fmt::format("a whole number from 2 to {}", kMostBands));
+      }
+      TheBands = count;
+    },
+    "N", "So many steps of one colour each, equally wide, in the place of a smooth map")
+                              .Group(group);
+  const AddedOption log = AddFlag(command, "--log", Log,
+    "Colour by the logarithm of the value; values that have none get the colour of NaN")
+                            .Group(group);
+  const AddedOption nan = AddNumbers(command, "--nan-color", NanColor, 3, "r,g,b",
+    "Colour of values that are no numbers, 0 to 1 each (default: the map's)")
+                            .Group(group);
+  AddNumbers(command, "--color", Color, 3, "r,g,b",
+    "One colour in the place of the map's, 0 to 1 each (default where the input has no field: "
+    "0.6,0.7,0.8)")
+    .Excludes(range)
+    .Excludes(map)
+    .Excludes(log)
+    .Excludes(nan)
+    .Excludes(bands)
+    .Group(group);
+  AddRead(
+    command, "--background", [this](const std::string& text) { Background = ReadBackground(text); },
+    "white|black|none|r,g,b",
+    "Colour where there is nothing, 0 to 1 each (default: white); none: transparent")
+    .Group(group);
+}
+
+void ColorOptions::Check() const
+{
+  CheckColor("--nan-color", NanColor);
+  CheckColor("--color", Color);
+  if (Log)
+  {
+    CheckLogarithm("--range", TheRange);
+  }
+  CheckMap("--colormap", Map);
+}
+
+std::optional<std::array<double, 3>> ColorOptions::Solid() const
+{
+  return Color.empty() ? std::nullopt : std::optional(std::array{ Color[0], Color[1], Color[2] });
+}
+
+ColorMap ColorOptions::MapOver(
+  const std::array<double, 2>& range, const std::optional<std::string>& map) const
+{
+  const std::array<double, 2> spanned = Log ? Log10(range) : range;
+  const auto table = TableOf(map.value_or(Map), spanned);
+  if (!NanColor.empty())
+  {
+    table->SetNanColor(NanColor[0], NanColor[1], NanColor[2], 1.0);
+  }
+  ColorMap colors = ToColorMap(table);
+  colors = TheBands ? ByBands(std::move(colors), spanned, *TheBands) : colors;
+  return Log ? ByLogarithm(colors) : colors;
+}
+
+vtkSmartPointer<vtkLookupTable> ColorOptions::TableOver(
+  const std::array<double, 2>& range, const std::optional<std::string>& map) const
+{
+  // Over powers of ten, as MapOver; VTK takes logarithms of values and of the range.
+  const auto smooth = TableOf(map.value_or(Map), { 0.0, 1.0 });
+  const int count = TheBands.value_or(static_cast<int>(smooth->GetNumberOfTableValues()));
+  auto table = vtkSmartPointer<vtkLookupTable>::New();
+  table->SetNumberOfTableValues(count);
+  table->SetTableRange(range[0], range[1]);
+  for (int i = 0; i < count; ++i)
+  {
+    const auto at = static_cast<vtkIdType>(
+      (i + 0.5) / count * static_cast<double>(smooth->GetNumberOfTableValues()));
+    table->SetTableValue(i, smooth->GetTableValue(at));
+  }
+  if (Log)
+  {
+    table->SetScaleToLog10();
+  }
+  table->SetNanColor(smooth->GetNanColor());
+  if (!NanColor.empty())
+  {
+    table->SetNanColor(NanColor[0], NanColor[1], NanColor[2], 1.0);
+  }
+  return table;
+}
+
+Rgba ColorOptions::BackgroundColor() const
+{
+  return Background ? ToRgba(Background->data()) : Rgba{ 255, 255, 255, 0 };
+}
+
+Image ColorOptions::Flatten(const Frame& frame) const
+{
+  const std::vector<std::uint8_t>& pixels = frame.Image();
+  Image image{ frame.width, frame.height, Background ? 3 : 4, {} };
+  if (!Background)
+  {
+    image.pixels = pixels;
+    return image;
+  }
+  const std::size_t count = pixels.size() / 4;
+  image.pixels.resize(3 * count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const std::uint8_t* color = &pixels[4 * i];
+    const double alpha = color[3] / 255.0;
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      const double mixed = alpha * color[c] + (1.0 - alpha) * 255.0 * (*Background)[c];
+      image.pixels[3 * i + c] = static_cast<std::uint8_t>(std::lround(mixed));
+    }
+  }
+  return image;
+}
+} // namespace pixelexact

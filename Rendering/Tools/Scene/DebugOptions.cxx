@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/DebugOptions.h"
+
+#include "Base/Command.h"
+#include "Base/Options.h"
+#include "Base/Report.h"
+#include "Scene/ColorOptions.h"
+#include "Scene/Effects.h"
+#include "Scene/LayerOptions.h"
+#include "Scene/Looks.h"
+#include "Scene/Shot.h"
+
+#include "Core/Location/Owners.h"
+#include "VtkLook.h"
+
+#include <nlohmann/json.hpp>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pixelexact
+{
+namespace
+{
+constexpr std::size_t kCoverages = 4;
+constexpr std::size_t kValidities = 3;
+
+std::string TextOf(std::span<const ColorMeaning> legend)
+{
+  std::vector<std::string> entries;
+  for (const ColorMeaning& entry : legend)
+  {
+    entries.push_back(fmt::format("{}: {}", entry.name, entry.meaning));
+  }
+  return Listed(entries);
+}
+
+/// Of the elements that are seen; the others' do not matter.
+std::vector<Validity> VerdictsSeen(const Frame& frame, const Mesh& mesh)
+{
+  std::vector<Validity> verdicts(static_cast<std::size_t>(mesh.Elements()), Validity::Undecided);
+  std::vector<std::int64_t> seen(frame.centres.element);
+  for (const SampleBuffers& sheet : frame.centres.behind)
+  {
+    seen.insert(seen.end(), sheet.element.begin(), sheet.element.end());
+  }
+  std::ranges::sort(seen);
+  seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
+  tbb::parallel_for(std::size_t(0), seen.size(),
+    [&](std::size_t i)
+    {
+      if (seen[i] >= 0)
+      {
+        const auto element = static_cast<int>(seen[i]);
+        verdicts[static_cast<std::size_t>(element)] = ValidityOf(mesh, element).validity;
+      }
+    });
+  return verdicts;
+}
+
+} // namespace
+
+void DebugOptions::AddTo(CLI::App& added)
+{
+  Command = &added;
+  const char* group = "Soundness";
+  AddFlag(added, "--owners", Owners,
+    "Paint how often the mesh covers each pixel's point (" + TextOf(CoverageColors::Legend()) +
+      "); with --buffers also Owners and Coverage")
+    .Group(group);
+  AddChoice(
+    added, "--show", [this](const std::string& text) { Show = text; }, { "field", "validity" },
+    "What is painted: the field (default), or validity, the proven sign of the Jacobian "
+    "determinant of each pixel's element (" +
+      TextOf(ValidityColors::Legend()) + ")")
+    .Group(group);
+  AddFlag(added, "--enclosures", Enclosures,
+    "Bound each pixel's value by an interval that is proven to hold it: Value_lower, Value_upper "
+    "with --buffers")
+    .Group(group);
+  const AddedOption painted = AddFlag(added, "--show-undecided", ShowUndecided,
+    "Paint pixels whose colour the enclosure of the value does not decide")
+                                .Group(group);
+  AddNumbers(added, "--undecided-color", UndecidedColor, 3, "r,g,b",
+    "Their colour, 0 to 1 each (default: 1,0,0.5)")
+    .Needs(painted)
+    .Group(group);
+}
+
+void DebugOptions::Check(int samples, const std::vector<LayerSettings>& layers) const
+{
+  if (samples > 1 && NeedsPureColors())
+  {
+    throw UsageError(
+      "--samples mixes colours, and those of --owners, --show and --show-undecided are a legend's; "
+      "leave it out");
+  }
+  if (Owners && Show != "field")
+  {
+    throw UsageError("--owners and --show validity paint the same pixels; choose one");
+  }
+  if (ShowUndecided && (Owners || Show != "field"))
+  {
+    throw UsageError("--show-undecided needs the field's colours; leave out --owners and --show");
+  }
+  if (IsInPlace())
+  {
+    CheckEffectsBeside(Owners ? "--owners" : "--show " + Show, *Command, layers);
+  }
+  CheckColor("--undecided-color", UndecidedColor);
+}
+
+Buffer DebugOptions::Needs() const
+{
+  return (Owners ? Buffer::Coverage : Buffer::None) |
+    (Show == "validity" ? Buffer::Element : Buffer::None) |
+    (Enclosures || ShowUndecided ? Buffer::Enclosure : Buffer::None);
+}
+
+void DebugOptions::AddTo(
+  Pipeline& pipeline, const Shot& shot, const Looks& looks, const Frame& frame)
+{
+  if (Owners)
+  {
+    InPlace = std::make_shared<CoverageColors>();
+  }
+  else if (Show == "validity")
+  {
+    Verdicts = VerdictsSeen(frame, shot.input.model->GetMesh());
+    InPlace = std::make_shared<ValidityColors>(Verdicts);
+  }
+  if (InPlace)
+  {
+    pipeline.colors = { InPlace.get() };
+  }
+  if (ShowUndecided)
+  {
+    OnTop = std::make_shared<UndecidedColors>(looks.Maps(), ToRgba(UndecidedColor.data()));
+    pipeline.colors.push_back(OnTop.get());
+  }
+}
+
+std::optional<Rgba> DebugOptions::UndecidedMark() const
+{
+  return ColorUndecided > 0 ? std::optional(ToRgba(UndecidedColor.data())) : std::nullopt;
+}
+
+void DebugOptions::Count(const Frame& frame)
+{
+  if (Owners)
+  {
+    CountCoverage(frame);
+  }
+  if (!Verdicts.empty())
+  {
+    CountValidity(frame);
+  }
+  if (OnTop)
+  {
+    ColorUndecided = OnTop->Count(frame.centres);
+  }
+  if (Enclosures || ShowUndecided)
+  {
+    CountEnclosures(frame);
+  }
+}
+
+void DebugOptions::CountValidity(const Frame& frame)
+{
+  Validities.assign(kValidities, 0);
+  for (std::size_t i = 0; i < frame.centres.element.size(); ++i)
+  {
+    if (frame.centres.verdict[i] == static_cast<std::uint8_t>(PixelVerdict::Exact))
+    {
+      const auto element = static_cast<std::size_t>(frame.centres.element[i]);
+      ++Validities[static_cast<std::size_t>(Verdicts[element])];
+    }
+  }
+}
+
+void DebugOptions::CountCoverage(const Frame& frame)
+{
+  Coverages.assign(kCoverages, 0);
+  for (const std::uint8_t coverage : frame.centres.coverage)
+  {
+    if (coverage != kNotCovered)
+    {
+      ++Coverages[coverage];
+    }
+  }
+}
+
+void DebugOptions::CountEnclosures(const Frame& frame)
+{
+  const SampleBuffers& samples = frame.centres;
+  for (std::size_t i = 0; i < samples.valueLower.size(); ++i)
+  {
+    const double width = samples.valueUpper[i] - samples.valueLower[i];
+    if (std::isfinite(width))
+    {
+      Widest = std::max(Widest, width);
+    }
+    else if (samples.verdict[i] == static_cast<std::uint8_t>(PixelVerdict::Exact))
+    {
+      ++Unbounded;
+    }
+  }
+}
+
+void DebugOptions::AddTo(Table& table) const
+{
+  const auto row = [&table](const char* name, const Counts& counts, const auto& nameOf)
+  {
+    std::vector<std::string> entries;
+    for (std::size_t i = 0; i < counts.size(); ++i)
+    {
+      entries.push_back(fmt::format("{} {}", counts[i], nameOf(i)));
+    }
+    if (!counts.empty())
+    {
+      table.Row(name, Listed(entries));
+    }
+  };
+  row("coverage", Coverages, [](std::size_t i) { return Name(static_cast<Coverage>(i)); });
+  row("validity", Validities, [](std::size_t i) { return Name(static_cast<Validity>(i)); });
+  if (Enclosures || ShowUndecided)
+  {
+    table.Row("enclosures", "widest {}, {} without bounds", Short(Widest), Unbounded);
+  }
+  if (ShowUndecided)
+  {
+    table.Row("colours", "{} undecided", ColorUndecided);
+  }
+}
+
+void DebugOptions::AddTo(nlohmann::ordered_json& summary) const
+{
+  const auto add = [&summary](const char* name, const Counts& counts, const auto& nameOf)
+  {
+    for (std::size_t i = 0; i < counts.size(); ++i)
+    {
+      summary[name][nameOf(i)] = counts[i];
+    }
+  };
+  add("coverage", Coverages, [](std::size_t i) { return Name(static_cast<Coverage>(i)); });
+  add("validity", Validities, [](std::size_t i) { return Name(static_cast<Validity>(i)); });
+  if (Enclosures || ShowUndecided)
+  {
+    summary["enclosures"] = { { "widest", Widest }, { "unbounded", Unbounded } };
+  }
+  if (ShowUndecided)
+  {
+    summary["color_undecided"] = ColorUndecided;
+  }
+}
+} // namespace pixelexact

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/Knobs.h"
+
+#include "Base/Command.h"
+#include "Base/Numbers.h"
+#include "Base/Report.h"
+#include "Scene/Shot.h"
+
+#include "GridTruncation.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+namespace pixelexact
+{
+namespace
+{
+constexpr int kMostStride = 64;
+} // namespace
+
+void KnobOptions::AddTo(CLI::App& command, ShotOptions& shot)
+{
+  const char* group = "Speed against accuracy";
+  AddInteger(command, "--stride", TheStride, 1, kMostStride, "N",
+    "Trace the middle pixel of each N x N alone; all of them show it (default: 1, each pixel)")
+    .Group(group);
+  AddRead(
+    command, "--truncate-order",
+    [&shot](const std::string& text)
+    {
+      int order = 0;
+      if (!ParseInteger(text, order) || order < 0 || order > kMaxOrder)
+      {
+        Refuse("--truncate-order", text, fmt::format("a whole number from 0 to {}", kMaxOrder));
+      }
+      shot.input.truncateOrder = order;
+    },
+    "P",
+    "Drop the modes of all fields above order P, of an orthogonal basis and element by element; "
+    "how "
+    "far values move at most is proven and told")
+    .Group(group);
+}
+
+void KnobOptions::Check(const CLI::App& command) const
+{
+  if (TheStride == 1)
+  {
+    return;
+  }
+  constexpr std::array<std::string_view, 9> kOfPixels{ "--contours", "--contours-output",
+    "--samples", "--edges", "--outlines", "--show", "--owners", "--show-undecided",
+    "--mesh-outline" };
+  for (const std::string& name : OptionsGiven(command))
+  {
+    if (std::ranges::find(kOfPixels, name) != kOfPixels.end())
+    {
+      throw UsageError("--stride: " + name + " is of each pixel; leave one of them out");
+    }
+  }
+}
+
+std::vector<TruncatedField> TruncatedFields(const Shot& shot)
+{
+  std::vector<TruncatedField> fields;
+  for (const Layer& layer : shot.scene.layers)
+  {
+    const auto known = layer.field != nullptr ? shot.input.truncations.find(layer.field->name)
+                                              : shot.input.truncations.end();
+    if (known == shot.input.truncations.end())
+    {
+      continue;
+    }
+    const std::string component = ComponentName(layer);
+    const bool told = std::ranges::any_of(fields,
+      [&](const TruncatedField& field)
+      { return field.name == layer.field->name && field.component == component; });
+    if (told)
+    {
+      continue;
+    }
+    const Truncation& truncation = *known->second;
+    ProgressLine line("bounding");
+    const double change = LargestChange(shot.input.model->GetMesh(), truncation, layer.component,
+      [&line](double part) { line(part); });
+    fields.push_back({ layer.field->name, component, truncation.Order(), truncation.Modes(),
+      truncation.DroppedModes(), change });
+  }
+  return fields;
+}
+
+std::vector<std::string> KnobFacts::Texts() const
+{
+  std::vector<std::string> texts;
+  if (stride > 1)
+  {
+    texts.push_back(fmt::format("stride {0}: each {0} x {0} pixels show their middle one", stride));
+  }
+  for (const TruncatedField& field : fields)
+  {
+    const std::string name =
+      field.name + (field.component == "value" ? std::string() : " " + field.component);
+    texts.push_back(fmt::format("{} truncated to order {}: {} of {} modes dropped; values are {}",
+      name, field.order, field.dropped, field.modes,
+      std::isfinite(field.change) ? "off by " + Short(field.change) + " at most"
+                                  : "off by an amount that could not be bounded"));
+  }
+  return texts;
+}
+
+void KnobFacts::AddTo(Table& table) const
+{
+  std::string name = "given up";
+  for (const std::string& text : Texts())
+  {
+    table.Row(name, text);
+    name.clear();
+  }
+}
+
+void KnobFacts::AddTo(nlohmann::ordered_json& summary) const
+{
+  if (stride > 1)
+  {
+    summary["stride"] = stride;
+  }
+  for (const TruncatedField& field : fields)
+  {
+    summary["truncated"].push_back({ { "field", field.name }, { "component", field.component },
+      { "order", field.order }, { "modes", field.modes }, { "dropped", field.dropped },
+      { "largest_change", field.change } });
+  }
+}
+
+void Truncate(LoadedModel& input, int order)
+{
+  std::vector<Truncation> truncations;
+  for (const Field& field : input.model->Fields())
+  {
+    truncations.emplace_back(field, order);
+  }
+  input.grid = WithTruncated(input.grid, truncations);
+  // The one before is held while this is made, which takes its mesh and locator.
+  input.model = HighOrderModel::From(input.grid);
+  for (Truncation& truncation : truncations)
+  {
+    const std::string name = truncation.Kept().name;
+    input.truncations[name] = std::make_shared<const Truncation>(std::move(truncation));
+  }
+}
+} // namespace pixelexact

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/Model.h"
+
+#include "Base/Processes.h"
+#include "Base/Report.h"
+#include "Base/VtkMessages.h"
+#include "Input/Input.h"
+#include "Scene/Knobs.h"
+
+#include "Core/Base/Error.h"
+#include "Core/Location/Locator.h"
+#include "HighOrderArrays.h"
+#include "vtkHighOrderGrid.h"
+#include "vtkUnstructuredGridToHighOrderGrid.h"
+
+#include <nlohmann/json.hpp>
+#include <vtkCallbackCommand.h>
+#include <vtkCellData.h>
+#include <vtkCommand.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+namespace pixelexact
+{
+namespace
+{
+bool HasArray(vtkUnstructuredGrid& grid, const std::string& name)
+{
+  return grid.GetPointData()->HasArray(name.c_str()) != 0 ||
+    grid.GetCellData()->HasArray(name.c_str()) != 0;
+}
+
+/// Of the fields.
+std::string Names(const HighOrderModel& model)
+{
+  std::vector<std::string> names;
+  for (const Field& field : model.Fields())
+  {
+    names.push_back("'" + field.name + "'");
+  }
+  return Listed(names);
+}
+
+void Convert(LoadedModel& input, const InputRequest& request, const std::string& field)
+{
+  const VtkMessages messages;
+  vtkNew<vtkUnstructuredGridToHighOrderGrid> converter;
+  converter->SetInputData(input.grid);
+  converter->SetMirroredWedges(request.mirroredWedges);
+  if (request.gaussLobatto)
+  {
+    converter->SetNodePlacementToGaussLobatto();
+  }
+  if (HasArray(*input.grid, field))
+  {
+    converter->AddField(field);
+  }
+  ProgressLine line("converting");
+  vtkNew<vtkCallbackCommand> onProgress;
+  onProgress->SetClientData(&line);
+  onProgress->SetCallback([](vtkObject*, unsigned long, void* client, void* part)
+    { (*static_cast<ProgressLine*>(client))(*static_cast<double*>(part)); });
+  converter->AddObserver(vtkCommand::ProgressEvent, onProgress);
+  converter->Update();
+  if (const std::string error = messages.FirstError(); !error.empty())
+  {
+    throw InvalidData(error);
+  }
+  input.grid = converter->GetHighOrderOutput();
+  input.converted = true;
+  input.skippedCells = converter->GetNumberOfSkippedCells();
+  for (int i = 0; i < converter->GetNumberOfDiagnostics(); ++i)
+  {
+    input.diagnostics.push_back(converter->GetDiagnostic(i));
+  }
+}
+
+bool AreSame(vtkDataArray& a, vtkDataArray& b)
+{
+  return a.GetDataType() == b.GetDataType() &&
+    a.GetNumberOfComponents() == b.GetNumberOfComponents() &&
+    a.GetNumberOfTuples() == b.GetNumberOfTuples() && a.HasStandardMemoryLayout() &&
+    b.HasStandardMemoryLayout() &&
+    std::memcmp(a.GetVoidPointer(0), b.GetVoidPointer(0),
+      static_cast<std::size_t>(a.GetNumberOfValues() * a.GetDataTypeSize())) == 0;
+}
+
+/// Arrays of the mesh that are the same in both become the same objects, by which a model knows
+/// that it may share mesh and locator.
+void ShareMesh(vtkUnstructuredGrid& before, vtkUnstructuredGrid& grid)
+{
+  const auto share = [](vtkFieldData& from, vtkFieldData& to)
+  {
+    for (int i = 0; i < from.GetNumberOfArrays(); ++i)
+    {
+      vtkDataArray* known = from.GetArray(i);
+      const std::string name =
+        known != nullptr && known->GetName() != nullptr ? known->GetName() : "";
+      vtkDataArray* same = to.GetArray(name.c_str());
+      if ((name.starts_with(kMeshPrefix) || name == kElementIds) && same != nullptr &&
+        AreSame(*known, *same))
+      {
+        to.AddArray(known);
+      }
+    }
+  };
+  share(*before.GetFieldData(), *grid.GetFieldData());
+  share(*before.GetCellData(), *grid.GetCellData());
+}
+} // namespace
+
+LoadedModel LoadModel(const InputRequest& request, const std::string& field, Stopwatch& stopwatch,
+  vtkUnstructuredGrid* before)
+{
+  InputGrid read = ReadInput(request);
+  LoadedModel input;
+  input.grid = read.grid;
+  input.times = std::move(read.times);
+  input.step = read.step;
+  input.diagnostics = std::move(read.notes);
+  stopwatch.Stage("read");
+  try
+  {
+    if (AreSeveralProcesses() && input.grid->GetNumberOfCells() == 0)
+    {
+      return input; // this one has no share of it
+    }
+    if (!HasHighOrderArrays(input.grid))
+    {
+      Convert(input, request, field);
+    }
+    else if (request.gaussLobatto || request.mirroredWedges)
+    {
+      throw Error("it holds coefficients, whose nodes nobody asks for; leave out --nodes and "
+                  "--mirrored-wedges");
+    }
+    if (before != nullptr)
+    {
+      ShareMesh(*before, *input.grid);
+    }
+    input.model = HighOrderModel::From(input.grid);
+    input.elements = input.model->GetMesh().Elements();
+    if (request.truncateOrder)
+    {
+      Truncate(input, *request.truncateOrder);
+    }
+  }
+  catch (const Error& error)
+  {
+    throw Error("'" + request.files[0] + "': " + error.what());
+  }
+  stopwatch.Stage("convert");
+  return input;
+}
+
+void AddTime(Table& table, const LoadedModel& input)
+{
+  if (!input.times.empty())
+  {
+    table.Row("time", "{}, step {} of {} from {} to {}",
+      Short(input.times[static_cast<std::size_t>(input.step)]), input.step, input.times.size(),
+      Short(input.times.front()), Short(input.times.back()));
+  }
+}
+
+void AddTime(nlohmann::ordered_json& summary, const LoadedModel& input)
+{
+  if (!input.times.empty())
+  {
+    summary["time_step"] = input.step;
+    summary["time"] = input.times[static_cast<std::size_t>(input.step)];
+  }
+}
+
+Box3 BoxOf(const HighOrderModel& model)
+{
+  return model.GetMesh().Elements() > 0 ? model.GetLocator().Bounds()
+                                        : Box3{ Vec3(-1.0), Vec3(1.0) };
+}
+
+void WarnOfDiagnostics(const LoadedModel& input)
+{
+  for (const std::string& line : input.diagnostics)
+  {
+    Warn(line);
+  }
+}
+
+const Field& FieldNamed(const HighOrderModel& model, const std::string& name)
+{
+  const Field* field = model.FindField(name);
+  if (field == nullptr)
+  {
+    throw Error("there is no field '" + name + "'; " +
+      (model.Fields().empty() ? "the input has no fields" : "there are " + Names(model)));
+  }
+  return *field;
+}
+
+const Field& FieldOrFirst(const HighOrderModel& model, const std::string& name)
+{
+  if (!name.empty())
+  {
+    return FieldNamed(model, name);
+  }
+  const Field& first = model.Fields().front();
+  Note("field '" + first.name + "'" +
+    (model.Fields().size() > 1 ? ", the first of " + Names(model) + "; choose with --field" : ""));
+  return first;
+}
+
+std::array<int, 2> OrderRange(const Expansion& expansion)
+{
+  std::array<int, 2> range{ 0, -1 };
+  for (int e = 0; e < expansion.Elements(); ++e)
+  {
+    const int order = expansion.SpaceOf(e).MaxOrder();
+    range[0] = e == 0 ? order : std::min(range[0], order);
+    range[1] = std::max(range[1], order);
+  }
+  return range;
+}
+
+std::string OrderText(const std::array<int, 2>& range)
+{
+  const auto [lowest, highest] = range;
+  if (highest < lowest)
+  {
+    return "none";
+  }
+  return lowest == highest ? fmt::format("{}", lowest) : fmt::format("{} to {}", lowest, highest);
+}
+
+std::string FieldKind(const Field& field)
+{
+  const int components = field.values.components;
+  return fmt::format(" ({}order {})",
+    components == 1 ? std::string() : fmt::format("{} components, ", components),
+    OrderText(OrderRange(field.values)));
+}
+} // namespace pixelexact

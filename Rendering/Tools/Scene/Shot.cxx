@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/Shot.h"
+
+#include "Base/Command.h"
+#include "Base/Processes.h"
+#include "Base/Report.h"
+#include "Scene/Effects.h"
+#include "Scene/NeededElements.h"
+
+#include "Core/Base/Error.h"
+#include "Core/Location/Locator.h"
+#include "Trace/Tracer.h"
+
+#include "VtkLook.h"
+
+#include <fmt/format.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+
+namespace pixelexact
+{
+void ShotOptions::AddTo(CLI::App& added, bool required)
+{
+  command = &added;
+  input.AddTo(added, required);
+  AddField(added, field);
+  AddRead(
+    added, "--component",
+    [this](const std::string& text)
+    {
+      component = ParseComponent(text);
+      if (!component)
+      {
+        Refuse("--component", text, "'magnitude', x, y, z or a number from 0");
+      }
+    },
+    "magnitude|x|y|z|i",
+    "Component of a vector field, by name or counted from 0, or its magnitude (default)");
+  AddSize(added, "--size", size,
+    "Size of the image in pixels (default: 1000x1000), or in mm or in, as 85x60mm");
+  AddChoice(
+    added, "--precision",
+    [this](const std::string& text)
+    { precision = text == "float" ? Precision::Float : Precision::Double; },
+    { "double", "float" },
+    "What values are computed in (default: double); what float costs is told");
+  surfaces.AddTo(added);
+  layers.AddTo(added);
+  camera.AddTo(added);
+  colors.AddTo(added);
+  AddChoice(
+    added, "--lights",
+    [this](const std::string& text)
+    { lights = text == "curved" ? Lit::Curved : (text == "on" ? Lit::On : Lit::Off); },
+    { "curved", "on", "off" },
+    "Shine a light from the eye on curved surfaces (curved, the default), on all, on none");
+  AddInteger(added, "--samples", samples, 1, 1024, "N",
+    "Samples in pixels that are not of one colour, for smooth edges (default: 1; 4 with --figure)");
+  const AddedOption edged = AddNumberIfAny(added, "--edges", edgeWidth,
+    { EdgeStyle().width, EdgeStyle::kNarrowest, EdgeStyle::kWidest }, "PIXELS",
+    fmt::format("Draw lines where the surface crosses from one element into another, of a width in "
+                "pixels, {} to {}",
+      EdgeStyle::kNarrowest, EdgeStyle::kWidest));
+  AddNumbers(
+    added, "--edge-color", edgeColor, 3, "r,g,b", "Their colour, 0 to 1 each (default: 0,0,0)")
+    .Needs(edged);
+  AddFlag(added, "--edges-by-kind", edgesByKind,
+    "Tell lines apart by what lies behind the face: another element's face (black), nothing "
+    "(blue), "
+    "faces of other sizes (orange), elements behind a part of it (purple)")
+    .Needs(edged);
+  const AddedOption drawn =
+    AddFlag(added, "--outlines", outlines, "Paint the pixels in which elements, or surfaces, meet")
+      .Excludes(edged);
+  AddNumbers(added, "--outline-color", outlineColor, 3, "r,g,b",
+    "Their colour, 0 to 1 each (default: 0,0,0)")
+    .Needs(drawn);
+}
+
+namespace
+{
+/// The only field of all layers and surfaces; empty: there are several, or which one the input
+/// tells.
+std::string FieldToLoad(const ShotOptions& options, const std::vector<LayerSettings>& layers)
+{
+  for (const LayerSettings& layer : layers)
+  {
+    if (layer.field && *layer.field != options.field)
+    {
+      return {};
+    }
+  }
+  const std::vector<std::string> ofSurfaces = options.surfaces.Fields();
+  const bool same = std::ranges::all_of(
+    ofSurfaces, [&options](const std::string& name) { return name == options.field; });
+  return same ? options.field : std::string();
+}
+
+Layer MakeLayer(const ShotOptions& options, const LayerSettings& settings,
+  const std::shared_ptr<const Surface>& surface, const Field& field)
+{
+  Layer layer{ surface, &field };
+  const int components = layer.field->values.components;
+  // The component that is asked for of all is not asked of a field of one layer.
+  const std::optional<int> asked =
+    settings.component ? settings.component : (settings.field ? std::nullopt : options.component);
+  layer.component = asked.value_or(components == 1 ? 0 : kMagnitude);
+  if (layer.component >= components)
+  {
+    throw Error((settings.component ? "--layer" : "--component") + std::string(": field '") +
+      field.name + "' has " + std::to_string(components) +
+      (components == 1 ? " component" : " components") + ", counted from 0");
+  }
+  layer.precision = settings.precision.value_or(options.precision);
+  layer.translucent = settings.opacity < 1.0;
+  return layer;
+}
+
+void AddLayers(const ShotOptions& options,
+  const std::vector<std::shared_ptr<const Surface>>& surfaces, Shot& shot)
+{
+  const HighOrderModel& model = *shot.input.model;
+  if (model.Fields().empty())
+  {
+    CheckEffectsWithoutField(*options.command, shot.settings);
+    for (std::size_t k = 0; k < surfaces.size(); ++k)
+    {
+      shot.scene.layers.push_back({ surfaces[k] });
+      shot.scene.layers.back().translucent = shot.settings[k].opacity < 1.0;
+    }
+    return;
+  }
+  const bool shared = std::ranges::any_of(
+    shot.settings, [](const LayerSettings& settings) { return !settings.field; });
+  const Field* ofAll = shared ? &FieldOrFirst(model, options.field) : nullptr;
+  for (std::size_t k = 0; k < surfaces.size(); ++k)
+  {
+    const LayerSettings& settings = shot.settings[k];
+    shot.scene.layers.push_back(MakeLayer(options, settings, surfaces[k],
+      settings.field ? FieldNamed(model, *settings.field) : *ofAll));
+  }
+}
+
+/// For those who want the same once more.
+void TellWhatWasChosen(const ShotOptions& options, Shot& shot)
+{
+  const bool shared = std::ranges::any_of(
+    shot.settings, [](const LayerSettings& settings) { return !settings.field; });
+  if (options.field.empty() && shared && !shot.input.model->Fields().empty())
+  {
+    shot.chosen.insert(shot.chosen.end(), { "--field", shot.input.model->Fields().front().name });
+  }
+  if (!options.surfaces.AreGiven())
+  {
+    const std::string plane = PlaneChoice::ThroughTheMiddle().Numbers(BoxOf(*shot.input.model));
+    shot.chosen.push_back("--plane=" + plane);
+    Note("no surface was given; cut by --plane " + plane);
+  }
+}
+} // namespace
+
+std::vector<Vec3> SeenPoints(const Scene& scene, const CameraView& view, const ImageSize& size)
+{
+  constexpr double kSide = 100.0;
+  const double part = std::min(1.0, kSide / std::max(size.width, size.height));
+  const auto side = [part](int all) { return std::max(1, static_cast<int>(part * all)); };
+  const Frame frame = Trace(
+    scene, { view, side(size.width), side(size.height) }, {}, { .centres = Buffer::Position });
+  std::vector<Vec3> points;
+  std::ranges::copy_if(frame.centres.position, std::back_inserter(points),
+    [](const Vec3& x) { return std::isfinite(x.x + x.y + x.z); });
+  return points;
+}
+
+namespace
+{
+/// Of walls of iso-surfaces: none of the usual colour maps has it.
+constexpr std::array<double, 3> kWallColor{ 0.84, 0.37, 0.0 };
+} // namespace
+
+bool ShotOptions::SpansAllPictures() const
+{
+  const std::vector<LayerSettings> all = layers.Make(surfaces.Count());
+  return colors.Range().of == RangeChoice::Of::All ||
+    std::ranges::any_of(all,
+      [](const LayerSettings& layer)
+      { return layer.range && layer.range->of == RangeChoice::Of::All; });
+}
+
+void ShotOptions::CheckRangeOfOne() const
+{
+  if (SpansAllPictures())
+  {
+    throw UsageError(
+      std::string(colors.Range().of == RangeChoice::Of::All ? "--range" : "--layer: range") +
+      " 'all': there is one picture; choose cut, or give --sweep, --turn or --time-step all");
+  }
+}
+
+std::vector<LayerSettings> ShotOptions::MakeLayers() const
+{
+  std::vector<LayerSettings> settings = layers.Make(surfaces.Count());
+  CheckEffects(*command, settings);
+  for (std::size_t k = settings.size() - surfaces.CountWalls(); k < settings.size(); ++k)
+  {
+    LayerSettings& wall = settings[k];
+    const bool hasColors = wall.color || wall.colormap || wall.range || wall.field;
+    wall.color = hasColors ? wall.color : kWallColor;
+  }
+  for (const LayerSettings& layer : settings)
+  {
+    if (colors.Logarithm() && layer.range)
+    {
+      CheckLogarithm("--layer: range", *layer.range);
+    }
+  }
+  return settings;
+}
+
+namespace
+{
+/// All but the view.
+Shot MakeShot(const ShotOptions& options, Stopwatch& stopwatch, vtkUnstructuredGrid* before)
+{
+  Shot shot;
+  shot.size = options.size;
+  shot.lights = options.lights;
+  shot.samples = options.samples;
+  if (options.edgeWidth)
+  {
+    shot.edges = options.edgesByKind
+      ? EdgeStyle::ByKind(*options.edgeWidth)
+      : EdgeStyle::Plain(*options.edgeWidth, ToRgba(options.edgeColor.data()));
+    shot.edgesByKind = options.edgesByKind;
+  }
+  if (options.outlines)
+  {
+    shot.outlines.emplace();
+    std::ranges::copy(options.outlineColor, shot.outlines->begin());
+  }
+  shot.settings = options.MakeLayers();
+  const std::vector<GivenSurface> given = options.surfaces.Make();
+  const std::string field = FieldToLoad(options, shot.settings);
+  if (AreSeveralProcesses())
+  {
+    if (options.surfaces.CountWalls() > 0)
+    {
+      throw UsageError("--jump-walls: what lies on both sides of a face is known to one process "
+                       "that has the whole mesh; start one, without mpirun");
+    }
+    shot.input = LoadPart(options.input, field, stopwatch);
+    shot.input = WithNeededElements(std::move(shot.input), options.surfaces);
+    stopwatch.Stage("exchange");
+  }
+  else
+  {
+    shot.input = LoadModel(options.input, field, stopwatch, before);
+  }
+  if (before == nullptr)
+  {
+    WarnOfDiagnostics(shot.input);
+  }
+  const HighOrderModel& model = *shot.input.model;
+  std::vector<std::shared_ptr<const Surface>> surfaces;
+  surfaces.reserve(given.size());
+  for (const GivenSurface& surface : given)
+  {
+    surfaces.push_back(surface(shot.input.model));
+  }
+  AddLayers(options, surfaces, shot);
+  shot.truncated = TruncatedFields(shot);
+  if (before == nullptr)
+  {
+    TellWhatWasChosen(options, shot);
+  }
+  shot.scene.locator = &model.GetLocator();
+  stopwatch.Stage("bounds+bvh");
+  return shot;
+}
+} // namespace
+
+Shot Prepare(const ShotOptions& options, Stopwatch& stopwatch)
+{
+  options.camera.Check();
+  options.colors.Check();
+  CheckColor("--edge-color", options.edgeColor);
+  CheckColor("--outline-color", options.outlineColor);
+  Shot shot = MakeShot(options, stopwatch, nullptr);
+  const Box3 box = BoxOf(*shot.input.model);
+  const auto& first = shot.scene.layers.front().surface;
+  // A surface that is not flat has normals in many directions.
+  const Vec3 normal =
+    first->IsFlat() ? first->Normal({ 0.5 * (box.lower + box.upper) }) : Vec3(1.0);
+  shot.view = options.camera.Make(box, normal, shot.size);
+  // The second time from nearer, where the first saw what is small in a few of its pixels.
+  for (int look = 0; look < 2 && !options.camera.IsPlaced(); ++look)
+  {
+    std::vector<Vec3> points = SeenPoints(shot.scene, shot.view, shot.size);
+    if (options.alsoSeen)
+    {
+      std::ranges::copy(options.alsoSeen(shot), std::back_inserter(points));
+    }
+    shot.view = options.camera.FitTo(points, shot.view, shot.size);
+  }
+  stopwatch.Stage("camera");
+  return shot;
+}
+
+Shot PrepareStep(const ShotOptions& options, int step, const Shot& before, Stopwatch& stopwatch)
+{
+  ShotOptions asked = options;
+  asked.input.step = step;
+  asked.input.allSteps = false;
+  if (const Field* field = before.scene.layers.front().field; asked.field.empty() && field)
+  {
+    asked.field = field->name;
+  }
+  Shot shot = MakeShot(asked, stopwatch, before.input.grid);
+  shot.view = before.view;
+  shot.chosen = before.chosen;
+  return shot;
+}
+
+std::string ComponentName(const Layer& layer)
+{
+  if (layer.component == kMagnitude)
+  {
+    return "magnitude";
+  }
+  return layer.field->values.components == 1 ? "value" : std::to_string(layer.component);
+}
+} // namespace pixelexact

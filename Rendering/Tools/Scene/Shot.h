@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Base/Options.h"
+#include "Input/Input.h"
+#include "Scene/CameraOptions.h"
+#include "Scene/ColorOptions.h"
+#include "Scene/Knobs.h"
+#include "Scene/LayerOptions.h"
+#include "Scene/Model.h"
+#include "Scene/SurfaceOptions.h"
+
+#include "Trace/Camera.h"
+#include "Trace/Modules/ElementEdges.h"
+#include "Trace/Scene.h"
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pixelexact
+{
+class Stopwatch;
+struct Shot;
+
+/// Which surfaces lights shine on, where a layer does not say so itself.
+enum class Lit
+{
+  Curved, ///< all but flat ones
+  On,
+  Off
+};
+
+/// What is seen from where: the options that render and bench share.
+struct ShotOptions
+{
+  const CLI::App* command = nullptr; ///< that they belong to
+  InputRequest input;
+  std::string field;            ///< empty: the first one, where there is one
+  std::optional<int> component; ///< none: the value of a scalar, the magnitude of a vector
+  SurfaceOptions surfaces;
+  LayerOptions layers;
+  CameraOptions camera;
+  ColorOptions colors;
+  ImageSize size;
+  Precision precision = Precision::Double;
+  Lit lights = Lit::Curved;
+  int samples = 1;
+  std::optional<double> edgeWidth; ///< pixels; none: no edges
+  std::vector<double> edgeColor{ 0.0, 0.0, 0.0 };
+  bool edgesByKind = false;
+  bool outlines = false;
+  std::vector<double> outlineColor{ 0.0, 0.0, 0.0 };
+  /// Points that a camera which was not placed must see beside the cut, with the view so far;
+  /// empty: none.
+  std::function<std::vector<Vec3>(const Shot&)> alsoSeen;
+
+  /// `required`: INPUT is.
+  void AddTo(CLI::App& added, bool required = true);
+
+  /// Throws UsageError where a range is that of all pictures, and there is one.
+  void CheckRangeOfOne() const;
+  /// Whether a range is that of all pictures of an animation.
+  [[nodiscard]] bool SpansAllPictures() const;
+
+  /// What is said of each surface. Throws UsageError.
+  [[nodiscard]] std::vector<LayerSettings> MakeLayers() const;
+};
+
+/// A scene that is ready to be traced. Where the input has no field, no layer has one.
+struct Shot
+{
+  LoadedModel input;
+  Scene scene;
+  std::vector<LayerSettings> settings; ///< by layer
+  CameraView view;
+  ImageSize size;
+  Lit lights = Lit::Curved;
+  int samples = 1;                               ///< in pixels that are not of one colour
+  std::optional<EdgeStyle> edges;                ///< none: none
+  bool edgesByKind = false;                      ///< what lies behind faces is told apart
+  std::optional<std::array<double, 3>> outlines; ///< the colour of elements' outlines; none: none
+  /// By layer, of the values that all pictures of an animation show (RangeChoice::Of::All).
+  std::vector<std::optional<std::array<double, 2>>> valuesOfAll;
+  std::vector<TruncatedField> truncated; ///< what is shown without its top modes
+  std::vector<std::string> chosen; ///< words of a command line that were not given, and are so
+
+  [[nodiscard]] Camera MakeCamera() const { return { view, size.width, size.height }; }
+};
+
+/// What a small picture of a scene shows.
+std::vector<Vec3> SeenPoints(const Scene& scene, const CameraView& view, const ImageSize& size);
+
+/// Checks the options, reads, converts and locates, in the order in which mistakes show soonest.
+Shot Prepare(const ShotOptions& options, Stopwatch& stopwatch);
+
+/// The same of another time step, with the view that was, of options that Prepare took; where the
+/// mesh is the same it is shared. `before` is held while it is asked for.
+Shot PrepareStep(const ShotOptions& options, int step, const Shot& before, Stopwatch& stopwatch);
+
+/// "magnitude" or the component's number; "value" for a scalar. Of a layer with a field.
+std::string ComponentName(const Layer& layer);
+} // namespace pixelexact

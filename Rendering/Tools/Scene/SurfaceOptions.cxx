@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/SurfaceOptions.h"
+
+#include "Base/Command.h"
+#include "Base/Options.h"
+#include "Input/PatchFile.h"
+#include "Input/TriangleFile.h"
+#include "Scene/Model.h"
+#include "Scene/QuadricKinds.h"
+
+#include "Core/Base/Error.h"
+#include "Trace/Surfaces/ConvexBody.h"
+#include "Trace/Surfaces/Disc.h"
+#include "Trace/Surfaces/Torus.h"
+#include "VtkPatches.h"
+
+#include <algorithm>
+#include <functional>
+#include <iterator>
+#include <string>
+#include <utility>
+
+namespace pixelexact
+{
+namespace
+{
+/// A surface that numbers describe.
+struct Kind
+{
+  const char* name;
+  int count;
+  const char* form;
+  std::string help;
+  std::function<std::shared_ptr<const Surface>(const GivenNumbers& p)> make;
+};
+
+/// In the order of the help.
+const std::vector<Kind>& Kinds()
+{
+  static const std::vector<Kind> kinds = []
+  {
+    std::vector<Kind> all;
+    all.push_back({ "--disc", 7, "cx,cy,cz,nx,ny,nz,r",
+      "Cut by the disc about c with normal n: the part of a plane within a circle",
+      [](const GivenNumbers& p)
+      { return std::make_shared<Disc>(VectorAt(p, 0), VectorAt(p, 3), p[6]); } });
+    for (const QuadricKind& kind : kQuadricKinds)
+    {
+      all.push_back({ kind.name, kind.count, kind.form, std::string("Cut by ") + kind.what,
+        [make = kind.make](const GivenNumbers& p) { return std::make_shared<Quadric>(make(p)); } });
+    }
+    all.push_back({ "--torus", 8, "cx,cy,cz,ax,ay,az,R,r",
+      "Cut by the torus about c with axis a, of radii R and r", [](const GivenNumbers& p) {
+        return std::make_shared<Torus>(VectorAt(p, 0), VectorAt(p, 3), p[6], p[7]);
+      } });
+    all.push_back({ "--box", 6, "x0,y0,z0,x1,y1,z1", "Cut by the faces of a box",
+      [](const GivenNumbers& p)
+      { return std::make_shared<ConvexBody>(MakeBox(VectorAt(p, 0), VectorAt(p, 3))); } });
+    return all;
+  }();
+  return kinds;
+}
+
+/// A surface that is there, whatever the mesh.
+GivenSurface Made(std::shared_ptr<const Surface> surface)
+{
+  return [surface = std::move(surface)](const std::shared_ptr<const HighOrderModel>&)
+  { return surface; };
+}
+
+/// One that `make` makes of the mesh. Its errors get the option's name.
+template <class Make>
+GivenSurface OfMesh(const char* option, Make make)
+{
+  return [option, make = std::move(make)](const std::shared_ptr<const HighOrderModel>& model)
+  {
+    try
+    {
+      return make(model);
+    }
+    catch (const Error& error)
+    {
+      throw Error(option + std::string(": ") + error.what());
+    }
+  };
+}
+} // namespace
+
+void SurfaceOptions::AddTo(CLI::App& command)
+{
+  const char* group = "Surfaces (any number of each)";
+  AddRepeated(
+    command, "--plane",
+    [this](const std::string& text) { Planes.push_back(PlaneChoice::Read(text)); },
+    PlaneChoice::kForm,
+    "Cut by the plane through o with normal n; or across x, y or z through the middle of the "
+    "mesh's "
+    "box, at a coordinate (z=0.2), or at a part of the box from its lower side (z=10%). Without "
+    "any "
+    "surface: through the middle, across the shortest side")
+    .Group(group);
+  for (const Kind& kind : Kinds())
+  {
+    AddRepeatedNumbers(command, kind.name, Numbers[kind.name], kind.count, kind.form, kind.help)
+      .Group(group);
+  }
+  AddRepeated(
+    command, "--surface", [this](const std::string& file) { Files.push_back(file); }, "FILE",
+    "Cut by the triangles of a file (.vtp, .stl), as they are")
+    .Group(group);
+  AddRepeated(
+    command, "--patch", [this](const std::string& file) { Patches.push_back(file); }, "FILE",
+    "Cut by the bicubic Bezier patches of a text file: per patch 16 lines 'x y z', rows of u; what "
+    "stands behind a # counts nothing")
+    .Group(group);
+  AddedOption iso = AddRepeated(
+    command, "--isosurface", [this](const std::string& text) { Isos.push_back(ParseIso(text)); },
+    "FIELD=VALUE",
+    "Cut by the points where a field has a value; of a vector field its magnitude, or "
+    "FIELD.COMPONENT=VALUE, x, y, z or counted from 0");
+  iso.Group(group);
+  AddRepeated(
+    command, "--boundary",
+    [this](const std::string& text) { Boundaries.push_back(ParseBoundary(text)); },
+    "[=all|ATTRIBUTE,...|element:NUMBER,...]",
+    "Cut by the boundary of the mesh, by its parts with these attributes, or by all faces of these "
+    "elements")
+    .Group(group);
+  AddFlag(command, "--jump-walls", Walls,
+    "Cut, too, by the parts of faces between elements across which the field of an --isosurface "
+    "jumps from below its value to above: of each of them, in a colour of its own")
+    .Needs(iso)
+    .Group(group);
+}
+
+SurfaceOptions::Described SurfaceOptions::First() const
+{
+  for (const Kind& kind : Kinds())
+  {
+    const auto found = Planes.empty() ? Numbers.find(kind.name) : Numbers.end();
+    if (found != Numbers.end() && !found->second.empty())
+    {
+      return { kind.name, found->second.front() };
+    }
+  }
+  return {};
+}
+
+std::size_t SurfaceOptions::CountGiven() const
+{
+  std::size_t count =
+    Planes.size() + Files.size() + Patches.size() + Isos.size() + Boundaries.size() + CountWalls();
+  for (const auto& [name, given] : Numbers)
+  {
+    count += given.size();
+  }
+  return count;
+}
+
+std::vector<std::string> SurfaceOptions::Fields() const
+{
+  std::vector<std::string> names;
+  std::ranges::transform(
+    Isos, std::back_inserter(names), [](const IsoText& iso) { return iso.name; });
+  return names;
+}
+
+std::vector<GivenSurface> SurfaceOptions::MakeInSpace() const
+{
+  std::vector<GivenSurface> surfaces;
+  const auto add = [&surfaces](const PlaneChoice& choice)
+  {
+    surfaces.push_back(OfMesh("--plane",
+      [choice](const std::shared_ptr<const HighOrderModel>& model)
+      { return std::make_shared<Plane>(choice.Make(BoxOf(*model))); }));
+  };
+  std::ranges::for_each(Planes, add);
+  if (!AreGiven())
+  {
+    add(PlaneChoice::ThroughTheMiddle());
+  }
+  for (const Kind& kind : Kinds())
+  {
+    for (const GivenNumbers& numbers : Numbers.at(kind.name))
+    {
+      try
+      {
+        surfaces.push_back(Made(kind.make(numbers)));
+      }
+      catch (const Error& error)
+      {
+        throw UsageError(std::string(kind.name) + ": " + error.what());
+      }
+    }
+  }
+  for (const std::string& file : Files)
+  {
+    surfaces.push_back(Made(ReadTriangles(file)));
+  }
+  for (const std::string& file : Patches)
+  {
+    const std::vector<BezierPatch> patches = ReadPatches(file);
+    try
+    {
+      surfaces.push_back(Made(SurfaceOf(patches)));
+    }
+    catch (const Error& error)
+    {
+      throw Error("--patch: '" + file + "': " + error.what());
+    }
+  }
+  return surfaces;
+}
+
+std::vector<GivenSurface> SurfaceOptions::Make() const
+{
+  std::vector<GivenSurface> surfaces = MakeInSpace();
+  for (const IsoText& iso : Isos)
+  {
+    surfaces.push_back(OfMesh("--isosurface",
+      [iso, walls = Walls](const std::shared_ptr<const HighOrderModel>& model)
+      {
+        IsoChoice choice = Resolve(iso, *model);
+        choice.mayBeEmpty = walls;
+        return MakeIsoSurface(model, choice);
+      }));
+  }
+  for (const BoundaryChoice& choice : Boundaries)
+  {
+    surfaces.push_back(OfMesh("--boundary",
+      [choice](const std::shared_ptr<const HighOrderModel>& model)
+      { return MakeBoundary(model, choice); }));
+  }
+  for (std::size_t k = 0; k < CountWalls(); ++k)
+  {
+    surfaces.push_back(OfMesh("--jump-walls",
+      [iso = Isos[k]](const std::shared_ptr<const HighOrderModel>& model)
+      { return MakeJumpWalls(model, Resolve(iso, *model)); }));
+  }
+  return surfaces;
+}
+} // namespace pixelexact

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Base/Options.h"
+#include "Scene/MeshSurfaceOptions.h"
+#include "Scene/PlaneOption.h"
+
+#include "Trace/Surfaces/Surface.h"
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace pixelexact
+{
+/// A cut-surface that was given: there already, or made of a model's mesh. Throws Error, which
+/// names the option.
+using GivenSurface =
+  std::function<std::shared_ptr<const Surface>(const std::shared_ptr<const HighOrderModel>& model)>;
+
+/// The cut-surfaces of the command line, in the order of their kinds in the help.
+class SurfaceOptions
+{
+public:
+  void AddTo(CLI::App& command);
+
+  /// Before all others.
+  void AddFirst(const PlaneChoice& plane) { Planes.insert(Planes.begin(), plane); }
+
+  /// Whether there are any; else a plane is chosen.
+  [[nodiscard]] bool AreGiven() const { return CountGiven() > 0; }
+  /// How many there are.
+  [[nodiscard]] std::size_t Count() const { return AreGiven() ? CountGiven() : 1; }
+
+  /// What needs no mesh is made here, and files are read. Throws UsageError when a number describes
+  /// no surface, Error for a file that cannot be read.
+  [[nodiscard]] std::vector<GivenSurface> Make() const;
+
+  /// The same without those that are made of the mesh's elements.
+  [[nodiscard]] std::vector<GivenSurface> MakeInSpace() const;
+
+  /// How many of them, the last ones, are walls of iso-surfaces.
+  [[nodiscard]] std::size_t CountWalls() const { return Walls ? Isos.size() : 0; }
+
+  [[nodiscard]] const std::vector<IsoText>& IsoSurfaces() const { return Isos; }
+  [[nodiscard]] const std::vector<std::string>& PatchFiles() const { return Patches; }
+  [[nodiscard]] const std::vector<BoundaryChoice>& BoundaryChoices() const { return Boundaries; }
+
+  /// An option and its numbers.
+  struct Described
+  {
+    std::string option;
+    std::vector<double> numbers;
+  };
+  /// The first surface, where numbers describe it and it is no plane; empty otherwise.
+  [[nodiscard]] Described First() const;
+
+  /// The fields whose values surfaces are made of, as they were named (IsoText::name).
+  [[nodiscard]] std::vector<std::string> Fields() const;
+
+private:
+  [[nodiscard]] std::size_t CountGiven() const;
+
+  std::vector<PlaneChoice> Planes;
+  std::map<std::string, std::vector<std::vector<double>>> Numbers; ///< by option
+  std::vector<std::string> Files;                                  ///< of triangles
+  std::vector<std::string> Patches;                                ///< files of patches
+  std::vector<IsoText> Isos;
+  std::vector<BoundaryChoice> Boundaries;
+  bool Walls = false; ///< of the iso-surfaces, where fields jump
+};
+} // namespace pixelexact

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Trade/Convergence.h"
+
+#include "Base/Report.h"
+#include "Drawing/LogPlot.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace pixelexact
+{
+namespace
+{
+/// A row's point on logarithmic axes.
+struct Place
+{
+  double step;
+  double error;
+};
+
+double Slope(const Place& a, const Place& b)
+{
+  return std::log(b.error / a.error) / std::log(b.step / a.step);
+}
+
+struct NamedError
+{
+  const char* name;
+  double DifferenceNumbers::*error;
+  Rgba color;
+};
+constexpr std::array kErrors{
+  NamedError{ "largest", &DifferenceNumbers::largest, { 200, 30, 30, 255 } },
+  NamedError{ "L2", &DifferenceNumbers::rootMeanSquare, { 20, 90, 180, 255 } },
+  NamedError{ "mean", &DifferenceNumbers::mean, { 20, 140, 70, 255 } },
+};
+
+/// Of an error: a bound above this part of it is drawn.
+constexpr double kNearBound = 1e-3;
+
+std::string Number(double value)
+{
+  return fmt::format("{}", value);
+}
+
+/// As a field of a CSV.
+std::string Quoted(const std::string& text)
+{
+  if (text.find_first_of(",\"\n") == std::string::npos)
+  {
+    return text;
+  }
+  std::string quoted = "\"";
+  for (const char c : text)
+  {
+    quoted += c == '"' ? "\"\"" : std::string(1, c);
+  }
+  return quoted + '"';
+}
+} // namespace
+
+Convergence::Convergence(std::vector<SeriesRow> rows)
+  : TheRows(std::move(rows))
+{
+  const auto& orders = TheRows.front().size.orders;
+  const bool sameOrder = orders[0] == orders[1] &&
+    std::ranges::all_of(
+      TheRows, [&orders](const SeriesRow& row) { return row.size.orders == orders; });
+  TheAxis = sameOrder ? SeriesAxis::Length : SeriesAxis::Modes;
+  std::ranges::stable_sort(
+    TheRows, std::greater(), [this](const SeriesRow& row) { return Step(row); });
+}
+
+double Convergence::Step(const SeriesRow& row) const
+{
+  return TheAxis == SeriesAxis::Length
+    ? row.size.length
+    : std::pow(static_cast<double>(row.size.modes), -1.0 / row.size.dimensions);
+}
+
+std::optional<SeriesOrder> Convergence::OrderOf(double DifferenceNumbers::*error) const
+{
+  std::vector<Place> places;
+  for (const SeriesRow& row : TheRows)
+  {
+    const double value = row.numbers.*error;
+    const double step = Step(row);
+    // Below the bound there is no error to speak of, and of equal steps no slope.
+    if (value > row.numbers.largestBound && (places.empty() || step < places.back().step))
+    {
+      places.push_back({ step, value });
+    }
+  }
+  if (places.size() < 2)
+  {
+    return std::nullopt;
+  }
+  double x = 0.0;
+  double y = 0.0;
+  for (const Place& place : places)
+  {
+    x += std::log(place.step) / static_cast<double>(places.size());
+    y += std::log(place.error) / static_cast<double>(places.size());
+  }
+  double above = 0.0;
+  double below = 0.0;
+  for (const Place& place : places)
+  {
+    const double off = std::log(place.step) - x;
+    above += off * (std::log(place.error) - y);
+    below += off * off;
+  }
+  return SeriesOrder{ above / below, Slope(places[places.size() - 2], places.back()),
+    static_cast<int>(places.size()) };
+}
+
+std::optional<double> Convergence::StepOrder(std::size_t row) const
+{
+  if (row == 0)
+  {
+    return std::nullopt;
+  }
+  const auto place = [this](const SeriesRow& of) {
+    return Place{ Step(of), of.numbers.rootMeanSquare };
+  };
+  const Place before = place(TheRows[row - 1]);
+  const Place here = place(TheRows[row]);
+  const bool known = here.step < before.step &&
+    before.error > TheRows[row - 1].numbers.largestBound &&
+    here.error > TheRows[row].numbers.largestBound;
+  return known ? std::optional(Slope(before, here)) : std::nullopt;
+}
+
+std::string Convergence::ToCsv() const
+{
+  std::string text =
+    "solution,elements,lowest_order,highest_order,modes,relative_length,largest,l2,"
+    "mean,relative_l2,largest_bound,order_of_l2,both,only_reference,only_solution,"
+    "unknown,not_finite,unbounded\n";
+  for (std::size_t k = 0; k < TheRows.size(); ++k)
+  {
+    const auto& [name, size, numbers] = TheRows[k];
+    const auto order = StepOrder(k);
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", Quoted(name),
+      size.elements, size.orders[0], size.orders[1], size.modes, size.length, numbers.largest,
+      numbers.rootMeanSquare, numbers.mean,
+      numbers.firstRootMeanSquare > 0.0
+        ? Number(numbers.rootMeanSquare / numbers.firstRootMeanSquare)
+        : "",
+      numbers.largestBound, order ? Number(*order) : "", numbers.both, numbers.onlyFirst,
+      numbers.onlySecond, numbers.unknown, numbers.notFinite, numbers.unbounded);
+  }
+  return text;
+}
+
+nlohmann::ordered_json Convergence::ToJson() const
+{
+  nlohmann::ordered_json json{ { "over",
+    TheAxis == SeriesAxis::Length ? "relative_length" : "modes" } };
+  for (const auto& [name, error, color] : kErrors)
+  {
+    if (const auto order = OrderOf(error))
+    {
+      json["orders"][name] = { { "overall", order->overall }, { "last", order->last },
+        { "solutions", order->solutions } };
+    }
+  }
+  return json;
+}
+
+std::vector<std::uint8_t> Convergence::Draw(
+  const std::string& reference, int width, int height) const
+{
+  const bool overLength = TheAxis == SeriesAxis::Length;
+  LogPlot plot;
+  plot.title = "Differences from " + reference + " over the pixels";
+  plot.up = "difference; order of convergence in the legend";
+  plot.across = overLength ? "edge of an element over that of the mesh"
+                           : "modes of a component, summed over the elements";
+  const auto at = [&](const SeriesRow& row)
+  { return overLength ? row.size.length : static_cast<double>(row.size.modes); };
+  for (const auto& [name, error, color] : kErrors)
+  {
+    const auto order = OrderOf(error);
+    LogPlot::Series series{ order ? fmt::format("{}: {:.2f}", name, order->overall) : name, color,
+      {}, true, false };
+    for (const SeriesRow& row : TheRows)
+    {
+      const bool labelled = error == &DifferenceNumbers::largest;
+      series.points.push_back({ at(row), row.numbers.*error,
+        labelled ? fmt::format("p{}, {}", OrderText(row.size.orders), row.size.elements)
+                 : std::string() });
+    }
+    plot.series.push_back(std::move(series));
+  }
+  // Where it is far below all errors it would squeeze them.
+  const bool near = std::ranges::any_of(TheRows,
+    [](const SeriesRow& row) { return row.numbers.largestBound > kNearBound * row.numbers.mean; });
+  if (near)
+  {
+    LogPlot::Series bound{ "proven bound", { 120, 120, 120, 255 }, {}, true, true };
+    for (const SeriesRow& row : TheRows)
+    {
+      bound.points.push_back({ at(row), row.numbers.largestBound, {} });
+    }
+    plot.series.push_back(std::move(bound));
+  }
+  return plot.Draw(width, height);
+}
+} // namespace pixelexact

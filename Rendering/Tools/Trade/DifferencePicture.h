@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Base/Options.h"
+#include "Drawing/ImageFile.h"
+
+#include "Trace/Compare/FieldDifference.h"
+
+#include <array>
+#include <span>
+#include <string>
+
+namespace pixelexact
+{
+class DifferenceOptions;
+struct Shot;
+struct ShotOptions;
+
+/// A difference in colours: a map over the same length to both sides of 0, of norms from their
+/// least, unless ranges and maps are given; pixels in which only one solution has a value in
+/// colours of their own, beside the bar.
+class DifferencePicture
+{
+public:
+  /// `size`: of the picture with its figure. `field`: the other one's name. Paints the frame.
+  /// Throws Error as Looks.
+  DifferencePicture(const ShotOptions& options, const Shot& shot, const std::string& field,
+    FieldDifference& difference);
+
+  [[nodiscard]] const std::array<double, 2>& Range() const { return TheRange; }
+
+  /// The file's bytes, of the format that its name says. Throws Error.
+  [[nodiscard]] std::string Encode(const DifferenceOptions& difference, const ImageSize& size,
+    const PictureTexts& texts, const std::string& file) const;
+
+private:
+  const ShotOptions& Options;
+  const Shot& Of;
+  const FieldDifference& Shown;
+  std::string Other;
+  std::array<double, 2> TheRange{};
+};
+
+/// Writes values, bounds, sides, positions and elements of the pixels. `firstCells`,
+/// `secondCells`: what users know elements by. Throws Error.
+void WriteDifference(const std::string& file, const FieldDifference& difference,
+  std::span<const std::int64_t> firstCells, std::span<const std::int64_t> secondCells);
+} // namespace pixelexact

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Trade/Recommendation.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI
+{
+class App;
+} // namespace CLI
+
+namespace pixelexact
+{
+/// What is tried, how often, and what is asked of it.
+class TradeOptions
+{
+public:
+  void AddTo(CLI::App& command);
+
+  /// Throws UsageError for what the command line alone shows to be wrong.
+  void Check() const;
+
+  /// Of vtkHighOrderLinearCut, ascending. Where none were given, lower ones of surfaces that are no
+  /// planes, for which a volume is sampled.
+  [[nodiscard]] std::vector<int> Resolutions(bool ofPlane) const;
+  /// Nodes along the longest side.
+  [[nodiscard]] const std::vector<int>& Grids() const { return TheGrids; }
+  [[nodiscard]] const std::vector<int>& Levels() const { return TheLevels; }
+  /// That fields are truncated to, ascending. Where none were given, some below the field's.
+  [[nodiscard]] std::vector<int> Orders(int ofField) const;
+  [[nodiscard]] int Repeat() const { return TheRepeat; }
+  [[nodiscard]] int Bins() const { return TheBins; }
+  /// Of the shown pixels, 0 to 1.
+  [[nodiscard]] double Share() const { return Percent.value_or(99.0) / 100.0; }
+  [[nodiscard]] bool OfNext() const { return Next; }
+  [[nodiscard]] const std::string& Output() const { return TheOutput; }
+  /// None: nothing is asked.
+  [[nodiscard]] std::optional<TradeTarget> Target() const;
+
+private:
+  std::optional<std::vector<int>> TheResolutions;
+  std::vector<int> TheGrids{ 16, 32, 64, 128 };
+  std::optional<std::vector<int>> TheOrders;
+  std::vector<int> TheLevels{ 0, 1, 2, 3 };
+  int TheRepeat = 3;
+  int TheBins = 256;
+  std::optional<double> Percent;
+  bool Next = false;
+  std::optional<double> TargetError;
+  std::optional<double> TargetTime;
+  std::string TheOutput;
+};
+} // namespace pixelexact

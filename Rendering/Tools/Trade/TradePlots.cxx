@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Base/Report.h"
+#include "Drawing/LogPlot.h"
+#include "Trade/TradeReport.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pixelexact
+{
+namespace
+{
+constexpr std::array kFamilies{ TradeFamily::Exact, TradeFamily::Cut, TradeFamily::Resample,
+  TradeFamily::Subdivide, TradeFamily::Cells };
+
+Rgba ColorOf(TradeFamily family)
+{
+  switch (family)
+  {
+    case TradeFamily::Exact:
+      return { 200, 30, 30, 255 };
+    case TradeFamily::Cut:
+      return { 20, 90, 180, 255 };
+    case TradeFamily::Resample:
+      return { 200, 130, 0, 255 };
+    case TradeFamily::Subdivide:
+      return { 20, 140, 70, 255 };
+    default:
+      return { 120, 60, 160, 255 };
+  }
+}
+
+/// What tells a setting from others of its family.
+std::string LabelOf(const TradeSetting& setting)
+{
+  const std::string family = Name(setting.family);
+  return setting.name.starts_with(family + "-") ? setting.name.substr(family.size() + 1)
+                                                : setting.name;
+}
+} // namespace
+
+std::vector<std::uint8_t> DrawPareto(
+  const std::vector<TradeRow>& rows, const TradeFacts& facts, int width, int height)
+{
+  LogPlot plot;
+  plot.title = fmt::format("Error of {} % of the pixels against time", Short(100.0 * facts.share));
+  plot.up = "error over the range";
+  plot.across = facts.ofNext ? "seconds of a later cut" : "seconds to the first picture";
+  for (const TradeFamily family : kFamilies)
+  {
+    LogPlot::Series series{ Name(family), ColorOf(family), {}, family != TradeFamily::Exact,
+      false };
+    for (const TradeRow& row : rows)
+    {
+      if (row.setting.family == family && row.IsThere() && HasOwnValues(row.setting))
+      {
+        series.points.push_back({ facts.ofNext ? row.next.Median() : row.first.Median(),
+          Relative(row.errors.atShare, facts.range), LabelOf(row.setting) });
+      }
+    }
+    if (!series.points.empty())
+    {
+      plot.series.push_back(std::move(series));
+    }
+  }
+  return plot.Draw(width, height);
+}
+
+std::vector<std::uint8_t> DrawConvergence(
+  const std::vector<TradeRow>& rows, const TradeFacts& facts, int width, int height)
+{
+  LogPlot plot;
+  plot.title = "Mean error of linear pictures against the exact one";
+  plot.up = "mean error over the range";
+  plot.across = "spacing over the first one's";
+  for (const TradeFamily family : kFamilies)
+  {
+    LogPlot::Series series{ Name(family), ColorOf(family), {}, true, false };
+    for (const TradeRow& row : rows)
+    {
+      if (row.setting.family == family && row.setting.spacing > 0.0 && row.IsThere() &&
+        row.errors.mean > 0.0)
+      {
+        series.points.push_back(
+          { row.setting.spacing, Relative(row.errors.mean, facts.range), LabelOf(row.setting) });
+      }
+    }
+    if (series.points.empty())
+    {
+      continue;
+    }
+    double widest = 0.0;
+    for (const LogPlot::Point& point : series.points)
+    {
+      widest = std::max(widest, point.x);
+    }
+    for (LogPlot::Point& point : series.points)
+    {
+      point.x /= widest;
+    }
+    const bool isFirst = plot.series.empty();
+    LogPlot::Series second{ isFirst ? "2nd order" : "", { 130, 130, 130, 255 }, {}, true, true };
+    for (const LogPlot::Point& point : series.points)
+    {
+      const LogPlot::Point& last = series.points.back();
+      second.points.push_back({ point.x, last.y * std::pow(point.x / last.x, 2.0), "" });
+    }
+    plot.series.push_back(std::move(series));
+    plot.series.push_back(std::move(second));
+  }
+  return plot.Draw(width, height);
+}
+} // namespace pixelexact

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Trade/TradeRun.h"
+
+#include "Scene/Shot.h"
+
+#include "HighOrderModel.h"
+
+#include <vtkUnstructuredGrid.h>
+
+namespace pixelexact
+{
+const char* Name(TradeFamily family)
+{
+  switch (family)
+  {
+    case TradeFamily::Cut:
+      return "cut";
+    case TradeFamily::Resample:
+      return "resample";
+    case TradeFamily::Subdivide:
+      return "subdivide";
+    case TradeFamily::Cells:
+      return "cells";
+    default:
+      return "exact";
+  }
+}
+
+FreshModel::FreshModel(const Shot& shot)
+  : grid(vtkSmartPointer<vtkUnstructuredGrid>::Take(shot.input.grid->NewInstance()))
+{
+  // Copies of the arrays: models share what they know where these are the same.
+  grid->DeepCopy(shot.input.grid);
+  model = HighOrderModel::From(grid.Get());
+}
+
+std::unique_ptr<TradeRun> MakeRun(const TradeScene& scene, const TradeSetting& setting)
+{
+  if (setting.family == TradeFamily::Exact)
+  {
+    return MakeExactRun(scene, setting);
+  }
+  if (IsOfPieces(scene))
+  {
+    return MakePiecesRun(scene, setting);
+  }
+  return IsOfFaces(scene) ? MakeFacesRun(scene, setting) : MakeLinearRun(scene, setting);
+}
+} // namespace pixelexact

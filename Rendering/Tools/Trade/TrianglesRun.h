@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Scene/Shot.h"
+#include "Trade/TradeRun.h"
+
+#include "Trace/Compare/LinearSurface.h"
+#include "Trace/Compare/TracedPicture.h"
+
+#include <cstddef>
+#include <optional>
+
+namespace pixelexact
+{
+/// A run that leaves triangles, without VTK's filters.
+class TrianglesRun : public TradeRun
+{
+public:
+  explicit TrianglesRun(const TradeScene& scene)
+    : TheScene(scene)
+  {
+  }
+
+  Picture Show() override
+  {
+    return TracePicture(*Linear, TheScene.shot->MakeCamera(), TheScene.isoValues);
+  }
+
+  [[nodiscard]] std::size_t Triangles() const override { return Linear ? Linear->Count() : 0; }
+
+protected:
+  const TradeScene& TheScene;
+  std::optional<LinearSurface> Linear; ///< of the last Measure
+};
+} // namespace pixelexact
