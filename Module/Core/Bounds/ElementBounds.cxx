@@ -390,7 +390,7 @@ InverseProblem MakeInverseProblem(const Mesh& mesh, int element, const ElementBo
   problem.affine = bounds.affine;
   problem.curvature = bounds.curvature;
   problem.bend = bounds.affine ? 0.0 : bounds.bend;
-  if (bounds.guess.known)
+  if (bounds.guess.IsKnown())
   {
     problem.guess = bounds.guess.terms.data();
     std::ranges::copy(bounds.guess.centre, problem.guessCentre);

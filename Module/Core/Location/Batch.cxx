@@ -75,8 +75,10 @@ struct Locator::Batch::Scratch
   std::size_t depth = 0;
   TreeFilter filter;
   std::array<std::uint64_t, ChunkBoxes::kGroup> kept{}; ///< by the filter, of each chunk
-  std::vector<int> selected; ///< the batch's index of each selected point
-  std::vector<int> others;   ///< which of the selected were not found inside
+  std::vector<std::uint64_t> untested; ///< by the filter: chunks of each group, a bit each
+  std::vector<PointChunk> late;        ///< of which the filter is to see points
+  std::vector<int> selected;           ///< the batch's index of each selected point
+  std::vector<int> others;             ///< which of the selected were not found inside
   std::vector<Doubt> doubtful;
   std::vector<int> doubts; ///< of each point
   std::vector<Doubt> group;
@@ -214,14 +216,17 @@ int Locator::Batch::Select(std::span<PointChunk> chunks, int element, const Elem
   Problem = MakeInverseProblem(TheMesh, element, *bounds);
   Element = element;
   int count = 0;
+  const bool isBent = TreeFilter::IsWorthIt(*bounds);
+  Work.untested.assign(isBent ? (chunks.size() - 1) / ChunkBoxes::kGroup + 1 : 0, 0);
   for (std::size_t first = 0; first < chunks.size(); first += ChunkBoxes::kGroup)
   {
     const auto [near, inner] = Kernels.near(*bounds, Problem, Work.boxes.Group(first));
-    const bool filtered = near != 0 && TreeFilter::IsWorthIt(*bounds);
+    const bool filtered = near != 0 && isBent;
     if (filtered)
     {
       const auto group = chunks.subspan(first, std::min(chunks.size() - first, ChunkBoxes::kGroup));
-      Work.filter.Run(*Index.TreeOf(element), Points, group, near, Work.kept);
+      Work.untested[first / ChunkBoxes::kGroup] =
+        Work.filter.RunButInner(*Index.TreeOf(element), *bounds, Points, group, near, Work.kept);
     }
     for (std::uint64_t left = near; left != 0; left &= left - 1)
     {
@@ -272,6 +277,7 @@ void Locator::Batch::Invert(std::span<PointChunk> chunks, const ElementBounds& b
     KernelsFor(Problem.space).invert(Problem, { { Work[0], Work[1], Work[2] }, count }, result);
   }
   const int others = Kernels.others(result.status, count, Work.others.data());
+  const std::size_t firstDoubt = Work.doubtful.size();
   for (const int k : std::span(Work.others).first(static_cast<std::size_t>(others)))
   {
     const int index = Work.selected[static_cast<std::size_t>(k)];
@@ -285,6 +291,7 @@ void Locator::Batch::Invert(std::span<PointChunk> chunks, const ElementBounds& b
                   : Vec3(std::numeric_limits<double>::quiet_NaN()) });
     }
   }
+  DropExcluded(chunks, firstDoubt);
   if (others > 0)
   {
     KeepInside(result, std::span(Work.others).first(static_cast<std::size_t>(others)), count);
@@ -296,6 +303,59 @@ void Locator::Batch::Invert(std::span<PointChunk> chunks, const ElementBounds& b
       std::span<const int>(Work.selected).first(static_cast<std::size_t>(count - others)), xi,
       result.residual);
   }
+}
+
+/// Of the element's doubts, from the first one on, drops those that the filter has not tested and
+/// now excludes.
+void Locator::Batch::DropExcluded(std::span<PointChunk> chunks, std::size_t firstDoubt)
+{
+  const auto chunkOf = [&](const Doubt& doubt)
+  { return static_cast<std::size_t>(doubt.index - chunks[0].begin) / kChunkPoints; };
+  const auto bitOf = [&](const Doubt& doubt)
+  {
+    return std::uint64_t{ 1 } << static_cast<unsigned>(doubt.index - chunks[0].begin) %
+      kChunkPoints;
+  };
+  const auto isUntested = [&](const Doubt& doubt)
+  {
+    const std::size_t chunk = chunkOf(doubt);
+    return !Work.untested.empty() &&
+      (Work.untested[chunk / ChunkBoxes::kGroup] >> chunk % ChunkBoxes::kGroup & 1U) != 0;
+  };
+  const auto doubts = std::span(Work.doubtful).subspan(firstDoubt);
+  if (std::ranges::none_of(doubts, isUntested))
+  {
+    return;
+  }
+  auto& late = Work.late;
+  late.assign(chunks.begin(), chunks.end());
+  for (PointChunk& chunk : late)
+  {
+    chunk.open = 0;
+  }
+  for (const Doubt& doubt : doubts)
+  {
+    late[chunkOf(doubt)].open |= isUntested(doubt) ? bitOf(doubt) : 0;
+  }
+  for (std::size_t first = 0; first < late.size(); first += ChunkBoxes::kGroup)
+  {
+    const auto group =
+      std::span(late).subspan(first, std::min(late.size() - first, ChunkBoxes::kGroup));
+    std::uint64_t near = 0;
+    for (std::size_t k = 0; k < group.size(); ++k)
+    {
+      near |= group[k].open != 0 ? std::uint64_t{ 1 } << k : 0;
+    }
+    Work.filter.Run(*Index.TreeOf(Element), Points, group, near, Work.kept);
+    for (std::size_t k = 0; k < group.size(); ++k)
+    {
+      group[k].open = (near >> k & 1U) != 0 ? Work.kept[k] : 0;
+    }
+  }
+  const auto excluded = std::ranges::remove_if(doubts,
+    [&](const Doubt& doubt)
+    { return isUntested(doubt) && (late[chunkOf(doubt)].open & bitOf(doubt)) == 0; });
+  Work.doubtful.resize(Work.doubtful.size() - excluded.size());
 }
 
 /// Moves what is known of the points found inside to the front, in order, and fills the kernels'
