@@ -121,6 +121,17 @@ double SecondDerivativeBoundOfPyramid(int p, int q, int r)
   return 9.0 * first * (first + 1.5) * largest;
 }
 
+/// Of the mode P_p(eta1) P_q(eta2) P_r(eta3) of a pyramid, times h^2: by the chain rule, with
+/// d eta_i / d xi_i = 1 / h, d eta_i / d xi_3 = (1 + eta_i) / 2 h <= 1 / h for i = 1, 2, and h
+/// <= 1.
+double SecondDerivativeBoundOfTensorPyramid(int p, int q, int r)
+{
+  const auto first = [](double n) { return n * (n + 1.0) / 2.0; };
+  const auto second = [](double n) { return (n - 1.0) * n * (n + 1.0) * (n + 2.0) / 8.0; };
+  return 4.0 * (second(p) + second(q)) + second(r) + 8.0 * first(p) * first(q) +
+    (first(p) + first(q)) * (4.0 * first(r) + 2.0);
+}
+
 /// Of a mode of magnitude 1 at most: bounds of the sum of its second derivatives' magnitudes over
 /// the shape. Legendre's polynomials have their largest derivatives at the ends. In a convex body
 /// of least width w a polynomial of degree n and magnitude 1 has gradients of at most 4 n^2 / w (D.
@@ -151,10 +162,15 @@ double SecondDerivativeBound(Shape shape, int p, int q, int r)
   }
 }
 
-/// How much polynomials of the space may grow over 6e-3 beyond the shape, by Chebyshev's.
+/// How much polynomials of the space may grow over 6e-3 beyond the shape, by Chebyshev's. Of a
+/// pyramid it is 6e-3 h, in eta1 and eta2 twice as much, and 1 / h grows too.
 double GrowthBeside(const Space& space)
 {
   const auto [P, Q, R] = space.order;
+  if (space.form == Form::Tensor)
+  {
+    return std::exp(0.16 * (P + Q + R) + 0.02);
+  }
   return space.shape == Shape::Hexahedron ? std::exp(0.11 * (P + Q + R)) : std::exp(0.29 * (Q + R));
 }
 
@@ -168,7 +184,8 @@ std::vector<double> BendBounds(const Space& space)
     [&](int p, int q, int r, int /*mode*/)
     {
       bounds.push_back(growth *
-        (space.shape == Shape::Pyramid
+        (space.form == Form::Tensor ? SecondDerivativeBoundOfTensorPyramid(p, q, r)
+            : space.shape == Shape::Pyramid
             ? SecondDerivativeBoundOfPyramid(p, q, r)
             : ModeBound(space, p, q, r) * SecondDerivativeBound(space.shape, p, q, r)));
     });
@@ -304,10 +321,6 @@ void MakeFrame(const Space& space, const double* coefficients, const ComponentHu
 /// See InverseProblem::bend.
 double BendOf(const Space& space, const double* coefficients)
 {
-  if (space.form == Form::Tensor)
-  {
-    return std::numeric_limits<double>::infinity();
-  }
   const auto& bounds = SpaceTools::Of(space).bendBounds;
   double largest = 0.0;
   for (std::size_t c = 0; c < 3; ++c)

@@ -466,8 +466,9 @@ HWY_INLINE void InvertPack(const InverseProblem& problem, int modeCount, const L
   // What the correction leaves: the Jacobian's change since it was made, times the correction.
   const T left =
     Traits::Splat(problem.bend) * (Traits::Splat(2.0) * state.madeFor + length) * length;
+  const T reach = problem.space.form == Form::Tensor ? unit * unit : unit;
   clear = And(clear,
-    And(left <= Traits::Splat(leastUncertainty) * unit,
+    And(left <= Traits::Splat(leastUncertainty) * reach,
       state.madeFor <= Traits::Splat(kKeepJacobian) * unit));
   if (shape == Shape::Pyramid)
   {
