@@ -2,6 +2,7 @@
 #include "Core/Location/Locator.h"
 #include "Core/Location/PointKernels.h"
 #include "Core/Location/PointSearch.h"
+#include "Core/Location/RootCheck.h"
 
 #include <algorithm>
 #include <cmath>

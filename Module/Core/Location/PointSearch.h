@@ -74,8 +74,4 @@ enum class Wanted : std::uint8_t
 /// for the point; what takes more than it may (`mostWork`) is unknown.
 void FindPreimages(ElementTree& tree, std::span<const SoughtPoint> points, Wanted wanted,
   std::span<Preimages> answers);
-
-/// Whether xi lies within the faces' tolerance of a face: |J^-1| times the uncertainty of Phi and
-/// y; true where J is singular.
-bool IsOnFace(const InverseProblem& problem, const Vec3& xi);
 } // namespace pixelexact
