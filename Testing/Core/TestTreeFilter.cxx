@@ -3,6 +3,7 @@
 #include "MeshBuilder.h"
 
 #include "Core/Index/ElementIndex.h"
+#include "Core/Location/PointBudget.h"
 #include "Core/Location/PointKernels.h"
 #include "Core/Location/TreeFilter.h"
 
@@ -94,5 +95,21 @@ TEST_P(FilterOf, InnerChunksAloneAreNotTested)
 
 INSTANTIATE_TEST_SUITE_P(Shapes, FilterOf, ::testing::ValuesIn(kShapes));
 
+TEST(PointBudget, ElementsTogetherTakeNoMoreThanAPointMay)
+{
+  for (int elements = 1; elements < 100; ++elements)
+  {
+    PointBudget budget(elements);
+    std::int64_t most = elements * budget.Share();
+    for (int k = 0; k < elements; ++k)
+    {
+      const std::int64_t more = budget.TakeMore();
+      EXPECT_TRUE(more == 0 || more > budget.Share()) << elements;
+      most += more;
+    }
+    EXPECT_LE(most, kMostWork) << elements;
+    EXPECT_GE(most, kMostWork / 2 - elements) << elements;
+  }
+}
 } // namespace
 } // namespace pixelexact::testing

@@ -80,7 +80,8 @@ struct Locator::Batch::Scratch
   std::vector<int> selected;           ///< the batch's index of each selected point
   std::vector<int> others;             ///< which of the selected were not found inside
   std::vector<Doubt> doubtful;
-  std::vector<int> doubts; ///< of each point
+  std::vector<int> doubts;          ///< of each point
+  std::vector<PointBudget> budgets; ///< of each point
   std::vector<Doubt> group;
   std::vector<Doubt> undecided;
 
@@ -413,9 +414,10 @@ void Locator::Batch::Decide(std::span<PointChunk> chunks)
   {
     ++doubtsOf(doubt);
   }
-  for (Doubt& doubt : doubtful)
+  Work.budgets.clear();
+  for (const int count : doubts)
   {
-    doubt.mostWork = ShareOfWork(doubtsOf(doubt));
+    Work.budgets.emplace_back(count);
   }
   const StageScope scope(Stage::Careful);
   Work.undecided.clear();
@@ -464,12 +466,14 @@ void Locator::Batch::DecideGroup(
 {
   Careful += static_cast<std::int64_t>(doubts.size());
   std::array<SoughtPoint, kGroupPoints> sought;
+  std::array<PointBudget*, kGroupPoints> budgets{};
   std::array<Preimages, kGroupPoints> found;
   for (std::size_t k = 0; k < doubts.size(); ++k)
   {
-    sought[k] = { PointAt(doubts[k].index), doubts[k].root, doubts[k].mostWork };
+    sought[k] = { PointAt(doubts[k].index), doubts[k].root };
+    budgets[k] = &Work.budgets[static_cast<std::size_t>(doubts[k].index - chunks[0].begin)];
   }
-  FindPreimages(tree, std::span(sought).first(doubts.size()), Wanted::First,
+  FindWithin(tree, std::span(sought).first(doubts.size()), budgets, Wanted::First,
     std::span(found).first(doubts.size()));
   for (std::size_t k = 0; k < doubts.size(); ++k)
   {

@@ -3,8 +3,8 @@
 
 #include "Core/Base/CheckedOut.h"
 #include "Core/Location/Locator.h"
+#include "Core/Location/PointBudget.h"
 #include "Core/Location/PointKernels.h"
-#include "Core/Location/PointSearch.h"
 #include "Core/Location/TreeFilter.h"
 
 namespace pixelexact
@@ -27,7 +27,6 @@ private:
     int index;
     int element;
     Vec3 root; ///< where Newton converged to, outside of the shape; NaN where it did not
-    std::int64_t mostWork = kMostWork;
   };
 
   void Search(std::span<PointChunk> chunks);
