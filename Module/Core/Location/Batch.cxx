@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Base/StageClock.h"
 #include "Core/Location/BatchScratch.h"
+#include "Core/Location/FoundPoints.h"
 
 #include <algorithm>
 #include <bit>
@@ -199,7 +200,7 @@ void Locator::Batch::Invert(std::span<PointChunk> chunks, const ElementBounds& b
     const StageScope scope(Stage::Inversion);
     KernelsFor(Problem.space).invert(Problem, { { Work[0], Work[1], Work[2] }, count }, result);
   }
-  const int others = Kernels.others(result.status, count, Work.others.data());
+  const int others = FindOthers(result.status, count, Work.others.data());
   const std::size_t firstDoubt = Work.doubtful.size();
   for (const int k : std::span(Work.others).first(static_cast<std::size_t>(others)))
   {
@@ -217,7 +218,7 @@ void Locator::Batch::Invert(std::span<PointChunk> chunks, const ElementBounds& b
   DropExcluded(chunks, firstDoubt);
   if (others > 0)
   {
-    KeepInside(result, std::span(Work.others).first(static_cast<std::size_t>(others)), count);
+    KeepInside(result, count, Work.selected.data());
   }
   if (others < count)
   {
@@ -225,31 +226,6 @@ void Locator::Batch::Invert(std::span<PointChunk> chunks, const ElementBounds& b
     Sink.Inside(Element,
       std::span<const int>(Work.selected).first(static_cast<std::size_t>(count - others)), xi,
       result.residual);
-  }
-}
-
-/// Moves what is known of the points found inside to the front, in order, and fills the kernels'
-/// arrays up with the last.
-void Locator::Batch::KeepInside(const InverseResult& result, std::span<const int> others, int count)
-{
-  const int kept = count - static_cast<int>(others.size());
-  const auto keep = [&](auto* array)
-  {
-    auto* to = array + others.front();
-    for (std::size_t k = 0; k < others.size(); ++k)
-    {
-      to = std::copy(
-        array + others[k] + 1, array + (k + 1 < others.size() ? others[k + 1] : count), to);
-    }
-  };
-  keep(Work.selected.data());
-  for (double* array : { result.xi[0], result.xi[1], result.xi[2], result.residual })
-  {
-    keep(array);
-    if (kept > 0)
-    {
-      std::fill(array + kept, array + PaddedCount(kept), array[kept - 1]);
-    }
   }
 }
 } // namespace pixelexact

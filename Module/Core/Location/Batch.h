@@ -36,7 +36,6 @@ private:
   [[nodiscard]] bool AnyInBox(std::span<const PointChunk> chunks, const Box3& box) const;
   void Invert(std::span<PointChunk> chunks, const ElementBounds& bounds, int count);
   void DropExcluded(std::span<PointChunk> chunks, std::size_t firstDoubt);
-  void KeepInside(const InverseResult& result, std::span<const int> others, int count);
   void Decide(std::span<PointChunk> chunks);
   void DecideGroup(ElementTree& tree, std::span<const Doubt> doubts, std::span<PointChunk> chunks);
   static void Close(int index, std::span<PointChunk> chunks);
