@@ -12,15 +12,29 @@ namespace pixelexact
 {
 namespace
 {
-double Component(std::span<const double> values, int component)
+double Magnitude(std::span<const double> values)
 {
-  if (component != kMagnitude || values.size() == 1)
+  constexpr double kSmall = 1e-280;
+  constexpr double kLarge = 1e280;
+  double squares = 0.0;
+  for (const double value : values)
   {
-    return values[static_cast<std::size_t>(std::max(component, 0))];
+    squares += value * value;
   }
-  // hypot neither overflows nor underflows on the way.
+  if (squares >= kSmall && squares <= kLarge)
+  {
+    return std::sqrt(squares);
+  }
+  // hypot neither overflows nor underflows on the way, but takes much longer.
   return std::accumulate(values.begin() + 1, values.end(), std::fabs(values.front()),
     [](double sum, double v) { return std::hypot(sum, v); });
+}
+
+double Component(std::span<const double> values, int component)
+{
+  return component == kMagnitude && values.size() > 1
+    ? Magnitude(values)
+    : values[static_cast<std::size_t>(std::max(component, 0))];
 }
 
 Interval Component(std::span<const double> lower, std::span<const double> upper, int component)

@@ -4,6 +4,7 @@
 #include "Core/Basis/ModeBound.h"
 #include "Core/Bernstein/BernsteinForm.h"
 #include "Core/Bounds/Injectivity.h"
+#include "Core/Bounds/MapBend.h"
 #include "Core/Math/Rounding.h"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -106,81 +107,11 @@ enum class Errors : std::uint8_t
   Quick
 };
 
-/// Of a pyramid's mode f, times the distance h = (1 - eta3) / 2 to the apex. A derivative by xi is
-/// at most 1 / h times the sum of those by eta, each at most its degree squared times the largest
-/// value (A. Markov), and |f| <= C(r + 2 m + 2, r) h^m (ModeBound.cxx).
-double SecondDerivativeBoundOfPyramid(int p, int q, int r)
-{
-  const int m = std::max(p, q);
-  const double first = p * p + q * q + (m + r) * (m + r);
-  double largest = 1.0;
-  for (int i = 1; i <= r; ++i)
-  {
-    largest = largest * (2 * m + 2 + i) / i;
-  }
-  return 9.0 * first * (first + 1.5) * largest;
-}
-
-/// Of a mode of magnitude 1 at most: bounds of the sum of its second derivatives' magnitudes over
-/// the shape. Legendre's polynomials have their largest derivatives at the ends. In a convex body
-/// of least width w a polynomial of degree n and magnitude 1 has gradients of at most 4 n^2 / w (D.
-/// Wilhelmsen, A Markov inequality in several dimensions, J. Approx. Theory 11, 1974); w is sqrt(2)
-/// for the triangle, 2 / sqrt(3) for the tetrahedron.
-double SecondDerivativeBound(Shape shape, int p, int q, int r)
-{
-  const auto first = [](double n) { return n * (n + 1.0) / 2.0; };
-  const auto second = [](double n) { return (n - 1.0) * n * (n + 1.0) * (n + 2.0) / 8.0; };
-  const auto square = [](double n) { return n * n; };
-  switch (shape)
-  {
-    case Shape::Hexahedron:
-      return second(p) + second(q) + second(r) +
-        2.0 * (first(p) * first(q) + first(q) * first(r) + first(p) * first(r));
-    case Shape::Prism:
-    {
-      const double n = p + r;
-      return 22.7 * square(n) * square(n - 1.0) + 8.0 * square(n) * first(q) + second(q);
-    }
-    case Shape::Tetrahedron:
-    {
-      const double n = p + q + r;
-      return 62.4 * square(n) * square(n - 1.0);
-    }
-    default:
-      return std::numeric_limits<double>::infinity();
-  }
-}
-
-/// How much polynomials of the space may grow over 6e-3 beyond the shape, by Chebyshev's.
-double GrowthBeside(const Space& space)
-{
-  const auto [P, Q, R] = space.order;
-  return space.shape == Shape::Hexahedron ? std::exp(0.11 * (P + Q + R)) : std::exp(0.29 * (Q + R));
-}
-
-/// Of InverseProblem::bend, per unit of each mode's coefficient.
-std::vector<double> BendBounds(const Space& space)
-{
-  std::vector<double> bounds;
-  bounds.reserve(static_cast<std::size_t>(space.Modes()));
-  const double growth = GrowthBeside(space);
-  ForEachMode(space,
-    [&](int p, int q, int r, int /*mode*/)
-    {
-      bounds.push_back(growth *
-        (space.shape == Shape::Pyramid
-            ? SecondDerivativeBoundOfPyramid(p, q, r)
-            : ModeBound(space, p, q, r) * SecondDerivativeBound(space.shape, p, q, r)));
-    });
-  return bounds;
-}
-
 /// What is made once per space, and kept by each thread.
 struct SpaceTools
 {
   const BernsteinForm* form = nullptr;
   std::vector<double> modeBounds;
-  std::vector<double> bendBounds;
 
   static const SpaceTools& Of(const Space& space)
   {
@@ -188,7 +119,7 @@ struct SpaceTools
     SpaceTools& found = tools[space];
     if (!found.form)
     {
-      found = { &BernsteinForm::Of(space), ModeBounds(space), BendBounds(space) };
+      found = { &BernsteinForm::Of(space), ModeBounds(space) };
     }
     return found;
   }
@@ -300,28 +231,6 @@ void MakeFrame(const Space& space, const double* coefficients, const ComponentHu
   bounds.injectiveMargin = bounds.affine ? std::numeric_limits<double>::infinity()
                                          : InjectiveMargin(space, coefficients, bounds.inverse);
 }
-
-/// See InverseProblem::bend.
-double BendOf(const Space& space, const double* coefficients)
-{
-  if (space.form == Form::Tensor)
-  {
-    return std::numeric_limits<double>::infinity();
-  }
-  const auto& bounds = SpaceTools::Of(space).bendBounds;
-  double largest = 0.0;
-  for (std::size_t c = 0; c < 3; ++c)
-  {
-    const double* component = coefficients + c * bounds.size();
-    double sum = 0.0;
-    for (std::size_t mode = 1; mode < bounds.size(); ++mode)
-    {
-      sum += std::fabs(component[mode]) * bounds[mode];
-    }
-    largest = std::max(largest, sum);
-  }
-  return largest * (1.0 + Gamma(static_cast<int>(bounds.size()) + 64));
-}
 } // namespace
 
 Box3 MakeElementBox(const Mesh& mesh, int element)
@@ -361,7 +270,7 @@ ElementBounds MakeElementBounds(const Mesh& mesh, int element)
   if (bounds.framed && !bounds.affine)
   {
     bounds.curvature = MapCurvature(space, coefficients);
-    bounds.bend = BendOf(space, coefficients);
+    bounds.bend = MapBend(space, coefficients);
     bounds.guess = MakeInverseGuess(MakeInverseProblem(mesh, element, bounds));
   }
   return bounds;
@@ -390,7 +299,7 @@ InverseProblem MakeInverseProblem(const Mesh& mesh, int element, const ElementBo
   problem.affine = bounds.affine;
   problem.curvature = bounds.curvature;
   problem.bend = bounds.affine ? 0.0 : bounds.bend;
-  if (bounds.guess.known)
+  if (bounds.guess.IsKnown())
   {
     problem.guess = bounds.guess.terms.data();
     std::ranges::copy(bounds.guess.centre, problem.guessCentre);

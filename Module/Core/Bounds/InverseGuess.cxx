@@ -116,7 +116,10 @@ InverseGuess MakeInverseGuess(const InverseProblem& problem)
     normal.ldlt().solve(rows.transpose() * wanted);
   const double error = (rows * terms - wanted).cwiseAbs().maxCoeff();
   const double frameError = (framed - wanted).cwiseAbs().maxCoeff();
-  guess.known = terms.allFinite() && error < 0.5 * frameError;
+  if (terms.allFinite() && error < 0.5 * frameError)
+  {
+    guess.error = error;
+  }
   auto* term = guess.terms.data();
   for (int d = 0; d < 3; ++d)
   {

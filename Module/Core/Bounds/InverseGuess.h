@@ -4,6 +4,7 @@
 #include "Core/Element/Kernels.h"
 
 #include <array>
+#include <limits>
 
 namespace pixelexact
 {
@@ -16,7 +17,10 @@ struct InverseGuess
   std::array<double, 3 * kGuessTerms> terms{};
   std::array<double, 3> centre{};
   std::array<double, 3> scale{};
-  bool known = false;
+  /// The largest at the points that it was fitted to, in xi; infinite where there is no guess.
+  double error = std::numeric_limits<double>::infinity();
+
+  [[nodiscard]] bool IsKnown() const { return error < std::numeric_limits<double>::infinity(); }
 };
 
 /// `problem`: with its frame, not affine. Not known where the fit is no better than the frame

@@ -9,8 +9,8 @@
 
 #include "Core/Basis/Modes-inl.h"
 #include "Core/Element/Kernels.h"
-#include "Core/Element/Newton-inl.h"
 #include "Core/Element/Overflow-inl.h"
+#include "Core/Element/Preimage-inl.h"
 
 #include <algorithm>
 

@@ -52,7 +52,8 @@ struct InverseProblem
   double curvature;
   /// Bounds, for all coordinates c of Phi and two xi of the shape or next to it, the change of
   /// sum over j of |d Phi_c / d xi_j| from one to the other, over their distance in the max norm.
-  /// Of a pyramid, times the distance to its apex. Infinite where nothing is known.
+  /// Of a pyramid, times the distance to its apex, of one in tensor form twice. Infinite where
+  /// nothing is known.
   double bend;
   /// Where Newton begins at each point, coordinate by coordinate, if not null; instead of all
   /// above.

@@ -10,7 +10,7 @@ namespace pixelexact::HWY_NAMESPACE
 {
 KernelSet TensorPyramidKernelSet(const Space& space)
 {
-  return SelectKernels<TensorPyramidModes, 1, 2>(space);
+  return SelectKernels<TensorPyramidModes, 1, 2, 3, 4>(space);
 }
 } // namespace pixelexact::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Location/Batch.h"
-
 #include "Core/Base/StageClock.h"
+#include "Core/Location/BatchScratch.h"
+#include "Core/Location/FoundPoints.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <limits>
 
@@ -23,80 +22,7 @@ bool Overlap(const Box3& a, const Box3& b)
   return a.lower.x <= b.upper.x && b.lower.x <= a.upper.x && a.lower.y <= b.upper.y &&
     b.lower.y <= a.upper.y && a.lower.z <= b.upper.z && b.lower.z <= a.upper.z;
 }
-
-/// The boxes of the chunks that are searched for together.
-class ChunkBoxes
-{
-public:
-  static constexpr std::size_t kGroup = 64;
-
-  void Fill(std::span<const PointChunk> chunks)
-  {
-    Count = chunks.size();
-    Stride = static_cast<std::size_t>(PaddedCount(static_cast<int>(Count)));
-    if (Coordinates.size() < 6 * Stride)
-    {
-      Coordinates.resize(6 * Stride);
-    }
-    for (std::size_t k = 0; k < Stride; ++k)
-    {
-      for (std::size_t d = 0; d < 3; ++d)
-      {
-        const auto axis = static_cast<int>(d);
-        Coordinates[d * Stride + k] = k < Count ? chunks[k].box.lower[axis] : 1.0;
-        Coordinates[(3 + d) * Stride + k] = k < Count ? chunks[k].box.upper[axis] : -1.0;
-      }
-    }
-  }
-
-  /// Those of chunks from `first` on, at most kGroup.
-  [[nodiscard]] BoxLanes Group(std::size_t first) const
-  {
-    const double* at = &Coordinates[first];
-    return { { at, at + Stride, at + 2 * Stride },
-      { at + 3 * Stride, at + 4 * Stride, at + 5 * Stride },
-      static_cast<int>(std::min(kGroup, Count - first)) };
-  }
-
-private:
-  std::size_t Count = 0;
-  std::size_t Stride = 0;
-  std::vector<double> Coordinates;
-};
 } // namespace
-
-struct Locator::Batch::Scratch
-{
-  std::vector<double> lanes;
-  std::size_t stride = 0;
-  std::vector<PointChunk> chunks;
-  ChunkBoxes boxes;
-  std::vector<std::vector<int>> candidates; ///< of each depth of halving
-  std::size_t depth = 0;
-  TreeFilter filter;
-  std::array<std::uint64_t, ChunkBoxes::kGroup> kept{}; ///< by the filter, of each chunk
-  std::vector<int> selected; ///< the batch's index of each selected point
-  std::vector<int> others;   ///< which of the selected were not found inside
-  std::vector<Doubt> doubtful;
-  std::vector<int> doubts; ///< of each point
-  std::vector<Doubt> group;
-  std::vector<Doubt> undecided;
-
-  void Fit(int points)
-  {
-    // Packs are stored whole beyond the last point.
-    const auto needed = static_cast<std::size_t>(PaddedCount(points)) + kLanePadding;
-    if (stride < needed)
-    {
-      stride = needed;
-      lanes.resize(9 * stride);
-      selected.resize(stride);
-      others.resize(stride);
-    }
-    depth = 0;
-  }
-  double* operator[](std::size_t array) { return &lanes[array * stride]; }
-};
 
 Locator::Batch::Batch(const Locator& locator, const LanePoints& points, LocationSink& sink)
   : Owner(locator)
@@ -214,14 +140,17 @@ int Locator::Batch::Select(std::span<PointChunk> chunks, int element, const Elem
   Problem = MakeInverseProblem(TheMesh, element, *bounds);
   Element = element;
   int count = 0;
+  const bool isBent = TreeFilter::IsWorthIt(*bounds);
+  Work.untested.assign(isBent ? (chunks.size() - 1) / ChunkBoxes::kGroup + 1 : 0, 0);
   for (std::size_t first = 0; first < chunks.size(); first += ChunkBoxes::kGroup)
   {
     const auto [near, inner] = Kernels.near(*bounds, Problem, Work.boxes.Group(first));
-    const bool filtered = near != 0 && TreeFilter::IsWorthIt(*bounds);
+    const bool filtered = near != 0 && isBent;
     if (filtered)
     {
       const auto group = chunks.subspan(first, std::min(chunks.size() - first, ChunkBoxes::kGroup));
-      Work.filter.Run(*Index.TreeOf(element), Points, group, near, Work.kept);
+      Work.untested[first / ChunkBoxes::kGroup] =
+        Work.filter.RunButInner(*Index.TreeOf(element), *bounds, Points, group, near, Work.kept);
     }
     for (std::uint64_t left = near; left != 0; left &= left - 1)
     {
@@ -271,7 +200,8 @@ void Locator::Batch::Invert(std::span<PointChunk> chunks, const ElementBounds& b
     const StageScope scope(Stage::Inversion);
     KernelsFor(Problem.space).invert(Problem, { { Work[0], Work[1], Work[2] }, count }, result);
   }
-  const int others = Kernels.others(result.status, count, Work.others.data());
+  const int others = FindOthers(result.status, count, Work.others.data());
+  const std::size_t firstDoubt = Work.doubtful.size();
   for (const int k : std::span(Work.others).first(static_cast<std::size_t>(others)))
   {
     const int index = Work.selected[static_cast<std::size_t>(k)];
@@ -285,9 +215,10 @@ void Locator::Batch::Invert(std::span<PointChunk> chunks, const ElementBounds& b
                   : Vec3(std::numeric_limits<double>::quiet_NaN()) });
     }
   }
+  DropExcluded(chunks, firstDoubt);
   if (others > 0)
   {
-    KeepInside(result, std::span(Work.others).first(static_cast<std::size_t>(others)), count);
+    KeepInside(result, count, Work.selected.data());
   }
   if (others < count)
   {
@@ -295,142 +226,6 @@ void Locator::Batch::Invert(std::span<PointChunk> chunks, const ElementBounds& b
     Sink.Inside(Element,
       std::span<const int>(Work.selected).first(static_cast<std::size_t>(count - others)), xi,
       result.residual);
-  }
-}
-
-/// Moves what is known of the points found inside to the front, in order, and fills the kernels'
-/// arrays up with the last.
-void Locator::Batch::KeepInside(const InverseResult& result, std::span<const int> others, int count)
-{
-  const int kept = count - static_cast<int>(others.size());
-  const auto keep = [&](auto* array)
-  {
-    auto* to = array + others.front();
-    for (std::size_t k = 0; k < others.size(); ++k)
-    {
-      to = std::copy(
-        array + others[k] + 1, array + (k + 1 < others.size() ? others[k + 1] : count), to);
-    }
-  };
-  keep(Work.selected.data());
-  for (double* array : { result.xi[0], result.xi[1], result.xi[2], result.residual })
-  {
-    keep(array);
-    if (kept > 0)
-    {
-      std::fill(array + kept, array + PaddedCount(kept), array[kept - 1]);
-    }
-  }
-}
-
-Vec3 Locator::Batch::PointAt(int index) const
-{
-  return { Points.x[0][index], Points.x[1][index], Points.x[2][index] };
-}
-
-/// The careful path, for points that no element's fast path holds. Element by element, so that
-/// what an element needs is made once.
-void Locator::Batch::Decide(std::span<PointChunk> chunks)
-{
-  auto& doubtful = Work.doubtful;
-  const auto isOpen = [&](const Doubt& doubt)
-  {
-    const int at = doubt.index - chunks[0].begin;
-    return (chunks[static_cast<std::size_t>(at / kChunkPoints)].open >>
-               static_cast<unsigned>(at % kChunkPoints) &
-             1U) != 0;
-  };
-  std::erase_if(doubtful, [&](const Doubt& doubt) { return !isOpen(doubt); });
-  if (doubtful.empty())
-  {
-    return;
-  }
-  auto& doubts = Work.doubts;
-  doubts.assign(chunks.size() * kChunkPoints, 0);
-  const auto doubtsOf = [&](const Doubt& doubt) -> int&
-  { return doubts[static_cast<std::size_t>(doubt.index - chunks[0].begin)]; };
-  for (const Doubt& doubt : doubtful)
-  {
-    ++doubtsOf(doubt);
-  }
-  for (Doubt& doubt : doubtful)
-  {
-    doubt.mostWork = ShareOfWork(doubtsOf(doubt));
-  }
-  const StageScope scope(Stage::Careful);
-  Work.undecided.clear();
-  // Doubts were raised element by element.
-  auto& group = Work.group;
-  for (std::size_t begin = 0; begin < doubtful.size();)
-  {
-    const int element = doubtful[begin].element;
-    const auto tree = Index.TreeOf(element);
-    while (begin < doubtful.size() && doubtful[begin].element == element)
-    {
-      group.clear();
-      for (; begin < doubtful.size() && doubtful[begin].element == element &&
-           group.size() < static_cast<std::size_t>(kGroupPoints);
-           ++begin)
-      {
-        if (isOpen(doubtful[begin]))
-        {
-          group.push_back(doubtful[begin]);
-        }
-      }
-      DecideGroup(*tree, group, chunks);
-    }
-  }
-  for (const Doubt& doubt : Work.undecided)
-  {
-    if (isOpen(doubt))
-    {
-      // One element is reported, however many could not be excluded.
-      Close(doubt.index, chunks);
-      ++Unknown;
-      Sink.Unknown(doubt.index, doubt.element);
-    }
-  }
-}
-
-void Locator::Batch::Close(int index, std::span<PointChunk> chunks)
-{
-  const int at = index - chunks[0].begin;
-  chunks[static_cast<std::size_t>(at / kChunkPoints)].open &=
-    ~(std::uint64_t{ 1 } << static_cast<unsigned>(at % kChunkPoints));
-}
-
-void Locator::Batch::DecideGroup(
-  ElementTree& tree, std::span<const Doubt> doubts, std::span<PointChunk> chunks)
-{
-  Careful += static_cast<std::int64_t>(doubts.size());
-  std::array<SoughtPoint, kGroupPoints> sought;
-  std::array<Preimages, kGroupPoints> found;
-  for (std::size_t k = 0; k < doubts.size(); ++k)
-  {
-    sought[k] = { PointAt(doubts[k].index), doubts[k].root, doubts[k].mostWork };
-  }
-  FindPreimages(tree, std::span(sought).first(doubts.size()), Wanted::First,
-    std::span(found).first(doubts.size()));
-  for (std::size_t k = 0; k < doubts.size(); ++k)
-  {
-    MostBoxes = std::max(MostBoxes, found[k].boxes);
-    if (found[k].verdict == Verdict::Inside)
-    {
-      const InverseRoot& root = found[k].roots.front();
-      std::array<std::array<double, kLanePadding>, 3> xi;
-      for (int d = 0; d < 3; ++d)
-      {
-        xi[d].fill(root.xi[d]);
-      }
-      const double* const lanes[3] = { xi[0].data(), xi[1].data(), xi[2].data() };
-      Sink.Inside(
-        doubts[k].element, std::span<const int>(&doubts[k].index, 1), lanes, &root.residual);
-      Close(doubts[k].index, chunks);
-    }
-    else if (found[k].verdict == Verdict::Unknown)
-    {
-      Work.undecided.push_back(doubts[k]);
-    }
   }
 }
 } // namespace pixelexact

@@ -3,8 +3,8 @@
 
 #include "Core/Base/CheckedOut.h"
 #include "Core/Location/Locator.h"
+#include "Core/Location/PointBudget.h"
 #include "Core/Location/PointKernels.h"
-#include "Core/Location/PointSearch.h"
 #include "Core/Location/TreeFilter.h"
 
 namespace pixelexact
@@ -27,7 +27,6 @@ private:
     int index;
     int element;
     Vec3 root; ///< where Newton converged to, outside of the shape; NaN where it did not
-    std::int64_t mostWork = kMostWork;
   };
 
   void Search(std::span<PointChunk> chunks);
@@ -36,7 +35,7 @@ private:
   int Select(std::span<PointChunk> chunks, int element, const ElementBounds*& bounds);
   [[nodiscard]] bool AnyInBox(std::span<const PointChunk> chunks, const Box3& box) const;
   void Invert(std::span<PointChunk> chunks, const ElementBounds& bounds, int count);
-  void KeepInside(const InverseResult& result, std::span<const int> others, int count);
+  void DropExcluded(std::span<PointChunk> chunks, std::size_t firstDoubt);
   void Decide(std::span<PointChunk> chunks);
   void DecideGroup(ElementTree& tree, std::span<const Doubt> doubts, std::span<PointChunk> chunks);
   static void Close(int index, std::span<PointChunk> chunks);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Location/Locator.h"
+#include "Core/Location/PointBudget.h"
 #include "Core/Location/PointKernels.h"
-#include "Core/Location/PointSearch.h"
+#include "Core/Location/RootCheck.h"
 
 #include <algorithm>
 #include <cmath>
@@ -94,12 +95,14 @@ void Locator::LocateAll(std::span<const Vec3> points, PreimageSink& sink) const
         sink.Found(index, { element, fast.xi, IsOnFace(problem, fast.xi) });
       }
     }
+    PointBudget budget(static_cast<int>(doubts.size()));
+    PointBudget* const itsBudget = &budget;
     for (const auto& [element, known] : doubts)
     {
-      const SoughtPoint sought{ x, known, ShareOfWork(static_cast<int>(doubts.size())) };
+      SoughtPoint sought{ x, known };
       Preimages all;
-      FindPreimages(
-        *TheIndex.TreeOf(element), std::span(&sought, 1), Wanted::All, std::span(&all, 1));
+      FindWithin(*TheIndex.TreeOf(element), std::span(&sought, 1), std::span(&itsBudget, 1),
+        Wanted::All, std::span(&all, 1));
       for (const InverseRoot& root : all.roots)
       {
         sink.Found(index, { element, root.xi, root.onFace });

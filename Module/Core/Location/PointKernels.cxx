@@ -280,35 +280,9 @@ std::uint64_t Select(const ElementBounds& bounds, const InverseProblem& problem,
   return result;
 }
 
-int FindOthers(const double* status, int count, int* others)
-{
-  const int lanes = LaneCount();
-  const Lanes wanted = Splat(static_cast<double>(NewtonStatus::RootInside));
-  int found = 0;
-  for (int i = 0; i < count; i += lanes)
-  {
-    const Lanes at = NumberTraits<Lanes>::Load(status + i);
-    const LaneMask in = And(at <= wanted, at >= wanted);
-    if (All(in))
-    {
-      continue;
-    }
-    const std::uint64_t bits = BitsOf(in);
-    for (int k = 0; k < std::min(lanes, count - i); ++k)
-    {
-      if ((bits >> static_cast<unsigned>(k) & 1U) == 0)
-      {
-        others[found++] = i + k;
-      }
-    }
-  }
-  return found;
-}
-
 const PointKernels& PointKernelSet()
 {
-  static constexpr PointKernels kKernels{ &MakeChunk, &SelectInBox, &FindNearChunks, &Select,
-    &FindOthers };
+  static constexpr PointKernels kKernels{ &MakeChunk, &SelectInBox, &FindNearChunks, &Select };
   return kKernels;
 }
 } // namespace pixelexact::HWY_NAMESPACE

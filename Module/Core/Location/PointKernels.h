@@ -5,8 +5,8 @@
 
 #include <cstdint>
 
-// What a search does with whole packs of points before and after the inverse map: which of them an
-// element might hold, and which it was found to. Dispatched at run time to the instruction set.
+// What a search does with whole packs of points before the inverse map: which of them an element
+// might hold. Dispatched at run time to the instruction set.
 namespace pixelexact
 {
 /// Points are looked at in chunks of at most this many, a bit each.
@@ -52,8 +52,6 @@ struct PointKernels
   std::uint64_t (*select)(const ElementBounds& bounds, const InverseProblem& problem,
     const LanePoints& points, const PointChunk& chunk, bool inner, double* const selected[3],
     int* index);
-  /// Which of `count` are not RootInside, in ascending order; returns how many.
-  int (*others)(const double* status, int count, int* others);
 };
 
 const PointKernels& GetPointKernels();

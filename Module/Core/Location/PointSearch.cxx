@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Location/PointSearch.h"
 
+#include "Core/Location/RootCheck.h"
 #include "Core/Tree/Regularity.h"
 
 #include <algorithm>
@@ -51,84 +52,6 @@ double MaxAbs(const Vec3& x)
 {
   return std::max({ std::fabs(x.x), std::fabs(x.y), std::fabs(x.z) });
 }
-
-/// What the map says of a xi that is taken for a root of y.
-struct RootCheck
-{
-  [[nodiscard]] bool IsOnFace(Shape shape, const Vec3& xi) const
-  {
-    return !(Margin(shape, xi) > tolerance.x + tolerance.y + tolerance.z);
-  }
-
-  Vec3 tolerance{ 0.0 }; ///< the faces': |J^-1| times the uncertainty; zero where J is singular
-  bool holds = false;    ///< Phi(xi) is y up to so many times the uncertainty
-};
-
-/// Of at most kGroupPoints roots.
-class RootChecker
-{
-public:
-  explicit RootChecker(const InverseProblem& problem)
-    : Problem(problem)
-  {
-  }
-
-  void Run(std::span<const Vec3> xi, std::span<const Vec3> y, std::span<RootCheck> checks,
-    double mostMiss = kMostMiss)
-  {
-    const int count = static_cast<int>(xi.size());
-    for (int k = 0; k < PaddedCount(count); ++k)
-    {
-      for (int d = 0; d < 3; ++d)
-      {
-        Lanes[static_cast<std::size_t>(d)][static_cast<std::size_t>(k)] =
-          xi[static_cast<std::size_t>(std::min(k, count - 1))][d];
-      }
-    }
-    double* out[12];
-    for (std::size_t k = 0; k < 12; ++k)
-    {
-      out[k] = Lanes[3 + k].data();
-    }
-    KernelsFor(Problem.space)
-      .gradient(Problem.space, Problem.coefficients, 3,
-        { { Lanes[0].data(), Lanes[1].data(), Lanes[2].data() }, count }, out, out + 3);
-    for (std::size_t k = 0; k < xi.size(); ++k)
-    {
-      checks[k] = Check(k, y[k], mostMiss);
-    }
-  }
-
-private:
-  [[nodiscard]] RootCheck Check(std::size_t k, const Vec3& y, double mostMiss) const
-  {
-    RootCheck check;
-    check.holds = true;
-    SmallMatrix jacobian;
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      const double miss = std::fabs(Lanes[3 + c][k] - y[static_cast<int>(c)]);
-      check.holds = check.holds && miss <= mostMiss * Problem.uncertainty[c];
-      for (std::size_t d = 0; d < 3; ++d)
-      {
-        jacobian[c][d] = Lanes[6 + 3 * c + d][k];
-      }
-    }
-    const auto inverse = Inverse(3, jacobian);
-    for (std::size_t d = 0; inverse && d < 3; ++d)
-    {
-      for (std::size_t c = 0; c < 3; ++c)
-      {
-        check.tolerance[static_cast<int>(d)] +=
-          std::fabs((*inverse)[d][c]) * Problem.uncertainty[c];
-      }
-    }
-    return check;
-  }
-
-  const InverseProblem& Problem;
-  std::array<std::array<double, kGroupPoints>, 15> Lanes;
-};
 
 /// What the points of a group may cost each, and more of it where a halving costs a good part.
 std::int64_t MostWorkIn(const ElementTree& tree, std::span<const SoughtPoint> points)
@@ -557,12 +480,5 @@ void FindPreimages(ElementTree& tree, std::span<const SoughtPoint> points, Wante
   const std::size_t half = points.size() / 2;
   FindPreimages(tree, points.first(half), wanted, answers.first(half));
   FindPreimages(tree, points.subspan(half), wanted, answers.subspan(half));
-}
-
-bool IsOnFace(const InverseProblem& problem, const Vec3& xi)
-{
-  RootCheck check;
-  RootChecker(problem).Run(std::span(&xi, 1), std::span(&xi, 1), std::span(&check, 1));
-  return check.IsOnFace(problem.space.shape, xi);
 }
 } // namespace pixelexact

@@ -5,7 +5,6 @@
 #include "Core/Tree/ElementTree.h"
 #include "Core/Tree/TreeKernels.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -38,15 +37,6 @@ struct Preimages
 inline constexpr std::int64_t kMostWork = 4'500'000;
 /// Where the halving of a box of high order alone costs a good part of that.
 inline constexpr std::int64_t kMostWorkOfHighOrders = 9'000'000;
-/// What it may in one of the elements between which that is divided (ShareOfWork).
-inline constexpr std::int64_t kLeastWork = 1'000'000;
-
-/// What a point may cost in each of the elements whose own Newton iteration leaves it open.
-inline std::int64_t ShareOfWork(int elements)
-{
-  return std::max(kMostWork / std::max(elements, 1), kLeastWork);
-}
-
 /// A point that is looked for.
 struct SoughtPoint
 {
@@ -74,8 +64,4 @@ enum class Wanted : std::uint8_t
 /// for the point; what takes more than it may (`mostWork`) is unknown.
 void FindPreimages(ElementTree& tree, std::span<const SoughtPoint> points, Wanted wanted,
   std::span<Preimages> answers);
-
-/// Whether xi lies within the faces' tolerance of a face: |J^-1| times the uncertainty of Phi and
-/// y; true where J is singular.
-bool IsOnFace(const InverseProblem& problem, const Vec3& xi);
 } // namespace pixelexact

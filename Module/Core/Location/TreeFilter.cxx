@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Location/TreeFilter.h"
 
+#include "Core/Location/InnerPoints.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -33,36 +35,42 @@ bool TreeFilter::IsWorthIt(const ElementBounds& bounds)
 void TreeFilter::Run(ElementTree& tree, const LanePoints& points,
   std::span<const PointChunk> chunks, std::uint64_t near, std::span<std::uint64_t> kept)
 {
+  Begin(tree, points, chunks, near, kept);
+  Descend(near);
+}
+
+std::uint64_t TreeFilter::RunButInner(ElementTree& tree, const ElementBounds& bounds,
+  const LanePoints& points, std::span<const PointChunk> chunks, std::uint64_t near,
+  std::span<std::uint64_t> kept)
+{
+  Begin(tree, points, chunks, near, kept);
+  const std::uint64_t inner = InnerChunks(bounds, near);
+  for (std::uint64_t left = inner; left != 0; left &= left - 1)
+  {
+    const auto k = static_cast<std::size_t>(std::countr_zero(left));
+    kept[k] = chunks[k].open;
+  }
+  if (inner != near)
+  {
+    Descend(near & ~inner);
+  }
+  return inner;
+}
+
+void TreeFilter::Begin(ElementTree& tree, const LanePoints& points,
+  std::span<const PointChunk> chunks, std::uint64_t near, std::span<std::uint64_t> kept)
+{
   Tree = &tree;
   Kept = kept;
   Points = &points;
   Chunks = chunks;
   Scaled = 0;
   const InverseProblem& problem = tree.Problem();
-  if (tree.BeginCost() > kMostOfPoint)
-  {
-    for (std::size_t k = 0; k < chunks.size(); ++k)
-    {
-      kept[k] = chunks[k].open;
-    }
-    return;
-  }
-  const std::int64_t cost = tree.SplitCost();
-  const int whole =
-    static_cast<int>(std::bit_width(static_cast<std::uint64_t>(kMostGrowth / cost)));
-  MostHalvings = std::min(
-    { kMostHalvings, whole - 1 + tree.CoarseHalvings(), static_cast<int>(kMostOfPoint / cost) });
-  if (Y.size() < 3 * kGroupPoints * chunks.size())
-  {
-    Y.resize(3 * kGroupPoints * chunks.size());
-  }
-  ChunkBits open{};
   for (std::uint64_t left = near; left != 0; left &= left - 1)
   {
     const auto k = static_cast<std::size_t>(std::countr_zero(left));
     const PointChunk& chunk = chunks[k];
     kept[k] = 0;
-    open[k] = chunk.open;
     for (int d = 0; d < 3; ++d)
     {
       const double lower = (chunk.box.lower[d] - problem.centre[d]) * problem.inverseSize;
@@ -72,7 +80,68 @@ void TreeFilter::Run(ElementTree& tree, const LanePoints& points,
       Boxes.reach.x[d][k] = std::max(upper - middle, middle - lower);
     }
   }
-  for (const auto& piece : tree.Pieces())
+}
+
+/// Chunks of which the middle and some points all over them are well inside.
+std::uint64_t TreeFilter::InnerChunks(const ElementBounds& bounds, std::uint64_t near) const
+{
+  // Corners of a block of 8 x 8 points, and some between.
+  constexpr std::array<int, 8> kSpread{ 0, 7, 18, 27, 36, 45, 56, 63 };
+  const InverseProblem& problem = Tree->Problem();
+  const auto& middle = Boxes.middle.x;
+  std::uint64_t inner = 0;
+  for (std::uint64_t left = FindInnerPoints(
+         bounds, problem, { { middle[0], middle[1], middle[2] }, kGroupPoints }, near);
+       left != 0; left &= left - 1)
+  {
+    const auto k = static_cast<std::size_t>(std::countr_zero(left));
+    const PointChunk& chunk = Chunks[k];
+    alignas(64) std::array<std::array<double, kSpread.size()>, 3> y;
+    std::uint64_t some = 0;
+    for (std::size_t i = 0; i < kSpread.size(); ++i)
+    {
+      const int at = std::min(kSpread[i], chunk.count - 1);
+      some |= (chunk.open >> static_cast<unsigned>(at) & 1U) << i;
+      for (std::size_t d = 0; d < 3; ++d)
+      {
+        y[d][i] = (Points->x[d][chunk.begin + at] - problem.centre[d]) * problem.inverseSize;
+      }
+    }
+    const LanePoints points{ { y[0].data(), y[1].data(), y[2].data() },
+      static_cast<int>(kSpread.size()) };
+    inner |= FindInnerPoints(bounds, problem, points, some) == some ? std::uint64_t{ 1 } << k : 0;
+  }
+  return inner;
+}
+
+/// Tests the chunks, where the tree is worth it.
+void TreeFilter::Descend(std::uint64_t near)
+{
+  ChunkBits open{};
+  for (std::uint64_t left = near; left != 0; left &= left - 1)
+  {
+    const auto k = static_cast<std::size_t>(std::countr_zero(left));
+    open[k] = Chunks[k].open;
+  }
+  if (Tree->BeginCost() > kMostOfPoint)
+  {
+    for (std::uint64_t left = near; left != 0; left &= left - 1)
+    {
+      const auto k = static_cast<std::size_t>(std::countr_zero(left));
+      Kept[k] = open[k];
+    }
+    return;
+  }
+  const std::int64_t cost = Tree->SplitCost();
+  const int whole =
+    static_cast<int>(std::bit_width(static_cast<std::uint64_t>(kMostGrowth / cost)));
+  MostHalvings = std::min(
+    { kMostHalvings, whole - 1 + Tree->CoarseHalvings(), static_cast<int>(kMostOfPoint / cost) });
+  if (Y.size() < 3 * kGroupPoints * Chunks.size())
+  {
+    Y.resize(3 * kGroupPoints * Chunks.size());
+  }
+  for (const auto& piece : Tree->Pieces())
   {
     Visit(*piece, 0, near, open);
   }
@@ -107,6 +176,10 @@ void TreeFilter::Visit(
     if ((boxes.held >> k & 1U) != 0)
     {
       Kept[k] |= mine[k];
+    }
+    else if ((boxes.whole >> k & 1U) != 0)
+    {
+      left |= mine[k] != 0 ? std::uint64_t{ 1 } << k : 0;
     }
     else if (mine[k] != 0)
     {

@@ -25,10 +25,21 @@ public:
   void Run(ElementTree& tree, const LanePoints& points, std::span<const PointChunk> chunks,
     std::uint64_t near, std::span<std::uint64_t> kept);
 
+  /// The same in less time: chunks that most likely lie in the element are kept without any test.
+  /// Returns a bit for each. Whether Run would keep their points matters only where the inverse map
+  /// does not find them inside.
+  std::uint64_t RunButInner(ElementTree& tree, const ElementBounds& bounds,
+    const LanePoints& points, std::span<const PointChunk> chunks, std::uint64_t near,
+    std::span<std::uint64_t> kept);
+
 private:
   using ChunkBits = std::array<std::uint64_t, kGroupPoints>;
 
+  void Begin(ElementTree& tree, const LanePoints& points, std::span<const PointChunk> chunks,
+    std::uint64_t near, std::span<std::uint64_t> kept);
+  void Descend(std::uint64_t near);
   [[nodiscard]] std::array<const double*, 3> InUnits(std::size_t chunk);
+  [[nodiscard]] std::uint64_t InnerChunks(const ElementBounds& bounds, std::uint64_t near) const;
   void Visit(ElementTree::Node& node, int depth, std::uint64_t active, const ChunkBits& bits);
 
   const TreeKernels& Kernels = GetTreeKernels();

@@ -112,12 +112,15 @@ NodeJudgement JudgeBoxesWidely(
         near = And(near, And(lower <= hullUpper, upper >= hullLower));
         held = And(held, And(lower >= hullLower, upper <= hullUpper));
       }
+      LaneMask whole = held;
       if (!frame.framed)
       {
+        judgement.whole |= BitsOf(And(near, whole)) << static_cast<unsigned>(i);
         return near;
       }
       if (!None(near))
       {
+        LaneMask beside = AndNot(near, near);
         Point<Lanes> from;
         Point<Lanes> error;
         for (std::size_t c = 0; c < 3; ++c)
@@ -137,12 +140,17 @@ NodeJudgement JudgeBoxesWidely(
           }
           near = AndNot(near, Splat(plane.wider) < along - across);
           held = And(held, along + across <= Splat(plane.inner));
+          whole = And(whole, along + across <= Splat(plane.wider));
+          beside = Or(beside, Splat(plane.inner) < along - across);
         }
+        whole = And(whole, beside);
       }
       judgement.held |= BitsOf(And(near, held)) << static_cast<unsigned>(i);
+      judgement.whole |= BitsOf(And(near, whole)) << static_cast<unsigned>(i);
       return near;
     });
   judgement.held &= judgement.near;
+  judgement.whole &= judgement.near;
   return judgement;
 }
 

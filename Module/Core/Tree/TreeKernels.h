@@ -41,6 +41,8 @@ struct NodeJudgement
   std::uint64_t near = 0;
   /// Of those near: a xi of the node's box does map to the point, by proof.
   std::uint64_t held = 0;
+  /// Of boxes near: the node says the same of all points in it, near and not held.
+  std::uint64_t whole = 0;
 };
 
 struct TreeKernels
