@@ -129,6 +129,90 @@ TEST(PolynomialBatch, HullsHoldAllValues)
     });
 }
 
+namespace
+{
+/// Coordinates of degree 1 in each direction, as xi is in eta.
+Vec3 PlaceAt(const Vec3& t)
+{
+  return { 0.25 * (1.0 + t.x) * (1.0 - t.y) * (1.0 - t.z) - 1.0, 0.5 * (1.0 + t.y) * (1.0 - t.z),
+    t.z };
+}
+
+std::vector<Vec3> PlacesIn(const Box3& part, const Degrees& degree)
+{
+  std::vector<Vec3> places;
+  const auto at = [&](int d, int i)
+  {
+    return part.lower[d] +
+      (part.upper[d] - part.lower[d]) * i / degree[static_cast<std::size_t>(d)];
+  };
+  for (int i = 0; i <= degree[0]; ++i)
+  {
+    for (int j = 0; j <= degree[1]; ++j)
+    {
+      for (int k = 0; k <= degree[2]; ++k)
+      {
+        places.push_back(PlaceAt({ at(0, i), at(1, j), at(2, k) }));
+      }
+    }
+  }
+  return places;
+}
+
+long double AffineAt(const AffineBound& bound, const Vec3& x)
+{
+  long double sum = bound.value;
+  for (int d = 0; d < 3; ++d)
+  {
+    sum += static_cast<long double>(bound.slope[static_cast<std::size_t>(d)]) * x[d];
+  }
+  return sum;
+}
+} // namespace
+
+/// Of any polynomials, and of those that are affine in the coordinates next to nothing is left.
+TEST(PolynomialBatch, AffineBoundsHoldAllValues)
+{
+  OnEveryInstructionSet(
+    []
+    {
+      Polynomials made;
+      for (const Degrees& degree : { Degrees{ 1, 1, 1 }, Degrees{ 3, 3, 3 }, Degrees{ 8, 7, 9 } })
+      {
+        std::vector<BoxPolynomial> list = made.Make(degree, 11);
+        BoxPolynomial affine{ degree, {}, 0.0 };
+        for (const Vec3& x : PlacesIn({ Vec3(-1.0), Vec3(1.0) }, degree))
+        {
+          affine.b.push_back(3.0 + 2.0 * x.x - 5.0 * x.y + 7.0 * x.z);
+        }
+        list.push_back(affine);
+        const PolynomialBatch batch(degree, list);
+        for (int trial = 0; trial < 4; ++trial)
+        {
+          const Box3 part = trial == 0 ? Box3{ Vec3(-1.0), Vec3(1.0) } : made.MakePart();
+          const std::vector<Vec3> places = PlacesIn(part, degree);
+          std::vector<Interval> hulls(list.size());
+          std::vector<AffineBound> bounds(6);
+          batch.BoundsOver(part, hulls, places, bounds);
+          EXPECT_LE(bounds.back().radius, 1e-11);
+          for (int point = 0; point < 8; ++point)
+          {
+            const LongPoint t{ made.Between(part.lower.x, part.upper.x),
+              made.Between(part.lower.y, part.upper.y), made.Between(part.lower.z, part.upper.z) };
+            const Vec3 x = PlaceAt(
+              { static_cast<double>(t[0]), static_cast<double>(t[1]), static_cast<double>(t[2]) });
+            for (std::size_t c = 0; c < bounds.size(); ++c)
+            {
+              const BoxPolynomial& own = list[list.size() - bounds.size() + c];
+              const long double off = ValueAt(own, t) - AffineAt(bounds[c], x);
+              EXPECT_LE(std::fabs(off), bounds[c].radius + 1e-13);
+            }
+          }
+        }
+      }
+    });
+}
+
 TEST(PolynomialBatch, HullsAreThoseOfEachAlone)
 {
   Polynomials made;

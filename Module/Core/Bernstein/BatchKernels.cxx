@@ -100,6 +100,42 @@ void FindEach(
       }
     });
 }
+
+void FindBeside(const double* values, std::size_t stride, std::span<const Vec3> places,
+  const double* const* slopes, std::size_t count, double* least, double* most)
+{
+  ForEachPack(
+    count,
+    [&](std::size_t i) PIXELEXACT_INLINED
+    {
+      const Lanes slope[3] = { Traits::Load(slopes[0] + i), Traits::Load(slopes[1] + i),
+        Traits::Load(slopes[2] + i) };
+      Lanes low = Traits::Splat(0.0);
+      Lanes high = low;
+      for (std::size_t r = 0; r < places.size(); ++r)
+      {
+        const Vec3& x = places[r];
+        const Lanes affine = slope[0] * Traits::Splat(x.x) + slope[1] * Traits::Splat(x.y) +
+          slope[2] * Traits::Splat(x.z);
+        const Lanes left = Traits::Load(values + r * stride + i) - affine;
+        low = r == 0 ? left : Min(low, left);
+        high = r == 0 ? left : Max(high, left);
+      }
+      Store(low, least + i);
+      Store(high, most + i);
+    },
+    [&](std::size_t i) PIXELEXACT_INLINED
+    {
+      for (std::size_t r = 0; r < places.size(); ++r)
+      {
+        const Vec3& x = places[r];
+        const double left =
+          values[r * stride + i] - (slopes[0][i] * x.x + slopes[1][i] * x.y + slopes[2][i] * x.z);
+        least[i] = r == 0 ? left : std::min(least[i], left);
+        most[i] = r == 0 ? left : std::max(most[i], left);
+      }
+    });
+}
 } // namespace pixelexact::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -108,6 +144,7 @@ namespace pixelexact
 {
 HWY_EXPORT(CombineBlocks);
 HWY_EXPORT(FindEach);
+HWY_EXPORT(FindBeside);
 
 void CombineRows(std::span<const double> factors, std::size_t count, std::size_t stride,
   std::span<const double> from, std::span<double> to)
@@ -120,6 +157,15 @@ void ExtremesOfEach(std::span<const double> values, std::span<double> least, std
 {
   HWY_DYNAMIC_DISPATCH(FindEach)
   (values.data(), values.size(), least.size(), least.data(), most.data());
+}
+
+void ExtremesBesideAffine(std::span<const double> values, std::size_t stride,
+  std::span<const Vec3> places, const std::array<std::vector<double>, 3>& slopes,
+  std::span<double> least, std::span<double> most)
+{
+  const double* const rows[3] = { slopes[0].data(), slopes[1].data(), slopes[2].data() };
+  HWY_DYNAMIC_DISPATCH(FindBeside)
+  (values.data(), stride, places, rows, least.size(), least.data(), most.data());
 }
 } // namespace pixelexact
 #endif

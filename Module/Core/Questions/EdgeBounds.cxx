@@ -158,7 +158,7 @@ std::optional<Interval> EdgeBounds::ValuesIn(const EdgeNode& node, const WideOut
   bool divide = !node.regular;
   if (node.regular && meets(values))
   {
-    const EdgeMeeting meeting = Meet(Functions, node, region);
+    const EdgeMeeting meeting = Meet(Functions, node, region, wanted);
     values = meeting.values;
     divide = (meeting.bends && node.halvings < effort.whereMapBends) ||
       (meeting.curves && node.halvings < effort.whereFieldCurves);
@@ -197,7 +197,7 @@ bool EdgeBounds::MayTake(
     bool divide = !node.regular;
     if (node.regular)
     {
-      const EdgeMeeting meeting = Meet(Functions, node, region);
+      const EdgeMeeting meeting = Meet(Functions, node, region, wanted);
       if (!meeting.values || !wanted.Meets(meeting.values->lower, meeting.values->upper))
       {
         return false;

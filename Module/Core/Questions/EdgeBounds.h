@@ -70,9 +70,10 @@ public:
     const LocatedPoint& a, const LocatedPoint& b, double sagitta = 0.0) const;
 
   /// Holds the values on a part of the plane through three points of the element, best next to
-  /// them. Nothing where it is not proven that the part lies in the element.
-  [[nodiscard]] std::optional<Interval> Over(
-    const std::array<LocatedPoint, 3>& triangle, const WideOutline& part) const;
+  /// them. Nothing where it is not proven that the part lies in the element. More is found out only
+  /// as long as they meet those that are wanted.
+  [[nodiscard]] std::optional<Interval> Over(const std::array<LocatedPoint, 3>& triangle,
+    const WideOutline& part, const ValueSet& wanted) const;
 
   /// Holds the values at the points of the element in a region; nothing: there are none. More is
   /// found out only as long as they meet those that are wanted: what is told then may lack others.

@@ -33,6 +33,13 @@ std::atomic<std::int64_t> bytesKept{ 0 };
 constexpr int kMostOfDivisor = 4;
 constexpr Part kBy[3] = { Part::ByXi1, Part::ByXi2, Part::ByXi3 };
 
+AffineBound Scaled(const AffineBound& bound, int exponent)
+{
+  const double by = std::ldexp(1.0, exponent);
+  return { by * bound.value, { by * bound.slope[0], by * bound.slope[1], by * bound.slope[2] },
+    by * bound.radius + std::numeric_limits<double>::min() };
+}
+
 Interval Widened(const Interval& range, double slack)
 {
   return range + Interval(-slack, slack);
@@ -329,7 +336,7 @@ EdgeFunctions::View EdgeFunctions::ViewAt(const Vec3& xi) const
   return view;
 }
 
-Interval EdgeFunctions::LinearValues(
+EdgeFunctions::Linear EdgeFunctions::LinearValues(
   const Vec3& xi, std::span<const Vec3> places, double slopeError) const
 {
   constexpr std::size_t kMost = Outline::kMostCorners + Outline::kMostCuts;
@@ -337,6 +344,7 @@ Interval EdgeFunctions::LinearValues(
   std::array<double, kMost> values{};
   std::array<double, kMost> squares{};
   std::array<double, kMost> products{};
+  Linear linear;
   double square = 0.0;
   double size = 0.0;
   double length = 0.0;
@@ -348,6 +356,7 @@ Interval EdgeFunctions::LinearValues(
   {
     const PointValues component = ValuesAt(c, std::span(&xi, 1));
     const Vec3 slope = component.SlopeOf(0, 0);
+    linear.slope = slope;
     double sum = 0.0;
     for (std::size_t k = 0; k < places.size(); ++k)
     {
@@ -368,13 +377,15 @@ Interval EdgeFunctions::LinearValues(
   {
     const auto [least, most] =
       std::minmax_element(values.begin(), values.begin() + std::ssize(places));
-    return { *least - slack, *most + slack };
+    linear.values = { *least - slack, *most + slack };
+    return linear;
   }
   // |v| >= v . n of the unit vector n along the sum, which is least at a corner.
   const auto least = *std::min_element(products.begin(), products.begin() + std::ssize(places));
   const auto most = *std::max_element(squares.begin(), squares.begin() + std::ssize(places));
-  return { square > 0.0 ? std::max(0.0, least / std::sqrt(square) - 16.0 * slack) : 0.0,
+  linear.values = { square > 0.0 ? std::max(0.0, least / std::sqrt(square) - 16.0 * slack) : 0.0,
     std::sqrt(most) + slack };
+  return linear;
 }
 
 double EdgeFunctions::ErrorOf(const ScaledModes& modes, int components, Part part) const
@@ -511,6 +522,7 @@ EdgeFunctions::Derivatives EdgeFunctions::DerivativesOver(
 {
   Derivatives ranges;
   const auto count = static_cast<std::size_t>(Count);
+  const bool bounded = map.ofPieces.size() == 1 && Count == 1 && !Divisor;
   std::vector<Interval> values(count + (Divisor ? 1 : 0));
   ranges.components.resize(values.size());
   std::size_t number = 0;
@@ -521,7 +533,7 @@ EdgeFunctions::Derivatives EdgeFunctions::DerivativesOver(
       EdgePolynomials::Hulls here;
       WithPolynomials(piece,
         [&](const EdgePolynomials& polynomials)
-        { here = polynomials.Over(within, map.ofPieces[number]); });
+        { here = polynomials.Over(within, map.ofPieces[number], bounded ? &box : nullptr); });
       ++number;
       const auto add = [&](Interval& to, const Interval& hull, int exponent)
       { to = first ? Scaled(hull, exponent) : Join(to, Scaled(hull, exponent)); };
@@ -547,7 +559,23 @@ EdgeFunctions::Derivatives EdgeFunctions::DerivativesOver(
         addAll(ranges.components[c], here.functions[c], exponent);
         add(values[c], here.values[c], exponent);
       }
+      ranges.curves = std::move(here.curves);
     });
+  if (ranges.curves)
+  {
+    const auto scale = [](EdgePolynomials::SecondBounds& bounds, int exponent)
+    {
+      for (AffineBound& bound : bounds)
+      {
+        bound = Scaled(bound, exponent);
+      }
+    };
+    for (EdgePolynomials::SecondBounds& bounds : ranges.curves->map)
+    {
+      scale(bounds, Map.exponent);
+    }
+    scale(ranges.curves->functions.front(), Component.exponent);
+  }
   if (Divisor)
   {
     for (std::size_t c = 0; c <= count; ++c)

@@ -76,7 +76,12 @@ public:
   [[nodiscard]] View ViewAt(const Vec3& xi) const;
   /// Of the expansion of first order about a xi, between these places in xi: of an Outline.
   /// `slopeError`: of the component at points there (ErrorsWith).
-  [[nodiscard]] Interval LinearValues(
+  struct Linear
+  {
+    Interval values;
+    Vec3 slope{ 0.0 }; ///< by xi, of the last component
+  };
+  [[nodiscard]] Linear LinearValues(
     const Vec3& xi, std::span<const Vec3> places, double slopeError) const;
 
   /// Holds all values of a box.
@@ -99,6 +104,8 @@ public:
     /// Of mapped fields, det J and its first derivatives.
     Interval divisor{ 1.0 };
     std::array<Interval, 3> divisorSlopes{};
+    /// Of one component that is not mapped, over boxes in one piece.
+    std::optional<EdgePolynomials::Curves> curves;
   };
   [[nodiscard]] Derivatives DerivativesOver(const EtaBox& box, const MapRanges& map) const;
   /// Bounds the rounding of values and of their derivatives by xi over a box, both of kernels and

@@ -3,6 +3,7 @@
 
 #include "Core/Math/Rounding.h"
 #include "Core/Questions/EdgeArithmetic.h"
+#include "Core/Questions/LocalCurves.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <span>
 
 namespace pixelexact
@@ -21,6 +23,7 @@ namespace
 /// What the expansion's error may be of the distance.
 constexpr double kCoarse = 0.25;
 constexpr int kRounds = 6;
+constexpr int kLocalRounds = 2;
 /// Of Newton's iteration towards a region's middle.
 constexpr int kSteps = 2;
 /// Covers the rounding of sums of some five products, of their magnitudes' sum.
@@ -179,7 +182,8 @@ bool Misses(const EdgeFunctions& functions, const EdgeNode& node, const WideOutl
   return KeepDeep(node, off, Outline(std::span(images).first(corners.size()))).IsEmpty();
 }
 
-EdgeMeeting Meet(const EdgeFunctions& functions, const EdgeNode& node, const WideOutline& region)
+EdgeMeeting Meet(const EdgeFunctions& functions, const EdgeNode& node, const WideOutline& region,
+  const ValueSet& wanted)
 {
   const double slack = region.slack;
   const Shape shape = functions.GetShape();
@@ -285,25 +289,55 @@ EdgeMeeting Meet(const EdgeFunctions& functions, const EdgeNode& node, const Wid
   {
     step += view.xi;
   }
-  const Outline inside = KeepDeep(node, off, Outline(std::span(steps).first(count)));
-  if (inside.IsEmpty())
-  {
-    return {};
-  }
-  const Interval linear = functions.LinearValues(view.xi, inside.Corners(), node.slopeError);
-  const double curved = Quadratic(node.curve, away) / 2.0;
-  const bool isWide = curved > kCoarse * (linear.upper - linear.lower);
-  double most = curved + 2.0 * node.valueError;
   EdgeMeeting meeting;
-  for (std::size_t k = 0; k < 3; ++k)
+  const auto find = [&](LocalExpansion* local)
   {
-    most += node.slope[k] * besides[k];
-    meeting.bends = meeting.bends || off[k] > kCoarse * away[k] + 2.0 * besides[k];
-    meeting.curves = meeting.curves || (isWide && node.reach[k] > 2.0 * away[k]);
+    const Outline inside = KeepDeep(node, off, Outline(std::span(steps).first(count)));
+    if (inside.IsEmpty())
+    {
+      meeting = {};
+      return;
+    }
+    const auto [linear, slope] = functions.LinearValues(view.xi, inside.Corners(), node.slopeError);
+    double curved = Quadratic(node.curve, away) / 2.0;
+    if (local)
+    {
+      curved = std::min(curved, local->Curved(away, slope, node.slopeError));
+    }
+    const bool isWide = curved > kCoarse * (linear.upper - linear.lower);
+    double most = curved + 2.0 * node.valueError;
+    meeting = {};
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      most += node.slope[k] * besides[k];
+      meeting.bends = meeting.bends || off[k] > kCoarse * away[k] + 2.0 * besides[k];
+      meeting.curves = meeting.curves || (isWide && node.reach[k] > 2.0 * away[k]);
+    }
+    most = most * kUp + 1e-14 * (std::fabs(linear.lower) + std::fabs(linear.upper));
+    meeting.values =
+      Interval(rounding::Below(linear.lower - most), rounding::Above(linear.upper + most));
+  };
+  find(nullptr);
+  if (!node.slopes || !meeting.values ||
+    !wanted.Meets(meeting.values->lower, meeting.values->upper))
+  {
+    return meeting;
   }
-  most = most * kUp + 1e-14 * (std::fabs(linear.lower) + std::fabs(linear.upper));
-  meeting.values =
-    Interval(rounding::Below(linear.lower - most), rounding::Above(linear.upper + most));
+  LocalExpansion local(node, view, functions.ImageSlopeError());
+  for (int round = 0; round < kLocalRounds && local.IsKnown(); ++round)
+  {
+    double own[3];
+    local.Off(away, own);
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      off[k] = std::min(off[k], (own[k] + besides[k]) * kUp);
+      away[k] = std::min(away[k], (farther[k] + off[k]) * kUp);
+    }
+  }
+  if (local.IsKnown())
+  {
+    find(&local);
+  }
   return meeting;
 }
 } // namespace pixelexact

@@ -3,6 +3,7 @@
 
 #include "Core/Questions/EdgeNode.h"
 #include "Core/Questions/Outline.h"
+#include "Core/Questions/ValueSet.h"
 
 #include <array>
 #include <optional>
@@ -48,7 +49,8 @@ struct EdgeMeeting
 [[nodiscard]] bool Misses(
   const EdgeFunctions& functions, const EdgeNode& node, const WideOutline& region);
 
-/// In a regular node, from the second-order expansion about a point of it near the region.
-[[nodiscard]] EdgeMeeting Meet(
-  const EdgeFunctions& functions, const EdgeNode& node, const WideOutline& region);
+/// In a regular node, from the second-order expansion about a point of it near the region. More is
+/// found out only as long as the values meet those that are wanted.
+[[nodiscard]] EdgeMeeting Meet(const EdgeFunctions& functions, const EdgeNode& node,
+  const WideOutline& region, const ValueSet& wanted);
 } // namespace pixelexact

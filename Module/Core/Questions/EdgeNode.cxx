@@ -22,6 +22,8 @@ constexpr double kMargin = 0.25;
 constexpr double kMostTurn = 0.7;
 /// Part of these that the Jacobians along a box's middle lines have to explain, to be trusted.
 constexpr double kExplained = 0.125;
+/// Of bounds along straight lines, up to which those that are left are worth asking.
+constexpr double kSharper = 0.5;
 
 /// Across which direction of eta the Jacobian changes most along the middle lines of a box, in the
 /// terms of its row sums; nothing where that is not more than `least` anywhere. Thin elements that
@@ -97,7 +99,7 @@ bool EdgeNode::DescribeMap(const EdgeFunctions& functions, const EdgeFunctions::
 {
   const Shape shape = functions.GetShape();
   const Box3 hull = HullInXi(shape, wide);
-  centre = TensorToReference(shape, 0.5 * (wide.lower + wide.upper));
+  centre = CentreOf(shape, wide);
   origin = functions.ViewAt(centre).y;
   Mat3 middle;
   for (int c = 0; c < 3; ++c)
@@ -209,9 +211,58 @@ void EdgeNode::DescribeCurves(
     const double most = norm([p](const HessianFunction::XiRanges& one) { return one.second[p]; });
     second[3][p] = components.size() == 1 ? components.front().second[p] : Interval(-most, most);
   }
+  if (derivatives.curves)
+  {
+    DescribeSlopes(*derivatives.curves);
+  }
   const auto [ofValues, ofSlopes] = functions.ErrorsWith(derivatives);
   valueError = ofValues;
   slopeError = ofSlopes;
   regular = finite && std::isfinite(valueError) && std::isfinite(slopeError);
+}
+
+void EdgeNode::DescribeSlopes(const EdgePolynomials::Curves& curves)
+{
+  auto made = std::make_unique<Slopes>();
+  for (std::size_t p = 0; p < 6; ++p)
+  {
+    const double twice = kRows[p] == kColumns[p] ? 1.0 : 2.0;
+    const auto add = [](double factor, const AffineBound& bound, AffineBound& sum)
+    {
+      const double size = std::fabs(factor);
+      sum.value += factor * bound.value;
+      double largest = std::fabs(bound.value);
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        sum.slope[k] += factor * bound.slope[k];
+        largest += std::fabs(bound.slope[k]);
+      }
+      // Of xi - centre, which is no more than 2.
+      sum.radius += size * (bound.radius + 2.0 * kRoundoffs * largest) * kUp;
+    };
+    add(twice, curves.functions.front()[p], made->curve[p]);
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        add(twice * inverse[k][c], curves.map[c][p], made->bend[k][p]);
+      }
+    }
+  }
+  double before = 0.0;
+  double after = 0.0;
+  for (std::size_t p = 0; p < 6; ++p)
+  {
+    before += curve[p];
+    after += made->curve[p].radius;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      after += slope[k] * made->bend[k][p].radius;
+    }
+  }
+  if (after <= kSharper * before)
+  {
+    slopes = std::move(made);
+  }
 }
 } // namespace pixelexact

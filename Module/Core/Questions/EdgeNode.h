@@ -6,6 +6,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <memory>
 
 namespace pixelexact
 {
@@ -54,6 +55,13 @@ struct EdgeNode
   /// Ranges of the second derivatives of Phi and, last, of F: 11, 12, 13, 22, 23, 33. Of a norm, of
   /// the norm of F''.
   std::array<std::array<Interval, 6>, 4> second;
+  /// Where known: M Phi'' and F'' in terms of xi - centre, mixed ones twice (LocalCurves).
+  struct Slopes
+  {
+    std::array<EdgePolynomials::SecondBounds, 3> bend;
+    EdgePolynomials::SecondBounds curve;
+  };
+  std::unique_ptr<const Slopes> slopes;
   double valueError = 0.0; ///< EdgeFunctions::ErrorsWith
   double slopeError = 0.0;
   double shift[3]{}; ///< by how much a located point's xi may be off
@@ -79,5 +87,6 @@ private:
   bool DescribeMap(const EdgeFunctions& functions, const EdgeFunctions::MapRanges& map);
   void DescribeCurves(
     const EdgeFunctions& functions, const EdgeFunctions::Derivatives& derivatives);
+  void DescribeSlopes(const EdgePolynomials::Curves& curves);
 };
 } // namespace pixelexact

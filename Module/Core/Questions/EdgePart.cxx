@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Questions/EdgeArithmetic.h"
 #include "Core/Questions/EdgeBounds.h"
+#include "Core/Questions/LocalCurves.h"
 
 #include <glm/geometric.hpp>
 
@@ -26,6 +27,8 @@ struct InTriangle
   std::array<double, Outline::kMostCorners> t{};
   double mostS = 0.0; ///< |s|
   double mostT = 0.0;
+  double bentS = 0.0; ///< |s^2 - s|
+  double bentT = 0.0;
   double off = 0.0; ///< by what the part is off the plane
 };
 
@@ -58,12 +61,65 @@ std::optional<InTriangle> Seen(
     const double terms = LargestOf(x) + std::fabs(s) * LargestOf(u) + std::fabs(t) * LargestOf(v);
     part.off = std::max(part.off, LargestOf(x - s * u - t * v) + kRoundoffs * terms);
   }
+  const auto bent = [&](const auto& all)
+  {
+    const auto [least, most] = std::minmax_element(all.begin(), all.begin() + std::ssize(corners));
+    return std::max({ std::fabs(*least * (*least - 1.0)), std::fabs(*most * (*most - 1.0)),
+      *least < 0.5 && *most > 0.5 ? 0.25 : 0.0 });
+  };
+  part.bentS = bent(part.s);
+  part.bentT = bent(part.t);
   return part;
+}
+
+/// Of the sides of a triangle, and of the way from its first corner to a part, in xi: bounds, and
+/// what these leave open.
+struct Ways
+{
+  double side[2][3];  ///< between the points as they are known
+  double along[2][3]; ///< |side|, and what it may be off
+  double way[3];
+  double unsure[3]; ///< of the sides
+  double unsureOfWay[3];
+};
+
+/// A remainder b(w, w) / 2 of second order at s d_1 + t d_2, less s times what it is at d_1, and t
+/// times at d_2: of a form b about `form`, as far off as `beside`.
+double BentBetween(
+  const InTriangle& part, const Ways& ways, const double (&form)[6], const double (&beside)[6])
+{
+  const double known = part.bentS * std::fabs(Quadratic(form, ways.side[0])) +
+    2.0 * part.mostS * part.mostT * std::fabs(Bilinear(form, ways.side[0], ways.side[1])) +
+    part.bentT * std::fabs(Quadratic(form, ways.side[1]));
+  double all[6];
+  double rounding[6];
+  for (std::size_t p = 0; p < 6; ++p)
+  {
+    all[p] = std::fabs(form[p]);
+    rounding[p] = beside[p] + kRoundoffs * all[p];
+  }
+  const double unknown = Quadratic(rounding, ways.way) +
+    part.mostS * Quadratic(rounding, ways.along[0]) +
+    part.mostT * Quadratic(rounding, ways.along[1]);
+  const double moved = Bilinear(all, ways.way, ways.unsureOfWay) +
+    part.mostS * Bilinear(all, ways.along[0], ways.unsure) +
+    part.mostT * Bilinear(all, ways.along[1], ways.unsure);
+  return (0.5 * (known + unknown) + moved) * kUp;
+}
+
+std::array<double, 3> Farthest(const Ways& ways)
+{
+  std::array<double, 3> farthest;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    farthest[k] = std::max({ ways.way[k], ways.along[0][k], ways.along[1][k] });
+  }
+  return farthest;
 }
 } // namespace
 
-std::optional<Interval> EdgeBounds::Over(
-  const std::array<LocatedPoint, 3>& triangle, const WideOutline& part) const
+std::optional<Interval> EdgeBounds::Over(const std::array<LocatedPoint, 3>& triangle,
+  const WideOutline& part, const ValueSet& wanted) const
 {
   if (!Functions.IsKnown())
   {
@@ -85,9 +141,9 @@ std::optional<Interval> EdgeBounds::Over(
   const double weight = 1.0 + 2.0 * (seen->mostS + seen->mostT);
   const double inY = (part.slack + seen->off) / Functions.Size();
   const Vec3 sides[2] = { triangle[1].xi - triangle[0].xi, triangle[2].xi - triangle[0].xi };
-  double along[2][3];
+  Ways ways{};
+  auto& [side, along, way, unsure, unsureOfWay] = ways;
   double besides[3];
-  double way[3] = {};
   double off[3];
   double beside[3];
   std::array<Vec3, Outline::kMostCorners> places;
@@ -103,9 +159,14 @@ std::optional<Interval> EdgeBounds::Over(
   for (std::size_t k = 0; k < 3; ++k)
   {
     const int d = static_cast<int>(k);
-    along[0][k] = std::fabs(sides[0][d]) + 2.0 * shift[k];
-    along[1][k] = std::fabs(sides[1][d]) + 2.0 * shift[k];
-    way[k] += weight * shift[k];
+    unsure[k] = 2.0 * shift[k];
+    unsureOfWay[k] = weight * shift[k];
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+      side[i][k] = sides[i][d];
+      along[i][k] = std::fabs(sides[i][d]) + unsure[k];
+    }
+    way[k] += unsureOfWay[k];
     besides[k] = weight * shift[k] + node.lean[k] * inY;
     beside[k] = kBeside + 2.0 * shift[k];
   }
@@ -116,20 +177,63 @@ std::optional<Interval> EdgeBounds::Over(
       (Quadratic(form, there) + seen->mostS * Quadratic(form, along[0]) +
         seen->mostT * Quadratic(form, along[1]));
   };
+  const double first = triangle[0].value;
+  const double rises[2] = { triangle[1].value - first, triangle[2].value - first };
+  Interval linear(first);
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    const double value = first + seen->s[i] * rises[0] + seen->t[i] * rises[1];
+    linear = i == 0 ? Interval(value) : Join(linear, Interval(value));
+  }
   for (std::size_t k = 0; k < 3; ++k)
   {
-    off[k] = (halfOf(node.bend[k], way) + besides[k]) * kUp;
+    off[k] = halfOf(node.bend[k], way) * kUp;
   }
-  for (const EdgeNodeEnd& end : node.wideEnds)
+  double bent[3];
+  std::ranges::copy(off, bent);
+  std::optional<LocalCurves> local;
+  const auto sharpen = [&]
   {
-    const double less = end.Across(off) - (end.ofElement ? end.Across(beside) : 0.0);
-    for (std::size_t i = 0; i < corners.size(); ++i)
+    local.emplace(node, triangle[0].xi);
+    local->Reach(Farthest(ways));
+    double own[3];
+    for (std::size_t k = 0; k < 3; ++k)
     {
-      // Written so that a NaN is not covered.
-      if (!(end.DepthOf(places[i]) >= less))
+      own[k] = BentBetween(*seen, ways, local->bend[k], local->bends[k]);
+    }
+    Solve(node.turn, own);
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      // Written so that a NaN leaves what is known.
+      bent[k] = own[k] < bent[k] ? own[k] : bent[k];
+      off[k] = bent[k];
+    }
+  };
+  const auto isCovered = [&]
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      off[k] = (off[k] + besides[k]) * kUp;
+    }
+    return std::ranges::all_of(node.wideEnds,
+      [&](const EdgeNodeEnd& end)
       {
-        return std::nullopt;
-      }
+        const double less = end.Across(off) - (end.ofElement ? end.Across(beside) : 0.0);
+        // Written so that a NaN is not covered.
+        return std::ranges::all_of(std::span(places).first(corners.size()),
+          [&](const Vec3& place) { return end.DepthOf(place) >= less; });
+      });
+  };
+  if (!isCovered())
+  {
+    if (!node.slopes)
+    {
+      return std::nullopt;
+    }
+    sharpen();
+    if (!isCovered())
+    {
+      return std::nullopt;
     }
   }
 
@@ -139,19 +243,12 @@ std::optional<Interval> EdgeBounds::Over(
   for (std::size_t k = 0; k < 3; ++k)
   {
     way[k] = (way[k] + off[k]) * kUp;
+    unsureOfWay[k] += off[k];
     error += node.slope[k] * shift[k];
     most += node.slope[k] * (besides[k] + 2.0 * beside[k]);
     change += node.slope[k] * std::max({ way[k], along[0][k], along[1][k] });
   }
-  const double first = triangle[0].value;
-  const double rises[2] = { triangle[1].value - first, triangle[2].value - first };
-  Interval linear(first);
-  for (std::size_t i = 0; i < corners.size(); ++i)
-  {
-    const double value = first + seen->s[i] * rises[0] + seen->t[i] * rises[1];
-    linear = i == 0 ? Interval(value) : Join(linear, Interval(value));
-  }
-  most += halfOf(node.curve, way) + weight * error;
+  most += weight * error;
   if (Functions.Components() > 1)
   {
     // The norm of a vector that changes by at most `change`; see Along.
@@ -163,7 +260,28 @@ std::optional<Interval> EdgeBounds::Over(
     }
     most += 0.5 * (1.0 + seen->mostS + seen->mostT) * change * change / least;
   }
-  most = most * kUp + kRoundoffs * weight * (std::fabs(linear.lower) + std::fabs(linear.upper));
-  return Interval(rounding::Below(linear.lower - most), rounding::Above(linear.upper + most));
+  const auto widened = [&](double curved)
+  {
+    const double by = (most + curved) * kUp +
+      kRoundoffs * weight * (std::fabs(linear.lower) + std::fabs(linear.upper));
+    return Interval(rounding::Below(linear.lower - by), rounding::Above(linear.upper + by));
+  };
+  const double curved = halfOf(node.curve, way);
+  const Interval values = widened(curved);
+  if (!node.slopes || !wanted.Meets(values.lower, values.upper))
+  {
+    return values;
+  }
+  if (!local)
+  {
+    sharpen();
+  }
+  local->Reach(Farthest(ways));
+  double own = BentBetween(*seen, ways, local->curve, local->curves);
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    own += node.slope[k] * bent[k];
+  }
+  return own < curved ? widened(own) : values;
 }
 } // namespace pixelexact

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Questions/EdgePolynomials.h"
 
+#include "Core/Bernstein/BoxAlgebra.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <span>
@@ -55,6 +57,65 @@ List AllOf(const ScaledModes& map, const ScaledModes& field, int component, int 
   return HessianFunction::Polynomials(map, field, component, level, piece, kWholePiece);
 }
 
+/// Whether nothing is left to divide by.
+bool AreByXi(Shape shape, const List& all)
+{
+  return shape != Shape::Pyramid &&
+    std::ranges::all_of(PartOf(all, kFirstFactor + 2, 2),
+      [](const BoxPolynomial& divisor) { return divisor.b.size() == 1; });
+}
+
+BoxPolynomial Raised(const BoxPolynomial& f, const Degrees& degree)
+{
+  BoxPolynomial raised{ degree, std::vector<double>(CoefficientCount(degree)) };
+  Elevate(f.degree, degree, f.b, raised.b);
+  raised.error = f.error + ElevationError(degree, LargestMagnitude(f.b));
+  return raised;
+}
+
+BoxPolynomial Sum(const BoxPolynomial& f, const BoxPolynomial& g)
+{
+  Degrees degree;
+  std::ranges::transform(
+    f.degree, g.degree, degree.begin(), [](int a, int b) { return std::max(a, b); });
+  return Combine(1.0, Raised(f, degree), 1.0, Raised(g, degree));
+}
+
+/// Of a function of HessianFunction's list, by its chain rule: 11, 12, 13, 22, 23, 33 by xi where
+/// AreByXi, else those by eta as they are.
+List SecondsOf(Shape shape, const List& all, std::size_t function)
+{
+  const List second = PartOf(all, kFirstBend + function * kBends, kBends);
+  if (!AreByXi(shape, all))
+  {
+    return second;
+  }
+  const BoxPolynomial& e1 = all[kFirstFactor];
+  const BoxPolynomial& e2 = all[kFirstFactor + 1];
+  List byXi{ second[0], second[1], second[3], second[2], second[4], second[5] };
+  if (shape == Shape::Tetrahedron)
+  {
+    byXi[3] = Sum(second[2], Multiply(e1, second[1]));
+    byXi[4] = Sum(second[4], Multiply(e1, second[3]));
+    byXi[5] = Sum(second[5], Multiply(e2, second[4]));
+  }
+  if (shape != Shape::Hexahedron)
+  {
+    byXi[5] = Sum(byXi[5], Multiply(e1, second[3]));
+  }
+  return byXi;
+}
+
+List BendsOf(Shape shape, const List& all)
+{
+  List bends;
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    bends = Joined(std::move(bends), SecondsOf(shape, all, c));
+  }
+  return bends;
+}
+
 List FieldOf(const ScaledModes& map, std::span<const EdgePolynomials::Function> functions,
   int level, const PieceForm::Piece& piece)
 {
@@ -64,11 +125,16 @@ List FieldOf(const ScaledModes& map, std::span<const EdgePolynomials::Function> 
     const List all = AllOf(map, *modes, component, level, piece);
     list = Joined(std::move(list), ValuesOf(*modes, component, 1, level, piece));
     list = Joined(std::move(list), PartOf(all, 3 * kSlopes, kSlopes));
-    list = Joined(std::move(list), PartOf(all, kFirstBend + 3 * kBends, kBends));
+    list = Joined(std::move(list), SecondsOf(map.space.shape, all, 3));
   }
   return list;
 }
 } // namespace
+
+Vec3 CentreOf(Shape shape, const EtaBox& box)
+{
+  return TensorToReference(shape, 0.5 * (box.lower + box.upper));
+}
 
 EdgePolynomials::EdgePolynomials(const ScaledModes& map, std::span<const Function> functions,
   int level, const PieceForm::Piece& piece)
@@ -81,7 +147,8 @@ EdgePolynomials::EdgePolynomials(const ScaledModes& map, std::span<const Functio
   : TheShape(map.space.shape)
   , Map(DegreeOf(map, level),
       Joined(ValuesOf(map, 0, 3, level, piece), PartOf(ofMap, 0, 3 * kSlopes)))
-  , Bends(DegreeOf(map, level), PartOf(ofMap, kFirstBend, 3 * kBends))
+  , IsByXi(AreByXi(map.space.shape, ofMap))
+  , Bends(DegreeOf(map, level), BendsOf(map.space.shape, ofMap))
   , Field(DegreeOf(functions.empty() ? map : *functions.front().modes, level),
       FieldOf(map, functions, level, piece))
   , Factors(PartOf(ofMap, kFirstFactor, HessianFunction::kPolynomials - kFirstFactor))
@@ -107,46 +174,114 @@ EdgePolynomials::MapHulls EdgePolynomials::MapOver(const Box3& within) const
   return map;
 }
 
-EdgePolynomials::Hulls EdgePolynomials::Over(const Box3& within, const MapHulls& map) const
+std::vector<Vec3> EdgePolynomials::PlacesIn(const EtaBox& box, const Degrees& degree) const
 {
-  std::array<Interval, HessianFunction::kPolynomials> all;
-  for (std::size_t c = 0; c < 3; ++c)
+  // A coordinate of xi is a product of functions of one eta each, which are of degree 1: its
+  // coefficients are its values on the coefficients' grid.
+  const Vec3 centre = CentreOf(TheShape, box);
+  std::vector<Vec3> places;
+  places.reserve(CoefficientCount(degree));
+  const auto at = [&](int d, int i) {
+    return box.lower[d] + i * (box.upper[d] - box.lower[d]) / degree[static_cast<std::size_t>(d)];
+  };
+  for (int i = 0; i <= degree[0]; ++i)
   {
-    std::ranges::copy(map.slopes[c], all.begin() + static_cast<std::ptrdiff_t>(kSlopes * c));
+    for (int j = 0; j <= degree[1]; ++j)
+    {
+      for (int k = 0; k <= degree[2]; ++k)
+      {
+        places.push_back(TensorToReference(TheShape, { at(0, i), at(1, j), at(2, k) }) - centre);
+      }
+    }
   }
-  Bends.HullsOver(within, std::span(all).subspan(kFirstBend, 3 * kBends));
-  for (std::size_t k = 0; k < Factors.size(); ++k)
-  {
-    BoxPolynomial factor = Factors[k];
-    RestrictTo(within, factor);
-    all[kFirstFactor + k] = factor.Hull();
-  }
+  return places;
+}
+
+EdgePolynomials::Hulls EdgePolynomials::Over(
+  const Box3& within, const MapHulls& map, const EtaBox* box) const
+{
+  const auto isCurved = [](const Degrees& degree)
+  { return std::ranges::all_of(degree, [](int n) { return n > 0; }); };
+  const bool bounded =
+    box != nullptr && IsByXi && isCurved(Bends.Degree()) && isCurved(Field.Degree());
+  std::array<Interval, 3 * kBends> bends;
   std::vector<Interval> field(Field.Count());
-  if (!field.empty())
+  Hulls hulls;
+  if (bounded)
+  {
+    hulls.curves.emplace();
+    std::array<AffineBound, 3 * kBends> ofMap;
+    Bends.BoundsOver(within, bends, PlacesIn(*box, Bends.Degree()), ofMap);
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      std::copy_n(ofMap.begin() + static_cast<std::ptrdiff_t>(kBends * c), kBends,
+        hulls.curves->map[c].begin());
+    }
+    if (field.size() == kOfEach)
+    {
+      Field.BoundsOver(
+        within, field, PlacesIn(*box, Field.Degree()), hulls.curves->functions.emplace_back());
+    }
+  }
+  else
+  {
+    Bends.HullsOver(within, bends);
+  }
+  if (!field.empty() && !(bounded && field.size() == kOfEach))
   {
     Field.HullsOver(within, field);
   }
-  Hulls hulls;
   const std::size_t count = field.size() / kOfEach;
-  for (std::size_t c = 0; c < std::max<std::size_t>(count, 1); ++c)
+  const auto add = [&](std::size_t c)
   {
-    // Of the map alone: what stands for the field means nothing.
-    for (std::size_t k = 0; k < kSlopes && count > 0; ++k)
-    {
-      all[3 * kSlopes + k] = field[kOfEach * c + 1 + k];
-    }
-    for (std::size_t k = 0; k < kBends && count > 0; ++k)
-    {
-      all[kFirstBend + 3 * kBends + k] = field[kOfEach * c + 1 + kSlopes + k];
-    }
-    const auto ranges = HessianFunction::RangesByXi(TheShape, all);
-    std::copy_n(ranges.begin(), 3, hulls.map.begin());
-    if (count > 0)
-    {
-      hulls.functions.push_back(ranges[3]);
-      hulls.values.push_back(field[kOfEach * c]);
-    }
+    const auto first = field.begin() + static_cast<std::ptrdiff_t>(kOfEach * c);
+    hulls.values.push_back(*first);
+    auto& function = hulls.functions.emplace_back();
+    std::copy_n(first + 1, kSlopes, function.first.begin());
+    std::copy_n(first + 1 + kSlopes, kBends, function.second.begin());
+  };
+  for (std::size_t c = 0; c < count; ++c)
+  {
+    add(c);
+  }
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    hulls.map[c].first = map.slopes[c];
+    std::copy_n(
+      bends.begin() + static_cast<std::ptrdiff_t>(kBends * c), kBends, hulls.map[c].second.begin());
+  }
+  if (!IsByXi)
+  {
+    MakeByXi(within, hulls);
   }
   return hulls;
+}
+
+void EdgePolynomials::MakeByXi(const Box3& within, Hulls& hulls) const
+{
+  std::array<Interval, HessianFunction::kPolynomials> all;
+  for (std::size_t k = 0; k < Factors.size(); ++k)
+  {
+    BoxPolynomial factor = Factors[k];
+    pixelexact::RestrictTo(within, factor);
+    all[kFirstFactor + k] = factor.Hull();
+  }
+  const auto put = [&all](std::size_t f, const HessianFunction::XiRanges& ranges)
+  {
+    std::ranges::copy(ranges.first, all.begin() + static_cast<std::ptrdiff_t>(kSlopes * f));
+    std::ranges::copy(
+      ranges.second, all.begin() + static_cast<std::ptrdiff_t>(kFirstBend + kBends * f));
+  };
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    put(c, hulls.map[c]);
+  }
+  for (HessianFunction::XiRanges& function : hulls.functions)
+  {
+    put(3, function);
+    function = HessianFunction::RangesByXi(TheShape, all)[3];
+  }
+  const auto ranges = HessianFunction::RangesByXi(TheShape, all);
+  std::copy_n(ranges.begin(), 3, hulls.map.begin());
 }
 } // namespace pixelexact

@@ -3,13 +3,18 @@
 
 #include "Core/Bernstein/PolynomialBatch.h"
 #include "Core/Element/HessianFunction.h"
+#include "Core/Tree/EtaBox.h"
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace pixelexact
 {
+/// In xi, of the middle of a box.
+[[nodiscard]] Vec3 CentreOf(Shape shape, const EtaBox& box);
+
 /// The polynomials of an element's map and of functions on it over a piece of the cube, from
 /// which all that is known of its boxes is made: kept, because converting them costs more than
 /// asking. In the units of the modes' exponents.
@@ -37,6 +42,14 @@ public:
   };
   [[nodiscard]] MapHulls MapOver(const Box3& within) const;
 
+  /// Second derivatives by xi, 11, 12, 13, 22, 23, 33, in terms of xi less that of the part's
+  /// middle (CentreOf).
+  using SecondBounds = std::array<AffineBound, 6>;
+  struct Curves
+  {
+    std::array<SecondBounds, 3> map;
+    std::vector<SecondBounds> functions;
+  };
   /// Of the map's coordinates, then of the functions: derivatives by xi; and the functions' values.
   /// `map`: of the same part.
   struct Hulls
@@ -44,18 +57,25 @@ public:
     std::array<HessianFunction::XiRanges, 3> map;
     std::vector<HessianFunction::XiRanges> functions;
     std::vector<Interval> values;
+    std::optional<Curves> curves;
   };
-  [[nodiscard]] Hulls Over(const Box3& within, const MapHulls& map) const;
+  /// `box`: the same part in eta, for `curves`; null: without them.
+  [[nodiscard]] Hulls Over(const Box3& within, const MapHulls& map, const EtaBox* box) const;
 
 private:
+  /// Second derivatives by eta become those by xi.
+  void MakeByXi(const Box3& within, Hulls& hulls) const;
+  /// Of the coefficients of xi over a box, less its middle.
+  [[nodiscard]] std::vector<Vec3> PlacesIn(const EtaBox& box, const Degrees& degree) const;
   /// `ofMap`: HessianFunction's polynomials of the map.
   EdgePolynomials(const ScaledModes& map, std::span<const Function> functions, int level,
     const PieceForm::Piece& piece, const std::vector<BoxPolynomial>& ofMap);
 
   Shape TheShape;
-  PolynomialBatch Map;                ///< images, then derivatives by xi
-  PolynomialBatch Bends;              ///< of the map: derivatives of those by eta
-  PolynomialBatch Field;              ///< of each function: its value, and both
+  PolynomialBatch Map; ///< images, then derivatives by xi
+  bool IsByXi; ///< the second derivatives below are by xi: no polynomials have to be divided by
+  PolynomialBatch Bends; ///< of the map: derivatives of those by eta, or second ones by xi
+  PolynomialBatch Field; ///< of each function: its value, and both
   std::vector<BoxPolynomial> Factors; ///< that are divided by, or multiplied with
 };
 } // namespace pixelexact

@@ -226,7 +226,8 @@ std::optional<Interval> EdgeJudge::Over(
   const std::array<EdgeEnd, 3>& ends, const Outline& part) const
 {
   return Bounds.Of(ends[0].element)
-    .Over({ ends[0].point, ends[1].point, ends[2].point }, { part, SlackOf(part.Corners()) });
+    .Over(
+      { ends[0].point, ends[1].point, ends[2].point }, { part, SlackOf(part.Corners()) }, Wanted);
 }
 
 bool EdgeJudge::BlockStaysOn(int side, const Outline& part, bool thorough) const

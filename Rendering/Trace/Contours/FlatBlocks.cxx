@@ -18,9 +18,6 @@ FlatBlocks::FlatBlocks(const LayerSight& sight, TileVisit& tile)
   : Sight(sight)
   , Centres(tile.Centres())
   , Area(tile.Area())
-  , Corners(
-      static_cast<std::size_t>(Area.Width() + 1) * static_cast<std::size_t>(Area.Height() + 1))
-  , Open(static_cast<std::size_t>(Area.Width()) * static_cast<std::size_t>(Area.Height()), 0)
 {
 }
 
@@ -29,11 +26,13 @@ EdgeEnd FlatBlocks::EndAt(int x, int y) const
   return Sight.EndOf(Centres->samples, Centres->At(x, y), { x + 0.5, y + 0.5 });
 }
 
-const FlatBlocks::Corner& FlatBlocks::CornerAt(int x, int y)
+FlatBlocks::Corner FlatBlocks::CornerAt(int x, int y)
 {
-  Corner& corner =
-    Corners[static_cast<std::size_t>(y - Area.y0) * static_cast<std::size_t>(Area.Width() + 1) +
-      static_cast<std::size_t>(x - Area.x0)];
+  Corner one;
+  Corner& corner = Corners.empty()
+    ? one
+    : Corners[static_cast<std::size_t>(y - Area.y0) * static_cast<std::size_t>(Area.Width() + 1) +
+        static_cast<std::size_t>(x - Area.x0)];
   if (!corner.isKnown)
   {
     EdgeEnd end;
@@ -160,6 +159,10 @@ void FlatBlocks::Settle(const EdgeJudge& judge, const TileArea& block)
 
 std::vector<std::uint8_t> FlatBlocks::FindOpen(const EdgeJudge& judge)
 {
+  const auto width = static_cast<std::size_t>(Area.Width());
+  const auto height = static_cast<std::size_t>(Area.Height());
+  Corners.resize((width + 1) * (height + 1));
+  Open.assign(width * height, 0);
   Settle(judge, Area);
   return Open;
 }

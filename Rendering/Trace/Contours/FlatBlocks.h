@@ -49,7 +49,7 @@ private:
     bool isAhead = false;
     Vec3 x{ 0.0 };
   };
-  [[nodiscard]] const Corner& CornerAt(int x, int y);
+  [[nodiscard]] Corner CornerAt(int x, int y);
   [[nodiscard]] std::array<Corner, Outline::kMostCorners> CornersOf(const TileArea& pixels);
   [[nodiscard]] bool ShowsAt(int x, int y) const
   {
@@ -60,7 +60,7 @@ private:
   const LayerSight& Sight;
   std::optional<LatticePart> Centres;
   TileArea Area;
-  std::vector<Corner> Corners;
+  std::vector<Corner> Corners; ///< that are known, while blocks are settled
   std::vector<std::uint8_t> Open;
 };
 } // namespace pixelexact

@@ -23,10 +23,11 @@ LayerSight::LayerSight(TileVisit& tile, int layer)
   : Tile(tile)
   , Layer(layer)
   , TheSurface(*tile.GetScene().layers[static_cast<std::size_t>(layer)].surface)
+  , ThePlane(dynamic_cast<const Plane*>(&TheSurface))
 {
   const CameraRays& rays = Tile.GetCamera().Rays();
   IsParallel = rays.direction.u == Vec3(0.0) && rays.direction.v == Vec3(0.0);
-  if (IsParallel || !TheSurface.IsPlane())
+  if (IsParallel || !ThePlane)
   {
     return;
   }
@@ -48,7 +49,7 @@ double LayerSight::DepthOf(const Vec3& x) const
 
 bool LayerSight::IsPlaneBeyond(std::span<const EdgeEnd> ends) const
 {
-  if (!TheSurface.IsPlane() || std::ranges::all_of(ends, &EdgeEnd::isAhead))
+  if (!ThePlane || std::ranges::all_of(ends, &EdgeEnd::isAhead))
   {
     return false;
   }
@@ -90,7 +91,7 @@ EdgeEnd LayerSight::EndOf(
     end.meets = true;
     end.isAhead = true;
   }
-  else if (TheSurface.IsPlane())
+  else if (ThePlane)
   {
     MeetPlane(end);
   }
@@ -100,15 +101,10 @@ EdgeEnd LayerSight::EndOf(
 void LayerSight::MeetPlane(EdgeEnd& end) const
 {
   // It goes on where the mesh ends, and of parallel rays behind the eye.
-  const Ray ray = RayOf(end);
-  std::vector<Hit> hits = HitsOf(TheSurface, ray);
-  end.isAhead = !hits.empty();
-  if (!end.isAhead && IsParallel)
-  {
-    hits = HitsOf(TheSurface, { ray.origin, -ray.direction });
-  }
-  end.meets = !hits.empty();
-  end.point.x = end.meets ? hits.front().position : Vec3(0.0);
+  const auto [t, x] = ThePlane->Cross(RayOf(end));
+  end.isAhead = kNearest <= t && t <= kFarthest;
+  end.meets = end.isAhead || (IsParallel && kNearest <= -t && -t <= kFarthest);
+  end.point.x = end.meets ? x : Vec3(0.0);
 }
 
 std::vector<EdgeEnd> LayerSight::Trace(std::span<const ImagePosition> positions)
@@ -128,9 +124,8 @@ SurfaceEdge LayerSight::EdgeBetween(const EdgeEnd& a, const EdgeEnd& b) const
   SurfaceEdge edge{ a.point.x, b.point.x, std::numeric_limits<double>::infinity() };
   if (a.meets && b.meets)
   {
-    edge.sagitta = TheSurface.IsPlane()
-      ? 0.0
-      : TheSurface.Sagitta(RayOf(a), a.OnSurface(), RayOf(b), b.OnSurface());
+    edge.sagitta =
+      ThePlane ? 0.0 : TheSurface.Sagitta(RayOf(a), a.OnSurface(), RayOf(b), b.OnSurface());
   }
   return edge;
 }
@@ -153,7 +148,7 @@ double LayerSight::SagittaOver(const std::array<const EdgeEnd*, 3>& ends) const
 
 bool LayerSight::AreNear(const EdgeEnd& a, const EdgeEnd& b) const
 {
-  if (TheSurface.IsPlane())
+  if (ThePlane)
   {
     return true;
   }

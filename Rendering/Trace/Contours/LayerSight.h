@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Trace/Contours/EdgeJudge.h"
+#include "Trace/Surfaces/Plane.h"
 #include "Trace/TileVisit.h"
 
 #include <array>
@@ -50,6 +51,7 @@ private:
   TileVisit& Tile;
   int Layer;
   const Surface& TheSurface;
+  const Plane* ThePlane; ///< the surface, if it is one
   bool IsParallel;
   double MeshDepth = 0.0; ///< of the mesh's farthest point, or more
 };

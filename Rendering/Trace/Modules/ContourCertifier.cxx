@@ -7,6 +7,7 @@
 #include "Trace/TileVisit.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <string>
 
@@ -77,6 +78,10 @@ void ContourCertifier::Begin(int width, int height)
   Width = width;
   Pixels.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height),
     static_cast<std::uint8_t>(ContourVerdict::Out));
+  const auto squares = [](int pixels) { return (pixels + kTileSize - 1) / kTileSize; };
+  Across = squares(width);
+  Marked.assign(static_cast<std::size_t>(Across) * static_cast<std::size_t>(squares(height)),
+    std::uint8_t{ 0 });
   Counted = {};
   Bounds = Given ? Given : std::make_shared<ContourBounds>();
 }
@@ -109,21 +114,47 @@ void ContourCertifier::Process(TileVisit& tile)
       [](ContourVerdict verdict) { return static_cast<std::uint8_t>(verdict); });
     counters = pixels.Counters();
   }
-  const TileArea& area = tile.Area();
-  auto verdict = verdicts.begin();
-  for (int y = area.y0; y < area.y1; ++y)
-  {
-    for (int x = area.x0; x < area.x1; ++x, ++verdict)
-    {
-      const auto told = static_cast<ContourVerdict>(*verdict);
-      counters.in += told == ContourVerdict::In ? 1 : 0;
-      counters.out += told == ContourVerdict::Out ? 1 : 0;
-      counters.undecided += told == ContourVerdict::Undecided ? 1 : 0;
-      Pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(Width) +
-        static_cast<std::size_t>(x)] = *verdict;
-    }
-  }
+  Keep(tile.Area(), verdicts, counters);
   const std::lock_guard lock(CountersMutex);
   Counted.Add(counters);
+}
+
+void ContourCertifier::Keep(
+  const TileArea& area, std::span<const std::uint8_t> verdicts, ContourCounters& counters)
+{
+  const auto count = [&](ContourVerdict verdict)
+  { return std::ranges::count(verdicts, static_cast<std::uint8_t>(verdict)); };
+  counters.out = count(ContourVerdict::Out);
+  counters.in = counters.out < std::ssize(verdicts) ? count(ContourVerdict::In) : 0;
+  counters.undecided = std::ssize(verdicts) - counters.out - counters.in;
+  auto verdict = verdicts.begin();
+  for (int y = area.y0; y < area.y1; ++y, verdict += area.Width())
+  {
+    std::copy_n(verdict, area.Width(), Pixels.begin() + std::ptrdiff_t{ y } * Width + area.x0);
+  }
+  for (int y = area.y0 / kTileSize; y * kTileSize < area.y1 && counters.out < std::ssize(verdicts);
+       ++y)
+  {
+    for (int x = area.x0 / kTileSize; x * kTileSize < area.x1; ++x)
+    {
+      std::atomic_ref(Marked[static_cast<std::size_t>(y * Across + x)])
+        .store(1, std::memory_order_relaxed);
+    }
+  }
+}
+
+bool ContourCertifier::HasLinesNear(const TileArea& pixels) const
+{
+  for (int y = pixels.y0 / kTileSize; y * kTileSize < pixels.y1; ++y)
+  {
+    for (int x = pixels.x0 / kTileSize; x * kTileSize < pixels.x1; ++x)
+    {
+      if (Marked[static_cast<std::size_t>(y * Across + x)] != 0)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
 }
 } // namespace pixelexact

@@ -2,11 +2,13 @@
 #pragma once
 
 #include "Trace/Pipeline.h"
+#include "Trace/TileSamples.h"
 
 #include <cstdint>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace pixelexact
@@ -79,16 +81,24 @@ public:
   /// Of the last frame: a ContourVerdict for each pixel, lower-left first.
   [[nodiscard]] const std::vector<std::uint8_t>& Verdicts() const { return Pixels; }
   [[nodiscard]] const ContourCounters& Counters() const { return Counted; }
+  /// Whether some of these pixels, or of those about them, are not Out.
+  [[nodiscard]] bool HasLinesNear(const TileArea& pixels) const;
   /// In ascending order, each once.
   [[nodiscard]] const std::vector<std::vector<double>>& Values() const { return IsoValues; }
 
 private:
+  /// Verdicts of an area's pixels, row by row.
+  void Keep(
+    const TileArea& area, std::span<const std::uint8_t> verdicts, ContourCounters& counters);
+
   std::vector<std::vector<double>> IsoValues;
   ContourMethod Method;
   std::shared_ptr<ContourBounds> Given;
   std::shared_ptr<ContourBounds> Bounds;
   std::vector<std::uint8_t> Pixels;
   int Width = 0;
+  int Across = 0;                   ///< of squares of kTileSize pixels
+  std::vector<std::uint8_t> Marked; ///< those with a pixel that is not Out
   std::mutex CountersMutex;
   ContourCounters Counted;
 };

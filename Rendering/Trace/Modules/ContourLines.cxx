@@ -318,6 +318,10 @@ void ContourLines::Process(TileVisit& tile)
     std::copy_n(&frame.color[first], 4 * area.Width(), &Under[first]);
   }
   const TileArea about = Widened(area, Far, frame.width, frame.height);
+  if (!Certifier.HasLinesNear(Widened(about, 2 * Far, frame.width, frame.height)))
+  {
+    return;
+  }
   const std::vector<std::uint8_t> wanted = CornersOfLines(about, frame.width, frame.height);
   if (std::ranges::find(wanted, 1) == wanted.end())
   {

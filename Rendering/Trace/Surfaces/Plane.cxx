@@ -35,6 +35,14 @@ void Plane::Meet(const RayLanes& rays, HitSlots& hits) const
   GetRayKernels().meetPlane(Origin, UnitNormal, rays, hits.Slot(0));
 }
 
+Plane::Crossing Plane::Cross(const Ray& ray) const
+{
+  const double t = glm::dot(UnitNormal, Origin - ray.origin) / glm::dot(UnitNormal, ray.direction);
+  const Vec3 x = ray.origin + t * ray.direction;
+  // As the kernel does: the rounding of t moves x off the plane.
+  return { t, x - UnitNormal * glm::dot(UnitNormal, x - Origin) };
+}
+
 double Plane::Reach(const Chord& chord) const
 {
   return ReachOfPlane(chord, Origin, UnitNormal);

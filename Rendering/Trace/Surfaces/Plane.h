@@ -22,6 +22,14 @@ public:
   /// One of its points.
   [[nodiscard]] const Vec3& Point() const { return Origin; }
 
+  /// Where the line of a ray meets it: `t` of either sign; infinite or NaN where it does not.
+  struct Crossing
+  {
+    double t;
+    Vec3 position; ///< as Meet tells it
+  };
+  [[nodiscard]] Crossing Cross(const Ray& ray) const;
+
   /// The point that it was made of.
   [[nodiscard]] const Vec3& Through() const { return Origin; }
 
