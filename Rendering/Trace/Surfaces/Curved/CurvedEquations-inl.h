@@ -7,22 +7,14 @@
 #define PIXELEXACT_CURVED_EQUATIONS_INL_H
 #endif
 
-#include "Core/Element/Matrix-inl.h"
 #include "Trace/Surfaces/Curved/CurvedPiece.h"
+#include "Trace/Surfaces/Curved/RootBox-inl.h"
 
 #include <algorithm>
 
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
-/// Where in a piece the roots of rays may lie: xi from its centre, along each direction between two
-/// numbers.
-struct RootBox
-{
-  Lanes lower[3];
-  Lanes upper[3];
-};
-
 /// Of a piece that curves, as doubles.
 struct Curvature
 {

@@ -27,8 +27,7 @@ constexpr double kFewRounds = 6.0;
 constexpr double kNoKappa = 2.0;
 /// So often the place of a ray's roots in a piece is narrowed by what is known of it.
 constexpr int kNarrowings = 2;
-/// Of places in xi, and of what they are found from: more than rounding leaves.
-constexpr double kSlack = 1e-14;
+/// More than rounding leaves.
 constexpr double kMore = 1.0 + 1e-9;
 
 /// The rays of a set, one after the other.
@@ -167,6 +166,16 @@ public:
     {
       return open;
     }
+    const LaneMask isFinite =
+      IsFinite(first[0] + first[1] + first[2] + known[0] + known[1] + known[2]);
+    if (Frame.shape != Shape::Hexahedron)
+    {
+      open = AndNot(open, And(isFinite, KeepToPiece(Frame.shape, Piece, roots)));
+      if (None(open))
+      {
+        return open;
+      }
+    }
     // |M^-1| times the radii.
     Lanes K[3][3];
     ForEachAxis(
@@ -188,7 +197,7 @@ public:
       const CurvedEquations equations(Curves, Across, AlongAxis, slope, inverse, first, known);
       for (int pass = 0; pass < kNarrowings; ++pass)
       {
-        open = AndNot(open, equations.Narrow(roots, step));
+        open = AndNot(open, And(isFinite, equations.Narrow(roots, step)));
         if (None(open))
         {
           return open;
