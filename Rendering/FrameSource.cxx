@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 namespace pixelexact
 {
@@ -61,6 +62,7 @@ FrameSource::~FrameSource() = default;
 void FrameSource::Forget()
 {
   TheFrame.reset();
+  Spare = {};
   Passes.reset();
   Traced.reset();
   Colored.reset();
@@ -204,7 +206,8 @@ void FrameSource::BeginFrame(Buffer buffers)
   TheBuffers = buffers;
   const Pipeline pipeline = ThePipeline();
   // Corners are kept, so that other contours trace nothing.
-  Passes.emplace(TheScene, Traced->camera.Make(), pipeline, buffers, pipeline.Needs().corners);
+  Passes.emplace(TheScene, Traced->camera.Make(), pipeline, buffers, pipeline.Needs().corners,
+    std::exchange(Spare, {}));
   Shown.reset();
   Complete = false;
 }
@@ -232,6 +235,10 @@ void FrameSource::TraceFrame(double seconds, const Progress& progress)
   Complete = Passes->IsComplete();
   if (Complete)
   {
+    if (TheFrame)
+    {
+      Spare = std::move(*TheFrame);
+    }
     TheFrame = Passes->Take();
     Passes.reset();
     TheStep = 1;
