@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace pixelexact
 {
@@ -38,7 +39,11 @@ FrameSource::~FrameSource() = default;
 
 void FrameSource::Forget()
 {
-  TheFrame.reset();
+  if (TheFrame)
+  {
+    Spare = std::move(*TheFrame);
+    TheFrame.reset();
+  }
   Passes.reset();
   Traced.reset();
   Colored.reset();
@@ -47,6 +52,7 @@ void FrameSource::Forget()
 void FrameSource::DropFrame()
 {
   Forget();
+  Spare = {};
   TheScene = {};
   TheModel.reset();
   Contours.Forget();
@@ -125,7 +131,8 @@ void FrameSource::BeginFrame(Buffer buffers)
   TheBuffers = buffers;
   const Pipeline pipeline = ThePipeline();
   // Corners are kept, so that other contours trace nothing.
-  Passes.emplace(TheScene, Traced->camera.Make(), pipeline, buffers, pipeline.Needs().corners);
+  Passes.emplace(TheScene, Traced->camera.Make(), pipeline, buffers, pipeline.Needs().corners,
+    std::exchange(Spare, {}));
   Shown.reset();
   Complete = false;
 }

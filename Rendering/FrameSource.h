@@ -112,6 +112,7 @@ private:
   std::optional<ProgressiveFrame> Passes; ///< of a frame that is not complete
   std::optional<int> Shown;               ///< the passes' step, of which TheFrame is the preview
   std::optional<Frame> TheFrame;
+  Frame Spare; ///< what was shown before: the next one is made in its memory
   int TheStep = 1;
   bool Complete = false;
   FrameCost Cost;

@@ -9,8 +9,19 @@ void SampleBuffers::Allocate(Buffer wanted, int newWidth, int newHeight)
 {
   width = newWidth;
   height = newHeight;
-  ForEachBuffer([&](const auto& row)
-    { (this->*row.member).assign(Has(wanted, row.buffer) ? Size() : 0, row.nothing); });
+  ForEachBuffer(
+    [&](const auto& row)
+    {
+      auto& values = this->*row.member;
+      if (Has(wanted, row.buffer))
+      {
+        values.assign(Size(), row.nothing);
+      }
+      else
+      {
+        values = {};
+      }
+    });
   color.clear();
   behind.clear();
 }

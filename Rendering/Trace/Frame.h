@@ -86,6 +86,7 @@ struct SampleBuffers
   /// What is seen through translucent layers: the next samples of the rays, sheet by sheet.
   std::vector<SampleBuffers> behind;
 
+  /// In the memory that is there, as far as it goes; that of other buffers is given back.
   void Allocate(Buffer wanted, int newWidth, int newHeight);
   /// Whether there are samples, with all buffers of the set.
   [[nodiscard]] bool Holds(Buffer wanted) const;

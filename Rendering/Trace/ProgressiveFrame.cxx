@@ -41,20 +41,24 @@ bool AllDone(const TilesDone& tiles)
 } // namespace
 
 ProgressiveFrame::ProgressiveFrame(
-  Scene scene, const Camera& camera, Pipeline pipeline, Buffer extra, Buffer corners)
+  Scene scene, const Camera& camera, Pipeline pipeline, Buffer extra, Buffer corners, Frame spare)
   : TheScene(std::move(scene))
   , TheCamera(camera)
   , ThePipeline(std::move(pipeline))
   , Needs(ThePipeline.Needs())
   , Corners(corners)
+  , Spare(std::move(spare))
 {
   Needs.centres = Needs.centres | extra;
   RequireTraceable(TheScene, Needs);
 }
 
-Frame ProgressiveFrame::FrameOf(int step) const
+Frame ProgressiveFrame::FrameOf(int step)
 {
-  Frame frame;
+  Frame frame = step == 1 ? std::move(Spare) : Frame{};
+  frame.counters = {};
+  frame.corners = {};
+  frame.color.clear();
   frame.width = (TheCamera.Width() + step - 1) / step;
   frame.height = (TheCamera.Height() + step - 1) / step;
   frame.centres.Allocate(Needs.centres, frame.width, frame.height);
@@ -99,13 +103,14 @@ bool ProgressiveFrame::Complete(const Progress& progress)
 bool ProgressiveFrame::AtOnce(const Progress& progress)
 {
   bool aborted = false;
-  TheFrame =
-    Trace(TheScene, TheCamera, ThePipeline, { .centres = Needs.centres, .corners = Corners },
-      [&](double done)
-      {
-        aborted = progress && !progress(done);
-        return !aborted;
-      });
+  TheFrame = Trace(
+    TheScene, TheCamera, ThePipeline, { .centres = Needs.centres, .corners = Corners },
+    [&](double done)
+    {
+      aborted = progress && !progress(done);
+      return !aborted;
+    },
+    nullptr, std::move(Spare));
   Spent += TheFrame.counters.seconds;
   TheFrame.counters.seconds = Spent;
   if (aborted)

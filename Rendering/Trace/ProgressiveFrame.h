@@ -25,10 +25,11 @@ public:
   static constexpr int kFiner = 4;
 
   /// Makes the pipeline's buffers of centres and those of `extra`; the complete frame has
-  /// `corners`, too (KeepCorners). Throws Error for a scene that cannot be traced. What scene and
-  /// pipeline refer to must outlive this.
+  /// `corners`, too (KeepCorners); it is made in the memory of `spare`, which nobody needs any
+  /// more. Throws Error for a scene that cannot be traced. What scene and pipeline refer to must
+  /// outlive this.
   ProgressiveFrame(Scene scene, const Camera& camera, Pipeline pipeline,
-    Buffer extra = Buffer::None, Buffer corners = Buffer::None);
+    Buffer extra = Buffer::None, Buffer corners = Buffer::None, Frame spare = {});
 
   /// The next pass is that of pixels `step` apart: 1, kFiner or kCoarsest, less than Step() where
   /// that is not 0.
@@ -86,13 +87,14 @@ private:
   bool RunModules(const Progress& progress, Deadline end);
   void BeginStage(Stage stage);
   /// An empty frame of pixels `step` apart.
-  [[nodiscard]] Frame FrameOf(int step) const;
+  [[nodiscard]] Frame FrameOf(int step);
 
   Scene TheScene;
   Camera TheCamera;
   Pipeline ThePipeline;
   SampleNeeds Needs;
   Buffer Corners; ///< that the frame keeps
+  Frame Spare;    ///< for the frame of all pixels
   Frame TheFrame;
   Frame Coarse;                ///< of Known, where that is more than 1
   Frame Pending;               ///< of a coarse pass that was begun

@@ -4,6 +4,7 @@
 #include "Trace/FrameTiles.h"
 
 #include <chrono>
+#include <utility>
 
 namespace pixelexact
 {
@@ -33,7 +34,7 @@ Buffer WelcomeLate(const Pipeline& pipeline, bool translucent)
 } // namespace
 
 Frame Trace(const Scene& scene, const Camera& camera, const Pipeline& pipeline,
-  const SampleNeeds& extra, const Progress& progress, StageTimes* stages)
+  const SampleNeeds& extra, const Progress& progress, StageTimes* stages, Frame spare)
 {
   const auto start = std::chrono::steady_clock::now();
   SampleNeeds needs = pipeline.Needs();
@@ -41,7 +42,9 @@ Frame Trace(const Scene& scene, const Camera& camera, const Pipeline& pipeline,
   const bool translucent = HasTranslucent(scene);
   needs.centres = needs.centres | WelcomeLate(pipeline, translucent);
   RequireTraceable(scene, needs);
-  Frame frame;
+  Frame frame = std::move(spare);
+  frame.counters = {};
+  frame.color.clear();
   frame.width = camera.Width();
   frame.height = camera.Height();
   constexpr SampleLattice kCentres{ 0.5 };
@@ -53,9 +56,17 @@ Frame Trace(const Scene& scene, const Camera& camera, const Pipeline& pipeline,
     frame.centres.Allocate(needs.centres, frame.width, frame.height);
     tiles += TilesOf(kCentres, frame.width, frame.height);
   }
+  else
+  {
+    frame.centres = {};
+  }
   if (extra.corners != Buffer::None)
   {
     tiles += TilesOf(kCorners, frame.width + 1, frame.height + 1);
+  }
+  else
+  {
+    frame.corners = {};
   }
   Reporter reporter(progress, tiles);
   if (extra.corners != Buffer::None)

@@ -16,9 +16,11 @@ namespace pixelexact
 /// bit, for any number of threads. Throws Error for a scene that cannot be traced
 /// (RequireTraceable); an aborted frame comes back with the tiles not done as Nothing. `stages`,
 /// where not null, gets the time of each stage added, that of the tiles summed over threads; the
-/// frame then takes some percent longer.
+/// frame then takes some percent longer. `spare` is a frame that is not needed any more: the new
+/// one is made in its memory, as far as that goes, and nothing of it is left.
 Frame Trace(const Scene& scene, const Camera& camera, const Pipeline& pipeline,
-  const SampleNeeds& extra = {}, const Progress& progress = {}, StageTimes* stages = nullptr);
+  const SampleNeeds& extra = {}, const Progress& progress = {}, StageTimes* stages = nullptr,
+  Frame spare = {});
 
 /// Traces the frame's corners, where it does not hold them with these buffers, and keeps them:
 /// where a frame has corners, modules get these and no others are traced. False where `progress`

@@ -2,6 +2,7 @@
 #include "Block.h"
 #include "InstructionSets.h"
 
+#include "Trace/BufferTable.h"
 #include "Trace/Modules/ColorMapping.h"
 #include "Trace/TileVisit.h"
 #include "Trace/Tracer.h"
@@ -245,6 +246,44 @@ TEST(Tracer, SameBitsForAnyNumberOfThreads)
   EXPECT_EQ(std::memcmp(many.centres.value.data(), one.centres.value.data(), bytes), 0);
   EXPECT_EQ(std::memcmp(many.centres.xi.data(), one.centres.xi.data(), 3 * bytes), 0);
   EXPECT_EQ(many.centres.verdict, one.centres.verdict);
+}
+
+TEST(Tracer, FramesInTheMemoryOfOthersHaveNothingOfThem)
+{
+  Block block;
+  const Scene& scene = block.WithPlane({ 0.1, 0.05, -0.2 }, { 0.2, 0.1, 1.0 });
+  const Camera large = ViewAlongZ(90, 70);
+  const SampleNeeds all{ .centres = kAll, .corners = kAll };
+  const SampleNeeds few{ .centres = Buffer::Value | Buffer::Verdict };
+  for (const Camera& camera : { large, ViewAlongZ(40, 30), ViewAlongZ(120, 100) })
+  {
+    for (const SampleNeeds& needs : { all, few })
+    {
+      const Frame fresh = Trace(scene, camera, {}, needs);
+      const Frame frame =
+        Trace(scene, camera, {}, needs, {}, nullptr, Trace(scene, large, {}, all));
+      EXPECT_EQ(frame.width, fresh.width);
+      EXPECT_EQ(frame.counters.exact, fresh.counters.exact);
+      EXPECT_EQ(frame.counters.rays, fresh.counters.rays);
+      EXPECT_EQ(frame.corners.Size(), fresh.corners.Size());
+      EXPECT_TRUE(frame.Image().empty());
+      const auto isSame = [](const SampleBuffers& a, const SampleBuffers& b)
+      {
+        ForEachBuffer(
+          [&](const auto& row)
+          {
+            const auto& values = a.*row.member;
+            ASSERT_EQ(values.size(), (b.*row.member).size()) << row.name;
+            const auto bytes = values.size() * sizeof(values.front());
+            EXPECT_TRUE(
+              values.empty() || std::memcmp(values.data(), (b.*row.member).data(), bytes) == 0)
+              << row.name;
+          });
+      };
+      isSame(frame.centres, fresh.centres);
+      isSame(frame.corners, fresh.corners);
+    }
+  }
 }
 
 TEST(Tracer, RaysGoOnBehindSurfacesOutsideOfTheMesh)

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <ctime>
 #include <numeric>
+#include <utility>
 
 namespace pixelexact
 {
@@ -57,21 +58,21 @@ FrameTime MeasureFrames(const Scene& scene, const Camera& camera, const Pipeline
   int repeat, const std::function<void(double)>& done)
 {
   FrameTime time;
-  const FrameCounters first = Trace(scene, camera, pipeline).counters;
-  time.points = first.exact;
-  time.floatCheck = first.floatCheck;
+  Frame pixels = Trace(scene, camera, pipeline);
+  time.points = pixels.counters.exact;
+  time.floatCheck = pixels.counters.floatCheck;
   for (int i = 0; i < repeat; ++i)
   {
     const Timer frame;
     const std::clock_t begin = std::clock();
-    (void)Trace(scene, camera, pipeline);
+    pixels = Trace(scene, camera, pipeline, {}, {}, nullptr, std::move(pixels));
     time.busy.push_back(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
     time.frames.push_back(frame.Seconds());
     time.kernels.push_back(KernelSeconds(scene.layers.front().field->values, time.points));
     done(static_cast<double>(i + 1) / (repeat + 1));
   }
   const Timer frame;
-  (void)Trace(scene, camera, pipeline, {}, {}, &time.stages);
+  (void)Trace(scene, camera, pipeline, {}, {}, &time.stages, std::move(pixels));
   time.staged = frame.Seconds();
   done(1.0);
   return time;

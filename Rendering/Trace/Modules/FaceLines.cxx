@@ -2,6 +2,7 @@
 #include "Trace/Modules/FaceLines.h"
 
 #include "Core/Faces/FacePlane.h"
+#include "Trace/Modules/FaceKernels.h"
 #include "Trace/Modules/MappedPoints.h"
 #include "Trace/TileVisit.h"
 
@@ -17,6 +18,8 @@ namespace
 {
 /// Distance of xi up to which a point is on a face.
 constexpr double kOnFace = 1e-6;
+/// By more than rounding: what is decided in lanes is decided once more.
+constexpr double kWider = 1.0 + 1e-9;
 
 /// How the surface's point moves as the ray goes a pixel across, and up, times `facing`.
 struct Spread
@@ -156,22 +159,41 @@ void FaceLines::Begin(TileVisit& tile, std::span<const Run> runs, double reach)
   const int element = runs.front().element;
   const double size = mesh.size[static_cast<std::size_t>(element)];
   const auto faces = FacePlanesOf(mesh.ShapeOf(element));
+  const Camera& camera = tile.GetCamera();
   Xi.clear();
+  Pixels.Begin(static_cast<std::size_t>(tile.Area().Width() * tile.Area().Height()));
   for (const Run& run : runs)
   {
     const Vec3* const first = &samples.xi[run.pixel];
     Xi.insert(Xi.end(), first, first + run.count);
+    const double v = camera.V(run.y + 0.5);
+    for (int k = 0; k < run.count; ++k)
+    {
+      const std::size_t pixel = run.pixel + static_cast<std::size_t>(k);
+      Pixels.Add(camera.U(run.x + k + 0.5), v, samples.xi[pixel], samples.position[pixel],
+        samples.normal[pixel]);
+    }
   }
   const MappedPoints mapped(mesh, element, Xi, true);
+  // Most pixels are far from all faces.
+  Near.resize(Xi.size());
+  GetFaceKernels().findNear(camera.Rays(),
+    { faces, size, 2.0 / camera.Width(), 2.0 / camera.Height(),
+      kWider * FaceSearch::kSlack * reach },
+    Pixels, mapped.Jacobians(), Near.data());
   std::size_t at = 0;
   for (const Run& run : runs)
   {
     for (int k = 0; k < run.count; ++k, ++at)
     {
+      if (Near[at] == 0)
+      {
+        continue;
+      }
       const std::size_t pixel = run.pixel + static_cast<std::size_t>(k);
       const Vec3& normal = samples.normal[pixel];
       const ImagePosition from{ run.x + k + 0.5, run.y + 0.5 };
-      const Spread spread = SpreadAt(tile.GetCamera(), from, samples.position[pixel], normal);
+      const Spread spread = SpreadAt(camera, from, samples.position[pixel], normal);
       const Mat3 jacobian = mapped.Jacobian(at);
       if (AreFar(faces, Xi[at], jacobian, size, spread, FaceSearch::kSlack * reach))
       {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Trace/Modules/FacePixels.h"
 #include "Trace/Modules/FaceSearch.h"
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -47,6 +49,8 @@ private:
 
   std::vector<Run> Runs;
   std::vector<Vec3> Xi; ///< of an element's pixels
+  FacePixels Pixels;
+  std::vector<std::uint8_t> Near;
   std::vector<FaceSearch> Searches;
   std::vector<FaceLine> Found;
 };

@@ -107,6 +107,11 @@ Vec3 Lighting::Lit(
       continue;
     }
     diffuse += strength * falling * light.color;
+    // A power costs as much as all else.
+    if (material.specular == 0.0)
+    {
+      continue;
+    }
     // VTK looks from the eye also where its rays are parallel, and along them by a lone headlight.
     const double mirrored =
       headlightAlone ? falling : -glm::dot(glm::reflect(direction, facing), fromEye);

@@ -4,6 +4,10 @@
 #include "Core/Element/LaneBuffer.h"
 #include "Core/Element/Mesh.h"
 
+#include <array>
+#include <span>
+#include <vector>
+
 namespace pixelexact
 {
 /// Phi(xi), and its Jacobian where wanted, of some points of an element, in the element's units.
@@ -35,6 +39,16 @@ public:
   [[nodiscard]] Vec3 At(std::size_t i) const
   {
     return { Storage[i], Storage[Stride + i], Storage[2 * Stride + i] };
+  }
+  /// Of the Jacobian, entry by entry, row by row.
+  [[nodiscard]] std::array<const double*, 9> Jacobians() const
+  {
+    std::array<const double*, 9> columns;
+    for (std::size_t k = 0; k < columns.size(); ++k)
+    {
+      columns[k] = &Storage[(3 + k) * Stride];
+    }
+    return columns;
   }
   [[nodiscard]] Mat3 Jacobian(std::size_t i) const
   {

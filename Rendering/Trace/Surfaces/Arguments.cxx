@@ -77,6 +77,6 @@ Vec3 UnitDirection(const Vec3& direction)
 Vec3 UnitOrZero(const Vec3& direction)
 {
   const double size = LargestOf(direction);
-  return size > 0.0 && std::isfinite(size) ? UnitDirection(direction / size) : Vec3(0.0);
+  return size > 0.0 && std::isfinite(size) ? glm::normalize(direction / size) : Vec3(0.0);
 }
 } // namespace pixelexact

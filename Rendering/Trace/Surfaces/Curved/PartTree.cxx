@@ -6,9 +6,11 @@
 #include "Core/Questions/Questions.h"
 #include "Trace/Scene.h"
 #include "Trace/Surfaces/Curved/PieceBend.h"
+#include "Trace/Surfaces/Curved/PieceCurvature.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 
 namespace pixelexact
@@ -409,6 +411,32 @@ void PartTree::Describe(CurvedPiece& piece, const Polys& polys) const
     {
       SetBend(all.subspan(13, 3), widening, 3, piece);
     }
+    if (Field)
+    {
+      SetCurvature(piece, polys);
+    }
+  }
+}
+
+void PartTree::SetCurvature(CurvedPiece& piece, const Polys& polys) const
+{
+  const std::span all(polys);
+  const PieceCorners corners(TheShape, piece);
+  piece.curves = true;
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    piece.curves = piece.curves && corners.SetCurvature(all.subspan(3 + 3 * c, 3), c, piece);
+  }
+  if (Equation.component != kMagnitude)
+  {
+    piece.curves = piece.curves && corners.SetCurvature(all.subspan(13, 3), 3, piece);
+    return;
+  }
+  // Of a magnitude no polynomial is kept.
+  for (std::size_t d = 0; d < 3; ++d)
+  {
+    piece.curves = piece.curves && piece.radius[3][d] < std::numeric_limits<float>::max();
+    piece.rest[3][d] = AboveFloat(piece.radius[3][d]);
   }
 }
 

@@ -55,6 +55,7 @@ private:
   void Fill(CurvedPiece& piece, Polys polys, int besides) const;
   void Describe(CurvedPiece& piece, const Polys& polys) const;
   void DescribeField(CurvedPiece& piece, const Polys& polys) const;
+  void SetCurvature(CurvedPiece& piece, const Polys& polys) const;
   void SplitInto(const CurvedPiece& piece, Polys polys, int besides) const;
   [[nodiscard]] int DirectionOf(const CurvedPiece& piece, const Polys& polys) const;
 

@@ -77,10 +77,6 @@ struct PieceKernels
 {
   /// Of these rays, those that may meet the box within what is left of them.
   RaySet (*meetBox)(const RayBundle& bundle, const Box3& box, const RaySet& rays);
-  /// Of rays and a flat piece: appends pairs where there may be a hit; returns the rays to which
-  /// the piece bends too much. The others miss it, proven. There must be room.
-  RaySet (*look)(const RayBundle& bundle, const ElementFrame& frame, const CurvedPiece& piece,
-    const RaySet& rays, PiecePairs& pairs);
   /// A step of all pairs. `values` are y (3), f, their derivatives (9 and 3) at the pairs' xi, each
   /// `stride` after the other. Pairs that go on have moved.
   void (*step)(const RayBundle& bundle, const ElementFrame& frame, const double* values,

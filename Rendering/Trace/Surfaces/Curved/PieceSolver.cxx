@@ -4,6 +4,7 @@
 #include "Core/Element/Kernels.h"
 #include "Core/Math/Rounding.h"
 #include "Trace/Scene.h"
+#include "Trace/Surfaces/Curved/LookKernels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -54,7 +55,7 @@ RaySet PieceSolver::Look(const CurvedPiece& piece, const RaySet& rays)
   {
     Solve();
   }
-  return GetPieceKernels().look(Bundle, Frame, piece, rays, Work.pairs);
+  return GetLookKernels().look(Bundle, Frame, piece, rays, Work.pairs);
 }
 
 /// y, f and their derivatives at the pairs' xi.

@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "Trace/Surfaces/Curved/LookKernels.cxx"
+#include <hwy/foreach_target.h>
+
+#include "Core/Math/Rounding.h"
+#include "Trace/Surfaces/Curved/CurvedEquations-inl.h"
+#include "Trace/Surfaces/Curved/LookKernels.h"
+#include "Trace/Surfaces/Curved/PieceMath-inl.h"
+#include "Trace/Surfaces/Curved/PieceNorms-inl.h"
+
+#include <array>
+#include <bit>
+
+HWY_BEFORE_NAMESPACE();
+namespace pixelexact::HWY_NAMESPACE
+{
+using Traits = NumberTraits<Lanes>;
+
+/// Up to it a step that is held back lets a residual fall to 3/4 at least.
+constexpr double kMostKappa = 0.35;
+/// Up to it, in any norm, a piece has one root at most: where the first step stays in it, that is
+/// looked for by so many steps before the piece is halved.
+constexpr double kMostUnique = 0.8;
+constexpr double kFewRounds = 6.0;
+/// Of a pair whose residuals prove nothing.
+constexpr double kNoKappa = 2.0;
+/// So often the place of a ray's roots in a piece is narrowed by what is known of it.
+constexpr int kNarrowings = 2;
+/// More than rounding leaves.
+constexpr double kMore = 1.0 + 1e-9;
+
+/// The rays of a set, one after the other.
+class GatheredRays
+{
+public:
+  HWY_INLINE GatheredRays(const RayBundle& bundle, const RaySet& rays)
+  {
+    const auto lanes = static_cast<unsigned>(LaneCount());
+    const std::uint64_t pack = (std::uint64_t{ 1 } << lanes) - 1U;
+    for (std::size_t word = 0; word < RaySet::kWords; ++word)
+    {
+      for (std::uint64_t left = rays.bits[word]; left != 0;)
+      {
+        const unsigned first = static_cast<unsigned>(std::countr_zero(left)) / lanes * lanes;
+        const std::uint64_t here = left >> first & pack;
+        left &= ~(pack << first);
+        Add(bundle, 64 * word + first, here);
+      }
+    }
+  }
+  [[nodiscard]] HWY_INLINE int Count() const { return static_cast<int>(Size); }
+
+  std::array<RayBundle::Numbers, 2> place;
+  std::array<RayBundle::Numbers, 2> slope;
+  RayBundle::Numbers slack;
+  RayBundle::Numbers number;
+
+private:
+  HWY_INLINE void Add(const RayBundle& bundle, std::size_t at, std::uint64_t which)
+  {
+    const LanesToFront toFront(which);
+    const auto put = [&](const RayBundle::Numbers& from, RayBundle::Numbers& to) PIXELEXACT_INLINED
+    { Store(toFront(Traits::Load(&from[at])), &to[Size]); };
+    put(bundle.place[0], place[0]);
+    put(bundle.place[1], place[1]);
+    put(bundle.slope[0], slope[0]);
+    put(bundle.slope[1], slope[1]);
+    put(bundle.slack, slack);
+    const hwy::HWY_NAMESPACE::RebindToSigned<LaneTag> whole;
+    const Lanes numbers{ hwy::HWY_NAMESPACE::ConvertTo(
+      LaneTag(), hwy::HWY_NAMESPACE::Iota(whole, static_cast<std::int64_t>(at))) };
+    Store(toFront(numbers), &number[Size]);
+    Size += static_cast<std::size_t>(std::popcount(which));
+  }
+
+  std::size_t Size = 0;
+};
+
+/// A piece, as rays of a bundle see it.
+class PieceLook
+{
+public:
+  HWY_INLINE PieceLook(
+    const RayBundle& bundle, const ElementFrame& frame, const CurvedPiece& piece, PiecePairs& pairs)
+    : Frame(frame)
+    , Piece(piece)
+    , Pairs(pairs)
+    , Across{ static_cast<std::size_t>(bundle.axes[0]), static_cast<std::size_t>(bundle.axes[1]) }
+    , AlongAxis(static_cast<std::size_t>(bundle.axes[2]))
+    , Along((bundle.z0 - frame.centre[bundle.axes[2]]) * frame.inverseSize)
+    , Number(static_cast<double>(pairs.pieces.size()))
+    , Curves(piece)
+  {
+  }
+
+  /// Of a pack of rays, those that the piece bends too much for. Appends pairs.
+  HWY_INLINE LaneMask At(const GatheredRays& rays, std::size_t i, LaneMask active)
+  {
+    Lanes m[3][3];
+    Lanes radius[3][3];
+    Lanes g[3];
+    Lanes rounding[3];
+    Lanes bend[3];
+    Lanes slope[2];
+    Lanes q[2];
+    for (std::size_t a = 0; a < 2; ++a)
+    {
+      const std::size_t c = Across[a];
+      const std::size_t k = AlongAxis;
+      const Lanes s = Traits::Load(&rays.slope[a][i]);
+      slope[a] = s;
+      q[a] = (Traits::Load(&rays.place[a][i]) - Splat(Frame.centre[static_cast<int>(c)])) *
+          Splat(Frame.inverseSize) -
+        s * Splat(Along);
+      ForEachAxis(
+        [&](auto d) PIXELEXACT_INLINED
+        {
+          m[a][d] = Splat(Piece.slope[c][d]) - s * Splat(Piece.slope[k][d]);
+          radius[a][d] = Splat(Piece.radius[c][d]) + Abs(s) * Splat(Piece.radius[k][d]);
+        });
+      g[a] = Splat(Piece.value[c]) - s * Splat(Piece.value[k]) - q[a];
+      rounding[a] = Splat(Piece.error[c]) + Abs(s) * Splat(Piece.error[k]) +
+        Splat(8.0 * kUnitRoundoff) * (Abs(q[a]) + Abs(Splat(Along))) +
+        Traits::Load(&rays.slack[i]) * Splat(Frame.inverseSize);
+      bend[a] = Splat(Piece.bend[c]) + Abs(s) * Splat(Piece.bend[k]);
+    }
+    ForEachAxis(
+      [&](auto d) PIXELEXACT_INLINED
+      {
+        m[2][d] = Splat(Piece.slope[3][d]);
+        radius[2][d] = Splat(Piece.radius[3][d]);
+      });
+    g[2] = Splat(Piece.value[3]);
+    rounding[2] = Splat(Piece.error[3]);
+    bend[2] = Splat(Piece.bend[3]);
+    Lanes inverse[9];
+    InverseOf(m, inverse);
+    Lanes first[3];
+    Product(inverse, g, first);
+    const auto times = [&](auto r, const Lanes(&of)[3]) PIXELEXACT_INLINED
+    {
+      return Abs(inverse[3 * r]) * of[0] + Abs(inverse[3 * r + 1]) * of[1] +
+        Abs(inverse[3 * r + 2]) * of[2];
+    };
+    // NaNs neither miss nor decide.
+    const Lanes zero = Splat(0.0);
+    LaneMask misses = zero < zero;
+    RootBox roots;
+    Lanes known[3];
+    Lanes step[3];
+    ForEachAxis(
+      [&](auto r) PIXELEXACT_INLINED
+      {
+        known[r] = times(r, rounding);
+        step[r] = zero - first[r];
+        // A root in the piece lies in centre - first +- off, however large that is.
+        const Lanes off = (known[r] + times(r, bend)) * Splat(kMore) + Splat(kSlack);
+        const Lanes half = Splat(Piece.half[r] * kMore);
+        misses = Or(misses, half + off < Abs(first[r]));
+        roots.lower[r] = Max(zero - half, step[r] - off);
+        roots.upper[r] = Min(half, step[r] + off);
+      });
+    LaneMask open = AndNot(active, misses);
+    if (None(open))
+    {
+      return open;
+    }
+    const LaneMask isFinite =
+      IsFinite(first[0] + first[1] + first[2] + known[0] + known[1] + known[2]);
+    if (Frame.shape != Shape::Hexahedron)
+    {
+      open = AndNot(open, And(isFinite, KeepToPiece(Frame.shape, Piece, roots)));
+      if (None(open))
+      {
+        return open;
+      }
+    }
+    // |M^-1| times the radii.
+    Lanes K[3][3];
+    ForEachAxis(
+      [&](auto r) PIXELEXACT_INLINED
+      {
+        ForEachAxis(
+          [&](auto d) PIXELEXACT_INLINED
+          {
+            K[r][d] = Abs(inverse[3 * r]) * radius[0][d] + Abs(inverse[3 * r + 1]) * radius[1][d] +
+              Abs(inverse[3 * r + 2]) * radius[2][d];
+          });
+      });
+    // Max may lose a NaN, not so a sum.
+    Lanes all =
+      K[0][0] + K[0][1] + K[0][2] + K[1][0] + K[1][1] + K[1][2] + K[2][0] + K[2][1] + K[2][2];
+    Lanes unique;
+    if (Piece.curves)
+    {
+      const CurvedEquations equations(Curves, Across, AlongAxis, slope, inverse, first, known);
+      for (int pass = 0; pass < kNarrowings; ++pass)
+      {
+        open = AndNot(open, And(isFinite, equations.Narrow(roots, step)));
+        if (None(open))
+        {
+          return open;
+        }
+      }
+      Lanes near[3][3];
+      equations.Spread(roots, near);
+      ForEachAxis(
+        [&](auto r) PIXELEXACT_INLINED
+        {
+          step[r] = Max(Min(step[r], roots.upper[r]), roots.lower[r]);
+          all = all + near[r][0] + near[r][1] + near[r][2];
+          ForEachAxis([&](auto d) PIXELEXACT_INLINED { near[r][d] = Min(near[r][d], K[r][d]); });
+        });
+      unique = LeastNorm(near);
+    }
+    else
+    {
+      unique = LeastNorm(K);
+    }
+    MaximumNorm norm;
+    const Lanes kappa = ChooseNorm(Frame.shape, K, norm);
+    Lanes lower[3];
+    Lanes upper[3];
+    Lanes start[3];
+    Lanes xi[3];
+    ForEachAxis(
+      [&](auto d) PIXELEXACT_INLINED
+      {
+        lower[d] = Splat(Piece.box.lower[d]);
+        upper[d] = Splat(Piece.box.upper[d]);
+        start[d] = Splat(Piece.centre[d]) + step[d];
+      });
+    ClampTo(Frame.shape, lower, upper, start, xi);
+    LaneMask within = unique <= Splat(kMostUnique);
+    ForEachAxis([&](auto d) PIXELEXACT_INLINED
+      { within = And(within, Abs(start[d] - xi[d]) <= Splat(kEdge)); });
+    const LaneMask contracts = kappa <= Splat(kMostKappa);
+    const LaneMask pair = And(open, And(IsFinite(all), Or(contracts, within)));
+    const std::uint64_t which = BitsOf(pair);
+    if (which == 0)
+    {
+      return open;
+    }
+    const LanesToFront toFront(which);
+    const auto put = [&](int column, Lanes value) PIXELEXACT_INLINED
+    { Store(toFront(value), Pairs.Column(column) + Pairs.count); };
+    const auto putAll = [&](int column, double value) PIXELEXACT_INLINED
+    { Store(Splat(value), Pairs.Column(column) + Pairs.count); };
+    putAll(kOpenColumn, 1.0);
+    putAll(kPieceColumn, Number);
+    putAll(kLastColumn, 0.0);
+    put(kRayColumn, Traits::Load(&rays.number[i]));
+    for (int a = 0; a < 2; ++a)
+    {
+      put(kSlopeColumn + a, slope[a]);
+      put(kPlaceColumn + a, q[a]);
+    }
+    for (int n = 0; n < 9; ++n)
+    {
+      put(kInverseColumn + n, inverse[n]);
+    }
+    put(kKappaColumn, Select(contracts, kappa, Splat(kNoKappa)));
+    put(kRoundsColumn, Select(contracts, zero, Splat(kMostRounds - kFewRounds)));
+    ForEachAxis(
+      [&](auto d) PIXELEXACT_INLINED
+      {
+        putAll(kLowerColumn + d, Piece.box.lower[d]);
+        putAll(kUpperColumn + d, Piece.box.upper[d]);
+        putAll(kFaceColumn + d, Piece.slope[3][d]);
+        put(kXiColumn + d, xi[d]);
+        put(kNormColumn + d, norm.w[d]);
+      });
+    Pairs.count += std::popcount(which);
+    return AndNot(open, pair);
+  }
+
+private:
+  const ElementFrame& Frame;
+  const CurvedPiece& Piece;
+  PiecePairs& Pairs;
+  std::size_t Across[2];
+  std::size_t AlongAxis;
+  double Along;
+  double Number;
+  Curvature Curves;
+};
+
+RaySet Look(const RayBundle& bundle, const ElementFrame& frame, const CurvedPiece& piece,
+  const RaySet& rays, PiecePairs& pairs)
+{
+  const int before = pairs.count;
+  const GatheredRays gathered(bundle, rays);
+  PieceLook look(bundle, frame, piece, pairs);
+  RaySet unclear;
+  for (int i = 0; i < gathered.Count(); i += LaneCount())
+  {
+    const int left = std::min(gathered.Count() - i, LaneCount());
+    const LaneMask active = MaskOf((std::uint64_t{ 1 } << static_cast<unsigned>(left)) - 1U);
+    const auto first = static_cast<std::size_t>(i);
+    for (std::uint64_t bits = BitsOf(look.At(gathered, first, active)); bits != 0; bits &= bits - 1)
+    {
+      unclear.Add(static_cast<int>(
+        gathered.number[first + static_cast<std::size_t>(std::countr_zero(bits))]));
+    }
+  }
+  if (pairs.count > before)
+  {
+    pairs.pieces.push_back(&piece);
+  }
+  return unclear;
+}
+
+const LookKernels& LookTable()
+{
+  static const LookKernels kTable{ Look };
+  return kTable;
+}
+} // namespace pixelexact::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace pixelexact
+{
+HWY_EXPORT(LookTable);
+
+const LookKernels& GetLookKernels()
+{
+  return HWY_DYNAMIC_DISPATCH(LookTable)();
+}
+} // namespace pixelexact
+#endif

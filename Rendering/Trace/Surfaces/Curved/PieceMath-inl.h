@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What looking at pieces and solving in them have in common.
+#if defined(PIXELEXACT_PIECE_MATH_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef PIXELEXACT_PIECE_MATH_INL_H
+#undef PIXELEXACT_PIECE_MATH_INL_H
+#else
+#define PIXELEXACT_PIECE_MATH_INL_H
+#endif
+
+#include "Core/Element/Matrix-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace pixelexact::HWY_NAMESPACE
+{
+/// Steps of Newton's iteration in a piece.
+constexpr double kMostRounds = 40.0;
+/// Of xi: by rounding beside the end of a piece.
+constexpr double kEdge = 1e-15;
+
+/// The point of a piece that is taken for a xi outside of it: along each direction of eta in turn,
+/// from the last to the first, the nearest.
+HWY_INLINE void ClampTo(Shape shape, const Lanes (&lower)[3], const Lanes (&upper)[3],
+  const Lanes (&xi)[3], Lanes (&x)[3])
+{
+  const Lanes one = Splat(1.0);
+  const Lanes half = Splat(0.5);
+  const auto clampTo = [&](int d, Lanes extent) PIXELEXACT_INLINED
+  { return Max(Min(xi[d], (one + upper[d]) * extent - one), (one + lower[d]) * extent - one); };
+  x[2] = Max(Min(xi[2], upper[2]), lower[2]);
+  const Lanes narrow = half * (one - x[2]);
+  x[1] = clampTo(1, shape == Shape::Tetrahedron || shape == Shape::Pyramid ? narrow : one);
+  x[0] = clampTo(0,
+    shape == Shape::Hexahedron      ? one
+      : shape == Shape::Tetrahedron ? half * (Splat(0.0) - x[1] - x[2])
+                                    : narrow);
+}
+
+/// Not finite where there is none.
+HWY_INLINE void InverseOf(const Lanes (&m)[3][3], Lanes (&inverse)[9])
+{
+  const auto minor = [&](int r0, int c0, int r1, int c1) PIXELEXACT_INLINED
+  { return m[r0][c0] * m[r1][c1] - m[r0][c1] * m[r1][c0]; };
+  inverse[0] = minor(1, 1, 2, 2);
+  inverse[1] = minor(0, 2, 2, 1);
+  inverse[2] = minor(0, 1, 1, 2);
+  inverse[3] = minor(1, 2, 2, 0);
+  inverse[4] = minor(0, 0, 2, 2);
+  inverse[5] = minor(0, 2, 1, 0);
+  inverse[6] = minor(1, 0, 2, 1);
+  inverse[7] = minor(0, 1, 2, 0);
+  inverse[8] = minor(0, 0, 1, 1);
+  const Lanes scale =
+    Splat(1.0) / (m[0][0] * inverse[0] + m[0][1] * inverse[3] + m[0][2] * inverse[6]);
+  for (Lanes& v : inverse)
+  {
+    v = v * scale;
+  }
+}
+
+HWY_INLINE void Product(const Lanes (&m)[9], const Lanes (&v)[3], Lanes (&to)[3])
+{
+  ForEachAxis([&](auto r) PIXELEXACT_INLINED
+    { to[r] = m[3 * r] * v[0] + m[3 * r + 1] * v[1] + m[3 * r + 2] * v[2]; });
+}
+} // namespace pixelexact::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

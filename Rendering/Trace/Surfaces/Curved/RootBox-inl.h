@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where in a piece rays may have roots.
+#if defined(PIXELEXACT_ROOT_BOX_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef PIXELEXACT_ROOT_BOX_INL_H
+#undef PIXELEXACT_ROOT_BOX_INL_H
+#else
+#define PIXELEXACT_ROOT_BOX_INL_H
+#endif
+
+#include "Core/Element/Matrix-inl.h"
+#include "Trace/Surfaces/Curved/CurvedPiece.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace pixelexact::HWY_NAMESPACE
+{
+/// Of places in xi, and of what they are found from: more than rounding leaves.
+constexpr double kSlack = 1e-14;
+
+/// Where in a piece the roots of rays may lie: xi from its centre, along each direction between two
+/// numbers.
+struct RootBox
+{
+  Lanes lower[3];
+  Lanes upper[3];
+};
+
+/// Leaves of a box what is in the piece, where directions collapse: there their ends move with the
+/// xi after them. Returns for which nothing is left.
+HWY_INLINE LaneMask KeepToPiece(Shape shape, const CurvedPiece& piece, RootBox& box)
+{
+  const Lanes half = Splat(0.5);
+  const auto lowest = [&](int d) PIXELEXACT_INLINED
+  { return Splat(piece.centre[d]) + box.lower[d]; };
+  const auto highest = [&](int d) PIXELEXACT_INLINED
+  { return Splat(piece.centre[d]) + box.upper[d]; };
+  LaneMask empty = half < Splat(0.0);
+  const auto keep = [&](int d, Lanes most, Lanes least) PIXELEXACT_INLINED
+  {
+    const Lanes from = Splat(1.0 + piece.centre[d]);
+    const Lanes none = Splat(0.0);
+    box.upper[d] =
+      Min(box.upper[d], Splat(1.0 + piece.box.upper[d]) * Max(most, none) - from + Splat(kSlack));
+    box.lower[d] =
+      Max(box.lower[d], Splat(1.0 + piece.box.lower[d]) * Max(least, none) - from - Splat(kSlack));
+    empty = Or(empty, box.upper[d] < box.lower[d]);
+  };
+  const Lanes most = half * (Splat(1.0) - lowest(2));
+  const Lanes least = half * (Splat(1.0) - highest(2));
+  if (shape == Shape::Tetrahedron || shape == Shape::Pyramid)
+  {
+    keep(1, most, least);
+  }
+  if (shape == Shape::Tetrahedron)
+  {
+    const Lanes zero = Splat(0.0);
+    keep(0, half * (zero - lowest(1) - lowest(2)), half * (zero - highest(1) - highest(2)));
+  }
+  else
+  {
+    keep(0, most, least);
+  }
+  return empty;
+}
+} // namespace pixelexact::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
