@@ -65,7 +65,7 @@ class ClientServer(unittest.TestCase):
         return found
 
     def test_the_same(self):
-        for kind, file in (("cut", TORUS), ("iso", ESCHER)):
+        for kind, file in (("cut", TORUS), ("iso", ESCHER), ("contours_edges", TORUS)):
             alone = self.run_client(kind, f"alone_{kind}.png", file)
             self.assertGreater(len(numpy.unique(alone.reshape(-1, alone.shape[-1]), axis=0)), 20)
             for processes in (1, 2):

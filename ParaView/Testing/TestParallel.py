@@ -23,9 +23,9 @@ CASES = {
     "boundary_opaque": (("boundary_opaque", *NEK), (4,), 0, 0),
     # Lines are decided by pixels' corners, which may be in another process' part.
     "contours": (("contours", "toroid_hex_g3_p6.vtu"), (2, 4), 0, 0),
-    "contours_edges": (("contours:edges", "escher_tet_g3_p3.vtu"), (4,), 0, 0),
+    "contours_edges": (("contours_edges", "escher_tet_g3_p3.vtu"), (4,), 0, 0),
     "edges_dg": (("edges", "periodic_hex_dg_g3_p4.vtu"), (3,), 0, 0),
-    "contours_orders": (("contours:edges", *NEK), (3,), 0, 0),
+    "contours_orders": (("contours_edges", *NEK), (3,), 0, 0),
 }
 
 

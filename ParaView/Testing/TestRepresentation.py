@@ -225,7 +225,9 @@ class Representation(unittest.TestCase):
         representation.CutFunction.Normal = [0, 0, 1]
         before = scene.pixels(self.view)
         step = 2.0 * self.view.CameraParallelScale / scene.SIZE[1]
-        representation.Position = [20 * step, 0, 0]
+        # ParaView 5.13 has renamed it.
+        names = {"Position", "Translation"} & set(representation.ListProperties())
+        setattr(representation, names.pop(), [20 * step, 0, 0])
         after = scene.pixels(self.view)
         moved = numpy.abs(after[:, 20:].astype(int) - before[:, :-20]).max(axis=-1) > 1
         self.assertLess(moved.sum(), 20)

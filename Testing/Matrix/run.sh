@@ -4,10 +4,13 @@
 #   run.sh RELEASE [ROOTS]   RELEASE: bookworm, trixie or testing; ROOTS: where the systems are kept
 #
 # The root is made once (debootstrap) and taken again. In the environment:
-#   MATRIX_STAGES    of dependencies, build, test, paraview (default: the first three)
+#   MATRIX_STAGES    of dependencies, build, test, paraview, syntax (default: the first three); syntax:
+#                    the compiler reads what both builds compile, if they are there, and makes nothing
 #   MATRIX_TESTS     which tests, as ctest -R takes it (default: all)
 #   MATRIX_TARGETS   what is built (default: all)
 #   MATRIX_COMPILER  such as g++-15, installed there (default: what the release has)
+#   MATRIX_CXXFLAGS  for builds that are new, such as
+#                    "-DHWY_COMPILE_ONLY_STATIC -DPIXELEXACT_FEW_ORDERS": fewer kernels
 #   MATRIX_JOBS      compilers at once (default 1); all run at the lowest priority
 #   MATRIX_MIRROR    (default http://deb.debian.org/debian)
 #   MATRIX_STALE     yes: of a mirror that is behind, lists that have expired are taken, too
@@ -43,10 +46,11 @@ fi
 
 # What is mounted is taken away again, whatever happens.
 leave() {
-  umount "$root/dev" "$root/proc" 2>/dev/null || true
+  umount "$root/dev" "$root/sys" "$root/proc" 2>/dev/null || true
 }
 trap leave EXIT
 mountpoint -q "$root/proc" || mount -t proc proc "$root/proc"
+mountpoint -q "$root/sys" || mount -t sysfs -o ro sysfs "$root/sys" # MPI asks it for the machine
 mountpoint -q "$root/dev" || mount --bind /dev "$root/dev"
 
 rm -rf "$root/src/new" && mkdir -p "$root/src/new"
@@ -61,7 +65,7 @@ inside() {
     PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
     CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_DEPEND=1 \
     CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime \
-    PIXELEXACT_TEST_STAGES="$1" bash -c "cd /src/pixelexact && $2"
+    CXXFLAGS="${MATRIX_CXXFLAGS:-}" PIXELEXACT_TEST_STAGES="$1" bash -c "cd /src/pixelexact && $2"
 }
 # Of a package, installed or not.
 version() {
@@ -100,6 +104,14 @@ for stage in $stages; do
       else
         tested+=", the plugin's failed"
       fi
+      ;;
+    syntax)
+      inside "$stage" "apt-get install -q -y --no-install-recommends $compiler"
+      for folder in build build-paraview; do
+        if [[ -e $root/src/pixelexact/$folder/compile_commands.json ]]; then
+          inside "$stage" "Testing/Matrix/syntax.py $folder $compiler --jobs $jobs" || compiled=no
+        fi
+      done
       ;;
     *)
       echo "run.sh: no such stage: $stage" >&2
