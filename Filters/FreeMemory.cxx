@@ -4,6 +4,9 @@
 #include "Core/Base/Error.h"
 
 #include <unistd.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include <cstdio>
 #include <fstream>
@@ -45,5 +48,12 @@ void RequireMemory(double bytes, const std::string& what, const std::string& rem
     throw Error(what + " need " + Gigabytes(bytes) + " of memory, and " + Gigabytes(free) +
       " are free; " + remedy + ".");
   }
+}
+
+void ReturnFreedMemory()
+{
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
 }
 } // namespace pixelexact

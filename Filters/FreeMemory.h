@@ -13,5 +13,9 @@ namespace pixelexact
 /// Throws Error where so many bytes are not free: what needs them, how many, how many there are,
 /// and the remedy. `what` begins the message: "17 points"; `remedy` ends it: "lower the level".
 void RequireMemory(double bytes, const std::string& what, const std::string& remedy);
+
+/// Gives back what was freed and the heap keeps for later, where the C library can: after much was
+/// read that is not needed again.
+void ReturnFreedMemory();
 } // namespace pixelexact
 #endif

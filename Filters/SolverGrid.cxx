@@ -107,13 +107,8 @@ private:
 void MakeCells(const SolverMesh& mesh, const Mesh& view, vtkUnstructuredGrid* grid)
 {
   const std::size_t elements = mesh.number.size();
-  std::vector<std::array<Vec3, 8>> places(elements);
-  ForElements(elements,
-    [&](int e)
-    {
-      const auto& corners = LinearCellOf(view.ShapeOf(e)).corners;
-      MapForward(view, e, corners, std::span(places[e]).first(corners.size()));
-    });
+  constexpr std::size_t kTogether = 8192;
+  std::vector<std::array<Vec3, 8>> places(std::min(elements, kTogether));
   PointNumbering points(elements * 8);
   vtkNew<vtkCellArray> cells;
   vtkNew<vtkUnsignedCharArray> types;
@@ -121,14 +116,27 @@ void MakeCells(const SolverMesh& mesh, const Mesh& view, vtkUnstructuredGrid* gr
   types->SetNumberOfValues(static_cast<vtkIdType>(elements));
   for (std::size_t e = 0; e < elements; ++e)
   {
+    if (e % kTogether == 0)
+    {
+      ForElements(std::min(kTogether, elements - e),
+        [&](int k)
+        {
+          const int own = static_cast<int>(e) + k;
+          const auto& corners = LinearCellOf(view.ShapeOf(own)).corners;
+          MapForward(view, own, corners,
+            std::span(places[static_cast<std::size_t>(k)]).first(corners.size()));
+        });
+    }
     const LinearCell& cell = LinearCellOf(view.ShapeOf(static_cast<int>(e)));
     types->SetValue(static_cast<vtkIdType>(e), static_cast<unsigned char>(cell.type));
     cells->InsertNextCell(static_cast<int>(cell.corners.size()));
     for (std::size_t k = 0; k < cell.corners.size(); ++k)
     {
-      cells->InsertCellPoint(points.Find(mesh.corners[e][k], places[e][k], mesh.size[e]));
+      cells->InsertCellPoint(
+        points.Find(mesh.corners[e][k], places[e % kTogether][k], mesh.size[e]));
     }
   }
+  points.Points->Squeeze(); // it has grown by doubling
   grid->SetPoints(points.Points);
   grid->SetCells(types, cells);
 }

@@ -4,6 +4,7 @@
 #include "Core/Base/Error.h"
 #include "Formats/SolverModel.h"
 #include "Formats/SolverShare.h"
+#include "FreeMemory.h"
 #include "PieceNumbers.h"
 #include "SolverGrid.h"
 #include "vtkHighOrderGrid.h"
@@ -147,6 +148,7 @@ int vtkHighOrderFileReader::RequestData(vtkInformation* /*request*/,
       (this->StepsHaveMeshes() && step != this->MeshStep) ||
       PieceOf{ this->MeshPiece, this->MeshPieces } != part;
     SolverModel model = this->ReadPart(step, wantMesh);
+    ReturnFreedMemory();
     this->UpdateProgress(0.6);
     if (wantMesh)
     {
@@ -167,6 +169,7 @@ int vtkHighOrderFileReader::RequestData(vtkInformation* /*request*/,
     {
       StoreSolverField(std::move(field), output);
     }
+    ReturnFreedMemory();
     if (!this->Times.empty())
     {
       output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), this->Times[step]);

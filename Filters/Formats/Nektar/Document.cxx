@@ -3,6 +3,7 @@
 
 #include "Core/Base/Error.h"
 #include "Formats/FileText.h"
+#include "Formats/Nektar/LongBlocks.h"
 #include "Formats/Nektar/XmlFile.h"
 
 #include <algorithm>
@@ -67,7 +68,7 @@ Document::Document(const NamedText& file)
   , File(file.file)
   , MostExpanded(kExpansion * (file.text.size() + 1))
 {
-  LoadXml(file, Xml);
+  Blocks = LoadXml(file, Xml);
   if (!Root())
   {
     throw InvalidData(FileName + ": there is no element NEKTAR; this is no Nektar++ file.");
@@ -158,13 +159,14 @@ bool Document::IsCompressedField(const pugi::xml_node& node) const
     (!text.empty() && std::isalpha(static_cast<unsigned char>(text.front())) != 0);
 }
 
-std::string_view Document::TextView(const pugi::xml_node& node, std::string& joined)
+std::string_view Document::TextView(const pugi::xml_node& node, std::string& joined) const
 {
   const pugi::xml_node only = node.first_child();
   if (only && !only.next_sibling() &&
     (only.type() == pugi::node_pcdata || only.type() == pugi::node_cdata))
   {
-    return only.value();
+    const auto block = BlockAt(only.value());
+    return block && *block < Blocks.size() ? Blocks[*block] : std::string_view(only.value());
   }
   joined = Text(node);
   return joined;

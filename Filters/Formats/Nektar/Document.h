@@ -99,11 +99,12 @@ public:
 
 private:
   /// Text() without a copy where it is in one piece, else in `joined`.
-  static std::string_view TextView(const pugi::xml_node& node, std::string& joined);
+  std::string_view TextView(const pugi::xml_node& node, std::string& joined) const;
 
   std::string FileName;
   const FileText* File;
   pugi::xml_document Xml;
+  std::vector<std::string_view> Blocks; ///< the long ones, which Xml has marks for
   std::size_t MostExpanded;
 };
 

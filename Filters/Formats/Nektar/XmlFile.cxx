@@ -5,6 +5,7 @@
 #include "Formats/FileText.h"
 #include "Formats/Hdf5/Hdf5File.h"
 #include "Formats/Nektar/Hdf5Xml.h"
+#include "Formats/Nektar/LongBlocks.h"
 
 #include <algorithm>
 #include <span>
@@ -93,12 +94,18 @@ private:
 };
 } // namespace
 
-void LoadXml(const NamedText& file, pugi::xml_document& xml)
+std::vector<std::string_view> LoadXml(const NamedText& file, pugi::xml_document& xml)
 {
   const bool hdf5 = IsHdf5(file.text);
   const std::string converted = hdf5 ? Hdf5AsXml(file) : std::string();
-  const NamedText read{ file.name, hdf5 ? converted : file.text };
-  const std::span<char> own = file.file != nullptr && !hdf5 ? file.file->Own() : std::span<char>();
+  std::optional<ShortXml> shortened =
+    file.file != nullptr && !hdf5 ? WithoutLongBlocks(*file.file) : std::nullopt;
+  const NamedText read{ file.name,
+    hdf5          ? std::string_view(converted)
+      : shortened ? std::string_view(shortened->text)
+                  : file.text };
+  const std::span<char> own =
+    file.file != nullptr && !hdf5 && !shortened ? file.file->Own() : std::span<char>();
   const bool hasZero = read.text.find('\0') != std::string_view::npos;
   constexpr unsigned kOptions = pugi::parse_default | pugi::parse_doctype | pugi::parse_fragment;
   const auto result = own.empty() || hasZero
@@ -116,5 +123,6 @@ void LoadXml(const NamedText& file, pugi::xml_document& xml)
     checker.CheckZeros();
   }
   xml.traverse(checker);
+  return shortened ? std::move(shortened->blocks) : std::vector<std::string_view>();
 }
 } // namespace pixelexact::nektar

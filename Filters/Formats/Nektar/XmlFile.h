@@ -12,6 +12,6 @@ namespace pixelexact::nektar
 /// like there entities beyond XML's five stand for themselves. What that parser ends at, and what
 /// would be dropped without a word, is refused: text outside of elements, attributes that are there
 /// twice, declarations within a document type. Throws InvalidData ("<file>, line <n>: ...") and,
-/// for HDF5, Unsupported.
-void LoadXml(const NamedText& file, pugi::xml_document& xml);
+/// for HDF5, Unsupported. Returns the long blocks that marks stand for (LongBlocks.h).
+std::vector<std::string_view> LoadXml(const NamedText& file, pugi::xml_document& xml);
 } // namespace pixelexact::nektar

@@ -15,7 +15,6 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
-#include <unordered_map>
 #include <unordered_set>
 
 namespace pixelexact
@@ -24,42 +23,54 @@ namespace
 {
 using Face = CgnsBoundary::Face;
 
-struct FaceHash
+/// A side of a cell by its corners, sorted.
+struct Side
 {
-  std::size_t operator()(const Face& face) const
-  {
-    std::size_t hash = 0;
-    for (const std::int64_t point : face)
-    {
-      hash = hash * 1000003U + static_cast<std::size_t>(point);
-    }
-    return hash;
-  }
+  Face corners{ -1, -1, -1, -1 };
+  ElementFace face;
+
+  auto operator<=>(const Side&) const = default;
 };
 
-/// Sides of cells by their corners, sorted. Two cells may share one.
-using SideMap = std::unordered_multimap<Face, ElementFace, FaceHash>;
-
-SideMap SidesIn(vtkUnstructuredGrid& grid)
+/// By their corners; two cells may share one.
+std::vector<Side> SidesIn(vtkUnstructuredGrid& grid)
 {
-  SideMap sides;
+  std::vector<Side> sides;
   vtkNew<vtkIdList> points;
   for (vtkIdType cell = 0; cell < grid.GetNumberOfCells(); ++cell)
   {
     grid.GetCellPoints(cell, points);
     for (const CellSide& side : SidesOf(grid.GetCellType(cell)))
     {
-      Face corners{ -1, -1, -1, -1 };
+      Side& own = sides.emplace_back();
       for (int k = 0; k < side.count; ++k)
       {
-        corners[static_cast<std::size_t>(k)] =
+        own.corners[static_cast<std::size_t>(k)] =
           points->GetId(side.corners[static_cast<std::size_t>(k)]);
       }
-      std::ranges::sort(corners);
-      sides.emplace(corners, ElementFace{ static_cast<std::int32_t>(cell), side.face });
+      std::ranges::sort(own.corners);
+      own.face = { static_cast<std::int32_t>(cell), side.face };
     }
   }
+  std::ranges::sort(sides);
   return sides;
+}
+
+/// Those of one cell alone, by their last corner: those of a zone stand together.
+std::vector<Side> OuterOf(const std::vector<Side>& sides)
+{
+  std::vector<Side> outer;
+  for (std::size_t i = 0; i < sides.size(); ++i)
+  {
+    const bool shared = (i > 0 && sides[i - 1].corners == sides[i].corners) ||
+      (i + 1 < sides.size() && sides[i + 1].corners == sides[i].corners);
+    if (!shared)
+    {
+      outer.push_back(sides[i]);
+    }
+  }
+  std::ranges::sort(outer, {}, [](const Side& side) { return side.corners.back(); });
+  return outer;
 }
 
 /// Where each zone's points begin in the grid; none where the blocks are not the zones.
@@ -88,10 +99,12 @@ class FaceFinder
 public:
   explicit FaceFinder(vtkUnstructuredGrid& grid)
     : Sides(SidesIn(grid))
+    , Outer(OuterOf(Sides))
   {
   }
 
-  /// Adds those of a condition; says how many of them are no sides of cells.
+  /// Adds those of a condition on a zone whose points begin there; says how many are no sides of
+  /// cells.
   std::size_t Add(const CgnsBoundary& boundary, std::int64_t begin, std::int32_t attribute)
   {
     std::size_t others = 0;
@@ -99,12 +112,12 @@ public:
     {
       std::ranges::for_each(face, [begin](std::int64_t& point) { point += point < 0 ? 0 : begin; });
       std::ranges::sort(face);
-      const auto [first, last] = Sides.equal_range(face);
-      others += first == last ? 1 : 0;
-      std::for_each(first, last,
-        [&](const auto& side) {
-          Found.push_back({ side.second, attribute });
-        });
+      auto side = std::ranges::lower_bound(Sides, face, {}, &Side::corners);
+      others += side == Sides.end() || side->corners != face ? 1 : 0;
+      for (; side != Sides.end() && side->corners == face; ++side)
+      {
+        Found.push_back({ side->face, attribute });
+      }
     }
     return others + (boundary.points.empty() ? 0 : AddByPoints(boundary, begin, attribute));
   }
@@ -112,7 +125,7 @@ public:
   std::vector<AttributedFace> Found;
 
 private:
-  /// Sides of one cell alone that have all their corners among the points.
+  /// Outer sides that have all their corners among the points.
   std::size_t AddByPoints(const CgnsBoundary& boundary, std::int64_t begin, std::int32_t attribute)
   {
     std::unordered_set<std::int64_t> points;
@@ -120,20 +133,23 @@ private:
     {
       points.insert(begin + point);
     }
+    const auto last = [](const Side& side) { return side.corners.back(); };
+    const std::int64_t end = begin + *std::ranges::max_element(boundary.points);
     const std::size_t before = Found.size();
-    for (const auto& [corners, side] : Sides)
+    for (auto side = std::ranges::lower_bound(Outer, begin, {}, last);
+         side != Outer.end() && last(*side) <= end; ++side)
     {
       if (std::ranges::all_of(
-            corners, [&](std::int64_t point) { return point < 0 || points.contains(point); }) &&
-        Sides.count(corners) == 1)
+            side->corners, [&](std::int64_t point) { return point < 0 || points.contains(point); }))
       {
-        Found.push_back({ side, attribute });
+        Found.push_back({ side->face, attribute });
       }
     }
     return Found.size() == before ? 1 : 0;
   }
 
-  SideMap Sides;
+  std::vector<Side> Sides;
+  std::vector<Side> Outer;
 };
 } // namespace
 
