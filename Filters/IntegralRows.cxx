@@ -21,6 +21,32 @@ std::string Counted(std::int64_t count, const std::string& thing)
 {
   return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
 }
+
+std::vector<ElementFace> BoundaryOf(
+  const HighOrderModel& model, std::span<const std::int32_t> attributes)
+{
+  std::vector<ElementFace> faces;
+  for (const std::int32_t attribute : attributes)
+  {
+    std::ranges::copy(
+      FacesOfAttribute(model.BoundaryFaces(), attribute), std::back_inserter(faces));
+  }
+  const Mesh& mesh = model.GetMesh();
+  for (int e = 0; attributes.empty() && e < mesh.Elements(); ++e)
+  {
+    for (int f = 0; f < static_cast<int>(FacesOf(mesh.ShapeOf(e)).size()); ++f)
+    {
+      const FaceKind kind = model.Faces().KindOf(e, f);
+      if (kind == FaceKind::Boundary || kind == FaceKind::Partly)
+      {
+        faces.push_back({ e, f });
+      }
+    }
+  }
+  std::ranges::sort(faces);
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  return faces;
+}
 } // namespace
 
 double IntegralRow::Middle() const
@@ -92,32 +118,21 @@ std::vector<std::string> DoubtsOf(const SurfaceIntegral& found, double tolerance
   add(found.notValid,
     "not proven to have a map that does not fold: where it does the integrals count places several "
     "times");
+  if (found.covered > 0)
+  {
+    doubts.push_back(Counted(found.covered, "face") +
+      " with other elements behind a part of it: counted whole, where pictures show what is bare");
+  }
   return doubts;
 }
 
-std::vector<ElementFace> BoundaryOf(
-  const HighOrderModel& model, std::span<const std::int32_t> attributes)
+SurfaceIntegral IntegrateBoundary(const IntegralQuestion& question,
+  std::span<const std::int32_t> attributes, const HighOrderModel& model,
+  const IntegralEffort& effort)
 {
-  std::vector<ElementFace> faces;
-  for (const std::int32_t attribute : attributes)
-  {
-    std::ranges::copy(
-      FacesOfAttribute(model.BoundaryFaces(), attribute), std::back_inserter(faces));
-  }
-  const Mesh& mesh = model.GetMesh();
-  for (int e = 0; attributes.empty() && e < mesh.Elements(); ++e)
-  {
-    for (int f = 0; f < static_cast<int>(FacesOf(mesh.ShapeOf(e)).size()); ++f)
-    {
-      const FaceKind kind = model.Faces().KindOf(e, f);
-      if (kind == FaceKind::Boundary || kind == FaceKind::Partly)
-      {
-        faces.push_back({ e, f });
-      }
-    }
-  }
-  std::ranges::sort(faces);
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-  return faces;
+  SurfaceIntegral found = IntegrateFaces(question, BoundaryOf(model, attributes), effort);
+  // Faces that are asked for by attribute are drawn whole, too.
+  found.covered = attributes.empty() ? model.Faces().CountOf(FaceKind::Partly) : 0;
+  return found;
 }
 } // namespace pixelexact

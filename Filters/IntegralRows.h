@@ -33,9 +33,11 @@ struct IntegralRow
 [[nodiscard]] PIXELEXACTFILTERS_EXPORT std::vector<std::string> DoubtsOf(
   const SurfaceIntegral& found, double tolerance);
 
-/// The faces of the mesh's boundary with these attributes; of no attributes the whole boundary.
-/// Throws InvalidData for an attribute that is not there.
-[[nodiscard]] PIXELEXACTFILTERS_EXPORT std::vector<ElementFace> BoundaryOf(
-  const HighOrderModel& model, std::span<const std::int32_t> attributes);
+/// Over the faces of the mesh's boundary with these attributes; of no attributes the whole
+/// boundary, whose faces that are covered in part count whole. `question`: its mesh is the model's;
+/// its cut is not looked at. Throws InvalidData for an attribute that is not there.
+[[nodiscard]] PIXELEXACTFILTERS_EXPORT SurfaceIntegral IntegrateBoundary(
+  const IntegralQuestion& question, std::span<const std::int32_t> attributes,
+  const HighOrderModel& model, const IntegralEffort& effort);
 } // namespace pixelexact
 #endif

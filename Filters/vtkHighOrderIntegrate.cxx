@@ -231,7 +231,7 @@ void vtkHighOrderIntegrate::Integrate(vtkDataObject* grid, vtkTable* output)
   else
   {
     question.clips = clips;
-    found = IntegrateFaces(question, BoundaryOf(*model, this->Attributes), effort);
+    found = IntegrateBoundary(question, this->Attributes, *model, effort);
   }
   this->UpdateProgress(0.9);
   ToTable(RowsOf(question, found), output);

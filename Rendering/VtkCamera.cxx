@@ -180,7 +180,11 @@ CameraView AsHeld(const CameraView& view)
 {
   vtkNew<vtkCamera> camera;
   ApplyView(view, camera);
-  return ViewOf(camera);
+  CameraView held = ViewOf(camera);
+  // A vtkCamera looks elsewhere where the focal point is nearer than 1e-20.
+  held.position = view.position;
+  held.focalPoint = view.focalPoint;
+  return held;
 }
 
 CameraSetup SetupOf(

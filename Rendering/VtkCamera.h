@@ -49,7 +49,8 @@ struct CameraSetup
 PIXELEXACTRENDERING_EXPORT void ApplyView(const CameraView& view, vtkCamera* camera);
 
 /// The view as a vtkCamera that was given it hands it out: VTK scales the view-up to unit length.
-/// For views that did not come from a camera, so that their rays are those of one, bit for bit.
+/// For views that did not come from a camera, so that their rays are those of one, bit for bit; but
+/// a focal point nearer than 1e-20, which VTK moves, stays where it is.
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT CameraView AsHeld(const CameraView& view);
 
 /// The rays of `camera` for a viewport of width x height pixels. `aspect` is the renderer's tiled

@@ -122,6 +122,16 @@ TEST(VtkCamera, ACameraHoldsWhatItHolds)
   }
 }
 
+TEST(VtkCamera, ViewsOfTinyMeshesStayAsTheyAre)
+{
+  CameraView view;
+  view.position = { 3e-40, -1e-40, 2e-40 };
+  view.focalPoint = { 1e-40, 1e-40, 0.0 };
+  const CameraView held = AsHeld(view);
+  EXPECT_EQ(held.position, view.position);
+  EXPECT_EQ(held.focalPoint, view.focalPoint);
+}
+
 TEST(VtkCamera, OtherCamerasHaveVtksRays)
 {
   std::mt19937 random(3);

@@ -57,6 +57,22 @@ class Integrate(ToolTest):
         _, rows = self.rows(case("dolfinx_hex_g2_p4"), "--boundary", "--tolerance", "1e-4")
         self.assertGreater(rows["Area"]["lower"], 0.0)
 
+    def test_faces_that_are_covered_in_part_are_told(self):
+        """Two cubes, of sides 1 and 1/2, where a quarter of a face of the first is covered."""
+        corners = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
+        corners += [(x, y, 1) for x, y, _ in corners]
+        points = np.concatenate([np.array(corners), 0.5 * np.array(corners) + (1.0, 0.0, 0.0)])
+        path = self.folder / "cubes.vtk"
+        path.write_text(
+            "# vtk DataFile Version 3.0\ncubes\nASCII\nDATASET UNSTRUCTURED_GRID\n"
+            "POINTS 16 double\n" + "\n".join(" ".join(map(str, p)) for p in points.tolist())
+            + "\nCELLS 2 18\n8 0 1 2 3 4 5 6 7\n8 8 9 10 11 12 13 14 15\nCELL_TYPES 2\n12\n12\n"
+        )
+        summary, rows = self.rows(path, "--boundary")
+        self.assertEqual(summary["surfaces"][0]["partly_covered"], 1)
+        self.assertIn("counted whole", " ".join(summary["surfaces"][0]["notes"]))
+        self.assertAlmostEqual(rows["Area"]["value"], 6.0 + 5 * 0.25, delta=1e-9)
+
     def test_what_misses_the_mesh_is_told(self):
         summary, rows = self.rows(case("dolfinx_hex_g2_p4"), "--plane", "0,0,1e3,0,0,1")
         self.assertLess(rows["Area"]["upper"], 1e-300)

@@ -147,6 +147,7 @@ class Errors(ProbeTest):
         self.refuses("x,y,z\n1,2,3\n1,2\n", "line 3", "no z")
         self.refuses("x,y,z\n1,2,0x3\n", "line 2")
         self.refuses("x,y,z\n1,2,3 4\n", "line 2")
+        self.refuses("x,y,z\n1,5,2,3\n", "line 2", "4 values under 3 columns")
         self.refuses('x,y,z\n1,2,"3\n', "line 2", "quote")
         self.refuses("x,y\n1,2\n", "line 1", "'z'")
         self.refuses("x,y,z,x\n1,2,3,4\n", "line 1", "'x' twice")

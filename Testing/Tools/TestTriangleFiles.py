@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Cuts by the triangles of files."""
 
+import struct
 import unittest
 
 import numpy as np
@@ -91,6 +92,23 @@ class TriangleFiles(ToolTest):
         triangles = self.buffers("--surface", stl)
         closed = self.buffers("--plane", "0,0,0,0,0,1")
         np.testing.assert_array_equal(triangles["Verdict"], closed["Verdict"])
+
+    def test_a_binary_stl_that_is_cut_short(self):
+        corners = np.array([[(-2, -2, 0), (2, -2, 0), (2, 2, 0)], [(-2, -2, 0), (2, 2, 0), (-2, 2, 0)]])
+        records = [struct.pack("<12fH", 0, 0, 1, *corner.ravel(), 0) for corner in corners]
+        whole = bytes(80) + struct.pack("<I", 2) + b"".join(records)
+        stl = self.folder / "binary.stl"
+        stl.write_bytes(whole)
+        triangles = self.buffers("--surface", stl)
+        closed = self.buffers("--plane", "0,0,0,0,0,1")
+        np.testing.assert_array_equal(triangles["Verdict"], closed["Verdict"])
+        for size in (len(whole) - 1, len(whole) - 50):
+            stl.write_bytes(whole[:size])
+            self.fails(
+                *(1, "render", case("toroid_hex_g3_p6"), "--output", self.folder / "i.png"),
+                *("--surface", stl),
+                names=[stl, "cut short", "2 triangles", "holds 1"],
+            )
 
     def test_bad_files_are_named(self):
         base = ["render", case("toroid_hex_g3_p6"), "--output", self.folder / "i.png"]

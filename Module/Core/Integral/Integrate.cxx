@@ -170,6 +170,7 @@ void AddTo(SurfaceIntegral& sum, const SurfaceIntegral& more)
   sum.tooHigh = std::max(sum.tooHigh, more.tooHigh);
   sum.flat = std::max(sum.flat, more.flat);
   sum.notValid = std::max(sum.notValid, more.notValid);
+  sum.covered += more.covered;
   sum.timeIsOver = sum.timeIsOver || more.timeIsOver;
 }
 

@@ -37,6 +37,7 @@ struct SurfaceIntegral
   std::int64_t tooHigh = 0;   ///< elements that are left out: of too high order for the surface
   std::int64_t flat = 0;      ///< elements that are left out: the field has the value throughout
   std::int64_t notValid = 0;  ///< elements that meet, whose det J > 0 is not proven
+  std::int64_t covered = 0;   ///< faces of a boundary with other elements behind a part of them
   bool timeIsOver = false;
 };
 

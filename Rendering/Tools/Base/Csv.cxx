@@ -59,6 +59,20 @@ std::array<std::size_t, 3> FindColumns(
   return columns;
 }
 
+/// A comma that was meant as a decimal point moves all that stands behind it.
+void RefuseMore(const std::string& file, std::size_t line, const std::vector<std::string>& fields,
+  std::size_t columns)
+{
+  const auto isThere = [](const std::string& field) { return !Trim(field).empty(); };
+  if (fields.size() > columns &&
+    std::any_of(fields.begin() + static_cast<std::ptrdiff_t>(columns), fields.end(), isThere))
+  {
+    Refuse(file, line,
+      std::to_string(fields.size()) + " values under " + std::to_string(columns) +
+        " columns; decimals are written with a point, and every column has a name");
+  }
+}
+
 /// The fields of one line; false where a quote is left open or text follows a closing one.
 bool SplitLine(std::string_view line, std::vector<std::string>& fields)
 {
@@ -122,6 +136,7 @@ PointTable ReadPoints(const std::string& file)
   PointTable table;
   std::array<std::size_t, 3> columns{};
   std::vector<std::string> fields;
+  std::size_t named = 0;
   bool header = true;
   std::string line;
   for (std::size_t number = 1; std::getline(stream, line); ++number)
@@ -145,11 +160,13 @@ PointTable ReadPoints(const std::string& file)
     if (header)
     {
       columns = FindColumns(file, number, fields);
+      named = fields.size();
       table.headerLine = number;
       table.hasZ = columns[2] != kNoColumn;
       header = false;
       continue;
     }
+    RefuseMore(file, number, fields, named);
     Vec3 point(0.0);
     for (int d = 0; d < (table.hasZ ? 3 : 2); ++d)
     {

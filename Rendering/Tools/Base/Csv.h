@@ -17,7 +17,8 @@ struct PointTable
 
 /// The columns x, y and, where there is one, z of a CSV file, or of standard input ("-"), with a
 /// header line; further columns are ignored. Accepts quoted fields, a byte-order mark, CRLF, and
-/// empty lines, which it skips. Throws Error naming the line where a number is missing or none.
+/// empty lines, which it skips. Throws Error naming the line where a number is missing or none, or
+/// where there are more values than columns.
 PointTable ReadPoints(const std::string& file);
 
 /// For meshes that are not plane: throws Error, naming the line, where the table has no z.

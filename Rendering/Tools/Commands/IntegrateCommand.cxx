@@ -77,8 +77,7 @@ Answer Solve(const IntegralSurface& surface, const LoadedModel& input, const Fie
   if (surface.boundary)
   {
     question.clips = clips;
-    answer.found =
-      IntegrateFaces(question, BoundaryOf(model, surface.attributes), options.Effort());
+    answer.found = IntegrateBoundary(question, surface.attributes, model, options.Effort());
     question.clips = {};
   }
   else
@@ -149,7 +148,7 @@ nlohmann::ordered_json ToJson(const Answer& answer, const IntegralEffort& effort
   nlohmann::ordered_json summary{ { "surface", answer.name }, { "tolerance_met", found.met },
     { "elements", found.elements }, { "faces", found.faces }, { "boxes", found.boxes },
     { "unresolved_area", found.unresolved }, { "not_finite", found.notFinite },
-    { "flat", found.flat }, { "not_valid", found.notValid },
+    { "flat", found.flat }, { "not_valid", found.notValid }, { "partly_covered", found.covered },
     { "notes", DoubtsOf(found, effort.tolerance) } };
   for (const IntegralRow& row : answer.rows)
   {

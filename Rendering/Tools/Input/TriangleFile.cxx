@@ -13,7 +13,11 @@
 #include <vtkSmartPointer.h>
 #include <vtkXMLPolyDataReader.h>
 
+#include <array>
+#include <cstdint>
 #include <filesystem>
+#include <fstream>
+#include <string_view>
 
 namespace pixelexact
 {
@@ -32,6 +36,36 @@ vtkSmartPointer<vtkPolyData> ReadBy(const std::string& file)
   }
   return reader->GetOutput();
 }
+
+/// Of a binary .stl that ends before the triangles that it counts, VTK's reader takes what is
+/// there.
+void RequireWholeStl(const std::string& file)
+{
+  constexpr std::size_t kCount = 80; // where it stands, behind the title
+  constexpr std::uintmax_t kHeader = 84;
+  constexpr std::uintmax_t kTriangle = 50;
+  std::array<char, 512> bytes{};
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(bytes.data(), bytes.size());
+  const std::string_view begin(bytes.data(), static_cast<std::size_t>(stream.gcount()));
+  // A text has no such byte.
+  if (begin.size() < kHeader || begin.find('\0') == std::string_view::npos)
+  {
+    return;
+  }
+  std::uintmax_t count = 0;
+  for (std::size_t i = 4; i-- > 0;)
+  {
+    count = 256 * count + static_cast<unsigned char>(begin[kCount + i]);
+  }
+  const std::uintmax_t there = (std::filesystem::file_size(file) - kHeader) / kTriangle;
+  if (there < count)
+  {
+    CannotRead(file,
+      "it is cut short: it counts " + std::to_string(count) + " triangles and holds " +
+        std::to_string(there));
+  }
+}
 } // namespace
 
 std::shared_ptr<const Surface> ReadTriangles(const std::string& file)
@@ -44,6 +78,10 @@ std::shared_ptr<const Surface> ReadTriangles(const std::string& file)
   if (!std::filesystem::exists(file))
   {
     CannotRead(file, "there is no such file");
+  }
+  if (ending == ".stl")
+  {
+    RequireWholeStl(file);
   }
   const vtkSmartPointer<vtkPolyData> surface =
     ending == ".vtp" ? ReadBy<vtkXMLPolyDataReader>(file) : ReadBy<vtkSTLReader>(file);
