@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHighOrderCertifier.h"
 
+#include "Conversion/ModelSource.h"
+#include "Conversion/SourceMesh.h"
 #include "Core/Base/Error.h"
 #include "Core/Element/Validity.h"
-#include "FieldsNamed.h"
-#include "FilterWork.h"
+#include "Grids/FieldsNamed.h"
+#include "Grids/FilterWork.h"
 #include "HighOrderArrays.h"
-#include "ModelSource.h"
-#include "SourceMesh.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"

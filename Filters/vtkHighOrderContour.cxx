@@ -2,11 +2,11 @@
 #include "vtkHighOrderContour.h"
 
 #include "ContourList.h"
-#include "ContourPolyData.h"
-#include "FieldsNamed.h"
-#include "FilterWork.h"
-#include "ModelSource.h"
-#include "VtkCutFunction.h"
+#include "Conversion/ModelSource.h"
+#include "Cuts/ContourPolyData.h"
+#include "Cuts/VtkCutFunction.h"
+#include "Grids/FieldsNamed.h"
+#include "Grids/FilterWork.h"
 
 #include "Core/Base/Error.h"
 #include "Core/Location/Locator.h"

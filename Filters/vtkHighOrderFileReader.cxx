@@ -2,11 +2,11 @@
 #include "vtkHighOrderFileReader.h"
 
 #include "Core/Base/Error.h"
+#include "Files/PieceNumbers.h"
+#include "Files/SolverGrid.h"
 #include "Formats/SolverModel.h"
 #include "Formats/SolverShare.h"
-#include "FreeMemory.h"
-#include "PieceNumbers.h"
-#include "SolverGrid.h"
+#include "Grids/FreeMemory.h"
 #include "vtkHighOrderGrid.h"
 
 #include "vtkFieldData.h"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHighOrderIntegrate.h"
 
-#include "FieldsNamed.h"
-#include "FilterWork.h"
+#include "Conversion/ModelSource.h"
+#include "Cuts/IntegralPieces.h"
+#include "Cuts/IntegralRows.h"
+#include "Grids/FieldsNamed.h"
+#include "Grids/FilterWork.h"
 #include "HighOrderModel.h"
-#include "IntegralPieces.h"
-#include "IntegralRows.h"
-#include "ModelSource.h"
 
 #include "Core/Base/Error.h"
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHighOrderLinearResample.h"
 
+#include "Conversion/ModelSource.h"
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
-#include "FieldsNamed.h"
-#include "FilterWork.h"
-#include "FreeMemory.h"
-#include "ModelSource.h"
-#include "PointBounds.h"
-#include "PointSampling.h"
+#include "Cuts/PointSampling.h"
+#include "Grids/FieldsNamed.h"
+#include "Grids/FilterWork.h"
+#include "Grids/FreeMemory.h"
+#include "Grids/PointBounds.h"
 
 #include "vtkCellData.h"
 #include "vtkCharArray.h"

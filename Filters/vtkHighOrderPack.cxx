@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHighOrderPack.h"
 
-#include "CommonWidths.h"
+#include "Conversion/GridConversion.h"
+#include "Conversion/KeptMesh.h"
+#include "Conversion/ModelSource.h"
 #include "Core/Base/Error.h"
-#include "GridConversion.h"
+#include "Grids/LeafGrids.h"
 #include "HighOrderArrays.h"
-#include "KeptMesh.h"
-#include "LeafGrids.h"
-#include "ModelSource.h"
 #include "PackedArrays.h"
+#include "Parts/CommonWidths.h"
 
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHighOrderPlotOverLine.h"
 
+#include "Cells/LineBreaks.h"
+#include "Conversion/ModelSource.h"
 #include "Core/Base/Error.h"
-#include "FieldsNamed.h"
-#include "FilterWork.h"
-#include "LineBreaks.h"
-#include "ModelSource.h"
-#include "PointSampling.h"
+#include "Cuts/PointSampling.h"
+#include "Grids/FieldsNamed.h"
+#include "Grids/FilterWork.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"

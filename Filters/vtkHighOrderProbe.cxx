@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHighOrderProbe.h"
 
-#include "FieldsNamed.h"
-#include "FilterWork.h"
-#include "ModelSource.h"
-#include "PointSampling.h"
+#include "Conversion/ModelSource.h"
+#include "Cuts/PointSampling.h"
+#include "Grids/FieldsNamed.h"
+#include "Grids/FilterWork.h"
 
 #include "vtkDataSet.h"
 #include "vtkInformation.h"

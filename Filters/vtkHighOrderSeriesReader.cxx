@@ -2,10 +2,10 @@
 #include "vtkHighOrderSeriesReader.h"
 
 #include "Core/Base/Error.h"
-#include "FilterWork.h"
-#include "GridParts.h"
-#include "PieceNumbers.h"
-#include "TimeSeries.h"
+#include "Files/GridParts.h"
+#include "Files/PieceNumbers.h"
+#include "Files/TimeSeries.h"
+#include "Grids/FilterWork.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHighOrderSubdivide.h"
 
-#include "CellArrays.h"
+#include "Cells/CellArrays.h"
+#include "Cells/Subdivision.h"
+#include "Conversion/ModelSource.h"
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
-#include "FieldsNamed.h"
-#include "FilterWork.h"
-#include "FreeMemory.h"
-#include "ModelSource.h"
-#include "Subdivision.h"
+#include "Grids/FieldsNamed.h"
+#include "Grids/FilterWork.h"
+#include "Grids/FreeMemory.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkUnstructuredGrid.h"

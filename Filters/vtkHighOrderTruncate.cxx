@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHighOrderTruncate.h"
 
-#include "FieldsNamed.h"
-#include "FilterWork.h"
-#include "GridTruncation.h"
-#include "ModelSource.h"
+#include "Conversion/ModelSource.h"
+#include "Grids/FieldsNamed.h"
+#include "Grids/FilterWork.h"
+#include "Grids/GridTruncation.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"

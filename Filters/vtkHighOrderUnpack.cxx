@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHighOrderUnpack.h"
 
-#include "FilterWork.h"
+#include "Conversion/ModelSource.h"
+#include "Grids/FilterWork.h"
+#include "Grids/LeafGrids.h"
 #include "HighOrderModel.h"
-#include "LeafGrids.h"
-#include "ModelSource.h"
 #include "PackedArrays.h"
 
 #include "vtkObjectFactory.h"

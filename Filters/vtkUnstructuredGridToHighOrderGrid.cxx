@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkUnstructuredGridToHighOrderGrid.h"
 
+#include "Conversion/GridConversion.h"
+#include "Conversion/KeptMesh.h"
+#include "Conversion/OutputGrid.h"
 #include "Core/Base/Error.h"
-#include "FieldsNamed.h"
-#include "GridConversion.h"
-#include "KeptMesh.h"
-#include "OutputGrid.h"
+#include "Files/PieceNumbers.h"
+#include "Grids/FieldsNamed.h"
 #include "PackedArrays.h"
-#include "PieceNumbers.h"
 #include "vtkHighOrderGrid.h"
 
 #include "vtkInformation.h"

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHighOrderComparison.h"
 
-#include "CameraOfFilter.h"
 #include "ContourList.h"
 #include "Core/Base/Error.h"
 #include "Core/Location/Locator.h"
-#include "FieldChoice.h"
-#include "GridModel.h"
 #include "HighOrderModel.h"
-#include "SeenCut.h"
+#include "Surfaces/SeenCut.h"
+#include "Surfaces/VtkLinearSurface.h"
+#include "Surfaces/VtkSurface.h"
 #include "Trace/Compare/TracedPicture.h"
-#include "VtkLinearSurface.h"
-#include "VtkSurface.h"
+#include "Views/CameraOfFilter.h"
+#include "Views/FieldChoice.h"
+#include "Views/GridModel.h"
 
 #include "vtkDataObject.h"
 #include "vtkDoubleArray.h"

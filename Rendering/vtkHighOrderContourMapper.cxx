@@ -2,9 +2,9 @@
 #include "vtkHighOrderContourMapper.h"
 
 #include "ContourList.h"
-#include "FrameContours.h"
-#include "VtkColorMap.h"
-#include "VtkLook.h"
+#include "Frames/FrameContours.h"
+#include "Views/VtkColorMap.h"
+#include "Views/VtkLook.h"
 
 #include "vtkDataArray.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHighOrderDataSurface.h"
 
-#include "SurfaceInput.h"
+#include "Surfaces/SurfaceInput.h"
 
 #include "vtkDataSet.h"
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHighOrderDifference.h"
 
-#include "CameraOfFilter.h"
 #include "Core/Base/Error.h"
 #include "Core/Location/Locator.h"
-#include "DifferenceImage.h"
-#include "FieldChoice.h"
-#include "GridModel.h"
+#include "Frames/DifferenceImage.h"
 #include "HighOrderModel.h"
-#include "SeenCut.h"
-#include "VtkSurface.h"
+#include "Surfaces/SeenCut.h"
+#include "Surfaces/VtkSurface.h"
+#include "Views/CameraOfFilter.h"
+#include "Views/FieldChoice.h"
+#include "Views/GridModel.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHighOrderJumpWalls.h"
 
-#include "MeshSurfaces.h"
+#include "Surfaces/MeshSurfaces.h"
 
 #include "vtkObjectFactory.h"
 

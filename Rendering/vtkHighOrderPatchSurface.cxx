@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHighOrderPatchSurface.h"
 
-#include "SurfaceInput.h"
-#include "VtkPatches.h"
+#include "Surfaces/SurfaceInput.h"
+#include "Surfaces/VtkPatches.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPointSet.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHighOrderPicker.h"
 
-#include "FramePick.h"
+#include "Frames/FramePick.h"
 #include "vtkHighOrderMapper.h"
 
 #include "Core/Base/Error.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHighOrderPicture.h"
 
-#include "FrameSource.h"
-#include "MapperExecutive.h"
-#include "ViewRequest.h"
-#include "VtkCamera.h"
+#include "Frames/FrameSource.h"
+#include "Frames/ViewRequest.h"
+#include "Views/MapperExecutive.h"
+#include "Views/VtkCamera.h"
 #include "vtkHighOrderMapper.h"
 
 #include "Core/Base/Error.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHighOrderSceneMapper.h"
 
-#include "MapperScene.h"
+#include "Frames/MapperScene.h"
 #include "vtkHighOrderLayer.h"
 #include "vtkHighOrderSurface.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHighOrderTriangleSurface.h"
 
-#include "SurfaceInput.h"
-#include "VtkTriangles.h"
+#include "Surfaces/SurfaceInput.h"
+#include "Surfaces/VtkTriangles.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"

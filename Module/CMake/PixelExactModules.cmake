@@ -1,16 +1,23 @@
 # The three VTK modules: each is the folder of its vtk.module file.
 
-# pixelexact_add_vtk_module(NAME [NOWRAP_HEADERS ...])
+# pixelexact_add_vtk_module(NAME [FOLDERS ...] [NOWRAP_HEADERS ...])
 #
 # Adds a module from the sources beside the calling CMakeLists.txt: vtk*.cxx are its public classes,
-# wrapped and installed; sources of other names are its own affair. NOWRAP_HEADERS: headers among
-# those that users in C++ need.
+# wrapped and installed; sources of other names, and those in FOLDERS, are its own affair.
+# NOWRAP_HEADERS: headers among those that users in C++ need.
 function(pixelexact_add_vtk_module name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "NOWRAP_HEADERS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "FOLDERS;NOWRAP_HEADERS")
   file(GLOB classes CONFIGURE_DEPENDS RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}" "vtk*.cxx")
   list(TRANSFORM classes REPLACE "\\.cxx$" "")
-  file(GLOB sources CONFIGURE_DEPENDS RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}" "[A-Z]*.cxx")
-  file(GLOB private_headers CONFIGURE_DEPENDS RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}" "[A-Z]*.h")
+  set(sources)
+  set(private_headers)
+  foreach(place "" ${arg_FOLDERS})
+    string(REGEX REPLACE "(.)$" "\\1/" place "${place}")
+    file(GLOB found CONFIGURE_DEPENDS RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}" "${place}[A-Z]*.cxx")
+    list(APPEND sources ${found})
+    file(GLOB found CONFIGURE_DEPENDS RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}" "${place}[A-Z]*.h")
+    list(APPEND private_headers ${found})
+  endforeach()
   list(REMOVE_ITEM private_headers ${arg_NOWRAP_HEADERS})
   vtk_module_add_module(${name}
     CLASSES ${classes}

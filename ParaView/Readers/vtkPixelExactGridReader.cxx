@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPixelExactGridReader.h"
 
+#include "Files/TimeSeries.h"
 #include "HighOrderArrays.h"
-#include "TimeSeries.h"
 #include "vtkHighOrderSeriesReader.h"
 #include "vtkUnstructuredGridToHighOrderGrid.h"
 

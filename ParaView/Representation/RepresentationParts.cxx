@@ -4,8 +4,8 @@
 
 #include "Core/Base/Error.h"
 #include "HighOrderModel.h"
-#include "InnerFaces.h"
-#include "NeighbourElements.h"
+#include "Parts/InnerFaces.h"
+#include "Parts/NeighbourElements.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkMultiProcessController.h"

@@ -2,9 +2,9 @@
 #include "ShownRange.h"
 
 #include "CompositeParts.h"
-#include "FieldRange.h"
 #include "HighOrderModel.h"
-#include "VtkColorMap.h"
+#include "Views/FieldRange.h"
+#include "Views/VtkColorMap.h"
 
 #include "Core/Base/Error.h"
 

@@ -24,6 +24,7 @@ GOOD = {
     "Module/Core/Index/EmbreeScene.h": '#include "Core/Math/Vec.h"\n',
     "Module/vtkGrid.h": '#include "Core/Base/Verdict.h"\n#include <vtkUnstructuredGrid.h>\n',
     "Filters/vtkProbe.h": '#include "vtkGrid.h"\n',
+    "Filters/Cuts/Clip.h": '#include "vtkProbe.h"\n',
     "Rendering/Trace/Camera.h": '#include "Core/Math/Vec.h"\n',
     "Rendering/vtkMapper.h": '#include "Trace/Camera.h"\n#include "vtkGrid.h"\n',
     "Rendering/Tools/main.cxx": '#include "vtkMapper.h"\n#include "Commands/Render.h"\n',
@@ -91,6 +92,11 @@ BAD = {
         "Rendering/Tools/Commands/Bad.h",
         '#include "View/Window.h"\n',
         "layer Commands may not include Rendering/Tools/View/Window.h",
+    ),
+    "layer of Filters upwards": (
+        "Filters/Grids/Bad.h",
+        '#include "Cuts/Clip.h"\n',
+        "layer Grids may not include Filters/Cuts/Clip.h (layer Cuts is above)",
     ),
     "out of the rooms": (
         "Filters/vtkBad.cxx",

@@ -8,7 +8,7 @@
 #include "Trace/Modules/ColorMapping.h"
 #include "Trace/Surfaces/Plane.h"
 #include "Trace/Tracer.h"
-#include "VtkCamera.h"
+#include "Views/VtkCamera.h"
 #include "vtkHighOrderMapper.h"
 
 #include "vtkLookupTable.h"

@@ -2,7 +2,7 @@
 // The mapper's contours, and what drawing them costs.
 #include "CutScene.h"
 
-#include "ContourLabels.h"
+#include "Frames/ContourLabels.h"
 #include "vtkHighOrderLayer.h"
 
 #include "vtkDoubleArray.h"

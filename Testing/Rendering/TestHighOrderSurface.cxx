@@ -4,7 +4,7 @@
 #include "CutScene.h"
 
 #include "Core/Base/Error.h"
-#include "VtkSurface.h"
+#include "Surfaces/VtkSurface.h"
 #include "vtkHighOrderLayer.h"
 #include "vtkHighOrderPicker.h"
 #include "vtkHighOrderSurface.h"

@@ -3,7 +3,7 @@
 #include "Window.h"
 
 #include "Core/Base/Error.h"
-#include "VtkSurface.h"
+#include "Surfaces/VtkSurface.h"
 #include "vtkImplicitCallback.h"
 
 #include "vtkDoubleArray.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CutScene.h"
-#include "SelectionImage.h"
+#include "Frames/SelectionImage.h"
 
 #include "vtkFieldData.h"
 #include "vtkHardwareSelector.h"

@@ -2,8 +2,8 @@
 // From one time step to the next of the same mesh, what draws it keeps the locator.
 #include "BoxGrid.h"
 
-#include "GridModel.h"
 #include "HighOrderModel.h"
+#include "Views/GridModel.h"
 #include "vtkHighOrderMapper.h"
 
 #include <gtest/gtest.h>

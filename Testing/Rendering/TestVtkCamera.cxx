@@ -2,7 +2,7 @@
 #include "Window.h"
 
 #include "Core/Base/Error.h"
-#include "VtkCamera.h"
+#include "Views/VtkCamera.h"
 
 #include "vtkTransform.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // VTK's Bezier quadrilaterals and plain control points, as patches: against VTK's own evaluation.
-#include "VtkPatches.h"
+#include "Surfaces/VtkPatches.h"
 
 #include "Core/Base/Error.h"
 #include "vtkHighOrderPatchSurface.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Base/Error.h"
+#include "Surfaces/VtkSurface.h"
 #include "Trace/RayCheck.h"
-#include "VtkSurface.h"
 
 #include "vtkBox.h"
 #include "vtkCone.h"

@@ -2,7 +2,7 @@
 #include "Base/Provenance.h"
 
 #include "Core/Base/Error.h"
-#include "TimeSeries.h"
+#include "Files/TimeSeries.h"
 
 #include <fmt/format.h>
 #include <xxhash.h>

@@ -20,8 +20,8 @@
 #include "Trade/TradeWords.h"
 
 #include "Core/Base/Error.h"
-#include "FunctionOfSurface.h"
 #include "HighOrderModel.h"
+#include "Surfaces/FunctionOfSurface.h"
 #include "Trace/Compare/TracedPicture.h"
 
 #include <fmt/format.h>

@@ -11,7 +11,7 @@
 #include "Scene/Model.h"
 
 #include "Core/Base/Counted.h"
-#include "SlabArray.h"
+#include "Grids/SlabArray.h"
 
 #include <nlohmann/json.hpp>
 #include <vtkUnstructuredGrid.h>

@@ -3,8 +3,8 @@
 
 #include "Base/Command.h"
 #include "Base/Options.h"
-#include "FunctionOfSurface.h"
 #include "Input/TriangleFile.h"
+#include "Surfaces/FunctionOfSurface.h"
 
 #include "Core/Base/Error.h"
 #include "Trace/Surfaces/ConvexBody.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "IntegralPieces.h"
+#include "Cuts/IntegralPieces.h"
 #include "Scene/MeshSurfaceOptions.h"
 #include "Scene/PlaneOption.h"
 #include "Scene/QuadricKinds.h"

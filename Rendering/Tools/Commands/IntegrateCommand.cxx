@@ -3,9 +3,9 @@
 #include "Base/Options.h"
 #include "Base/Report.h"
 #include "Commands/IntegralSurfaces.h"
+#include "Cuts/IntegralPieces.h"
+#include "Cuts/IntegralRows.h"
 #include "Input/Input.h"
-#include "IntegralPieces.h"
-#include "IntegralRows.h"
 #include "Scene/Model.h"
 #include "Trade/LinearIntegral.h"
 

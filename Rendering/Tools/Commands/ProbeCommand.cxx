@@ -9,7 +9,7 @@
 #include "Scene/Model.h"
 
 #include "Core/Base/Error.h"
-#include "SlabArray.h"
+#include "Grids/SlabArray.h"
 
 #include <vtkUnstructuredGrid.h>
 

@@ -4,7 +4,7 @@
 #include "Drawing/CairoFonts.h"
 #include "Drawing/Image.h"
 
-#include "TextImages.h"
+#include "Views/TextImages.h"
 
 #include "Trace/Modules/ColorMapping.h"
 

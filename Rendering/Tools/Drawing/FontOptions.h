@@ -3,7 +3,7 @@
 
 #include "Base/Options.h"
 
-#include "TextImages.h"
+#include "Views/TextImages.h"
 
 namespace pixelexact
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "TextImages.h"
+#include "Views/TextImages.h"
 
 #include <string>
 

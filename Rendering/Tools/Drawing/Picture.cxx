@@ -5,7 +5,7 @@
 #include "Base/VtkMessages.h"
 
 #include "Core/Base/Error.h"
-#include "FrameImage.h"
+#include "Frames/FrameImage.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>

@@ -3,7 +3,7 @@
 
 #include "Drawing/Canvas.h"
 
-#include "ContourLabels.h"
+#include "Frames/ContourLabels.h"
 
 #include <vector>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Input/CgnsSides.h"
 
+#include "Conversion/SourceFaces.h"
 #include "Core/Base/Counted.h"
+#include "Files/SolverGroups.h"
 #include "Input/CellSides.h"
-#include "SolverGroups.h"
-#include "SourceFaces.h"
 
 #include <vtkCellArray.h>
 #include <vtkCompositeDataIterator.h>

@@ -4,7 +4,7 @@
 #include "Base/Report.h"
 
 #include "Core/Base/Error.h"
-#include "VtkColorMap.h"
+#include "Views/VtkColorMap.h"
 
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>

@@ -7,7 +7,7 @@
 
 #include "Base/VtkMessages.h"
 #include "Core/Base/Counted.h"
-#include "SolverGroups.h"
+#include "Files/SolverGroups.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>

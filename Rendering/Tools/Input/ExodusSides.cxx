@@ -3,8 +3,8 @@
 
 #include "Input/CellSides.h"
 
+#include "Conversion/SourceFaces.h"
 #include "Core/Base/Counted.h"
-#include "SourceFaces.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>

@@ -9,11 +9,11 @@
 #include "Input/NativeInput.h"
 #include "Input/VtkInput.h"
 
+#include "Conversion/GridCheck.h"
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
+#include "Files/TimeSeries.h"
 #include "Formats/MFEM/PieceNames.h"
-#include "GridCheck.h"
-#include "TimeSeries.h"
 
 #include <vtkUnstructuredGrid.h>
 

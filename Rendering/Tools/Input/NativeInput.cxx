@@ -6,8 +6,8 @@
 #include "Base/VtkMessages.h"
 
 #include "Core/Base/Error.h"
+#include "Files/TimeSeries.h"
 #include "Formats/MFEM/PieceNames.h"
-#include "TimeSeries.h"
 #include "vtkGLVisReader.h"
 #include "vtkGmshReader.h"
 #include "vtkHighOrderGrid.h"

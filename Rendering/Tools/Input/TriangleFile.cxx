@@ -5,7 +5,7 @@
 #include "Input/Input.h"
 
 #include "Core/Base/Error.h"
-#include "VtkTriangles.h"
+#include "Surfaces/VtkTriangles.h"
 
 #include <vtkNew.h>
 #include <vtkPolyData.h>

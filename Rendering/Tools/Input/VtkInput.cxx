@@ -5,8 +5,8 @@
 #include "Base/Processes.h"
 #include "Base/VtkMessages.h"
 
-#include "GridParts.h"
-#include "TimeSeries.h"
+#include "Files/GridParts.h"
+#include "Files/TimeSeries.h"
 
 #include <vtkErrorCode.h>
 #include <vtkNew.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "ContourLabels.h"
+#include "Frames/ContourLabels.h"
 #include "Trace/Modules/ColorMapping.h"
 #include "Trace/Modules/ContourLines.h"
 

@@ -13,7 +13,7 @@
 #include "Trace/Surfaces/Plane.h"
 #include "Trace/Surfaces/Quadric.h"
 
-#include "ContourPolyData.h"
+#include "Cuts/ContourPolyData.h"
 
 #include <glm/geometric.hpp>
 #include <vtkCellData.h>

@@ -7,7 +7,7 @@
 #include "Scene/ColorOptions.h"
 #include "Scene/Shot.h"
 
-#include "VtkLook.h"
+#include "Views/VtkLook.h"
 
 #include <fmt/format.h>
 

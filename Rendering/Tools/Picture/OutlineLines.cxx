@@ -6,7 +6,7 @@
 #include "Scene/Model.h"
 #include "Scene/Shot.h"
 
-#include "MeshSurfaces.h"
+#include "Surfaces/MeshSurfaces.h"
 #include "Trace/Tracer.h"
 
 #include <glm/common.hpp>

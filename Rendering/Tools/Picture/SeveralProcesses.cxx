@@ -3,8 +3,8 @@
 
 #include "Base/Command.h"
 #include "Base/Processes.h"
+#include "Files/TimeSeries.h"
 #include "Picture/RenderOptions.h"
-#include "TimeSeries.h"
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 #include "Base/Options.h"
 
 #include "Core/Base/Error.h"
-#include "VtkCamera.h"
+#include "Views/VtkCamera.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -9,8 +9,8 @@
 #include "Input/ColorMapFile.h"
 
 #include "Core/Base/Error.h"
-#include "VtkColorMap.h"
-#include "VtkLook.h"
+#include "Views/VtkColorMap.h"
+#include "Views/VtkLook.h"
 
 #include <fmt/format.h>
 #include <vtkLookupTable.h>

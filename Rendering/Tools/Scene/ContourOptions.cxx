@@ -8,8 +8,8 @@
 #include "Scene/Effects.h"
 #include "Scene/LayerOptions.h"
 
-#include "ContourLabels.h"
-#include "VtkLook.h"
+#include "Frames/ContourLabels.h"
+#include "Views/VtkLook.h"
 
 #include "Trace/Contours/IntervalEdges.h"
 

@@ -11,7 +11,7 @@
 #include "Scene/Shot.h"
 
 #include "Core/Location/Owners.h"
-#include "VtkLook.h"
+#include "Views/VtkLook.h"
 
 #include <nlohmann/json.hpp>
 #include <tbb/parallel_for.h>

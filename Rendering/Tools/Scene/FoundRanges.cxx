@@ -3,8 +3,8 @@
 
 #include "Base/Report.h"
 
-#include "FieldRange.h"
 #include "Trace/Scene.h"
+#include "Views/FieldRange.h"
 
 #include <nlohmann/json.hpp>
 

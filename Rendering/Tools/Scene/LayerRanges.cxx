@@ -9,7 +9,7 @@
 
 #include "Core/Base/Error.h"
 #include "Core/Element/MeshRanges.h"
-#include "FieldRange.h"
+#include "Views/FieldRange.h"
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@
 
 #include "Core/Faces/FaceTable.h"
 #include "HighOrderModel.h"
-#include "VtkLook.h"
+#include "Views/VtkLook.h"
 
 #include <algorithm>
 #include <utility>

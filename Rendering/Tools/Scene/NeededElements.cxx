@@ -7,10 +7,10 @@
 #include "Core/Element/MeshRanges.h"
 #include "Core/Location/Locator.h"
 #include "Core/Questions/Questions.h"
-#include "InnerFaces.h"
+#include "Grids/SlabArray.h"
 #include "PackedArrays.h"
-#include "PartExchange.h"
-#include "SlabArray.h"
+#include "Parts/InnerFaces.h"
+#include "Parts/PartExchange.h"
 #include "Trace/Scene.h"
 
 #include <glm/geometric.hpp>

@@ -11,7 +11,7 @@
 #include "Core/Location/Locator.h"
 #include "Trace/Tracer.h"
 
-#include "VtkLook.h"
+#include "Views/VtkLook.h"
 
 #include <fmt/format.h>
 #include <vtkUnstructuredGrid.h>

@@ -9,10 +9,10 @@
 #include "Scene/QuadricKinds.h"
 
 #include "Core/Base/Error.h"
+#include "Surfaces/VtkPatches.h"
 #include "Trace/Surfaces/ConvexBody.h"
 #include "Trace/Surfaces/Disc.h"
 #include "Trace/Surfaces/Torus.h"
-#include "VtkPatches.h"
 
 #include <algorithm>
 #include <functional>

@@ -7,7 +7,7 @@
 #include "Scene/Shot.h"
 #include "Trade/DifferenceOptions.h"
 
-#include "DifferenceImage.h"
+#include "Frames/DifferenceImage.h"
 
 #include <vtkImageData.h>
 

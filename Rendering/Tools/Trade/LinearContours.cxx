@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trade/LinearContours.h"
 
-#include "VtkLinearSurface.h"
+#include "Surfaces/VtkLinearSurface.h"
 
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>

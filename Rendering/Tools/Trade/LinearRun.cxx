@@ -9,8 +9,8 @@
 
 #include "Core/Base/Error.h"
 #include "HighOrderModel.h"
+#include "Surfaces/VtkLinearSurface.h"
 #include "Trace/Compare/TracedPicture.h"
-#include "VtkLinearSurface.h"
 
 #include <fmt/format.h>
 #include <vtkArrayCalculator.h>

@@ -9,10 +9,10 @@
 #include "Trade/PaperRuns.h"
 
 #include "Core/Base/Error.h"
-#include "FunctionOfSurface.h"
 #include "HighOrderModel.h"
+#include "Surfaces/FunctionOfSurface.h"
+#include "Surfaces/VtkLinearSurface.h"
 #include "Trace/Compare/TracedPicture.h"
-#include "VtkLinearSurface.h"
 
 #include <vtkContourFilter.h>
 #include <vtkHighOrderLinearCut.h>

@@ -6,7 +6,7 @@
 #include "Scene/Shot.h"
 
 #include "Core/Base/Error.h"
-#include "SlabArray.h"
+#include "Grids/SlabArray.h"
 
 #include <fmt/format.h>
 #include <vtkUnstructuredGrid.h>

@@ -9,7 +9,7 @@
 #include "Trade/TradePage.h"
 #include "Trade/TradePictures.h"
 
-#include "VtkColorMap.h"
+#include "Views/VtkColorMap.h"
 
 #include <fmt/format.h>
 #include <vtkLookupTable.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ShellWords.h"
+#include "View/ShellWords.h"
 
 #include <fmt/format.h>
 

@@ -8,7 +8,7 @@
 #include "View/Spawn.h"
 
 #include "Core/Base/Error.h"
-#include "VtkCamera.h"
+#include "Views/VtkCamera.h"
 
 #include <fmt/format.h>
 #include <vtkAbstractWidget.h>

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// VTK evaluates its functions in double. At few-bit parametric coordinates that is exact (sums and
+// products of few bits), so they are sampled there, on a tensor grid in eta, and interpolated from
+// it in long double: the map knows no rounding of VTK's.
+#include "Cells/CellBasis.h"
+
+#include "Core/Basis/LineFunctions.h"
+#include "Core/Shape/Shape.h"
+
+#include "vtkCell.h"
+#include "vtkCellType.h"
+#include "vtkGenericCell.h"
+#include "vtkHigherOrderWedge.h"
+#include "vtkIdList.h"
+#include "vtkPoints.h"
+#include "vtkSmartPointer.h"
+
+#include <utility>
+
+namespace pixelexact
+{
+namespace
+{
+/// VTK's parametric coordinates of eta.
+std::array<double, 3> Parametric(int type, Shape shape, const Vec3& eta)
+{
+  const auto half = [](double v) { return (1 + v) / 2; };
+  if (shape == Shape::Pyramid && type != VTK_TRIQUADRATIC_PYRAMID)
+  {
+    return { half(eta.x), half(eta.y), half(eta.z) }; // those of the cube
+  }
+  const Vec3 xi = TensorToReference(shape, eta);
+  switch (shape)
+  {
+    case Shape::Prism:
+      return { half(xi.x), half(xi.z), half(-xi.y) };
+    case Shape::Pyramid:
+    {
+      // This one cell has the pyramid itself: |2 r - 1|, |2 s - 1| <= 1 - T, t = (1 + T) / 2.
+      const double T = half(eta.z);
+      return { half(eta.x * (1 - T)), half(eta.y * (1 - T)), half(T) };
+    }
+    default:
+      return { half(xi.x), half(xi.y), half(xi.z) };
+  }
+}
+
+/// The inverse of TensorToReference, off collapsed edges and vertices.
+LongVec3 TensorOf(Shape shape, const LongVec3& xi)
+{
+  const auto part = [](long double z, long double width) { return 2 * (1 + z) / width - 1; };
+  const long double layer = 1 - xi[2];
+  switch (shape)
+  {
+    case Shape::Hexahedron:
+      return xi;
+    case Shape::Prism:
+      return { part(xi[0], layer), xi[1], xi[2] };
+    case Shape::Tetrahedron:
+      return { part(xi[0], -(xi[1] + xi[2])), part(xi[1], layer), xi[2] };
+    default:
+      return { part(xi[0], layer), part(xi[1], layer), xi[2] };
+  }
+}
+
+/// degree + 1 points of few bits in [-1,1), where nothing is collapsed.
+std::vector<long double> FewBitPoints(int degree)
+{
+  const long double step = degree <= 3 ? 0.5L : 0.25L;
+  std::vector<long double> points;
+  for (int i = 0; i <= degree; ++i)
+  {
+    points.push_back(step * i - 1);
+  }
+  return points;
+}
+
+vtkSmartPointer<vtkCell> MakeCell(const CellKind& kind)
+{
+  auto cell = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(kind.type));
+  cell->GetPoints()->SetNumberOfPoints(kind.points);
+  cell->GetPointIds()->SetNumberOfIds(kind.points);
+  for (int i = 0; i < kind.points; ++i)
+  {
+    cell->GetPoints()->SetPoint(i, 0.0, 0.0, 0.0);
+    cell->GetPointIds()->SetId(i, i);
+  }
+  if (auto* wedge = vtkHigherOrderWedge::SafeDownCast(cell))
+  {
+    wedge->SetUniformOrderFromNumPoints(kind.points);
+  }
+  if (cell->RequiresInitialization())
+  {
+    cell->Initialize();
+  }
+  return cell;
+}
+
+/// A cell's functions, interpolated from samples.
+class SampledFunctions
+{
+public:
+  SampledFunctions(const CellKind& kind, const Space& space)
+    : TheShape(space.shape)
+    , Functions(kind.points)
+  {
+    const auto degree = space.TensorDegree();
+    std::array<std::vector<long double>, 3> points;
+    for (int d = 0; d < 3; ++d)
+    {
+      points[d] = FewBitPoints(degree[d]);
+      Lines[d] = Lagrange(points[d]);
+    }
+    const auto cell = MakeCell(kind);
+    std::vector<double> weights(kind.points);
+    for (const long double x : points[0])
+    {
+      for (const long double y : points[1])
+      {
+        for (const long double z : points[2])
+        {
+          const Vec3 eta(static_cast<double>(x), static_cast<double>(y), static_cast<double>(z));
+          const auto at = Parametric(kind.type, TheShape, eta);
+          cell->InterpolateFunctions(at.data(), weights.data());
+          Samples.insert(Samples.end(), weights.begin(), weights.end());
+        }
+      }
+    }
+  }
+
+  void operator()(const LongVec3& xi, long double* values) const
+  {
+    const LongVec3 eta = TensorOf(TheShape, xi);
+    std::array<std::vector<long double>, 3> line;
+    for (int d = 0; d < 3; ++d)
+    {
+      line[d].resize(Lines[d].count);
+      Lines[d].evaluate(eta[d], line[d].data());
+    }
+    std::fill_n(values, Functions, 0.0L);
+    const double* sample = Samples.data();
+    for (const long double x : line[0])
+    {
+      for (const long double y : line[1])
+      {
+        for (const long double z : line[2])
+        {
+          for (int f = 0; f < Functions; ++f)
+          {
+            values[f] += x * y * z * *sample++;
+          }
+        }
+      }
+    }
+  }
+
+private:
+  Shape TheShape;
+  int Functions;
+  std::array<LineFunctions, 3> Lines;
+  std::vector<double> Samples; ///< all functions at a point, eta3 fastest
+};
+} // namespace
+
+ChangeOfBasis SampleCell(const CellKind& kind, const Space& space)
+{
+  return ChangeOfBasis::FromFunctions(space, kind.points, SampledFunctions(kind, space));
+}
+} // namespace pixelexact

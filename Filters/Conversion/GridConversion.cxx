@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Conversion/GridConversion.h"
+
+#include "Conversion/FieldSelection.h"
+#include "Conversion/GeometryConversion.h"
+#include "Conversion/KeptMesh.h"
+#include "Conversion/MeshDiagnostics.h"
+#include "Conversion/OutputGrid.h"
+#include "Conversion/SourceFaces.h"
+#include "Core/Base/Counted.h"
+#include "Core/Base/Error.h"
+#include "Grids/SlabArray.h"
+#include "HighOrderArrays.h"
+#include "HighOrderModel.h"
+
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <map>
+#include <sstream>
+
+namespace pixelexact
+{
+namespace
+{
+template <class Function>
+void ForElements(int begin, int end, Function&& function)
+{
+  tbb::parallel_for(tbb::blocked_range<int>(begin, end, 16),
+    [&](const tbb::blocked_range<int>& range)
+    {
+      for (int e = range.begin(); e < range.end(); ++e)
+      {
+        function(e);
+      }
+    });
+}
+
+bool AllFinite(std::span<const double> values)
+{
+  return std::ranges::all_of(values, [](double v) { return std::isfinite(v); });
+}
+
+/// The maps of a mesh as they are converted. The orders that remain, and so the places of the
+/// coefficients, are known only then: some elements at a time are put behind the others, in room
+/// for all, of which what is never written takes no memory.
+class MapArrays
+{
+public:
+  explicit MapArrays(const SourceMesh& mesh)
+    : Source(mesh)
+  {
+    vtkIdType most = 0;
+    for (int e = 0; e < mesh.Elements(); ++e)
+    {
+      most += static_cast<vtkIdType>(MostCoefficients(mesh, e));
+    }
+    Arrays.map.components = 3;
+    Arrays.map.coefficients = vtkSmartPointer<vtkDoubleArray>::New();
+    Arrays.map.coefficients->SetNumberOfValues(most);
+  }
+
+  MeshArrays Convert()
+  {
+    constexpr int kTogether = 4096;
+    std::vector<ElementGeometry> geometry;
+    for (int begin = 0; begin < Source.Elements(); begin += kTogether)
+    {
+      const int end = std::min(begin + kTogether, Source.Elements());
+      geometry.resize(static_cast<std::size_t>(end - begin));
+      ForElements(begin, end, [&](int e) { geometry[e - begin] = ConvertGeometry(Source, e); });
+      for (int e = begin; e < end; ++e)
+      {
+        Place(e, geometry[e - begin]);
+      }
+      ForElements(begin, end,
+        [&](int e)
+        { std::ranges::copy(geometry[e - begin].coefficients, Arrays.map.Coefficients(e)); });
+    }
+    Arrays.map.coefficients->Resize(Placed);
+    return std::move(Arrays);
+  }
+
+private:
+  void Place(int element, const ElementGeometry& g)
+  {
+    const auto [known, isNew] =
+      SpaceNumbers.try_emplace(g.space, static_cast<std::int32_t>(SpaceNumbers.size()));
+    if (isNew)
+    {
+      Arrays.map.spaces.push_back(g.space);
+    }
+    Arrays.map.spaceOf.push_back(known->second);
+    Arrays.map.offset.push_back(Placed);
+    Placed += static_cast<std::int64_t>(g.coefficients.size());
+    Arrays.centre.insert(Arrays.centre.end(), g.centre.begin(), g.centre.end());
+    Arrays.size.push_back(g.size);
+    Arrays.uncertainty.push_back(g.uncertainty);
+    Arrays.sourceCell.push_back(Source.Number(element));
+  }
+
+  const SourceMesh& Source;
+  MeshArrays Arrays;
+  std::map<Space, std::int32_t> SpaceNumbers;
+  std::int64_t Placed = 0; ///< coefficients
+};
+
+/// Adds the mesh's coefficients to `grid`, whose cell e is element e of `mesh`.
+void ConvertMesh(const SourceMesh& mesh, vtkUnstructuredGrid* grid)
+{
+  MeshArrays arrays = MapArrays(mesh).Convert();
+  arrays.boundary = SourceFacesOf(grid, mesh);
+  StoreMesh(grid, arrays, Origin::PointData);
+  if (mesh.GetSlab())
+  {
+    StoreSlab(*mesh.GetSlab(), grid);
+  }
+}
+
+/// Adds the coefficients of a field of the grid's points, in the spaces of the cells. Returns the
+/// number of elements where they are not finite, as the next function.
+int ConvertPointField(const SourceMesh& mesh, vtkDataArray* values, vtkUnstructuredGrid* grid)
+{
+  const int components = values->GetNumberOfComponents();
+  std::vector<Space> spaces;
+  spaces.reserve(static_cast<std::size_t>(mesh.Elements()));
+  for (int e = 0; e < mesh.Elements(); ++e)
+  {
+    spaces.push_back(mesh.Basis(e).GetSpace());
+  }
+  ExpansionArrays arrays;
+  arrays.Allocate(spaces, components);
+  const auto doubles = AsDoubles(values);
+  const std::span<const double> nodal(
+    doubles->GetPointer(0), static_cast<std::size_t>(doubles->GetNumberOfValues()));
+  std::atomic<int> nonFinite{ 0 };
+  const std::vector<double> shifts(static_cast<std::size_t>(components));
+  ForElements(0, mesh.Elements(),
+    [&](int e)
+    {
+      thread_local std::vector<double> atNodes;
+      thread_local ChangeOfBasis::Scratch scratch;
+      const auto count = static_cast<std::size_t>(spaces[e].Modes());
+      const std::span<double> out(arrays.Coefficients(e), count * components);
+      mesh.GatherAll(e, nodal, components, components, atNodes);
+      mesh.Basis(e).change.Apply(atNodes, shifts, out, scratch);
+      if (!AllFinite(out))
+      {
+        ++nonFinite;
+      }
+    });
+  StoreField(grid, values->GetName(), arrays, Origin::PointData);
+  return nonFinite;
+}
+
+/// Adds a field that is constant in each cell; `values` has one tuple per cell of `grid`.
+int ConvertCellField(const SourceMesh& mesh, vtkDataArray* values, vtkUnstructuredGrid* grid)
+{
+  const int components = values->GetNumberOfComponents();
+  std::vector<Space> spaces;
+  spaces.reserve(static_cast<std::size_t>(mesh.Elements()));
+  for (int e = 0; e < mesh.Elements(); ++e)
+  {
+    spaces.push_back(UniformSpace(mesh.Basis(e).GetSpace().shape, 0));
+  }
+  ExpansionArrays arrays;
+  arrays.Allocate(spaces, components);
+  int nonFinite = 0;
+  for (int e = 0; e < mesh.Elements(); ++e)
+  {
+    // The first mode is 1.
+    const std::span<double> out(arrays.Coefficients(e), components);
+    values->GetTuple(e, out.data());
+    nonFinite += AllFinite(out) ? 0 : 1;
+  }
+  StoreField(grid, values->GetName(), arrays, Origin::CellData);
+  return nonFinite;
+}
+
+/// Of a field's range.
+constexpr double kMostRationalLoss = 1e-9;
+
+std::string InFewDigits(double number)
+{
+  std::ostringstream text;
+  text.precision(2);
+  text << number;
+  return text.str();
+}
+
+/// What is lost of the map.
+std::string DescribeRationals(const SourceMesh& mesh)
+{
+  double loss = 0.0;
+  for (int e = 0; e < mesh.Elements(); ++e)
+  {
+    loss = std::max(loss, mesh.Loss(e));
+  }
+  return Counted(mesh.RationalElements(), "cell") +
+    " with rational weights: polynomials in place of the maps are proven to lose at most " +
+    InFewDigits(loss) + ", which verdicts take into account";
+}
+
+/// The same of a field. Throws Unsupported where that could be seen.
+void DescribeRationalField(
+  const SourceMesh& mesh, vtkDataArray* values, std::vector<std::string>& lines)
+{
+  if (mesh.RationalElements() == 0)
+  {
+    return;
+  }
+  const int components = values->GetNumberOfComponents();
+  const auto doubles = AsDoubles(values);
+  const std::span<const double> nodal(
+    doubles->GetPointer(0), static_cast<std::size_t>(doubles->GetNumberOfValues()));
+  double loss = 0.0;
+  double range = 0.0;
+  for (int c = 0; c < components; ++c)
+  {
+    for (int e = 0; e < mesh.Elements(); ++e)
+    {
+      loss = std::fmax(loss, mesh.Loss(e, nodal, components, c));
+    }
+    double ends[2];
+    doubles->GetFiniteRange(ends, c);
+    range = std::max(range, ends[1] - ends[0]);
+  }
+  const std::string name = std::string("field '") + values->GetName() + "'";
+  if (loss > kMostRationalLoss * range)
+  {
+    throw Unsupported(name + " loses " + InFewDigits(loss) +
+      " where polynomials stand for the cells' rational functions; divide the cells, or refit them "
+      "with weights that are more alike.");
+  }
+  lines.push_back(name +
+    ": polynomials in place of rational functions are proven to lose at most " + InFewDigits(loss));
+}
+
+std::vector<std::string> DiagnoseMesh(const SourceMesh& mesh, const HighOrderModel& model)
+{
+  auto lines = DiagnoseNodes(mesh);
+  const auto more = DiagnoseJacobian(model.GetMesh(), model.SourceCells());
+  lines.insert(lines.end(), more.begin(), more.end());
+  if (mesh.RationalElements() > 0)
+  {
+    lines.push_back(DescribeRationals(mesh));
+  }
+  return lines;
+}
+} // namespace
+
+ConversionReport ConvertGrid(vtkUnstructuredGrid* input, const ConversionOptions& options,
+  KeptMesh& kept, vtkUnstructuredGrid* output)
+{
+  const auto progress = [&](double done)
+  {
+    if (options.progress)
+    {
+      options.progress(done);
+    }
+  };
+  const SourceMesh mesh(input, options.nodes);
+  ConversionReport report;
+  report.skippedCells = mesh.SkippedCells();
+  progress(0.1);
+  CopyElements(input, mesh, output);
+  if (!kept.AddTo(mesh, output))
+  {
+    ConvertMesh(mesh, output);
+    kept.Keep(mesh, output);
+  }
+  output->GetFieldData()->RemoveArray(kSourceFaces);
+  progress(0.5);
+  const FieldArrays fields = SelectFields(output, options.fields);
+  std::vector<std::string> rationals;
+  for (auto* array : fields.points)
+  {
+    report.nonFinite[array->GetName()] = ConvertPointField(mesh, array, output);
+    DescribeRationalField(mesh, array, rationals);
+  }
+  for (auto* array : fields.cells)
+  {
+    report.nonFinite[array->GetName()] = ConvertCellField(mesh, array, output);
+  }
+  progress(0.9);
+  const auto model = HighOrderModel::From(output); // checks what was made
+  if (options.diagnose)
+  {
+    if (!kept.diagnostics)
+    {
+      kept.diagnostics = DiagnoseMesh(mesh, *model);
+    }
+    report.diagnostics = *kept.diagnostics;
+    report.diagnostics.insert(report.diagnostics.end(), rationals.begin(), rationals.end());
+  }
+  for (const auto& [name, count] : report.nonFinite)
+  {
+    if (count > 0)
+    {
+      report.diagnostics.push_back("field '" + name + "' is NaN or infinite in " +
+        std::to_string(count) + " of " + std::to_string(mesh.Elements()) +
+        " elements; they are kept and shown as they are.");
+    }
+  }
+  return report;
+}
+} // namespace pixelexact

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef GridConversion_h
+#define GridConversion_h
+
+#include "Cells/CellBasis.h"
+
+#include "vtkType.h"
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+class vtkUnstructuredGrid;
+
+namespace pixelexact
+{
+class KeptMesh;
+
+struct ConversionOptions
+{
+  std::vector<std::string> fields;      ///< names of arrays to convert; none: all (SelectFields)
+  bool diagnose = true;                 ///< look for signs of a faulty file
+  NodeConvention nodes;                 ///< of the grid's Lagrange cells
+  std::function<void(double)> progress; ///< may be empty; called from the calling thread
+};
+
+struct ConversionReport
+{
+  vtkIdType skippedCells = 0;
+  std::map<std::string, int> nonFinite; ///< per field: elements with NaN or infinite coefficients
+  std::vector<std::string> diagnostics; ///< lines for the user
+};
+
+/// Makes `output` a grid of the input's three-dimensional cells or, where it has none, its plane
+/// ones (planar.md), with their coefficients and those of its fields, made from points and nodal
+/// values; the mesh is taken from `kept` where that has it, and kept there for the next time step.
+/// Parallel. Throws Error naming the cell or array; the output is then undefined.
+ConversionReport ConvertGrid(vtkUnstructuredGrid* input, const ConversionOptions& options,
+  KeptMesh& kept, vtkUnstructuredGrid* output);
+} // namespace pixelexact
+#endif

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Conversion/MeshDiagnostics.h"
+
+#include "Cells/GradientSpread.h"
+#include "Core/Element/Kernels.h"
+#include "Core/Shape/Shape.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace pixelexact
+{
+namespace
+{
+/// Below this, relative to the product of the Jacobian's columns, a determinant counts as zero.
+constexpr double kVanishing = 1e-9;
+
+enum class Sign : std::uint8_t
+{
+  Positive,
+  Negative,
+  Mixed ///< changes, or vanishes somewhere
+};
+
+struct Samples
+{
+  std::array<std::vector<double>, 3> xi; ///< padded for the kernels
+  int count = 0;
+};
+
+/// A tensor grid of eta, vertices among it, mapped to xi: twice as fine as the order.
+Samples MakeSamples(const Space& space)
+{
+  Samples samples;
+  auto& xi = samples.xi;
+  const int n = std::min(2 * space.MaxOrder(), 16);
+  for (int i = 0; i <= n; ++i)
+  {
+    for (int j = 0; j <= n; ++j)
+    {
+      for (int k = 0; k <= n; ++k)
+      {
+        const auto z = [&](int m) { return 2.0 * m / n - 1.0; };
+        if (space.shape == Shape::Pyramid && k == n)
+        {
+          continue; // the map is not differentiable at the apex
+        }
+        const Vec3 point = TensorToReference(space.shape, { z(i), z(j), z(k) });
+        for (int d = 0; d < 3; ++d)
+        {
+          xi[d].push_back(point[d]);
+        }
+      }
+    }
+  }
+  samples.count = static_cast<int>(xi[0].size());
+  for (auto& x : xi)
+  {
+    x.resize(PaddedCount(samples.count), x.back());
+  }
+  return samples;
+}
+
+Sign SampledSign(const Mesh& mesh, int element, const Samples& samples)
+{
+  const Space& space = mesh.map.SpaceOf(element);
+  const auto& xi = samples.xi;
+  const int count = samples.count;
+  const int padded = PaddedCount(count);
+  std::vector<double> table(static_cast<std::size_t>(12) * padded);
+  std::array<double*, 3> value{};
+  std::array<double*, 9> gradient{};
+  for (int i = 0; i < 12; ++i)
+  {
+    (i < 3 ? value[i] : gradient[i - 3]) = &table[static_cast<std::size_t>(i) * padded];
+  }
+  KernelsFor(space).gradient(space, mesh.map.Coefficients(element), 3,
+    { { xi[0].data(), xi[1].data(), xi[2].data() }, count }, value.data(), gradient.data());
+  int positive = 0;
+  int negative = 0;
+  for (int i = 0; i < count; ++i)
+  {
+    const auto column = [&](int d)
+    { return Vec3(gradient[d][i], gradient[3 + d][i], gradient[6 + d][i]); };
+    const Vec3 a = column(0);
+    const Vec3 b = column(1);
+    const Vec3 c = column(2);
+    const double det =
+      a.x * (b.y * c.z - b.z * c.y) - a.y * (b.x * c.z - b.z * c.x) + a.z * (b.x * c.y - b.y * c.x);
+    const auto length = [](const Vec3& v) { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); };
+    const double zero = kVanishing * length(a) * length(b) * length(c);
+    positive += det > zero ? 1 : 0;
+    negative += det < -zero ? 1 : 0;
+  }
+  return positive == count ? Sign::Positive : negative == count ? Sign::Negative : Sign::Mixed;
+}
+
+/// Of one space.
+struct SpaceSamples
+{
+  Samples samples;
+  std::optional<GradientSpread> spread; ///< where there are elements enough to be worth it
+};
+
+Sign SignOf(const Mesh& mesh, int element, const SpaceSamples& space)
+{
+  if (space.spread)
+  {
+    const int sign = space.spread->SignOfJacobian(mesh.map.Coefficients(element), kVanishing);
+    if (sign != 0)
+    {
+      return sign > 0 ? Sign::Positive : Sign::Negative;
+    }
+  }
+  return SampledSign(mesh, element, space.samples);
+}
+
+/// The spread takes a sampling of each mode.
+std::vector<SpaceSamples> MakeSpaceSamples(const Mesh& mesh)
+{
+  std::vector<std::int64_t> elements(mesh.map.spaces.size());
+  for (const auto space : mesh.map.spaceOf)
+  {
+    ++elements[space];
+  }
+  std::vector<SpaceSamples> all;
+  for (std::size_t s = 0; s < elements.size(); ++s)
+  {
+    const Space& space = mesh.map.spaces[s];
+    all.push_back({ MakeSamples(space), std::nullopt });
+    if (elements[s] > space.Modes())
+    {
+      const auto& xi = all.back().samples.xi;
+      all.back().spread.emplace(space,
+        LanePoints{ { xi[0].data(), xi[1].data(), xi[2].data() }, all.back().samples.count });
+    }
+  }
+  return all;
+}
+
+struct Group
+{
+  int count = 0;
+  std::int64_t first = -1;
+
+  void Add(std::int64_t cell) { first = count++ == 0 ? cell : first; }
+};
+
+std::string Sentence(const Group& group, int all, const std::string& what)
+{
+  return std::to_string(group.count) + " of " + std::to_string(all) + " elements " + what +
+    " (first: cell " + std::to_string(group.first) + "; sampled, not proven).";
+}
+} // namespace
+
+std::vector<std::string> DiagnoseJacobian(
+  const Mesh& mesh, std::span<const std::int64_t> sourceCells)
+{
+  std::vector<Sign> sign(mesh.Elements());
+  const std::vector<SpaceSamples> samples = MakeSpaceSamples(mesh);
+  tbb::parallel_for(
+    0, mesh.Elements(), [&](int e) { sign[e] = SignOf(mesh, e, samples[mesh.map.spaceOf[e]]); });
+
+  Group mixed;
+  std::array<std::array<Group, 2>, kShapeCount> oneSigned; // positive, negative
+  for (int e = 0; e < mesh.Elements(); ++e)
+  {
+    auto& group = sign[e] == Sign::Mixed
+      ? mixed
+      : oneSigned[static_cast<int>(mesh.ShapeOf(e))][sign[e] == Sign::Negative ? 1 : 0];
+    group.Add(sourceCells[e]);
+  }
+  std::vector<std::string> lines;
+  if (mixed.count > 0)
+  {
+    lines.push_back(Sentence(mixed, mesh.Elements(),
+      "have a Jacobian determinant that vanishes or changes sign: their map folds or degenerates, "
+      "points in them may have several reference coordinates"));
+  }
+  for (int s = 0; s < kShapeCount; ++s)
+  {
+    const auto& [positive, negative] = oneSigned[s];
+    const Group& fewer = positive.count < negative.count ? positive : negative;
+    if (fewer.count > 0)
+    {
+      lines.push_back(Sentence(fewer, positive.count + negative.count,
+        std::string("of shape ") + Name(static_cast<Shape>(s)) +
+          " are inside out compared with the others (Jacobian determinant of the other sign)"));
+    }
+  }
+  return lines;
+}
+} // namespace pixelexact

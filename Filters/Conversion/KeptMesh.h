@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef KeptMesh_h
+#define KeptMesh_h
+
+#include "Conversion/SourceMesh.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+class vtkDataArray;
+class vtkFieldData;
+class vtkUnstructuredGrid;
+
+namespace pixelexact
+{
+/// The mesh arrays of the last conversion, for the next time step: readers make new points and
+/// cells of the same values. With the arrays, models share the locator (HighOrderModel::From).
+class KeptMesh
+{
+public:
+  KeptMesh();
+  ~KeptMesh();
+
+  /// Adds the arrays to `grid`, whose cell e is element e of `mesh`, and says true if they are what
+  /// a conversion would make of it: the same cells, of the same points, by the fingerprints.
+  bool AddTo(const SourceMesh& mesh, vtkUnstructuredGrid* grid) const;
+
+  /// Keeps the arrays of a grid that was just converted.
+  void Keep(const SourceMesh& mesh, vtkUnstructuredGrid* grid);
+  void Forget();
+
+  /// Lines about the mesh; none: not looked for. Keep and Forget drop them.
+  std::optional<std::vector<std::string>> diagnostics;
+
+private:
+  std::vector<CellKind> Kinds; ///< per element
+  double Roundoff = 0.0;
+  vtkSmartPointer<vtkFieldData> Arrays;
+  vtkSmartPointer<vtkDataArray> Ids;
+  vtkMTimeType Time = 0; ///< of the arrays: nobody is to have changed them
+};
+} // namespace pixelexact
+#endif

@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Conversion/SourceMesh.h"
+#include "Cells/CellStorage.h"
+
+#include "Core/Base/Counted.h"
+#include "Core/Base/Error.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace pixelexact
+{
+namespace
+{
+/// Of coordinates, by which points of a plane may be off it.
+constexpr double kPlaneRoundings = 4.0;
+
+bool IsHidden(vtkDataArray* ghosts, vtkIdType cell)
+{
+  return ghosts &&
+    (static_cast<int>(ghosts->GetComponent(cell, 0)) & vtkDataSetAttributes::HIDDENCELL) != 0;
+}
+
+/// By cell type.
+std::map<int, int> DimensionsOf(vtkUnstructuredGrid* grid)
+{
+  std::map<int, int> dimensions;
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    const int type = grid->GetCellType(cell);
+    const auto [known, isNew] = dimensions.try_emplace(type);
+    if (isNew)
+    {
+      known->second = CellDimension(type);
+    }
+  }
+  return dimensions;
+}
+
+/// Of the grid's cells; 3 where there is a type that VTK does not know.
+int HighestDimension(const std::map<int, int>& dimensions)
+{
+  int highest = 0;
+  for (const auto& [type, dimension] : dimensions)
+  {
+    highest = std::max(highest, dimension < 0 ? 3 : dimension);
+  }
+  return highest;
+}
+
+std::string NameCell(vtkIdType cell, int type)
+{
+  return "cell " + std::to_string(cell) + " (" + CellTypeName(type) + ")";
+}
+
+std::array<int, 3> GivenDegrees(vtkUnstructuredGrid* grid, vtkIdType cell)
+{
+  vtkDataArray* degrees = grid->GetCellData()->GetHigherOrderDegrees();
+  if (!degrees || degrees->GetNumberOfComponents() != 3)
+  {
+    return { 0, 0, 0 };
+  }
+  std::array<int, 3> n{};
+  for (int d = 0; d < 3; ++d)
+  {
+    const double value = degrees->GetComponent(cell, d);
+    if (!(value >= 0.0 && value <= kMaxOrder && value == std::floor(value)))
+    {
+      throw InvalidData(NameCell(cell, grid->GetCellType(cell)) + " has HigherOrderDegrees of " +
+        std::to_string(value) + ", no whole number from 1 to " + std::to_string(kMaxOrder) +
+        "; correct that cell array.");
+    }
+    n[d] = static_cast<int>(value);
+  }
+  return n;
+}
+
+bool IsSimplex(int type)
+{
+  return type == VTK_LAGRANGE_TETRAHEDRON || type == VTK_BEZIER_TETRAHEDRON ||
+    type == VTK_LAGRANGE_TRIANGLE || type == VTK_BEZIER_TRIANGLE;
+}
+
+/// With equal weights a rational Bezier cell is a polynomial one.
+bool HasEqualWeights(vtkUnstructuredGrid* grid, std::span<const vtkIdType> points)
+{
+  vtkDataArray* weights = grid->GetPointData()->GetRationalWeights();
+  if (!weights || points.empty())
+  {
+    return true;
+  }
+  const double first = weights->GetComponent(points[0], 0);
+  return first != 0.0 && std::isfinite(first) &&
+    std::ranges::all_of(points, [&](vtkIdType p) { return weights->GetComponent(p, 0) == first; });
+}
+/// Throws InvalidData for weights that are not positive.
+std::uint64_t HashWeights(
+  vtkUnstructuredGrid* grid, vtkIdType cell, int type, std::span<const vtkIdType> points)
+{
+  vtkDataArray* weights = grid->GetPointData()->GetRationalWeights();
+  std::string bytes;
+  for (const auto p : points)
+  {
+    const double weight = weights->GetComponent(p, 0);
+    if (!(weight > 0.0) || !std::isfinite(weight))
+    {
+      throw InvalidData(NameCell(cell, type) + " has the rational weight " +
+        std::to_string(weight) + "; weights must be positive: refit the cell.");
+    }
+    bytes.append(reinterpret_cast<const char*>(&weight), sizeof weight);
+  }
+  return std::max<std::uint64_t>(std::hash<std::string>()(bytes), 1);
+}
+} // namespace
+
+vtkSmartPointer<vtkDoubleArray> AsDoubles(vtkDataArray* array)
+{
+  if (auto* doubles = vtkDoubleArray::FastDownCast(array))
+  {
+    return doubles;
+  }
+  auto copy = vtkSmartPointer<vtkDoubleArray>::New();
+  copy->DeepCopy(array);
+  return copy;
+}
+
+SourceMesh::SourceMesh(vtkUnstructuredGrid* grid, const NodeConvention& nodes)
+  : Nodes(nodes)
+{
+  vtkDataArray* ghosts = grid->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName());
+  const std::map<int, int> dimensions = DimensionsOf(grid);
+  const bool isPlane = HighestDimension(dimensions) == 2;
+  const int wanted = isPlane ? 2 : 3;
+  ViewConnectivity(grid);
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    const int type = grid->GetCellType(cell);
+    const int dimension = dimensions.at(type);
+    if ((dimension >= 0 && dimension < wanted) || IsHidden(ghosts, cell))
+    {
+      ++Skipped;
+      continue;
+    }
+    AddCell(grid, cell, type);
+  }
+  if (Cells.empty())
+  {
+    throw InvalidData("the grid has no two- or three-dimensional cell (" + std::to_string(Skipped) +
+      " of other dimensions); check that the file holds a mesh.");
+  }
+  if (Cells.size() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
+  {
+    throw Unsupported("the grid has more than 2^31 - 1 cells; split it.");
+  }
+  if (vtkDataArray* numbers = grid->GetCellData()->GetArray(kSourceCells);
+      numbers != nullptr && numbers->GetNumberOfValues() == grid->GetNumberOfCells())
+  {
+    for (const vtkIdType cell : Cells)
+    {
+      Numbers.push_back(static_cast<std::int64_t>(numbers->GetComponent(cell, 0)));
+    }
+  }
+  Roundoff = grid->GetPoints()->GetDataType() == VTK_FLOAT
+    ? static_cast<double>(std::numeric_limits<float>::epsilon()) / 2
+    : std::numeric_limits<double>::epsilon() / 2;
+  Points3 = AsDoubles(grid->GetPoints()->GetData());
+  Xyz = { Points3->GetPointer(0), static_cast<std::size_t>(Points3->GetNumberOfValues()) };
+  CheckCoordinates();
+  if (isPlane)
+  {
+    FindSlab();
+  }
+  Rationals.Convert(
+    Xyz, Plane ? 2 : 3, [this](int e) { return Describe(e); },
+    [this](int e, const ChangeOfBasis& change)
+    {
+      const auto index = static_cast<std::size_t>(e);
+      BasisOf[index] = &Bases.emplace_back(CellBasis{ BasisOf[index]->kind, change, {} });
+    });
+}
+
+void SourceMesh::FindSlab()
+{
+  Vec3 low(INFINITY);
+  Vec3 high(-INFINITY);
+  for (int e = 0; e < Elements(); ++e)
+  {
+    for (const auto p : Points(e))
+    {
+      const Vec3 x(Xyz[3 * p], Xyz[3 * p + 1], Xyz[3 * p + 2]);
+      low = glm::min(low, x);
+      high = glm::max(high, x);
+    }
+  }
+  Plane = MakeSlab(low, high, kPlaneRoundings * Roundoff);
+}
+
+/// The grid's own lists where they are of vtkIdType, else copies.
+void SourceMesh::ViewConnectivity(vtkUnstructuredGrid* grid)
+{
+  Connectivity = grid->GetCells();
+  if (!Connectivity)
+  {
+    return;
+  }
+  if (!Connectivity->IsStorage64Bit())
+  {
+    Connectivity = vtkSmartPointer<vtkCellArray>::New();
+    Connectivity->DeepCopy(grid->GetCells());
+    Connectivity->ConvertTo64BitStorage();
+  }
+  static_assert(sizeof(vtkIdType) == sizeof(vtkTypeInt64), "VTK with VTK_USE_64BIT_IDS is needed");
+  const auto view = [](auto* array)
+  {
+    return std::span<const vtkIdType>(
+      array->GetPointer(0), static_cast<std::size_t>(array->GetNumberOfValues()));
+  };
+  PointIds = view(PointIds64(*Connectivity));
+  Offsets = view(Offsets64(*Connectivity));
+}
+
+void SourceMesh::AddCell(vtkUnstructuredGrid* grid, vtkIdType cell, int type)
+{
+  const auto first = static_cast<std::size_t>(Offsets[cell]);
+  const auto points = PointIds.subspan(first, static_cast<std::size_t>(Offsets[cell + 1]) - first);
+  CellKind kind{ type, static_cast<int>(points.size()), { 0, 0, 0 },
+    IsLagrangeCell(type) ? Nodes : NodeConvention() };
+  bool isRational = false;
+  for (const auto id : points)
+  {
+    if (id < 0 || id >= grid->GetNumberOfPoints())
+    {
+      throw InvalidData(NameCell(cell, kind.type) + " names point " + std::to_string(id) + " of " +
+        std::to_string(grid->GetNumberOfPoints()) + "; the file's connectivity is damaged.");
+    }
+  }
+  if (IsHigherOrderCell(kind.type) || IsHigherOrderPlaneCell(kind.type))
+  {
+    // A simplex's order is told by its points.
+    if (!IsSimplex(kind.type))
+    {
+      kind.degrees = GivenDegrees(grid, cell);
+    }
+    isRational = !IsLagrangeCell(kind.type) && !HasEqualWeights(grid, points);
+    if (isRational)
+    {
+      kind.weights = HashWeights(grid, cell, kind.type, points);
+    }
+  }
+  auto& basis = BasisOfKind[kind];
+  if (!basis)
+  {
+    try
+    {
+      basis = &Bases.emplace_back(MakeCellBasis(kind));
+    }
+    catch (const Unsupported& error)
+    {
+      throw Unsupported("cell " + std::to_string(cell) + ": " + error.what());
+    }
+    catch (const InvalidData& error)
+    {
+      throw InvalidData("cell " + std::to_string(cell) + ": " + error.what());
+    }
+  }
+  if (isRational)
+  {
+    Rationals.Add(Elements(), *basis, points, grid->GetPointData()->GetRationalWeights());
+  }
+  Cells.push_back(cell);
+  BasisOf.push_back(basis);
+}
+
+void SourceMesh::CheckCoordinates() const
+{
+  int bad = 0;
+  int first = -1;
+  for (int e = 0; e < Elements(); ++e)
+  {
+    const bool finite = std::ranges::all_of(Points(e),
+      [&](vtkIdType p)
+      {
+        return std::isfinite(Xyz[3 * p]) && std::isfinite(Xyz[3 * p + 1]) &&
+          std::isfinite(Xyz[3 * p + 2]);
+      });
+    if (!finite)
+    {
+      first = bad++ == 0 ? e : first;
+    }
+  }
+  if (bad > 0)
+  {
+    throw InvalidData(Describe(first) + " has a point whose coordinates are NaN or infinite" +
+      (bad > 1 ? ", and so have " + Counted(bad - 1, "more cell") : "") +
+      "; repair the points or take these cells out.");
+  }
+}
+
+std::string SourceMesh::Describe(int element) const
+{
+  return NameCell(Cells[element], BasisOf[element]->kind.type);
+}
+
+void SourceMesh::GatherAll(int element, std::span<const double> values, int components, int wanted,
+  std::vector<double>& out) const
+{
+  if (Rationals.Has(element))
+  {
+    out.clear();
+    std::vector<double> one;
+    for (int c = 0; c < wanted; ++c)
+    {
+      Gather(element, values, components, c, one);
+      out.insert(out.end(), one.begin(), one.end());
+    }
+    return;
+  }
+  const auto points = Points(element);
+  out.resize(points.size() * static_cast<std::size_t>(wanted));
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const double* tuple = &values[static_cast<std::size_t>(points[i]) * components];
+    for (int c = 0; c < wanted; ++c)
+    {
+      out[static_cast<std::size_t>(c) * points.size() + i] = tuple[c];
+    }
+  }
+}
+
+void SourceMesh::Gather(int element, std::span<const double> values, int components, int component,
+  std::vector<double>& out) const
+{
+  if (Rationals.Has(element))
+  {
+    Rationals.Gather(element, values, components, component, out);
+    return;
+  }
+  const auto points = Points(element);
+  out.resize(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    out[i] = values[static_cast<std::size_t>(points[i]) * components + component];
+  }
+}
+} // namespace pixelexact

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Cuts/MarchedCubes.h"
+
+#include "Core/Base/Counted.h"
+#include "Grids/FreeMemory.h"
+
+#include "vtkMarchingCubesTriangleCases.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdint>
+
+namespace pixelexact
+{
+namespace
+{
+/// Cubes along the longest side at the beginning.
+constexpr int kMostAtOnce = 64;
+
+struct Place
+{
+  int x[3];
+};
+
+/// Of a cube, in the order of VTK's cases.
+constexpr int kCorners[8][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
+  { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } };
+/// Of its edges the lower corner, and the axis along which they lead.
+constexpr int kEdges[12][2] = { { 0, 0 }, { 1, 1 }, { 3, 0 }, { 0, 1 }, { 4, 0 }, { 5, 1 },
+  { 7, 0 }, { 4, 1 }, { 0, 2 }, { 1, 2 }, { 3, 2 }, { 2, 2 } };
+
+/// Cubes of one size.
+struct Grid
+{
+  Vec3 origin;
+  double side;
+
+  [[nodiscard]] Vec3 At(const Place& p) const
+  {
+    return origin + side * Vec3(p.x[0], p.x[1], p.x[2]);
+  }
+};
+
+class Marcher
+{
+public:
+  Marcher(const CutFunction& cut, const Box3& box, int resolution)
+    : Cut(cut)
+  {
+    int coarse = resolution;
+    while (coarse > kMostAtOnce)
+    {
+      coarse = (coarse + 1) / 2;
+      ++Halvings;
+    }
+    const Vec3 sides = box.upper - box.lower;
+    const double side = std::max({ sides.x, sides.y, sides.z }) / coarse;
+    Cells = { box.lower, side };
+    int n[3];
+    for (int d = 0; d < 3; ++d)
+    {
+      n[d] = std::max(1, static_cast<int>(std::ceil(sides[d] / side - 1e-9)));
+      Nodes[d] = (std::int64_t{ n[d] } << Halvings) + 1;
+    }
+    for (int k = 0; k < n[2]; ++k)
+    {
+      for (int j = 0; j < n[1]; ++j)
+      {
+        for (int i = 0; i < n[0]; ++i)
+        {
+          Active.push_back({ { i, j, k } });
+        }
+      }
+    }
+    if (const QuadricForm* form = cut.Quadric())
+    {
+      IsQuadric = true;
+      for (const double q : form->q)
+      {
+        Bend += std::fabs(q);
+      }
+    }
+  }
+
+  CutTriangles March(double bytesPerPoint, const StepProgress& progress)
+  {
+    CutTriangles result;
+    for (int h = 0; h <= Halvings; ++h)
+    {
+      const StepProgress part = [&](double done)
+      { return !progress || progress((h + done) / (Halvings + 2)); };
+      // A surface crosses some 4 cubes of each 4 times as many.
+      const double later = std::pow(4.0, Halvings - h);
+      if (!Keep(part))
+      {
+        result.aborted = true;
+        return result;
+      }
+      const double cubes = later * static_cast<double>(Active.size());
+      RequireMemory(cubes * (sizeof(Place) + sizeof(Triangle) + bytesPerPoint),
+        Counted(static_cast<std::int64_t>(cubes), "cube") + " about the surface",
+        "lower the resolution");
+      if (h < Halvings)
+      {
+        Halve();
+      }
+    }
+    Fill(result, progress);
+    return result;
+  }
+
+private:
+  /// By the keys of its corners: node and axis of the edge that each lies on.
+  using Triangle = std::array<std::int64_t, 3>;
+
+  template <class Work>
+  bool ForAll(std::size_t count, const StepProgress& progress, const Work& work) const
+  {
+    return Cut.NeedsCallingThread() ? SerialSteps(count, progress, work)
+                                    : ParallelSteps(count, progress, work);
+  }
+
+  /// Whether the surface may be in a cube.
+  [[nodiscard]] bool MayHold(const Place& p) const
+  {
+    const Vec3 centre = Cells.At(p) + 0.5 * Cells.side;
+    const double reach = 0.5 * std::sqrt(3.0) * Cells.side;
+    const double most =
+      reach * (glm::length(Cut.Gradient(centre)) * (IsQuadric ? 1.0 : 3.0) + reach * Bend);
+    const double value = std::fabs(Cut.Value(centre));
+    // With some room for rounding; what is no number may be anything.
+    if (!(value > 1.000001 * most))
+    {
+      return true;
+    }
+    return !IsQuadric && CaseOf(p) % 255 != 0;
+  }
+
+  bool Keep(const StepProgress& progress)
+  {
+    std::vector<std::uint8_t> kept(Active.size());
+    if (!ForAll(Active.size(), progress, [&](std::size_t i) { kept[i] = MayHold(Active[i]); }))
+    {
+      return false;
+    }
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < Active.size(); ++i)
+    {
+      if (kept[i] != 0)
+      {
+        Active[next++] = Active[i];
+      }
+    }
+    Active.resize(next);
+    return true;
+  }
+
+  void Halve()
+  {
+    std::vector<Place> halves;
+    halves.reserve(8 * Active.size());
+    for (const Place& p : Active)
+    {
+      for (const auto& corner : kCorners)
+      {
+        halves.push_back(
+          { { 2 * p.x[0] + corner[0], 2 * p.x[1] + corner[1], 2 * p.x[2] + corner[2] } });
+      }
+    }
+    Active = std::move(halves);
+    Cells.side /= 2.0;
+  }
+
+  /// A bit for each corner on the positive side.
+  [[nodiscard]] int CaseOf(const Place& p) const
+  {
+    int index = 0;
+    for (int c = 0; c < 8; ++c)
+    {
+      const Place corner{ { p.x[0] + kCorners[c][0], p.x[1] + kCorners[c][1],
+        p.x[2] + kCorners[c][2] } };
+      index |= Cut.Value(Cells.At(corner)) >= 0.0 ? 1 << c : 0;
+    }
+    return index;
+  }
+
+  [[nodiscard]] std::int64_t KeyOf(const Place& p, int edge) const
+  {
+    const auto& corner = kCorners[kEdges[edge][0]];
+    const std::int64_t node =
+      ((std::int64_t{ p.x[2] } + corner[2]) * Nodes[1] + p.x[1] + corner[1]) * Nodes[0] + p.x[0] +
+      corner[0];
+    return 3 * node + kEdges[edge][1];
+  }
+
+  /// On the edge of a key, where linear interpolation has 0.
+  [[nodiscard]] Vec3 PointOf(std::int64_t key) const
+  {
+    const std::int64_t node = key / 3;
+    Place p{ { static_cast<int>(node % Nodes[0]), static_cast<int>(node / Nodes[0] % Nodes[1]),
+      static_cast<int>(node / Nodes[0] / Nodes[1]) } };
+    const Vec3 a = Cells.At(p);
+    ++p.x[key % 3];
+    const Vec3 b = Cells.At(p);
+    const double atA = Cut.Value(a);
+    const double part = atA / (atA - Cut.Value(b));
+    return a + (part >= 0.0 && part <= 1.0 ? part : 0.5) * (b - a);
+  }
+
+  void Fill(CutTriangles& result, const StepProgress& progress)
+  {
+    std::vector<std::uint8_t> cases(Active.size());
+    const StepProgress part = [&](double done)
+    { return !progress || progress((Halvings + 1 + done) / (Halvings + 2)); };
+    result.aborted = !ForAll(Active.size(), part,
+      [&](std::size_t i) { cases[i] = static_cast<std::uint8_t>(CaseOf(Active[i])); });
+    if (result.aborted)
+    {
+      return;
+    }
+    const vtkMarchingCubesTriangleCases* table = vtkMarchingCubesTriangleCases::GetCases();
+    std::vector<std::int64_t> keys;
+    for (std::size_t i = 0; i < Active.size(); ++i)
+    {
+      for (const int* edge = table[cases[i]].edges; edge[0] >= 0; edge += 3)
+      {
+        result.triangles.push_back(
+          { KeyOf(Active[i], edge[0]), KeyOf(Active[i], edge[1]), KeyOf(Active[i], edge[2]) });
+        keys.insert(keys.end(), result.triangles.back().begin(), result.triangles.back().end());
+      }
+    }
+    tbb::parallel_sort(keys.begin(), keys.end());
+    keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+    result.points.resize(keys.size());
+    std::atomic<std::int64_t> off{ 0 };
+    result.aborted = !ForAll(keys.size(), {},
+      [&](std::size_t i)
+      {
+        result.points[i] = PointOf(keys[i]);
+        off += BringOntoSurface(Cut, 2.0 * Cells.side, result.points[i]) ? 0 : 1;
+      });
+    result.offSurface = off;
+    for (Triangle& triangle : result.triangles)
+    {
+      for (std::int64_t& corner : triangle)
+      {
+        corner = std::lower_bound(keys.begin(), keys.end(), corner) - keys.begin();
+      }
+    }
+  }
+
+  const CutFunction& Cut;
+  Grid Cells;
+  int Halvings = 0;
+  std::int64_t Nodes[3] = { 0, 0, 0 }; ///< of the smallest cubes
+  std::vector<Place> Active;
+  bool IsQuadric = false;
+  double Bend = 0.0; ///< of a quadric: the second-order part is at most this times a square
+};
+} // namespace
+
+CutTriangles MarchCubes(const CutFunction& cut, const Box3& box, int resolution,
+  double bytesPerPoint, const StepProgress& progress)
+{
+  return Marcher(cut, box, resolution).March(bytesPerPoint, progress);
+}
+} // namespace pixelexact

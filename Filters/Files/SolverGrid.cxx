@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Files/SolverGrid.h"
+
+#include "Cells/LinearCell.h"
+#include "Core/Base/Error.h"
+#include "Core/Location/Sample.h"
+#include "Files/SolverGroups.h"
+#include "Grids/SlabArray.h"
+#include "HighOrderArrays.h"
+#include "HighOrderModel.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkStringArray.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+namespace pixelexact
+{
+namespace
+{
+/// In element sizes: vertices of one number that are closer than this become one point. It only
+/// concerns the linear cells, not the elements.
+constexpr double kSamePoint = 1e-9;
+
+Expansion ViewOf(const SolverExpansion& e)
+{
+  return { e.spaces, e.spaceOf, e.offset, { e.coefficients.data.get(), e.coefficients.size },
+    e.components };
+}
+
+ExpansionArrays HandOn(SolverExpansion&& expansion)
+{
+  ExpansionArrays arrays;
+  arrays.spaces = std::move(expansion.spaces);
+  arrays.spaceOf = std::move(expansion.spaceOf);
+  arrays.offset = std::move(expansion.offset);
+  arrays.components = expansion.components;
+  arrays.coefficients = vtkSmartPointer<vtkDoubleArray>::New();
+  arrays.coefficients->SetArray(expansion.coefficients.data.release(),
+    static_cast<vtkIdType>(expansion.coefficients.size), 0, vtkDoubleArray::VTK_DATA_ARRAY_DELETE);
+  return arrays;
+}
+
+template <class Function>
+void ForElements(std::size_t elements, Function&& function)
+{
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, elements, 64),
+    [&](const tbb::blocked_range<std::size_t>& range)
+    {
+      for (std::size_t e = range.begin(); e < range.end(); ++e)
+      {
+        function(static_cast<int>(e));
+      }
+    });
+}
+
+/// Gives elements' corners that have one vertex number and one place a common point.
+class PointNumbering
+{
+public:
+  explicit PointNumbering(std::size_t corners)
+    : Points(vtkSmartPointer<vtkPoints>::New())
+  {
+    Points->SetDataTypeToDouble();
+    First.reserve(corners / 4);
+  }
+
+  vtkIdType Find(std::int64_t vertex, const Vec3& x, double size)
+  {
+    // Vertices of a periodic mesh have several places: a list of points for each.
+    const auto [at, isNew] = First.try_emplace(vertex, -1);
+    for (vtkIdType p = at->second; p >= 0; p = Next[p])
+    {
+      const double* y = static_cast<vtkDoubleArray*>(Points->GetData())->GetPointer(3 * p);
+      const Vec3 apart(y[0] - x[0], y[1] - x[1], y[2] - x[2]);
+      if (std::max({ std::fabs(apart.x), std::fabs(apart.y), std::fabs(apart.z) }) <=
+        kSamePoint * size)
+      {
+        return p;
+      }
+    }
+    const vtkIdType added = Points->InsertNextPoint(x.x, x.y, x.z);
+    Next.push_back(at->second);
+    at->second = added;
+    return added;
+  }
+
+  vtkSmartPointer<vtkPoints> Points;
+
+private:
+  std::unordered_map<std::int64_t, vtkIdType> First;
+  std::vector<vtkIdType> Next;
+};
+
+void MakeCells(const SolverMesh& mesh, const Mesh& view, vtkUnstructuredGrid* grid)
+{
+  const std::size_t elements = mesh.number.size();
+  constexpr std::size_t kTogether = 8192;
+  std::vector<std::array<Vec3, 8>> places(std::min(elements, kTogether));
+  PointNumbering points(elements * 8);
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkUnsignedCharArray> types;
+  cells->AllocateEstimate(static_cast<vtkIdType>(elements), 8);
+  types->SetNumberOfValues(static_cast<vtkIdType>(elements));
+  for (std::size_t e = 0; e < elements; ++e)
+  {
+    if (e % kTogether == 0)
+    {
+      ForElements(std::min(kTogether, elements - e),
+        [&](int k)
+        {
+          const int own = static_cast<int>(e) + k;
+          const auto& corners = LinearCellOf(view.ShapeOf(own)).corners;
+          MapForward(view, own, corners,
+            std::span(places[static_cast<std::size_t>(k)]).first(corners.size()));
+        });
+    }
+    const LinearCell& cell = LinearCellOf(view.ShapeOf(static_cast<int>(e)));
+    types->SetValue(static_cast<vtkIdType>(e), static_cast<unsigned char>(cell.type));
+    cells->InsertNextCell(static_cast<int>(cell.corners.size()));
+    for (std::size_t k = 0; k < cell.corners.size(); ++k)
+    {
+      cells->InsertCellPoint(
+        points.Find(mesh.corners[e][k], places[e % kTogether][k], mesh.size[e]));
+    }
+  }
+  points.Points->Squeeze(); // it has grown by doubling
+  grid->SetPoints(points.Points);
+  grid->SetCells(types, cells);
+}
+
+vtkSmartPointer<vtkDoubleArray> NewArray(const std::string& name, int components, vtkIdType tuples)
+{
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName(name.c_str());
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(tuples);
+  return array;
+}
+
+/// Values at the cells' vertices. Elements that share a vertex agree; the last one's value is kept.
+void AddVertexValues(const Mesh& mesh, const Field& field, vtkUnstructuredGrid* grid)
+{
+  const int components = field.values.components;
+  const auto array = NewArray(field.name, components, grid->GetNumberOfPoints());
+  std::vector<double> values;
+  vtkIdType count = 0;
+  const vtkIdType* points = nullptr;
+  for (int e = 0; e < mesh.Elements(); ++e)
+  {
+    const auto& corners = LinearCellOf(mesh.ShapeOf(e)).corners;
+    values.resize(corners.size() * components);
+    EvaluateAt(mesh, field, e, corners, values, {});
+    grid->GetCells()->GetCellAtId(e, count, points);
+    for (vtkIdType k = 0; k < count; ++k)
+    {
+      array->SetTypedTuple(points[k], &values[k * components]);
+    }
+  }
+  grid->GetPointData()->AddArray(array);
+}
+
+void AddCentreValues(const Mesh& mesh, const Field& field, vtkUnstructuredGrid* grid)
+{
+  const int components = field.values.components;
+  const auto array = NewArray(field.name, components, mesh.Elements());
+  ForElements(mesh.Elements(),
+    [&](int e)
+    {
+      const Vec3 centre = TensorToReference(mesh.ShapeOf(e), Vec3(0.0));
+      const std::span value(array->GetPointer(static_cast<vtkIdType>(e) * components), components);
+      EvaluateAt(mesh, field, e, std::span(&centre, 1), value, {});
+    });
+  grid->GetCellData()->AddArray(array);
+}
+} // namespace
+
+void StoreSolverMesh(SolverMesh&& mesh, vtkUnstructuredGrid* grid)
+{
+  grid->Initialize();
+  const Mesh view{ ViewOf(mesh.map), mesh.centre, mesh.size, mesh.uncertainty };
+  Validate(view);
+  MakeCells(mesh, view, grid);
+  MeshArrays arrays;
+  arrays.boundary = AttributedFacesOf(mesh, view);
+  AddGroups(mesh, grid);
+  arrays.map = HandOn(std::move(mesh.map));
+  arrays.centre = std::move(mesh.centre);
+  arrays.size = std::move(mesh.size);
+  arrays.uncertainty = std::move(mesh.uncertainty);
+  arrays.sourceCell = std::move(mesh.number);
+  StoreMesh(grid, arrays, Origin::Coefficients);
+  if (mesh.slab)
+  {
+    StoreSlab(*mesh.slab, grid);
+  }
+}
+
+void StoreSolverField(SolverField&& field, vtkUnstructuredGrid* grid)
+{
+  const auto names = StoredFieldNames(grid);
+  if (std::ranges::find(names, field.name) != names.end())
+  {
+    throw InvalidData("there are two fields of the name '" + field.name +
+      "'; fields are named after their files: rename one of them.");
+  }
+  const auto model = HighOrderModel::From(grid);
+  const Field view{ field.name, ViewOf(field.values), field.mapping };
+  Validate(view, model->GetMesh());
+  const auto addValues = field.continuous ? &AddVertexValues : &AddCentreValues;
+  addValues(model->GetMesh(), view, grid);
+  ExpansionArrays arrays = HandOn(std::move(field.values));
+  arrays.mapping = field.mapping;
+  StoreField(grid, field.name, arrays, Origin::Coefficients);
+  vtkNew<vtkStringArray> basis;
+  basis->SetName((kFieldPrefix + field.name + ".Basis").c_str());
+  basis->InsertNextValue(field.basis);
+  grid->GetFieldData()->AddArray(basis);
+}
+} // namespace pixelexact

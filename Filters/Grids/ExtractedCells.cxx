@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Grids/ExtractedCells.h"
+
+#include "vtkCellData.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+
+#include <vector>
+
+namespace pixelexact
+{
+vtkSmartPointer<vtkUnstructuredGrid> ExtractedCells(
+  vtkUnstructuredGrid* grid, std::span<const vtkIdType> cells)
+{
+  auto extracted = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  const auto count = static_cast<vtkIdType>(cells.size());
+  extracted->AllocateEstimate(count, 8);
+  extracted->GetFieldData()->ShallowCopy(grid->GetFieldData());
+  vtkNew<vtkPoints> points;
+  points->SetDataType(grid->GetPoints()->GetDataType());
+  vtkPointData* pointData = extracted->GetPointData();
+  pointData->CopyAllOn();
+  pointData->CopyAllocate(grid->GetPointData());
+  vtkCellData* cellData = extracted->GetCellData();
+  cellData->CopyAllOn();
+  cellData->CopyAllocate(grid->GetCellData(), count);
+  std::vector<vtkIdType> newPoint(static_cast<std::size_t>(grid->GetNumberOfPoints()), -1);
+  vtkNew<vtkIdList> ids;
+  for (const vtkIdType cell : cells)
+  {
+    grid->GetCellPoints(cell, ids);
+    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+    {
+      const vtkIdType old = ids->GetId(i);
+      vtkIdType& point = newPoint[static_cast<std::size_t>(old)];
+      if (point < 0)
+      {
+        double x[3];
+        grid->GetPoint(old, x);
+        point = points->InsertNextPoint(x);
+        pointData->CopyData(grid->GetPointData(), old, point);
+      }
+      ids->SetId(i, point);
+    }
+    const vtkIdType made = extracted->InsertNextCell(grid->GetCellType(cell), ids);
+    cellData->CopyData(grid->GetCellData(), cell, made);
+  }
+  extracted->SetPoints(points);
+  extracted->Squeeze();
+  return extracted;
+}
+} // namespace pixelexact

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Parts/PartExchange.h"
+
+#include "Core/Base/Error.h"
+#include "Grids/ExtractedCells.h"
+#include "HighOrderArrays.h"
+#include "PackedArrays.h"
+#include "Parts/CommonWidths.h"
+
+#include "vtkAppendFilter.h"
+#include "vtkCellData.h"
+#include "vtkFieldData.h"
+#include "vtkMultiProcessController.h"
+#include "vtkMultiProcessStream.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+
+namespace pixelexact
+{
+namespace
+{
+using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
+
+/// Without point data, and without what is of no element.
+Grid WithoutFields(vtkUnstructuredGrid* grid)
+{
+  Grid bare = IsPacked(grid) ? Unpack(grid) : Grid::New();
+  if (!IsPacked(grid))
+  {
+    bare->ShallowCopy(grid);
+    vtkNew<vtkFieldData> own;
+    own->ShallowCopy(grid->GetFieldData());
+    bare->SetFieldData(own);
+  }
+  bare->GetPointData()->Initialize();
+  for (int i = bare->GetFieldData()->GetNumberOfArrays() - 1; i >= 0; --i)
+  {
+    const std::string name = bare->GetFieldData()->GetArrayName(i);
+    if (name.starts_with(kFieldPrefix))
+    {
+      bare->GetFieldData()->RemoveArray(name.c_str());
+    }
+  }
+  return bare;
+}
+} // namespace
+
+void AgreeThatAllIsWell(const std::string& problem, vtkMultiProcessController* processes)
+{
+  vtkMultiProcessStream own;
+  own << problem;
+  std::vector<vtkMultiProcessStream> all;
+  processes->Gather(own, all, 0);
+  std::string first;
+  for (vtkMultiProcessStream& stream : all)
+  {
+    std::string text;
+    stream >> text;
+    first = first.empty() ? text : first;
+  }
+  vtkMultiProcessStream told;
+  told << first;
+  processes->Broadcast(told, 0);
+  told >> first;
+  if (!first.empty())
+  {
+    throw Error(first);
+  }
+}
+
+Grid PackedCells(vtkUnstructuredGrid* grid, const std::vector<vtkIdType>& cells, bool fields)
+{
+  if (cells.empty())
+  {
+    return Grid::New();
+  }
+  // The cells first: only theirs are packed.
+  return Pack(ExtractedCells(fields ? grid : WithoutFields(grid).Get(), cells));
+}
+
+std::vector<Grid> FromAll(vtkUnstructuredGrid* packed, vtkMultiProcessController* processes)
+{
+  const bool any = packed->GetNumberOfCells() > 0;
+  const PackedWidths widths = CommonWidths(any ? WidthsFor(packed) : PackedWidths(), processes);
+  const Grid sent = any ? Pack(packed, widths) : Grid(packed);
+  std::vector<vtkSmartPointer<vtkDataObject>> received;
+  processes->AllGather(sent, received);
+  std::vector<Grid> grids;
+  for (const auto& object : received)
+  {
+    const Grid grid = vtkUnstructuredGrid::SafeDownCast(object);
+    grids.push_back(grid ? grid : Grid::New());
+  }
+  return grids;
+}
+
+Grid Appended(const std::vector<Grid>& packed)
+{
+  vtkNew<vtkAppendFilter> append;
+  append->MergePointsOff();
+  append->SetOutputPointsPrecision(vtkAlgorithm::DEFAULT_PRECISION);
+  Grid only;
+  int count = 0;
+  for (const Grid& grid : packed)
+  {
+    if (grid && grid->GetNumberOfCells() > 0)
+    {
+      append->AddInputData(grid);
+      only = grid;
+      ++count;
+    }
+  }
+  if (count < 2)
+  {
+    return only;
+  }
+  append->Update();
+  return append->GetOutput();
+}
+} // namespace pixelexact

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Frames/ColorRanges.h"
+#include "Frames/ViewFrames.h"
+#include "Surfaces/SurfaceCache.h"
+#include "Views/GridModel.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+class vtkActor;
+class vtkDataObject;
+class vtkMapper;
+class vtkRenderer;
+class vtkWindow;
+
+namespace pixelexact
+{
+/// What of a frame is drawn: what hides all behind it, what is seen through, or both.
+enum class FramePart
+{
+  Opaque,
+  Translucent,
+  All
+};
+
+/// Frames into renderers, for one mapper. Keeps the model of its grid, its cut-surfaces and a frame
+/// for each view.
+class FrameDrawer
+{
+public:
+  /// The model of a vtkUnstructuredGrid, or of composite data of such, as it is now. Throws Error.
+  const std::shared_ptr<HighOrderModel>& ModelOf(vtkDataObject* grid);
+
+  /// The cut-surfaces, for requests for frames of that model.
+  SurfaceCache& Surfaces() { return TheSurfaces; }
+
+  /// Draws a part of what `request` asks for, seen through the renderer's camera and placed by the
+  /// actor. The request's camera, half-spaces and lights are filled in here: viewport, camera and
+  /// lights from the renderer, matrix from the actor, clipping planes and depth offset from the
+  /// mapper. The actor's opacity is applied. A camera that the view is seen through for the first
+  /// time gets a complete frame, whatever the time. Returns the range of the values that
+  /// request.fitted colours, which it gets. Throws Error, after which the view has no frame.
+  ColorRanges::Range Draw(FrameRequest request, FramePart part, vtkRenderer* renderer,
+    vtkActor* actor, vtkMapper* mapper, const Progress& progress);
+
+  /// Draws what the present pass of the renderer's selector wants of the pixels that Draw shows
+  /// (SelectionImage.h), complete in any case. Throws as Draw.
+  void Select(FrameRequest request, vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper,
+    const Progress& progress);
+
+  /// The range of a table over the fields that it colours (ColorRanges::OfFields).
+  ColorRanges::Range RangeOfFields(const FrameRequest& request, vtkScalarsToColors* table)
+  {
+    return Ranges.OfFields(request, table);
+  }
+
+  /// There is nothing to be seen in this view.
+  void DropFrame(vtkRenderer* renderer, vtkActor* actor);
+
+  /// What is new of this (ViewFrames::Complain).
+  std::vector<std::string> Complain(
+    vtkRenderer* renderer, vtkActor* actor, std::vector<std::string> complaints)
+  {
+    return Views.Complain(Views.Of(renderer, actor), std::move(complaints));
+  }
+
+  void ReleaseGraphicsResources(vtkWindow* window) { Views.ReleaseGraphicsResources(window); }
+
+  /// Of the view that was drawn last; null before the first one.
+  [[nodiscard]] FrameSource* LastSource() { return Views.Last(); }
+  [[nodiscard]] std::int64_t ModelBuilds() const { return Model.Builds(); }
+  [[nodiscard]] const FrameSourceCounters& Counters() const { return Views.Counters(); }
+
+private:
+  ViewFrame& Begin(
+    FrameRequest& request, vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper);
+
+  GridModel Model;
+  bool HasGhosts = false; ///< the model
+  SurfaceCache TheSurfaces;
+  ColorRanges Ranges;
+  ViewFrames Views;
+};
+} // namespace pixelexact

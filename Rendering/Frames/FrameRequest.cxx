@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Frames/FrameRequest.h"
+
+#include "HighOrderModel.h"
+#include "Views/VtkColorMap.h"
+
+namespace pixelexact
+{
+vtkScalarsToColors* TableOf(const LayerRequest& layer)
+{
+  const bool byTable = !layer.contours.values.empty() && layer.contours.colors.empty();
+  return layer.table == nullptr && byTable ? layer.contourTable : layer.table;
+}
+
+const Field* FieldOf(const LayerRequest& layer, const HighOrderModel& model)
+{
+  const bool none = layer.table == nullptr && layer.field == FieldChoice{};
+  return none && model.Fields().empty() ? nullptr : &layer.field.In(model);
+}
+
+int ComponentOf(const LayerRequest& layer, const Field& field)
+{
+  const bool solid = layer.table == nullptr && !layer.contours.values.empty();
+  const int component = layer.component.value_or(
+    ComponentOf(solid ? layer.contourTable : layer.table, field.values.components));
+  RequireComponent(field, component);
+  return component;
+}
+} // namespace pixelexact

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Frames/FrameContours.h"
+#include "Trace/Modules/ElementEdges.h"
+#include "Trace/Modules/Lighting.h"
+#include "Views/FieldChoice.h"
+#include "Views/VtkCamera.h"
+
+#include <limits>
+#include <memory>
+#include <optional>
+#include <vector>
+
+class vtkScalarsToColors;
+
+namespace pixelexact
+{
+class HighOrderModel;
+
+/// A cut-surface and how it is shown.
+struct LayerRequest
+{
+  std::shared_ptr<const Surface> surface; ///< another object where it is another surface
+  FieldChoice field;
+  std::optional<int> component; ///< or kMagnitude; none: the table's choice
+  Precision precision = Precision::Double;
+  /// Null: every exact pixel gets the solid colour.
+  vtkScalarsToColors* table = nullptr;
+  /// That of contours on a surface of one colour: their component and, where they have none,
+  /// colours.
+  vtkScalarsToColors* contourTable = nullptr;
+  Rgba solidColor{ 255, 255, 255, 255 };
+  double opacity = 1.0;
+  std::optional<Material> material; ///< none: not lit
+  bool litWhereFlat = false;        ///< also a plane
+  LayerContours contours;
+};
+
+/// The table that the layer is coloured by, or else its contours are; null: none.
+[[nodiscard]] vtkScalarsToColors* TableOf(const LayerRequest& layer);
+
+/// The layer's field. Null where the model has none and none is asked for, by name or to be mapped
+/// to colours. Throws Error when there is no such field.
+[[nodiscard]] const Field* FieldOf(const LayerRequest& layer, const HighOrderModel& model);
+
+/// The component that the layer shows of its field: what it asks for, else the table's choice.
+/// Throws Error when the field has no such component.
+[[nodiscard]] int ComponentOf(const LayerRequest& layer, const Field& field);
+
+/// What is to be seen. The objects are the caller's; all spaces are the data's, but for lights.
+struct FrameRequest
+{
+  std::shared_ptr<HighOrderModel> model;
+  std::vector<LayerRequest> layers;
+  std::vector<KeptHalfSpace> kept; ///< clipping planes, and the near plane where it cuts the data
+  CameraSetup camera;
+  Rgba unknownColor{ 255, 0, 255, 255 };
+  std::vector<Light> lights;
+  LitView lit;
+  bool translucent = false; ///< all of it, for somebody who blends frames over what is there
+  /// A table whose range is to be that of the values shown; null: none.
+  vtkScalarsToColors* fitted = nullptr;
+  std::optional<EdgeStyle> edges; ///< of elements, where they are drawn
+  ContourLook contours;           ///< where layers have some
+  /// Beyond what drawing needs.
+  Buffer buffers = Buffer::None;
+  /// What tracing may take. Where the frame takes longer it is made coarse, and finer by each
+  /// further call with the same scene.
+  double seconds = std::numeric_limits<double>::infinity();
+  bool refine = true; ///< whether a coarse frame of the same scene is made finer
+  /// Above 1: of each stride x stride pixels the middle one is traced, and all show it. Throws
+  /// Error with what is of each pixel: contours, edges.
+  int stride = 1;
+};
+} // namespace pixelexact

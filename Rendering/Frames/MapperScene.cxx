@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Frames/MapperScene.h"
+
+#include "Frames/LayerRequests.h"
+#include "Views/VtkColorMap.h"
+#include "Views/VtkLook.h"
+#include "vtkHighOrderLayer.h"
+#include "vtkHighOrderSceneMapper.h"
+#include "vtkHighOrderSurface.h"
+
+#include "vtkImplicitFunction.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace pixelexact
+{
+namespace
+{
+CutSource SourceOf(vtkHighOrderLayer* layer)
+{
+  return { layer->GetCutFunction(), layer->GetSurface() };
+}
+
+void Add(vtkHighOrderSceneMapper* mapper, const CutSource& cut, LayerRequest layer,
+  SurfaceCache& surfaces, FrameRequest& request)
+{
+  if (cut.surface != nullptr && !mapper->GetStatic())
+  {
+    cut.surface->Update();
+  }
+  layer.surface = surfaces.Of(cut, request.model, mapper->GetSearchSamples());
+  request.layers.push_back(std::move(layer));
+}
+} // namespace
+
+bool MapperScene::IsEmpty() const
+{
+  return cuts.empty() && surface == nullptr && layers.empty();
+}
+
+bool MapperScene::Has(vtkHighOrderSceneMapper* mapper, bool opaque) const
+{
+  const bool own = std::ranges::any_of(layers,
+    [&](vtkHighOrderLayer* layer)
+    { return layer->GetVisibility() && IsOpaque(mapper, layer) == opaque; });
+  const bool plain = !(cuts.empty() && surface == nullptr) && IsOpaque(mapper, nullptr) == opaque;
+  return plain || own || (opaque && this->IsEmpty());
+}
+
+vtkMTimeType MapperScene::GetMTime() const
+{
+  vtkMTimeType time = 0;
+  for (const CutSource& cut : this->Plain())
+  {
+    time = std::max(time, cut.Object()->GetMTime());
+  }
+  for (const auto& layer : layers)
+  {
+    time = std::max(time, layer->GetMTime());
+  }
+  return time;
+}
+
+std::vector<CutSource> MapperScene::Plain() const
+{
+  std::vector<CutSource> plain;
+  for (const auto& cut : cuts)
+  {
+    plain.push_back({ cut, nullptr });
+  }
+  if (surface != nullptr)
+  {
+    plain.push_back({ nullptr, surface });
+  }
+  return plain;
+}
+
+void MapperScene::AddLayers(vtkHighOrderSceneMapper* mapper, const LayerRequest& ofAll,
+  SurfaceCache& surfaces, FrameRequest& request) const
+{
+  std::vector<CutSource> sources = this->Plain();
+  for (const CutSource& cut : sources)
+  {
+    Add(mapper, cut, ofAll, surfaces, request);
+  }
+  for (const auto& layer : layers)
+  {
+    sources.push_back(SourceOf(layer));
+    if (layer->GetVisibility())
+    {
+      LayerRequest own = LayerOf(layer, ofAll);
+      if (layer->GetNumberOfContours() > 0 && !mapper->GetContourScalarVisibility())
+      {
+        // Colours of single contours are of the mapper's.
+        own.contours.colors = { ToRgba(mapper->GetContourColor()) };
+      }
+      Add(mapper, sources.back(), std::move(own), surfaces, request);
+    }
+  }
+  surfaces.KeepOnly(sources);
+}
+} // namespace pixelexact

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Frames/ViewFrames.h"
+
+#include "Frames/GhostPixels.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace pixelexact
+{
+namespace
+{
+/// 0 for cameras with one eye.
+int EyeOf(vtkCamera* camera)
+{
+  return !camera->GetStereo() ? 0 : camera->GetLeftEye() ? 1 : 2;
+}
+} // namespace
+
+bool ViewFrame::MayBeCoarse(vtkCamera* camera)
+{
+  if (camera == Latest)
+  {
+    Usual = camera;
+  }
+  Latest = camera;
+  return camera == Usual;
+}
+
+void ViewFrame::MakeDrawn(const DepthRows& rows)
+{
+  const bool moved = DrawnTrace != source.TraceVersion() || Rows != rows;
+  if (!moved && drawnVersion == source.Version())
+  {
+    return;
+  }
+  const Frame& frame = *source.LastFrame();
+  const std::vector<Layer>& layers = source.LastScene().layers;
+  const bool anyTranslucent = std::ranges::any_of(layers, &Layer::translucent);
+  depthsVersion += moved || anyTranslucent ? 1 : 0;
+  Rows = rows;
+  DrawnTrace = source.TraceVersion();
+  drawnVersion = source.Version();
+  opaque.rgba.clear();
+  if (!anyTranslucent)
+  {
+    seenThrough.clear();
+    if (moved)
+    {
+      WindowDepth(frame.centres, rows, opaque.depths);
+      HideGhosts(frame.centres, *source.Model(), opaque.depths);
+    }
+    return;
+  }
+  // Each ray ends at an opaque layer, if it meets one: at most one of its samples is of that part.
+  const std::size_t pixels = frame.centres.Size();
+  opaque.rgba.assign(4 * pixels, 0);
+  opaque.depths.assign(pixels, kNoDepth);
+  seenThrough.resize(1 + frame.centres.behind.size());
+  for (std::size_t k = 0; k < seenThrough.size(); ++k)
+  {
+    const SampleBuffers& sheet = k == 0 ? frame.centres : frame.centres.behind[k - 1];
+    Drawn& drawn = seenThrough[k];
+    drawn.rgba = sheet.color;
+    WindowDepth(sheet, rows, drawn.depths);
+    HideGhosts(sheet, *source.Model(), drawn.depths);
+    for (std::size_t i = 0; i < pixels; ++i)
+    {
+      const std::uint8_t layer = layers.size() > 1 ? sheet.layer[i] : std::uint8_t{ 0 };
+      if (layer != kNoLayer && !layers[layer].translucent && drawn.depths[i] <= 1.0F)
+      {
+        std::copy_n(&drawn.rgba[4 * i], 4, &opaque.rgba[4 * i]);
+        opaque.depths[i] = drawn.depths[i];
+        drawn.depths[i] = kNoDepth;
+      }
+    }
+  }
+}
+
+ViewFrame& ViewFrames::Of(vtkRenderer* renderer, vtkActor* actor)
+{
+  std::erase_if(Views, [](const View& view) { return !view.renderer || !view.actor; });
+  const int eye = EyeOf(renderer->GetActiveCamera());
+  const auto found = std::ranges::find_if(Views,
+    [&](const View& view)
+    { return view.renderer == renderer && view.actor == actor && view.eye == eye; });
+  if (found != Views.end())
+  {
+    Views.splice(Views.begin(), Views, found);
+  }
+  else
+  {
+    if (Views.size() == kMost)
+    {
+      Views.pop_back();
+    }
+    Views.push_front({ renderer, actor, eye, std::make_unique<ViewFrame>(TheCounters) });
+  }
+  return *Views.front().frame;
+}
+
+std::vector<std::string> ViewFrames::Complain(ViewFrame& view, std::vector<std::string> complaints)
+{
+  std::vector<std::string> fresh;
+  std::ranges::copy_if(complaints, std::back_inserter(fresh),
+    [&](const std::string& text)
+    {
+      return std::ranges::none_of(Views,
+        [&](const View& each) {
+          return std::ranges::find(each.frame->complaints, text) != each.frame->complaints.end();
+        });
+    });
+  view.complaints = std::move(complaints);
+  return fresh;
+}
+
+void ViewFrames::DropOthers(const HighOrderModel* model)
+{
+  for (View& view : Views)
+  {
+    if (view.frame->source.Model() != model)
+    {
+      view.frame->source.DropFrame();
+    }
+  }
+}
+
+void ViewFrames::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (View& view : Views)
+  {
+    view.frame->compositor.ReleaseGraphicsResources(window);
+    view.frame->selection.ReleaseGraphicsResources(window);
+  }
+}
+} // namespace pixelexact

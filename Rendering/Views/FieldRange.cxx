@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Views/FieldRange.h"
+
+#include "Core/Element/MeshRanges.h"
+#include "Trace/Scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pixelexact
+{
+namespace
+{
+constexpr RangeEffort kEffort{ 1e-3, 200 };
+/// Of a field's largest coefficient: what rounding may change a value by, with room; and half of
+/// the range that shows it as one colour.
+constexpr double kRounding = 1e-12;
+constexpr double kOneColour = 5e-7;
+/// The middle of a range is where two colours of a table meet.
+constexpr double kAside = 0.998;
+} // namespace
+
+RangeQuestion QuestionOf(const Field& field, int component)
+{
+  RangeQuestion question;
+  question.field = &field;
+  // Of one component the tracer shows the value itself.
+  if (component == kMagnitude && field.values.components > 1)
+  {
+    question.quantity = Quantity::Magnitude;
+  }
+  else
+  {
+    question.component = std::max(component, 0);
+  }
+  return question;
+}
+
+Interval ProvenRange(const Mesh& mesh, const Field& field, int component)
+{
+  return RangeOf(mesh, QuestionOf(field, component), kEffort).range.outer;
+}
+
+std::optional<std::array<double, 2>> FieldRange(const Mesh& mesh, const Field& field, int component)
+{
+  const CertifiedRange range = RangeOf(mesh, QuestionOf(field, component), kEffort).range;
+  if (range.attained.lower <= range.attained.upper)
+  {
+    return std::array{ range.attained.lower, range.attained.upper };
+  }
+  // A constant, up to rounding.
+  if (range.outer.lower <= range.outer.upper)
+  {
+    return std::array{ range.outer.lower, range.outer.upper };
+  }
+  return std::nullopt;
+}
+
+std::array<double, 2> BeyondRounding(const Field& field, const std::array<double, 2>& range)
+{
+  double largest = 0.0;
+  for (const double coefficient : field.values.coefficients)
+  {
+    // Infinities and NaN say nothing of other elements.
+    const double size = std::fabs(coefficient);
+    largest = size <= std::numeric_limits<double>::max() ? std::max(largest, size) : largest;
+  }
+  if (!(range[1] - range[0] <= kRounding * largest))
+  {
+    return range;
+  }
+  const double middle = 0.5 * range[0] + 0.5 * range[1];
+  const double half = kOneColour * largest;
+  return { middle - kAside * half, middle + half };
+}
+} // namespace pixelexact

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Views/GridModel.h"
+
+#include "HighOrderModel.h"
+
+#include "Core/Base/Error.h"
+
+#include "vtkDataObject.h"
+
+namespace pixelexact
+{
+const std::shared_ptr<HighOrderModel>& GridModel::Of(vtkDataObject* grid)
+{
+  if (grid == nullptr)
+  {
+    Model.reset();
+    throw Error("no input: connect a vtkUnstructuredGrid that carries high-order arrays");
+  }
+  if (!Model || !Model->IsCurrent(grid))
+  {
+    // Alive until the new one is made, which may share its locator.
+    const std::shared_ptr<HighOrderModel> stale = std::move(Model);
+    Model = HighOrderModel::From(grid);
+    ++Count;
+  }
+  return Model;
+}
+} // namespace pixelexact

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Views/VtkColorMap.h"
+
+#include "Core/Base/Error.h"
+#include "Trace/Scene.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkLookupTable.h"
+#include "vtkNew.h"
+#include "vtkScalarsToColors.h"
+#include "vtkType.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace pixelexact
+{
+namespace
+{
+enum class Between
+{
+  Rgb,
+  Lab,
+  Diverging
+};
+
+struct NamedMap
+{
+  const char* name;
+  Between between;
+  std::uint32_t nan;
+  std::span<const std::uint32_t> colors; ///< 0xRRGGBB, at equal steps over the range
+};
+
+// Ten colours each of the maps of matplotlib (S. van der Walt, N. Smith, 2015), which were made to
+// be uniform to the eye: between them CIELAB is the right space.
+constexpr std::uint32_t kViridis[] = { 0x440154, 0x482878, 0x3e4a89, 0x31688e, 0x26828e, 0x1f9e89,
+  0x35b779, 0x6dcd59, 0xb4de2c, 0xfde725 };
+constexpr std::uint32_t kInferno[] = { 0x000004, 0x1b0c42, 0x4b0c6b, 0x781c6d, 0xa52c60, 0xcf4446,
+  0xed6925, 0xfb9a06, 0xf7d03c, 0xfcffa4 };
+constexpr std::uint32_t kPlasma[] = { 0x0d0887, 0x47039f, 0x7301a8, 0x9c179e, 0xbd3786, 0xd8576b,
+  0xed7953, 0xfa9e3b, 0xfdc926, 0xf0f921 };
+// K. Moreland, Diverging Color Maps for Scientific Visualization, 2009: VTK has its colour space.
+constexpr std::uint32_t kCoolWarm[] = { 0x3b4cc0, 0xb40426 };
+constexpr std::uint32_t kJet[] = { 0x000080, 0x0000ff, 0x0080ff, 0x00ffff, 0x80ff80, 0xffff00,
+  0xff8000, 0xff0000, 0x800000 };
+constexpr std::uint32_t kRainbow[] = { 0x0000ff, 0x00ffff, 0x00ff00, 0xffff00, 0xff0000 };
+constexpr std::uint32_t kGrayscale[] = { 0x000000, 0xffffff };
+
+/// Steps of a table: four for each of the 256 that a byte can show.
+constexpr int kTableSize = 1024;
+
+constexpr std::uint32_t kGray = 0x808080;
+constexpr NamedMap kMaps[] = {
+  { "viridis", Between::Lab, kGray, kViridis },
+  { "inferno", Between::Lab, kGray, kInferno },
+  { "plasma", Between::Lab, kGray, kPlasma },
+  { "coolwarm", Between::Diverging, 0xffff00, kCoolWarm },
+  { "jet", Between::Rgb, kGray, kJet },
+  { "rainbow", Between::Rgb, kGray, kRainbow },
+  { "grayscale", Between::Rgb, 0xff0000, kGrayscale },
+};
+
+double Channel(std::uint32_t color, int shift)
+{
+  return static_cast<double>((color >> shift) & 0xffU) / 255.0;
+}
+
+void SetSpace(vtkColorTransferFunction* map, Between between)
+{
+  switch (between)
+  {
+    case Between::Lab:
+      map->SetColorSpaceToLab();
+      break;
+    case Between::Diverging:
+      map->SetColorSpaceToDiverging();
+      break;
+    default:
+      map->SetColorSpaceToRGB();
+  }
+}
+} // namespace
+
+ColorMap ToColorMap(vtkScalarsToColors* table)
+{
+  if (table == nullptr)
+  {
+    throw Error("no lookup table");
+  }
+  if (table->GetVectorMode() == vtkScalarsToColors::RGBCOLORS)
+  {
+    throw Unsupported("the lookup table takes vectors for RGB colours (VectorMode); choose a "
+                      "component or the magnitude");
+  }
+  table->Build();
+  return [keep = vtkSmartPointer<vtkScalarsToColors>(table)](
+           std::span<const double> values, std::uint8_t* rgba)
+  {
+    // VTK takes a pointer to non-const but only reads.
+    keep->MapScalarsThroughTable2(const_cast<double*>(values.data()), rgba, VTK_DOUBLE,
+      static_cast<int>(values.size()), 1, VTK_RGBA);
+  };
+}
+
+int ComponentOf(vtkScalarsToColors* table, int fieldComponents)
+{
+  if (fieldComponents == 1 || table == nullptr)
+  {
+    return 0;
+  }
+  if (table->GetVectorMode() == vtkScalarsToColors::MAGNITUDE)
+  {
+    return kMagnitude;
+  }
+  const int component = table->GetVectorComponent();
+  if (component < 0 || component >= fieldComponents)
+  {
+    throw Error("the lookup table asks for vector component " + std::to_string(component) +
+      ", but the field has " + std::to_string(fieldComponents) + " components");
+  }
+  return component;
+}
+
+std::vector<std::string> ColorMapNames()
+{
+  std::vector<std::string> names;
+  for (const NamedMap& map : kMaps)
+  {
+    names.emplace_back(map.name);
+  }
+  return names;
+}
+
+vtkSmartPointer<vtkLookupTable> MakeColorMap(
+  const std::string& name, const std::array<double, 2>& range)
+{
+  const auto* found = std::find_if(
+    std::begin(kMaps), std::end(kMaps), [&name](const NamedMap& map) { return name == map.name; });
+  if (found == std::end(kMaps))
+  {
+    std::string names;
+    for (const NamedMap& map : kMaps)
+    {
+      names += (names.empty() ? "" : ", ") + std::string(map.name);
+    }
+    throw Error("unknown colour map '" + name + "' (available: " + names + ")");
+  }
+  vtkNew<vtkColorTransferFunction> colors;
+  SetSpace(colors, found->between);
+  const std::size_t last = found->colors.size() - 1;
+  for (std::size_t i = 0; i <= last; ++i)
+  {
+    const double part = static_cast<double>(i) / static_cast<double>(last);
+    const std::uint32_t color = found->colors[i];
+    colors->AddRGBPoint(part, Channel(color, 16), Channel(color, 8), Channel(color, 0));
+  }
+  return MakeColorTable(
+    colors, { Channel(found->nan, 16), Channel(found->nan, 8), Channel(found->nan, 0) }, range);
+}
+
+vtkSmartPointer<vtkLookupTable> MakeColorTable(vtkColorTransferFunction* colors,
+  const std::array<double, 3>& nan, const std::array<double, 2>& range)
+{
+  if (!std::isfinite(range[0]) || !std::isfinite(range[1]) || range[0] > range[1])
+  {
+    throw Error("the range of a colour map must be finite and run upwards");
+  }
+  double lower = range[0];
+  double upper = range[1];
+  if (lower == upper)
+  {
+    // A constant field; the nearest range that a table can have puts it in the middle.
+    const double half = std::max(0.5 * std::abs(lower) * 1e-6, 1e-300);
+    lower -= half;
+    upper += half;
+  }
+  // A table: finding a colour costs a hundredth of interpolating it in CIELAB.
+  std::vector<double> samples(3 * kTableSize);
+  colors->GetTable(0.0, 1.0, kTableSize, samples.data());
+  auto table = vtkSmartPointer<vtkLookupTable>::New();
+  table->SetNumberOfTableValues(kTableSize);
+  table->SetTableRange(lower, upper);
+  for (int i = 0; i < kTableSize; ++i)
+  {
+    const double* rgb = &samples[3 * static_cast<std::size_t>(i)];
+    table->SetTableValue(i, rgb[0], rgb[1], rgb[2]);
+  }
+  table->SetNanColor(nan[0], nan[1], nan[2], 1.0);
+  return table;
+}
+} // namespace pixelexact
