@@ -55,10 +55,10 @@ void Locator::Batch::DropExcluded(std::span<PointChunk> chunks, std::size_t firs
       group[k].open = (near >> k & 1U) != 0 ? Work.kept[k] : 0;
     }
   }
-  const auto excluded = std::ranges::remove_if(doubts,
-    [&](const Doubt& doubt)
-    { return isUntested(doubt) && (late[chunkOf(doubt)].open & bitOf(doubt)) == 0; });
-  Work.doubtful.resize(Work.doubtful.size() - excluded.size());
+  const auto isExcluded = [&](const Doubt& doubt)
+  { return isUntested(doubt) && (late[chunkOf(doubt)].open & bitOf(doubt)) == 0; };
+  const auto first = Work.doubtful.begin() + static_cast<std::ptrdiff_t>(firstDoubt);
+  Work.doubtful.erase(std::remove_if(first, Work.doubtful.end(), isExcluded), Work.doubtful.end());
 }
 
 Vec3 Locator::Batch::PointAt(int index) const

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "Core/Location/InnerPoints.cxx"
+#define HWY_TARGET_INCLUDE "Core/Location/InnerPointKernels.cxx"
 #include <hwy/foreach_target.h>
 
 #include "Core/Element/Guess-inl.h"
-#include "Core/Location/InnerPoints.h"
+#include "Core/Location/InnerPointKernels.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE

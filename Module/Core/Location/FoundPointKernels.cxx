@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "Core/Location/FoundPoints.cxx"
+#define HWY_TARGET_INCLUDE "Core/Location/FoundPointKernels.cxx"
 #include <hwy/foreach_target.h>
 
-#include "Core/Location/FoundPoints.h"
+#include "Core/Location/FoundPointKernels.h"
 #include "Core/Math/Lanes-inl.h"
 
 #include <algorithm>
