@@ -210,6 +210,21 @@ class Walls(CurvedTest):
         self.assertEqual(summary["jump_walls"]["pixels"], int(wall.sum()))
         self.assertEqual(summary["pixels"]["unknown"], 0)
 
+    def test_widen_a_range_only_with_colors_of_their_own(self):
+        """The surface shows 0.5 alone; on the wall u is from -1 to 0.5, or from 0.5 to 2."""
+
+        def widths(*options):
+            summary, _, _ = self.draw(lambda p, corner: p[1] + float(corner[0] > 0), "--jump-walls", *options)
+            ranges = [layer["color_range"] for layer in summary["layers"]]
+            return [None if ends is None else ends[1] - ends[0] for ends in ranges]
+
+        surface, wall = widths()
+        self.assertLess(surface, 1e-5)
+        self.assertIsNone(wall)
+        surface, wall = widths("--layer", "2:colormap=plasma")
+        self.assertGreater(surface, 0.5)
+        self.assertEqual(wall, surface)
+
     def test_of_a_field_that_is_continuous_none(self):
         summary, _, _ = self.draw(lambda p, _: p[1], "--jump-walls")
         self.assertEqual(summary["jump_walls"], {"faces": 0, "pixels": 0})

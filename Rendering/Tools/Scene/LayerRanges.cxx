@@ -184,9 +184,11 @@ std::array<double, 2> RangeOfLayer(const RangeChoice& choice, const Shot& shot, 
   }
   std::vector<bool> together;
   together.reserve(layers.size());
-  for (const Layer& other : layers)
+  for (std::size_t k = 0; k < layers.size(); ++k)
   {
-    together.push_back(ShowTheSame(other, layers[layer]));
+    // What is painted in one colour shows no values but its own, by contours.
+    const bool shows = k == layer || !shot.settings[k].color;
+    together.push_back(shows && ShowTheSame(layers[k], layers[layer]));
   }
   const double lowest = logarithm ? 0.0 : -std::numeric_limits<double>::infinity();
   const auto seen = choice.of == RangeChoice::Of::Parts

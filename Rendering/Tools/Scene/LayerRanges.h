@@ -40,8 +40,9 @@ std::optional<std::array<double, 2>> ValueRange(
   const Frame& frame, double lowest, const std::vector<bool>& layers = {});
 
 /// The range of a layer's colour map. Of::Cut is that of all layers that show the same component of
-/// the same field, with `logarithm` of the positive values; [0, 1], or [1, 10], where there is
-/// none. Throws Error where Of::Field has no bound, or with `logarithm` one that is not above 0.
+/// the same field, but for those that are painted in one colour, with `logarithm` of the positive
+/// values; [0, 1], or [1, 10], where there is none. Throws Error where Of::Field has no bound, or
+/// with `logarithm` one that is not above 0.
 std::array<double, 2> RangeOfLayer(const RangeChoice& choice, const Shot& shot, std::size_t layer,
   const Frame& frame, bool logarithm);
 

@@ -54,6 +54,9 @@ void Meet(const Open& open, const TileVisit& tile, int layer, std::vector<HitSlo
   // Without the mesh's box: beyond its boundary there are lines to be found, too.
   Scene alone;
   alone.layers = { tile.GetScene().layers[static_cast<std::size_t>(layer)] };
+  // All hits: another sheet may be in front of the one that the line is on, and what lies behind
+  // the nearest hit is told or not as it happens to be found.
+  alone.layers.front().translucent = true;
   const CheckedOut<TileSamples> rays;
   (*rays).Begin(tile.GetCamera(), positions);
   (*rays).Meet(tile.GetCamera(), alone, hits);
