@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CgnsFile.h"
 
+#include "CgnsStructured.h"
 #include "Input.h"
 
 #include <vtk_cgns.h>
@@ -125,13 +126,13 @@ private:
     std::array<cgsize_t, 9> size{};
     Require(cg_zone_read(Id, Base, Zone, name.data(), size.data()));
     const bool structured = type == CGNS_ENUMV(Structured);
-    Directions = structured ? CellDimension : 1;
-    zone.points = Directions >= 1 && Directions <= 3 ? 1 : -1;
-    Extent = { 1, 1, 1 };
-    for (int d = 0; d < Directions && zone.points >= 0; ++d)
+    Grid.directions = structured ? CellDimension : 1;
+    zone.points = Grid.directions >= 1 && Grid.directions <= 3 ? 1 : -1;
+    Grid.extent = { 1, 1, 1 };
+    for (int d = 0; d < Grid.directions && zone.points >= 0; ++d)
     {
       const auto own = static_cast<std::int64_t>(size[static_cast<std::size_t>(d)]);
-      Extent[static_cast<std::size_t>(d)] = own;
+      Grid.extent[static_cast<std::size_t>(d)] = own;
       zone.points = own >= 0 && own <= kMost ? zone.points * own : -1;
       zone.points = zone.points > kMost ? -1 : zone.points;
     }
@@ -232,19 +233,21 @@ private:
     cgsize_t count = 0;
     cgsize_t normals = 0;
     int dataSets = 0;
-    Require(cg_boco_info(Id, Base, Zone, Condition, own.data(), &kind, &set, &count,
-      normalIndex.data(), &normals, &normalType, &dataSets));
-    Require(cg_boco_gridlocation_read(Id, Base, Zone, Condition, &location));
+    const bool known = cg_boco_info(Id, Base, Zone, Condition, own.data(), &kind, &set, &count,
+                         normalIndex.data(), &normals, &normalType, &dataSets) == CG_OK &&
+      cg_boco_gridlocation_read(Id, Base, Zone, Condition, &location) == CG_OK;
     CgnsBoundary boundary;
     boundary.name = NameOf(own.data(), kind);
-    if (count < 0 || count > kMost || normals < 0 || normals > 3 * kMost)
+    const bool possible =
+      known && count >= 0 && count <= kMost && normals >= 0 && normals <= 3 * kMost;
+    std::vector<cgsize_t> numbers(possible ? static_cast<std::size_t>(count * Grid.directions) : 0);
+    std::vector<double> ignored(possible ? static_cast<std::size_t>(normals) : 0);
+    if (!possible ||
+      cg_boco_read(Id, Base, Zone, Condition, numbers.data(), ignored.data()) != CG_OK)
     {
       zone.left.push_back(boundary.name);
       return;
     }
-    std::vector<cgsize_t> numbers(static_cast<std::size_t>(count * Directions));
-    std::vector<double> ignored(static_cast<std::size_t>(normals));
-    Require(cg_boco_read(Id, Base, Zone, Condition, numbers.data(), ignored.data()));
     const bool isElements = set == CGNS_ENUMV(ElementRange) || set == CGNS_ENUMV(ElementList);
     const bool isRange = set == CGNS_ENUMV(PointRange) || set == CGNS_ENUMV(ElementRange);
     bool read = false;
@@ -253,8 +256,7 @@ private:
       RequireSound(!isRange || count == 2);
       if (structured)
       {
-        read = isRange ? AddRange(numbers, location, boundary)
-                       : location == CGNS_ENUMV(Vertex) && AddPlaces(numbers, boundary);
+        read = AddStructured(numbers, isRange, location, boundary);
       }
       else
       {
@@ -301,24 +303,6 @@ private:
     return true;
   }
 
-  /// Points of a structured zone, by their places along each direction.
-  bool AddPlaces(const std::vector<cgsize_t>& numbers, CgnsBoundary& boundary) const
-  {
-    const auto n = static_cast<std::size_t>(Directions);
-    for (std::size_t at = 0; at + n <= numbers.size(); at += n)
-    {
-      std::int64_t point = 0;
-      for (std::size_t d = n; d-- > 0;)
-      {
-        const auto place = static_cast<std::int64_t>(numbers[at + d]) - 1;
-        RequireSound(place >= 0 && place < Extent[d]);
-        point = point * Extent[d] + place;
-      }
-      boundary.points.push_back(point);
-    }
-    return true;
-  }
-
   bool AddElements(const std::vector<cgsize_t>& numbers, bool isRange, CgnsBoundary& boundary) const
   {
     const auto add = [&](const auto& side) { boundary.faces.push_back(side.second); };
@@ -349,64 +333,20 @@ private:
     return all;
   }
 
-  /// A range of points of a structured zone is a side's where it is flat; a range of faces across a
-  /// direction has points there, and cells along the others.
-  bool AddRange(const std::vector<cgsize_t>& numbers, CGNS_ENUMT(GridLocation_t) location,
-    CgnsBoundary& boundary) const
+  bool AddStructured(const std::vector<cgsize_t>& numbers, bool isRange,
+    CGNS_ENUMT(GridLocation_t) location, CgnsBoundary& boundary) const
   {
-    const auto n = static_cast<std::size_t>(Directions);
-    std::array<std::int64_t, 3> low{ 0, 0, 0 };
-    std::array<std::int64_t, 3> high{ 0, 0, 0 };
-    int across = -1;
-    const int named = location == CGNS_ENUMV(IFaceCenter) ? 0
-      : location == CGNS_ENUMV(JFaceCenter)               ? 1
-      : location == CGNS_ENUMV(KFaceCenter)               ? 2
-                                                          : -1;
-    if (n < 2 || (named < 0 && location != CGNS_ENUMV(Vertex)) || named >= Directions)
+    const std::vector<std::int64_t> places(numbers.begin(), numbers.end());
+    const bool isVertex = location == CGNS_ENUMV(Vertex);
+    if (!isRange)
     {
-      return false;
+      return isVertex && Grid.AddPoints(places, boundary);
     }
-    for (std::size_t d = 0; d < n; ++d)
-    {
-      low[d] = static_cast<std::int64_t>(std::min(numbers[d], numbers[n + d])) - 1;
-      high[d] = static_cast<std::int64_t>(std::max(numbers[d], numbers[n + d])) - 1;
-      high[d] += named >= 0 && named != static_cast<int>(d) ? 1 : 0;
-      RequireSound(low[d] >= 0 && high[d] < Extent[d]);
-      across = low[d] == high[d] && (across < 0 || named == static_cast<int>(d))
-        ? static_cast<int>(d)
-        : across;
-    }
-    if (across < 0 || (named >= 0 && across != named))
-    {
-      return false;
-    }
-    AddFaces(low, high, static_cast<std::size_t>(across), boundary);
-    return true;
-  }
-
-  void AddFaces(const std::array<std::int64_t, 3>& low, const std::array<std::int64_t, 3>& high,
-    std::size_t across, CgnsBoundary& boundary) const
-  {
-    const std::size_t a = across == 0 ? 1 : 0;
-    const std::size_t b = across == 2 ? 1 : 2;
-    const auto pointAt = [&](std::int64_t i, std::int64_t j)
-    {
-      std::array<std::int64_t, 3> at = low;
-      at[a] = i;
-      at[b] = j;
-      return at[0] + Extent[0] * (at[1] + Extent[1] * at[2]);
-    };
-    const bool isPlane = Directions == 2;
-    for (std::int64_t j = low[b]; j < std::max(high[b], low[b] + (isPlane ? 1 : 0)); ++j)
-    {
-      for (std::int64_t i = low[a]; i < high[a]; ++i)
-      {
-        boundary.faces.push_back(isPlane
-            ? CgnsBoundary::Face{ pointAt(i, j), pointAt(i + 1, j), -1, -1 }
-            : CgnsBoundary::Face{
-                pointAt(i, j), pointAt(i + 1, j), pointAt(i + 1, j + 1), pointAt(i, j + 1) });
-      }
-    }
+    const int across = location == CGNS_ENUMV(IFaceCenter) ? 0
+      : location == CGNS_ENUMV(JFaceCenter)                ? 1
+      : location == CGNS_ENUMV(KFaceCenter)                ? 2
+                                                           : -1;
+    return (isVertex || across >= 0) && Grid.AddFaces(places, across, boundary);
   }
 
   const std::string& Path;
@@ -415,8 +355,7 @@ private:
   int Zone = 1;
   int Condition = 1;
   int CellDimension = 3;
-  int Directions = 1; ///< of a point's number
-  std::array<std::int64_t, 3> Extent{ 1, 1, 1 };
+  CgnsStructured Grid; ///< one direction: an unstructured zone
   std::map<std::int64_t, CgnsBoundary::Face> Sides;
 };
 } // namespace
