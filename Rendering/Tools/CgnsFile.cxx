@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CgnsFile.h"
 
+#include "CgnsSections.h"
 #include "CgnsStructured.h"
 #include "Input.h"
 
@@ -17,35 +18,6 @@ namespace
 {
 constexpr std::int64_t kMost = std::numeric_limits<std::int32_t>::max();
 using Name = std::array<char, 65>; // of the library's, with all that families may have
-
-/// Corners of elements that may be sides; 0: it is none. Of each kind they come first.
-int CornersOf(CGNS_ENUMT(ElementType_t) type)
-{
-  switch (type)
-  {
-    case CGNS_ENUMV(BAR_2):
-    case CGNS_ENUMV(BAR_3):
-    case CGNS_ENUMV(BAR_4):
-    case CGNS_ENUMV(BAR_5):
-      return 2;
-    case CGNS_ENUMV(TRI_3):
-    case CGNS_ENUMV(TRI_6):
-    case CGNS_ENUMV(TRI_9):
-    case CGNS_ENUMV(TRI_10):
-    case CGNS_ENUMV(TRI_12):
-    case CGNS_ENUMV(TRI_15):
-      return 3;
-    case CGNS_ENUMV(QUAD_4):
-    case CGNS_ENUMV(QUAD_8):
-    case CGNS_ENUMV(QUAD_9):
-    case CGNS_ENUMV(QUAD_12):
-    case CGNS_ENUMV(QUAD_16):
-    case CGNS_ENUMV(QUAD_25):
-      return 4;
-    default:
-      return 0;
-  }
-}
 
 class CgnsReader
 {
@@ -142,83 +114,21 @@ private:
     }
     int count = 0;
     Require(cg_nbocos(Id, Base, Zone, &count));
-    Sides.clear();
-    try
+    CgnsSections sections;
+    if (!structured)
     {
-      if (!structured)
+      const CgnsAnswer answer = ReadCgnsSections(Id, Base, Zone, zone.points, count > 0, sections);
+      Require(answer == CgnsAnswer::Failed ? CG_ERROR : CG_OK);
+      if (answer == CgnsAnswer::Contradictory)
       {
-        ReadSections(count > 0, zone);
+        sections.sides.clear(); // conditions that need them are left out, and told
       }
     }
-    catch (const Contradiction&)
-    {
-      Sides.clear(); // conditions that need them are left out, and told
-    }
+    zone.elements = std::move(sections.types);
+    Sides = std::move(sections.sides);
     for (Condition = 1; Condition <= count; ++Condition)
     {
       ReadCondition(structured, zone);
-    }
-  }
-
-  /// What elements there are; and those that may be sides of others, by their numbers.
-  void ReadSections(bool wantSides, CgnsZone& zone)
-  {
-    int sections = 0;
-    Require(cg_nsections(Id, Base, Zone, &sections));
-    for (int section = 1; section <= sections; ++section)
-    {
-      Name name{};
-      CGNS_ENUMT(ElementType_t) type{};
-      cgsize_t first = 0;
-      cgsize_t last = 0;
-      int boundary = 0;
-      int parents = 0;
-      Require(cg_section_read(
-        Id, Base, Zone, section, name.data(), &type, &first, &last, &boundary, &parents));
-      const bool mixed = type == CGNS_ENUMV(MIXED);
-      zone.elements.insert(cg_ElementTypeName(type));
-      if (!wantSides || (!mixed && CornersOf(type) == 0))
-      {
-        continue;
-      }
-      cgsize_t size = 0;
-      Require(cg_ElementDataSize(Id, Base, Zone, section, &size));
-      RequireSound(first >= 1 && last >= first && last <= kMost && size >= 0 && size <= 64 * kMost);
-      std::vector<cgsize_t> nodes(static_cast<std::size_t>(size));
-      const auto elements = static_cast<std::size_t>(last - first + 1);
-      std::vector<cgsize_t> offsets(elements + 1);
-      Require(mixed
-          ? cg_poly_elements_read(Id, Base, Zone, section, nodes.data(), offsets.data(), nullptr)
-          : cg_elements_read(Id, Base, Zone, section, nodes.data(), nullptr));
-      int each = 0;
-      if (!mixed)
-      {
-        Require(cg_npe(type, &each));
-      }
-      for (std::size_t e = 0; e < elements; ++e)
-      {
-        std::size_t at = e * static_cast<std::size_t>(each);
-        CGNS_ENUMT(ElementType_t) own = type;
-        if (mixed)
-        {
-          RequireSound(offsets[e] >= 0 && offsets[e] < size);
-          at = static_cast<std::size_t>(offsets[e]);
-          own = static_cast<CGNS_ENUMT(ElementType_t)>(nodes[at++]);
-        }
-        const auto corners = static_cast<std::size_t>(CornersOf(own));
-        if (corners == 0)
-        {
-          continue;
-        }
-        RequireSound(at + corners <= nodes.size());
-        CgnsBoundary::Face face{ -1, -1, -1, -1 };
-        for (std::size_t k = 0; k < corners; ++k)
-        {
-          face[k] = static_cast<std::int64_t>(nodes[at + k]) - 1;
-          RequireSound(face[k] >= 0 && face[k] < zone.points);
-        }
-        Sides[first + static_cast<std::int64_t>(e)] = face;
-      }
     }
   }
 
