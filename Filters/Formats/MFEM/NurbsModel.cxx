@@ -5,9 +5,7 @@
 #include "Core/Base/Error.h"
 #include "Core/Basis/Space.h"
 #include "Formats/Assembly.h"
-
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
+#include "Formats/MFEM/ForParts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,21 +27,6 @@ constexpr int kHighMapOrder = 18;
 constexpr int kMostFieldOrder = kMaxOrder - 2;
 /// A field that loses more than this of its range is refused.
 constexpr double kMostFieldLoss = 1e-9;
-/// Of a span, in all.
-constexpr int kMostParts = 64;
-
-template <class Function>
-void ForParts(std::size_t parts, Function&& function)
-{
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, parts, 8),
-    [&](const tbb::blocked_range<std::size_t>& range)
-    {
-      for (std::size_t i = range.begin(); i < range.end(); ++i)
-      {
-        function(i);
-      }
-    });
-}
 
 std::string Text(double number)
 {
@@ -90,13 +73,6 @@ double RangeOf(std::span<const double> values, int components)
   return range;
 }
 
-/// Where a span of a patch is in its knot vector.
-std::size_t SpanOf(
-  const PatchTopology::Line& line, int place, const std::vector<std::vector<int>>& parts)
-{
-  const auto spans = static_cast<int>(parts[static_cast<std::size_t>(line.vector)].size());
-  return static_cast<std::size_t>(line.isReversed ? spans - 1 - place : place);
-}
 /// Knot vectors that MFEM 4.9 takes from their other ends: it looks at a patch's edges from its
 /// first vertex.
 std::set<int> TurnedByOthers(const NurbsMesh& mesh)
@@ -151,52 +127,6 @@ NurbsModel::NurbsModel(const MeshFile& file, std::string name)
   DrawnEntities.emplace(Drawn);
 }
 
-/// The mesh of all parts, whose vertices are numbered as those of a mesh refined so.
-void NurbsModel::MakeParts()
-{
-  std::vector<int> counts;
-  std::ranges::transform(PartsOfSpan, std::back_inserter(counts),
-    [](const auto& parts) { return std::accumulate(parts.begin(), parts.end(), 0) + 1; });
-  const PatchNumbering vertices(Mesh.topology, counts);
-  if (vertices.Size() > std::numeric_limits<std::int32_t>::max())
-  {
-    throw Unsupported(
-      Name + ": its knot spans would have to be divided into more than 2^31 parts.");
-  }
-  std::vector<GridPlace> places;
-  Drawn = MakeGridMesh(Mesh.topology, vertices, places);
-  std::vector<std::int32_t> firstElement{ 0 };
-  for (const GridPlace& place : Mesh.places)
-  {
-    firstElement.resize(place.patch + 2, 0);
-    ++firstElement.back();
-  }
-  std::partial_sum(firstElement.begin(), firstElement.end(), firstElement.begin());
-  PartList.clear();
-  for (const GridPlace& place : places)
-  {
-    rational::ElementPart part;
-    std::int32_t element = 0;
-    for (int d = Mesh.topology.dimension; d-- > 0;)
-    {
-      const PatchTopology::Line& line = Mesh.topology.lines[place.patch].at(d);
-      const auto& parts = PartsOfSpan[static_cast<std::size_t>(line.vector)];
-      const auto spans = static_cast<int>(parts.size());
-      int span = 0;
-      int at = place.at.at(d);
-      while (at >= parts[SpanOf(line, span, PartsOfSpan)])
-      {
-        at -= parts[SpanOf(line, span++, PartsOfSpan)];
-      }
-      part.part.at(d) = at;
-      part.of.at(d) = parts[SpanOf(line, span, PartsOfSpan)];
-      element = element * spans + span;
-    }
-    part.element = firstElement[place.patch] + element;
-    PartList.push_back(part);
-  }
-}
-
 NurbsModel::Function NurbsModel::FunctionOf(
   const GridFunctionFile& file, const std::string& where) const
 {
@@ -219,71 +149,6 @@ rational::RationalElement NurbsModel::ElementOf(const Function& function, std::s
   const rational::ElementPart& own = PartList[part];
   return function.space.ElementOf(
     Mesh.places[static_cast<std::size_t>(own.element)], own, function.values, function.components);
-}
-
-bool NurbsModel::Divide(const Function& function, int most)
-{
-  MapOrder = most;
-  for (auto& parts : PartsOfSpan)
-  {
-    std::ranges::fill(parts, 1);
-  }
-  MakeParts();
-  Extent.assign(File.elements.size(), 0.0);
-  ForParts(PartList.size(),
-    [&](std::size_t i) { Extent[i] = rational::ExtentOf(ElementOf(function, i)); });
-  while (true)
-  {
-    std::vector<int> worst(PartList.size(), -1);
-    ForParts(PartList.size(),
-      [&](std::size_t i)
-      {
-        const double target = kLoss * Extent[static_cast<std::size_t>(PartList[i].element)];
-        const rational::OrderEstimate estimate =
-          rational::EstimateOrders(ElementOf(function, i), target, most, Tables);
-        worst[i] = estimate.order ? -1 : estimate.worst;
-      });
-    auto divided = PartsOfSpan;
-    for (std::size_t i = 0; i < worst.size(); ++i)
-    {
-      if (worst[i] < 0)
-      {
-        continue;
-      }
-      const GridPlace& place = Mesh.places[static_cast<std::size_t>(PartList[i].element)];
-      const PatchTopology::Line& line = Mesh.topology.lines[place.patch].at(worst[i]);
-      const std::size_t span = SpanOf(line, place.at.at(worst[i]), PartsOfSpan);
-      const auto vector = static_cast<std::size_t>(line.vector);
-      divided[vector][span] = 2 * PartsOfSpan[vector][span];
-    }
-    if (divided == PartsOfSpan)
-    {
-      return true;
-    }
-    PartsOfSpan = std::move(divided);
-    if (MostPartsOfSpan() > kMostParts)
-    {
-      return false;
-    }
-    MakeParts();
-  }
-}
-
-int NurbsModel::MostPartsOfSpan() const
-{
-  int most = 1;
-  for (const GridPlace& place : Mesh.places)
-  {
-    int parts = 1;
-    for (int d = 0; d < Mesh.topology.dimension; ++d)
-    {
-      const PatchTopology::Line& line = Mesh.topology.lines[place.patch].at(d);
-      parts *= PartsOfSpan[static_cast<std::size_t>(line.vector)]
-                          [SpanOf(line, place.at.at(d), PartsOfSpan)];
-    }
-    most = std::max(most, parts);
-  }
-  return most;
 }
 
 NurbsModel::Bases NurbsModel::BasesOf(

@@ -18,6 +18,8 @@ public:
   /// What polynomials lose at most, relative to an element's size or a field's range, unless their
   /// orders or the parts would be too many; notes tell what they do lose.
   static constexpr double kLoss = 1e-14;
+  /// Of a knot span, in all.
+  static constexpr int kMostParts = 64;
 
   /// Divides knot spans as the file's nodes need it. The file outlives it. Throws InvalidData and
   /// Unsupported, naming the file.

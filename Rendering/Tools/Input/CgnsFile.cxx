@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Input/CgnsFile.h"
 
+#include "Input/CgnsSections.h"
+#include "Input/CgnsStructured.h"
 #include "Input/Input.h"
 
 #include <vtk_cgns.h>
@@ -16,35 +18,6 @@ namespace
 {
 constexpr std::int64_t kMost = std::numeric_limits<std::int32_t>::max();
 using Name = std::array<char, 65>; // of the library's, with all that families may have
-
-/// Corners of elements that may be sides; 0: it is none. Of each kind they come first.
-int CornersOf(CGNS_ENUMT(ElementType_t) type)
-{
-  switch (type)
-  {
-    case CGNS_ENUMV(BAR_2):
-    case CGNS_ENUMV(BAR_3):
-    case CGNS_ENUMV(BAR_4):
-    case CGNS_ENUMV(BAR_5):
-      return 2;
-    case CGNS_ENUMV(TRI_3):
-    case CGNS_ENUMV(TRI_6):
-    case CGNS_ENUMV(TRI_9):
-    case CGNS_ENUMV(TRI_10):
-    case CGNS_ENUMV(TRI_12):
-    case CGNS_ENUMV(TRI_15):
-      return 3;
-    case CGNS_ENUMV(QUAD_4):
-    case CGNS_ENUMV(QUAD_8):
-    case CGNS_ENUMV(QUAD_9):
-    case CGNS_ENUMV(QUAD_12):
-    case CGNS_ENUMV(QUAD_16):
-    case CGNS_ENUMV(QUAD_25):
-      return 4;
-    default:
-      return 0;
-  }
-}
 
 class CgnsReader
 {
@@ -125,13 +98,13 @@ private:
     std::array<cgsize_t, 9> size{};
     Require(cg_zone_read(Id, Base, Zone, name.data(), size.data()));
     const bool structured = type == CGNS_ENUMV(Structured);
-    Directions = structured ? CellDimension : 1;
-    zone.points = Directions >= 1 && Directions <= 3 ? 1 : -1;
-    Extent = { 1, 1, 1 };
-    for (int d = 0; d < Directions && zone.points >= 0; ++d)
+    Grid.directions = structured ? CellDimension : 1;
+    zone.points = Grid.directions >= 1 && Grid.directions <= 3 ? 1 : -1;
+    Grid.extent = { 1, 1, 1 };
+    for (int d = 0; d < Grid.directions && zone.points >= 0; ++d)
     {
       const auto own = static_cast<std::int64_t>(size[static_cast<std::size_t>(d)]);
-      Extent[static_cast<std::size_t>(d)] = own;
+      Grid.extent[static_cast<std::size_t>(d)] = own;
       zone.points = own >= 0 && own <= kMost ? zone.points * own : -1;
       zone.points = zone.points > kMost ? -1 : zone.points;
     }
@@ -141,83 +114,21 @@ private:
     }
     int count = 0;
     Require(cg_nbocos(Id, Base, Zone, &count));
-    Sides.clear();
-    try
+    CgnsSections sections;
+    if (!structured)
     {
-      if (!structured)
+      const CgnsAnswer answer = ReadCgnsSections(Id, Base, Zone, zone.points, count > 0, sections);
+      Require(answer == CgnsAnswer::Failed ? CG_ERROR : CG_OK);
+      if (answer == CgnsAnswer::Contradictory)
       {
-        ReadSections(count > 0, zone);
+        sections.sides.clear(); // conditions that need them are left out, and told
       }
     }
-    catch (const Contradiction&)
-    {
-      Sides.clear(); // conditions that need them are left out, and told
-    }
+    zone.elements = std::move(sections.types);
+    Sides = std::move(sections.sides);
     for (Condition = 1; Condition <= count; ++Condition)
     {
       ReadCondition(structured, zone);
-    }
-  }
-
-  /// What elements there are; and those that may be sides of others, by their numbers.
-  void ReadSections(bool wantSides, CgnsZone& zone)
-  {
-    int sections = 0;
-    Require(cg_nsections(Id, Base, Zone, &sections));
-    for (int section = 1; section <= sections; ++section)
-    {
-      Name name{};
-      CGNS_ENUMT(ElementType_t) type{};
-      cgsize_t first = 0;
-      cgsize_t last = 0;
-      int boundary = 0;
-      int parents = 0;
-      Require(cg_section_read(
-        Id, Base, Zone, section, name.data(), &type, &first, &last, &boundary, &parents));
-      const bool mixed = type == CGNS_ENUMV(MIXED);
-      zone.elements.insert(cg_ElementTypeName(type));
-      if (!wantSides || (!mixed && CornersOf(type) == 0))
-      {
-        continue;
-      }
-      cgsize_t size = 0;
-      Require(cg_ElementDataSize(Id, Base, Zone, section, &size));
-      RequireSound(first >= 1 && last >= first && last <= kMost && size >= 0 && size <= 64 * kMost);
-      std::vector<cgsize_t> nodes(static_cast<std::size_t>(size));
-      const auto elements = static_cast<std::size_t>(last - first + 1);
-      std::vector<cgsize_t> offsets(elements + 1);
-      Require(mixed
-          ? cg_poly_elements_read(Id, Base, Zone, section, nodes.data(), offsets.data(), nullptr)
-          : cg_elements_read(Id, Base, Zone, section, nodes.data(), nullptr));
-      int each = 0;
-      if (!mixed)
-      {
-        Require(cg_npe(type, &each));
-      }
-      for (std::size_t e = 0; e < elements; ++e)
-      {
-        std::size_t at = e * static_cast<std::size_t>(each);
-        CGNS_ENUMT(ElementType_t) own = type;
-        if (mixed)
-        {
-          RequireSound(offsets[e] >= 0 && offsets[e] < size);
-          at = static_cast<std::size_t>(offsets[e]);
-          own = static_cast<CGNS_ENUMT(ElementType_t)>(nodes[at++]);
-        }
-        const auto corners = static_cast<std::size_t>(CornersOf(own));
-        if (corners == 0)
-        {
-          continue;
-        }
-        RequireSound(at + corners <= nodes.size());
-        CgnsBoundary::Face face{ -1, -1, -1, -1 };
-        for (std::size_t k = 0; k < corners; ++k)
-        {
-          face[k] = static_cast<std::int64_t>(nodes[at + k]) - 1;
-          RequireSound(face[k] >= 0 && face[k] < zone.points);
-        }
-        Sides[first + static_cast<std::int64_t>(e)] = face;
-      }
     }
   }
 
@@ -232,19 +143,21 @@ private:
     cgsize_t count = 0;
     cgsize_t normals = 0;
     int dataSets = 0;
-    Require(cg_boco_info(Id, Base, Zone, Condition, own.data(), &kind, &set, &count,
-      normalIndex.data(), &normals, &normalType, &dataSets));
-    Require(cg_boco_gridlocation_read(Id, Base, Zone, Condition, &location));
+    const bool known = cg_boco_info(Id, Base, Zone, Condition, own.data(), &kind, &set, &count,
+                         normalIndex.data(), &normals, &normalType, &dataSets) == CG_OK &&
+      cg_boco_gridlocation_read(Id, Base, Zone, Condition, &location) == CG_OK;
     CgnsBoundary boundary;
     boundary.name = NameOf(own.data(), kind);
-    if (count < 0 || count > kMost || normals < 0 || normals > 3 * kMost)
+    const bool possible =
+      known && count >= 0 && count <= kMost && normals >= 0 && normals <= 3 * kMost;
+    std::vector<cgsize_t> numbers(possible ? static_cast<std::size_t>(count * Grid.directions) : 0);
+    std::vector<double> ignored(possible ? static_cast<std::size_t>(normals) : 0);
+    if (!possible ||
+      cg_boco_read(Id, Base, Zone, Condition, numbers.data(), ignored.data()) != CG_OK)
     {
       zone.left.push_back(boundary.name);
       return;
     }
-    std::vector<cgsize_t> numbers(static_cast<std::size_t>(count * Directions));
-    std::vector<double> ignored(static_cast<std::size_t>(normals));
-    Require(cg_boco_read(Id, Base, Zone, Condition, numbers.data(), ignored.data()));
     const bool isElements = set == CGNS_ENUMV(ElementRange) || set == CGNS_ENUMV(ElementList);
     const bool isRange = set == CGNS_ENUMV(PointRange) || set == CGNS_ENUMV(ElementRange);
     bool read = false;
@@ -253,8 +166,7 @@ private:
       RequireSound(!isRange || count == 2);
       if (structured)
       {
-        read = isRange ? AddRange(numbers, location, boundary)
-                       : location == CGNS_ENUMV(Vertex) && AddPlaces(numbers, boundary);
+        read = AddStructured(numbers, isRange, location, boundary);
       }
       else
       {
@@ -301,24 +213,6 @@ private:
     return true;
   }
 
-  /// Points of a structured zone, by their places along each direction.
-  bool AddPlaces(const std::vector<cgsize_t>& numbers, CgnsBoundary& boundary) const
-  {
-    const auto n = static_cast<std::size_t>(Directions);
-    for (std::size_t at = 0; at + n <= numbers.size(); at += n)
-    {
-      std::int64_t point = 0;
-      for (std::size_t d = n; d-- > 0;)
-      {
-        const auto place = static_cast<std::int64_t>(numbers[at + d]) - 1;
-        RequireSound(place >= 0 && place < Extent[d]);
-        point = point * Extent[d] + place;
-      }
-      boundary.points.push_back(point);
-    }
-    return true;
-  }
-
   bool AddElements(const std::vector<cgsize_t>& numbers, bool isRange, CgnsBoundary& boundary) const
   {
     const auto add = [&](const auto& side) { boundary.faces.push_back(side.second); };
@@ -349,64 +243,20 @@ private:
     return all;
   }
 
-  /// A range of points of a structured zone is a side's where it is flat; a range of faces across a
-  /// direction has points there, and cells along the others.
-  bool AddRange(const std::vector<cgsize_t>& numbers, CGNS_ENUMT(GridLocation_t) location,
-    CgnsBoundary& boundary) const
+  bool AddStructured(const std::vector<cgsize_t>& numbers, bool isRange,
+    CGNS_ENUMT(GridLocation_t) location, CgnsBoundary& boundary) const
   {
-    const auto n = static_cast<std::size_t>(Directions);
-    std::array<std::int64_t, 3> low{ 0, 0, 0 };
-    std::array<std::int64_t, 3> high{ 0, 0, 0 };
-    int across = -1;
-    const int named = location == CGNS_ENUMV(IFaceCenter) ? 0
-      : location == CGNS_ENUMV(JFaceCenter)               ? 1
-      : location == CGNS_ENUMV(KFaceCenter)               ? 2
-                                                          : -1;
-    if (n < 2 || (named < 0 && location != CGNS_ENUMV(Vertex)) || named >= Directions)
+    const std::vector<std::int64_t> places(numbers.begin(), numbers.end());
+    const bool isVertex = location == CGNS_ENUMV(Vertex);
+    if (!isRange)
     {
-      return false;
+      return isVertex && Grid.AddPoints(places, boundary);
     }
-    for (std::size_t d = 0; d < n; ++d)
-    {
-      low[d] = static_cast<std::int64_t>(std::min(numbers[d], numbers[n + d])) - 1;
-      high[d] = static_cast<std::int64_t>(std::max(numbers[d], numbers[n + d])) - 1;
-      high[d] += named >= 0 && named != static_cast<int>(d) ? 1 : 0;
-      RequireSound(low[d] >= 0 && high[d] < Extent[d]);
-      across = low[d] == high[d] && (across < 0 || named == static_cast<int>(d))
-        ? static_cast<int>(d)
-        : across;
-    }
-    if (across < 0 || (named >= 0 && across != named))
-    {
-      return false;
-    }
-    AddFaces(low, high, static_cast<std::size_t>(across), boundary);
-    return true;
-  }
-
-  void AddFaces(const std::array<std::int64_t, 3>& low, const std::array<std::int64_t, 3>& high,
-    std::size_t across, CgnsBoundary& boundary) const
-  {
-    const std::size_t a = across == 0 ? 1 : 0;
-    const std::size_t b = across == 2 ? 1 : 2;
-    const auto pointAt = [&](std::int64_t i, std::int64_t j)
-    {
-      std::array<std::int64_t, 3> at = low;
-      at[a] = i;
-      at[b] = j;
-      return at[0] + Extent[0] * (at[1] + Extent[1] * at[2]);
-    };
-    const bool isPlane = Directions == 2;
-    for (std::int64_t j = low[b]; j < std::max(high[b], low[b] + (isPlane ? 1 : 0)); ++j)
-    {
-      for (std::int64_t i = low[a]; i < high[a]; ++i)
-      {
-        boundary.faces.push_back(isPlane
-            ? CgnsBoundary::Face{ pointAt(i, j), pointAt(i + 1, j), -1, -1 }
-            : CgnsBoundary::Face{
-                pointAt(i, j), pointAt(i + 1, j), pointAt(i + 1, j + 1), pointAt(i, j + 1) });
-      }
-    }
+    const int across = location == CGNS_ENUMV(IFaceCenter) ? 0
+      : location == CGNS_ENUMV(JFaceCenter)                ? 1
+      : location == CGNS_ENUMV(KFaceCenter)                ? 2
+                                                           : -1;
+    return (isVertex || across >= 0) && Grid.AddFaces(places, across, boundary);
   }
 
   const std::string& Path;
@@ -415,8 +265,7 @@ private:
   int Zone = 1;
   int Condition = 1;
   int CellDimension = 3;
-  int Directions = 1; ///< of a point's number
-  std::array<std::int64_t, 3> Extent{ 1, 1, 1 };
+  CgnsStructured Grid; ///< one direction: an unstructured zone
   std::map<std::int64_t, CgnsBoundary::Face> Sides;
 };
 } // namespace

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Base/Command.h"
 #include "Input/BlockInput.h"
 #include "Input/ExodusFile.h"
-#include "Input/ExodusName.h"
+#include "Input/ExodusSeries.h"
 #include "Input/ExodusSides.h"
 
 #include "Base/VtkMessages.h"
@@ -23,7 +22,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <filesystem>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -188,76 +186,6 @@ void NoteDisplacements(vtkDataSet& grid, std::vector<std::string>& notes)
   }
 }
 
-/// Where a time step is: in which mesh of a series, and which of its own steps.
-struct ExodusStep
-{
-  std::size_t mesh = 0;
-  std::size_t own = 0;
-};
-
-/// The meshes that the files name, each once, in their order.
-std::vector<ExodusName> MeshesOf(const std::vector<std::string>& files)
-{
-  std::map<int, ExodusName> meshes;
-  for (const std::string& file : files)
-  {
-    const auto name = ParseExodusName(file);
-    if (!name)
-    {
-      throw UsageError("'" + files[0] + "' holds mesh and fields, and '" + file +
-        "' is no other part or mesh of it; name one file alone");
-    }
-    const auto [at, isNew] = meshes.try_emplace(name->mesh, *name);
-    const ExodusName& first = meshes.begin()->second;
-    if (name->first != first.first || name->parts != first.parts ||
-      (!isNew && (name->parts == 0 || at->second.meshSuffix != name->meshSuffix)))
-    {
-      throw UsageError("'" + files[0] + "' and '" + file +
-        "' are no meshes of one series (out.e, out.e-s002, ...) and no parts of one mesh "
-        "(out.e.4.0, out.e.4.1, ...); name one file alone");
-    }
-  }
-  std::vector<ExodusName> ordered;
-  std::ranges::transform(
-    meshes, std::back_inserter(ordered), [](const auto& entry) { return entry.second; });
-  return ordered;
-}
-
-void RequireExodus(const std::string& file)
-{
-  constexpr std::array<std::string_view, 4> kMarks{ "CDF\x01", "CDF\x02", "CDF\x05", kHdf5Mark };
-  RequireMark(file, kMarks, "Exodus II file (netCDF)");
-}
-
-/// Chooses among the steps of all meshes.
-ExodusStep ChooseStep(
-  const std::vector<ExodusName>& meshes, const InputRequest& request, InputGrid& input)
-{
-  std::vector<ExodusStep> steps;
-  for (std::size_t mesh = 0; mesh < meshes.size(); ++mesh)
-  {
-    const std::vector<std::string> files = PartsOf(meshes[mesh]);
-    std::ranges::for_each(files, &RequireExodus);
-    const std::vector<double> times = ExodusFile(files.front()).Times();
-    input.times.insert(input.times.end(), times.begin(), times.end());
-    for (std::size_t own = 0; own < std::max(times.size(), std::size_t{ 1 }); ++own)
-    {
-      steps.push_back({ mesh, own });
-    }
-  }
-  if (meshes.size() > 1 &&
-    (input.times.size() != steps.size() ||
-      std::ranges::adjacent_find(input.times, std::greater_equal()) != input.times.end()))
-  {
-    input.times.resize(steps.size());
-    std::iota(input.times.begin(), input.times.end(), 0.0);
-    input.notes.push_back("'" + request.files[0] +
-      "': the times of its meshes do not ascend; numbers of steps stand for them.");
-  }
-  input.step = ChooseStep(request, input.times);
-  return steps[static_cast<std::size_t>(input.step)];
-}
-
 /// Reads one file, and says what it tells of the mesh. Elements are numbered from those before.
 vtkSmartPointer<vtkMultiBlockDataSet> ReadPart(
   const std::string& file, std::size_t step, std::set<std::string>& types, ExodusSets& sets)
@@ -316,17 +244,6 @@ void MakeAttributes(vtkCellData& cells)
   }
 }
 
-void NoteOtherMeshes(const ExodusName& only, std::vector<std::string>& notes)
-{
-  std::error_code failure;
-  const std::string next = only.first + "-s002" +
-    (only.parts > 0 ? "." + only.partsText + "." + std::string(only.digits, '0') : "");
-  if (only.mesh == 1 && std::filesystem::exists(next, failure))
-  {
-    notes.push_back("'" + next + "' continues '" + only.first +
-      "' on another mesh; name both, and what follows, for all time steps.");
-  }
-}
 } // namespace
 
 InputGrid ReadExodusFile(const InputRequest& request)
