@@ -21,6 +21,8 @@
  * - `Residual`: last correction of Newton's iteration, in xi
  * - `Owners`, `Coverage`: on request, how many preimages the point has in all elements, and 0 none
  *   (outside, or a gap), 1 once, 2 several (an overlap, or a fold), 3 undecided
+ *
+ * A field that has the name of another of these arrays is refused.
  */
 
 #ifndef vtkHighOrderProbe_h

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cuts/PointSampling.h"
 
+#include "Core/Base/Error.h"
 #include "Core/Location/Owners.h"
 #include "Core/Location/Sample.h"
 #include "Grids/FieldsNamed.h"
@@ -35,6 +36,18 @@ vtkSmartPointer<vtkDoubleArray> NewDoubles(
   array->SetNumberOfTuples(static_cast<vtkIdType>(tuples));
   array->Fill(kNothing);
   return array;
+}
+
+/// One of two arrays of a name would take the other's place.
+void Put(vtkPointData* output, vtkDataArray* array)
+{
+  const std::string name = array->GetName();
+  if (output->HasArray(name.c_str()))
+  {
+    throw InvalidData("two arrays would be called '" + name +
+      "', that of a field and what is found at its side; rename the field, or leave it out.");
+  }
+  output->AddArray(array);
 }
 } // namespace
 
@@ -180,10 +193,10 @@ bool PointSampling::AddField(
         }
       }
     });
-  output->AddArray(values);
+  Put(output, values);
   if (gradients)
   {
-    output->AddArray(slopes);
+    Put(output, slopes);
   }
   return done;
 }
@@ -216,8 +229,8 @@ bool PointSampling::AddEnclosures(
         std::copy_n(&most[i * components], components, upper->GetPointer(at));
       }
     });
-  output->AddArray(lower);
-  output->AddArray(upper);
+  Put(output, lower);
+  Put(output, upper);
   return done;
 }
 
@@ -230,7 +243,7 @@ void PointSampling::AddBlocks(vtkPointData* output) const
     block->InsertNextValue(
       element < 0 ? -1 : HighOrderModel::BlockOf(element, Model.Blocks()).flatIndex);
   }
-  output->AddArray(block);
+  Put(output, block);
 }
 
 void PointSampling::AddLocations(vtkPointData* output) const
@@ -259,10 +272,10 @@ void PointSampling::AddLocations(vtkPointData* output) const
     element->SetValue(i, Element[i] < 0 ? -1 : source[Element[i]]);
     verdict->SetValue(i, static_cast<unsigned char>(TheVerdicts[i]));
   }
-  output->AddArray(xi);
-  output->AddArray(element);
-  output->AddArray(verdict);
-  output->AddArray(residual);
+  Put(output, xi);
+  Put(output, element);
+  Put(output, verdict);
+  Put(output, residual);
 }
 
 void PointSampling::AddOwners(vtkPointData* output) const
@@ -280,7 +293,7 @@ void PointSampling::AddOwners(vtkPointData* output) const
     owners->SetValue(static_cast<vtkIdType>(i), found[i].preimages);
     coverage->SetValue(static_cast<vtkIdType>(i), static_cast<unsigned char>(found[i].coverage));
   }
-  output->AddArray(owners);
-  output->AddArray(coverage);
+  Put(output, owners);
+  Put(output, coverage);
 }
 } // namespace pixelexact

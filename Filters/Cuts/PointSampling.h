@@ -40,7 +40,8 @@ public:
   /// Adds to `output`, one tuple per point: each field (NaN where not inside) and, if asked for,
   /// <field>_Gradient (3 per component, d/dx, d/dy, d/dz in world units), <field>_lower and
   /// <field>_upper (see EncloseValues). False where `progress` ended it. Throws
-  /// InvalidData for a field that is not there.
+  /// InvalidData for a field that is not there; and, as the other two, where an array's name is
+  /// taken.
   bool AddFields(
     const SamplingOptions& options, vtkPointData* output, const StepProgress& progress = {}) const;
 

@@ -89,6 +89,20 @@ TEST(Probe, RefusesStaleCoefficients)
   EXPECT_NE(messages->errors.find("cell 0"), std::string::npos) << messages->errors;
 }
 
+TEST(Probe, RefusesAFieldOfTheNameOfItsOwnArrays)
+{
+  const auto grid = Boxes(2);
+  grid->GetPointData()->GetArray("f")->SetName("Element");
+  vtkNew<vtkHighOrderProbe> probe;
+  vtkNew<Messages> messages;
+  messages->Watch(probe);
+  vtkNew<vtkPolyData> where;
+  probe->SetInputData(where);
+  probe->SetSourceData(grid);
+  probe->Update();
+  EXPECT_NE(messages->errors.find("'Element'"), std::string::npos) << messages->errors;
+}
+
 TEST(LinearResample, IsExactAtNodes)
 {
   vtkNew<vtkHighOrderLinearResample> resample;
