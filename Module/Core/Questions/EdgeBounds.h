@@ -95,9 +95,6 @@ public:
   [[nodiscard]] std::optional<SheetExit> ExitOf(
     const Sheet& sheet, const SheetPoint& from, const SheetPoint& towards) const;
 
-  /// Nodes that have been made.
-  [[nodiscard]] std::int64_t Nodes() const { return Tree.Nodes(); }
-
 private:
   /// By how much the points' xi may be off: |xi - xi'| of Phi(xi') = x, by direction.
   [[nodiscard]] std::array<double, 3> ShiftOf(

@@ -5,12 +5,6 @@
 
 namespace pixelexact
 {
-void EdgeTree::Describe(EdgeNode& node, const Interval& values) const
-{
-  ++Count;
-  node.Describe(Functions, values);
-}
-
 const EdgeNode& EdgeTree::Whole() const
 {
   if (!HasRoot.load(std::memory_order_acquire))
@@ -18,7 +12,7 @@ const EdgeNode& EdgeTree::Whole() const
     const std::scoped_lock lock(Growing);
     if (!HasRoot.load(std::memory_order_relaxed))
     {
-      Describe(Root, Functions.Values());
+      Root.Describe(Functions, Functions.Values());
       HasRoot.store(true, std::memory_order_release);
     }
   }
@@ -45,7 +39,7 @@ const std::array<EdgeNode, 2>& EdgeTree::Split(const EdgeNode& node) const
     half.box = node.box;
     (k == 0 ? half.box.upper : half.box.lower)[direction] = middle;
     half.halvings = node.halvings + 1;
-    Describe(half, node.values);
+    half.Describe(Functions, node.values);
   }
   node.children.store(halves.get(), std::memory_order_release);
   return *halves.release();

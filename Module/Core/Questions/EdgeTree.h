@@ -5,7 +5,6 @@
 
 #include <array>
 #include <atomic>
-#include <cstdint>
 #include <mutex>
 
 namespace pixelexact
@@ -31,16 +30,10 @@ public:
   /// The largest regular node with this eta; the last one, where there is none.
   [[nodiscard]] const EdgeNode& LeafAt(const Vec3& eta) const;
 
-  /// Nodes that have been made.
-  [[nodiscard]] std::int64_t Nodes() const { return Count.load(std::memory_order_relaxed); }
-
 private:
-  void Describe(EdgeNode& node, const Interval& values) const;
-
   const EdgeFunctions& Functions;
   mutable EdgeNode Root;
   mutable std::atomic<bool> HasRoot{ false };
   mutable std::mutex Growing;
-  mutable std::atomic<std::int64_t> Count{ 0 };
 };
 } // namespace pixelexact

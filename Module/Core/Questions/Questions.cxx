@@ -270,9 +270,4 @@ Crossings ElementQuestions::WithValue(
   }
   return Search(*Data, segment, effort).RunValue(value);
 }
-
-std::size_t ElementQuestions::MemoryUsage() const
-{
-  return Data->polynomials.Bytes();
-}
 } // namespace pixelexact

@@ -96,9 +96,6 @@ public:
   /// All points of a segment in the element where the component has this value.
   Crossings WithValue(const Segment& segment, double value, const QuestionEffort& effort = {});
 
-  /// Bytes held for this object alone.
-  [[nodiscard]] std::size_t MemoryUsage() const;
-
 private:
   class Search;
   struct Internals;

@@ -33,7 +33,6 @@ public:
 
   /// Drops what is kept if it is much. Not to be called while references are in use.
   void Trim();
-  [[nodiscard]] std::size_t Bytes() const { return Held * sizeof(double); }
 
 private:
   using Nodes = const ElementTree::Node*;

@@ -65,15 +65,4 @@ const LayerBounds& ContourBounds::Of(const Locator& locator, const Layer& layer)
   }
   return *kept;
 }
-
-std::int64_t LayerBounds::Nodes() const
-{
-  std::int64_t nodes = 0;
-  for (std::size_t e = 0; e < Made.Size(); ++e)
-  {
-    const EdgeBounds* made = Made.IfMade(e);
-    nodes += made ? made->Nodes() : 0;
-  }
-  return nodes;
-}
 } // namespace pixelexact

@@ -29,12 +29,11 @@ public:
   /// that ask.
   [[nodiscard]] const Interval& Values() const;
 
-  /// Elements that have been asked for, and their nodes.
+  /// Elements that have been asked for.
   [[nodiscard]] std::int64_t Elements() const
   {
     return static_cast<std::int64_t>(Made.MadeCount());
   }
-  [[nodiscard]] std::int64_t Nodes() const;
 
 private:
   const ElementIndex& TheIndex;

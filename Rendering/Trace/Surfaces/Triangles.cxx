@@ -219,9 +219,4 @@ Vec3 Triangles::Normal(const SurfacePoint& point) const
 {
   return NormalOf(All[static_cast<std::size_t>(point.piece)]);
 }
-
-std::size_t Triangles::MemoryUsage() const
-{
-  return All.capacity() * sizeof(Triangle) + Hierarchy->MemoryUsage();
-}
 } // namespace pixelexact

@@ -38,7 +38,6 @@ public:
 
   [[nodiscard]] const std::vector<Triangle>& Corners() const { return All; }
   [[nodiscard]] const Box3& Bounds() const { return TheBounds; }
-  [[nodiscard]] std::size_t MemoryUsage() const;
 
 private:
   /// The triangle on the other side of an edge, or of several the wanted one; -1 where there is

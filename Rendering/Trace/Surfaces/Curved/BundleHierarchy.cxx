@@ -98,10 +98,4 @@ void BundleHierarchy::ForEach(
     stack[size++] = node.child + (lowerFirst ? 0 : 1);
   }
 }
-
-std::size_t BundleHierarchy::MemoryUsage() const
-{
-  return Nodes.capacity() * sizeof(Node) + Order.capacity() * sizeof(std::int32_t) +
-    Boxes.capacity() * sizeof(Box3);
-}
 } // namespace pixelexact

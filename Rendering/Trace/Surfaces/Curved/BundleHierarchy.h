@@ -24,7 +24,6 @@ public:
 
   /// Of all boxes.
   [[nodiscard]] const Box3& Bounds() const { return Nodes.front().bounds; }
-  [[nodiscard]] std::size_t MemoryUsage() const;
 
 private:
   struct Node

@@ -218,19 +218,6 @@ std::int64_t CurvedSurface::PiecesMade() const
   return pieces;
 }
 
-std::size_t CurvedSurface::MemoryUsage() const
-{
-  std::size_t kept = 0;
-  for (std::size_t k = 0; k < All.size(); ++k)
-  {
-    const PartTree* tree = Trees.IfMade(k);
-    kept += tree ? tree->Kept() : 0;
-  }
-  return (Hierarchy ? Hierarchy->MemoryUsage() : 0) + kept + All.capacity() * sizeof(CurvedPart) +
-    All.size() * sizeof(void*) + static_cast<std::size_t>(PiecesMade()) * sizeof(CurvedPiece) +
-    static_cast<std::size_t>(PartsMade()) * sizeof(PartTree);
-}
-
 void CurvedSurface::Review(
   const CurvedPart& /*part*/, std::vector<CurvedHit>& /*hits*/, std::size_t /*first*/) const
 {

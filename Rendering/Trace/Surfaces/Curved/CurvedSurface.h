@@ -36,7 +36,6 @@ public:
   }
   [[nodiscard]] std::int64_t PiecesMade() const;
   [[nodiscard]] int Parts() const { return static_cast<int>(All.size()); }
-  [[nodiscard]] std::size_t MemoryUsage() const;
 
 protected:
   /// `boxes` hold the parts; the arrays of the equation must outlive the surface.

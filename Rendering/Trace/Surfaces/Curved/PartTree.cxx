@@ -190,14 +190,7 @@ const PartTree::Polys& PartTree::Converted(const PieceForm::Piece& piece) const
   {
     return found->second;
   }
-  const Polys& polys = Whole.emplace(piece, Convert(piece)).first->second;
-  std::size_t bytes = 0;
-  for (const BoxPolynomial& p : polys)
-  {
-    bytes += sizeof(BoxPolynomial) + p.b.capacity() * sizeof(double);
-  }
-  Bytes.fetch_add(bytes, std::memory_order_relaxed);
-  return polys;
+  return Whole.emplace(piece, Convert(piece)).first->second;
 }
 
 PartTree::Polys PartTree::Restricted(const Polys& whole, const EtaBox& box, bool slopes) const

@@ -36,8 +36,6 @@ public:
   [[nodiscard]] std::vector<BoxPolynomial> Polynomials(const CurvedPiece& piece) const;
 
   [[nodiscard]] std::int64_t Pieces() const { return Count.load(std::memory_order_relaxed); }
-  /// Bytes of the polynomials that are kept.
-  [[nodiscard]] std::size_t Kept() const { return Bytes.load(std::memory_order_relaxed); }
 
 private:
   /// Of the map, by functions: the coordinates, their derivatives, components of the field, their
@@ -71,7 +69,6 @@ private:
   mutable std::mutex Growing;
   mutable std::mutex Converting;
   mutable std::map<PieceForm::Piece, const Polys> Whole; ///< of pieces that rays need halved
-  mutable std::atomic<std::size_t> Bytes{ 0 };
   mutable std::atomic<std::int64_t> Count{ 0 };
 };
 } // namespace pixelexact
