@@ -2,6 +2,7 @@
 #include "Cuts/ContourPolyData.h"
 
 #include "Core/Base/Counted.h"
+#include "Core/Base/Error.h"
 #include "HighOrderModel.h"
 
 #include "vtkCellArray.h"
@@ -33,6 +34,11 @@ vtkNew<Array> NewArray(const std::string& name, int components, vtkIdType tuples
 void AddPointArrays(
   const ContourSet& set, const HighOrderModel& model, const std::string& name, vtkPointData* data)
 {
+  if (name == "Element" || name == "Xi" || name == "Gradient" || name == "Block")
+  {
+    throw InvalidData("two arrays of the lines would be called '" + name +
+      "', that of the field and what is known of their points; rename the field.");
+  }
   const auto count = static_cast<vtkIdType>(set.vertices.size());
   const auto value = NewArray<vtkDoubleArray>(name, 1, count);
   const auto element = NewArray<vtkTypeInt64Array>("Element", 1, count);

@@ -16,7 +16,7 @@ namespace pixelexact
 class HighOrderModel;
 
 /// Contours as polylines in VTK's data, with the arrays that vtkHighOrderContour names. The
-/// vertices' values are in an array of this name.
+/// vertices' values are in an array of this name. Throws InvalidData where it is another one's.
 PIXELEXACTFILTERS_EXPORT void ToPolyData(const ContourSet& set, const HighOrderModel& model,
   const std::string& name, const std::vector<double>& values, vtkPolyData* output);
 

@@ -147,6 +147,22 @@ TEST(ContourFilter, StraightLinesHaveTheirLengths)
   }
 }
 
+TEST(ContourFilter, RefusesAFieldOfTheNameOfItsOwnArrays)
+{
+  const auto grid = Boxes(2);
+  grid->GetPointData()->GetArray("f")->SetName("Xi");
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(0.5, 0.5, 0.3);
+  vtkNew<vtkHighOrderContour> contour;
+  vtkNew<Messages> messages;
+  messages->Watch(contour);
+  contour->SetInputData(grid);
+  contour->SetCutFunction(plane);
+  contour->SetValue(0, 2.0);
+  contour->Update();
+  EXPECT_NE(messages->errors.find("'Xi'"), std::string::npos) << messages->errors;
+}
+
 TEST(ContourFilter, PointsHaveTheValueThatProbingFinds)
 {
   const auto grid = Converted(ReadGrid(kToroid));
