@@ -46,10 +46,26 @@ int KeepAllInside(const InverseResult& result, int count, int* numbers)
   // Copies that no store can change.
   const double* const status = result.status;
   const std::array<double*, 4> arrays{ result.xi[0], result.xi[1], result.xi[2], result.residual };
+  const std::uint64_t whole = ~std::uint64_t{ 0 } >> static_cast<unsigned>(64 - lanes);
   int kept = 0;
   for (int i = 0; i < count; i += lanes)
   {
     const std::uint64_t inside = InsideFrom(status, i, count - i);
+    // Mostly all or none of a pack are inside.
+    if (inside == 0)
+    {
+      continue;
+    }
+    if (inside == whole)
+    {
+      for (std::size_t k = 0; kept < i && k < arrays.size(); ++k)
+      {
+        Store(NumberTraits<Lanes>::Load(arrays[k] + i), arrays[k] + kept);
+      }
+      std::copy_n(numbers + i, kept < i ? lanes : 0, numbers + kept);
+      kept += lanes;
+      continue;
+    }
     const LanesToFront front(inside);
     // Written no farther than has been read.
     for (double* const array : arrays)
