@@ -106,7 +106,9 @@ TEST(ProgressiveFrame, MayBeCompletedAtAnyTime)
   const Frame wanted = Trace(cube.TheScene, camera, {}, { .centres = kAll });
   for (int passes = 0; passes <= 3; ++passes)
   {
-    ProgressiveFrame frame(cube.TheScene, camera, {}, kAll);
+    // In the memory of another frame.
+    Frame spare = Trace(cube.TheScene, View(120, 90), {}, { .centres = kAll, .corners = kAll });
+    ProgressiveFrame frame(cube.TheScene, camera, {}, kAll, Buffer::None, std::move(spare));
     for (int pass = 0; pass < passes; ++pass)
     {
       ASSERT_TRUE(frame.Refine());

@@ -161,7 +161,8 @@ void FaceLines::Begin(TileVisit& tile, std::span<const Run> runs, double reach)
   const auto faces = FacePlanesOf(mesh.ShapeOf(element));
   const Camera& camera = tile.GetCamera();
   Xi.clear();
-  Pixels.Begin(static_cast<std::size_t>(tile.Area().Width() * tile.Area().Height()));
+  Pixels.Begin(
+    static_cast<std::size_t>(tile.Area().Width()) * static_cast<std::size_t>(tile.Area().Height()));
   for (const Run& run : runs)
   {
     const Vec3* const first = &samples.xi[run.pixel];

@@ -5,18 +5,17 @@
 
 #include "Core/Math/Rounding.h"
 #include "Trace/Surfaces/Curved/CurvedEquations-inl.h"
+#include "Trace/Surfaces/Curved/GatheredRays-inl.h"
 #include "Trace/Surfaces/Curved/LookKernels.h"
 #include "Trace/Surfaces/Curved/PieceMath-inl.h"
 #include "Trace/Surfaces/Curved/PieceNorms-inl.h"
 
-#include <array>
+#include <algorithm>
 #include <bit>
 
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
-using Traits = NumberTraits<Lanes>;
-
 /// Up to it a step that is held back lets a residual fall to 3/4 at least.
 constexpr double kMostKappa = 0.35;
 /// Up to it, in any norm, a piece has one root at most: where the first step stays in it, that is
@@ -29,53 +28,6 @@ constexpr double kNoKappa = 2.0;
 constexpr int kNarrowings = 2;
 /// More than rounding leaves.
 constexpr double kMore = 1.0 + 1e-9;
-
-/// The rays of a set, one after the other.
-class GatheredRays
-{
-public:
-  HWY_INLINE GatheredRays(const RayBundle& bundle, const RaySet& rays)
-  {
-    const auto lanes = static_cast<unsigned>(LaneCount());
-    const std::uint64_t pack = (std::uint64_t{ 1 } << lanes) - 1U;
-    for (std::size_t word = 0; word < RaySet::kWords; ++word)
-    {
-      for (std::uint64_t left = rays.bits[word]; left != 0;)
-      {
-        const unsigned first = static_cast<unsigned>(std::countr_zero(left)) / lanes * lanes;
-        const std::uint64_t here = left >> first & pack;
-        left &= ~(pack << first);
-        Add(bundle, 64 * word + first, here);
-      }
-    }
-  }
-  [[nodiscard]] HWY_INLINE int Count() const { return static_cast<int>(Size); }
-
-  std::array<RayBundle::Numbers, 2> place;
-  std::array<RayBundle::Numbers, 2> slope;
-  RayBundle::Numbers slack;
-  RayBundle::Numbers number;
-
-private:
-  HWY_INLINE void Add(const RayBundle& bundle, std::size_t at, std::uint64_t which)
-  {
-    const LanesToFront toFront(which);
-    const auto put = [&](const RayBundle::Numbers& from, RayBundle::Numbers& to) PIXELEXACT_INLINED
-    { Store(toFront(Traits::Load(&from[at])), &to[Size]); };
-    put(bundle.place[0], place[0]);
-    put(bundle.place[1], place[1]);
-    put(bundle.slope[0], slope[0]);
-    put(bundle.slope[1], slope[1]);
-    put(bundle.slack, slack);
-    const hwy::HWY_NAMESPACE::RebindToSigned<LaneTag> whole;
-    const Lanes numbers{ hwy::HWY_NAMESPACE::ConvertTo(
-      LaneTag(), hwy::HWY_NAMESPACE::Iota(whole, static_cast<std::int64_t>(at))) };
-    Store(toFront(numbers), &number[Size]);
-    Size += static_cast<std::size_t>(std::popcount(which));
-  }
-
-  std::size_t Size = 0;
-};
 
 /// A piece, as rays of a bundle see it.
 class PieceLook
