@@ -53,28 +53,6 @@ FrameCounters TraceLattice(const Scene& scene, const Camera& camera, const Sampl
 /// Whether rays of the scene go on behind something.
 bool HasTranslucent(const Scene& scene);
 
-/// Before a pipeline runs over a frame whose sheets are there: its modules' own buffers, and room
-/// for colours.
-void BeginPipeline(const Pipeline& pipeline, Frame& frame);
-
-/// Gives a tile its colours, image and what `modules`, the first of Pipeline::Runs, make of it.
-/// Samples that they ask for are counted. `own`: TileVisit's.
-void BeginPipelineOn(const TileArea& area, const SampleBuffers* own, const Scene& scene,
-  const Camera& camera, const Pipeline& pipeline, std::span<FrameModule* const> modules,
-  Frame& frame, FrameCounters& counters);
-/// The runs of modules after that one, over all tiles; returns what was counted.
-FrameCounters FinishPipeline(const Scene& scene, const Camera& camera, const Pipeline& pipeline,
-  Frame& frame, StageTimes* stages);
-
-/// Runs the pipeline over all tiles of a frame whose samples are there; scene and camera may be
-/// null (TileVisit). Returns what was counted of samples that modules asked for.
-FrameCounters RunPipeline(const Scene* scene, const Camera* camera, const Pipeline& pipeline,
-  Frame& frame, StageTimes* stages = nullptr);
-
-/// One of Pipeline::Runs over the tiles that are not done; BeginPipeline comes before the first.
-FrameCounters RunPipelinePart(const Scene& scene, const Camera& camera, const Pipeline& pipeline,
-  std::size_t run, Frame& frame, Reporter& reporter, TilesDone& done);
-
 /// Adds what was counted; seconds are left alone.
 void AddCounters(const FrameCounters& counted, FrameCounters& total);
 /// Of samples that are no pixels' centres: rays and floats alone.

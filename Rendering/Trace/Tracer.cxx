@@ -2,6 +2,7 @@
 #include "Trace/Tracer.h"
 
 #include "Trace/FrameTiles.h"
+#include "Trace/PipelineRuns.h"
 
 #include <chrono>
 #include <utility>

@@ -4,6 +4,7 @@
 #include "SheetCheck.h"
 
 #include "Trace/FrameTiles.h"
+#include "Trace/PipelineRuns.h"
 #include "Trace/Modules/ContourLines.h"
 #include "Trace/ProgressiveFrame.h"
 #include "Trace/Surfaces/Combined.h"

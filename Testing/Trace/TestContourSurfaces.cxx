@@ -125,6 +125,17 @@ std::vector<Cut> AllCuts()
 }
 
 const std::vector<double> kValues{ -2.0, -0.7, -0.1, 0.05, 0.4, 1.1 };
+/// Several a pixel.
+std::vector<double> Dense()
+{
+  std::vector<double> values;
+  for (int k = -1000; k <= 1000; ++k)
+  {
+    values.push_back(0.002 * k + 0.0003);
+  }
+  return values;
+}
+const std::vector<double> kDense = Dense();
 constexpr long double kTolerance = 1e-11L;
 } // namespace
 
@@ -158,6 +169,29 @@ TEST(ContourSurfaces, NoVerdictIsWrong)
       EXPECT_LE(static_cast<double>(counters.undecided), cut.undecided * shown);
     }
   }
+}
+
+/// Silhouettes that rise above a row of corners between two of them, where a contour runs into
+/// them: balls moved by parts of a pixel.
+TEST(ContourSurfaces, SilhouettesBetweenCornersAreSeen)
+{
+  const BentCube cube(std::vector<Shape>(std::begin(kShapes), std::end(kShapes)));
+  const CameraView view = Oblique(true);
+  constexpr double kRadius = 0.06; // some two pixels
+  int peeks = 0;
+  for (int k = 0; k < 60; ++k)
+  {
+    const Vec3 centre(0.011 * k, 0.007 * k, -0.005 * k);
+    const Sight sight = SightOf(view, kWidth, kHeight, RoundHits(centre, Vec3(0.0), kRadius),
+      [](const LongVec3& x, const LongVec3& /*u*/) { return Quadratic(x); });
+    const TrueVerdicts truth(sight, kWidth, kHeight, kDense, kTolerance);
+    ContourCertifier certifier({ kDense });
+    Trace(cube.With(std::make_shared<Quadric>(MakeSphere(centre, kRadius))),
+      Camera(view, kWidth, kHeight), { {}, { &certifier } });
+    truth.Check(certifier.Verdicts(), false);
+    peeks += truth.CountPeeks();
+  }
+  EXPECT_GT(peeks, 5);
 }
 
 /// Every pixel that shows nothing but a plateau of the value is in; none of any other value.

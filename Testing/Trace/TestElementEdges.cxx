@@ -3,6 +3,7 @@
 #include "TrueLines.h"
 
 #include "Trace/FrameTiles.h"
+#include "Trace/PipelineRuns.h"
 #include "Trace/Modules/ElementEdges.h"
 #include "Trace/TileVisit.h"
 

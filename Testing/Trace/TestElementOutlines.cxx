@@ -3,6 +3,7 @@
 #include "SheetCheck.h"
 
 #include "Trace/FrameTiles.h"
+#include "Trace/PipelineRuns.h"
 #include "Trace/Modules/Antialiasing.h"
 #include "Trace/Modules/ElementOutlines.h"
 #include "Trace/TileVisit.h"

@@ -83,6 +83,41 @@ std::vector<EdgeEnd> ContourTile::EndsOf(
   return ends;
 }
 
+std::vector<std::uint8_t> ContourTile::ShownAround(
+  const LayerSight& sight, std::span<const EdgeEnd> corners)
+{
+  const std::size_t wide = Across + 2;
+  const TileArea& area = Tile.Area();
+  const int x1 = area.x0 + static_cast<int>(Across);
+  const int y1 = area.y0 + static_cast<int>(Up);
+  const TileArea all{ std::max(area.x0 - 1, 0), std::max(area.y0 - 1, 0),
+    std::min(x1, Tile.GetFrame().width) + 1, std::min(y1, Tile.GetFrame().height) + 1 };
+  std::vector<std::uint8_t> shown(wide * (Up + 2), 0);
+  std::vector<std::uint8_t> around;
+  for (int y = all.y0; y < all.y1; ++y)
+  {
+    for (int x = all.x0; x < all.x1; ++x)
+    {
+      around.push_back(x < area.x0 || x >= x1 || y < area.y0 || y >= y1 ? 1 : 0);
+    }
+  }
+  SampleBuffers traced;
+  const LatticePart outer = Tile.CornersOf(all, around, traced);
+  std::size_t i = 0;
+  for (int y = all.y0; y < all.y1; ++y)
+  {
+    for (int x = all.x0; x < all.x1; ++x, ++i)
+    {
+      const auto column = static_cast<std::size_t>(x - area.x0 + 1);
+      const auto row = static_cast<std::size_t>(y - area.y0 + 1);
+      const bool shows = around[i] != 0 ? sight.ShowsAt(outer.samples, outer.At(x, y))
+                                        : sight.Shows(corners[(row - 1) * Across + column - 1]);
+      shown[row * wide + column] = shows ? 1 : 0;
+    }
+  }
+  return shown;
+}
+
 template <class Visit, class EndRow>
 void ContourTile::ForEachEdge(
   std::span<const std::uint8_t> open, const Visit& visit, const EndRow& endRow) const
@@ -166,12 +201,25 @@ void ContourTile::JudgeEdges(
     return;
   }
   const std::vector<EdgeEnd> corners = EndsOf(sight, open);
+  const std::vector<std::uint8_t> shown =
+    sight.GetSurface().IsPlane() ? std::vector<std::uint8_t>() : ShownAround(sight, corners);
+  const std::size_t wide = Across + 2;
+  // Of the other corners of the two pixels at an edge.
+  const auto peeks = [&](std::size_t a, std::size_t b)
+  {
+    const std::size_t at = (a / Across + 1) * wide + a % Across + 1;
+    const std::size_t along = b == a + 1 ? 1 : wide;
+    const std::size_t beside = b == a + 1 ? wide : 1;
+    return !shown.empty() &&
+      (shown[at + beside] | shown[at - beside] | shown[at + along + beside] |
+        shown[at + along - beside]) != 0;
+  };
   std::vector<EdgeState> edges(CountEdges(), EdgeState::Out);
   EdgeSettler settler(sight, judge, Method, edges, Counted);
   ForEachEdge(
     open,
     [&](std::size_t edge, std::size_t a, std::size_t b)
-    { settler.Add(edge, corners[a], corners[b]); },
+    { settler.Add(edge, corners[a], corners[b], peeks(a, b)); },
     [&] { settler.EndRow(); });
   std::vector<EdgeState> unhalved = edges;
   settler.MarkOpen(unhalved);

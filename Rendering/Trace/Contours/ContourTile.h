@@ -35,6 +35,10 @@ private:
   /// Of the corners of open pixels, row by row.
   [[nodiscard]] std::vector<EdgeEnd> EndsOf(
     const LayerSight& sight, std::span<const std::uint8_t> open);
+  /// Which corners show the layer, (Across + 2) x (Up + 2): those around the tile, too, but none
+  /// beyond the frame.
+  [[nodiscard]] std::vector<std::uint8_t> ShownAround(
+    const LayerSight& sight, std::span<const EdgeEnd> corners);
   /// For each corner, whether a pixel there is open.
   [[nodiscard]] std::vector<std::uint8_t> CornersOf(std::span<const std::uint8_t> open) const;
   /// visit(edge, a, b) of corners, for the edges of open pixels, in the order of `edges` in

@@ -12,6 +12,8 @@ namespace pixelexact
 {
 namespace
 {
+/// How often edges are halved of which no end shows the layer, but a corner beside them.
+constexpr int kPeeks = 4;
 /// Sagitta over chord of the edges on curved surfaces that are held against other elements.
 constexpr double kBulge = 1.0;
 } // namespace
@@ -28,11 +30,11 @@ EdgeSettler::EdgeSettler(LayerSight& sight, const EdgeJudge& judge, const Contou
 {
 }
 
-void EdgeSettler::Add(std::size_t edge, const EdgeEnd& a, const EdgeEnd& b)
+void EdgeSettler::Add(std::size_t edge, const EdgeEnd& a, const EdgeEnd& b, bool peeks)
 {
   if (States[edge] != EdgeState::In)
   {
-    const Part part{ edge, a, b };
+    const Part part{ edge, a, b, peeks };
     const EdgeFinding finding = JudgeWithin(part);
     if (finding == EdgeFinding::Uncovered && !MayJump(part))
     {
@@ -67,7 +69,8 @@ EdgeFinding EdgeSettler::JudgeWithin(const Part& part) const
 {
   const EdgeEnd& a = part.a;
   const EdgeEnd& b = part.b;
-  if ((Sight.Hides(a) && Sight.Hides(b)) || Sight.IsPlaneBeyond(std::array{ a, b }))
+  const bool hidden = Sight.Hides(a) && Sight.Hides(b) && !part.peeks;
+  if (hidden || Sight.IsPlaneBeyond(std::array{ a, b }))
   {
     // Another layer hides this one at both ends, or there is nothing of it.
     return EdgeFinding::Out;
@@ -129,7 +132,11 @@ void EdgeSettler::Settle(const Part& part, EdgeFinding finding, int level)
   const bool onBoth = Sight.Shows(part.a) && Sight.Shows(part.b);
   if (!IsPlane && !Sight.Shows(part.a) && !Sight.Shows(part.b))
   {
-    // Whether the surface shows between two rays that do not see it is not asked.
+    // Else whether the surface shows between two rays that do not see it is not asked.
+    if (part.peeks && level < kPeeks)
+    {
+      Open.push_back(part);
+    }
     return;
   }
   const int deepest = finding == EdgeFinding::Open ? Method.halvings : Method.crossings;
@@ -189,8 +196,8 @@ void EdgeSettler::Refine()
     const std::vector<EdgeEnd> ends = Sight.Trace(middles);
     for (std::size_t i = 0; i < parts.size(); ++i)
     {
-      const Part halves[2] = { { parts[i].edge, parts[i].a, ends[i] },
-        { parts[i].edge, ends[i], parts[i].b } };
+      const Part halves[2] = { { parts[i].edge, parts[i].a, ends[i], parts[i].peeks },
+        { parts[i].edge, ends[i], parts[i].b, parts[i].peeks } };
       for (const Part& half : halves)
       {
         if (States[half.edge] != EdgeState::In)

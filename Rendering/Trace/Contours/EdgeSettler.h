@@ -26,8 +26,9 @@ public:
   EdgeSettler(LayerSight& sight, const EdgeJudge& judge, const ContourMethod& method,
     std::span<EdgeState> states, ContourCounters& counted);
 
-  /// Edges of a row or a column, one after the other.
-  void Add(std::size_t edge, const EdgeEnd& a, const EdgeEnd& b);
+  /// Edges of a row or a column, one after the other. `peeks`: a corner beside the edge shows the
+  /// layer, so that it is looked for between ends that do not.
+  void Add(std::size_t edge, const EdgeEnd& a, const EdgeEnd& b, bool peeks);
   /// After a row or a column, or where edges were left out.
   void EndRow();
   /// Edges that are open become undecided here.
@@ -41,6 +42,7 @@ private:
     std::size_t edge;
     EdgeEnd a;
     EdgeEnd b;
+    bool peeks = false;
   };
 
   /// Of its ends that are on the layer; see EdgeJudge.

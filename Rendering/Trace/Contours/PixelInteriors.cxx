@@ -115,7 +115,7 @@ void PixelInteriors::Compare(const Square& square, std::span<const EdgeEnd> samp
   {
     if (Sight.Shows(other) && Judge.AreOpposite(first, other))
     {
-      Lines.Add(square.pixel, first, other);
+      Lines.Add(square.pixel, first, other, false);
       Lines.EndRow();
     }
   }
