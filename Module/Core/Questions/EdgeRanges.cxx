@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What EdgeFunctions knows over boxes, and how far off it is.
+#include "Core/Element/Ranges.h"
+#include "Core/Questions/EdgeArithmetic.h"
+#include "Core/Questions/EdgeFunctions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace pixelexact
+{
+namespace
+{
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// What all elements' polynomials may take; of others they are made each time.
+constexpr std::int64_t kMostBytes = std::int64_t{ 256 } << 20;
+std::atomic<std::int64_t> bytesKept{ 0 };
+/// Halvings of each direction after which det J is given up.
+constexpr int kMostOfDivisor = 4;
+
+AffineBound Scaled(const AffineBound& bound, int exponent)
+{
+  const double by = std::ldexp(1.0, exponent);
+  return { by * bound.value, { by * bound.slope[0], by * bound.slope[1], by * bound.slope[2] },
+    by * bound.radius + std::numeric_limits<double>::min() };
+}
+
+Interval Widened(const Interval& range, double slack)
+{
+  return range + Interval(-slack, slack);
+}
+
+/// By order of the derivative.
+void Widen(HessianFunction::XiRanges& ranges, Interval& value, const std::array<double, 3>& slack)
+{
+  value = Widened(value, slack[0]);
+  for (Interval& first : ranges.first)
+  {
+    first = Widened(first, slack[1]);
+  }
+  for (Interval& second : ranges.second)
+  {
+    second = Widened(second, slack[2]);
+  }
+}
+
+/// Of a numerator, which becomes the quotient F = N / D; returns F.
+Interval Divide(HessianFunction::XiRanges& ranges, const HessianFunction::XiRanges& divisor,
+  const Interval& numerator, const Interval& by)
+{
+  const Interval value = numerator / by;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    ranges.first[k] = (ranges.first[k] - value * divisor.first[k]) / by;
+  }
+  for (std::size_t p = 0; p < 6; ++p)
+  {
+    const std::size_t i = edges::kRows[p];
+    const std::size_t j = edges::kColumns[p];
+    ranges.second[p] = (ranges.second[p] - ranges.first[i] * divisor.first[j] -
+                         ranges.first[j] * divisor.first[i] - value * divisor.second[p]) /
+      by;
+  }
+  return value;
+}
+} // namespace
+
+EdgeFunctions::~EdgeFunctions()
+{
+  bytesKept -= Bytes.load();
+}
+
+template <class Visit>
+void EdgeFunctions::ForEachPiece(const EtaBox& box, const Visit& visit) const
+{
+  const int pieces = 1 << Level;
+  for (int i = 0; i < pieces * pieces * pieces; ++i)
+  {
+    const PieceForm::Piece piece{ i / (pieces * pieces), i / pieces % pieces, i % pieces };
+    const Box3 within = PartInPiece({ box.lower, box.upper }, Level, piece);
+    if (within.lower.x < within.upper.x && within.lower.y < within.upper.y &&
+      within.lower.z < within.upper.z)
+    {
+      visit(piece, within);
+    }
+  }
+}
+
+template <class Visit>
+void EdgeFunctions::WithPolynomials(const PieceForm::Piece& piece, const Visit& visit) const
+{
+  const int number = (((piece[0] << Level) + piece[1]) << Level) + piece[2];
+  const auto at = static_cast<std::size_t>(number);
+  const auto make = [&]
+  { return std::make_unique<const EdgePolynomials>(Map, Functions(), Level, piece); };
+  const EdgePolynomials* made = Kept->IfMade(at);
+  if (!made && bytesKept.load(std::memory_order_relaxed) < kMostBytes)
+  {
+    made = &Kept->Get(at, make);
+    // Once more, where two threads made them: a bound all the same, until it is all given back.
+    bytesKept += static_cast<std::int64_t>(made->Bytes());
+    Bytes += static_cast<std::int64_t>(made->Bytes());
+  }
+  visit(made ? *made : *make());
+}
+
+double EdgeFunctions::ErrorOf(const ScaledModes& modes, int components, Part part) const
+{
+  double error = 0.0;
+  ForEachPiece({},
+    [&](const PieceForm::Piece& piece, const Box3& /*within*/)
+    {
+      double sum = 0.0;
+      for (int c = 0; c < components; ++c)
+      {
+        const RangeIngredient ingredient{ &modes, c, part };
+        sum += PieceForm::Of(modes.space, Level).ErrorBound(part, piece, ingredient.Modes());
+      }
+      error = std::max(error, sum);
+    });
+  return std::ldexp(4.0 * error, modes.exponent);
+}
+
+Interval EdgeFunctions::RangeOver(
+  const EtaBox& box, const ScaledModes& modes, int component, Part part) const
+{
+  Interval range(kInfinity, -kInfinity);
+  ForEachPiece(box,
+    [&](const PieceForm::Piece& piece, const Box3& within)
+    {
+      range =
+        Join(range, RangeIngredient{ &modes, component, part }.Over(Level, piece, within).Hull());
+    });
+  return Scaled(range, modes.exponent);
+}
+
+Interval EdgeFunctions::ValuesOf(std::span<const Interval> components) const
+{
+  if (Count == 1)
+  {
+    return components.front();
+  }
+  Interval square(0.0);
+  for (const Interval& component : components)
+  {
+    square += Square(component);
+  }
+  return Sqrt(square);
+}
+
+Interval EdgeFunctions::ValuesOver(const EtaBox& box) const
+{
+  std::vector<Interval> components;
+  for (int c = 0; c < Count; ++c)
+  {
+    components.push_back(RangeOver(box, Component, c, Part::Value));
+    if (Divisor)
+    {
+      components.back() = Widened(components.back(), Slack[0]) / DivisorOver(box, kMostOfDivisor);
+    }
+  }
+  return ValuesOf(components);
+}
+
+EdgeFunctions::MapRanges EdgeFunctions::MapOver(const EtaBox& box) const
+{
+  MapRanges ranges;
+  std::array<Interval, 3> image;
+  ForEachPiece(box,
+    [&](const PieceForm::Piece& piece, const Box3& within)
+    {
+      WithPolynomials(piece,
+        [&](const EdgePolynomials& polynomials)
+        { ranges.ofPieces.push_back(polynomials.MapOver(within)); });
+      const EdgePolynomials::MapHulls& here = ranges.ofPieces.back();
+      const bool first = ranges.ofPieces.size() == 1;
+      const auto add = [&](Interval& to, const Interval& hull)
+      {
+        const Interval range = Scaled(hull, Map.exponent);
+        to = first ? range : Join(to, range);
+      };
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        add(image[c], here.image[c]);
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+          add(ranges.slopes[c][k], here.slopes[c][k]);
+        }
+      }
+    });
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    const int d = static_cast<int>(c);
+    const double slack = Unsure[c];
+    const Interval x = Interval(Unit) * (image[c] + Interval(-slack, slack)) + Interval(Centre[d]);
+    ranges.image.lower[d] = x.lower;
+    ranges.image.upper[d] = x.upper;
+  }
+  return ranges;
+}
+
+EdgeFunctions::Derivatives EdgeFunctions::DerivativesOver(
+  const EtaBox& box, const MapRanges& map) const
+{
+  Derivatives ranges;
+  const auto count = static_cast<std::size_t>(Count);
+  const bool bounded = map.ofPieces.size() == 1 && Count == 1 && !Divisor;
+  std::vector<Interval> values(count + (Divisor ? 1 : 0));
+  ranges.components.resize(values.size());
+  std::size_t number = 0;
+  ForEachPiece(box,
+    [&](const PieceForm::Piece& piece, const Box3& within)
+    {
+      const bool first = number == 0;
+      EdgePolynomials::Hulls here;
+      WithPolynomials(piece,
+        [&](const EdgePolynomials& polynomials)
+        { here = polynomials.Over(within, map.ofPieces[number], bounded ? &box : nullptr); });
+      ++number;
+      const auto add = [&](Interval& to, const Interval& hull, int exponent)
+      { to = first ? Scaled(hull, exponent) : Join(to, Scaled(hull, exponent)); };
+      const auto addAll =
+        [&](HessianFunction::XiRanges& to, const HessianFunction::XiRanges& hulls, int exponent)
+      {
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+          add(to.first[k], hulls.first[k], exponent);
+        }
+        for (std::size_t k = 0; k < 6; ++k)
+        {
+          add(to.second[k], hulls.second[k], exponent);
+        }
+      };
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        addAll(ranges.map[c], here.map[c], Map.exponent);
+      }
+      for (std::size_t c = 0; c < values.size(); ++c)
+      {
+        const int exponent = c < count ? Component.exponent : Divisor->exponent;
+        addAll(ranges.components[c], here.functions[c], exponent);
+        add(values[c], here.values[c], exponent);
+      }
+      ranges.curves = std::move(here.curves);
+    });
+  if (ranges.curves)
+  {
+    const auto scale = [](EdgePolynomials::SecondBounds& bounds, int exponent)
+    {
+      for (AffineBound& bound : bounds)
+      {
+        bound = Scaled(bound, exponent);
+      }
+    };
+    for (EdgePolynomials::SecondBounds& bounds : ranges.curves->map)
+    {
+      scale(bounds, Map.exponent);
+    }
+    scale(ranges.curves->functions.front(), Component.exponent);
+  }
+  if (Divisor)
+  {
+    for (std::size_t c = 0; c <= count; ++c)
+    {
+      Widen(ranges.components[c], values[c], c < count ? Slack : DivisorSlack);
+    }
+    const HessianFunction::XiRanges divisor = ranges.components.back();
+    ranges.divisor = values.back();
+    ranges.divisorSlopes = divisor.first;
+    for (std::size_t c = 0; c < count; ++c)
+    {
+      values[c] = Divide(ranges.components[c], divisor, values[c], ranges.divisor);
+    }
+    values.pop_back();
+    ranges.components.pop_back();
+  }
+  ranges.values = ValuesOf(values);
+  return ranges;
+}
+
+Interval EdgeFunctions::DivisorOver(const EtaBox& box, int halvings) const
+{
+  const Interval whole = Widened(RangeOver(box, *Divisor, 0, Part::Value), DivisorSlack[0]);
+  if (halvings == 0 || !whole.Contains(0.0))
+  {
+    return whole;
+  }
+  const Vec3 middle = 0.5 * (box.lower + box.upper);
+  Interval all(kInfinity, -kInfinity);
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    EtaBox part = box;
+    for (int d = 0; d < 3; ++d)
+    {
+      ((corner >> d & 1) != 0 ? part.lower : part.upper)[d] = middle[d];
+    }
+    all = Join(all, DivisorOver(part, halvings - 1));
+    if (all.Contains(0.0))
+    {
+      break;
+    }
+  }
+  return all;
+}
+
+EdgeFunctions::Errors EdgeFunctions::ErrorsWith(const Derivatives& derivatives) const
+{
+  if (!Divisor)
+  {
+    return { Error, SlopeError };
+  }
+  // N / D moves by (dN + F dD) / D, and its slope is (N' - F D') / D.
+  const Interval& by = derivatives.divisor;
+  const double least = by.Contains(0.0) ? 0.0 : std::min(std::fabs(by.lower), std::fabs(by.upper));
+  const double most = derivatives.values.Magnitude();
+  double slope = 0.0;
+  double slopeOfDivisor = 0.0;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    slopeOfDivisor = std::max(slopeOfDivisor, derivatives.divisorSlopes[k].Magnitude());
+    for (const HessianFunction::XiRanges& component : derivatives.components)
+    {
+      slope = std::max(slope, component.first[k].Magnitude());
+    }
+  }
+  const double value = 2.0 * (Error + most * DivisorError) / least;
+  return { value,
+    2.0 * (SlopeError + most * DivisorSlopeError + value * slopeOfDivisor + slope * DivisorError) /
+      least };
+}
+} // namespace pixelexact
