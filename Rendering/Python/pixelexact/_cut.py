@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
-from typing import Any, Iterator, Optional, Sequence, Union
+from typing import Any, Optional, Sequence, Union
 
 from vtkmodules.vtkCommonCore import vtkScalarsToColors
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkRenderingCore import vtkActor
 
+from ._picture import Cut, known_range
 from ._scene import (
     Normal,
     Surface,
@@ -22,32 +23,6 @@ from ._work import Error, Progress
 from .PixelExactRendering import vtkHighOrderMapper, vtkHighOrderSurface
 
 Limits = Union[None, str, Sequence[float]]
-
-
-class Cut:
-    """A cut through a field, to be added to a vtkRenderer or a pyvista.Plotter.
-
-    actor, scalar_bar, mapper (a vtkHighOrderMapper: all else is set there), surface. It may be
-    unpacked: actor, scalar_bar = pixelexact.cut(...). In notebooks it shows as a picture.
-    """
-
-    def __init__(self, actor: Any, scalar_bar: Any, mapper: Any, surface: Any) -> None:
-        self.actor = actor
-        self.scalar_bar = scalar_bar
-        self.mapper = mapper
-        self.surface = surface
-
-    def __iter__(self) -> Iterator[Any]:
-        return iter((self.actor, self.scalar_bar))
-
-    def render(self, **view: Any) -> Any:
-        """A Picture of it; see render for size, camera and the rest of a view."""
-        from ._picture import picture_of
-
-        return picture_of(self, **view)
-
-    def _repr_png_(self) -> bytes:
-        return bytes(self.render(size=(600, 600))._repr_png_())
 
 
 def _fields_of(source: Any) -> list[str]:
@@ -111,8 +86,6 @@ def _bar_of(mapper: Any, title: str) -> Any:
 
 
 def _between(whole: Cut, clim: Limits) -> Sequence[float]:
-    from ._picture import known_range
-
     return known_range(whole) if clim is None or isinstance(clim, str) else clim
 
 

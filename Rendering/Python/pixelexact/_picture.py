@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import operator
 import os
-from typing import TYPE_CHECKING, Any, Optional, Sequence, Union
+from typing import TYPE_CHECKING, Any, Iterator, Optional, Sequence, Union
 
 from vtkmodules.vtkCommonDataModel import vtkPlane
 
-from ._cut import Cut, cut
 from ._read import Path
 from ._scene import Vector, asks_python, normal_of
 from ._work import Error, Progress, run
@@ -23,6 +22,30 @@ _UP = (0.0, 1.0, 0.0)
 _UP_OF_ISO = (0.0, 0.0, 1.0)
 _MOST_PIXELS = 2**30
 _COLORS = {"white": (1.0, 1.0, 1.0), "black": (0.0, 0.0, 0.0)}
+
+
+class Cut:
+    """A cut through a field, to be added to a vtkRenderer or a pyvista.Plotter.
+
+    actor, scalar_bar, mapper (a vtkHighOrderMapper: all else is set there), surface. It may be
+    unpacked: actor, scalar_bar = pixelexact.cut(...). In notebooks it shows as a picture.
+    """
+
+    def __init__(self, actor: Any, scalar_bar: Any, mapper: Any, surface: Any) -> None:
+        self.actor = actor
+        self.scalar_bar = scalar_bar
+        self.mapper = mapper
+        self.surface = surface
+
+    def __iter__(self) -> Iterator[Any]:
+        return iter((self.actor, self.scalar_bar))
+
+    def render(self, **view: Any) -> Picture:
+        """A Picture of it; see render for size, camera and the rest of a view."""
+        return picture_of(self, **view)
+
+    def _repr_png_(self) -> bytes:
+        return self.render(size=(600, 600))._repr_png_()
 
 
 class Picture:
@@ -234,36 +257,3 @@ def picture_of(
     width, height, _ = data.GetDimensions()
     image = vtk_to_numpy(colors).reshape(height, width, 4)[::-1]
     return Picture(_over(image, background), data, of, picture.GetCamera())
-
-
-def render(
-    grid: Any,
-    field: Optional[str] = None,
-    *,
-    output: Optional[Path] = None,
-    size: Sequence[int] = (1000, 1000),
-    view: Union[str, Vector, None] = None,
-    camera: Any = None,
-    background: Union[str, Vector, None] = "white",
-    buffers: bool = True,
-    progress: Progress = None,
-    stride: int = 1,
-    **options: Any,
-) -> Picture:
-    """A picture of a cut, traced without a window, a display or OpenGL, and what is known of it.
-
-    grid, field, options: as of cut. size: pixels across and up. view: from where, "x", "-z", "iso",
-    or a direction from the mesh to the viewer; None: along a plane's normal, else "iso". camera: a
-    vtkCamera instead. background: "white", "black", (r, g, b), or None: transparent. output: a .png
-    file, or a .vti with all buffers. buffers: whether all that is known of the pixels is kept; without
-    it positions, verdicts and values alone. stride: above 1 the middle one of each stride x stride
-    pixels is traced, and all of them show it; without contours and edges.
-
-    progress: a function of the part that is done; what it raises, and KeyboardInterrupt, end the
-    work. Other threads of Python run meanwhile, unless the surface is a function of Python.
-    """
-    of = cut(grid, field, **options)
-    picture = picture_of(of, size, view, camera, background, buffers, progress, stride)
-    if output is not None:
-        picture.save(output)
-    return picture
