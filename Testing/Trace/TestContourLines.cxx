@@ -4,8 +4,8 @@
 #include "SheetCheck.h"
 
 #include "Trace/FrameTiles.h"
-#include "Trace/PipelineRuns.h"
 #include "Trace/Modules/ContourLines.h"
+#include "Trace/PipelineRuns.h"
 #include "Trace/ProgressiveFrame.h"
 #include "Trace/Surfaces/Combined.h"
 #include "Trace/TileVisit.h"

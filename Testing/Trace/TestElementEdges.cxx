@@ -3,8 +3,8 @@
 #include "TrueLines.h"
 
 #include "Trace/FrameTiles.h"
-#include "Trace/PipelineRuns.h"
 #include "Trace/Modules/ElementEdges.h"
+#include "Trace/PipelineRuns.h"
 #include "Trace/TileVisit.h"
 
 #include "Core/Base/Error.h"

@@ -3,9 +3,9 @@
 #include "SheetCheck.h"
 
 #include "Trace/FrameTiles.h"
-#include "Trace/PipelineRuns.h"
 #include "Trace/Modules/Antialiasing.h"
 #include "Trace/Modules/ElementOutlines.h"
+#include "Trace/PipelineRuns.h"
 #include "Trace/TileVisit.h"
 
 #include "Core/Base/Error.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Basis/SimplexFactors.h"
 
-
 #include <cstddef>
 #include <cstdint>
 #include <vector>
