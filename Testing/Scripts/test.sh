@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Everything that must hold before a change goes in. Runs on a clean Debian 12 or newer.
 #
-#   test.sh           as CI runs it, in half an hour
+#   test.sh           as CI runs it
 #   test.sh --quick   dependencies, build and tests: for a first look
 #   test.sh --full    also all tests under sanitizers, and ten minutes of clang-tidy: before a release,
 #                     and after work on what reads files or counts indices
