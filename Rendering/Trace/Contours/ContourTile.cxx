@@ -87,32 +87,59 @@ std::vector<std::uint8_t> ContourTile::ShownAround(
   const LayerSight& sight, std::span<const EdgeEnd> corners)
 {
   const std::size_t wide = Across + 2;
-  const TileArea& area = Tile.Area();
-  const int x1 = area.x0 + static_cast<int>(Across);
-  const int y1 = area.y0 + static_cast<int>(Up);
-  const TileArea all{ std::max(area.x0 - 1, 0), std::max(area.y0 - 1, 0),
-    std::min(x1, Tile.GetFrame().width) + 1, std::min(y1, Tile.GetFrame().height) + 1 };
   std::vector<std::uint8_t> shown(wide * (Up + 2), 0);
-  std::vector<std::uint8_t> around;
-  for (int y = all.y0; y < all.y1; ++y)
+  for (std::size_t i = 0; i < corners.size(); ++i)
   {
-    for (int x = all.x0; x < all.x1; ++x)
-    {
-      around.push_back(x < area.x0 || x >= x1 || y < area.y0 || y >= y1 ? 1 : 0);
-    }
+    shown[(i / Across + 1) * wide + i % Across + 1] = sight.Shows(corners[i]) ? 1 : 0;
   }
-  SampleBuffers traced;
-  const LatticePart outer = Tile.CornersOf(all, around, traced);
+  // Beyond the tile only those beside its outermost edges of which no end shows the layer.
+  std::vector<std::uint8_t> wanted(shown.size(), 0);
+  const auto lookBeside = [&](std::size_t a, std::size_t along, std::ptrdiff_t beside)
+  {
+    if ((shown[a] | shown[a + along]) == 0)
+    {
+      const std::size_t outer = a + static_cast<std::size_t>(beside);
+      wanted[outer] = wanted[outer + along] = 1;
+    }
+  };
+  for (std::size_t x = 1; x < Across; ++x)
+  {
+    lookBeside(wide + x, 1, -static_cast<std::ptrdiff_t>(wide));
+    lookBeside(Up * wide + x, 1, static_cast<std::ptrdiff_t>(wide));
+  }
+  for (std::size_t y = 1; y < Up; ++y)
+  {
+    lookBeside(y * wide + 1, wide, -1);
+    lookBeside(y * wide + Across, wide, 1);
+  }
+  const TileArea& area = Tile.Area();
+  const TileArea all{ area.x0 - 1, area.y0 - 1, area.x0 - 1 + static_cast<int>(wide),
+    area.y0 + 1 + static_cast<int>(Up) };
+  const auto isInFrame = [&](int x, int y)
+  { return x >= 0 && y >= 0 && x <= Tile.GetFrame().width && y <= Tile.GetFrame().height; };
   std::size_t i = 0;
   for (int y = all.y0; y < all.y1; ++y)
   {
     for (int x = all.x0; x < all.x1; ++x, ++i)
     {
-      const auto column = static_cast<std::size_t>(x - area.x0 + 1);
-      const auto row = static_cast<std::size_t>(y - area.y0 + 1);
-      const bool shows = around[i] != 0 ? sight.ShowsAt(outer.samples, outer.At(x, y))
-                                        : sight.Shows(corners[(row - 1) * Across + column - 1]);
-      shown[row * wide + column] = shows ? 1 : 0;
+      wanted[i] = isInFrame(x, y) ? wanted[i] : 0;
+    }
+  }
+  if (std::ranges::find(wanted, 1) == wanted.end())
+  {
+    return shown;
+  }
+  SampleBuffers traced;
+  const LatticePart outer = Tile.CornersOf(all, wanted, traced);
+  i = 0;
+  for (int y = all.y0; y < all.y1; ++y)
+  {
+    for (int x = all.x0; x < all.x1; ++x, ++i)
+    {
+      if (wanted[i] != 0)
+      {
+        shown[i] = sight.ShowsAt(outer.samples, outer.At(x, y)) ? 1 : 0;
+      }
     }
   }
   return shown;
@@ -204,15 +231,15 @@ void ContourTile::JudgeEdges(
   const std::vector<std::uint8_t> shown =
     sight.GetSurface().IsPlane() ? std::vector<std::uint8_t>() : ShownAround(sight, corners);
   const std::size_t wide = Across + 2;
-  // Of the other corners of the two pixels at an edge.
+  // Of the corners of the two pixels at an edge.
   const auto peeks = [&](std::size_t a, std::size_t b)
   {
     const std::size_t at = (a / Across + 1) * wide + a % Across + 1;
     const std::size_t along = b == a + 1 ? 1 : wide;
     const std::size_t beside = b == a + 1 ? wide : 1;
     return !shown.empty() &&
-      (shown[at + beside] | shown[at - beside] | shown[at + along + beside] |
-        shown[at + along - beside]) != 0;
+      (shown[at] | shown[at + along] | shown[at + beside] | shown[at - beside] |
+        shown[at + along + beside] | shown[at + along - beside]) != 0;
   };
   std::vector<EdgeState> edges(CountEdges(), EdgeState::Out);
   EdgeSettler settler(sight, judge, Method, edges, Counted);

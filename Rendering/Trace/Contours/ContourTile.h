@@ -35,8 +35,8 @@ private:
   /// Of the corners of open pixels, row by row.
   [[nodiscard]] std::vector<EdgeEnd> EndsOf(
     const LayerSight& sight, std::span<const std::uint8_t> open);
-  /// Which corners show the layer, (Across + 2) x (Up + 2): those around the tile, too, but none
-  /// beyond the frame.
+  /// Which corners show the layer, (Across + 2) x (Up + 2): of those around the tile, none of them
+  /// beyond the frame, the ones beside edges whose ends do not.
   [[nodiscard]] std::vector<std::uint8_t> ShownAround(
     const LayerSight& sight, std::span<const EdgeEnd> corners);
   /// For each corner, whether a pixel there is open.

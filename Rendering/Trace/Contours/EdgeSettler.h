@@ -26,8 +26,8 @@ public:
   EdgeSettler(LayerSight& sight, const EdgeJudge& judge, const ContourMethod& method,
     std::span<EdgeState> states, ContourCounters& counted);
 
-  /// Edges of a row or a column, one after the other. `peeks`: a corner beside the edge shows the
-  /// layer, so that it is looked for between ends that do not.
+  /// Edges of a row or a column, one after the other. `peeks`: a corner of a pixel at the edge
+  /// shows the layer, so that it is looked for between samples that do not.
   void Add(std::size_t edge, const EdgeEnd& a, const EdgeEnd& b, bool peeks);
   /// After a row or a column, or where edges were left out.
   void EndRow();
