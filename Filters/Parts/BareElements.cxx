@@ -29,14 +29,26 @@ unsigned char InnerOf(const HighOrderModel& model, int element)
   return static_cast<unsigned char>(bits);
 }
 
-std::vector<vtkIdType> BareElements(const HighOrderModel& model)
+std::vector<unsigned char> InnerOfAll(const HighOrderModel& model)
 {
-  std::vector<vtkIdType> bare;
+  std::vector<unsigned char> inner;
   for (int e = 0; e < model.GetMesh().Elements(); ++e)
   {
-    if (InnerOf(model, e) + 1U != 1U << static_cast<unsigned int>(FacesOfElement(model, e)))
+    inner.push_back(InnerOf(model, e));
+  }
+  return inner;
+}
+
+std::vector<vtkIdType> BareElements(
+  const HighOrderModel& model, const std::vector<unsigned char>& inner)
+{
+  std::vector<vtkIdType> bare;
+  for (std::size_t e = 0; e < inner.size(); ++e)
+  {
+    const int faces = FacesOfElement(model, static_cast<int>(e));
+    if (inner[e] + 1U != 1U << static_cast<unsigned int>(faces))
     {
-      bare.push_back(e);
+      bare.push_back(static_cast<vtkIdType>(e));
     }
   }
   return bare;

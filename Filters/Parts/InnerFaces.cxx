@@ -35,11 +35,8 @@ Grid WithInnerFaces(vtkUnstructuredGrid* grid, vtkMultiProcessController* proces
     if (any)
     {
       model = HighOrderModel::From(grid);
-      for (int e = 0; e < model->GetMesh().Elements(); ++e)
-      {
-        inner.push_back(InnerOf(*model, e));
-      }
-      bare = BareElements(*model);
+      inner = InnerOfAll(*model);
+      bare = BareElements(*model, inner);
       sent = PackedCells(grid, bare, false);
     }
   }

@@ -65,7 +65,7 @@ Grid WithNeighbours(vtkUnstructuredGrid* grid, vtkMultiProcessController* proces
     if (any)
     {
       model = HighOrderModel::From(grid);
-      std::vector<vtkIdType> bare = BareElements(*model);
+      std::vector<vtkIdType> bare = BareElements(*model, InnerOfAll(*model));
       std::erase_if(bare, [&](vtkIdType e) { return model->IsGhost(static_cast<int>(e)); });
       sent = PackedCells(grid, bare, true);
     }

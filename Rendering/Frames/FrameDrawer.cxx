@@ -61,6 +61,7 @@ ViewFrame& FrameDrawer::Begin(
     throw;
   }
   request.edges = EdgesOf(actor->GetProperty());
+  view.hasGhosts = HasGhosts;
   if (HasGhosts)
   {
     request.buffers = request.buffers | Buffer::Element;
@@ -134,7 +135,10 @@ void FrameDrawer::Select(FrameRequest request, vtkRenderer* renderer, vtkActor* 
   }
   SelectionImage image = MakeSelectionImage(
     pass, frame, DepthRowsOf(renderer, actor->GetMatrix()), model.SourceCells(), model.Blocks());
-  HideGhosts(frame.centres, model, image.depths);
+  if (HasGhosts)
+  {
+    HideGhosts(frame.centres, model, image.depths);
+  }
   ++view.selected;
   view.selection.Draw(renderer, actor, mapper,
     { .rgba = image.rgba,

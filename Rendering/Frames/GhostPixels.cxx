@@ -25,8 +25,7 @@ bool HasGhosts(const HighOrderModel& model)
 void HideGhosts(
   const SampleBuffers& samples, const HighOrderModel& model, std::vector<float>& depths)
 {
-  const std::size_t known = model.Blocks().empty() ? samples.element.size() : 0;
-  for (std::size_t i = 0; i < known; ++i)
+  for (std::size_t i = 0; i < samples.element.size(); ++i)
   {
     if (samples.element[i] >= 0 && model.IsGhost(static_cast<int>(samples.element[i])))
     {

@@ -15,8 +15,8 @@ class HighOrderModel;
 /// copy may be the one that is found.
 [[nodiscard]] bool HasGhosts(const HighOrderModel& model);
 
-/// Takes the depths away from samples in such elements, so that they are not drawn; the samples
-/// must hold Buffer::Element where there are any.
+/// Of a model that has some: takes the depths away from samples in such elements, so that they are
+/// not drawn; the samples must hold Buffer::Element.
 void HideGhosts(
   const SampleBuffers& samples, const HighOrderModel& model, std::vector<float>& depths);
 } // namespace pixelexact

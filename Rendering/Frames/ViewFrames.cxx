@@ -53,7 +53,10 @@ void ViewFrame::MakeDrawn(const DepthRows& rows)
     if (moved)
     {
       WindowDepth(frame.centres, rows, opaque.depths);
-      HideGhosts(frame.centres, *source.Model(), opaque.depths);
+      if (hasGhosts)
+      {
+        HideGhosts(frame.centres, *source.Model(), opaque.depths);
+      }
     }
     return;
   }
@@ -68,7 +71,10 @@ void ViewFrame::MakeDrawn(const DepthRows& rows)
     Drawn& drawn = seenThrough[k];
     drawn.rgba = sheet.color;
     WindowDepth(sheet, rows, drawn.depths);
-    HideGhosts(sheet, *source.Model(), drawn.depths);
+    if (hasGhosts)
+    {
+      HideGhosts(sheet, *source.Model(), drawn.depths);
+    }
     for (std::size_t i = 0; i < pixels; ++i)
     {
       const std::uint8_t layer = layers.size() > 1 ? sheet.layer[i] : std::uint8_t{ 0 };

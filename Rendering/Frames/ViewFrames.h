@@ -38,6 +38,7 @@ struct ViewFrame
   void MakeDrawn(const DepthRows& rows);
 
   FrameSource source;
+  bool hasGhosts = false; ///< its model, which are not drawn
   FrameCompositor compositor;
   FrameCompositor selection;      ///< keeps the textures of selectors' passes
   std::int64_t selected = 0;      ///< passes drawn
