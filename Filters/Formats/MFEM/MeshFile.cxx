@@ -6,6 +6,7 @@
 #include "Formats/MFEM/MeshFormat.h"
 #include "Formats/MFEM/NurbsMesh.h"
 #include "Formats/MFEM/RefinementForest.h"
+#include "Formats/MFEM/RefinementTree.h"
 
 #include <algorithm>
 #include <array>

@@ -2,12 +2,11 @@
 #include "Formats/MFEM/RefinementForest.h"
 
 #include "Formats/MFEM/GeometryTable.h"
-#include "Formats/MFEM/HilbertCurve.h"
 #include "Formats/MFEM/MeshFormat.h"
+#include "Formats/MFEM/RefinementTree.h"
 #include "Formats/MFEM/VertexHierarchy.h"
 
 #include <algorithm>
-#include <bit>
 #include <map>
 #include <unordered_map>
 
@@ -15,24 +14,10 @@ namespace pixelexact::mfem
 {
 namespace
 {
-constexpr int kAllDirections = 7;
 constexpr int kMostNodes = 1 << 30;
 constexpr int kStates = 24;
 constexpr int kPlaneStates = 8;
-constexpr int kPlaneDirections = 3;
-constexpr int kDeepestTree = 64;
 constexpr std::size_t kShortestElement = 4;
-
-/// An element of any level; leaves have vertices ("nodes" in the file), others have children.
-struct TreeElement
-{
-  Cell cell;
-  int refinement = 0;
-  int rank = 0;
-  std::array<int, 8> children{};
-  bool used = false;
-  bool isChild = false;
-};
 
 class Forest
 {
@@ -51,9 +36,6 @@ private:
   void ReadBoundary();
   void ReadRootStates();
   void ReadSection(std::string_view section);
-  void LinkChildren();
-  void CollectAllLeaves();
-  void CollectLeaves(int element, int state, int depth);
   void NumberVertices();
   void AddBoundary(std::size_t e, Geometry geometry, std::span<const int> corners);
   void CollectBoundary();
@@ -63,8 +45,7 @@ private:
   bool Scaled;
   int Rank = 0;
   std::vector<TreeElement> Elements;
-  std::vector<int> AllLeaves; ///< of this process and its neighbours
-  std::vector<int> Leaves;
+  Leaves InOrder;
   std::vector<int> RootStates;
   VertexHierarchy Hierarchy;
   std::map<std::array<int, 4>, int> BoundaryAttribute; ///< by sorted nodes, -1 filling up
@@ -152,81 +133,6 @@ void Forest::ReadRootStates()
   }
 }
 
-void Forest::LinkChildren()
-{
-  for (const TreeElement& element : Elements)
-  {
-    for (const int child : std::span(element.children).first(ChildrenOf(element.refinement)))
-    {
-      if (Elements[child].isChild || !Elements[child].used)
-      {
-        Scanner.Fail("element " + std::to_string(child) +
-          (Elements[child].used ? " has two parents" : " is a child but not there") +
-          "; the refinement tree is damaged.");
-      }
-      Elements[child].isChild = true;
-    }
-  }
-}
-
-void Forest::CollectLeaves(int element, int state, int depth)
-{
-  const TreeElement& e = Elements[element];
-  if (depth > kDeepestTree)
-  {
-    Scanner.Fail("the refinement tree is deeper than " + std::to_string(kDeepestTree) +
-      " levels; it is damaged.");
-  }
-  if (e.refinement == 0)
-  {
-    // Around a piece are those of its neighbours; what is beyond has no rank.
-    if (e.rank >= 0)
-    {
-      AllLeaves.push_back(element);
-    }
-    if (e.rank == Rank)
-    {
-      Leaves.push_back(element);
-    }
-    return;
-  }
-  if (e.cell.geometry == Geometry::Cube && e.refinement == kAllDirections)
-  {
-    const HilbertState& curve = HilbertCurve(state);
-    for (int i = 0; i < 8; ++i)
-    {
-      CollectLeaves(e.children[curve.child[i]], curve.state[i], depth + 1);
-    }
-    return;
-  }
-  if (e.cell.geometry == Geometry::Square && e.refinement == kPlaneDirections)
-  {
-    const PlaneHilbertState curve = PlaneHilbertCurve(state);
-    for (int i = 0; i < 4; ++i)
-    {
-      CollectLeaves(e.children[curve.child[i]], curve.state[i], depth + 1);
-    }
-    return;
-  }
-  for (const int child : std::span(e.children).first(ChildrenOf(e.refinement)))
-  {
-    CollectLeaves(child, state, depth + 1);
-  }
-}
-
-void Forest::CollectAllLeaves()
-{
-  std::size_t root = 0;
-  for (std::size_t i = 0; i < Elements.size(); ++i)
-  {
-    if (Elements[i].used && !Elements[i].isChild)
-    {
-      CollectLeaves(static_cast<int>(i), root < RootStates.size() ? RootStates[root] : 0, 0);
-      ++root;
-    }
-  }
-}
-
 void Forest::NumberVertices()
 {
   constexpr int kOpen = -2;
@@ -236,7 +142,7 @@ void Forest::NumberVertices()
     const Cell& cell = Elements[leaf].cell;
     return std::span(cell.vertices).first(TableOf(cell.geometry).vertices);
   };
-  for (const int leaf : Leaves)
+  for (const int leaf : InOrder.own)
   {
     for (const int node : nodesOf(leaf))
     {
@@ -245,7 +151,7 @@ void Forest::NumberVertices()
   }
   std::vector<int> coarse;
   std::vector<int> fine; // in the order of all leaves
-  for (const int leaf : AllLeaves)
+  for (const int leaf : InOrder.all)
   {
     for (const int node : nodesOf(leaf))
     {
@@ -265,7 +171,7 @@ void Forest::NumberVertices()
     VertexOf[NodeOf[v]] = static_cast<int>(v);
   }
   Mesh.vertices = static_cast<int>(NodeOf.size());
-  for (const int leaf : Leaves)
+  for (const int leaf : InOrder.own)
   {
     Cell cell = Elements[leaf].cell;
     for (int& node : std::span(cell.vertices).first(TableOf(cell.geometry).vertices))
@@ -279,7 +185,7 @@ void Forest::NumberVertices()
 /// A face of a leaf, or an edge of a plane one, where the file has an attribute for it.
 void Forest::AddBoundary(std::size_t e, Geometry geometry, std::span<const int> corners)
 {
-  const Cell& nodes = Elements[Leaves[e]].cell;
+  const Cell& nodes = Elements[InOrder.own[e]].cell;
   Cell cell{ geometry, 0, {} };
   std::array<int, 4> key{};
   for (std::size_t k = 0; k < corners.size(); ++k)
@@ -297,9 +203,9 @@ void Forest::AddBoundary(std::size_t e, Geometry geometry, std::span<const int> 
 
 void Forest::CollectBoundary()
 {
-  for (std::size_t e = 0; e < Leaves.size() && !BoundaryAttribute.empty(); ++e)
+  for (std::size_t e = 0; e < InOrder.own.size() && !BoundaryAttribute.empty(); ++e)
   {
-    const GeometryTable& table = TableOf(Elements[Leaves[e]].cell.geometry);
+    const GeometryTable& table = TableOf(Elements[InOrder.own[e]].cell.geometry);
     for (const LocalFace& face : table.faces)
     {
       AddBoundary(
@@ -353,13 +259,13 @@ MeshFile Forest::Read()
   {
     ReadElement(i, count);
   }
-  LinkChildren();
+  LinkChildren(Scanner, Elements);
   std::string_view section;
   while ((section = Scanner.Word("a section of the mesh")) != "coordinates" && section != "nodes")
   {
     ReadSection(section);
   }
-  CollectAllLeaves();
+  InOrder = LeavesInOrder(Scanner, Elements, RootStates, Rank);
   NumberVertices();
   CollectBoundary();
   if (section == "nodes")
@@ -377,11 +283,6 @@ MeshFile Forest::Read()
   return std::move(Mesh);
 }
 } // namespace
-
-int ChildrenOf(int refinement)
-{
-  return refinement == 0 ? 0 : 1 << std::popcount(static_cast<unsigned>(refinement));
-}
 
 MeshFile ReadNonconforming(TextScanner& scanner, bool scaled)
 {

@@ -5,9 +5,6 @@
 
 namespace pixelexact::mfem
 {
-/// The number of children that a refinement type makes: one bit for each of x, y, z.
-int ChildrenOf(int refinement);
-
 /// Reads the body of an "MFEM NC mesh": the forest of refined elements, whose leaves are the
 /// elements. They are put in MFEM's order (along space-filling curves in fully refined cubes), and
 /// so are the vertices: those of the coarsest level first. `scaled`: version 1.1, whose vertices
