@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Conversion/GeometryConversion.h"
+#include "Conversion/OrderReduction.h"
 
 #include "Core/Base/Error.h"
 #include "Core/Basis/ModeBound.h"
@@ -10,32 +11,11 @@
 #include <functional>
 #include <optional>
 
-// Which orders may go. The file holds x_s (1 + e_s) for the node s, |e_s| <= 4 u: half a unit in
-// the last place from writing it and a few from the solver's evaluation. With the change of basis M
-// mode k is then off by at most 4 u max|x| sum_s |M_ks| = 4 u max|x| A_k. A set D of trailing modes
-// is taken for noise when, for each component,
-//
-//   |c_k| <= 4 u max|x| A_k + size 2^-53   for each k in D,
-//   sum over D of |c_k| B_k <= 1e-6 size,
-//
-// B_k the largest |mode k|. The first says that rounding explains it, that of the nodes or of the
-// element's own coefficients (a cell without a mode has A = 0 but for M's roundings), and decides
-// at usual orders: at order 6 it allows about 1e-14. The second says that nothing is lost which
-// could be seen, where A is large: it grows as 2^n at order n, and the rounding of 17^3 equispaced
-// nodes makes modes of 1e-10, a hundred thousand times larger than that of 7^3. Dropping them
-// brings the map nearer to the solver's. What is dropped is recorded: the map is uncertain by
-//
-//   sum over D of |c_k| B_k  +  4 u max|x| sum over the kept k of A_k B_k.
-//
-// A straight cell with nodes halfway is found so: its orders above 1 are noise. A pyramid of order
-// 2 is in another form than the straight one; the modes of their difference are judged instead.
 namespace pixelexact
 {
 namespace
 {
 constexpr double kCoordinateRoundings = 4.0;
-constexpr double kLargestLoss = 1e-6;    ///< in units of the element
-constexpr double kOwnRounding = 0x1p-53; ///< in units of the element
 
 ElementUnits UnitsOf(const SourceMesh& mesh, int element)
 {
@@ -63,170 +43,6 @@ ElementUnits UnitsOf(const SourceMesh& mesh, int element)
   }
 }
 
-/// Decides about trailing orders by the rule above.
-class Reduction
-{
-public:
-  /// `roundings`: of the coordinates, world units.
-  Reduction(const Space& space, std::span<const double> amplification,
-    std::span<const double> modes, double roundings, double size)
-    : Full(space)
-    , Amplification(amplification)
-    , Modes(modes)
-    , Roundings(roundings)
-    , Size(size)
-  {
-    Visit(
-      [&](int p, int q, int r, int mode)
-      {
-        if (!IsExplained(mode))
-        {
-          Needed = { std::max(Needed[0], p), std::max(Needed[1], q), std::max(Needed[2], r) };
-        }
-      });
-  }
-
-  /// Whether nothing but noise is there.
-  [[nodiscard]] bool IsNoise() const
-  {
-    return IsNoise([](int, int, int) { return false; });
-  }
-
-  [[nodiscard]] Space Reduce() const
-  {
-    Space kept = Full;
-    const auto accept = [&](std::initializer_list<int> directions)
-    {
-      Space next = kept;
-      for (const int d : directions)
-      {
-        if (next.order[d] <= 1)
-        {
-          return false;
-        }
-        --next.order[d];
-      }
-      for (std::size_t d = 0; d < 3; ++d)
-      {
-        if (next.order[d] < Needed[d])
-        {
-          return false;
-        }
-      }
-      if (!next.IsValid() || !IsNoise([&next](int p, int q, int r) { return Has(next, p, q, r); }))
-      {
-        return false;
-      }
-      kept = next;
-      return true;
-    };
-    bool again = true;
-    while (again)
-    {
-      switch (Full.shape)
-      {
-        case Shape::Hexahedron:
-          again = accept({ 0, 1, 2 });
-          // One direction alone only where not all three can go.
-          for (int d = 0; d < 3 && !again; ++d)
-          {
-            again = accept({ d });
-          }
-          break;
-        case Shape::Prism:
-        {
-          const bool triangle = accept({ 0, 2 });
-          again = accept({ 1 }) || triangle;
-          break;
-        }
-        case Shape::Tetrahedron:
-          again = accept({ 0, 1, 2 });
-          break;
-        default:
-          again = Full.form == Form::Collapsed && accept({ 0, 1, 2 });
-      }
-    }
-    return kept;
-  }
-
-  /// World units: how far the kept map may be from the true one.
-  [[nodiscard]] double Uncertainty(const Space& kept) const
-  {
-    std::array<double, 3> dropped{};
-    double noise = 0.0;
-    const bool all = kept == Full;
-    Visit(
-      [&](int p, int q, int r, int mode)
-      {
-        const double bound = ModeBound(Full, p, q, r);
-        if (all || Has(kept, p, q, r))
-        {
-          noise += Roundings * Amplification[mode] * bound;
-          return;
-        }
-        for (int c = 0; c < 3; ++c)
-        {
-          dropped[c] += std::fabs(At(c, mode)) * bound;
-        }
-      });
-    return *std::ranges::max_element(dropped) + noise;
-  }
-
-  static bool Has(const Space& space, int p, int q, int r)
-  {
-    return p <= space.order[0] && q <= space.LastQ(p) && r <= space.LastR(p, q);
-  }
-
-private:
-  template <class Function>
-  void Visit(Function&& function) const
-  {
-    ForEachMode(Full, function);
-  }
-  [[nodiscard]] double At(int component, int mode) const
-  {
-    return Modes[static_cast<std::size_t>(component) * Amplification.size() + mode];
-  }
-
-  /// Whether rounding explains a mode.
-  [[nodiscard]] bool IsExplained(int mode) const
-  {
-    const double noise = Roundings * Amplification[mode] + kOwnRounding * Size;
-    return std::fabs(At(0, mode)) <= noise && std::fabs(At(1, mode)) <= noise &&
-      std::fabs(At(2, mode)) <= noise;
-  }
-
-  /// Whether the modes that are not kept are noise.
-  template <class Keeps>
-  [[nodiscard]] bool IsNoise(const Keeps& keeps) const
-  {
-    bool explained = true;
-    std::array<double, 3> dropped{};
-    Visit(
-      [&](int p, int q, int r, int mode)
-      {
-        if (!explained || keeps(p, q, r))
-        {
-          return;
-        }
-        explained = IsExplained(mode);
-        const double bound = ModeBound(Full, p, q, r);
-        for (int c = 0; c < 3; ++c)
-        {
-          dropped[c] += std::fabs(At(c, mode)) * bound;
-        }
-      });
-    return explained && *std::ranges::max_element(dropped) <= kLargestLoss * Size;
-  }
-
-  Space Full;
-  std::span<const double> Amplification;
-  std::span<const double> Modes;
-  double Roundings;
-  double Size;
-  std::array<int, 3> Needed{}; ///< orders below these drop a mode that is no noise
-};
-
 /// The modes of all three components, world units, relative to the centre.
 std::vector<double> ModesOf(
   const SourceMesh& mesh, int element, const ChangeOfBasis& change, const Vec3& centre)
@@ -253,7 +69,7 @@ std::optional<double> DistanceToStraight(const CellBasis& basis, std::vector<dou
   std::ranges::transform(
     amplification, basis.straight[0].Amplification(), amplification.begin(), std::plus());
   const Space& space = basis.GetSpace();
-  const Reduction difference(space, amplification, modes, roundings, size);
+  const OrderReduction difference(space, amplification, modes, roundings, size);
   if (!difference.IsNoise())
   {
     return std::nullopt;
@@ -306,7 +122,7 @@ ElementGeometry ConvertGeometry(const SourceMesh& mesh, int element)
     }
   }
   const Space full = change->Target();
-  const Reduction reduction(full, change->Amplification(), modes, roundings, geometry.size);
+  const OrderReduction reduction(full, change->Amplification(), modes, roundings, geometry.size);
   geometry.space = reduction.Reduce();
   geometry.uncertainty += reduction.Uncertainty(geometry.space) + mesh.Loss(element);
   const auto count = static_cast<std::size_t>(full.Modes());
@@ -324,7 +140,7 @@ ElementGeometry ConvertGeometry(const SourceMesh& mesh, int element)
     ForEachMode(full,
       [&](int p, int q, int r, int mode)
       {
-        if (Reduction::Has(geometry.space, p, q, r))
+        if (OrderReduction::Has(geometry.space, p, q, r))
         {
           // A power of two: exact.
           geometry.coefficients.push_back(inUnits * modes[c * count + mode]);
