@@ -15,6 +15,9 @@
 //                 (planar.md)
 namespace pixelexact::gmsh
 {
+/// Of one change of basis from all of an element's sources.
+ElementBasis OnePart(ChangeOfBasis part);
+
 /// One at one of the type's nodes and zero at the others, sources in Gmsh's order. Throws
 /// Unsupported for incomplete elements whose functions no document defines.
 ElementBasis NodalBasis(const ElementType& type);
