@@ -69,6 +69,7 @@ public:
   [[nodiscard]] std::array<double, 2> Across(int ray) const;
 
 private:
+  void Step(double* const position[3], double* result);
   void Evaluate();
   void EvaluateField(const LanePoints& xi, double* const out, double* const slope[3]);
 
