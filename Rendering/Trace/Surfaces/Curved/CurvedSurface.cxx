@@ -3,9 +3,8 @@
 
 #include "Core/Base/CheckedOut.h"
 #include "Trace/Scene.h"
+#include "Trace/Surfaces/Curved/BundleHits.h"
 #include "Trace/Surfaces/Curved/PieceReferee.h"
-
-#include <glm/common.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -25,8 +24,6 @@ constexpr int kTogether = 8;
 constexpr int kBoxes = 4000;
 /// Rays and pieces, in lanes, that are solved before pieces further behind are looked at.
 constexpr int kAhead = 96;
-/// Of an element's size.
-constexpr double kSame = 1e-11;
 
 struct Scratch
 {
@@ -258,7 +255,6 @@ void CurvedSurface::MeetSome(const RayLanes& rays, int first, int count, HitSlot
 {
   const CheckedOut<Scratch> scratch;
   auto& [bundle, work] = *scratch;
-  std::vector<CurvedHit>& found = work.hits;
   if (!bundle.Begin(rays, first, count, Hierarchy->Bounds()))
   {
     if (count > 1)
@@ -268,73 +264,9 @@ void CurvedSurface::MeetSome(const RayLanes& rays, int first, int count, HitSlot
     }
     return;
   }
-  found.clear();
+  work.hits.clear();
   work.unclear.clear();
   Meeting(*this, rays, bundle, work).Run();
-  std::ranges::stable_sort(found,
-    [](const CurvedHit& a, const CurvedHit& b) {
-      return a.ray != b.ray ? a.ray < b.ray : a.t != b.t ? a.t < b.t : a.part < b.part;
-    });
-  int slot = 0;
-  std::size_t last = 0;
-  std::vector<std::int32_t> told; // parts, since the last hit that is certain
-  for (std::size_t k = 0; k < found.size(); ++k)
-  {
-    const CurvedHit& hit = found[k];
-    const int ray = first + hit.ray;
-    const bool isFirst = k == 0 || found[k - 1].ray != hit.ray;
-    if (isFirst)
-    {
-      slot = 0;
-      told.clear();
-    }
-    const auto element = static_cast<std::size_t>(PartOf(hit.part).element);
-    const double same = kSame * TheEquation.mesh.size[element];
-    // What is undecided in one part, piece by piece along the ray, is told once.
-    const bool isUndecided = hit.status == HitStatus::Undecided;
-    const bool isTold = isUndecided && std::ranges::find(told, hit.part) != told.end();
-    if (!(hit.t >= rays.tNear[ray] && hit.t <= rays.tFar[ray]) || isTold ||
-      (slot > 0 &&
-        glm::all(glm::lessThanEqual(glm::abs(hit.position - found[last].position), Vec3(same)))))
-    {
-      continue;
-    }
-    const HitLanes lanes = hits.Slot(slot);
-    lanes.t[ray] = hit.t;
-    for (int d = 0; d < 3; ++d)
-    {
-      lanes.position[d][ray] = hit.position[d];
-    }
-    if (hit.status != HitStatus::Certain)
-    {
-      hits.Status(slot)[ray] = hit.status;
-    }
-    const PieceLanes piece = hits.Pieces(slot);
-    piece.piece[ray] = hit.part;
-    if (!TellsElements())
-    {
-      piece.parameters[0][ray] = hit.xi.x;
-      piece.parameters[1][ray] = hit.xi.y;
-    }
-    else
-    {
-      const ElementLanes lane = hits.Elements(slot);
-      lane.element[ray] = PartOf(hit.part).element;
-      for (int d = 0; d < 3; ++d)
-      {
-        lane.xi[d][ray] = hit.xi[d];
-      }
-    }
-    if (isUndecided)
-    {
-      told.push_back(hit.part);
-    }
-    else
-    {
-      told.clear();
-    }
-    last = k;
-    ++slot;
-  }
+  WriteHits(rays, first, count, { All, TheEquation.mesh, TellsElements() }, work.hits, hits);
 }
 } // namespace pixelexact
