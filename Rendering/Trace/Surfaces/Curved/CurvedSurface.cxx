@@ -2,6 +2,7 @@
 #include "Trace/Surfaces/Curved/CurvedSurface.h"
 
 #include "Core/Base/CheckedOut.h"
+#include "Trace/RunsByKey.h"
 #include "Trace/Scene.h"
 #include "Trace/Surfaces/Curved/BundleHits.h"
 #include "Trace/Surfaces/Curved/PieceReferee.h"
@@ -29,6 +30,13 @@ struct Scratch
 {
   RayBundle bundle;
   SolverWork work;
+};
+
+struct NormalScratch
+{
+  std::vector<KeyRun> runs;
+  std::vector<Vec3> xi;
+  std::vector<Vec3> found;
 };
 } // namespace
 
@@ -237,18 +245,32 @@ Vec3 CurvedSurface::Normal(const SurfacePoint& point) const
 
 void CurvedSurface::Normals(std::span<const SurfacePoint> points, std::span<Vec3> normals) const
 {
-  std::vector<Vec3> xi;
-  for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end)
-  {
-    xi.clear();
-    for (end = begin; end < points.size() && points[end].piece == points[begin].piece; ++end)
+  const CheckedOut<NormalScratch> scratch;
+  auto& [runs, xi, found] = *scratch;
+  ForEachKey(
+    points.size(), [&](std::size_t i) { return points[i].piece; }, runs,
+    [&](std::int32_t piece, std::span<const KeyRun> of)
     {
-      const SurfacePoint& point = points[end];
-      xi.push_back(
-        TellsElements() ? point.xi : Vec3(point.parameters[0], point.parameters[1], -1.0));
-    }
-    NormalsOf(PartOf(points[begin].piece), xi, normals.subspan(begin, end - begin));
-  }
+      xi.clear();
+      for (const KeyRun& run : of)
+      {
+        for (std::size_t i = run.begin; i < run.end; ++i)
+        {
+          const SurfacePoint& point = points[i];
+          xi.push_back(
+            TellsElements() ? point.xi : Vec3(point.parameters[0], point.parameters[1], -1.0));
+        }
+      }
+      found.resize(xi.size());
+      NormalsOf(PartOf(piece), xi, found);
+      auto from = found.cbegin();
+      for (const KeyRun& run : of)
+      {
+        const auto count = static_cast<std::ptrdiff_t>(run.end - run.begin);
+        std::copy_n(from, count, normals.begin() + static_cast<std::ptrdiff_t>(run.begin));
+        from += count;
+      }
+    });
 }
 
 void CurvedSurface::MeetSome(const RayLanes& rays, int first, int count, HitSlots& hits) const
