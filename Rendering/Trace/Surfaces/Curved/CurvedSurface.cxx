@@ -5,6 +5,7 @@
 #include "Trace/RunsByKey.h"
 #include "Trace/Scene.h"
 #include "Trace/Surfaces/Curved/BundleHits.h"
+#include "Trace/Surfaces/Curved/FaceBox.h"
 #include "Trace/Surfaces/Curved/PieceReferee.h"
 
 #include <algorithm>
@@ -58,7 +59,27 @@ public:
 
   void Run()
   {
-    Of.Hierarchy->ForEach(Bundle, [this](int part, const Box3& box) { MeetPart(part, box); });
+    // Nearest first, by boxes of the parts themselves.
+    Work.parts.clear();
+    Of.Hierarchy->ForEach(Bundle,
+      [this](int part, const Box3& box)
+      {
+        const Box3& own = Of.BoxOf(part, box);
+        if (Bundle.MayMeet(own))
+        {
+          Work.parts.push_back({ Bundle.DepthOf(own), part, &own });
+        }
+      });
+    std::ranges::sort(Work.parts,
+      [](const PartAhead& a, const PartAhead& b)
+      { return a.depth != b.depth ? a.depth < b.depth : a.part < b.part; });
+    for (const PartAhead& one : Work.parts)
+    {
+      if (one.depth <= Bundle.Farthest())
+      {
+        MeetPart(one.part, *one.box);
+      }
+    }
   }
 
 private:
@@ -199,6 +220,7 @@ CurvedSurface::CurvedSurface(
   : TheEquation(equation)
   , All(std::move(parts))
   , Trees(All.size())
+  , Boxes(equation.field == nullptr ? All.size() : 0)
 {
   if (!All.empty())
   {
@@ -210,6 +232,14 @@ const PartTree& CurvedSurface::TreeOf(std::int32_t part) const
 {
   return Trees.Get(static_cast<std::size_t>(part),
     [&] { return std::make_unique<const PartTree>(TheEquation, PartOf(part)); });
+}
+
+const Box3& CurvedSurface::BoxOf(std::int32_t part, const Box3& around) const
+{
+  return TheEquation.field != nullptr
+    ? around
+    : Boxes.Get(static_cast<std::size_t>(part),
+        [&] { return std::make_unique<const Box3>(FaceBox(TheEquation.mesh, PartOf(part))); });
 }
 
 std::int64_t CurvedSurface::PiecesMade() const

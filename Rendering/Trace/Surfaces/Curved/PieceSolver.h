@@ -28,9 +28,18 @@ struct PieceRay
   int ray = 0;
 };
 
+/// A part that rays of a bundle may meet.
+struct PartAhead
+{
+  double depth = 0.0;
+  std::int32_t part = -1;
+  const Box3* box = nullptr;
+};
+
 /// What a solver leaves, and the room that it needs.
 struct SolverWork
 {
+  std::vector<PartAhead> parts;
   std::vector<CurvedHit> hits;
   std::vector<PieceRay> unclear;
   PiecePairs pairs;
