@@ -130,25 +130,51 @@ void HitValues::EvaluateKnown(const Mesh& mesh, const Field* field, const HitRes
       positions[i] = point.position;
     }
   }
-  for (std::size_t begin = 0, end = 0; field != nullptr && begin < count; begin = end)
+  if (field == nullptr)
   {
-    while (end < count && Element[end] == Element[begin])
-    {
-      ++end;
-    }
-    const std::size_t hits = end - begin;
-    if (components > 0)
-    {
-      EvaluateAt(mesh, *field, Element[begin], Xi.subspan(begin, hits),
-        Value.subspan(begin * components, hits * components), {});
-    }
-    if (bounds > 0)
-    {
-      EncloseAt(mesh, *field, Element[begin], Xi.subspan(begin, hits),
-        positions.subspan(begin, hits), Lower.subspan(begin * bounds, hits * bounds),
-        Upper.subspan(begin * bounds, hits * bounds));
-    }
+    return;
   }
+  ForEachKey(
+    count, [&](std::size_t i) { return Element[i]; }, Runs,
+    [&](std::int32_t element, std::span<const KeyRun> of)
+    {
+      // From where the hits lie to beside each other, and back.
+      const auto gather = [of](auto from, auto& to)
+      {
+        to.clear();
+        for (const KeyRun& run : of)
+        {
+          to.insert(to.end(), &from[run.begin], &from[run.begin] + (run.end - run.begin));
+        }
+      };
+      const auto scatter = [of](const std::vector<double>& from, std::size_t each, auto to)
+      {
+        auto next = from.begin();
+        for (const KeyRun& run : of)
+        {
+          const auto numbers = static_cast<std::ptrdiff_t>(each * (run.end - run.begin));
+          std::copy_n(next, numbers, to.begin() + static_cast<std::ptrdiff_t>(each * run.begin));
+          next += numbers;
+        }
+      };
+      gather(Xi, XiOfElement);
+      if (components > 0)
+      {
+        ValuesOfElement.resize(components * XiOfElement.size());
+        EvaluateAt(mesh, *field, element, XiOfElement, ValuesOfElement, {});
+        scatter(ValuesOfElement, components, Value);
+      }
+      if (bounds > 0)
+      {
+        gather(positions, PositionsOfElement);
+        ValuesOfElement.resize(bounds * XiOfElement.size());
+        UppersOfElement.resize(ValuesOfElement.size());
+        EncloseAt(
+          mesh, *field, element, XiOfElement, PositionsOfElement, ValuesOfElement, UppersOfElement);
+        scatter(ValuesOfElement, bounds, Lower);
+        scatter(UppersOfElement, bounds, Upper);
+      }
+    });
 }
 
 /// To the component that is shown.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Trace/HitResults.h"
+#include "Trace/RunsByKey.h"
 
 #include <vector>
 
@@ -30,6 +31,12 @@ private:
   std::vector<double> Lowers;
   std::vector<double> Uppers;
   std::vector<Vec3> Positions;
+  // Of one element's hits.
+  std::vector<KeyRun> Runs;
+  std::vector<Vec3> XiOfElement;
+  std::vector<Vec3> PositionsOfElement;
+  std::vector<double> ValuesOfElement;
+  std::vector<double> UppersOfElement;
   // Of these as many as are wanted; components for each hit.
   std::span<std::int32_t> Element;
   std::span<Verdict> TheVerdict;

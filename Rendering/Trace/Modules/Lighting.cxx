@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trace/Modules/Lighting.h"
 
+#include "Core/Element/Kernels.h"
+#include "Trace/Modules/LightKernels.h"
+
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -42,6 +46,51 @@ Incoming LightAt(const Light& light, const LitView& view, const Vec3& x)
   }
   return { direction, strength };
 }
+
+/// From 0 to 1, to a byte.
+std::uint8_t ByteOf(double channel)
+{
+  const double scaled = 255.0 * std::clamp(channel, 0.0, 1.0);
+  const int whole = static_cast<int>(scaled);
+  return static_cast<std::uint8_t>(whole + (scaled - whole >= 0.5 ? 1 : 0));
+}
+
+/// Some samples of one material, coordinate by coordinate.
+struct Some
+{
+  static constexpr std::size_t kMost = 64;
+  using Column = std::array<double, kMost + kLanePadding>;
+
+  std::array<std::size_t, kMost> number;
+  std::array<Column, 3> position;
+  std::array<Column, 3> normal;
+  std::array<Column, 3> color;
+  Column isLit;
+  std::size_t count = 0;
+
+  void Add(const SampleBuffers& samples, std::size_t i)
+  {
+    for (int d = 0; d < 3; ++d)
+    {
+      const auto at = static_cast<std::size_t>(d);
+      position[at][count] = samples.position[i][d];
+      normal[at][count] = samples.normal[i][d];
+      color[at][count] = samples.color[4 * i + at] / 255.0;
+    }
+    number[count++] = i;
+  }
+  /// Whole packs are computed: what is behind the last sample is a copy of it.
+  void Pad()
+  {
+    for (std::array<Column, 3>* columns : { &position, &normal, &color })
+    {
+      for (Column& column : *columns)
+      {
+        std::fill_n(column.begin() + count, kLanePadding, column[count - 1]);
+      }
+    }
+  }
+};
 } // namespace
 
 Lighting::Lighting(
@@ -51,6 +100,13 @@ Lighting::Lighting(
   , View(view)
   , NormalMatrix(glm::transpose(glm::inverse(view.linear)))
 {
+  for (const Light& light : Lights)
+  {
+    if (!light.positional)
+    {
+      Parallel.push_back({ light.headlight ? View.direction : light.direction, light.color });
+    }
+  }
 }
 
 Buffer Lighting::Needs() const
@@ -61,6 +117,30 @@ Buffer Lighting::Needs() const
 
 void Lighting::Paint(SampleBuffers& samples, std::size_t begin, std::size_t end) const
 {
+  Some some;
+  const Material* common = nullptr;
+  const auto flush = [&]
+  {
+    if (some.count > 0)
+    {
+      some.Pad();
+      const auto columns = [](const auto& from) {
+        return std::array<const double*, 3>{ from[0].data(), from[1].data(), from[2].data() };
+      };
+      GetLightKernels().shine({ View, NormalMatrix, *common, Parallel },
+        { columns(some.position), columns(some.normal),
+          { some.color[0].data(), some.color[1].data(), some.color[2].data() }, some.isLit.data(),
+          static_cast<int>(some.count) });
+      for (std::size_t k = 0; k < some.count; ++k)
+      {
+        for (std::size_t c = 0; some.isLit[k] != 0.0 && c < 3; ++c)
+        {
+          samples.color[4 * some.number[k] + c] = ByteOf(some.color[c][k]);
+        }
+      }
+      some.count = 0;
+    }
+  };
   for (std::size_t i = begin; i < end; ++i)
   {
     if (samples.verdict[i] != static_cast<std::uint8_t>(PixelVerdict::Exact))
@@ -72,19 +152,34 @@ void Lighting::Paint(SampleBuffers& samples, std::size_t begin, std::size_t end)
     {
       continue;
     }
-    std::uint8_t* rgb = &samples.color[4 * i];
-    const Vec3 color(rgb[0], rgb[1], rgb[2]);
-    const Vec3 normal = glm::normalize(NormalMatrix * samples.normal[i]);
-    const Vec3 lit =
-      Lit(*material, color / 255.0, View.linear * samples.position[i] + View.offset, normal);
-    // What has no normal would be in the dark.
-    if (!std::isfinite(lit.x + lit.y + lit.z) || !std::isfinite(normal.x + normal.y + normal.z))
+    if (Parallel.size() < Lights.size() || material->specular != 0.0)
     {
+      PaintOne(*material, samples, i);
       continue;
     }
+    if (some.count == Some::kMost || common != &*material)
+    {
+      flush();
+      common = &*material;
+    }
+    some.Add(samples, i);
+  }
+  flush();
+}
+
+void Lighting::PaintOne(const Material& material, SampleBuffers& samples, std::size_t i) const
+{
+  std::uint8_t* rgb = &samples.color[4 * i];
+  const Vec3 color(rgb[0], rgb[1], rgb[2]);
+  const Vec3 normal = glm::normalize(NormalMatrix * samples.normal[i]);
+  const Vec3 lit =
+    Lit(material, color / 255.0, View.linear * samples.position[i] + View.offset, normal);
+  // What has no normal would be in the dark.
+  if (std::isfinite(lit.x + lit.y + lit.z) && std::isfinite(normal.x + normal.y + normal.z))
+  {
     for (int c = 0; c < 3; ++c)
     {
-      rgb[c] = static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(lit[c], 0.0, 1.0)));
+      rgb[c] = ByteOf(lit[c]);
     }
   }
 }

@@ -25,6 +25,13 @@ struct Light
   bool operator==(const Light&) const = default;
 };
 
+/// A light whose rays are parallel.
+struct ParallelLight
+{
+  Vec3 direction;
+  Vec3 color;
+};
+
 /// How a surface answers light (vtkProperty's meaning of every member).
 struct Material
 {
@@ -64,11 +71,13 @@ public:
   void Paint(SampleBuffers& samples, std::size_t begin, std::size_t end) const override;
 
 private:
+  void PaintOne(const Material& material, SampleBuffers& samples, std::size_t i) const;
   [[nodiscard]] Vec3 Lit(
     const Material& material, const Vec3& color, const Vec3& position, const Vec3& normal) const;
 
   std::vector<std::optional<Material>> Materials;
   std::vector<Light> Lights;
+  std::vector<ParallelLight> Parallel; ///< those of the lights that are
   LitView View;
   Mat3 NormalMatrix;
 };

@@ -2,10 +2,11 @@
 #include "Trace/Surfaces/Curved/CurvedSurface.h"
 
 #include "Core/Base/CheckedOut.h"
+#include "Trace/RunsByKey.h"
 #include "Trace/Scene.h"
+#include "Trace/Surfaces/Curved/BundleHits.h"
+#include "Trace/Surfaces/Curved/FaceBox.h"
 #include "Trace/Surfaces/Curved/PieceReferee.h"
-
-#include <glm/common.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -25,13 +26,18 @@ constexpr int kTogether = 8;
 constexpr int kBoxes = 4000;
 /// Rays and pieces, in lanes, that are solved before pieces further behind are looked at.
 constexpr int kAhead = 96;
-/// Of an element's size.
-constexpr double kSame = 1e-11;
 
 struct Scratch
 {
   RayBundle bundle;
   SolverWork work;
+};
+
+struct NormalScratch
+{
+  std::vector<KeyRun> runs;
+  std::vector<Vec3> xi;
+  std::vector<Vec3> found;
 };
 } // namespace
 
@@ -53,7 +59,27 @@ public:
 
   void Run()
   {
-    Of.Hierarchy->ForEach(Bundle, [this](int part, const Box3& box) { MeetPart(part, box); });
+    // Nearest first, by boxes of the parts themselves.
+    Work.parts.clear();
+    Of.Hierarchy->ForEach(Bundle,
+      [this](int part, const Box3& box)
+      {
+        const Box3& own = Of.BoxOf(part, box);
+        if (Bundle.MayMeet(own))
+        {
+          Work.parts.push_back({ Bundle.DepthOf(own), part, &own });
+        }
+      });
+    std::ranges::sort(Work.parts,
+      [](const PartAhead& a, const PartAhead& b)
+      { return a.depth != b.depth ? a.depth < b.depth : a.part < b.part; });
+    for (const PartAhead& one : Work.parts)
+    {
+      if (one.depth <= Bundle.Farthest())
+      {
+        MeetPart(one.part, *one.box);
+      }
+    }
   }
 
 private:
@@ -194,6 +220,7 @@ CurvedSurface::CurvedSurface(
   : TheEquation(equation)
   , All(std::move(parts))
   , Trees(All.size())
+  , Boxes(equation.field == nullptr ? All.size() : 0)
 {
   if (!All.empty())
   {
@@ -205,6 +232,14 @@ const PartTree& CurvedSurface::TreeOf(std::int32_t part) const
 {
   return Trees.Get(static_cast<std::size_t>(part),
     [&] { return std::make_unique<const PartTree>(TheEquation, PartOf(part)); });
+}
+
+const Box3& CurvedSurface::BoxOf(std::int32_t part, const Box3& around) const
+{
+  return TheEquation.field != nullptr
+    ? around
+    : Boxes.Get(static_cast<std::size_t>(part),
+        [&] { return std::make_unique<const Box3>(FaceBox(TheEquation.mesh, PartOf(part))); });
 }
 
 std::int64_t CurvedSurface::PiecesMade() const
@@ -240,25 +275,38 @@ Vec3 CurvedSurface::Normal(const SurfacePoint& point) const
 
 void CurvedSurface::Normals(std::span<const SurfacePoint> points, std::span<Vec3> normals) const
 {
-  std::vector<Vec3> xi;
-  for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end)
-  {
-    xi.clear();
-    for (end = begin; end < points.size() && points[end].piece == points[begin].piece; ++end)
+  const CheckedOut<NormalScratch> scratch;
+  auto& [runs, xi, found] = *scratch;
+  ForEachKey(
+    points.size(), [&](std::size_t i) { return points[i].piece; }, runs,
+    [&](std::int32_t piece, std::span<const KeyRun> of)
     {
-      const SurfacePoint& point = points[end];
-      xi.push_back(
-        TellsElements() ? point.xi : Vec3(point.parameters[0], point.parameters[1], -1.0));
-    }
-    NormalsOf(PartOf(points[begin].piece), xi, normals.subspan(begin, end - begin));
-  }
+      xi.clear();
+      for (const KeyRun& run : of)
+      {
+        for (std::size_t i = run.begin; i < run.end; ++i)
+        {
+          const SurfacePoint& point = points[i];
+          xi.push_back(
+            TellsElements() ? point.xi : Vec3(point.parameters[0], point.parameters[1], -1.0));
+        }
+      }
+      found.resize(xi.size());
+      NormalsOf(PartOf(piece), xi, found);
+      auto from = found.cbegin();
+      for (const KeyRun& run : of)
+      {
+        const auto count = static_cast<std::ptrdiff_t>(run.end - run.begin);
+        std::copy_n(from, count, normals.begin() + static_cast<std::ptrdiff_t>(run.begin));
+        from += count;
+      }
+    });
 }
 
 void CurvedSurface::MeetSome(const RayLanes& rays, int first, int count, HitSlots& hits) const
 {
   const CheckedOut<Scratch> scratch;
   auto& [bundle, work] = *scratch;
-  std::vector<CurvedHit>& found = work.hits;
   if (!bundle.Begin(rays, first, count, Hierarchy->Bounds()))
   {
     if (count > 1)
@@ -268,73 +316,9 @@ void CurvedSurface::MeetSome(const RayLanes& rays, int first, int count, HitSlot
     }
     return;
   }
-  found.clear();
+  work.hits.clear();
   work.unclear.clear();
   Meeting(*this, rays, bundle, work).Run();
-  std::ranges::stable_sort(found,
-    [](const CurvedHit& a, const CurvedHit& b) {
-      return a.ray != b.ray ? a.ray < b.ray : a.t != b.t ? a.t < b.t : a.part < b.part;
-    });
-  int slot = 0;
-  std::size_t last = 0;
-  std::vector<std::int32_t> told; // parts, since the last hit that is certain
-  for (std::size_t k = 0; k < found.size(); ++k)
-  {
-    const CurvedHit& hit = found[k];
-    const int ray = first + hit.ray;
-    const bool isFirst = k == 0 || found[k - 1].ray != hit.ray;
-    if (isFirst)
-    {
-      slot = 0;
-      told.clear();
-    }
-    const auto element = static_cast<std::size_t>(PartOf(hit.part).element);
-    const double same = kSame * TheEquation.mesh.size[element];
-    // What is undecided in one part, piece by piece along the ray, is told once.
-    const bool isUndecided = hit.status == HitStatus::Undecided;
-    const bool isTold = isUndecided && std::ranges::find(told, hit.part) != told.end();
-    if (!(hit.t >= rays.tNear[ray] && hit.t <= rays.tFar[ray]) || isTold ||
-      (slot > 0 &&
-        glm::all(glm::lessThanEqual(glm::abs(hit.position - found[last].position), Vec3(same)))))
-    {
-      continue;
-    }
-    const HitLanes lanes = hits.Slot(slot);
-    lanes.t[ray] = hit.t;
-    for (int d = 0; d < 3; ++d)
-    {
-      lanes.position[d][ray] = hit.position[d];
-    }
-    if (hit.status != HitStatus::Certain)
-    {
-      hits.Status(slot)[ray] = hit.status;
-    }
-    const PieceLanes piece = hits.Pieces(slot);
-    piece.piece[ray] = hit.part;
-    if (!TellsElements())
-    {
-      piece.parameters[0][ray] = hit.xi.x;
-      piece.parameters[1][ray] = hit.xi.y;
-    }
-    else
-    {
-      const ElementLanes lane = hits.Elements(slot);
-      lane.element[ray] = PartOf(hit.part).element;
-      for (int d = 0; d < 3; ++d)
-      {
-        lane.xi[d][ray] = hit.xi[d];
-      }
-    }
-    if (isUndecided)
-    {
-      told.push_back(hit.part);
-    }
-    else
-    {
-      told.clear();
-    }
-    last = k;
-    ++slot;
-  }
+  WriteHits(rays, first, count, { All, TheEquation.mesh, TellsElements() }, work.hits, hits);
 }
 } // namespace pixelexact

@@ -62,11 +62,14 @@ protected:
 private:
   class Meeting;
   [[nodiscard]] const PartTree& TreeOf(std::int32_t part) const;
+  /// A box of the part itself: of an iso-surface's that of the element, which is `around`.
+  [[nodiscard]] const Box3& BoxOf(std::int32_t part, const Box3& around) const;
   void MeetSome(const RayLanes& rays, int first, int count, HitSlots& hits) const;
 
   CurvedEquation TheEquation;
   std::vector<CurvedPart> All;
   std::unique_ptr<BundleHierarchy> Hierarchy;
   MadeOnDemand<PartTree> Trees;
+  MadeOnDemand<Box3> Boxes; ///< of faces
 };
 } // namespace pixelexact

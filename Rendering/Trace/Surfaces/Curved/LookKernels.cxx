@@ -5,10 +5,9 @@
 
 #include "Core/Math/Rounding.h"
 #include "Trace/Surfaces/Curved/CurvedEquations-inl.h"
-#include "Trace/Surfaces/Curved/GatheredRays-inl.h"
 #include "Trace/Surfaces/Curved/LookKernels.h"
-#include "Trace/Surfaces/Curved/PieceMath-inl.h"
 #include "Trace/Surfaces/Curved/PieceNorms-inl.h"
+#include "Trace/Surfaces/Curved/PieceProof-inl.h"
 
 #include <algorithm>
 #include <bit>
@@ -16,18 +15,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
-/// Up to it a step that is held back lets a residual fall to 3/4 at least.
-constexpr double kMostKappa = 0.35;
-/// Up to it, in any norm, a piece has one root at most: where the first step stays in it, that is
-/// looked for by so many steps before the piece is halved.
-constexpr double kMostUnique = 0.8;
-constexpr double kFewRounds = 6.0;
-/// Of a pair whose residuals prove nothing.
-constexpr double kNoKappa = 2.0;
 /// So often the place of a ray's roots in a piece is narrowed by what is known of it.
 constexpr int kNarrowings = 2;
-/// More than rounding leaves.
-constexpr double kMore = 1.0 + 1e-9;
 
 /// A piece, as rays of a bundle see it.
 class PieceLook
@@ -219,7 +208,6 @@ public:
       {
         putAll(kLowerColumn + d, Piece.box.lower[d]);
         putAll(kUpperColumn + d, Piece.box.upper[d]);
-        putAll(kFaceColumn + d, Piece.slope[3][d]);
         put(kXiColumn + d, xi[d]);
         put(kNormColumn + d, norm.w[d]);
       });
@@ -241,26 +229,8 @@ private:
 RaySet Look(const RayBundle& bundle, const ElementFrame& frame, const CurvedPiece& piece,
   const RaySet& rays, PiecePairs& pairs)
 {
-  const int before = pairs.count;
-  const GatheredRays gathered(bundle, rays);
   PieceLook look(bundle, frame, piece, pairs);
-  RaySet unclear;
-  for (int i = 0; i < gathered.Count(); i += LaneCount())
-  {
-    const int left = std::min(gathered.Count() - i, LaneCount());
-    const LaneMask active = MaskOf((std::uint64_t{ 1 } << static_cast<unsigned>(left)) - 1U);
-    const auto first = static_cast<std::size_t>(i);
-    for (std::uint64_t bits = BitsOf(look.At(gathered, first, active)); bits != 0; bits &= bits - 1)
-    {
-      unclear.Add(static_cast<int>(
-        gathered.number[first + static_cast<std::size_t>(std::countr_zero(bits))]));
-    }
-  }
-  if (pairs.count > before)
-  {
-    pairs.pieces.push_back(&piece);
-  }
-  return unclear;
+  return LookAt(bundle, rays, piece, pairs, look);
 }
 
 const LookKernels& LookTable()

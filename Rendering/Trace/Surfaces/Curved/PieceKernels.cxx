@@ -5,7 +5,7 @@
 
 #include "Core/Math/Rounding.h"
 #include "Trace/Surfaces/Curved/PieceKernels.h"
-#include "Trace/Surfaces/Curved/PieceMath-inl.h"
+#include "Trace/Surfaces/Curved/PieceProof-inl.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,16 +13,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
-using Traits = NumberTraits<Lanes>;
-
-/// After a step as small as this, Newton's iteration has arrived up to rounding.
-constexpr double kArrived = 1e-8;
-
-HWY_INLINE Lanes Largest(const Lanes (&norm)[3], const Lanes (&v)[3])
-{
-  return Max(norm[0] * Abs(v[0]), Max(norm[1] * Abs(v[1]), norm[2] * Abs(v[2])));
-}
-
 /// test(i, mask) for each pack of rays of the set; returns those that passed.
 template <class Test>
 HWY_INLINE RaySet ForEachPack(const RaySet& rays, Test&& test)
@@ -73,8 +63,7 @@ void Step(const RayBundle& bundle, const ElementFrame& frame, const double* valu
   std::size_t stride, PiecePairs& pairs, double* const position[3], double* result)
 {
   const auto k = static_cast<std::size_t>(bundle.axes[2]);
-  const Lanes zero = Splat(0.0);
-  const auto number = [](PairResult one) { return Splat(static_cast<double>(one)); };
+  const Lanes tolerance = Splat(frame.tolerance);
   for (int i = 0; i < pairs.count; i += LaneCount())
   {
     const auto load = [&](int column) PIXELEXACT_INLINED
@@ -92,15 +81,21 @@ void Step(const RayBundle& bundle, const ElementFrame& frame, const double* valu
       ForEachAxis([&](auto d) PIXELEXACT_INLINED { m[a][d] = slopeAt(c, d) - s * slopeAt(k, d); });
       g[a] = value(c) - s * value(k) - load(kPlaceColumn + a);
     }
-    ForEachAxis([&](auto d) PIXELEXACT_INLINED
-      { m[2][d] = frame.hasField ? slopeAt(3, d) : load(kFaceColumn + d); });
+    ForEachAxis([&](auto d) PIXELEXACT_INLINED { m[2][d] = slopeAt(3, d); });
     g[2] = value(3);
     Lanes inverse[9];
     InverseOf(m, inverse);
     Lanes step[3];
     Product(inverse, g, step);
+    for (int n = 0; n < 9; ++n)
+    {
+      inverse[n] = load(kInverseColumn + n);
+    }
+    PairState<3> pair;
+    Product(inverse, g, pair.frozen);
     Lanes xi[3];
     Lanes next[3];
+    Lanes back[3];
     Lanes lower[3];
     Lanes upper[3];
     ForEachAxis(
@@ -108,73 +103,36 @@ void Step(const RayBundle& bundle, const ElementFrame& frame, const double* valu
       {
         xi[d] = load(kXiColumn + d);
         next[d] = xi[d] - step[d];
+        back[d] = xi[d] - pair.frozen[d];
         lower[d] = load(kLowerColumn + d);
         upper[d] = load(kUpperColumn + d);
-      });
-    Lanes inside[3];
-    ClampTo(frame.shape, lower, upper, next, inside);
-    Lanes over[3];
-    ForEachAxis([&](auto d) PIXELEXACT_INLINED { over[d] = next[d] - inside[d]; });
-    const Lanes even[3] = { Splat(1.0), Splat(1.0), Splat(1.0) };
-    const Lanes beyond = Largest(even, over);
-    const LaneMask arrived = And(Largest(even, step) <= Splat(kArrived), beyond <= Splat(kEdge));
-    const Lanes tolerance = Splat(frame.tolerance);
-    const LaneMask there =
-      And(Abs(g[0]) <= tolerance, And(Abs(g[1]) <= tolerance, Abs(g[2]) <= tolerance));
-    const LaneMask hit = Or(arrived, there);
-    for (int n = 0; n < 9; ++n)
-    {
-      inverse[n] = load(kInverseColumn + n);
-    }
-    Lanes frozen[3];
-    Product(inverse, g, frozen);
-    Lanes norm[3];
-    ForEachAxis([&](auto d) PIXELEXACT_INLINED { norm[d] = load(kNormColumn + d); });
-    const Lanes residual = Largest(norm, frozen);
-    // After a step with the piece's matrix, every root of the piece is nearer than kappa times what
-    // it was before.
-    const Lanes kappa = load(kKappaColumn);
-    const Lanes last = load(kLastColumn);
-    const Lanes falls = (Splat(1.0) + kappa) * kappa / (Splat(1.0) - kappa);
-    // Both residuals are off by what g may be, by rounding and uncertainty, seen through the
-    // matrix.
-    Lanes off[3];
-    ForEachAxis(
-      [&](auto r) PIXELEXACT_INLINED
-      {
-        off[r] =
-          tolerance * (Abs(inverse[3 * r]) + Abs(inverse[3 * r + 1]) + Abs(inverse[3 * r + 2])) +
+        pair.norm[d] = load(kNormColumn + d);
+        pair.off[d] =
+          tolerance * (Abs(inverse[3 * d]) + Abs(inverse[3 * d + 1]) + Abs(inverse[3 * d + 2])) +
           Splat(kEdge);
       });
-    const LaneMask contracts = kappa < Splat(1.0);
-    const LaneMask miss = And(contracts,
-      And(zero < last,
-        falls * last * Splat(1.0 + 1e-6) + Splat(2.0) * Largest(norm, off) < residual));
-    const Lanes rounds = load(kRoundsColumn) + Splat(1.0);
-    const LaneMask stays = beyond <= zero;
-    const LaneMask goesOn =
-      And(And(IsFinite(residual), rounds <= Splat(kMostRounds)), Or(contracts, stays));
-    const LaneMask free = AndNot(stays, And(contracts, rounds >= Splat(0.5 * kMostRounds)));
-    Lanes back[3];
+    Lanes inside[3];
     Lanes held[3];
-    ForEachAxis([&](auto d) PIXELEXACT_INLINED { back[d] = xi[d] - frozen[d]; });
+    ClampTo(frame.shape, lower, upper, next, inside);
     ClampTo(frame.shape, lower, upper, back, held);
-    Lanes end = Select(goesOn, number(PairResult::Again), number(PairResult::Unclear));
-    end = Select(miss, number(PairResult::Miss), end);
-    end = Select(hit, number(PairResult::Hit), end);
-    Store(end, result + i);
-    Store(Select(free, zero, residual), pairs.Column(kLastColumn) + i);
-    Store(rounds, pairs.Column(kRoundsColumn) + i);
+    pair.moved = Max(Abs(step[0]), Max(Abs(step[1]), Abs(step[2])));
+    pair.beyond =
+      Max(Abs(next[0] - inside[0]), Max(Abs(next[1] - inside[1]), Abs(next[2] - inside[2])));
+    pair.isThere = And(Abs(g[0]) <= tolerance, And(Abs(g[1]) <= tolerance, Abs(g[2]) <= tolerance));
+    const PairEnd end = EndOf(pair, load(kKappaColumn), load(kLastColumn), load(kRoundsColumn));
+    Store(end.result, result + i);
+    Store(end.last, pairs.Column(kLastColumn) + i);
+    Store(end.rounds, pairs.Column(kRoundsColumn) + i);
     ForEachAxis(
       [&](auto d) PIXELEXACT_INLINED
       {
-        const Lanes moved = Select(free, inside[d], held[d]);
-        const Lanes found = Select(arrived, inside[d], xi[d]);
-        Store(Select(hit, found, moved), pairs.Column(kXiColumn + d) + i);
+        const Lanes moved = Select(end.isFree, inside[d], held[d]);
+        const Lanes found = Select(end.arrived, inside[d], xi[d]);
+        Store(Select(end.isHit, found, moved), pairs.Column(kXiColumn + d) + i);
         const auto c = static_cast<std::size_t>(d);
         const Lanes last3 =
           slopeAt(c, 0) * step[0] + slopeAt(c, 1) * step[1] + slopeAt(c, 2) * step[2];
-        const Lanes y = value(c) - Select(arrived, last3, zero);
+        const Lanes y = value(c) - Select(end.arrived, last3, Splat(0.0));
         Store(Splat(frame.centre[d]) + Splat(frame.size) * y, position[d] + i);
       });
   }

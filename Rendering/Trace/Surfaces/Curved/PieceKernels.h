@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Trace/Surfaces/Curved/CurvedPiece.h"
+#include "Trace/Surfaces/Curved/FaceChart.h"
 #include "Trace/Surfaces/Curved/RayBundle.h"
 
 #include <array>
@@ -17,13 +18,15 @@ struct ElementFrame
 {
   Shape shape = Shape::Hexahedron;
   bool hasField = false;
+  FaceChart chart; ///< without a field
   Vec3 centre{ 0.0 };
   double size = 1.0;
   double inverseSize = 1.0;
   double tolerance = 0.0; ///< of y and f where an end of a piece holds a step back
 };
 
-/// A ray and a piece that it may meet in one point at most, and how far the search is.
+/// A ray and a piece that it may meet in one point at most, and how far the search is. Of a face
+/// matrix, box and norm are those of its chart: the first 4, 2 and 2 of their columns.
 enum PairColumn
 {
   kOpenColumn, ///< 1: it counts; 0: it fills a pack, or has come to its end
@@ -34,8 +37,7 @@ enum PairColumn
   kInverseColumn = kPlaceColumn + 2, ///< 9: of the piece's matrix, row by row
   kLowerColumn = kInverseColumn + 9, ///< 3: the piece's box
   kUpperColumn = kLowerColumn + 3,   ///< 3
-  kFaceColumn = kUpperColumn + 3,    ///< 3: the normal of the face in xi
-  kKappaColumn = kFaceColumn + 3,
+  kKappaColumn = kUpperColumn + 3,
   kLastColumn, ///< the residual before a step that was held back; 0: none
   kRoundsColumn,
   kXiColumn,                   ///< 3
@@ -77,8 +79,8 @@ struct PieceKernels
 {
   /// Of these rays, those that may meet the box within what is left of them.
   RaySet (*meetBox)(const RayBundle& bundle, const Box3& box, const RaySet& rays);
-  /// A step of all pairs. `values` are y (3), f, their derivatives (9 and 3) at the pairs' xi, each
-  /// `stride` after the other. Pairs that go on have moved.
+  /// A step of all pairs of an iso-surface. `values` are y (3), f, their derivatives (9 and 3) at
+  /// the pairs' xi, each `stride` after the other. Pairs that go on have moved.
   void (*step)(const RayBundle& bundle, const ElementFrame& frame, const double* values,
     std::size_t stride, PiecePairs& pairs, double* const position[3], double* result);
 };

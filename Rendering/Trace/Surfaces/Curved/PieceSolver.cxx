@@ -4,6 +4,7 @@
 #include "Core/Element/Kernels.h"
 #include "Core/Math/Rounding.h"
 #include "Trace/Scene.h"
+#include "Trace/Surfaces/Curved/FacePieceKernels.h"
 #include "Trace/Surfaces/Curved/LookKernels.h"
 
 #include <algorithm>
@@ -28,6 +29,10 @@ PieceSolver::PieceSolver(const CurvedEquation& equation, const CurvedPart& part,
   const auto e = static_cast<std::size_t>(part.element);
   Frame.shape = equation.mesh.ShapeOf(part.element);
   Frame.hasField = equation.field != nullptr;
+  if (!Frame.hasField)
+  {
+    Frame.chart = ChartOf(Frame.shape, part.face);
+  }
   Frame.centre = Vec3(
     equation.mesh.centre[3 * e], equation.mesh.centre[3 * e + 1], equation.mesh.centre[3 * e + 2]);
   Frame.size = equation.mesh.size[e];
@@ -55,10 +60,11 @@ RaySet PieceSolver::Look(const CurvedPiece& piece, const RaySet& rays)
   {
     Solve();
   }
-  return GetLookKernels().look(Bundle, Frame, piece, rays, Work.pairs);
+  const auto look = Frame.hasField ? GetLookKernels().look : GetFacePieceKernels().look;
+  return look(Bundle, Frame, piece, rays, Work.pairs);
 }
 
-/// y, f and their derivatives at the pairs' xi.
+/// y, their derivatives and, of an iso-surface, f and its, at the pairs' xi.
 void PieceSolver::Evaluate()
 {
   const auto count = static_cast<std::size_t>(Work.pairs.count);
@@ -83,11 +89,13 @@ void PieceSolver::Evaluate()
   {
     EvaluateField(points, row(3), slope + 9);
   }
-  else
-  {
-    // What is held back lies on the face.
-    std::fill_n(row(3), static_cast<std::size_t>(PaddedCount(points.count)), 0.0);
-  }
+}
+
+void PieceSolver::Step(double* const position[3], double* result)
+{
+  Evaluate();
+  const auto step = Frame.hasField ? GetPieceKernels().step : GetFacePieceKernels().step;
+  step(Bundle, Frame, Work.values.data(), PiecePairs::kStride, Work.pairs, position, result);
 }
 
 void PieceSolver::EvaluateField(const LanePoints& xi, double* const out, double* const slope[3])
@@ -133,9 +141,7 @@ void PieceSolver::Solve()
   int left = static_cast<int>(std::count(isOpen, isOpen + pairs.count, 1.0));
   while (left > 0)
   {
-    Evaluate();
-    GetPieceKernels().step(
-      Bundle, Frame, Work.values.data(), PiecePairs::kStride, pairs, position, result);
+    Step(position, result);
     for (std::size_t i = 0; i < static_cast<std::size_t>(pairs.count); ++i)
     {
       const auto end = static_cast<PairResult>(static_cast<int>(result[i]));
@@ -175,12 +181,12 @@ CurvedHit PieceSolver::HitAt(const CurvedPiece& piece, int ray, const Vec3& xi, 
     pairs.Column(column)[0] = 0.0;
   }
   const auto q = Across(ray);
-  for (int d = 0; d < 3; ++d)
+  const int unknowns = Frame.hasField ? 3 : 2;
+  for (int n = 0; n < unknowns; ++n)
   {
-    pairs.Column(kLowerColumn + d)[0] = piece.box.lower[d];
-    pairs.Column(kUpperColumn + d)[0] = piece.box.upper[d];
-    pairs.Column(kFaceColumn + d)[0] = piece.slope[3][d];
-    pairs.Column(kXiColumn + d)[0] = xi[d];
+    const int d = Frame.hasField ? n : Frame.chart.free[static_cast<std::size_t>(n)];
+    pairs.Column(kLowerColumn + n)[0] = piece.box.lower[d];
+    pairs.Column(kUpperColumn + n)[0] = piece.box.upper[d];
   }
   for (int a = 0; a < 2; ++a)
   {
@@ -196,14 +202,12 @@ CurvedHit PieceSolver::HitAt(const CurvedPiece& piece, int ray, const Vec3& xi, 
     {
       pairs.Column(kXiColumn + d)[0] = hit.xi[d];
     }
-    Evaluate();
+    Step(position, Work.ends[3].data());
     for (int c = 0; c < 3; ++c)
     {
       hit.position[c] = Frame.centre[c] +
         Frame.size * Work.values[static_cast<std::size_t>(c) * PiecePairs::kStride];
     }
-    GetPieceKernels().step(
-      Bundle, Frame, Work.values.data(), PiecePairs::kStride, pairs, position, Work.ends[3].data());
     const Vec3 next(
       pairs.Column(kXiColumn)[0], pairs.Column(kXiColumn + 1)[0], pairs.Column(kXiColumn + 2)[0]);
     // A singular matrix leaves it where it is.

@@ -28,9 +28,18 @@ struct PieceRay
   int ray = 0;
 };
 
+/// A part that rays of a bundle may meet.
+struct PartAhead
+{
+  double depth = 0.0;
+  std::int32_t part = -1;
+  const Box3* box = nullptr;
+};
+
 /// What a solver leaves, and the room that it needs.
 struct SolverWork
 {
+  std::vector<PartAhead> parts;
   std::vector<CurvedHit> hits;
   std::vector<PieceRay> unclear;
   PiecePairs pairs;
@@ -69,6 +78,7 @@ public:
   [[nodiscard]] std::array<double, 2> Across(int ray) const;
 
 private:
+  void Step(double* const position[3], double* result);
   void Evaluate();
   void EvaluateField(const LanePoints& xi, double* const out, double* const slope[3]);
 

@@ -9,13 +9,11 @@
 
 #include "Core/Element/Matrix-inl.h"
 #include "Trace/Surfaces/Curved/CurvedPiece.h"
+#include "Trace/Surfaces/Curved/PieceProof-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
-/// Of places in xi, and of what they are found from: more than rounding leaves.
-constexpr double kSlack = 1e-14;
-
 /// Where in a piece the roots of rays may lie: xi from its centre, along each direction between two
 /// numbers.
 struct RootBox

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace pixelexact
+{
+/// Hits of a tile that follow each other and have a key in common: an element, a piece.
+struct KeyRun
+{
+  std::int32_t key;
+  std::size_t begin;
+  std::size_t end;
+};
+
+/// visit(runs of one key) for each key: what is evaluated element by element fills whole packs,
+/// though a tile's hits go from one to the other and back. `keyOf(i)` for i below count; `runs` is
+/// room for them.
+template <class KeyOf, class Visit>
+void ForEachKey(
+  std::size_t count, const KeyOf& keyOf, std::vector<KeyRun>& runs, const Visit& visit)
+{
+  runs.clear();
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const std::int32_t key = keyOf(i);
+    if (runs.empty() || runs.back().key != key)
+    {
+      runs.push_back({ key, i, i });
+    }
+    runs.back().end = i + 1;
+  }
+  std::ranges::sort(runs,
+    [](const KeyRun& a, const KeyRun& b)
+    { return a.key != b.key ? a.key < b.key : a.begin < b.begin; });
+  for (std::size_t first = 0, last = 0; first < runs.size(); first = last)
+  {
+    while (last < runs.size() && runs[last].key == runs[first].key)
+    {
+      ++last;
+    }
+    visit(runs[first].key, std::span(runs).subspan(first, last - first));
+  }
+}
+} // namespace pixelexact

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Trace/Surfaces/Curved/FaceBox.h"
+
+#include "Core/Element/RangeIngredients.h"
+#include "Core/Math/Rounding.h"
+#include "Core/Questions/Questions.h"
+
+#include <cmath>
+
+namespace pixelexact
+{
+Box3 FaceBox(const Mesh& mesh, const CurvedPart& part)
+{
+  const auto e = static_cast<std::size_t>(part.element);
+  const Box3 anywhere{ Vec3(-INFINITY), Vec3(INFINITY) };
+  const ScaledModes map(mesh.map.SpaceOf(part.element), mesh.map.Coefficients(part.element), 3);
+  if (!map.finite)
+  {
+    return anywhere;
+  }
+  const ShapeFace& face = FacesOf(mesh.ShapeOf(part.element))[static_cast<std::size_t>(part.face)];
+  const Box3 all{ Vec3(-1.0), Vec3(1.0) };
+  const int level =
+    LevelFor({ { &map, 0, Part::Value }, { &map, 1, Part::Value }, { &map, 2, Part::Value } });
+  const int count = 1 << level;
+  const double uncertainty = rounding::Above(mesh.uncertainty[e] / mesh.size[e]);
+  const double scale = std::ldexp(1.0, map.exponent);
+  Box3 box{ Vec3(INFINITY), Vec3(-INFINITY) };
+  for (int i = 0; i < count * count; ++i)
+  {
+    Vec3 middle;
+    middle[face.direction] = face.upper ? 1.0 - 1.0 / count : 1.0 / count - 1.0;
+    middle[(face.direction + 1) % 3] = (2.0 * (i / count) + 1.0) / count - 1.0;
+    middle[(face.direction + 2) % 3] = (2.0 * (i % count) + 1.0) / count - 1.0;
+    const auto piece = PieceAt({ middle, middle }, level);
+    for (int c = 0; c < 3; ++c)
+    {
+      const Interval y = RangeIngredient{ &map, c, Part::Value }
+                           .Over(level, piece, all)
+                           .AtEnd(face.direction, face.upper)
+                           .Hull() *
+          Interval(scale) +
+        Interval(-uncertainty, uncertainty);
+      const Interval x =
+        Interval(mesh.centre[3 * e + static_cast<std::size_t>(c)]) + y * Interval(mesh.size[e]);
+      if (!std::isfinite(x.Width()))
+      {
+        return anywhere;
+      }
+      box.lower[c] = std::min(box.lower[c], x.lower);
+      box.upper[c] = std::max(box.upper[c], x.upper);
+    }
+  }
+  return box;
+}
+} // namespace pixelexact

@@ -1,0 +1,366 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "Trace/Surfaces/Curved/FacePieceKernels.cxx"
+#include <hwy/foreach_target.h>
+
+#include "Core/Math/Rounding.h"
+#include "Trace/Surfaces/Curved/FaceMath-inl.h"
+#include "Trace/Surfaces/Curved/FacePieceKernels.h"
+#include "Trace/Surfaces/Curved/GatheredRays-inl.h"
+#include "Trace/Surfaces/Curved/PieceProof-inl.h"
+
+#include <algorithm>
+#include <bit>
+
+HWY_BEFORE_NAMESPACE();
+namespace pixelexact::HWY_NAMESPACE
+{
+/// A piece of a face, as rays of a bundle see it.
+class FaceLook
+{
+public:
+  HWY_INLINE FaceLook(
+    const RayBundle& bundle, const ElementFrame& frame, const CurvedPiece& piece, PiecePairs& pairs)
+    : Frame(frame)
+    , Piece(piece)
+    , Pairs(pairs)
+    , Along((bundle.z0 - frame.centre[bundle.axes[2]]) * frame.inverseSize)
+    , Number(static_cast<double>(pairs.pieces.size()))
+  {
+    const FaceChart& chart = frame.chart;
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      Axis[a] = static_cast<std::size_t>(bundle.axes[a]);
+      const std::size_t c = Axis[a];
+      for (std::size_t j = 0; j < 2; ++j)
+      {
+        const auto d = static_cast<std::size_t>(chart.free[j]);
+        const auto w = static_cast<std::size_t>(chart.across);
+        Tangent[a][j] = piece.slope[c][d] + chart.along[j] * piece.slope[c][w];
+        Radius[a][j] = (piece.radius[c][d] + std::abs(chart.along[j]) * piece.radius[c][w]) * kMore;
+      }
+    }
+  }
+
+  /// Of a pack of rays, those that the piece bends too much for. Appends pairs.
+  HWY_INLINE LaneMask At(const GatheredRays& rays, std::size_t i, LaneMask active)
+  {
+    Lanes m[2][2];
+    Lanes radius[2][2];
+    Lanes g[2];
+    Lanes rounding[2];
+    Lanes bend[2];
+    Lanes slope[2];
+    Lanes q[2];
+    ForBoth(
+      [&](auto a) PIXELEXACT_INLINED
+      {
+        const std::size_t c = Axis[a];
+        const std::size_t k = Axis[2];
+        const Lanes s = Traits::Load(&rays.slope[a][i]);
+        slope[a] = s;
+        q[a] = (Traits::Load(&rays.place[a][i]) - Splat(Frame.centre[static_cast<int>(c)])) *
+            Splat(Frame.inverseSize) -
+          s * Splat(Along);
+        const Lanes size = Abs(s);
+        ForBoth(
+          [&](auto j) PIXELEXACT_INLINED
+          {
+            m[a][j] = Splat(Tangent[a][j]) - s * Splat(Tangent[2][j]);
+            radius[a][j] = Splat(Radius[a][j]) + size * Splat(Radius[2][j]);
+          });
+        g[a] = Splat(Piece.value[c]) - s * Splat(Piece.value[k]) - q[a];
+        rounding[a] = Splat(Piece.error[c]) + size * Splat(Piece.error[k]) +
+          Splat(8.0 * kUnitRoundoff) * (Abs(q[a]) + Abs(Splat(Along))) +
+          Traits::Load(&rays.slack[i]) * Splat(Frame.inverseSize);
+        bend[a] = Splat(Piece.bend[c]) + size * Splat(Piece.bend[k]);
+      });
+    Lanes inverse[2][2];
+    InverseOf(m, inverse);
+    // NaNs neither miss nor decide.
+    const Lanes zero = Splat(0.0);
+    LaneMask misses = zero < zero;
+    Lanes all = zero;
+    Lanes step[2];
+    Lanes lower[2];
+    Lanes upper[2];
+    ForBoth(
+      [&](auto r) PIXELEXACT_INLINED
+      {
+        const Lanes first = inverse[r][0] * g[0] + inverse[r][1] * g[1];
+        const Lanes a = Abs(inverse[r][0]);
+        const Lanes b = Abs(inverse[r][1]);
+        const Lanes known = a * rounding[0] + b * rounding[1];
+        step[r] = zero - first;
+        all = all + first + known;
+        // A root in the piece lies in centre - first +- off, however large that is.
+        const Lanes off = (known + (a * bend[0] + b * bend[1])) * Splat(kMore) + Splat(kSlack);
+        const Lanes half = Splat(Piece.half[Frame.chart.free[r]] * kMore);
+        misses = Or(misses, half + off < Abs(first));
+        lower[r] = Max(zero - half, step[r] - off);
+        upper[r] = Min(half, step[r] + off);
+      });
+    LaneMask open = AndNot(active, misses);
+    if (None(open))
+    {
+      return open;
+    }
+    if (Frame.chart.collapses)
+    {
+      open = AndNot(open, And(IsFinite(all), IsBeside(lower, upper)));
+      if (None(open))
+      {
+        return open;
+      }
+    }
+    // |M^-1| times the radii.
+    Lanes K[2][2];
+    ForBoth(
+      [&](auto r) PIXELEXACT_INLINED
+      {
+        ForBoth(
+          [&](auto j) PIXELEXACT_INLINED
+          {
+            K[r][j] = Abs(inverse[r][0]) * radius[0][j] + Abs(inverse[r][1]) * radius[1][j];
+            // Max may lose a NaN, not so a sum.
+            all = all + K[r][j];
+          });
+      });
+    Lanes norm[2];
+    const Lanes kappa = ChooseNorm(Frame.chart.collapses, K, norm);
+    Lanes from[2];
+    Lanes to[2];
+    Lanes start[2];
+    Lanes at[2];
+    ForBoth(
+      [&](auto j) PIXELEXACT_INLINED
+      {
+        const int d = Frame.chart.free[j];
+        from[j] = Splat(Piece.box.lower[d]);
+        to[j] = Splat(Piece.box.upper[d]);
+        start[j] = Splat(Piece.centre[d]) + step[j];
+      });
+    ClampTo(Frame.chart.collapses, from, to, start, at);
+    LaneMask within = LeastNorm(K) <= Splat(kMostUnique);
+    ForBoth([&](auto j) PIXELEXACT_INLINED
+      { within = And(within, Abs(start[j] - at[j]) <= Splat(kEdge)); });
+    const LaneMask contracts = kappa <= Splat(kMostKappa);
+    const LaneMask pair = And(open, And(IsFinite(all), Or(contracts, within)));
+    const std::uint64_t which = BitsOf(pair);
+    if (which == 0)
+    {
+      return open;
+    }
+    const LanesToFront toFront(which);
+    const auto put = [&](int column, Lanes value) PIXELEXACT_INLINED
+    { Store(toFront(value), Pairs.Column(column) + Pairs.count); };
+    const auto putAll = [&](int column, double value) PIXELEXACT_INLINED
+    { Store(Splat(value), Pairs.Column(column) + Pairs.count); };
+    putAll(kOpenColumn, 1.0);
+    putAll(kPieceColumn, Number);
+    putAll(kLastColumn, 0.0);
+    put(kRayColumn, Traits::Load(&rays.number[i]));
+    put(kKappaColumn, Select(contracts, kappa, Splat(kNoKappa)));
+    put(kRoundsColumn, Select(contracts, zero, Splat(kMostRounds - kFewRounds)));
+    ForBoth(
+      [&](auto j) PIXELEXACT_INLINED
+      {
+        put(kSlopeColumn + j, slope[j]);
+        put(kPlaceColumn + j, q[j]);
+        put(kInverseColumn + 2 * j, inverse[j][0]);
+        put(kInverseColumn + 2 * j + 1, inverse[j][1]);
+        putAll(kLowerColumn + j, Piece.box.lower[Frame.chart.free[j]]);
+        putAll(kUpperColumn + j, Piece.box.upper[Frame.chart.free[j]]);
+        put(kXiColumn + Frame.chart.free[j], at[j]);
+        put(kNormColumn + j, norm[j]);
+      });
+    put(kXiColumn + Frame.chart.across, AcrossAt(Frame.chart, at));
+    Pairs.count += std::popcount(which);
+    return AndNot(open, pair);
+  }
+
+private:
+  /// Whether nothing of a box about the centre is in the piece, whose ends in u move with v.
+  [[nodiscard]] HWY_INLINE LaneMask IsBeside(const Lanes (&lower)[2], const Lanes (&upper)[2]) const
+  {
+    const int u = Frame.chart.free[0];
+    const Lanes centre = Splat(Piece.centre[Frame.chart.free[1]]);
+    const Lanes from = Splat(1.0 + Piece.centre[u]);
+    const Lanes half = Splat(0.5);
+    const Lanes most = Max(half * (Splat(1.0) - (centre + lower[1])), Splat(0.0));
+    const Lanes least = Max(half * (Splat(1.0) - (centre + upper[1])), Splat(0.0));
+    const Lanes last = Splat(1.0 + Piece.box.upper[u]) * most - from + Splat(kSlack);
+    const Lanes first = Splat(1.0 + Piece.box.lower[u]) * least - from - Splat(kSlack);
+    return Min(upper[0], last) < Max(lower[0], first);
+  }
+
+  const ElementFrame& Frame;
+  const CurvedPiece& Piece;
+  PiecePairs& Pairs;
+  double Along;
+  double Number;
+  std::size_t Axis[3];
+  double Tangent[3][2]; ///< derivatives on the face, of the coordinates across the rays and along
+  double Radius[3][2];
+};
+
+RaySet LookAtFace(const RayBundle& bundle, const ElementFrame& frame, const CurvedPiece& piece,
+  const RaySet& rays, PiecePairs& pairs)
+{
+  FaceLook look(bundle, frame, piece, pairs);
+  return LookAt(bundle, rays, piece, pairs, look);
+}
+
+/// A step of Newton's iteration with the slopes at xi where that stays in the piece, and with the
+/// piece's own matrix where it has to be held back.
+void StepOnFace(const RayBundle& bundle, const ElementFrame& frame, const double* values,
+  std::size_t stride, PiecePairs& pairs, double* const position[3], double* result)
+{
+  const FaceChart& chart = frame.chart;
+  const auto k = static_cast<std::size_t>(bundle.axes[2]);
+  const Lanes tolerance = Splat(frame.tolerance);
+  for (int i = 0; i < pairs.count; i += LaneCount())
+  {
+    const auto load = [&](int column) PIXELEXACT_INLINED
+    { return Traits::Load(pairs.Column(column) + i); };
+    const auto value = [&](std::size_t n) PIXELEXACT_INLINED
+    { return Traits::Load(values + n * stride + i); };
+    Lanes tangent[3][2];
+    const Lanes along[2] = { Splat(chart.along[0]), Splat(chart.along[1]) };
+    ForEachAxis(
+      [&](auto d) PIXELEXACT_INLINED
+      {
+        const auto c = static_cast<std::size_t>(d);
+        const auto by = [&](int e) PIXELEXACT_INLINED
+        { return value(4 + 3 * c + static_cast<std::size_t>(e)); };
+        const Lanes across = by(chart.across);
+        ForBoth([&](auto j) PIXELEXACT_INLINED
+          { tangent[c][j] = by(chart.free[j]) + along[j] * across; });
+      });
+    Lanes m[2][2];
+    Lanes g[2];
+    Lanes frozenInverse[2][2];
+    PairState<2> pair;
+    ForBoth(
+      [&](auto a) PIXELEXACT_INLINED
+      {
+        const auto c = static_cast<std::size_t>(bundle.axes[a]);
+        const Lanes s = load(kSlopeColumn + a);
+        ForBoth([&](auto j) PIXELEXACT_INLINED { m[a][j] = tangent[c][j] - s * tangent[k][j]; });
+        g[a] = value(c) - s * value(k) - load(kPlaceColumn + a);
+        frozenInverse[a][0] = load(kInverseColumn + 2 * a);
+        frozenInverse[a][1] = load(kInverseColumn + 2 * a + 1);
+      });
+    Lanes inverse[2][2];
+    InverseOf(m, inverse);
+    Lanes at[2];
+    Lanes lower[2];
+    Lanes upper[2];
+    Lanes step[2];
+    Lanes next[2];
+    Lanes back[2];
+    ForBoth(
+      [&](auto j) PIXELEXACT_INLINED
+      {
+        at[j] = load(kXiColumn + chart.free[j]);
+        lower[j] = load(kLowerColumn + j);
+        upper[j] = load(kUpperColumn + j);
+        step[j] = inverse[j][0] * g[0] + inverse[j][1] * g[1];
+        next[j] = at[j] - step[j];
+        pair.frozen[j] = frozenInverse[j][0] * g[0] + frozenInverse[j][1] * g[1];
+        pair.off[j] =
+          tolerance * (Abs(frozenInverse[j][0]) + Abs(frozenInverse[j][1])) + Splat(kEdge);
+        pair.norm[j] = load(kNormColumn + j);
+        back[j] = at[j] - pair.frozen[j];
+      });
+    Lanes inside[2];
+    Lanes held[2];
+    ClampTo(chart.collapses, lower, upper, next, inside);
+    ClampTo(chart.collapses, lower, upper, back, held);
+    pair.moved = Max(Abs(step[0]), Abs(step[1]));
+    pair.beyond = Max(Abs(next[0] - inside[0]), Abs(next[1] - inside[1]));
+    pair.isThere = And(Abs(g[0]) <= tolerance, Abs(g[1]) <= tolerance);
+    const PairEnd end = EndOf(pair, load(kKappaColumn), load(kLastColumn), load(kRoundsColumn));
+    Store(end.result, result + i);
+    Store(end.last, pairs.Column(kLastColumn) + i);
+    Store(end.rounds, pairs.Column(kRoundsColumn) + i);
+    Lanes xi[2];
+    ForBoth(
+      [&](auto j) PIXELEXACT_INLINED
+      {
+        const Lanes moved = Select(end.isFree, inside[j], held[j]);
+        const Lanes found = Select(end.arrived, inside[j], at[j]);
+        xi[j] = Select(end.isHit, found, moved);
+        Store(xi[j], pairs.Column(kXiColumn + chart.free[j]) + i);
+      });
+    Store(AcrossAt(chart, xi), pairs.Column(kXiColumn + chart.across) + i);
+    ForEachAxis(
+      [&](auto d) PIXELEXACT_INLINED
+      {
+        const auto c = static_cast<std::size_t>(d);
+        const Lanes last = tangent[c][0] * step[0] + tangent[c][1] * step[1];
+        const Lanes y = value(c) - Select(end.arrived, last, Splat(0.0));
+        Store(Splat(frame.centre[d]) + Splat(frame.size) * y, position[d] + i);
+      });
+  }
+}
+
+void MakeNormals(const Vec3& normal, const double* const slope[9], int count, double* const to[3])
+{
+  const Lanes n[3] = { Splat(normal.x), Splat(normal.y), Splat(normal.z) };
+  const Lanes zero = Splat(0.0);
+  for (int i = 0; i < count; i += LaneCount())
+  {
+    Lanes by[9];
+    for (std::size_t k = 0; k < 9; ++k)
+    {
+      by[k] = Traits::Load(slope[k] + i);
+    }
+    Lanes v[3];
+    Lanes largest = zero;
+    Lanes sum = zero;
+    ForEachAxis(
+      [&](auto c) PIXELEXACT_INLINED
+      {
+        // The cofactors of J take normals in xi to normals in space.
+        const int p = 3 * ((c + 1) % 3);
+        const int q = 3 * ((c + 2) % 3);
+        const auto cofactor = [&](int e, int f) PIXELEXACT_INLINED
+        { return by[p + e] * by[q + f] - by[p + f] * by[q + e]; };
+        v[c] = n[0] * cofactor(1, 2) + n[1] * cofactor(2, 0) + n[2] * cofactor(0, 1);
+        largest = Max(largest, Abs(v[c]));
+        sum = sum + v[c];
+      });
+    const LaneMask isThere = And(And(zero < largest, IsFinite(largest)), IsFinite(sum));
+    Lanes squares = zero;
+    ForEachAxis(
+      [&](auto c) PIXELEXACT_INLINED
+      {
+        v[c] = v[c] / largest;
+        squares = squares + v[c] * v[c];
+      });
+    const Lanes scale = Splat(1.0) / Sqrt(squares);
+    ForEachAxis(
+      [&](auto c) PIXELEXACT_INLINED { Store(Select(isThere, v[c] * scale, zero), to[c] + i); });
+  }
+}
+
+const FacePieceKernels& FacePieceTable()
+{
+  static const FacePieceKernels kTable{ LookAtFace, StepOnFace, MakeNormals };
+  return kTable;
+}
+} // namespace pixelexact::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace pixelexact
+{
+HWY_EXPORT(FacePieceTable);
+
+const FacePieceKernels& GetFacePieceKernels()
+{
+  return HWY_DYNAMIC_DISPATCH(FacePieceTable)();
+}
+} // namespace pixelexact
+#endif
