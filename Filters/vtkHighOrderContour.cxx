@@ -96,9 +96,8 @@ void vtkHighOrderContour::SetValue(int i, double value)
     vtkErrorMacro("SetValue: values are counted from 0, and " << i << " was given.");
     return;
   }
-  if (this->Values->At(i) != value)
+  if (this->Values->Set(i, value))
   {
-    this->Values->Set(i, value);
     this->Modified();
   }
 }
@@ -126,9 +125,8 @@ void vtkHighOrderContour::GetValues(double* values)
 
 void vtkHighOrderContour::SetNumberOfContours(int number)
 {
-  if (std::max(number, 0) != this->Values->Size())
+  if (this->Values->Resize(number))
   {
-    this->Values->Resize(number);
     this->Modified();
   }
 }
@@ -145,9 +143,7 @@ void vtkHighOrderContour::GenerateValues(int number, double range[2])
 
 void vtkHighOrderContour::GenerateValues(int number, double rangeStart, double rangeEnd)
 {
-  const std::vector<double> before = this->Values->All();
-  this->Values->Generate(number, rangeStart, rangeEnd);
-  if (this->Values->All() != before)
+  if (this->Values->Generate(number, rangeStart, rangeEnd))
   {
     this->Modified();
   }

@@ -79,17 +79,16 @@ void vtkHighOrderSeriesReader::PrintSelf(ostream& os, vtkIndent indent)
 
 void vtkHighOrderSeriesReader::SetFileName(const char* name)
 {
-  const std::string wanted = name ? name : "";
-  if (this->FileNames.size() == 1 && this->FileNames[0] == wanted)
+  std::vector<std::string> wanted;
+  if (name && *name)
   {
-    return;
+    wanted.emplace_back(name);
   }
-  this->FileNames.clear();
-  if (!wanted.empty())
+  if (this->FileNames != wanted)
   {
-    this->FileNames.push_back(wanted);
+    this->FileNames = wanted;
+    this->Modified();
   }
-  this->Modified();
 }
 
 const char* vtkHighOrderSeriesReader::GetFileName()

@@ -8,7 +8,7 @@ namespace pixelexact
 {
 bool ContourList::Set(int i, double value)
 {
-  if (i < 0)
+  if (i < 0 || At(i) == value)
   {
     return false;
   }
@@ -23,13 +23,17 @@ double ContourList::At(int i) const
                               : std::numeric_limits<double>::quiet_NaN();
 }
 
-void ContourList::Resize(int number)
+bool ContourList::Resize(int number)
 {
-  Values.resize(static_cast<std::size_t>(std::max(number, 0)), 0.0);
+  const auto size = static_cast<std::size_t>(std::max(number, 0));
+  const bool changes = size != Values.size();
+  Values.resize(size, 0.0);
+  return changes;
 }
 
-void ContourList::Generate(int number, double lower, double upper)
+bool ContourList::Generate(int number, double lower, double upper)
 {
+  const std::vector<double> before = Values;
   Resize(number);
   const double step = number > 1 ? (upper - lower) / (number - 1) : 0.0;
   for (int i = 0; i < number; ++i)
@@ -37,5 +41,6 @@ void ContourList::Generate(int number, double lower, double upper)
     // The last one as given, and not what rounding leaves of it.
     Values[static_cast<std::size_t>(i)] = i > 0 && i + 1 == number ? upper : lower + i * step;
   }
+  return Values != before;
 }
 } // namespace pixelexact

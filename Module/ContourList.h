@@ -8,18 +8,19 @@
 
 namespace pixelexact
 {
-/// Contour values as VTK's filters keep them: numbered from 0.
+/// Contour values as VTK's filters keep them: numbered from 0. What changes them says whether
+/// it did.
 class PIXELEXACTDATAMODEL_EXPORT ContourList
 {
 public:
-  /// Those between that were not set are 0. False where there is no such number.
+  /// Those between that were not set are 0. Nothing is done where i is negative.
   bool Set(int i, double value);
   /// NaN where there is no such value.
   [[nodiscard]] double At(int i) const;
-  void Resize(int number);
+  bool Resize(int number);
   [[nodiscard]] int Size() const { return static_cast<int>(Values.size()); }
   /// As vtkContourValues: evenly spaced, both ends among them.
-  void Generate(int number, double lower, double upper);
+  bool Generate(int number, double lower, double upper);
 
   [[nodiscard]] const std::vector<double>& All() const { return Values; }
   [[nodiscard]] double* Data() { return Values.data(); }

@@ -172,20 +172,31 @@ vtkCamera* vtkHighOrderComparison::GetCamera()
 
 void vtkHighOrderComparison::SetContourValue(int i, double value)
 {
-  this->Contours->Set(i, value);
-  this->Modified();
+  if (i < 0)
+  {
+    vtkErrorMacro("SetContourValue: contours are counted from 0, and this is " << i);
+    return;
+  }
+  if (this->Contours->Set(i, value))
+  {
+    this->Modified();
+  }
 }
 
 void vtkHighOrderComparison::SetNumberOfContours(int number)
 {
-  this->Contours->Resize(number);
-  this->Modified();
+  if (this->Contours->Resize(number))
+  {
+    this->Modified();
+  }
 }
 
 void vtkHighOrderComparison::GenerateContourValues(int number, double rangeStart, double rangeEnd)
 {
-  this->Contours->Generate(number, rangeStart, rangeEnd);
-  this->Modified();
+  if (this->Contours->Generate(number, rangeStart, rangeEnd))
+  {
+    this->Modified();
+  }
 }
 
 int vtkHighOrderComparison::FillInputPortInformation(int port, vtkInformation* info)

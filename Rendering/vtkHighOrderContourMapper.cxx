@@ -29,12 +29,15 @@ vtkHighOrderContourMapper::~vtkHighOrderContourMapper() = default;
 //------------------------------------------------------------------------------
 void vtkHighOrderContourMapper::SetContourValue(int i, double value)
 {
-  if (!this->Contours->values.Set(i, value))
+  if (i < 0)
   {
     vtkErrorMacro("SetContourValue: contours are counted from 0, and this is " << i);
     return;
   }
-  this->Modified();
+  if (this->Contours->values.Set(i, value))
+  {
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -46,8 +49,10 @@ double vtkHighOrderContourMapper::GetContourValue(int i)
 //------------------------------------------------------------------------------
 void vtkHighOrderContourMapper::SetNumberOfContours(int number)
 {
-  this->Contours->values.Resize(number);
-  this->Modified();
+  if (this->Contours->values.Resize(number))
+  {
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -59,8 +64,10 @@ int vtkHighOrderContourMapper::GetNumberOfContours()
 //------------------------------------------------------------------------------
 void vtkHighOrderContourMapper::GenerateContourValues(int number, double lower, double upper)
 {
-  this->Contours->values.Generate(number, lower, upper);
-  this->Modified();
+  if (this->Contours->values.Generate(number, lower, upper))
+  {
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -94,15 +101,23 @@ void vtkHighOrderContourMapper::SetColorOfContour(int i, double red, double gree
     vtkErrorMacro("SetColorOfContour: contours are counted from 0, and this is " << i);
     return;
   }
-  this->Contours->colors[i] = { red, green, blue };
-  this->Modified();
+  const std::array color{ red, green, blue };
+  const auto [at, isNew] = this->Contours->colors.try_emplace(i, color);
+  if (isNew || at->second != color)
+  {
+    at->second = color;
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkHighOrderContourMapper::RemoveColorsOfContours()
 {
-  this->Contours->colors.clear();
-  this->Modified();
+  if (!this->Contours->colors.empty())
+  {
+    this->Contours->colors.clear();
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------

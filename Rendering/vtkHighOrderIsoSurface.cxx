@@ -14,6 +14,18 @@ vtkHighOrderIsoSurface::vtkHighOrderIsoSurface() = default;
 vtkHighOrderIsoSurface::~vtkHighOrderIsoSurface() = default;
 
 //------------------------------------------------------------------------------
+void vtkHighOrderIsoSurface::SetFieldName(const char* name)
+{
+  // vtkSetStdStringFromCharMacro of VTK 9.1 calls Modified for the same name, too.
+  const std::string wanted = name != nullptr ? name : "";
+  if (this->FieldName != wanted)
+  {
+    this->FieldName = wanted;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 std::shared_ptr<const pixelexact::Surface> vtkHighOrderIsoSurface::MakeSurface(
   const std::shared_ptr<const pixelexact::HighOrderModel>& model,
   const pixelexact::SurfaceSearch& /*search*/)

@@ -34,7 +34,7 @@ public:
   /**
    * The field. Empty (the default): the first one that the grid carries.
    */
-  vtkSetStdStringFromCharMacro(FieldName);
+  virtual void SetFieldName(const char* name);
   vtkGetCharFromStdStringMacro(FieldName);
   ///@}
 

@@ -56,6 +56,18 @@ vtkHighOrderSurface* vtkHighOrderLayer::GetSurface()
 }
 
 //------------------------------------------------------------------------------
+void vtkHighOrderLayer::SetFieldName(const char* name)
+{
+  // vtkSetStdStringFromCharMacro of VTK 9.1 calls Modified for the same name, too.
+  const std::string wanted = name != nullptr ? name : "";
+  if (this->FieldName != wanted)
+  {
+    this->FieldName = wanted;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkHighOrderLayer::SetLookupTable(vtkScalarsToColors* table)
 {
   if (this->LookupTable != table)
@@ -74,12 +86,15 @@ vtkScalarsToColors* vtkHighOrderLayer::GetLookupTable()
 //------------------------------------------------------------------------------
 void vtkHighOrderLayer::SetContourValue(int i, double value)
 {
-  if (!this->Contours->Set(i, value))
+  if (i < 0)
   {
     vtkErrorMacro("SetContourValue: contours are counted from 0, and this is " << i);
     return;
   }
-  this->Modified();
+  if (this->Contours->Set(i, value))
+  {
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -91,8 +106,10 @@ double vtkHighOrderLayer::GetContourValue(int i)
 //------------------------------------------------------------------------------
 void vtkHighOrderLayer::SetNumberOfContours(int number)
 {
-  this->Contours->Resize(number);
-  this->Modified();
+  if (this->Contours->Resize(number))
+  {
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -104,8 +121,10 @@ int vtkHighOrderLayer::GetNumberOfContours()
 //------------------------------------------------------------------------------
 void vtkHighOrderLayer::GenerateContourValues(int number, double lower, double upper)
 {
-  this->Contours->Generate(number, lower, upper);
-  this->Modified();
+  if (this->Contours->Generate(number, lower, upper))
+  {
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -60,7 +60,7 @@ public:
   /**
    * The field to show. Empty (the default): the mapper's.
    */
-  vtkSetStdStringFromCharMacro(FieldName);
+  virtual void SetFieldName(const char* name);
   vtkGetCharFromStdStringMacro(FieldName);
   ///@}
 

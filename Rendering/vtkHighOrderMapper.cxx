@@ -109,7 +109,9 @@ void vtkHighOrderMapper::Internals::ChooseRange(
       self->TakeRange(*range);
     }
   }
-  pixelexact::ColorRanges::Set(table, { self->ScalarRange[0], self->ScalarRange[1] });
+  const std::array range{ self->ScalarRange[0], self->ScalarRange[1] };
+  pixelexact::RequireRange(range);
+  pixelexact::ColorRanges::Set(table, range);
 }
 
 //------------------------------------------------------------------------------
@@ -153,6 +155,18 @@ vtkUnstructuredGrid* vtkHighOrderMapper::GetInput()
 vtkCompositeDataSet* vtkHighOrderMapper::GetCompositeInput()
 {
   return vtkCompositeDataSet::SafeDownCast(pixelexact::MapperExecutive::InputOf(this));
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderMapper::SetFieldName(const char* name)
+{
+  // vtkSetStdStringFromCharMacro of VTK 9.1 calls Modified for the same name, too.
+  const std::string wanted = name != nullptr ? name : "";
+  if (this->FieldName != wanted)
+  {
+    this->FieldName = wanted;
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -100,7 +100,7 @@ public:
   /**
    * The field to show. Empty (the default): see the class's description.
    */
-  vtkSetStdStringFromCharMacro(FieldName);
+  virtual void SetFieldName(const char* name);
   vtkGetCharFromStdStringMacro(FieldName);
   ///@}
 

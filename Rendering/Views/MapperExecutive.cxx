@@ -5,9 +5,12 @@
 #include "vtkDataObject.h"
 #include "vtkFloatArray.h"
 #include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+
+#include <vector>
 
 namespace pixelexact
 {
@@ -69,5 +72,25 @@ vtkDataObject* MapperExecutive::GetInputData(
   int port, int connection, vtkInformationVector** inInfoVec)
 {
   return this->Superclass::GetInputData(port, connection, inInfoVec);
+}
+
+void MapperExecutive::ExecuteDataEnd(
+  vtkInformation* request, vtkInformationVector** inInfoVec, vtkInformationVector* outInfoVec)
+{
+  std::vector<vtkInformation*> released;
+  for (int i = 0; i < inInfoVec[0]->GetNumberOfInformationObjects(); ++i)
+  {
+    vtkInformation* input = inInfoVec[0]->GetInformationObject(i);
+    if (input->Get(RELEASE_DATA()))
+    {
+      input->Set(RELEASE_DATA(), 0);
+      released.push_back(input);
+    }
+  }
+  this->Superclass::ExecuteDataEnd(request, inInfoVec, outInfoVec);
+  for (vtkInformation* input : released)
+  {
+    input->Set(RELEASE_DATA(), 1);
+  }
 }
 } // namespace pixelexact

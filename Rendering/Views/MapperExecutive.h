@@ -35,6 +35,11 @@ protected:
   MapperExecutive() = default;
   ~MapperExecutive() override = default;
 
+  /// The input stays, as that of stock mappers of polygons does, where ReleaseDataFlag asks
+  /// producers to release what was consumed: a mapper draws after its pipeline's update.
+  void ExecuteDataEnd(vtkInformation* request, vtkInformationVector** inInfoVec,
+    vtkInformationVector* outInfoVec) override;
+
 private:
   vtkNew<vtkPolyData> Nothing;
   bool Warned = false;

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
+#include <sstream>
 #include <vector>
 
 namespace pixelexact
@@ -83,7 +84,33 @@ void SetSpace(vtkColorTransferFunction* map, Between between)
       map->SetColorSpaceToRGB();
   }
 }
+
+bool IsEmpty(vtkScalarsToColors* table)
+{
+  if (table->GetIndexedLookup() != 0)
+  {
+    return false; // then all values have the NaN colour
+  }
+  if (auto* colors = vtkColorTransferFunction::SafeDownCast(table))
+  {
+    return colors->GetSize() == 0;
+  }
+  return table->GetNumberOfAvailableColors() == 0;
+}
 } // namespace
+
+void RequireRange(const std::array<double, 2>& range)
+{
+  // Their difference, too: tables divide by it.
+  if (!std::isfinite(range[1] - range[0]) || range[0] > range[1])
+  {
+    std::ostringstream text;
+    text << "the range of colours, " << range[0] << " to " << range[1]
+         << ", is none: both ends must be finite, and the second not below the first; a reversed "
+            "table turns colours around";
+    throw Error(text.str());
+  }
+}
 
 ColorMap ToColorMap(vtkScalarsToColors* table)
 {
@@ -96,7 +123,12 @@ ColorMap ToColorMap(vtkScalarsToColors* table)
     throw Unsupported("the lookup table takes vectors for RGB colours (VectorMode); choose a "
                       "component or the magnitude");
   }
+  RequireRange({ table->GetRange()[0], table->GetRange()[1] });
   table->Build();
+  if (IsEmpty(table))
+  {
+    throw Error("the lookup table has no colours");
+  }
   return [keep = vtkSmartPointer<vtkScalarsToColors>(table)](
            std::span<const double> values, std::uint8_t* rgba)
   {

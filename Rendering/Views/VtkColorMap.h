@@ -19,8 +19,13 @@ namespace pixelexact
 /// VTK's own mapping of every single value: range, log scale (and its treatment of values <= 0),
 /// NaN, below- and above-range colours are the table's. Builds the table; the result keeps it alive
 /// and may be called from several threads as long as nobody changes the table.
-/// Throws Error for a null table, Unsupported for one that takes vectors for RGB colours.
+/// Throws Error for a null table, one without colours, and where RequireRange refuses its range;
+/// Unsupported for one that takes vectors for RGB colours.
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT ColorMap ToColorMap(vtkScalarsToColors* table);
+
+/// Throws Error, with the remedy, for a range of colours that is not finite or runs backwards:
+/// tables would give all values one colour, or those of the range before.
+PIXELEXACTRENDERING_EXPORT void RequireRange(const std::array<double, 2>& range);
 
 /// Layer::component as VTK's mappers choose it: 0 for a field of one component, else the table's
 /// vector component or the magnitude. A null table chooses like a new one: component 0.

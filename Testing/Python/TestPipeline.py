@@ -105,6 +105,22 @@ class Pipeline(unittest.TestCase):
         self.assertGreater(numpy.count_nonzero(self.buffer("Verdict") == 1), 5000)
         self.save(self.picture())
 
+    def test_producers_may_release_their_data(self):
+        self.window.Render()
+        expected = self.buffer("Value").copy()
+        self.reader.ReleaseDataFlagOn()
+        self.converter.ReleaseDataFlagOn()
+        self.converter.Modified()
+        self.window.Render()
+        self.assertEqual(self.mapper.GetNumberOfModelBuilds(), 2)
+        numpy.testing.assert_array_equal(self.buffer("Value"), expected)
+        self.assertLess(self.mapper.GetBounds()[0], self.mapper.GetBounds()[1])
+        # As stock mappers' of polygons: not read anew for each frame.
+        self.plane.SetOrigin(0, 0, 0.1)
+        self.window.Render()
+        self.assertEqual(self.mapper.GetNumberOfModelBuilds(), 2)
+        self.assertTrue(self.converter.GetReleaseDataFlag())
+
     def test_missing_arrays_are_an_error_that_names_the_remedy(self):
         messages = []
 

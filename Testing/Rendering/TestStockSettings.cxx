@@ -6,6 +6,7 @@
 #include "vtkHighOrderLayer.h"
 #include "vtkHighOrderPicker.h"
 
+#include "vtkColorTransferFunction.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
@@ -15,6 +16,9 @@
 #include "vtkTexture.h"
 
 #include <cmath>
+#include <initializer_list>
+#include <limits>
+#include <utility>
 
 namespace pixelexact
 {
@@ -393,6 +397,54 @@ TEST_F(StockSettings, LogarithmsOfWhatIsNotAboveZero)
   EXPECT_EQ(Warnings->Text, "");
   EXPECT_EQ(Scene.Table->GetRange()[0], 0.1);
   EXPECT_EQ(tableErrors->Text, "");
+}
+
+TEST_F(StockSettings, RangesThatAreNoneAreRefused)
+{
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kHuge = std::numeric_limits<double>::max();
+  const auto expect = [&](bool refused, const char* text)
+  {
+    Render();
+    EXPECT_EQ(Errors->Text.find(text) != std::string::npos, refused) << Errors->Text;
+    EXPECT_EQ(Scene.Mapper->GetBuffers() == nullptr, refused);
+  };
+  vtkNew<ErrorObserver> tableErrors;
+  Scene.Table->AddObserver(vtkCommand::ErrorEvent, tableErrors);
+  for (const auto& [lower, upper] : std::initializer_list<std::pair<double, double>>{
+         { 0.5, -0.5 }, { kNan, 1.0 }, { 0.0, kNan }, { 0.0, kInfinity }, { -kHuge, kHuge } })
+  {
+    Scene.Mapper->SetScalarRange(lower, upper);
+    expect(true, "range of colours");
+  }
+  EXPECT_EQ(tableErrors->Text, "");
+  // Nobody asks for colours then.
+  Scene.Mapper->ScalarVisibilityOff();
+  expect(false, "range");
+  Scene.Mapper->ScalarVisibilityOn();
+  Scene.Mapper->SetScalarRange(0.5, 0.5);
+  expect(false, "range");
+  Scene.Mapper->UseLookupTableScalarRangeOn();
+  Scene.Table->SetRange(kNan, 1.0);
+  expect(true, "range of colours");
+}
+
+TEST_F(StockSettings, TablesWithoutColorsAreRefused)
+{
+  vtkNew<vtkColorTransferFunction> function;
+  Scene.Mapper->SetLookupTable(function);
+  Render();
+  EXPECT_NE(Errors->Text.find("has no colours"), std::string::npos) << Errors->Text;
+  EXPECT_EQ(Scene.Mapper->GetBuffers(), nullptr);
+  function->AddRGBPoint(0.0, 1.0, 0.0, 0.0);
+  Render();
+  EXPECT_EQ(Errors->Text, "");
+  vtkNew<vtkLookupTable> table;
+  table->SetNumberOfTableValues(0);
+  Scene.Mapper->SetLookupTable(table);
+  Render();
+  EXPECT_NE(Errors->Text.find("has no colours"), std::string::npos) << Errors->Text;
 }
 
 TEST_F(StockSettings, RangeOfTheField)
