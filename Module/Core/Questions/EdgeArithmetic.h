@@ -54,7 +54,63 @@ inline double Bilinear(const double (&m)[6], const double (&s)[3], const double 
   return sum;
 }
 
-/// Bounds of the solution of (I + E) v = w from those of w.
+/// Bounds (I - A)^-1 of A >= 0, and so |(I + E)^-1| of all E with |E| <= A. False where the row
+/// sums of that are not proven to be at most `most`, a few; a NaN in A is not proven.
+inline bool BoundSolution(const double (&a)[3][3], double most, double (&solution)[3][3])
+{
+  const auto minor = [&a](std::size_t i, std::size_t j)
+  {
+    const auto at = [&a](std::size_t k, std::size_t l)
+    { return (k % 3 == l % 3 ? 1.0 : 0.0) - a[k % 3][l % 3]; };
+    return at(i + 1, j + 1) * at(i + 2, j + 2) - at(i + 1, j + 2) * at(i + 2, j + 1);
+  };
+  double det = 0.0;
+  for (std::size_t j = 0; j < 3; ++j)
+  {
+    det += ((j == 0 ? 1.0 : 0.0) - a[0][j]) * minor(0, j);
+  }
+  double sums[3];
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    sums[i] = 0.0;
+    for (std::size_t j = 0; j < 3; ++j)
+    {
+      solution[i][j] = minor(j, i) / det;
+      sums[i] += solution[i][j];
+    }
+  }
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    // A x < x with a positive x: the eigenvalues of A are below 1, and the inverse is not negative.
+    // Rounding leaves the most of (I - A) x = 1.
+    const double image = a[i][0] * sums[0] + a[i][1] * sums[1] + a[i][2] * sums[2];
+    if (!(sums[i] > 0.0 && sums[i] <= most && sums[i] - image > 0.5))
+    {
+      return false;
+    }
+  }
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    for (std::size_t j = 0; j < 3; ++j)
+    {
+      // (I - A) x > 1/2, so that this is more than what rounding takes off.
+      solution[i][j] = std::max(solution[i][j], 0.0) + 1e-11 * sums[i];
+    }
+  }
+  return true;
+}
+
+/// Bounds of the solution of (I + E) v = w from those of w, by BoundSolution.
+inline void Solve(const double (&solution)[3][3], double (&v)[3])
+{
+  const double w[3] = { v[0], v[1], v[2] };
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    v[k] = (solution[k][0] * w[0] + solution[k][1] * w[1] + solution[k][2] * w[2]) * kUp;
+  }
+}
+
+/// The same from row sums of |E|, below 1.
 inline void Solve(const double (&turn)[3], double (&v)[3])
 {
   const double largest = std::max({ v[0], v[1], v[2] });

@@ -65,7 +65,7 @@ std::array<double, 3> EdgeBounds::ShiftOf(
       off[k] = std::max(off[k], own[k]);
     }
   }
-  Solve(node.turn, off);
+  Solve(node.solution, off);
   std::array<double, 3> shift;
   for (std::size_t k = 0; k < 3; ++k)
   {

@@ -164,7 +164,6 @@ bool Misses(const EdgeFunctions& functions, const EdgeNode& node, const WideOutl
   }
   // Every preimage in `wide` of a point of the region is within `off` of what is between these:
   // T(xi) = M (Phi(xi) - origin) - (xi - centre) changes by `turn` at most.
-  const double most = std::max({ node.reach[0], node.reach[1], node.reach[2] });
   double largest = LargestOf(node.origin);
   for (const Vec3& corner : corners)
   {
@@ -174,7 +173,9 @@ bool Misses(const EdgeFunctions& functions, const EdgeNode& node, const WideOutl
   double off[3];
   for (std::size_t k = 0; k < 3; ++k)
   {
-    off[k] = (node.turn[k] * most + node.shift[k] + node.lean[k] * inY) * kUp + 1e-13;
+    const double turned = node.turn[k][0] * node.reach[0] + node.turn[k][1] * node.reach[1] +
+      node.turn[k][2] * node.reach[2];
+    off[k] = (turned + node.shift[k] + node.lean[k] * inY) * kUp + 1e-13;
   }
   std::array<Vec3, Outline::kMostCorners> images;
   std::ranges::transform(
@@ -241,7 +242,7 @@ EdgeMeeting Meet(const EdgeFunctions& functions, const EdgeNode& node, const Wid
         kUp +
       besides[k];
   }
-  Solve(node.turn, away);
+  Solve(node.solution, away);
   for (std::size_t k = 0; k < 3; ++k)
   {
     // None of the node's is farther away.

@@ -18,8 +18,8 @@ namespace
 {
 /// Of a box's sides, on either side.
 constexpr double kMargin = 0.25;
-/// Row sums of |M J - I| up to which a box is regular.
-constexpr double kMostTurn = 0.7;
+/// Row sums of (I - |M J - I|)^-1 up to which a box is regular.
+constexpr double kMostSolution = 10.0 / 3.0;
 /// Part of these that the Jacobians along a box's middle lines have to explain, to be trusted.
 constexpr double kExplained = 0.125;
 /// Of bounds along straight lines, up to which those that are left are worth asking.
@@ -130,15 +130,14 @@ bool EdgeNode::DescribeMap(const EdgeFunctions& functions, const EdgeFunctions::
       {
         entry += Interval(inverse[i][c]) * map.slopes[c][j];
       }
-      sum += entry.Magnitude();
+      turn[i][j] = entry.Magnitude() * kUp;
+      sum += turn[i][j];
     }
-    turn[i] = sum * kUp;
-    most = std::max(most, turn[i]);
+    most = std::max(most, sum);
     const int d = static_cast<int>(i);
     reach[i] = std::max(hull.upper[d] - centre[d], centre[d] - hull.lower[d]) * kUp + 1e-15;
   }
-  // Written so that a NaN is not regular.
-  if (most <= kMostTurn)
+  if (BoundSolution(turn, kMostSolution, solution))
   {
     return true;
   }
@@ -174,7 +173,7 @@ void EdgeNode::DescribeCurves(
       }
       bends[p][k] = entry.Magnitude();
     }
-    Solve(turn, bends[p]);
+    Solve(solution, bends[p]);
   }
   for (std::size_t k = 0; k < 3; ++k)
   {
@@ -187,8 +186,8 @@ void EdgeNode::DescribeCurves(
       shift[k] += std::fabs(inverse[k][c]) * kMostMiss * functions.Uncertainty()[c];
     }
   }
-  Solve(turn, lean);
-  Solve(turn, shift);
+  Solve(solution, lean);
+  Solve(solution, shift);
   bool finite = true;
   for (std::size_t p = 0; p < 6; ++p)
   {

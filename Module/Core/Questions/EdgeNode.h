@@ -41,13 +41,14 @@ struct EdgeNode
   Box3 bounds;     ///< holds the image of `wide`, in world coordinates
   Interval values; ///< of the component over `wide`
 
-  /// The map is so nearly affine over `wide` that what follows holds: M J = I + E with row sums of
-  /// |E| at most `turn`, all below 1.
+  /// The map is so nearly affine over `wide` that what follows holds: M J = I + E with |E| at most
+  /// `turn`, and |(I + E)^-1| at most `solution`.
   bool regular = false;
   Vec3 centre{ 0.0 };     ///< in xi
   Vec3 origin{ 0.0 };     ///< its image, in the element's units
   double inverse[3][3]{}; ///< M
-  double turn[3]{};
+  double turn[3][3]{};
+  double solution[3][3]{};
   double reach[3]{};   ///< |xi - centre| of the points of `wide`
   double bend[3][6]{}; ///< of solved M Phi'': 11, 12, 13, 22, 23, 33; mixed ones twice
   double slope[3]{};   ///< |dF / dxi|

@@ -201,7 +201,7 @@ std::optional<Interval> EdgeBounds::Over(const std::array<LocatedPoint, 3>& tria
     {
       own[k] = BentBetween(*seen, ways, local->bend[k], local->bends[k]);
     }
-    Solve(node.turn, own);
+    Solve(node.solution, own);
     for (std::size_t k = 0; k < 3; ++k)
     {
       // Written so that a NaN leaves what is known.
