@@ -18,9 +18,11 @@ namespace pixelexact::HWY_NAMESPACE
 /// A lane is done when its next error is expected to be below the first, which the polishing step
 /// measures and takes away, and what polishing leaves below the second.
 inline constexpr double kSmallError = 2e-11;
-inline constexpr double kNoError = 1e-17;
-/// A kept Jacobian is made anew when a step is not this much smaller than the one before.
-inline constexpr double kContraction = 0.1;
+/// Both are overestimates: what is left is mostly rounding.
+inline constexpr double kNoError = 1e-15;
+/// A kept Jacobian is made anew when a step is not this much smaller than the one before: a new one
+/// costs as much as two steps with the old one.
+inline constexpr double kContraction = 0.02;
 inline constexpr int kMaxNewtonSteps = 24;
 /// A root farther out than this cannot be the element's; the careful path decides.
 inline constexpr double kFarOut = 8.0;
@@ -162,7 +164,7 @@ HWY_NOINLINE void GoOn(const InverseProblem& problem, int modeCount, const Point
   const T zero = Traits::Splat(0.0);
   const T one = Traits::Splat(1.0);
   const T curvature = Traits::Splat(problem.curvature);
-  // A Jacobian that gains no digit a step is not worth its cheaper steps.
+  // A Jacobian that gains too little a step is not worth its cheaper steps.
   const T keep = Traits::Splat(std::min(kKeepJacobian, kContraction / problem.curvature));
   const T unit = StepScale(shape, state.xi);
   T last = first;
