@@ -3,7 +3,7 @@
 #define HWY_TARGET_INCLUDE "Trace/RayKernels.cxx"
 #include <hwy/foreach_target.h>
 
-#include "Core/Element/Matrix-inl.h"
+#include "Trace/LanePoint-inl.h"
 #include "Trace/RayKernels.h"
 
 #include <algorithm>
@@ -13,40 +13,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
-// Sums and products are rounded one by one, as the scalar ones of Camera::At are.
-HWY_INLINE Lanes Dot(const Point<Lanes>& a, const Point<Lanes>& b)
-{
-  return a.x[0] * b.x[0] + a.x[1] * b.x[1] + a.x[2] * b.x[2];
-}
-
-HWY_INLINE Point<Lanes> SplatPoint(const Vec3& x)
-{
-  return { { Splat(x.x), Splat(x.y), Splat(x.z) } };
-}
-
-/// A point that depends on u and v, its constants loaded once.
-struct LinearLanes
-{
-  Point<Lanes> constant;
-  Point<Lanes> u;
-  Point<Lanes> v;
-
-  explicit HWY_INLINE LinearLanes(const CameraRays::Linear& linear)
-    : constant(SplatPoint(linear.constant))
-    , u(SplatPoint(linear.u))
-    , v(SplatPoint(linear.v))
-  {
-  }
-
-  [[nodiscard]] HWY_INLINE Point<Lanes> At(Lanes atU, Lanes atV) const
-  {
-    Point<Lanes> x;
-    ForEachAxis(
-      [&](auto d) PIXELEXACT_INLINED { x.x[d] = constant.x[d] + u.x[d] * atU + v.x[d] * atV; });
-    return x;
-  }
-};
-
 /// The arrays of three coordinates, by value: stores cannot change them.
 struct PointTarget
 {
@@ -56,7 +22,7 @@ struct PointTarget
     : x{ to[0], to[1], to[2] }
   {
   }
-  HWY_INLINE void Put(const Point<Lanes>& point, int at) const
+  HWY_INLINE void Put(const LanePoint& point, int at) const
   {
     ForEachAxis([&](auto d) PIXELEXACT_INLINED { Store(point.x[d], x[d] + at); });
   }
@@ -71,18 +37,13 @@ void CastRays(const CameraRays& camera, const double* u, const double* v, int co
   const LinearLanes directions(camera.direction);
   const PointTarget toOrigin(origin);
   const PointTarget toDirection(direction);
-  const auto unit = [](const Point<Lanes>& along) PIXELEXACT_INLINED
-  {
-    const Lanes scale = Splat(1.0) / Sqrt(Dot(along, along));
-    return Point<Lanes>{ { along.x[0] * scale, along.x[1] * scale, along.x[2] * scale } };
-  };
-  const Point<Lanes> along = unit(directions.constant);
+  const LanePoint along = Normalized(directions.constant);
   for (int i = 0; i < count; i += LaneCount())
   {
     const Lanes atU = Traits::Load(u + i);
     const Lanes atV = Traits::Load(v + i);
     toOrigin.Put(origins.At(atU, atV), i);
-    toDirection.Put(parallel ? along : unit(directions.At(atU, atV)), i);
+    toDirection.Put(parallel ? along : Normalized(directions.At(atU, atV)), i);
   }
 }
 
@@ -93,8 +54,8 @@ void ClipToBox(const Box3& box, const double* const origin[3], const double* con
   int count, double* near, double* far)
 {
   using Traits = NumberTraits<Lanes>;
-  const Point<Lanes> lower = SplatPoint(box.lower);
-  const Point<Lanes> upper = SplatPoint(box.upper);
+  const LanePoint lower = SplatPoint(box.lower);
+  const LanePoint upper = SplatPoint(box.upper);
   const LanePoints origins{ { origin[0], origin[1], origin[2] }, count };
   const LanePoints directions{ { direction[0], direction[1], direction[2] }, count };
   // These quotients are off by less than 4 roundings; but a surface in doubles may put its point
@@ -130,8 +91,8 @@ void ClipToBox(const Box3& box, const double* const origin[3], const double* con
 void MeetPlane(const Vec3& origin, const Vec3& normal, const RayLanes& rays, const HitLanes& hits)
 {
   using Traits = NumberTraits<Lanes>;
-  const Point<Lanes> through = SplatPoint(origin);
-  const Point<Lanes> across = SplatPoint(normal);
+  const LanePoint through = SplatPoint(origin);
+  const LanePoint across = SplatPoint(normal);
   const LanePoints origins{ { rays.origin[0], rays.origin[1], rays.origin[2] }, rays.count };
   const LanePoints directions{ { rays.direction[0], rays.direction[1], rays.direction[2] },
     rays.count };
@@ -141,25 +102,15 @@ void MeetPlane(const Vec3& origin, const Vec3& normal, const RayLanes& rays, con
   {
     const auto from = LoadPoint<Lanes>(origins, i);
     const auto to = LoadPoint<Lanes>(directions, i);
-    Point<Lanes> distance;
-    ForEachAxis([&](auto d) PIXELEXACT_INLINED { distance.x[d] = through.x[d] - from.x[d]; });
-    const Lanes t = Dot(across, distance) / Dot(across, to);
+    const Lanes t = Dot(across, through - from) / Dot(across, to);
     // A slope of zero makes t infinite or NaN: no hit either way, for
     // the interval ends at a finite t.
     const LaneMask hit = And(Traits::Load(rays.tNear + i) <= t, t <= Traits::Load(rays.tFar + i));
-    Point<Lanes> x;
-    Point<Lanes> off;
-    ForEachAxis(
-      [&](auto d) PIXELEXACT_INLINED
-      {
-        x.x[d] = from.x[d] + t * to.x[d];
-        off.x[d] = x.x[d] - through.x[d];
-      });
+    const LanePoint x = from + to * t;
     // From a far origin the rounding of t moves x off the plane; put it back along the normal.
-    const Lanes height = Dot(across, off);
+    const Lanes height = Dot(across, x - through);
     Store(Select(hit, t, Splat(kNoHit)), toT + i);
-    ForEachAxis([&](auto d) PIXELEXACT_INLINED { x.x[d] = x.x[d] - across.x[d] * height; });
-    position.Put(x, i);
+    position.Put(x - across * height, i);
   }
 }
 

@@ -3,71 +3,43 @@
 #define HWY_TARGET_INCLUDE "Trace/Modules/FaceKernels.cxx"
 #include <hwy/foreach_target.h>
 
-#include "Core/Element/Matrix-inl.h"
+#include "Trace/LanePoint-inl.h"
 #include "Trace/Modules/FaceKernels.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
-struct LaneVec
-{
-  Lanes x[3];
-
-  static HWY_INLINE LaneVec Of(const Vec3& v) { return { { Splat(v.x), Splat(v.y), Splat(v.z) } }; }
-};
-HWY_INLINE LaneVec operator+(const LaneVec& a, const LaneVec& b)
-{
-  return { { a.x[0] + b.x[0], a.x[1] + b.x[1], a.x[2] + b.x[2] } };
-}
-HWY_INLINE LaneVec operator-(const LaneVec& a, const LaneVec& b)
-{
-  return { { a.x[0] - b.x[0], a.x[1] - b.x[1], a.x[2] - b.x[2] } };
-}
-HWY_INLINE LaneVec operator*(const LaneVec& a, Lanes s)
-{
-  return { { a.x[0] * s, a.x[1] * s, a.x[2] * s } };
-}
-HWY_INLINE Lanes Dot(const LaneVec& a, const LaneVec& b)
-{
-  return a.x[0] * b.x[0] + a.x[1] * b.x[1] + a.x[2] * b.x[2];
-}
-HWY_INLINE LaneVec Cross(const LaneVec& a, const LaneVec& b)
-{
-  return { { a.x[1] * b.x[2] - a.x[2] * b.x[1], a.x[2] * b.x[0] - a.x[0] * b.x[2],
-    a.x[0] * b.x[1] - a.x[1] * b.x[0] } };
-}
-
 void FindNear(const CameraRays& camera, const FaceReach& reach, const FacePixels& pixels,
   const std::array<const double*, 9>& jacobian, std::uint8_t* near)
 {
   using Traits = NumberTraits<Lanes>;
-  const auto linear = [](const CameraRays::Linear& of, Lanes u, Lanes v) PIXELEXACT_INLINED
-  { return LaneVec::Of(of.constant) + LaneVec::Of(of.u) * u + LaneVec::Of(of.v) * v; };
+  const LinearLanes origins(camera.origin);
+  const LinearLanes directions(camera.direction);
   for (std::size_t i = 0; i < pixels.Count(); i += static_cast<std::size_t>(LaneCount()))
   {
     const auto load = [&](std::size_t k) PIXELEXACT_INLINED
     { return Traits::Load(pixels.Column(k) + i); };
     const auto loadAll = [&](std::size_t k) PIXELEXACT_INLINED {
-      return LaneVec{ { load(k), load(k + 1), load(k + 2) } };
+      return LanePoint{ { load(k), load(k + 1), load(k + 2) } };
     };
     const Lanes u = load(0);
     const Lanes v = load(1);
-    const LaneVec xi = loadAll(2);
-    const LaneVec normal = loadAll(8);
-    const LaneVec from = loadAll(5) - linear(camera.origin, u, v);
-    const LaneVec along = linear(camera.direction, u, v);
+    const LanePoint xi = loadAll(2);
+    const LanePoint normal = loadAll(8);
+    const LanePoint from = loadAll(5) - origins.At(u, v);
+    const LanePoint along = directions.At(u, v);
     const Lanes t = Dot(from, along) / Dot(along, along);
     const Lanes facing = Dot(normal, along);
     // How the surface's point moves as the ray goes a pixel, times `facing`.
     const auto moves = [&](const Vec3& origin, const Vec3& direction, double pixel)
                          PIXELEXACT_INLINED
     {
-      const LaneVec moved = (LaneVec::Of(origin) + LaneVec::Of(direction) * t) * Splat(pixel);
+      const LanePoint moved = (SplatPoint(origin) + SplatPoint(direction) * t) * Splat(pixel);
       return moved * facing - along * Dot(normal, moved);
     };
-    const LaneVec across = moves(camera.origin.u, camera.direction.u, reach.across);
-    const LaneVec up = moves(camera.origin.v, camera.direction.v, reach.up);
-    LaneVec columns[3];
+    const LanePoint across = moves(camera.origin.u, camera.direction.u, reach.across);
+    const LanePoint up = moves(camera.origin.v, camera.direction.v, reach.up);
+    LanePoint columns[3];
     for (std::size_t d = 0; d < 3; ++d)
     {
       for (std::size_t c = 0; c < 3; ++c)
@@ -76,18 +48,18 @@ void FindNear(const CameraRays& camera, const FaceReach& reach, const FacePixels
       }
     }
     // The inverse's rows, times the determinant.
-    const LaneVec rows[3] = { Cross(columns[1], columns[2]), Cross(columns[2], columns[0]),
+    const LanePoint rows[3] = { Cross(columns[1], columns[2]), Cross(columns[2], columns[0]),
       Cross(columns[0], columns[1]) };
-    const auto times = [&rows](const LaneVec& by) PIXELEXACT_INLINED {
-      return LaneVec{ { Dot(rows[0], by), Dot(rows[1], by), Dot(rows[2], by) } };
+    const auto times = [&rows](const LanePoint& by) PIXELEXACT_INLINED {
+      return LanePoint{ { Dot(rows[0], by), Dot(rows[1], by), Dot(rows[2], by) } };
     };
-    const LaneVec xiAcross = times(across);
-    const LaneVec xiUp = times(up);
+    const LanePoint xiAcross = times(across);
+    const LanePoint xiUp = times(up);
     const Lanes unit = Abs(Dot(columns[0], rows[0]) * Splat(reach.size) * facing);
     LaneMask far = unit >= Splat(0.0);
     for (const FacePlane& face : reach.faces)
     {
-      const LaneVec gradient = LaneVec::Of(face.gradient);
+      const LanePoint gradient = SplatPoint(face.gradient);
       const Lanes distance = (Dot(gradient, xi) + Splat(face.constant)) * unit;
       const Lanes x = Splat(reach.reach) * Dot(gradient, xiAcross);
       const Lanes y = Splat(reach.reach) * Dot(gradient, xiUp);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Core/Element/Kernels.h"
 #include "Trace/Modules/Lighting.h"
 
 #include <array>
@@ -20,8 +21,8 @@ struct MattLights
 /// Samples, coordinate by coordinate, in their own space; arrays have room for whole packs.
 struct LitSamples
 {
-  std::array<const double*, 3> position;
-  std::array<const double*, 3> normal;
+  LanePoints position;
+  LanePoints normal;
   std::array<double*, 3> color; ///< unlit from 0 to 1, then lit, not clamped
   double* isLit;                ///< 1; 0 where something is not finite
   int count;

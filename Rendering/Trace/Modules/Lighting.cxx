@@ -124,13 +124,14 @@ void Lighting::Paint(SampleBuffers& samples, std::size_t begin, std::size_t end)
     if (some.count > 0)
     {
       some.Pad();
-      const auto columns = [](const auto& from) {
-        return std::array<const double*, 3>{ from[0].data(), from[1].data(), from[2].data() };
+      const int count = static_cast<int>(some.count);
+      const auto columns = [count](const auto& from) {
+        return LanePoints{ { from[0].data(), from[1].data(), from[2].data() }, count };
       };
       GetLightKernels().shine({ View, NormalMatrix, *common, Parallel },
         { columns(some.position), columns(some.normal),
           { some.color[0].data(), some.color[1].data(), some.color[2].data() }, some.isLit.data(),
-          static_cast<int>(some.count) });
+          count });
       for (std::size_t k = 0; k < some.count; ++k)
       {
         for (std::size_t c = 0; some.isLit[k] != 0.0 && c < 3; ++c)
