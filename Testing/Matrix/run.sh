@@ -4,7 +4,8 @@
 #   run.sh RELEASE [ROOTS]   RELEASE: bookworm, trixie or testing; ROOTS: where the systems are kept
 #
 # The root is made once (debootstrap) and taken again. In the environment:
-#   MATRIX_STAGES    of dependencies, build, test, paraview, syntax (default: the first three); syntax:
+#   MATRIX_STAGES    of dependencies, build, test, paraview, package, syntax (default: the first three);
+#                    package: of what was built, installed, used and removed in another clean root; syntax:
 #                    the compiler reads what both builds compile, if they are there, and makes nothing
 #   MATRIX_TESTS     which tests, as ctest -R takes it (default: all)
 #   MATRIX_TARGETS   what is built (default: all)
@@ -85,7 +86,7 @@ for stage in $stages; do
       ;;
     build)
       if inside "$stage" "cmake -S . -B build -G Ninja -D CMAKE_CXX_COMPILER=$compiler \
-        -D PIXELEXACT_WARNINGS_AS_ERRORS=ON && ninja -C build -k 0 -j $jobs ${MATRIX_TARGETS:-}"; then
+        -D PIXELEXACT_WARNINGS_AS_ERRORS=ON -D PIXELEXACT_BUILD_BENCHMARKS=ON && ninja -C build -k 0 -j $jobs ${MATRIX_TARGETS:-}"; then
         compiled=yes
       else
         compiled=no
@@ -103,6 +104,14 @@ for stage in $stages; do
         tested+=", the plugin's passed"
       else
         tested+=", the plugin's failed"
+      fi
+      ;;
+    package)
+      if inside "$stage" "rm -f build/*.deb && cd build && cpack -G DEB" &&
+        nice -n 19 "$source/Testing/Scripts/package.sh" "$root/src/pixelexact/build" "$release" "$roots"; then
+        tested+=", packages passed"
+      else
+        tested+=", packages failed"
       fi
       ;;
     syntax)
