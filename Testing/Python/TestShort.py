@@ -226,6 +226,50 @@ class Render(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "clim"):
             pixelexact.render(self.grid, "u", size=(2, 2), clim=(0.0, np.inf))
 
+    def test_arguments_of_another_kind_are_named(self):
+        for name, value in (
+            ("size", 300),
+            ("contours", "12"),
+            ("contours", 0.5j),
+            ("edges", "yes"),
+            ("camera", 3),
+            ("clim", 3j),
+            ("origin", "x"),
+        ):
+            with self.subTest(name), self.assertRaisesRegex(TypeError, f"^{name}: "):
+                pixelexact.render(self.grid, "u", **{"size": (2, 2), name: value})
+        with self.assertRaisesRegex(ValueError, "^view: 'iso'"):
+            pixelexact.render(self.grid, "u", size=(2, 2), view="up")
+        with self.assertRaisesRegex(TypeError, "^set_threads: "):
+            pixelexact.set_threads("x")
+        with self.assertRaisesRegex(TypeError, "^values: "):
+            pixelexact.contours(self.grid, "u", "0.1")
+
+    def test_numbers_of_numpy_are_numbers(self):
+        five, values = (
+            pixelexact.render(self.grid, "u", size=(20, 20), contours=contours).cut.mapper
+            for contours in (np.int64(5), np.array([0.1, 0.25], dtype=np.float32))
+        )
+        self.assertEqual(five.GetNumberOfContours(), 5)
+        self.assertEqual(values.GetContourValue(1), 0.25)
+        lines = pixelexact.contours(self.grid, "u", np.float32(0.25))
+        self.assertGreater(lines.GetNumberOfCells(), 0)
+
+    def test_results_say_what_they_are(self):
+        picture = pixelexact.render(self.grid, size=(20, 10))
+        exact = int((picture.verdicts == 1).sum())
+        self.assertEqual(
+            repr(picture),
+            f"<Picture of <Cut of 'u' by vtkPlane>, 20 x 10: {exact} pixels exact, "
+            f"{200 - exact} nothing, 0 unknown>",
+        )
+        self.assertEqual(
+            repr(pixelexact.probe(self.grid, "u", [[1.0, 0.0, 0.0], [9.0, 0.0, 0.0]])),
+            "<Probed 'u' at 2 points: 1 inside, 1 outside, 0 unknown>",
+        )
+        # As os.PathLike may give it.
+        self.assertEqual(pixelexact.times(os.fsencode(TORUS)), [])
+
     def test_ranges(self):
         picture = pixelexact.render(self.grid, "u", size=(60, 60), clim="cut")
         self.assertEqual(picture.range, (np.nanmin(picture.values), np.nanmax(picture.values)))

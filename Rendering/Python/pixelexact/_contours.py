@@ -5,7 +5,15 @@ from __future__ import annotations
 from typing import Any, Optional, Sequence, Union
 
 from ._cut import check_field
-from ._scene import Normal, Vector, asks_python, component_of, source_of, surface_of
+from ._scene import (
+    Normal,
+    Vector,
+    asks_python,
+    component_of,
+    numbers_of,
+    source_of,
+    surface_of,
+)
 from ._work import Error, Progress, run
 from .PixelExactFilters import vtkHighOrderContour
 
@@ -52,7 +60,7 @@ def contours(
         lines.SetFieldName(field)
     lines.SetComponent(component_of(component))
     lines.SetTolerance(tolerance)
-    for i, value in enumerate([values] if isinstance(values, (int, float)) else values):
-        lines.SetValue(i, float(value))
+    for i, value in enumerate(numbers_of(values, "values")):
+        lines.SetValue(i, value)
     run(lines, progress, may_release=not asks_python(shape))
     return lines.GetOutput()

@@ -15,6 +15,7 @@ from ._scene import (
     Surface,
     Vector,
     component_of,
+    numbers_of,
     source_of,
     surface_of,
     values_of,
@@ -45,7 +46,7 @@ def _set_range(mapper: Any, clim: Limits) -> None:
         mapper.SetRangeModeToCut()
     elif (
         isinstance(clim, str)
-        or len(clim) != 2
+        or len(numbers_of(clim, "clim: 'field', 'cut' or two")) != 2
         or not -math.inf < float(clim[0]) <= float(clim[1]) < math.inf
     ):
         raise ValueError(f"clim: 'field', 'cut' or (lowest, highest), not {clim!r}")
@@ -139,7 +140,7 @@ def cut(
     actor.GetProperty().SetOpacity(opacity)
     if edges:
         actor.GetProperty().EdgeVisibilityOn()
-        actor.GetProperty().SetLineWidth(1.0 if edges is True else float(edges))
+        actor.GetProperty().SetLineWidth(1.0 if edges is True else numbers_of(edges, "edges")[0])
     whole = Cut(actor, None, mapper, shape)
     for i, value in enumerate(values_of(contours, lambda: _between(whole, clim))):
         mapper.SetContourValue(i, value)

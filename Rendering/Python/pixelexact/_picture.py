@@ -7,6 +7,7 @@ import os
 from typing import TYPE_CHECKING, Any, Iterator, Optional, Sequence, Union
 
 from vtkmodules.vtkCommonDataModel import vtkPlane
+from vtkmodules.vtkRenderingCore import vtkCamera
 
 from ._read import Path
 from ._scene import Vector, asks_python, normal_of
@@ -37,6 +38,9 @@ class Cut:
         self.mapper = mapper
         self.surface = surface
 
+    def __repr__(self) -> str:
+        return f"<Cut of {self.scalar_bar.GetTitle()!r} by {self.surface.GetClassName()}>"
+
     def __iter__(self) -> Iterator[Any]:
         return iter((self.actor, self.scalar_bar))
 
@@ -65,6 +69,14 @@ class Picture:
         self.camera = camera
         self.range = tuple(of.mapper.GetScalarRange())
         self._data = data
+
+    def __repr__(self) -> str:
+        width, height, _ = self._data.GetDimensions()
+        none, exact, unknown = (int((self.verdicts == verdict).sum()) for verdict in range(3))
+        return (
+            f"<Picture of {self.cut!r}, {width} x {height}: {exact} pixels exact, {none} nothing, "
+            f"{unknown} unknown>"
+        )
 
     def array(self, name: str) -> Array:
         """One of the arrays of vtkHighOrderMapper.GetBuffers; KeyError, which lists them."""
@@ -195,8 +207,18 @@ def _place(picture: Any, of: Cut, view: Union[str, Vector, None]) -> None:
     elif isinstance(view, str) and view == "iso":
         picture.ViewAlong((1.0, 1.0, 1.0), _UP_OF_ISO)
     else:
-        direction = normal_of(view)
+        direction = normal_of(view, "view: 'iso', or")
         picture.ViewAlong(direction, _UP if abs(direction[2]) > 0.999 else _UP_OF_ISO)
+
+
+def _pixels_of(size: Sequence[int]) -> list[int]:
+    try:
+        pixels = [operator.index(part) for part in size]
+    except TypeError:
+        raise TypeError(f"size: two whole numbers, pixels across and up, not {size!r}") from None
+    if len(pixels) != 2 or min(pixels) < 1 or pixels[0] * pixels[1] > _MOST_PIXELS:
+        raise ValueError(f"size: pixels across and up, at most 2^30 of them, not {size!r}")
+    return pixels
 
 
 def _trace(
@@ -210,13 +232,14 @@ def _trace(
 ) -> Any:
     if not 1 <= stride <= 64:
         raise ValueError(f"stride: from 1 to 64, not {stride!r}")
-    if len(size) != 2 or min(size) < 1 or int(size[0]) * int(size[1]) > _MOST_PIXELS:
-        raise ValueError(f"size: pixels across and up, at most 2^30 of them, not {size!r}")
+    width, height = _pixels_of(size)
     if camera is not None and view is not None:
         raise ValueError("view and camera are two ways to say the same: leave one out")
+    if camera is not None and not isinstance(camera, vtkCamera):
+        raise TypeError(f"camera: a vtkCamera, not {type(camera).__name__}")
     picture = vtkHighOrderPicture()
     picture.SetActor(of.actor)
-    picture.SetSize(operator.index(size[0]), operator.index(size[1]))
+    picture.SetSize(width, height)
     picture.SetAllBuffers(buffers)
     picture.SetStride(stride)
     picture.SetCamera(camera)

@@ -53,6 +53,13 @@ class Probed:
     def __len__(self) -> int:
         return len(self.verdicts)
 
+    def __repr__(self) -> str:
+        outside, inside, unknown = (int((self.verdicts == verdict).sum()) for verdict in range(3))
+        return (
+            f"<Probed {self.field!r} at {len(self)} points: {inside} inside, {outside} outside, "
+            f"{unknown} unknown>"
+        )
+
 
 def _cloud(points: Any) -> Any:
     """The points as VTK's, which share an array of doubles (n, 3) that lie one behind the other."""

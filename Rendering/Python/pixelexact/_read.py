@@ -109,7 +109,7 @@ _READERS = {
 
 
 def _reader_of(mesh: Path, fields: tuple[Path, ...]) -> Any:
-    names = [os.fspath(file) for file in (mesh, *fields)]
+    names = [os.fsdecode(file) for file in (mesh, *fields)]
     for name in names:
         if not os.path.exists(name):
             raise FileNotFoundError(f"cannot read '{name}': there is no such file")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 import os
 from typing import Any, Callable, Sequence, Union
 
@@ -35,25 +36,35 @@ def source_of(grid: Any, progress: Progress = None) -> Any:
     )
 
 
+def numbers_of(numbers: Any, what: str) -> list[float]:
+    """One or several."""
+    if not isinstance(numbers, (str, bytes)):
+        try:
+            return [float(n) for n in (numbers if hasattr(numbers, "__iter__") else [numbers])]
+        except (TypeError, ValueError):
+            pass
+    raise TypeError(f"{what}: numbers, not {numbers!r}")
+
+
 def three(numbers: Vector, what: str) -> tuple[float, float, float]:
-    values = [float(number) for number in numbers]
+    values = numbers_of(numbers, what)
     if len(values) != 3:
         raise ValueError(f"{what}: three numbers, not {len(values)}")
     return values[0], values[1], values[2]
 
 
-def normal_of(normal: Normal) -> tuple[float, float, float]:
+def normal_of(normal: Normal, what: str = "normal") -> tuple[float, float, float]:
     if isinstance(normal, str):
         sign = -1.0 if normal.startswith("-") else 1.0
         axis = _AXES.get(normal.lstrip("+-"))
         if axis is None:
             raise ValueError(
-                f"normal: 'x', 'y', 'z' (or with a sign), or three numbers, not {normal!r}"
+                f"{what}: 'x', 'y', 'z' (or with a sign), or three numbers, not {normal!r}"
             )
-        return three([sign * part for part in axis], "normal")
-    values = three(normal, "normal")
+        return three([sign * part for part in axis], what)
+    values = three(normal, what)
     if not any(values):
-        raise ValueError("normal: it must not be zero")
+        raise ValueError(f"{what}: it must not be zero")
     return values
 
 
@@ -124,9 +135,10 @@ def values_of(
     """So many evenly spaced values within a range, without its ends; or those that are given."""
     if contours is None:
         return []
-    if isinstance(contours, int):
-        if contours < 1:
-            raise ValueError(f"contours: at least one, not {contours}")
-        low, high = between()
-        return [low + (high - low) * (i + 1) / (contours + 1) for i in range(contours)]
-    return [float(value) for value in contours]
+    if not hasattr(contours, "__index__") or hasattr(contours, "__iter__"):
+        return numbers_of(contours, "contours: how many, or")
+    number = operator.index(contours)
+    if number < 1:
+        raise ValueError(f"contours: at least one, not {number}")
+    low, high = between()
+    return [low + (high - low) * (i + 1) / (number + 1) for i in range(number)]

@@ -46,6 +46,11 @@ def set_threads(count: Optional[int] = None) -> None:
 
     Results do not depend on it.
     """
-    if count is not None and count < 1:
+    if count is None:
+        _run.set_threads(0)
+        return
+    if not hasattr(count, "__index__"):
+        raise TypeError(f"set_threads: a whole number or None, not {count!r}")
+    if count < 1:
         raise ValueError(f"set_threads: there must be at least one thread, not {count}")
-    _run.set_threads(count or 0)
+    _run.set_threads(count)
