@@ -154,10 +154,15 @@ void PieceSolver::Solve()
       const auto ray = static_cast<int>(pairs.Column(kRayColumn)[i]);
       if (end == PairResult::Hit)
       {
-        const Vec3 x(position[0][i], position[1][i], position[2][i]);
-        const Vec3 xi(pairs.Column(kXiColumn)[i], pairs.Column(kXiColumn + 1)[i],
-          pairs.Column(kXiColumn + 2)[i]);
-        Work.hits.push_back({ ray, Bundle.TimeAt(ray, x), x, xi });
+        // Written in place: what is put together elsewhere is read again before it has arrived.
+        CurvedHit& hit = Work.hits.emplace_back();
+        hit.ray = ray;
+        for (int d = 0; d < 3; ++d)
+        {
+          hit.position[d] = position[d][i];
+          hit.xi[d] = pairs.Column(kXiColumn + d)[i];
+        }
+        hit.t = Bundle.TimeAt(ray, hit.position);
       }
       else if (end == PairResult::Unclear)
       {
