@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <optional>
 
 // Which orders may go. The file holds x_s (1 + e_s) for the node s, |e_s| <= 4 u: half a unit in
@@ -25,8 +26,9 @@
 // nodes makes modes of 1e-10, a hundred thousand times larger than that of 7^3. Dropping them
 // brings the map nearer to the solver's. What is dropped is recorded: the map is uncertain by
 //
-//   sum over D of |c_k| B_k  +  4 u max|x| sum over the kept k of A_k B_k.
+//   sum over D of |c_k| B_k  +  4 u max|x| min(L, sum over the kept k of A_k B_k),
 //
+// L (NoiseBound) what noise in all nodes can move the whole map; it is some hundredth of the sum.
 // A straight cell with nodes halfway is found so: its orders above 1 are noise. A pyramid of order
 // 2 is in another form than the straight one; the modes of their difference are judged instead.
 namespace pixelexact
@@ -67,13 +69,14 @@ ElementUnits UnitsOf(const SourceMesh& mesh, int element)
 class Reduction
 {
 public:
-  /// `roundings`: of the coordinates, world units.
+  /// `roundings`: of the coordinates, world units; `noise`: how far one of them may move the map.
   Reduction(const Space& space, std::span<const double> amplification,
-    std::span<const double> modes, double roundings, double size)
+    std::span<const double> modes, double roundings, double noise, double size)
     : Full(space)
     , Amplification(amplification)
     , Modes(modes)
     , Roundings(roundings)
+    , Noise(noise)
     , Size(size)
   {
     Visit(
@@ -169,7 +172,7 @@ public:
           dropped[c] += std::fabs(At(c, mode)) * bound;
         }
       });
-    return *std::ranges::max_element(dropped) + noise;
+    return *std::ranges::max_element(dropped) + std::min(noise, Noise * Roundings);
   }
 
   static bool Has(const Space& space, int p, int q, int r)
@@ -223,6 +226,7 @@ private:
   std::span<const double> Amplification;
   std::span<const double> Modes;
   double Roundings;
+  double Noise;
   double Size;
   std::array<int, 3> Needed{}; ///< orders below these drop a mode that is no noise
 };
@@ -253,7 +257,8 @@ std::optional<double> DistanceToStraight(const CellBasis& basis, std::vector<dou
   std::ranges::transform(
     amplification, basis.straight[0].Amplification(), amplification.begin(), std::plus());
   const Space& space = basis.GetSpace();
-  const Reduction difference(space, amplification, modes, roundings, size);
+  const Reduction difference(
+    space, amplification, modes, roundings, std::numeric_limits<double>::infinity(), size);
   if (!difference.IsNoise())
   {
     return std::nullopt;
@@ -306,7 +311,9 @@ ElementGeometry ConvertGeometry(const SourceMesh& mesh, int element)
     }
   }
   const Space full = change->Target();
-  const Reduction reduction(full, change->Amplification(), modes, roundings, geometry.size);
+  const double noise =
+    change == &basis.change ? basis.noise : std::numeric_limits<double>::infinity();
+  const Reduction reduction(full, change->Amplification(), modes, roundings, noise, geometry.size);
   geometry.space = reduction.Reduce();
   geometry.uncertainty += reduction.Uncertainty(geometry.space) + mesh.Loss(element);
   const auto count = static_cast<std::size_t>(full.Modes());
