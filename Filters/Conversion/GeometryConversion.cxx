@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <optional>
 
 namespace pixelexact
@@ -69,7 +70,8 @@ std::optional<double> DistanceToStraight(const CellBasis& basis, std::vector<dou
   std::ranges::transform(
     amplification, basis.straight[0].Amplification(), amplification.begin(), std::plus());
   const Space& space = basis.GetSpace();
-  const OrderReduction difference(space, amplification, modes, roundings, size);
+  const OrderReduction difference(
+    space, amplification, modes, roundings, std::numeric_limits<double>::infinity(), size);
   if (!difference.IsNoise())
   {
     return std::nullopt;
@@ -122,7 +124,10 @@ ElementGeometry ConvertGeometry(const SourceMesh& mesh, int element)
     }
   }
   const Space full = change->Target();
-  const OrderReduction reduction(full, change->Amplification(), modes, roundings, geometry.size);
+  const double noise =
+    change == &basis.change ? basis.noise : std::numeric_limits<double>::infinity();
+  const OrderReduction reduction(
+    full, change->Amplification(), modes, roundings, noise, geometry.size);
   geometry.space = reduction.Reduce();
   geometry.uncertainty += reduction.Uncertainty(geometry.space) + mesh.Loss(element);
   const auto count = static_cast<std::size_t>(full.Modes());

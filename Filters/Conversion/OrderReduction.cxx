@@ -21,8 +21,9 @@
 // nodes makes modes of 1e-10, a hundred thousand times larger than that of 7^3. Dropping them
 // brings the map nearer to the solver's. What is dropped is recorded: the map is uncertain by
 //
-//   sum over D of |c_k| B_k  +  4 u max|x| sum over the kept k of A_k B_k.
+//   sum over D of |c_k| B_k  +  4 u max|x| min(L, sum over the kept k of A_k B_k),
 //
+// L (NoiseBound) what noise in all nodes can move the whole map; it is some hundredth of the sum.
 // A straight cell with nodes halfway is found so: its orders above 1 are noise. A pyramid of order
 // 2 is in another form than the straight one; the modes of their difference are judged instead.
 namespace pixelexact
@@ -34,11 +35,12 @@ constexpr double kOwnRounding = 0x1p-53; ///< in units of the element
 } // namespace
 
 OrderReduction::OrderReduction(const Space& space, std::span<const double> amplification,
-  std::span<const double> modes, double roundings, double size)
+  std::span<const double> modes, double roundings, double noise, double size)
   : Full(space)
   , Amplification(amplification)
   , Modes(modes)
   , Roundings(roundings)
+  , Noise(noise)
   , Size(size)
 {
   ForEachMode(Full,
@@ -174,6 +176,6 @@ double OrderReduction::Uncertainty(const Space& kept) const
         dropped[c] += std::fabs(At(c, mode)) * bound;
       }
     });
-  return *std::ranges::max_element(dropped) + noise;
+  return *std::ranges::max_element(dropped) + std::min(noise, Noise * Roundings);
 }
 } // namespace pixelexact

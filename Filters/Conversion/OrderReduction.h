@@ -16,9 +16,9 @@ class OrderReduction
 public:
   /// `amplification`: by mode, by which roundings of nodes grow. `modes`: of the map's three
   /// components, one after the other, and `size`, of the element: world units. `roundings`: of the
-  /// coordinates, world units.
+  /// coordinates, world units; `noise`: how far one unit of them may move the map.
   OrderReduction(const Space& space, std::span<const double> amplification,
-    std::span<const double> modes, double roundings, double size);
+    std::span<const double> modes, double roundings, double noise, double size);
 
   /// Whether nothing but noise is there.
   [[nodiscard]] bool IsNoise() const;
@@ -44,6 +44,7 @@ private:
   std::span<const double> Amplification;
   std::span<const double> Modes;
   double Roundings;
+  double Noise;
   double Size;
   std::array<int, 3> Needed{}; ///< orders below these drop a mode that is no noise
 };

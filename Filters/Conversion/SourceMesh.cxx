@@ -5,6 +5,7 @@
 
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
+#include "Core/Basis/NoiseBound.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -84,6 +85,14 @@ SourceMesh::SourceMesh(vtkUnstructuredGrid* grid, const NodeConvention& nodes)
   Roundoff = grid->GetPoints()->GetDataType() == VTK_FLOAT
     ? static_cast<double>(std::numeric_limits<float>::epsilon()) / 2
     : std::numeric_limits<double>::epsilon() / 2;
+  for (CellBasis& basis : Bases)
+  {
+    // What rounding to doubles leaves is far less than would be seen.
+    if (Roundoff > std::numeric_limits<double>::epsilon() && basis.kind.weights == 0)
+    {
+      basis.noise = NoiseBound(basis.change);
+    }
+  }
   Points3 = AsDoubles(grid->GetPoints()->GetData());
   Xyz = { Points3->GetPointer(0), static_cast<std::size_t>(Points3->GetNumberOfValues()) };
   CheckCoordinates();
