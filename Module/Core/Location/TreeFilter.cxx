@@ -11,13 +11,16 @@ namespace pixelexact
 {
 namespace
 {
-/// Boxes that bend less than this part of their size are not halved.
+/// Boxes that bend less than this part of their size are not halved. Of pyramids, which are never
+/// known to be injective, each point beside a face that is left goes to the careful path.
 constexpr double kAffineEnough = 0.04;
+constexpr double kAffineEnoughOfPyramid = 0.01;
 /// Of the frame's deviation, in xi.
 constexpr double kBent = 0.2;
 /// Halvings of an element, and nanoseconds that they may take: all of them together but for coarse
 /// nodes, and those that one point needs.
 constexpr int kMostHalvings = 9;
+constexpr int kMostHalvingsOfPyramid = 12;
 constexpr std::int64_t kMostGrowth = 4'000'000;
 constexpr std::int64_t kMostOfPoint = 2'200'000;
 } // namespace
@@ -132,11 +135,13 @@ void TreeFilter::Descend(std::uint64_t near)
     }
     return;
   }
+  const bool isPyramid = Tree->Problem().space.shape == Shape::Pyramid;
+  AffineEnough = isPyramid ? kAffineEnoughOfPyramid : kAffineEnough;
   const std::int64_t cost = Tree->SplitCost();
   const int whole =
     static_cast<int>(std::bit_width(static_cast<std::uint64_t>(kMostGrowth / cost)));
-  MostHalvings = std::min(
-    { kMostHalvings, whole - 1 + Tree->CoarseHalvings(), static_cast<int>(kMostOfPoint / cost) });
+  MostHalvings = std::min({ isPyramid ? kMostHalvingsOfPyramid : kMostHalvings,
+    whole - 1 + Tree->CoarseHalvings(), static_cast<int>(kMostOfPoint / cost) });
   if (Y.size() < 3 * kGroupPoints * Chunks.size())
   {
     Y.resize(3 * kGroupPoints * Chunks.size());
@@ -195,7 +200,7 @@ void TreeFilter::Visit(
   {
     return;
   }
-  if (depth >= MostHalvings || frame.IsNearlyAffine(kAffineEnough) || !Tree->Split(node))
+  if (depth >= MostHalvings || frame.IsNearlyAffine(AffineEnough) || !Tree->Split(node))
   {
     for (; left != 0; left &= left - 1)
     {
