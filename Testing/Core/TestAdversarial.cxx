@@ -127,6 +127,50 @@ TEST(Adversarial, NothingIsTakenForAPreimageThatIsNone)
   }
 }
 
+// Just beyond a face that is also the element's box: a chunk of points may lie in all that the
+// frame allows, and in part beyond the box.
+TEST(Adversarial, PointsAtTheElementsBoxAreAnsweredAlikeAloneAndTogether)
+{
+  for (const Shape shape : { Shape::Tetrahedron, Shape::Prism })
+  {
+    MeshBuilder mesh;
+    mesh.Add(UniformSpace(shape, 2),
+      [](const LongVec3& xi) -> LongVec3
+      {
+        const auto [a, b, c] = xi;
+        return { a + 0.25L * c * c, (0.5L * (1 + a) + 0x1p-8L) * b + 0.5L * a + 0.125L * c * c,
+          c + 0.3L * a };
+      });
+    const Mesh view = mesh.View();
+    const Locator locator(view);
+    Random random(0);
+    std::vector<Vec3> xi(512);
+    for (Vec3& point : xi)
+    {
+      point = random.Inside(shape);
+      const double part = random(0.0, 1.0);
+      const double beyond = std::pow(10.0, random(-15.5, -13.0));
+      if (part < 0.5)
+      {
+        point[part < 0.3 ? 0 : (part < 0.4 ? 2 : 1)] = -1.0 - beyond;
+      }
+      if (random(0.0, 1.0) < 0.3)
+      {
+        point.x = random() < 0.0 ? std::min(point.x, -1.0) : point.x;
+        point.z = shape == Shape::Tetrahedron ? -1.0 - point.x - point.y : -point.x;
+      }
+    }
+    std::vector<Vec3> x(xi.size());
+    MapForward(view, 0, xi, x);
+    const Answers together = Ask(locator, x);
+    for (std::size_t i = 0; i < x.size(); ++i)
+    {
+      const Answers alone = Ask(locator, std::span(&x[i], 1));
+      EXPECT_EQ(together.verdict[i], alone.verdict[0]) << Name(shape) << ", point " << i;
+    }
+  }
+}
+
 TEST(Adversarial, RandomGeometryIsAnsweredHonestly)
 {
   Random random(7);

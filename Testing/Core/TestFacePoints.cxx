@@ -199,6 +199,20 @@ TEST_P(FacePoints, OnAndBesideSharedFacesTheMeshCoversOnce)
   EXPECT_EQ(counts[1], static_cast<std::int64_t>(points.size())) << first;
 }
 
+// A part of 1e-7 from the apex of pyramids far off the origin, where Newton's iteration begins not
+// to be trusted: boxes that are straight there are divided at that depth.
+TEST(FacePointsAlone, NextToAnApexAPointIsDecidedWithinItsBudget)
+{
+  const CurvedMesh cube = Blocks(3, kMixed, kFar);
+  const Mesh mesh = cube.View();
+  const Locator locator(mesh);
+  const Vec3 x(0x1.80100518eef8fp+1, -0x1.bf92c5f90a6adp+2, 0x1.4p+2);
+  Owners owners;
+  FindOwners(locator, std::span(&x, 1), std::span(&owners, 1));
+  EXPECT_EQ(owners.coverage, Coverage::Once) << Name(owners.coverage);
+  EXPECT_EQ(owners.preimages, 1);
+}
+
 INSTANTIATE_TEST_SUITE_P(Meshes, FacePoints, ::testing::ValuesIn(kCases),
   [](const auto& test) { return std::string(test.param.name); });
 } // namespace pixelexact::testing

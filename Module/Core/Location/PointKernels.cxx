@@ -207,10 +207,13 @@ NearChunks FindNearChunks(
     const auto lower = LoadPoint<Lanes>(lowers, i);
     const auto upper = LoadPoint<Lanes>(uppers, i);
     LaneMask near = lower.x[0] <= upper.x[0];
+    LaneMask within = near;
     for (int d = 0; d < 3; ++d)
     {
-      near = And(near,
-        And(lower.x[d] <= Splat(bounds.box.upper[d]), Splat(bounds.box.lower[d]) <= upper.x[d]));
+      const Lanes boxLower = Splat(bounds.box.lower[d]);
+      const Lanes boxUpper = Splat(bounds.box.upper[d]);
+      near = And(near, And(lower.x[d] <= boxUpper, boxLower <= upper.x[d]));
+      within = And(within, And(boxLower <= lower.x[d], upper.x[d] <= boxUpper));
     }
     if (None(near))
     {
@@ -220,7 +223,7 @@ NearChunks FindNearChunks(
     {
       const auto [none, all] = frame.Judge(lower, upper);
       near = AndNot(near, none);
-      found.inner |= BitsOf(And(near, all)) << static_cast<unsigned>(i);
+      found.inner |= BitsOf(And(And(near, within), all)) << static_cast<unsigned>(i);
     }
     found.near |= BitsOf(near) << static_cast<unsigned>(i);
   }

@@ -34,7 +34,7 @@ struct NearChunks
 {
   /// The element might have points in it; of all others its box or frame proves that it has none.
   std::uint64_t near = 0;
-  std::uint64_t inner = 0; ///< of those near: the frame excludes no point of it
+  std::uint64_t inner = 0; ///< of those near: neither box nor frame excludes a point of it
 };
 
 struct PointKernels

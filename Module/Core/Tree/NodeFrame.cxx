@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Tree/NodeFrame.h"
 
+#include "Core/Element/Kernels.h"
 #include "Core/Math/Rounding.h"
 #include "Core/Tree/FrameMeasure.h"
 
@@ -95,9 +96,13 @@ void MakeFrame(const Space& space, const double* modes, const ElementBounds& bou
       measure.TiltPlanes(ends);
     }
   }
-  if (space.shape == Shape::Pyramid && frame.box.upper.z == 1.0)
+  // A cone: seen from the apex, directions can only be told apart at the point's own distance. What
+  // is straight, and in part too near to the apex for Newton's iteration, is divided there.
+  const double apexRegion = 1.0 - kApexRegion;
+  const bool straddles = frame.box.lower.z < apexRegion && apexRegion < frame.box.upper.z;
+  if (space.shape == Shape::Pyramid &&
+    (frame.box.upper.z == 1.0 || (straddles && frame.IsAffine())))
   {
-    // A cone: seen from the apex, directions can only be told apart at the point's own distance.
     frame.widest = 2;
     return;
   }
