@@ -155,6 +155,13 @@ class Nodes(FileTest):
         self.assertGreater(abs(float(read_csv(out)[0]["value"]) - 0.3**3), 1e-3)
         self.fails(2, "info", path, "--nodes", "fekete", names=["--nodes"])
 
+    def test_mirrored_wedges_that_are_not_there(self):
+        path = self.write("cube.vtu", unit_cube_grid())
+        done = self.succeeds("info", path, "--mirrored-wedges")
+        self.assertIn("--mirrored-wedges has no effect", done.stderr)
+        prisms = DATA / "toroid_prism_g3_p4.vtu"
+        self.assertNotIn("no effect", self.succeeds("info", prisms, "--mirrored-wedges").stderr)
+
     def test_coefficients_have_no_nodes(self):
         folder = DATA / "mfem49_tinyzoo_g3_p5"
         mesh = folder / f"{folder.name}.mesh"

@@ -35,6 +35,18 @@ class ProbeTest(ToolTest):
         return read_csv(out)
 
 
+class Names(ProbeTest):
+    def test_tables_under_the_name_of_another_format(self):
+        table = ["probe", case("toroid_hex_g3_p6"), "--field", "u", "--line", "0,1,0,1,0,0,2"]
+        for name in ("out.npy", "out.VTP", "out.tsv"):
+            out = self.folder / name
+            self.fails(2, *table, "--output", out, names=["--output", out, ".csv"])
+            self.assertFalse(out.exists())
+        for name in ("out.csv", "out.txt", "out"):
+            self.succeeds(*table, "--output", self.folder / name)
+            self.assertEqual(len(read_csv(self.folder / name)), 2)
+
+
 class AgainstOracles(ProbeTest):
     def test_values_gradients_and_elements(self):
         for name in CASES:

@@ -186,10 +186,13 @@ class SinglePrecision(RenderTest):
             # A part of the pixels was looked at.
             self.assertLess(difference, 5 * told)
             self.assertLess(difference, 1e-5 * np.ptp(exact["Value"][inside]))
-        self.fails(
-            1, "render", case("escher_tet_g3_p3"), "--field", "u", *MIDDLE, "--precision", "float",
-            "--show-undecided", "--output", self.folder / "i.png", names=["single precision"],
-        )
+        render = ["render", case("escher_tet_g3_p3"), "--field", "u", *MIDDLE]
+        for option in ("--show-undecided", "--enclosures"):
+            for floats in (["--precision", "float"], ["--layer", "1:precision=float"]):
+                self.fails(
+                    2, *render, *floats, option, "--output", self.folder / "i.png",
+                    names=[option, "single precision", floats[1].split(":")[-1]],
+                )
 
 
 class NoPinholes(RenderTest):

@@ -107,7 +107,7 @@ class Environment(DefaultsTest):
             self.succeeds("info", self.cube)
 
     def test_mistakes(self):
-        for words in ["--sise 9x9", "--size", "cube.vtu", "--size 9x9 more"]:
+        for words in ["--sise 9x9", "--size", "cube.vtu", "--size 9x9 more", "--title 'two words"]:
             with mock.patch.dict(os.environ, {"PIXELEXACT_OPTIONS": words}):
                 self.fails(2, *self.base, names=["PIXELEXACT_OPTIONS"])
 

@@ -199,6 +199,10 @@ std::vector<std::string> OfVariable(const CLI::App& program, const CLI::App& com
       words.back() += *c;
     }
   }
+  if (quote != 0)
+  {
+    throw UsageError(std::string(kVariable) + ": the quote " + quote + " is not closed");
+  }
   // Those of other commands are theirs.
   std::vector<std::string> own{ command.get_name() };
   for (std::size_t i = 1; i < words.size(); ++i)

@@ -9,6 +9,7 @@
 #include "Scene/Model.h"
 
 #include "Core/Base/Error.h"
+#include "Files/TimeSeries.h"
 #include "Grids/SlabArray.h"
 
 #include <vtkUnstructuredGrid.h>
@@ -58,6 +59,17 @@ std::vector<const Field*> FieldsToProbe(const HighOrderModel& model, const Probe
       ": the input has no field; leave it out, or name the file of a field");
   }
   return {};
+}
+
+/// Others would open the table as what its name says.
+void CheckTableName(const std::string& file)
+{
+  constexpr std::array kOtherFormats{ ".npy", ".npz", ".vtk", ".vtp", ".vtu", ".vti", ".json",
+    ".h5", ".hdf5", ".parquet", ".xls", ".xlsx", ".ods", ".tsv", ".gz" };
+  if (std::ranges::find(kOtherFormats, LowerSuffix(file)) != kOtherFormats.end())
+  {
+    throw UsageError("--output: '" + file + "' is written as .csv; name it so");
+  }
 }
 
 /// In x0,y0,x1,y1,n.
@@ -138,6 +150,7 @@ void Probe(const ProbeOptions& options, const CommonOptions& common)
   std::vector<std::string> read = options.input.files;
   read.push_back(options.points);
   CheckOutput("--output", options.output, read);
+  CheckTableName(options.output);
   Stopwatch stopwatch;
   // First what is quick and goes wrong often.
   GivenPoints given = PointsOf(options);

@@ -7,6 +7,8 @@
 
 #include "Core/Base/Error.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <array>
 #include <string>
@@ -27,6 +29,21 @@ std::string FirstGiven(const CLI::App& command, const Names& names)
   const auto given =
     std::ranges::find_if(names, [&command](const char* name) { return IsGiven(command, name); });
   return given == std::end(names) ? std::string() : std::string(*given);
+}
+
+/// Enclosures are of values in double precision.
+void CheckPrecision(const CLI::App& command, const Layers& layers)
+{
+  const std::string bounds = FirstGiven(command, std::array{ "--enclosures", "--show-undecided" });
+  const bool floats = IsGiven(command, "--precision") &&
+    command.get_option("--precision")->as<std::string>() == "float";
+  const auto isFloat = [floats](const LayerSettings& layer)
+  { return layer.precision ? *layer.precision == Precision::Float : floats; };
+  if (!bounds.empty() && std::ranges::any_of(layers, isFloat))
+  {
+    throw UsageError(bounds + ": values in single precision have no enclosures; leave out " +
+      (floats ? "--precision float" : "the layer's precision=float"));
+  }
 }
 
 bool HasMap(const LayerSettings& layer)
@@ -61,6 +78,7 @@ void CheckEffects(const CLI::App& command, const Layers& layers)
   {
     check(option, "a colour", [](const LayerSettings& layer) { return layer.color.has_value(); });
   }
+  CheckPrecision(command, layers);
   const auto hasContours = [](const LayerSettings& layer) { return layer.contours.has_value(); };
   check("--contours", "contours", hasContours);
   if (!IsGiven(command, "--contours") && std::ranges::any_of(layers, hasContours))

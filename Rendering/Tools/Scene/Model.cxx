@@ -16,11 +16,13 @@
 #include <nlohmann/json.hpp>
 #include <vtkCallbackCommand.h>
 #include <vtkCellData.h>
+#include <vtkCellType.h>
 #include <vtkCommand.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkSmartPointer.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
@@ -48,11 +50,24 @@ std::string Names(const HighOrderModel& model)
   return Listed(names);
 }
 
+bool HasLagrangeWedge(vtkUnstructuredGrid& grid)
+{
+  for (vtkIdType cell = 0; cell < grid.GetNumberOfCells(); ++cell)
+  {
+    if (grid.GetCellType(cell) == VTK_LAGRANGE_WEDGE)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 void Convert(LoadedModel& input, const InputRequest& request, const std::string& field)
 {
   const VtkMessages messages;
   vtkNew<vtkUnstructuredGridToHighOrderGrid> converter;
-  converter->SetInputData(input.grid);
+  const vtkSmartPointer<vtkUnstructuredGrid> source = input.grid;
+  converter->SetInputData(source);
   converter->SetMirroredWedges(request.mirroredWedges);
   if (request.gaussLobatto)
   {
@@ -79,6 +94,12 @@ void Convert(LoadedModel& input, const InputRequest& request, const std::string&
   for (int i = 0; i < converter->GetNumberOfDiagnostics(); ++i)
   {
     input.diagnostics.push_back(converter->GetDiagnostic(i));
+  }
+  // A process' share may have none.
+  if (request.mirroredWedges && !AreSeveralProcesses() && !HasLagrangeWedge(*source))
+  {
+    input.diagnostics.emplace_back(
+      "--mirrored-wedges has no effect: there are no Lagrange wedges; leave it out");
   }
 }
 
