@@ -104,7 +104,7 @@ class Turns(AnimationTest):
             c, s = np.cos(k * np.pi / 3), np.sin(k * np.pi / 3)
             x, y = pivot + np.array([[c, -s], [s, c]]) @ from_pivot
             expected = self.single("--plane", "z", "--range", "0,11", "--camera-position",
-                f"{x!r},{y!r},0.5", *start[2:])
+                f"{float(x)!r},{float(y)!r},0.5", *start[2:])
             different = (read_image(file) != expected).any(axis=2).mean()
             self.assertLess(different, 0.01)
 

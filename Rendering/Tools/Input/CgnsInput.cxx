@@ -25,14 +25,13 @@ namespace pixelexact
 {
 namespace
 {
-/// VTK 9.1 changed the order of two edges in Lagrange hexahedra, but not in its reader of CGNS.
-constexpr bool kHasOldEdges = VTK_MAJOR_VERSION == 9 && VTK_MINOR_VERSION == 1;
+/// VTK 9.1 changed the order of two edges in Lagrange hexahedra, but its reader of CGNS follows
+/// from 9.5 on. Until then it also puts the nodes inside a wedge's third quadrilateral from the
+/// third corner to the first; VTK's wedges have them the other way round.
+constexpr bool kHasOldOrder = VTK_MAJOR_VERSION == 9 && VTK_MINOR_VERSION < 5;
 constexpr int kCubicPoints = 64;
 constexpr int kCubicTetrahedronPoints = 20;
 constexpr int kTenthEdge = 28; ///< of a cubic hexahedron, with two nodes as the next one
-
-/// VTK's reader puts the nodes inside a wedge's third quadrilateral from the third corner to the
-/// first; VTK's wedges have them the other way round.
 constexpr int kCubicWedgePoints = 40;
 constexpr int kThirdSquare = 34; ///< of a cubic wedge, with four nodes
 
@@ -56,10 +55,11 @@ void ExchangeNodes(vtkUnstructuredGrid& grid, int type, vtkIdType size, int firs
 
 void MendCubicCells(vtkUnstructuredGrid& grid)
 {
-  if (kHasOldEdges)
+  if (!kHasOldOrder)
   {
-    ExchangeNodes(grid, VTK_LAGRANGE_HEXAHEDRON, kCubicPoints, kTenthEdge, 2);
+    return;
   }
+  ExchangeNodes(grid, VTK_LAGRANGE_HEXAHEDRON, kCubicPoints, kTenthEdge, 2);
   for (const int first : { kThirdSquare, kThirdSquare + 2 })
   {
     ExchangeNodes(grid, VTK_LAGRANGE_WEDGE, kCubicWedgePoints, first, 1);
