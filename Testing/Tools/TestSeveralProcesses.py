@@ -20,6 +20,11 @@ OWN |= {
     "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
     "OMPI_MCA_rmaps_base_oversubscribe": "1",
     "OMPI_MCA_hwloc_base_binding_policy": "none",
+    # The same for Open MPI 5.
+    "PRTE_MCA_rmaps_default_mapping_policy": ":oversubscribe",
+    "PRTE_MCA_hwloc_default_binding_policy": "none",
+    # On one machine; where it has no network Open MPI 5 complains.
+    "OMPI_MCA_btl": "^tcp",
 }
 NEK = DATA / "nek_tet_varp"
 FOLDED = DATA / "mfem_escher_tet_darcy_p3"
@@ -106,7 +111,10 @@ class SeveralProcesses(ToolTest):
 
     def write_pieces(self, file, count):
         from vtkmodules.vtkCommonCore import vtkIdList
-        from vtkmodules.vtkFiltersExtraction import vtkExtractCells
+        try:
+            from vtkmodules.vtkFiltersExtraction import vtkExtractCells
+        except ImportError:  # from VTK 9.3 on
+            from vtkmodules.vtkFiltersCore import vtkExtractCells
         from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader, vtkXMLUnstructuredGridWriter
 
         reader = vtkXMLUnstructuredGridReader()

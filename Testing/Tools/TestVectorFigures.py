@@ -46,8 +46,10 @@ class VectorTest(ToolTest):
         height = float(root.get("height").rstrip("pt"))
         found = []
         for element in root.iter(SVG + "path"):
-            style = element.get("style") or ""
-            if f"stroke:{color}" not in style.replace(" ", "") and element.get("stroke") != color:
+            # Cairo 1.16 writes a style, 1.18 attributes.
+            style = (element.get("style") or "").replace(" ", "")
+            stroke = (element.get("stroke") or "").replace(" ", "")
+            if f"stroke:{color}" not in style and stroke != color:
                 continue
             numbers = [float(n) for n in re.findall(r"-?\d+\.?\d*(?:e-?\d+)?", element.get("d"))]
             points = np.reshape(numbers[: len(numbers) // 2 * 2], (-1, 2))
