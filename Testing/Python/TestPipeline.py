@@ -105,6 +105,21 @@ class Pipeline(unittest.TestCase):
         self.assertGreater(numpy.count_nonzero(self.buffer("Verdict") == 1), 5000)
         self.save(self.picture())
 
+    def test_windows_are_deleted_before_their_renderers(self):
+        pictures = []
+        for _ in range(3):
+            self.window.Render()
+            pixels = self.picture().GetPointData().GetScalars()
+            pictures.append(vtk_to_numpy(pixels).copy())
+            self.window = vtkRenderWindow()
+            self.window.SetOffScreenRendering(True)
+            self.window.SetMultiSamples(0)
+            self.window.SetSize(*SIZE)
+            self.window.AddRenderer(self.renderer)
+        self.assertGreater(numpy.count_nonzero(pictures[0]), 15000)
+        for other in pictures[1:]:
+            numpy.testing.assert_array_equal(other, pictures[0])
+
     def test_producers_may_release_their_data(self):
         self.window.Render()
         expected = self.buffer("Value").copy()
