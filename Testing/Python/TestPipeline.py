@@ -10,7 +10,7 @@ import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkPlane, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPlane, vtkPolyData
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
@@ -135,6 +135,15 @@ class Pipeline(unittest.TestCase):
         self.window.Render()
         self.assertEqual(self.mapper.GetNumberOfModelBuilds(), 2)
         self.assertTrue(self.converter.GetReleaseDataFlag())
+
+    def test_all_producers_may_release_their_data(self):
+        vtkDataObject.SetGlobalReleaseDataFlag(1)
+        try:
+            self.window.Render()
+            self.assertGreater(numpy.count_nonzero(self.buffer("Verdict") == 1), 15000)
+            self.assertEqual(vtkDataObject.GetGlobalReleaseDataFlag(), 1)
+        finally:
+            vtkDataObject.SetGlobalReleaseDataFlag(0)
 
     def test_missing_arrays_are_an_error_that_names_the_remedy(self):
         messages = []
