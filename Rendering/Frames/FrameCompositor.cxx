@@ -4,6 +4,8 @@
 #include "Views/OpenGL.h"
 
 #include "vtkActor.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkMapper.h"
@@ -121,7 +123,12 @@ void WindowDepth(const SampleBuffers& samples, const DepthRows& rows, std::vecto
     });
 }
 
-FrameCompositor::FrameCompositor() = default;
+FrameCompositor::FrameCompositor()
+{
+  BeforeDelete->SetClientData(this);
+  BeforeDelete->SetCallback([](vtkObject*, unsigned long, void* self, void*)
+    { static_cast<FrameCompositor*>(self)->ReleaseGraphicsResources(nullptr); });
+}
 
 FrameCompositor::~FrameCompositor()
 {
@@ -206,6 +213,7 @@ void FrameCompositor::Draw(
   {
     ReleaseGraphicsResources(Window);
     Window = window;
+    Observer = Window->AddObserver(vtkCommand::DeleteEvent, BeforeDelete);
   }
   Textures& held = Upload(pixels);
   vtkOpenGLQuadHelper* quad = Quad(actor, mapper);
@@ -270,6 +278,7 @@ void FrameCompositor::ReleaseGraphicsResources(vtkWindow* window)
   }
   Sheets.clear();
   Window->PopContext();
+  Window->RemoveObserver(Observer);
   Window = nullptr;
 }
 } // namespace pixelexact

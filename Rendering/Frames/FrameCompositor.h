@@ -15,6 +15,7 @@
 #include <vector>
 
 class vtkActor;
+class vtkCallbackCommand;
 class vtkMapper;
 class vtkOpenGLQuadHelper;
 class vtkOpenGLRenderWindow;
@@ -101,5 +102,8 @@ private:
   // By fragment shader: passes have their say in it.
   std::map<std::string, std::unique_ptr<vtkOpenGLQuadHelper>> Quads;
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; ///< whose context holds the textures
+  // Weak pointers are null when a window's destructor has its resources released.
+  vtkNew<vtkCallbackCommand> BeforeDelete;
+  unsigned long Observer = 0; ///< the window's
 };
 } // namespace pixelexact

@@ -87,7 +87,10 @@ void MapperExecutive::ExecuteDataEnd(
       released.push_back(input);
     }
   }
+  const vtkTypeBool everywhere = vtkDataObject::GetGlobalReleaseDataFlag();
+  vtkDataObject::SetGlobalReleaseDataFlag(0);
   this->Superclass::ExecuteDataEnd(request, inInfoVec, outInfoVec);
+  vtkDataObject::SetGlobalReleaseDataFlag(everywhere);
   for (vtkInformation* input : released)
   {
     input->Set(RELEASE_DATA(), 1);

@@ -10,7 +10,7 @@ import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkPlane, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPlane, vtkPolyData
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
@@ -105,6 +105,21 @@ class Pipeline(unittest.TestCase):
         self.assertGreater(numpy.count_nonzero(self.buffer("Verdict") == 1), 5000)
         self.save(self.picture())
 
+    def test_windows_are_deleted_before_their_renderers(self):
+        pictures = []
+        for _ in range(3):
+            self.window.Render()
+            pixels = self.picture().GetPointData().GetScalars()
+            pictures.append(vtk_to_numpy(pixels).copy())
+            self.window = vtkRenderWindow()
+            self.window.SetOffScreenRendering(True)
+            self.window.SetMultiSamples(0)
+            self.window.SetSize(*SIZE)
+            self.window.AddRenderer(self.renderer)
+        self.assertGreater(numpy.count_nonzero(pictures[0]), 15000)
+        for other in pictures[1:]:
+            numpy.testing.assert_array_equal(other, pictures[0])
+
     def test_producers_may_release_their_data(self):
         self.window.Render()
         expected = self.buffer("Value").copy()
@@ -120,6 +135,15 @@ class Pipeline(unittest.TestCase):
         self.window.Render()
         self.assertEqual(self.mapper.GetNumberOfModelBuilds(), 2)
         self.assertTrue(self.converter.GetReleaseDataFlag())
+
+    def test_all_producers_may_release_their_data(self):
+        vtkDataObject.SetGlobalReleaseDataFlag(1)
+        try:
+            self.window.Render()
+            self.assertGreater(numpy.count_nonzero(self.buffer("Verdict") == 1), 15000)
+            self.assertEqual(vtkDataObject.GetGlobalReleaseDataFlag(), 1)
+        finally:
+            vtkDataObject.SetGlobalReleaseDataFlag(0)
 
     def test_missing_arrays_are_an_error_that_names_the_remedy(self):
         messages = []
