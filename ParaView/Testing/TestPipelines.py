@@ -72,6 +72,11 @@ def extracted(source):
     return simple.ExtractSelection(Input=source, Selection=chosen)
 
 
+def renamed(before, now):
+    """A filter that has another name in ParaView 6.1."""
+    return getattr(simple, before, None) or getattr(simple, now)
+
+
 # Behind PixelExact Pack.
 PACKED = {
     "itself": (lambda s: s, "kept"),
@@ -87,7 +92,7 @@ PACKED = {
         "kept",
     ),
     "Redistribute Data Set": (lambda s: simple.RedistributeDataSet(s), "kept"),
-    "Ghost Cells": (lambda s: simple.GhostCellsGenerator(s), "kept"),
+    "Ghost Cells": (lambda s: renamed("GhostCellsGenerator", "GhostCells")(s), "kept"),
     "Extract Selection": (extracted, "kept"),
     "Threshold": (threshold, "kept"),
     "Calculator": (calculator, "kept"),
@@ -120,7 +125,7 @@ FILTERS = {
     "Extract Block": (block, "kept"),
     "Merge Blocks": (lambda s: simple.MergeBlocks(simple.GroupDatasets(Input=[s])), "kept"),
     "Clean to Grid": (lambda s: simple.CleantoGrid(s), "stale"),
-    "Generate Ids": (lambda s: simple.GenerateIds(s), "kept"),
+    "Generate Ids": (lambda s: renamed("GenerateIds", "PointAndCellIds")(s), "kept"),
     "Cell Data to Point Data": (lambda s: simple.CellDatatoPointData(s), "kept"),
     "Connectivity": (lambda s: simple.Connectivity(s), "kept"),
     "Gradient": (lambda s: simple.Gradient(s, ScalarArray=["POINTS", "u"]), "kept"),

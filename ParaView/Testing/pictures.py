@@ -24,7 +24,9 @@ elif files[0].endswith(".mesh"):
 else:
     reader = PixelExactGridReader(FileName=files)
 if kind == "packed":
-    reader = GhostCellsGenerator(RedistributeDataSet(PixelExactPack(Input=reader)))
+    # ParaView 6.1 has renamed it.
+    ghosts = GhostCellsGenerator if "GhostCellsGenerator" in globals() else GhostCells
+    reader = ghosts(RedistributeDataSet(PixelExactPack(Input=reader)))
 shown = Show(reader, view)
 shown.SetRepresentationType("PixelExact")
 if kind.startswith("boundary"):

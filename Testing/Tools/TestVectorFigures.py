@@ -148,6 +148,7 @@ class Svg(VectorTest):
     def test_figure(self):
         path = self.draw("a.svg", "--figure", "--title", "A <title> & more", "--font", "serif", "--font-size", 9)
         root = ElementTree.parse(path).getroot()
+        self.assertTrue(root.get("width").endswith("pt"))
         self.assertAlmostEqual(float(root.get("width").rstrip("pt")), 300 * 72 / 300, delta=1e-3)
         description = root.find(SVG + "desc")
         description = root.find("desc") if description is None else description

@@ -81,6 +81,11 @@ VectorCanvas::VectorCanvas(PictureFormat format, int width, int height, double d
   const auto create = format == PictureFormat::Pdf ? &cairo_pdf_surface_create_for_stream
                                                    : &cairo_svg_surface_create_for_stream;
   With->surface = create(&Append, &With->bytes, width * point, height * point);
+  if (format != PictureFormat::Pdf)
+  {
+    // Cairo 1.18 would leave the unit to who shows the file.
+    cairo_svg_surface_set_document_unit(With->surface, CAIRO_SVG_UNIT_PT);
+  }
   With->context = cairo_create(With->surface);
   cairo_scale(With->context, point, point);
   With->fonts.Set(With->context, {});
