@@ -5,6 +5,7 @@
 #include "Core/Math/Rounding.h"
 #include "Core/Questions/Questions.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace pixelexact
