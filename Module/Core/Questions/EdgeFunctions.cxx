@@ -24,7 +24,7 @@ namespace
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Halvings of boxes on which the map is not regular, and of those where it is: of functions with
 /// few coefficients. Nodes of many cost more, and there are fewer of them.
-constexpr int kMostHalvings[2] = { 15, 17 };
+constexpr int kMostHalvings[2] = { 20, 22 };
 constexpr double kFewCoefficients = 216.0;
 constexpr Part kBy[3] = { Part::ByXi1, Part::ByXi2, Part::ByXi3 };
 } // namespace
