@@ -3,7 +3,7 @@
 
 #include "Core/Element/LaneBuffer.h"
 #include "Core/Faces/FacePlane.h"
-#include "Trace/Surfaces/Curved/FacePieceKernels.h"
+#include "Trace/Surfaces/Curved/FaceNormalKernels.h"
 
 #include <vector>
 
@@ -30,7 +30,7 @@ void FaceNormals(
   const Vec3 outwards =
     -FacePlanesOf(mesh.ShapeOf(part.element))[static_cast<std::size_t>(part.face)].gradient;
   double* const normal[3] = { lane(12), lane(13), lane(14) };
-  GetFacePieceKernels().normals(outwards, slope, count, normal);
+  GetFaceNormalKernels().make(outwards, slope, count, normal);
   for (std::size_t i = 0; i < xi.size(); ++i)
   {
     normals[i] = { normal[0][i], normal[1][i], normal[2][i] };

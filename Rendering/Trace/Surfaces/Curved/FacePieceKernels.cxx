@@ -306,49 +306,9 @@ void StepOnFace(const RayBundle& bundle, const ElementFrame& frame, const double
   }
 }
 
-void MakeNormals(const Vec3& normal, const double* const slope[9], int count, double* const to[3])
-{
-  const Lanes n[3] = { Splat(normal.x), Splat(normal.y), Splat(normal.z) };
-  const Lanes zero = Splat(0.0);
-  for (int i = 0; i < count; i += LaneCount())
-  {
-    Lanes by[9];
-    for (std::size_t k = 0; k < 9; ++k)
-    {
-      by[k] = Traits::Load(slope[k] + i);
-    }
-    Lanes v[3];
-    Lanes largest = zero;
-    Lanes sum = zero;
-    ForEachAxis(
-      [&](auto c) PIXELEXACT_INLINED
-      {
-        // The cofactors of J take normals in xi to normals in space.
-        const int p = 3 * ((c + 1) % 3);
-        const int q = 3 * ((c + 2) % 3);
-        const auto cofactor = [&](int e, int f) PIXELEXACT_INLINED
-        { return by[p + e] * by[q + f] - by[p + f] * by[q + e]; };
-        v[c] = n[0] * cofactor(1, 2) + n[1] * cofactor(2, 0) + n[2] * cofactor(0, 1);
-        largest = Max(largest, Abs(v[c]));
-        sum = sum + v[c];
-      });
-    const LaneMask isThere = And(And(zero < largest, IsFinite(largest)), IsFinite(sum));
-    Lanes squares = zero;
-    ForEachAxis(
-      [&](auto c) PIXELEXACT_INLINED
-      {
-        v[c] = v[c] / largest;
-        squares = squares + v[c] * v[c];
-      });
-    const Lanes scale = Splat(1.0) / Sqrt(squares);
-    ForEachAxis(
-      [&](auto c) PIXELEXACT_INLINED { Store(Select(isThere, v[c] * scale, zero), to[c] + i); });
-  }
-}
-
 const FacePieceKernels& FacePieceTable()
 {
-  static const FacePieceKernels kTable{ LookAtFace, StepOnFace, MakeNormals };
+  static const FacePieceKernels kTable{ LookAtFace, StepOnFace };
   return kTable;
 }
 } // namespace pixelexact::HWY_NAMESPACE

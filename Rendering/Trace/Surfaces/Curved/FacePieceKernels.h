@@ -16,9 +16,6 @@ struct FacePieceKernels
   /// As PieceKernels::step; f and its derivatives are not read.
   void (*step)(const RayBundle& bundle, const ElementFrame& frame, const double* values,
     std::size_t stride, PiecePairs& pairs, double* const position[3], double* result);
-  /// Unit normals, of the directions that a normal in xi is taken to by derivatives of y (slope
-  /// [3 c + d] of y_c by xi_d); zero where there is none. Arrays of PaddedCount(count).
-  void (*normals)(const Vec3& normal, const double* const slope[9], int count, double* const to[3]);
 };
 
 const FacePieceKernels& GetFacePieceKernels();
