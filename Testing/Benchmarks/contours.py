@@ -50,6 +50,8 @@ def inner(count, lower, upper):
 def range_of(tool, options, folder):
     """Of the values that the cut shows."""
     facts = ask(tool, "render", *options, "--size", "100x100", "-o", folder / "cut.png")
+    if facts["value_range"] is None:
+        raise RuntimeError("the cut shows no value")
     return facts["value_range"]
 
 
