@@ -26,7 +26,6 @@ public:
     , Piece(piece)
     , Pairs(pairs)
     , Along((bundle.z0 - frame.centre[bundle.axes[2]]) * frame.inverseSize)
-    , Number(static_cast<double>(pairs.pieces.size()))
   {
     const FaceChart& chart = frame.chart;
     for (std::size_t a = 0; a < 3; ++a)
@@ -152,30 +151,20 @@ public:
     {
       return open;
     }
-    const LanesToFront toFront(which);
-    const auto put = [&](int column, Lanes value) PIXELEXACT_INLINED
-    { Store(toFront(value), Pairs.Column(column) + Pairs.count); };
-    const auto putAll = [&](int column, double value) PIXELEXACT_INLINED
-    { Store(Splat(value), Pairs.Column(column) + Pairs.count); };
-    putAll(kOpenColumn, 1.0);
-    putAll(kPieceColumn, Number);
-    putAll(kLastColumn, 0.0);
-    put(kRayColumn, Traits::Load(&rays.number[i]));
-    put(kKappaColumn, Select(contracts, kappa, Splat(kNoKappa)));
-    put(kRoundsColumn, Select(contracts, zero, Splat(kMostRounds - kFewRounds)));
+    const PairWriter writer(Pairs, which, Traits::Load(&rays.number[i]), kappa, contracts);
     ForBoth(
       [&](auto j) PIXELEXACT_INLINED
       {
-        put(kSlopeColumn + j, slope[j]);
-        put(kPlaceColumn + j, q[j]);
-        put(kInverseColumn + 2 * j, inverse[j][0]);
-        put(kInverseColumn + 2 * j + 1, inverse[j][1]);
-        putAll(kLowerColumn + j, Piece.box.lower[Frame.chart.free[j]]);
-        putAll(kUpperColumn + j, Piece.box.upper[Frame.chart.free[j]]);
-        put(kXiColumn + Frame.chart.free[j], at[j]);
-        put(kNormColumn + j, norm[j]);
+        writer.Put(kSlopeColumn + j, slope[j]);
+        writer.Put(kPlaceColumn + j, q[j]);
+        writer.Put(kInverseColumn + 2 * j, inverse[j][0]);
+        writer.Put(kInverseColumn + 2 * j + 1, inverse[j][1]);
+        writer.PutAll(kLowerColumn + j, Piece.box.lower[Frame.chart.free[j]]);
+        writer.PutAll(kUpperColumn + j, Piece.box.upper[Frame.chart.free[j]]);
+        writer.Put(kXiColumn + Frame.chart.free[j], at[j]);
+        writer.Put(kNormColumn + j, norm[j]);
       });
-    put(kXiColumn + Frame.chart.across, AcrossAt(Frame.chart, at));
+    writer.Put(kXiColumn + Frame.chart.across, AcrossAt(Frame.chart, at));
     Pairs.count += std::popcount(which);
     return AndNot(open, pair);
   }
@@ -199,7 +188,6 @@ private:
   const CurvedPiece& Piece;
   PiecePairs& Pairs;
   double Along;
-  double Number;
   std::size_t Axis[3];
   double Tangent[3][2]; ///< derivatives on the face, of the coordinates across the rays and along
   double Radius[3][2];
@@ -281,10 +269,7 @@ void StepOnFace(const RayBundle& bundle, const ElementFrame& frame, const double
     pair.moved = Max(Abs(step[0]), Abs(step[1]));
     pair.beyond = Max(Abs(next[0] - inside[0]), Abs(next[1] - inside[1]));
     pair.isThere = And(Abs(g[0]) <= tolerance, Abs(g[1]) <= tolerance);
-    const PairEnd end = EndOf(pair, load(kKappaColumn), load(kLastColumn), load(kRoundsColumn));
-    Store(end.result, result + i);
-    Store(end.last, pairs.Column(kLastColumn) + i);
-    Store(end.rounds, pairs.Column(kRoundsColumn) + i);
+    const PairEnd end = EndStep(pair, pairs, i, result);
     Lanes xi[2];
     ForBoth(
       [&](auto j) PIXELEXACT_INLINED

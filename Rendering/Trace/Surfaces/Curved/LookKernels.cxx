@@ -30,7 +30,6 @@ public:
     , Across{ static_cast<std::size_t>(bundle.axes[0]), static_cast<std::size_t>(bundle.axes[1]) }
     , AlongAxis(static_cast<std::size_t>(bundle.axes[2]))
     , Along((bundle.z0 - frame.centre[bundle.axes[2]]) * frame.inverseSize)
-    , Number(static_cast<double>(pairs.pieces.size()))
     , Curves(piece)
   {
   }
@@ -183,33 +182,23 @@ public:
     {
       return open;
     }
-    const LanesToFront toFront(which);
-    const auto put = [&](int column, Lanes value) PIXELEXACT_INLINED
-    { Store(toFront(value), Pairs.Column(column) + Pairs.count); };
-    const auto putAll = [&](int column, double value) PIXELEXACT_INLINED
-    { Store(Splat(value), Pairs.Column(column) + Pairs.count); };
-    putAll(kOpenColumn, 1.0);
-    putAll(kPieceColumn, Number);
-    putAll(kLastColumn, 0.0);
-    put(kRayColumn, Traits::Load(&rays.number[i]));
+    const PairWriter writer(Pairs, which, Traits::Load(&rays.number[i]), kappa, contracts);
     for (int a = 0; a < 2; ++a)
     {
-      put(kSlopeColumn + a, slope[a]);
-      put(kPlaceColumn + a, q[a]);
+      writer.Put(kSlopeColumn + a, slope[a]);
+      writer.Put(kPlaceColumn + a, q[a]);
     }
     for (int n = 0; n < 9; ++n)
     {
-      put(kInverseColumn + n, inverse[n]);
+      writer.Put(kInverseColumn + n, inverse[n]);
     }
-    put(kKappaColumn, Select(contracts, kappa, Splat(kNoKappa)));
-    put(kRoundsColumn, Select(contracts, zero, Splat(kMostRounds - kFewRounds)));
     ForEachAxis(
       [&](auto d) PIXELEXACT_INLINED
       {
-        putAll(kLowerColumn + d, Piece.box.lower[d]);
-        putAll(kUpperColumn + d, Piece.box.upper[d]);
-        put(kXiColumn + d, xi[d]);
-        put(kNormColumn + d, norm.w[d]);
+        writer.PutAll(kLowerColumn + d, Piece.box.lower[d]);
+        writer.PutAll(kUpperColumn + d, Piece.box.upper[d]);
+        writer.Put(kXiColumn + d, xi[d]);
+        writer.Put(kNormColumn + d, norm.w[d]);
       });
     Pairs.count += std::popcount(which);
     return AndNot(open, pair);
@@ -222,7 +211,6 @@ private:
   std::size_t Across[2];
   std::size_t AlongAxis;
   double Along;
-  double Number;
   Curvature Curves;
 };
 

@@ -119,10 +119,7 @@ void Step(const RayBundle& bundle, const ElementFrame& frame, const double* valu
     pair.beyond =
       Max(Abs(next[0] - inside[0]), Max(Abs(next[1] - inside[1]), Abs(next[2] - inside[2])));
     pair.isThere = And(Abs(g[0]) <= tolerance, And(Abs(g[1]) <= tolerance, Abs(g[2]) <= tolerance));
-    const PairEnd end = EndOf(pair, load(kKappaColumn), load(kLastColumn), load(kRoundsColumn));
-    Store(end.result, result + i);
-    Store(end.last, pairs.Column(kLastColumn) + i);
-    Store(end.rounds, pairs.Column(kRoundsColumn) + i);
+    const PairEnd end = EndStep(pair, pairs, i, result);
     ForEachAxis(
       [&](auto d) PIXELEXACT_INLINED
       {

@@ -59,6 +59,39 @@ HWY_INLINE RaySet LookAt(const RayBundle& bundle, const RaySet& rays, const Curv
   return unclear;
 }
 
+/// Appends pairs for some lanes of a pack of rays, column by column.
+class PairWriter
+{
+public:
+  /// With what pairs of two and three unknowns have alike. `contracts`: where kappa proves; else
+  /// so many rounds are left as a piece with one root at most is worth.
+  HWY_INLINE PairWriter(
+    PiecePairs& pairs, std::uint64_t which, Lanes ray, Lanes kappa, LaneMask contracts)
+    : Pairs(pairs)
+    , ToFront(which)
+  {
+    PutAll(kOpenColumn, 1.0);
+    PutAll(kPieceColumn, static_cast<double>(pairs.pieces.size()));
+    PutAll(kLastColumn, 0.0);
+    Put(kRayColumn, ray);
+    Put(kKappaColumn, Select(contracts, kappa, Splat(kNoKappa)));
+    Put(kRoundsColumn, Select(contracts, Splat(0.0), Splat(kMostRounds - kFewRounds)));
+  }
+
+  HWY_INLINE void Put(int column, Lanes value) const
+  {
+    Store(ToFront(value), Pairs.Column(column) + Pairs.count);
+  }
+  HWY_INLINE void PutAll(int column, double value) const
+  {
+    Store(Splat(value), Pairs.Column(column) + Pairs.count);
+  }
+
+private:
+  PiecePairs& Pairs;
+  LanesToFront ToFront;
+};
+
 /// A pair after a step of Newton's iteration, in N unknowns.
 template <std::size_t N>
 struct PairState
@@ -113,6 +146,19 @@ HWY_INLINE PairEnd EndOf(const PairState<N>& pair, Lanes kappa, Lanes last, Lane
   end.result = Select(goesOn, number(PairResult::Again), number(PairResult::Unclear));
   end.result = Select(miss, number(PairResult::Miss), end.result);
   end.result = Select(end.isHit, number(PairResult::Hit), end.result);
+  return end;
+}
+
+/// EndOf the pairs from i on; writes their columns and results.
+template <std::size_t N>
+HWY_INLINE PairEnd EndStep(const PairState<N>& pair, PiecePairs& pairs, int i, double* result)
+{
+  const auto load = [&](int column) PIXELEXACT_INLINED
+  { return NumberTraits<Lanes>::Load(pairs.Column(column) + i); };
+  const PairEnd end = EndOf(pair, load(kKappaColumn), load(kLastColumn), load(kRoundsColumn));
+  Store(end.result, result + i);
+  Store(end.last, pairs.Column(kLastColumn) + i);
+  Store(end.rounds, pairs.Column(kRoundsColumn) + i);
   return end;
 }
 } // namespace pixelexact::HWY_NAMESPACE
