@@ -137,8 +137,7 @@ void ContourCertifier::Keep(
   {
     for (int x = area.x0 / kTileSize; x * kTileSize < area.x1; ++x)
     {
-      std::atomic_ref(Marked[static_cast<std::size_t>(y * Across + x)])
-        .store(1, std::memory_order_relaxed);
+      std::atomic_ref(Marked[SquareAt(x, y)]).store(1, std::memory_order_relaxed);
     }
   }
 }
@@ -149,7 +148,7 @@ bool ContourCertifier::HasLinesNear(const TileArea& pixels) const
   {
     for (int x = pixels.x0 / kTileSize; x * kTileSize < pixels.x1; ++x)
     {
-      if (Marked[static_cast<std::size_t>(y * Across + x)] != 0)
+      if (Marked[SquareAt(x, y)] != 0)
       {
         return true;
       }

@@ -90,6 +90,12 @@ private:
   /// Verdicts of an area's pixels, row by row.
   void Keep(
     const TileArea& area, std::span<const std::uint8_t> verdicts, ContourCounters& counters);
+  /// Of the square in column `x` and row `y`, its place in Marked.
+  [[nodiscard]] std::size_t SquareAt(int x, int y) const
+  {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(Across) +
+      static_cast<std::size_t>(x);
+  }
 
   std::vector<std::vector<double>> IsoValues;
   ContourMethod Method;

@@ -29,10 +29,12 @@ Box3 FaceBox(const Mesh& mesh, const CurvedPart& part)
   Box3 box{ Vec3(INFINITY), Vec3(-INFINITY) };
   for (int i = 0; i < count * count; ++i)
   {
+    const int row = i / count;
+    const int column = i % count;
     Vec3 middle;
     middle[face.direction] = face.upper ? 1.0 - 1.0 / count : 1.0 / count - 1.0;
-    middle[(face.direction + 1) % 3] = (2.0 * (i / count) + 1.0) / count - 1.0;
-    middle[(face.direction + 2) % 3] = (2.0 * (i % count) + 1.0) / count - 1.0;
+    middle[(face.direction + 1) % 3] = (2.0 * row + 1.0) / count - 1.0;
+    middle[(face.direction + 2) % 3] = (2.0 * column + 1.0) / count - 1.0;
     const auto piece = PieceAt({ middle, middle }, level);
     for (int c = 0; c < 3; ++c)
     {
