@@ -32,6 +32,7 @@ unsigned char InnerOf(const HighOrderModel& model, int element)
 std::vector<unsigned char> InnerOfAll(const HighOrderModel& model)
 {
   std::vector<unsigned char> inner;
+  inner.reserve(static_cast<std::size_t>(model.GetMesh().Elements()));
   for (int e = 0; e < model.GetMesh().Elements(); ++e)
   {
     inner.push_back(InnerOf(model, e));

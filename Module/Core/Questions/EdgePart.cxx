@@ -171,7 +171,7 @@ std::optional<Interval> EdgeBounds::Over(const std::array<LocatedPoint, 3>& tria
     beside[k] = kBeside + 2.0 * shift[k];
   }
   // Half of what a form is on the way there, and on the two sides.
-  const auto halfOf = [&](const double(&form)[6], const double(&there)[3])
+  const auto halfOf = [&seen, &along = ways.along](const double(&form)[6], const double(&there)[3])
   {
     return 0.5 *
       (Quadratic(form, there) + seen->mostS * Quadratic(form, along[0]) +

@@ -3,6 +3,8 @@
 
 #include "Input/Input.h"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <regex>
 
@@ -59,9 +61,7 @@ std::vector<std::string> PartsOf(const ExodusName& name)
   int count = 0;
   for (int part = 0; part < name.parts; ++part)
   {
-    const std::string digits = std::to_string(part);
-    files.push_back(whole + "." + name.partsText + "." +
-      std::string(name.digits - std::min(name.digits, digits.size()), '0') + digits);
+    files.push_back(fmt::format("{}.{}.{:0{}}", whole, name.partsText, part, name.digits));
     std::error_code failure;
     if (!std::filesystem::exists(files.back(), failure))
     {

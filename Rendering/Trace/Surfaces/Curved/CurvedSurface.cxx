@@ -275,10 +275,12 @@ Vec3 CurvedSurface::Normal(const SurfacePoint& point) const
 
 void CurvedSurface::Normals(std::span<const SurfacePoint> points, std::span<Vec3> normals) const
 {
-  const CheckedOut<NormalScratch> scratch;
-  auto& [runs, xi, found] = *scratch;
+  const CheckedOut<NormalScratch> checkedOut;
+  NormalScratch& scratch = *checkedOut;
+  std::vector<Vec3>& xi = scratch.xi;
+  std::vector<Vec3>& found = scratch.found;
   ForEachKey(
-    points.size(), [&](std::size_t i) { return points[i].piece; }, runs,
+    points.size(), [&](std::size_t i) { return points[i].piece; }, scratch.runs,
     [&](std::int32_t piece, std::span<const KeyRun> of)
     {
       xi.clear();
