@@ -3,6 +3,7 @@
 
 #include "Core/Bounds/TensorLattice.h"
 #include "Core/Element/LaneBuffer.h"
+#include "Core/Math/Norm.h"
 
 #include <algorithm>
 #include <array>
@@ -27,11 +28,6 @@ std::vector<Vec3> LatticeOf(Shape shape)
     eta[static_cast<std::size_t>(i)] = ChebyshevPoint(i, kPoints);
   }
   return TensorLattice(shape, eta);
-}
-
-double MaxAbs(const Vec3& x)
-{
-  return std::max({ std::fabs(x.x), std::fabs(x.y), std::fabs(x.z) });
 }
 
 /// The matrix norm that goes with the max norm. Columns, as GLM has them.

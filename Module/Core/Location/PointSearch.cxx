@@ -1,57 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Location/PointSearch.h"
 
-#include "Core/Location/RootCheck.h"
+#include "Core/Location/ApexRoot.h"
+#include "Core/Location/FoundRoots.h"
+#include "Core/Location/GroupNewton.h"
 #include "Core/Tree/Regularity.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <iterator>
-#include <limits>
 
 namespace pixelexact
 {
 namespace
 {
-/// Roots nearer to each other than this, in a region where there can be but one, are one.
-constexpr double kSameRoot = 1e-12;
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
-/// Nanoseconds of work (PointSearch.h): a node against a group; Newton's iteration of a pack, and
-/// of it per mode.
+/// Nanoseconds of work (PointSearch.h): a node against a group.
 constexpr std::int64_t kVisitCost = 50;
-constexpr std::int64_t kNewtonCost = 2000;
-constexpr std::int64_t kNewtonCostOfMode = 20;
-/// Where coefficients are more than the second cache holds.
-constexpr std::int64_t kManyModes = 16384;
-constexpr std::int64_t kNewtonCostOfManyModes = 50;
-
-const Vec3 kApex(-1.0, -1.0, 1.0);
-/// There no xi is better: kMostMiss for each of the elements that meet in it, and their rounding.
-constexpr double kMostMissAtApex = 16.0;
-
-using Bits = std::uint64_t;
-
-Bits BitOf(int point)
-{
-  return Bits{ 1 } << static_cast<unsigned>(point);
-}
-
-/// visit(i) for each bit.
-template <class Visit>
-void ForEachPoint(Bits bits, Visit&& visit)
-{
-  for (; bits != 0; bits &= bits - 1)
-  {
-    visit(std::countr_zero(bits));
-  }
-}
-
-double MaxAbs(const Vec3& x)
-{
-  return std::max({ std::fabs(x.x), std::fabs(x.y), std::fabs(x.z) });
-}
 
 /// What the points of a group may cost each, and more of it where a halving costs a good part.
 std::int64_t MostWorkIn(const ElementTree& tree, std::span<const SoughtPoint> points)
@@ -72,18 +36,18 @@ public:
     , Problem(tree.Problem())
     , TheShape(Problem.space.shape)
     , Kernels(GetTreeKernels())
-    , Points(points)
     , Reach(ReachOf(tree.Degree()))
-    , All(wanted == Wanted::All)
     , MostWork(MostWorkIn(tree, points))
     , Checker(Problem)
+    , Roots(wanted == Wanted::All)
   {
+    Group.points = points;
     for (std::size_t i = 0; i < kGroupPoints; ++i)
     {
       const Vec3& x = points[std::min(i, points.size() - 1)].x;
       for (int c = 0; c < 3; ++c)
       {
-        Y.x[c][i] = (x[c] - Problem.centre[c]) * Problem.inverseSize;
+        Group.y.x[c][i] = (x[c] - Problem.centre[c]) * Problem.inverseSize;
       }
     }
   }
@@ -92,8 +56,7 @@ public:
   bool Run()
   {
     TakeKnownRoots();
-    const auto count = static_cast<unsigned>(Points.size());
-    const Bits all = ~Bits{ 0 } >> (64U - count);
+    const Bits all = ~Bits{ 0 } >> (64U - Group.points.size());
     Work += Tree.BeginCost();
     if (Work <= MostWork)
     {
@@ -107,13 +70,13 @@ public:
 
   void Tell(std::span<Preimages> answers) const
   {
-    for (std::size_t i = 0; i < Points.size(); ++i)
+    for (std::size_t i = 0; i < Group.points.size(); ++i)
     {
       Preimages& answer = answers[i];
       answer.roots.clear();
-      std::ranges::copy_if(Found[i], std::back_inserter(answer.roots),
+      std::ranges::copy_if(Roots.Of(i), std::back_inserter(answer.roots),
         [](const InverseRoot& root) { return root.inside; });
-      const bool undecided = Work > MostWork || (Undecided & BitOf(static_cast<int>(i))) != 0;
+      const bool undecided = Work > MostWork || (Undecided & BitOf(i)) != 0;
       answer.complete = !undecided;
       answer.boxes = Boxes;
       answer.verdict = !answer.roots.empty() ? Verdict::Inside
@@ -123,24 +86,19 @@ public:
   }
 
 private:
-  [[nodiscard]] Vec3 YOf(int point) const
-  {
-    return { Y.x[0][point], Y.x[1][point], Y.x[2][point] };
-  }
-
   void TakeKnownRoots()
   {
     std::array<Vec3, kGroupPoints> xi;
     std::array<Vec3, kGroupPoints> y;
-    std::array<int, kGroupPoints> which{};
+    std::array<std::size_t, kGroupPoints> which{};
     std::size_t count = 0;
-    for (std::size_t i = 0; i < Points.size(); ++i)
+    for (std::size_t i = 0; i < Group.points.size(); ++i)
     {
-      const Vec3& known = Points[i].known;
+      const Vec3& known = Group.points[i].known;
       if (std::isfinite(known.x + known.y + known.z))
       {
-        which[count] = static_cast<int>(i);
-        y[count] = YOf(static_cast<int>(i));
+        which[count] = i;
+        y[count] = Group.YOf(i);
         xi[count++] = known;
       }
     }
@@ -152,7 +110,7 @@ private:
     Checker.Run(std::span(xi).first(count), std::span(y).first(count), checks);
     for (std::size_t k = 0; k < count; ++k)
     {
-      Keep(which[k], { xi[k], 0.0, false, false }, checks[k]);
+      Roots.Keep(which[k], { xi[k], 0.0, false, false }, checks[k]);
       Known |= BitOf(which[k]);
     }
   }
@@ -161,7 +119,7 @@ private:
   /// iteration has found a root elsewhere.
   void Visit(ElementTree::Node& node, Bits points, Bits searched)
   {
-    points &= ~Done;
+    points &= ~Roots.Done();
     if (points == 0 || Work > MostWork)
     {
       return;
@@ -169,25 +127,25 @@ private:
     ++Boxes;
     Work += kVisitCost;
     const NodeFrame& frame = node.Frame();
-    const double* const y[3] = { Y.x[0], Y.x[1], Y.x[2] };
+    const double* const y[3] = { Group.y.x[0], Group.y.x[1], Group.y.x[2] };
     points = Kernels.judge(frame, y, points).near;
     if (points == 0)
     {
       return;
     }
-    if (IsAtApex(frame))
+    if (IsAtApex(TheShape, frame))
     {
-      ForEachPoint(points, [&](int i) { TakeApex(frame, i); });
+      ForEachBit(points, [&](std::size_t i) { TakeApex(frame, i); });
       return;
     }
     if (const Bits tried = points & Promising(frame, searched); tried != 0)
     {
       const Bits left = tried & ~Settled(node, tried);
       const Bits begun = left & WorthNewton(frame, Known);
-      const Bits found = begun == 0 ? 0 : RunNewton(frame, begun);
-      const Bits open = found & ~Done;
+      const Bits found = begun == 0 ? 0 : Newton(frame, begun);
+      const Bits open = found & ~Roots.Done();
       const Bits settled = open == 0 ? 0 : Settled(node, open);
-      points &= ~(tried & ~left) & ~Done & ~settled;
+      points &= ~(tried & ~left) & ~Roots.Done() & ~settled;
       if (const Bits rest = open & ~settled; rest != 0)
       {
         searched = IsRegular(node) ? searched | rest : searched & ~rest;
@@ -237,74 +195,23 @@ private:
                                                                                        : ~known;
   }
 
-  /// Next to a pyramid's apex there is no root beyond the faces to be held against the tolerance.
-  /// Where it is all that keeps a box from excluding the point, the point is within it.
-  [[nodiscard]] bool IsAtApex(const NodeFrame& frame) const
+  void TakeApex(const NodeFrame& frame, std::size_t point)
   {
-    // Rounding may be as large as a box elsewhere, where the base is collapsed.
-    constexpr double kLargest = 1e-3;
-    const double rounding = std::max({ frame.slack[0], frame.slack[1], frame.slack[2] });
-    const double depth = 1.0 - frame.box.lower.z;
-    return TheShape == Shape::Pyramid && frame.IsAffine() &&
-      (depth <= kApexRegion ||
-        (frame.box.upper.z == 1.0 && depth <= std::min(4.0 * rounding, kLargest)));
-  }
-
-  /// The root, or the xi of the pyramid next to it. Newton's iteration with a Jacobian of its own:
-  /// the box's, which is wide as seen from the apex, may lead away. What is found outside of the
-  /// box's enclosure says nothing of the box.
-  void TakeApex(const NodeFrame& frame, int point)
-  {
-    const Vec3 y = YOf(point);
-    const Vec3 middle = frame.Root(y);
-    Vec3 root = middle;
-    Vec3 xi(0.0);
-    constexpr int kSteps = 4;
-    for (int step = 0; step < kSteps; ++step)
-    {
-      const double z = std::clamp(root.z, -1.0, 1.0);
-      xi = { std::clamp(root.x, -1.0, -z), std::clamp(root.y, -1.0, -z), z };
-      root = xi + StepOfMap(Problem.space, Problem.coefficients, xi, y);
-    }
-    RootCheck check;
-    Checker.Run(std::span(&xi, 1), std::span(&y, 1), std::span(&check, 1));
-    constexpr double kBeside = 4.0;
-    for (int d = 0; d < 3; ++d)
-    {
-      check.holds = check.holds &&
-        std::fabs(xi[d] - middle[d]) <= kBeside * frame.slack[static_cast<std::size_t>(d)];
-    }
-    // No Jacobian tells directions apart at the apex itself: there the box's is as good.
-    const double atApex = kBeside * std::max({ frame.slack[0], frame.slack[1], frame.slack[2] });
-    if (!check.holds && MaxAbs(middle - kApex) <= atApex)
-    {
-      xi = kApex;
-      root = middle;
-      Checker.Run(std::span(&xi, 1), std::span(&y, 1), std::span(&check, 1), kMostMissAtApex);
-    }
+    const auto [xi, moved, check] = RootAtApex(Problem, Checker, frame, Group.YOf(point));
     // Nothing proves that the map is injective around it. At a fold, what holds reaches to sixteen
     // tolerances of its ends: two that are nearer than twice that may be one, or none.
+    constexpr double kIsOne = 4.0;
     constexpr double kMayBeOne = 32.0;
     if (!check.holds ||
-      (!IsKnown(point, xi, true, SameWithin(check, 4.0)) &&
-        IsKnown(point, xi, true, SameWithin(check, kMayBeOne))))
+      (!Roots.IsKnown(point, xi, true, check, kIsOne) &&
+        Roots.IsKnown(point, xi, true, check, kMayBeOne)))
     {
       Undecided |= BitOf(point);
     }
     if (check.holds)
     {
-      Add(point, { xi, MaxAbs(root - xi), true, check.IsOnFace(TheShape, xi) }, check);
+      Roots.Add(point, { xi, moved, true, check.IsOnFace(TheShape, xi) }, check);
     }
-  }
-
-  /// Whether every xi of the box is so near to a known root that no other could be told from it.
-  [[nodiscard]] bool IsAtRoot(const EtaBox& box, int point) const
-  {
-    const Box3 hull = HullInXi(TheShape, box);
-    return std::ranges::any_of(Found[static_cast<std::size_t>(point)],
-      [&](const InverseRoot& root) {
-        return std::max(MaxAbs(hull.lower - root.xi), MaxAbs(hull.upper - root.xi)) <= kSameRoot;
-      });
   }
 
   /// Of which points the box can hold no root but a known one.
@@ -314,10 +221,11 @@ private:
     Bits settled = 0;
     if (node.IsPoint())
     {
-      ForEachPoint(points, [&](int i) { settled |= IsAtRoot(box, i) ? BitOf(i) : 0; });
+      const Box3 hull = HullInXi(TheShape, box);
+      ForEachBit(points, [&](std::size_t i) { settled |= Roots.IsAll(hull, i) ? BitOf(i) : 0; });
     }
     Bits reached = 0;
-    for (const GroupRoots& roots : RootLanes)
+    for (const GroupRoots& roots : Roots.Lanes())
     {
       reached |= Kernels.reached(box, TheShape, Reach, roots, points & ~settled & ~reached);
     }
@@ -330,153 +238,27 @@ private:
     return Tree.IsRegular(node);
   }
 
-  /// Newton's iteration from the frame's guesses; of which points it found a root.
-  Bits RunNewton(const NodeFrame& frame, Bits points);
-
-  void Add(int point, const InverseRoot& root, const RootCheck& check)
+  Bits Newton(const NodeFrame& frame, Bits points)
   {
-    if (!check.holds && root.inside)
-    {
-      return;
-    }
-    // Two runs of the iteration to one root differ by rounding.
-    if (!IsKnown(point, root.xi, root.inside, SameWithin(check, 4.0)))
-    {
-      Keep(point, root, check);
-    }
-  }
-
-  static Vec3 SameWithin(const RootCheck& check, double tolerances)
-  {
-    return tolerances * check.tolerance + Vec3(kSameRoot);
-  }
-
-  /// Whether a root of the point is within `distance` of xi.
-  [[nodiscard]] bool IsKnown(int point, const Vec3& xi, bool inside, const Vec3& distance) const
-  {
-    return std::ranges::any_of(Found[static_cast<std::size_t>(point)],
-      [&](const InverseRoot& known)
-      {
-        const Vec3 apart = glm::abs(known.xi - xi);
-        return apart.x <= distance.x && apart.y <= distance.y && apart.z <= distance.z &&
-          known.inside == inside;
-      });
-  }
-
-  void Keep(int point, const InverseRoot& root, const RootCheck& check)
-  {
-    auto& found = Found[static_cast<std::size_t>(point)];
-    const std::size_t slot = found.size();
-    found.push_back(root);
-    if (RootLanes.size() <= slot)
-    {
-      GroupRoots& none = RootLanes.emplace_back();
-      std::fill_n(none.tolerance, kGroupPoints, kNan);
-    }
-    GroupRoots& lanes = RootLanes[slot];
-    for (int d = 0; d < 3; ++d)
-    {
-      lanes.xi.x[d][point] = root.xi[d];
-    }
-    // Where the root really is, it must be in the reach; nobody knows where that is if its
-    // Jacobian is singular, or the map does not take it to the point.
-    const double error = MaxAbs(check.tolerance);
-    lanes.tolerance[point] =
-      error > 0.0 && check.holds ? kSameRoot - std::max(error - kSameRoot, 0.0) : kNan;
-    if (root.inside && !All)
-    {
-      Done |= BitOf(point);
-    }
+    Work += NewtonCost(Problem.space, std::popcount(points));
+    return RunNewton(Problem, Checker, frame, Group, points, Roots);
   }
 
   ElementTree& Tree;
   const InverseProblem& Problem;
   Shape TheShape;
   const TreeKernels& Kernels;
-  std::span<const SoughtPoint> Points;
   double Reach;
-  bool All;
   std::int64_t MostWork;
   RootChecker Checker;
-  GroupLanes Y;
-  std::array<std::vector<InverseRoot>, kGroupPoints> Found; ///< of each point, inside or not
-  std::vector<GroupRoots> RootLanes;                        ///< [n] the n-th of each
-  Bits Known = 0;                                           ///< with a root from before
-  Bits Done = 0;                                            ///< of which nothing more is wanted
+  PointGroup Group;
+  FoundRoots Roots;
+  Bits Known = 0; ///< with a root from before
   Bits Undecided = 0;
   int Boxes = 0;
   std::int64_t Work = 0;
 };
 
-Bits Search::RunNewton(const NodeFrame& frame, Bits points)
-{
-  std::array<std::array<double, kGroupPoints>, 12> lanes;
-  std::array<int, kGroupPoints> which{};
-  int count = 0;
-  ForEachPoint(points,
-    [&](int i)
-    {
-      const Vec3 guess = frame.Guess(YOf(i));
-      for (int d = 0; d < 3; ++d)
-      {
-        lanes[static_cast<std::size_t>(d)][static_cast<std::size_t>(count)] =
-          Points[static_cast<std::size_t>(i)].x[d];
-        lanes[3 + static_cast<std::size_t>(d)][static_cast<std::size_t>(count)] = guess[d];
-      }
-      which[static_cast<std::size_t>(count++)] = i;
-    });
-  const auto padded = static_cast<std::size_t>(PaddedCount(count));
-  for (auto k = static_cast<std::size_t>(count); k < padded; ++k)
-  {
-    for (std::size_t d = 0; d < 6; ++d)
-    {
-      lanes[d][k] = lanes[d][k - 1];
-    }
-  }
-  const std::int64_t modes = Problem.space.Modes();
-  Work +=
-    (kNewtonCost + (modes > kManyModes ? kNewtonCostOfManyModes : kNewtonCostOfMode) * modes) *
-    (PaddedCount(count) / kLanePadding);
-  InverseProblem asked = Problem;
-  asked.affine = false;
-  asked.from = { lanes[3].data(), lanes[4].data(), lanes[5].data() };
-  const InverseResult result{ { lanes[6].data(), lanes[7].data(), lanes[8].data() },
-    lanes[9].data(), lanes[10].data(), lanes[11].data() };
-  KernelsFor(Problem.space)
-    .invert(asked, { { lanes[0].data(), lanes[1].data(), lanes[2].data() }, count }, result);
-  Bits found = 0;
-  std::array<Vec3, kGroupPoints> xi;
-  std::array<Vec3, kGroupPoints> y;
-  std::array<std::size_t, kGroupPoints> from{};
-  std::size_t roots = 0;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k)
-  {
-    const Vec3 root(result.xi[0][k], result.xi[1][k], result.xi[2][k]);
-    const bool inside = result.status[k] == static_cast<double>(NewtonStatus::RootInside);
-    // Beyond a pyramid's apex is another cone, whose roots say nothing of this one's.
-    if (result.status[k] != static_cast<double>(NewtonStatus::NotConverged) &&
-      (inside || TheShape != Shape::Pyramid || root.z <= 1.0))
-    {
-      found |= BitOf(which[k]);
-      from[roots] = k;
-      y[roots] = YOf(which[k]);
-      xi[roots++] = root;
-    }
-  }
-  if (roots == 0)
-  {
-    return 0;
-  }
-  std::array<RootCheck, kGroupPoints> checks;
-  Checker.Run(std::span(xi).first(roots), std::span(y).first(roots), checks);
-  for (std::size_t k = 0; k < roots; ++k)
-  {
-    const bool inside = result.status[from[k]] == static_cast<double>(NewtonStatus::RootInside);
-    const bool onFace = inside && checks[k].IsOnFace(TheShape, xi[k]);
-    Add(which[from[k]], { xi[k], result.residual[from[k]], inside, onFace }, checks[k]);
-  }
-  return found;
-}
 } // namespace
 
 void FindPreimages(ElementTree& tree, std::span<const SoughtPoint> points, Wanted wanted,

@@ -5,8 +5,8 @@
 #include "Core/Tree/ElementTree.h"
 #include "Core/Tree/TreeKernels.h"
 
-#include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 

@@ -13,11 +13,11 @@ void RootChecker::Run(
   const int count = static_cast<int>(xi.size());
   for (int k = 0; k < PaddedCount(count); ++k)
   {
-    const auto from = static_cast<std::size_t>(std::min(k, count - 1));
+    const std::size_t from = std::min(static_cast<std::size_t>(k), xi.size() - 1);
     for (int d = 0; d < 3; ++d)
     {
       Lanes[static_cast<std::size_t>(d)][static_cast<std::size_t>(k)] = xi[from][d];
-      Lanes[static_cast<std::size_t>(15 + d)][static_cast<std::size_t>(k)] = y[from][d];
+      Lanes[15 + static_cast<std::size_t>(d)][static_cast<std::size_t>(k)] = y[from][d];
     }
   }
   double* at[18];

@@ -2,6 +2,7 @@
 #include "Core/Location/TreeFilter.h"
 
 #include "Core/Location/InnerPointKernels.h"
+#include "Core/Math/Bits.h"
 
 #include <algorithm>
 #include <bit>
@@ -48,11 +49,7 @@ std::uint64_t TreeFilter::RunButInner(ElementTree& tree, const ElementBounds& bo
 {
   Begin(tree, points, chunks, near, kept);
   const std::uint64_t inner = InnerChunks(bounds, near);
-  for (std::uint64_t left = inner; left != 0; left &= left - 1)
-  {
-    const auto k = static_cast<std::size_t>(std::countr_zero(left));
-    kept[k] = chunks[k].open;
-  }
+  ForEachBit(inner, [&](std::size_t k) { kept[k] = chunks[k].open; });
   if (inner != near)
   {
     Descend(near & ~inner);
@@ -69,20 +66,20 @@ void TreeFilter::Begin(ElementTree& tree, const LanePoints& points,
   Chunks = chunks;
   Scaled = 0;
   const InverseProblem& problem = tree.Problem();
-  for (std::uint64_t left = near; left != 0; left &= left - 1)
-  {
-    const auto k = static_cast<std::size_t>(std::countr_zero(left));
-    const PointChunk& chunk = chunks[k];
-    kept[k] = 0;
-    for (int d = 0; d < 3; ++d)
+  ForEachBit(near,
+    [&](std::size_t k)
     {
-      const double lower = (chunk.box.lower[d] - problem.centre[d]) * problem.inverseSize;
-      const double upper = (chunk.box.upper[d] - problem.centre[d]) * problem.inverseSize;
-      const double middle = 0.5 * (lower + upper);
-      Boxes.middle.x[d][k] = middle;
-      Boxes.reach.x[d][k] = std::max(upper - middle, middle - lower);
-    }
-  }
+      const PointChunk& chunk = chunks[k];
+      kept[k] = 0;
+      for (int d = 0; d < 3; ++d)
+      {
+        const double lower = (chunk.box.lower[d] - problem.centre[d]) * problem.inverseSize;
+        const double upper = (chunk.box.upper[d] - problem.centre[d]) * problem.inverseSize;
+        const double middle = 0.5 * (lower + upper);
+        Boxes.middle.x[d][k] = middle;
+        Boxes.reach.x[d][k] = std::max(upper - middle, middle - lower);
+      }
+    });
 }
 
 /// Chunks of which the middle and some points all over them are well inside.
@@ -93,27 +90,27 @@ std::uint64_t TreeFilter::InnerChunks(const ElementBounds& bounds, std::uint64_t
   const InverseProblem& problem = Tree->Problem();
   const auto& middle = Boxes.middle.x;
   std::uint64_t inner = 0;
-  for (std::uint64_t left = FindInnerPoints(
-         bounds, problem, { { middle[0], middle[1], middle[2] }, kGroupPoints }, near);
-       left != 0; left &= left - 1)
-  {
-    const auto k = static_cast<std::size_t>(std::countr_zero(left));
-    const PointChunk& chunk = Chunks[k];
-    alignas(64) std::array<std::array<double, kSpread.size()>, 3> y;
-    std::uint64_t some = 0;
-    for (std::size_t i = 0; i < kSpread.size(); ++i)
+  const Bits middles =
+    FindInnerPoints(bounds, problem, { { middle[0], middle[1], middle[2] }, kGroupPoints }, near);
+  ForEachBit(middles,
+    [&](std::size_t k)
     {
-      const int at = std::min(kSpread[i], chunk.count - 1);
-      some |= (chunk.open >> static_cast<unsigned>(at) & 1U) << i;
-      for (std::size_t d = 0; d < 3; ++d)
+      const PointChunk& chunk = Chunks[k];
+      alignas(64) std::array<std::array<double, kSpread.size()>, 3> y;
+      std::uint64_t some = 0;
+      for (std::size_t i = 0; i < kSpread.size(); ++i)
       {
-        y[d][i] = (Points->x[d][chunk.begin + at] - problem.centre[d]) * problem.inverseSize;
+        const int at = std::min(kSpread[i], chunk.count - 1);
+        some |= (chunk.open >> static_cast<unsigned>(at) & 1U) << i;
+        for (std::size_t d = 0; d < 3; ++d)
+        {
+          y[d][i] = (Points->x[d][chunk.begin + at] - problem.centre[d]) * problem.inverseSize;
+        }
       }
-    }
-    const LanePoints points{ { y[0].data(), y[1].data(), y[2].data() },
-      static_cast<int>(kSpread.size()) };
-    inner |= FindInnerPoints(bounds, problem, points, some) == some ? std::uint64_t{ 1 } << k : 0;
-  }
+      const LanePoints points{ { y[0].data(), y[1].data(), y[2].data() },
+        static_cast<int>(kSpread.size()) };
+      inner |= FindInnerPoints(bounds, problem, points, some) == some ? BitOf(k) : 0;
+    });
   return inner;
 }
 
@@ -121,18 +118,10 @@ std::uint64_t TreeFilter::InnerChunks(const ElementBounds& bounds, std::uint64_t
 void TreeFilter::Descend(std::uint64_t near)
 {
   ChunkBits open{};
-  for (std::uint64_t left = near; left != 0; left &= left - 1)
-  {
-    const auto k = static_cast<std::size_t>(std::countr_zero(left));
-    open[k] = Chunks[k].open;
-  }
+  ForEachBit(near, [&](std::size_t k) { open[k] = Chunks[k].open; });
   if (Tree->BeginCost() > kMostOfPoint)
   {
-    for (std::uint64_t left = near; left != 0; left &= left - 1)
-    {
-      const auto k = static_cast<std::size_t>(std::countr_zero(left));
-      Kept[k] = open[k];
-    }
+    ForEachBit(near, [&](std::size_t k) { Kept[k] = open[k]; });
     return;
   }
   const bool isPyramid = Tree->Problem().space.shape == Shape::Pyramid;

@@ -85,7 +85,7 @@ BoxPolynomial Sum(const BoxPolynomial& f, const BoxPolynomial& g)
 /// AreByXi, else those by eta as they are.
 List SecondsOf(Shape shape, const List& all, std::size_t function)
 {
-  const List second = PartOf(all, kFirstBend + function * kBends, kBends);
+  List second = PartOf(all, kFirstBend + function * kBends, kBends);
   if (!AreByXi(shape, all))
   {
     return second;
