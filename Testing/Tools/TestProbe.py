@@ -137,8 +137,45 @@ class Format(ProbeTest):
             '"x","y","z"\n"0.5","0.25","0.75"\n0.25,"0.5",0.125\n',
             'name,z,y,x\n"a, ""b""",0.75,0.25,0.5\nb,0.125,0.5,0.25\n',
             " x , y , z \n 0.5 , +0.25 ,0.75\n\n2.5e-1,5E-1,.125\n\n",
+            "x;y;z\n0.5;0.25;0.75\n0.25;0.5;0.125\n",
+            '"x";"name";"y";"z"\n0.5;"a; ""b"", c";0.25;0.75\n0.25;b;0.5;0.125\n',
+            "x\ty\tz\tname\n0.5\t0.25\t0.75\t\n0.25\t0.5\t0.125\ta, b\n",
+            '"u","Points:0","Points:1","Points:2"\n9,0.5,0.25,0.75\n9,0.25,0.5,0.125\n',
+            "Point ID,Points_0,Points_1,Points_2,Points_Magnitude\n0,0.5,0.25,0.75,1\n1,0.25,0.5,0.125,1\n",
+            # A field of theirs may be called x and y; all three go before ParaView's.
+            "x,y,Points:0,Points:1,Points:2\n9,9,0.5,0.25,0.75\n9,9,0.25,0.5,0.125\n",
+            "Points:0,Points:1,Points:2,x,y,z\n9,9,9,0.5,0.25,0.75\n9,9,9,0.25,0.5,0.125\n",
         ]:
-            self.assertEqual(self.probe(self.cube, text), plain)
+            with self.subTest(text):
+                self.assertEqual(self.probe(self.cube, text), plain)
+
+    def test_tables_of_vtk(self):
+        try:
+            from vtkmodules.vtkIOCore import vtkDelimitedTextWriter
+        except ImportError:
+            self.skipTest("there are no VTK modules for Python")
+        from vtkmodules.vtkCommonDataModel import vtkTable
+        from vtkmodules.util.numpy_support import numpy_to_vtk
+
+        points = np.random.default_rng(4).random((20, 3))
+        lines = "".join(",".join(repr(float(v)) for v in p) + "\n" for p in points)
+        plain = self.probe(self.cube, "x,y,z\n" + lines)
+        table = vtkTable()
+        for name, numbers in (("u", points[:, 0] + 5), ("Points", points)):
+            array = numpy_to_vtk(numbers, deep=True)
+            array.SetName(name)
+            table.AddColumn(array)
+        for separator in (",", ";", "\t"):
+            writer = vtkDelimitedTextWriter()
+            writer.SetInputData(table)
+            writer.SetFieldDelimiter(separator)
+            writer.SetFileName(str(self.folder / "vtk.csv"))
+            writer.Write()
+            self.assertIn('"Points:0"', (self.folder / "vtk.csv").read_text(encoding="utf-8"))
+            found = self.probe(self.cube, self.folder / "vtk.csv")
+            for d in "xyz":
+                # The writer has fewer digits than doubles.
+                np.testing.assert_allclose(columns(found)[d], columns(plain)[d], atol=1e-5)
 
     def test_no_points(self):
         self.assertEqual(self.probe(self.cube, "x,y,z\n"), [])
@@ -163,7 +200,13 @@ class Errors(ProbeTest):
         self.refuses('x,y,z\n1,2,"3\n', "line 2", "quote")
         self.refuses("x,y\n1,2\n", "line 1", "'z'")
         self.refuses("x,y,z,x\n1,2,3,4\n", "line 1", "'x' twice")
-        self.refuses("1,2,3\n", "'x'")
+        self.refuses("1,2,3\n", "'x'", "Points:0", "semicolons")
+        self.refuses("x;y;z\n0,5;1;2\n", "line 2", "'0,5'", "point")
+        self.refuses("x;y;z\n1,2,3\n", "line 2")
+        self.refuses("x\ty\tz\n\t\t\n", "line 2")
+        self.refuses("x,y;z\n1,2;3\n", "line 1", "'y'")
+        self.refuses("Points:0,Points:1\n1,2\n", "line 1")
+        self.refuses("Points:0,Points:1,Points:2,Points:0\n1,2,3,4\n", "'Points:0' twice")
         self.refuses("", "header")
 
     def test_files(self):

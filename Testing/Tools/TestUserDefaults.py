@@ -129,6 +129,11 @@ class Completion(DefaultsTest):
         self.assertEqual(self.complete("pixelexact", "render", "--plan"), ["--plane"])
         self.assertEqual(sorted(self.complete("pixelexact", "render", "--lights", "o")), ["off", "on"])
         self.assertEqual(self.complete("pixelexact", "info", "cub"), ["cube.vtu"])
+        # Names and files.
+        self.assertEqual(self.complete("pixelexact", "render", "--colormap", "gr"), ["grayscale"])
+        self.assertLess({"coolwarm", "cube.vtu"}, {*self.complete("pixelexact", "render", "--colormap", "c")})
+        self.assertEqual(self.complete("pixelexact", "render", "--font", "s"), ["sans", "serif"])
+        self.assertEqual(self.complete("pixelexact", "render", "--font", "cu"), ["cube.vtu"])
         self.assertEqual(self.complete("pixelexact", "info", "--sweep"), [])
 
     def test_every_option_of_the_help_is_there(self):

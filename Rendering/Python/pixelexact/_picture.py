@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import operator
 import os
 from typing import TYPE_CHECKING, Any, Iterator, Optional, Sequence, Union
@@ -9,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Iterator, Optional, Sequence, Union
 from vtkmodules.vtkCommonDataModel import vtkPlane
 from vtkmodules.vtkRenderingCore import vtkCamera
 
+from ._pickling import camera_of_state, image_of_state, state_of_camera, state_of_image
 from ._read import Path
 from ._scene import Vector, asks_python, normal_of
 from ._work import Error, Progress, run
@@ -29,7 +31,8 @@ class Cut:
     """A cut through a field, to be added to a vtkRenderer or a pyvista.Plotter.
 
     actor, scalar_bar, mapper (a vtkHighOrderMapper: all else is set there), surface. It may be
-    unpacked: actor, scalar_bar = pixelexact.cut(...). In notebooks it shows as a picture.
+    unpacked: actor, scalar_bar = pixelexact.cut(...). In notebooks it shows as a picture. It is not
+    pickled, nor copied with what it holds: pickle the Picture that render gives.
     """
 
     def __init__(self, actor: Any, scalar_bar: Any, mapper: Any, surface: Any) -> None:
@@ -43,6 +46,21 @@ class Cut:
 
     def __iter__(self) -> Iterator[Any]:
         return iter((self.actor, self.scalar_bar))
+
+    def __copy__(self) -> Cut:
+        return Cut(self.actor, self.scalar_bar, self.mapper, self.surface)
+
+    def __deepcopy__(self, _memo: Any) -> Cut:
+        raise TypeError(
+            "a Cut cannot be copied with what it holds, VTK's actor and mapper: call pixelexact.cut "
+            "again, or copy the picture that its render gives"
+        )
+
+    def __reduce__(self) -> Any:
+        raise TypeError(
+            "a Cut cannot be pickled, for it holds VTK's actor and mapper: pickle the arguments of "
+            "pixelexact.cut, or the picture that its render gives"
+        )
 
     def render(self, **view: Any) -> Picture:
         """A Picture of it; see render for size, camera and the rest of a view."""
@@ -60,21 +78,55 @@ class Picture:
     positions, normals, xi: (height, width, 3). contours: 0 none, 1 a contour goes through the pixel,
     2 undecided; None where there are none. range: of the colours. cut: what it is of.
 
-    Arrays are views of VTK's and not copies.
+    Arrays are views of VTK's and not copies. It may be copied; and pickled, without its cut.
     """
 
     def __init__(self, image: Array, data: Any, of: Cut, camera: Any) -> None:
         self.image = image
-        self.cut = of
         self.camera = camera
         self.range = tuple(of.mapper.GetScalarRange())
+        self._cut: Optional[Cut] = of
+        self._of = repr(of)
         self._data = data
+
+    @property
+    def cut(self) -> Cut:
+        """What it is of. Error: the picture was unpickled, and cuts are not pickled."""
+        if self._cut is None:
+            raise Error(
+                f"this picture was pickled, and {self._of} was not: call pixelexact.cut again"
+            )
+        return self._cut
+
+    def __getstate__(self) -> dict[str, Any]:
+        state = {name: value for name, value in self.__dict__.items() if name != "_cut"}
+        state["camera"] = state_of_camera(self.camera)
+        state["_data"] = state_of_image(self._data)
+        return state
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+        self.camera = camera_of_state(state["camera"])
+        self._data = image_of_state(state["_data"])
+        self._cut = None
+
+    def __copy__(self) -> Picture:
+        other = Picture.__new__(Picture)
+        other.__dict__.update(self.__dict__)
+        return other
+
+    def __deepcopy__(self, memo: Any) -> Picture:
+        other = Picture.__new__(Picture)
+        memo[id(self)] = other
+        other.__setstate__(copy.deepcopy(self.__getstate__(), memo))
+        other._cut = self._cut
+        return other
 
     def __repr__(self) -> str:
         width, height, _ = self._data.GetDimensions()
         none, exact, unknown = (int((self.verdicts == verdict).sum()) for verdict in range(3))
         return (
-            f"<Picture of {self.cut!r}, {width} x {height}: {exact} pixels exact, {none} nothing, "
+            f"<Picture of {self._of}, {width} x {height}: {exact} pixels exact, {none} nothing, "
             f"{unknown} unknown>"
         )
 

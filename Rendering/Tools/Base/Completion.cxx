@@ -23,6 +23,7 @@ struct OptionFacts
   std::string help;
   std::string group;
   std::vector<std::string> choices; ///< that the form names
+  bool files = true;                ///< whether its value may name one
   bool joined = false;              ///< its value may be left out, and is joined by "="
 };
 
@@ -64,6 +65,8 @@ OptionFacts FactsOf(const CLI::Option& option)
   facts.help = option.get_description();
   facts.group = option.get_group();
   facts.choices = ChoicesIn(facts.form);
+  const std::vector<std::string> parts = SplitAt(facts.form, '|');
+  facts.files = facts.choices.empty() || std::ranges::find(parts, "FILE") != parts.end();
   facts.joined = facts.form.starts_with("[");
   return facts;
 }
@@ -113,10 +116,9 @@ std::string Bash(const CLI::App& program)
       {
         if (!option.form.empty() && !option.joined)
         {
-          values += fmt::format("    {}:{}) {} ;;\n", command.name, name,
-            option.choices.empty()
-              ? "COMPREPLY=($(compgen -f -- \"$cur\"))"
-              : "COMPREPLY=($(compgen -W \"" + Joined(option.choices) + " \" -- \"$cur\"))");
+          values += fmt::format("    {}:{}) COMPREPLY=($(compgen{}{} -- \"$cur\")) ;;\n",
+            command.name, name, option.files ? " -f" : "",
+            option.choices.empty() ? "" : " -W \"" + Joined(option.choices) + " \"");
         }
       }
     }
@@ -167,6 +169,17 @@ std::string ForZsh(const std::string& text)
   return escaped;
 }
 
+/// What zsh offers for a value.
+std::string ActionOf(const OptionFacts& option)
+{
+  const std::string choices = Joined(option.choices);
+  if (option.choices.empty())
+  {
+    return "_files";
+  }
+  return option.files ? "{ compadd " + choices + "; _files }" : "(" + choices + ")";
+}
+
 std::string Zsh(const CLI::App& program)
 {
   std::string commands;
@@ -179,10 +192,8 @@ std::string Zsh(const CLI::App& program)
     {
       for (const std::string& name : option.names)
       {
-        const std::string value = option.form.empty() ? ""
-          : option.choices.empty()
-          ? ":" + ForZsh(option.form) + ":_files"
-          : ":" + ForZsh(option.form) + ":(" + Joined(option.choices) + ")";
+        const std::string value =
+          option.form.empty() ? "" : ":" + ForZsh(option.form) + ":" + ActionOf(option);
         // "=" : joined or not; "=-": joined alone.
         const char* join = option.form.empty() || name.size() == 2 ? ""
           : option.joined                                          ? "=-"

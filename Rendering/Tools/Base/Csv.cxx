@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <optional>
 
 namespace pixelexact
 {
@@ -24,40 +25,42 @@ namespace
 }
 
 constexpr std::size_t kNoColumn = std::string::npos;
+constexpr const char* kNeeded =
+  "the columns x, y and z are needed, or Points:0, Points:1 and Points:2 as ParaView writes them, "
+  "between commas, semicolons or tabs";
 
 [[noreturn]] void RefuseHeader(const std::string& file, std::size_t line, const std::string& name)
 {
-  Refuse(
-    file, line, "the header names no column '" + name + "'; the columns x, y and z are needed");
+  Refuse(file, line, "the header names no column '" + name + "'; " + kNeeded);
 }
 
-/// Which columns hold x, y and z; kNoColumn: no z.
-std::array<std::size_t, 3> FindColumns(
-  const std::string& file, std::size_t line, const std::vector<std::string>& header)
+/// What columns of points are called: here, in ParaView's data and in its spreadsheets.
+using PointNames = std::array<const char*, 3>;
+constexpr std::array<PointNames, 3> kPointNames{ { { "x", "y", "z" },
+  { "Points:0", "Points:1", "Points:2" }, { "Points_0", "Points_1", "Points_2" } } };
+
+/// A header line and where it names x, y and z; kNoColumn: it does not.
+struct Header
 {
-  std::array<std::size_t, 3> columns{};
-  for (std::size_t d = 0; d < 3; ++d)
+  char separator = ',';
+  std::vector<std::string> fields;
+  std::array<std::size_t, 3> columns{ kNoColumn, kNoColumn, kNoColumn };
+  PointNames names = kPointNames.front();
+
+  [[nodiscard]] bool Has(std::size_t d) const { return columns[d] != kNoColumn; }
+  [[nodiscard]] std::ptrdiff_t Count() const { return 3 - std::ranges::count(columns, kNoColumn); }
+  void Find(const PointNames& wanted)
   {
-    const std::string name(1, "xyz"[d]);
-    const auto named = [&name](const std::string& title) { return Trim(title) == name; };
-    const auto found = std::find_if(header.begin(), header.end(), named);
-    if (found == header.end())
-    {
-      if (d < 2)
+    names = wanted;
+    std::ranges::transform(names, columns.begin(),
+      [this](const char* name)
       {
-        RefuseHeader(file, line, name);
-      }
-      columns[d] = kNoColumn;
-      continue;
-    }
-    if (std::any_of(found + 1, header.end(), named))
-    {
-      Refuse(file, line, "the header names the column '" + name + "' twice");
-    }
-    columns[d] = static_cast<std::size_t>(found - header.begin());
+        const auto named = [name](const std::string& title) { return Trim(title) == name; };
+        const auto found = std::ranges::find_if(fields, named);
+        return found == fields.end() ? kNoColumn : static_cast<std::size_t>(found - fields.begin());
+      });
   }
-  return columns;
-}
+};
 
 /// A comma that was meant as a decimal point moves all that stands behind it.
 void RefuseMore(const std::string& file, std::size_t line, const std::vector<std::string>& fields,
@@ -73,8 +76,14 @@ void RefuseMore(const std::string& file, std::size_t line, const std::vector<std
   }
 }
 
+/// Between semicolons decimal commas can be meant.
+std::string RemedyOf(const std::string& field)
+{
+  return field.find(',') == std::string::npos ? "" : "; decimals are written with a point";
+}
+
 /// The fields of one line; false where a quote is left open or text follows a closing one.
-bool SplitLine(std::string_view line, std::vector<std::string>& fields)
+bool SplitLine(std::string_view line, char separator, std::vector<std::string>& fields)
 {
   fields.assign(1, {});
   bool quoted = false;
@@ -99,7 +108,7 @@ bool SplitLine(std::string_view line, std::vector<std::string>& fields)
         closed = true;
       }
     }
-    else if (c == ',')
+    else if (c == separator)
     {
       fields.emplace_back();
       closed = false;
@@ -119,6 +128,52 @@ bool SplitLine(std::string_view line, std::vector<std::string>& fields)
   }
   return !quoted;
 }
+
+void RequireOnce(const std::string& file, std::size_t line, const Header& header)
+{
+  for (const char* name : header.names)
+  {
+    const auto named = [name](const std::string& title) { return Trim(title) == name; };
+    if (std::ranges::count_if(header.fields, named) > 1)
+    {
+      Refuse(file, line, std::string("the header names the column '") + name + "' twice");
+    }
+  }
+}
+
+/// What names all three goes before x and y alone; else commas and x, y, z go first.
+Header ReadHeader(const std::string& file, std::size_t line, std::string_view text)
+{
+  std::vector<Header> read;
+  for (const char separator : { ',', ';', '\t' })
+  {
+    Header header;
+    header.separator = separator;
+    for (const PointNames& names : kPointNames)
+    {
+      if (SplitLine(text, separator, header.fields))
+      {
+        header.Find(names);
+        read.push_back(header);
+      }
+    }
+  }
+  if (read.empty())
+  {
+    Refuse(file, line, "a quoted field is not closed properly");
+  }
+  auto found = std::ranges::find_if(read, [](const Header& one) { return one.Count() == 3; });
+  if (found == read.end())
+  {
+    found = std::ranges::find_if(read, [](const Header& one) { return one.Has(0) && one.Has(1); });
+  }
+  if (found == read.end())
+  {
+    RefuseHeader(file, line, read.front().names[read.front().Has(0) ? 1 : 0]);
+  }
+  RequireOnce(file, line, *found);
+  return *found;
+}
 } // namespace
 
 PointTable ReadPoints(const std::string& file)
@@ -134,10 +189,8 @@ PointTable ReadPoints(const std::string& file)
   }
   std::istream& stream = IsStandardStream(file) ? std::cin : opened;
   PointTable table;
-  std::array<std::size_t, 3> columns{};
+  std::optional<Header> header;
   std::vector<std::string> fields;
-  std::size_t named = 0;
-  bool header = true;
   std::string line;
   for (std::size_t number = 1; std::getline(stream, line); ++number)
   {
@@ -149,35 +202,36 @@ PointTable ReadPoints(const std::string& file)
     {
       line.pop_back();
     }
-    if (Trim(line).empty())
+    // Tabs between which nothing stands are missing numbers.
+    if (Trim(line).empty() && !(header && line.find(header->separator) != std::string::npos))
     {
       continue;
     }
-    if (!SplitLine(line, fields))
+    if (!header)
+    {
+      header = ReadHeader(file, number, line);
+      table.headerLine = number;
+      table.hasZ = header->Has(2);
+      continue;
+    }
+    if (!SplitLine(line, header->separator, fields))
     {
       Refuse(file, number, "a quoted field is not closed properly");
     }
-    if (header)
-    {
-      columns = FindColumns(file, number, fields);
-      named = fields.size();
-      table.headerLine = number;
-      table.hasZ = columns[2] != kNoColumn;
-      header = false;
-      continue;
-    }
-    RefuseMore(file, number, fields, named);
+    RefuseMore(file, number, fields, header->fields.size());
     Vec3 point(0.0);
-    for (int d = 0; d < (table.hasZ ? 3 : 2); ++d)
+    for (std::size_t d = 0; d < (table.hasZ ? 3U : 2U); ++d)
     {
-      const std::size_t column = columns[static_cast<std::size_t>(d)];
+      const std::size_t column = header->columns[d];
+      const std::string name = header->names[d];
       if (column >= fields.size())
       {
-        Refuse(file, number, std::string("there is no ") + "xyz"[d]);
+        Refuse(file, number, "there is no " + name);
       }
-      if (!ParseNumber(fields[column], point[d]))
+      if (!ParseNumber(fields[column], point[static_cast<int>(d)]))
       {
-        Refuse(file, number, std::string(1, "xyz"[d]) + " is no number: '" + fields[column] + "'");
+        Refuse(file, number,
+          name + " is no number: '" + fields[column] + "'" + RemedyOf(fields[column]));
       }
     }
     table.points.push_back(point);
@@ -186,9 +240,9 @@ PointTable ReadPoints(const std::string& file)
   {
     throw Error("cannot read the points '" + file + "' to the end");
   }
-  if (header)
+  if (!header)
   {
-    throw Error("the points '" + file + "' hold no header line; the columns x, y and z are needed");
+    throw Error("the points '" + file + "' hold no header line; " + kNeeded);
   }
   return table;
 }

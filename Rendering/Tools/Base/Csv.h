@@ -16,9 +16,11 @@ struct PointTable
 };
 
 /// The columns x, y and, where there is one, z of a CSV file, or of standard input ("-"), with a
-/// header line; further columns are ignored. Accepts quoted fields, a byte-order mark, CRLF, and
-/// empty lines, which it skips. Throws Error naming the line where a number is missing or none, or
-/// where there are more values than columns.
+/// header line; further columns are ignored. Where not all three are there, they may be called
+/// Points:0 to Points:2 (ParaView's data) or Points_0 to Points_2 (its spreadsheets). Fields stand
+/// between commas, semicolons or tabs, whichever the header names them between. Accepts quoted
+/// fields, a byte-order mark, CRLF, and empty lines, which it skips. Throws Error naming the line
+/// where a number is missing or none, or where there are more values than columns.
 PointTable ReadPoints(const std::string& file);
 
 /// For meshes that are not plane: throws Error, naming the line, where the table has no z.

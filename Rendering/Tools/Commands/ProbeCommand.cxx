@@ -221,8 +221,9 @@ void AddProbeCommand(CLI::App& program, const CommonOptions& common, Action& act
     "Name of a field; of several each has columns of its name (default: the first one, which is "
     "named on stderr)");
   const AddedOption points = AddText(command, "--points", options->points, "FILE",
-    "CSV file with a header line and the columns x, y and z (2-D meshes need no z); others are "
-    "ignored; - for standard input");
+    "CSV file with a header line and the columns x, y and z (2-D meshes need no z), or Points:0 to "
+    "Points:2 as ParaView writes them, between commas, semicolons or tabs; others are ignored; - "
+    "for standard input");
   AddRead(
     command, "--line",
     [options](const std::string& text)

@@ -12,7 +12,7 @@
 #include "Views/VtkColorMap.h"
 #include "Views/VtkLook.h"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <vtkLookupTable.h>
 
 #include <algorithm>
@@ -142,10 +142,10 @@ void ColorOptions::AddTo(CLI::App& command)
     "numbers; values beyond take the colours of the ends. Of an animation also all and "
     "symmetric-all: as cut, of all its pictures")
                               .Group(group);
-  const AddedOption map = AddText(command, "--colormap", Map, "NAME|FILE",
-    "Colour map: " + Names() +
-      " (default: viridis); or a file of ParaView's, .json or .xml, with :NAME behind it where "
-      "it holds several")
+  const AddedOption map = AddText(command, "--colormap", Map,
+    fmt::format("{}|FILE", fmt::join(ColorMapNames(), "|")).c_str(),
+    "Colour map (default: viridis), or a file of ParaView's, .json or .xml, with :NAME behind it "
+    "where it holds several")
                             .Group(group);
   const AddedOption bands = AddRead(
     command, "--bands",
