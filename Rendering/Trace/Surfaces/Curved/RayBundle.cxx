@@ -8,32 +8,20 @@
 
 namespace pixelexact
 {
-namespace
-{
-/// Along which a direction is longest.
-std::size_t LongestOf(const Vec3& direction)
-{
-  const Vec3 size = glm::abs(direction);
-  return size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-}
-} // namespace
-
-bool RayBundle::Begin(const RayLanes& rays, int first, int count, const Box3& about)
+void RayBundle::Begin(const RayLanes& rays, int first, int count, int way, const Box3& about)
 {
   Size = count;
   Offset = first;
-  const std::size_t along =
-    LongestOf(Vec3(rays.direction[0][first], rays.direction[1][first], rays.direction[2][first]));
-  axes = { static_cast<int>((along + 1) % 3), static_cast<int>((along + 2) % 3),
-    static_cast<int>(along) };
-  sign = rays.direction[along][first] < 0.0 ? -1.0 : 1.0;
+  const int along = way / 2;
+  axes = { (along + 1) % 3, (along + 2) % 3, along };
+  sign = way % 2 == 1 ? -1.0 : 1.0;
   z0 = 0.5 * about.lower[axes[2]] + 0.5 * about.upper[axes[2]];
   const Vec3 largest = glm::max(glm::abs(about.lower), glm::abs(about.upper));
   const BundleFrame frame{ axes, z0, sign, std::max({ largest.x, largest.y, largest.z }) };
   const BundleColumns columns{ { place[0].data(), place[1].data() },
     { slope[0].data(), slope[1].data() }, slack.data(), near.data(), far.data(), Origin.data(),
     Direction.data() };
-  return GetBundleKernels().describe(rays, first, count, frame, columns, Ranges);
+  GetBundleKernels().describe(rays, first, count, frame, columns, Ranges);
 }
 
 // The same sums as for a ray alone, of numbers that are no larger, or no smaller: rounding is

@@ -26,9 +26,9 @@ public:
   static constexpr std::size_t kPadded = kMost + kLanePadding;
   using Numbers = std::array<double, kPadded>;
 
-  /// Of `count` rays from number `first`, about a box: z0 lies in its middle. False where they do
-  /// not all run along the same coordinate in the same direction.
-  bool Begin(const RayLanes& rays, int first, int count, const Box3& about);
+  /// Of `count` rays from number `first` those that run one way (BundleKernels::ways, the bit's
+  /// number), about a box: z0 lies in its middle. No box is met by the others.
+  void Begin(const RayLanes& rays, int first, int count, int way, const Box3& about);
 
   [[nodiscard]] int Count() const { return Size; }
   [[nodiscard]] int First() const { return Offset; }
