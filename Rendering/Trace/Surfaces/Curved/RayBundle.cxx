@@ -24,48 +24,6 @@ void RayBundle::Begin(const RayLanes& rays, int first, int count, int way, const
   GetBundleKernels().describe(rays, first, count, frame, columns, Ranges);
 }
 
-// The same sums as for a ray alone, of numbers that are no larger, or no smaller: rounding is
-// monotone, so that no box is left out that one of the rays would not leave out.
-bool RayBundle::MayMeet(const Box3& box) const
-{
-  const double from = box.lower[axes[2]] - z0;
-  const double to = box.upper[axes[2]] - z0;
-  bool may = std::max(sign * from, sign * to) + Ranges.mostSlack >= Ranges.depth.least &&
-    std::min(sign * from, sign * to) - Ranges.mostSlack <= Ranges.depth.most;
-  for (std::size_t a = 0; a < 2; ++a)
-  {
-    const auto [least, most] = std::minmax({ Ranges.slope[a].least * from,
-      Ranges.slope[a].least * to, Ranges.slope[a].most * from, Ranges.slope[a].most * to });
-    may = may && Ranges.place[a].least + least - Ranges.mostSlack <= box.upper[axes[a]] &&
-      Ranges.place[a].most + most + Ranges.mostSlack >= box.lower[axes[a]];
-  }
-  return may;
-}
-
-double RayBundle::DepthOf(const Box3& box) const
-{
-  return std::min(sign * (box.lower[axes[2]] - z0), sign * (box.upper[axes[2]] - z0)) -
-    Ranges.mostSlack;
-}
-
-double RayBundle::DepthAt(int i, double t) const
-{
-  const auto at = static_cast<std::size_t>(i);
-  return sign * (Origin[at] + t * Direction[at]);
-}
-
-double RayBundle::TimeAt(int i, const Vec3& x) const
-{
-  const auto at = static_cast<std::size_t>(i);
-  return ((x[axes[2]] - z0) - Origin[at]) / Direction[at];
-}
-
-void RayBundle::EndAt(int i, double depth)
-{
-  const auto at = static_cast<std::size_t>(i);
-  far[at] = std::min(far[at], depth + slack[at]);
-}
-
 void RayBundle::FindFarthest()
 {
   Ranges.mostFar = *std::max_element(far.begin(), far.begin() + Size);
