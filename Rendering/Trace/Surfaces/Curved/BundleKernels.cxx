@@ -65,7 +65,30 @@ struct LaneRange
   [[nodiscard]] HWY_INLINE NumberRange Found() const { return { Least(least), Most(most) }; }
 };
 
-bool Describe(const RayLanes& rays, int first, int count, const BundleFrame& frame,
+unsigned WaysOf(const RayLanes& rays, int first, int count)
+{
+  unsigned ways = 0;
+  for (int i = 0; i < count; i += LaneCount())
+  {
+    const int left = std::min(count - i, LaneCount());
+    const auto load = [&](const double* from) PIXELEXACT_INLINED
+    { return LoadSome(from + first + i, left); };
+    const Lanes direction[3] = { load(rays.direction[0]), load(rays.direction[1]),
+      load(rays.direction[2]) };
+    const LaneMask isThere = load(rays.tNear) <= load(rays.tFar);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const LaneMask along = And(isThere, IsLongest(axis, direction));
+      const Lanes one = direction[axis];
+      const auto bit = static_cast<unsigned>(2 * axis);
+      ways |= None(And(along, Splat(0.0) < one)) ? 0U : 1U << bit;
+      ways |= None(And(along, one < Splat(0.0))) ? 0U : 2U << bit;
+    }
+  }
+  return ways;
+}
+
+void Describe(const RayLanes& rays, int first, int count, const BundleFrame& frame,
   const BundleColumns& to, BundleRanges& ranges)
 {
   const auto axis = [&](std::size_t a) PIXELEXACT_INLINED
@@ -85,10 +108,7 @@ bool Describe(const RayLanes& rays, int first, int count, const BundleFrame& fra
       load(rays.direction[2]) };
     const Lanes along = direction[axis(2)];
     // A NaN is not positive.
-    if (!All(And(IsLongest(frame.axes[2], direction), Splat(0.0) < sign * along)))
-    {
-      return false;
-    }
+    const LaneMask runs = And(IsLongest(frame.axes[2], direction), Splat(0.0) < sign * along);
     const Lanes from = load(rays.origin[axis(2)]);
     const Pair depth = ExactSum(from, Splat(-frame.z0));
     Store(along, to.direction + i);
@@ -108,7 +128,7 @@ bool Describe(const RayLanes& rays, int first, int count, const BundleFrame& fra
     const Lanes slack = Splat(16.0 * kUnitRoundoff) * size;
     const Lanes tNear = load(rays.tNear);
     const Lanes tFar = load(rays.tFar);
-    const LaneMask isThere = And(tNear <= tFar, IsFinite(size));
+    const LaneMask isThere = And(runs, And(tNear <= tFar, IsFinite(size)));
     const Lanes near = sign * (depth.high + tNear * along) - slack;
     const Lanes far = Select(isThere, sign * (depth.high + tFar * along) + slack,
       Splat(-std::numeric_limits<double>::infinity()));
@@ -133,12 +153,11 @@ bool Describe(const RayLanes& rays, int first, int count, const BundleFrame& fra
   ranges.depth = depths.Found();
   ranges.mostSlack = std::max(0.0, slacks.Found().most);
   ranges.mostFar = fars.Found().most;
-  return true;
 }
 
 const BundleKernels& BundleKernelSet()
 {
-  static constexpr BundleKernels kKernels{ &Describe };
+  static constexpr BundleKernels kKernels{ &WaysOf, &Describe };
   return kKernels;
 }
 } // namespace pixelexact::HWY_NAMESPACE

@@ -49,9 +49,13 @@ struct BundleFrame
 /// Kernels dispatched at run time to the instruction set. All of them give the same bits.
 struct BundleKernels
 {
-  /// Of `count` rays from number `first` on. False where they do not all run along the frame's last
-  /// axis, in the direction of its sign.
-  bool (*describe)(const RayLanes& rays, int first, int count, const BundleFrame& frame,
+  /// Of `count` rays from number `first` on, the ways that those run that are there: bit 2 a of
+  /// axis a upwards, bit 2 a + 1 downwards. A ray runs along the first axis of those that its
+  /// direction is longest along.
+  unsigned (*ways)(const RayLanes& rays, int first, int count);
+  /// Of `count` rays from number `first` on. Those that do not run along the frame's last axis, in
+  /// the direction of its sign, are of no interest.
+  void (*describe)(const RayLanes& rays, int first, int count, const BundleFrame& frame,
     const BundleColumns& to, BundleRanges& ranges);
 };
 

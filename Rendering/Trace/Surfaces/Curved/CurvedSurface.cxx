@@ -9,6 +9,7 @@
 #include "Trace/Surfaces/Curved/PieceReferee.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace pixelexact
@@ -309,18 +310,13 @@ void CurvedSurface::MeetSome(const RayLanes& rays, int first, int count, HitSlot
 {
   const CheckedOut<Scratch> scratch;
   auto& [bundle, work] = *scratch;
-  if (!bundle.Begin(rays, first, count, Hierarchy->Bounds()))
-  {
-    if (count > 1)
-    {
-      MeetSome(rays, first, count / 2, hits);
-      MeetSome(rays, first + count / 2, count - count / 2, hits);
-    }
-    return;
-  }
   work.hits.clear();
   work.unclear.clear();
-  Meeting(*this, rays, bundle, work).Run();
+  for (unsigned ways = GetBundleKernels().ways(rays, first, count); ways != 0; ways &= ways - 1)
+  {
+    bundle.Begin(rays, first, count, std::countr_zero(ways), Hierarchy->Bounds());
+    Meeting(*this, rays, bundle, work).Run();
+  }
   WriteHits(rays, first, count, { All, TheEquation.mesh, TellsElements() }, work.hits, hits);
 }
 } // namespace pixelexact

@@ -8,74 +8,20 @@
 
 namespace pixelexact
 {
-namespace
-{
-/// Along which a direction is longest.
-std::size_t LongestOf(const Vec3& direction)
-{
-  const Vec3 size = glm::abs(direction);
-  return size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-}
-} // namespace
-
-bool RayBundle::Begin(const RayLanes& rays, int first, int count, const Box3& about)
+void RayBundle::Begin(const RayLanes& rays, int first, int count, int way, const Box3& about)
 {
   Size = count;
   Offset = first;
-  const std::size_t along =
-    LongestOf(Vec3(rays.direction[0][first], rays.direction[1][first], rays.direction[2][first]));
-  axes = { static_cast<int>((along + 1) % 3), static_cast<int>((along + 2) % 3),
-    static_cast<int>(along) };
-  sign = rays.direction[along][first] < 0.0 ? -1.0 : 1.0;
+  const int along = way / 2;
+  axes = { (along + 1) % 3, (along + 2) % 3, along };
+  sign = way % 2 == 1 ? -1.0 : 1.0;
   z0 = 0.5 * about.lower[axes[2]] + 0.5 * about.upper[axes[2]];
   const Vec3 largest = glm::max(glm::abs(about.lower), glm::abs(about.upper));
   const BundleFrame frame{ axes, z0, sign, std::max({ largest.x, largest.y, largest.z }) };
   const BundleColumns columns{ { place[0].data(), place[1].data() },
     { slope[0].data(), slope[1].data() }, slack.data(), near.data(), far.data(), Origin.data(),
     Direction.data() };
-  return GetBundleKernels().describe(rays, first, count, frame, columns, Ranges);
-}
-
-// The same sums as for a ray alone, of numbers that are no larger, or no smaller: rounding is
-// monotone, so that no box is left out that one of the rays would not leave out.
-bool RayBundle::MayMeet(const Box3& box) const
-{
-  const double from = box.lower[axes[2]] - z0;
-  const double to = box.upper[axes[2]] - z0;
-  bool may = std::max(sign * from, sign * to) + Ranges.mostSlack >= Ranges.depth.least &&
-    std::min(sign * from, sign * to) - Ranges.mostSlack <= Ranges.depth.most;
-  for (std::size_t a = 0; a < 2; ++a)
-  {
-    const auto [least, most] = std::minmax({ Ranges.slope[a].least * from,
-      Ranges.slope[a].least * to, Ranges.slope[a].most * from, Ranges.slope[a].most * to });
-    may = may && Ranges.place[a].least + least - Ranges.mostSlack <= box.upper[axes[a]] &&
-      Ranges.place[a].most + most + Ranges.mostSlack >= box.lower[axes[a]];
-  }
-  return may;
-}
-
-double RayBundle::DepthOf(const Box3& box) const
-{
-  return std::min(sign * (box.lower[axes[2]] - z0), sign * (box.upper[axes[2]] - z0)) -
-    Ranges.mostSlack;
-}
-
-double RayBundle::DepthAt(int i, double t) const
-{
-  const auto at = static_cast<std::size_t>(i);
-  return sign * (Origin[at] + t * Direction[at]);
-}
-
-double RayBundle::TimeAt(int i, const Vec3& x) const
-{
-  const auto at = static_cast<std::size_t>(i);
-  return ((x[axes[2]] - z0) - Origin[at]) / Direction[at];
-}
-
-void RayBundle::EndAt(int i, double depth)
-{
-  const auto at = static_cast<std::size_t>(i);
-  far[at] = std::min(far[at], depth + slack[at]);
+  GetBundleKernels().describe(rays, first, count, frame, columns, Ranges);
 }
 
 void RayBundle::FindFarthest()

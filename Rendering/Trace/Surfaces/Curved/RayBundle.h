@@ -6,6 +6,7 @@
 
 #include "Core/Math/Vec.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -26,23 +27,63 @@ public:
   static constexpr std::size_t kPadded = kMost + kLanePadding;
   using Numbers = std::array<double, kPadded>;
 
-  /// Of `count` rays from number `first`, about a box: z0 lies in its middle. False where they do
-  /// not all run along the same coordinate in the same direction.
-  bool Begin(const RayLanes& rays, int first, int count, const Box3& about);
+  /// Of `count` rays from number `first` those that run one way (BundleKernels::ways, the bit's
+  /// number), about a box: z0 lies in its middle. No box is met by the others.
+  void Begin(const RayLanes& rays, int first, int count, int way, const Box3& about);
 
   [[nodiscard]] int Count() const { return Size; }
   [[nodiscard]] int First() const { return Offset; }
 
   /// Whether a ray of them may meet the box; no ray that does (PieceKernels::meetBox) is passed
   /// over.
-  [[nodiscard]] bool MayMeet(const Box3& box) const;
+  [[nodiscard]] bool MayMeet(const Box3& box) const
+  {
+    // The same sums as for a ray alone, of numbers that are no larger, or no smaller: rounding is
+    // monotone, so that no box is left out that one of the rays would not leave out. What is no
+    // number leaves out nothing.
+    const double from = box.lower[axes[2]] - z0;
+    const double to = box.upper[axes[2]] - z0;
+    const bool isUp = sign > 0.0;
+    if ((isUp ? to : -from) + Ranges.mostSlack < Ranges.depth.least ||
+      (isUp ? from : -to) - Ranges.mostSlack > Ranges.depth.most)
+    {
+      return false;
+    }
+    const auto isBeside = [&](std::size_t a)
+    {
+      const double p = Ranges.slope[a].least * from;
+      const double q = Ranges.slope[a].least * to;
+      const double r = Ranges.slope[a].most * from;
+      const double s = Ranges.slope[a].most * to;
+      const double least = std::min(std::min(p, q), std::min(r, s));
+      const double most = std::max(std::max(p, q), std::max(r, s));
+      return Ranges.place[a].least + least - Ranges.mostSlack > box.upper[axes[a]] ||
+        Ranges.place[a].most + most + Ranges.mostSlack < box.lower[axes[a]];
+    };
+    return !isBeside(0) && !isBeside(1);
+  }
   /// No point of the box is nearer.
-  [[nodiscard]] double DepthOf(const Box3& box) const;
+  [[nodiscard]] double DepthOf(const Box3& box) const
+  {
+    return (sign > 0.0 ? box.lower[axes[2]] - z0 : z0 - box.upper[axes[2]]) - Ranges.mostSlack;
+  }
 
-  [[nodiscard]] double DepthAt(int i, double t) const;
-  [[nodiscard]] double TimeAt(int i, const Vec3& x) const;
+  [[nodiscard]] double DepthAt(int i, double t) const
+  {
+    const auto at = static_cast<std::size_t>(i);
+    return sign * (Origin[at] + t * Direction[at]);
+  }
+  [[nodiscard]] double TimeAt(int i, const Vec3& x) const
+  {
+    const auto at = static_cast<std::size_t>(i);
+    return ((x[axes[2]] - z0) - Origin[at]) / Direction[at];
+  }
   /// The ray is of no interest beyond a depth.
-  void EndAt(int i, double depth);
+  void EndAt(int i, double depth)
+  {
+    const auto at = static_cast<std::size_t>(i);
+    far[at] = std::min(far[at], depth + slack[at]);
+  }
   /// Beyond it no ray is of interest. What has ended since FindFarthest does not count.
   [[nodiscard]] double Farthest() const { return Ranges.mostFar; }
   void FindFarthest();
