@@ -231,4 +231,31 @@ TEST(Adversarial, TheTreesLimitChangesNoAnswer)
   const Answers none = Ask(locator, x);
   EXPECT_EQ(much.verdict, none.verdict);
 }
+
+// Each point took all that it may, and the tree gigabytes.
+TEST(Adversarial, NothingIsSoughtForLongInElementsWithoutThickness)
+{
+  MeshBuilder mesh;
+  mesh.Add(UniformSpace(Shape::Hexahedron, 2),
+    [](const LongVec3& xi) -> LongVec3 {
+      return { xi[0] + 0.2L * xi[1] * xi[1], xi[1], 0.0L };
+    });
+  Random random(3);
+  std::vector<Vec3> onSheet;
+  std::vector<Vec3> beside;
+  for (int i = 0; i < 600; ++i)
+  {
+    const Vec3 xi = random.Inside(Shape::Hexahedron);
+    onSheet.emplace_back(xi.x + 0.2 * xi.y * xi.y, xi.y, 0.0);
+    beside.push_back(onSheet.back() + Vec3(0.0, 0.0, random() < 0.0 ? -1e-9 : 1e-9));
+    beside.emplace_back(1.19, 0.5 * xi.y, 0.0); // in the element's box
+  }
+  Locator locator(mesh.View());
+  locator.Index().SetTreeLimit(std::size_t{ 1 } << 40U);
+  const Answers there = Ask(locator, onSheet);
+  EXPECT_EQ(std::ranges::count(there.verdict, Verdict::Unknown), 600);
+  const Answers out = Ask(locator, beside);
+  EXPECT_EQ(std::ranges::count(out.verdict, Verdict::Outside), 1200);
+  EXPECT_LT(locator.Index().TreeBytes(), std::size_t{ 64 } << 20U);
+}
 } // namespace pixelexact::testing

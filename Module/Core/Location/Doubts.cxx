@@ -103,7 +103,6 @@ void Locator::Batch::Decide(std::span<PointChunk> chunks)
   for (std::size_t begin = 0; begin < doubtful.size();)
   {
     const int element = doubtful[begin].element;
-    const auto tree = Index.TreeOf(element);
     while (begin < doubtful.size() && doubtful[begin].element == element)
     {
       group.clear();
@@ -116,7 +115,8 @@ void Locator::Batch::Decide(std::span<PointChunk> chunks)
           group.push_back(doubtful[begin]);
         }
       }
-      DecideGroup(*tree, group, chunks);
+      // Asked for again, so that trees are dropped when they have become large.
+      DecideGroup(*Index.TreeOf(element), group, chunks);
     }
   }
   for (const Doubt& doubt : Work.undecided)

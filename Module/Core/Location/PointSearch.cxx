@@ -27,6 +27,13 @@ std::int64_t MostWorkIn(const ElementTree& tree, std::span<const SoughtPoint> po
   return least * (high / 1000) / (kMostWork / 1000);
 }
 
+/// By volume in eta.
+double PartOfElement(const EtaBox& box)
+{
+  const Vec3 sides = 0.5 * (box.upper - box.lower);
+  return sides.x * sides.y * sides.z;
+}
+
 /// The search for a group.
 class Search
 {
@@ -155,6 +162,13 @@ private:
     {
       return;
     }
+    // Smaller boxes would tell where a flat element ends, but nothing of what is in it.
+    constexpr double kSmallBox = 1.0 / 4096.0;
+    if (!frame.IsNearlyAffine(1.0) && PartOfElement(frame.box) <= kSmallBox && Tree.IsFlat(node))
+    {
+      Undecided |= points;
+      return;
+    }
     Work += Tree.SplitCost(node);
     if (Work > MostWork)
     {
@@ -185,14 +199,11 @@ private:
   [[nodiscard]] static Bits WorthNewton(const NodeFrame& frame, Bits known)
   {
     constexpr double kWithKnown = 0.015;
-    constexpr double kSmallBox = 0.05; // of the element
-    double volume = 1.0;
-    for (int d = 0; d < 3; ++d)
-    {
-      volume *= 0.5 * (frame.box.upper[d] - frame.box.lower[d]);
-    }
-    return volume <= kSmallBox || frame.IsNearlyAffine(kWithKnown) || frame.IsAffine() ? ~Bits{ 0 }
-                                                                                       : ~known;
+    constexpr double kSmallBox = 0.05;
+    return PartOfElement(frame.box) <= kSmallBox || frame.IsNearlyAffine(kWithKnown) ||
+        frame.IsAffine()
+      ? ~Bits{ 0 }
+      : ~known;
   }
 
   void TakeApex(const NodeFrame& frame, std::size_t point)

@@ -4,6 +4,7 @@
 #include "Core/Element/Ranges.h"
 #include "Core/Math/Rounding.h"
 #include "Core/Questions/EdgeArithmetic.h"
+#include "Core/Tree/FlatMap.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -227,6 +228,11 @@ EdgeFunctions::View EdgeFunctions::ViewAt(const Vec3& xi) const
   }
   view.inverse = glm::inverse(view.jacobian);
   return view;
+}
+
+bool EdgeFunctions::IsFlatOver(const EtaBox& box) const
+{
+  return pixelexact::IsFlatOver(Map.space, Map.values.data(), box);
 }
 
 EdgeFunctions::Linear EdgeFunctions::LinearValues(

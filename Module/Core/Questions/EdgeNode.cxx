@@ -141,7 +141,11 @@ bool EdgeNode::DescribeMap(const EdgeFunctions& functions, const EdgeFunctions::
   {
     return true;
   }
-  direction = TurningDirection(functions, *this, kExplained * most).value_or(direction);
+  flat = functions.IsFlatOver(box);
+  if (!flat)
+  {
+    direction = TurningDirection(functions, *this, kExplained * most).value_or(direction);
+  }
   return false;
 }
 

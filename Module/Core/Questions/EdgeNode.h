@@ -44,6 +44,7 @@ struct EdgeNode
   /// The map is so nearly affine over `wide` that what follows holds: M J = I + E with |E| at most
   /// `turn`, and |(I + E)^-1| at most `solution`.
   bool regular = false;
+  bool flat = false;      ///< halves would not be regular, either: the map has no thickness
   Vec3 centre{ 0.0 };     ///< in xi
   Vec3 origin{ 0.0 };     ///< its image, in the element's units
   double inverse[3][3]{}; ///< M

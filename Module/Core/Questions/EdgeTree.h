@@ -25,7 +25,7 @@ public:
   /// Whether halves of a node are worth it.
   [[nodiscard]] bool CanSplit(const EdgeNode& node) const
   {
-    return node.halvings < Functions.Deepest(node.regular);
+    return !node.flat && node.halvings < Functions.Deepest(node.regular);
   }
   /// The largest regular node with this eta; the last one, where there is none.
   [[nodiscard]] const EdgeNode& LeafAt(const Vec3& eta) const;

@@ -2,6 +2,7 @@
 #include "Core/Tree/ElementTree.h"
 
 #include "Core/Bernstein/PieceForm.h"
+#include "Core/Tree/FlatMap.h"
 #include "Core/Tree/Regularity.h"
 
 #include <algorithm>
@@ -323,7 +324,7 @@ int ElementTree::DirectionOf(const Node& node) const
 
 bool ElementTree::IsRegular(Node& node)
 {
-  using Regular = Node::Regular;
+  using Answer = Node::Answer;
   if (node.TheFrame.injective)
   {
     return true;
@@ -332,14 +333,28 @@ bool ElementTree::IsRegular(Node& node)
   {
     return false;
   }
-  Regular regular = node.IsRegular.load(std::memory_order_acquire);
-  if (regular == Regular::Unknown)
+  Answer regular = node.IsRegular.load(std::memory_order_acquire);
+  if (regular == Answer::Unknown)
   {
     const std::scoped_lock lock(Growing);
-    regular = pixelexact::IsRegular(Form.Degree(), SlopesOf(node)) ? Regular::Yes : Regular::No;
+    regular = pixelexact::IsRegular(Form.Degree(), SlopesOf(node)) ? Answer::Yes : Answer::No;
     node.IsRegular.store(regular, std::memory_order_release);
   }
-  return regular == Regular::Yes;
+  return regular == Answer::Yes;
+}
+
+bool ElementTree::IsFlat(Node& node)
+{
+  using Answer = Node::Answer;
+  Answer flat = node.IsFlat.load(std::memory_order_relaxed);
+  if (flat == Answer::Unknown)
+  {
+    // Two threads may find the same.
+    flat = IsFlatOver(TheProblem.space, TheProblem.coefficients, node.TheFrame.box) ? Answer::Yes
+                                                                                    : Answer::No;
+    node.IsFlat.store(flat, std::memory_order_relaxed);
+  }
+  return flat == Answer::Yes;
 }
 
 /// The Jacobian's coefficients over a node, from those of its parent.

@@ -43,6 +43,9 @@ public:
   bool Split(Node& node);
   /// Whether the map is injective on a node's box and its reach (IsRegular).
   bool IsRegular(Node& node);
+  /// Whether the map has no thickness, within rounding, at points all over a node's box: no part of
+  /// it is found to be regular then, however small.
+  bool IsFlat(Node& node);
 
   /// About how much it costs to make the pieces, a node's halves, those of this node, and to test
   /// whether a node is regular. In nanoseconds, whether they have been made or not.
@@ -96,7 +99,7 @@ public:
 
 private:
   friend class ElementTree;
-  enum class Regular : std::uint8_t
+  enum class Answer : std::uint8_t
   {
     Unknown,
     No,
@@ -112,7 +115,8 @@ private:
   std::array<int, 3> Piece{};
   BoxCoefficients Phi;    ///< until it is split
   BoxCoefficients Slopes; ///< made when first asked for
-  std::atomic<Regular> IsRegular{ Regular::Unknown };
+  std::atomic<Answer> IsRegular{ Answer::Unknown };
+  std::atomic<Answer> IsFlat{ Answer::Unknown };
   std::atomic<int> Direction{ -1 }; ///< of the split
   std::array<std::unique_ptr<Node>, 2> Children;
 };
