@@ -5,12 +5,8 @@
 
 #include "Core/Math/Rounding.h"
 #include "Trace/Surfaces/Curved/CurvedEquations-inl.h"
+#include "Trace/Surfaces/Curved/LookEnds-inl.h"
 #include "Trace/Surfaces/Curved/LookKernels.h"
-#include "Trace/Surfaces/Curved/PieceNorms-inl.h"
-#include "Trace/Surfaces/Curved/PieceProof-inl.h"
-
-#include <algorithm>
-#include <bit>
 
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
@@ -22,11 +18,12 @@ constexpr int kNarrowings = 2;
 class PieceLook
 {
 public:
-  HWY_INLINE PieceLook(
-    const RayBundle& bundle, const ElementFrame& frame, const CurvedPiece& piece, PiecePairs& pairs)
+  HWY_INLINE PieceLook(const RayBundle& bundle, const ElementFrame& frame, const CurvedPiece& piece,
+    PiecePairs& pairs, OpenRays& open)
     : Frame(frame)
     , Piece(piece)
     , Pairs(pairs)
+    , Open(open)
     , Across{ static_cast<std::size_t>(bundle.axes[0]), static_cast<std::size_t>(bundle.axes[1]) }
     , AlongAxis(static_cast<std::size_t>(bundle.axes[2]))
     , Along((bundle.z0 - frame.centre[bundle.axes[2]]) * frame.inverseSize)
@@ -34,23 +31,26 @@ public:
   {
   }
 
-  /// Of a pack of rays, those that the piece bends too much for. Appends pairs.
-  HWY_INLINE LaneMask At(const GatheredRays& rays, std::size_t i, LaneMask active)
+  /// Of a pack of rays, those that the piece bends too much for. Appends pairs and open rays.
+  HWY_INLINE LaneMask At(const GatheredRays& gathered, std::size_t i, LaneMask active)
   {
     Lanes m[3][3];
     Lanes radius[3][3];
     Lanes g[3];
     Lanes rounding[3];
     Lanes bend[3];
-    Lanes slope[2];
-    Lanes q[2];
+    LookRays rays;
+    rays.number = Traits::Load(&gathered.number[i]);
+    rays.slack = Traits::Load(&gathered.slack[i]) * Splat(Frame.inverseSize);
+    auto& slope = rays.slope;
+    auto& q = rays.place;
     for (std::size_t a = 0; a < 2; ++a)
     {
       const std::size_t c = Across[a];
       const std::size_t k = AlongAxis;
-      const Lanes s = Traits::Load(&rays.slope[a][i]);
+      const Lanes s = Traits::Load(&gathered.slope[a][i]);
       slope[a] = s;
-      q[a] = (Traits::Load(&rays.place[a][i]) - Splat(Frame.centre[static_cast<int>(c)])) *
+      q[a] = (Traits::Load(&gathered.place[a][i]) - Splat(Frame.centre[static_cast<int>(c)])) *
           Splat(Frame.inverseSize) -
         s * Splat(Along);
       ForEachAxis(
@@ -61,8 +61,7 @@ public:
         });
       g[a] = Splat(Piece.value[c]) - s * Splat(Piece.value[k]) - q[a];
       rounding[a] = Splat(Piece.error[c]) + Abs(s) * Splat(Piece.error[k]) +
-        Splat(8.0 * kUnitRoundoff) * (Abs(q[a]) + Abs(Splat(Along))) +
-        Traits::Load(&rays.slack[i]) * Splat(Frame.inverseSize);
+        Splat(8.0 * kUnitRoundoff) * (Abs(q[a]) + Abs(Splat(Along))) + rays.slack;
       bend[a] = Splat(Piece.bend[c]) + Abs(s) * Splat(Piece.bend[k]);
     }
     ForEachAxis(
@@ -160,54 +159,29 @@ public:
     }
     MaximumNorm norm;
     const Lanes kappa = ChooseNorm(Frame.shape, K, norm);
-    Lanes lower[3];
-    Lanes upper[3];
-    Lanes start[3];
-    Lanes xi[3];
-    ForEachAxis(
-      [&](auto d) PIXELEXACT_INLINED
-      {
-        lower[d] = Splat(Piece.box.lower[d]);
-        upper[d] = Splat(Piece.box.upper[d]);
-        start[d] = Splat(Piece.centre[d]) + step[d];
-      });
-    ClampTo(Frame.shape, lower, upper, start, xi);
-    LaneMask within = unique <= Splat(kMostUnique);
-    ForEachAxis([&](auto d) PIXELEXACT_INLINED
-      { within = And(within, Abs(start[d] - xi[d]) <= Splat(kEdge)); });
+    Lanes expected[3];
+    ForEachAxis([&](auto d) PIXELEXACT_INLINED { expected[d] = Splat(Piece.centre[d]) + step[d]; });
+    const RootStart start = StartOf(Frame.shape, Piece, expected);
+    const LaneMask isUnique = And(IsFinite(all), unique <= Splat(kMostUnique));
     const LaneMask contracts = kappa <= Splat(kMostKappa);
-    const LaneMask pair = And(open, And(IsFinite(all), Or(contracts, within)));
-    const std::uint64_t which = BitsOf(pair);
-    if (which == 0)
+    const LaneMask pair =
+      And(open, Or(And(IsFinite(all), contracts), And(isUnique, start.isInside)));
+    AppendPairs(Pairs, pair, rays, Piece, inverse, start, kappa, contracts, norm.w);
+    open = AndNot(open, pair);
+    if (!Piece.curves)
     {
       return open;
     }
-    const PairWriter writer(Pairs, which, Traits::Load(&rays.number[i]), kappa, contracts);
-    for (int a = 0; a < 2; ++a)
-    {
-      writer.Put(kSlopeColumn + a, slope[a]);
-      writer.Put(kPlaceColumn + a, q[a]);
-    }
-    for (int n = 0; n < 9; ++n)
-    {
-      writer.Put(kInverseColumn + n, inverse[n]);
-    }
-    ForEachAxis(
-      [&](auto d) PIXELEXACT_INLINED
-      {
-        writer.PutAll(kLowerColumn + d, Piece.box.lower[d]);
-        writer.PutAll(kUpperColumn + d, Piece.box.upper[d]);
-        writer.Put(kXiColumn + d, xi[d]);
-        writer.Put(kNormColumn + d, norm.w[d]);
-      });
-    Pairs.count += std::popcount(which);
-    return AndNot(open, pair);
+    const LaneMask closer = And(open, isUnique);
+    AppendOpen(Open, closer, rays, roots, start);
+    return AndNot(open, closer);
   }
 
 private:
   const ElementFrame& Frame;
   const CurvedPiece& Piece;
   PiecePairs& Pairs;
+  OpenRays& Open;
   std::size_t Across[2];
   std::size_t AlongAxis;
   double Along;
@@ -215,9 +189,10 @@ private:
 };
 
 RaySet Look(const RayBundle& bundle, const ElementFrame& frame, const CurvedPiece& piece,
-  const RaySet& rays, PiecePairs& pairs)
+  const RaySet& rays, PiecePairs& pairs, OpenRays& open)
 {
-  PieceLook look(bundle, frame, piece, pairs);
+  open.count = 0;
+  PieceLook look(bundle, frame, piece, pairs, open);
   return LookAt(bundle, rays, piece, pairs, look);
 }
 

@@ -4,6 +4,7 @@
 #include "Core/Element/Kernels.h"
 #include "Core/Math/Rounding.h"
 #include "Trace/Scene.h"
+#include "Trace/Surfaces/Curved/CloserLookKernels.h"
 #include "Trace/Surfaces/Curved/FacePieceKernels.h"
 #include "Trace/Surfaces/Curved/LookKernels.h"
 
@@ -16,6 +17,8 @@ namespace
 {
 /// Of the map, in the element's units, and of f, in those of the field: what rounding leaves.
 constexpr double kRounding = 1e-14;
+/// So often a piece is looked at closer before it is halved.
+constexpr int kCloser = 3;
 } // namespace
 
 PieceSolver::PieceSolver(const CurvedEquation& equation, const CurvedPart& part,
@@ -60,18 +63,31 @@ RaySet PieceSolver::Look(const CurvedPiece& piece, const RaySet& rays)
   {
     Solve();
   }
-  const auto look = Frame.hasField ? GetLookKernels().look : GetFacePieceKernels().look;
-  return look(Bundle, Frame, piece, rays, Work.pairs);
+  if (!Frame.hasField)
+  {
+    return GetFacePieceKernels().look(Bundle, Frame, piece, rays, Work.pairs);
+  }
+  OpenRays& open = Work.open;
+  RaySet unclear = GetLookKernels().look(Bundle, Frame, piece, rays, Work.pairs, open);
+  for (int round = 0; open.count > 0 && round < kCloser; ++round)
+  {
+    double* const xi[3] = { open.Column(kOpenXiColumn), open.Column(kOpenXiColumn + 1),
+      open.Column(kOpenXiColumn + 2) };
+    Evaluate(xi, open.count);
+    unclear.Add(GetCloserLookKernels().look(
+      Bundle, Frame, piece, Work.values.data(), PiecePairs::kStride, open, Work.pairs));
+  }
+  for (int i = 0; i < open.count; ++i)
+  {
+    unclear.Add(static_cast<int>(open.Column(kOpenRayColumn)[i]));
+  }
+  return unclear;
 }
 
-/// y, their derivatives and, of an iso-surface, f and its, at the pairs' xi.
-void PieceSolver::Evaluate()
+void PieceSolver::Evaluate(double* const xi[3], int count)
 {
-  const auto count = static_cast<std::size_t>(Work.pairs.count);
-  double* xi[3];
   for (int d = 0; d < 3; ++d)
   {
-    xi[d] = Work.pairs.Column(kXiColumn + d);
     std::fill_n(xi[d] + count, kLanePadding, xi[d][count - 1]);
   }
   const auto row = [this](std::size_t k) { return &Work.values[k * PiecePairs::kStride]; };
@@ -81,7 +97,7 @@ void PieceSolver::Evaluate()
   {
     slope[k] = row(4 + k);
   }
-  const LanePoints points{ { xi[0], xi[1], xi[2] }, Work.pairs.count };
+  const LanePoints points{ { xi[0], xi[1], xi[2] }, count };
   const Space& space = Equation.mesh.map.SpaceOf(Part.element);
   KernelsFor(space).gradient(
     space, Equation.mesh.map.Coefficients(Part.element), 3, points, value, slope);
@@ -93,9 +109,12 @@ void PieceSolver::Evaluate()
 
 void PieceSolver::Step(double* const position[3], double* result)
 {
-  Evaluate();
+  PiecePairs& pairs = Work.pairs;
+  double* const xi[3] = { pairs.Column(kXiColumn), pairs.Column(kXiColumn + 1),
+    pairs.Column(kXiColumn + 2) };
+  Evaluate(xi, pairs.count);
   const auto step = Frame.hasField ? GetPieceKernels().step : GetFacePieceKernels().step;
-  step(Bundle, Frame, Work.values.data(), PiecePairs::kStride, Work.pairs, position, result);
+  step(Bundle, Frame, Work.values.data(), PiecePairs::kStride, pairs, position, result);
 }
 
 void PieceSolver::EvaluateField(const LanePoints& xi, double* const out, double* const slope[3])

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Trace/Surfaces/Curved/OpenRays.h"
 #include "Trace/Surfaces/Curved/PartTree.h"
 #include "Trace/Surfaces/Curved/PieceKernels.h"
 #include "Trace/Surfaces/HitSlots.h"
@@ -43,6 +44,7 @@ struct SolverWork
   std::vector<CurvedHit> hits;
   std::vector<PieceRay> unclear;
   PiecePairs pairs;
+  OpenRays open;
   std::vector<double> values = std::vector<double>(16 * PiecePairs::kStride);
   std::array<std::vector<double>, 4> ends{ Column(), Column(), Column(), Column() };
 
@@ -79,7 +81,8 @@ public:
 
 private:
   void Step(double* const position[3], double* result);
-  void Evaluate();
+  /// y, their derivatives and, of an iso-surface, f and its.
+  void Evaluate(double* const xi[3], int count);
   void EvaluateField(const LanePoints& xi, double* const out, double* const slope[3]);
 
   const CurvedEquation& Equation;

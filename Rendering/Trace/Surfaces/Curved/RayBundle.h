@@ -125,6 +125,13 @@ struct RaySet
     bits[static_cast<std::size_t>(ray / 64)] |= std::uint64_t{ 1 }
       << static_cast<unsigned>(ray % 64);
   }
+  void Add(const RaySet& others)
+  {
+    for (std::size_t word = 0; word < kWords; ++word)
+    {
+      bits[word] |= others.bits[word];
+    }
+  }
   [[nodiscard]] bool IsEmpty() const { return (bits[0] | bits[1]) == 0; }
   [[nodiscard]] int Count() const { return std::popcount(bits[0]) + std::popcount(bits[1]); }
   template <class Visit>
