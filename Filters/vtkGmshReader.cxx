@@ -27,7 +27,7 @@ struct Texts
     }
   }
   std::deque<FileText> Storage; ///< which stay where they are
-  std::vector<gmsh::NamedText> Named;
+  std::vector<NamedText> Named;
 };
 } // namespace
 

@@ -2,8 +2,8 @@
 #include "vtkNektarReader.h"
 
 #include "Formats/FileText.h"
-#include "Formats/Nektar/FieldSeries.h"
-#include "Formats/Nektar/Hdf5Meshes.h"
+#include "Formats/Nektar/Files/FieldSeries.h"
+#include "Formats/Nektar/Files/Hdf5Meshes.h"
 #include "Formats/Nektar/Reader.h"
 
 #include "vtkObjectFactory.h"
@@ -31,7 +31,7 @@ struct Texts
     }
   }
   std::deque<FileText> Storage; ///< which stay where they are
-  std::vector<nektar::NamedText> Named;
+  std::vector<NamedText> Named;
 };
 } // namespace
 

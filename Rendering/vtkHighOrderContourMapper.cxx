@@ -151,6 +151,7 @@ pixelexact::ContourLook vtkHighOrderContourMapper::LookOfContours() const
     look.labels = this->ContourLabelSize;
   }
   look.interior = this->ContourInterior;
+  look.effort = this->ContourEffort;
   look.style.width = this->ContourWidth;
   look.style.showUndecided = this->ShowUndecidedContours;
   look.style.undecided = pixelexact::ToRgba(this->UndecidedContourColor);
@@ -170,6 +171,7 @@ void vtkHighOrderContourMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetShowUndecidedContours(other->ShowUndecidedContours);
     this->SetUndecidedContourColor(other->UndecidedContourColor);
     this->SetContourInterior(other->ContourInterior);
+    this->SetContourEffort(other->ContourEffort);
     this->SetContourLabels(other->ContourLabels);
     this->SetContourLabelSize(other->ContourLabelSize);
     this->Modified();
@@ -190,6 +192,7 @@ void vtkHighOrderContourMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UndecidedContourColor: " << this->UndecidedContourColor[0] << ", "
      << this->UndecidedContourColor[1] << ", " << this->UndecidedContourColor[2] << "\n";
   os << indent << "ContourInterior: " << (this->ContourInterior ? "on" : "off") << "\n";
+  os << indent << "ContourEffort: " << this->ContourEffort << "\n";
   os << indent << "ContourLabels: " << (this->ContourLabels ? "on" : "off") << "\n";
   os << indent << "ContourLabelSize: " << this->ContourLabelSize << "\n";
 }

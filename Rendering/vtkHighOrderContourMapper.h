@@ -97,6 +97,15 @@ public:
 
   ///@{
   /**
+   * How many times as much as usual may be spent on pixels that are hard to decide, 0.001 to 1000.
+   * What is left is undecided. The default is 1.
+   */
+  vtkSetClampMacro(ContourEffort, double, 0.001, 1000.0);
+  vtkGetMacro(ContourEffort, double);
+  ///@}
+
+  ///@{
+  /**
    * Whether values are written along the contours, where these are straight and apart, in letters
    * ContourLabelSize pixels high, 6 to 72; the defaults are off, and 12. Not where a layer is seen
    * through: a warning says so.
@@ -128,6 +137,7 @@ protected:
   bool ShowUndecidedContours = false;
   double UndecidedContourColor[3] = { 0.0, 0.5, 0.5 };
   bool ContourInterior = false;
+  double ContourEffort = 1.0;
   bool ContourLabels = false;
   int ContourLabelSize = 12;
 

@@ -57,6 +57,7 @@ void FrameContours::Make(const Scene& scene, const std::vector<LayerContours>& l
   }
   ContourMethod method;
   method.interior = look.interior;
+  method.SetEffort(look.effort);
   Certifier.emplace(std::move(values), method, Bounds);
   Lines.emplace(*Certifier, style, std::move(lineColors));
 }

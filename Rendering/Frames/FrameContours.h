@@ -30,6 +30,7 @@ struct ContourLook
   /// through.
   std::optional<int> labels;
   bool interior = false; ///< see ContourMethod
+  double effort = 1.0;   ///< see ContourMethod::SetEffort
 
   bool operator==(const ContourLook&) const = default;
 };

@@ -225,8 +225,25 @@ std::optional<LatticePart> TileVisit::Centres() const
   return std::nullopt;
 }
 
-LatticePart TileVisit::CornersOf(
-  const TileArea& lattice, std::span<const std::uint8_t> wanted, SampleBuffers& traced)
+std::vector<std::uint8_t> CornersOfPixels(std::span<const std::uint8_t> pixels, int width)
+{
+  const auto columns = static_cast<std::size_t>(width);
+  const std::size_t across = columns + 1;
+  std::vector<std::uint8_t> corners(across * (pixels.size() / columns + 1), 0);
+  for (std::size_t pixel = 0; pixel < pixels.size(); ++pixel)
+  {
+    if (pixels[pixel] != 0)
+    {
+      const std::size_t corner = pixel / columns * across + pixel % columns;
+      corners[corner] = corners[corner + 1] = corners[corner + across] =
+        corners[corner + across + 1] = 1;
+    }
+  }
+  return corners;
+}
+
+LatticePart TileVisit::CornersOf(const TileArea& lattice, std::span<const std::uint8_t> wanted,
+  Buffer needed, SampleBuffers& traced)
 {
   if (HasCorners())
   {
@@ -257,7 +274,6 @@ LatticePart TileVisit::CornersOf(
       }
     }
   }
-  const Buffer needed = ThePipeline.Needs().corners;
   const SampleBuffers some = Trace(positions, needed);
   traced.Allocate(needed, lattice.Width(), lattice.Height());
   ForEachBuffer(

@@ -64,9 +64,10 @@ public:
   /// modules need. Their colours are made by Image, if a module needs them coloured.
   [[nodiscard]] SampleBuffers& Corners();
   /// Some corners of a part of the lattice, which may reach beyond the tile: those that are wanted,
-  /// row by row. Of others there is nothing, or what is seen there. `traced` must outlive it.
-  [[nodiscard]] LatticePart CornersOf(
-    const TileArea& lattice, std::span<const std::uint8_t> wanted, SampleBuffers& traced);
+  /// row by row, with the buffers that are needed, of those that the modules need. Of others there
+  /// is nothing, or what is seen there. `traced` must outlive it.
+  [[nodiscard]] LatticePart CornersOf(const TileArea& lattice, std::span<const std::uint8_t> wanted,
+    Buffer needed, SampleBuffers& traced);
   /// Samples within edges, so many for each edge (SampleNeeds::edgeLevel): those that go across,
   /// width x (height + 1) edges, and those that go up, (width + 1) x height; edge by edge, rows of
   /// edges lower-left first.
@@ -103,6 +104,11 @@ private:
   SampleBuffers Across;
   SampleBuffers Up;
 };
+
+/// For each corner of some pixels, (width + 1) x (height + 1), whether it is one of a pixel that is
+/// set; both row by row.
+[[nodiscard]] std::vector<std::uint8_t> CornersOfPixels(
+  std::span<const std::uint8_t> pixels, int width);
 
 /// Colours of samples of one set, row by row from `begin`: those behind show through translucent
 /// ones. `image` gets 4 bytes a sample.

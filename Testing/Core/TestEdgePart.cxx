@@ -10,13 +10,14 @@
 namespace pixelexact::testing
 {
 /// Squares about the triangle, as a block of pixels lies about three of its centres, from a
-/// millionth of the element to a third of it.
+/// millionth of the element to a third of it; of the affine function, too, where it is asked for.
 TEST(EdgePart, HoldsTheValuesOfItsPoints)
 {
   Random random(91);
   int answered = 0;
   int shortOnes = 0;
   int shortAnswered = 0;
+  int affine = 0;
   double least = 1.0;
   ForAllOrders(random,
     [&](const EdgeCase& one)
@@ -52,7 +53,9 @@ TEST(EdgePart, HoldsTheValuesOfItsPoints)
           continue;
         }
         ++answered;
-        least = std::min(least, (values->upper - values->lower) / one.range);
+        const Interval& all = values->values;
+        least = std::min(least, (all.upper - all.lower) / one.range);
+        affine += std::isfinite(values->error) ? 1 : 0;
         std::optional<QuadVec3> xi = ToQuad(first->xi);
         for (int i = 0; i <= 16; ++i)
         {
@@ -64,8 +67,9 @@ TEST(EdgePart, HoldsTheValuesOfItsPoints)
             ASSERT_TRUE(xi);
             EXPECT_GE(DepthIn(shape, *xi), -1e-9);
             const auto truth = static_cast<double>(one.Truth(*xi));
-            EXPECT_LE(values->lower, truth);
-            EXPECT_GE(values->upper, truth);
+            EXPECT_LE(all.lower, truth);
+            EXPECT_GE(all.upper, truth);
+            EXPECT_LE(std::fabs(values->At(at(s, t)) - truth), values->error);
           }
         }
       }
@@ -73,6 +77,7 @@ TEST(EdgePart, HoldsTheValuesOfItsPoints)
   std::cout << answered << " parts, of " << shortOnes << " short ones " << shortAnswered
             << "; least width over range " << least << '\n';
   EXPECT_GT(answered, 400);
+  EXPECT_GT(affine, 200);
   EXPECT_GT(shortAnswered, 0.9 * shortOnes);
 }
 } // namespace pixelexact::testing

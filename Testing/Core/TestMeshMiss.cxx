@@ -64,6 +64,26 @@ TEST(MeshMiss, SegmentsBesideTheMeshMiss)
   EXPECT_EQ(missed, kSegments);
 }
 
+TEST(MeshMiss, LittleEffortIsEnough)
+{
+  for (const Shape shape : kShapes)
+  {
+    Random random(53);
+    const CurvedMesh curved = Blocks(1, std::span(&shape, 1));
+    const ElementIndex index(curved.View());
+    int missed = 0;
+    constexpr int kSegments = 500;
+    for (int k = 0; k < kSegments; ++k)
+    {
+      LongVec3 u{ random(-1.0, 1.0), random(-1.0, 1.0), random(-1.0, 1.0) };
+      u[static_cast<std::size_t>(k % 3)] = k % 2 == 0 ? 1.02 : -1.02;
+      const Vec3 from = ToDouble(Bend(u));
+      missed += MissesMesh(index, { from, from + 0.003 * AnyWay(random) }, 40) ? 1 : 0;
+    }
+    EXPECT_EQ(missed, kSegments) << Name(shape);
+  }
+}
+
 TEST(MeshMiss, SlackIsHonoured)
 {
   const CurvedMesh curved = Blocks(1, std::span(kShapes).first(1));

@@ -98,6 +98,15 @@ class Examples(unittest.TestCase):
                 self.assertEqual((width, height), (120, 100), picture)
                 self.assertGreater(count, 60, picture)
 
+    def test_thin_sheets(self):
+        """Linear cells lose most of what is there."""
+        text = self.run_example("thin_sheets.py", self.image, "60x40")
+        shares = [float(share) for share in re.findall(r"(\S+)% of the pixels missing", text)]
+        self.assertEqual(len(shares), 2)
+        self.assertGreater(shares[0], shares[1])
+        self.assertGreater(shares[1], 50)
+        self.assertEqual(colors(self.image)[:2], (180, 40))
+
     def test_linear_comparison(self):
         """Second order: half the spacing, about a quarter of the error."""
         text = self.run_example("linear_comparison.py", self.image, 100, "24,48")

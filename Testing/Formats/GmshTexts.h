@@ -79,7 +79,7 @@ inline std::string View(const std::string& section, const std::string& name, dou
 inline SolverModel ReadGmsh(
   const std::string& text, const std::vector<std::string>& views = {}, int step = 0)
 {
-  std::vector<gmsh::NamedText> files{ { "folder/a.msh", text } };
+  std::vector<NamedText> files{ { "folder/a.msh", text } };
   for (const auto& view : views)
   {
     files.push_back({ "folder/view.msh", view });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Formats/MFEM/Collection.h"
+#include "Formats/MFEM/Elements/Collection.h"
 
 #include "Core/Base/Error.h"
 #include "Core/Basis/BasisFactor.h"

@@ -16,7 +16,7 @@ namespace pixelexact::testing::mfemtexts
 {
 inline SolverModel ReadTexts(const std::string& mesh, const std::vector<std::string>& fields = {})
 {
-  std::vector<mfem::NamedText> texts;
+  std::vector<NamedText> texts;
   for (const auto& field : fields)
   {
     texts.push_back({ "folder/u.gf", field });

@@ -13,7 +13,6 @@
 // Small Nektar++ sessions and fields as text.
 namespace pixelexact::testing
 {
-using nektar::NamedText;
 
 inline std::string Session(const std::string& geometry)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Base/Error.h"
 #include "Formats/FileText.h"
-#include "Formats/MFEM/TextScanner.h"
+#include "Formats/MFEM/Text/TextScanner.h"
 
 #include <gtest/gtest.h>
 

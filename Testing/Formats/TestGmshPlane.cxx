@@ -188,7 +188,7 @@ TEST(GmshPieces, AreTheMeshInOneFile)
   {
     std::vector<std::string> texts;
     std::ranges::transform(files, std::back_inserter(texts), ReadFileText);
-    std::vector<gmsh::NamedText> named;
+    std::vector<NamedText> named;
     for (std::size_t i = 0; i < files.size(); ++i)
     {
       named.push_back({ files[i], texts[i] });

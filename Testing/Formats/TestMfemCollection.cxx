@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MfemElements.h"
 
-#include "Formats/MFEM/VectorUnknowns.h"
+#include "Formats/MFEM/Elements/VectorUnknowns.h"
 
 #include <gtest/gtest.h>
 

@@ -3,9 +3,9 @@
 #include "SolverModelViews.h"
 
 #include "Core/Base/Error.h"
-#include "Formats/MFEM/PieceNames.h"
 #include "Formats/MFEM/Reader.h"
 #include "Formats/MFEM/RootFile.h"
+#include "Formats/MFEM/Text/PieceNames.h"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 // Plane meshes of MFEM, by closed forms: fields that are polynomials in x and y.
 #include "MfemTexts.h"
 
-#include "Formats/MFEM/Collection.h"
-#include "Formats/MFEM/HilbertCurve.h"
+#include "Formats/MFEM/Elements/Collection.h"
+#include "Formats/MFEM/Meshes/HilbertCurve.h"
 #include "Formats/MFEM/Reader.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,6 @@ namespace
 {
 using mfem::Collection;
 using mfem::Geometry;
-using mfem::NamedText;
 using namespace mfemtexts;
 
 /// A rectangle [0, 2] x [0, 1] of a quadrilateral and two triangles, right of x = 1.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MfemTexts.h"
 
-#include "Formats/MFEM/HilbertCurve.h"
+#include "Formats/MFEM/Meshes/HilbertCurve.h"
 #include "Formats/MFEM/Reader.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,6 @@ namespace pixelexact::testing
 {
 namespace
 {
-using mfem::NamedText;
 using namespace mfemtexts;
 
 /// A unit cube's vertices in MFEM's order, as text.

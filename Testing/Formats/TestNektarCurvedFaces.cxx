@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "NektarTexts.h"
 
-#include "Formats/Nektar/CurvePoints.h"
+#include "Formats/Nektar/Geometry/CurvePoints.h"
 
 #include <cmath>
 #include <iomanip>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "NektarTexts.h"
 
-#include "Formats/Nektar/Expression.h"
+#include "Formats/Nektar/Files/Expression.h"
 
 #include <cmath>
 #include <numbers>

@@ -3,8 +3,8 @@
 #include "Core/Base/Error.h"
 #include "Formats/FileText.h"
 #include "Formats/Hdf5/Hdf5File.h"
-#include "Formats/Nektar/FieldSeries.h"
-#include "Formats/Nektar/Hdf5Meshes.h"
+#include "Formats/Nektar/Files/FieldSeries.h"
+#include "Formats/Nektar/Files/Hdf5Meshes.h"
 #include "Formats/Nektar/Reader.h"
 
 #include <gtest/gtest.h>
@@ -37,12 +37,12 @@ protected:
   /// As vtkNektarReader reads files.
   SolverModel Load(const std::string& session, const std::string& field = {})
   {
-    std::vector<nektar::NamedText> sessions{ Text(session) };
+    std::vector<NamedText> sessions{ Text(session) };
     for (const auto& mesh : nektar::MissingMeshes(sessions))
     {
       sessions.push_back(Text(mesh));
     }
-    std::vector<nektar::NamedText> fields;
+    std::vector<NamedText> fields;
     if (!field.empty())
     {
       fields.push_back(Text(field));
@@ -50,7 +50,7 @@ protected:
     return nektar::Read(sessions, fields);
   }
 
-  std::string Message(const std::vector<nektar::NamedText>& sessions)
+  std::string Message(const std::vector<NamedText>& sessions)
   {
     try
     {
@@ -63,7 +63,7 @@ protected:
     return {};
   }
 
-  nektar::NamedText Text(const std::string& path)
+  NamedText Text(const std::string& path)
   {
     Texts.push_back(ReadFileText(path));
     return { path, Texts.back() };

@@ -2,7 +2,7 @@
 // Fourier's functions along z over two-dimensional meshes.
 #include "NektarTexts.h"
 
-#include "Formats/Nektar/FourierLayers.h"
+#include "Formats/Nektar/Homogeneous/FourierLayers.h"
 
 #include <cmath>
 #include <numbers>

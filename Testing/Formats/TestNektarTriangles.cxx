@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Basis/BasisFactor.h"
-#include "Formats/Nektar/CurvePoints.h"
+#include "Formats/Nektar/Geometry/CurvePoints.h"
 
 #include <gtest/gtest.h>
 

@@ -12,7 +12,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   constexpr std::string_view kSeparator = "\n---- view file ----\n";
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   const auto at = text.find(kSeparator);
-  std::vector<pixelexact::gmsh::NamedText> files{ { "input.msh", text.substr(0, at) } };
+  std::vector<pixelexact::NamedText> files{ { "input.msh", text.substr(0, at) } };
   if (at != std::string_view::npos)
   {
     files.push_back({ "view.msh", text.substr(at + kSeparator.size()) });

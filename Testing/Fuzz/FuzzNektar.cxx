@@ -12,14 +12,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   constexpr std::string_view kNext = "\n---- session file ----\n";
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   const auto at = text.find(kSeparator);
-  std::vector<pixelexact::nektar::NamedText> sessions;
+  std::vector<pixelexact::NamedText> sessions;
   for (std::string_view rest = text.substr(0, at); sessions.empty() || !rest.empty();)
   {
     const auto end = rest.find(kNext);
     sessions.push_back({ "input.xml", rest.substr(0, end) });
     rest.remove_prefix(end == rest.npos ? rest.size() : end + kNext.size());
   }
-  std::vector<pixelexact::nektar::NamedText> fields;
+  std::vector<pixelexact::NamedText> fields;
   if (at != std::string_view::npos)
   {
     fields.push_back({ "input.fld", text.substr(at + kSeparator.size()) });

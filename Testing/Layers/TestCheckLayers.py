@@ -25,6 +25,10 @@ GOOD = {
     "Module/vtkGrid.h": '#include "Core/Base/Verdict.h"\n#include <vtkUnstructuredGrid.h>\n',
     "Filters/vtkProbe.h": '#include "vtkGrid.h"\n',
     "Filters/Cuts/Clip.h": '#include "vtkProbe.h"\n',
+    "Filters/Formats/MFEM/Text/Scanner.h": '#include "Formats/FileText.h"\n',
+    "Filters/Formats/MFEM/Meshes/Mesh.h": '#include "Formats/MFEM/Text/Scanner.h"\n',
+    "Filters/Formats/MFEM/Reader.h": '#include "Formats/MFEM/Meshes/Mesh.h"\n',
+    "Filters/Formats/FileText.h": "#include <string>\n",
     "Rendering/Trace/Camera.h": '#include "Core/Math/Vec.h"\n',
     "Rendering/vtkMapper.h": '#include "Trace/Camera.h"\n#include "vtkGrid.h"\n',
     "Rendering/Tools/main.cxx": '#include "vtkMapper.h"\n#include "Commands/Render.h"\n',
@@ -82,6 +86,16 @@ BAD = {
         "Rendering/vtkBad.cxx",
         '#include "Tools/main.cxx"\n',
         "Rendering may not include Rendering/Tools/main.cxx",
+    ),
+    "layer of a format upwards": (
+        "Filters/Formats/MFEM/Text/Bad.h",
+        '#include "Formats/MFEM/Meshes/Mesh.h"\n',
+        "layer Text may not include Filters/Formats/MFEM/Meshes/Mesh.h (layer Meshes is above)",
+    ),
+    "layer of a format to its reader": (
+        "Filters/Formats/MFEM/Meshes/Bad.h",
+        '#include "Formats/MFEM/Reader.h"\n',
+        "(what stands on the layers of MFEM is above)",
     ),
     "layer of Tools upwards": (
         "Rendering/Tools/Base/Bad.h",

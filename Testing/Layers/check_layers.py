@@ -11,7 +11,8 @@ import re
 import sys
 from pathlib import Path, PurePosixPath
 
-# Folders within a room: a file may include its own folder and those before it.
+# Folders within a room, or within a format of Formats: a file may include its own folder and those
+# before it.
 LAYERS = {
     "Core": [
         "Base",
@@ -32,6 +33,8 @@ LAYERS = {
     "Filters": ["Grids", "Cells", "Conversion", "Parts", "Files", "Cuts"],
     "Rendering": ["Views", "Surfaces", "Frames"],
     "Tools": ["Base", "Drawing", "Input", "Scene", "Picture", "Bench", "Trade", "Commands"],
+    "MFEM": ["Text", "Elements", "Meshes", "Nurbs"],
+    "Nektar": ["Files", "Geometry", "Homogeneous", "Fields"],
 }
 # VTK's classes stand beside the folders; those and what is in the folders may know each other.
 WITH_CLASSES = {"Filters", "Rendering"}
@@ -72,11 +75,21 @@ def room(path):
     return None
 
 
-def layer(path):
-    """The layer of a file in its room, or None if it lies in no known one."""
+def stack(path):
+    """The key in LAYERS of what a file belongs to, or None, and the folders that it lies in there."""
     parts = PurePosixPath(path).parts
-    folders = parts[2:-1] if room(path) in ("Core", "Tools") else parts[1:-1]
-    return folders[0] if folders and folders[0] in LAYERS.get(room(path), []) else None
+    where = room(path)
+    if where == "Formats":
+        return (parts[2], parts[3:-1]) if parts[2] in LAYERS else (None, ())
+    if where not in LAYERS:
+        return None, ()
+    return where, parts[2:-1] if where in ("Core", "Tools") else parts[1:-1]
+
+
+def layer(path):
+    """The layer of a file in its stack, or None if it lies in no known one."""
+    name, folders = stack(path)
+    return folders[0] if folders and folders[0] in LAYERS[name] else None
 
 
 def resolve(root, path, name):
@@ -110,15 +123,16 @@ def check_internal(path, target):
     to = room(target)
     if to not in ALLOWED[room(path)]:
         return f"{room(path)} may not include {target}" + (f" ({to})" if to else "")
-    if to != room(path) or to not in LAYERS:
+    name = stack(target)[0]
+    if name is None or name != stack(path)[0]:
         return None
     own, other = layer(path), layer(target)
-    if to == "Core" and other is None:
+    if name == "Core" and other is None:
         return f"{target} lies in no layer of Core"
-    if own is None or (other is None and to in WITH_CLASSES):
+    if own is None or (other is None and name in WITH_CLASSES):
         return None
-    if other is None or LAYERS[to].index(other) > LAYERS[to].index(own):
-        above = f"layer {other}" if other else "what starts the programs"
+    if other is None or LAYERS[name].index(other) > LAYERS[name].index(own):
+        above = f"layer {other}" if other else f"what stands on the layers of {name}"
         return f"layer {own} may not include {target} ({above} is above)"
     return None
 

@@ -42,11 +42,13 @@ class Contours(unittest.TestCase):
         mapper.SetContourWidth(3)
         mapper.ContourLabelsOn()
         mapper.ContourInteriorOn()
+        mapper.SetContourEffort(4)
         copy.ShallowCopy(mapper)
         self.assertEqual(copy.GetContourValues(), (0, 0.5, 1))
         self.assertEqual(copy.GetContourWidth(), 3)
         self.assertTrue(copy.GetContourLabels())
         self.assertTrue(copy.GetContourInterior())
+        self.assertEqual(copy.GetContourEffort(), 4)
         self.assertIn("ContourWidth: 3", str(copy))
 
     def test_a_window_shows_them_and_tells_of_them(self):

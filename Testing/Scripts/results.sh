@@ -148,7 +148,7 @@ run_ranges() {
 }
 run_curved() {
   title="Faces, patches and iso-surfaces against subdivision and marching"
-  measure env PIXELEXACT_CURVED_RAYS="${PIXELEXACT_CURVED_RAYS:-2000}" "$build/bin/TestTrace" \
+  measure env PIXELEXACT_CURVED_RAYS="${PIXELEXACT_CURVED_RAYS:-1000}" "$build/bin/TestTrace" \
     --gtest_filter='*FacesOracle*:*PatchesOracle*:*IsoOracle*'
   measured
 }

@@ -111,6 +111,20 @@ class Contours(ToolTest):
                                   "interval"), names=["--interior", "--certifier"])
         self.fails(2, *self.words(*HALF, "--interior"), names=["--interior", "--contours"])
 
+    def test_effort(self):
+        usual, _, _ = self.picture("--contours", "7")
+        more, _, _ = self.picture("--contours", "7", "--contour-effort", "8")
+        little, _, _ = self.picture("--contours", "7", "--contour-effort", "0.001")
+        undecided = [told["contours"]["pixels"]["undecided"] for told in (little, usual, more)]
+        self.assertEqual(undecided, sorted(undecided, reverse=True))
+        self.assertNotIn("spent_tiles", usual["contours"])
+        for factor in ("0", "-1", "2000", "nan"):
+            self.fails(2, *self.words(*HALF, "--contours", "3", "--contour-effort", factor),
+                       names=["--contour-effort"])
+        self.fails(2, *self.words(*HALF, "--contours", "3", "--contour-effort", "2", "--certifier",
+                                  "interval"), names=["--contour-effort", "--certifier"])
+        self.fails(2, *self.words(*HALF, "--contour-effort", "2"), names=["--contour-effort"])
+
     def test_values_that_are_not_seen(self):
         summary, buffers, image = self.picture("--contours", "-1,0.5,2")
         self.assertEqual(summary["contours"]["outside"], 2)

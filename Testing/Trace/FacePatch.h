@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <tuple>
 #include <vector>
 
 // A face of an element as a polynomial of two parameters, made in 113 bits from the element's
@@ -40,13 +41,17 @@ public:
       const double node = Order == 0 ? 0.0 : -std::cos(3.14159265358979 * i / Order);
       Nodes.push_back(std::round(node * 0x1p20) * 0x1p-20);
     }
-    Weights.assign(n, Quad(1));
+    Grid<Quad>& grid = std::get<Grid<Quad>>(Grids);
+    Grid<long double>& rounded = std::get<Grid<long double>>(Grids);
+    grid.weights.assign(n, Quad(1));
     for (std::size_t i = 0; i < n; ++i)
     {
       for (std::size_t j = 0; j < n; ++j)
       {
-        Weights[i] = i == j ? Weights[i] : Weights[i] / (Quad(Nodes[i]) - Quad(Nodes[j]));
+        Quad& weight = grid.weights[i];
+        weight = i == j ? weight : weight / (Quad(Nodes[i]) - Quad(Nodes[j]));
       }
+      rounded.weights.push_back(static_cast<long double>(grid.weights[i].v));
     }
     for (std::size_t i = 0; i < n; ++i)
     {
@@ -58,7 +63,9 @@ public:
         {
           x[d] = Quad(mesh.centre[3 * e + d]) + Quad(mesh.size[e]) * phi[d].value;
         }
-        Points.push_back(x);
+        grid.points.push_back(x);
+        rounded.points.push_back({ static_cast<long double>(x[0].v),
+          static_cast<long double>(x[1].v), static_cast<long double>(x[2].v) });
       }
     }
     for (int i = 0; i < Cells; ++i)
@@ -86,7 +93,7 @@ public:
   [[nodiscard]] Vec3 PointAt(double u, double v) const { return ToVec(At(Quad(u), Quad(v)).x); }
   [[nodiscard]] Vec3 NormalAt(double u, double v) const
   {
-    const Jet jet = At(Quad(u), Quad(v));
+    const Jet<Quad> jet = At(Quad(u), Quad(v));
     return glm::normalize(glm::cross(ToVec(jet.byU), ToVec(jet.byV)));
   }
   /// How far a xi on the face is from its edges, in the parameters.
@@ -149,11 +156,19 @@ public:
   }
 
 private:
+  /// The nodes' barycentric weights and points.
+  template <class T>
+  struct Grid
+  {
+    std::vector<T> weights;
+    std::vector<std::array<T, 3>> points;
+  };
+  template <class T>
   struct Jet
   {
-    QuadVec3 x;
-    QuadVec3 byU;
-    QuadVec3 byV;
+    std::array<T, 3> x{};
+    std::array<T, 3> byU{};
+    std::array<T, 3> byV{};
   };
   struct Ball
   {
@@ -198,20 +213,21 @@ private:
   }
 
   /// Lagrange's polynomials of the nodes and their derivatives.
-  void Basis(const Quad& u, std::vector<Quad>& value, std::vector<Quad>& slope) const
+  template <class T>
+  void Basis(const T& u, std::vector<T>& value, std::vector<T>& slope) const
   {
     const std::size_t n = Nodes.size();
-    value.assign(n, Quad(0));
-    slope.assign(n, Quad(0));
+    value.assign(n, T(0));
+    slope.assign(n, T(0));
     for (std::size_t i = 0; i < n; ++i)
     {
-      Quad product = Weights[i];
-      Quad derivative(0);
+      T product = std::get<Grid<T>>(Grids).weights[i];
+      T derivative(0);
       for (std::size_t j = 0; j < n; ++j)
       {
         if (j != i)
         {
-          const Quad factor = u - Quad(Nodes[j]);
+          const T factor = u - T(Nodes[j]);
           derivative = derivative * factor + product;
           product = product * factor;
         }
@@ -220,22 +236,23 @@ private:
       slope[i] = derivative;
     }
   }
-  [[nodiscard]] Jet At(const Quad& u, const Quad& v) const
+  template <class T>
+  [[nodiscard]] Jet<T> At(const T& u, const T& v) const
   {
-    std::vector<Quad> a;
-    std::vector<Quad> da;
-    std::vector<Quad> b;
-    std::vector<Quad> db;
+    std::vector<T> a;
+    std::vector<T> da;
+    std::vector<T> b;
+    std::vector<T> db;
     Basis(u, a, da);
     Basis(v, b, db);
-    Jet jet;
+    Jet<T> jet;
     for (std::size_t i = 0; i < a.size(); ++i)
     {
-      QuadVec3 x;
-      QuadVec3 by;
+      std::array<T, 3> x{};
+      std::array<T, 3> by{};
       for (std::size_t j = 0; j < b.size(); ++j)
       {
-        const QuadVec3& point = Points[i * b.size() + j];
+        const std::array<T, 3>& point = std::get<Grid<T>>(Grids).points[i * b.size() + j];
         for (std::size_t d = 0; d < 3; ++d)
         {
           x[d] = x[d] + b[j] * point[d];
@@ -251,9 +268,9 @@ private:
     }
     return jet;
   }
-
-  /// Newton's iteration for the two coordinates across the ray.
-  void Search(const Ray& ray, double startU, double startV, std::vector<PatchPoint>& found) const
+  /// Newton's iteration for the two coordinates across the ray, until a step is this small.
+  template <class T>
+  [[nodiscard]] bool Arrives(const Ray& ray, T& u, T& v, double small) const
   {
     int k = 0;
     for (int d = 1; d < 3; ++d)
@@ -261,49 +278,69 @@ private:
       k = std::fabs(ray.direction[d]) > std::fabs(ray.direction[k]) ? d : k;
     }
     const auto along = static_cast<std::size_t>(k);
-    Quad u(startU);
-    Quad v(startV);
+    const auto isBelow = [](const T& x, double limit) { return x < T(limit) && T(-limit) < x; };
     for (int step = 0; step < 25; ++step)
     {
-      const Jet jet = At(u, v);
-      Quad g[2];
-      Quad m[2][2];
+      const Jet<T> jet = At(u, v);
+      T g[2];
+      T m[2][2];
       for (std::size_t a = 0; a < 2; ++a)
       {
         const std::size_t c = (along + 1 + a) % 3;
-        const Quad s = Quad(ray.direction[static_cast<int>(c)]) / Quad(ray.direction[k]);
-        g[a] = jet.x[c] - Quad(ray.origin[static_cast<int>(c)]) -
-          s * (jet.x[along] - Quad(ray.origin[k]));
+        const T s = T(ray.direction[static_cast<int>(c)]) / T(ray.direction[k]);
+        g[a] =
+          jet.x[c] - T(ray.origin[static_cast<int>(c)]) - s * (jet.x[along] - T(ray.origin[k]));
         m[a][0] = jet.byU[c] - s * jet.byU[along];
         m[a][1] = jet.byV[c] - s * jet.byV[along];
       }
-      const Quad determinant = m[0][0] * m[1][1] - m[0][1] * m[1][0];
-      const Quad du = (g[0] * m[1][1] - g[1] * m[0][1]) / determinant;
-      const Quad dv = (g[1] * m[0][0] - g[0] * m[1][0]) / determinant;
+      const T determinant = m[0][0] * m[1][1] - m[0][1] * m[1][0];
+      const T du = (g[0] * m[1][1] - g[1] * m[0][1]) / determinant;
+      const T dv = (g[1] * m[0][0] - g[0] * m[1][0]) / determinant;
       u = u - du;
       v = v - dv;
-      if (!(Abs(u) < Quad(1.5)) || !(Abs(v) < Quad(1.5)))
+      if (!isBelow(u, 1.5) || !isBelow(v, 1.5))
       {
-        return;
+        return false;
       }
-      if (Abs(du) < Quad(1e-24) && Abs(dv) < Quad(1e-24))
+      if (isBelow(du, small) && isBelow(dv, small))
       {
-        Add(ray, static_cast<double>(u), static_cast<double>(v), found);
-        return;
+        return true;
       }
     }
+    return false;
+  }
+
+  /// In long double as far as that leads, and on from there in 113 bits.
+  void Search(const Ray& ray, double startU, double startV, std::vector<PatchPoint>& found) const
+  {
+    long double nearU = startU;
+    long double nearV = startV;
+    if (!Arrives(ray, nearU, nearV, 1e-12) ||
+      IsFound(static_cast<double>(nearU), static_cast<double>(nearV), found))
+    {
+      return;
+    }
+    Quad u(static_cast<double>(nearU));
+    Quad v(static_cast<double>(nearV));
+    if (Arrives(ray, u, v, 1e-24))
+    {
+      Add(ray, static_cast<double>(u), static_cast<double>(v), found);
+    }
+  }
+  static bool IsFound(double u, double v, const std::vector<PatchPoint>& found)
+  {
+    return std::ranges::any_of(found,
+      [&](const PatchPoint& one)
+      { return std::fabs(one.u - u) < 1e-13 && std::fabs(one.v - v) < 1e-13; });
   }
   void Add(const Ray& ray, double u, double v, std::vector<PatchPoint>& found) const
   {
     const double margin = 1.0 - std::max(std::fabs(u), std::fabs(v));
-    const bool isThere = std::ranges::any_of(found,
-      [&](const PatchPoint& one)
-      { return std::fabs(one.u - u) < 1e-13 && std::fabs(one.v - v) < 1e-13; });
-    if (margin < -1e-9 || isThere)
+    if (margin < -1e-9 || IsFound(u, v, found))
     {
       return;
     }
-    const Jet jet = At(Quad(u), Quad(v));
+    const Jet<Quad> jet = At(Quad(u), Quad(v));
     const Vec3 normal = glm::cross(ToVec(jet.byU), ToVec(jet.byV));
     PatchPoint one;
     one.position = ToVec(jet.x);
@@ -319,8 +356,7 @@ private:
   int Cells;
   int Order = 1;
   std::vector<double> Nodes;
-  std::vector<Quad> Weights;
-  std::vector<QuadVec3> Points;
+  std::tuple<Grid<Quad>, Grid<long double>> Grids;
   std::vector<Ball> Balls;
 };
 } // namespace pixelexact::testing

@@ -81,7 +81,8 @@ TEST(PieceCurvature, HoldsSlopesOfAllShapes)
           for (std::size_t d = 0; d < 3; ++d)
           {
             const double is = static_cast<double>(slope[d]) * (c < 3 ? 1.0 : scale);
-            const double off = std::fabs(is - piece.slope[c][d] - told[static_cast<int>(d)]);
+            const double off =
+              std::fabs(is - piece.slope[c][d] - piece.shift[c][d] - told[static_cast<int>(d)]);
             ASSERT_LE(off, piece.rest[c][d]) << Name(shape) << ", function " << c;
             farthest = std::max(farthest, off / piece.rest[c][d]);
             nearest = std::max(nearest, c < 3 ? 0.0 : piece.rest[c][d] / piece.radius[c][d]);

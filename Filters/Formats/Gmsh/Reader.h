@@ -1,25 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Formats/NamedText.h"
 #include "Formats/SolverModel.h"
-
-#include <string_view>
-
-namespace pixelexact
-{
-class FileText;
-}
 
 namespace pixelexact::gmsh
 {
-/// A file's content with the name that messages give it.
-struct NamedText
-{
-  std::string name;               ///< the file's path
-  std::string_view text;          ///< kept alive by the caller
-  const FileText* file = nullptr; ///< whose text it is, to be forgotten as it is read; may be null
-};
-
 /// The times of the steps of all views, ascending; empty where there is one step without a time.
 /// Throws InvalidData or Unsupported: "<file>, line <n>: what; remedy".
 std::vector<double> ReadTimes(const std::vector<NamedText>& files, std::size_t pieces = 1);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Formats/MFEM/Collection.h"
-#include "Formats/MFEM/Topology.h"
+#include "Formats/MFEM/Elements/Collection.h"
+#include "Formats/MFEM/Meshes/Topology.h"
 
 #include <span>
 #include <vector>

@@ -4,8 +4,8 @@
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 #include "Formats/Assembly.h"
+#include "Formats/MFEM/Elements/GeometryTable.h"
 #include "Formats/MFEM/FunctionSpace.h"
-#include "Formats/MFEM/GeometryTable.h"
 
 #include <algorithm>
 #include <deque>

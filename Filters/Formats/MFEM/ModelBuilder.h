@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Formats/MFEM/MeshFile.h"
-#include "Formats/MFEM/NurbsModel.h"
-#include "Formats/MFEM/Topology.h"
+#include "Formats/MFEM/Meshes/MeshFile.h"
+#include "Formats/MFEM/Meshes/Topology.h"
+#include "Formats/MFEM/Nurbs/NurbsModel.h"
 
 #include <cstdint>
 #include <deque>

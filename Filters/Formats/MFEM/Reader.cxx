@@ -3,10 +3,11 @@
 
 #include "Core/Base/Error.h"
 #include "Formats/FileText.h"
-#include "Formats/MFEM/MeshFormat.h"
+#include "Formats/MFEM/MeshReader.h"
 #include "Formats/MFEM/ModelBuilder.h"
-#include "Formats/MFEM/PieceNames.h"
-#include "Formats/MFEM/StreamCommands.h"
+#include "Formats/MFEM/Text/MeshFormat.h"
+#include "Formats/MFEM/Text/PieceNames.h"
+#include "Formats/MFEM/Text/StreamCommands.h"
 
 #include <algorithm>
 #include <optional>

@@ -1,26 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Formats/NamedText.h"
 #include "Formats/SolverModel.h"
 #include "Formats/SolverShare.h"
 
-#include <string_view>
-
-namespace pixelexact
-{
-class FileText;
-}
-
 namespace pixelexact::mfem
 {
-/// A file's content with the name that messages give it.
-struct NamedText
-{
-  std::string name;               ///< the file's path
-  std::string_view text;          ///< kept alive by the caller
-  const FileText* file = nullptr; ///< whose text it is, to be forgotten as it is read; may be null
-};
-
 /// An MFEM mesh (v1.0 to v1.3, NC v1.0 to v1.1) with grid functions on it. A field is named after
 /// its file, without folder and suffix. Throws InvalidData or Unsupported: "<file>, line <n>: what;
 /// remedy".

@@ -4,7 +4,7 @@
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 #include "Formats/FileText.h"
-#include "Formats/MFEM/PieceNames.h"
+#include "Formats/MFEM/Text/PieceNames.h"
 
 #include <nlohmann/json.hpp>
 

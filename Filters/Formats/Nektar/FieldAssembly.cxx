@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Base/Error.h"
 #include "Formats/Assembly.h"
-#include "Formats/Nektar/FieldBasis.h"
-#include "Formats/Nektar/FieldFile.h"
+#include "Formats/Nektar/Fields/FieldBasis.h"
+#include "Formats/Nektar/Fields/FieldFile.h"
+#include "Formats/Nektar/Reader.h"
 
 #include <algorithm>
 #include <deque>

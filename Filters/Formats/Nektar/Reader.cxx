@@ -3,12 +3,12 @@
 
 #include "Core/Base/Error.h"
 #include "Formats/Assembly.h"
-#include "Formats/Nektar/BoundaryBasis.h"
-#include "Formats/Nektar/Conditions.h"
-#include "Formats/Nektar/FaceMaps.h"
-#include "Formats/Nektar/Groups.h"
-#include "Formats/Nektar/PlaneModel.h"
-#include "Formats/Nektar/SolidTable.h"
+#include "Formats/Nektar/Fields/BoundaryBasis.h"
+#include "Formats/Nektar/Files/Conditions.h"
+#include "Formats/Nektar/Geometry/FaceMaps.h"
+#include "Formats/Nektar/Geometry/Groups.h"
+#include "Formats/Nektar/Geometry/PlaneModel.h"
+#include "Formats/Nektar/Geometry/SolidTable.h"
 
 #include <algorithm>
 #include <deque>

@@ -1,26 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Formats/NamedText.h"
 #include "Formats/SolverModel.h"
-
-#include <string_view>
-
-namespace pixelexact
-{
-class FileText;
-}
 
 namespace pixelexact::nektar
 {
-/// A file's content with the name that messages give it.
-struct NamedText
-{
-  std::string name;
-  std::string_view text; ///< kept alive by the caller
-  /// Whose text it is, to be parsed where it lies and forgotten then; may be null.
-  const FileText* file = nullptr;
-};
-
 /// A Nektar++ mesh from the session files' GEOMETRY, with the fields of the parts of one field
 /// file. Several files with a GEOMETRY are the parts of one mesh; the others may hold the rest of
 /// the session. Throws InvalidData or Unsupported: "<file>, <tag> <id>: what; remedy".

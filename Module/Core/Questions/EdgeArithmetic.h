@@ -35,23 +35,17 @@ inline double SumOf(const Vec3& a)
 /// sum of m_ij s_i s_j.
 inline double Quadratic(const double (&m)[6], const double (&s)[3])
 {
-  double sum = 0.0;
-  for (std::size_t k = 0; k < 6; ++k)
-  {
-    sum += m[k] * s[kRows[k]] * s[kColumns[k]];
-  }
-  return sum;
+  return s[0] * (m[0] * s[0] + m[1] * s[1] + m[2] * s[2]) + s[1] * (m[3] * s[1] + m[4] * s[2]) +
+    s[2] * m[5] * s[2];
 }
 
 /// sum of m_ij s_i t_j.
 inline double Bilinear(const double (&m)[6], const double (&s)[3], const double (&t)[3])
 {
-  double sum = 0.0;
-  for (std::size_t k = 0; k < 6; ++k)
-  {
-    sum += 0.5 * m[k] * (s[kRows[k]] * t[kColumns[k]] + s[kColumns[k]] * t[kRows[k]]);
-  }
-  return sum;
+  return m[0] * s[0] * t[0] + m[3] * s[1] * t[1] + m[5] * s[2] * t[2] +
+    0.5 *
+    (m[1] * (s[0] * t[1] + s[1] * t[0]) + m[2] * (s[0] * t[2] + s[2] * t[0]) +
+      m[4] * (s[1] * t[2] + s[2] * t[1]));
 }
 
 /// Bounds (I - A)^-1 of A >= 0, and so |(I + E)^-1| of all E with |E| <= A. False where the row

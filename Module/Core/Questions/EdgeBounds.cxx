@@ -76,16 +76,16 @@ std::array<double, 3> EdgeBounds::ShiftOf(
 }
 
 std::optional<EdgeRange> EdgeBounds::Along(
-  const LocatedPoint& a, const LocatedPoint& b, double sagitta) const
+  const LocatedPoint& a, const LocatedPoint& b, double sagitta, EdgeWork* work) const
 {
   if (!Functions.IsKnown())
   {
     return std::nullopt;
   }
-  const EdgeNode* node = &Tree.LeafAt(a.eta);
+  const EdgeNode* node = &Tree.LeafAt(a.eta, work);
   if (!node->regular || !node->wide.Holds(b.eta))
   {
-    node = &Tree.LeafAt(b.eta);
+    node = &Tree.LeafAt(b.eta, work);
     if (!node->regular || !node->wide.Holds(a.eta))
     {
       return std::nullopt;
@@ -163,7 +163,7 @@ std::optional<Interval> EdgeBounds::ValuesIn(const EdgeNode& node, const WideOut
     divide = (meeting.bends && node.halvings < effort.whereMapBends) ||
       (meeting.curves && node.halvings < effort.whereFieldCurves);
   }
-  if (!divide || !meets(values) || !Tree.CanSplit(node))
+  if (!divide || !meets(values) || !Tree.CanSplit(node, effort.work))
   {
     return values;
   }
@@ -205,20 +205,20 @@ bool EdgeBounds::MayTake(
       divide = (meeting.bends && node.halvings < effort.whereMapBends) ||
         (meeting.curves && node.halvings < effort.whereFieldCurves);
     }
-    return !divide || !Tree.CanSplit(node) ||
+    return !divide || !Tree.CanSplit(node, effort.work) ||
       std::ranges::any_of(Tree.Split(node), [&](const EdgeNode& half) { return self(self, half); });
   };
   return !Frame.Misses(Functions, region) && mayTake(mayTake, Tree.Whole());
 }
 
-double EdgeBounds::ChangeWithin(const LocatedPoint& point, double distance) const
+double EdgeBounds::ChangeWithin(const LocatedPoint& point, double distance, EdgeWork* work) const
 {
   constexpr double kUnknown = std::numeric_limits<double>::infinity();
   if (!Functions.IsKnown())
   {
     return kUnknown;
   }
-  const EdgeNode& node = Tree.LeafAt(point.eta);
+  const EdgeNode& node = Tree.LeafAt(point.eta, work);
   if (!node.regular)
   {
     return kUnknown;

@@ -29,6 +29,7 @@ struct EdgeEffort
   static constexpr int kAny = std::numeric_limits<int>::max();
   int whereMapBends = 0;
   int whereFieldCurves = 0;
+  EdgeWork* work = nullptr; ///< for all halvings; null: without a limit
 };
 
 /// What is known of a component along an edge that lies in one element.
@@ -38,9 +39,30 @@ struct EdgeRange
   double error = 0.0;     ///< of these values: F at the true points is no farther off
 };
 
+/// A component on a part of a plane that lies in one element.
+struct PlanarValues
+{
+  Interval values; ///< hold all of them
+  /// By an affine function of the points x of the part: At(x) is off by at most this. Infinite
+  /// where it has not been asked for.
+  double error = std::numeric_limits<double>::infinity();
+  Vec3 origin{ 0.0 };
+  double first = 0.0; ///< at the origin
+  Vec3 slope{ 0.0 };
+
+  [[nodiscard]] double At(const Vec3& x) const
+  {
+    const Vec3 way = x - origin;
+    return first + (slope.x * way.x + slope.y * way.y + slope.z * way.z);
+  }
+};
+
 /// Bounds of a component of a field along short edges in one element, from what is kept of its map
 /// and its second derivatives. Safe to use from several threads; what is known is made where
 /// somebody first asks, and depends on neither view nor value.
+///
+/// `work`: what halving nodes may cost, of several questions; null: without a limit. What is not
+/// found out for want of it is not proven.
 ///
 /// Everything holds for the stored map and field. See Documentation/contours.md for the proofs.
 class EdgeBounds
@@ -61,19 +83,21 @@ public:
   [[nodiscard]] const Interval& Values() const { return Functions.Values(); }
   /// False where a coefficient is not finite.
   [[nodiscard]] bool HasValues() const { return Functions.HasValues(); }
+  /// About what finding a point's xi and value costs, for EdgeWork.
+  [[nodiscard]] std::int64_t SampleCost() const { return Functions.SampleCost(); }
 
   /// The field along the straight edge between two points: it lies in the element, as far as
   /// rounding goes, and at a + s (b - a) the value is within `deviation` of the one between the
   /// two. Nothing where that is not proven. `sagitta`: how far off the straight edge the true one
   /// is, in world units.
-  [[nodiscard]] std::optional<EdgeRange> Along(
-    const LocatedPoint& a, const LocatedPoint& b, double sagitta = 0.0) const;
+  [[nodiscard]] std::optional<EdgeRange> Along(const LocatedPoint& a, const LocatedPoint& b,
+    double sagitta = 0.0, EdgeWork* work = nullptr) const;
 
-  /// Holds the values on a part of the plane through three points of the element, best next to
-  /// them. Nothing where it is not proven that the part lies in the element. More is found out only
-  /// as long as they meet those that are wanted.
-  [[nodiscard]] std::optional<Interval> Over(const std::array<LocatedPoint, 3>& triangle,
-    const WideOutline& part, const ValueSet& wanted) const;
+  /// The values on a part of the plane through three points of the element, best next to them.
+  /// Nothing where it is not proven that the part lies in the element. More is found out only as
+  /// long as they meet those that are wanted, and the affine function where they do to the end.
+  [[nodiscard]] std::optional<PlanarValues> Over(const std::array<LocatedPoint, 3>& triangle,
+    const WideOutline& part, const ValueSet& wanted, EdgeWork* work = nullptr) const;
 
   /// Holds the values at the points of the element in a region; nothing: there are none. More is
   /// found out only as long as they meet those that are wanted: what is told then may lack others.
@@ -84,7 +108,8 @@ public:
     const ValueSet& wanted, const WideOutline& region, const EdgeEffort& effort) const;
   /// A bound of how far the values within a distance of a point, in the element and next to the
   /// point in xi as well, are from its own; infinite where none is known.
-  [[nodiscard]] double ChangeWithin(const LocatedPoint& point, double distance) const;
+  [[nodiscard]] double ChangeWithin(
+    const LocatedPoint& point, double distance, EdgeWork* work = nullptr) const;
 
   /// How far the sheet is off the straight line between two of its points at most, along all rays
   /// between those that meet it there: all of them meet it in the element, as far as rounding goes.

@@ -27,6 +27,11 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// few coefficients. Nodes of many cost more, and there are fewer of them.
 constexpr int kMostHalvings[2] = { 20, 22 };
 constexpr double kFewCoefficients = 216.0;
+/// Of two halves, and of each coefficient and degree in them, in nanoseconds.
+constexpr std::int64_t kCostOfNodes = 40000;
+constexpr std::int64_t kCostOfCoefficients = 35;
+/// Of a point whose xi is not found at once, as near the places that are halved most.
+constexpr std::int64_t kCostOfSample = 20000;
 constexpr Part kBy[3] = { Part::ByXi1, Part::ByXi2, Part::ByXi3 };
 } // namespace
 
@@ -179,6 +184,11 @@ void EdgeFunctions::ChooseLevel()
   {
     Halvings[k] = kMostHalvings[k] - besides[k];
   }
+  const PieceForm form = PieceForm::Of(Map.space, Level);
+  Cost = kCostOfNodes +
+    kCostOfCoefficients * static_cast<std::int64_t>(form.Size()) *
+      (1 + *std::ranges::max_element(form.Degree()));
+  CostOfSample = kCostOfSample + 3 * static_cast<std::int64_t>(form.Size());
 }
 
 Vec3 EdgeFunctions::RoundingInUnits(const Vec3& x) const

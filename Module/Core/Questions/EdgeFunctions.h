@@ -56,6 +56,10 @@ public:
   /// How often boxes are worth halving: those on which the map is not regular, and those where it
   /// is.
   [[nodiscard]] int Deepest(bool regular) const { return Halvings[regular ? 1 : 0]; }
+  /// About what it costs to halve one, in nanoseconds of one core.
+  [[nodiscard]] std::int64_t HalvingCost() const { return Cost; }
+  /// The same of finding a point's xi, and the value there.
+  [[nodiscard]] std::int64_t SampleCost() const { return CostOfSample; }
   [[nodiscard]] Vec3 InUnits(const Vec3& x) const { return (x - Centre) / Unit; }
   [[nodiscard]] Vec3 InWorld(const Vec3& y) const { return Centre + Unit * y; }
   /// By coordinate, in the element's units: of InUnits at x.
@@ -163,6 +167,8 @@ private:
   bool Known;
   int Level = 0;
   int Halvings[2] = {};
+  std::int64_t Cost = 0;
+  std::int64_t CostOfSample = 0;
   Vec3 Centre;
   double Unit;
   std::array<double, 3> Unsure;

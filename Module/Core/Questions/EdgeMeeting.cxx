@@ -4,6 +4,7 @@
 #include "Core/Math/Rounding.h"
 #include "Core/Questions/EdgeArithmetic.h"
 #include "Core/Questions/LocalCurves.h"
+#include "Core/Questions/NodeModel.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -64,81 +65,45 @@ Vec3 ToXi(const EdgeFunctions& functions, const EdgeNode& node, const Vec3& x)
   return xi;
 }
 
-/// What of it is in the node, or no farther beside it than `off`.
-Outline KeepDeep(const EdgeNode& node, const double (&off)[3], Outline outline)
+/// Of a region's corners, by the affine map of a node, and by how much these may be off.
+struct AffineImages
 {
-  for (const EdgeNodeEnd& end : node.boxEnds)
+  AffineImages(const EdgeFunctions& functions, const EdgeNode& node, const WideOutline& region)
+    : count(region.outline.Corners().size())
   {
-    if (outline.IsEmpty())
+    const auto corners = region.outline.Corners();
+    double largest = LargestOf(node.origin);
+    for (std::size_t i = 0; i < count; ++i)
     {
-      break;
+      largest = std::max(largest, LargestOf(functions.InUnits(corners[i])));
+      images[i] = ToXi(functions, node, corners[i]);
     }
-    const double wider = end.Across(off);
-    outline.Keep([&](const Vec3& xi) { return end.DepthOf(xi) + wider; });
-  }
-  return outline;
-}
-} // namespace
-
-EdgeFrame::EdgeFrame(Shape shape, const ElementBounds& bounds)
-  : Known(bounds.framed)
-  , Start(Centre(shape))
-  , Origin(bounds.origin[0], bounds.origin[1], bounds.origin[2])
-  , Inverse(0.0)
-  , Ends(EndsOf(shape, {}))
-{
-  for (int i = 0; i < 3; ++i)
-  {
-    for (int j = 0; j < 3; ++j)
-    {
-      Inverse[j][i] = bounds.inverse[3 * i + j];
-    }
-  }
-  for (EdgeNodeEnd& end : Ends)
-  {
-    // Preimages are what the affine map says less the deviation.
+    const double inY =
+      region.slack / functions.Size() + functions.ImageError() + 2.0 * kSum * largest;
     for (std::size_t k = 0; k < 3; ++k)
     {
-      end.offset += std::max(end.normal[k] * bounds.lower[k], end.normal[k] * bounds.upper[k]);
+      besides[k] = node.shift[k] + node.lean[k] * inY;
     }
   }
-}
+  [[nodiscard]] std::span<const Vec3> Places() const { return { images.data(), count }; }
 
-bool EdgeFrame::Misses(const EdgeFunctions& functions, const WideOutline& region) const
+  std::size_t count;
+  std::array<Vec3, Outline::kMostCorners> images;
+  double besides[3];
+};
+
+/// A xi near which to expand; nothing: proven that the region misses the node.
+std::optional<Vec3> FindStart(
+  const EdgeFunctions& functions, const EdgeNode& node, const WideOutline& region)
 {
-  if (!Known)
+  if (!node.model)
   {
-    return false;
+    return ToXi(functions, node, region.outline.Middle());
   }
-  const auto corners = region.outline.Corners();
-  std::array<Vec3, Outline::kMostCorners> places;
-  Vec3 unsure(0.0);
-  for (std::size_t i = 0; i < corners.size(); ++i)
-  {
-    const Vec3 y = functions.InUnits(corners[i]);
-    places[i] = Start + Inverse * (y - Origin);
-    unsure = glm::max(unsure,
-      functions.RoundingInUnits(corners[i]) + kRoundoffs * (glm::abs(y) + glm::abs(Origin)));
-  }
-  unsure += Vec3(region.slack / functions.Size());
-  double off[3];
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    const int d = static_cast<int>(k);
-    off[k] = kBeside;
-    for (int j = 0; j < 3; ++j)
-    {
-      off[k] += std::fabs(Inverse[j][d]) * unsure[j];
-    }
-  }
-  return std::ranges::any_of(Ends,
-    [&](const EdgeNodeEnd& end)
-    {
-      const double wider = end.Across(off) * kUp;
-      return std::ranges::all_of(std::span(places).first(corners.size()),
-        [&](const Vec3& xi) { return end.DepthOf(xi) + wider < 0.0; });
-    });
+  const AffineImages images(functions, node, region);
+  return FindByModel(node, images.Places(), images.besides);
 }
+} // namespace
 
 bool Misses(const EdgeFunctions& functions, const EdgeNode& node, const WideOutline& region)
 {
@@ -164,23 +129,15 @@ bool Misses(const EdgeFunctions& functions, const EdgeNode& node, const WideOutl
   }
   // Every preimage in `wide` of a point of the region is within `off` of what is between these:
   // T(xi) = M (Phi(xi) - origin) - (xi - centre) changes by `turn` at most.
-  double largest = LargestOf(node.origin);
-  for (const Vec3& corner : corners)
-  {
-    largest = std::max(largest, LargestOf(functions.InUnits(corner)));
-  }
-  const double inY = slack / functions.Size() + functions.ImageError() + 2.0 * kSum * largest;
+  const AffineImages images(functions, node, region);
   double off[3];
   for (std::size_t k = 0; k < 3; ++k)
   {
     const double turned = node.turn[k][0] * node.reach[0] + node.turn[k][1] * node.reach[1] +
       node.turn[k][2] * node.reach[2];
-    off[k] = (turned + node.shift[k] + node.lean[k] * inY) * kUp + 1e-13;
+    off[k] = (turned + images.besides[k]) * kUp + 1e-13;
   }
-  std::array<Vec3, Outline::kMostCorners> images;
-  std::ranges::transform(
-    corners, images.begin(), [&](const Vec3& x) { return ToXi(functions, node, x); });
-  return KeepDeep(node, off, Outline(std::span(images).first(corners.size()))).IsEmpty();
+  return KeepDeep(node, off, Outline(images.Places())).IsEmpty();
 }
 
 EdgeMeeting Meet(const EdgeFunctions& functions, const EdgeNode& node, const WideOutline& region,
@@ -202,10 +159,13 @@ EdgeMeeting Meet(const EdgeFunctions& functions, const EdgeNode& node, const Wid
     }
     return most;
   };
-  const Vec3 centre = region.outline.Middle();
-  const Vec3 middle = functions.InUnits(centre);
-  EdgeFunctions::View view =
-    functions.ViewAt(MovedInto(shape, node, ToXi(functions, node, centre)));
+  const Vec3 middle = functions.InUnits(region.outline.Middle());
+  const std::optional<Vec3> start = FindStart(functions, node, region);
+  if (!start)
+  {
+    return {};
+  }
+  EdgeFunctions::View view = functions.ViewAt(MovedInto(shape, node, *start));
   for (int step = 0; step < kSteps; ++step)
   {
     const double reach = farthest(

@@ -218,6 +218,7 @@ void EdgeNode::DescribeCurves(
   {
     DescribeSlopes(*derivatives.curves);
   }
+  DescribeModel(functions, ranges);
   const auto [ofValues, ofSlopes] = functions.ErrorsWith(derivatives);
   valueError = ofValues;
   slopeError = ofSlopes;

@@ -50,7 +50,17 @@ struct EdgeNode
   double inverse[3][3]{}; ///< M
   double turn[3][3]{};
   double solution[3][3]{};
-  double reach[3]{};   ///< |xi - centre| of the points of `wide`
+  double reach[3]{}; ///< |xi - centre| of the points of `wide`
+  /// The map about the centre, d = xi - centre: M (Phi(xi) - origin) = linear d + 1/2 (bend + b) d
+  /// d up to `error`, |b| at most `radius`, mixed ones twice.
+  struct MapModel
+  {
+    double linear[3][3];
+    double bend[3][6];
+    double radius[3][6];
+    double error[3];
+  };
+  std::unique_ptr<const MapModel> model; ///< where it tells much more than the affine map
   double bend[3][6]{}; ///< of solved M Phi'': 11, 12, 13, 22, 23, 33; mixed ones twice
   double slope[3]{};   ///< |dF / dxi|
   double curve[6]{};   ///< |F''| + slope . bend: of F along straight lines in the world
@@ -90,5 +100,7 @@ private:
   void DescribeCurves(
     const EdgeFunctions& functions, const EdgeFunctions::Derivatives& derivatives);
   void DescribeSlopes(const EdgePolynomials::Curves& curves);
+  void DescribeModel(
+    const EdgeFunctions& functions, const std::array<HessianFunction::XiRanges, 3>& ranges);
 };
 } // namespace pixelexact

@@ -3,6 +3,7 @@
 #include "Core/Questions/EdgeBounds.h"
 #include "Core/Questions/LocalCurves.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -72,6 +73,38 @@ std::optional<InTriangle> Seen(
   return part;
 }
 
+/// The affine function with the values of a triangle's corners; its error is how far off it is, on
+/// the part, from first + s rises + t rises, and by rounding.
+void FitPlane(const std::array<LocatedPoint, 3>& triangle, const InTriangle& seen,
+  const WideOutline& part, PlanarValues& found)
+{
+  const Vec3 u = triangle[1].x - triangle[0].x;
+  const Vec3 v = triangle[2].x - triangle[0].x;
+  const double rises[2] = { triangle[1].value - triangle[0].value,
+    triangle[2].value - triangle[0].value };
+  const double uu = glm::dot(u, u);
+  const double uv = glm::dot(u, v);
+  const double vv = glm::dot(v, v);
+  found.origin = triangle[0].x;
+  found.first = triangle[0].value;
+  found.slope = ((rises[0] * vv - rises[1] * uv) * u + (rises[1] * uu - rises[0] * uv) * v) /
+    (uu * vv - uv * uv);
+  // Both are affine, so that the corners tell: whatever was rounded above is in the difference.
+  double most = 0.0;
+  Vec3 farthest(part.slack);
+  const auto corners = part.outline.Corners();
+  for (std::size_t k = 0; k < corners.size(); ++k)
+  {
+    const double value = found.first + seen.s[k] * rises[0] + seen.t[k] * rises[1];
+    most = std::max(most,
+      std::fabs(found.At(corners[k]) - value) +
+        kRoundoffs * (std::fabs(seen.s[k] * rises[0]) + std::fabs(seen.t[k] * rises[1])));
+    farthest = glm::max(farthest, glm::abs(corners[k] - found.origin) + part.slack);
+  }
+  found.error = most + glm::dot(glm::abs(found.slope), Vec3(part.slack) + kRoundoffs * farthest) +
+    kRoundoffs * std::fabs(found.first);
+}
+
 /// Of the sides of a triangle, and of the way from its first corner to a part, in xi: bounds, and
 /// what these leave open.
 struct Ways
@@ -118,14 +151,14 @@ std::array<double, 3> Farthest(const Ways& ways)
 }
 } // namespace
 
-std::optional<Interval> EdgeBounds::Over(const std::array<LocatedPoint, 3>& triangle,
-  const WideOutline& part, const ValueSet& wanted) const
+std::optional<PlanarValues> EdgeBounds::Over(const std::array<LocatedPoint, 3>& triangle,
+  const WideOutline& part, const ValueSet& wanted, EdgeWork* work) const
 {
   if (!Functions.IsKnown())
   {
     return std::nullopt;
   }
-  const EdgeNode& node = Tree.LeafAt(triangle[0].eta);
+  const EdgeNode& node = Tree.LeafAt(triangle[0].eta, work);
   const auto corners = part.outline.Corners();
   const std::optional<InTriangle> seen =
     node.regular && node.wide.Holds(triangle[1].eta) && node.wide.Holds(triangle[2].eta)
@@ -260,28 +293,42 @@ std::optional<Interval> EdgeBounds::Over(const std::array<LocatedPoint, 3>& tria
     }
     most += 0.5 * (1.0 + seen->mostS + seen->mostT) * change * change / least;
   }
+  const auto by = [&](double curved)
+  {
+    return (most + curved) * kUp +
+      kRoundoffs * weight * (std::fabs(linear.lower) + std::fabs(linear.upper));
+  };
   const auto widened = [&](double curved)
   {
-    const double by = (most + curved) * kUp +
-      kRoundoffs * weight * (std::fabs(linear.lower) + std::fabs(linear.upper));
-    return Interval(rounding::Below(linear.lower - by), rounding::Above(linear.upper + by));
+    return Interval(
+      rounding::Below(linear.lower - by(curved)), rounding::Above(linear.upper + by(curved)));
   };
-  const double curved = halfOf(node.curve, way);
-  const Interval values = widened(curved);
-  if (!node.slopes || !wanted.Meets(values.lower, values.upper))
+  double curved = halfOf(node.curve, way);
+  PlanarValues found{ widened(curved) };
+  const auto isOpen = [&] { return wanted.Meets(found.values.lower, found.values.upper); };
+  if (node.slopes && isOpen())
   {
-    return values;
+    if (!local)
+    {
+      sharpen();
+    }
+    local->Reach(Farthest(ways));
+    double own = BentBetween(*seen, ways, local->curve, local->curves);
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      own += node.slope[k] * bent[k];
+    }
+    if (own < curved)
+    {
+      curved = own;
+      found.values = widened(curved);
+    }
   }
-  if (!local)
+  if (isOpen())
   {
-    sharpen();
+    FitPlane(triangle, *seen, part, found);
+    found.error = (found.error + by(curved)) * kUp;
   }
-  local->Reach(Farthest(ways));
-  double own = BentBetween(*seen, ways, local->curve, local->curves);
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    own += node.slope[k] * bent[k];
-  }
-  return own < curved ? widened(own) : values;
+  return found;
 }
 } // namespace pixelexact

@@ -94,7 +94,7 @@ double OnSheet::Sagitta(const EdgeTree& tree, const SheetPoint& a, const SheetPo
   { return glm::clamp(ReferenceToTensor(Of.GetShape(), xi), Vec3(-1.0), Vec3(1.0)); };
   const Vec3 etas[3] = { etaOf(a.xi), etaOf(b.xi), etaOf(middle) };
   // Where rays nearly touch the sheet, smaller nodes tell more.
-  const EdgeNode* node = &tree.LeafAt(etas[2]);
+  const EdgeNode* node = &tree.LeafAt(etas[2], nullptr);
   double sagitta = Sagitta(*node, *pencil, a, b, at);
   for (int k = 0; k < kSmaller && !std::isfinite(sagitta) && node->regular; ++k)
   {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Core/Questions/EdgeNode.h"
+#include "Core/Questions/EdgeWork.h"
 
 #include <array>
 #include <atomic>
@@ -22,15 +23,19 @@ public:
 
   [[nodiscard]] const EdgeNode& Whole() const;
   [[nodiscard]] const std::array<EdgeNode, 2>& Split(const EdgeNode& node) const;
-  /// Whether halves of a node are worth it.
-  [[nodiscard]] bool CanSplit(const EdgeNode& node) const
+  /// Whether halves of a node are worth it, and `work` is left for them; null: any.
+  [[nodiscard]] bool CanSplit(const EdgeNode& node, EdgeWork* work) const
   {
-    return !node.flat && node.halvings < Functions.Deepest(node.regular);
+    return !node.flat && node.halvings < Functions.Deepest(node.regular) &&
+      (!work || node.halvings < kFreeHalvings || work->Affords(node, Functions.HalvingCost()));
   }
   /// The largest regular node with this eta; the last one, where there is none.
-  [[nodiscard]] const EdgeNode& LeafAt(const Vec3& eta) const;
+  [[nodiscard]] const EdgeNode& LeafAt(const Vec3& eta, EdgeWork* work) const;
 
 private:
+  /// Of nodes that cost no work: there are no more than 2^8 of them in an element.
+  static constexpr int kFreeHalvings = 8;
+
   const EdgeFunctions& Functions;
   mutable EdgeNode Root;
   mutable std::atomic<bool> HasRoot{ false };

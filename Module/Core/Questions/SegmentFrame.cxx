@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace pixelexact
 {
@@ -99,20 +100,33 @@ Interval SegmentFrame::Clip(Shape shape, const NodeFrame& node) const
   {
     return t;
   }
+  // What is left of t where base + weights . (y - origin) lies in a range.
+  const auto meet = [&](double base, std::span<const double, 3> weights, const Interval& range)
+  {
+    Interval start(base);
+    Interval along;
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      const Interval factor(weights[c]);
+      start += factor * (Start[c] - Interval(node.origin[c]));
+      along += factor * Along[c];
+    }
+    t = Meet(t, start, along, range);
+    return !t.IsEmpty();
+  };
   // Every xi of the node with Phi(xi) = y is xi_0 - T, xi_0 affine in y, hence in t.
   const auto xi = XiOf(shape, node.box);
   for (std::size_t d = 0; d < 3; ++d)
   {
-    Interval start = Interval(node.centre[static_cast<int>(d)]);
-    Interval along;
-    for (std::size_t c = 0; c < 3; ++c)
+    const std::span<const double, 3> row(&node.inverse[3 * d], 3);
+    if (!meet(node.centre[static_cast<int>(d)], row, xi[d] + node.deviation[d]))
     {
-      const Interval factor(node.inverse[3 * d + c]);
-      start += factor * (Start[c] - Interval(node.origin[c]));
-      along += factor * Along[c];
+      return t;
     }
-    t = Meet(t, start, along, xi[d] + node.deviation[d]);
-    if (t.IsEmpty())
+  }
+  for (const ImagePlane& end : node.plane)
+  {
+    if (!meet(0.0, end.normal, { -kInfinity, end.outer }))
     {
       return t;
     }

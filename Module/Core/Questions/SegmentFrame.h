@@ -19,7 +19,8 @@ public:
   /// Whether it has a direction: `along` is not zero, proven, and all is finite.
   [[nodiscard]] bool HasDirection() const { return Directed; }
 
-  /// All t of [0,1] where the segment may lie in the node; empty where it misses it.
+  /// All t of [0,1] where the segment may lie in the node; empty where it misses it: by its hull,
+  /// its frame and the planes at its ends.
   [[nodiscard]] Interval Clip(Shape shape, const NodeFrame& node) const;
 
   /// Two polynomials that vanish exactly where three ones y, over a box, lie on the line: for k the

@@ -52,10 +52,10 @@ struct CompareOptions
 /// Options of shots and contours that pictures of values have no use for.
 void CheckOptions(const CompareOptions& options)
 {
-  constexpr std::array<std::string_view, 18> kUnused{ "--precision", "--samples", "--lights",
+  constexpr std::array<std::string_view, 19> kUnused{ "--precision", "--samples", "--lights",
     "--edges", "--edge-color", "--edges-by-kind", "--outlines", "--outline-color", "--layer",
     "--log", "--color", "--contour-width", "--contour-color", "--contour-labels", "--contours-only",
-    "--certifier", "--interior", "--subdivisions" };
+    "--certifier", "--interior", "--subdivisions", "--contour-effort" };
   for (const std::string& name : OptionsGiven(*options.shot.command))
   {
     if (std::ranges::find(kUnused, name) != kUnused.end() || name.find("undecided") != name.npos)

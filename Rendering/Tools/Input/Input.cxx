@@ -13,7 +13,7 @@
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 #include "Files/TimeSeries.h"
-#include "Formats/MFEM/PieceNames.h"
+#include "Formats/MFEM/Text/PieceNames.h"
 
 #include <vtkUnstructuredGrid.h>
 

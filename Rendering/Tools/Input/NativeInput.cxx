@@ -7,7 +7,7 @@
 
 #include "Core/Base/Error.h"
 #include "Files/TimeSeries.h"
-#include "Formats/MFEM/PieceNames.h"
+#include "Formats/MFEM/Text/PieceNames.h"
 #include "vtkGLVisReader.h"
 #include "vtkGmshReader.h"
 #include "vtkHighOrderGrid.h"

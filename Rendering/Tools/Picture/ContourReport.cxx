@@ -37,6 +37,10 @@ nlohmann::ordered_json ToJson(const FoundContours& contours)
   {
     summary["pixels"]["loops"] = pixels.loops;
   }
+  if (pixels.spent > 0)
+  {
+    summary["spent_tiles"] = pixels.spent;
+  }
   if (contours.labels)
   {
     summary["labels"] = *contours.labels;
@@ -55,6 +59,11 @@ void AddContours(Table& table, const FoundContours& contours)
     contours.interior ? fmt::format(", {} by loops inside", pixels.loops) : std::string();
   table.Row("", "{} in, {} out, {} undecided, {} at jumps{}", Counted(pixels.in, "pixel"),
     pixels.out, pixels.undecided, pixels.jumps, loops);
+  if (pixels.spent > 0)
+  {
+    table.Row("", "all that may be spent was spent in {}; --contour-effort spends more",
+      Counted(pixels.spent, "tile"));
+  }
   if (contours.labels)
   {
     table.Row("", Counted(*contours.labels, "label"));

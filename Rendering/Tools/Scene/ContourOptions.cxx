@@ -204,6 +204,11 @@ void ContourOptions::AddTo(CLI::App& added)
     "than a pixel. On planes and quadrics; pixels that show another surface are undecided anyway")
     .Needs(contours)
     .Group(group);
+  AddNumber(added, "--contour-effort", Effort, "FACTOR",
+    "How many times as much as usual may be spent on pixels that are hard to decide, 0.001 to 1000 "
+    "(default: 1); what is left is undecided")
+    .Needs(contours)
+    .Group(group);
   const AddedOption shown = AddFlag(added, "--show-undecided-contours", ShowUndecided,
     "Paint pixels of which it could not be decided whether a contour goes through them, as "
     "--show-undecided does, too; else they show the lines between the samples alone")
@@ -227,6 +232,16 @@ void ContourOptions::Check(const std::vector<LayerSettings>& layers) const
     throw UsageError(
       "--interior: --certifier interval looks at edges alone, as in the paper; leave "
       "one of them out");
+  }
+  if (Effort && Method.subdivisions)
+  {
+    throw UsageError("--contour-effort: --certifier interval spends what --subdivisions say; leave "
+                     "one of them out");
+  }
+  if (Effort && !(*Effort >= ContourMethod::kLeastEffort && *Effort <= ContourMethod::kMostEffort))
+  {
+    throw UsageError(fmt::format("--contour-effort {}: give a factor from {} to {}", *Effort,
+      ContourMethod::kLeastEffort, ContourMethod::kMostEffort));
   }
   if (LabelHeight && *LabelHeight != std::floor(*LabelHeight))
   {
@@ -265,6 +280,7 @@ ContourStyle ContourOptions::Style() const
 ContourMethod ContourOptions::HowTold() const
 {
   ContourMethod method = Method;
+  method.SetEffort(Effort.value_or(1.0));
   if (method.subdivisions)
   {
     method.subdivisions = Subdivisions.value_or(*method.subdivisions);

@@ -69,6 +69,7 @@ private:
   std::optional<ContourChoice> Choice;
   std::optional<double> Width;
   ContourMethod Method;
+  std::optional<double> Effort;
   std::optional<int> Subdivisions;
   std::vector<Rgba> TheColors{ { 0, 0, 0, 255 } };
   bool ShowUndecided = false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trace/Contours/ContourTile.h"
 
+#include "Trace/Contours/EdgeSample.h"
 #include "Trace/Contours/FlatBlocks.h"
 #include "Trace/Contours/PixelInteriors.h"
 
@@ -44,30 +45,14 @@ ContourTile::ContourTile(TileVisit& tile, const ContourMethod& method)
 {
 }
 
-std::vector<std::uint8_t> ContourTile::CornersOf(std::span<const std::uint8_t> open) const
+TileCorners ContourTile::EndsOf(const LayerSight& sight, std::span<const std::uint8_t> open)
 {
-  std::vector<std::uint8_t> wanted(Across * Up, 0);
-  for (std::size_t i = 0; i < open.size(); ++i)
-  {
-    if (open[i] != 0)
-    {
-      const std::size_t corner = i / (Across - 1) * Across + i % (Across - 1);
-      wanted[corner] = wanted[corner + 1] = wanted[corner + Across] = wanted[corner + Across + 1] =
-        1;
-    }
-  }
-  return wanted;
-}
-
-std::vector<EdgeEnd> ContourTile::EndsOf(
-  const LayerSight& sight, std::span<const std::uint8_t> open)
-{
-  const std::vector<std::uint8_t> wanted = CornersOf(open);
+  const std::vector<std::uint8_t> wanted = CornersOfPixels(open, Tile.Area().Width());
   const TileArea& area = Tile.Area();
   SampleBuffers traced;
-  const LatticePart corners =
-    Tile.CornersOf({ area.x0, area.y0, area.x1 + 1, area.y1 + 1 }, wanted, traced);
-  std::vector<EdgeEnd> ends(Across * Up);
+  const LatticePart corners = Tile.CornersOf({ area.x0, area.y0, area.x1 + 1, area.y1 + 1 }, wanted,
+    kEdgeSampleBuffers | Buffer::Piece, traced);
+  TileCorners ends(Across * Up);
   std::size_t i = 0;
   for (int y = area.y0; y <= area.y1; ++y)
   {
@@ -75,8 +60,9 @@ std::vector<EdgeEnd> ContourTile::EndsOf(
     {
       if (wanted[i] != 0)
       {
-        ends[i] = sight.EndOf(
-          corners.samples, corners.At(x, y), { static_cast<double>(x), static_cast<double>(y) });
+        ends.Set(i,
+          sight.EndOf(
+            corners.samples, corners.At(x, y), { static_cast<double>(x), static_cast<double>(y) }));
       }
     }
   }
@@ -84,11 +70,11 @@ std::vector<EdgeEnd> ContourTile::EndsOf(
 }
 
 std::vector<std::uint8_t> ContourTile::ShownAround(
-  const LayerSight& sight, std::span<const EdgeEnd> corners)
+  const LayerSight& sight, const TileCorners& corners)
 {
   const std::size_t wide = Across + 2;
   std::vector<std::uint8_t> shown(wide * (Up + 2), 0);
-  for (std::size_t i = 0; i < corners.size(); ++i)
+  for (std::size_t i = 0; i < corners.Size(); ++i)
   {
     shown[(i / Across + 1) * wide + i % Across + 1] = sight.Shows(corners[i]) ? 1 : 0;
   }
@@ -130,7 +116,7 @@ std::vector<std::uint8_t> ContourTile::ShownAround(
     return shown;
   }
   SampleBuffers traced;
-  const LatticePart outer = Tile.CornersOf(all, wanted, traced);
+  const LatticePart outer = Tile.CornersOf(all, wanted, Buffer::Verdict | Buffer::Layer, traced);
   i = 0;
   for (int y = all.y0; y < all.y1; ++y)
   {
@@ -163,9 +149,21 @@ void ContourTile::ForEachEdge(
       endRow();
     }
   };
-  std::size_t edge = 0;
+  // Most rows and columns have no open pixel.
+  std::vector<std::uint8_t> openRows(Up + 1, 0);
+  std::vector<std::uint8_t> openColumns(Across + 1, 0);
+  for (std::size_t pixel = 0; pixel < open.size(); ++pixel)
+  {
+    openRows[pixel / columns + 1] |= open[pixel];
+    openColumns[pixel % columns + 1] |= open[pixel];
+  }
   for (std::size_t i = 0; i < Up; ++i)
   {
+    if ((openRows[i] | openRows[i + 1]) == 0)
+    {
+      continue;
+    }
+    std::size_t edge = i * columns;
     for (std::size_t j = 0; j < columns; ++j, ++edge)
     {
       visitOpen(i > 0 && open[(i - 1) * columns + j] != 0, i < rows && open[i * columns + j] != 0,
@@ -175,6 +173,11 @@ void ContourTile::ForEachEdge(
   }
   for (std::size_t j = 0; j < Across; ++j)
   {
+    if ((openColumns[j] | openColumns[j + 1]) == 0)
+    {
+      continue;
+    }
+    std::size_t edge = columns * Up + j * rows;
     for (std::size_t i = 0; i < rows; ++i, ++edge)
     {
       visitOpen(j > 0 && open[i * columns + j - 1] != 0, j < columns && open[i * columns + j] != 0,
@@ -185,6 +188,13 @@ void ContourTile::ForEachEdge(
 }
 
 void ContourTile::Judge(const ContouredLayer& layer)
+{
+  EdgeWork work(Method.work);
+  Judge(layer, work);
+  Counted.spent += work.IsSpent() ? 1 : 0;
+}
+
+void ContourTile::Judge(const ContouredLayer& layer, EdgeWork& work)
 {
   LayerSight sight(Tile, layer.number);
   const Surface& surface = sight.GetSurface();
@@ -199,7 +209,7 @@ void ContourTile::Judge(const ContouredLayer& layer)
   }
   if (!surface.IsPlane())
   {
-    const EdgeJudge judge(*layer.bounds, layer.values);
+    const EdgeJudge judge(*layer.bounds, layer.values, &work);
     JudgeEdges(sight, judge, std::vector<std::uint8_t>(Pixels.size(), 1));
     return;
   }
@@ -209,14 +219,20 @@ void ContourTile::Judge(const ContouredLayer& layer)
     Counted.byBlocks += std::ssize(Pixels);
     return;
   }
-  const EdgeJudge judge(
-    *layer.bounds, layer.values, ElementsNear(Tile.GetScene().locator->Index(), blocks.Whole()));
+  const EdgeJudge judge(*layer.bounds, layer.values, &work,
+    ElementsNear(Tile.GetScene().locator->Index(), blocks.Whole()));
   if (!judge.IsNeeded())
   {
     Counted.byBlocks += std::ssize(Pixels);
     return;
   }
-  JudgeEdges(sight, judge, blocks.FindOpen(judge));
+  std::vector<EdgeState> states = blocks.Settle(judge);
+  std::vector<std::uint8_t> open(states.size());
+  std::ranges::transform(states, open.begin(),
+    [](EdgeState state) { return static_cast<std::uint8_t>(state == EdgeState::Undecided); });
+  std::ranges::replace(states, EdgeState::Undecided, EdgeState::Out);
+  Add(states);
+  JudgeEdges(sight, judge, open);
 }
 
 void ContourTile::JudgeEdges(
@@ -227,7 +243,7 @@ void ContourTile::JudgeEdges(
   {
     return;
   }
-  const std::vector<EdgeEnd> corners = EndsOf(sight, open);
+  const TileCorners corners = EndsOf(sight, open);
   const std::vector<std::uint8_t> shown =
     sight.GetSurface().IsPlane() ? std::vector<std::uint8_t>() : ShownAround(sight, corners);
   const std::size_t wide = Across + 2;
@@ -274,7 +290,7 @@ void ContourTile::CountStages(std::span<const EdgeState> unhalved,
 }
 
 void ContourTile::JudgeInteriors(LayerSight& sight, const EdgeJudge& judge,
-  std::span<const EdgeEnd> corners, std::span<const std::uint8_t> open, std::span<EdgeState> states)
+  const TileCorners& corners, std::span<const std::uint8_t> open, std::span<EdgeState> states)
 {
   const std::vector<EdgeState> before(states.begin(), states.end());
   PixelInteriors interiors(sight, judge, Method, states, Counted);
@@ -283,10 +299,10 @@ void ContourTile::JudgeInteriors(LayerSight& sight, const EdgeJudge& judge,
   {
     if (open[pixel] != 0)
     {
-      const auto lower =
-        corners.begin() + static_cast<std::ptrdiff_t>(pixel / columns * Across + pixel % columns);
-      const auto upper = lower + static_cast<std::ptrdiff_t>(Across);
-      interiors.Add(pixel, { lower[0], lower[1], upper[1], upper[0] });
+      const std::size_t lower = pixel / columns * Across + pixel % columns;
+      const std::size_t upper = lower + Across;
+      interiors.Add(
+        pixel, { corners[lower], corners[lower + 1], corners[upper + 1], corners[upper] });
     }
   }
   interiors.Refine();

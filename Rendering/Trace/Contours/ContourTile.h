@@ -19,6 +19,29 @@ struct ContouredLayer
   const LayerBounds* bounds = nullptr;
 };
 
+/// Those of a tile's corners that are asked for; the others see nothing.
+class TileCorners
+{
+public:
+  explicit TileCorners(std::size_t count)
+    : Places(count, 0)
+    , Ends(1)
+  {
+  }
+
+  void Set(std::size_t corner, const EdgeEnd& end)
+  {
+    Places[corner] = Ends.size();
+    Ends.push_back(end);
+  }
+  [[nodiscard]] const EdgeEnd& operator[](std::size_t corner) const { return Ends[Places[corner]]; }
+  [[nodiscard]] std::size_t Size() const { return Places.size(); }
+
+private:
+  std::vector<std::size_t> Places;
+  std::vector<EdgeEnd> Ends;
+};
+
 /// The verdicts of one tile's pixels; see Documentation/contours.md.
 class ContourTile
 {
@@ -32,15 +55,13 @@ public:
   [[nodiscard]] const ContourCounters& Counters() const { return Counted; }
 
 private:
+  void Judge(const ContouredLayer& layer, EdgeWork& work);
   /// Of the corners of open pixels, row by row.
-  [[nodiscard]] std::vector<EdgeEnd> EndsOf(
-    const LayerSight& sight, std::span<const std::uint8_t> open);
+  [[nodiscard]] TileCorners EndsOf(const LayerSight& sight, std::span<const std::uint8_t> open);
   /// Which corners show the layer, (Across + 2) x (Up + 2): of those around the tile, none of them
   /// beyond the frame, the ones beside edges whose ends do not.
   [[nodiscard]] std::vector<std::uint8_t> ShownAround(
-    const LayerSight& sight, std::span<const EdgeEnd> corners);
-  /// For each corner, whether a pixel there is open.
-  [[nodiscard]] std::vector<std::uint8_t> CornersOf(std::span<const std::uint8_t> open) const;
+    const LayerSight& sight, const TileCorners& corners);
   /// visit(edge, a, b) of corners, for the edges of open pixels, in the order of `edges` in
   /// JudgeEdges; endRow() where rows and columns of them end.
   template <class Visit, class EndRow>
@@ -56,7 +77,7 @@ private:
   void CountStages(std::span<const EdgeState> unhalved, std::span<const EdgeState> states,
     std::span<const std::uint8_t> open);
   /// Looks inside of those that are out.
-  void JudgeInteriors(LayerSight& sight, const EdgeJudge& judge, std::span<const EdgeEnd> corners,
+  void JudgeInteriors(LayerSight& sight, const EdgeJudge& judge, const TileCorners& corners,
     std::span<const std::uint8_t> open, std::span<EdgeState> states);
   void Add(std::span<const EdgeState> states);
   [[nodiscard]] std::size_t CountEdges() const { return (Across - 1) * Up + Across * (Up - 1); }

@@ -61,10 +61,11 @@ WideOutline RegionOf(const SurfaceEdge& edge)
 }
 } // namespace
 
-EdgeJudge::EdgeJudge(
-  const LayerBounds& bounds, std::span<const double> values, std::span<const int> elements)
+EdgeJudge::EdgeJudge(const LayerBounds& bounds, std::span<const double> values, EdgeWork* work,
+  std::span<const int> elements)
   : Bounds(bounds)
   , Wanted{ values }
+  , Work(work)
 {
   for (const int element : elements)
   {
@@ -78,9 +79,10 @@ EdgeJudge::EdgeJudge(
   std::ranges::sort(Near, {}, &Element::number);
 }
 
-EdgeJudge::EdgeJudge(const LayerBounds& bounds, std::span<const double> values)
+EdgeJudge::EdgeJudge(const LayerBounds& bounds, std::span<const double> values, EdgeWork* work)
   : Bounds(bounds)
   , Wanted{ values }
+  , Work(work)
   , Needed(true)
   , LooksForElements(true)
 {
@@ -99,6 +101,18 @@ int EdgeJudge::SideOf(double value) const
   return static_cast<int>(std::ranges::lower_bound(Wanted.values, value) - Wanted.values.begin());
 }
 
+std::int64_t EdgeJudge::SampleCost(const EdgeEnd& a, const EdgeEnd& b) const
+{
+  const int element = std::max(a.element, b.element);
+  return element < 0 ? 0 : Bounds.Of(element).SampleCost();
+}
+
+EdgeEffort EdgeJudge::With(EdgeEffort effort) const
+{
+  effort.work = Work;
+  return effort;
+}
+
 ValueSet EdgeJudge::NotOn(int side) const
 {
   const auto above = static_cast<std::size_t>(side);
@@ -112,7 +126,7 @@ EdgeFinding EdgeJudge::Within(const EdgeEnd& a, const EdgeEnd& b, const SurfaceE
 {
   const EdgeBounds& bounds = Bounds.Of(a.element);
   const auto range =
-    std::isfinite(edge.sagitta) ? bounds.Along(a.point, b.point, edge.sagitta) : std::nullopt;
+    std::isfinite(edge.sagitta) ? bounds.Along(a.point, b.point, edge.sagitta, Work) : std::nullopt;
   if (!range)
   {
     return EdgeFinding::Uncovered;
@@ -146,7 +160,8 @@ EdgeFinding EdgeJudge::Across(const EdgeEnd& a, const EdgeEnd& b) const
   const EdgeBounds& ofB = Bounds.Of(b.element);
   const auto [lower, upper] = std::minmax(a.point.value, b.point.value);
   // Where the true points may be, the values are no farther off than that.
-  const double error = std::max(ofA.ChangeWithin(a.point, 0.0), ofB.ChangeWithin(b.point, 0.0));
+  const double error =
+    std::max(ofA.ChangeWithin(a.point, 0.0, Work), ofB.ChangeWithin(b.point, 0.0, Work));
   return Between(lower, upper, error, std::max(ofA.Values().Magnitude(), ofB.Values().Magnitude()));
 }
 
@@ -157,7 +172,7 @@ bool EdgeJudge::StaysOn(int side, const SurfaceEdge& edge, bool thorough) const
     return false;
   }
   const WideOutline region = RegionOf(edge);
-  return StaysOn(side, ElementsAt(region), region, thorough ? kForEdges : EdgeEffort{});
+  return StaysOn(side, ElementsAt(region), region, With(thorough ? kForEdges : EdgeEffort{}));
 }
 
 bool EdgeJudge::StaysOn(int side, const Outline& part, double sagitta) const
@@ -167,7 +182,7 @@ bool EdgeJudge::StaysOn(int side, const Outline& part, double sagitta) const
     return false;
   }
   const WideOutline region{ part, sagitta + SlackOf(part.Corners()) };
-  return StaysOn(side, ElementsAt(region), region, kForSquares);
+  return StaysOn(side, ElementsAt(region), region, With(kForSquares));
 }
 
 std::span<const EdgeJudge::Element> EdgeJudge::ElementsAt(const WideOutline& region) const
@@ -212,28 +227,28 @@ bool EdgeJudge::StaysOn(int side, std::span<const Element> elements, const WideO
       continue;
     }
     const int its = SideOf(values->lower);
-    if (Meets(*values) ||
+    if (Meets(values->lower, values->upper) ||
       (std::ranges::find(tried, its) == tried.end() && StaysOn(its, elements, region, effort)))
     {
-      return !Meets(*values);
+      return !Meets(values->lower, values->upper);
     }
     tried.push_back(its);
   }
   return tried.empty();
 }
 
-std::optional<Interval> EdgeJudge::Over(
+std::optional<PlanarValues> EdgeJudge::Over(
   const std::array<EdgeEnd, 3>& ends, const Outline& part) const
 {
   return Bounds.Of(ends[0].element)
-    .Over(
-      { ends[0].point, ends[1].point, ends[2].point }, { part, SlackOf(part.Corners()) }, Wanted);
+    .Over({ ends[0].point, ends[1].point, ends[2].point }, { part, SlackOf(part.Corners()) },
+      Wanted, Work);
 }
 
 bool EdgeJudge::BlockStaysOn(int side, const Outline& part, bool thorough) const
 {
   const WideOutline region{ part, SlackOf(part.Corners()) };
-  return StaysOn(side, ElementsAt(region), region, thorough ? kForEdges : kForBlocks);
+  return StaysOn(side, ElementsAt(region), region, With(thorough ? kForEdges : kForBlocks));
 }
 
 bool EdgeJudge::AreOpposite(const EdgeEnd& a, const EdgeEnd& b) const
@@ -246,8 +261,8 @@ bool EdgeJudge::AreOpposite(const EdgeEnd& a, const EdgeEnd& b) const
 bool EdgeJudge::IsJump(const EdgeEnd& a, const EdgeEnd& b, const SurfaceEdge& edge) const
 {
   const double distance = glm::distance(edge.from, edge.to) + RegionOf(edge).slack;
-  const double change = Bounds.Of(a.element).ChangeWithin(a.point, distance) +
-    Bounds.Of(b.element).ChangeWithin(b.point, distance);
+  const double change = Bounds.Of(a.element).ChangeWithin(a.point, distance, Work) +
+    Bounds.Of(b.element).ChangeWithin(b.point, distance, Work);
   return std::fabs(a.point.value - b.point.value) > change;
 }
 } // namespace pixelexact

@@ -51,15 +51,21 @@ class EdgeJudge
 {
 public:
   /// `values`: in ascending order; `elements`: all whose boxes meet the tile's part of the surface.
-  EdgeJudge(
-    const LayerBounds& bounds, std::span<const double> values, std::span<const int> elements);
+  /// `work`: for all that is asked; null: without a limit.
+  EdgeJudge(const LayerBounds& bounds, std::span<const double> values, EdgeWork* work,
+    std::span<const int> elements);
   /// The same where nobody knows the elements: each edge's are looked for.
-  EdgeJudge(const LayerBounds& bounds, std::span<const double> values);
+  EdgeJudge(const LayerBounds& bounds, std::span<const double> values, EdgeWork* work);
 
   /// Between which values a value is: the number of those below it.
   [[nodiscard]] int SideOf(double value) const;
   /// Of an edge that is on no known side.
   static constexpr int kNoSide = -1;
+
+  /// What a sample costs between two ends, for EdgeWork.
+  [[nodiscard]] std::int64_t SampleCost(const EdgeEnd& a, const EdgeEnd& b) const;
+  /// Whether so much may be spent yet; it is, then.
+  [[nodiscard]] bool Affords(std::int64_t cost) const { return !Work || Work->Affords(cost); }
 
   /// Whether some element may take a value, or elements lie on several sides.
   [[nodiscard]] bool IsNeeded() const { return Needed; }
@@ -74,13 +80,10 @@ public:
   [[nodiscard]] bool StaysOn(int side, const Outline& part, double sagitta) const;
   /// The values on a flat part of the surface next to three ends in one element, by the bounds of
   /// that element alone; nothing where it is not proven that the part lies in it.
-  [[nodiscard]] std::optional<Interval> Over(
+  [[nodiscard]] std::optional<PlanarValues> Over(
     const std::array<EdgeEnd, 3>& ends, const Outline& part) const;
   /// Whether an interval holds a value.
-  [[nodiscard]] bool Meets(const Interval& values) const
-  {
-    return Wanted.Meets(values.lower, values.upper);
-  }
+  [[nodiscard]] bool Meets(double lower, double upper) const { return Wanted.Meets(lower, upper); }
   /// Whether all elements that a flat part of the surface may meet stay on a side there; of
   /// kNoSide, on any one. `thorough`: as above.
   [[nodiscard]] bool BlockStaysOn(int side, const Outline& part, bool thorough) const;
@@ -100,6 +103,8 @@ private:
     const EdgeBounds* bounds;
     int side; ///< of all of its values; kNoSide: they may be on several
   };
+  /// With the work of the tile.
+  [[nodiscard]] EdgeEffort With(EdgeEffort effort) const;
   [[nodiscard]] ValueSet NotOn(int side) const;
   /// Of two values that are good to `error`, which rounding explains up to a part of `magnitude`.
   [[nodiscard]] EdgeFinding Between(
@@ -113,6 +118,7 @@ private:
 
   const LayerBounds& Bounds;
   ValueSet Wanted;
+  EdgeWork* Work;
   std::vector<Element> Near; ///< by number
   mutable std::vector<Element> Found;
   bool Needed = false;

@@ -186,6 +186,18 @@ void EdgeSettler::Refine()
     {
       return;
     }
+    std::int64_t cost = 0;
+    for (const Part& part : parts)
+    {
+      cost += Judge.SampleCost(part.a, part.b);
+    }
+    // All of a level or none: no pixel goes before another.
+    if (!Judge.Affords(cost))
+    {
+      Open = std::move(parts);
+      MarkOpen(States);
+      return;
+    }
     std::vector<ImagePosition> middles;
     for (const Part& part : parts)
     {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Trace/Contours/EdgeState.h"
 #include "Trace/Contours/LayerSight.h"
 #include "Trace/Modules/ContourCertifier.h"
 
@@ -10,14 +11,6 @@
 
 namespace pixelexact
 {
-/// Of an edge.
-enum class EdgeState : std::uint8_t
-{
-  Out,
-  Undecided,
-  In
-};
-
 /// Settles a tile's edges, and halves those that are open.
 class EdgeSettler
 {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
+#include <utility>
 
 namespace pixelexact
 {
@@ -11,13 +13,16 @@ namespace
 /// Pixels along a side, up to which blocks are held against all elements that they may meet.
 constexpr int kBlock = 8;
 /// And up to which more is found out about these for it.
-constexpr int kThorough = 2;
+constexpr int kThorough = 4;
+/// And up to which the pixels of a block are asked one by one, by what is known of the block.
+constexpr int kOneByOne = 2;
 } // namespace
 
 FlatBlocks::FlatBlocks(const LayerSight& sight, TileVisit& tile)
   : Sight(sight)
   , Centres(tile.Centres())
   , Area(tile.Area())
+  , ShowsAll(tile.GetScene().layers.size() == 1 && tile.GetScene().kept.empty())
 {
 }
 
@@ -92,25 +97,111 @@ FlatBlocks::Finding FlatBlocks::JudgeInside(const EdgeJudge& judge, const TileAr
   }
   const std::array<EdgeEnd, 3> ends{ EndAt(x, y), EndAt(right, y), EndAt(x, above) };
   const int side = judge.SideOf(ends[0].point.value);
-  if (judge.SideOf(ends[1].point.value) != side || judge.SideOf(ends[2].point.value) != side)
+  const bool oneByOne = std::max(block.Width(), block.Height()) <= kOneByOne;
+  if (!oneByOne &&
+    (judge.SideOf(ends[1].point.value) != side || judge.SideOf(ends[2].point.value) != side))
   {
     return Finding::Open;
   }
   const std::optional<Outline> outline = OutlineOf(block);
-  const std::optional<Interval> values = outline ? judge.Over(ends, *outline) : std::nullopt;
-  return !values ? Finding::Uncovered : judge.Meets(*values) ? Finding::Open : Finding::Out;
+  const std::optional<PlanarValues> values = outline ? judge.Over(ends, *outline) : std::nullopt;
+  if (!values)
+  {
+    return Finding::Uncovered;
+  }
+  if (!judge.Meets(values->values.lower, values->values.upper))
+  {
+    return Finding::Out;
+  }
+  if (oneByOne)
+  {
+    SettlePixels(judge, block, *values);
+  }
+  return Finding::Open;
+}
+
+void FlatBlocks::SettlePixels(
+  const EdgeJudge& judge, const TileArea& block, const PlanarValues& values)
+{
+  const double error = values.error;
+  for (int y = block.y0; y < block.y1; ++y)
+  {
+    for (int x = block.x0; x < block.x1; ++x)
+    {
+      EdgeState& state = States[PixelAt(x, y)];
+      if (state != EdgeState::Undecided)
+      {
+        continue;
+      }
+      const auto corners = CornersOf({ x, y, x + 1, y + 1 });
+      if (!std::ranges::all_of(corners, &Corner::meets))
+      {
+        continue;
+      }
+      double lower = values.At(corners[0].x);
+      double upper = lower;
+      for (const Corner& corner : corners)
+      {
+        const double value = values.At(corner.x);
+        lower = std::min(lower, value);
+        upper = std::max(upper, value);
+      }
+      if (!judge.Meets(lower - error, upper + error))
+      {
+        state = EdgeState::Out;
+      }
+      else if (ShowsAll && std::ranges::all_of(corners, &Corner::isAhead) &&
+        lower + error < upper - error && judge.Meets(lower + error, upper - error))
+      {
+        // The pixel's edge leads from one side of the value to the other, within the element.
+        state = EdgeState::In;
+      }
+    }
+  }
+}
+
+bool FlatBlocks::IsOpen(const TileArea& block) const
+{
+  for (int y = block.y0; y < block.y1; ++y)
+  {
+    const auto first = States.begin() + static_cast<std::ptrdiff_t>(PixelAt(block.x0, y));
+    if (std::find(first, first + block.Width(), EdgeState::Undecided) != first + block.Width())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+void FlatBlocks::LeaveOut(const TileArea& block)
+{
+  for (int y = block.y0; y < block.y1; ++y)
+  {
+    const auto first = States.begin() + static_cast<std::ptrdiff_t>(PixelAt(block.x0, y));
+    std::replace(first, first + block.Width(), EdgeState::Undecided, EdgeState::Out);
+  }
 }
 
 bool FlatBlocks::IsOutAnyhow(const EdgeJudge& judge, const TileArea& block)
 {
+  const bool isLarge = std::max(block.Width(), block.Height()) > kBlock;
   int side = EdgeJudge::kNoSide;
+  double lower = std::numeric_limits<double>::infinity();
+  double upper = -lower;
   for (int y = block.y0; y < block.y1; ++y)
   {
     for (int x = block.x0; x < block.x1; ++x)
     {
       if (ShowsAt(x, y))
       {
-        const int its = judge.SideOf(Centres->samples.value[Centres->At(x, y)]);
+        if (isLarge)
+        {
+          return false;
+        }
+        const double value = Centres->samples.value[Centres->At(x, y)];
+        const int its = judge.SideOf(value);
+        lower = std::min(lower, value);
+        upper = std::max(upper, value);
         if (side != EdgeJudge::kNoSide && its != side)
         {
           return false;
@@ -119,29 +210,28 @@ bool FlatBlocks::IsOutAnyhow(const EdgeJudge& judge, const TileArea& block)
       }
     }
   }
-  if (side != EdgeJudge::kNoSide && std::max(block.Width(), block.Height()) > kBlock)
+  // A value that the field seems to take between the outermost centres and the block's edge.
+  const int steps = std::max(block.Width(), block.Height()) - 1;
+  const double more = steps > 0 ? 0.5 * (upper - lower) / steps : 0.0;
+  if (side != EdgeJudge::kNoSide && steps > 0 && judge.Meets(lower - more, upper + more))
   {
     return false;
   }
   const std::optional<Outline> outline = OutlineOf(block);
-  return outline && judge.BlockStaysOn(side, *outline, block.Width() <= kThorough);
+  return outline &&
+    judge.BlockStaysOn(side, *outline, side == EdgeJudge::kNoSide || block.Width() <= kThorough);
 }
 
 void FlatBlocks::Settle(const EdgeJudge& judge, const TileArea& block)
 {
-  if (IsBeyond(block))
-  {
-    return;
-  }
-  const Finding finding = JudgeInside(judge, block);
+  const Finding finding = !IsAhead && IsBeyond(block) ? Finding::Out : JudgeInside(judge, block);
   if (finding == Finding::Out || (finding == Finding::Uncovered && IsOutAnyhow(judge, block)))
   {
+    LeaveOut(block);
     return;
   }
-  if (block.Width() == 1 && block.Height() == 1)
+  if ((block.Width() == 1 && block.Height() == 1) || !IsOpen(block))
   {
-    Open[static_cast<std::size_t>(block.y0 - Area.y0) * static_cast<std::size_t>(Area.Width()) +
-      static_cast<std::size_t>(block.x0 - Area.x0)] = 1;
     return;
   }
   const int x = block.x0 + (block.Width() + 1) / 2;
@@ -150,20 +240,21 @@ void FlatBlocks::Settle(const EdgeJudge& judge, const TileArea& block)
     { TileArea{ block.x0, block.y0, x, y }, TileArea{ x, block.y0, block.x1, y },
       TileArea{ block.x0, y, x, block.y1 }, TileArea{ x, y, block.x1, block.y1 } })
   {
-    if (part.Width() > 0 && part.Height() > 0)
+    if (part.Width() > 0 && part.Height() > 0 && IsOpen(part))
     {
       Settle(judge, part);
     }
   }
 }
 
-std::vector<std::uint8_t> FlatBlocks::FindOpen(const EdgeJudge& judge)
+std::vector<EdgeState> FlatBlocks::Settle(const EdgeJudge& judge)
 {
   const auto width = static_cast<std::size_t>(Area.Width());
   const auto height = static_cast<std::size_t>(Area.Height());
   Corners.resize((width + 1) * (height + 1));
-  Open.assign(width * height, 0);
+  States.assign(width * height, EdgeState::Undecided);
+  IsAhead = std::ranges::all_of(CornersOf(Area), &Corner::isAhead);
   Settle(judge, Area);
-  return Open;
+  return std::move(States);
 }
 } // namespace pixelexact

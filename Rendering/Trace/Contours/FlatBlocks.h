@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Trace/Contours/EdgeJudge.h"
+#include "Trace/Contours/EdgeState.h"
 #include "Trace/Contours/LayerSight.h"
 
 #include <array>
@@ -11,9 +12,9 @@
 
 namespace pixelexact
 {
-/// Blocks of a tile's pixels on a flat surface that are proven out together, by what is seen at
-/// the pixels' centres, where they are at hand (TileVisit::Centres), and what is known of the
-/// elements there: no other samples are needed.
+/// A tile's pixels on a flat surface that are proven out by blocks, or in, by what is seen at the
+/// pixels' centres, where they are at hand (TileVisit::Centres), and what is known of the elements
+/// there: no other samples are needed.
 class FlatBlocks
 {
 public:
@@ -24,8 +25,8 @@ public:
   /// The tile's part of the surface; nothing where a ray does not meet it.
   [[nodiscard]] std::optional<Outline> Whole() { return OutlineOf(Area); }
 
-  /// For each pixel of the tile, row by row, whether it is still open.
-  [[nodiscard]] std::vector<std::uint8_t> FindOpen(const EdgeJudge& judge);
+  /// For each pixel of the tile, row by row; Undecided: it is still open.
+  [[nodiscard]] std::vector<EdgeState> Settle(const EdgeJudge& judge);
 
 private:
   enum class Finding : std::uint8_t
@@ -36,8 +37,13 @@ private:
   };
 
   void Settle(const EdgeJudge& judge, const TileArea& block);
-  /// By three of its centres, if they are in one element.
+  /// By three of its centres, if they are in one element. Of a small block that is open, pixels
+  /// may be settled.
   [[nodiscard]] Finding JudgeInside(const EdgeJudge& judge, const TileArea& block);
+  /// Pixels by the values at their corners, known up to an error.
+  void SettlePixels(const EdgeJudge& judge, const TileArea& block, const PlanarValues& values);
+  [[nodiscard]] bool IsOpen(const TileArea& block) const;
+  void LeaveOut(const TileArea& block);
   /// By all elements that it may meet.
   [[nodiscard]] bool IsOutAnyhow(const EdgeJudge& judge, const TileArea& block);
   [[nodiscard]] bool IsBeyond(const TileArea& pixels);
@@ -56,11 +62,18 @@ private:
     return Centres && Sight.ShowsAt(Centres->samples, Centres->At(x, y));
   }
   [[nodiscard]] EdgeEnd EndAt(int x, int y) const;
+  [[nodiscard]] std::size_t PixelAt(int x, int y) const
+  {
+    return static_cast<std::size_t>(y - Area.y0) * static_cast<std::size_t>(Area.Width()) +
+      static_cast<std::size_t>(x - Area.x0);
+  }
 
   const LayerSight& Sight;
   std::optional<LatticePart> Centres;
   TileArea Area;
+  bool IsAhead = false;        ///< no block is beyond
+  bool ShowsAll;               ///< whatever is on the surface in the mesh: nothing hides it
   std::vector<Corner> Corners; ///< that are known, while blocks are settled
-  std::vector<std::uint8_t> Open;
+  std::vector<EdgeState> States;
 };
 } // namespace pixelexact

@@ -132,6 +132,19 @@ void PixelInteriors::Refine()
     {
       return;
     }
+    std::int64_t cost = 0;
+    for (const Square& square : squares)
+    {
+      cost += kAdded * Judge.SampleCost(square.corners[0], square.corners[2]);
+    }
+    if (!Judge.Affords(cost))
+    {
+      for (const Square& square : squares)
+      {
+        States[square.pixel] = std::max(States[square.pixel], EdgeState::Undecided);
+      }
+      return;
+    }
     std::vector<ImagePosition> places;
     for (const Square& square : squares)
     {

@@ -26,6 +26,20 @@ void RequireListsFor(const Scene& scene, std::size_t lists)
 }
 } // namespace
 
+void ContourMethod::SetEffort(double effort)
+{
+  const ContourMethod usual;
+  const int doublings = std::max(0, static_cast<int>(std::log2(effort)));
+  const auto times = [effort](auto least)
+  { return static_cast<decltype(least)>(static_cast<double>(least) * effort); };
+  halvings = usual.halvings + doublings;
+  crossings = usual.crossings + doublings;
+  quarterings = usual.quarterings + doublings;
+  parts = std::max(usual.parts, times(usual.parts));
+  squares = std::max(usual.squares, times(usual.squares));
+  work = times(usual.work);
+}
+
 void ContourCounters::Add(const ContourCounters& other)
 {
   in += other.in;
@@ -33,6 +47,7 @@ void ContourCounters::Add(const ContourCounters& other)
   undecided += other.undecided;
   jumps += other.jumps;
   loops += other.loops;
+  spent += other.spent;
   samples += other.samples;
   byBlocks += other.byBlocks;
   byEdges += other.byEdges;

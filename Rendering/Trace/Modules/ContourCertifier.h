@@ -31,8 +31,9 @@ struct ContourCounters
   std::int64_t jumps = 0;   ///< edges that are in because the field jumps across a value
   std::int64_t loops = 0;   ///< pixels that are in because of a value inside alone
   std::int64_t samples = 0; ///< beside the corners
-  // By what pixels are settled, those of each layer with values: by ranges and by blocks of them,
-  // with no corner traced; by whole edges; by edges that were halved.
+  std::int64_t spent = 0;   ///< tiles of layers in which ContourMethod::work ran out
+  // By what pixels are settled, those of each layer with values: by ranges, by blocks of them and
+  // by what is known of these, with no corner traced; by whole edges; by edges that were halved.
   std::int64_t byBlocks = 0;
   std::int64_t byEdges = 0;
   std::int64_t byParts = 0;
@@ -49,11 +50,19 @@ struct ContourMethod
   int halvings = 8;   ///< of an edge in one element
   int crossings = 12; ///< of one that leaves its element
   int parts = 16;     ///< of an edge that are open at once
+  /// On halving small boxes of elements, for a tile and a layer, in about nanoseconds (EdgeWork).
+  std::int64_t work = 2'000'000'000;
   /// Whether values are looked for inside of pixels on whose edges there are none, too; not with
   /// subdivisions.
   bool interior = false;
   int quarterings = 6; ///< of a pixel's square, for that
   int squares = 64;    ///< of a pixel that are open at once
+
+  static constexpr double kLeastEffort = 1e-3;
+  static constexpr double kMostEffort = 1e3;
+  /// Makes that so many times as much as usual, kLeastEffort to kMostEffort: a doubling halves and
+  /// quarters once more.
+  void SetEffort(double effort);
 };
 
 class ContourBounds;

@@ -36,6 +36,19 @@ TileArea Widened(const TileArea& area, int by, int width, int height)
     std::min(height, area.y1 + by) };
 }
 
+/// Pixels on which lines in a tile may depend.
+struct NearPixels
+{
+  TileArea about;
+  std::span<const std::uint8_t> near; ///< of its pixels, row by row
+
+  [[nodiscard]] bool Has(int x, int y) const
+  {
+    return near[static_cast<std::size_t>(y - about.y0) * static_cast<std::size_t>(about.Width()) +
+             static_cast<std::size_t>(x - about.x0)] != 0;
+  }
+};
+
 /// A colour over another, both of straight alpha.
 void PutOver(const Rgba& color, double share, std::uint8_t* to)
 {
@@ -87,16 +100,17 @@ std::vector<Rgba> ColorsOf(std::vector<double> values, const ColorMap& map)
 class ContourLines::Tile
 {
 public:
-  /// `corners`: of `about`, the pixels on which a line in the tile may depend.
-  Tile(const ContourLines& lines, TileVisit& visit, const TileArea& about,
+  /// `corners`: of the pixels that are near.
+  Tile(const ContourLines& lines, TileVisit& visit, const NearPixels& near,
     const LatticePart& corners, ContourCells& cells)
     : Lines(lines)
     , Image(visit.GetFrame())
     , Area(visit.Area())
+    , Near(near)
     , Corners(corners)
     , Cells(cells)
   {
-    Cells.Begin(Corners, about, lines.Style.curved ? &visit.GetCamera() : nullptr);
+    Cells.Begin(Corners, near.about, lines.Style.curved ? &visit.GetCamera() : nullptr);
   }
 
   /// On pixels of 4 bytes each.
@@ -109,7 +123,10 @@ public:
     {
       for (int x = Area.x0; x < Area.x1; ++x, ++at)
       {
-        DrawPixel(x, y, ranges[at]);
+        if (Near.Has(x, y))
+        {
+          DrawPixel(x, y, ranges[at]);
+        }
       }
     }
   }
@@ -216,6 +233,7 @@ private:
   const ContourLines& Lines;
   const Frame& Image;
   TileArea Area;
+  NearPixels Near;
   LatticePart Corners;
   ContourCells& Cells;
   std::uint8_t* Target = nullptr;
@@ -270,14 +288,12 @@ const Rgba& ContourLines::ColorOf(std::size_t layer, std::size_t value) const
   return colors.size() == 1 ? colors.front() : colors[value];
 }
 
-std::vector<std::uint8_t> ContourLines::CornersOfLines(
+std::vector<std::uint8_t> ContourLines::PixelsNearLines(
   const TileArea& about, int width, int height) const
 {
-  // From a pixel that shows a line to one that it passes, and back to whatever is between.
-  const int far = 2 * Far;
-  const auto across = static_cast<std::size_t>(about.Width()) + 1;
-  std::vector<std::uint8_t> wanted(across * (static_cast<std::size_t>(about.Height()) + 1), 0);
-  const TileArea near = Widened(about, far, width, height);
+  const auto across = static_cast<std::size_t>(about.Width());
+  std::vector<std::uint8_t> found(across * static_cast<std::size_t>(about.Height()), 0);
+  const TileArea near = Widened(about, Far, width, height);
   const std::vector<std::uint8_t>& verdicts = Certifier.Verdicts();
   for (int y = near.y0; y < near.y1; ++y)
   {
@@ -289,17 +305,18 @@ std::vector<std::uint8_t> ContourLines::CornersOfLines(
       {
         continue;
       }
-      const TileArea own = { std::max(x - far, about.x0), std::max(y - far, about.y0),
-        std::min(x + far, about.x1 - 1) + 1, std::min(y + far, about.y1 - 1) + 1 };
-      for (int j = own.y0; j <= own.y1 && own.x0 < own.x1 && own.y0 < own.y1; ++j)
+      const int from = std::max(x - Far, about.x0);
+      const int to = std::min(x + Far + 1, about.x1);
+      for (int j = std::max(y - Far, about.y0); j < std::min(y + Far + 1, about.y1) && from < to;
+           ++j)
       {
-        std::fill_n(&wanted[static_cast<std::size_t>(j - about.y0) * across +
-                      static_cast<std::size_t>(own.x0 - about.x0)],
-          own.x1 - own.x0 + 1, 1);
+        std::fill_n(&found[static_cast<std::size_t>(j - about.y0) * across +
+                      static_cast<std::size_t>(from - about.x0)],
+          to - from, 1);
       }
     }
   }
-  return wanted;
+  return found;
 }
 
 void ContourLines::Process(TileVisit& tile)
@@ -318,20 +335,21 @@ void ContourLines::Process(TileVisit& tile)
     std::copy_n(&frame.color[first], 4 * area.Width(), &Under[first]);
   }
   const TileArea about = Widened(area, Far, frame.width, frame.height);
-  if (!Certifier.HasLinesNear(Widened(about, 2 * Far, frame.width, frame.height)))
+  if (!Certifier.HasLinesNear(Widened(area, Far, frame.width, frame.height)))
   {
     return;
   }
-  const std::vector<std::uint8_t> wanted = CornersOfLines(about, frame.width, frame.height);
+  const std::vector<std::uint8_t> near = PixelsNearLines(about, frame.width, frame.height);
+  const std::vector<std::uint8_t> wanted = CornersOfPixels(near, about.Width());
   if (std::ranges::find(wanted, 1) == wanted.end())
   {
     return;
   }
   SampleBuffers traced;
-  const LatticePart corners =
-    tile.CornersOf({ about.x0, about.y0, about.x1 + 1, about.y1 + 1 }, wanted, traced);
+  const LatticePart corners = tile.CornersOf(
+    { about.x0, about.y0, about.x1 + 1, about.y1 + 1 }, wanted, Needs().corners, traced);
   const CheckedOut<ContourCells> cells;
-  Tile drawn(*this, tile, about, corners, *cells);
+  Tile drawn(*this, tile, { about, near }, corners, *cells);
   drawn.Draw(frame.color);
   if (Style.onSheet)
   {

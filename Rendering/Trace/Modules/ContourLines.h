@@ -80,9 +80,9 @@ public:
 
 private:
   class Tile;
-  /// For each of the corners of these pixels, row by row, whether a line in them, or next to them,
-  /// may depend on it: pixels that are out have none.
-  [[nodiscard]] std::vector<std::uint8_t> CornersOfLines(
+  /// For each of these pixels, row by row, whether it may show some of a line, or lie between a
+  /// line and one that does: no farther from a pixel that is not Out.
+  [[nodiscard]] std::vector<std::uint8_t> PixelsNearLines(
     const TileArea& about, int width, int height) const;
 
   const ContourCertifier& Certifier;

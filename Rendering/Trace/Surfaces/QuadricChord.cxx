@@ -24,6 +24,16 @@ double SizeOf(const QuadraticForm& form)
     (1.0 + 1e-14);
 }
 
+/// Q y, to 16 roundoffs of SizeOf times |y|.
+Vec3 Turned(const QuadraticForm& form, const Vec3& y)
+{
+  const double xy = form.Q[3].high;
+  const double yz = form.Q[4].high;
+  const double xz = form.Q[5].high;
+  return { form.Q[0].high * y.x + xy * y.y + xz * y.z, xy * y.x + form.Q[1].high * y.y + yz * y.z,
+    xz * y.x + yz * y.y + form.Q[2].high * y.z };
+}
+
 /// No farther from zero than this f is at a point where half its gradient is h.
 struct ValueBounds
 {
@@ -63,14 +73,13 @@ double Quadric::SagittaAmong(std::span<const Ray> rays, std::span<const Vec3> hi
   // |t| <= |f(c)| / |h.d| where |h.d|^2 >= |f(c)| |q|; as long as that holds it is the one that
   // goes from hit to hit.
   const double largest = SizeOf(Form);
-  std::array<Vec3, 3> slopes{};
-  double length = 0.0;
+  const Vec3 b(Form.b[0].high, Form.b[1].high, Form.b[2].high);
+  double way = 0.0;
   double farthest = 0.0;
-  for (std::size_t i = 0; i < hits.size(); ++i)
+  for (const Vec3& hit : hits)
   {
-    slopes[i] = HalfGradient(hits[i]);
-    length = std::max(length, glm::length(slopes[i]));
-    farthest = std::max(farthest, glm::length(hits[i]));
+    way = std::max(way, glm::length(hit - Form.centre));
+    farthest = std::max(farthest, glm::length(hit));
   }
   double turn = 0.0;
   double spread = 0.0;
@@ -78,17 +87,24 @@ double Quadric::SagittaAmong(std::span<const Ray> rays, std::span<const Vec3> hi
   double chord = 0.0;
   for (std::size_t i = 1; i < hits.size(); ++i)
   {
-    turn = std::max(turn, glm::distance(slopes[0], slopes[i]));
     spread = std::max(spread, glm::distance(rays[0].direction, rays[i].direction));
     for (std::size_t j = 0; j < i; ++j)
     {
-      // q(A - B) is (h(A) - h(B)).(A - B).
+      // h(A) - h(B) is Q (A - B).
       const Vec3 between = hits[i] - hits[j];
-      bulge = std::max(bulge, std::fabs(glm::dot(slopes[i] - slopes[j], between)));
+      const Vec3 turned = Turned(Form, between);
+      bulge = std::max(bulge, std::fabs(glm::dot(turned, between)));
       chord = std::max(chord, glm::dot(between, between));
+      turn = std::max(turn, glm::length(turned));
     }
   }
-  const double across = std::fabs(glm::dot(slopes[0], rays[0].direction)) - turn - length * spread;
+  // In doubles: what they leave of h is far less than it turns along chords that are not tiny.
+  const Vec3 slope = Turned(Form, hits[0] - Form.centre) + b;
+  const double unsure = 32.0 * kUnitRoundoff * (largest * way + glm::length(b));
+  turn += 32.0 * kUnitRoundoff * largest * std::sqrt(chord);
+  const double length = glm::length(slope) + turn + unsure;
+  const double across =
+    std::fabs(glm::dot(slope, rays[0].direction)) - 2.0 * unsure - turn - length * spread;
   // The hits are off by rounding.
   const double off = 0.5 * (1.0 - 1.0 / static_cast<double>(hits.size())) * bulge +
     1e-14 * (2.0 * length * farthest + largest * chord);

@@ -25,6 +25,22 @@ HWY_INLINE Lanes LoadSome(const double* from, int count)
   return NumberTraits<Lanes>::Load(some.data());
 }
 
+/// visit(i, load, direction) for packs of `count` rays from number `first` on: load(column) is the
+/// pack that begins i rays behind it.
+template <class Visit>
+HWY_INLINE void ForEachPack(const RayLanes& rays, int first, int count, Visit&& visit)
+{
+  for (int i = 0; i < count; i += LaneCount())
+  {
+    const int left = std::min(count - i, LaneCount());
+    const auto load = [&](const double* from) PIXELEXACT_INLINED
+    { return LoadSome(from + first + i, left); };
+    const Lanes direction[3] = { load(rays.direction[0]), load(rays.direction[1]),
+      load(rays.direction[2]) };
+    visit(i, load, direction);
+  }
+}
+
 /// Of directions, that `axis` is the first of those along which they are longest.
 HWY_INLINE LaneMask IsLongest(int axis, const Lanes (&direction)[3])
 {
@@ -68,13 +84,8 @@ struct LaneRange
 unsigned WaysOf(const RayLanes& rays, int first, int count)
 {
   unsigned ways = 0;
-  for (int i = 0; i < count; i += LaneCount())
+  const auto visit = [&](int /*i*/, const auto& load, const Lanes(&direction)[3]) PIXELEXACT_INLINED
   {
-    const int left = std::min(count - i, LaneCount());
-    const auto load = [&](const double* from) PIXELEXACT_INLINED
-    { return LoadSome(from + first + i, left); };
-    const Lanes direction[3] = { load(rays.direction[0]), load(rays.direction[1]),
-      load(rays.direction[2]) };
     const LaneMask isThere = load(rays.tNear) <= load(rays.tFar);
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -84,7 +95,8 @@ unsigned WaysOf(const RayLanes& rays, int first, int count)
       ways |= None(And(along, Splat(0.0) < one)) ? 0U : 1U << bit;
       ways |= None(And(along, one < Splat(0.0))) ? 0U : 2U << bit;
     }
-  }
+  };
+  ForEachPack(rays, first, count, visit);
   return ways;
 }
 
@@ -99,13 +111,8 @@ void Describe(const RayLanes& rays, int first, int count, const BundleFrame& fra
   LaneRange depths;
   LaneRange slacks;
   LaneRange fars;
-  for (int i = 0; i < count; i += LaneCount())
+  const auto visit = [&](int i, const auto& load, const Lanes(&direction)[3]) PIXELEXACT_INLINED
   {
-    const int left = std::min(count - i, LaneCount());
-    const auto load = [&](const double* from) PIXELEXACT_INLINED
-    { return LoadSome(from + first + i, left); };
-    const Lanes direction[3] = { load(rays.direction[0]), load(rays.direction[1]),
-      load(rays.direction[2]) };
     const Lanes along = direction[axis(2)];
     // A NaN is not positive.
     const LaneMask runs = And(IsLongest(frame.axes[2], direction), Splat(0.0) < sign * along);
@@ -144,7 +151,8 @@ void Describe(const RayLanes& rays, int first, int count, const BundleFrame& fra
     depths.Add(isThere, near);
     depths.Add(isThere, far);
     fars.Add(isThere, far);
-  }
+  };
+  ForEachPack(rays, first, count, visit);
   for (std::size_t a = 0; a < 2; ++a)
   {
     ranges.place[a] = places[a].Found();

@@ -8,8 +8,6 @@
 #include "Trace/Surfaces/Curved/LookEnds-inl.h"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
 
 HWY_BEFORE_NAMESPACE();
@@ -62,9 +60,10 @@ public:
     { return Traits::Load(Open.Column(column) + i); };
     const auto slopeAt = [&](std::size_t c, std::size_t d) PIXELEXACT_INLINED
     { return value(4 + 3 * c + d); };
-    LookRays rays;
-    rays.number = load(kOpenRayColumn);
-    rays.slack = load(kOpenSlackColumn);
+    const LookRays rays = LoadRays(Open, i);
+    const RootSide side{ { load(kOpenSideColumn), load(kOpenSideColumn + 1),
+                           load(kOpenSideColumn + 2) },
+      load(kOpenLeastColumn) };
     const Lanes tolerance = Splat(kValueRounding * Frame.tolerance);
     Lanes m[3][3];
     Lanes g[3];
@@ -72,14 +71,12 @@ public:
     for (int a = 0; a < 2; ++a)
     {
       const std::size_t c = Across[a];
-      const Lanes s = load(kOpenSlopeColumn + a);
-      const Lanes q = load(kOpenPlaceColumn + a);
+      const Lanes s = rays.slope[a];
+      const Lanes q = rays.place[a];
       ForEachAxis(
         [&](auto d) PIXELEXACT_INLINED { m[a][d] = slopeAt(c, d) - s * slopeAt(AlongAxis, d); });
       g[a] = value(c) - s * value(AlongAxis) - q;
       rounding[a] = tolerance * (Splat(1.0) + Abs(s) + Abs(q)) + rays.slack;
-      rays.slope[a] = s;
-      rays.place[a] = q;
     }
     ForEachAxis([&](auto d) PIXELEXACT_INLINED { m[2][d] = slopeAt(3, d); });
     g[2] = value(3);
@@ -140,12 +137,10 @@ public:
       And(And(isFinite, IsFinite(all)), LeastNorm(near) <= Splat(kMostUnique));
     const RootStart start = StartOf(Frame.shape, Piece, expected);
     const LaneMask pair = And(open, And(isUnique, start.isInside));
-    const Lanes one = Splat(1.0);
-    const Lanes norm[3] = { one, one, one };
-    AppendPairs(Pairs, pair, rays, Piece, inverse, start, Splat(kNoKappa), MaskOf(0), norm);
+    AppendPairs(Pairs, pair, rays, Piece, start, side);
     open = AndNot(open, pair);
     const LaneMask again = And(open, And(isFinite, Or(isUnique, shrinks)));
-    AppendOpen(Open, again, rays, fromCentre, start);
+    AppendOpen(Open, again, rays, fromCentre, start, side);
     return AndNot(open, again);
   }
 
@@ -162,35 +157,17 @@ private:
 RaySet LookCloser(const RayBundle& bundle, const ElementFrame& frame, const CurvedPiece& piece,
   const double* values, std::size_t stride, OpenRays& open, PiecePairs& pairs)
 {
-  const int before = pairs.count;
   const int count = open.count;
   // What stays open is written over packs that have been read.
   open.count = 0;
   PieceCloserLook look(bundle, frame, piece, open, pairs);
-  RaySet unclear;
-  for (int i = 0; i < count; i += LaneCount())
-  {
-    const int left = std::min(count - i, LaneCount());
-    const LaneMask active = MaskOf((std::uint64_t{ 1 } << static_cast<unsigned>(left)) - 1U);
-    const Lanes number = Traits::Load(open.Column(kOpenRayColumn) + i);
-    const auto value = [&](std::size_t n) PIXELEXACT_INLINED
-    { return Traits::Load(values + n * stride + i); };
-    const std::uint64_t others = BitsOf(look.At(i, active, value));
-    if (others != 0)
+  return LookAtOpen(open, count, piece, pairs,
+    [&](int i, LaneMask active) PIXELEXACT_INLINED
     {
-      std::array<double, kLanePadding> numbers;
-      Store(number, numbers.data());
-      for (std::uint64_t bits = others; bits != 0; bits &= bits - 1)
-      {
-        unclear.Add(static_cast<int>(numbers[static_cast<std::size_t>(std::countr_zero(bits))]));
-      }
-    }
-  }
-  if (pairs.count > before)
-  {
-    pairs.pieces.push_back(&piece);
-  }
-  return unclear;
+      const auto value = [&](std::size_t n) PIXELEXACT_INLINED
+      { return Traits::Load(values + n * stride + i); };
+      return look.At(i, active, value);
+    });
 }
 
 const CloserLookKernels& CloserLookTable()

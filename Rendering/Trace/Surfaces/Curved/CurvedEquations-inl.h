@@ -19,6 +19,7 @@ namespace pixelexact::HWY_NAMESPACE
 struct Curvature
 {
   double curve[4][6];
+  double shift[4][3];
   double rest[4][3];
 
   explicit Curvature(const CurvedPiece& piece)
@@ -26,6 +27,7 @@ struct Curvature
     for (std::size_t c = 0; c < 4; ++c)
     {
       std::copy_n(piece.curve[c], 6, curve[c]);
+      std::copy_n(piece.shift[c], 3, shift[c]);
       std::copy_n(piece.rest[c], 3, rest[c]);
     }
   }

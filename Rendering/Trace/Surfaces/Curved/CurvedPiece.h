@@ -57,9 +57,10 @@ struct alignas(64) CurvedPiece
   double radius[4][3]{}; ///< how far from these the derivatives are over the box
   /// How far the functions are over the box from value and slopes, as they are.
   double bend[4] = {};
-  /// Second derivatives: of a slope d by xi_d, and by the next xi. At xi slope d is slope[c][d] and
-  /// these times xi - centre, up to the rest; of a piece that curves.
+  /// Second derivatives: of a slope d by xi_d, and by the next xi. At xi slope d is slope[c][d],
+  /// shift[c][d] and these times xi - centre, up to the rest; of a piece that curves.
   float curve[4][6]{};
+  float shift[4][3]{};
   float rest[4][3]{};
 
   CurvedPiece() = default;

@@ -25,8 +25,9 @@ constexpr int kDeepestPlateau[3] = { 0, 12, 12 };
 constexpr int kTogether = 8;
 /// Of the referee, for a ray in a part: where a ray lies in a surface, no number of them decides.
 constexpr int kBoxes = 4000;
-/// Rays and pieces, in lanes, that are solved before pieces further behind are looked at.
-constexpr int kAhead = 96;
+/// Rays and pieces, in lanes, that are solved before pieces further behind are looked at: of faces,
+/// and of volumes.
+constexpr int kAhead[3] = { 96, 40, 40 };
 
 struct Scratch
 {
@@ -176,7 +177,7 @@ private:
     }
     const RaySet unclear = piece.flat ? solver.Look(piece, near) : near;
     // What lies behind the hits of enough rays need not be looked at.
-    if (Rays.nearestOnly && Work.pairs.count >= kAhead)
+    if (Rays.nearestOnly && Work.pairs.count >= kAhead[Kind])
     {
       Solve(solver);
     }

@@ -26,6 +26,14 @@ struct LookRays
   Lanes place[2];
 };
 
+/// Where a piece may hold two roots of a ray, the side on which this one lies: normal . xi >=
+/// least.
+struct RootSide
+{
+  Lanes normal[3];
+  Lanes least;
+};
+
 /// Where in a piece a root is looked for.
 struct RootStart
 {
@@ -51,25 +59,20 @@ HWY_INLINE RootStart StartOf(Shape shape, const CurvedPiece& piece, const Lanes 
   return start;
 }
 
-/// Appends pairs for some lanes.
+/// Appends pairs for some lanes, each with one root at most on its side.
 HWY_INLINE void AppendPairs(PiecePairs& pairs, LaneMask some, const LookRays& rays,
-  const CurvedPiece& piece, const Lanes (&inverse)[9], const RootStart& start, Lanes kappa,
-  LaneMask contracts, const Lanes (&norm)[3])
+  const CurvedPiece& piece, const RootStart& start, const RootSide& side)
 {
   const std::uint64_t which = BitsOf(some);
   if (which == 0)
   {
     return;
   }
-  const PairWriter writer(pairs, which, rays.number, kappa, contracts);
+  const PairWriter writer(pairs, which, rays.number, Splat(kNoKappa), MaskOf(0));
   for (int a = 0; a < 2; ++a)
   {
     writer.Put(kSlopeColumn + a, rays.slope[a]);
     writer.Put(kPlaceColumn + a, rays.place[a]);
-  }
-  for (int n = 0; n < 9; ++n)
-  {
-    writer.Put(kInverseColumn + n, inverse[n]);
   }
   ForEachAxis(
     [&](auto d) PIXELEXACT_INLINED
@@ -77,38 +80,107 @@ HWY_INLINE void AppendPairs(PiecePairs& pairs, LaneMask some, const LookRays& ra
       writer.PutAll(kLowerColumn + d, piece.box.lower[d]);
       writer.PutAll(kUpperColumn + d, piece.box.upper[d]);
       writer.Put(kXiColumn + d, start.xi[d]);
-      writer.Put(kNormColumn + d, norm[d]);
+      writer.Put(kSideColumn + d, side.normal[d]);
     });
+  writer.Put(kLeastColumn, side.least);
   pairs.count += std::popcount(which);
 }
 
-/// Appends rays that stay open, with what their roots may be, from the piece's centre.
-HWY_INLINE void AppendOpen(
-  OpenRays& open, LaneMask some, const LookRays& rays, const RootBox& roots, const RootStart& start)
+/// Writes columns of some lanes behind the rays that are there.
+class OpenWriter
+{
+public:
+  HWY_INLINE OpenWriter(OpenRays& open, std::uint64_t which)
+    : Open(open)
+    , ToFront(which)
+  {
+  }
+  HWY_INLINE void Put(int column, Lanes what) const
+  {
+    Store(ToFront(what), Open.Column(column) + Open.count);
+  }
+
+private:
+  OpenRays& Open;
+  LanesToFront ToFront;
+};
+
+HWY_INLINE void PutRays(const OpenWriter& writer, const LookRays& rays, const RootBox& roots)
+{
+  writer.Put(kOpenRayColumn, rays.number);
+  writer.Put(kOpenSlackColumn, rays.slack);
+  for (int a = 0; a < 2; ++a)
+  {
+    writer.Put(kOpenSlopeColumn + a, rays.slope[a]);
+    writer.Put(kOpenPlaceColumn + a, rays.place[a]);
+  }
+  ForEachAxis(
+    [&](auto d) PIXELEXACT_INLINED
+    {
+      writer.Put(kOpenLowerColumn + d, roots.lower[d]);
+      writer.Put(kOpenUpperColumn + d, roots.upper[d]);
+    });
+}
+
+/// Appends rays, with where their roots may be, from the piece's centre.
+HWY_INLINE void AppendNear(
+  OpenRays& near, LaneMask some, const LookRays& rays, const RootBox& roots)
+{
+  const std::uint64_t which = BitsOf(some);
+  if (which != 0)
+  {
+    PutRays(OpenWriter(near, which), rays, roots);
+    near.count += std::popcount(which);
+  }
+}
+
+/// Appends rays that stay open, with a point near the root and the side that it is on, too.
+HWY_INLINE void AppendOpen(OpenRays& open, LaneMask some, const LookRays& rays,
+  const RootBox& roots, const RootStart& start, const RootSide& side)
 {
   const std::uint64_t which = BitsOf(some);
   if (which == 0)
   {
     return;
   }
-  const LanesToFront toFront(which);
-  const auto put = [&](int column, Lanes what) PIXELEXACT_INLINED
-  { Store(toFront(what), open.Column(column) + open.count); };
-  put(kOpenRayColumn, rays.number);
-  put(kOpenSlackColumn, rays.slack);
-  for (int a = 0; a < 2; ++a)
-  {
-    put(kOpenSlopeColumn + a, rays.slope[a]);
-    put(kOpenPlaceColumn + a, rays.place[a]);
-  }
+  const OpenWriter writer(open, which);
+  PutRays(writer, rays, roots);
   ForEachAxis(
     [&](auto d) PIXELEXACT_INLINED
     {
-      put(kOpenLowerColumn + d, roots.lower[d]);
-      put(kOpenUpperColumn + d, roots.upper[d]);
-      put(kOpenXiColumn + d, start.xi[d]);
+      writer.Put(kOpenXiColumn + d, start.xi[d]);
+      writer.Put(kOpenSideColumn + d, side.normal[d]);
     });
+  writer.Put(kOpenLeastColumn, side.least);
   open.count += std::popcount(which);
+}
+
+HWY_INLINE LookRays LoadRays(OpenRays& open, int i)
+{
+  const auto load = [&](int column) PIXELEXACT_INLINED
+  { return Traits::Load(open.Column(column) + i); };
+  return { load(kOpenRayColumn), load(kOpenSlackColumn),
+    { load(kOpenSlopeColumn), load(kOpenSlopeColumn + 1) },
+    { load(kOpenPlaceColumn), load(kOpenPlaceColumn + 1) } };
+}
+
+/// at(first, active) for packs of `count` rays that are open; returns those for which it said so.
+template <class Look>
+HWY_INLINE RaySet LookAtOpen(
+  OpenRays& open, int count, const CurvedPiece& piece, PiecePairs& pairs, Look&& at)
+{
+  const int before = pairs.count;
+  RaySet unclear;
+  for (int i = 0; i < count; i += LaneCount())
+  {
+    const int left = std::min(count - i, LaneCount());
+    const LaneMask active = MaskOf((std::uint64_t{ 1 } << static_cast<unsigned>(left)) - 1U);
+    // What stays open may be written over packs that have been read.
+    const Lanes number = Traits::Load(open.Column(kOpenRayColumn) + i);
+    AddRays(BitsOf(at(i, active)), number, unclear);
+  }
+  TellPiece(piece, before, pairs);
+  return unclear;
 }
 } // namespace pixelexact::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -10,11 +10,10 @@ namespace pixelexact
 /// the same bits on all of them.
 struct LookKernels
 {
-  /// Of rays and a flat piece: appends pairs where there may be a hit, and makes `open` those that
-  /// have one root at most, which was not found in the piece; returns the rays to which the piece
-  /// bends too much. The others miss it, proven. There must be room.
+  /// Of rays and a flat piece: makes `near` those that may meet it, and returns those of which
+  /// nothing is known. The others miss it, proven.
   RaySet (*look)(const RayBundle& bundle, const ElementFrame& frame, const CurvedPiece& piece,
-    const RaySet& rays, PiecePairs& pairs, OpenRays& open);
+    const RaySet& rays, OpenRays& near);
 };
 
 const LookKernels& GetLookKernels();

@@ -17,12 +17,15 @@ enum OpenColumn
   kOpenLowerColumn = kOpenPlaceColumn + 2, ///< 3: xi, from the piece's centre
   kOpenUpperColumn = kOpenLowerColumn + 3, ///< 3
   kOpenXiColumn = kOpenUpperColumn + 3,    ///< 3: a point of the piece near the root
-  kOpenColumns = kOpenXiColumn + 3
+  kOpenSideColumn = kOpenXiColumn + 3,     ///< 3: as of a pair
+  kOpenLeastColumn = kOpenSideColumn + 3,
+  kOpenColumns
 };
 
+/// A ray may be there twice, with two places.
 struct OpenRays
 {
-  static constexpr std::size_t kStride = RayBundle::kMost + 2 * kLanePadding;
+  static constexpr std::size_t kStride = 2 * RayBundle::kMost + 2 * kLanePadding;
 
   int count = 0;
   std::vector<double> columns = std::vector<double>(kOpenColumns * kStride);

@@ -17,11 +17,11 @@ namespace pixelexact
 namespace
 {
 /// Ranges of slopes, relative to the slopes, up to which a piece is flat: of faces, and of volumes.
-constexpr double kFlat[2] = { 0.2, 0.5 };
+constexpr double kFlat[2] = { 0.2, 0.3 };
 /// Of f and y: values that rounding may have made of a zero.
 constexpr double kPlateau = 1e-14;
 /// Halvings at once, however it bends.
-constexpr int kAtOnce[2] = { 8, 9 };
+constexpr int kAtOnce[2] = { 8, 11 };
 
 /// On a straight way in xi from a box's centre the part of the way is no less than that of eta's,
 /// times this: by how much the shape is wider, at most, than at the centre.

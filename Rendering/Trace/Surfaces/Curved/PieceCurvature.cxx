@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trace/Surfaces/Curved/PieceCurvature.h"
 
+#include "Core/Math/Interval.h"
 #include "Core/Math/Rounding.h"
 
 #include <glm/common.hpp>
@@ -30,9 +31,9 @@ Value ChangeAlong(unsigned direction, const std::array<Value, 8>& at)
   return sum;
 }
 
-/// How far a polynomial is, at most, from the function that is linear in each direction and has
-/// these values at the corners: its coefficients are its values on the grid of the polynomial's.
-double FarthestFrom(const Corners& at, const BoxPolynomial& p)
+/// A polynomial less the function that is linear in each direction and has these values at the
+/// corners, whose coefficients are its values on the grid of the polynomial's.
+Interval LessThese(const Corners& at, const BoxPolynomial& p)
 {
   std::array<std::size_t, 3> last;
   std::array<double, 3> step;
@@ -69,7 +70,7 @@ double FarthestFrom(const Corners& at, const BoxPolynomial& p)
       }
     }
   }
-  return std::max(-lower, upper);
+  return { lower, upper };
 }
 } // namespace
 
@@ -134,8 +135,12 @@ bool PieceCorners::SetCurvature(
     }
     const double size =
       std::fabs(piece.slope[c][d]) + piece.radius[c][d] + 2.0 * glm::dot(glm::abs(row), piece.half);
-    const double rest = FarthestFrom(at, by[d]) + by[d].error + Gamma(32) * size;
+    // What third derivatives leave is on one side, often: about its middle it is half.
+    const Interval less = LessThese(at, by[d]);
+    const auto shift = static_cast<float>(less.Middle());
+    const double rest = less.RadiusAround(shift) + by[d].error + Gamma(32) * size;
     isFinite = isFinite && std::isfinite(size) && rest < std::numeric_limits<float>::max();
+    piece.shift[c][d] = shift;
     piece.rest[c][d] = AboveFloat(rest);
   }
   return isFinite;

@@ -57,13 +57,14 @@ RaySet MeetBox(const RayBundle& bundle, const Box3& box, const RaySet& rays)
     });
 }
 
-/// A step of Newton's iteration with the slopes at xi where that stays in the piece, and with the
-/// piece's own matrix where it has to be held back.
+/// A step of Newton's iteration. One that leaves the piece, or of which too many went before,
+/// decides nothing.
 void Step(const RayBundle& bundle, const ElementFrame& frame, const double* values,
   std::size_t stride, PiecePairs& pairs, double* const position[3], double* result)
 {
   const auto k = static_cast<std::size_t>(bundle.axes[2]);
   const Lanes tolerance = Splat(frame.tolerance);
+  const auto number = [](PairResult one) { return Splat(static_cast<double>(one)); };
   for (int i = 0; i < pairs.count; i += LaneCount())
   {
     const auto load = [&](int column) PIXELEXACT_INLINED
@@ -87,15 +88,8 @@ void Step(const RayBundle& bundle, const ElementFrame& frame, const double* valu
     InverseOf(m, inverse);
     Lanes step[3];
     Product(inverse, g, step);
-    for (int n = 0; n < 9; ++n)
-    {
-      inverse[n] = load(kInverseColumn + n);
-    }
-    PairState<3> pair;
-    Product(inverse, g, pair.frozen);
     Lanes xi[3];
     Lanes next[3];
-    Lanes back[3];
     Lanes lower[3];
     Lanes upper[3];
     ForEachAxis(
@@ -103,35 +97,39 @@ void Step(const RayBundle& bundle, const ElementFrame& frame, const double* valu
       {
         xi[d] = load(kXiColumn + d);
         next[d] = xi[d] - step[d];
-        back[d] = xi[d] - pair.frozen[d];
         lower[d] = load(kLowerColumn + d);
         upper[d] = load(kUpperColumn + d);
-        pair.norm[d] = load(kNormColumn + d);
-        pair.off[d] =
-          tolerance * (Abs(inverse[3 * d]) + Abs(inverse[3 * d + 1]) + Abs(inverse[3 * d + 2])) +
-          Splat(kEdge);
       });
     Lanes inside[3];
-    Lanes held[3];
     ClampTo(frame.shape, lower, upper, next, inside);
-    ClampTo(frame.shape, lower, upper, back, held);
-    pair.moved = Max(Abs(step[0]), Max(Abs(step[1]), Abs(step[2])));
-    pair.beyond =
+    const Lanes moved = Max(Abs(step[0]), Max(Abs(step[1]), Abs(step[2])));
+    const Lanes beyond =
       Max(Abs(next[0] - inside[0]), Max(Abs(next[1] - inside[1]), Abs(next[2] - inside[2])));
-    pair.isThere = And(Abs(g[0]) <= tolerance, And(Abs(g[1]) <= tolerance, Abs(g[2]) <= tolerance));
-    const PairEnd end = EndStep(pair, pairs, i, result);
+    const LaneMask arrived = And(moved <= Splat(kArrived), beyond <= Splat(kEdge));
+    const LaneMask isThere =
+      And(Abs(g[0]) <= tolerance, And(Abs(g[1]) <= tolerance, Abs(g[2]) <= tolerance));
+    const LaneMask isHit = Or(arrived, isThere);
+    const LaneMask stays = And(IsFinite(step[0] + step[1] + step[2]), beyond <= Splat(0.0));
+    const Lanes rounds = load(kRoundsColumn) + Splat(1.0);
+    Store(rounds, pairs.Column(kRoundsColumn) + i);
+    Lanes side = Splat(0.0);
     ForEachAxis(
       [&](auto d) PIXELEXACT_INLINED
       {
-        const Lanes moved = Select(end.isFree, inside[d], held[d]);
-        const Lanes found = Select(end.arrived, inside[d], xi[d]);
-        Store(Select(end.isHit, found, moved), pairs.Column(kXiColumn + d) + i);
+        const Lanes found = Select(arrived, inside[d], xi[d]);
+        side = side + load(kSideColumn + d) * found;
+        Store(Select(isHit, found, Select(stays, next[d], xi[d])), pairs.Column(kXiColumn + d) + i);
         const auto c = static_cast<std::size_t>(d);
         const Lanes last3 =
           slopeAt(c, 0) * step[0] + slopeAt(c, 1) * step[1] + slopeAt(c, 2) * step[2];
-        const Lanes y = value(c) - Select(end.arrived, last3, Splat(0.0));
+        const Lanes y = value(c) - Select(arrived, last3, Splat(0.0));
         Store(Splat(frame.centre[d]) + Splat(frame.size) * y, position[d] + i);
       });
+    const LaneMask goesOn = And(stays, rounds <= Splat(kMostRounds));
+    const LaneMask isOne = And(isHit, side >= load(kLeastColumn));
+    Store(Select(isOne, number(PairResult::Hit),
+            Select(AndNot(goesOn, isHit), number(PairResult::Again), number(PairResult::Unclear))),
+      result + i);
   }
 }
 

@@ -40,9 +40,11 @@ enum PairColumn
   kKappaColumn = kUpperColumn + 3,
   kLastColumn, ///< the residual before a step that was held back; 0: none
   kRoundsColumn,
-  kXiColumn,                   ///< 3
-  kNormColumn = kXiColumn + 3, ///< 3: factors of the norm
-  kPairColumns = kNormColumn + 3
+  kXiColumn,                      ///< 3
+  kNormColumn = kXiColumn + 3,    ///< 3: factors of the norm
+  kSideColumn = kNormColumn + 3,  ///< 3: of a root, in a volume, side . xi is
+  kLeastColumn = kSideColumn + 3, ///< at least this
+  kPairColumns
 };
 
 struct PiecePairs

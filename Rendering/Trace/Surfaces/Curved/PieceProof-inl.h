@@ -13,6 +13,7 @@
 #include "Trace/Surfaces/Curved/PieceMath-inl.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 
 HWY_BEFORE_NAMESPACE();
@@ -33,12 +34,25 @@ constexpr double kSlack = 1e-14;
 /// After a step as small as this, Newton's iteration has arrived up to rounding.
 constexpr double kArrived = 1e-8;
 
+/// Adds the rays of some lanes to a set.
+HWY_INLINE void AddRays(std::uint64_t which, Lanes number, RaySet& rays)
+{
+  if (which == 0)
+  {
+    return;
+  }
+  std::array<double, kLanePadding> numbers;
+  Store(number, numbers.data());
+  for (; which != 0; which &= which - 1)
+  {
+    rays.Add(static_cast<int>(numbers[static_cast<std::size_t>(std::countr_zero(which))]));
+  }
+}
+
 /// look.At(gathered, first, active) for packs of the rays; returns those for which it said so.
 template <class PieceLook>
-HWY_INLINE RaySet LookAt(const RayBundle& bundle, const RaySet& rays, const CurvedPiece& piece,
-  PiecePairs& pairs, PieceLook& look)
+HWY_INLINE RaySet LookAt(const RayBundle& bundle, const RaySet& rays, PieceLook& look)
 {
-  const int before = pairs.count;
   const GatheredRays gathered(bundle, rays);
   RaySet unclear;
   for (int i = 0; i < gathered.Count(); i += LaneCount())
@@ -46,16 +60,29 @@ HWY_INLINE RaySet LookAt(const RayBundle& bundle, const RaySet& rays, const Curv
     const int left = std::min(gathered.Count() - i, LaneCount());
     const LaneMask active = MaskOf((std::uint64_t{ 1 } << static_cast<unsigned>(left)) - 1U);
     const auto first = static_cast<std::size_t>(i);
-    for (std::uint64_t bits = BitsOf(look.At(gathered, first, active)); bits != 0; bits &= bits - 1)
-    {
-      unclear.Add(static_cast<int>(
-        gathered.number[first + static_cast<std::size_t>(std::countr_zero(bits))]));
-    }
+    const std::uint64_t which = BitsOf(look.At(gathered, first, active));
+    AddRays(which, Traits::Load(&gathered.number[first]), unclear);
   }
+  return unclear;
+}
+
+/// Of pairs that a look has appended, tells the piece.
+HWY_INLINE void TellPiece(const CurvedPiece& piece, int before, PiecePairs& pairs)
+{
   if (pairs.count > before)
   {
     pairs.pieces.push_back(&piece);
   }
+}
+
+/// The same of a look that appends pairs.
+template <class PieceLook>
+HWY_INLINE RaySet LookAt(const RayBundle& bundle, const RaySet& rays, const CurvedPiece& piece,
+  PiecePairs& pairs, PieceLook& look)
+{
+  const int before = pairs.count;
+  const RaySet unclear = LookAt(bundle, rays, look);
+  TellPiece(piece, before, pairs);
   return unclear;
 }
 

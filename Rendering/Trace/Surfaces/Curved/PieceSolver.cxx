@@ -4,6 +4,7 @@
 #include "Core/Element/Kernels.h"
 #include "Core/Math/Rounding.h"
 #include "Trace/Scene.h"
+#include "Trace/Surfaces/Curved/AlongRayKernels.h"
 #include "Trace/Surfaces/Curved/CloserLookKernels.h"
 #include "Trace/Surfaces/Curved/FacePieceKernels.h"
 #include "Trace/Surfaces/Curved/LookKernels.h"
@@ -59,7 +60,7 @@ std::array<double, 2> PieceSolver::Across(int ray) const
 
 RaySet PieceSolver::Look(const CurvedPiece& piece, const RaySet& rays)
 {
-  if (Work.pairs.count + RayBundle::kMost > PiecePairs::kMost)
+  if (Work.pairs.count + 2 * RayBundle::kMost > PiecePairs::kMost)
   {
     Solve();
   }
@@ -68,7 +69,8 @@ RaySet PieceSolver::Look(const CurvedPiece& piece, const RaySet& rays)
     return GetFacePieceKernels().look(Bundle, Frame, piece, rays, Work.pairs);
   }
   OpenRays& open = Work.open;
-  RaySet unclear = GetLookKernels().look(Bundle, Frame, piece, rays, Work.pairs, open);
+  RaySet unclear = GetLookKernels().look(Bundle, Frame, piece, rays, Work.near);
+  unclear.Add(GetAlongRayKernels().look(Bundle, Frame, piece, Work.near, open, Work.pairs));
   for (int round = 0; open.count > 0 && round < kCloser; ++round)
   {
     double* const xi[3] = { open.Column(kOpenXiColumn), open.Column(kOpenXiColumn + 1),

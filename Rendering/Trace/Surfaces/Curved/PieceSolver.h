@@ -44,6 +44,7 @@ struct SolverWork
   std::vector<CurvedHit> hits;
   std::vector<PieceRay> unclear;
   PiecePairs pairs;
+  OpenRays near;
   OpenRays open;
   std::vector<double> values = std::vector<double>(16 * PiecePairs::kStride);
   std::array<std::vector<double>, 4> ends{ Column(), Column(), Column(), Column() };
@@ -54,11 +55,13 @@ private:
 
 /// Solves, for rays of a bundle and pieces of one element's part,
 ///   y_a - s_a y_k = p_a - s_a p_k  for the two coordinates a across the ray, and f = 0,
-/// by Newton's iteration that never leaves the piece: a step that does is held back at its end. In
-/// the norm of the shape that brings no two points farther from each other, so that a step with the
-/// piece's own matrix M brings every root nearer by the factor kappa, the norm of |M^-1| times the
-/// ranges' radii: where kappa is below 1 the piece holds one root at most, and a step after which
-/// the residual has not fallen as this demands proves that it holds none.
+/// by Newton's iteration that never leaves the piece. In a volume it begins where a ray has one
+/// root at most on one side of a plane, and a step out of the piece ends it. On a face such a step
+/// is held back at the end. In the norm of the shape that brings no two points farther from each
+/// other, so that a step with the piece's own matrix M brings every root nearer by the factor
+/// kappa, the norm of |M^-1| times the ranges' radii: where kappa is below 1 the piece holds one
+/// root at most, and a step after which the residual has not fallen as this demands proves that it
+/// holds none.
 class PieceSolver
 {
 public:

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Formats/MFEM/Elements/Collection.h"
+
+#include <cstdint>
+#include <string>
+
+// The names of MFEM's finite element collections, taken apart. The only file set that knows them.
+namespace pixelexact::mfem
+{
+/// One-dimensional bases, with MFEM's numbers: the 2 of "L2_T2_3D_P1".
+enum class LineBasis : std::uint8_t
+{
+  GaussLegendre = 0,
+  GaussLobatto = 1,
+  Positive = 2, ///< Bernstein
+  OpenUniform = 3,
+  ClosedUniform = 4,
+  OpenHalfUniform = 5,
+  Serendipity = 6,
+  ClosedGaussLegendre = 7,
+  IntegratedGaussLobatto = 8
+};
+
+/// MFEM's two spaces on pyramids, with its numbers: the 0 of "H1_3D_P3_Pyr0".
+enum class PyramidSpace : std::uint8_t
+{
+  Bergot = 0,
+  Fuentes = 1 ///< what MFEM takes where the name says nothing
+};
+
+struct CollectionName
+{
+  std::string text;
+  Continuity continuity = Continuity::H1;
+  int order = 1;
+  int dimension = 3;                          ///< of the elements
+  LineBasis closed = LineBasis::GaussLobatto; ///< the basis of scalar functions
+  LineBasis open = LineBasis::GaussLegendre;  ///< H(curl), H(div): where a component is lower
+  PyramidSpace pyramid = PyramidSpace::Fuentes;
+  bool integral = false;     ///< values are densities ("L2Int")
+  bool shared = true;        ///< unknowns belong to vertices, edges and faces, not to elements
+  bool legacy = false;       ///< of fixed order, by a name of its own
+  bool entityOrdered = true; ///< local order: vertices, edges, faces, interior
+};
+
+/// Of elements of that dimension. Throws Unsupported for collections of others, or that no solid or
+/// plane element has a basis in; InvalidData for what is no name.
+CollectionName ParseCollectionName(const std::string& text, int dimension);
+
+/// "Gauss-Lobatto nodes"
+std::string Describe(LineBasis basis);
+} // namespace pixelexact::mfem

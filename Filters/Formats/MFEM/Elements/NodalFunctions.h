@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Formats/MFEM/Elements/CollectionName.h"
+
+#include "Core/Basis/LineFunctions.h"
+#include "Formats/CardinalFunctions.h"
+
+#include <vector>
+
+// What MFEM's bases are made of: points on the line, and functions of them.
+namespace pixelexact::mfem
+{
+/// n points of a line basis in [-1,1], ascending; integrated functions have Gauss's.
+std::vector<long double> LinePoints(LineBasis basis, int n);
+/// The functions of a line basis, `count` of them, of order count - 1.
+LineFunctions LineOf(LineBasis basis, int count);
+/// `count` functions whose integrals over the intervals between count + 1 closed points, in [0,1],
+/// are one or zero; from the derivatives of the points' Lagrange polynomials, as MFEM makes them.
+LineFunctions IntegratedOf(LineBasis closed, int count);
+/// The same functions of -z.
+LineFunctions Mirrored(LineFunctions line);
+/// The same functions, times a factor.
+LineFunctions Times(long double factor, LineFunctions line);
+} // namespace pixelexact::mfem

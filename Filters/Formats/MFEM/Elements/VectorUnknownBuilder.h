@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Formats/MFEM/Elements/VectorUnknowns.h"
+
+#include <utility>
+
+// The unknowns of H(curl) and H(div) entity by entity, in any order of the entities.
+namespace pixelexact::mfem
+{
+/// n points of a line basis in [0,1]; none for n <= 0.
+std::vector<long double> UnitPoints(LineBasis basis, int n);
+
+class VectorUnknownBuilder
+{
+public:
+  VectorUnknownBuilder(Continuity kind, LineBasis closed, LineBasis open, int order);
+
+  void Edge(const LongVec3& a, const LongVec3& b);
+  void Triangle(const LongVec3& a, const LongVec3& b, const LongVec3& c);
+  /// `b` and `d` are the neighbours of `a`.
+  void Square(const LongVec3& a, const LongVec3& b, const LongVec3& d);
+  void InsideTetrahedron();
+  void InsidePrism();
+  void InsideCube();
+  void InsidePyramid();
+
+  [[nodiscard]] std::vector<VectorUnknown> Take() { return std::move(Unknowns); }
+
+private:
+  using Line = std::vector<long double>;
+
+  void Orient(int component);
+  void OnTriangle(const Line& line, const LongVec3& a, const LongVec3& along,
+    const LongVec3& across, const std::vector<LongVec3>& directions);
+  void InsideClosedTriangle(long double z);
+  void Grid(const LongVec3& a, const LongVec3& along, const Line& us, const LongVec3& across,
+    const Line& vs, const LongVec3& direction);
+
+  bool Tangential;
+  int Order;
+  Line Open;
+  Line Closed;
+  Line Between; ///< closed without its ends
+  Line OnFace;  ///< of triangles
+  Line InSolid; ///< of tetrahedra and, for normals, prisms' triangles
+  std::vector<VectorUnknown> Unknowns;
+};
+} // namespace pixelexact::mfem

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Formats/MFEM/Meshes/MeshFile.h"
+#include "Formats/MFEM/Text/TextScanner.h"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace pixelexact::mfem
+{
+/// Refinement types have one bit for each of x, y, z.
+inline constexpr int kAllDirections = 7;
+inline constexpr int kPlaneDirections = 3;
+
+/// The number of children that a refinement type makes.
+int ChildrenOf(int refinement);
+
+/// An element of any level; leaves have vertices ("nodes" in the file), others have children.
+struct TreeElement
+{
+  Cell cell;
+  int refinement = 0;
+  int rank = 0;
+  std::array<int, 8> children{};
+  bool used = false;
+  bool isChild = false;
+};
+
+/// Marks the children. Fails by `scanner` where one is missing or has two parents.
+void LinkChildren(const TextScanner& scanner, std::span<TreeElement> elements);
+
+/// Elements without children, in MFEM's order.
+struct Leaves
+{
+  std::vector<int> all; ///< of this process and its neighbours
+  std::vector<int> own;
+};
+
+/// Along space-filling curves where cubes and squares are refined in all directions. `rootStates`:
+/// the curves' states at the roots; of those that are left out 0. Fails by `scanner` where the
+/// trees are too deep.
+Leaves LeavesInOrder(const TextScanner& scanner, std::span<const TreeElement> elements,
+  std::span<const int> rootStates, int rank);
+} // namespace pixelexact::mfem

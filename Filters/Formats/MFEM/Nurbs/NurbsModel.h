@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Formats/MFEM/Meshes/Topology.h"
+#include "Formats/MFEM/Nurbs/NurbsSpace.h"
+
+#include <functional>
+#include <map>
+#include <optional>
+
+namespace pixelexact::mfem
+{
+/// Rational maps and fields of a NURBS mesh as polynomials, on parts of its knot spans where these
+/// are too long for that (rational.md).
+class NurbsModel
+{
+public:
+  /// What polynomials lose at most, relative to an element's size or a field's range, unless their
+  /// orders or the parts would be too many; notes tell what they do lose.
+  static constexpr double kLoss = 1e-14;
+  /// Of a knot span, in all.
+  static constexpr int kMostParts = 64;
+
+  /// Divides knot spans as the file's nodes need it. The file outlives it. Throws InvalidData and
+  /// Unsupported, naming the file.
+  NurbsModel(const MeshFile& file, std::string name);
+
+  /// The parts, as a mesh: elements, boundary elements and vertices.
+  [[nodiscard]] const MeshFile& Shown() const { return Drawn; }
+  [[nodiscard]] const Topology& Entities() const { return *DrawnEntities; }
+  /// Of each of its elements.
+  [[nodiscard]] const std::vector<rational::ElementPart>& Parts() const { return PartList; }
+  /// The map through the file's nodes, which are NURBS; what is lost is added to the uncertainty.
+  void AddMap(SolverModel& model);
+  /// A NURBS grid function.
+  void AddField(const GridFunctionFile& file, const std::string& where, const std::string& name,
+    SolverModel& model);
+
+private:
+  /// A function on all parts.
+  struct Function
+  {
+    NurbsSpace space;
+    std::vector<double> values;
+    int components = 0;
+  };
+  [[nodiscard]] Function FunctionOf(const GridFunctionFile& file, const std::string& where) const;
+  [[nodiscard]] rational::RationalElement ElementOf(
+    const Function& function, std::size_t part) const;
+
+  struct Bases
+  {
+    std::vector<rational::Orders> order;    ///< per part
+    std::vector<const ElementBasis*> basis; ///< per part
+    std::vector<double> loss;               ///< per part
+    bool isPolynomial = true;               ///< nothing is lost
+  };
+  /// Orders for each knot vector, so that parts that meet agree. `target`: of each part.
+  Bases BasesOf(
+    const Function& function, int most, const std::function<double(std::size_t)>& target);
+
+  /// Halves spans until each part needs no order above `most`. False: there are too many parts.
+  bool Divide(const Function& function, int most);
+  /// Into how many parts a span is divided at most.
+  [[nodiscard]] int MostPartsOfSpan() const;
+  void MakeParts();
+
+  const MeshFile& File;
+  const NurbsMesh& Mesh;
+  std::string Name;
+  std::vector<std::vector<int>> PartsOfSpan; ///< per knot vector and span
+  std::vector<rational::ElementPart> PartList;
+  MeshFile Drawn;
+  std::optional<Topology> DrawnEntities;
+  std::optional<Function> Map; ///< where the nodes are NURBS
+  std::vector<double> Extent;  ///< per knot span, of its control points
+  int MapOrder = 0;            ///< at most
+  rational::LineTables Tables;
+  std::map<Space, ElementBasis> KnownBases;
+};
+} // namespace pixelexact::mfem

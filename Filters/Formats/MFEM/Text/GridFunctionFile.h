@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Formats/MFEM/Text/TextScanner.h"
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pixelexact::mfem
+{
+/// What a NURBS space's header says where it is another one than the mesh's.
+struct NurbsSections
+{
+  std::vector<int> orders; ///< one for all knot vectors, or one for each
+  std::vector<int> masters;
+  std::vector<int> slaves;
+  std::vector<double> weights; ///< per control point; empty: all are 1
+};
+
+/// A grid function as its file has it.
+struct GridFunctionFile
+{
+  std::string collection;
+  int components = 1;  ///< VDim
+  bool byNodes = true; ///< Ordering 0: component by component; 1: unknown by unknown
+  std::vector<double> values;
+  std::optional<NurbsSections> nurbs;
+  bool byPatches = false; ///< NURBS: the values of each patch's control points, one after the other
+  bool isComplex = false; ///< the real parts of all unknowns, then the imaginary ones
+
+  [[nodiscard]] bool IsNurbs() const { return collection.starts_with("NURBS"); }
+};
+
+/// Reads a header and all the numbers that follow it. Throws Unsupported for a complex one.
+GridFunctionFile ReadGridFunction(TextScanner& scanner);
+/// The same for one that may be complex.
+GridFunctionFile ReadAnyGridFunction(TextScanner& scanner);
+
+/// The real and the imaginary part of a complex one.
+std::pair<GridFunctionFile, GridFunctionFile> PartsOf(const GridFunctionFile& complex);
+} // namespace pixelexact::mfem

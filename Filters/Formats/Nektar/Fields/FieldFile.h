@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Formats/Nektar/Fields/FieldValues.h"
+#include "Formats/Nektar/Files/Document.h"
+#include "Formats/Nektar/Homogeneous/Homogeneous.h"
+
+#include "Core/Shape/Shape.h"
+
+#include <array>
+#include <optional>
+
+namespace pixelexact::nektar
+{
+/// What a family of functions is along each direction, and how many there are. Of plane elements,
+/// on the solids of a slab, one function without a family across; of segments along y, too.
+struct Expansion3
+{
+  Shape shape = Shape::Hexahedron;
+  std::array<std::string, 3> families; ///< "Modified_A", ...
+  std::array<int, 3> count{};
+
+  auto operator<=>(const Expansion3&) const = default;
+  [[nodiscard]] bool IsPlane() const { return families[1].empty() || families[2].empty(); }
+  [[nodiscard]] bool IsLine() const { return families[1].empty() && families[2].empty(); }
+};
+
+/// An element's coefficients in a block. Of homogeneous blocks, those of the first function of y
+/// and z; the others' follow.
+struct ElementData
+{
+  std::int64_t id = 0;
+  int expansion = 0;      ///< index in FieldBlock::expansions
+  std::size_t offset = 0; ///< of its first coefficient among those of one field
+  std::size_t count = 0;
+};
+
+/// One ELEMENTS block.
+struct FieldBlock
+{
+  std::vector<std::string> fields;
+  std::vector<Expansion3> expansions;
+  std::vector<ElementData> elements;
+  std::optional<Homogeneous> homogeneous;
+  int strip = 0; ///< its number, where there are strips
+  std::size_t perField = 0;
+  FieldValues values; ///< field by field
+};
+
+struct FieldFile
+{
+  std::optional<double> time;
+  std::vector<FieldBlock> blocks;
+};
+
+/// Reads a part of a field file. Throws InvalidData and Unsupported.
+FieldFile ReadFieldFile(const NamedText& file);
+
+/// "Modified_A x Modified_A x Modified_B".
+std::string Describe(const Expansion3& expansion);
+} // namespace pixelexact::nektar

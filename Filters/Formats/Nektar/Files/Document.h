@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Formats/NamedText.h"
+#include "Formats/Nektar/Files/Compressed.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <pugixml.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace pixelexact::nektar
+{
+/// A Nektar++ XML file, as LoadXml takes it.
+class Document
+{
+public:
+  /// Throws InvalidData: "<file>: ..." for what is no XML or has no NEKTAR element.
+  explicit Document(const NamedText& file);
+  ~Document();
+  Document(const Document&) = delete;
+  Document& operator=(const Document&) = delete;
+
+  [[nodiscard]] pugi::xml_node Root() const { return Xml.child("NEKTAR"); }
+  [[nodiscard]] const std::string& Name() const { return FileName; }
+  /// Its name without folders.
+  [[nodiscard]] std::string BaseName() const { return FileName.substr(FileName.rfind('/') + 1); }
+
+  /// The only child of a tag, or none; fails where there are several.
+  [[nodiscard]] pugi::xml_node Only(const pugi::xml_node& parent, const char* tag) const;
+  /// An element's own text, without comments.
+  [[nodiscard]] static std::string Text(const pugi::xml_node& node);
+
+  /// "<file>, <TAG ID=...>".
+  [[nodiscard]] std::string Place(const pugi::xml_node& node) const;
+  [[noreturn]] void Fail(const pugi::xml_node& node, const std::string& problem) const;
+  [[noreturn]] void FailUnsupported(const pugi::xml_node& node, const std::string& problem) const;
+
+  /// Whether the element's text is a compressed block; fails for forms that are not known.
+  [[nodiscard]] bool IsCompressed(const pugi::xml_node& node) const;
+  /// The same for the coefficients of fields, which are compressed where nothing is said.
+  [[nodiscard]] bool IsCompressedField(const pugi::xml_node& node) const;
+  /// The fixed-size records of a compressed block, at most `most` of them.
+  template <class Record>
+  std::vector<Record> Records(const pugi::xml_node& node, std::size_t most) const
+  {
+    std::vector<Record> records;
+    PassRecords<Record>(node, most,
+      [&records, most](std::span<const Record> some, std::size_t packed)
+      {
+        // Numbers are rarely compressed to less than a quarter; what is not written takes no
+        // memory.
+        if (records.empty())
+        {
+          records.reserve(std::min(most, 4 * packed / sizeof(Record)) + some.size());
+        }
+        records.insert(records.end(), some.begin(), some.end());
+      });
+    return records;
+  }
+  /// The same, some at a time, with the bytes of the compressed text.
+  template <class Record, class Pass>
+  void PassRecords(const pugi::xml_node& node, std::size_t most, Pass&& pass) const
+  {
+    std::string joined;
+    const std::string_view text = TextView(node, joined);
+    Decompressor stream(text, std::min(most * sizeof(Record), MostExpanded), Place(node), File);
+    constexpr std::size_t kTogether = 8192;
+    std::vector<Record> some(kTogether);
+    std::size_t bytes = kTogether * sizeof(Record);
+    while (bytes == kTogether * sizeof(Record))
+    {
+      bytes = stream.Read(std::as_writable_bytes(std::span(some)));
+      if (bytes % sizeof(Record) != 0)
+      {
+        Fail(node,
+          "the compressed data hold " + std::to_string(stream.Given()) +
+            " bytes, which is no multiple of a record's " + std::to_string(sizeof(Record)) +
+            "; the file is damaged.");
+      }
+      pass(std::span<const Record>(some).first(bytes / sizeof(Record)), text.size());
+    }
+  }
+
+  /// Whole numbers in an element's text; fails unless there are `count` of them.
+  std::vector<std::int64_t> Integers(const pugi::xml_node& node, std::size_t count) const;
+  /// Numbers in an element's text.
+  std::vector<double> Numbers(const pugi::xml_node& node) const;
+  /// An attribute that must be a whole number that is not negative.
+  std::int64_t Id(const pugi::xml_node& node, const char* attribute) const;
+  /// A list such as "0-65,70"; fails for more than `most` numbers.
+  std::vector<std::int64_t> List(
+    const pugi::xml_node& node, std::string_view text, std::size_t most) const;
+
+  /// No compressed block of the file may expand to more: a thousandfold, zlib's limit.
+  [[nodiscard]] std::size_t MostBytes() const { return MostExpanded; }
+
+private:
+  /// Text() without a copy where it is in one piece, else in `joined`.
+  std::string_view TextView(const pugi::xml_node& node, std::string& joined) const;
+
+  std::string FileName;
+  const FileText* File;
+  pugi::xml_document Xml;
+  std::vector<std::string_view> Blocks; ///< the long ones, which Xml has marks for
+  std::size_t MostExpanded;
+};
+
+/// Without blanks at the ends.
+std::string_view Trim(std::string_view text);
+} // namespace pixelexact::nektar

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Formats/Nektar/Files/Expression.h"
+
+#include "Core/Base/Error.h"
+#include "Formats/Nektar/Files/ExpressionNames.h"
+
+#include <tao/pegtl.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace pixelexact::nektar
+{
+namespace
+{
+namespace peg = tao::pegtl;
+
+/// Bounds of the parser's time and of its recursion.
+constexpr std::size_t kLongest = 256;
+constexpr int kDeepest = 32;
+
+struct State
+{
+  const NamedValue& parameter;
+  std::vector<double> values;
+  std::vector<std::string> functions;   ///< that are being called
+  std::vector<std::size_t> firstValues; ///< of their arguments
+
+  double Pop()
+  {
+    const double value = values.back();
+    values.pop_back();
+    return value;
+  }
+};
+
+// The grammar. A rule's blanks are those behind it.
+struct Blanks : peg::star<peg::space>
+{
+};
+template <class Rule>
+struct Token : peg::seq<Rule, Blanks>
+{
+};
+
+struct Digits : peg::plus<peg::digit>
+{
+};
+struct Sign : peg::one<'+', '-'>
+{
+};
+struct Mantissa : peg::sor<peg::seq<Digits, peg::opt<peg::one<'.'>, peg::star<peg::digit>>>,
+                    peg::seq<peg::one<'.'>, Digits>>
+{
+};
+struct Number
+  : peg::seq<peg::opt<Sign>, Mantissa, peg::opt<peg::one<'e', 'E'>, peg::opt<Sign>, Digits>>
+{
+};
+struct Word : peg::seq<peg::sor<peg::alpha, peg::one<'_', '$'>>,
+                peg::star<peg::sor<peg::alnum, peg::one<'_', '$'>>>>
+{
+};
+struct Name : Word
+{
+};
+struct FunctionName : Word
+{
+};
+
+struct Comparison;
+struct IsCall : peg::at<Token<Word>, peg::one<'('>>
+{
+};
+struct Call : peg::seq<Token<FunctionName>, Token<peg::one<'('>>,
+                peg::list<Comparison, Token<peg::one<','>>>, Token<peg::one<')'>>>
+{
+};
+struct Parentheses : peg::seq<Token<peg::one<'('>>, Comparison, Token<peg::one<')'>>>
+{
+};
+struct Base : peg::sor<Token<Number>, peg::if_then_else<IsCall, Call, Token<Name>>, Parentheses>
+{
+};
+
+struct Plus : peg::one<'+'>
+{
+  static double Of(double a, double b) { return a + b; }
+};
+struct Minus : peg::one<'-'>
+{
+  static double Of(double a, double b) { return a - b; }
+};
+struct Times : peg::one<'*'>
+{
+  static double Of(double a, double b) { return a * b; }
+};
+struct Over : peg::one<'/'>
+{
+  static double Of(double a, double b) { return a / b; }
+};
+struct Modulo : peg::one<'%'>
+{
+  static double Of(double a, double b) { return std::fmod(a, b); }
+};
+struct Power : peg::one<'^'>
+{
+  static double Of(double a, double b) { return std::pow(a, b); }
+};
+struct Equal : peg::string<'=', '='>
+{
+  static double Of(double a, double b) { return a == b ? 1.0 : 0.0; }
+};
+struct AtMost : peg::string<'<', '='>
+{
+  static double Of(double a, double b) { return a <= b ? 1.0 : 0.0; }
+};
+struct AtLeast : peg::string<'>', '='>
+{
+  static double Of(double a, double b) { return a >= b ? 1.0 : 0.0; }
+};
+struct Less : peg::one<'<'>
+{
+  static double Of(double a, double b) { return a < b ? 1.0 : 0.0; }
+};
+struct More : peg::one<'>'>
+{
+  static double Of(double a, double b) { return a > b ? 1.0 : 0.0; }
+};
+
+template <class Operator, class Operand>
+struct Apply : peg::seq<Token<Operator>, Operand>
+{
+};
+/// Operands and operators of one rank, from left to right.
+template <class Operand, class... Operators>
+struct Rank : peg::seq<Operand, peg::star<peg::sor<Apply<Operators, Operand>...>>>
+{
+};
+
+struct Exponential : peg::seq<Base, peg::opt<Apply<Power, Exponential>>>
+{
+};
+struct Product : Rank<Exponential, Times, Over, Modulo>
+{
+};
+struct Negative : peg::seq<Token<peg::one<'-'>>, Product>
+{
+};
+struct Term : peg::sor<Negative, Product>
+{
+};
+struct Sum : Rank<Term, Plus, Minus>
+{
+};
+struct Inequality : Rank<Sum, AtMost, AtLeast, Less, More>
+{
+};
+struct Comparison : Rank<Inequality, Equal>
+{
+};
+struct Grammar : peg::seq<Blanks, Comparison, peg::must<peg::eof>>
+{
+};
+
+template <class Rule>
+struct Action : peg::nothing<Rule>
+{
+};
+
+template <class Operator, class Operand>
+struct Action<Apply<Operator, Operand>>
+{
+  static void apply0(State& state)
+  {
+    const double b = state.Pop();
+    state.values.back() = Operator::Of(state.values.back(), b);
+  }
+};
+
+template <>
+struct Action<Negative>
+{
+  static void apply0(State& state) { state.values.back() = -state.values.back(); }
+};
+
+template <>
+struct Action<Number>
+{
+  template <class Input>
+  static void apply(const Input& in, State& state)
+  {
+    std::string_view text = in.string_view();
+    text.remove_prefix(text.starts_with('+') ? 1 : 0);
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc())
+    {
+      throw InvalidData("'" + in.string() + "' is beyond the range of numbers");
+    }
+    state.values.push_back(value);
+  }
+};
+
+template <>
+struct Action<Name>
+{
+  template <class Input>
+  static void apply(const Input& in, State& state)
+  {
+    const auto constant = ConstantNamed(in.string_view());
+    const auto value = constant ? constant : state.parameter(in.string_view());
+    if (!value)
+    {
+      throw InvalidData(
+        "'" + in.string() + "' is neither a constant nor a parameter of the session");
+    }
+    state.values.push_back(*value);
+  }
+};
+
+template <>
+struct Action<FunctionName>
+{
+  template <class Input>
+  static void apply(const Input& in, State& state)
+  {
+    state.functions.push_back(in.string());
+    state.firstValues.push_back(state.values.size());
+  }
+};
+
+template <>
+struct Action<Call>
+{
+  static void apply0(State& state)
+  {
+    const std::string& name = state.functions.back();
+    const std::size_t first = state.firstValues.back();
+    const auto arguments = std::span<const double>(state.values).subspan(first);
+    const auto value = CallFunction(name, arguments);
+    if (!value)
+    {
+      throw InvalidData("there is no function '" + name + "' of " +
+        std::to_string(arguments.size()) + (arguments.size() == 1 ? " argument" : " arguments"));
+    }
+    state.values.resize(first);
+    state.values.push_back(*value);
+    state.functions.pop_back();
+    state.firstValues.pop_back();
+  }
+};
+
+void CheckSize(std::string_view text)
+{
+  int depth = 0;
+  int deepest = 0;
+  for (const char c : text)
+  {
+    depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+    deepest = std::max(deepest, depth);
+  }
+  if (text.size() > kLongest || deepest > kDeepest)
+  {
+    throw InvalidData("it is longer than " + std::to_string(kLongest) +
+      " characters, or has more than " + std::to_string(kDeepest) +
+      " parentheses within each other");
+  }
+}
+} // namespace
+
+double Evaluate(std::string_view text, const NamedValue& parameter)
+{
+  CheckSize(text);
+  State state{ parameter, {}, {}, {} };
+  peg::memory_input<> input(text.data(), text.size(), "");
+  try
+  {
+    if (!peg::parse<Grammar, Action>(input, state))
+    {
+      throw InvalidData("it cannot be read");
+    }
+  }
+  catch (const peg::parse_error& error)
+  {
+    const auto at = error.positions().front().byte;
+    throw InvalidData("it cannot be read from '" + std::string(text.substr(at, 20)) + "' on");
+  }
+  if (!std::isfinite(state.values.back()))
+  {
+    throw InvalidData("its value is not finite");
+  }
+  return state.values.back();
+}
+} // namespace pixelexact::nektar
