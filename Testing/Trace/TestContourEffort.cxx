@@ -22,11 +22,15 @@ struct Told
   ContourCounters counters;
 };
 
-Told Tell(
-  const Scene& scene, double effort, std::shared_ptr<ContourBounds> bounds, bool interior = false)
+/// Of what a tile of these scenes takes a part, and hardly anything.
+constexpr std::int64_t kSome = 1'000'000;
+constexpr std::int64_t kLittle = 300'000;
+
+Told Tell(const Scene& scene, std::int64_t work, std::shared_ptr<ContourBounds> bounds,
+  bool interior = false)
 {
   ContourMethod method;
-  method.SetEffort(effort);
+  method.work = work;
   method.interior = interior;
   ContourCertifier certifier({ { -2.0, -0.7, -0.1, 0.05, 0.4, 1.1 } }, method, std::move(bounds));
   Trace(scene, Camera(Oblique(), kAcross, kUp), { {}, { &certifier } });
@@ -46,8 +50,8 @@ TEST(ContourEffort, LessLeavesMoreUndecidedAndNothingElse)
   {
     const BentCube cube({ std::begin(kShapes), std::end(kShapes) });
     const Scene scene = cube.With(surface);
-    const Told usual = Tell(scene, 1.0, nullptr);
-    const Told little = Tell(scene, ContourMethod::kLeastEffort, nullptr);
+    const Told usual = Tell(scene, ContourMethod().work, nullptr);
+    const Told little = Tell(scene, kLittle, nullptr);
     EXPECT_EQ(usual.counters.spent, 0);
     EXPECT_GT(little.counters.spent, 0);
     EXPECT_GT(little.counters.undecided, usual.counters.undecided);
@@ -65,17 +69,18 @@ TEST(ContourEffort, WhatIsKeptAndThreadsChangeNothing)
   const BentCube cube({ std::begin(kShapes), std::end(kShapes) });
   const Scene scene = cube.With(Surfaces().front());
   const auto kept = std::make_shared<ContourBounds>();
-  (void)Tell(scene, 1.0, kept);
+  (void)Tell(scene, ContourMethod().work, kept);
   for (const bool interior : { false, true })
   {
-    for (const double effort : { ContourMethod::kLeastEffort, 0.01 })
+    for (const std::int64_t work : { kLittle, kSome })
     {
       const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-      const Told cold = Tell(scene, effort, nullptr, interior);
-      EXPECT_EQ(cold.verdicts, Tell(scene, effort, kept, interior).verdicts) << effort;
+      const Told cold = Tell(scene, work, nullptr, interior);
+      EXPECT_GT(cold.counters.spent, 0) << work;
+      EXPECT_EQ(cold.verdicts, Tell(scene, work, kept, interior).verdicts) << work;
     }
-    const Told alone = Tell(scene, 0.01, nullptr, interior);
-    EXPECT_EQ(alone.verdicts, Tell(scene, 0.01, nullptr, interior).verdicts);
+    const Told alone = Tell(scene, kSome, nullptr, interior);
+    EXPECT_EQ(alone.verdicts, Tell(scene, kSome, nullptr, interior).verdicts);
   }
 }
 
