@@ -62,7 +62,9 @@ TEST(FaceBox, HoldsTheFaceAndLittleMore)
     for (std::size_t f = 0; f < faces.size(); ++f)
     {
       SCOPED_TRACE(Name(shape) + std::string(", face ") + std::to_string(f));
-      const Box3 box = FaceBox(mesh.View(), { 0, static_cast<std::int32_t>(f) });
+      const CurvedPart part{ 0, static_cast<std::int32_t>(f) };
+      const auto modes = FaceRestriction().Of(mesh.View(), part);
+      ASSERT_TRUE(modes.has_value());
       std::vector<Vec3> xi;
       for (int i = -20; i <= 20; ++i)
       {
@@ -78,11 +80,15 @@ TEST(FaceBox, HoldsTheFaceAndLittleMore)
       {
         seen = { glm::min(seen.lower, one), glm::max(seen.upper, one) };
       }
-      for (int d = 0; d < 3; ++d)
+      for (const FaceModes* of : { &*modes, static_cast<const FaceModes*>(nullptr) })
       {
-        EXPECT_LE(box.lower[d], seen.lower[d]);
-        EXPECT_GE(box.upper[d], seen.upper[d]);
-        EXPECT_LT(box.upper[d] - box.lower[d], 2.0 * (seen.upper[d] - seen.lower[d]) + 0.5);
+        const Box3 box = FaceBox(mesh.View(), part, of);
+        for (int d = 0; d < 3; ++d)
+        {
+          EXPECT_LE(box.lower[d], seen.lower[d]);
+          EXPECT_GE(box.upper[d], seen.upper[d]);
+          EXPECT_LT(box.upper[d] - box.lower[d], 2.0 * (seen.upper[d] - seen.lower[d]) + 0.5);
+        }
       }
     }
   }

@@ -102,6 +102,17 @@ struct FixedOrder
   static constexpr Const<P> r() { return {}; }
 };
 
+/// The same of a face's space, a hexahedron's or a prism's without order along xi2.
+template <int P>
+struct FixedFaceOrder
+{
+  static constexpr int kCapacity = P + 1;
+  explicit FixedFaceOrder(const Space& /*space*/) {}
+  static constexpr Const<P> p() { return {}; }
+  static constexpr Const<0> q() { return {}; }
+  static constexpr Const<P> r() { return {}; }
+};
+
 /// Orders known at run time.
 struct AnyOrder
 {

@@ -109,25 +109,31 @@ inline constexpr int kMaxFixedOrder = 1;
 inline constexpr int kMaxFixedOrder = kMaxOrder;
 #endif
 
-/// set(Const<P>()) where the space's order is P in all directions, one of the list, and compiled
-/// in.
+/// set(Const<P>()) where `order` is P, one of the list, and compiled in.
+template <int... kOrders, class Set>
+void ForOrder(int order, const Set& set)
+{
+  const auto setIf = [&]<int P>(Const<P> one)
+  {
+    if constexpr (P <= kMaxFixedOrder)
+    {
+      if (order == P)
+      {
+        set(one);
+      }
+    }
+  };
+  (setIf(Const<kOrders>()), ...);
+}
+
+/// The same of the order of a space where that is one in all directions.
 template <int... kOrders, class Set>
 void ForFixedOrder(const Space& space, const Set& set)
 {
   const auto [p, q, r] = space.order;
-  const auto setIf = [&, p = p]<int P>(Const<P> order)
-  {
-    if constexpr (P <= kMaxFixedOrder)
-    {
-      if (p == P)
-      {
-        set(order);
-      }
-    }
-  };
   if (p == q && q == r)
   {
-    (setIf(Const<kOrders>()), ...);
+    ForOrder<kOrders...>(p, set);
   }
 }
 
@@ -149,6 +155,17 @@ KernelSet SelectKernelSet(const Space& space)
         set.invert = &InvertKernel<Modes, FixedOrder<P>>;
       }
     });
+  constexpr Shape kShape = Modes<Lanes, AnyOrder, false>::kShape;
+  if constexpr (kShape == Shape::Hexahedron || kShape == Shape::Prism)
+  {
+    const auto [p, q, r] = space.order;
+    if (q == 0 && p == r)
+    {
+      ForOrder<1, 2, 3, 4>(p,
+        [&]<int P>(Const<P> /*order*/)
+        { set.gradient = &GradientKernel<Modes, FixedFaceOrder<P>>; });
+    }
+  }
   return set;
 }
 } // namespace pixelexact::HWY_NAMESPACE

@@ -5,7 +5,6 @@
 #include "Core/Math/Rounding.h"
 #include "Core/Questions/Questions.h"
 #include "Trace/Surfaces/Arguments.h"
-#include "Trace/Surfaces/Curved/FaceNormals.h"
 
 #include <glm/common.hpp>
 
@@ -160,11 +159,5 @@ double BezierPatches::Sagitta(
   const Ray& a, const SurfacePoint& atA, const Ray& b, const SurfacePoint& atB) const
 {
   return Seams.Sagitta({ a, atA.position, b, atB.position }, atA, atB);
-}
-
-void BezierPatches::NormalsOf(
-  const CurvedPart& part, std::span<const Vec3> xi, std::span<Vec3> normals) const
-{
-  FaceNormals(Equation().mesh, part, xi, normals);
 }
 } // namespace pixelexact

@@ -33,8 +33,6 @@ public:
   struct Storage;
 
 protected:
-  void NormalsOf(
-    const CurvedPart& part, std::span<const Vec3> xi, std::span<Vec3> normals) const override;
   [[nodiscard]] bool TellsElements() const override { return false; }
 
 private:

@@ -3,7 +3,6 @@
 
 #include "Core/Questions/Questions.h"
 #include "Trace/Surfaces/Arguments.h"
-#include "Trace/Surfaces/Curved/FaceNormals.h"
 #include "Trace/Surfaces/Curved/HitsBehind.h"
 
 #include <string>
@@ -85,11 +84,5 @@ void ElementFaces::Review(
     }
   }
   hits.resize(kept);
-}
-
-void ElementFaces::NormalsOf(
-  const CurvedPart& part, std::span<const Vec3> xi, std::span<Vec3> normals) const
-{
-  FaceNormals(Equation().mesh, part, xi, normals);
 }
 } // namespace pixelexact

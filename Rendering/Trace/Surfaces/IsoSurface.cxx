@@ -64,13 +64,13 @@ IsoSurface::IsoSurface(
 }
 
 void IsoSurface::NormalsOf(
-  const CurvedPart& part, std::span<const Vec3> xi, std::span<Vec3> normals) const
+  std::int32_t part, std::span<const Vec3> xi, std::span<Vec3> normals) const
 {
   const auto components = static_cast<std::size_t>(TheField.values.components);
   const bool squares = Equation().component == kMagnitude;
   std::vector<double> values(components * xi.size());
   std::vector<double> gradients(3 * values.size());
-  EvaluateAt(Equation().mesh, TheField, part.element, xi, values, gradients);
+  EvaluateAt(Equation().mesh, TheField, PartOf(part).element, xi, values, gradients);
   for (std::size_t i = 0; i < xi.size(); ++i)
   {
     Vec3 normal(0.0);

@@ -33,7 +33,7 @@ public:
 
 protected:
   void NormalsOf(
-    const CurvedPart& part, std::span<const Vec3> xi, std::span<Vec3> normals) const override;
+    std::int32_t part, std::span<const Vec3> xi, std::span<Vec3> normals) const override;
 
 private:
   struct Elements;

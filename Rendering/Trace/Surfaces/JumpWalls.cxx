@@ -4,7 +4,6 @@
 #include "Core/Faces/BehindFace.h"
 #include "Core/Location/Sample.h"
 #include "Trace/Scene.h"
-#include "Trace/Surfaces/Curved/FaceNormals.h"
 #include "Trace/Surfaces/Curved/HitsBehind.h"
 #include "Trace/Surfaces/Curved/JumpFaces.h"
 #include "Trace/Surfaces/IsoEquation.h"
@@ -205,11 +204,5 @@ void JumpWalls::Review(
       }
     }
   }
-}
-
-void JumpWalls::NormalsOf(
-  const CurvedPart& part, std::span<const Vec3> xi, std::span<Vec3> normals) const
-{
-  FaceNormals(Equation().mesh, part, xi, normals);
 }
 } // namespace pixelexact

@@ -33,8 +33,6 @@ public:
 protected:
   void Review(
     const CurvedPart& part, std::vector<CurvedHit>& hits, std::size_t first) const override;
-  void NormalsOf(
-    const CurvedPart& part, std::span<const Vec3> xi, std::span<Vec3> normals) const override;
 
 private:
   JumpWalls(const Locator& locator, const JumpFaces& faces, const CurvedEquation& equation);

@@ -6,6 +6,7 @@
 #include "Trace/Scene.h"
 #include "Trace/Surfaces/Curved/BundleHits.h"
 #include "Trace/Surfaces/Curved/FaceBox.h"
+#include "Trace/Surfaces/Curved/FaceNormals.h"
 #include "Trace/Surfaces/Curved/PieceReferee.h"
 
 #include <algorithm>
@@ -223,6 +224,7 @@ CurvedSurface::CurvedSurface(
   , All(std::move(parts))
   , Trees(All.size())
   , Boxes(equation.field == nullptr ? All.size() : 0)
+  , Modes(Boxes.Size())
 {
   if (!All.empty())
   {
@@ -233,15 +235,32 @@ CurvedSurface::CurvedSurface(
 const PartTree& CurvedSurface::TreeOf(std::int32_t part) const
 {
   return Trees.Get(static_cast<std::size_t>(part),
-    [&] { return std::make_unique<const PartTree>(TheEquation, PartOf(part)); });
+    [&] { return std::make_unique<const PartTree>(TheEquation, PartOf(part), ModesOf(part)); });
+}
+
+const FaceModes* CurvedSurface::ModesOf(std::int32_t part) const
+{
+  if (TheEquation.field != nullptr)
+  {
+    return nullptr;
+  }
+  const std::optional<FaceModes>& modes = Modes.Get(static_cast<std::size_t>(part),
+    [&]
+    {
+      return std::make_unique<const std::optional<FaceModes>>(
+        Restriction.Of(TheEquation.mesh, PartOf(part)));
+    });
+  return modes ? &*modes : nullptr;
 }
 
 const Box3& CurvedSurface::BoxOf(std::int32_t part, const Box3& around) const
 {
-  return TheEquation.field != nullptr
-    ? around
-    : Boxes.Get(static_cast<std::size_t>(part),
-        [&] { return std::make_unique<const Box3>(FaceBox(TheEquation.mesh, PartOf(part))); });
+  return TheEquation.field != nullptr ? around
+                                      : Boxes.Get(static_cast<std::size_t>(part),
+                                          [&] {
+                                            return std::make_unique<const Box3>(FaceBox(
+                                              TheEquation.mesh, PartOf(part), ModesOf(part)));
+                                          });
 }
 
 std::int64_t CurvedSurface::PiecesMade() const
@@ -258,6 +277,12 @@ std::int64_t CurvedSurface::PiecesMade() const
 void CurvedSurface::Review(
   const CurvedPart& /*part*/, std::vector<CurvedHit>& /*hits*/, std::size_t /*first*/) const
 {
+}
+
+void CurvedSurface::NormalsOf(
+  std::int32_t part, std::span<const Vec3> xi, std::span<Vec3> normals) const
+{
+  FaceNormals(FaceMap(TheEquation.mesh, PartOf(part), ModesOf(part)), xi, normals);
 }
 
 void CurvedSurface::Meet(const RayLanes& rays, HitSlots& hits) const
@@ -296,7 +321,7 @@ void CurvedSurface::Normals(std::span<const SurfacePoint> points, std::span<Vec3
         }
       }
       found.resize(xi.size());
-      NormalsOf(PartOf(piece), xi, found);
+      NormalsOf(piece, xi, found);
       auto from = found.cbegin();
       for (const KeyRun& run : of)
       {

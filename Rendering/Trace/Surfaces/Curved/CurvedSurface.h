@@ -3,12 +3,14 @@
 
 #include "Core/Base/MadeOnDemand.h"
 #include "Trace/Surfaces/Curved/BundleHierarchy.h"
+#include "Trace/Surfaces/Curved/FaceModes.h"
 #include "Trace/Surfaces/Curved/PartTree.h"
 #include "Trace/Surfaces/Curved/PieceSolver.h"
 #include "Trace/Surfaces/Surface.h"
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -52,9 +54,9 @@ protected:
   /// cannot tell as Undecided. All stay unless told.
   virtual void Review(
     const CurvedPart& part, std::vector<CurvedHit>& hits, std::size_t first) const;
-  /// Unit normals at points of one part; zero where there is none.
+  /// Unit normals at points of one part; zero where there is none. Those of the face, unless told.
   virtual void NormalsOf(
-    const CurvedPart& part, std::span<const Vec3> xi, std::span<Vec3> normals) const = 0;
+    std::int32_t part, std::span<const Vec3> xi, std::span<Vec3> normals) const;
   /// Whether hits tell element and xi. Where they do not, pieces have the first two xi as
   /// parameters; the third is -1.
   [[nodiscard]] virtual bool TellsElements() const { return true; }
@@ -62,6 +64,8 @@ protected:
 private:
   class Meeting;
   [[nodiscard]] const PartTree& TreeOf(std::int32_t part) const;
+  /// Null where there are none, and of iso-surfaces.
+  [[nodiscard]] const FaceModes* ModesOf(std::int32_t part) const;
   /// A box of the part itself: of an iso-surface's that of the element, which is `around`.
   [[nodiscard]] const Box3& BoxOf(std::int32_t part, const Box3& around) const;
   void MeetSome(const RayLanes& rays, int first, int count, HitSlots& hits) const;
@@ -70,6 +74,9 @@ private:
   std::vector<CurvedPart> All;
   std::unique_ptr<BundleHierarchy> Hierarchy;
   MadeOnDemand<PartTree> Trees;
-  MadeOnDemand<Box3> Boxes; ///< of faces
+  // Of faces.
+  MadeOnDemand<Box3> Boxes;
+  FaceRestriction Restriction;
+  MadeOnDemand<std::optional<FaceModes>> Modes;
 };
 } // namespace pixelexact

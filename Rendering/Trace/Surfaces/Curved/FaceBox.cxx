@@ -10,21 +10,25 @@
 
 namespace pixelexact
 {
-Box3 FaceBox(const Mesh& mesh, const CurvedPart& part)
+Box3 FaceBox(const Mesh& mesh, const CurvedPart& part, const FaceModes* modes)
 {
   const auto e = static_cast<std::size_t>(part.element);
   const Box3 anywhere{ Vec3(-INFINITY), Vec3(INFINITY) };
-  const ScaledModes map(mesh.map.SpaceOf(part.element), mesh.map.Coefficients(part.element), 3);
+  const ScaledModes map = modes != nullptr
+    ? ScaledModes(modes->space, modes->coefficients.data(), 3)
+    : ScaledModes(mesh.map.SpaceOf(part.element), mesh.map.Coefficients(part.element), 3);
   if (!map.finite)
   {
     return anywhere;
   }
   const ShapeFace& face = FacesOf(mesh.ShapeOf(part.element))[static_cast<std::size_t>(part.face)];
+  const FaceChart chart = ChartOf(mesh.ShapeOf(part.element), part.face);
   const Box3 all{ Vec3(-1.0), Vec3(1.0) };
   const int level =
     LevelFor({ { &map, 0, Part::Value }, { &map, 1, Part::Value }, { &map, 2, Part::Value } });
   const int count = 1 << level;
-  const double uncertainty = rounding::Above(mesh.uncertainty[e] / mesh.size[e]);
+  const double uncertainty = rounding::Above(
+    rounding::Above(mesh.uncertainty[e] / mesh.size[e]) + (modes != nullptr ? modes->error : 0.0));
   const double scale = std::ldexp(1.0, map.exponent);
   Box3 box{ Vec3(INFINITY), Vec3(-INFINITY) };
   for (int i = 0; i < count * count; ++i)
@@ -38,12 +42,11 @@ Box3 FaceBox(const Mesh& mesh, const CurvedPart& part)
     const auto piece = PieceAt({ middle, middle }, level);
     for (int c = 0; c < 3; ++c)
     {
-      const Interval y = RangeIngredient{ &map, c, Part::Value }
-                           .Over(level, piece, all)
-                           .AtEnd(face.direction, face.upper)
-                           .Hull() *
-          Interval(scale) +
-        Interval(-uncertainty, uncertainty);
+      const RangeIngredient value{ &map, c, Part::Value };
+      const BoxPolynomial over = modes != nullptr
+        ? OverFace(chart, value, level, piece)
+        : value.Over(level, piece, all).AtEnd(face.direction, face.upper);
+      const Interval y = over.Hull() * Interval(scale) + Interval(-uncertainty, uncertainty);
       const Interval x =
         Interval(mesh.centre[3 * e + static_cast<std::size_t>(c)]) + y * Interval(mesh.size[e]);
       if (!std::isfinite(x.Width()))

@@ -9,14 +9,13 @@
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
-void MakeNormals(const Vec3& normal, const double* const slope[9], int count, double* const to[3])
+void MakeNormals(double sign, const double* const slope[6], int count, double* const to[3])
 {
-  const Lanes n[3] = { Splat(normal.x), Splat(normal.y), Splat(normal.z) };
   const Lanes zero = Splat(0.0);
   for (int i = 0; i < count; i += LaneCount())
   {
-    Lanes by[9];
-    for (std::size_t k = 0; k < 9; ++k)
+    Lanes by[6];
+    for (std::size_t k = 0; k < 6; ++k)
     {
       by[k] = NumberTraits<Lanes>::Load(slope[k] + i);
     }
@@ -26,12 +25,9 @@ void MakeNormals(const Vec3& normal, const double* const slope[9], int count, do
     ForEachAxis(
       [&](auto c) PIXELEXACT_INLINED
       {
-        // The cofactors of J take normals in xi to normals in space.
-        const int p = 3 * ((c + 1) % 3);
-        const int q = 3 * ((c + 2) % 3);
-        const auto cofactor = [&](int e, int f) PIXELEXACT_INLINED
-        { return by[p + e] * by[q + f] - by[p + f] * by[q + e]; };
-        v[c] = n[0] * cofactor(1, 2) + n[1] * cofactor(2, 0) + n[2] * cofactor(0, 1);
+        const int p = 2 * ((c + 1) % 3);
+        const int q = 2 * ((c + 2) % 3);
+        v[c] = Splat(sign) * (by[p] * by[q + 1] - by[p + 1] * by[q]);
         largest = Max(largest, Abs(v[c]));
         sum = sum + v[c];
       });

@@ -215,16 +215,12 @@ void StepOnFace(const RayBundle& bundle, const ElementFrame& frame, const double
     const auto value = [&](std::size_t n) PIXELEXACT_INLINED
     { return Traits::Load(values + n * stride + i); };
     Lanes tangent[3][2];
-    const Lanes along[2] = { Splat(chart.along[0]), Splat(chart.along[1]) };
     ForEachAxis(
       [&](auto d) PIXELEXACT_INLINED
       {
         const auto c = static_cast<std::size_t>(d);
-        const auto by = [&](int e) PIXELEXACT_INLINED
-        { return value(4 + 3 * c + static_cast<std::size_t>(e)); };
-        const Lanes across = by(chart.across);
-        ForBoth([&](auto j) PIXELEXACT_INLINED
-          { tangent[c][j] = by(chart.free[j]) + along[j] * across; });
+        tangent[c][0] = value(4 + 2 * c);
+        tangent[c][1] = value(5 + 2 * c);
       });
     Lanes m[2][2];
     Lanes g[2];

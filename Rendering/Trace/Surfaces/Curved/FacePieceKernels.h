@@ -13,7 +13,8 @@ struct FacePieceKernels
   /// As LookKernels::look.
   RaySet (*look)(const RayBundle& bundle, const ElementFrame& frame, const CurvedPiece& piece,
     const RaySet& rays, PiecePairs& pairs);
-  /// As PieceKernels::step; f and its derivatives are not read.
+  /// As PieceKernels::step, with other `values`: y (3), a row that is not read, and the derivatives
+  /// of y by the chart's u and v (6).
   void (*step)(const RayBundle& bundle, const ElementFrame& frame, const double* values,
     std::size_t stride, PiecePairs& pairs, double* const position[3], double* result);
 };

@@ -19,11 +19,15 @@ constexpr int kBesides = 2;
 constexpr Part kBy[3] = { Part::ByXi1, Part::ByXi2, Part::ByXi3 };
 } // namespace
 
-PartTree::PartTree(const CurvedEquation& equation, const CurvedPart& part)
+PartTree::PartTree(
+  const CurvedEquation& equation, const CurvedPart& part, const FaceModes* faceModes)
   : Equation(equation)
   , ThePart(part)
+  , Modes(faceModes)
   , TheShape(equation.mesh.ShapeOf(part.element))
-  , Map(equation.mesh.map.SpaceOf(part.element), equation.mesh.map.Coefficients(part.element), 3)
+  , Map(faceModes ? ScaledModes(faceModes->space, faceModes->coefficients.data(), 3)
+                  : ScaledModes(equation.mesh.map.SpaceOf(part.element),
+                      equation.mesh.map.Coefficients(part.element), 3))
 {
   const auto e = static_cast<std::size_t>(part.element);
   Uncertainty = rounding::Above(equation.mesh.uncertainty[e] / equation.mesh.size[e]);
@@ -85,8 +89,34 @@ int PartTree::Components() const
   return Equation.component == kMagnitude ? Equation.field->values.components : 1;
 }
 
+PartTree::Polys PartTree::ConvertOnFace(const PieceForm::Piece& piece) const
+{
+  const FaceChart chart = ChartOf(TheShape, ThePart.face);
+  const auto over = [&](int c, Part part) {
+    return OverFace(chart, { &Map, c, part }, Level, piece);
+  };
+  Polys polys;
+  for (int c = 0; c < 3; ++c)
+  {
+    polys.push_back(over(c, Part::Value));
+  }
+  for (int c = 0; c < 3; ++c)
+  {
+    for (int d = 0; d < 3; ++d)
+    {
+      polys.push_back(d == chart.across ? BoxPolynomial{ {}, { 0.0 } }
+                                        : over(c, d == chart.free[0] ? Part::ByXi1 : Part::ByXi3));
+    }
+  }
+  return polys;
+}
+
 PartTree::Polys PartTree::Convert(const PieceForm::Piece& piece) const
 {
+  if (Modes != nullptr)
+  {
+    return ConvertOnFace(piece);
+  }
   const Box3 all{ Vec3(-1.0), Vec3(1.0) };
   const ShapeFace* face =
     ThePart.face < 0 ? nullptr : &FacesOf(TheShape)[static_cast<std::size_t>(ThePart.face)];
@@ -152,6 +182,10 @@ PartTree::Polys PartTree::Restricted(const Polys& whole, const EtaBox& box, bool
       {
         std::ranges::for_each(p.b, [scale](double& b) { b *= scale; });
         p.error = rounding::Above(std::ldexp(p.error, Map.exponent)) + 0x1p-1000;
+        if (Modes != nullptr)
+        {
+          p.error = rounding::Above(p.error + (k < 3 ? Modes->error : Modes->SlopeError()));
+        }
       }
     }
   };

@@ -4,6 +4,7 @@
 #include "Core/Bernstein/BoxPolynomial.h"
 #include "Core/Element/RangeIngredients.h"
 #include "Trace/Surfaces/Curved/CurvedPiece.h"
+#include "Trace/Surfaces/Curved/FaceModes.h"
 
 #include <array>
 #include <atomic>
@@ -22,7 +23,9 @@ namespace pixelexact
 class PartTree
 {
 public:
-  PartTree(const CurvedEquation& equation, const CurvedPart& part);
+  /// `faceModes`: of a face, what the map is there; or null. They must outlive the tree.
+  PartTree(
+    const CurvedEquation& equation, const CurvedPart& part, const FaceModes* faceModes = nullptr);
 
   /// What the tree begins with; together the whole part.
   [[nodiscard]] const std::vector<std::unique_ptr<CurvedPiece>>& Roots() const { return All; }
@@ -32,6 +35,7 @@ public:
   /// Of the components that make f, scaled as f is: one after the other.
   [[nodiscard]] const ScaledModes& FieldModes() const { return *Field; }
   [[nodiscard]] double Value() const { return ScaledValue; }
+  [[nodiscard]] const FaceModes* OnFace() const { return Modes; }
   /// The three coordinates over a piece, and f unless it is a face's or of a magnitude.
   [[nodiscard]] std::vector<BoxPolynomial> Polynomials(const CurvedPiece& piece) const;
 
@@ -44,6 +48,8 @@ private:
 
   /// Over a piece of the conversion, on the face, in the scales of the modes.
   [[nodiscard]] Polys Convert(const PieceForm::Piece& piece) const;
+  /// By what the map is on the face alone: it has no slope across, and those along are the chart's.
+  [[nodiscard]] Polys ConvertOnFace(const PieceForm::Piece& piece) const;
   /// The same, kept.
   [[nodiscard]] const Polys& Converted(const PieceForm::Piece& piece) const;
   /// What has been converted, over a box of it. Slopes only where they are wanted.
@@ -59,6 +65,7 @@ private:
 
   CurvedEquation Equation;
   CurvedPart ThePart;
+  const FaceModes* Modes;
   Shape TheShape;
   ScaledModes Map;
   std::optional<ScaledModes> Field;

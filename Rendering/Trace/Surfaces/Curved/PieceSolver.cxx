@@ -20,6 +20,15 @@ namespace
 constexpr double kRounding = 1e-14;
 /// So often a piece is looked at closer before it is halved.
 constexpr int kCloser = 3;
+
+/// Fills the last pack up.
+void Pad(double* const xi[3], int count)
+{
+  for (int d = 0; d < 3; ++d)
+  {
+    std::fill_n(xi[d] + count, kLanePadding, xi[d][count - 1]);
+  }
+}
 } // namespace
 
 PieceSolver::PieceSolver(const CurvedEquation& equation, const CurvedPart& part,
@@ -35,7 +44,8 @@ PieceSolver::PieceSolver(const CurvedEquation& equation, const CurvedPart& part,
   Frame.hasField = equation.field != nullptr;
   if (!Frame.hasField)
   {
-    Frame.chart = ChartOf(Frame.shape, part.face);
+    OnFace.emplace(equation.mesh, part, tree.OnFace());
+    Frame.chart = OnFace->Chart();
   }
   Frame.centre = Vec3(
     equation.mesh.centre[3 * e], equation.mesh.centre[3 * e + 1], equation.mesh.centre[3 * e + 2]);
@@ -88,10 +98,7 @@ RaySet PieceSolver::Look(const CurvedPiece& piece, const RaySet& rays)
 
 void PieceSolver::Evaluate(double* const xi[3], int count)
 {
-  for (int d = 0; d < 3; ++d)
-  {
-    std::fill_n(xi[d] + count, kLanePadding, xi[d][count - 1]);
-  }
+  Pad(xi, count);
   const auto row = [this](std::size_t k) { return &Work.values[k * PiecePairs::kStride]; };
   double* const value[3] = { row(0), row(1), row(2) };
   double* slope[12];
@@ -103,10 +110,20 @@ void PieceSolver::Evaluate(double* const xi[3], int count)
   const Space& space = Equation.mesh.map.SpaceOf(Part.element);
   KernelsFor(space).gradient(
     space, Equation.mesh.map.Coefficients(Part.element), 3, points, value, slope);
-  if (Frame.hasField)
+  EvaluateField(points, row(3), slope + 9);
+}
+
+void PieceSolver::EvaluateOnFace(double* const xi[3], int count)
+{
+  Pad(xi, count);
+  const auto row = [this](std::size_t k) { return &Work.values[k * PiecePairs::kStride]; };
+  double* const value[3] = { row(0), row(1), row(2) };
+  double* slope[7];
+  for (std::size_t k = 0; k < 7; ++k)
   {
-    EvaluateField(points, row(3), slope + 9);
+    slope[k] = row(4 + k);
   }
+  OnFace->Evaluate({ { xi[0], xi[1], xi[2] }, count }, value, slope);
 }
 
 void PieceSolver::Step(double* const position[3], double* result)
@@ -114,9 +131,18 @@ void PieceSolver::Step(double* const position[3], double* result)
   PiecePairs& pairs = Work.pairs;
   double* const xi[3] = { pairs.Column(kXiColumn), pairs.Column(kXiColumn + 1),
     pairs.Column(kXiColumn + 2) };
-  Evaluate(xi, pairs.count);
-  const auto step = Frame.hasField ? GetPieceKernels().step : GetFacePieceKernels().step;
-  step(Bundle, Frame, Work.values.data(), PiecePairs::kStride, pairs, position, result);
+  if (Frame.hasField)
+  {
+    Evaluate(xi, pairs.count);
+    GetPieceKernels().step(
+      Bundle, Frame, Work.values.data(), PiecePairs::kStride, pairs, position, result);
+  }
+  else
+  {
+    EvaluateOnFace(xi, pairs.count);
+    GetFacePieceKernels().step(
+      Bundle, Frame, Work.values.data(), PiecePairs::kStride, pairs, position, result);
+  }
 }
 
 void PieceSolver::EvaluateField(const LanePoints& xi, double* const out, double* const slope[3])

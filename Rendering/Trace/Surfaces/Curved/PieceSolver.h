@@ -7,6 +7,7 @@
 #include "Trace/Surfaces/HitSlots.h"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace pixelexact
@@ -84,8 +85,10 @@ public:
 
 private:
   void Step(double* const position[3], double* result);
-  /// y, their derivatives and, of an iso-surface, f and its.
+  /// Into rows of the work's values, of volumes: y, f, their derivatives by xi.
   void Evaluate(double* const xi[3], int count);
+  /// The same of faces: y, a row that is left out, their derivatives by u and v.
+  void EvaluateOnFace(double* const xi[3], int count);
   void EvaluateField(const LanePoints& xi, double* const out, double* const slope[3]);
 
   const CurvedEquation& Equation;
@@ -94,5 +97,6 @@ private:
   const RayBundle& Bundle;
   SolverWork& Work;
   ElementFrame Frame;
+  std::optional<FaceMap> OnFace;
 };
 } // namespace pixelexact
