@@ -32,6 +32,7 @@ public:
     {
       Axis[a] = static_cast<std::size_t>(bundle.axes[a]);
       const std::size_t c = Axis[a];
+      Rest[a] = piece.error[c] + piece.bend[c];
       for (std::size_t j = 0; j < 2; ++j)
       {
         const auto d = static_cast<std::size_t>(chart.free[j]);
@@ -46,40 +47,53 @@ public:
   HWY_INLINE LaneMask At(const GatheredRays& rays, std::size_t i, LaneMask active)
   {
     Lanes m[2][2];
-    Lanes radius[2][2];
     Lanes g[2];
-    Lanes rounding[2];
-    Lanes bend[2];
+    Lanes rest[2]; ///< what the equations may be off by over the piece
     Lanes slope[2];
     Lanes q[2];
+    const std::size_t k = Axis[2];
     ForBoth(
       [&](auto a) PIXELEXACT_INLINED
       {
         const std::size_t c = Axis[a];
-        const std::size_t k = Axis[2];
         const Lanes s = Traits::Load(&rays.slope[a][i]);
         slope[a] = s;
         q[a] = (Traits::Load(&rays.place[a][i]) - Splat(Frame.centre[static_cast<int>(c)])) *
             Splat(Frame.inverseSize) -
           s * Splat(Along);
-        const Lanes size = Abs(s);
-        ForBoth(
-          [&](auto j) PIXELEXACT_INLINED
-          {
-            m[a][j] = Splat(Tangent[a][j]) - s * Splat(Tangent[2][j]);
-            radius[a][j] = Splat(Radius[a][j]) + size * Splat(Radius[2][j]);
-          });
+        ForBoth([&](auto j) PIXELEXACT_INLINED
+          { m[a][j] = Splat(Tangent[a][j]) - s * Splat(Tangent[2][j]); });
         g[a] = Splat(Piece.value[c]) - s * Splat(Piece.value[k]) - q[a];
-        rounding[a] = Splat(Piece.error[c]) + size * Splat(Piece.error[k]) +
-          Splat(8.0 * kUnitRoundoff) * (Abs(q[a]) + Abs(Splat(Along))) +
+        rest[a] = Splat(Rest[a]) + Abs(s) * Splat(Rest[2]) +
+          Splat(8.0 * kUnitRoundoff) * (Abs(q[a]) + Splat(std::abs(Along))) +
           Traits::Load(&rays.slack[i]) * Splat(Frame.inverseSize);
-        bend[a] = Splat(Piece.bend[c]) + size * Splat(Piece.bend[k]);
       });
-    Lanes inverse[2][2];
-    InverseOf(m, inverse);
-    // NaNs neither miss nor decide.
+    // A root in the piece lies in centre - first +- off, however large that is: first and off times
+    // the determinant tell most of the rays that miss, without a division.
     const Lanes zero = Splat(0.0);
+    const Lanes cofactor[2][2] = { { m[1][1], zero - m[0][1] }, { zero - m[1][0], m[0][0] } };
+    const Lanes determinant = m[0][0] * m[1][1] - m[0][1] * m[1][0];
+    const Lanes size = Abs(determinant);
+    // NaNs neither miss nor decide.
     LaneMask misses = zero < zero;
+    Lanes first[2];
+    Lanes off[2];
+    ForBoth(
+      [&](auto r) PIXELEXACT_INLINED
+      {
+        first[r] = cofactor[r][0] * g[0] + cofactor[r][1] * g[1];
+        off[r] = (Abs(cofactor[r][0]) * rest[0] + Abs(cofactor[r][1]) * rest[1]) * Splat(kMore) +
+          Splat(kSlack) * size;
+        const Lanes half = Splat(Piece.half[Frame.chart.free[r]] * kMore);
+        misses = Or(misses, half * size + off[r] < Abs(first[r]));
+      });
+    LaneMask open = AndNot(active, misses);
+    if (None(open))
+    {
+      return open;
+    }
+    const Lanes scale = Splat(1.0) / determinant;
+    Lanes inverse[2][2];
     Lanes all = zero;
     Lanes step[2];
     Lanes lower[2];
@@ -87,24 +101,15 @@ public:
     ForBoth(
       [&](auto r) PIXELEXACT_INLINED
       {
-        const Lanes first = inverse[r][0] * g[0] + inverse[r][1] * g[1];
-        const Lanes a = Abs(inverse[r][0]);
-        const Lanes b = Abs(inverse[r][1]);
-        const Lanes known = a * rounding[0] + b * rounding[1];
-        step[r] = zero - first;
-        all = all + first + known;
-        // A root in the piece lies in centre - first +- off, however large that is.
-        const Lanes off = (known + (a * bend[0] + b * bend[1])) * Splat(kMore) + Splat(kSlack);
+        inverse[r][0] = cofactor[r][0] * scale;
+        inverse[r][1] = cofactor[r][1] * scale;
+        step[r] = zero - first[r] * scale;
+        off[r] = off[r] * Abs(scale);
+        all = all + step[r] + off[r];
         const Lanes half = Splat(Piece.half[Frame.chart.free[r]] * kMore);
-        misses = Or(misses, half + off < Abs(first));
-        lower[r] = Max(zero - half, step[r] - off);
-        upper[r] = Min(half, step[r] + off);
+        lower[r] = Max(zero - half, step[r] - off[r]);
+        upper[r] = Min(half, step[r] + off[r]);
       });
-    LaneMask open = AndNot(active, misses);
-    if (None(open))
-    {
-      return open;
-    }
     if (Frame.chart.collapses)
     {
       open = AndNot(open, And(IsFinite(all), IsBeside(lower, upper)));
@@ -121,7 +126,9 @@ public:
         ForBoth(
           [&](auto j) PIXELEXACT_INLINED
           {
-            K[r][j] = Abs(inverse[r][0]) * radius[0][j] + Abs(inverse[r][1]) * radius[1][j];
+            const auto radius = [&](std::size_t a) PIXELEXACT_INLINED
+            { return Splat(Radius[a][j]) + Abs(slope[a]) * Splat(Radius[2][j]); };
+            K[r][j] = Abs(inverse[r][0]) * radius(0) + Abs(inverse[r][1]) * radius(1);
             // Max may lose a NaN, not so a sum.
             all = all + K[r][j];
           });
@@ -191,6 +198,7 @@ private:
   std::size_t Axis[3];
   double Tangent[3][2]; ///< derivatives on the face, of the coordinates across the rays and along
   double Radius[3][2];
+  double Rest[3]; ///< of these coordinates, what they are off by beyond slopes
 };
 
 RaySet LookAtFace(const RayBundle& bundle, const ElementFrame& frame, const CurvedPiece& piece,
