@@ -69,6 +69,47 @@ TEST(Triangles, NothingSlipsThroughBetweenThem)
   EXPECT_GT(rays, 250000U);
 }
 
+TEST(Triangles, RaysMeetTheSameTogetherAndAlone)
+{
+  RandomRays random(8);
+  const Triangles ball(Ball(3));
+  const Vec3 eye(0.3, 4.0, 0.7);
+  int hits = 0;
+  // Neighbours far closer than triangles are large, about as far apart, and farther.
+  for (const double spacing : { 1e-3, 0.1, 1.0 })
+  {
+    for (int k = 0; k < 40; ++k)
+    {
+      const Vec3 to = random.Vector(0.8);
+      std::vector<Ray> rays;
+      for (int i = 0; i < 150; ++i)
+      {
+        // Now and then through a corner or along another axis.
+        const Vec3 x = i % 11 == 0 ? ball.Corners()[static_cast<std::size_t>(i)][0]
+                                   : to + spacing * Vec3(0.02 * i, 0.0, 0.01 * i);
+        const Vec3 from = i % 13 == 0 ? random.Vector(5.0) : eye;
+        rays.push_back({ from, Towards(from, x) });
+      }
+      const auto together = MeetPoints(ball, rays);
+      for (std::size_t i = 0; i < rays.size(); ++i)
+      {
+        const auto alone = MeetPoints(ball, { rays[i] })[0];
+        ASSERT_EQ(together[i].size(), alone.size());
+        for (std::size_t n = 0; n < alone.size(); ++n)
+        {
+          ASSERT_EQ(together[i][n].t, alone[n].t);
+          ASSERT_EQ(together[i][n].position, alone[n].position);
+          ASSERT_EQ(together[i][n].point.piece, alone[n].point.piece);
+          ASSERT_EQ(together[i][n].point.parameters[0], alone[n].point.parameters[0]);
+          ASSERT_EQ(together[i][n].point.parameters[1], alone[n].point.parameters[1]);
+          ++hits;
+        }
+      }
+    }
+  }
+  EXPECT_GT(hits, 10000);
+}
+
 TEST(Triangles, HitsAreOnRayAndTriangle)
 {
   RandomRays random(6);

@@ -3,11 +3,17 @@
 
 #include "Core/Base/CheckedOut.h"
 #include "Trace/Surfaces/Arguments.h"
+#include "Trace/Surfaces/Curved/BundleKernels.h"
+#include "Trace/Surfaces/Curved/PieceKernels.h"
+#include "Trace/Surfaces/TriangleKernels.h"
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <limits>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -15,33 +21,6 @@ namespace pixelexact
 {
 namespace
 {
-/// A ray's own coordinates: its origin lies at 0, and its direction along the third. Corners are
-/// moved and sheared to them, one by one, so that triangles agree on what they share (S. Woop,
-/// C. Benthin, I. Wald, Watertight Ray/Triangle Intersection, JCGT 2(1), 2013).
-struct RayFrame
-{
-  Vec3 origin;
-  int axes[3]; ///< the last one: along which the direction is longest
-  double shear[2];
-
-  RayFrame(const Vec3& from, const Vec3& direction)
-    : origin(from)
-  {
-    const Vec3 size = glm::abs(direction);
-    axes[2] = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-    axes[0] = (axes[2] + 1) % 3;
-    axes[1] = (axes[2] + 2) % 3;
-    shear[0] = direction[axes[0]] / direction[axes[2]];
-    shear[1] = direction[axes[1]] / direction[axes[2]];
-  }
-
-  [[nodiscard]] std::array<double, 2> Place(const Vec3& x) const
-  {
-    const Vec3 off = x - origin;
-    return { off[axes[0]] - shear[0] * off[axes[2]], off[axes[1]] - shear[1] * off[axes[2]] };
-  }
-};
-
 /// p.x q.y - p.y q.x: twice the area over the edge, whose sign is right, and which is 0 only where
 /// it is 0; changes its sign, to the bit, where p and q change their places.
 double Across(const std::array<double, 2>& p, const std::array<double, 2>& q)
@@ -64,14 +43,14 @@ Vec3 NormalOf(const Triangles::Triangle& triangle)
   return across / glm::length(across);
 }
 
+/// Where a ray meets a triangle.
 struct Found
 {
+  std::int32_t triangle;
+  int before; ///< another one of its ray, -1: none
   double t;
   Vec3 position;
-  std::int32_t triangle;
-  double parameters[2];
-  int shared; ///< corners of the feature that is met: 1: a corner, 2: an edge, 3: none but its own
-  std::array<Vec3, 2> feature;
+  double weight[3];
 };
 
 bool Before(const Vec3& a, const Vec3& b)
@@ -79,69 +58,124 @@ bool Before(const Vec3& a, const Vec3& b)
   return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
 }
 
-/// Where a ray meets a triangle; false where it does not.
-bool MeetOne(const RayFrame& frame, const Vec3& direction, const Triangles::Triangle& triangle,
-  std::int32_t number, Found& found)
+/// What is met on a triangle's edge or in its corner: the corners of it, in an order of their own.
+struct Feature
 {
-  std::array<double, 2> place[3];
-  for (std::size_t k = 0; k < 3; ++k)
+  int corners = 0; ///< 3: none but the triangle itself
+  std::array<Vec3, 3> at{};
+
+  Feature(const Triangles::Triangle& triangle, const Found& found)
   {
-    place[k] = frame.Place(triangle[k]);
-  }
-  // Of each corner, over the edge across from it.
-  const double weight[3] = { Across(place[1], place[2]), Across(place[2], place[0]),
-    Across(place[0], place[1]) };
-  const double* end = weight + 3;
-  const bool left = std::all_of(weight, end, [](double w) { return w >= 0.0; });
-  const bool right = std::all_of(weight, end, [](double w) { return w <= 0.0; });
-  const double sum = weight[0] + weight[1] + weight[2];
-  if (!(left || right))
-  {
-    return false;
-  }
-  const Vec3 normal = NormalOf(triangle);
-  found.t = glm::dot(normal, triangle[0] - frame.origin) / glm::dot(normal, direction);
-  // Seen from its edge it is a line, and without area it has no normal.
-  if (sum == 0.0 || !std::isfinite(found.t))
-  {
-    return false;
-  }
-  const Vec3 onRay = frame.origin + found.t * direction;
-  found.position = onRay + glm::dot(normal, triangle[0] - onRay) * normal;
-  found.triangle = number;
-  found.parameters[0] = weight[1] / sum;
-  found.parameters[1] = weight[2] / sum;
-  found.shared = 0;
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    if (weight[k] != 0.0)
+    for (std::size_t k = 0; k < 3; ++k)
     {
-      if (found.shared < 2)
+      if (found.weight[k] != 0.0)
       {
-        found.feature[static_cast<std::size_t>(found.shared)] = triangle[k];
+        at[static_cast<std::size_t>(corners++)] = triangle[k];
       }
-      ++found.shared;
+    }
+    if (corners == 2 && Before(at[1], at[0]))
+    {
+      std::swap(at[0], at[1]);
     }
   }
-  if (found.shared == 2 && Before(found.feature[1], found.feature[0]))
+  bool operator==(const Feature& other) const
   {
-    std::swap(found.feature[0], found.feature[1]);
+    return corners == other.corners && corners < 3 && at[0] == other.at[0] &&
+      (corners == 1 || at[1] == other.at[1]);
   }
-  return true;
-}
-
-bool SameFeature(const Found& a, const Found& b)
-{
-  return a.shared == b.shared && a.shared < 3 && a.feature[0] == b.feature[0] &&
-    (a.shared == 1 || a.feature[1] == b.feature[1]);
-}
-
-struct Scratch
-{
-  std::vector<int> near;
-  std::vector<Found> found;
 };
+
+void Write(const Found& found, HitSlots& hits, int slot, int ray)
+{
+  const HitLanes to = hits.Slot(slot);
+  const PieceLanes piece = hits.Pieces(slot);
+  to.t[ray] = found.t;
+  for (int d = 0; d < 3; ++d)
+  {
+    to.position[d][ray] = found.position[d];
+  }
+  const double sum = found.weight[0] + found.weight[1] + found.weight[2];
+  piece.piece[ray] = found.triangle;
+  piece.parameters[0][ray] = found.weight[1] / sum;
+  piece.parameters[1][ray] = found.weight[2] / sum;
+}
+
+/// How far apart neighbouring rays are at the surface, about; infinite of one ray alone.
+double SpacingOf(const RayBundle& bundle)
+{
+  double spacing = bundle.Count() < 2 ? std::numeric_limits<double>::infinity() : 0.0;
+  for (const RayBundle::Numbers& place : bundle.place)
+  {
+    spacing = std::max(spacing, std::fabs(place[1] - place[0]));
+  }
+  return spacing;
+}
+
+/// Triangles that are smaller than so many distances between rays are found by single rays: a beam
+/// would meet more of them than rays do.
+constexpr double kFine = 2.0;
+/// Rays that the hierarchy is asked for together: neighbours in the image.
+constexpr int kBeam = 64;
 } // namespace
+
+/// The hits of a beam.
+struct Triangles::Beam
+{
+  RayBundle bundle;
+  TriangleLanes lanes;
+  std::vector<Found> found;
+  std::array<int, kBeam> last; ///< of each ray, in `found`; -1: none
+  std::vector<const Found*> some;
+  std::vector<int> near;
+
+  void Begin()
+  {
+    found.clear();
+    last.fill(-1);
+  }
+  void Add(int ray, std::int32_t triangle)
+  {
+    const auto i = static_cast<std::size_t>(ray);
+    Found& one = found.emplace_back();
+    one.triangle = triangle;
+    one.before = last[i];
+    one.t = lanes.t[i];
+    for (std::size_t d = 0; d < 3; ++d)
+    {
+      one.position[static_cast<int>(d)] = lanes.position[d][i];
+      one.weight[d] = lanes.weight[d][i];
+    }
+    last[i] = static_cast<int>(found.size()) - 1;
+  }
+  /// A ray's hits by t; what triangles share is met once, of the first of them.
+  std::span<const Found* const> Of(int ray, const std::vector<Triangle>& all)
+  {
+    some.clear();
+    for (int k = last[static_cast<std::size_t>(ray)]; k >= 0; k = some.back()->before)
+    {
+      some.push_back(&found[static_cast<std::size_t>(k)]);
+    }
+    if (some.size() > 1)
+    {
+      std::ranges::sort(some, {}, &Found::triangle);
+      std::size_t kept = 0;
+      for (const Found* one : some)
+      {
+        const auto featureOf = [&all](const Found* of)
+        { return Feature(all[static_cast<std::size_t>(of->triangle)], *of); };
+        const auto end = some.begin() + static_cast<std::ptrdiff_t>(kept);
+        if (std::none_of(some.begin(), end,
+              [&](const Found* other) { return featureOf(other) == featureOf(one); }))
+        {
+          some[kept++] = one;
+        }
+      }
+      some.resize(kept);
+      std::ranges::stable_sort(some, {}, &Found::t);
+    }
+    return some;
+  }
+};
 
 Triangles::Triangles(std::vector<Triangle> triangles)
   : All(std::move(triangles))
@@ -150,69 +184,115 @@ Triangles::Triangles(std::vector<Triangle> triangles)
   {
     Refuse("triangles", "there are none");
   }
-  std::vector<Box3> boxes;
-  boxes.reserve(All.size());
-  TheBounds = { All[0][0], All[0][0] };
   for (std::size_t i = 0; i < All.size(); ++i)
   {
-    const auto& [a, b, c] = All[i];
-    if (!IsFinite(a) || !IsFinite(b) || !IsFinite(c))
+    if (!std::ranges::all_of(All[i], IsFinite))
     {
       Refuse("triangles",
         ("a corner of triangle " + std::to_string(i) + " is not finite; remove it or mend it")
           .c_str());
     }
-    boxes.push_back({ glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c)) });
-    TheBounds = { glm::min(TheBounds.lower, boxes[i].lower),
-      glm::max(TheBounds.upper, boxes[i].upper) };
   }
-  Hierarchy = std::make_unique<Bvh>(boxes, TheBounds);
+  double sum = 0.0;
+  TheBounds = { All[0][0], All[0][0] };
+  for (const Triangle& one : All)
+  {
+    for (const Vec3& x : one)
+    {
+      TheBounds = { glm::min(TheBounds.lower, x), glm::max(TheBounds.upper, x) };
+    }
+    sum += std::max(LargestOf(one[1] - one[0]), LargestOf(one[2] - one[0]));
+  }
+  Extent = sum / static_cast<double>(All.size());
 }
+
+std::vector<Box3> Triangles::Boxes() const
+{
+  std::vector<Box3> boxes;
+  boxes.reserve(All.size());
+  for (const auto& [a, b, c] : All)
+  {
+    boxes.push_back({ glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c)) });
+  }
+  return boxes;
+}
+
+Triangles::~Triangles() = default;
 
 void Triangles::Meet(const RayLanes& rays, HitSlots& hits) const
 {
-  const CheckedOut<Scratch> scratch;
-  auto& [near, found] = *scratch;
-  for (int i = 0; i < rays.count; ++i)
+  const CheckedOut<Beam> beam;
+  for (int first = 0; first < rays.count; first += kBeam)
   {
-    const Vec3 origin(rays.origin[0][i], rays.origin[1][i], rays.origin[2][i]);
-    const Vec3 direction(rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]);
-    const auto segment = ClipRay(TheBounds, origin, direction, rays.tNear[i], rays.tFar[i]);
-    if (!segment)
+    MeetBeam(rays, first, std::min(kBeam, rays.count - first), *beam, hits);
+  }
+}
+
+void Triangles::MeetBeam(
+  const RayLanes& rays, int first, int count, Beam& beam, HitSlots& hits) const
+{
+  beam.Begin();
+  for (unsigned ways = GetBundleKernels().ways(rays, first, count); ways != 0; ways &= ways - 1)
+  {
+    beam.bundle.Begin(rays, first, count, std::countr_zero(ways), TheBounds);
+    const RaySet all = GetPieceKernels().meetBox(beam.bundle, TheBounds, RaySet::First(count));
+    const auto meet = [&](int k, const RaySet& near)
     {
+      const Triangle& triangle = All[static_cast<std::size_t>(k)];
+      const RaySet some =
+        GetTriangleKernels().surround(rays, first, beam.bundle.axes[2], near, triangle, beam.lanes);
+      if (!some.IsEmpty())
+      {
+        GetTriangleKernels()
+          .meet(rays, first, some, triangle[0], NormalOf(triangle), beam.lanes)
+          .ForEach([&](int ray) { beam.Add(ray, k); });
+      }
+    };
+    if (Extent > kFine * SpacingOf(beam.bundle))
+    {
+      ForBeams().ForEach(beam.bundle,
+        [&](int k, const Box3& box) { meet(k, GetPieceKernels().meetBox(beam.bundle, box, all)); });
       continue;
     }
-    Hierarchy->QueryAlong(*segment, near);
-    found.clear();
-    const RayFrame frame(origin, direction);
-    for (const int k : near)
-    {
-      Found one;
-      if (MeetOne(frame, direction, All[static_cast<std::size_t>(k)], k, one) &&
-        one.t >= rays.tNear[i] && one.t <= rays.tFar[i])
+    all.ForEach(
+      [&](int ray)
       {
-        if (std::ranges::none_of(
-              found, [&one](const Found& other) { return SameFeature(one, other); }))
+        RaySet one;
+        one.Add(ray);
+        const auto i = static_cast<std::size_t>(first + ray);
+        const auto vector = [i](const double* const(&x)[3])
+        { return Vec3(x[0][i], x[1][i], x[2][i]); };
+        const auto segment = ClipRay(
+          TheBounds, vector(rays.origin), vector(rays.direction), rays.tNear[i], rays.tFar[i]);
+        if (segment)
         {
-          found.push_back(one);
+          ForRays().QueryAlong(*segment, beam.near);
+          for (const int k : beam.near)
+          {
+            meet(k, one);
+          }
         }
-      }
-    }
-    std::ranges::stable_sort(found, {}, &Found::t);
-    for (std::size_t k = 0; k < found.size(); ++k)
+      });
+  }
+  for (int ray = 0; ray < count && !beam.found.empty(); ++ray)
+  {
+    int slot = 0;
+    for (const Found* one : beam.Of(ray, All))
     {
-      const HitLanes slot = hits.Slot(static_cast<int>(k));
-      const PieceLanes piece = hits.Pieces(static_cast<int>(k));
-      slot.t[i] = found[k].t;
-      for (int d = 0; d < 3; ++d)
-      {
-        slot.position[d][i] = found[k].position[d];
-      }
-      piece.piece[i] = found[k].triangle;
-      piece.parameters[0][i] = found[k].parameters[0];
-      piece.parameters[1][i] = found[k].parameters[1];
+      Write(*one, hits, slot, first + ray);
+      ++slot;
     }
   }
+}
+
+const BundleHierarchy& Triangles::ForBeams() const
+{
+  return Together.Get(0, [this] { return std::make_unique<const BundleHierarchy>(Boxes()); });
+}
+
+const Bvh& Triangles::ForRays() const
+{
+  return Single.Get(0, [this] { return std::make_unique<const Bvh>(Boxes(), TheBounds); });
 }
 
 Vec3 Triangles::Normal(const SurfacePoint& point) const

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Core/Base/MadeOnDemand.h"
 #include "Core/Index/EmbreeBvh.h"
+#include "Trace/Surfaces/Curved/BundleHierarchy.h"
 #include "Trace/Surfaces/Surface.h"
 
 #include <array>
@@ -26,8 +28,12 @@ public:
   using Triangle = std::array<Vec3, 3>;
 
   /// Triangles without area are met by no ray. Throws Error without triangles, for corners that are
-  /// not finite (naming the first), and where Embree fails.
+  /// not finite (naming the first). Hierarchies are made when rays first ask, and throw where Embree
+  /// fails.
   explicit Triangles(std::vector<Triangle> triangles);
+  ~Triangles() override;
+  Triangles(const Triangles&) = delete;
+  Triangles& operator=(const Triangles&) = delete;
 
   void Meet(const RayLanes& rays, HitSlots& hits) const override;
   [[nodiscard]] Vec3 Normal(const SurfacePoint& point) const override;
@@ -40,6 +46,14 @@ public:
   [[nodiscard]] const Box3& Bounds() const { return TheBounds; }
 
 private:
+  struct Beam;
+  [[nodiscard]] std::vector<Box3> Boxes() const;
+  /// For neighbouring rays together, made when some first ask.
+  [[nodiscard]] const BundleHierarchy& ForBeams() const;
+  /// For single rays and points, made when one first asks. Throws Error where Embree fails.
+  [[nodiscard]] const Bvh& ForRays() const;
+  /// Of `count` rays from number `first` on.
+  void MeetBeam(const RayLanes& rays, int first, int count, Beam& beam, HitSlots& hits) const;
   /// The triangle on the other side of an edge, or of several the wanted one; -1 where there is
   /// none, or no telling which.
   [[nodiscard]] std::int32_t Beyond(
@@ -49,6 +63,8 @@ private:
 
   std::vector<Triangle> All;
   Box3 TheBounds;
-  std::unique_ptr<Bvh> Hierarchy;
+  MadeOnDemand<BundleHierarchy> Together{ 1 };
+  MadeOnDemand<Bvh> Single{ 1 };
+  double Extent = 0.0; ///< of a triangle, the mean
 };
 } // namespace pixelexact

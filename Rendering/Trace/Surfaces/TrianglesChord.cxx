@@ -76,7 +76,7 @@ std::int32_t Triangles::Beyond(
   std::int32_t triangle, const Vec3& p, const Vec3& q, std::int32_t wanted) const
 {
   const CheckedOut<std::vector<int>> near;
-  Hierarchy->Query({ p, p }, *near);
+  ForRays().Query({ p, p }, *near);
   std::int32_t found = -1;
   int count = 0;
   for (const int k : *near)

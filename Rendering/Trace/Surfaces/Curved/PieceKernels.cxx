@@ -13,21 +13,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
-/// test(i, mask) for each pack of rays of the set; returns those that passed.
-template <class Test>
-HWY_INLINE RaySet ForEachPack(const RaySet& rays, Test&& test)
-{
-  RaySet result;
-  for (std::size_t word = 0; word < RaySet::kWords; ++word)
-  {
-    const std::uint64_t bits = rays.bits[word];
-    result.bits[word] = ForEachPackIn(bits,
-      [&](int i) PIXELEXACT_INLINED
-      { return test(static_cast<int>(64 * word) + i, MaskOf(bits >> static_cast<unsigned>(i))); });
-  }
-  return result;
-}
-
 RaySet MeetBox(const RayBundle& bundle, const Box3& box, const RaySet& rays)
 {
   const int axis = bundle.axes[2];
