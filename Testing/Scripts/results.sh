@@ -7,6 +7,7 @@
 #   frames        made meshes by shape, order, elements and pixels; against the bare kernel
 #   suite         real data: three planes of each larger case; against the bare kernel
 #   surfaces      curved surfaces beside planes, on real data; what a pipeline adds to a frame
+#   pieces        faces, patches, triangles and iso-surfaces beside planes, on real data
 #   contours      what they add to frames of real data, and the paper's algorithm beside ours
 #   instructions  counted under callgrind
 #   loading       time and memory from large files to first pictures (Python: numpy)
@@ -25,7 +26,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 build=${PIXELEXACT_BUILD:-build}
-all=(frames suite surfaces contours instructions loading baselines careful-path slowest-point face-points stability adversary
+all=(frames suite surfaces pieces contours instructions loading baselines careful-path slowest-point face-points stability adversary
   collapsed history enclosures ranges curved oracles)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -65,6 +66,11 @@ run_surfaces() {
   echo '```' >>"$scratch/output"
   measure "$build/bin/PixelExactBenchmarks" --benchmark_filter=Pipelines
   echo '```' >>"$scratch/output"
+  table
+}
+run_pieces() {
+  title="Faces, patches, triangles and iso-surfaces beside planes"
+  measure Testing/Benchmarks/pieces.py "$build/bin/pixelexact" ../shared/data
   table
 }
 run_contours() {
