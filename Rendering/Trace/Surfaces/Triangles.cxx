@@ -299,4 +299,13 @@ Vec3 Triangles::Normal(const SurfacePoint& point) const
 {
   return NormalOf(All[static_cast<std::size_t>(point.piece)]);
 }
+
+void Triangles::Normals(std::span<const SurfacePoint> points, std::span<Vec3> normals) const
+{
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const bool isSame = i > 0 && points[i].piece == points[i - 1].piece;
+    normals[i] = isSame ? normals[i - 1] : Normal(points[i]);
+  }
+}
 } // namespace pixelexact

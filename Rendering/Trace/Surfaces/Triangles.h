@@ -7,7 +7,7 @@
 #include "Trace/Surfaces/Surface.h"
 
 #include <array>
-#include <memory>
+#include <span>
 #include <vector>
 
 namespace pixelexact
@@ -28,8 +28,8 @@ public:
   using Triangle = std::array<Vec3, 3>;
 
   /// Triangles without area are met by no ray. Throws Error without triangles, for corners that are
-  /// not finite (naming the first). Hierarchies are made when rays first ask, and throw where Embree
-  /// fails.
+  /// not finite (naming the first). Hierarchies are made when rays first ask, and throw where
+  /// Embree fails.
   explicit Triangles(std::vector<Triangle> triangles);
   ~Triangles() override;
   Triangles(const Triangles&) = delete;
@@ -37,6 +37,9 @@ public:
 
   void Meet(const RayLanes& rays, HitSlots& hits) const override;
   [[nodiscard]] Vec3 Normal(const SurfacePoint& point) const override;
+  /// Of neighbours on one triangle it is made once.
+  [[nodiscard]] bool HasCostlyNormals() const override { return true; }
+  void Normals(std::span<const SurfacePoint> points, std::span<Vec3> normals) const override;
 
   [[nodiscard]] double Sagitta(
     const Ray& a, const SurfacePoint& atA, const Ray& b, const SurfacePoint& atB) const override;
