@@ -2,6 +2,7 @@
 #include "Trace/Pipeline.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace pixelexact
 {
@@ -40,20 +41,31 @@ SampleNeeds Pipeline::Needs() const
   return needs;
 }
 
-std::vector<std::span<FrameModule* const>> Pipeline::Runs() const
+std::vector<std::vector<FrameModule*>> Pipeline::Runs() const
 {
-  std::vector<std::span<FrameModule* const>> runs;
-  const std::span<FrameModule* const> all = modules;
-  std::size_t begin = 0;
-  for (std::size_t i = 0; i < all.size(); ++i)
+  std::vector<std::vector<FrameModule*>> runs(1);
+  std::vector<FrameModule*> rests;
+  const auto addRests = [&]
   {
-    if (all[i]->Needs().wholeFrame)
+    if (!rests.empty())
     {
-      runs.push_back(all.subspan(begin, i - begin));
-      begin = i;
+      runs.push_back(std::exchange(rests, {}));
+    }
+  };
+  for (FrameModule* module : modules)
+  {
+    if (module->Needs().wholeFrame)
+    {
+      addRests();
+      runs.emplace_back();
+    }
+    runs.back().push_back(module);
+    if (FrameModule* rest = module->Rest())
+    {
+      rests.push_back(rest);
     }
   }
-  runs.push_back(all.subspan(begin));
+  addRests();
   return runs;
 }
 } // namespace pixelexact

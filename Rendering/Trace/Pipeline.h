@@ -71,6 +71,11 @@ public:
   /// Once for each tile of pixels, while its samples are in cache. Called from several threads at
   /// once; writes entries of the tile's pixels alone. What a pixel gets does not depend on tiles.
   virtual void Process(TileVisit& tile) = 0;
+
+  /// What it does with each tile once more, when it has seen them all and before modules that wait
+  /// for that (SampleNeeds::wholeFrame); its needs and its Begin are those of this one. Null:
+  /// nothing.
+  [[nodiscard]] virtual FrameModule* Rest() { return nullptr; }
 };
 
 /// What happens to a tile when its samples are known: colours, in this order; the sheets become one
@@ -85,6 +90,6 @@ struct Pipeline
   /// The union of all needs.
   [[nodiscard]] SampleNeeds Needs() const;
   /// The modules that visit all tiles together, one after the other in each; one run at least.
-  [[nodiscard]] std::vector<std::span<FrameModule* const>> Runs() const;
+  [[nodiscard]] std::vector<std::vector<FrameModule*>> Runs() const;
 };
 } // namespace pixelexact

@@ -37,10 +37,10 @@ void BeginPipeline(const Pipeline& pipeline, Frame& frame)
 
 namespace
 {
-/// One run of modules over all tiles or, with both of `reporter` and `done`, those not done.
+/// One run of modules over all tiles, of `done` those that are not; until `reporter` has no time.
 FrameCounters RunModules(const Scene* scene, const Camera* camera, const Pipeline& pipeline,
   std::span<FrameModule* const> modules, bool makesImage, Frame& frame, StageTimes* stages,
-  Reporter* reporter = nullptr, TilesDone* done = nullptr)
+  Reporter* reporter, TilesDone* done = nullptr)
 {
   return ForEachTile(scene, frame.width, frame.height, stages,
     [&](const TileArea& area, FrameCounters& counters)
@@ -48,7 +48,7 @@ FrameCounters RunModules(const Scene* scene, const Camera* camera, const Pipelin
       const int tile = area.y0 / kTileSize * TilesAlong(frame.width) + area.x0 / kTileSize;
       std::uint8_t* const isDone =
         done != nullptr ? &(*done)[static_cast<std::size_t>(tile)] : nullptr;
-      if (isDone != nullptr && (*isDone != 0 || !reporter->HasTime()))
+      if ((isDone != nullptr && *isDone != 0) || (reporter != nullptr && !reporter->HasTime()))
       {
         return;
       }
@@ -62,6 +62,9 @@ FrameCounters RunModules(const Scene* scene, const Camera* camera, const Pipelin
       if (isDone != nullptr)
       {
         *isDone = 1;
+      }
+      if (reporter != nullptr)
+      {
         reporter->TileDone();
       }
     });
@@ -69,13 +72,14 @@ FrameCounters RunModules(const Scene* scene, const Camera* camera, const Pipelin
 
 /// The runs from one on.
 FrameCounters RunFrom(std::size_t first, const Scene* scene, const Camera* camera,
-  const Pipeline& pipeline, Frame& frame, StageTimes* stages)
+  const Pipeline& pipeline, Frame& frame, StageTimes* stages, Reporter* reporter)
 {
   FrameCounters total;
   const auto runs = pipeline.Runs();
   for (std::size_t i = first; i < runs.size(); ++i)
   {
-    AddCounters(RunModules(scene, camera, pipeline, runs[i], i == 0, frame, stages), total);
+    AddCounters(
+      RunModules(scene, camera, pipeline, runs[i], i == 0, frame, stages, reporter), total);
   }
   return total;
 }
@@ -92,16 +96,16 @@ void BeginPipelineOn(const TileArea& area, const SampleBuffers* own, const Scene
 }
 
 FrameCounters FinishPipeline(const Scene& scene, const Camera& camera, const Pipeline& pipeline,
-  Frame& frame, StageTimes* stages)
+  Frame& frame, Reporter& reporter, StageTimes* stages)
 {
-  return RunFrom(1, &scene, &camera, pipeline, frame, stages);
+  return RunFrom(1, &scene, &camera, pipeline, frame, stages, &reporter);
 }
 
 FrameCounters RunPipeline(const Scene* scene, const Camera* camera, const Pipeline& pipeline,
-  Frame& frame, StageTimes* stages)
+  Frame& frame, Reporter* reporter, StageTimes* stages)
 {
   BeginPipeline(pipeline, frame);
-  return RunFrom(0, scene, camera, pipeline, frame, stages);
+  return RunFrom(0, scene, camera, pipeline, frame, stages, reporter);
 }
 
 FrameCounters RunPipelinePart(const Scene& scene, const Camera& camera, const Pipeline& pipeline,

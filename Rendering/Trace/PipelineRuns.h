@@ -18,14 +18,16 @@ void BeginPipeline(const Pipeline& pipeline, Frame& frame);
 void BeginPipelineOn(const TileArea& area, const SampleBuffers* own, const Scene& scene,
   const Camera& camera, const Pipeline& pipeline, std::span<FrameModule* const> modules,
   Frame& frame, FrameCounters& counters);
-/// The runs of modules after that one, over all tiles; returns what was counted.
+/// The runs of modules after that one, over all tiles until `reporter` has no time; returns what
+/// was counted.
 FrameCounters FinishPipeline(const Scene& scene, const Camera& camera, const Pipeline& pipeline,
-  Frame& frame, StageTimes* stages);
+  Frame& frame, Reporter& reporter, StageTimes* stages);
 
 /// Runs the pipeline over all tiles of a frame whose samples are there; scene and camera may be
-/// null (TileVisit). Returns what was counted of samples that modules asked for.
+/// null (TileVisit), and so may the reporter. Returns what was counted of samples that modules
+/// asked for.
 FrameCounters RunPipeline(const Scene* scene, const Camera* camera, const Pipeline& pipeline,
-  Frame& frame, StageTimes* stages = nullptr);
+  Frame& frame, Reporter* reporter = nullptr, StageTimes* stages = nullptr);
 
 /// One of Pipeline::Runs over the tiles that are not done; BeginPipeline comes before the first.
 FrameCounters RunPipelinePart(const Scene& scene, const Camera& camera, const Pipeline& pipeline,

@@ -69,6 +69,12 @@ Frame Trace(const Scene& scene, const Camera& camera, const Pipeline& pipeline,
   {
     frame.corners = {};
   }
+  // Modules of later runs visit the pixels' tiles again, of translucent scenes all of them do.
+  const int visitsLater = static_cast<int>(pipeline.Runs().size()) - (translucent ? 0 : 1);
+  if (!pipeline.modules.empty())
+  {
+    tiles += visitsLater * TilesOf(kCentres, frame.width, frame.height);
+  }
   Reporter reporter(progress, tiles);
   if (extra.corners != Buffer::None)
   {
@@ -92,13 +98,14 @@ Frame Trace(const Scene& scene, const Camera& camera, const Pipeline& pipeline,
       frame.counters);
     if (after && !reporter.IsAborted())
     {
-      AddSamples(FinishPipeline(scene, camera, pipeline, frame, stages), frame.counters);
+      AddSamples(FinishPipeline(scene, camera, pipeline, frame, reporter, stages), frame.counters);
     }
   }
   if (translucent)
   {
     // The sheets are known only when all tiles are.
-    AddSamples(RunPipeline(&scene, &camera, pipeline, frame, stages), frame.counters);
+    Reporter* const counts = pipeline.modules.empty() ? nullptr : &reporter;
+    AddSamples(RunPipeline(&scene, &camera, pipeline, frame, counts, stages), frame.counters);
   }
   frame.counters.seconds =
     std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

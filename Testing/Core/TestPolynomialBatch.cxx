@@ -129,6 +129,58 @@ TEST(PolynomialBatch, HullsHoldAllValues)
     });
 }
 
+/// Over a small part of where they are made polynomials are of lower degree, but for little: what
+/// that leaves out is in the hulls.
+TEST(PolynomialBatch, LoweredOnesHoldAllValues)
+{
+  OnEveryInstructionSet(
+    []
+    {
+      Polynomials made;
+      for (const Degrees& degree : { Degrees{ 0, 4, 2 }, Degrees{ 8, 7, 9 }, Degrees{ 12, 1, 15 } })
+      {
+        std::vector<BoxPolynomial> list = made.Make(degree, 10);
+        for (BoxPolynomial& one : list)
+        {
+          for (int d = 0; d < 3; ++d)
+          {
+            one.Restrict(d, 0.25, 0.375);
+          }
+        }
+        const PolynomialBatch batch(degree, list);
+        for (const double left : { 0.0, 1e-9, 1e-3 })
+        {
+          const PolynomialBatch lowered = batch.Lowered(left);
+          for (std::size_t d = 0; d < 3; ++d)
+          {
+            EXPECT_LE(lowered.Degree()[d], degree[d]);
+            EXPECT_GE(lowered.Degree()[d], std::min(degree[d], 1));
+          }
+          EXPECT_TRUE(left > 0.0 || lowered.Degree() == degree);
+          EXPECT_TRUE(left < 1e-3 || lowered.Degree() != degree);
+          for (int trial = 0; trial < 4; ++trial)
+          {
+            const Box3 part = made.MakePart();
+            std::vector<Interval> hulls(list.size());
+            lowered.HullsOver(part, hulls);
+            for (int point = 0; point < 8; ++point)
+            {
+              const LongPoint t{ made.Between(part.lower.x, part.upper.x),
+                made.Between(part.lower.y, part.upper.y),
+                made.Between(part.lower.z, part.upper.z) };
+              for (std::size_t c = 0; c < list.size(); ++c)
+              {
+                const long double value = ValueAt(list[c], t);
+                EXPECT_LE(hulls[c].lower + list[c].error, value);
+                EXPECT_GE(hulls[c].upper - list[c].error, value);
+              }
+            }
+          }
+        }
+      }
+    });
+}
+
 namespace
 {
 /// Coordinates of degree 1 in each direction, as xi is in eta.

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What may be spent on a tile decides how many pixels stay undecided, and nothing else.
+// What may be spent on a frame decides how many pixels stay undecided, and nothing else.
 #include "BentCube.h"
 
 #include "Trace/Contours/LayerBounds.h"
+#include "Trace/PipelineRuns.h"
+#include "Trace/ProgressiveFrame.h"
 #include "Trace/Surfaces/Quadric.h"
+#include "Trace/TileVisit.h"
 
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace pixelexact::testing
@@ -22,17 +26,23 @@ struct Told
   ContourCounters counters;
 };
 
-/// Of what a tile of these scenes takes a part, and hardly anything.
-constexpr std::int64_t kSome = 1'000'000;
-constexpr std::int64_t kLittle = 300'000;
+/// Of what a frame of these scenes takes a part, and hardly anything.
+constexpr std::int64_t kSome = 12'000'000;
+constexpr std::int64_t kLittle = 3'600'000;
 
-Told Tell(const Scene& scene, std::int64_t work, std::shared_ptr<ContourBounds> bounds,
-  bool interior = false)
+ContourCertifier CertifierWith(
+  std::int64_t work, std::shared_ptr<ContourBounds> bounds, bool interior = false)
 {
   ContourMethod method;
   method.work = work;
   method.interior = interior;
-  ContourCertifier certifier({ { -2.0, -0.7, -0.1, 0.05, 0.4, 1.1 } }, method, std::move(bounds));
+  return ContourCertifier({ { -2.0, -0.7, -0.1, 0.05, 0.4, 1.1 } }, method, std::move(bounds));
+}
+
+Told Tell(const Scene& scene, std::int64_t work, std::shared_ptr<ContourBounds> bounds,
+  bool interior = false)
+{
+  ContourCertifier certifier = CertifierWith(work, std::move(bounds), interior);
   Trace(scene, Camera(Oblique(), kAcross, kUp), { {}, { &certifier } });
   return { certifier.Verdicts(), certifier.Counters() };
 }
@@ -84,6 +94,121 @@ TEST(ContourEffort, WhatIsKeptAndThreadsChangeNothing)
   }
 }
 
+TEST(ContourEffort, HardTilesGetWhatOthersLeave)
+{
+  const BentCube cube({ std::begin(kShapes), std::end(kShapes) });
+  const Scene scene = cube.With(Surfaces().front());
+  const Camera camera(Oblique(), kAcross, kUp);
+  const Told usual = Tell(scene, ContourMethod().work, nullptr);
+  // The least of powers of 1.25 that is enough for the frame.
+  std::int64_t work = 100'000;
+  while (Tell(scene, work, nullptr).counters.spent > 0)
+  {
+    work += work / 4;
+  }
+  EXPECT_EQ(Tell(scene, work, nullptr).verdicts, usual.verdicts);
+  // Without what others left some tiles have too little of it.
+  ContourCertifier certifier = CertifierWith(work, nullptr);
+  const Pipeline pipeline{ {}, { &certifier } };
+  ASSERT_EQ(pipeline.Runs().size(), 2U);
+  Frame frame = Trace(scene, camera, {});
+  BeginPipeline(pipeline, frame);
+  std::int64_t settled = 0;
+  for (int y = 0; y < kUp; y += kTileSize)
+  {
+    for (int x = 0; x < kAcross; x += kTileSize)
+    {
+      TileVisit visit(&scene, &camera, pipeline, frame, { x, y, x + kTileSize, y + kTileSize });
+      visit.Run(pipeline.Runs().front());
+      ++settled;
+    }
+  }
+  const ContourCounters& counted = certifier.Counters();
+  EXPECT_LT(counted.in + counted.out + counted.undecided, settled * kTileSize * kTileSize);
+  EXPECT_EQ(usual.counters.in + usual.counters.out + usual.counters.undecided, kAcross * kUp);
+}
+
+TEST(ContourEffort, PassesTellTheSame)
+{
+  const BentCube cube({ std::begin(kShapes), std::end(kShapes) });
+  const Scene scene = cube.With(Surfaces().front());
+  for (const std::int64_t work : { kLittle, ContourMethod().work })
+  {
+    ContourCertifier certifier = CertifierWith(work, nullptr);
+    ProgressiveFrame frame(
+      scene, Camera(Oblique(), kAcross, kUp), { {}, { &certifier } }, certifier.Needs().welcome);
+    frame.GoTo(1);
+    int calls = 0;
+    const auto everyFewTiles = [&calls](double /*done*/) { return ++calls % 3 != 0; };
+    while (!frame.IsComplete())
+    {
+      (void)frame.Refine(everyFewTiles);
+    }
+    const Told told = Tell(scene, work, nullptr);
+    EXPECT_EQ(certifier.Verdicts(), told.verdicts) << work;
+    EXPECT_EQ(certifier.Counters().spent, told.counters.spent) << work;
+    EXPECT_EQ(certifier.Counters().undecided, told.counters.undecided) << work;
+  }
+}
+
+TEST(ContourEffort, CanBeEndedInHardTiles)
+{
+  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  const BentCube cube({ std::begin(kShapes), std::end(kShapes) });
+  const Scene scene = cube.With(Surfaces().front());
+  const Camera camera(Oblique(), kAcross, kUp);
+  constexpr int kTiles = kAcross / kTileSize * (kUp / kTileSize);
+  std::vector<double> told;
+  const auto traced = [&](int most)
+  {
+    told.clear();
+    ContourCertifier certifier = CertifierWith(kSome, nullptr);
+    Trace(scene, camera, { {}, { &certifier } }, {},
+      [&](double done)
+      {
+        told.push_back(done);
+        return std::ssize(told) < most;
+      });
+  };
+  traced(1000);
+  ASSERT_EQ(std::ssize(told), 2 * kTiles);
+  EXPECT_TRUE(std::ranges::is_sorted(told));
+  EXPECT_EQ(told.back(), 1.0);
+  // Among those that are visited again.
+  traced(kTiles + 2);
+  EXPECT_EQ(std::ssize(told), kTiles + 2);
+}
+
+TEST(ContourEffort, WorkIsSpentOnceForEachNode)
+{
+  const EdgeNode nodes[2];
+  EdgeWork work(100);
+  EXPECT_TRUE(work.Affords(nodes[0], 40));
+  EXPECT_TRUE(work.Affords(nodes[0], 40));
+  EXPECT_EQ(work.Spent(), 40);
+  work.Reserve(0.5);
+  EXPECT_FALSE(work.Affords(nodes[1], 10));
+  EXPECT_TRUE(work.IsSpent());
+  EXPECT_TRUE(work.Affords(9));
+  work.Reserve(0.0);
+  EXPECT_TRUE(work.Affords(nodes[1], 10));
+  work.Spend(60);
+  EXPECT_FALSE(work.IsLeft());
+  // Nor is what has been paid for looked at any more.
+  EXPECT_FALSE(work.Affords(nodes[0], 40));
+}
+
+TEST(ContourEffort, LargeBoxesCostAPlanePartWhatItSees)
+{
+  EdgeWork work(100);
+  EXPECT_EQ(work.PartOf({ 8.0, 8.0, 8.0 }), 1.0);
+  work.SetWidth(2.0);
+  EXPECT_EQ(work.PartOf({ 8.0, 8.0, 8.0 }), 1.0 / 16);
+  EXPECT_EQ(work.PartOf({ 8.0, 0.1, 4.0 }), 1.0 / 8);
+  EXPECT_EQ(work.PartOf({ 1.0, 8.0, 0.0 }), 1.0 / 4);
+  EXPECT_EQ(work.PartOf({ 1.0, 2.0, 1.5 }), 1.0);
+}
+
 TEST(ContourEffort, MoreHalvesMore)
 {
   ContourMethod method;
@@ -92,6 +217,7 @@ TEST(ContourEffort, MoreHalvesMore)
   EXPECT_EQ(method.halvings, usual.halvings + 3);
   EXPECT_EQ(method.crossings, usual.crossings + 3);
   EXPECT_EQ(method.work, 8 * usual.work);
+  EXPECT_EQ(method.samples, 8 * usual.samples);
   method.SetEffort(1.0);
   EXPECT_EQ(method.halvings, usual.halvings);
   EXPECT_EQ(method.parts, usual.parts);

@@ -471,7 +471,7 @@ TEST(ContourLines, DoNotDependOnTilesAndThreads)
         {
           TileVisit visit(&scene.TheScene, &camera, pipeline, again,
             { x, y, std::min(x + 13, 75), std::min(y + 7, 61) });
-          if (modules.data() == pipeline.Runs().front().data())
+          if (modules == pipeline.Runs().front())
           {
             visit.MakeImage();
           }

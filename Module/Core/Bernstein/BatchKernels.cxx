@@ -38,37 +38,75 @@ HWY_INLINE void ForEachPack(std::size_t count, const AtLanes& atLanes, const AtO
   }
 }
 
-void CombineBlocks(const double* factors, std::size_t count, std::size_t stride, const double* from,
-  std::size_t size, double* to)
+/// Rows of a block's combinations that are made at once, of the same loads.
+constexpr std::size_t kRowsAtOnce = 4;
+
+/// Those of so many rows of factors, at one pack.
+HWY_INLINE void CombineFour(
+  const double* factors, std::size_t count, const double* rows, std::size_t stride, double* out)
 {
-  for (std::size_t start = 0; start < size; start += count * stride)
+  // Not an array, which compilers leave in memory.
+  const double* const f1 = factors + count;
+  const double* const f2 = f1 + count;
+  const double* const f3 = f2 + count;
+  const Lanes first = Traits::Load(rows);
+  Lanes a = Traits::Splat(factors[0]) * first;
+  Lanes b = Traits::Splat(f1[0]) * first;
+  Lanes c = Traits::Splat(f2[0]) * first;
+  Lanes d = Traits::Splat(f3[0]) * first;
+  for (std::size_t j = 1; j < count; ++j)
   {
-    const double* const rows = from + start;
-    for (std::size_t k = 0; k < count; ++k)
-    {
-      const double* const factor = factors + k * count;
-      double* const out = to + start + k * stride;
-      ForEachPack(
-        stride,
-        [&](std::size_t i) PIXELEXACT_INLINED
+    const Lanes row = Traits::Load(rows + j * stride);
+    a = a + Traits::Splat(factors[j]) * row;
+    b = b + Traits::Splat(f1[j]) * row;
+    c = c + Traits::Splat(f2[j]) * row;
+    d = d + Traits::Splat(f3[j]) * row;
+  }
+  Store(a, out);
+  Store(b, out + stride);
+  Store(c, out + 2 * stride);
+  Store(d, out + 3 * stride);
+}
+
+void CombineBlocks(const double* factors, std::size_t made, std::size_t count, std::size_t stride,
+  const double* from, std::size_t size, double* to)
+{
+  for (const double* rows = from; rows < from + size; rows += count * stride)
+  {
+    double* const out = to + static_cast<std::size_t>(rows - from) / count * made;
+    ForEachPack(
+      stride,
+      [&](std::size_t i) PIXELEXACT_INLINED
+      {
+        std::size_t k = 0;
+        for (; k + kRowsAtOnce <= made; k += kRowsAtOnce)
         {
+          CombineFour(factors + k * count, count, rows + i, stride, out + k * stride + i);
+        }
+        for (; k < made; ++k)
+        {
+          const double* const factor = factors + k * count;
           Lanes sum = Traits::Splat(factor[0]) * Traits::Load(rows + i);
           for (std::size_t j = 1; j < count; ++j)
           {
             sum = sum + Traits::Splat(factor[j]) * Traits::Load(rows + j * stride + i);
           }
-          Store(sum, out + i);
-        },
-        [&](std::size_t i) PIXELEXACT_INLINED
+          Store(sum, out + k * stride + i);
+        }
+      },
+      [&](std::size_t i) PIXELEXACT_INLINED
+      {
+        for (std::size_t k = 0; k < made; ++k)
         {
+          const double* const factor = factors + k * count;
           double sum = factor[0] * rows[i];
           for (std::size_t j = 1; j < count; ++j)
           {
             sum += factor[j] * rows[j * stride + i];
           }
-          out[i] = sum;
-        });
-    }
+          out[k * stride + i] = sum;
+        }
+      });
   }
 }
 
@@ -146,11 +184,11 @@ HWY_EXPORT(CombineBlocks);
 HWY_EXPORT(FindEach);
 HWY_EXPORT(FindBeside);
 
-void CombineRows(std::span<const double> factors, std::size_t count, std::size_t stride,
-  std::span<const double> from, std::span<double> to)
+void CombineRows(std::span<const double> factors, std::size_t made, std::size_t count,
+  std::size_t stride, std::span<const double> from, std::span<double> to)
 {
   HWY_DYNAMIC_DISPATCH(CombineBlocks)
-  (factors.data(), count, stride, from.data(), from.size(), to.data());
+  (factors.data(), made, count, stride, from.data(), from.size(), to.data());
 }
 
 void ExtremesOfEach(std::span<const double> values, std::span<double> least, std::span<double> most)

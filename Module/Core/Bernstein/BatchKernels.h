@@ -12,10 +12,10 @@
 // the instruction set has; the same bits on each.
 namespace pixelexact
 {
-/// Of blocks of `count` rows of `stride` numbers: row k of a block becomes the sum of
-/// factors[k count + j] times its row j.
-void CombineRows(std::span<const double> factors, std::size_t count, std::size_t stride,
-  std::span<const double> from, std::span<double> to);
+/// Of blocks of `count` rows of `stride` numbers, `made` rows each: row k of a block becomes the
+/// sum of factors[k count + j] times its row j.
+void CombineRows(std::span<const double> factors, std::size_t made, std::size_t count,
+  std::size_t stride, std::span<const double> from, std::span<double> to);
 
 /// The least and the most of the numbers k, k + count, k + 2 count, ...: of finite ones.
 void ExtremesOfEach(

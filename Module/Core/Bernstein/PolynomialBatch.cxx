@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Bernstein/PolynomialBatch.h"
 
+#include "Core/Base/CheckedOut.h"
 #include "Core/Bernstein/BatchKernels.h"
 #include "Core/Math/Rounding.h"
 
@@ -65,7 +66,8 @@ PolynomialBatch::PolynomialBatch(const Degrees& degree, std::span<const BoxPolyn
 
 void PolynomialBatch::HullsOver(const Box3& within, std::span<Interval> hulls) const
 {
-  Restricted part;
+  const CheckedOut<Restricted> lease;
+  Restricted& part = *lease;
   RestrictTo(within, part);
   FindHulls(part, hulls);
 }
@@ -73,7 +75,8 @@ void PolynomialBatch::HullsOver(const Box3& within, std::span<Interval> hulls) c
 void PolynomialBatch::BoundsOver(const Box3& within, std::span<Interval> hulls,
   std::span<const Vec3> places, std::span<AffineBound> bounds) const
 {
-  Restricted part;
+  const CheckedOut<Restricted> lease;
+  Restricted& part = *lease;
   RestrictTo(within, part);
   FindHulls(part, hulls);
   FindBounds(part, places, bounds);
@@ -94,7 +97,8 @@ void PolynomialBatch::RestrictTo(const Box3& within, Restricted& part) const
     std::vector<double>& next = now == rounds ? rounds[1] : rounds[0];
     next.resize(B.size());
     CombineRows(RestrictionRows(n, 0.5 + within.lower[d] / 2.0, 0.5 + within.upper[d] / 2.0),
-      static_cast<std::size_t>(n) + 1, StrideOf(TheDegree, d) * Count(), *now, next);
+      static_cast<std::size_t>(n) + 1, static_cast<std::size_t>(n) + 1,
+      StrideOf(TheDegree, d) * Count(), *now, next);
     now = &next;
     // The rows, as BoxPolynomial::Restrict, and the sums.
     for (std::size_t c = 0; c < Count(); ++c)

@@ -41,7 +41,15 @@ public:
   void BoundsOver(const Box3& within, std::span<Interval> hulls, std::span<const Vec3> places,
     std::span<AffineBound> bounds) const;
 
+  /// The same of lower degrees, where what that leaves out is at most this part of the largest of
+  /// all coefficients; it is in the errors. Directions in which it is not constant keep at least
+  /// degree 1.
+  [[nodiscard]] PolynomialBatch Lowered(double part) const;
+
 private:
+  /// To the lowest degree in a direction with which no more than `most` is left out.
+  void LowerAlong(int direction, double most);
+
   /// Over a part of the box.
   struct Restricted
   {

@@ -16,6 +16,10 @@ namespace
 {
 /// Of xi: what located points may be off is measured where it could be more than that.
 constexpr double kMostAssumed = 1e-10;
+/// Of a node that a question comes to, and of an expansion about it without the functions there, in
+/// nanoseconds.
+constexpr std::int64_t kCostOfLook = 100;
+constexpr std::int64_t kCostOfMeeting = 700;
 } // namespace
 
 EdgeBounds::EdgeBounds(const Mesh& mesh, const ElementBounds& bounds, int element,
@@ -33,6 +37,11 @@ EdgeBounds::EdgeBounds(const Mesh& mesh, const ElementBounds& bounds, int elemen
   , Frame(Functions.GetShape(), bounds)
   , Ends(EndsOf(Functions.GetShape(), {}))
 {
+}
+
+std::int64_t EdgeBounds::SampleCost(const LocatedPoint& point, EdgeWork* work) const
+{
+  return Functions.SampleCost(Functions.IsKnown() && Tree.LeafAt(point.eta, work).regular);
 }
 
 std::array<double, 3> EdgeBounds::ShiftOf(
@@ -134,6 +143,16 @@ std::optional<EdgeRange> EdgeBounds::Along(
   return range;
 }
 
+EdgeMeeting EdgeBounds::MeetNode(
+  const EdgeNode& node, const WideOutline& region, const ValueSet& wanted, EdgeWork* work) const
+{
+  if (work)
+  {
+    work->Spend(kCostOfMeeting + 2 * Functions.ViewCost());
+  }
+  return Meet(Functions, node, region, wanted);
+}
+
 std::optional<Interval> EdgeBounds::ValuesIn(
   const WideOutline& region, const ValueSet& wanted, const EdgeEffort& effort) const
 {
@@ -150,6 +169,10 @@ std::optional<Interval> EdgeBounds::ValuesIn(const EdgeNode& node, const WideOut
 {
   const auto meets = [&wanted](const std::optional<Interval>& values)
   { return values && wanted.Meets(values->lower, values->upper); };
+  if (effort.work)
+  {
+    effort.work->Spend(kCostOfLook);
+  }
   if (Misses(Functions, node, region))
   {
     return std::nullopt;
@@ -158,7 +181,7 @@ std::optional<Interval> EdgeBounds::ValuesIn(const EdgeNode& node, const WideOut
   bool divide = !node.regular;
   if (node.regular && meets(values))
   {
-    const EdgeMeeting meeting = Meet(Functions, node, region, wanted);
+    const EdgeMeeting meeting = MeetNode(node, region, wanted, effort.work);
     values = meeting.values;
     divide = (meeting.bends && node.halvings < effort.whereMapBends) ||
       (meeting.curves && node.halvings < effort.whereFieldCurves);
@@ -190,6 +213,10 @@ bool EdgeBounds::MayTake(
   // As ValuesIn; what a node's own values tell is asked first, because it costs least.
   const auto mayTake = [&](const auto& self, const EdgeNode& node) -> bool
   {
+    if (effort.work)
+    {
+      effort.work->Spend(kCostOfLook);
+    }
     if (!wanted.Meets(node.values.lower, node.values.upper) || Misses(Functions, node, region))
     {
       return false;
@@ -197,7 +224,7 @@ bool EdgeBounds::MayTake(
     bool divide = !node.regular;
     if (node.regular)
     {
-      const EdgeMeeting meeting = Meet(Functions, node, region, wanted);
+      const EdgeMeeting meeting = MeetNode(node, region, wanted, effort.work);
       if (!meeting.values || !wanted.Meets(meeting.values->lower, meeting.values->upper))
       {
         return false;

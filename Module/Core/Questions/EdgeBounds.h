@@ -83,8 +83,8 @@ public:
   [[nodiscard]] const Interval& Values() const { return Functions.Values(); }
   /// False where a coefficient is not finite.
   [[nodiscard]] bool HasValues() const { return Functions.HasValues(); }
-  /// About what finding a point's xi and value costs, for EdgeWork.
-  [[nodiscard]] std::int64_t SampleCost() const { return Functions.SampleCost(); }
+  /// About what finding xi and value costs next to a point, for EdgeWork.
+  [[nodiscard]] std::int64_t SampleCost(const LocatedPoint& point, EdgeWork* work) const;
 
   /// The field along the straight edge between two points: it lies in the element, as far as
   /// rounding goes, and at a + s (b - a) the value is within `deviation` of the one between the
@@ -124,6 +124,8 @@ private:
   /// By how much the points' xi may be off: |xi - xi'| of Phi(xi') = x, by direction.
   [[nodiscard]] std::array<double, 3> ShiftOf(
     const EdgeNode& node, std::span<const LocatedPoint> points) const;
+  [[nodiscard]] EdgeMeeting MeetNode(
+    const EdgeNode& node, const WideOutline& region, const ValueSet& wanted, EdgeWork* work) const;
   [[nodiscard]] std::optional<Interval> ValuesIn(const EdgeNode& node, const WideOutline& region,
     const ValueSet& wanted, const EdgeEffort& effort) const;
 

@@ -27,11 +27,16 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// few coefficients. Nodes of many cost more, and there are fewer of them.
 constexpr int kMostHalvings[2] = { 20, 22 };
 constexpr double kFewCoefficients = 216.0;
-/// Of two halves, and of each coefficient and degree in them, in nanoseconds.
-constexpr std::int64_t kCostOfNodes = 40000;
-constexpr std::int64_t kCostOfCoefficients = 35;
-/// Of a point whose xi is not found at once, as near the places that are halved most.
-constexpr std::int64_t kCostOfSample = 20000;
+/// Of the map and the component at a point, and of each of their modes; in halves, because there
+/// are few of them.
+constexpr std::int64_t kCostOfView = 200;
+constexpr std::int64_t kHalfCostOfModes = 3;
+/// Of a point whose xi is found at once, and of others, as next to folds.
+constexpr std::int64_t kCostOfSample = 1500;
+constexpr std::int64_t kCostOfHardSample = 250'000;
+/// Of boxes that cost nothing: how often they are halved at most, and what they may cost together.
+constexpr int kMostFree = 8;
+constexpr std::int64_t kMostFreeCost = 50'000'000;
 constexpr Part kBy[3] = { Part::ByXi1, Part::ByXi2, Part::ByXi3 };
 } // namespace
 
@@ -98,7 +103,9 @@ EdgeFunctions::EdgeFunctions(
   {
     TakeSlack(*modes.quotient);
   }
-  Kept = std::make_unique<MadeOnDemand<EdgePolynomials>>(std::size_t{ 1 } << (3 * Level));
+  const std::size_t pieces = std::size_t{ 1 } << (3 * Level);
+  Kept = std::make_unique<MadeOnDemand<EdgePolynomials>>(pieces);
+  Costs = std::make_unique<MadeOnDemand<EdgePolynomials::Cost>>(pieces);
   Range = ValuesOver({});
   BoundErrors(rounding);
   if (modes.quotient)
@@ -184,11 +191,20 @@ void EdgeFunctions::ChooseLevel()
   {
     Halvings[k] = kMostHalvings[k] - besides[k];
   }
-  const PieceForm form = PieceForm::Of(Map.space, Level);
-  Cost = kCostOfNodes +
-    kCostOfCoefficients * static_cast<std::int64_t>(form.Size()) *
-      (1 + *std::ranges::max_element(form.Degree()));
-  CostOfSample = kCostOfSample + 3 * static_cast<std::int64_t>(form.Size());
+  const auto coefficients = [this](const ScaledModes& modes)
+  { return static_cast<std::int64_t>(PieceForm::Of(modes.space, Level).Size()); };
+  Cost = EdgePolynomials::CostOf(PieceForm::Of(Map.space, Level).Degree()) +
+    EdgePolynomials::CostOf(PieceForm::Of(Component.space, Level).Degree());
+  while (Free < kMostFree && Cost << (Free + 1) <= kMostFreeCost)
+  {
+    ++Free;
+  }
+  CostOfView = kCostOfView + kHalfCostOfModes * (coefficients(Map) + coefficients(Component)) / 2;
+}
+
+std::int64_t EdgeFunctions::SampleCost(bool regular) const
+{
+  return (regular ? kCostOfSample : kCostOfHardSample) + 2 * CostOfView;
 }
 
 Vec3 EdgeFunctions::RoundingInUnits(const Vec3& x) const

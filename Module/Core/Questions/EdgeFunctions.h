@@ -57,9 +57,15 @@ public:
   /// is.
   [[nodiscard]] int Deepest(bool regular) const { return Halvings[regular ? 1 : 0]; }
   /// About what it costs to halve one, in nanoseconds of one core.
-  [[nodiscard]] std::int64_t HalvingCost() const { return Cost; }
-  /// The same of finding a point's xi, and the value there.
-  [[nodiscard]] std::int64_t SampleCost() const { return CostOfSample; }
+  [[nodiscard]] std::int64_t HalvingCost(const EtaBox& box) const;
+  /// How often large boxes are halved for nothing: there are few of them, and many questions share
+  /// them.
+  [[nodiscard]] int FreeHalvings() const { return Free; }
+  /// The same of the map and the component at a point.
+  [[nodiscard]] std::int64_t ViewCost() const { return CostOfView; }
+  /// The same of finding a point's xi, and the value there, where the map is regular and where it
+  /// is not.
+  [[nodiscard]] std::int64_t SampleCost(bool regular) const;
   [[nodiscard]] Vec3 InUnits(const Vec3& x) const { return (x - Centre) / Unit; }
   [[nodiscard]] Vec3 InWorld(const Vec3& y) const { return Centre + Unit * y; }
   /// By coordinate, in the element's units: of InUnits at x.
@@ -153,6 +159,7 @@ private:
   template <class Visit>
   void WithPolynomials(const PieceForm::Piece& piece, const Visit& visit) const;
   [[nodiscard]] Interval ValuesOf(std::span<const Interval> components) const;
+  [[nodiscard]] std::size_t NumberOf(const PieceForm::Piece& piece) const;
   void ChooseLevel();
   /// Of `components` functions together, 4 times what the conversion to a part makes at most: the
   /// kernels make the same sums, but for the order of the factors (accuracy.md).
@@ -168,7 +175,8 @@ private:
   int Level = 0;
   int Halvings[2] = {};
   std::int64_t Cost = 0;
-  std::int64_t CostOfSample = 0;
+  int Free = 0;
+  std::int64_t CostOfView = 0;
   Vec3 Centre;
   double Unit;
   std::array<double, 3> Unsure;
@@ -183,6 +191,8 @@ private:
   double MapSlopeError = 0.0;
   Interval Range;
   std::unique_ptr<MadeOnDemand<EdgePolynomials>> Kept; ///< by piece
+  std::unique_ptr<MadeOnDemand<EdgePolynomials::Cost>>
+    Costs; ///< of halves in a piece, where there are some
   mutable std::atomic<std::int64_t> Bytes{ 0 };
 };
 } // namespace pixelexact

@@ -12,6 +12,14 @@ namespace pixelexact
 {
 namespace
 {
+/// Of the largest coefficients, what lower degrees may leave out; and how many times as many they
+/// must save.
+constexpr double kLeftOut = 0x1p-26;
+constexpr double kMuchLess = 1.5;
+/// Of each coefficient and degree in two halves, in nanoseconds; and of how many of these the cost
+/// of each has doubled, because they leave the cache.
+constexpr std::int64_t kCostOfTerms = 9;
+constexpr std::int64_t kManyTerms = 54000;
 constexpr Box3 kWholePiece{ Vec3(-1.0), Vec3(1.0) };
 /// In HessianFunction's list: derivatives by xi, three a function, then six a function; the rest.
 constexpr std::size_t kSlopes = 3;
@@ -153,6 +161,47 @@ EdgePolynomials::EdgePolynomials(const ScaledModes& map, std::span<const Functio
       FieldOf(map, functions, level, piece))
   , Factors(PartOf(ofMap, kFirstFactor, HessianFunction::kPolynomials - kFirstFactor))
 {
+}
+
+EdgePolynomials::EdgePolynomials(
+  Shape shape, PolynomialBatch map, PolynomialBatch bends, PolynomialBatch field)
+  : TheShape(shape)
+  , Map(std::move(map))
+  , IsByXi(true)
+  , Bends(std::move(bends))
+  , Field(std::move(field))
+{
+}
+
+std::unique_ptr<const EdgePolynomials> EdgePolynomials::Lowered() const
+{
+  if (!IsByXi)
+  {
+    return nullptr;
+  }
+  PolynomialBatch map = Map.Lowered(kLeftOut);
+  PolynomialBatch field = Field.Lowered(kLeftOut);
+  const auto size = [](const PolynomialBatch& a, const PolynomialBatch& b)
+  { return static_cast<double>(CoefficientCount(a.Degree()) + CoefficientCount(b.Degree())); };
+  if (size(map, field) * kMuchLess > size(Map, Field))
+  {
+    return nullptr;
+  }
+  // Not make_unique, which sees nothing private.
+  return std::unique_ptr<const EdgePolynomials>(
+    new EdgePolynomials(TheShape, std::move(map), Bends.Lowered(kLeftOut), std::move(field)));
+}
+
+EdgePolynomials::Cost EdgePolynomials::HalvingCost() const
+{
+  return { CostOf(Map.Degree()), CostOf(Field.Degree()) };
+}
+
+std::int64_t EdgePolynomials::CostOf(const Degrees& degree)
+{
+  const std::int64_t terms =
+    static_cast<std::int64_t>(CoefficientCount(degree)) * (1 + std::ranges::max(degree));
+  return kCostOfTerms * terms * (kManyTerms + terms) / kManyTerms;
 }
 
 std::size_t EdgePolynomials::Bytes() const

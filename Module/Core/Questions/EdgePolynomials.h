@@ -6,6 +6,8 @@
 #include "Core/Tree/EtaBox.h"
 
 #include <array>
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -30,6 +32,19 @@ public:
   /// `functions`: of one space; none: of the map alone. All must be finite.
   EdgePolynomials(const ScaledModes& map, std::span<const Function> functions, int level,
     const PieceForm::Piece& piece);
+
+  /// The same, of lower degrees (PolynomialBatch::Lowered); nothing where that is not much less, or
+  /// factors are left to divide by.
+  [[nodiscard]] std::unique_ptr<const EdgePolynomials> Lowered() const;
+  /// About what halving boxes in it costs, in nanoseconds of one core, where they are in no other
+  /// piece: because of the map, and, where it is regular, because of the rest.
+  struct Cost
+  {
+    std::int64_t ofMap = 0;
+    std::int64_t ofRest = 0;
+  };
+  [[nodiscard]] Cost HalvingCost() const;
+  [[nodiscard]] static std::int64_t CostOf(const Degrees& degree);
 
   /// About the bytes held.
   [[nodiscard]] std::size_t Bytes() const;
@@ -67,6 +82,7 @@ private:
   void MakeByXi(const Box3& within, Hulls& hulls) const;
   /// Of the coefficients of xi over a box, less its middle.
   [[nodiscard]] std::vector<Vec3> PlacesIn(const EtaBox& box, const Degrees& degree) const;
+  EdgePolynomials(Shape shape, PolynomialBatch map, PolynomialBatch bends, PolynomialBatch field);
   /// `ofMap`: HessianFunction's polynomials of the map.
   EdgePolynomials(const ScaledModes& map, std::span<const Function> functions, int level,
     const PieceForm::Piece& piece, const std::vector<BoxPolynomial>& ofMap);

@@ -17,6 +17,10 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// What all elements' polynomials may take; of others they are made each time.
 constexpr std::int64_t kMostBytes = std::int64_t{ 256 } << 20;
 std::atomic<std::int64_t> bytesKept{ 0 };
+/// Of two halves, in nanoseconds, beside what their polynomials cost (EdgePolynomials); and the
+/// part of that of pieces that are side by side, in most of which a box ends nowhere.
+constexpr std::int64_t kCostOfNodes = 25000;
+constexpr std::int64_t kShareOfPieces = 4;
 /// Halvings of each direction after which det J is given up.
 constexpr int kMostOfDivisor = 4;
 
@@ -91,10 +95,14 @@ void EdgeFunctions::ForEachPiece(const EtaBox& box, const Visit& visit) const
 template <class Visit>
 void EdgeFunctions::WithPolynomials(const PieceForm::Piece& piece, const Visit& visit) const
 {
-  const int number = (((piece[0] << Level) + piece[1]) << Level) + piece[2];
-  const auto at = static_cast<std::size_t>(number);
+  const std::size_t at = NumberOf(piece);
   const auto make = [&]
-  { return std::make_unique<const EdgePolynomials>(Map, Functions(), Level, piece); };
+  {
+    auto full = std::make_unique<const EdgePolynomials>(Map, Functions(), Level, piece);
+    // Over a piece functions are of lower degree than over the element, but for little.
+    auto lowered = Level > 0 ? full->Lowered() : nullptr;
+    return lowered ? std::move(lowered) : std::move(full);
+  };
   const EdgePolynomials* made = Kept->IfMade(at);
   if (!made && bytesKept.load(std::memory_order_relaxed) < kMostBytes)
   {
@@ -104,6 +112,38 @@ void EdgeFunctions::WithPolynomials(const PieceForm::Piece& piece, const Visit& 
     Bytes += static_cast<std::int64_t>(made->Bytes());
   }
   visit(made ? *made : *make());
+}
+
+std::size_t EdgeFunctions::NumberOf(const PieceForm::Piece& piece) const
+{
+  return static_cast<std::size_t>((((piece[0] << Level) + piece[1]) << Level) + piece[2]);
+}
+
+std::int64_t EdgeFunctions::HalvingCost(const EtaBox& box) const
+{
+  if (Level == 0)
+  {
+    return kCostOfNodes + Cost;
+  }
+  std::int64_t ofMap = 0;
+  std::int64_t ofRest = 0;
+  std::int64_t largest = 0;
+  ForEachPiece(box,
+    [&](const PieceForm::Piece& piece, const Box3& /*within*/)
+    {
+      const EdgePolynomials::Cost& own = Costs->Get(NumberOf(piece),
+        [&]
+        {
+          auto cost = std::make_unique<EdgePolynomials::Cost>();
+          WithPolynomials(
+            piece, [&](const EdgePolynomials& polynomials) { *cost = polynomials.HalvingCost(); });
+          return cost;
+        });
+      ofMap += own.ofMap;
+      largest = std::max(largest, own.ofMap);
+      ofRest = std::max(ofRest, own.ofRest);
+    });
+  return kCostOfNodes + std::max(largest, ofMap / kShareOfPieces) + ofRest;
 }
 
 double EdgeFunctions::ErrorOf(const ScaledModes& modes, int components, Part part) const

@@ -5,6 +5,12 @@
 
 namespace pixelexact
 {
+namespace
+{
+/// Of going down by one node, in nanoseconds.
+constexpr std::int64_t kCostOfLook = 100;
+} // namespace
+
 const EdgeNode& EdgeTree::Whole() const
 {
   if (!HasRoot.load(std::memory_order_acquire))
@@ -45,11 +51,27 @@ const std::array<EdgeNode, 2>& EdgeTree::Split(const EdgeNode& node) const
   return *halves.release();
 }
 
+bool EdgeTree::Affords(const EdgeNode& node, EdgeWork& work) const
+{
+  if (node.halvings < Functions.FreeHalvings())
+  {
+    return work.IsLeft();
+  }
+  const Vec3 sides = node.bounds.upper - node.bounds.lower;
+  const double cost = work.PartOf({ sides.x, sides.y, sides.z }) *
+    static_cast<double>(Functions.HalvingCost(node.wide));
+  return work.Affords(node, static_cast<std::int64_t>(cost));
+}
+
 const EdgeNode& EdgeTree::LeafAt(const Vec3& eta, EdgeWork* work) const
 {
   const EdgeNode* node = &Whole();
   while (!node->regular && CanSplit(*node, work))
   {
+    if (work)
+    {
+      work->Spend(kCostOfLook);
+    }
     const auto& halves = Split(*node);
     const int d = node->direction;
     node = &halves[eta[d] <= halves[0].box.upper[d] ? 0 : 1];

@@ -27,14 +27,13 @@ public:
   [[nodiscard]] bool CanSplit(const EdgeNode& node, EdgeWork* work) const
   {
     return !node.flat && node.halvings < Functions.Deepest(node.regular) &&
-      (!work || node.halvings < kFreeHalvings || work->Affords(node, Functions.HalvingCost()));
+      (!work || Affords(node, *work));
   }
   /// The largest regular node with this eta; the last one, where there is none.
   [[nodiscard]] const EdgeNode& LeafAt(const Vec3& eta, EdgeWork* work) const;
 
 private:
-  /// Of nodes that cost no work: there are no more than 2^8 of them in an element.
-  static constexpr int kFreeHalvings = 8;
+  [[nodiscard]] bool Affords(const EdgeNode& node, EdgeWork& work) const;
 
   const EdgeFunctions& Functions;
   mutable EdgeNode Root;

@@ -15,6 +15,10 @@ namespace pixelexact
 {
 namespace
 {
+/// Of what may be spent, so much is left when blocks have been asked, and then whole edges.
+constexpr double kLeftByBlocks = 0.5;
+constexpr double kLeftByEdges = 0.25;
+
 /// Whose boxes meet a part of a surface; all where it is not known.
 std::vector<int> ElementsNear(const ElementIndex& index, const std::optional<Outline>& part)
 {
@@ -34,11 +38,27 @@ std::vector<int> ElementsNear(const ElementIndex& index, const std::optional<Out
   index.FindNear(box, elements);
   return elements;
 }
+
+/// The longest side of the box of its corners.
+double WidthOf(const Outline& part)
+{
+  const std::span<const Vec3> corners = part.Corners();
+  Vec3 lower = corners.front();
+  Vec3 upper = lower;
+  for (const Vec3& corner : corners)
+  {
+    lower = glm::min(lower, corner);
+    upper = glm::max(upper, corner);
+  }
+  const Vec3 sides = upper - lower;
+  return std::max({ sides.x, sides.y, sides.z });
+}
 } // namespace
 
-ContourTile::ContourTile(TileVisit& tile, const ContourMethod& method)
+ContourTile::ContourTile(TileVisit& tile, const ContourMethod& method, bool again)
   : Tile(tile)
   , Method(method)
+  , Again(again)
   , Across(static_cast<std::size_t>(tile.Area().Width()) + 1)
   , Up(static_cast<std::size_t>(tile.Area().Height()) + 1)
   , Pixels((Across - 1) * (Up - 1), ContourVerdict::Out)
@@ -187,11 +207,29 @@ void ContourTile::ForEachEdge(
   }
 }
 
-void ContourTile::Judge(const ContouredLayer& layer)
+std::optional<LatticePart> ContourTile::Centres()
 {
-  EdgeWork work(Method.work);
-  Judge(layer, work);
-  Counted.spent += work.IsSpent() ? 1 : 0;
+  const std::optional<LatticePart> atHand = Tile.Centres();
+  if (atHand || !Again)
+  {
+    return atHand;
+  }
+  const TileArea& area = Tile.Area();
+  if (Traced.Size() == 0)
+  {
+    std::vector<ImagePosition> places;
+    for (int y = area.y0; y < area.y1; ++y)
+    {
+      for (int x = area.x0; x < area.x1; ++x)
+      {
+        places.push_back({ x + 0.5, y + 0.5 });
+      }
+    }
+    Traced = Tile.Trace(places, kEdgeSampleBuffers);
+    Traced.width = area.Width();
+    Traced.height = area.Height();
+  }
+  return LatticePart{ Traced, area.x0, area.y0 };
 }
 
 void ContourTile::Judge(const ContouredLayer& layer, EdgeWork& work)
@@ -213,19 +251,22 @@ void ContourTile::Judge(const ContouredLayer& layer, EdgeWork& work)
     JudgeEdges(sight, judge, std::vector<std::uint8_t>(Pixels.size(), 1));
     return;
   }
-  FlatBlocks blocks(sight, Tile);
+  FlatBlocks blocks(sight, Tile, Centres());
   if (blocks.AreBeyond())
   {
     Counted.byBlocks += std::ssize(Pixels);
     return;
   }
-  const EdgeJudge judge(*layer.bounds, layer.values, &work,
-    ElementsNear(Tile.GetScene().locator->Index(), blocks.Whole()));
+  const std::optional<Outline> whole = blocks.Whole();
+  work.SetWidth(whole ? WidthOf(*whole) : 0.0);
+  const EdgeJudge judge(
+    *layer.bounds, layer.values, &work, ElementsNear(Tile.GetScene().locator->Index(), whole));
   if (!judge.IsNeeded())
   {
     Counted.byBlocks += std::ssize(Pixels);
     return;
   }
+  judge.Reserve(kLeftByBlocks);
   std::vector<EdgeState> states = blocks.Settle(judge);
   std::vector<std::uint8_t> open(states.size());
   std::ranges::transform(states, open.begin(),
@@ -243,6 +284,7 @@ void ContourTile::JudgeEdges(
   {
     return;
   }
+  judge.Reserve(kLeftByEdges);
   const TileCorners corners = EndsOf(sight, open);
   const std::vector<std::uint8_t> shown =
     sight.GetSurface().IsPlane() ? std::vector<std::uint8_t>() : ShownAround(sight, corners);
@@ -266,6 +308,7 @@ void ContourTile::JudgeEdges(
     [&] { settler.EndRow(); });
   std::vector<EdgeState> unhalved = edges;
   settler.MarkOpen(unhalved);
+  judge.Reserve(0.0);
   settler.Refine();
   std::vector<EdgeState> states = StatesOf(edges, open);
   CountStages(StatesOf(unhalved, open), states, open);

@@ -6,6 +6,7 @@
 #include "Trace/TileVisit.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -46,16 +47,18 @@ private:
 class ContourTile
 {
 public:
-  ContourTile(TileVisit& tile, const ContourMethod& method);
+  /// `again`: the tile is visited again, and its centres are traced where they are not at hand.
+  ContourTile(TileVisit& tile, const ContourMethod& method, bool again = false);
 
   /// Adds the findings of a layer's values to those of the tile's pixels.
-  void Judge(const ContouredLayer& layer);
+  void Judge(const ContouredLayer& layer, EdgeWork& work);
   /// A ContourVerdict for each pixel of the tile, row by row.
   [[nodiscard]] std::span<const ContourVerdict> Verdicts() const { return Pixels; }
   [[nodiscard]] const ContourCounters& Counters() const { return Counted; }
 
 private:
-  void Judge(const ContouredLayer& layer, EdgeWork& work);
+  /// The centres of its pixels, as `Tile` has them; of one that is visited again, or traced.
+  [[nodiscard]] std::optional<LatticePart> Centres();
   /// Of the corners of open pixels, row by row.
   [[nodiscard]] TileCorners EndsOf(const LayerSight& sight, std::span<const std::uint8_t> open);
   /// Which corners show the layer, (Across + 2) x (Up + 2): of those around the tile, none of them
@@ -84,9 +87,11 @@ private:
 
   TileVisit& Tile;
   ContourMethod Method;
+  bool Again;
   std::size_t Across; ///< corners in a row
   std::size_t Up;     ///< corners in a column
   std::vector<ContourVerdict> Pixels;
   ContourCounters Counted;
+  SampleBuffers Traced; ///< centres that were not at hand
 };
 } // namespace pixelexact

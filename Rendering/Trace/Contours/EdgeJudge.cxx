@@ -19,6 +19,8 @@ namespace
 /// Of the largest magnitude of an element's values: rounding beyond which a value that is met by
 /// an end up to rounding is not told from one that is missed.
 constexpr double kTouch = 1e-13;
+/// Of a point that stays unknown (location.md), in nanoseconds.
+constexpr std::int64_t kCostOfUnknown = 6'000'000;
 /// For parts of a surface that are many pixels wide, for edges and parts of them, and for squares
 /// of a pixel and less.
 constexpr EdgeEffort kForBlocks{ 4, 0 };
@@ -103,8 +105,23 @@ int EdgeJudge::SideOf(double value) const
 
 std::int64_t EdgeJudge::SampleCost(const EdgeEnd& a, const EdgeEnd& b) const
 {
-  const int element = std::max(a.element, b.element);
-  return element < 0 ? 0 : Bounds.Of(element).SampleCost();
+  std::int64_t most = 0;
+  for (const EdgeEnd* end : { &a, &b })
+  {
+    if (end->element >= 0)
+    {
+      most = std::max(most, Bounds.Of(end->element).SampleCost(end->point, Work));
+    }
+  }
+  return most;
+}
+
+void EdgeJudge::SpendOnUnknown() const
+{
+  if (Work)
+  {
+    Work->Spend(kCostOfUnknown);
+  }
 }
 
 EdgeEffort EdgeJudge::With(EdgeEffort effort) const

@@ -20,6 +20,7 @@ struct EdgeEnd
   LocatedPoint point;      ///< there; of planes `x` is known beside the mesh and behind others, too
   bool meets = false;      ///< whether `x` is known
   bool isAhead = false;    ///< and not behind the eye
+  bool isUnknown = false;  ///< it is not decided what is seen there
   std::int32_t piece = -1; ///< of the surface, and where on it: what the hit tells
   double parameters[2] = { 0.0, 0.0 };
 
@@ -64,6 +65,16 @@ public:
 
   /// What a sample costs between two ends, for EdgeWork.
   [[nodiscard]] std::int64_t SampleCost(const EdgeEnd& a, const EdgeEnd& b) const;
+  /// After a sample of which it is not decided what it shows: that cost all that a point may.
+  void SpendOnUnknown() const;
+  /// See EdgeWork.
+  void Reserve(double part) const
+  {
+    if (Work)
+    {
+      Work->Reserve(part);
+    }
+  }
   /// Whether so much may be spent yet; it is, then.
   [[nodiscard]] bool Affords(std::int64_t cost) const { return !Work || Work->Affords(cost); }
 

@@ -14,6 +14,8 @@ namespace
 {
 /// How often edges are halved of which no end shows the layer, but a corner beside them.
 constexpr int kPeeks = 4;
+/// As how many samples one counts that does not tell what it shows: others near it seldom do.
+constexpr int kSamplesOfUnknown = 4;
 /// Sagitta over chord of the edges on curved surfaces that are held against other elements.
 constexpr double kBulge = 1.0;
 } // namespace
@@ -27,6 +29,8 @@ EdgeSettler::EdgeSettler(LayerSight& sight, const EdgeJudge& judge, const Contou
   , States(states)
   , Counted(counted)
   , Parts(states.size(), 0)
+  , Samples(states.size(), 0)
+  , IsLimited(IsPlane && method.samples != ContourMethod::kAny)
 {
 }
 
@@ -140,13 +144,15 @@ void EdgeSettler::Settle(const Part& part, EdgeFinding finding, int level)
     return;
   }
   const int deepest = finding == EdgeFinding::Open ? Method.halvings : Method.crossings;
-  if (level < deepest && Parts[part.edge] < Method.parts)
+  // Where much has been tried an edge is in by what goes on between two sides, or stays open.
+  const bool opposite = onBoth && Judge.AreOpposite(part.a, part.b);
+  if (level < deepest && Parts[part.edge] < Method.parts &&
+    (opposite || !IsLimited || Samples[part.edge] < Method.samples))
   {
     ++Parts[part.edge];
     Open.push_back(part);
     return;
   }
-  const bool opposite = onBoth && Judge.AreOpposite(part.a, part.b);
   if (opposite && finding == EdgeFinding::Uncovered)
   {
     const SurfaceEdge edge = Sight.EdgeBetween(part.a, part.b);
@@ -181,7 +187,13 @@ void EdgeSettler::Refine()
   for (int level = 1;; ++level)
   {
     std::vector<Part> parts = std::exchange(Open, {});
-    std::erase_if(parts, [this](const Part& part) { return States[part.edge] == EdgeState::In; });
+    std::erase_if(parts,
+      [this](const Part& part)
+      {
+        return States[part.edge] == EdgeState::In ||
+          (IsLimited && States[part.edge] == EdgeState::Undecided &&
+            !Judge.AreOpposite(part.a, part.b));
+      });
     if (parts.empty())
     {
       return;
@@ -204,10 +216,16 @@ void EdgeSettler::Refine()
       middles.push_back({ 0.5 * (part.a.position[0] + part.b.position[0]),
         0.5 * (part.a.position[1] + part.b.position[1]) });
       Parts[part.edge] = 0;
+      ++Samples[part.edge];
     }
     const std::vector<EdgeEnd> ends = Sight.Trace(middles);
     for (std::size_t i = 0; i < parts.size(); ++i)
     {
+      if (ends[i].isUnknown)
+      {
+        Judge.SpendOnUnknown();
+        Samples[parts[i].edge] += kSamplesOfUnknown;
+      }
       const Part halves[2] = { { parts[i].edge, parts[i].a, ends[i], parts[i].peeks },
         { parts[i].edge, ends[i], parts[i].b, parts[i].peeks } };
       for (const Part& half : halves)

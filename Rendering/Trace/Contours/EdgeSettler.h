@@ -56,7 +56,9 @@ private:
   bool IsPlane;
   std::span<EdgeState> States;
   ContourCounters& Counted;
-  std::vector<int> Parts; ///< open, of each edge
+  std::vector<int> Parts;   ///< open, of each edge
+  std::vector<int> Samples; ///< of each edge, so far
+  bool IsLimited;           ///< these are; on curved surfaces silhouettes take many
   std::vector<Part> Run;
   std::vector<Part> Open;
 };

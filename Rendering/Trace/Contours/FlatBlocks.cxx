@@ -18,9 +18,9 @@ constexpr int kThorough = 4;
 constexpr int kOneByOne = 2;
 } // namespace
 
-FlatBlocks::FlatBlocks(const LayerSight& sight, TileVisit& tile)
+FlatBlocks::FlatBlocks(const LayerSight& sight, TileVisit& tile, std::optional<LatticePart> centres)
   : Sight(sight)
-  , Centres(tile.Centres())
+  , Centres(centres)
   , Area(tile.Area())
   , ShowsAll(tile.GetScene().layers.size() == 1 && tile.GetScene().kept.empty())
 {

@@ -13,12 +13,12 @@
 namespace pixelexact
 {
 /// A tile's pixels on a flat surface that are proven out by blocks, or in, by what is seen at the
-/// pixels' centres, where they are at hand (TileVisit::Centres), and what is known of the elements
-/// there: no other samples are needed.
+/// pixels' centres, where there are some, and what is known of the elements there: no other samples
+/// are needed.
 class FlatBlocks
 {
 public:
-  FlatBlocks(const LayerSight& sight, TileVisit& tile);
+  FlatBlocks(const LayerSight& sight, TileVisit& tile, std::optional<LatticePart> centres);
 
   /// Whether no ray of the tile meets it in the mesh.
   [[nodiscard]] bool AreBeyond() { return IsBeyond(Area); }

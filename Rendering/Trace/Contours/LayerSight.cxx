@@ -70,6 +70,7 @@ EdgeEnd LayerSight::EndOf(
 {
   EdgeEnd end;
   end.position = position;
+  end.isUnknown = samples.verdict[i] == static_cast<std::uint8_t>(PixelVerdict::Unknown);
   if (samples.verdict[i] == static_cast<std::uint8_t>(PixelVerdict::Exact))
   {
     end.layer = samples.layer[i];

@@ -20,6 +20,13 @@ std::array<ImagePosition, kAdded> PlacesIn(const PixelInteriors::Corners& corner
   };
   return { between(0, 1), between(1, 2), between(2, 3), between(3, 0), between(0, 2) };
 }
+
+/// A pixel's segments are one edge to EdgeSettler.
+ContourMethod WithAnySamples(ContourMethod method)
+{
+  method.samples = ContourMethod::kAny;
+  return method;
+}
 } // namespace
 
 PixelInteriors::PixelInteriors(LayerSight& sight, const EdgeJudge& judge,
@@ -29,7 +36,7 @@ PixelInteriors::PixelInteriors(LayerSight& sight, const EdgeJudge& judge,
   , Method(method)
   , States(states)
   , Counted(counted)
-  , Lines(sight, judge, method, states, counted)
+  , Lines(sight, judge, WithAnySamples(method), states, counted)
   , Squares(states.size(), 0)
 {
 }
@@ -154,6 +161,13 @@ void PixelInteriors::Refine()
     }
     const std::vector<EdgeEnd> ends = Sight.Trace(places);
     Counted.samples += std::ssize(places);
+    for (const EdgeEnd& end : ends)
+    {
+      if (end.isUnknown)
+      {
+        Judge.SpendOnUnknown();
+      }
+    }
     for (std::size_t i = 0; i < squares.size(); ++i)
     {
       Compare(squares[i], std::span(ends).subspan(kAdded * i, kAdded));

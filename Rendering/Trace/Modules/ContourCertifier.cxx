@@ -15,6 +15,15 @@ namespace pixelexact
 {
 namespace
 {
+/// Of what may be spent on a frame: what is for every tile, and the most for one.
+constexpr double kFirstShare = 0.5;
+constexpr double kMostOfTile = 0.1;
+
+std::size_t PixelsOf(const TileArea& area)
+{
+  return static_cast<std::size_t>(area.Width()) * static_cast<std::size_t>(area.Height());
+}
+
 void RequireListsFor(const Scene& scene, std::size_t lists)
 {
   const std::size_t layers = scene.layers.size();
@@ -36,6 +45,7 @@ void ContourMethod::SetEffort(double effort)
   crossings = usual.crossings + doublings;
   quarterings = usual.quarterings + doublings;
   parts = std::max(usual.parts, times(usual.parts));
+  samples = std::max(usual.samples, times(usual.samples));
   squares = std::max(usual.squares, times(usual.squares));
   work = times(usual.work);
 }
@@ -78,6 +88,21 @@ ContourCertifier::ContourCertifier(std::vector<std::vector<double>> values,
 
 ContourCertifier::~ContourCertifier() = default;
 
+SampleNeeds ContourCertifier::Remainder::Needs() const
+{
+  return { .wholeFrame = true };
+}
+
+void ContourCertifier::Remainder::Process(TileVisit& tile)
+{
+  Of.ProcessAgain(tile);
+}
+
+FrameModule* ContourCertifier::Rest()
+{
+  return Method.subdivisions ? nullptr : &Again;
+}
+
 SampleNeeds ContourCertifier::Needs() const
 {
   // Whether a surface goes on between two corners is asked of the surface alone.
@@ -98,6 +123,8 @@ void ContourCertifier::Begin(int width, int height)
   Marked.assign(static_cast<std::size_t>(Across) * static_cast<std::size_t>(squares(height)),
     std::uint8_t{ 0 });
   Counted = {};
+  Spent = 0;
+  Left.clear();
   Bounds = Given ? Given : std::make_shared<ContourBounds>();
 }
 
@@ -105,31 +132,83 @@ void ContourCertifier::Process(TileVisit& tile)
 {
   const Scene& scene = tile.GetScene();
   RequireListsFor(scene, IsoValues.size());
-  ContourCounters counters;
-  std::vector<std::uint8_t> verdicts(
-    static_cast<std::size_t>(tile.Area().Width()) * static_cast<std::size_t>(tile.Area().Height()));
+  std::vector<std::uint8_t> verdicts(PixelsOf(tile.Area()));
   if (Method.subdivisions)
   {
     IntervalCounters found;
     JudgeByIntervals(tile, IsoValues, *Method.subdivisions, verdicts, found);
+    ContourCounters counters;
     counters.samples = found.samples;
+    Keep(tile.Area(), verdicts, counters);
+    Count(counters);
+    return;
+  }
+  // By its part of the frame.
+  const double part = kFirstShare * static_cast<double>(verdicts.size()) /
+    static_cast<double>(std::max<std::size_t>(Pixels.size(), 1));
+  const auto share = static_cast<std::int64_t>(part * static_cast<double>(Method.work));
+  const auto [counters, spent] = Judge(tile, share, false);
+  const std::lock_guard lock(CountersMutex);
+  Spent += spent;
+  if (counters.spent > 0)
+  {
+    Left.push_back({ tile.Area(), share, counters });
   }
   else
   {
-    ContourTile pixels(tile, Method);
-    for (std::size_t k = 0; k < IsoValues.size(); ++k)
-    {
-      if (!IsoValues[k].empty() && scene.layers[k].field)
-      {
-        pixels.Judge(
-          { static_cast<int>(k), IsoValues[k], &Bounds->Of(*scene.locator, scene.layers[k]) });
-      }
-    }
-    std::ranges::transform(pixels.Verdicts(), verdicts.begin(),
-      [](ContourVerdict verdict) { return static_cast<std::uint8_t>(verdict); });
-    counters = pixels.Counters();
+    Counted.Add(counters);
   }
-  Keep(tile.Area(), verdicts, counters);
+}
+
+void ContourCertifier::ProcessAgain(TileVisit& tile)
+{
+  const auto isThis = [&area = tile.Area()](const LeftTile& one)
+  { return one.area.x0 == area.x0 && one.area.y0 == area.y0; };
+  const auto left = std::ranges::find_if(Left, isThis);
+  if (left == Left.end())
+  {
+    return;
+  }
+  const auto all = static_cast<double>(Method.work);
+  const double most = std::min(
+    kMostOfTile * all, (all - static_cast<double>(Spent)) / static_cast<double>(Left.size()));
+  const auto share = static_cast<std::int64_t>(most);
+  Count(share > left->share ? Judge(tile, share, true).counters : left->counters);
+}
+
+ContourCertifier::Judged ContourCertifier::Judge(TileVisit& tile, std::int64_t most, bool again)
+{
+  const Scene& scene = tile.GetScene();
+  const auto hasLines = [&](std::size_t k)
+  { return !IsoValues[k].empty() && scene.layers[k].field != nullptr; };
+  std::int64_t layers = 0;
+  for (std::size_t k = 0; k < IsoValues.size(); ++k)
+  {
+    layers += hasLines(k) ? 1 : 0;
+  }
+  ContourTile pixels(tile, Method, again);
+  Judged judged;
+  for (std::size_t k = 0; k < IsoValues.size(); ++k)
+  {
+    if (hasLines(k))
+    {
+      EdgeWork work((most - judged.spent) / layers--);
+      pixels.Judge(
+        { static_cast<int>(k), IsoValues[k], &Bounds->Of(*scene.locator, scene.layers[k]) }, work);
+      judged.spent += work.Spent();
+      judged.counters.spent += work.IsSpent() ? 1 : 0;
+    }
+  }
+  std::vector<std::uint8_t> verdicts(PixelsOf(tile.Area()));
+  std::ranges::transform(pixels.Verdicts(), verdicts.begin(),
+    [](ContourVerdict verdict) { return static_cast<std::uint8_t>(verdict); });
+  judged.counters.Add(pixels.Counters());
+  Keep(tile.Area(), verdicts, judged.counters);
+  return judged;
+}
+
+void ContourCertifier::Count(const ContourCounters& counters)
+{
   const std::lock_guard lock(CountersMutex);
   Counted.Add(counters);
 }

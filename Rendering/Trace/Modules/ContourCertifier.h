@@ -5,6 +5,7 @@
 #include "Trace/TileSamples.h"
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -31,7 +32,7 @@ struct ContourCounters
   std::int64_t jumps = 0;   ///< edges that are in because the field jumps across a value
   std::int64_t loops = 0;   ///< pixels that are in because of a value inside alone
   std::int64_t samples = 0; ///< beside the corners
-  std::int64_t spent = 0;   ///< tiles of layers in which ContourMethod::work ran out
+  std::int64_t spent = 0;   ///< tiles of layers in which their part of ContourMethod::work ran out
   // By what pixels are settled, those of each layer with values: by ranges, by blocks of them and
   // by what is known of these, with no corner traced; by whole edges; by edges that were halved.
   std::int64_t byBlocks = 0;
@@ -50,8 +51,10 @@ struct ContourMethod
   int halvings = 8;   ///< of an edge in one element
   int crossings = 12; ///< of one that leaves its element
   int parts = 16;     ///< of an edge that are open at once
-  /// On halving small boxes of elements, for a tile and a layer, in about nanoseconds (EdgeWork).
-  std::int64_t work = 2'000'000'000;
+  static constexpr int kAny = std::numeric_limits<int>::max();
+  int samples = 20; ///< of an edge on a plane, but between values on two sides
+  /// On samples and on boxes of elements, for a frame, in about nanoseconds (EdgeWork).
+  std::int64_t work = 20'000'000'000;
   /// Whether values are looked for inside of pixels on whose edges there are none, too; not with
   /// subdivisions.
   bool interior = false;
@@ -86,6 +89,8 @@ public:
   [[nodiscard]] SampleNeeds Needs() const override;
   void Begin(int width, int height) override;
   void Process(TileVisit& tile) override;
+  /// Tiles in which their part of ContourMethod::work ran out get what others left.
+  [[nodiscard]] FrameModule* Rest() override;
 
   /// Of the last frame: a ContourVerdict for each pixel, lower-left first.
   [[nodiscard]] const std::vector<std::uint8_t>& Verdicts() const { return Pixels; }
@@ -96,6 +101,36 @@ public:
   [[nodiscard]] const std::vector<std::vector<double>>& Values() const { return IsoValues; }
 
 private:
+  class Remainder final : public FrameModule
+  {
+  public:
+    explicit Remainder(ContourCertifier& of)
+      : Of(of)
+    {
+    }
+    [[nodiscard]] SampleNeeds Needs() const override;
+    void Begin(int /*width*/, int /*height*/) override {}
+    void Process(TileVisit& tile) override;
+
+  private:
+    ContourCertifier& Of;
+  };
+  struct Judged
+  {
+    ContourCounters counters;
+    std::int64_t spent = 0;
+  };
+  /// A tile in which it ran out, and what it was.
+  struct LeftTile
+  {
+    TileArea area;
+    std::int64_t share;
+    ContourCounters counters;
+  };
+  /// The project's own, with so much to spend; keeps the verdicts.
+  [[nodiscard]] Judged Judge(TileVisit& tile, std::int64_t most, bool again);
+  void ProcessAgain(TileVisit& tile);
+  void Count(const ContourCounters& counters);
   /// Verdicts of an area's pixels, row by row.
   void Keep(
     const TileArea& area, std::span<const std::uint8_t> verdicts, ContourCounters& counters);
@@ -114,7 +149,10 @@ private:
   int Width = 0;
   int Across = 0;                   ///< of squares of kTileSize pixels
   std::vector<std::uint8_t> Marked; ///< those with a pixel that is not Out
+  Remainder Again{ *this };
   std::mutex CountersMutex;
   ContourCounters Counted;
+  std::int64_t Spent = 0;     ///< by all tiles, the first time
+  std::vector<LeftTile> Left; ///< then; complete when the first tile is visited again
 };
 } // namespace pixelexact
