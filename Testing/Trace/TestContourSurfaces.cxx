@@ -107,21 +107,21 @@ std::vector<Cut> AllCuts()
   };
   const auto triangles = Ball(2, centre, 0.75);
   return { { "torus", std::make_shared<Torus>(centre, axis, 0.55, 0.25),
-             TorusHits(centre, axis, 0.55, 0.25), 0.04 },
-    { "box", std::make_shared<ConvexBody>(MakeBox(Vec3(-0.55), Vec3(0.55))), boxHits, 0.03 },
+             TorusHits(centre, axis, 0.55, 0.25), 0.004 },
+    { "box", std::make_shared<ConvexBody>(MakeBox(Vec3(-0.55), Vec3(0.55))), boxHits, 0.004 },
     { "union",
       std::make_shared<Combined>(std::vector{ BoxPart(0.55), BallPart(ball, 0.5) },
         [](const std::vector<bool>& in) { return in[0] || in[1]; }),
       BooleanHits({ boxHits, ballHits }, [=](const LongVec3& x) { return inBox(x) || inBall(x); }),
-      0.04 },
+      0.004 },
     { "difference",
       std::make_shared<Combined>(std::vector{ BoxPart(0.55), BallPart(ball, 0.5) },
         [](const std::vector<bool>& in) { return in[0] && !in[1]; }),
       BooleanHits({ boxHits, ballHits }, [=](const LongVec3& x) { return inBox(x) && !inBall(x); }),
-      0.05 },
-    { "disc", std::make_shared<Disc>(centre, axis, 0.8), DiscHits(centre, axis, 0.8), 0.03 },
-    { "triangles", std::make_shared<Triangles>(triangles), TriangleHits(triangles), 0.04 },
-    { "patches", std::make_shared<BezierPatches>(Saddle()), SaddleHits(), 0.03 } };
+      0.004 },
+    { "disc", std::make_shared<Disc>(centre, axis, 0.8), DiscHits(centre, axis, 0.8), 0.004 },
+    { "triangles", std::make_shared<Triangles>(triangles), TriangleHits(triangles), 0.004 },
+    { "patches", std::make_shared<BezierPatches>(Saddle()), SaddleHits(), 0.004 } };
 }
 
 const std::vector<double> kValues{ -2.0, -0.7, -0.1, 0.05, 0.4, 1.1 };

@@ -115,6 +115,9 @@ public:
   /// between those that meet it there: all of them meet it in the element, as far as rounding goes.
   /// Infinite where that is not proven.
   [[nodiscard]] double Sagitta(const Sheet& sheet, const SheetPoint& a, const SheetPoint& b) const;
+  /// Whether some point of the sheet may be in a region; false: proven that none is.
+  [[nodiscard]] bool MayMeet(
+    const Sheet& sheet, const WideOutline& region, const EdgeEffort& effort) const;
   /// Where the sheet leaves the element on the way to another ray. Nothing is proven of what is
   /// between: Sagitta tells. Nothing where it is not found.
   [[nodiscard]] std::optional<SheetExit> ExitOf(

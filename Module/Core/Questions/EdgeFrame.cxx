@@ -7,11 +7,24 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <span>
 
 namespace pixelexact
 {
 using namespace edges;
+
+Box3 BoxOf(const WideOutline& region)
+{
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Box3 box{ Vec3(kInfinity), Vec3(-kInfinity) };
+  for (const Vec3& corner : region.outline.Corners())
+  {
+    box.lower = glm::min(box.lower, corner - region.slack);
+    box.upper = glm::max(box.upper, corner + region.slack);
+  }
+  return box;
+}
 
 EdgeFrame::EdgeFrame(Shape shape, const ElementBounds& bounds)
   : Known(bounds.framed)

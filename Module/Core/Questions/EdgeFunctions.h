@@ -98,6 +98,11 @@ public:
 
   /// Holds all values of a box.
   [[nodiscard]] Interval ValuesOver(const EtaBox& box) const;
+  /// The same, by what is known of a box about it; that alone where more would cost much.
+  [[nodiscard]] Interval NarrowedOver(const EtaBox& box, const Interval& those) const
+  {
+    return Count == 0 || Divisor ? those : Intersect(ValuesOver(box), those);
+  }
   /// Of the map over a box.
   struct MapRanges
   {

@@ -25,6 +25,8 @@ namespace
 constexpr double kCoarse = 0.25;
 constexpr int kRounds = 6;
 constexpr int kLocalRounds = 2;
+/// In xi: rounding of what is on a face.
+constexpr double kBesideFace = 1e-13;
 /// Of Newton's iteration towards a region's middle.
 constexpr int kSteps = 2;
 /// Covers the rounding of sums of some five products, of their magnitudes' sum.
@@ -141,7 +143,7 @@ bool Misses(const EdgeFunctions& functions, const EdgeNode& node, const WideOutl
 }
 
 EdgeMeeting Meet(const EdgeFunctions& functions, const EdgeNode& node, const WideOutline& region,
-  const ValueSet& wanted)
+  const ValueSet& wanted, const EdgeNodeEnd* face)
 {
   const double slack = region.slack;
   const Shape shape = functions.GetShape();
@@ -253,7 +255,12 @@ EdgeMeeting Meet(const EdgeFunctions& functions, const EdgeNode& node, const Wid
   EdgeMeeting meeting;
   const auto find = [&](LocalExpansion* local)
   {
-    const Outline inside = KeepDeep(node, off, Outline(std::span(steps).first(count)));
+    Outline inside = KeepDeep(node, off, Outline(std::span(steps).first(count)));
+    if (face)
+    {
+      const double most = face->Across(off) * kUp + kBesideFace;
+      inside.Keep([&](const Vec3& xi) { return most - face->DepthOf(xi); });
+    }
     if (inside.IsEmpty())
     {
       meeting = {};

@@ -17,6 +17,9 @@ struct WideOutline
   double slack = 0.0;
 };
 
+/// Holds it.
+[[nodiscard]] Box3 BoxOf(const WideOutline& region);
+
 /// An element's affine map with its certified deviation; see ElementBounds.
 class EdgeFrame
 {
@@ -51,6 +54,8 @@ struct EdgeMeeting
 
 /// In a regular node, from the second-order expansion about a point of it near the region. More is
 /// found out only as long as the values meet those that are wanted.
+/// `face`: an end of the node that is a face of the element, of which alone values are told; null:
+/// of the whole node.
 [[nodiscard]] EdgeMeeting Meet(const EdgeFunctions& functions, const EdgeNode& node,
-  const WideOutline& region, const ValueSet& wanted);
+  const WideOutline& region, const ValueSet& wanted, const EdgeNodeEnd* face = nullptr);
 } // namespace pixelexact

@@ -86,6 +86,7 @@ void EdgeNode::Describe(const EdgeFunctions& functions, const Interval& those)
   // What follows costs more.
   if (!DescribeMap(functions, map))
   {
+    values = functions.NarrowedOver(wide, those);
     return;
   }
   boxEnds = EndsOf(functions.GetShape(), box);

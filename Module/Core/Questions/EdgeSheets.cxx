@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Questions/EdgeBounds.h"
+#include "Core/Questions/EdgeMeeting.h"
 #include "Core/Questions/OnSheet.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <span>
 
 namespace pixelexact
 {
@@ -108,6 +112,43 @@ double OnSheet::Sagitta(const EdgeTree& tree, const SheetPoint& a, const SheetPo
     sagitta = Sagitta(*node, *pencil, a, b, at);
   }
   return sagitta;
+}
+
+bool EdgeBounds::MayMeet(
+  const Sheet& sheet, const WideOutline& region, const EdgeEffort& effort) const
+{
+  const ValueSet value{ std::span(&sheet.value, 1) };
+  if (sheet.face < 0 || !Functions.IsKnown())
+  {
+    return MayTake(value, region, effort);
+  }
+  // As MayTake, in the nodes at the face.
+  const std::size_t own = EndOfFace(Functions.GetShape(), sheet.face);
+  const auto mayMeet = [&](const auto& self, const EdgeNode& node) -> bool
+  {
+    if (Misses(Functions, node, region))
+    {
+      return false;
+    }
+    bool divide = !node.regular;
+    if (node.regular)
+    {
+      const EdgeNodeEnd& face = node.boxEnds[own];
+      if (!face.ofElement)
+      {
+        return false;
+      }
+      const EdgeMeeting meeting = Meet(Functions, node, region, value, &face);
+      if (!meeting.values)
+      {
+        return false;
+      }
+      divide = meeting.bends && node.halvings < effort.whereMapBends;
+    }
+    return !divide || !Tree.CanSplit(node, effort.work) ||
+      std::ranges::any_of(Tree.Split(node), [&](const EdgeNode& half) { return self(self, half); });
+  };
+  return !Frame.Misses(Functions, region) && mayMeet(mayMeet, Tree.Whole());
 }
 
 double EdgeBounds::Sagitta(const Sheet& sheet, const SheetPoint& a, const SheetPoint& b) const

@@ -55,6 +55,9 @@ inline Numbers Magnitudes(const Vec3& v)
 }
 } // namespace edges
 
+/// Which of the element's ends (EndsOf) a face is.
+[[nodiscard]] std::size_t EndOfFace(Shape shape, int face);
+
 /// A sheet of an element.
 class OnSheet
 {

@@ -39,7 +39,7 @@ public:
   /// rounding. At most kMostCuts times.
   template <class Depth>
   void Keep(const Depth& depth);
-  static constexpr std::size_t kMostCuts = 6;
+  static constexpr std::size_t kMostCuts = 7;
 
 private:
   std::array<Vec3, kMostCorners + kMostCuts> Points{};

@@ -16,6 +16,12 @@ namespace
 constexpr double kSingular = 1e-3;
 } // namespace
 
+std::size_t EndOfFace(Shape shape, int face)
+{
+  const ShapeFace& one = FacesOf(shape)[static_cast<std::size_t>(face)];
+  return 2 * static_cast<std::size_t>(one.direction) + (one.upper ? 1U : 0U);
+}
+
 OnSheet::OnSheet(
   const EdgeFunctions& functions, const std::array<EdgeNodeEnd, 6>& ends, const Sheet& sheet)
   : Of(functions)
@@ -24,8 +30,7 @@ OnSheet::OnSheet(
 {
   if (sheet.face >= 0)
   {
-    const ShapeFace& face = FacesOf(functions.GetShape())[static_cast<std::size_t>(sheet.face)];
-    Own = 2 * static_cast<std::size_t>(face.direction) + (face.upper ? 1U : 0U);
+    Own = EndOfFace(functions.GetShape(), sheet.face);
   }
 }
 

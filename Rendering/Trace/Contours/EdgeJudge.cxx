@@ -44,18 +44,6 @@ bool Meet(const Box3& a, const Box3& b)
     glm::all(glm::lessThanEqual(b.lower, a.upper));
 }
 
-Box3 BoxOf(const WideOutline& region)
-{
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  Box3 box{ Vec3(kInfinity), Vec3(-kInfinity) };
-  for (const Vec3& corner : region.outline.Corners())
-  {
-    box.lower = glm::min(box.lower, corner - region.slack);
-    box.upper = glm::max(box.upper, corner + region.slack);
-  }
-  return box;
-}
-
 WideOutline RegionOf(const SurfaceEdge& edge)
 {
   const Outline outline(edge.from, edge.to);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Trace/Contours/EdgeBeam.h"
 #include "Trace/Contours/LayerBounds.h"
 #include "Trace/TileSamples.h"
 
@@ -101,6 +102,10 @@ public:
   /// Of ends in any elements between which the surface goes on: by their values, In, Touching or
   /// Open.
   [[nodiscard]] EdgeFinding Across(const EdgeEnd& a, const EdgeEnd& b) const;
+  /// Whether, of all of the surface that rays between two may meet, none takes a value, nor lies on
+  /// either side of one where it hangs together: by parts of the beam that it does not meet, and
+  /// others in which all elements stay on one side.
+  [[nodiscard]] bool StaysBetween(const Surface& surface, const EdgeBeam& beam) const;
   /// Whether a value lies between those of the ends, or is one, as far as they are known.
   [[nodiscard]] bool AreOpposite(const EdgeEnd& a, const EdgeEnd& b) const;
   /// Whether the two values are farther apart than the field varies along the edge.

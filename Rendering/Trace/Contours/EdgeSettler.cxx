@@ -93,6 +93,13 @@ EdgeFinding EdgeSettler::JudgeBeyond(const Part& part) const
     : EdgeFinding::Uncovered;
 }
 
+bool EdgeSettler::ShowsNoValue(const Part& part) const
+{
+  // Of an edge that is undecided already it would not help.
+  return !IsPlane && States[part.edge] == EdgeState::Out &&
+    Judge.StaysBetween(Sight.GetSurface(), Sight.BeamBetween(part.a, part.b));
+}
+
 void EdgeSettler::SettleRun(std::span<const Part> run)
 {
   if (run.size() <= 1)
@@ -144,6 +151,12 @@ void EdgeSettler::Settle(const Part& part, EdgeFinding finding, int level)
     return;
   }
   const int deepest = finding == EdgeFinding::Open ? Method.halvings : Method.crossings;
+  // Of many that are open, those that show no value make room for others.
+  if (finding == EdgeFinding::Uncovered && level < deepest &&
+    Parts[part.edge] >= Method.parts * 3 / 4 && ShowsNoValue(part))
+  {
+    return;
+  }
   // Where much has been tried an edge is in by what goes on between two sides, or stays open.
   const bool opposite = onBoth && Judge.AreOpposite(part.a, part.b);
   if (level < deepest && Parts[part.edge] < Method.parts &&
@@ -169,6 +182,10 @@ void EdgeSettler::Settle(const Part& part, EdgeFinding finding, int level)
   {
     // Closer to a silhouette, or to where the surface leaves the mesh, nothing is asked. Where a
     // value is between those of two sheets it stays open whether that is a line.
+    return;
+  }
+  if (ShowsNoValue(part))
+  {
     return;
   }
   States[part.edge] = std::max(States[part.edge], EdgeState::Undecided);

@@ -46,6 +46,9 @@ private:
   [[nodiscard]] EdgeFinding JudgeWithin(const Part& part) const;
   /// Of one that is Uncovered: Out where all that it may meet stays on its side.
   [[nodiscard]] EdgeFinding JudgeBeyond(const Part& part) const;
+  /// Whether none of all that its rays may meet takes a value, so that it is out whatever they see:
+  /// beside silhouettes, and where the surface ends.
+  [[nodiscard]] bool ShowsNoValue(const Part& part) const;
   /// Consecutive edges that are Uncovered.
   void SettleRun(std::span<const Part> run);
   void Settle(const Part& part, EdgeFinding finding, int level);

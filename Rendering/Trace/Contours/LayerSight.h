@@ -31,6 +31,11 @@ public:
   void MeetPlane(EdgeEnd& end) const;
   [[nodiscard]] std::vector<EdgeEnd> Trace(std::span<const ImagePosition> positions);
 
+  /// Between their rays, as far as the mesh goes.
+  [[nodiscard]] EdgeBeam BeamBetween(const EdgeEnd& a, const EdgeEnd& b) const
+  {
+    return { RayOf(a), RayOf(b), Tile.GetScene().locator->Index().Bounds() };
+  }
   [[nodiscard]] SurfaceEdge EdgeBetween(const EdgeEnd& a, const EdgeEnd& b) const;
   /// Whether no ray between those of some ends, in order around, meets a plane in the mesh: it is
   /// behind the eye, or farther off than the mesh, as towards the horizon. Of other surfaces false.

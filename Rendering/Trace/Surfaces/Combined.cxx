@@ -70,6 +70,12 @@ Combined::Combined(std::vector<Part> parts, Rule rule)
   }
 }
 
+bool Combined::MayMeet(const Outline& part, double slack, EdgeWork* work) const
+{
+  return std::ranges::any_of(
+    Parts, [&](const Part& one) { return one.surface->MayMeet(part, slack, work); });
+}
+
 void Combined::Meet(const RayLanes& rays, HitSlots& hits) const
 {
   const CheckedOut<Scratch> scratch;

@@ -40,6 +40,8 @@ public:
   [[nodiscard]] double Sagitta(
     const Ray& a, const SurfacePoint& atA, const Ray& b, const SurfacePoint& atB) const override;
   [[nodiscard]] bool HasSagitta() const override;
+  /// Where one of the parts' may be.
+  [[nodiscard]] bool MayMeet(const Outline& part, double slack, EdgeWork* work) const override;
 
 private:
   /// How far from a chord at most its rays meet the whole, each once within that.

@@ -35,6 +35,10 @@ public:
     return IsPartly(atA.piece) || IsPartly(atB.piece) ? kNoHit : Chords.Of(a, atA, b, atB);
   }
   [[nodiscard]] bool HasSagitta() const override { return true; }
+  [[nodiscard]] bool MayMeet(const Outline& part, double slack, EdgeWork* work) const override
+  {
+    return Chords.MayMeet({ part, slack }, work);
+  }
 
 protected:
   void Review(

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trace/Surfaces/Surface.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <limits>
 
@@ -32,6 +34,17 @@ double Surface::Reach(const Chord& /*chord*/) const
 bool Surface::IsClearOf(const Vec3& /*centre*/, double /*radius*/) const
 {
   return false;
+}
+
+bool Surface::MayMeet(const Outline& part, double slack, EdgeWork* /*work*/) const
+{
+  const Vec3 middle = part.Middle();
+  double farthest = 0.0;
+  for (const Vec3& corner : part.Corners())
+  {
+    farthest = std::max(farthest, glm::distance(middle, corner));
+  }
+  return !IsClearOf(middle, (1.0 + 1e-12) * farthest + 2.0 * slack);
 }
 
 std::vector<Hit> HitsOf(const Surface& surface, const Ray& ray, double tNear, double tFar)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Core/Questions/Outline.h"
 #include "Trace/Camera.h"
 #include "Trace/Rays.h"
 #include "Trace/Surfaces/Chord.h"
@@ -12,6 +13,8 @@
 
 namespace pixelexact
 {
+class EdgeWork;
+
 /// A cut-surface: where rays meet it (paper, section 5.1.1). One file each. Two kinds: a space
 /// surface knows no mesh; a mesh surface is made of elements, and tells its hits' element and xi
 /// (HitSlots::Elements).
@@ -65,6 +68,10 @@ public:
   [[nodiscard]] virtual double Reach(const Chord& chord) const;
   /// Whether no point of the surface lies in a ball.
   [[nodiscard]] virtual bool IsClearOf(const Vec3& centre, double radius) const;
+
+  /// Whether some point of the surface may be in a flat polygon widened by `slack`; false: proven
+  /// that none is. `work`: what finding that out may spend; null: without a limit.
+  [[nodiscard]] virtual bool MayMeet(const Outline& part, double slack, EdgeWork* work) const;
 
   /// Whether all of its points lie in the mesh: rays that cannot see through it end at their first
   /// hit (RayLanes::nearestOnly).

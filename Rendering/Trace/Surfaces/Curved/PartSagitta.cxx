@@ -23,6 +23,9 @@ constexpr double kOnFace = 1e-9;
 /// Of a chord: how far apart two sheets may leave their elements that are one surface.
 constexpr double kApart = 1e-3;
 
+/// Of nodes, for whether the surface meets a region.
+constexpr int kHalvings = 12;
+
 /// How far a sheet that leaves its element, or a chord on it, is off the straight line between two
 /// points that is `beside` off at its end: the rays are nearly parallel.
 double Off(const SheetExit& exit, double sagitta, const Vec3& chord, const Vec3& turn)
@@ -80,15 +83,39 @@ PartSagitta::End PartSagitta::EndOf(const Ray& ray, const SurfacePoint& at) cons
     return end;
   }
   const auto planes = FacePlanesOf(Equation.mesh.ShapeOf(at.element));
-  for (auto part = std::ranges::lower_bound(Faces, at.element, {}, &CurvedPart::element);
-       part != Faces.end() && part->element == at.element; ++part)
+  for (const CurvedPart& part : FacesOf(at.element))
   {
-    if (std::fabs(planes[static_cast<std::size_t>(part->face)].Distance(at.xi)) <= kOnFace)
+    if (std::fabs(planes[static_cast<std::size_t>(part.face)].Distance(at.xi)) <= kOnFace)
     {
-      end.sheets[end.count++] = { part->face };
+      end.sheets[end.count++] = { part.face };
     }
   }
   return end;
+}
+
+std::span<const CurvedPart> PartSagitta::FacesOf(int element) const
+{
+  const auto [first, last] = std::ranges::equal_range(Faces, element, {}, &CurvedPart::element);
+  return { first, last };
+}
+
+bool PartSagitta::MayMeet(const WideOutline& region, EdgeWork* work) const
+{
+  const EdgeEffort effort{ kHalvings, 0, work };
+  std::vector<int> elements;
+  Index.FindNear(BoxOf(region), elements);
+  return std::ranges::any_of(elements,
+    [&](int element)
+    {
+      if (Equation.field != nullptr)
+      {
+        const EdgeBounds& bounds = BoundsOf(element);
+        return bounds.HasValues() && bounds.MayMeet({ -1, Equation.value }, region, effort);
+      }
+      return std::ranges::any_of(FacesOf(element),
+        [&](const CurvedPart& part)
+        { return BoundsOf(element).MayMeet({ part.face }, region, effort); });
+    });
 }
 
 double PartSagitta::Of(

@@ -28,6 +28,9 @@ public:
   [[nodiscard]] double Of(
     const Ray& a, const SurfacePoint& atA, const Ray& b, const SurfacePoint& atB) const;
 
+  /// Whether some point of the surface may be in a region; false: proven that none is.
+  [[nodiscard]] bool MayMeet(const WideOutline& region, EdgeWork* work) const;
+
 private:
   /// A hit, and the sheets of its element that it is on.
   struct End
@@ -49,6 +52,8 @@ private:
   [[nodiscard]] static Reach ReachOf(
     const End& from, const Sheet& sheet, const SheetPoint& towards);
   [[nodiscard]] End EndOf(const Ray& ray, const SurfacePoint& at) const;
+  /// Of those of the surface in the order of elements.
+  [[nodiscard]] std::span<const CurvedPart> FacesOf(int element) const;
   [[nodiscard]] const EdgeBounds& BoundsOf(int element) const;
 
   const ElementIndex& Index;
