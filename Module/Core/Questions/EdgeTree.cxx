@@ -45,10 +45,10 @@ const std::array<EdgeNode, 2>& EdgeTree::Split(const EdgeNode& node) const
   return *halves.release();
 }
 
-const EdgeNode& EdgeTree::LeafAt(const Vec3& eta, EdgeWork* work) const
+const EdgeNode& EdgeTree::LeafAt(const Vec3& eta, EdgeWork* work, bool straight) const
 {
   const EdgeNode* node = &Whole();
-  while (!node->regular && CanSplit(*node, work))
+  while (!(straight ? node->straight : node->regular) && CanSplit(*node, work))
   {
     const auto& halves = Split(*node);
     const int d = node->direction;
