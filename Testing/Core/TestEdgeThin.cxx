@@ -71,4 +71,40 @@ TEST(EdgeBounds, ThinBentElementsAreKnown)
     }
   }
 }
+
+/// As thin as the first layers on walls are: from side to side, to points beside, and what a
+/// segment may take.
+TEST(EdgeBounds, LayersAreKnownHoweverThin)
+{
+  Random random(82);
+  for (const Shape shape : { Shape::Hexahedron, Shape::Prism })
+  {
+    for (const double thickness : { 1e-3, 1e-5, 1e-7 })
+    {
+      for (std::size_t along = 0; along < 3; ++along)
+      {
+        SCOPED_TRACE(::testing::Message()
+          << Name(shape) << ", along " << along << ", thickness " << thickness);
+        const ThinCase one(shape, along, thickness, 0.8, random);
+        const int across = static_cast<int>((along + 1) % 3);
+        for (int k = 0; k < 20; ++k)
+        {
+          const Vec3 xi = 0.7 * random.Inside(shape);
+          Vec3 through(0.0);
+          through[across] = -0.01;
+          const LocatedPoint a = one.At(xi);
+          const LocatedPoint b = one.At(xi + through);
+          const auto range = one.bounds->Along(a, b);
+          ASSERT_TRUE(range);
+          const LocatedPoint beside = one.At(xi + 1e-4 * std::sqrt(thickness) * Direction(random));
+          EXPECT_TRUE(one.bounds->Along(a, beside));
+          const Interval all = one.bounds->Values();
+          const double other = a.value + 0.2 * (all.upper - all.lower);
+          EXPECT_FALSE(one.bounds->MayTake(
+            { std::span(&other, 1) }, { Outline(a.x, b.x), 0.0 }, { EdgeEffort::kAny, 0 }));
+        }
+      }
+    }
+  }
+}
 } // namespace pixelexact::testing

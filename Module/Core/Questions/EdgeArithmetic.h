@@ -94,6 +94,34 @@ inline bool BoundSolution(const double (&a)[3][3], double most, double (&solutio
   return true;
 }
 
+/// The same where the row sums are those of D (I - A)^-1 D^-1, with the diagonal of D, `sides`: of
+/// unknowns that are as long as those are in space, so that it does not matter how thin an element
+/// is.
+inline bool BoundSolution(
+  const double (&a)[3][3], const double (&sides)[3], double most, double (&solution)[3][3])
+{
+  double scaled[3][3];
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    for (std::size_t j = 0; j < 3; ++j)
+    {
+      scaled[i][j] = a[i][j] * (sides[i] / sides[j]) * kUp;
+    }
+  }
+  if (!BoundSolution(scaled, most, solution))
+  {
+    return false;
+  }
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    for (std::size_t j = 0; j < 3; ++j)
+    {
+      solution[i][j] *= (sides[j] / sides[i]) * kUp;
+    }
+  }
+  return true;
+}
+
 /// Bounds of the solution of (I + E) v = w from those of w, by BoundSolution.
 inline void Solve(const double (&solution)[3][3], double (&v)[3])
 {

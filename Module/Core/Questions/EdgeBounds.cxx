@@ -91,32 +91,47 @@ std::optional<EdgeRange> EdgeBounds::Along(
   {
     return std::nullopt;
   }
-  const EdgeNode* node = &Tree.LeafAt(a.eta, work);
-  if (!node->regular || !node->wide.Holds(b.eta))
+  // Where a large node of a thin element tells nothing, a small one may.
+  for (const bool straight : { false, true })
   {
-    node = &Tree.LeafAt(b.eta, work);
-    if (!node->regular || !node->wide.Holds(a.eta))
+    const EdgeNode* node = &Tree.LeafAt(a.eta, work, straight);
+    if (!node->regular || !node->wide.Holds(b.eta))
     {
-      return std::nullopt;
+      node = &Tree.LeafAt(b.eta, work, straight);
+    }
+    if (!node->regular || !node->wide.Holds(a.eta) || !node->wide.Holds(b.eta))
+    {
+      continue;
+    }
+    std::optional<EdgeRange> range = AlongIn(*node, a, b, sagitta);
+    if (range || node->straight)
+    {
+      return range;
     }
   }
+  return std::nullopt;
+}
+
+std::optional<EdgeRange> EdgeBounds::AlongIn(
+  const EdgeNode& node, const LocatedPoint& a, const LocatedPoint& b, double sagitta) const
+{
   const LocatedPoint ends[2] = { a, b };
-  const std::array<double, 3> shift = ShiftOf(*node, ends);
-  const double error = node->valueError;
+  const std::array<double, 3> shift = ShiftOf(node, ends);
+  const double error = node.valueError;
   const double s[3] = { std::fabs(a.xi.x - b.xi.x), std::fabs(a.xi.y - b.xi.y),
     std::fabs(a.xi.z - b.xi.z) };
   double off[3];
   double beside[3];
-  EdgeRange range{ Quadratic(node->curve, s) / 8.0, error };
+  EdgeRange range{ Quadratic(node.curve, s) / 8.0, error };
   for (std::size_t k = 0; k < 3; ++k)
   {
-    const double besides = shift[k] + node->lean[k] * sagitta / Functions.Size();
-    off[k] = (Quadratic(node->bend[k], s) / 8.0 + besides) * kUp;
+    const double besides = shift[k] + node.lean[k] * sagitta / Functions.Size();
+    off[k] = (Quadratic(node.bend[k], s) / 8.0 + besides) * kUp;
     beside[k] = kBeside + 2.0 * shift[k];
-    range.error += node->slope[k] * shift[k];
-    range.deviation += node->slope[k] * (besides + 2.0 * beside[k]);
+    range.error += node.slope[k] * shift[k];
+    range.deviation += node.slope[k] * (besides + 2.0 * beside[k]);
   }
-  for (const EdgeNodeEnd& end : node->wideEnds)
+  for (const EdgeNodeEnd& end : node.wideEnds)
   {
     const double depth = std::min(end.DepthOf(a.xi), end.DepthOf(b.xi)) - end.Across(off) +
       (end.ofElement ? end.Across(beside) : 0.0);
@@ -133,7 +148,7 @@ std::optional<EdgeRange> EdgeBounds::Along(
     double change = 2.0 * error;
     for (std::size_t k = 0; k < 3; ++k)
     {
-      change += node->slope[k] * (s[k] + 2.0 * shift[k]);
+      change += node.slope[k] * (s[k] + 2.0 * shift[k]);
     }
     const double least = std::max(a.value, b.value) - change;
     range.deviation += least > 0.25 * change ? change * change / (8.0 * least) : 0.5 * change;
@@ -178,12 +193,12 @@ std::optional<Interval> EdgeBounds::ValuesIn(const EdgeNode& node, const WideOut
     return std::nullopt;
   }
   std::optional<Interval> values = node.values;
-  bool divide = !node.regular;
+  bool divide = !node.straight;
   if (node.regular && meets(values))
   {
     const EdgeMeeting meeting = MeetNode(node, region, wanted, effort.work);
     values = meeting.values;
-    divide = (meeting.bends && node.halvings < effort.whereMapBends) ||
+    divide = divide || (meeting.bends && node.halvings < effort.whereMapBends) ||
       (meeting.curves && node.halvings < effort.whereFieldCurves);
   }
   if (!divide || !meets(values) || !Tree.CanSplit(node, effort.work))
@@ -221,7 +236,7 @@ bool EdgeBounds::MayTake(
     {
       return false;
     }
-    bool divide = !node.regular;
+    bool divide = !node.straight;
     if (node.regular)
     {
       const EdgeMeeting meeting = MeetNode(node, region, wanted, effort.work);
@@ -229,7 +244,7 @@ bool EdgeBounds::MayTake(
       {
         return false;
       }
-      divide = (meeting.bends && node.halvings < effort.whereMapBends) ||
+      divide = divide || (meeting.bends && node.halvings < effort.whereMapBends) ||
         (meeting.curves && node.halvings < effort.whereFieldCurves);
     }
     return !divide || !Tree.CanSplit(node, effort.work) ||

@@ -124,6 +124,9 @@ public:
     const Sheet& sheet, const SheetPoint& from, const SheetPoint& towards) const;
 
 private:
+  /// Nothing where the edge is not proven to lie in the node's margin.
+  [[nodiscard]] std::optional<EdgeRange> AlongIn(
+    const EdgeNode& node, const LocatedPoint& a, const LocatedPoint& b, double sagitta) const;
   /// By how much the points' xi may be off: |xi - xi'| of Phi(xi') = x, by direction.
   [[nodiscard]] std::array<double, 3> ShiftOf(
     const EdgeNode& node, std::span<const LocatedPoint> points) const;

@@ -4,6 +4,7 @@
 #include "Core/Questions/EdgeArithmetic.h"
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include <algorithm>
@@ -18,7 +19,8 @@ namespace
 {
 /// Of a box's sides, on either side.
 constexpr double kMargin = 0.25;
-/// Row sums of (I - |M J - I|)^-1 up to which a box is regular.
+/// Row sums of (I - |M J - I|)^-1 up to which a box is regular, with xi counted in lengths in
+/// space.
 constexpr double kMostSolution = 10.0 / 3.0;
 /// Part of these that the Jacobians along a box's middle lines have to explain, to be trusted.
 constexpr double kExplained = 0.125;
@@ -26,10 +28,11 @@ constexpr double kExplained = 0.125;
 constexpr double kSharper = 0.5;
 
 /// Across which direction of eta the Jacobian changes most along the middle lines of a box, in the
-/// terms of its row sums; nothing where that is not more than `least` anywhere. Thin elements that
-/// bend turn along their length alone, however much wider their boxes are otherwise.
+/// terms of its row sums with xi in lengths, by the `sides`; nothing where that is not more than
+/// `least` anywhere. Thin elements that bend turn along their length alone, however much wider
+/// their boxes are otherwise.
 std::optional<int> TurningDirection(
-  const EdgeFunctions& functions, const EdgeNode& node, double least)
+  const EdgeFunctions& functions, const EdgeNode& node, const double (&sides)[3], double least)
 {
   const Vec3 middle = 0.5 * (node.wide.lower + node.wide.upper);
   const Mat3 atMiddle = functions.ViewAt(node.centre).jacobian;
@@ -42,10 +45,13 @@ std::optional<int> TurningDirection(
       eta[d] = end;
       const Mat3 change =
         functions.ViewAt(TensorToReference(functions.GetShape(), eta)).jacobian - atMiddle;
-      for (const auto& row : node.inverse)
+      for (std::size_t i = 0; i < 3; ++i)
       {
+        const auto& row = node.inverse[i];
         const Vec3 turned = Vec3(row[0], row[1], row[2]) * change;
-        const double sum = std::fabs(turned.x) + std::fabs(turned.y) + std::fabs(turned.z);
+        const double sum = sides[i] *
+          (std::fabs(turned.x) / sides[0] + std::fabs(turned.y) / sides[1] +
+            std::fabs(turned.z) / sides[2]);
         if (sum > least)
         {
           least = sum;
@@ -116,6 +122,8 @@ bool EdgeNode::DescribeMap(const EdgeFunctions& functions, const EdgeFunctions::
     }
   }
   const Mat3 unturned = glm::inverse(middle);
+  const double sides[3] = { glm::length(middle[0]), glm::length(middle[1]),
+    glm::length(middle[2]) };
   double most = 0.0;
   for (std::size_t i = 0; i < 3; ++i)
   {
@@ -132,22 +140,23 @@ bool EdgeNode::DescribeMap(const EdgeFunctions& functions, const EdgeFunctions::
         entry += Interval(inverse[i][c]) * map.slopes[c][j];
       }
       turn[i][j] = entry.Magnitude() * kUp;
-      sum += turn[i][j];
+      sum += turn[i][j] * (sides[i] / sides[j]);
     }
     most = std::max(most, sum);
     const int d = static_cast<int>(i);
     reach[i] = std::max(hull.upper[d] - centre[d], centre[d] - hull.lower[d]) * kUp + 1e-15;
   }
-  if (BoundSolution(turn, kMostSolution, solution))
+  straight = BoundSolution(turn, kMostSolution, solution);
+  if (straight)
   {
     return true;
   }
   flat = functions.IsFlatOver(box);
   if (!flat)
   {
-    direction = TurningDirection(functions, *this, kExplained * most).value_or(direction);
+    direction = TurningDirection(functions, *this, sides, kExplained * most).value_or(direction);
   }
-  return false;
+  return BoundSolution(turn, sides, kMostSolution, solution);
 }
 
 void EdgeNode::DescribeCurves(
@@ -224,6 +233,7 @@ void EdgeNode::DescribeCurves(
   valueError = ofValues;
   slopeError = ofSlopes;
   regular = finite && std::isfinite(valueError) && std::isfinite(slopeError);
+  straight = straight && regular;
 }
 
 void EdgeNode::DescribeSlopes(const EdgePolynomials::Curves& curves)

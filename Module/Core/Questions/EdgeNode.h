@@ -44,6 +44,9 @@ struct EdgeNode
   /// The map is so nearly affine over `wide` that what follows holds: M J = I + E with |E| at most
   /// `turn`, and |(I + E)^-1| at most `solution`.
   bool regular = false;
+  /// So it is whatever xi is counted in: thin elements that bend are only where they bend by less
+  /// than they are thin. Before that halves tell more of the map.
+  bool straight = false;
   bool flat = false;      ///< halves would not be regular, either: the map has no thickness
   Vec3 centre{ 0.0 };     ///< in xi
   Vec3 origin{ 0.0 };     ///< its image, in the element's units
@@ -95,7 +98,7 @@ struct EdgeNode
   void Describe(const EdgeFunctions& functions, const Interval& those);
 
 private:
-  /// Whether the map is regular.
+  /// Whether the map is regular; tells whether it is straight, and else how to halve.
   bool DescribeMap(const EdgeFunctions& functions, const EdgeFunctions::MapRanges& map);
   void DescribeCurves(
     const EdgeFunctions& functions, const EdgeFunctions::Derivatives& derivatives);

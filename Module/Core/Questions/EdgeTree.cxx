@@ -63,10 +63,10 @@ bool EdgeTree::Affords(const EdgeNode& node, EdgeWork& work) const
   return work.Affords(node, static_cast<std::int64_t>(cost));
 }
 
-const EdgeNode& EdgeTree::LeafAt(const Vec3& eta, EdgeWork* work) const
+const EdgeNode& EdgeTree::LeafAt(const Vec3& eta, EdgeWork* work, bool straight) const
 {
   const EdgeNode* node = &Whole();
-  while (!node->regular && CanSplit(*node, work))
+  while (!(straight ? node->straight : node->regular) && CanSplit(*node, work))
   {
     if (work)
     {

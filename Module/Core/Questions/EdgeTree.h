@@ -29,8 +29,10 @@ public:
     return !node.flat && node.halvings < Functions.Deepest(node.regular) &&
       (!work || Affords(node, *work));
   }
-  /// The largest regular node with this eta; the last one, where there is none.
-  [[nodiscard]] const EdgeNode& LeafAt(const Vec3& eta, EdgeWork* work) const;
+  /// The largest regular node with this eta, that is straight, too, if so wanted; the last one,
+  /// where there is none.
+  [[nodiscard]] const EdgeNode& LeafAt(
+    const Vec3& eta, EdgeWork* work, bool straight = false) const;
 
 private:
   [[nodiscard]] bool Affords(const EdgeNode& node, EdgeWork& work) const;

@@ -215,7 +215,8 @@ void StepOnFace(const RayBundle& bundle, const ElementFrame& frame, const double
 {
   const FaceChart& chart = frame.chart;
   const auto k = static_cast<std::size_t>(bundle.axes[2]);
-  const Lanes tolerance = Splat(frame.tolerance);
+  const Lanes least[2] = { Splat(-1.0), Splat(-1.0) };
+  const Lanes most[2] = { Splat(1.0), Splat(1.0) };
   for (int i = 0; i < pairs.count; i += LaneCount())
   {
     const auto load = [&](int column) PIXELEXACT_INLINED
@@ -261,8 +262,6 @@ void StepOnFace(const RayBundle& bundle, const ElementFrame& frame, const double
         step[j] = inverse[j][0] * g[0] + inverse[j][1] * g[1];
         next[j] = at[j] - step[j];
         pair.frozen[j] = frozenInverse[j][0] * g[0] + frozenInverse[j][1] * g[1];
-        pair.off[j] =
-          tolerance * (Abs(frozenInverse[j][0]) + Abs(frozenInverse[j][1])) + Splat(kEdge);
         pair.norm[j] = load(kNormColumn + j);
         back[j] = at[j] - pair.frozen[j];
       });
@@ -270,9 +269,21 @@ void StepOnFace(const RayBundle& bundle, const ElementFrame& frame, const double
     Lanes held[2];
     ClampTo(chart.collapses, lower, upper, next, inside);
     ClampTo(chart.collapses, lower, upper, back, held);
+    Lanes onFace[2];
+    ClampTo(chart.collapses, least, most, next, onFace);
+    const auto apart = [](const Lanes(&a)[2], const Lanes(&b)[2]) PIXELEXACT_INLINED
+    { return Max(Abs(a[0] - b[0]), Abs(a[1] - b[1])); };
     pair.moved = Max(Abs(step[0]), Abs(step[1]));
-    pair.beyond = Max(Abs(next[0] - inside[0]), Abs(next[1] - inside[1]));
-    pair.isThere = And(Abs(g[0]) <= tolerance, Abs(g[1]) <= tolerance);
+    pair.beyond = apart(next, inside);
+    const Closeness<2> close(g, frame.rounding, frame.tolerance, Splat(0.0) < apart(next, onFace));
+    pair.isNear = close.isNear;
+    pair.isThere = And(close.isNear, Or(close.isExact, apart(inside, at) <= Splat(kArrived)));
+    ForBoth(
+      [&](auto j) PIXELEXACT_INLINED
+      {
+        pair.off[j] =
+          close.tolerance * (Abs(frozenInverse[j][0]) + Abs(frozenInverse[j][1])) + Splat(kEdge);
+      });
     const PairEnd end = EndStep(pair, pairs, i, result);
     Lanes xi[2];
     ForBoth(

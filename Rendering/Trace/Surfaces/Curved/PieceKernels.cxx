@@ -43,12 +43,14 @@ RaySet MeetBox(const RayBundle& bundle, const Box3& box, const RaySet& rays)
 }
 
 /// A step of Newton's iteration. One that leaves the piece, or of which too many went before,
-/// decides nothing.
+/// decides nothing, unless the element ends there and its end is as good as a hit: that is looked
+/// for as near as can be.
 void Step(const RayBundle& bundle, const ElementFrame& frame, const double* values,
   std::size_t stride, PiecePairs& pairs, double* const position[3], double* result)
 {
   const auto k = static_cast<std::size_t>(bundle.axes[2]);
-  const Lanes tolerance = Splat(frame.tolerance);
+  const Lanes least[3] = { Splat(-1.0), Splat(-1.0), Splat(-1.0) };
+  const Lanes most[3] = { Splat(1.0), Splat(1.0), Splat(1.0) };
   const auto number = [](PairResult one) { return Splat(static_cast<double>(one)); };
   for (int i = 0; i < pairs.count; i += LaneCount())
   {
@@ -86,16 +88,22 @@ void Step(const RayBundle& bundle, const ElementFrame& frame, const double* valu
         upper[d] = load(kUpperColumn + d);
       });
     Lanes inside[3];
+    Lanes inElement[3];
     ClampTo(frame.shape, lower, upper, next, inside);
+    ClampTo(frame.shape, least, most, next, inElement);
+    const auto apart = [](const Lanes(&a)[3], const Lanes(&b)[3]) PIXELEXACT_INLINED
+    { return Max(Abs(a[0] - b[0]), Max(Abs(a[1] - b[1]), Abs(a[2] - b[2]))); };
     const Lanes moved = Max(Abs(step[0]), Max(Abs(step[1]), Abs(step[2])));
-    const Lanes beyond =
-      Max(Abs(next[0] - inside[0]), Max(Abs(next[1] - inside[1]), Abs(next[2] - inside[2])));
-    const LaneMask arrived = And(moved <= Splat(kArrived), beyond <= Splat(kEdge));
-    const LaneMask isThere =
-      And(Abs(g[0]) <= tolerance, And(Abs(g[1]) <= tolerance, Abs(g[2]) <= tolerance));
-    const LaneMask isHit = Or(arrived, isThere);
-    const LaneMask stays = And(IsFinite(step[0] + step[1] + step[2]), beyond <= Splat(0.0));
+    const Lanes beyond = apart(next, inside);
     const Lanes rounds = load(kRoundsColumn) + Splat(1.0);
+    const LaneMask isFew = rounds <= Splat(kMostRounds);
+    const LaneMask isFinite = IsFinite(step[0] + step[1] + step[2]);
+    const LaneMask arrived = And(moved <= Splat(kArrived), beyond <= Splat(kEdge));
+    const Closeness<3> close(
+      g, frame.rounding, frame.tolerance, Splat(0.0) < apart(next, inElement));
+    const LaneMask isHeld = And(isFew, And(isFinite, Splat(kArrived) < apart(inside, xi)));
+    const LaneMask isHit = Or(arrived, Or(close.isExact, AndNot(close.isNear, isHeld)));
+    const LaneMask stays = And(isFinite, Or(beyond <= Splat(0.0), close.isNear));
     Store(rounds, pairs.Column(kRoundsColumn) + i);
     Lanes side = Splat(0.0);
     ForEachAxis(
@@ -103,14 +111,15 @@ void Step(const RayBundle& bundle, const ElementFrame& frame, const double* valu
       {
         const Lanes found = Select(arrived, inside[d], xi[d]);
         side = side + load(kSideColumn + d) * found;
-        Store(Select(isHit, found, Select(stays, next[d], xi[d])), pairs.Column(kXiColumn + d) + i);
+        Store(
+          Select(isHit, found, Select(stays, inside[d], xi[d])), pairs.Column(kXiColumn + d) + i);
         const auto c = static_cast<std::size_t>(d);
         const Lanes last3 =
           slopeAt(c, 0) * step[0] + slopeAt(c, 1) * step[1] + slopeAt(c, 2) * step[2];
         const Lanes y = value(c) - Select(arrived, last3, Splat(0.0));
         Store(Splat(frame.centre[d]) + Splat(frame.size) * y, position[d] + i);
       });
-    const LaneMask goesOn = And(stays, rounds <= Splat(kMostRounds));
+    const LaneMask goesOn = And(stays, isFew);
     const LaneMask isOne = And(isHit, side >= load(kLeastColumn));
     Store(Select(isOne, number(PairResult::Hit),
             Select(AndNot(goesOn, isHit), number(PairResult::Again), number(PairResult::Unclear))),

@@ -22,7 +22,8 @@ struct ElementFrame
   Vec3 centre{ 0.0 };
   double size = 1.0;
   double inverseSize = 1.0;
-  double tolerance = 0.0; ///< of y and f where an end of a piece holds a step back
+  double rounding = 0.0;  ///< of y and f
+  double tolerance = 0.0; ///< of them where the element's end holds a step back
 };
 
 /// A ray and a piece that it may meet in one point at most, and how far the search is. Of a face

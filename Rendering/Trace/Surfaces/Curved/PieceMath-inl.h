@@ -35,6 +35,28 @@ HWY_INLINE void ClampTo(Shape shape, const Lanes (&lower)[3], const Lanes (&uppe
                                     : narrow);
 }
 
+/// After a step as small as this, Newton's iteration has arrived up to rounding.
+constexpr double kArrived = 1e-8;
+
+/// Whether N equations hold: up to rounding, and where a step would leave the element up to its
+/// uncertainty, because the neighbour's end is there no farther away.
+template <std::size_t N>
+struct Closeness
+{
+  HWY_INLINE Closeness(const Lanes (&g)[N], double rounding, double uncertainty, LaneMask leaves)
+  {
+    Lanes largest = Abs(g[0]);
+    ForEachUpTo(Const<static_cast<int>(N) - 2>(),
+      [&](auto n) PIXELEXACT_INLINED { largest = Max(largest, Abs(g[n + 1])); });
+    tolerance = Select(leaves, Splat(uncertainty), Splat(rounding));
+    isExact = largest <= Splat(rounding);
+    isNear = largest <= tolerance;
+  }
+  Lanes tolerance;
+  LaneMask isExact;
+  LaneMask isNear;
+};
+
 /// Not finite where there is none.
 HWY_INLINE void InverseOf(const Lanes (&m)[3][3], Lanes (&inverse)[9])
 {

@@ -31,8 +31,6 @@ constexpr double kNoKappa = 2.0;
 constexpr double kMore = 1.0 + 1e-9;
 /// Of places in xi, and of what they are found from: more than rounding leaves.
 constexpr double kSlack = 1e-14;
-/// After a step as small as this, Newton's iteration has arrived up to rounding.
-constexpr double kArrived = 1e-8;
 
 /// Adds the rays of some lanes to a set.
 HWY_INLINE void AddRays(std::uint64_t which, Lanes number, RaySet& rays)
@@ -128,7 +126,8 @@ struct PairState
   Lanes norm[N];
   Lanes moved;      ///< the step, as large as the largest of its numbers
   Lanes beyond;     ///< by how much it leaves the piece
-  LaneMask isThere; ///< g is zero, up to rounding and uncertainty
+  LaneMask isNear;  ///< g is zero, up to rounding, at the element's end up to its uncertainty
+  LaneMask isThere; ///< and no step makes it smaller
 };
 
 struct PairEnd
@@ -155,7 +154,6 @@ HWY_INLINE PairEnd EndOf(const PairState<N>& pair, Lanes kappa, Lanes last, Lane
   };
   PairEnd end;
   end.arrived = And(pair.moved <= Splat(kArrived), pair.beyond <= Splat(kEdge));
-  end.isHit = Or(end.arrived, pair.isThere);
   const Lanes residual = sizeOf(pair.frozen);
   // After a step with the piece's matrix, every root of the piece is nearer than kappa times what
   // it was before.
@@ -166,9 +164,11 @@ HWY_INLINE PairEnd EndOf(const PairState<N>& pair, Lanes kappa, Lanes last, Lane
     And(zero < last, falls * last * Splat(1.0 + 1e-6) + Splat(2.0) * sizeOf(pair.off) < residual));
   end.rounds = rounds + Splat(1.0);
   const LaneMask stays = pair.beyond <= zero;
-  const LaneMask goesOn =
-    And(And(IsFinite(residual), end.rounds <= Splat(kMostRounds)), Or(contracts, stays));
-  end.isFree = AndNot(stays, And(contracts, end.rounds >= Splat(0.5 * kMostRounds)));
+  const LaneMask goesOn = And(And(IsFinite(residual), end.rounds <= Splat(kMostRounds)),
+    Or(Or(contracts, stays), pair.isNear));
+  end.isHit = Or(Or(end.arrived, pair.isThere), AndNot(pair.isNear, goesOn));
+  end.isFree =
+    Or(pair.isNear, AndNot(stays, And(contracts, end.rounds >= Splat(0.5 * kMostRounds))));
   end.last = Select(end.isFree, zero, residual);
   end.result = Select(goesOn, number(PairResult::Again), number(PairResult::Unclear));
   end.result = Select(miss, number(PairResult::Miss), end.result);

@@ -51,6 +51,7 @@ PieceSolver::PieceSolver(const CurvedEquation& equation, const CurvedPart& part,
     equation.mesh.centre[3 * e], equation.mesh.centre[3 * e + 1], equation.mesh.centre[3 * e + 2]);
   Frame.size = equation.mesh.size[e];
   Frame.inverseSize = 1.0 / Frame.size;
+  Frame.rounding = kRounding;
   Frame.tolerance = 4.0 * equation.mesh.uncertainty[e] * Frame.inverseSize + kRounding;
   Work.pairs.Clear();
 }
