@@ -5,7 +5,17 @@ import unittest
 
 import numpy as np
 
-from tool import DATA, ToolTest, View, case, read_buffers, read_image, unit_cube_grid
+from tool import (
+    CUBE,
+    DATA,
+    ToolTest,
+    View,
+    case,
+    plain_grid,
+    read_buffers,
+    read_image,
+    unit_cube_grid,
+)
 
 HALF = ("--plane", "0,0,0.5,0,0,1")
 WHITE = ("--layer", "1:color=1:1:1")
@@ -46,6 +56,22 @@ class Contours(ToolTest):
             # A line that is off by a twentieth of a pixel covers as much more on one side.
             np.testing.assert_allclose(cover, wanted, atol=0.02)
             self.assertAlmostEqual(cover.sum(), 3 * width, delta=0.01 * 3 * width)
+
+    def test_a_face_with_the_value_is_in_however_far_from_the_origin(self):
+        """As of a wall on which the solution is prescribed, cut along it: values there are zero up
+        to the rounding of coordinates."""
+        for offset in [0.0, 5.0, 40.0, 1e4]:
+            with self.subTest(offset):
+                points = [[x, y, z + offset] for x, y, z in CUBE]
+                grid = plain_grid(points, [(12, list(range(8)))], [("u", [z for _, _, z in CUBE])])
+                self.cube.write_text(grid, encoding="utf-8")
+                plane = ("--plane", f"0,0,{offset},0,0,1")
+                wall = ["--field", "u", *plane, "--size", "40x40", "--contours"]
+                shown = self.summary(*self.words(*wall, "0.0"))
+                self.assertGreater(shown["pixels"]["exact"], 1000)
+                self.assertEqual(shown["contours"]["pixels"]["in"], shown["pixels"]["exact"])
+                beside = self.summary(*self.words(*wall, "1e-6,1e-3"))
+                self.assertEqual(beside["contours"]["pixels"]["out"], 40 * 40)
 
     def test_a_count_is_spaced_as_vtk_spaces_it(self):
         from vtkmodules.vtkFiltersCore import vtkContourFilter

@@ -21,6 +21,10 @@ namespace
 constexpr double kTouch = 1e-13;
 /// Of a point that stays unknown (location.md), in nanoseconds.
 constexpr std::int64_t kCostOfUnknown = 6'000'000;
+/// The same for what rounding may move the ends by, up to so much: small elements far from the
+/// origin.
+constexpr double kTouchMoved = 4.0;
+constexpr double kMostTouch = 1e-9;
 /// For parts of a surface that are many pixels wide, for edges and parts of them, and for squares
 /// of a pixel and less.
 constexpr EdgeEffort kForBlocks{ 4, 0 };
@@ -142,10 +146,12 @@ EdgeFinding EdgeJudge::Within(const EdgeEnd& a, const EdgeEnd& b, const SurfaceE
   {
     return EdgeFinding::Out;
   }
-  return Between(lower, upper, range->error, bounds.Values().Magnitude());
+  return Between(lower, upper, range->error,
+    { bounds.Values().Magnitude(),
+      std::max(bounds.RoundingAt(a.point.x), bounds.RoundingAt(b.point.x)) });
 }
 
-EdgeFinding EdgeJudge::Between(double lower, double upper, double error, double magnitude) const
+EdgeFinding EdgeJudge::Between(double lower, double upper, double error, const Scale& scale) const
 {
   if (lower + error < upper - error && Wanted.Meets(lower + error, upper - error))
   {
@@ -155,8 +161,9 @@ EdgeFinding EdgeJudge::Between(double lower, double upper, double error, double 
     Wanted.Meets(lower - error, lower + error) || Wanted.Meets(upper - error, upper + error);
   // Where the range is not known, what the ends tell of it.
   const double size =
-    std::isfinite(magnitude) ? magnitude : std::max(std::fabs(lower), std::fabs(upper));
-  return touches && error <= kTouch * size ? EdgeFinding::Touching : EdgeFinding::Open;
+    std::isfinite(scale.values) ? scale.values : std::max(std::fabs(lower), std::fabs(upper));
+  const double most = (kTouch + std::min(kTouchMoved * scale.moved, kMostTouch)) * size;
+  return touches && error <= most ? EdgeFinding::Touching : EdgeFinding::Open;
 }
 
 EdgeFinding EdgeJudge::Across(const EdgeEnd& a, const EdgeEnd& b) const
@@ -167,7 +174,9 @@ EdgeFinding EdgeJudge::Across(const EdgeEnd& a, const EdgeEnd& b) const
   // Where the true points may be, the values are no farther off than that.
   const double error =
     std::max(ofA.ChangeWithin(a.point, 0.0, Work), ofB.ChangeWithin(b.point, 0.0, Work));
-  return Between(lower, upper, error, std::max(ofA.Values().Magnitude(), ofB.Values().Magnitude()));
+  return Between(lower, upper, error,
+    { std::max(ofA.Values().Magnitude(), ofB.Values().Magnitude()),
+      std::max(ofA.RoundingAt(a.point.x), ofB.RoundingAt(b.point.x)) });
 }
 
 bool EdgeJudge::StaysOn(int side, const SurfaceEdge& edge, bool thorough) const

@@ -122,9 +122,16 @@ private:
   /// With the work of the tile.
   [[nodiscard]] EdgeEffort With(EdgeEffort effort) const;
   [[nodiscard]] ValueSet NotOn(int side) const;
-  /// Of two values that are good to `error`, which rounding explains up to a part of `magnitude`.
+  /// Of an element: the largest magnitude of its values, and by how much of its size rounding may
+  /// move a point.
+  struct Scale
+  {
+    double values;
+    double moved;
+  };
+  /// Of two values that are good to `error`, which rounding explains up to a part of `scale`.
   [[nodiscard]] EdgeFinding Between(
-    double lower, double upper, double error, double magnitude) const;
+    double lower, double upper, double error, const Scale& scale) const;
   /// Whether the values of all elements there are on one side; of kNoSide, any.
   [[nodiscard]] bool StaysOn(int side, std::span<const Element> elements, const WideOutline& region,
     const EdgeEffort& effort) const;
