@@ -304,4 +304,38 @@ TEST(CurvedContract, FromFarAway)
     EXPECT_LE(across, 1e-13) << "from " << away;
   }
 }
+
+TEST(CurvedContract, RaysFromSoFarThatRoundingMovesThemAreUndecidedAtOnce)
+{
+  Random random(21);
+  for (const Shape shape : kShapes)
+  {
+    SCOPED_TRACE(Name(shape));
+    const Curves curves(shape);
+    const Curves near(shape);
+    std::vector<Ray> rays;
+    for (int i = 0; i < 40; ++i)
+    {
+      rays.push_back(RayThroughPoint(random, curves.PointOf(random.Inside(shape)), 1e15));
+    }
+    const std::vector<Ray> others = RandomRays(near, shape, 40, 22);
+    std::size_t hits = 0;
+    const auto check = [&](const CurvedSurface& far, const CurvedSurface& usual)
+    {
+      for (const auto& of : MeetPoints(far, rays))
+      {
+        for (const PointHit& hit : of)
+        {
+          EXPECT_EQ(hit.status, HitStatus::Undecided);
+          ++hits;
+        }
+      }
+      MeetPoints(usual, others);
+      EXPECT_LE(far.PiecesMade(), usual.PiecesMade());
+    };
+    check(*curves.faces, *near.faces);
+    check(*curves.iso, *near.iso);
+    EXPECT_GT(hits, 0U);
+  }
+}
 } // namespace pixelexact::testing

@@ -19,12 +19,12 @@ namespace
 /// Of the largest magnitude of an element's values: rounding beyond which a value that is met by
 /// an end up to rounding is not told from one that is missed.
 constexpr double kTouch = 1e-13;
-/// Of a point that stays unknown (location.md), in nanoseconds.
-constexpr std::int64_t kCostOfUnknown = 6'000'000;
 /// The same for what rounding may move the ends by, up to so much: small elements far from the
 /// origin.
 constexpr double kTouchMoved = 4.0;
 constexpr double kMostTouch = 1e-9;
+/// Of a point that stays unknown (location.md), in nanoseconds.
+constexpr std::int64_t kCostOfUnknown = 6'000'000;
 /// For parts of a surface that are many pixels wide, for edges and parts of them, and for squares
 /// of a pixel and less.
 constexpr EdgeEffort kForBlocks{ 4, 0 };

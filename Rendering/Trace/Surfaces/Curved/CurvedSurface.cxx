@@ -103,6 +103,7 @@ private:
     Tree = &Of.TreeOf(part);
     PieceSolver solver(Of.TheEquation, *Which, *Tree, Bundle, Work);
     Part = part;
+    IsBlurred = AreBlurred(Bundle, Of.TheEquation.mesh, *Which);
     Kept = Work.hits.size();
     BoxesLeft.fill(kBoxes);
     Work.unclear.clear();
@@ -190,7 +191,7 @@ private:
 
   void Deeper(PieceSolver& solver, const CurvedPiece& piece, const RaySet& rays)
   {
-    if (piece.halvings >= (piece.plateau ? kDeepestPlateau : kDeepest)[Kind])
+    if (IsBlurred || piece.halvings >= (piece.plateau ? kDeepestPlateau : kDeepest)[Kind])
     {
       Solve(solver);
       FindHits(Of.TheEquation, *Which, *Tree, Bundle, solver, piece,
@@ -213,7 +214,8 @@ private:
   RaySet All;
   std::array<int, RayBundle::kMost> BoxesLeft{};
   std::int32_t Part = -1;
-  std::size_t Kept = 0; ///< hits that have been reviewed
+  bool IsBlurred = false; ///< what the part's pieces leave open is undecided
+  std::size_t Kept = 0;   ///< hits that have been reviewed
   const CurvedPart* Which = nullptr;
   const PartTree* Tree = nullptr;
 };

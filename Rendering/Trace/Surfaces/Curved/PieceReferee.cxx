@@ -15,6 +15,8 @@ namespace
 {
 constexpr int kBoxes = 500;
 constexpr int kPolish = 3;
+/// Of an element's size.
+constexpr double kBlurred = 0.1;
 
 /// y_a - s_a y_k - q_a over a piece.
 TensorPolynomial Across(const BoxPolynomial& ya, const BoxPolynomial& yk, double slope, double q)
@@ -124,6 +126,11 @@ private:
 };
 } // namespace
 
+bool AreBlurred(const RayBundle& bundle, const Mesh& mesh, const CurvedPart& part)
+{
+  return bundle.MostSlack() > kBlurred * mesh.size[static_cast<std::size_t>(part.element)];
+}
+
 void FindHits(const CurvedEquation& equation, const CurvedPart& part, const PartTree& tree,
   const RayBundle& bundle, PieceSolver& solver, const CurvedPiece& piece, const RaySet& rays,
   std::span<int> boxes, std::vector<CurvedHit>& hits)
@@ -136,7 +143,7 @@ void FindHits(const CurvedEquation& equation, const CurvedPart& part, const Part
   };
   // A magnitude's equation is no polynomial that is kept.
   const bool isMagnitude = equation.field != nullptr && equation.component == kMagnitude;
-  if (rays.IsEmpty() || isMagnitude || piece.plateau)
+  if (rays.IsEmpty() || isMagnitude || piece.plateau || AreBlurred(bundle, equation.mesh, part))
   {
     rays.ForEach([&](int ray) { addUndecided(ray, piece.centre); });
     return;

@@ -84,6 +84,8 @@ public:
     const auto at = static_cast<std::size_t>(i);
     far[at] = std::min(far[at], depth + slack[at]);
   }
+  /// How far off places may be, by rounding, of the rays of which least is known.
+  [[nodiscard]] double MostSlack() const { return Ranges.mostSlack; }
   /// Beyond it no ray is of interest. What has ended since FindFarthest does not count.
   [[nodiscard]] double Farthest() const { return Ranges.mostFar; }
   void FindFarthest();
