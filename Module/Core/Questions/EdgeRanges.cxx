@@ -116,7 +116,8 @@ void EdgeFunctions::WithPolynomials(const PieceForm::Piece& piece, const Visit& 
 
 std::size_t EdgeFunctions::NumberOf(const PieceForm::Piece& piece) const
 {
-  return static_cast<std::size_t>((((piece[0] << Level) + piece[1]) << Level) + piece[2]);
+  const int number = (((piece[0] << Level) + piece[1]) << Level) + piece[2];
+  return static_cast<std::size_t>(number);
 }
 
 std::int64_t EdgeFunctions::HalvingCost(const EtaBox& box) const

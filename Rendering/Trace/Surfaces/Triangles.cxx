@@ -259,7 +259,7 @@ void Triangles::MeetBeam(
       {
         RaySet one;
         one.Add(ray);
-        const auto i = static_cast<std::size_t>(first + ray);
+        const int i = first + ray;
         const auto vector = [i](const double* const(&x)[3])
         { return Vec3(x[0][i], x[1][i], x[2][i]); };
         const auto segment = ClipRay(

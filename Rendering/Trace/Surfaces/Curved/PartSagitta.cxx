@@ -95,7 +95,8 @@ PartSagitta::End PartSagitta::EndOf(const Ray& ray, const SurfacePoint& at) cons
 
 std::span<const CurvedPart> PartSagitta::FacesOf(int element) const
 {
-  const auto [first, last] = std::ranges::equal_range(Faces, element, {}, &CurvedPart::element);
+  const auto first = std::ranges::lower_bound(Faces, element, {}, &CurvedPart::element);
+  const auto last = std::ranges::upper_bound(Faces, element, {}, &CurvedPart::element);
   return { first, last };
 }
 
