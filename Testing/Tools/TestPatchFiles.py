@@ -26,6 +26,13 @@ class PatchFiles(ToolTest):
         self.fails_with([*FLAT[:15], "0 1e999 0"], "line 16")
         self.fails_with(["0,0,0", *FLAT[1:]], "line 1")
 
+    def test_a_binary_file(self):
+        file = self.folder / "ship.png"
+        file.write_bytes(b"\x89PNG\r" + bytes(range(1, 10)) * 1000)
+        self.fails(
+            1, "render", case("toroid_hex_g3_p6"), "--output", self.folder / "i.png",
+            "--patch", file, names=["line 1", "'?PNG ????????"])
+
     def test_patches_that_lack_points(self):
         self.fails_with(FLAT[:15], "line 15", "15 points of patch 1", "16 lines")
         self.fails_with([*FLAT, FLAT[0]], "line 17", "1 point of patch 2")

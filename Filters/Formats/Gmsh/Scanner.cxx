@@ -4,6 +4,7 @@
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 #include "Core/Base/ParseWhole.h"
+#include "Core/Base/Quote.h"
 #include "Formats/ParseReal.h"
 
 #include <algorithm>
@@ -14,8 +15,6 @@ namespace pixelexact::gmsh
 {
 namespace
 {
-/// Words quoted in messages are cut to this: binary data are one long word.
-constexpr std::size_t kLongestQuote = 40;
 /// What is searched at a time.
 constexpr std::size_t kWindow = std::size_t{ 1 } << 22U;
 
@@ -24,14 +23,6 @@ bool IsBlank(char c)
   return c == ' ' || c == '\n' || c == '\r' || c == '\t';
 }
 } // namespace
-
-std::string Quote(std::string_view word)
-{
-  std::string text(word.substr(0, kLongestQuote));
-  std::ranges::replace_if(
-    text, [](unsigned char c) { return c < 0x20 || c > 0x7e; }, '?');
-  return "'" + text + (word.size() > kLongestQuote ? "...'" : "'");
-}
 
 Scanner::Scanner(std::string fileName, std::string_view text, const FileText* file)
   : FileName(std::move(fileName))

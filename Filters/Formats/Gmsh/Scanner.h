@@ -91,7 +91,4 @@ private:
   ReadingTrace Trace;
   Encoding Data;
 };
-
-/// A word as messages show it.
-std::string Quote(std::string_view word);
 } // namespace pixelexact::gmsh

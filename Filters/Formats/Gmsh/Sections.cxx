@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/Gmsh/Sections.h"
 
+#include "Core/Base/Quote.h"
+
 #include <algorithm>
 #include <array>
 

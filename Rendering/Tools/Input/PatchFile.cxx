@@ -7,6 +7,7 @@
 
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
+#include "Core/Base/Quote.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,12 +20,7 @@ namespace pixelexact
 namespace
 {
 constexpr std::size_t kPoints = 16;
-
-std::string Shortened(const std::string& text)
-{
-  constexpr std::size_t kMost = 60;
-  return text.size() > kMost ? text.substr(0, kMost) + "..." : text;
-}
+constexpr std::size_t kLongestLine = 60; ///< that is shown whole
 
 /// The point of a line; none: the line holds nothing.
 std::optional<Vec3> ReadPoint(const std::string& file, std::size_t number, std::string line)
@@ -45,8 +41,8 @@ std::optional<Vec3> ReadPoint(const std::string& file, std::size_t number, std::
     if (words.size() != 3 || !ParseNumber(words[word], point[d]) || !std::isfinite(point[d]))
     {
       CannotRead(file,
-        "line " + std::to_string(number) + ": expected three finite numbers x y z, got '" +
-          Shortened(line) + "'");
+        "line " + std::to_string(number) + ": expected three finite numbers x y z, got " +
+          Quote(line, kLongestLine));
     }
   }
   return point;

@@ -18,7 +18,7 @@ constexpr int kMostDigits = 4;
 
 [[noreturn]] void RejectName(const std::string& text)
 {
-  throw InvalidData(Quoted(text) +
+  throw InvalidData(QuoteName(text) +
     " is no name of one of MFEM's finite element collections, such as H1_3D_P2, L2_T1_3D_P3, "
     "ND_3D_P1 or RT_3D_P0.");
 }
@@ -104,7 +104,7 @@ public:
     }
     if (name.order < least)
     {
-      throw InvalidData("the finite element collection " + Quoted(Text) + " has order " +
+      throw InvalidData("the finite element collection " + QuoteName(Text) + " has order " +
         std::to_string(name.order) + ", but MFEM's begin at " + std::to_string(least) + ".");
     }
     // H(div) functions reach one order beyond the number in their name.

@@ -2,6 +2,7 @@
 #include "Formats/MFEM/Elements/NamedCollections.h"
 
 #include "Core/Base/Error.h"
+#include "Core/Base/Quote.h"
 
 #include <array>
 #include <string_view>
@@ -17,20 +18,15 @@ constexpr const char* kProject =
   "project the field to H1 or L2 (ProjectGridFunction) and save that";
 } // namespace
 
-std::string Quoted(const std::string& text)
+std::string QuoteName(const std::string& text)
 {
-  std::string shown = "'";
-  for (const char c : text.substr(0, kLongestShown))
-  {
-    shown += c >= ' ' && c <= '~' ? c : '?';
-  }
-  return shown + (text.size() > kLongestShown ? "...'" : "'");
+  return Quote(text, kLongestShown);
 }
 
 void RefuseCollection(const std::string& text, const std::string& reason)
 {
   throw Unsupported(
-    "the finite element collection " + Quoted(text) + " is not supported: " + reason + ".");
+    "the finite element collection " + QuoteName(text) + " is not supported: " + reason + ".");
 }
 
 void RefuseDimension(const std::string& text, int dimension, int wanted)

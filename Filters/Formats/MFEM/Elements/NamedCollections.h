@@ -13,7 +13,7 @@ namespace pixelexact::mfem
 [[noreturn]] void RefuseCollection(const std::string& text, const std::string& reason);
 
 /// For messages: in quotes, shortened, without control characters.
-std::string Quoted(const std::string& text);
+std::string QuoteName(const std::string& text);
 
 /// Throws Unsupported: of elements of another dimension than the mesh's.
 [[noreturn]] void RefuseDimension(const std::string& text, int dimension, int wanted);

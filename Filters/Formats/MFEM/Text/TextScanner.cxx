@@ -4,6 +4,7 @@
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 #include "Core/Base/ParseWhole.h"
+#include "Core/Base/Quote.h"
 #include "Formats/ParseReal.h"
 
 #include <algorithm>
@@ -12,20 +13,9 @@ namespace pixelexact::mfem
 {
 namespace
 {
-/// Words quoted in messages are cut to this: a binary file is one long word.
-constexpr std::size_t kLongestQuote = 40;
-
 bool IsBlank(char c)
 {
   return c == ' ' || c == '\n' || c == '\r' || c == '\t';
-}
-
-std::string Quote(std::string_view word)
-{
-  std::string text(word.substr(0, kLongestQuote));
-  std::ranges::replace_if(
-    text, [](unsigned char c) { return c < 0x20 || c > 0x7e; }, '?');
-  return "'" + text + (word.size() > kLongestQuote ? "...'" : "'");
 }
 } // namespace
 
