@@ -8,6 +8,8 @@
 #include "Trace/Surfaces/Curved/GatheredRays-inl.h"
 #include "Trace/Surfaces/TriangleKernels.h"
 
+#include <algorithm>
+
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
@@ -36,32 +38,83 @@ struct RayPacks
   }
 };
 
-RaySet Surround(const RayLanes& rays, int first, int axis, const RaySet& some,
-  const std::array<Vec3, 3>& triangle, TriangleLanes& lanes)
+/// A triangle along a bundle's axes, depths from its z0.
+struct SeenTriangle
 {
-  const RayPacks packs(rays, first);
-  const int u = (axis + 1) % 3;
-  const int v = (axis + 2) % 3;
-  const LanePoint corner[3] = { SplatPoint(triangle[0]), SplatPoint(triangle[1]),
-    SplatPoint(triangle[2]) };
-  return ForEachPack(some,
-    [&](int i, LaneMask /*mask*/) PIXELEXACT_INLINED
+  Lanes corner[3][3];
+  Lanes lower[3];
+  Lanes upper[3];
+
+  HWY_INLINE SeenTriangle(const std::array<Vec3, 3>& triangle, const RayBundle& bundle)
+  {
+    for (std::size_t a = 0; a < 3; ++a)
     {
-      const auto origin = LoadPoint<Lanes>(packs.origins, i);
-      const auto direction = LoadPoint<Lanes>(packs.directions, i);
-      const Lanes shear[2] = { direction.x[u] / direction.x[axis],
-        direction.x[v] / direction.x[axis] };
+      const int axis = bundle.axes[a];
+      const double zero = a == 2 ? bundle.z0 : 0.0;
+      const double x[3] = { triangle[0][axis] - zero, triangle[1][axis] - zero,
+        triangle[2][axis] - zero };
+      lower[a] = Splat(std::min(std::min(x[0], x[1]), x[2]));
+      upper[a] = Splat(std::max(std::max(x[0], x[1]), x[2]));
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        corner[k][a] = Splat(x[k]);
+      }
+    }
+  }
+};
+
+/// As PieceKernels::meetBox asks of a pack.
+HWY_INLINE LaneMask MayMeet(const RayBundle& bundle, int i, const SeenTriangle& seen)
+{
+  const auto load = [i](const RayBundle::Numbers& numbers) PIXELEXACT_INLINED
+  { return Traits::Load(numbers.data() + i); };
+  const Lanes slack = load(bundle.slack);
+  const Lanes lower = seen.lower[2];
+  const Lanes upper = seen.upper[2];
+  const Lanes sign = Splat(bundle.sign);
+  LaneMask may = And(Max(sign * lower, sign * upper) + slack >= load(bundle.near),
+    Min(sign * lower, sign * upper) - slack <= load(bundle.far));
+  for (std::size_t a = 0; a < 2; ++a)
+  {
+    const Lanes place = load(bundle.place[a]);
+    const Lanes slope = load(bundle.slope[a]);
+    const Lanes p = place + slope * lower;
+    const Lanes q = place + slope * upper;
+    may = And(may, And(Min(p, q) - slack <= seen.upper[a], Max(p, q) + slack >= seen.lower[a]));
+  }
+  return may;
+}
+
+RaySet Meet(const RayBundle& bundle, const RayLanes& rays, const RaySet& some,
+  const std::array<Vec3, 3>& triangle, const Vec3& normal, TriangleLanes& lanes)
+{
+  const RayPacks packs(rays, bundle.First());
+  const SeenTriangle seen(triangle, bundle);
+  const LanePoint corner = SplatPoint(triangle[0]);
+  const LanePoint normals = SplatPoint(normal);
+  const Lanes zero = Splat(0.0);
+  lanes.across = {};
+  return ForEachPack(some,
+    [&](int i, LaneMask mask) PIXELEXACT_INLINED
+    {
+      const auto at = static_cast<std::size_t>(i);
+      LaneMask met = And(mask, MayMeet(bundle, i, seen));
+      if (None(met))
+      {
+        return met;
+      }
       Lanes place[3][2];
-      ForEachAxis(
-        [&](auto k) PIXELEXACT_INLINED
+      for (std::size_t a = 0; a < 2; ++a)
+      {
+        const Lanes ray = Traits::Load(&bundle.place[a][at]);
+        const Lanes slope = Traits::Load(&bundle.slope[a][at]);
+        for (std::size_t k = 0; k < 3; ++k)
         {
-          const LanePoint off = corner[k] - origin;
-          place[k][0] = off.x[u] - shear[0] * off.x[axis];
-          place[k][1] = off.x[v] - shear[1] * off.x[axis];
-        });
-      const Lanes zero = Splat(0.0);
-      LaneMask left = zero <= zero;
-      LaneMask right = left;
+          place[k][a] = seen.corner[k][a] - (ray + slope * seen.corner[k][2]);
+        }
+      }
+      LaneMask left = met;
+      LaneMask right = met;
       Lanes weight[3];
       ForEachAxis(
         [&](auto k) PIXELEXACT_INLINED
@@ -69,39 +122,40 @@ RaySet Surround(const RayLanes& rays, int first, int axis, const RaySet& some,
           weight[k] = Across(place[(k + 1) % 3], place[(k + 2) % 3]);
           left = And(left, weight[k] >= zero);
           right = And(right, weight[k] <= zero);
-          Store(weight[k], lanes.weight[static_cast<std::size_t>(k)].data() + i);
         });
+      const Lanes sum = weight[0] + weight[1] + weight[2];
       // Seen from its edge it is a line.
-      return AndNot(Or(left, right), Abs(weight[0] + weight[1] + weight[2]) <= zero);
-    });
-}
-
-RaySet Meet(const RayLanes& rays, int first, const RaySet& some, const Vec3& corner,
-  const Vec3& normal, TriangleLanes& lanes)
-{
-  const RayPacks packs(rays, first);
-  const LanePoint through = SplatPoint(corner);
-  const LanePoint across = SplatPoint(normal);
-  return ForEachPack(some,
-    [&](int i, LaneMask /*mask*/) PIXELEXACT_INLINED
-    {
+      met = AndNot(Or(left, right), Abs(sum) <= zero);
+      if (None(met))
+      {
+        return met;
+      }
       const auto origin = LoadPoint<Lanes>(packs.origins, i);
       const auto direction = LoadPoint<Lanes>(packs.directions, i);
-      const Lanes t = Dot(across, through - origin) / Dot(across, direction);
+      const Lanes t = Dot(normals, corner - origin) / Dot(normals, direction);
       const LanePoint onRay = origin + direction * t;
-      const LanePoint x = onRay + across * Dot(across, through - onRay);
-      Store(t, lanes.t.data() + i);
-      ForEachAxis([&](auto d) PIXELEXACT_INLINED
-        { Store(x.x[d], lanes.position[static_cast<std::size_t>(d)].data() + i); });
+      const LanePoint x = onRay + normals * Dot(normals, corner - onRay);
+      const Lanes share = Splat(1.0) / sum;
+      Store(t, &lanes.t[at]);
+      Store(weight[1] * share, &lanes.weight[0][at]);
+      Store(weight[2] * share, &lanes.weight[1][at]);
+      ForEachAxis(
+        [&](auto d) PIXELEXACT_INLINED
+        {
+          const auto k = static_cast<std::size_t>(d);
+          Store(x.x[d], &lanes.position[k][at]);
+          lanes.across[k].bits[at / 64] |= BitsOf(Abs(weight[d]) <= zero) << (at % 64);
+        });
+      const auto end = static_cast<std::size_t>(bundle.First());
       // Without area it has no normal, and t is no number.
-      return And(
-        Traits::Load(rays.tNear + first + i) <= t, t <= Traits::Load(rays.tFar + first + i));
+      return And(met,
+        And(Traits::Load(rays.tNear + end + at) <= t, t <= Traits::Load(rays.tFar + end + at)));
     });
 }
 
 const TriangleKernels& TriangleKernelSet()
 {
-  static constexpr TriangleKernels kKernels{ &Surround, &Meet };
+  static constexpr TriangleKernels kKernels{ &Meet };
   return kKernels;
 }
 } // namespace pixelexact::HWY_NAMESPACE

@@ -50,7 +50,8 @@ struct Found
   int before; ///< another one of its ray, -1: none
   double t;
   Vec3 position;
-  double weight[3];
+  double weight[2];              ///< of the second and the third corner
+  std::array<bool, 3> hasCorner; ///< has a part of it
 };
 
 bool Before(const Vec3& a, const Vec3& b)
@@ -68,7 +69,7 @@ struct Feature
   {
     for (std::size_t k = 0; k < 3; ++k)
     {
-      if (found.weight[k] != 0.0)
+      if (found.hasCorner[k])
       {
         at[static_cast<std::size_t>(corners++)] = triangle[k];
       }
@@ -85,20 +86,29 @@ struct Feature
   }
 };
 
-void Write(const Found& found, HitSlots& hits, int slot, int ray)
+/// A slot of hits.
+struct SlotLanes
 {
-  const HitLanes to = hits.Slot(slot);
-  const PieceLanes piece = hits.Pieces(slot);
-  to.t[ray] = found.t;
-  for (int d = 0; d < 3; ++d)
+  HitLanes to;
+  PieceLanes piece;
+
+  SlotLanes(HitSlots& hits, int slot)
+    : to(hits.Slot(slot))
+    , piece(hits.Pieces(slot))
   {
-    to.position[d][ray] = found.position[d];
   }
-  const double sum = found.weight[0] + found.weight[1] + found.weight[2];
-  piece.piece[ray] = found.triangle;
-  piece.parameters[0][ray] = found.weight[1] / sum;
-  piece.parameters[1][ray] = found.weight[2] / sum;
-}
+  void Write(const Found& found, int ray) const
+  {
+    to.t[ray] = found.t;
+    for (int d = 0; d < 3; ++d)
+    {
+      to.position[d][ray] = found.position[d];
+    }
+    piece.piece[ray] = found.triangle;
+    piece.parameters[0][ray] = found.weight[0];
+    piece.parameters[1][ray] = found.weight[1];
+  }
+};
 
 /// How far apart neighbouring rays are at the surface, about; infinite of one ray alone.
 double SpacingOf(const RayBundle& bundle)
@@ -140,10 +150,12 @@ struct Triangles::Beam
     one.triangle = triangle;
     one.before = last[i];
     one.t = lanes.t[i];
-    for (std::size_t d = 0; d < 3; ++d)
+    one.weight[0] = lanes.weight[0][i];
+    one.weight[1] = lanes.weight[1][i];
+    for (std::size_t k = 0; k < 3; ++k)
     {
-      one.position[static_cast<int>(d)] = lanes.position[d][i];
-      one.weight[d] = lanes.weight[d][i];
+      one.position[static_cast<int>(k)] = lanes.position[k][i];
+      one.hasCorner[k] = !lanes.across[k].Has(ray);
     }
     last[i] = static_cast<int>(found.size()) - 1;
   }
@@ -204,6 +216,11 @@ Triangles::Triangles(std::vector<Triangle> triangles)
     sum += std::max(LargestOf(one[1] - one[0]), LargestOf(one[2] - one[0]));
   }
   Extent = sum / static_cast<double>(All.size());
+  NormalOfEach.reserve(All.size());
+  for (const Triangle& one : All)
+  {
+    NormalOfEach.push_back(NormalOf(one));
+  }
 }
 
 std::vector<Box3> Triangles::Boxes() const
@@ -232,26 +249,20 @@ void Triangles::MeetBeam(
   const RayLanes& rays, int first, int count, Beam& beam, HitSlots& hits) const
 {
   beam.Begin();
+  const TriangleKernels& kernels = GetTriangleKernels();
   for (unsigned ways = GetBundleKernels().ways(rays, first, count); ways != 0; ways &= ways - 1)
   {
     beam.bundle.Begin(rays, first, count, std::countr_zero(ways), TheBounds);
     const RaySet all = GetPieceKernels().meetBox(beam.bundle, TheBounds, RaySet::First(count));
     const auto meet = [&](int k, const RaySet& near)
     {
-      const Triangle& triangle = All[static_cast<std::size_t>(k)];
-      const RaySet some =
-        GetTriangleKernels().surround(rays, first, beam.bundle.axes[2], near, triangle, beam.lanes);
-      if (!some.IsEmpty())
-      {
-        GetTriangleKernels()
-          .meet(rays, first, some, triangle[0], NormalOf(triangle), beam.lanes)
-          .ForEach([&](int ray) { beam.Add(ray, k); });
-      }
+      const auto i = static_cast<std::size_t>(k);
+      kernels.meet(beam.bundle, rays, near, All[i], NormalOfEach[i], beam.lanes)
+        .ForEach([&](int ray) { beam.Add(ray, k); });
     };
     if (Extent > kFine * SpacingOf(beam.bundle))
     {
-      ForBeams().ForEach(beam.bundle,
-        [&](int k, const Box3& box) { meet(k, GetPieceKernels().meetBox(beam.bundle, box, all)); });
+      ForBeams().ForEach(beam.bundle, [&](int k, const Box3& /*box*/) { meet(k, all); });
       continue;
     }
     all.ForEach(
@@ -274,12 +285,24 @@ void Triangles::MeetBeam(
         }
       });
   }
-  for (int ray = 0; ray < count && !beam.found.empty(); ++ray)
+  if (beam.found.empty())
+  {
+    return;
+  }
+  const SlotLanes nearest(hits, 0);
+  for (int ray = 0; ray < count; ++ray)
   {
     int slot = 0;
     for (const Found* one : beam.Of(ray, All))
     {
-      Write(*one, hits, slot, first + ray);
+      if (slot == 0)
+      {
+        nearest.Write(*one, first + ray);
+      }
+      else
+      {
+        SlotLanes(hits, slot).Write(*one, first + ray);
+      }
       ++slot;
     }
   }
@@ -297,15 +320,6 @@ const Bvh& Triangles::ForRays() const
 
 Vec3 Triangles::Normal(const SurfacePoint& point) const
 {
-  return NormalOf(All[static_cast<std::size_t>(point.piece)]);
-}
-
-void Triangles::Normals(std::span<const SurfacePoint> points, std::span<Vec3> normals) const
-{
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    const bool isSame = i > 0 && points[i].piece == points[i - 1].piece;
-    normals[i] = isSame ? normals[i - 1] : Normal(points[i]);
-  }
+  return NormalOfEach[static_cast<std::size_t>(point.piece)];
 }
 } // namespace pixelexact

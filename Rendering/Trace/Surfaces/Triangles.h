@@ -7,7 +7,6 @@
 #include "Trace/Surfaces/Surface.h"
 
 #include <array>
-#include <span>
 #include <vector>
 
 namespace pixelexact
@@ -37,9 +36,6 @@ public:
 
   void Meet(const RayLanes& rays, HitSlots& hits) const override;
   [[nodiscard]] Vec3 Normal(const SurfacePoint& point) const override;
-  /// Of neighbours on one triangle it is made once.
-  [[nodiscard]] bool HasCostlyNormals() const override { return true; }
-  void Normals(std::span<const SurfacePoint> points, std::span<Vec3> normals) const override;
 
   [[nodiscard]] double Sagitta(
     const Ray& a, const SurfacePoint& atA, const Ray& b, const SurfacePoint& atB) const override;
@@ -65,6 +61,7 @@ private:
   [[nodiscard]] double SlackOf(std::int32_t triangle) const;
 
   std::vector<Triangle> All;
+  std::vector<Vec3> NormalOfEach;
   Box3 TheBounds;
   MadeOnDemand<BundleHierarchy> Together{ 1 };
   MadeOnDemand<Bvh> Single{ 1 };

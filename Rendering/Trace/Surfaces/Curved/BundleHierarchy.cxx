@@ -5,29 +5,60 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <numeric>
 
 namespace pixelexact
 {
 namespace
 {
-constexpr int kInLeaf = 2;
-/// Halving billions of boxes goes no deeper than half of this.
+/// Splitting billions of boxes goes no deeper than an eighth of this.
 constexpr std::size_t kDeepest = 128;
 
 Vec3 MiddleOf(const Box3& box)
 {
   return 0.5 * box.lower + 0.5 * box.upper;
 }
+
+/// What a node splits its boxes into: as many places in the order, from one on.
+struct Group
+{
+  int first;
+  int count;
+};
+
+/// The longer half stays; the upper one is returned.
+Group Halve(std::span<std::int32_t> order, std::span<const Box3> boxes, Group& group)
+{
+  const auto places =
+    order.subspan(static_cast<std::size_t>(group.first), static_cast<std::size_t>(group.count));
+  Box3 middles{ Vec3(INFINITY), Vec3(-INFINITY) };
+  for (const int k : places)
+  {
+    const Vec3 middle = MiddleOf(boxes[static_cast<std::size_t>(k)]);
+    middles = { glm::min(middles.lower, middle), glm::max(middles.upper, middle) };
+  }
+  const Vec3 size = middles.upper - middles.lower;
+  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  const int half = (group.count + 1) / 2;
+  std::ranges::nth_element(places, places.begin() + half, {},
+    [&](int k) { return MiddleOf(boxes[static_cast<std::size_t>(k)])[axis]; });
+  const Group upper{ group.first + half, group.count - half };
+  group.count = half;
+  return upper;
+}
 } // namespace
 
 BundleHierarchy::BundleHierarchy(std::span<const Box3> boxes)
   : Order(boxes.size())
+  , TheBounds(boxes.front())
 {
+  for (const Box3& box : boxes)
+  {
+    TheBounds = { glm::min(TheBounds.lower, box.lower), glm::max(TheBounds.upper, box.upper) };
+  }
   std::iota(Order.begin(), Order.end(), 0);
-  Nodes.reserve(boxes.size() + 1);
-  Nodes.emplace_back();
-  Build(0, boxes, 0, static_cast<int>(boxes.size()));
+  Build(boxes, 0, static_cast<int>(boxes.size()));
   Boxes.reserve(boxes.size());
   for (const int k : Order)
   {
@@ -35,67 +66,80 @@ BundleHierarchy::BundleHierarchy(std::span<const Box3> boxes)
   }
 }
 
-void BundleHierarchy::Build(std::size_t node, std::span<const Box3> boxes, int first, int count)
+std::int32_t BundleHierarchy::Build(std::span<const Box3> boxes, int first, int count)
 {
-  const auto order =
-    std::span(Order).subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(count));
-  Box3 bounds{ Vec3(INFINITY), Vec3(-INFINITY) };
-  Box3 middles = bounds;
-  for (const int k : order)
+  std::array<Group, EightBoxes::kMost> groups{ Group{ first, count } };
+  std::size_t size = 1;
+  while (size < groups.size())
   {
-    const Box3& box = boxes[static_cast<std::size_t>(k)];
-    bounds = { glm::min(bounds.lower, box.lower), glm::max(bounds.upper, box.upper) };
-    const Vec3 middle = MiddleOf(box);
-    middles = { glm::min(middles.lower, middle), glm::max(middles.upper, middle) };
+    const auto largest = std::max_element(groups.begin(), groups.begin() + size,
+      [](const Group& a, const Group& b) { return a.count < b.count; });
+    if (largest->count == 1)
+    {
+      break;
+    }
+    groups[size++] = Halve(Order, boxes, *largest);
   }
-  Nodes[node].bounds = bounds;
-  if (count <= kInLeaf)
+  const std::size_t at = Nodes.size();
+  Nodes.emplace_back().boxes.count = static_cast<int>(size);
+  for (std::size_t k = 0; k < size; ++k)
   {
-    Nodes[node].first = first;
-    Nodes[node].count = count;
-    return;
+    const Group& group = groups[k];
+    Box3 bounds{ Vec3(INFINITY), Vec3(-INFINITY) };
+    for (int i = group.first; i < group.first + group.count; ++i)
+    {
+      const Box3& box = boxes[static_cast<std::size_t>(Order[static_cast<std::size_t>(i)])];
+      bounds = { glm::min(bounds.lower, box.lower), glm::max(bounds.upper, box.upper) };
+    }
+    Nodes[at].boxes.Set(k, bounds);
+    const std::int32_t below =
+      group.count == 1 ? -1 - group.first : Build(boxes, group.first, group.count);
+    Nodes[at].below[k] = below;
   }
-  const Vec3 size = middles.upper - middles.lower;
-  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  const int half = count / 2;
-  std::ranges::nth_element(order, order.begin() + half, {},
-    [&](int k) { return MiddleOf(boxes[static_cast<std::size_t>(k)])[axis]; });
-  const std::size_t child = Nodes.size();
-  Nodes[node].child = static_cast<std::int32_t>(child);
-  Nodes.resize(child + 2);
-  Build(child, boxes, first, half);
-  Build(child + 1, boxes, first + half, count - half);
+  return static_cast<std::int32_t>(at);
 }
 
 void BundleHierarchy::ForEach(
   const RayBundle& bundle, const std::function<void(int, const Box3&)>& visit) const
 {
-  std::array<std::int32_t, kDeepest> stack{};
-  std::size_t size = 1;
+  struct Ahead
+  {
+    double depth;
+    std::int32_t below;
+  };
+  std::array<Ahead, kDeepest> stack;
+  std::size_t size = 0;
+  const auto open = [&](const Node& node)
+  {
+    std::array<double, EightBoxes::kMost> depth;
+    const std::size_t begin = size;
+    for (unsigned met = bundle.MayMeet(node.boxes, depth); met != 0; met &= met - 1)
+    {
+      const auto k = static_cast<std::size_t>(std::countr_zero(met));
+      // The nearest one last, which is taken first.
+      std::size_t place = size++;
+      for (; place > begin && stack[place - 1].depth < depth[k]; --place)
+      {
+        stack[place] = stack[place - 1];
+      }
+      stack[place] = { depth[k], node.below[k] };
+    }
+  };
+  open(Nodes.front());
   while (size > 0)
   {
-    const Node& node = Nodes[static_cast<std::size_t>(stack[--size])];
-    if (!bundle.MayMeet(node.bounds) || bundle.DepthOf(node.bounds) > bundle.Farthest())
+    const Ahead next = stack[--size];
+    if (next.depth > bundle.Farthest())
     {
       continue;
     }
-    if (node.child < 0)
+    if (next.below >= 0)
     {
-      for (std::int32_t k = node.first; k < node.first + node.count; ++k)
-      {
-        const auto at = static_cast<std::size_t>(k);
-        if (bundle.MayMeet(Boxes[at]))
-        {
-          visit(Order[at], Boxes[at]);
-        }
-      }
+      open(Nodes[static_cast<std::size_t>(next.below)]);
       continue;
     }
-    const auto child = static_cast<std::size_t>(node.child);
-    const bool lowerFirst =
-      bundle.DepthOf(Nodes[child].bounds) <= bundle.DepthOf(Nodes[child + 1].bounds);
-    stack[size++] = node.child + (lowerFirst ? 1 : 0);
-    stack[size++] = node.child + (lowerFirst ? 0 : 1);
+    const auto at = static_cast<std::size_t>(-1 - next.below);
+    visit(Order[at], Boxes[at]);
   }
 }
 } // namespace pixelexact

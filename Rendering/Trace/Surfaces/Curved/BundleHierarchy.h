@@ -10,8 +10,8 @@
 
 namespace pixelexact
 {
-/// Boxes in a binary tree, for bundles of rays. Embree's hierarchies are asked by single rays and
-/// by packets of 16: neighbouring rays meet the same boxes, and ask for them once here.
+/// Boxes in a tree of nodes of eight, for bundles of rays. Embree's hierarchies are asked by single
+/// rays and by packets of 16: neighbouring rays meet the same boxes, and ask for them once here.
 class BundleHierarchy
 {
 public:
@@ -23,20 +23,21 @@ public:
   void ForEach(const RayBundle& bundle, const std::function<void(int, const Box3&)>& visit) const;
 
   /// Of all boxes.
-  [[nodiscard]] const Box3& Bounds() const { return Nodes.front().bounds; }
+  [[nodiscard]] const Box3& Bounds() const { return TheBounds; }
 
 private:
   struct Node
   {
-    Box3 bounds;
-    std::int32_t child = -1; ///< of two; -1: a leaf
-    std::int32_t first = 0;  ///< of a leaf's boxes
-    std::int32_t count = 0;
+    EightBoxes boxes;
+    /// Of each box: the number of its node; of one that is no node's, -1 - its place in Order.
+    std::array<std::int32_t, EightBoxes::kMost> below{};
   };
-  void Build(std::size_t node, std::span<const Box3> boxes, int first, int count);
+  /// Of the boxes at some places in Order: their node, which is added.
+  std::int32_t Build(std::span<const Box3> boxes, int first, int count);
 
-  std::vector<Node> Nodes;
+  std::vector<Node> Nodes; ///< the first one is the root
   std::vector<std::int32_t> Order;
   std::vector<Box3> Boxes; ///< in that order
+  Box3 TheBounds;
 };
 } // namespace pixelexact

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
+#include <optional>
 
 namespace pixelexact
 {
@@ -99,52 +101,99 @@ void WriteFirst(const RayLanes& rays, int first, int count, const HitTerms& term
   }
 }
 
-void WriteAll(const RayLanes& rays, int first, const HitTerms& terms, std::vector<CurvedHit>& found,
-  HitSlots& hits)
+/// A bundle's hits, ray by ray.
+class HitsByRay
 {
-  std::ranges::stable_sort(found,
-    [](const CurvedHit& a, const CurvedHit& b)
-    { return a.ray != b.ray ? a.ray < b.ray : ComesBefore(a, b); });
-  int slot = 0;
-  std::size_t last = 0;
-  std::vector<std::int32_t> told; // parts, since the last hit that is certain
-  for (std::size_t k = 0; k < found.size(); ++k)
+public:
+  explicit HitsByRay(std::span<const CurvedHit> found)
+    : Sorted(found.size())
   {
-    const CurvedHit& hit = found[k];
-    if (k == 0 || found[k - 1].ray != hit.ray)
+    for (const CurvedHit& hit : found)
     {
-      slot = 0;
-      told.clear();
+      ++Ends[static_cast<std::size_t>(hit.ray) + 1];
     }
-    const auto element =
-      static_cast<std::size_t>(terms.parts[static_cast<std::size_t>(hit.part)].element);
-    const double same = kSame * terms.mesh.size[element];
-    // What is undecided in one part, piece by piece along the ray, is told once.
-    const bool isUndecided = hit.status == HitStatus::Undecided;
-    const bool isTold = isUndecided && std::ranges::find(told, hit.part) != told.end();
-    if (!IsWithin(rays, first + hit.ray, hit) || isTold ||
-      (slot > 0 &&
-        glm::all(glm::lessThanEqual(glm::abs(hit.position - found[last].position), Vec3(same)))))
+    std::partial_sum(Ends.begin(), Ends.end(), Ends.begin());
+    std::array<std::size_t, RayBundle::kMost + 1> next = Ends;
+    for (const CurvedHit& hit : found)
     {
-      continue;
+      Sorted[next[static_cast<std::size_t>(hit.ray)]++] = &hit;
     }
-    SlotWriter(terms, hits, slot).Write(first + hit.ray, hit);
-    if (isUndecided)
+  }
+  /// Of one ray, in order.
+  [[nodiscard]] std::span<const CurvedHit* const> Of(std::size_t ray)
+  {
+    const auto some = std::span(Sorted).subspan(Ends[ray], Ends[ray + 1] - Ends[ray]);
+    if (some.size() > 1)
     {
-      told.push_back(hit.part);
+      std::ranges::stable_sort(
+        some, [](const CurvedHit* a, const CurvedHit* b) { return ComesBefore(*a, *b); });
     }
-    else
+    return some;
+  }
+
+private:
+  std::vector<const CurvedHit*> Sorted;
+  std::array<std::size_t, RayBundle::kMost + 1> Ends{}; ///< of each ray's, from number 1 on
+};
+
+void WriteAll(const RayLanes& rays, int first, int count, const HitTerms& terms,
+  std::span<const CurvedHit> found, HitSlots& hits)
+{
+  if (found.empty())
+  {
+    return;
+  }
+  HitsByRay byRay(found);
+  std::optional<SlotWriter> nearest; // of most rays it is the only one
+  std::vector<std::int32_t> told;    // parts, since the last hit that is certain
+  for (int ray = 0; ray < count; ++ray)
+  {
+    int slot = 0;
+    const CurvedHit* last = nullptr;
+    told.clear();
+    for (const CurvedHit* hit : byRay.Of(static_cast<std::size_t>(ray)))
     {
-      told.clear();
+      const auto element =
+        static_cast<std::size_t>(terms.parts[static_cast<std::size_t>(hit->part)].element);
+      const double same = kSame * terms.mesh.size[element];
+      // What is undecided in one part, piece by piece along the ray, is told once.
+      const bool isUndecided = hit->status == HitStatus::Undecided;
+      const bool isTold = isUndecided && std::ranges::find(told, hit->part) != told.end();
+      if (!IsWithin(rays, first + ray, *hit) || isTold ||
+        (last != nullptr &&
+          glm::all(glm::lessThanEqual(glm::abs(hit->position - last->position), Vec3(same)))))
+      {
+        continue;
+      }
+      if (slot > 0)
+      {
+        SlotWriter(terms, hits, slot).Write(first + ray, *hit);
+      }
+      else
+      {
+        if (!nearest)
+        {
+          nearest.emplace(terms, hits, 0);
+        }
+        nearest->Write(first + ray, *hit);
+      }
+      if (isUndecided)
+      {
+        told.push_back(hit->part);
+      }
+      else
+      {
+        told.clear();
+      }
+      last = hit;
+      ++slot;
     }
-    last = k;
-    ++slot;
   }
 }
 } // namespace
 
 void WriteHits(const RayLanes& rays, int first, int count, const HitTerms& terms,
-  std::vector<CurvedHit>& found, HitSlots& hits)
+  std::span<const CurvedHit> found, HitSlots& hits)
 {
   if (rays.nearestOnly)
   {
@@ -152,7 +201,7 @@ void WriteHits(const RayLanes& rays, int first, int count, const HitTerms& terms
   }
   else
   {
-    WriteAll(rays, first, terms, found, hits);
+    WriteAll(rays, first, count, terms, found, hits);
   }
 }
 } // namespace pixelexact

@@ -7,7 +7,6 @@
 #include "Trace/Surfaces/HitSlots.h"
 
 #include <span>
-#include <vector>
 
 namespace pixelexact
 {
@@ -20,7 +19,7 @@ struct HitTerms
 };
 
 /// Takes a bundle's hits to slots, ray by ray in order: what two parts share once, what is
-/// undecided in a part once, and where rays want no more, the first alone. Sorts them.
+/// undecided in a part once, and where rays want no more, the first alone.
 void WriteHits(const RayLanes& rays, int first, int count, const HitTerms& terms,
-  std::vector<CurvedHit>& found, HitSlots& hits);
+  std::span<const CurvedHit> found, HitSlots& hits);
 } // namespace pixelexact

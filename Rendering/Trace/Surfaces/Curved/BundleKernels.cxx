@@ -53,13 +53,12 @@ HWY_INLINE LaneMask IsLongest(int axis, const Lanes (&direction)[3])
   return axis == 0 ? first : axis == 1 ? second : AndNot(AndNot(all, first), second);
 }
 
-/// o - d / d_k o_k, where the two are far larger than it: the ray's own point, not one beside it.
-HWY_INLINE Lanes PlaceOf(Lanes origin, Lanes direction, Lanes along, const Pair& depth)
+/// d / d_k, in pairs: one step of division's own iteration from `inverse`, 1 / d_k rounded.
+HWY_INLINE Pair SlopeOf(Lanes direction, Lanes along, Lanes inverse)
 {
-  const Lanes high = direction / along;
-  const Pair rest = Pair::Of(direction) - Pair::Of(high) * Pair::Of(along);
-  const Pair slope = ExactSum(high, rest.high / along);
-  return (Pair::Of(origin) - slope * depth).high;
+  const Lanes high = direction * inverse;
+  const Pair back = ExactProduct(high, along);
+  return ExactSum(high, ((direction - back.high) - back.low) * inverse);
 }
 
 struct LaneRange
@@ -118,6 +117,7 @@ void Describe(const RayLanes& rays, int first, int count, const BundleFrame& fra
     const LaneMask runs = And(IsLongest(frame.axes[2], direction), Splat(0.0) < sign * along);
     const Lanes from = load(rays.origin[axis(2)]);
     const Pair depth = ExactSum(from, Splat(-frame.z0));
+    const Lanes inverse = Splat(1.0) / along;
     Store(along, to.direction + i);
     Store(depth.high, to.origin + i);
     Lanes size = Splat(frame.around) + Abs(from);
@@ -126,8 +126,10 @@ void Describe(const RayLanes& rays, int first, int count, const BundleFrame& fra
     for (std::size_t a = 0; a < 2; ++a)
     {
       const Lanes origin = load(rays.origin[axis(a)]);
-      slope[a] = direction[axis(a)] / along;
-      place[a] = PlaceOf(origin, direction[axis(a)], along, depth);
+      const Pair exact = SlopeOf(direction[axis(a)], along, inverse);
+      slope[a] = exact.high;
+      // Where the two are far larger than it: the ray's own point, not one beside it.
+      place[a] = (Pair::Of(origin) - exact * depth).high;
       size = size + Abs(origin);
       Store(place[a], to.place[a] + i);
       Store(slope[a], to.slope[a] + i);
@@ -163,9 +165,43 @@ void Describe(const RayLanes& rays, int first, int count, const BundleFrame& fra
   ranges.mostFar = fars.Found().most;
 }
 
+// As RayBundle::MayMeet and DepthOf say of one box.
+unsigned MeetBoxes(
+  const BundleRanges& ranges, const BundleFrame& frame, const EightBoxes& boxes, double* depth)
+{
+  const bool isUp = frame.sign > 0.0;
+  const Lanes z0 = Splat(frame.z0);
+  const Lanes slack = Splat(ranges.mostSlack);
+  unsigned missed = 0;
+  for (std::size_t i = 0; i < EightBoxes::kMost; i += static_cast<std::size_t>(LaneCount()))
+  {
+    const auto load = [&](const auto& columns, std::size_t a) PIXELEXACT_INLINED
+    { return NumberTraits<Lanes>::Load(&columns[static_cast<std::size_t>(frame.axes[a])][i]); };
+    const Lanes from = load(boxes.lower, 2) - z0;
+    const Lanes to = load(boxes.upper, 2) - z0;
+    const Lanes zero = Splat(0.0);
+    const Lanes nearest = (isUp ? from : zero - to) - slack;
+    const Lanes farthest = (isUp ? to : zero - from) + slack;
+    LaneMask beside = Or(farthest < Splat(ranges.depth.least), Splat(ranges.depth.most) < nearest);
+    for (std::size_t a = 0; a < 2; ++a)
+    {
+      const Lanes p = Splat(ranges.slope[a].least) * from;
+      const Lanes q = Splat(ranges.slope[a].least) * to;
+      const Lanes r = Splat(ranges.slope[a].most) * from;
+      const Lanes s = Splat(ranges.slope[a].most) * to;
+      const Lanes least = Splat(ranges.place[a].least) + Min(Min(p, q), Min(r, s)) - slack;
+      const Lanes most = Splat(ranges.place[a].most) + Max(Max(p, q), Max(r, s)) + slack;
+      beside = Or(beside, Or(load(boxes.upper, a) < least, most < load(boxes.lower, a)));
+    }
+    Store(nearest, depth + i);
+    missed |= static_cast<unsigned>(BitsOf(beside) << i);
+  }
+  return ~missed & ((1U << static_cast<unsigned>(boxes.count)) - 1U);
+}
+
 const BundleKernels& BundleKernelSet()
 {
-  static constexpr BundleKernels kKernels{ &WaysOf, &Describe };
+  static constexpr BundleKernels kKernels{ &WaysOf, &Describe, &MeetBoxes };
   return kKernels;
 }
 } // namespace pixelexact::HWY_NAMESPACE

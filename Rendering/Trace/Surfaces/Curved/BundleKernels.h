@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Core/Math/Vec.h"
 #include "Trace/Rays.h"
 
 #include <array>
+#include <cstddef>
 #include <limits>
 
 namespace pixelexact
@@ -46,6 +48,24 @@ struct BundleFrame
   double around; ///< the largest coordinate that is met
 };
 
+/// Boxes that are asked about together, coordinate by coordinate.
+struct EightBoxes
+{
+  static constexpr std::size_t kMost = 8;
+  std::array<std::array<double, kMost>, 3> lower{};
+  std::array<std::array<double, kMost>, 3> upper{};
+  int count = 0; ///< the others mean nothing
+
+  void Set(std::size_t k, const Box3& box)
+  {
+    for (std::size_t d = 0; d < 3; ++d)
+    {
+      lower[d][k] = box.lower[static_cast<int>(d)];
+      upper[d][k] = box.upper[static_cast<int>(d)];
+    }
+  }
+};
+
 /// Kernels dispatched at run time to the instruction set. All of them give the same bits.
 struct BundleKernels
 {
@@ -57,6 +77,10 @@ struct BundleKernels
   /// the direction of its sign, are of no interest.
   void (*describe)(const RayLanes& rays, int first, int count, const BundleFrame& frame,
     const BundleColumns& to, BundleRanges& ranges);
+  /// Which of the boxes rays of a bundle may meet, a bit each, and how deep they begin, of each
+  /// (EightBoxes::kMost): RayBundle::MayMeet and DepthOf of one.
+  unsigned (*meetBoxes)(
+    const BundleRanges& ranges, const BundleFrame& frame, const EightBoxes& boxes, double* depth);
 };
 
 const BundleKernels& GetBundleKernels();

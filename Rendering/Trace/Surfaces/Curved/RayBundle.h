@@ -68,6 +68,13 @@ public:
     return (sign > 0.0 ? box.lower[axes[2]] - z0 : z0 - box.upper[axes[2]]) - Ranges.mostSlack;
   }
 
+  /// The same of up to eight boxes: a bit each, and their depths.
+  [[nodiscard]] unsigned MayMeet(
+    const EightBoxes& boxes, std::array<double, EightBoxes::kMost>& depth) const
+  {
+    return GetBundleKernels().meetBoxes(Ranges, { axes, z0, sign, 0.0 }, boxes, depth.data());
+  }
+
   [[nodiscard]] double DepthAt(int i, double t) const
   {
     const auto at = static_cast<std::size_t>(i);
@@ -133,6 +140,10 @@ struct RaySet
     {
       bits[word] |= others.bits[word];
     }
+  }
+  [[nodiscard]] bool Has(int ray) const
+  {
+    return (bits[static_cast<std::size_t>(ray / 64)] >> static_cast<unsigned>(ray % 64) & 1U) != 0;
   }
   [[nodiscard]] bool IsEmpty() const { return (bits[0] | bits[1]) == 0; }
   [[nodiscard]] int Count() const { return std::popcount(bits[0]) + std::popcount(bits[1]); }
