@@ -19,6 +19,23 @@ constexpr double kRounding = 1e-12;
 constexpr double kOneColour = 5e-7;
 /// The middle of a range is where two colours of a table meet.
 constexpr double kAside = 0.998;
+
+double LargestOf(const Field& field)
+{
+  double largest = 0.0;
+  for (const double coefficient : field.values.coefficients)
+  {
+    // Infinities and NaN say nothing of other elements.
+    const double size = std::fabs(coefficient);
+    largest = size <= std::numeric_limits<double>::max() ? std::max(largest, size) : largest;
+  }
+  return largest;
+}
+
+bool IsOneValue(const std::array<double, 2>& range, double largest)
+{
+  return range[1] - range[0] <= kRounding * largest;
+}
 } // namespace
 
 RangeQuestion QuestionOf(const Field& field, int component)
@@ -57,16 +74,15 @@ std::optional<std::array<double, 2>> FieldRange(const Mesh& mesh, const Field& f
   return std::nullopt;
 }
 
+bool IsOneValue(const Field& field, const std::array<double, 2>& range)
+{
+  return IsOneValue(range, LargestOf(field));
+}
+
 std::array<double, 2> BeyondRounding(const Field& field, const std::array<double, 2>& range)
 {
-  double largest = 0.0;
-  for (const double coefficient : field.values.coefficients)
-  {
-    // Infinities and NaN say nothing of other elements.
-    const double size = std::fabs(coefficient);
-    largest = size <= std::numeric_limits<double>::max() ? std::max(largest, size) : largest;
-  }
-  if (!(range[1] - range[0] <= kRounding * largest))
+  const double largest = LargestOf(field);
+  if (!IsOneValue(range, largest))
   {
     return range;
   }

@@ -27,9 +27,14 @@ namespace pixelexact
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT std::optional<std::array<double, 2>> FieldRange(
   const Mesh& mesh, const Field& field, int component);
 
+/// Whether a range of a field's values is no wider than rounding may make of one value: 1e-12 of
+/// the largest coefficient.
+[[nodiscard]] PIXELEXACTRENDERING_EXPORT bool IsOneValue(
+  const Field& field, const std::array<double, 2>& range);
+
 /// A range of a field's values, for colours: where it is no wider than rounding may make of one
-/// value (1e-12 of the largest coefficient; on an iso-surface of the field), 1e-6 of that about its
-/// middle, so that the colours do not show the rounding; else as it is.
+/// value (on an iso-surface of the field), 1e-6 of the largest coefficient about its middle, so
+/// that the colours do not show the rounding; else as it is.
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT std::array<double, 2> BeyondRounding(
   const Field& field, const std::array<double, 2>& range);
 } // namespace pixelexact

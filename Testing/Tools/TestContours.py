@@ -73,6 +73,18 @@ class Contours(ToolTest):
                 beside = self.summary(*self.words(*wall, "1e-6,1e-3"))
                 self.assertEqual(beside["contours"]["pixels"]["out"], 40 * 40)
 
+    def test_a_count_has_no_lines_where_one_value_is_seen(self):
+        """Values between the roundings of one value are none that anybody means."""
+        own = ["--field", "u", "--isosurface", "u=0.4", "--size", "40x40", "--contours"]
+        words = self.words(*own, "7")
+        summary = self.summary(*words)
+        self.assertEqual(summary["contours"]["values"], [])
+        self.assertEqual(summary["contours"]["pixels"]["out"], 40 * 40)
+        self.assertIn("one value", self.succeeds(*words).stderr)
+        itself = self.summary(*self.words(*own, "0.4"))
+        self.assertGreaterEqual(
+            itself["contours"]["pixels"]["in"], itself["pixels"]["exact"])
+
     def test_a_count_is_spaced_as_vtk_spaces_it(self):
         from vtkmodules.vtkFiltersCore import vtkContourFilter
 

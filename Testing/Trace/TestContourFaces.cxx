@@ -187,4 +187,71 @@ TEST(ContourFaces, NoVerdictOnAnIsoSurfaceIsWrong)
     }
   }
 }
+
+namespace
+{
+/// Of a scene with one value: which pixels show the surface at a corner are in, no others, and
+/// little is spent on it.
+void ExpectInWhereShown(const Scene& scene, double value)
+{
+  const Camera camera(FromAfar(false), kWidth, kHeight);
+  ContourCertifier certifier({ std::vector{ value } });
+  const Frame frame = Trace(scene, camera, { {}, { &certifier } }, { .corners = Buffer::Verdict });
+  const auto shows = [&](int x, int y)
+  {
+    const auto at = static_cast<std::size_t>(y) * (kWidth + 1) + static_cast<std::size_t>(x);
+    return frame.corners.verdict[at] == static_cast<std::uint8_t>(PixelVerdict::Exact);
+  };
+  int shown = 0;
+  for (int y = 0; y < kHeight; ++y)
+  {
+    for (int x = 0; x < kWidth; ++x)
+    {
+      const bool any = shows(x, y) || shows(x + 1, y) || shows(x, y + 1) || shows(x + 1, y + 1);
+      shown += any ? 1 : 0;
+      const auto verdict = certifier.Verdicts()[static_cast<std::size_t>(y * kWidth + x)];
+      EXPECT_TRUE(!any || verdict == static_cast<std::uint8_t>(ContourVerdict::In))
+        << x << " " << y;
+    }
+  }
+  EXPECT_GT(shown, 300);
+  EXPECT_LE(certifier.Counters().undecided, 2);
+  EXPECT_EQ(certifier.Counters().spent, 0);
+}
+} // namespace
+
+/// A wall on which the solution is prescribed: it is the value up to rounding there, and differs
+/// right behind.
+TEST(ContourFaces, WallsWithTheValueAreIn)
+{
+  for (const auto& shapes : kMeshes)
+  {
+    SCOPED_TRACE(::testing::Message() << Name(shapes.front()) << " of " << shapes.size());
+    const BentCube cube(shapes,
+      [](const LongVec3& x, int /*element*/)
+      {
+        const LongVec3 u = *Unbent(x);
+        return (1 - u[0] * u[0]) * (1 - u[1] * u[1]) * (1 - u[2] * u[2]);
+      });
+    const ElementIndex& index = cube.TheLocator.Index();
+    ExpectInWhereShown(cube.With(std::make_shared<ElementFaces>(index, BoundaryOf(index))), 0.0);
+  }
+}
+
+/// An iso-surface coloured by its own field has its value everywhere, and no other.
+TEST(ContourFaces, AnIsoSurfaceHasItsOwnValueAlone)
+{
+  constexpr double kValue = 0.3;
+  for (const auto& shapes : kMeshes)
+  {
+    SCOPED_TRACE(::testing::Message() << Name(shapes.front()) << " of " << shapes.size());
+    const BentCube cube(shapes);
+    const Scene scene =
+      cube.With(std::make_shared<IsoSurface>(cube.TheLocator.Index(), cube.TheField, 0, kValue));
+    ExpectInWhereShown(scene, kValue);
+    ContourCertifier others({ std::vector{ kValue - 1e-15, kValue + 1e-15, 1.0 } });
+    Trace(scene, Camera(FromAfar(false), kWidth, kHeight), { {}, { &others } });
+    EXPECT_EQ(others.Counters().in + others.Counters().undecided, 0);
+  }
+}
 } // namespace pixelexact::testing

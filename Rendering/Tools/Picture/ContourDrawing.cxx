@@ -6,6 +6,7 @@
 #include "Scene/ContourOptions.h"
 #include "Scene/Looks.h"
 #include "Scene/Shot.h"
+#include "Views/FieldRange.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,6 +31,15 @@ std::vector<double> Spaced(int count, const std::array<double, 2>& range, bool l
   }
   values.erase(std::unique(values.begin(), values.end()), values.end());
   return values;
+}
+
+/// At the centres of a layer's own pixels.
+std::optional<std::array<double, 2>> ValuesSeen(
+  const Frame& frame, std::size_t layer, std::size_t layers)
+{
+  std::vector<bool> alone(layers, false);
+  alone[layer] = true;
+  return ValueRange(frame, -std::numeric_limits<double>::infinity(), alone);
 }
 } // namespace
 
@@ -72,6 +82,11 @@ ContourDrawing::ContourDrawing(const ContourOptions& options, const ColorOptions
     }
     values.push_back(
       choice.count > 0 ? ContourValues(choice, *range, colors.Logarithm()) : choice.values);
+    if (choice.count > 0)
+    {
+      DropRounding(
+        shot.scene.layers[k], ValuesSeen(frame, k, shot.scene.layers.size()), values.back());
+    }
     lineColors.push_back(options.ByMap()
         ? ColorsOf(values.back(),
             looks.Ranges()[k] ? looks.Maps()[k] : colors.MapOver(*range, settings.colormap))
@@ -88,6 +103,23 @@ ContourDrawing::ContourDrawing(const ContourOptions& options, const ColorOptions
     InPlace.emplace(std::vector<LayerColors>(shot.scene.layers.size(),
       { .map = SolidColor(colors.BackgroundColor()), .readsValues = false }));
   }
+}
+
+void ContourDrawing::DropRounding(
+  const Layer& layer, const std::optional<std::array<double, 2>>& seen, std::vector<double>& values)
+{
+  if (layer.field == nullptr || !seen || !IsOneValue(*layer.field, *seen))
+  {
+    return;
+  }
+  const std::array<double, 2> wide = BeyondRounding(*layer.field, *seen);
+  OfOneValue = std::erase_if(values,
+                 [&](double value)
+                 {
+                   const bool isSeen = value >= (*seen)[0] && value <= (*seen)[1];
+                   return value >= wide[0] && value <= wide[1] && !isSeen;
+                 }) > 0 ||
+    OfOneValue;
 }
 
 void ContourDrawing::AddTo(Pipeline& pipeline, bool lines)
@@ -127,12 +159,10 @@ std::vector<ContourLabel> ContourDrawing::PlaceLabels(
 FoundContours ContourDrawing::Found(const Frame& frame) const
 {
   FoundContours found{ Certifier->Values(), 0, Certifier->Counters(),
-    LabelHeight ? std::optional(Labels) : std::nullopt, Interior };
+    LabelHeight ? std::optional(Labels) : std::nullopt, Interior, OfOneValue };
   for (std::size_t k = 0; k < found.values.size(); ++k)
   {
-    std::vector<bool> alone(found.values.size(), false);
-    alone[k] = true;
-    const auto seen = ValueRange(frame, -std::numeric_limits<double>::infinity(), alone);
+    const auto seen = ValuesSeen(frame, k, found.values.size());
     found.outside += static_cast<std::size_t>(std::ranges::count_if(found.values[k],
       [&seen](double value) { return !seen || value < (*seen)[0] || value > (*seen)[1]; }));
   }

@@ -18,6 +18,7 @@ class ContourOptions;
 class Looks;
 struct ContourChoice;
 struct FontChoice;
+struct Layer;
 struct Shot;
 
 /// What there is to tell of contours.
@@ -28,6 +29,8 @@ struct FoundContours
   ContourCounters pixels;
   std::optional<int> labels; ///< written, where they were asked for
   bool interior = false;     ///< whether loops inside of pixels were looked for
+  /// Whether a number of values was asked for where a surface shows one value, up to rounding.
+  bool ofOneValue = false;
 };
 
 /// The values of a choice over a range, in the order given.
@@ -71,8 +74,13 @@ public:
   [[nodiscard]] const std::vector<std::uint8_t>& Verdicts() const { return Certifier->Verdicts(); }
 
 private:
+  /// Of evenly spaced values those between which and what is seen there is rounding alone.
+  void DropRounding(const Layer& layer, const std::optional<std::array<double, 2>>& seen,
+    std::vector<double>& values);
+
   std::optional<ColorMapping> InPlace; ///< of the surface's colours
   bool Interior = false;
+  bool OfOneValue = false;
   std::optional<ContourCertifier> Certifier;
   std::optional<ContourLines> Lines;
   std::optional<int> LabelHeight;

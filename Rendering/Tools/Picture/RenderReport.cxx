@@ -273,6 +273,12 @@ void WarnOf(const Frame& frame, const Found& found)
                     : std::string()) +
       "; there are no lines");
   }
+  if (found.contours && found.contours->ofOneValue)
+  {
+    Warn("--contours: a surface shows one value, up to rounding" +
+      (found.values ? ", " + Short((*found.values)[0]) : std::string()) +
+      "; there are no others to draw lines of; give the values that are meant");
+  }
   if (frame.counters.cutOff > 0)
   {
     Warn("more than " + std::to_string(Sheets::kMost) + " translucent surfaces on " +

@@ -232,6 +232,12 @@ std::optional<LatticePart> ContourTile::Centres()
   return LatticePart{ Traced, area.x0, area.y0 };
 }
 
+std::optional<double> ContourTile::HeldBy(const Surface& surface, const ContouredLayer& layer) const
+{
+  const Layer& shown = Tile.GetScene().layers[static_cast<std::size_t>(layer.number)];
+  return surface.HeldValue(*shown.field, shown.component);
+}
+
 void ContourTile::Judge(const ContouredLayer& layer, EdgeWork& work)
 {
   LayerSight sight(Tile, layer.number);
@@ -247,7 +253,16 @@ void ContourTile::Judge(const ContouredLayer& layer, EdgeWork& work)
   }
   if (!surface.IsPlane())
   {
-    const EdgeJudge judge(*layer.bounds, layer.values, &work);
+    EdgeJudge judge(*layer.bounds, layer.values, &work);
+    if (const std::optional<double> held = HeldBy(surface, layer))
+    {
+      if (!judge.Meets(*held, *held))
+      {
+        Counted.byBlocks += std::ssize(Pixels);
+        return;
+      }
+      judge.HoldEverywhere();
+    }
     JudgeEdges(sight, judge, std::vector<std::uint8_t>(Pixels.size(), 1));
     return;
   }

@@ -72,6 +72,9 @@ private:
     std::span<const std::uint8_t> open, const Visit& visit, const EndRow& endRow) const;
   /// Of those that show the layer.
   void LeaveOpen(int layer);
+  /// The value of the layer's field on all of its surface, where there is one.
+  [[nodiscard]] std::optional<double> HeldBy(
+    const Surface& surface, const ContouredLayer& layer) const;
   void JudgeEdges(LayerSight& sight, const EdgeJudge& judge, std::span<const std::uint8_t> open);
   /// Of pixels by those of their edges: across, row by row, then up, column by column.
   [[nodiscard]] std::vector<EdgeState> StatesOf(

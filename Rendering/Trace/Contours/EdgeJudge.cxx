@@ -166,6 +166,20 @@ EdgeFinding EdgeJudge::Between(double lower, double upper, double error, const S
   return touches && error <= most ? EdgeFinding::Touching : EdgeFinding::Open;
 }
 
+bool EdgeJudge::Touches(const EdgeEnd& end) const
+{
+  if (IsHeld)
+  {
+    return true;
+  }
+  const EdgeBounds& bounds = Bounds.Of(end.element);
+  const double value = end.point.value;
+  const double range = bounds.Values().Magnitude();
+  const double size = std::isfinite(range) ? range : std::fabs(value);
+  return Wanted.Meets(value - kTouch * size, value + kTouch * size) &&
+    bounds.ChangeWithin(end.point, 0.0, Work) <= kMostTouch * size;
+}
+
 EdgeFinding EdgeJudge::Across(const EdgeEnd& a, const EdgeEnd& b) const
 {
   const EdgeBounds& ofA = Bounds.Of(a.element);

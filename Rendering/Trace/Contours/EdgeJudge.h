@@ -99,6 +99,11 @@ public:
   /// Whether all elements that a flat part of the surface may meet stay on a side there; of
   /// kNoSide, on any one. `thorough`: as above.
   [[nodiscard]] bool BlockStaysOn(int side, const Outline& part, bool thorough) const;
+  /// Whether an end's value is one up to rounding: as it is computed to kTouch of the element's
+  /// largest, and known to kMostTouch of it.
+  [[nodiscard]] bool Touches(const EdgeEnd& end) const;
+  /// What is judged has one of the values everywhere (Surface::HeldValue).
+  void HoldEverywhere() { IsHeld = true; }
   /// Of ends in any elements between which the surface goes on: by their values, In, Touching or
   /// Open.
   [[nodiscard]] EdgeFinding Across(const EdgeEnd& a, const EdgeEnd& b) const;
@@ -146,5 +151,6 @@ private:
   mutable std::vector<Element> Found;
   bool Needed = false;
   bool LooksForElements = false;
+  bool IsHeld = false;
 };
 } // namespace pixelexact

@@ -79,6 +79,13 @@ EdgeFinding EdgeSettler::JudgeWithin(const Part& part) const
     // Another layer hides this one at both ends, or there is nothing of it.
     return EdgeFinding::Out;
   }
+  // An end is on the edge, whatever is between.
+  const auto touches = [this](const EdgeEnd& end)
+  { return Sight.Shows(end) && Judge.Touches(end); };
+  if (touches(a) || touches(b))
+  {
+    return EdgeFinding::Touching;
+  }
   return Sight.Shows(a) && Sight.Shows(b) && a.element == b.element
     ? Judge.Within(a, b, Sight.EdgeBetween(a, b))
     : EdgeFinding::Uncovered;

@@ -63,6 +63,13 @@ IsoSurface::IsoSurface(
 {
 }
 
+std::optional<double> IsoSurface::HeldValue(const Field& field, int component) const
+{
+  const bool isOwn =
+    &field == &TheField && (field.values.components == 1 || component == Equation().component);
+  return isOwn ? std::optional(Equation().value) : std::nullopt;
+}
+
 void IsoSurface::NormalsOf(
   std::int32_t part, std::span<const Vec3> xi, std::span<Vec3> normals) const
 {

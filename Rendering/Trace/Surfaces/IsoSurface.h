@@ -34,6 +34,7 @@ public:
   {
     return Chords.MayMeet({ part, slack }, work);
   }
+  [[nodiscard]] std::optional<double> HeldValue(const Field& field, int component) const override;
 
 protected:
   void NormalsOf(

@@ -36,6 +36,11 @@ bool Surface::IsClearOf(const Vec3& /*centre*/, double /*radius*/) const
   return false;
 }
 
+std::optional<double> Surface::HeldValue(const Field& /*field*/, int /*component*/) const
+{
+  return std::nullopt;
+}
+
 bool Surface::MayMeet(const Outline& part, double slack, EdgeWork* /*work*/) const
 {
   const Vec3 middle = part.Middle();

@@ -8,12 +8,14 @@
 #include "Trace/Surfaces/HitSlots.h"
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace pixelexact
 {
 class EdgeWork;
+struct Field;
 
 /// A cut-surface: where rays meet it (paper, section 5.1.1). One file each. Two kinds: a space
 /// surface knows no mesh; a mesh surface is made of elements, and tells its hits' element and xi
@@ -72,6 +74,10 @@ public:
   /// Whether some point of the surface may be in a flat polygon widened by `slack`; false: proven
   /// that none is. `work`: what finding that out may spend; null: without a limit.
   [[nodiscard]] virtual bool MayMeet(const Outline& part, double slack, EdgeWork* work) const;
+
+  /// The value of a component (or kMagnitude) of a field on all of the surface, where that is the
+  /// same by what the surface is.
+  [[nodiscard]] virtual std::optional<double> HeldValue(const Field& field, int component) const;
 
   /// Whether all of its points lie in the mesh: rays that cannot see through it end at their first
   /// hit (RayLanes::nearestOnly).
