@@ -98,7 +98,7 @@ public:
   ///@{
   /**
    * How many times as much as usual may be spent on pixels that are hard to decide, 0.001 to 1000.
-   * What is left is undecided. The default is 1: about 20 s of one core for a frame.
+   * What is left is undecided. The default is 1: about 40 s of one core for a frame.
    */
   vtkSetClampMacro(ContourEffort, double, 0.001, 1000.0);
   vtkGetMacro(ContourEffort, double);

@@ -2,6 +2,7 @@
 #include "Trace/Pipeline.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace pixelexact
@@ -44,14 +45,9 @@ SampleNeeds Pipeline::Needs() const
 std::vector<std::vector<FrameModule*>> Pipeline::Runs() const
 {
   std::vector<std::vector<FrameModule*>> runs(1);
-  std::vector<FrameModule*> rests;
+  std::vector<std::vector<FrameModule*>> rests; // first ones, what these left, ...
   const auto addRests = [&]
-  {
-    if (!rests.empty())
-    {
-      runs.push_back(std::exchange(rests, {}));
-    }
-  };
+  { std::ranges::move(std::exchange(rests, {}), std::back_inserter(runs)); };
   for (FrameModule* module : modules)
   {
     if (module->Needs().wholeFrame)
@@ -60,9 +56,11 @@ std::vector<std::vector<FrameModule*>> Pipeline::Runs() const
       runs.emplace_back();
     }
     runs.back().push_back(module);
-    if (FrameModule* rest = module->Rest())
+    std::size_t after = 0;
+    for (FrameModule* rest = module->Rest(); rest != nullptr; rest = rest->Rest(), ++after)
     {
-      rests.push_back(rest);
+      rests.resize(std::max(rests.size(), after + 1));
+      rests[after].push_back(rest);
     }
   }
   addRests();

@@ -73,8 +73,8 @@ public:
   virtual void Process(TileVisit& tile) = 0;
 
   /// What it does with each tile once more, when it has seen them all and before modules that wait
-  /// for that (SampleNeeds::wholeFrame); its needs and its Begin are those of this one. Null:
-  /// nothing.
+  /// for that (SampleNeeds::wholeFrame), and what that does once more; their needs and Begin are
+  /// those of this one. Null: nothing.
   [[nodiscard]] virtual FrameModule* Rest() { return nullptr; }
 };
 

@@ -110,7 +110,7 @@ TEST(ContourEffort, HardTilesGetWhatOthersLeave)
   // Without what others left some tiles have too little of it.
   ContourCertifier certifier = CertifierWith(work, nullptr);
   const Pipeline pipeline{ {}, { &certifier } };
-  ASSERT_EQ(pipeline.Runs().size(), 2U);
+  ASSERT_EQ(pipeline.Runs().size(), 3U);
   Frame frame = Trace(scene, camera, {});
   BeginPipeline(pipeline, frame);
   std::int64_t settled = 0;
@@ -151,6 +151,44 @@ TEST(ContourEffort, PassesTellTheSame)
   }
 }
 
+/// Pixels that are settled stay so, and are not asked about again.
+TEST(ContourEffort, TilesGoOnWhereTheyEnded)
+{
+  const BentCube cube({ std::begin(kShapes), std::end(kShapes) });
+  const Scene scene = cube.With(Surfaces().back());
+  const Camera camera(Oblique(), kAcross, kUp);
+  ContourCertifier certifier = CertifierWith(kSome, nullptr);
+  const Pipeline pipeline{ {}, { &certifier } };
+  Frame frame = Trace(scene, camera, {});
+  BeginPipeline(pipeline, frame);
+  std::vector<std::int64_t> undecided;
+  std::vector<std::uint8_t> before;
+  for (const std::vector<FrameModule*>& run : pipeline.Runs())
+  {
+    for (int y = 0; y < kUp; y += kTileSize)
+    {
+      for (int x = 0; x < kAcross; x += kTileSize)
+      {
+        TileVisit visit(&scene, &camera, pipeline, frame, { x, y, x + kTileSize, y + kTileSize });
+        visit.Run(run);
+      }
+    }
+    const std::vector<std::uint8_t>& now = certifier.Verdicts();
+    undecided.push_back(
+      std::ranges::count(now, static_cast<std::uint8_t>(ContourVerdict::Undecided)));
+    for (std::size_t i = 0; i < before.size(); ++i)
+    {
+      EXPECT_TRUE(
+        now[i] == before[i] || before[i] == static_cast<std::uint8_t>(ContourVerdict::Undecided))
+        << i;
+    }
+    before = now;
+  }
+  EXPECT_GT(undecided[0], undecided[1]);
+  EXPECT_GT(undecided[1], undecided[2]);
+  EXPECT_EQ(certifier.Counters().undecided, undecided[2]);
+}
+
 TEST(ContourEffort, CanBeEndedInHardTiles)
 {
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
@@ -171,7 +209,7 @@ TEST(ContourEffort, CanBeEndedInHardTiles)
       });
   };
   traced(1000);
-  ASSERT_EQ(std::ssize(told), 2 * kTiles);
+  ASSERT_EQ(std::ssize(told), 3 * kTiles);
   EXPECT_TRUE(std::ranges::is_sorted(told));
   EXPECT_EQ(told.back(), 1.0);
   // Among those that are visited again.

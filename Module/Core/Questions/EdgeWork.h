@@ -23,6 +23,13 @@ public:
   {
   }
 
+  /// For more questions of the same kind: what was halved for earlier ones is not paid again.
+  void GoOn(std::int64_t most)
+  {
+    Most = Left = most;
+    Kept = 0;
+    Refused = false;
+  }
   /// The questions are of a part of a plane that is no wider, in world units: what is made of
   /// larger boxes serves others, too, and costs these as large a part as they see of it.
   void SetWidth(double width) { Width = width; }

@@ -206,7 +206,7 @@ void ContourOptions::AddTo(CLI::App& added)
     .Group(group);
   AddNumber(added, "--contour-effort", Effort, "FACTOR",
     "How many times as much as usual may be spent on pixels that are hard to decide, 0.001 to 1000 "
-    "(default: 1, about 20 s of one core for a frame); what is left is undecided")
+    "(default: 1, about 40 s of one core for a frame); what is left is undecided")
     .Needs(contours)
     .Group(group);
   const AddedOption shown = AddFlag(added, "--show-undecided-contours", ShowUndecided,

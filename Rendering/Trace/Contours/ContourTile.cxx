@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace pixelexact
 {
@@ -55,14 +56,26 @@ double WidthOf(const Outline& part)
 }
 } // namespace
 
-ContourTile::ContourTile(TileVisit& tile, const ContourMethod& method, bool again)
+ContourTile::ContourTile(TileVisit& tile, const ContourMethod& method)
   : Tile(tile)
   , Method(method)
-  , Again(again)
   , Across(static_cast<std::size_t>(tile.Area().Width()) + 1)
   , Up(static_cast<std::size_t>(tile.Area().Height()) + 1)
   , Pixels((Across - 1) * (Up - 1), ContourVerdict::Out)
+  , Asked(Pixels.size(), 1)
 {
+}
+
+ContourTile::ContourTile(
+  TileVisit& tile, const ContourMethod& method, std::vector<ContourVerdict> before)
+  : ContourTile(tile, method)
+{
+  Again = true;
+  Pixels = std::move(before);
+  std::ranges::transform(Pixels, Asked.begin(),
+    [](ContourVerdict verdict)
+    { return static_cast<std::uint8_t>(verdict == ContourVerdict::Undecided); });
+  std::ranges::replace(Pixels, ContourVerdict::Undecided, ContourVerdict::Out);
 }
 
 TileCorners ContourTile::EndsOf(const LayerSight& sight, std::span<const std::uint8_t> open)
@@ -258,18 +271,18 @@ void ContourTile::Judge(const ContouredLayer& layer, EdgeWork& work)
     {
       if (!judge.Meets(*held, *held))
       {
-        Counted.byBlocks += std::ssize(Pixels);
+        Counted.byBlocks += std::ranges::count(Asked, 1);
         return;
       }
       judge.HoldEverywhere();
     }
-    JudgeEdges(sight, judge, std::vector<std::uint8_t>(Pixels.size(), 1));
+    JudgeEdges(sight, judge, Asked);
     return;
   }
   FlatBlocks blocks(sight, Tile, Centres());
   if (blocks.AreBeyond())
   {
-    Counted.byBlocks += std::ssize(Pixels);
+    Counted.byBlocks += std::ranges::count(Asked, 1);
     return;
   }
   const std::optional<Outline> whole = blocks.Whole();
@@ -278,11 +291,11 @@ void ContourTile::Judge(const ContouredLayer& layer, EdgeWork& work)
     *layer.bounds, layer.values, &work, ElementsNear(Tile.GetScene().locator->Index(), whole));
   if (!judge.IsNeeded())
   {
-    Counted.byBlocks += std::ssize(Pixels);
+    Counted.byBlocks += std::ranges::count(Asked, 1);
     return;
   }
   judge.Reserve(kLeftByBlocks);
-  std::vector<EdgeState> states = blocks.Settle(judge);
+  std::vector<EdgeState> states = blocks.Settle(judge, Asked);
   std::vector<std::uint8_t> open(states.size());
   std::ranges::transform(states, open.begin(),
     [](EdgeState state) { return static_cast<std::uint8_t>(state == EdgeState::Undecided); });
@@ -294,7 +307,7 @@ void ContourTile::Judge(const ContouredLayer& layer, EdgeWork& work)
 void ContourTile::JudgeEdges(
   LayerSight& sight, const EdgeJudge& judge, std::span<const std::uint8_t> open)
 {
-  Counted.byBlocks += std::ranges::count(open, 0);
+  Counted.byBlocks += std::ranges::count(Asked, 1) - std::ranges::count(open, 1);
   if (std::ranges::find(open, 1) == open.end())
   {
     return;
@@ -379,14 +392,13 @@ void ContourTile::LeaveOpen(int layer)
     return samples.verdict[corner] == static_cast<std::uint8_t>(PixelVerdict::Exact) &&
       samples.layer[corner] == layer;
   };
-  const std::vector<std::uint8_t> all(Pixels.size(), 1);
   std::vector<EdgeState> edges(CountEdges(), EdgeState::Out);
   ForEachEdge(
-    all,
+    Asked,
     [&](std::size_t edge, std::size_t a, std::size_t b)
     { edges[edge] = shows(a) || shows(b) ? EdgeState::Undecided : EdgeState::Out; },
     [] {});
-  Add(StatesOf(edges, all));
+  Add(StatesOf(edges, Asked));
 }
 
 std::vector<EdgeState> ContourTile::StatesOf(

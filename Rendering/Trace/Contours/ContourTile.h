@@ -47,8 +47,10 @@ private:
 class ContourTile
 {
 public:
-  /// `again`: the tile is visited again, and its centres are traced where they are not at hand.
-  ContourTile(TileVisit& tile, const ContourMethod& method, bool again = false);
+  ContourTile(TileVisit& tile, const ContourMethod& method);
+  /// Of one that is visited again: as its pixels were found then, of which those that are Undecided
+  /// are judged anew. Its centres are traced where they are not at hand.
+  ContourTile(TileVisit& tile, const ContourMethod& method, std::vector<ContourVerdict> before);
 
   /// Adds the findings of a layer's values to those of the tile's pixels.
   void Judge(const ContouredLayer& layer, EdgeWork& work);
@@ -90,10 +92,11 @@ private:
 
   TileVisit& Tile;
   ContourMethod Method;
-  bool Again;
+  bool Again = false;
   std::size_t Across; ///< corners in a row
   std::size_t Up;     ///< corners in a column
   std::vector<ContourVerdict> Pixels;
+  std::vector<std::uint8_t> Asked; ///< 1: of a pixel that is judged
   ContourCounters Counted;
   SampleBuffers Traced; ///< centres that were not at hand
 };

@@ -247,12 +247,15 @@ void FlatBlocks::Settle(const EdgeJudge& judge, const TileArea& block)
   }
 }
 
-std::vector<EdgeState> FlatBlocks::Settle(const EdgeJudge& judge)
+std::vector<EdgeState> FlatBlocks::Settle(
+  const EdgeJudge& judge, std::span<const std::uint8_t> asked)
 {
   const auto width = static_cast<std::size_t>(Area.Width());
   const auto height = static_cast<std::size_t>(Area.Height());
   Corners.resize((width + 1) * (height + 1));
-  States.assign(width * height, EdgeState::Undecided);
+  States.resize(width * height);
+  std::ranges::transform(asked, States.begin(),
+    [](std::uint8_t one) { return one != 0 ? EdgeState::Undecided : EdgeState::Out; });
   IsAhead = std::ranges::all_of(CornersOf(Area), &Corner::isAhead);
   Settle(judge, Area);
   return std::move(States);

@@ -25,8 +25,10 @@ public:
   /// The tile's part of the surface; nothing where a ray does not meet it.
   [[nodiscard]] std::optional<Outline> Whole() { return OutlineOf(Area); }
 
-  /// For each pixel of the tile, row by row; Undecided: it is still open.
-  [[nodiscard]] std::vector<EdgeState> Settle(const EdgeJudge& judge);
+  /// For each pixel of the tile, row by row; Undecided: it is still open. Of those that are not
+  /// asked for (0): Out.
+  [[nodiscard]] std::vector<EdgeState> Settle(
+    const EdgeJudge& judge, std::span<const std::uint8_t> asked);
 
 private:
   enum class Finding : std::uint8_t

@@ -95,7 +95,7 @@ SampleNeeds ContourCertifier::Remainder::Needs() const
 
 void ContourCertifier::Remainder::Process(TileVisit& tile)
 {
-  Of.ProcessAgain(tile);
+  Of.ProcessAgain(tile, Pass);
 }
 
 FrameModule* ContourCertifier::Rest()
@@ -123,8 +123,7 @@ void ContourCertifier::Begin(int width, int height)
   Marked.assign(static_cast<std::size_t>(Across) * static_cast<std::size_t>(squares(height)),
     std::uint8_t{ 0 });
   Counted = {};
-  Spent = 0;
-  Left.clear();
+  Passes = {};
   Bounds = Given ? Given : std::make_shared<ContourBounds>();
 }
 
@@ -147,36 +146,49 @@ void ContourCertifier::Process(TileVisit& tile)
   const double part = kFirstShare * static_cast<double>(verdicts.size()) /
     static_cast<double>(std::max<std::size_t>(Pixels.size(), 1));
   const auto share = static_cast<std::int64_t>(part * static_cast<double>(Method.work));
-  const auto [counters, spent] = Judge(tile, share, false);
+  JudgedTile judged;
+  judged.area = tile.Area();
+  Judge(tile, share, judged);
+  Take(std::move(judged), 0);
+}
+
+void ContourCertifier::Take(JudgedTile judged, std::size_t pass)
+{
   const std::lock_guard lock(CountersMutex);
-  Spent += spent;
-  if (counters.spent > 0)
+  Passes[pass].spent += judged.spent;
+  if (judged.counters.spent > 0 && pass + 1 < kPasses)
   {
-    Left.push_back({ tile.Area(), share, counters });
+    Passes[pass].left.push_back(std::move(judged));
   }
   else
   {
-    Counted.Add(counters);
+    Counted.Add(judged.counters);
   }
 }
 
-void ContourCertifier::ProcessAgain(TileVisit& tile)
+void ContourCertifier::ProcessAgain(TileVisit& tile, std::size_t pass)
 {
-  const auto isThis = [&area = tile.Area()](const LeftTile& one)
+  std::vector<JudgedTile>& left = Passes[pass].left;
+  const auto isThis = [&area = tile.Area()](const JudgedTile& one)
   { return one.area.x0 == area.x0 && one.area.y0 == area.y0; };
-  const auto left = std::ranges::find_if(Left, isThis);
-  if (left == Left.end())
+  const auto found = std::ranges::find_if(left, isThis);
+  if (found == left.end())
   {
     return;
   }
   const auto all = static_cast<double>(Method.work);
-  const double most = std::min(
-    kMostOfTile * all, (all - static_cast<double>(Spent)) / static_cast<double>(Left.size()));
-  const auto share = static_cast<std::int64_t>(most);
-  Count(share > left->share ? Judge(tile, share, true).counters : left->counters);
+  double rest = all;
+  for (std::size_t k = 0; k <= pass; ++k)
+  {
+    rest -= static_cast<double>(Passes[k].spent);
+  }
+  const double share = std::min(kMostOfTile * all, rest / static_cast<double>(left.size()));
+  JudgedTile judged = std::move(*found);
+  Judge(tile, static_cast<std::int64_t>(std::max(share, 0.0)), judged);
+  Take(std::move(judged), pass + 1);
 }
 
-ContourCertifier::Judged ContourCertifier::Judge(TileVisit& tile, std::int64_t most, bool again)
+void ContourCertifier::Judge(TileVisit& tile, std::int64_t most, JudgedTile& judged)
 {
   const Scene& scene = tile.GetScene();
   const auto hasLines = [&](std::size_t k)
@@ -186,25 +198,53 @@ ContourCertifier::Judged ContourCertifier::Judge(TileVisit& tile, std::int64_t m
   {
     layers += hasLines(k) ? 1 : 0;
   }
-  ContourTile pixels(tile, Method, again);
-  Judged judged;
+  const bool again = !judged.works.empty();
+  ContourTile pixels =
+    again ? ContourTile(tile, Method, VerdictsOf(judged.area)) : ContourTile(tile, Method);
+  judged.spent = 0;
+  judged.counters.spent = 0;
+  std::size_t number = 0;
   for (std::size_t k = 0; k < IsoValues.size(); ++k)
   {
-    if (hasLines(k))
+    if (!hasLines(k))
     {
-      EdgeWork work((most - judged.spent) / layers--);
-      pixels.Judge(
-        { static_cast<int>(k), IsoValues[k], &Bounds->Of(*scene.locator, scene.layers[k]) }, work);
-      judged.spent += work.Spent();
-      judged.counters.spent += work.IsSpent() ? 1 : 0;
+      continue;
     }
+    const std::int64_t share = (most - judged.spent) / layers--;
+    if (again)
+    {
+      judged.works[number].GoOn(share);
+    }
+    else
+    {
+      judged.works.emplace_back(share);
+    }
+    EdgeWork& work = judged.works[number++];
+    pixels.Judge(
+      { static_cast<int>(k), IsoValues[k], &Bounds->Of(*scene.locator, scene.layers[k]) }, work);
+    judged.spent += work.Spent();
+    judged.counters.spent += work.IsSpent() ? 1 : 0;
   }
   std::vector<std::uint8_t> verdicts(PixelsOf(tile.Area()));
   std::ranges::transform(pixels.Verdicts(), verdicts.begin(),
     [](ContourVerdict verdict) { return static_cast<std::uint8_t>(verdict); });
   judged.counters.Add(pixels.Counters());
   Keep(tile.Area(), verdicts, judged.counters);
-  return judged;
+}
+
+std::vector<ContourVerdict> ContourCertifier::VerdictsOf(const TileArea& area) const
+{
+  std::vector<ContourVerdict> verdicts;
+  for (int y = area.y0; y < area.y1; ++y)
+  {
+    for (int x = area.x0; x < area.x1; ++x)
+    {
+      verdicts.push_back(static_cast<ContourVerdict>(
+        Pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(Width) +
+          static_cast<std::size_t>(x)]));
+    }
+  }
+  return verdicts;
 }
 
 void ContourCertifier::Count(const ContourCounters& counters)

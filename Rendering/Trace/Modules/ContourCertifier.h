@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Core/Questions/EdgeWork.h"
 #include "Trace/Pipeline.h"
 #include "Trace/TileSamples.h"
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -54,7 +56,7 @@ struct ContourMethod
   static constexpr int kAny = std::numeric_limits<int>::max();
   int samples = 20; ///< of an edge on a plane, but between values on two sides
   /// On samples and on boxes of elements, for a frame, in about nanoseconds (EdgeWork).
-  std::int64_t work = 20'000'000'000;
+  std::int64_t work = 40'000'000'000;
   /// Whether values are looked for inside of pixels on whose edges there are none, too; not with
   /// subdivisions.
   bool interior = false;
@@ -104,32 +106,46 @@ private:
   class Remainder final : public FrameModule
   {
   public:
-    explicit Remainder(ContourCertifier& of)
+    /// After the pass of this number.
+    Remainder(ContourCertifier& of, std::size_t pass, FrameModule* next)
       : Of(of)
+      , Pass(pass)
+      , Next(next)
     {
     }
     [[nodiscard]] SampleNeeds Needs() const override;
     void Begin(int /*width*/, int /*height*/) override {}
     void Process(TileVisit& tile) override;
+    [[nodiscard]] FrameModule* Rest() override { return Next; }
 
   private:
     ContourCertifier& Of;
+    std::size_t Pass;
+    FrameModule* Next;
   };
-  struct Judged
+  /// A tile, as far as it is judged.
+  struct JudgedTile
   {
+    TileArea area{};
     ContourCounters counters;
+    std::vector<EdgeWork> works; ///< of its layers with lines
+    std::int64_t spent = 0;      ///< the last time
+  };
+  /// All tiles once, or those of the pass before in which it ran out.
+  struct Pass
+  {
     std::int64_t spent = 0;
+    std::vector<JudgedTile> left; ///< in which it ran out; complete when the next pass begins
   };
-  /// A tile in which it ran out, and what it was.
-  struct LeftTile
-  {
-    TileArea area;
-    std::int64_t share;
-    ContourCounters counters;
-  };
-  /// The project's own, with so much to spend; keeps the verdicts.
-  [[nodiscard]] Judged Judge(TileVisit& tile, std::int64_t most, bool again);
-  void ProcessAgain(TileVisit& tile);
+  static constexpr std::size_t kPasses = 3;
+
+  /// The project's own, with so much to spend; keeps the verdicts. A tile that was judged before
+  /// goes on where it ended.
+  void Judge(TileVisit& tile, std::int64_t most, JudgedTile& judged);
+  void ProcessAgain(TileVisit& tile, std::size_t pass);
+  /// After a pass.
+  void Take(JudgedTile judged, std::size_t pass);
+  [[nodiscard]] std::vector<ContourVerdict> VerdictsOf(const TileArea& area) const;
   void Count(const ContourCounters& counters);
   /// Verdicts of an area's pixels, row by row.
   void Keep(
@@ -149,10 +165,10 @@ private:
   int Width = 0;
   int Across = 0;                   ///< of squares of kTileSize pixels
   std::vector<std::uint8_t> Marked; ///< those with a pixel that is not Out
-  Remainder Again{ *this };
+  Remainder Last{ *this, 1, nullptr };
+  Remainder Again{ *this, 0, &Last };
   std::mutex CountersMutex;
   ContourCounters Counted;
-  std::int64_t Spent = 0;     ///< by all tiles, the first time
-  std::vector<LeftTile> Left; ///< then; complete when the first tile is visited again
+  std::array<Pass, kPasses> Passes;
 };
 } // namespace pixelexact
