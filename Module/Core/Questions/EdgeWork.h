@@ -30,13 +30,13 @@ public:
     Kept = 0;
     Refused = false;
   }
-  /// The questions are of a part of a plane that is no wider, in world units: what is made of
-  /// larger boxes serves others, too, and costs these as large a part as they see of it.
+  /// The questions are of a part of a surface that is about as wide, in world units: what is made
+  /// of larger boxes serves others, too, and costs these as large a part as they see of it.
   void SetWidth(double width) { Width = width; }
   /// The part that they see of a box with these sides, at most; all, where there is no width.
   [[nodiscard]] double PartOf(const std::array<double, 3>& sides) const
   {
-    // A plane meets what lies across two of them.
+    // A surface meets what lies across two of them.
     std::array<double, 3> sorted = sides;
     std::ranges::sort(sorted);
     return Width > 0.0 ? std::min(1.0, Width / sorted[1]) * std::min(1.0, Width / sorted[2]) : 1.0;

@@ -40,19 +40,49 @@ std::vector<int> ElementsNear(const ElementIndex& index, const std::optional<Out
   return elements;
 }
 
-/// The longest side of the box of its corners.
+/// The longest side of the box of some points; 0 without any.
+class WidestBox
+{
+public:
+  void Add(const Vec3& x)
+  {
+    Lower = glm::min(Lower, x);
+    Upper = glm::max(Upper, x);
+  }
+  [[nodiscard]] double Width() const
+  {
+    const Vec3 sides = Upper - Lower;
+    return std::max({ 0.0, sides.x, sides.y, sides.z });
+  }
+
+private:
+  Vec3 Lower{ std::numeric_limits<double>::infinity() };
+  Vec3 Upper{ -std::numeric_limits<double>::infinity() };
+};
+
+/// Of its corners.
 double WidthOf(const Outline& part)
 {
-  const std::span<const Vec3> corners = part.Corners();
-  Vec3 lower = corners.front();
-  Vec3 upper = lower;
-  for (const Vec3& corner : corners)
+  WidestBox box;
+  for (const Vec3& corner : part.Corners())
   {
-    lower = glm::min(lower, corner);
-    upper = glm::max(upper, corner);
+    box.Add(corner);
   }
-  const Vec3 sides = upper - lower;
-  return std::max({ sides.x, sides.y, sides.z });
+  return box.Width();
+}
+
+/// Of what the corners show of a layer.
+double WidthOf(const LayerSight& sight, const TileCorners& corners)
+{
+  WidestBox box;
+  for (std::size_t i = 0; i < corners.Size(); ++i)
+  {
+    if (sight.Shows(corners[i]))
+    {
+      box.Add(corners[i].point.x);
+    }
+  }
+  return box.Width();
 }
 } // namespace
 
@@ -276,7 +306,7 @@ void ContourTile::Judge(const ContouredLayer& layer, EdgeWork& work)
       }
       judge.HoldEverywhere();
     }
-    JudgeEdges(sight, judge, Asked);
+    JudgeEdges(sight, judge, Asked, work);
     return;
   }
   FlatBlocks blocks(sight, Tile, Centres());
@@ -301,11 +331,11 @@ void ContourTile::Judge(const ContouredLayer& layer, EdgeWork& work)
     [](EdgeState state) { return static_cast<std::uint8_t>(state == EdgeState::Undecided); });
   std::ranges::replace(states, EdgeState::Undecided, EdgeState::Out);
   Add(states);
-  JudgeEdges(sight, judge, open);
+  JudgeEdges(sight, judge, open, work);
 }
 
 void ContourTile::JudgeEdges(
-  LayerSight& sight, const EdgeJudge& judge, std::span<const std::uint8_t> open)
+  LayerSight& sight, const EdgeJudge& judge, std::span<const std::uint8_t> open, EdgeWork& work)
 {
   Counted.byBlocks += std::ranges::count(Asked, 1) - std::ranges::count(open, 1);
   if (std::ranges::find(open, 1) == open.end())
@@ -314,6 +344,10 @@ void ContourTile::JudgeEdges(
   }
   judge.Reserve(kLeftByEdges);
   const TileCorners corners = EndsOf(sight, open);
+  if (!Again && !sight.GetSurface().IsPlane())
+  {
+    work.SetWidth(WidthOf(sight, corners));
+  }
   const std::vector<std::uint8_t> shown =
     sight.GetSurface().IsPlane() ? std::vector<std::uint8_t>() : ShownAround(sight, corners);
   const std::size_t wide = Across + 2;

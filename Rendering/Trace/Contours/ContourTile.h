@@ -77,7 +77,8 @@ private:
   /// The value of the layer's field on all of its surface, where there is one.
   [[nodiscard]] std::optional<double> HeldBy(
     const Surface& surface, const ContouredLayer& layer) const;
-  void JudgeEdges(LayerSight& sight, const EdgeJudge& judge, std::span<const std::uint8_t> open);
+  void JudgeEdges(
+    LayerSight& sight, const EdgeJudge& judge, std::span<const std::uint8_t> open, EdgeWork& work);
   /// Of pixels by those of their edges: across, row by row, then up, column by column.
   [[nodiscard]] std::vector<EdgeState> StatesOf(
     std::span<const EdgeState> edges, std::span<const std::uint8_t> open) const;
