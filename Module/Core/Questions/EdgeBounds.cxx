@@ -18,7 +18,7 @@ namespace
 constexpr double kMostAssumed = 1e-10;
 /// Of a node that a question comes to, and of an expansion about it without the functions there, in
 /// nanoseconds.
-constexpr std::int64_t kCostOfLook = 100;
+constexpr std::int64_t kCostOfLook = 50;
 constexpr std::int64_t kCostOfMeeting = 700;
 } // namespace
 

@@ -27,10 +27,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// few coefficients. Nodes of many cost more, and there are fewer of them.
 constexpr int kMostHalvings[2] = { 20, 22 };
 constexpr double kFewCoefficients = 216.0;
-/// Of the map and the component at a point, and of each of their modes; in halves, because there
-/// are few of them.
+/// Of the map and the component at a point, and of four of their modes, in nanoseconds.
 constexpr std::int64_t kCostOfView = 200;
-constexpr std::int64_t kHalfCostOfModes = 3;
+constexpr std::int64_t kCostOfFourModes = 3;
 /// Of a point whose xi is found at once, and of others, as next to folds.
 constexpr std::int64_t kCostOfSample = 1500;
 constexpr std::int64_t kCostOfHardSample = 250'000;
@@ -199,7 +198,7 @@ void EdgeFunctions::ChooseLevel()
   {
     ++Free;
   }
-  CostOfView = kCostOfView + kHalfCostOfModes * (coefficients(Map) + coefficients(Component)) / 2;
+  CostOfView = kCostOfView + kCostOfFourModes * (coefficients(Map) + coefficients(Component)) / 4;
 }
 
 std::int64_t EdgeFunctions::SampleCost(bool regular) const

@@ -8,7 +8,7 @@ namespace pixelexact
 namespace
 {
 /// Of going down by one node, in nanoseconds.
-constexpr std::int64_t kCostOfLook = 100;
+constexpr std::int64_t kCostOfLook = 50;
 } // namespace
 
 const EdgeNode& EdgeTree::Whole() const
