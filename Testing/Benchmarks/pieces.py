@@ -3,12 +3,14 @@
 """What frames of faces, patches, triangles and iso-surfaces cost beside those of planes.
 
     pieces.py PIXELEXACT FOLDER [--before OTHER] [--size N] [--repeat N] [--rounds N] [--only TEXT,...]
+        [--lights curved|on|off]
 
 For every case in FOLDER a plane through the middle of the mesh, its boundary, a bicubic patch and a
 wave of triangles within it, and the iso-surface of a value at 60 % of the field's range, all seen
 from (1, 1, 1) by one thread. A Markdown table on stdout: of each the least processor time of a frame
 for each pixel that shows the field, and over the plane's of the same run. With OTHER, another build
-of the program, both are run in turns, and times before and after are given.
+of the program, both are run in turns, and times before and after are given. Lights are the program's
+own (curved: on all but the plane) unless they are chosen, for all alike.
 """
 import argparse
 import math
@@ -73,6 +75,7 @@ def surfaces(facts, field, folder):
 def nanoseconds(tool, inputs, field, options, arguments):
     """Of a pixel that shows the field; nothing where too few do."""
     frame = ask(tool, "bench", *inputs, "--field", field, *options, "--view", "iso", "--threads", 1,
+                "--lights", arguments.lights,
                 "--size", f"{arguments.size}x{arguments.size}", "--repeat", arguments.repeat)
     if frame["points"] < 1000:
         raise RuntimeError("less than 1000 pixels show the field")
@@ -116,6 +119,7 @@ def main():
     parser.add_argument("--repeat", type=int, default=9)
     parser.add_argument("--rounds", type=int, default=3)
     parser.add_argument("--only", default="")
+    parser.add_argument("--lights", choices=("curved", "on", "off"), default="curved")
     arguments = parser.parse_args()
     print("| case | field | " + " | ".join(f"{k}, ns" for k in KINDS) + " |")
     print("|---|---|" + "---|" * len(KINDS))
