@@ -84,6 +84,10 @@ class Contours(ToolTest):
         itself = self.summary(*self.words(*own, "0.4"))
         self.assertGreaterEqual(
             itself["contours"]["pixels"]["in"], itself["pixels"]["exact"])
+        # All of it is the line, and not what rounding makes of one.
+        image = read_image(self.folder / "i.png")
+        exact = read_buffers(self.folder / "b.vti")["Verdict"] == 1
+        self.assertGreater((image[exact][:, :3] == 0).all(axis=1).mean(), 0.9)
 
     def test_a_count_is_spaced_as_vtk_spaces_it(self):
         from vtkmodules.vtkFiltersCore import vtkContourFilter

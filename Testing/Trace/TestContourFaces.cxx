@@ -209,9 +209,12 @@ void ExpectInWhereShown(const Scene& scene, double value)
     {
       const bool any = shows(x, y) || shows(x + 1, y) || shows(x, y + 1) || shows(x + 1, y + 1);
       shown += any ? 1 : 0;
-      const auto verdict = certifier.Verdicts()[static_cast<std::size_t>(y * kWidth + x)];
+      const auto pixel = static_cast<std::size_t>(y * kWidth + x);
+      const auto verdict = certifier.Verdicts()[pixel];
       EXPECT_TRUE(!any || verdict == static_cast<std::uint8_t>(ContourVerdict::In))
         << x << " " << y;
+      const bool all = shows(x, y) && shows(x + 1, y) && shows(x, y + 1) && shows(x + 1, y + 1);
+      EXPECT_EQ(certifier.IsOnPlateau(pixel), all) << x << " " << y;
     }
   }
   EXPECT_GT(shown, 300);

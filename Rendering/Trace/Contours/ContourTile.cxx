@@ -8,6 +8,7 @@
 #include <glm/common.hpp>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -93,6 +94,7 @@ ContourTile::ContourTile(TileVisit& tile, const ContourMethod& method)
   , Up(static_cast<std::size_t>(tile.Area().Height()) + 1)
   , Pixels((Across - 1) * (Up - 1), ContourVerdict::Out)
   , Asked(Pixels.size(), 1)
+  , OnPlateau(Pixels.size(), 0)
 {
 }
 
@@ -374,6 +376,7 @@ void ContourTile::JudgeEdges(
   settler.Refine();
   std::vector<EdgeState> states = StatesOf(edges, open);
   CountStages(StatesOf(unhalved, open), states, open);
+  MarkPlateaus(sight, judge, corners, states);
   if (Method.interior)
   {
     JudgeInteriors(sight, judge, corners, open, states);
@@ -391,6 +394,23 @@ void ContourTile::CountStages(std::span<const EdgeState> unhalved,
       continue;
     }
     ++(unhalved[pixel] == EdgeState::Undecided ? Counted.byParts : Counted.byEdges);
+  }
+}
+
+void ContourTile::MarkPlateaus(const LayerSight& sight, const EdgeJudge& judge,
+  const TileCorners& corners, std::span<const EdgeState> states)
+{
+  const std::size_t columns = Across - 1;
+  for (std::size_t pixel = 0; pixel < states.size(); ++pixel)
+  {
+    if (states[pixel] != EdgeState::In)
+    {
+      continue;
+    }
+    const std::size_t lower = pixel / columns * Across + pixel % columns;
+    const std::array around{ lower, lower + 1, lower + Across, lower + Across + 1 };
+    OnPlateau[pixel] |= static_cast<std::uint8_t>(std::ranges::all_of(around,
+      [&](std::size_t at) { return sight.Shows(corners[at]) && judge.Touches(corners[at]); }));
   }
 }
 

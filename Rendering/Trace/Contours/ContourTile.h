@@ -57,6 +57,8 @@ public:
   /// A ContourVerdict for each pixel of the tile, row by row.
   [[nodiscard]] std::span<const ContourVerdict> Verdicts() const { return Pixels; }
   [[nodiscard]] const ContourCounters& Counters() const { return Counted; }
+  /// 1: of a judged pixel whose corners all have a value of one layer, up to rounding.
+  [[nodiscard]] std::span<const std::uint8_t> Plateaus() const { return OnPlateau; }
 
 private:
   /// The centres of its pixels, as `Tile` has them; of one that is visited again, or traced.
@@ -88,6 +90,8 @@ private:
   /// Looks inside of those that are out.
   void JudgeInteriors(LayerSight& sight, const EdgeJudge& judge, const TileCorners& corners,
     std::span<const std::uint8_t> open, std::span<EdgeState> states);
+  void MarkPlateaus(const LayerSight& sight, const EdgeJudge& judge, const TileCorners& corners,
+    std::span<const EdgeState> states);
   void Add(std::span<const EdgeState> states);
   [[nodiscard]] std::size_t CountEdges() const { return (Across - 1) * Up + Across * (Up - 1); }
 
@@ -98,6 +102,7 @@ private:
   std::size_t Up;     ///< corners in a column
   std::vector<ContourVerdict> Pixels;
   std::vector<std::uint8_t> Asked; ///< 1: of a pixel that is judged
+  std::vector<std::uint8_t> OnPlateau;
   ContourCounters Counted;
   SampleBuffers Traced; ///< centres that were not at hand
 };

@@ -118,6 +118,7 @@ void ContourCertifier::Begin(int width, int height)
   Width = width;
   Pixels.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height),
     static_cast<std::uint8_t>(ContourVerdict::Out));
+  OnPlateau.assign(Pixels.size(), 0);
   const auto squares = [](int pixels) { return (pixels + kTileSize - 1) / kTileSize; };
   Across = squares(width);
   Marked.assign(static_cast<std::size_t>(Across) * static_cast<std::size_t>(squares(height)),
@@ -230,6 +231,14 @@ void ContourCertifier::Judge(TileVisit& tile, std::int64_t most, JudgedTile& jud
     [](ContourVerdict verdict) { return static_cast<std::uint8_t>(verdict); });
   judged.counters.Add(pixels.Counters());
   Keep(tile.Area(), verdicts, judged.counters);
+  auto plateau = pixels.Plateaus().begin();
+  for (int y = judged.area.y0; y < judged.area.y1; ++y)
+  {
+    for (int x = judged.area.x0; x < judged.area.x1; ++x, ++plateau)
+    {
+      OnPlateau[PixelAt(x, y)] |= *plateau;
+    }
+  }
 }
 
 std::vector<ContourVerdict> ContourCertifier::VerdictsOf(const TileArea& area) const
@@ -239,9 +248,7 @@ std::vector<ContourVerdict> ContourCertifier::VerdictsOf(const TileArea& area) c
   {
     for (int x = area.x0; x < area.x1; ++x)
     {
-      verdicts.push_back(static_cast<ContourVerdict>(
-        Pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(Width) +
-          static_cast<std::size_t>(x)]));
+      verdicts.push_back(static_cast<ContourVerdict>(Pixels[PixelAt(x, y)]));
     }
   }
   return verdicts;

@@ -97,6 +97,9 @@ public:
   /// Of the last frame: a ContourVerdict for each pixel, lower-left first.
   [[nodiscard]] const std::vector<std::uint8_t>& Verdicts() const { return Pixels; }
   [[nodiscard]] const ContourCounters& Counters() const { return Counted; }
+  /// Whether all corners of a pixel have one value, up to rounding, so that there is no telling
+  /// where a line goes.
+  [[nodiscard]] bool IsOnPlateau(std::size_t pixel) const { return OnPlateau[pixel] != 0; }
   /// Whether some of these pixels, or of those about them, are not Out.
   [[nodiscard]] bool HasLinesNear(const TileArea& pixels) const;
   /// In ascending order, each once.
@@ -150,6 +153,11 @@ private:
   /// Verdicts of an area's pixels, row by row.
   void Keep(
     const TileArea& area, std::span<const std::uint8_t> verdicts, ContourCounters& counters);
+  [[nodiscard]] std::size_t PixelAt(int x, int y) const
+  {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(Width) +
+      static_cast<std::size_t>(x);
+  }
   /// Of the square in column `x` and row `y`, its place in Marked.
   [[nodiscard]] std::size_t SquareAt(int x, int y) const
   {
@@ -162,6 +170,7 @@ private:
   std::shared_ptr<ContourBounds> Given;
   std::shared_ptr<ContourBounds> Bounds;
   std::vector<std::uint8_t> Pixels;
+  std::vector<std::uint8_t> OnPlateau;
   int Width = 0;
   int Across = 0;                   ///< of squares of kTileSize pixels
   std::vector<std::uint8_t> Marked; ///< those with a pixel that is not Out

@@ -196,7 +196,9 @@ private:
       return;
     }
     const std::span<const double> values = Lines.Certifier.Values()[layer];
-    const double drawn = Cells.LayerOf(x, y) == layer ? DrawLines(x, y, layer, range, color) : 0.0;
+    // On a plateau lines would follow the rounding.
+    const bool isTold = Cells.LayerOf(x, y) == layer && !Lines.Certifier.IsOnPlateau(pixel);
+    const double drawn = isTold ? DrawLines(x, y, layer, range, color) : 0.0;
     if (held && drawn < kLeastShare)
     {
       const double least = drawn > 0.0 ? kLeastShare : std::min(1.0, Lines.Style.width);

@@ -48,9 +48,9 @@ struct ContourStyle
 /// mesh, and none near an extremum that does not reach the value. A pixel whose verdict is In
 /// always shows some of the line, as much as a straight line through its centre would cover where
 /// the corners do not tell where it goes: at the ends of surfaces and of the mesh, where the field
-/// is constant, or where a contour comes and goes by the same side. A pixel that is Out has a part
-/// of the width of its neighbours' lines, or nothing, and so has an Undecided one unless it has a
-/// colour of its own; without finite values there are none.
+/// is constant up to rounding, or where a contour comes and goes by the same side. A pixel that is
+/// Out has a part of the width of its neighbours' lines, or nothing, and so has an Undecided one
+/// unless it has a colour of its own; without finite values there are none.
 ///
 /// Lines are opaque, over translucent layers, too, of which the nearest sheet counts; they are
 /// drawn over the image, also where that is transparent. The frame's image alone changes, unless
