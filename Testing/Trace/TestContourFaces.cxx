@@ -190,8 +190,8 @@ TEST(ContourFaces, NoVerdictOnAnIsoSurfaceIsWrong)
 
 namespace
 {
-/// Of a scene with one value: which pixels show the surface at a corner are in, no others, and
-/// little is spent on it.
+/// Of a scene with one value: pixels that show the surface at a corner are in, few are undecided,
+/// and little is spent on it.
 void ExpectInWhereShown(const Scene& scene, double value)
 {
   const Camera camera(FromAfar(false), kWidth, kHeight);
