@@ -476,13 +476,13 @@ std::vector<EdgeState> ContourTile::StatesOf(
 
 void ContourTile::Add(std::span<const EdgeState> states)
 {
-  for (std::size_t pixel = 0; pixel < Pixels.size(); ++pixel)
-  {
-    ContourVerdict& verdict = Pixels[pixel];
-    if (verdict != ContourVerdict::In && states[pixel] != EdgeState::Out)
+  // Without branches, so that many pixels are added at once.
+  std::ranges::transform(Pixels, states, Pixels.begin(),
+    [](ContourVerdict verdict, EdgeState state)
     {
-      verdict = states[pixel] == EdgeState::In ? ContourVerdict::In : ContourVerdict::Undecided;
-    }
-  }
+      const auto added = state == EdgeState::Out ? verdict : ContourVerdict::Undecided;
+      const bool isIn = verdict == ContourVerdict::In || state == EdgeState::In;
+      return isIn ? ContourVerdict::In : added;
+    });
 }
 } // namespace pixelexact

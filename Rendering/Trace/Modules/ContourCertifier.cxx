@@ -231,12 +231,23 @@ void ContourCertifier::Judge(TileVisit& tile, std::int64_t most, JudgedTile& jud
     [](ContourVerdict verdict) { return static_cast<std::uint8_t>(verdict); });
   judged.counters.Add(pixels.Counters());
   Keep(tile.Area(), verdicts, judged.counters);
-  auto plateau = pixels.Plateaus().begin();
-  for (int y = judged.area.y0; y < judged.area.y1; ++y)
+  if (judged.counters.in > 0)
   {
-    for (int x = judged.area.x0; x < judged.area.x1; ++x, ++plateau)
+    KeepPlateaus(judged.area, pixels.Plateaus());
+  }
+}
+
+void ContourCertifier::KeepPlateaus(const TileArea& area, std::span<const std::uint8_t> onPlateau)
+{
+  auto plateau = onPlateau.begin();
+  for (int y = area.y0; y < area.y1; ++y)
+  {
+    for (int x = area.x0; x < area.x1; ++x, ++plateau)
     {
-      OnPlateau[PixelAt(x, y)] |= *plateau;
+      if (*plateau != 0)
+      {
+        OnPlateau[PixelAt(x, y)] = 1;
+      }
     }
   }
 }
