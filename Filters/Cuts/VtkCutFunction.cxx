@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <sstream>
 #include <string>
 
 namespace pixelexact
@@ -41,7 +42,16 @@ public:
   }
   [[nodiscard]] double Value(const Vec3& x) const override
   {
-    return Function->FunctionValue(glm::value_ptr(x));
+    const double value = Function->FunctionValue(glm::value_ptr(x));
+    if (std::isnan(value))
+    {
+      // So a function that fails is not asked a million times more.
+      std::ostringstream text;
+      text << "the " << Function->GetClassName() << " has no value at (" << x.x << ", " << x.y
+           << ", " << x.z << "); give a function that has one in all of the mesh's box.";
+      throw InvalidData(text.str());
+    }
+    return value;
   }
   [[nodiscard]] Vec3 Gradient(const Vec3& x) const override
   {

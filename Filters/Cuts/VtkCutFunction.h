@@ -15,7 +15,7 @@ namespace pixelexact
 /// vtkCylinder, vtkCone (both halves) and vtkQuadric, moved by an affine transform or not, become
 /// copies in closed form. Any other function, or transform, is asked itself, by the calling thread
 /// alone; its gradient by differences over 1e-6 of `length`, for some of VTK's functions have none
-/// (vtkSuperquadric says 0).
+/// (vtkSuperquadric says 0); where its value is NaN, asking it throws InvalidData.
 ///
 /// Throws InvalidData for a surface without points for want of a direction: a plane's normal or a
 /// cylinder's axis of length zero, a transform without inverse.

@@ -8,6 +8,9 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <string>
+
 namespace
 {
 using namespace pixelexact;
@@ -432,5 +435,34 @@ TEST(Contour, QuadricsAndOtherFunctions)
   EXPECT_TRUE(any.lines[0].closed);
   EXPECT_FALSE(any.lines[0].certified);
   EXPECT_NEAR(Measure(any, any.lines[0], AnyCut(ball)).length, 2.0 * kPi * radius, 1e-9);
+}
+
+/// Without a value in a part of space.
+class BrokenCut final : public CutFunction
+{
+public:
+  [[nodiscard]] double Value(const Vec3& x) const override
+  {
+    return x.x > 0.2 ? std::numeric_limits<double>::infinity() : x.y;
+  }
+  [[nodiscard]] Vec3 Gradient(const Vec3& /*x*/) const override { return { 0.0, 1.0, 0.0 }; }
+};
+
+TEST(Contour, FunctionsThatAreNotFinite)
+{
+  const Shape shapes[] = { Shape::Hexahedron };
+  const CurvedMesh curved = Blocks(2, shapes);
+  const Mesh mesh = curved.View();
+  const ExpansionBuilder values = FieldOf(mesh, 3, [](const LongVec3& x) { return x[2]; });
+  try
+  {
+    ContoursOf(mesh, values, BrokenCut(), { 0.15 }, 1e-6);
+    FAIL() << "nothing was thrown";
+  }
+  catch (const InvalidData& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("the cut function is inf at ("), std::string::npos)
+      << error.what();
+  }
 }
 } // namespace

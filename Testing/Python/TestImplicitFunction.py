@@ -243,6 +243,54 @@ class OtherUses(unittest.TestCase):
             function.FunctionGradient(x, gradient)
             np.testing.assert_allclose(gradient, ball_gradient(np.array(x)), rtol=0, atol=1e-8)
 
+    def expect(self, function, *parts):
+        grid = pixelexact.read(os.path.join(DATA, "toroid_hex_g3_p6.vtu"))
+        with self.assertRaises(pixelexact.Error) as raised:
+            pixelexact.contours(grid, "u", [0.0], surface=function)
+        for part in ["vtkImplicitCallback: ", *parts]:
+            self.assertIn(part, str(raised.exception))
+
+    def test_contours_of_functions_that_fail(self):
+        def fails(x):
+            return 1 / 0
+
+        whole = vtkImplicitBoolean()
+        whole.AddFunction(vtk_ball())
+        whole.AddFunction(pixelexact.implicit_function(fails))
+        self.expect(fails, "ZeroDivisionError: division by zero")
+        self.expect(whole, "ZeroDivisionError: division by zero")
+        self.expect(lambda x: np.where(x[:, 0] > 0.5, np.nan, ball(x)), "its value at (", "is nan")
+
+    def test_contours_of_functions_that_fail_later(self):
+        asked = [0]
+
+        def fails(x):
+            asked[0] += 1
+            if asked[0] > 20000:  # when curves are followed
+                raise RuntimeError("no more")
+            return ball(x)
+
+        self.expect(fails, "RuntimeError: no more")
+
+    def test_triangles_of_functions_that_fail(self):
+        cut = pixelexact.vtkHighOrderLinearCut()
+        cut.SetInputData(pixelexact.read(os.path.join(DATA, "toroid_hex_g3_p6.vtu")))
+        function = pixelexact.implicit_function(lambda x: 1 / 0)
+        errors = []
+
+        @calldata_type(VTK_STRING)
+        def failed(_object, _event, text):
+            errors.append(text)
+
+        function.AddObserver("ErrorEvent", failed)
+        cut.AddObserver("ErrorEvent", failed)
+        cut.SetCutFunction(function)
+        cut.Update()
+        self.assertEqual(len(errors), 2)
+        self.assertIn("ZeroDivisionError", errors[0])
+        self.assertIn("the vtkImplicitCallback has no value at (", errors[1])
+        self.assertEqual(cut.GetOutput().GetNumberOfCells(), 0)
+
 
 if __name__ == "__main__":
     unittest.main()

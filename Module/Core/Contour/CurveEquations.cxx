@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace pixelexact
 {
@@ -132,6 +133,13 @@ BoxPolynomial CurveEquations::SampledOver(const Box3& box) const
       for (std::size_t i = 0; i < x.size(); ++i)
       {
         values[i] = Question.cut->Value(x[i]);
+        if (!std::isfinite(values[i]))
+        {
+          std::ostringstream text;
+          text << "the cut function is " << values[i] << " at (" << x[i].x << ", " << x[i].y << ", "
+               << x[i].z << "); give one that is finite on all of the mesh.";
+          throw InvalidData(text.str());
+        }
       }
     });
 }

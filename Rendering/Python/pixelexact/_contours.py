@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any, Optional, Sequence, Union
 
 from ._cut import check_field
+from ._functions import complaints_of
 from ._scene import (
     Normal,
     Vector,
@@ -62,5 +63,11 @@ def contours(
     lines.SetTolerance(tolerance)
     for i, value in enumerate(numbers_of(values, "values")):
         lines.SetValue(i, value)
-    run(lines, progress, may_release=not asks_python(shape))
+    with complaints_of(shape) as complaints:
+        try:
+            run(lines, progress, may_release=not asks_python(shape))
+        except Error as error:
+            raise Error(complaints[0] if complaints else str(error)) from None
+    if complaints:
+        raise Error(complaints[0])
     return lines.GetOutput()

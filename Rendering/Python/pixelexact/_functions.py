@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import _thread
 import threading
-from typing import Any, Callable, Optional
+from contextlib import contextmanager
+from typing import Any, Callable, Iterator, Optional
 
 from .PixelExactRendering import vtkImplicitCallback
 
@@ -65,3 +66,29 @@ def implicit_function(
     if gradient is not None:
         callback.AddObserver(vtkImplicitCallback.GradientEvent, _observer(gradient, "GetGradients"))
     return callback
+
+
+def _callbacks_in(surface: Any) -> Iterator[vtkImplicitCallback]:
+    if isinstance(surface, vtkImplicitCallback):
+        yield surface
+    elif surface.IsA("vtkImplicitBoolean"):
+        for part in surface.GetFunction():
+            yield from _callbacks_in(part)
+
+
+@contextmanager
+def complaints_of(surface: Any) -> Iterator[list[str]]:
+    """What functions of Python in it complain of meanwhile, for filters that do not hear them."""
+    complaints: list[str] = []
+
+    def listen(caller: Any, _event: str, text: str) -> None:
+        why = text.split("no values: ")[-1].strip()
+        complaints.append(f"{caller.GetClassName()}: {why}")
+
+    listen.CallDataType = "string0"  # type: ignore[attr-defined]
+    watched = [(part, part.AddObserver("ErrorEvent", listen)) for part in _callbacks_in(surface)]
+    try:
+        yield complaints
+    finally:
+        for part, tag in watched:
+            part.RemoveObserver(tag)
