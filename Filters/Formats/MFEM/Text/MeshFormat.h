@@ -3,6 +3,7 @@
 
 #include "Formats/MFEM/Text/TextScanner.h"
 
+#include <cstdint>
 #include <string>
 
 // What a mesh file's first lines tell of it, and what is refused of whole files.
