@@ -4,7 +4,9 @@
 #   package.sh FOLDER [RELEASE [ROOTS]]   FOLDER: where they are; RELEASE: what they were built on
 #                                         (default: bookworm)
 #
-# First the program, then what Python needs, then what programs in C++ are built with. The root is made by debootstrap, in ROOTS (default: /var/tmp/pixelexact-roots) and anew each time.
+# First the program, then what Python needs, then what programs in C++ are built with. The root is
+# made by debootstrap, in ROOTS (default: /var/tmp/pixelexact-roots) and anew each time; the
+# environment's MATRIX_MIRROR and MATRIX_STALE are those of Testing/Matrix/run.sh.
 # Exit status 77: no clean system could be made here (no mirror within reach, no right to enter it).
 set -euo pipefail
 folder=$(realpath "${1:?"package.sh FOLDER [RELEASE [ROOTS]]"}")
@@ -43,6 +45,9 @@ debootstrap --variant=minbase "$release" "$root" "${MATRIX_MIRROR:-http://deb.de
   none "debootstrap failed"
 mount -t proc proc "$root/proc" 2>/dev/null || echo "without /proc, which may not be mounted here"
 cp /etc/resolv.conf "$root/etc/resolv.conf"
+if [[ ${MATRIX_STALE:-no} == yes ]]; then
+  echo 'Acquire::Check-Valid-Until "false";' >"$root/etc/apt/apt.conf.d/90stale"
+fi
 told "a clean $release"
 
 mkdir "$root/work"
