@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any, Optional, Sequence, Union
 
 from ._cut import check_field
-from ._functions import complaints_of
+from ._functions import callbacks_in
 from ._scene import (
     Normal,
     Vector,
@@ -15,7 +15,7 @@ from ._scene import (
     source_of,
     surface_of,
 )
-from ._work import Error, Progress, run
+from ._work import Error, Progress, errors_of, run
 from .PixelExactFilters import vtkHighOrderContour
 
 
@@ -63,11 +63,12 @@ def contours(
     lines.SetTolerance(tolerance)
     for i, value in enumerate(numbers_of(values, "values")):
         lines.SetValue(i, value)
-    with complaints_of(shape) as complaints:
+    with errors_of(callbacks_in(shape), "no values: ") as complaints:
         try:
             run(lines, progress, may_release=not asks_python(shape))
-        except Error as error:
-            raise Error(complaints[0] if complaints else str(error)) from None
+        except Error:
+            if not complaints:
+                raise
     if complaints:
-        raise Error(complaints[0])
+        raise Error(f"vtkImplicitCallback: {complaints[0]}")
     return lines.GetOutput()

@@ -20,7 +20,7 @@ from ._scene import (
     surface_of,
     values_of,
 )
-from ._work import Error, Progress
+from ._work import Error, Progress, errors_of
 from .PixelExactRendering import vtkHighOrderMapper, vtkHighOrderSurface
 
 Limits = Union[None, str, Sequence[float]]
@@ -58,15 +58,8 @@ def _set_colors(mapper: Any, cmap: Union[str, vtkScalarsToColors]) -> None:
     if isinstance(cmap, vtkScalarsToColors):
         mapper.SetLookupTable(cmap)
         return
-    complaints: list[str] = []
-
-    def listen(_caller: Any, _event: str, text: str) -> None:
-        complaints.append(text.split("SetColorMap: ")[-1].strip())
-
-    listen.CallDataType = "string0"  # type: ignore[attr-defined]
-    tag = mapper.AddObserver("ErrorEvent", listen)
-    mapper.SetColorMap(cmap)
-    mapper.RemoveObserver(tag)
+    with errors_of([mapper], "SetColorMap: ") as complaints:
+        mapper.SetColorMap(cmap)
     if complaints:
         raise ValueError(f"cmap: {complaints[0]}")
 

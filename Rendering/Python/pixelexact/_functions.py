@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import _thread
 import threading
-from contextlib import contextmanager
 from typing import Any, Callable, Iterator, Optional
 
 from .PixelExactRendering import vtkImplicitCallback
@@ -68,27 +67,10 @@ def implicit_function(
     return callback
 
 
-def _callbacks_in(surface: Any) -> Iterator[vtkImplicitCallback]:
+def callbacks_in(surface: Any) -> Iterator[vtkImplicitCallback]:
+    """The functions of Python that it is made of."""
     if isinstance(surface, vtkImplicitCallback):
         yield surface
     elif surface.IsA("vtkImplicitBoolean"):
         for part in surface.GetFunction():
-            yield from _callbacks_in(part)
-
-
-@contextmanager
-def complaints_of(surface: Any) -> Iterator[list[str]]:
-    """What functions of Python in it complain of meanwhile, for filters that do not hear them."""
-    complaints: list[str] = []
-
-    def listen(caller: Any, _event: str, text: str) -> None:
-        why = text.split("no values: ")[-1].strip()
-        complaints.append(f"{caller.GetClassName()}: {why}")
-
-    listen.CallDataType = "string0"  # type: ignore[attr-defined]
-    watched = [(part, part.AddObserver("ErrorEvent", listen)) for part in _callbacks_in(surface)]
-    try:
-        yield complaints
-    finally:
-        for part, tag in watched:
-            part.RemoveObserver(tag)
+            yield from callbacks_in(part)

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import re
 import warnings
-from typing import Any, Callable, Optional
+from contextlib import contextmanager
+from typing import Any, Callable, Iterable, Iterator, Optional
 
 from . import _run
 
@@ -20,6 +21,23 @@ class Error(RuntimeError):
 
 def _plain(text: str) -> str:
     return _PREFIX.sub("", text.strip()).strip()
+
+
+@contextmanager
+def errors_of(speakers: Iterable[Any], before: str) -> Iterator[list[str]]:
+    """What objects of VTK's complain of meanwhile, which is not printed; less `before`."""
+    errors: list[str] = []
+
+    def listen(_caller: Any, _event: str, text: str) -> None:
+        errors.append(_plain(text).removeprefix(before))
+
+    listen.CallDataType = "string0"  # type: ignore[attr-defined]
+    heard = [(speaker, speaker.AddObserver("ErrorEvent", listen)) for speaker in speakers]
+    try:
+        yield errors
+    finally:
+        for speaker, tag in heard:
+            speaker.RemoveObserver(tag)
 
 
 def run(

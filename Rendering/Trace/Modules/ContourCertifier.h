@@ -153,7 +153,7 @@ private:
   /// Verdicts of an area's pixels, row by row.
   void Keep(
     const TileArea& area, std::span<const std::uint8_t> verdicts, ContourCounters& counters);
-  /// Those of an area's pixels that are on one, row by row.
+  /// Which of an area's pixels are on a plateau, row by row.
   void KeepPlateaus(const TileArea& area, std::span<const std::uint8_t> onPlateau);
   [[nodiscard]] std::size_t PixelAt(int x, int y) const
   {
