@@ -39,6 +39,21 @@ std::vector<std::uint8_t> MarksOf(vtkUnstructuredGrid* grid, const char* name)
   return marks;
 }
 
+/// Empty where there are none.
+std::vector<std::int64_t> SelectedCellsOf(vtkUnstructuredGrid* grid)
+{
+  vtkDataArray* array = grid->GetCellData()->GetArray(kSelectedCells);
+  std::vector<std::int64_t> cells;
+  if (array != nullptr && array->GetNumberOfValues() == grid->GetNumberOfCells())
+  {
+    for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+    {
+      cells.push_back(static_cast<std::int64_t>(array->GetComponent(cell, 0)));
+    }
+  }
+  return cells;
+}
+
 /// Models that somebody holds, by their data: a filter, a mapper and the grid itself share one.
 struct Registry
 {
@@ -59,8 +74,9 @@ struct HighOrderModel::Internals
   ViewStorage storage;
   std::vector<Field> fields;
   std::vector<Block> blocks;
-  std::vector<std::uint8_t> ghosts; ///< by element, VTK's marks
-  std::vector<std::uint8_t> inner;  ///< by element, kInnerFaces
+  std::vector<std::uint8_t> ghosts;   ///< by element, VTK's marks
+  std::vector<std::uint8_t> inner;    ///< by element, kInnerFaces
+  std::vector<std::int64_t> selected; ///< by element, kSelectedCells; empty: the source's
   DataState state;
 
   void AddField(vtkUnstructuredGrid* source, const std::string& name)
@@ -101,6 +117,7 @@ HighOrderModel::HighOrderModel(vtkUnstructuredGrid* given)
   Data->state = StateOf(given);
   Data->ghosts = MarksOf(given, vtkDataSetAttributes::GhostArrayName());
   Data->inner = MarksOf(given, kInnerFaces);
+  Data->selected = SelectedCellsOf(given);
   const auto grid = IsPacked(given) ? Unpack(given) : vtkSmartPointer<vtkUnstructuredGrid>(given);
   Data->part = MeshPart::Of(grid);
   for (const auto& name : StoredFieldNames(grid))
@@ -136,6 +153,14 @@ HighOrderModel::HighOrderModel(vtkCompositeDataSet* data)
   if (parts.empty())
   {
     throw InvalidData("the composite data hold no cells.");
+  }
+  if (std::ranges::any_of(models, [](const auto& model) { return !model->Data->selected.empty(); }))
+  {
+    for (const auto& model : models)
+    {
+      const auto cells = model->SelectedCells();
+      Data->selected.insert(Data->selected.end(), cells.begin(), cells.end());
+    }
   }
   Data->part = MeshPart::Join(std::move(parts));
   for (const Field& first : models.front()->Data->fields)
@@ -248,6 +273,11 @@ bool HighOrderModel::HasFaces() const
 std::span<const std::int64_t> HighOrderModel::SourceCells() const
 {
   return Data->part->SourceCells();
+}
+
+std::span<const std::int64_t> HighOrderModel::SelectedCells() const
+{
+  return Data->selected.empty() ? SourceCells() : Data->selected;
 }
 
 std::span<const AttributedFace> HighOrderModel::BoundaryFaces() const

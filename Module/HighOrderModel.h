@@ -25,6 +25,10 @@ class Locator;
 /// that has something behind it in the whole.
 inline constexpr const char* kInnerFaces = "PixelExactInnerFaces";
 
+/// CellData, where hardware selection is to tell other numbers than the source's cells: those of
+/// the data that somebody else made the grid of.
+inline constexpr const char* kSelectedCells = "PixelExactSelectedCells";
+
 /// The mesh and the fields that a vtkUnstructuredGrid carries in its arrays (HighOrderArrays.h),
 /// checked, as views that the numerics work on. Element numbers of the model are the grid's cell
 /// numbers, those of composite data count on from leaf to leaf. It keeps the arrays alive, not the
@@ -86,6 +90,9 @@ public:
   /// Per element the number of its cell in the source file, of its block: what users are shown as
   /// `element`.
   [[nodiscard]] std::span<const std::int64_t> SourceCells() const;
+
+  /// Per element what hardware selection tells: CellData kSelectedCells, else its source cell.
+  [[nodiscard]] std::span<const std::int64_t> SelectedCells() const;
 
   /// Whether an element is a copy of one that another process or block holds (VTK's ghost cells,
   /// marked as duplicates). Its field is as good as any; faces of boundaries are the other's.

@@ -22,9 +22,12 @@
 #include "vtkWeakPointer.h"
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <set>
 #include <string>
+
+class vtkHighOrderPicker;
 
 struct vtkPixelExactRepresentation::Internals
 {
@@ -52,9 +55,22 @@ struct vtkPixelExactRepresentation::Internals
   std::array<double, 2> FieldRange;
   vtkWeakPointer<vtkRenderer> Renderer;
   vtkWeakPointer<vtkDataObject> Delivered; ///< what the mapper shows
+  unsigned long RenderObserver = 0;
+
+  /// Of a pixel, see GetPicked.
+  struct PickedPoint
+  {
+    std::array<double, 11> numbers;
+    std::string text;
+    PickedPoint() { Clear(); }
+    void Clear();
+  };
   std::array<int, 2> PickedPixel = { -1, -1 };
-  std::array<double, 11> Picked;
-  std::string PickedText;
+  PickedPoint Picked;  ///< of PickedPixel
+  PickedPoint Pointed; ///< under the pointer
+  std::function<std::string(int, int)> PointerSource;
+  vtkIdType UnknownPixels = 0; ///< of several processes
+
   std::set<std::string> Selectors;
   bool HasBlockColors = false;
   bool HasBlockOpacities = false;
@@ -63,6 +79,13 @@ struct vtkPixelExactRepresentation::Internals
 
   static bool HasCells(vtkDataObject* data);
   static bool HasSeveralProcesses();
+  static bool IsFirstProcess();
+  /// Tells selections of the cells of `data`, which ParaView extracts: element and source cell may
+  /// have other numbers, in parts of a mesh and where cells were not converted.
+  void NumberSelectedCells(vtkDataObject* data);
+  /// What a pixel shows, of all processes, each of which calls it.
+  void Pick(int x, int y, PickedPoint& point);
+  void Describe(vtkHighOrderPicker* picker, PickedPoint& point);
   /// Contours or edges, which a pixel's corners decide.
   bool HasLines();
   /// The data with coefficients; converted where some are plain. Throws pixelexact::Error.

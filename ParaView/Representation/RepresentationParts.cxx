@@ -26,6 +26,13 @@ bool vtkPixelExactRepresentation::Internals::HasSeveralProcesses()
 }
 
 //------------------------------------------------------------------------------
+bool vtkPixelExactRepresentation::Internals::IsFirstProcess()
+{
+  auto* processes = vtkMultiProcessController::GetGlobalController();
+  return processes == nullptr || processes->GetLocalProcessId() == 0;
+}
+
+//------------------------------------------------------------------------------
 bool vtkPixelExactRepresentation::Internals::HasLines()
 {
   return Mapper->GetNumberOfContours() > 0 || Actor->GetProperty()->GetEdgeVisibility();

@@ -4,9 +4,13 @@
 #include "vtkHighOrderProbe.h"
 #include "vtkPixelExactRepresentation.h"
 
+#include "vtkCamera.h"
+#include "vtkCommunicator.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkMath.h"
 #include "vtkMultiProcessController.h"
+#include "vtkMultiProcessStream.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -14,11 +18,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <sstream>
 #include <utility>
+#include <vector>
 
-// What is known of a pixel: vtkHighOrderPicker asked for this representation's actor alone.
+// What is known of a pixel: vtkHighOrderPicker asked for this representation's actor alone, by each
+// process of its part.
 
 namespace
 {
@@ -48,81 +55,198 @@ std::array<double, 2> EnclosureAt(vtkDataObject* grid, const char* field, const 
   }
   return { lower->GetComponent(0, 0), upper->GetComponent(0, 0) };
 }
+
+/// How far in front of the camera a point lies.
+double DepthOf(const double x[3], vtkCamera* camera)
+{
+  double away[3];
+  vtkMath::Subtract(x, camera->GetPosition(), away);
+  return vtkMath::Dot(away, camera->GetDirectionOfProjection());
+}
+
+/// What a process found: the verdict, and how deep.
+using Finding = std::array<double, 2>;
+
+/// The process whose finding is nearest to the camera, -1 where there is none. Where parts meet
+/// several have the point: of these one that is sure, and then the first, whose elements come first
+/// in the whole mesh.
+int NearestOf(const std::vector<Finding>& all)
+{
+  constexpr double kSame = 1e-9; // as a part of the depth: far above rounding
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Finding& one : all)
+  {
+    nearest = one[0] != 0.0 ? std::min(nearest, one[1]) : nearest;
+  }
+  int best = -1;
+  for (std::size_t p = 0; p < all.size(); ++p)
+  {
+    const bool isThere = all[p][0] != 0.0 && all[p][1] <= nearest + kSame * std::fabs(nearest);
+    const bool isSurer = best >= 0 && all[p][0] == 1.0 && all[best][0] != 1.0;
+    if (isThere && (best < 0 || isSurer))
+    {
+      best = static_cast<int>(p);
+    }
+  }
+  return best;
+}
 } // namespace
+
+//------------------------------------------------------------------------------
+void vtkPixelExactRepresentation::Internals::PickedPoint::Clear()
+{
+  numbers.fill(kNothing);
+  numbers[0] = 0.0;
+  numbers[1] = -1.0;
+  text.clear();
+}
+
+//------------------------------------------------------------------------------
+void vtkPixelExactRepresentation::Internals::Describe(
+  vtkHighOrderPicker* picker, PickedPoint& point)
+{
+  point.numbers[0] = picker->GetVerdict();
+  point.numbers[1] = static_cast<double>(picker->GetElement());
+  std::copy_n(picker->GetXi(), 3, &point.numbers[2]);
+  point.numbers[5] = picker->GetValue();
+  std::copy_n(picker->GetMapperPosition(), 3, &point.numbers[8]);
+  if (picker->GetVerdict() != 1)
+  {
+    point.text = "the element could not be decided";
+    return;
+  }
+  std::ostringstream text;
+  text.precision(17);
+  text << "element " << picker->GetElement() << ", xi (" << point.numbers[2] << ", "
+       << point.numbers[3] << ", " << point.numbers[4] << ")";
+  if (const std::string field = picker->GetFieldName(); !field.empty())
+  {
+    const auto enclosure = EnclosureAt(Delivered, field.c_str(), &point.numbers[8]);
+    std::copy_n(enclosure.data(), 2, &point.numbers[6]);
+    text << ", " << field << " = " << point.numbers[5];
+    if (enclosure[0] <= enclosure[1])
+    {
+      text << " in [" << enclosure[0] << ", " << enclosure[1] << "]";
+    }
+  }
+  point.text = text.str();
+}
+
+//------------------------------------------------------------------------------
+void vtkPixelExactRepresentation::Internals::Pick(int x, int y, PickedPoint& point)
+{
+  point.Clear();
+  vtkNew<vtkHighOrderPicker> picker;
+  Finding own{ 0.0, 0.0 };
+  if (Renderer != nullptr && x >= 0 && y >= 0 && Actor->GetVisibility())
+  {
+    picker->PickFromListOn();
+    picker->AddPickList(Actor);
+    picker->Pick(x, y, 0.0, Renderer);
+    own = { static_cast<double>(picker->GetVerdict()),
+      DepthOf(picker->GetPickPosition(), Renderer->GetActiveCamera()) };
+  }
+  if (!HasSeveralProcesses())
+  {
+    if (own[0] != 0.0)
+    {
+      Describe(picker, point);
+    }
+    return;
+  }
+  auto* processes = vtkMultiProcessController::GetGlobalController();
+  std::vector<Finding> all(static_cast<std::size_t>(processes->GetNumberOfProcesses()));
+  processes->AllGather(own.data(), all.front().data(), static_cast<vtkIdType>(own.size()));
+  const int nearest = NearestOf(all);
+  if (nearest < 0)
+  {
+    return;
+  }
+  vtkMultiProcessStream told;
+  if (processes->GetLocalProcessId() == nearest)
+  {
+    Describe(picker, point);
+    for (const double number : point.numbers)
+    {
+      told << number;
+    }
+    told << point.text;
+  }
+  processes->Broadcast(told, nearest);
+  if (processes->GetLocalProcessId() != nearest)
+  {
+    for (double& number : point.numbers)
+    {
+      told >> number;
+    }
+    told >> point.text;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPixelExactRepresentation::AfterRender()
+{
+  Internals& my = *this->Data;
+  // Scripts ask the first process alone, so what it has to say is put together here, where all
+  // processes come by. Selections draw more often, and not for the eye.
+  if (!Internals::HasSeveralProcesses() || !this->GetVisibility() || my.Renderer == nullptr ||
+    my.Renderer->GetSelector() != nullptr)
+  {
+    return;
+  }
+  const vtkIdType own = my.Actor->GetVisibility() ? my.Mapper->GetNumberOfUnknownPixels() : 0;
+  vtkMultiProcessController::GetGlobalController()->AllReduce(
+    &own, &my.UnknownPixels, 1, vtkCommunicator::SUM_OP);
+  if (my.PickedPixel[0] >= 0 && my.PickedPixel[1] >= 0)
+  {
+    my.Pick(my.PickedPixel[0], my.PickedPixel[1], my.Picked);
+  }
+}
 
 //------------------------------------------------------------------------------
 void vtkPixelExactRepresentation::SetPickedPixel(int x, int y)
 {
   this->Data->PickedPixel = { x, y };
+  this->Data->Picked.Clear();
 }
 
 //------------------------------------------------------------------------------
 double* vtkPixelExactRepresentation::GetPicked()
 {
   Internals& my = *this->Data;
-  my.Picked.fill(kNothing);
-  my.Picked[0] = 0.0;
-  my.Picked[1] = -1.0;
-  my.PickedText.clear();
-  if (my.Renderer == nullptr || my.PickedPixel[0] < 0 || my.PickedPixel[1] < 0 ||
-    !my.Actor->GetVisibility())
+  if (!Internals::HasSeveralProcesses())
   {
-    return my.Picked.data();
+    my.Pick(my.PickedPixel[0], my.PickedPixel[1], my.Picked);
   }
-  vtkNew<vtkHighOrderPicker> picker;
-  picker->PickFromListOn();
-  picker->AddPickList(my.Actor);
-  picker->Pick(my.PickedPixel[0], my.PickedPixel[1], 0.0, my.Renderer);
-  if (picker->GetVerdict() == 0)
-  {
-    return my.Picked.data();
-  }
-  my.Picked[0] = picker->GetVerdict();
-  my.Picked[1] = static_cast<double>(picker->GetElement());
-  std::copy_n(picker->GetXi(), 3, &my.Picked[2]);
-  my.Picked[5] = picker->GetValue();
-  std::copy_n(picker->GetMapperPosition(), 3, &my.Picked[8]);
-  std::ostringstream text;
-  text.precision(17);
-  if (picker->GetVerdict() != 1)
-  {
-    my.PickedText = "the element could not be decided";
-    return my.Picked.data();
-  }
-  text << "element " << picker->GetElement() << ", xi (" << my.Picked[2] << ", " << my.Picked[3]
-       << ", " << my.Picked[4] << ")";
-  if (const std::string field = picker->GetFieldName(); !field.empty())
-  {
-    const auto enclosure = EnclosureAt(my.Delivered, field.c_str(), &my.Picked[8]);
-    std::copy_n(enclosure.data(), 2, &my.Picked[6]);
-    text << ", " << field << " = " << my.Picked[5];
-    if (enclosure[0] <= enclosure[1])
-    {
-      text << " in [" << enclosure[0] << ", " << enclosure[1] << "]";
-    }
-  }
-  my.PickedText = text.str();
-  return my.Picked.data();
+  return my.Picked.numbers.data();
 }
 
 //------------------------------------------------------------------------------
 const char* vtkPixelExactRepresentation::GetPickedText()
 {
   this->GetPicked();
-  return this->Data->PickedText.c_str();
+  return this->Data->Picked.text.c_str();
+}
+
+//------------------------------------------------------------------------------
+const char* vtkPixelExactRepresentation::PickAt(int x, int y)
+{
+  Internals& my = *this->Data;
+  my.Pick(x, y, my.Pointed);
+  return my.Pointed.text.c_str();
+}
+
+//------------------------------------------------------------------------------
+void vtkPixelExactRepresentation::SetPointerSource(std::function<std::string(int, int)> source)
+{
+  this->Data->PointerSource = std::move(source);
 }
 
 //------------------------------------------------------------------------------
 std::string vtkPixelExactRepresentation::TextAt(int x, int y)
 {
-  auto* processes = vtkMultiProcessController::GetGlobalController();
-  if (processes != nullptr && processes->GetNumberOfProcesses() > 1)
-  {
-    return {};
-  }
-  const std::array<int, 2> before = std::exchange(this->Data->PickedPixel, { x, y });
-  std::string text = this->GetPickedText();
-  this->Data->PickedPixel = before;
+  Internals& my = *this->Data;
+  std::string text = my.PointerSource ? my.PointerSource(x, y) : this->PickAt(x, y);
   // In lines, for a view may be narrow.
   for (const char* part : { " xi (", "), ", " in [" })
   {
@@ -144,5 +268,6 @@ const char* vtkPixelExactRepresentation::GetPointerText()
 //------------------------------------------------------------------------------
 vtkIdType vtkPixelExactRepresentation::GetNumberOfUnknownPixels()
 {
-  return this->Data->Mapper->GetNumberOfUnknownPixels();
+  return Internals::HasSeveralProcesses() ? this->Data->UnknownPixels
+                                          : this->Data->Mapper->GetNumberOfUnknownPixels();
 }

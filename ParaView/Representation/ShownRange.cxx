@@ -9,8 +9,10 @@
 #include "Core/Base/Error.h"
 
 #include "vtkCellData.h"
+#include "vtkCommunicator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
+#include "vtkMultiProcessController.h"
 #include "vtkPointData.h"
 #include "vtkScalarsToColors.h"
 #include "vtkUnstructuredGrid.h"
@@ -25,6 +27,9 @@ namespace pixelexact
 {
 namespace
 {
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr ShownRange::Range kNone = { kInfinity, -kInfinity };
+
 std::vector<vtkUnstructuredGrid*> GridsOf(vtkDataObject* data)
 {
   std::vector<vtkUnstructuredGrid*> grids;
@@ -45,8 +50,7 @@ std::vector<vtkUnstructuredGrid*> GridsOf(vtkDataObject* data)
 /// Of the component of an array that a table shows, as ParaView finds it: over all blocks.
 ShownRange::Range OfArray(vtkDataObject* data, const std::string& name, vtkScalarsToColors* table)
 {
-  ShownRange::Range range{ std::numeric_limits<double>::infinity(),
-    -std::numeric_limits<double>::infinity() };
+  ShownRange::Range range = kNone;
   for (vtkUnstructuredGrid* grid : GridsOf(data))
   {
     vtkDataArray* array = grid->GetPointData()->GetArray(name.c_str());
@@ -61,27 +65,40 @@ ShownRange::Range OfArray(vtkDataObject* data, const std::string& name, vtkScala
   return range;
 }
 
-/// Whether a table spans what ParaView makes it span: an array's values.
-bool IsAsParaViewSetsIt(vtkDataObject* data, const std::string& field, vtkScalarsToColors* table)
+/// Of an array's values at the cells' points; empty where there are none.
+ShownRange::Range OfValues(vtkDataObject* data, const std::string& field, vtkScalarsToColors* table)
 {
-  const double* shown = table->GetRange();
-  const double tolerance = 1e-6 * (shown[1] - shown[0]);
   try
   {
-    const ShownRange::Range range = OfArray(data, field, table);
-    return std::fabs(shown[0] - range[0]) <= tolerance &&
-      std::fabs(shown[1] - range[1]) <= tolerance;
+    return OfArray(data, field, table);
   }
   catch (const Error&)
   {
-    return false; // drawing says what is wrong
+    return kNone; // drawing says what is wrong
   }
+}
+
+/// The ends of all processes' ranges.
+ShownRange::Range Joined(const ShownRange::Range& own, vtkMultiProcessController* processes)
+{
+  if (processes == nullptr)
+  {
+    return own;
+  }
+  const double sent[2] = { -own[0], own[1] };
+  double most[2] = { 0.0, 0.0 };
+  processes->AllReduce(sent, most, 2, vtkCommunicator::MAX_OP);
+  return { -most[0], most[1] };
 }
 } // namespace
 
 std::optional<ShownRange::Range> ShownRange::OfField(
   vtkDataObject* data, const std::string& field, vtkScalarsToColors* table)
 {
+  if (data == nullptr)
+  {
+    return std::nullopt;
+  }
   try
   {
     const std::shared_ptr<HighOrderModel> model = HighOrderModel::From(data);
@@ -106,23 +123,29 @@ std::optional<ShownRange::Range> ShownRange::OfField(
   }
 }
 
-std::string ShownRange::Complaint(
-  vtkDataObject* data, const std::string& field, vtkScalarsToColors* table)
+std::string ShownRange::Complaint(vtkDataObject* data, const std::string& field,
+  vtkScalarsToColors* table, vtkMultiProcessController* processes)
 {
-  if (!IsAsParaViewSetsIt(data, field, table))
+  const Range values = Joined(OfValues(data, field, table), processes);
+  const double* shown = table->GetRange();
+  const double tolerance = 1e-6 * (shown[1] - shown[0]);
+  // Whether the table spans what ParaView makes it span.
+  const bool asSet =
+    std::fabs(shown[0] - values[0]) <= tolerance && std::fabs(shown[1] - values[1]) <= tolerance;
+  if (processes == nullptr && !asSet)
   {
     return {};
   }
-  const std::optional<Range> range = this->OfField(data, field, table);
-  const double* shown = table->GetRange();
-  if (!range ||
-    std::max(shown[0] - (*range)[0], (*range)[1] - shown[1]) <= (shown[1] - shown[0]) / 256.0)
+  const Range range = Joined(this->OfField(data, field, table).value_or(kNone), processes);
+  this->Whole = range[0] <= range[1] ? std::optional(range) : std::nullopt;
+  if (!asSet || !this->Whole ||
+    std::max(shown[0] - range[0], range[1] - shown[1]) <= (shown[1] - shown[0]) / 256.0)
   {
     return {};
   }
   std::ostringstream text;
   text << "the colour map spans the values in the array '" << field << "', " << shown[0] << " to "
-       << shown[1] << ", but the field has values from " << (*range)[0] << " to " << (*range)[1]
+       << shown[1] << ", but the field has values from " << range[0] << " to " << range[1]
        << ", and those beyond have the colours of its ends; 'Rescale to Custom Range' shows all";
   return text.str();
 }

@@ -9,12 +9,14 @@
 #include "Core/Base/Error.h"
 
 #include "vtkActor.h"
+#include "vtkCommand.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkImplicitFunction.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVRenderView.h"
 #include "vtkProperty.h"
@@ -23,6 +25,8 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <utility>
 
 vtkStandardNewMacro(vtkPixelExactRepresentation);
@@ -105,6 +109,7 @@ int vtkPixelExactRepresentation::RequestData(
     try
     {
       my.Shown = my.WithCoefficients(data);
+      my.NumberSelectedCells(data);
       if (Internals::HasCells(my.Shown))
       {
         // Held until the mapper has it.
@@ -167,7 +172,10 @@ int vtkPixelExactRepresentation::ProcessViewRequest(
       my.Mapper->SetInputData(delivered);
       my.Delivered = delivered;
       this->ChooseSurface();
-      this->Warn(delivered);
+    }
+    if (isThere || Internals::HasSeveralProcesses())
+    {
+      this->Warn(isThere ? delivered : nullptr);
     }
   }
   return 1;
@@ -245,7 +253,9 @@ void vtkPixelExactRepresentation::Warn(vtkDataObject* shown)
   std::set<std::string> texts;
   if (my.Mapper->GetScalarVisibility() && my.Mapper->GetLookupTable() != nullptr)
   {
-    texts.insert(my.Range.Complaint(shown, my.ColorArray, my.Mapper->GetLookupTable()));
+    auto* processes = vtkMultiProcessController::GetGlobalController();
+    texts.insert(my.Range.Complaint(shown, my.ColorArray, my.Mapper->GetLookupTable(),
+      Internals::HasSeveralProcesses() ? processes : nullptr));
   }
   if (my.HasBlockColors || my.HasBlockOpacities ||
     std::ranges::any_of(my.Selectors, [](const auto& s) { return s != "/"; }))
@@ -261,7 +271,7 @@ void vtkPixelExactRepresentation::Warn(vtkDataObject* shown)
   texts.erase("");
   for (const std::string& text : texts)
   {
-    if (!my.Told.contains(text))
+    if (!my.Told.contains(text) && Internals::IsFirstProcess())
     {
       vtkWarningMacro(<< text);
     }
@@ -273,9 +283,15 @@ void vtkPixelExactRepresentation::Warn(vtkDataObject* shown)
 double* vtkPixelExactRepresentation::GetFieldRange()
 {
   Internals& my = *this->Data;
-  const auto range = my.Shown != nullptr
-    ? my.Range.OfField(my.Shown, my.ColorArray, my.Mapper->GetLookupTable())
-    : std::nullopt;
+  std::optional<std::array<double, 2>> range;
+  if (Internals::HasSeveralProcesses())
+  {
+    range = my.Range.OfAll();
+  }
+  else if (my.Shown != nullptr)
+  {
+    range = my.Range.OfField(my.Shown, my.ColorArray, my.Mapper->GetLookupTable());
+  }
   my.FieldRange = range.value_or(std::array{ 1.0, -1.0 });
   return my.FieldRange.data();
 }
@@ -291,6 +307,8 @@ bool vtkPixelExactRepresentation::AddToView(vtkView* view)
   renderView->GetRenderer()->AddActor(this->Data->Actor);
   renderView->RegisterPropForHardwareSelection(this, this->Data->Actor);
   this->Data->Renderer = renderView->GetRenderer();
+  this->Data->RenderObserver = renderView->GetRenderer()->AddObserver(
+    vtkCommand::EndEvent, this, &vtkPixelExactRepresentation::AfterRender);
   this->Data->Notes.AddTo(renderView);
   return this->Superclass::AddToView(view);
 }
@@ -305,6 +323,7 @@ bool vtkPixelExactRepresentation::RemoveFromView(vtkView* view)
   }
   renderView->UnRegisterPropForHardwareSelection(this, this->Data->Actor);
   renderView->GetRenderer()->RemoveActor(this->Data->Actor);
+  renderView->GetRenderer()->RemoveObserver(this->Data->RenderObserver);
   this->Data->Renderer = nullptr;
   this->Data->Notes.RemoveFrom(renderView);
   return this->Superclass::RemoveFromView(view);

@@ -20,8 +20,9 @@
 #include "PixelExactParaViewModule.h"
 #include "vtkPVDataRepresentation.h"
 
-#include <memory> // for the implementation
-#include <string> // for texts
+#include <functional> // for the pointer
+#include <memory>     // for the implementation
+#include <string>     // for texts
 
 class vtkActor;
 class vtkHighOrderMapper;
@@ -118,28 +119,34 @@ public:
 
   /**
    * The ends of the values that the field in colours has over the mesh, of the component that the
-   * colour map shows; see pixelexact::FieldRange. 1 and -1 where there is no such field.
+   * colour map shows; see pixelexact::FieldRange. 1 and -1 where there is no such field; in several
+   * processes, of whose parts it is put together, also before the first picture.
    */
   double* GetFieldRange() VTK_SIZEHINT(2);
 
   ///@{
   /**
    * What a pixel of the view shows (from 0, the lower left one; below 0: none), once it was
-   * rendered, see vtkHighOrderPicker: verdict (0 no cut, 1 exact, 2 undecided), element, xi (3),
-   * value, the two ends of an interval proven to hold it (of scalar fields), position in the data's
-   * coordinates (3); NaN, of the element -1, where there is none. And the same as a text, empty
-   * where there is no cut.
+   * rendered (in several processes: after the pixel was set), see vtkHighOrderPicker: verdict (0 no
+   * cut, 1 exact, 2 undecided), element, xi (3), value, the two ends of an interval proven to hold
+   * it (of scalar fields), position in the data's coordinates (3); NaN, of the element -1, where
+   * there is none. And the same as a text, empty where there is no cut.
    */
   void SetPickedPixel(int x, int y);
   double* GetPicked() VTK_SIZEHINT(11);
   const char* GetPickedText();
   ///@}
 
+  /**
+   * The text of another pixel of the last picture. All processes that draw must call it.
+   */
+  const char* PickAt(int x, int y);
+
   ///@{
   /**
    * What is written over the picture: what colours beside the map mean; and the text of the pixel
-   * under the pointer, while no button is down, in views with an interactor whose process has all
-   * of the data. PointerText is what is written.
+   * under the pointer, while no button is down, in views with an interactor. PointerText is what is
+   * written.
    */
   void SetVerdictLegend(bool show);
   void SetValueUnderPointer(bool show);
@@ -147,7 +154,13 @@ public:
   ///@}
 
   /**
-   * Of the last picture: pixels whose element could not be decided; they are magenta.
+   * Who knows the text of a pixel where others draw, or not this process alone; by default PickAt.
+   */
+  void SetPointerSource(std::function<std::string(int x, int y)> source);
+
+  /**
+   * Of the last picture: pixels whose element could not be decided; they are magenta. Of several
+   * processes the sum, although a nearer part may hide some.
    */
   vtkIdType GetNumberOfUnknownPixels();
 
@@ -213,6 +226,7 @@ private:
   void ChooseWalls();
   void ReadSurfaceFile();
   std::string TextAt(int x, int y);
+  void AfterRender();
   /**
    * What several processes, all of which call it, tell each other of their parts: which faces of a
    * boundary lie between these; where there are contours or edges, elements beside them.
@@ -221,7 +235,7 @@ private:
   void AskOthersAgain(bool hadLines);
   /**
    * Of what ParaView's panels offer and a cut does not have, and of a colour map that is too
-   * narrow.
+   * narrow. Of what is null on processes without cells, all of which call it; the first one warns.
    */
   void Warn(vtkDataObject* shown);
 

@@ -69,6 +69,36 @@ class Selection(unittest.TestCase):
         total = self.grid.GetDataInformation().GetNumberOfCells()
         self.assertLess(len(cells), total)
 
+    def test_behind_a_filter_the_cells_are_its_own(self):
+        # Not the source's, whose numbers they keep for what is told of them.
+        part = simple.Threshold(
+            Input=simple.PixelExactPack(Input=self.grid), Scalars=["POINTS", "u"]
+        )
+        part.LowerThreshold, part.UpperThreshold = -0.7, 0.5
+        simple.Hide(self.grid)
+        shown = simple.Show(part)
+        shown.SetRepresentationType("PixelExact")
+        shown.CutFunction.Origin = [0, 0, 0]
+        shown.CutFunction.Normal = [0, 0, 1]
+        simple.Render(self.view)
+        self.assertLess(part.GetDataInformation().GetNumberOfCells(), 48)
+        told = []
+        for x in range(40, 280, 20):
+            shown.PickedPixel = [x, 120]
+            simple.Render(self.view)
+            shown.UpdatePropertyInformation()
+            verdict, element, *_ = picked = list(shown.GetProperty("Picked"))
+            if verdict != 1:
+                continue
+            _, cells = self.selected_cells([x, 120, x, 120])
+            (cell,) = cells
+            bounds = servermanager.Fetch(part).GetCell(int(cell)).GetBounds()
+            for d, place in enumerate(picked[8:11]):
+                self.assertLessEqual(bounds[2 * d] - 0.05, place)
+                self.assertLessEqual(place, bounds[2 * d + 1] + 0.05)
+            told.append((element, cell))
+        self.assertTrue(any(element != cell for element, cell in told))
+
     def test_points_are_not_selected(self):
         representations, selections = vtkCollection(), vtkCollection()
         self.view.SMProxy.SelectSurfacePoints([10, 10, 300, 220], representations, selections, 0)

@@ -134,7 +134,7 @@ void FrameDrawer::Select(FrameRequest request, vtkRenderer* renderer, vtkActor* 
     return;
   }
   SelectionImage image = MakeSelectionImage(
-    pass, frame, DepthRowsOf(renderer, actor->GetMatrix()), model.SourceCells(), model.Blocks());
+    pass, frame, DepthRowsOf(renderer, actor->GetMatrix()), model.SelectedCells(), model.Blocks());
   if (HasGhosts)
   {
     HideGhosts(frame.centres, model, image.depths);

@@ -34,7 +34,7 @@ SelectionPass PassOf(vtkHardwareSelector* selector, const HighOrderModel& model)
     return pass;
   }
   selector->BeginRenderProp();
-  const std::span<const std::int64_t> cells = model.SourceCells();
+  const std::span<const std::int64_t> cells = model.SelectedCells();
   selector->UpdateMaximumCellId(cells.empty() ? 0 : std::ranges::max(cells));
   switch (selector->GetCurrentPass())
   {
@@ -67,7 +67,7 @@ SelectionPass PassOf(vtkHardwareSelector* selector, const HighOrderModel& model)
 }
 
 SelectionImage MakeSelectionImage(const SelectionPass& pass, const Frame& frame,
-  const DepthRows& rows, std::span<const std::int64_t> sourceCells,
+  const DepthRows& rows, std::span<const std::int64_t> cells,
   std::span<const HighOrderModel::Block> blocks)
 {
   const std::size_t pixels = frame.centres.Size();
@@ -91,7 +91,7 @@ SelectionImage MakeSelectionImage(const SelectionPass& pass, const Frame& frame,
       {
         continue;
       }
-      const auto source = [&] { return sourceCells[static_cast<std::size_t>(sheet.element[i])]; };
+      const auto cell = [&] { return cells[static_cast<std::size_t>(sheet.element[i])]; };
       switch (pass.shows)
       {
         case SelectionPass::Shows::Prop:
@@ -101,10 +101,10 @@ SelectionImage MakeSelectionImage(const SelectionPass& pass, const Frame& frame,
           SetColor(HighOrderModel::BlockOf(sheet.element[i], blocks).flatIndex, color);
           break;
         case SelectionPass::Shows::CellLow:
-          SetColor(source(), color);
+          SetColor(cell(), color);
           break;
         case SelectionPass::Shows::CellHigh:
-          SetColor(source() >> 24, color);
+          SetColor(cell() >> 24, color);
           break;
         case SelectionPass::Shows::Nothing:
           break;

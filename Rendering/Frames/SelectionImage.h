@@ -41,8 +41,8 @@ struct SelectionImage
 };
 
 /// Of each pixel the nearest sample that is shown, translucent or not, as VTK's own mappers are
-/// selected. `sourceCells` and `blocks` as HighOrderModel's.
+/// selected. `cells`: HighOrderModel::SelectedCells; `blocks` as the model's.
 PIXELEXACTRENDERING_EXPORT SelectionImage MakeSelectionImage(const SelectionPass& pass,
-  const Frame& frame, const DepthRows& rows, std::span<const std::int64_t> sourceCells,
+  const Frame& frame, const DepthRows& rows, std::span<const std::int64_t> cells,
   std::span<const HighOrderModel::Block> blocks);
 } // namespace pixelexact

@@ -2,6 +2,7 @@
 #include "CutScene.h"
 #include "Frames/SelectionImage.h"
 
+#include "vtkCellData.h"
 #include "vtkFieldData.h"
 #include "vtkHardwareSelector.h"
 #include "vtkIdTypeArray.h"
@@ -123,6 +124,33 @@ TEST(Selection, PixelsAreTheirActorsAndTheirCells)
       }
     }
   }
+}
+
+TEST(Selection, TellsTheNumbersThatTheGridGives)
+{
+  Selected selected(true);
+  vtkUnstructuredGrid* grid = selected.Scene.Grid;
+  vtkNew<vtkTypeInt64Array> numbers;
+  numbers->SetName(kSelectedCells);
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    numbers->InsertNextValue(3 * SourceCells(grid)->GetValue(cell));
+  }
+  grid->GetCellData()->AddArray(numbers);
+  ASSERT_TRUE(selected.Selector->CaptureBuffers());
+  int cells = 0;
+  selected.ForEachPixel(
+    [&](const std::array<unsigned int, 2>& pixel, const CutScene::Expected& expected)
+    {
+      if (expected.seen == CutScene::Seen::Cut)
+      {
+        ++cells;
+        const auto info = selected.Selector->GetPixelInformation(pixel.data());
+        const std::int64_t cell = info.AttributeID - 3 * CellBelow(expected.position);
+        ASSERT_TRUE(cell == 0 || cell == 12) << info.AttributeID;
+      }
+    });
+  EXPECT_GT(cells, 100);
 }
 
 TEST(Selection, HoldsTheCellsThatAreSeen)

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSMPixelExactRepresentationProxy.h"
+
+#include "vtkPixelExactRepresentation.h"
+
+#include "vtkClientServerStream.h"
+#include "vtkObjectFactory.h"
+#include "vtkPVSession.h"
+#include "vtkProcessModule.h"
+
+vtkStandardNewMacro(vtkSMPixelExactRepresentationProxy);
+
+//------------------------------------------------------------------------------
+vtkSMPixelExactRepresentationProxy::vtkSMPixelExactRepresentationProxy() = default;
+
+//------------------------------------------------------------------------------
+vtkSMPixelExactRepresentationProxy::~vtkSMPixelExactRepresentationProxy()
+{
+  if (this->Shown)
+  {
+    this->Shown->SetPointerSource({});
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSMPixelExactRepresentationProxy::CreateVTKObjects()
+{
+  this->Superclass::CreateVTKObjects();
+  if (!this->IsSetUp && this->ObjectsCreated)
+  {
+    this->IsSetUp = true; // before the object is asked for, which comes by here again
+    this->Shown = vtkPixelExactRepresentation::SafeDownCast(this->GetClientSideObject());
+    if (this->Shown)
+    {
+      this->Shown->SetPointerSource([this](int x, int y) { return this->TextAt(x, y); });
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSMPixelExactRepresentationProxy::UpdatePropertyInformationInternal(vtkSMProperty* property)
+{
+  vtkSMProperty* const pointer = this->GetProperty("PointerText");
+  if (property != pointer)
+  {
+    const vtkTypeUInt32 everywhere = this->Location;
+    this->Location = everywhere & ~static_cast<vtkTypeUInt32>(vtkPVSession::CLIENT);
+    this->Superclass::UpdatePropertyInformationInternal(property);
+    this->Location = everywhere;
+  }
+  if (property == nullptr || property == pointer)
+  {
+    this->Superclass::UpdatePropertyInformationInternal(pointer);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkSMPixelExactRepresentationProxy::TextAt(int x, int y)
+{
+  if (vtkProcessModule::GetProcessModule()->GetSymmetricMPIMode())
+  {
+    return {}; // every process runs the script, but only one has the pointer
+  }
+  vtkClientServerStream ask;
+  ask << vtkClientServerStream::Invoke << VTKOBJECT(this) << "PickAt" << x << y
+      << vtkClientServerStream::End;
+  this->ExecuteStream(ask, false, vtkPVSession::RENDER_SERVER);
+  const char* text = nullptr;
+  return this->GetLastResult(vtkPVSession::RENDER_SERVER_ROOT).GetArgument(0, 0, &text) != 0 &&
+      text != nullptr
+    ? text
+    : "";
+}
+
+//------------------------------------------------------------------------------
+void vtkSMPixelExactRepresentationProxy::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}
