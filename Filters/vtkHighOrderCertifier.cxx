@@ -8,6 +8,7 @@
 #include "Grids/FieldsNamed.h"
 #include "Grids/FilterWork.h"
 #include "HighOrderArrays.h"
+#include "Parts/ParallelRun.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -171,7 +172,11 @@ int vtkHighOrderCertifier::RequestData(vtkInformation* /*request*/,
   return FillOutput(this, output,
     [&]
     {
-      this->Certify(vtkUnstructuredGrid::GetData(inputVector[0]), output);
-      return true;
+      const bool any = !HasNoShare(inputVector[0]);
+      if (any)
+      {
+        this->Certify(vtkUnstructuredGrid::GetData(inputVector[0]), output);
+      }
+      return any;
     });
 }

@@ -7,6 +7,8 @@
 #include "Cuts/VtkCutFunction.h"
 #include "Grids/FieldsNamed.h"
 #include "Grids/FilterWork.h"
+#include "Parts/ParallelRun.h"
+#include "Parts/WholeMesh.h"
 
 #include "Core/Base/Error.h"
 #include "Core/Location/Locator.h"
@@ -50,6 +52,7 @@ void RequireComponent(const Field& field, int component)
 vtkHighOrderContour::vtkHighOrderContour()
   : Values(std::make_unique<ContourList>())
   , Source(std::make_unique<ModelSource>())
+  , Mesh(std::make_unique<WholeMesh>(WholeMesh::Maker::First))
 {
 }
 
@@ -156,10 +159,10 @@ int vtkHighOrderContour::FillInputPortInformation(int /*port*/, vtkInformation* 
 }
 
 int vtkHighOrderContour::RequestUpdateExtent(vtkInformation* /*request*/,
-  vtkInformationVector** inputVector, vtkInformationVector* /*outputVector*/)
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  // All of the grid: lines go on from piece to piece.
-  AskForWhole(inputVector[0]);
+  // Lines go on from piece to piece.
+  AskForParts(inputVector[0], outputVector);
   return 1;
 }
 
@@ -209,10 +212,15 @@ int vtkHighOrderContour::RequestData(vtkInformation* /*request*/,
   this->NumberOfUncertifiedLines = 0;
   this->NumberOfUndecidedElements = 0;
   this->ReportText.clear();
-  return FillOutput(this, output,
+  const int filled = FillOutput(this, output,
     [&]
     {
-      this->Trace(vtkDataObject::GetData(inputVector[0]), output);
-      return true;
+      vtkDataObject* mesh = this->Mesh->Of(inputVector[0], outputVector, this);
+      if (mesh != nullptr)
+      {
+        this->Trace(mesh, output);
+      }
+      return mesh != nullptr;
     });
+  return AnswerOfAll(filled, outputVector);
 }

@@ -36,6 +36,7 @@ namespace pixelexact
 {
 class ContourList;
 class ModelSource;
+class WholeMesh;
 } // namespace pixelexact
 
 class PIXELEXACTFILTERS_EXPORT vtkHighOrderContour : public vtkPolyDataAlgorithm
@@ -133,6 +134,7 @@ private:
   vtkIdType NumberOfUndecidedElements = 0;
   std::string ReportText;
   std::unique_ptr<pixelexact::ModelSource> Source;
+  std::unique_ptr<pixelexact::WholeMesh> Mesh;
 };
 
 #endif

@@ -7,6 +7,8 @@
 #include "Grids/FieldsNamed.h"
 #include "Grids/FilterWork.h"
 #include "HighOrderModel.h"
+#include "Parts/ParallelRun.h"
+#include "Parts/WholeMesh.h"
 
 #include "Core/Base/Error.h"
 
@@ -68,6 +70,7 @@ void ToTable(const std::vector<IntegralRow>& rows, vtkTable* table)
 
 vtkHighOrderIntegrate::vtkHighOrderIntegrate()
   : Source(std::make_unique<ModelSource>())
+  , Mesh(std::make_unique<WholeMesh>(WholeMesh::Maker::First))
 {
 }
 
@@ -172,9 +175,9 @@ int vtkHighOrderIntegrate::FillInputPortInformation(int /*port*/, vtkInformation
 }
 
 int vtkHighOrderIntegrate::RequestUpdateExtent(vtkInformation* /*request*/,
-  vtkInformationVector** inputVector, vtkInformationVector* /*outputVector*/)
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  AskForWhole(inputVector[0]);
+  AskForParts(inputVector[0], outputVector);
   return 1;
 }
 
@@ -254,10 +257,15 @@ int vtkHighOrderIntegrate::RequestData(vtkInformation* /*request*/,
   auto* output = vtkTable::GetData(outputVector);
   this->ToleranceMet = false;
   this->UnresolvedArea = 0.0;
-  return FillOutput(this, output,
+  const int filled = FillOutput(this, output,
     [&]
     {
-      this->Integrate(vtkDataObject::GetData(inputVector[0]), output);
-      return true;
+      vtkDataObject* mesh = this->Mesh->Of(inputVector[0], outputVector, this);
+      if (mesh != nullptr)
+      {
+        this->Integrate(mesh, output);
+      }
+      return mesh != nullptr;
     });
+  return AnswerOfAll(filled, outputVector);
 }

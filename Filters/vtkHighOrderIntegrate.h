@@ -33,6 +33,7 @@ class vtkImplicitFunction;
 namespace pixelexact
 {
 class ModelSource;
+class WholeMesh;
 } // namespace pixelexact
 
 class PIXELEXACTFILTERS_EXPORT vtkHighOrderIntegrate : public vtkTableAlgorithm
@@ -174,6 +175,7 @@ private:
   bool ToleranceMet = false;
   double UnresolvedArea = 0.0;
   std::unique_ptr<pixelexact::ModelSource> Source;
+  std::unique_ptr<pixelexact::WholeMesh> Mesh;
 };
 
 #endif

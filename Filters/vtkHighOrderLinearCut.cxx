@@ -12,6 +12,8 @@
 #include "Grids/FieldsNamed.h"
 #include "Grids/FilterWork.h"
 #include "Grids/PointBounds.h"
+#include "Parts/ParallelRun.h"
+#include "Parts/WholeMesh.h"
 
 #include "vtkCellArray.h"
 #include "vtkIdList.h"
@@ -104,6 +106,7 @@ Box3 CutBox(const HighOrderModel& model, vtkDataObject* grid)
 
 vtkHighOrderLinearCut::vtkHighOrderLinearCut()
   : Source(std::make_unique<ModelSource>())
+  , Mesh(std::make_unique<WholeMesh>(WholeMesh::Maker::First))
 {
 }
 
@@ -156,9 +159,9 @@ int vtkHighOrderLinearCut::FillInputPortInformation(int /*port*/, vtkInformation
 }
 
 int vtkHighOrderLinearCut::RequestUpdateExtent(vtkInformation* /*request*/,
-  vtkInformationVector** inputVector, vtkInformationVector* /*outputVector*/)
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  AskForWhole(inputVector[0]);
+  AskForParts(inputVector[0], outputVector);
   return 1;
 }
 
@@ -221,6 +224,11 @@ int vtkHighOrderLinearCut::RequestData(vtkInformation* /*request*/,
   auto* output = vtkPolyData::GetData(outputVector);
   this->NumberOfTrianglesAtTheRim = 0;
   this->NumberOfPointsOffSurface = 0;
-  return FillOutput(
-    this, output, [&] { return this->Cut(vtkDataObject::GetData(inputVector[0]), output); });
+  const int filled = FillOutput(this, output,
+    [&]
+    {
+      vtkDataObject* mesh = this->Mesh->Of(inputVector[0], outputVector, this);
+      return mesh != nullptr && this->Cut(mesh, output);
+    });
+  return AnswerOfAll(filled, outputVector);
 }

@@ -33,7 +33,8 @@ class vtkImplicitFunction;
 namespace pixelexact
 {
 class ModelSource;
-}
+class WholeMesh;
+} // namespace pixelexact
 
 class PIXELEXACTFILTERS_EXPORT vtkHighOrderLinearCut : public vtkPolyDataAlgorithm
 {
@@ -103,6 +104,7 @@ private:
   vtkIdType NumberOfTrianglesAtTheRim = 0;
   vtkIdType NumberOfPointsOffSurface = 0;
   std::unique_ptr<pixelexact::ModelSource> Source;
+  std::unique_ptr<pixelexact::WholeMesh> Mesh;
 };
 
 #endif

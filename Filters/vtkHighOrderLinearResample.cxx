@@ -9,6 +9,8 @@
 #include "Grids/FilterWork.h"
 #include "Grids/FreeMemory.h"
 #include "Grids/PointBounds.h"
+#include "Parts/ParallelRun.h"
+#include "Parts/WholeMesh.h"
 
 #include "vtkCellData.h"
 #include "vtkCharArray.h"
@@ -110,6 +112,7 @@ void SetGeometry(vtkImageData* image, const int dimensions[3], const double boun
 
 vtkHighOrderLinearResample::vtkHighOrderLinearResample()
   : Source(std::make_unique<ModelSource>())
+  , Mesh(std::make_unique<WholeMesh>(WholeMesh::Maker::First))
 {
 }
 
@@ -169,10 +172,9 @@ int vtkHighOrderLinearResample::RequestInformation(vtkInformation* /*request*/,
 }
 
 int vtkHighOrderLinearResample::RequestUpdateExtent(vtkInformation* /*request*/,
-  vtkInformationVector** inputVector, vtkInformationVector* /*outputVector*/)
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  // All of the grid, whatever part of the image is asked for.
-  AskForWhole(inputVector[0]);
+  AskForParts(inputVector[0], outputVector);
   return 1;
 }
 
@@ -202,6 +204,11 @@ int vtkHighOrderLinearResample::RequestData(vtkInformation* /*request*/,
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   auto* output = vtkImageData::GetData(outputVector);
-  return FillOutput(
-    this, output, [&] { return this->Resample(vtkDataObject::GetData(inputVector[0]), output); });
+  const int filled = FillOutput(this, output,
+    [&]
+    {
+      vtkDataObject* mesh = this->Mesh->Of(inputVector[0], outputVector, this);
+      return mesh != nullptr && this->Resample(mesh, output);
+    });
+  return AnswerOfAll(filled, outputVector);
 }

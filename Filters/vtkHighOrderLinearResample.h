@@ -25,7 +25,8 @@
 namespace pixelexact
 {
 class ModelSource;
-}
+class WholeMesh;
+} // namespace pixelexact
 
 class PIXELEXACTFILTERS_EXPORT vtkHighOrderLinearResample : public vtkImageAlgorithm
 {
@@ -83,6 +84,7 @@ private:
   double SamplingBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
   std::vector<std::string> Fields;
   std::unique_ptr<pixelexact::ModelSource> Source;
+  std::unique_ptr<pixelexact::WholeMesh> Mesh;
 };
 
 #endif

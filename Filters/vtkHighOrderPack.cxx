@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHighOrderPack.h"
 
-#include "Conversion/GridConversion.h"
-#include "Conversion/KeptMesh.h"
 #include "Conversion/ModelSource.h"
+#include "Conversion/WithCoefficients.h"
 #include "Core/Base/Error.h"
 #include "Grids/LeafGrids.h"
-#include "HighOrderArrays.h"
 #include "PackedArrays.h"
 #include "Parts/CommonWidths.h"
 
@@ -19,25 +17,6 @@
 vtkStandardNewMacro(vtkHighOrderPack);
 
 using namespace pixelexact;
-
-namespace
-{
-vtkSmartPointer<vtkUnstructuredGrid> WithCoefficients(
-  vtkUnstructuredGrid* grid, vtkAlgorithm* owner)
-{
-  if (HasHighOrderArrays(grid))
-  {
-    return grid;
-  }
-  auto converted = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  KeptMesh kept;
-  for (const auto& line : ConvertGrid(grid, {}, kept, converted).diagnostics)
-  {
-    vtkWarningWithObjectMacro(owner, << line);
-  }
-  return converted;
-}
-} // namespace
 
 vtkHighOrderPack::vtkHighOrderPack()
   : Controller(vtkMultiProcessController::GetGlobalController())

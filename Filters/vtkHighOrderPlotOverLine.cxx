@@ -7,6 +7,8 @@
 #include "Cuts/PointSampling.h"
 #include "Grids/FieldsNamed.h"
 #include "Grids/FilterWork.h"
+#include "Parts/ParallelRun.h"
+#include "Parts/WholeMesh.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
@@ -28,6 +30,7 @@ vtkStandardNewMacro(vtkHighOrderPlotOverLine);
 
 vtkHighOrderPlotOverLine::vtkHighOrderPlotOverLine()
   : Source(std::make_unique<pixelexact::ModelSource>())
+  , Mesh(std::make_unique<pixelexact::WholeMesh>(pixelexact::WholeMesh::Maker::First))
 {
 }
 
@@ -66,9 +69,9 @@ int vtkHighOrderPlotOverLine::FillInputPortInformation(int /*port*/, vtkInformat
 }
 
 int vtkHighOrderPlotOverLine::RequestUpdateExtent(vtkInformation* /*request*/,
-  vtkInformationVector** inputVector, vtkInformationVector* /*outputVector*/)
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  pixelexact::AskForWhole(inputVector[0]);
+  pixelexact::AskForParts(inputVector[0], outputVector);
   return 1;
 }
 
@@ -139,6 +142,11 @@ int vtkHighOrderPlotOverLine::RequestData(vtkInformation* /*request*/,
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   auto* output = vtkPolyData::GetData(outputVector);
-  return pixelexact::FillOutput(
-    this, output, [&] { return this->Plot(vtkDataObject::GetData(inputVector[0]), output); });
+  const int filled = pixelexact::FillOutput(this, output,
+    [&]
+    {
+      vtkDataObject* mesh = this->Mesh->Of(inputVector[0], outputVector, this);
+      return mesh != nullptr && this->Plot(mesh, output);
+    });
+  return pixelexact::AnswerOfAll(filled, outputVector);
 }

@@ -28,7 +28,8 @@
 namespace pixelexact
 {
 class ModelSource;
-}
+class WholeMesh;
+} // namespace pixelexact
 
 class PIXELEXACTFILTERS_EXPORT vtkHighOrderPlotOverLine : public vtkPolyDataAlgorithm
 {
@@ -109,6 +110,7 @@ private:
   bool Enclosures = false;
   std::vector<std::string> Fields;
   std::unique_ptr<pixelexact::ModelSource> Source;
+  std::unique_ptr<pixelexact::WholeMesh> Mesh;
 };
 
 #endif

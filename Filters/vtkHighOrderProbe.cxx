@@ -5,6 +5,8 @@
 #include "Cuts/PointSampling.h"
 #include "Grids/FieldsNamed.h"
 #include "Grids/FilterWork.h"
+#include "Parts/ParallelRun.h"
+#include "Parts/WholeMesh.h"
 
 #include "vtkDataSet.h"
 #include "vtkInformation.h"
@@ -18,6 +20,7 @@ vtkStandardNewMacro(vtkHighOrderProbe);
 
 vtkHighOrderProbe::vtkHighOrderProbe()
   : Source(std::make_unique<pixelexact::ModelSource>())
+  , Mesh(std::make_unique<pixelexact::WholeMesh>(pixelexact::WholeMesh::Maker::Each))
 {
   this->SetNumberOfInputPorts(2);
 }
@@ -91,8 +94,9 @@ int vtkHighOrderProbe::RequestUpdateExtent(
   {
     return 0;
   }
-  // All of the grid, whatever piece of the points is asked for.
-  pixelexact::AskForWhole(inputVector[1]);
+  this->PointsAreInBlocks =
+    pixelexact::ComesInBlocks(this->PointsAreInBlocks, inputVector[0], outputVector);
+  pixelexact::AskForParts(inputVector[1], outputVector);
   return 1;
 }
 
@@ -122,10 +126,19 @@ int vtkHighOrderProbe::RequestData(vtkInformation* /*request*/, vtkInformationVe
   vtkInformationVector* outputVector)
 {
   auto* output = vtkDataSet::GetData(outputVector);
-  return pixelexact::FillOutput(this, output,
+  if (this->PointsAreInBlocks)
+  {
+    // No failure, for which those behind would wait.
+    output->Initialize();
+    vtkErrorMacro("points in blocks are not probed in several processes; put them together first "
+                  "(vtkAppendFilter, Merge Blocks)");
+    return 1;
+  }
+  const int filled = pixelexact::FillOutput(this, output,
     [&]
     {
-      return this->Sample(
-        vtkDataObject::GetData(inputVector[1]), vtkDataSet::GetData(inputVector[0]), output);
+      vtkDataObject* mesh = this->Mesh->Of(inputVector[1], outputVector, this);
+      return this->Sample(mesh, vtkDataSet::GetData(inputVector[0]), output);
     });
+  return pixelexact::AnswerOfAll(filled, outputVector);
 }

@@ -41,7 +41,8 @@ class vtkDataSet;
 namespace pixelexact
 {
 class ModelSource;
-}
+class WholeMesh;
+} // namespace pixelexact
 
 class PIXELEXACTFILTERS_EXPORT vtkHighOrderProbe : public vtkPassInputTypeAlgorithm
 {
@@ -118,6 +119,8 @@ private:
   bool Enclosures = false;
   bool Owners = false;
   std::unique_ptr<pixelexact::ModelSource> Source;
+  std::unique_ptr<pixelexact::WholeMesh> Mesh;
+  bool PointsAreInBlocks = false; ///< in a parallel run
 };
 
 #endif

@@ -9,6 +9,7 @@
 #include "Grids/FieldsNamed.h"
 #include "Grids/FilterWork.h"
 #include "Grids/FreeMemory.h"
+#include "Parts/ParallelRun.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkUnstructuredGrid.h"
@@ -69,13 +70,6 @@ int vtkHighOrderSubdivide::FillInputPortInformation(int /*port*/, vtkInformation
   return 1;
 }
 
-int vtkHighOrderSubdivide::RequestUpdateExtent(vtkInformation* /*request*/,
-  vtkInformationVector** inputVector, vtkInformationVector* /*outputVector*/)
-{
-  AskForWhole(inputVector[0]);
-  return 1;
-}
-
 bool vtkHighOrderSubdivide::Fill(vtkDataObject* input, vtkUnstructuredGrid* output)
 {
   const auto model = this->Source->Get(input, this);
@@ -105,6 +99,10 @@ int vtkHighOrderSubdivide::RequestData(vtkInformation* /*request*/,
 {
   auto* output = vtkUnstructuredGrid::GetData(outputVector);
   this->NumberOfCoarseElements = 0;
-  return FillOutput(
-    this, output, [&] { return this->Fill(vtkDataObject::GetData(inputVector[0]), output); });
+  return FillOutput(this, output,
+    [&]
+    {
+      return !HasNoShare(inputVector[0]) &&
+        this->Fill(vtkDataObject::GetData(inputVector[0]), output);
+    });
 }

@@ -5,6 +5,7 @@
 #include "Grids/FieldsNamed.h"
 #include "Grids/FilterWork.h"
 #include "Grids/GridTruncation.h"
+#include "Parts/ParallelRun.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -49,7 +50,8 @@ int vtkHighOrderTruncate::FillInputPortInformation(int /*port*/, vtkInformation*
   return 1;
 }
 
-void vtkHighOrderTruncate::Truncate(vtkUnstructuredGrid* input, vtkUnstructuredGrid* output)
+std::map<std::string, double> vtkHighOrderTruncate::Truncate(
+  vtkUnstructuredGrid* input, vtkUnstructuredGrid* output)
 {
   using namespace pixelexact;
   const auto model = this->Source->Get(input, this);
@@ -60,28 +62,61 @@ void vtkHighOrderTruncate::Truncate(vtkUnstructuredGrid* input, vtkUnstructuredG
   }
   auto* grid = vtkUnstructuredGrid::SafeDownCast(this->Source->GridOf(input));
   output->ShallowCopy(WithTruncated(grid, truncations));
+  std::map<std::string, double> changes;
   for (std::size_t k = 0; this->Bounds && k < truncations.size(); ++k)
   {
-    vtkNew<vtkDoubleArray> change;
-    change->SetName((truncations[k].Kept().name + "_LargestChange").c_str());
-    change->InsertNextValue(LargestChange(model->GetMesh(), truncations[k], -1,
-      [&](double part)
-      {
-        this->UpdateProgress(
-          (static_cast<double>(k) + part) / static_cast<double>(truncations.size()));
-      }));
-    output->GetFieldData()->AddArray(change);
+    changes[truncations[k].Kept().name + "_LargestChange"] =
+      LargestChange(model->GetMesh(), truncations[k], -1,
+        [&](double part)
+        {
+          this->UpdateProgress(
+            (static_cast<double>(k) + part) / static_cast<double>(truncations.size()));
+        });
   }
+  return changes;
+}
+
+int vtkHighOrderTruncate::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  this->InBlocks = pixelexact::ComesInBlocks(this->InBlocks, inputVector[0], outputVector);
+  return this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
 }
 
 int vtkHighOrderTruncate::RequestData(vtkInformation* /*request*/,
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   auto* output = vtkUnstructuredGrid::GetData(outputVector);
-  return pixelexact::FillOutput(this, output,
+  std::map<std::string, double> changes;
+  int filled = pixelexact::FillOutput(this, output,
     [&]
     {
-      this->Truncate(vtkUnstructuredGrid::GetData(inputVector[0]), output);
-      return true;
+      const bool any = !pixelexact::HasNoShare(inputVector[0]);
+      if (any)
+      {
+        changes = this->Truncate(vtkUnstructuredGrid::GetData(inputVector[0]), output);
+      }
+      return any;
     });
+  if (this->InBlocks)
+  {
+    return filled;
+  }
+  if (auto* processes = pixelexact::ProcessesThatShare(outputVector))
+  {
+    filled = pixelexact::AnswerOfAll(filled, outputVector);
+    if (filled == 0)
+    {
+      return 0;
+    }
+    changes = pixelexact::LargestOfAll(changes, processes);
+  }
+  for (const auto& [name, change] : changes)
+  {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(name.c_str());
+    array->InsertNextValue(change);
+    output->GetFieldData()->AddArray(array);
+  }
+  return filled;
 }

@@ -12,7 +12,8 @@
  * move anywhere (of several components the norm of the change): proven, of what the coefficients
  * define; infinite where no bound was found. Point and cell arrays of the fields' names hold values
  * of the whole fields, and are left out. A plain grid is converted first. Composite data are
- * truncated block by block.
+ * truncated block by block; in several processes, each of which has parts of blocks, their changes
+ * are not told.
  */
 
 #ifndef vtkHighOrderTruncate_h
@@ -21,6 +22,7 @@
 #include "PixelExactFiltersModule.h"
 #include "vtkPassInputTypeAlgorithm.h"
 
+#include <map>    // for changes
 #include <memory> // for the model
 #include <string> // for names
 #include <vector> // for names
@@ -67,6 +69,8 @@ protected:
   ~vtkHighOrderTruncate() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
@@ -75,12 +79,14 @@ private:
   void operator=(const vtkHighOrderTruncate&) = delete;
 
   /// Throws Error.
-  void Truncate(vtkUnstructuredGrid* input, vtkUnstructuredGrid* output);
+  /// Makes all but the changes, and returns these by their arrays' names. Throws Error.
+  std::map<std::string, double> Truncate(vtkUnstructuredGrid* input, vtkUnstructuredGrid* output);
 
   int Order = 1;
   bool Bounds = true;
   std::vector<std::string> Fields;
   std::unique_ptr<pixelexact::ModelSource> Source;
+  bool InBlocks = false; ///< in a parallel run
 };
 
 #endif

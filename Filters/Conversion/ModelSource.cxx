@@ -11,7 +11,6 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -138,15 +137,5 @@ std::string ChosenName(vtkAlgorithm* filter, const std::string& given)
   return array != nullptr && array->Has(vtkDataObject::FIELD_NAME())
     ? array->Get(vtkDataObject::FIELD_NAME())
     : "";
-}
-
-void AskForWhole(vtkInformationVector* input)
-{
-  if (auto* grid = input->GetInformationObject(0))
-  {
-    grid->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
-    grid->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-    grid->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
-  }
 }
 } // namespace pixelexact

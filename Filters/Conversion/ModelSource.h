@@ -15,7 +15,6 @@ class vtkAlgorithm;
 class vtkCompositeDataSet;
 class vtkDataObject;
 class vtkInformation;
-class vtkInformationVector;
 class vtkUnstructuredGrid;
 
 namespace pixelexact
@@ -51,8 +50,6 @@ private:
 
 /// A port that takes what a ModelSource does.
 void TakeGrids(vtkInformation* port);
-/// All of the input is asked for, whatever piece of the output is.
-void AskForWhole(vtkInformationVector* input);
 /// The name that is given, else that of the first array that the filter is told to process; empty
 /// where there is neither.
 std::string ChosenName(vtkAlgorithm* filter, const std::string& given);

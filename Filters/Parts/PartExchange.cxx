@@ -43,6 +43,24 @@ Grid WithoutFields(vtkUnstructuredGrid* grid)
   }
   return bare;
 }
+
+Grid OfCommonWidths(vtkUnstructuredGrid* packed, vtkMultiProcessController* processes)
+{
+  const bool any = packed->GetNumberOfCells() > 0;
+  const PackedWidths widths = CommonWidths(any ? WidthsFor(packed) : PackedWidths(), processes);
+  return any ? Pack(packed, widths) : Grid(packed);
+}
+
+std::vector<Grid> ToGrids(const std::vector<vtkSmartPointer<vtkDataObject>>& received)
+{
+  std::vector<Grid> grids;
+  for (const auto& object : received)
+  {
+    const Grid grid = vtkUnstructuredGrid::SafeDownCast(object);
+    grids.push_back(grid ? grid : Grid::New());
+  }
+  return grids;
+}
 } // namespace
 
 void AgreeThatAllIsWell(const std::string& problem, vtkMultiProcessController* processes)
@@ -80,18 +98,16 @@ Grid PackedCells(vtkUnstructuredGrid* grid, const std::vector<vtkIdType>& cells,
 
 std::vector<Grid> FromAll(vtkUnstructuredGrid* packed, vtkMultiProcessController* processes)
 {
-  const bool any = packed->GetNumberOfCells() > 0;
-  const PackedWidths widths = CommonWidths(any ? WidthsFor(packed) : PackedWidths(), processes);
-  const Grid sent = any ? Pack(packed, widths) : Grid(packed);
   std::vector<vtkSmartPointer<vtkDataObject>> received;
-  processes->AllGather(sent, received);
-  std::vector<Grid> grids;
-  for (const auto& object : received)
-  {
-    const Grid grid = vtkUnstructuredGrid::SafeDownCast(object);
-    grids.push_back(grid ? grid : Grid::New());
-  }
-  return grids;
+  processes->AllGather(OfCommonWidths(packed, processes), received);
+  return ToGrids(received);
+}
+
+std::vector<Grid> FromAllToFirst(vtkUnstructuredGrid* packed, vtkMultiProcessController* processes)
+{
+  std::vector<vtkSmartPointer<vtkDataObject>> received;
+  processes->Gather(OfCommonWidths(packed, processes), received, 0);
+  return ToGrids(received);
 }
 
 Grid Appended(const std::vector<Grid>& packed)

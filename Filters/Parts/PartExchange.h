@@ -28,6 +28,10 @@ PIXELEXACTFILTERS_EXPORT vtkSmartPointer<vtkUnstructuredGrid> PackedCells(
 PIXELEXACTFILTERS_EXPORT std::vector<vtkSmartPointer<vtkUnstructuredGrid>> FromAll(
   vtkUnstructuredGrid* packed, vtkMultiProcessController* processes);
 
+/// The same, of the first process alone; none on others.
+PIXELEXACTFILTERS_EXPORT std::vector<vtkSmartPointer<vtkUnstructuredGrid>> FromAllToFirst(
+  vtkUnstructuredGrid* packed, vtkMultiProcessController* processes);
+
 /// Packed grids one after the other, without the empty ones; null where all are.
 PIXELEXACTFILTERS_EXPORT vtkSmartPointer<vtkUnstructuredGrid> Appended(
   const std::vector<vtkSmartPointer<vtkUnstructuredGrid>>& packed);
