@@ -212,6 +212,14 @@ int vtkHighOrderComparison::FillInputPortInformation(int port, vtkInformation* i
   return 1;
 }
 
+int vtkHighOrderComparison::RequestUpdateExtent(vtkInformation* /*request*/,
+  vtkInformationVector** inputVector, vtkInformationVector* /*outputVector*/)
+{
+  AskForWhole(inputVector[0]);
+  AskForWhole(inputVector[1]);
+  return 1;
+}
+
 bool vtkHighOrderComparison::Compare(
   vtkDataObject* grid, vtkInformationVector* surfaces, vtkTable* output)
 {

@@ -131,9 +131,10 @@ int vtkHighOrderDifference::RequestInformation(vtkInformation* /*request*/,
 }
 
 int vtkHighOrderDifference::RequestUpdateExtent(vtkInformation* /*request*/,
-  vtkInformationVector** /*inputVector*/, vtkInformationVector* /*outputVector*/)
+  vtkInformationVector** inputVector, vtkInformationVector* /*outputVector*/)
 {
-  // Grids have no extent, and all of them is wanted.
+  AskForWhole(inputVector[0]);
+  AskForWhole(inputVector[1]);
   return 1;
 }
 

@@ -7,10 +7,14 @@
 #include <memory>
 
 class vtkDataObject;
+class vtkInformationVector;
 
 namespace pixelexact
 {
 class HighOrderModel;
+
+/// RequestUpdateExtent: all of what is connected, whatever piece of the output is asked for.
+PIXELEXACTRENDERING_EXPORT void AskForWhole(vtkInformationVector* input);
 
 /// The model of somebody's grid, made anew when that is another one or has changed.
 class PIXELEXACTRENDERING_EXPORT GridModel

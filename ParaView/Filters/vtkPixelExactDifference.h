@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPixelExactDifference
+ * @brief   vtkHighOrderDifference, of the parts that several processes have, too
+ *
+ * The first process gets the parts of both grids and makes the image; the others' are empty.
+ */
+
+#ifndef vtkPixelExactDifference_h
+#define vtkPixelExactDifference_h
+
+#include "PixelExactParaViewFiltersModule.h"
+#include "vtkHighOrderDifference.h"
+
+#include <memory> // for the meshes
+
+namespace pixelexact
+{
+class WholeMesh;
+} // namespace pixelexact
+
+class PIXELEXACTPARAVIEWFILTERS_EXPORT vtkPixelExactDifference : public vtkHighOrderDifference
+{
+public:
+  static vtkPixelExactDifference* New();
+  vtkTypeMacro(vtkPixelExactDifference, vtkHighOrderDifference);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+protected:
+  vtkPixelExactDifference();
+  ~vtkPixelExactDifference() override;
+
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkPixelExactDifference(const vtkPixelExactDifference&) = delete;
+  void operator=(const vtkPixelExactDifference&) = delete;
+
+  std::unique_ptr<pixelexact::WholeMesh> First;
+  std::unique_ptr<pixelexact::WholeMesh> Second;
+};
+
+#endif
