@@ -9,6 +9,7 @@ import unittest
 
 import numpy
 
+import numbers_of
 import pictures
 import scene
 
@@ -23,10 +24,11 @@ def text_of(name):
 
 @unittest.skipIf(shutil.which("mpirun") is None, "there is no mpirun")
 class ClientServer(unittest.TestCase):
-    def run_client(self, kind, name, file):
-        picture = os.path.join(scene.PICTURES, name)
+    def run_client(self, maker, kind, name, file):
+        """What a script makes: the picture, or the numbers."""
+        made = os.path.join(scene.PICTURES, name)
         done = subprocess.run(
-            ["pvpython", pictures.script(), kind, picture, file],
+            ["pvpython", maker.script(), kind, made, file],
             env=pictures.environment(),
             capture_output=True,
             text=True,
@@ -34,10 +36,10 @@ class ClientServer(unittest.TestCase):
         )
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         self.assertNotIn("ERR|", done.stdout + done.stderr)
-        return pictures.read(picture)
+        return maker.read(made)
 
-    def served(self, kind, file, processes):
-        """The picture of a client whose server has so many processes."""
+    def served(self, maker, kind, file, processes):
+        """The same of a client whose server has so many processes."""
         log = os.path.join(scene.PICTURES, f"server_{kind}_{processes}.txt")
         with open(log, "w") as out:
             server = subprocess.Popen(
@@ -54,8 +56,8 @@ class ClientServer(unittest.TestCase):
                     break
                 time.sleep(0.2)
             self.assertTrue(said, text_of(log))
-            name = f"served_{kind}_{processes}.png"
-            found = self.run_client(f"port:{said.group(1)}:{kind}", name, file)
+            name = f"served_{kind}_{processes}{maker.SUFFIX}"
+            found = self.run_client(maker, f"port:{said.group(1)}:{kind}", name, file)
             server.wait(timeout=60)  # it ends with its client
         finally:
             if server.poll() is None:
@@ -66,12 +68,20 @@ class ClientServer(unittest.TestCase):
 
     def test_the_same(self):
         for kind, file in (("cut", TORUS), ("iso", ESCHER), ("contours_edges", TORUS)):
-            alone = self.run_client(kind, f"alone_{kind}.png", file)
+            alone = self.run_client(pictures, kind, f"alone_{kind}.png", file)
             self.assertGreater(len(numpy.unique(alone.reshape(-1, alone.shape[-1]), axis=0)), 20)
             for processes in (1, 2):
                 with self.subTest(kind, processes=processes):
-                    off = numpy.abs(self.served(kind, file, processes) - alone).max(axis=-1)
+                    served = self.served(pictures, kind, file, processes)
+                    off = numpy.abs(served - alone).max(axis=-1)
                     self.assertEqual(numpy.count_nonzero(off), 0)
+
+    def test_the_same_numbers(self):
+        alone = self.run_client(numbers_of, "lines", "alone_lines.json", TORUS)
+        self.assertIn("\nin [", "".join(alone["pointed"]))
+        for processes in (1, 2):
+            with self.subTest(processes=processes):
+                numbers_of.compare(self, self.served(numbers_of, "lines", TORUS, processes), alone)
 
 
 if __name__ == "__main__":

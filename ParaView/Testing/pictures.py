@@ -7,6 +7,7 @@ from vtkmodules.vtkIOImage import vtkPNGReader
 
 import scene
 
+SUFFIX = ".png"
 SCRIPT = """
 import sys
 from paraview.simple import *
