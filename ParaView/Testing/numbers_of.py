@@ -13,7 +13,6 @@ import json, sys
 from paraview.simple import *
 from paraview import servermanager
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkCollection
 kind, answers, *files = sys.argv[1:]
 if kind.startswith("port:"):
     _, port, kind = kind.split(":")
@@ -154,6 +153,6 @@ def compare(test, found, expected):
         if isinstance(value, dict):
             compare(test, found[name], value)
         elif name in ("text", "pointed"):
-            test.assertEqual([bool(text) for text in found[name]], [bool(text) for text in value])
+            test.assertEqual(found[name], value)
         else:
-            numpy.testing.assert_allclose(found[name], value, rtol=1e-11, atol=1e-11, err_msg=name)
+            numpy.testing.assert_allclose(found[name], value, rtol=1e-13, atol=1e-13, err_msg=name)
