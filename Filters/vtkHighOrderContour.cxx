@@ -6,7 +6,6 @@
 #include "Cuts/ContourPolyData.h"
 #include "Cuts/VtkCutFunction.h"
 #include "Grids/FieldsNamed.h"
-#include "Grids/FilterWork.h"
 #include "Parts/ParallelRun.h"
 #include "Parts/WholeMesh.h"
 
@@ -212,15 +211,10 @@ int vtkHighOrderContour::RequestData(vtkInformation* /*request*/,
   this->NumberOfUncertifiedLines = 0;
   this->NumberOfUndecidedElements = 0;
   this->ReportText.clear();
-  const int filled = FillOutput(this, output,
-    [&]
+  return this->Mesh->Fill(this, inputVector[0], outputVector,
+    [&](vtkDataObject* mesh)
     {
-      vtkDataObject* mesh = this->Mesh->Of(inputVector[0], outputVector, this);
-      if (mesh != nullptr)
-      {
-        this->Trace(mesh, output);
-      }
-      return mesh != nullptr;
+      this->Trace(mesh, output);
+      return true;
     });
-  return AnswerOfAll(filled, outputVector);
 }

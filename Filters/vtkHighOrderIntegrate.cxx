@@ -5,7 +5,6 @@
 #include "Cuts/IntegralPieces.h"
 #include "Cuts/IntegralRows.h"
 #include "Grids/FieldsNamed.h"
-#include "Grids/FilterWork.h"
 #include "HighOrderModel.h"
 #include "Parts/ParallelRun.h"
 #include "Parts/WholeMesh.h"
@@ -257,15 +256,10 @@ int vtkHighOrderIntegrate::RequestData(vtkInformation* /*request*/,
   auto* output = vtkTable::GetData(outputVector);
   this->ToleranceMet = false;
   this->UnresolvedArea = 0.0;
-  const int filled = FillOutput(this, output,
-    [&]
+  return this->Mesh->Fill(this, inputVector[0], outputVector,
+    [&](vtkDataObject* mesh)
     {
-      vtkDataObject* mesh = this->Mesh->Of(inputVector[0], outputVector, this);
-      if (mesh != nullptr)
-      {
-        this->Integrate(mesh, output);
-      }
-      return mesh != nullptr;
+      this->Integrate(mesh, output);
+      return true;
     });
-  return AnswerOfAll(filled, outputVector);
 }

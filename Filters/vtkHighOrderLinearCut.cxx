@@ -224,11 +224,6 @@ int vtkHighOrderLinearCut::RequestData(vtkInformation* /*request*/,
   auto* output = vtkPolyData::GetData(outputVector);
   this->NumberOfTrianglesAtTheRim = 0;
   this->NumberOfPointsOffSurface = 0;
-  const int filled = FillOutput(this, output,
-    [&]
-    {
-      vtkDataObject* mesh = this->Mesh->Of(inputVector[0], outputVector, this);
-      return mesh != nullptr && this->Cut(mesh, output);
-    });
-  return AnswerOfAll(filled, outputVector);
+  return this->Mesh->Fill(this, inputVector[0], outputVector,
+    [&](vtkDataObject* mesh) { return this->Cut(mesh, output); });
 }

@@ -204,11 +204,6 @@ int vtkHighOrderLinearResample::RequestData(vtkInformation* /*request*/,
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   auto* output = vtkImageData::GetData(outputVector);
-  const int filled = FillOutput(this, output,
-    [&]
-    {
-      vtkDataObject* mesh = this->Mesh->Of(inputVector[0], outputVector, this);
-      return mesh != nullptr && this->Resample(mesh, output);
-    });
-  return AnswerOfAll(filled, outputVector);
+  return this->Mesh->Fill(this, inputVector[0], outputVector,
+    [&](vtkDataObject* mesh) { return this->Resample(mesh, output); });
 }

@@ -142,11 +142,6 @@ int vtkHighOrderPlotOverLine::RequestData(vtkInformation* /*request*/,
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   auto* output = vtkPolyData::GetData(outputVector);
-  const int filled = pixelexact::FillOutput(this, output,
-    [&]
-    {
-      vtkDataObject* mesh = this->Mesh->Of(inputVector[0], outputVector, this);
-      return mesh != nullptr && this->Plot(mesh, output);
-    });
-  return pixelexact::AnswerOfAll(filled, outputVector);
+  return this->Mesh->Fill(this, inputVector[0], outputVector,
+    [&](vtkDataObject* mesh) { return this->Plot(mesh, output); });
 }

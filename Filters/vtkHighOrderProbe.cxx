@@ -134,11 +134,7 @@ int vtkHighOrderProbe::RequestData(vtkInformation* /*request*/, vtkInformationVe
                   "(vtkAppendFilter, Merge Blocks)");
     return 1;
   }
-  const int filled = pixelexact::FillOutput(this, output,
-    [&]
-    {
-      vtkDataObject* mesh = this->Mesh->Of(inputVector[1], outputVector, this);
-      return this->Sample(mesh, vtkDataSet::GetData(inputVector[0]), output);
-    });
-  return pixelexact::AnswerOfAll(filled, outputVector);
+  return this->Mesh->Fill(this, inputVector[1], outputVector,
+    [&](vtkDataObject* mesh)
+    { return this->Sample(mesh, vtkDataSet::GetData(inputVector[0]), output); });
 }

@@ -5,6 +5,7 @@
 #include "Grids/FieldsNamed.h"
 #include "Grids/FilterWork.h"
 #include "Grids/GridTruncation.h"
+#include "Parts/LargestOfAll.h"
 #include "Parts/ParallelRun.h"
 
 #include "vtkDoubleArray.h"

@@ -7,11 +7,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
-#include "vtkMultiProcessStream.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-
-#include <algorithm>
-#include <vector>
 
 namespace pixelexact
 {
@@ -53,46 +49,6 @@ bool ComesInBlocks(bool known, vtkInformationVector* input, vtkInformationVector
   return ProcessesThatShare(output) == nullptr
     ? known
     : vtkCompositeDataSet::SafeDownCast(vtkDataObject::GetData(input)) != nullptr;
-}
-
-std::map<std::string, double> LargestOfAll(
-  const std::map<std::string, double>& own, vtkMultiProcessController* processes)
-{
-  const auto write = [](const std::map<std::string, double>& values)
-  {
-    vtkMultiProcessStream stream;
-    stream << static_cast<int>(values.size());
-    for (const auto& [name, value] : values)
-    {
-      stream << name << value;
-    }
-    return stream;
-  };
-  std::map<std::string, double> largest;
-  const auto join = [&largest](vtkMultiProcessStream& stream)
-  {
-    int count = 0;
-    stream >> count;
-    for (int i = 0; i < count; ++i)
-    {
-      std::string name;
-      double value = 0.0;
-      stream >> name >> value;
-      const auto [at, isNew] = largest.try_emplace(name, value);
-      at->second = std::max(at->second, value);
-    }
-  };
-  vtkMultiProcessStream sent = write(own);
-  std::vector<vtkMultiProcessStream> received;
-  processes->Gather(sent, received, 0);
-  for (vtkMultiProcessStream& stream : received)
-  {
-    join(stream);
-  }
-  vtkMultiProcessStream told = write(largest);
-  processes->Broadcast(told, 0);
-  join(told);
-  return largest;
 }
 
 int AnswerOfAll(int answer, vtkInformationVector* output)

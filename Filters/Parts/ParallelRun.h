@@ -4,9 +4,6 @@
 
 #include "PixelExactFiltersModule.h"
 
-#include <map>
-#include <string>
-
 class vtkInformationVector;
 class vtkMultiProcessController;
 
@@ -32,10 +29,6 @@ bool HasNoShare(vtkInformationVector* input);
 /// none is then asked for each leaf, once more and as if it were alone, which changes nothing:
 /// `known` is what it gave before. Processes have not the same leaves, and cannot exchange them.
 bool ComesInBlocks(bool known, vtkInformationVector* input, vtkInformationVector* output);
-
-/// By name the largest values of all processes, which all must call it.
-std::map<std::string, double> LargestOfAll(
-  const std::map<std::string, double>& own, vtkMultiProcessController* processes);
 
 /// What RequestData returns: 0 on all processes where `answer` is 0 on any. Filters behind wait for
 /// all of them, and one that failed would not come. All processes must call it.

@@ -3,6 +3,7 @@
 
 #include "Conversion/WithCoefficients.h"
 #include "Core/Base/Error.h"
+#include "Grids/FilterWork.h"
 #include "PackedArrays.h"
 #include "Parts/ParallelRun.h"
 #include "Parts/PartExchange.h"
@@ -123,6 +124,18 @@ vtkDataObject* WholeMesh::Of(
     this->Source = state;
   }
   return this->Whole;
+}
+
+int WholeMesh::Fill(vtkAlgorithm* filter, vtkInformationVector* input, vtkInformationVector* output,
+  const std::function<bool(vtkDataObject*)>& make)
+{
+  const int filled = FillOutput(filter, vtkDataObject::GetData(output),
+    [&]
+    {
+      vtkDataObject* mesh = this->Of(input, output, filter);
+      return mesh != nullptr && make(mesh);
+    });
+  return AnswerOfAll(filled, output);
 }
 
 void WholeMesh::Gather(

@@ -3,16 +3,12 @@
 
 #include "Parts/ParallelRun.h"
 #include "Parts/WholeMesh.h"
-#include "WholeInputs.h"
+#include "ResultOfParts.h"
 
 #include "vtkDataObject.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
-
-#include <exception>
-#include <vector>
 
 vtkStandardNewMacro(vtkPixelExactComparison);
 
@@ -45,30 +41,18 @@ int vtkPixelExactComparison::RequestData(
   {
     return this->Superclass::RequestData(request, inputVector, outputVector);
   }
-  vtkDataObject* output = vtkDataObject::GetData(outputVector);
-  try
-  {
-    vtkDataObject* mesh = this->Mesh->Of(inputVector[0], outputVector, this);
-    std::vector<vtkSmartPointer<vtkPolyData>> surfaces;
-    std::vector<vtkDataObject*> given;
-    for (int s = 0; s < inputVector[1]->GetNumberOfInformationObjects(); ++s)
+  return ResultOfParts(
+    this, outputVector,
+    [&]
     {
-      surfaces.push_back(WholeSurface(vtkPolyData::GetData(inputVector[1], s), outputVector));
-      given.push_back(surfaces.back());
-    }
-    if (mesh == nullptr)
-    {
-      output->Initialize();
-      return AnswerOfAll(1, outputVector);
-    }
-    WholeInputs wholes({ { mesh }, given });
-    return AnswerOfAll(
-      this->Superclass::RequestData(request, wholes.Vectors(), outputVector), outputVector);
-  }
-  catch (const std::exception& error)
-  {
-    output->Initialize();
-    vtkErrorMacro(<< error.what());
-    return AnswerOfAll(0, outputVector);
-  }
+      InputPorts wholes(2);
+      wholes[0].emplace_back(this->Mesh->Of(inputVector[0], outputVector, this));
+      for (int s = 0; s < inputVector[1]->GetNumberOfInformationObjects(); ++s)
+      {
+        wholes[1].emplace_back(WholeSurface(vtkPolyData::GetData(inputVector[1], s), outputVector));
+      }
+      return wholes;
+    },
+    [&](vtkInformationVector** wholes)
+    { return this->Superclass::RequestData(request, wholes, outputVector); });
 }

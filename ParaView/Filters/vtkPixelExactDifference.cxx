@@ -3,13 +3,11 @@
 
 #include "Parts/ParallelRun.h"
 #include "Parts/WholeMesh.h"
-#include "WholeInputs.h"
+#include "ResultOfParts.h"
 
 #include "vtkDataObject.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
-
-#include <exception>
 
 vtkStandardNewMacro(vtkPixelExactDifference);
 
@@ -43,24 +41,13 @@ int vtkPixelExactDifference::RequestData(
   {
     return this->Superclass::RequestData(request, inputVector, outputVector);
   }
-  vtkDataObject* output = vtkDataObject::GetData(outputVector);
-  try
-  {
-    vtkDataObject* first = this->First->Of(inputVector[0], outputVector, this);
-    vtkDataObject* second = this->Second->Of(inputVector[1], outputVector, this);
-    if (first == nullptr || second == nullptr)
+  return ResultOfParts(
+    this, outputVector,
+    [&]
     {
-      output->Initialize();
-      return AnswerOfAll(1, outputVector);
-    }
-    WholeInputs wholes({ { first }, { second } });
-    return AnswerOfAll(
-      this->Superclass::RequestData(request, wholes.Vectors(), outputVector), outputVector);
-  }
-  catch (const std::exception& error)
-  {
-    output->Initialize();
-    vtkErrorMacro(<< error.what());
-    return AnswerOfAll(0, outputVector);
-  }
+      return InputPorts{ { this->First->Of(inputVector[0], outputVector, this) },
+        { this->Second->Of(inputVector[1], outputVector, this) } };
+    },
+    [&](vtkInformationVector** wholes)
+    { return this->Superclass::RequestData(request, wholes, outputVector); });
 }

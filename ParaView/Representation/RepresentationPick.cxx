@@ -72,7 +72,8 @@ using Finding = std::array<double, 2>;
 /// in the whole mesh.
 int NearestOf(const std::vector<Finding>& all)
 {
-  constexpr double kSame = 1e-9; // as a part of the depth: far above rounding
+  // As a part of the depth: hits of one surface differ by rounding and the last Newton step.
+  constexpr double kSame = 1e-12;
   double nearest = std::numeric_limits<double>::infinity();
   for (const Finding& one : all)
   {

@@ -28,19 +28,23 @@ vtkSmartPointer<vtkUnstructuredGrid> Numbered(
   const bool isKnown = source != nullptr && source->GetNumberOfTuples() == cells;
   // Of plain grids some cells are left out, and then source cells are the plain grid's.
   const bool isWhole = input == nullptr || input->GetNumberOfCells() == cells || !isKnown;
-  vtkNew<vtkTypeInt64Array> numbers;
-  numbers->SetName(pixelexact::kSelectedCells);
-  numbers->SetNumberOfValues(cells);
+  const auto sourceOf = [source](vtkIdType cell)
+  { return static_cast<vtkIdType>(source->GetTuple1(cell)); };
   bool isTold = isKnown && !isPart;
-  for (vtkIdType cell = 0; cell < cells; ++cell)
+  for (vtkIdType cell = 0; isTold && isWhole && cell < cells; ++cell)
   {
-    const auto number = isWhole ? cell : static_cast<vtkIdType>(source->GetTuple1(cell));
-    numbers->SetValue(cell, number);
-    isTold = isTold && number == static_cast<vtkIdType>(source->GetTuple1(cell));
+    isTold = sourceOf(cell) == cell;
   }
   if (isTold)
   {
     return grid;
+  }
+  vtkNew<vtkTypeInt64Array> numbers;
+  numbers->SetName(pixelexact::kSelectedCells);
+  numbers->SetNumberOfValues(cells);
+  for (vtkIdType cell = 0; cell < cells; ++cell)
+  {
+    numbers->SetValue(cell, isWhole ? cell : sourceOf(cell));
   }
   auto numbered = vtkSmartPointer<vtkUnstructuredGrid>::Take(grid->NewInstance());
   numbered->ShallowCopy(grid);
