@@ -157,6 +157,7 @@ void WholeMesh::Gather(
   RequireTheSame(static_cast<int>(grids.size()), processes);
   // All of them before any is looked at: what fails on one process must not keep others waiting.
   std::vector<std::vector<Grid>> parts;
+  parts.reserve(grids.size());
   for (const Grid& grid : grids)
   {
     parts.push_back(
@@ -167,6 +168,7 @@ void WholeMesh::Gather(
     return;
   }
   std::vector<Grid> wholes;
+  wholes.reserve(parts.size());
   for (const auto& ofGrid : parts)
   {
     const Grid all = Appended(ofGrid);
