@@ -107,18 +107,22 @@ private:
     }
   }
 
-  /// On the surface, a part of an edge's way.
-  [[nodiscard]] Vec3 At(const Edge& edge, double part) const
+  /// On the surface, of each edge so far on its way, and a step more.
+  void Advance(std::span<const double> reached, double step, std::span<Vec3> x) const
   {
-    const Vec3& a = Whole.points[static_cast<std::size_t>(edge.first)];
-    const Vec3& b = Whole.points[static_cast<std::size_t>(edge.second)];
-    Vec3 x = a + part * (b - a);
+    std::vector<double> lengths(Edges.size());
+    for (std::size_t e = 0; e < Edges.size(); ++e)
+    {
+      const Vec3& a = Whole.points[static_cast<std::size_t>(Edges[e].first)];
+      const Vec3& b = Whole.points[static_cast<std::size_t>(Edges[e].second)];
+      x[e] = a + (reached[e] + step) * (b - a);
+      lengths[e] = glm::distance(a, b);
+    }
     const QuadricForm* form = Cut.Quadric();
     if (form == nullptr || !form->IsPlane())
     {
-      (void)BringOntoSurface(Cut, glm::distance(a, b), x);
+      BringOntoSurface(Cut, lengths, x);
     }
-    return x;
   }
 
   void Halve(const Locator& locator)
@@ -134,10 +138,7 @@ private:
     for (int i = 0; i < kHalvings && !Edges.empty(); ++i)
     {
       step /= 2.0;
-      for (std::size_t e = 0; e < Edges.size(); ++e)
-      {
-        points[e] = At(Edges[e], reached[e] + step);
-      }
+      Advance(reached, step, points);
       SampleTarget target;
       target.verdict = verdicts;
       Sample(locator, nullptr, points, target);

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace pixelexact
 {
@@ -118,32 +119,50 @@ CutTriangles PlaneGrid(
 }
 } // namespace
 
-bool BringOntoSurface(const CutFunction& cut, double reach, Vec3& x)
+std::int64_t BringOntoSurface(
+  const CutFunction& cut, std::span<const double> reach, std::span<Vec3> x)
 {
   constexpr int kMostSteps = 50;
-  Vec3 at = x;
-  for (int i = 0; i < kMostSteps; ++i)
+  std::int64_t off = 0;
+  std::vector<std::size_t> moving(x.size());
+  std::iota(moving.begin(), moving.end(), std::size_t{ 0 });
+  std::vector<Vec3> at(x.begin(), x.end());
+  std::vector<double> values(x.size());
+  std::vector<Vec3> gradients(x.size());
+  for (int i = 0; i < kMostSteps && !moving.empty(); ++i)
   {
-    const double value = cut.Value(at);
-    const Vec3 gradient = cut.Gradient(at);
-    const Vec3 step = gradient * (value / glm::dot(gradient, gradient));
-    if (value == 0.0 || glm::length(step) <= 1e-15 * reach)
+    cut.Values(at, values);
+    cut.Gradients(at, gradients);
+    std::size_t next = 0;
+    for (std::size_t k = 0; k < moving.size(); ++k)
     {
-      break;
+      Vec3& start = x[moving[k]];
+      const double most = reach[moving[k]];
+      const Vec3 step = gradients[k] * (values[k] / glm::dot(gradients[k], gradients[k]));
+      const bool arrived = values[k] == 0.0 || glm::length(step) <= 1e-15 * most;
+      const Vec3 then = arrived ? at[k] : at[k] - step;
+      if (!arrived && !(glm::distance(then, start) <= most))
+      {
+        ++off;
+      }
+      // Rounding of far coordinates lets steps become no smaller than this.
+      else if (arrived || glm::length(step) <= 4e-16 * Longest(glm::abs(then)) ||
+        i + 1 == kMostSteps)
+      {
+        start = then;
+      }
+      else
+      {
+        moving[next] = moving[k];
+        at[next++] = then;
+      }
     }
-    at -= step;
-    if (!(glm::distance(at, x) <= reach))
-    {
-      return false;
-    }
-    // Rounding of far coordinates lets steps become no smaller than this.
-    if (glm::length(step) <= 4e-16 * Longest(glm::abs(at)))
-    {
-      break;
-    }
+    moving.resize(next);
+    at.resize(next);
+    values.resize(next);
+    gradients.resize(next);
   }
-  x = at;
-  return true;
+  return off;
 }
 
 CutTriangles TriangulateCut(const CutFunction& cut, const Box3& box, int resolution,

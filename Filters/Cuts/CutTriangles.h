@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace pixelexact
@@ -31,8 +32,9 @@ struct CutTriangles
 [[nodiscard]] CutTriangles TriangulateCut(const CutFunction& cut, const Box3& box, int resolution,
   double bytesPerPoint, const StepProgress& progress);
 
-/// Brings a point onto a surface by Newton's iteration along the gradient, to rounding; false, and
-/// the point as it was, where that leads further than `reach`.
-[[nodiscard]] bool BringOntoSurface(const CutFunction& cut, double reach, Vec3& x);
+/// Brings points onto a surface by Newton's iteration along the gradient, to rounding. Those that
+/// this leads further away than their `reach` stay as they are; returns how many.
+std::int64_t BringOntoSurface(
+  const CutFunction& cut, std::span<const double> reach, std::span<Vec3> x);
 } // namespace pixelexact
 #endif

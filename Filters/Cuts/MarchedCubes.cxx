@@ -14,6 +14,8 @@
 #include <atomic>
 #include <cmath>
 #include <cstdint>
+#include <span>
+#include <vector>
 
 namespace pixelexact
 {
@@ -21,6 +23,16 @@ namespace
 {
 /// Cubes along the longest side at the beginning.
 constexpr int kMostAtOnce = 64;
+/// Cubes whose corners are asked for together, of functions that are asked by one thread and take
+/// time to begin; and of others.
+constexpr std::size_t kCubesAtOnce = 2048;
+constexpr std::size_t kCubesPerTask = 64;
+
+template <class T>
+std::span<T> Part(std::vector<T>& all, std::size_t begin, std::size_t end)
+{
+  return std::span(all).subspan(begin, end - begin);
+}
 
 struct Place
 {
@@ -118,33 +130,53 @@ private:
   /// By the keys of its corners: node and axis of the edge that each lies on.
   using Triangle = std::array<std::int64_t, 3>;
 
+  /// work(begin, end), for ranges.
   template <class Work>
   bool ForAll(std::size_t count, const StepProgress& progress, const Work& work) const
   {
-    return Cut.NeedsCallingThread() ? SerialSteps(count, progress, work)
-                                    : ParallelSteps(count, progress, work);
+    const bool alone = Cut.NeedsCallingThread();
+    return BatchedSteps(count, alone ? kCubesAtOnce : kCubesPerTask, alone, progress, work);
   }
 
-  /// Whether the surface may be in a cube.
-  [[nodiscard]] bool MayHold(const Place& p) const
+  /// Whether the surface may be in cubes.
+  void MayHold(std::span<const Place> cubes, std::span<std::uint8_t> held) const
   {
-    const Vec3 centre = Cells.At(p) + 0.5 * Cells.side;
+    std::vector<Vec3> centres(cubes.size());
+    std::ranges::transform(
+      cubes, centres.begin(), [this](const Place& p) { return Cells.At(p) + 0.5 * Cells.side; });
+    std::vector<double> values(cubes.size());
+    std::vector<Vec3> gradients(cubes.size());
+    Cut.Values(centres, values);
+    Cut.Gradients(centres, gradients);
     const double reach = 0.5 * std::sqrt(3.0) * Cells.side;
-    const double most =
-      reach * (glm::length(Cut.Gradient(centre)) * (IsQuadric ? 1.0 : 3.0) + reach * Bend);
-    const double value = std::fabs(Cut.Value(centre));
-    // With some room for rounding; what is no number may be anything.
-    if (!(value > 1.000001 * most))
+    std::vector<std::size_t> far;
+    std::vector<Place> farCubes;
+    for (std::size_t i = 0; i < cubes.size(); ++i)
     {
-      return true;
+      const double most =
+        reach * (glm::length(gradients[i]) * (IsQuadric ? 1.0 : 3.0) + reach * Bend);
+      // With some room for rounding; what is no number may be anything.
+      held[i] = std::fabs(values[i]) > 1.000001 * most ? 0 : 1;
+      if (held[i] == 0 && !IsQuadric)
+      {
+        far.push_back(i);
+        farCubes.push_back(cubes[i]);
+      }
     }
-    return !IsQuadric && CaseOf(p) % 255 != 0;
+    std::vector<std::uint8_t> cases(far.size());
+    CasesOf(farCubes, cases);
+    for (std::size_t k = 0; k < far.size(); ++k)
+    {
+      held[far[k]] = cases[k] % 255 != 0 ? 1 : 0;
+    }
   }
 
   bool Keep(const StepProgress& progress)
   {
     std::vector<std::uint8_t> kept(Active.size());
-    if (!ForAll(Active.size(), progress, [&](std::size_t i) { kept[i] = MayHold(Active[i]); }))
+    if (!ForAll(Active.size(), progress,
+          [&](std::size_t begin, std::size_t end)
+          { MayHold(Part(Active, begin, end), Part(kept, begin, end)); }))
     {
       return false;
     }
@@ -177,16 +209,29 @@ private:
   }
 
   /// A bit for each corner on the positive side.
-  [[nodiscard]] int CaseOf(const Place& p) const
+  void CasesOf(std::span<const Place> cubes, std::span<std::uint8_t> cases) const
   {
-    int index = 0;
-    for (int c = 0; c < 8; ++c)
+    std::vector<Vec3> corners;
+    corners.reserve(8 * cubes.size());
+    for (const Place& p : cubes)
     {
-      const Place corner{ { p.x[0] + kCorners[c][0], p.x[1] + kCorners[c][1],
-        p.x[2] + kCorners[c][2] } };
-      index |= Cut.Value(Cells.At(corner)) >= 0.0 ? 1 << c : 0;
+      for (const auto& corner : kCorners)
+      {
+        corners.push_back(
+          Cells.At({ { p.x[0] + corner[0], p.x[1] + corner[1], p.x[2] + corner[2] } }));
+      }
     }
-    return index;
+    std::vector<double> values(corners.size());
+    Cut.Values(corners, values);
+    for (std::size_t i = 0; i < cubes.size(); ++i)
+    {
+      int index = 0;
+      for (std::size_t c = 0; c < 8; ++c)
+      {
+        index |= values[8 * i + c] >= 0.0 ? 1 << c : 0;
+      }
+      cases[i] = static_cast<std::uint8_t>(index);
+    }
   }
 
   [[nodiscard]] std::int64_t KeyOf(const Place& p, int edge) const
@@ -198,18 +243,28 @@ private:
     return 3 * node + kEdges[edge][1];
   }
 
-  /// On the edge of a key, where linear interpolation has 0.
-  [[nodiscard]] Vec3 PointOf(std::int64_t key) const
+  /// On the edges of keys, where linear interpolation has 0.
+  void PointsOf(std::span<const std::int64_t> keys, std::span<Vec3> points) const
   {
-    const std::int64_t node = key / 3;
-    Place p{ { static_cast<int>(node % Nodes[0]), static_cast<int>(node / Nodes[0] % Nodes[1]),
-      static_cast<int>(node / Nodes[0] / Nodes[1]) } };
-    const Vec3 a = Cells.At(p);
-    ++p.x[key % 3];
-    const Vec3 b = Cells.At(p);
-    const double atA = Cut.Value(a);
-    const double part = atA / (atA - Cut.Value(b));
-    return a + (part >= 0.0 && part <= 1.0 ? part : 0.5) * (b - a);
+    std::vector<Vec3> ends;
+    ends.reserve(2 * keys.size());
+    for (const std::int64_t key : keys)
+    {
+      const std::int64_t node = key / 3;
+      Place p{ { static_cast<int>(node % Nodes[0]), static_cast<int>(node / Nodes[0] % Nodes[1]),
+        static_cast<int>(node / Nodes[0] / Nodes[1]) } };
+      ends.push_back(Cells.At(p));
+      ++p.x[key % 3];
+      ends.push_back(Cells.At(p));
+    }
+    std::vector<double> values(ends.size());
+    Cut.Values(ends, values);
+    for (std::size_t i = 0; i < keys.size(); ++i)
+    {
+      const Vec3& a = ends[2 * i];
+      const double part = values[2 * i] / (values[2 * i] - values[2 * i + 1]);
+      points[i] = a + (part >= 0.0 && part <= 1.0 ? part : 0.5) * (ends[2 * i + 1] - a);
+    }
   }
 
   void Fill(CutTriangles& result, const StepProgress& progress)
@@ -218,7 +273,8 @@ private:
     const StepProgress part = [&](double done)
     { return !progress || progress((Halvings + 1 + done) / (Halvings + 2)); };
     result.aborted = !ForAll(Active.size(), part,
-      [&](std::size_t i) { cases[i] = static_cast<std::uint8_t>(CaseOf(Active[i])); });
+      [&](std::size_t begin, std::size_t end)
+      { CasesOf(Part(Active, begin, end), Part(cases, begin, end)); });
     if (result.aborted)
     {
       return;
@@ -239,10 +295,12 @@ private:
     result.points.resize(keys.size());
     std::atomic<std::int64_t> off{ 0 };
     result.aborted = !ForAll(keys.size(), {},
-      [&](std::size_t i)
+      [&](std::size_t begin, std::size_t end)
       {
-        result.points[i] = PointOf(keys[i]);
-        off += BringOntoSurface(Cut, 2.0 * Cells.side, result.points[i]) ? 0 : 1;
+        const auto points = Part(result.points, begin, end);
+        PointsOf(Part(keys, begin, end), points);
+        const std::vector<double> reach(points.size(), 2.0 * Cells.side);
+        off += BringOntoSurface(Cut, reach, points);
       });
     result.offSurface = off;
     for (Triangle& triangle : result.triangles)

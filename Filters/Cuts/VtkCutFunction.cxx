@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cuts/VtkCutFunction.h"
 
+#include "CallbackWatch.h"
 #include "Core/Base/Error.h"
+#include "FunctionValues.h"
 
 #include "vtkAbstractTransform.h"
 #include "vtkBox.h"
@@ -23,9 +25,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <span>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace pixelexact
 {
@@ -37,39 +42,89 @@ class AskedFunction final : public CutFunction
 public:
   AskedFunction(vtkImplicitFunction* function, double length)
     : Function(function)
+    , AtOnce(HasCallbacks(function))
     , Step(1e-6 * length)
   {
   }
   [[nodiscard]] double Value(const Vec3& x) const override
   {
-    const double value = Function->FunctionValue(glm::value_ptr(x));
-    if (std::isnan(value))
-    {
-      // So a function that fails is not asked a million times more.
-      std::ostringstream text;
-      text << "the " << Function->GetClassName() << " has no value at (" << x.x << ", " << x.y
-           << ", " << x.z << "); give a function that has one in all of the mesh's box.";
-      throw InvalidData(text.str());
-    }
+    double value = 0.0;
+    Values({ &x, 1 }, { &value, 1 });
     return value;
   }
   [[nodiscard]] Vec3 Gradient(const Vec3& x) const override
   {
     Vec3 gradient;
-    for (int d = 0; d < 3; ++d)
-    {
-      Vec3 before = x;
-      Vec3 behind = x;
-      before[d] -= Step;
-      behind[d] += Step;
-      gradient[d] = (Value(behind) - Value(before)) / (behind[d] - before[d]);
-    }
+    Gradients({ &x, 1 }, { &gradient, 1 });
     return gradient;
+  }
+  void Values(std::span<const Vec3> x, std::span<double> values) const override
+  {
+    AtOnce ? FunctionValues(Function, x, values) : AskOneByOne(x, values);
+    const auto missing =
+      std::ranges::find_if(values, [](double value) { return std::isnan(value); });
+    if (missing != values.end())
+    {
+      // So a function that fails is not asked a million times more.
+      const Vec3& at = x[static_cast<std::size_t>(missing - values.begin())];
+      std::ostringstream text;
+      text << "the " << Function->GetClassName() << " has no value at (" << at.x << ", " << at.y
+           << ", " << at.z << "); give a function that has one in all of the mesh's box.";
+      throw InvalidData(text.str());
+    }
+  }
+  void Gradients(std::span<const Vec3> x, std::span<Vec3> gradients) const override
+  {
+    if (AtOnce)
+    {
+      constexpr double kInfinity = std::numeric_limits<double>::infinity();
+      const Box3 everywhere{ Vec3(-kInfinity), Vec3(kInfinity) };
+      FunctionGradients(Function, { Step, everywhere }, x, gradients);
+      return;
+    }
+    std::vector<Vec3> ends;
+    ends.reserve(6 * x.size());
+    for (const Vec3& at : x)
+    {
+      for (int d = 0; d < 3; ++d)
+      {
+        for (const double step : { -Step, Step })
+        {
+          ends.push_back(at);
+          ends.back()[d] += step;
+        }
+      }
+    }
+    std::vector<double> values(ends.size());
+    Values(ends, values);
+    for (std::size_t i = 0; i < x.size(); ++i)
+    {
+      for (int d = 0; d < 3; ++d)
+      {
+        const std::size_t k = 6 * i + 2 * static_cast<std::size_t>(d);
+        gradients[i][d] = (values[k + 1] - values[k]) / (ends[k + 1][d] - ends[k][d]);
+      }
+    }
   }
   [[nodiscard]] bool NeedsCallingThread() const override { return true; }
 
 private:
+  /// By this thread alone, as VTK's functions for many points are not.
+  void AskOneByOne(std::span<const Vec3> x, std::span<double> values) const
+  {
+    const CallbackWatch watch;
+    for (std::size_t i = 0; i < x.size() && watch.failure.empty(); ++i)
+    {
+      values[i] = Function->FunctionValue(glm::value_ptr(x[i]));
+    }
+    if (!watch.failure.empty())
+    {
+      throw Error(watch.failure);
+    }
+  }
+
   vtkSmartPointer<vtkImplicitFunction> Function;
+  bool AtOnce;
   double Step;
 };
 

@@ -41,16 +41,26 @@ template <class Work>
     [&work](std::size_t begin, std::size_t end) { tbb::parallel_for(begin, end, work); });
 }
 
-/// The same by the calling thread alone.
+/// work(begin, end) for ranges of `batch` at most, on all threads or by the calling one alone.
+/// False where `progress` ended it.
 template <class Work>
-[[nodiscard]] bool SerialSteps(std::size_t count, const StepProgress& progress, const Work& work)
+[[nodiscard]] bool BatchedSteps(
+  std::size_t count, std::size_t batch, bool alone, const StepProgress& progress, const Work& work)
 {
   return InSteps(count, progress,
-    [&work](std::size_t begin, std::size_t end)
+    [&](std::size_t begin, std::size_t end)
     {
-      for (std::size_t i = begin; i < end; ++i)
+      const auto one = [&](std::size_t b)
+      { work(begin + b * batch, std::min(end, begin + (b + 1) * batch)); };
+      const std::size_t batches = (end - begin + batch - 1) / batch;
+      if (!alone)
       {
-        work(i);
+        tbb::parallel_for(std::size_t{ 0 }, batches, one);
+        return;
+      }
+      for (std::size_t b = 0; b < batches; ++b)
+      {
+        one(b);
       }
     });
 }

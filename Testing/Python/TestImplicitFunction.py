@@ -6,6 +6,7 @@ import signal
 import threading
 import time
 import unittest
+import warnings
 
 import numpy as np
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
@@ -265,31 +266,102 @@ class OtherUses(unittest.TestCase):
         asked = [0]
 
         def fails(x):
-            asked[0] += 1
-            if asked[0] > 20000:  # when curves are followed
+            asked[0] += len(x) == 6  # a gradient by differences
+            if asked[0] > 20:  # when curves are followed
                 raise RuntimeError("no more")
             return ball(x)
 
         self.expect(fails, "RuntimeError: no more")
 
-    def test_triangles_of_functions_that_fail(self):
+    def test_within_sums(self):
+        """They are asked point by point, and their words are told all the same."""
+
+        def fails(x):
+            return 1 / 0
+
+        whole = vtkImplicitSum()
+        whole.AddFunction(pixelexact.implicit_function(fails))
+        self.expect(whole, "ZeroDivisionError: division by zero")
+
+    def triangles(self, function, resolution=64):
         cut = pixelexact.vtkHighOrderLinearCut()
         cut.SetInputData(pixelexact.read(os.path.join(DATA, "toroid_hex_g3_p6.vtu")))
-        function = pixelexact.implicit_function(lambda x: 1 / 0)
+        cut.SetCutFunction(function)
+        cut.SetResolution(resolution)
         errors = []
 
         @calldata_type(VTK_STRING)
         def failed(_object, _event, text):
             errors.append(text)
 
-        function.AddObserver("ErrorEvent", failed)
-        cut.AddObserver("ErrorEvent", failed)
-        cut.SetCutFunction(function)
+        for speaker in [cut, function]:
+            speaker.AddObserver("ErrorEvent", failed)
         cut.Update()
-        self.assertEqual(len(errors), 2)
-        self.assertIn("ZeroDivisionError", errors[0])
-        self.assertIn("the vtkImplicitCallback has no value at (", errors[1])
-        self.assertEqual(cut.GetOutput().GetNumberOfCells(), 0)
+        self.assertEqual(cut.GetNumberOfPointsOffSurface(), 0)
+        return cut.GetOutput(), errors
+
+    def test_triangles_of_functions_that_fail(self):
+        output, errors = self.triangles(pixelexact.implicit_function(lambda x: 1 / 0))
+        self.assertEqual(len(errors), 1)
+        self.assertIn("vtkImplicitCallback: ZeroDivisionError: division by zero", errors[0])
+        self.assertEqual(output.GetNumberOfCells(), 0)
+
+    def test_triangles_and_lines_ask_for_many_points(self):
+        sizes = []
+
+        def counted(x):
+            self.assertIs(threading.current_thread(), threading.main_thread())
+            sizes.append(len(x))
+            return ball(x)
+
+        expected = vtk_to_numpy(self.triangles(vtk_ball())[0].GetPoints().GetData())
+        half = vtkImplicitBoolean()
+        half.AddFunction(vtk_ball())
+        half.AddFunction(pixelexact.implicit_function(counted))
+        for function in [
+            pixelexact.implicit_function(counted),
+            pixelexact.implicit_function(counted, ball_gradient),
+            half,
+        ]:
+            sizes.clear()
+            output, errors = self.triangles(function)
+            self.assertEqual(errors, [])
+            found = vtk_to_numpy(output.GetPoints().GetData())
+            np.testing.assert_allclose(found, expected, rtol=0, atol=1e-12)
+            self.assertGreater(max(sizes), 5000)
+            self.assertGreater(sum(sizes), 400 * len(sizes))
+
+        grid = pixelexact.read(os.path.join(DATA, "toroid_hex_g3_p6.vtu"))
+        lines = []
+        for function in [vtk_ball(), counted]:
+            sizes.clear()
+            with warnings.catch_warnings(record=True):
+                found = pixelexact.contours(grid, "u", [-0.3, 0.0, 0.3], surface=function)
+            lines.append(np.array(vtk_to_numpy(found.GetPoints().GetData())))
+        self.assertGreater(max(sizes), 100)
+        np.testing.assert_allclose(ball(lines[1]), 0, atol=1e-12)
+        # Steps along a curve need not be the same: each point is near one of the other's.
+        between = np.linalg.norm(lines[0][:, None] - lines[1][None], axis=2)
+        self.assertLess(max(between.min(axis=0).max(), between.min(axis=1).max()), 0.05)
+
+    def test_unions_of_magnitudes_are_those_of_vtk(self):
+        """They are negative nowhere, and zero where one of the parts is."""
+        other = vtkPlane()
+        other.SetNormal(0.1, 0.2, 1.0)
+
+        def plane(x):
+            return x @ np.array([0.1, 0.2, 1.0])
+
+        whole = vtkImplicitBoolean()
+        whole.SetOperationTypeToUnionOfMagnitudes()
+        whole.AddFunction(vtk_ball())
+        whole.AddFunction(pixelexact.implicit_function(plane))
+        same = vtkImplicitBoolean()
+        same.SetOperationTypeToUnionOfMagnitudes()
+        same.AddFunction(vtk_ball())
+        same.AddFunction(other)
+        found = [self.triangles(function, 16)[0].GetNumberOfCells() for function in [whole, same]]
+        self.assertEqual(found[0], found[1])
 
 
 if __name__ == "__main__":

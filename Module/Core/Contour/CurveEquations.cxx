@@ -130,9 +130,9 @@ BoxPolynomial CurveEquations::SampledOver(const Box3& box) const
       }
       std::vector<Vec3> x(eta.size());
       MapForward(Question.mesh, Element, xi, x);
+      Question.cut->Values(x, values);
       for (std::size_t i = 0; i < x.size(); ++i)
       {
-        values[i] = Question.cut->Value(x[i]);
         if (!std::isfinite(values[i]))
         {
           std::ostringstream text;

@@ -3,6 +3,8 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
+
 namespace pixelexact
 {
 double QuadricForm::ValueAround(const Vec3& z) const
@@ -16,5 +18,15 @@ Vec3 QuadricForm::GradientAround(const Vec3& z) const
   return g +
     Vec3(2.0 * q[0] * z.x + q[3] * z.y + q[5] * z.z, 2.0 * q[1] * z.y + q[3] * z.x + q[4] * z.z,
       2.0 * q[2] * z.z + q[4] * z.y + q[5] * z.x);
+}
+
+void CutFunction::Values(std::span<const Vec3> x, std::span<double> values) const
+{
+  std::ranges::transform(x, values.begin(), [this](const Vec3& at) { return Value(at); });
+}
+
+void CutFunction::Gradients(std::span<const Vec3> x, std::span<Vec3> gradients) const
+{
+  std::ranges::transform(x, gradients.begin(), [this](const Vec3& at) { return Gradient(at); });
 }
 } // namespace pixelexact

@@ -4,6 +4,7 @@
 #include "Core/Math/Vec.h"
 
 #include <array>
+#include <span>
 
 namespace pixelexact
 {
@@ -29,6 +30,11 @@ public:
   virtual ~CutFunction() = default;
   [[nodiscard]] virtual double Value(const Vec3& x) const = 0;
   [[nodiscard]] virtual Vec3 Gradient(const Vec3& x) const = 0;
+  ///@{
+  /// At many points, for functions that are asked faster so.
+  virtual void Values(std::span<const Vec3> x, std::span<double> values) const;
+  virtual void Gradients(std::span<const Vec3> x, std::span<Vec3> gradients) const;
+  ///@}
   /// The form of a quadric, of which contours can be certified; null of other functions, whose
   /// contours are searched for by samples.
   [[nodiscard]] virtual const QuadricForm* Quadric() const { return nullptr; }

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import Any, Optional, Sequence, Union
 
 from ._cut import check_field
-from ._functions import callbacks_in
 from ._scene import (
     Normal,
     Vector,
@@ -15,7 +14,7 @@ from ._scene import (
     source_of,
     surface_of,
 )
-from ._work import Error, Progress, errors_of, run
+from ._work import Error, Progress, run
 from .PixelExactFilters import vtkHighOrderContour
 
 
@@ -63,12 +62,5 @@ def contours(
     lines.SetTolerance(tolerance)
     for i, value in enumerate(numbers_of(values, "values")):
         lines.SetValue(i, value)
-    with errors_of(callbacks_in(shape), "no values: ") as complaints:
-        try:
-            run(lines, progress, may_release=not asks_python(shape))
-        except Error:
-            if not complaints:
-                raise
-    if complaints:
-        raise Error(f"vtkImplicitCallback: {complaints[0]}")
+    run(lines, progress, may_release=not asks_python(shape))
     return lines.GetOutput()

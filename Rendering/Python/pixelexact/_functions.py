@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import _thread
 import threading
-from typing import Any, Callable, Iterator, Optional
+from typing import Any, Callable, Optional
 
-from .PixelExactRendering import vtkImplicitCallback
+from .PixelExactDataModel import vtkImplicitCallback
 
 # Until the picture that is being made has failed and the interpreter is back in the program.
 _SECONDS_UNTIL_INTERRUPT = 0.05
@@ -65,12 +65,3 @@ def implicit_function(
     if gradient is not None:
         callback.AddObserver(vtkImplicitCallback.GradientEvent, _observer(gradient, "GetGradients"))
     return callback
-
-
-def callbacks_in(surface: Any) -> Iterator[vtkImplicitCallback]:
-    """The functions of Python that it is made of."""
-    if isinstance(surface, vtkImplicitCallback):
-        yield surface
-    elif surface.IsA("vtkImplicitBoolean"):
-        for part in surface.GetFunction():
-            yield from callbacks_in(part)

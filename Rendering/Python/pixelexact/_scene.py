@@ -12,7 +12,8 @@ from ._functions import implicit_function
 from ._read import as_high_order, read
 from ._work import Progress
 
-from .PixelExactRendering import vtkHighOrderSurface, vtkImplicitCallback
+from .PixelExactDataModel import vtkImplicitCallback
+from .PixelExactRendering import vtkHighOrderSurface
 
 Vector = Sequence[float]
 Normal = Union[str, Vector]

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Views/CallbackWatch.h"
+#include "CallbackWatch.h"
 
 namespace pixelexact
 {

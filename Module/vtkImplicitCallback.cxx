@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkImplicitCallback.h"
 
-#include "Views/CallbackWatch.h"
+#include "CallbackWatch.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkMath.h"

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "PixelExactDataModelModule.h"
+
 #include <string>
 
 namespace pixelexact
 {
 /// While it lives, hears what the vtkImplicitCallbacks that this thread asks have to complain of;
 /// else they say it themselves. From the first complaint on they ask nobody and are NaN.
-class CallbackWatch
+class PIXELEXACTDATAMODEL_EXPORT CallbackWatch
 {
 public:
   CallbackWatch();

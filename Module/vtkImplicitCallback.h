@@ -21,7 +21,7 @@
 #ifndef vtkImplicitCallback_h
 #define vtkImplicitCallback_h
 
-#include "PixelExactRenderingModule.h"
+#include "PixelExactDataModelModule.h"
 #include "vtkCommand.h" // for the events
 #include "vtkImplicitFunction.h"
 
@@ -32,7 +32,7 @@
 
 class vtkDoubleArray;
 
-class PIXELEXACTRENDERING_EXPORT vtkImplicitCallback : public vtkImplicitFunction
+class PIXELEXACTDATAMODEL_EXPORT vtkImplicitCallback : public vtkImplicitFunction
 {
 public:
   static vtkImplicitCallback* New();
