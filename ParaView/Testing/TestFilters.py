@@ -66,6 +66,17 @@ class Filters(unittest.TestCase):
         self.assertTrue((values <= upper[element] + 1e-12).all())
         self.assertGreater(cell_array(certified, "JacobianLower").min(), 0.0)
 
+    def test_certify_no_field(self):
+        """What is chosen before the input is known, too, is no field."""
+        self.plain.UpdatePipeline()
+        chosen = simple.PixelExactCertify(self.plain, Field="None")
+        early = simple.PixelExactCertify(simple.OpenDataFile(self.plain.FileName[0]))
+        for certified in [chosen, early]:
+            self.assertEqual(certified.Field, "None")
+            certified.UpdatePipeline()
+            self.assertEqual(tuple(certified.CellData["Verdict"].GetRange()), (0.0, 0.0))
+            self.assertIsNone(certified.CellData["u_lower"])
+
     def test_subdivide(self):
         cells = simple.PixelExactSubdivide(self.plain, Level=2)
         data = servermanager.Fetch(cells)
