@@ -49,13 +49,21 @@ ALLOWED = {
     "Trace": {"Core", "Trace"},
     "Rendering": {"Core", "DataModel", "Trace", "Rendering"},
     "Tools": {"Core", "DataModel", "Formats", "Filters", "Trace", "Rendering", "Tools"},
-    "ParaView": {"Core", "DataModel", "Filters", "Trace", "Rendering", "ParaView"},
+    "ParaView": {"Core", "DataModel", "Formats", "Filters", "Trace", "Rendering", "ParaView"},
 }
 VTK_FREE = {"Core", "Formats", "Trace"}
 
 # Folders from which the compiler resolves includes, and those whose sources are checked.
-INCLUDE_ROOTS = ["Module", "Filters", "Rendering", "Rendering/Tools", "ParaView/Representation"]
-CHECKED = ["Module", "Filters", "Rendering", "ParaView/Representation"]
+INCLUDE_ROOTS = [
+    "Module",
+    "Filters",
+    "Rendering",
+    "Rendering/Tools",
+    "ParaView/Readers",
+    "ParaView/Filters",
+    "ParaView/Representation",
+]
+CHECKED = ["Module", "Filters", "Rendering", "ParaView"]
 SUFFIXES = {".h", ".cxx", ".txx"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')

@@ -9,6 +9,7 @@ import tempfile
 import threading
 import time
 import unittest
+import warnings
 from pathlib import Path
 
 import numpy as np
@@ -182,6 +183,12 @@ class Render(unittest.TestCase):
             self.assertGreater((picture.verdicts == 1).sum(), 30)
         with self.assertRaisesRegex(ValueError, "leave them out"):
             pixelexact.cut(self.grid, "u", surface=ball, origin=0.1)
+        cut = pixelexact.cut(self.grid, "u", origin=np.float32(0.25))
+        self.assertEqual(cut.surface.GetOrigin()[2], 0.25)
+        nan = float("nan")
+        for plane in ({"origin": nan}, {"origin": (0, nan, 0)}, {"normal": (nan, 0, 1)}):
+            with self.assertRaisesRegex(ValueError, f"^{next(iter(plane))}: finite numbers"):
+                pixelexact.cut(self.grid, "u", **plane)
 
     def test_what_has_no_effect_is_warned_of(self):
         cut = pixelexact.cut(self.grid, "u")
@@ -273,9 +280,11 @@ class Render(unittest.TestCase):
     def test_ranges(self):
         picture = pixelexact.render(self.grid, "u", size=(60, 60), clim="cut")
         self.assertEqual(picture.range, (np.nanmin(picture.values), np.nanmax(picture.values)))
-        self.assertEqual(
-            pixelexact.render(self.grid, "u", size=(9, 9), clim=(0, 2)).range, (0.0, 2.0)
-        )
+        for span in ((0, 2), np.array([0.0, 2.0])):
+            with warnings.catch_warnings():
+                warnings.simplefilter("error")
+                other = pixelexact.render(self.grid, "u", size=(9, 9), clim=span)
+            self.assertEqual(other.range, (0.0, 2.0))
         wide = pixelexact.render(self.grid, "u", size=(9, 9)).range
         self.assertLessEqual(wide[0], np.nanmin(picture.values))
         with self.assertRaisesRegex(ValueError, "clim"):

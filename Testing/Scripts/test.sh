@@ -223,7 +223,9 @@ stage_format() {
 }
 
 stage_tidy() {
-  limited ./Testing/Scripts/tidy.py "$build" --seconds "$tidy_seconds" 2>&1 | tee "$build/tidy.log"
+  local builds=("$build")
+  [[ ! -e $paraview_build/compile_commands.json ]] || builds+=("$paraview_build")
+  limited ./Testing/Scripts/tidy.py "${builds[@]}" --seconds "$tidy_seconds" 2>&1 | tee "$build/tidy.log"
   count $? "$build/tidy.log"
 }
 

@@ -3,8 +3,8 @@
 """Reads sources with clang-tidy: those that changed and those that include what changed first, then
 the rest, in another order for each commit, until the time is used up.
 
-    tidy.py BUILD [--seconds S]    BUILD holds compile_commands.json; without S every source is read
-    tidy.py --advance              before a new piece of work: what is committed now has been read
+    tidy.py BUILD... [--seconds S]   each holds compile_commands.json; without S every source is read
+    tidy.py --advance                before a new piece of work: what is committed now has been read
 
 tidy.json records the commit up to which changes have been read, and by which clang-tidy. Where that
 cannot be told, or the configuration or the dependencies changed, no source comes first. How many
@@ -34,7 +34,7 @@ CONFIGURATION = {
     "Testing/Scripts/install-dependencies.sh",
     "Testing/Scripts/tidy.py",
 }
-OWN_SOURCE = re.compile(r"(Module|Filters|Rendering)/.*\.cxx$")
+OWN_SOURCE = re.compile(r"(Module|Filters|Rendering|ParaView)/.*\.cxx$")
 # clang cannot read what gcc precompiled, and does not know the warnings that are off with it.
 PRECOMPILED = re.compile(
     r" -Winvalid-pch| -include \S*cmake_pch\.hxx| -Wno-(restrict|stringop-\w+)(?= )"
@@ -129,11 +129,19 @@ def read_one(folder, path):
     return run.returncode == 0
 
 
-def read(build, seconds):
-    commands = json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))
-    for command in commands:
-        command["command"] = PRECOMPILED.sub("", command["command"])
-    folder = build / "tidy"
+def commands_of(builds):
+    """Of each source, as the first build that has it compiles it."""
+    found = {}
+    for build in builds:
+        for command in json.loads((build / "compile_commands.json").read_text(encoding="utf-8")):
+            command["command"] = PRECOMPILED.sub("", command["command"])
+            found.setdefault(command["file"], command)
+    return list(found.values())
+
+
+def read(builds, seconds):
+    commands = commands_of(builds)
+    folder = builds[0] / "tidy"
     folder.mkdir(exist_ok=True)
     (folder / "compile_commands.json").write_text(json.dumps(commands), encoding="utf-8")
     relative = {
@@ -165,16 +173,16 @@ def main():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    parser.add_argument("build", nargs="?", type=pathlib.Path)
+    parser.add_argument("build", nargs="*", type=pathlib.Path)
     parser.add_argument("--seconds", type=float)
     parser.add_argument("--advance", action="store_true")
     arguments = parser.parse_args()
     if arguments.advance:
         advance()
         return 0
-    if arguments.build is None:
+    if not arguments.build:
         parser.error("BUILD is missing")
-    return read(arguments.build.resolve(), arguments.seconds)
+    return read([build.resolve() for build in arguments.build], arguments.seconds)
 
 
 if __name__ == "__main__":

@@ -40,12 +40,13 @@ def check_field(source: Any, field: Optional[str]) -> None:
 
 
 def _set_range(mapper: Any, clim: Limits) -> None:
-    if clim is None or clim == "field":
+    word = clim if isinstance(clim, str) else None  # arrays compare number by number
+    if clim is None or word == "field":
         mapper.SetRangeModeToField()
-    elif clim == "cut":
+    elif word == "cut":
         mapper.SetRangeModeToCut()
     elif (
-        isinstance(clim, str)
+        word is not None
         or len(numbers_of(clim, "clim: 'field', 'cut' or two")) != 2
         or not -math.inf < float(clim[0]) <= float(clim[1]) < math.inf
     ):

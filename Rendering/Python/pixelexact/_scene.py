@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
 import operator
 import os
+from numbers import Real
 from typing import Any, Callable, Sequence, Union
 
 from vtkmodules.vtkCommonDataModel import vtkImplicitFunction, vtkPlane, vtkUnstructuredGrid
@@ -11,7 +13,6 @@ from vtkmodules.vtkCommonDataModel import vtkImplicitFunction, vtkPlane, vtkUnst
 from ._functions import implicit_function
 from ._read import as_high_order, read
 from ._work import Progress
-
 from .PixelExactDataModel import vtkImplicitCallback
 from .PixelExactRendering import vtkHighOrderSurface
 
@@ -51,6 +52,8 @@ def three(numbers: Vector, what: str) -> tuple[float, float, float]:
     values = numbers_of(numbers, what)
     if len(values) != 3:
         raise ValueError(f"{what}: three numbers, not {len(values)}")
+    if not all(map(math.isfinite, values)):
+        raise ValueError(f"{what}: finite numbers, not {numbers!r}")
     return values[0], values[1], values[2]
 
 
@@ -77,10 +80,12 @@ def plane_of(
     middle = [0.5 * (bounds[2 * i] + bounds[2 * i + 1]) for i in range(3)]
     if origin is None:
         point: Vector = middle
-    elif isinstance(origin, (int, float)):
+    elif isinstance(origin, Real):
         if not isinstance(normal, str):
             raise ValueError("origin: a single number goes with the normals 'x', 'y' and 'z' alone")
-        point = [float(origin) if part else middle[i] for i, part in enumerate(direction)]
+        point = three(
+            [float(origin) if part else middle[i] for i, part in enumerate(direction)], "origin"
+        )
     else:
         point = three(origin, "origin")
     plane = vtkPlane()
