@@ -5,6 +5,7 @@
 #include "vtkInteractorStyle.h"
 #include "vtkPVRenderView.h"
 #include "vtkPlaneSource.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkProperty2D.h"
 #include "vtkRenderWindowInteractor.h"
@@ -42,6 +43,7 @@ ViewNotes::ViewNotes(std::function<std::string(int, int)> at)
   double white[3] = { 1.0, 1.0, 1.0 };
   Legend->SetNumberOfEntries(3);
   vtkNew<vtkPolyData> none;
+  none->SetPoints(vtkNew<vtkPoints>()); // the actor transforms them, none that are missing
   Legend->SetEntry(0, none, "colour map: exact", white);
   Legend->SetEntry(1, square->GetOutput(), "undecided", magenta);
   Legend->SetEntry(2, none, "background: nothing there", white);

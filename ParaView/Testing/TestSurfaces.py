@@ -105,8 +105,10 @@ class Surfaces(unittest.TestCase):
 
     def test_legend(self):
         before = scene.pixels(self.view).astype(int)
-        self.shown.VerdictLegend = 1
-        after = scene.pixels(self.view, "verdict_legend.png").astype(int)
+        with scene.messages() as heard:
+            self.shown.VerdictLegend = 1
+            after = scene.pixels(self.view, "verdict_legend.png").astype(int)
+        self.assertEqual(heard, [""])
         changed = numpy.abs(after - before).max(axis=-1) > 0
         self.assertGreater(changed[:, :150].sum(), 300)
         self.assertFalse(changed[:180].any())
