@@ -49,6 +49,7 @@ struct vtkHighOrderMapper::Internals
   pixelexact::FrameSource Picks{ PickCounters }; ///< of pixels apart from frames
   vtkSmartPointer<vtkImageData> Buffers;
   std::int64_t BuffersVersion = -1; ///< of the frame that Buffers hold
+  std::array<double, 2> SeenRange;
 
   pixelexact::FrameRequest Request(vtkHighOrderMapper* self, vtkActor* actor);
   void ChooseRange(
@@ -232,6 +233,14 @@ void vtkHighOrderMapper::SetScalarRange(double lower, double upper)
 {
   this->SetRangeMode(RANGE_AS_SET);
   this->Superclass::SetScalarRange(lower, upper);
+}
+
+//------------------------------------------------------------------------------
+double* vtkHighOrderMapper::GetSeenRange()
+{
+  const auto range = this->Data->Drawer.RangeSeen(this->GetLookupTable());
+  this->Data->SeenRange = range.value_or(std::array{ 1.0, -1.0 });
+  return this->Data->SeenRange.data();
 }
 
 //------------------------------------------------------------------------------

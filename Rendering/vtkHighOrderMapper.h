@@ -161,6 +161,12 @@ public:
   ///@}
 
   /**
+   * The ends of the values that the last frame shows in the colours of the mapper's lookup table,
+   * as RANGE_OF_CUT has them; 1 and -1 where there are none.
+   */
+  double* GetSeenRange() VTK_SIZEHINT(2);
+
+  /**
    * Gives the mapper a lookup table of one of the maps that the command-line program has: viridis,
    * inferno, plasma, coolwarm, jet, rainbow, grayscale. An error, which lists them, for another
    * name.

@@ -53,6 +53,7 @@ struct vtkPixelExactRepresentation::Internals
   std::string ColorArray;
   pixelexact::ShownRange Range;
   std::array<double, 2> FieldRange;
+  std::array<double, 2> VisibleRange;
   vtkWeakPointer<vtkRenderer> Renderer;
   vtkWeakPointer<vtkDataObject> Delivered; ///< what the mapper shows
   unsigned long RenderObserver = 0;
@@ -69,7 +70,8 @@ struct vtkPixelExactRepresentation::Internals
   PickedPoint Picked;  ///< of PickedPixel
   PickedPoint Pointed; ///< under the pointer
   std::function<std::string(int, int)> PointerSource;
-  vtkIdType UnknownPixels = 0; ///< of several processes
+  vtkIdType UnknownPixels = 0;                  ///< of several processes
+  std::array<double, 2> SeenByAll{ 1.0, -1.0 }; ///< of these
 
   std::set<std::string> Selectors;
   bool HasBlockColors = false;
@@ -86,6 +88,8 @@ struct vtkPixelExactRepresentation::Internals
   /// What a pixel shows, of all processes, each of which calls it.
   void Pick(int x, int y, PickedPoint& point);
   void Describe(vtkHighOrderPicker* picker, PickedPoint& point);
+  /// Of this process' part of the last picture; 1 and -1 where it shows no values.
+  std::array<double, 2> OwnVisibleRange();
   /// Contours or edges, which a pixel's corners decide.
   bool HasLines();
   /// The data with coefficients; converted where some are plain. Throws pixelexact::Error.

@@ -198,10 +198,39 @@ void vtkPixelExactRepresentation::AfterRender()
   const vtkIdType own = my.Actor->GetVisibility() ? my.Mapper->GetNumberOfUnknownPixels() : 0;
   vtkMultiProcessController::GetGlobalController()->AllReduce(
     &own, &my.UnknownPixels, 1, vtkCommunicator::SUM_OP);
+  // Both ends as largest values.
+  const std::array range = my.OwnVisibleRange();
+  constexpr double kNone = -std::numeric_limits<double>::infinity();
+  const bool any = range[0] <= range[1];
+  const std::array ends{ any ? -range[0] : kNone, any ? range[1] : kNone };
+  std::array<double, 2> largest;
+  vtkMultiProcessController::GetGlobalController()->AllReduce(
+    ends.data(), largest.data(), 2, vtkCommunicator::MAX_OP);
+  my.SeenByAll =
+    largest[1] > kNone ? std::array{ -largest[0], largest[1] } : std::array{ 1.0, -1.0 };
   if (my.PickedPixel[0] >= 0 && my.PickedPixel[1] >= 0)
   {
     my.Pick(my.PickedPixel[0], my.PickedPixel[1], my.Picked);
   }
+}
+
+//------------------------------------------------------------------------------
+std::array<double, 2> vtkPixelExactRepresentation::Internals::OwnVisibleRange()
+{
+  if (!Actor->GetVisibility())
+  {
+    return { 1.0, -1.0 };
+  }
+  const double* const range = Mapper->GetSeenRange();
+  return { range[0], range[1] };
+}
+
+//------------------------------------------------------------------------------
+double* vtkPixelExactRepresentation::GetVisibleRange()
+{
+  Internals& my = *this->Data;
+  my.VisibleRange = Internals::HasSeveralProcesses() ? my.SeenByAll : my.OwnVisibleRange();
+  return my.VisibleRange.data();
 }
 
 //------------------------------------------------------------------------------

@@ -124,6 +124,12 @@ public:
    */
   double* GetFieldRange() VTK_SIZEHINT(2);
 
+  /**
+   * The ends of the values that the last picture shows in the colours of the colour map, in the
+   * parts of all processes, although a nearer part may hide some; 1 and -1 where there are none.
+   */
+  double* GetVisibleRange() VTK_SIZEHINT(2);
+
   ///@{
   /**
    * What a pixel of the view shows (from 0, the lower left one; below 0: none), once it was

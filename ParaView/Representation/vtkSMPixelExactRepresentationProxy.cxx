@@ -4,14 +4,24 @@
 #include "vtkPixelExactRepresentation.h"
 
 #include "vtkClientServerStream.h"
+#include "vtkCommand.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVSession.h"
 #include "vtkProcessModule.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMTransferFunctionProxy.h"
+#include "vtkSMViewProxy.h"
+
+#include <string_view>
 
 vtkStandardNewMacro(vtkSMPixelExactRepresentationProxy);
 
 //------------------------------------------------------------------------------
-vtkSMPixelExactRepresentationProxy::vtkSMPixelExactRepresentationProxy() = default;
+vtkSMPixelExactRepresentationProxy::vtkSMPixelExactRepresentationProxy()
+{
+  this->AddObserver(
+    vtkCommand::UpdatePropertyEvent, this, &vtkSMPixelExactRepresentationProxy::PropertyPushed);
+}
 
 //------------------------------------------------------------------------------
 vtkSMPixelExactRepresentationProxy::~vtkSMPixelExactRepresentationProxy()
@@ -70,6 +80,40 @@ std::string vtkSMPixelExactRepresentationProxy::TextAt(int x, int y)
       text != nullptr
     ? text
     : "";
+}
+
+//------------------------------------------------------------------------------
+void vtkSMPixelExactRepresentationProxy::PropertyPushed(
+  vtkObject* /*caller*/, unsigned long /*event*/, void* name)
+{
+  if (name != nullptr && std::string_view(static_cast<const char*>(name)) == "RescaleToVisible")
+  {
+    this->RescaleToVisible();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSMPixelExactRepresentationProxy::RescaleToVisible()
+{
+  this->UpdatePropertyInformation(this->GetProperty("VisibleRange"));
+  double range[2];
+  vtkSMPropertyHelper(this, "VisibleRange").Get(range, 2);
+  vtkSMProxy* const map = vtkSMPropertyHelper(this, "LookupTable").GetAsProxy();
+  if (map == nullptr || !(range[0] <= range[1]))
+  {
+    vtkWarningMacro(<< "no values of a field are seen: the colour map keeps its range");
+    return;
+  }
+  vtkSMTransferFunctionProxy::RescaleTransferFunction(map, range);
+  if (vtkSMProxy* const opacity =
+        vtkSMPropertyHelper(map, "ScalarOpacityFunction", true).GetAsProxy())
+  {
+    vtkSMTransferFunctionProxy::RescaleTransferFunction(opacity, range);
+  }
+  if (vtkSMViewProxy* const view = vtkSMViewProxy::FindView(this->GetTrueParentProxy()))
+  {
+    view->StillRender();
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -6,6 +6,9 @@
  * Where a server draws, the pointer is the client's and the elements are the server's: the text of
  * a pixel is asked of all of the server's processes at once, and what the representation tells of
  * its data (ranges, pixels) is that of the server's object, not of the client's, which has none.
+ *
+ * RescaleToVisible, once it is pushed, gives the colour map the VisibleRange: colour maps are the
+ * client's.
  */
 
 #ifndef vtkSMPixelExactRepresentationProxy_h
@@ -38,6 +41,8 @@ private:
   void operator=(const vtkSMPixelExactRepresentationProxy&) = delete;
 
   std::string TextAt(int x, int y);
+  void PropertyPushed(vtkObject* caller, unsigned long event, void* name);
+  void RescaleToVisible();
 
   vtkWeakPointer<vtkPixelExactRepresentation> Shown;
   bool IsSetUp = false;

@@ -67,6 +67,35 @@ class Representation(unittest.TestCase):
         rgb = scene.pixels(self.view, "plane.png")
         self.check(rgb, source, lambda eyes, ahead: eyes - eyes[:, 2:] / ahead[2] * ahead)
 
+    def test_visible_range(self):
+        source = torus()
+        representation = show(source)
+        representation.CutFunction.Normal = [0, 0, 1]
+        representation.CutFunction.Origin = [0, 0, 0]
+        self.view.CameraPosition, self.view.CameraFocalPoint = [1, 0, 10], [1, 0, 0]
+        self.view.CameraParallelScale = 0.4
+        simple.Render(self.view)
+        rows, columns = numpy.mgrid[: scene.SIZE[1], : scene.SIZE[0]]
+        eyes, ahead = scene.rays(self.view, numpy.stack([columns.ravel(), rows.ravel()], axis=1))
+        found = scene.probe(source, eyes - eyes[:, 2:] / ahead[2] * ahead)
+        seen = found["u"][found["Verdict"] == 1]
+        expected = [seen.min(), seen.max()]
+        representation.UpdatePropertyInformation()
+        told = list(representation.GetProperty("VisibleRange"))
+        numpy.testing.assert_allclose(told, expected, rtol=0, atol=1e-12)
+        representation.SMProxy.InvokeCommand("RescaleToVisible")  # as the panel's button
+        points = simple.GetColorTransferFunction("u").RGBPoints
+        numpy.testing.assert_allclose([points[0], points[-4]], told, rtol=0, atol=1e-15)
+        points = simple.GetOpacityTransferFunction("u").Points
+        numpy.testing.assert_allclose([points[0], points[-4]], told, rtol=0, atol=1e-15)
+        representation.CutFunction.Origin = [0, 0, 9]
+        simple.Render(self.view)
+        representation.UpdatePropertyInformation()
+        self.assertEqual(list(representation.GetProperty("VisibleRange")), [1.0, -1.0])
+        with scene.messages() as heard:
+            representation.SMProxy.InvokeCommand("RescaleToVisible")
+        self.assertIn("keeps its range", heard[0])
+
     def test_plane_of_native_files(self):
         name = "mfem_escher_tet_darcy_p3"
         source = simple.PixelExactMFEMReader(FileName=scene.data(f"{name}/{name}.mesh"))

@@ -117,6 +117,7 @@ found["picked"] = picked
 found["text"] = text
 found["selected"] = bounding
 found["range"] = list(shown.GetProperty("FieldRange"))
+found["visible"] = list(shown.GetProperty("VisibleRange"))
 found["unknown"] = shown.GetProperty("UnknownPixels")[0]
 shown.ValueUnderPointer = 1
 view.MakeRenderWindowInteractor(True)

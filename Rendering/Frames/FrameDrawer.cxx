@@ -69,6 +69,15 @@ ViewFrame& FrameDrawer::Begin(
   return view;
 }
 
+ColorRanges::Range FrameDrawer::RangeSeen(vtkScalarsToColors* table)
+{
+  const FrameSource* source = LastSource();
+  const Frame* frame = source != nullptr ? source->LastFrame() : nullptr;
+  return frame != nullptr && source->Model() == Drawn.model.get()
+    ? ColorRanges::OfFrame(*frame, Drawn, table)
+    : std::nullopt;
+}
+
 ColorRanges::Range FrameDrawer::Draw(FrameRequest request, FramePart part, vtkRenderer* renderer,
   vtkActor* actor, vtkMapper* mapper, const Progress& progress)
 {
@@ -88,6 +97,7 @@ ColorRanges::Range FrameDrawer::Draw(FrameRequest request, FramePart part, vtkRe
       frame = &view.source.Render(request, progress);
     }
   }
+  Drawn = request;
   view.MakeDrawn(DepthRowsOf(renderer, actor->GetMatrix()));
   const auto draw = [&](const ViewFrame::Drawn& drawn, int sheet)
   {
@@ -175,5 +185,6 @@ const std::shared_ptr<HighOrderModel>& FrameDrawer::ModelOf(vtkDataObject* grid)
 void FrameDrawer::DropFrame(vtkRenderer* renderer, vtkActor* actor)
 {
   Views.Of(renderer, actor).source.DropFrame();
+  Drawn = {};
 }
 } // namespace pixelexact

@@ -59,6 +59,9 @@ public:
     return Ranges.OfFields(request, table);
   }
 
+  /// Of the values that the view drawn last shows in a table's colours (ColorRanges::OfFrame).
+  [[nodiscard]] ColorRanges::Range RangeSeen(vtkScalarsToColors* table);
+
   /// There is nothing to be seen in this view.
   void DropFrame(vtkRenderer* renderer, vtkActor* actor);
 
@@ -85,5 +88,6 @@ private:
   SurfaceCache TheSurfaces;
   ColorRanges Ranges;
   ViewFrames Views;
+  FrameRequest Drawn; ///< by Draw
 };
 } // namespace pixelexact

@@ -516,6 +516,8 @@ TEST_F(StockSettings, RangeOfTheCut)
       upper = v > upper ? v : upper;
     }
     ExpectRange(lower, upper, 0.0);
+    EXPECT_EQ(Scene.Mapper->GetSeenRange()[0], lower);
+    EXPECT_EQ(Scene.Mapper->GetSeenRange()[1], upper);
   };
   expectShown();
   // At z = 0; pixels come close to the ends.
@@ -529,5 +531,8 @@ TEST_F(StockSettings, RangeOfTheCut)
   // Nothing is seen: the range stays.
   Scene.Function->SetOrigin(0.0, 0.0, 5.0);
   ExpectRange(-0.3, 1.7, 0.05);
+  Render();
+  EXPECT_EQ(Scene.Mapper->GetSeenRange()[0], 1.0);
+  EXPECT_EQ(Scene.Mapper->GetSeenRange()[1], -1.0);
 }
 } // namespace pixelexact
