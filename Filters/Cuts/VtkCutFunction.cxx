@@ -25,7 +25,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <span>
 #include <sstream>
@@ -75,13 +74,6 @@ public:
   }
   void Gradients(std::span<const Vec3> x, std::span<Vec3> gradients) const override
   {
-    if (AtOnce)
-    {
-      constexpr double kInfinity = std::numeric_limits<double>::infinity();
-      const Box3 everywhere{ Vec3(-kInfinity), Vec3(kInfinity) };
-      FunctionGradients(Function, { Step, everywhere }, x, gradients);
-      return;
-    }
     std::vector<Vec3> ends;
     ends.reserve(6 * x.size());
     for (const Vec3& at : x)

@@ -15,9 +15,9 @@ namespace pixelexact
 /// vtkCylinder, vtkCone (both halves) and vtkQuadric, moved by an affine transform or not, become
 /// copies in closed form. Any other function, or transform, is asked itself, by the calling thread
 /// alone: callbacks, alone or in booleans, for many points at once (FunctionValues.h). Its gradient
-/// is a callback's own, else by differences over 1e-6 of `length`, for some of VTK's functions have
-/// none (vtkSuperquadric says 0). Where its value is NaN, asking it throws InvalidData, and where a
-/// callback fails, Error with its words.
+/// is by differences over 1e-6 of `length`, for some of VTK's functions have none (vtkSuperquadric
+/// says 0). Where its value is NaN, asking it throws InvalidData, and where a callback fails, Error
+/// with its words.
 ///
 /// Throws InvalidData for a surface without points for want of a direction: a plane's normal or a
 /// cylinder's axis of length zero, a transform without inverse.
