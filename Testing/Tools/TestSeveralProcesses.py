@@ -23,6 +23,9 @@ OWN |= {
     # The same for Open MPI 5.
     "PRTE_MCA_rmaps_default_mapping_policy": ":oversubscribe",
     "PRTE_MCA_hwloc_default_binding_policy": "none",
+    # And for 6, which complains of these names where it has not its own.
+    "PRTE_MCA_mapby": ":oversubscribe",
+    "PRTE_MCA_bindto": "none",
     # On one machine; where it has no network Open MPI 5 complains.
     "OMPI_MCA_btl": "^tcp",
 }
