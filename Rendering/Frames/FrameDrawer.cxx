@@ -16,6 +16,7 @@
 
 #include <array>
 #include <limits>
+#include <utility>
 
 namespace pixelexact
 {
@@ -97,7 +98,7 @@ ColorRanges::Range FrameDrawer::Draw(FrameRequest request, FramePart part, vtkRe
       frame = &view.source.Render(request, progress);
     }
   }
-  Drawn = request;
+  Drawn = std::move(request);
   view.MakeDrawn(DepthRowsOf(renderer, actor->GetMatrix()));
   const auto draw = [&](const ViewFrame::Drawn& drawn, int sheet)
   {
