@@ -31,7 +31,7 @@ namespace
 using namespace pixelexact;
 
 /// Null where the grid has none and none was named.
-const Field* FieldIn(const HighOrderModel& model, const std::string& name)
+const Field* FieldOrNull(const HighOrderModel& model, const std::string& name)
 {
   if (!name.empty())
   {
@@ -203,8 +203,8 @@ void vtkHighOrderIntegrate::Integrate(vtkDataObject* grid, vtkTable* output)
 {
   const int over = this->Chosen();
   const auto model = this->Source->Get(grid, this);
-  IntegralQuestion question{ model->GetMesh(), FieldIn(*model, ChosenName(this, this->FieldName)),
-    nullptr };
+  IntegralQuestion question{ model->GetMesh(),
+    FieldOrNull(*model, ChosenName(this, this->FieldName)), nullptr };
   const IntegralEffort effort{ this->Tolerance,
     this->Seconds != 0.0 ? this->Seconds : std::numeric_limits<double>::infinity() };
   this->UpdateProgress(0.2);
@@ -220,7 +220,7 @@ void vtkHighOrderIntegrate::Integrate(vtkDataObject* grid, vtkTable* output)
   }
   else if (over == OverIsoSurface)
   {
-    const Field* const field = FieldIn(*model, this->IsoFieldName);
+    const Field* const field = FieldOrNull(*model, this->IsoFieldName);
     if (field == nullptr)
     {
       throw InvalidData("there is no field to take an iso-surface of.");

@@ -14,18 +14,18 @@ namespace
 constexpr double kSpacing = 1e-15; ///< of t, beyond which halving brings nothing
 
 /// An end of a stretch.
-struct Place
+struct StretchEnd
 {
   double t = 0.0;
   std::int32_t element = -1;
 };
 struct Stretch
 {
-  Place from;
-  Place to;
+  StretchEnd from;
+  StretchEnd to;
 };
 
-std::vector<Place> Locate(const HighOrderModel& model, const Vec3& start, const Vec3& end,
+std::vector<StretchEnd> Locate(const HighOrderModel& model, const Vec3& start, const Vec3& end,
   const std::vector<double>& places)
 {
   std::vector<Vec3> points(places.size());
@@ -37,7 +37,7 @@ std::vector<Place> Locate(const HighOrderModel& model, const Vec3& start, const 
   target.element = elements;
   target.verdict = verdicts;
   Sample(model.GetLocator(), nullptr, points, target);
-  std::vector<Place> located(places.size());
+  std::vector<StretchEnd> located(places.size());
   for (std::size_t i = 0; i < places.size(); ++i)
   {
     located[i] = { places[i], verdicts[i] == Verdict::Inside ? elements[i] : -1 };
@@ -50,14 +50,14 @@ std::vector<double> LineBreaks(const HighOrderModel& model, const Vec3& start, c
   const std::vector<double>& places)
 {
   std::vector<Stretch> open;
-  const auto add = [&open](const Place& from, const Place& to)
+  const auto add = [&open](const StretchEnd& from, const StretchEnd& to)
   {
     if (from.element != to.element)
     {
       open.push_back({ from, to });
     }
   };
-  const std::vector<Place> first = Locate(model, start, end, places);
+  const std::vector<StretchEnd> first = Locate(model, start, end, places);
   for (std::size_t i = 1; i < first.size(); ++i)
   {
     add(first[i - 1], first[i]);
@@ -81,7 +81,7 @@ std::vector<double> LineBreaks(const HighOrderModel& model, const Vec3& start, c
       middles.push_back(middle);
     }
     open.clear();
-    const std::vector<Place> located = Locate(model, start, end, middles);
+    const std::vector<StretchEnd> located = Locate(model, start, end, middles);
     for (std::size_t i = 0; i < halved.size(); ++i)
     {
       add(halved[i].from, located[i]);

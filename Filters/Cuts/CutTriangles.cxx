@@ -2,6 +2,7 @@
 #include "Cuts/CutTriangles.h"
 
 #include "Core/Base/Counted.h"
+#include "Core/Math/Rounding.h"
 #include "Cuts/MarchedCubes.h"
 #include "Grids/FreeMemory.h"
 
@@ -67,7 +68,6 @@ CutTriangles PlaneGrid(
   const Vec3 v = glm::cross(normal, u);
 
   CutTriangles cut;
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   double lower[2] = { kInfinity, kInfinity };
   double upper[2] = { -kInfinity, -kInfinity };
   for (const Vec3& x : CrossingsOf(point, normal, box))

@@ -48,6 +48,11 @@ enum class PixelVerdict : std::uint8_t
   Unknown = 2
 };
 
+/// The same as the verdict buffer holds them.
+inline constexpr auto kNothingPixel = static_cast<std::uint8_t>(PixelVerdict::Nothing);
+inline constexpr auto kExactPixel = static_cast<std::uint8_t>(PixelVerdict::Exact);
+inline constexpr auto kUnknownPixel = static_cast<std::uint8_t>(PixelVerdict::Unknown);
+
 /// In the coverage buffer: no hit within the mesh's bounds.
 inline constexpr std::uint8_t kNotCovered = 255;
 /// In the layer buffer: nothing seen.

@@ -11,7 +11,7 @@ using Edge = std::array<int, 2>;
 
 /// Vertices at order 1, edges and faces as Gmsh numbers and directs them. A face's inner nodes run
 /// from its first corner towards the second, then towards the last.
-struct Solid
+struct SolidLattice
 {
   std::vector<Lattice> vertices;
   std::vector<Edge> edges;
@@ -19,27 +19,28 @@ struct Solid
   int shrink; ///< the interior is an element of an order that is lower by this
 };
 
-const Solid& SolidOf(Shape shape)
+const SolidLattice& SolidOf(Shape shape)
 {
-  static const Solid tetrahedron{ { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } },
+  static const SolidLattice tetrahedron{ { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } },
     { { 0, 1 }, { 1, 2 }, { 2, 0 }, { 3, 0 }, { 3, 2 }, { 3, 1 } },
     { { { 0, 2, 1, -1 }, 3 }, { { 0, 1, 3, -1 }, 0 }, { { 0, 3, 2, -1 }, 2 },
       { { 3, 1, 2, -1 }, 1 } },
     4 };
-  static const Solid hexahedron{ { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
-                                   { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } },
+  static const SolidLattice hexahedron{ { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 },
+                                          { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } },
     { { 0, 1 }, { 0, 3 }, { 0, 4 }, { 1, 2 }, { 1, 5 }, { 2, 3 }, { 2, 6 }, { 3, 7 }, { 4, 5 },
       { 4, 7 }, { 5, 6 }, { 6, 7 } },
     { { { 0, 3, 2, 1 }, 4 }, { { 0, 1, 5, 4 }, 2 }, { { 0, 4, 7, 3 }, 0 }, { { 1, 2, 6, 5 }, 1 },
       { { 2, 3, 7, 6 }, 3 }, { { 4, 5, 6, 7 }, 5 } },
     2 };
-  static const Solid prism{ { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 1 },
-                              { 0, 1, 1 } },
+  static const SolidLattice prism{ { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
+                                     { 1, 0, 1 }, { 0, 1, 1 } },
     { { 0, 1 }, { 0, 2 }, { 0, 3 }, { 1, 2 }, { 1, 4 }, { 2, 5 }, { 3, 4 }, { 3, 5 }, { 4, 5 } },
     { { { 0, 2, 1, -1 }, 0 }, { { 3, 4, 5, -1 }, 1 }, { { 0, 1, 4, 3 }, 2 }, { { 0, 3, 5, 2 }, 4 },
       { { 1, 2, 5, 4 }, 3 } },
     3 };
-  static const Solid pyramid{ { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 } },
+  static const SolidLattice pyramid{ { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 },
+                                       { 0, 0, 1 } },
     { { 0, 1 }, { 0, 3 }, { 0, 4 }, { 1, 2 }, { 1, 4 }, { 2, 3 }, { 2, 4 }, { 3, 4 } },
     { { { 0, 1, 4, -1 }, 1 }, { { 3, 0, 4, -1 }, 4 }, { { 1, 2, 4, -1 }, 2 },
       { { 2, 3, 4, -1 }, 3 }, { { 0, 3, 2, 1 }, 0 } },
@@ -154,7 +155,7 @@ std::vector<Lattice> NodeOrder(Shape shape, int order)
   {
     return order < 0 ? std::vector<Lattice>() : std::vector<Lattice>{ { 0, 0, 0 } };
   }
-  const Solid& solid = SolidOf(shape);
+  const SolidLattice& solid = SolidOf(shape);
   std::vector<Lattice> nodes;
   for (const Lattice& vertex : solid.vertices)
   {

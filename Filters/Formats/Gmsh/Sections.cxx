@@ -12,7 +12,6 @@ namespace
 {
 constexpr const char* kFormat = "MeshFormat";
 constexpr std::array kOld{ 2.0, 2.1, 2.2 };
-constexpr double kNew = 4.1;
 
 void ReadEncoding(Scanner& scanner)
 {

@@ -8,6 +8,9 @@
 
 namespace pixelexact::gmsh
 {
+/// The version of $MeshFormat whose sections have entities.
+inline constexpr double kNew = 4.1;
+
 struct Section
 {
   std::string name;      ///< "Nodes"

@@ -12,7 +12,6 @@ namespace pixelexact::rational
 {
 namespace
 {
-constexpr long double kLongRoundoff = std::numeric_limits<long double>::epsilon() / 2;
 /// Weights that vary less than this along a direction do so by rounding.
 constexpr long double kSameWeights = 64 * kLongRoundoff;
 

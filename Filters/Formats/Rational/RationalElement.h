@@ -3,12 +3,15 @@
 
 #include "Formats/Rational/LineTables.h"
 
+#include <limits>
 #include <optional>
 #include <span>
 
 // Rational Bezier hexahedra as polynomials, with a proven bound of what is lost (rational.md).
 namespace pixelexact::rational
 {
+inline constexpr long double kLongRoundoff = std::numeric_limits<long double>::epsilon() / 2;
+
 using Orders = std::array<int, 3>;
 
 /// `components` functions N / w on [-1,1]^3, N and w in Bernstein's basis with the last direction

@@ -16,8 +16,6 @@ namespace
 {
 using LongVector = std::vector<long double>;
 
-constexpr long double kLongRoundoff = std::numeric_limits<long double>::epsilon() / 2;
-
 /// Bernstein's coefficients of a line, which has `low` + 1 of them, as those of degree `high`.
 void Elevate(LongVector& line, int high)
 {

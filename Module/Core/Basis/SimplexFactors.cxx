@@ -19,7 +19,7 @@ long double Power(long double base, int exponent)
   return result;
 }
 
-long double Binomial(int n, int k)
+long double LongBinomial(int n, int k)
 {
   long double result = 1.0L;
   for (int i = 1; i <= k; ++i)
@@ -68,8 +68,8 @@ BasisFactor TriangleFactor(int order, Family family)
       {
         for (int c = 0; c <= order - a; ++c, ++function)
         {
-          sources[std::size_t(node) * count + function] = Binomial(order, a) *
-            Binomial(order - a, c) * Power(l1, a) * Power(l3, c) *
+          sources[std::size_t(node) * count + function] = LongBinomial(order, a) *
+            LongBinomial(order - a, c) * Power(l1, a) * Power(l3, c) *
             Power(1 - l1 - l3, order - a - c);
         }
       }
@@ -115,8 +115,8 @@ BasisFactor TetrahedronFactor(const Space& space, Family family)
           {
             for (int c = 0; c <= order - a - b; ++c)
             {
-              *row++ = Binomial(order, a) * Binomial(order - a, b) * Binomial(order - a - b, c) *
-                Power(l1, a) * Power(l2, b) * Power(l3, c) *
+              *row++ = LongBinomial(order, a) * LongBinomial(order - a, b) *
+                LongBinomial(order - a - b, c) * Power(l1, a) * Power(l2, b) * Power(l3, c) *
                 Power(1 - l1 - l2 - l3, order - a - b - c);
             }
           }

@@ -11,12 +11,12 @@ namespace
 {
 constexpr Interval kUnit{ -1.0, 1.0 };
 /// More than anything that underflows in a handful of operations.
-constexpr double kUnderflow = 0x1p-1060;
+constexpr double kFormUnderflow = 0x1p-1060;
 
 /// -r to r for a radius that was computed, from magnitudes, with at most 12 roundings.
 Interval Within(double radius)
 {
-  const double r = radius * (1.0 + Gamma(16)) + kUnderflow;
+  const double r = radius * (1.0 + Gamma(16)) + kFormUnderflow;
   return { -r, r };
 }
 
@@ -58,7 +58,7 @@ Interval QuadraticRange(const AffineForm& f, const AffineForm& g)
       size += std::fabs(dk) + std::fabs(kd);
     }
   }
-  const double rounding = Gamma(16) * size + kUnderflow;
+  const double rounding = Gamma(16) * size + kFormUnderflow;
   return { lower - mixed - rounding, upper + mixed + rounding };
 }
 

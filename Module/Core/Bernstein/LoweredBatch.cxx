@@ -15,9 +15,6 @@ namespace pixelexact
 {
 namespace
 {
-/// What is lost below the smallest numbers, by far.
-constexpr double kUnderflow = 0x1p-1000;
-
 /// The Bernstein polynomials of a degree at t in [0, 1].
 std::vector<double> BasisAt(int n, double t)
 {

@@ -18,6 +18,7 @@ enum class Part : signed char
   ByXi2 = 1,
   ByXi3 = 2
 };
+inline constexpr Part kDerivatives[3] = { Part::ByXi1, Part::ByXi2, Part::ByXi3 };
 
 /// The tensor-product Bernstein form, in eta over pieces of the cube, of functions given by
 /// canonical modes and of their derivatives by xi, which are polynomials in eta as well: a mode is

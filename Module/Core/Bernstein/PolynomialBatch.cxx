@@ -16,9 +16,6 @@ namespace pixelexact
 {
 namespace
 {
-/// What is lost below the smallest numbers, by far.
-constexpr double kUnderflow = 0x1p-1000;
-
 /// Row k: the factors with which coefficients make the k-th one over a part of [0, 1]. None is
 /// negative: they are made with relative errors of gamma(6 n), and sum to 1.
 std::vector<double> RestrictionRows(int n, double from, double to)

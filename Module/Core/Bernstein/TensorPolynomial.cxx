@@ -15,7 +15,6 @@ namespace pixelexact
 {
 namespace
 {
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 using Line = std::array<double, kMaxDegree + 1>;
 
@@ -31,7 +30,7 @@ double Lebesgue(int n, double t)
   return base <= 1.0 ? 1.0 : std::pow(base * (1.0 + Gamma(2)), n) * (1.0 + Gamma(2 * n + 8));
 }
 
-double Binomial(int n, int k)
+double BinomialOfAny(int n, int k)
 {
   double result = 1.0;
   for (int i = 1; i <= k; ++i)
@@ -99,7 +98,7 @@ void Elevate(const Degrees& from, const Degrees& to, std::span<const double> coe
       weights.clear();
       for (int i = first; i <= last; ++i)
       {
-        weights.push_back(Binomial(j, i) * Binomial(m - j, n - i) / Binomial(m, n));
+        weights.push_back(BinomialOfAny(j, i) * BinomialOfAny(m - j, n - i) / BinomialOfAny(m, n));
       }
       for (std::size_t line = 0; line < lines; ++line)
       {

@@ -15,7 +15,7 @@ namespace
 {
 /// Points along each eta: Chebyshev's, stretched so that the outermost lie on the faces. Beyond all
 /// points the polynomial is not asked.
-constexpr int kPoints = kGuessDegree + 2;
+constexpr int kGuessPoints = kGuessDegree + 2;
 
 using Terms = Eigen::Matrix<double, 1, kGuessTerms>;
 
@@ -45,10 +45,11 @@ Terms TermsAt(const Vec3& s)
 
 std::vector<Vec3> SamplePoints(Shape shape)
 {
-  std::array<double, kPoints> eta{};
-  for (int i = 0; i < kPoints; ++i)
+  std::array<double, kGuessPoints> eta{};
+  for (int i = 0; i < kGuessPoints; ++i)
   {
-    eta[static_cast<std::size_t>(i)] = ChebyshevPoint(i, kPoints) / ChebyshevPoint(0, kPoints);
+    eta[static_cast<std::size_t>(i)] =
+      ChebyshevPoint(i, kGuessPoints) / ChebyshevPoint(0, kGuessPoints);
   }
   return TensorLattice(shape, eta);
 }

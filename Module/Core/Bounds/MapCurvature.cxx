@@ -15,17 +15,17 @@ namespace pixelexact
 namespace
 {
 /// Points along each eta, Chebyshev's.
-constexpr int kPoints = 4;
+constexpr int kCurvaturePoints = 4;
 constexpr double kSafety = 2.0;
 /// Below this, steps are as few as they can be.
 constexpr double kLeast = 1e-3;
 
 std::vector<Vec3> LatticeOf(Shape shape)
 {
-  std::array<double, kPoints> eta{};
-  for (int i = 0; i < kPoints; ++i)
+  std::array<double, kCurvaturePoints> eta{};
+  for (int i = 0; i < kCurvaturePoints; ++i)
   {
-    eta[static_cast<std::size_t>(i)] = ChebyshevPoint(i, kPoints);
+    eta[static_cast<std::size_t>(i)] = ChebyshevPoint(i, kCurvaturePoints);
   }
   return TensorLattice(shape, eta);
 }
@@ -80,12 +80,12 @@ double MapCurvature(const Space& space, const double* coefficients)
   const std::vector<Mat3> jacobians = JacobiansAt(space, coefficients, xi);
   std::size_t step = 1;
   double sum = 0.0;
-  for (int axis = 2; axis >= 0; --axis, step *= kPoints)
+  for (int axis = 2; axis >= 0; --axis, step *= kCurvaturePoints)
   {
     double largest = 0.0;
     for (std::size_t a = 0; a < xi.size(); ++a)
     {
-      if (a / step % kPoints == kPoints - 1)
+      if (a / step % kCurvaturePoints == kCurvaturePoints - 1)
       {
         continue;
       }

@@ -14,7 +14,7 @@ namespace pixelexact
 {
 namespace
 {
-constexpr double kOnFace = 1e-6;
+constexpr double kHolderOnFace = 1e-6;
 /// Faces of which one is larger differ by more.
 constexpr double kSmaller = 0.75;
 
@@ -53,7 +53,7 @@ ElementFace FaceOwner::SmallestOther(int element, const Vec3& x) const
     {
       const auto face = static_cast<int>(k);
       const double area = AreaOf(holder.element, face);
-      if (std::fabs(planes[k].Distance(holder.xi)) <= kOnFace &&
+      if (std::fabs(planes[k].Distance(holder.xi)) <= kHolderOnFace &&
         (smallest.element < 0 || area < least))
       {
         smallest = { holder.element, face };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Contour/LineAssembly.h"
 
+#include "Core/Contour/SeedList.h"
 #include "Core/Faces/FacePlane.h"
 
 #include <glm/geometric.hpp>
@@ -16,10 +17,9 @@ namespace
 {
 /// Ends this near to each other are one, in sizes of their elements: values and surfaces on both
 /// sides of a face agree to the digits of the solver's file.
-constexpr double kSame = 1e-7;
+constexpr double kSameEnd = 1e-7;
 /// Ends that are one by chance differ by more than rounding.
 constexpr double kRounding = 1e-11;
-constexpr double kOnFace = 1e-9;
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
 /// The ends of piece p are number 2 p and 2 p + 1.
@@ -76,7 +76,7 @@ private:
   {
     const double uncertainty =
       TheMesh.uncertainty[static_cast<std::size_t>(Pieces[end / 2].element)];
-    return kSame * SizeAt(end) + uncertainty;
+    return kSameEnd * SizeAt(end) + uncertainty;
   }
 
   void Match()

@@ -11,7 +11,6 @@ namespace pixelexact
 {
 namespace
 {
-constexpr double kUnderflow = 0x1p-1000;
 constexpr Box3 kWholePiece{ Vec3(-1.0), Vec3(1.0) };
 
 /// The six: G^(xi) by eta.

@@ -5,6 +5,7 @@
 #include "Core/Element/Kernels.h"
 #include "Core/Element/LaneBuffer.h"
 #include "Core/Faces/FacePlane.h"
+#include "Core/Faces/FaceProjection.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -20,8 +21,6 @@ namespace
 {
 /// Distance of xi up to which a point that lies on a face may lie on this one.
 constexpr double kOnFace = 1e-6;
-/// Normals of coinciding faces are opposite, up to what their uncertainty turns them by.
-constexpr double kOpposite = -0.5;
 
 std::vector<Mat3> JacobiansAt(const Mesh& mesh, int element, std::span<const Vec3> xi)
 {

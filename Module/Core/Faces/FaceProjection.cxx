@@ -15,8 +15,6 @@ namespace
 constexpr int kMostSteps = 20;
 /// After a step smaller than this, of the face, the next one is of rounding size.
 constexpr double kSmallStep = 1e-10;
-/// Coinciding faces' normals are opposite, up to what their own uncertainty turns them by.
-constexpr double kOpposite = -0.5;
 
 /// One over the tolerance, per coordinate: what is off by as many tolerances is as far, so that
 /// thin faces are not lost in the rounding of their length.

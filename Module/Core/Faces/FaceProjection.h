@@ -5,6 +5,10 @@
 
 namespace pixelexact
 {
+/// The normals of coinciding faces are opposite, up to what their uncertainty turns them by: the
+/// largest cosine of their angle.
+inline constexpr double kOpposite = -0.5;
+
 /// Finds points of a face. Keeps scratch arrays: each thread makes its own.
 class FaceProjection
 {

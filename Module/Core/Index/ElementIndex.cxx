@@ -21,7 +21,6 @@ constexpr int kMostPieces = 64;
 
 Box3 EmptyBox()
 {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   return { Vec3(kInfinity), Vec3(-kInfinity) };
 }
 

@@ -15,11 +15,6 @@ namespace pixelexact
 {
 namespace
 {
-double Up(double bound)
-{
-  return bound * (1.0 + 0x1p-40) + 0x1p-1000;
-}
-
 /// From Bernstein coefficients over [-1, 1] to Chebyshev coefficients over [-reach, reach]: the
 /// discrete cosine transform of values at Chebyshev's points, exact but for roundings.
 struct Change

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Integral/ChebyshevModel.h"
+#include "Core/Math/Rounding.h"
 
 #include <cmath>
 #include <limits>
@@ -8,15 +9,9 @@ namespace pixelexact
 {
 namespace
 {
-constexpr int kDegree = ChebyshevModel::kDegree;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Steps of Newton's iteration, which doubles the digits.
-constexpr int kNewtonSteps = 7;
+constexpr int kDoublingSteps = 7;
 
-double Up(double bound)
-{
-  return bound * (1.0 + 0x1p-40) + 0x1p-1000;
-}
 } // namespace
 
 ChebyshevModel Reciprocal(const ChebyshevModel& f)
@@ -29,7 +24,7 @@ ChebyshevModel Reciprocal(const ChebyshevModel& f)
   }
   const ChebyshevModel p = f.Polynomial();
   ChebyshevModel r(1.0 / f.c[0]);
-  for (int step = 0; step < kNewtonSteps; ++step)
+  for (int step = 0; step < kDoublingSteps; ++step)
   {
     const ChebyshevModel left = ChebyshevModel(1.0) - p * r;
     r = (r + r * left).Polynomial();
@@ -60,7 +55,7 @@ ChebyshevModel SquareRoot(const ChebyshevModel& f)
   // Newton's iteration for 1 / sqrt(f), which needs no quotients.
   const ChebyshevModel p = f.Polynomial();
   ChebyshevModel r(1.0 / std::sqrt(f.c[0]));
-  for (int step = 0; step < kNewtonSteps; ++step)
+  for (int step = 0; step < kDoublingSteps; ++step)
   {
     const ChebyshevModel left = ChebyshevModel(1.0) - p * (r * r);
     r = (r + 0.5 * (r * left)).Polynomial();
@@ -85,12 +80,12 @@ void AddRoughness(const ChebyshevModel& model, std::array<double, 2>& along)
   constexpr double kLower = 1e-9;
   constexpr int kHighest = 3;
   const double scale = 1.0 / (model.Norm() + 0x1p-1000);
-  for (int i = 0; i <= kDegree; ++i)
+  for (int i = 0; i <= ChebyshevModel::kDegree; ++i)
   {
-    for (int j = 0; i + j <= kDegree; ++j)
+    for (int j = 0; i + j <= ChebyshevModel::kDegree; ++j)
     {
       const double size = scale * std::fabs(model.c[ChebyshevModel::Index(i, j)]) *
-        (i + j > kDegree - kHighest ? 1.0 : kLower);
+        (i + j > ChebyshevModel::kDegree - kHighest ? 1.0 : kLower);
       along[0] += size * i;
       along[1] += size * j;
     }

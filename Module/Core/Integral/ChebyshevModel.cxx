@@ -11,13 +11,6 @@ namespace pixelexact
 namespace
 {
 constexpr int kDegree = ChebyshevModel::kDegree;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// Covers the roundings of sums and products of bounds, of which there are less than 4000, and
-/// underflow.
-double Up(double bound)
-{
-  return bound * (1.0 + 0x1p-40) + 0x1p-1000;
-}
 /// Additions to one coefficient of a product, and what else rounds.
 constexpr int kProductRoundings = 4 * (kDegree + 1) * (kDegree + 1) + 8;
 } // namespace

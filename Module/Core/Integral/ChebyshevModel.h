@@ -8,6 +8,13 @@
 
 namespace pixelexact
 {
+/// Covers the roundings of sums and products of bounds, of which there are fewer than 4000, and
+/// underflow.
+inline double Up(double bound)
+{
+  return bound * (1.0 + 0x1p-40) + 0x1p-1000;
+}
+
 /// A function of (s, t) in [-1,1]^2, known up to `error` everywhere in the square:
 ///   f(s, t) = sum of c_ij T_i(s) T_j(t), i + j <= kDegree, +- error
 /// T_i: Chebyshev's polynomials. What an operation cannot keep, terms of higher degree and

@@ -12,16 +12,12 @@ namespace pixelexact
 namespace
 {
 /// Stretches of s are not halved below this.
-constexpr double kNarrowest = 0x1p-40;
+constexpr double kNarrowestStretch = 0x1p-40;
 /// Looked at; more than a few crossings take: the square is better halved.
 constexpr int kMostStretches = 2000;
 /// Of the error of a function: what it is at most where it counts as zero throughout.
-constexpr double kZero = 4.0;
+constexpr double kZeroInErrors = 4.0;
 
-double Up(double bound)
-{
-  return bound * (1.0 + 0x1p-40) + 0x1p-1000;
-}
 } // namespace
 
 /// Looks for the strips along s.
@@ -97,7 +93,7 @@ private:
       Stretches.push_back({ from, to, kinds });
       return;
     }
-    if (to - from < kNarrowest)
+    if (to - from < kNarrowestStretch)
     {
       Unknown = Up(Unknown + 2.0 * (to - from));
       return;
@@ -116,7 +112,7 @@ private:
 
   bool AddStrip(const Stretch& run, ClippedSquare& found) const
   {
-    // Multiples of kNarrowest: none of this rounds.
+    // Multiples of kNarrowestStretch: none of this rounds.
     const double half = 0.5 * (run.to - run.from);
     ChebyshevModel s(0.5 * (run.from + run.to));
     s.c[ChebyshevModel::Index(1, 0)] = half;
@@ -180,7 +176,7 @@ std::optional<ClippedSquare> ClippedSquare::Of(std::span<const ChebyshevModel> f
       return found;
     }
     // Where the whole surface lies in the rim, up to rounding, it is in.
-    if (range.upper > 0.0 && range.Magnitude() > kZero * f.error)
+    if (range.upper > 0.0 && range.Magnitude() > kZeroInErrors * f.error)
     {
       mixed.push_back(f);
     }

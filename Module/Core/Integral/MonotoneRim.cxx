@@ -12,22 +12,16 @@ namespace pixelexact
 {
 namespace
 {
-constexpr int kDegree = ChebyshevModel::kDegree;
 /// How far beyond [-1, 1] a rim's model may reach.
-constexpr double kBeyond = 1e-3;
+constexpr double kBeyondSquare = 1e-3;
 /// Of the bound of a value's error at the ends: what counts as zero there, in each half of them.
-constexpr double kZero = 4.0;
+constexpr double kZeroInEndErrors = 4.0;
 constexpr int kBisections = 50;
-constexpr int kNewtonSteps = 12;
+constexpr int kEndSteps = 12;
 
-double Up(double bound)
+std::array<double, ChebyshevModel::kDegree + 1> Values(double s)
 {
-  return bound * (1.0 + 0x1p-40) + 0x1p-1000;
-}
-
-std::array<double, kDegree + 1> Values(double s)
-{
-  std::array<double, kDegree + 1> values{ 1.0, s };
+  std::array<double, ChebyshevModel::kDegree + 1> values{ 1.0, s };
   for (std::size_t n = 2; n < values.size(); ++n)
   {
     values[n] = 2.0 * s * values[n - 1] - values[n - 2];
@@ -40,9 +34,9 @@ double ValueAt(const ChebyshevModel& f, double s, double t)
   const auto a = Values(s);
   const auto b = Values(t);
   double sum = 0.0;
-  for (int i = 0; i <= kDegree; ++i)
+  for (int i = 0; i <= ChebyshevModel::kDegree; ++i)
   {
-    for (int j = 0; i + j <= kDegree; ++j)
+    for (int j = 0; i + j <= ChebyshevModel::kDegree; ++j)
     {
       sum += f.c[ChebyshevModel::Index(i, j)] * a[static_cast<std::size_t>(i)] *
         b[static_cast<std::size_t>(j)];
@@ -55,11 +49,12 @@ double ValueAt(const ChebyshevModel& f, double s, double t)
 BoxPolynomial AtEnd(const ChebyshevModel& f, double end)
 {
   const ChebyshevInBernstein& basis = ChebyshevInBernstein::Get();
-  BoxPolynomial line{ { kDegree, 0, 0 }, std::vector<double>(kDegree + 1, 0.0), 0.0 };
-  for (int i = 0; i <= kDegree; ++i)
+  BoxPolynomial line{ { ChebyshevModel::kDegree, 0, 0 },
+    std::vector<double>(ChebyshevModel::kDegree + 1, 0.0), 0.0 };
+  for (int i = 0; i <= ChebyshevModel::kDegree; ++i)
   {
     double sum = 0.0;
-    for (int j = 0; i + j <= kDegree; ++j)
+    for (int j = 0; i + j <= ChebyshevModel::kDegree; ++j)
     {
       sum += (j % 2 == 0 ? 1.0 : end) * f.c[ChebyshevModel::Index(i, j)];
     }
@@ -68,7 +63,7 @@ BoxPolynomial AtEnd(const ChebyshevModel& f, double end)
       line.b[k] += sum * basis.column[static_cast<std::size_t>(i)][k];
     }
   }
-  line.error = Up(f.error + Gamma(4 * kDegree + 8) * basis.largest * f.Norm());
+  line.error = Up(f.error + Gamma(4 * ChebyshevModel::kDegree + 8) * basis.largest * f.Norm());
   return line;
 }
 } // namespace
@@ -82,21 +77,21 @@ std::optional<MonotoneRim> MonotoneRim::Of(const ChebyshevModel& function)
   // A little beyond the square the slope changes by its own slope at most, of which Chebyshev's
   // polynomials have less than 1.1 times j^2.
   double bend = 0.0;
-  for (int i = 0; i <= kDegree; ++i)
+  for (int i = 0; i <= ChebyshevModel::kDegree; ++i)
   {
-    for (int j = 0; i + j <= kDegree; ++j)
+    for (int j = 0; i + j <= ChebyshevModel::kDegree; ++j)
     {
       bend += 1.1 * j * j * std::fabs(rim.Slope.c[ChebyshevModel::Index(i, j)]);
     }
   }
-  rim.Steepness = (range.Mignitude() - kBeyond * bend) * (1.0 - 0x1p-40);
+  rim.Steepness = (range.Mignitude() - kBeyondSquare * bend) * (1.0 - 0x1p-40);
   if (!(rim.Steepness > 0.0))
   {
     return std::nullopt;
   }
   rim.Sign = range.lower > 0.0 ? 1.0 : -1.0;
   const RimEnds ends = rim.Ends();
-  rim.Tolerance = kZero * std::max(ends.low.error, ends.high.error);
+  rim.Tolerance = kZeroInEndErrors * std::max(ends.low.error, ends.high.error);
   return rim;
 }
 
@@ -149,7 +144,7 @@ std::optional<ChebyshevModel> MonotoneRim::Between(
   const ChebyshevModel slope = Slope.Polynomial();
   double before = std::numeric_limits<double>::infinity();
   ChebyshevModel inverse;
-  for (int step = 0; step < kNewtonSteps; ++step)
+  for (int step = 0; step < kEndSteps; ++step)
   {
     const ChebyshevModel left = compose(f, x);
     const double miss = left.Norm();
@@ -167,7 +162,7 @@ std::optional<ChebyshevModel> MonotoneRim::Between(
     x = (x - left.Polynomial() * inverse).Polynomial();
   }
   x.error = Up((compose(f, x).Range().Magnitude() + Function.error) / Steepness);
-  const bool near = x.TightRange().Magnitude() <= 1.0 + kBeyond;
+  const bool near = x.TightRange().Magnitude() <= 1.0 + kBeyondSquare;
   return near ? std::optional(x) : std::nullopt;
 }
 } // namespace pixelexact

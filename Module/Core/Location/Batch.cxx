@@ -2,6 +2,7 @@
 #include "Core/Base/StageClock.h"
 #include "Core/Location/BatchScratch.h"
 #include "Core/Location/FoundPointKernels.h"
+#include "Core/Math/Rounding.h"
 
 #include <algorithm>
 #include <bit>
@@ -62,7 +63,6 @@ void Locator::Batch::Run()
 
 void Locator::Batch::Search(std::span<PointChunk> chunks)
 {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Box3 region{ Vec3(kInfinity), Vec3(-kInfinity) };
   for (const PointChunk& chunk : chunks)
   {

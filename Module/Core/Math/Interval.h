@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Core/Math/Rounding.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -19,7 +21,6 @@ inline constexpr double kEta = std::numeric_limits<double>::denorm_min();
 
 inline double Below(double v)
 {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   return v == kInfinity ? std::numeric_limits<double>::max()
     : v == -kInfinity   ? v
                         : v - (kPhi * std::fabs(v) + kEta);

@@ -6,6 +6,8 @@
 
 namespace pixelexact
 {
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
 /// Unit roundoff of double, round to nearest: 2^-53.
 inline constexpr double kUnitRoundoff = std::numeric_limits<double>::epsilon() / 2;
 
@@ -16,6 +18,9 @@ constexpr double Gamma(int n)
   const double nu = n * kUnitRoundoff;
   return nu / (1.0 - nu) * (1.0 + 4.0 * std::numeric_limits<double>::epsilon());
 }
+
+/// Exceeds by far what underflow loses in sums and products of normal numbers.
+inline constexpr double kUnderflow = 0x1p-1000;
 
 inline double NextUp(double v)
 {

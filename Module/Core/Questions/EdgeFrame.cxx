@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Math/Rounding.h"
 #include "Core/Questions/EdgeArithmetic.h"
 #include "Core/Questions/EdgeMeeting.h"
 
@@ -16,7 +17,6 @@ using namespace edges;
 
 Box3 BoxOf(const WideOutline& region)
 {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Box3 box{ Vec3(kInfinity), Vec3(-kInfinity) };
   for (const Vec3& corner : region.outline.Corners())
   {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What EdgeFunctions knows over boxes, and how far off it is.
 #include "Core/Element/Ranges.h"
+#include "Core/Math/Rounding.h"
 #include "Core/Questions/EdgeArithmetic.h"
 #include "Core/Questions/EdgeFunctions.h"
 
@@ -13,7 +14,6 @@ namespace pixelexact
 {
 namespace
 {
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// What all elements' polynomials may take; of others they are made each time.
 constexpr std::int64_t kMostBytes = std::int64_t{ 256 } << 20;
 std::atomic<std::int64_t> bytesKept{ 0 };

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Math/Rounding.h"
 #include "Core/Questions/EdgeBounds.h"
 #include "Core/Questions/EdgeMeeting.h"
 #include "Core/Questions/OnSheet.h"
@@ -16,9 +17,8 @@ using namespace edges;
 
 namespace
 {
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Of Newton's iteration towards where a sheet leaves its element.
-constexpr int kSteps = 8;
+constexpr int kExitSteps = 8;
 /// Halvings of a node for a chord.
 constexpr int kSmaller = 6;
 /// In xi, after a step: far less than what exits are beside the element.
@@ -35,7 +35,7 @@ std::optional<SheetExit> OnSheet::ExitOf(const SheetPoint& from, const SheetPoin
   };
   SheetExit exit;
   exit.point.xi = from.xi;
-  for (int step = 0; step < kSteps; ++step)
+  for (int step = 0; step < kExitSteps; ++step)
   {
     const Values at = At(std::array{ exit.point.xi })[0];
     const Mat3 W = glm::inverse(at.jacobian);

@@ -5,12 +5,6 @@
 
 namespace pixelexact
 {
-namespace
-{
-/// Of going down by one node, in nanoseconds.
-constexpr std::int64_t kCostOfLook = 50;
-} // namespace
-
 const EdgeNode& EdgeTree::Whole() const
 {
   if (!HasRoot.load(std::memory_order_acquire))

@@ -10,6 +10,9 @@
 
 namespace pixelexact
 {
+/// The cost of visiting a node, in nanoseconds.
+inline constexpr std::int64_t kCostOfLook = 50;
+
 /// What is known of an element's boxes of eta, each made where somebody first asks. Safe to use
 /// from several threads.
 class EdgeTree

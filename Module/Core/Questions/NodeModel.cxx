@@ -25,8 +25,8 @@ constexpr double kTurned = 0.05;
 constexpr double kLeft = 0.25;
 constexpr double kLeftOfSize = 0.005;
 /// Of Newton's iteration.
-constexpr int kSteps = 2;
-constexpr int kRounds = 3;
+constexpr int kModelSteps = 2;
+constexpr int kModelRounds = 3;
 
 /// T(xi) = M (Phi(xi) - origin) - (xi - centre) is at most this.
 double TurnedIn(const EdgeNode& node, std::size_t k)
@@ -94,7 +94,7 @@ std::optional<Vec3> FindByModel(
   middle /= static_cast<double>(images.size());
   Vec3 at = glm::clamp(middle, -reach, reach);
   AtPoint about(model, at);
-  for (int step = 0; step < kSteps; ++step)
+  for (int step = 0; step < kModelSteps; ++step)
   {
     at = glm::clamp(at + about.inverse * (middle - about.value), -reach, reach);
     about = AtPoint(model, at);
@@ -124,7 +124,7 @@ std::optional<Vec3> FindByModel(
   const double rounding = kRoundoffs * (1.0 + SizeOf(about.inverse) * SizeOf(about.slope)) *
     (std::max({ away[0], away[1], away[2] }) + std::max({ farther[0], farther[1], farther[2] }));
   double off[3];
-  for (int round = 0; round < kRounds; ++round)
+  for (int round = 0; round < kModelRounds; ++round)
   {
     double left[3];
     double there[3]; // |xi - centre|

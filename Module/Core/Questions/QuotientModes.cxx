@@ -24,12 +24,11 @@ namespace pixelexact
 namespace
 {
 constexpr int kMostOrder = 16;
-constexpr Part kBy[3] = { Part::ByXi1, Part::ByXi2, Part::ByXi3 };
 constexpr Part kValue[1] = { Part::Value };
 /// Of kernels' errors over those of conversions (accuracy.md).
 constexpr double kKernels = 4.0;
 /// Covers what is left out of bounds that are far smaller than what they bound.
-constexpr double kUp = 1.0 + 0x1p-10;
+constexpr double kBoundSlack = 1.0 + 0x1p-10;
 
 /// Nodes of a space, and the modes of what has values there.
 struct Interpolation
@@ -331,19 +330,20 @@ std::optional<QuotientModes> MakeQuotientModes(
 
   // Of sums of three products, each of at most three factors; what is of second order is rounded
   // up.
-  const Size J = SizeOf(map, 3, kBy);
+  const Size J = SizeOf(map, 3, kDerivatives);
   const Size F = SizeOf(reference, given, kValue);
-  const Size cofactors{ 2.0 * J.most * J.most, 4.0 * kUp * J.most * J.error };
+  const Size cofactors{ 2.0 * J.most * J.most, 4.0 * kBoundSlack * J.most * J.error };
   const double power = PowerOf(mesh.size[static_cast<std::size_t>(element)], field.mapping);
-  const double divisorError = 3.0 * kUp * (J.most * cofactors.error + cofactors.most * J.error);
+  const double divisorError =
+    3.0 * kBoundSlack * (J.most * cofactors.error + cofactors.most * J.error);
   const auto numeratorErrorWith = [&](double errorOfField)
   {
     if (field.mapping == Mapping::Density)
     {
-      return power * kUp * errorOfField;
+      return power * kBoundSlack * errorOfField;
     }
     const Size& by = field.mapping == Mapping::Covariant ? cofactors : J;
-    return power * 3.0 * kUp * (by.most * errorOfField + by.error * F.most);
+    return power * 3.0 * kBoundSlack * (by.most * errorOfField + by.error * F.most);
   };
 
   const Interpolation& interpolation = InterpolationOf(*space);
@@ -388,7 +388,7 @@ std::optional<QuotientModes> MakeQuotientModes(
   double divisorsOff = 0.0;
   QuotientModes quotient{ Interpolated(*space, values, numeratorsOff),
     Interpolated(*space, divisors, divisorsOff) };
-  const double grown = kUp * interpolation.lebesgue;
+  const double grown = kBoundSlack * interpolation.lebesgue;
   quotient.numeratorSlack = grown * (numeratorsOff + numeratorErrorWith(F.error));
   quotient.divisorSlack = grown * (divisorsOff + divisorError);
   quotient.numeratorError = numeratorErrorWith(F.error * (1.0 + rounding / kUnitRoundoff));

@@ -12,7 +12,6 @@ namespace pixelexact
 {
 namespace
 {
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Of [0,1] and `t`, what is left where start + t along meets a range.
 Interval Meet(

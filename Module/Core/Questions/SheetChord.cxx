@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Math/Rounding.h"
 #include "Core/Questions/OnSheet.h"
 
 #include <glm/common.hpp>
@@ -10,8 +11,7 @@ using namespace edges;
 
 namespace
 {
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr int kRounds = 6;
+constexpr int kChordRounds = 6;
 /// In xi: more than rays and hits are off by rounding, in thin elements seen from afar.
 constexpr double kMostRounding = 1e-7;
 /// In xi: what no bound has to be below.
@@ -54,7 +54,7 @@ std::optional<OnSheet::Tube> OnSheet::Contain(const EdgeNode& node, const Pencil
     tube.middle[k] = 2.0 * middle[k] + kTiny;
     tube.end[k] = 2.0 * end[k] + kTiny;
   }
-  for (int round = 0; round < kRounds; ++round)
+  for (int round = 0; round < kChordRounds; ++round)
   {
     Numbers near;
     for (std::size_t k = 0; k < 3; ++k)

@@ -11,7 +11,6 @@ namespace pixelexact
 {
 namespace
 {
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 std::vector<double>& ArraysOfThread()
 {

@@ -14,7 +14,6 @@ namespace pixelexact
 {
 namespace
 {
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct MapAt
 {

@@ -26,6 +26,9 @@ PointTable ReadPoints(const std::string& file);
 /// For meshes that are not plane: throws Error, naming the line, where the table has no z.
 void RequireZ(const std::string& file, const PointTable& table);
 
+/// A text as a field of a CSV file: quoted where it needs quotes.
+std::string CsvField(const std::string& text);
+
 /// 17 significant digits, which give back the same double; NaN is "nan".
 void AppendNumber(std::string& line, double number);
 } // namespace pixelexact

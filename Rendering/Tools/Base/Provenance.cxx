@@ -67,4 +67,14 @@ std::vector<std::string> WithFilesBehind(const std::vector<std::string>& files)
   }
   return all;
 }
+
+std::string LinesOf(const PictureTexts& texts)
+{
+  std::string all;
+  for (const auto& [key, text] : texts)
+  {
+    all.append(all.empty() ? "" : "\n").append(key).append(": ").append(text);
+  }
+  return all;
+}
 } // namespace pixelexact

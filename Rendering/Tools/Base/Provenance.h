@@ -10,6 +10,9 @@ namespace pixelexact
 /// What a picture's file says of itself: keys and texts.
 using PictureTexts = std::vector<std::pair<std::string, std::string>>;
 
+/// The texts as lines, "Key: text".
+std::string LinesOf(const PictureTexts& texts);
+
 /// A line for each file: its name, size and XXH3-64 hash. Throws Error for one that cannot be read.
 std::string DescribeFiles(const std::vector<std::string>& files);
 /// The same files, and those that they name: of collections (.pvd) and parallel files (.pvtu).

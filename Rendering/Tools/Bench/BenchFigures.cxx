@@ -50,7 +50,7 @@ Camera FilledView(const Vec3& normal, const ImageSize& size)
   return { view, size.width, size.height };
 }
 
-Row Measure(const BlockKind& kind, const ImageSize& size, const FigureOptions& options)
+Row Measure(const BlockKind& kind, const ImageSize& size, const BenchFigureOptions& options)
 {
   Row row;
   row.kind = kind;
@@ -130,7 +130,7 @@ struct Case
 };
 
 /// Figure 10 (a): all shapes and orders.
-void AddOrders(const FigureOptions& options, std::vector<Case>& cases)
+void AddOrders(const BenchFigureOptions& options, std::vector<Case>& cases)
 {
   for (const Shape shape : { Shape::Hexahedron, Shape::Prism, Shape::Tetrahedron, Shape::Pyramid })
   {
@@ -153,7 +153,7 @@ ImageSize Scaled(const ImageSize& size, double width, double height)
 }
 
 /// Figure 10 (b) and (c): by elements, by pixels.
-void AddGrowth(const FigureOptions& options, std::vector<Case>& cases)
+void AddGrowth(const BenchFigureOptions& options, std::vector<Case>& cases)
 {
   for (const bool curved : { false, true })
   {
@@ -179,7 +179,7 @@ void AddGrowth(const FigureOptions& options, std::vector<Case>& cases)
 
 /// Meshes of hexahedra and prisms as large as the paper's canister (section 6); of the usual 1000 x
 /// 1000 pixels its image has 1800 x 800.
-void AddCanister(const FigureOptions& options, std::vector<Case>& cases)
+void AddCanister(const BenchFigureOptions& options, std::vector<Case>& cases)
 {
   for (const bool curved : { false, true })
   {
@@ -188,7 +188,7 @@ void AddCanister(const FigureOptions& options, std::vector<Case>& cases)
   }
 }
 
-std::vector<Case> CasesOf(const FigureOptions& options)
+std::vector<Case> CasesOf(const BenchFigureOptions& options)
 {
   std::vector<Case> cases;
   AddOrders(options, cases);
@@ -198,7 +198,7 @@ std::vector<Case> CasesOf(const FigureOptions& options)
 }
 } // namespace
 
-void RunFigures(const FigureOptions& options)
+void RunFigures(const BenchFigureOptions& options)
 {
   const std::vector<Case> cases = CasesOf(options);
   auto rows = nlohmann::ordered_json::array();

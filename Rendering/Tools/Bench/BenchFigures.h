@@ -5,7 +5,7 @@
 
 namespace pixelexact
 {
-struct FigureOptions
+struct BenchFigureOptions
 {
   ImageSize size;
   int repeat = 5;
@@ -16,5 +16,5 @@ struct FigureOptions
 /// The paper's figure 10 (a) to (c) on this machine, printed to stdout: frames of a plane that
 /// fills the image, through made meshes of each shape, straight and curved; by order, by number of
 /// elements and by pixels; on one thread and on all.
-void RunFigures(const FigureOptions& options);
+void RunFigures(const BenchFigureOptions& options);
 } // namespace pixelexact

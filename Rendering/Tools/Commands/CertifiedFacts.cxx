@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Commands/CertifiedFacts.h"
 
+#include "Core/Math/Rounding.h"
 #include "Scene/Model.h"
 
 #include "Core/Base/Counted.h"
@@ -91,7 +92,7 @@ std::string Digits(double number, bool upwards, int digits)
 }
 
 /// `outward`: of a range that holds something, else of one that is held.
-std::string Text(const Interval& range, bool outward)
+std::string RangeText(const Interval& range, bool outward)
 {
   // Ten digits, unless the range is narrower than they show.
   const int digits = range.Width() > 1e-7 * range.Magnitude() ? 10 : 17;
@@ -99,7 +100,7 @@ std::string Text(const Interval& range, bool outward)
     "[{}, {}]", Digits(range.lower, !outward, digits), Digits(range.upper, outward, digits));
 }
 
-std::string Text(const MeshRange& range)
+std::string RangeText(const MeshRange& range)
 {
   std::string text;
   if (range.range.outer.IsEmpty())
@@ -112,10 +113,10 @@ std::string Text(const MeshRange& range)
   }
   else
   {
-    text = "in " + Text(range.range.outer, true);
+    text = "in " + RangeText(range.range.outer, true);
     if (!range.range.attained.IsEmpty())
     {
-      text += ", attains " + Text(range.range.attained, false);
+      text += ", attains " + RangeText(range.range.attained, false);
     }
     text += range.range.met ? "" : " (budget spent)";
   }
@@ -126,10 +127,9 @@ std::string Text(const MeshRange& range)
   return text;
 }
 
-nlohmann::ordered_json ToJson(const MeshRange& range)
+nlohmann::ordered_json RangeJson(const MeshRange& range)
 {
   // Numbers that are not known become null.
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const bool attains = !range.range.attained.IsEmpty();
   const bool holds = !range.range.outer.IsEmpty();
   return { { "lower", holds ? range.range.outer.lower : kInfinity },
@@ -197,22 +197,22 @@ void AddTo(Table& table, const CertifiedFacts& facts)
     {
       row("{}{} {}", field.name,
         field.components.size() > 1 ? fmt::format(" (component {})", c) : std::string(),
-        Text(field.components[c]));
+        RangeText(field.components[c]));
     }
     if (field.magnitude)
     {
-      row("|{}| {}", field.name, Text(*field.magnitude));
+      row("|{}| {}", field.name, RangeText(*field.magnitude));
     }
     if (field.gradient)
     {
-      row("|grad {}| {}", field.name, Text(*field.gradient));
+      row("|grad {}| {}", field.name, RangeText(*field.gradient));
     }
     if (!field.gradientIsAnswerable)
     {
       row("|grad {}| not certified: a density's gradient", field.name);
     }
   }
-  row("det J {}, world volume per volume of the reference shape", Text(facts.jacobian));
+  row("det J {}, world volume per volume of the reference shape", RangeText(facts.jacobian));
   std::vector<std::string> verdicts;
   for (const Validity validity : { Validity::Valid, Validity::Inverted, Validity::Undecided })
   {
@@ -236,7 +236,7 @@ void AddTo(nlohmann::ordered_json& summary, const CertifiedFacts& facts)
     jacobian[std::string(Name(validity)) + "_elements"] =
       facts.first[static_cast<std::size_t>(validity)];
   }
-  jacobian.update(ToJson(facts.jacobian));
+  jacobian.update(RangeJson(facts.jacobian));
   summary["jacobian"] = std::move(jacobian);
   summary["certify_seconds"] = facts.seconds;
 }
@@ -246,15 +246,15 @@ nlohmann::ordered_json ToJson(const CertifiedField& field)
   nlohmann::ordered_json object;
   for (const MeshRange& range : field.components)
   {
-    object["components"].push_back(ToJson(range));
+    object["components"].push_back(RangeJson(range));
   }
   if (field.magnitude)
   {
-    object["magnitude"] = ToJson(*field.magnitude);
+    object["magnitude"] = RangeJson(*field.magnitude);
   }
   if (field.gradient)
   {
-    object["gradient_magnitude"] = ToJson(*field.gradient);
+    object["gradient_magnitude"] = RangeJson(*field.gradient);
   }
   return object;
 }

@@ -142,7 +142,7 @@ void PrintAnswer(const Answer& answer, const IntegralEffort& effort)
   table.Print();
 }
 
-nlohmann::ordered_json ToJson(const Answer& answer, const IntegralEffort& effort)
+nlohmann::ordered_json AnswerJson(const Answer& answer, const IntegralEffort& effort)
 {
   const SurfaceIntegral& found = answer.found;
   nlohmann::ordered_json summary{ { "surface", answer.name }, { "tolerance_met", found.met },
@@ -192,7 +192,7 @@ void RunIntegrate(const IntegrateOptions& options, const CommonOptions& common)
     const Answer answer = Solve(surface, input, field, options);
     if (common.json)
     {
-      summary["surfaces"].push_back(ToJson(answer, effort));
+      summary["surfaces"].push_back(AnswerJson(answer, effort));
     }
     else
     {

@@ -58,7 +58,7 @@ void AddCoverage(Table& table, const ProbeSamples& samples)
   table.Row("covered", Listed(entries));
 }
 
-nlohmann::ordered_json ToJson(const Field* field, const ProbedField& probed, bool enclosures)
+nlohmann::ordered_json ProbedJson(const Field* field, const ProbedField& probed, bool enclosures)
 {
   nlohmann::ordered_json facts{
     { "field", field != nullptr ? nlohmann::ordered_json(field->name) : nlohmann::ordered_json() },
@@ -79,7 +79,7 @@ void PrintJson(const LoadedModel& input, const std::vector<const Field*>& fields
   const ProbeSamples& first = probed.front().samples;
   const ProbeCounts counts = CountProbes(first);
   nlohmann::ordered_json summary =
-    ToJson(fields.empty() ? nullptr : fields.front(), probed.front(), columns.enclosures);
+    ProbedJson(fields.empty() ? nullptr : fields.front(), probed.front(), columns.enclosures);
   AddTime(summary, input);
   summary.update({ { "points", first.element.size() }, { "inside", counts.inside },
     { "outside", counts.outside }, { "unknown", counts.unknown } });
@@ -92,7 +92,7 @@ void PrintJson(const LoadedModel& input, const std::vector<const Field*>& fields
     summary["fields"] = nlohmann::ordered_json::array();
     for (std::size_t k = 0; k < fields.size(); ++k)
     {
-      summary["fields"].push_back(ToJson(fields[k], probed[k], columns.enclosures));
+      summary["fields"].push_back(ProbedJson(fields[k], probed[k], columns.enclosures));
     }
   }
   summary["seconds"] = ToJson(stopwatch);

@@ -16,21 +16,6 @@ namespace pixelexact
 {
 namespace
 {
-/// As a field of CSV.
-std::string Quoted(const std::string& text)
-{
-  if (text.find_first_of(",\"\r\n") == std::string::npos)
-  {
-    return text;
-  }
-  std::string quoted = "\"";
-  for (const char c : text)
-  {
-    quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  }
-  return quoted + '"';
-}
-
 /// The columns of a field, each behind a comma.
 std::string ColumnsOf(const ProbedField& field)
 {
@@ -39,7 +24,7 @@ std::string ColumnsOf(const ProbedField& field)
   const auto add = [&](std::size_t c, const char* what)
   {
     columns +=
-      ',' + Quoted(field.name + (samples.components == 1 ? "" : "_" + std::to_string(c)) + what);
+      ',' + CsvField(field.name + (samples.components == 1 ? "" : "_" + std::to_string(c)) + what);
   };
   for (std::size_t c = 0; c < samples.components; ++c)
   {

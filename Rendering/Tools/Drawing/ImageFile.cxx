@@ -3,6 +3,7 @@
 
 #include "Base/Command.h"
 #include "Base/Output.h"
+#include "Base/Provenance.h"
 #include "Base/VtkMessages.h"
 #include "Drawing/Picture.h"
 
@@ -85,17 +86,6 @@ std::string BigEndian(std::uint64_t number, int bytes)
   return text;
 }
 
-/// Texts as lines, "Key: text".
-std::string Described(const PictureTexts& texts)
-{
-  std::string all;
-  for (const auto& [key, text] : texts)
-  {
-    all.append(all.empty() ? "" : "\n").append(key).append(": ").append(text);
-  }
-  return all;
-}
-
 std::string EncodePng(const Image& image, const PictureFacts& facts, const std::string& file)
 {
   vtkNew<vtkPNGWriter> writer;
@@ -140,7 +130,7 @@ std::string EncodeJpeg(const Image& image, const PictureFacts& facts, const std:
     static_cast<unsigned char>(bytes[kHeader + 3]);
   PictureTexts texts{ { "Software", kPictureMark } };
   texts.insert(texts.end(), facts.texts.begin(), facts.texts.end());
-  std::string comment = Described(texts);
+  std::string comment = LinesOf(texts);
   // A segment's length has two bytes.
   comment.resize(std::min<std::size_t>(comment.size(), 65000));
   bytes.insert(behind, "\xff\xfe" + BigEndian(comment.size() + 2, 2) + comment);
@@ -185,7 +175,7 @@ std::string EncodeTiff(const Image& image, const PictureFacts& facts, const std:
     TIFFSetField(to, TIFFTAG_SOFTWARE, kPictureMark);
     if (!facts.texts.empty())
     {
-      TIFFSetField(to, TIFFTAG_IMAGEDESCRIPTION, Described(facts.texts).c_str());
+      TIFFSetField(to, TIFFTAG_IMAGEDESCRIPTION, LinesOf(facts.texts).c_str());
     }
     TIFFSetField(to, TIFFTAG_ROWSPERSTRIP, TIFFDefaultStripSize(to, 0));
     const auto row =

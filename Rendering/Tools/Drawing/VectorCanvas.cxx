@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drawing/VectorCanvas.h"
 
+#include "Base/Provenance.h"
 #include "Drawing/CairoFonts.h"
 #include "Drawing/Picture.h"
 
@@ -25,16 +26,6 @@ cairo_status_t Append(void* closure, const unsigned char* data, unsigned int len
 {
   static_cast<std::string*>(closure)->append(reinterpret_cast<const char*>(data), length);
   return CAIRO_STATUS_SUCCESS;
-}
-
-std::string Described(const PictureTexts& texts)
-{
-  std::string all;
-  for (const auto& [key, text] : texts)
-  {
-    all.append(all.empty() ? "" : "\n").append(key).append(": ").append(text);
-  }
-  return ValidUtf8(all);
 }
 
 /// Behind the first tag of an SVG.
@@ -215,7 +206,7 @@ void VectorCanvas::Unclip()
 
 std::string VectorCanvas::Finish(const PictureTexts& texts, const std::string& file)
 {
-  const std::string description = Described(texts);
+  const std::string description = ValidUtf8(LinesOf(texts));
   if (With->format == PictureFormat::Pdf)
   {
     cairo_pdf_surface_set_metadata(With->surface, CAIRO_PDF_METADATA_CREATOR, kPictureMark);

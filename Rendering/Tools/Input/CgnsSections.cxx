@@ -4,14 +4,12 @@
 #include <vtk_cgns.h>
 #include VTK_CGNS(cgnslib.h)
 
-#include <limits>
 #include <vector>
 
 namespace pixelexact
 {
 namespace
 {
-constexpr std::int64_t kMost = std::numeric_limits<std::int32_t>::max();
 using Name = std::array<char, 65>; // longer than the library's
 
 /// Corners of elements that may be sides; 0: it is none. Of each kind they come first.
@@ -128,7 +126,7 @@ CgnsAnswer ReadCgnsSections(
     {
       return CgnsAnswer::Failed;
     }
-    if (first < 1 || last < first || last > kMost || size < 0 || size > 64 * kMost)
+    if (first < 1 || last < first || last > kMaxCgnsCount || size < 0 || size > 64 * kMaxCgnsCount)
     {
       sound = false;
       continue;

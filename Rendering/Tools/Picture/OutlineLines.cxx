@@ -26,7 +26,7 @@ namespace
 /// The cosine of 30 degrees, by which a normal turns at an edge.
 const double kSharp = std::cos(std::numbers::pi / 6.0);
 /// In pixels: how far behind each other surfaces are that are not one.
-constexpr double kStep = 3.0;
+constexpr double kDepthStep = 3.0;
 /// Pixels up to which the boundary is traced finer than the picture.
 constexpr std::int64_t kFinePixels = std::int64_t{ 1 } << 24;
 
@@ -133,7 +133,7 @@ private:
   {
     const double slope = glm::dot(ray.direction, normal);
     const double depth = glm::dot(Of.position[pixel] - ray.origin, normal) / slope;
-    return !(std::fabs(depth - Of.depth[other]) <= kStep * Scale.PixelAt(Of.depth[other]));
+    return !(std::fabs(depth - Of.depth[other]) <= kDepthStep * Scale.PixelAt(Of.depth[other]));
   }
 
   const SampleBuffers& Of;

@@ -63,7 +63,7 @@ ColorMap ByBands(ColorMap map, const std::array<double, 2>& range, int bands)
   };
 }
 
-std::string Names()
+std::string MapNames()
 {
   return Listed(ColorMapNames());
 }
@@ -102,7 +102,7 @@ void CheckMap(const char* option, const std::string& map)
   const std::vector<std::string> names = ColorMapNames();
   if (std::find(names.begin(), names.end(), map) == names.end())
   {
-    throw UsageError(std::string(option) + ": there is no '" + map + "'; there are " + Names() +
+    throw UsageError(std::string(option) + ": there is no '" + map + "'; there are " + MapNames() +
       ", and files of ParaView's, .json and .xml" + Suggestion(names, map));
   }
 }

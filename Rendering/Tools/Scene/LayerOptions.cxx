@@ -20,7 +20,7 @@ namespace pixelexact
 {
 namespace
 {
-constexpr const char* kForm = "N:KEY=VALUE,...";
+constexpr const char* kLayerForm = "N:KEY=VALUE,...";
 
 [[noreturn]] void Complain(const std::string& text, const std::string& what)
 {
@@ -121,7 +121,7 @@ void Read(const std::string& text, std::vector<LayerSettings>& layers, Given& gi
   int number = 0;
   if (colon == std::string::npos || !ParseInteger(text.substr(0, colon), number))
   {
-    Complain(text, std::string("expected ") + kForm);
+    Complain(text, std::string("expected ") + kLayerForm);
   }
   if (number < 1 || static_cast<std::size_t>(number) > layers.size())
   {
@@ -170,7 +170,7 @@ std::optional<int> ParseComponent(const std::string& text)
 void LayerOptions::AddTo(CLI::App& command)
 {
   AddRepeated(
-    command, "--layer", [this](const std::string& text) { Texts.push_back(text); }, kForm,
+    command, "--layer", [this](const std::string& text) { Texts.push_back(text); }, kLayerForm,
     "Show surface N, counted from 1 in the order of their kinds here, in its own way: field=NAME, "
     "component=magnitude|x|y|z|i, precision=double|float, opacity=0..1, colormap=NAME, "
     "range=cut|field|a:b, "

@@ -13,7 +13,7 @@ namespace pixelexact
 {
 namespace
 {
-constexpr const char* kForm = "all, ATTRIBUTE,... or element:NUMBER,...";
+constexpr const char* kMeshForm = "all, ATTRIBUTE,... or element:NUMBER,...";
 
 template <class Number>
 std::vector<Number> ParseNumbers(const std::string& text, const std::string& list)
@@ -24,7 +24,7 @@ std::vector<Number> ParseNumbers(const std::string& text, const std::string& lis
     int number = 0;
     if (!ParseInteger(part, number) || number < 0)
     {
-      Refuse("--boundary", text, std::string(kForm) + ", with whole numbers from 0");
+      Refuse("--boundary", text, std::string(kMeshForm) + ", with whole numbers from 0");
     }
     numbers.push_back(number);
   }

@@ -40,7 +40,7 @@ bool HasArray(vtkUnstructuredGrid& grid, const std::string& name)
 }
 
 /// Of the fields.
-std::string Names(const HighOrderModel& model)
+std::string FieldNames(const HighOrderModel& model)
 {
   std::vector<std::string> names;
   for (const Field& field : model.Fields())
@@ -220,7 +220,7 @@ const Field& FieldNamed(const HighOrderModel& model, const std::string& name)
   if (field == nullptr)
   {
     throw Error("there is no field '" + name + "'; " +
-      (model.Fields().empty() ? "the input has no fields" : "there are " + Names(model)));
+      (model.Fields().empty() ? "the input has no fields" : "there are " + FieldNames(model)));
   }
   return *field;
 }
@@ -233,7 +233,8 @@ const Field& FieldOrFirst(const HighOrderModel& model, const std::string& name)
   }
   const Field& first = model.Fields().front();
   Note("field '" + first.name + "'" +
-    (model.Fields().size() > 1 ? ", the first of " + Names(model) + "; choose with --field" : ""));
+    (model.Fields().size() > 1 ? ", the first of " + FieldNames(model) + "; choose with --field"
+                               : ""));
   return first;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trade/Convergence.h"
 
+#include "Base/Csv.h"
 #include "Base/Report.h"
 #include "Drawing/LogPlot.h"
 
@@ -45,21 +46,6 @@ constexpr double kNearBound = 1e-3;
 std::string Number(double value)
 {
   return fmt::format("{}", value);
-}
-
-/// As a field of a CSV.
-std::string Quoted(const std::string& text)
-{
-  if (text.find_first_of(",\"\n") == std::string::npos)
-  {
-    return text;
-  }
-  std::string quoted = "\"";
-  for (const char c : text)
-  {
-    quoted += c == '"' ? "\"\"" : std::string(1, c);
-  }
-  return quoted + '"';
 }
 } // namespace
 
@@ -145,7 +131,7 @@ std::string Convergence::ToCsv() const
   {
     const auto& [name, size, numbers] = TheRows[k];
     const auto order = StepOrder(k);
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", Quoted(name),
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", CsvField(name),
       size.elements, size.orders[0], size.orders[1], size.modes, size.length, numbers.largest,
       numbers.rootMeanSquare, numbers.mean,
       numbers.firstRootMeanSquare > 0.0

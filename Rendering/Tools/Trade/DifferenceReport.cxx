@@ -26,7 +26,7 @@ bool HasAny(const DifferenceNumbers& numbers)
   return numbers.largestPixel >= 0;
 }
 
-double Relative(const DifferenceNumbers& numbers)
+double RelativeL2(const DifferenceNumbers& numbers)
 {
   return numbers.rootMeanSquare / numbers.firstRootMeanSquare;
 }
@@ -78,7 +78,7 @@ nlohmann::ordered_json ToJson(const DifferenceNumbers& numbers)
   const Vec3& at = numbers.largestAt;
   json.update({ { "largest", numbers.largest }, { "largest_at", { at.x, at.y, at.z } },
     { "mean", numbers.mean }, { "l2", numbers.rootMeanSquare },
-    { "relative_l2", Relative(numbers) } });
+    { "relative_l2", RelativeL2(numbers) } });
   if (numbers.bounded)
   {
     json.update({ { "largest_bound", numbers.largestBound }, { "unbounded", numbers.unbounded },
@@ -103,7 +103,7 @@ void PrintDifference(const Shot& shot, const DifferenceFacts& facts, const Repea
     table.Row("largest", "{} at {}", Short(numbers.largest), PointText(numbers.largestAt));
     table.Row("mean", Short(numbers.mean));
     table.Row("L2", "{} (root of the mean square), {} of the first one's",
-      Short(numbers.rootMeanSquare), Short(Relative(numbers)));
+      Short(numbers.rootMeanSquare), Short(RelativeL2(numbers)));
     table.Row("bound", "each is off by {} at most; the largest is within {} and {}",
       Short(numbers.largestBound, 3), Short(numbers.largestTrue.lower, 9),
       Short(numbers.largestTrue.upper, 9));

@@ -30,7 +30,7 @@ namespace pixelexact
 {
 namespace
 {
-constexpr int kContours = 10;
+constexpr int kComparedContours = 10;
 
 /// Of the values that a picture shows.
 std::array<double, 2> RangeOf(const Picture& picture)
@@ -115,9 +115,9 @@ void MeasurePaperErrors(const Shot& shot, PaperExtent extent, PaperResults& resu
     throw Error("--paper: the plane shows no two values of the field; choose another one");
   }
   std::vector<double> isoValues;
-  for (int k = 1; k <= kContours; ++k)
+  for (int k = 1; k <= kComparedContours; ++k)
   {
-    isoValues.push_back(std::lerp(range[0], range[1], k / (kContours + 1.0)));
+    isoValues.push_back(std::lerp(range[0], range[1], k / (kComparedContours + 1.0)));
   }
   const ColorMapping colors(ColorOptions().MapOver(range));
   const std::vector<const SampleColors*> colored{ &colors };

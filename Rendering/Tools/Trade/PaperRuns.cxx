@@ -24,7 +24,7 @@ namespace pixelexact
 {
 namespace
 {
-constexpr int kContours = 5;
+constexpr int kTimedContours = 5;
 
 /// What is varied, and what is kept while something else is.
 struct Ranges
@@ -110,9 +110,9 @@ double FrameSeconds(const Scene& scene, int size, int repeat)
 double ContourSeconds(const Scene& scene, int size, int repeat)
 {
   std::vector<double> values;
-  for (int k = 1; k <= kContours; ++k)
+  for (int k = 1; k <= kTimedContours; ++k)
   {
-    values.push_back(-1.0 + 2.0 * k / (kContours + 1));
+    values.push_back(-1.0 + 2.0 * k / (kTimedContours + 1));
   }
   const ColorMapping colors(ColorOptions().MapOver({ -1.0, 1.0 }));
   ContourCertifier certifier({ values }, ContourMethod(), nullptr);

@@ -39,8 +39,8 @@ double SlopeOf(const std::vector<std::array<double, 2>>& points)
   return xy / xx;
 }
 
-/// For a field of CSV.
-std::string Quoted(const std::string& text)
+/// A field of a CSV file on one line, always in quotes.
+std::string QuotedOnOneLine(const std::string& text)
 {
   std::string quoted = "\"";
   for (const char c : text)
@@ -50,7 +50,7 @@ std::string Quoted(const std::string& text)
   return quoted + "\"";
 }
 
-std::string Number(double number)
+std::string ShortNumber(double number)
 {
   return std::isinf(number) ? "inf" : Short(number, 9);
 }
@@ -173,14 +173,14 @@ std::string ToCsv(const std::vector<TradeRow>& rows, const std::array<double, 2>
   {
     const PictureErrors& e = row.errors;
     std::vector<std::string> fields{ row.setting.name, Name(row.setting.family),
-      row.setting.spacing > 0.0 ? Number(row.setting.spacing) : "" };
+      row.setting.spacing > 0.0 ? ShortNumber(row.setting.spacing) : "" };
     if (row.IsThere())
     {
-      const auto error = [&range](double value) { return Number(Relative(value, range)); };
+      const auto error = [&range](double value) { return ShortNumber(Relative(value, range)); };
       for (const double number :
         { row.first.Median(), row.first.Ratio(), row.next.Median(), row.next.Ratio() })
       {
-        fields.push_back(Number(number));
+        fields.push_back(ShortNumber(number));
       }
       fields.push_back(row.bytes >= 0.0 ? fmt::format("{:.0f}", row.bytes) : "");
       fields.push_back(fmt::to_string(row.triangles));
@@ -197,12 +197,12 @@ std::string ToCsv(const std::vector<TradeRow>& rows, const std::array<double, 2>
         {
           fields.push_back(fmt::to_string(count));
         }
-        fields.push_back(Number(e.contourFarthest));
+        fields.push_back(ShortNumber(e.contourFarthest));
       }
     }
     fields.resize(22);
-    fields.push_back(row.proven ? Number(Relative(*row.proven, range)) : "");
-    fields.push_back(row.IsThere() ? "" : Quoted(row.refused));
+    fields.push_back(row.proven ? ShortNumber(Relative(*row.proven, range)) : "");
+    fields.push_back(row.IsThere() ? "" : QuotedOnOneLine(row.refused));
     csv += fmt::format("{}\n", fmt::join(fields, ","));
   }
   return csv;

@@ -23,7 +23,7 @@ namespace pixelexact
 namespace
 {
 /// As Python reads it.
-std::string Quoted(const std::string& text)
+std::string PythonQuoted(const std::string& text)
 {
   return nlohmann::json(text).dump();
 }
@@ -32,7 +32,7 @@ std::string ReaderOf(const std::vector<std::string>& files)
 {
   std::vector<std::string> paths(files.size());
   std::ranges::transform(files, paths.begin(),
-    [](const std::string& file) { return Quoted(std::filesystem::absolute(file).string()); });
+    [](const std::string& file) { return PythonQuoted(std::filesystem::absolute(file).string()); });
   const std::string suffix = std::filesystem::path(files.front()).extension().string();
   if (suffix == ".vtu" && files.size() == 1)
   {
@@ -101,7 +101,7 @@ std::string FunctionText(vtkImplicitFunction* function)
 
 std::string PipelineText(const TradeSetting& setting, const Shot& shot)
 {
-  const std::string field = Quoted(shot.scene.layers.front().field->name);
+  const std::string field = PythonQuoted(shot.scene.layers.front().field->name);
   const std::string cutter = "cut = vtkCutter()\ncut.SetCutFunction(function)\n";
   switch (setting.family)
   {

@@ -16,9 +16,6 @@ namespace
 constexpr std::size_t kBlock = std::size_t{ 1 } << 16U;
 /// Of a task.
 constexpr std::size_t kChunk = 1024;
-constexpr auto kNothing = static_cast<std::uint8_t>(PixelVerdict::Nothing);
-constexpr auto kExact = static_cast<std::uint8_t>(PixelVerdict::Exact);
-constexpr auto kUnknown = static_cast<std::uint8_t>(PixelVerdict::Unknown);
 
 /// The norm of so many numbers, or one of them.
 template <class Of>
@@ -182,7 +179,9 @@ void DifferencePixels::Write(std::size_t k, const PointValues& first, const Poin
     : inSecond                        ? DifferenceSide::Second
                                       : DifferenceSide::Nothing;
   Result.side[pixel] = static_cast<std::uint8_t>(side);
-  centres.verdict[pixel] = side == DifferenceSide::Both ? kExact : unknown ? kUnknown : kNothing;
+  centres.verdict[pixel] = side == DifferenceSide::Both ? kExactPixel
+    : unknown                                           ? kUnknownPixel
+                                                        : kNothingPixel;
   if (side != DifferenceSide::Both)
   {
     return;

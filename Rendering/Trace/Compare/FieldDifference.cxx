@@ -13,9 +13,6 @@ namespace
 {
 constexpr std::uint8_t kFirst = 1;
 constexpr std::uint8_t kSecond = 2;
-constexpr auto kNothing = static_cast<std::uint8_t>(PixelVerdict::Nothing);
-constexpr auto kExact = static_cast<std::uint8_t>(PixelVerdict::Exact);
-constexpr auto kUnknown = static_cast<std::uint8_t>(PixelVerdict::Unknown);
 
 void RequireComparable(const DifferenceScene& scene)
 {
@@ -60,14 +57,15 @@ void TakeNearest(const Frame& second, FieldDifference& result)
   SampleBuffers& centres = result.frame.centres;
   for (std::size_t i = 0; i < centres.Size(); ++i)
   {
-    const bool there = i < second.centres.verdict.size() && second.centres.verdict[i] != kNothing;
-    if (centres.verdict[i] == kNothing ? there
-                                       : there && second.centres.depth[i] < centres.depth[i])
+    const bool there =
+      i < second.centres.verdict.size() && second.centres.verdict[i] != kNothingPixel;
+    if (centres.verdict[i] == kNothingPixel ? there
+                                            : there && second.centres.depth[i] < centres.depth[i])
     {
       TakePixel(centres, second.centres, i);
       result.seen[i] = kSecond;
     }
-    else if (centres.verdict[i] != kNothing)
+    else if (centres.verdict[i] != kNothingPixel)
     {
       result.seen[i] = kFirst;
     }
@@ -130,11 +128,11 @@ FieldDifference TraceDifference(const DifferenceScene& scene, const Camera& came
   const auto report = watched(1.0 - done);
   for (std::size_t i = 0; i < count && !aborted; ++i)
   {
-    if (centres.verdict[i] == kUnknown)
+    if (centres.verdict[i] == kUnknownPixel)
     {
       result.side[i] = static_cast<std::uint8_t>(DifferenceSide::Unknown);
     }
-    else if (centres.verdict[i] == kExact)
+    else if (centres.verdict[i] == kExactPixel)
     {
       pixels.Add(i);
     }

@@ -2,6 +2,7 @@
 #include "Trace/Compare/PictureErrors.h"
 
 #include "Core/Base/Error.h"
+#include "Core/Math/Rounding.h"
 #include "Trace/Compare/PixelDistance.h"
 
 #include <algorithm>
@@ -11,11 +12,8 @@ namespace pixelexact
 {
 namespace
 {
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr auto kIn = static_cast<std::uint8_t>(ContourVerdict::In);
 constexpr auto kOut = static_cast<std::uint8_t>(ContourVerdict::Out);
-constexpr auto kExact = static_cast<std::uint8_t>(PixelVerdict::Exact);
-constexpr auto kNothing = static_cast<std::uint8_t>(PixelVerdict::Nothing);
 
 int BinOf(double value, const ErrorMeasure& measure)
 {
@@ -80,7 +78,7 @@ Picture PictureOf(int width, int height, std::vector<double> centres,
   Picture picture{ width, height, std::move(centres), {}, {} };
   picture.verdict.resize(picture.Size());
   std::ranges::transform(picture.value, picture.verdict.begin(),
-    [](double value) { return std::isnan(value) ? kNothing : kExact; });
+    [](double value) { return std::isnan(value) ? kNothingPixel : kExactPixel; });
   if (corners.empty())
   {
     return picture;
@@ -115,10 +113,11 @@ PictureErrors Compare(const Picture& truth, const Picture& other, const ErrorMea
   double sum = 0.0;
   for (std::size_t i = 0; i < truth.Size(); ++i)
   {
-    const bool hasValue = other.verdict[i] == kExact && std::isfinite(other.value[i]);
-    if (truth.verdict[i] != kExact || !std::isfinite(truth.value[i]))
+    const bool hasValue = other.verdict[i] == kExactPixel && std::isfinite(other.value[i]);
+    if (truth.verdict[i] != kExactPixel || !std::isfinite(truth.value[i]))
     {
-      errors.invented += truth.verdict[i] == kNothing && other.verdict[i] == kExact ? 1 : 0;
+      errors.invented +=
+        truth.verdict[i] == kNothingPixel && other.verdict[i] == kExactPixel ? 1 : 0;
       continue;
     }
     ++errors.shown;

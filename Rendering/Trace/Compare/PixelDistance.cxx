@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trace/Compare/PixelDistance.h"
 
+#include "Core/Math/Rounding.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,7 +11,6 @@ namespace pixelexact
 {
 namespace
 {
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Of every place p the least of (p - q)^2 + values[q]: parabolas' lower envelope. `stride` apart.
 class Envelope

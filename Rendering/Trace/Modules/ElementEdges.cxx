@@ -17,7 +17,7 @@ namespace pixelexact
 namespace
 {
 /// From a pixel's centre to its corners, in pixels.
-constexpr double kHalfDiagonal = 0.71;
+constexpr double kCentreToCorner = 0.71;
 
 /// Later ones on top.
 constexpr std::array kOrder{ FaceKind::Interior, FaceKind::Partly, FaceKind::Hanging,
@@ -97,7 +97,7 @@ void ElementEdges::Process(TileVisit& tile)
   }
   const CheckedOut<FaceLines> search;
   // At the boundary all of the width is on one side.
-  const double reach = (Kinds ? Style.width : 0.5 * Style.width) + kHalfDiagonal;
+  const double reach = (Kinds ? Style.width : 0.5 * Style.width) + kCentreToCorner;
   const auto lines = (*search).Find(tile, reach);
   const auto kindOf = [this](int element, int face)
   { return Kinds ? Kinds(element, face) : FaceKind::Interior; };

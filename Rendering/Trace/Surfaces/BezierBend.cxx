@@ -15,7 +15,6 @@ namespace pixelexact
 {
 namespace
 {
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Bounds hold so far beyond the patch, in u and v.
 constexpr double kBeyond = 1.0 / 32.0;
 /// By how much a path may leave the patch, in u and v: far less than would be seen, and more than

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trace/Surfaces/BezierSeams.h"
 
+#include "Core/Math/Rounding.h"
 #include "Trace/Surfaces/RayPlane.h"
 
 #include <glm/geometric.hpp>
@@ -15,7 +16,6 @@ namespace pixelexact
 {
 namespace
 {
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Of Newton's iteration along an edge.
 constexpr int kSteps = 8;
 

@@ -24,7 +24,7 @@ struct PartHit
   std::int32_t piece; ///< of the part
 };
 
-struct Scratch
+struct CombinedScratch
 {
   std::vector<HitSlots> ofParts;
   std::vector<PartHit> found;
@@ -78,7 +78,7 @@ bool Combined::MayMeet(const Outline& part, double slack, EdgeWork* work) const
 
 void Combined::Meet(const RayLanes& rays, HitSlots& hits) const
 {
-  const CheckedOut<Scratch> scratch;
+  const CheckedOut<CombinedScratch> scratch;
   std::vector<HitSlots>& ofParts = (*scratch).ofParts;
   std::vector<PartHit>& found = (*scratch).found;
   std::vector<bool>& inside = (*scratch).inside;

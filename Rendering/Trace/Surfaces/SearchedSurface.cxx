@@ -63,7 +63,7 @@ struct Bracket
   [[nodiscard]] double Best() const { return std::fabs(fa) <= std::fabs(fb) ? a : b; }
 };
 
-struct Scratch
+struct SearchScratch
 {
   std::vector<std::optional<Segment>> segments;
   std::vector<Vec3> points;
@@ -112,7 +112,7 @@ SearchedSurface::SearchedSurface(
 
 void SearchedSurface::Meet(const RayLanes& rays, HitSlots& hits) const
 {
-  const CheckedOut<Scratch> scratch;
+  const CheckedOut<SearchScratch> scratch;
   auto& [segments, points, values, brackets, slots] = *scratch;
   segments.clear();
   points.clear();
@@ -212,7 +212,7 @@ Vec3 SearchedSurface::Normal(const SurfacePoint& point) const
 
 void SearchedSurface::Normals(std::span<const SurfacePoint> points, std::span<Vec3> normals) const
 {
-  const CheckedOut<Scratch> scratch;
+  const CheckedOut<SearchScratch> scratch;
   std::vector<Vec3>& positions = (*scratch).points;
   positions.clear();
   for (const SurfacePoint& point : points)

@@ -17,9 +17,8 @@ namespace pixelexact
 {
 namespace
 {
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Triangles between two hits; of more, chords are halved.
-constexpr int kMostCrossed = 32;
+constexpr int kMostTriangles = 32;
 
 /// Where an edge crosses the rays' plane.
 struct EdgeCrossing
@@ -110,7 +109,7 @@ double Triangles::Sagitta(
   for (int crossed = 0; piece != atB.piece; ++crossed)
   {
     const auto out = WayOut(plane, All[static_cast<std::size_t>(piece)], at);
-    if (!out || crossed == kMostCrossed)
+    if (!out || crossed == kMostTriangles)
     {
       return kInfinity;
     }

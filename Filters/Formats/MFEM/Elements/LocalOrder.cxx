@@ -79,24 +79,24 @@ private:
   std::vector<LatticePoint> Points;
 };
 
-using Corner = LatticePoint;
+using LatticeCorner = LatticePoint;
 
-constexpr std::array<Corner, 4> kTetrahedron{ { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 },
+constexpr std::array<LatticeCorner, 4> kTetrahedron{ { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 },
   { 0, 0, 1 } } };
-constexpr std::array<Corner, 8> kCube{ { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 },
+constexpr std::array<LatticeCorner, 8> kCube{ { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 },
   { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } } };
-constexpr std::array<Corner, 6> kPrism{ { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
+constexpr std::array<LatticeCorner, 6> kPrism{ { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
   { 1, 0, 1 }, { 0, 1, 1 } } };
 
-constexpr std::array<Corner, 5> kPyramid{ { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 },
-  { 0, 0, 1 } } };
+constexpr std::array<LatticeCorner, 5> kPyramid{ { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 },
+  { 0, 1, 0 }, { 0, 0, 1 } } };
 
 template <std::size_t VertexCount, std::size_t EdgeCount>
-Entities VerticesAndEdges(const std::array<Corner, VertexCount>& corners,
+Entities VerticesAndEdges(const std::array<LatticeCorner, VertexCount>& corners,
   const std::array<std::array<int, 2>, EdgeCount>& edges, int p)
 {
   Entities entities(p);
-  for (const Corner& corner : corners)
+  for (const LatticeCorner& corner : corners)
   {
     entities.Vertex(corner);
   }
@@ -219,7 +219,8 @@ std::vector<LatticePoint> Pyramid(int p, bool bergotNodes)
 std::vector<LatticePoint> PlaneTriangle(int p)
 {
   static constexpr std::array<std::array<int, 2>, 3> kEdges{ { { 0, 1 }, { 1, 2 }, { 2, 0 } } };
-  static constexpr std::array<Corner, 3> kCorners{ { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } } };
+  static constexpr std::array<LatticeCorner, 3> kCorners{ { { 0, 0, 0 }, { 1, 0, 0 },
+    { 0, 1, 0 } } };
   Entities entities = VerticesAndEdges(kCorners, kEdges, p);
   entities.Triangle(kCorners[0], kCorners[1], kCorners[2]);
   return entities.Take();
@@ -229,7 +230,7 @@ std::vector<LatticePoint> PlaneSquare(int p)
 {
   static constexpr std::array<std::array<int, 2>, 4> kEdges{ { { 0, 1 }, { 1, 2 }, { 2, 3 },
     { 3, 0 } } };
-  static constexpr std::array<Corner, 4> kCorners{ { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 },
+  static constexpr std::array<LatticeCorner, 4> kCorners{ { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 },
     { 0, 1, 0 } } };
   Entities entities = VerticesAndEdges(kCorners, kEdges, p);
   entities.Square(kCorners[0], kCorners[1], kCorners[3]);

@@ -67,7 +67,7 @@ std::vector<VectorUnknown> TriangleUnknowns(const CollectionName& name)
 }
 
 /// One unknown of a square: the functions along x and y whose product it is, and its sign.
-struct Product
+struct PlaneProduct
 {
   int component;
   std::array<int, 2> place;
@@ -86,12 +86,12 @@ int NormalSign(int order, int component, const std::array<int, 2>& place)
   return along <= half || (isMiddle && isTurned) ? -1 : 1;
 }
 
-std::vector<Product> SquareProducts(const CollectionName& name)
+std::vector<PlaneProduct> SquareProducts(const CollectionName& name)
 {
   const bool tangential = IsCurl(name);
   const int p = name.order;
   const int n = tangential ? p : p + 1; // unknowns on an edge; as many intervals between lines
-  std::vector<Product> products;
+  std::vector<PlaneProduct> products;
   for (int edge = 0; edge < 4; ++edge)
   {
     const bool isHorizontal = edge % 2 == 0;
@@ -134,7 +134,7 @@ LineFunctions SquareLine(const CollectionName& name, bool open)
 }
 
 ChangeOfBasis SquarePart(const CollectionName& name, const Space& space, int component,
-  const std::vector<Product>& products)
+  const std::vector<PlaneProduct>& products)
 {
   const bool openAlongX = (component == 0) == IsCurl(name);
   const std::array<LineFunctions, 2> lines{ SquareLine(name, openAlongX),
@@ -149,7 +149,7 @@ ChangeOfBasis SquarePart(const CollectionName& name, const Space& space, int com
         lines[axis].evaluate(xi[axis], at[axis].data());
       }
       std::ranges::transform(products, out,
-        [&](const Product& product)
+        [&](const PlaneProduct& product)
         {
           return product.component != component
             ? 0.0L

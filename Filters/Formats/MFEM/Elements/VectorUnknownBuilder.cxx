@@ -11,11 +11,6 @@ namespace pixelexact::mfem
 {
 namespace
 {
-using Line = std::vector<long double>;
-
-constexpr LongVec3 kX{ 1, 0, 0 };
-constexpr LongVec3 kY{ 0, 1, 0 };
-constexpr LongVec3 kZ{ 0, 0, 1 };
 
 LongVec3 Difference(const LongVec3& a, const LongVec3& b)
 {
@@ -43,7 +38,7 @@ LongVec3 Moved(
   return point;
 }
 
-Line WithoutEnds(const Line& line)
+LongLine WithoutEnds(const LongLine& line)
 {
   return { line.begin() + 1, line.end() - 1 };
 }
@@ -55,7 +50,7 @@ std::vector<long double> UnitPoints(LineBasis basis, int n)
   {
     return {};
   }
-  Line line = LinePoints(basis, n);
+  LongLine line = LinePoints(basis, n);
   std::ranges::transform(line, line.begin(), [](long double z) { return (1 + z) / 2; });
   return line;
 }
@@ -152,7 +147,7 @@ void VectorUnknownBuilder::InsideCube()
   const std::array axes{ kX, kY, kZ };
   for (int component = 0; component < 3; ++component)
   {
-    const auto line = [&](int axis) -> const Line&
+    const auto line = [&](int axis) -> const LongLine&
     { return (axis == component) == Tangential ? Open : Between; };
     for (const long double z : line(2))
     {
@@ -177,7 +172,7 @@ void VectorUnknownBuilder::InsidePyramid()
     kZ };
   for (int component = 0; component < 3; ++component)
   {
-    const auto line = [&](int axis) -> const Line&
+    const auto line = [&](int axis) -> const LongLine&
     { return (axis == component) == Tangential ? Open : Between; };
     for (const long double z : line(2))
     {
@@ -204,8 +199,8 @@ void VectorUnknownBuilder::Orient(int component)
   }
 }
 
-void VectorUnknownBuilder::OnTriangle(const Line& line, const LongVec3& a, const LongVec3& along,
-  const LongVec3& across, const std::vector<LongVec3>& directions)
+void VectorUnknownBuilder::OnTriangle(const LongLine& line, const LongVec3& a,
+  const LongVec3& along, const LongVec3& across, const std::vector<LongVec3>& directions)
 {
   const int n = static_cast<int>(line.size());
   for (int j = 0; j < n; ++j)
@@ -234,8 +229,8 @@ void VectorUnknownBuilder::InsideClosedTriangle(long double z)
   }
 }
 
-void VectorUnknownBuilder::Grid(const LongVec3& a, const LongVec3& along, const Line& us,
-  const LongVec3& across, const Line& vs, const LongVec3& direction)
+void VectorUnknownBuilder::Grid(const LongVec3& a, const LongVec3& along, const LongLine& us,
+  const LongVec3& across, const LongLine& vs, const LongVec3& direction)
 {
   for (const long double v : vs)
   {

@@ -8,6 +8,12 @@
 // The unknowns of H(curl) and H(div) entity by entity, in any order of the entities.
 namespace pixelexact::mfem
 {
+using LongLine = std::vector<long double>;
+
+inline constexpr LongVec3 kX{ 1, 0, 0 };
+inline constexpr LongVec3 kY{ 0, 1, 0 };
+inline constexpr LongVec3 kZ{ 0, 0, 1 };
+
 /// n points of a line basis in [0,1]; none for n <= 0.
 std::vector<long double> UnitPoints(LineBasis basis, int n);
 
@@ -28,22 +34,20 @@ public:
   [[nodiscard]] std::vector<VectorUnknown> Take() { return std::move(Unknowns); }
 
 private:
-  using Line = std::vector<long double>;
-
   void Orient(int component);
-  void OnTriangle(const Line& line, const LongVec3& a, const LongVec3& along,
+  void OnTriangle(const LongLine& line, const LongVec3& a, const LongVec3& along,
     const LongVec3& across, const std::vector<LongVec3>& directions);
   void InsideClosedTriangle(long double z);
-  void Grid(const LongVec3& a, const LongVec3& along, const Line& us, const LongVec3& across,
-    const Line& vs, const LongVec3& direction);
+  void Grid(const LongVec3& a, const LongVec3& along, const LongLine& us, const LongVec3& across,
+    const LongLine& vs, const LongVec3& direction);
 
   bool Tangential;
   int Order;
-  Line Open;
-  Line Closed;
-  Line Between; ///< closed without its ends
-  Line OnFace;  ///< of triangles
-  Line InSolid; ///< of tetrahedra and, for normals, prisms' triangles
+  LongLine Open;
+  LongLine Closed;
+  LongLine Between; ///< closed without its ends
+  LongLine OnFace;  ///< of triangles
+  LongLine InSolid; ///< of tetrahedra and, for normals, prisms' triangles
   std::vector<VectorUnknown> Unknowns;
 };
 } // namespace pixelexact::mfem

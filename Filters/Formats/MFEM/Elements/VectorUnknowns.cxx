@@ -11,10 +11,6 @@ namespace pixelexact::mfem
 {
 namespace
 {
-constexpr LongVec3 kX{ 1, 0, 0 };
-constexpr LongVec3 kY{ 0, 1, 0 };
-constexpr LongVec3 kZ{ 0, 0, 1 };
-
 using Corner = LongVec3;
 
 std::vector<VectorUnknown> Tetrahedron(VectorUnknownBuilder builder)

@@ -14,7 +14,6 @@ namespace pixelexact::mfem
 {
 namespace
 {
-constexpr int kMostNodes = 1 << 30;
 constexpr int kStates = 24;
 constexpr int kPlaneStates = 8;
 constexpr std::size_t kShortestElement = 4;

@@ -9,7 +9,6 @@ namespace pixelexact::mfem
 {
 namespace
 {
-constexpr int kMostNodes = 1 << 30;
 constexpr int kMostGenerations = 64;
 } // namespace
 

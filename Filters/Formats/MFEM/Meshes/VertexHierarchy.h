@@ -9,6 +9,8 @@
 
 namespace pixelexact::mfem
 {
+inline constexpr int kMostNodes = 1 << 30;
+
 /// The vertices ("nodes") of a refined mesh: those of the coarsest level have coordinates, others
 /// lie on the line between two parents.
 class VertexHierarchy

@@ -13,7 +13,7 @@ namespace pixelexact
 namespace
 {
 /// Splitting billions of boxes goes no deeper than an eighth of this.
-constexpr std::size_t kDeepest = 128;
+constexpr std::size_t kMaxStack = 128;
 
 Vec3 MiddleOf(const Box3& box)
 {
@@ -107,7 +107,7 @@ void BundleHierarchy::ForEach(
     double depth;
     std::int32_t below;
   };
-  std::array<Ahead, kDeepest> stack;
+  std::array<Ahead, kMaxStack> stack;
   std::size_t size = 0;
   const auto open = [&](const Node& node)
   {

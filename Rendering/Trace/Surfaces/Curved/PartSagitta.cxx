@@ -16,7 +16,6 @@ namespace pixelexact
 {
 namespace
 {
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// In xi: how far from a face's plane a hit of it may be.
 constexpr double kOnFace = 1e-9;
 

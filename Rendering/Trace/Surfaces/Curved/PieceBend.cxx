@@ -2,6 +2,7 @@
 #include "Trace/Surfaces/Curved/PieceBend.h"
 
 #include "Core/Bernstein/Krawczyk.h"
+#include "Core/Math/Rounding.h"
 
 #include <glm/common.hpp>
 
@@ -13,7 +14,6 @@ namespace pixelexact
 {
 namespace
 {
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The inverse's magnitudes times those of another matrix, the largest row sum; infinite where
 /// there is no inverse.
