@@ -181,6 +181,7 @@ void TileSamples::Meet(const Camera& camera, const Scene& scene, std::vector<Hit
   const bool clips = isCurved || !scene.kept.empty();
   double* const origin[3] = { Origin[0].data(), Origin[1].data(), Origin[2].data() };
   double* const direction[3] = { Direction[0].data(), Direction[1].data(), Direction[2].data() };
+  const std::int64_t work = WorkOfRay(camera.Width(), camera.Height(), scene.layers.size());
   for (int first = 0; first < Size; first += kSome)
   {
     const int count = std::min(kSome, Size - first);
@@ -201,6 +202,7 @@ void TileSamples::Meet(const Camera& camera, const Scene& scene, std::vector<Hit
       const Layer& layer = scene.layers[k];
       RayLanes rays = Rays(count);
       rays.nearestOnly = layer.surface->IsOfMesh() && !layer.translucent;
+      rays.work = work;
       hits[k].MoveTo(first);
       layer.surface->Meet(rays, hits[k]);
     }

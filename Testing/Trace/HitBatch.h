@@ -50,12 +50,15 @@ struct PointHit : Hit
 
 /// Surface::Meet for many rays at once, each with its tNear.
 inline std::vector<std::vector<PointHit>> MeetPoints(const Surface& surface,
-  const std::vector<Ray>& rays, const std::vector<double>& tNear, bool nearestOnly = false)
+  const std::vector<Ray>& rays, const std::vector<double>& tNear, bool nearestOnly = false,
+  std::int64_t work = kRayWork)
 {
   const RayBatch batch(rays, tNear);
   HitSlots slots;
   slots.Begin(static_cast<int>(rays.size()));
-  surface.Meet(batch.View(nearestOnly), slots);
+  RayLanes lanes = batch.View(nearestOnly);
+  lanes.work = work;
+  surface.Meet(lanes, slots);
   std::vector<std::vector<PointHit>> all(rays.size());
   for (std::size_t i = 0; i < rays.size(); ++i)
   {

@@ -305,6 +305,60 @@ TEST(CurvedContract, FromFarAway)
   }
 }
 
+/// Of faces and iso-surfaces: a ray that may spend nothing alone has the hits of one that may, up
+/// to the first that is undecided.
+TEST(CurvedContract, NearlyTangentRaysWithoutWorkAreUndecided)
+{
+  for (const Shape shape : kShapes)
+  {
+    SCOPED_TRACE(Name(shape));
+    const Curves curves(shape);
+    for (const Surface* surface : { static_cast<const Surface*>(curves.faces.get()),
+           static_cast<const Surface*>(curves.iso.get()) })
+    {
+      Random random(23);
+      std::vector<Ray> rays;
+      for (const auto& of : MeetPoints(*surface, RandomRays(curves, shape, 60, 24)))
+      {
+        for (const PointHit& hit : of)
+        {
+          const Vec3 normal = surface->Normal(hit.point);
+          const Vec3 along = glm::normalize(glm::cross(normal, RandomDirection(random)));
+          const Vec3 direction = glm::normalize(along + 1e-7 * random() * normal);
+          rays.push_back({ hit.position - 5.0 * direction, direction });
+        }
+      }
+      const std::vector<double> tNear(rays.size(), kNearest);
+      const auto all = MeetPoints(*surface, rays, tNear);
+      const auto some = MeetPoints(*surface, rays, tNear, false, 0);
+      const auto nearest = MeetPoints(*surface, rays, tNear, true, 0);
+      int undecided = 0;
+      for (std::size_t i = 0; i < rays.size(); ++i)
+      {
+        std::size_t k = 0;
+        while (k < some[i].size() && some[i][k].status != HitStatus::Undecided)
+        {
+          ASSERT_LT(k, all[i].size());
+          EXPECT_NEAR(some[i][k].t, all[i][k].t, 1e-6) << "ray " << i;
+          ++k;
+        }
+        undecided += k < some[i].size() ? 1 : 0;
+        if (k < all[i].size())
+        {
+          ASSERT_LT(k, some[i].size()) << "ray " << i;
+          EXPECT_LE(some[i][k].t, all[i][k].t + 1e-9) << "ray " << i;
+        }
+        ASSERT_EQ(nearest[i].empty(), some[i].empty());
+        if (!some[i].empty())
+        {
+          ExpectSame(nearest[i][0], some[i][0]);
+        }
+      }
+      EXPECT_GT(undecided, 0);
+    }
+  }
+}
+
 TEST(CurvedContract, RaysFromSoFarThatRoundingMovesThemAreUndecidedAtOnce)
 {
   Random random(21);

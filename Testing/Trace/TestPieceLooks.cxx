@@ -296,7 +296,8 @@ void Descend(const Made& made, const RayBundle& bundle, const CurvedPiece& piece
   const RaySet unclear = piece.flat && !near.IsEmpty() ? look(piece, near) : near;
   if (!unclear.IsEmpty() && piece.halvings < kDeepest)
   {
-    const auto& halves = made.Tree->Split(piece);
+    const PieceHalves split = made.Tree->Halves(piece);
+    const auto& halves = *split.pieces;
     Descend(made, bundle, halves[0], unclear, look);
     Descend(made, bundle, halves[1], unclear, look);
   }
@@ -415,7 +416,7 @@ void Check(const Made& made, const CurvedPiece& piece, const std::vector<std::ve
   const RaySet& asked, const RaySet& unclear, SolverWork& work, std::map<int, int>& started,
   Looks& looks)
 {
-  OpenRays& open = work.open;
+  OpenRays& open = work.closer;
   const double* const of = work.pairs.Column(kRayColumn);
   asked.ForEach(
     [&](int ray)
@@ -488,20 +489,20 @@ RaySet LookCloser(const Made& made, const RayBundle& bundle, const CurvedPiece& 
   looks.near += near.Count();
   std::map<int, int> started;
   RaySet unclear =
-    GetAlongRayKernels().look(bundle, made.Frame, piece, work.near, work.open, work.pairs);
+    GetAlongRayKernels().look(bundle, made.Frame, piece, work.near, work.closer, work.pairs);
   all.Add(unclear);
   Check(made, piece, roots, near, unclear, work, started, looks);
-  RaySet asked = RaysOf(work.open);
+  RaySet asked = RaysOf(work.closer);
   looks.open += asked.Count();
-  for (int round = 0; work.open.count > 0 && round < 3; ++round)
+  for (int round = 0; work.closer.count > 0 && round < 3; ++round)
   {
-    const std::vector<double> values = made.ValuesAt(work.open);
+    const std::vector<double> values = made.ValuesAt(work.closer);
     work.pairs.Clear();
     unclear = GetCloserLookKernels().look(
-      bundle, made.Frame, piece, values.data(), OpenRays::kStride, work.open, work.pairs);
+      bundle, made.Frame, piece, values.data(), OpenRays::kStride, work.closer, work.pairs);
     all.Add(unclear);
     Check(made, piece, roots, asked, unclear, work, started, looks);
-    asked = RaysOf(work.open);
+    asked = RaysOf(work.closer);
   }
   return all;
 }

@@ -211,4 +211,71 @@ void PartTree::DescribeField(CurvedPiece& piece, const Polys& polys) const
     piece.bend[3] += piece.radius[3][d] * piece.half[static_cast<int>(d)] * (1.0 + 1e-12);
   }
 }
+
+/// f is the sum of the components' squares: its slopes change with the components and with theirs.
+double PartTree::MagnitudeVariation(const Polys& polys, int direction) const
+{
+  constexpr std::size_t kFirst = 12;
+  const std::size_t components = (polys.size() - kFirst) / 4;
+  double sum = 0.0;
+  for (std::size_t c = 0; c < components; ++c)
+  {
+    const BoxPolynomial& value = polys[kFirst + c];
+    const double size = value.Hull().Magnitude();
+    const double change = value.Variation(direction, 1);
+    for (std::size_t d = 0; d < 3; ++d)
+    {
+      const BoxPolynomial& by = polys[kFirst + components + 3 * c + d];
+      sum += 2.0 * (change * by.Hull().Magnitude() + size * by.Variation(direction, 1));
+    }
+  }
+  return sum;
+}
+
+/// Along which the slopes vary most, compared with the largest slope anywhere in the piece: the one
+/// at its centre may be zero.
+int PartTree::DirectionOf(const CurvedPiece& piece, const Polys& polys) const
+{
+  double largest[2] = { 0.0, 0.0 };
+  for (std::size_t c = 0; c < 4; ++c)
+  {
+    for (std::size_t d = 0; d < 3; ++d)
+    {
+      largest[c / 3] = std::max(largest[c / 3], std::fabs(piece.slope[c][d]) + piece.radius[c][d]);
+    }
+  }
+  const bool isMagnitude = Field && Equation.component == kMagnitude;
+  int best = -1;
+  double most = -1.0;
+  for (int d = 0; d < 3; ++d)
+  {
+    const double width = piece.box.upper[d] - piece.box.lower[d];
+    if (width == 0.0)
+    {
+      continue;
+    }
+    // Where nothing varies, or nothing is known of slopes, the widest.
+    double sum = 1e-9 * width;
+    const auto add = [&](double variation, double scale)
+    { sum += scale > 0.0 ? variation / scale : 0.0; };
+    for (std::size_t k = 3; k < 12; ++k)
+    {
+      add(polys[k].Variation(d, 1), largest[0]);
+    }
+    for (std::size_t k = 13; k < polys.size() && !isMagnitude; ++k)
+    {
+      add(polys[k].Variation(d, 1), largest[1]);
+    }
+    if (isMagnitude)
+    {
+      add(MagnitudeVariation(polys, d), largest[1]);
+    }
+    if (sum > most || best < 0)
+    {
+      best = d;
+      most = sum;
+    }
+  }
+  return best;
+}
 } // namespace pixelexact

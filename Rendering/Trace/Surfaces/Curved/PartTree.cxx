@@ -16,8 +16,74 @@ namespace
 /// some halvings.
 constexpr int kBesides = 2;
 
-constexpr Part kBy[3] = { Part::ByXi1, Part::ByXi2, Part::ByXi3 };
+/// Estimated, in nanoseconds: two halves, beside what their coefficients cost.
+constexpr std::int64_t kCostOfTwo = 2000;
+
+std::atomic<std::int64_t> bytesKept{ 0 };
+std::atomic<std::int64_t> mostBytes{ PartTree::kMostBytes };
+
+std::int64_t CountBelow(const std::array<CurvedPiece, 2>& halves)
+{
+  std::int64_t count = 2;
+  for (const CurvedPiece& half : halves)
+  {
+    const auto* below = half.children.load(std::memory_order_relaxed);
+    count += below != nullptr ? CountBelow(*below) : 0;
+  }
+  return count;
+}
+
+std::int64_t BytesOf(const std::array<CurvedPiece, 2>& halves)
+{
+  return CountBelow(halves) * static_cast<std::int64_t>(sizeof(CurvedPiece));
+}
+
+std::size_t CoefficientsOf(const std::vector<BoxPolynomial>& polys)
+{
+  std::size_t count = 0;
+  for (const BoxPolynomial& p : polys)
+  {
+    count += p.b.size();
+  }
+  return count;
+}
+
+std::int64_t CostOf(const std::vector<BoxPolynomial>& polys)
+{
+  int degree = 0;
+  for (const BoxPolynomial& p : polys)
+  {
+    degree = std::max({ degree, p.degree[0], p.degree[1], p.degree[2] });
+  }
+  return kCostOfTwo + static_cast<std::int64_t>(CoefficientsOf(polys)) * (8 + degree) / 2;
+}
 } // namespace
+
+bool PartTree::AreFull()
+{
+  return BytesKept() >= mostBytes.load(std::memory_order_relaxed);
+}
+
+std::int64_t PartTree::BytesKept()
+{
+  return bytesKept.load(std::memory_order_relaxed);
+}
+
+void PartTree::SetMostBytes(std::int64_t bytes)
+{
+  mostBytes = bytes;
+}
+
+void PartTree::Keep(std::int64_t bytes) const
+{
+  Bytes.fetch_add(bytes, std::memory_order_relaxed);
+  bytesKept.fetch_add(bytes, std::memory_order_relaxed);
+}
+
+PartTree::~PartTree()
+{
+  bytesKept.fetch_sub(Bytes.load(), std::memory_order_relaxed);
+}
 
 PartTree::PartTree(
   const CurvedEquation& equation, const CurvedPart& part, const FaceModes* faceModes)
@@ -75,9 +141,12 @@ PartTree::PartTree(
     if (onFace)
     {
       const Polys whole = Convert(PieceAt({ root->box.lower, root->box.upper }, Level));
+      CostOfHalves = std::max(CostOfHalves, CostOf(whole));
       Fill(*root, Restricted(whole, root->box, true), 0);
       if (!root->IsEmpty())
       {
+        const auto* below = root->children.load(std::memory_order_relaxed);
+        Keep(static_cast<std::int64_t>(sizeof(CurvedPiece)) + (below ? BytesOf(*below) : 0));
         All.push_back(std::move(root));
       }
     }
@@ -134,7 +203,7 @@ PartTree::Polys PartTree::Convert(const PieceForm::Piece& piece) const
     }
     for (int c = 0; c < components; ++c)
     {
-      for (const Part by : kBy)
+      for (const Part by : kDerivatives)
       {
         add(modes, c, by);
       }
@@ -148,15 +217,21 @@ PartTree::Polys PartTree::Convert(const PieceForm::Piece& piece) const
   return polys;
 }
 
-const PartTree::Polys& PartTree::Converted(const PieceForm::Piece& piece) const
+template <class Visit>
+void PartTree::WithConverted(const PieceForm::Piece& piece, const Visit& visit) const
 {
-  const std::scoped_lock lock(Converting);
-  const auto found = Whole.find(piece);
-  if (found != Whole.end())
+  const Polys* kept = nullptr;
   {
-    return found->second;
+    const std::scoped_lock lock(Converting);
+    auto found = Whole.find(piece);
+    if (found == Whole.end() && !AreFull())
+    {
+      found = Whole.emplace(piece, Convert(piece)).first;
+      Keep(static_cast<std::int64_t>(CoefficientsOf(found->second) * sizeof(double)));
+    }
+    kept = found == Whole.end() ? nullptr : &found->second;
   }
-  return Whole.emplace(piece, Convert(piece)).first->second;
+  visit(kept != nullptr ? *kept : Convert(piece));
 }
 
 PartTree::Polys PartTree::Restricted(const Polys& whole, const EtaBox& box, bool slopes) const
@@ -197,8 +272,9 @@ PartTree::Polys PartTree::Restricted(const Polys& whole, const EtaBox& box, bool
 
 std::vector<BoxPolynomial> PartTree::Polynomials(const CurvedPiece& piece) const
 {
-  Polys polys =
-    Restricted(Converted(PieceAt({ piece.box.lower, piece.box.upper }, Level)), piece.box, false);
+  Polys polys;
+  WithConverted(PieceAt({ piece.box.lower, piece.box.upper }, Level),
+    [&](const Polys& whole) { polys = Restricted(whole, piece.box, false); });
   const bool hasField = Field && Equation.component != kMagnitude;
   for (std::size_t c = 0; c < 3; ++c)
   {
@@ -225,14 +301,16 @@ void PartTree::Fill(CurvedPiece& piece, Polys polys, int besides) const
   const bool isPoint = piece.plateau && !Field;
   if (!piece.IsEmpty() && !isPoint && (!piece.flat || besides > 0))
   {
-    SplitInto(piece, std::move(polys), piece.flat ? besides - 1 : 0);
+    auto halves = Split(piece, std::move(polys), piece.flat ? besides - 1 : 0);
+    piece.children.store(halves.release(), std::memory_order_release);
   }
 }
 
-void PartTree::SplitInto(const CurvedPiece& piece, Polys polys, int besides) const
+std::unique_ptr<const PartTree::Children> PartTree::Split(
+  const CurvedPiece& piece, Polys polys, int besides) const
 {
   const int direction = DirectionOf(piece, polys);
-  auto halves = std::make_unique<std::array<CurvedPiece, 2>>();
+  auto halves = std::make_unique<Children>();
   Polys upper;
   upper.reserve(polys.size());
   for (BoxPolynomial& p : polys)
@@ -248,67 +326,37 @@ void PartTree::SplitInto(const CurvedPiece& piece, Polys polys, int besides) con
     half.halvings = piece.halvings + 1;
     Fill(half, std::move(k == 0 ? polys : upper), besides);
   }
-  piece.children.store(halves.release(), std::memory_order_release);
+  return halves;
 }
 
-const std::array<CurvedPiece, 2>& PartTree::Split(const CurvedPiece& piece) const
+PieceHalves PartTree::Halves(const CurvedPiece& piece) const
 {
   if (const auto* made = piece.children.load(std::memory_order_acquire))
   {
-    return *made;
+    return { made, nullptr };
+  }
+  // Always so many at once: numbers that halving has made are others than those of restriction.
+  const auto make = [&]
+  {
+    std::unique_ptr<const Children> halves;
+    WithConverted(PieceAt({ piece.box.lower, piece.box.upper }, Level),
+      [&](const Polys& whole)
+      { halves = Split(piece, Restricted(whole, piece.box, true), kBesides); });
+    return halves;
+  };
+  if (AreFull())
+  {
+    const std::shared_ptr<const Children> own = make();
+    return { own.get(), own };
   }
   const std::scoped_lock lock(Growing);
   if (piece.children.load(std::memory_order_relaxed) == nullptr)
   {
-    const Polys& whole = Converted(PieceAt({ piece.box.lower, piece.box.upper }, Level));
-    SplitInto(piece, Restricted(whole, piece.box, true), kBesides);
+    auto halves = make();
+    Keep(BytesOf(*halves));
+    piece.children.store(halves.release(), std::memory_order_release);
   }
-  return *piece.children.load(std::memory_order_relaxed);
-}
-
-/// Along which the slopes vary most.
-int PartTree::DirectionOf(const CurvedPiece& piece, const Polys& polys) const
-{
-  double largest[2] = { 0.0, 0.0 };
-  for (std::size_t c = 0; c < 4; ++c)
-  {
-    for (const double s : piece.slope[c])
-    {
-      largest[c / 3] = std::max(largest[c / 3], std::fabs(s));
-    }
-  }
-  int best = -1;
-  double most = -1.0;
-  for (int d = 0; d < 3; ++d)
-  {
-    const double width = piece.box.upper[d] - piece.box.lower[d];
-    if (width == 0.0)
-    {
-      continue;
-    }
-    // Where nothing varies, or nothing is known of slopes, the widest.
-    double sum = 1e-9 * width;
-    const auto add = [&](std::size_t k, double scale)
-    { sum += scale > 0.0 ? polys[k].Variation(d, 1) / scale : 0.0; };
-    for (std::size_t k = 3; k < 12; ++k)
-    {
-      add(k, largest[0]);
-    }
-    for (std::size_t k = 13; k < polys.size() && Equation.component != kMagnitude; ++k)
-    {
-      add(k, largest[1]);
-    }
-    if (Equation.field != nullptr && Equation.component == kMagnitude)
-    {
-      sum += width;
-    }
-    if (sum > most || best < 0)
-    {
-      best = d;
-      most = sum;
-    }
-  }
-  return best;
+  return { piece.children.load(std::memory_order_relaxed), nullptr };
 }
 
 } // namespace pixelexact

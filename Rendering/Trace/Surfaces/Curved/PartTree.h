@@ -18,8 +18,19 @@
 
 namespace pixelexact
 {
+/// A piece's children. They belong to whom the piece belongs to, or to `own` where a tree keeps no
+/// more.
+struct PieceHalves
+{
+  const std::array<CurvedPiece, 2>* pieces = nullptr;
+  std::shared_ptr<const std::array<CurvedPiece, 2>> own;
+};
+
 /// The pieces of an element's part of a surface: made until they are flat, and halved further where
 /// rays need it. Safe to use from several threads: pieces are read without a lock.
+///
+/// What all trees of the process keep is limited. Above the limit Halves returns pieces that belong
+/// to the caller. Which of the two it returns changes no number in them.
 class PartTree
 {
 public:
@@ -27,10 +38,23 @@ public:
   PartTree(
     const CurvedEquation& equation, const CurvedPart& part, const FaceModes* faceModes = nullptr);
 
+  ~PartTree();
+  PartTree(const PartTree&) = delete;
+  PartTree& operator=(const PartTree&) = delete;
+
   /// What the tree begins with; together the whole part.
   [[nodiscard]] const std::vector<std::unique_ptr<CurvedPiece>>& Roots() const { return All; }
-  /// A piece's halves, made where they are not there yet.
-  const std::array<CurvedPiece, 2>& Split(const CurvedPiece& piece) const;
+  [[nodiscard]] PieceHalves Halves(const CurvedPiece& piece) const;
+  /// About the nanoseconds that a piece's halves cost where they are not there yet.
+  [[nodiscard]] std::int64_t SplitCost() const { return CostOfHalves; }
+
+  /// Whether all trees together keep as much as they may.
+  [[nodiscard]] static bool AreFull();
+  /// The bytes that all trees of the process keep, and the limit, 1 GiB by default. Trees above a
+  /// lower limit keep what they have.
+  [[nodiscard]] static std::int64_t BytesKept();
+  static void SetMostBytes(std::int64_t bytes);
+  static constexpr std::int64_t kMostBytes = std::int64_t{ 1 } << 30;
 
   /// Of the components that make f, scaled as f is: one after the other.
   [[nodiscard]] const ScaledModes& FieldModes() const { return *Field; }
@@ -50,8 +74,9 @@ private:
   [[nodiscard]] Polys Convert(const PieceForm::Piece& piece) const;
   /// By what the map is on the face alone: it has no slope across, and those along are the chart's.
   [[nodiscard]] Polys ConvertOnFace(const PieceForm::Piece& piece) const;
-  /// The same, kept.
-  [[nodiscard]] const Polys& Converted(const PieceForm::Piece& piece) const;
+  /// visit(Polys): the same, kept where that is allowed.
+  template <class Visit>
+  void WithConverted(const PieceForm::Piece& piece, const Visit& visit) const;
   /// What has been converted, over a box of it. Slopes only where they are wanted.
   [[nodiscard]] Polys Restricted(const Polys& whole, const EtaBox& box, bool slopes) const;
   /// How many components make f.
@@ -60,8 +85,13 @@ private:
   void Describe(CurvedPiece& piece, const Polys& polys) const;
   void DescribeField(CurvedPiece& piece, const Polys& polys) const;
   void SetCurvature(CurvedPiece& piece, const Polys& polys) const;
-  void SplitInto(const CurvedPiece& piece, Polys polys, int besides) const;
+  using Children = std::array<CurvedPiece, 2>;
+  [[nodiscard]] std::unique_ptr<const Children> Split(
+    const CurvedPiece& piece, Polys polys, int besides) const;
   [[nodiscard]] int DirectionOf(const CurvedPiece& piece, const Polys& polys) const;
+  /// How much the slopes of a magnitude's square change along a direction.
+  [[nodiscard]] double MagnitudeVariation(const Polys& polys, int direction) const;
+  void Keep(std::int64_t bytes) const;
 
   CurvedEquation Equation;
   CurvedPart ThePart;
@@ -77,5 +107,7 @@ private:
   mutable std::mutex Converting;
   mutable std::map<PieceForm::Piece, const Polys> Whole; ///< of pieces that rays need halved
   mutable std::atomic<std::int64_t> Count{ 0 };
+  mutable std::atomic<std::int64_t> Bytes{ 0 };
+  std::int64_t CostOfHalves = 0;
 };
 } // namespace pixelexact

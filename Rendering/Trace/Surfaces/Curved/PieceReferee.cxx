@@ -13,7 +13,14 @@ namespace pixelexact
 {
 namespace
 {
+/// Boxes of the root finder in a piece, and how many are paid for at once.
 constexpr int kBoxes = 500;
+constexpr int kBoxesAtOnce = 20;
+/// A piece's polynomials cost this part of what its halves cost.
+constexpr std::int64_t kPartOfHalves = 4;
+/// Estimated, in nanoseconds: a box of the root finder, and each coefficient of an equation.
+constexpr std::int64_t kCostOfBox = 2000;
+constexpr std::int64_t kCostOfCoefficient = 14;
 constexpr int kPolish = 3;
 /// Of an element's size.
 constexpr double kBlurred = 0.1;
@@ -100,8 +107,15 @@ public:
       one.degree = degree;
     }
     RootSearch options;
-    options.budget = std::min(most, kBoxes);
+    options.budget = most;
     return FindRoots(PolynomialSystem(static_cast<int>(Free.size()), equations), options);
+  }
+
+  /// About the nanoseconds that the root finder needs for a box.
+  [[nodiscard]] std::int64_t BoxCost() const
+  {
+    return kCostOfBox +
+      kCostOfCoefficient * static_cast<std::int64_t>(Polys.size() * Polys.front().b.size());
   }
 
   [[nodiscard]] Vec3 XiOf(const Parameters& at) const
@@ -131,48 +145,65 @@ bool AreBlurred(const RayBundle& bundle, const Mesh& mesh, const CurvedPart& par
   return bundle.MostSlack() > kBlurred * mesh.size[static_cast<std::size_t>(part.element)];
 }
 
-void FindHits(const CurvedEquation& equation, const CurvedPart& part, const PartTree& tree,
-  const RayBundle& bundle, PieceSolver& solver, const CurvedPiece& piece, const RaySet& rays,
-  std::span<int> boxes, std::vector<CurvedHit>& hits)
+void AddUndecided(const RayBundle& bundle, const RayLanes& rays, PieceSolver& solver,
+  const OpenPiece& open, std::vector<CurvedHit>& hits)
 {
-  const auto addUndecided = [&](int ray, const Vec3& xi)
-  {
-    CurvedHit hit = solver.HitAt(piece, ray, xi, 0);
-    hit.status = HitStatus::Undecided;
-    hits.push_back(hit);
-  };
+  const auto ray = static_cast<std::size_t>(bundle.First() + open.ray);
+  CurvedHit hit = solver.HitAt(*open.piece, open.ray, open.piece->centre, 0);
+  hit.t = std::min(std::max(bundle.TimeOf(open.ray, open.depth), rays.tNear[ray]), rays.tFar[ray]);
+  hit.status = HitStatus::Undecided;
+  hits.push_back(hit);
+}
+
+void FindHits(const MetPart& met, PieceSolver& solver, const OpenPiece& open, EdgeWork& work,
+  std::vector<CurvedHit>& hits)
+{
+  const CurvedEquation& equation = met.equation;
   // A magnitude's equation is no polynomial that is kept.
   const bool isMagnitude = equation.field != nullptr && equation.component == kMagnitude;
-  if (rays.IsEmpty() || isMagnitude || piece.plateau || AreBlurred(bundle, equation.mesh, part))
+  if (isMagnitude || open.piece->plateau || AreBlurred(met.bundle, equation.mesh, met.part) ||
+    !work.Affords(met.tree.SplitCost() / kPartOfHalves))
   {
-    rays.ForEach([&](int ray) { addUndecided(ray, piece.centre); });
+    AddUndecided(met.bundle, met.rays, solver, open, hits);
     return;
   }
-  const auto polys = tree.Polynomials(piece);
-  const PieceSystem system(equation.mesh.ShapeOf(part.element), bundle, piece, polys);
-  rays.ForEach(
-    [&](int ray)
+  const auto polys = met.tree.Polynomials(*open.piece);
+  const PieceSystem system(equation.mesh.ShapeOf(met.part.element), met.bundle, *open.piece, polys);
+  const std::int64_t cost = system.BoxCost();
+  int most = 0;
+  while (most < kBoxes && work.Affords(cost * kBoxesAtOnce))
+  {
+    most += kBoxesAtOnce;
+  }
+  const auto found =
+    most > 0 ? system.Solve(open.ray, solver.Across(open.ray), most) : std::nullopt;
+  if (!found || found->budgetSpent)
+  {
+    AddUndecided(met.bundle, met.rays, solver, open, hits);
+  }
+  if (!found)
+  {
+    return;
+  }
+  work.Spend(cost * (found->boxes - most));
+  for (const IsolatedRoot& root : found->roots)
+  {
+    const auto middle = [&root](std::size_t v)
+    { return std::clamp(root.enclosure[v].Middle(), 0.0, 1.0); };
+    hits.push_back(solver.HitAt(
+      *open.piece, open.ray, system.XiOf({ middle(0), middle(1), middle(2) }), kPolish));
+  }
+  for (const ParameterBox& box : found->undecided)
+  {
+    if (found->budgetSpent)
     {
-      int& left = boxes[static_cast<std::size_t>(ray)];
-      const auto found = left > 0 ? system.Solve(ray, solver.Across(ray), left) : std::nullopt;
-      if (!found)
-      {
-        addUndecided(ray, piece.centre);
-        return;
-      }
-      left -= static_cast<int>(found->boxes);
-      for (const IsolatedRoot& root : found->roots)
-      {
-        const auto middle = [&root](std::size_t v)
-        { return std::clamp(root.enclosure[v].Middle(), 0.0, 1.0); };
-        hits.push_back(
-          solver.HitAt(piece, ray, system.XiOf({ middle(0), middle(1), middle(2) }), kPolish));
-      }
-      for (const ParameterBox& box : found->undecided)
-      {
-        const auto middle = [&box](std::size_t v) { return 0.5 * (box.lower[v] + box.upper[v]); };
-        addUndecided(ray, system.XiOf({ middle(0), middle(1), middle(2) }));
-      }
-    });
+      break;
+    }
+    const auto middle = [&box](std::size_t v) { return 0.5 * (box.lower[v] + box.upper[v]); };
+    CurvedHit hit =
+      solver.HitAt(*open.piece, open.ray, system.XiOf({ middle(0), middle(1), middle(2) }), 0);
+    hit.status = HitStatus::Undecided;
+    hits.push_back(hit);
+  }
 }
 } // namespace pixelexact

@@ -79,7 +79,7 @@ RaySet PieceSolver::Look(const CurvedPiece& piece, const RaySet& rays)
   {
     return GetFacePieceKernels().look(Bundle, Frame, piece, rays, Work.pairs);
   }
-  OpenRays& open = Work.open;
+  OpenRays& open = Work.closer;
   RaySet unclear = GetLookKernels().look(Bundle, Frame, piece, rays, Work.near);
   unclear.Add(GetAlongRayKernels().look(Bundle, Frame, piece, Work.near, open, Work.pairs));
   for (int round = 0; open.count > 0 && round < kCloser; ++round)

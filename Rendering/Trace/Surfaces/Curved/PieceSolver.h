@@ -7,6 +7,7 @@
 #include "Trace/Surfaces/HitSlots.h"
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -30,6 +31,17 @@ struct PieceRay
   int ray = 0;
 };
 
+/// A piece in which a ray is open after all rays have been looked at together.
+struct OpenPiece
+{
+  const CurvedPiece* piece = nullptr;
+  const PartTree* tree = nullptr;
+  std::int32_t part = -1;
+  int ray = 0;
+  double depth = 0.0;                                    ///< RayBundle::DepthOf its box
+  std::shared_ptr<const std::array<CurvedPiece, 2>> own; ///< of a piece that no tree keeps
+};
+
 /// A part that rays of a bundle may meet.
 struct PartAhead
 {
@@ -44,9 +56,10 @@ struct SolverWork
   std::vector<PartAhead> parts;
   std::vector<CurvedHit> hits;
   std::vector<PieceRay> unclear;
+  std::vector<OpenPiece> open;
   PiecePairs pairs;
   OpenRays near;
-  OpenRays open;
+  OpenRays closer;
   std::vector<double> values = std::vector<double>(16 * PiecePairs::kStride);
   std::array<std::vector<double>, 4> ends{ Column(), Column(), Column(), Column() };
 

@@ -67,6 +67,12 @@ public:
   {
     return (sign > 0.0 ? box.lower[axes[2]] - z0 : z0 - box.upper[axes[2]]) - Ranges.mostSlack;
   }
+  /// The same of one ray, by its own rounding: whatever rays are beside it.
+  [[nodiscard]] double DepthOf(const Box3& box, int i) const
+  {
+    return (sign > 0.0 ? box.lower[axes[2]] - z0 : z0 - box.upper[axes[2]]) -
+      slack[static_cast<std::size_t>(i)];
+  }
 
   /// The same of up to eight boxes: a bit each, and their depths.
   [[nodiscard]] unsigned MayMeet(
@@ -84,6 +90,12 @@ public:
   {
     const auto at = static_cast<std::size_t>(i);
     return ((x[axes[2]] - z0) - Origin[at]) / Direction[at];
+  }
+  /// The t of a depth.
+  [[nodiscard]] double TimeOf(int i, double depth) const
+  {
+    const auto at = static_cast<std::size_t>(i);
+    return (sign * depth - Origin[at]) / Direction[at];
   }
   /// The ray is of no interest beyond a depth.
   void EndAt(int i, double depth)
