@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <string>
 
 namespace pixelexact
@@ -28,6 +29,51 @@ std::optional<QuadricForm> FormOf(vtkImplicitFunction* function)
   const auto cut = MakeCutFunction(function, 1.0);
   const QuadricForm* const form = cut->Quadric();
   return form != nullptr ? std::optional(*form) : std::nullopt;
+}
+
+/// A quadric, or what a function of one coordinate alone consists of: two planes, or one where they
+/// coincide, at the equation's roots rounded to doubles, their gradients that of the quadric. No
+/// box that holds both could be told from one that holds none while it is wider than their
+/// distance.
+std::vector<QuadricForm> PartsOf(const QuadricForm& form)
+{
+  int axis = -1;
+  for (int d = 0; d < 3; ++d)
+  {
+    if (form.q[static_cast<std::size_t>(d)] != 0.0 || form.g[d] != 0.0)
+    {
+      axis = axis < 0 ? d : 3;
+    }
+  }
+  const double a = axis >= 0 && axis < 3 ? form.q[static_cast<std::size_t>(axis)] : 0.0;
+  if (a == 0.0 || form.q[3] != 0.0 || form.q[4] != 0.0 || form.q[5] != 0.0)
+  {
+    return { form };
+  }
+  const auto half = -static_cast<long double>(form.g[axis]) / 2.0L / a;
+  const auto product = static_cast<long double>(form.c) / a;
+  const long double square = half * half - product;
+  if (!(square >= 0.0L))
+  {
+    return { form };
+  }
+  // The root of larger magnitude first: the other one does not cancel.
+  const long double outer = half + (half < 0.0L ? -1.0L : 1.0L) * std::sqrt(square);
+  const long double inner = outer != 0.0L ? product / outer : 0.0L;
+  std::vector<QuadricForm> planes;
+  for (const long double root : { outer, inner })
+  {
+    if (planes.empty() || square > 0.0L)
+    {
+      const double sense = static_cast<double>(root - half) * a < 0.0 ? -1.0 : 1.0;
+      QuadricForm plane;
+      plane.origin = form.origin;
+      plane.g[axis] = sense;
+      plane.c = -sense * static_cast<double>(root);
+      planes.push_back(plane);
+    }
+  }
+  return planes;
 }
 
 /// A face of a convex body: a plane within the others.
@@ -65,7 +111,12 @@ std::vector<IntegralPiece> PiecesOf(vtkImplicitFunction* function)
   }
   if (const auto form = FormOf(function))
   {
-    return { { std::make_shared<QuadricSurface>(*form), {}, std::nullopt } };
+    std::vector<IntegralPiece> pieces;
+    for (const QuadricForm& part : PartsOf(*form))
+    {
+      pieces.push_back({ std::make_shared<QuadricSurface>(part), {}, std::nullopt });
+    }
+    return pieces;
   }
   throw Unsupported(std::string(function->GetClassName()) +
     ": integrals are taken over planes, spheres, cylinders, cones of two halves, quadrics, "
@@ -87,7 +138,7 @@ std::vector<QuadricForm> ClipsOf(vtkImplicitFunction* function)
     "and vtkPlanes.");
 }
 
-std::optional<IntegralPiece> PieceOf(const std::array<Vec3, 3>& triangle)
+std::optional<IntegralPiece> TrianglePiece(const std::array<Vec3, 3>& triangle)
 {
   const auto& [a, b, c] = triangle;
   const Vec3 normal = glm::cross(b - a, c - a);

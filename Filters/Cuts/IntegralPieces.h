@@ -38,7 +38,7 @@ struct IntegralPiece
   vtkImplicitFunction* function);
 /// A triangle, whose flux is along the product of its first two sides; nothing where it has no
 /// area.
-[[nodiscard]] PIXELEXACTFILTERS_EXPORT std::optional<IntegralPiece> PieceOf(
+[[nodiscard]] PIXELEXACTFILTERS_EXPORT std::optional<IntegralPiece> TrianglePiece(
   const std::array<Vec3, 3>& triangle);
 
 /// The sum over the pieces, each clipped further. `question`: its mesh is the model's; its cut,

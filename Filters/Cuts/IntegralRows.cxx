@@ -73,7 +73,8 @@ std::vector<IntegralRow> RowsOf(const IntegralQuestion& question, const SurfaceI
       const Interval& sum = found.sums[static_cast<std::size_t>(c) + 1];
       rows.push_back({ std::string(mean ? "Mean" : "Integral") +
           (components > 1 ? " " + std::to_string(c) : std::string()),
-        mean ? sum / area : sum });
+        // Of a field that is zero the mean is zero, exactly.
+        mean && sum.Magnitude() > 0.0 ? sum / area : sum });
     }
   }
   if (question.HasFlux())
@@ -101,7 +102,10 @@ std::vector<std::string> DoubtsOf(const SurfaceIntegral& found, double tolerance
   {
     std::ostringstream text;
     text << "the errors are above the tolerance, " << tolerance << " of the integrals of magnitudes"
-         << (found.timeIsOver ? ": the time was over; give more" : "");
+         << (found.timeIsOver ? ": the time was over; give more"
+                : found.rounded > 0
+                ? ": rounding of the coordinates allows no smaller ones; give a larger tolerance"
+                : "");
     doubts.push_back(text.str());
   }
   if (found.unresolved > 0.0 && !found.met)

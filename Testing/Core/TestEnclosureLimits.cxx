@@ -63,6 +63,28 @@ TEST(EnclosureLimits, CoversTheMeshsUncertainty)
   }
 }
 
+TEST(EnclosureLimits, AFieldThatIsZeroIsZero)
+{
+  Random random(12);
+  for (const Mapping mapping : { Mapping::Identity, Mapping::Covariant })
+  {
+    EnclosureCase c;
+    c.components = 3;
+    c.mapping = mapping;
+    EnclosureElement element(c, random);
+    std::ranges::fill(element.Values.Coefficients, 0.0);
+    const Vec3 xi(0.25, 0.5, -0.5);
+    Vec3 x;
+    MapForward(element.MeshView(), 0, { &xi, 1 }, { &x, 1 });
+    const auto found = Enclose(element.MeshView(), element.FieldView(), { &xi, 1 }, { &x, 1 });
+    for (const Interval& value : found[0])
+    {
+      EXPECT_EQ(value.lower, 0.0);
+      EXPECT_EQ(value.upper, 0.0);
+    }
+  }
+}
+
 TEST(EnclosureLimits, DependsOnThePointAlone)
 {
   Random random(9);

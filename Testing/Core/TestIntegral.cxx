@@ -398,6 +398,122 @@ TEST(Integral, LittleTimeGivesWideBoundsThatHold)
   EXPECT_TRUE(found.sums[0].Contains(kPi));
 }
 
+/// A hexahedron collapsed to a wedge, and one collapsed to a tetrahedron.
+MeshBuilder Collapsed(bool toTetrahedron)
+{
+  MeshBuilder builder;
+  builder.Add(UniformSpace(Shape::Hexahedron, 2),
+    [=](const LongVec3& x)
+    {
+      const long double c = (1 + x[2]) / 2;
+      const long double b = (1 + x[1]) / 2 * (toTetrahedron ? 1 - c : 1);
+      return LongVec3{ (1 + x[0]) / 2 * (toTetrahedron ? 1 - c - b : 1 - b), b, c };
+    });
+  return builder;
+}
+
+TEST(Integral, CollapsedFacesHaveTheirArea)
+{
+  const std::vector<ElementFace> faces{ { 0, 0 }, { 0, 1 }, { 0, 2 }, { 0, 3 }, { 0, 4 },
+    { 0, 5 } };
+  ExpansionBuilder values(1);
+  values.Add(
+    UniformSpace(Shape::Hexahedron, 1), [](const LongVec3&, long double* v) { v[0] = 2.0L; });
+  const Field field{ "u", values.View() };
+  for (const bool toTetrahedron : { false, true })
+  {
+    const MeshBuilder builder = Collapsed(toTetrahedron);
+    const double area =
+      toTetrahedron ? 1.5 + std::sqrt(3.0) / 2.0 : 1.0 + 1.0 + 1.0 + std::sqrt(2.0);
+    const SurfaceIntegral found = IntegrateFaces({ builder.View(), &field, nullptr }, faces, {});
+    EXPECT_TRUE(found.met) << toTetrahedron;
+    ExpectHolds(found.sums[0], area, 1e-6, "area");
+    ExpectHolds(found.sums[1], 2.0 * area, 1e-6, "twice that");
+  }
+}
+
+TEST(Integral, CutsThroughACollapsedEdge)
+{
+  const MeshBuilder builder = Collapsed(false);
+  // Across the edge, along it, and through it: the plane then holds a face without area.
+  ExpectHolds(
+    Cut(builder.View(), nullptr, PlaneForm({ 0, 0, 1 }, -0.3)).sums[0], 0.5, 1e-7, "across");
+  ExpectHolds(
+    Cut(builder.View(), nullptr, PlaneForm({ 0, 1, 0 }, -0.9)).sums[0], 0.1, 1e-7, "along");
+  IntegralEffort effort;
+  effort.tolerance = 1e-4;
+  effort.boxes = 20000;
+  ExpectHolds(Cut(builder.View(), nullptr, PlaneForm({ 1, 0.5, 0 }, -0.5), effort).sums[0],
+    std::sqrt(1.25), 1e-3, "through");
+}
+
+TEST(Integral, SheetsThatNearlyCoincideAndSmallSpheres)
+{
+  const MeshBuilder cube = Cube();
+  IntegralEffort effort;
+  effort.boxes = 5000;
+  QuadricForm sheets;
+  sheets.q = { 1, 0, 0, 0, 0, 0 };
+  sheets.c = -1e-12;
+  effort.tolerance = 1e-4;
+  const SurfaceIntegral two = Cut(cube.View(), nullptr, sheets, effort);
+  EXPECT_TRUE(two.met);
+  EXPECT_LT(two.boxes, 1000);
+  ExpectHolds(two.sums[0], 8.0, 1e-3, "two planes");
+  // About a vertex and inside, down to where rounding is what is left.
+  for (const double radius : { 1e-2, 1e-4, 1e-6 })
+  {
+    const double area = 4.0 * kPi * radius * radius;
+    ExpectHolds(Cut(cube.View(), nullptr, Ball(Vec3(1.0), Vec3(radius)), effort).sums[0],
+      area / 8.0, 1e-3 * area, "about a vertex");
+    ExpectHolds(Cut(cube.View(), nullptr, Ball({ 0.3, 0.2, 0.1 }, Vec3(radius)), effort).sums[0],
+      area, 1e-3 * area, "inside");
+  }
+  // Nothing narrower is promised, and the work ends.
+  effort.tolerance = 1e-12;
+  const SurfaceIntegral small = Cut(cube.View(), nullptr, Ball(Vec3(1.0), Vec3(1e-5)), effort);
+  EXPECT_FALSE(small.met);
+  EXPECT_GT(small.rounded, 0);
+  EXPECT_TRUE(small.sums[0].Contains(kPi / 2.0 * 1e-10));
+}
+
+TEST(Integral, SizesThatOverflowAreRefused)
+{
+  for (const double size : { 0x1p-332, 0x1p332 })
+  {
+    MeshBuilder builder;
+    builder.Add(
+      UniformSpace(Shape::Hexahedron, 1),
+      [size](const LongVec3& x) {
+        return LongVec3{ x[0] * size, x[1] * size, x[2] * size };
+      },
+      Vec3(0.0), size);
+    EXPECT_THROW(Cut(builder.View(), nullptr, Ball(Vec3(0.0), Vec3(0.5 * size))), Unsupported);
+    const double area = 4.0 * size * size;
+    ExpectHolds(Cut(builder.View(), nullptr, PlaneForm({ 0, 0, 1 }, 0.0)).sums[0], area,
+      1e-7 * area, "plane");
+  }
+}
+
+TEST(Integral, AFieldThatIsZeroHasTheIntegralZero)
+{
+  const MeshBuilder cube = Cube();
+  ExpansionBuilder values(3);
+  values.Add(UniformSpace(Shape::Hexahedron, 2),
+    [](const LongVec3&, long double* v) { v[0] = v[1] = v[2] = 0.0L; });
+  const Field field{ "u", values.View() };
+  const std::vector<ElementFace> faces{ { 0, 0 }, { 0, 1 } };
+  for (const SurfaceIntegral& found : { Cut(cube.View(), &field, PlaneForm({ 1, 2, 3 }, 0.1)),
+         IntegrateFaces({ cube.View(), &field, nullptr }, faces, {}) })
+  {
+    for (std::size_t q = 1; q < found.sums.size(); ++q)
+    {
+      EXPECT_EQ(found.sums[q].lower, 0.0) << q;
+      EXPECT_EQ(found.sums[q].upper, 0.0) << q;
+    }
+  }
+}
+
 TEST(Integral, WhatIsNotFiniteIsLeftOutAndCounted)
 {
   const MeshBuilder cube = Cube();

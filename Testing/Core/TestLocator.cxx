@@ -383,6 +383,41 @@ TEST(Locator, SampleHonoursThePrecision)
   EXPECT_LT(check.largest, 1e-6);
 }
 
+TEST(Locator, NodesKnownToAPartOfTheElementLeaveNothingUnknown)
+{
+  // As nodes in single precision far from the origin: the faces' tolerance is more than a hundredth
+  // of a straight element.
+  for (const Shape shape : kShapes)
+  {
+    for (const double uncertainty : { 0.012, 0.03, 0.06 })
+    {
+      MeshBuilder mesh;
+      mesh.Add(UniformSpace(shape, 1), [](const LongVec3& xi) { return xi; });
+      mesh.Uncertainty[0] = uncertainty;
+      const Mesh view = mesh.View();
+      const Locator locator(view);
+      std::vector<Vec3> points;
+      for (int i = 0; i < 400; ++i)
+      {
+        points.push_back(Centre(shape) + Vec3(-1.2 + 0.003 * i, 0.01, 0.02));
+      }
+      Samples samples(points.size());
+      Sample(locator, nullptr, points, samples.Target());
+      for (std::size_t i = 0; i < points.size(); ++i)
+      {
+        // The map is the identity.
+        const double margin = Margin(shape, points[i]);
+        EXPECT_NE(samples.verdict[i], Verdict::Unknown) << Name(shape) << points[i].x;
+        EXPECT_TRUE(margin < 0.0 || samples.verdict[i] == Verdict::Inside) << Name(shape);
+        EXPECT_TRUE(margin > -8.0 * uncertainty || samples.verdict[i] == Verdict::Outside);
+        EXPECT_TRUE(
+          samples.verdict[i] != Verdict::Inside || Margin(shape, samples.xi[i]) >= -0.0101);
+      }
+      EXPECT_LE(locator.Counters().mostBoxes, 64) << Name(shape);
+    }
+  }
+}
+
 TEST(Locator, PointsThatAreNoPoints)
 {
   const MeshBuilder mesh = TwoHexahedra();

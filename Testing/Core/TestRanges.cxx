@@ -266,6 +266,79 @@ TEST(Ranges, SizesAndMagnitudesFromOneEndToTheOther)
   }
 }
 
+TEST(Ranges, ZeroAndConstantsAreExact)
+{
+  for (const Shape shape : kShapes)
+  {
+    for (const Mapping mapping :
+      { Mapping::Identity, Mapping::Covariant, Mapping::Contravariant, Mapping::Density })
+    {
+      const int components = mapping == Mapping::Density ? 1 : 3;
+      RangeCase one(UniformSpace(shape, 4), MapFor(UniformSpace(shape, 4)));
+      const Space space = UniformSpace(shape, 3);
+      const auto modes = static_cast<std::size_t>(space.Modes());
+      one.SetField(space, std::vector<double>(modes * static_cast<std::size_t>(components), 0.0),
+        components, mapping);
+      for (const RangeQuestion& question : QuestionsOf(one))
+      {
+        if (question.quantity != Quantity::Jacobian)
+        {
+          const CertifiedRange range = RangeOf(one.mesh, 0, question);
+          EXPECT_EQ(range.outer.lower, 0.0) << Name(shape);
+          EXPECT_EQ(range.outer.upper, 0.0) << Name(shape);
+          EXPECT_TRUE(range.met);
+          const MeshRange all = RangeOf(one.mesh, question, {});
+          EXPECT_EQ(all.range.outer.lower, 0.0);
+          EXPECT_EQ(all.range.outer.upper, 0.0);
+        }
+      }
+      // A constant in the first mode, which is 1.
+      one.values[0] = 17.0 / 3.0;
+      const CertifiedRange constant = RangeOf(one.mesh, 0, { Quantity::Component, &one.field, 0 });
+      if (mapping == Mapping::Identity)
+      {
+        EXPECT_EQ(constant.outer.lower, 17.0 / 3.0);
+        EXPECT_EQ(constant.outer.upper, 17.0 / 3.0);
+      }
+    }
+  }
+}
+
+TEST(Ranges, MappedFieldsOfStraightElementsHoldDenseSamples)
+{
+  // The map is taken out of the question here.
+  Random random(77);
+  for (const Shape shape : { Shape::Hexahedron, Shape::Prism, Shape::Tetrahedron })
+  {
+    for (const Mapping mapping :
+      { Mapping::Identity, Mapping::Covariant, Mapping::Contravariant, Mapping::Density })
+    {
+      const int components = mapping == Mapping::Density ? 1 : 3;
+      RangeCase one(UniformSpace(shape, 1),
+        [](const LongVec3& x) {
+          return LongVec3{ 0.3L * x[0] + 0.1L * x[1], x[1] - 0.7L * x[2], 2.0L * x[2] + x[0] };
+        });
+      const Space space = UniformSpace(shape, 3);
+      one.SetField(space, RandomModes(space, random, components, 0.5), components, mapping);
+      for (const RangeQuestion& question : QuestionsOf(one))
+      {
+        const CertifiedRange range = RangeOf(one.mesh, 0, question);
+        EXPECT_TRUE(range.met) << Name(shape);
+        EXPECT_LE(range.boxes, 2000) << Name(shape);
+        CheckOnGrid(one, question, range, kWholeElement, 6);
+      }
+    }
+  }
+  // A linear field takes its ends at the vertices: one box is enough.
+  RangeCase one(UniformSpace(Shape::Tetrahedron, 1),
+    [](const LongVec3& x) {
+      return LongVec3{ 0.3L * x[0], x[1] + 0.2L * x[0], x[2] };
+    });
+  const Space space = UniformSpace(Shape::Tetrahedron, 1);
+  one.SetField(space, RandomModes(space, random, 3, 1.0), 3, Mapping::Covariant);
+  EXPECT_EQ(RangeOf(one.mesh, 0, { Quantity::Component, &one.field, 1 }).boxes, 1);
+}
+
 TEST(Ranges, NotFiniteIsSaid)
 {
   const Space space = UniformSpace(Shape::Tetrahedron, 2);

@@ -155,6 +155,30 @@ TEST(Validity, EveryShapeCurvedMirroredFlatAndOfAnySize)
   }
 }
 
+TEST(Validity, ABoundJustBelowZeroIsSubdivided)
+{
+  // det J = c (3 a X^2 + 1) >= c: over the whole element its hull reaches down to about 0 for
+  // a = 1, and below for larger a.
+  for (const Shape shape : { Shape::Hexahedron, Shape::Prism, Shape::Tetrahedron })
+  {
+    for (const long double a : { 0.3L, 0.5L, 2.0L / 3.0L, 1.0L, 4.0L / 3.0L, 2.0L })
+    {
+      for (const long double c : { 1.0L, 0.1L })
+      {
+        const auto map = [a, c](const LongVec3& x)
+        {
+          return LongVec3{ c * (a * x[0] * x[0] * x[0] + x[0]), 0.6L * x[1] - 0.8L * x[2],
+            0.8L * x[1] + 0.6L * x[2] };
+        };
+        const auto found = Verdict(UniformSpace(shape, 3), map);
+        EXPECT_EQ(found.validity, Validity::Valid)
+          << Name(shape) << " " << static_cast<double>(a) << " " << static_cast<double>(c);
+        EXPECT_GT(found.jacobian.outer.lower, 0.0);
+      }
+    }
+  }
+}
+
 TEST(Validity, OpenPyramidsAreNotDecided)
 {
   // At the apex x depends on eta1: nobody can say what det J is there.

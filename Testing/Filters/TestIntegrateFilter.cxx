@@ -12,6 +12,7 @@
 #include "vtkIntegrateAttributes.h"
 #include "vtkPlane.h"
 #include "vtkPolyData.h"
+#include "vtkQuadric.h"
 #include "vtkSphere.h"
 #include "vtkSuperquadric.h"
 #include "vtkTable.h"
@@ -83,6 +84,22 @@ TEST(IntegrateFilter, APlaneInFacesOfBoxesCountsThemOnce)
   Integration integration(Boxes(2), plane);
   EXPECT_NEAR(integration.Get("Area"), 1.0, 1e-8);
   EXPECT_NEAR(integration.Get("Integral"), 3.0, 1e-7);
+}
+
+TEST(IntegrateFilter, AQuadricOfOneCoordinateIsItsPlanes)
+{
+  // (x - 1/2)^2 = d^2, down to two sheets that coincide; then none.
+  for (const double square : { 1e-2, 1e-12, 0.0, -1e-12 })
+  {
+    vtkNew<vtkQuadric> quadric;
+    quadric->SetCoefficients(-2.0, 0, 0, 0, 0, 0, 2.0, 0, 0, -0.5 + 2.0 * square);
+    Integration integration(Boxes(1), quadric);
+    const double sheets = square > 0.0 ? 2.0 : (square == 0.0 ? 1.0 : 0.0);
+    EXPECT_NEAR(integration.Get("Area"), sheets, 1e-8) << square;
+    EXPECT_NEAR(integration.Get("Integral"), 3.0 * sheets, 1e-7) << square;
+    EXPECT_EQ(integration.messages->warnings.empty(), sheets > 0.0)
+      << integration.messages->warnings;
+  }
 }
 
 TEST(IntegrateFilter, ASphereAndTheBoundary)

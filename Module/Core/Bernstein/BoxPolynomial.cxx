@@ -30,12 +30,19 @@ std::size_t CornerIndex(const Degrees& degree, unsigned corner)
 Interval BoxPolynomial::Hull() const
 {
   const pixelexact::Hull hull = HullOf(b);
-  return rounding::Outward(hull.lower - error, hull.upper + error);
+  return error == 0.0 ? Interval(hull.lower, hull.upper)
+                      : rounding::Outward(hull.lower - error, hull.upper + error);
+}
+
+bool BoxPolynomial::IsZero() const
+{
+  return error == 0.0 && std::ranges::all_of(b, [](double c) { return c == 0.0; });
 }
 
 Interval BoxPolynomial::AtCorner(unsigned corner) const
 {
-  return Interval::Around(b[CornerIndex(degree, corner)], error);
+  const double value = b[CornerIndex(degree, corner)];
+  return error == 0.0 ? Interval(value) : Interval::Around(value, error);
 }
 
 Interval BoxPolynomial::At(const std::array<double, 3>& t) const

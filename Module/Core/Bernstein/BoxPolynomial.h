@@ -15,8 +15,10 @@ struct BoxPolynomial
   std::vector<double> b; ///< index (i (Q+1) + j) (R+1) + k
   double error = 0.0;
 
-  /// All values over the box: the hull of the coefficients.
+  /// All values over the box: the hull of the coefficients. Exact where the error is zero.
   [[nodiscard]] Interval Hull() const;
+  /// Whether it is zero throughout, exactly.
+  [[nodiscard]] bool IsZero() const;
   /// The value at a corner of the box; bit d of `corner`: the upper end along direction d.
   [[nodiscard]] Interval AtCorner(unsigned corner) const;
   /// The value at t in [-1, 1]^3, the box's own coordinates.

@@ -237,6 +237,11 @@ void PieceForm::Convert(
 
 double PieceForm::ErrorBound(Part part, const Piece& piece, const double* modes) const
 {
+  // The first mode is 1, whose factors are 1 exactly: a constant is converted without rounding.
+  if (std::all_of(modes + 1, modes + TheSpace.Modes(), [](double mode) { return mode == 0.0; }))
+  {
+    return 0.0;
+  }
   double sum = 0.0;
   for (const Term& term : Terms[NumberOf(part)])
   {

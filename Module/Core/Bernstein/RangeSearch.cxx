@@ -77,12 +77,14 @@ Interval RangeBox::Look(const RangeFunction& function)
 {
   bound = Intersect(bound, function.Enclose(polynomials));
   rounding = 0.0;
+  lowestCorner = std::numeric_limits<double>::infinity();
   Interval attained = CertifiedRange{}.attained;
   for (unsigned corner = 0; corner < 8; ++corner)
   {
     const Interval at = function.AtCorner(polynomials, corner);
     const Interval value = Intersect(bound, at);
     rounding = std::max(rounding, at.IsFinite() ? at.Width() : 0.0);
+    lowestCorner = std::min(lowestCorner, value.lower);
     attained.lower = std::min(attained.lower, value.upper);
     attained.upper = std::max(attained.upper, value.lower);
   }

@@ -35,6 +35,9 @@ struct RangeBox
   Interval bound = Interval::Everything(); ///< of the values
   /// Width of the enclosures at single points: what no halving takes away.
   double rounding = 0.0;
+  /// Not above the value at any corner; a function whose enclosure at a corner reaches down to zero
+  /// cannot be proven positive, however often the box is subdivided.
+  double lowestCorner = 0.0;
   /// Makes the polynomials once more. Where given they are not held, which of large domains in
   /// many boxes saves the memory.
   std::function<std::vector<BoxPolynomial>()> remake;

@@ -65,6 +65,7 @@ EnclosureProblem::EnclosureProblem(
   {
     largest = std::max(largest, std::fabs(c));
   }
+  IsZero = std::ranges::all_of(coefficients, [](double c) { return c == 0.0; });
   if (largest > 0.0 && largest < kLeast)
   {
     const int exponent = std::ilogb(largest);
@@ -83,6 +84,10 @@ Interval EnclosureProblem::ToWorld(double middle, double radius) const
     !(radius <= std::numeric_limits<double>::max()))
   {
     return Interval::Everything();
+  }
+  if (IsZero)
+  {
+    return 0.0;
   }
   Interval value = Interval::Around(middle, radius);
   if (Factor != 1.0)

@@ -51,5 +51,6 @@ private:
   double Factor = 1.0;        ///< the true coefficients are those in use times this
   double Size = 1.0;
   bool Usable = false;
+  bool IsZero = false; ///< the field's coefficients are all zero
 };
 } // namespace pixelexact

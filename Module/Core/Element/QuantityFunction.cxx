@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Element/QuantityFunction.h"
 
+#include "Core/Bernstein/BoxAlgebra.h"
+
 #include <glm/matrix.hpp>
 
 #include <algorithm>
@@ -11,6 +13,9 @@ namespace pixelexact
 {
 namespace
 {
+/// Derivatives of the map.
+constexpr std::size_t kOfMap = 9;
+
 /// The cofactor of J_ij in J, nine numbers row-major.
 template <class T>
 T Cofactor(std::span<const T> J, std::size_t i, std::size_t j)
@@ -124,6 +129,73 @@ bool QuantityFunction::IsMagnitude() const
   return TheQuantity == Quantity::Magnitude || TheQuantity == Quantity::GradientMagnitude;
 }
 
+bool QuantityFunction::NeedsMap() const
+{
+  return TheMapping != Mapping::Identity ||
+    (TheQuantity != Quantity::Component && TheQuantity != Quantity::Magnitude);
+}
+
+bool QuantityFunction::IsOfZeroField(std::span<const BoxPolynomial> polynomials) const
+{
+  const bool withMap = NeedsMap() && polynomials.size() > kOfMap;
+  return TheQuantity != Quantity::Jacobian &&
+    std::ranges::all_of(polynomials.subspan(withMap ? kOfMap : 0), &BoxPolynomial::IsZero);
+}
+
+void QuantityFunction::ToWorld(std::vector<BoxPolynomial>& polynomials) const
+{
+  /// Of an entry's magnitude: rounding of the conversion is less.
+  constexpr double kConstant = 0x1p-40;
+  // What comes out has to be told from what goes in by its number.
+  if (!NeedsMap() || TheQuantity == Quantity::Jacobian || polynomials.size() >= 2 * kOfMap)
+  {
+    return;
+  }
+  std::vector<Interval> p;
+  double largest = 0.0;
+  double widest = 0.0;
+  for (std::size_t k = 0; k < kOfMap; ++k)
+  {
+    p.push_back(polynomials[k].Hull());
+    largest = std::max(largest, p.back().Magnitude());
+    widest = std::max(widest, p.back().Width());
+  }
+  if (!(widest <= kConstant * largest))
+  {
+    return;
+  }
+  const std::span field = std::span(polynomials).subspan(kOfMap);
+  // The quantity is linear in the field: its factors are what it makes of the unit vectors.
+  p.resize(polynomials.size());
+  std::vector<std::vector<Interval>> factors;
+  for (std::size_t j = 0; j < field.size(); ++j)
+  {
+    for (std::size_t k = 0; k < field.size(); ++k)
+    {
+      p[kOfMap + k] = k == j ? 1.0 : 0.0;
+    }
+    factors.push_back(Combine<Interval>(p));
+    if (!std::ranges::all_of(factors.back(), &Interval::IsFinite))
+    {
+      return;
+    }
+  }
+  std::vector<BoxPolynomial> world;
+  for (std::size_t c = 0; c < factors.front().size(); ++c)
+  {
+    BoxPolynomial sum{ field[0].degree, std::vector<double>(field[0].b.size(), 0.0), 0.0 };
+    for (std::size_t j = 0; j < field.size() && !IsOfZeroField(polynomials); ++j)
+    {
+      const double middle = factors[j][c].Middle();
+      sum = pixelexact::Combine(1.0, sum, middle, field[j]);
+      sum.error = rounding::Above(sum.error +
+        rounding::Above(factors[j][c].RadiusAround(middle) * field[j].Hull().Magnitude()));
+    }
+    world.push_back(std::move(sum));
+  }
+  polynomials = std::move(world);
+}
+
 int QuantityFunction::PowerOfLength() const
 {
   switch (TheQuantity)
@@ -163,12 +235,12 @@ std::vector<T> QuantityFunction::Combine(std::span<const T> p) const
   }
   const bool gradient =
     TheQuantity == Quantity::GradientComponent || TheQuantity == Quantity::GradientMagnitude;
-  if (!gradient && TheMapping == Mapping::Identity)
+  if (!NeedsMap() || p.size() < kOfMap) // as ToWorld leaves them
   {
     return { p.begin(), p.end() };
   }
-  const std::span<const T> J = p.first(9);
-  const std::span<const T> v = p.subspan(9);
+  const std::span<const T> J = p.first(kOfMap);
+  const std::span<const T> v = p.subspan(kOfMap);
   const T inverse = Reciprocal(Determinant(J));
   const auto component = [&](std::size_t k) -> T
   {
@@ -197,12 +269,13 @@ std::vector<T> QuantityFunction::Combine(std::span<const T> p) const
 
 Interval QuantityFunction::Enclose(std::span<const BoxPolynomial> polynomials) const
 {
-  if (IsPlain())
+  if (polynomials.size() == 1 && !IsMagnitude())
   {
     return polynomials[0].Hull();
   }
   const std::vector<AffineForm> v = Combine<AffineForm>(AffineForms(polynomials));
-  return IsMagnitude() ? NormRange(v) : v[0].Range();
+  const Interval range = IsMagnitude() ? NormRange(v) : v[0].Range();
+  return range.IsFinite() && IsOfZeroField(polynomials) ? Interval(0.0) : range;
 }
 
 Interval QuantityFunction::Value(const std::vector<Interval>& polynomials) const
@@ -219,7 +292,8 @@ Interval QuantityFunction::AtCorner(
   {
     values.push_back(polynomial.AtCorner(corner));
   }
-  return Value(values);
+  const Interval value = Value(values);
+  return value.IsFinite() && IsOfZeroField(polynomials) ? Interval(0.0) : value;
 }
 
 Interval QuantityFunction::AtLikelyMinimum(std::span<const BoxPolynomial> polynomials) const

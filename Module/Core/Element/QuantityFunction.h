@@ -19,6 +19,11 @@ public:
   [[nodiscard]] Interval AtLikelyMinimum(std::span<const BoxPolynomial> polynomials) const override;
   [[nodiscard]] int TellingDifference() const override;
 
+  /// Where J is constant up to rounding (straight simplices), replaces the nine derivatives and
+  /// what comes after them by the polynomials in eta that the quantity, or the vector whose norm it
+  /// is, then consists of: they cost a fraction, and their hulls are sharp.
+  void ToWorld(std::vector<BoxPolynomial>& polynomials) const;
+
   /// The quantity is of dimension length^this, times the field's.
   [[nodiscard]] int PowerOfLength() const;
 
@@ -27,7 +32,10 @@ private:
   template <class T>
   [[nodiscard]] std::vector<T> Combine(std::span<const T> p) const;
   [[nodiscard]] Interval Value(const std::vector<Interval>& polynomials) const;
+  /// Whether the field, of which every quantity but det J is a linear map or its norm, is zero.
+  [[nodiscard]] bool IsOfZeroField(std::span<const BoxPolynomial> polynomials) const;
   [[nodiscard]] bool IsPlain() const;
+  [[nodiscard]] bool NeedsMap() const;
   [[nodiscard]] bool IsMagnitude() const;
 
   Quantity TheQuantity;

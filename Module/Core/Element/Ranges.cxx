@@ -123,6 +123,7 @@ std::vector<BoxPolynomial> ElementRange::Internals::Polynomials(
   {
     polynomials.push_back(ingredient.Over(level, piece, within));
   }
+  function.ToWorld(polynomials);
   return polynomials;
 }
 

@@ -14,9 +14,16 @@ namespace
 {
 /// 64 MiB an element.
 constexpr std::size_t kMostHeld = std::size_t{ 1 } << 23U;
-/// A box whose enclosure reaches below zero by less than this many times the width of the enclosure
-/// of a point stays undecided.
+/// Where a box's enclosure reaches below zero by less than this many times the width of the
+/// enclosure of a point, subdivision finds no point that is proven to be negative.
 constexpr double kRoundingOnly = 8.0;
+
+/// Whether subdivision can neither prove that the function is positive in a box nor that it is
+/// negative somewhere: a corner's value is zero within rounding, and no value is below that.
+bool IsZeroWithinRounding(const RangeBox& box)
+{
+  return box.lowestCorner <= 0.0 && -box.bound.lower <= kRoundingOnly * box.rounding;
+}
 
 /// Looks for a point where a function is not positive, or for the proof that there is none.
 class SignSearch
@@ -33,7 +40,7 @@ public:
     while (!Boxes.empty() && Found.attained.lower > 0.0 && Found.boxes < budget)
     {
       RangeBox lower = Take();
-      if (-lower.bound.lower <= kRoundingOnly * lower.rounding)
+      if (IsZeroWithinRounding(lower))
       {
         Touching = true;
         Found.outer = Join(Found.outer, lower.bound);

@@ -3,6 +3,7 @@
 
 #include "Core/Bernstein/BoxAlgebra.h"
 #include "Core/Bernstein/RootFinder.h"
+#include "Core/Integral/ElementIntegral.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +19,7 @@ constexpr double kWorthClipping = 0.8;
 /// nowhere, and no limit is made of them.
 constexpr double kRoom = 0.05;
 /// Boxes are not clipped to less than this, in the piece's units.
-constexpr double kNarrowest = 0x1p-34;
+constexpr double kNarrowestClip = 0x1p-34;
 constexpr int kClippings = 4;
 /// What strips are wider than the roots in them, in parts of the box.
 constexpr double kStrip = 0x1p-40;
@@ -355,7 +356,8 @@ CutInBox LookAtCut(ElementFunctions& functions, const PieceBox& box, double tole
     for (int d = 0; d < 3; ++d)
     {
       const double width = found.box.upper[d] - found.box.lower[d];
-      if (to[d] - from[d] < 2.0 * kWorthClipping && 0.5 * (to[d] - from[d]) * width > kNarrowest)
+      if (to[d] - from[d] < 2.0 * kWorthClipping &&
+        0.5 * (to[d] - from[d]) * width > kNarrowestClip)
       {
         clipped.lower[d] = At(found.box, d, from[d]);
         clipped.upper[d] = At(found.box, d, to[d]);
@@ -370,7 +372,16 @@ CutInBox LookAtCut(ElementFunctions& functions, const PieceBox& box, double tole
     cut = functions.Cut(clipped);
     affine = cut.Affine();
   }
-  GraphSearch(functions, cut, tolerance, found).Search(affine);
+  bool isOnCube = false;
+  for (int d = 0; d < 3; ++d)
+  {
+    isOnCube =
+      isOnCube || functions.IsOnCube(found.box, d, false) || functions.IsOnCube(found.box, d, true);
+  }
+  // The box's own tolerance, where that is less.
+  GraphSearch(functions, cut,
+    isOnCube ? std::min(tolerance, CutTolerance(functions, found.box)) : tolerance, found)
+    .Search(affine);
   return found;
 }
 } // namespace pixelexact

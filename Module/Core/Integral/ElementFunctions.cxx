@@ -13,10 +13,8 @@ namespace pixelexact
 namespace
 {
 // Numbers of functions.
-constexpr std::size_t kCut = 0;
-constexpr std::size_t kMap = 1;
-constexpr std::size_t kSlopes = 4;
-constexpr std::size_t kValues = 13;
+constexpr std::size_t kSlopes = 3;
+constexpr std::size_t kValues = 12;
 /// Of the field that the cut-surface is made of: a component's values and derivatives.
 constexpr std::size_t kOfComponent = 4;
 
@@ -32,8 +30,7 @@ ElementFunctions::ElementFunctions(const IntegralQuestion& question, int element
   : TheQuestion(question)
   , TheElement(element)
   , Map(question.mesh.map.SpaceOf(element), question.mesh.map.Coefficients(element), 3)
-  , FirstClip(kValues + static_cast<std::size_t>(question.Components()))
-  , FirstOfCut(FirstClip + question.clips.size())
+  , FirstOfCut(kValues + static_cast<std::size_t>(question.Components()))
   , TheRadius(std::ldexp(question.mesh.size[static_cast<std::size_t>(element)], Map.exponent))
 {
   const auto modesOf = [element](const Expansion& values)
@@ -83,6 +80,11 @@ ElementFunctions::ElementFunctions(const IntegralQuestion& question, int element
   TheLevel = LevelFor(all);
   Made.resize(FirstOfCut +
     (ofCut != nullptr ? kOfComponent * static_cast<std::size_t>(ofCut->values.components) : 0));
+}
+
+bool ElementFunctions::IsZeroField() const
+{
+  return Modes != nullptr && std::ranges::all_of(Modes->values, [](double c) { return c == 0.0; });
 }
 
 std::vector<PieceBox> ElementFunctions::Pieces() const
@@ -144,28 +146,18 @@ const BoxPolynomial& ElementFunctions::Over(const PieceForm::Piece& piece, std::
     return RangeIngredient{ &modes, static_cast<int>(component), part }.Over(
       TheLevel, piece, whole);
   };
-  if (function == kCut)
+  if (function < kSlopes)
   {
-    ScaledCut cut = TheQuestion.cut->Over(*this, piece);
-    TheUnit = cut.unit;
-    made = std::move(cut.s);
-  }
-  else if (function < kSlopes)
-  {
-    made = over(Map, function - kMap, Part::Value);
+    made = over(Map, function, Part::Value);
   }
   else if (function < kValues)
   {
     const std::size_t k = function - kSlopes;
     made = over(Map, k / 3, static_cast<Part>(k % 3));
   }
-  else if (function < FirstClip)
-  {
-    made = over(*Modes, function - kValues, Part::Value);
-  }
   else if (function < FirstOfCut)
   {
-    made = Quadric(TheQuestion.clips[function - FirstClip], piece).s;
+    made = over(*Modes, function - kValues, Part::Value);
   }
   else
   {
@@ -184,27 +176,23 @@ Interval ElementFunctions::Shift(const Vec3& origin, int component) const
     Interval(origin[component]);
 }
 
-ScaledCut ElementFunctions::Quadric(const QuadricForm& form, const PieceForm::Piece& piece) const
+ScaledCut ElementFunctions::Quadric(const QuadricForm& form, const PieceBox& box)
 {
-  Box3 box;
-  const double n = 1 << TheLevel;
-  for (int d = 0; d < 3; ++d)
-  {
-    box.lower[d] = 2.0 * piece[static_cast<std::size_t>(d)] / n - 1.0;
-    box.upper[d] = box.lower[d] + 2.0 / n;
-  }
-  ScaledQuadric quadric = QuadricOver(TheQuestion.mesh, TheElement, Map, form, TheLevel, box);
+  ScaledQuadric quadric = QuadricOf(TheQuestion.mesh, TheElement, TheRadius, form,
+    { Map3(box, 0), Map3(box, 1), Map3(box, 2) }, true);
   return { std::move(quadric.s), quadric.unit };
 }
 
 BoxPolynomial ElementFunctions::Cut(const PieceBox& box)
 {
-  return Restricted(Over(box.piece, kCut), box);
+  ScaledCut cut = TheQuestion.cut->Over(*this, box);
+  TheUnit = cut.unit;
+  return std::move(cut.s);
 }
 
 BoxPolynomial ElementFunctions::Map3(const PieceBox& box, int component)
 {
-  return Restricted(Over(box.piece, kMap + static_cast<std::size_t>(component)), box);
+  return Restricted(Over(box.piece, static_cast<std::size_t>(component)), box);
 }
 
 BoxPolynomial ElementFunctions::Slope(const PieceBox& box, int component, int xi)
@@ -219,7 +207,7 @@ BoxPolynomial ElementFunctions::Values(const PieceBox& box, int component)
 
 BoxPolynomial ElementFunctions::Clip(const PieceBox& box, std::size_t clip)
 {
-  return Restricted(Over(box.piece, FirstClip + clip), box);
+  return Quadric(TheQuestion.clips[clip], box).s;
 }
 
 BoxPolynomial ElementFunctions::CutValues(const PieceBox& box, int component)

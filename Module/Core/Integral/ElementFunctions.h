@@ -57,6 +57,8 @@ public:
 
   /// Whether all coefficients are finite.
   [[nodiscard]] bool IsFinite() const { return Finite; }
+  /// Whether the field's coefficients are all zero.
+  [[nodiscard]] bool IsZeroField() const;
   /// The polynomial of the cut-surface, or of what clips it, has a degree that is not taken.
   [[nodiscard]] bool IsTooHigh() const { return TooHigh; }
   [[nodiscard]] Shape GetShape() const { return Map.space.shape; }
@@ -86,8 +88,8 @@ public:
 
   /// What clips the surface: some factor times it.
   BoxPolynomial Clip(const PieceBox& box, std::size_t clip);
-  /// A quadric's function over a whole piece.
-  [[nodiscard]] ScaledCut Quadric(const QuadricForm& form, const PieceForm::Piece& piece) const;
+  /// A quadric's function.
+  [[nodiscard]] ScaledCut Quadric(const QuadricForm& form, const PieceBox& box);
 
   /// A component of the field that the cut-surface is made of, over 2^CutExponent(), and its
   /// derivative by a xi.
@@ -107,7 +109,6 @@ private:
   ScaledModes Map;
   std::unique_ptr<const ScaledModes> Modes;
   std::unique_ptr<const ScaledModes> CutModes;
-  std::size_t FirstClip;
   std::size_t FirstOfCut;
   int TheLevel = 0;
   double TheRadius;

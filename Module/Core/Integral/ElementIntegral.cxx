@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Integral/ElementIntegral.h"
 
+#include "Core/Bernstein/BoxAlgebra.h"
 #include "Core/Integral/AreaBounds.h"
 #include "Core/Integral/IntegralCut.h"
 #include "Core/Questions/Questions.h"
@@ -15,10 +16,15 @@ namespace
 /// Where boxes are halved: not in the middle, where surfaces of meshes made by people lie.
 constexpr double kDivision = 0.486328125;
 /// Boxes are not halved below this width, in the piece's units.
-constexpr double kSmallest = 0x1p-40;
+constexpr double kSmallestBox = 0x1p-40;
 
 /// Of the magnitude: an integral over a box that is off by less is off by rounding.
 constexpr double kRounding = 4e-12;
+/// Halves that are together not narrower than this part of the whole show no gain, and after so
+/// many subdivisions in a row without one, rounding is what is left. What halving takes from errors
+/// that it does take from is a half or more, but it may be the wrong direction a time or two.
+constexpr double kNoGain = 0.75;
+constexpr int kStalls = 3;
 
 bool IsRounding(const Sums& sums, const std::vector<double>& magnitudes)
 {
@@ -41,7 +47,7 @@ int LongestSide(ElementFunctions& functions, const PieceBox& box)
     functions.Map3(box, 2) };
   for (int d = 0; d < 3; ++d)
   {
-    if (!(box.upper[d] - box.lower[d] > kSmallest))
+    if (!(box.upper[d] - box.lower[d] > kSmallestBox))
     {
       continue;
     }
@@ -59,6 +65,47 @@ int LongestSide(ElementFunctions& functions, const PieceBox& box)
   return longest;
 }
 
+/// Along which direction the cut's first derivatives vary most, of several the longest one: halved
+/// there, it is the soonest a graph. -1: they vary by no more than their errors, or the box is too
+/// small.
+int MostBentSide(ElementFunctions& functions, const PieceBox& box)
+{
+  const BoxPolynomial cut = functions.Cut(box);
+  std::array<double, 3> bend{};
+  double error = 0.0;
+  for (int c = 0; c < 3; ++c)
+  {
+    const BoxPolynomial slope = Derivative(cut, c);
+    error = std::max(error, slope.error);
+    for (int d = 0; d < 3; ++d)
+    {
+      const bool wide = box.upper[d] - box.lower[d] > kSmallestBox;
+      bend[static_cast<std::size_t>(d)] += wide ? slope.Variation(d, 1) : 0.0;
+    }
+  }
+  const double most = std::ranges::max(bend);
+  if (!(most > 2.0 * error))
+  {
+    return -1;
+  }
+  int best = -1;
+  double longest = -1.0;
+  for (int d = 0; d < 3; ++d)
+  {
+    double length = 0.0;
+    for (int c = 0; c < 3; ++c)
+    {
+      length += std::pow(functions.Map3(box, c).Variation(d, 1), 2);
+    }
+    if (bend[static_cast<std::size_t>(d)] >= 0.5 * most && length > longest)
+    {
+      longest = length;
+      best = d;
+    }
+  }
+  return best;
+}
+
 double WidthOf(const Interval& value)
 {
   return std::isfinite(value.lower) && std::isfinite(value.upper)
@@ -73,6 +120,46 @@ double CutTolerance(ElementFunctions& functions, const PieceBox& box)
   return 4.0 * cut.error +
     2.0 * functions.Unit() * functions.Question().cut->Uncertainty(functions, box);
 }
+
+namespace
+{
+/// Whether `sign` times the cut's function is nowhere below zero by more than its tolerance, where
+/// that is so of the piece as a whole: the tolerance falls with the function's gradient, so that a
+/// vertex may hold a surface that is small beside the piece's tolerance.
+bool IsOnSide(ElementFunctions& functions, const PieceBox& piece, double sign)
+{
+  constexpr std::size_t kMostBoxes = 128;
+  std::vector<std::pair<double, PieceBox>> open{ { 0.0, piece } }; // the lowest on top
+  const auto isHigher = [](const auto& a, const auto& b) { return a.first > b.first; };
+  for (std::size_t looked = 0; looked < kMostBoxes && !open.empty(); ++looked)
+  {
+    std::ranges::pop_heap(open, isHigher);
+    const PieceBox box = open.back().second;
+    open.pop_back();
+    const int direction = LongestSide(functions, box);
+    for (const bool isUpper : { false, true })
+    {
+      PieceBox half = box;
+      (isUpper ? half.lower : half.upper)[std::max(direction, 0)] =
+        0.5 * (box.lower[std::max(direction, 0)] + box.upper[std::max(direction, 0)]);
+      const Interval hull = functions.Cut(half).Hull();
+      const double least = sign > 0.0 ? hull.lower : -hull.upper;
+      const double tolerance = CutTolerance(functions, half);
+      if (least < -tolerance)
+      {
+        return false;
+      }
+      if (least < 0.0 && direction >= 0)
+      {
+        open.emplace_back(least / tolerance, half);
+        std::ranges::push_heap(open, isHigher);
+      }
+    }
+  }
+  return true;
+}
+
+} // namespace
 
 ElementMeeting MeetingOf(ElementFunctions& functions)
 {
@@ -94,8 +181,11 @@ ElementMeeting MeetingOf(ElementFunctions& functions)
     const BoxPolynomial cut = functions.Cut(piece);
     const double tolerance = CutTolerance(functions, piece);
     const Interval hull = cut.Hull();
-    positive = positive && hull.lower >= -tolerance;
-    negative = negative && hull.upper <= tolerance;
+    const bool isCurved = functions.Question().cut->Factor() > 1;
+    positive = positive && hull.lower >= -tolerance &&
+      (hull.lower >= 0.0 || !isCurved || IsOnSide(functions, piece, 1.0));
+    negative = negative && hull.upper <= tolerance &&
+      (hull.upper <= 0.0 || !isCurved || IsOnSide(functions, piece, -1.0));
     meets = meets || hull.Contains(0.0);
     for (std::size_t f = 0; f < faces.size(); ++f)
     {
@@ -165,10 +255,27 @@ double ElementIntegral::Unresolved() const
   return area;
 }
 
-void ElementIntegral::AddUnresolved(ElementFunctions& functions, const PieceBox& box)
+std::int64_t ElementIntegral::Rounded() const
 {
-  Parts.push_back({ box, BoundIn(functions, box), std::vector<double>(Question.Quantities()),
-    LongestSide(functions, box), false });
+  return std::ranges::count_if(
+    Parts, [](const Part& part) { return part.stalled >= kStalls || part.direction < 0; });
+}
+
+void ElementIntegral::AddUnresolved(ElementFunctions& functions, const PieceBox& box, int direction)
+{
+  Sums bounds = BoundIn(functions, box);
+  DropZeroField(functions, bounds);
+  Parts.push_back(
+    { box, std::move(bounds), std::vector<double>(Question.Quantities()), direction, false });
+}
+
+void ElementIntegral::NoteGain(std::size_t first, int stalled, double before, double after)
+{
+  for (std::size_t k = first; k < Parts.size(); ++k)
+  {
+    Parts[k].stalled = after >= kNoGain * before ? stalled + 1 : 0;
+    Parts[k].direction = Parts[k].stalled < kStalls ? Parts[k].direction : -1;
+  }
 }
 
 void ElementIntegral::Look(ElementFunctions& functions, const PieceBox& box)
@@ -199,13 +306,15 @@ void ElementIntegral::Look(ElementFunctions& functions, const PieceBox& box)
   }
   if (!resolved)
   {
-    AddUnresolved(functions, found.box);
+    AddUnresolved(functions, found.box,
+      found.decided ? LongestSide(functions, found.box) : MostBentSide(functions, found.box));
     return;
   }
   for (const CutGraph& strip : found.rest)
   {
     AddTo(sums, BoundOn(functions, strip));
   }
+  DropZeroField(functions, sums);
   if (direction >= 0)
   {
     if (IsRounding(sums, magnitudes))
@@ -213,7 +322,7 @@ void ElementIntegral::Look(ElementFunctions& functions, const PieceBox& box)
       Parts.push_back({ found.box, sums, magnitudes, -1, true });
       return;
     }
-    const bool wide = found.box.upper[direction] - found.box.lower[direction] > kSmallest;
+    const bool wide = found.box.upper[direction] - found.box.lower[direction] > kSmallestBox;
     Parts.push_back(
       { found.box, sums, magnitudes, wide ? direction : LongestSide(functions, found.box), true });
   }
@@ -283,6 +392,18 @@ bool ElementIntegral::Refine(
     Look(functions, lower);
     Look(functions, upper);
     gone.resize(Parts.size(), 0);
+    double after = 0.0;
+    bool resolved = part.resolved;
+    for (std::size_t k = first; k < Parts.size(); ++k)
+    {
+      after += badness(Parts[k].sums);
+      resolved = resolved && Parts[k].resolved;
+    }
+    // Rims of clips gain in another direction than the surface does.
+    if (resolved && std::isfinite(bad) && Question.clips.empty())
+    {
+      NoteGain(first, part.stalled, bad, after);
+    }
     for (std::size_t k = first; k < Parts.size(); ++k)
     {
       push(k);

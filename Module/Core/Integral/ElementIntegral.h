@@ -24,6 +24,8 @@ public:
   /// At most so much area is in boxes in which nothing is known of the surface.
   [[nodiscard]] double Unresolved() const;
   [[nodiscard]] std::int64_t Boxes() const { return Looked; }
+  /// Boxes that are not subdivided any further: rounding is what is left of their widths.
+  [[nodiscard]] std::int64_t Rounded() const;
   [[nodiscard]] bool IsEmpty() const { return Parts.empty(); }
 
   /// Halves boxes until all quantities' widths are within what is allowed, `boxes` more have been
@@ -39,9 +41,14 @@ private:
     std::vector<double> magnitudes; ///< about the integrals of the magnitudes; 0 where unknown
     int direction = -1;             ///< to be halved along; -1: too small
     bool resolved = false;
+    int stalled = 0; ///< subdivisions in a row that gained nothing
   };
   void Look(ElementFunctions& functions, const PieceBox& box);
-  void AddUnresolved(ElementFunctions& functions, const PieceBox& box);
+  /// `direction`: as Part's.
+  void AddUnresolved(ElementFunctions& functions, const PieceBox& box, int direction);
+  /// Ends the subdivision of the parts from `first` on, the children of a part of this width, where
+  /// it gains nothing.
+  void NoteGain(std::size_t first, int stalled, double before, double after);
 
   IntegralQuestion Question;
   int Element;

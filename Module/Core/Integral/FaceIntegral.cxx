@@ -12,7 +12,7 @@ namespace pixelexact
 namespace
 {
 /// A box is not halved below this width, in the piece's units.
-constexpr double kSmallest = 0x1p-30;
+constexpr double kSmallestFaceBox = 0x1p-30;
 
 struct FacePart
 {
@@ -21,6 +21,20 @@ struct FacePart
   std::vector<double> magnitudes;
   int direction = -1;
 };
+
+/// Adds how much a model varies along each variable.
+void AddVariation(const ChebyshevModel& model, std::array<double, 2>& along)
+{
+  for (int i = 0; i <= ChebyshevModel::kDegree; ++i)
+  {
+    for (int j = 0; i + j <= ChebyshevModel::kDegree; ++j)
+    {
+      const double size = std::fabs(model.c[ChebyshevModel::Index(i, j)]);
+      along[0] += size * i;
+      along[1] += size * j;
+    }
+  }
+}
 
 class FaceTask
 {
@@ -82,11 +96,23 @@ public:
     const Interval widths =
       Functions.HalfWidth(thick, Axes[0]) * Functions.HalfWidth(thick, Axes[1]);
     const ChebyshevModel collapse = Collapses(eta);
-    const ChebyshevModel area = SquareRoot(Dot(normal, normal)) * collapse;
+    const ChebyshevModel square = Dot(normal, normal);
+    ChebyshevModel length = SquareRoot(square);
     std::array<double, 2> rough{ 0.0, 0.0 };
+    // At a collapsed edge the normal vanishes: its length is not smooth, but small.
+    const bool vanishes = !std::isfinite(length.error);
+    if (vanishes)
+    {
+      length = ChebyshevModel(Sqrt(square.TightRange()));
+      AddVariation(square, rough);
+    }
+    const ChebyshevModel area = length * collapse;
     const auto add = [&](std::size_t q, const ChebyshevModel& density, const Interval& scale)
     {
-      AddRoughness(density, rough);
+      if (!vanishes)
+      {
+        AddRoughness(density, rough);
+      }
       part.sums[q] = (clipped ? clipped->Integral(density) : PartOf(density)) * scale;
       // Where nothing is known, half of it may be in.
       const double share = clipped ? clipped->Part() : 0.5;
@@ -160,7 +186,7 @@ private:
     const bool second =
       part.sums[0].IsFinite() && !widest ? rough[1] > rough[0] : width(Axes[1]) > width(Axes[0]);
     const int direction = second ? Axes[1] : Axes[0];
-    return width(direction) > kSmallest ? direction : -1;
+    return width(direction) > kSmallestFaceBox ? direction : -1;
   }
 
   ElementFunctions& Functions;

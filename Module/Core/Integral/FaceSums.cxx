@@ -53,6 +53,7 @@ SurfaceIntegral OverFaces(const IntegralQuestion& question, std::span<const Seen
         part.sums = part.finite ? IntegrateFace(functions, faces[k].face.face, allowed,
                                     std::min(effort.boxes, kFaceBoxes), part.magnitudes)
                                 : Sums(question.Quantities());
+        DropZeroField(functions, part.sums);
         if (question.HasFlux() && faces[k].sense < 0.0)
         {
           part.sums.back() = -part.sums.back();

@@ -12,7 +12,7 @@ namespace pixelexact
 {
 namespace
 {
-constexpr int kNewtonSteps = 16;
+constexpr int kRootSteps = 16;
 /// Of them, those that correct the slope's inverse.
 constexpr int kSlopeSteps = 3;
 
@@ -30,7 +30,7 @@ std::optional<ChebyshevModel> Solve(
   }
   double before = std::numeric_limits<double>::infinity();
   ChebyshevModel inverse; // of the slope, about
-  for (int step = 0; step < kNewtonSteps; ++step)
+  for (int step = 0; step < kRootSteps; ++step)
   {
     const PointedModels at = place(x);
     if (!at.IsWithin())
@@ -122,19 +122,38 @@ public:
       const std::size_t quantities = Functions.Question().Quantities();
       return GraphSums{ Sums(quantities), std::vector<double>(quantities), Graph.axes[0] };
     }
-    const SurfaceModels models(Functions, Graph.box, axes, place);
-    const Interval sign = models.determinant.Range();
+    SurfaceModels models(Functions, Graph.box, axes, place);
     const Interval slopes = slope.Range();
-    if (sign.Contains(0.0))
+    const double sign = TakeMagnitude(models.determinant);
+    if (!std::isfinite(models.determinant.error))
     {
       return std::nullopt;
     }
     const ChebyshevModel weight =
       (slopes.lower > 0.0 ? 1.0 : -1.0) * (half * Reciprocal(place.Of(slope)) * Collapses(b, *c));
-    return Sum(models, place, *part, weight, sign.lower > 0.0 ? 1.0 : -1.0);
+    return Sum(models, place, *part, weight, sign);
   }
 
 private:
+  /// Widens det J so that, times the sign that is returned, it holds |det J|. Where it may have
+  /// either sign by more than rounding (at a collapsed edge it vanishes), only integrals that |det
+  /// J| is a factor of are known: those of others get an infinite error.
+  double TakeMagnitude(ChebyshevModel& determinant) const
+  {
+    const Interval range = determinant.TightRange();
+    const double sign = range.upper >= -range.lower ? 1.0 : -1.0;
+    const double opposite = sign > 0.0 ? -range.lower : range.upper;
+    if (opposite >= 0.0)
+    {
+      const IntegralQuestion& question = Functions.Question();
+      const bool isFactor = question.field == nullptr ||
+        (question.field->mapping == Mapping::Identity &&
+          (question.cut->MadeOf() == nullptr || !question.HasFlux()));
+      determinant.Widen(isFactor ? 2.0 * opposite : std::numeric_limits<double>::infinity());
+    }
+    return sign;
+  }
+
   /// b at an end of the graph.
   std::optional<ChebyshevModel> Limit(const BoxPolynomial& cut, GraphLimit limit, double end)
   {

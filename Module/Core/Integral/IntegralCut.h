@@ -30,9 +30,8 @@ public:
   [[nodiscard]] virtual const Field* MadeOf() const { return nullptr; }
   /// How often S multiplies the map, or the field.
   [[nodiscard]] virtual int Factor() const = 0;
-  /// Over a whole piece.
-  [[nodiscard]] virtual ScaledCut Over(
-    ElementFunctions& functions, const PieceForm::Piece& piece) const = 0;
+  /// Over a box, made of what the map and the field are there: where S is small so is its error.
+  [[nodiscard]] virtual ScaledCut Over(ElementFunctions& functions, const PieceBox& box) const = 0;
   /// How far S may be off over a box, because of what is uncertain in the mesh or the field.
   [[nodiscard]] virtual double Uncertainty(
     ElementFunctions& functions, const PieceBox& box) const = 0;
@@ -60,8 +59,7 @@ public:
   {
   }
   [[nodiscard]] int Factor() const override { return Form.IsPlane() ? 1 : 2; }
-  [[nodiscard]] ScaledCut Over(
-    ElementFunctions& functions, const PieceForm::Piece& piece) const override;
+  [[nodiscard]] ScaledCut Over(ElementFunctions& functions, const PieceBox& box) const override;
   [[nodiscard]] double Uncertainty(ElementFunctions& functions, const PieceBox& box) const override;
   [[nodiscard]] CutGradient Gradient(ElementFunctions& functions, const PieceBox& box,
     const std::array<int, 3>& axes, const PointedModels& place,
@@ -75,17 +73,16 @@ private:
   QuadricForm Form;
 };
 
-/// (|z|^2 + R^2 - r^2)^2 = 4 R^2 (|z|^2 - (a z)^2), z the place less the centre, a the axis. With
-/// r > R the tube passes through itself, and its inner part belongs to the surface.
+/// QuarticForm::Torus.
 class TorusSurface final : public IntegralCut
 {
 public:
-  /// The axis need not be of unit length. Throws Error when it is zero, a radius is not positive or
-  /// a number is not finite.
-  TorusSurface(const Vec3& centre, const Vec3& axis, double R, double r);
+  TorusSurface(const Vec3& centre, const Vec3& axis, double R, double r)
+    : Form(QuarticForm::Torus(centre, axis, R, r))
+  {
+  }
   [[nodiscard]] int Factor() const override { return 4; }
-  [[nodiscard]] ScaledCut Over(
-    ElementFunctions& functions, const PieceForm::Piece& piece) const override;
+  [[nodiscard]] ScaledCut Over(ElementFunctions& functions, const PieceBox& box) const override;
   [[nodiscard]] double Uncertainty(ElementFunctions& functions, const PieceBox& box) const override;
   [[nodiscard]] CutGradient Gradient(ElementFunctions& functions, const PieceBox& box,
     const std::array<int, 3>& axes, const PointedModels& place,
@@ -95,9 +92,7 @@ public:
   [[nodiscard]] double AreaIn(ElementFunctions& functions, const PieceBox& box) const override;
 
 private:
-  // S = A^2 - B.
-  QuadricForm A;
-  QuadricForm B;
+  QuarticForm Form;
 };
 
 /// Where a component of a field has a value. S is the field's less the value, of a magnitude that
@@ -112,8 +107,7 @@ public:
   IsoValueSurface(const Field& field, int component, double value);
   [[nodiscard]] const Field* MadeOf() const override { return TheField; }
   [[nodiscard]] int Factor() const override { return First == Last ? 1 : 2; }
-  [[nodiscard]] ScaledCut Over(
-    ElementFunctions& functions, const PieceForm::Piece& piece) const override;
+  [[nodiscard]] ScaledCut Over(ElementFunctions& functions, const PieceBox& box) const override;
   /// What the rounding of the field's coefficients makes of zero.
   [[nodiscard]] double Uncertainty(ElementFunctions& functions, const PieceBox& box) const override;
   [[nodiscard]] CutGradient Gradient(ElementFunctions& functions, const PieceBox& box,

@@ -130,11 +130,21 @@ ChebyshevModel Collapse(const ChebyshevModel& eta)
   return 0.5 * (ChebyshevModel(1.0) - eta);
 }
 
+void DropZeroField(const ElementFunctions& functions, Sums& sums)
+{
+  for (std::size_t q = 1; q < sums.size() && functions.IsZeroField(); ++q)
+  {
+    sums[q] = sums[q].IsFinite() ? Interval(0.0) : sums[q];
+  }
+}
+
 void AddTo(Sums& sums, const Sums& more)
 {
+  // Zeros are exact, and so are sums with them.
+  const auto isZero = [](const Interval& sum) { return sum.lower == 0.0 && sum.upper == 0.0; };
   for (std::size_t q = 0; q < sums.size(); ++q)
   {
-    sums[q] += more[q];
+    sums[q] = isZero(more[q]) ? sums[q] : isZero(sums[q]) ? more[q] : sums[q] + more[q];
   }
 }
 } // namespace pixelexact

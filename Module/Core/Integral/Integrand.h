@@ -57,4 +57,6 @@ ChebyshevModel Collapse(const ChebyshevModel& eta);
 /// What an integral over a part of a surface is known to be, by quantity.
 using Sums = std::vector<Interval>;
 void AddTo(Sums& sums, const Sums& more);
+/// Where the field is zero, exactly, so are the integrals of it.
+void DropZeroField(const ElementFunctions& functions, Sums& sums);
 } // namespace pixelexact

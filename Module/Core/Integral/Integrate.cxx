@@ -5,6 +5,7 @@
 #include "Core/Element/Validity.h"
 #include "Core/Faces/ReferenceFace.h"
 #include "Core/Integral/FaceSums.h"
+#include "Core/Integral/IntegralCut.h"
 #include "Core/Location/Sample.h"
 
 #include <tbb/parallel_for.h>
@@ -14,6 +15,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <sstream>
 
 namespace pixelexact
 {
@@ -37,6 +39,35 @@ void Check(const IntegralEffort& effort)
   }
 }
 
+/// Functions of the place of degree n are of the size of lengths^n, and so are what integrals are
+/// made of, times lengths^3: beyond these sizes they over- or underflow.
+void CheckSizes(const IntegralQuestion& question)
+{
+  const bool isOfPlace = question.cut != nullptr && question.cut->MadeOf() == nullptr;
+  int factor = isOfPlace ? question.cut->Factor() : 1;
+  for (const QuadricForm& clip : question.clips)
+  {
+    factor = std::max(factor, clip.IsPlane() ? 1 : 2);
+  }
+  if (factor == 1)
+  {
+    return;
+  }
+  const double largest = std::ldexp(1.0, 400 / (factor + 1));
+  for (int e = 0; e < question.mesh.Elements(); ++e)
+  {
+    const double size = question.mesh.size[static_cast<std::size_t>(e)];
+    if (size > 0.0 && !(size <= largest && size >= 1.0 / largest))
+    {
+      std::ostringstream text;
+      text << "integrals over " << (factor > 2 ? "tori" : "quadrics")
+           << " are taken where elements are of sizes from " << 1.0 / largest << " to " << largest
+           << "; element " << e << " is of size " << size << ". Give the mesh in other units.";
+      throw Unsupported(text.str());
+    }
+  }
+}
+
 /// A face that lies in the surface and is this element's to integrate.
 bool IsOurs(const Mesh& mesh, const FaceOwner& owner, int element, int face)
 {
@@ -52,6 +83,7 @@ SurfaceIntegral IntegrateCut(const IntegralQuestion& question, const Locator& lo
   const FaceTable& faces, const IntegralEffort& effort)
 {
   Check(effort);
+  CheckSizes(question);
   const Deadline deadline(effort.seconds);
   std::vector<int> near(static_cast<std::size_t>(question.mesh.Elements()));
   std::iota(near.begin(), near.end(), 0);
@@ -144,6 +176,7 @@ SurfaceIntegral IntegrateCut(const IntegralQuestion& question, const Locator& lo
   for (const auto& part : parts)
   {
     result.boxes += part->Boxes();
+    result.rounded += part->Rounded();
     result.unresolved += part->Unresolved();
   }
   return result;
@@ -165,6 +198,7 @@ void AddTo(SurfaceIntegral& sum, const SurfaceIntegral& more)
   sum.elements += more.elements;
   sum.faces += more.faces;
   sum.boxes += more.boxes;
+  sum.rounded += more.rounded;
   sum.unresolved += more.unresolved;
   sum.notFinite = std::max(sum.notFinite, more.notFinite);
   sum.tooHigh = std::max(sum.tooHigh, more.tooHigh);

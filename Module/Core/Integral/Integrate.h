@@ -32,6 +32,7 @@ struct SurfaceIntegral
   std::int64_t elements = 0;  ///< that the surface meets, as far as is known
   std::int64_t faces = 0;     ///< of elements that lie in the surface, or were asked for
   std::int64_t boxes = 0;     ///< looked at
+  std::int64_t rounded = 0;   ///< boxes of which rounding allows no narrower bounds
   double unresolved = 0.0;    ///< at most so much area is where nothing is known of the surface
   std::int64_t notFinite = 0; ///< elements that are left out: with a NaN or infinite coefficient
   std::int64_t tooHigh = 0;   ///< elements that are left out: of too high order for the surface

@@ -17,12 +17,12 @@ namespace
 /// Of a field's size, in roundings: what its coefficients are off.
 constexpr double kRoundings = 128.0;
 /// Values in units of an element's modes are far beyond all of the field's from here on.
-constexpr double kBeyond = 1e100;
+constexpr double kBeyondValues = 1e100;
 
 /// A value in units of 2^exponent.
 double Scaled(double value, int exponent)
 {
-  return std::clamp(std::ldexp(value, -exponent), -kBeyond, kBeyond);
+  return std::clamp(std::ldexp(value, -exponent), -kBeyondValues, kBeyondValues);
 }
 
 /// How often a line along a direction may meet the surface in a box.
@@ -67,21 +67,20 @@ IsoValueSurface::IsoValueSurface(const Field& field, int component, double value
   }
 }
 
-ScaledCut IsoValueSurface::Over(ElementFunctions& functions, const PieceForm::Piece& piece) const
+ScaledCut IsoValueSurface::Over(ElementFunctions& functions, const PieceBox& box) const
 {
-  const PieceBox whole{ piece };
   const int exponent = functions.CutExponent();
   const Interval value(Scaled(Value, exponent));
   if (First == Last)
   {
-    BoxPolynomial s = functions.CutValues(whole, First);
+    BoxPolynomial s = functions.CutValues(box, First);
     Add(-value, s);
     return { std::move(s), std::ldexp(1.0, -exponent) };
   }
   BoxPolynomial sum;
   for (int c = First; c <= Last; ++c)
   {
-    const BoxPolynomial one = functions.CutValues(whole, c);
+    const BoxPolynomial one = functions.CutValues(box, c);
     BoxPolynomial square = Multiply(one, one);
     sum = c == First ? std::move(square) : Combine(1.0, sum, 1.0, square);
   }

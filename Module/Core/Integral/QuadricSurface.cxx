@@ -6,9 +6,9 @@
 
 namespace pixelexact
 {
-ScaledCut QuadricSurface::Over(ElementFunctions& functions, const PieceForm::Piece& piece) const
+ScaledCut QuadricSurface::Over(ElementFunctions& functions, const PieceBox& box) const
 {
-  return functions.Quadric(Form, piece);
+  return functions.Quadric(Form, box);
 }
 
 double QuadricSurface::Uncertainty(ElementFunctions& functions, const PieceBox& box) const

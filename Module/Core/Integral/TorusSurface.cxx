@@ -1,25 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Base/Error.h"
-#include "Core/Bernstein/BoxAlgebra.h"
+#include "Core/Contour/QuadricPolynomial.h"
 #include "Core/Integral/BoxRanges.h"
 #include "Core/Integral/IntegralCut.h"
 #include "Core/Integral/Integrand.h"
 #include "Core/Integral/QuadricArithmetic.h"
 
-#include <glm/geometric.hpp>
-
-#include <cmath>
-#include <limits>
+#include <utility>
 
 namespace pixelexact
 {
 namespace
 {
-bool IsFinite(const Vec3& v)
-{
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 /// |z|^2 + c: its value.
 template <class Number>
 Number DistanceForm(const std::array<Number, 3>& z, double c)
@@ -43,42 +34,19 @@ std::array<Number, 3> TorusGradient(
 }
 } // namespace
 
-TorusSurface::TorusSurface(const Vec3& centre, const Vec3& axis, double R, double r)
+ScaledCut TorusSurface::Over(ElementFunctions& functions, const PieceBox& box) const
 {
-  if (!(IsFinite(centre) && IsFinite(axis) && glm::length(axis) > 0.0))
-  {
-    throw InvalidData("the centre and the axis of a torus must be finite, and the axis not zero.");
-  }
-  if (!(R > 0.0 && r > 0.0 && std::isfinite(R) && std::isfinite(r)))
-  {
-    throw InvalidData("the radii of a torus must be greater than 0 and finite.");
-  }
-  const Vec3 n = glm::normalize(axis);
-  A.origin = centre;
-  A.q = { 1.0, 1.0, 1.0, 0.0, 0.0, 0.0 };
-  A.c = (R - r) * (R + r);
-  B.origin = centre;
-  B.q = { 1.0 - n.x * n.x, 1.0 - n.y * n.y, 1.0 - n.z * n.z, -2.0 * n.x * n.y, -2.0 * n.y * n.z,
-    -2.0 * n.x * n.z };
-  for (double& q : B.q)
-  {
-    q *= 4.0 * R * R;
-  }
-}
-
-ScaledCut TorusSurface::Over(ElementFunctions& functions, const PieceForm::Piece& piece) const
-{
-  const ScaledCut a = functions.Quadric(A, piece);
-  const ScaledCut b = functions.Quadric(B, piece);
-  const double unit = a.unit * a.unit;
-  const BoxPolynomial one{ b.s.degree, std::vector<double>(b.s.b.size(), 1.0), 0.0 };
-  return { Combine(1.0, Multiply(a.s, a.s), -unit / b.unit, Multiply(b.s, one)), unit };
+  const ScaledCut a = functions.Quadric(Form.a, box);
+  const ScaledCut b = functions.Quadric(Form.b, box);
+  ScaledQuadric quartic = QuarticOver({ a.s, a.unit }, { b.s, b.unit });
+  return { std::move(quartic.s), quartic.unit };
 }
 
 double TorusSurface::Uncertainty(ElementFunctions& functions, const PieceBox& box) const
 {
   Interval steepest = 0.0;
-  for (const Interval& one : TorusGradient(A, B, PlaceRange(functions, box, A.origin)))
+  for (const Interval& one :
+    TorusGradient(Form.a, Form.b, PlaceRange(functions, box, Form.a.origin)))
   {
     steepest += Abs(one);
   }
@@ -89,12 +57,12 @@ double TorusSurface::Uncertainty(ElementFunctions& functions, const PieceBox& bo
 CutGradient TorusSurface::Gradient(ElementFunctions& functions, const PieceBox& box,
   const std::array<int, 3>& axes, const PointedModels& place, const SurfaceModels& /*models*/) const
 {
-  return { TorusGradient(A, B, PlaceModels(functions, box, axes, place, A.origin)) };
+  return { TorusGradient(Form.a, Form.b, PlaceModels(functions, box, axes, place, Form.a.origin)) };
 }
 
 Interval TorusSurface::Stretch(ElementFunctions& functions, const PieceBox& box) const
 {
-  return Length(TorusGradient(A, B, PlaceRange(functions, box, A.origin))) *
+  return Length(TorusGradient(Form.a, Form.b, PlaceRange(functions, box, Form.a.origin))) *
     Abs(BoxRanges(functions, box).determinant);
 }
 

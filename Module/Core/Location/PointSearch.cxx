@@ -162,6 +162,16 @@ private:
     {
       return;
     }
+    if (Problem.affine && frame.IsAffine())
+    {
+      // The frame's root is the only one, and no smaller box tells more of it.
+      ForEachBit(points & ~Known, [&](std::size_t i) { TakeStraight(frame, i); });
+      points &= Known;
+    }
+    if (points == 0)
+    {
+      return;
+    }
     // Smaller boxes would tell where a flat element ends, but nothing of what is in it.
     constexpr double kSmallBox = 1.0 / 4096.0;
     if (!frame.IsNearlyAffine(1.0) && PartOfElement(frame.box) <= kSmallBox && Tree.IsFlat(node))
@@ -223,6 +233,31 @@ private:
     {
       Roots.Add(point, { xi, moved, true, check.IsOnFace(TheShape, xi) }, check);
     }
+  }
+
+  /// Of an element that is straight up to its uncertainty, a root that Newton's iteration leaves
+  /// open because it lies far beyond a face, and yet within the faces' tolerance: nodes in single
+  /// precision far from the origin are known to no more than that. The point counts as inside; its
+  /// xi is moved towards the shape's centre, to where the map and the field are still trusted.
+  void TakeStraight(const NodeFrame& frame, std::size_t point)
+  {
+    constexpr double kTrusted = 1e-2;
+    constexpr double kMostTolerance = 0.25;
+    const Vec3 y = Group.YOf(point);
+    const Vec3 root = frame.Root(y);
+    RootCheck check;
+    Checker.Run(std::span(&root, 1), std::span(&y, 1), std::span(&check, 1));
+    const Vec3& t = check.tolerance;
+    const double beyond = -Margin(TheShape, root);
+    if (!(check.holds && beyond <= t.x + t.y + t.z && t.x + t.y + t.z <= kMostTolerance))
+    {
+      Undecided |= BitOf(point);
+      return;
+    }
+    const Vec3 centre = Centre(TheShape);
+    const double inner = Margin(TheShape, centre);
+    const double part = beyond > kTrusted ? (inner + kTrusted) / (inner + beyond) : 1.0;
+    Roots.Add(point, { centre + part * (root - centre), 0.0, true, true }, check);
   }
 
   /// Of which points the box can hold no root but a known one.

@@ -194,7 +194,7 @@ std::vector<IntegralSurface> IntegralSurfaces::Make(const Box3& box) const
     const auto triangles = std::dynamic_pointer_cast<const Triangles>(ReadTriangles(file));
     for (const Triangles::Triangle& triangle : triangles->Corners())
     {
-      if (auto piece = PieceOf(triangle))
+      if (auto piece = TrianglePiece(triangle))
       {
         surfaces.back().pieces.push_back(std::move(*piece));
       }
