@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Parts of planes through three points of an element, against points of them inverted and evaluated
 // in 113 bits.
+#include "ContourCheck.h"
 #include "EdgeCases.h"
+
+#include "Core/Faces/FacePlane.h"
+#include "Core/Questions/Plateau.h"
 
 #include <array>
 #include <iostream>
@@ -79,5 +83,86 @@ TEST(EdgePart, HoldsTheValuesOfItsPoints)
   EXPECT_GT(answered, 400);
   EXPECT_GT(affine, 200);
   EXPECT_GT(shortAnswered, 0.9 * shortOnes);
+}
+
+namespace
+{
+/// Of a field of one component in one element of a shape.
+struct OneElement
+{
+  OneElement(Shape shape, int order, const LongScalar& value)
+    : values(1)
+  {
+    values.Add(
+      UniformSpace(shape, order), [&](const LongVec3& xi, long double* u) { *u = value(xi); });
+  }
+  [[nodiscard]] ScaledModes Modes() const
+  {
+    return { values.Spaces.front(), values.Coefficients.data(), 1 };
+  }
+  ExpansionBuilder values;
+};
+
+bool Holds(const Interval& held, double value)
+{
+  return held.lower <= value && value <= held.upper;
+}
+} // namespace
+
+/// On a face where a field is a value up to rounding, that is held, and no value is held that is a
+/// little beside it, nor any where it varies a little.
+TEST(EdgePart, FacesHoldTheValuesThatTheyHave)
+{
+  for (const Shape shape : kShapes)
+  {
+    for (const int order : { 2, 4, 7 })
+    {
+      const auto planes = FacePlanesOf(shape);
+      for (std::size_t k = 0; k < planes.size(); ++k)
+      {
+        SCOPED_TRACE(::testing::Message() << Name(shape) << " " << order << " " << k);
+        const FacePlane& plane = planes[k];
+        for (const double slope : { 0.0, 1e-10 })
+        {
+          const OneElement wall(shape, order,
+            [&](const LongVec3& xi)
+            {
+              const LongVec3 n = ToLong(plane.gradient);
+              const long double distance = Dot(n, xi) + plane.constant;
+              return 0.7L + distance * (3 + xi[0] - xi[1]) +
+                slope * (xi[0] + 2 * xi[1] + 3 * xi[2]);
+            });
+          const Interval held = HeldOnFace(wall.Modes(), 1, FacesOf(shape)[k]);
+          EXPECT_EQ(Holds(held, 0.7), slope == 0.0);
+          EXPECT_FALSE(Holds(held, 0.7 + 1e-11));
+          EXPECT_FALSE(Holds(HeldInElement(wall.Modes(), 1), 0.7));
+        }
+      }
+    }
+  }
+}
+
+/// However large the field is beside the face.
+TEST(EdgePart, SteepFieldsHoldNothing)
+{
+  for (const double steepness : { 0x1p20, 0x1p44, 0x1p48 })
+  {
+    const OneElement steep(
+      Shape::Hexahedron, 1, [&](const LongVec3& xi) { return xi[0] + steepness * (xi[2] - 1); });
+    for (std::size_t k = 0; k < 6; ++k)
+    {
+      const Interval held = HeldOnFace(steep.Modes(), 1, FacesOf(Shape::Hexahedron)[k]);
+      EXPECT_GT(held.lower, held.upper) << k;
+    }
+  }
+}
+
+/// Of zeros nothing but 0 is held, and of no number nothing.
+TEST(EdgePart, ZerosHoldZero)
+{
+  const OneElement zero(Shape::Tetrahedron, 3, [](const LongVec3& /*xi*/) { return 0.0L; });
+  const Interval held = HeldInElement(zero.Modes(), 1);
+  EXPECT_EQ(held.lower, 0.0);
+  EXPECT_EQ(held.upper, 0.0);
 }
 } // namespace pixelexact::testing

@@ -218,6 +218,101 @@ TEST(ContourCertifier, PlateausAreIn)
   }
 }
 
+namespace
+{
+/// The cube [-1,1]^3 in one element, seen along z in 40 x 40 pixels, and a field on the plane
+/// z = 1/4.
+class PlainCube
+{
+public:
+  using Value = std::function<long double(const LongVec3& x)>;
+  static constexpr int kPixels = 40;
+  static constexpr double kScale = 1.17;
+
+  PlainCube(int order, const Value& value)
+  {
+    Elements.Add(UniformSpace(Shape::Hexahedron, 1), [](const LongVec3& xi) { return xi; });
+    Values.Add(UniformSpace(Shape::Hexahedron, order),
+      [&](const LongVec3& xi, long double* u) { *u = value(xi); });
+    TheField = { "u", Values.View() };
+    TheLocator = std::make_unique<Locator>(Elements.View());
+  }
+  void Judge(ContourCertifier& certifier) const
+  {
+    const Scene scene{ TheLocator.get(),
+      { { std::make_shared<Plane>(Vec3(0.0, 0.0, 0.25), Vec3(0.0, 0.0, 1.0)), &TheField } }, {} };
+    Trace(scene, ViewAlongZ(kPixels, kPixels, kScale), { {}, { &certifier } });
+  }
+  /// The x of the k-th line between two columns of pixels.
+  static long double SideOf(int k)
+  {
+    return static_cast<long double>(kScale) * (2.0L * k / kPixels - 1.0L);
+  }
+
+private:
+  MeshBuilder Elements;
+  ExpansionBuilder Values{ 1 };
+  Field TheField;
+  std::unique_ptr<Locator> TheLocator;
+};
+} // namespace
+
+/// However large a field is elsewhere, a pixel is in where the value occurs, and nowhere else. All
+/// coefficients are numbers exactly.
+TEST(ContourCertifier, RoundingIsNoProofOfAValue)
+{
+  struct Case
+  {
+    double steepness;
+    double value;
+    int mostUndecided;
+  };
+  for (const auto& [steepness, value, mostUndecided] :
+    { Case{ 0.0, 1e-13, 0 }, Case{ 0.0, -1e-13, 0 }, Case{ 0.0, 3e-15, 80 }, Case{ 0x1p30, 0.1, 0 },
+      Case{ 0x1p44, 0.1, 1600 }, Case{ 0x1p48, 0.1, 1600 } })
+  {
+    SCOPED_TRACE(::testing::Message() << steepness << " " << value);
+    const PlainCube cube(
+      1, [a = steepness](const LongVec3& x) { return x[0] + a * (x[2] - 0.25L); });
+    ContourCertifier certifier({ std::vector{ value } });
+    cube.Judge(certifier);
+    int in = 0;
+    for (int y = 0; y < PlainCube::kPixels; ++y)
+    {
+      for (int x = 0; x < PlainCube::kPixels; ++x)
+      {
+        const auto verdict =
+          certifier.Verdicts()[static_cast<std::size_t>(y * PlainCube::kPixels + x)];
+        const bool occurs = PlainCube::SideOf(x) <= value && value <= PlainCube::SideOf(x + 1) &&
+          PlainCube::SideOf(y) < 1 && PlainCube::SideOf(y + 1) > -1;
+        EXPECT_TRUE(verdict != kIn || occurs) << x << " " << y;
+        EXPECT_TRUE(verdict != kOut || !occurs) << x << " " << y;
+        in += verdict == kIn ? 1 : 0;
+      }
+    }
+    EXPECT_LE(certifier.Counters().undecided, mostUndecided);
+    EXPECT_TRUE(mostUndecided > 0 || in > 30);
+  }
+}
+
+/// A field that has the value all over the plane, but for what rounding makes of it; and one that
+/// all but has it.
+TEST(ContourCertifier, PlateausOnPlanesAreIn)
+{
+  for (const int order : { 1, 4, 7 })
+  {
+    const PlainCube cube(order, [](const LongVec3& x) { return 0.7L * x[2] + 0.1L; });
+    ContourCertifier own({ std::vector{ 0.7 * 0.25 + 0.1 } });
+    cube.Judge(own);
+    EXPECT_GE(own.Counters().in, 34 * 34) << order;
+    EXPECT_EQ(own.Counters().undecided, 0) << order;
+    ContourCertifier others({ std::vector{ 0.7 * 0.25 + 0.1 + 1e-12 } });
+    cube.Judge(others);
+    EXPECT_EQ(others.Counters().in, 0) << order;
+    EXPECT_EQ(others.Counters().undecided, 0) << order;
+  }
+}
+
 /// What is not finite has no values, and takes none from its neighbours.
 TEST(ContourCertifier, NanElementsTakeNoValue)
 {

@@ -43,4 +43,11 @@ double ModeBound(const Space& space, int p, int q, int r)
       return 1.0;
   }
 }
+
+double SumOfModeBounds(const Space& space)
+{
+  double sum = 0.0;
+  ForEachMode(space, [&](int p, int q, int r, int /*mode*/) { sum += ModeBound(space, p, q, r); });
+  return sum;
+}
 } // namespace pixelexact

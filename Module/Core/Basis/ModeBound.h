@@ -7,4 +7,6 @@ namespace pixelexact
 {
 /// An upper bound of |mode (p, q, r)| on the shape.
 double ModeBound(const Space& space, int p, int q, int r);
+/// The sum of these bounds over all modes.
+double SumOfModeBounds(const Space& space);
 } // namespace pixelexact

@@ -16,9 +16,7 @@ namespace
 {
 /// Of xi: what located points may be off is measured where it could be more than that.
 constexpr double kMostAssumed = 1e-10;
-/// Of a node that a question comes to, and of an expansion about it without the functions there, in
-/// nanoseconds.
-constexpr std::int64_t kCostOfLook = 50;
+/// Of an expansion about a node without the functions there, in nanoseconds.
 constexpr std::int64_t kCostOfMeeting = 700;
 } // namespace
 
@@ -123,24 +121,28 @@ std::optional<EdgeRange> EdgeBounds::AlongIn(
   double off[3];
   double beside[3];
   EdgeRange range{ Quadratic(node.curve, s) / 8.0, error };
+  double outside = 0.0; // what the path may do beside the element
+  bool mayLeave = false;
   for (std::size_t k = 0; k < 3; ++k)
   {
     const double besides = shift[k] + node.lean[k] * sagitta / Functions.Size();
     off[k] = (Quadratic(node.bend[k], s) / 8.0 + besides) * kUp;
     beside[k] = kBeside + 2.0 * shift[k];
     range.error += node.slope[k] * shift[k];
-    range.deviation += node.slope[k] * (besides + 2.0 * beside[k]);
+    range.deviation += node.slope[k] * besides;
+    outside += node.slope[k] * 2.0 * beside[k];
   }
   for (const EdgeNodeEnd& end : node.wideEnds)
   {
-    const double depth = std::min(end.DepthOf(a.xi), end.DepthOf(b.xi)) - end.Across(off) +
-      (end.ofElement ? end.Across(beside) : 0.0);
+    const double depth = std::min(end.DepthOf(a.xi), end.DepthOf(b.xi)) - end.Across(off);
     // Written so that a NaN is not covered.
-    if (!(depth >= 0.0))
+    if (!(depth + (end.ofElement ? end.Across(beside) : 0.0) >= 0.0))
     {
       return std::nullopt;
     }
+    mayLeave = mayLeave || depth < 0.0;
   }
+  range.deviation += mayLeave ? outside : 0.0;
   if (Functions.Components() > 1)
   {
     // Of the norm of a vector that changes linearly, by at most `change`: it is convex, and its

@@ -22,7 +22,6 @@ using edges::SumOf;
 
 namespace
 {
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Halvings of boxes on which the map is not regular, and of those where it is: of functions with
 /// few coefficients. Nodes of many cost more, and there are fewer of them.
 constexpr int kMostHalvings[2] = { 20, 22 };
@@ -36,7 +35,6 @@ constexpr std::int64_t kCostOfHardSample = 250'000;
 /// Of boxes that cost nothing: how often they are halved at most, and what they may cost together.
 constexpr int kMostFree = 8;
 constexpr std::int64_t kMostFreeCost = 50'000'000;
-constexpr Part kBy[3] = { Part::ByXi1, Part::ByXi2, Part::ByXi3 };
 } // namespace
 
 EdgeFunctions::EdgeFunctions(const Mesh& mesh, const ElementBounds& bounds, int element,
@@ -113,7 +111,7 @@ EdgeFunctions::EdgeFunctions(
     // Of kernels, and of ValuesAt.
     Error += Count * (quotient.numeratorError + Slack[0]);
     DivisorError = ErrorOf(*Divisor, 1, Part::Value) + quotient.divisorError + DivisorSlack[0];
-    for (const Part part : kBy)
+    for (const Part part : kDerivatives)
     {
       DivisorSlopeError = std::max(DivisorSlopeError, ErrorOf(*Divisor, 1, part));
     }
@@ -137,7 +135,7 @@ void EdgeFunctions::BoundErrors(double rounding)
 {
   Error = ErrorOf(Component, Count, Part::Value) * (1.0 + rounding / kUnitRoundoff);
   MapError = ErrorOf(Map, 3, Part::Value);
-  for (const Part part : kBy)
+  for (const Part part : kDerivatives)
   {
     SlopeError = std::max(SlopeError, ErrorOf(Component, Count, part));
     MapSlopeError = std::max(MapSlopeError, ErrorOf(Map, 3, part));
@@ -296,7 +294,8 @@ EdgeFunctions::Linear EdgeFunctions::LinearValues(
     square += sum * sum;
     size += std::fabs(component.values[0][0]) + LargestOf(slope) * length;
   }
-  const double slack = 1e-14 * size + slopeError * length;
+  // A rise is a sum of three products of differences: some eight roundings of `size`.
+  const double slack = edges::kRoundoffs * size + slopeError * length;
   if (Count == 1)
   {
     const auto [least, most] =

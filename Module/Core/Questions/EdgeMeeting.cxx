@@ -28,7 +28,7 @@ constexpr int kLocalRounds = 2;
 /// In xi: rounding of what is on a face.
 constexpr double kBesideFace = 1e-13;
 /// Of Newton's iteration towards a region's middle.
-constexpr int kSteps = 2;
+constexpr int kMiddleSteps = 2;
 /// Covers the rounding of sums of some five products, of their magnitudes' sum.
 constexpr double kSum = 8.0 * kUnitRoundoff;
 
@@ -168,7 +168,7 @@ EdgeMeeting Meet(const EdgeFunctions& functions, const EdgeNode& node, const Wid
     return {};
   }
   EdgeFunctions::View view = functions.ViewAt(MovedInto(shape, node, *start));
-  for (int step = 0; step < kSteps; ++step)
+  for (int step = 0; step < kMiddleSteps; ++step)
   {
     const double reach = farthest(
       [&](const Vec3& end)
@@ -281,7 +281,7 @@ EdgeMeeting Meet(const EdgeFunctions& functions, const EdgeNode& node, const Wid
       meeting.bends = meeting.bends || off[k] > kCoarse * away[k] + 2.0 * besides[k];
       meeting.curves = meeting.curves || (isWide && node.reach[k] > 2.0 * away[k]);
     }
-    most = most * kUp + 1e-14 * (std::fabs(linear.lower) + std::fabs(linear.upper));
+    most = most * kUp + kRoundoffs * (std::fabs(linear.lower) + std::fabs(linear.upper));
     meeting.values =
       Interval(rounding::Below(linear.lower - most), rounding::Above(linear.upper + most));
   };

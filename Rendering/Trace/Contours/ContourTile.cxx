@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trace/Contours/ContourTile.h"
 
+#include "Core/Math/Rounding.h"
 #include "Trace/Contours/EdgeSample.h"
 #include "Trace/Contours/FlatBlocks.h"
 #include "Trace/Contours/PixelInteriors.h"
@@ -27,11 +28,10 @@ std::vector<int> ElementsNear(const ElementIndex& index, const std::optional<Out
   Box3 box = index.Bounds();
   if (part)
   {
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
     box = { Vec3(kInfinity), Vec3(-kInfinity) };
+    const Vec3 margin(SlackOf(part->Corners()));
     for (const Vec3& corner : part->Corners())
     {
-      const Vec3 margin = 1e-12 * glm::abs(corner);
       box.lower = glm::min(box.lower, corner - margin);
       box.upper = glm::max(box.upper, corner + margin);
     }
@@ -319,8 +319,9 @@ void ContourTile::Judge(const ContouredLayer& layer, EdgeWork& work)
   }
   const std::optional<Outline> whole = blocks.Whole();
   work.SetWidth(whole ? WidthOf(*whole) : 0.0);
-  const EdgeJudge judge(
+  EdgeJudge judge(
     *layer.bounds, layer.values, &work, ElementsNear(Tile.GetScene().locator->Index(), whole));
+  judge.LieOn(*sight.AsPlane());
   if (!judge.IsNeeded())
   {
     Counted.byBlocks += std::ranges::count(Asked, 1);
@@ -410,7 +411,7 @@ void ContourTile::MarkPlateaus(const LayerSight& sight, const EdgeJudge& judge,
     const std::size_t lower = pixel / columns * Across + pixel % columns;
     const std::array around{ lower, lower + 1, lower + Across, lower + Across + 1 };
     OnPlateau[pixel] |= static_cast<std::uint8_t>(std::ranges::all_of(around,
-      [&](std::size_t at) { return sight.Shows(corners[at]) && judge.Touches(corners[at]); }));
+      [&](std::size_t at) { return sight.Shows(corners[at]) && judge.IsOnPlateau(corners[at]); }));
   }
 }
 

@@ -57,7 +57,7 @@ public:
   /// A ContourVerdict for each pixel of the tile, row by row.
   [[nodiscard]] std::span<const ContourVerdict> Verdicts() const { return Pixels; }
   [[nodiscard]] const ContourCounters& Counters() const { return Counted; }
-  /// 1: of a judged pixel whose corners all have a value of one layer, up to rounding.
+  /// 1: of a judged pixel whose corners all lie on a plateau of one layer (EdgeJudge::IsOnPlateau).
   [[nodiscard]] std::span<const std::uint8_t> Plateaus() const { return OnPlateau; }
 
 private:

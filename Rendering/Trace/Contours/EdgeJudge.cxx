@@ -16,13 +16,9 @@ namespace pixelexact
 {
 namespace
 {
-/// Of the largest magnitude of an element's values: rounding beyond which a value that is met by
-/// an end up to rounding is not told from one that is missed.
-constexpr double kTouch = 1e-13;
-/// The same for what rounding may move the ends by, up to so much: small elements far from the
-/// origin.
-constexpr double kTouchMoved = 4.0;
-constexpr double kMostTouch = 1e-9;
+/// Of the largest magnitude of an element's values: it is not asked whether the component holds a
+/// value there from which an end's is farther off. That saves time alone.
+constexpr double kNearPlateau = 1e-9;
 /// Of a point that stays unknown (location.md), in nanoseconds.
 constexpr std::int64_t kCostOfUnknown = 6'000'000;
 /// For parts of a surface that are many pixels wide, for edges and parts of them, and for squares
@@ -30,17 +26,6 @@ constexpr std::int64_t kCostOfUnknown = 6'000'000;
 constexpr EdgeEffort kForBlocks{ 4, 0 };
 constexpr EdgeEffort kForEdges{ EdgeEffort::kAny, 0 };
 constexpr EdgeEffort kForSquares{ EdgeEffort::kAny, EdgeEffort::kAny };
-
-/// How far corners may be off, by the rounding of rays and hits.
-double SlackOf(std::span<const Vec3> corners)
-{
-  double largest = 0.0;
-  for (const Vec3& x : corners)
-  {
-    largest = std::max({ largest, std::fabs(x.x), std::fabs(x.y), std::fabs(x.z) });
-  }
-  return 16.0 * kUnitRoundoff * largest;
-}
 
 bool Meet(const Box3& a, const Box3& b)
 {
@@ -54,6 +39,16 @@ WideOutline RegionOf(const SurfaceEdge& edge)
   return { outline, edge.sagitta + SlackOf(outline.Corners()) };
 }
 } // namespace
+
+double SlackOf(std::span<const Vec3> corners)
+{
+  double largest = 0.0;
+  for (const Vec3& x : corners)
+  {
+    largest = std::max({ largest, std::fabs(x.x), std::fabs(x.y), std::fabs(x.z) });
+  }
+  return 16.0 * kUnitRoundoff * largest;
+}
 
 EdgeJudge::EdgeJudge(const LayerBounds& bounds, std::span<const double> values, EdgeWork* work,
   std::span<const int> elements)
@@ -146,38 +141,57 @@ EdgeFinding EdgeJudge::Within(const EdgeEnd& a, const EdgeEnd& b, const SurfaceE
   {
     return EdgeFinding::Out;
   }
-  return Between(lower, upper, range->error,
-    { bounds.Values().Magnitude(),
-      std::max(bounds.RoundingAt(a.point.x), bounds.RoundingAt(b.point.x)) });
-}
-
-EdgeFinding EdgeJudge::Between(double lower, double upper, double error, const Scale& scale) const
-{
-  if (lower + error < upper - error && Wanted.Meets(lower + error, upper - error))
+  if (IsBetween(lower, upper, range->error))
   {
     return EdgeFinding::In;
   }
-  const bool touches =
-    Wanted.Meets(lower - error, lower + error) || Wanted.Meets(upper - error, upper + error);
-  // Where the range is not known, what the ends tell of it.
-  const double size =
-    std::isfinite(scale.values) ? scale.values : std::max(std::fabs(lower), std::fabs(upper));
-  const double most = (kTouch + std::min(kTouchMoved * scale.moved, kMostTouch)) * size;
-  return touches && error <= most ? EdgeFinding::Touching : EdgeFinding::Open;
+  if (Wanted.Meets(lower - range->error, lower + range->error) &&
+    Wanted.Meets(upper - range->error, upper + range->error))
+  {
+    // Values of its parts are told no better, and differ as little: not even at one point.
+    const auto atPoint = bounds.Along(a.point, a.point, edge.sagitta, Work);
+    if (atPoint && range->deviation <= 2.0 * atPoint->deviation)
+    {
+      return EdgeFinding::Blurred;
+    }
+  }
+  return EdgeFinding::Open;
 }
 
-bool EdgeJudge::Touches(const EdgeEnd& end) const
+bool EdgeJudge::MayTouch(const EdgeEnd& end) const
+{
+  const double value = end.point.value;
+  const double error = Bounds.Of(end.element).ChangeWithin(end.point, 0.0, Work);
+  return std::isfinite(error) && Wanted.Meets(value - error, value + error);
+}
+
+const Interval& EdgeJudge::HeldOnPlane(int element) const
+{
+  const auto found = OnPlane.find(element);
+  return found != OnPlane.end()
+    ? found->second
+    : OnPlane
+        .emplace(element,
+          Bounds.PlateausOf(element).OnPlane(ThePlane->Through(), ThePlane->Normal(SurfacePoint{})))
+        .first->second;
+}
+
+bool EdgeJudge::IsOnPlateau(const EdgeEnd& end) const
 {
   if (IsHeld)
   {
     return true;
   }
-  const EdgeBounds& bounds = Bounds.Of(end.element);
-  const double value = end.point.value;
-  const double range = bounds.Values().Magnitude();
-  const double size = std::isfinite(range) ? range : std::fabs(value);
-  return Wanted.Meets(value - kTouch * size, value + kTouch * size) &&
-    bounds.ChangeWithin(end.point, 0.0, Work) <= kMostTouch * size;
+  const double near = kNearPlateau * Bounds.Of(end.element).Values().Magnitude();
+  if (!Wanted.Meets(end.point.value - near, end.point.value + near))
+  {
+    return false;
+  }
+  const auto holds = [this](const Interval& held)
+  { return held.lower <= held.upper && Wanted.Meets(held.lower, held.upper); };
+  const ElementPlateaus& plateaus = Bounds.PlateausOf(end.element);
+  return holds(plateaus.InElement()) || (end.face >= 0 && holds(plateaus.OnFace(end.face))) ||
+    (ThePlane != nullptr && holds(HeldOnPlane(end.element)));
 }
 
 EdgeFinding EdgeJudge::Across(const EdgeEnd& a, const EdgeEnd& b) const
@@ -188,9 +202,7 @@ EdgeFinding EdgeJudge::Across(const EdgeEnd& a, const EdgeEnd& b) const
   // Where the true points may be, the values are no farther off than that.
   const double error =
     std::max(ofA.ChangeWithin(a.point, 0.0, Work), ofB.ChangeWithin(b.point, 0.0, Work));
-  return Between(lower, upper, error,
-    { std::max(ofA.Values().Magnitude(), ofB.Values().Magnitude()),
-      std::max(ofA.RoundingAt(a.point.x), ofB.RoundingAt(b.point.x)) });
+  return IsBetween(lower, upper, error) ? EdgeFinding::In : EdgeFinding::Open;
 }
 
 bool EdgeJudge::StaysOn(int side, const SurfaceEdge& edge, bool thorough) const

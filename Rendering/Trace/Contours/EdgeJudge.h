@@ -3,9 +3,11 @@
 
 #include "Trace/Contours/EdgeBeam.h"
 #include "Trace/Contours/LayerBounds.h"
+#include "Trace/Surfaces/Plane.h"
 #include "Trace/TileSamples.h"
 
 #include <array>
+#include <map>
 #include <optional>
 #include <span>
 #include <vector>
@@ -23,6 +25,7 @@ struct EdgeEnd
   bool isAhead = false;    ///< and not behind the eye
   bool isUnknown = false;  ///< it is not decided what is seen there
   std::int32_t piece = -1; ///< of the surface, and where on it: what the hit tells
+  int face = -1;           ///< of the element, that the surface is there; -1: none
   double parameters[2] = { 0.0, 0.0 };
 
   [[nodiscard]] SurfacePoint OnSurface() const
@@ -43,10 +46,14 @@ enum class EdgeFinding : std::uint8_t
 {
   Out,      ///< proven: no value occurs on it
   In,       ///< proven: one does
-  Touching, ///< an end's value is one up to rounding
   Open,     ///< not settled by the bounds
+  Blurred,  ///< nor by any of its parts: all values on it are one up to their rounding
   Uncovered ///< nor proven that the edge lies in the element
 };
+
+/// How far points where rays meet a surface may be off, by rounding: in every coordinate, a part of
+/// the largest.
+[[nodiscard]] double SlackOf(std::span<const Vec3> points);
 
 /// Judges edges on a layer's surface: of one tile, by one thread.
 class EdgeJudge
@@ -99,13 +106,17 @@ public:
   /// Whether all elements that a flat part of the surface may meet stay on a side there; of
   /// kNoSide, on any one. `thorough`: as above.
   [[nodiscard]] bool BlockStaysOn(int side, const Outline& part, bool thorough) const;
-  /// Whether an end's value is one up to rounding: as it is computed to kTouch of the element's
-  /// largest, and known to kMostTouch of it.
-  [[nodiscard]] bool Touches(const EdgeEnd& end) const;
+  /// Whether an end lies on a plateau: all of the surface in its element has one of the values, as
+  /// far as the component's coefficients tell (Plateau.h), or all of the surface has
+  /// (HoldEverywhere).
+  [[nodiscard]] bool IsOnPlateau(const EdgeEnd& end) const;
+  /// Whether an end's value may be one: it is known, and no farther off than it may be itself.
+  [[nodiscard]] bool MayTouch(const EdgeEnd& end) const;
   /// What is judged has one of the values everywhere (Surface::HeldValue).
   void HoldEverywhere() { IsHeld = true; }
-  /// Of ends in any elements between which the surface goes on: by their values, In, Touching or
-  /// Open.
+  /// What is judged lies in a plane.
+  void LieOn(const Plane& plane) { ThePlane = &plane; }
+  /// Of ends in any elements between which the surface goes on: by their values, In or Open.
   [[nodiscard]] EdgeFinding Across(const EdgeEnd& a, const EdgeEnd& b) const;
   /// Whether, of all of the surface that rays between two may meet, none takes a value, nor lies on
   /// either side of one where it hangs together: by parts of the beam that it does not meet, and
@@ -127,16 +138,13 @@ private:
   /// With the work of the tile.
   [[nodiscard]] EdgeEffort With(EdgeEffort effort) const;
   [[nodiscard]] ValueSet NotOn(int side) const;
-  /// Of an element: the largest magnitude of its values, and by how much of its size rounding may
-  /// move a point.
-  struct Scale
+  /// Whether one of the values lies between two that are good to `error`.
+  [[nodiscard]] bool IsBetween(double lower, double upper, double error) const
   {
-    double values;
-    double moved;
-  };
-  /// Of two values that are good to `error`, which rounding explains up to a part of `scale`.
-  [[nodiscard]] EdgeFinding Between(
-    double lower, double upper, double error, const Scale& scale) const;
+    return lower + error < upper - error && Wanted.Meets(lower + error, upper - error);
+  }
+  /// The values that the component holds in an element, on the plane.
+  [[nodiscard]] const Interval& HeldOnPlane(int element) const;
   /// Whether the values of all elements there are on one side; of kNoSide, any.
   [[nodiscard]] bool StaysOn(int side, std::span<const Element> elements, const WideOutline& region,
     const EdgeEffort& effort) const;
@@ -152,5 +160,7 @@ private:
   bool Needed = false;
   bool LooksForElements = false;
   bool IsHeld = false;
+  const Plane* ThePlane = nullptr;
+  mutable std::map<int, Interval> OnPlane; ///< by element
 };
 } // namespace pixelexact

@@ -80,11 +80,11 @@ EdgeFinding EdgeSettler::JudgeWithin(const Part& part) const
     return EdgeFinding::Out;
   }
   // An end is on the edge, whatever is between.
-  const auto touches = [this](const EdgeEnd& end)
-  { return Sight.Shows(end) && Judge.Touches(end); };
-  if (touches(a) || touches(b))
+  const auto isOnPlateau = [this](const EdgeEnd& end)
+  { return Sight.Shows(end) && Judge.IsOnPlateau(end); };
+  if (isOnPlateau(a) || isOnPlateau(b))
   {
-    return EdgeFinding::Touching;
+    return EdgeFinding::In;
   }
   return Sight.Shows(a) && Sight.Shows(b) && a.element == b.element
     ? Judge.Within(a, b, Sight.EdgeBetween(a, b))
@@ -142,12 +142,19 @@ void EdgeSettler::Settle(const Part& part, EdgeFinding finding, int level)
   {
     return;
   }
-  if (finding == EdgeFinding::In || finding == EdgeFinding::Touching)
+  if (finding == EdgeFinding::In)
   {
     States[part.edge] = EdgeState::In;
     return;
   }
   const bool onBoth = Sight.Shows(part.a) && Sight.Shows(part.b);
+  if (finding == EdgeFinding::Blurred ||
+    (finding == EdgeFinding::Uncovered && onBoth && Judge.MayTouch(part.a) &&
+      Judge.MayTouch(part.b)))
+  {
+    States[part.edge] = EdgeState::Undecided;
+    return;
+  }
   if (!IsPlane && !Sight.Shows(part.a) && !Sight.Shows(part.b))
   {
     // Else whether the surface shows between two rays that do not see it is not asked.

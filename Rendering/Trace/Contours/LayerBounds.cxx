@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trace/Contours/LayerBounds.h"
 
+#include "Core/Math/Rounding.h"
+
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
 
@@ -10,7 +12,8 @@ namespace pixelexact
 {
 namespace
 {
-/// Of sums in single precision, as a part of the largest they can be: some roundoffs of a float.
+/// Of sums in single precision. EdgeFunctions multiplies its bound for doubles, of n roundings of
+/// 2^-53, with this over 2^-53: that is 32 times as much as n roundings of a float, 2^-24, make.
 constexpr double kFloatRounding = 0x1p-19;
 } // namespace
 
@@ -20,7 +23,18 @@ LayerBounds::LayerBounds(const Locator& locator, const Layer& layer)
   , Component(layer.component == kMagnitude ? -1 : layer.component)
   , Rounding(layer.precision == Precision::Float ? kFloatRounding : 0.0)
   , Made(static_cast<std::size_t>(locator.GetMesh().Elements()))
+  , Plateaus(Made.Size())
 {
+}
+
+const ElementPlateaus& LayerBounds::PlateausOf(int element) const
+{
+  return Plateaus.Get(static_cast<std::size_t>(element),
+    [&]
+    {
+      return std::make_unique<const ElementPlateaus>(
+        TheIndex.GetMesh(), element, TheField, Component);
+    });
 }
 
 const EdgeBounds& LayerBounds::Of(int element) const
@@ -38,7 +52,6 @@ const Interval& LayerBounds::Values() const
   tbb::collaborative_call_once(Found,
     [this]
     {
-      constexpr double kInfinity = std::numeric_limits<double>::infinity();
       All = tbb::parallel_reduce(
         tbb::blocked_range<std::size_t>(0, Made.Size()), Interval(kInfinity, -kInfinity),
         [this](const tbb::blocked_range<std::size_t>& elements, Interval all)

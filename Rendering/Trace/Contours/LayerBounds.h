@@ -3,6 +3,7 @@
 
 #include "Core/Base/MadeOnDemand.h"
 #include "Core/Questions/EdgeBounds.h"
+#include "Core/Questions/Plateau.h"
 #include "Trace/Scene.h"
 
 #include <tbb/collaborative_call_once.h>
@@ -24,6 +25,7 @@ public:
   LayerBounds(const Locator& locator, const Layer& layer);
 
   [[nodiscard]] const EdgeBounds& Of(int element) const;
+  [[nodiscard]] const ElementPlateaus& PlateausOf(int element) const;
   [[nodiscard]] const ElementIndex& Index() const { return TheIndex; }
   /// Holds the values in all elements but those that are not finite; found out once, by all threads
   /// that ask.
@@ -41,6 +43,7 @@ private:
   int Component;
   double Rounding;
   MadeOnDemand<EdgeBounds> Made;
+  MadeOnDemand<ElementPlateaus> Plateaus;
   mutable tbb::collaborative_once_flag Found;
   mutable Interval All{ 1.0, -1.0 };
 };

@@ -3,6 +3,7 @@
 
 #include "Core/Shape/Shape.h"
 #include "Trace/Contours/EdgeSample.h"
+#include "Trace/Surfaces/ElementFaces.h"
 
 #include <glm/geometric.hpp>
 
@@ -24,6 +25,7 @@ LayerSight::LayerSight(TileVisit& tile, int layer)
   , Layer(layer)
   , TheSurface(*tile.GetScene().layers[static_cast<std::size_t>(layer)].surface)
   , ThePlane(dynamic_cast<const Plane*>(&TheSurface))
+  , TheFaces(dynamic_cast<const ElementFaces*>(&TheSurface))
 {
   const CameraRays& rays = Tile.GetCamera().Rays();
   IsParallel = rays.direction.u == Vec3(0.0) && rays.direction.v == Vec3(0.0);
@@ -86,6 +88,7 @@ EdgeEnd LayerSight::EndOf(
       end.piece = samples.piece[i];
       end.parameters[0] = samples.pieceU[i];
       end.parameters[1] = samples.pieceV[i];
+      end.face = TheFaces ? TheFaces->Faces()[static_cast<std::size_t>(end.piece)].face : -1;
     }
     end.point.eta =
       ReferenceToTensor(Tile.GetScene().locator->GetMesh().ShapeOf(end.element), end.point.xi);

@@ -11,6 +11,8 @@
 
 namespace pixelexact
 {
+class ElementFaces;
+
 /// What the rays of a tile see of one layer's surface.
 class LayerSight
 {
@@ -18,6 +20,8 @@ public:
   LayerSight(TileVisit& tile, int layer);
 
   [[nodiscard]] const Surface& GetSurface() const { return TheSurface; }
+  /// The surface, if it is a plane; else null.
+  [[nodiscard]] const Plane* AsPlane() const { return ThePlane; }
   [[nodiscard]] bool Shows(const EdgeEnd& end) const { return end.layer == Layer; }
   [[nodiscard]] bool ShowsAt(const SampleBuffers& samples, std::size_t i) const
   {
@@ -56,7 +60,8 @@ private:
   TileVisit& Tile;
   int Layer;
   const Surface& TheSurface;
-  const Plane* ThePlane; ///< the surface, if it is one
+  const Plane* ThePlane;        ///< the surface, if it is one
+  const ElementFaces* TheFaces; ///< the same
   bool IsParallel;
   double MeshDepth = 0.0; ///< of the mesh's farthest point, or more
 };

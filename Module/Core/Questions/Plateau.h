@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Base/MadeOnDemand.h"
+#include "Core/Element/Mesh.h"
+#include "Core/Element/RangeIngredients.h"
+#include "Core/Math/Interval.h"
+#include "Core/Questions/Questions.h"
+
+#include <span>
+
+namespace pixelexact
+{
+/// Plateaus: parts of an element on which a component has one value as far as its coefficients
+/// tell, such as walls on which a solver prescribes it.
+///
+/// Coefficients are results of conversions, which round. A coefficient is therefore known to
+/// u max|c| at best (u = 2^-53, c all coefficients of the component in the element), and that
+/// moves the component by at most
+///   rho = u max|c| (sum over the modes of the largest |mode|).
+/// A value v is *held* on a part if all values of the stored component there are proven to lie
+/// within rho of v: a component whose coefficients differ from the stored ones by no more than
+/// their rounding may be v there. A component that varies by more than 2 rho holds no value,
+/// however small that is beside its largest. A field of zeros holds 0 and nothing else.
+///
+/// All functions return the interval of the values that are held, in the units of the modes'
+/// exponent times 2^exponent (world values); it is empty where none is. `modes`: of `components`
+/// (at least 1) components; of several it is their Euclidean norm. All must be finite.
+
+/// On all of the element.
+[[nodiscard]] Interval HeldInElement(const ScaledModes& modes, int components);
+
+/// On all of a face. Costs about 4 (degree + 1)^2 evaluations of all modes in long double.
+[[nodiscard]] Interval HeldOnFace(const ScaledModes& modes, int components, const ShapeFace& face);
+
+/// n . x = offset, in the units of an element: n . Phi(xi) - offset is zero on the plane.
+struct PlaneInElement
+{
+  Vec3 normal{ 0.0 };
+  double offset = 0.0;
+};
+
+/// On all of a plane in the element, where the component is v + lambda (n . Phi - offset) with a
+/// constant lambda: of other components none is found. rho grows by |lambda| times what the same
+/// rounding of the map and of the plane's offset can move n . Phi - offset.
+[[nodiscard]] Interval HeldOnPlane(
+  const ScaledModes& modes, int components, const ScaledModes& map, const PlaneInElement& plane);
+
+/// The same of one element, kept. Safe to use from several threads. Mesh and field must outlive it.
+class ElementPlateaus
+{
+public:
+  /// `component`: or -1: the Euclidean norm of all. Of mapped fields, and of fields that are not
+  /// finite there, nothing is held.
+  ElementPlateaus(const Mesh& mesh, int element, const Field& field, int component);
+
+  [[nodiscard]] const Interval& InElement() const;
+  /// `face`: of FacesOf.
+  [[nodiscard]] const Interval& OnFace(int face) const;
+  /// In world coordinates; made each time.
+  [[nodiscard]] Interval OnPlane(const Vec3& point, const Vec3& normal) const;
+
+private:
+  [[nodiscard]] ScaledModes Modes() const;
+  [[nodiscard]] int Components() const;
+
+  const Mesh& TheMesh;
+  int Element;
+  const Field& TheField;
+  int Component;
+  bool MayHold;
+  MadeOnDemand<Interval> Kept{ 7 }; ///< of the faces, and last of the element
+};
+} // namespace pixelexact
