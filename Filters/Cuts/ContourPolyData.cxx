@@ -112,10 +112,17 @@ std::string DescribeDoubts(const ContourReport& report)
 {
   return Line(report.uncertified, "line", "not certified") +
     Line(report.undecided, "element", "(once per value) not decided: lines may be missing there") +
+    Line(report.spent, "element",
+      "(once per value) where the work budget was exhausted: the value is touched there, or all "
+      "but "
+      "reached on much of the surface; another value, or one a little beside it, is resolved") +
+    Line(report.touched, "piece",
+      "where the field touches the value without crossing it: rounding alone may remove these") +
     Line(report.lost, "piece", "could not be followed to an end: singular points, or roundoff") +
     Line(report.ambiguous, "joint", "of more than two ends") +
     Line(report.constant, "element",
-      "(once per value) with the value, or in the surface, throughout: nothing is drawn there") +
+      "(once per value) with the value, or in the surface, throughout, up to rounding: nothing is "
+      "drawn there") +
     Line(report.notFinite, "element", "left out: coefficients are NaN or infinite") +
     Line(report.tooHigh, "element",
       "(once per value) left out: orders of field and surface together exceed 64; use a plane, or "

@@ -4,6 +4,7 @@
 #include "CallbackWatch.h"
 #include "Core/Base/Error.h"
 #include "FunctionValues.h"
+#include "vtkImplicitTorus.h"
 
 #include "vtkAbstractTransform.h"
 #include "vtkBox.h"
@@ -277,6 +278,15 @@ std::unique_ptr<const CutFunction> MakeCutFunction(vtkImplicitFunction* function
     {
       return std::make_unique<QuadricCut>(*form);
     }
+  }
+  auto* torus = vtkImplicitTorus::SafeDownCast(function);
+  if (torus != nullptr && torus->GetTransform() == nullptr &&
+    torus->GetTubeRadius() <= torus->GetRadius())
+  {
+    const double* const c = torus->GetCenter();
+    const double* const a = torus->GetAxis();
+    return std::make_unique<TorusCut>(
+      Vec3(c[0], c[1], c[2]), Vec3(a[0], a[1], a[2]), torus->GetRadius(), torus->GetTubeRadius());
   }
   return std::make_unique<AskedFunction>(function, length);
 }

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <string>
 
@@ -435,6 +436,135 @@ TEST(Contour, QuadricsAndOtherFunctions)
   EXPECT_TRUE(any.lines[0].closed);
   EXPECT_FALSE(any.lines[0].certified);
   EXPECT_NEAR(Measure(any, any.lines[0], AnyCut(ball)).length, 2.0 * kPi * radius, 1e-9);
+}
+
+/// The field is the value on all of the surface: there is no line, and the report says so.
+TEST(Contour, PlateausAreToldAndHaveNoLines)
+{
+  const MeshBuilder builder = Stack(1);
+  const Mesh mesh = builder.View();
+  const QuadricCut plane(PlaneAt({ 0.0, 0.0, 0.25 }, { 0.0, 0.0, 1.0 }));
+  const QuadricCut slanted(PlaneAt({ 0.1, 0.2, 0.0 }, { 1.0, 2.0, 3.0 }));
+  QuadricForm ball;
+  ball.q = { 1.0, 1.0, 1.0, 0.0, 0.0, 0.0 };
+  ball.c = -0.5;
+  const QuadricCut sphere(ball);
+  struct Case
+  {
+    const CutFunction* cut;
+    LongScalar f;
+    double value;
+  };
+  for (const auto& [cut, f, value] : { Case{ &plane, [](const LongVec3& x) { return x[2]; }, 0.25 },
+         Case{ &slanted, [](const LongVec3& x) { return 7 * (x[0] + 2 * x[1] + 3 * x[2]); }, 3.5 },
+         Case{ &sphere, [](const LongVec3& x) { return Dot(x, x); }, 0.5 } })
+  {
+    for (const int order : { 2, 5, 8 })
+    {
+      const ContourSet set = ContoursOf(mesh, FieldOf(mesh, order, f), *cut, { value }, 1e-4);
+      EXPECT_EQ(set.report.constant, 1) << order;
+      EXPECT_TRUE(set.lines.empty()) << order;
+    }
+  }
+  // A value a little beside it has none, and is decided.
+  const ContourSet beside = ContoursOf(
+    mesh, FieldOf(mesh, 2, [](const LongVec3& x) { return x[2]; }), plane, { 0.25 + 1e-13 }, 1e-4);
+  EXPECT_EQ(beside.report.constant, 0);
+  EXPECT_TRUE(beside.lines.empty());
+  EXPECT_EQ(beside.report.undecided, 0);
+}
+
+/// Chebyshev's T_8 has the value 1 at the ends and, touching it, at three places between.
+TEST(Contour, LinesThatAreTouchedComeOnce)
+{
+  const auto t8 = [](long double x)
+  {
+    const long double t2 = 2 * x * x - 1;
+    const long double t4 = 2 * t2 * t2 - 1;
+    return 2 * t4 * t4 - 1;
+  };
+  const auto expectLines = [](const ContourSet& set, std::vector<double> places)
+  {
+    ASSERT_EQ(set.lines.size(), places.size());
+    std::vector<double> found;
+    for (const ContourLine& line : set.lines)
+    {
+      EXPECT_FALSE(line.closed);
+      double least = 1.0;
+      double most = -1.0;
+      const double x = set.vertices[static_cast<std::size_t>(line.vertices.front())].x.x;
+      for (const std::int64_t id : line.vertices)
+      {
+        const Vec3& at = set.vertices[static_cast<std::size_t>(id)].x;
+        EXPECT_NEAR(at.x, x, 1e-7);
+        least = std::min(least, at.y);
+        most = std::max(most, at.y);
+      }
+      EXPECT_NEAR(least, -1.0, 1e-9);
+      EXPECT_NEAR(most, 1.0, 1e-9);
+      found.push_back(x);
+    }
+    std::ranges::sort(found);
+    std::ranges::sort(places);
+    for (std::size_t k = 0; k < places.size(); ++k)
+    {
+      EXPECT_NEAR(found[k], places[k], 1e-7);
+    }
+    // So that it ends: a straight line needs few, and all open places lie on lines.
+    EXPECT_LT(set.vertices.size(), 1000);
+  };
+  const MeshBuilder builder = Stack(1);
+  const Mesh mesh = builder.View();
+  const QuadricCut cut(PlaneAt({ 0.0, 0.0, 0.25 }, { 0.0, 0.0, 1.0 }));
+  const double half = std::sqrt(0.5);
+  const ContourSet touched = ContoursOf(
+    mesh, FieldOf(mesh, 8, [&](const LongVec3& x) { return t8(x[0]); }), cut, { 1.0 }, 1e-4);
+  expectLines(touched, { -1.0, -half, 0.0, half, 1.0 });
+  EXPECT_EQ(touched.report.touched, 3);
+  EXPECT_GT(touched.report.undecided, 0);
+  const ContourSet square = ContoursOf(mesh,
+    FieldOf(mesh, 2, [](const LongVec3& x) { return (x[0] - 0.3L) * (x[0] - 0.3L); }), cut, { 0.0 },
+    1e-4);
+  expectLines(square, { 0.3 });
+}
+
+/// A touched circle is not followed, and a point that is touched is no line: both are undecided.
+TEST(Contour, WhatIsTouchedAndNotFollowedIsUndecided)
+{
+  const MeshBuilder builder = Stack(1);
+  const Mesh mesh = builder.View();
+  const QuadricCut cut(PlaneAt({ 0.0, 0.0, 0.25 }, { 0.0, 0.0, 1.0 }));
+  const auto round = [](const LongVec3& x) { return x[0] * x[0] + x[1] * x[1] - 0.25L; };
+  const ContourSet circle = ContoursOf(mesh,
+    FieldOf(mesh, 4, [&](const LongVec3& x) { return round(x) * round(x); }), cut, { 0.0 }, 1e-6);
+  EXPECT_TRUE(circle.lines.empty());
+  EXPECT_EQ(circle.report.undecided, 1);
+  const ContourSet point = ContoursOf(
+    mesh, FieldOf(mesh, 2, [&](const LongVec3& x) { return round(x); }), cut, { -0.25 }, 1e-6);
+  EXPECT_TRUE(point.lines.empty());
+  EXPECT_EQ(point.report.undecided, 1);
+}
+
+/// Of a torus as of a quadric: its quartic is exact.
+TEST(Contour, LinesOnATorusAreCertified)
+{
+  const Shape shapes[] = { Shape::Hexahedron, Shape::Prism };
+  const CurvedMesh curved = Blocks(2, shapes);
+  const Mesh mesh = curved.View();
+  const ExpansionBuilder values = FieldOf(mesh, 3, [](const LongVec3& x) { return x[2]; });
+  const TorusCut torus({ 0.05, 0.0, -0.1 }, { 0.0, 0.0, 2.0 }, 0.5, 0.25);
+  const ContourSet set = ContoursOf(mesh, values, torus, { 0.05 }, 1e-6);
+  ASSERT_EQ(set.lines.size(), 2U);
+  EXPECT_EQ(set.report.uncertified, 0);
+  EXPECT_EQ(set.report.undecided, 0);
+  // At the height 0.15 over its middle: circles of the radii 0.5 -+ 0.2.
+  double length = 0.0;
+  for (const ContourLine& line : set.lines)
+  {
+    EXPECT_TRUE(line.closed);
+    length += Measure(set, line, torus).length;
+  }
+  EXPECT_NEAR(length, 2.0 * kPi * (0.3 + 0.7), 1e-8);
 }
 
 /// Without a value in a part of space.

@@ -14,8 +14,7 @@ namespace pixelexact
 namespace
 {
 constexpr int kBudget = 20000; ///< tubes tried in an element
-constexpr int kDeepest = 14;
-constexpr double kSame = 1e-9;
+constexpr int kMaxArcDepth = 14;
 } // namespace
 
 ArcProof::ArcProof(const CurveEquations& equations, CurveEvaluator& evaluator, Shape shape,
@@ -48,7 +47,7 @@ bool ArcProof::HoldsBetween(const CurvePoint& from, const CurvePoint& to, int de
   {
     return true;
   }
-  if (depth == kDeepest || --Left < 0)
+  if (depth == kMaxArcDepth || --Left < 0)
   {
     return false;
   }
@@ -72,8 +71,8 @@ bool ArcProof::IsCrossedElsewhere(const Box3& box, const Vec3& from, const Vec3&
   return std::ranges::any_of(Crossings,
     [&](const Vec3& crossing)
     {
-      return box.Contains(crossing) && glm::length(crossing - from) > kSame &&
-        glm::length(crossing - to) > kSame;
+      // An arc's own ends are the same to the bit.
+      return box.Contains(crossing) && crossing != from && crossing != to;
     });
 }
 

@@ -4,6 +4,7 @@
 #include "Core/Base/Error.h"
 #include "Core/Contour/FaceOwner.h"
 #include "Core/Contour/LineAssembly.h"
+#include "Core/Contour/SeedList.h"
 #include "Core/Faces/FacePlane.h"
 
 #include <glm/geometric.hpp>
@@ -11,13 +12,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <sstream>
+#include <utility>
 
 namespace pixelexact
 {
 namespace
 {
-constexpr double kOnFace = 1e-9;
 /// Of the mesh's diagonal: the least tolerance. A line as long as that has some 100,000 points
 /// then.
 constexpr double kLeastTolerance = 1e-10;
@@ -34,6 +36,11 @@ struct FoundInElement
   bool finite = true;
 };
 
+/// At first for each element and value: more than most need. Then, of those for which it is not
+/// enough, as much as so many together may have of the whole effort.
+constexpr ContourEffort kFirst{ { 400, 32 }, 30'000 };
+constexpr std::size_t kWholeEfforts = 64;
+
 FoundInElement TraceAll(const ContourQuestion& question, int element, const ContourRequest& request)
 {
   FoundInElement found;
@@ -46,10 +53,24 @@ FoundInElement TraceAll(const ContourQuestion& question, int element, const Cont
     if ((!question.IsMagnitude() || value > 0.0) && equations.MayHave(value))
     {
       found.contours.push_back(
-        { v, TraceElement(question, equations, element, value, request.tolerance) });
+        { v, TraceElement(question, equations, element, value, request.tolerance, kFirst) });
     }
   }
   return found;
+}
+
+/// The effort for each of some pairs of elements and values together; none where it is not more
+/// than the first.
+std::optional<ContourEffort> EffortForEachOf(std::size_t pairs)
+{
+  const ContourEffort whole;
+  const double part = std::min(
+    1.0, static_cast<double>(kWholeEfforts) / static_cast<double>(std::max<std::size_t>(pairs, 1)));
+  const ContourEffort effort{ { static_cast<int>(part * whole.seeds.boxes),
+                                static_cast<std::size_t>(
+                                  part * static_cast<double>(whole.seeds.open)) },
+    static_cast<int>(part * whole.steps) };
+  return effort.seeds.boxes > kFirst.seeds.boxes ? std::optional(effort) : std::nullopt;
 }
 
 void Check(const ContourRequest& request, const Box3& box)
@@ -99,18 +120,45 @@ ContourSet TraceContours(const ContourQuestion& question, const Locator& locator
   ContourSet set;
   const auto count = static_cast<std::size_t>(question.mesh.Elements());
   std::vector<FoundInElement> found(count);
-  const auto trace = [&](std::size_t e)
-  { found[e] = TraceAll(question, static_cast<int>(e), request); };
-  if (question.cut->NeedsCallingThread())
+  const auto forEach = [&question](std::size_t all, const auto& visit)
   {
-    for (std::size_t e = 0; e < count; ++e)
+    if (question.cut->NeedsCallingThread())
     {
-      trace(e);
+      for (std::size_t i = 0; i < all; ++i)
+      {
+        visit(i);
+      }
+    }
+    else
+    {
+      tbb::parallel_for(std::size_t{ 0 }, all, visit);
+    }
+  };
+  forEach(
+    count, [&](std::size_t e) { found[e] = TraceAll(question, static_cast<int>(e), request); });
+  // Second pass: the pairs of elements and values whose budget was exhausted, with what all of them
+  // may have together.
+  std::vector<std::pair<int, FoundInElement::OfValue*>> hard;
+  for (std::size_t e = 0; e < count; ++e)
+  {
+    for (FoundInElement::OfValue& one : found[e].contours)
+    {
+      if (one.contour.spent)
+      {
+        hard.emplace_back(static_cast<int>(e), &one);
+      }
     }
   }
-  else
+  if (const std::optional<ContourEffort> effort = EffortForEachOf(hard.size()))
   {
-    tbb::parallel_for(std::size_t{ 0 }, count, trace);
+    forEach(hard.size(),
+      [&](std::size_t i)
+      {
+        const auto& [element, one] = hard[i];
+        const CurveEquations equations(question, element);
+        one->contour = TraceElement(
+          question, equations, element, request.values[one->value], request.tolerance, *effort);
+      });
   }
 
   const FaceOwner owner(locator, faces);
@@ -125,6 +173,8 @@ ContourSet TraceContours(const ContourQuestion& question, const Locator& locator
     {
       ++report.elements;
       report.undecided += contour.complete ? 0 : 1;
+      report.spent += contour.spent ? 1 : 0;
+      report.touched += contour.touched;
       report.constant += contour.constant ? 1 : 0;
       report.tooHigh += contour.tooHigh ? 1 : 0;
       for (CurvePiece& piece : contour.pieces)

@@ -35,6 +35,8 @@ struct ContourReport
   std::int64_t pieces = 0;      ///< of lines, in elements
   std::int64_t unproven = 0;    ///< pieces whose course is not proven
   std::int64_t lost = 0;        ///< pieces that could not be followed to an end
+  std::int64_t spent = 0;       ///< of those, where the work budget was exhausted
+  std::int64_t touched = 0;     ///< pieces that the field touches without crossing the value
   std::int64_t constant = 0;    ///< elements where the field is the value: nothing is drawn
   std::int64_t notFinite = 0;   ///< elements with coefficients that are NaN or infinite
   std::int64_t tooHigh = 0;     ///< elements of orders that the root finder does not take

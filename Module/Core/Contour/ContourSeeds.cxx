@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Contour/ContourSeeds.h"
 
+#include "Core/Bernstein/BoxAlgebra.h"
+#include "Core/Contour/SeedList.h"
 #include "Core/Contour/TurnSearch.h"
 #include "Core/Faces/FacePlane.h"
 #include "Core/Questions/Questions.h"
@@ -22,14 +24,33 @@ constexpr Vec3 kAlong[2] = { { 0.7304251, 0.5231847, 0.4391063 },
 /// the root is that of an interpolated surface, it may be off by more.
 constexpr double kRefined = 2e-6;
 constexpr double kFoundNear = 0.1;
-/// How far, in xi, a contour is looked for beside what is undecided.
-constexpr double kNear = 1e-2;
-/// A polynomial as small as this on a face, relative to its size in the element, is zero there.
-constexpr double kHeld = 1e-13;
 
-double Size(const BoxPolynomial& f)
+/// Zero to within the bound of its own rounding: what it is made of may be zero throughout.
+bool IsZero(const BoxPolynomial& f)
 {
-  return f.Hull().Magnitude();
+  return LargestMagnitude(f.b) <= f.error;
+}
+
+/// f - lambda s, with the number lambda by which f rises with s: it is f wherever s is zero.
+BoxPolynomial LessMultiple(const BoxPolynomial& f, const BoxPolynomial& s)
+{
+  Degrees degree;
+  std::ranges::transform(
+    f.degree, s.degree, degree.begin(), [](int a, int b) { return std::max(a, b); });
+  const auto raised = [&degree](const BoxPolynomial& one)
+  {
+    BoxPolynomial result{ degree, std::vector<double>(CoefficientCount(degree)), 0.0 };
+    Elevate(one.degree, degree, one.b, result.b);
+    result.error = rounding::Above(one.error + ElevationError(degree, LargestMagnitude(one.b)));
+    return result;
+  };
+  const BoxPolynomial high = raised(f);
+  const BoxPolynomial low = raised(s);
+  const auto [least, most] = std::ranges::minmax_element(low.b);
+  const auto from = static_cast<std::size_t>(least - low.b.begin());
+  const auto to = static_cast<std::size_t>(most - low.b.begin());
+  const double rise = low.b[to] - low.b[from];
+  return Combine(1.0, high, rise > 0.0 ? (high.b[from] - high.b[to]) / rise : 0.0, low);
 }
 
 class Search
@@ -42,7 +63,7 @@ public:
     , TheShape(shape)
     , Value(value)
     , Accuracy{ equations.IsExact() ? kRefined : kFoundNear, effort.boxes }
-    , List(shape, equations.IsExact())
+    , List(shape, equations.IsExact(), effort.open)
   {
   }
 
@@ -57,19 +78,23 @@ public:
       const double side = 2.0 / pieces;
       const Box3 box{ Vec3(-1.0) + side * at, Vec3(-1.0) + side * (at + 1.0) };
       BoxPolynomial s = Equations.CutOver(level, box);
-      SizeOfS = std::max(SizeOfS, Size(s));
       if (!s.Hull().Contains(0.0))
       {
         continue;
       }
       parts.push_back({ box, { Equations.FieldOver(level, box, Value), std::move(s) } });
-      SizeOfF = std::max(SizeOfF, Size(parts.back().polynomials.f));
     }
     FindHeldFaces(parts);
     if (List.result.constant)
     {
       return std::move(List.result);
     }
+    std::erase_if(parts,
+      [](const CurvePart& part)
+      {
+        const auto& [f, s] = part.polynomials;
+        return !LessMultiple(f, s).Hull().Contains(0.0);
+      });
     for (const CurvePart& part : parts)
     {
       if (part.polynomials.MayVanish())
@@ -128,28 +153,33 @@ private:
     const auto faces = FacesOf(TheShape);
     for (std::size_t k = 0; k < faces.size(); ++k)
     {
-      double f = 0.0;
-      double s = 0.0;
+      bool fIsZero = true;
+      bool sIsZero = true;
       bool reached = false;
       for (const CurvePart& part : parts)
       {
         if (Reaches(part, faces[k]))
         {
           reached = true;
-          f = std::max(f, Size(part.polynomials.f.AtEnd(faces[k].direction, faces[k].upper)));
-          s = std::max(s, Size(part.polynomials.s.AtEnd(faces[k].direction, faces[k].upper)));
+          const auto& [f, s] = part.polynomials;
+          fIsZero = fIsZero && IsZero(f.AtEnd(faces[k].direction, faces[k].upper));
+          sIsZero = sIsZero && IsZero(s.AtEnd(faces[k].direction, faces[k].upper));
         }
       }
-      const bool fIsZero = f <= kHeld;
-      const bool sIsZero = s <= kHeld * SizeOfS;
       if (reached && (fIsZero || sIsZero))
       {
         List.result.heldFaces.push_back(static_cast<int>(k));
         List.result.constant = List.result.constant || (fIsZero && sIsZero);
       }
     }
-    List.result.constant =
-      List.result.constant || (!parts.empty() && (SizeOfF <= kHeld || SizeOfS <= 0x1p-900));
+    List.result.constant = List.result.constant ||
+      (!parts.empty() &&
+        std::ranges::all_of(parts,
+          [](const CurvePart& part)
+          {
+            const auto& [f, s] = part.polynomials;
+            return IsZero(f) || IsZero(s) || IsZero(LessMultiple(f, s));
+          }));
   }
 
   [[nodiscard]] bool IsHeld(std::size_t face) const
@@ -187,9 +217,10 @@ private:
         return eta;
       };
       RootSearch options;
-      options.budget = kLastBoxes;
+      options.budget = std::min(kLastBoxes, Accuracy.boxes);
       options.smallest = kSmallestBox;
       const RootSearchResult found = FindRoots(PolynomialSystem(2, system), options);
+      List.result.spent = List.result.spent || found.budgetSpent;
       const FacePlane& plane = FacePlanesOf(TheShape)[k];
       const CurvePlane inFace{ plane.gradient, -plane.constant };
       for (const IsolatedRoot& root : found.roots)
@@ -200,7 +231,7 @@ private:
       for (const ParameterBox& box : found.undecided)
       {
         const Vec3 xi = TensorToReference(TheShape, toEta(MiddleOf(box)));
-        List.AddUndecided(Evaluator.InPlane(xi, inFace, kNear), 1U << k);
+        List.AddUndecided(Evaluator.InPlane(xi, inFace, kNear), 1U << k, xi);
       }
     }
   }
@@ -211,8 +242,6 @@ private:
   double Value;
   SeedAccuracy Accuracy;
   SeedList List;
-  double SizeOfF = 0.0;
-  double SizeOfS = 0.0;
 };
 } // namespace
 

@@ -18,21 +18,36 @@ struct ContourSeed
   bool used = false;       ///< by a piece that was traced
 };
 
+/// A place next to which a contour may be that was neither found nor excluded.
+struct OpenPlace
+{
+  Vec3 xi{ 0.0 };
+  unsigned faces = 0; ///< as ContourSeed's
+};
+
 /// Where the contours of an element begin, end and turn.
 struct SeedSearchResult
 {
   std::vector<ContourSeed> seeds;
-  std::vector<int> heldFaces; ///< on which the surface, or the value, is everywhere
+  std::vector<OpenPlace> open; ///< some of them, SeedEffort::open at most
+  /// On which the surface, or the value, is everywhere: its polynomial is zero there to within the
+  /// bound of its own rounding.
+  std::vector<int> heldFaces;
   /// Whether every piece of the contour passes one of the seeds: it ends on the boundary, or is
   /// closed and turns along the direction that was searched.
   bool complete = true;
-  bool constant = false; ///< the field has the value, or the surface lies, in all of the element
+  bool spent = false; ///< the search ended because its effort was exhausted
+  /// The field has the value on all of the surface in the element (F - rho is a multiple of S), or
+  /// the surface lies in all of it, to within the bounds of their polynomials' rounding.
+  bool constant = false;
 };
 
-/// Boxes that may be looked at in one element.
+/// What may be spent on one element: boxes that are looked at for turns, as many on each face
+/// (1,000 at most), and places that stay open. Where that is exhausted, the result is not complete.
 struct SeedEffort
 {
   int boxes = 4000;
+  std::size_t open = 256;
 };
 
 /// Every contour {f = 0, s = 0} in an element ends on its faces, or is closed. Its crossings with

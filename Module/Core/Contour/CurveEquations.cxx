@@ -70,9 +70,11 @@ CurveEquations::CurveEquations(const ContourQuestion& question, int element)
   }
   TheLevel = LevelFor(all);
   const QuadricForm* quadric = question.cut->Quadric();
-  const int ofCut = quadric == nullptr
-    ? kSampledDegree
-    : std::ranges::max(Map.space.TensorDegree()) * (quadric->IsPlane() ? 1 : 2);
+  const int factor = question.cut->Quartic() != nullptr ? 4
+    : quadric != nullptr && quadric->IsPlane()          ? 1
+                                                        : 2;
+  const int ofCut =
+    IsExact() ? std::ranges::max(Map.space.TensorDegree()) * factor : kSampledDegree;
   const int ofField =
     std::ranges::max(Modes.space.TensorDegree()) * (question.IsMagnitude() ? 2 : 1);
   TooHigh = ofCut + ofField > kMaxDegree;
@@ -113,9 +115,13 @@ BoxPolynomial CurveEquations::FieldOver(int level, const Box3& box, double value
 
 BoxPolynomial CurveEquations::CutOver(int level, const Box3& box) const
 {
-  return IsExact()
-    ? QuadricOver(Question.mesh, Element, Map, *Question.cut->Quadric(), level, box).s
-    : SampledOver(box);
+  const auto over = [&](const QuadricForm& form)
+  { return QuadricOver(Question.mesh, Element, Map, form, level, box); };
+  if (const QuarticForm* quartic = Question.cut->Quartic())
+  {
+    return QuarticOver(over(quartic->a), over(quartic->b)).s;
+  }
+  return IsExact() ? over(*Question.cut->Quadric()).s : SampledOver(box);
 }
 
 BoxPolynomial CurveEquations::SampledOver(const Box3& box) const

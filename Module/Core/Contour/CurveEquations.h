@@ -22,8 +22,8 @@ struct CurvePolynomials
 };
 
 /// Makes them over parts of one element: of the stored map and field, exactly, up to the errors
-/// that the polynomials carry. A cut-surface that is no quadric is interpolated: what is concluded
-/// from its polynomial is not proven.
+/// that the polynomials carry. A cut-surface that has no polynomial (CutFunction::IsPolynomial) is
+/// interpolated: what is concluded from its polynomial is not proven.
 class CurveEquations
 {
 public:
@@ -33,10 +33,10 @@ public:
   /// Whether all coefficients are finite, and the degrees are such as the root finder takes.
   [[nodiscard]] bool IsFinite() const { return Finite; }
   [[nodiscard]] bool IsTooHigh() const { return TooHigh; }
-  [[nodiscard]] bool IsExact() const { return Question.cut->Quadric() != nullptr; }
+  [[nodiscard]] bool IsExact() const { return Question.cut->IsPolynomial(); }
 
-  /// Whether the hulls over the whole element leave room for the surface (if it is no quadric, they
-  /// do), and for a value.
+  /// Whether the hulls over the whole element leave room for the surface (if it has no polynomial,
+  /// they do), and for a value.
   [[nodiscard]] bool MayMeetCut() const { return MeetsCut; }
   [[nodiscard]] bool MayHave(double value) const;
 

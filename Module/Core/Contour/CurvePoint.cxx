@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Contour/CurvePoint.h"
 
+#include "Core/Basis/ModeBound.h"
+#include "Core/Math/Rounding.h"
+
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 namespace pixelexact
@@ -17,6 +22,30 @@ constexpr std::size_t kLanes = kLanePadding;
 double Longest(const Vec3& v)
 {
   return std::max({ std::fabs(v.x), std::fabs(v.y), std::fabs(v.z) });
+}
+
+/// Step of differences, in xi: far more than rounding, and far less than functions bend in.
+constexpr double kDifference = 1e-5;
+
+/// The largest coefficients of the components that are contoured in an element: the constant ones
+/// and the others.
+std::array<double, 2> LargestOf(const ContourQuestion& question, int element)
+{
+  const Expansion& values = question.field->values;
+  const int modes = values.SpaceOf(element).Modes();
+  const int first = question.IsMagnitude() ? 0 : question.Component();
+  const int last = question.IsMagnitude() ? values.components - 1 : first;
+  std::array<double, 2> largest{};
+  for (int c = first; c <= last; ++c)
+  {
+    const double* own = values.Coefficients(element) + std::ptrdiff_t{ c } * modes;
+    for (int m = 0; m < modes; ++m)
+    {
+      double& of = largest[m == 0 ? 0 : 1];
+      of = std::max(of, std::fabs(own[m]));
+    }
+  }
+  return largest;
 }
 
 /// Unit length; zero where there is none.
@@ -42,9 +71,54 @@ CurveEvaluator::CurveEvaluator(const ContourQuestion& question, int element, dou
   , Lanes(
       (3 + 4 * static_cast<std::size_t>(std::max(3, question.field->values.components))) * kLanes)
 {
+  const Space& space = question.field->values.SpaceOf(element);
+  const auto [constant, varying] = LargestOf(question, element);
+  Digits = kUnitRoundoff * SumOfModeBounds(space) * std::max(constant, varying);
+  // By Markov's inequality the second derivatives of a polynomial of degree n on [-1,1] are at most
+  // M = n^2 (n^2 - 1) / 3 times its largest value. Where the slope is less than sqrt(2 M rounding),
+  // two lines may be as near as rounding can move one. That of a few operations counts here: what
+  // is not followed is not decided, in any case.
+  const double n = std::ranges::max(space.TensorDegree());
+  const double steepest = n * n * (n * n - 1.0) / 3.0 * varying;
+  const double rounding = 8.0 * kUnitRoundoff * std::max(constant, varying);
+  Flattest = std::sqrt(2.0 * steepest * rounding) + rounding;
+}
+
+Mat3 CurveEvaluator::TurnByXi(const Vec3& xi)
+{
+  Mat3 change;
+  for (int d = 0; d < 3; ++d)
+  {
+    Vec3 turn[2];
+    for (const bool ahead : { false, true })
+    {
+      Vec3 at = xi;
+      at[d] += ahead ? kDifference : -kDifference;
+      const CurvePoint point = FieldAt(at);
+      turn[ahead ? 1 : 0] = glm::cross(point.residualByXi, point.sByXi);
+    }
+    change[d] = (turn[1] - turn[0]) / (2.0 * kDifference);
+  }
+  return change;
 }
 
 CurvePoint CurveEvaluator::At(const Vec3& xi)
+{
+  CurvePoint point = FieldAt(xi);
+  if (Along)
+  {
+    point.residual = glm::dot(*Along, glm::cross(point.residualByXi, point.sByXi));
+    point.residualByXi = *Along * TurnByXi(xi);
+  }
+  const Vec3 turn = glm::cross(point.residualByXi, Unit(point.sByXi));
+  const bool isFlat = !Along && !(glm::length(turn) > Flattest);
+  point.direction =
+    isFlat ? Vec3(0.0) : Unit(glm::cross(Unit(point.residualByXi), Unit(point.sByXi)));
+  point.worldDirection = point.jacobian * point.direction;
+  return point;
+}
+
+CurvePoint CurveEvaluator::FieldAt(const Vec3& xi)
 {
   const Expansion& map = Question.mesh.map;
   const Expansion& values = Question.field->values;
@@ -76,15 +150,23 @@ CurvePoint CurveEvaluator::At(const Vec3& xi)
       jacobian[d][c] = size * arrays[count + 3 * row + static_cast<std::size_t>(d)][0];
     }
   }
+  // Not of x, which far from the world's origin has lost digits that xi has.
+  const Vec3 centre(
+    Question.mesh.centre[3 * e], Question.mesh.centre[3 * e + 1], Question.mesh.centre[3 * e + 2]);
   const Vec3 y(arrays[0][0], arrays[1][0], arrays[2][0]);
+  const auto takeForm = [&](const auto& form, const Vec3& origin)
+  {
+    const Vec3 z = (centre - origin) + size * y;
+    point.s = form.ValueAround(z);
+    point.sByXi = form.GradientAround(z) * jacobian;
+  };
   if (const QuadricForm* quadric = Question.cut->Quadric())
   {
-    // Not of x, which far from the world's origin has lost digits that xi has.
-    const Vec3 centre(Question.mesh.centre[3 * e], Question.mesh.centre[3 * e + 1],
-      Question.mesh.centre[3 * e + 2]);
-    const Vec3 z = (centre - quadric->origin) + size * y;
-    point.s = quadric->ValueAround(z);
-    point.sByXi = quadric->GradientAround(z) * jacobian;
+    takeForm(*quadric, quadric->origin);
+  }
+  else if (const QuarticForm* quartic = Question.cut->Quartic())
+  {
+    takeForm(*quartic, quartic->a.origin);
   }
   else
   {
@@ -104,21 +186,21 @@ CurvePoint CurveEvaluator::At(const Vec3& xi)
   if (!Question.IsMagnitude())
   {
     point.value = valueOf(Question.Component());
-    point.valueByXi = slopeOf(Question.Component());
+    point.residualByXi = slopeOf(Question.Component());
   }
   else
   {
     for (int c = 0; c < values.components; ++c)
     {
       point.value = std::hypot(point.value, valueOf(c));
-      point.valueByXi += valueOf(c) * slopeOf(c);
+      point.residualByXi += valueOf(c) * slopeOf(c);
     }
-    point.valueByXi /= point.value;
+    point.residualByXi /= point.value;
   }
   // d value / d x = J^-T d value / d xi.
-  point.gradient = point.valueByXi * glm::inverse(jacobian);
-  point.direction = Unit(glm::cross(Unit(point.valueByXi), Unit(point.sByXi)));
-  point.worldDirection = jacobian * point.direction;
+  point.gradient = point.residualByXi * glm::inverse(jacobian);
+  point.residual = point.value - Value;
+  point.jacobian = jacobian;
   return point;
 }
 
@@ -146,14 +228,14 @@ std::optional<CurvePoint> CurveEvaluator::Iterate(
     const CurvePoint point = At(at);
     const Vec3 normal = plane != nullptr ? plane->normal : point.direction;
     // Rows are scaled to one, so that the field's and the surface's units do not matter.
-    const double rows[3] = { Longest(point.valueByXi), Longest(point.sByXi), Longest(normal) };
+    const double rows[3] = { Longest(point.residualByXi), Longest(point.sByXi), Longest(normal) };
     if (!(rows[0] > 0.0 && rows[1] > 0.0 && rows[2] > 0.0))
     {
       return std::nullopt;
     }
     const Mat3 matrix =
-      glm::transpose(Mat3(point.valueByXi / rows[0], point.sByXi / rows[1], normal / rows[2]));
-    const Vec3 residual((point.value - Value) / rows[0], point.s / rows[1],
+      glm::transpose(Mat3(point.residualByXi / rows[0], point.sByXi / rows[1], normal / rows[2]));
+    const Vec3 residual(point.residual / rows[0], point.s / rows[1],
       plane != nullptr ? (glm::dot(normal, at) - plane->offset) / rows[2] : 0.0);
     const Vec3 move = glm::inverse(matrix) * residual;
     const double length = Longest(move);

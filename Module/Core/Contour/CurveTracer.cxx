@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Contour/CurveTracer.h"
 
+#include "Core/Contour/SeedList.h"
 #include "Core/Faces/FacePlane.h"
 
 #include <glm/geometric.hpp>
@@ -17,11 +18,9 @@ constexpr double kSameBranch = 0.8; ///< cosine to a point that a step passes
 constexpr double kAside = 0.2;      ///< of a step: how far its curve may pass beside a seed's place
 constexpr double kShare = 0.7;      ///< of the tolerance that a step may use
 constexpr double kShortest = 1e-12; ///< of the longest step
-constexpr double kOnFace = 1e-13;   ///< distance to a face's plane, in xi
-constexpr double kOutside = -1e-9;
-constexpr double kGrazing = 1e-6; ///< of the angle to a face that is touched
-constexpr double kSame = 1e-10;   ///< a curve passes a seed, in xi
-constexpr int kMostSteps = 1000000;
+constexpr double kTracedOnFace = 1e-13; ///< distance to a face's plane, in xi
+constexpr double kGrazing = 1e-6;       ///< of the angle to a face that is touched
+constexpr double kPassesSeed = 1e-10;   ///< a curve passes a seed, in xi
 
 double DistanceToChord(const Vec3& x, const Vec3& from, const Vec3& to)
 {
@@ -53,7 +52,7 @@ CurveTracer::CurveTracer(
 bool CurveTracer::IsOn(std::size_t face, const ContourSeed& seed) const
 {
   return (seed.faces >> face & 1U) != 0 ||
-    std::fabs(FacePlanesOf(TheShape)[face].Distance(seed.point.xi)) <= kOnFace;
+    std::fabs(FacePlanesOf(TheShape)[face].Distance(seed.point.xi)) <= kTracedOnFace;
 }
 
 int CurveTracer::Inward(const ContourSeed& seed) const
@@ -132,9 +131,9 @@ std::optional<CurveTracer::Passed> CurveTracer::FirstPassed(const std::vector<Co
     // On the parabola through both ends and the middle.
     const Vec3 bend = 4.0 * t * (1.0 - t) * (step.middle.xi - (from.xi + step.point.xi) / 2.0);
     const auto there = Evaluator.InPlane(from.xi + t * chord + bend, { chord, glm::dot(chord, at) },
-      kAside * std::sqrt(square) + kSame);
+      kAside * std::sqrt(square) + kPassesSeed);
     // Beside another branch, the value rises to the other side: the curve's direction is reversed.
-    if (there && glm::length(there->xi - at) <= kSame &&
+    if (there && glm::length(there->xi - at) <= kPassesSeed &&
       glm::dot(there->direction, from.direction) > kSameBranch)
     {
       best = { k, t };
@@ -169,7 +168,7 @@ CurveTracer::End CurveTracer::Follow(
 {
   double length = Limits.longest;
   bool mayClose = false;
-  for (int count = 0; count < kMostSteps; ++count)
+  while (Limits.steps-- > 0)
   {
     const CurvePoint from = points.back();
     auto step = Try(from, length, sense);
@@ -224,7 +223,7 @@ std::vector<CurvePiece> CurveTracer::TraceAll(std::vector<ContourSeed>& seeds)
   {
     const Vec3& start = piece.points.front().xi;
     if (std::ranges::any_of(piece.points,
-          [&](const CurvePoint& point) { return glm::length(point.xi - start) > kOnFace; }))
+          [&](const CurvePoint& point) { return glm::length(point.xi - start) > kTracedOnFace; }))
     {
       pieces.push_back(std::move(piece));
     }

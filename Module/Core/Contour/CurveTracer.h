@@ -20,6 +20,7 @@ struct TraceLimits
 {
   double tolerance = 0.0; ///< world units: how far chords may be from the curve
   double longest = 0.0;   ///< world units: of a chord
+  int steps = 0;          ///< of all pieces together
 };
 
 /// Follows the contours of an element from seed to seed, which it marks as used.
@@ -38,6 +39,8 @@ public:
 
   /// All pieces: those that end on the boundary, then closed ones.
   std::vector<CurvePiece> TraceAll(std::vector<ContourSeed>& seeds);
+  /// Whether a piece is lost because there were no steps left.
+  [[nodiscard]] bool IsSpent() const { return Limits.steps <= 0; }
 
 private:
   struct Step

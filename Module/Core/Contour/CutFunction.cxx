@@ -1,12 +1,94 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Contour/CutFunction.h"
 
+#include "Core/Base/Error.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace pixelexact
 {
+namespace
+{
+bool IsFinite(const Vec3& v)
+{
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+} // namespace
+
+QuarticForm QuarticForm::Torus(const Vec3& centre, const Vec3& axis, double R, double r)
+{
+  if (!(IsFinite(centre) && IsFinite(axis) && glm::length(axis) > 0.0))
+  {
+    throw InvalidData("the centre and the axis of a torus must be finite, and the axis not zero.");
+  }
+  if (!(R > 0.0 && r > 0.0 && std::isfinite(R) && std::isfinite(r)))
+  {
+    throw InvalidData("the radii of a torus must be greater than 0 and finite.");
+  }
+  const Vec3 n = glm::normalize(axis);
+  QuarticForm form;
+  form.a.origin = centre;
+  form.a.q = { 1.0, 1.0, 1.0, 0.0, 0.0, 0.0 };
+  form.a.c = (R - r) * (R + r);
+  form.b.origin = centre;
+  form.b.q = { 1.0 - n.x * n.x, 1.0 - n.y * n.y, 1.0 - n.z * n.z, -2.0 * n.x * n.y,
+    -2.0 * n.y * n.z, -2.0 * n.x * n.z };
+  for (double& q : form.b.q)
+  {
+    q *= 4.0 * R * R;
+  }
+  return form;
+}
+
+double QuarticForm::ValueAround(const Vec3& z) const
+{
+  const double square = a.ValueAround(z);
+  return square * square - b.ValueAround(z);
+}
+
+Vec3 QuarticForm::GradientAround(const Vec3& z) const
+{
+  return 2.0 * a.ValueAround(z) * a.GradientAround(z) - b.GradientAround(z);
+}
+
+TorusCut::TorusCut(const Vec3& centre, const Vec3& axis, double R, double r)
+  : Form(QuarticForm::Torus(centre, axis, R, r))
+  , Axis(glm::normalize(axis))
+  , CircleRadius(R)
+  , TubeRadius(r)
+{
+}
+
+double TorusCut::Value(const Vec3& x) const
+{
+  const Vec3 z = x - Form.a.origin;
+  if (TubeRadius > CircleRadius)
+  {
+    return Form.ValueAround(z);
+  }
+  const double height = glm::dot(z, Axis);
+  const double aside = glm::length(z - height * Axis) - CircleRadius;
+  return aside * aside + height * height - TubeRadius * TubeRadius;
+}
+
+Vec3 TorusCut::Gradient(const Vec3& x) const
+{
+  const Vec3 z = x - Form.a.origin;
+  if (TubeRadius > CircleRadius)
+  {
+    return Form.GradientAround(z);
+  }
+  const double height = glm::dot(z, Axis);
+  const Vec3 across = z - height * Axis;
+  const double rho = glm::length(across);
+  // On the axis there is no direction across it.
+  const double outwards = rho > 0.0 ? (rho - CircleRadius) / rho : 0.0;
+  return 2.0 * (outwards * across + height * Axis);
+}
+
 double QuadricForm::ValueAround(const Vec3& z) const
 {
   return q[0] * z.x * z.x + q[1] * z.y * z.y + q[2] * z.z * z.z + q[3] * z.x * z.y +

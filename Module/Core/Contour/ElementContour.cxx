@@ -2,8 +2,10 @@
 #include "Core/Contour/ElementContour.h"
 
 #include "Core/Contour/ArcProof.h"
+#include "Core/Contour/TouchedLines.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace pixelexact
 {
@@ -37,7 +39,7 @@ void Prove(const CurveEquations& equations, CurveEvaluator& evaluator, Shape sha
 } // namespace
 
 ElementContour TraceElement(const ContourQuestion& question, const CurveEquations& equations,
-  int element, double value, double tolerance)
+  int element, double value, double tolerance, const ContourEffort& effort)
 {
   ElementContour contour;
   contour.tooHigh = equations.IsTooHigh();
@@ -48,17 +50,20 @@ ElementContour TraceElement(const ContourQuestion& question, const CurveEquation
   }
   const Shape shape = question.mesh.ShapeOf(element);
   CurveEvaluator evaluator(question, element, value);
-  SeedSearchResult search = FindContourSeeds(equations, evaluator, shape, value);
+  SeedSearchResult search = FindContourSeeds(equations, evaluator, shape, value, effort.seeds);
   contour.complete = search.complete && equations.IsExact();
   contour.constant = search.constant;
   contour.heldFaces = search.heldFaces;
-  if (search.seeds.empty())
-  {
-    return contour;
-  }
-  const double size = question.mesh.size[static_cast<std::size_t>(element)];
-  CurveTracer tracer(evaluator, shape, { tolerance, kLongest * size }, search.heldFaces);
+  contour.spent = search.spent;
+  const TraceLimits limits{ tolerance,
+    kLongest * question.mesh.size[static_cast<std::size_t>(element)], effort.steps };
+  std::vector<CurvePiece> touched = FindTouchedLines(question, element, value, search.open, limits);
+  contour.touched = std::ssize(touched);
+  CurveTracer tracer(evaluator, shape, limits, search.heldFaces);
   contour.pieces = tracer.TraceAll(search.seeds);
+  contour.spent = contour.spent || tracer.IsSpent();
+  contour.complete = contour.complete && !contour.spent;
+  std::ranges::move(touched, std::back_inserter(contour.pieces));
   if (contour.complete)
   {
     Prove(equations, evaluator, shape, value, search.seeds, contour.pieces);

@@ -1,10 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Core/Contour/ContourSeeds.h"
 #include "Core/Contour/CurveTracer.h"
 
 namespace pixelexact
 {
+/// What may be spent on one element and value.
+struct ContourEffort
+{
+  SeedEffort seeds{};
+  int steps =
+    300'000; ///< points of all pieces together; more than a line of the least tolerance has
+};
+
 /// The contour of one value in one element.
 struct ElementContour
 {
@@ -13,10 +22,12 @@ struct ElementContour
   bool complete = true;       ///< no piece is missing, proven
   bool constant = false;
   bool tooHigh = false;
+  bool spent = false;         ///< the work budget was exhausted: it is not complete then
+  std::ptrdiff_t touched = 0; ///< pieces that the field touches without crossing the value
 };
 
 /// The tolerance in world units. The equations are those of the element, finite, and the hulls
 /// leave room for the contour (MayMeetCut, MayHave).
 ElementContour TraceElement(const ContourQuestion& question, const CurveEquations& equations,
-  int element, double value, double tolerance);
+  int element, double value, double tolerance, const ContourEffort& effort = {});
 } // namespace pixelexact

@@ -9,6 +9,41 @@
 
 namespace pixelexact
 {
+namespace
+{
+/// Of the coordinates in QuadricForm::q.
+constexpr std::array<std::array<std::size_t, 2>, 6> kPairs{ { { 0, 0 }, { 1, 1 }, { 2, 2 },
+  { 0, 1 }, { 1, 2 }, { 0, 2 } } };
+
+/// The gradient at z.
+std::array<Interval, 3> GradientAt(const QuadricForm& form, const std::array<Interval, 3>& z)
+{
+  std::array<Interval, 3> gradient{ form.g.x, form.g.y, form.g.z };
+  for (std::size_t k = 0; k < 6; ++k)
+  {
+    const auto [a, b] = kPairs[k];
+    gradient[a] += Interval(form.q[k]) * z[b];
+    gradient[b] += Interval(form.q[k]) * z[a];
+  }
+  return gradient;
+}
+
+/// A power of two that brings S to about 1 over an element about `centre`.
+double UnitOf(const QuadricForm& form, const std::array<Interval, 3>& centre, double radius)
+{
+  double largest = 0.0;
+  for (const double q : form.q)
+  {
+    largest = std::max(largest, std::fabs(radius * radius * q));
+  }
+  for (const Interval& one : GradientAt(form, centre))
+  {
+    largest = std::max(largest, radius * one.Magnitude());
+  }
+  return largest > 0.0 ? std::ldexp(1.0, -std::ilogb(largest)) : 1.0;
+}
+} // namespace
+
 BoxPolynomial ValuesOver(const ScaledModes& modes, int component, int level, const Box3& box)
 {
   const PieceForm::Piece piece = PieceAt(box, level);
@@ -19,40 +54,44 @@ BoxPolynomial ValuesOver(const ScaledModes& modes, int component, int level, con
 ScaledQuadric QuadricOver(const Mesh& mesh, int element, const ScaledModes& map,
   const QuadricForm& form, int level, const Box3& box)
 {
-  // z = z0 + r y, y the map in its modes' units and r a power of two:
-  // S = r^2 y Q y + r (2 Q z0 + g) y + S(z0).
+  const double radius = std::ldexp(mesh.size[static_cast<std::size_t>(element)], map.exponent);
+  return QuadricOf(mesh, element, radius, form,
+    { ValuesOver(map, 0, level, box), ValuesOver(map, 1, level, box),
+      ValuesOver(map, 2, level, box) },
+    false);
+}
+
+ScaledQuadric QuadricOf(const Mesh& mesh, int element, double radius, const QuadricForm& form,
+  std::array<BoxPolynomial, 3> y, bool isLocal)
+{
+  // z = m + r y, m a point of the box's image and r a power of two:
+  // S = r^2 y Q y + r (2 Q m + g) y + S(m).
   const auto e = static_cast<std::size_t>(element);
-  const double r = std::ldexp(mesh.size[e], map.exponent);
-  std::array<Interval, 3> z;
-  std::array<BoxPolynomial, 3> y;
+  const double r = radius;
+  std::array<Interval, 3> centre;
+  std::array<Interval, 3> m;
   for (std::size_t d = 0; d < 3; ++d)
   {
-    z[d] = Interval(mesh.centre[3 * e + d]) - Interval(form.origin[static_cast<int>(d)]);
-    y[d] = ValuesOver(map, static_cast<int>(d), level, box);
+    centre[d] = Interval(mesh.centre[3 * e + d]) - Interval(form.origin[static_cast<int>(d)]);
+    m[d] = centre[d];
+    if (isLocal)
+    {
+      const double middle = 0.5 * (y[d].b.front() + y[d].b.back());
+      m[d] += Interval(r) * Interval(middle);
+      Add(-middle, y[d]);
+    }
   }
-  constexpr std::array<std::array<std::size_t, 2>, 6> kPairs{ { { 0, 0 }, { 1, 1 }, { 2, 2 },
-    { 0, 1 }, { 1, 2 }, { 0, 2 } } };
-  std::array<Interval, 3> linear{ form.g.x, form.g.y, form.g.z };
+  const double unit = UnitOf(form, centre, r);
+  const std::array<Interval, 3> linear = GradientAt(form, m);
   Interval constant = form.c;
   for (std::size_t d = 0; d < 3; ++d)
   {
-    constant += linear[d] * z[d];
+    constant += Interval(form.g[static_cast<int>(d)]) * m[d];
   }
-  double largest = 0.0;
   for (std::size_t k = 0; k < 6; ++k)
   {
-    const auto [a, b] = kPairs[k];
-    const Interval q = form.q[k];
-    constant += q * (z[a] * z[b]);
-    linear[a] += q * z[b];
-    linear[b] += q * z[a];
-    largest = std::max(largest, std::fabs(r * r * form.q[k]));
+    constant += Interval(form.q[k]) * (m[kPairs[k][0]] * m[kPairs[k][1]]);
   }
-  for (const Interval& one : linear)
-  {
-    largest = std::max(largest, r * one.Magnitude());
-  }
-  const double unit = largest > 0.0 ? std::ldexp(1.0, -std::ilogb(largest)) : 1.0;
 
   // Factors that are not exact move the sum by their radius times the polynomial.
   BoxPolynomial s{ y[0].degree, std::vector<double>(y[0].b.size(), 0.0), 0.0 };
@@ -83,5 +122,12 @@ ScaledQuadric QuadricOver(const Mesh& mesh, int element, const ScaledModes& map,
   }
   Add(constant * Interval(unit), s);
   return { std::move(s), unit };
+}
+
+ScaledQuadric QuarticOver(const ScaledQuadric& a, const ScaledQuadric& b)
+{
+  const double unit = a.unit * a.unit;
+  const BoxPolynomial one{ b.s.degree, std::vector<double>(b.s.b.size(), 1.0), 0.0 };
+  return { Combine(1.0, Multiply(a.s, a.s), -unit / b.unit, Multiply(b.s, one)), unit };
 }
 } // namespace pixelexact

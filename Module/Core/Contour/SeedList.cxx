@@ -10,9 +10,7 @@ namespace pixelexact
 namespace
 {
 /// Seeds nearer to each other than this in xi are one.
-constexpr double kSame = 1e-11;
-/// Margin of points that lie in the element.
-constexpr double kOutside = -1e-9;
+constexpr double kSameSeed = 1e-11;
 } // namespace
 
 double CurvePart::Between(std::size_t direction, double t) const
@@ -46,9 +44,13 @@ void SeedList::AddRoot(const std::optional<CurvePoint>& point, unsigned faces)
   }
 }
 
-void SeedList::AddUndecided(const std::optional<CurvePoint>& point, unsigned faces)
+void SeedList::AddUndecided(const std::optional<CurvePoint>& point, unsigned faces, const Vec3& xi)
 {
   result.complete = false;
+  if (!IsFull())
+  {
+    result.open.push_back({ xi, faces });
+  }
   if (point && Margin(TheShape, point->xi) >= kOutside)
   {
     Add(*point, faces, false);
@@ -59,7 +61,7 @@ void SeedList::Add(const CurvePoint& point, unsigned faces, bool certain)
 {
   for (ContourSeed& known : result.seeds)
   {
-    if (glm::length(known.point.xi - point.xi) <= kSame)
+    if (glm::length(known.point.xi - point.xi) <= kSameSeed)
     {
       known.faces |= faces;
       known.onBoundary = known.faces != 0;
@@ -69,8 +71,12 @@ void SeedList::Add(const CurvePoint& point, unsigned faces, bool certain)
   }
   if (!point.IsRegular())
   {
-    // A contour that crosses itself, or a plateau: nothing is followed from there.
+    // A contour that crosses itself, a touched value, or a plateau: nothing is followed from there.
     result.complete = false;
+    if (!IsFull())
+    {
+      result.open.push_back({ point.xi, faces });
+    }
     return;
   }
   result.seeds.push_back({ point, faces, faces != 0, certain });

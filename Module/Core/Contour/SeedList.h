@@ -8,6 +8,13 @@
 
 namespace pixelexact
 {
+/// Margin, in xi, of points that lie in the element.
+inline constexpr double kOutside = -1e-9;
+/// Distance to a face, in xi, of points that lie on it.
+inline constexpr double kOnFace = 1e-9;
+/// How far, in xi, a contour is searched beside what is undecided.
+inline constexpr double kNear = 1e-2;
+
 /// A part of an element, and the polynomials over it.
 struct CurvePart
 {
@@ -27,17 +34,20 @@ class SeedList
 {
 public:
   /// `exact`: roots of the polynomials are the contour's.
-  SeedList(Shape shape, bool exact)
+  SeedList(Shape shape, bool exact, std::size_t mostOpen = SeedEffort{}.open)
     : TheShape(shape)
     , Exact(exact)
+    , MostOpen(mostOpen)
   {
   }
 
   /// The point that stands for an isolated root, on these faces (ContourSeed); none where Newton's
   /// iteration did not find it.
   void AddRoot(const std::optional<CurvePoint>& point, unsigned faces);
-  /// A point found where roots are undecided, or none.
-  void AddUndecided(const std::optional<CurvePoint>& point, unsigned faces);
+  /// A point found where roots are undecided, or none: next to `xi`.
+  void AddUndecided(const std::optional<CurvePoint>& point, unsigned faces, const Vec3& xi);
+  /// Whether no more places may stay open.
+  [[nodiscard]] bool IsFull() const { return result.open.size() >= MostOpen; }
 
   SeedSearchResult result;
 
@@ -46,5 +56,6 @@ private:
 
   Shape TheShape;
   bool Exact;
+  std::size_t MostOpen;
 };
 } // namespace pixelexact

@@ -2,6 +2,7 @@
 #include "Core/Contour/TurnSearch.h"
 
 #include "Core/Bernstein/BoxAlgebra.h"
+#include "Core/Contour/SeedList.h"
 
 #include <algorithm>
 
@@ -13,9 +14,7 @@ namespace
 constexpr int kTry = 48;
 /// Halvings of a piece before the root finder is asked, and at most.
 constexpr int kFirstAsked = 3;
-constexpr int kDeepest = 15;
-/// How far, in xi, a contour is looked for beside what is undecided.
-constexpr double kNear = 1e-2;
+constexpr int kMaxTurnDepth = 15;
 
 /// Along which a part is halved: where its polynomials bend most.
 int DirectionOf(const CurvePart& part)
@@ -44,10 +43,17 @@ void TurnSearch::Visit(CurvePart part, int depth)
   {
     return;
   }
+  if (List.IsFull())
+  {
+    List.result.complete = false;
+    List.result.spent = true;
+    return;
+  }
   if (Left <= 0)
   {
-    const Vec3 middle = (part.box.lower + part.box.upper) / 2.0;
-    List.AddUndecided(Evaluator.Near(TensorToReference(TheShape, middle), 0.5), 0);
+    List.result.spent = true;
+    const Vec3 middle = TensorToReference(TheShape, (part.box.lower + part.box.upper) / 2.0);
+    List.AddUndecided(Evaluator.Near(middle, 0.5), 0, middle);
     return;
   }
   --Left;
@@ -55,7 +61,7 @@ void TurnSearch::Visit(CurvePart part, int depth)
   {
     return;
   }
-  const bool last = depth >= kDeepest;
+  const bool last = depth >= kMaxTurnDepth;
   if ((depth >= kFirstAsked || last) && Ask(part, last))
   {
     return;
@@ -145,7 +151,8 @@ bool TurnSearch::Ask(const CurvePart& part, bool last)
   }
   for (const ParameterBox& box : found.undecided)
   {
-    List.AddUndecided(Evaluator.Near(toXi(MiddleOf(box)), kNear), 0);
+    const Vec3 xi = toXi(MiddleOf(box));
+    List.AddUndecided(Evaluator.Near(xi, kNear), 0, xi);
   }
   return true;
 }

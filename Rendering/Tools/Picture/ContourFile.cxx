@@ -12,6 +12,7 @@
 #include "Core/Location/Locator.h"
 #include "Trace/Surfaces/Plane.h"
 #include "Trace/Surfaces/Quadric.h"
+#include "Trace/Surfaces/Torus.h"
 
 #include "Cuts/ContourPolyData.h"
 
@@ -23,6 +24,7 @@
 
 #include <cmath>
 #include <iterator>
+#include <memory>
 
 namespace pixelexact
 {
@@ -32,15 +34,15 @@ static_assert(kMagnitude == -1, "that of a ContourQuestion");
 
 constexpr const char* kOption = "--contours-output";
 
-/// Null for what is no plane and no quadric.
-std::optional<QuadricForm> FormOf(const Surface& surface)
+/// Null for surfaces that have no polynomial.
+std::unique_ptr<const CutFunction> CutOf(const Surface& surface)
 {
   QuadricForm form;
   if (const auto* plane = dynamic_cast<const Plane*>(&surface))
   {
     form.origin = plane->Point();
     form.g = plane->Normal({});
-    return form;
+    return std::make_unique<QuadricCut>(form);
   }
   if (const auto* quadric = dynamic_cast<const Quadric*>(&surface))
   {
@@ -52,9 +54,14 @@ std::optional<QuadricForm> FormOf(const Surface& surface)
     }
     form.g = 2.0 * Vec3(given.b[0].high, given.b[1].high, given.b[2].high);
     form.c = given.k.high;
-    return form;
+    return std::make_unique<QuadricCut>(form);
   }
-  return std::nullopt;
+  if (const auto* torus = dynamic_cast<const Torus*>(&surface))
+  {
+    return std::make_unique<TorusCut>(
+      torus->Centre(), torus->AxisDirection(), torus->Radius(), torus->Tube());
+  }
+  return nullptr;
 }
 
 void Append(ContourSet&& more, std::size_t valuesBefore, ContourSet& all)
@@ -76,7 +83,7 @@ void Append(ContourSet&& more, std::size_t valuesBefore, ContourSet& all)
 void ContourFileOptions::AddTo(CLI::App& added)
 {
   const AddedOption lines = AddText(added, "--contours-output", file, "LINES.vtp",
-    "Write the contours on planes and quadrics as polylines with proven topology");
+    "Write the contours on planes, quadrics and tori as polylines with proven topology");
   AddRead(
     added, "--contours-tolerance",
     [this](const std::string& text)
@@ -102,11 +109,11 @@ void CheckContourSurfaces(const Shot& shot)
     {
       throw Error(std::string(kOption) + ": there is no field to contour; leave it out");
     }
-    if (!FormOf(*layer.surface))
+    if (!CutOf(*layer.surface))
     {
       throw Unsupported(std::string(kOption) +
-        ": contours are written for --plane, --sphere, --cylinder, --cone and --quadric; leave out "
-        "other surfaces");
+        ": contours are written for --plane, --sphere, --cylinder, --cone, --quadric and "
+        "--torus; leave out other surfaces");
     }
   }
 }
@@ -116,8 +123,8 @@ ContourSet ContoursOfLayer(
 {
   const HighOrderModel& model = *shot.input.model;
   const Layer& of = shot.scene.layers[layer];
-  const QuadricCut cut(*FormOf(*of.surface));
-  return TraceContours({ model.GetMesh(), of.field, of.component, &cut }, *shot.scene.locator,
+  const auto cut = CutOf(*of.surface);
+  return TraceContours({ model.GetMesh(), of.field, of.component, cut.get() }, *shot.scene.locator,
     model.Faces(), { values, tolerance });
 }
 
