@@ -265,8 +265,9 @@ TEST(MfemNurbs, RefusedByName)
     Message(Replaced(UnitSquare(), "weights\n1 1 1 1", "weights\n1 1 1")), { "3 weights" });
   ExpectMessage(Message(Replaced(UnitSquare(), "1 1\n0 1\n", "1 1\n0\n")), { "values" });
   ExpectMessage(Message(Replaced(UnitSquare(), "1 1\n0 1\n", "1 nan\n0 1\n")), { "NaN" });
-  ExpectMessage(Message(Replaced(UnitSquare(), "weights\n", "mesh_elements\n1\n0\nweights\n")),
+  ExpectMessage(Message(Replaced(UnitSquare(), "weights\n", "mesh_elements\n0\nweights\n")),
     { "piece", "PrintAsOne" });
+  EXPECT_EQ(Message(Replaced(UnitSquare(), "weights\n", "mesh_elements\n1\n0\nweights\n")), "");
   ExpectMessage(Message(Replaced(UnitSquare(), "0 3 2", "1 3 2")), { "different knot vectors" });
   ExpectMessage(Message(Replaced(UnitSquare(), "1 1 2\nvertices", "1 1 3\nvertices")), { "edge" });
   ExpectMessage(Message(Replaced(UnitSquare(), "7 3 0 1 2 3", "7 3 0 1 2 2")), { "twice" });

@@ -98,6 +98,9 @@ void ExpectRefusal(const Function& read, const std::vector<std::string>& parts)
   }
 }
 
+const std::string kQuadrature =
+  "QuadratureSpace\nType: default_quadrature\nOrder: 0\nVDim: 1\n\n1\n";
+
 const std::string kRoot = R"({"dsets": {"main": {"cycle": 2, "time": 0.25, "time_step": 0.125,
   "domains": 2,
   "mesh": {"path": "run_000002/mesh.%06d", "format": "1",
@@ -202,16 +205,159 @@ TEST_F(MfemPieces, RootFilesTellOfTheirCycle)
   Write("run_000002/mesh.000001", Square(1));
   Write("run_000002/u.000000", Linear(0));
   Write("run_000002/u.000001", Linear(1));
+  Write("run_000002/q.000000", kQuadrature);
+  Write("run_000002/q.000001", kQuadrature);
   const SolverModel model = mfem::ReadRootFile(root);
   ExpectLinear(model);
   EXPECT_EQ(model.time, 0.25);
   ASSERT_EQ(model.notes.size(), 1U);
   EXPECT_NE(model.notes[0].find("'q' is a quadrature function"), std::string::npos);
+  // The file's first line decides, and not the tag.
+  for (int p = 0; p < 2; ++p)
+  {
+    Write("run_000002/q.00000" + std::to_string(p),
+      "FiniteElementSpace\nFiniteElementCollection: L2_2D_P0\nVDim: 1\nOrdering: 0\n\n" +
+        std::to_string(p + 7) + "\n");
+  }
+  Write("run_000002/u.000000", kQuadrature);
+  const SolverModel elements = mfem::ReadRootFile(root);
+  ASSERT_EQ(elements.fields.size(), 1U);
+  EXPECT_EQ(elements.fields[0].name, "q");
+  EXPECT_EQ(ValueAt(elements, 0, 0, Vec3(0.0))[0], 7.0);
+  EXPECT_EQ(ValueAt(elements, 0, 1, Vec3(0.0))[0], 8.0);
+  ASSERT_EQ(elements.notes.size(), 1U);
+  EXPECT_NE(elements.notes[0].find("'u' is a quadrature function"), std::string::npos);
+  Write("run_000002/u.000000", Linear(0));
   fs::remove(In("run_000002/u.000001"));
   ExpectRefusal([&] { mfem::ReadRootFile(root); }, { "u.000001 is missing" });
   fs::remove(In("run_000002/mesh.000001"));
   ExpectRefusal(
     [&] { mfem::ReadRootFile(root); }, { "run_000002.mfem_root", "2 pieces", "1 file" });
+}
+
+/// Two knot spans of degree 2 along x, a degree 1 along y; `elements`: of a piece, else the whole.
+/// The control points are numbered: corners 0 to 3, bottom 4 and 5, top 6 and 7 from the right.
+std::string Ribbon(
+  const std::string& elements, const std::vector<int>& points, bool isMoved = false)
+{
+  const std::vector<std::string> places{ "0 0", "3 0.5", "3 1.5", "0 1", "1 0.25", "2 -0.25",
+    "2 1.125", "1 0.75" };
+  const std::vector<std::string> weights{ "1", "0.5", "2", "1", "0.75", "1.25", "1.5", "0.625" };
+  std::string text =
+    "MFEM NURBS mesh v1.0\ndimension\n2\nelements\n1\n7 3 0 1 2 3\nboundary\n4\n"
+    "1 1 0 1\n2 1 1 2\n3 1 2 3\n4 1 3 0\nedges\n4\n0 0 1\n0 3 2\n1 0 3\n1 1 2\nvertices\n4\n"
+    "knotvectors\n2\n2 4 0 0 0 0.5 1 1 1\n1 2 0 0 1 1\n" +
+    (elements.empty() ? "" : "\nmesh_elements\n" + elements + "\n") + "\nweights\n";
+  std::string nodes =
+    "\nFiniteElementSpace\nFiniteElementCollection: NURBS\nVDim: 2\nOrdering: 1\n";
+  for (const int point : points)
+  {
+    text += weights[static_cast<std::size_t>(point)] + "\n";
+    nodes += (isMoved && point == 5 ? "2 -0.5" : places[static_cast<std::size_t>(point)]) + "\n";
+  }
+  return text + nodes;
+}
+
+/// Values of a NURBS space of a higher order, whose weights are 1, or of the mesh's own.
+std::string OnPoints(
+  const std::string& collection, const std::vector<int>& points, double shift = 0.0)
+{
+  std::string text =
+    "FiniteElementSpace\nFiniteElementCollection: " + collection + "\nVDim: 1\nOrdering: 0\n\n";
+  for (const int point : points)
+  {
+    text += std::to_string(point * point - 3 * point + shift) + "\n";
+  }
+  return text;
+}
+
+const std::vector<int> kAllPoints{ 0, 1, 2, 3, 4, 5, 6, 7 };
+const std::vector<int> kLeft{ 0, 3, 4, 5, 6, 7 };
+const std::vector<int> kRight{ 1, 2, 4, 5, 6, 7 };
+
+TEST_F(MfemPieces, OfNurbsAreTheWholeMesh)
+{
+  const std::string whole = Write("whole.mesh", Ribbon("", kAllPoints));
+  const std::string values = Write("u.gf", OnPoints("NURBS", kAllPoints));
+  // Four values for each knot span.
+  const auto l2 = [](int count, int first)
+  {
+    std::string text = "FiniteElementSpace\nFiniteElementCollection: L2_2D_P1\nVDim: 1\n"
+                       "Ordering: 0\n\n";
+    for (int i = 0; i < count; ++i)
+    {
+      text += std::to_string((first + i) * (first + i)) + "\n";
+    }
+    return text;
+  };
+  const std::string discontinuous = Write("d.gf", l2(8, 0));
+  const std::string mesh = Write("mesh.000000", Ribbon("1\n0", kLeft));
+  Write("mesh.000001", Ribbon("1\n1", kRight));
+  const std::string u = Write("u.000000", OnPoints("NURBS", kLeft));
+  Write("u.000001", OnPoints("NURBS", kRight));
+  const std::string d = Write("d.000000", l2(4, 0));
+  Write("d.000001", l2(4, 4));
+  const SolverModel one = mfem::ReadFiles(whole, { values, discontinuous });
+  for (const PieceOf& part : { PieceOf{}, PieceOf{ 1, 2 } }) // each process reads all
+  {
+    const SolverModel all = mfem::ReadFiles(mesh, { u, d }, part);
+    EXPECT_EQ(all.piecesOfRun, 0);
+    ASSERT_EQ(all.mesh.number, one.mesh.number);
+    EXPECT_EQ(all.mesh.attribute, one.mesh.attribute);
+    EXPECT_EQ(all.mesh.boundary.size(), one.mesh.boundary.size());
+    ASSERT_EQ(all.fields.size(), 2U);
+    EXPECT_TRUE(all.fields[0].continuous);
+    for (int e = 0; e < static_cast<int>(one.mesh.number.size()); ++e)
+    {
+      const Vec3 xi(0.3, -0.7, 0.0);
+      EXPECT_EQ(PointAt(all, e, xi), PointAt(one, e, xi));
+      EXPECT_EQ(ValueAt(all, 0, e, xi), ValueAt(one, 0, e, xi));
+      EXPECT_EQ(ValueAt(all, 1, e, xi), ValueAt(one, 1, e, xi));
+    }
+  }
+}
+
+TEST_F(MfemPieces, OfNurbsKeepValuesOfTheirOwn)
+{
+  const std::string mesh = Write("mesh.000000", Ribbon("1\n0", kLeft));
+  Write("mesh.000001", Ribbon("1\n1", kRight));
+  const std::string u = Write("u.000000", OnPoints("NURBS", kLeft));
+  Write("u.000001", OnPoints("NURBS", kRight, 100.0));
+  const SolverModel model = mfem::ReadFiles(mesh, { u });
+  EXPECT_FALSE(model.fields.at(0).continuous);
+  for (int e = 0; e < static_cast<int>(model.mesh.number.size()); ++e)
+  {
+    const double value = ValueAt(model, 0, e, Vec3(0.0))[0];
+    EXPECT_EQ(value > 80.0, model.mesh.number[static_cast<std::size_t>(e)] == 1) << value;
+  }
+}
+
+TEST_F(MfemPieces, OfNurbsThatDoNotFitAreRefused)
+{
+  const std::string mesh = Write("mesh.000000", Ribbon("1\n0", kLeft));
+  const auto refuse = [&](const std::vector<std::string>& parts)
+  { ExpectRefusal([&] { mfem::ReadFiles(mesh, {}); }, parts); };
+  refuse({ "mesh.000000", "2 elements", "1 are", "PrintAsOne" });
+  Write("mesh.000001", Ribbon("1\n0", kLeft));
+  refuse({ "mesh.000001", "element 0", "another piece" });
+  Write("mesh.000001", Ribbon("1\n2", kRight));
+  refuse({ "mesh.000001", "element 2" });
+  Write("mesh.000001", Ribbon("1\n1", kAllPoints));
+  refuse({ "mesh.000001", "8 weights", "6 control points" });
+  Write("mesh.000001", Ribbon("1\n1", kRight, true));
+  refuse({ "different places", "different runs" });
+  std::string other = Ribbon("1\n1", kRight);
+  other.replace(other.find("0.5 1 1 1"), 3, "0.4");
+  Write("mesh.000001", other);
+  refuse({ "mesh.000001", "no pieces of one NURBS mesh" });
+  Write("mesh.000001", Square(0, false));
+  refuse({ "mesh.000001", "no pieces of one NURBS mesh" });
+  Write("mesh.000001", Ribbon("1\n1", kRight));
+  const std::string u = Write("u.000000", OnPoints("NURBS", kLeft));
+  Write("u.000001", OnPoints("NURBS", kAllPoints));
+  ExpectRefusal([&] { mfem::ReadFiles(mesh, { u }); }, { "u.000001", "8 values", "has 6" });
+  Write("u.000001", OnPoints("NURBS3", kRight));
+  ExpectRefusal([&] { mfem::ReadFiles(mesh, { u }); }, { "u.000001", "different spaces" });
 }
 
 TEST_F(MfemPieces, DamagedRootFiles)
@@ -230,7 +376,7 @@ TEST_F(MfemPieces, DamagedRootFiles)
   refuse("\"domains\": 2", "\"domains\": 2.5", { "'domains'" });
   refuse("mesh.%06d", "mesh", { "%06d" });
   refuse("mesh.%06d", "%s.%06d", { "%06d" });
-  refuse("\"assoc\"", "\"with\"", { "'assoc' is missing" });
+  refuse("run_000002/u.%06d", "u", { "'u'", "%06d" });
 }
 
 TEST(MfemStreams, OfAllProcesses)

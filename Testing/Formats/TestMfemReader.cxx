@@ -335,6 +335,11 @@ TEST(MfemReader, OtherFormatsOfTheSameSuffixAreNamed)
 {
   ExpectMessage(Message("$MeshFormat\n2.2 0 8\n"), { "Gmsh", ".msh" });
   ExpectMessage(Message("areamesh2\n4\n"), { "Netgen", "Save" });
+  for (const char* first : { "MeshVersionFormatted 2\nDimension 3\n", " MeshVersionFormatted\n1\n",
+         "# made by hand\nMeshVersionFormatted 2\n" })
+  {
+    ExpectMessage(Message(first), { "Medit", "gmsh FILE.mesh -save" });
+  }
   ExpectMessage(Message("TrueGrid\n"), { "TrueGrid", "Save" });
 }
 
@@ -347,6 +352,31 @@ TEST(MfemReader, FieldsThatDoNotFitAreRefusedWithBothNumbers)
     { "u.gf", "cut short" });
   ExpectMessage(Message(OneCube(), { Field("NURBS2", 1, 0, "1") }), { "u.gf", "NURBS" });
   ExpectMessage(Message(OneCube(), { Field("L2_3D_P33", 1, 0, "1") }), { "u.gf", "33" });
+}
+
+/// PETSc writes a value of a ghost cell beyond each face of the border after those of the elements.
+TEST(MfemReader, GhostCellsBehindTheElementsAreNoted)
+{
+  const SolverModel model = ReadTexts(OneCube(), { Field("L2_3D_P0", 1, 1, "42 0 0 0 0 0 0\n") });
+  EXPECT_EQ(ValueAt(model, 0, 0, Vec3(0.0))[0], 42.0);
+  ASSERT_EQ(model.notes.size(), 1U);
+  ExpectMessage(model.notes[0], { "u.gf", "of 7 values the first 1", "ghost cells" });
+  const SolverModel pairs = ReadTexts(OneCube(), { Field("L2_3D_P0", 2, 1, "4 5 6 7\n") });
+  EXPECT_EQ(ValueAt(pairs, 0, 0, Vec3(0.0)), (std::vector<double>{ 4.0, 5.0 }));
+  const std::string triangles =
+    "MFEM mesh v1.0\ndimension\n2\nelements\n2\n1 2 0 1 2\n1 2 0 2 3\nboundary\n0\nvertices\n4\n2\n"
+    "0 0\n1 0\n1 1\n0 1\n";
+  EXPECT_EQ(
+    ReadTexts(triangles, { Field("L2_2D_P0", 1, 1, "1 2 0 0 0 0\n") }).notes.size(), 1U); // 4 edges
+  ExpectMessage(Message(triangles, { Field("L2_2D_P0", 1, 1, "1 2 0 0 0 0 0\n") }), { "7 values" });
+  // More than the cube's six faces, parts of cells, component by component, nodes of a higher
+  // order.
+  ExpectMessage(
+    Message(OneCube(), { Field("L2_3D_P0", 1, 1, "1 2 3 4 5 6 7 8\n") }), { "8 values" });
+  ExpectMessage(Message(OneCube(), { Field("L2_3D_P0", 2, 1, "1 2 3\n") }), { "3 values" });
+  ExpectMessage(Message(OneCube(), { Field("L2_3D_P0", 2, 0, "1 2 3 4\n") }), { "4 values" });
+  ExpectMessage(
+    Message(OneCube(), { Field("L2_3D_P1", 1, 1, "1 2 3 4 5 6 7 8 9\n") }), { "9 values" });
 }
 
 TEST(MfemReader, DamagedRefinementTrees)

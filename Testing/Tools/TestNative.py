@@ -32,6 +32,17 @@ class Native(ToolTest):
         for k in range(3):
             np.testing.assert_allclose(found[f"value_{k}"], oracle[f"u{k}"], rtol=0, atol=1e-11)
 
+    def test_pieces_of_a_nurbs_mesh(self):
+        folder = DATA / "mfem_nurbs_pieces"
+        files = [folder / f"{name}.000000" for name in ["mesh", "u", "h"]]
+        for field in ["u", "h"]:
+            oracle, found = self.probe(files, field, folder / f"oracle_{field}.csv")
+            self.assertEqual(set(found["verdict"]), {"inside"})
+            np.testing.assert_allclose(found["value"], oracle["u"], rtol=0, atol=1e-13)
+        summary = self.summary("info", *files)
+        self.assertEqual(summary["elements"], 64)
+        self.assertEqual({field["continuity"] for field in summary["fields"]}, {"continuous"})
+
     def test_compressed_files_and_streams(self):
         mesh = (ZOO / "mfem49_tinyzoo_g3_p5.mesh").read_bytes()
         field = (ZOO / "u.gf").read_bytes()

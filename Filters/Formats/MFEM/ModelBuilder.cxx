@@ -23,6 +23,18 @@ bool HasShared(const Collection& collection)
     collection.Unknowns(Geometry::Triangle) > 0 || collection.Unknowns(Geometry::Square) > 0;
 }
 
+/// Whether values of ghost cells stand after those of the elements, as PETSc's GLVis viewer writes
+/// finite volumes: at most one for each face of the border.
+bool HasGhostValues(const GridFunctionFile& file, const FunctionSpace& space,
+  const Collection& collection, const MeshFile& mesh, int borderFaces)
+{
+  const auto values = static_cast<std::int64_t>(file.values.size());
+  const std::int64_t ghosts = values / file.components - space.Size();
+  return collection.GetContinuity() == Continuity::L2 &&
+    space.Size() == std::ssize(mesh.elements) && values % file.components == 0 &&
+    (!file.byNodes || file.components == 1) && ghosts > 0 && ghosts <= borderFaces;
+}
+
 /// Bases are made only when the values are known to fit: a damaged name may ask for order 32.
 void RequireValues(const GridFunctionFile& file, const FunctionSpace& space,
   const std::string& where, const MeshFile& mesh)
@@ -90,7 +102,15 @@ ModelBuilder::ModelBuilder(std::vector<MeshPiece> pieces)
         "-D; the two are no pieces of one mesh.");
     }
     Entities.emplace_back();
-    for (std::size_t e = 0; e < file.elements.size(); ++e)
+  }
+  const bool isJoined = Pieces[0].file.nurbs && !Pieces[0].file.nurbs->pieces.empty();
+  if (isJoined)
+  {
+    Joined = JoinNurbs(Pieces);
+  }
+  for (std::size_t p = 0; p < Pieces.size(); ++p)
+  {
+    for (std::size_t e = 0; e < Pieces[p].file.elements.size(); ++e)
     {
       Places.push_back({ static_cast<std::int32_t>(p), static_cast<std::int32_t>(e) });
     }
@@ -102,13 +122,7 @@ ModelBuilder::ModelBuilder(std::vector<MeshPiece> pieces)
   }
   if (Pieces[0].file.nurbs)
   {
-    if (Pieces.size() > 1)
-    {
-      throw Unsupported(Pieces[1].name +
-        ": pieces of parallel NURBS meshes are not read; save the whole mesh "
-        "(ParMesh::PrintAsOne).");
-    }
-    Nurbs = std::make_unique<NurbsModel>(Pieces[0].file, Pieces[0].name);
+    AddNurbs(isJoined);
   }
   AddMap();
   AddGroups();
@@ -119,6 +133,44 @@ ModelBuilder::ModelBuilder(std::vector<MeshPiece> pieces)
       entities->ForgetVertices();
     }
   }
+}
+
+void ModelBuilder::AddNurbs(bool isJoined)
+{
+  if (isJoined)
+  {
+    // Elements of the whole mesh, in its order.
+    std::vector<Place> ordered(Places.size());
+    for (const Place& place : Places)
+    {
+      const auto& own = Joined.nurbs->pieces[static_cast<std::size_t>(place.piece)];
+      ordered[static_cast<std::size_t>(own[static_cast<std::size_t>(place.element)])] = place;
+    }
+    Places = std::move(ordered);
+  }
+  else if (Pieces.size() > 1)
+  {
+    throw InvalidData(Pieces[0].name + " is a whole NURBS mesh, and " + Pieces[1].name +
+      " beside it is no piece of it; give it a name without a number.");
+  }
+  std::vector<GridFunctionFile> nodes;
+  std::vector<std::string> names;
+  for (MeshPiece& piece : Pieces)
+  {
+    names.push_back(piece.name);
+    if (piece.file.nodes->IsNurbs())
+    {
+      nodes.push_back(std::move(*piece.file.nodes));
+      piece.file.nodes.reset();
+    }
+  }
+  if (!nodes.empty() && nodes.size() < Pieces.size())
+  {
+    throw InvalidData(names.front() +
+      ": some pieces of the mesh have NURBS nodes, and others have "
+      "not; they are of different runs.");
+  }
+  Nurbs = std::make_unique<NurbsModel>(isJoined ? Joined : Pieces[0].file, nodes, names);
 }
 
 const MeshFile& ModelBuilder::ShownOf(std::size_t piece) const
@@ -155,6 +207,18 @@ ModelBuilder::Source::Source(ModelBuilder& builder, const std::vector<GridFuncti
     const MeshFile& mesh = builder.Pieces[p].file;
     static const Topology nothing;
     spaces.emplace_back(mesh, HasShared(collection) ? builder.EntitiesOf(p) : nothing, collection);
+    const auto values = static_cast<std::int64_t>(files[p].values.size());
+    if (values > spaces.back().Size() * files[p].components &&
+      HasGhostValues(
+        files[p], spaces.back(), collection, mesh, builder.EntitiesOf(p).BorderFaces()))
+    {
+      builder.Model.notes.push_back(names[p] + ": of " +
+        std::to_string(values / files[p].components) + " values the first " +
+        std::to_string(mesh.elements.size()) +
+        ", one for each element, are read; the others are those of ghost cells beyond the border, "
+        "which PETSc writes after them.");
+      continue;
+    }
     RequireValues(files[p], spaces.back(), names[p], mesh);
   }
   try
@@ -183,7 +247,7 @@ std::int64_t ModelBuilder::ElementsOf(std::int32_t piece) const
 
 void ModelBuilder::AddMap()
 {
-  if (Nurbs && Pieces[0].file.nodes->IsNurbs())
+  if (Nurbs && Nurbs->HasMap())
   {
     Nurbs->AddMap(Model);
     return;
@@ -237,7 +301,7 @@ void ModelBuilder::AddGroups()
     firstVertex.push_back(firstVertex.back() + piece.file.vertices);
   }
   std::int32_t firstElement = 0;
-  for (std::size_t p = 0; p < Pieces.size(); ++p)
+  for (std::size_t p = 0; p < (Nurbs ? 1 : Pieces.size()); ++p)
   {
     const MeshFile& shown = ShownOf(p);
     for (std::size_t e = 0; e < shown.elements.size(); ++e)
@@ -315,7 +379,7 @@ void ModelBuilder::AddField(const std::vector<GridFunctionFile>& files,
   RequireNumbers(names[0]);
   if (files[0].IsNurbs() && Nurbs)
   {
-    Nurbs->AddField(files[0], names[0], name, Model);
+    Nurbs->AddField(files, names, name, Model);
     return;
   }
   const Source source(*this, files, names);

@@ -13,13 +13,6 @@
 
 namespace pixelexact::mfem
 {
-/// A mesh, or what one process of a parallel run has of it, with its file's name for messages.
-struct MeshPiece
-{
-  MeshFile file;
-  std::string name;
-};
-
 /// Puts meshes and grid functions together. Pieces stay as their files have them: the elements of
 /// one after those of the other, each with unknowns of its own.
 class ModelBuilder
@@ -51,6 +44,8 @@ private:
   void RequireNumbers(const std::string& name) const;
   /// What is shown of a piece: the elements of its file, or parts of them.
   [[nodiscard]] const MeshFile& ShownOf(std::size_t piece) const;
+  /// `isJoined`: from the pieces of a parallel run.
+  void AddNurbs(bool isJoined);
   void AddMap();
   void AddGroups();
   void AddBoundary(std::size_t p, std::int32_t firstElement);
@@ -58,6 +53,7 @@ private:
   std::vector<MeshPiece> Pieces;
   std::deque<std::optional<Topology>> Entities; ///< per piece, made when they are asked for
   std::vector<Place> Places;                    ///< per element
-  std::unique_ptr<NurbsModel> Nurbs;            ///< of a NURBS mesh, which is one piece
+  MeshFile Joined;                              ///< the whole of a NURBS mesh's pieces
+  std::unique_ptr<NurbsModel> Nurbs;            ///< of a NURBS mesh
 };
 } // namespace pixelexact::mfem

@@ -56,6 +56,15 @@ MeshFile ParseMesh(const NamedText& text, int pieces)
   return mesh;
 }
 
+/// Pieces of a NURBS mesh are one model, which is cut after it has been read.
+bool IsNurbs(const std::string& mesh)
+{
+  const FileText text(mesh);
+  TextScanner scanner({ mesh, text.Get(), &text });
+  const MeshFormat format = ReadMeshFormat(scanner);
+  return format == MeshFormat::Nurbs || format == MeshFormat::NurbsSpaced;
+}
+
 GridFunctionFile ParseGridFunction(const NamedText& text)
 {
   TextScanner scanner(text);
@@ -170,7 +179,7 @@ SolverModel ReadFiles(
 {
   const std::vector<std::string> names = PiecesOf(mesh);
   const auto count = static_cast<int>(names.size());
-  if (count == 1 && !part.IsWhole())
+  if (!part.IsWhole() && (count == 1 || IsNurbs(names.front())))
   {
     return ReadFiles(mesh, gridFunctions);
   }
@@ -190,11 +199,6 @@ SolverModel ReadFiles(
     SolverModel nothing;
     nothing.piecesOfRun = count;
     return nothing;
-  }
-  if (pieces.front().file.nurbs && count > 1)
-  {
-    throw Unsupported(pieces.front().name +
-      ": pieces of parallel NURBS meshes are not read; save the whole mesh (ParMesh::PrintAsOne).");
   }
   if (whole)
   {

@@ -4,6 +4,7 @@
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 #include "Formats/FileText.h"
+#include "Formats/MFEM/Text/GridFunctionFile.h"
 #include "Formats/MFEM/Text/PieceNames.h"
 
 #include <nlohmann/json.hpp>
@@ -87,9 +88,7 @@ RootFile ParseRootFile(const NamedText& file)
   {
     for (const auto& [name, field] : fields->items())
     {
-      const Json& kind = Entry(file, Entry(file, field, "tags"), "assoc");
-      result.fields.push_back(
-        { name, FirstPiece(file, field), kind.is_string() && kind.get<std::string>() == "nodes" });
+      result.fields.push_back({ name, FirstPiece(file, field) });
     }
   }
   return result;
@@ -112,7 +111,11 @@ SolverModel ReadRootFile(const std::string& path, const PieceOf& part)
   std::vector<std::string> notes;
   for (const RootFile::Field& field : root.fields)
   {
-    if (field.isGridFunction)
+    // The tag "assoc" does not decide: solvers also write it for grid functions of one value for
+    // each element.
+    const FileText begin(at(field.path));
+    TextScanner scanner({ at(field.path), begin.Get(), &begin });
+    if (!IsQuadratureFunction(scanner))
     {
       functions.push_back(at(field.path));
     }

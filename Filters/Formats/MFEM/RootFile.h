@@ -16,7 +16,6 @@ struct RootFile
   {
     std::string name;
     std::string path; ///< of the first piece
-    bool isGridFunction = true;
   };
   int cycle = 0;
   double time = 0.0;

@@ -34,8 +34,16 @@ struct MeshFile
   bool isNumbered = true; ///< as MFEM numbers it: grid functions need that
   std::set<int> sharing;  ///< processes that a piece shares something with, and its own
   int ranks = 1; ///< processes that a piece of a parallel mesh tells of, at least; 1: it is none
-  /// Of a NURBS mesh: the elements are its knot spans, the nodes its control points.
+  /// Of a NURBS mesh: the elements are its knot spans, the nodes its control points. A piece of a
+  /// parallel one has elements only after JoinNurbs.
   std::shared_ptr<const NurbsMesh> nurbs;
+};
+
+/// A mesh, or what one process of a parallel run has of it, with its file's name for messages.
+struct MeshPiece
+{
+  MeshFile file;
+  std::string name;
 };
 
 /// An element or a boundary element, of `dimension` 1 to 3: attribute, geometry, vertices below

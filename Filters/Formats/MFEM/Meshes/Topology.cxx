@@ -59,6 +59,8 @@ Topology::Topology(const MeshFile& mesh)
   FirstEdge.push_back(EdgeIncidences.size());
   FirstFace.push_back(FaceIncidences.size());
   EdgeCount = static_cast<int>(EdgeOf.size());
+  BorderCount = static_cast<int>(std::ranges::count(EdgeOwners, 1, &Owners::count) +
+    std::ranges::count(FaceList, 1, [](const Face& face) { return face.owners.count; }));
 }
 
 void Topology::ForgetVertices()

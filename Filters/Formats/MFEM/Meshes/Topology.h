@@ -33,6 +33,8 @@ public:
 
   [[nodiscard]] int Edges() const { return EdgeCount; }
   [[nodiscard]] int Faces() const { return static_cast<int>(FaceGeometries.size()); }
+  /// Faces, of plane elements edges, that one element alone has.
+  [[nodiscard]] int BorderFaces() const { return BorderCount; }
   [[nodiscard]] Geometry FaceGeometry(int face) const { return FaceGeometries[face]; }
   [[nodiscard]] std::span<const Incidence> EdgesOf(std::size_t element) const;
   [[nodiscard]] std::span<const Incidence> FacesOf(std::size_t element) const;
@@ -68,6 +70,7 @@ private:
 
   std::map<std::array<int, 2>, int> EdgeOf;
   int EdgeCount = 0;
+  int BorderCount = 0;
   std::vector<Owners> EdgeOwners; ///< of plane elements alone
   std::map<FaceKey, int> FaceOf;
   std::vector<Face> FaceList;

@@ -12,10 +12,6 @@ namespace
 {
 /// Knots of two patches that meet may differ by this much of their length, as written by hand.
 constexpr double kSameKnots = 1e-12;
-/// MFEM's own limit of indices.
-constexpr std::int64_t kMostControlPoints = 1 << 30;
-/// At most so many control points become one where boundaries are identified in all directions.
-constexpr std::int64_t kMostIdentified = 8;
 
 void SkipNumbers(TextScanner& scanner, int count)
 {
@@ -276,8 +272,9 @@ MeshFile ReadNurbs(TextScanner& scanner, bool hasSpacing)
     }
     if (scanner.Peek() == "mesh_elements")
     {
-      scanner.FailUnsupported("this is a piece of a parallel NURBS mesh, which has but some of the "
-                              "patches' elements; save the whole mesh (ParMesh::PrintAsOne).");
+      scanner.Word("mesh_elements");
+      nurbs->pieces.push_back(ReadList(scanner, "the elements of the piece"));
+      std::ranges::sort(nurbs->pieces.front());
     }
     if (scanner.Peek() == "periodic")
     {
@@ -288,12 +285,13 @@ MeshFile ReadNurbs(TextScanner& scanner, bool hasSpacing)
     ReadWeights(scanner, *nurbs);
     nodes = ReadGridFunction(scanner);
   }
-  RequireNodes(scanner, *nurbs, *nodes);
-  std::vector<int> counts;
-  std::ranges::transform(nurbs->vectors, std::back_inserter(counts),
-    [](const KnotVector& v) { return static_cast<int>(v.Spans().size()) + 1; });
-  const PatchNumbering vertices(nurbs->topology, std::move(counts));
-  MeshFile mesh = MakeGridMesh(nurbs->topology, vertices, nurbs->places);
+  MeshFile mesh;
+  if (nurbs->pieces.empty())
+  {
+    RequireNodes(scanner, *nurbs, *nodes);
+    mesh = MakeNurbsMesh(*nurbs);
+  }
+  mesh.dimension = nurbs->topology.dimension;
   mesh.nodes = std::move(nodes);
   mesh.nurbs = std::move(nurbs);
   if (scanner.Peek() == "mfem_mesh_end")
@@ -301,5 +299,14 @@ MeshFile ReadNurbs(TextScanner& scanner, bool hasSpacing)
     scanner.Word("the end of the mesh");
   }
   return mesh;
+}
+
+MeshFile MakeNurbsMesh(NurbsMesh& nurbs)
+{
+  std::vector<int> counts;
+  std::ranges::transform(nurbs.vectors, std::back_inserter(counts),
+    [](const KnotVector& v) { return static_cast<int>(v.Spans().size()) + 1; });
+  const PatchNumbering vertices(nurbs.topology, std::move(counts));
+  return MakeGridMesh(nurbs.topology, vertices, nurbs.places);
 }
 } // namespace pixelexact::mfem

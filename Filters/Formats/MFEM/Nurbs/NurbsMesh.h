@@ -6,6 +6,11 @@
 
 namespace pixelexact::mfem
 {
+/// MFEM's own limit of indices.
+inline constexpr std::int64_t kMostControlPoints = 1 << 30;
+/// At most so many control points become one where boundaries are identified in all directions.
+inline constexpr std::int64_t kMostIdentified = 8;
+
 /// What a NURBS mesh's file holds beside its nodes.
 struct NurbsMesh
 {
@@ -15,10 +20,17 @@ struct NurbsMesh
   std::vector<int> slaves;         ///< ... that of the other list
   std::vector<double> weights;     ///< per control point; empty: all are 1
   std::vector<GridPlace> places;   ///< of the elements, which are the knot vectors' spans
+  /// The elements of each process' piece, ascending. Empty: one file holds all of them.
+  std::vector<std::vector<int>> pieces;
 };
 
 /// Reads what follows "MFEM NURBS mesh v1.0", or v1.1 (`hasSpacing`): by patches, or by knot
-/// vectors, weights and nodes. Spacing, which only tells how to refine, is passed over. Throws
-/// InvalidData and Unsupported.
+/// vectors, weights and nodes. Spacing, which only tells how to refine, is passed over. A piece of
+/// a parallel mesh (mesh_elements) has all patches and knot vectors, but weights and nodes of its
+/// own control points alone: its result has neither elements nor vertices. Throws InvalidData and
+/// Unsupported.
 MeshFile ReadNurbs(TextScanner& scanner, bool hasSpacing);
+
+/// The elements and vertices of a mesh whose knot vectors are known; fills `nurbs.places`.
+MeshFile MakeNurbsMesh(NurbsMesh& nurbs);
 } // namespace pixelexact::mfem

@@ -98,19 +98,38 @@ std::set<int> TurnedByOthers(const NurbsMesh& mesh)
 }
 } // namespace
 
-NurbsModel::NurbsModel(const MeshFile& file, std::string name)
+NurbsModel::NurbsModel(
+  const MeshFile& file, std::span<const GridFunctionFile> nodes, std::span<const std::string> names)
   : File(file)
   , Mesh(*file.nurbs)
-  , Name(std::move(name))
+  , Name(names.front())
 {
+  for (std::size_t p = 0; p < Mesh.pieces.size(); ++p)
+  {
+    PieceOf.resize(File.elements.size());
+    for (const int element : Mesh.pieces[p])
+    {
+      PieceOf[static_cast<std::size_t>(element)] = static_cast<int>(p);
+    }
+  }
   for (const KnotVector& vector : Mesh.vectors)
   {
     PartsOfSpan.emplace_back(vector.Spans().size(), 1);
   }
   MakeParts();
-  if (File.nodes && File.nodes->IsNurbs())
+  if (!nodes.empty())
   {
-    Map.emplace(FunctionOf(*File.nodes, Name + ": the mesh's nodes"));
+    std::vector<std::string> where;
+    std::ranges::transform(names, std::back_inserter(where),
+      [](const std::string& own) { return own + ": the mesh's nodes"; });
+    Map.emplace(FunctionOf(nodes, where));
+    if (!Map->data.isOne)
+    {
+      throw InvalidData(Name +
+        ": pieces of the mesh have control points at different places where "
+        "they meet; they are of different runs: remove what an earlier one "
+        "has left.");
+    }
     const int components = Map->components;
     if (components < File.dimension || components > 3)
     {
@@ -128,27 +147,40 @@ NurbsModel::NurbsModel(const MeshFile& file, std::string name)
 }
 
 NurbsModel::Function NurbsModel::FunctionOf(
-  const GridFunctionFile& file, const std::string& where) const
+  std::span<const GridFunctionFile> files, std::span<const std::string> names) const
 {
-  return Naming(where,
-    [&]
-    {
-      NurbsSpace space(Mesh, file);
-      std::vector<double> values = space.ValuesOf(file);
-      if (!std::ranges::all_of(values, [](double v) { return std::isfinite(v); }))
-      {
-        throw InvalidData("a control point has a value that is NaN or infinite, which spoils all "
-                          "elements around it; write the file anew.");
-      }
-      return Function{ std::move(space), std::move(values), file.components };
-    });
+  const GridFunctionFile& file = files.front();
+  const auto readWhole = [&]
+  {
+    NurbsSpace space(Mesh, file);
+    std::vector<double> values = space.ValuesOf(file);
+    return PiecedFunction{ std::move(space), std::move(values), {}, {}, true };
+  };
+  PiecedFunction data =
+    PieceOf.empty() ? Naming(names.front(), readWhole) : ReadPieces(Mesh, files, names);
+  if (!std::ranges::all_of(data.values, [](double v) { return std::isfinite(v); }))
+  {
+    throw InvalidData(names.front() +
+      ": a control point has a value that is NaN or infinite, which spoils all elements around it; "
+      "write the file anew.");
+  }
+  return { std::move(data), file.components };
 }
 
 rational::RationalElement NurbsModel::ElementOf(const Function& function, std::size_t part) const
 {
   const rational::ElementPart& own = PartList[part];
-  return function.space.ElementOf(
-    Mesh.places[static_cast<std::size_t>(own.element)], own, function.values, function.components);
+  const auto element = static_cast<std::size_t>(own.element);
+  const PiecedFunction& data = function.data;
+  std::span<const double> values = data.values;
+  std::span<const int> rows;
+  if (!PieceOf.empty())
+  {
+    const auto piece = static_cast<std::size_t>(PieceOf[element]);
+    values = values.subspan(data.first[piece] * static_cast<std::size_t>(function.components));
+    rows = data.points[piece];
+  }
+  return data.space.ElementOf(Mesh.places[element], own, values, function.components, rows);
 }
 
 NurbsModel::Bases NurbsModel::BasesOf(
@@ -257,11 +289,12 @@ void NurbsModel::AddMap(SolverModel& model)
     "; verdicts take that into account.");
 }
 
-void NurbsModel::AddField(const GridFunctionFile& file, const std::string& where,
-  const std::string& name, SolverModel& model)
+void NurbsModel::AddField(std::span<const GridFunctionFile> files,
+  std::span<const std::string> names, const std::string& name, SolverModel& model)
 {
-  const Function function = FunctionOf(file, where);
-  const double range = RangeOf(function.values, function.components);
+  const std::string& where = names.front();
+  const Function function = FunctionOf(files, names);
+  const double range = RangeOf(function.data.values, function.components);
   const Bases bases =
     BasesOf(function, kMostFieldOrder, [&](std::size_t) { return kLoss * range; });
   const double loss = *std::ranges::max_element(bases.loss);
@@ -274,8 +307,8 @@ void NurbsModel::AddField(const GridFunctionFile& file, const std::string& where
   }
   SolverField field;
   field.name = name;
-  field.basis = function.space.Description();
-  field.continuous = function.space.IsContinuous();
+  field.basis = function.data.space.Description();
+  field.continuous = function.data.space.IsContinuous() && function.data.isOne;
   field.values = AssembleField(bases.basis, function.components,
     [&](std::size_t i, std::span<double> values)
     { rational::NodeValues(ElementOf(function, i), bases.order[i], Tables, values); });

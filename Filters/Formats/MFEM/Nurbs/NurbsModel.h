@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Formats/MFEM/Meshes/Topology.h"
-#include "Formats/MFEM/Nurbs/NurbsSpace.h"
+#include "Formats/MFEM/Nurbs/NurbsPieces.h"
 
 #include <functional>
 #include <map>
@@ -21,30 +21,34 @@ public:
   /// Of a knot span, in all.
   static constexpr int kMostParts = 64;
 
-  /// Divides knot spans as the file's nodes need it. The file outlives it. Throws InvalidData and
-  /// Unsupported, naming the file.
-  NurbsModel(const MeshFile& file, std::string name);
+  /// Divides knot spans as NURBS nodes need it, which are of the file or, one by one, of its
+  /// pieces; none where the nodes are others. `names`: of the file or its pieces. The file outlives
+  /// it. Throws InvalidData and Unsupported, naming the file.
+  NurbsModel(const MeshFile& file, std::span<const GridFunctionFile> nodes,
+    std::span<const std::string> names);
 
   /// The parts, as a mesh: elements, boundary elements and vertices.
   [[nodiscard]] const MeshFile& Shown() const { return Drawn; }
   [[nodiscard]] const Topology& Entities() const { return *DrawnEntities; }
   /// Of each of its elements.
   [[nodiscard]] const std::vector<rational::ElementPart>& Parts() const { return PartList; }
-  /// The map through the file's nodes, which are NURBS; what is lost is added to the uncertainty.
+  /// Whether the nodes are NURBS.
+  [[nodiscard]] bool HasMap() const { return Map.has_value(); }
+  /// The map through the nodes, which are NURBS; what is lost is added to the uncertainty.
   void AddMap(SolverModel& model);
-  /// A NURBS grid function.
-  void AddField(const GridFunctionFile& file, const std::string& where, const std::string& name,
-    SolverModel& model);
+  /// A NURBS grid function, by its file or those of all pieces.
+  void AddField(std::span<const GridFunctionFile> files, std::span<const std::string> names,
+    const std::string& name, SolverModel& model);
 
 private:
   /// A function on all parts.
   struct Function
   {
-    NurbsSpace space;
-    std::vector<double> values;
+    PiecedFunction data; ///< one piece with all control points where the file holds all
     int components = 0;
   };
-  [[nodiscard]] Function FunctionOf(const GridFunctionFile& file, const std::string& where) const;
+  [[nodiscard]] Function FunctionOf(
+    std::span<const GridFunctionFile> files, std::span<const std::string> names) const;
   [[nodiscard]] rational::RationalElement ElementOf(
     const Function& function, std::size_t part) const;
 
@@ -68,6 +72,7 @@ private:
   const MeshFile& File;
   const NurbsMesh& Mesh;
   std::string Name;
+  std::vector<int> PieceOf;                  ///< per element; empty: there are no pieces
   std::vector<std::vector<int>> PartsOfSpan; ///< per knot vector and span
   std::vector<rational::ElementPart> PartList;
   MeshFile Drawn;

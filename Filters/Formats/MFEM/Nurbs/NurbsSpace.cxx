@@ -4,6 +4,7 @@
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 #include "Core/Basis/Space.h"
+#include "Formats/MFEM/Nurbs/NurbsMesh.h"
 
 #include <algorithm>
 #include <charconv>
@@ -14,10 +15,6 @@ namespace pixelexact::mfem
 {
 namespace
 {
-constexpr std::int64_t kMostControlPoints = 1 << 30;
-/// As in the mesh: what is identified can make so many control points one.
-constexpr std::int64_t kMostIdentified = 8;
-
 /// The orders that a collection's name or its sections ask for: one for all, or one for each knot
 /// vector; none: the mesh's own space.
 std::vector<int> OrdersOf(const NurbsMesh& mesh, const GridFunctionFile& file)
@@ -101,6 +98,11 @@ NurbsSpace::NurbsSpace(const NurbsMesh& mesh, const GridFunctionFile& file)
                            : std::vector<double>();
   Identify(isOwn ? file.nurbs->masters : mesh.masters, isOwn ? file.nurbs->slaves : mesh.slaves,
     numbering);
+  RequireWeights();
+}
+
+void NurbsSpace::RequireWeights() const
+{
   if (!Weights.empty() && static_cast<std::int64_t>(Weights.size()) < Points)
   {
     throw InvalidData("the space has " + Counted(Weights.size(), "weight") + " for " +
@@ -273,12 +275,10 @@ std::vector<double> NurbsSpace::ValuesOf(const GridFunctionFile& file) const
   return values;
 }
 
-rational::RationalElement NurbsSpace::ElementOf(const GridPlace& place,
-  const rational::ElementPart& part, std::span<const double> values, int components) const
+std::vector<std::size_t> NurbsSpace::PointsAt(
+  const GridPlace& place, std::array<int, 3>& first) const
 {
-  const auto width = static_cast<std::size_t>(components);
-  rational::RationalElement element;
-  std::array<int, 3> first{};
+  std::array<int, 3> degree{};
   std::array<int, 3> points{ 1, 1, 1 };
   for (int d = 0; d < Mesh.topology.dimension; ++d)
   {
@@ -286,16 +286,16 @@ rational::RationalElement NurbsSpace::ElementOf(const GridPlace& place,
     const PatchTopology::Line& line = Mesh.topology.lines[place.patch].at(d);
     const auto& spans =
       (line.isReversed ? FlippedSpans : Spans)[static_cast<std::size_t>(line.vector)];
-    element.degree.at(d) = vector.degree;
+    degree.at(d) = vector.degree;
     first.at(d) = spans.at(static_cast<std::size_t>(place.at.at(d)));
     points.at(d) = vector.Points();
   }
   std::vector<std::size_t> numbers;
-  for (int i = 0; i <= element.degree[0]; ++i)
+  for (int i = 0; i <= degree[0]; ++i)
   {
-    for (int j = 0; j <= element.degree[1]; ++j)
+    for (int j = 0; j <= degree[1]; ++j)
     {
-      for (int k = 0; k <= element.degree[2]; ++k)
+      for (int k = 0; k <= degree[2]; ++k)
       {
         const std::size_t at =
           (static_cast<std::size_t>(first[2] + k) * points[1] + (first[1] + j)) * points[0] +
@@ -304,12 +304,58 @@ rational::RationalElement NurbsSpace::ElementOf(const GridPlace& place,
       }
     }
   }
+  return numbers;
+}
+
+std::vector<int> NurbsSpace::PointsOf(std::span<const int> elements) const
+{
+  std::vector<int> points;
+  std::array<int, 3> first{};
+  for (const int element : elements)
+  {
+    for (const std::size_t point : PointsAt(Mesh.places[static_cast<std::size_t>(element)], first))
+    {
+      points.push_back(static_cast<int>(point));
+    }
+  }
+  std::ranges::sort(points);
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  return points;
+}
+
+void NurbsSpace::SetWeights(std::vector<double> weights)
+{
+  Weights = std::move(weights);
+  RequireWeights();
+}
+
+rational::RationalElement NurbsSpace::ElementOf(const GridPlace& place,
+  const rational::ElementPart& part, std::span<const double> values, int components,
+  std::span<const int> rows) const
+{
+  const auto width = static_cast<std::size_t>(components);
+  rational::RationalElement element;
+  std::array<int, 3> first{};
+  std::vector<std::size_t> numbers = PointsAt(place, first);
+  for (int d = 0; d < Mesh.topology.dimension; ++d)
+  {
+    element.degree.at(d) = Along(place.patch, d).degree;
+  }
   for (const std::size_t number : numbers)
   {
     element.weights.push_back(Weights.empty() ? 1.0 : Weights[number]);
   }
   element.isPolynomial = std::ranges::all_of(
     element.weights, [&](long double weight) { return weight == element.weights.front(); });
+  if (!rows.empty())
+  {
+    std::ranges::transform(numbers, numbers.begin(),
+      [rows](std::size_t number)
+      {
+        return static_cast<std::size_t>(
+          std::ranges::lower_bound(rows, static_cast<int>(number)) - rows.begin());
+      });
+  }
   std::vector<std::vector<long double>> grids{ element.weights };
   for (std::size_t c = 0; c < width; ++c)
   {

@@ -24,20 +24,32 @@ public:
   /// The degree along a knot vector of the mesh.
   [[nodiscard]] int Degree(int vector) const { return Vectors[vector].degree; }
 
+  /// The control points of some elements, ascending: the order in which the process that has these
+  /// elements numbers them.
+  [[nodiscard]] std::vector<int> PointsOf(std::span<const int> elements) const;
+  /// Weights of all control points, which must be positive, in place of those of the header.
+  void SetWeights(std::vector<double> weights);
+
   /// The values in the order of control points, `components` for each. Throws InvalidData where
   /// there are more or fewer.
   [[nodiscard]] std::vector<double> ValuesOf(const GridFunctionFile& file) const;
-  /// The function on a part of the element at `place`, from such values.
+  /// The function on a part of the element at `place`, from such values, or from those of the
+  /// control points `rows` alone, which are ascending and hold the element's.
   [[nodiscard]] rational::RationalElement ElementOf(const GridPlace& place,
-    const rational::ElementPart& part, std::span<const double> values, int components) const;
+    const rational::ElementPart& part, std::span<const double> values, int components,
+    std::span<const int> rows = {}) const;
 
 private:
+  void RequireWeights() const;
   void Identify(const std::vector<int>& masters, const std::vector<int>& slaves,
     const PatchNumbering& numbering);
   /// Visits the places in a boundary's grid, those of one span after those of another.
   template <class Visit>
   void ForSpans(const PatchNumbering::Boundary& boundary, Visit&& visit) const;
   [[nodiscard]] const KnotVector& Along(std::size_t patch, int direction) const;
+  /// An element's control points, the last direction fastest.
+  [[nodiscard]] std::vector<std::size_t> PointsAt(
+    const GridPlace& place, std::array<int, 3>& first) const;
 
   const NurbsMesh& Mesh;
   std::vector<KnotVector> Vectors;

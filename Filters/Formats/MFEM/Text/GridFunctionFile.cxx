@@ -79,6 +79,11 @@ bool IsComplex(TextScanner& scanner)
 }
 } // namespace
 
+bool IsQuadratureFunction(TextScanner& scanner)
+{
+  return scanner.Peek() == "QuadratureSpace" || scanner.Peek() == "FaceQuadratureSpace";
+}
+
 GridFunctionFile ReadGridFunction(TextScanner& scanner)
 {
   if (IsComplex(scanner))
@@ -92,7 +97,7 @@ GridFunctionFile ReadGridFunction(TextScanner& scanner)
 GridFunctionFile ReadAnyGridFunction(TextScanner& scanner)
 {
   GridFunctionFile file;
-  if (scanner.Peek() == "QuadratureSpace")
+  if (IsQuadratureFunction(scanner))
   {
     scanner.FailUnsupported(
       "quadrature functions, which have values at points of their own, are not "

@@ -38,6 +38,9 @@ GridFunctionFile ReadGridFunction(TextScanner& scanner);
 /// The same for one that may be complex.
 GridFunctionFile ReadAnyGridFunction(TextScanner& scanner);
 
+/// Whether a quadrature function begins here, which has values at points of its own.
+bool IsQuadratureFunction(TextScanner& scanner);
+
 /// The real and the imaginary part of a complex one.
 std::pair<GridFunctionFile, GridFunctionFile> PartsOf(const GridFunctionFile& complex);
 } // namespace pixelexact::mfem

@@ -40,6 +40,11 @@ void RefuseOthers(TextScanner& scanner)
   {
     scanner.FailUnsupported("this is a Netgen" + std::string(kConvert));
   }
+  if (first.starts_with("MeshVersionFormatted"))
+  {
+    scanner.FailUnsupported("this is a Medit mesh (as of Gmsh's and MMG's .mesh files), which is "
+                            "not read; convert it: gmsh FILE.mesh -save -format msh41 -o NEW.msh.");
+  }
   if (first == "TrueGrid")
   {
     scanner.FailUnsupported("this is a TrueGrid" + std::string(kConvert));

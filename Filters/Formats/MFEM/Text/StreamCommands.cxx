@@ -27,6 +27,14 @@ bool IsStreamKeyword(std::string_view word)
 }
 } // namespace
 
+bool IsStream(std::string_view head)
+{
+  constexpr std::string_view kBlank = " \t\r\n";
+  head.remove_prefix(std::min(head.find_first_not_of(kBlank), head.size()));
+  const std::string_view word = head.substr(0, head.find_first_of(kBlank));
+  return word == "parallel" || word == "quadrature" || IsStreamKeyword(word);
+}
+
 StreamRank ReadStreamRank(TextScanner& scanner, int processes)
 {
   scanner.Expect("parallel");

@@ -13,6 +13,9 @@ struct StreamRank
   int number = 0;
 };
 
+/// Whether a file that begins so is a stream, by its first word.
+bool IsStream(std::string_view head);
+
 /// Takes "parallel n i". `processes`: those of the streams before, 0 where there was none. Throws
 /// InvalidData where they differ.
 StreamRank ReadStreamRank(TextScanner& scanner, int processes);
