@@ -245,6 +245,39 @@ TEST(GmshPieces, MissingOnesAndThoseOfAnotherMeshAreRefused)
   fs::remove_all(folder);
 }
 
+TEST(GmshPieces, NumbersInNamesAloneMakeNoPieces)
+{
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::path(::testing::TempDir()) / "pixelexact-gmsh-names";
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  const auto write = [&](int number, const std::string& tags)
+  {
+    const std::string path = (folder / ("m_" + std::to_string(number) + ".msh")).string();
+    std::ofstream(path) << kFormat22 << kNodes22 << "$Elements\n1\n11 4 " << tags
+                        << " 1 2 3 4\n$EndElements\n";
+    return path;
+  };
+  const std::string second = write(2, "4 0 1 1 2");
+  EXPECT_EQ(gmsh::PiecesOf(second), std::vector{ second });
+  // A series of whole meshes: without partitions, or all of the same one.
+  const std::string first = write(1, "2 0 1");
+  EXPECT_EQ(gmsh::PiecesOf(second), std::vector{ second });
+  EXPECT_EQ(gmsh::PiecesOf(first), std::vector{ first });
+  write(1, "4 0 1 1 2");
+  EXPECT_EQ(gmsh::PiecesOf(second), std::vector{ second });
+  EXPECT_EQ(gmsh::PiecesOf(first), std::vector{ first });
+  std::ofstream(first) << "no mesh";
+  EXPECT_EQ(gmsh::PiecesOf(second), std::vector{ second });
+  // Each holds the partition that its name counts.
+  write(1, "4 0 1 1 1");
+  EXPECT_EQ(gmsh::PiecesOf(second), (std::vector{ first, second }));
+  const std::string fourth = write(4, "4 0 1 1 4");
+  EXPECT_EQ(gmsh::PiecesOf(second), (std::vector{ first, second }));
+  EXPECT_THROW(gmsh::PiecesOf(fourth), InvalidData); // the third is missing
+  fs::remove_all(folder);
+}
+
 TEST(GmshPieces, PartsOfAViewStandInTheirFiles)
 {
   // The same partition in both, as who writes each piece for itself has it.

@@ -151,6 +151,41 @@ TEST(GmshReader, BinaryOfBothByteOrders)
   }
 }
 
+TEST(GmshReader, BinaryDataNeedNoLineEndBehindThem)
+{
+  for (std::string text : { Binary22(false), Binary22(true), Binary41(false), Binary41(true) })
+  {
+    const std::string whole = text;
+    for (std::size_t at = text.find("\n$End"); at != std::string::npos; at = text.find("\n$End"))
+    {
+      text.erase(at, 1);
+    }
+    ASSERT_LT(text.size(), whole.size());
+    const SolverModel model = ReadGmsh(text);
+    ExpectPair(model);
+    EXPECT_TRUE(model.notes.empty());
+    ASSERT_EQ(model.fields.size(), 1U);
+    EXPECT_EQ(
+      ValueAt(model, 0, 1, { -1, -1, 1 })[0], ValueAt(ReadGmsh(whole), 0, 1, { -1, -1, 1 })[0]);
+    ExpectParts(GmshMessage(text.substr(0, text.find("$EndNodes"))), { "$Nodes has no end" });
+  }
+}
+
+TEST(GmshReader, ALonePartitionNumberIsNoSignOfOthers)
+{
+  std::string text = kPair22;
+  for (const std::string element : { "11 4 2 0 1", "12 4 2 0 2" })
+  {
+    text.replace(text.find(element), element.size(), element.substr(0, 4) + " 4 0 1 1 2");
+  }
+  EXPECT_TRUE(ReadGmsh(text).notes.empty());
+  const SolverModel model = ReadGmsh(std::string(kFormat41) +
+    "$PartitionedEntities\n1\n0\n0 0 0 2\n1 3 1 1 1 0 0 0 1 1 1 1 4 0\n"
+    "2 3 2 1 1 0 0 0 1 1 1 1 4 0\n$EndPartitionedEntities\n" +
+    kNodes41 + kElements41);
+  EXPECT_TRUE(model.notes.empty());
+}
+
 TEST(GmshReader, PhysicalGroupsOfVersion41)
 {
   const SolverModel model = ReadGmsh(Binary41(false));
@@ -192,7 +227,7 @@ TEST(GmshReader, OnePieceOfAPartitionedMeshIsNoted)
   text.replace(text.find(element), element.size(), "11 4 5 0 1 2 1 -2 1 2 3 4");
   const SolverModel old = ReadGmsh(text);
   ASSERT_EQ(old.notes.size(), 1U);
-  ExpectParts(old.notes[0], { "1 partition", "not the whole mesh" });
+  ExpectParts(old.notes[0], { "1 partition of a mesh of 2", "not the whole mesh" });
   const SolverModel model = ReadGmsh(std::string(kFormat41) +
     "$PartitionedEntities\n3\n0\n0 0 0 1\n1 3 1 1 2 0 0 0 1 1 1 1 4 0\n$EndPartitionedEntities\n" +
     kNodes41 + kElements41);

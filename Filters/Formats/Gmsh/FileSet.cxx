@@ -132,11 +132,11 @@ Partitions FileSet::ReadPartitions()
   {
     Entities entities;
     ReadEntities(scanner, true, entities, mesh);
-    return { mesh.partitions, mesh.partitionsHere.size() };
+    return { mesh.partitions, mesh.partitionsHere };
   }
   // Version 2.2 tells of its elements alone.
   mesh = ReadPiece(0);
-  return { mesh.partitionsHere.empty() ? 1U : 0U, mesh.partitionsHere.size() };
+  return { mesh.partitionsHere.empty() ? 1U : 0U, mesh.partitionsHere };
 }
 
 MeshFile FileSet::ReadPiece(std::size_t file)

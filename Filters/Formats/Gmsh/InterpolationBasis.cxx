@@ -2,6 +2,7 @@
 #include "Formats/Gmsh/Basis.h"
 
 #include "Core/Base/Error.h"
+#include "Formats/Slab.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -82,9 +83,9 @@ Space SpaceOf(int dimension, Shape shape, const Interpolation& interpolation)
   const int most = std::min(kMostDenseModes, 100 + 10 * interpolation.functions);
   if (!space.IsValid() || space.Modes() > most)
   {
-    throw Unsupported(std::to_string(interpolation.functions) + " functions on a " + Name(shape) +
-      " are of orders " + std::to_string(order[0]) + ", " + std::to_string(order[1]) + ", " +
-      std::to_string(order[2]) +
+    throw Unsupported(std::to_string(interpolation.functions) + " functions on a " +
+      (dimension == 2 ? PlaneName(shape) : Name(shape)) + " are of orders " +
+      std::to_string(order[0]) + ", " + std::to_string(order[1]) + ", " + std::to_string(order[2]) +
       "; so many are read where the complete space of these orders has no "
       "more than " +
       std::to_string(most) + ".");

@@ -56,7 +56,7 @@ struct MeshFile
   std::size_t lower = 0; ///< elements of lower dimensions
   std::vector<PhysicalName> names;
   std::size_t inSeveralGroups = 0; ///< elements in more than one physical group
-  std::size_t partitions = 1;      ///< that the mesh was divided into
+  std::size_t partitions = 1; ///< that the file names; the mesh was divided into as many at least
   std::set<int> partitionsHere;
 
   [[nodiscard]] std::span<const std::int32_t> NodesOf(const Solid& element) const

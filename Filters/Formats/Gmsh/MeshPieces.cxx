@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <utility>
 
 namespace pixelexact::gmsh
 {
@@ -61,6 +62,43 @@ Partitions PartitionsOf(const std::string& path)
   FileSet set({ { path, text.Get(), &text } });
   return set.ReadPartitions();
 }
+
+/// Whether a file holds one partition, the one that its name counts.
+bool HoldsOwn(const Partitions& partitions, std::size_t number)
+{
+  return partitions.here.size() == 1 && std::cmp_equal(*partitions.here.begin(), number);
+}
+
+/// The same of a file that was not asked for: one that cannot be read is none.
+bool HoldsOwn(const std::string& path, std::size_t number)
+{
+  try
+  {
+    return HoldsOwn(PartitionsOf(path), number);
+  }
+  catch (const Error&)
+  {
+    return false;
+  }
+}
+
+/// The number of the last file, counting on from `number`. 0: no other file belongs to this one.
+std::size_t CountFiles(const NumberedName& name)
+{
+  auto count = static_cast<std::size_t>(name.number);
+  while (IsFile(name.Of(count + 1)))
+  {
+    ++count;
+  }
+  for (std::size_t i = 1; i <= count; ++i)
+  {
+    if (std::cmp_not_equal(i, name.number) && IsFile(name.Of(i)))
+    {
+      return HoldsOwn(name.Of(i), i) ? count : 0;
+    }
+  }
+  return 0;
+}
 } // namespace
 
 std::vector<std::string> PiecesOf(const std::string& path)
@@ -72,18 +110,14 @@ std::vector<std::string> PiecesOf(const std::string& path)
     return alone;
   }
   const Partitions partitions = PartitionsOf(path);
-  if (partitions.here != 1 || partitions.all == 1)
+  if (!HoldsOwn(partitions, static_cast<std::size_t>(name->number)) || partitions.all == 1)
   {
     return alone;
   }
-  std::size_t count = partitions.all;
+  const std::size_t count = partitions.all > 0 ? partitions.all : CountFiles(*name);
   if (count == 0)
   {
-    count = static_cast<std::size_t>(name->number);
-    while (IsFile(name->Of(count + 1)))
-    {
-      ++count;
-    }
+    return alone;
   }
   std::vector<std::string> pieces;
   for (std::size_t i = 1; i <= count; ++i)

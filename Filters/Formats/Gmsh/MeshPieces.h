@@ -18,12 +18,14 @@ namespace pixelexact::gmsh
 struct Partitions
 {
   std::size_t all = 0; ///< 0: it does not tell (version 2.2)
-  std::size_t here = 0;
+  std::set<int> here;
 };
 
 /// The files of all partitions of the mesh that `path` is a part of, in their order; `path` alone
-/// where it is none: its name has no number, or it holds the whole mesh. Throws InvalidData, naming
-/// the file, where one is missing.
+/// where it is none: its name has no number, it holds the whole mesh, or its only partition has
+/// another number than its name. Version 2.2 does not give the number of partitions: there a second
+/// file must hold the partition of its own number. Throws InvalidData, naming the file, where one
+/// is missing.
 std::vector<std::string> PiecesOf(const std::string& path);
 
 /// Puts pieces together. Nodes that several of them have become one.

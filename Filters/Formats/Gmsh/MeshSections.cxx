@@ -2,8 +2,12 @@
 #include "Formats/Gmsh/MeshSections.h"
 
 #include "Formats/Gmsh/ElementList.h"
+#include "Formats/Gmsh/Sections.h"
 
+#include <algorithm>
+#include <iterator>
 #include <limits>
+#include <set>
 
 namespace pixelexact::gmsh
 {
@@ -11,7 +15,6 @@ namespace
 {
 constexpr double kNamesWithoutDimension = 2.0;
 constexpr double kCountsPartitions = 2.2;
-constexpr double kNew = 4.1;
 constexpr int kDimensions = 4;
 constexpr std::size_t kMostNodes = std::numeric_limits<std::int32_t>::max();
 
@@ -105,6 +108,7 @@ void ReadOldElements(Scanner& scanner, MeshFile& mesh)
   scanner.EndLine();
   ElementList list(mesh, count);
   std::vector<int> tags;
+  std::set<int> named; // partitions, also those that have a ghost of an element
   std::size_t done = 0;
   while (done < count)
   {
@@ -136,10 +140,14 @@ void ReadOldElements(Scanner& scanner, MeshFile& mesh)
       if (partitions > 0)
       {
         mesh.partitionsHere.insert(tags[3]);
+        const std::size_t end = std::min(tags.size(), 3 + partitions);
+        std::transform(tags.begin() + 3, tags.begin() + static_cast<std::ptrdiff_t>(end),
+          std::inserter(named, named.end()), [](int tag) { return tag < 0 ? -tag : tag; });
       }
       else if (!counts && tags.size() == 3 && tags[2] > 0)
       {
         mesh.partitionsHere.insert(tags[2]);
+        named.insert(tags[2]);
       }
       // Where none are counted a fourth tag is a partition all the same.
       if (tags.size() > 3 + std::max(partitions, std::size_t{ counts ? 1U : 0U }))
@@ -153,6 +161,7 @@ void ReadOldElements(Scanner& scanner, MeshFile& mesh)
         { groups, tags.size() > 1 ? tags[1] : 0 });
     }
   }
+  mesh.partitions = std::max(mesh.partitions, named.size());
 }
 
 void ReadNewElements(Scanner& scanner, const Entities& entities, MeshFile& mesh)

@@ -144,13 +144,13 @@ void AddMesh(const MeshFile& mesh, BasisTable& bases, const std::string& file, S
     model.notes.push_back(file + ": " + Counted(mesh.inSeveralGroups, "element") +
       " in several physical groups; Attribute is the first of them.");
   }
-  // Version 2.2 does not tell how many there are.
-  if (!mesh.partitionsHere.empty() &&
-    mesh.partitionsHere.size() < std::max<std::size_t>(mesh.partitions, 2))
+  // A lone partition number is no sign of others: version 2.2 does not say how many there are.
+  if (!mesh.partitionsHere.empty() && mesh.partitionsHere.size() < mesh.partitions)
   {
     model.notes.push_back(file + ": it holds " + Counted(mesh.partitionsHere.size(), "partition") +
-      " of a mesh of " + (mesh.partitions > 1 ? std::to_string(mesh.partitions) : "several") +
-      "; what is shown is not the whole mesh. Save it in one file (Mesh.PartitionSplitMeshFiles = "
+      " of a mesh of " + std::to_string(mesh.partitions) +
+      " that it names; what is shown is not the whole mesh. Save it in one file "
+      "(Mesh.PartitionSplitMeshFiles = "
       "0).");
   }
 }

@@ -280,7 +280,9 @@ void Scanner::LeaveSection(std::string_view section)
       Fail("the section $" + std::string(section) + " has no end; the file is cut short.");
     }
     At = found + end.size();
-    if ((found == 0 || Text[found - 1] == '\n') && (At == Text.size() || IsBlank(Text[At])))
+    // Several writers put no line end between binary data and the section's end.
+    const bool begins = Data.binary || found == 0 || Text[found - 1] == '\n';
+    if (begins && (At == Text.size() || IsBlank(Text[At])))
     {
       return;
     }
