@@ -77,13 +77,44 @@ TEST(NektarXml, WhatNektarReadsIsRead)
   EXPECT_EQ(latin.mesh.groups.at(0).name, "\xc3\xa9");
 }
 
+TEST(NektarXml, WhatTinyXmlReadsOverIsNoted)
+{
+  const std::string good = Session(Cube());
+  const auto expect = [&](const std::string& broken, const std::vector<std::string>& notes)
+  {
+    const SolverModel model =
+      ReadTexts(Replaced(good, "<GEOMETRY", "\n<CONDITIONS>" + broken + "</CONDITIONS><GEOMETRY"));
+    EXPECT_EQ(PointAt(model, 0, { 1, 1, 1 }).x, 1) << broken;
+    ASSERT_EQ(model.notes.size(), notes.size()) << broken;
+    for (std::size_t i = 0; i < notes.size(); ++i)
+    {
+      EXPECT_NE(model.notes[i].find(notes[i]), std::string::npos) << model.notes[i];
+    }
+  };
+  expect("<!N VAR=\"u\" VALUE=\"0\" />", { "a.xml, line 3: '<!N VAR=\"u\" VALUE=\"0\" />'" });
+  expect("\n<--!I PROPERTY=\"x\"\n VALUE=\"y\" /--><P/>\n<1/>",
+    { "line 4: '<--!I PROPERTY=\"x\"'", "line 6: '<1/>'" });
+  expect("<F> Source <F/>", { "line 3: '<F/>' is read as the end" });
+  expect("<F> a <G> b <G /> c <H/> </F>", { "'<G />' is read as the end" });
+  expect("<P A=1/><P B = -2.5 C=\"3\"></P>", { "'A=1'", "'B = -2.5'" });
+  expect("<F NAME=\"f\"><E/></F NAME=\"f\"\n><G></G\t>", { "line 3: '</F NAME=\"f\"'" });
+  expect("<F>1<F/></F><!--- <!N --->", {});
+  const std::string field = Field(kLinearHexahedron + kSpace, Compressed(kValues));
+  const SolverModel model = ReadTexts(good, Replaced(field, "<Metadata>", "<!Old/><Metadata>"));
+  EXPECT_EQ(model.time, 2.5);
+  ASSERT_EQ(model.notes.size(), 1U);
+  EXPECT_NE(model.notes[0].find("u.fld, line"), std::string::npos);
+}
+
 TEST(NektarXml, WhatIsNoXmlIsToldWithItsLine)
 {
   const std::string good = Session(Cube("\n\n<COMPOSITE></COMPOSITE>"));
   ExpectRefusal(Replaced(good, "</COMPOSITE>", "</COMPOSITES>"), "", { "a.xml, line 4" });
   ExpectRefusal(Replaced(good, "<GEOMETRY", "\n<CONDITIONS><P>1<P></CONDITIONS><GEOMETRY"), "",
     { "a.xml, line 3" });
-  ExpectRefusal(Replaced(good, "<GEOMETRY", "\n<P A=1/><GEOMETRY"), "", { "a.xml, line 3" });
+  ExpectRefusal(Replaced(good, "<GEOMETRY", "\n<P A=/><GEOMETRY"), "", { "a.xml, line 3" });
+  ExpectRefusal(Replaced(good, "<GEOMETRY", "\n<P A=1\"/><GEOMETRY"), "", { "a.xml, line 3" });
+  ExpectRefusal(Replaced(good, "<GEOMETRY", "\n<!N <GEOMETRY"), "", { "a.xml" });
   ExpectRefusal(Replaced(good, "<GEOMETRY", "\n<P A=\"1\" B=\"2\" A=\"3\"/><GEOMETRY"), "",
     { "a.xml, line 3", "<P>", "A twice" });
   ExpectRefusal("damaged" + good, "", { "a.xml, line 1", "text", "'damaged'" });

@@ -22,19 +22,6 @@ struct Placement
   const ElementBasis* basis = nullptr;
 };
 
-std::string NameOf(const Expansion3& expansion)
-{
-  if (expansion.IsLine())
-  {
-    return "segment";
-  }
-  if (!expansion.IsPlane())
-  {
-    return Name(expansion.shape);
-  }
-  return expansion.shape == Shape::Prism ? "triangle" : "quadrilateral";
-}
-
 /// The fields of a file's parts, with all that belongs to an element found.
 class FieldBuilder
 {
@@ -52,6 +39,7 @@ public:
     {
       FieldFile& file = Files.emplace_back(ReadFieldFile(part));
       Session.model.time = file.time ? file.time : Session.model.time;
+      Session.model.notes.insert(Session.model.notes.end(), file.notes.begin(), file.notes.end());
       for (FieldBlock& block : file.blocks)
       {
         Enlist(block, part.name);

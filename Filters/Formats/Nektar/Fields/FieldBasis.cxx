@@ -132,7 +132,7 @@ void RequireNestedOrders(const Expansion3& expansion)
   if (!sound)
   {
     throw InvalidData("the numbers of modes " + std::to_string(p) + ", " + std::to_string(q) +
-      ", " + std::to_string(r) + " are not nested as a " + Name(expansion.shape) + " needs them.");
+      ", " + std::to_string(r) + " are not nested as a " + NameOf(expansion) + " needs them.");
   }
 }
 } // namespace
@@ -179,7 +179,7 @@ ElementBasis MakeFieldBasis(const Expansion3& expansion)
   const bool modified = IsFamily(expansion, "Modified");
   if (!modified && !IsFamily(expansion, "Ortho"))
   {
-    throw Unsupported("the basis " + Describe(expansion) + " on a " + Name(expansion.shape) +
+    throw Unsupported("the basis " + Describe(expansion) + " on a " + NameOf(expansion) +
       " is not read; the modified and the orthogonal ones are.");
   }
   RequireNestedOrders(expansion);

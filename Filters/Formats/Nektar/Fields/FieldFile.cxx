@@ -5,6 +5,7 @@
 #include "Core/Basis/Space.h"
 #include "Formats/Nektar/Geometry/ModifiedModes.h"
 #include "Formats/Nektar/Homogeneous/HomogeneousBlock.h"
+#include "Formats/Slab.h"
 
 #include <algorithm>
 #include <map>
@@ -207,6 +208,7 @@ FieldFile ReadFieldFile(const NamedText& file)
 {
   const Document document(file);
   FieldFile result;
+  result.notes = document.Notes();
   result.time = ReadTime(document);
   // As Nektar++ does, from each element NEKTAR.
   for (auto root = document.Root(); root; root = root.next_sibling("NEKTAR"))
@@ -217,6 +219,13 @@ FieldFile ReadFieldFile(const NamedText& file)
     }
   }
   return result;
+}
+
+std::string NameOf(const Expansion3& expansion)
+{
+  return expansion.IsLine() ? "segment"
+    : expansion.IsPlane()   ? PlaneName(expansion.shape)
+                            : Name(expansion.shape);
 }
 
 std::string Describe(const Expansion3& expansion)

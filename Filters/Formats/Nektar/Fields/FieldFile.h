@@ -51,10 +51,14 @@ struct FieldFile
 {
   std::optional<double> time;
   std::vector<FieldBlock> blocks;
+  std::vector<std::string> notes; ///< as SolverModel::notes
 };
 
 /// Reads a part of a field file. Throws InvalidData and Unsupported.
 FieldFile ReadFieldFile(const NamedText& file);
+
+/// "prism", "triangle", "segment".
+std::string NameOf(const Expansion3& expansion);
 
 /// "Modified_A x Modified_A x Modified_B".
 std::string Describe(const Expansion3& expansion);

@@ -68,7 +68,7 @@ Document::Document(const NamedText& file)
   , File(file.file)
   , MostExpanded(kExpansion * (file.text.size() + 1))
 {
-  Blocks = LoadXml(file, Xml);
+  Blocks = LoadXml(file, Xml, RepairNotes);
   if (!Root())
   {
     throw InvalidData(FileName + ": there is no element NEKTAR; this is no Nektar++ file.");

@@ -28,6 +28,9 @@ public:
   /// Its name without folders.
   [[nodiscard]] std::string BaseName() const { return FileName.substr(FileName.rfind('/') + 1); }
 
+  /// What was repaired in the file so that it is XML, as SolverModel::notes.
+  [[nodiscard]] const std::vector<std::string>& Notes() const { return RepairNotes; }
+
   /// The only child of a tag, or none; fails where there are several.
   [[nodiscard]] pugi::xml_node Only(const pugi::xml_node& parent, const char* tag) const;
   /// An element's own text, without comments.
@@ -104,6 +107,7 @@ private:
   std::string FileName;
   const FileText* File;
   pugi::xml_document Xml;
+  std::vector<std::string> RepairNotes;
   std::vector<std::string_view> Blocks; ///< the long ones, which Xml has marks for
   std::size_t MostExpanded;
 };

@@ -3,6 +3,7 @@
 
 #include "Core/Base/Error.h"
 #include "Core/Base/ParseWhole.h"
+#include "Formats/FileText.h"
 #include "Formats/Hdf5/Hdf5File.h"
 #include "Formats/Nektar/Files/Hdf5Xml.h"
 
@@ -20,6 +21,10 @@ constexpr std::size_t kHead = std::size_t{ 1 } << 16U;
 
 std::string HeadOf(const std::string& path)
 {
+  if (IsPipeOrDevice(path))
+  {
+    throw InvalidData("cannot read '" + path + "': " + kPipeRemedy + ".");
+  }
   std::ifstream stream(path, std::ios::binary);
   std::string head(kHead, '\0');
   stream.read(head.data(), static_cast<std::streamsize>(head.size()));

@@ -6,6 +6,7 @@
 #include "Formats/Hdf5/Hdf5File.h"
 #include "Formats/Nektar/Files/Hdf5Xml.h"
 #include "Formats/Nektar/Files/LongBlocks.h"
+#include "Formats/Nektar/Files/RepairedXml.h"
 
 #include <algorithm>
 #include <span>
@@ -94,7 +95,8 @@ private:
 };
 } // namespace
 
-std::vector<std::string_view> LoadXml(const NamedText& file, pugi::xml_document& xml)
+std::vector<std::string_view> LoadXml(
+  const NamedText& file, pugi::xml_document& xml, std::vector<std::string>& notes)
 {
   const bool hdf5 = IsHdf5(file.text);
   const std::string converted = hdf5 ? Hdf5AsXml(file) : std::string();
@@ -108,10 +110,26 @@ std::vector<std::string_view> LoadXml(const NamedText& file, pugi::xml_document&
     file.file != nullptr && !hdf5 && !shortened ? file.file->Own() : std::span<char>();
   const bool hasZero = read.text.find('\0') != std::string_view::npos;
   constexpr unsigned kOptions = pugi::parse_default | pugi::parse_doctype | pugi::parse_fragment;
-  const auto result = own.empty() || hasZero
+  auto result = own.empty() || hasZero
     ? xml.load_buffer(read.text.data(), read.text.size(), kOptions)
     : xml.load_buffer_inplace(own.data(), own.size(), kOptions);
-  Checker checker(read, result.encoding);
+  if (!result && !own.empty())
+  {
+    file.file->Forget(0, own.size()); // what the parser wrote into it
+  }
+  std::optional<RepairedXml> repaired =
+    !result && !hasZero && UnitSize(result.encoding) == 1 ? RepairXml(read.text) : std::nullopt;
+  if (repaired)
+  {
+    const auto second = xml.load_buffer(repaired->text.data(), repaired->text.size(), kOptions);
+    result = second ? second : result;
+    for (const std::string& repair : repaired->repairs)
+    {
+      notes.push_back(file.name + ", " + repair);
+    }
+  }
+  const NamedText parsed{ file.name, result && repaired ? repaired->text : read.text };
+  Checker checker(parsed, result.encoding);
   if (!result)
   {
     checker.Fail(result.offset,

@@ -95,15 +95,16 @@ Geometry ReadGeometry(std::span<const Document* const> session)
 {
   const Parameters parameters(session);
   std::vector<Part> parts;
+  Geometry target;
   for (const Document* file : session)
   {
+    target.notes.insert(target.notes.end(), file->Notes().begin(), file->Notes().end());
     if (const pugi::xml_node geometry = FindGeometry(*file, session))
     {
       parts.push_back(
         { file, geometry, ReadTransform(*file, geometry.child("VERTEX"), parameters) });
     }
   }
-  Geometry target;
   for (const Part& part : parts)
   {
     const auto dimension = static_cast<int>(DimensionOf(*part.file, part.geometry));
