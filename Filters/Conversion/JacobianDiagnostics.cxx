@@ -4,6 +4,7 @@
 #include "Cells/GradientSpread.h"
 #include "Core/Element/Kernels.h"
 #include "Core/Shape/Shape.h"
+#include "Formats/Slab.h"
 
 #include <tbb/parallel_for.h>
 
@@ -158,7 +159,7 @@ std::string Sentence(const Group& group, int all, const std::string& what)
 } // namespace
 
 std::vector<std::string> DiagnoseJacobian(
-  const Mesh& mesh, std::span<const std::int64_t> sourceCells)
+  const Mesh& mesh, std::span<const std::int64_t> sourceCells, bool isPlane)
 {
   std::vector<Sign> sign(mesh.Elements());
   const std::vector<SpaceSamples> samples = MakeSpaceSamples(mesh);
@@ -188,7 +189,8 @@ std::vector<std::string> DiagnoseJacobian(
     if (fewer.count > 0)
     {
       lines.push_back(Sentence(fewer, positive.count + negative.count,
-        std::string("of shape ") + Name(static_cast<Shape>(s)) +
+        std::string("of shape ") +
+          (isPlane ? PlaneName(static_cast<Shape>(s)) : Name(static_cast<Shape>(s))) +
           " are inside out compared with the others (Jacobian determinant of the other sign)"));
     }
   }

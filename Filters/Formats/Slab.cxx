@@ -27,6 +27,11 @@ std::string Text(double number)
 }
 } // namespace
 
+const char* PlaneName(Shape solid)
+{
+  return solid == Shape::Prism ? "triangle" : "quadrilateral";
+}
+
 Slab MakeSlab(const Vec3& low, const Vec3& high, double roundings)
 {
   const double largest = std::max({ std::fabs(low.x), std::fabs(low.y), std::fabs(low.z),

@@ -23,6 +23,9 @@ struct Slab
 /// `roundings` of the largest coordinate left aside.
 Slab MakeSlab(const Vec3& low, const Vec3& high, double roundings);
 
+/// What an element of a slab is in the plane: "triangle" or "quadrilateral".
+const char* PlaneName(Shape solid);
+
 /// The space of order 1 across.
 Space Lifted(const Space& plane);
 

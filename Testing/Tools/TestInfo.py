@@ -80,6 +80,23 @@ class Info(ToolTest):
         self.assertAlmostEqual(low_z, -0.4)
         self.assertAlmostEqual(high_z, 0.4)
 
+    def test_bounds_say_of_what(self):
+        """Cells beside a solver's coefficients are their corners: a side's bulge is in no bounds of these."""
+        mesh = self.folder / "bulge.msh"
+        mesh.write_text(
+            "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n6\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0.5 -0.1 0\n"
+            "5 0.5 0.5 0\n6 0 0.5 0\n$EndNodes\n$Elements\n1\n1 9 2 1 1 1 2 3 4 5 6\n$EndElements\n",
+            encoding="utf-8",
+        )
+        rows = dict(row.split(maxsplit=1) for row in self.succeeds("info", mesh).stdout.splitlines())
+        self.assertNotIn("nodes", rows)
+        self.assertEqual(rows["corners"], "x 0 to 1, y 0 to 1")
+        self.assertEqual(rows["elements"], "1: 1 triangle")
+        self.assertEqual(self.summary("info", mesh)["node_bounds_of"], "corners")
+        torus = case("toroid_hex_g3_p6")
+        self.assertIn("\nnodes ", self.succeeds("info", torus).stdout)
+        self.assertEqual(self.summary("info", torus)["node_bounds_of"], "nodes")
+
     def test_mixed_shapes_fields_and_skipped_cells(self):
         points = CUBE + [[0.5, 0.5, 2.0], [2.0, 0.5, 0.0], [2.0, 0.5, 1.0], [-1.0, 0.5, 0.5]]
         cells = [

@@ -131,14 +131,15 @@ class Places(OutputTest):
             (["render", *self.shot, "--output", self.image, "--buffers", vti], vti),
             ([*probe, "--output", table], table),
         ]:
-            self.fails(1, *words, names=[full])
+            self.fails(1, *words, names=[full, "No space left on device", "room"])
             self.assertEqual(os.readlink(full), "/dev/full")
         with open("/dev/full", "w", encoding="utf-8") as stream:
-            for words in [["render", *self.shot, "-o", "-"], [*probe, "--output", "-"],
+            large = ["render", *self.shot[:-1], "200x200", "-o", "-"]
+            for words in [["render", *self.shot, "-o", "-"], large, [*probe, "--output", "-"],
                           ["render", *self.shot, "-o", self.image, "--buffers", "-"]]:
                 done = run(*words, stdout=stream)
                 self.assertEqual(done.returncode, 1, done.stderr)
-                self.assertIn("standard output", done.stderr)
+                self.assertIn("standard output: No space left on device", done.stderr)
 
     def test_what_is_read_is_not_overwritten(self):
         mesh = self.folder / "cube.vtu"

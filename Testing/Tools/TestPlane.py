@@ -51,6 +51,14 @@ class Plane(PlaneTest):
         done = run("info", *self.mfem())
         self.assertIn("2-D, at z = 0", done.stdout)
 
+    def test_shapes_are_those_of_the_plane(self):
+        points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0], [2.0, 0.0, 0.0]]
+        cells = [(5, [0, 1, 2]), (5, [1, 3, 2]), (5, [1, 3, 4])]  # the last one is clockwise
+        done = self.succeeds("info", self.write("a.vtu", plain_grid(points, cells)))
+        self.assertIn("3 triangles", done.stdout)
+        self.assertIn("of shape triangle are inside out", done.stderr)
+        self.assertNotIn("prism", done.stdout + done.stderr)
+
     def test_shown_without_a_plane(self):
         done = run("render", *self.mfem(), "--size", "60x60", "--buffers", "cut.vti",
                    folder=self.folder)

@@ -119,11 +119,11 @@ class Places(ToolTest):
         for suffix in [".png", ".tif", ".jpg", ".svg", ".pdf"]:
             full = self.folder / f"full{suffix}"
             full.symlink_to("/dev/full")
-            self.fails(1, "render", self.cube, "-q", "--size", "9x9", "-o", full, names=[full, "room"])
+            self.fails(1, "render", self.cube, "-q", "--size", "9x9", "-o", full, names=[full, "No space", "room"])
         lines = self.folder / "full.vtp"
         lines.symlink_to("/dev/full")
         self.fails(1, "render", self.cube, "-q", "--plane", "z", "--contours", "0.5", "--size", "9x9", "-o",
-            self.folder / "i.png", "--contours-output", lines, names=[lines, "room"])
+            self.folder / "i.png", "--contours-output", lines, names=[lines, "No space", "room"])
 
     def test_folders(self):
         empty = self.folder / "empty"

@@ -137,7 +137,7 @@ class FullDisk(ToolTest):
             ]:
                 done = run(*words, stdout=full)
                 self.assertEqual(done.returncode, 1, f"{words}: {done.stderr}")
-                self.assertIn("standard output", done.stderr)
+                self.assertIn("standard output: No space left on device", done.stderr)
 
 
 class WrongUsage(ToolTest):

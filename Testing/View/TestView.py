@@ -177,6 +177,9 @@ class View(ToolTest):
         self.assertEqual(planes[0][2:], [0.5, 0, 0, 1])
         self.assertEqual(planes[1][3:], [0, 0, 1])
         self.assertGreater(planes[1][2], 0.55)
+        # What roundings leave of 0 is printed as 0.
+        for word in shlex.split(first) + shlex.split(second):
+            self.assertNotRegex(word, r"^--.*=.*(e-1[5-9]|,-0,|,-0$)")
         # The camera stays.
         cameras = [next(w for w in shlex.split(line) if w.startswith("--camera-position=")) for line in (first, second)]
         self.assertEqual(*cameras)

@@ -3,6 +3,8 @@
 
 #include "Core/Base/ParseWhole.h"
 
+#include <cmath>
+
 namespace pixelexact
 {
 std::string_view Trim(std::string_view text)
@@ -23,5 +25,11 @@ bool ParseNumber(std::string_view text, double& number)
 bool ParseInteger(std::string_view text, int& number)
 {
   return !text.starts_with('+') && ParseWhole(text, number);
+}
+
+double WithoutRoundings(double number, double size)
+{
+  constexpr double kRoundings = 1e-14;
+  return std::fabs(number) < kRoundings * size ? 0.0 : number + 0.0;
 }
 } // namespace pixelexact

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-// Reading of numbers, in the C locale.
+// Reading of numbers, in the C locale, and what people are shown of them.
 namespace pixelexact
 {
 /// Without the blanks and tabs around it.
@@ -14,4 +14,8 @@ std::string_view Trim(std::string_view text);
 
 /// The integer that the whole of `text` spells, with neither blanks nor a plus sign; none: false.
 [[nodiscard]] bool ParseInteger(std::string_view text, int& number);
+
+/// For tables and printed command lines: 0 in place of a number below 1e-14 of `size`, which
+/// roundings among numbers of that size leave where 0 is meant. Also 0 in place of -0.
+[[nodiscard]] double WithoutRoundings(double number, double size);
 } // namespace pixelexact

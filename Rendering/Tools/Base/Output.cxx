@@ -7,18 +7,61 @@
 #include "Core/Base/Error.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
 #include <iostream>
+#include <system_error>
 
 namespace pixelexact
 {
+void CannotWrite(const std::string& what, int reason)
+{
+  if (reason == 0)
+  {
+    throw Error("cannot write " + what + "; does its folder exist and is there room?");
+  }
+  const bool isFull = reason == ENOSPC || reason == EDQUOT || reason == EFBIG;
+  throw Error("cannot write " + what + ": " + std::generic_category().message(reason) +
+    (isFull ? "; make room, or name another place" : ""));
+}
+
 namespace
 {
-[[noreturn]] void CannotWrite(const std::string& file)
+std::string InQuotes(const std::string& file)
 {
-  throw Error("cannot write '" + file + "'; does its folder exist and is there room?");
+  return "'" + file + "'";
 }
 } // namespace
+
+int WrittenBuffer::Noted(bool failed)
+{
+  Failure = failed && Failure == 0 ? errno : Failure;
+  return Failure;
+}
+
+WrittenBuffer::int_type WrittenBuffer::overflow(int_type c)
+{
+  errno = 0;
+  const int_type result = std::filebuf::overflow(c);
+  Noted(traits_type::eq_int_type(result, traits_type::eof()));
+  return result;
+}
+
+std::streamsize WrittenBuffer::xsputn(const char* bytes, std::streamsize count)
+{
+  errno = 0;
+  const std::streamsize written = std::filebuf::xsputn(bytes, count);
+  Noted(written < count);
+  return written;
+}
+
+int WrittenBuffer::sync()
+{
+  errno = 0;
+  const int result = std::filebuf::sync();
+  Noted(result != 0);
+  return result;
+}
 
 bool IsStandardStream(const std::string& file)
 {
@@ -28,13 +71,10 @@ bool IsStandardStream(const std::string& file)
 OutputFile::OutputFile(const std::string& file)
   : Name(file)
 {
-  if (!IsStandardStream(Name))
+  errno = 0;
+  if (!IsStandardStream(Name) && Buffer.open(Name, std::ios::out | std::ios::binary) == nullptr)
   {
-    File.open(Name, std::ios::binary);
-    if (!File)
-    {
-      CannotWrite(Name);
-    }
+    CannotWrite(InQuotes(Name), errno);
   }
 }
 
@@ -50,8 +90,10 @@ void OutputFile::Close()
     FlushOutput();
     return;
   }
-  File.close();
-  if (!File)
+  errno = 0;
+  const bool closed = Buffer.close() != nullptr;
+  const int reason = Buffer.Noted(!closed);
+  if (!closed || !File)
   {
     // A part of a file would be taken for the whole.
     std::error_code ignored;
@@ -59,7 +101,7 @@ void OutputFile::Close()
     {
       std::filesystem::remove(Name, ignored);
     }
-    CannotWrite(Name);
+    CannotWrite(InQuotes(Name), reason);
   }
 }
 
@@ -78,8 +120,9 @@ void WriteAtOnce(const std::string& file, const std::string& bytes)
   std::filesystem::rename(beside, file, failure);
   if (failure)
   {
+    const int reason = failure.value();
     std::filesystem::remove(beside, failure);
-    CannotWrite(file);
+    CannotWrite(InQuotes(file), reason);
   }
 }
 

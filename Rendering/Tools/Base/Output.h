@@ -11,6 +11,27 @@ namespace pixelexact
 /// Whether a file's name stands for standard input or output: "-".
 bool IsStandardStream(const std::string& file);
 
+/// Throws Error: `what` cannot be written, for the reason of the operating system (errno; 0: it
+/// gave none).
+[[noreturn]] void CannotWrite(const std::string& what, int reason);
+
+/// A file's buffer that keeps the operating system's reason of the first failure, which streams
+/// drop.
+class WrittenBuffer final : public std::filebuf
+{
+public:
+  /// The first failure's errno, of this one where it is the first; 0: there is none.
+  int Noted(bool failed);
+
+protected:
+  int_type overflow(int_type c) override;
+  std::streamsize xsputn(const char* bytes, std::streamsize count) override;
+  int sync() override;
+
+private:
+  int Failure = 0;
+};
+
 /// A file that is written, or standard output.
 class OutputFile
 {
@@ -24,7 +45,8 @@ public:
 
 private:
   std::string Name;
-  std::ofstream File;
+  WrittenBuffer Buffer;
+  std::ostream File{ &Buffer };
 };
 
 /// Writes all of a file. Throws Error as OutputFile.

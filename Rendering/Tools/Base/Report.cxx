@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/Report.h"
 
+#include "Base/Output.h"
+
 #include "Core/Base/Error.h"
 
 #include <fmt/ranges.h>
@@ -9,6 +11,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
@@ -97,10 +100,19 @@ void PrintError(const std::string& message)
 
 void FlushOutput()
 {
-  // fmt prints with stdio, which keeps in mind that something failed.
-  if (!std::cout.flush() || std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+  errno = 0;
+  // fmt prints with stdio, which keeps in mind that something failed, and tries again here.
+  const bool failed = !std::cout.flush();
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || failed)
   {
-    throw Error("cannot write to standard output; is there room?");
+    // A large write that failed leaves nothing to flush, and no reason: one byte more fails as it
+    // did, at the end of an output that is not whole anyway.
+    int reason = errno;
+    if (reason == 0 && write(STDOUT_FILENO, "\n", 1) < 0)
+    {
+      reason = errno;
+    }
+    CannotWrite("to standard output", reason);
   }
 }
 

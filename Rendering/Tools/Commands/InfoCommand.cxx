@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/Command.h"
+#include "Base/Numbers.h"
 #include "Base/Report.h"
 #include "Commands/CertifiedFacts.h"
 #include "Input/Continuity.h"
@@ -11,6 +12,7 @@
 #include "Scene/Model.h"
 
 #include "Core/Base/Counted.h"
+#include "Formats/Slab.h"
 #include "Grids/SlabArray.h"
 
 #include <nlohmann/json.hpp>
@@ -49,7 +51,8 @@ struct Facts
   OrderCounts storedOrders; ///< of the file's cells
   OrderCounts orders;       ///< of the geometry, without orders that hold nothing but rounding
   std::vector<FieldFacts> fields;
-  std::array<double, 6> bounds{};   ///< of the nodes: x, y, z, lower and upper each
+  std::array<double, 6> bounds{}; ///< of the nodes or corners: x, y, z, lower and upper each
+  const char* boundsOf = "nodes";
   std::optional<Slab> slab;         ///< of a plane mesh
   std::size_t coefficientBytes = 0; ///< of the geometry and all fields
   SolverFacts solver;
@@ -97,6 +100,8 @@ Facts Gather(const LoadedModel& input)
     facts.coefficientBytes += fields[f].values.coefficients.size_bytes();
   }
   input.grid->GetBounds(facts.bounds.data());
+  // The cells beside a solver's own coefficients are but their corners.
+  facts.boundsOf = input.converted ? "nodes" : "corners";
   if (isPlane)
   {
     facts.bounds[4] = facts.bounds[5] = facts.slab->middle;
@@ -108,11 +113,7 @@ Facts Gather(const LoadedModel& input)
 /// Of an element, of a plane mesh what its solid stands on.
 std::string NameOf(Shape shape, bool isPlane)
 {
-  if (!isPlane)
-  {
-    return Name(shape);
-  }
-  return shape == Shape::Prism ? "triangle" : "quadrilateral";
+  return isPlane ? PlaneName(shape) : Name(shape);
 }
 
 /// "hexahedron", or "hexahedra" of any other number than one.
@@ -139,6 +140,19 @@ const char* ContinuityName(const Continuity& continuity)
   return continuity.IsContinuous() ? "continuous" : "discontinuous";
 }
 
+/// Corners are computed from coefficients: roundings of the others stand where 0 is meant.
+std::array<double, 6> WithoutRoundings(std::array<double, 6> bounds)
+{
+  double largest = 0.0;
+  for (const double bound : bounds)
+  {
+    largest = std::max(largest, std::fabs(bound));
+  }
+  std::ranges::transform(bounds, bounds.begin(),
+    [largest](double bound) { return pixelexact::WithoutRoundings(bound, largest); });
+  return bounds;
+}
+
 void PrintTable(const LoadedModel& input, const Facts& facts)
 {
   Table table;
@@ -161,18 +175,18 @@ void PrintTable(const LoadedModel& input, const Facts& facts)
     facts.storedOrders.empty() || facts.storedOrders == facts.orders
       ? std::string()
       : ", stored as order " + Text(facts.storedOrders));
-  const auto& b = facts.bounds;
+  const std::array<double, 6> b = WithoutRoundings(facts.bounds);
   const std::string sides =
     fmt::format("x {} to {}, y {} to {}", Short(b[0]), Short(b[1]), Short(b[2]), Short(b[3]));
   if (facts.slab)
   {
     table.Row("plane", "2-D, at z = {}; shown as a slab {} thick", Short(facts.slab->middle),
       Short(facts.slab->thickness));
-    table.Row("nodes", sides);
+    table.Row(facts.boundsOf, sides);
   }
   else
   {
-    table.Row("nodes", "{}, z {} to {}", sides, Short(b[4]), Short(b[5]));
+    table.Row(facts.boundsOf, "{}, z {} to {}", sides, Short(b[4]), Short(b[5]));
   }
   AddTime(table, input);
   std::string name = "fields";
@@ -241,7 +255,7 @@ void PrintJson(const LoadedModel& input, const Facts& facts)
     { "shapes", shapes }, { "skipped_cells", input.skippedCells },
     { "geometry_orders", ToJson(facts.orders) },
     { "stored_geometry_orders", ToJson(facts.storedOrders) }, { "node_bounds", facts.bounds },
-    { "fields", fields } };
+    { "node_bounds_of", facts.boundsOf }, { "fields", fields } };
   summary["dimension"] = facts.slab ? 2 : 3;
   if (facts.slab)
   {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "View/DraggedShape.h"
 
+#include "Base/Numbers.h"
 #include "Trace/Surfaces/ConvexBody.h"
 #include "Trace/Surfaces/Plane.h"
 #include "Trace/Surfaces/Quadric.h"
@@ -23,6 +24,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace pixelexact
 {
@@ -31,8 +33,19 @@ namespace
 /// Widgets are picked by what they draw; the cut is there, so that it need not be seen.
 constexpr double kUnseen = 0.01;
 
-std::string Worded(const char* option, const std::vector<double>& numbers)
+/// Dragging leaves roundings where 0 is meant, among numbers of that size.
+std::vector<double> Clean(std::vector<double> numbers, double size)
 {
+  std::ranges::transform(
+    numbers, numbers.begin(), [size](double number) { return WithoutRoundings(number, size); });
+  return numbers;
+}
+
+/// "--sphere=0,0,0.5,1"
+std::string Worded(
+  const char* option, std::vector<double> numbers, const std::vector<double>& more = {})
+{
+  numbers.insert(numbers.end(), more.begin(), more.end());
   return fmt::format("{}={}", option, fmt::join(numbers, ","));
 }
 
@@ -65,6 +78,7 @@ public:
     Shape->GetPlaneProperty()->SetOpacity(kUnseen);
     Shape->GetSelectedPlaneProperty()->SetOpacity(kUnseen);
     Placed = true;
+    Size = vtkBoundingBox(bounds).GetDiagonalLength();
   }
   [[nodiscard]] vtkAbstractWidget& Widget() override { return *Control; }
   [[nodiscard]] std::shared_ptr<const Surface> Now() const override
@@ -75,7 +89,7 @@ public:
   [[nodiscard]] std::string Word() const override
   {
     const auto [o, n] = OriginAndNormal();
-    return Worded("--plane", { o.x, o.y, o.z, n.x, n.y, n.z });
+    return Worded("--plane", Clean({ o.x, o.y, o.z }, Size), Clean({ n.x, n.y, n.z }, 1.0));
   }
 
 private:
@@ -90,6 +104,7 @@ private:
     return { Vec3(o[0], o[1], o[2]), Vec3(n[0], n[1], n[2]) };
   }
   bool Placed = false;
+  double Size = 0.0; ///< of the mesh
   vtkNew<vtkPlane> Cut;
   vtkNew<vtkImplicitPlaneRepresentation> Shape;
   vtkNew<vtkImplicitPlaneWidget2> Control;
@@ -132,7 +147,8 @@ public:
   [[nodiscard]] std::string Word() const override
   {
     const double* c = Shape->GetCenter();
-    return Worded("--sphere", { c[0], c[1], c[2], Shape->GetRadius() });
+    const double radius = Shape->GetRadius();
+    return Worded("--sphere", Clean({ c[0], c[1], c[2] }, radius), { radius });
   }
 
 private:
@@ -154,6 +170,7 @@ public:
   {
     std::array<double, 6> box{};
     std::copy_n(bounds, 6, box.begin());
+    Size = vtkBoundingBox(bounds).GetDiagonalLength();
     Shape->SetPlaceFactor(1.0);
     Shape->SetMinRadius(0.001);
     Shape->SetMaxRadius(10.0);
@@ -177,7 +194,13 @@ public:
     return std::make_shared<Quadric>(
       MakeCylinder(Vec3(n[0], n[1], n[2]), Vec3(n[3], n[4], n[5]), n[6]));
   }
-  [[nodiscard]] std::string Word() const override { return Worded("--cylinder", Numbers()); }
+  [[nodiscard]] std::string Word() const override
+  {
+    const std::vector<double> n = Numbers();
+    std::vector<double> more = Clean({ n[3], n[4], n[5] }, 1.0);
+    more.push_back(n[6]);
+    return Worded("--cylinder", Clean({ n[0], n[1], n[2] }, Size), more);
+  }
 
 private:
   [[nodiscard]] std::vector<double> Numbers() const
@@ -187,6 +210,7 @@ private:
     return { c[0], c[1], c[2], a[0], a[1], a[2], Shape->GetRadius() };
   }
   std::vector<double> Given;
+  double Size = 0.0; ///< of the mesh
   vtkNew<vtkImplicitCylinderRepresentation> Shape;
   vtkNew<vtkImplicitCylinderWidget> Control;
 };
@@ -220,7 +244,13 @@ public:
     const std::vector<double> n = Numbers();
     return std::make_shared<ConvexBody>(MakeBox(Vec3(n[0], n[1], n[2]), Vec3(n[3], n[4], n[5])));
   }
-  [[nodiscard]] std::string Word() const override { return Worded("--box", Numbers()); }
+  [[nodiscard]] std::string Word() const override
+  {
+    const std::vector<double> n = Numbers();
+    const double size =
+      std::fabs(*std::ranges::max_element(n, {}, [](double x) { return std::fabs(x); }));
+    return Worded("--box", Clean(n, size));
+  }
 
 private:
   [[nodiscard]] std::vector<double> Numbers() const

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "View/ShellWords.h"
 
+#include "Base/Numbers.h"
+
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <iterator>
@@ -38,11 +41,12 @@ bool IsReplaced(const std::string& name, const ShownNow& now)
     (!now.contours && IsOfContours(name)) || (!now.edges && name.starts_with("--edge"));
 }
 
-std::string Text(const Vec3& v)
+/// Turning the camera leaves roundings where 0 is meant.
+std::string Text(const Vec3& v, double size)
 {
-  return fmt::format("{},{},{}", v.x, v.y, v.z);
+  const auto clean = [size](double number) { return WithoutRoundings(number, size); };
+  return fmt::format("{},{},{}", clean(v.x), clean(v.y), clean(v.z));
 }
-
 } // namespace
 
 std::vector<std::string> WordsOf(const ShownNow& now, const std::vector<std::string>& words,
@@ -94,9 +98,11 @@ std::vector<std::string> WordsOf(const ShownNow& now, const std::vector<std::str
     result.push_back(fmt::format("--time-step={}", *now.step));
   }
   const CameraView& view = now.view;
+  const double distance = glm::length(view.position - view.focalPoint);
   result.insert(result.end(),
-    { "--camera-position=" + Text(view.position), "--focal-point=" + Text(view.focalPoint),
-      "--view-up=" + Text(view.viewUp),
+    { "--camera-position=" + Text(view.position, distance),
+      "--focal-point=" + Text(view.focalPoint, distance),
+      "--view-up=" + Text(view.viewUp, glm::length(view.viewUp)),
       view.parallel ? fmt::format("--parallel-scale={}", view.parallelScale)
                     : fmt::format("--view-angle={}", view.viewAngle),
       "--output=" + now.output });
