@@ -36,7 +36,15 @@ struct CloseFile
 };
 } // namespace
 
-std::string ReadFileText(const std::string& path)
+bool IsPipeOrDevice(const std::string& path)
+{
+  std::error_code failure;
+  const auto status = std::filesystem::status(path, failure);
+  return std::filesystem::exists(status) && !std::filesystem::is_directory(status) &&
+    !std::filesystem::is_regular_file(status);
+}
+
+void RequireRegularFile(const std::string& path)
 {
   std::error_code failure;
   const auto status = std::filesystem::status(path, failure);
@@ -48,6 +56,16 @@ std::string ReadFileText(const std::string& path)
   {
     throw InvalidData("'" + path + "' is a folder; name a file.");
   }
+  if (IsPipeOrDevice(path))
+  {
+    throw InvalidData("cannot read '" + path + "': " + kPipeRemedy + ".");
+  }
+}
+
+std::string ReadFileText(const std::string& path)
+{
+  RequireRegularFile(path);
+  std::error_code failure;
   const std::uintmax_t size = std::filesystem::file_size(path, failure);
   const std::unique_ptr<gzFile_s, CloseFile> file(gzopen(path.c_str(), "rb"));
   if (failure || !file)
@@ -81,10 +99,26 @@ std::string ReadFileText(const std::string& path)
   }
 }
 
+std::string ReadFileHead(const std::string& path, std::size_t bytes)
+{
+  std::error_code failure;
+  if (!std::filesystem::is_regular_file(path, failure))
+  {
+    return {};
+  }
+  const std::unique_ptr<gzFile_s, CloseFile> file(gzopen(path.c_str(), "rb"));
+  std::string head(bytes, '\0');
+  const int got =
+    file ? gzread(file.get(), head.data(), static_cast<unsigned int>(head.size())) : 0;
+  head.resize(static_cast<std::size_t>(std::max(0, got)));
+  return head;
+}
+
 FileText::FileText(const std::string& path)
   : Path(path)
 {
-  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  // A pipe without a writer must not be waited for.
+  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   struct stat status
   {
   };
@@ -132,7 +166,7 @@ void FileText::Forget(std::size_t begin, std::size_t end) const
   RequireSameSize();
   static const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
   begin = begin / page * page;
-  end = end / page * page;
+  end = end == Text.size() ? end : end / page * page; // the last page ends with the text
   if (end > begin)
   {
     madvise(const_cast<char*>(Text.data()) + begin, end - begin, MADV_DONTNEED);
@@ -167,5 +201,14 @@ void ReadingTrace::Forget(std::size_t at)
   File->Forget(From, at);
   From = at;
   Next = at + kStep;
+}
+
+void FileTexts::Add(const std::vector<std::string>& files)
+{
+  for (const auto& file : files)
+  {
+    const FileText& text = Storage.emplace_back(file);
+    Named.push_back({ file, text.Get(), &text });
+  }
 }
 } // namespace pixelexact

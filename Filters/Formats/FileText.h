@@ -1,20 +1,37 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Formats/NamedText.h"
+
 #include <cstddef>
+#include <deque>
 #include <limits>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace pixelexact
 {
+/// Whether a path leads to something that cannot be read twice, and may be waited for without an
+/// end: a pipe (FIFO), a socket or a device.
+bool IsPipeOrDevice(const std::string& path);
+inline constexpr const char* kPipeRemedy =
+  "it is a pipe or a device; write its content into a file, and name that";
+
+/// Throws InvalidData for those, for folders, and where there is no such file.
+void RequireRegularFile(const std::string& path);
+
 /// A file's whole content, gunzipped where it is compressed. Throws InvalidData (no such file, a
 /// folder, unreadable, damaged, or decompressing to more than 200 times its size).
 std::string ReadFileText(const std::string& path);
 
-/// The same for parsers that read a large file once, forward: the file is mapped, so that what they
-/// have passed need not stay in memory. Small and compressed files are read.
+/// The first `bytes` of a file, gunzipped where it is compressed, fewer where it is shorter. Empty
+/// where it is not a regular file or cannot be read.
+std::string ReadFileHead(const std::string& path, std::size_t bytes);
+
+/// The same as ReadFileText for parsers that read a large file once, forward: the file is mapped,
+/// so that what they have passed need not stay in memory. Small and compressed files are read.
 class FileText
 {
 public:
@@ -41,6 +58,20 @@ private:
   std::string Held; ///< what is not mapped
   int File = -1;    ///< of what is mapped
   std::string_view Text;
+};
+
+/// The contents of several files as the parsers take them.
+class FileTexts
+{
+public:
+  /// Throws as ReadFileText.
+  explicit FileTexts(const std::vector<std::string>& files) { this->Add(files); }
+  void Add(const std::vector<std::string>& files);
+
+  std::vector<NamedText> Named; ///< in the files' order
+
+private:
+  std::deque<FileText> Storage; ///< which stay where they are
 };
 
 /// Forgets a text behind one that reads it forward.

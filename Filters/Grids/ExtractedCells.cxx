@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Grids/ExtractedCells.h"
 
+#include "vtkAppendFilter.h"
 #include "vtkCellData.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
@@ -50,5 +51,25 @@ vtkSmartPointer<vtkUnstructuredGrid> ExtractedCells(
   extracted->SetPoints(points);
   extracted->Squeeze();
   return extracted;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> AppendedGrids(
+  std::span<const vtkSmartPointer<vtkUnstructuredGrid>> grids)
+{
+  vtkNew<vtkAppendFilter> append;
+  append->MergePointsOff();
+  int precision = vtkAlgorithm::SINGLE_PRECISION;
+  for (const auto& grid : grids)
+  {
+    append->AddInputData(grid);
+    if (grid->GetPoints() != nullptr && grid->GetPoints()->GetDataType() != VTK_FLOAT)
+    {
+      precision = vtkAlgorithm::DOUBLE_PRECISION;
+    }
+  }
+  // VTK's default is the precision of the first grid.
+  append->SetOutputPointsPrecision(precision);
+  append->Update();
+  return append->GetOutput();
 }
 } // namespace pixelexact

@@ -13,5 +13,10 @@ namespace pixelexact
 /// data are shared. As vtkExtractCells, whose module of VTK 9.1 loads MPI.
 vtkSmartPointer<vtkUnstructuredGrid> ExtractedCells(
   vtkUnstructuredGrid* grid, std::span<const vtkIdType> cells);
+
+/// Grids one after the other, without merging points, in the best precision that their points have.
+/// Arrays that not all have alike are left out.
+vtkSmartPointer<vtkUnstructuredGrid> AppendedGrids(
+  std::span<const vtkSmartPointer<vtkUnstructuredGrid>> grids);
 } // namespace pixelexact
 #endif

@@ -7,13 +7,15 @@
 #include "PackedArrays.h"
 #include "Parts/CommonWidths.h"
 
-#include "vtkAppendFilter.h"
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
 #include "vtkMultiProcessController.h"
 #include "vtkMultiProcessStream.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+
+#include <algorithm>
+#include <iterator>
 
 namespace pixelexact
 {
@@ -112,25 +114,13 @@ std::vector<Grid> FromAllToFirst(vtkUnstructuredGrid* packed, vtkMultiProcessCon
 
 Grid Appended(const std::vector<Grid>& packed)
 {
-  vtkNew<vtkAppendFilter> append;
-  append->MergePointsOff();
-  append->SetOutputPointsPrecision(vtkAlgorithm::DEFAULT_PRECISION);
-  Grid only;
-  int count = 0;
-  for (const Grid& grid : packed)
+  std::vector<Grid> filled;
+  std::ranges::copy_if(packed, std::back_inserter(filled),
+    [](const Grid& grid) { return grid && grid->GetNumberOfCells() > 0; });
+  if (filled.size() < 2)
   {
-    if (grid && grid->GetNumberOfCells() > 0)
-    {
-      append->AddInputData(grid);
-      only = grid;
-      ++count;
-    }
+    return filled.empty() ? Grid() : filled.front();
   }
-  if (count < 2)
-  {
-    return only;
-  }
-  append->Update();
-  return append->GetOutput();
+  return AppendedGrids(filled);
 }
 } // namespace pixelexact

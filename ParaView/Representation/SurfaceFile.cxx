@@ -5,6 +5,7 @@
 #include "vtkHighOrderTriangleSurface.h"
 
 #include "Core/Base/Error.h"
+#include "Surfaces/StlText.h"
 
 #include "vtkNew.h"
 #include "vtkPolyData.h"
@@ -32,6 +33,19 @@ auto Read(const std::string& file)
     throw Error("surface file '" + file + "': no points could be read; choose another file");
   }
   return found;
+}
+
+vtkSmartPointer<vtkPolyData> ReadStl(const std::string& file)
+{
+  try
+  {
+    const auto text = ReadStlText(file);
+    return text != nullptr ? text : Read<vtkSTLReader>(file);
+  }
+  catch (const InvalidData& error)
+  {
+    throw Error("surface file '" + file + "': " + error.what());
+  }
 }
 
 vtkSmartPointer<vtkHighOrderSurface> Triangles(vtkPolyData* data)
@@ -62,7 +76,7 @@ vtkSmartPointer<vtkHighOrderSurface> SurfaceOfFile(const std::string& file)
   const std::string suffix = std::filesystem::path(file).extension().string();
   if (suffix == ".stl")
   {
-    return Triangles(Read<vtkSTLReader>(file));
+    return Triangles(ReadStl(file));
   }
   if (suffix == ".vtp")
   {

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Formats of several blocks, read by VTK's own readers."""
+"""Formats of several blocks: Exodus II, and CGNS by VTK's own reader."""
 
 import random
 import struct
@@ -7,10 +7,12 @@ import unittest
 
 import numpy as np
 
-from tool import DATA, ToolTest, columns, read_buffers, read_csv, run
+from exodus import FLOAT, INT64, exodus
+from tool import CUBE, DATA, ToolTest, columns, read_buffers, read_csv, run
 
 EXODUS = DATA / "exodus_quadratic.e"
 SIDES = DATA / "exodus_sides.e"
+NETCDF4 = DATA / "exodus_netcdf4.e"
 CGNS = DATA / "cgns_hexa27.cgns"
 CUBIC = DATA / "cgns_hexa64.cgns"
 ORDERS = DATA / "cgns_orders.cgns"
@@ -19,6 +21,30 @@ BOUNDARIES = DATA / "cgns_boundaries.cgns"
 
 def known(file, reader):
     return f"has no reader of {reader}" not in run("info", file).stderr
+
+
+def means(*groups):
+    """Nodes in the middle of these of the first nodes, as Exodus' document has them: "12" is the
+    middle of the first two."""
+    return lambda corners: [np.mean([corners[int(n, 16) - 1] for n in g], axis=0) for g in groups]
+
+
+HEXAHEDRON = np.array(CUBE)
+SIMPLEX = np.array([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], dtype=float)
+WEDGE = np.array([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (0, 1, 1)], dtype=float)
+HEX_EDGES = ["12", "23", "34", "41", "15", "26", "37", "48", "56", "67", "78", "85"]
+TET_EDGES = ["12", "23", "31", "14", "24", "34"]
+WEDGE_EDGES = ["12", "23", "31", "14", "25", "36", "45", "56", "64"]
+# By type: corners in the reference element, and of the other nodes whose middle they are.
+ELEMENTS = {
+    "HEX20": (HEXAHEDRON, means(*HEX_EDGES)),
+    "HEX27": (HEXAHEDRON, means(*HEX_EDGES, "12345678", "1234", "5678", "1584", "2376", "1265", "3487")),
+    "TETRA10": (SIMPLEX, means(*TET_EDGES)),
+    "TETRA15": (SIMPLEX, means(*TET_EDGES, "123", "234", "134", "124", "1234")),
+    "WEDGE15": (WEDGE, means(*WEDGE_EDGES)),
+    "WEDGE18": (WEDGE, means(*WEDGE_EDGES, "1254", "2365", "1364")),
+    "WEDGE21": (WEDGE, means(*WEDGE_EDGES, "123456", "123", "456", "2365", "1364", "1254")),
+}
 
 
 class Blocks(ToolTest):
@@ -39,7 +65,6 @@ class Blocks(ToolTest):
         self.assertEqual(set(found["verdict"]), {"inside"})
         np.testing.assert_allclose(found["value"], values, rtol=0, atol=1e-14)
 
-    @unittest.skipUnless(known(EXODUS, "Exodus"), "VTK has no reader of Exodus II")
     def test_exodus(self):
         self.check(EXODUS, 2.0)
         summary = self.summary("info", EXODUS)
@@ -51,7 +76,6 @@ class Blocks(ToolTest):
             (self.folder / name).write_bytes(EXODUS.read_bytes())
             self.succeeds("info", self.folder / name)
 
-    @unittest.skipUnless(known(EXODUS, "Exodus"), "VTK has no reader of Exodus II")
     def test_exodus_side_sets(self):
         """Set 10 + k holds side k of each element: nodes as the format's document has them."""
         box = [(0, 0, 0), (1, 0, 0), (1, 2, 0), (0, 2, 0), (0, 0, 3), (1, 0, 3), (1, 2, 3), (0, 2, 3)]
@@ -90,7 +114,6 @@ class Blocks(ToolTest):
         ])
         self.assertIn("1 node set", self.succeeds("info", SIDES).stderr)
 
-    @unittest.skipUnless(known(EXODUS, "Exodus"), "VTK has no reader of Exodus II")
     def test_exodus_parts(self):
         """A mesh in parts has the elements and side sets of all; one that is missing is named."""
         for part, source in enumerate((EXODUS, SIDES)):
@@ -116,7 +139,6 @@ class Blocks(ToolTest):
         self.fails(1, "info", first, names=[second, "Exodus"])
         self.fails(2, "info", first, SIDES, names=[SIDES, "one series"])
 
-    @unittest.skipUnless(known(EXODUS, "Exodus"), "VTK has no reader of Exodus II")
     def test_exodus_series(self):
         """Meshes of an adaptive run are time steps; one alone tells that there are more."""
         first, second = self.folder / "a.e", self.folder / "a.e-s002"
@@ -132,7 +154,6 @@ class Blocks(ToolTest):
             self.assertEqual(summary["times"], [0.0, 1.0])
         self.fails(1, "info", first, second, "--time-step", 2, names=["2 time steps"])
 
-    @unittest.skipUnless(known(EXODUS, "Exodus"), "VTK has no reader of Exodus II")
     def test_exodus_with_a_node_that_is_not_there(self):
         data = EXODUS.read_bytes()
         nodes = struct.pack(">4i", 1, 2, 3, 4)  # the first hexahedron's
@@ -140,6 +161,111 @@ class Blocks(ToolTest):
         damaged = self.folder / "damaged.e"
         damaged.write_bytes(data.replace(nodes, struct.pack(">4i", 1, 2, 3, 4000)))
         self.fails(1, "info", damaged, names=[damaged, "damaged"])
+
+    def values(self, file, field, points):
+        """Values and verdicts at points."""
+        table, out = self.folder / "points.csv", self.folder / "values.csv"
+        table.write_text("x,y,z\n" + "".join(",".join(repr(float(x)) for x in p) + "\n" for p in points))
+        self.succeeds("probe", file, "--field", field, "--points", table, "--output", out)
+        found = columns(read_csv(out))
+        return found["value"], found["verdict"]
+
+    def test_exodus_keeps_doubles(self):
+        """Coordinates of a place on Earth, in metres, of which single precision keeps decimetres."""
+        offset = np.array([448251.123, 5411932.457, 117.3])
+        nodes = [list(offset + 10 * np.array(c)) for c in CUBE]
+        file = self.folder / "a.e"
+        for options in ({}, {"integer": INT64, "version": 5}, {"version": 1}):
+            file.write_bytes(exodus(nodes, [(1, "HEX8", [range(8)])], [("u", [p[0] - offset[0] for p in nodes])],
+                                    **options))
+            stream = random.Random(6)
+            points = [offset + 10 * np.array([stream.random() for _ in range(3)]) for _ in range(20)]
+            found, verdicts = self.values(file, "u", points)
+            self.assertEqual(set(verdicts), {"inside"})
+            np.testing.assert_allclose(found, [p[0] - offset[0] for p in points], rtol=0, atol=1e-9)
+        self.assertNotIn("448251.125", self.succeeds("info", file).stdout)
+
+    def test_exodus_in_single_precision(self):
+        """Coordinates that the file holds in single precision have its rounding as their error: a point that is
+        beside the element by less is within the tolerance at faces, which counts as inside."""
+        file = self.folder / "a.e"
+        file.write_bytes(exodus(CUBE, [(1, "HEX8", [range(8)])], [("u", [p[0] for p in CUBE])], real=FLOAT))
+        near = 1 + 1e-9
+        self.assertEqual(self.values(file, "u", [(near, 0.5, 0.5), (0.5, 0.5, 0.5)])[1].tolist(),
+                         ["inside", "inside"])
+        file.write_bytes(exodus(CUBE, [(1, "HEX8", [range(8)])], [("u", [p[0] for p in CUBE])]))
+        self.assertEqual(self.values(file, "u", [(near, 0.5, 0.5)])[1].tolist(), ["outside"])
+
+    def test_nodes_of_exodus(self):
+        """Every type of order 2, curved, its nodes as the format's document has them."""
+        def place(r, begin):
+            return (begin + r[0] + 0.125 * r[2] ** 2, r[1] - 0.0625 * r[0] * r[2], r[2] + 0.125 * r[0] * r[1])
+
+        def value(r):
+            return r[0] ** 2 - 2 * r[1] * r[2] + 0.5 * r[0] + r[1] ** 2
+
+        stream = random.Random(7)
+        nodes, blocks, field, points, expected = [], [], [], [], []
+        for number, (kind, (corners, others)) in enumerate(ELEMENTS.items(), 1):
+            own = [*corners, *others(corners)]
+            self.assertEqual(len(own), int(kind.lstrip("HEXTRAWDG")))
+            blocks.append((number, kind, [range(len(nodes), len(nodes) + len(own))]))
+            nodes += [place(r, 10 * number) for r in own]
+            field += [value(r) for r in own]
+            for _ in range(20):
+                weights = np.array([stream.expovariate(1) for _ in corners])
+                r = weights / weights.sum() @ corners
+                points.append(place(r, 10 * number))
+                expected.append(value(r))
+        file = self.folder / "a.e"
+        file.write_bytes(exodus(nodes, blocks, [("u", field)]))
+        found, verdicts = self.values(file, "u", points)
+        self.assertEqual(set(verdicts), {"inside"})
+        np.testing.assert_allclose(found, expected, rtol=0, atol=2e-13)
+        self.assertNotIn("warning", self.succeeds("info", "--certify", file).stderr)
+
+    def test_exodus_types_that_no_cell_has(self):
+        file = self.folder / "a.e"
+        file.write_bytes(exodus([*CUBE, (0.5, 0.5, 0.5)], [(4, "HEX9", [range(9)])]))
+        self.fails(1, "info", file, names=[file, "block 4", "HEX9", "9 nodes"])
+
+    def test_fields_of_some_blocks(self):
+        """Where a block has no values of a field, there are none."""
+        nodes = [[x + 2 * k, y, z] for k in (0, 1) for x, y, z in CUBE]
+        blocks = [(1, "HEX8", [range(8)]), (2, "HEX8", [range(8, 16)])]
+        file = self.folder / "a.e"
+        file.write_bytes(exodus(nodes, blocks, elemental=[("T", {1: [5.0]}), ("both", {1: [1.0], 2: [2.0]}),
+                                                          ("none", {})]))
+        done = self.succeeds("info", file)
+        self.assertIn("'T' has no values in block 2", done.stderr)
+        self.assertIn("'none' has values in no block", done.stderr)
+        points = [(0.5, 0.5, 0.5), (2.5, 0.5, 0.5)]
+        np.testing.assert_array_equal(self.values(file, "T", points)[0], [5, np.nan])
+        np.testing.assert_array_equal(self.values(file, "both", points)[0], [1, 2])
+
+    def test_damaged_exodus(self):
+        """Whatever is damaged is refused, or the rest is read; nothing ends the program."""
+        stream = random.Random(8)
+        for source in (SIDES, NETCDF4):
+            sound = source.read_bytes()
+            for number in range(25):
+                data = bytearray(sound)
+                for _ in range(3):
+                    data[stream.randrange(len(data) if number % 2 else 1000)] = stream.choice((0, 127, 255))
+                file = self.folder / "a.e"
+                file.write_bytes(data)
+                self.assertIn(run("info", file).returncode, (0, 1), number)
+
+    @unittest.skipUnless(known(CGNS, "CGNS"), "VTK has no reader of CGNS")
+    def test_cgns_with_any_damage(self):
+        stream = random.Random(9)
+        for number in range(25):
+            data = bytearray((BOUNDARIES if number % 2 else CGNS).read_bytes())
+            for _ in range(3):
+                data[stream.randrange(len(data))] = stream.choice((0, 127, 255))
+            file = self.folder / "a.cgns"
+            file.write_bytes(data)
+            self.assertIn(run("info", file).returncode, (0, 1), number)
 
     @unittest.skipUnless(known(CGNS, "CGNS"), "VTK has no reader of CGNS")
     def test_cgns(self):

@@ -34,6 +34,32 @@ class BadFiles(FileTest):
         self.refuses(self.write("mesh.stl", "solid"), ".vtu")
         self.refuses(self.write("mesh", "solid"), ".vtu")
 
+    def test_pipes_without_a_writer(self):
+        """Nobody is waited for, whatever the suffix, and wherever the pipe stands."""
+        for suffix in (".vtu", ".pvtu", ".pvd", ".vtk", ".e", ".e.1.0", ".g", ".cgns", ".mesh", ".mfem_root",
+                       ".000000", ".saved", ".msh", ".xml", ".nekg"):
+            pipe = self.folder / f"pipe{suffix}"
+            os.mkfifo(pipe)
+            self.refuses(pipe, "device")
+        pipe = self.folder / "pipe.gf"
+        os.mkfifo(pipe)
+        self.fails(1, "info", DATA / "mfem49_tinyzoo_g3_p5" / "mfem49_tinyzoo_g3_p5.mesh", pipe, names=[pipe, "device"])
+        collection = self.write("a.pvd", '<VTKFile type="Collection"><Collection><DataSet timestep="0" '
+                                         'file="pipe.vtu"/></Collection></VTKFile>')
+        self.fails(1, "info", collection, names=["pipe.vtu", "device"])
+        pieces = self.write("a.pvtu", '<VTKFile type="PUnstructuredGrid"><PUnstructuredGrid>'
+                                      '<Piece Source="pipe.vtu"/></PUnstructuredGrid></VTKFile>')
+        self.fails(1, "info", pieces, names=["pipe.vtu", "device"])
+        for suffix in (".stl", ".vtp"):
+            pipe = self.folder / f"pipe{suffix}"
+            os.mkfifo(pipe)
+            self.fails(1, "render", case("dolfinx_hex_g2_p4"), "--surface", pipe, "--output",
+                       self.folder / "a.png", names=[pipe, "device"])
+        pipe = self.folder / "pipe.csv"
+        os.mkfifo(pipe)
+        self.fails(1, "probe", case("dolfinx_hex_g2_p4"), "--points", pipe, "--output", self.folder / "a.csv",
+                   names=[pipe, "writes"])
+
     @unittest.skipIf(os.geteuid() == 0, "everything is readable to root")
     def test_permissions(self):
         path = self.write("secret.vtu", unit_cube_grid())

@@ -86,12 +86,17 @@ class TriangleFiles(ToolTest):
             self.assertGreater(abs(normals[beyond.argmax()] @ normal), 1 - 1e-12)
 
     def test_stl(self):
-        corners = [(-2, -2, 0), (2, -2, 0), (2, 2, 0), (-2, 2, 0)]
+        corners = [(-2, -2, 0.1), (2, -2, 0.1), (2, 2, 0.1), (-2, 2, 0.1)]
         stl = self.folder / "square.stl"
         stl.write_text(ascii_stl([corners[:3], [corners[0], *corners[2:]]]), encoding="ascii")
         triangles = self.buffers("--surface", stl)
-        closed = self.buffers("--plane", "0,0,0,0,0,1")
+        closed = self.buffers("--plane", "0,0,0.1,0,0,1")
         np.testing.assert_array_equal(triangles["Verdict"], closed["Verdict"])
+        heights = triangles["Position"][triangles["Verdict"] == EXACT][:, 2]
+        self.assertLess(abs(heights - 0.1).max(), 1e-15)  # no floats
+        stl.write_text(ascii_stl([corners[:3], corners[1:]])[:-60], encoding="ascii")
+        self.fails(1, "render", case("toroid_hex_g3_p6"), "--surface", stl, "--output", self.folder / "i.png",
+                   names=[stl, "triangle"])
 
     def test_a_binary_stl_that_is_cut_short(self):
         corners = np.array([[(-2, -2, 0), (2, -2, 0), (2, 2, 0)], [(-2, -2, 0), (2, 2, 0), (-2, 2, 0)]])

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,8 +24,12 @@ public:
   [[nodiscard]] virtual bool Has(const std::string& path) const = 0;
   /// The lengths of a data set along its directions.
   [[nodiscard]] virtual std::vector<std::size_t> Shape(const std::string& path) const = 0;
-  /// A whole data set, the last direction fastest.
-  [[nodiscard]] virtual std::vector<double> Reals(const std::string& path) const = 0;
+  /// The bytes of one value of a data set.
+  [[nodiscard]] virtual std::size_t BytesOfValue(const std::string& path) const = 0;
+  /// A data set, the last direction fastest, at given places along its first directions.
+  [[nodiscard]] virtual std::vector<double> Reals(
+    const std::string& path, std::span<const std::size_t> places = {}) const = 0;
+  /// A whole data set.
   [[nodiscard]] virtual std::vector<std::int64_t> Integers(const std::string& path) const = 0;
   [[nodiscard]] virtual std::vector<std::uint64_t> Unsigned(const std::string& path) const = 0;
   [[nodiscard]] virtual std::vector<std::string> Texts(const std::string& path) const = 0;

@@ -3,12 +3,18 @@
 #include "Formats/Hdf5/Hdf5File.h"
 
 #include "Core/Base/Error.h"
+#include "Formats/ApartProcess.h"
+#include "Formats/FileText.h"
 
 #include <hdf5.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <atomic>
 #include <functional>
+#include <mutex>
+#include <set>
+#include <tuple>
 #include <utility>
 
 namespace pixelexact
@@ -50,22 +56,32 @@ private:
   Close CloseIt;
 };
 
-/// The library's own messages stay off stderr.
+/// The library's own messages stay off stderr while one of these lives in the thread.
 class QuietLibrary
 {
 public:
   QuietLibrary()
   {
-    H5Eget_auto2(H5E_DEFAULT, &Function, &Data);
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+    if (living++ == 0)
+    {
+      H5Eget_auto2(H5E_DEFAULT, &function, &data);
+      H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+    }
   }
-  ~QuietLibrary() { H5Eset_auto2(H5E_DEFAULT, Function, Data); }
+  ~QuietLibrary()
+  {
+    if (--living == 0)
+    {
+      H5Eset_auto2(H5E_DEFAULT, function, data);
+    }
+  }
   QuietLibrary(const QuietLibrary&) = delete;
   QuietLibrary& operator=(const QuietLibrary&) = delete;
 
 private:
-  H5E_auto2_t Function = nullptr;
-  void* Data = nullptr;
+  static inline thread_local int living = 0;
+  static inline thread_local H5E_auto2_t function = nullptr;
+  static inline thread_local void* data = nullptr;
 };
 
 class LibraryFile final : public Hdf5File
@@ -80,9 +96,11 @@ public:
 
   [[nodiscard]] bool Has(const std::string& path) const override;
   [[nodiscard]] std::vector<std::size_t> Shape(const std::string& path) const override;
-  [[nodiscard]] std::vector<double> Reals(const std::string& path) const override
+  [[nodiscard]] std::size_t BytesOfValue(const std::string& path) const override;
+  [[nodiscard]] std::vector<double> Reals(
+    const std::string& path, std::span<const std::size_t> places) const override
   {
-    return ReadSet<double>(path, H5T_NATIVE_DOUBLE, H5T_FLOAT);
+    return ReadSet<double>(path, H5T_NATIVE_DOUBLE, H5T_FLOAT, places);
   }
   [[nodiscard]] std::vector<std::int64_t> Integers(const std::string& path) const override
   {
@@ -118,8 +136,11 @@ private:
   [[nodiscard]] Handle OpenAttribute(const std::string& path, const std::string& name) const;
   [[nodiscard]] std::size_t Count(
     const Handle& space, const Handle& type, const std::string& path) const;
+  void Select(
+    const Handle& space, std::span<const std::size_t> places, const std::string& path) const;
   template <class Value>
-  std::vector<Value> ReadSet(const std::string& path, hid_t memory, H5T_class_t kind) const;
+  std::vector<Value> ReadSet(const std::string& path, hid_t memory, H5T_class_t kind,
+    std::span<const std::size_t> places = {}) const;
   template <class Value>
   std::vector<Value> ReadAttribute(
     const std::string& path, const std::string& name, hid_t memory, H5T_class_t kind) const;
@@ -186,9 +207,40 @@ std::size_t LibraryFile::Count(
   return static_cast<std::size_t>(count);
 }
 
+std::size_t LibraryFile::BytesOfValue(const std::string& path) const
+{
+  const Handle set = OpenSet(path);
+  const Handle type(H5Dget_type(set.Get()), &H5Tclose);
+  return H5Tget_size(type.Get());
+}
+
+/// Restricts a data set to given places along its first directions.
+void LibraryFile::Select(
+  const Handle& space, std::span<const std::size_t> places, const std::string& path) const
+{
+  const int rank = H5Sget_simple_extent_ndims(space.Get());
+  if (rank < 0 || places.size() > static_cast<std::size_t>(rank))
+  {
+    Fail(path, "it has fewer directions than it should; the file is damaged.");
+  }
+  std::vector<hsize_t> begin(static_cast<std::size_t>(rank), 0);
+  std::vector<hsize_t> count(static_cast<std::size_t>(rank), 0);
+  H5Sget_simple_extent_dims(space.Get(), count.data(), nullptr);
+  for (std::size_t d = 0; d < places.size(); ++d)
+  {
+    if (places[d] >= count[d])
+    {
+      Fail(path, "it has fewer values than the file says; the file is damaged or cut short.");
+    }
+    begin[d] = places[d];
+    count[d] = 1;
+  }
+  H5Sselect_hyperslab(space.Get(), H5S_SELECT_SET, begin.data(), nullptr, count.data(), nullptr);
+}
+
 template <class Value>
-std::vector<Value> LibraryFile::ReadSet(
-  const std::string& path, hid_t memory, H5T_class_t kind) const
+std::vector<Value> LibraryFile::ReadSet(const std::string& path, hid_t memory, H5T_class_t kind,
+  std::span<const std::size_t> places) const
 {
   const Handle set = OpenSet(path);
   const Handle space(H5Dget_space(set.Get()), &H5Sclose);
@@ -197,9 +249,17 @@ std::vector<Value> LibraryFile::ReadSet(
   {
     Fail(path, "its numbers are of another type than they should be.");
   }
-  std::vector<Value> values(Count(space, type, path));
+  std::size_t count = Count(space, type, path);
+  if (!places.empty() && count > 0)
+  {
+    Select(space, places, path);
+    count = static_cast<std::size_t>(H5Sget_select_npoints(space.Get()));
+  }
+  std::vector<Value> values(count);
+  const hsize_t length = count;
+  const Handle block(H5Screate_simple(1, &length, nullptr), &H5Sclose);
   if (!values.empty() &&
-    H5Dread(set.Get(), memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
+    H5Dread(set.Get(), memory, block.Get(), space.Get(), H5P_DEFAULT, values.data()) < 0)
   {
     Fail(path, "it cannot be read; the file is damaged or cut short.");
   }
@@ -303,9 +363,89 @@ std::vector<std::string> LibraryFile::TextAttributes(
     [&attribute](hid_t memory, void* values) { return H5Aread(attribute.Get(), memory, values); });
 }
 
-std::unique_ptr<Hdf5File> Open(const std::string& name, std::string_view bytes, bool inMemory)
+constexpr const char* kNotSound = "this is no sound HDF5 file; it is damaged or cut short.";
+
+/// Reads all that a file holds, and forgets it: what the library does not survive shows. Of what it
+/// cannot open it prints pages when the program ends.
+class WholeFile
 {
-  const QuietLibrary quiet;
+public:
+  /// False: a part of the file's structure cannot be read.
+  [[nodiscard]] bool Read(hid_t file)
+  {
+#if H5_VERSION_GE(1, 12, 0)
+    return H5Ovisit(file, H5_INDEX_NAME, H5_ITER_NATIVE, &ReadObject, this, H5O_INFO_BASIC) >= 0;
+#else
+    return H5Ovisit(file, H5_INDEX_NAME, H5_ITER_NATIVE, &ReadObject, this) >= 0;
+#endif
+  }
+
+private:
+  /// Larger data sets are looked up, and not read: numbers cannot harm the library, and files of
+  /// many gigabytes are not read twice.
+  static constexpr std::size_t kMostRead = std::size_t{ 256 } << 20U;
+
+  static herr_t ReadObject(hid_t root, const char* name, const H5O_info_t* info, void* self)
+  {
+    auto* file = static_cast<WholeFile*>(self);
+    const Handle object(H5Oopen(root, name, H5P_DEFAULT), &H5Oclose);
+    if (!object.IsValid() ||
+      H5Aiterate2(object.Get(), H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, &ReadAttribute, self) < 0)
+    {
+      return -1;
+    }
+    if (info->type == H5O_TYPE_DATASET)
+    {
+      file->ReadSet(object.Get());
+    }
+    return 0;
+  }
+
+  static herr_t ReadAttribute(hid_t object, const char* name, const H5A_info_t*, void* self)
+  {
+    const Handle attribute(H5Aopen(object, name, H5P_DEFAULT), &H5Aclose);
+    if (!attribute.IsValid())
+    {
+      return -1;
+    }
+    const Handle space(H5Aget_space(attribute.Get()), &H5Sclose);
+    const Handle type(H5Aget_type(attribute.Get()), &H5Tclose);
+    static_cast<WholeFile*>(self)->Take(space.Get(), type.Get(),
+      [&](void* values) { return H5Aread(attribute.Get(), type.Get(), values); });
+    return 0;
+  }
+
+  void ReadSet(hid_t set)
+  {
+    const Handle space(H5Dget_space(set), &H5Sclose);
+    const Handle type(H5Dget_type(set), &H5Tclose);
+    H5Dget_storage_size(set); // all of a data set's index is looked at for this
+    Take(space.Get(), type.Get(),
+      [&](void* values)
+      { return H5Dread(set, type.Get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values); });
+  }
+
+  void Take(hid_t space, hid_t type, const std::function<herr_t(void*)>& read)
+  {
+    const hssize_t count = H5Sget_simple_extent_npoints(space);
+    const std::size_t size = H5Tget_size(type);
+    if (count <= 0 || size == 0 || static_cast<std::size_t>(count) > (kMostRead - Taken) / size)
+    {
+      return; // the reader itself refuses what the file cannot hold
+    }
+    Taken += static_cast<std::size_t>(count) * size;
+    std::vector<char> values(static_cast<std::size_t>(count) * size);
+    if (read(values.data()) >= 0)
+    {
+      H5Dvlen_reclaim(type, space, H5P_DEFAULT, values.data());
+    }
+  }
+
+  std::size_t Taken = 0;
+};
+
+Handle OpenFile(const std::string& name, std::string_view bytes, bool inMemory)
+{
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), &H5Pclose);
   if (inMemory)
   {
@@ -318,11 +458,63 @@ std::unique_ptr<Hdf5File> Open(const std::string& name, std::string_view bytes, 
   // for the same.
   static std::atomic<int> images = 0;
   const std::string opened = inMemory ? name + " in memory " + std::to_string(++images) : name;
-  Handle file(H5Fopen(opened.c_str(), H5F_ACC_RDONLY, access.Get()), &H5Fclose);
+  return { H5Fopen(opened.c_str(), H5F_ACC_RDONLY, access.Get()), &H5Fclose };
+}
+
+/// Throws InvalidData for a file that the library does not survive.
+void RequireHarmless(
+  const std::string& name, std::string_view bytes, bool inMemory, std::size_t size)
+{
+  try
+  {
+    RunApart(LimitsForFile(size), "the HDF5 library",
+      [&]
+      {
+        const QuietLibrary quiet;
+        const Handle file = OpenFile(name, bytes, inMemory);
+        if (!file.IsValid() || !WholeFile().Read(file.Get()))
+        {
+          throw InvalidData(kNotSound);
+        }
+      });
+  }
+  catch (const Error& error)
+  {
+    throw InvalidData(name + ": " + error.what());
+  }
+}
+
+/// The same for a file on disk, once until it changes.
+void RequireHarmless(const std::string& path)
+{
+  using Version = std::tuple<dev_t, ino_t, off_t, time_t, long>;
+  static std::mutex mutex;
+  static std::set<Version> harmless;
+  struct stat status
+  {
+  };
+  if (stat(path.c_str(), &status) != 0)
+  {
+    return; // opening it fails
+  }
+  const Version version{ status.st_dev, status.st_ino, status.st_size, status.st_mtim.tv_sec,
+    status.st_mtim.tv_nsec };
+  const std::lock_guard lock(mutex);
+  if (!harmless.contains(version))
+  {
+    RequireHarmless(path, {}, false, static_cast<std::size_t>(status.st_size));
+    harmless.insert(version);
+  }
+}
+
+std::unique_ptr<Hdf5File> Open(const std::string& name, std::string_view bytes, bool inMemory)
+{
+  const QuietLibrary quiet;
+  Handle file = OpenFile(name, bytes, inMemory);
   hsize_t size = 0;
   if (!file.IsValid() || H5Fget_filesize(file.Get(), &size) < 0)
   {
-    throw InvalidData(name + ": this is no sound HDF5 file; it is damaged or cut short.");
+    throw InvalidData(name + ": " + kNotSound);
   }
   return std::make_unique<LibraryFile>(name, std::move(file), static_cast<std::size_t>(size));
 }
@@ -330,11 +522,14 @@ std::unique_ptr<Hdf5File> Open(const std::string& name, std::string_view bytes, 
 
 std::unique_ptr<Hdf5File> OpenHdf5(const std::string& name, std::string_view bytes)
 {
+  RequireHarmless(name, bytes, true, bytes.size());
   return Open(name, bytes, true);
 }
 
 std::unique_ptr<Hdf5File> OpenHdf5(const std::string& path)
 {
+  RequireRegularFile(path);
+  RequireHarmless(path);
   return Open(path, {}, false);
 }
 } // namespace pixelexact

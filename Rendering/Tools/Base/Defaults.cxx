@@ -3,6 +3,7 @@
 
 #include "Base/Command.h"
 #include "Base/CommandWords.h"
+#include "Base/FileOrPipe.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <set>
 
 namespace pixelexact
@@ -108,11 +108,11 @@ bool AnyKnows(const CLI::App& program, const std::string& option)
 
 nlohmann::json ReadObject(const std::string& file)
 {
-  std::ifstream stream(file);
+  const std::unique_ptr<std::istream> stream = OpenFileOrPipe(file);
   nlohmann::json object;
   try
   {
-    object = nlohmann::json::parse(stream);
+    object = nlohmann::json::parse(*stream);
   }
   catch (const nlohmann::json::exception& error)
   {

@@ -9,14 +9,13 @@
 class vtkAlgorithm;
 class vtkMultiBlockDataSet;
 
-// Formats of several blocks whose readers VTK has: Exodus II and CGNS, where VTK was built with
-// them; else they are refused. They throw as ReadInput.
+// Formats of several blocks. They throw as ReadInput.
 namespace pixelexact
 {
 /// .e, .exo, .ex2, .exii, .g: element blocks and side sets as attributes; displacements are not
 /// applied.
 InputGrid ReadExodusFile(const InputRequest& request);
-/// .cgns: all zones of all bases.
+/// .cgns: all zones of all bases, by VTK's reader; refused where VTK was built without it.
 InputGrid ReadCgnsFile(const InputRequest& request);
 
 // For these two.
@@ -34,7 +33,7 @@ std::vector<double> TimesOf(vtkAlgorithm& reader);
 void UpdateToStep(vtkAlgorithm& reader, const InputRequest& request, InputGrid& input);
 
 /// All blocks with cells as one grid, each with points of its own. Arrays that some blocks lack are
-/// left out, which is noted. Throws Error where there is none.
+/// NaN there, which is noted. Throws Error where there is no block.
 vtkSmartPointer<vtkUnstructuredGrid> JoinBlocks(
   vtkMultiBlockDataSet& blocks, const std::string& file, std::vector<std::string>& notes);
 } // namespace pixelexact

@@ -16,7 +16,6 @@ namespace pixelexact
 {
 namespace
 {
-constexpr std::int64_t kMost = std::numeric_limits<std::int32_t>::max();
 using Name = std::array<char, 65>; // of the library's, with all that families may have
 
 class CgnsReader
@@ -105,13 +104,14 @@ private:
     {
       const auto own = static_cast<std::int64_t>(size[static_cast<std::size_t>(d)]);
       Grid.extent[static_cast<std::size_t>(d)] = own;
-      zone.points = own >= 0 && own <= kMost ? zone.points * own : -1;
-      zone.points = zone.points > kMost ? -1 : zone.points;
+      zone.points = own >= 0 && own <= kMaxCgnsCount ? zone.points * own : -1;
+      zone.points = zone.points > kMaxCgnsCount ? -1 : zone.points;
     }
     if (zone.points < 0)
     {
       return; // VTK's reader says what it makes of it
     }
+    zone.isSingle = HasSingleCoordinates();
     int count = 0;
     Require(cg_nbocos(Id, Base, Zone, &count));
     CgnsSections sections;
@@ -132,6 +132,21 @@ private:
     }
   }
 
+  [[nodiscard]] bool HasSingleCoordinates() const
+  {
+    int coordinates = 0;
+    Require(cg_ncoords(Id, Base, Zone, &coordinates));
+    bool isSingle = coordinates > 0;
+    for (int c = 1; c <= coordinates; ++c)
+    {
+      CGNS_ENUMT(DataType_t) type{};
+      Name name{};
+      Require(cg_coord_info(Id, Base, Zone, c, &type, name.data()));
+      isSingle = isSingle && type == CGNS_ENUMV(RealSingle);
+    }
+    return isSingle;
+  }
+
   void ReadCondition(bool structured, CgnsZone& zone)
   {
     Name own{};
@@ -149,7 +164,7 @@ private:
     CgnsBoundary boundary;
     boundary.name = NameOf(own.data(), kind);
     const bool possible =
-      known && count >= 0 && count <= kMost && normals >= 0 && normals <= 3 * kMost;
+      known && count >= 0 && count <= kMaxCgnsCount && normals >= 0 && normals <= 3 * kMaxCgnsCount;
     std::vector<cgsize_t> numbers(possible ? static_cast<std::size_t>(count * Grid.directions) : 0);
     std::vector<double> ignored(possible ? static_cast<std::size_t>(normals) : 0);
     if (!possible ||

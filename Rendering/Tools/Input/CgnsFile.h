@@ -3,12 +3,16 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <set>
 #include <string>
 #include <vector>
 
 namespace pixelexact
 {
+/// Counts in a file above this are refused.
+inline constexpr std::int64_t kMaxCgnsCount = std::numeric_limits<std::int32_t>::max();
+
 /// A boundary condition on a zone, in the zone's points, counted from 0.
 struct CgnsBoundary
 {
@@ -23,6 +27,7 @@ struct CgnsBoundary
 struct CgnsZone
 {
   std::int64_t points = 0;
+  bool isSingle = false;          ///< its coordinates have single precision
   std::set<std::string> elements; ///< the names of their types, "HEXA_27"
   std::vector<CgnsBoundary> boundaries;
   std::vector<std::string> left; ///< names of conditions that are not read, or contradict the zone

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Input/CgnsSides.h"
 
+#include "Cells/CellSides.h"
 #include "Conversion/SourceFaces.h"
 #include "Core/Base/Counted.h"
 #include "Files/SolverGroups.h"
-#include "Input/CellSides.h"
 
 #include <vtkCellArray.h>
 #include <vtkCompositeDataIterator.h>
@@ -170,7 +170,7 @@ void AddBoundaryConditions(const std::vector<CgnsZone>& zones, vtkMultiBlockData
     return;
   }
   FaceFinder finder(grid);
-  SolverMesh named;
+  std::vector<Group> named;
   std::size_t others = 0;
   std::vector<std::string> left;
   for (std::size_t zone = 0; zone < zones.size(); ++zone)
@@ -178,19 +178,18 @@ void AddBoundaryConditions(const std::vector<CgnsZone>& zones, vtkMultiBlockData
     left.insert(left.end(), zones[zone].left.begin(), zones[zone].left.end());
     for (const CgnsBoundary& boundary : zones[zone].boundaries)
     {
-      auto group = std::ranges::find(named.groups, boundary.name, &Group::name);
-      if (group == named.groups.end())
+      auto group = std::ranges::find(named, boundary.name, &Group::name);
+      if (group == named.end())
       {
-        named.groups.push_back(
-          { static_cast<std::int32_t>(named.groups.size()) + 1, boundary.name, true });
-        group = std::prev(named.groups.end());
+        named.push_back({ static_cast<std::int32_t>(named.size()) + 1, boundary.name, true });
+        group = std::prev(named.end());
       }
       others += finder.Add(boundary, begin[zone], group->id);
     }
   }
   std::ranges::sort(finder.Found);
   AddSourceFaces(finder.Found, &grid);
-  AddGroups(named, &grid);
+  AddGroupNames(named, &grid);
   if (others > 0)
   {
     notes.push_back(Counted(others, "face") +

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Input/ColorMapFile.h"
 
+#include "Base/FileOrPipe.h"
 #include "Base/Report.h"
 
 #include "Core/Base/Error.h"
@@ -14,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <iterator>
 #include <vector>
 
@@ -221,7 +221,8 @@ vtkSmartPointer<vtkLookupTable> ReadColorMapFile(
   const std::string& text, const std::array<double, 2>& range)
 {
   const FileAndName wanted = Split(text);
-  std::ifstream stream(wanted.file);
+  const std::unique_ptr<std::istream> opened = OpenFileOrPipe(wanted.file);
+  std::istream& stream = *opened;
   if (!stream)
   {
     Fail(wanted.file, "it cannot be opened");

@@ -3,7 +3,8 @@
 
 #include "Base/Command.h"
 #include "Input/BlockInput.h"
-#include "Input/ExodusFile.h"
+
+#include "Files/ExodusGrid.h"
 
 #include <algorithm>
 #include <array>
@@ -59,7 +60,7 @@ ExodusStep ChooseStep(
   {
     const std::vector<std::string> files = PartsOf(meshes[mesh]);
     std::ranges::for_each(files, &RequireExodus);
-    const std::vector<double> times = ExodusFile(files.front()).Times();
+    const std::vector<double> times = ExodusTimes(files.front());
     input.times.insert(input.times.end(), times.begin(), times.end());
     for (std::size_t own = 0; own < std::max(times.size(), std::size_t{ 1 }); ++own)
     {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Input/PatchFile.h"
 
+#include "Base/FileOrPipe.h"
 #include "Base/Numbers.h"
 #include "Base/Options.h"
 #include "Input/Input.h"
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 
 namespace pixelexact
@@ -55,7 +55,8 @@ std::vector<BezierPatch> ReadPatches(const std::string& file)
   {
     CannotRead(file, "there is no such file");
   }
-  std::ifstream stream(file, std::ios::binary);
+  const std::unique_ptr<std::istream> opened = OpenFileOrPipe(file);
+  std::istream& stream = *opened;
   if (!stream || std::filesystem::is_directory(file))
   {
     CannotRead(file, "it cannot be opened; name a file of patches");

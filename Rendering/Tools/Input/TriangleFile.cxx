@@ -5,6 +5,8 @@
 #include "Input/Input.h"
 
 #include "Core/Base/Error.h"
+#include "Formats/FileText.h"
+#include "Surfaces/StlText.h"
 #include "Surfaces/VtkTriangles.h"
 
 #include <vtkNew.h>
@@ -66,6 +68,20 @@ void RequireWholeStl(const std::string& file)
         std::to_string(there));
   }
 }
+
+vtkSmartPointer<vtkPolyData> ReadStl(const std::string& file)
+{
+  RequireWholeStl(file);
+  try
+  {
+    const auto text = ReadStlText(file);
+    return text != nullptr ? text : ReadBy<vtkSTLReader>(file);
+  }
+  catch (const InvalidData& error)
+  {
+    CannotRead(file, error.what());
+  }
+}
 } // namespace
 
 std::shared_ptr<const Surface> ReadTriangles(const std::string& file)
@@ -79,12 +95,12 @@ std::shared_ptr<const Surface> ReadTriangles(const std::string& file)
   {
     CannotRead(file, "there is no such file");
   }
-  if (ending == ".stl")
+  if (IsPipeOrDevice(file))
   {
-    RequireWholeStl(file);
+    CannotRead(file, kPipeRemedy);
   }
   const vtkSmartPointer<vtkPolyData> surface =
-    ending == ".vtp" ? ReadBy<vtkXMLPolyDataReader>(file) : ReadBy<vtkSTLReader>(file);
+    ending == ".vtp" ? ReadBy<vtkXMLPolyDataReader>(file) : ReadStl(file);
   try
   {
     return ToTriangles(surface);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Input/CellSides.h"
+#include "Cells/CellSides.h"
 
 #include <vtkCellType.h>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#pragma once
+#ifndef CellSides_h
+#define CellSides_h
 
 #include <array>
 #include <span>
@@ -17,3 +18,4 @@ struct CellSide
 /// Those of a VTK cell, linear, quadratic or Lagrange, in Exodus' order; none of others.
 std::span<const CellSide> SidesOf(int cellType);
 } // namespace pixelexact
+#endif
