@@ -4,10 +4,14 @@
 
 #include "Core/Basis/ChangeOfBasis.h"
 
+#include "vtkSmartPointer.h"
+
 #include <array>
 #include <limits>
 #include <string>
 #include <vector>
+
+class vtkCell;
 
 // The basis of each kind of VTK cell, and its way into the canonical one.
 //
@@ -95,6 +99,9 @@ void RequireKnownNodes(const CellKind& kind, int triangleOrder);
 /// than `kind.nodes` says: MFEM writes them mirrored. The kind must be one of order >= 3 in the
 /// triangle and >= 2 along t.
 ChangeOfBasis MakeOtherWedge(const CellKind& kind);
+
+/// A VTK cell of a kind, whose point ids are the positions in the cell; all points are the origin.
+vtkSmartPointer<vtkCell> MakeCell(const CellKind& kind);
 
 /// The map from samples of a VTK cell's own interpolation functions, which lie in `space`.
 ChangeOfBasis SampleCell(const CellKind& kind, const Space& space);

@@ -10,6 +10,8 @@
 #include "vtkCell.h"
 #include "vtkCellType.h"
 #include "vtkGenericCell.h"
+#include "vtkHigherOrderHexahedron.h"
+#include "vtkHigherOrderQuadrilateral.h"
 #include "vtkHigherOrderWedge.h"
 #include "vtkIdList.h"
 #include "vtkPoints.h"
@@ -73,27 +75,6 @@ std::vector<long double> FewBitPoints(int degree)
     points.push_back(step * i - 1);
   }
   return points;
-}
-
-vtkSmartPointer<vtkCell> MakeCell(const CellKind& kind)
-{
-  auto cell = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(kind.type));
-  cell->GetPoints()->SetNumberOfPoints(kind.points);
-  cell->GetPointIds()->SetNumberOfIds(kind.points);
-  for (int i = 0; i < kind.points; ++i)
-  {
-    cell->GetPoints()->SetPoint(i, 0.0, 0.0, 0.0);
-    cell->GetPointIds()->SetId(i, i);
-  }
-  if (auto* wedge = vtkHigherOrderWedge::SafeDownCast(cell))
-  {
-    wedge->SetUniformOrderFromNumPoints(kind.points);
-  }
-  if (cell->RequiresInitialization())
-  {
-    cell->Initialize();
-  }
-  return cell;
 }
 
 /// A cell's functions, interpolated from samples.
@@ -161,6 +142,40 @@ private:
   std::vector<double> Samples; ///< all functions at a point, eta3 fastest
 };
 } // namespace
+
+vtkSmartPointer<vtkCell> MakeCell(const CellKind& kind)
+{
+  auto cell = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(kind.type));
+  cell->GetPoints()->SetNumberOfPoints(kind.points);
+  cell->GetPointIds()->SetNumberOfIds(kind.points);
+  for (int i = 0; i < kind.points; ++i)
+  {
+    cell->GetPoints()->SetPoint(i, 0.0, 0.0, 0.0);
+    cell->GetPointIds()->SetId(i, i);
+  }
+  const auto& n = kind.degrees;
+  const bool uniform = n == std::array{ 0, 0, 0 } || kind.points == 21; // the wedge with bubbles
+  if (auto* wedge = vtkHigherOrderWedge::SafeDownCast(cell))
+  {
+    uniform ? wedge->SetUniformOrderFromNumPoints(kind.points)
+            : wedge->SetOrder(n[0], n[1], n[2], kind.points);
+  }
+  else if (auto* hexahedron = vtkHigherOrderHexahedron::SafeDownCast(cell))
+  {
+    uniform ? hexahedron->SetUniformOrderFromNumPoints(kind.points)
+            : hexahedron->SetOrder(n[0], n[1], n[2]);
+  }
+  else if (auto* quadrilateral = vtkHigherOrderQuadrilateral::SafeDownCast(cell))
+  {
+    uniform ? quadrilateral->SetUniformOrderFromNumPoints(kind.points)
+            : quadrilateral->SetOrder(n[0], n[1]);
+  }
+  if (cell->RequiresInitialization())
+  {
+    cell->Initialize();
+  }
+  return cell;
+}
 
 ChangeOfBasis SampleCell(const CellKind& kind, const Space& space)
 {

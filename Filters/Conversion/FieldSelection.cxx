@@ -2,6 +2,7 @@
 #include "Conversion/FieldSelection.h"
 
 #include "Conversion/SourceMesh.h"
+#include "ConversionLoss.h"
 #include "Core/Base/Error.h"
 #include "HighOrderArrays.h"
 #include "HighOrderModel.h"
@@ -75,7 +76,7 @@ private:
     }
     static const std::set<std::string> bookkeeping{ vtkDataSetAttributes::GhostArrayName(),
       "vtkOriginalPointIds", "vtkOriginalCellIds", "RationalWeights", "HigherOrderDegrees",
-      kElementIds, kSourceCells, kInnerFaces };
+      kElementIds, kSourceCells, kInnerFaces, kLinearizedOrder };
     return !bookkeeping.contains(name) && !name.starts_with(kPackedPrefix) &&
       array != data->GetGlobalIds() && array != data->GetPedigreeIds() &&
       array != data->GetRationalWeights() && array != data->GetHigherOrderDegrees();

@@ -7,6 +7,7 @@
 #include "Conversion/MeshDiagnostics.h"
 #include "Conversion/OutputGrid.h"
 #include "Conversion/SourceFaces.h"
+#include "ConversionLoss.h"
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 #include "Grids/SlabArray.h"
@@ -244,11 +245,16 @@ void DescribeRationalField(
     ": polynomials in place of rational functions are proven to lose at most " + InFewDigits(loss));
 }
 
-std::vector<std::string> DiagnoseMesh(const SourceMesh& mesh, const HighOrderModel& model)
+std::vector<std::string> DiagnoseMesh(
+  const SourceMesh& mesh, const HighOrderModel& model, vtkUnstructuredGrid* grid)
 {
   auto lines = DiagnoseNodes(mesh);
-  const auto more = DiagnoseJacobian(model.GetMesh(), model.SourceCells());
-  lines.insert(lines.end(), more.begin(), more.end());
+  for (const auto& more :
+    { DiagnoseJacobian(model.GetMesh(), model.SourceCells(), mesh.GetSlab().has_value()),
+      DiagnoseSameCells(grid) })
+  {
+    lines.insert(lines.end(), more.begin(), more.end());
+  }
   if (mesh.RationalElements() > 0)
   {
     lines.push_back(DescribeRationals(mesh));
@@ -267,6 +273,11 @@ ConversionReport ConvertGrid(vtkUnstructuredGrid* input, const ConversionOptions
       options.progress(done);
     }
   };
+  if (OrderLostByConversion(input) >= 0)
+  {
+    throw StaleData(
+      "the coefficients that a reader gave the grid were lost on the way" + RemedyOf(input));
+  }
   const SourceMesh mesh(input, options.nodes);
   ConversionReport report;
   report.skippedCells = mesh.SkippedCells();
@@ -296,7 +307,7 @@ ConversionReport ConvertGrid(vtkUnstructuredGrid* input, const ConversionOptions
   {
     if (!kept.diagnostics)
     {
-      kept.diagnostics = DiagnoseMesh(mesh, *model);
+      kept.diagnostics = DiagnoseMesh(mesh, *model, output);
     }
     report.diagnostics = *kept.diagnostics;
     report.diagnostics.insert(report.diagnostics.end(), rationals.begin(), rationals.end());

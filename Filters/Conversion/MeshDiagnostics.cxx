@@ -2,22 +2,31 @@
 #include "Conversion/MeshDiagnostics.h"
 
 #include "Core/Basis/LineFunctions.h"
+#include "Core/Math/Vec.h"
 
 #include "vtkCellType.h"
+
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <map>
+#include <numbers>
+#include <numeric>
+#include <optional>
 
 namespace pixelexact
 {
 namespace
 {
 constexpr double kMuchSmoother = 10.0;
-/// Nodes are this near, relative to the edge, to a straight line or to the places in question.
+/// Relative to the edge: smaller modes of its map are ignored.
 constexpr double kNear = 1e-5;
+/// Edges of so many nodes are alike in all placements.
+constexpr std::size_t kNodesAlike = 3;
+/// Half units in the last place of the coordinates by which nodes may be off.
+constexpr double kRoundings = 4.0;
 
 std::string OutOf(int some, int all)
 {
@@ -93,103 +102,256 @@ void DiagnoseMirroredWedges(const SourceMesh& mesh, std::vector<std::string>& li
   }
 }
 
-/// Gauss-Lobatto-Legendre points of order n in [0,1].
-std::vector<double> GaussLobatto(int n)
+/// Where the nodes along an edge may stand.
+enum Placement
 {
-  std::vector<double> points;
-  std::ranges::transform(GaussLobattoPoints(n + 1), std::back_inserter(points),
-    [](long double z) { return static_cast<double>((1 + z) / 2); });
-  return points;
-}
-
-enum class EdgeNodes
-{
-  NotStraight,
-  Equispaced,
-  GaussLobatto,
-  Other
+  kEquispaced,
+  kGaussLobatto,
+  kChebyshev,
+  kPlacements
 };
 
-EdgeNodes Classify(
-  const SourceMesh& mesh, int element, const std::vector<int>& edge, const std::vector<double>& gll)
+/// n + 1 points on [-1,1] with both ends.
+std::vector<long double> PointsOf(Placement placement, int n)
 {
-  const auto xyz = mesh.Coordinates();
-  const auto points = mesh.Points(element);
-  const auto at = [&](std::size_t i, int d) { return xyz[3 * points[edge[i]] + d]; };
-  const std::size_t n = edge.size() - 1;
-  std::array<double, 3> chord{};
-  double square = 0.0;
-  for (int d = 0; d < 3; ++d)
+  switch (placement)
   {
-    chord[d] = at(n, d) - at(0, d);
-    square += chord[d] * chord[d];
+    case kEquispaced:
+      return ClosedUniformPoints(n + 1);
+    case kGaussLobatto:
+      return GaussLobattoPoints(n + 1);
+    default:
+    {
+      std::vector<long double> points;
+      for (int i = 0; i <= n; ++i)
+      {
+        points.push_back(-std::cos(std::numbers::pi_v<long double> * i / n));
+      }
+      return points;
+    }
   }
-  bool equispaced = true;
-  bool lobatto = true;
-  for (std::size_t i = 1; i < n; ++i)
+}
+
+/// The Legendre modes of the polynomials that are 1 at one of the points and 0 at the others.
+class LineModes
+{
+public:
+  /// Gauss-Jordan elimination of the points' Legendre values with the unit matrix beside them.
+  explicit LineModes(const std::vector<long double>& points)
+    : Count(points.size())
+    , Inverse(Count * Count)
   {
-    double along = 0.0;
-    for (int d = 0; d < 3; ++d)
+    const std::size_t width = 2 * Count;
+    std::vector<long double> rows(Count * width);
+    for (std::size_t i = 0; i < Count; ++i)
     {
-      along += (at(i, d) - at(0, d)) * chord[d] / square;
+      long double* row = &rows[i * width];
+      row[0] = 1;
+      row[1] = points[i];
+      for (std::size_t k = 1; k + 1 < Count; ++k)
+      {
+        row[k + 1] = ((2 * k + 1) * points[i] * row[k] - k * row[k - 1]) / (k + 1);
+      }
+      row[Count + i] = 1;
     }
-    double off = 0.0;
-    for (int d = 0; d < 3; ++d)
+    const auto size = [&](std::size_t i, std::size_t c) { return std::fabs(rows[i * width + c]); };
+    for (std::size_t c = 0; c < Count; ++c)
     {
-      off = std::max(off, std::fabs(at(i, d) - at(0, d) - along * chord[d]));
+      std::size_t pivot = c;
+      for (std::size_t i = c; i < Count; ++i)
+      {
+        pivot = size(i, c) > size(pivot, c) ? i : pivot;
+      }
+      std::swap_ranges(&rows[c * width], &rows[c * width] + width, &rows[pivot * width]);
+      for (std::size_t i = 0; i < Count; ++i)
+      {
+        const long double factor = rows[i * width + c] / rows[c * width + c];
+        for (std::size_t j = c; j < width && i != c; ++j)
+        {
+          rows[i * width + j] -= factor * rows[c * width + j];
+        }
+      }
     }
-    if (!(off <= kNear * std::sqrt(square))) // also where the edge has no length
+    for (std::size_t k = 0; k < Count; ++k)
     {
-      return EdgeNodes::NotStraight;
+      for (std::size_t i = 0; i < Count; ++i)
+      {
+        Inverse[k * Count + i] =
+          static_cast<double>(rows[k * width + Count + i] / rows[k * width + k]);
+      }
     }
-    equispaced = equispaced && std::fabs(along - static_cast<double>(i) / n) <= kNear;
-    lobatto = lobatto && std::fabs(along - gll[i]) <= kNear;
   }
-  return equispaced ? EdgeNodes::Equispaced
-                    : (lobatto ? EdgeNodes::GaussLobatto : EdgeNodes::Other);
+
+  /// `tail[k]` becomes the size of the modes from k on.
+  void Tails(const std::vector<Vec3>& values, std::vector<double>& tail) const
+  {
+    tail.assign(Count + 1, 0.0);
+    for (std::size_t k = Count; k-- > 0;)
+    {
+      Vec3 mode(0.0);
+      for (std::size_t i = 0; i < Count; ++i)
+      {
+        mode += Inverse[k * Count + i] * values[i];
+      }
+      tail[k] = tail[k + 1] + glm::length(mode);
+    }
+  }
+  /// What errors of 1 in each value can make of a tail.
+  [[nodiscard]] double Noise(std::size_t k) const
+  {
+    return std::accumulate(Inverse.begin() + static_cast<std::ptrdiff_t>(k * Count), Inverse.end(),
+      0.0, [](double sum, double entry) { return sum + std::fabs(entry); });
+  }
+
+private:
+  std::size_t Count;
+  std::vector<double> Inverse; ///< by mode and point
+};
+
+/// By placement, for edges of one order.
+using PlacedModes = std::vector<LineModes>;
+
+/// Returns the placement with which the map of an edge is much smoother than with the one that its
+/// nodes are taken for, or the latter where it is much smoother than another; none where no two
+/// placements differ much. Two placements are compared by their modes from each degree above 2 on:
+/// those of the nodes' true places end with the order of the geometry, or fall faster.
+std::optional<Placement> ClassifyEdge(
+  const PlacedModes& modes, const std::vector<Vec3>& nodes, Placement taken, double roundoff)
+{
+  double largest = 0.0;
+  for (const Vec3& x : nodes)
+  {
+    largest = std::max({ largest, std::fabs(x.x), std::fabs(x.y), std::fabs(x.z) });
+  }
+  const double error = kRoundings * roundoff * largest;
+  const double least = kNear * glm::length(nodes.back() - nodes.front());
+  std::array<std::vector<double>, kPlacements> tails;
+  for (int p = 0; p < kPlacements; ++p)
+  {
+    modes[p].Tails(nodes, tails[p]);
+  }
+  const auto ratio = [&](Placement rough, Placement smooth)
+  {
+    double largestRatio = 0.0;
+    for (std::size_t k = 3; k < nodes.size(); ++k)
+    {
+      const double size = tails[rough][k] - error * modes[rough].Noise(k);
+      if (size > least)
+      {
+        largestRatio = std::max(
+          largestRatio, size / (tails[smooth][k] + error * modes[smooth].Noise(k) + kNear * least));
+      }
+    }
+    return largestRatio;
+  };
+  Placement best = taken;
+  double most = kMuchSmoother;
+  bool isDecided = false;
+  for (const Placement other : { kEquispaced, kGaussLobatto, kChebyshev })
+  {
+    if (other == taken)
+    {
+      continue;
+    }
+    const double better = ratio(taken, other);
+    const double worse = ratio(other, taken);
+    isDecided = isDecided || std::max(better, worse) > kMuchSmoother;
+    if (better > most && better > worse)
+    {
+      most = better;
+      best = other;
+    }
+  }
+  return isDecided ? std::optional(best) : std::nullopt;
+}
+
+std::string DescribePlacement(Placement found, Placement taken)
+{
+  const std::string than = taken == kGaussLobatto
+    ? "than at Gauss-Lobatto-Legendre points, for which they are taken"
+    : "than equispaced, as VTK's Lagrange cells have them";
+  const std::string wrong = ": geometry and fields are not those of the solver. ";
+  switch (found)
+  {
+    case kEquispaced:
+      return "equispaced, as VTK's Lagrange cells have them, " + than + wrong +
+        "Leave out SetNodePlacement (--nodes gll).";
+    case kGaussLobatto:
+      return "at Gauss-Lobatto-Legendre points " + than + wrong +
+        "Have them taken as such by SetNodePlacement (--nodes gll; triangles to order 3), or write "
+        "the file with equispaced nodes (DOLFINx: basix.LagrangeVariant.equispaced).";
+    default:
+      return "at Chebyshev points " + than + wrong + "Write the file with equispaced nodes.";
+  }
+}
+
+/// Returns elements with edges of more nodes than kNodesAlike, at most some thousands of them,
+/// evenly spread.
+std::vector<int> EdgeSamples(const SourceMesh& mesh)
+{
+  constexpr std::size_t kMost = 4096;
+  std::vector<int> elements;
+  for (int e = 0; e < mesh.Elements(); ++e)
+  {
+    if (std::ranges::any_of(
+          mesh.Basis(e).edges, [](const auto& edge) { return edge.size() > kNodesAlike; }))
+    {
+      elements.push_back(e);
+    }
+  }
+  const std::size_t step = elements.size() / kMost + 1;
+  for (std::size_t i = 0; i * step < elements.size(); ++i)
+  {
+    elements[i] = elements[i * step];
+  }
+  elements.resize((elements.size() + step - 1) / step);
+  return elements;
 }
 
 void DiagnoseWarpedNodes(const SourceMesh& mesh, std::vector<std::string>& lines)
 {
-  std::map<int, std::vector<double>> lobatto;
-  int otherwise = 0; // than they are taken
-  int straight = 0;
-  bool taken = false; // for Gauss-Lobatto-Legendre points
-  for (int e = 0; e < mesh.Elements(); ++e)
+  std::map<std::size_t, PlacedModes> modesOf; // by the number of nodes
+  std::array<int, kPlacements> found{};
+  Placement taken = kEquispaced;
+  const auto xyz = mesh.Coordinates();
+  std::vector<Vec3> nodes;
+  for (const int e : EdgeSamples(mesh))
   {
-    const bool gaussLobatto = mesh.Basis(e).kind.nodes.gaussLobatto;
-    const EdgeNodes wrong = gaussLobatto ? EdgeNodes::Equispaced : EdgeNodes::GaussLobatto;
-    taken = taken || gaussLobatto;
-    for (const auto& edge : mesh.Basis(e).edges)
+    const CellBasis& basis = mesh.Basis(e);
+    const auto points = mesh.Points(e);
+    taken = basis.kind.nodes.gaussLobatto ? kGaussLobatto : kEquispaced;
+    for (const auto& edge : basis.edges)
     {
-      const int order = static_cast<int>(edge.size()) - 1;
-      if (order < 3)
+      if (edge.size() <= kNodesAlike)
       {
         continue;
       }
-      auto& gll = lobatto[order];
-      if (gll.empty())
+      PlacedModes& modes = modesOf[edge.size()];
+      for (int p = static_cast<int>(modes.size()); p < kPlacements; ++p)
       {
-        gll = GaussLobatto(order);
+        modes.emplace_back(PointsOf(static_cast<Placement>(p), static_cast<int>(edge.size()) - 1));
       }
-      const EdgeNodes nodes = Classify(mesh, e, edge, gll);
-      straight += nodes == EdgeNodes::NotStraight ? 0 : 1;
-      otherwise += nodes == wrong ? 1 : 0;
+      nodes.clear();
+      for (const int node : edge)
+      {
+        const double* x = &xyz[3 * static_cast<std::size_t>(points[node])];
+        nodes.emplace_back(x[0], x[1], x[2]);
+      }
+      if (const auto judged = ClassifyEdge(modes, nodes, taken, mesh.CoordinateRoundoff()))
+      {
+        ++found[*judged];
+      }
     }
   }
-  if (2 * otherwise > straight)
+  const int decided = std::accumulate(found.begin(), found.end(), 0);
+  for (int p = 0; p < kPlacements; ++p)
   {
-    lines.push_back(OutOf(otherwise, straight) + " straight edges looked at have their nodes " +
-      (taken
-          ? "equispaced, as VTK's Lagrange cells have them, but they are taken to be at "
-            "Gauss-Lobatto-Legendre points: geometry and fields are not those of the file. Leave "
-            "out SetNodePlacement (--nodes gll)."
-          : "at Gauss-Lobatto-Legendre points, where VTK's Lagrange cells have them equispaced: "
-            "geometry and fields of this file are not those of the solver. Have them taken as "
-            "such by SetNodePlacement (--nodes gll; triangles to order 3), or write the file with "
-            "equispaced nodes "
-            "(DOLFINx: basix.LagrangeVariant.equispaced).") +
-      " (Judged from samples.)");
+    if (p != taken && 2 * found[p] > decided)
+    {
+      lines.push_back(OutOf(found[p], decided) +
+        " edges have much smoother maps with their nodes " +
+        DescribePlacement(static_cast<Placement>(p), taken) + " (Judged from samples.)");
+    }
   }
 }
 } // namespace
@@ -197,6 +359,7 @@ void DiagnoseWarpedNodes(const SourceMesh& mesh, std::vector<std::string>& lines
 std::vector<std::string> DiagnoseNodes(const SourceMesh& source)
 {
   std::vector<std::string> lines;
+  DiagnoseNodeOrder(source, lines);
   DiagnoseMirroredWedges(source, lines);
   DiagnoseWarpedNodes(source, lines);
   return lines;

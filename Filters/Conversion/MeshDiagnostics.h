@@ -17,13 +17,25 @@ namespace pixelexact
 /// - Lagrange wedges whose nodes inside the quadrilateral r = 0 seem to be mirrored (MFEM's way),
 ///   because mirroring them back makes most of the wedges much smoother; or not mirrored, where
 ///   they are taken as such.
-/// - Lagrange cells whose nodes on straight edges stand at Gauss-Lobatto-Legendre points (DOLFINx's
-///   default above order 2), where they are taken for equispaced, or the other way round.
+/// - Lagrange cells of order 3 and above whose nodes on edges, straight or curved, stand at
+///   Gauss-Lobatto-Legendre points (DOLFINx's default above order 2) or Chebyshev points, where
+///   they are taken for equispaced, or the other way round.
+/// - What DiagnoseNodeOrder finds.
 std::vector<std::string> DiagnoseNodes(const SourceMesh& source);
 
+/// Adds lines about cells whose nodes on edges or faces fit other edges or faces: they are in
+/// another program's order, whose name is given where it is known, and the line says which node
+/// goes where.
+void DiagnoseNodeOrder(const SourceMesh& source, std::vector<std::string>& lines);
+
+/// A line about cells that stand at the same place as others and so count twice; none where there
+/// are none. Parallel.
+std::vector<std::string> DiagnoseSameCells(vtkUnstructuredGrid* grid);
+
 /// Lines about elements whose Jacobian determinant vanishes or changes sign at sampled points, or
-/// has the other sign than in most elements of its shape. Parallel.
+/// has the other sign than in most elements of its shape. `isPlane`: the mesh is a slab, whose
+/// shapes are named as in the plane. Parallel.
 std::vector<std::string> DiagnoseJacobian(
-  const Mesh& mesh, std::span<const std::int64_t> sourceCells);
+  const Mesh& mesh, std::span<const std::int64_t> sourceCells, bool isPlane);
 } // namespace pixelexact
 #endif

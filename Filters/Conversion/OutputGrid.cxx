@@ -59,7 +59,7 @@ bool HasSolverCoefficients(vtkUnstructuredGrid* grid)
     vtkDataArray* origin = data->GetArray((prefix + "Origin").c_str());
     found = found ||
       (origin && origin->GetNumberOfValues() > 0 &&
-        origin->GetComponent(0, 0) == static_cast<double>(Origin::Coefficients));
+        IsSolvers(static_cast<Origin>(static_cast<int>(origin->GetComponent(0, 0)))));
   };
   look(kMeshPrefix);
   for (const auto& name : StoredFieldNames(grid))

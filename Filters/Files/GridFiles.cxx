@@ -3,14 +3,26 @@
 
 #include "Conversion/GridCheck.h"
 #include "Core/Base/Error.h"
+#include "Formats/FileText.h"
 #include "Grids/ReaderMessages.h"
+#include "HighOrderArrays.h"
 
 #include "vtkErrorCode.h"
+#include "vtkInformation.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnstructuredGridReader.h"
+#include "vtkXMLDataElement.h"
 #include "vtkXMLUnstructuredGridReader.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <new>
+#include <sstream>
+#include <string_view>
+#include <tuple>
 
 namespace pixelexact
 {
@@ -18,34 +30,141 @@ namespace
 {
 using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
 
-Grid ReadXml(const std::string& file, std::vector<std::string>& warnings)
+/// Reads one piece of a file as if it were the only one. VTK's way of joining pieces changes some:
+/// below version 2.1 it permutes the higher-order hexahedra of a piece once more for each piece
+/// after it; it takes arrays by their places and types in the first piece; and ghost levels of
+/// later pieces stay levels.
+class PieceReader : public vtkXMLUnstructuredGridReader
 {
-  std::error_code failure;
-  if (!std::filesystem::exists(file, failure))
+public:
+  static PieceReader* New();
+  vtkTypeMacro(PieceReader, vtkXMLUnstructuredGridReader);
+
+protected:
+  void ReadXMLData() override
   {
-    throw InvalidData("there is no such file");
+    const int piece = this->GetCurrentOutputInformation()->Get(
+      vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER());
+    if (piece <= 0 || piece >= this->NumberOfPieces)
+    {
+      this->Superclass::ReadXMLData();
+      return;
+    }
+    // The superclasses take what arrays there are from the first piece.
+    const auto first = std::tuple(this->NumberOfPoints[0], this->PointElements[0],
+      this->PointDataElements[0], this->CellDataElements[0]);
+    this->NumberOfPoints[0] = this->NumberOfPoints[piece];
+    this->PointElements[0] = this->PointElements[piece];
+    this->PointDataElements[0] = this->PointDataElements[piece];
+    this->CellDataElements[0] = this->CellDataElements[piece];
+    this->SetDataArraySelections(this->PointDataElements[0], this->PointDataArraySelection);
+    this->SetDataArraySelections(this->CellDataElements[0], this->CellDataArraySelection);
+    this->Superclass::ReadXMLData();
+    std::tie(this->NumberOfPoints[0], this->PointElements[0], this->PointDataElements[0],
+      this->CellDataElements[0]) = first;
   }
-  vtkNew<vtkXMLUnstructuredGridReader> reader;
+};
+vtkStandardNewMacro(PieceReader);
+
+void CheckDone(vtkAlgorithm& reader, const ReaderMessages& messages)
+{
+  const unsigned long code = reader.GetErrorCode();
+  if (!messages.error.empty())
+  {
+    throw InvalidData(messages.error);
+  }
+  if (code != vtkErrorCode::NoError)
+  {
+    throw InvalidData(vtkErrorCode::GetStringFromErrorCode(code));
+  }
+}
+
+/// Reads all pieces, also those without cells.
+std::vector<Grid> ReadXml(const std::string& file, std::vector<std::string>& warnings)
+{
+  const vtkNew<PieceReader> reader;
   if (!reader->CanReadFile(file.c_str()))
   {
-    throw InvalidData("it is not a VTK XML file of type UnstructuredGrid, or cut short");
+    throw InvalidData(
+      "it is neither a VTK XML file of type UnstructuredGrid nor a legacy VTK file, or cut short");
   }
-  vtkNew<ReaderMessages> messages;
+  const vtkNew<ReaderMessages> messages;
   messages->Watch(reader);
   reader->SetFileName(file.c_str());
+  reader->UpdateInformation();
+  const int count = std::max(static_cast<int>(reader->GetNumberOfPieces()), 1);
+  std::vector<Grid> pieces;
+  for (int piece = 0; piece < count; ++piece)
+  {
+    reader->UpdatePiece(piece, count, 0);
+    CheckDone(*reader, *messages);
+    pieces.push_back(Grid::New());
+    pieces.back()->ShallowCopy(reader->GetOutput());
+    CheckConsistency(*pieces.back());
+    if (count > 1 && HasHighOrderArrays(pieces.back()))
+    {
+      // Its coefficients are of all pieces together.
+      reader->UpdatePiece(0, 1, 0);
+      CheckDone(*reader, *messages);
+      pieces = { reader->GetOutput() };
+      CheckConsistency(*pieces.back());
+      break;
+    }
+  }
+  warnings = messages->warnings;
+  return pieces;
+}
+
+/// ", but POLYDATA; ...": what else a legacy file holds; empty where that is not known.
+std::string DescribeDataset(const std::string& file)
+{
+  constexpr int kHead = 6; // lines
+  std::ifstream stream(file);
+  std::string line;
+  for (int i = 0; i < kHead && std::getline(stream, line); ++i)
+  {
+    std::istringstream words(line);
+    std::string key;
+    std::string what;
+    if (words >> key >> what && (key == "DATASET" || key == "FIELD"))
+    {
+      return ", but " + (key == "FIELD" ? key : what) +
+        "; make one of its cells (vtkAppendFilter; ParaView: Append Datasets) and write that";
+    }
+  }
+  return {};
+}
+
+Grid ReadLegacy(const std::string& file, std::vector<std::string>& warnings)
+{
+  const vtkNew<vtkUnstructuredGridReader> reader;
+  const vtkNew<ReaderMessages> messages;
+  reader->AddObserver(vtkCommand::ErrorEvent, messages);
+  reader->AddObserver(vtkCommand::WarningEvent, messages);
+  reader->SetFileName(file.c_str());
+  if (!reader->IsFileUnstructuredGrid())
+  {
+    throw InvalidData(
+      "it is not a legacy VTK file that holds an UNSTRUCTURED_GRID" + DescribeDataset(file));
+  }
+  reader->ReadAllScalarsOn();
+  reader->ReadAllVectorsOn();
+  reader->ReadAllFieldsOn();
   reader->Update();
-  if (!messages->error.empty())
-  {
-    throw InvalidData(messages->error);
-  }
-  if (reader->GetErrorCode() != vtkErrorCode::NoError)
-  {
-    throw InvalidData(vtkErrorCode::GetStringFromErrorCode(reader->GetErrorCode()));
-  }
+  CheckDone(*reader, *messages);
   Grid grid = reader->GetOutput();
   CheckConsistency(*grid);
   warnings = messages->warnings;
   return grid;
+}
+
+bool IsLegacy(const std::string& file)
+{
+  constexpr std::string_view kMark = "# vtk DataFile";
+  std::string begin(kMark.size(), '\0');
+  std::ifstream(file, std::ios::binary)
+    .read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  return begin == kMark;
 }
 } // namespace
 
@@ -77,10 +196,11 @@ std::vector<GridPart> ListFiles(const std::vector<GridPart>& parts, std::vector<
   }
   for (const auto& file : files)
   {
-    if (LowerSuffix(file.file) != ".vtu")
+    const std::string suffix = LowerSuffix(file.file);
+    if (suffix != ".vtu" && suffix != ".vtk")
     {
-      throw Unsupported(
-        CannotRead(file) + "only .vtu and .pvtu files can be parts of a grid; write it as such");
+      throw Unsupported(CannotRead(file) +
+        "only .vtu, .pvtu and .vtk files can be parts of a grid; write it as such");
     }
   }
   if (files.empty())
@@ -90,12 +210,22 @@ std::vector<GridPart> ListFiles(const std::vector<GridPart>& parts, std::vector<
   return files;
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> GridFileReader::Read(const GridPart& part)
+std::vector<Grid> GridFileReader::Read(const GridPart& part)
 {
   try
   {
+    std::error_code failure;
+    if (!std::filesystem::exists(part.file, failure))
+    {
+      throw InvalidData("there is no such file");
+    }
+    if (IsPipeOrDevice(part.file))
+    {
+      throw InvalidData(kPipeRemedy);
+    }
     std::vector<std::string> warnings;
-    Grid grid = ReadXml(part.file, warnings);
+    std::vector<Grid> pieces = IsLegacy(part.file) ? std::vector{ ReadLegacy(part.file, warnings) }
+                                                   : ReadXml(part.file, warnings);
     for (const std::string& warning : warnings)
     {
       if (Said.insert(warning).second)
@@ -103,7 +233,10 @@ vtkSmartPointer<vtkUnstructuredGrid> GridFileReader::Read(const GridPart& part)
         Notes.emplace_back("'").append(part.file).append("': ").append(warning).append(".");
       }
     }
-    return grid;
+    const auto idle = std::remove_if(pieces.begin(), pieces.end(),
+      [](const Grid& grid) { return grid->GetNumberOfCells() == 0; });
+    pieces.erase(idle == pieces.begin() ? idle + 1 : idle, pieces.end());
+    return pieces;
   }
   catch (const Error& error)
   {

@@ -5,21 +5,28 @@
 #include "Conversion/OutputGrid.h"
 #include "Core/Base/Error.h"
 #include "Files/GridFiles.h"
+#include "Files/PartOverlap.h"
 #include "Files/PieceNumbers.h"
 #include "Grids/ExtractedCells.h"
+#include "Grids/ReaderMessages.h"
 #include "HighOrderArrays.h"
 #include "PackedArrays.h"
+#include "Parts/PartExchange.h"
 
-#include "vtkAppendFilter.h"
 #include "vtkCellData.h"
+#include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkTypeInt64Array.h"
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <numeric>
 #include <set>
+#include <string_view>
 #include <utility>
 
 namespace pixelexact
@@ -42,25 +49,6 @@ int DimensionOf(vtkUnstructuredGrid* grid)
   return highest;
 }
 
-/// Takes out what only a grid of one part may have.
-void StripPart(vtkUnstructuredGrid* grid)
-{
-  if (!HasSolverCoefficients(grid))
-  {
-    RemoveHighOrderArrays(grid);
-  }
-  vtkDataArray* ghosts = grid->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName());
-  for (vtkIdType cell = 0; ghosts && cell < grid->GetNumberOfCells(); ++cell)
-  {
-    if ((static_cast<int>(ghosts->GetComponent(cell, 0)) & vtkDataSetAttributes::DUPLICATECELL) !=
-      0)
-    {
-      grid->RemoveGhostCells();
-      return;
-    }
-  }
-}
-
 using Names = std::set<std::pair<std::string, std::string>>; // kind, name
 Names ArrayNames(vtkUnstructuredGrid* grid)
 {
@@ -77,19 +65,72 @@ Names ArrayNames(vtkUnstructuredGrid* grid)
   return names;
 }
 
+/// Makes the arrays that say what cells are alike in all parts, so that none is left out. Parts
+/// that lack them have cells of the usual kind: the weights of rational cells are 1, and degrees of
+/// 0 follow from the points.
+void FillCellKinds(const std::vector<Grid>& grids)
+{
+  constexpr std::array kKinds{ vtkDataSetAttributes::RATIONALWEIGHTS,
+    vtkDataSetAttributes::HIGHERORDERDEGREES };
+  for (const int kind : kKinds)
+  {
+    const bool isOfPoints = kind == vtkDataSetAttributes::RATIONALWEIGHTS;
+    const auto dataOf = [isOfPoints](vtkUnstructuredGrid* grid) -> vtkDataSetAttributes*
+    {
+      return isOfPoints ? static_cast<vtkDataSetAttributes*>(grid->GetPointData())
+                        : grid->GetCellData();
+    };
+    const auto arrayOf = [&](vtkUnstructuredGrid* grid)
+    { return vtkDataArray::SafeDownCast(dataOf(grid)->GetAbstractAttribute(kind)); };
+    const auto like = std::ranges::max_element(grids, {},
+      [&](const Grid& grid)
+      { return arrayOf(grid) != nullptr ? arrayOf(grid)->GetDataTypeSize() : 0; });
+    const vtkSmartPointer<vtkDataArray> model = arrayOf(*like);
+    for (const Grid& grid : grids)
+    {
+      const vtkSmartPointer<vtkDataArray> own = arrayOf(grid);
+      if (model == nullptr ||
+        (own != nullptr && own->GetDataType() == model->GetDataType() &&
+          std::string_view(own->GetName()) == model->GetName()))
+      {
+        continue;
+      }
+      const auto array = vtk::TakeSmartPointer(model->NewInstance());
+      if (own != nullptr)
+      {
+        array->DeepCopy(own);
+        dataOf(grid)->RemoveArray(own->GetName());
+      }
+      else
+      {
+        array->SetNumberOfComponents(model->GetNumberOfComponents());
+        array->SetNumberOfTuples(isOfPoints ? grid->GetNumberOfPoints() : grid->GetNumberOfCells());
+        array->Fill(isOfPoints ? 1.0 : 0.0);
+      }
+      array->SetName(model->GetName());
+      dataOf(grid)->SetAttribute(array, kind);
+    }
+  }
+}
+
 Grid Append(const std::vector<Grid>& grids, std::vector<std::string>& notes)
 {
-  vtkNew<vtkAppendFilter> append;
-  append->MergePointsOff();
-  append->SetOutputPointsPrecision(vtkAlgorithm::DEFAULT_PRECISION);
+  FillCellKinds(grids);
   Names names;
   for (const auto& grid : grids)
   {
-    append->AddInputData(grid);
     names.merge(ArrayNames(grid));
   }
-  append->Update();
-  const Names kept = ArrayNames(append->GetOutput());
+  const Grid all = AppendedGrids(grids);
+  if (std::ranges::any_of(grids,
+        [&](const Grid& grid)
+        { return grid->GetPoints()->GetDataType() != all->GetPoints()->GetDataType(); }))
+  {
+    notes.emplace_back("some parts have coordinates in single precision; the rounding of these is "
+                       "not counted as an error of the mesh.");
+  }
+  names.erase({ "cell", vtkDataSetAttributes::GhostArrayName() }); // its work is done
+  const Names kept = ArrayNames(all);
   for (const auto& [kind, name] : names)
   {
     if (!kept.contains({ kind, name }))
@@ -101,11 +142,12 @@ Grid Append(const std::vector<Grid>& grids, std::vector<std::string>& notes)
         .append("' is not in all parts alike and is left out.");
     }
   }
-  return append->GetOutput();
+  return all;
 }
+
 /// Parts that carry a solver's coefficients become packed ones, of the same widths, which can be
 /// appended.
-void PackParts(const std::vector<GridPart>& files, std::vector<Grid>& grids)
+void PackParts(const std::vector<ReadPart>& parts, std::vector<Grid>& grids)
 {
   PackedWidths widths;
   std::size_t carrying = 0;
@@ -119,7 +161,7 @@ void PackParts(const std::vector<GridPart>& files, std::vector<Grid>& grids)
   }
   if (carrying != 0 && carrying != grids.size())
   {
-    throw Unsupported(CannotRead(files.front()) +
+    throw Unsupported(CannotRead(parts.front().file) +
       "some of its parts carry a solver's own coefficients and others do not; write all parts with "
       "them, or one file per time step");
   }
@@ -127,17 +169,6 @@ void PackParts(const std::vector<GridPart>& files, std::vector<Grid>& grids)
   {
     grid = carrying != 0 ? Pack(grid, widths) : grid;
   }
-}
-
-/// Cells of one part, in their order.
-Grid KeepCells(vtkUnstructuredGrid* grid, vtkIdType begin, vtkIdType end)
-{
-  std::vector<vtkIdType> cells(static_cast<std::size_t>(end - begin));
-  std::iota(cells.begin(), cells.end(), begin);
-  // Packed, because FieldData would keep the coefficients of all.
-  const bool carries = HasSolverCoefficients(grid);
-  const Grid kept = ExtractedCells(carries ? Pack(grid).Get() : grid, cells);
-  return carries && kept->GetNumberOfCells() > 0 ? Unpack(kept) : kept;
 }
 
 /// Cells from `begin` on get the numbers from `first` on.
@@ -158,6 +189,114 @@ void NumberCells(vtkUnstructuredGrid* grid, vtkIdType begin, vtkIdType end, std:
   }
 }
 
+/// The pieces of files from `begin` to `end` on, without what only a grid of one part may have.
+std::vector<ReadPart> ReadFiles(const std::vector<GridPart>& files, std::int64_t begin,
+  std::int64_t end, std::vector<std::string>& notes)
+{
+  GridFileReader reader(notes);
+  std::vector<ReadPart> read;
+  for (auto i = static_cast<int>(begin); i < static_cast<int>(end); ++i)
+  {
+    const GridPart& file = files[static_cast<std::size_t>(i)];
+    for (const Grid& grid : reader.Read(file))
+    {
+      if (files.size() > 1 && !HasSolverCoefficients(grid))
+      {
+        RemoveHighOrderArrays(grid);
+      }
+      read.push_back({ grid, file, i });
+    }
+  }
+  return read;
+}
+
+/// Keeps the volumes among parts, or where there is none the plane ones.
+void KeepHighestDimension(std::vector<ReadPart>& parts, std::vector<std::string>& notes)
+{
+  std::vector<int> dimensions;
+  for (const ReadPart& part : parts)
+  {
+    dimensions.push_back(DimensionOf(part.grid));
+  }
+  const int highest = *std::ranges::max_element(dimensions);
+  if (highest < 2 && parts.size() > 1)
+  {
+    throw Error(CannotRead(parts.front().file) + "it holds no volume and no plane mesh");
+  }
+  std::vector<ReadPart> kept;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    if (dimensions[i] == highest)
+    {
+      kept.push_back(parts[i]);
+    }
+    else if (parts[i].grid->GetNumberOfCells() > 0) // an idle process writes an empty file
+    {
+      const bool isPiece = std::ranges::count(parts, parts[i].number, &ReadPart::number) > 1;
+      AddOnce(notes,
+        std::string(isPiece ? "a piece of '" : "'") + parts[i].file.file +
+          (highest == 3 ? "' holds no volume and is left out."
+                        : "' holds nothing of two dimensions and is left out."));
+    }
+  }
+  parts = std::move(kept);
+}
+
+/// Parts without cells in common, put together. `counts` gets their cells, by file.
+Grid PutTogether(
+  const std::vector<ReadPart>& parts, PieceCounts& counts, std::vector<std::string>& notes)
+{
+  std::vector<Grid> grids;
+  for (const ReadPart& part : parts)
+  {
+    grids.push_back(part.grid);
+    auto& counted = counts.elements;
+    if (counted.empty() || counted.back().first != part.number)
+    {
+      counted.emplace_back(part.number, 0);
+    }
+    counted.back().second += part.grid->GetNumberOfCells();
+  }
+  if (grids.size() == 1)
+  {
+    return grids[0];
+  }
+  PackParts(parts, grids);
+  const Grid grid = Append(grids, notes);
+  if (parts.front().number == parts.back().number)
+  {
+    grid->GetFieldData()->ShallowCopy(grids.front()->GetFieldData()); // each piece has the file's
+  }
+  return IsPacked(grid) ? Unpack(grid) : grid;
+}
+
+Grid ReadWhole(const std::vector<GridPart>& files, std::vector<std::string>& notes)
+{
+  auto parts = ReadFiles(files, 0, static_cast<std::int64_t>(files.size()), notes);
+  KeepHighestDimension(parts, notes);
+  DropReplacedParts(parts, notes);
+  DropSharedCells(parts, notes);
+  PieceCounts counts;
+  return PutTogether(parts, counts, notes);
+}
+
+/// Several processes do not compare their parts.
+void NoteRepeatedLabels(const std::vector<GridPart>& files, std::vector<std::string>& notes)
+{
+  std::map<std::string, int> entryOf;
+  for (const GridPart& file : files)
+  {
+    const auto known = entryOf.try_emplace(file.label, file.entry).first;
+    if (!file.label.empty() && known->second != file.entry)
+    {
+      AddOnce(notes,
+        "'" + file.list +
+          "' lists a part of the same group, part and name twice at this time: where both overlap, "
+          "several processes count both; list the one that is meant, or use one process.");
+    }
+  }
+}
+
 /// One of several processes reads its share of a single file.
 ReadGrid ReadShare(const GridPart& file, const PieceOf& share)
 {
@@ -165,10 +304,11 @@ ReadGrid ReadShare(const GridPart& file, const PieceOf& share)
   std::string problem;
   try
   {
-    GridFileReader reader(result.notes);
-    const Grid whole = reader.Read(file);
+    const Grid whole = ReadWhole({ file }, result.notes);
     const auto [begin, end] = share.Of(whole->GetNumberOfCells());
-    result.grid = KeepCells(whole, begin, end);
+    std::vector<vtkIdType> cells(static_cast<std::size_t>(end - begin));
+    std::iota(cells.begin(), cells.end(), begin);
+    result.grid = KeepCells(whole, cells);
     if (!HasHighOrderArrays(result.grid) && end > begin)
     {
       NumberCells(result.grid, 0, end - begin, begin);
@@ -181,100 +321,66 @@ ReadGrid ReadShare(const GridPart& file, const PieceOf& share)
   (void)ElementsBefore({}, share, problem);
   return result;
 }
-
-struct ReadFile
-{
-  Grid grid;
-  int dimension = 0;
-  int number = 0; ///< among all files
-};
-
-/// Those of a share, without what only a grid of one part may have.
-std::vector<ReadFile> ReadFiles(
-  const std::vector<GridPart>& files, const PieceOf& share, std::vector<std::string>& notes)
-{
-  GridFileReader reader(notes);
-  std::vector<ReadFile> read;
-  const auto [begin, end] = share.Of(static_cast<std::int64_t>(files.size()));
-  for (auto i = static_cast<int>(begin); i < static_cast<int>(end); ++i)
-  {
-    const Grid grid = reader.Read(files[static_cast<std::size_t>(i)]);
-    StripPart(grid);
-    read.push_back({ grid, DimensionOf(grid), i });
-  }
-  return read;
-}
-
-/// The volumes among them, put together. `elements` gets their cells, by file.
-Grid PutTogether(const std::vector<GridPart>& files, const std::vector<ReadFile>& read,
-  PieceCounts& counts, std::vector<std::string>& notes)
-{
-  int dimension = 0;
-  for (const ReadFile& file : read)
-  {
-    dimension = std::max(dimension, file.dimension);
-  }
-  if (dimension < 2)
-  {
-    throw Error(CannotRead(files.front()) + "it holds no volume and no plane mesh");
-  }
-  std::vector<Grid> volumes;
-  for (const ReadFile& file : read)
-  {
-    if (file.dimension == dimension)
-    {
-      volumes.push_back(file.grid);
-      counts.elements.emplace_back(file.number, file.grid->GetNumberOfCells());
-    }
-    else if (file.grid->GetNumberOfCells() > 0) // an idle process writes an empty file
-    {
-      notes.push_back("'" + files[static_cast<std::size_t>(file.number)].file +
-        (dimension == 3 ? "' holds no volume and is left out."
-                        : "' holds nothing of two dimensions and is left out."));
-    }
-  }
-  PackParts(files, volumes);
-  const Grid grid = volumes.size() == 1 ? volumes[0] : Append(volumes, notes);
-  return IsPacked(grid) ? Unpack(grid) : grid;
-}
 } // namespace
 
 ReadGrid ReadParts(const std::vector<GridPart>& parts, const PieceOf& share)
 {
   ReadGrid result;
   const auto files = ListFiles(parts, result.notes);
-  if (files.size() == 1)
-  {
-    if (!share.IsWhole())
-    {
-      return ReadShare(files[0], share);
-    }
-    GridFileReader reader(result.notes);
-    result.grid = reader.Read(files[0]);
-    return result;
-  }
-  PieceCounts counts{ static_cast<int>(files.size()), {} };
-  std::string problem;
-  try
-  {
-    const auto read = ReadFiles(files, share, result.notes);
-    const bool idle = !share.IsWhole() &&
-      std::ranges::all_of(
-        read, [](const ReadFile& file) { return file.grid->GetNumberOfCells() == 0; });
-    result.grid = idle ? Grid::New() : PutTogether(files, read, counts, result.notes);
-  }
-  catch (const std::exception& error)
-  {
-    if (share.IsWhole())
-    {
-      throw;
-    }
-    // Not yet: the other processes wait for this one.
-    problem = error.what();
-  }
   if (share.IsWhole())
   {
+    result.grid = ReadWhole(files, result.notes);
     return result;
+  }
+  if (files.size() == 1)
+  {
+    return ReadShare(files[0], share);
+  }
+  NoteRepeatedLabels(files, result.notes);
+  PieceCounts counts{ static_cast<int>(files.size()), {} };
+  auto* processes = ProcessesOf(share);
+  std::vector<ReadPart> read;
+  std::string problem;
+  // What fails waits until all processes know of it.
+  const auto attempt = [&problem](const auto& work)
+  {
+    try
+    {
+      work();
+    }
+    catch (const std::exception& error)
+    {
+      problem = error.what();
+    }
+  };
+  attempt(
+    [&]
+    {
+      const auto [begin, end] = share.Of(static_cast<std::int64_t>(files.size()));
+      read = ReadFiles(files, begin, end, result.notes);
+      const bool idle = std::ranges::all_of(
+        read, [](const ReadPart& part) { return part.grid->GetNumberOfCells() == 0; });
+      if (idle)
+      {
+        read.clear();
+      }
+      else
+      {
+        KeepHighestDimension(read, result.notes);
+      }
+    });
+  if (processes != nullptr)
+  {
+    AgreeThatAllIsWell(problem, processes);
+  }
+  if (problem.empty())
+  {
+    attempt(
+      [&]
+      {
+        DropMarkedCells(read, processes, result.notes);
+        result.grid = read.empty() ? Grid::New() : PutTogether(read, counts, result.notes);
+      });
   }
   const auto before = ElementsBefore(counts, share, problem);
   vtkIdType begin = 0;

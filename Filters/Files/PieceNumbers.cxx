@@ -13,9 +13,6 @@
 
 namespace pixelexact
 {
-namespace
-{
-/// The processes that read the parts; null where there are no others.
 vtkMultiProcessController* ProcessesOf(const PieceOf& part)
 {
   auto* controller = vtkMultiProcessController::GetGlobalController();
@@ -25,7 +22,6 @@ vtkMultiProcessController* ProcessesOf(const PieceOf& part)
     ? controller
     : nullptr;
 }
-} // namespace
 
 PieceOf PieceAskedFor(vtkInformation* asked)
 {

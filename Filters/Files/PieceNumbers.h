@@ -10,12 +10,16 @@
 #include <vector>
 
 class vtkInformation;
+class vtkMultiProcessController;
 
 // The numbers that elements of a part have in the whole.
 namespace pixelexact
 {
 /// UPDATE_PIECE_NUMBER and NUMBER_OF_PIECES of what is asked for; the whole where there are none.
 PieceOf PieceAskedFor(vtkInformation* asked);
+
+/// The processes that read the parts; null where there are no others.
+vtkMultiProcessController* ProcessesOf(const PieceOf& part);
 
 /// Of a run in pieces: how many there are, and those that were read here, with their elements.
 struct PieceCounts

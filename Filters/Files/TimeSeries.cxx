@@ -3,6 +3,7 @@
 
 #include "Core/Base/Error.h"
 #include "Core/Base/ParseWhole.h"
+#include "Formats/FileText.h"
 
 #include <pugixml.hpp>
 
@@ -24,6 +25,10 @@ namespace
 /// The children of the file's root element, which must be of that type of VTK's XML formats.
 pugi::xml_node Load(pugi::xml_document& document, const std::string& file, const char* type)
 {
+  if (IsPipeOrDevice(file))
+  {
+    Fail(file, kPipeRemedy);
+  }
   const auto result = document.load_file(file.c_str());
   if (!result)
   {
@@ -56,6 +61,16 @@ double ParseTime(const std::string& file, const pugi::xml_attribute& attribute)
   }
   return time;
 }
+
+std::string LabelOf(const pugi::xml_node& dataSet)
+{
+  std::string label;
+  for (const char* attribute : { "group", "part", "name" })
+  {
+    label += std::string(attribute) + "=" + dataSet.attribute(attribute).value() + " ";
+  }
+  return label;
+}
 } // namespace
 
 std::vector<TimeStep> ReadCollection(const std::string& file)
@@ -70,8 +85,9 @@ std::vector<TimeStep> ReadCollection(const std::string& file)
       Fail(file, "a DataSet names no file");
     }
     auto& parts = byTime[ParseTime(file, dataSet.attribute("timestep"))];
-    const GridPart part{ BesideOf(file, name), file };
-    // A run that was continued may list its last step twice.
+    const GridPart part{ BesideOf(file, name), file, LabelOf(dataSet),
+      static_cast<int>(parts.size()) };
+    // A run that was continued may list its last step twice; the same file counts once.
     if (std::ranges::find(parts, part.file, &GridPart::file) == parts.end())
     {
       parts.push_back(part);
@@ -96,7 +112,7 @@ std::vector<TimeStep> NumberFiles(const std::vector<std::string>& files)
   steps.reserve(files.size());
   for (const auto& file : files)
   {
-    steps.push_back({ static_cast<double>(steps.size()), { { file, {} } } });
+    steps.push_back({ static_cast<double>(steps.size()), { { file } } });
   }
   return steps;
 }
@@ -112,7 +128,7 @@ std::vector<GridPart> ReadPieces(const GridPart& part)
     {
       Fail(part.file, "a Piece names no Source");
     }
-    pieces.push_back({ BesideOf(part.file, name), part.file });
+    pieces.push_back({ BesideOf(part.file, name), part.file, part.label, part.entry });
   }
   if (pieces.empty())
   {

@@ -15,7 +15,11 @@ namespace pixelexact
 struct GridPart
 {
   std::string file;
-  std::string list; ///< the file that names it; empty: the user did
+  std::string list{}; ///< the file that names it; empty: the user did
+  /// What a collection calls the part (group, part and name); empty: nothing does.
+  std::string label{};
+  /// Among what the collection lists at this time: pieces of one .pvtu file have the same number.
+  int entry = 0;
 };
 
 struct TimeStep

@@ -48,12 +48,13 @@ set(PIXELEXACT_VTK_COMPONENTS
   CommonMisc
   CommonTransforms
   FiltersCore
+  IOLegacy
   IOXML
   ParallelCore
   RenderingCore
   RenderingFreeType
   RenderingOpenGL2)
-set(vtk_build_components FiltersParallel IOCore IOGeometry IOImage IOLegacy)
+set(vtk_build_components FiltersParallel IOCore IOGeometry IOImage)
 if(PIXELEXACT_BUILD_VIEW)
   list(APPEND vtk_build_components InteractionStyle InteractionWidgets RenderingAnnotation)
 endif()
@@ -75,9 +76,9 @@ if(PIXELEXACT_BUILD_PARAVIEW)
   include(PixelExactParaViewPackage)
   return()
 endif()
-# Without these the program refuses the readers' formats by name, and several processes.
+# Without these the program refuses CGNS by name, and several processes.
 find_package(VTK 9.1 REQUIRED COMPONENTS ${PIXELEXACT_VTK_COMPONENTS} ${vtk_build_components}
-  OPTIONAL_COMPONENTS IOExodus exodusII IOCGNSReader cgns mpi ParallelMPI)
+  OPTIONAL_COMPONENTS IOCGNSReader cgns mpi ParallelMPI)
 
 find_package(CLI11 REQUIRED)
 find_package(fmt REQUIRED)

@@ -112,8 +112,21 @@ class SeveralProcesses(ToolTest):
         self.same((self.folder / "all.pvtu", "--plane", "0,0,0,0,0,1"), (2, 4))
         self.same((self.folder / "all.pvtu", "--boundary", "--view", "iso"), (2, 4))
 
-    def write_pieces(self, file, count):
-        from vtkmodules.vtkCommonCore import vtkIdList
+    def test_duplicates_count_once(self):
+        """Of pieces that share cells: of each two shared ones the second is the later piece's, and the
+        first is marked in both."""
+        self.write_pieces(case("toroid_prism_g3_p4"), 3, shared=2)
+        shot = (self.folder / "all.pvtu", "--boundary", "--view", "iso")
+        done = tool.run("render", *shot, "--output", self.folder / "one.png", "--size", "8x8")
+        self.assertIn("2 cells marked as a duplicate", done.stderr)
+        self.same(shot, (2, 3))
+        whole = tool.run("info", case("toroid_prism_g3_p4")).stdout.splitlines()[0]
+        parts = tool.run("info", self.folder / "all.pvtu").stdout.splitlines()[0]
+        self.assertEqual(parts, whole)
+
+    def write_pieces(self, file, count, shared=0):
+        from vtkmodules.vtkCommonCore import vtkIdList, vtkUnsignedCharArray
+
         try:
             from vtkmodules.vtkFiltersExtraction import vtkExtractCells
         except ImportError:  # from VTK 9.3 on
@@ -127,14 +140,25 @@ class SeveralProcesses(ToolTest):
         names = []
         for piece in range(count):
             ids = vtkIdList()
-            for cell in range(cells * piece // count, cells * (piece + 1) // count):
+            begin, end = cells * piece // count, cells * (piece + 1) // count
+            end = min(end + shared, cells)
+            for cell in range(begin, end):
                 ids.InsertNextId(cell)
             extract = vtkExtractCells()
             extract.SetInputConnection(reader.GetOutputPort())
             extract.SetCellList(ids)
+            extract.Update()
+            grid = extract.GetOutput()
+            if shared:
+                marks = vtkUnsignedCharArray()
+                marks.SetName("vtkGhostType")
+                own = cells * (piece + 1) // count - begin
+                for cell in range(end - begin):
+                    marks.InsertNextValue(1 if cell >= own or (piece and cell == 0) else 0)
+                grid.GetCellData().AddArray(marks)
             writer = vtkXMLUnstructuredGridWriter()
             names.append(f"piece_{piece}.vtu")
-            writer.SetInputConnection(extract.GetOutputPort())
+            writer.SetInputData(grid)
             writer.SetFileName(str(self.folder / names[-1]))
             writer.Write()
         pieces = "".join(f'<Piece Source="{name}"/>' for name in names)
