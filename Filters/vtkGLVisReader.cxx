@@ -3,6 +3,7 @@
 
 #include "Formats/FileText.h"
 #include "Formats/MFEM/Reader.h"
+#include "Formats/MFEM/Text/StreamCommands.h"
 
 #include "vtkObjectFactory.h"
 
@@ -16,6 +17,11 @@ vtkGLVisReader::~vtkGLVisReader() = default;
 void vtkGLVisReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+}
+
+bool vtkGLVisReader::IsHead(const std::string& head)
+{
+  return mfem::IsStream(head);
 }
 
 SolverModel vtkGLVisReader::ReadModel(int /*step*/, bool /*wantMesh*/)

@@ -27,6 +27,7 @@ protected:
   ~vtkGLVisReader() override;
 
   pixelexact::SolverModel ReadModel(int step, bool wantMesh) override;
+  bool IsHead(const std::string& head) override;
 
 private:
   vtkGLVisReader(const vtkGLVisReader&) = delete;

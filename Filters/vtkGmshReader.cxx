@@ -13,24 +13,6 @@ vtkStandardNewMacro(vtkGmshReader);
 
 using namespace pixelexact;
 
-namespace
-{
-/// Texts and the views of them that the parser takes.
-struct Texts
-{
-  explicit Texts(const std::vector<std::string>& files)
-  {
-    for (const auto& file : files)
-    {
-      const FileText& text = Storage.emplace_back(file);
-      Named.push_back({ file, text.Get(), &text });
-    }
-  }
-  std::deque<FileText> Storage; ///< which stay where they are
-  std::vector<NamedText> Named;
-};
-} // namespace
-
 vtkGmshReader::vtkGmshReader() = default;
 vtkGmshReader::~vtkGmshReader() = default;
 
@@ -70,13 +52,19 @@ std::vector<double> vtkGmshReader::ReadTimes()
     return {}; // RequestData says so
   }
   std::size_t pieces = 1;
-  const Texts texts(this->Files(pieces));
+  const FileTexts texts(this->Files(pieces));
   return gmsh::ReadTimes(texts.Named, pieces);
+}
+
+bool vtkGmshReader::IsHead(const std::string& head)
+{
+  // Version 1, which is refused by name, begins with its nodes.
+  return head.find("$MeshFormat") != std::string::npos || head.find("$NOD") != std::string::npos;
 }
 
 SolverModel vtkGmshReader::ReadModel(int step, bool wantMesh)
 {
   std::size_t pieces = 1;
-  const Texts texts(this->Files(pieces));
+  const FileTexts texts(this->Files(pieces));
   return gmsh::Read(texts.Named, step, wantMesh, pieces);
 }

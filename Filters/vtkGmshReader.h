@@ -35,6 +35,7 @@ protected:
   ~vtkGmshReader() override;
 
   pixelexact::SolverModel ReadModel(int step, bool wantMesh) override;
+  bool IsHead(const std::string& head) override;
   std::vector<double> ReadTimes() override;
 
 private:

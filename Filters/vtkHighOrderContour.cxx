@@ -151,6 +151,23 @@ void vtkHighOrderContour::GenerateValues(int number, double rangeStart, double r
   }
 }
 
+void vtkHighOrderContour::GenerateRoundValues(int number, double rangeStart, double rangeEnd)
+{
+  const std::vector<double> values = RoundValues(number, { rangeStart, rangeEnd });
+  if (static_cast<int>(values.size()) != number)
+  {
+    vtkErrorMacro("GenerateRoundValues: there are no " << number << " round values between "
+                                                       << rangeStart << " and " << rangeEnd
+                                                       << "; give a range that ascends.");
+    return;
+  }
+  this->SetNumberOfContours(number);
+  for (int i = 0; i < number; ++i)
+  {
+    this->SetValue(i, values[static_cast<std::size_t>(i)]);
+  }
+}
+
 int vtkHighOrderContour::FillInputPortInformation(int /*port*/, vtkInformation* info)
 {
   TakeGrids(info);
@@ -192,7 +209,7 @@ void vtkHighOrderContour::Trace(vtkDataObject* grid, vtkPolyData* output)
   this->NumberOfUncertifiedLines = set.report.uncertified;
   this->NumberOfUndecidedElements = set.report.undecided;
   this->ReportText = DescribeContours(set);
-  if (cut->Quadric() == nullptr)
+  if (!cut->IsPolynomial())
   {
     this->ReportText +=
       std::string(this->CutFunction->GetClassName()) + " is searched by samples: not certified\n";

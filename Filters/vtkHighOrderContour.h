@@ -71,6 +71,13 @@ public:
   void GenerateValues(int number, double rangeStart, double rangeEnd);
   ///@}
 
+  /**
+   * A number of round values strictly inside a range, as the command-line program's --contours N
+   * and vtkHighOrderContourMapper's ContourCount. GenerateValues makes evenly spaced ones, both
+   * ends among them, as vtkContourFilter's.
+   */
+  void GenerateRoundValues(int number, double rangeStart, double rangeEnd);
+
   ///@{
   /**
    * The field. Empty, the default: that of SetInputArrayToProcess(0, ...), else the first one. A

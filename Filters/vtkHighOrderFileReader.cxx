@@ -4,6 +4,7 @@
 #include "Core/Base/Error.h"
 #include "Files/PieceNumbers.h"
 #include "Files/SolverGrid.h"
+#include "Formats/FileText.h"
 #include "Formats/SolverModel.h"
 #include "Formats/SolverShare.h"
 #include "Grids/FreeMemory.h"
@@ -33,6 +34,13 @@ void vtkHighOrderFileReader::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName.empty() ? "none" : this->FileName) << "\n";
   os << indent << "Steps: " << this->Times.size() << "\n";
+}
+
+int vtkHighOrderFileReader::CanReadFile(const char* name)
+{
+  constexpr std::size_t kHead = std::size_t{ 1 } << 16U;
+  const std::string head = name ? ReadFileHead(name, kHead) : std::string();
+  return !head.empty() && this->IsHead(head) ? 1 : 0;
 }
 
 void vtkHighOrderFileReader::SetFileName(const char* name)

@@ -60,6 +60,13 @@ public:
   virtual const char* GetFileName();
   ///@}
 
+  /**
+   * Whether a file begins as those do that SetFileName takes, for programs that choose a reader by
+   * what is in a file. 1: it does, which is no promise that it can be read; 0: it does not, or it
+   * is no file.
+   */
+  int CanReadFile(const char* name);
+
 protected:
   vtkHighOrderFileReader();
   ~vtkHighOrderFileReader() override;
@@ -78,6 +85,11 @@ protected:
    * it.
    */
   virtual bool StepsHaveMeshes() { return false; }
+
+  /**
+   * Whether these are the first bytes of a file of the reader's kind, gunzipped.
+   */
+  virtual bool IsHead(const std::string& head) = 0;
 
   /**
    * Times of the steps, ascending; empty for files without time. Throws pixelexact::Error.

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <sstream>
 
 vtkStandardNewMacro(vtkMFEMReader);
 
@@ -97,6 +98,16 @@ std::vector<double> vtkMFEMReader::ReadTimes()
     this->Order.push_back(file);
   }
   return times;
+}
+
+bool vtkMFEMReader::IsHead(const std::string& head)
+{
+  std::istringstream words(head);
+  std::string first;
+  std::string second;
+  words >> first >> second;
+  return (first == "MFEM" && second != "FiniteElementSpace") ||
+    (first.starts_with('{') && head.find("\"dsets\"") != std::string::npos); // a root file
 }
 
 SolverModel vtkMFEMReader::ReadModel(int step, bool /*wantMesh*/)

@@ -48,6 +48,7 @@ protected:
   ~vtkMFEMReader() override;
 
   pixelexact::SolverModel ReadModel(int step, bool wantMesh) override;
+  bool IsHead(const std::string& head) override;
   std::vector<double> ReadTimes() override;
   bool StepsHaveMeshes() override { return true; }
 

@@ -16,25 +16,6 @@ vtkStandardNewMacro(vtkNektarReader);
 
 using namespace pixelexact;
 
-namespace
-{
-/// Texts and the views of them that the parser takes.
-struct Texts
-{
-  explicit Texts(const std::vector<std::string>& files) { this->Add(files); }
-  void Add(const std::vector<std::string>& files)
-  {
-    for (const auto& file : files)
-    {
-      const FileText& text = Storage.emplace_back(file);
-      Named.push_back({ file, text.Get(), &text });
-    }
-  }
-  std::deque<FileText> Storage; ///< which stay where they are
-  std::vector<NamedText> Named;
-};
-} // namespace
-
 vtkNektarReader::vtkNektarReader() = default;
 vtkNektarReader::~vtkNektarReader() = default;
 
@@ -102,6 +83,11 @@ std::vector<double> vtkNektarReader::ReadTimes()
   return times;
 }
 
+bool vtkNektarReader::IsHead(const std::string& head)
+{
+  return head.find("<NEKTAR") != std::string::npos || head.starts_with("\x89HDF");
+}
+
 SolverModel vtkNektarReader::ReadModel(int step, bool wantMesh)
 {
   const bool isKnown = !wantMesh && this->Outline;
@@ -118,7 +104,7 @@ SolverModel vtkNektarReader::ReadModel(int step, bool wantMesh)
   }
   else
   {
-    const Texts fields(nektar::FileParts(this->FieldFiles[this->FileOfStep[step]]));
+    const FileTexts fields(nektar::FileParts(this->FieldFiles[this->FileOfStep[step]]));
     nektar::AddFields(fields.Named, mesh);
   }
   return std::move(mesh.model);
@@ -132,7 +118,7 @@ nektar::SessionMesh vtkNektarReader::ReadSession()
     const auto parts = nektar::FileParts(name);
     sessions.insert(sessions.end(), parts.begin(), parts.end());
   }
-  Texts session(sessions);
+  FileTexts session(sessions);
   session.Add(nektar::MissingMeshes(session.Named));
   return nektar::ReadMesh(session.Named);
 }

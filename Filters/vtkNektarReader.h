@@ -59,6 +59,7 @@ protected:
   ~vtkNektarReader() override;
 
   pixelexact::SolverModel ReadModel(int step, bool wantMesh) override;
+  bool IsHead(const std::string& head) override;
   std::vector<double> ReadTimes() override;
 
 private:

@@ -4,9 +4,11 @@
 #include "Conversion/GridConversion.h"
 #include "Conversion/KeptMesh.h"
 #include "Conversion/OutputGrid.h"
+#include "ConversionLoss.h"
 #include "Core/Base/Error.h"
 #include "Files/PieceNumbers.h"
 #include "Grids/FieldsNamed.h"
+#include "HighOrderArrays.h"
 #include "PackedArrays.h"
 #include "vtkHighOrderGrid.h"
 
@@ -76,16 +78,25 @@ int vtkUnstructuredGridToHighOrderGrid::RequestData(vtkInformation* /*request*/,
       output->ShallowCopy(input); // a process without a share of the data
       return 1;
     }
-    if (HasSolverCoefficients(input) || IsPacked(input))
+    const bool keeps = HasSolverCoefficients(input) || IsPacked(input);
+    const bool loses = HasHighOrderArrays(input) && OrderLostByConversion(input) >= 0;
+    if (keeps || loses)
     {
       const std::string problem = vtkHighOrderGrid::CheckCoefficients(input);
-      if (problem.empty())
+      if (problem.empty() && keeps)
       {
         output->ShallowCopy(IsPacked(input) ? Unpack(input).Get() : input);
         return 1;
       }
-      this->Report("the " + std::string(IsPacked(input) ? "packed" : "solver's own") +
-        " coefficients no longer fit and are replaced by nodal ones: " + problem);
+      if (loses && !problem.empty())
+      {
+        throw StaleData(problem);
+      }
+      if (keeps)
+      {
+        this->Report("the " + std::string(IsPacked(input) ? "packed" : "solver's own") +
+          " coefficients no longer fit and are replaced by nodal ones: " + problem);
+      }
     }
     const auto report = ConvertGrid(input,
       { this->Fields, this->Diagnose,

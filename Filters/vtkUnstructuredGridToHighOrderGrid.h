@@ -13,8 +13,10 @@
  * cells stay plane, its coefficients are those of prisms and hexahedra.
  *
  * A grid that carries coefficients already, for instance one whose points were moved since, is
- * converted anew from its points and nodal values; coefficients that a reader took from a solver's
- * own file are kept as long as they are not stale.
+ * converted again from its points and nodal values; coefficients that a reader took from a solver's
+ * own file are kept as long as they are not stale. A grid whose coefficients no longer fit is
+ * refused where the conversion would lose an order: the cells beside a solver's coefficients, and
+ * those that Clip or Tetrahedralize cuts out of curved ones, are linear.
  *
  * Where the cells and points are those of the last execution, as in the next time step of a series,
  * the output holds the same mesh arrays again, only fields are converted, and whoever locates

@@ -15,8 +15,7 @@ namespace
 {
 [[noreturn]] void Fail(const std::string& name, const std::string& problem)
 {
-  throw InvalidData("array '" + name + "' " + problem +
-    "; run vtkUnstructuredGridToHighOrderGrid again or read the source file again.");
+  throw InvalidData("array '" + name + "' " + problem + "; read the source file again.");
 }
 
 /// Readers give back an array of int64 as long, long long or vtkIdType, whichever has its size.
@@ -127,7 +126,7 @@ ExpansionView ViewExpansion(
     grid, prefix + "Offset", 1, static_cast<vtkIdType>(view.spaceOf.size()), keeper);
   view.coefficients = ViewArray<double>(grid, prefix + "Coefficients", 1, -1, keeper);
   const auto origin = ViewArray<std::uint8_t>(grid, prefix + "Origin", 1, 1, keeper)[0];
-  if (origin > static_cast<std::uint8_t>(Origin::CellData))
+  if (origin > static_cast<std::uint8_t>(Origin::SolverCells))
   {
     Fail(prefix + "Origin", "holds the unknown value " + std::to_string(origin));
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CellElements.h"
 
+#include "ConversionLoss.h"
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 
@@ -14,11 +15,9 @@ namespace pixelexact
 {
 namespace
 {
-constexpr const char* kRemedy = "; run vtkUnstructuredGridToHighOrderGrid again.";
-
-[[noreturn]] void Fail(std::size_t cell, const std::string& problem)
+[[noreturn]] void Fail(vtkUnstructuredGrid* grid, std::size_t cell, const std::string& problem)
 {
-  throw StaleData("cell " + std::to_string(cell) + " " + problem + kRemedy);
+  throw StaleData("cell " + std::to_string(cell) + " " + problem + RemedyOf(grid));
 }
 } // namespace
 
@@ -38,7 +37,7 @@ CellElements::CellElements(vtkUnstructuredGrid* grid, vtkIdType elements)
   {
     throw StaleData(std::string("the grid has ") + Counted(grid->GetNumberOfCells(), "cell") +
       " and coefficients of " + Counted(elements, "element") + ", but no cell array '" +
-      kElementIds + "' that tells which is which; pass that array on, or" + (kRemedy + 1));
+      kElementIds + "' that tells which is which; pass that array on" + RemedyOf(grid));
   }
   std::vector<bool> seen(elements, false);
   for (std::size_t cell = 0; cell < Element.size(); ++cell)
@@ -46,11 +45,12 @@ CellElements::CellElements(vtkUnstructuredGrid* grid, vtkIdType elements)
     const auto element = Element[cell];
     if (element < 0 || element >= elements)
     {
-      Fail(cell, "names element " + std::to_string(element) + " of " + std::to_string(elements));
+      Fail(
+        grid, cell, "names element " + std::to_string(element) + " of " + std::to_string(elements));
     }
     if (seen[element])
     {
-      Fail(cell,
+      Fail(grid, cell,
         "and another one both claim element " + std::to_string(element) +
           ": cells were cut in pieces (Clip), or data sets put together (Append); select whole "
           "cells instead (ExtractCells, Threshold)");
@@ -70,8 +70,9 @@ std::vector<std::int32_t> CellElements::CellOfElements(vtkIdType elements) const
   return cells;
 }
 
-void CellElements::Compare(const std::function<std::vector<std::int64_t>(Hash)>& now,
-  std::span<const std::int64_t> then, const std::string& problem) const
+void CellElements::Compare(vtkUnstructuredGrid* grid,
+  const std::function<std::vector<std::int64_t>(Hash)>& now, std::span<const std::int64_t> then,
+  const std::string& problem) const
 {
   const auto firstOther = [&](Hash hash)
   {
@@ -86,7 +87,7 @@ void CellElements::Compare(const std::function<std::vector<std::int64_t>(Hash)>&
   const std::size_t cell = firstOther(Hash::XXH3);
   if (cell < Element.size() && firstOther(Hash::First) < Element.size())
   {
-    Fail(cell, problem);
+    Fail(grid, cell, problem);
   }
 }
 

@@ -29,9 +29,10 @@ public:
   /// Per stored element its cell, -1 where it was dropped.
   [[nodiscard]] std::vector<std::int32_t> CellOfElements(vtkIdType elements) const;
 
-  /// Throws StaleData, with `problem`, for the first cell whose fingerprint differs from its
-  /// element's, by the hash that is stored and by that of the first versions.
-  void Compare(const std::function<std::vector<std::int64_t>(Hash)>& now,
+  /// Throws StaleData, with `problem` and the remedy, for the first cell of `grid` whose
+  /// fingerprint differs from its element's, by the hash that is stored and by that of the first
+  /// versions.
+  void Compare(vtkUnstructuredGrid* grid, const std::function<std::vector<std::int64_t>(Hash)>& now,
     std::span<const std::int64_t> then, const std::string& problem) const;
 
   /// `values`, `stride` per element, in the order of the cells; a copy only where that is another.

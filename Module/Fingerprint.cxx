@@ -137,7 +137,7 @@ std::vector<std::int64_t> ValueFingerprints(
   return ForCells(grid, 0, hash,
     [grid, origin, &values](std::vector<double>& numbers, vtkIdType cell, vtkIdList* points)
     {
-      if (origin == Origin::CellData)
+      if (!IsAtPoints(origin))
       {
         values.Append(numbers, { &cell, 1 });
         return;
@@ -149,14 +149,13 @@ std::vector<std::int64_t> ValueFingerprints(
 
 vtkDataArray* FieldSource(vtkUnstructuredGrid* grid, const std::string& name, Origin origin)
 {
-  switch (origin)
+  if (origin == Origin::Coefficients)
   {
-    case Origin::PointData:
-      return grid->GetPointData()->GetArray(name.c_str());
-    case Origin::CellData:
-      return grid->GetCellData()->GetArray(name.c_str());
-    default:
-      return nullptr;
+    return nullptr;
   }
+  vtkDataSetAttributes* const data = IsAtPoints(origin)
+    ? static_cast<vtkDataSetAttributes*>(grid->GetPointData())
+    : grid->GetCellData();
+  return data->GetArray(name.c_str());
 }
 } // namespace pixelexact

@@ -25,11 +25,12 @@ enum class Hash : std::uint8_t
 /// doubles (so that float points may be stored as double).
 std::vector<std::int64_t> CellFingerprints(vtkUnstructuredGrid* grid, Hash hash = Hash::XXH3);
 
-/// Per cell: the values of `source` at its points, in order, or its own for Origin::CellData.
+/// Per cell: the values of `source` at its points, in order, or its own (IsAtPoints).
 std::vector<std::int64_t> ValueFingerprints(
   vtkUnstructuredGrid* grid, vtkDataArray* source, Origin origin, Hash hash = Hash::XXH3);
 
-/// The array that a field of this name and origin was made from; null where it is not there.
+/// The array that holds values of a field of this name and origin: those it was made from, or those
+/// that show a solver's field; null where it is not there.
 vtkDataArray* FieldSource(vtkUnstructuredGrid* grid, const std::string& name, Origin origin);
 } // namespace pixelexact
 #endif

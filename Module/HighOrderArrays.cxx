@@ -5,12 +5,15 @@
 #include "Core/Base/Error.h"
 #include "Fingerprint.h"
 #include "PackedArrays.h"
+#include "PackedCheck.h"
+#include "PackedNames.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkTypeInt64Array.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
@@ -186,8 +189,8 @@ void StoreField(
   vtkDataArray* source = FieldSource(grid, name, origin);
   if (!source)
   {
-    throw InvalidData("field '" + name + "' cannot be stored as made from nodal values: the grid " +
-      "has no array of that name; add the array first.");
+    throw InvalidData("field '" + name + "' cannot be stored with values at points or of cells: " +
+      "the grid has no such array of that name; add the array first.");
   }
   StoreField(grid, name, values, origin, ValueFingerprints(grid, source, origin));
 }
@@ -213,6 +216,24 @@ void StoreField(vtkUnstructuredGrid* grid, const std::string& name, const Expans
   {
     Add<vtkTypeInt64Array, std::int64_t>(data, prefix + "Fingerprint", fingerprints);
   }
+}
+
+bool HasNamesake(vtkUnstructuredGrid* grid, const std::string& field, bool ofPoints)
+{
+  vtkDataSetAttributes* const data =
+    ofPoints ? static_cast<vtkDataSetAttributes*>(grid->GetPointData()) : grid->GetCellData();
+  const bool isPacked = IsPacked(grid);
+  vtkDataArray* const origins = isPacked
+    ? grid->GetCellData()->GetArray((packing::FieldName(field) + "Space").c_str())
+    : grid->GetFieldData()->GetArray((kFieldPrefix + field + ".Origin").c_str());
+  const int component = isPacked ? kPackedOrigin : 0;
+  if (origins == nullptr || origins->GetNumberOfTuples() == 0 ||
+    origins->GetNumberOfComponents() <= component || data->GetArray(field.c_str()) == nullptr)
+  {
+    return false;
+  }
+  const auto origin = static_cast<Origin>(static_cast<int>(origins->GetComponent(0, component)));
+  return origin != Origin::Coefficients && IsAtPoints(origin) != ofPoints;
 }
 
 std::vector<std::string> StoredFieldNames(vtkUnstructuredGrid* grid)

@@ -37,8 +37,9 @@ class vtkUnstructuredGrid;
 //   PixelExact.Mesh.Boundary.Face*      int32   as in FacesOf(shape)
 //   PixelExact.Mesh.Boundary.Attribute* int32
 // and the same for each field under PixelExact.Field.<name>: Spaces, Space, Offset, Coefficients,
-// Origin, Components* (int32); Fingerprint only where the field was made from nodal values;
-// Mapping* (uint8, see Mapping in Core/Element/Mesh.h) only where it is not Identity. CellData:
+// Origin, Components* (int32); Fingerprint only where an array of that name holds values of the
+// field (it is not Origin::Coefficients); Mapping* (uint8, see Mapping in Core/Element/Mesh.h) only
+// where it is not Identity. CellData:
 // PixelExactElementId, int64: the element of each cell.
 //
 // FieldData survives what VTK does to a data set, even when cells are dropped or points are moved;
@@ -53,10 +54,23 @@ inline constexpr const char* kElementIds = "PixelExactElementId";
 /// Where coefficients come from.
 enum class Origin : std::uint8_t
 {
-  Coefficients = 0, ///< the coefficients of a solver's own file
+  Coefficients = 0, ///< a solver's own file; no array of the grid shows the field
   PointData = 1,    ///< nodal values at the cells' points
-  CellData = 2      ///< one value per cell
+  CellData = 2,     ///< one value per cell
+  SolverPoints = 3, ///< a solver's own file; point data show the field at the cells' points
+  SolverCells = 4   ///< a solver's own file; cell data show the field at the elements' centres
 };
+
+constexpr bool IsSolvers(Origin origin)
+{
+  return origin != Origin::PointData && origin != Origin::CellData;
+}
+
+/// Whether point data of the field's name hold values of the field.
+constexpr bool IsAtPoints(Origin origin)
+{
+  return origin == Origin::PointData || origin == Origin::SolverPoints;
+}
 
 /// Arrays of one expansion, to be filled and handed to StoreMesh or StoreField.
 struct PIXELEXACTDATAMODEL_EXPORT ExpansionArrays
@@ -104,14 +118,19 @@ PIXELEXACTDATAMODEL_EXPORT void StoreMesh(vtkUnstructuredGrid* grid, const MeshA
 /// the fingerprints.
 PIXELEXACTDATAMODEL_EXPORT bool StoredMeshFits(vtkUnstructuredGrid* grid);
 
-/// Adds or replaces a field on the mesh stored before. With origin PointData or CellData the array
-/// of that name must be there: its values are fingerprinted.
+/// Adds or replaces a field on the mesh stored before. The array that `origin` names must be there:
+/// its values are fingerprinted. Throws InvalidData where it is not.
 PIXELEXACTDATAMODEL_EXPORT void StoreField(
   vtkUnstructuredGrid* grid, const std::string& name, const ExpansionArrays& values, Origin origin);
 
-/// The same with the fingerprints of the values that the field was made from, as stored before.
+/// The same with the fingerprints of the field's values, as stored before.
 PIXELEXACTDATAMODEL_EXPORT void StoreField(vtkUnstructuredGrid* grid, const std::string& name,
   const ExpansionArrays& values, Origin origin, std::span<const std::int64_t> fingerprints);
+
+/// Whether the grid has an array of a field's name in point data (`ofPoints`), or else cell data,
+/// that is another one than that which shows the field: a filter or the file gave it the same name.
+PIXELEXACTDATAMODEL_EXPORT bool HasNamesake(
+  vtkUnstructuredGrid* grid, const std::string& field, bool ofPoints);
 
 /// Names of the fields whose coefficients are in FieldData, in their order there, or packed.
 PIXELEXACTDATAMODEL_EXPORT std::vector<std::string> StoredFieldNames(vtkUnstructuredGrid* grid);

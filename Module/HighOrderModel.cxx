@@ -3,6 +3,7 @@
 
 #include "ArrayViews.h"
 #include "CompositeParts.h"
+#include "ConversionLoss.h"
 #include "Core/Base/Error.h"
 #include "Fingerprint.h"
 #include "JoinedArrays.h"
@@ -93,9 +94,10 @@ struct HighOrderModel::Internals
       // An array that was dropped on the way cannot have been changed.
       if (vtkDataArray* nodal = FieldSource(source, name, view.origin))
       {
-        part->Cells().Compare([&](Hash hash)
-          { return ValueFingerprints(source, nodal, view.origin, hash); },
-          prints, "has other values of '" + name + "' than those its coefficients were made from");
+        part->Cells().Compare(
+          source, [&](Hash hash) { return ValueFingerprints(source, nodal, view.origin, hash); },
+          prints,
+          "has other values of '" + name + "' than its coefficients: the array was changed");
       }
     }
     Field& field = fields.emplace_back();
@@ -111,8 +113,9 @@ HighOrderModel::HighOrderModel(vtkUnstructuredGrid* given)
 {
   if (!HasHighOrderArrays(given))
   {
-    throw InvalidData("the grid carries no high-order coefficients; pass it through "
-                      "vtkUnstructuredGridToHighOrderGrid first.");
+    const bool isLinear = given != nullptr && OrderLostByConversion(given) >= 0;
+    throw InvalidData("the grid carries no high-order coefficients" +
+      (isLinear ? RemedyOf(given) : "; pass it through vtkUnstructuredGridToHighOrderGrid first."));
   }
   Data->state = StateOf(given);
   Data->ghosts = MarksOf(given, vtkDataSetAttributes::GhostArrayName());

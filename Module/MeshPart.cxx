@@ -18,14 +18,14 @@ namespace pixelexact
 namespace
 {
 /// Parts that somebody holds.
-struct Registry
+struct PartRegistry
 {
   std::mutex mutex;
   std::vector<std::weak_ptr<const MeshPart>> parts;
 
-  static Registry& Instance()
+  static PartRegistry& Instance()
   {
-    static Registry registry;
+    static PartRegistry registry;
     return registry;
   }
 };
@@ -112,7 +112,8 @@ MeshPart::~MeshPart() = default;
 
 void MeshPart::CompareCells(vtkUnstructuredGrid* grid) const
 {
-  TheCells->Compare([grid](Hash hash) { return CellFingerprints(grid, hash); }, Fingerprints,
+  TheCells->Compare(
+    grid, [grid](Hash hash) { return CellFingerprints(grid, hash); }, Fingerprints,
     "is not the one that its coefficients were made from: it was cut (Clip), its points were moved "
     "(Transform, Warp), "
     "or other cells were put before it (Append)");
@@ -120,7 +121,7 @@ void MeshPart::CompareCells(vtkUnstructuredGrid* grid) const
 
 std::shared_ptr<const MeshPart> MeshPart::Of(vtkUnstructuredGrid* grid)
 {
-  auto& registry = Registry::Instance();
+  auto& registry = PartRegistry::Instance();
   const std::scoped_lock lock(registry.mutex);
   std::erase_if(registry.parts, [](const auto& part) { return part.expired(); });
   Key key = KeyOf(grid);
@@ -141,7 +142,7 @@ std::shared_ptr<const MeshPart> MeshPart::Of(vtkUnstructuredGrid* grid)
 
 std::shared_ptr<const MeshPart> MeshPart::Join(std::vector<std::shared_ptr<const MeshPart>> parts)
 {
-  auto& registry = Registry::Instance();
+  auto& registry = PartRegistry::Instance();
   const std::scoped_lock lock(registry.mutex);
   for (const auto& known : registry.parts)
   {

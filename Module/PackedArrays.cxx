@@ -197,7 +197,7 @@ void PackField(vtkUnstructuredGrid* grid, vtkUnstructuredGrid* source, const Fie
   const auto prints =
     nodal ? ValueFingerprints(source, nodal, origin) : std::vector<std::int64_t>();
   Mark(packed, {}, prints, field.values.components, {});
-  if (nodal != nullptr && origin == Origin::PointData)
+  if (nodal != nullptr && IsAtPoints(origin))
   {
     PackSums(grid, prefix, nodal);
   }

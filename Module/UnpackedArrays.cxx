@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ArrayViews.h"
 #include "CellSums.h"
+#include "ConversionLoss.h"
 #include "Core/Base/Error.h"
 #include "Fingerprint.h"
 #include "PackedCheck.h"
@@ -29,6 +30,7 @@ class Unpacking
 public:
   Unpacking(vtkUnstructuredGrid* grid, const std::string& prefix, const std::string& what)
     : What(what)
+    , Grid(grid)
     , Cells(grid->GetNumberOfCells())
   {
     vtkCellData* data = grid->GetCellData();
@@ -59,9 +61,8 @@ public:
       {
         throw StaleData("cell " + std::to_string(e) + " has packed coefficients of " + What +
           " that were changed on the way: averaged, rounded, transformed, filled in or blanked; "
-          "pack "
-          "behind that filter (vtkHighOrderPack), or run vtkUnstructuredGridToHighOrderGrid "
-          "again.");
+          "pack after that filter (vtkHighOrderPack), or keep the cells from it" +
+          RemedyOf(Grid));
       }
       spaces.push_back(space);
     }
@@ -107,8 +108,7 @@ public:
   {
     for (std::size_t e = 0; e < static_cast<std::size_t>(Cells); ++e)
     {
-      if (Spaces[e * kPackedSpace + kPackedOrigin] ==
-        static_cast<std::uint8_t>(Origin::Coefficients))
+      if (IsSolvers(static_cast<Origin>(Spaces[e * kPackedSpace + kPackedOrigin])))
       {
         return true;
       }
@@ -118,6 +118,7 @@ public:
 
 private:
   std::string What;
+  vtkUnstructuredGrid* Grid;
   vtkIdType Cells;
   ArrayKeeper Keeper;
   std::span<const std::uint8_t> Spaces;
@@ -236,11 +237,11 @@ void UnpackField(vtkUnstructuredGrid* grid, const std::string& name, vtkUnstruct
   values.mapping = static_cast<Mapping>(mapping);
   auto prints = packed.Column(1);
   vtkDataArray* nodal = FieldSource(grid, name, static_cast<Origin>(origin));
-  if (nodal != nullptr && static_cast<Origin>(origin) == Origin::PointData)
+  if (nodal != nullptr && IsAtPoints(static_cast<Origin>(origin)))
   {
     const double largest = LargestOf(nodal);
     prints = Restamped(grid, FieldName(name), nodal, std::move(prints),
-      ValueFingerprints(grid, nodal, Origin::PointData),
+      ValueFingerprints(grid, nodal, static_cast<Origin>(origin)),
       [&](std::size_t) { return std::pair(256.0 * kRounding * largest, largest); });
   }
   StoreField(output, name, values, static_cast<Origin>(origin), prints);

@@ -2,6 +2,7 @@
 #include "Cells/CellArrays.h"
 
 #include "CompositeParts.h"
+#include "ConversionLoss.h"
 #include "HighOrderArrays.h"
 
 #include "vtkAbstractArray.h"
@@ -74,7 +75,7 @@ void SpreadCellArrays(vtkDataObject* grid, const HighOrderModel& model,
   {
     const char* name = first->GetArrayName(a);
     if (name == nullptr || std::strcmp(name, kElementIds) == 0 ||
-      output->GetCellData()->HasArray(name) != 0)
+      std::strcmp(name, kLinearizedOrder) == 0 || output->GetCellData()->HasArray(name) != 0)
     {
       continue;
     }

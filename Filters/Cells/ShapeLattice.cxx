@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/ShapeLattice.h"
 
+#include "Cells/LinearCell.h"
+
 #include "vtkCellType.h"
 
-#include <glm/matrix.hpp>
-
+#include <algorithm>
 #include <array>
 #include <initializer_list>
+#include <iterator>
 #include <utility>
 
 namespace pixelexact
@@ -14,12 +16,15 @@ namespace pixelexact
 namespace
 {
 /// A point's numbers along xi, from 0 on.
-struct Place
+struct LatticePlace
 {
   int i;
   int j;
   int k;
-  Place operator+(const Place& other) const { return { i + other.i, j + other.j, k + other.k }; }
+  LatticePlace operator+(const LatticePlace& other) const
+  {
+    return { i + other.i, j + other.j, k + other.k };
+  }
 };
 
 class Maker
@@ -30,12 +35,12 @@ public:
     , N(parts)
     , Numbers(static_cast<std::size_t>(parts + 1) * (parts + 1) * (parts + 1), -1)
   {
-    ForEach([this](const Place& p) { AddPoint(p); });
+    ForEach([this](const LatticePlace& p) { AddPoint(p); });
   }
 
   ShapeLattice Make()
   {
-    ForEach([this](const Place& p) { AddCells(p); });
+    ForEach([this](const LatticePlace& p) { AddCells(p); });
     return std::move(Lattice);
   }
 
@@ -49,13 +54,13 @@ private:
       {
         for (int i = 0; i <= N; ++i)
         {
-          visit(Place{ i, j, k });
+          visit(LatticePlace{ i, j, k });
         }
       }
     }
   }
 
-  [[nodiscard]] bool Holds(const Place& p) const
+  [[nodiscard]] bool Holds(const LatticePlace& p) const
   {
     switch (TheShape)
     {
@@ -70,7 +75,7 @@ private:
     }
   }
 
-  void AddPoint(const Place& p)
+  void AddPoint(const LatticePlace& p)
   {
     if (Holds(p))
     {
@@ -80,40 +85,38 @@ private:
     }
   }
 
-  [[nodiscard]] int& NumberOf(const Place& p)
+  [[nodiscard]] int& NumberOf(const LatticePlace& p)
   {
     return Numbers[static_cast<std::size_t>(p.k * (N + 1) + p.j) * (N + 1) + p.i];
   }
 
   /// Those of its corners that `p` and steps from it are; none where one of them is not in the
   /// shape.
-  void AddCell(int type, const Place& p, std::initializer_list<Place> steps)
+  void AddCell(int type, const LatticePlace& p, std::initializer_list<LatticePlace> steps)
   {
     std::vector<int> corners;
-    for (const Place& step : steps)
+    for (const LatticePlace& step : steps)
     {
-      const Place corner = p + step;
+      const LatticePlace corner = p + step;
       if (!Holds(corner))
       {
         return;
       }
       corners.push_back(NumberOf(corner));
     }
-    if (type == VTK_TETRA)
+    std::vector<Vec3> places;
+    std::ranges::transform(corners, std::back_inserter(places),
+      [this](int corner) { return Lattice.points[static_cast<std::size_t>(corner)]; });
+    if (VolumeOf(type, places) < 0.0)
     {
-      const auto& x = Lattice.points;
-      const Vec3& a = x[corners[0]];
-      if (glm::determinant(Mat3(x[corners[1]] - a, x[corners[2]] - a, x[corners[3]] - a)) < 0.0)
-      {
-        std::swap(corners[2], corners[3]);
-      }
+      Mirror(std::span(corners));
     }
     Lattice.types.push_back(static_cast<unsigned char>(type));
     Lattice.corners.insert(Lattice.corners.end(), corners.begin(), corners.end());
     Lattice.offsets.push_back(static_cast<int>(Lattice.corners.size()));
   }
 
-  void AddCells(const Place& p)
+  void AddCells(const LatticePlace& p)
   {
     switch (TheShape)
     {
@@ -133,7 +136,7 @@ private:
     }
   }
 
-  void AddWedges(const Place& p)
+  void AddWedges(const LatticePlace& p)
   {
     AddCell(VTK_WEDGE, p,
       { { 0, 1, 0 }, { 1, 1, 0 }, { 0, 1, 1 }, { 0, 0, 0 }, { 1, 0, 0 }, { 0, 0, 1 } });
@@ -143,11 +146,11 @@ private:
 
   /// Of a cube's six, one at its corner, four about a diagonal of the octahedron in the middle, one
   /// at the opposite corner.
-  void AddTetrahedra(const Place& p)
+  void AddTetrahedra(const LatticePlace& p)
   {
     AddCell(VTK_TETRA, p, { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } });
-    constexpr std::array<Place, 4> kAround{ Place{ 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 0 },
-      { 0, 1, 0 } };
+    constexpr std::array<LatticePlace, 4> kAround{ LatticePlace{ 0, 0, 1 }, { 1, 0, 1 },
+      { 1, 1, 0 }, { 0, 1, 0 } };
     for (std::size_t s = 0; s < kAround.size(); ++s)
     {
       AddCell(VTK_TETRA, p, { { 1, 0, 0 }, { 0, 1, 1 }, kAround[s], kAround[(s + 1) % 4] });
@@ -157,7 +160,7 @@ private:
 
   /// One that stands on a square of its layer, one that hangs from the next layer's, and tetrahedra
   /// between neighbours that stand.
-  void AddPyramids(const Place& p)
+  void AddPyramids(const LatticePlace& p)
   {
     AddCell(VTK_PYRAMID, p, { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 } });
     AddCell(VTK_PYRAMID, p, { { 0, 0, 1 }, { 0, 1, 1 }, { 1, 1, 1 }, { 1, 0, 1 }, { 1, 1, 0 } });

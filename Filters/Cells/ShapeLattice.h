@@ -19,7 +19,8 @@ struct ShapeLattice
   std::vector<Vec3> points;         ///< in xi, each once
   std::vector<unsigned char> types; ///< VTK's, per cell
   std::vector<int> offsets{ 0 };    ///< into `corners`, one more than cells
-  std::vector<int> corners;         ///< numbers of points, in VTK's order; no cell is inverted
+  std::vector<int>
+    corners; ///< numbers of points, in VTK's order; volumes (VolumeOf) in xi are positive
 
   [[nodiscard]] std::size_t Cells() const { return types.size(); }
   [[nodiscard]] std::span<const int> Corners(std::size_t cell) const

@@ -2,6 +2,7 @@
 #include "Cells/Subdivision.h"
 
 #include "Cells/LevelLattice.h"
+#include "Cells/LinearCell.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -45,6 +46,23 @@ std::vector<SubdivisionSize> BeginningsOf(
       begins[e].corners + static_cast<std::int64_t>(lattice.corners.size()) };
   }
   return begins;
+}
+/// The sum of the cells' volumes where the lattice's points are at `xyz`.
+double VolumeOf(const ShapeLattice& lattice, const double* xyz)
+{
+  double sum = 0.0;
+  std::vector<Vec3> places;
+  for (std::size_t cell = 0; cell < lattice.Cells(); ++cell)
+  {
+    places.clear();
+    for (const int corner : lattice.Corners(cell))
+    {
+      const double* const x = xyz + 3 * static_cast<std::ptrdiff_t>(corner);
+      places.emplace_back(x[0], x[1], x[2]);
+    }
+    sum += pixelexact::VolumeOf(lattice.types[cell], places);
+  }
+  return sum;
 }
 } // namespace
 
@@ -106,10 +124,15 @@ bool Subdivide(const HighOrderModel& model, const std::vector<const Field*>& fie
         source->SetValue(number, model.SourceCells()[e]);
         elementOf[static_cast<std::size_t>(number)] = element;
       }
-      for (std::size_t k = 0; k < lattice.corners.size(); ++k)
+      vtkIdType* const own = corners->GetPointer(begin.corners);
+      std::ranges::transform(lattice.corners, own,
+        [&](int corner) { return static_cast<vtkIdType>(begin.points) + corner; });
+      if (VolumeOf(lattice, x + 3 * begin.points) < 0.0)
       {
-        corners->SetValue(begin.corners + static_cast<vtkIdType>(k),
-          static_cast<vtkIdType>(begin.points) + lattice.corners[k]);
+        for (std::size_t cell = 0; cell < lattice.Cells(); ++cell)
+        {
+          Mirror(std::span(own + lattice.offsets[cell], lattice.Corners(cell).size()));
+        }
       }
     });
   if (!done)

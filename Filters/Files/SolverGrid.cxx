@@ -2,6 +2,7 @@
 #include "Files/SolverGrid.h"
 
 #include "Cells/LinearCell.h"
+#include "ConversionLoss.h"
 #include "Core/Base/Error.h"
 #include "Core/Location/Sample.h"
 #include "Files/SolverGroups.h"
@@ -109,6 +110,7 @@ void MakeCells(const SolverMesh& mesh, const Mesh& view, vtkUnstructuredGrid* gr
   const std::size_t elements = mesh.number.size();
   constexpr std::size_t kTogether = 8192;
   std::vector<std::array<Vec3, 8>> places(std::min(elements, kTogether));
+  std::array<vtkIdType, 8> ids{};
   PointNumbering points(elements * 8);
   vtkNew<vtkCellArray> cells;
   vtkNew<vtkUnsignedCharArray> types;
@@ -129,12 +131,17 @@ void MakeCells(const SolverMesh& mesh, const Mesh& view, vtkUnstructuredGrid* gr
     }
     const LinearCell& cell = LinearCellOf(view.ShapeOf(static_cast<int>(e)));
     types->SetValue(static_cast<vtkIdType>(e), static_cast<unsigned char>(cell.type));
-    cells->InsertNextCell(static_cast<int>(cell.corners.size()));
-    for (std::size_t k = 0; k < cell.corners.size(); ++k)
+    const std::span own = std::span(places[e % kTogether]).first(cell.corners.size());
+    for (std::size_t k = 0; k < own.size(); ++k)
     {
-      cells->InsertCellPoint(
-        points.Find(mesh.corners[e][k], places[e % kTogether][k], mesh.size[e]));
+      ids[k] = points.Find(mesh.corners[e][k], own[k], mesh.size[e]);
     }
+    const std::span corners = std::span(ids).first(own.size());
+    if (VolumeOf(cell.type, own) < 0.0)
+    {
+      Mirror(corners);
+    }
+    cells->InsertNextCell(static_cast<vtkIdType>(corners.size()), corners.data());
   }
   points.Points->Squeeze(); // it has grown by doubling
   grid->SetPoints(points.Points);
@@ -155,12 +162,18 @@ void AddVertexValues(const Mesh& mesh, const Field& field, vtkUnstructuredGrid* 
 {
   const int components = field.values.components;
   const auto array = NewArray(field.name, components, grid->GetNumberOfPoints());
+  std::vector<Vec3> corners; // in xi, in the cell's order
   std::vector<double> values;
   vtkIdType count = 0;
   const vtkIdType* points = nullptr;
   for (int e = 0; e < mesh.Elements(); ++e)
   {
-    const auto& corners = LinearCellOf(mesh.ShapeOf(e)).corners;
+    const LinearCell& cell = LinearCellOf(mesh.ShapeOf(e));
+    corners = cell.corners;
+    if (IsMirrored(mesh, e))
+    {
+      Mirror(std::span(corners));
+    }
     values.resize(corners.size() * components);
     EvaluateAt(mesh, field, e, corners, values, {});
     grid->GetCells()->GetCellAtId(e, count, points);
@@ -195,13 +208,14 @@ void StoreSolverMesh(SolverMesh&& mesh, vtkUnstructuredGrid* grid)
   MakeCells(mesh, view, grid);
   MeshArrays arrays;
   arrays.boundary = AttributedFacesOf(mesh, view);
-  AddGroups(mesh, grid);
+  AddGroups(mesh, view, grid);
   arrays.map = HandOn(std::move(mesh.map));
   arrays.centre = std::move(mesh.centre);
   arrays.size = std::move(mesh.size);
   arrays.uncertainty = std::move(mesh.uncertainty);
   arrays.sourceCell = std::move(mesh.number);
   StoreMesh(grid, arrays, Origin::Coefficients);
+  MarkLinearized(grid, "");
   if (mesh.slab)
   {
     StoreSlab(*mesh.slab, grid);
@@ -223,7 +237,9 @@ void StoreSolverField(SolverField&& field, vtkUnstructuredGrid* grid)
   addValues(model->GetMesh(), view, grid);
   ExpansionArrays arrays = HandOn(std::move(field.values));
   arrays.mapping = field.mapping;
-  StoreField(grid, field.name, arrays, Origin::Coefficients);
+  StoreField(
+    grid, field.name, arrays, field.continuous ? Origin::SolverPoints : Origin::SolverCells);
+  MarkLinearized(grid, field.name);
   vtkNew<vtkStringArray> basis;
   basis->SetName((kFieldPrefix + field.name + ".Basis").c_str());
   basis->InsertNextValue(field.basis);

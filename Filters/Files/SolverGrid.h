@@ -13,6 +13,7 @@ class vtkUnstructuredGrid;
 //              BoundaryAttribute   int32 x 6  per face of the cell as VTK numbers them, the first
 //                                             of its attributes, -1 where it has none; models read
 //                                             PixelExact.Mesh.Boundary.* (HighOrderArrays.h)
+//              PixelExactLinearizedOrder  uint8, see ConversionLoss.h
 //   FieldData  PixelExact.Groups.Id, .Boundary, .Name   the file's groups
 //              PixelExact.Field.<name>.Basis            the source basis, for people
 //   PointData  <field>, at the vertices, where the field is continuous by construction

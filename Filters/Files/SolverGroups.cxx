@@ -33,7 +33,7 @@ std::vector<AttributedFace> AttributedFacesOf(const SolverMesh& mesh, const Mesh
   return faces;
 }
 
-void AddGroups(const SolverMesh& mesh, vtkUnstructuredGrid* grid)
+void AddGroups(const SolverMesh& mesh, const Mesh& view, vtkUnstructuredGrid* grid)
 {
   const auto elements = static_cast<vtkIdType>(mesh.number.size());
   if (!mesh.attribute.empty())
@@ -53,14 +53,22 @@ void AddGroups(const SolverMesh& mesh, vtkUnstructuredGrid* grid)
     std::fill_n(boundary->GetPointer(0), kFaces * elements, kInside);
     for (const auto& face : mesh.boundary)
     {
-      if (boundary->GetTypedComponent(face.element, face.face) == kInside)
+      const int own = IsMirrored(view, face.element)
+        ? MirroredFace(grid->GetCellType(face.element), face.face)
+        : face.face;
+      if (boundary->GetTypedComponent(face.element, own) == kInside)
       {
-        boundary->SetTypedComponent(face.element, face.face, face.attribute);
+        boundary->SetTypedComponent(face.element, own, face.attribute);
       }
     }
     grid->GetCellData()->AddArray(boundary);
   }
-  if (mesh.groups.empty())
+  AddGroupNames(mesh.groups, grid);
+}
+
+void AddGroupNames(const std::vector<Group>& groups, vtkUnstructuredGrid* grid)
+{
+  if (groups.empty())
   {
     return;
   }
@@ -70,7 +78,7 @@ void AddGroups(const SolverMesh& mesh, vtkUnstructuredGrid* grid)
   ids->SetName("PixelExact.Groups.Id");
   isBoundary->SetName("PixelExact.Groups.Boundary");
   names->SetName("PixelExact.Groups.Name");
-  for (const auto& group : mesh.groups)
+  for (const auto& group : groups)
   {
     ids->InsertNextValue(group.id);
     isBoundary->InsertNextValue(group.boundary ? 1 : 0);

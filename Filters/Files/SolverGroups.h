@@ -13,6 +13,9 @@ namespace pixelexact
 std::vector<AttributedFace> AttributedFacesOf(const SolverMesh& mesh, const Mesh& view);
 
 /// Adds the file's attributes and groups, for VTK's filters and for people (see SolverGrid.h).
-void AddGroups(const SolverMesh& mesh, vtkUnstructuredGrid* grid);
+/// `view` is of the same mesh; `grid` has its cells.
+void AddGroups(const SolverMesh& mesh, const Mesh& view, vtkUnstructuredGrid* grid);
+/// The names of groups alone.
+void AddGroupNames(const std::vector<Group>& groups, vtkUnstructuredGrid* grid);
 } // namespace pixelexact
 #endif

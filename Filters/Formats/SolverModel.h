@@ -32,8 +32,8 @@ struct SolverExpansion
   int components = 1;
 };
 
-/// The vertices' places in VTK's linear cells: hexahedron 8, prism 6, pyramid 5, tetrahedron 4. A
-/// plane element's vertices are there twice, below and above.
+/// The vertices' places in VTK's linear cells, as LinearCellOf(shape) has them: hexahedron 8, prism
+/// 6, pyramid 5, tetrahedron 4. A plane element's vertices are there twice, below and above.
 using Corners = std::array<std::int64_t, 8>;
 
 /// A face of an element with an attribute, or in a composite. A face between two elements has it in
@@ -41,7 +41,7 @@ using Corners = std::array<std::int64_t, 8>;
 struct BoundaryFace
 {
   std::int32_t element = 0;
-  std::int8_t face = 0; ///< in the numbering of VTK's linear cell
+  std::int8_t face = 0; ///< in the numbering of VTK's linear cell with such corners
   std::int32_t attribute = 0;
 };
 

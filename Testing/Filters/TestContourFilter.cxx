@@ -2,6 +2,7 @@
 // vtkHighOrderContour: against probing, against VTK's contours of a triangulated cut, wrong use.
 #include "Support.h"
 
+#include "ContourList.h"
 #include "vtkHighOrderContour.h"
 #include "vtkHighOrderProbe.h"
 #include "vtkMFEMReader.h"
@@ -28,6 +29,7 @@
 #include <cmath>
 #include <iostream>
 #include <limits>
+#include <random>
 
 namespace
 {
@@ -113,6 +115,80 @@ double Distance(const double* x, vtkPolyData* lines)
     }
   }
   return nearest;
+}
+
+TEST(RoundValues, AreWhatAReaderOfAScaleExpects)
+{
+  using pixelexact::RoundValues;
+  using Values = std::vector<double>;
+  EXPECT_EQ(RoundValues(9, { 0.0, 1.0 }), (Values{ 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9 }));
+  EXPECT_EQ(RoundValues(1, { 0.0, 1.0 }), (Values{ 0.5 }));
+  EXPECT_EQ(RoundValues(3, { 0.0, 1.0 }), (Values{ 0.25, 0.5, 0.75 }));
+  EXPECT_EQ(RoundValues(5, { 0.0, 1.0 }), (Values{ 0.1, 0.3, 0.5, 0.7, 0.9 }));
+  EXPECT_EQ(RoundValues(9, { -0.845, 0.8451 }),
+    (Values{ -0.8, -0.6, -0.4, -0.2, 0.0, 0.2, 0.4, 0.6, 0.8 }));
+  // Ends that a proof has moved out by a little are ends.
+  EXPECT_EQ(
+    RoundValues(9, { -3e-4, 1.0004 }), (Values{ 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9 }));
+  EXPECT_EQ(RoundValues(1, { 0.01, 1.0 }, true), (Values{ 0.1 }));
+  EXPECT_EQ(RoundValues(5, { 1e-3, 1e3 }, true), (Values{ 0.01, 0.1, 1.0, 10.0, 100.0 }));
+}
+
+TEST(RoundValues, AreSoManyStrictlyInsideEquallySpacedAndRound)
+{
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> part(-1.0, 1.0);
+  std::uniform_real_distribution<double> power(-12.0, 12.0);
+  for (int turn = 0; turn < 3000; ++turn)
+  {
+    const int count = 1 + static_cast<int>(random() % 40);
+    double lower = part(random) * std::pow(10.0, power(random));
+    double upper = part(random) * std::pow(10.0, power(random));
+    if (lower > upper)
+    {
+      std::swap(lower, upper);
+    }
+    const std::vector<double> values = pixelexact::RoundValues(count, { lower, upper });
+    ASSERT_EQ(values.size(), static_cast<std::size_t>(count)) << lower << " " << upper;
+    ASSERT_GT(values.front(), lower);
+    ASSERT_LT(values.back(), upper);
+    const double length = upper - lower;
+    const double step = count > 1 ? values[1] - values[0] : length;
+    // No further one has room.
+    EXPECT_LE(values.front() - lower, 1.06 * step);
+    EXPECT_LE(upper - values.back(), 1.06 * step);
+    // Multiples of a hundredth of the power of ten below the range's part for one.
+    const double unit = std::pow(10.0, std::floor(std::log10(length / count)) - 2.0);
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      EXPECT_NEAR(values[i], values.front() + static_cast<double>(i) * step, 1e-9 * length);
+      if (std::fabs(values[i] / unit) < 1e9)
+      {
+        EXPECT_NEAR(values[i] / unit, std::round(values[i] / unit), 1e-5);
+      }
+    }
+    const double least = std::pow(10.0, power(random));
+    const std::array range{ least, least * std::pow(10.0, 0.1 + 0.5 * std::fabs(power(random))) };
+    const std::vector<double> powers = pixelexact::RoundValues(count, range, true);
+    ASSERT_EQ(powers.size(), static_cast<std::size_t>(count));
+    EXPECT_TRUE(std::ranges::is_sorted(powers, std::less_equal()));
+    EXPECT_GT(powers.front(), range[0]);
+    EXPECT_LT(powers.back(), range[1]);
+  }
+}
+
+TEST(RoundValues, ThereAreNoneInWhatIsNoRange)
+{
+  const double inf = std::numeric_limits<double>::infinity();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const std::array<double, 2> range : { std::array{ 1.0, 1.0 }, std::array{ 2.0, 1.0 },
+         std::array{ 0.0, inf }, std::array{ nan, 1.0 }, std::array{ 1.0, 1.0 + 1e-15 } })
+  {
+    EXPECT_TRUE(pixelexact::RoundValues(3, range).empty());
+    EXPECT_TRUE(pixelexact::RoundValues(3, { range[0] - 3.0, range[1] - 3.0 }, true).empty());
+  }
+  EXPECT_TRUE(pixelexact::RoundValues(0, { 0.0, 1.0 }).empty());
+  EXPECT_TRUE(pixelexact::RoundValues(3, { 0.0, 1.0 }, true).empty());
 }
 
 TEST(ContourFilter, StraightLinesHaveTheirLengths)

@@ -5,6 +5,8 @@
 
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
+#include "vtkGLVisReader.h"
+#include "vtkGmshReader.h"
 #include "vtkInformation.h"
 #include "vtkMFEMReader.h"
 #include "vtkNektarReader.h"
@@ -441,5 +443,40 @@ TEST(NektarReader, HalfModesAreTheirExactSolution)
       }
     }
   }
+}
+
+TEST(NativeReaders, KnowTheirFilesByContent)
+{
+  const Scratch scratch;
+  vtkNew<vtkMFEMReader> mfem;
+  vtkNew<vtkNektarReader> nektar;
+  vtkNew<vtkGmshReader> gmsh;
+  vtkNew<vtkGLVisReader> glvis;
+  const std::vector<vtkHighOrderFileReader*> readers{ mfem, nektar, gmsh, glvis };
+  const std::string darcy = (kData / "mfem_escher_tet_darcy_p3").string();
+  const std::pair<std::string, vtkHighOrderFileReader*> files[] = {
+    { darcy + "/mfem_escher_tet_darcy_p3.mesh", mfem },
+    { darcy + "/flux.gf", nullptr },
+    { (kData / "nek_tet_varp" / "nek_tet_varp.xml").string(), nektar },
+    { (kData / "nek_tet_varp" / "nek_tet_varp.fld").string(), nektar },
+    { (kData / "nek_hdf5" / "nek_tet_varp.fld").string(), nektar },
+    { (kData / "gmsh_zoo_g2" / "gmsh_zoo_g2.msh").string(), gmsh },
+    { scratch.Write("a.saved", "\n solution\nMFEM mesh v1.0\n"), glvis },
+    { scratch.Write("a.mfem_root", "{ \"dsets\": { \"main\": {} } }"), mfem },
+    { scratch.Write("city.xml", "<?xml version=\"1.0\"?>\n<CityModel/>\n"), nullptr },
+    { scratch.Write("empty.msh", ""), nullptr },
+    { (kData / "toroid_hex_g3_p6.vtu").string(), nullptr },
+    { kData.string(), nullptr },
+    { scratch.Path("none.mesh"), nullptr },
+  };
+  for (const auto& [file, own] : files)
+  {
+    for (vtkHighOrderFileReader* reader : readers)
+    {
+      EXPECT_EQ(reader->CanReadFile(file.c_str()), reader == own ? 1 : 0)
+        << reader->GetClassName() << " " << file;
+    }
+  }
+  EXPECT_EQ(mfem->CanReadFile(nullptr), 0);
 }
 } // namespace

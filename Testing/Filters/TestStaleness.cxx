@@ -3,11 +3,14 @@
 #include "Support.h"
 
 #include "Core/Location/Locator.h"
+#include "HighOrderArrays.h"
 #include "HighOrderModel.h"
+#include "vtkMFEMReader.h"
 
 #include "vtkAppendFilter.h"
 #include "vtkArrayCalculator.h"
 #include "vtkCellData.h"
+#include "vtkCellDataToPointData.h"
 #include "vtkClipDataSet.h"
 #include "vtkElevationFilter.h"
 #include "vtkExtractCells.h"
@@ -22,6 +25,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <set>
 
@@ -298,5 +302,179 @@ TEST_F(Staleness, ModelOutlivesTheGrid)
   Grid = nullptr;
   EXPECT_EQ(model->GetMesh().Elements(), 27);
   EXPECT_FALSE(model->GetLocator().Bounds().Contains(Vec3(2.0)));
+}
+
+/// What a solver's reader gives: coefficients of order 3 and more beside linear cells.
+class NativeStaleness : public ::testing::Test
+{
+protected:
+  using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
+
+  static Grid Read(
+    const std::string& folder, const std::string& mesh, const std::vector<std::string>& functions)
+  {
+    const std::string path = std::string(PIXELEXACT_DATA_DIR "/") + folder + "/";
+    vtkNew<vtkMFEMReader> reader;
+    reader->SetFileName((path + mesh).c_str());
+    for (const auto& function : functions)
+    {
+      reader->AddGridFunctionFileName((path + function).c_str());
+    }
+    reader->Update();
+    return reader->GetOutput();
+  }
+  /// A continuous field, so with values at points.
+  static Grid Zoo()
+  {
+    return Read("mfem49_tinyzoo_g3_p5", "mfem49_tinyzoo_g3_p5.mesh", { "u.gf" });
+  }
+  /// A field of L2 and one of H(div), so with values of cells.
+  static Grid Darcy()
+  {
+    return Read(
+      "mfem_escher_tet_darcy_p3", "mfem_escher_tet_darcy_p3.mesh", { "pressure.gf", "flux.gf" });
+  }
+
+  static Grid Calculated(vtkUnstructuredGrid* grid, bool ofCells, const std::string& formula,
+    const std::string& name, const std::string& result)
+  {
+    vtkNew<vtkArrayCalculator> calculator;
+    calculator->SetInputData(grid);
+    calculator->SetAttributeType(ofCells ? vtkDataObject::CELL : vtkDataObject::POINT);
+    calculator->AddScalarArrayName(name.c_str());
+    calculator->SetFunction(formula.c_str());
+    calculator->SetResultArrayName(result.c_str());
+    calculator->Update();
+    return vtkUnstructuredGrid::SafeDownCast(calculator->GetOutput());
+  }
+  static Grid Moved(vtkUnstructuredGrid* grid)
+  {
+    vtkNew<vtkTransform> transform;
+    transform->Scale(2.0, 1.0, 1.0);
+    vtkNew<vtkTransformFilter> filter;
+    filter->SetTransform(transform);
+    filter->SetInputData(grid);
+    filter->Update();
+    return vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0));
+  }
+
+  /// Refused, without the advice to convert, by model and converter.
+  static void ExpectRefused(vtkUnstructuredGrid* grid, const std::string& word)
+  {
+    const std::string problem = vtkHighOrderGrid::CheckCoefficients(grid);
+    EXPECT_NE(problem.find(word), std::string::npos) << problem;
+    EXPECT_NE(problem.find("a conversion would lose"), std::string::npos) << problem;
+    EXPECT_EQ(problem.find("vtkUnstructuredGridToHighOrderGrid again"), std::string::npos)
+      << problem;
+    Conversion conversion(grid);
+    EXPECT_FALSE(conversion.done);
+    EXPECT_NE(conversion.messages->errors.find("a conversion would lose"), std::string::npos)
+      << conversion.messages->errors << conversion.messages->warnings;
+  }
+};
+
+TEST_F(NativeStaleness, AFieldThatAFilterChangedIsStale)
+{
+  ExpectRefused(Calculated(Zoo(), false, "2*u", "u", "u"), "'u'");
+  ExpectRefused(Calculated(Darcy(), true, "2*pressure", "pressure", "pressure"), "'pressure'");
+  const Grid grid = Zoo();
+  EXPECT_EQ(vtkHighOrderGrid::CheckCoefficients(grid), "");
+  vtkDataArray* u = grid->GetPointData()->GetArray("u");
+  u->SetComponent(0, 0, u->GetComponent(0, 0) + 1e-12);
+  u->Modified();
+  ExpectRefused(grid, "'u'");
+}
+
+TEST_F(NativeStaleness, WhatIsNotTheFieldMayBeChanged)
+{
+  EXPECT_EQ(vtkHighOrderGrid::CheckCoefficients(Zoo()), "");
+  EXPECT_EQ(vtkHighOrderGrid::CheckCoefficients(Darcy()), "");
+  EXPECT_EQ(vtkHighOrderGrid::CheckCoefficients(Calculated(Zoo(), false, "1*u", "u", "u")), "");
+  EXPECT_EQ(vtkHighOrderGrid::CheckCoefficients(Calculated(Zoo(), false, "2*u", "u", "v")), "");
+  const Grid dropped = Darcy();
+  dropped->GetCellData()->RemoveArray("pressure");
+  EXPECT_EQ(vtkHighOrderGrid::CheckCoefficients(dropped), "");
+  for (const Grid& grid : { Zoo(), Darcy() })
+  {
+    vtkNew<vtkExtractCells> some;
+    some->SetInputData(grid);
+    some->AddCellRange(1, 2);
+    some->Update();
+    EXPECT_EQ(vtkHighOrderGrid::CheckCoefficients(some->GetOutput()), "");
+  }
+}
+
+TEST_F(NativeStaleness, ArraysOfTheSameNameElsewhereAreToldApart)
+{
+  const Grid cells = Darcy(); // "pressure" is shown by cell data
+  EXPECT_FALSE(HasNamesake(cells, "pressure", true));
+  EXPECT_FALSE(HasNamesake(cells, "pressure", false));
+  vtkNew<vtkCellDataToPointData> average;
+  average->SetInputData(cells);
+  average->PassCellDataOn();
+  average->Update();
+  auto* const both = vtkUnstructuredGrid::SafeDownCast(average->GetOutput());
+  EXPECT_EQ(vtkHighOrderGrid::CheckCoefficients(both), "");
+  EXPECT_TRUE(HasNamesake(both, "pressure", true));
+  EXPECT_FALSE(HasNamesake(both, "pressure", false));
+  EXPECT_FALSE(HasNamesake(Zoo(), "u", true));
+  EXPECT_FALSE(HasNamesake(Zoo(), "v", true));
+}
+
+TEST_F(NativeStaleness, MovedCellsAreNotLinearized)
+{
+  ExpectRefused(Moved(Zoo()), "moved");
+  ExpectRefused(Moved(Darcy()), "moved");
+}
+
+TEST_F(NativeStaleness, LostCoefficientsAreNotLinearized)
+{
+  // As VTK's filters that drop FieldData leave it.
+  const Grid grid = Zoo();
+  grid->GetFieldData()->Initialize();
+  ASSERT_FALSE(vtkHighOrderGrid::IsHighOrder(grid));
+  ExpectRefused(grid, "no high-order coefficients");
+  vtkNew<vtkCellDataToPointData> average;
+  average->SetInputData(grid);
+  average->Update();
+  ExpectRefused(
+    vtkUnstructuredGrid::SafeDownCast(average->GetOutput()), "no high-order coefficients");
+}
+
+TEST_F(NativeStaleness, CellsThatHoldAllAreConverted)
+{
+  // Trilinear elements with a field of order 1, as a solver's.
+  const auto grid = Converted(Boxes(2));
+  const auto model = HighOrderModel::From(grid);
+  const Field& f = *model->FindField("f");
+  ExpansionArrays values;
+  const Space space{ Shape::Hexahedron, Form::Collapsed, { 1, 1, 1 } };
+  values.Allocate(std::vector<Space>(8, space), 1);
+  std::ranges::copy(f.values.coefficients, values.coefficients->GetPointer(0));
+  StoreField(grid, "f", values, Origin::SolverPoints);
+  ASSERT_EQ(vtkHighOrderGrid::CheckCoefficients(grid), "");
+  const Grid moved = Moved(grid);
+  EXPECT_NE(
+    vtkHighOrderGrid::CheckCoefficients(moved).find("run vtkUnstructuredGridToHighOrderGrid again"),
+    std::string::npos);
+  Conversion again(moved);
+  ASSERT_TRUE(again.done) << again.messages->errors;
+  vtkNew<vtkDoubleArray> value;
+  double x[3];
+  const double xi[3] = { 0.3, -0.2, 0.9 };
+  ASSERT_TRUE(again.Output()->MapForward(3, xi, x));
+  ASSERT_TRUE(again.Output()->EvaluateField("f", 3, xi, value));
+  EXPECT_NEAR(value->GetValue(0), x[0] / 2.0 + 2.0 * x[1] + 3.0 * x[2], 1e-14);
+}
+
+TEST_F(NativeStaleness, WhatIsCutOutOfCurvedCellsIsNotLinearized)
+{
+  vtkNew<vtkPlane> plane;
+  plane->SetNormal(0.3, 0.2, 1.0);
+  vtkNew<vtkClipDataSet> clip;
+  clip->SetClipFunction(plane);
+  clip->SetInputData(Converted(ReadGrid(PIXELEXACT_DATA_DIR "/escher_tet_g3_p3.vtu")));
+  clip->Update();
+  ExpectRefused(clip->GetOutput(), "(Clip)");
 }
 } // namespace

@@ -89,10 +89,10 @@ TEST_F(TimeSeries, RefusesWithTheFileNamed)
       WriteCollection(DataSet("timestep='" + time + "'", "a.vtu")), "'" + time + "' is no time");
   }
   refuse(WriteCollection(DataSet("timestep='0'", "a.vtu")), "a.vtu");
-  refuse(WriteCollection(DataSet("timestep='0'", "series.pvd")), "only .vtu and .pvtu");
+  refuse(WriteCollection(DataSet("timestep='0'", "series.pvd")), "only .vtu, .pvtu and .vtk");
   refuse(WriteCollection(DataSet("timestep='0'", "cut.vtp")), "no volume");
   WritePieces("loop.pvtu", { "loop.pvtu" });
-  refuse(Folder / "loop.pvtu", "only .vtu and .pvtu");
+  refuse(Folder / "loop.pvtu", "only .vtu, .pvtu and .vtk");
   WritePieces("none.pvtu", {});
   refuse(Folder / "none.pvtu", "lists no Piece");
   Reader->AddFileName((Folder / "series.pvd").c_str());

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ConversionLoss.h"
+
+#include "HighOrderArrays.h"
+#include "PackedCheck.h"
+#include "PackedNames.h"
+
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace pixelexact
+{
+namespace
+{
+bool IsLinear(int cellType)
+{
+  return cellType <= VTK_HEXAGONAL_PRISM || cellType == VTK_CONVEX_POINT_SET ||
+    cellType == VTK_POLYHEDRON;
+}
+
+bool HasArray(vtkDataSetAttributes* data, const std::string& name)
+{
+  return data->GetArray(name.c_str()) != nullptr;
+}
+
+/// What a linear cell and the values beside it hold of an expansion.
+class LinearHold
+{
+public:
+  /// Of a map (empty name) or of a field with this name, origin and mapping.
+  LinearHold(vtkUnstructuredGrid* grid, const std::string& name, Origin origin, Mapping mapping)
+  {
+    const bool isOld = origin == Origin::Coefficients; // which array shows the field is not stored
+    const bool atPoints =
+      name.empty() || (isOld ? HasArray(grid->GetPointData(), name) : IsAtPoints(origin));
+    const bool isShown = name.empty() ||
+      (atPoints ? HasArray(grid->GetPointData(), name) : HasArray(grid->GetCellData(), name));
+    // Values at vertices are not enough for a field whose values follow the map's derivatives.
+    Held = !isShown ? kAny : mapping != Mapping::Identity ? -1 : atPoints ? 1 : 0;
+  }
+
+  /// The order where it is lost, else -1.
+  [[nodiscard]] int Lost(int order) const { return order > Held ? order : -1; }
+
+private:
+  static constexpr int kAny = 255;
+  int Held = kAny;
+};
+
+using LostOrders = std::vector<int>; ///< per cell; -1: nothing is lost
+
+/// `orderOf(cell)`: the largest order of the expansion there.
+template <class OrderOf>
+void AddLost(
+  vtkUnstructuredGrid* grid, const LinearHold& hold, const OrderOf& orderOf, LostOrders& lost)
+{
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    if (IsLinear(grid->GetCellType(cell)))
+    {
+      int& own = lost[static_cast<std::size_t>(cell)];
+      own = std::max(own, hold.Lost(orderOf(cell)));
+    }
+  }
+}
+
+int LargestOrder(vtkDataArray* spaces, vtkIdType tuple)
+{
+  return static_cast<int>(std::max({ spaces->GetComponent(tuple, 2), spaces->GetComponent(tuple, 3),
+    spaces->GetComponent(tuple, 4) }));
+}
+
+int FirstNumber(vtkFieldData* data, const std::string& name)
+{
+  vtkDataArray* array = data->GetArray(name.c_str());
+  return array != nullptr && array->GetNumberOfValues() > 0
+    ? static_cast<int>(array->GetComponent(0, 0))
+    : 0;
+}
+
+/// Of coefficients in FieldData. Cells that do not name an element are taken for the one of the
+/// highest order.
+void AddStored(vtkUnstructuredGrid* grid, const std::string& name, LostOrders& lost)
+{
+  const std::string prefix = name.empty() ? kMeshPrefix : kFieldPrefix + name + ".";
+  vtkFieldData* data = grid->GetFieldData();
+  vtkDataArray* spaces = data->GetArray((prefix + "Spaces").c_str());
+  vtkDataArray* spaceOf = data->GetArray((prefix + "Space").c_str());
+  if (spaces == nullptr || spaceOf == nullptr || spaces->GetNumberOfComponents() < 5)
+  {
+    return;
+  }
+  int highest = 0;
+  for (vtkIdType i = 0; i < spaces->GetNumberOfTuples(); ++i)
+  {
+    highest = std::max(highest, LargestOrder(spaces, i));
+  }
+  vtkDataArray* ids = grid->GetCellData()->GetArray(kElementIds);
+  const LinearHold hold(grid, name, static_cast<Origin>(FirstNumber(data, prefix + "Origin")),
+    static_cast<Mapping>(FirstNumber(data, prefix + "Mapping")));
+  const auto orderOf = [&](vtkIdType cell)
+  {
+    const auto element = ids != nullptr ? static_cast<vtkIdType>(ids->GetComponent(cell, 0)) : -1;
+    const auto space = element >= 0 && element < spaceOf->GetNumberOfTuples()
+      ? static_cast<vtkIdType>(spaceOf->GetComponent(element, 0))
+      : -1;
+    return space >= 0 && space < spaces->GetNumberOfTuples() ? LargestOrder(spaces, space)
+                                                             : highest;
+  };
+  AddLost(grid, hold, orderOf, lost);
+}
+
+/// Of packed coefficients.
+void AddPacked(vtkUnstructuredGrid* grid, const std::string& name, LostOrders& lost)
+{
+  const std::string prefix = name.empty() ? packing::kMesh : packing::FieldName(name);
+  vtkDataArray* spaces = grid->GetCellData()->GetArray((prefix + "Space").c_str());
+  if (spaces == nullptr || spaces->GetNumberOfComponents() != kPackedSpace ||
+    spaces->GetNumberOfTuples() == 0)
+  {
+    return;
+  }
+  const auto first = [spaces](int number)
+  { return static_cast<int>(spaces->GetComponent(0, number)); };
+  const LinearHold hold(grid, name, static_cast<Origin>(first(kPackedOrigin)),
+    static_cast<Mapping>(first(kPackedOrigin + 1)));
+  AddLost(
+    grid, hold, [&](vtkIdType cell) { return LargestOrder(spaces, cell); }, lost);
+}
+
+/// What is left of kLinearizedOrder; filters may have averaged it or made it point data.
+int LargestMark(vtkUnstructuredGrid* grid)
+{
+  double largest = 0.0;
+  for (vtkDataSetAttributes* data : { static_cast<vtkDataSetAttributes*>(grid->GetPointData()),
+         static_cast<vtkDataSetAttributes*>(grid->GetCellData()) })
+  {
+    if (vtkDataArray* marks = data->GetArray(kLinearizedOrder))
+    {
+      largest = std::max(largest, marks->GetRange(0)[1]);
+    }
+  }
+  return static_cast<int>(std::ceil(largest));
+}
+} // namespace
+
+void MarkLinearized(vtkUnstructuredGrid* grid, const std::string& name)
+{
+  LostOrders lost(static_cast<std::size_t>(grid->GetNumberOfCells()), -1);
+  AddStored(grid, name, lost);
+  if (std::ranges::all_of(lost, [](int order) { return order < 0; }))
+  {
+    return;
+  }
+  // A new array: time steps share that of the mesh.
+  vtkDataArray* const before = grid->GetCellData()->GetArray(kLinearizedOrder);
+  vtkNew<vtkUnsignedCharArray> marks;
+  marks->SetName(kLinearizedOrder);
+  marks->SetNumberOfValues(grid->GetNumberOfCells());
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    const int order = lost[static_cast<std::size_t>(cell)];
+    const int own = order < 0 ? 0 : std::max(order, 1);
+    const int known = before != nullptr ? static_cast<int>(before->GetComponent(cell, 0)) : 0;
+    marks->SetValue(cell, static_cast<unsigned char>(std::max(own, known)));
+  }
+  grid->GetCellData()->AddArray(marks);
+}
+
+int OrderLostByConversion(vtkUnstructuredGrid* grid)
+{
+  if (!HasHighOrderArrays(grid))
+  {
+    const int mark = LargestMark(grid);
+    return mark > 0 ? mark : -1;
+  }
+  LostOrders lost(static_cast<std::size_t>(grid->GetNumberOfCells()), -1);
+  const auto add = IsPacked(grid) ? &AddPacked : &AddStored;
+  add(grid, "", lost);
+  for (const std::string& name : StoredFieldNames(grid))
+  {
+    add(grid, name, lost);
+  }
+  const auto highest = std::ranges::max_element(lost);
+  return highest == lost.end() ? -1 : *highest;
+}
+
+std::string RemedyOf(vtkUnstructuredGrid* grid)
+{
+  if (const int order = OrderLostByConversion(grid); order >= 0)
+  {
+    return "; its cells are linear, so that a conversion would lose what has order " +
+      std::to_string(order) +
+      ": take the grid as its reader gives it, give results of filters another name, leave cells "
+      "whole (Threshold, ExtractCells; vtkHighOrderPack before cells are put together), and move "
+      "actors or representations, not points.";
+  }
+  return "; run vtkUnstructuredGridToHighOrderGrid again (in ParaView: PixelExact Convert).";
+}
+
+} // namespace pixelexact

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ConversionLoss_h
+#define ConversionLoss_h
+
+#include "PixelExactDataModelModule.h"
+
+#include <string>
+
+class vtkUnstructuredGrid;
+
+// What a conversion of a grid's cells, and of the values beside them, would lose of the
+// coefficients that the grid carries. A solver's own grid has linear cells; so has what filters cut
+// out of curved ones. Messages advise a conversion only where nothing is lost, and the converter
+// refuses the rest.
+namespace pixelexact
+{
+/// CellData, uint8, of a solver's grid: the highest order of the element's map and fields that its
+/// linear cell and the values beside it do not hold, at least 1; 0: they hold all. It remains where
+/// a filter drops FieldData, and with it the coefficients.
+inline constexpr const char* kLinearizedOrder = "PixelExactLinearizedOrder";
+
+/// Adds to kLinearizedOrder what the cells do not hold of the map (empty name) or field just
+/// stored.
+PIXELEXACTDATAMODEL_EXPORT void MarkLinearized(vtkUnstructuredGrid* grid, const std::string& name);
+
+/// The highest order of a map or field of `grid` that a conversion would lose, because the cells
+/// are VTK's linear ones; -1 where it would lose none. Coefficients may be packed or not, fit the
+/// cells or not, or be lost (kLinearizedOrder). Fields that no array shows do not count: a
+/// conversion leaves them out.
+PIXELEXACTDATAMODEL_EXPORT int OrderLostByConversion(vtkUnstructuredGrid* grid);
+
+/// The end of a message on coefficients that do not fit: what a user can do. Begins with "; ".
+PIXELEXACTDATAMODEL_EXPORT std::string RemedyOf(vtkUnstructuredGrid* grid);
+} // namespace pixelexact
+#endif
