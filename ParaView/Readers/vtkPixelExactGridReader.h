@@ -29,6 +29,8 @@ public:
   void SetDiagnose(bool diagnose);
   ///@}
 
+  int CanReadFile(const char* name) override;
+
 protected:
   vtkPixelExactGridReader();
   ~vtkPixelExactGridReader() override;

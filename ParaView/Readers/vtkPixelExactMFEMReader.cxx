@@ -19,6 +19,11 @@ constexpr const char* kFirstPiece = ".000000";
 /// Pieces of meshes and of grid functions have names of one kind; their first words differ.
 bool IsGridFunction(const std::filesystem::path& file)
 {
+  std::error_code failure;
+  if (!std::filesystem::is_regular_file(file, failure))
+  {
+    return false; // a pipe may be waited for without an end
+  }
   std::ifstream stream(file);
   std::string first;
   std::string second;
@@ -68,6 +73,12 @@ void vtkPixelExactMFEMReader::RemoveAllGridFunctionFileNames()
 {
   this->GridFunctions.clear();
   this->Modified();
+}
+
+//------------------------------------------------------------------------------
+int vtkPixelExactMFEMReader::CanReadFile(const char* name)
+{
+  return this->Reader->CanReadFile(name);
 }
 
 //------------------------------------------------------------------------------

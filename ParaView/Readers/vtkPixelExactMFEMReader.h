@@ -30,6 +30,8 @@ public:
   void RemoveAllGridFunctionFileNames();
   ///@}
 
+  int CanReadFile(const char* name) override;
+
 protected:
   vtkPixelExactMFEMReader();
   ~vtkPixelExactMFEMReader() override;

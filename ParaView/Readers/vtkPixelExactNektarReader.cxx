@@ -100,6 +100,12 @@ void vtkPixelExactNektarReader::RemoveAllFieldFileNames()
 }
 
 //------------------------------------------------------------------------------
+int vtkPixelExactNektarReader::CanReadFile(const char* name)
+{
+  return this->Reader->CanReadFile(name);
+}
+
+//------------------------------------------------------------------------------
 vtkAlgorithm* vtkPixelExactNektarReader::GetSource()
 {
   return this->Reader;

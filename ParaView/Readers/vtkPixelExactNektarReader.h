@@ -32,6 +32,8 @@ public:
   void RemoveAllFieldFileNames();
   ///@}
 
+  int CanReadFile(const char* name) override;
+
 protected:
   vtkPixelExactNektarReader();
   ~vtkPixelExactNektarReader() override;

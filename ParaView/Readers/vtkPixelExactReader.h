@@ -37,6 +37,12 @@ public:
   ///@}
 
   /**
+   * Whether a file's content is of the reader's kind (1) or not (0); ParaView asks all readers of a
+   * suffix, and offers those that say 1.
+   */
+  virtual int CanReadFile(const char* name) = 0;
+
+  /**
    * Which fields the output has: of those that are known before reading, and of those that were
    * found then.
    */

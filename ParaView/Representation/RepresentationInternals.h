@@ -51,6 +51,7 @@ struct vtkPixelExactRepresentation::Internals
   std::array<double, 6> Bounds;
 
   std::string ColorArray;
+  bool ColorsCells = false; ///< the array is of cell data
   pixelexact::ShownRange Range;
   std::array<double, 2> FieldRange;
   std::array<double, 2> VisibleRange;
@@ -80,6 +81,8 @@ struct vtkPixelExactRepresentation::Internals
   pixelexact::ViewNotes Notes;
 
   static bool HasCells(vtkDataObject* data);
+  /// Whether the array of the colours has a field's name and is not the field.
+  [[nodiscard]] bool HasOtherColors(vtkDataObject* data) const;
   static bool HasSeveralProcesses();
   static bool IsFirstProcess();
   /// Tells selections of the cells of `data`, which ParaView extracts: element and source cell may

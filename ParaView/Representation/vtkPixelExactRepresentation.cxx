@@ -65,6 +65,20 @@ vtkSmartPointer<vtkDataObject> vtkPixelExactRepresentation::Internals::WithCoeff
 }
 
 //------------------------------------------------------------------------------
+bool vtkPixelExactRepresentation::Internals::HasOtherColors(vtkDataObject* data) const
+{
+  const auto isOther = [this](vtkUnstructuredGrid* grid)
+  { return pixelexact::HasNamesake(grid, ColorArray, !ColorsCells); };
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    return std::ranges::any_of(
+      pixelexact::PartsOf(composite), [&](const auto& part) { return isOther(part.grid); });
+  }
+  auto* const grid = vtkUnstructuredGrid::SafeDownCast(data);
+  return grid != nullptr && isOther(grid);
+}
+
+//------------------------------------------------------------------------------
 vtkPixelExactRepresentation::Internals::Internals(vtkPixelExactRepresentation* self)
   : Notes([self](int x, int y) { return self->TextAt(x, y); })
 {
@@ -118,11 +132,6 @@ int vtkPixelExactRepresentation::RequestData(
         my.Mapper->GetBounds(my.Bounds.data());
       }
     }
-    catch (const pixelexact::StaleData& error)
-    {
-      my.Shown = nullptr;
-      vtkErrorMacro(<< error.what() << " In ParaView: the filter PixelExact Convert.");
-    }
     catch (const pixelexact::Error& error)
     {
       my.Shown = nullptr;
@@ -170,6 +179,7 @@ int vtkPixelExactRepresentation::ProcessViewRequest(
     if (isThere)
     {
       my.Mapper->SetInputData(delivered);
+      my.Mapper->SetScalarVisibility(!my.ColorArray.empty() && !my.HasOtherColors(delivered));
       my.Delivered = delivered;
       this->ChooseSurface();
     }
@@ -256,6 +266,13 @@ void vtkPixelExactRepresentation::Warn(vtkDataObject* shown)
     auto* processes = vtkMultiProcessController::GetGlobalController();
     texts.insert(my.Range.Complaint(shown, my.ColorArray, my.Mapper->GetLookupTable(),
       Internals::HasSeveralProcesses() ? processes : nullptr));
+  }
+  if (shown != nullptr && my.HasOtherColors(shown))
+  {
+    texts.insert("the " + std::string(my.ColorsCells ? "cell" : "point") + " array '" +
+      my.ColorArray + "' is not the field of that name, which " +
+      (my.ColorsCells ? "point" : "cell") +
+      " data show: colour by that array, or give the result of a filter another name");
   }
   if (my.HasBlockColors || my.HasBlockOpacities ||
     std::ranges::any_of(my.Selectors, [](const auto& s) { return s != "/"; }))

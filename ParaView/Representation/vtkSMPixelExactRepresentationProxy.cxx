@@ -5,16 +5,47 @@
 
 #include "vtkClientServerStream.h"
 #include "vtkCommand.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVSession.h"
+#include "vtkPVXMLElement.h"
 #include "vtkProcessModule.h"
+#include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
+#include "vtkSMPropertyIterator.h"
 #include "vtkSMTransferFunctionProxy.h"
 #include "vtkSMViewProxy.h"
+#include "vtkSmartPointer.h"
 
 #include <string_view>
 
 vtkStandardNewMacro(vtkSMPixelExactRepresentationProxy);
+
+namespace
+{
+/// Hints, or none, with one more: ParaView's smtrace writes no property that is linked to settings.
+/// Without names the link links nothing.
+vtkPVXMLElement* Untraced(vtkPVXMLElement* hints)
+{
+  // Kept: widgets look into the hints that they were made with.
+  static std::map<vtkSmartPointer<vtkPVXMLElement>, vtkSmartPointer<vtkPVXMLElement>> all;
+  vtkSmartPointer<vtkPVXMLElement>& untraced = all[hints];
+  if (!untraced)
+  {
+    untraced = vtkSmartPointer<vtkPVXMLElement>::New();
+    untraced->SetName("Hints");
+    for (unsigned int i = 0; hints != nullptr && i < hints->GetNumberOfNestedElements(); ++i)
+    {
+      untraced->AddNestedElement(hints->GetNestedElement(i), 0);
+    }
+    vtkNew<vtkPVXMLElement> link;
+    link->SetName("PropertyLink");
+    link->AddAttribute("group", "settings");
+    untraced->AddNestedElement(link);
+  }
+  return untraced;
+}
+} // namespace
 
 //------------------------------------------------------------------------------
 vtkSMPixelExactRepresentationProxy::vtkSMPixelExactRepresentationProxy()
@@ -39,6 +70,14 @@ void vtkSMPixelExactRepresentationProxy::CreateVTKObjects()
   if (!this->IsSetUp && this->ObjectsCreated)
   {
     this->IsSetUp = true; // before the object is asked for, which comes by here again
+    vtkSMProxy* const parent = this->GetTrueParentProxy();
+    if (vtkSMProperty* const type =
+          parent != this ? parent->GetProperty("Representation") : nullptr)
+    {
+      type->AddObserver(
+        vtkCommand::ModifiedEvent, this, &vtkSMPixelExactRepresentationProxy::FollowType);
+      this->FollowType();
+    }
     this->Shown = vtkPixelExactRepresentation::SafeDownCast(this->GetClientSideObject());
     if (this->Shown)
     {
@@ -80,6 +119,25 @@ std::string vtkSMPixelExactRepresentationProxy::TextAt(int x, int y)
       text != nullptr
     ? text
     : "";
+}
+
+//------------------------------------------------------------------------------
+void vtkSMPixelExactRepresentationProxy::FollowType()
+{
+  vtkSMProxy* const parent = this->GetTrueParentProxy();
+  const char* const type = vtkSMPropertyHelper(parent, "Representation").GetAsString();
+  const bool isUsed = type != nullptr && std::string_view(type) == "PixelExact";
+  const auto iterator = vtkSmartPointer<vtkSMPropertyIterator>::Take(this->NewPropertyIterator());
+  for (iterator->Begin(); !iterator->IsAtEnd(); iterator->Next())
+  {
+    vtkSMProperty* const property = iterator->GetProperty();
+    if (parent->GetProperty(iterator->GetKey()) == property)
+    {
+      const auto own = this->OwnHints.try_emplace(property, property->GetHints()).first->second;
+      property->SetHints(isUsed ? own : Untraced(own));
+      property->SetDisableSubTrace(isUsed ? nullptr : "1"); // of the cut function
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -7,6 +7,9 @@
  * a pixel is asked of all of the server's processes at once, and what the representation tells of
  * its data (ranges, pixels) is that of the server's object, not of the client's, which has none.
  *
+ * While the grid is drawn another way, its own properties are left out of Python states and traces,
+ * so that these run where the plugin is not loaded.
+ *
  * RescaleToVisible, once it is pushed, gives the colour map the VisibleRange: colour maps are the
  * client's.
  */
@@ -18,9 +21,12 @@
 #include "vtkSMRepresentationProxy.h"
 #include "vtkWeakPointer.h" // for the client's object
 
+#include <map>    // for hints
 #include <string> // for texts
 
+class vtkPVXMLElement;
 class vtkPixelExactRepresentation;
+class vtkSMProperty;
 
 class PIXELEXACTPARAVIEW_EXPORT vtkSMPixelExactRepresentationProxy : public vtkSMRepresentationProxy
 {
@@ -43,8 +49,10 @@ private:
   std::string TextAt(int x, int y);
   void PropertyPushed(vtkObject* caller, unsigned long event, void* name);
   void RescaleToVisible();
+  void FollowType();
 
   vtkWeakPointer<vtkPixelExactRepresentation> Shown;
+  std::map<vtkSMProperty*, vtkPVXMLElement*> OwnHints; ///< of exposed properties, as in the XML
   bool IsSetUp = false;
 };
 

@@ -6,7 +6,7 @@ import tempfile
 import unittest
 
 import numpy
-from paraview import simple
+from paraview import servermanager, simple
 
 import scene
 
@@ -137,6 +137,57 @@ class Readers(unittest.TestCase):
         with scene.messages() as heard:
             reader.UpdatePipeline()
         self.assertIn("equispaced", heard[0])
+
+    def readers_of(self, file):
+        """What ParaView offers where a file of that name is opened; one is taken without a choice."""
+        factory = servermanager.vtkSMProxyManager.GetProxyManager().GetReaderFactory()
+        if factory.GetNumberOfRegisteredPrototypes() == 0:
+            factory.UpdateAvailableReaders()
+        found = factory.GetReaders(file, servermanager.ActiveConnection.Session)
+        return [found.GetString(i) for i in range(1, found.GetLength(), 3)]
+
+    def test_files_are_opened_by_their_content(self):
+        nektar, mfem = "nek_tet_varp/nek_tet_varp", "mfem_escher_tet_darcy_p3/"
+        linear = os.path.join(scene.PICTURES, "linear.vtu")
+        simple.SaveData(linear, simple.UnstructuredCellTypes(CellType="Hex"))
+        quadratic = os.path.join(scene.PICTURES, "quadratic.vtu")
+        simple.SaveData(quadratic, simple.UnstructuredCellTypes(CellType="Quadratic Hex"))
+        cut_short = os.path.join(scene.PICTURES, "cut_short.vtu")
+        with open(quadratic, "rb") as whole, open(cut_short, "wb") as part:
+            part.write(whole.read()[:500])
+        other = {}
+        for suffix in "xml", "msh", "mesh", "saved", "chk", "vtu":
+            other[suffix] = os.path.join(scene.PICTURES, "other." + suffix)
+            with open(other[suffix], "w") as file:
+                file.write("<other />")
+        plain = "XMLUnstructuredGridReader"
+        for file, readers in {
+            scene.data(nektar + ".xml"): ["PixelExactNektarReader"],
+            scene.data(nektar + ".fld"): ["PixelExactNektarReader"],
+            scene.data(mfem + "mfem_escher_tet_darcy_p3.mesh"): ["PixelExactMFEMReader"],
+            scene.data("gmsh_zoo_g2/gmsh_zoo_g2.msh"): ["PixelExactGmshReader"],
+            scene.data("toroid_hex_g3_p6.vtu"): ["PixelExactGridReader", plain],
+            quadratic: ["PixelExactGridReader", plain],
+            linear: [plain],
+            cut_short: [plain],
+            other["xml"]: [],
+            other["msh"]: [],
+            other["mesh"]: [],
+            other["saved"]: [],
+            other["chk"]: [],
+        }.items():
+            with self.subTest(file):
+                self.assertEqual([r for r in self.readers_of(file) if "GDAL" not in r], readers)
+
+    def test_nektar_is_opened_as_a_file(self):
+        """By File > Open: the property that takes the file is none of the others that name files."""
+        name = "nek_tet_varp"
+        files = [scene.data(f"{name}/{name}{suffix}") for suffix in (".xml", ".fld")]
+        for file in files:
+            with scene.messages() as heard:
+                reader = simple.OpenDataFile(file)
+                self.check(reader, f"{name}/oracle.csv", "u", [])
+            self.assertEqual(heard, [""])
 
     def test_times(self):
         name = scene.data("toroid_hex_g3_p6.vtu")

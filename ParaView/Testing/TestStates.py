@@ -1,6 +1,7 @@
 """Saved states and traces give the same pixels again; so do blocks and the grids that they hold."""
 
 import os
+import subprocess
 import unittest
 
 import numpy
@@ -66,11 +67,62 @@ class States(unittest.TestCase):
         smtrace.start_trace()
         before = scene.pixels(plane()[0])
         program = smtrace.stop_trace()
-        for part in "PixelExactGridReader(", "SetRepresentationType('PixelExact')", "CutFunction":
+        for part in "PixelExactGridReader(", "SetRepresentationType('PixelExact')":
             self.assertIn(part, program)
         simple.ResetSession()
         exec(program, {})
         self.check_again(before)
+
+
+OURS = ("PixelExact", "CutFunction", "CutBy", "IsoArray", "IsoSurface", "IsoValue", "Contour")
+
+
+class StatesOfOthers(unittest.TestCase):
+    """Grids that are drawn another way: their states run where the plugin is not."""
+
+    def tearDown(self):
+        simple.ResetSession()
+
+    def shown(self):
+        view = scene.view()
+        grid = simple.Tetrahedralize(simple.Wavelet(WholeExtent=[-3, 3, -3, 3, -3, 3]))
+        return simple.Show(grid, view)
+
+    def check_alone(self, program):
+        """A program runs, and says nothing, where there is no plugin."""
+        for name in OURS:
+            self.assertNotIn(name, program)
+        script = os.path.join(scene.PICTURES, "alone.py")
+        with open(script, "w") as file:
+            file.write(program)
+        alone = {k: v for k, v in os.environ.items() if k != "PV_PLUGIN_PATH"}
+        done = subprocess.run(["pvpython", script], env=alone, capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertNotIn("ERR|", done.stderr)
+
+    def test_python_states(self):
+        self.shown()
+        self.check_alone(smstate.get_state())
+
+    def test_traces(self):
+        smtrace.start_trace()
+        self.shown()
+        self.check_alone(smtrace.stop_trace())
+
+    def test_settings_of_before_are_left_out(self):
+        shown = self.shown()
+        shown.SetRepresentationType("PixelExact")
+        shown.PixelExactContours = [100.0]
+        shown.CutFunction.Origin = [0.5, 0.0, 0.0]
+        program = smstate.get_state()
+        for part in "PixelExactContours = [100.0]", "CutFunction.Origin = [0.5, 0.0, 0.0]":
+            self.assertIn(part, program)
+        shown.SetRepresentationType("Surface")
+        self.check_alone(smstate.get_state())
+        # They are still there.
+        shown.SetRepresentationType("PixelExact")
+        self.assertEqual(list(shown.PixelExactContours), [100.0])
+        self.assertEqual(smstate.get_state(), program)
 
 
 class Blocks(unittest.TestCase):
