@@ -10,10 +10,13 @@
 
 #include <array>
 #include <map>
+#include <set>
+#include <vector>
 
 struct vtkHighOrderContourMapper::Internals
 {
   pixelexact::ContourList values;
+  pixelexact::ContourList drawn;               ///< of the last frame, where their number is given
   std::map<int, std::array<double, 3>> colors; ///< of single ones
 };
 
@@ -43,7 +46,7 @@ void vtkHighOrderContourMapper::SetContourValue(int i, double value)
 //------------------------------------------------------------------------------
 double vtkHighOrderContourMapper::GetContourValue(int i)
 {
-  return this->Contours->values.At(i);
+  return this->ShownContours().At(i);
 }
 
 //------------------------------------------------------------------------------
@@ -58,7 +61,28 @@ void vtkHighOrderContourMapper::SetNumberOfContours(int number)
 //------------------------------------------------------------------------------
 int vtkHighOrderContourMapper::GetNumberOfContours()
 {
-  return this->Contours->values.Size();
+  return this->ShownContours().Size();
+}
+
+//------------------------------------------------------------------------------
+pixelexact::ContourList& vtkHighOrderContourMapper::ShownContours()
+{
+  return this->ContourCount > 0 ? this->Contours->drawn : this->Contours->values;
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderContourMapper::TakeContours(const std::vector<std::vector<double>>& drawn)
+{
+  std::set<double> values;
+  for (const std::vector<double>& ofLayer : drawn)
+  {
+    values.insert(ofLayer.begin(), ofLayer.end());
+  }
+  this->Contours->drawn.Resize(0);
+  for (const double value : values)
+  {
+    this->Contours->drawn.Set(this->Contours->drawn.Size(), value);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -84,7 +108,7 @@ void vtkHighOrderContourMapper::SetContourValues(vtkDataArray* values)
 //------------------------------------------------------------------------------
 double* vtkHighOrderContourMapper::GetContourValues()
 {
-  return this->Contours->values.Data();
+  return this->ShownContours().Data();
 }
 
 //------------------------------------------------------------------------------
@@ -124,17 +148,19 @@ void vtkHighOrderContourMapper::RemoveColorsOfContours()
 pixelexact::LayerContours vtkHighOrderContourMapper::ContoursOfAll() const
 {
   pixelexact::LayerContours contours;
-  contours.values = this->Contours->values.All();
+  contours.count = this->ContourCount;
+  contours.values = contours.count > 0 ? std::vector<double>{} : this->Contours->values.All();
   if (this->ContourScalarVisibility)
   {
     return contours;
   }
   const auto& colors = this->Contours->colors;
+  const int number = contours.count > 0 ? contours.count : this->Contours->values.Size();
   contours.colors.assign(
-    colors.empty() ? 1 : contours.values.size(), pixelexact::ToRgba(this->ContourColor));
+    colors.empty() ? 1 : static_cast<std::size_t>(number), pixelexact::ToRgba(this->ContourColor));
   for (const auto& [i, color] : colors)
   {
-    if (i < this->Contours->values.Size())
+    if (i < number)
     {
       contours.colors[static_cast<std::size_t>(i)] = pixelexact::ToRgba(color.data());
     }
@@ -165,6 +191,7 @@ void vtkHighOrderContourMapper::ShallowCopy(vtkAbstractMapper* mapper)
   if (auto* other = vtkHighOrderContourMapper::SafeDownCast(mapper))
   {
     *this->Contours = *other->Contours;
+    this->SetContourCount(other->ContourCount);
     this->SetContourWidth(other->ContourWidth);
     this->SetContourColor(other->ContourColor);
     this->SetContourScalarVisibility(other->ContourScalarVisibility);
@@ -183,6 +210,7 @@ void vtkHighOrderContourMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Contours: " << this->GetNumberOfContours() << "\n";
+  os << indent << "ContourCount: " << this->ContourCount << "\n";
   os << indent << "ContourWidth: " << this->ContourWidth << "\n";
   os << indent << "ContourColor: " << this->ContourColor[0] << ", " << this->ContourColor[1] << ", "
      << this->ContourColor[2] << "\n";

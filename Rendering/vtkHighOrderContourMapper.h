@@ -15,9 +15,11 @@
 #include "vtkMapper.h"
 
 #include <memory> // for the values
+#include <vector> // for those of layers
 
 namespace pixelexact
 {
+class ContourList;
 struct ContourLook;
 struct LayerContours;
 } // namespace pixelexact
@@ -33,7 +35,8 @@ public:
   ///@{
   /**
    * The values. The functions are those of vtkContourFilter; there are none by default.
-   * GenerateContourValues makes evenly spaced values, both ends among them. Layers have the same
+   * GenerateContourValues makes evenly spaced values, both ends among them, as that does; a number
+   * of round values inside the range is SetContourCount's. Layers have the same
    * values, or their own (vtkHighOrderLayer). A value that is not finite is an error when it is
    * drawn; one that the field does not have draws nothing, one that is there twice is drawn once.
    */
@@ -45,6 +48,17 @@ public:
   int GetNumberOfContours();
   void GenerateContourValues(int number, double lower, double upper);
   void GenerateContourValues(int number, const double range[2]);
+  ///@}
+
+  ///@{
+  /**
+   * Above 0: instead of these values so many round ones, strictly inside the range of the colours
+   * of each frame (the layer's lookup table; by logarithms where it has a logarithmic scale), as
+   * the command-line program's --contours N. GetNumberOfContours, GetContourValue and
+   * GetContourValues give those of the last frame then. 0, the default: the values that are set.
+   */
+  vtkSetClampMacro(ContourCount, int, 0, 10000);
+  vtkGetMacro(ContourCount, int);
   ///@}
 
   ///@{
@@ -129,8 +143,13 @@ protected:
    */
   pixelexact::LayerContours ContoursOfAll() const;
   pixelexact::ContourLook LookOfContours() const;
+  /**
+   * By layer, of the frame that was drawn: for those who ask for the values of ContourCount.
+   */
+  void TakeContours(const std::vector<std::vector<double>>& drawn);
 #endif
 
+  int ContourCount = 0;
   double ContourWidth = 1.5;
   double ContourColor[3] = { 0.0, 0.0, 0.0 };
   bool ContourScalarVisibility = false;
@@ -144,6 +163,8 @@ protected:
 private:
   vtkHighOrderContourMapper(const vtkHighOrderContourMapper&) = delete;
   void operator=(const vtkHighOrderContourMapper&) = delete;
+
+  pixelexact::ContourList& ShownContours();
 
   struct Internals;
   std::unique_ptr<Internals> Contours;

@@ -27,6 +27,7 @@
 #include "vtkInformation.h"
 #include "vtkLookupTable.h"
 #include "vtkMath.h"
+#include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkProperty.h"
 #include "vtkRenderWindow.h"
@@ -36,6 +37,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -248,7 +250,9 @@ void vtkHighOrderMapper::SetColorMap(const std::string& name)
 {
   try
   {
-    this->SetLookupTable(pixelexact::MakeColorMap(name, { 0.0, 1.0 }));
+    const auto table = pixelexact::MakeColorMap(name, { 0.0, 1.0 });
+    table->SetVectorModeToMagnitude();
+    this->SetLookupTable(table);
   }
   catch (const pixelexact::Error& error)
   {
@@ -412,6 +416,7 @@ void vtkHighOrderMapper::RenderPart(int part, vtkRenderer* renderer, vtkActor* a
     {
       this->TakeRange(*fitted);
     }
+    this->TakeContours(*drawer.LastSource());
     this->Warn(renderer, actor);
     if (this->GetNumberOfTraces() != traces)
     {
@@ -449,6 +454,14 @@ void vtkHighOrderMapper::TakeRange(const std::array<double, 2>& range)
 {
   // Nothing is modified: the range follows from what was.
   std::copy(range.begin(), range.end(), this->ScalarRange);
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderMapper::TakeContours(const pixelexact::FrameSource& source)
+{
+  const pixelexact::ContourCertifier* contours = source.LastContours();
+  this->Superclass::TakeContours(
+    contours != nullptr ? contours->Values() : std::vector<std::vector<double>>{});
 }
 
 //------------------------------------------------------------------------------
@@ -520,7 +533,46 @@ vtkSmartPointer<vtkImageData> vtkHighOrderMapper::TracePicture(pixelexact::Frame
   {
     this->TakeRange(*picture.fitted);
   }
+  this->TakeContours(source);
   return picture.image;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::array<double, 3>> vtkHighOrderMapper::SeenPoints(
+  const pixelexact::CameraSight& sight)
+{
+  std::vector<std::array<double, 3>> points;
+  try
+  {
+    pixelexact::FrameRequest request = this->Data->Request(this, sight.actor);
+    if (request.layers.empty())
+    {
+      return points;
+    }
+    pixelexact::CompleteRequest(sight, request);
+    request.edges.reset();
+    for (pixelexact::LayerRequest& layer : request.layers)
+    {
+      layer.contours = {};
+    }
+    pixelexact::FrameSourceCounters counters;
+    pixelexact::FrameSource source(counters);
+    for (const pixelexact::Vec3& x : source.Render(request).centres.position)
+    {
+      if (std::isfinite(x.x + x.y + x.z))
+      {
+        const double local[4] = { x.x, x.y, x.z, 1.0 };
+        double world[4];
+        sight.actor->GetMatrix()->MultiplyPoint(local, world);
+        points.push_back({ world[0], world[1], world[2] });
+      }
+    }
+  }
+  catch (const pixelexact::Error&)
+  {
+    points.clear();
+  }
+  return points;
 }
 
 //------------------------------------------------------------------------------
@@ -539,6 +591,7 @@ void vtkHighOrderMapper::CreateDefaultLookupTable()
     this->LookupTable->UnRegister(this);
   }
   this->LookupTable = vtkLookupTable::New();
+  this->LookupTable->SetVectorModeToMagnitude();
 }
 
 //------------------------------------------------------------------------------
@@ -550,6 +603,7 @@ void vtkHighOrderMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetInputConnection(
       other->GetNumberOfInputConnections(0) > 0 ? other->GetInputConnection(0, 0) : nullptr);
     this->FieldName = other->FieldName;
+    this->SetComponent(other->Component);
     this->SetUnknownColor(other->UnknownColor);
     this->SetProgressive(other->Progressive);
     this->SetStillSeconds(other->StillSeconds);
@@ -563,6 +617,7 @@ void vtkHighOrderMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FieldName: " << (this->FieldName.empty() ? "(first)" : this->FieldName) << "\n";
+  os << indent << "Component: " << this->Component << "\n";
   os << indent << "RangeMode: "
      << (this->RangeMode == RANGE_AS_SET        ? "as set"
             : this->RangeMode == RANGE_OF_FIELD ? "of the field"

@@ -14,9 +14,11 @@
  *   coordinates; the actor's matrix moves cut and field together.
  * - Which field: SetFieldName; else SelectColorArray; else SetInputArrayToProcess(0, ...); else the
  *   first field that the grid carries.
- * - Colours: the lookup table, with its VectorMode and VectorComponent (or the component of
- *   ColorByArrayComponent), over the range of the field, of the cut, or a ScalarRange that was set
- *   (see SetRangeMode), or, with UseLookupTableScalarRange, over the table's own range. With
+ * - Which component of vectors: SetComponent; else that of ColorByArrayComponent; else the lookup
+ *   table's VectorMode and VectorComponent, which is the magnitude for the tables that the mapper
+ *   makes (SetColorMap, or where none was set).
+ * - Colours: the lookup table, over the range of the field, of the cut, or a ScalarRange that was
+ * set (see SetRangeMode), or, with UseLookupTableScalarRange, over the table's own range. With
  *   ScalarVisibility off, the actor's colour. A pixel whose element could not be decided gets the
  *   UnknownColor. EdgeVisibility draws lines between elements, LineWidth wide.
  * - Contours of any number of values: vtkHighOrderContourMapper.
@@ -104,6 +106,15 @@ public:
   vtkGetCharFromStdStringMacro(FieldName);
   ///@}
 
+  ///@{
+  /**
+   * As of vtkHighOrderLayer: a component, counted from 0; vtkHighOrderLayer::MAGNITUDE (-1); or
+   * vtkHighOrderLayer::BY_LOOKUP_TABLE (-2, the default): see the class's description.
+   */
+  vtkSetMacro(Component, int);
+  vtkGetMacro(Component, int);
+  ///@}
+
   /**
    * How many samples of the last frame, sheets behind others included, lie on surfaces that were
    * searched for, so that something may have been overlooked before them; 0 where all have closed
@@ -139,17 +150,17 @@ public:
   enum
   {
     RANGE_AS_SET,   ///< ScalarRange
-    RANGE_OF_FIELD, ///< of the fields that it colours, over all of the mesh
+    RANGE_OF_FIELD, ///< of the fields that it colours, over all of the mesh, proven
     RANGE_OF_CUT    ///< of the values that are seen in the view that is drawn
   };
 
   ///@{
   /**
    * The range of the mapper's lookup table, unless UseLookupTableScalarRange is on. The default is
-   * RANGE_OF_FIELD: the ends are values of the field, and none lies beyond them by more than a
-   * thousandth; it is found by the first frame. RANGE_OF_CUT is wider where rounding alone tells
-   * the values apart. To set a ScalarRange is to choose RANGE_AS_SET. GetScalarRange gives the
-   * range of the last frame.
+   * RANGE_OF_FIELD: it is proven to hold all values of the field, and mostly exceeds them by less
+   * than a thousandth; it is found by the first frame, and stays when the scene is turned.
+   * RANGE_OF_CUT is wider where rounding alone tells the values apart. To set a ScalarRange is to
+   * choose RANGE_AS_SET. GetScalarRange gives the range of the last frame.
    */
   void SetRangeMode(int mode);
   vtkGetMacro(RangeMode, int);
@@ -168,8 +179,8 @@ public:
 
   /**
    * Gives the mapper a lookup table of one of the maps that the command-line program has: viridis,
-   * inferno, plasma, coolwarm, jet, rainbow, grayscale. An error, which lists them, for another
-   * name.
+   * inferno, plasma, coolwarm, jet, rainbow, grayscale. It shows vectors by their magnitude. An
+   * error, which lists them, for another name.
    */
   void SetColorMap(const std::string& name);
 
@@ -247,6 +258,7 @@ protected:
   vtkExecutive* CreateDefaultExecutive() override;
 
   std::string FieldName;
+  int Component = -2;
   unsigned char UnknownColor[4] = { 255, 0, 255, 255 };
   bool Progressive = true;
   double StillSeconds = 0.0;
@@ -274,6 +286,10 @@ private:
    */
   void TakeRange(const std::array<double, 2>& range);
   /**
+   * The contours of a frame.
+   */
+  void TakeContours(const pixelexact::FrameSource& source);
+  /**
    * What a frame may take in this window; infinite: as long as it takes.
    */
   double SecondsToTrace(vtkRenderWindow* window);
@@ -291,6 +307,12 @@ private:
   vtkSmartPointer<vtkImageData> TracePicture(pixelexact::FrameSource& source,
     const pixelexact::CameraSight& sight, bool allBuffers,
     const std::function<bool(double)>& progress);
+
+  /**
+   * Where a picture shows something, in world space; empty where what is shown is wrong, of which
+   * drawing it tells. Nothing is kept of it.
+   */
+  std::vector<std::array<double, 3>> SeenPoints(const pixelexact::CameraSight& sight);
 
   struct Internals;
   std::unique_ptr<Internals> Data;

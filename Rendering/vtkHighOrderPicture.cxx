@@ -3,6 +3,7 @@
 
 #include "Frames/FrameSource.h"
 #include "Frames/ViewRequest.h"
+#include "Views/FittedView.h"
 #include "Views/MapperExecutive.h"
 #include "Views/VtkCamera.h"
 #include "vtkHighOrderMapper.h"
@@ -19,11 +20,7 @@
 #include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
-#include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
-
 #include <algorithm>
-#include <cmath>
 #include <exception>
 
 vtkStandardNewMacro(vtkHighOrderPicture);
@@ -36,42 +33,6 @@ struct vtkHighOrderPicture::Internals
 
 namespace
 {
-/// How much of the picture's half the farthest corner of a box takes.
-constexpr double kFilled = 0.95;
-
-/// Moves the camera along its view until the box, and not only the ball around it, is all that
-/// fits.
-void Fit(const pixelexact::Box3& box, double aspect, pixelexact::CameraView& view)
-{
-  using pixelexact::Vec3;
-  const Vec3 towards = glm::normalize(view.position - view.focalPoint);
-  const Vec3 right = glm::normalize(glm::cross(view.viewUp, towards));
-  const Vec3 up = glm::cross(towards, right);
-  const double tangent = std::tan(glm::radians(0.5 * view.viewAngle));
-  double scale = 0.0;
-  double distance = 0.0;
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    Vec3 offset;
-    for (int i = 0; i < 3; ++i)
-    {
-      offset[i] = ((corner >> i) & 1 ? box.upper[i] : box.lower[i]) - view.focalPoint[i];
-    }
-    const double height =
-      std::max(std::abs(glm::dot(offset, up)), std::abs(glm::dot(offset, right)) / aspect);
-    scale = std::max(scale, height / kFilled);
-    distance = std::max(distance, glm::dot(offset, towards) + height / (kFilled * tangent));
-  }
-  if (view.parallel)
-  {
-    view.parallelScale = scale > 0.0 ? scale : view.parallelScale;
-  }
-  else if (distance > 0.0)
-  {
-    view.position = view.focalPoint + distance * towards;
-  }
-}
-
 vtkHighOrderMapper* MapperOf(vtkActor* actor)
 {
   return actor != nullptr ? vtkHighOrderMapper::SafeDownCast(actor->GetMapper()) : nullptr;
@@ -143,13 +104,39 @@ void vtkHighOrderPicture::ViewAlong(const double towardsViewer[3], const double 
       pixelexact::Vec3(towardsViewer[0], towardsViewer[1], towardsViewer[2]), this->Size[0],
       this->Size[1], pixelexact::Vec3(viewUp[0], viewUp[1], viewUp[2]),
       this->Camera->GetParallelProjection() != 0, this->Camera->GetViewAngle());
-    Fit(box, static_cast<double>(this->Size[0]) / this->Size[1], view);
+    if (vtkHighOrderMapper* mapper = MapperOf(this->Actor))
+    {
+      view = pixelexact::FitView(view, this->Size[0], this->Size[1], false,
+        [&](const pixelexact::CameraView& from)
+        {
+          pixelexact::ApplyView(from, this->Camera);
+          const auto [width, height] = pixelexact::SmallSize(this->Size[0], this->Size[1]);
+          std::vector<pixelexact::Vec3> points;
+          for (const auto& x : mapper->SeenPoints({ .camera = this->Camera,
+                                                    .actor = this->Actor,
+                                                    .mapper = mapper,
+                                                    .width = width,
+                                                    .height = height }))
+          {
+            points.emplace_back(x[0], x[1], x[2]);
+          }
+          return points;
+        });
+    }
     pixelexact::ApplyView(view, this->Camera);
   }
   catch (const pixelexact::Error& error)
   {
     vtkErrorMacro("ViewAlong: " << error.what());
   }
+}
+
+void vtkHighOrderPicture::ViewAlong(const double towardsViewer[3])
+{
+  const pixelexact::Vec3 up =
+    pixelexact::UsualUp({ towardsViewer[0], towardsViewer[1], towardsViewer[2] });
+  const double viewUp[3] = { up.x, up.y, up.z };
+  this->ViewAlong(towardsViewer, viewUp);
 }
 
 vtkIdType vtkHighOrderPicture::GetNumberOfTraces()

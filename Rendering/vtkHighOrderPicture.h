@@ -53,11 +53,17 @@ public:
   vtkCamera* GetCamera();
   ///@}
 
+  ///@{
   /**
-   * Places the camera, which is made where there is none, so that all of the actor is seen:
-   * `towardsViewer` points from it to the camera and need not be of unit length.
+   * Places the camera, which is made where there is none, so that what is cut fills most of a
+   * picture of Size, as the command-line program's --view does: `towardsViewer` points from it to
+   * the camera and need not be of unit length. It is looked for in small pictures, which are traced
+   * at once; where there is none, all of the actor is seen. Without `viewUp` z points up, or y
+   * where one looks along z.
    */
   void ViewAlong(const double towardsViewer[3], const double viewUp[3]);
+  void ViewAlong(const double towardsViewer[3]);
+  ///@}
 
   ///@{
   /**

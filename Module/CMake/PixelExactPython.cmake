@@ -36,7 +36,7 @@ set_target_properties(PixelExactRun PROPERTIES
   OUTPUT_NAME _run
   LIBRARY_OUTPUT_DIRECTORY "${package_folder}")
 target_link_libraries(PixelExactRun PRIVATE
-  PixelExactWarnings TBB::tbb VTK::CommonExecutionModel VTK::WrappingPythonCore)
+  PixelExactInput PixelExactWarnings TBB::tbb VTK::CommonExecutionModel VTK::WrappingPythonCore)
 install(TARGETS PixelExactRun
   DESTINATION "${PIXELEXACT_PYTHON_DESTINATION}/pixelexact"
   COMPONENT python)

@@ -35,7 +35,8 @@ bool vtkPixelExactRepresentation::Internals::IsFirstProcess()
 //------------------------------------------------------------------------------
 bool vtkPixelExactRepresentation::Internals::HasLines()
 {
-  return Mapper->GetNumberOfContours() > 0 || Actor->GetProperty()->GetEdgeVisibility();
+  return Mapper->GetNumberOfContours() > 0 || Mapper->GetContourCount() > 0 ||
+    Actor->GetProperty()->GetEdgeVisibility();
 }
 
 //------------------------------------------------------------------------------

@@ -117,6 +117,14 @@ void vtkPixelExactRepresentation::SetNumberOfContours(int number)
 }
 
 //------------------------------------------------------------------------------
+void vtkPixelExactRepresentation::SetContourCount(int count)
+{
+  const bool had = this->Data->HasLines();
+  this->Data->Mapper->SetContourCount(count);
+  this->AskOthersAgain(had);
+}
+
+//------------------------------------------------------------------------------
 void vtkPixelExactRepresentation::SetContourWidth(double width)
 {
   this->Data->Mapper->SetContourWidth(width);
@@ -176,6 +184,7 @@ void vtkPixelExactRepresentation::SetInputArrayToProcess(
   this->Superclass::SetInputArrayToProcess(idx, port, connection, association, name);
   Internals& my = *this->Data;
   my.ColorArray = name != nullptr ? name : "";
+  my.ColorsCells = association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
   my.Mapper->SetFieldName(my.ColorArray.c_str());
   my.Mapper->SetScalarVisibility(!my.ColorArray.empty());
 }

@@ -145,7 +145,7 @@ std::string ShownRange::Complaint(vtkDataObject* data, const std::string& field,
   }
   std::ostringstream text;
   text << "the colour map spans the values in the array '" << field << "', " << shown[0] << " to "
-       << shown[1] << ", but the field has values from " << range[0] << " to " << range[1]
+       << shown[1] << ", but the field's values lie between " << range[0] << " and " << range[1]
        << ", and those beyond have the colours of its ends; 'Rescale to Custom Range' shows all";
   return text.str();
 }

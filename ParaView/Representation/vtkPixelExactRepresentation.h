@@ -97,6 +97,7 @@ public:
    */
   void SetContourValue(int i, double value);
   void SetNumberOfContours(int number);
+  void SetContourCount(int count);
   void SetContourWidth(double width);
   void SetContourColor(double red, double green, double blue);
   void SetContourScalarVisibility(bool visible);

@@ -221,6 +221,11 @@ class Representation(unittest.TestCase):
         black = (contours < 60).all(axis=-1) & ~(before < 60).all(axis=-1)
         self.assertGreater(black.sum(), 200)
         representation.PixelExactContours = []
+        # A number of them, as the program's --contours 3.
+        representation.ContourCount = 3
+        counted = (scene.pixels(self.view, "counted.png") < 60).all(axis=-1) & ~(before < 60).all(axis=-1)
+        self.assertGreater(counted.sum(), 100)
+        representation.ContourCount = 0
         self.assertTrue(numpy.array_equal(scene.pixels(self.view), before))
         representation.ElementEdges = 1
         representation.EdgeColor = [0, 0, 0]
@@ -304,6 +309,20 @@ class Representation(unittest.TestCase):
         show(again).CutFunction.Normal = [0, 0, 1]
         self.assertFalse(scene.is_background(scene.pixels(self.view)).all())
 
+    def test_another_array_of_that_name(self):
+        """Averages at points are not the field, whose values cells have."""
+        name = "mfem_escher_tet_darcy_p3"
+        reader = simple.PixelExactMFEMReader(FileName=scene.data(f"{name}/{name}.mesh"))
+        averaged = simple.CellDatatoPointData(reader, PassCellData=1)
+        representation = simple.Show(averaged)
+        representation.SetRepresentationType("PixelExact")
+        for association, part in ("CELLS", ""), ("POINTS", "is not the field of that name"):
+            simple.ColorBy(representation, (association, "pressure"))
+            with scene.messages() as heard:
+                scene.pixels(self.view)
+            self.assertIn(part, heard[0])
+            self.assertEqual(heard[0] == "", part == "")
+
     def test_subset(self):
         source = torus()
         clipped = simple.Threshold(Input=source)
@@ -323,7 +342,7 @@ class Representation(unittest.TestCase):
         simple.ColorBy(representation, ("POINTS", "u"))
         with scene.messages() as heard:
             scene.pixels(self.view)
-        for part in "colour map", "-0.883067", "Rescale to Custom Range":
+        for part in "colour map", "-0.884489", "Rescale to Custom Range":
             self.assertIn(part, heard[0])
         with scene.messages() as heard:
             simple.GetColorTransferFunction("u").RescaleTransferFunction(-0.5, 0.5)

@@ -1,16 +1,55 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Frames/FrameContours.h"
 
+#include "ContourList.h"
 #include "Frames/ContourLabels.h"
+#include "Views/FieldRange.h"
 
 #include "Core/Base/Error.h"
 #include "Trace/Contours/LayerBounds.h"
 #include "Trace/FrameTiles.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace pixelexact
 {
+std::vector<double> ContourValuesOver(int count, const std::array<double, 2>& range, bool logarithm,
+  const Field* field, const std::optional<std::array<double, 2>>& seen)
+{
+  std::vector<double> values = RoundValues(count, range, logarithm);
+  if (field != nullptr && seen && IsOneValue(*field, *seen))
+  {
+    const std::array<double, 2> wide = BeyondRounding(*field, *seen);
+    std::erase_if(values, [&wide](double value) { return value >= wide[0] && value <= wide[1]; });
+  }
+  return values;
+}
+
+std::optional<std::array<double, 2>> ValuesSeen(const Frame& frame, std::size_t layer)
+{
+  double lower = std::numeric_limits<double>::infinity();
+  double upper = -lower;
+  const auto add = [&](const SampleBuffers& sheet)
+  {
+    for (std::size_t i = 0; i < sheet.value.size(); ++i)
+    {
+      const bool exact = sheet.verdict[i] == static_cast<std::uint8_t>(PixelVerdict::Exact);
+      if (exact && std::isfinite(sheet.value[i]) &&
+        (sheet.layer.empty() ? 0U : sheet.layer[i]) == layer)
+      {
+        lower = std::min(lower, sheet.value[i]);
+        upper = std::max(upper, sheet.value[i]);
+      }
+    }
+  };
+  add(frame.centres);
+  std::ranges::for_each(frame.centres.behind, add);
+  return lower <= upper ? std::optional(std::array{ lower, upper }) : std::nullopt;
+}
+
 void FrameContours::Make(const Scene& scene, const std::vector<LayerContours>& layers,
   const std::vector<ColorMap>& maps, const ContourLook& look)
 {
@@ -28,7 +67,7 @@ void FrameContours::Make(const Scene& scene, const std::vector<LayerContours>& l
     values.push_back(layer.values);
     lineColors.push_back(layer.colors.empty() ? ColorsOf(layer.values, maps[k])
                                               : InOrderOf(layer.values, layer.colors));
-    if (layer.values.empty())
+    if (!layer.Any())
     {
       continue;
     }

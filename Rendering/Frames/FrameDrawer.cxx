@@ -87,16 +87,19 @@ ColorRanges::Range FrameDrawer::Draw(FrameRequest request, FramePart part, vtkRe
   {
     request.seconds = std::numeric_limits<double>::infinity();
   }
+  request.counts = request.fitted == nullptr;
   const Frame* frame = &view.source.Render(request, progress);
   ColorRanges::Range fitted;
   if (request.fitted != nullptr)
   {
     fitted = ColorRanges::OfFrame(*frame, request, request.fitted);
-    if (fitted && ColorRanges::Set(request.fitted, *fitted))
+    if (fitted)
     {
-      request.refine = false;
-      frame = &view.source.Render(request, progress);
+      (void)ColorRanges::Set(request.fitted, *fitted);
     }
+    request.counts = true;
+    request.refine = false;
+    frame = &view.source.Render(request, progress);
   }
   Drawn = std::move(request);
   view.MakeDrawn(DepthRowsOf(renderer, actor->GetMatrix()));

@@ -59,7 +59,7 @@ ColorKey ColorKeyOf(const FrameRequest& request, const Scene& scene)
   }
   key.edges = request.edges;
   if (std::ranges::any_of(
-        request.layers, [](const LayerRequest& layer) { return !layer.contours.values.empty(); }))
+        request.layers, [](const LayerRequest& layer) { return layer.contours.Any(); }))
   {
     key.contours = request.contours;
   }

@@ -23,15 +23,17 @@ FramePicture TracePicture(
   FrameSource& source, const FrameRequest& request, bool allBuffers, const Progress& progress)
 {
   FramePicture picture;
-  const Frame* frame = &source.Render(request, progress);
+  FrameRequest first = request;
+  first.counts = request.fitted == nullptr;
+  const Frame* frame = &source.Render(first, progress);
   if (source.IsComplete() && request.fitted != nullptr)
   {
     const auto fitted = ColorRanges::OfFrame(*frame, request, request.fitted);
     if (fitted && ColorRanges::Set(request.fitted, *fitted))
     {
       picture.fitted = fitted;
-      frame = &source.Render(request, progress);
     }
+    frame = &source.Render(request, progress);
   }
   if (source.IsComplete())
   {

@@ -8,7 +8,9 @@ namespace pixelexact
 {
 vtkScalarsToColors* TableOf(const LayerRequest& layer)
 {
-  const bool byTable = !layer.contours.values.empty() && layer.contours.colors.empty();
+  // By their colours, or by their values where these follow from the table's range.
+  const bool byTable =
+    layer.contours.count > 0 || (layer.contours.Any() && layer.contours.colors.empty());
   return layer.table == nullptr && byTable ? layer.contourTable : layer.table;
 }
 
@@ -20,10 +22,11 @@ const Field* FieldOf(const LayerRequest& layer, const HighOrderModel& model)
 
 int ComponentOf(const LayerRequest& layer, const Field& field)
 {
-  const bool solid = layer.table == nullptr && !layer.contours.values.empty();
+  const bool solid = layer.table == nullptr && layer.contours.Any();
   const int component = layer.component.value_or(
     ComponentOf(solid ? layer.contourTable : layer.table, field.values.components));
   RequireComponent(field, component);
-  return component;
+  // A scalar has no other.
+  return component == kMagnitude && field.values.components == 1 ? 0 : component;
 }
 } // namespace pixelexact

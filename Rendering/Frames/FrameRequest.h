@@ -63,6 +63,8 @@ struct FrameRequest
   vtkScalarsToColors* fitted = nullptr;
   std::optional<EdgeStyle> edges; ///< of elements, where they are drawn
   ContourLook contours;           ///< where layers have some
+  /// Whether contours of which the number is given are drawn: once the tables have their ranges.
+  bool counts = true;
   /// Beyond what drawing needs.
   Buffer buffers = Buffer::None;
   /// What tracing may take. Where the frame takes longer it is made coarse, and finer by each

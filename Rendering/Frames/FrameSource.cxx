@@ -79,8 +79,33 @@ void FrameSource::MakeScene(const FrameRequest& request)
   }
 }
 
-void FrameSource::MakeColors(const ColorKey& key)
+LayerContours FrameSource::CountedContours(const ColoredLayer& layer, std::size_t k) const
 {
+  const Field* const field = TheScene.layers[k].field;
+  if (field == nullptr)
+  {
+    throw Error("contours: the data have no field; set the number of contours to 0");
+  }
+  LayerContours contours = layer.contours;
+  const double* range = layer.table->GetRange();
+  contours.values = ContourValuesOver(contours.count, { range[0], range[1] },
+    layer.table->UsingLogScale() != 0, field, ValuesSeen(*TheFrame, k));
+  if (contours.colors.size() > 1)
+  {
+    contours.colors.resize(contours.values.size());
+  }
+  return contours;
+}
+
+Buffer FrameSource::NeedsOfCounts() const
+{
+  return Buffer::Value | Buffer::Verdict |
+    (TheScene.layers.size() > 1 ? Buffer::Layer : Buffer::None);
+}
+
+void FrameSource::MakeColors(const ColorKey& key, bool counts)
+{
+  CountsAreOpen = false;
   std::vector<LayerColors> colors;
   std::vector<std::optional<Material>> materials;
   std::vector<LayerContours> contours;
@@ -92,6 +117,15 @@ void FrameSource::MakeColors(const ColorKey& key)
       !layer.isSolid });
     materials.push_back(layer.material);
     contours.push_back(layer.contours);
+    if (layer.contours.count > 0 && counts)
+    {
+      contours.back() = CountedContours(layer, contours.size() - 1);
+    }
+    else if (layer.contours.count > 0)
+    {
+      contours.back() = {};
+      CountsAreOpen = true;
+    }
     contourMaps.push_back(map);
   }
   const bool lit = std::ranges::any_of(
@@ -167,7 +201,8 @@ void FrameSource::ShowPreview()
 void FrameSource::TraceBlocks(Buffer buffers, const Progress& progress)
 {
   const Pipeline pipeline = ThePipeline();
-  if (pipeline.Needs().corners != Buffer::None || Contours.Found() != nullptr || Edges)
+  if (pipeline.Needs().corners != Buffer::None || Contours.Found() != nullptr || CountsAreOpen ||
+    Edges)
   {
     throw Error("a stride leaves out pixels, and contours and edges are of each; leave out one of "
                 "them.");
@@ -220,10 +255,17 @@ void FrameSource::Update(const FrameRequest& request, const Progress& progress)
   const bool sameColors = Colored == colors;
   if (!sameColors)
   {
-    MakeColors(colors);
+    MakeColors(
+      colors, request.counts && TheFrame && Complete && Includes(TheBuffers, NeedsOfCounts()));
   }
-  const Buffer wanted =
+  Buffer wanted =
     kDrawn | request.buffers | ThePipeline().Needs().centres | Contours.NeedsOfLabels();
+  if (CountsAreOpen)
+  {
+    // Contours are made when the frame is there: its values are needed, and edges' ends welcome.
+    wanted = wanted | NeedsOfCounts() | ContourCertifier({}, {}).Needs().welcome |
+      (colors.contours.labels ? Buffer::Normal : Buffer::None);
+  }
   if (request.stride > 1)
   {
     if (!sameScene || !Complete || !Includes(TheBuffers, wanted))
@@ -249,11 +291,7 @@ void FrameSource::Update(const FrameRequest& request, const Progress& progress)
   {
     if (Complete)
     {
-      const Pipeline pipeline = ThePipeline();
-      const Camera camera = Traced->camera.Make();
-      (void)KeepCorners(TheScene, camera, pipeline.Needs().corners, *TheFrame);
-      Repaint(TheScene, camera, pipeline, *TheFrame);
-      Contours.Finish(*TheFrame, camera);
+      PaintAgain();
     }
     else
     {
@@ -261,6 +299,21 @@ void FrameSource::Update(const FrameRequest& request, const Progress& progress)
     }
     Count(false);
   }
+  if (CountsAreOpen && Complete && request.counts)
+  {
+    MakeColors(colors, true);
+    PaintAgain();
+    Count(false);
+  }
+}
+
+void FrameSource::PaintAgain()
+{
+  const Pipeline pipeline = ThePipeline();
+  const Camera camera = Traced->camera.Make();
+  (void)KeepCorners(TheScene, camera, pipeline.Needs().corners, *TheFrame);
+  Repaint(TheScene, camera, pipeline, *TheFrame);
+  Contours.Finish(*TheFrame, camera);
 }
 
 SampleBuffers FrameSource::Sample(
@@ -270,7 +323,7 @@ SampleBuffers FrameSource::Sample(
   TheModel = request.model;
   Traced = TraceKeyOf(request);
   MakeScene(request);
-  MakeColors(ColorKeyOf(request, TheScene));
+  MakeColors(ColorKeyOf(request, TheScene), false);
   const Pipeline pipeline = ThePipeline();
   const Camera camera = request.camera.Make();
   Frame none;

@@ -89,7 +89,12 @@ public:
 private:
   void Update(const FrameRequest& request, const Progress& progress);
   void MakeScene(const FrameRequest& request);
-  void MakeColors(const ColorKey& key);
+  /// `counts`: see FrameRequest::counts; their values need a complete frame.
+  void MakeColors(const ColorKey& key, bool counts);
+  [[nodiscard]] LayerContours CountedContours(const ColoredLayer& layer, std::size_t k) const;
+  /// Of the frame, by which they get their values.
+  [[nodiscard]] Buffer NeedsOfCounts() const;
+  void PaintAgain();
   [[nodiscard]] Pipeline ThePipeline();
   void BeginFrame(Buffer buffers);
   void TraceFrame(double seconds, const Progress& progress);
@@ -104,6 +109,7 @@ private:
   Buffer TheBuffers = Buffer::None; ///< that the frame was traced with
   std::optional<TraceKey> Traced;   ///< of TheScene; none: nothing to show
   std::optional<ColorKey> Colored;  ///< what Colors and Lights were made of
+  bool CountsAreOpen = false;       ///< contours of which the number is given are not there yet
   std::optional<ColorMapping> Colors;
   // Not optional, of which g++ 14 believes that it is reset before it holds anything.
   std::unique_ptr<Lighting> Lights;

@@ -23,7 +23,11 @@ LayerRequest LayerOf(vtkHighOrderMapper* mapper, vtkProperty* property)
     layer.table = mapper->GetLookupTable();
   }
   layer.contourTable = mapper->GetLookupTable();
-  if (mapper->GetArrayComponent() >= 0)
+  if (mapper->GetComponent() != vtkHighOrderLayer::BY_LOOKUP_TABLE)
+  {
+    layer.component = mapper->GetComponent();
+  }
+  else if (mapper->GetArrayComponent() >= 0)
   {
     layer.component = mapper->GetArrayComponent();
   }
@@ -56,10 +60,11 @@ LayerRequest LayerOf(vtkHighOrderLayer* layer, LayerRequest ofAll)
   }
   if (!layer->GetContourVisibility())
   {
-    request.contours.values.clear();
+    request.contours = {};
   }
   else if (layer->GetNumberOfContours() > 0)
   {
+    request.contours.count = 0;
     request.contours.values.clear();
     for (int i = 0; i < layer->GetNumberOfContours(); ++i)
     {

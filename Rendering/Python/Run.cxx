@@ -1,21 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The module pixelexact._run: long work from Python. VTK's wrapping keeps the interpreter's lock
-// during Update(), and raises KeyboardInterrupt when the work is done.
+// The module pixelexact._run: long work from Python, and the files that the program reads. VTK's
+// wrapping keeps the interpreter's lock during Update(), and raises KeyboardInterrupt when the work
+// is done.
 
 #include "vtkPython.h" // before all others
+
+#include "Base/Command.h"
+#include "Input/Input.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCommand.h"
 #include "vtkExecutive.h"
+#include "vtkLogger.h"
 #include "vtkNew.h"
 #include "vtkOutputWindow.h"
 #include "vtkPythonUtil.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <tbb/global_control.h>
 #include <tbb/info.h>
 
+#include <algorithm>
 #include <chrono>
+#include <exception>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -27,6 +35,73 @@ using Clock = std::chrono::steady_clock;
 // Often enough for a person, and seldom enough for other threads of the interpreter.
 constexpr auto kBetweenLooks = std::chrono::milliseconds(30);
 
+/// Grids keep their models for all who ask, and do not expect several threads at once. Whoever
+/// waits does so without the interpreter's lock, which progress and functions of Python need.
+/// Recursive: these may ask for work, too.
+std::unique_lock<std::recursive_mutex> TakeTurn()
+{
+  static std::recursive_mutex oneAtATime;
+  std::unique_lock turn(oneAtATime, std::defer_lock);
+  Py_BEGIN_ALLOW_THREADS;
+  turn.lock();
+  Py_END_ALLOW_THREADS;
+  return turn;
+}
+
+/// Calls a function of Python with the part that is done, seldom enough, and looks for signals.
+class ProgressCall
+{
+public:
+  explicit ProgressCall(PyObject* callable = Py_None)
+    : Callable(callable)
+  {
+  }
+
+  /// Whether work goes on; with the interpreter's lock or without. `done` may be null.
+  bool Look(const double* done)
+  {
+    const Clock::time_point now = Clock::now();
+    if (Type != nullptr || now - Last < kBetweenLooks)
+    {
+      return Type == nullptr;
+    }
+    Last = now;
+    const PyGILState_STATE state = PyGILState_Ensure();
+    bool goOn = PyErr_CheckSignals() == 0;
+    if (goOn && Callable != Py_None && done != nullptr)
+    {
+      PyObject* answer = PyObject_CallFunction(Callable, "d", *done);
+      goOn = answer != nullptr;
+      Py_XDECREF(answer);
+    }
+    if (!goOn)
+    {
+      PyErr_Fetch(&Type, &Value, &Trace);
+    }
+    PyGILState_Release(state);
+    return goOn;
+  }
+
+  /// Raises what was raised meanwhile, again. Whether there was something.
+  bool Raise()
+  {
+    if (Type == nullptr)
+    {
+      return false;
+    }
+    PyErr_Restore(Type, Value, Trace);
+    Type = Value = Trace = nullptr;
+    return true;
+  }
+
+private:
+  PyObject* Callable;
+  Clock::time_point Last;
+  PyObject* Type = nullptr;
+  PyObject* Value = nullptr;
+  PyObject* Trace = nullptr;
+};
+
 /// Tells Python of an algorithm's progress, and keeps what it complains of.
 class Watch : public vtkCommand
 {
@@ -36,7 +111,7 @@ public:
   void Begin(vtkAlgorithm* algorithm, PyObject* callable)
   {
     Algorithm = algorithm;
-    Callable = callable;
+    Call = ProgressCall(callable);
     algorithm->AddObserver(vtkCommand::ProgressEvent, this);
     algorithm->AddObserver(vtkCommand::ErrorEvent, this);
     algorithm->AddObserver(vtkCommand::WarningEvent, this);
@@ -54,7 +129,10 @@ public:
   {
     if (event == vtkCommand::ProgressEvent)
     {
-      this->Look(static_cast<const double*>(data));
+      if (!Call.Look(static_cast<const double*>(data)))
+      {
+        Algorithm->SetAbortExecute(1);
+      }
     }
     else
     {
@@ -65,53 +143,13 @@ public:
     }
   }
 
-  /// Raises what was raised meanwhile, again. Whether there was something.
-  bool Raise()
-  {
-    if (Type == nullptr)
-    {
-      return false;
-    }
-    PyErr_Restore(Type, Value, Trace);
-    Type = Value = Trace = nullptr;
-    return true;
-  }
-
+  ProgressCall Call;
   std::vector<std::string> Errors;
   std::vector<std::string> ExecutivesErrors;
   std::vector<std::string> Warnings;
 
 private:
-  void Look(const double* done)
-  {
-    const Clock::time_point now = Clock::now();
-    if (Type != nullptr || now - Last < kBetweenLooks)
-    {
-      return;
-    }
-    Last = now;
-    const PyGILState_STATE state = PyGILState_Ensure();
-    bool goOn = PyErr_CheckSignals() == 0;
-    if (goOn && Callable != Py_None && done != nullptr)
-    {
-      PyObject* answer = PyObject_CallFunction(Callable, "d", *done);
-      goOn = answer != nullptr;
-      Py_XDECREF(answer);
-    }
-    if (!goOn)
-    {
-      PyErr_Fetch(&Type, &Value, &Trace);
-      Algorithm->SetAbortExecute(1);
-    }
-    PyGILState_Release(state);
-  }
-
   vtkAlgorithm* Algorithm = nullptr;
-  PyObject* Callable = nullptr;
-  Clock::time_point Last;
-  PyObject* Type = nullptr;
-  PyObject* Value = nullptr;
-  PyObject* Trace = nullptr;
 };
 
 /// Observers of these may be functions of Python, which VTK calls without asking for the lock.
@@ -139,8 +177,7 @@ PyObject* Update(PyObject* /*module*/, PyObject* arguments)
   PyObject* object = nullptr;
   PyObject* callable = Py_None;
   int mayRelease = 1;
-  int informationAlone = 0;
-  if (!PyArg_ParseTuple(arguments, "OOp|p", &object, &callable, &mayRelease, &informationAlone))
+  if (!PyArg_ParseTuple(arguments, "OOp", &object, &callable, &mayRelease))
   {
     return nullptr;
   }
@@ -150,33 +187,19 @@ PyObject* Update(PyObject* /*module*/, PyObject* arguments)
   {
     return nullptr;
   }
-  // Grids keep their models for all who ask, and do not expect several threads at once. Whoever
-  // waits does so without the interpreter's lock, which progress and functions of Python need.
-  // Recursive: these may ask for work, too.
-  static std::recursive_mutex oneAtATime;
-  std::unique_lock turn(oneAtATime, std::defer_lock);
-  Py_BEGIN_ALLOW_THREADS;
-  turn.lock();
-  Py_END_ALLOW_THREADS;
+  const auto turn = TakeTurn();
   const bool release = mayRelease != 0 && !OthersListen(algorithm);
   const vtkNew<Watch> watch;
   watch->Begin(algorithm, callable);
   algorithm->SetAbortExecute(0);
   PyThreadState* const state = release ? PyEval_SaveThread() : nullptr;
-  if (informationAlone != 0)
-  {
-    algorithm->UpdateInformation();
-  }
-  else
-  {
-    algorithm->Update();
-  }
+  algorithm->Update();
   if (release)
   {
     PyEval_RestoreThread(state);
   }
   watch->End();
-  if (watch->Raise())
+  if (watch->Call.Raise())
   {
     // What was given up is not to be taken for the result.
     algorithm->SetAbortExecute(0);
@@ -186,6 +209,114 @@ PyObject* Update(PyObject* /*module*/, PyObject* arguments)
   return Py_BuildValue("NN",
     ListOf(watch->Errors.empty() ? watch->ExecutivesErrors : watch->Errors),
     ListOf(watch->Warnings));
+}
+
+/// Files and progress of an InputRequest; false where the arguments are others.
+bool ParseFiles(PyObject* list, pixelexact::InputRequest& request)
+{
+  const Py_ssize_t count = PySequence_Size(list);
+  for (Py_ssize_t i = 0; i < count; ++i)
+  {
+    PyObject* item = PySequence_GetItem(list, i);
+    PyObject* bytes = nullptr;
+    if (item != nullptr && PyUnicode_FSConverter(item, &bytes) != 0)
+    {
+      request.files.emplace_back(PyBytes_AsString(bytes));
+      Py_DECREF(bytes);
+    }
+    Py_XDECREF(item);
+  }
+  if (PyErr_Occurred() == nullptr && request.files.empty())
+  {
+    PyErr_SetString(PyExc_ValueError, "no file is named");
+  }
+  return PyErr_Occurred() == nullptr;
+}
+
+PyObject* cannotRead = nullptr; ///< the exception of that name
+
+/// Does `work` without the interpreter's lock. False: a Python exception is set: ValueError for
+/// files that do not go together or have no reader, CannotRead for what cannot be read.
+template <class Work>
+bool ReadFiles(const Work& work)
+{
+  const auto turn = TakeTurn();
+  // Readers' words are in exceptions; what the program's reading silences may speak again after it.
+  const auto verbosity =
+    std::min(vtkLogger::GetCurrentVerbosityCutoff(), vtkLogger::VERBOSITY_INFO);
+  std::string error;
+  PyObject* kind = nullptr;
+  PyThreadState* const state = PyEval_SaveThread();
+  try
+  {
+    work();
+  }
+  catch (const pixelexact::UsageError& usage)
+  {
+    kind = PyExc_ValueError;
+    error = usage.what();
+  }
+  catch (const pixelexact::UnknownFormat& unknown)
+  {
+    kind = PyExc_ValueError;
+    error = unknown.what();
+  }
+  catch (const std::exception& other)
+  {
+    kind = cannotRead;
+    error = other.what();
+  }
+  vtkLogger::SetStderrVerbosity(verbosity);
+  PyEval_RestoreThread(state);
+  if (kind != nullptr)
+  {
+    PyErr_SetString(kind, error.c_str());
+  }
+  return kind == nullptr;
+}
+
+PyObject* Read(PyObject* /*module*/, PyObject* arguments)
+{
+  PyObject* files = nullptr;
+  PyObject* callable = Py_None;
+  int step = 0;
+  pixelexact::InputRequest request;
+  if (!PyArg_ParseTuple(arguments, "OiO", &files, &step, &callable) || !ParseFiles(files, request))
+  {
+    return nullptr;
+  }
+  request.step = step;
+  ProgressCall call(callable);
+  pixelexact::InputGrid input;
+  const bool isRead = ReadFiles(
+    [&]
+    {
+      const pixelexact::ReadListener listener([&call](double done) { return call.Look(&done); });
+      input = pixelexact::ReadInput(request);
+    });
+  if (call.Raise() || !isRead)
+  {
+    return nullptr;
+  }
+  return Py_BuildValue("NN", vtkPythonUtil::GetObjectFromPointer(input.grid), ListOf(input.notes));
+}
+
+PyObject* Times(PyObject* /*module*/, PyObject* files)
+{
+  pixelexact::InputRequest request;
+  std::vector<double> times;
+  if (!ParseFiles(files, request) || !ReadFiles([&] { times = pixelexact::ReadTimes(request); }))
+  {
+    return nullptr;
+  }
+  PyObject* list = PyList_New(0);
+  for (const double time : times)
+  {
+    PyObject* item = PyFloat_FromDouble(time);
+    PyList_Append(list, item);
+    Py_DECREF(item);
+  }
+  return list;
 }
 
 PyObject* SetThreads(PyObject* /*module*/, PyObject* arguments)
@@ -214,10 +345,12 @@ PyObject* GetThreads(PyObject* /*module*/, PyObject* /*arguments*/)
 
 PyMethodDef methods[] = {
   { "update", Update, METH_VARARGS,
-    "update(algorithm, progress, may_release, information_only=False): errors and warnings of its "
-    "Update(). progress is "
+    "update(algorithm, progress, may_release): errors and warnings of its Update(). progress is "
     "None or a function of the part that is done; what it raises, and KeyboardInterrupt, ends the "
     "work. The interpreter's lock is released unless may_release is false or others observe." },
+  { "read", Read, METH_VARARGS,
+    "read(files, step, progress): the grid and notes on it, as the program reads INPUT." },
+  { "times", Times, METH_O, "times(files): of their steps, ascending." },
   { "set_threads", SetThreads, METH_VARARGS, "set_threads(count): 0 for all processors." },
   { "get_threads", GetThreads, METH_NOARGS, "How many threads may work at once." },
   { nullptr, nullptr, 0, nullptr }
@@ -230,5 +363,9 @@ PyModuleDef definition = { PyModuleDef_HEAD_INIT, "_run", "Long work.", -1, meth
 PyMODINIT_FUNC PyInit__run();
 PyMODINIT_FUNC PyInit__run()
 {
-  return PyModule_Create(&definition);
+  PyObject* module = PyModule_Create(&definition);
+  cannotRead = PyErr_NewException("pixelexact._run.CannotRead", PyExc_RuntimeError, nullptr);
+  Py_XINCREF(cannotRead);
+  PyModule_AddObject(module, "CannotRead", cannotRead);
+  return module;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Views/FieldRange.h"
 
+#include "Core/Base/Error.h"
 #include "Core/Element/MeshRanges.h"
 #include "Trace/Scene.h"
 
@@ -59,7 +60,25 @@ Interval ProvenRange(const Mesh& mesh, const Field& field, int component)
   return RangeOf(mesh, QuestionOf(field, component), kEffort).range.outer;
 }
 
-std::optional<std::array<double, 2>> FieldRange(const Mesh& mesh, const Field& field, int component)
+std::optional<std::array<double, 2>> FieldRange(
+  const Mesh& mesh, const Field& field, int component, const std::function<void(double)>& progress)
+{
+  const Interval range =
+    RangeOf(mesh, QuestionOf(field, component), RangeEffort{}, progress).range.outer;
+  if (range.IsEmpty())
+  {
+    return std::nullopt;
+  }
+  if (!range.IsFinite())
+  {
+    throw Error(
+      "field '" + field.name + "' could not be bounded; choose the range of the cut, or give one");
+  }
+  return std::array{ range.lower, range.upper };
+}
+
+std::optional<std::array<double, 2>> AttainedRange(
+  const Mesh& mesh, const Field& field, int component)
 {
   const CertifiedRange range = RangeOf(mesh, QuestionOf(field, component), kEffort).range;
   if (range.attained.lower <= range.attained.upper)

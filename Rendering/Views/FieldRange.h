@@ -6,6 +6,7 @@
 #include "Core/Element/Ranges.h"
 
 #include <array>
+#include <functional>
 #include <optional>
 
 namespace pixelexact
@@ -19,12 +20,19 @@ namespace pixelexact
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT Interval ProvenRange(
   const Mesh& mesh, const Field& field, int component);
 
-/// The range of a component (or kMagnitude) of a field over a mesh, for colours: both ends are
-/// attained, and no value lies beyond them by more than a thousandth of it, but where the search
-/// ends early (200 boxes for an element whose map folds). Elements with a NaN or infinite
-/// coefficient are left out; none where there are no others. What it takes, beside building a
-/// locator: Documentation/windows.md.
+/// What all faces mean by a field's range, for colours: it is proven to hold all values of a
+/// component (or kMagnitude) of a field over a mesh. The ends lie beyond values that are attained
+/// by at most a thousandth of the range, but where the search ends early (2000 boxes for an element
+/// whose map folds). Elements with a NaN or infinite coefficient are left out; none where there are
+/// no others. Throws Error where no bound was found. What it takes, beside building a locator:
+/// Documentation/windows.md.
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT std::optional<std::array<double, 2>> FieldRange(
+  const Mesh& mesh, const Field& field, int component,
+  const std::function<void(double)>& progress = {});
+
+/// Values of a component (or kMagnitude) of a field that are attained, with no others beyond them
+/// by more than a thousandth of the range, for tables of what a file holds; none as above.
+[[nodiscard]] PIXELEXACTRENDERING_EXPORT std::optional<std::array<double, 2>> AttainedRange(
   const Mesh& mesh, const Field& field, int component);
 
 /// Whether a range of a field's values is no wider than rounding may make of one value: 1e-12 of

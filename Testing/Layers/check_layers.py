@@ -40,7 +40,7 @@ LAYERS = {
 WITH_CLASSES = {"Filters", "Rendering"}
 
 # What the files of each room may include. Filters and Rendering do not know each other, and nothing
-# includes the programs that stand on top.
+# includes the programs that stand on top but the Python package, which reads files as they do.
 ALLOWED = {
     "Core": {"Core"},
     "DataModel": {"Core", "DataModel"},
@@ -49,6 +49,7 @@ ALLOWED = {
     "Trace": {"Core", "Trace"},
     "Rendering": {"Core", "DataModel", "Trace", "Rendering"},
     "Tools": {"Core", "DataModel", "Formats", "Filters", "Trace", "Rendering", "Tools"},
+    "Python": {"Core", "DataModel", "Formats", "Filters", "Trace", "Rendering", "Tools", "Python"},
     "ParaView": {"Core", "DataModel", "Formats", "Filters", "Trace", "Rendering", "ParaView"},
 }
 VTK_FREE = {"Core", "Formats", "Trace"}
@@ -77,7 +78,7 @@ def room(path):
     if parts[0] == "Filters":
         return "Formats" if parts[1] == "Formats" else "Filters"
     if parts[0] == "Rendering":
-        return parts[1] if parts[1] in ("Trace", "Tools") else "Rendering"
+        return parts[1] if parts[1] in ("Trace", "Tools", "Python") else "Rendering"
     if parts[0] == "ParaView":
         return "ParaView"
     return None

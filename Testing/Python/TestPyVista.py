@@ -34,7 +34,7 @@ class PyVista(unittest.TestCase):
     def test_lines(self):
         import pyvista
 
-        lines = pyvista.wrap(pixelexact.contours(TORUS, "u", 0.1))
+        lines = pyvista.wrap(pixelexact.contours(TORUS, "u", [0.1]))
         self.assertGreater(lines.n_cells, 0)
         self.assertLess(np.abs(lines.point_data["u"] - 0.1).max(), 1e-12)
 

@@ -54,13 +54,33 @@ class ContourFile(ToolTest):
         ball = np.abs(np.linalg.norm(points - [1, 0, 0], axis=1) - 0.4)
         self.assertLess(np.minimum(plane, ball).max(), 1e-14)
 
+    def test_lines_on_a_torus_are_proven(self):
+        toroid = case("toroid_hex_g3_p6")
+        torus = ["--torus", "0,0,0,0,0,1,1,0.2"]
+        self.succeeds("render", toroid, "--field", "u", *torus, "--contours", "0.1", *self.more)
+        points, at, of = read_lines(self.lines)
+        self.assertGreater(len(of["Certified"]), 0)
+        self.assertEqual(set(of["Certified"]), {1})
+        self.assertLess(np.abs(at["u"] - 0.1).max(), 1e-14)
+        rho = np.hypot(points[:, 0], points[:, 1])
+        self.assertLess(np.abs(np.hypot(rho - 1, points[:, 2]) - 0.2).max(), 1e-13)
+
+    def test_plateaus_are_told_and_have_no_lines(self):
+        cube = self.folder / "cube.vtu"
+        cube.write_text(unit_cube_grid(), encoding="utf-8")
+        # u = x on x = 0.25.
+        cut = ["--field", "u", "--plane", "0.25,0,0,1,0,0"]
+        told = self.succeeds("render", cube, *cut, "--contours", "0.25,0.75", *self.more).stderr
+        self.assertIn("with the value", told)
+        self.assertEqual(len(read_lines(self.lines)[0]), 0)
+
     def test_a_number_of_contours(self):
         cube = self.folder / "cube.vtu"
         cube.write_text(unit_cube_grid(), encoding="utf-8")
         cut = ["--field", "u", "--plane", "0,0,0.5,0,0,1"]
         self.succeeds("render", cube, *cut, "--contours", "3", "--range", "0.25,0.75", *self.more)
         points, _, of = read_lines(self.lines)
-        np.testing.assert_allclose(of["ContourValue"], [0.25, 0.5, 0.75], atol=1e-12)
+        np.testing.assert_allclose(of["ContourValue"], [0.3, 0.5, 0.7], atol=1e-12)
         self.assertEqual(len(set(np.round(points[:, 0], 12))), 3)
 
     def test_the_magnitude_of_a_scalar_is_the_scalar(self):
@@ -78,7 +98,7 @@ class ContourFile(ToolTest):
         self.fails(2, *base, *plane, names=["--contours-output", "--contours"])
         self.fails(2, *base, *plane, "--contours", "1,x", names=["--contours", "'1,x'"])
         self.fails(2, *base, *plane, "--contours", "nan", names=["--contours"])
-        self.fails(1, *base, "--torus", "0,0,0,0,0,1,1,0.2", "--contours", "3", names=["--plane"])
+        self.fails(1, *base, "--boundary", "--contours", "3", names=["--plane", "--torus"])
         tolerance = ["--contours", "3", "--contours-tolerance"]
         self.fails(2, *base, *plane, *tolerance, "0", names=["--contours-tolerance"])
         self.lines = self.folder / "lines.txt"

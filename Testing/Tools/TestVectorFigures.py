@@ -100,7 +100,7 @@ class Svg(VectorTest):
 
     def test_contours_that_stay_in_the_pixels(self):
         for more in [["--show-undecided-contours"], ["--sphere", "0.5,0.5,0.5,0.2"]]:
-            path = self.draw("a.svg", *RED, "--contours", "0.25,0.5", *more)
+            path = self.draw("a.svg", *RED, "--contours", "0.26,0.51", *more)
             self.assertIn("in the picture's pixels", self.done.stderr)
             self.assertEqual(self.paths(path), [])
             pixels = self.image(path)

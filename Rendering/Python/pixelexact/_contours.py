@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from typing import Any, Optional, Sequence, Union
 
-from ._cut import check_field
+from ._cut import Limits, check_field, cut
+from ._picture import picture_of
 from ._scene import (
     Normal,
     Vector,
     asks_python,
     component_of,
-    numbers_of,
+    count_of,
+    list_of,
     source_of,
     surface_of,
 )
@@ -30,8 +32,10 @@ def _bounds_of(source: Any) -> Sequence[float]:
 def contours(
     grid: Any,
     field: Optional[str] = None,
-    values: Union[float, Sequence[float], None] = None,
+    values: Optional[Sequence[float]] = None,
     *,
+    count: Optional[int] = None,
+    clim: Limits = None,
     normal: Normal = "z",
     origin: Union[float, Vector, None] = None,
     surface: Any = None,
@@ -44,10 +48,16 @@ def contours(
     Points are where the field has the value, to rounding; the arrays, and what is proven of the
     lines, are those of vtkHighOrderContour, which warns of what it could not prove. grid, field,
     normal, origin, component: as of cut; surface: a vtkImplicitFunction or a function of points.
+    values: a list. count instead: so many round values strictly inside the range, as of cut and of
+    the program's --contours N; clim: that range, as of cut, of a picture of 1000 x 1000 pixels.
     tolerance: how far chords may be from the curves; 0: 1e-4 of the diagonal of the mesh's box.
     """
-    if values is None:
-        raise TypeError("contours: give values, a number or several")
+    if (values is None) == (count is None):
+        raise TypeError("contours: give either values, a list, or count, a number of values")
+    if count is None and clim is not None:
+        raise TypeError("contours: clim is the range of count's values: leave it out, or give count")
+    chosen = [] if values is None else list_of(values, "values", "count")
+    number = None if count is None else count_of(count, "count")
     source = source_of(grid, progress)
     check_field(source, field)
     shape = surface_of(surface, _bounds_of(source), normal, origin)
@@ -60,7 +70,11 @@ def contours(
         lines.SetFieldName(field)
     lines.SetComponent(component_of(component))
     lines.SetTolerance(tolerance)
-    for i, value in enumerate(numbers_of(values, "values")):
+    if number is not None:
+        seen = cut(source, field, surface=shape, component=component, clim=clim)
+        low, high = picture_of(seen, buffers=False, progress=progress).range
+        lines.GenerateRoundValues(number, low, high)
+    for i, value in enumerate(chosen):
         lines.SetValue(i, value)
     run(lines, progress, may_release=not asks_python(shape))
     return lines.GetOutput()

@@ -9,16 +9,16 @@ from vtkmodules.vtkCommonCore import vtkScalarsToColors
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkRenderingCore import vtkActor
 
-from ._picture import Cut, known_range
+from ._picture import Cut
 from ._scene import (
     Normal,
     Surface,
     Vector,
     component_of,
+    count_or_values,
     numbers_of,
     source_of,
     surface_of,
-    values_of,
 )
 from ._work import Error, Progress, errors_of
 from .PixelExactRendering import vtkHighOrderMapper, vtkHighOrderSurface
@@ -41,10 +41,10 @@ def check_field(source: Any, field: Optional[str]) -> None:
 
 def _set_range(mapper: Any, clim: Limits) -> None:
     word = clim if isinstance(clim, str) else None  # arrays compare number by number
-    if clim is None or word == "field":
-        mapper.SetRangeModeToField()
-    elif word == "cut":
+    if clim is None or word == "cut":
         mapper.SetRangeModeToCut()
+    elif word == "field":
+        mapper.SetRangeModeToField()
     elif (
         word is not None
         or len(numbers_of(clim, "clim: 'field', 'cut' or two")) != 2
@@ -80,10 +80,6 @@ def _bar_of(mapper: Any, title: str) -> Any:
     return bar
 
 
-def _between(whole: Cut, clim: Limits) -> Sequence[float]:
-    return known_range(whole) if clim is None or isinstance(clim, str) else clim
-
-
 def cut(
     grid: Any,
     field: Optional[str] = None,
@@ -108,10 +104,11 @@ def cut(
         vtkHighOrderSurface (boundary, iso-surface, patches), or a function that takes points (n, 3)
         and is 0 on the surface.
     component: of vectors: None or "magnitude", "x", "y", "z", a number from 0.
-    clim: "field" (None): the field's range over the mesh; "cut": of what a view shows; (low, high).
+    clim: "cut" (None): of what a view shows, found anew for each view; "field": proven to hold all
+        values of the field over the mesh, the same from wherever one looks; (low, high).
     cmap: viridis, inferno, plasma, coolwarm, jet, rainbow, grayscale, or a vtkScalarsToColors.
-    contours: values, or how many between the range's ends. edges: lines between elements, True or
-        their width in pixels.
+    contours: how many, so many round values strictly inside the range of the colours; or a list
+        of values ([1] is the value 1). edges: lines between elements, True or their width in pixels.
 
     Raises Error, TypeError or ValueError, which name what is wrong.
     """
@@ -121,7 +118,7 @@ def cut(
     mapper.SetInputData(source)
     if field is not None:
         mapper.SetFieldName(field)
-    mapper.SetArrayComponent(component_of(component))
+    mapper.SetComponent(component_of(component))
     _set_colors(mapper, cmap)
     shape = surface_of(surface, mapper.GetBounds(), normal, origin)
     if isinstance(shape, vtkHighOrderSurface):
@@ -135,8 +132,9 @@ def cut(
     if edges:
         actor.GetProperty().EdgeVisibilityOn()
         actor.GetProperty().SetLineWidth(1.0 if edges is True else numbers_of(edges, "edges")[0])
-    whole = Cut(actor, None, mapper, shape)
-    for i, value in enumerate(values_of(contours, lambda: _between(whole, clim))):
+    count, values = count_or_values(contours)
+    mapper.SetContourCount(count)
+    for i, value in enumerate(values):
         mapper.SetContourValue(i, value)
-    whole.scalar_bar = _bar_of(mapper, field or (_fields_of(source) or [""])[0])
-    return whole
+    bar = _bar_of(mapper, field or (_fields_of(source) or [""])[0])
+    return Cut(actor, bar, mapper, shape)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import errno
 import operator
 import os
 from typing import TYPE_CHECKING, Any, Iterator, Optional, Sequence, Union
@@ -21,8 +22,6 @@ if TYPE_CHECKING:
 
     Array = numpy.ndarray[Any, Any]
 
-_UP = (0.0, 1.0, 0.0)
-_UP_OF_ISO = (0.0, 0.0, 1.0)
 _MOST_PIXELS = 2**30
 _COLORS = {"white": (1.0, 1.0, 1.0), "black": (0.0, 0.0, 0.0)}
 
@@ -76,7 +75,8 @@ class Picture:
     image: RGBA, uint8, (height, width, 4). values: of the component that is shown, NaN where there
     is none. verdicts: 0 nothing, 1 exact, 2 unknown. elements: cells of the source, -1 none.
     positions, normals, xi: (height, width, 3). contours: 0 none, 1 a contour goes through the pixel,
-    2 undecided; None where there are none. range: of the colours. cut: what it is of.
+    2 undecided; None where there are none. contour_values: of these, ascending. range: of the
+    colours. cut: what it is of.
 
     Arrays are views of VTK's and not copies. It may be copied; and pickled, without its cut.
     """
@@ -85,6 +85,7 @@ class Picture:
         self.image = image
         self.camera = camera
         self.range = tuple(of.mapper.GetScalarRange())
+        self.contour_values = sorted(of.mapper.GetContourValues() or ())
         self._cut: Optional[Cut] = of
         self._of = repr(of)
         self._data = data
@@ -187,24 +188,27 @@ class Picture:
         name = os.fspath(file)
         suffix = os.path.splitext(name)[1].lower()
         if suffix == ".png":
-            writer = self._png_writer()
+            content = self._repr_png_()
         elif suffix == ".vti":
             from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
 
             writer = vtkXMLImageDataWriter()
             writer.SetInputData(self._data)
+            writer.WriteToOutputStringOn()
+            writer.Write()
+            content = writer.GetOutputString().encode()
         else:
             raise ValueError(f"save: .png or .vti, not '{name}'")
-        with open(name, "wb"):
-            pass  # says why it cannot be written; VTK does not
-        writer.SetFileName(name)
-        for speaker in (writer, writer.GetExecutive()):
-            speaker.AddObserver("ErrorEvent", lambda *_: None)  # raised instead
-        writer.Write()
-        if writer.GetErrorCode():
+        # VTK's writers do not say why a file cannot be written.
+        try:
+            with open(name, "wb") as written:
+                written.write(content)
+        except OSError as error:
             if os.path.isfile(name) and not os.path.islink(name):
                 os.remove(name)  # a part of a file would be taken for the whole
-            raise OSError(f"cannot write '{name}'; is there room?")
+            full = error.errno in (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
+            remedy = "; make room, or name another place" if full else ""
+            raise OSError(error.errno, f"cannot write '{name}': {error.strerror}{remedy}") from error
 
     def _repr_png_(self) -> bytes:
         writer = self._png_writer()
@@ -255,12 +259,11 @@ def _place(picture: Any, of: Cut, view: Union[str, Vector, None]) -> None:
     if view is None and not isinstance(of.surface, vtkPlane):
         view = "iso"
     if view is None:
-        picture.ViewAlong(of.surface.GetNormal(), _UP)
+        picture.ViewAlong(of.surface.GetNormal())
     elif isinstance(view, str) and view == "iso":
-        picture.ViewAlong((1.0, 1.0, 1.0), _UP_OF_ISO)
+        picture.ViewAlong((1.0, 1.0, 1.0))
     else:
-        direction = normal_of(view, "view: 'iso', or")
-        picture.ViewAlong(direction, _UP if abs(direction[2]) > 0.999 else _UP_OF_ISO)
+        picture.ViewAlong(normal_of(view, "view: 'iso', or"))
 
 
 def _pixels_of(size: Sequence[int]) -> list[int]:
@@ -299,16 +302,6 @@ def _trace(
         _place(picture, of, view)
     run(picture, progress, may_release=not asks_python(of.surface))
     return picture
-
-
-def known_range(of: Cut) -> tuple[float, ...]:
-    """The range of the field over all of its mesh, as the mapper finds it."""
-    mode = of.mapper.GetRangeMode()
-    of.mapper.SetRangeModeToField()
-    _trace(of, (1, 1), None, None, False, None)
-    found = tuple(of.mapper.GetScalarRange())
-    of.mapper.SetRangeMode(mode)
-    return found
 
 
 def picture_of(

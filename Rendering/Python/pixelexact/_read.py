@@ -3,145 +3,45 @@
 from __future__ import annotations
 
 import os
-import re
+import warnings
 from typing import Any, Union
 
-from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as _Pipeline
-
+from . import _run
 from ._work import Error, Progress, run
 from .PixelExactDataModel import vtkHighOrderGrid
-from .PixelExactFilters import (
-    vtkGLVisReader,
-    vtkGmshReader,
-    vtkHighOrderSeriesReader,
-    vtkMFEMReader,
-    vtkNektarReader,
-    vtkUnstructuredGridToHighOrderGrid,
-)
+from .PixelExactFilters import vtkUnstructuredGridToHighOrderGrid
 
 Path = Union[str, "os.PathLike[str]"]
 
-_FIELD_FILES = (".gf", ".fld", ".chk", ".rst")
 
-
-def _suffix(file: str) -> str:
-    """In small letters; of x.mesh.gz that of the mesh, of a piece of a parallel run .mesh."""
-    root, suffix = os.path.splitext(file)
-    if suffix.lower() == ".gz":
-        suffix = os.path.splitext(root)[1]
-    return ".mesh" if re.fullmatch(r"\.\d{6,}", suffix) else suffix.lower()
-
-
-def _alone(mesh: str, fields: list[str]) -> None:
-    if fields:
-        raise ValueError(f"'{mesh}' holds mesh and fields; name it alone, without '{fields[0]}'")
-
-
-def _legacy(mesh: str, fields: list[str]) -> Any:
-    from vtkmodules.vtkIOLegacy import vtkUnstructuredGridReader
-
-    _alone(mesh, fields)
-    reader = vtkUnstructuredGridReader()
-    reader.SetFileName(mesh)
-    reader.ReadAllScalarsOn()
-    reader.ReadAllVectorsOn()
-    reader.ReadAllFieldsOn()
-    return reader
-
-
-def _series(mesh: str, fields: list[str]) -> Any:
-    reader = vtkHighOrderSeriesReader()
-    reader.SetFileName(mesh)
-    for step in fields:
-        reader.AddFileName(step)
-    return reader
-
-
-def _mfem(mesh: str, fields: list[str]) -> Any:
-    reader = vtkMFEMReader()
-    reader.SetFileName(mesh)
-    for field in fields:
-        if _suffix(mesh) == ".mfem_root":
-            reader.AddStepFileName(field)
-        else:
-            reader.AddGridFunctionFileName(field)
-    return reader
-
-
-def _glvis(mesh: str, fields: list[str]) -> Any:
-    _alone(mesh, fields)
-    reader = vtkGLVisReader()
-    reader.SetFileName(mesh)
-    return reader
-
-
-def _gmsh(mesh: str, fields: list[str]) -> Any:
-    reader = vtkGmshReader()
-    reader.SetFileName(mesh)
-    for field in fields:
-        reader.AddViewFileName(field)
-    return reader
-
-
-def _nektar(mesh: str, fields: list[str]) -> Any:
-    reader = vtkNektarReader()
-    reader.SetFileName(mesh)
-    for field in fields:
-        if _suffix(field) in (".xml", ".nekg"):
-            reader.AddSessionFileName(field)
-        else:
-            reader.AddFieldFileName(field)
-    return reader
-
-
-_READERS = {
-    ".vtu": _series,
-    ".pvtu": _series,
-    ".pvd": _series,
-    ".vtk": _legacy,
-    ".mesh": _mfem,
-    ".mfem_root": _mfem,
-    ".saved": _glvis,
-    ".msh": _gmsh,
-    ".xml": _nektar,
-    ".nekg": _nektar,
-}
-
-
-def _reader_of(mesh: Path, fields: tuple[Path, ...]) -> Any:
+def _names(mesh: Path, fields: tuple[Path, ...]) -> list[str]:
     names = [os.fsdecode(file) for file in (mesh, *fields)]
     for name in names:
         if not os.path.exists(name):
             raise FileNotFoundError(f"cannot read '{name}': there is no such file")
-    suffix = _suffix(names[0])
-    if suffix in _FIELD_FILES:
-        raise ValueError(
-            f"'{names[0]}' holds a field without its mesh; name the mesh file before it "
-            "(x.mesh, u.gf; x.xml, u.fld)"
-        )
-    if suffix not in _READERS:
-        raise ValueError(f"cannot read '{names[0]}': suffixes are {', '.join(_READERS)}")
-    return _READERS[suffix](names[0], names[1:])
+    return names
 
 
-def _times_of(reader: Any) -> list[float]:
-    run(reader, information_only=True)
-    information = reader.GetOutputInformation(0)
-    key = _Pipeline.TIME_STEPS()
-    return [key.Get(information, i) for i in range(key.Length(information))]
+def _times_of(names: list[str]) -> list[float]:
+    try:
+        return _run.times(names)
+    except _run.CannotRead as error:
+        raise Error(str(error)) from None
 
 
 def times(mesh: Path, *fields: Path) -> list[float]:
     """The times of the steps that files hold, ascending; empty where they have none."""
-    return _times_of(_reader_of(mesh, fields))
+    return _times_of(_names(mesh, fields))
 
 
-def _chosen(steps: list[float], time_step: int, mesh: Path) -> float:
+def _chosen(steps: list[float], time_step: int, mesh: Path) -> int:
+    """Counted from 0."""
+    if not steps and time_step in (0, -1):
+        return 0
     if not -len(steps) <= time_step < len(steps):
-        raise IndexError(
-            f"time_step {time_step}: '{os.fspath(mesh)}' has {len(steps)} time steps, counted from 0"
-        )
-    return steps[time_step]
+        count = f"{len(steps)} time steps, counted from 0" if steps else "no time steps"
+        raise IndexError(f"time_step {time_step}: '{os.fspath(mesh)}' has {count}")
+    return time_step % len(steps)
 
 
 def as_high_order(grid: Any, progress: Progress = None) -> vtkHighOrderGrid:
@@ -163,9 +63,10 @@ def read(
 ) -> vtkHighOrderGrid:
     """Reads a mesh file and, where the format keeps them apart, its field files.
 
-    .vtu, .pvtu, .pvd, .vtk; .mesh with .gf, pieces of parallel runs, .mfem_root (MFEM); .saved
-    (GLVis); .xml with .fld, .chk, .rst (Nektar++); .msh (Gmsh). Several .vtu, .mfem_root or fields
-    of Nektar++ are time steps.
+    All that the program reads, by the same function: .vtu, .pvtu, .pvd, .vtk; .e, .exo, .ex2, .exii,
+    .g (Exodus II); .cgns; .mesh with .gf, pieces of parallel runs, .mfem_root (MFEM); .saved (GLVis);
+    .xml and .nekg with .fld, .chk, .rst (Nektar++); .msh (Gmsh). Numbered .vtu, several .mfem_root or
+    fields of Nektar++ are time steps. What looks wrong in a file is a RuntimeWarning.
 
     time_step: counted from 0, or from the end where it is negative; see times. progress: a function
     of the part that is done; what it raises ends the work, and so does KeyboardInterrupt.
@@ -173,16 +74,18 @@ def read(
     Raises FileNotFoundError, ValueError for files that do not go together, IndexError for a step
     that is not there, Error with the reader's own words for what it cannot read.
     """
-    reader = _reader_of(mesh, fields)
-    steps = _times_of(reader)
-    if steps:
-        reader.GetOutputInformation(0).Set(
-            _Pipeline.UPDATE_TIME_STEP(), _chosen(steps, time_step, mesh)
-        )
-    elif time_step not in (0, -1):
-        raise IndexError(f"time_step {time_step}: '{os.fspath(mesh)}' has no time steps")
-    run(reader, progress)
-    grid = reader.GetOutput()
-    if grid is None or grid.GetNumberOfCells() == 0:
+    names = _names(mesh, fields)
+    steps = _times_of(names)
+    step = _chosen(steps, time_step, mesh)
+    try:
+        grid, notes = _run.read(names, step, progress)
+    except _run.CannotRead as error:
+        raise Error(str(error)) from None
+    for note in notes:
+        warnings.warn(note, RuntimeWarning, stacklevel=2)
+    if grid.GetNumberOfCells() == 0:
         raise Error(f"cannot read '{os.fspath(mesh)}': it holds no cells")
-    return as_high_order(grid, progress)
+    typed = as_high_order(grid, progress)
+    if steps:
+        typed.GetInformation().Set(typed.DATA_TIME_STEP(), steps[step])
+    return typed

@@ -22,6 +22,7 @@ Surface = Union[vtkImplicitFunction, vtkHighOrderSurface, Callable[[Any], Any], 
 
 _AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
 _COMPONENTS = {"x": 0, "y": 1, "z": 2}
+_MOST_CONTOURS = 10000
 
 
 def source_of(grid: Any, progress: Progress = None) -> Any:
@@ -121,7 +122,7 @@ def asks_python(surface: Any) -> bool:
 
 
 def component_of(component: Union[int, str, None]) -> int:
-    """As vtkHighOrderContour and others number them: -1 for scalars, and magnitudes of vectors."""
+    """As all classes number them: -1 for scalars, and magnitudes of vectors."""
     if component is None or component == "magnitude":
         return -1
     if isinstance(component, str):
@@ -135,16 +136,29 @@ def component_of(component: Union[int, str, None]) -> int:
     return component
 
 
-def values_of(
-    contours: Union[int, Sequence[float], None], between: Callable[[], Sequence[float]]
-) -> list[float]:
-    """So many evenly spaced values within a range, without its ends; or those that are given."""
+def list_of(values: Any, what: str, count: str) -> list[float]:
+    """Several numbers; a single one might be meant for their count, and is refused."""
+    if isinstance(values, Real) or getattr(values, "shape", None) == ():
+        raise TypeError(
+            f"{what}: a list of values, not the number {values!r}; give {what}=[{values}] for that "
+            f"value, or {count}=N for a number of values"
+        )
+    return numbers_of(values, what)
+
+
+def count_of(count: Any, what: str) -> int:
+    """How many contours."""
+    number = operator.index(count)
+    if not 1 <= number <= _MOST_CONTOURS:
+        raise ValueError(f"{what}: from 1 to {_MOST_CONTOURS}, not {number}")
+    return number
+
+
+def count_or_values(contours: Union[int, Sequence[float], None]) -> tuple[int, list[float]]:
+    """How many contours, 0: those of the values."""
     if contours is None:
-        return []
-    if not hasattr(contours, "__index__") or hasattr(contours, "__iter__"):
-        return numbers_of(contours, "contours: how many, or")
-    number = operator.index(contours)
-    if number < 1:
-        raise ValueError(f"contours: at least one, not {number}")
-    low, high = between()
-    return [low + (high - low) * (i + 1) / (number + 1) for i in range(number)]
+        return 0, []
+    whole = hasattr(contours, "__index__") and not hasattr(contours, "__iter__")
+    if whole and not isinstance(contours, bool):
+        return count_of(contours, "contours"), []
+    return 0, list_of(contours, "contours", "contours")

@@ -40,19 +40,13 @@ def errors_of(speakers: Iterable[Any], before: str) -> Iterator[list[str]]:
             speaker.RemoveObserver(tag)
 
 
-def run(
-    algorithm: Any,
-    progress: Progress = None,
-    *,
-    may_release: bool = True,
-    information_only: bool = False,
-) -> None:
+def run(algorithm: Any, progress: Progress = None, *, may_release: bool = True) -> None:
     """Updates a VTK algorithm. Raises Error with its first error; its warnings are Python's.
 
     Other threads of the interpreter run meanwhile, unless may_release is false or somebody observes
     the algorithm or vtkOutputWindow. What progress raises, and KeyboardInterrupt, end the work.
     """
-    errors, notes = _run.update(algorithm, progress, may_release, information_only)
+    errors, notes = _run.update(algorithm, progress, may_release)
     for note in notes:
         warnings.warn(_plain(note), RuntimeWarning, stacklevel=3)
     if errors:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/Csv.h"
 
+#include "Base/FileOrPipe.h"
 #include "Base/Numbers.h"
 #include "Base/Output.h"
 
@@ -11,7 +12,6 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <optional>
 
@@ -19,7 +19,7 @@ namespace pixelexact
 {
 namespace
 {
-[[noreturn]] void Refuse(const std::string& file, std::size_t line, const std::string& why)
+[[noreturn]] void RefuseLine(const std::string& file, std::size_t line, const std::string& why)
 {
   throw Error("'" + file + "', line " + std::to_string(line) + ": " + why);
 }
@@ -31,7 +31,7 @@ constexpr const char* kNeeded =
 
 [[noreturn]] void RefuseHeader(const std::string& file, std::size_t line, const std::string& name)
 {
-  Refuse(file, line, "the header names no column '" + name + "'; " + kNeeded);
+  RefuseLine(file, line, "the header names no column '" + name + "'; " + kNeeded);
 }
 
 /// What columns of points are called: here, in ParaView's data and in its spreadsheets.
@@ -70,7 +70,7 @@ void RefuseMore(const std::string& file, std::size_t line, const std::vector<std
   if (fields.size() > columns &&
     std::any_of(fields.begin() + static_cast<std::ptrdiff_t>(columns), fields.end(), isThere))
   {
-    Refuse(file, line,
+    RefuseLine(file, line,
       std::to_string(fields.size()) + " values under " + std::to_string(columns) +
         " columns; decimals are written with a point, and every column has a name");
   }
@@ -136,7 +136,7 @@ void RequireOnce(const std::string& file, std::size_t line, const Header& header
     const auto named = [name](const std::string& title) { return Trim(title) == name; };
     if (std::ranges::count_if(header.fields, named) > 1)
     {
-      Refuse(file, line, std::string("the header names the column '") + name + "' twice");
+      RefuseLine(file, line, std::string("the header names the column '") + name + "' twice");
     }
   }
 }
@@ -160,7 +160,7 @@ Header ReadHeader(const std::string& file, std::size_t line, std::string_view te
   }
   if (read.empty())
   {
-    Refuse(file, line, "a quoted field is not closed properly");
+    RefuseLine(file, line, "a quoted field is not closed properly");
   }
   auto found = std::ranges::find_if(read, [](const Header& one) { return one.Count() == 3; });
   if (found == read.end())
@@ -178,16 +178,16 @@ Header ReadHeader(const std::string& file, std::size_t line, std::string_view te
 
 PointTable ReadPoints(const std::string& file)
 {
-  std::ifstream opened;
+  std::unique_ptr<std::istream> opened;
   if (!IsStandardStream(file))
   {
-    opened.open(file, std::ios::binary);
-    if (!opened || std::filesystem::is_directory(file))
+    opened = OpenFileOrPipe(file);
+    if (!*opened || std::filesystem::is_directory(file))
     {
       throw Error("cannot open the points '" + file + "'; is the path right?");
     }
   }
-  std::istream& stream = IsStandardStream(file) ? std::cin : opened;
+  std::istream& stream = IsStandardStream(file) ? std::cin : *opened;
   PointTable table;
   std::optional<Header> header;
   std::vector<std::string> fields;
@@ -216,7 +216,7 @@ PointTable ReadPoints(const std::string& file)
     }
     if (!SplitLine(line, header->separator, fields))
     {
-      Refuse(file, number, "a quoted field is not closed properly");
+      RefuseLine(file, number, "a quoted field is not closed properly");
     }
     RefuseMore(file, number, fields, header->fields.size());
     Vec3 point(0.0);
@@ -226,11 +226,11 @@ PointTable ReadPoints(const std::string& file)
       const std::string name = header->names[d];
       if (column >= fields.size())
       {
-        Refuse(file, number, "there is no " + name);
+        RefuseLine(file, number, "there is no " + name);
       }
       if (!ParseNumber(fields[column], point[static_cast<int>(d)]))
       {
-        Refuse(file, number,
+        RefuseLine(file, number,
           name + " is no number: '" + fields[column] + "'" + RemedyOf(fields[column]));
       }
     }
@@ -253,6 +253,20 @@ void RequireZ(const std::string& file, const PointTable& table)
   {
     RefuseHeader(file, table.headerLine, "z");
   }
+}
+
+std::string CsvField(const std::string& text)
+{
+  if (text.find_first_of(",\"\r\n") == std::string::npos)
+  {
+    return text;
+  }
+  std::string quoted = "\"";
+  for (const char c : text)
+  {
+    quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  }
+  return quoted + '"';
 }
 
 void AppendNumber(std::string& line, double number)

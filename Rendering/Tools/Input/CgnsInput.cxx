@@ -3,20 +3,21 @@
 #include "Input/CgnsSides.h"
 
 #include "Base/VtkMessages.h"
+#include "Formats/ApartProcess.h"
 
 #include <vtkCGNSReader.h>
 #include <vtkCellArray.h>
 #include <vtkCellType.h>
 #include <vtkIdList.h>
 #include <vtkMultiBlockDataSet.h>
+#include <vtkMultiProcessController.h>
 #include <vtkNew.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkVersionMacros.h>
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
-#include <cstdlib>
+#include <filesystem>
 #include <set>
 #include <string>
 #include <string_view>
@@ -110,52 +111,10 @@ bool HasOtherOrders(vtkUnstructuredGrid& grid)
   return false;
 }
 
-/// CGNS's library ends the program where it finds a file damaged. While this lives, such an end
-/// says what was read, with the status of work that failed. One at a time.
-class ReadGuard
+InputGrid ReadHere(const InputRequest& request)
 {
-public:
-  explicit ReadGuard(const std::string& file)
-  {
-    reading = &file;
-    Arm();
-  }
-  ~ReadGuard() { reading = nullptr; }
-  ReadGuard(const ReadGuard&) = delete;
-  ReadGuard& operator=(const ReadGuard&) = delete;
-
-  /// Again after libraries were first used: what is registered last runs first, and HDF5 prints at
-  /// an end like that.
-  static void Arm() { std::atexit(&End); }
-
-private:
-  static void End()
-  {
-    if (reading)
-    {
-      std::fprintf(stderr,
-        "pixelexact: cannot read '%s': the library of CGNS gave up; the file is damaged or cut "
-        "short\n",
-        reading->c_str());
-      std::_Exit(EXIT_FAILURE);
-    }
-  }
-
-  static inline const std::string* reading = nullptr;
-};
-} // namespace
-
-InputGrid ReadCgnsFile(const InputRequest& request)
-{
-  CheckAlone(request.files);
   const std::string& file = request.files[0];
-  // Most writers of ADF set the high bit of the first four characters.
-  constexpr std::array<std::string_view, 3> kMarks{ kHdf5Mark, "@(#)ADF Database",
-    "\xC0\xA8\xA3\xA9"
-    "ADF Database" };
-  RequireMark(file, kMarks, "CGNS file (HDF5 or ADF)");
-  const std::vector<CgnsZone> zones =
-    ReadCgnsZones(file); // before VTK's, which may end the program
+  const std::vector<CgnsZone> zones = ReadCgnsZones(file);
   const VtkMessages messages;
   const auto check = [&]
   {
@@ -169,10 +128,9 @@ InputGrid ReadCgnsFile(const InputRequest& request)
   vtkNew<vtkCGNSReader> reader;
   reader->SetFileName(file.c_str());
   reader->SetLoadBndPatch(false);
-  reader->SetDoublePrecisionMesh(1);
-  const ReadGuard guard(file);
+  reader->SetDoublePrecisionMesh(std::ranges::all_of(zones, &CgnsZone::isSingle) ? 0 : 1);
+  reader->SetController(nullptr); // every process reads the file
   reader->UpdateInformation();
-  ReadGuard::Arm();
   check();
   reader->EnableAllBases();
   reader->EnableAllFamilies();
@@ -181,11 +139,22 @@ InputGrid ReadCgnsFile(const InputRequest& request)
   InputGrid input;
   UpdateToStep(*reader, request, input);
   check();
+  if (request.timesAlone)
+  {
+    return input;
+  }
   auto* read = vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(0));
   input.grid = JoinBlocks(*read, file, input.notes);
   AddBoundaryConditions(zones, *read, *input.grid, input.notes);
   RefuseUnknownElements(*input.grid, zones, file);
   MendCubicCells(*input.grid);
+  if (std::ranges::any_of(zones, &CgnsZone::isSingle) &&
+    !std::ranges::all_of(zones, &CgnsZone::isSingle))
+  {
+    input.notes.push_back("'" + file +
+      "': some zones have coordinates in single precision; the rounding of these is not counted as "
+      "an error of the mesh.");
+  }
   if (HasOtherOrders(*input.grid))
   {
     input.notes.push_back("'" + file +
@@ -194,5 +163,20 @@ InputGrid ReadCgnsFile(const InputRequest& request)
       "stand as VTK's reader of CGNS puts them (info --certify shows elements that fold).");
   }
   return input;
+}
+} // namespace
+
+InputGrid ReadCgnsFile(const InputRequest& request)
+{
+  CheckAlone(request.files);
+  const std::string& file = request.files[0];
+  // Most writers of ADF set the high bit of the first four characters.
+  constexpr std::array<std::string_view, 3> kMarks{ kHdf5Mark, "@(#)ADF Database",
+    "\xC0\xA8\xA3\xA9"
+    "ADF Database" };
+  RequireMark(file, kMarks, "CGNS file (HDF5 or ADF)");
+  RunApart(LimitsForFile(std::filesystem::file_size(file)), "the CGNS library or VTK's reader",
+    [&] { ReadHere(request); });
+  return ReadHere(request);
 }
 } // namespace pixelexact

@@ -2,7 +2,6 @@
 #include "Input/Input.h"
 
 #include "Base/Command.h"
-#include "Base/Numbers.h"
 #include "Base/Report.h"
 #include "Input/BlockInput.h"
 #include "Input/ExodusName.h"
@@ -13,6 +12,7 @@
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 #include "Files/TimeSeries.h"
+#include "Formats/FileText.h"
 #include "Formats/MFEM/Text/PieceNames.h"
 
 #include <vtkUnstructuredGrid.h>
@@ -47,6 +47,10 @@ void CheckFile(const std::string& file)
       return;
     }
     CannotRead(file, "it is a folder; name a file");
+  }
+  if (IsPipeOrDevice(file))
+  {
+    CannotRead(file, kPipeRemedy);
   }
   std::ifstream stream(file, std::ios::binary);
   if (!stream)
@@ -146,19 +150,6 @@ void CheckCompanions(const std::vector<std::string>& files, const Format& format
   }
 }
 
-int ParseStep(const std::string& text, bool mayBeAll)
-{
-  int number = 0;
-  if (!ParseInteger(text, number) || number < 0)
-  {
-    Refuse("--time-step", text,
-      mayBeAll
-        ? "the number of a step, counted from 0, or all (info names the times)"
-        : "the number of one step, counted from 0 (call once for each; info names the times)");
-  }
-  return number;
-}
-
 std::string Span(std::span<const double> times)
 {
   return Short(times.front()) + " to " + Short(times.back());
@@ -211,32 +202,25 @@ int ChooseStep(const InputRequest& request, std::span<const double> times)
   return static_cast<int>(nearest - times.begin());
 }
 
-bool HoldsFieldsAlone(const std::string& file)
+namespace
 {
-  const Format* format = FormatOf(SuffixOf(file));
-  return format != nullptr && format->read == &RefuseFieldFile;
-}
-
-InputGrid ReadInput(const InputRequest& request)
+/// All but the look at what was read.
+InputGrid Read(const InputRequest& request)
 {
   const std::string& first = request.files[0];
   CheckFile(first);
   const Format* format = FormatOf(SuffixOf(first));
   if (format == nullptr)
   {
-    CannotRead(first,
-      "its suffix is of no format known here; .vtu, .pvtu, .pvd, .vtk, .e, .exo, .ex2, .exii, .g, "
-      ".cgns, .mesh, .mfem_root, .000000 (a piece of an MFEM mesh), .saved, .msh, .nekg and .xml "
-      "are "
-      "read");
+    throw UnknownFormat("cannot read '" + first +
+      "': its suffix is of no format known here; suffixes are " + InputSuffixes() +
+      ", and .000000 of a piece of an MFEM mesh");
   }
   CheckCompanions(request.files, *format);
   std::for_each(request.files.begin() + 1, request.files.end(), CheckFile);
   try
   {
-    InputGrid input = format->read(request);
-    CheckConsistency(*input.grid);
-    return input;
+    return format->read(request);
   }
   catch (const InvalidData& error)
   {
@@ -248,44 +232,64 @@ InputGrid ReadInput(const InputRequest& request)
     CannotRead(first, "it asks for more memory than there is");
   }
 }
+} // namespace
 
-void AddField(CLI::App& command, std::string& field)
+namespace
 {
-  AddText(command, "--field", field, "NAME",
-    "Name of the field (default: the first one, which is named on stderr)");
+std::function<bool(double)> listening;
+} // namespace
+
+ReadListener::ReadListener(std::function<bool(double)> progress)
+{
+  listening = std::move(progress);
 }
 
-void InputRequest::AddTo(CLI::App& command, bool required)
+ReadListener::~ReadListener()
 {
-  AddArguments(command, "INPUT", files, "FILE",
-    "The mesh file (.vtu, .pvtu, .pvd, .vtk, .e, .exo, .ex2, .exii, .g, .cgns, .mesh, .mfem_root, "
-    ".saved, "
-    ".msh, .nekg or .xml) and, where the "
-    "format keeps them apart, its field files (.gf; .fld, .chk or .rst; .msh without a mesh); "
-    "x.000000 and u.000000 "
-    "stand "
-    "for all pieces that a parallel run of MFEM wrote; further .xml files are the rest of a "
-    "Nektar++ session or parts of its mesh; numbered .vtu or .pvtu files, several Nektar++ "
-    "field files and several .mfem_root files make a time series")
-    .Required(required);
-  const AddedOption number = AddRead(
-    command, "--time-step",
-    [this](const std::string& text)
+  listening = nullptr;
+}
+
+bool ReadListener::Report(double part)
+{
+  return !listening || listening(part);
+}
+
+std::string InputSuffixes()
+{
+  std::string suffixes;
+  for (const Format& format : kFormats)
+  {
+    if (format.read != &RefuseFieldFile)
     {
-      allSteps = mayBeAll && text == "all";
-      step = allSteps ? std::nullopt : std::optional(ParseStep(text, mayBeAll));
-    },
-    mayBeAll ? "N|all" : "N",
-    std::string("Time step, counted from 0 (default: the first)") +
-      (mayBeAll ? "; all: a picture of each" : ""));
-  AddNumber(command, "--time", time, "T", "Time; of the steps the nearest one").Excludes(number);
-  AddChoice(
-    command, "--nodes", [this](const std::string& text) { gaussLobatto = text == "gll"; },
-    { "equispaced", "gll" },
-    "Where the nodes of VTK's Lagrange cells are: equispaced (default), or at "
-    "Gauss-Lobatto-Legendre "
-    "points");
-  AddFlag(command, "--mirrored-wedges", mirroredWedges,
-    "VTK's Lagrange wedges have MFEM's order of nodes");
+      suffixes.append(suffixes.empty() ? "" : ", ").append(format.suffix);
+    }
+  }
+  return suffixes;
+}
+
+std::vector<double> ReadTimes(InputRequest request)
+{
+  request.timesAlone = true;
+  return Read(request).times;
+}
+
+bool HoldsFieldsAlone(const std::string& file)
+{
+  const Format* format = FormatOf(SuffixOf(file));
+  return format != nullptr && format->read == &RefuseFieldFile;
+}
+
+InputGrid ReadInput(const InputRequest& request)
+{
+  InputGrid input = Read(request);
+  try
+  {
+    CheckConsistency(*input.grid);
+  }
+  catch (const InvalidData& error)
+  {
+    CannotRead(request.files[0], error.what());
+  }
+  return input;
 }
 } // namespace pixelexact

@@ -3,8 +3,11 @@
 
 #include "Base/Options.h"
 
+#include "Core/Base/Error.h"
+
 #include <vtkSmartPointer.h>
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -25,6 +28,7 @@ struct InputRequest
   bool gaussLobatto = false;        ///< where the nodes of VTK's Lagrange cells are, not equispaced
   std::optional<int> truncateOrder; ///< of all fields; none: they stay as they are
   bool mirroredWedges = false;      ///< MFEM's order of the nodes of VTK's Lagrange wedges
+  bool timesAlone = false;          ///< readers return when they know the times, without a grid
 
   /// Declares INPUT as the command's positional arguments, and the options.
   void AddTo(CLI::App& command, bool required = true);
@@ -41,11 +45,39 @@ struct InputGrid
   std::vector<std::string> notes; ///< lines for the user
 };
 
-/// Reads INPUT: one mesh file and, where the format keeps them apart, its field files; or a time
-/// series. The reader is chosen by the suffix of the first. Throws Error, naming the file, when it
-/// cannot be read or its cells contradict its points, or has no such time; UsageError when the
-/// files do not go together.
+/// While it lives, hears which part of a solver's file is read; where `progress` returns false,
+/// reading may end, and what was read is of no use. Not nested, one thread.
+class ReadListener
+{
+public:
+  explicit ReadListener(std::function<bool(double)> progress);
+  ~ReadListener();
+  ReadListener(const ReadListener&) = delete;
+  ReadListener& operator=(const ReadListener&) = delete;
+
+  /// Tells the one that lives. Whether reading goes on.
+  static bool Report(double part);
+};
+
+/// The file's suffix is of no format that is read.
+class UnknownFormat : public Error
+{
+public:
+  using Error::Error;
+};
+
+/// The suffixes of mesh files that are read, with commas between them.
+std::string InputSuffixes();
+
+/// Reads INPUT, for all who do (the program, pixelexact.read): one mesh file and, where the format
+/// keeps them apart, its field files; or a time series. The reader is chosen by the suffix of the
+/// first. Throws Error, naming the file, when it cannot be read or its cells contradict its points,
+/// or has no such time, UnknownFormat where there is no reader; UsageError when the files do not go
+/// together.
 InputGrid ReadInput(const InputRequest& request);
+
+/// The times of INPUT's steps, ascending; empty: it knows no time. Throws as ReadInput.
+std::vector<double> ReadTimes(InputRequest request);
 
 /// Whether a file of this name holds fields without their mesh.
 bool HoldsFieldsAlone(const std::string& file);

@@ -14,6 +14,8 @@
 #include "vtkMFEMReader.h"
 #include "vtkNektarReader.h"
 
+#include <vtkCallbackCommand.h>
+#include <vtkCommand.h>
 #include <vtkInformation.h>
 #include <vtkNew.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
@@ -48,6 +50,20 @@ InputGrid ReadWith(vtkHighOrderFileReader& reader, const InputRequest& request)
     input.times.assign(times, times + information->Length(Pipeline::TIME_STEPS()));
   }
   input.step = ChooseStep(request, input.times);
+  if (request.timesAlone)
+  {
+    return input;
+  }
+  vtkNew<vtkCallbackCommand> onProgress;
+  onProgress->SetCallback(
+    [](vtkObject* caller, unsigned long, void*, void* part)
+    {
+      if (!ReadListener::Report(*static_cast<double*>(part)))
+      {
+        static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
+      }
+    });
+  reader.AddObserver(vtkCommand::ProgressEvent, onProgress);
   const PieceOf part = PartOfThisProcess();
   if (input.times.empty())
   {

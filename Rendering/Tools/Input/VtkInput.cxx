@@ -8,16 +8,11 @@
 #include "Files/GridParts.h"
 #include "Files/TimeSeries.h"
 
-#include <vtkErrorCode.h>
-#include <vtkNew.h>
 #include <vtkUnstructuredGrid.h>
-#include <vtkUnstructuredGridReader.h>
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
 #include <iterator>
-#include <sstream>
 #include <utility>
 
 namespace pixelexact
@@ -49,6 +44,10 @@ InputGrid ReadStep(
   InputGrid input;
   input.times = std::move(times);
   input.step = ChooseStep(request, input.times);
+  if (request.timesAlone)
+  {
+    return input;
+  }
   const VtkMessages messages;
   ReadGrid read = ReadParts(steps[static_cast<std::size_t>(input.step)].parts, PartOfThisProcess());
   input.grid = read.grid;
@@ -142,25 +141,6 @@ Files SortSeries(const Files& files)
   return sorted;
 }
 
-/// ", but POLYDATA; ...": what else a legacy file holds.
-std::string DescribeDataset(const std::string& file)
-{
-  constexpr int kHead = 6; // lines
-  std::ifstream stream(file);
-  std::string line;
-  for (int i = 0; i < kHead && std::getline(stream, line); ++i)
-  {
-    std::istringstream words(line);
-    std::string key;
-    std::string what;
-    if (words >> key >> what && (key == "DATASET" || key == "FIELD"))
-    {
-      return ", but " + (key == "FIELD" ? key : what) +
-        "; make one of its cells (vtkAppendFilter; ParaView: Append Datasets) and write that";
-    }
-  }
-  return {};
-}
 } // namespace
 
 InputGrid ReadXmlFiles(const InputRequest& request)
@@ -183,30 +163,6 @@ InputGrid ReadXmlCollection(const InputRequest& request)
 InputGrid ReadLegacyFile(const InputRequest& request)
 {
   CheckAlone(request.files);
-  ChooseStep(request, {});
-  const std::string& file = request.files[0];
-  vtkNew<vtkUnstructuredGridReader> reader;
-  {
-    const VtkMessages messages;
-    reader->SetFileName(file.c_str());
-    if (!reader->IsFileUnstructuredGrid())
-    {
-      CannotRead(file,
-        "it is not a legacy VTK file that holds an UNSTRUCTURED_GRID" + DescribeDataset(file));
-    }
-  }
-  reader->ReadAllScalarsOn();
-  reader->ReadAllVectorsOn();
-  reader->ReadAllFieldsOn();
-  InputGrid input;
-  const VtkMessages messages;
-  reader->Update();
-  CheckMessages(messages, file, input.notes);
-  if (reader->GetErrorCode() != vtkErrorCode::NoError)
-  {
-    CannotRead(file, vtkErrorCode::GetStringFromErrorCode(reader->GetErrorCode()));
-  }
-  input.grid = reader->GetOutput();
-  return input;
+  return ReadXmlFiles(request);
 }
 } // namespace pixelexact

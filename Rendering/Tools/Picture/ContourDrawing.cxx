@@ -1,67 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Picture/ContourDrawing.h"
 
-#include "Drawing/Ticks.h"
+#include "Frames/FrameContours.h"
 #include "Scene/ColorOptions.h"
 #include "Scene/ContourOptions.h"
 #include "Scene/Looks.h"
 #include "Scene/Shot.h"
-#include "Views/FieldRange.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <utility>
 
 namespace pixelexact
 {
-namespace
-{
-/// Evenly spaced, both ends among them; one alone is the first.
-std::vector<double> Spaced(int count, const std::array<double, 2>& range, bool logarithm)
-{
-  std::vector<double> values;
-  for (int i = 0; i < count; ++i)
-  {
-    const double part = count > 1 ? static_cast<double>(i) / (count - 1) : 0.0;
-    const bool end = i == 0 || i + 1 == count;
-    values.push_back(logarithm && !end
-        ? std::pow(10.0, std::lerp(std::log10(range[0]), std::log10(range[1]), part))
-        : std::lerp(range[0], range[1], part));
-  }
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-  return values;
-}
-
-/// At the centres of a layer's own pixels.
-std::optional<std::array<double, 2>> ValuesSeen(
-  const Frame& frame, std::size_t layer, std::size_t layers)
-{
-  std::vector<bool> alone(layers, false);
-  alone[layer] = true;
-  return ValueRange(frame, -std::numeric_limits<double>::infinity(), alone);
-}
-} // namespace
-
-std::vector<double> ContourValues(
-  const ContourChoice& choice, const std::array<double, 2>& range, bool logarithm)
-{
-  if (choice.count == 0)
-  {
-    return choice.values;
-  }
-  if (!choice.round)
-  {
-    return Spaced(choice.count, range, logarithm);
-  }
-  std::vector<double> values;
-  for (const Tick& tick : TicksWithin(range, logarithm && range[0] > 0.0, choice.count))
-  {
-    values.push_back(tick.value);
-  }
-  return values;
-}
-
 ContourDrawing::ContourDrawing(const ContourOptions& options, const ColorOptions& colors,
   const Shot& shot, const Looks& looks, const Frame& frame, std::shared_ptr<ContourBounds> bounds)
 {
@@ -80,13 +30,10 @@ ContourDrawing::ContourDrawing(const ContourOptions& options, const ColorOptions
       range =
         RangeOfLayer(settings.range.value_or(colors.Range()), shot, k, frame, colors.Logarithm());
     }
-    values.push_back(
-      choice.count > 0 ? ContourValues(choice, *range, colors.Logarithm()) : choice.values);
-    if (choice.count > 0)
-    {
-      DropRounding(
-        shot.scene.layers[k], ValuesSeen(frame, k, shot.scene.layers.size()), values.back());
-    }
+    values.push_back(choice.count > 0 ? ContourValuesOver(choice.count, *range, colors.Logarithm(),
+                                          shot.scene.layers[k].field, ValuesSeen(frame, k))
+                                      : choice.values);
+    OfOneValue = OfOneValue || values.back().size() < choice.Count();
     lineColors.push_back(options.ByMap()
         ? ColorsOf(values.back(),
             looks.Ranges()[k] ? looks.Maps()[k] : colors.MapOver(*range, settings.colormap))
@@ -103,23 +50,6 @@ ContourDrawing::ContourDrawing(const ContourOptions& options, const ColorOptions
     InPlace.emplace(std::vector<LayerColors>(shot.scene.layers.size(),
       { .map = SolidColor(colors.BackgroundColor()), .readsValues = false }));
   }
-}
-
-void ContourDrawing::DropRounding(
-  const Layer& layer, const std::optional<std::array<double, 2>>& seen, std::vector<double>& values)
-{
-  if (layer.field == nullptr || !seen || !IsOneValue(*layer.field, *seen))
-  {
-    return;
-  }
-  const std::array<double, 2> wide = BeyondRounding(*layer.field, *seen);
-  OfOneValue = std::erase_if(values,
-                 [&](double value)
-                 {
-                   const bool isSeen = value >= (*seen)[0] && value <= (*seen)[1];
-                   return value >= wide[0] && value <= wide[1] && !isSeen;
-                 }) > 0 ||
-    OfOneValue;
 }
 
 void ContourDrawing::AddTo(Pipeline& pipeline, bool lines)
@@ -162,7 +92,7 @@ FoundContours ContourDrawing::Found(const Frame& frame) const
     LabelHeight ? std::optional(Labels) : std::nullopt, Interior, OfOneValue };
   for (std::size_t k = 0; k < found.values.size(); ++k)
   {
-    const auto seen = ValuesSeen(frame, k, found.values.size());
+    const auto seen = ValuesSeen(frame, k);
     found.outside += static_cast<std::size_t>(std::ranges::count_if(found.values[k],
       [&seen](double value) { return !seen || value < (*seen)[0] || value > (*seen)[1]; }));
   }

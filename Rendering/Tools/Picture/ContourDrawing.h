@@ -16,9 +16,7 @@ namespace pixelexact
 class ColorOptions;
 class ContourOptions;
 class Looks;
-struct ContourChoice;
 struct FontChoice;
-struct Layer;
 struct Shot;
 
 /// What there is to tell of contours.
@@ -32,10 +30,6 @@ struct FoundContours
   /// Whether a number of values was asked for where a surface shows one value, up to rounding.
   bool ofOneValue = false;
 };
-
-/// The values of a choice over a range, in the order given.
-std::vector<double> ContourValues(
-  const ContourChoice& choice, const std::array<double, 2>& range, bool logarithm);
 
 /// The contours of a shot.
 class ContourDrawing
@@ -74,10 +68,6 @@ public:
   [[nodiscard]] const std::vector<std::uint8_t>& Verdicts() const { return Certifier->Verdicts(); }
 
 private:
-  /// Of evenly spaced values those between which and what is seen there is rounding alone.
-  void DropRounding(const Layer& layer, const std::optional<std::array<double, 2>>& seen,
-    std::vector<double>& values);
-
   std::optional<ColorMapping> InPlace; ///< of the surface's colours
   bool Interior = false;
   bool OfOneValue = false;

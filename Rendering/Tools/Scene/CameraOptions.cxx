@@ -5,15 +5,12 @@
 #include "Base/Options.h"
 
 #include "Core/Base/Error.h"
+#include "Views/FittedView.h"
 #include "Views/VtkCamera.h"
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace pixelexact
 {
@@ -23,17 +20,6 @@ Vec3 ToVec3(const std::vector<double>& v)
 {
   return { v[0], v[1], v[2] };
 }
-
-/// z points up, as in most drawings of solids, except where one looks along it.
-Vec3 UsualUp(const Vec3& towardsViewer)
-{
-  const bool alongZ =
-    std::abs(towardsViewer.z) > 0.9 * std::hypot(towardsViewer.x, towardsViewer.y, towardsViewer.z);
-  return alongZ ? Vec3(0.0, 1.0, 0.0) : Vec3(0.0, 0.0, 1.0);
-}
-/// Of an image's side, at most.
-constexpr double kFilled = 0.92;
-constexpr int kRounds = 5;
 
 constexpr const char* kViewForm = "+x|-x|+y|-y|+z|-z|iso";
 
@@ -124,67 +110,6 @@ CameraView CameraOptions::Make(
   catch (const Error& error)
   {
     throw UsageError(error.what());
-  }
-  return view;
-}
-
-CameraView CameraOptions::FitTo(
-  std::span<const Vec3> points, const CameraView& all, const ImageSize& size) const
-{
-  if (points.empty())
-  {
-    return all;
-  }
-  const Vec3 towards = glm::normalize(all.position - all.focalPoint);
-  const Vec3 right = glm::normalize(glm::cross(all.viewUp, towards));
-  const Vec3 up = glm::cross(towards, right);
-  const double aspect = static_cast<double>(size.width) / size.height;
-  const double slope = kFilled * std::tan(0.5 * glm::radians(all.viewAngle));
-  CameraView view = all;
-  double distance = glm::distance(all.position, all.focalPoint);
-  // The middle of what is seen is not that of the points where near ones look larger: each round
-  // moves there, and as near as can be.
-  for (int round = 0; round < kRounds; ++round)
-  {
-    glm::dvec2 lower(std::numeric_limits<double>::infinity());
-    glm::dvec2 upper = -lower;
-    for (const Vec3& point : points)
-    {
-      const Vec3 from = point - view.focalPoint;
-      const double near = view.parallel ? 1.0 : distance / (distance - glm::dot(from, towards));
-      const glm::dvec2 at = near * glm::dvec2(glm::dot(from, right), glm::dot(from, up));
-      lower = glm::min(lower, at);
-      upper = glm::max(upper, at);
-    }
-    const glm::dvec2 middle = 0.5 * (lower + upper);
-    view.focalPoint += middle.x * right + middle.y * up;
-    distance = 0.0;
-    view.parallelScale = 0.0;
-    for (const Vec3& point : points)
-    {
-      const Vec3 from = point - view.focalPoint;
-      const double beside =
-        std::max(std::fabs(glm::dot(from, up)), std::fabs(glm::dot(from, right)) / aspect);
-      distance = std::max(distance, glm::dot(from, towards) + beside / slope);
-      view.parallelScale = std::max(view.parallelScale, beside / kFilled);
-    }
-    // Of a single point, or a line that is seen from its end, nothing is learnt.
-    if (!(view.parallelScale > 1e-6 * all.parallelScale))
-    {
-      return all;
-    }
-  }
-  view.position = view.focalPoint + distance * towards;
-  view.parallelScale = ParallelScale.value_or(view.parallelScale);
-  view = AsHeld(view);
-  try
-  {
-    (void)Camera(view, size.width, size.height);
-  }
-  catch (const Error&)
-  {
-    // So near that rounding leaves no direction.
-    return all;
   }
   return view;
 }

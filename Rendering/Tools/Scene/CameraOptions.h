@@ -7,7 +7,6 @@
 #include "Trace/Camera.h"
 
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace pixelexact
@@ -25,10 +24,8 @@ public:
     const Box3& bounds, const Vec3& surfaceNormal, const ImageSize& size) const;
   /// Whether it was said where it stands.
   [[nodiscard]] bool IsPlaced() const { return !Position.empty(); }
-  /// Nearer, or to the side, so that points fill most of an image: those that are seen in the view
-  /// that Make made. Of no points that view.
-  [[nodiscard]] CameraView FitTo(
-    std::span<const Vec3> points, const CameraView& all, const ImageSize& size) const;
+  /// Whether a parallel view's scale was given.
+  [[nodiscard]] bool HasScale() const { return ParallelScale.has_value(); }
   /// The part of Make's checks that needs no data, for failing before the file is read.
   void Check() const;
 

@@ -57,9 +57,8 @@ std::string TooMany(const std::string& option)
 ContourChoice ReadContours(const std::string& option, const std::string& text, char separator)
 {
   ContourChoice choice;
-  choice.round = text.starts_with(kRound);
   const std::string_view number =
-    std::string_view(text).substr(choice.round ? std::string_view(kRound).size() : 0);
+    std::string_view(text).substr(text.starts_with(kRound) ? std::string_view(kRound).size() : 0);
   const bool digits =
     !number.empty() && std::ranges::all_of(number, [](char c) { return c >= '0' && c <= '9'; });
   if (digits && number.find_first_not_of('0') != std::string::npos)
@@ -70,14 +69,16 @@ ContourChoice ReadContours(const std::string& option, const std::string& text, c
     }
     return choice;
   }
-  for (const std::string& part : SplitAt(text, separator))
+  const bool single = text.find(separator) + 1 == text.size();
+  for (const std::string& part :
+    SplitAt(single ? text.substr(0, text.size() - 1) : text, separator))
   {
     double value = 0.0;
     if (!ParseNumber(part, value) || !std::isfinite(value))
     {
       Refuse(option, text,
-        fmt::format(
-          "a number of contours, round and a number, or finite values with '{}' between them",
+        fmt::format("a number of contours, or finite values with '{0}' between them (7{0} is the "
+                    "value 7)",
           separator));
     }
     if (std::ranges::find(choice.values, value) != choice.values.end())
@@ -117,14 +118,12 @@ void ContourOptions::AddTo(CLI::App& added)
   const char* group = "Contours";
   const AddedOption contours = AddRead(
     added, kContours,
-    [this](const std::string& text) { Choice = ReadContours(kContours, text, ','); },
-    "N|roundN|v1,v2,...",
-    "Draw the lines on which the field has these values. A positive whole number N: N values, "
-    "evenly "
-    "spaced from one end of the colour map's range to the other, as by vtkContourFilter's "
-    "GenerateValues (with --log by their logarithms); roundN: N round values at most. A number "
-    "that is no such (10.0, -3, 0), or "
-    "several with commas: these values")
+    [this](const std::string& text) { Choice = ReadContours(kContours, text, ','); }, "N|v1,v2,...",
+    "Draw the lines on which the field has these values. A positive whole number N: N round "
+    "values, "
+    "evenly spaced, strictly inside the colour map's range (with --log by their logarithms). "
+    "Several numbers with commas, one with a comma behind it (7,), or a number that is no such "
+    "(10.0, -3, 0): these values")
                                  .Group(group);
   AddRead(
     added, "--contour-width",

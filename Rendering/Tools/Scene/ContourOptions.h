@@ -19,8 +19,7 @@ struct LayerSettings;
 /// Which iso-values are drawn.
 struct ContourChoice
 {
-  int count = 0;      ///< so many, evenly spaced over the colour map's range; 0: those below
-  bool round = false; ///< at most so many, at round values instead
+  int count = 0; ///< so many round ones inside the colour map's range (RoundValues); 0: those below
   std::vector<double> values;
 
   [[nodiscard]] std::size_t Count() const
@@ -29,8 +28,9 @@ struct ContourChoice
   }
 };
 
-/// A positive integer without separator or decimal point is a count, with "round" before it that of
-/// round values, everything else values. Throws UsageError.
+/// A positive integer without separator or decimal point is a count ("round" before it changes
+/// nothing), everything else values; a separator behind a single number makes it a value. Throws
+/// UsageError.
 ContourChoice ReadContours(const std::string& option, const std::string& text, char separator);
 
 /// Which contours render draws, and how.

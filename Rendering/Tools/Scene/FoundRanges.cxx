@@ -39,11 +39,11 @@ FoundRanges FindRanges(const Mesh& mesh, const Field& field)
   FoundRanges ranges;
   for (int c = 0; c < field.values.components; ++c)
   {
-    ranges.components.push_back(FieldRange(mesh, field, c));
+    ranges.components.push_back(AttainedRange(mesh, field, c));
   }
   if (ranges.components.size() > 1)
   {
-    ranges.magnitude = FieldRange(mesh, field, kMagnitude);
+    ranges.magnitude = AttainedRange(mesh, field, kMagnitude);
   }
   return ranges;
 }

@@ -14,7 +14,7 @@ class Table;
 struct Field;
 struct Mesh;
 
-/// As FieldRange: attained, and left by a thousandth at most; none: nothing is finite.
+/// As AttainedRange: attained, and left by a thousandth at most; none: nothing is finite.
 using FoundRange = std::optional<std::array<double, 2>>;
 
 struct FoundRanges

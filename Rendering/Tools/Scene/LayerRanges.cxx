@@ -8,7 +8,6 @@
 #include "Scene/Shot.h"
 
 #include "Core/Base/Error.h"
-#include "Core/Element/MeshRanges.h"
 #include "Views/FieldRange.h"
 
 #include <fmt/format.h>
@@ -23,24 +22,22 @@ namespace pixelexact
 namespace
 {
 /// Over the mesh.
-std::array<double, 2> FieldRange(const Shot& shot, const Layer& layer, bool logarithm)
+std::array<double, 2> RangeOfField(const Shot& shot, const Layer& layer, bool logarithm)
 {
   ProgressLine line("bounding");
-  const MeshRange found = RangeOf(shot.input.model->GetMesh(),
-    QuestionOf(*layer.field, layer.component), RangeEffort{}, [&line](double part) { line(part); });
-  const Interval& range = found.range.outer;
+  const auto range = FieldRange(shot.input.model->GetMesh(), *layer.field, layer.component,
+    [&line](double part) { line(part); });
   const std::string name = "--range field: field '" + layer.field->name + "' ";
-  if (range.IsEmpty() || !range.IsFinite())
+  if (!range)
   {
-    throw Error(name + (range.IsEmpty() ? "has no finite value" : "could not be bounded") +
-      "; choose --range cut or --range a,b");
+    throw Error(name + "has no finite value; choose --range cut or --range a,b");
   }
-  if (logarithm && !(range.lower > 0.0))
+  if (logarithm && !((*range)[0] > 0.0))
   {
-    throw Error(name + "is only proven to be above " + Short(range.lower) +
+    throw Error(name + "is only proven to be above " + Short((*range)[0]) +
       ", and --log needs values above 0; choose --range cut or --range a,b");
   }
-  return { range.lower, range.upper };
+  return *range;
 }
 
 bool ShowTheSame(const Layer& a, const Layer& b)
@@ -178,7 +175,7 @@ std::array<double, 2> RangeOfLayer(const RangeChoice& choice, const Shot& shot, 
     case RangeChoice::Of::Ends:
       return choice.ends;
     case RangeChoice::Of::Field:
-      return sided(FieldRange(shot, layers[layer], logarithm));
+      return sided(RangeOfField(shot, layers[layer], logarithm));
     default:
       break;
   }

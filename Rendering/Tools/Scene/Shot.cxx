@@ -11,6 +11,7 @@
 #include "Core/Location/Locator.h"
 #include "Trace/Tracer.h"
 
+#include "Views/FittedView.h"
 #include "Views/VtkLook.h"
 
 #include <fmt/format.h>
@@ -165,11 +166,8 @@ void TellWhatWasChosen(const ShotOptions& options, Shot& shot)
 
 std::vector<Vec3> SeenPoints(const Scene& scene, const CameraView& view, const ImageSize& size)
 {
-  constexpr double kSide = 100.0;
-  const double part = std::min(1.0, kSide / std::max(size.width, size.height));
-  const auto side = [part](int all) { return std::max(1, static_cast<int>(part * all)); };
-  const Frame frame = Trace(
-    scene, { view, side(size.width), side(size.height) }, {}, { .centres = Buffer::Position });
+  const auto [width, height] = SmallSize(size.width, size.height);
+  const Frame frame = Trace(scene, { view, width, height }, {}, { .centres = Buffer::Position });
   std::vector<Vec3> points;
   std::ranges::copy_if(frame.centres.position, std::back_inserter(points),
     [](const Vec3& x) { return std::isfinite(x.x + x.y + x.z); });
@@ -296,15 +294,19 @@ Shot Prepare(const ShotOptions& options, Stopwatch& stopwatch)
   const Vec3 normal =
     first->IsFlat() ? first->Normal({ 0.5 * (box.lower + box.upper) }) : Vec3(1.0);
   shot.view = options.camera.Make(box, normal, shot.size);
-  // The second time from nearer, where the first saw what is small in a few of its pixels.
-  for (int look = 0; look < 2 && !options.camera.IsPlaced(); ++look)
+  if (!options.camera.IsPlaced())
   {
-    std::vector<Vec3> points = SeenPoints(shot.scene, shot.view, shot.size);
-    if (options.alsoSeen)
-    {
-      std::ranges::copy(options.alsoSeen(shot), std::back_inserter(points));
-    }
-    shot.view = options.camera.FitTo(points, shot.view, shot.size);
+    shot.view = FitView(shot.view, shot.size.width, shot.size.height, options.camera.HasScale(),
+      [&](const CameraView& view)
+      {
+        shot.view = view;
+        std::vector<Vec3> points = SeenPoints(shot.scene, view, shot.size);
+        if (options.alsoSeen)
+        {
+          std::ranges::copy(options.alsoSeen(shot), std::back_inserter(points));
+        }
+        return points;
+      });
   }
   stopwatch.Stage("camera");
   return shot;

@@ -103,18 +103,17 @@ void ViewScene::ShowContours(bool on)
   const auto first =
     std::ranges::find_if(TheRanges, [](const auto& range) { return range.has_value(); });
   TheMapper->SetNumberOfContours(0);
+  TheMapper->SetContourCount(0);
   if (!on || first == TheRanges.end())
   {
     return;
   }
-  const ContourChoice choice = Options.contours.AreGiven()
-    ? Options.contours.OfAll()
-    : ContourChoice{ kUsualContours, false, {} };
-  const std::vector<double> values =
-    ContourValues(choice, **first, Options.shot.colors.Logarithm());
-  for (std::size_t i = 0; i < values.size(); ++i)
+  const ContourChoice choice =
+    Options.contours.AreGiven() ? Options.contours.OfAll() : ContourChoice{ kUsualContours, {} };
+  TheMapper->SetContourCount(choice.count);
+  for (std::size_t i = 0; i < choice.values.size(); ++i)
   {
-    TheMapper->SetContourValue(static_cast<int>(i), values[i]);
+    TheMapper->SetContourValue(static_cast<int>(i), choice.values[i]);
   }
   TheMapper->SetContourWidth(Options.contours.Style().width);
 }

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Views/FittedView.h"
+
+#include "Core/Base/Error.h"
+#include "Views/VtkCamera.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+namespace pixelexact
+{
+namespace
+{
+/// Of an image's side, at most.
+constexpr double kFilled = 0.92;
+constexpr int kRounds = 5;
+constexpr int kLooks = 2;
+constexpr double kSmallSide = 100.0;
+
+CameraView FitToPoints(
+  std::span<const Vec3> points, const CameraView& all, int width, int height, bool keepScale)
+{
+  if (points.empty())
+  {
+    return all;
+  }
+  const Vec3 towards = glm::normalize(all.position - all.focalPoint);
+  const Vec3 right = glm::normalize(glm::cross(all.viewUp, towards));
+  const Vec3 up = glm::cross(towards, right);
+  const double aspect = static_cast<double>(width) / height;
+  const double slope = kFilled * std::tan(0.5 * glm::radians(all.viewAngle));
+  CameraView view = all;
+  double distance = glm::distance(all.position, all.focalPoint);
+  // The middle of what is seen is not that of the points where near ones look larger: each round
+  // moves there, and as near as can be.
+  for (int round = 0; round < kRounds; ++round)
+  {
+    glm::dvec2 lower(std::numeric_limits<double>::infinity());
+    glm::dvec2 upper = -lower;
+    for (const Vec3& point : points)
+    {
+      const Vec3 from = point - view.focalPoint;
+      const double near = view.parallel ? 1.0 : distance / (distance - glm::dot(from, towards));
+      const glm::dvec2 at = near * glm::dvec2(glm::dot(from, right), glm::dot(from, up));
+      lower = glm::min(lower, at);
+      upper = glm::max(upper, at);
+    }
+    const glm::dvec2 middle = 0.5 * (lower + upper);
+    view.focalPoint += middle.x * right + middle.y * up;
+    distance = 0.0;
+    view.parallelScale = 0.0;
+    for (const Vec3& point : points)
+    {
+      const Vec3 from = point - view.focalPoint;
+      const double beside =
+        std::max(std::fabs(glm::dot(from, up)), std::fabs(glm::dot(from, right)) / aspect);
+      distance = std::max(distance, glm::dot(from, towards) + beside / slope);
+      view.parallelScale = std::max(view.parallelScale, beside / kFilled);
+    }
+    // Of a single point, or a line that is seen from its end, nothing is learnt.
+    if (!(view.parallelScale > 1e-6 * all.parallelScale))
+    {
+      return all;
+    }
+  }
+  view.position = view.focalPoint + distance * towards;
+  view.parallelScale = keepScale ? all.parallelScale : view.parallelScale;
+  view = AsHeld(view);
+  try
+  {
+    (void)Camera(view, width, height);
+  }
+  catch (const Error&)
+  {
+    // So near that rounding leaves no direction.
+    return all;
+  }
+  return view;
+}
+} // namespace
+
+Vec3 UsualUp(const Vec3& towardsViewer)
+{
+  const bool alongZ =
+    std::abs(towardsViewer.z) > 0.9 * std::hypot(towardsViewer.x, towardsViewer.y, towardsViewer.z);
+  return alongZ ? Vec3(0.0, 1.0, 0.0) : Vec3(0.0, 0.0, 1.0);
+}
+
+std::array<int, 2> SmallSize(int width, int height)
+{
+  const double part = std::min(1.0, kSmallSide / std::max(width, height));
+  const auto side = [part](int all) { return std::max(1, static_cast<int>(part * all)); };
+  return { side(width), side(height) };
+}
+
+CameraView FitView(
+  const CameraView& all, int width, int height, bool keepScale, const SeenFrom& seen)
+{
+  CameraView view = all;
+  for (int look = 0; look < kLooks; ++look)
+  {
+    view = FitToPoints(seen(view), view, width, height, keepScale);
+  }
+  return view;
+}
+} // namespace pixelexact
