@@ -233,8 +233,8 @@ std::vector<Grid> GridFileReader::Read(const GridPart& part)
         Notes.emplace_back("'").append(part.file).append("': ").append(warning).append(".");
       }
     }
-    const auto idle = std::remove_if(pieces.begin(), pieces.end(),
-      [](const Grid& grid) { return grid->GetNumberOfCells() == 0; });
+    const auto idle = std::remove_if(
+      pieces.begin(), pieces.end(), [](const Grid& grid) { return grid->GetNumberOfCells() == 0; });
     pieces.erase(idle == pieces.begin() ? idle + 1 : idle, pieces.end());
     return pieces;
   }
