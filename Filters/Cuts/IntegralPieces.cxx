@@ -16,7 +16,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <string>
+#include <utility>
 
 namespace pixelexact
 {
@@ -31,31 +33,70 @@ std::optional<QuadricForm> FormOf(vtkImplicitFunction* function)
   return form != nullptr ? std::optional(*form) : std::nullopt;
 }
 
-/// A quadric, or what a function of one coordinate alone consists of: two planes, or one where they
-/// coincide, at the equation's roots rounded to doubles, their gradients that of the quadric. No
-/// box that holds both could be told from one that holds none while it is wider than their
-/// distance.
-std::vector<QuadricForm> PartsOf(const QuadricForm& form)
+/// Whether a b = c d, without rounding.
+bool AreProductsEqual(double a, double b, double c, double d)
 {
-  int axis = -1;
-  for (int d = 0; d < 3; ++d)
+  const double first = a * b;
+  const double second = c * d;
+  return first == second && std::fma(a, b, -first) == std::fma(c, d, -second);
+}
+
+/// The vector n of a quadric whose function is (n z)^2 / a + (g_k / a) (n z) + c, with its largest
+/// diagonal coefficient a = n_k; nothing where the function depends on more than one direction.
+std::optional<std::pair<Vec3, int>> OnlyDirectionOf(const QuadricForm& form)
+{
+  const auto& q = form.q;
+  const std::array<Vec3, 3> rows{ Vec3(q[0], q[3] / 2.0, q[5] / 2.0),
+    Vec3(q[3] / 2.0, q[1], q[4] / 2.0), Vec3(q[5] / 2.0, q[4] / 2.0, q[2]) };
+  int axis = 0;
+  for (int d = 1; d < 3; ++d)
   {
-    if (form.q[static_cast<std::size_t>(d)] != 0.0 || form.g[d] != 0.0)
+    axis = std::abs(rows[static_cast<std::size_t>(d)][d]) >
+        std::abs(rows[static_cast<std::size_t>(axis)][axis])
+      ? d
+      : axis;
+  }
+  const Vec3& n = rows[static_cast<std::size_t>(axis)];
+  const double a = n[axis];
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j <= i; ++j)
     {
-      axis = axis < 0 ? d : 3;
+      if (!AreProductsEqual(rows[static_cast<std::size_t>(i)][j], a, n[i], n[j]))
+      {
+        return std::nullopt;
+      }
+    }
+    if (!AreProductsEqual(form.g[i], a, form.g[axis], n[i]))
+    {
+      return std::nullopt;
     }
   }
-  const double a = axis >= 0 && axis < 3 ? form.q[static_cast<std::size_t>(axis)] : 0.0;
-  if (a == 0.0 || form.q[3] != 0.0 || form.q[4] != 0.0 || form.q[5] != 0.0)
+  return a != 0.0 ? std::optional(std::pair(n, axis)) : std::nullopt;
+}
+
+/// A quadric, or the parallel planes that it consists of where its function depends on one
+/// direction n alone: two, or one where they coincide, at the equation's roots rounded to doubles,
+/// with gradients of the quadric's sense; none where there is no root. The subdivision cannot
+/// separate two planes in boxes that are wider than their distance.
+std::vector<QuadricForm> PartsOf(const QuadricForm& form)
+{
+  const auto direction = OnlyDirectionOf(form);
+  if (!direction)
   {
     return { form };
   }
-  const auto half = -static_cast<long double>(form.g[axis]) / 2.0L / a;
-  const auto product = static_cast<long double>(form.c) / a;
+  // s = n z is a root of s^2 + g_k s + a c.
+  const auto& [n, axis] = *direction;
+  const double a = n[axis];
+  const auto half = -static_cast<long double>(form.g[axis]) / 2.0L;
+  const auto product = static_cast<long double>(form.c) * a;
   const long double square = half * half - product;
   if (!(square >= 0.0L))
   {
-    return { form };
+    const long double rounding =
+      4.0L * std::numeric_limits<long double>::epsilon() * (half * half + std::abs(product));
+    return square < -rounding ? std::vector<QuadricForm>() : std::vector<QuadricForm>{ form };
   }
   // The root of larger magnitude first: the other one does not cancel.
   const long double outer = half + (half < 0.0L ? -1.0L : 1.0L) * std::sqrt(square);
@@ -68,7 +109,7 @@ std::vector<QuadricForm> PartsOf(const QuadricForm& form)
       const double sense = static_cast<double>(root - half) * a < 0.0 ? -1.0 : 1.0;
       QuadricForm plane;
       plane.origin = form.origin;
-      plane.g[axis] = sense;
+      plane.g = sense * n;
       plane.c = -sense * static_cast<double>(root);
       planes.push_back(plane);
     }

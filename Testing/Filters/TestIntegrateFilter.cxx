@@ -102,6 +102,24 @@ TEST(IntegrateFilter, AQuadricOfOneCoordinateIsItsPlanes)
   }
 }
 
+TEST(IntegrateFilter, AQuadricOfOneDirectionIsItsPlanes)
+{
+  // (x + y + z - 1)^2 = d^2, and the triangles and hexagons that it cuts from the unit cube.
+  for (const double square : { 1e-2, 1e-12, 0.0, -1e-12 })
+  {
+    vtkNew<vtkQuadric> quadric;
+    quadric->SetCoefficients(1, 1, 1, 2, 2, 2, -2, -2, -2, 1.0 - square);
+    Integration integration(Boxes(1), quadric);
+    const double d = std::sqrt(std::max(square, 0.0));
+    const double below = (1.0 - d) * (1.0 - d);
+    const double above = (1.0 + d) * (1.0 + d) - 3.0 * d * d;
+    const double sheets = square > 0.0 ? below + above : (square == 0.0 ? 1.0 : 0.0);
+    EXPECT_NEAR(integration.Get("Area"), sheets * std::sqrt(0.75), 1e-7) << square;
+    EXPECT_EQ(integration.messages->warnings.empty(), sheets > 0.0)
+      << integration.messages->warnings;
+  }
+}
+
 TEST(IntegrateFilter, ASphereAndTheBoundary)
 {
   vtkNew<vtkSphere> sphere;
