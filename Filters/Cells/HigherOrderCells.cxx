@@ -35,7 +35,7 @@ int NumberOfPoints(Shape shape, const std::array<int, 3>& n)
 }
 
 /// Degrees along r, s, t: given, or uniform from the number of points.
-std::array<int, 3> Degrees(const CellKind& kind, Shape shape)
+std::array<int, 3> DegreesOf(const CellKind& kind, Shape shape)
 {
   auto n = kind.degrees;
   const bool given = n != std::array<int, 3>{ 0, 0, 0 } && shape != Shape::Tetrahedron;
@@ -244,12 +244,12 @@ CellBasis MakeHigherOrderCellBasis(const CellKind& kind)
     {
       case VTK_LAGRANGE_HEXAHEDRON:
       case VTK_BEZIER_HEXAHEDRON:
-        return Hexahedron(kind, Degrees(kind, Shape::Hexahedron));
+        return Hexahedron(kind, DegreesOf(kind, Shape::Hexahedron));
       case VTK_LAGRANGE_WEDGE:
       case VTK_BEZIER_WEDGE:
-        return WedgeBasis(kind, Degrees(kind, Shape::Prism));
+        return WedgeBasis(kind, DegreesOf(kind, Shape::Prism));
       default:
-        return Tetrahedron(kind, Degrees(kind, Shape::Tetrahedron));
+        return Tetrahedron(kind, DegreesOf(kind, Shape::Tetrahedron));
     }
   }();
   if (!IsLagrangeCell(kind.type))
@@ -261,6 +261,6 @@ CellBasis MakeHigherOrderCellBasis(const CellKind& kind)
 
 ChangeOfBasis MakeOtherWedge(const CellKind& kind)
 {
-  return Wedge(kind, Degrees(kind, Shape::Prism), !kind.nodes.mirroredWedges);
+  return Wedge(kind, DegreesOf(kind, Shape::Prism), !kind.nodes.mirroredWedges);
 }
 } // namespace pixelexact

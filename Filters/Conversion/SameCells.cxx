@@ -33,7 +33,7 @@ namespace pixelexact
 namespace
 {
 /// Half units in the last place by which the same coordinate may differ between two parts.
-constexpr double kRoundings = 4.0;
+constexpr double kPartRoundings = 4.0;
 /// Width of a bin in tolerances: narrower ones put more cells into several bins, wider ones put
 /// more cells into each.
 constexpr double kBinWidth = 8.0;
@@ -94,7 +94,7 @@ public:
         }
       }
     }
-    Tolerance = kRoundings * roundoff * largest;
+    Tolerance = kPartRoundings * roundoff * largest;
   }
 
   std::vector<std::vector<CellPlace>> Find()

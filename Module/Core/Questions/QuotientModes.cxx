@@ -226,15 +226,14 @@ struct Products
 
 Products ProductsAt(Mapping mapping, const double (&J)[3][3], const double (&F)[3], int components)
 {
-  using Long = long double;
-  const auto cofactor = [&J](std::size_t i, std::size_t j) -> Long
+  const auto cofactor = [&J](std::size_t i, std::size_t j) -> long double
   {
-    const auto at = [&](std::size_t k, std::size_t l) -> Long
+    const auto at = [&](std::size_t k, std::size_t l) -> long double
     { return J[(i + k) % 3][(j + l) % 3]; };
     return at(1, 1) * at(2, 2) - at(1, 2) * at(2, 1);
   };
   Products products;
-  Long determinant = 0.0L;
+  long double determinant = 0.0L;
   for (std::size_t k = 0; k < 3; ++k)
   {
     determinant += J[0][k] * cofactor(0, k);
@@ -242,10 +241,11 @@ Products ProductsAt(Mapping mapping, const double (&J)[3][3], const double (&F)[
   products.divisor = static_cast<double>(determinant);
   for (std::size_t c = 0; c < static_cast<std::size_t>(components); ++c)
   {
-    Long sum = mapping == Mapping::Density ? Long(F[c]) : 0.0L;
+    long double sum = mapping == Mapping::Density ? static_cast<long double>(F[c]) : 0.0L;
     for (std::size_t k = 0; k < 3 && mapping != Mapping::Density; ++k)
     {
-      sum += (mapping == Mapping::Covariant ? cofactor(c, k) : Long(J[c][k])) * F[k];
+      sum +=
+        (mapping == Mapping::Covariant ? cofactor(c, k) : static_cast<long double>(J[c][k])) * F[k];
     }
     products.numerator[c] = static_cast<double>(sum);
   }

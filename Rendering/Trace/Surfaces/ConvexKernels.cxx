@@ -9,12 +9,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
-// Sums and products are rounded one by one, so that all instruction sets give the same bits.
-HWY_INLINE Lanes PlainDot(const Lanes (&a)[3], const Lanes (&b)[3])
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 HWY_INLINE void SplatTo(const Vec3& x, Lanes (&to)[3])
 {
   to[0] = Splat(x.x);

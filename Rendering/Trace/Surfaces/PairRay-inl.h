@@ -20,6 +20,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace pixelexact::HWY_NAMESPACE
 {
+/// Sums and products are rounded one by one, so that all instruction sets give the same bits.
+HWY_INLINE Lanes PlainDot(const Lanes (&a)[3], const Lanes (&b)[3])
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
 /// a + b, exactly unless a is the smaller one by its exponent.
 HWY_INLINE Pair FastSum(Lanes a, Lanes b)
 {

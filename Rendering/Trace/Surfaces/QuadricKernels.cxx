@@ -85,11 +85,6 @@ private:
   int Count = 0;
 };
 
-HWY_INLINE Lanes PlainDot(const Lanes (&a)[3], const Lanes (&b)[3])
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 /// A pack of rays in doubles, from their origins: to skip those that surely meet nothing. Each has
 /// a discriminant that is off by some dozen roundings of the sum of its terms' sizes; one below
 /// -2^-46 of this sum is that of a miss. A NaN is not.

@@ -2,6 +2,7 @@
 #include "Formats/MFEM/Elements/VectorUnknownBuilder.h"
 
 #include "Formats/MFEM/Elements/NodalFunctions.h"
+#include "Formats/MFEM/Elements/PyramidPlace.h"
 
 #include <algorithm>
 #include <array>
@@ -15,11 +16,6 @@ namespace
 LongVec3 Difference(const LongVec3& a, const LongVec3& b)
 {
   return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
-}
-
-LongVec3 Cross(const LongVec3& a, const LongVec3& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
 }
 
 LongVec3 Negated(const LongVec3& a)

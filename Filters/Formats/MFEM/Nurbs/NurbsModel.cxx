@@ -36,24 +36,6 @@ std::string Text(double number)
   return text.str();
 }
 
-/// Names the file in what a space throws.
-template <class Make>
-auto Naming(const std::string& where, Make&& make)
-{
-  try
-  {
-    return make();
-  }
-  catch (const Unsupported& error)
-  {
-    throw Unsupported(where + ": " + error.what());
-  }
-  catch (const InvalidData& error)
-  {
-    throw InvalidData(where + ": " + error.what());
-  }
-}
-
 /// The largest difference of one component's values.
 double RangeOf(std::span<const double> values, int components)
 {
@@ -157,7 +139,7 @@ NurbsModel::Function NurbsModel::FunctionOf(
     return PiecedFunction{ std::move(space), std::move(values), {}, {}, true };
   };
   PiecedFunction data =
-    PieceOf.empty() ? Naming(names.front(), readWhole) : ReadPieces(Mesh, files, names);
+    PieceOf.empty() ? WithFileName(names.front(), readWhole) : ReadPieces(Mesh, files, names);
   if (!std::ranges::all_of(data.values, [](double v) { return std::isfinite(v); }))
   {
     throw InvalidData(names.front() +
@@ -258,7 +240,7 @@ void NurbsModel::AddMap(SolverModel& model)
   }
   else
   {
-    Naming(Name,
+    WithFileName(Name,
       [&]
       {
         AssemblePlaneMap(bases.basis, function.components, gather, describe, model.mesh);

@@ -158,24 +158,6 @@ void RequireOneSpace(const GridFunctionFile& one, const std::string& name,
     throw InvalidData(name + " and " + otherName + " are of different spaces" + kOfDifferentRuns);
   }
 }
-
-/// Names the file in what a space throws.
-template <class Make>
-auto Naming(const std::string& where, Make&& make)
-{
-  try
-  {
-    return make();
-  }
-  catch (const Unsupported& error)
-  {
-    throw Unsupported(where + ": " + error.what());
-  }
-  catch (const InvalidData& error)
-  {
-    throw InvalidData(where + ": " + error.what());
-  }
-}
 } // namespace
 
 MeshFile JoinNurbs(std::span<MeshPiece> pieces)
@@ -194,7 +176,7 @@ MeshFile JoinNurbs(std::span<MeshPiece> pieces)
     own.values.resize(own.values.size() + piece.file.nodes->values.size());
   }
   MeshFile whole = MakeNurbsMesh(*nurbs);
-  const NurbsSpace space = Naming(names.front(), [&] { return NurbsSpace(*nurbs, own); });
+  const NurbsSpace space = WithFileName(names.front(), [&] { return NurbsSpace(*nurbs, own); });
   std::vector<double> weights = JoinWeights(space, PointsOf(*nurbs, space), names,
     [pieces](std::size_t p) -> const std::vector<double>&
     { return pieces[p].file.nurbs->weights; });
@@ -236,7 +218,7 @@ PiecedFunction ReadPieces(const NurbsMesh& mesh, std::span<const GridFunctionFil
     }
   }
   header.values = std::move(values);
-  NurbsSpace space = Naming(names.front(), [&] { return NurbsSpace(mesh, header); });
+  NurbsSpace space = WithFileName(names.front(), [&] { return NurbsSpace(mesh, header); });
   PiecedFunction function{ std::move(space), std::move(header.values), {}, {}, true };
   function.points = PointsOf(mesh, function.space);
   std::vector<std::int64_t> rowOf(static_cast<std::size_t>(function.space.Size()), -1);
@@ -272,7 +254,7 @@ PiecedFunction ReadPieces(const NurbsMesh& mesh, std::span<const GridFunctionFil
       { return files[p].nurbs ? files[p].nurbs->weights : none; });
     if (!weights.empty())
     {
-      Naming(names.front(),
+      WithFileName(names.front(),
         [&]
         {
           function.space.SetWeights(std::move(weights));

@@ -11,8 +11,6 @@ namespace pixelexact::nektar
 {
 namespace
 {
-constexpr std::string_view kDigits =
-  "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 constexpr std::size_t kLargestPage = std::size_t{ 1 } << 16U;
 constexpr std::size_t kBlock = std::size_t{ 1 } << 16U;
 
@@ -20,9 +18,9 @@ std::array<int, 256> MakeDigitTable()
 {
   std::array<int, 256> table{};
   table.fill(-1);
-  for (std::size_t i = 0; i < kDigits.size(); ++i)
+  for (std::size_t i = 0; i < kBase64Digits.size(); ++i)
   {
-    table[static_cast<unsigned char>(kDigits[i])] = static_cast<int>(i);
+    table[static_cast<unsigned char>(kBase64Digits[i])] = static_cast<int>(i);
   }
   return table;
 }

@@ -12,6 +12,9 @@
 
 namespace pixelexact::nektar
 {
+inline constexpr std::string_view kBase64Digits =
+  "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
 /// The bytes behind base64 text of a zlib stream, some at a time.
 class Decompressor
 {

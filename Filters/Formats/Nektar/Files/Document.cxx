@@ -4,6 +4,7 @@
 #include "Core/Base/Error.h"
 #include "Formats/FileText.h"
 #include "Formats/Nektar/Files/LongBlocks.h"
+#include "Formats/Nektar/Files/RepairedXml.h"
 #include "Formats/Nektar/Files/XmlFile.h"
 
 #include <algorithm>
@@ -14,14 +15,13 @@ namespace pixelexact::nektar
 {
 namespace
 {
-constexpr std::string_view kBlanks = " \t\r\n";
 constexpr std::size_t kExpansion = 1032;
 
 /// Takes a number off the beginning of the text; false where there is none.
 template <class T>
 bool Take(std::string_view& text, T& value)
 {
-  text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
+  text.remove_prefix(std::min(text.find_first_not_of(kXmlBlanks), text.size()));
   if (text.starts_with('+') && !text.starts_with("+-"))
   {
     text.remove_prefix(1);
@@ -40,7 +40,7 @@ template <class T>
 bool TakeWord(std::string_view& text, T& value)
 {
   std::string_view rest = text;
-  if (!Take(rest, value) || !(rest.empty() || kBlanks.find(rest.front()) != kBlanks.npos))
+  if (!Take(rest, value) || !(rest.empty() || kXmlBlanks.find(rest.front()) != kXmlBlanks.npos))
   {
     return false;
   }
@@ -57,10 +57,10 @@ bool SameLetters(std::string_view a, std::string_view b)
 
 std::string_view Trim(std::string_view text)
 {
-  const auto begin = text.find_first_not_of(kBlanks);
+  const auto begin = text.find_first_not_of(kXmlBlanks);
   return begin == std::string_view::npos
     ? std::string_view()
-    : text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
+    : text.substr(begin, text.find_last_not_of(kXmlBlanks) - begin + 1);
 }
 
 Document::Document(const NamedText& file)

@@ -9,7 +9,6 @@ namespace pixelexact::nektar
 {
 namespace
 {
-constexpr std::string_view kBlanks = " \t\r\n";
 constexpr auto kNone = std::string_view::npos;
 constexpr std::size_t kMostShown = 60;
 
@@ -30,7 +29,7 @@ bool IsLetter(char c)
 
 bool IsBlank(char c)
 {
-  return kBlanks.find(c) != kNone;
+  return kXmlBlanks.find(c) != kNone;
 }
 
 class Repairer
@@ -133,7 +132,7 @@ private:
     const std::string_view tag = Text.substr(At, end + 1 - At);
     Copy(At + 2 + name.size());
     const std::string_view more = Text.substr(At, end - At);
-    if (more.find_first_not_of(kBlanks) != kNone)
+    if (more.find_first_not_of(kXmlBlanks) != kNone)
     {
       Note(tag, "has more than its name, which is passed over.");
       Result.text.append(static_cast<std::size_t>(std::ranges::count(more, '\n')), '\n');
@@ -201,16 +200,16 @@ private:
   {
     if (IsBlank(Text[At]))
     {
-      Copy(std::min(Text.find_first_not_of(kBlanks, At), Text.size()));
+      Copy(std::min(Text.find_first_not_of(kXmlBlanks, At), Text.size()));
       return true;
     }
     const std::size_t begin = At;
-    const std::size_t equals = Text.find_first_not_of(kBlanks, At + NameAt(At).size());
+    const std::size_t equals = Text.find_first_not_of(kXmlBlanks, At + NameAt(At).size());
     if (equals == kNone || Text[equals] != '=')
     {
       return false;
     }
-    const std::size_t value = Text.find_first_not_of(kBlanks, equals + 1);
+    const std::size_t value = Text.find_first_not_of(kXmlBlanks, equals + 1);
     if (value == kNone || Text[value] == '<' || Text[value] == '>' || Text[value] == '/')
     {
       return false;

@@ -2,6 +2,7 @@
 #include "Formats/Nektar/Files/XmlBlock.h"
 
 #include "Core/Base/Error.h"
+#include "Formats/Nektar/Files/Compressed.h"
 
 #include <zlib.h>
 
@@ -13,8 +14,6 @@ namespace
 {
 std::string Base64(std::span<const std::byte> bytes)
 {
-  constexpr const char* kDigits =
-    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;
   text.reserve((bytes.size() + 2) / 3 * 4);
   for (std::size_t i = 0; i < bytes.size(); i += 3)
@@ -22,10 +21,10 @@ std::string Base64(std::span<const std::byte> bytes)
     const auto at = [&](std::size_t k)
     { return i + k < bytes.size() ? std::to_integer<unsigned>(bytes[i + k]) : 0U; };
     const unsigned triple = at(0) << 16U | at(1) << 8U | at(2);
-    text += kDigits[triple >> 18U];
-    text += kDigits[triple >> 12U & 63U];
-    text += i + 1 < bytes.size() ? kDigits[triple >> 6U & 63U] : '=';
-    text += i + 2 < bytes.size() ? kDigits[triple & 63U] : '=';
+    text += kBase64Digits[triple >> 18U];
+    text += kBase64Digits[triple >> 12U & 63U];
+    text += i + 1 < bytes.size() ? kBase64Digits[triple >> 6U & 63U] : '=';
+    text += i + 2 < bytes.size() ? kBase64Digits[triple & 63U] : '=';
   }
   return text;
 }
