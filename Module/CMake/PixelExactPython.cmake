@@ -27,7 +27,11 @@ set(package_files "${package_folder}/__init__.py" "${package_folder}/_vtk.py")
 file(GLOB sources CONFIGURE_DEPENDS RELATIVE "${package_source}"
   "${package_source}/*.py" "${package_source}/*.pyi" "${package_source}/py.typed")
 foreach(source IN LISTS sources)
-  configure_file("${package_source}/${source}" "${package_folder}/${source}" COPYONLY)
+  add_custom_command(
+    OUTPUT "${package_folder}/${source}"
+    COMMAND "${CMAKE_COMMAND}" -E copy "${package_source}/${source}" "${package_folder}/${source}"
+    DEPENDS "${package_source}/${source}"
+    VERBATIM)
   list(APPEND package_files "${package_folder}/${source}")
 endforeach()
 
