@@ -24,8 +24,10 @@ function(pixelexact_add_vtk_module name)
     SOURCES ${sources}
     PRIVATE_HEADERS ${private_headers}
     NOWRAP_HEADERS ${arg_NOWRAP_HEADERS})
+  string(REGEX REPLACE ".*::" "" target "${name}")
+  list(TRANSFORM classes APPEND ".cxx" OUTPUT_VARIABLE class_sources)
+  pixelexact_join(${target} ${class_sources} ${sources})
   if(PIXELEXACT_SANITIZE)
-    string(REGEX REPLACE ".*::" "" target "${name}")
     pixelexact_precompile(${target}
       <vtkCellData.h> <vtkNew.h> <vtkObjectFactory.h> <vtkPointData.h> <vtkUnstructuredGrid.h>)
   endif()

@@ -41,11 +41,11 @@ target_compile_options(PixelExactWarnings INTERFACE
 
 # pixelexact_precompile(TARGET HEADERS...)
 #
-# Parses what most sources of a target include once. Sources still include what they use: clang-tidy
-# reads them without. Of libraries under the sanitizers alone: gcc forgets that what it precompiled are
+# Parses what most sources of a target include once, where each is compiled alone. Sources still
+# include what they use: clang-tidy reads them without. Of libraries under the sanitizers alone: gcc forgets that what it precompiled are
 # system headers, so that some of its warnings about std::string are false and must be off.
 function(pixelexact_precompile name)
-  if(PIXELEXACT_PRECOMPILE_HEADERS)
+  if(PIXELEXACT_PRECOMPILE_HEADERS AND NOT PIXELEXACT_JOINED_BUILD)
     target_precompile_headers(${name} PRIVATE
       <algorithm> <array> <cmath> <cstdint> <functional> <limits> <memory> <optional> <span> <string>
       <vector> ${ARGN})

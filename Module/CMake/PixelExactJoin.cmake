@@ -1,0 +1,69 @@
+# What PIXELEXACT_JOINED_BUILD does: sources of a folder are compiled as one, so that what they include
+# is parsed once. Names in unnamed namespaces must therefore be unique within a folder.
+
+# The folder of a source, as an identifier; nothing of it where the source holds kernels.
+function(pixelexact_get_folder source folder_variable is_kernel_variable)
+  cmake_path(ABSOLUTE_PATH source OUTPUT_VARIABLE path)
+  file(STRINGS "${path}" kernel REGEX "hwy/foreach_target.h" LIMIT_COUNT 1)
+  cmake_path(RELATIVE_PATH path BASE_DIRECTORY "${PROJECT_SOURCE_DIR}" OUTPUT_VARIABLE folder)
+  cmake_path(GET folder PARENT_PATH folder)
+  string(MAKE_C_IDENTIFIER "${folder}" folder)
+  set(${folder_variable} "${folder}" PARENT_SCOPE)
+  if(kernel)
+    set(${is_kernel_variable} TRUE PARENT_SCOPE)
+  else()
+    set(${is_kernel_variable} FALSE PARENT_SCOPE)
+  endif()
+endfunction()
+
+# pixelexact_join(TARGET SOURCES...)
+#
+# Joins the target's sources, except kernels and sources with options of their own.
+function(pixelexact_join name)
+  if(NOT PIXELEXACT_JOINED_BUILD)
+    return()
+  endif()
+  set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  # gcc spares types of the main source, which here is the one that CMake writes.
+  target_compile_options(${name} PRIVATE
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+  foreach(source IN LISTS ARGN)
+    pixelexact_get_folder("${source}" folder is_kernel)
+    if(NOT is_kernel)
+      set_source_files_properties("${source}" PROPERTIES UNITY_GROUP "${folder}")
+    endif()
+  endforeach()
+endfunction()
+
+# pixelexact_join_kernels(TARGET EXCEPT...)
+#
+# Joins the target's kernels. Highway's foreach_target.h includes HWY_TARGET_INCLUDE once for each
+# instruction set; each kernel's source sets that name to itself, so the joined source sets it back.
+function(pixelexact_join_kernels name)
+  if(NOT PIXELEXACT_JOINED_BUILD)
+    return()
+  endif()
+  get_target_property(sources ${name} SOURCES)
+  list(TRANSFORM ARGN PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/" OUTPUT_VARIABLE apart)
+  list(REMOVE_ITEM sources ${apart})
+  set(folders)
+  foreach(source IN LISTS sources)
+    pixelexact_get_folder("${source}" folder is_kernel)
+    if(is_kernel)
+      list(APPEND folders ${folder})
+      list(APPEND kernels_${folder} "${source}")
+    endif()
+  endforeach()
+  list(REMOVE_DUPLICATES folders)
+  foreach(folder IN LISTS folders)
+    set(joined "${CMAKE_CURRENT_BINARY_DIR}/joined/${folder}_kernels.cxx")
+    set(own_name "#undef HWY_TARGET_INCLUDE\n#define HWY_TARGET_INCLUDE \"${joined}\"\n")
+    set(text "${own_name}#include <hwy/foreach_target.h>\n")
+    foreach(source IN LISTS kernels_${folder})
+      string(APPEND text "#include \"${source}\"\n")
+    endforeach()
+    file(CONFIGURE OUTPUT "${joined}" CONTENT "${text}${own_name}" @ONLY)
+    set_source_files_properties(${kernels_${folder}} PROPERTIES HEADER_FILE_ONLY ON)
+    target_sources(${name} PRIVATE "${joined}")
+  endforeach()
+endfunction()
