@@ -1,6 +1,11 @@
 # The ParaView plugin: the three VTK modules and that of the representation, built against ParaView's
 # VTK and wrapped for its server manager.
 
+set(PIXELEXACT_PARAVIEW_MODULES
+  PixelExact::PixelExactParaViewReaders
+  PixelExact::PixelExactParaViewFilters
+  PixelExact::PixelExactParaView)
+
 paraview_plugin_scan(
   PLUGIN_FILES "${PROJECT_SOURCE_DIR}/ParaView/paraview.plugin"
   PROVIDES_PLUGINS plugins
@@ -20,6 +25,14 @@ paraview_plugin_build(
   LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
   LIBRARY_SUBDIRECTORY "${PARAVIEW_PLUGIN_SUBDIR}"
   INSTALL_HEADERS OFF)
+
+# What ParaView generates for each class parses the same headers.
+if(PIXELEXACT_JOINED_BUILD)
+  foreach(module IN LISTS PIXELEXACT_MODULES PIXELEXACT_PARAVIEW_MODULES)
+    string(REGEX REPLACE ".*::" "" target "${module}CS")
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 32)
+  endforeach()
+endif()
 
 # An unpacked ParaView finds its libraries and Python modules through this script only.
 get_target_property(paraview_library ParaView::RemotingCore LOCATION)
