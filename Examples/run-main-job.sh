@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
-# From nothing to pictures: installs what is missing, builds the program and cuts a real solution.
-# The pictures are in ./pictures afterwards.
+# From nothing to pictures: installs what is missing, builds the program alone and cuts a real
+# solution. The pictures are in ./pictures afterwards.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 ./Testing/Scripts/install-dependencies.sh
-cmake -S . -B build -G Ninja -D PIXELEXACT_BUILD_TESTING=OFF
-cmake --build build
+if [[ ! -e build/CMakeCache.txt ]]; then
+  cmake --preset program
+fi
+cmake --build build --target pixelexact
 
 mkdir -p pictures
 build/bin/pixelexact render Data/toroid_hex_g3_p6.vtu --field u \
