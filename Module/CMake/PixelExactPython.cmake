@@ -51,6 +51,10 @@ foreach(name IN LISTS stubbed_modules)
   list(APPEND stubs "${package_folder}/${name}.pyi")
 endforeach()
 list(TRANSFORM stubbed_modules APPEND Python OUTPUT_VARIABLE wrapped_targets)
+# What VTK generates for each class parses the same headers.
+if(PIXELEXACT_JOINED_BUILD)
+  set_target_properties(${wrapped_targets} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 32)
+endif()
 add_custom_command(
   OUTPUT ${stubs}
   COMMAND "${CMAKE_COMMAND}" -E env
