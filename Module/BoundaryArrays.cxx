@@ -2,7 +2,7 @@
 #include "BoundaryArrays.h"
 
 #include "Core/Base/Error.h"
-#include "Core/Questions/Questions.h"
+#include "Core/Shape/ShapeFace.h"
 
 #include "vtkFieldData.h"
 #include "vtkUnstructuredGrid.h"

@@ -3,7 +3,7 @@
 
 #include "Core/Faces/ReferenceFace.h"
 #include "Core/Location/Sample.h"
-#include "Core/Questions/Questions.h"
+#include "Core/Shape/ShapeFace.h"
 
 #include "vtkCell3D.h"
 #include "vtkCellType.h"

@@ -3,7 +3,7 @@
 
 #include "Conversion/SourceMesh.h"
 #include "Core/Base/Error.h"
-#include "Core/Questions/Questions.h"
+#include "Core/Shape/ShapeFace.h"
 
 #include "vtkFieldData.h"
 #include "vtkNew.h"

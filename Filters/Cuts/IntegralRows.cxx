@@ -5,7 +5,7 @@
 
 #include "Core/Faces/AttributedFace.h"
 #include "Core/Faces/FaceTable.h"
-#include "Core/Questions/Questions.h"
+#include "Core/Shape/ShapeFace.h"
 
 #include <algorithm>
 #include <cmath>

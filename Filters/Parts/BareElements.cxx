@@ -3,7 +3,7 @@
 
 #include "Core/Faces/FaceTable.h"
 #include "Core/Location/Locator.h"
-#include "Core/Questions/Questions.h"
+#include "Core/Shape/ShapeFace.h"
 #include "HighOrderModel.h"
 
 namespace pixelexact

@@ -9,7 +9,7 @@
 #include "Core/Element/MeshRanges.h"
 #include "Core/Faces/AttributedFace.h"
 #include "Core/Faces/FaceTable.h"
-#include "Core/Questions/Questions.h"
+#include "Core/Shape/ShapeFace.h"
 #include "Trace/Surfaces/ElementFaces.h"
 #include "Trace/Surfaces/IsoSurface.h"
 #include "Trace/Surfaces/JumpWalls.h"

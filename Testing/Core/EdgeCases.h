@@ -2,7 +2,7 @@
 #pragma once
 
 #include "EnclosureCases.h"
-#include "QuadLine.h"
+#include "QuadReference.h"
 #include "RangeCases.h"
 
 #include "Core/Location/Sample.h"
@@ -36,6 +36,52 @@ inline LongVec3 Flattened(const LongVec3& x, long double flat)
   const LongVec3 across{ 2.0L / 3.0L, -1.0L / 3.0L, 2.0L / 3.0L };
   const long double height = across[0] * x[0] + across[1] * x[1] + across[2] * x[2];
   return Plus(x, Times((flat - 1.0L) * height, across));
+}
+
+/// The preimage of x near `start`; nothing where Newton's iteration does not converge.
+inline std::optional<QuadVec3> Preimage(
+  const Mesh& mesh, int element, const QuadVec3& x, QuadVec3 xi)
+{
+  const auto e = static_cast<std::size_t>(element);
+  for (int step = 0; step < 20; ++step)
+  {
+    const auto phi = EvaluateQuad(mesh.map, element, xi);
+    const QuadInverse inverse(phi);
+    QuadVec3 r;
+    for (std::size_t d = 0; d < 3; ++d)
+    {
+      r[d] = phi[d].value - (x[d] - Quad(mesh.centre[3 * e + d])) / Quad(mesh.size[e]);
+    }
+    Quad largest;
+    for (std::size_t d = 0; d < 3; ++d)
+    {
+      const Quad delta = (inverse.Cofactor[0][d] * r[0] + inverse.Cofactor[1][d] * r[1] +
+                           inverse.Cofactor[2][d] * r[2]) /
+        inverse.Determinant;
+      xi[d] = xi[d] - delta;
+      largest = largest < Abs(delta) ? Abs(delta) : largest;
+    }
+    if (largest < Quad(1e-25))
+    {
+      return xi;
+    }
+    if (!(largest < Quad(1.0)))
+    {
+      return std::nullopt;
+    }
+  }
+  return std::nullopt;
+}
+
+inline QuadVec3 PointAt(const Segment& segment, const Quad& t)
+{
+  QuadVec3 x;
+  for (int d = 0; d < 3; ++d)
+  {
+    const Quad from(segment.from[d]);
+    x[static_cast<std::size_t>(d)] = from + t * (Quad(segment.to[d]) - from);
+  }
+  return x;
 }
 
 /// An element with a field of noise, and what is known of it.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Faces/FacePlane.h"
-#include "Core/Questions/Questions.h"
+#include "Core/Shape/ShapeFace.h"
 
 #include <gtest/gtest.h>
 
@@ -18,6 +18,10 @@ TEST(FacePlane, IsTheFaceThatHasItsNumber)
     const auto shape = static_cast<Shape>(s);
     const auto faces = FacesOf(shape);
     const auto planes = FacePlanesOf(shape);
+    ASSERT_EQ(faces.size(),
+      shape == Shape::Hexahedron      ? 6U
+        : shape == Shape::Tetrahedron ? 4U
+                                      : 5U);
     ASSERT_EQ(planes.size(), faces.size()) << Name(shape);
     for (std::size_t f = 0; f < faces.size(); ++f)
     {

@@ -6,7 +6,6 @@
 
 #include "Core/Location/Owners.h"
 #include "Core/Location/Sample.h"
-#include "Core/Questions/Questions.h"
 
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
@@ -405,33 +404,6 @@ void ExpectOneAnswerOnThreads(const Mesh& mesh, std::span<const Vec3> x, const W
     }
   }
 }
-
-/// A question about a segment, and its answer to the last bit.
-struct SegmentQuestion
-{
-  Segment segment;
-  bool ofFace;
-  ShapeFace face;
-  double value;
-
-  std::string Ask(ElementQuestions& questions) const
-  {
-    constexpr QuestionEffort kLittle{ 200, 100 };
-    const Crossings crossings = ofFace ? questions.WithFace(segment, face, kLittle)
-                                       : questions.WithValue(segment, value, kLittle);
-    std::string bytes = Bytes(crossings.nodes, crossings.boxes);
-    for (const Crossing& c : crossings.found)
-    {
-      bytes += Bytes(c.status, c.element, c.t.lower, c.t.upper, c.eta[0].lower, c.eta[0].upper,
-        c.eta[1].lower, c.eta[1].upper, c.eta[2].lower, c.eta[2].upper, c.middle, c.xi);
-    }
-    for (const UndecidedCrossing& u : crossings.undecided)
-    {
-      bytes += Bytes(u.t.lower, u.t.upper, u.box.lower, u.box.upper);
-    }
-    return bytes;
-  }
-};
 } // namespace
 
 TEST_P(History, LeavesNoTraceInSamples)
@@ -464,65 +436,6 @@ TEST_P(History, ThreadsLeaveNoTrace)
     return answers;
   };
   ExpectOneAnswerOnThreads(TheMesh, Points(8, 5), ask);
-}
-
-TEST_P(History, LeavesNoTraceInQuestions)
-{
-  const Shape shape = GetParam().shape;
-  const auto faces = FacesOf(shape);
-  const auto make = [&](int count, std::uint64_t seed)
-  {
-    const std::vector<Vec3> ends = Points(2 * count, seed);
-    std::vector<SegmentQuestion> questions;
-    for (std::size_t i = 0; i + 1 < ends.size(); i += 2)
-    {
-      const Vec3 beyond = 0.5 * (ends[i + 1] - ends[i]);
-      questions.push_back({ { ends[i] - beyond, ends[i + 1] + beyond }, i % 4 == 0,
-        faces[i / 4 % faces.size()], 0.1 * static_cast<double>(i % 5) });
-    }
-    return questions;
-  };
-  const std::vector<SegmentQuestion> questions = make(10, 6);
-  const std::vector<SegmentQuestion> others = make(50, 7);
-  Answers wanted;
-  for (const SegmentQuestion& question : questions)
-  {
-    const ElementIndex fresh(TheMesh);
-    ElementQuestions alone(fresh, 0, TheField, 0);
-    wanted.push_back(question.Ask(alone));
-  }
-  const auto askAll = [&](ElementQuestions& from)
-  {
-    Answers answers;
-    std::ranges::transform(questions, std::back_inserter(answers),
-      [&](const SegmentQuestion& question) { return question.Ask(from); });
-    return answers;
-  };
-  Locator locator(TheMesh);
-  Ask(locator, Points(24, 8));
-  ElementQuestions used(locator.Index(), 0, TheField, 0);
-  ExpectSame(askAll(used), wanted, "one after the other");
-  for (const SegmentQuestion& other : others)
-  {
-    other.Ask(used);
-  }
-  ExpectSame(askAll(used), wanted, "after others");
-  locator.Index().SetTreeLimit(0);
-  Ask(locator, Points(24, 9));
-  ElementQuestions again(locator.Index(), 0, TheField, 0);
-  ExpectSame(askAll(again), wanted, "after trees were dropped");
-  for (const int threads : { 2, 16 })
-  {
-    const ElementIndex shared(TheMesh);
-    Answers answers(questions.size());
-    OnThreads(threads, questions.size(),
-      [&](std::size_t i)
-      {
-        ElementQuestions own(shared, 0, TheField, 0);
-        answers[i] = questions[i].Ask(own);
-      });
-    ExpectSame(answers, wanted, std::to_string(threads) + " threads");
-  }
 }
 
 INSTANTIATE_TEST_SUITE_P(

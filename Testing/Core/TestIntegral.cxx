@@ -7,7 +7,7 @@
 #include "Core/Base/Error.h"
 #include "Core/Integral/IntegralCut.h"
 #include "Core/Integral/Integrate.h"
-#include "Core/Questions/Questions.h"
+#include "Core/Shape/ShapeFace.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

@@ -95,6 +95,20 @@ TEST(MeshMiss, SlackIsHonoured)
   EXPECT_FALSE(MissesMesh(index, segment));
 }
 
+/// Every map within the mesh's uncertainty is covered.
+TEST(MeshMiss, UncertaintyIsHonoured)
+{
+  for (const double uncertainty : { 0.0, 0.01 })
+  {
+    MeshBuilder builder;
+    builder.Add(UniformSpace(Shape::Hexahedron, 2), [](const LongVec3& xi) { return xi; });
+    builder.Uncertainty[0] = uncertainty;
+    const ElementIndex index(builder.View());
+    EXPECT_EQ(MissesMesh(index, { { 0.1, 0.2, 1.005 }, { 0.3, 0.1, 1.005 } }), uncertainty == 0.0);
+    EXPECT_TRUE(MissesMesh(index, { { 0.1, 0.2, 1.02 }, { 0.3, 0.1, 1.02 } }));
+  }
+}
+
 TEST(MeshMiss, SaysNothingOfWhatIsNotFinite)
 {
   const CurvedMesh curved = Blocks(1, std::span(kShapes).first(1));

@@ -2,9 +2,11 @@
 // Bernstein coefficients of functions and derivatives on pieces, against sums of modes in 113 bits.
 #include "MeshBuilder.h"
 #include "QuadReference.h"
+#include "RangeCases.h"
 
 #include "Core/Bernstein/BoxPolynomial.h"
 #include "Core/Bernstein/PieceForm.h"
+#include "Core/Element/HessianFunction.h"
 
 #include <gtest/gtest.h>
 
@@ -271,6 +273,108 @@ TEST(AffineForm, EnclosesEveryOperation)
     else
     {
       EXPECT_TRUE(f.Range().Contains(0.0));
+    }
+  }
+}
+
+namespace
+{
+/// The six second derivatives by xi of a field's component 0: differences of gradients in 113 bits.
+std::array<double, 6> SecondDerivativesQuad(const Field& field, const QuadVec3& xi)
+{
+  constexpr std::size_t kFirst[] = { 0, 0, 0, 1, 1, 2 };
+  constexpr std::size_t kSecond[] = { 0, 1, 2, 1, 2, 2 };
+  const Quad step(0x1p-30);
+  std::array<double, 6> result{};
+  for (std::size_t k = 0; k < 6; ++k)
+  {
+    QuadVec3 before = xi;
+    QuadVec3 after = xi;
+    before[kSecond[k]] = xi[kSecond[k]] - step;
+    after[kSecond[k]] = xi[kSecond[k]] + step;
+    const Quad difference = EvaluateQuad(field.values, 0, after)[0].gradient[kFirst[k]] -
+      EvaluateQuad(field.values, 0, before)[0].gradient[kFirst[k]];
+    result[k] = static_cast<double>(difference / (step + step));
+  }
+  return result;
+}
+
+/// Ranges of the derivatives of the case's field over a piece, in the field's units.
+HessianFunction::XiRanges RangesOver(const RangeCase& one, int level, const PieceForm::Piece& piece)
+{
+  const ScaledModes map(one.mesh.map.SpaceOf(0), one.mesh.map.Coefficients(0), 3);
+  const ScaledModes values(one.field.values.SpaceOf(0), one.field.values.Coefficients(0), 1);
+  std::vector<Interval> hulls;
+  for (const BoxPolynomial& polynomial : HessianFunction::Polynomials(map, values, 0, level, piece))
+  {
+    hulls.push_back(polynomial.Hull());
+  }
+  auto ranges = HessianFunction::RangesByXi(one.mesh.ShapeOf(0), hulls)[3];
+  for (Interval& range : ranges.second)
+  {
+    range = Scaled(range, values.exponent);
+  }
+  return ranges;
+}
+} // namespace
+
+TEST(HessianFunction, RangesHoldSecondDerivativesByXi)
+{
+  constexpr int kLevel = 2;
+  Random random(51);
+  for (const Shape shape : kShapes)
+  {
+    for (int order = 1; order <= 8; ++order)
+    {
+      RangeCase one(UniformSpace(shape, 2), [](const LongVec3& xi) { return xi; });
+      one.SetNoise(order, random, 0.7);
+      for (int i = 0; i < 20; ++i)
+      {
+        PieceForm::Piece piece{};
+        QuadVec3 eta;
+        for (std::size_t d = 0; d < 3; ++d)
+        {
+          piece[d] = static_cast<int>(random(0.0, 4.0));
+          // Ends of pieces too, where extremes are likely; not where eta is collapsed.
+          const double within = std::clamp(random(-0.3, 1.3), 0.0, 1.0);
+          eta[d] = std::min((piece[d] + within) / 2.0 - 1.0, 1.0 - 0x1p-10);
+        }
+        const auto ranges = RangesOver(one, kLevel, piece).second;
+        const auto exact = SecondDerivativesQuad(one.field, ToXi(shape, eta));
+        const bool isAtApex = shape == Shape::Pyramid && piece[2] == 3;
+        for (std::size_t k = 0; k < 6; ++k)
+        {
+          const double slack = 1e-12 * (1.0 + std::fabs(exact[k]));
+          EXPECT_LE(exact[k], ranges[k].upper + slack) << Name(shape) << order << ", " << k;
+          EXPECT_GE(exact[k], ranges[k].lower - slack) << Name(shape) << order << ", " << k;
+          EXPECT_TRUE(isAtApex || ranges[k].IsFinite()) << Name(shape) << order << ", " << k;
+        }
+      }
+    }
+  }
+}
+
+/// Quadratics of xi have constant second derivatives, also where prisms and tetrahedra are
+/// collapsed.
+TEST(HessianFunction, QuadraticsAreConstantToRounding)
+{
+  for (const Shape shape : { Shape::Hexahedron, Shape::Prism, Shape::Tetrahedron })
+  {
+    RangeCase one(UniformSpace(shape, 2), [](const LongVec3& xi) { return xi; });
+    ExpansionBuilder made(1);
+    made.Add(UniformSpace(shape, 2),
+      [](const LongVec3& xi, long double* value)
+      {
+        const auto [a, b, c] = xi;
+        *value = a * a - 3 * a * b + 0.5L * c * c + 2 * b * c + b - 7;
+      });
+    one.SetField(made.Spaces[0], made.Coefficients);
+    const auto ranges = RangesOver(one, 0, {}).second;
+    constexpr double kExact[] = { 2.0, -3.0, 0.0, 0.0, 2.0, 1.0 };
+    for (std::size_t k = 0; k < 6; ++k)
+    {
+      EXPECT_TRUE(ranges[k].Contains(kExact[k])) << Name(shape) << ", " << k;
+      EXPECT_LT(ranges[k].Width(), 1e-10) << Name(shape) << ", " << k;
     }
   }
 }

@@ -8,7 +8,7 @@
 
 #include "Core/Faces/FaceTable.h"
 #include "Core/Index/ElementIndex.h"
-#include "Core/Questions/Questions.h"
+#include "Core/Shape/ShapeFace.h"
 #include "Trace/Scene.h"
 #include "Trace/Surfaces/ElementFaces.h"
 #include "Trace/Surfaces/IsoSurface.h"

@@ -2,7 +2,7 @@
 // What surfaces that are made of elements make, and what they leave alone.
 #include "Block.h"
 
-#include "Core/Questions/Questions.h"
+#include "Core/Shape/ShapeFace.h"
 #include "Trace/Surfaces/ElementFaces.h"
 #include "Trace/Surfaces/IsoSurface.h"
 

@@ -2,7 +2,7 @@
 // Faces as triangles: linear fields on flat faces come back exactly, and areas add up.
 #include "Block.h"
 
-#include "Core/Questions/Questions.h"
+#include "Core/Shape/ShapeFace.h"
 #include "Trace/Compare/LinearFaces.h"
 
 #include <glm/geometric.hpp>

@@ -3,7 +3,7 @@
 #include "HitBatch.h"
 #include "TwoBlocks.h"
 
-#include "Core/Questions/Questions.h"
+#include "Core/Shape/ShapeFace.h"
 #include "Trace/Surfaces/ElementFaces.h"
 
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 #include "Core/Contour/SeedList.h"
 #include "Core/Contour/TurnSearch.h"
 #include "Core/Faces/FacePlane.h"
-#include "Core/Questions/Questions.h"
+#include "Core/Shape/ShapeFace.h"
 
 #include <glm/geometric.hpp>
 

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Core/Bernstein/RangeSearch.h"
 #include "Core/Element/RangeIngredients.h"
 
 #include <array>
-#include <optional>
+#include <cstddef>
+#include <span>
+#include <vector>
 
 namespace pixelexact
 {
-/// The polynomials that a world Hessian is made of, and the expression in them.
-///
-/// Second derivatives by xi are made of the first ones G, polynomials in eta (PieceForm.h), by the
-/// chain rule, with e = (1 + eta) / 2 and h = (1 - eta) / 2:
+/// The polynomials that the second derivatives by xi of a map and a field consist of, and their
+/// ranges. They follow from the first derivatives G, polynomials in eta (PieceForm.h), by the chain
+/// rule, with e = (1 + eta) / 2 and h = (1 - eta) / 2:
 ///
 ///   hexahedron   G_1,  G_2,  G_3
 ///   prism        G_1 / h3,  G_2,  e1 G_1 / h3 + G_3
@@ -22,26 +22,16 @@ namespace pixelexact
 ///
 /// G_d by eta_d. In prisms and tetrahedra G is a polynomial in xi, so that what is divided by h
 /// vanishes with it: on pieces that end where h = 0, the division is one of coefficients.
-class HessianFunction final : public RangeFunction
+class HessianFunction
 {
 public:
   static constexpr std::size_t kPolynomials = 40;
-  using Pair = std::array<std::array<double, 3>, 2>; ///< the directions a and b
 
-  /// The norm, where no pair is given.
-  HessianFunction(Shape shape, const std::optional<Pair>& pair)
-    : TheShape(shape)
-    , Directions(pair)
-  {
-  }
-
-  /// The polynomials over the part `within` of a piece, of three components of a map and of one of
-  /// a field: the derivatives by xi, three a function; six derivatives of those by eta a function
-  /// (divided by h where that is one of coefficients); e1, e2, and what is left of h2, h3 to divide
-  /// by.
+  /// The polynomials over a piece, of three components of a map and of one of a field: the
+  /// derivatives by xi, three a function; six derivatives of those by eta a function (divided by h
+  /// where that is one of coefficients); e1, e2, and the remaining divisors of h2, h3.
   [[nodiscard]] static std::vector<BoxPolynomial> Polynomials(const ScaledModes& map,
-    const ScaledModes& field, int component, int level, const PieceForm::Piece& piece,
-    const Box3& within);
+    const ScaledModes& field, int component, int level, const PieceForm::Piece& piece);
 
   /// Of a function, the ranges over the part of its derivatives by xi, the first ones and 11, 12,
   /// 13, 22, 23, 33: hulls, and what interval arithmetic makes of them.
@@ -56,17 +46,5 @@ public:
 
   /// Whether a derivative by eta_derivative is divided by h of a direction.
   [[nodiscard]] static bool IsDivided(Shape shape, int derivative, int direction);
-
-  [[nodiscard]] Interval Enclose(std::span<const BoxPolynomial> polynomials) const override;
-  [[nodiscard]] Interval AtCorner(
-    std::span<const BoxPolynomial> polynomials, unsigned corner) const override;
-  [[nodiscard]] int TellingDifference() const override { return 1; }
-
-private:
-  template <class T>
-  [[nodiscard]] T Combine(std::span<const T> p) const;
-
-  Shape TheShape;
-  std::optional<Pair> Directions;
 };
 } // namespace pixelexact

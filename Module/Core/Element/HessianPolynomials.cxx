@@ -105,7 +105,7 @@ bool IsExact(Shape shape, int direction, int level, const PieceForm::Piece& piec
 }
 
 void AddSeconds(Shape shape, const std::array<BoxPolynomial, 3>& slopes, int level,
-  const PieceForm::Piece& piece, const Box3& within, std::vector<BoxPolynomial>& list)
+  const PieceForm::Piece& piece, std::vector<BoxPolynomial>& list)
 {
   for (const auto& [byXi, byEta] : kEntries)
   {
@@ -118,7 +118,6 @@ void AddSeconds(Shape shape, const std::array<BoxPolynomial, 3>& slopes, int lev
         second = DivideByH(second, direction, level);
       }
     }
-    RestrictTo(within, second);
     list.push_back(std::move(second));
   }
 }
@@ -133,8 +132,7 @@ BoxPolynomial Divisor(Shape shape, int direction, int level, const PieceForm::Pi
 } // namespace
 
 std::vector<BoxPolynomial> HessianFunction::Polynomials(const ScaledModes& map,
-  const ScaledModes& field, int component, int level, const PieceForm::Piece& piece,
-  const Box3& within)
+  const ScaledModes& field, int component, int level, const PieceForm::Piece& piece)
 {
   const Shape shape = map.space.shape;
   std::vector<RangeIngredient> ingredients;
@@ -149,21 +147,14 @@ std::vector<BoxPolynomial> HessianFunction::Polynomials(const ScaledModes& map,
     {
       slopes[j] = ingredients[3 * f + j].Over(level, piece, kWholePiece);
     }
-    AddSeconds(shape, slopes, level, piece, within, seconds);
-    for (BoxPolynomial& slope : slopes)
-    {
-      RestrictTo(within, slope);
-      list.push_back(std::move(slope));
-    }
+    AddSeconds(shape, slopes, level, piece, seconds);
+    std::ranges::move(slopes, std::back_inserter(list));
   }
   std::ranges::move(seconds, std::back_inserter(list));
-  for (BoxPolynomial polynomial :
-    { Linear(0, 1.0, level, piece[0]), Linear(1, 1.0, level, piece[1]),
-      Divisor(shape, 1, level, piece), Divisor(shape, 2, level, piece) })
-  {
-    RestrictTo(within, polynomial);
-    list.push_back(std::move(polynomial));
-  }
+  list.push_back(Linear(0, 1.0, level, piece[0]));
+  list.push_back(Linear(1, 1.0, level, piece[1]));
+  list.push_back(Divisor(shape, 1, level, piece));
+  list.push_back(Divisor(shape, 2, level, piece));
   return list;
 }
 } // namespace pixelexact

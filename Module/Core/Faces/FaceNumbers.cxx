@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Faces/FaceNumbers.h"
 
-#include "Core/Questions/Questions.h"
+#include "Core/Shape/ShapeFace.h"
 
 namespace pixelexact
 {

@@ -4,7 +4,7 @@
 #include "Core/Bernstein/BoxAlgebra.h"
 #include "Core/Integral/AreaBounds.h"
 #include "Core/Integral/IntegralCut.h"
-#include "Core/Questions/Questions.h"
+#include "Core/Shape/ShapeFace.h"
 
 #include <algorithm>
 #include <cmath>

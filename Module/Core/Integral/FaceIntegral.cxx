@@ -2,7 +2,7 @@
 #include "Core/Integral/FaceIntegral.h"
 
 #include "Core/Faces/FacePlane.h"
-#include "Core/Questions/Questions.h"
+#include "Core/Shape/ShapeFace.h"
 
 #include <algorithm>
 #include <cmath>

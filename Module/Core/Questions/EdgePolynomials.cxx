@@ -62,7 +62,7 @@ List ValuesOf(
 List AllOf(const ScaledModes& map, const ScaledModes& field, int component, int level,
   const PieceForm::Piece& piece)
 {
-  return HessianFunction::Polynomials(map, field, component, level, piece, kWholePiece);
+  return HessianFunction::Polynomials(map, field, component, level, piece);
 }
 
 /// Whether nothing is left to divide by.

@@ -1,18 +1,144 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Questions/MeshMiss.h"
 
+#include "Core/Math/Interval.h"
 #include "Core/Math/Rounding.h"
-#include "Core/Questions/SegmentFrame.h"
 
 #include <glm/common.hpp>
 
+#include <array>
 #include <cmath>
+#include <span>
 #include <vector>
 
 namespace pixelexact
 {
 namespace
 {
+/// Of [0,1] and `t`, what is left where start + t along meets a range.
+Interval Meet(
+  const Interval& t, const Interval& start, const Interval& along, const Interval& range)
+{
+  if (Intersect(start + t * along, range).IsEmpty())
+  {
+    return { 1.0, 0.0 };
+  }
+  // Everything, where `along` may be zero.
+  return Intersect(t, (range - start) / along);
+}
+
+/// A coordinate of an end that may be off by `slack`.
+Interval EndOf(double at, double slack)
+{
+  return slack == 0.0 ? Interval(at) : Interval(at) + Interval(-slack, slack);
+}
+
+/// TensorToReference of a box. Each eta appears once in a product of factors that are not negative:
+/// nothing is lost.
+std::array<Interval, 3> XiOf(Shape shape, const EtaBox& box)
+{
+  std::array<Interval, 3> eta;
+  std::array<Interval, 3> h;
+  for (std::size_t d = 0; d < 3; ++d)
+  {
+    eta[d] = { box.lower[static_cast<int>(d)], box.upper[static_cast<int>(d)] };
+    h[d] = (Interval(1.0) - eta[d]) * Interval(0.5);
+  }
+  const auto collapse = [&](std::size_t d, const Interval& by)
+  { return (Interval(1.0) + eta[d]) * by - Interval(1.0); };
+  switch (shape)
+  {
+    case Shape::Prism:
+      return { collapse(0, h[2]), eta[1], eta[2] };
+    case Shape::Tetrahedron:
+      return { collapse(0, h[1] * h[2]), collapse(1, h[2]), eta[2] };
+    case Shape::Pyramid:
+      return { collapse(0, h[2]), collapse(1, h[2]), eta[2] };
+    default:
+      return eta;
+  }
+}
+
+/// A segment in an element's units: start + t along, t in [0,1], rounding included.
+class SegmentFrame
+{
+public:
+  SegmentFrame(const InverseProblem& problem, const Segment& segment);
+
+  /// All t of [0,1] where the segment may lie in the node; empty where it misses it: by its hull,
+  /// its frame and the planes at its ends.
+  [[nodiscard]] Interval Clip(Shape shape, const NodeFrame& node) const;
+
+private:
+  std::array<Interval, 3> Start;
+  std::array<Interval, 3> Along;
+};
+
+SegmentFrame::SegmentFrame(const InverseProblem& problem, const Segment& segment)
+{
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    const auto at = static_cast<int>(c);
+    // The inverse size is a power of two.
+    const Interval scale(problem.inverseSize);
+    const Interval from = EndOf(segment.from[at], segment.slack);
+    const Interval to = EndOf(segment.to[at], segment.slack);
+    // Where from is a NaN, so are the ends, and nothing is excluded.
+    const bool sound = from.IsFinite() && to.IsFinite();
+    Start[c] = sound ? (from - Interval(problem.centre[c])) * scale : Interval::Everything();
+    Along[c] = sound ? (to - from) * scale : Interval::Everything();
+  }
+}
+
+Interval SegmentFrame::Clip(Shape shape, const NodeFrame& node) const
+{
+  Interval t{ 0.0, 1.0 };
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    t = Meet(t, Start[c], Along[c], node.hull[c]);
+    if (t.IsEmpty())
+    {
+      return t;
+    }
+  }
+  if (!node.framed)
+  {
+    return t;
+  }
+  // What is left of t where base + weights . (y - origin) lies in a range.
+  const auto meet = [&](double base, std::span<const double, 3> weights, const Interval& range)
+  {
+    Interval start(base);
+    Interval along;
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      const Interval factor(weights[c]);
+      start += factor * (Start[c] - Interval(node.origin[c]));
+      along += factor * Along[c];
+    }
+    t = Meet(t, start, along, range);
+    return !t.IsEmpty();
+  };
+  // Every xi of the node with Phi(xi) = y is xi_0 - T, xi_0 affine in y, hence in t.
+  const auto xi = XiOf(shape, node.box);
+  for (std::size_t d = 0; d < 3; ++d)
+  {
+    const std::span<const double, 3> row(&node.inverse[3 * d], 3);
+    if (!meet(node.centre[static_cast<int>(d)], row, xi[d] + node.deviation[d]))
+    {
+      return t;
+    }
+  }
+  for (const ImagePlane& end : node.plane)
+  {
+    if (!meet(0.0, end.normal, { -kInfinity, end.outer }))
+    {
+      return t;
+    }
+  }
+  return t;
+}
+
 /// Down to where nodes miss the segment; `left` counts those that may still be looked at.
 bool MissesElement(const ElementIndex& index, int element, const Segment& segment, int& left)
 {

@@ -5,7 +5,7 @@
 #include "Core/Element/Mesh.h"
 #include "Core/Element/RangeIngredients.h"
 #include "Core/Math/Interval.h"
-#include "Core/Questions/Questions.h"
+#include "Core/Shape/ShapeFace.h"
 
 #include <span>
 

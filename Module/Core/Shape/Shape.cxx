@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Shape/Shape.h"
+#include "Core/Shape/ShapeFace.h"
 
 #include <algorithm>
 
@@ -16,6 +16,11 @@ double Expand(double a, double oneMinusB)
 {
   return oneMinusB > 0.0 ? 2.0 * (1.0 + a) / oneMinusB - 1.0 : -1.0;
 }
+
+constexpr ShapeFace kFaces[] = { { 2, false }, { 0, false }, { 0, true }, { 1, false }, { 1, true },
+  { 2, true } };
+/// A tetrahedron's eta2 = 1 is collapsed.
+constexpr ShapeFace kTetrahedronFaces[] = { { 2, false }, { 0, false }, { 0, true }, { 1, false } };
 } // namespace
 
 const char* Name(Shape shape)
@@ -95,6 +100,19 @@ Vec3 Centre(Shape shape)
       return Vec3(-0.5);
     default:
       return { -0.2, -0.2, -0.6 };
+  }
+}
+
+std::span<const ShapeFace> FacesOf(Shape shape)
+{
+  switch (shape)
+  {
+    case Shape::Hexahedron:
+      return kFaces;
+    case Shape::Tetrahedron:
+      return kTetrahedronFaces;
+    default:
+      return std::span(kFaces).first(5);
   }
 }
 } // namespace pixelexact

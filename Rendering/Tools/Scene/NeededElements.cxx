@@ -6,7 +6,7 @@
 #include "Core/Base/Error.h"
 #include "Core/Element/MeshRanges.h"
 #include "Core/Location/Locator.h"
-#include "Core/Questions/Questions.h"
+#include "Core/Shape/ShapeFace.h"
 #include "Grids/SlabArray.h"
 #include "PackedArrays.h"
 #include "Parts/InnerFaces.h"

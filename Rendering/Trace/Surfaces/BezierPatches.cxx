@@ -3,7 +3,7 @@
 
 #include "Core/Basis/ChangeOfBasis.h"
 #include "Core/Math/Rounding.h"
-#include "Core/Questions/Questions.h"
+#include "Core/Shape/ShapeFace.h"
 #include "Trace/Surfaces/Arguments.h"
 
 #include <glm/common.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trace/Surfaces/ElementFaces.h"
 
-#include "Core/Questions/Questions.h"
+#include "Core/Shape/ShapeFace.h"
 #include "Trace/Surfaces/Arguments.h"
 #include "Trace/Surfaces/Curved/HitsBehind.h"
 

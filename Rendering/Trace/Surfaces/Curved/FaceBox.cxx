@@ -3,7 +3,7 @@
 
 #include "Core/Element/RangeIngredients.h"
 #include "Core/Math/Rounding.h"
-#include "Core/Questions/Questions.h"
+#include "Core/Shape/ShapeFace.h"
 
 #include <algorithm>
 #include <cmath>

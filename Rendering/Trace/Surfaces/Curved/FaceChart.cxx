@@ -2,7 +2,7 @@
 #include "Trace/Surfaces/Curved/FaceChart.h"
 
 #include "Core/Faces/FacePlane.h"
-#include "Core/Questions/Questions.h"
+#include "Core/Shape/ShapeFace.h"
 
 namespace pixelexact
 {

@@ -5,7 +5,7 @@
 #include "Core/Faces/FaceSampler.h"
 #include "Core/Index/ValueIndex.h"
 #include "Core/Location/Sample.h"
-#include "Core/Questions/Questions.h"
+#include "Core/Shape/ShapeFace.h"
 #include "Trace/Scene.h"
 
 #include <glm/common.hpp>

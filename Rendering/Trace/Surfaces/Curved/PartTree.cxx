@@ -2,7 +2,7 @@
 #include "Trace/Surfaces/Curved/PartTree.h"
 
 #include "Core/Math/Rounding.h"
-#include "Core/Questions/Questions.h"
+#include "Core/Shape/ShapeFace.h"
 #include "Trace/Scene.h"
 
 #include <algorithm>

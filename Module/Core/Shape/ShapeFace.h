@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Shape/Shape.h"
+
+#include <span>
+
+namespace pixelexact
+{
+/// A face of a shape: an end of the cube of eta that is not collapsed.
+struct ShapeFace
+{
+  int direction = 0;  ///< of eta
+  bool upper = false; ///< eta_direction = 1, not -1
+};
+
+/// All faces of a shape.
+std::span<const ShapeFace> FacesOf(Shape shape);
+} // namespace pixelexact
