@@ -36,10 +36,8 @@ void Check(int variables, const TensorPolynomial& polynomial, std::size_t index)
 }
 } // namespace
 
-PolynomialSystem::PolynomialSystem(
-  int variables, std::span<const TensorPolynomial> polynomials, std::vector<HalfSpace> domain)
+PolynomialSystem::PolynomialSystem(int variables, std::span<const TensorPolynomial> polynomials)
   : TheVariables(variables)
-  , TheDomain(std::move(domain))
 {
   if (variables < 1 || variables > 3 || polynomials.empty() || polynomials.size() > 3)
   {
@@ -69,21 +67,6 @@ PolynomialSystem::PolynomialSystem(
     Elevate(polynomial.degree, TheDegree, polynomial.coefficients, to);
     Error.push_back(rounding::Above(
       polynomial.error + ElevationError(TheDegree, LargestMagnitude(polynomial.coefficients))));
-  }
-}
-
-std::vector<HalfSpace> ReferenceDomain(Shape shape)
-{
-  switch (shape)
-  {
-    case Shape::Prism:
-      return { { { 1.0, 0.0, 1.0 }, 1.0 } };
-    case Shape::Tetrahedron:
-      return { { { 1.0, 1.0, 1.0 }, 1.0 } };
-    case Shape::Pyramid:
-      return { { { 1.0, 0.0, 1.0 }, 1.0 }, { { 0.0, 1.0, 1.0 }, 1.0 } };
-    default:
-      return {};
   }
 }
 } // namespace pixelexact

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "Core/Bernstein/TensorPolynomial.h"
-#include "Core/Shape/Shape.h"
 
 #include <span>
 #include <vector>
@@ -18,15 +17,7 @@ struct TensorPolynomial
   double error = 0.0;
 };
 
-/// All t with normal . t <= offset.
-struct HalfSpace
-{
-  Parameters normal{};
-  double offset = 0.0;
-};
-
-/// f_k(t) = 0 for one to three polynomials of one to three parameters, over the part of the unit
-/// cube that lies in all half-spaces.
+/// f_k(t) = 0 for one to three polynomials of one to three parameters, over the unit cube.
 class PolynomialSystem
 {
 public:
@@ -34,8 +25,7 @@ public:
   /// Throws InvalidData for anything else than 1 to 3 variables and polynomials, degrees above
   /// kMaxDegree, wrong numbers of coefficients, or a negative error. Coefficients that are not
   /// finite are allowed, and nothing will be proven with them.
-  PolynomialSystem(int variables, std::span<const TensorPolynomial> polynomials,
-    std::vector<HalfSpace> domain = {});
+  PolynomialSystem(int variables, std::span<const TensorPolynomial> polynomials);
 
   [[nodiscard]] int Variables() const { return TheVariables; }
   [[nodiscard]] int Equations() const { return static_cast<int>(Error.size()); }
@@ -44,17 +34,11 @@ public:
   [[nodiscard]] std::span<const double> Coefficients() const { return TheCoefficients; }
   /// Of each polynomial's coefficients.
   [[nodiscard]] std::span<const double> Errors() const { return Error; }
-  [[nodiscard]] std::span<const HalfSpace> Domain() const { return TheDomain; }
 
 private:
   int TheVariables;
   Degrees TheDegree{};
   std::vector<double> TheCoefficients;
   std::vector<double> Error;
-  std::vector<HalfSpace> TheDomain;
 };
-
-/// The half-spaces that cut a shape's reference domain out of its cube, for polynomials in
-/// t = (xi + 1) / 2. Hexahedra need none.
-std::vector<HalfSpace> ReferenceDomain(Shape shape);
 } // namespace pixelexact

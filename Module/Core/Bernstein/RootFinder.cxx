@@ -84,8 +84,7 @@ private:
 
   Outcome Examine()
   {
-    const ParameterBox part = Boxes.Part();
-    if (Roots.IsOutsideDomain(part) || Roots.IsSettled(part))
+    if (Roots.IsSettled(Boxes.Part()))
     {
       return Outcome::Empty;
     }

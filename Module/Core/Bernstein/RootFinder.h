@@ -18,14 +18,11 @@ struct ParameterBox
 /// A root of a system of as many equations as variables.
 struct IsolatedRoot
 {
-  /// Holds exactly one root of every system within the coefficients' errors. It may reach beyond
-  /// the domain by its own width.
+  /// Holds exactly one root of every system within the coefficients' errors. It may reach out of
+  /// the unit cube by its own width, and so may the root.
   ParameterIntervals enclosure;
   /// A larger box around it in which there is no other root.
   ParameterIntervals alone;
-  /// The enclosure lies in the domain: so does the root. Otherwise the root is on the domain's
-  /// boundary, or beside it by less than the enclosure's width.
-  bool inDomain = true;
 };
 
 struct RootSearch
@@ -47,11 +44,11 @@ struct RootSearchResult
   std::int64_t boxes = 0;          ///< looked at
   bool budgetSpent = false;
 
-  /// Whether `roots` are all roots of the domain, proven.
+  /// Whether `roots` are all roots in the unit cube, proven.
   [[nodiscard]] bool IsComplete() const { return undecided.empty(); }
 };
 
-/// All roots of a polynomial system in its domain, or the boxes where that could not be decided.
+/// All roots of a polynomial system in the unit cube, or the boxes where that could not be decided.
 /// Never loses a root, never invents one: see Module/Documentation/engine.md for the method and its
 /// proofs.
 RootSearchResult FindRoots(const PolynomialSystem& system, const RootSearch& search = {});

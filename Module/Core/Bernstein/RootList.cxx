@@ -7,17 +7,6 @@ namespace pixelexact
 {
 namespace
 {
-/// normal . t - offset.
-Interval Beyond(const HalfSpace& half, const ParameterIntervals& t)
-{
-  Interval beyond = -Interval(half.offset);
-  for (std::size_t d = 0; d < 3; ++d)
-  {
-    beyond += Interval(half.normal[d]) * t[d];
-  }
-  return beyond;
-}
-
 ParameterIntervals IntervalsOf(const ParameterBox& box)
 {
   ParameterIntervals intervals;
@@ -51,9 +40,17 @@ bool AreApart(const ParameterIntervals& a, const ParameterIntervals& b, std::siz
   }
   return false;
 }
+
+bool MeetsCube(const ParameterIntervals& box, std::size_t n)
+{
+  return std::all_of(box.begin(), box.begin() + static_cast<std::ptrdiff_t>(n),
+    [](const Interval& side) {
+      return !Intersect(side, { 0.0, 1.0 }).IsEmpty();
+    });
+}
 } // namespace
 
-bool RootList::Add(IsolatedRoot root)
+bool RootList::Add(const IsolatedRoot& root)
 {
   const auto n = static_cast<std::size_t>(System.Variables());
   for (const IsolatedRoot& listed : Roots)
@@ -67,41 +64,11 @@ bool RootList::Add(IsolatedRoot root)
       return false;
     }
   }
-  if (Place(root))
+  if (MeetsCube(root.enclosure, n))
   {
     Roots.push_back(root);
   }
   return true;
-}
-
-/// Sets inDomain; false where the enclosure lies outside of the domain.
-bool RootList::Place(IsolatedRoot& root) const
-{
-  root.inDomain = true;
-  for (std::size_t d = 0; d < static_cast<std::size_t>(System.Variables()); ++d)
-  {
-    if (Intersect(root.enclosure[d], { 0.0, 1.0 }).IsEmpty())
-    {
-      return false;
-    }
-    root.inDomain = root.inDomain && Interval(0.0, 1.0).Contains(root.enclosure[d]);
-  }
-  for (const HalfSpace& half : System.Domain())
-  {
-    const Interval beyond = Beyond(half, root.enclosure);
-    if (beyond.lower > 0.0)
-    {
-      return false;
-    }
-    root.inDomain = root.inDomain && beyond.upper <= 0.0;
-  }
-  return true;
-}
-
-bool RootList::IsOutsideDomain(const ParameterBox& box) const
-{
-  return std::ranges::any_of(System.Domain(),
-    [&](const HalfSpace& half) { return Beyond(half, IntervalsOf(box)).lower > 0.0; });
 }
 
 bool RootList::IsSettled(const ParameterBox& box) const

@@ -15,19 +15,15 @@ public:
   }
 
   /// Lists the one root that `root.alone` holds, in `root.enclosure`, unless it is listed already
-  /// or outside of the domain. False where it cannot be told from a listed one.
-  bool Add(IsolatedRoot root);
+  /// or outside of the unit cube. False where it cannot be told from a listed one.
+  bool Add(const IsolatedRoot& root);
 
-  /// Whether a half-space of the domain leaves nothing of the box.
-  [[nodiscard]] bool IsOutsideDomain(const ParameterBox& box) const;
   /// Whether a listed root is known to be the only one anywhere in the box.
   [[nodiscard]] bool IsSettled(const ParameterBox& box) const;
 
   std::vector<IsolatedRoot> Take() { return std::move(Roots); }
 
 private:
-  [[nodiscard]] bool Place(IsolatedRoot& root) const;
-
   const PolynomialSystem& System;
   std::vector<IsolatedRoot> Roots;
 };
