@@ -179,8 +179,8 @@ RationalElement RandomSimplex(const pixelexact::Space& space, unsigned seed)
     weights.push_back(weight(random));
     numerators.push_back(weights.back() * value(random));
   }
-  return { CollapsedDegree(space), Collapse(space, weights), Collapse(space, numerators), { 0.25L },
-    false };
+  return { { space.order[0], space.order[1], space.order[2] }, Collapse(space, weights),
+    Collapse(space, numerators), { 0.25L }, false };
 }
 
 TEST(SimplexElement, CollapsedFunctionsAreBernsteins)

@@ -159,11 +159,6 @@ long double ValueAt(std::span<const long double> control, const std::array<LineM
 }
 } // namespace
 
-Orders CollapsedDegree(const Space& space)
-{
-  return { space.order[0], space.order[1], space.order[2] };
-}
-
 LongVector Collapse(const Space& space, std::span<const long double> control)
 {
   const int n = space.order[0];

@@ -13,12 +13,10 @@
 namespace pixelexact::rational
 {
 /// Numbers at a prism's or tetrahedron's control points, ordered as ChangeOfBasis::Prism and
-/// ::Tetrahedron number functions, as those of the same function of eta on the cube, with the last
-/// direction fastest. Means with weights that are not negative: positive numbers stay so.
+/// ::Tetrahedron number functions, as those of the same function of eta on the cube, of degrees
+/// space.order, with the last direction fastest. Means with weights that are not negative: positive
+/// numbers stay so.
 std::vector<long double> Collapse(const Space& space, std::span<const long double> control);
-
-/// The degrees in eta of what Collapse returns.
-Orders CollapsedDegree(const Space& space);
 
 /// The polynomials of a prism's or tetrahedron's space by their values at nodes. Nodes on a face
 /// depend on that face alone; on edges, and along a prism's quadrilaterals, they are

@@ -6,7 +6,6 @@
 #include "Core/Questions/Sheet.h"
 #include "Core/Questions/ValueSet.h"
 
-#include <algorithm>
 #include <array>
 #include <limits>
 #include <optional>
@@ -82,12 +81,6 @@ public:
   /// Holds all values in the element; everything where nothing is known of them, as of mapped
   /// fields in pyramids (EdgeFunctions::IsKnown).
   [[nodiscard]] const Interval& Values() const { return Functions.Values(); }
-  /// By how much of the element's size rounding alone may move a point.
-  [[nodiscard]] double RoundingAt(const Vec3& x) const
-  {
-    const Vec3 moved = Functions.RoundingInUnits(x);
-    return std::max({ moved.x, moved.y, moved.z });
-  }
   /// False where a coefficient is not finite.
   [[nodiscard]] bool HasValues() const { return Functions.HasValues(); }
   /// About what finding xi and value costs next to a point, for EdgeWork.
