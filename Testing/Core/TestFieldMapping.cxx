@@ -2,7 +2,7 @@
 #include "InstructionSets.h"
 #include "MeshBuilder.h"
 
-#include "Core/Element/SecondDerivatives.h"
+#include "Core/Element/FieldMapping.h"
 #include "Core/Location/Sample.h"
 
 #include <gtest/gtest.h>

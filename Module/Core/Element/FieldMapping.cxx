@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Element/FieldMapping.h"
 
+#include "Core/Element/Dual.h"
 #include "Core/Element/MappingKernels.h"
-#include "Core/Element/SecondDerivatives.h"
 #include "Core/Element/Transform.h"
 
 #include <glm/matrix.hpp>
@@ -23,6 +23,25 @@ namespace pixelexact
 {
 namespace
 {
+template <template <class, class, bool> class Modes>
+Hessian HessianOf(const Space& space, const double* coefficients, const Vec3& xi)
+{
+  using namespace HWY_NAMESPACE;
+  const Modes<Dual, AnyOrder, true> modes(space,
+    Point<Dual>{ { Dual::Variable(xi.x, 0), Dual::Variable(xi.y, 1), Dual::Variable(xi.z, 2) } });
+  Hessian hessian;
+  for (int c = 0; c < 3; ++c)
+  {
+    const auto e = modes.Evaluate(coefficients + static_cast<std::ptrdiff_t>(c) * space.Modes());
+    for (int j = 0; j < 3; ++j)
+    {
+      const auto& row = e.gradient[j].derivative;
+      hessian[c][j] = { row[0], row[1], row[2] };
+    }
+  }
+  return hessian;
+}
+
 /// The map's derivatives at one point, in world units.
 class MapAt
 {
@@ -184,6 +203,23 @@ void ApplyMapping(const Mesh& mesh, int element, Mapping mapping, const LanePoin
   if (gradient)
   {
     MapGradients(mesh, element, mapping, xi, components, reference, value, gradient);
+  }
+}
+
+Hessian SecondDerivatives(const Space& space, const double* coefficients, const Vec3& xi)
+{
+  using namespace HWY_NAMESPACE;
+  switch (space.shape)
+  {
+    case Shape::Hexahedron:
+      return HessianOf<HexahedronModes>(space, coefficients, xi);
+    case Shape::Prism:
+      return HessianOf<PrismModes>(space, coefficients, xi);
+    case Shape::Tetrahedron:
+      return HessianOf<TetrahedronModes>(space, coefficients, xi);
+    default:
+      return space.form == Form::Tensor ? HessianOf<TensorPyramidModes>(space, coefficients, xi)
+                                        : HessianOf<PyramidModes>(space, coefficients, xi);
   }
 }
 } // namespace pixelexact

@@ -3,6 +3,9 @@
 
 #include "Core/Element/Kernels.h"
 #include "Core/Element/Mesh.h"
+#include "Core/Math/Vec.h"
+
+#include <array>
 
 namespace pixelexact
 {
@@ -12,4 +15,12 @@ namespace pixelexact
 /// need its inverse are infinite or NaN. Rounding: that of the kernels, times the condition of J.
 void ApplyMapping(const Mesh& mesh, int element, Mapping mapping, const LanePoints& xi,
   int components, double* const* value, double* const* gradient);
+
+/// d^2 y_c / d xi_j d xi_k as [c][j][k].
+using Hessian = std::array<std::array<Vec3, 3>, 3>;
+
+/// Second derivatives of three components at one point, in the units of the coefficients. Serial
+/// and without lanes: for gradients of mapped fields, which are rare. At a pyramid's apex they do
+/// not exist; those that depend on the way there are taken as zero.
+Hessian SecondDerivatives(const Space& space, const double* coefficients, const Vec3& xi);
 } // namespace pixelexact

@@ -4,7 +4,7 @@
 #include "Core/Element/Ranges.h"
 #include "Core/Math/Rounding.h"
 #include "Core/Questions/EdgeArithmetic.h"
-#include "Core/Tree/FlatMap.h"
+#include "Core/Tree/Regularity.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -84,7 +84,7 @@ public:
     Mat3 inverse; ///< of the Jacobian, as rounding leaves it
   };
   [[nodiscard]] View ViewAt(const Vec3& xi) const;
-  /// See FlatMap.h.
+  /// See IsFlatOver (Regularity.h).
   [[nodiscard]] bool IsFlatOver(const EtaBox& box) const;
   /// Of the expansion of first order about a xi, between these places in xi: of an Outline.
   /// `slopeError`: of the component at points there (ErrorsWith).

@@ -2,7 +2,6 @@
 #include "Core/Tree/ElementTree.h"
 
 #include "Core/Bernstein/PieceForm.h"
-#include "Core/Tree/FlatMap.h"
 #include "Core/Tree/Regularity.h"
 
 #include <algorithm>

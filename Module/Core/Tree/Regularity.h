@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Core/Basis/Space.h"
 #include "Core/Tree/NodeFrame.h"
 
 namespace pixelexact
@@ -21,4 +22,9 @@ bool IsRegular(const std::array<int, 3>& degree, const BoxCoefficients& slopes);
 
 /// Whether an end eta_d = 1 is a collapsed edge or vertex.
 bool CollapsesAt(Shape shape, int direction);
+
+/// Whether the map with these modes, in the element's units, has no thickness at points all over a
+/// box of eta: det J is at most 1e-14 of the largest area between two of J's columns. Such boxes
+/// are not worth halving; nothing is proven.
+bool IsFlatOver(const Space& space, const double* modes, const EtaBox& box);
 } // namespace pixelexact
