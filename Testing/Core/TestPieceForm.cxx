@@ -354,9 +354,10 @@ TEST(HessianFunction, RangesHoldSecondDerivativesByXi)
   }
 }
 
-/// Quadratics of xi have constant second derivatives, also where prisms and tetrahedra are
-/// collapsed.
-TEST(HessianFunction, QuadraticsAreConstantToRounding)
+/// Second derivatives of quadratics of xi are bounded over whole elements, also where prisms and
+/// tetrahedra are collapsed. Terms with e1 and e2 cancel exactly, but not in interval arithmetic:
+/// that costs twice the largest mixed derivative.
+TEST(HessianFunction, QuadraticsAreBoundedAtCollapsedEdges)
 {
   for (const Shape shape : { Shape::Hexahedron, Shape::Prism, Shape::Tetrahedron })
   {
@@ -374,7 +375,8 @@ TEST(HessianFunction, QuadraticsAreConstantToRounding)
     for (std::size_t k = 0; k < 6; ++k)
     {
       EXPECT_TRUE(ranges[k].Contains(kExact[k])) << Name(shape) << ", " << k;
-      EXPECT_LT(ranges[k].Width(), 1e-10) << Name(shape) << ", " << k;
+      EXPECT_LT(ranges[k].Width(), shape == Shape::Hexahedron ? 1e-12 : 6.0 + 1e-10)
+        << Name(shape) << ", " << k;
     }
   }
 }
