@@ -37,6 +37,20 @@ struct Placement
   }
 };
 
+/// As flat as a boundary layer.
+inline const Placement kThinPlacement{ { 1.0L, 1e-3L, 1.0L }, { 0.0L, 0.0L, 0.0L } };
+/// Some hundred sizes away from the origin.
+inline const Placement kFarPlacement{ { 0.01L, 0.01L, 0.01L }, { 3.0L, -7.0L, 5.0L } };
+
+// Shapes of the blocks of a mesh.
+inline constexpr Shape kHexahedra[] = { Shape::Hexahedron };
+inline constexpr Shape kPrisms[] = { Shape::Prism };
+inline constexpr Shape kTetrahedra[] = { Shape::Tetrahedron };
+inline constexpr Shape kPyramids[] = { Shape::Pyramid };
+/// Every shape meets every other one.
+inline constexpr Shape kMixed[] = { Shape::Hexahedron, Shape::Pyramid, Shape::Tetrahedron,
+  Shape::Prism, Shape::Tetrahedron };
+
 /// An axis-aligned box of the cube.
 struct CubeBox
 {

@@ -4,6 +4,7 @@
 #include "MeshBuilder.h"
 
 #include "Core/Math/Interval.h"
+#include "Core/Math/Rounding.h"
 
 #include <mpfr.h>
 
@@ -11,8 +12,6 @@
 // held against.
 namespace pixelexact::testing
 {
-inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 /// 4400 bits hold any product, sum or square of two doubles exactly; quotients and roots are
 /// rounded as asked.
 class Exact

@@ -68,17 +68,17 @@ enum class Side
 };
 
 /// A face of a shape: offset + normal . xi >= 0 in the shape.
-struct ShapeFace
+struct BoundingPlane
 {
   std::array<int, 3> normal;
   int offset;
 };
 
 /// notation.md's table of shapes.
-inline std::vector<ShapeFace> FacesOf(Shape shape)
+inline std::vector<BoundingPlane> BoundingPlanesOf(Shape shape)
 {
-  std::vector<ShapeFace> faces{ { { 1, 0, 0 }, 1 }, { { 0, 1, 0 }, 1 }, { { 0, 0, 1 }, 1 } };
-  const auto add = [&faces](const std::vector<ShapeFace>& further)
+  std::vector<BoundingPlane> faces{ { { 1, 0, 0 }, 1 }, { { 0, 1, 0 }, 1 }, { { 0, 0, 1 }, 1 } };
+  const auto add = [&faces](const std::vector<BoundingPlane>& further)
   { faces.insert(faces.end(), further.begin(), further.end()); };
   switch (shape)
   {
@@ -146,7 +146,7 @@ public:
       }
     }
     Side side = Side::Inside;
-    for (const ShapeFace& face : FacesOf(TheMesh.ShapeOf(element)))
+    for (const BoundingPlane& face : BoundingPlanesOf(TheMesh.ShapeOf(element)))
     {
       long double distance = face.offset;
       double inDistance = 0.0;

@@ -7,10 +7,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 // Arithmetic of LongVec3, for closed forms.
 namespace pixelexact::testing
 {
+inline constexpr double kPi = std::numbers::pi;
+inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
 inline LongVec3 ToLong(const Vec3& x)
 {
   return { x.x, x.y, x.z };

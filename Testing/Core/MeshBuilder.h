@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <initializer_list>
 #include <map>
 #include <vector>
 
@@ -127,6 +128,48 @@ private:
 
 inline constexpr Shape kShapes[] = { Shape::Hexahedron, Shape::Prism, Shape::Tetrahedron,
   Shape::Pyramid };
+
+/// Spaces of these orders on all shapes, and some whose orders differ by direction.
+inline std::vector<Space> MakeSpaces(std::initializer_list<int> orders)
+{
+  std::vector<Space> spaces;
+  for (const Shape shape : kShapes)
+  {
+    for (const int order : orders)
+    {
+      spaces.push_back(UniformSpace(shape, order));
+    }
+  }
+  spaces.push_back({ Shape::Hexahedron, Form::Collapsed, { 1, 4, 2 } });
+  spaces.push_back({ Shape::Prism, Form::Collapsed, { 2, 1, 4 } });
+  spaces.push_back({ Shape::Tetrahedron, Form::Collapsed, { 1, 2, 4 } });
+  spaces.push_back({ Shape::Pyramid, Form::Collapsed, { 2, 3, 4 } });
+  spaces.push_back({ Shape::Pyramid, Form::Tensor, { 2, 2, 2 } });
+  return spaces;
+}
+
+/// Random modes of each component, each `decay` as large as those of one degree less. A Tensor form
+/// is closed at the apex exactly: multiples of 2^-40 have exact sums.
+inline std::vector<double> RandomModes(
+  const Space& space, Random& random, int components = 1, double decay = 1.0)
+{
+  std::vector<double> modes;
+  for (int c = 0; c < components; ++c)
+  {
+    double sum = 0.0;
+    ForEachMode(space,
+      [&](int p, int q, int r, int)
+      {
+        modes.push_back(std::round(random() * std::pow(decay, p + q + r) * 0x1p40) * 0x1p-40);
+        sum = (r == 0 ? 0.0 : sum) + modes.back();
+        if (space.form == Form::Tensor && p + q > 0 && r == space.LastR(p, q))
+        {
+          modes.back() -= sum;
+        }
+      });
+  }
+  return modes;
+}
 
 /// A gently curved map of degree 3 in each coordinate, injective on every shape.
 inline LongVec3 Curved(const LongVec3& xi)

@@ -11,10 +11,10 @@
 // solved without any of its code.
 namespace pixelexact::testing
 {
-__extension__ typedef __float128 Quad;
-using QuadPoint = std::array<Quad, 3>;
+__extension__ typedef __float128 Float128;
+using QuadPoint = std::array<Float128, 3>;
 
-inline Quad Magnitude(Quad v)
+inline Float128 Magnitude(Float128 v)
 {
   return v < 0 ? -v : v;
 }
@@ -23,33 +23,33 @@ inline Quad Magnitude(Quad v)
 struct QuadPolynomial
 {
   Degrees degree{};
-  std::vector<Quad> power;
+  std::vector<Float128> power;
 
-  static QuadPolynomial Constant(Quad value) { return { {}, { value } }; }
+  static QuadPolynomial Constant(Float128 value) { return { {}, { value } }; }
   static QuadPolynomial Variable(int direction)
   {
     QuadPolynomial t;
     t.degree[static_cast<std::size_t>(direction)] = 1;
-    t.power = { Quad(0), Quad(1) };
+    t.power = { Float128(0), Float128(1) };
     return t;
   }
 
-  [[nodiscard]] Quad At(int i, int j, int k) const
+  [[nodiscard]] Float128 At(int i, int j, int k) const
   {
     return i <= degree[0] && j <= degree[1] && k <= degree[2]
       ? power[static_cast<std::size_t>((i * (degree[1] + 1) + j) * (degree[2] + 1) + k)]
-      : Quad(0);
+      : Float128(0);
   }
 
-  [[nodiscard]] Quad Value(const QuadPoint& t) const
+  [[nodiscard]] Float128 Value(const QuadPoint& t) const
   {
-    Quad sum0 = 0;
+    Float128 sum0 = 0;
     for (int i = degree[0]; i >= 0; --i)
     {
-      Quad sum1 = 0;
+      Float128 sum1 = 0;
       for (int j = degree[1]; j >= 0; --j)
       {
-        Quad sum2 = 0;
+        Float128 sum2 = 0;
         for (int k = degree[2]; k >= 0; --k)
         {
           sum2 = sum2 * t[2] + At(i, j, k);
@@ -76,7 +76,7 @@ struct QuadPolynomial
           const std::array<int, 3> at{ i + (direction == 0), j + (direction == 1),
             k + (direction == 2) };
           result.power.push_back(
-            Quad(at[static_cast<std::size_t>(direction)]) * At(at[0], at[1], at[2]));
+            Float128(at[static_cast<std::size_t>(direction)]) * At(at[0], at[1], at[2]));
         }
       }
     }
@@ -88,14 +88,14 @@ struct QuadPolynomial
   {
     const auto binomial = [](int n, int k)
     {
-      Quad result = 1;
+      Float128 result = 1;
       for (int i = 1; i <= k; ++i)
       {
         result = result * (n - k + i) / i;
       }
       return result;
     };
-    std::vector<Quad> b = power;
+    std::vector<Float128> b = power;
     std::size_t stride = 1;
     for (int d = 2; d >= 0; --d)
     {
@@ -105,10 +105,10 @@ struct QuadPolynomial
       {
         for (std::size_t inner = 0; inner < stride; ++inner)
         {
-          std::vector<Quad> line;
+          std::vector<Float128> line;
           for (int j = 0; j <= n; ++j)
           {
-            Quad sum = 0;
+            Float128 sum = 0;
             for (int i = 0; i <= j; ++i)
             {
               sum += binomial(j, i) / binomial(n, i) *
@@ -125,10 +125,10 @@ struct QuadPolynomial
       stride *= count;
     }
     TensorPolynomial result{ degree, {}, 0.0 };
-    for (const Quad v : b)
+    for (const Float128 v : b)
     {
       result.coefficients.push_back(static_cast<double>(v));
-      const Quad off = Magnitude(v - Quad(result.coefficients.back()));
+      const Float128 off = Magnitude(v - Float128(result.coefficients.back()));
       result.error = std::max(result.error, static_cast<double>(off) * (1.0 + 1e-10));
     }
     return result;
@@ -162,14 +162,14 @@ inline QuadPolynomial operator*(const QuadPolynomial& a, const QuadPolynomial& b
   {
     product.degree[d] = a.degree[d] + b.degree[d];
   }
-  product.power.assign(CoefficientCount(product.degree), Quad(0));
+  product.power.assign(CoefficientCount(product.degree), Float128(0));
   for (int i = 0; i <= product.degree[0]; ++i)
   {
     for (int j = 0; j <= product.degree[1]; ++j)
     {
       for (int k = 0; k <= product.degree[2]; ++k)
       {
-        Quad sum = 0;
+        Float128 sum = 0;
         for (int p = 0; p <= std::min(i, a.degree[0]); ++p)
         {
           for (int q = 0; q <= std::min(j, a.degree[1]); ++q)
@@ -223,7 +223,7 @@ public:
     const auto n = static_cast<std::size_t>(Size());
     for (int step = 0; step < 60; ++step)
     {
-      std::array<std::array<Quad, 4>, 3> a{};
+      std::array<std::array<Float128, 4>, 3> a{};
       for (std::size_t k = 0; k < n; ++k)
       {
         for (std::size_t d = 0; d < n; ++d)
@@ -246,17 +246,17 @@ public:
         }
         for (std::size_t r = 0; r < n; ++r)
         {
-          const Quad factor = r == c ? Quad(0) : a[r][c] / a[c][c];
+          const Float128 factor = r == c ? Float128(0) : a[r][c] / a[c][c];
           for (std::size_t d = c; d <= n; ++d)
           {
             a[r][d] -= factor * a[c][d];
           }
         }
       }
-      Quad longest = 0;
+      Float128 longest = 0;
       for (std::size_t d = 0; d < n; ++d)
       {
-        const Quad delta = a[d][n] / a[d][d];
+        const Float128 delta = a[d][n] / a[d][d];
         t[d] -= delta;
         longest = std::max(longest, Magnitude(delta));
         if (!(Magnitude(t[d]) < 10))
@@ -264,7 +264,7 @@ public:
           return std::nullopt;
         }
       }
-      if (longest < Quad(1e-30))
+      if (longest < Float128(1e-30))
       {
         return t;
       }

@@ -20,16 +20,16 @@ namespace pixelexact::testing
 {
 namespace
 {
-struct Answers
+struct LocatedPoints
 {
   std::vector<std::int32_t> element;
   std::vector<Vec3> xi;
   std::vector<Verdict> verdict;
 };
 
-Answers Ask(const Locator& locator, std::span<const Vec3> x)
+LocatedPoints LocatePoints(const Locator& locator, std::span<const Vec3> x)
 {
-  Answers answers{ std::vector<std::int32_t>(x.size()), std::vector<Vec3>(x.size()),
+  LocatedPoints answers{ std::vector<std::int32_t>(x.size()), std::vector<Vec3>(x.size()),
     std::vector<Verdict>(x.size()) };
   SampleTarget target;
   target.element = answers.element;
@@ -59,7 +59,7 @@ void ExpectHonest(const Mesh& mesh, std::span<const Vec3> x, const std::string& 
 {
   const Locator locator(mesh);
   LongMap map(mesh);
-  const Answers answers = Ask(locator, x);
+  const LocatedPoints answers = LocatePoints(locator, x);
   for (std::size_t i = 0; i < x.size(); ++i)
   {
     if (answers.verdict[i] == Verdict::Inside)
@@ -162,10 +162,10 @@ TEST(Adversarial, PointsAtTheElementsBoxAreAnsweredAlikeAloneAndTogether)
     }
     std::vector<Vec3> x(xi.size());
     MapForward(view, 0, xi, x);
-    const Answers together = Ask(locator, x);
+    const LocatedPoints together = LocatePoints(locator, x);
     for (std::size_t i = 0; i < x.size(); ++i)
     {
-      const Answers alone = Ask(locator, std::span(&x[i], 1));
+      const LocatedPoints alone = LocatePoints(locator, std::span(&x[i], 1));
       EXPECT_EQ(together.verdict[i], alone.verdict[0]) << Name(shape) << ", point " << i;
     }
   }
@@ -200,10 +200,10 @@ TEST(Adversarial, AnswersDoNotDependOnWhatElseIsAsked)
   const MeshBuilder mesh = CollapsedHexahedron();
   const std::vector<Vec3> x = PointsNearTheEdge(600);
   const Locator first(mesh.View());
-  const Answers together = Ask(first, x);
+  const LocatedPoints together = LocatePoints(first, x);
   std::vector<Vec3> reversed(x.rbegin(), x.rend());
   const Locator second(mesh.View());
-  const Answers backwards = Ask(second, reversed);
+  const LocatedPoints backwards = LocatePoints(second, reversed);
   for (std::size_t i = 0; i < x.size(); ++i)
   {
     const std::size_t j = x.size() - 1 - i;
@@ -215,7 +215,7 @@ TEST(Adversarial, AnswersDoNotDependOnWhatElseIsAsked)
     if (i % 10 == 0)
     {
       const Locator alone(mesh.View());
-      EXPECT_EQ(Ask(alone, std::span(&x[i], 1)).verdict[0], together.verdict[i]) << i;
+      EXPECT_EQ(LocatePoints(alone, std::span(&x[i], 1)).verdict[0], together.verdict[i]) << i;
     }
   }
 }
@@ -225,10 +225,10 @@ TEST(Adversarial, TheTreesLimitChangesNoAnswer)
   const MeshBuilder mesh = CollapsedHexahedron();
   const std::vector<Vec3> x = PointsNearTheEdge(600);
   Locator locator(mesh.View());
-  const Answers much = Ask(locator, x);
+  const LocatedPoints much = LocatePoints(locator, x);
   EXPECT_GT(locator.Index().TreeBytes(), 0U);
   locator.Index().SetTreeLimit(0);
-  const Answers none = Ask(locator, x);
+  const LocatedPoints none = LocatePoints(locator, x);
   EXPECT_EQ(much.verdict, none.verdict);
 }
 
@@ -252,9 +252,9 @@ TEST(Adversarial, NothingIsSoughtForLongInElementsWithoutThickness)
   }
   Locator locator(mesh.View());
   locator.Index().SetTreeLimit(std::size_t{ 1 } << 40U);
-  const Answers there = Ask(locator, onSheet);
+  const LocatedPoints there = LocatePoints(locator, onSheet);
   EXPECT_EQ(std::ranges::count(there.verdict, Verdict::Unknown), 600);
-  const Answers out = Ask(locator, beside);
+  const LocatedPoints out = LocatePoints(locator, beside);
   EXPECT_EQ(std::ranges::count(out.verdict, Verdict::Outside), 1200);
   EXPECT_LT(locator.Index().TreeBytes(), std::size_t{ 64 } << 20U);
 }

@@ -15,7 +15,7 @@ namespace
 constexpr double kFar = std::numeric_limits<double>::max();
 
 /// Many small boxes, some without extent, around a point.
-std::vector<Box3> Boxes(Random& random, const Vec3& around, double size)
+std::vector<Box3> MakeRandomBoxes(Random& random, const Vec3& around, double size)
 {
   const auto vector = [&](double most)
   { return most * Vec3(random(-1.0, 1.0), random(-1.0, 1.0), random(-1.0, 1.0)); };
@@ -75,7 +75,7 @@ TEST(Bvh, NoBoxAlongARayIsMissedAndFewOthersAreFound)
     for (const double away : { 0.0, 10.0, 1e4 })
     {
       const Vec3 around(away * size, -2.0 * away * size, 0.5 * away * size);
-      const std::vector<Box3> boxes = Boxes(random, around, size);
+      const std::vector<Box3> boxes = MakeRandomBoxes(random, around, size);
       const Box3 bounds = BoundsOf(boxes);
       const Bvh bvh(boxes, bounds);
       for (int i = 0; i < 400; ++i)

@@ -12,13 +12,10 @@
 #include <limits>
 #include <string>
 
+namespace pixelexact::testing
+{
 namespace
 {
-using namespace pixelexact;
-using namespace pixelexact::testing;
-
-constexpr double kPi = std::numbers::pi;
-
 void ExpectCircle(const ContourSet& set, const CutFunction& cut, double radius)
 {
   ASSERT_EQ(set.lines.size(), 1U);
@@ -596,3 +593,4 @@ TEST(Contour, FunctionsThatAreNotFinite)
   }
 }
 } // namespace
+} // namespace pixelexact::testing

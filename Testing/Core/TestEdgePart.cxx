@@ -5,11 +5,11 @@
 #include "EdgeCases.h"
 
 #include "Core/Faces/FacePlane.h"
+#include "Core/Math/Rounding.h"
 #include "Core/Questions/Plateau.h"
 
 #include <array>
 #include <iostream>
-#include <limits>
 
 namespace pixelexact::testing
 {
@@ -45,7 +45,6 @@ TEST(EdgePart, HoldsTheValuesOfItsPoints)
         const auto at = [&](double s, double t) { return first->x + s * u + t * v; };
         const std::array<Vec3, 4> square{ at(from, from), at(to, from), at(to, to), at(from, to) };
         // As they come at once, and with all that can be found out.
-        constexpr double kInfinity = std::numeric_limits<double>::infinity();
         const ValueSet wanted = k < 2 ? ValueSet{} : ValueSet{ {}, kInfinity, -kInfinity };
         const auto values =
           one.bounds->Over({ *first, *second, *third }, { Outline(square), 1e-14 }, wanted);
@@ -103,10 +102,6 @@ struct OneElement
   ExpansionBuilder values;
 };
 
-bool Holds(const Interval& held, double value)
-{
-  return held.lower <= value && value <= held.upper;
-}
 } // namespace
 
 /// On a face where a field is a value up to rounding, that is held, and no value is held that is a
@@ -133,9 +128,9 @@ TEST(EdgePart, FacesHoldTheValuesThatTheyHave)
                 slope * (xi[0] + 2 * xi[1] + 3 * xi[2]);
             });
           const Interval held = HeldOnFace(wall.Modes(), 1, FacesOf(shape)[k]);
-          EXPECT_EQ(Holds(held, 0.7), slope == 0.0);
-          EXPECT_FALSE(Holds(held, 0.7 + 1e-11));
-          EXPECT_FALSE(Holds(HeldInElement(wall.Modes(), 1), 0.7));
+          EXPECT_EQ(held.Contains(0.7), slope == 0.0);
+          EXPECT_FALSE(held.Contains(0.7 + 1e-11));
+          EXPECT_FALSE(HeldInElement(wall.Modes(), 1).Contains(0.7));
         }
       }
     }

@@ -55,13 +55,13 @@ double MaxAbs(const Vec3& x)
   return std::max({ std::fabs(x.x), std::fabs(x.y), std::fabs(x.z) });
 }
 
-struct Case
+struct ShapeForm
 {
   Shape shape;
   Form form;
 };
 
-class ElementBoundsOf : public ::testing::TestWithParam<Case>
+class ElementBoundsOf : public ::testing::TestWithParam<ShapeForm>
 {
 };
 
@@ -117,8 +117,8 @@ TEST_P(ElementBoundsOf, NoJacobianChangesFasterThanTheBend)
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, ElementBoundsOf,
-  ::testing::Values(Case{ Shape::Hexahedron, Form::Collapsed },
-    Case{ Shape::Prism, Form::Collapsed }, Case{ Shape::Tetrahedron, Form::Collapsed },
-    Case{ Shape::Pyramid, Form::Collapsed }, Case{ Shape::Pyramid, Form::Tensor }));
+  ::testing::Values(ShapeForm{ Shape::Hexahedron, Form::Collapsed },
+    ShapeForm{ Shape::Prism, Form::Collapsed }, ShapeForm{ Shape::Tetrahedron, Form::Collapsed },
+    ShapeForm{ Shape::Pyramid, Form::Collapsed }, ShapeForm{ Shape::Pyramid, Form::Tensor }));
 } // namespace
 } // namespace pixelexact::testing

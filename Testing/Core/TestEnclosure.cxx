@@ -17,18 +17,18 @@ std::string Describe(const EnclosureCase& c)
     std::to_string(int(c.mapping));
 }
 
-struct Tally
+struct EnclosureTally
 {
   int points = 0;
   int everything = 0;
 };
 
 /// Every interval holds the truth; how many say nothing.
-Tally CheckCase(const EnclosureCase& c, int points, double inversionError, Random& random)
+EnclosureTally CheckCase(const EnclosureCase& c, int points, double inversionError, Random& random)
 {
   SCOPED_TRACE(Describe(c));
   const EnclosureElement element(c, random);
-  Tally tally;
+  EnclosureTally tally;
   for (const auto& point : EnclosePoints(element, points, inversionError, random))
   {
     for (std::size_t k = 0; k < point.truth.size(); ++k)
@@ -61,7 +61,7 @@ TEST(Enclosure, HoldsTheTruthForAllShapesAndOrders)
         c.form = form;
         c.mapOrder = mapOrder;
         c.fieldOrder = fieldOrder;
-        const Tally tally = CheckCase(c, 16, 1e-15, random);
+        const EnclosureTally tally = CheckCase(c, 16, 1e-15, random);
         EXPECT_EQ(tally.everything, 0);
       }
     }
@@ -133,7 +133,7 @@ TEST(Enclosure, TakesTheInverseMapsErrorIn)
       EnclosureCase c;
       c.shape = shape;
       c.form = form;
-      const Tally tally = CheckCase(c, 24, error, random);
+      const EnclosureTally tally = CheckCase(c, 24, error, random);
       EXPECT_LE(tally.everything, error > 1e-9 ? 4 : 0) << error;
     }
   }

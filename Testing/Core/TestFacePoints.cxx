@@ -18,31 +18,20 @@ constexpr int kUsualCount = 6000;
 constexpr int kUsualOwners = 1500;
 constexpr int kBatch = 100000;
 
-struct Case
+struct NamedMesh
 {
   const char* name;
   CurvedMesh (*make)();
 };
 
-constexpr Shape kHexahedra[] = { Shape::Hexahedron };
-constexpr Shape kPrisms[] = { Shape::Prism };
-constexpr Shape kTetrahedra[] = { Shape::Tetrahedron };
-constexpr Shape kPyramids[] = { Shape::Pyramid };
-/// Every shape meets every other one.
-constexpr Shape kMixed[] = { Shape::Hexahedron, Shape::Pyramid, Shape::Tetrahedron, Shape::Prism,
-  Shape::Tetrahedron };
-/// As flat as a boundary layer, and some hundred sizes away from the origin.
-const Placement kThin{ { 1.0L, 1e-3L, 1.0L }, { 0.0L, 0.0L, 0.0L } };
-const Placement kFar{ { 0.01L, 0.01L, 0.01L }, { 3.0L, -7.0L, 5.0L } };
-
-const Case kCases[] = {
+const NamedMesh kNamedMeshes[] = {
   { "Hexahedra", [] { return Blocks(3, kHexahedra); } },
   { "Prisms", [] { return Blocks(3, kPrisms); } },
   { "Tetrahedra", [] { return Blocks(2, kTetrahedra); } },
   { "Pyramids", [] { return Blocks(2, kPyramids); } },
   { "Mixed", [] { return Blocks(3, kMixed); } },
-  { "MixedThin", [] { return Blocks(3, kMixed, kThin); } },
-  { "MixedFar", [] { return Blocks(3, kMixed, kFar); } },
+  { "MixedThin", [] { return Blocks(3, kMixed, kThinPlacement); } },
+  { "MixedFar", [] { return Blocks(3, kMixed, kFarPlacement); } },
   { "HangingHexahedra", [] { return Hanging(kHexahedra); } },
   { "HangingMixed", [] { return Hanging(kMixed); } },
 };
@@ -121,7 +110,7 @@ Vec3 JustOutside(Random& random, const Placement& place)
 }
 } // namespace
 
-class FacePoints : public ::testing::TestWithParam<Case>
+class FacePoints : public ::testing::TestWithParam<NamedMesh>
 {
 protected:
   CurvedMesh Made = GetParam().make();
@@ -203,7 +192,7 @@ TEST_P(FacePoints, OnAndBesideSharedFacesTheMeshCoversOnce)
 // to be trusted: boxes that are straight there are divided at that depth.
 TEST(FacePointsAlone, NextToAnApexAPointIsDecidedWithinItsBudget)
 {
-  const CurvedMesh cube = Blocks(3, kMixed, kFar);
+  const CurvedMesh cube = Blocks(3, kMixed, kFarPlacement);
   const Mesh mesh = cube.View();
   const Locator locator(mesh);
   const Vec3 x(0x1.80100518eef8fp+1, -0x1.bf92c5f90a6adp+2, 0x1.4p+2);
@@ -213,6 +202,6 @@ TEST(FacePointsAlone, NextToAnApexAPointIsDecidedWithinItsBudget)
   EXPECT_EQ(owners.preimages, 1);
 }
 
-INSTANTIATE_TEST_SUITE_P(Meshes, FacePoints, ::testing::ValuesIn(kCases),
+INSTANTIATE_TEST_SUITE_P(Meshes, FacePoints, ::testing::ValuesIn(kNamedMeshes),
   [](const auto& test) { return std::string(test.param.name); });
 } // namespace pixelexact::testing

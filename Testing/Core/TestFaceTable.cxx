@@ -12,14 +12,6 @@ namespace pixelexact::testing
 {
 namespace
 {
-constexpr Shape kHexahedra[] = { Shape::Hexahedron };
-constexpr Shape kPrisms[] = { Shape::Prism };
-constexpr Shape kTetrahedra[] = { Shape::Tetrahedron };
-constexpr Shape kPyramids[] = { Shape::Pyramid };
-constexpr Shape kMixed[] = { Shape::Hexahedron, Shape::Pyramid, Shape::Tetrahedron, Shape::Prism,
-  Shape::Tetrahedron };
-const Placement kThin{ { 1.0L, 1e-3L, 1.0L }, { 0.0L, 0.0L, 0.0L } };
-const Placement kFar{ { 0.01L, 0.01L, 0.01L }, { 3.0L, -7.0L, 5.0L } };
 } // namespace
 
 struct FaceCase
@@ -52,8 +44,10 @@ INSTANTIATE_TEST_SUITE_P(Made, FacesOfMeshes,
     FaceCase{ "Prisms", [] { return Blocks(3, kPrisms); }, { 72, 27 * 10 - 72, 0, 0 } },
     FaceCase{ "Tetrahedra", [] { return Blocks(2, kTetrahedra); }, { 48, 8 * 24 - 48, 0, 0 } },
     FaceCase{ "Pyramids", [] { return Blocks(2, kPyramids); }, { 24, 8 * 30 - 24, 0, 0 } },
-    FaceCase{ "HexahedraThin", [] { return Blocks(3, kHexahedra, kThin); }, { 54, 108, 0, 0 } },
-    FaceCase{ "TetrahedraFar", [] { return Blocks(2, kTetrahedra, kFar); }, { 48, 144, 0, 0 } },
+    FaceCase{
+      "HexahedraThin", [] { return Blocks(3, kHexahedra, kThinPlacement); }, { 54, 108, 0, 0 } },
+    FaceCase{
+      "TetrahedraFar", [] { return Blocks(2, kTetrahedra, kFarPlacement); }, { 48, 144, 0, 0 } },
     // Blocks 1, 2, 4 and 7 are refined: 12 sides between large and small, each 1 to 4, less those
     // of the small block that is refined once more. Counted below by its sides.
     FaceCase{ "Hanging", [] { return Hanging(kHexahedra); }, { 66, 114, 78, 0 } }),
@@ -62,7 +56,7 @@ INSTANTIATE_TEST_SUITE_P(Made, FacesOfMeshes,
 TEST(FaceTable, AQuadrilateralAgainstTwoTrianglesHangs)
 {
   for (const auto& make : { +[] { return Blocks(3, kMixed); }, +[] { return Hanging(kMixed); },
-         +[] { return Blocks(3, kMixed, kThin); } })
+         +[] { return Blocks(3, kMixed, kThinPlacement); } })
   {
     const CurvedMesh made = make();
     const Mesh mesh = made.View();

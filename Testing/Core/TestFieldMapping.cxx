@@ -51,7 +51,7 @@ long double Determinant(const std::array<LongVec3, 3>& J)
   return J[0][0] * n[0] + J[0][1] * n[1] + J[0][2] * n[2];
 }
 
-void Reference(Mapping mapping, const LongVec3& xi, long double* values)
+void PullBack(Mapping mapping, const LongVec3& xi, long double* values)
 {
   const auto J = Jacobian(xi);
   const LongVec3 x = Bent(xi);
@@ -83,7 +83,7 @@ protected:
     const int components = mapping == Mapping::Density ? 1 : 3;
     ExpansionBuilder values(components);
     values.Add(UniformSpace(GetParam(), mapping == Mapping::Density ? 5 : 4),
-      [&](const LongVec3& xi, long double* out) { Reference(mapping, xi, out); });
+      [&](const LongVec3& xi, long double* out) { PullBack(mapping, xi, out); });
     const Field field{ "u", values.View(), mapping };
     Random random(11);
     for (int trial = 0; trial < 50; ++trial)
@@ -139,7 +139,7 @@ TEST_P(FieldMapping, ManyPointsLikeOneAlone)
     const int components = mapping == Mapping::Density ? 1 : 3;
     ExpansionBuilder values(components);
     values.Add(UniformSpace(GetParam(), mapping == Mapping::Density ? 5 : 4),
-      [&](const LongVec3& xi, long double* out) { Reference(mapping, xi, out); });
+      [&](const LongVec3& xi, long double* out) { PullBack(mapping, xi, out); });
     const Field field{ "u", values.View(), mapping };
     Random random(5);
     std::vector<Vec3> xi(301);

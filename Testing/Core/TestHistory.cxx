@@ -268,7 +268,7 @@ Answers AskAll(const Locator& locator, std::span<const Vec3> x)
       : All(answers)
     {
     }
-    void Found(int index, const Preimage& preimage) override
+    void Found(int index, const pixelexact::Preimage& preimage) override
     {
       All[static_cast<std::size_t>(index)] += Bytes(preimage.element, preimage.xi, preimage.onFace);
     }

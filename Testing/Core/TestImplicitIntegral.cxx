@@ -12,16 +12,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
-#include <numbers>
 
+namespace pixelexact::testing
+{
 namespace
 {
-using namespace pixelexact;
-using namespace pixelexact::testing;
-
-constexpr double kPi = std::numbers::pi;
-
 SurfaceIntegral Over(const IntegralCut& cut, const Mesh& mesh, const Field* field, double tolerance,
   std::span<const QuadricForm> clips = {})
 {
@@ -335,3 +330,4 @@ TEST(Integral, WrongIsoSurfacesAreRefused)
   EXPECT_THROW(IsoValueSurface(mapped, 0, 0.5), Unsupported);
 }
 } // namespace
+} // namespace pixelexact::testing

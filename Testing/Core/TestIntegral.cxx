@@ -16,13 +16,10 @@
 #include <limits>
 #include <numbers>
 
+namespace pixelexact::testing
+{
 namespace
 {
-using namespace pixelexact;
-using namespace pixelexact::testing;
-
-constexpr double kPi = std::numbers::pi;
-
 QuadricForm Ball(const Vec3& centre, const Vec3& axes)
 {
   QuadricForm form;
@@ -536,3 +533,4 @@ TEST(Integral, WrongEffortIsRefused)
   EXPECT_THROW(Cut(cube.View(), nullptr, PlaneForm({ 0, 0, 1 }, 0.0), effort), InvalidData);
 }
 } // namespace
+} // namespace pixelexact::testing

@@ -14,14 +14,17 @@ namespace
 class Collector final : public PreimageSink
 {
 public:
-  void Found(int /*index*/, const Preimage& preimage) override { All.push_back(preimage); }
+  void Found(int /*index*/, const pixelexact::Preimage& preimage) override
+  {
+    All.push_back(preimage);
+  }
   void Undecided(int /*index*/, int /*element*/) override { ++Open; }
 
-  std::vector<Preimage> All;
+  std::vector<pixelexact::Preimage> All;
   int Open = 0;
 };
 
-Collector Ask(const Locator& locator, const Vec3& x)
+Collector CollectOwners(const Locator& locator, const Vec3& x)
 {
   Collector collector;
   locator.LocateAll(std::span(&x, 1), collector);
@@ -44,15 +47,15 @@ void ExpectPreimages(const Collector& found, const std::vector<Vec3>& expected)
 {
   EXPECT_EQ(found.Open, 0);
   ASSERT_EQ(found.All.size(), expected.size());
-  for (const Preimage& preimage : found.All)
+  for (const pixelexact::Preimage& preimage : found.All)
   {
     EXPECT_TRUE(IsAmong(expected, preimage.xi));
     EXPECT_FALSE(preimage.onFace);
   }
   for (const Vec3& xi : expected)
   {
-    EXPECT_TRUE(
-      std::ranges::any_of(found.All, [&](const Preimage& p) { return IsAmong({ xi }, p.xi); }));
+    EXPECT_TRUE(std::ranges::any_of(
+      found.All, [&](const pixelexact::Preimage& p) { return IsAmong({ xi }, p.xi); }));
   }
 }
 } // namespace
@@ -89,7 +92,7 @@ TEST(Owners, EveryPreimageOfAFoldedElement)
         expected.push_back(second);
         ++twice;
       }
-      ExpectPreimages(Ask(locator, x), expected);
+      ExpectPreimages(CollectOwners(locator, x), expected);
     }
     EXPECT_GT(twice, 20) << Name(shape);
   }
@@ -115,7 +118,7 @@ TEST(Owners, BothPreimagesAroundABranchLine)
       continue;
     }
     const Vec3 x(xi.x * xi.x - xi.y * xi.y, 2 * xi.x * xi.y, xi.z);
-    ExpectPreimages(Ask(locator, x), { xi, { -xi.x, -xi.y, xi.z } });
+    ExpectPreimages(CollectOwners(locator, x), { xi, { -xi.x, -xi.y, xi.z } });
   }
 }
 
@@ -146,7 +149,7 @@ TEST(Owners, NoneOutsideOfAFoldedElement)
     {
       continue;
     }
-    ExpectPreimages(Ask(locator, x), expected);
+    ExpectPreimages(CollectOwners(locator, x), expected);
   }
 }
 

@@ -16,48 +16,18 @@ namespace
 {
 constexpr Part kParts[] = { Part::Value, Part::ByXi1, Part::ByXi2, Part::ByXi3 };
 
-std::vector<Space> Spaces()
+std::vector<Space> MakePieceSpaces()
 {
-  std::vector<Space> spaces;
-  for (const Shape shape : kShapes)
-  {
-    for (const int order : { 0, 1, 2, 3, 5, 8 })
-    {
-      spaces.push_back(UniformSpace(shape, order));
-    }
-  }
-  spaces.push_back({ Shape::Hexahedron, Form::Collapsed, { 1, 4, 2 } });
-  spaces.push_back({ Shape::Prism, Form::Collapsed, { 2, 1, 4 } });
-  spaces.push_back({ Shape::Tetrahedron, Form::Collapsed, { 1, 2, 4 } });
-  spaces.push_back({ Shape::Pyramid, Form::Collapsed, { 2, 3, 4 } });
-  spaces.push_back({ Shape::Pyramid, Form::Tensor, { 2, 2, 2 } });
+  std::vector<Space> spaces = MakeSpaces({ 0, 1, 2, 3, 5, 8 });
   spaces.push_back({ Shape::Pyramid, Form::Tensor, { 3, 2, 7 } });
   spaces.push_back(UniformSpace(Shape::Hexahedron, 16));
   spaces.push_back(UniformSpace(Shape::Prism, 16));
   return spaces;
 }
 
-/// Modes with exact sums of zero where a pyramid's Tensor form must be closed at the apex.
-std::vector<double> RandomModes(const Space& space, Random& random)
-{
-  std::vector<double> modes(space.Modes());
-  double sum = 0.0;
-  ForEachMode(space,
-    [&](int p, int q, int r, int mode)
-    {
-      // Multiples of 2^-20 have exact sums.
-      modes[mode] = std::round(random() * 0x1p20) * 0x1p-20;
-      sum = (r == 0 ? 0.0 : sum) + modes[mode];
-      if (space.form == Form::Tensor && p + q > 0 && r == space.LastR(p, q))
-      {
-        modes[mode] -= sum;
-      }
-    });
-  return modes;
-}
-
 /// Bernstein sum in local coordinates of [-1, 1]^3.
-Quad At(const std::array<int, 3>& degree, const std::vector<double>& b, const Vec3& t)
+Quad EvaluateBernstein(
+  const std::array<int, 3>& degree, const std::vector<double>& b, const Vec3& t)
 {
   const auto basis = [](int n, int i, double z)
   {
@@ -91,7 +61,7 @@ Quad At(const std::array<int, 3>& degree, const std::vector<double>& b, const Ve
 }
 
 /// The function's value or derivative at eta, in 113 bits.
-Quad Reference(
+Quad EvaluateQuadPart(
   const Space& space, const std::vector<double>& modes, Part part, const std::array<Quad, 3>& eta)
 {
   const std::vector<Space> spaces{ space };
@@ -108,7 +78,7 @@ TEST(PieceForm, SameFunctionsAndDerivatives)
 {
   Random random(31);
   double largest = 0.0;
-  for (const Space& space : Spaces())
+  for (const Space& space : MakePieceSpaces())
   {
     const auto modes = RandomModes(space, random);
     ASSERT_TRUE(PieceForm::IsClosed(space, modes.data()));
@@ -131,8 +101,9 @@ TEST(PieceForm, SameFunctionsAndDerivatives)
           eta[d] = Quad((2.0 * piece[d] + 1.0) / pieces - 1.0) +
             Quad(t[static_cast<int>(d)]) / Quad(pieces);
         }
-        const Quad expected = Reference(space, modes, part, eta);
-        const auto error = static_cast<double>(Abs(At(form.Degree(), b, t) - expected));
+        const Quad expected = EvaluateQuadPart(space, modes, part, eta);
+        const auto error =
+          static_cast<double>(Abs(EvaluateBernstein(form.Degree(), b, t) - expected));
         EXPECT_LE(error, bound) << Name(space.shape) << space.MaxOrder() << " part "
                                 << static_cast<int>(part) << " level " << level;
         largest = std::max(largest, error / bound);
@@ -215,9 +186,10 @@ TEST(BoxPolynomial, HalvesAndRestricts)
           (Quad(upper[d]) - Quad(lower[d])) * Quad(0.5) * Quad(local);
       }
       const BoxPolynomial& box = isUpper ? upperHalf : part;
-      const Quad expected = Reference(space, modes, Part::Value, eta);
+      const Quad expected = EvaluateQuadPart(space, modes, Part::Value, eta);
       // t[1] / 2 + 1 / 2 is rounded: one more roundoff times the slope.
-      EXPECT_LE(static_cast<double>(Abs(At(box.degree, box.b, t) - expected)), 2.0 * box.error);
+      EXPECT_LE(static_cast<double>(Abs(EvaluateBernstein(box.degree, box.b, t) - expected)),
+        2.0 * box.error);
       const auto value = static_cast<double>(expected);
       EXPECT_TRUE(box.Hull().Contains(value));
       EXPECT_TRUE(box.Affine().Range().Contains(value));

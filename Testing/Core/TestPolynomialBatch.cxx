@@ -94,7 +94,7 @@ private:
   std::uniform_real_distribution<double> Any{ -1.0, 1.0 };
 };
 
-const std::vector<Degrees> kDegrees{ { 1, 1, 1 }, { 3, 3, 3 }, { 2, 5, 1 }, { 0, 4, 2 },
+const std::vector<Degrees> kBatchDegrees{ { 1, 1, 1 }, { 3, 3, 3 }, { 2, 5, 1 }, { 0, 4, 2 },
   { 8, 7, 9 } };
 } // namespace
 
@@ -104,7 +104,7 @@ TEST(PolynomialBatch, HullsHoldAllValues)
     []
     {
       Polynomials made;
-      for (const Degrees& degree : kDegrees)
+      for (const Degrees& degree : kBatchDegrees)
       {
         for (const std::size_t count : { std::size_t{ 1 }, std::size_t{ 10 }, std::size_t{ 18 } })
         {
@@ -268,7 +268,7 @@ TEST(PolynomialBatch, AffineBoundsHoldAllValues)
 TEST(PolynomialBatch, HullsAreThoseOfEachAlone)
 {
   Polynomials made;
-  for (const Degrees& degree : kDegrees)
+  for (const Degrees& degree : kBatchDegrees)
   {
     for (int trial = 0; trial < 20; ++trial)
     {

@@ -28,27 +28,6 @@ MeshBuilder::Map MapFor(const Space& space)
   return Curved;
 }
 
-std::vector<double> RandomModes(const Space& space, Random& random, int components, double decay)
-{
-  std::vector<double> modes;
-  for (int c = 0; c < components; ++c)
-  {
-    double sum = 0.0;
-    ForEachMode(space,
-      [&](int p, int q, int r, int)
-      {
-        // Multiples of 2^-40 have exact sums: a Tensor form is closed exactly.
-        modes.push_back(std::round(random() * std::pow(decay, p + q + r) * 0x1p40) * 0x1p-40);
-        sum = (r == 0 ? 0.0 : sum) + modes.back();
-        if (space.form == Form::Tensor && p + q > 0 && r == space.LastR(p, q))
-        {
-          modes.back() -= sum;
-        }
-      });
-  }
-  return modes;
-}
-
 /// Compares a range with a grid of n^3 points of the part.
 void CheckOnGrid(const RangeCase& one, const RangeQuestion& question, const CertifiedRange& range,
   const Box3& part, int n)

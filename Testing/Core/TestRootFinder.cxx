@@ -12,11 +12,11 @@ namespace pixelexact::testing
 {
 namespace
 {
-bool Holds(const ParameterIntervals& box, int n, const QuadPoint& t)
+bool HoldsPoint(const ParameterIntervals& box, int n, const QuadPoint& t)
 {
   for (std::size_t d = 0; d < static_cast<std::size_t>(n); ++d)
   {
-    if (t[d] < Quad(box[d].lower) || t[d] > Quad(box[d].upper))
+    if (t[d] < Float128(box[d].lower) || t[d] > Float128(box[d].upper))
     {
       return false;
     }
@@ -24,48 +24,48 @@ bool Holds(const ParameterIntervals& box, int n, const QuadPoint& t)
   return true;
 }
 
-bool Holds(const ParameterBox& box, int n, const QuadPoint& t)
+bool HoldsPoint(const ParameterBox& box, int n, const QuadPoint& t)
 {
   ParameterIntervals intervals;
   for (std::size_t d = 0; d < 3; ++d)
   {
     intervals[d] = { box.lower[d], box.upper[d] };
   }
-  return Holds(intervals, n, t);
+  return HoldsPoint(intervals, n, t);
 }
 
 /// Every root once and only once, or in an undecided box; no enclosure without a root. A multiple
 /// root must not be isolated.
-struct Tally
+struct RootTally
 {
   int isolated = 0;
   int undecided = 0;
 };
-Tally ExpectSound(const RootSearchResult& result, int n, const std::vector<QuadPoint>& roots,
+RootTally ExpectSound(const RootSearchResult& result, int n, const std::vector<QuadPoint>& roots,
   const std::vector<int>& multiplicity = {})
 {
-  Tally tally;
+  RootTally tally;
   std::vector<int> held(result.roots.size(), 0);
   for (std::size_t r = 0; r < roots.size(); ++r)
   {
     int enclosures = 0;
     for (std::size_t i = 0; i < result.roots.size(); ++i)
     {
-      if (Holds(result.roots[i].enclosure, n, roots[r]))
+      if (HoldsPoint(result.roots[i].enclosure, n, roots[r]))
       {
         ++enclosures;
         ++held[i];
       }
     }
     const bool open = std::ranges::any_of(
-      result.undecided, [&](const ParameterBox& box) { return Holds(box, n, roots[r]); });
+      result.undecided, [&](const ParameterBox& box) { return HoldsPoint(box, n, roots[r]); });
     EXPECT_LE(enclosures, 1) << "root " << r << " is listed twice";
     EXPECT_TRUE(enclosures == 1 || open)
       << "root " << r << " is lost: " << static_cast<double>(roots[r][0]) << ' '
       << static_cast<double>(roots[r][1]) << ' ' << static_cast<double>(roots[r][2]);
     for (const ParameterBox& box : result.empty)
     {
-      EXPECT_FALSE(enclosures == 0 && Holds(box, n, roots[r])) << "root in an empty box";
+      EXPECT_FALSE(enclosures == 0 && HoldsPoint(box, n, roots[r])) << "root in an empty box";
     }
     if (!multiplicity.empty() && multiplicity[r] > 1)
     {
@@ -82,17 +82,17 @@ Tally ExpectSound(const RootSearchResult& result, int n, const std::vector<QuadP
 }
 
 /// (t_d - r_0) (t_d - r_1) ...
-QuadPolynomial Product(int direction, const std::vector<Quad>& roots)
+QuadPolynomial Product(int direction, const std::vector<Float128>& roots)
 {
   QuadPolynomial product = QuadPolynomial::Constant(1);
-  for (const Quad root : roots)
+  for (const Float128 root : roots)
   {
     product = product * (QuadPolynomial::Variable(direction) + QuadPolynomial::Constant(-root));
   }
   return product;
 }
 
-bool InUnitInterval(Quad t)
+bool InUnitInterval(Float128 t)
 {
   return t >= 0 && t <= 1;
 }
@@ -107,7 +107,7 @@ TEST(RootFinder, SeparateRootsOfOnePolynomial)
   {
     for (int repeat = 0; repeat < 20; ++repeat)
     {
-      std::vector<Quad> all;
+      std::vector<Float128> all;
       std::vector<QuadPoint> inside;
       for (int i = 0; i < degree; ++i)
       {
@@ -121,7 +121,7 @@ TEST(RootFinder, SeparateRootsOfOnePolynomial)
       }
       const QuadSystem system({ Product(0, all) });
       const auto result = FindRoots(system.Rounded(), { .keepEmpty = true });
-      const Tally tally = ExpectSound(result, 1, inside);
+      const RootTally tally = ExpectSound(result, 1, inside);
       isolated += tally.isolated;
       undecided += tally.undecided;
       EXPECT_FALSE(result.budgetSpent);
@@ -139,11 +139,11 @@ TEST(RootFinder, ClustersAndMultipleRoots)
   {
     for (int repeat = 0; repeat < 20; ++repeat)
     {
-      std::vector<Quad> all;
+      std::vector<Float128> all;
       const double centre = random(0.1, 0.9);
       const double gap = repeat % 4 == 0 ? 0.0 : std::pow(10.0, random(-12.0, -2.0));
       all.emplace_back(centre);
-      all.push_back(Quad(centre) + Quad(gap));
+      all.push_back(Float128(centre) + Float128(gap));
       for (int i = 2; i < degree; ++i)
       {
         all.emplace_back(random(-0.5, 1.5));
@@ -173,14 +173,14 @@ TEST(RootFinder, NearMissesAreNotInvented)
   for (int repeat = 0; repeat < 200; ++repeat)
   {
     const double centre = random(0.0, 1.0);
-    const Quad gap = Quad(std::pow(10.0, random(-9.0, -1.0)));
-    const auto t = QuadPolynomial::Variable(0) + QuadPolynomial::Constant(-Quad(centre));
+    const Float128 gap = Float128(std::pow(10.0, random(-9.0, -1.0)));
+    const auto t = QuadPolynomial::Variable(0) + QuadPolynomial::Constant(-Float128(centre));
     const QuadSystem system({ t * t + QuadPolynomial::Constant(gap * gap) });
     const auto result = FindRoots(system.Rounded());
     EXPECT_TRUE(result.roots.empty());
     proven += result.IsComplete() ? 1 : 0;
     // Coefficients of size 1, whose rounding is 1e-16, tell a gap of 1e-7 from none.
-    if (gap > Quad(1e-7))
+    if (gap > Float128(1e-7))
     {
       EXPECT_TRUE(result.IsComplete()) << static_cast<double>(gap);
     }
@@ -198,7 +198,7 @@ TEST(RootFinder, GridsOfRootsBehindAMixingMatrix)
     {
       for (int repeat = 0; repeat < (n == 2 ? 3 : 2); ++repeat)
       {
-        std::vector<std::vector<Quad>> roots(3);
+        std::vector<std::vector<Float128>> roots(3);
         std::vector<QuadPolynomial> p;
         for (int k = 0; k < n; ++k)
         {
@@ -216,20 +216,20 @@ TEST(RootFinder, GridsOfRootsBehindAMixingMatrix)
           QuadPolynomial f = p[static_cast<std::size_t>(k)];
           for (int j = 0; j < n; ++j)
           {
-            const auto factor = QuadPolynomial::Constant(Quad(random(-0.2, 0.2))) +
+            const auto factor = QuadPolynomial::Constant(Float128(random(-0.2, 0.2))) +
               QuadPolynomial::Variable((j + 1) % n) *
-                QuadPolynomial::Constant(Quad(random(-0.2, 0.2)));
+                QuadPolynomial::Constant(Float128(random(-0.2, 0.2)));
             f = f + factor * p[static_cast<std::size_t>(j)];
           }
           mixed.push_back(f);
         }
         std::vector<QuadPoint> inside;
-        const std::vector<Quad> none{ Quad(0) };
-        for (const Quad a : roots[0])
+        const std::vector<Float128> none{ Float128(0) };
+        for (const Float128 a : roots[0])
         {
-          for (const Quad b : roots[1])
+          for (const Float128 b : roots[1])
           {
-            for (const Quad c : n == 3 ? roots[2] : none)
+            for (const Float128 c : n == 3 ? roots[2] : none)
             {
               if (InUnitInterval(a) && InUnitInterval(b) && InUnitInterval(c))
               {
@@ -240,7 +240,7 @@ TEST(RootFinder, GridsOfRootsBehindAMixingMatrix)
         }
         const auto result =
           FindRoots(QuadSystem(mixed).Rounded(), { .budget = 200000, .keepEmpty = true });
-        const Tally tally = ExpectSound(result, n, inside);
+        const RootTally tally = ExpectSound(result, n, inside);
         EXPECT_EQ(tally.undecided, 0) << n << " variables, degree " << degree;
         EXPECT_TRUE(result.IsComplete()) << n << " variables, degree " << degree;
       }
@@ -254,7 +254,7 @@ TEST(RootFinder, NearlyDependentEquations)
   Random random(9);
   for (int degree = 1; degree <= 4; ++degree)
   {
-    std::vector<std::vector<Quad>> roots(2);
+    std::vector<std::vector<Float128>> roots(2);
     std::vector<QuadPolynomial> p;
     for (int k = 0; k < 2; ++k)
     {
@@ -266,17 +266,17 @@ TEST(RootFinder, NearlyDependentEquations)
         QuadPolynomial::Constant(std::pow(2.5, degree)));
     }
     const std::vector<QuadPolynomial> mixed{ p[0] + p[1],
-      p[0] + QuadPolynomial::Constant(Quad(1.0 + 0x1p-20)) * p[1] };
+      p[0] + QuadPolynomial::Constant(Float128(1.0 + 0x1p-20)) * p[1] };
     std::vector<QuadPoint> inside;
-    for (const Quad a : roots[0])
+    for (const Float128 a : roots[0])
     {
-      for (const Quad b : roots[1])
+      for (const Float128 b : roots[1])
       {
-        inside.push_back({ a, b, Quad(0) });
+        inside.push_back({ a, b, Float128(0) });
       }
     }
     const auto result = FindRoots(QuadSystem(mixed).Rounded(), { .budget = 20000 });
-    const Tally tally = ExpectSound(result, 2, inside);
+    const RootTally tally = ExpectSound(result, 2, inside);
     EXPECT_EQ(tally.undecided, 0) << "degree " << degree;
     EXPECT_TRUE(result.IsComplete()) << "degree " << degree;
   }
@@ -303,7 +303,7 @@ TEST(RootFinder, RandomSystemsAgainstBruteForce)
         polynomial.power.emplace_back(random());
       }
       // Through a point of the cube, so that there is something to find.
-      const QuadPoint through{ Quad(0.4), Quad(0.6), Quad(n == 3 ? 0.3 : 0.0) };
+      const QuadPoint through{ Float128(0.4), Float128(0.6), Float128(n == 3 ? 0.3 : 0.0) };
       polynomial.power[0] -= polynomial.Value(through);
       f.push_back(polynomial);
     }
@@ -313,9 +313,9 @@ TEST(RootFinder, RandomSystemsAgainstBruteForce)
     constexpr int kStarts = 4;
     for (int s = 0; s < (n == 2 ? kStarts * kStarts : kStarts * kStarts * kStarts); ++s)
     {
-      const QuadPoint start{ Quad((s % kStarts + 0.5) / kStarts),
-        Quad((s / kStarts % kStarts + 0.5) / kStarts),
-        Quad(n == 3 ? (s / kStarts / kStarts + 0.5) / kStarts : 0.0) };
+      const QuadPoint start{ Float128((s % kStarts + 0.5) / kStarts),
+        Float128((s / kStarts % kStarts + 0.5) / kStarts),
+        Float128(n == 3 ? (s / kStarts / kStarts + 0.5) / kStarts : 0.0) };
       const auto root = system.Newton(start);
       if (!root || !InUnitInterval((*root)[0]) || !InUnitInterval((*root)[1]) ||
         !InUnitInterval((*root)[2]))
@@ -327,7 +327,7 @@ TEST(RootFinder, RandomSystemsAgainstBruteForce)
         {
           return Magnitude(known[0] - (*root)[0]) + Magnitude(known[1] - (*root)[1]) +
             Magnitude(known[2] - (*root)[2]) <
-            Quad(1e-20);
+            Float128(1e-20);
         });
       if (isNew)
       {
@@ -341,9 +341,9 @@ TEST(RootFinder, RandomSystemsAgainstBruteForce)
         isolated.enclosure[2].Middle() };
       const auto root = system.Newton(middle);
       ASSERT_TRUE(root.has_value());
-      EXPECT_TRUE(Holds(isolated.enclosure, n, *root));
-      if (std::ranges::none_of(
-            roots, [&](const QuadPoint& known) { return Holds(isolated.enclosure, n, known); }))
+      EXPECT_TRUE(HoldsPoint(isolated.enclosure, n, *root));
+      if (std::ranges::none_of(roots,
+            [&](const QuadPoint& known) { return HoldsPoint(isolated.enclosure, n, known); }))
       {
         roots.push_back(*root);
       }
@@ -363,16 +363,16 @@ TEST(RootFinder, TangentCurves)
 {
   const auto x = QuadPolynomial::Variable(0);
   const auto y = QuadPolynomial::Variable(1);
-  const auto circle = [&](double cx, double cy, Quad r)
+  const auto circle = [&](double cx, double cy, Float128 r)
   {
-    const auto dx = x + QuadPolynomial::Constant(-Quad(cx));
-    const auto dy = y + QuadPolynomial::Constant(-Quad(cy));
+    const auto dx = x + QuadPolynomial::Constant(-Float128(cx));
+    const auto dy = y + QuadPolynomial::Constant(-Float128(cy));
     return dx * dx + dy * dy + QuadPolynomial::Constant(-r * r);
   };
   for (const double off : { 1e-2, 1e-4, 1e-6, 1e-8, 0.0, -1e-8, -1e-6, -1e-4, -1e-2 })
   {
     const QuadSystem system(
-      { circle(0.25, 0.5, Quad(0.25)), circle(0.75, 0.5, Quad(0.25) + Quad(off)) });
+      { circle(0.25, 0.5, Float128(0.25)), circle(0.75, 0.5, Float128(0.25) + Float128(off)) });
     const auto result = FindRoots(system.Rounded());
     EXPECT_FALSE(result.budgetSpent) << off;
     const int expected = off > 0.0 ? 2 : 0;
@@ -393,7 +393,7 @@ TEST(RootFinder, RootsOnTheBoundary)
 {
   for (const double at : { 0.0, 1.0 })
   {
-    const QuadSystem system({ Product(0, { Quad(at), Quad(0.5) }) });
+    const QuadSystem system({ Product(0, { Float128(at), Float128(0.5) }) });
     const auto result = FindRoots(system.Rounded());
     ASSERT_EQ(result.roots.size(), 2U);
     EXPECT_TRUE(result.IsComplete());
@@ -403,7 +403,7 @@ TEST(RootFinder, RootsOnTheBoundary)
     }
   }
   // Just beyond: proven outside.
-  const QuadSystem beyond({ Product(0, { Quad(1.0) + Quad(1e-12), Quad(-1e-12) }) });
+  const QuadSystem beyond({ Product(0, { Float128(1.0) + Float128(1e-12), Float128(-1e-12) }) });
   const auto result = FindRoots(beyond.Rounded());
   EXPECT_TRUE(result.roots.empty());
   EXPECT_TRUE(result.IsComplete());
@@ -415,8 +415,8 @@ TEST(RootFinder, OtherNumbersOfEquations)
   const auto x = QuadPolynomial::Variable(0);
   const auto y = QuadPolynomial::Variable(1);
   const auto z = QuadPolynomial::Variable(2);
-  const auto f = (x * x + y * y + QuadPolynomial::Constant(Quad(-0.5))).Rounded();
-  const auto g = (z + x * QuadPolynomial::Constant(Quad(-0.5))).Rounded();
+  const auto f = (x * x + y * y + QuadPolynomial::Constant(Float128(-0.5))).Rounded();
+  const auto g = (z + x * QuadPolynomial::Constant(Float128(-0.5))).Rounded();
   const TensorPolynomial curve[] = { f, g };
   const auto cover = FindRoots(PolynomialSystem(3, curve), { .smallest = 0.05 });
   EXPECT_TRUE(cover.roots.empty());
@@ -424,16 +424,17 @@ TEST(RootFinder, OtherNumbersOfEquations)
   for (int i = 0; i <= 100; ++i)
   {
     const double angle = i * 0.5 * 3.14159265358979 / 100;
-    const QuadPoint on{ Quad(std::sqrt(0.5) * std::cos(angle)),
-      Quad(std::sqrt(0.5) * std::sin(angle)), Quad(0.5 * std::sqrt(0.5) * std::cos(angle)) };
+    const QuadPoint on{ Float128(std::sqrt(0.5) * std::cos(angle)),
+      Float128(std::sqrt(0.5) * std::sin(angle)),
+      Float128(0.5 * std::sqrt(0.5) * std::cos(angle)) };
     if (InUnitInterval(on[0]) && InUnitInterval(on[1]))
     {
       EXPECT_TRUE(std::ranges::any_of(
-        cover.undecided, [&](const ParameterBox& box) { return Holds(box, 3, on); }));
+        cover.undecided, [&](const ParameterBox& box) { return HoldsPoint(box, 3, on); }));
     }
   }
-  const TensorPolynomial many[] = { f, (x + QuadPolynomial::Constant(Quad(-0.5))).Rounded(),
-    (y + QuadPolynomial::Constant(Quad(-0.25))).Rounded() };
+  const TensorPolynomial many[] = { f, (x + QuadPolynomial::Constant(Float128(-0.5))).Rounded(),
+    (y + QuadPolynomial::Constant(Float128(-0.25))).Rounded() };
   EXPECT_TRUE(FindRoots(PolynomialSystem(2, many)).IsComplete());
 }
 

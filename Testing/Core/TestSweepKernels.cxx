@@ -23,7 +23,7 @@ namespace
 {
 using Numbers = std::vector<double>;
 
-const std::vector<Degrees> kDegrees{ { 0, 0, 0 }, { 1, 1, 1 }, { 3, 3, 3 }, { 6, 0, 2 },
+const std::vector<Degrees> kSweepDegrees{ { 0, 0, 0 }, { 1, 1, 1 }, { 3, 3, 3 }, { 6, 0, 2 },
   { 2, 5, 1 }, { 1, 2, 9 }, { 4, 8, 0 }, { 2, 10, 10 }, { 34, 1, 12 } };
 
 Numbers Made(const Degrees& degree)
@@ -112,7 +112,7 @@ double Difference(const Degrees& degree, int direction, int order, const Numbers
 
 TEST(SweepKernels, HalveLikeDeCasteljau)
 {
-  for (const Degrees& degree : kDegrees)
+  for (const Degrees& degree : kSweepDegrees)
   {
     const Numbers b = Made(degree);
     for (int direction = 0; direction < 3; ++direction)
@@ -136,7 +136,7 @@ TEST(SweepKernels, RestrictLikeDeCasteljau)
   OnEveryInstructionSet(
     []
     {
-      for (const Degrees& degree : kDegrees)
+      for (const Degrees& degree : kSweepDegrees)
       {
         for (int direction = 0; direction < 3; ++direction)
         {
@@ -158,7 +158,7 @@ TEST(SweepKernels, LargestDifferenceAndMagnitude)
   OnEveryInstructionSet(
     []
     {
-      for (const Degrees& degree : kDegrees)
+      for (const Degrees& degree : kSweepDegrees)
       {
         const Numbers b = Made(degree);
         double largest = 0.0;

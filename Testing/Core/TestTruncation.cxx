@@ -17,9 +17,9 @@ namespace pixelexact::testing
 namespace
 {
 /// One curved element and a field with random coefficients.
-struct Case
+struct CurvedElement
 {
-  Case(const Space& space, int components, std::uint64_t seed)
+  CurvedElement(const Space& space, int components, std::uint64_t seed)
     : Values(components)
   {
     Elements.Add(UniformSpace(space.shape, 3), Curved);
@@ -38,7 +38,7 @@ struct Case
   Field TheField;
 };
 
-std::vector<double> At(const Mesh& mesh, const Field& field, const std::vector<Vec3>& xi)
+std::vector<double> EvaluateField(const Mesh& mesh, const Field& field, const std::vector<Vec3>& xi)
 {
   std::vector<double> values(xi.size() * static_cast<std::size_t>(field.values.components));
   EvaluateAt(mesh, field, 0, xi, values, {});
@@ -68,7 +68,7 @@ TEST(Truncation, KeptAndDroppedAddUpAndTheBoundHolds)
     {
       for (const int components : { 1, 3 })
       {
-        const Case with(space, components, 7);
+        const CurvedElement with(space, components, 7);
         const Mesh mesh = with.Elements.View();
         const Truncation truncation(with.TheField, order);
         const Field kept = truncation.Kept();
@@ -82,9 +82,9 @@ TEST(Truncation, KeptAndDroppedAddUpAndTheBoundHolds)
         Random random(11);
         std::vector<Vec3> xi(200);
         std::ranges::generate(xi, [&] { return random.Inside(space.shape); });
-        const std::vector<double> all = At(mesh, with.TheField, xi);
-        const std::vector<double> low = At(mesh, kept, xi);
-        const std::vector<double> high = At(mesh, dropped, xi);
+        const std::vector<double> all = EvaluateField(mesh, with.TheField, xi);
+        const std::vector<double> low = EvaluateField(mesh, kept, xi);
+        const std::vector<double> high = EvaluateField(mesh, dropped, xi);
         const double bound = LargestChange(mesh, truncation, 0);
         const double ofNorm = LargestChange(mesh, truncation, -1);
         double largest = 0.0;
@@ -122,7 +122,7 @@ TEST(Truncation, WhatIsKeptIsTheBestOfItsOrder)
   for (const Shape shape : kShapes)
   {
     const Space space = UniformSpace(shape, 4);
-    const Case with(space, 1, 3);
+    const CurvedElement with(space, 1, 3);
     const Mesh mesh = with.Elements.View();
     const Truncation truncation(with.TheField, 2);
     const auto points = GaussPoints(8);
@@ -165,7 +165,7 @@ TEST(Truncation, WhatIsKeptIsTheBestOfItsOrder)
         }
       }
     }
-    const std::vector<double> dropped = At(mesh, truncation.Dropped(), xi);
+    const std::vector<double> dropped = EvaluateField(mesh, truncation.Dropped(), xi);
     Field kept = truncation.Kept();
     std::vector<double> mode(kept.values.coefficients.size());
     for (std::size_t m = 0; m < mode.size(); ++m)
@@ -173,7 +173,7 @@ TEST(Truncation, WhatIsKeptIsTheBestOfItsOrder)
       std::ranges::fill(mode, 0.0);
       mode[m] = 1.0;
       kept.values.coefficients = mode;
-      const std::vector<double> of = At(mesh, kept, xi);
+      const std::vector<double> of = EvaluateField(mesh, kept, xi);
       double product = 0.0;
       for (std::size_t k = 0; k < xi.size(); ++k)
       {
@@ -186,7 +186,7 @@ TEST(Truncation, WhatIsKeptIsTheBestOfItsOrder)
 
 TEST(Truncation, NotANumberStaysWhereItIs)
 {
-  Case with(UniformSpace(Shape::Hexahedron, 3), 1, 5);
+  CurvedElement with(UniformSpace(Shape::Hexahedron, 3), 1, 5);
   with.Values.Coefficients.back() = std::nan("");
   const Truncation truncation({ "u", with.Values.View() }, 2);
   EXPECT_TRUE(std::isnan(truncation.Dropped().values.coefficients.back()));

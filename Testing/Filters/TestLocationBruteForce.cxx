@@ -62,7 +62,7 @@ public:
 
   SearchedElement(LongMap& map, const Mesh& mesh, int element)
     : Centre(map, element, ToLong(pixelexact::Centre(mesh.ShapeOf(element))))
-    , Faces(FacesOf(mesh.ShapeOf(element)))
+    , Faces(BoundingPlanesOf(mesh.ShapeOf(element)))
     , Least(Faces.size(), kInfinity)
   {
     const Space& space = mesh.map.SpaceOf(element);
@@ -136,13 +136,13 @@ private:
     return Plus(Centre.xi, Centre.Step(x));
   }
 
-  static long double Along(const ShapeFace& face, const LongVec3& v)
+  static long double Along(const BoundingPlane& face, const LongVec3& v)
   {
     return face.normal[0] * v[0] + face.normal[1] * v[1] + face.normal[2] * v[2];
   }
 
   Tangent Centre;
-  std::vector<ShapeFace> Faces;
+  std::vector<BoundingPlane> Faces;
   std::vector<long double> Least; ///< of the deviation, along each face's normal
 };
 
@@ -232,7 +232,7 @@ struct Truth
 };
 
 /// Points all over the mesh's box, and points a little inside and outside of faces.
-std::vector<Vec3> Points(const Mesh& mesh, const SearchedElements& elements)
+std::vector<Vec3> MakePoints(const Mesh& mesh, const SearchedElements& elements)
 {
   Random random(7);
   LongMap map(mesh);
@@ -288,7 +288,7 @@ TEST_P(BruteForce, AgreesOnInsideAndOutside)
       LongMap map(mesh);
       elements[static_cast<std::size_t>(e)] = std::make_unique<SearchedElement>(map, mesh, e);
     });
-  const auto points = Points(mesh, elements);
+  const auto points = MakePoints(mesh, elements);
   std::vector<Verdict> verdict(points.size());
   std::vector<std::int32_t> element(points.size());
   std::vector<Vec3> xi(points.size());
