@@ -12,6 +12,14 @@
 // A cube of curved elements of any shapes with a field in closed form, and what is seen of it.
 namespace pixelexact::testing
 {
+/// Shapes of the elements of bent cubes.
+inline const std::vector<std::vector<Shape>> kMeshShapes{ { Shape::Hexahedron },
+  { Shape::Tetrahedron }, { std::begin(kShapes), std::end(kShapes) } };
+
+/// Values of Quadratic whose contours are certified, and the distance from one that counts as none.
+inline const std::vector<double> kContourValues{ -2.0, -0.7, -0.1, 0.05, 0.4, 1.1 };
+inline constexpr long double kValueTolerance = 1e-11L;
+
 /// Of degree 2, with saddles on planes and extrema on round surfaces.
 inline long double Quadratic(const LongVec3& x)
 {

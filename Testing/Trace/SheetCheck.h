@@ -15,6 +15,23 @@
 // against it.
 namespace pixelexact::testing
 {
+inline constexpr Buffer kAllWithLayer = kAll | Buffer::Layer;
+
+inline CameraView MakeAskewView()
+{
+  CameraView view;
+  view.position = { 1.0, -1.5, 4.0 };
+  view.viewUp = { 0.1, 1.0, 0.0 };
+  view.viewAngle = 36.0;
+  return view;
+}
+
+inline Layer MakeLayer(
+  std::shared_ptr<const Surface> surface, const Field& field, bool translucent = false)
+{
+  return { std::move(surface), &field, 0, Precision::Double, translucent };
+}
+
 struct TrueSheet
 {
   long double t;

@@ -14,7 +14,7 @@ namespace pixelexact::testing
 {
 /// Where a polynomial (constant first) changes its sign between two numbers, in order: between the
 /// places where its derivative does, by bisection.
-inline std::vector<long double> RealRoots(
+inline std::vector<long double> FindRealRoots(
   const std::vector<long double>& p, long double from, long double to)
 {
   const auto at = [&p](long double s)
@@ -34,7 +34,7 @@ inline std::vector<long double> RealRoots(
     {
       slope.push_back(static_cast<long double>(k) * p[k]);
     }
-    const auto extrema = RealRoots(slope, from, to);
+    const auto extrema = FindRealRoots(slope, from, to);
     ends.insert(ends.end(), extrema.begin(), extrema.end());
   }
   ends.push_back(to);
@@ -75,7 +75,7 @@ inline LongHits TorusHits(const Vec3& centre, const Vec3& axis, double R, double
     {
       return std::vector<long double>();
     }
-    auto roots = RealRoots(
+    auto roots = FindRealRoots(
       { k * k - four * (yy - ya * ya), 2 * four * ya * da, 2 * k - four * (1 - da * da), 0, 1 },
       -2 * (R + r), 2 * (R + r));
     for (long double& s : roots)

@@ -37,7 +37,7 @@ struct Scenery
   CameraView view;
 };
 
-CameraView Turned(double viewAngle)
+CameraView MakeTurnedView(double viewAngle)
 {
   CameraView view;
   view.position = { 0.3, -0.4, 5.0 };
@@ -176,8 +176,10 @@ TEST_P(Edges, LeaveTheBuffersAlone)
 }
 
 INSTANTIATE_TEST_SUITE_P(Antialiasing, Edges,
-  ::testing::Values(Scenery{ "Disc", true, Turned(0.0) }, Scenery{ "DiscNear", true, Turned(31.0) },
-    Scenery{ "Square", false, Turned(0.0) }, Scenery{ "SquareNear", false, Turned(33.0) }),
+  ::testing::Values(Scenery{ "Disc", true, MakeTurnedView(0.0) },
+    Scenery{ "DiscNear", true, MakeTurnedView(31.0) },
+    Scenery{ "Square", false, MakeTurnedView(0.0) },
+    Scenery{ "SquareNear", false, MakeTurnedView(33.0) }),
   [](const auto& test) { return std::string(test.param.name); });
 
 TEST(Antialiasing, IsTheSameWhereverItIsMade)

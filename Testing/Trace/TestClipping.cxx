@@ -9,8 +9,6 @@ namespace pixelexact::testing
 {
 namespace
 {
-constexpr Buffer kSheets = kAll | Buffer::Layer;
-
 /// A block, and planes and spheres in it.
 struct Clipped
 {
@@ -33,11 +31,11 @@ struct Clipped
   }
   [[nodiscard]] Frame Render(const CameraView& view, int width, int height) const
   {
-    return Trace(scene.Traced, Camera(view, width, height), {}, { .centres = kSheets });
+    return Trace(scene.Traced, Camera(view, width, height), {}, { .centres = kAllWithLayer });
   }
 };
 
-CameraView Askew(bool parallel)
+CameraView MakeClippedView(bool parallel)
 {
   CameraView view;
   view.position = { -1.5, 2.0, 4.0 };
@@ -76,7 +74,7 @@ TEST(Clipping, OnlyWhatIsKeptIsSeen)
     {
       clipped.scene.Traced.kept.push_back(RandomHalfSpace(random));
     }
-    const CameraView view = Askew(scenes % 2 == 0);
+    const CameraView view = MakeClippedView(scenes % 2 == 0);
     const SheetTally tally = ExpectSheets(clipped.Render(view, 24, 21), clipped.scene, view);
     sheets += tally.WithDepth(2) + tally.WithDepth(3);
     nothing += tally.WithDepth(0);
@@ -126,13 +124,13 @@ TEST(Clipping, NothingIsLeft)
     clipped.scene.Traced.kept = kept;
     for (const bool parallel : { false, true })
     {
-      const Frame frame = clipped.Render(Askew(parallel), 30, 30);
+      const Frame frame = clipped.Render(MakeClippedView(parallel), 30, 30);
       EXPECT_EQ(frame.counters.nothing, 900);
       EXPECT_EQ(frame.counters.surfaceHits, 0);
     }
   }
   clipped.scene.Traced.kept = { { 0.0, 0.0, 0.0, 1.0 } };
-  const CameraView view = Askew(false);
+  const CameraView view = MakeClippedView(false);
   const SheetTally all = ExpectSheets(clipped.Render(view, 30, 30), clipped.scene, view);
   EXPECT_GT(all.WithDepth(2), 200);
 }
@@ -146,7 +144,7 @@ TEST(Clipping, AHollowSphereShowsItsFarHalf)
   {
     Clipped clipped;
     clipped.AddSphere(centre, kRadius, false);
-    const CameraView view = Askew(parallel);
+    const CameraView view = MakeClippedView(parallel);
     const LongVec3 forward = Unit(Minus(ToLong(view.focalPoint), ToLong(view.position)));
     const Vec3 away = ToDouble(forward);
     const double through = static_cast<double>(Dot(ToLong(away), ToLong(centre)));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RayCheck.h"
+#include "Solids.h"
 #include "SurfaceCheck.h"
 
 #include "Trace/Surfaces/Combined.h"
@@ -12,23 +13,6 @@ namespace pixelexact::testing
 {
 namespace
 {
-/// The ball about c.
-Combined::Part Ball(const Vec3& c, double radius)
-{
-  return { std::make_shared<Quadric>(MakeSphere(c, radius)),
-    [=](const Vec3& x) { return glm::dot(x - c, x - c) - radius * radius; } };
-}
-
-Combined::Part Cube(double half)
-{
-  return { std::make_shared<ConvexBody>(MakeBox(Vec3(-half), Vec3(half))),
-    [=](const Vec3& x)
-    {
-      const Vec3 size = glm::abs(x);
-      return std::max({ size.x, size.y, size.z }) - half;
-    } };
-}
-
 bool All(const std::vector<bool>& inside)
 {
   return std::ranges::all_of(inside, [](bool in) { return in; });
@@ -44,7 +28,7 @@ bool FirstAlone(const std::vector<bool>& inside)
 
 /// Against the parts' own hits: one counts where the whole is another on its two sides, a millionth
 /// away; rays with two hits closer than that are left out.
-void Check(const std::vector<Combined::Part>& parts, const Combined::Rule& rule)
+void CheckCombined(const std::vector<Combined::Part>& parts, const Combined::Rule& rule)
 {
   const Combined whole(parts, rule);
   RandomRays random(4);
@@ -91,21 +75,23 @@ void Check(const std::vector<Combined::Part>& parts, const Combined::Rule& rule)
 
 TEST(Combined, UnionsIntersectionsDifferences)
 {
-  const std::vector<Combined::Part> parts{ Cube(0.8), Ball({ 0.5, 0.2, 0.1 }, 0.9),
-    Ball({ -0.6, 0.4, -0.3 }, 0.5) };
-  Check(parts, All);
-  Check(parts, Any);
-  Check(parts, FirstAlone);
+  const std::vector<Combined::Part> parts{ MakeCubePart(0.8), MakeBallPart({ 0.5, 0.2, 0.1 }, 0.9),
+    MakeBallPart({ -0.6, 0.4, -0.3 }, 0.5) };
+  CheckCombined(parts, All);
+  CheckCombined(parts, Any);
+  CheckCombined(parts, FirstAlone);
 }
 
 TEST(Combined, PartsThatTouchOrLieOnEachOther)
 {
   const Ray ray{ Vec3(-3.0, 0.0, 0.0), { 1.0, 0.0, 0.0 } };
   // Two balls that touch at 0: in, out and in at once, out.
-  const Combined touching({ Ball({ -1.0, 0.0, 0.0 }, 1.0), Ball({ 1.0, 0.0, 0.0 }, 1.0) }, Any);
+  const Combined touching(
+    { MakeBallPart({ -1.0, 0.0, 0.0 }, 1.0), MakeBallPart({ 1.0, 0.0, 0.0 }, 1.0) }, Any);
   EXPECT_EQ(HitsOf(touching, ray).size(), 2U);
   // The same ball twice.
-  const std::vector<Combined::Part> twice{ Ball(Vec3(0.0), 1.0), Ball(Vec3(0.0), 1.0) };
+  const std::vector<Combined::Part> twice{ MakeBallPart(Vec3(0.0), 1.0),
+    MakeBallPart(Vec3(0.0), 1.0) };
   EXPECT_EQ(HitsOf(Combined(twice, Any), ray).size(), 2U);
   EXPECT_EQ(HitsOf(Combined(twice, All), ray).size(), 2U);
   EXPECT_EQ(HitsOf(Combined(twice, FirstAlone), ray).size(), 0U);
@@ -115,7 +101,7 @@ TEST(Combined, PartsThatTouchOrLieOnEachOther)
 
 TEST(Combined, IntervalsBeginAndEndAnywhere)
 {
-  const Combined shell({ Ball(Vec3(0.0), 2.0), Ball(Vec3(0.0), 1.0) }, FirstAlone);
+  const Combined shell({ MakeBallPart(Vec3(0.0), 2.0), MakeBallPart(Vec3(0.0), 1.0) }, FirstAlone);
   const Ray ray{ Vec3(-3.0, 0.0, 0.0), { 1.0, 0.0, 0.0 } };
   const auto times = [&](double tNear, double tFar)
   {
@@ -135,7 +121,7 @@ TEST(Combined, IntervalsBeginAndEndAnywhere)
 
 TEST(Combined, NormalsAreTheParts)
 {
-  const Combined whole({ Cube(1.0), Ball({ 1.0, 0.0, 0.0 }, 0.5) }, FirstAlone);
+  const Combined whole({ MakeCubePart(1.0), MakeBallPart({ 1.0, 0.0, 0.0 }, 0.5) }, FirstAlone);
   HitSlots hits;
   const auto normalAt = [&](const Ray& ray)
   {

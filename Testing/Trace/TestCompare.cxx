@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Linear pictures against closed forms, distances against brute force, errors counted by hand.
 #include "Core/Base/Error.h"
+#include "Core/Math/Rounding.h"
 #include "Trace/Compare/LinearSurface.h"
 #include "Trace/Compare/PictureErrors.h"
 #include "Trace/Compare/PixelDistance.h"
+#include "TrueVerdicts.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -18,12 +20,9 @@ namespace pixelexact::testing
 namespace
 {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr auto kIn = static_cast<std::uint8_t>(ContourVerdict::In);
-constexpr auto kUndecided = static_cast<std::uint8_t>(ContourVerdict::Undecided);
 
 /// The square [-1,1]^2 at z = 0, slanted by z = x / 2, of 2 n^2 triangles, with f = x + 2 y.
-LinearSurface Square(int n, double slope)
+LinearSurface MakeSquareSurface(int n, double slope)
 {
   std::vector<Triangles::Triangle> triangles;
   std::vector<std::array<double, 3>> values;
@@ -70,7 +69,7 @@ TEST(LinearSurface, LinearValuesComeBackInEachPixel)
   {
     const Camera camera = ViewOf(151, 90, parallel);
     const double slope = 0.5;
-    const LinearSurface square = Square(7, slope);
+    const LinearSurface square = MakeSquareSurface(7, slope);
     for (const bool corners : { false, true })
     {
       const std::vector<double> values = square.Trace(camera, corners);
@@ -105,7 +104,7 @@ TEST(LinearSurface, LinearValuesComeBackInEachPixel)
 TEST(LinearSurface, ThreadsChangeNoBitAndProgressAborts)
 {
   const Camera camera = ViewOf(200, 300, false);
-  const LinearSurface square = Square(16, 0.0);
+  const LinearSurface square = MakeSquareSurface(16, 0.0);
   const std::vector<double> many = square.Trace(camera, false);
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
   const std::vector<double> alone = square.Trace(camera, false);

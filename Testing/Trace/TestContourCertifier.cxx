@@ -19,15 +19,13 @@ namespace
 {
 Sight QuadraticSight(const CameraView& view, const LongHits& hits)
 {
-  return SightOf(view, kWidth, kHeight, hits,
+  return SightOf(view, kVerdictWidth, kVerdictHeight, hits,
     [](const LongVec3& x, const LongVec3& /*u*/) { return Quadratic(x); });
 }
 
-using Values = std::vector<std::vector<double>>;
-
-void Judge(ContourCertifier& certifier, const Scene& scene, const CameraView& view = Oblique())
+void Certify(ContourCertifier& certifier, const Scene& scene, const CameraView& view = Oblique())
 {
-  Trace(scene, Camera(view, kWidth, kHeight), { {}, { &certifier } });
+  Trace(scene, Camera(view, kVerdictWidth, kVerdictHeight), { {}, { &certifier } });
 }
 
 /// On planes hardly any; on curved surfaces some near silhouettes.
@@ -35,8 +33,8 @@ void ExpectFewUndecided(const ContourCertifier& certifier, bool isFlat)
 {
   const ContourCounters& counters = certifier.Counters();
   // Each pixel by one of them, or by none.
-  EXPECT_EQ(
-    counters.byBlocks + counters.byEdges + counters.byParts + counters.undecided, kWidth * kHeight);
+  EXPECT_EQ(counters.byBlocks + counters.byEdges + counters.byParts + counters.undecided,
+    kVerdictWidth * kVerdictHeight);
   EXPECT_LE(static_cast<double>(counters.undecided),
     1.0 + (isFlat ? 1e-4 : 3e-2) * static_cast<double>(counters.in + counters.out));
 }
@@ -48,14 +46,12 @@ struct Cut
   LongHits hits;
 };
 
-const Vec3 kOrigin{ 0.1, 0.0, 0.05 };
-const Vec3 kNormal{ 0.2, 0.1, 1.0 };
-
-std::vector<Cut> AllCuts()
+std::vector<Cut> MakeCuts()
 {
   const Vec3 centre(0.05, -0.1, 0.1);
   const Vec3 axis = glm::normalize(Vec3(0.6, 0.64, 0.48));
-  return { { "plane", std::make_shared<Plane>(kOrigin, kNormal), PlaneHits(kOrigin, kNormal) },
+  return { { "plane", std::make_shared<Plane>(kPlaneOrigin, kPlaneNormal),
+             PlaneHits(kPlaneOrigin, kPlaneNormal) },
     { "sphere", std::make_shared<Quadric>(MakeSphere(centre, 0.7)),
       RoundHits(centre, Vec3(0.0), 0.7) },
     { "large sphere", std::make_shared<Quadric>(MakeSphere(centre, 1.05)),
@@ -63,9 +59,6 @@ std::vector<Cut> AllCuts()
     { "cylinder", std::make_shared<Quadric>(MakeCylinder(centre, axis, 0.5)),
       RoundHits(centre, axis, 0.5) } };
 }
-
-const std::vector<double> kValues{ -2.0, -0.7, -0.1, 0.05, 0.4, 1.1 };
-constexpr long double kTolerance = 1e-11L;
 
 std::vector<std::vector<Shape>> AllMeshes()
 {
@@ -81,13 +74,13 @@ std::vector<std::vector<Shape>> AllMeshes()
 
 TEST(ContourCertifier, NoVerdictIsWrong)
 {
-  for (const auto& cut : AllCuts())
+  for (const auto& cut : MakeCuts())
   {
     for (const bool parallel : { false, true })
     {
       const CameraView view = Oblique(parallel);
-      const TrueVerdicts truth(
-        QuadraticSight(view, cut.hits), kWidth, kHeight, kValues, kTolerance);
+      const TrueVerdicts truth(QuadraticSight(view, cut.hits), kVerdictWidth, kVerdictHeight,
+        kContourValues, kValueTolerance);
       for (const auto& shapes : AllMeshes())
       {
         if (parallel && shapes.size() == 1)
@@ -97,8 +90,8 @@ TEST(ContourCertifier, NoVerdictIsWrong)
         SCOPED_TRACE(::testing::Message() << cut.name << (parallel ? ", parallel, " : ", ")
                                           << Name(shapes.front()) << " of " << shapes.size());
         const BentCube cube(shapes);
-        ContourCertifier certifier({ kValues });
-        Judge(certifier, cube.With(cut.surface), view);
+        ContourCertifier certifier({ kContourValues });
+        Certify(certifier, cube.With(cut.surface), view);
         truth.Check(certifier.Verdicts(), cut.surface->IsFlat());
         ExpectFewUndecided(certifier, cut.surface->IsFlat());
         EXPECT_GT(certifier.Counters().in, 150);
@@ -109,17 +102,11 @@ TEST(ContourCertifier, NoVerdictIsWrong)
 
 namespace
 {
-constexpr auto kOut = static_cast<std::uint8_t>(ContourVerdict::Out);
-constexpr auto kIn = static_cast<std::uint8_t>(ContourVerdict::In);
-constexpr auto kUndecided = static_cast<std::uint8_t>(ContourVerdict::Undecided);
-
-const std::vector<Shape> kHexahedra{ Shape::Hexahedron };
-
 std::vector<std::uint8_t> VerdictsOf(
   const Scene& scene, const std::vector<double>& values, const ContourMethod& method = {})
 {
   ContourCertifier certifier({ values }, method);
-  Judge(certifier, scene);
+  Certify(certifier, scene);
   return certifier.Verdicts();
 }
 
@@ -129,7 +116,7 @@ Sight BlockSight(const CameraView& view, const LongHits& hits,
 {
   return [=](long double px, long double py) -> std::optional<TrueSight>
   {
-    const LongRay ray = RayThrough(view, kWidth, kHeight, px, py);
+    const LongRay ray = RayThrough(view, kVerdictWidth, kVerdictHeight, px, py);
     const std::vector<long double> all = hits(ray);
     for (std::size_t k = 0; k < all.size(); ++k)
     {
@@ -154,7 +141,7 @@ TEST(ContourCertifier, NoVerdictIsWrongAlongFaces)
     std::function<long double(const LongVec3& x)> value;
     std::vector<double> values;
   };
-  const Case cases[] = { { "several values", Quadratic, kValues },
+  const Case cases[] = { { "several values", Quadratic, kContourValues },
     { "saddle", [](const LongVec3& x) { return x[0] * x[1]; }, { 0.0 } },
     { "saddle beside edges",
       [](const LongVec3& x) { return (x[0] - 0.23L) * (x[1] + 0.37L) + x[2]; }, { 0.0 } },
@@ -171,10 +158,10 @@ TEST(ContourCertifier, NoVerdictIsWrongAlongFaces)
     const Field& field =
       block.Add(1, [&](const LongVec3& x, long double* u) { u[0] = one.value(x); });
     scene.layers = { { std::make_shared<Plane>(Vec3(0.0), normal), &field } };
-    const TrueVerdicts truth(BlockSight(Oblique(), PlaneHits(Vec3(0.0), normal), one.value), kWidth,
-      kHeight, one.values, kTolerance);
+    const TrueVerdicts truth(BlockSight(Oblique(), PlaneHits(Vec3(0.0), normal), one.value),
+      kVerdictWidth, kVerdictHeight, one.values, kValueTolerance);
     ContourCertifier certifier({ one.values });
-    Judge(certifier, scene);
+    Certify(certifier, scene);
     truth.Check(certifier.Verdicts(), true);
     ExpectFewUndecided(certifier, true);
   }
@@ -183,11 +170,11 @@ TEST(ContourCertifier, NoVerdictIsWrongAlongFaces)
 TEST(ContourCertifier, ValuesOutOfRangeAreOut)
 {
   const BentCube cube(AllMeshes().back());
-  for (const Cut& cut : AllCuts())
+  for (const Cut& cut : MakeCuts())
   {
     SCOPED_TRACE(cut.name);
     const auto verdicts = VerdictsOf(cube.With(cut.surface), { -50.0, 50.0 });
-    EXPECT_EQ(std::ranges::count(verdicts, kOut), kWidth * kHeight);
+    EXPECT_EQ(std::ranges::count(verdicts, kOut), kVerdictWidth * kVerdictHeight);
   }
 }
 
@@ -196,25 +183,25 @@ TEST(ContourCertifier, PlateausAreIn)
 {
   const BentCube cube(
     AllMeshes().back(), [](const LongVec3& /*x*/, int /*element*/) { return 0.375L; });
-  for (const Cut& cut : AllCuts())
+  for (const Cut& cut : MakeCuts())
   {
     SCOPED_TRACE(cut.name);
     const auto verdicts = VerdictsOf(cube.With(cut.surface), { 0.375 });
     const Sight sight = QuadraticSight(Oblique(), cut.hits);
     int shown = 0;
-    for (int y = 0; y < kHeight; ++y)
+    for (int y = 0; y < kVerdictHeight; ++y)
     {
-      for (int x = 0; x < kWidth; ++x)
+      for (int x = 0; x < kVerdictWidth; ++x)
       {
         const bool all = sight(x, y) && sight(x + 1, y) && sight(x, y + 1) && sight(x + 1, y + 1);
         shown += all ? 1 : 0;
-        EXPECT_TRUE(!all || verdicts[static_cast<std::size_t>(y * kWidth + x)] == kIn)
+        EXPECT_TRUE(!all || verdicts[static_cast<std::size_t>(y * kVerdictWidth + x)] == kIn)
           << x << " " << y;
       }
     }
     EXPECT_GT(shown, 300);
     const auto others = VerdictsOf(cube.With(cut.surface), { 0.375 - 1e-9, 0.375 + 1e-9 });
-    EXPECT_EQ(std::ranges::count(others, kOut), kWidth * kHeight);
+    EXPECT_EQ(std::ranges::count(others, kOut), kVerdictWidth * kVerdictHeight);
   }
 }
 
@@ -237,7 +224,7 @@ public:
     TheField = { "u", Values.View() };
     TheLocator = std::make_unique<Locator>(Elements.View());
   }
-  void Judge(ContourCertifier& certifier) const
+  void Certify(ContourCertifier& certifier) const
   {
     const Scene scene{ TheLocator.get(),
       { { std::make_shared<Plane>(Vec3(0.0, 0.0, 0.25), Vec3(0.0, 0.0, 1.0)), &TheField } }, {} };
@@ -275,7 +262,7 @@ TEST(ContourCertifier, RoundingIsNoProofOfAValue)
     const PlainCube cube(
       1, [a = steepness](const LongVec3& x) { return x[0] + a * (x[2] - 0.25L); });
     ContourCertifier certifier({ std::vector{ value } });
-    cube.Judge(certifier);
+    cube.Certify(certifier);
     int in = 0;
     for (int y = 0; y < PlainCube::kPixels; ++y)
     {
@@ -303,11 +290,11 @@ TEST(ContourCertifier, PlateausOnPlanesAreIn)
   {
     const PlainCube cube(order, [](const LongVec3& x) { return 0.7L * x[2] + 0.1L; });
     ContourCertifier own({ std::vector{ 0.7 * 0.25 + 0.1 } });
-    cube.Judge(own);
+    cube.Certify(own);
     EXPECT_GE(own.Counters().in, 34 * 34) << order;
     EXPECT_EQ(own.Counters().undecided, 0) << order;
     ContourCertifier others({ std::vector{ 0.7 * 0.25 + 0.1 + 1e-12 } });
-    cube.Judge(others);
+    cube.Certify(others);
     EXPECT_EQ(others.Counters().in, 0) << order;
     EXPECT_EQ(others.Counters().undecided, 0) << order;
   }
@@ -318,15 +305,15 @@ TEST(ContourCertifier, NanElementsTakeNoValue)
 {
   BentCube cube(kHexahedra);
   cube.Values.Coefficients[0] = std::nan("");
-  const Cut cut = AllCuts()[1];
-  const Sight sight = SightOf(Oblique(), kWidth, kHeight, cut.hits,
+  const Cut cut = MakeCuts()[1];
+  const Sight sight = SightOf(Oblique(), kVerdictWidth, kVerdictHeight, cut.hits,
     [](const LongVec3& x, const LongVec3& u)
     {
       return std::max({ u[0], u[1], u[2] }) < 0 ? std::numeric_limits<long double>::quiet_NaN()
                                                 : Quadratic(x);
     });
-  const TrueVerdicts truth(sight, kWidth, kHeight, kValues, kTolerance);
-  truth.Check(VerdictsOf(cube.With(cut.surface), kValues), cut.surface->IsFlat());
+  const TrueVerdicts truth(sight, kVerdictWidth, kVerdictHeight, kContourValues, kValueTolerance);
+  truth.Check(VerdictsOf(cube.With(cut.surface), kContourValues), cut.surface->IsFlat());
 }
 
 /// Neighbours differ by a half: across that a value is in.
@@ -337,15 +324,15 @@ TEST(ContourCertifier, JumpsAreInAndCounted)
     kHexahedra, [&](const LongVec3& x, int element) { return 0.5L * x[1] + besides(element); });
   for (const std::size_t which : { 0, 1, 3 })
   {
-    const Cut cut = AllCuts()[which];
+    const Cut cut = MakeCuts()[which];
     SCOPED_TRACE(cut.name);
-    const Sight sight = SightOf(Oblique(), kWidth, kHeight, cut.hits,
+    const Sight sight = SightOf(Oblique(), kVerdictWidth, kVerdictHeight, cut.hits,
       [&](const LongVec3& x, const LongVec3& u)
       { return 0.5L * x[1] + besides(u[0] > 0 ? 1 : 0); });
     const std::vector<double> values{ 0.25, 0.7 };
-    const TrueVerdicts truth(sight, kWidth, kHeight, values, kTolerance);
+    const TrueVerdicts truth(sight, kVerdictWidth, kVerdictHeight, values, kValueTolerance);
     ContourCertifier certifier({ values });
-    Judge(certifier, cube.With(cut.surface));
+    Certify(certifier, cube.With(cut.surface));
     truth.Check(certifier.Verdicts(), cut.surface->IsFlat());
     EXPECT_GT(certifier.Counters().in, 20);
     EXPECT_GT(certifier.Counters().jumps, 20);
@@ -364,19 +351,19 @@ TEST(ContourCertifier, MagnitudesAreProven)
       u[1] = x[1];
     });
   Scene scene = block.TheScene;
-  const Plane plane(kOrigin, kNormal);
+  const Plane plane(kPlaneOrigin, kPlaneNormal);
   scene.layers = { { std::make_shared<Plane>(plane), &field, kMagnitude } };
-  const Camera camera(Oblique(), kWidth, kHeight);
+  const Camera camera(Oblique(), kVerdictWidth, kVerdictHeight);
   const Frame frame = Trace(scene, camera, {}, { .corners = kAll });
   constexpr double kValue = 0.25;
   const auto verdicts = VerdictsOf(scene, { kValue });
   int in = 0;
-  for (int y = 0; y < kHeight; ++y)
+  for (int y = 0; y < kVerdictHeight; ++y)
   {
-    for (int x = 0; x < kWidth; ++x)
+    for (int x = 0; x < kVerdictWidth; ++x)
     {
-      const auto at = static_cast<std::size_t>(y * (kWidth + 1) + x);
-      const std::size_t corners[4] = { at, at + 1, at + kWidth + 1, at + kWidth + 2 };
+      const auto at = static_cast<std::size_t>(y * (kVerdictWidth + 1) + x);
+      const std::size_t corners[4] = { at, at + 1, at + kVerdictWidth + 1, at + kVerdictWidth + 2 };
       const bool shown = std::ranges::all_of(corners,
         [&](std::size_t corner) {
           return frame.corners.verdict[corner] == static_cast<std::uint8_t>(PixelVerdict::Exact);
@@ -398,7 +385,7 @@ TEST(ContourCertifier, MagnitudesAreProven)
       {
         const bool takes = least < kValue && kValue < most;
         in += takes ? 1 : 0;
-        EXPECT_EQ(verdicts[static_cast<std::size_t>(y * kWidth + x)], takes ? kIn : kOut)
+        EXPECT_EQ(verdicts[static_cast<std::size_t>(y * kVerdictWidth + x)], takes ? kIn : kOut)
           << x << ' ' << y;
       }
     }
@@ -428,35 +415,37 @@ TEST(ContourCertifier, SearchedSurfacesAreUndecidedWhereShown)
     { { std::make_shared<SearchedSurface>(std::make_shared<Ball>(), Box3{ Vec3(-1.0), Vec3(1.0) }),
       &field, 0 } },
     {} };
-  const Frame frame = Trace(searched, Camera(Oblique(), kWidth, kHeight), {}, { .corners = kAll });
+  const Frame frame =
+    Trace(searched, Camera(Oblique(), kVerdictWidth, kVerdictHeight), {}, { .corners = kAll });
   const auto verdicts = VerdictsOf(searched, { 0.25 });
   int shown = 0;
-  for (int y = 0; y < kHeight; ++y)
+  for (int y = 0; y < kVerdictHeight; ++y)
   {
-    for (int x = 0; x < kWidth; ++x)
+    for (int x = 0; x < kVerdictWidth; ++x)
     {
-      const auto at = static_cast<std::size_t>(y * (kWidth + 1) + x);
+      const auto at = static_cast<std::size_t>(y * (kVerdictWidth + 1) + x);
       bool any = false;
-      for (const std::size_t corner : { at, at + 1, at + kWidth + 1, at + kWidth + 2 })
+      for (const std::size_t corner :
+        { at, at + 1, at + kVerdictWidth + 1, at + kVerdictWidth + 2 })
       {
         any =
           any || frame.corners.verdict[corner] == static_cast<std::uint8_t>(PixelVerdict::Exact);
       }
       shown += any ? 1 : 0;
-      EXPECT_EQ(verdicts[static_cast<std::size_t>(y * kWidth + x)], any ? kUndecided : kOut);
+      EXPECT_EQ(verdicts[static_cast<std::size_t>(y * kVerdictWidth + x)], any ? kUndecided : kOut);
     }
   }
   EXPECT_GT(shown, 200);
   const auto beyond = VerdictsOf(searched, { 7.0 });
-  EXPECT_EQ(std::ranges::count(beyond, kOut), kWidth * kHeight);
+  EXPECT_EQ(std::ranges::count(beyond, kOut), kVerdictWidth * kVerdictHeight);
 }
 
 TEST(ContourCertifier, AgreesWithThePapersMethod)
 {
   const BentCube cube(kHexahedra);
-  const Scene scene = cube.With(AllCuts()[0].surface);
-  const auto own = VerdictsOf(scene, kValues);
-  const auto theirs = VerdictsOf(scene, kValues, { .subdivisions = 2 });
+  const Scene scene = cube.With(MakeCuts()[0].surface);
+  const auto own = VerdictsOf(scene, kContourValues);
+  const auto theirs = VerdictsOf(scene, kContourValues, { .subdivisions = 2 });
   int compared = 0;
   for (std::size_t i = 0; i < own.size(); ++i)
   {
@@ -466,7 +455,7 @@ TEST(ContourCertifier, AgreesWithThePapersMethod)
       EXPECT_EQ(own[i], theirs[i]) << i;
     }
   }
-  EXPECT_GT(compared, kWidth * kHeight / 2);
+  EXPECT_GT(compared, kVerdictWidth * kVerdictHeight / 2);
 }
 
 /// Neither threads nor tiles nor what was found out for another view.
@@ -475,38 +464,38 @@ TEST(ContourCertifier, VerdictsDependOnNothingElse)
   const BentCube cube(AllMeshes().back());
   for (const std::size_t which : { 0, 1 })
   {
-    const Scene scene = cube.With(AllCuts()[which].surface);
-    SCOPED_TRACE(AllCuts()[which].name);
-    const auto wanted = VerdictsOf(scene, kValues);
+    const Scene scene = cube.With(MakeCuts()[which].surface);
+    SCOPED_TRACE(MakeCuts()[which].name);
+    const auto wanted = VerdictsOf(scene, kContourValues);
     for (const std::size_t threads : { 1, 2 })
     {
       const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-      EXPECT_EQ(VerdictsOf(scene, kValues), wanted) << threads << " threads";
+      EXPECT_EQ(VerdictsOf(scene, kContourValues), wanted) << threads << " threads";
     }
 
     const auto bounds = std::make_shared<ContourBounds>();
-    ContourCertifier kept({ kValues }, {}, bounds);
-    Judge(kept, scene, Oblique(true));
-    Judge(kept, scene);
+    ContourCertifier kept({ kContourValues }, {}, bounds);
+    Certify(kept, scene, Oblique(true));
+    Certify(kept, scene);
     EXPECT_EQ(kept.Verdicts(), wanted) << "bounds of another view";
 
-    const Camera camera(Oblique(), kWidth, kHeight);
-    ContourCertifier tiled({ kValues });
+    const Camera camera(Oblique(), kVerdictWidth, kVerdictHeight);
+    ContourCertifier tiled({ kContourValues });
     const Pipeline pipeline{ {}, { &tiled } };
     Frame frame = Trace(scene, camera, pipeline);
     for (const int size : { 1, 7, 20 })
     {
-      tiled.Begin(kWidth, kHeight);
+      tiled.Begin(kVerdictWidth, kVerdictHeight);
       // As pipelines do; small tiles have small shares of the work, and get the rest in the end.
       for (FrameModule* const module : { static_cast<FrameModule*>(&tiled), tiled.Rest() })
       {
         const std::vector<FrameModule*> modules{ module };
-        for (int y = 0; y < kHeight; y += size)
+        for (int y = 0; y < kVerdictHeight; y += size)
         {
-          for (int x = 0; x < kWidth; x += size)
+          for (int x = 0; x < kVerdictWidth; x += size)
           {
             TileVisit(&scene, &camera, pipeline, frame,
-              { x, y, std::min(x + size, kWidth), std::min(y + size, kHeight) })
+              { x, y, std::min(x + size, kVerdictWidth), std::min(y + size, kVerdictHeight) })
               .Run(modules);
           }
         }
@@ -541,8 +530,8 @@ TEST(ContourCertifier, RidgesAlongFacesAreNotOut)
   {
     const Scene scene{ block.TheScene.locator, { { one.surface, &field } }, {} };
     const TrueVerdicts truth(
-      BlockSight(Oblique(), one.hits, [](const LongVec3& x) { return x[2]; }), kWidth, kHeight,
-      { 0.0 }, 0.0L);
+      BlockSight(Oblique(), one.hits, [](const LongVec3& x) { return x[2]; }), kVerdictWidth,
+      kVerdictHeight, { 0.0 }, 0.0L);
     const int wrong = truth.CountOutThatTake(VerdictsOf(scene, { -1e-9 }));
     EXPECT_EQ(wrong, 0) << (one.surface->IsFlat() ? "plane" : "sphere");
   }

@@ -21,7 +21,7 @@ namespace
 constexpr int kAcross = 128;
 constexpr int kUp = 96;
 
-struct Told
+struct EffortResult
 {
   std::vector<std::uint8_t> verdicts;
   ContourCounters counters;
@@ -37,11 +37,11 @@ ContourCertifier CertifierWith(
   ContourMethod method;
   method.work = work;
   method.interior = interior;
-  return ContourCertifier({ { -2.0, -0.7, -0.1, 0.05, 0.4, 1.1 } }, method, std::move(bounds));
+  return ContourCertifier({ kContourValues }, method, std::move(bounds));
 }
 
-Told Tell(const Scene& scene, std::int64_t work, std::shared_ptr<ContourBounds> bounds,
-  bool interior = false)
+EffortResult CertifyWithin(const Scene& scene, std::int64_t work,
+  std::shared_ptr<ContourBounds> bounds, bool interior = false)
 {
   ContourCertifier certifier = CertifierWith(work, std::move(bounds), interior);
   Trace(scene, Camera(Oblique(), kAcross, kUp), { {}, { &certifier } });
@@ -50,7 +50,7 @@ Told Tell(const Scene& scene, std::int64_t work, std::shared_ptr<ContourBounds> 
 
 std::vector<std::shared_ptr<const Surface>> Surfaces()
 {
-  return { std::make_shared<Plane>(Vec3(0.1, 0.0, 0.05), Vec3(0.2, 0.1, 1.0)),
+  return { std::make_shared<Plane>(kPlaneOrigin, kPlaneNormal),
     std::make_shared<Quadric>(MakeSphere(Vec3(0.05, -0.1, 0.1), 0.7)) };
 }
 } // namespace
@@ -64,8 +64,8 @@ TEST(ContourEffort, LessLeavesMoreUndecidedAndNothingElse)
   for (const auto& surface : surfaces)
   {
     const Scene scene = cube.With(surface);
-    const Told usual = Tell(scene, ContourMethod().work, nullptr);
-    const Told little = Tell(scene, kLittle, nullptr);
+    const EffortResult usual = CertifyWithin(scene, ContourMethod().work, nullptr);
+    const EffortResult little = CertifyWithin(scene, kLittle, nullptr);
     EXPECT_EQ(usual.counters.spent, 0);
     EXPECT_GT(little.counters.spent, 0);
     EXPECT_GT(little.counters.undecided, usual.counters.undecided);
@@ -83,18 +83,18 @@ TEST(ContourEffort, WhatIsKeptAndThreadsChangeNothing)
   const BentCube cube({ std::begin(kShapes), std::end(kShapes) });
   const Scene scene = cube.With(Surfaces().front());
   const auto kept = std::make_shared<ContourBounds>();
-  (void)Tell(scene, ContourMethod().work, kept);
+  (void)CertifyWithin(scene, ContourMethod().work, kept);
   for (const bool interior : { false, true })
   {
     for (const std::int64_t work : { kLittle, kSome })
     {
       const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-      const Told cold = Tell(scene, work, nullptr, interior);
+      const EffortResult cold = CertifyWithin(scene, work, nullptr, interior);
       EXPECT_GT(cold.counters.spent, 0) << work;
-      EXPECT_EQ(cold.verdicts, Tell(scene, work, kept, interior).verdicts) << work;
+      EXPECT_EQ(cold.verdicts, CertifyWithin(scene, work, kept, interior).verdicts) << work;
     }
-    const Told alone = Tell(scene, kSome, nullptr, interior);
-    EXPECT_EQ(alone.verdicts, Tell(scene, kSome, nullptr, interior).verdicts);
+    const EffortResult alone = CertifyWithin(scene, kSome, nullptr, interior);
+    EXPECT_EQ(alone.verdicts, CertifyWithin(scene, kSome, nullptr, interior).verdicts);
   }
 }
 
@@ -103,14 +103,14 @@ TEST(ContourEffort, HardTilesGetWhatOthersLeave)
   const BentCube cube({ std::begin(kShapes), std::end(kShapes) });
   const Scene scene = cube.With(Surfaces().front());
   const Camera camera(Oblique(), kAcross, kUp);
-  const Told usual = Tell(scene, ContourMethod().work, nullptr);
+  const EffortResult usual = CertifyWithin(scene, ContourMethod().work, nullptr);
   // The least of powers of 1.25 that is enough for the frame.
   std::int64_t work = 100'000;
-  while (Tell(scene, work, nullptr).counters.spent > 0)
+  while (CertifyWithin(scene, work, nullptr).counters.spent > 0)
   {
     work += work / 4;
   }
-  EXPECT_EQ(Tell(scene, work, nullptr).verdicts, usual.verdicts);
+  EXPECT_EQ(CertifyWithin(scene, work, nullptr).verdicts, usual.verdicts);
   // Without what others left some tiles have too little of it.
   ContourCertifier certifier = CertifierWith(work, nullptr);
   const Pipeline pipeline{ {}, { &certifier } };
@@ -148,7 +148,7 @@ TEST(ContourEffort, PassesTellTheSame)
     {
       (void)frame.Refine(everyFewTiles);
     }
-    const Told told = Tell(scene, work, nullptr);
+    const EffortResult told = CertifyWithin(scene, work, nullptr);
     EXPECT_EQ(certifier.Verdicts(), told.verdicts) << work;
     EXPECT_EQ(certifier.Counters().spent, told.counters.spent) << work;
     EXPECT_EQ(certifier.Counters().undecided, told.counters.undecided) << work;

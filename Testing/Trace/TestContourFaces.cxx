@@ -12,9 +12,6 @@ namespace pixelexact::testing
 {
 namespace
 {
-const std::vector<double> kValues{ -2.0, -0.7, -0.1, 0.05, 0.4, 1.1 };
-constexpr long double kTolerance = 1e-11L;
-
 /// Shows all of the cube.
 CameraView FromAfar(bool parallel)
 {
@@ -24,13 +21,10 @@ CameraView FromAfar(bool parallel)
   return view;
 }
 
-const std::vector<std::vector<Shape>> kMeshes{ { Shape::Hexahedron }, { Shape::Tetrahedron },
-  { std::begin(kShapes), std::end(kShapes) } };
-
 ContourCounters JudgeAndCheck(const Scene& scene, const CameraView& view, const TrueVerdicts& truth)
 {
-  ContourCertifier certifier({ kValues });
-  Trace(scene, Camera(view, kWidth, kHeight), { {}, { &certifier } });
+  ContourCertifier certifier({ kContourValues });
+  Trace(scene, Camera(view, kVerdictWidth, kVerdictHeight), { {}, { &certifier } });
   truth.Check(certifier.Verdicts(), false);
   const ContourCounters& counters = certifier.Counters();
   std::cout << counters.in << " in, " << counters.undecided << " undecided\n";
@@ -62,12 +56,12 @@ TEST(ContourFaces, NoVerdictOnABoundaryIsWrong)
     const TrueVerdicts truth(
       [&](long double px, long double py) -> std::optional<TrueSight>
       {
-        const auto point = MeetBentCube(RayThrough(view, kWidth, kHeight, px, py));
+        const auto point = MeetBentCube(RayThrough(view, kVerdictWidth, kVerdictHeight, px, py));
         return point ? std::optional(TrueSight{ FaceOf(point->u), Quadratic(Bend(point->u)) })
                      : std::nullopt;
       },
-      kWidth, kHeight, kValues, kTolerance);
-    for (const auto& shapes : kMeshes)
+      kVerdictWidth, kVerdictHeight, kContourValues, kValueTolerance);
+    for (const auto& shapes : kMeshShapes)
     {
       if (parallel && shapes.size() == 1)
       {
@@ -135,9 +129,9 @@ TEST(ContourFaces, SilhouettesBeforeOtherSheetsAreSettled)
   const std::vector<int> octants{ 0, 3, 5, 6 };
   const CameraView view = FromAfar(false);
   const TrueVerdicts truth([&](long double px, long double py)
-    { return SeeOctants(RayThrough(view, kWidth, kHeight, px, py), octants); },
-    kWidth, kHeight, kValues, kTolerance);
-  const BentCube cube(kMeshes.front());
+    { return SeeOctants(RayThrough(view, kVerdictWidth, kVerdictHeight, px, py), octants); },
+    kVerdictWidth, kVerdictHeight, kContourValues, kValueTolerance);
+  const BentCube cube(kMeshShapes.front());
   std::vector<ElementFace> faces;
   for (const int octant : octants)
   {
@@ -146,9 +140,9 @@ TEST(ContourFaces, SilhouettesBeforeOtherSheetsAreSettled)
       faces.push_back({ octant, face });
     }
   }
-  ContourCertifier certifier({ kValues });
+  ContourCertifier certifier({ kContourValues });
   Trace(cube.With(std::make_shared<ElementFaces>(cube.TheLocator.Index(), faces)),
-    Camera(view, kWidth, kHeight), { {}, { &certifier } });
+    Camera(view, kVerdictWidth, kVerdictHeight), { {}, { &certifier } });
   truth.Check(certifier.Verdicts(), false);
   const ContourCounters& counters = certifier.Counters();
   std::cout << counters.in << " in, " << counters.undecided << " undecided\n";
@@ -164,10 +158,10 @@ TEST(ContourFaces, NoVerdictOnAnIsoSurfaceIsWrong)
   {
     const CameraView view = FromAfar(parallel);
     const TrueVerdicts truth(
-      SightOf(view, kWidth, kHeight, RoundHits(Vec3(0.0), Vec3(0.0), kRadius),
+      SightOf(view, kVerdictWidth, kVerdictHeight, RoundHits(Vec3(0.0), Vec3(0.0), kRadius),
         [](const LongVec3& x, const LongVec3& /*u*/) { return Quadratic(x); }),
-      kWidth, kHeight, kValues, kTolerance);
-    for (const auto& shapes : kMeshes)
+      kVerdictWidth, kVerdictHeight, kContourValues, kValueTolerance);
+    for (const auto& shapes : kMeshShapes)
     {
       if (parallel && shapes.size() == 1)
       {
@@ -194,22 +188,22 @@ namespace
 /// and little is spent on it.
 void ExpectInWhereShown(const Scene& scene, double value)
 {
-  const Camera camera(FromAfar(false), kWidth, kHeight);
+  const Camera camera(FromAfar(false), kVerdictWidth, kVerdictHeight);
   ContourCertifier certifier({ std::vector{ value } });
   const Frame frame = Trace(scene, camera, { {}, { &certifier } }, { .corners = Buffer::Verdict });
   const auto shows = [&](int x, int y)
   {
-    const auto at = static_cast<std::size_t>(y) * (kWidth + 1) + static_cast<std::size_t>(x);
+    const auto at = static_cast<std::size_t>(y) * (kVerdictWidth + 1) + static_cast<std::size_t>(x);
     return frame.corners.verdict[at] == static_cast<std::uint8_t>(PixelVerdict::Exact);
   };
   int shown = 0;
-  for (int y = 0; y < kHeight; ++y)
+  for (int y = 0; y < kVerdictHeight; ++y)
   {
-    for (int x = 0; x < kWidth; ++x)
+    for (int x = 0; x < kVerdictWidth; ++x)
     {
       const bool any = shows(x, y) || shows(x + 1, y) || shows(x, y + 1) || shows(x + 1, y + 1);
       shown += any ? 1 : 0;
-      const auto pixel = static_cast<std::size_t>(y * kWidth + x);
+      const auto pixel = static_cast<std::size_t>(y * kVerdictWidth + x);
       const auto verdict = certifier.Verdicts()[pixel];
       EXPECT_TRUE(!any || verdict == static_cast<std::uint8_t>(ContourVerdict::In))
         << x << " " << y;
@@ -227,7 +221,7 @@ void ExpectInWhereShown(const Scene& scene, double value)
 /// right behind.
 TEST(ContourFaces, WallsWithTheValueAreIn)
 {
-  for (const auto& shapes : kMeshes)
+  for (const auto& shapes : kMeshShapes)
   {
     SCOPED_TRACE(::testing::Message() << Name(shapes.front()) << " of " << shapes.size());
     const BentCube cube(shapes,
@@ -245,7 +239,7 @@ TEST(ContourFaces, WallsWithTheValueAreIn)
 TEST(ContourFaces, AnIsoSurfaceHasItsOwnValueAlone)
 {
   constexpr double kValue = 0.3;
-  for (const auto& shapes : kMeshes)
+  for (const auto& shapes : kMeshShapes)
   {
     SCOPED_TRACE(::testing::Message() << Name(shapes.front()) << " of " << shapes.size());
     const BentCube cube(shapes);
@@ -253,7 +247,7 @@ TEST(ContourFaces, AnIsoSurfaceHasItsOwnValueAlone)
       cube.With(std::make_shared<IsoSurface>(cube.TheLocator.Index(), cube.TheField, 0, kValue));
     ExpectInWhereShown(scene, kValue);
     ContourCertifier others({ std::vector{ kValue - 1e-15, kValue + 1e-15, 1.0 } });
-    Trace(scene, Camera(FromAfar(false), kWidth, kHeight), { {}, { &others } });
+    Trace(scene, Camera(FromAfar(false), kVerdictWidth, kVerdictHeight), { {}, { &others } });
     EXPECT_EQ(others.Counters().in + others.Counters().undecided, 0);
   }
 }

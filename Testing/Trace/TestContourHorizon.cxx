@@ -10,21 +10,17 @@ namespace pixelexact::testing
 {
 namespace
 {
-const Vec3 kOrigin{ 0.1, 0.0, 0.05 };
-const Vec3 kNormal{ 0.2, 0.1, 1.0 };
-const std::vector<double> kValues{ -2.0, -0.7, -0.1, 0.05, 0.4, 1.1 };
-constexpr long double kTolerance = 1e-11L;
-
-ContourCounters Judge(const CameraView& view, const ContourMethod& method = {})
+ContourCounters CertifyPlane(const CameraView& view, const ContourMethod& method = {})
 {
-  const TrueVerdicts truth(SightOf(view, kWidth, kHeight, PlaneHits(kOrigin, kNormal),
-                             [](const LongVec3& x, const LongVec3& /*u*/) { return Quadratic(x); }),
-    kWidth, kHeight, kValues, kTolerance);
+  const TrueVerdicts truth(
+    SightOf(view, kVerdictWidth, kVerdictHeight, PlaneHits(kPlaneOrigin, kPlaneNormal),
+      [](const LongVec3& x, const LongVec3& /*u*/) { return Quadratic(x); }),
+    kVerdictWidth, kVerdictHeight, kContourValues, kValueTolerance);
   const std::vector<Shape> shapes{ Shape::Hexahedron };
   const BentCube cube(shapes);
-  ContourCertifier certifier({ kValues }, method);
-  Trace(cube.With(std::make_shared<Plane>(kOrigin, kNormal)), Camera(view, kWidth, kHeight),
-    { {}, { &certifier } });
+  ContourCertifier certifier({ kContourValues }, method);
+  Trace(cube.With(std::make_shared<Plane>(kPlaneOrigin, kPlaneNormal)),
+    Camera(view, kVerdictWidth, kVerdictHeight), { {}, { &certifier } });
   truth.Check(certifier.Verdicts(), true);
   return certifier.Counters();
 }
@@ -47,7 +43,7 @@ TEST(ContourHorizon, SkyIsOut)
   {
     ContourMethod method;
     method.interior = interior;
-    const ContourCounters counters = Judge(OverThePlane(), method);
+    const ContourCounters counters = CertifyPlane(OverThePlane(), method);
     EXPECT_GT(counters.in, 100) << interior;
     EXPECT_LE(counters.undecided, 1) << interior;
   }
@@ -58,7 +54,7 @@ TEST(ContourHorizon, EyesInTheMeshSeeWhatIsAhead)
   CameraView view = OverThePlane();
   view.position = { 0.1, 0.2, 0.4 };
   view.focalPoint = { 1.0, 0.1, 0.3 };
-  const ContourCounters counters = Judge(view);
+  const ContourCounters counters = CertifyPlane(view);
   EXPECT_GT(counters.in, 10);
   EXPECT_LE(counters.undecided, 1);
 }
@@ -70,7 +66,7 @@ TEST(ContourHorizon, WhatIsBehindAParallelEyeIsOut)
   view.focalPoint = { 1.0, 0.0, -0.9 };
   view.parallel = true;
   view.parallelScale = 1.5;
-  const ContourCounters counters = Judge(view);
+  const ContourCounters counters = CertifyPlane(view);
   EXPECT_GT(counters.in, 50);
   // Where the plane passes the eye between pixels.
   EXPECT_LE(counters.undecided, 10);
@@ -84,9 +80,9 @@ TEST(ContourHorizon, PlanesAlongTheViewAreOut)
   view.parallel = true;
   const std::vector<Shape> shapes{ Shape::Hexahedron };
   const BentCube cube(shapes);
-  ContourCertifier certifier({ kValues });
+  ContourCertifier certifier({ kContourValues });
   Trace(cube.With(std::make_shared<Plane>(Vec3(0.0), Vec3(0.0, 0.0, 1.0))),
-    Camera(view, kWidth, kHeight), { {}, { &certifier } });
-  EXPECT_EQ(certifier.Counters().out, kWidth * kHeight);
+    Camera(view, kVerdictWidth, kVerdictHeight), { {}, { &certifier } });
+  EXPECT_EQ(certifier.Counters().out, kVerdictWidth * kVerdictHeight);
 }
 } // namespace pixelexact::testing

@@ -22,16 +22,6 @@ namespace pixelexact::testing
 {
 namespace
 {
-constexpr Rgba kBlack{ 0, 0, 0, 255 };
-constexpr Rgba kRed{ 255, 0, 0, 255 };
-constexpr Rgba kGreen{ 0, 255, 0, 255 };
-
-ColorMapping White(std::size_t layers = 1)
-{
-  return ColorMapping(std::vector<LayerColors>(
-    layers, { SolidColor({ 255, 255, 255, 255 }), { 255, 255, 255, 255 } }));
-}
-
 std::vector<std::vector<double>> OnOneLayer(const std::vector<double>& values)
 {
   return std::vector(1, values);
@@ -55,17 +45,11 @@ struct Contours
   ContourLines lines;
 };
 
-/// The part that black lines cover on white.
-double CoverAt(const Frame& frame, int x, int y)
-{
-  return 1.0 - frame.Image()[4 * static_cast<std::size_t>(y * frame.width + x)] / 255.0;
-}
-
 using OnImage = std::function<long double(long double px, long double py)>;
 
 /// How far an image position is from a contour of a smooth function, by steps along its gradient;
 /// infinite where they do not end there.
-long double DistanceTo(const OnImage& f, long double value, long double px, long double py)
+long double DistanceToContour(const OnImage& f, long double value, long double px, long double py)
 {
   constexpr long double kStep = 1e-5L;
   long double x = px;
@@ -94,7 +78,7 @@ long double DistanceTo(const OnImage& f, long double value, long double px, long
 double ExactCover(const OnImage& f, long double value, double width, int x, int y)
 {
   constexpr int kCount = 16;
-  if (DistanceTo(f, value, x + 0.5L, y + 0.5L) > width / 2 + 1)
+  if (DistanceToContour(f, value, x + 0.5L, y + 0.5L) > width / 2 + 1)
   {
     return 0.0;
   }
@@ -104,7 +88,7 @@ double ExactCover(const OnImage& f, long double value, double width, int x, int 
     const long double px = x + (k % kCount + 0.5L) / kCount;
     const int row = k / kCount;
     const long double py = y + (row + 0.5L) / kCount;
-    near += DistanceTo(f, value, px, py) < width / 2 ? 1 : 0;
+    near += DistanceToContour(f, value, px, py) < width / 2 ? 1 : 0;
   }
   return near / static_cast<double>(kCount * kCount);
 }
@@ -128,7 +112,7 @@ struct CoverTally
 };
 
 /// Of pixels about which, some pixels far and in the image, the field is seen.
-CoverTally Compare(const Frame& frame, const OnImage& f, double value, double width, int away)
+CoverTally CompareCover(const Frame& frame, const OnImage& f, double value, double width, int away)
 {
   CoverTally tally;
   for (int y = away; y < frame.height - away; ++y)
@@ -156,7 +140,7 @@ CoverTally Compare(const Frame& frame, const OnImage& f, double value, double wi
   return tally;
 }
 
-CameraView Oblique()
+CameraView MakeNarrowView()
 {
   CameraView view;
   view.position = { 1.0, -1.5, 4.0 };
@@ -172,7 +156,7 @@ TEST(ContourLines, OfALinearFieldHaveTheirWidthAndPlace)
   Block block;
   const Scene& scene = block.WithPlane({ 0.0, 0.0, 0.1 }, { 0.0, 0.0, 1.0 });
   constexpr int kSize = 60;
-  const ColorMapping colors = White();
+  const ColorMapping colors = MakeWhite();
   // Of x + 10 y + 100 z, by image position.
   const OnImage f = [](long double px, long double py)
   {
@@ -187,7 +171,7 @@ TEST(ContourLines, OfALinearFieldHaveTheirWidthAndPlace)
     {
       Contours contours({ value }, width);
       const Frame frame = Trace(scene, ViewAlongZ(kSize, kSize), contours.On(colors));
-      const CoverTally tally = Compare(frame, f, value, width, 4);
+      const CoverTally tally = CompareCover(frame, f, value, width, 4);
       // A line moved by a pixel changes what it covers by as much.
       EXPECT_LT(tally.worst, 0.02) << width << " " << value;
       EXPECT_NEAR(tally.sum / tally.exact, 1.0, 0.01) << width << " " << value;
@@ -200,7 +184,7 @@ TEST(ContourLines, OfAQuadraticFieldCoverWhatIsNear)
   Block block;
   block.MakeCurved();
   constexpr int kSize = 70;
-  const ColorMapping colors = White();
+  const ColorMapping colors = MakeWhite();
   for (const bool sphere : { false, true })
   {
     TrueScene scene(block);
@@ -213,7 +197,7 @@ TEST(ContourLines, OfAQuadraticFieldCoverWhatIsNear)
       scene.AddPlane(
         { 0.0, 0.0, 0.1 }, { 0.2, 0.1, 1.0 }, { nullptr, &block.TheField }, &Block::CurvedAt);
     }
-    const CameraView view = Oblique();
+    const CameraView view = MakeNarrowView();
     const OnImage f = SeenThrough(scene, view, kSize);
     for (const double width : { 1.0, 2.5 })
     {
@@ -221,7 +205,7 @@ TEST(ContourLines, OfAQuadraticFieldCoverWhatIsNear)
       {
         Contours contours({ value }, width);
         const Frame frame = Trace(scene.Traced, Camera(view, kSize, kSize), contours.On(colors));
-        const CoverTally tally = Compare(frame, f, value, width, 3);
+        const CoverTally tally = CompareCover(frame, f, value, width, 3);
         EXPECT_GT(tally.exact, 30.0);
         EXPECT_LT(tally.worst, 0.05) << sphere << " " << width << " " << value;
         EXPECT_NEAR(tally.sum / tally.exact, 1.0, 0.01) << sphere << " " << width << " " << value;
@@ -238,7 +222,7 @@ TEST(ContourLines, AreNotDrawnWhereTheValueIsNotReached)
     block.Add(1, [](const LongVec3& x, long double* u) { u[0] = x[0] * x[0]; });
   Scene scene = block.WithPlane({ 0.0, 0.0, 0.1 }, { 0.0, 0.0, 1.0 });
   scene.layers[0].field = &parabola;
-  const ColorMapping colors = White();
+  const ColorMapping colors = MakeWhite();
   // A pixel is 0.05 wide.
   Contours contours({ -1e-4, std::numeric_limits<double>::max(), -5.0 }, 8.0);
   const Frame with = Trace(scene, ViewAlongZ(50, 50), contours.On(colors));
@@ -252,7 +236,7 @@ TEST(ContourLines, OfConstantFieldsAreNotInvented)
   const Field& constant = block.Add(1, [](const LongVec3&, long double* u) { u[0] = 2; });
   Scene scene = block.WithPlane({ 0.0, 0.0, 0.1 }, { 0.0, 0.0, 1.0 });
   scene.layers[0].field = &constant;
-  const ColorMapping colors = White();
+  const ColorMapping colors = MakeWhite();
   Contours beside({ 1.0, 3.0 });
   const Frame frame = Trace(scene, ViewAlongZ(40, 40), beside.On(colors));
   EXPECT_EQ(frame.Image(), Trace(scene, ViewAlongZ(40, 40), { { &colors }, {} }).Image());
@@ -264,7 +248,7 @@ TEST(ContourLines, EndWhereValuesAreNoNumbers)
   Block block;
   Scene& scene = block.WithPlane({ 0.0, 0.0, -0.5 }, { 0.0, 0.0, 1.0 });
   scene.layers[0].component = 1;
-  const ColorMapping colors = White();
+  const ColorMapping colors = MakeWhite();
   Contours contours({ 1.0 - 1e-9, 0.5 });
   const Frame frame = Trace(scene, ViewAlongZ(40, 40), contours.On(colors));
   EXPECT_EQ(frame.Image(), Trace(scene, ViewAlongZ(40, 40), { { &colors }, {} }).Image());
@@ -279,8 +263,8 @@ TEST(ContourLines, EndWhereAnotherLayerBegins)
   TrueScene scene(block);
   scene.AddSphere({ 0.2, -0.1, 0.1 }, 0.6, { nullptr, &high }, &Block::CurvedAt);
   scene.AddPlane({ 0.0, 0.0, 0.1 }, { 0.2, 0.1, 1.0 }, { nullptr, &low }, &Block::CurvedAt);
-  const Camera camera(Oblique(), 80, 80);
-  const ColorMapping colors = White(2);
+  const Camera camera(MakeNarrowView(), 80, 80);
+  const ColorMapping colors = MakeWhite(2);
   Contours contours({ 0.0 }, 3.0, 2);
   const Frame frame = Trace(scene.Traced, camera, contours.On(colors));
   for (std::size_t i = 0; i < frame.centres.Size(); ++i)
@@ -311,7 +295,7 @@ TEST(ContourLines, EndWhereASheetBegins)
     { std::make_shared<Combined>(
         std::vector{ ball({ 0.0, 0.0, 0.6 }, 0.3), ball({ 0.2, 0.1, -0.6 }, 0.35) }, any),
       &along });
-  const ColorMapping colors = White();
+  const ColorMapping colors = MakeWhite();
   // What is seen of the nearer one is above 0.6, and of the other one below -0.25.
   Contours contours({ 0.0, 0.3 }, 4.0);
   const Frame frame = Trace(scene, ViewAlongZ(90, 90, 0.6), contours.On(colors));
@@ -332,7 +316,7 @@ TEST(ContourLines, HaveColorsByValue)
 {
   Block block;
   const Scene& scene = block.WithPlane({ 0.0, 0.0, 0.1 }, { 0.0, 0.0, 1.0 });
-  const ColorMapping colors = White();
+  const ColorMapping colors = MakeWhite();
   ContourCertifier certifier(OnOneLayer({ 14.0, 6.0 }));
   // In ascending order.
   ContourLines lines(certifier, { .width = 3.0 }, { { kRed, kGreen } });
@@ -372,7 +356,7 @@ TEST(ContourLines, AreSeenInEveryPixelThatIsIn)
   Block block;
   block.MakeCurved();
   const Scene& scene = block.WithPlane({ 0.0, 0.0, 0.1 }, { 0.1, 0.2, 1.0 });
-  const ColorMapping colors = White();
+  const ColorMapping colors = MakeWhite();
   Contours contours({ 0.1, 0.5, 1.0, 2.0, 3.0 }, 0.1);
   const Frame frame = Trace(scene, ViewAlongZ(70, 70), contours.On(colors));
   int in = 0;
@@ -422,7 +406,7 @@ TEST(ContourLines, AreDrawnWhereItIsUndecided)
 {
   Block block;
   const Scene& scene = block.WithPlane({ 0.0, 0.0, 0.1 }, { 0.0, 0.0, 1.0 });
-  const ColorMapping colors = White();
+  const ColorMapping colors = MakeWhite();
   constexpr Rgba kTeal{ 0, 128, 128, 255 };
   for (const bool shown : { false, true })
   {
@@ -501,7 +485,7 @@ TEST(ContourLines, AreRepaintedWithoutRays)
   block.MakeCurved();
   const Scene& scene = block.WithPlane({ 0.0, 0.0, 0.1 }, { 0.1, 0.2, 1.0 });
   const Camera camera = ViewAlongZ(75, 61);
-  const ColorMapping colors = White();
+  const ColorMapping colors = MakeWhite();
   Frame frame = Trace(scene, camera, { { &colors }, {} });
   EXPECT_EQ(frame.counters.rays, 75 * 61);
   Contours first({ 1.0, 2.0 });
@@ -527,7 +511,7 @@ TEST(ContourLines, RefuseWhatTheyCannotDraw)
 {
   Block block;
   const Scene& scene = block.WithPlane({ 0.0, 0.0, 0.1 }, { 0.0, 0.0, 1.0 });
-  const ColorMapping colors = White();
+  const ColorMapping colors = MakeWhite();
   Frame frame = Trace(scene, ViewAlongZ(20, 20), { { &colors }, {} });
   Contours contours({ 1.0 });
   // Without corners, and nothing to trace them in.

@@ -39,7 +39,7 @@ struct Placed
   Frame frame;
 };
 
-LongVec3 PointAt(const glm::dvec2& at)
+LongVec3 MapToPlane(const glm::dvec2& at)
 {
   return { (2 * at.x / kSize - 1) * kScale, (2 * at.y / kSize - 1) * kScale, 0.1 };
 }
@@ -64,14 +64,14 @@ TEST(ContourPlaces, AreOnTheContourAndAlongIt)
     {
       const glm::dvec2 at = place.centre + part * size.width * along;
       const glm::dvec2 side = 0.2 * size.height * glm::dvec2(-along.y, along.x);
-      const long double below = Block::CurvedAt(PointAt(at - side)) - value;
-      const long double above = Block::CurvedAt(PointAt(at + side)) - value;
+      const long double below = Block::CurvedAt(MapToPlane(at - side)) - value;
+      const long double above = Block::CurvedAt(MapToPlane(at + side)) - value;
       EXPECT_LT(below * above, 0) << place.centre.x << " " << place.centre.y;
     }
     EXPECT_GT(std::min(place.centre.x, place.centre.y), 5.0);
     EXPECT_LT(std::max(place.centre.x, place.centre.y), kSize - 5.0);
     EXPECT_LT(
-      std::max(std::fabs(PointAt(place.centre)[0]), std::fabs(PointAt(place.centre)[1])), 1);
+      std::max(std::fabs(MapToPlane(place.centre)[0]), std::fabs(MapToPlane(place.centre)[1])), 1);
   }
 }
 

@@ -2,8 +2,8 @@
 // Verdicts on pixels that show tori, bodies with creases, discs, triangles and patches, against
 // many samples of a field in closed form.
 #include "BentCube.h"
+#include "Solids.h"
 #include "SurfaceHits.h"
-#include "TriangleBall.h"
 
 #include "Trace/Surfaces/BezierPatches.h"
 #include "Trace/Surfaces/Combined.h"
@@ -21,29 +21,13 @@ namespace pixelexact::testing
 {
 namespace
 {
-struct Cut
+struct SurfaceCut
 {
   const char* name;
   std::shared_ptr<const Surface> surface;
   LongHits hits;
   double undecided; ///< at most, of pixels that show it
 };
-
-Combined::Part BallPart(const Vec3& centre, double radius)
-{
-  return { std::make_shared<Quadric>(MakeSphere(centre, radius)),
-    [=](const Vec3& x) { return glm::dot(x - centre, x - centre) - radius * radius; } };
-}
-
-Combined::Part BoxPart(double half)
-{
-  return { std::make_shared<ConvexBody>(MakeBox(Vec3(-half), Vec3(half))),
-    [=](const Vec3& x)
-    {
-      const Vec3 size = glm::abs(x);
-      return std::max({ size.x, size.y, size.z }) - half;
-    } };
-}
 
 /// z = 0.1 + 0.1 x + 0.3 x^2 - 0.2 y^2 + 0.25 x y, as two patches that share the edge x = 0.
 std::vector<BezierPatch> Saddle()
@@ -85,14 +69,14 @@ LongHits SaddleHits()
     const long double squares = 0.3L * a * a - 0.2L * b * b + 0.25L * a * b;
     const long double slope = 0.1L * a + 0.6L * x * a - 0.4L * y * b + 0.25L * (x * b + y * a) - c;
     const long double value = 0.1L + 0.1L * x + 0.3L * x * x - 0.2L * y * y + 0.25L * x * y - z;
-    std::vector<long double> hits = RealRoots({ value, slope, squares }, -10, 10);
+    std::vector<long double> hits = FindRealRoots({ value, slope, squares }, -10, 10);
     std::erase_if(hits,
       [&](long double t) { return std::fabs(x + t * a) > 0.9L || std::fabs(y + t * b) > 0.8L; });
     return hits;
   };
 }
 
-std::vector<Cut> AllCuts()
+std::vector<SurfaceCut> MakeSurfaceCuts()
 {
   const Vec3 centre(0.05, -0.1, 0.1);
   const Vec3 axis = glm::normalize(Vec3(0.6, 0.34, 0.78));
@@ -110,12 +94,12 @@ std::vector<Cut> AllCuts()
              TorusHits(centre, axis, 0.55, 0.25), 0.004 },
     { "box", std::make_shared<ConvexBody>(MakeBox(Vec3(-0.55), Vec3(0.55))), boxHits, 0.004 },
     { "union",
-      std::make_shared<Combined>(std::vector{ BoxPart(0.55), BallPart(ball, 0.5) },
+      std::make_shared<Combined>(std::vector{ MakeCubePart(0.55), MakeBallPart(ball, 0.5) },
         [](const std::vector<bool>& in) { return in[0] || in[1]; }),
       BooleanHits({ boxHits, ballHits }, [=](const LongVec3& x) { return inBox(x) || inBall(x); }),
       0.004 },
     { "difference",
-      std::make_shared<Combined>(std::vector{ BoxPart(0.55), BallPart(ball, 0.5) },
+      std::make_shared<Combined>(std::vector{ MakeCubePart(0.55), MakeBallPart(ball, 0.5) },
         [](const std::vector<bool>& in) { return in[0] && !in[1]; }),
       BooleanHits({ boxHits, ballHits }, [=](const LongVec3& x) { return inBox(x) && !inBall(x); }),
       0.004 },
@@ -124,7 +108,6 @@ std::vector<Cut> AllCuts()
     { "patches", std::make_shared<BezierPatches>(Saddle()), SaddleHits(), 0.004 } };
 }
 
-const std::vector<double> kValues{ -2.0, -0.7, -0.1, 0.05, 0.4, 1.1 };
 /// Several a pixel.
 std::vector<double> Dense()
 {
@@ -136,7 +119,6 @@ std::vector<double> Dense()
   return values;
 }
 const std::vector<double> kDense = Dense();
-constexpr long double kTolerance = 1e-11L;
 } // namespace
 
 TEST(ContourSurfaces, NoVerdictIsWrong)
@@ -145,20 +127,22 @@ TEST(ContourSurfaces, NoVerdictIsWrong)
   for (const bool parallel : { false, true })
   {
     const CameraView view = Oblique(parallel);
-    for (const Cut& cut : AllCuts())
+    for (const SurfaceCut& cut : MakeSurfaceCuts())
     {
       SCOPED_TRACE(::testing::Message() << cut.name << (parallel ? ", parallel" : ""));
-      const Sight sight = SightOf(view, kWidth, kHeight, cut.hits,
+      const Sight sight = SightOf(view, kVerdictWidth, kVerdictHeight, cut.hits,
         [](const LongVec3& x, const LongVec3& /*u*/) { return Quadratic(x); });
-      const TrueVerdicts truth(sight, kWidth, kHeight, kValues, kTolerance);
-      ContourCertifier certifier({ kValues });
-      Trace(cube.With(cut.surface), Camera(view, kWidth, kHeight), { {}, { &certifier } });
+      const TrueVerdicts truth(
+        sight, kVerdictWidth, kVerdictHeight, kContourValues, kValueTolerance);
+      ContourCertifier certifier({ kContourValues });
+      Trace(cube.With(cut.surface), Camera(view, kVerdictWidth, kVerdictHeight),
+        { {}, { &certifier } });
       truth.Check(certifier.Verdicts(), false);
       const ContourCounters& counters = certifier.Counters();
       int shown = 0;
-      for (int y = 0; y < kHeight; ++y)
+      for (int y = 0; y < kVerdictHeight; ++y)
       {
-        for (int x = 0; x < kWidth; ++x)
+        for (int x = 0; x < kVerdictWidth; ++x)
         {
           shown += sight(x, y) || sight(x + 1, y) || sight(x, y + 1) || sight(x + 1, y + 1) ? 1 : 0;
         }
@@ -182,12 +166,13 @@ TEST(ContourSurfaces, SilhouettesBetweenCornersAreSeen)
   for (int k = 0; k < 60; ++k)
   {
     const Vec3 centre(0.011 * k, 0.007 * k, -0.005 * k);
-    const Sight sight = SightOf(view, kWidth, kHeight, RoundHits(centre, Vec3(0.0), kRadius),
-      [](const LongVec3& x, const LongVec3& /*u*/) { return Quadratic(x); });
-    const TrueVerdicts truth(sight, kWidth, kHeight, kDense, kTolerance);
+    const Sight sight =
+      SightOf(view, kVerdictWidth, kVerdictHeight, RoundHits(centre, Vec3(0.0), kRadius),
+        [](const LongVec3& x, const LongVec3& /*u*/) { return Quadratic(x); });
+    const TrueVerdicts truth(sight, kVerdictWidth, kVerdictHeight, kDense, kValueTolerance);
     ContourCertifier certifier({ kDense });
     Trace(cube.With(std::make_shared<Quadric>(MakeSphere(centre, kRadius))),
-      Camera(view, kWidth, kHeight), { {}, { &certifier } });
+      Camera(view, kVerdictWidth, kVerdictHeight), { {}, { &certifier } });
     truth.Check(certifier.Verdicts(), false);
     peeks += truth.CountPeeks();
   }
@@ -200,29 +185,29 @@ TEST(ContourSurfaces, PlateausAreIn)
   const BentCube cube(std::vector<Shape>(std::begin(kShapes), std::end(kShapes)),
     [](const LongVec3& /*x*/, int /*element*/) { return 0.375L; });
   const CameraView view = Oblique(false);
-  for (const Cut& cut : AllCuts())
+  for (const SurfaceCut& cut : MakeSurfaceCuts())
   {
     SCOPED_TRACE(cut.name);
     ContourCertifier own({ std::vector{ 0.375 } });
-    Trace(cube.With(cut.surface), Camera(view, kWidth, kHeight), { {}, { &own } });
-    const Sight sight = SightOf(view, kWidth, kHeight, cut.hits,
+    Trace(cube.With(cut.surface), Camera(view, kVerdictWidth, kVerdictHeight), { {}, { &own } });
+    const Sight sight = SightOf(view, kVerdictWidth, kVerdictHeight, cut.hits,
       [](const LongVec3& /*x*/, const LongVec3& /*u*/) { return 0.375L; });
     int shown = 0;
-    for (int y = 0; y < kHeight; ++y)
+    for (int y = 0; y < kVerdictHeight; ++y)
     {
-      for (int x = 0; x < kWidth; ++x)
+      for (int x = 0; x < kVerdictWidth; ++x)
       {
         const bool all = sight(x, y) && sight(x + 1, y) && sight(x, y + 1) && sight(x + 1, y + 1);
         shown += all ? 1 : 0;
         EXPECT_TRUE(!all ||
-          own.Verdicts()[static_cast<std::size_t>(y * kWidth + x)] ==
+          own.Verdicts()[static_cast<std::size_t>(y * kVerdictWidth + x)] ==
             static_cast<std::uint8_t>(ContourVerdict::In))
           << x << " " << y;
       }
     }
     EXPECT_GT(shown, 300);
     ContourCertifier others({ std::vector{ 0.375 - 1e-9, 0.375 + 1e-9 } });
-    Trace(cube.With(cut.surface), Camera(view, kWidth, kHeight), { {}, { &others } });
+    Trace(cube.With(cut.surface), Camera(view, kVerdictWidth, kVerdictHeight), { {}, { &others } });
     EXPECT_EQ(others.Counters().in, 0);
     EXPECT_LE(static_cast<double>(others.Counters().undecided), cut.undecided * shown);
   }

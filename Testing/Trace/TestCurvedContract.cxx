@@ -15,8 +15,6 @@ namespace pixelexact::testing
 {
 namespace
 {
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
 /// One element with a scalar field of noise, its faces and an iso-surface.
 struct Curves
 {
@@ -62,7 +60,7 @@ struct Curves
   std::unique_ptr<IsoSurface> iso;
 };
 
-std::vector<Ray> RandomRays(const Curves& curves, Shape shape, int count, std::uint64_t seed)
+std::vector<Ray> MakeRandomRays(const Curves& curves, Shape shape, int count, std::uint64_t seed)
 {
   Random random(seed);
   std::vector<Ray> rays;
@@ -73,7 +71,7 @@ std::vector<Ray> RandomRays(const Curves& curves, Shape shape, int count, std::u
   return rays;
 }
 
-void ExpectSame(const PointHit& a, const PointHit& b)
+void ExpectSamePoints(const PointHit& a, const PointHit& b)
 {
   EXPECT_EQ(a.t, b.t);
   EXPECT_EQ(a.position, b.position);
@@ -83,7 +81,7 @@ void ExpectSame(const PointHit& a, const PointHit& b)
   EXPECT_EQ(a.point.piece, b.point.piece);
 }
 
-void ExpectSame(
+void ExpectSamePoints(
   const std::vector<std::vector<PointHit>>& a, const std::vector<std::vector<PointHit>>& b)
 {
   ASSERT_EQ(a.size(), b.size());
@@ -92,7 +90,7 @@ void ExpectSame(
     ASSERT_EQ(a[i].size(), b[i].size()) << "ray " << i;
     for (std::size_t k = 0; k < a[i].size(); ++k)
     {
-      ExpectSame(a[i][k], b[i][k]);
+      ExpectSamePoints(a[i][k], b[i][k]);
     }
   }
 }
@@ -119,15 +117,15 @@ TEST(CurvedContract, HitsDependOnTheirRayAlone)
     {
       SCOPED_TRACE(Name(shape));
       const Curves curves(shape, 5, components);
-      const auto rays = RandomRays(curves, shape, 60, 11);
-      ExpectSame(OneByOne(*curves.faces, rays), MeetPoints(*curves.faces, rays));
-      ExpectSame(OneByOne(*curves.iso, rays), MeetPoints(*curves.iso, rays));
+      const auto rays = MakeRandomRays(curves, shape, 60, 11);
+      ExpectSamePoints(OneByOne(*curves.faces, rays), MeetPoints(*curves.faces, rays));
+      ExpectSamePoints(OneByOne(*curves.iso, rays), MeetPoints(*curves.iso, rays));
       // A neighbour from very far away takes nothing and gives nothing.
       auto with = rays;
       with.push_back(RayTo({ 1e9, 2e9, -5e8 }, Vec3(0.1)));
       auto together = MeetPoints(*curves.faces, with);
       together.pop_back();
-      ExpectSame(OneByOne(*curves.faces, rays), together);
+      ExpectSamePoints(OneByOne(*curves.faces, rays), together);
     }
   }
 }
@@ -144,8 +142,8 @@ TEST(CurvedContract, HitsOfRaysAboutDiagonals)
     const Vec3 along = i % 2 == 0 ? Vec3(1.0, 1.0, 1.0) : Vec3(-1.0, 1.0, 0.2);
     rays.push_back(RayTo(-5.0 * along + to, 0.3 * to + Vec3(0.02)));
   }
-  ExpectSame(OneByOne(*curves.faces, rays), MeetPoints(*curves.faces, rays));
-  ExpectSame(OneByOne(*curves.iso, rays), MeetPoints(*curves.iso, rays));
+  ExpectSamePoints(OneByOne(*curves.faces, rays), MeetPoints(*curves.faces, rays));
+  ExpectSamePoints(OneByOne(*curves.iso, rays), MeetPoints(*curves.iso, rays));
 }
 
 TEST(CurvedContract, NearestOnlyIsTheFirstOfAll)
@@ -156,7 +154,7 @@ TEST(CurvedContract, NearestOnlyIsTheFirstOfAll)
     {
       SCOPED_TRACE(Name(shape));
       const Curves curves(shape, 5, components);
-      const auto rays = RandomRays(curves, shape, 60, 13);
+      const auto rays = MakeRandomRays(curves, shape, 60, 13);
       for (const Surface* surface : { static_cast<const Surface*>(curves.faces.get()),
              static_cast<const Surface*>(curves.iso.get()) })
       {
@@ -169,7 +167,7 @@ TEST(CurvedContract, NearestOnlyIsTheFirstOfAll)
           if (!all[i].empty())
           {
             ++hits;
-            ExpectSame(all[i][0], first[i][0]);
+            ExpectSamePoints(all[i][0], first[i][0]);
           }
         }
         EXPECT_GT(hits, 10);
@@ -183,7 +181,7 @@ TEST(CurvedContract, InstructionSetsAndThreadsAgree)
   for (const Shape shape : kShapes)
   {
     const Curves curves(shape);
-    const auto rays = RandomRays(curves, shape, 200, 14);
+    const auto rays = MakeRandomRays(curves, shape, 200, 14);
     const auto faces = MeetPoints(*curves.faces, rays);
     const auto iso = MeetPoints(*curves.iso, rays);
     OnEveryInstructionSet(
@@ -211,7 +209,7 @@ TEST(CurvedContract, InstructionSetsAndThreadsAgree)
         const std::vector<Ray> some(rays.begin() + first, rays.begin() + first + 5);
         const std::vector<std::vector<PointHit>> expected(
           iso.begin() + first, iso.begin() + first + 5);
-        ExpectSame(MeetPoints(*fresh.iso, some), expected);
+        ExpectSamePoints(MeetPoints(*fresh.iso, some), expected);
       });
   }
 }
@@ -318,7 +316,7 @@ TEST(CurvedContract, NearlyTangentRaysWithoutWorkAreUndecided)
     {
       Random random(23);
       std::vector<Ray> rays;
-      for (const auto& of : MeetPoints(*surface, RandomRays(curves, shape, 60, 24)))
+      for (const auto& of : MeetPoints(*surface, MakeRandomRays(curves, shape, 60, 24)))
       {
         for (const PointHit& hit : of)
         {
@@ -351,7 +349,7 @@ TEST(CurvedContract, NearlyTangentRaysWithoutWorkAreUndecided)
         ASSERT_EQ(nearest[i].empty(), some[i].empty());
         if (!some[i].empty())
         {
-          ExpectSame(nearest[i][0], some[i][0]);
+          ExpectSamePoints(nearest[i][0], some[i][0]);
         }
       }
       EXPECT_GT(undecided, 0);
@@ -372,7 +370,7 @@ TEST(CurvedContract, RaysFromSoFarThatRoundingMovesThemAreUndecidedAtOnce)
     {
       rays.push_back(RayThroughPoint(random, curves.PointOf(random.Inside(shape)), 1e15));
     }
-    const std::vector<Ray> others = RandomRays(near, shape, 40, 22);
+    const std::vector<Ray> others = MakeRandomRays(near, shape, 40, 22);
     std::size_t hits = 0;
     const auto check = [&](const CurvedSurface& far, const CurvedSurface& usual)
     {

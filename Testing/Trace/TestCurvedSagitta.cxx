@@ -15,7 +15,7 @@ namespace
 using Truth = std::function<double(
   const LongRay& ray, const Vec3& from, const Vec3& to, const SurfacePoint& at)>;
 
-struct Seen
+struct SagittaTally
 {
   int known = 0;
   int close = 0;
@@ -30,10 +30,11 @@ struct Seen
 using Meeting = std::function<Vec3(int axis, double off, Random& random)>;
 
 /// Pairs from a millionth to a tenth apart, from near and far, some of them across elements.
-Seen CheckPairs(const Surface& surface, const Truth& truth, const Meeting& meeting, int count)
+SagittaTally CheckPairs(
+  const Surface& surface, const Truth& truth, const Meeting& meeting, int count)
 {
   Random random(83);
-  Seen seen;
+  SagittaTally seen;
   for (int k = 0; k < count; ++k)
   {
     const double apart = std::pow(10.0, random(-6.0, -1.0));
@@ -84,7 +85,7 @@ Seen CheckPairs(const Surface& surface, const Truth& truth, const Meeting& meeti
 }
 
 /// Of a sphere about the origin.
-Seen CheckSphere(const Surface& surface, double radius, int count)
+SagittaTally CheckSphere(const Surface& surface, double radius, int count)
 {
   const LongHits sphere = RoundHits(Vec3(0.0), Vec3(0.0), radius);
   return CheckPairs(
@@ -113,7 +114,7 @@ Seen CheckSphere(const Surface& surface, double radius, int count)
     count);
 }
 
-std::string Report(const std::vector<Shape>& shapes, const Seen& seen)
+std::string PrintSagittaTally(const std::vector<Shape>& shapes, const SagittaTally& seen)
 {
   const std::string name =
     Name(shapes.front()) + std::string(shapes.size() > 1 ? " and others" : "");
@@ -123,18 +124,16 @@ std::string Report(const std::vector<Shape>& shapes, const Seen& seen)
   return name;
 }
 
-const std::vector<std::vector<Shape>> kMeshes{ { Shape::Hexahedron }, { Shape::Tetrahedron },
-  { std::begin(kShapes), std::end(kShapes) } };
 } // namespace
 
 TEST(CurvedSagitta, OfFacesHoldsClosedForm)
 {
-  for (const auto& shapes : kMeshes)
+  for (const auto& shapes : kMeshShapes)
   {
     const BentCube cube(shapes);
     const ElementIndex& index = cube.TheLocator.Index();
     const ElementFaces surface(index, BoundaryOf(index));
-    const Seen seen = CheckPairs(
+    const SagittaTally seen = CheckPairs(
       surface,
       [](const LongRay& ray, const Vec3& from, const Vec3& to, const SurfacePoint& at)
       {
@@ -161,7 +160,7 @@ TEST(CurvedSagitta, OfFacesHoldsClosedForm)
         return ToDouble(Bend(u));
       },
       2000);
-    SCOPED_TRACE(Report(shapes, seen));
+    SCOPED_TRACE(PrintSagittaTally(shapes, seen));
     EXPECT_GT(seen.known, 700);
     EXPECT_GT(seen.closeKnown, 0.95 * seen.close);
     EXPECT_GT(seen.tight, 0.6 * seen.closeInside);
@@ -171,7 +170,7 @@ TEST(CurvedSagitta, OfFacesHoldsClosedForm)
 
 TEST(CurvedSagitta, OfIsoSurfacesHoldsClosedForm)
 {
-  for (const auto& shapes : kMeshes)
+  for (const auto& shapes : kMeshShapes)
   {
     const BentCube cube(shapes);
     const ExpansionBuilder values =
@@ -179,8 +178,8 @@ TEST(CurvedSagitta, OfIsoSurfacesHoldsClosedForm)
     const Field field{ "square", values.View() };
     constexpr double kRadius = 0.75;
     const IsoSurface surface(cube.TheLocator.Index(), field, 0, kRadius * kRadius);
-    const Seen seen = CheckSphere(surface, kRadius, 2000);
-    SCOPED_TRACE(Report(shapes, seen));
+    const SagittaTally seen = CheckSphere(surface, kRadius, 2000);
+    SCOPED_TRACE(PrintSagittaTally(shapes, seen));
     EXPECT_GT(seen.known, 400);
     EXPECT_GT(seen.closeKnown, 0.95 * seen.close);
     EXPECT_GT(seen.tight, 0.6 * seen.closeInside);
@@ -191,7 +190,7 @@ TEST(CurvedSagitta, OfIsoSurfacesHoldsClosedForm)
 /// |x|, which is no polynomial.
 TEST(CurvedSagitta, OfMagnitudesHoldsClosedForm)
 {
-  const BentCube cube(kMeshes.front());
+  const BentCube cube(kMeshShapes.front());
   const Mesh mesh = cube.Cube.View();
   LongMap map(mesh);
   ExpansionBuilder values(3);
@@ -207,15 +206,15 @@ TEST(CurvedSagitta, OfMagnitudesHoldsClosedForm)
   const Field field{ "x", values.View() };
   constexpr double kRadius = 0.75;
   const IsoSurface surface(cube.TheLocator.Index(), field, kMagnitude, kRadius);
-  const Seen seen = CheckSphere(surface, kRadius, 600);
-  Report(kMeshes.front(), seen);
+  const SagittaTally seen = CheckSphere(surface, kRadius, 600);
+  PrintSagittaTally(kMeshShapes.front(), seen);
   EXPECT_GT(seen.closeKnown, 0.9 * seen.close);
 }
 
 namespace
 {
 /// A ball as an iso-surface.
-struct Ball
+struct IsoBall
 {
   static constexpr double kRadius = 0.75;
 
@@ -230,10 +229,10 @@ struct Ball
 /// Nothing is known between the front and the back, however near to each other they are.
 TEST(CurvedSagitta, IsInfiniteAcrossSilhouettes)
 {
-  const Ball ball;
+  const IsoBall ball;
   for (const double beside : { 1e-9, 1e-6, 1e-3, 0.1 })
   {
-    const double rim = std::sqrt(Ball::kRadius * Ball::kRadius - 0.01);
+    const double rim = std::sqrt(IsoBall::kRadius * IsoBall::kRadius - 0.01);
     const Ray ray{ Vec3(rim - beside, 0.1, 5.0), Vec3(0.0, 0.0, -1.0) };
     const auto hits = MeetPoints(ball.surface, { ray })[0];
     ASSERT_EQ(hits.size(), 2U);
@@ -244,7 +243,7 @@ TEST(CurvedSagitta, IsInfiniteAcrossSilhouettes)
 /// What is wrong with a hit is measured: the bound holds it, or nothing is known.
 TEST(CurvedSagitta, HoldsWhatHitsAreOff)
 {
-  const Ball ball;
+  const IsoBall ball;
   const Ray a{ Vec3(0.1, 0.12, 5.0), Vec3(0.0, 0.0, -1.0) };
   const Ray b{ Vec3(0.101, 0.12, 5.0), Vec3(0.0, 0.0, -1.0) };
   const auto hits = MeetPoints(ball.surface, { a, b });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Pictures of soundness, on one layer and on several.
+#include "FrameCheck.h"
 #include "LayeredScene.h"
 #include "SheetCheck.h"
 
@@ -12,18 +13,12 @@ namespace pixelexact::testing
 {
 namespace
 {
-constexpr auto kExact = static_cast<std::uint8_t>(PixelVerdict::Exact);
 constexpr Rgba kMagenta{ 255, 0, 255, 255 };
 constexpr Rgba kNone{ 0, 0, 0, 0 };
 constexpr Rgba kOnce{ 168, 212, 240, 255 };
 constexpr Rgba kTwice{ 230, 159, 0, 255 };
 constexpr Rgba kMore{ 213, 60, 0, 255 };
 constexpr Rgba kGrey{ 64, 64, 64, 255 };
-
-Rgba ColorAt(const std::vector<std::uint8_t>& colors, std::size_t i)
-{
-  return { colors.at(4 * i), colors.at(4 * i + 1), colors.at(4 * i + 2), colors.at(4 * i + 3) };
-}
 
 /// 1 from `step` on, 0 below.
 ColorMap Step(double step)
@@ -74,7 +69,7 @@ TEST(DebugColors, UndecidedOnesByTheirLayersMap)
   samples.Allocate(Buffer::Value | Buffer::Verdict | Buffer::Enclosure | Buffer::Layer, 9, 1);
   const auto set = [&](std::size_t i, std::uint8_t layer, double lower, double value, double upper)
   {
-    samples.verdict[i] = kExact;
+    samples.verdict[i] = kExactPixel;
     samples.layer[i] = layer;
     samples.value[i] = value;
     samples.valueLower[i] = lower;

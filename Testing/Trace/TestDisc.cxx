@@ -54,7 +54,7 @@ Ray RayNear(RandomRays& random, const Vec3& centre, const Vec3& normal, double r
   return { ToDouble(Minus(through, Times(distance, along))), ToDouble(along) };
 }
 
-void CheckRandomRays()
+void CheckRandomDiscs()
 {
   RandomRays random(67);
   int certain = 0;
@@ -106,7 +106,7 @@ void CheckRandomRays()
 
 TEST(Disc, HitsAreOnRayAndDiscAndNoneIsMissing)
 {
-  OnEveryInstructionSet(CheckRandomRays);
+  OnEveryInstructionSet(CheckRandomDiscs);
 }
 
 TEST(Disc, EndsAtItsRim)

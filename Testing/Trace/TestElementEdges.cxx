@@ -18,24 +18,6 @@ namespace pixelexact::testing
 {
 namespace
 {
-constexpr Rgba kBlack{ 0, 0, 0, 255 };
-constexpr Rgba kRed{ 255, 0, 0, 255 };
-constexpr Rgba kGreen{ 0, 255, 0, 255 };
-
-/// Everything white, so that black lines show the part of a pixel that they cover.
-ColorMapping White()
-{
-  return ColorMapping([](std::span<const double> values, std::uint8_t* to)
-    { std::fill_n(to, 4 * values.size(), std::uint8_t{ 255 }); },
-    { 255, 255, 255, 255 });
-}
-
-/// The part that black lines cover.
-double CoverAt(const Frame& frame, int x, int y)
-{
-  return 1.0 - frame.Image()[4 * static_cast<std::size_t>(y * frame.width + x)] / 255.0;
-}
-
 /// `count` hexahedra in a row along x, from 0 to 1, with y and z from -1 to 1.
 class Row
 {
@@ -92,7 +74,7 @@ FaceKind KindInRow(int count, int element, int face)
 TEST(ElementEdges, HaveTheirWidthAndPlace)
 {
   const Row row(2);
-  const ColorMapping colors = White();
+  const ColorMapping colors = MakeWhite();
   for (const double width : { 0.3, 1.0, 1.5, 4.0 })
   {
     ElementEdges edges(EdgeStyle::Plain(width, kBlack));
@@ -126,7 +108,7 @@ TEST(ElementEdges, CoverWhatIsNearTheLine)
   view.position = { 1.0, -1.5, 4.0 };
   view.viewAngle = 20.0;
   constexpr int kSize = 90;
-  const ColorMapping colors = White();
+  const ColorMapping colors = MakeWhite();
   for (const double width : { 1.0, 2.5 })
   {
     ElementEdges edges(EdgeStyle::Plain(width, kBlack));
@@ -170,7 +152,7 @@ TEST(ElementEdges, CoverWhatIsNearTheLine)
 TEST(ElementEdges, TellKindsApart)
 {
   const Row row(2);
-  const ColorMapping colors = White();
+  const ColorMapping colors = MakeWhite();
   EdgeStyle style = EdgeStyle::Plain(2.0, kBlack);
   style.colors[static_cast<std::size_t>(FaceKind::Boundary)] = kRed;
   ElementEdges edges(style, [](int element, int face) { return KindInRow(2, element, face); });
@@ -199,7 +181,7 @@ TEST(ElementEdges, TellKindsApart)
 /// Elements of a pixel or two would else be all line.
 TEST(ElementEdges, FadeWhereElementsAreSmall)
 {
-  const ColorMapping colors = White();
+  const ColorMapping colors = MakeWhite();
   ElementEdges edges(EdgeStyle::Plain(1.5, kBlack));
   double before = 1.0;
   for (const int pixels : { 240, 120, 80, 60, 30, 20 })
@@ -265,7 +247,7 @@ private:
 TEST(ElementEdges, AreDrawnOnFacesOfElements)
 {
   Row row(2);
-  const ColorMapping colors = White();
+  const ColorMapping colors = MakeWhite();
   ElementEdges alike(EdgeStyle::Plain(2.0, kBlack));
   ElementEdges told(EdgeStyle::Plain(2.0, kBlack),
     [](int element, int face) { return KindInRow(2, element, face); });
@@ -295,7 +277,7 @@ TEST(ElementEdges, AreTheSameForAnyTilesAndThreads)
   scene.AddSphere({ 0.2, -0.1, 0.3 }, 0.6, { nullptr, &block.TheField }, &Block::CurvedAt);
   scene.AddPlane(
     { 0.0, 0.0, 0.1 }, { 0.2, 0.1, 1.0 }, { nullptr, &block.TheField }, &Block::CurvedAt);
-  const ColorMapping colors = White();
+  const ColorMapping colors = MakeWhite();
   ElementEdges edges(EdgeStyle::Plain(3.0, kBlack));
   const Pipeline pipeline{ { &colors }, { &edges } };
   CameraView view;
@@ -326,7 +308,7 @@ TEST(ElementEdges, AreTheSameForAnyTilesAndThreads)
 TEST(ElementEdges, AreRepainted)
 {
   const Row row(2);
-  const ColorMapping colors = White();
+  const ColorMapping colors = MakeWhite();
   ElementEdges thin(EdgeStyle::Plain(1.0, kBlack));
   ElementEdges thick(EdgeStyle::Plain(4.0, kGreen));
   const Camera camera = AcrossRow(40);

@@ -20,9 +20,9 @@ namespace pixelexact::testing
 namespace
 {
 constexpr Rgba kField{ 200, 100, 50, 255 };
-constexpr Rgba kUnknown{ 255, 0, 255, 255 };
+constexpr Rgba kUnknownColor{ 255, 0, 255, 255 };
 constexpr Rgba kOutline{ 10, 20, 30, 255 };
-constexpr Rgba kNothing{ 0, 0, 0, 0 };
+constexpr Rgba kNothingColor{ 0, 0, 0, 0 };
 
 ColorMapping OneColor()
 {
@@ -34,23 +34,16 @@ ColorMapping OneColor()
         to = std::ranges::copy(kField, to).out;
       }
     },
-    kUnknown);
-}
-
-Rgba ColorAt(const Frame& frame, std::size_t pixel)
-{
-  Rgba color;
-  std::copy_n(&frame.Image()[4 * pixel], 4, color.begin());
-  return color;
+    kUnknownColor);
 }
 
 /// A block that is cut by a sphere and a plane.
-struct Cut
+struct CutBlock
 {
   Block block;
   TrueScene scene{ block };
 
-  explicit Cut(bool translucent = false)
+  explicit CutBlock(bool translucent = false)
   {
     const Layer sphere{ nullptr, &block.TheField, 0, Precision::Double, translucent };
     scene.AddSphere({ 0.2, -0.1, 0.3 }, 0.6, sphere, &Block::CurvedAt);
@@ -58,15 +51,6 @@ struct Cut
       { 0.0, 0.0, 0.1 }, { 0.2, 0.1, 1.0 }, { nullptr, &block.TheField }, &Block::CurvedAt);
   }
 };
-
-CameraView Askew()
-{
-  CameraView view;
-  view.position = { 1.0, -1.5, 4.0 };
-  view.viewUp = { 0.1, 1.0, 0.0 };
-  view.viewAngle = 36.0;
-  return view;
-}
 
 /// The block's element at a point of it; none where rounding may change it.
 std::optional<int> ElementAt(const LongVec3& x)
@@ -102,7 +86,7 @@ std::optional<std::array<int, 2>> SeenAlong(const TrueScene& scene, const LongRa
   return element ? std::optional(std::array{ *element, sheets->front().layer }) : std::nullopt;
 }
 
-struct Tally
+struct OutlineTally
 {
   int outlines = 0;
   int ofLayers = 0; ///< of these, where the element does not change
@@ -111,9 +95,9 @@ struct Tally
 };
 
 /// Of a frame of one colour, with outlines: every pixel is one or none by the closed form.
-Tally ExpectOutlines(const Frame& frame, const TrueScene& scene, const CameraView& view)
+OutlineTally ExpectOutlines(const Frame& frame, const TrueScene& scene, const CameraView& view)
 {
-  Tally tally;
+  OutlineTally tally;
   for (int y = 0; y < frame.height; ++y)
   {
     for (int x = 0; x < frame.width; ++x)
@@ -145,8 +129,8 @@ Tally ExpectOutlines(const Frame& frame, const TrueScene& scene, const CameraVie
       tally.outlines += outline ? 1 : 0;
       tally.ofLayers += outline && !differs(0) ? 1 : 0;
       tally.atEnds += ends && differs(0) ? 1 : 0;
-      EXPECT_EQ(ColorAt(frame, static_cast<std::size_t>(y * frame.width + x)),
-        outline ? kOutline : (seen[0][0] < 0 ? kNothing : kField))
+      EXPECT_EQ(ColorAt(frame.Image(), static_cast<std::size_t>(y * frame.width + x)),
+        outline ? kOutline : (seen[0][0] < 0 ? kNothingColor : kField))
         << "pixel " << x << " " << y;
     }
   }
@@ -156,12 +140,12 @@ Tally ExpectOutlines(const Frame& frame, const TrueScene& scene, const CameraVie
 
 TEST(ElementOutlines, AreWhereElementsAndLayersMeet)
 {
-  const Cut cut;
+  const CutBlock cut;
   const ColorMapping colors = OneColor();
   ElementOutlines outlines(kOutline);
   const Frame frame =
-    Trace(cut.scene.Traced, Camera(Askew(), 120, 95), { { &colors }, { &outlines } });
-  const Tally tally = ExpectOutlines(frame, cut.scene, Askew());
+    Trace(cut.scene.Traced, Camera(MakeAskewView(), 120, 95), { { &colors }, { &outlines } });
+  const OutlineTally tally = ExpectOutlines(frame, cut.scene, MakeAskewView());
   EXPECT_GT(tally.outlines, 300);
   EXPECT_GT(tally.ofLayers, 50);
   EXPECT_GE(tally.atEnds, 3);
@@ -170,22 +154,22 @@ TEST(ElementOutlines, AreWhereElementsAndLayersMeet)
 
 TEST(ElementOutlines, AreThoseOfTheNearestSheet)
 {
-  const Cut cut(true);
+  const CutBlock cut(true);
   const ColorMapping colors = OneColor();
   ElementOutlines outlines(kOutline);
   const Frame frame =
-    Trace(cut.scene.Traced, Camera(Askew(), 120, 95), { { &colors }, { &outlines } });
+    Trace(cut.scene.Traced, Camera(MakeAskewView(), 120, 95), { { &colors }, { &outlines } });
   EXPECT_FALSE(frame.centres.behind.empty());
-  EXPECT_GT(ExpectOutlines(frame, cut.scene, Askew()).outlines, 300);
+  EXPECT_GT(ExpectOutlines(frame, cut.scene, MakeAskewView()).outlines, 300);
 }
 
 TEST(ElementOutlines, AreTheSameForAnyTilesAndThreads)
 {
-  const Cut cut;
+  const CutBlock cut;
   const ColorMapping colors = OneColor();
   ElementOutlines outlines(kOutline);
   const Pipeline pipeline{ { &colors }, { &outlines } };
-  const Camera camera(Askew(), 150, 101);
+  const Camera camera(MakeAskewView(), 150, 101);
   const Frame many = Trace(cut.scene.Traced, camera, pipeline);
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
   ExpectSame(Trace(cut.scene.Traced, camera, pipeline), many);
@@ -241,9 +225,9 @@ TEST(ElementOutlines, LeaveWhatIsUnknown)
   for (std::size_t i = 0; i < 2500; ++i)
   {
     const double right = (static_cast<double>(i % 50) + 1.0) / 50.0 * 1.9 - 0.95;
-    const Rgba color = ColorAt(frame, i);
+    const Rgba color = ColorAt(frame.Image(), i);
     EXPECT_TRUE(color != kOutline || right <= 0.3);
-    EXPECT_EQ(color == kUnknown, right - 0.019 > 0.3);
+    EXPECT_EQ(color == kUnknownColor, right - 0.019 > 0.3);
     found += color == kOutline ? 1 : 0;
   }
   EXPECT_GT(found, 50);
@@ -251,30 +235,30 @@ TEST(ElementOutlines, LeaveWhatIsUnknown)
 
 TEST(ElementOutlines, AreNotSmoothed)
 {
-  const Cut cut;
+  const CutBlock cut;
   const ColorMapping colors = OneColor();
   ElementOutlines outlines(kOutline);
-  const Camera camera(Askew(), 60, 50);
+  const Camera camera(MakeAskewView(), 60, 50);
   const Frame plain = Trace(cut.scene.Traced, camera, { { &colors }, { &outlines } });
   Antialiasing smooth(4);
   const Frame both = Trace(cut.scene.Traced, camera, { { &colors }, { &smooth, &outlines } });
   EXPECT_GT(smooth.Refined(), 0);
   for (std::size_t i = 0; i < 3000; ++i)
   {
-    EXPECT_EQ(ColorAt(both, i) == kOutline, ColorAt(plain, i) == kOutline);
+    EXPECT_EQ(ColorAt(both.Image(), i) == kOutline, ColorAt(plain.Image(), i) == kOutline);
   }
 }
 
 TEST(ElementOutlines, NeedTheScene)
 {
-  const Cut cut;
+  const CutBlock cut;
   const ColorMapping colors = OneColor();
   ElementOutlines outlines(kOutline);
   // Without colours they do nothing.
-  Frame frame = Trace(cut.scene.Traced, Camera(Askew(), 20, 20), { {}, { &outlines } });
+  Frame frame = Trace(cut.scene.Traced, Camera(MakeAskewView(), 20, 20), { {}, { &outlines } });
   EXPECT_TRUE(frame.Image().empty());
-  frame = Trace(
-    cut.scene.Traced, Camera(Askew(), 20, 20), {}, { .centres = outlines.Needs().centres | kAll });
+  frame = Trace(cut.scene.Traced, Camera(MakeAskewView(), 20, 20), {},
+    { .centres = outlines.Needs().centres | kAll });
   EXPECT_THROW(Repaint({ { &colors }, { &outlines } }, frame), Error);
 }
 } // namespace pixelexact::testing

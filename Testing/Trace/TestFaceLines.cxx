@@ -14,15 +14,6 @@ namespace pixelexact::testing
 {
 namespace
 {
-CameraView Askew()
-{
-  CameraView view;
-  view.position = { 1.0, -1.5, 4.0 };
-  view.viewUp = { 0.1, 1.0, 0.0 };
-  view.viewAngle = 36.0;
-  return view;
-}
-
 constexpr double kReach = 1.5;
 
 /// Of all pixels of a frame.
@@ -44,7 +35,7 @@ std::vector<FaceLine> LinesOf(const Scene& scene, const Camera& camera, Frame& f
   return lines;
 }
 
-struct Tally
+struct LineTally
 {
   int lines = 0;
   int expected = 0;
@@ -72,13 +63,13 @@ int InnerDirection(const FaceLine& line)
 }
 
 /// All lines of a view against the true ones.
-Tally Compare(const TrueScene& scene, const CameraView& view, int size)
+LineTally CompareLines(const TrueScene& scene, const CameraView& view, int size)
 {
   const Camera camera(view, size, size);
   Frame frame =
     Trace(scene.Traced, camera, {}, { .centres = ElementEdges(EdgeStyle()).Needs().centres });
   const TrueLines truth(scene, view, size, size);
-  Tally tally;
+  LineTally tally;
   std::map<std::size_t, double> found;
   for (const FaceLine& line : LinesOf(scene.Traced, camera, frame))
   {
@@ -134,7 +125,7 @@ TEST(FaceLines, AreWhereSurfacesCrossFaces)
     { 0.0, 0.0, 0.1 }, { 0.2, 0.1, 1.0 }, { nullptr, &block.TheField }, &Block::CurvedAt);
   for (const int size : { 30, 60, 120 })
   {
-    const Tally tally = Compare(scene, Askew(), size);
+    const LineTally tally = CompareLines(scene, MakeAskewView(), size);
     SCOPED_TRACE(size);
     EXPECT_GT(tally.lines, 3 * size / 2);
     EXPECT_LT(tally.farthest, 0.1);
@@ -153,7 +144,7 @@ TEST(FaceLines, EndAtSilhouettes)
     scene.AddSphere({ 0.05, -0.1, 0.02 }, radius, { nullptr, &block.TheField }, &Block::CurvedAt);
     for (const int size : { 30, 100 })
     {
-      const Tally tally = Compare(scene, Askew(), size);
+      const LineTally tally = CompareLines(scene, MakeAskewView(), size);
       SCOPED_TRACE(::testing::Message() << radius << " " << size);
       EXPECT_GT(tally.nearEnds, 5);
       EXPECT_EQ(tally.madeUp, 0);

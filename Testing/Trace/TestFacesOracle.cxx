@@ -68,7 +68,7 @@ void AddTo(MeshBuilder& builder, Shape shape, int order)
   builder.Uncertainty = { 0.0 };
 }
 
-struct Seen
+struct FaceTally
 {
   int rays = 0;
   int hits = 0;      ///< compared, one with one
@@ -81,7 +81,7 @@ struct Seen
   double residual = 0.0;
 };
 
-void Report(const std::string& what, const Ray& ray, Seen& seen)
+void ReportWrongHit(const std::string& what, const Ray& ray, FaceTally& seen)
 {
   if (++seen.wrong <= 3)
   {
@@ -92,8 +92,8 @@ void Report(const std::string& what, const Ray& ray, Seen& seen)
 }
 
 /// Compares a ray's hits with what is on one face.
-void Compare(const Mesh& mesh, const FacePatch& patch, const Ray& ray,
-  const std::vector<PointHit>& hits, Seen& seen)
+void CompareHits(const Mesh& mesh, const FacePatch& patch, const Ray& ray,
+  const std::vector<PointHit>& hits, FaceTally& seen)
 {
   constexpr double kGrazing = 1e-6;
   ++seen.rays;
@@ -141,7 +141,7 @@ void Compare(const Mesh& mesh, const FacePatch& patch, const Ray& ray,
       std::ostringstream what;
       what << certain << " hits for one at margin " << one.margin << ", sine " << one.sine
            << ", the next " << one.alone << " away";
-      Report(what.str(), ray, seen);
+      ReportWrongHit(what.str(), ray, seen);
     }
   }
   for (std::size_t i = 0; i < hits.size(); ++i)
@@ -157,12 +157,12 @@ void Compare(const Mesh& mesh, const FacePatch& patch, const Ray& ray,
       seen.residual, ResidualQuad(mesh, ray, hits[i].t, hits[i].point.element, hits[i].point.xi));
     if (taken[i] == 0 && patch.MarginOf(hits[i].point.xi) > 1e-9 && sine > kGrazing)
     {
-      Report("invented where the sine is " + std::to_string(sine), ray, seen);
+      ReportWrongHit("invented where the sine is " + std::to_string(sine), ray, seen);
     }
   }
 }
 
-void Print(const std::string& name, const Seen& seen)
+void PrintFaceTally(const std::string& name, const FaceTally& seen)
 {
   std::cout << "[ measured ] " << name << ": " << seen.rays << " rays, " << seen.hits << " hits, "
             << seen.atEdges << " at edges, " << seen.grazing << " grazing, " << seen.open
@@ -188,8 +188,8 @@ TEST(FacesOracle, AgainstSubdivision)
       AddTo(builder, shape, order);
       const Mesh mesh = builder.View();
       const ElementIndex index(mesh);
-      Seen plain;
-      Seen silhouette;
+      FaceTally plain;
+      FaceTally silhouette;
       const int faces = static_cast<int>(FacesOf(shape).size());
       for (int f = 0; f < faces; ++f)
       {
@@ -207,7 +207,7 @@ TEST(FacesOracle, AgainstSubdivision)
         const auto hits = MeetPoints(surface, rays);
         for (std::size_t i = 0; i < rays.size(); ++i)
         {
-          Compare(mesh, patch, rays[i], hits[i], plain);
+          CompareHits(mesh, patch, rays[i], hits[i], plain);
         }
         // Tangent to within 1e-1 ... 1e-9.
         rays.clear();
@@ -226,12 +226,12 @@ TEST(FacesOracle, AgainstSubdivision)
         const auto grazing = MeetPoints(surface, rays);
         for (std::size_t i = 0; i < rays.size(); ++i)
         {
-          Compare(mesh, patch, rays[i], grazing[i], silhouette);
+          CompareHits(mesh, patch, rays[i], grazing[i], silhouette);
         }
       }
       const std::string name = std::string(Name(shape)) + " order " + std::to_string(order);
-      Print(name, plain);
-      Print(name + ", silhouettes", silhouette);
+      PrintFaceTally(name, plain);
+      PrintFaceTally(name + ", silhouettes", silhouette);
       EXPECT_EQ(plain.wrong, 0) << name;
       EXPECT_EQ(silhouette.wrong, 0) << name;
       EXPECT_EQ(plain.undecided, 0) << name;
@@ -244,7 +244,7 @@ TEST(FacesOracle, AgainstSubdivision)
 namespace
 {
 /// Rays from outside meet a closed body an even number of times, through its middle at least twice.
-void ExpectClosed(const std::string& name, const Mesh& mesh, Random& random, int count)
+void ExpectEvenHits(const std::string& name, const Mesh& mesh, Random& random, int count)
 {
   const ElementIndex index(mesh);
   const auto faces = BoundaryOf(index);
@@ -304,10 +304,10 @@ TEST(FacesOracle, ClosedBodiesLetNothingIn)
   for (const Shape shape : kShapes)
   {
     const CurvedMesh mesh = Blocks(2, std::span(&shape, 1));
-    ExpectClosed(std::string("blocks of ") + Name(shape), mesh.View(), random, count);
+    ExpectEvenHits(std::string("blocks of ") + Name(shape), mesh.View(), random, count);
   }
   const CurvedMesh all = Hanging(kShapes);
-  ExpectClosed("hanging, all shapes", all.View(), random, count);
+  ExpectEvenHits("hanging, all shapes", all.View(), random, count);
 }
 
 /// Of a cube with flat faces: rays within their planes, along their edges and through its corners.

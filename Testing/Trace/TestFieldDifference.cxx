@@ -18,8 +18,8 @@ namespace pixelexact::testing
 {
 namespace
 {
-constexpr int kWidth = 61;
-constexpr int kHeight = 47;
+constexpr int kDifferenceWidth = 61;
+constexpr int kDifferenceHeight = 47;
 
 long double Other(const LongVec3& x)
 {
@@ -69,7 +69,7 @@ std::shared_ptr<const Surface> Sphere(const Vec3& centre, double radius)
   return std::make_shared<Quadric>(MakeSphere(centre, radius));
 }
 
-CameraView Slanted()
+CameraView MakeSlantedView()
 {
   CameraView view;
   view.position = { 2.1, -1.7, 4.2 };
@@ -97,16 +97,18 @@ TEST(FieldDifference, IsThatOfTheClosedFormsAndWithinItsBounds)
   const DifferenceScene scene{ { block.TheScene.locator, &block.TheField },
     { slab.TheLocator.get(), &slab.TheScalar },
     std::make_shared<Plane>(Vec3(0.0, 0.0, 0.25), Vec3(0.0, 0.0, 1.0)) };
-  const CameraView view = Slanted();
-  const FieldDifference found = TraceDifference(scene, { view, kWidth, kHeight });
+  const CameraView view = MakeSlantedView();
+  const FieldDifference found =
+    TraceDifference(scene, { view, kDifferenceWidth, kDifferenceHeight });
   const SampleBuffers& centres = found.frame.centres;
   long double squares = 0;
   long double largest = 0;
   std::int64_t both = 0;
-  for (int k = 0; k < kWidth * kHeight; ++k)
+  for (int k = 0; k < kDifferenceWidth * kDifferenceHeight; ++k)
   {
     const auto i = static_cast<std::size_t>(k);
-    const LongRay ray = RayThrough(view, kWidth, kHeight, k % kWidth + 0.5L, k / kWidth + 0.5L);
+    const LongRay ray = RayThrough(view, kDifferenceWidth, kDifferenceHeight,
+      k % kDifferenceWidth + 0.5L, k / kDifferenceWidth + 0.5L);
     const long double t = (0.25L - ray.origin[2]) / ray.direction[2];
     const LongVec3 x = Plus(ray.origin, Times(t, ray.direction));
     const bool inHeight = std::fabs(x[1]) < 1;
@@ -152,8 +154,8 @@ TEST(FieldDifference, IsThatOfTheClosedFormsAndWithinItsBounds)
   EXPECT_EQ(numbers.onlySecond, CountOf(found, DifferenceSide::Second));
   EXPECT_GT(numbers.onlyFirst, 100);
   EXPECT_GT(numbers.onlySecond, 100);
-  EXPECT_EQ(
-    numbers.both + numbers.onlyFirst + numbers.onlySecond + numbers.nothing, kWidth * kHeight);
+  EXPECT_EQ(numbers.both + numbers.onlyFirst + numbers.onlySecond + numbers.nothing,
+    kDifferenceWidth * kDifferenceHeight);
   EXPECT_NEAR(numbers.rootMeanSquare, static_cast<double>(std::sqrt(squares / both)), 1e-12);
   EXPECT_NEAR(numbers.largest, static_cast<double>(largest), 1e-12);
   EXPECT_TRUE(numbers.largestTrue.Contains(numbers.largest));
@@ -179,7 +181,7 @@ TEST(FieldDifference, TheNearestPointInEitherMeshIsSeen)
   view.focalPoint = centre;
   view.viewUp = { 0.0, 0.0, 1.0 };
   view.viewAngle = 14.0;
-  const Camera camera(view, kWidth, kHeight);
+  const Camera camera(view, kDifferenceWidth, kDifferenceHeight);
   const DifferenceScene scene{ { block.TheScene.locator, &block.TheField },
     { slab.TheLocator.get(), &slab.TheScalar }, Sphere(centre, radius) };
   const FieldDifference found = TraceDifference(scene, camera, Buffer::None, false);
@@ -220,7 +222,8 @@ TEST(FieldDifference, OfAMeshItsOwnFacesAreSeen)
   view.focalPoint = { 0.0, 0.0, 0.0 };
   view.viewUp = { 0.0, 0.0, 1.0 };
   view.viewAngle = 25.0;
-  const FieldDifference found = TraceDifference(scene, { view, kWidth, kHeight });
+  const FieldDifference found =
+    TraceDifference(scene, { view, kDifferenceWidth, kDifferenceHeight });
   const DifferenceNumbers numbers = NumbersOf(found);
   EXPECT_GT(numbers.both, 300);
   EXPECT_EQ(numbers.onlySecond, 0);
@@ -251,7 +254,8 @@ TEST(FieldDifference, MagnitudesAreThoseOfTheDifference)
   const DifferenceScene scene{ { block.TheScene.locator, &first },
     { slab.TheLocator.get(), &slab.TheVector },
     std::make_shared<Plane>(Vec3(0.0, 0.0, 0.3), Vec3(0.0, 0.0, 1.0)), kMagnitude };
-  const FieldDifference found = TraceDifference(scene, ViewAlongZ(kWidth, kHeight));
+  const FieldDifference found =
+    TraceDifference(scene, ViewAlongZ(kDifferenceWidth, kDifferenceHeight));
   std::int64_t both = 0;
   for (std::size_t i = 0; i < found.side.size(); ++i)
   {
@@ -276,7 +280,8 @@ TEST(FieldDifference, OfAFieldFromItselfIsZero)
   const DifferenceScene scene{ { block.TheScene.locator, &block.TheField },
     { block.TheScene.locator, &block.TheField },
     std::make_shared<Plane>(Vec3(0.0), Vec3(0.1, 0.2, 1.0)) };
-  const DifferenceNumbers numbers = NumbersOf(TraceDifference(scene, ViewAlongZ(kWidth, kHeight)));
+  const DifferenceNumbers numbers =
+    NumbersOf(TraceDifference(scene, ViewAlongZ(kDifferenceWidth, kDifferenceHeight)));
   EXPECT_GT(numbers.both, 1000);
   EXPECT_EQ(numbers.largest, 0.0);
   EXPECT_EQ(numbers.provenApart, 0);
@@ -289,7 +294,8 @@ TEST(FieldDifference, NotANumberIsCountedAndLeavesTheMeans)
   DifferenceScene scene{ { block.TheScene.locator, &block.TheField },
     { block.TheScene.locator, &block.TheField },
     std::make_shared<Plane>(Vec3(0.0, 0.0, -0.5), Vec3(0.0, 0.0, 1.0)), 1 };
-  const FieldDifference found = TraceDifference(scene, ViewAlongZ(kWidth, kHeight));
+  const FieldDifference found =
+    TraceDifference(scene, ViewAlongZ(kDifferenceWidth, kDifferenceHeight));
   const DifferenceNumbers numbers = NumbersOf(found);
   EXPECT_GT(numbers.notFinite, 100);
   EXPECT_LT(numbers.notFinite, numbers.both);
@@ -304,7 +310,7 @@ TEST(FieldDifference, ThreadsChangeNoBitAndProgressAborts)
   const Slab slab;
   const DifferenceScene scene{ { block.TheScene.locator, &block.TheField },
     { slab.TheLocator.get(), &slab.TheScalar }, Sphere(Vec3(0.5, 0.1, 0.0), 0.8) };
-  const Camera camera(Slanted(), kWidth, kHeight);
+  const Camera camera(MakeSlantedView(), kDifferenceWidth, kDifferenceHeight);
   const FieldDifference many = TraceDifference(scene, camera);
   {
     const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);

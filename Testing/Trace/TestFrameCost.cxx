@@ -12,7 +12,7 @@ namespace
 constexpr double kPixels = 1e6;
 
 /// A pass' seconds where elements and pixels cost something.
-double Seconds(double elements, double pixels, int step)
+double PredictSeconds(double elements, double pixels, int step)
 {
   return elements + pixels / (static_cast<double>(step) * step);
 }
@@ -71,13 +71,13 @@ TEST(FrameCost, HoldsWhereElementsOrPixelsCost)
       FrameCost cost;
       for (const int step : { 1, 4, 16 })
       {
-        cost.Learn(kPixels, step, 1.0, Seconds(elements, pixels, step));
+        cost.Learn(kPixels, step, 1.0, PredictSeconds(elements, pixels, step));
       }
       for (const double limit : { 0.005, 0.02, 0.05, 0.5 })
       {
         const int first = cost.First(kPixels, limit);
-        EXPECT_TRUE(first == 16 || Seconds(elements, pixels, first) <= limit);
-        EXPECT_TRUE(first == 1 || Seconds(elements, pixels, first / 4) > limit);
+        EXPECT_TRUE(first == 16 || PredictSeconds(elements, pixels, first) <= limit);
+        EXPECT_TRUE(first == 1 || PredictSeconds(elements, pixels, first / 4) > limit);
       }
     }
   }

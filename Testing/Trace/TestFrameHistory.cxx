@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A frame has the same bytes the first and the hundredth time, in whichever passes it was made,
 // from any number of threads; and it is shown where its elements have collapsed.
+#include "Block.h"
 #include "FrameCheck.h"
-#include "MeshBuilder.h"
 
 #include "Trace/ProgressiveFrame.h"
 #include "Trace/Surfaces/Plane.h"
@@ -17,8 +17,7 @@ namespace pixelexact::testing
 {
 namespace
 {
-constexpr Buffer kAll = Buffer::Value | Buffer::Position | Buffer::Normal | Buffer::Xi |
-  Buffer::Element | Buffer::Depth | Buffer::Verdict | Buffer::Coverage | Buffer::Enclosure;
+constexpr Buffer kAllWithEnclosure = kAll | Buffer::Coverage | Buffer::Enclosure;
 
 /// A curved hexahedron with a face collapsed to the edge x = y = 0, and a bent one before it; cut
 /// across the edge.
@@ -68,16 +67,6 @@ private:
   ExpansionBuilder Values{ 1 };
 };
 
-/// Along the edge; `half` the picture's height in the world.
-Camera View(double half, int width, int height)
-{
-  CameraView view;
-  view.position = { 0.0, 0.0, 5.0 };
-  view.parallel = true;
-  view.parallelScale = half;
-  return { view, width, height };
-}
-
 Frame Render(const Scene& scene, const Camera& camera, int threads, bool inPasses)
 {
   const tbb::global_control limit(
@@ -88,9 +77,9 @@ Frame Render(const Scene& scene, const Camera& camera, int threads, bool inPasse
     {
       if (!inPasses)
       {
-        return Trace(scene, camera, {}, { .centres = kAll });
+        return Trace(scene, camera, {}, { .centres = kAllWithEnclosure });
       }
-      ProgressiveFrame frame(scene, camera, {}, kAll);
+      ProgressiveFrame frame(scene, camera, {}, kAllWithEnclosure);
       while (frame.Step() != 1)
       {
         frame.Refine();
@@ -104,7 +93,8 @@ TEST(FrameHistory, LeavesNoTrace)
 {
   const Collapsed mesh;
   // The whole, of several tiles, and what is around the edge.
-  for (const Camera& camera : { View(0.05, 49, 3), View(1e-3, 9, 5), View(1e-9, 3, 3) })
+  for (const Camera& camera :
+    { ViewAlongZ(49, 3, 0.05), ViewAlongZ(9, 5, 1e-3), ViewAlongZ(3, 3, 1e-9) })
   {
     const Locator first(mesh.Meshed);
     const Frame wanted = Render(mesh.With(first), camera, 1, false);
@@ -116,7 +106,7 @@ TEST(FrameHistory, LeavesNoTrace)
       ExpectSame(Render(mesh.With(used), camera, threads, repeat % 2 == 0), wanted);
       if (repeat % 10 == 0)
       {
-        Render(mesh.With(used), View(1.3, 40, 34), threads, true);
+        Render(mesh.With(used), ViewAlongZ(40, 34, 1.3), threads, true);
       }
       // Trees are dropped from the fiftieth frame on.
       used.Index().SetTreeLimit(repeat < 50 ? std::size_t{ 256 } << 20U : 0);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Contours by intervals against many samples of fields in closed form.
 #include "Block.h"
+#include "TrueVerdicts.h"
 
 #include "Core/Base/Error.h"
 #include "Trace/Contours/IntervalEdges.h"
@@ -17,13 +18,11 @@ namespace pixelexact::testing
 {
 namespace
 {
-using Values = std::vector<std::vector<double>>;
-
 /// The judge as a module.
 class Judged final : public FrameModule
 {
 public:
-  Judged(Values values, int subdivisions)
+  Judged(LayerValues values, int subdivisions)
     : IsoValues(std::move(values))
     , Subdivisions(subdivisions)
   {
@@ -54,17 +53,17 @@ public:
   IntervalCounters counters;
 
 private:
-  Values IsoValues;
+  LayerValues IsoValues;
   int Subdivisions;
   int Width = 0;
   std::mutex Mutex;
 };
 
 /// A frame of it, of 70 x 50 pixels: six tiles.
-constexpr int kWidth = 70;
-constexpr int kHeight = 50;
+constexpr int kIntervalWidth = 70;
+constexpr int kIntervalHeight = 50;
 
-CameraView Oblique()
+CameraView MakeTiltedView()
 {
   CameraView view;
   view.position = { 1.3, -1.9, 4.0 };
@@ -73,13 +72,13 @@ CameraView Oblique()
   return view;
 }
 
-Judged& Judge(Judged& judged, const Scene& scene, const CameraView& view = Oblique())
+Judged& Judge(Judged& judged, const Scene& scene, const CameraView& view = MakeTiltedView())
 {
-  Trace(scene, Camera(view, kWidth, kHeight), { {}, { &judged } });
+  Trace(scene, Camera(view, kIntervalWidth, kIntervalHeight), { {}, { &judged } });
   return judged;
 }
 
-using Function = std::function<long double(const LongVec3&)>;
+using LongFunction = std::function<long double(const LongVec3&)>;
 
 /// The range of the samples on a pixel's edge, 64 a side, that lie on the plane in the cube, by
 /// their rays in long double.
@@ -94,8 +93,8 @@ class TrueEdges
 public:
   static constexpr int kSamples = 64;
 
-  TrueEdges(
-    const Vec3& origin, const Vec3& normal, Function field, std::vector<KeptHalfSpace> kept = {})
+  TrueEdges(const Vec3& origin, const Vec3& normal, LongFunction field,
+    std::vector<KeptHalfSpace> kept = {})
     : Origin(ToLong(origin))
     , Normal(ToLong(normal))
     , Field(std::move(field))
@@ -120,7 +119,7 @@ public:
 private:
   void Add(long double px, long double py, TrueRange& range) const
   {
-    const LongRay ray = RayThrough(Oblique(), kWidth, kHeight, px, py);
+    const LongRay ray = RayThrough(MakeTiltedView(), kIntervalWidth, kIntervalHeight, px, py);
     const long double t = Dot(Normal, Minus(Origin, ray.origin)) / Dot(Normal, ray.direction);
     const LongVec3 p = Plus(ray.origin, Times(t, ray.direction));
     const bool inCube = std::max({ std::fabs(p[0]), std::fabs(p[1]), std::fabs(p[2]) }) <= 1;
@@ -136,7 +135,7 @@ private:
 
   LongVec3 Origin;
   LongVec3 Normal;
-  Function Field;
+  LongFunction Field;
   std::vector<KeptHalfSpace> Kept;
 };
 
@@ -147,12 +146,13 @@ void ExpectNoneWrong(
   // Of the block's coefficients and of values in doubles.
   constexpr long double kRounding = 1e-12L;
   int wrong = 0;
-  for (int y = 0; y < kHeight; ++y)
+  for (int y = 0; y < kIntervalHeight; ++y)
   {
-    for (int x = 0; x < kWidth; ++x)
+    for (int x = 0; x < kIntervalWidth; ++x)
     {
       const auto verdict = static_cast<ContourVerdict>(
-        judged.verdicts[static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x)]);
+        judged
+          .verdicts[static_cast<std::size_t>(y) * kIntervalWidth + static_cast<std::size_t>(x)]);
       const TrueRange range = truth.Of(x, y);
       const auto meets = [&](long double slack)
       {
@@ -185,7 +185,7 @@ struct WavyBlock
   ExpansionBuilder values{ 1 };
   Field field;
 
-  explicit WavyBlock(const Function& function)
+  explicit WavyBlock(const LongFunction& function)
   {
     Space space = UniformSpace(Shape::Hexahedron, 8);
     space.order[2] = 4;
@@ -203,8 +203,6 @@ struct WavyBlock
   }
 };
 
-const Vec3 kOrigin{ 0.1, 0.0, 0.05 };
-const Vec3 kNormal{ 0.2, 0.1, 1.0 };
 const WavyBlock& TheBlock()
 {
   static const WavyBlock block(&Wavy);
@@ -212,7 +210,7 @@ const WavyBlock& TheBlock()
 }
 Scene TheCut()
 {
-  return TheBlock().With(std::make_shared<Plane>(kOrigin, kNormal));
+  return TheBlock().With(std::make_shared<Plane>(kPlaneOrigin, kPlaneNormal));
 }
 const std::vector<double> kValues{ -3.5, -2.0, -1.0, -0.25, 0.5 };
 } // namespace
@@ -220,7 +218,7 @@ const std::vector<double> kValues{ -3.5, -2.0, -1.0, -0.25, 0.5 };
 TEST(IntervalEdges, NoVerdictIsWrong)
 {
   const Scene scene = TheCut();
-  const TrueEdges truth(kOrigin, kNormal, &Wavy);
+  const TrueEdges truth(kPlaneOrigin, kPlaneNormal, &Wavy);
   std::int64_t undecided = 0;
   for (const int level : { 0, 1, 2, 3, 6 })
   {
@@ -262,15 +260,15 @@ TEST(IntervalEdges, LevelsAreThoseOfShorterRuns)
 TEST(IntervalEdges, TilesChangeNothing)
 {
   const Scene scene = TheCut();
-  const Camera camera(Oblique(), kWidth, kHeight);
+  const Camera camera(MakeTiltedView(), kIntervalWidth, kIntervalHeight);
   Judged whole({ kValues }, 3);
   Judge(whole, scene);
   Judged other({ kValues }, 3);
   const Pipeline pipeline{ {}, { &other } };
   Frame frame;
-  frame.width = kWidth;
-  frame.height = kHeight;
-  other.Begin(kWidth, kHeight);
+  frame.width = kIntervalWidth;
+  frame.height = kIntervalHeight;
+  other.Begin(kIntervalWidth, kIntervalHeight);
   other.verdicts = whole.verdicts;
   for (const TileArea& area : { TileArea{ 16, 16, 48, 48 }, TileArea{ 31, 20, 33, 40 } })
   {
@@ -285,7 +283,8 @@ TEST(IntervalEdges, NoVerdictIsWrongWherePartsAreCutAway)
   Scene scene = TheCut();
   scene.kept = { { 1.0, 0.5, 0.0, 0.3 }, { -0.2, -1.0, 0.1, 0.45 } };
   Judged judged({ kValues }, 3);
-  ExpectNoneWrong(Judge(judged, scene), TrueEdges(kOrigin, kNormal, &Wavy, scene.kept), kValues);
+  ExpectNoneWrong(
+    Judge(judged, scene), TrueEdges(kPlaneOrigin, kPlaneNormal, &Wavy, scene.kept), kValues);
   EXPECT_GT(judged.counters.out, 100);
 }
 
@@ -307,7 +306,7 @@ TEST(IntervalEdges, FindsWhatCornersMiss)
   view.parallelScale = 1.25;
   // A pixel is 0.05 wide, the strip of values below 0.0012 ^ 2 is 0.0024 wide, and 0.31 lies a
   // fifth of a pixel beyond a corner.
-  const Values values{ { 0.0012 * 0.0012 } };
+  const LayerValues values{ { 0.0012 * 0.0012 } };
   Judged corners(values, 0);
   Judge(corners, scene, view);
   EXPECT_EQ(corners.counters.in, 0);
@@ -344,8 +343,9 @@ TEST(IntervalEdges, TellsWhatIsBeyondTheHorizon)
   Judged judged({ { 1e3 } }, 1);
   Judge(judged, scene, view);
   const auto out = static_cast<std::uint8_t>(ContourVerdict::Out);
-  EXPECT_EQ(std::ranges::count(std::span(judged.verdicts).last(kWidth * (kHeight / 2 - 1)), out),
-    kWidth * (kHeight / 2 - 1));
+  EXPECT_EQ(std::ranges::count(
+              std::span(judged.verdicts).last(kIntervalWidth * (kIntervalHeight / 2 - 1)), out),
+    kIntervalWidth * (kIntervalHeight / 2 - 1));
   // On faces of the block, which are flat along the plane.
   EXPECT_GT(judged.counters.out, 100);
 }
@@ -382,7 +382,7 @@ TEST(IntervalEdges, WithoutValuesAllIsOut)
 TEST(IntervalEdges, NanIsUndecided)
 {
   Block block;
-  Scene& scene = block.WithPlane(kOrigin, kNormal);
+  Scene& scene = block.WithPlane(kPlaneOrigin, kPlaneNormal);
   scene.layers.front().component = 1;
   Judged judged({ { 0.5 } }, 2);
   Judge(judged, scene);
@@ -393,7 +393,7 @@ TEST(IntervalEdges, NanIsUndecided)
 
 TEST(IntervalEdges, RefusesWhatItCannotDo)
 {
-  const auto messageOf = [](const Values& values, int subdivisions)
+  const auto messageOf = [](const LayerValues& values, int subdivisions)
   {
     Judged judged(values, subdivisions);
     try

@@ -8,14 +8,11 @@
 
 #include <glm/matrix.hpp>
 
-#include <limits>
 
 namespace pixelexact::testing
 {
 namespace
 {
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
 /// A curved element with a field that is given by its coefficients.
 struct Element
 {
@@ -105,7 +102,7 @@ struct Statuses
   double residual = 0.0; ///< of the place, in the element's size
 };
 
-Statuses Judge(
+Statuses MeasureHits(
   const Element& one, const Surface& iso, int component, double value, const std::vector<Ray>& rays)
 {
   Statuses seen;
@@ -131,7 +128,7 @@ Statuses Judge(
   return seen;
 }
 
-void Print(const std::string& name, const Statuses& seen)
+void PrintStatuses(const std::string& name, const Statuses& seen)
 {
   std::cout << "[ measured ] " << name << ": " << seen.certain << " certain, " << seen.undecided
             << " undecided on " << seen.raysWithUndecided << " rays, value off by " << seen.off
@@ -152,8 +149,8 @@ TEST(IsoOracle, MagnitudesAreDecided)
         one.SetNoise(c, 70 + static_cast<std::uint64_t>(c));
       }
       const IsoSurface iso = one.Iso(kMagnitude, 0.9);
-      const Statuses seen = Judge(one, iso, kMagnitude, 0.9, one.Rays(count, 71));
-      Print(std::string(Name(shape)) + " order " + std::to_string(order), seen);
+      const Statuses seen = MeasureHits(one, iso, kMagnitude, 0.9, one.Rays(count, 71));
+      PrintStatuses(std::string(Name(shape)) + " order " + std::to_string(order), seen);
       EXPECT_GT(seen.certain, count / 3);
       EXPECT_LE(seen.raysWithUndecided, 1 + count / 50);
       EXPECT_LE(seen.off, 1e-12);

@@ -46,7 +46,7 @@ struct Count
 };
 
 /// The hits before the first undecided one are the first roots; all of them, where there is none.
-void Compare(const IsoPair& pair, const std::vector<Ray>& rays, Count& count)
+void CompareRoots(const IsoPair& pair, const std::vector<Ray>& rays, Count& count)
 {
   const auto hits = MeetPoints(*pair.iso, rays);
   for (std::size_t i = 0; i < rays.size(); ++i)
@@ -98,7 +98,7 @@ TEST(IsoPairs, HitsAreTheRootsInClosedForm)
         const IsoPair pair(map, field, value);
         for (const Vec3& direction : kDirections)
         {
-          Compare(pair, Picture(direction, 9), count);
+          CompareRoots(pair, Picture(direction, 9), count);
         }
         most = std::max(most, pair.iso->PiecesMade());
       }
@@ -119,7 +119,7 @@ namespace
 using Hits = std::vector<std::vector<PointHit>>;
 
 /// Of rays and their first `some` hits.
-void ExpectSame(const Hits& a, const Hits& b, std::optional<std::size_t> some = std::nullopt)
+void ExpectSameRoots(const Hits& a, const Hits& b, std::optional<std::size_t> some = std::nullopt)
 {
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -190,12 +190,13 @@ TEST(IsoPairs, WorkThatRunsOutLeavesRaysUndecided)
           EXPECT_LE(open->t, all[i][certain].t + 1e-9);
         }
       }
-      ExpectSame(MeetWith(*fresh.iso, rays, work), some);
-      ExpectSame(MeetWith(*pair.iso, rays, work), some);
-      ExpectSame(MeetWith(*fresh.iso, rays, work, true), some, 1);
+      ExpectSameRoots(MeetWith(*fresh.iso, rays, work), some);
+      ExpectSameRoots(MeetWith(*pair.iso, rays, work), some);
+      ExpectSameRoots(MeetWith(*fresh.iso, rays, work, true), some, 1);
       const IsoPair other(7, field, pair.value);
       tbb::parallel_for(std::size_t{ 0 }, rays.size(),
-        [&](std::size_t i) { ExpectSame(MeetWith(*other.iso, { rays[i] }, work), { some[i] }); });
+        [&](std::size_t i)
+        { ExpectSameRoots(MeetWith(*other.iso, { rays[i] }, work), { some[i] }); });
     }
     std::cout << " undecided of " << rays.size() << std::endl;
     EXPECT_GT(before, 0);
@@ -215,11 +216,11 @@ TEST(IsoPairs, WhatIsNotKeptIsMadeEachTime)
     PartTree::SetMostBytes(bytes);
     {
       const IsoPair other(6, field, 0.0);
-      ExpectSame(MeetWith(*other.iso, rays, kRayWork), wanted);
+      ExpectSameRoots(MeetWith(*other.iso, rays, kRayWork), wanted);
       EXPECT_EQ(other.iso->PartsMade(), 0);
       EXPECT_EQ(PartTree::BytesKept(), bytes);
       // A tree that is there does not grow.
-      ExpectSame(MeetWith(*pair.iso, Picture({ 0.61, -0.5, 0.4 }, 16), kRayWork),
+      ExpectSameRoots(MeetWith(*pair.iso, Picture({ 0.61, -0.5, 0.4 }, 16), kRayWork),
         MeetWith(*other.iso, Picture({ 0.61, -0.5, 0.4 }, 16), kRayWork));
       EXPECT_EQ(PartTree::BytesKept(), bytes);
     }

@@ -22,7 +22,7 @@ TwoBlocks::Function Constant(double low, double high)
 }
 
 /// y on one side, y + jump on the other.
-TwoBlocks::Function Slanted(double jump)
+TwoBlocks::Function MakeSlope(double jump)
 {
   return [=](int side, long double y, long double) { return side == 0 ? y : y + jump; };
 }
@@ -89,7 +89,7 @@ TEST(JumpWalls, LinearFieldsHaveOneWhereTheValueLiesBetween)
 {
   for (const bool swapped : { false, true })
   {
-    const TwoBlocks blocks(1.0, { Slanted(1.0) }, swapped);
+    const TwoBlocks blocks(1.0, { MakeSlope(1.0) }, swapped);
     const JumpWalls walls = WallsOf(blocks, 0, 0.25);
     EXPECT_EQ(walls.Parts(), 1);
     ExpectWalls(walls, 0, [](double y, double) { return y > -0.75 && y < 0.25; });
@@ -98,13 +98,13 @@ TEST(JumpWalls, LinearFieldsHaveOneWhereTheValueLiesBetween)
 
 TEST(JumpWalls, ContinuousFieldsHaveNone)
 {
-  const TwoBlocks blocks(1.0, { Slanted(0.0) });
+  const TwoBlocks blocks(1.0, { MakeSlope(0.0) });
   EXPECT_EQ(WallsOf(blocks, 0, 0.25).Parts(), 0);
 }
 
 TEST(JumpWalls, ComponentsAndMagnitudesHaveTheirOwn)
 {
-  const TwoBlocks blocks(1.0, { Slanted(0.0), Constant(0.0, 2.0) });
+  const TwoBlocks blocks(1.0, { MakeSlope(0.0), Constant(0.0, 2.0) });
   EXPECT_EQ(WallsOf(blocks, 0, 0.25).Parts(), 0);
   ExpectWalls(WallsOf(blocks, 1, 1.0), 0, [](double, double) { return true; });
   // |(y, 0)| is below 0.5 where |y| is, |(y, 2)| nowhere.

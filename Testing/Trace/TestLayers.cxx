@@ -12,9 +12,6 @@ namespace pixelexact::testing
 {
 namespace
 {
-constexpr Buffer kSheets = kAll | Buffer::Layer;
-constexpr auto kExact = static_cast<std::uint8_t>(PixelVerdict::Exact);
-
 /// Two fields, the second of two components, and the block that they are on.
 struct Fields
 {
@@ -33,7 +30,7 @@ struct Fields
   static long double Norm(const LongVec3& x) { return std::hypot(First(x), Second(x)); }
 };
 
-CameraView Askew(bool parallel)
+CameraView MakeLayersView(bool parallel)
 {
   CameraView view;
   view.position = { 1.5, -2.0, 4.0 };
@@ -70,14 +67,14 @@ TEST(Layers, OfTwoThatCoincideTheFirstIsSeen)
       &Block::CurvedAt);
     scene.AddPlane(through, normal, { nullptr, &fields.pair, 1 }, &Fields::Second);
     const Camera camera = ViewAlongZ(70, 50);
-    const Frame frame = Trace(scene.Traced, camera, {}, { .centres = kSheets });
+    const Frame frame = Trace(scene.Traced, camera, {}, { .centres = kAllWithLayer });
     const SampleBuffers& first = frame.centres;
     ASSERT_EQ(first.behind.size(), translucent ? 1U : 0U);
     int seen = 0;
     for (std::size_t i = 0; i < first.Size(); ++i)
     {
-      EXPECT_EQ(first.layer[i], first.verdict[i] == kExact ? 0 : kNoLayer);
-      if (first.verdict[i] != kExact)
+      EXPECT_EQ(first.layer[i], first.verdict[i] == kExactPixel ? 0 : kNoLayer);
+      if (first.verdict[i] != kExactPixel)
       {
         continue;
       }
@@ -125,8 +122,9 @@ TEST(Layers, AreSeenInTheOrderOfTheirDistance)
         layer.translucent = (translucent >> of & 1U) != 0;
         scene.AddPlane(planes[of].first, planes[of].second, layer, looks[of].second);
       }
-      const CameraView view = Askew(order[0] == 1);
-      const Frame frame = Trace(scene.Traced, Camera(view, 35, 37), {}, { .centres = kSheets });
+      const CameraView view = MakeLayersView(order[0] == 1);
+      const Frame frame =
+        Trace(scene.Traced, Camera(view, 35, 37), {}, { .centres = kAllWithLayer });
       const SheetTally tally = ExpectSheets(frame, scene, view);
       EXPECT_LE(tally.uncertain, 5);
       EXPECT_GT(tally.WithDepth(0), 100);
@@ -153,8 +151,8 @@ TEST(Layers, TranslucentSphereAroundAPlane)
       &Fields::Second);
     scene.AddPlane(
       { 0.0, 0.0, 0.1 }, { 0.2, 0.3, 1.0 }, { nullptr, &fields.curved, 0 }, &Block::CurvedAt);
-    const CameraView view = Askew(parallel);
-    const Frame frame = Trace(scene.Traced, Camera(view, 90, 80), {}, { .centres = kSheets });
+    const CameraView view = MakeLayersView(parallel);
+    const Frame frame = Trace(scene.Traced, Camera(view, 90, 80), {}, { .centres = kAllWithLayer });
     const SheetTally tally = ExpectSheets(frame, scene, view);
     EXPECT_LE(tally.uncertain, 5);
     // The plane ends what is seen of the sphere, unless it is behind all of it.
@@ -167,7 +165,8 @@ TEST(Layers, TranslucentSphereAroundAPlane)
 
     // And both translucent: the far half is the third sheet.
     scene.Traced.layers[1].translucent = true;
-    const Frame through = Trace(scene.Traced, Camera(view, 90, 80), {}, { .centres = kSheets });
+    const Frame through =
+      Trace(scene.Traced, Camera(view, 90, 80), {}, { .centres = kAllWithLayer });
     const SheetTally all = ExpectSheets(through, scene, view);
     EXPECT_EQ(through.centres.behind.size(), 2U);
     EXPECT_GT(all.WithDepth(3), 1000 + tally.WithDepth(3));
@@ -190,7 +189,7 @@ TEST(Layers, HitsAreCountedAsRaysComeToThem)
   }
   const Camera camera = ViewAlongZ(20, 20, 0.9);
   const auto counters = [&]
-  { return Trace(block.TheScene, camera, {}, { .centres = kSheets }).counters; };
+  { return Trace(block.TheScene, camera, {}, { .centres = kAllWithLayer }).counters; };
   const FrameCounters opaque = counters();
   EXPECT_EQ(opaque.rays, 400);
   EXPECT_EQ(opaque.surfaceHits, 3 * 400);
@@ -213,7 +212,7 @@ TEST(Layers, ValuesThatAreNotANumberAreSheetsToo)
   Scene& scene = block.TheScene;
   scene.layers[0].component = scene.layers[1].component = 1;
   scene.layers[0].translucent = true;
-  const Frame frame = Trace(scene, ViewAlongZ(40, 40, 0.9), {}, { .centres = kSheets });
+  const Frame frame = Trace(scene, ViewAlongZ(40, 40, 0.9), {}, { .centres = kAllWithLayer });
   ASSERT_EQ(frame.centres.behind.size(), 1U);
   EXPECT_EQ(frame.counters.exact, 1600);
   int nan = 0;
@@ -221,7 +220,7 @@ TEST(Layers, ValuesThatAreNotANumberAreSheetsToo)
   {
     for (std::size_t i = 0; i < sheet->Size(); ++i)
     {
-      EXPECT_EQ(sheet->verdict[i], kExact);
+      EXPECT_EQ(sheet->verdict[i], kExactPixel);
       EXPECT_EQ(std::isnan(sheet->value[i]), sheet->element[i] == 0);
       EXPECT_TRUE(sheet->element[i] == 0 || sheet->value[i] == 1.0);
       nan += sheet == &frame.centres && sheet->element[i] == 0 ? 1 : 0;
@@ -243,7 +242,7 @@ TEST(Layers, MoreSheetsThanAreKeptAreCounted)
       block.WithPlane({ 0.0, 0.0, -0.95 + 0.02 * k }, { 0.0, 0.0, 1.0 }).layers.back().translucent =
         true;
     }
-    return Trace(block.TheScene, ViewAlongZ(12, 10, 1.25), {}, { .centres = kSheets });
+    return Trace(block.TheScene, ViewAlongZ(12, 10, 1.25), {}, { .centres = kAllWithLayer });
   };
   constexpr int kMost = Sheets::kMost;
   for (const int planes : { kMost - 1, kMost, kMost + 1, kMost + 20 })
@@ -258,7 +257,7 @@ TEST(Layers, MoreSheetsThanAreKeptAreCounted)
     {
       for (std::size_t i = 0; i < frame.centres.Size(); ++i)
       {
-        const bool seen = frame.centres.verdict[i] == kExact;
+        const bool seen = frame.centres.verdict[i] == kExactPixel;
         EXPECT_EQ(int{ sheets[k]->layer[i] }, seen ? planes - 1 - static_cast<int>(k) : kNoLayer);
       }
     }
@@ -274,10 +273,10 @@ TEST(Layers, AsManyAsANumberOfThemCanTell)
     // All but the last beside the mesh.
     block.WithPlane({ 0.0, 0.0, k < 254 ? 2.0 : 0.0 }, { 0.0, 0.0, 1.0 });
   }
-  const Frame frame = Trace(block.TheScene, camera, {}, { .centres = kSheets });
+  const Frame frame = Trace(block.TheScene, camera, {}, { .centres = kAllWithLayer });
   EXPECT_EQ(std::ranges::count(frame.centres.layer, 254), 16);
   block.WithPlane(Vec3(0.0), { 0.0, 0.0, 1.0 });
-  EXPECT_THROW((void)Trace(block.TheScene, camera, {}, { .centres = kSheets }), Error);
+  EXPECT_THROW((void)Trace(block.TheScene, camera, {}, { .centres = kAllWithLayer }), Error);
 }
 
 TEST(Layers, SheetsAreTheSameForAnyNumberOfThreads)
@@ -288,8 +287,8 @@ TEST(Layers, SheetsAreTheSameForAnyNumberOfThreads)
     &Fields::Second);
   scene.AddPlane({ 0.0, 0.0, 0.1 }, { 0.2, 0.3, 1.0 },
     { nullptr, &fields.curved, 0, Precision::Double, true }, &Block::CurvedAt);
-  const Camera camera(Askew(false), 150, 101);
-  constexpr Buffer kWanted = kSheets | Buffer::Coverage | Buffer::Enclosure;
+  const Camera camera(MakeLayersView(false), 150, 101);
+  constexpr Buffer kWanted = kAllWithLayer | Buffer::Coverage | Buffer::Enclosure;
   const Frame many = Trace(scene.Traced, camera, {}, { .centres = kWanted });
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
   ExpectSame(Trace(scene.Traced, camera, {}, { .centres = kWanted }), many);

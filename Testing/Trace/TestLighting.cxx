@@ -11,10 +11,9 @@ namespace pixelexact::testing
 {
 namespace
 {
-constexpr auto kExact = static_cast<std::uint8_t>(PixelVerdict::Exact);
 constexpr Buffer kLit = Buffer::Verdict | Buffer::Position | Buffer::Normal | Buffer::Layer;
 
-Vec3 Direction(Random& random)
+Vec3 MakeDirection(Random& random)
 {
   return glm::normalize(Vec3(random(), random(), random()) + Vec3(1e-3));
 }
@@ -26,10 +25,10 @@ SampleBuffers RandomSamples(Random& random, int count)
   samples.Allocate(kLit, count, 1);
   for (std::size_t i = 0; i < samples.Size(); ++i)
   {
-    samples.verdict[i] = kExact;
+    samples.verdict[i] = kExactPixel;
     samples.layer[i] = 0;
     samples.position[i] = Vec3(random(), random(), random());
-    samples.normal[i] = Direction(random);
+    samples.normal[i] = MakeDirection(random);
     for (int c = 0; c < 4; ++c)
     {
       samples.color.push_back(static_cast<std::uint8_t>(random(0.0, 256.0)));
@@ -41,13 +40,13 @@ SampleBuffers RandomSamples(Random& random, int count)
 LitView RandomView(Random& random)
 {
   LitView view;
-  view.direction = Direction(random);
-  view.eye = 3.0 * Direction(random) - 2.0 * view.direction;
+  view.direction = MakeDirection(random);
+  view.eye = 3.0 * MakeDirection(random) - 2.0 * view.direction;
   view.parallel = random() < 0.0;
   if (random() < 0.0)
   {
     view.linear = Mat3(Vec3(2.0, 0.1, 0.0), Vec3(0.0, 0.5, -0.2), Vec3(0.3, 0.0, random(0.7, 4.0)));
-    view.offset = 0.3 * Direction(random);
+    view.offset = 0.3 * MakeDirection(random);
   }
   return view;
 }
@@ -85,7 +84,7 @@ std::vector<Light> RandomLights(Kind kind, Random& random)
       kind == Kind::LonePositionalHeadlight;
     light.positional =
       kind == Kind::Positional || kind == Kind::Cone || kind == Kind::LonePositionalHeadlight;
-    light.direction = Direction(random);
+    light.direction = MakeDirection(random);
     // A cone is to hold many of the samples.
     light.position = (kind == Kind::Cone ? -3.0 : 2.5) * light.direction;
     light.color = Vec3(random(0.0, 0.7), random(0.0, 0.7), random(0.0, 0.7));

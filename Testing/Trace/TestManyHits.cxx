@@ -7,11 +7,6 @@ namespace pixelexact::testing
 {
 namespace
 {
-constexpr Buffer kSheets = kAll | Buffer::Layer;
-constexpr auto kNothing = static_cast<std::uint8_t>(PixelVerdict::Nothing);
-constexpr auto kExact = static_cast<std::uint8_t>(PixelVerdict::Exact);
-constexpr auto kUnknown = static_cast<std::uint8_t>(PixelVerdict::Unknown);
-
 /// Planes z = const, with what is known of their hits; xi and elements are not.
 class Stack final : public Surface
 {
@@ -48,10 +43,6 @@ public:
   }
 };
 
-Layer LayerOf(std::shared_ptr<const Surface> surface, const Field& field, bool translucent = false)
-{
-  return { std::move(surface), &field, 0, Precision::Double, translucent };
-}
 } // namespace
 
 TEST(ManyHits, HitsOutsideOfTheMeshArePassed)
@@ -59,9 +50,9 @@ TEST(ManyHits, HitsOutsideOfTheMeshArePassed)
   Block block;
   const auto surface = std::make_shared<Stack>();
   surface->levels = { { 2.5 }, { 1.5 }, { 0.9 }, { 0.1 }, { -0.5 }, { -1.5 }, { -2.0 } };
-  block.TheScene.layers = { LayerOf(surface, block.TheField, true) };
+  block.TheScene.layers = { MakeLayer(surface, block.TheField, true) };
   const Camera camera = ViewAlongZ(33, 29, 0.95);
-  const Frame frame = Trace(block.TheScene, camera, {}, { .centres = kSheets });
+  const Frame frame = Trace(block.TheScene, camera, {}, { .centres = kAllWithLayer });
   const auto sheets = SheetsOf(frame.centres);
   ASSERT_EQ(sheets.size(), 3U);
   int seen = 0;
@@ -71,7 +62,7 @@ TEST(ManyHits, HitsOutsideOfTheMeshArePassed)
     const bool within = std::max(std::fabs(ray.origin.x), std::fabs(ray.origin.y)) < 1.0;
     for (std::size_t k = 0; k < 3; ++k)
     {
-      ASSERT_EQ(sheets[k]->verdict[i], within ? kExact : kNothing);
+      ASSERT_EQ(sheets[k]->verdict[i], within ? kExactPixel : kNothingPixel);
       EXPECT_EQ(sheets[k]->depth[i], within ? 5.0 - surface->levels[2 + k].z : kNoHit);
     }
     seen += within ? 1 : 0;
@@ -80,7 +71,7 @@ TEST(ManyHits, HitsOutsideOfTheMeshArePassed)
   // Beside the cube rays come to all, and so do they through it.
   EXPECT_EQ(frame.counters.surfaceHits, 7 * 33 * 29);
   block.TheScene.layers[0].translucent = false;
-  const Frame opaque = Trace(block.TheScene, camera, {}, { .centres = kSheets });
+  const Frame opaque = Trace(block.TheScene, camera, {}, { .centres = kAllWithLayer });
   EXPECT_EQ(opaque.counters.surfaceHits, 3 * seen + 7 * (33 * 29 - seen));
   EXPECT_TRUE(SameBytes(opaque.centres.value, frame.centres.value));
   EXPECT_TRUE(opaque.centres.behind.empty());
@@ -93,8 +84,8 @@ TEST(ManyHits, WhatIsKnownOfHits)
   surface->levels = { { 1.5, HitStatus::Undecided }, { 1.2, HitStatus::Numeric },
     { 0.5, HitStatus::Numeric }, { 0.2, HitStatus::Undecided }, { -0.3 } };
   const Camera camera = ViewAlongZ(20, 20, 0.9);
-  block.TheScene.layers = { LayerOf(surface, block.TheField, true) };
-  const Frame frame = Trace(block.TheScene, camera, {}, { .centres = kSheets });
+  block.TheScene.layers = { MakeLayer(surface, block.TheField, true) };
+  const Frame frame = Trace(block.TheScene, camera, {}, { .centres = kAllWithLayer });
   const auto sheets = SheetsOf(frame.centres);
   // Outside of the mesh nothing is, decided or not.
   ASSERT_EQ(sheets.size(), 3U);
@@ -104,9 +95,9 @@ TEST(ManyHits, WhatIsKnownOfHits)
   EXPECT_EQ(frame.counters.undecidedHits, 400);
   for (std::size_t i = 0; i < 400; ++i)
   {
-    EXPECT_EQ(sheets[0]->verdict[i], kExact);
-    EXPECT_EQ(sheets[1]->verdict[i], kUnknown);
-    EXPECT_EQ(sheets[2]->verdict[i], kExact);
+    EXPECT_EQ(sheets[0]->verdict[i], kExactPixel);
+    EXPECT_EQ(sheets[1]->verdict[i], kUnknownPixel);
+    EXPECT_EQ(sheets[2]->verdict[i], kExactPixel);
     EXPECT_EQ(sheets[1]->depth[i], 4.8);
     EXPECT_EQ(sheets[1]->position[i].z, 0.2);
     EXPECT_GE(sheets[1]->element[i], 4);
@@ -118,7 +109,7 @@ TEST(ManyHits, WhatIsKnownOfHits)
   // The first that is seen of an opaque one, and it ends there.
   surface->levels.erase(surface->levels.begin() + 2);
   block.TheScene.layers[0].translucent = false;
-  const Frame opaque = Trace(block.TheScene, camera, {}, { .centres = kSheets });
+  const Frame opaque = Trace(block.TheScene, camera, {}, { .centres = kAllWithLayer });
   EXPECT_EQ(opaque.counters.unknown, 400);
   EXPECT_EQ(opaque.counters.exact, 0);
   EXPECT_EQ(opaque.counters.numericHits, 0);
@@ -128,8 +119,8 @@ TEST(ManyHits, WhatIsKnownOfHits)
 
   // What is not seen is not counted.
   block.TheScene.layers.insert(block.TheScene.layers.begin(),
-    LayerOf(std::make_shared<Plane>(Vec3(0.0, 0.0, 0.8), Vec3(0.0, 0.0, 1.0)), block.TheField));
-  const Frame hidden = Trace(block.TheScene, camera, {}, { .centres = kSheets });
+    MakeLayer(std::make_shared<Plane>(Vec3(0.0, 0.0, 0.8), Vec3(0.0, 0.0, 1.0)), block.TheField));
+  const Frame hidden = Trace(block.TheScene, camera, {}, { .centres = kAllWithLayer });
   EXPECT_EQ(hidden.counters.exact, 400);
   EXPECT_EQ(hidden.counters.undecidedHits, 0);
 }

@@ -7,17 +7,13 @@ namespace pixelexact::testing
 {
 namespace
 {
-constexpr Buffer kSheets = kAll | Buffer::Layer;
-constexpr auto kNothing = static_cast<std::uint8_t>(PixelVerdict::Nothing);
-constexpr auto kExact = static_cast<std::uint8_t>(PixelVerdict::Exact);
-
 /// Two elements side by side, curved along z alone, (x, y, z) = (a + offset, b, c + bump): what the
 /// rays along z hit of them is known in closed form. Their field is 1 + x + z in the first one and
 /// 100 + x y in the second: it tells on which side of the face between them a value was taken.
-class Pair
+class ElementPair
 {
 public:
-  Pair()
+  ElementPair()
   {
     for (const int e : { 0, 1 })
     {
@@ -72,7 +68,7 @@ public:
       int k = 0;
       for (const double level : levels)
       {
-        const double z = level + static_cast<double>(Pair::Bump(x, y));
+        const double z = level + static_cast<double>(ElementPair::Bump(x, y));
         const double t = rays.origin[2][i] - z;
         if (t < rays.tNear[i] || t > rays.tFar[i])
         {
@@ -99,8 +95,8 @@ public:
   }
 };
 
-constexpr int kWidth = 50;
-constexpr int kHeight = 30;
+constexpr int kSurfaceWidth = 50;
+constexpr int kSurfaceHeight = 30;
 
 /// Pixels' centres at multiples of 0.1, x = 0 among them.
 Camera AlongZ()
@@ -110,36 +106,33 @@ Camera AlongZ()
   view.focalPoint = { -0.05, 0.05, 0.0 };
   view.parallel = true;
   view.parallelScale = 1.5;
-  return { view, kWidth, kHeight };
+  return { view, kSurfaceWidth, kSurfaceHeight };
 }
 
-Layer LayerOf(std::shared_ptr<const Surface> surface, const Field& field, bool translucent = false)
-{
-  return { std::move(surface), &field, 0, Precision::Double, translucent };
-}
 } // namespace
 
 /// At x = 0 both elements hold the points: the surface tells which one is meant.
 TEST(MeshSurface, IsNotLocated)
 {
-  Pair pair;
+  ElementPair pair;
   const auto surface = std::make_shared<IsoSheets>();
   surface->levels = { 0.25 };
-  pair.TheScene.layers.push_back(LayerOf(surface, pair.TheField));
+  pair.TheScene.layers.push_back(MakeLayer(surface, pair.TheField));
   const Camera camera = AlongZ();
   const std::int64_t before = pair.Queries();
-  const Frame frame = Trace(pair.TheScene, camera, {}, { .centres = kSheets | Buffer::Enclosure });
+  const Frame frame =
+    Trace(pair.TheScene, camera, {}, { .centres = kAllWithLayer | Buffer::Enclosure });
   EXPECT_EQ(pair.Queries(), before);
   int exact = 0;
   int between = 0;
-  for (int y = 0; y < kHeight; ++y)
+  for (int y = 0; y < kSurfaceHeight; ++y)
   {
-    for (int x = 0; x < kWidth; ++x)
+    for (int x = 0; x < kSurfaceWidth; ++x)
     {
-      const auto at = static_cast<std::size_t>(y * kWidth + x);
+      const auto at = static_cast<std::size_t>(y * kSurfaceWidth + x);
       const Vec3 origin = camera.At(x + 0.5, y + 0.5).origin;
       const bool hit = std::fabs(origin.x) <= 2.0 && std::fabs(origin.y) <= 1.0;
-      ASSERT_EQ(frame.centres.verdict[at], hit ? kExact : kNothing) << x << " " << y;
+      ASSERT_EQ(frame.centres.verdict[at], hit ? kExactPixel : kNothingPixel) << x << " " << y;
       if (!hit)
       {
         EXPECT_EQ(frame.centres.element[at], -1);
@@ -153,12 +146,12 @@ TEST(MeshSurface, IsNotLocated)
       EXPECT_EQ(frame.centres.xi[at],
         Vec3(origin.x < 0.0 ? origin.x + 1.0 : origin.x - 1.0, origin.y, 0.25));
       EXPECT_EQ(frame.centres.normal[at], Vec3(0.25, element, 0.0));
-      const LongVec3 position = Pair::Map(element, ToLong(frame.centres.xi[at]));
+      const LongVec3 position = ElementPair::Map(element, ToLong(frame.centres.xi[at]));
       EXPECT_LE(Largest(Minus(ToLong(frame.centres.position[at]), position)), 1e-15);
-      const long double value = Pair::ValueAt(element, position);
+      const long double value = ElementPair::ValueAt(element, position);
       EXPECT_NEAR(frame.centres.value[at], static_cast<double>(value), 1e-12);
       // Enclosed at the position, in the element that was told.
-      const long double there = Pair::ValueAt(element, ToLong(frame.centres.position[at]));
+      const long double there = ElementPair::ValueAt(element, ToLong(frame.centres.position[at]));
       EXPECT_LE(frame.centres.valueLower[at], there + 1e-17L);
       EXPECT_GE(frame.centres.valueUpper[at], there - 1e-17L);
       EXPECT_LT(frame.centres.valueUpper[at] - frame.centres.valueLower[at], 1e-10);
@@ -169,24 +162,24 @@ TEST(MeshSurface, IsNotLocated)
   EXPECT_EQ(frame.counters.exact, exact);
 
   // A plane in the same place is located, and its points there belong to the first element.
-  Pair located;
+  ElementPair located;
   located.TheScene.layers.push_back(
-    LayerOf(std::make_shared<Plane>(Vec3(0.0), Vec3(0.0, 0.0, 1.0)), located.TheField));
-  const Frame other = Trace(located.TheScene, camera, {}, { .centres = kSheets });
+    MakeLayer(std::make_shared<Plane>(Vec3(0.0), Vec3(0.0, 0.0, 1.0)), located.TheField));
+  const Frame other = Trace(located.TheScene, camera, {}, { .centres = kAllWithLayer });
   EXPECT_GT(located.Queries(), 0);
-  EXPECT_EQ(other.centres.element[static_cast<std::size_t>(15 * kWidth + 25)], 0);
-  EXPECT_EQ(frame.centres.element[static_cast<std::size_t>(15 * kWidth + 25)], 1);
+  EXPECT_EQ(other.centres.element[static_cast<std::size_t>(15 * kSurfaceWidth + 25)], 0);
+  EXPECT_EQ(frame.centres.element[static_cast<std::size_t>(15 * kSurfaceWidth + 25)], 1);
 }
 
 TEST(MeshSurface, SevenSheetsInOrder)
 {
-  Pair pair;
+  ElementPair pair;
   const auto surface = std::make_shared<IsoSheets>();
   surface->levels = { 0.9, 0.6, 0.3, 0.0, -0.3, -0.6, -0.9 };
   for (const bool translucent : { false, true })
   {
-    pair.TheScene.layers = { LayerOf(surface, pair.TheField, translucent) };
-    const Frame frame = Trace(pair.TheScene, AlongZ(), {}, { .centres = kSheets });
+    pair.TheScene.layers = { MakeLayer(surface, pair.TheField, translucent) };
+    const Frame frame = Trace(pair.TheScene, AlongZ(), {}, { .centres = kAllWithLayer });
     const auto sheets = SheetsOf(frame.centres);
     ASSERT_EQ(sheets.size(), translucent ? 7U : 1U);
     for (std::size_t k = 0; k < sheets.size(); ++k)
@@ -194,13 +187,13 @@ TEST(MeshSurface, SevenSheetsInOrder)
       for (std::size_t i = 0; i < frame.centres.Size(); ++i)
       {
         ASSERT_EQ(sheets[k]->verdict[i], frame.centres.verdict[i]);
-        if (sheets[k]->verdict[i] == kExact)
+        if (sheets[k]->verdict[i] == kExactPixel)
         {
           EXPECT_EQ(sheets[k]->xi[i].z, surface->levels[k]);
           EXPECT_EQ(sheets[k]->normal[i].x, surface->levels[k]);
           EXPECT_EQ(sheets[k]->element[i], frame.centres.element[i]);
           const LongVec3 position =
-            Pair::Map(static_cast<int>(sheets[k]->element[i]), ToLong(sheets[k]->xi[i]));
+            ElementPair::Map(static_cast<int>(sheets[k]->element[i]), ToLong(sheets[k]->xi[i]));
           EXPECT_NEAR(sheets[k]->depth[i], static_cast<double>(5 - position[2]), 1e-14);
         }
       }
@@ -217,14 +210,14 @@ TEST(MeshSurface, AmongOthers)
   const auto plane = std::make_shared<Plane>(Vec3(0.0), Vec3(0.6, 0.0, 1.0));
   for (const bool planeFirst : { false, true })
   {
-    Pair pair;
-    pair.TheScene.layers = { LayerOf(surface, pair.TheField, true),
-      LayerOf(plane, pair.TheField, true) };
+    ElementPair pair;
+    pair.TheScene.layers = { MakeLayer(surface, pair.TheField, true),
+      MakeLayer(plane, pair.TheField, true) };
     if (planeFirst)
     {
       std::swap(pair.TheScene.layers[0], pair.TheScene.layers[1]);
     }
-    const Frame frame = Trace(pair.TheScene, AlongZ(), {}, { .centres = kSheets });
+    const Frame frame = Trace(pair.TheScene, AlongZ(), {}, { .centres = kAllWithLayer });
     const auto sheets = SheetsOf(frame.centres);
     ASSERT_EQ(sheets.size(), 3U);
     int of[2] = {};
@@ -233,7 +226,7 @@ TEST(MeshSurface, AmongOthers)
       double last = 0.0;
       for (const SampleBuffers* sheet : sheets)
       {
-        if (sheet->verdict[i] != kExact)
+        if (sheet->verdict[i] != kExactPixel)
         {
           continue;
         }
@@ -250,7 +243,8 @@ TEST(MeshSurface, AmongOthers)
         {
           EXPECT_EQ(std::fabs(sheet->xi[i].z), 0.4);
         }
-        const long double value = Pair::ValueAt(static_cast<int>(sheet->element[i]), ToLong(x));
+        const long double value =
+          ElementPair::ValueAt(static_cast<int>(sheet->element[i]), ToLong(x));
         EXPECT_NEAR(sheet->value[i], static_cast<double>(value), 1e-12);
       }
     }

@@ -15,7 +15,7 @@ namespace pixelexact::testing
 namespace
 {
 /// The boundary of two blocks, as far as their table tells it.
-ElementFaces BoundaryOf(const TwoBlocks& blocks)
+ElementFaces MakeBoundary(const TwoBlocks& blocks)
 {
   std::vector<ElementFace> faces;
   std::vector<bool> partly;
@@ -41,7 +41,7 @@ TEST(PartlyCovered, WhatIsCoveredIsNotThere)
   {
     const TwoBlocks blocks(0.5, {}, swapped);
     ASSERT_EQ(blocks.Table->CountOf(FaceKind::Partly), 1);
-    const ElementFaces boundary = BoundaryOf(blocks);
+    const ElementFaces boundary = MakeBoundary(blocks);
     Random random(11);
     std::vector<Ray> rays;
     for (int i = 0; i < 400; ++i)
@@ -67,7 +67,7 @@ TEST(PartlyCovered, WhatIsCoveredIsNotThere)
 TEST(PartlyCovered, RaysEndAtTheFirstThatIsThere)
 {
   const TwoBlocks blocks(0.5, {});
-  const ElementFaces boundary = BoundaryOf(blocks);
+  const ElementFaces boundary = MakeBoundary(blocks);
   // From within the first block, through the covered part: past it to the second block's end.
   const auto hits = MeetPoints(boundary, { TwoBlocks::RayAt(0.2, 0.1) }, { 2.5 }, true);
   ASSERT_FALSE(hits[0].empty());
@@ -77,7 +77,7 @@ TEST(PartlyCovered, RaysEndAtTheFirstThatIsThere)
 TEST(PartlyCovered, AlongTheRimAPointIsOnOneSide)
 {
   const TwoBlocks blocks(0.5, {});
-  const ElementFaces boundary = BoundaryOf(blocks);
+  const ElementFaces boundary = MakeBoundary(blocks);
   for (const double y : { std::nextafter(0.5, 0.0), 0.5, std::nextafter(0.5, 1.0) })
   {
     const auto hits = HitsOf(boundary, TwoBlocks::RayAt(y, 0.1));

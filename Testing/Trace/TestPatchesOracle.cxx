@@ -17,7 +17,7 @@ namespace
 /// A sphere-like body: the faces of a cube cut into n x n bicubic patches each. Points are
 /// functions of their places on the cube, so that neighbours share those of their edges, to the
 /// bit.
-std::vector<BezierPatch> BentCube(int n, double size, const Vec3& centre)
+std::vector<BezierPatch> MakePatchCube(int n, double size, const Vec3& centre)
 {
   std::vector<BezierPatch> patches;
   for (int face = 0; face < 6; ++face)
@@ -72,7 +72,7 @@ TEST(PatchesOracle, ClosedSurfacesLetNothingThrough)
     {
       Random random(201);
       const Vec3 centre = size * away * Vec3(1.0, -0.5, 0.7);
-      const auto patches = BentCube(2, size, centre);
+      const auto patches = MakePatchCube(2, size, centre);
       const BezierPatches surface(patches);
       int odd = 0;
       int slipped = 0;

@@ -32,7 +32,7 @@ void ForEachCurved(const CurvedPiece& piece, const Visit& visit)
 }
 
 /// Second derivatives of function c times a way in xi.
-Vec3 Turned(const CurvedPiece& piece, std::size_t c, const Vec3& by)
+Vec3 ApplyCurvature(const CurvedPiece& piece, std::size_t c, const Vec3& by)
 {
   const float* const s = piece.curve[c];
   return { s[0] * by.x + s[3] * by.y + s[5] * by.z, s[3] * by.x + s[1] * by.y + s[4] * by.z,
@@ -77,7 +77,7 @@ TEST(PieceCurvature, HoldsSlopesOfAllShapes)
         for (std::size_t c = 0; c < 4; ++c)
         {
           const QuadVec3& slope = c < 3 ? map[c].gradient : f[0].gradient;
-          const Vec3 told = Turned(piece, c, xi - piece.centre);
+          const Vec3 told = ApplyCurvature(piece, c, xi - piece.centre);
           for (std::size_t d = 0; d < 3; ++d)
           {
             const double is = static_cast<double>(slope[d]) * (c < 3 ? 1.0 : scale);

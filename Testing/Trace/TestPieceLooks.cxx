@@ -22,18 +22,18 @@ constexpr double kAtEnd = 1e-9;
 /// Of f's slope along a ray: below it two roots are as good as one.
 constexpr double kGrazing = 1e-6;
 /// How much of b^2 and c^2 a map may add to the first coordinate: its inverse has a closed form.
-using Bend = std::array<double, 2>;
-constexpr Bend kBent{ 0.15, -0.1 };
-constexpr Bend kStraight{ 0.0, 0.0 };
+using Bending = std::array<double, 2>;
+constexpr Bending kBent{ 0.15, -0.1 };
+constexpr Bending kStraight{ 0.0, 0.0 };
 
 template <class T>
-T FirstOf(const Point128<T>& x, const Bend& bend, double sign)
+T FirstOf(const Point128<T>& x, const Bending& bend, double sign)
 {
   return x[0] + T(sign) * (T(bend[0]) * x[1] * x[1] + T(bend[1]) * x[2] * x[2]);
 }
 
 /// A quadratic polynomial of xi.
-struct Quadratic
+struct XiQuadratic
 {
   double constant = 0.0;
   std::array<double, 3> linear{};
@@ -68,9 +68,9 @@ struct Quadratic
 };
 
 /// (n . (xi - at))^2 - less.
-Quadratic SheetsAbout(const Vec3& at, const Vec3& n, double less)
+XiQuadratic SheetsAbout(const Vec3& at, const Vec3& n, double less)
 {
-  Quadratic f;
+  XiQuadratic f;
   const double c = glm::dot(n, at);
   f.constant = c * c - less;
   for (int d = 0; d < 3; ++d)
@@ -83,9 +83,9 @@ Quadratic SheetsAbout(const Vec3& at, const Vec3& n, double less)
   return f;
 }
 
-Quadratic BallAbout(const Vec3& at, double radius)
+XiQuadratic BallAbout(const Vec3& at, double radius)
 {
-  Quadratic f;
+  XiQuadratic f;
   f.constant = glm::dot(at, at) - radius * radius;
   for (int d = 0; d < 3; ++d)
   {
@@ -95,9 +95,9 @@ Quadratic BallAbout(const Vec3& at, double radius)
   return f;
 }
 
-Quadratic AnyOf(Random& random, const Vec3& through, double bends)
+XiQuadratic AnyOf(Random& random, const Vec3& through, double bends)
 {
-  Quadratic f;
+  XiQuadratic f;
   for (std::size_t k = 0; k < 4; ++k)
   {
     f.square[k] = bends * random();
@@ -110,9 +110,9 @@ Quadratic AnyOf(Random& random, const Vec3& through, double bends)
 /// Along a ray of degree 4: one factor where the map is bent, two where it is straight.
 struct Product
 {
-  Quadratic one;
-  Quadratic other;
-  Bend bend;
+  XiQuadratic one;
+  XiQuadratic other;
+  Bending bend;
 
   template <class T>
   [[nodiscard]] T At(const Point128<T>& xi) const
@@ -127,9 +127,9 @@ struct Product
   }
 };
 
-Product Bent(const Quadratic& f)
+Product Bent(const XiQuadratic& f)
 {
-  Quadratic one;
+  XiQuadratic one;
   one.constant = 1.0;
   return { f, one, kBent };
 }
@@ -276,7 +276,7 @@ public:
   ElementFrame Frame;
 };
 
-bool Holds(const RaySet& rays, int ray)
+bool HasRay(const RaySet& rays, int ray)
 {
   return (rays.bits[static_cast<std::size_t>(ray / 64)] >> (ray % 64) & 1U) != 0;
 }
@@ -305,7 +305,7 @@ void Descend(const Made& made, const RayBundle& bundle, const CurvedPiece& piece
 
 /// Some rays as bundles, one after the other: visit(bundle, rays, roots by ray).
 template <class Visit>
-void ForEachBundle(const Made& made, const std::vector<Ray>& rays, const Visit& visit)
+void ForEachPieceBundle(const Made& made, const std::vector<Ray>& rays, const Visit& visit)
 {
   std::vector<std::vector<Root>> roots;
   for (const Ray& ray : rays)
@@ -329,7 +329,7 @@ struct Ends
   int wrong = 0;
 };
 
-void Report(const std::string& what, int& wrong)
+void ReportWrong(const std::string& what, int& wrong)
 {
   if (++wrong <= 3)
   {
@@ -374,18 +374,18 @@ RaySet Solve(const Made& made, const RayBundle& bundle, const CurvedPiece& piece
         const bool isGrazing = steep < kGrazing;
         if (!isGrazing &&
           (found > 1 || (found == 1 && depth < -kAtEnd) ||
-            (found == 0 && depth > kAtEnd && !Holds(unclear, ray))))
+            (found == 0 && depth > kAtEnd && !HasRay(unclear, ray))))
         {
-          Report(std::to_string(found) + " hits of a root at depth " + std::to_string(depth) +
+          ReportWrong(std::to_string(found) + " hits of a root at depth " + std::to_string(depth) +
               ", slope " + std::to_string(root.slope),
             ends.wrong);
         }
       }
       if (taken < hits[ray].size())
       {
-        Report("invented", ends.wrong);
+        ReportWrong("invented", ends.wrong);
       }
-      if (Holds(unclear, ray))
+      if (HasRay(unclear, ray))
       {
         ++ends.unclear;
       }
@@ -412,9 +412,9 @@ struct Looks
 /// What is left to be proven of rays at one look after another: of each that is not unclear, the
 /// roots in the piece are no more than the pairs and open places, and where there are only places,
 /// these hold them.
-void Check(const Made& made, const CurvedPiece& piece, const std::vector<std::vector<Root>>& roots,
-  const RaySet& asked, const RaySet& unclear, SolverWork& work, std::map<int, int>& started,
-  Looks& looks)
+void CheckLook(const Made& made, const CurvedPiece& piece,
+  const std::vector<std::vector<Root>>& roots, const RaySet& asked, const RaySet& unclear,
+  SolverWork& work, std::map<int, int>& started, Looks& looks)
 {
   OpenRays& open = work.closer;
   const double* const of = work.pairs.Column(kRayColumn);
@@ -452,17 +452,17 @@ void Check(const Made& made, const CurvedPiece& piece, const std::vector<std::ve
         }
         held += isHeld ? 1 : 0;
       }
-      looks.unclear += Holds(unclear, ray) ? 1 : 0;
+      looks.unclear += HasRay(unclear, ray) ? 1 : 0;
       looks.stayed += places > 0 ? 1 : 0;
       looks.started += pairs > 0 ? 1 : 0;
-      if (Holds(unclear, ray))
+      if (HasRay(unclear, ray))
       {
         return;
       }
       looks.missed += started[ray] == 0 && places == 0 ? 1 : 0;
       if (inside > started[ray] + std::min(held, places))
       {
-        Report(std::to_string(inside) + " roots, " + std::to_string(started[ray]) +
+        ReportWrong(std::to_string(inside) + " roots, " + std::to_string(started[ray]) +
             " looked for, " + std::to_string(held) + " in " + std::to_string(places) + " places",
           looks.wrong);
       }
@@ -491,7 +491,7 @@ RaySet LookCloser(const Made& made, const RayBundle& bundle, const CurvedPiece& 
   RaySet unclear =
     GetAlongRayKernels().look(bundle, made.Frame, piece, work.near, work.closer, work.pairs);
   all.Add(unclear);
-  Check(made, piece, roots, near, unclear, work, started, looks);
+  CheckLook(made, piece, roots, near, unclear, work, started, looks);
   RaySet asked = RaysOf(work.closer);
   looks.open += asked.Count();
   for (int round = 0; work.closer.count > 0 && round < 3; ++round)
@@ -501,7 +501,7 @@ RaySet LookCloser(const Made& made, const RayBundle& bundle, const CurvedPiece& 
     unclear = GetCloserLookKernels().look(
       bundle, made.Frame, piece, values.data(), OpenRays::kStride, work.closer, work.pairs);
     all.Add(unclear);
-    Check(made, piece, roots, asked, unclear, work, started, looks);
+    CheckLook(made, piece, roots, asked, unclear, work, started, looks);
     asked = RaysOf(work.closer);
   }
   return all;
@@ -514,7 +514,7 @@ void ForEachField(Shape shape, Random& random, const Visit& visit)
   for (int k = 0; k < 4; ++k)
   {
     visit(Made(shape, Bent(AnyOf(random, random.Inside(shape), 0.1 * k))));
-    const Quadratic one = AnyOf(random, random.Inside(shape), 0.2);
+    const XiQuadratic one = AnyOf(random, random.Inside(shape), 0.2);
     visit(Made(shape, { one, AnyOf(random, random.Inside(shape), 0.2), kStraight }));
   }
   const Vec3 at = random.Inside(shape);
@@ -537,7 +537,7 @@ TEST(PieceLooks, RootsInAPieceAreFoundOnce)
     ForEachField(shape, random,
       [&](const Made& made)
       {
-        ForEachBundle(made, made.Rays(random, 128),
+        ForEachPieceBundle(made, made.Rays(random, 128),
           [&](const RayBundle& bundle, const std::vector<std::vector<Root>>& roots)
           {
             for (const auto& root : made.Tree->Roots())
@@ -568,7 +568,7 @@ TEST(PieceLooks, CloserLooksLoseNoRoot)
     ForEachField(shape, random,
       [&](const Made& made)
       {
-        ForEachBundle(made, made.Rays(random, 128),
+        ForEachPieceBundle(made, made.Rays(random, 128),
           [&](const RayBundle& bundle, const std::vector<std::vector<Root>>& roots)
           {
             for (const auto& root : made.Tree->Roots())

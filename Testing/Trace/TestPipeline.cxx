@@ -16,8 +16,6 @@ namespace pixelexact::testing
 {
 namespace
 {
-constexpr Buffer kSheets = kAll | Buffer::Layer;
-
 /// Calls what the test gives it.
 class Asking final : public FrameModule
 {
@@ -80,13 +78,13 @@ void ExpectSameSample(
   }
 }
 
-struct Case
+struct PipelineCase
 {
   const char* name;
   bool translucent;
 };
 
-class Pipelines : public ::testing::TestWithParam<Case>
+class Pipelines : public ::testing::TestWithParam<PipelineCase>
 {
 };
 } // namespace
@@ -98,7 +96,7 @@ TEST_P(Pipelines, GiveEachTileOnce)
   {
     std::multiset<std::array<int, 4>> areas;
     const Frame* seen = nullptr;
-    Asking module({ .centres = kSheets },
+    Asking module({ .centres = kAllWithLayer },
       [&](TileVisit& tile)
       {
         const TileArea& area = tile.Area();
@@ -134,10 +132,10 @@ TEST_P(Pipelines, GiveTheCornersThatAFrameHas)
 {
   const LayeredScene scene(GetParam().translucent);
   const Camera camera(ObliqueView(), 71, 45);
-  const Frame wanted = Trace(scene.TheScene, camera, {}, { .corners = kSheets });
+  const Frame wanted = Trace(scene.TheScene, camera, {}, { .corners = kAllWithLayer });
   EXPECT_EQ(wanted.corners.behind.empty(), !GetParam().translucent);
   std::int64_t rays = 0;
-  Asking module({ .corners = kSheets },
+  Asking module({ .corners = kAllWithLayer },
     [&](TileVisit& tile)
     {
       const TileArea& area = tile.Area();
@@ -168,9 +166,9 @@ TEST_P(Pipelines, GiveTheCentresThatModulesWelcome)
 {
   const LayeredScene scene(GetParam().translucent);
   const Camera camera(ObliqueView(), 71, 45);
-  const Frame wanted = Trace(scene.TheScene, camera, {}, { .centres = kSheets });
+  const Frame wanted = Trace(scene.TheScene, camera, {}, { .centres = kAllWithLayer });
   int visits = 0;
-  Asking module({ .centres = Buffer::Depth, .welcome = kSheets },
+  Asking module({ .centres = Buffer::Depth, .welcome = kAllWithLayer },
     [&](TileVisit& tile)
     {
       const TileArea& area = tile.Area();
@@ -193,9 +191,9 @@ TEST_P(Pipelines, GiveTheCentresThatModulesWelcome)
   EXPECT_EQ(frame.counters.exact, wanted.counters.exact);
   EXPECT_EQ(frame.centres.depth, wanted.centres.depth);
   // Frames keep them only where modules come after all tiles.
-  EXPECT_EQ(frame.centres.Holds(kSheets), GetParam().translucent);
+  EXPECT_EQ(frame.centres.Holds(kAllWithLayer), GetParam().translucent);
   // Where they are not there, they are not traced.
-  Asking again({ .welcome = kSheets },
+  Asking again({ .welcome = kAllWithLayer },
     [&](TileVisit& tile) { EXPECT_EQ(tile.Centres().has_value(), GetParam().translucent); });
   Repaint(scene.TheScene, camera, { {}, { &again } }, frame);
   EXPECT_EQ(frame.counters.rays, 71 * 45);
@@ -209,7 +207,7 @@ TEST_P(Pipelines, TraceSamplesAnywhere)
   constexpr int kWidth = 37;
   constexpr int kHeight = 34;
   const Frame fine = Trace(scene.TheScene, Camera(ObliqueView(), kFine * kWidth, kFine * kHeight),
-    {}, { .centres = kSheets });
+    {}, { .centres = kAllWithLayer });
   Random random(3);
   Asking module({},
     [&](TileVisit& tile)
@@ -227,7 +225,7 @@ TEST_P(Pipelines, TraceSamplesAnywhere)
           places.push_back(static_cast<std::size_t>(y * kFine * kWidth + x));
         }
         const std::int64_t before = tile.Counters().rays;
-        const SampleBuffers samples = tile.Trace(positions, kSheets);
+        const SampleBuffers samples = tile.Trace(positions, kAllWithLayer);
         EXPECT_EQ(tile.Counters().rays, before + count);
         ASSERT_EQ(samples.width, count);
         ASSERT_EQ(samples.height, 1);
@@ -242,7 +240,7 @@ TEST_P(Pipelines, TraceSamplesAnywhere)
       EXPECT_EQ(few.verdict.size(), 1U);
       EXPECT_EQ(few.depth.size(), 1U);
       EXPECT_TRUE(few.value.empty());
-      EXPECT_EQ(tile.Trace({}, kSheets).Size(), 0U);
+      EXPECT_EQ(tile.Trace({}, kAllWithLayer).Size(), 0U);
     });
   const Frame frame =
     Trace(scene.TheScene, Camera(ObliqueView(), kWidth, kHeight), { {}, { &module } });
@@ -251,7 +249,7 @@ TEST_P(Pipelines, TraceSamplesAnywhere)
 }
 
 INSTANTIATE_TEST_SUITE_P(Pipeline, Pipelines,
-  ::testing::Values(Case{ "Opaque", false }, Case{ "Translucent", true }),
+  ::testing::Values(PipelineCase{ "Opaque", false }, PipelineCase{ "Translucent", true }),
   [](const auto& test) { return std::string(test.param.name); });
 
 /// On a plane across the view, where image and world differ by a factor alone.

@@ -15,13 +15,6 @@ namespace pixelexact::testing
 {
 namespace
 {
-constexpr auto kOut = static_cast<std::uint8_t>(ContourVerdict::Out);
-constexpr auto kIn = static_cast<std::uint8_t>(ContourVerdict::In);
-constexpr auto kUndecided = static_cast<std::uint8_t>(ContourVerdict::Undecided);
-
-const Vec3 kOrigin{ 0.1, 0.0, 0.05 };
-const Vec3 kNormal{ 0.2, 0.1, 1.0 };
-
 ContourMethod Inside()
 {
   ContourMethod method;
@@ -29,29 +22,29 @@ ContourMethod Inside()
   return method;
 }
 
-struct Told
+struct PixelResult
 {
   std::vector<std::uint8_t> verdicts;
   ContourCounters counters;
 
   [[nodiscard]] std::uint8_t At(int x, int y) const
   {
-    return verdicts[static_cast<std::size_t>(y * kWidth + x)];
+    return verdicts[static_cast<std::size_t>(y * kVerdictWidth + x)];
   }
 };
 
-Told Judge(const Scene& scene, const CameraView& view, const std::vector<double>& values,
-  const ContourMethod& method = Inside())
+PixelResult CertifyPixels(const Scene& scene, const CameraView& view,
+  const std::vector<double>& values, const ContourMethod& method = Inside())
 {
   ContourCertifier certifier({ values }, method);
-  Trace(scene, Camera(view, kWidth, kHeight), { {}, { &certifier } });
+  Trace(scene, Camera(view, kVerdictWidth, kVerdictHeight), { {}, { &certifier } });
   return { certifier.Verdicts(), certifier.Counters() };
 }
 
 /// Where the ray through a position meets a surface first.
-Vec3 PointAt(const Surface& surface, const CameraView& view, double px, double py)
+Vec3 FindFirstHit(const Surface& surface, const CameraView& view, double px, double py)
 {
-  return HitsOf(surface, Camera(view, kWidth, kHeight).At(px, py)).front().position;
+  return HitsOf(surface, Camera(view, kVerdictWidth, kVerdictHeight).At(px, py)).front().position;
 }
 
 long double SquaredDistance(const LongVec3& x, const Vec3& from)
@@ -63,8 +56,8 @@ long double SquaredDistance(const LongVec3& x, const Vec3& from)
 /// The square of a part of a pixel's width, on a surface about there.
 double SquareOf(const Surface& surface, const CameraView& view, double px, double py, double part)
 {
-  return std::pow(
-    part * glm::distance(PointAt(surface, view, px, py), PointAt(surface, view, px + 1.0, py)),
+  return std::pow(part *
+      glm::distance(FindFirstHit(surface, view, px, py), FindFirstHit(surface, view, px + 1.0, py)),
     2.0);
 }
 
@@ -88,7 +81,8 @@ struct Shown
 /// pixel has anything.
 TEST(PixelInteriors, LoopsOfATenthOfAPixelAreIn)
 {
-  const std::shared_ptr<const Surface> surfaces[] = { std::make_shared<Plane>(kOrigin, kNormal),
+  const std::shared_ptr<const Surface> surfaces[] = { std::make_shared<Plane>(
+                                                        kPlaneOrigin, kPlaneNormal),
     std::make_shared<Quadric>(MakeSphere(Vec3(0.05, -0.1, 0.1), 0.7)) };
   for (const auto& surface : surfaces)
   {
@@ -96,16 +90,16 @@ TEST(PixelInteriors, LoopsOfATenthOfAPixelAreIn)
     {
       SCOPED_TRACE(::testing::Message() << surface->IsFlat() << ", parallel " << parallel);
       const CameraView view = Oblique(parallel);
-      const Vec3 least = PointAt(*surface, view, 30.37, 25.44);
+      const Vec3 least = FindFirstHit(*surface, view, 30.37, 25.44);
       const Shown shown(surface, [&](const LongVec3& x) { return SquaredDistance(x, least); });
       const double square = SquareOf(*surface, view, 30.37, 25.44, 0.05);
-      const Told edges = Judge(shown.scene, view, { square }, {});
+      const PixelResult edges = CertifyPixels(shown.scene, view, { square }, {});
       EXPECT_EQ(edges.At(30, 25), kOut);
-      const Told told = Judge(shown.scene, view, { square });
+      const PixelResult told = CertifyPixels(shown.scene, view, { square });
       EXPECT_EQ(told.At(30, 25), kIn);
       EXPECT_EQ(told.counters.in, 1);
       EXPECT_EQ(told.counters.loops, 1);
-      const Told below = Judge(shown.scene, view, { -square });
+      const PixelResult below = CertifyPixels(shown.scene, view, { -square });
       EXPECT_EQ(below.counters.in, 0);
       if (surface->IsFlat())
       {
@@ -127,8 +121,8 @@ TEST(PixelInteriors, TwoLoops)
   for (const double apart : { 0.5, 3.0 })
   {
     SCOPED_TRACE(apart);
-    const Vec3 least[2] = { PointAt(*surface, view, 32.6 - 0.5 * apart, 34.4),
-      PointAt(*surface, view, 32.6 + 0.5 * apart, 34.4) };
+    const Vec3 least[2] = { FindFirstHit(*surface, view, 32.6 - 0.5 * apart, 34.4),
+      FindFirstHit(*surface, view, 32.6 + 0.5 * apart, 34.4) };
     const Block block;
     ExpansionBuilder values(1);
     for (int e = 0; e < 8; ++e)
@@ -139,7 +133,8 @@ TEST(PixelInteriors, TwoLoops)
     }
     const Field field{ "two", values.View() };
     const Scene scene{ block.TheScene.locator, { { surface, &field } }, {} };
-    const Told told = Judge(scene, view, { SquareOf(*surface, view, 32.0, 34.0, 0.05) });
+    const PixelResult told =
+      CertifyPixels(scene, view, { SquareOf(*surface, view, 32.0, 34.0, 0.05) });
     const bool areInOne = apart < 1.0;
     EXPECT_EQ(told.At(32, 34), areInOne ? kIn : kOut);
     EXPECT_EQ(told.At(31, 34), areInOne ? kOut : kIn);
@@ -154,12 +149,12 @@ TEST(PixelInteriors, TwoLoops)
 TEST(PixelInteriors, AMinimumIsNotOut)
 {
   const CameraView view = Oblique(true);
-  const auto surface = std::make_shared<Plane>(kOrigin, kNormal);
+  const auto surface = std::make_shared<Plane>(kPlaneOrigin, kPlaneNormal);
   for (const double px : { 30.5, 30.37 })
   {
-    const Vec3 least = PointAt(*surface, view, px, 25.5);
+    const Vec3 least = FindFirstHit(*surface, view, px, 25.5);
     const Shown shown(surface, [&](const LongVec3& x) { return SquaredDistance(x, least); });
-    const Told told = Judge(shown.scene, view, { 0.0 });
+    const PixelResult told = CertifyPixels(shown.scene, view, { 0.0 });
     EXPECT_NE(told.At(30, 25), kOut) << px;
     EXPECT_LE(told.counters.in + told.counters.undecided, 1) << px;
   }
@@ -168,19 +163,19 @@ TEST(PixelInteriors, AMinimumIsNotOut)
 TEST(PixelInteriors, PlateausAndSaddlesStay)
 {
   const CameraView view = Oblique(false);
-  const auto surface = std::make_shared<Plane>(kOrigin, kNormal);
+  const auto surface = std::make_shared<Plane>(kPlaneOrigin, kPlaneNormal);
   const Shown plateau(surface, [](const LongVec3& /*x*/) { return 0.375L; });
-  const Told edges = Judge(plateau.scene, view, { 0.375 }, {});
-  EXPECT_EQ(Judge(plateau.scene, view, { 0.375 }).verdicts, edges.verdicts);
+  const PixelResult edges = CertifyPixels(plateau.scene, view, { 0.375 }, {});
+  EXPECT_EQ(CertifyPixels(plateau.scene, view, { 0.375 }).verdicts, edges.verdicts);
   EXPECT_GT(edges.counters.in, 300);
-  const Told others = Judge(plateau.scene, view, { 0.375 - 1e-9, 0.375 + 1e-9 });
-  EXPECT_EQ(std::ranges::count(others.verdicts, kOut), kWidth * kHeight);
+  const PixelResult others = CertifyPixels(plateau.scene, view, { 0.375 - 1e-9, 0.375 + 1e-9 });
+  EXPECT_EQ(std::ranges::count(others.verdicts, kOut), kVerdictWidth * kVerdictHeight);
 
   const Shown saddle(surface, [](const LongVec3& x) { return (x[0] - 0.23L) * (x[1] + 0.37L); });
   for (const double value : { 0.0, 1e-5, -1e-5 })
   {
-    const Told told = Judge(saddle.scene, view, { value });
-    EXPECT_EQ(told.verdicts, Judge(saddle.scene, view, { value }, {}).verdicts) << value;
+    const PixelResult told = CertifyPixels(saddle.scene, view, { value });
+    EXPECT_EQ(told.verdicts, CertifyPixels(saddle.scene, view, { value }, {}).verdicts) << value;
     EXPECT_EQ(told.counters.loops, 0);
   }
 }
@@ -194,7 +189,8 @@ TEST(PixelInteriors, NoVerdictIsWrong)
     LongHits hits;
   };
   const Vec3 centre(0.05, -0.1, 0.1);
-  const Case cases[] = { { std::make_shared<Plane>(kOrigin, kNormal), PlaneHits(kOrigin, kNormal) },
+  const Case cases[] = { { std::make_shared<Plane>(kPlaneOrigin, kPlaneNormal),
+                           PlaneHits(kPlaneOrigin, kPlaneNormal) },
     { std::make_shared<Quadric>(MakeSphere(centre, 0.7)), RoundHits(centre, Vec3(0.0), 0.7) } };
   const BentCube cube(kShapes);
   const CameraView view = Oblique(false);
@@ -202,13 +198,13 @@ TEST(PixelInteriors, NoVerdictIsWrong)
   constexpr int kSteps = 8;
   for (const Case& one : cases)
   {
-    const Sight sight = SightOf(view, kWidth, kHeight, one.hits,
+    const Sight sight = SightOf(view, kVerdictWidth, kVerdictHeight, one.hits,
       [](const LongVec3& x, const LongVec3& /*u*/) { return Quadratic(x); });
-    const Told told = Judge(cube.With(one.surface), view, values);
+    const PixelResult told = CertifyPixels(cube.With(one.surface), view, values);
     int wrong = 0;
-    for (int y = 0; y < kHeight; ++y)
+    for (int y = 0; y < kVerdictHeight; ++y)
     {
-      for (int x = 0; x < kWidth; ++x)
+      for (int x = 0; x < kVerdictWidth; ++x)
       {
         if (told.At(x, y) != kOut)
         {
@@ -256,18 +252,18 @@ TEST(PixelInteriors, JumpsInsideAreIn)
   view.parallel = true;
   // A pixel is 3.3 wide, the block 2.
   view.parallelScale = 80.0;
-  const double pixel = 2.0 * view.parallelScale / kHeight;
+  const double pixel = 2.0 * view.parallelScale / kVerdictHeight;
   const auto lookAt = [&](double px, double py)
   {
-    view.position.x = view.focalPoint.x = (0.5 * kWidth - px) * pixel;
-    view.position.y = view.focalPoint.y = (0.5 * kHeight - py) * pixel;
+    view.position.x = view.focalPoint.x = (0.5 * kVerdictWidth - px) * pixel;
+    view.position.y = view.focalPoint.y = (0.5 * kVerdictHeight - py) * pixel;
   };
   lookAt(32.5, 24.45);
-  EXPECT_EQ(Judge(scene, view, { 0.5 }, {}).At(32, 24), kOut);
-  EXPECT_EQ(Judge(scene, view, { 0.5 }).At(32, 24), kIn);
+  EXPECT_EQ(CertifyPixels(scene, view, { 0.5 }, {}).At(32, 24), kOut);
+  EXPECT_EQ(CertifyPixels(scene, view, { 0.5 }).At(32, 24), kIn);
   // Across an edge of which no end is in the mesh.
   lookAt(32.5, 24.05);
-  const Told told = Judge(scene, view, { 0.5 }, {});
+  const PixelResult told = CertifyPixels(scene, view, { 0.5 }, {});
   EXPECT_EQ(told.At(32, 24), kIn);
   EXPECT_EQ(told.At(32, 23), kIn);
 }
@@ -277,7 +273,7 @@ TEST(PixelInteriors, InsidesOfToriAreUndecided)
 {
   const Shown shown(std::make_shared<Torus>(Vec3(0.0), Vec3(0.0, 0.0, 1.0), 0.6, 0.25),
     [](const LongVec3& x) { return x[0]; });
-  const Told told = Judge(shown.scene, Oblique(false), { 0.25 });
+  const PixelResult told = CertifyPixels(shown.scene, Oblique(false), { 0.25 });
   EXPECT_GT(told.counters.in, 20);
   EXPECT_EQ(told.counters.loops, 0);
   EXPECT_GT(std::ranges::count(told.verdicts, kUndecided), 200);

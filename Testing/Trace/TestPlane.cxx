@@ -12,7 +12,7 @@ namespace pixelexact::testing
 {
 namespace
 {
-void CheckRandomRays()
+void CheckRandomPlanes()
 {
   RandomRays random(61);
   int certain = 0;
@@ -61,7 +61,7 @@ void CheckRandomRays()
 
 TEST(Plane, HitsAreOnRayAndPlaneAndNoneIsMissing)
 {
-  OnEveryInstructionSet(CheckRandomRays);
+  OnEveryInstructionSet(CheckRandomPlanes);
 }
 
 TEST(Plane, NoHitBehindParallelOrBeyondTheInterval)

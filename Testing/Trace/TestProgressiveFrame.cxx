@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Block.h"
 #include "FrameCheck.h"
-#include "MeshBuilder.h"
 
 #include "Trace/ProgressiveFrame.h"
 #include "Trace/Surfaces/Plane.h"
@@ -17,10 +17,10 @@ namespace pixelexact::testing
 namespace
 {
 /// A bent cube about the origin with the field x y + z.
-class Cube
+class CurvedCube
 {
 public:
-  Cube()
+  CurvedCube()
   {
     const Space space = UniformSpace(Shape::Hexahedron, 4);
     const auto map = [](const LongVec3& xi) -> LongVec3 {
@@ -49,7 +49,7 @@ private:
   std::unique_ptr<Locator> TheLocator;
 };
 
-Camera View(int width, int height)
+Camera MakeCubeView(int width, int height)
 {
   CameraView view;
   view.position = { 0.5, 0.0, 5.0 };
@@ -73,19 +73,18 @@ void ExpectEvery(int step, const Frame& coarse, const Frame& wanted)
   }
 }
 
-constexpr Buffer kAll = Buffer::Value | Buffer::Position | Buffer::Normal | Buffer::Xi |
-  Buffer::Element | Buffer::Depth | Buffer::Verdict | Buffer::Coverage;
+constexpr Buffer kAllWithCoverage = kAll | Buffer::Coverage;
 } // namespace
 
 TEST(ProgressiveFrame, EndsAsAFrameMadeAtOnce)
 {
-  const Cube cube;
+  const CurvedCube cube;
   // Sizes that no step divides, one smaller than a step.
   for (const auto& [width, height] : { std::pair(93, 71), std::pair(256, 160), std::pair(5, 3) })
   {
-    const Camera camera = View(width, height);
-    const Frame wanted = Trace(cube.TheScene, camera, {}, { .centres = kAll });
-    ProgressiveFrame frame(cube.TheScene, camera, {}, kAll);
+    const Camera camera = MakeCubeView(width, height);
+    const Frame wanted = Trace(cube.TheScene, camera, {}, { .centres = kAllWithCoverage });
+    ProgressiveFrame frame(cube.TheScene, camera, {}, kAllWithCoverage);
     EXPECT_EQ(frame.Step(), 0);
     for (const int step : { 16, 4, 1 })
     {
@@ -101,14 +100,16 @@ TEST(ProgressiveFrame, EndsAsAFrameMadeAtOnce)
 
 TEST(ProgressiveFrame, MayBeCompletedAtAnyTime)
 {
-  const Cube cube;
-  const Camera camera = View(93, 71);
-  const Frame wanted = Trace(cube.TheScene, camera, {}, { .centres = kAll });
+  const CurvedCube cube;
+  const Camera camera = MakeCubeView(93, 71);
+  const Frame wanted = Trace(cube.TheScene, camera, {}, { .centres = kAllWithCoverage });
   for (int passes = 0; passes <= 3; ++passes)
   {
     // In the memory of another frame.
-    Frame spare = Trace(cube.TheScene, View(120, 90), {}, { .centres = kAll, .corners = kAll });
-    ProgressiveFrame frame(cube.TheScene, camera, {}, kAll, Buffer::None, std::move(spare));
+    Frame spare = Trace(cube.TheScene, MakeCubeView(120, 90), {},
+      { .centres = kAllWithCoverage, .corners = kAllWithCoverage });
+    ProgressiveFrame frame(
+      cube.TheScene, camera, {}, kAllWithCoverage, Buffer::None, std::move(spare));
     for (int pass = 0; pass < passes; ++pass)
     {
       ASSERT_TRUE(frame.Refine());
@@ -121,13 +122,13 @@ TEST(ProgressiveFrame, MayBeCompletedAtAnyTime)
 
 TEST(ProgressiveFrame, PassesGoOnWhereTheyWereEnded)
 {
-  const Cube cube;
-  const Camera camera = View(193, 171);
-  const Frame wanted = Trace(cube.TheScene, camera, {}, { .centres = kAll });
+  const CurvedCube cube;
+  const Camera camera = MakeCubeView(193, 171);
+  const Frame wanted = Trace(cube.TheScene, camera, {}, { .centres = kAllWithCoverage });
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
   for (const bool byTime : { false, true })
   {
-    ProgressiveFrame frame(cube.TheScene, camera, {}, kAll);
+    ProgressiveFrame frame(cube.TheScene, camera, {}, kAllWithCoverage);
     frame.GoTo(1);
     // Six by seven tiles, one by one.
     for (int tile = 1; tile < 6 * 7; ++tile)
@@ -149,13 +150,13 @@ TEST(ProgressiveFrame, PassesGoOnWhereTheyWereEnded)
 
 TEST(ProgressiveFrame, ACoarseFrameMayBeMadeBesideAFineOne)
 {
-  const Cube cube;
-  const Camera camera = View(193, 171);
-  const Frame wanted = Trace(cube.TheScene, camera, {}, { .centres = kAll });
+  const CurvedCube cube;
+  const Camera camera = MakeCubeView(193, 171);
+  const Frame wanted = Trace(cube.TheScene, camera, {}, { .centres = kAllWithCoverage });
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
   for (const int step : { 1, 4, 16 })
   {
-    ProgressiveFrame frame(cube.TheScene, camera, {}, kAll);
+    ProgressiveFrame frame(cube.TheScene, camera, {}, kAllWithCoverage);
     frame.GoTo(step);
     EXPECT_FALSE(frame.Refine({}, Deadline::min()));
     const double part = frame.PartDone();
@@ -172,10 +173,10 @@ TEST(ProgressiveFrame, ACoarseFrameMayBeMadeBesideAFineOne)
 
 TEST(ProgressiveFrame, AFrameMadeAtOnceIsLostWhereItIsEnded)
 {
-  const Cube cube;
-  const Camera camera = View(193, 171);
-  const Frame wanted = Trace(cube.TheScene, camera, {}, { .centres = kAll });
-  ProgressiveFrame frame(cube.TheScene, camera, {}, kAll);
+  const CurvedCube cube;
+  const Camera camera = MakeCubeView(193, 171);
+  const Frame wanted = Trace(cube.TheScene, camera, {}, { .centres = kAllWithCoverage });
+  ProgressiveFrame frame(cube.TheScene, camera, {}, kAllWithCoverage);
   const Progress abort = [](double) { return false; };
   EXPECT_FALSE(frame.Complete(abort));
   EXPECT_EQ(frame.Step(), 0);
@@ -188,6 +189,6 @@ TEST(ProgressiveFrame, AFrameMadeAtOnceIsLostWhereItIsEnded)
 
 TEST(ProgressiveFrame, ScenesThatCannotBeTraced)
 {
-  EXPECT_THROW(ProgressiveFrame({}, View(9, 9), {}, Buffer::Value), Error);
+  EXPECT_THROW(ProgressiveFrame({}, MakeCubeView(9, 9), {}, Buffer::Value), Error);
 }
 } // namespace pixelexact::testing

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "LongVectors.h"
 #include "SurfaceCheck.h"
 
 #include "Trace/Surfaces/Quadric.h"
@@ -10,8 +11,6 @@ namespace pixelexact::testing
 {
 namespace
 {
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
 Float128 Cosine(Float128 x)
 {
   Float128 sum = 1;

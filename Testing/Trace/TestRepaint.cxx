@@ -15,8 +15,8 @@ namespace pixelexact::testing
 {
 namespace
 {
-constexpr int kWidth = 75;
-constexpr int kHeight = 50;
+constexpr int kRepaintWidth = 75;
+constexpr int kRepaintHeight = 50;
 
 /// Makes a buffer of its own, how far apart the values at a pixel's centre and corners are, and
 /// halves the image's red.
@@ -58,7 +58,7 @@ class Repainted : public ::testing::TestWithParam<bool>
 {
 public:
   LayeredScene scene{ GetParam() };
-  Camera camera{ ObliqueView(), kWidth, kHeight };
+  Camera camera{ ObliqueView(), kRepaintWidth, kRepaintHeight };
 };
 
 /// Every sheet's and the image's colours.
@@ -80,7 +80,7 @@ TEST_P(Repainted, ColoursAreThoseOfATracedFrame)
   const ColorMapping others = LayeredColors(0.17);
   const Pipeline pipeline{ { &colors }, {} };
   const Frame wanted = Trace(scene.TheScene, camera, pipeline);
-  ASSERT_EQ(wanted.Image().size(), std::size_t{ 4 } * kWidth * kHeight);
+  ASSERT_EQ(wanted.Image().size(), std::size_t{ 4 } * kRepaintWidth * kRepaintHeight);
   EXPECT_GT(std::ranges::count(wanted.centres.layer, 0), 300);
   EXPECT_GT(std::ranges::count(wanted.centres.layer, 1), 300);
   EXPECT_EQ(wanted.color.empty(), !GetParam());
@@ -113,16 +113,17 @@ TEST_P(Repainted, ModulesThatAskForSamplesNeedTheScene)
   const Pipeline pipeline{ { &colors }, { &module } };
   const Frame wanted = Trace(scene.TheScene, camera, pipeline);
   const std::vector<double> spread = module.spread;
-  ASSERT_EQ(spread.size(), std::size_t{ kWidth } * kHeight);
+  ASSERT_EQ(spread.size(), std::size_t{ kRepaintWidth } * kRepaintHeight);
   EXPECT_EQ(std::ranges::count(spread, -1.0), 0);
 
   // The module's buffer against the frame's own corners.
   const Frame apart =
     Trace(scene.TheScene, camera, {}, { .centres = Buffer::Value, .corners = Buffer::Value });
-  for (int at = 0; at < kWidth * kHeight; ++at)
+  for (int at = 0; at < kRepaintWidth * kRepaintHeight; ++at)
   {
     const auto i = static_cast<std::size_t>(at);
-    const auto corner = static_cast<std::size_t>(at / kWidth * (kWidth + 1) + at % kWidth);
+    const auto corner =
+      static_cast<std::size_t>(at / kRepaintWidth * (kRepaintWidth + 1) + at % kRepaintWidth);
     const double expected = std::fabs(apart.centres.value[i] - apart.corners.value[corner]);
     EXPECT_TRUE(spread[i] == expected || (std::isnan(spread[i]) && std::isnan(expected)));
   }
@@ -136,8 +137,8 @@ TEST_P(Repainted, ModulesThatAskForSamplesNeedTheScene)
 
   Frame frame = Trace(scene.TheScene, camera, {}, { .centres = pipeline.Needs().centres });
   EXPECT_THROW(Repaint(pipeline, frame), Error);
-  const std::int64_t corners = wanted.counters.rays - kWidth * kHeight;
-  EXPECT_GT(corners, (kWidth + 1) * (kHeight + 1));
+  const std::int64_t corners = wanted.counters.rays - kRepaintWidth * kRepaintHeight;
+  EXPECT_GT(corners, (kRepaintWidth + 1) * (kRepaintHeight + 1));
   Repaint(scene.TheScene, camera, pipeline, frame);
   EXPECT_EQ(frame.counters.rays, wanted.counters.rays);
   ExpectSame(frame, wanted);
@@ -224,13 +225,13 @@ TEST_P(Repainted, PreviewsAreColouredAsTheFrameWillBe)
   {
     ASSERT_TRUE(frame.Refine());
     const Frame preview = frame.Preview();
-    const int across = (kWidth + step - 1) / step;
+    const int across = (kRepaintWidth + step - 1) / step;
     ASSERT_EQ(preview.width, across);
     for (std::size_t i = 0; i < preview.Image().size(); ++i)
     {
       const auto x = static_cast<int>(i / 4) % across * step;
       const auto y = static_cast<int>(i / 4) / across * step;
-      const auto of = static_cast<std::size_t>(y * kWidth + x);
+      const auto of = static_cast<std::size_t>(y * kRepaintWidth + x);
       ASSERT_EQ(preview.Image()[i], wanted.Image()[4 * of + i % 4]) << x << " " << y;
     }
   }

@@ -15,13 +15,13 @@ namespace pixelexact::testing
 {
 namespace
 {
-struct Case
+struct QuadricCase
 {
   const char* name;
   Quadric surface;
 };
 
-std::vector<Case> AllQuadrics()
+std::vector<QuadricCase> AllQuadrics()
 {
   const Vec3 axis(0.6, 0.3, 0.74);
   return { { "sphere", MakeSphere(Vec3(0.1, -0.2, 0.3), 0.7) },
@@ -37,7 +37,7 @@ std::vector<Case> AllQuadrics()
 TEST(Sagitta, HoldsHitsBetween)
 {
   Random random(81);
-  for (const Case& one : AllQuadrics())
+  for (const QuadricCase& one : AllQuadrics())
   {
     SCOPED_TRACE(one.name);
     int known = 0;
@@ -88,7 +88,7 @@ TEST(Sagitta, HoldsHitsBetween)
 TEST(Sagitta, HoldsHitsOverTriangles)
 {
   Random random(82);
-  for (const Case& one : AllQuadrics())
+  for (const QuadricCase& one : AllQuadrics())
   {
     SCOPED_TRACE(one.name);
     int known = 0;

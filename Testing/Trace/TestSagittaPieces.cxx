@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How far triangles and Bezier patches are off chords.
 #include "ChordCheck.h"
-#include "TriangleBall.h"
+#include "Solids.h"
 
 #include "Trace/Surfaces/BezierPatches.h"
 #include "Trace/Surfaces/Disc.h"

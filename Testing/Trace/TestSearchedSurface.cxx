@@ -15,10 +15,10 @@ namespace pixelexact::testing
 {
 namespace
 {
-class Function final : public SampledFunction
+class CallableFunction final : public SampledFunction
 {
 public:
-  explicit Function(std::function<double(const Vec3&)> f)
+  explicit CallableFunction(std::function<double(const Vec3&)> f)
     : F(std::move(f))
   {
   }
@@ -42,7 +42,7 @@ constexpr Box3 kBox{ Vec3(-3.0), Vec3(3.0) };
 
 std::shared_ptr<const SampledFunction> Make(std::function<double(const Vec3&)> f)
 {
-  return std::make_shared<Function>(std::move(f));
+  return std::make_shared<CallableFunction>(std::move(f));
 }
 
 /// The hits of a surface in closed form, where it leaves no two closer than a search may overlook.

@@ -47,9 +47,6 @@ void CheckStrips(const Surface& surface, const PointOf& on, const PointBeside& b
   EXPECT_GE(told, clear * kStrips);
 }
 
-const std::vector<std::vector<Shape>> kMeshes{ { Shape::Hexahedron }, { Shape::Tetrahedron },
-  { std::begin(kShapes), std::end(kShapes) } };
-
 PointOf OnBall(const Vec3& centre, double radius)
 {
   return [=](Random& random) { return centre + radius * RandomDirection(random); };
@@ -64,7 +61,7 @@ PointBeside BesideBall(const Vec3& centre, double radius)
 
 TEST(SurfaceRegions, OfFacesHoldClosedForm)
 {
-  for (const auto& shapes : kMeshes)
+  for (const auto& shapes : kMeshShapes)
   {
     SCOPED_TRACE(Name(shapes.front()));
     const BentCube cube(shapes);
@@ -92,7 +89,7 @@ TEST(SurfaceRegions, OfFacesHoldClosedForm)
 
 TEST(SurfaceRegions, OfIsoSurfacesHoldClosedForm)
 {
-  for (const auto& shapes : kMeshes)
+  for (const auto& shapes : kMeshShapes)
   {
     SCOPED_TRACE(Name(shapes.front()));
     const BentCube cube(shapes);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Block.h"
 #include "RayCheck.h"
+#include "Solids.h"
 #include "SurfaceCheck.h"
-#include "TriangleBall.h"
 
 #include "Core/Base/Error.h"
 #include "Trace/Surfaces/Triangles.h"

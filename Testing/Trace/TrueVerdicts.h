@@ -16,9 +16,19 @@
 // Whether a field takes values on pixels' edges, by many samples in long double.
 namespace pixelexact::testing
 {
-// Of the pictures that are judged.
-inline constexpr int kWidth = 64;
-inline constexpr int kHeight = 48;
+inline constexpr auto kOut = static_cast<std::uint8_t>(ContourVerdict::Out);
+inline constexpr auto kIn = static_cast<std::uint8_t>(ContourVerdict::In);
+inline constexpr auto kUndecided = static_cast<std::uint8_t>(ContourVerdict::Undecided);
+
+/// Values of contours, layer by layer.
+using LayerValues = std::vector<std::vector<double>>;
+
+inline const Vec3 kPlaneOrigin{ 0.1, 0.0, 0.05 };
+inline const Vec3 kPlaneNormal{ 0.2, 0.1, 1.0 };
+
+// Size of the certified images.
+inline constexpr int kVerdictWidth = 64;
+inline constexpr int kVerdictHeight = 48;
 inline CameraView Oblique(bool parallel = false)
 {
   CameraView view;

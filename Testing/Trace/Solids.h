@@ -1,14 +1,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Trace/Surfaces/Combined.h"
+#include "Trace/Surfaces/ConvexBody.h"
+#include "Trace/Surfaces/Quadric.h"
 #include "Trace/Surfaces/Triangles.h"
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
+#include <memory>
 #include <vector>
 
+// Balls and cubes, as triangles and as parts of a combination.
 namespace pixelexact::testing
 {
+/// The part in a ball.
+inline Combined::Part MakeBallPart(const Vec3& centre, double radius)
+{
+  return { std::make_shared<Quadric>(MakeSphere(centre, radius)),
+    [=](const Vec3& x) { return glm::dot(x - centre, x - centre) - radius * radius; } };
+}
+
+/// The part in the cube [-half, half]^3.
+inline Combined::Part MakeCubePart(double half)
+{
+  return { std::make_shared<ConvexBody>(MakeBox(Vec3(-half), Vec3(half))),
+    [=](const Vec3& x)
+    {
+      const Vec3 size = glm::abs(x);
+      return std::max({ size.x, size.y, size.z }) - half;
+    } };
+}
+
 /// An octahedron about a centre whose faces are cut in four `level` times, with all corners on the
 /// sphere: convex, and shared to the bit.
 inline std::vector<Triangles::Triangle> Ball(
