@@ -19,8 +19,6 @@ namespace pixelexact::testing
 {
 namespace
 {
-const std::string kData = PIXELEXACT_DATA_DIR;
-
 /// All that a reader asks for, one number after the other.
 std::vector<double> ReadAll(const std::string& path)
 {
@@ -84,7 +82,7 @@ protected:
 
 TEST_F(ExodusFileTest, EveryByteMayBeDamaged)
 {
-  const std::string sound = ReadFileText(kData + "/exodus_sides.e");
+  const std::string sound = ReadFileText(PIXELEXACT_DATA_DIR "/exodus_sides.e");
   constexpr std::array kBytes{ '\0', '\x7f', '\xff' };
   for (std::size_t at = 0; at < sound.size(); ++at)
   {
@@ -96,7 +94,7 @@ TEST_F(ExodusFileTest, EveryByteMayBeDamaged)
 
 TEST_F(ExodusFileTest, MayBeCutShortAnywhere)
 {
-  const std::string sound = ReadFileText(kData + "/exodus_sides.e");
+  const std::string sound = ReadFileText(PIXELEXACT_DATA_DIR "/exodus_sides.e");
   for (std::size_t size = 0; size < sound.size(); size += 7)
   {
     ExpectHarmless(sound.substr(0, size), std::to_string(size));
@@ -107,7 +105,8 @@ TEST_F(ExodusFileTest, Netcdf4HoldsTheSame)
 {
   try
   {
-    EXPECT_EQ(ReadAll(kData + "/exodus_netcdf4.e"), ReadAll(kData + "/exodus_quadratic.e"));
+    EXPECT_EQ(ReadAll(PIXELEXACT_DATA_DIR "/exodus_netcdf4.e"),
+      ReadAll(PIXELEXACT_DATA_DIR "/exodus_quadratic.e"));
   }
   catch (const Unsupported&)
   {

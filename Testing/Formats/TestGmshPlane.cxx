@@ -15,8 +15,6 @@ namespace pixelexact::testing
 {
 namespace
 {
-const std::string kData = PIXELEXACT_DATA_DIR;
-
 /// Places in an element of a slab, in its middle plane.
 std::vector<Vec3> PlaneXi(Shape shape)
 {
@@ -122,7 +120,7 @@ TEST(GmshPlane, IncompleteQuadrilateralsHoldWhatIsLinearInOneDirection)
 
 TEST(GmshPlane, GmshsOwnNodesAreWhereTheyShouldBe)
 {
-  const std::string path = kData + "/gmsh_plane_g6/gmsh_plane_g6.msh";
+  const std::string path = PIXELEXACT_DATA_DIR "/gmsh_plane_g6/gmsh_plane_g6.msh";
   const SolverModel model = ReadGmsh(ReadFileText(path));
   ASSERT_EQ(model.mesh.number.size(), 2U);
   // Both elements are straight, and Gmsh's nodes good to 1e-12.
@@ -179,7 +177,7 @@ TEST(GmshPlane, SurfacesInSpaceAreRefused)
 
 TEST(GmshPieces, AreTheMeshInOneFile)
 {
-  const std::string folder = kData + "/gmsh_split_tet_g2/gmsh_split_tet_g2";
+  const std::string folder = PIXELEXACT_DATA_DIR "/gmsh_split_tet_g2/gmsh_split_tet_g2";
   const std::vector<std::string> pieces = gmsh::PiecesOf(folder + "_2.msh");
   EXPECT_EQ(pieces, (std::vector{ folder + "_1.msh", folder + "_2.msh" }));
   const std::vector<std::string> whole{ folder + "_whole.msh" };
@@ -216,7 +214,7 @@ TEST(GmshPieces, MissingOnesAndThoseOfAnotherMeshAreRefused)
   namespace fs = std::filesystem;
   const fs::path folder = fs::path(::testing::TempDir()) / "pixelexact-gmsh-pieces";
   fs::create_directories(folder);
-  const std::string source = kData + "/gmsh_split_tet_g2/gmsh_split_tet_g2_";
+  const std::string source = PIXELEXACT_DATA_DIR "/gmsh_split_tet_g2/gmsh_split_tet_g2_";
   const std::string first = (folder / "a_1.msh").string();
   const std::string second = (folder / "a_2.msh").string();
   fs::remove(first);

@@ -19,21 +19,9 @@ SolverModel ReadBox(const std::string& entries)
   return mfem::Read({ "a.mesh", text }, {});
 }
 
-void ExpectRefusal(const std::string& entries, const std::vector<std::string>& parts)
+void ExpectBoxRefusal(const std::string& entries, const std::vector<std::string>& parts)
 {
-  try
-  {
-    ReadBox(entries);
-    ADD_FAILURE() << "was read";
-  }
-  catch (const Error& error)
-  {
-    for (const auto& part : parts)
-    {
-      EXPECT_NE(std::string(error.what()).find(part), std::string::npos)
-        << "'" << part << "' in: " << error.what();
-    }
-  }
+  ExpectRefusal([&] { ReadBox(entries); }, parts);
 }
 
 struct Kind
@@ -122,16 +110,16 @@ TEST(MfemInline, SidesHaveMfemsAttributes)
 TEST(MfemInline, Refusals)
 {
   const std::string plane = "nx = 3\nny = 2\nsx = 1\nsy = 1\n";
-  ExpectRefusal("type = segment\nnx = 2\nsx = 1\n", { "a.mesh, line", "1-dimensional" });
-  ExpectRefusal("type = disc\n" + plane, { "'disc'", "pyramid" });
-  ExpectRefusal(plane, { "type ''" });
-  ExpectRefusal("type = hex\n" + plane, { "'nz'", "positive whole number" });
-  ExpectRefusal("type = quad\nnz = 1\n" + plane, { "'nz' is no entry" });
-  ExpectRefusal("type = quad\nnx = 3\n" + plane, { "twice" });
-  ExpectRefusal("type = quad\nnx 3\n", { "'nx 3'", "nx = 4" });
-  ExpectRefusal("type = quad\nnx = 3.5\nny = 1\nsx = 1\nsy = 1\n", { "'nx'", "3.5" });
-  ExpectRefusal("type = quad\nnx = 3\nny = 1\nsx = -1\nsy = 1\n", { "'sx'", "-1" });
-  ExpectRefusal(
+  ExpectBoxRefusal("type = segment\nnx = 2\nsx = 1\n", { "a.mesh, line", "1-dimensional" });
+  ExpectBoxRefusal("type = disc\n" + plane, { "'disc'", "pyramid" });
+  ExpectBoxRefusal(plane, { "type ''" });
+  ExpectBoxRefusal("type = hex\n" + plane, { "'nz'", "positive whole number" });
+  ExpectBoxRefusal("type = quad\nnz = 1\n" + plane, { "'nz' is no entry" });
+  ExpectBoxRefusal("type = quad\nnx = 3\n" + plane, { "twice" });
+  ExpectBoxRefusal("type = quad\nnx 3\n", { "'nx 3'", "nx = 4" });
+  ExpectBoxRefusal("type = quad\nnx = 3.5\nny = 1\nsx = 1\nsy = 1\n", { "'nx'", "3.5" });
+  ExpectBoxRefusal("type = quad\nnx = 3\nny = 1\nsx = -1\nsy = 1\n", { "'sx'", "-1" });
+  ExpectBoxRefusal(
     "type = quad\nnx = 1000000\nny = 1000000\nsx = 1\nsy = 1\n", { "a million elements" });
   const std::string text = "MFEM INLINE mesh v1.0\n\ntype = quad\n" + plane;
   const std::string field =

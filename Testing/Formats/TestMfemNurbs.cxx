@@ -7,15 +7,15 @@
 
 #include <cmath>
 
+namespace pixelexact::testing
+{
 namespace
 {
-using namespace pixelexact;
-using namespace pixelexact::testing;
-using namespace pixelexact::testing::mfemtexts;
+using namespace mfemtexts;
 
 /// A square of one patch with given knot vectors, control points and weights; order 0: that of the
 /// knot vectors.
-std::string Square(
+std::string MakeNurbsSquare(
   const std::string& knots, const std::string& weights, const std::string& nodes, int order)
 {
   return "MFEM NURBS mesh v1.0\ndimension\n2\nelements\n1\n7 3 0 1 2 3\nboundary\n4\n"
@@ -26,17 +26,17 @@ std::string Square(
 }
 
 const std::string kLine = "1 2 0 0 1 1\n";
-const std::string kCorners = "0 0\n1 0\n1 1\n0 1\n";
+const std::string kSquareCorners = "0 0\n1 0\n1 1\n0 1\n";
 
 std::string UnitSquare()
 {
-  return Square(kLine + kLine, "weights\n1 1 1 1", kCorners, 1);
+  return MakeNurbsSquare(kLine + kLine, "weights\n1 1 1 1", kSquareCorners, 1);
 }
 
 /// A quarter of the ring between the circles of radii 1 and 2; the arc runs from vertex 0 to 1.
 std::string Ring(const std::string& middle)
 {
-  return Square("2 3 0 0 0 1 1 1\n" + kLine, "weights\n1 1 1 1 " + middle + " " + middle,
+  return MakeNurbsSquare("2 3 0 0 0 1 1 1\n" + kLine, "weights\n1 1 1 1 " + middle + " " + middle,
     "1 0\n0 1\n0 2\n2 0\n1 1\n2 2\n", 0);
 }
 
@@ -52,13 +52,6 @@ void ForLattice(Visit&& visit)
       visit(Vec3(i / 4.0, j / 4.0, 0.0));
     }
   }
-}
-
-std::string Replaced(std::string text, const std::string& what, const std::string& with)
-{
-  const std::size_t at = text.find(what);
-  EXPECT_NE(at, std::string::npos) << what;
-  return text.replace(at, what.size(), with);
 }
 
 TEST(MfemNurbs, RingIsRoundToTheLastDigits)
@@ -122,8 +115,8 @@ TEST(MfemNurbs, EqualWeightsArePolynomials)
     {
       weights += weight + " ";
     }
-    const SolverModel model =
-      ReadTexts(Square("2 3 0 0 0 1 1 1\n" + kLine, weights, "1 0\n0 1\n0 2\n2 0\n1 1\n2 2\n", 0));
+    const SolverModel model = ReadTexts(
+      MakeNurbsSquare("2 3 0 0 0 1 1 1\n" + kLine, weights, "1 0\n0 1\n0 2\n2 0\n1 1\n2 2\n", 0));
     EXPECT_TRUE(model.notes.empty());
     ASSERT_EQ(model.mesh.number.size(), 1u);
     EXPECT_EQ(model.mesh.map.spaces[0].order, (std::array<std::uint8_t, 3>{ 2, 1, 1 }));
@@ -161,8 +154,8 @@ TEST(MfemNurbs, PipeIsRound)
 TEST(MfemNurbs, KnotsThatAreThereTwiceSplitAPatch)
 {
   // Two spans of a broken line, of order 1 with a knot at 0.25.
-  const SolverModel model =
-    ReadTexts(Square("1 3 0 0 0.25 1 1\n" + kLine, "unitweights", kCorners + "0.5 0\n0.5 1\n", 1));
+  const SolverModel model = ReadTexts(MakeNurbsSquare(
+    "1 3 0 0 0.25 1 1\n" + kLine, "unitweights", kSquareCorners + "0.5 0\n0.5 1\n", 1));
   ASSERT_EQ(model.mesh.number.size(), 2u);
   EXPECT_EQ(PointAt(model, 0, Vec3(1.0, -1.0, 0.0)).x, 0.5);
   EXPECT_EQ(PointAt(model, 1, Vec3(0.0, -1.0, 0.0)).x, 0.75);
@@ -171,8 +164,8 @@ TEST(MfemNurbs, KnotsThatAreThereTwiceSplitAPatch)
 /// At its only knot k a parabola's B-spline is (1 - k) P1 + k P2.
 TEST(MfemNurbs, KnotsRunAsEdgesAreListed)
 {
-  const std::string text = Square(
-    "2 4 0 0 0 0.25 1 1 1\n" + kLine, "unitweights", kCorners + "0.3 0\n0.8 0\n0.8 1\n0.3 1\n", 0);
+  const std::string text = MakeNurbsSquare("2 4 0 0 0 0.25 1 1 1\n" + kLine, "unitweights",
+    kSquareCorners + "0.3 0\n0.8 0\n0.8 1\n0.3 1\n", 0);
   const SolverModel upwards = ReadTexts(text);
   EXPECT_NEAR(PointAt(upwards, 0, Vec3(1.0, -1.0, 0.0)).x, 0.425, 1e-15);
   EXPECT_TRUE(upwards.notes.empty());
@@ -275,7 +268,7 @@ TEST(MfemNurbs, RefusedByName)
   ExpectMessage(
     Message(Replaced(UnitSquare(), "vertices\n4", "vertices\n1000000000")), { "damaged" });
   const std::string surface = Replaced(
-    Replaced(UnitSquare(), "VDim: 2", "VDim: 3"), kCorners, "0 0 0\n1 0 0\n1 1 1\n0 1 0\n");
+    Replaced(UnitSquare(), "VDim: 2", "VDim: 3"), kSquareCorners, "0 0 0\n1 0 0\n1 1 1\n0 1 0\n");
   ExpectMessage(Message(surface), { "surface in space" });
   const std::string field = "FiniteElementSpace\nFiniteElementCollection: ";
   const std::string rest = "\nVDim: 1\nOrdering: 0\n1\n2\n3\n";
@@ -305,3 +298,4 @@ TEST(MfemNurbs, PatchesThatDisagree)
   ExpectMessage(Message(text + "points\n" + points), { "'points'" });
 }
 } // namespace
+} // namespace pixelexact::testing

@@ -19,7 +19,7 @@ namespace
 namespace fs = std::filesystem;
 
 /// The unit square right of x = `left`, as one process of two has it.
-std::string Square(int left, bool withGroups = true)
+std::string MakeSquarePiece(int left, bool withGroups = true)
 {
   const std::string a = std::to_string(left);
   const std::string b = std::to_string(left + 1);
@@ -80,24 +80,6 @@ void ExpectLinear(const SolverModel& model, std::size_t field = 0)
   }
 }
 
-template <class Function>
-void ExpectRefusal(const Function& read, const std::vector<std::string>& parts)
-{
-  try
-  {
-    read();
-    ADD_FAILURE() << "was read";
-  }
-  catch (const Error& error)
-  {
-    for (const auto& part : parts)
-    {
-      EXPECT_NE(std::string(error.what()).find(part), std::string::npos)
-        << "'" << part << "' in: " << error.what();
-    }
-  }
-}
-
 const std::string kQuadrature =
   "QuadratureSpace\nType: default_quadrature\nOrder: 0\nVDim: 1\n\n1\n";
 
@@ -112,8 +94,8 @@ const std::string kRoot = R"({"dsets": {"main": {"cycle": 2, "time": 0.25, "time
 
 TEST_F(MfemPieces, AreOneMesh)
 {
-  const std::string mesh = Write("mesh.000000", Square(0));
-  Write("mesh.000001", Square(1));
+  const std::string mesh = Write("mesh.000000", MakeSquarePiece(0));
+  Write("mesh.000001", MakeSquarePiece(1));
   const std::string u = Write("u.000000", Linear(0));
   Write("u.000001", Linear(1));
   for (const std::string& any : { mesh, In("mesh.000001") })
@@ -132,8 +114,8 @@ TEST_F(MfemPieces, AreOneMesh)
 
 TEST_F(MfemPieces, ProcessesReadTheirOwn)
 {
-  const std::string mesh = Write("mesh.000000", Square(0));
-  Write("mesh.000001", Square(1));
+  const std::string mesh = Write("mesh.000000", MakeSquarePiece(0));
+  Write("mesh.000001", MakeSquarePiece(1));
   const std::string u = Write("u.000000", Linear(0));
   Write("u.000001", Linear(1));
   const SolverModel second = mfem::ReadFiles(mesh, { u }, { 1, 2 });
@@ -157,10 +139,10 @@ TEST_F(MfemPieces, ProcessesReadTheirOwn)
 
 TEST_F(MfemPieces, MissingOnesAreNamed)
 {
-  const std::string mesh = Write("mesh.000000", Square(0));
+  const std::string mesh = Write("mesh.000000", MakeSquarePiece(0));
   // The file tells of two processes, and the name of no other.
   ExpectRefusal([&] { mfem::ReadFiles(mesh, {}); }, { "mesh.000000", "2 processes", "x.000001" });
-  Write("mesh.000002", Square(1));
+  Write("mesh.000002", MakeSquarePiece(1));
   ExpectRefusal([&] { mfem::ReadFiles(mesh, {}); }, { "mesh.000001 is missing" });
   fs::rename(In("mesh.000002"), In("mesh.000001"));
   const std::string u = Write("u.000000", Linear(0));
@@ -172,7 +154,7 @@ TEST_F(MfemPieces, MissingOnesAreNamed)
   Write("u.000001", other);
   ExpectRefusal(
     [&] { mfem::ReadFiles(mesh, { u }); }, { "u.000001", "u.000000", "different spaces" });
-  std::string solid = Square(1, false);
+  std::string solid = MakeSquarePiece(1, false);
   solid.replace(solid.find("dimension\n2"), 11, "dimension\n3");
   solid.replace(solid.find("2 3 0 1 2 3"), 11, "2 4 0 1 2 3");
   solid.replace(solid.find("5 1 0 1"), 7, "5 2 0 1 2");
@@ -184,16 +166,16 @@ TEST_F(MfemPieces, MissingOnesAreNamed)
 
 TEST_F(MfemPieces, LeftoversOfAnotherRunAreRefused)
 {
-  const std::string mesh = Write("mesh.000000", Square(0));
-  Write("mesh.000001", Square(1));
-  Write("mesh.000002", Square(2));
+  const std::string mesh = Write("mesh.000000", MakeSquarePiece(0));
+  Write("mesh.000001", MakeSquarePiece(1));
+  Write("mesh.000002", MakeSquarePiece(2));
   ExpectRefusal(
     [&] { mfem::ReadFiles(mesh, {}); }, { "mesh.000002", "mesh.000000", "different runs" });
 }
 
 TEST_F(MfemPieces, EmptyPiecesArePartOfTheWhole)
 {
-  const std::string mesh = Write("mesh.000000", Square(0, false));
+  const std::string mesh = Write("mesh.000000", MakeSquarePiece(0, false));
   Write("mesh.000001", "MFEM mesh v1.0\ndimension\n2\nelements\n0\nboundary\n0\nvertices\n0\n2\n");
   EXPECT_EQ(mfem::ReadFiles(mesh, {}).mesh.number.size(), 1U);
 }
@@ -201,8 +183,8 @@ TEST_F(MfemPieces, EmptyPiecesArePartOfTheWhole)
 TEST_F(MfemPieces, RootFilesTellOfTheirCycle)
 {
   const std::string root = Write("run_000002.mfem_root", kRoot);
-  Write("run_000002/mesh.000000", Square(0));
-  Write("run_000002/mesh.000001", Square(1));
+  Write("run_000002/mesh.000000", MakeSquarePiece(0));
+  Write("run_000002/mesh.000001", MakeSquarePiece(1));
   Write("run_000002/u.000000", Linear(0));
   Write("run_000002/u.000001", Linear(1));
   Write("run_000002/q.000000", kQuadrature);
@@ -350,7 +332,7 @@ TEST_F(MfemPieces, OfNurbsThatDoNotFitAreRefused)
   other.replace(other.find("0.5 1 1 1"), 3, "0.4");
   Write("mesh.000001", other);
   refuse({ "mesh.000001", "no pieces of one NURBS mesh" });
-  Write("mesh.000001", Square(0, false));
+  Write("mesh.000001", MakeSquarePiece(0, false));
   refuse({ "mesh.000001", "no pieces of one NURBS mesh" });
   Write("mesh.000001", Ribbon("1\n1", kRight));
   const std::string u = Write("u.000000", OnPoints("NURBS", kLeft));
@@ -383,8 +365,8 @@ TEST(MfemStreams, OfAllProcesses)
 {
   const auto stream = [](int number)
   {
-    return "parallel 2 " + std::to_string(number) + "\nsolution\n" + Square(number, false) +
-      "mfem_mesh_end\n" + Linear(number);
+    return "parallel 2 " + std::to_string(number) + "\nsolution\n" +
+      MakeSquarePiece(number, false) + "mfem_mesh_end\n" + Linear(number);
   };
   const std::string both = stream(1) + "keys aa\n" + stream(0) + "keys bb\n";
   ExpectLinear(mfem::ReadStream({ "a.saved", both }));
@@ -396,11 +378,11 @@ TEST(MfemStreams, OfAllProcesses)
     { "2 processes", "process 0 is missing" });
   const std::string twice = stream(0) + stream(0);
   ExpectRefusal([&] { mfem::ReadStream({ "a.saved", twice }); }, { "there twice" });
-  const std::string other = stream(0) + "parallel 3 1\nmesh\n" + Square(1, false);
+  const std::string other = stream(0) + "parallel 3 1\nmesh\n" + MakeSquarePiece(1, false);
   ExpectRefusal([&] { mfem::ReadStream({ "a.saved", other }); }, { "3 processes" });
-  const std::string bare = stream(0) + "parallel 2 1\nmesh\n" + Square(1, false);
+  const std::string bare = stream(0) + "parallel 2 1\nmesh\n" + MakeSquarePiece(1, false);
   ExpectRefusal([&] { mfem::ReadStream({ "a.saved", bare }); }, { "some did not" });
-  const std::string many = "parallel 1000000 0\nmesh\n" + Square(0, false);
+  const std::string many = "parallel 1000000 0\nmesh\n" + MakeSquarePiece(0, false);
   ExpectRefusal([&] { mfem::ReadStream({ "a.saved", many }); }, { "1000000" });
 }
 

@@ -26,7 +26,8 @@ std::string Mixed(const std::string& vertices = "2\n0 0\n1 0\n1 1\n0 1\n2 0\n2 1
     vertices;
 }
 
-std::string Field(const std::string& collection, int vdim, const std::vector<double>& values)
+std::string MakeFieldText(
+  const std::string& collection, int vdim, const std::vector<double>& values)
 {
   std::string text = "FiniteElementSpace\nFiniteElementCollection: " + collection +
     "\nVDim: " + std::to_string(vdim) + "\nOrdering: 1\n\n";
@@ -36,9 +37,6 @@ std::string Field(const std::string& collection, int vdim, const std::vector<dou
   }
   return text;
 }
-
-/// Points of both kinds of solids, in xi.
-const Vec3 kInside[] = { { -0.7, -0.2, -0.5 }, { -0.1, 0.9, -0.6 }, { -0.3, -0.9, -0.1 } };
 
 /// A vector that is constant in space.
 constexpr double kConstant[2] = { 2.0, -3.0 };
@@ -83,8 +81,8 @@ TEST(MfemPlane, QuadraticFieldsAreReproduced)
   const auto f = [](double x, double y) { return 1 + 2 * x - y + x * y + 3 * x * x - 2 * y * y; };
   const std::vector<double> values{ f(0, 0), f(1, 0), f(1, 1), f(0, 1), f(2, 0), f(2, 1), f(0.5, 0),
     f(1, 0.5), f(0.5, 1), f(0, 0.5), f(1.5, 0), f(1.5, 0.5), f(2, 0.5), f(1.5, 1), f(0.5, 0.5) };
-  const SolverModel model =
-    ReadTexts(Mixed(), { Field("H1_2D_P2", 1, values), Field("Quadratic", 1, values) });
+  const SolverModel model = ReadTexts(
+    Mixed(), { MakeFieldText("H1_2D_P2", 1, values), MakeFieldText("Quadratic", 1, values) });
   for (std::size_t field = 0; field < 2; ++field)
   {
     for (int e = 0; e < 3; ++e)
@@ -117,7 +115,8 @@ TEST(MfemPlane, ConstantVectorsOfLowestOrder)
     normal.push_back(kConstant[0] * ty - kConstant[1] * tx);
   }
   const SolverModel model = ReadTexts(Mixed(),
-    { Field("ND_2D_P1", 1, tangential), Field("RT_2D_P0", 1, normal), Field("RT0_2D", 1, normal) });
+    { MakeFieldText("ND_2D_P1", 1, tangential), MakeFieldText("RT_2D_P0", 1, normal),
+      MakeFieldText("RT0_2D", 1, normal) });
   for (std::size_t field = 0; field < model.fields.size(); ++field)
   {
     for (int e = 0; e < 3; ++e)
@@ -133,11 +132,12 @@ TEST(MfemPlane, ConstantVectorsOfLowestOrder)
 /// Densities: one per area of each element, 1 in the unit square and 1/2 in the triangles.
 TEST(MfemPlane, DensitiesArePerArea)
 {
-  const SolverModel model = ReadTexts(Mixed(), { Field("L2Int_2D_P0", 1, { 1.0, 1.0, 1.0 }) });
+  const SolverModel model =
+    ReadTexts(Mixed(), { MakeFieldText("L2Int_2D_P0", 1, { 1.0, 1.0, 1.0 }) });
   EXPECT_NEAR(ValueAt(model, 0, 0, kInside[0])[0], 1.0, 1e-15);
   EXPECT_NEAR(ValueAt(model, 0, 1, kInside[0])[0], 1.0, 1e-15); // det J of MFEM's map is 1
-  const SolverModel twice = ReadTexts(
-    Mixed("2\n0 0\n2 0\n2 2\n0 2\n4 0\n4 2\n"), { Field("L2Int_2D_P0", 1, { 1.0, 1.0, 1.0 }) });
+  const SolverModel twice = ReadTexts(Mixed("2\n0 0\n2 0\n2 2\n0 2\n4 0\n4 2\n"),
+    { MakeFieldText("L2Int_2D_P0", 1, { 1.0, 1.0, 1.0 }) });
   EXPECT_NEAR(ValueAt(twice, 0, 0, kInside[0])[0], 0.25, 1e-15);
   EXPECT_NEAR(ValueAt(twice, 0, 2, kInside[0])[0], 0.25, 1e-15);
 }
@@ -252,9 +252,10 @@ TEST(MfemPlane, PlanesInSpace)
 TEST(MfemPlane, RefusalsNameTheReason)
 {
   ExpectMessage(Message(Mixed("1\n0\n1\n1\n0\n2\n2\n")), { "line", "1-dimensional space" });
-  ExpectMessage(Message(Mixed(), { Field("H1_3D_P1", 1, { 1, 2, 3, 4, 5, 6 }) }), { "3-D", "2-D" });
-  ExpectMessage(Message(Mixed(), { Field("Const3D", 1, { 1, 2, 3 }) }), { "3-D", "2-D" });
-  ExpectMessage(Message(Mixed(), { Field("CrouzeixRaviart", 1, { 1 }) }), { "project" });
+  ExpectMessage(
+    Message(Mixed(), { MakeFieldText("H1_3D_P1", 1, { 1, 2, 3, 4, 5, 6 }) }), { "3-D", "2-D" });
+  ExpectMessage(Message(Mixed(), { MakeFieldText("Const3D", 1, { 1, 2, 3 }) }), { "3-D", "2-D" });
+  ExpectMessage(Message(Mixed(), { MakeFieldText("CrouzeixRaviart", 1, { 1 }) }), { "project" });
   std::string mesh = Mixed();
   mesh.replace(mesh.find("1 3 0"), 3, "1 4");
   ExpectMessage(Message(mesh), { "line 6", "geometry type 4", "plane elements" });

@@ -23,7 +23,8 @@ std::string OneCube(const std::string& attributes = "7")
     " 5 0 1 2 3 4 5 6 7\n\nboundary\n1\n3 3 1 2 6 5\n\nvertices\n8\n3\n" + kCubeVertices;
 }
 
-std::string Field(const std::string& collection, int vdim, int ordering, const std::string& values)
+std::string MakeFieldText(
+  const std::string& collection, int vdim, int ordering, const std::string& values)
 {
   return "FiniteElementSpace\nFiniteElementCollection: " + collection +
     "\nVDim: " + std::to_string(vdim) + "\nOrdering: " + std::to_string(ordering) + "\n\n" + values;
@@ -59,8 +60,9 @@ TEST(MfemReader, BothOrderingsOfAVectorField)
     second += b;
     interleaved += a + b;
   }
-  const SolverModel model = ReadTexts(
-    OneCube(), { Field("H1_3D_P1", 2, 0, first + second), Field("Linear", 2, 1, interleaved) });
+  const SolverModel model = ReadTexts(OneCube(),
+    { MakeFieldText("H1_3D_P1", 2, 0, first + second),
+      MakeFieldText("Linear", 2, 1, interleaved) });
   for (std::size_t f = 0; f < 2; ++f)
   {
     const auto value = ValueAt(model, f, 0, { 0.2, -0.4, 0.6 });
@@ -87,9 +89,10 @@ TEST(MfemReader, ComplexGridFunctionsAreTwo)
       vectors[part] += std::to_string(values[part]) + " " + std::to_string(3 * values[part]) + " ";
     }
   }
-  const std::string scalar = "ComplexGridFunction\n" + Field("H1_3D_P1", 1, 0, parts[0] + parts[1]);
+  const std::string scalar =
+    "ComplexGridFunction\n" + MakeFieldText("H1_3D_P1", 1, 0, parts[0] + parts[1]);
   const std::string vector =
-    "ParComplexGridFunction\n" + Field("H1_3D_P1", 2, 1, vectors[0] + vectors[1]);
+    "ParComplexGridFunction\n" + MakeFieldText("H1_3D_P1", 2, 1, vectors[0] + vectors[1]);
   const SolverModel model = ReadTexts(OneCube(), { scalar, vector });
   ASSERT_EQ(model.fields.size(), 4U);
   EXPECT_EQ(model.fields[0].name, "u_real");
@@ -99,10 +102,11 @@ TEST(MfemReader, ComplexGridFunctionsAreTwo)
   EXPECT_NEAR(ValueAt(model, 1, 0, xi)[0], 0.8, 1e-15);
   EXPECT_NEAR(ValueAt(model, 2, 0, xi)[1], 3.6, 2e-15);
   EXPECT_NEAR(ValueAt(model, 3, 0, xi)[1], 2.4, 2e-15);
-  ExpectMessage(
-    Message(OneCube(), { "ComplexGridFunction\n" + Field("H1_3D_P1", 1, 0, parts[0] + "1") }),
+  ExpectMessage(Message(OneCube(),
+                  { "ComplexGridFunction\n" + MakeFieldText("H1_3D_P1", 1, 0, parts[0] + "1") }),
     { "u.gf", "9 numbers", "imaginary" });
-  ExpectMessage(Message(OneCube(), { "ComplexGridFunction\n" + Field("H1_3D_P1", 1, 0, parts[0]) }),
+  ExpectMessage(
+    Message(OneCube(), { "ComplexGridFunction\n" + MakeFieldText("H1_3D_P1", 1, 0, parts[0]) }),
     { "u.gf", "4" });
 }
 
@@ -110,7 +114,7 @@ TEST(MfemReader, UnusedVerticesAreDroppedAsMfemDoes)
 {
   const std::string mesh = "MFEM mesh v1.0\ndimension\n3\nelements\n1\n1 4 0 2 3 4\nboundary\n0\n"
                            "vertices\n5\n3\n0 0 0\n9 9 9\n1 0 0\n0 1 0\n0 0 1\n";
-  const SolverModel model = ReadTexts(mesh, { Field("H1_3D_P1", 1, 0, "1 2 3 4") });
+  const SolverModel model = ReadTexts(mesh, { MakeFieldText("H1_3D_P1", 1, 0, "1 2 3 4") });
   EXPECT_NEAR(PointAt(model, 0, { 1, -1, -1 }).x, 1.0, 1e-16);
   EXPECT_NEAR(ValueAt(model, 0, 0, { 1, -1, -1 })[0], 2.0, 1e-15);
 }
@@ -181,8 +185,8 @@ TEST(MfemReader, HilbertCurveVisitsNeighboursOneAfterTheOther)
 
 TEST(MfemReader, StreamsEndWithCommands)
 {
-  const std::string text = "solution\n" + OneCube() + "\n" + Field("L2_3D_P0", 1, 0, "42\n") +
-    "keys maaaa\nautopause on\n";
+  const std::string text = "solution\n" + OneCube() + "\n" +
+    MakeFieldText("L2_3D_P0", 1, 0, "42\n") + "keys maaaa\nautopause on\n";
   const SolverModel model = mfem::ReadStream({ "a.saved", text });
   EXPECT_EQ(model.fields.at(0).name, "solution");
   EXPECT_EQ(ValueAt(model, 0, 0, { 0, 0, 0 })[0], 42.0);
@@ -218,7 +222,7 @@ TEST(MfemReader, PiecesOfParallelMeshesAreRefused)
   // With nodes, whose numbers end where the groups begin.
   std::string curved = piece;
   curved.replace(curved.find("vertices\n8\n3\n") + 11, std::string(kCubeVertices).size() + 2,
-    "nodes\n" + Field("H1_3D_P1", 3, 1, kCubeVertices));
+    "nodes\n" + MakeFieldText("H1_3D_P1", 3, 1, kCubeVertices));
   ExpectMessage(Message(curved), { "one piece", "SaveAsOne" });
   ExpectMessage(Message(serial + "\n" + groups), { "one piece" });
   const std::string stream = "mesh\n" + piece;
@@ -244,7 +248,8 @@ TEST(MfemReader, NothingBehindTheDataIsPassedOver)
   ExpectMessage(Message(OneCube() + "2 2 2\n"), { "a.mesh, line", "'2'", "behind the end" });
   ExpectMessage(Message(OneCube() + "\nmfem_mesh_end\n0 1 2\n"), { "'0'", "behind the end" });
   ExpectMessage(Message(OneCube() + "\nsomething\n"), { "'something'" });
-  ExpectMessage(Message(OneCube(), { Field("L2_3D_P0", 1, 0, "1\nmore\n") }), { "u.gf", "'more'" });
+  ExpectMessage(
+    Message(OneCube(), { MakeFieldText("L2_3D_P0", 1, 0, "1\nmore\n") }), { "u.gf", "'more'" });
 
   const auto message = [](const std::string& text)
   {
@@ -258,7 +263,8 @@ TEST(MfemReader, NothingBehindTheDataIsPassedOver)
     }
     return std::string();
   };
-  const std::string first = "solution\n" + OneCube() + "\n" + Field("L2_3D_P0", 1, 0, "42\n");
+  const std::string first =
+    "solution\n" + OneCube() + "\n" + MakeFieldText("L2_3D_P0", 1, 0, "42\n");
   // A title may speak of meshes.
   EXPECT_EQ(message(first + "window_title 'MFEM mesh v1.0 of a solution'\nkeys aa\n"), "");
   ExpectMessage(message(first + "pause\n" + first), { "a.saved", "another mesh" });
@@ -268,7 +274,7 @@ TEST(MfemReader, NothingBehindTheDataIsPassedOver)
 TEST(MfemReader, NumbersAreReadWhole)
 {
   const auto field = [](const std::string& number)
-  { return Message(OneCube(), { Field("L2_3D_P0", 1, 0, number) }); };
+  { return Message(OneCube(), { MakeFieldText("L2_3D_P0", 1, 0, number) }); };
   for (const char* sound : { "1", "-1", "+1", "1e3", "+1.5E-3", ".5", "5." })
   {
     EXPECT_EQ(field(sound), "") << sound;
@@ -281,7 +287,7 @@ TEST(MfemReader, NumbersAreReadWhole)
   // Beyond the range of doubles.
   const auto value = [](const std::string& number)
   {
-    const SolverModel model = ReadTexts(OneCube(), { Field("L2_3D_P0", 1, 0, number) });
+    const SolverModel model = ReadTexts(OneCube(), { MakeFieldText("L2_3D_P0", 1, 0, number) });
     return ValueAt(model, 0, 0, { 0, 0, 0 })[0];
   };
   EXPECT_EQ(value("1e-400"), 0.0);
@@ -345,38 +351,44 @@ TEST(MfemReader, OtherFormatsOfTheSameSuffixAreNamed)
 
 TEST(MfemReader, FieldsThatDoNotFitAreRefusedWithBothNumbers)
 {
-  ExpectMessage(Message(OneCube(), { Field("H1_3D_P2", 1, 0, "1 2 3") }), { "u.gf", "3", "27" });
-  ExpectMessage(Message(OneCube(), { Field("H1_3D_P2", 1, 0, "1 2 three") }), { "u.gf, line" });
-  ExpectMessage(Message(OneCube(), { Field("Nonsense_9", 1, 0, "1") }), { "u.gf", "Nonsense_9" });
+  ExpectMessage(
+    Message(OneCube(), { MakeFieldText("H1_3D_P2", 1, 0, "1 2 3") }), { "u.gf", "3", "27" });
+  ExpectMessage(
+    Message(OneCube(), { MakeFieldText("H1_3D_P2", 1, 0, "1 2 three") }), { "u.gf, line" });
+  ExpectMessage(
+    Message(OneCube(), { MakeFieldText("Nonsense_9", 1, 0, "1") }), { "u.gf", "Nonsense_9" });
   ExpectMessage(Message(OneCube(), { "FiniteElementSpace\nFiniteElementCollection: L2_3D_P0\n" }),
     { "u.gf", "cut short" });
-  ExpectMessage(Message(OneCube(), { Field("NURBS2", 1, 0, "1") }), { "u.gf", "NURBS" });
-  ExpectMessage(Message(OneCube(), { Field("L2_3D_P33", 1, 0, "1") }), { "u.gf", "33" });
+  ExpectMessage(Message(OneCube(), { MakeFieldText("NURBS2", 1, 0, "1") }), { "u.gf", "NURBS" });
+  ExpectMessage(Message(OneCube(), { MakeFieldText("L2_3D_P33", 1, 0, "1") }), { "u.gf", "33" });
 }
 
 /// PETSc writes a value of a ghost cell beyond each face of the border after those of the elements.
 TEST(MfemReader, GhostCellsBehindTheElementsAreNoted)
 {
-  const SolverModel model = ReadTexts(OneCube(), { Field("L2_3D_P0", 1, 1, "42 0 0 0 0 0 0\n") });
+  const SolverModel model =
+    ReadTexts(OneCube(), { MakeFieldText("L2_3D_P0", 1, 1, "42 0 0 0 0 0 0\n") });
   EXPECT_EQ(ValueAt(model, 0, 0, Vec3(0.0))[0], 42.0);
   ASSERT_EQ(model.notes.size(), 1U);
   ExpectMessage(model.notes[0], { "u.gf", "of 7 values the first 1", "ghost cells" });
-  const SolverModel pairs = ReadTexts(OneCube(), { Field("L2_3D_P0", 2, 1, "4 5 6 7\n") });
+  const SolverModel pairs = ReadTexts(OneCube(), { MakeFieldText("L2_3D_P0", 2, 1, "4 5 6 7\n") });
   EXPECT_EQ(ValueAt(pairs, 0, 0, Vec3(0.0)), (std::vector<double>{ 4.0, 5.0 }));
   const std::string triangles =
     "MFEM mesh v1.0\ndimension\n2\nelements\n2\n1 2 0 1 2\n1 2 0 2 3\nboundary\n0\nvertices\n4\n2\n"
     "0 0\n1 0\n1 1\n0 1\n";
-  EXPECT_EQ(
-    ReadTexts(triangles, { Field("L2_2D_P0", 1, 1, "1 2 0 0 0 0\n") }).notes.size(), 1U); // 4 edges
-  ExpectMessage(Message(triangles, { Field("L2_2D_P0", 1, 1, "1 2 0 0 0 0 0\n") }), { "7 values" });
+  EXPECT_EQ(ReadTexts(triangles, { MakeFieldText("L2_2D_P0", 1, 1, "1 2 0 0 0 0\n") }).notes.size(),
+    1U); // 4 edges
+  ExpectMessage(
+    Message(triangles, { MakeFieldText("L2_2D_P0", 1, 1, "1 2 0 0 0 0 0\n") }), { "7 values" });
   // More than the cube's six faces, parts of cells, component by component, nodes of a higher
   // order.
   ExpectMessage(
-    Message(OneCube(), { Field("L2_3D_P0", 1, 1, "1 2 3 4 5 6 7 8\n") }), { "8 values" });
-  ExpectMessage(Message(OneCube(), { Field("L2_3D_P0", 2, 1, "1 2 3\n") }), { "3 values" });
-  ExpectMessage(Message(OneCube(), { Field("L2_3D_P0", 2, 0, "1 2 3 4\n") }), { "4 values" });
+    Message(OneCube(), { MakeFieldText("L2_3D_P0", 1, 1, "1 2 3 4 5 6 7 8\n") }), { "8 values" });
+  ExpectMessage(Message(OneCube(), { MakeFieldText("L2_3D_P0", 2, 1, "1 2 3\n") }), { "3 values" });
   ExpectMessage(
-    Message(OneCube(), { Field("L2_3D_P1", 1, 1, "1 2 3 4 5 6 7 8 9\n") }), { "9 values" });
+    Message(OneCube(), { MakeFieldText("L2_3D_P0", 2, 0, "1 2 3 4\n") }), { "4 values" });
+  ExpectMessage(
+    Message(OneCube(), { MakeFieldText("L2_3D_P1", 1, 1, "1 2 3 4 5 6 7 8 9\n") }), { "9 values" });
 }
 
 TEST(MfemReader, DamagedRefinementTrees)

@@ -90,7 +90,7 @@ TEST(NektarCurvedFaces, ReproducePolynomials)
     {
       for (int turn = 0; turn < (n < 6 ? 3 : 1); ++turn)
       {
-        const SolverModel model = ReadTexts(CurvedTetrahedron(n, distribution, name, turn));
+        const SolverModel model = ReadSession(CurvedTetrahedron(n, distribution, name, turn));
         for (int k = 0; k < 12; ++k)
         {
           const double b = 0.05 + 0.9 * k / 12;

@@ -15,9 +15,9 @@ constexpr double kPi = std::numbers::pi;
 
 TEST(NektarExpression, ScalesAreExpressions)
 {
-  const SolverModel model =
-    ReadTexts(Session(Placed("XSCALE=\"2*PI\" YSCALE=\"1/(2*PI)\" ZSCALE=\" 1e-1 \" XMOVE=\"-2^2\" "
-                             "ZMOVE=\"sqrt(2)\"")));
+  const SolverModel model = ReadSession(
+    Session(Placed("XSCALE=\"2*PI\" YSCALE=\"1/(2*PI)\" ZSCALE=\" 1e-1 \" XMOVE=\"-2^2\" "
+                   "ZMOVE=\"sqrt(2)\"")));
   const Vec3 corner = Corner(model);
   EXPECT_NEAR(corner.x, 2 * kPi - 4, 1e-15 * 8);
   EXPECT_NEAR(corner.y, 1 / (2 * kPi), 1e-16);

@@ -39,13 +39,13 @@ TEST(NektarGeometry, CurvesAreScaledMovedAndTurnedWithTheVertices)
   const std::string unpacked = "<CURVED>" + edge + face + "</CURVED>";
   for (const std::string& curved : { unpacked, packed })
   {
-    const SolverModel plain = ReadTexts(Session(Cube(curved)));
-    const SolverModel placed = ReadTexts(Session(Placed(place, curved)));
+    const SolverModel plain = ReadSession(Session(Cube(curved)));
+    const SolverModel placed = ReadSession(Session(Placed(place, curved)));
     const bool moved =
       !placed.notes.empty() && placed.notes[0].find("Nektar++ itself leaves") != std::string::npos;
     EXPECT_EQ(moved, curved == unpacked);
     EXPECT_TRUE(plain.notes.empty());
-    const SolverModel turned = ReadTexts(Session(Placed(place + " ZROT=\"PI/2\"", curved)));
+    const SolverModel turned = ReadSession(Session(Placed(place + " ZROT=\"PI/2\"", curved)));
     for (const Vec3& xi : { Vec3(0.2, -0.4, 0.6), Vec3(0, -1, -1), Vec3(0, 0, 1) })
     {
       const Vec3 x = PointAt(plain, 0, xi);
@@ -89,7 +89,7 @@ TEST(NektarGeometry, NumbersAreReadWholeOrRefused)
   refuse("<V ID=\"0\">0 0 0", "<V ID=\"0\">0 nan 0", "element 5");
   // Comments stand anywhere.
   const SolverModel model =
-    ReadTexts(Replaced(good, "<V ID=\"6\">1 1 1", "<V ID=\"6\">1 <!-- x -- y --> 1<!-- z -->1"));
+    ReadSession(Replaced(good, "<V ID=\"6\">1 1 1", "<V ID=\"6\">1 <!-- x -- y --> 1<!-- z -->1"));
   EXPECT_EQ(Corner(model).y, 1);
 }
 

@@ -16,8 +16,7 @@ namespace pixelexact::testing
 {
 namespace
 {
-const std::string kData = PIXELEXACT_DATA_DIR;
-const std::string kHdf5 = kData + "/nek_hdf5";
+const std::string kHdf5 = PIXELEXACT_DATA_DIR "/nek_hdf5";
 
 class NektarHdf5 : public ::testing::Test
 {
@@ -112,7 +111,7 @@ TEST_F(NektarHdf5, FieldsAreThoseOfXml)
 {
   for (const std::string name : { "nek_tet_varp", "nek_pyramid_curved_p6" })
   {
-    const std::string xml = kData + "/" + name + "/" + name;
+    const std::string xml = PIXELEXACT_DATA_DIR "/" + name + "/" + name;
     const SolverModel hdf5 = Load(xml + ".xml", kHdf5 + "/" + name + ".fld");
     ExpectSameFields(hdf5, Load(xml + ".xml", xml + ".fld"));
     EXPECT_EQ(hdf5.time, 0.5);

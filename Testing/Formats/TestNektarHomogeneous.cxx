@@ -39,7 +39,7 @@ std::string Block(const std::string& shape, int id, const std::string& functions
     "\">" + values + "</ELEMENTS>";
 }
 
-std::string Field(const std::string& blocks)
+std::string MakeFieldFile(const std::string& blocks)
 {
   return "<NEKTAR>" + blocks + "</NEKTAR>";
 }
@@ -93,8 +93,9 @@ TEST(NektarHomogeneous, TrianglesAndQuadrilateralsInLayers)
   // Of order 1 in the plane, with one value at all vertices: 2 + cos(wave 1) - 3 sin(wave 2) there.
   const std::string four = " 2 2 2 2 1 1 1 1 3 3 3 3 ";
   const std::string three = " 2 2 2 1 1 1 3 3 3 ";
-  const SolverModel model = ReadTexts(kPlane,
-    Field(Block("Quadrilateral", 7, "0,2,5", 3, four) + Block("Triangle", 9, "0,2,5", 3, three)));
+  const SolverModel model = ReadSession(kPlane,
+    MakeFieldFile(
+      Block("Quadrilateral", 7, "0,2,5", 3, four) + Block("Triangle", 9, "0,2,5", 3, three)));
   ASSERT_FALSE(model.mesh.slab.has_value());
   // Two layers of the triangle, which comes first, and the quadrilateral.
   EXPECT_EQ(model.mesh.number, (std::vector<std::int64_t>{ 9, 7, 19, 17 }));
@@ -118,8 +119,8 @@ TEST(NektarHomogeneous, TrianglesAndQuadrilateralsInLayers)
 TEST(NektarHomogeneous, OneWaveAlone)
 {
   // FourierSingleMode numbers its two functions as Fourier does.
-  const SolverModel model = ReadTexts(kPlane,
-    Field(Block("Quadrilateral", 7, "2,3", 2, " 1 1 1 1 0 0 0 0 ", "FourierSingleMode") +
+  const SolverModel model = ReadSession(kPlane,
+    MakeFieldFile(Block("Quadrilateral", 7, "2,3", 2, " 1 1 1 1 0 0 0 0 ", "FourierSingleMode") +
       Block("Triangle", 9, "2,3", 2, " 1 1 1 0 0 0 ", "FourierSingleMode")));
   const Vec3 x = PointAt(model, 1, { 0.1, 0.2, 0.3 });
   EXPECT_NEAR(ValueAt(model, 0, 1, { 0.1, 0.2, 0.3 })[0], std::cos(Wave(1, x.z)), 2e-13);
@@ -128,8 +129,8 @@ TEST(NektarHomogeneous, OneWaveAlone)
 TEST(NektarHomogeneous, HalfModes)
 {
   // Function 0 of a half mode is cos(pi x), x from -1 to 1 along the length.
-  const SolverModel model = ReadTexts(kPlane,
-    Field(Block("Quadrilateral", 7, "0", 1, " 1 1 1 1 ", "FourierHalfModeRe") +
+  const SolverModel model = ReadSession(kPlane,
+    MakeFieldFile(Block("Quadrilateral", 7, "0", 1, " 1 1 1 1 ", "FourierHalfModeRe") +
       Block("Triangle", 9, "0", 1, " 1 1 1 ", "FourierHalfModeRe")));
   ASSERT_EQ(model.mesh.number.size(), 2U);
   for (int e = 0; e < 2; ++e)
@@ -144,8 +145,8 @@ TEST(NektarHomogeneous, HalfModes)
 TEST(NektarHomogeneous, ImaginaryHalfModes)
 {
   // All fields are sines, as those of a real half mode are with realmodetoimag.
-  const SolverModel model = ReadTexts(kPlane,
-    Field(Block("Quadrilateral", 7, "0", 1, " 1 1 1 1 ", "FourierHalfModeIm") +
+  const SolverModel model = ReadSession(kPlane,
+    MakeFieldFile(Block("Quadrilateral", 7, "0", 1, " 1 1 1 1 ", "FourierHalfModeIm") +
       Block("Triangle", 9, "0", 1, " 1 1 1 ", "FourierHalfModeIm")));
   ASSERT_EQ(model.mesh.number.size(), 2U);
   for (int e = 0; e < 2; ++e)
@@ -172,7 +173,7 @@ TEST(NektarHomogeneous, StripsWhereTheSessionPutsThem)
     strip(0, Block("Quadrilateral", 7, "0,2,3", 3, " 2 2 2 2 1 1 1 1 0 0 0 0 ")) +
     strip(0, Block("Triangle", 9, "0,2,3", 3, " 2 2 2 1 1 1 0 0 0 ")) +
     strip(3, Block("Triangle", 9, "0,2,3", 3, " 5 5 5 0 0 0 1 1 1 "));
-  const SolverModel model = ReadTexts(session, Field(blocks));
+  const SolverModel model = ReadSession(session, MakeFieldFile(blocks));
   EXPECT_EQ(model.mesh.number, (std::vector<std::int64_t>{ 9, 7, 19, 17 }));
   EXPECT_EQ(model.mesh.boundary.size(), 4U);
   for (int e = 0; e < 4; ++e)
@@ -189,17 +190,17 @@ TEST(NektarHomogeneous, StripsWhereTheSessionPutsThem)
   }
   ASSERT_EQ(model.notes.size(), 2U);
   EXPECT_NE(model.notes[1].find("2 strips, from z = 0 to 33"), std::string::npos);
-  ExpectRefusal(kPlane, Field(blocks), { "u.fld", "DistStrip", "session" });
+  ExpectRefusal(kPlane, MakeFieldFile(blocks), { "u.fld", "DistStrip", "session" });
   ExpectRefusal(session,
-    Field(strip(3, Block("Quadrilateral", 7, "0", 1, " 5 5 5 5 ")) +
+    MakeFieldFile(strip(3, Block("Quadrilateral", 7, "0", 1, " 5 5 5 5 ")) +
       strip(0, Block("Triangle", 9, "0", 1, " 2 2 2 "))),
     { "2 strips", "missing" });
   ExpectRefusal(session,
-    Field(strip(3, Block("Quadrilateral", 7, "0", 1, " 5 5 5 5 ")) +
+    MakeFieldFile(strip(3, Block("Quadrilateral", 7, "0", 1, " 5 5 5 5 ")) +
       strip(3, Block("Quadrilateral", 7, "0", 1, " 5 5 5 5 "))),
     { "element 7", "twice" });
   ExpectRefusal(session,
-    Field(Replaced(
+    MakeFieldFile(Replaced(
       strip(3, Block("Quadrilateral", 7, "0", 1, " 5 5 5 5 ")), "SIDS=\"3\"", "SIDS=\"3,4\"")),
     { "one strip" });
 }
@@ -237,7 +238,7 @@ TEST(NektarHomogeneous, TwoDirectionsOverALine)
   for (const std::string& text :
     { block, Replaced(Replaced(block, "HOMOGENEOUSYIDS", "A"), "HOMOGENEOUSZIDS", "B") })
   {
-    const SolverModel model = ReadTexts(line, Field(text));
+    const SolverModel model = ReadSession(line, MakeFieldFile(text));
     ASSERT_FALSE(model.mesh.slab.has_value());
     ASSERT_EQ(model.mesh.number.size(), 2U);
     EXPECT_EQ(model.mesh.boundary.size(), 2U);
@@ -256,24 +257,24 @@ TEST(NektarHomogeneous, TwoDirectionsOverALine)
     EXPECT_NE(model.notes[0].find("lengths 3 x 7, 4 x 4 Fourier functions"), std::string::npos);
   }
   const auto refuse = [&line](const std::string& text, const std::vector<std::string>& parts)
-  { ExpectRefusal(line, Field(text), parts); };
+  { ExpectRefusal(line, MakeFieldFile(text), parts); };
   refuse(Replaced(block, "0,1,2,3,0", "0,1,3,2,0"), { "YIDS", "fastest" });
   refuse(Replaced(block, "\"3,7\"", "\"3\""), { "two numbers" });
   refuse(Replaced(block, "Modified_A,Fourier", "Modified_A,Modified_A"), { "Exp2D" });
   refuse(Replaced(block, "Exp2D", "Exp1D"), { "Segment-HomogenousExp1D" });
-  ExpectRefusal(kPlane, Field(block), { "segment 3", "do not belong together" });
+  ExpectRefusal(kPlane, MakeFieldFile(block), { "segment 3", "do not belong together" });
+  ExpectRefusal(Replaced(line, "<V ID=\"1\">2 0", "<V ID=\"1\">2 1"), MakeFieldFile(block),
+    { "vertex 1", "along x" });
+  ExpectRefusal(Replaced(line, "\"2D\"", "\"1D\""), MakeFieldFile(block), { "dimension 1" });
   ExpectRefusal(
-    Replaced(line, "<V ID=\"1\">2 0", "<V ID=\"1\">2 1"), Field(block), { "vertex 1", "along x" });
-  ExpectRefusal(Replaced(line, "\"2D\"", "\"1D\""), Field(block), { "dimension 1" });
-  ExpectRefusal(
-    Replaced(line, "PROPERTY=\"HOM", "PROPERTY=\"OM"), Field(block), { "one-dimensional" });
+    Replaced(line, "PROPERTY=\"HOM", "PROPERTY=\"OM"), MakeFieldFile(block), { "one-dimensional" });
 }
 
 TEST(NektarHomogeneous, RefusesWithReasons)
 {
   const std::string four = " 1 1 1 1 ";
   const auto refuse = [](const std::string& blocks, const std::vector<std::string>& parts)
-  { ExpectRefusal(kPlane, Field(blocks), parts); };
+  { ExpectRefusal(kPlane, MakeFieldFile(blocks), parts); };
   const std::string block = Block("Quadrilateral", 7, "0", 1, four);
   refuse(Block("Quadrilateral", 7, "0", 1, four, "Legendre"),
     { "u.fld", "Legendre", "NekMesh -m extrude", "interpfield" });

@@ -73,7 +73,7 @@ TEST(NektarLongBlocks, AreReadAsShortOnesAre)
     EXPECT_EQ(std::ranges::count(shortened->text, '\n'), std::ranges::count(text, '\n'));
   }
   const SolverModel mapped = file.Read(Session(Cube()));
-  const SolverModel plain = ReadTexts(Session(Cube()), text);
+  const SolverModel plain = ReadSession(Session(Cube()), text);
   EXPECT_EQ(mapped.time, plain.time);
   ASSERT_EQ(mapped.fields.size(), static_cast<std::size_t>(kFields));
   for (std::size_t f = 0; f < mapped.fields.size(); ++f)

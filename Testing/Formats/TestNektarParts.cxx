@@ -61,7 +61,7 @@ TEST(NektarParts, PartsOfAMeshAreReadTogether)
   };
   const std::string lower = Stack(0, 1, part(0));
   const std::string upper = Stack(1, 2, part(1));
-  const SolverModel whole = ReadTexts(Stack(0, 2, groups));
+  const SolverModel whole = ReadSession(Stack(0, 2, groups));
   const auto attribute = [](int id)
   {
     return kLinearHexahedron + "NUMMODESPERDIR=\"UNIORDER:2,2,2\" ID=\"" + std::to_string(id) +
@@ -91,7 +91,7 @@ TEST(NektarParts, PartsOfAMeshAreReadTogether)
 /// Faces between two elements belong to both.
 TEST(NektarParts, CompositesOfInnerFacesAreListedOnBothSides)
 {
-  const SolverModel model = ReadTexts(Stack(0, 2,
+  const SolverModel model = ReadSession(Stack(0, 2,
     "<COMPOSITE><C ID=\"1\">H[500-501]</C><C ID=\"2\">F[301,302]</C><C ID=\"3\">F[302]</C>"
     "</COMPOSITE>"));
   std::multiset<std::array<int, 3>> found;

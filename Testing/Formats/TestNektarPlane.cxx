@@ -37,12 +37,11 @@ std::string Blocks(const std::string& quadrilateral, const std::string& triangle
     "</ELEMENTS></NEKTAR>";
 }
 
-const Vec3 kInside[] = { { -0.7, -0.2, -0.5 }, { -0.1, 0.9, -0.6 }, { -0.3, -0.9, -0.1 } };
 } // namespace
 
 TEST(NektarPlane, ElementsAreSolidsOfASlab)
 {
-  const SolverModel model = ReadTexts(Plane());
+  const SolverModel model = ReadSession(Plane());
   ASSERT_TRUE(model.mesh.slab.has_value());
   EXPECT_EQ(model.mesh.slab->middle, 0.0);
   EXPECT_EQ(model.mesh.number, (std::vector<std::int64_t>{ 9, 7 }));
@@ -62,7 +61,7 @@ TEST(NektarPlane, ElementsAreSolidsOfASlab)
 
 TEST(NektarPlane, CompositesAreAttributesAndSides)
 {
-  const SolverModel model = ReadTexts(Plane());
+  const SolverModel model = ReadSession(Plane());
   EXPECT_EQ(model.mesh.attribute, (std::vector<std::int32_t>{ 1, 0 }));
   EXPECT_EQ(model.mesh.groups.at(2).name, "wall");
   EXPECT_TRUE(model.mesh.groups.at(2).boundary);
@@ -82,7 +81,7 @@ TEST(NektarPlane, CompositesAreAttributesAndSides)
 /// Vertex modes: of the quadrilateral p fastest, of the triangle (0, 0), the top (0, 1), (1, 0).
 TEST(NektarPlane, ModifiedBasis)
 {
-  const SolverModel model = ReadTexts(Plane(),
+  const SolverModel model = ReadSession(Plane(),
     Blocks("BASIS=\"Modified_A,Modified_A\" NUMMODESPERDIR=\"UNIORDER:2,2\">1 2 4 8",
       "BASIS=\"Modified_A,Modified_B\" NUMMODESPERDIR=\"UNIORDER:2,2\">2 8 5"));
   EXPECT_EQ(model.fields.at(0).basis, "Modified_A x Modified_A");
@@ -99,7 +98,7 @@ TEST(NektarPlane, ModifiedBasis)
 TEST(NektarPlane, OrdersPerDirectionAndOrthogonalBasis)
 {
   // Three modes along xi1, two along xi2: P_2(xi1) xi2, scaled; the triangle's constant.
-  const SolverModel model = ReadTexts(Plane(),
+  const SolverModel model = ReadSession(Plane(),
     Blocks("BASIS=\"Ortho_A,Ortho_A\" NUMMODESPERDIR=\"MIXORDER:3,2\">0 0 0 0 0 1",
       "BASIS=\"Ortho_A,Ortho_B\" NUMMODESPERDIR=\"UNIORDER:2,3\">1 0 0 0 0"));
   const double xi = 0.3;
@@ -112,8 +111,8 @@ TEST(NektarPlane, OrdersPerDirectionAndOrthogonalBasis)
 
 TEST(NektarPlane, PlanesInSpaceAndRefusals)
 {
-  EXPECT_EQ(ReadTexts(Plane("0.5")).mesh.slab->middle, 0.5);
-  EXPECT_EQ(ReadTexts(Plane("1e-310")).mesh.slab->middle, 0.0);
+  EXPECT_EQ(ReadSession(Plane("0.5")).mesh.slab->middle, 0.5);
+  EXPECT_EQ(ReadSession(Plane("1e-310")).mesh.slab->middle, 0.0);
   ExpectRefusal(Replaced(Plane(), "1 0 0</V>", "1 0 1</V>"), "", { "a.xml", "surface in space" });
   ExpectRefusal(Replaced(Plane(), "SPACE=\"2\"", "SPACE=\"1\""), "", { "two- and three-dim" });
   ExpectRefusal(Replaced(Plane(), "5 1</T>", "2 1</T>"), "", { "do not meet" });

@@ -5,7 +5,7 @@ namespace pixelexact::testing
 {
 TEST(NektarReader, StraightCube)
 {
-  const SolverModel model = ReadTexts(Session(Cube()));
+  const SolverModel model = ReadSession(Session(Cube()));
   const Vec3 x = PointAt(model, 0, { -0.5, 0.25, 1.0 });
   EXPECT_NEAR(x.x, 0.25, 1e-15);
   EXPECT_NEAR(x.y, 0.625, 1e-15);
@@ -16,7 +16,7 @@ TEST(NektarReader, StraightCube)
 TEST(NektarReader, CurvedEdgeIsBlendedIntoTheCube)
 {
   // Edge 0 (y = z = 0) is a parabola: y = -0.4 x (1 - x).
-  const SolverModel model = ReadTexts(Session(Cube(
+  const SolverModel model = ReadSession(Session(Cube(
     "<CURVED><E ID=\"0\" EDGEID=\"0\" NUMPOINTS=\"3\" TYPE=\"PolyEvenlySpaced\">0 0 0  0.5 -0.1 0 "
     "1 0 0</E></CURVED>")));
   const Vec3 xi(0.2, -0.4, 0.6);
@@ -42,7 +42,7 @@ TEST(NektarReader, FieldPlainAndCompressed)
          Field(kLinearHexahedron + order + "COMPRESSED=\"B64Z-LittleEndian\" BITSIZE=\"64\"",
            Compressed(values)) })
   {
-    const SolverModel model = ReadTexts(Session(Cube()), field);
+    const SolverModel model = ReadSession(Session(Cube()), field);
     EXPECT_NEAR(ValueAt(model, 0, 0, { 0.0, 0.5, -0.5 })[0], 1 + 0.5 + 1.5 + 1.0, 1e-14);
     EXPECT_EQ(model.time, 2.5);
     EXPECT_EQ(model.fields[0].name, "u");
@@ -52,8 +52,8 @@ TEST(NektarReader, FieldPlainAndCompressed)
 TEST(NektarReader, CompositesAreAttributesAndBoundary)
 {
   const SolverModel model =
-    ReadTexts(Session(Cube("<COMPOSITE><C ID=\"3\" NAME=\"fluid\">H[5]</C><C ID=\"0\">F[2,4]</C>"
-                           "</COMPOSITE>")));
+    ReadSession(Session(Cube("<COMPOSITE><C ID=\"3\" NAME=\"fluid\">H[5]</C><C ID=\"0\">F[2,4]</C>"
+                             "</COMPOSITE>")));
   EXPECT_EQ(model.mesh.attribute.at(0), 3);
   EXPECT_EQ(model.mesh.groups.at(0).name, "fluid");
   ASSERT_EQ(model.mesh.boundary.size(), 2U);

@@ -21,7 +21,7 @@ std::string Utf16(const std::string& text, bool bigEndian)
 
 void ExpectCube(const std::string& session)
 {
-  EXPECT_NO_THROW({ EXPECT_EQ(PointAt(ReadTexts(session), 0, { 1, 1, 1 }).x, 1); }) << session;
+  EXPECT_NO_THROW({ EXPECT_EQ(PointAt(ReadSession(session), 0, { 1, 1, 1 }).x, 1); }) << session;
 }
 } // namespace
 
@@ -30,7 +30,7 @@ TEST(NektarXml, FieldsAreCompressedWhereNothingIsSaid)
   for (const char* attributes : { "", "BITSIZE=\"64\" ", "COMPRESSED=\"B64Z-LittleEndian\" ",
          "COMPRESSED=\"b64z-littleendian\" BITSIZE=\"64\"" })
   {
-    const SolverModel model = ReadTexts(
+    const SolverModel model = ReadSession(
       Session(Cube()), Field(kLinearHexahedron + kSpace + attributes, Compressed(kValues)));
     EXPECT_NEAR(ValueAt(model, 0, 0, { 1, 1, 1 })[0], 8, 1e-14) << attributes;
   }
@@ -49,7 +49,7 @@ TEST(NektarXml, FieldsAndTimesOfOldFiles)
   const std::string block = Field(kLinearHexahedron + kSpace, Compressed(kValues));
   const std::string old = Replaced(block, "<Metadata><Time>2.5</Time></Metadata>",
     "<FIELDMETADATA><P PARAM=\"Kinvis\">1</P><P PARAM=\"Time\">0.75</P></FIELDMETADATA>");
-  EXPECT_EQ(ReadTexts(Session(Cube()), old).time, 0.75);
+  EXPECT_EQ(ReadSession(Session(Cube()), old).time, 0.75);
   const std::string second = Replaced(block, "ID=\"5\"", "ID=\"6\"");
   ExpectRefusal(
     Session(Cube()), block + second.substr(second.find("<NEKTAR>")), { "hexahedron 6" });
@@ -73,7 +73,7 @@ TEST(NektarXml, WhatNektarReadsIsRead)
   const std::string named =
     Session(Cube("<COMPOSITE><C ID=\"0\" NAME=\"\xe9\">H[5]</C></COMPOSITE>"));
   const SolverModel latin =
-    ReadTexts(Replaced(named, "version=\"1.0\"", "version=\"1.0\" encoding=\"ISO-8859-1\""));
+    ReadSession(Replaced(named, "version=\"1.0\"", "version=\"1.0\" encoding=\"ISO-8859-1\""));
   EXPECT_EQ(latin.mesh.groups.at(0).name, "\xc3\xa9");
 }
 
@@ -82,8 +82,8 @@ TEST(NektarXml, WhatTinyXmlReadsOverIsNoted)
   const std::string good = Session(Cube());
   const auto expect = [&](const std::string& broken, const std::vector<std::string>& notes)
   {
-    const SolverModel model =
-      ReadTexts(Replaced(good, "<GEOMETRY", "\n<CONDITIONS>" + broken + "</CONDITIONS><GEOMETRY"));
+    const SolverModel model = ReadSession(
+      Replaced(good, "<GEOMETRY", "\n<CONDITIONS>" + broken + "</CONDITIONS><GEOMETRY"));
     EXPECT_EQ(PointAt(model, 0, { 1, 1, 1 }).x, 1) << broken;
     ASSERT_EQ(model.notes.size(), notes.size()) << broken;
     for (std::size_t i = 0; i < notes.size(); ++i)
@@ -100,7 +100,7 @@ TEST(NektarXml, WhatTinyXmlReadsOverIsNoted)
   expect("<F NAME=\"f\"><E/></F NAME=\"f\"\n><G></G\t>", { "line 3: '</F NAME=\"f\"'" });
   expect("<F>1<F/></F><!--- <!N --->", {});
   const std::string field = Field(kLinearHexahedron + kSpace, Compressed(kValues));
-  const SolverModel model = ReadTexts(good, Replaced(field, "<Metadata>", "<!Old/><Metadata>"));
+  const SolverModel model = ReadSession(good, Replaced(field, "<Metadata>", "<!Old/><Metadata>"));
   EXPECT_EQ(model.time, 2.5);
   ASSERT_EQ(model.notes.size(), 1U);
   EXPECT_NE(model.notes[0].find("u.fld, line"), std::string::npos);
