@@ -8,6 +8,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkNew.h"
 #include "vtkObject.h"
+#include "vtkPlane.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkSmartPointer.h"
@@ -22,6 +23,9 @@
 
 namespace pixelexact::testing
 {
+inline const std::filesystem::path kData = PIXELEXACT_DATA_DIR;
+inline const std::filesystem::path kToroid = kData / "toroid_hex_g3_p6.vtu";
+
 /// Keeps what an object reports instead of printing it.
 class Messages : public vtkCommand
 {
@@ -102,6 +106,15 @@ inline void AddPointField(
     array->InsertNextValue(value);
   }
   grid->GetPointData()->AddArray(array);
+}
+
+/// The plane at this z.
+inline vtkNew<vtkPlane> MakePlaneAt(double z)
+{
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(0.0, 0.0, z);
+  plane->SetNormal(0.0, 0.0, 1.0);
+  return plane;
 }
 
 /// n x n x n trilinear hexahedra on [0,1]^3 with the point field f = x + 2 y + 3 z.

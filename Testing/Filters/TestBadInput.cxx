@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What users get wrong, or files: each message names the thing and a remedy.
+#include "LongVectors.h"
 #include "Support.h"
 
 #include "Core/Base/Error.h"
@@ -24,8 +25,6 @@ namespace
 {
 using namespace pixelexact;
 using namespace pixelexact::testing;
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 void ExpectRefused(vtkUnstructuredGrid* grid, std::initializer_list<const char*> words)
 {

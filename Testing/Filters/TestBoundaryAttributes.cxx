@@ -21,9 +21,7 @@ namespace
 using namespace pixelexact;
 using namespace pixelexact::testing;
 
-const std::filesystem::path kData = PIXELEXACT_DATA_DIR;
-
-vtkSmartPointer<vtkUnstructuredGrid> Darcy()
+vtkSmartPointer<vtkUnstructuredGrid> LoadDarcyMesh()
 {
   return LoadMesh(kData / "mfem_escher_tet_darcy_p3" / "mfem_escher_tet_darcy_p3.mesh");
 }
@@ -65,7 +63,7 @@ std::string Refusal(const Ask& ask)
 /// The file's 48 triangles have the attributes 1 to 48.
 TEST(BoundaryAttributes, AreThoseOfTheFile)
 {
-  const auto faces = Listed(Darcy());
+  const auto faces = Listed(LoadDarcyMesh());
   const auto counts = CountByAttribute(faces);
   ASSERT_EQ(counts.size(), 48U);
   EXPECT_EQ(counts.begin()->first, 1);
@@ -76,7 +74,7 @@ TEST(BoundaryAttributes, AreThoseOfTheFile)
 
 TEST(BoundaryAttributes, FollowTheElementsThatAreLeft)
 {
-  const auto grid = Darcy();
+  const auto grid = LoadDarcyMesh();
   const auto all = Listed(grid);
   const std::vector<vtkIdType> kept{ 3, 7, 20, 41 };
   vtkNew<vtkIdList> cells;
@@ -104,12 +102,12 @@ TEST(BoundaryAttributes, FollowTheElementsThatAreLeft)
 
 TEST(BoundaryAttributes, OfBlocksCountOnFromBlockToBlock)
 {
-  const auto grid = Darcy();
+  const auto grid = LoadDarcyMesh();
   const auto one = Listed(grid);
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->SetNumberOfBlocks(2);
   blocks->SetBlock(0, grid);
-  blocks->SetBlock(1, Darcy());
+  blocks->SetBlock(1, LoadDarcyMesh());
   const auto both = Listed(blocks);
   ASSERT_EQ(both.size(), 2 * one.size());
   for (std::size_t i = 0; i < one.size(); ++i)
@@ -136,7 +134,7 @@ TEST(BoundaryAttributes, ArraysThatNameNoFaceAreRefused)
 {
   const auto change = [](const char* name, vtkIdType entry, double value)
   {
-    const auto grid = Darcy();
+    const auto grid = LoadDarcyMesh();
     vtkDataArray* array =
       grid->GetFieldData()->GetArray((std::string("PixelExact.Mesh.Boundary.") + name).c_str());
     array->SetComponent(entry, 0, value);
@@ -147,7 +145,7 @@ TEST(BoundaryAttributes, ArraysThatNameNoFaceAreRefused)
   EXPECT_NE(change("Face", 3, 4).find("entry 3, name face 4 of a tetrahedron"), std::string::npos);
   EXPECT_NE(change("Face", 3, -1).find("face -1"), std::string::npos);
   EXPECT_NE(change("Element", 5, 42).find("element 42 of 42"), std::string::npos);
-  const auto grid = Darcy();
+  const auto grid = LoadDarcyMesh();
   grid->GetFieldData()->RemoveArray("PixelExact.Mesh.Boundary.Face");
   EXPECT_NE(Message(grid).find("PixelExact.Mesh.Boundary.Face"), std::string::npos);
 }
@@ -155,7 +153,7 @@ TEST(BoundaryAttributes, ArraysThatNameNoFaceAreRefused)
 /// A conversion of what VTK's cells are has no list of another mesh.
 TEST(BoundaryAttributes, AreDroppedWithTheCoefficients)
 {
-  const auto grid = Darcy();
+  const auto grid = LoadDarcyMesh();
   RemoveHighOrderArrays(grid);
   EXPECT_FALSE(grid->GetFieldData()->HasArray("PixelExact.Mesh.Boundary.Face"));
 }

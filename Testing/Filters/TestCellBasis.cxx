@@ -19,7 +19,7 @@ namespace
 using namespace pixelexact;
 using namespace pixelexact::testing;
 
-struct Kind
+struct BasisCell
 {
   int type;
   int points;
@@ -30,7 +30,7 @@ struct Kind
 
 constexpr double kHeight = 0.3;
 
-std::ostream& operator<<(std::ostream& os, const Kind& kind)
+std::ostream& operator<<(std::ostream& os, const BasisCell& kind)
 {
   return os << "type " << kind.type << " with " << kind.points << " points";
 }
@@ -41,7 +41,7 @@ struct Place
   std::array<double, 3> vtk{};
   std::array<double, 3> xi{};
 
-  Place(const Kind& kind, std::mt19937& random)
+  Place(const BasisCell& kind, std::mt19937& random)
   {
     std::uniform_real_distribution<double> unit(0.01, 0.99);
     const auto eta = [&] { return 2.0 * unit(random) - 1.0; };
@@ -71,13 +71,13 @@ struct Place
   }
 };
 
-class CellBasis : public ::testing::TestWithParam<Kind>
+class CellBasis : public ::testing::TestWithParam<BasisCell>
 {
 };
 
 TEST_P(CellBasis, MapsAsVtkDoes)
 {
-  const Kind kind = GetParam();
+  const BasisCell kind = GetParam();
   std::mt19937 random(kind.type * 10000 + kind.points);
   std::uniform_real_distribution<double> anywhere(-1.0, 1.0);
   std::vector<double> xyz(3 * kind.points);
@@ -138,9 +138,9 @@ TEST_P(CellBasis, MapsAsVtkDoes)
   }
 }
 
-std::vector<Kind> Kinds()
+std::vector<BasisCell> Kinds()
 {
-  std::vector<Kind> kinds{
+  std::vector<BasisCell> kinds{
     { VTK_TETRA, 4, Shape::Tetrahedron },
     { VTK_QUADRATIC_TETRA, 10, Shape::Tetrahedron },
     { VTK_VOXEL, 8, Shape::Hexahedron },

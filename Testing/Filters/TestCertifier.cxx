@@ -188,10 +188,9 @@ void CompareWithSamples(const std::filesystem::path& file, int inverted)
 
 TEST(Certifier, SamplesAgreeOnRealMeshes)
 {
-  const std::filesystem::path data = PIXELEXACT_DATA_DIR;
-  CompareWithSamples(data / "escher_tet_g3_p3.vtu", 0);
-  CompareWithSamples(data / "fichera_hex_g3_p4.vtu", 0);
-  CompareWithSamples(data / "toroid_prism_g3_p4.vtu", 0);
+  CompareWithSamples(kData / "escher_tet_g3_p3.vtu", 0);
+  CompareWithSamples(kData / "fichera_hex_g3_p4.vtu", 0);
+  CompareWithSamples(kData / "toroid_prism_g3_p4.vtu", 0);
 }
 
 TEST(Certifier, SamplesAgreeOnAMeshWithInvertedElements)

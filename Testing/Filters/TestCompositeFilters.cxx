@@ -38,7 +38,7 @@ vtkSmartPointer<vtkMultiBlockDataSet> Neighbours()
   return neighbours;
 }
 
-double Value(double x, double y, double z)
+double PeriodicValue(double x, double y, double z)
 {
   return std::fmod(x, 1.0) + 2.0 * y + 3.0 * z;
 }
@@ -70,7 +70,7 @@ void ExpectProbed(vtkDataObject* output)
   {
     const auto& x = kPositions[static_cast<std::size_t>(inside)];
     EXPECT_EQ(get("Verdict", inside), 1.0);
-    EXPECT_NEAR(get("f", inside), Value(x[0], x[1], x[2]), 1e-14);
+    EXPECT_NEAR(get("f", inside), PeriodicValue(x[0], x[1], x[2]), 1e-14);
     EXPECT_EQ(get("Element", inside), 6.0);
     EXPECT_EQ(get("Block", inside), inside == 0 ? 1.0 : 3.0);
     EXPECT_EQ(get("Owners", inside), 1.0);
@@ -150,8 +150,8 @@ TEST(CompositeFilters, ResampleMakesOneImage)
     image->GetPoint(i, x);
     if (x[0] < 1.99)
     {
-      EXPECT_NEAR(
-        image->GetPointData()->GetArray("f")->GetComponent(i, 0), Value(x[0], x[1], x[2]), 1e-13);
+      EXPECT_NEAR(image->GetPointData()->GetArray("f")->GetComponent(i, 0),
+        PeriodicValue(x[0], x[1], x[2]), 1e-13);
     }
   }
 }

@@ -35,17 +35,6 @@ namespace
 {
 using namespace pixelexact::testing;
 
-const std::filesystem::path kToroid =
-  std::filesystem::path(PIXELEXACT_DATA_DIR) / "toroid_hex_g3_p6.vtu";
-
-vtkNew<vtkPlane> PlaneAt(double z)
-{
-  vtkNew<vtkPlane> plane;
-  plane->SetOrigin(0.0, 0.0, z);
-  plane->SetNormal(0.0, 0.0, 1.0);
-  return plane;
-}
-
 struct Contouring
 {
   vtkNew<vtkHighOrderContour> filter;
@@ -194,7 +183,7 @@ TEST(RoundValues, ThereAreNoneInWhatIsNoRange)
 TEST(ContourFilter, StraightLinesHaveTheirLengths)
 {
   const auto grid = Boxes(2); // f = x + 2 y + 3 z
-  const auto plane = PlaneAt(0.3);
+  const auto plane = MakePlaneAt(0.3);
   Contouring contours(grid, plane);
   contours.filter->SetFieldName("f");
   contours.filter->GenerateValues(3, 1.2, 2.4); // x + 2 y = 0.3, 0.9, 1.5
@@ -242,7 +231,7 @@ TEST(ContourFilter, RefusesAFieldOfTheNameOfItsOwnArrays)
 TEST(ContourFilter, PointsHaveTheValueThatProbingFinds)
 {
   const auto grid = Converted(ReadGrid(kToroid));
-  const auto plane = PlaneAt(0.02);
+  const auto plane = MakePlaneAt(0.02);
   Contouring contours(grid, plane);
   contours.filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "u");
   contours.filter->SetValue(0, 0.02);
@@ -281,7 +270,7 @@ TEST(ContourFilter, PointsHaveTheValueThatProbingFinds)
 TEST(ContourFilter, ContoursOfTrianglesApproachTheseQuadratically)
 {
   const auto grid = Converted(ReadGrid(kToroid));
-  const auto plane = PlaneAt(0.02);
+  const auto plane = MakePlaneAt(0.02);
   Contouring contours(grid, plane);
   contours.filter->SetFieldName("u");
   contours.filter->SetValue(0, 0.02);
@@ -403,7 +392,7 @@ TEST(ContourFilter, OtherFunctionsAreSearchedAndToldSo)
 TEST(ContourFilter, FollowsItsFunctionAndValues)
 {
   const auto grid = Boxes(1);
-  const auto plane = PlaneAt(0.25);
+  const auto plane = MakePlaneAt(0.25);
   Contouring contours(grid, plane);
   EXPECT_EQ(contours.filter->GetNumberOfContours(), 0);
   EXPECT_EQ(contours.Output()->GetNumberOfCells(), 0);
@@ -418,7 +407,7 @@ TEST(ContourFilter, FollowsItsFunctionAndValues)
 TEST(ContourFilter, WrongUseIsAnError)
 {
   const auto grid = Boxes(1);
-  const auto plane = PlaneAt(0.25);
+  const auto plane = MakePlaneAt(0.25);
   const auto errorOf = [&](auto&& change)
   {
     Contouring contours(grid, plane);
@@ -437,7 +426,7 @@ TEST(ContourFilter, WrongUseIsAnError)
   // Chords as short as that would take all memory.
   EXPECT_TRUE(has(errorOf([](Filter f) { f->SetTolerance(1e-13); }), "1e-10"));
   EXPECT_TRUE(has(errorOf([](Filter f) { f->SetValue(0, std::nan("")); }), "finite"));
-  const auto zero = PlaneAt(0.0);
+  const auto zero = MakePlaneAt(0.0);
   zero->SetNormal(0.0, 0.0, 0.0);
   EXPECT_TRUE(has(errorOf([&](Filter f) { f->SetCutFunction(zero); }), "normal"));
 }
@@ -450,7 +439,7 @@ TEST(ContourFilter, MappedFieldsAreRefused)
   reader->SetFileName((folder / "mfem_escher_tet_darcy_p3.mesh").c_str());
   reader->AddGridFunctionFileName((folder / "flux.gf").c_str());
   reader->Update();
-  const auto plane = PlaneAt(0.1);
+  const auto plane = MakePlaneAt(0.1);
   Contouring refused(reader->GetHighOrderOutput(), plane);
   refused.filter->SetValue(0, 0.1);
   EXPECT_EQ(refused.Output()->GetNumberOfCells(), 0);

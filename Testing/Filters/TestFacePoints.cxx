@@ -19,7 +19,7 @@ constexpr int kUsualCount = 1500;
 /// Next to faces: the distances from the face, of the element's size, of three points in a row.
 constexpr double kRow[] = { 0.0, 1e-4, 1e-3 };
 
-struct Points
+struct PointRows
 {
   std::vector<Vec3> on;
   std::vector<Vec3> near;                 ///< at 1e-16 to 1e-6
@@ -38,9 +38,9 @@ Vec3 Beyond(LongMap& map, const Mesh& mesh, int element, const LongVec3& face, l
   return ToDouble(map(element, xi));
 }
 
-Points MakePoints(const Mesh& mesh, int count)
+PointRows MakePoints(const Mesh& mesh, int count)
 {
-  Points points;
+  PointRows points;
   LongMap map(mesh);
   Random random(53);
   for (int i = 0; i < count; ++i)
@@ -74,7 +74,7 @@ TEST_P(FacePoints, AreFoundAndNoGapIsBesideThem)
   ASSERT_NE(grid, nullptr);
   const auto model = HighOrderModel::From(grid);
   const Locator& locator = model->GetLocator();
-  const Points points = MakePoints(model->GetMesh(), FacePointCount(kUsualCount));
+  const PointRows points = MakePoints(model->GetMesh(), FacePointCount(kUsualCount));
 
   const FaceReport on = CheckPoints(locator, points.on);
   on.Print(file.stem().string() + ", on faces");

@@ -16,13 +16,12 @@ namespace
 using namespace pixelexact;
 using namespace pixelexact::testing;
 
-struct Case
+struct BoundaryCase
 {
   const char* file;
   bool lists = false; ///< the file lists its whole boundary, and nothing else
 };
 
-const std::filesystem::path kData = PIXELEXACT_DATA_DIR;
 const std::filesystem::path kShared = PIXELEXACT_SHARED_DATA_DIR;
 
 /// Of the project's own data, else of what is beside it; empty where there is neither.
@@ -38,7 +37,7 @@ std::filesystem::path Find(const std::string& name)
   return {};
 }
 
-class FacesOfFiles : public ::testing::TestWithParam<Case>
+class FacesOfFiles : public ::testing::TestWithParam<BoundaryCase>
 {
 };
 
@@ -126,34 +125,35 @@ TEST(FacesOfPeriodicMeshes, HaveTheAttributesOfBothEnds)
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, FacesOfFiles,
-  ::testing::Values(Case{ "mfem49_tinyzoo_g3_p5/mfem49_tinyzoo_g3_p5.mesh", true },
-    Case{ "mfem_escher_tet_darcy_p3/mfem_escher_tet_darcy_p3.mesh", true },
-    Case{ "nek_hex_aniso_p3p5p7/nek_hex_aniso_p3p5p7.xml" },
-    Case{ "nek_prism_curved_p7/nek_prism_curved_p7.xml" },
-    Case{ "nek_pyramid_curved_p6/nek_pyramid_curved_p6.xml" },
-    Case{ "nek_tet_varp/nek_tet_varp.xml" }, Case{ "dolfinx_hex_g2_p4.vtu" },
-    Case{ "periodic_hex_dg_g3_p4.vtu" }, Case{ "toroid_hex_g3_p6.vtu" },
-    Case{ "toroid_prism_g3_p4.vtu" }, Case{ "escher_tet_g3_p3.vtu" },
-    Case{ "fichera_hex_g3_p4.vtu" }, Case{ "mfem49_pyramid_g3_p4/mfem49_pyramid_g3_p4.mesh", true },
-    Case{ "mfem_fichera_hex_amr_g3_p3/mfem_fichera_hex_amr_g3_p3.mesh", true },
-    Case{ "mfem_fichera_hex_amr_g3_p3/mfem_fichera_hex_amr_g3_p3.vtu" },
-    Case{ "mfem_fichera_hex_g3_p4/mfem_fichera_hex_g3_p4.mesh", true },
-    Case{ "mfem_beam_hex_elast_p4/mfem_beam_hex_elast_p4.mesh", true },
-    Case{ "mfem_toroid_prism_g3_p4/mfem_toroid_prism_g3_p4.mesh", true },
-    Case{ "mfem_periodic_hex_dg_g3_p4/mfem_periodic_hex_dg_g3_p4.mesh" },
-    Case{ "glvis_laghos_hex_g2_dg/glvis_laghos_hex_g2_dg.mesh" },
-    Case{ "mfem_escher_tet_21k_p3/mfem_escher_tet_21k_p3.mesh.gz", true },
-    Case{ "mfem_escher_tet_21k_p3/mfem_escher_tet_21k_p3_zlib.vtu" },
-    Case{ "dray_crazy_hex_bernstein_g20/dray_crazy_hex_bernstein_g20.mesh" },
-    Case{ "nek_ns_cylinder_hexprism_p4/nek_ns_cylinder_hexprism_p4.xml" },
-    Case{ "nek_ns_cylinder_paperscale_p3/nek_ns_cylinder_paperscale_p3.xml" },
-    Case{ "nek_ns_kovasznay_tet_p9/nek_ns_kovasznay_tet_p9.xml" },
-    Case{ "nek_ns_prismhex_p3/nek_ns_prismhex_p3.xml" },
-    Case{ "nek_ns_pipe_prism_tet_p3/nek_ns_pipe_prism_tet_p3.xml" },
-    Case{ "nek_allshapes_p4_p6/nek_allshapes_p4_p6.xml" },
-    Case{ "nek_found_smallmesh_tet_p3/smallmesh.xml" },
-    Case{ "found_vtk_hex_3x3x3_o4/hex_3x3x3_o4.vtk" },
-    Case{ "found_vtk_tets_in_1x1x1_block_o6/tets_in_1x1x1_block_o6.vtk" }),
+  ::testing::Values(BoundaryCase{ "mfem49_tinyzoo_g3_p5/mfem49_tinyzoo_g3_p5.mesh", true },
+    BoundaryCase{ "mfem_escher_tet_darcy_p3/mfem_escher_tet_darcy_p3.mesh", true },
+    BoundaryCase{ "nek_hex_aniso_p3p5p7/nek_hex_aniso_p3p5p7.xml" },
+    BoundaryCase{ "nek_prism_curved_p7/nek_prism_curved_p7.xml" },
+    BoundaryCase{ "nek_pyramid_curved_p6/nek_pyramid_curved_p6.xml" },
+    BoundaryCase{ "nek_tet_varp/nek_tet_varp.xml" }, BoundaryCase{ "dolfinx_hex_g2_p4.vtu" },
+    BoundaryCase{ "periodic_hex_dg_g3_p4.vtu" }, BoundaryCase{ "toroid_hex_g3_p6.vtu" },
+    BoundaryCase{ "toroid_prism_g3_p4.vtu" }, BoundaryCase{ "escher_tet_g3_p3.vtu" },
+    BoundaryCase{ "fichera_hex_g3_p4.vtu" },
+    BoundaryCase{ "mfem49_pyramid_g3_p4/mfem49_pyramid_g3_p4.mesh", true },
+    BoundaryCase{ "mfem_fichera_hex_amr_g3_p3/mfem_fichera_hex_amr_g3_p3.mesh", true },
+    BoundaryCase{ "mfem_fichera_hex_amr_g3_p3/mfem_fichera_hex_amr_g3_p3.vtu" },
+    BoundaryCase{ "mfem_fichera_hex_g3_p4/mfem_fichera_hex_g3_p4.mesh", true },
+    BoundaryCase{ "mfem_beam_hex_elast_p4/mfem_beam_hex_elast_p4.mesh", true },
+    BoundaryCase{ "mfem_toroid_prism_g3_p4/mfem_toroid_prism_g3_p4.mesh", true },
+    BoundaryCase{ "mfem_periodic_hex_dg_g3_p4/mfem_periodic_hex_dg_g3_p4.mesh" },
+    BoundaryCase{ "glvis_laghos_hex_g2_dg/glvis_laghos_hex_g2_dg.mesh" },
+    BoundaryCase{ "mfem_escher_tet_21k_p3/mfem_escher_tet_21k_p3.mesh.gz", true },
+    BoundaryCase{ "mfem_escher_tet_21k_p3/mfem_escher_tet_21k_p3_zlib.vtu" },
+    BoundaryCase{ "dray_crazy_hex_bernstein_g20/dray_crazy_hex_bernstein_g20.mesh" },
+    BoundaryCase{ "nek_ns_cylinder_hexprism_p4/nek_ns_cylinder_hexprism_p4.xml" },
+    BoundaryCase{ "nek_ns_cylinder_paperscale_p3/nek_ns_cylinder_paperscale_p3.xml" },
+    BoundaryCase{ "nek_ns_kovasznay_tet_p9/nek_ns_kovasznay_tet_p9.xml" },
+    BoundaryCase{ "nek_ns_prismhex_p3/nek_ns_prismhex_p3.xml" },
+    BoundaryCase{ "nek_ns_pipe_prism_tet_p3/nek_ns_pipe_prism_tet_p3.xml" },
+    BoundaryCase{ "nek_allshapes_p4_p6/nek_allshapes_p4_p6.xml" },
+    BoundaryCase{ "nek_found_smallmesh_tet_p3/smallmesh.xml" },
+    BoundaryCase{ "found_vtk_hex_3x3x3_o4/hex_3x3x3_o4.vtk" },
+    BoundaryCase{ "found_vtk_tets_in_1x1x1_block_o6/tets_in_1x1x1_block_o6.vtk" }),
   [](const auto& test)
   {
     std::string name = std::filesystem::path(test.param.file).filename().string();

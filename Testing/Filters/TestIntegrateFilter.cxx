@@ -54,17 +54,9 @@ struct Integration
   }
 };
 
-vtkNew<vtkPlane> PlaneAt(double z)
-{
-  vtkNew<vtkPlane> plane;
-  plane->SetOrigin(0.0, 0.0, z);
-  plane->SetNormal(0.0, 0.0, 1.0);
-  return plane;
-}
-
 TEST(IntegrateFilter, APlaneThroughBoxes)
 {
-  const auto plane = PlaneAt(0.3);
+  const auto plane = MakePlaneAt(0.3);
   Integration integration(Boxes(2), plane);
   EXPECT_NEAR(integration.Get("Area"), 1.0, integration.Get("Area", "ErrorBound"));
   EXPECT_LE(integration.Get("Area", "ErrorBound"), 1e-8);
@@ -80,7 +72,7 @@ TEST(IntegrateFilter, APlaneThroughBoxes)
 
 TEST(IntegrateFilter, APlaneInFacesOfBoxesCountsThemOnce)
 {
-  const auto plane = PlaneAt(0.5);
+  const auto plane = MakePlaneAt(0.5);
   Integration integration(Boxes(2), plane);
   EXPECT_NEAR(integration.Get("Area"), 1.0, 1e-8);
   EXPECT_NEAR(integration.Get("Integral"), 3.0, 1e-7);
@@ -140,7 +132,7 @@ TEST(IntegrateFilter, ASphereAndTheBoundary)
 TEST(IntegrateFilter, VtksFiltersConvergeToIt)
 {
   const auto grid = ReadGrid(std::filesystem::path(PIXELEXACT_DATA_DIR) / "toroid_hex_g3_p6.vtu");
-  const auto plane = PlaneAt(0.1);
+  const auto plane = MakePlaneAt(0.1);
   Integration integration(grid, plane);
   integration.filter->SetFieldName("u");
   integration.filter->SetTolerance(1e-4);
@@ -180,7 +172,7 @@ TEST(IntegrateFilter, BoxesToriAndDiscs)
   // The mean of x + 2 y + 3 z is that in the box's middle.
   EXPECT_NEAR(faces.Get("Mean"), 0.5 + 0.625 + 3.0 * 0.6875, 1e-6);
 
-  const auto plane = PlaneAt(0.3);
+  const auto plane = MakePlaneAt(0.3);
   vtkNew<vtkSphere> ball;
   ball->SetCenter(0.5, 0.5, 0.3);
   ball->SetRadius(0.25);
@@ -222,7 +214,7 @@ TEST(IntegrateFilter, AnIsoSurface)
 
 TEST(IntegrateFilter, WrongUseIsRefused)
 {
-  const auto clipped = PlaneAt(0.5);
+  const auto clipped = MakePlaneAt(0.5);
   vtkNew<vtkSuperquadric> wrongClip;
   Integration clip(Boxes(1), clipped);
   clip.filter->AddClipFunction(wrongClip);
@@ -234,7 +226,7 @@ TEST(IntegrateFilter, WrongUseIsRefused)
   unknown.filter->Update();
   EXPECT_NE(unknown.messages->errors.find("planes, spheres"), std::string::npos);
 
-  const auto plane = PlaneAt(0.5);
+  const auto plane = MakePlaneAt(0.5);
   Integration named(Boxes(1), plane);
   named.filter->SetFieldName("q");
   named.filter->Update();

@@ -116,7 +116,7 @@ Vec3 CentreOf(vtkCell* face)
 }
 
 /// As ParaView's Integrate Variables.
-double Volume(vtkUnstructuredGrid* grid)
+double IntegrateVolume(vtkUnstructuredGrid* grid)
 {
   vtkNew<vtkIntegrateAttributes> integrate;
   integrate->SetInputData(grid);
@@ -155,7 +155,7 @@ TEST(LinearCells, AreAsVtkWindsThem)
       }
       const auto grid = Read(solid);
       ASSERT_EQ(grid->GetNumberOfCells(), 1);
-      EXPECT_NEAR(Volume(grid), solid.volume, 1e-14);
+      EXPECT_NEAR(IntegrateVolume(grid), solid.volume, 1e-14);
       ExpectOutward(grid->GetCell(0));
       // Values and attributes are where they belong.
       vtkDataArray* const u = grid->GetPointData()->GetArray("u");
@@ -206,7 +206,7 @@ TEST(LinearCells, OfSubdividedElementsAreAsVtkWindsThem)
       subdivide->Update();
       auto* const parts = vtkUnstructuredGrid::SafeDownCast(subdivide->GetOutputDataObject(0));
       ASSERT_GT(parts->GetNumberOfCells(), 1);
-      EXPECT_NEAR(Volume(parts), solid.volume, 1e-14);
+      EXPECT_NEAR(IntegrateVolume(parts), solid.volume, 1e-14);
       for (vtkIdType cell = 0; cell < parts->GetNumberOfCells(); ++cell)
       {
         ExpectOutward(parts->GetCell(cell));
@@ -228,7 +228,7 @@ TEST(LinearCells, OfAMeshOfAllShapesArePositive)
     one->SetPoints(grid->GetPoints());
     one->Allocate(1);
     one->InsertNextCell(grid->GetCellType(cell), grid->GetCell(cell)->GetPointIds());
-    EXPECT_GT(Volume(one), 0.0) << cell;
+    EXPECT_GT(IntegrateVolume(one), 0.0) << cell;
   }
 }
 } // namespace

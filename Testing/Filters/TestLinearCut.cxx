@@ -31,9 +31,6 @@ namespace
 {
 using namespace pixelexact::testing;
 
-const std::filesystem::path kToroid =
-  std::filesystem::path(PIXELEXACT_DATA_DIR) / "toroid_hex_g3_p6.vtu";
-
 struct Cutting
 {
   vtkNew<vtkHighOrderLinearCut> filter;

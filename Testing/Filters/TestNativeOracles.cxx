@@ -12,7 +12,7 @@ namespace
 using namespace pixelexact;
 using namespace pixelexact::testing;
 
-struct Case
+struct NativeCase
 {
   const char* folder;
   const char* mesh;
@@ -23,25 +23,25 @@ struct Case
   bool folded; ///< overlapping elements: a point may be found in another one
 };
 
-std::ostream& operator<<(std::ostream& os, const Case& c)
+std::ostream& operator<<(std::ostream& os, const NativeCase& c)
 {
   return os << c.folder << "/" << c.values;
 }
 
 /// The whole case where it is at hand; Data/ has some of them, with fewer points.
-std::filesystem::path FolderOf(const Case& c)
+std::filesystem::path FolderOf(const NativeCase& c)
 {
   const std::filesystem::path whole = std::filesystem::path(PIXELEXACT_SHARED_DATA_DIR) / c.folder;
   return std::filesystem::exists(whole) ? whole
                                         : std::filesystem::path(PIXELEXACT_DATA_DIR) / c.folder;
 }
 
-std::string InFolder(const Case& c, const std::string& file)
+std::string InFolder(const NativeCase& c, const std::string& file)
 {
   return (FolderOf(c) / file).string();
 }
 
-vtkSmartPointer<vtkHighOrderFileReader> MakeReader(const Case& c)
+vtkSmartPointer<vtkHighOrderFileReader> MakeReader(const NativeCase& c)
 {
   if (std::string(c.mesh).ends_with(".xml"))
   {
@@ -65,18 +65,18 @@ vtkSmartPointer<vtkHighOrderFileReader> MakeReader(const Case& c)
 /// Nektar++ gets a curved face's coefficients from a system with a mass matrix: its own points are
 /// off by that one's condition. In exact rational arithmetic these two oracles are off by up to
 /// 8e-13 of the element's size where our map is off by 3e-16.
-double PointTolerance(const Case& c)
+double PointTolerance(const NativeCase& c)
 {
   return std::string(c.folder).starts_with("nek_ns_cylinder") ? 2e-12 : 1e-13;
 }
 
-class NativeOracles : public ::testing::TestWithParam<Case>
+class NativeOracles : public ::testing::TestWithParam<NativeCase>
 {
 };
 
 TEST_P(NativeOracles, AreMet)
 {
-  const Case c = GetParam();
+  const NativeCase c = GetParam();
   if (!std::filesystem::exists(FolderOf(c)))
   {
     GTEST_SKIP() << c.folder << " is not on this machine";
@@ -102,7 +102,7 @@ TEST_P(NativeOracles, AreMet)
   }
 }
 
-const Case kCases[] = {
+const NativeCase kNativeCases[] = {
 #define GMSH(name, oracle, field, order)                                                           \
   {                                                                                                \
     name, name ".msh", "", oracle, field, order, false                                             \
@@ -171,10 +171,13 @@ const Case kCases[] = {
 /// Several elements are parts of one of the solver's, so that reference points are not compared.
 TEST(NativeOracles, NurbsAreMet)
 {
-  for (const Case& c : {
-         Case{ "mfem_nurbs_disc", "mfem_nurbs_disc.mesh", "u.gf", "oracle_u.csv", "u", 12, false },
-         Case{ "mfem_nurbs_pipe", "mfem_nurbs_pipe.mesh", "u.gf", "oracle_u.csv", "u", 12, false },
-         Case{ "mfem_nurbs_pipe", "mfem_nurbs_pipe.mesh", "h.gf", "oracle_h.csv", "h", 3, false },
+  for (const NativeCase& c : {
+         NativeCase{
+           "mfem_nurbs_disc", "mfem_nurbs_disc.mesh", "u.gf", "oracle_u.csv", "u", 12, false },
+         NativeCase{
+           "mfem_nurbs_pipe", "mfem_nurbs_pipe.mesh", "u.gf", "oracle_u.csv", "u", 12, false },
+         NativeCase{
+           "mfem_nurbs_pipe", "mfem_nurbs_pipe.mesh", "h.gf", "oracle_h.csv", "h", 3, false },
        })
   {
     const auto reader = MakeReader(c);
@@ -193,6 +196,6 @@ TEST(NativeOracles, NurbsAreMet)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Files, NativeOracles, ::testing::ValuesIn(kCases),
+INSTANTIATE_TEST_SUITE_P(Files, NativeOracles, ::testing::ValuesIn(kNativeCases),
   [](const auto& test) { return std::string(test.param.folder) + "_" + test.param.field; });
 } // namespace

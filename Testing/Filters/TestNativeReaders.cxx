@@ -23,8 +23,6 @@ namespace
 using namespace pixelexact;
 using namespace pixelexact::testing;
 
-const std::filesystem::path kData(PIXELEXACT_DATA_DIR);
-
 /// The solver stops that near its exact solution.
 constexpr double kHalfModeError = 5e-13;
 
@@ -63,7 +61,7 @@ private:
   std::filesystem::path Folder;
 };
 
-vtkSmartPointer<vtkMFEMReader> Darcy()
+vtkSmartPointer<vtkMFEMReader> MakeDarcyReader()
 {
   const auto folder = kData / "mfem_escher_tet_darcy_p3";
   auto reader = vtkSmartPointer<vtkMFEMReader>::New();
@@ -154,7 +152,7 @@ void ExpectTimes(vtkNektarReader* reader, double first, double second)
 
 TEST(NativeReaders, RoundTripOfVectorElements)
 {
-  ExpectRoundTrip(Darcy());
+  ExpectRoundTrip(MakeDarcyReader());
 }
 
 TEST(NativeReaders, RoundTripOfAllShapes)
@@ -169,7 +167,7 @@ TEST(NativeReaders, RoundTripOfVariableOrder)
 
 TEST(NativeReaders, TellTheBasesAndTheGroups)
 {
-  const auto reader = Darcy();
+  const auto reader = MakeDarcyReader();
   reader->Update();
   vtkUnstructuredGrid* grid = reader->GetOutput();
   auto* basis = vtkStringArray::SafeDownCast(
@@ -290,7 +288,7 @@ TEST(NativeReaders, FoldersOfPartsAreOneField)
 
 TEST(NativeReaders, RefuseAFieldOfAnotherMesh)
 {
-  const auto reader = Darcy();
+  const auto reader = MakeDarcyReader();
   reader->AddGridFunctionFileName((kData / "mfem49_tinyzoo_g3_p5" / "u.gf").c_str());
   ExpectRefusal(reader, "u.gf");
 
@@ -307,7 +305,7 @@ TEST(NativeReaders, RefuseWhatIsNotThere)
   vtkNew<vtkMFEMReader> missing;
   missing->SetFileName("/nowhere/a.mesh");
   ExpectRefusal(missing, "/nowhere/a.mesh");
-  const auto twice = Darcy();
+  const auto twice = MakeDarcyReader();
   twice->AddGridFunctionFileName((kData / "mfem_escher_tet_darcy_p3" / "pressure.gf").c_str());
   ExpectRefusal(twice, "pressure");
 }

@@ -39,7 +39,7 @@ std::vector<double> Gll(int n)
   return unit;
 }
 
-double Value(const Vec3& x)
+double CubicValue(const Vec3& x)
 {
   return 1.0 + x.x - 2.0 * x.y * x.z + x.x * x.y * x.y;
 }
@@ -58,7 +58,7 @@ struct Cell
     for (const Vec3& x : nodes)
     {
       xyz.insert(xyz.end(), { x.x, x.y, x.z });
-      values.push_back(Value(x));
+      values.push_back(CubicValue(x));
     }
     auto grid = OneCell(type, xyz);
     AddPointField(grid, "u", values);
@@ -168,7 +168,7 @@ void ExpectSolversField(Filter& filter, Shape shape)
     EXPECT_NEAR(x[0], expected.x, 1e-15);
     EXPECT_NEAR(x[1], expected.y, 1e-15);
     EXPECT_NEAR(x[2], expected.z, 1e-15);
-    EXPECT_NEAR(found->GetValue(0), Value(expected), 1e-14);
+    EXPECT_NEAR(found->GetValue(0), CubicValue(expected), 1e-14);
   }
 }
 
@@ -228,11 +228,11 @@ std::vector<double> Equispaced(int n)
   return unit;
 }
 
-using Points = std::vector<double> (*)(int);
+using NodeFamily = std::vector<double> (*)(int);
 using Map = Vec3 (*)(const Vec3&);
 
 /// A hexahedron of order n whose nodes are the images of these points.
-vtkSmartPointer<vtkUnstructuredGrid> Bent(int n, Points points, Map map)
+vtkSmartPointer<vtkUnstructuredGrid> Bent(int n, NodeFamily points, Map map)
 {
   Cell cell = Hexahedron({ n, n, n });
   const auto z = points(n);
@@ -251,7 +251,7 @@ vtkSmartPointer<vtkUnstructuredGrid> Bent(int n, Points points, Map map)
   return cell.Grid();
 }
 
-Vec3 Straight(const Vec3& x)
+Vec3 MapLinearly(const Vec3& x)
 {
   return { 2 * x.x + x.y, x.y, x.z - x.x / 2 };
 }
@@ -271,7 +271,7 @@ Vec3 Ring(const Vec3& x)
 
 TEST(NodeConventions, PlacesOfNodesAreFoundOnCurvedEdges)
 {
-  for (const Map map : { &Straight, &Quadratic, &Ring })
+  for (const Map map : { &MapLinearly, &Quadratic, &Ring })
   {
     for (const int n : { 3, 4, 5 })
     {

@@ -10,7 +10,7 @@ namespace
 using namespace pixelexact;
 using namespace pixelexact::testing;
 
-struct Case
+struct GridCase
 {
   const char* grid;
   const char* oracle;
@@ -19,7 +19,7 @@ struct Case
   bool unitElements; ///< the oracle's r, s, t are on the unit elements, ours up to scale
 };
 
-std::ostream& operator<<(std::ostream& os, const Case& c)
+std::ostream& operator<<(std::ostream& os, const GridCase& c)
 {
   return os << c.grid;
 }
@@ -47,7 +47,7 @@ double Lebesgue(int n)
   return largest;
 }
 
-void CheckOracle(const Case& c)
+void CheckOracle(const GridCase& c)
 {
   const Table table = ReadOracle(FindData(c.oracle));
   Conversion conversion(ReadGrid(FindData(c.grid)));
@@ -70,7 +70,7 @@ void CheckOracle(const Case& c)
   EXPECT_LE(errors.point, std::max(1e-13, share));
 }
 
-class Oracles : public ::testing::TestWithParam<Case>
+class Oracles : public ::testing::TestWithParam<GridCase>
 {
 };
 
@@ -83,7 +83,7 @@ TEST_P(Oracles, AreMet)
   CheckOracle(GetParam());
 }
 
-const Case kCases[] = {
+const GridCase kGridCases[] = {
   // The project's own.
   { "toroid_hex_g3_p6.vtu", "toroid_hex_g3_p6.oracle.csv", "u", 6, true },
   { "escher_tet_g3_p3.vtu", "escher_tet_g3_p3.oracle.csv", "u", 3, true },
@@ -126,14 +126,14 @@ TEST(OraclesOfData, AreMetOnEveryInstructionSet)
   OnEveryInstructionSet(
     [&]
     {
-      for (const Case& c : std::span(kCases).first(kOwn))
+      for (const GridCase& c : std::span(kGridCases).first(kOwn))
       {
         CheckOracle(c);
       }
     });
 }
 
-INSTANTIATE_TEST_SUITE_P(Files, Oracles, ::testing::ValuesIn(kCases),
+INSTANTIATE_TEST_SUITE_P(Files, Oracles, ::testing::ValuesIn(kGridCases),
   [](const auto& test)
   {
     std::string name =

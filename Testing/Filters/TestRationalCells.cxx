@@ -138,7 +138,7 @@ TEST(RationalCells, AreRoundAndAsVtkHasThem)
 
 /// One Bezier cell of order 2 whose control points are off their even places, with random weights
 /// and values; or a quarter of a disc (prism: of a cylinder; tetrahedron: of a cone) of radius 1.
-vtkSmartPointer<vtkUnstructuredGrid> OneCell(int type, bool isRound)
+vtkSmartPointer<vtkUnstructuredGrid> MakeRationalCell(int type, bool isRound)
 {
   const bool isPlane = type == VTK_BEZIER_TRIANGLE;
   const vtkIdType points = isPlane ? 6 : type == VTK_BEZIER_WEDGE ? 18 : 10;
@@ -189,7 +189,7 @@ vtkSmartPointer<vtkUnstructuredGrid> OneCell(int type, bool isRound)
 /// Largest differences from VTK's own functions, and of |(x, y)| from 1 on the arc.
 Errors CompareOne(int type, bool isRound)
 {
-  const auto grid = OneCell(type, isRound);
+  const auto grid = MakeRationalCell(type, isRound);
   vtkNew<vtkUnstructuredGridToHighOrderGrid> convert;
   convert->SetInputData(grid);
   convert->Update();

@@ -20,26 +20,26 @@ namespace
 using namespace pixelexact;
 using namespace pixelexact::testing;
 
-struct Kind
+struct StoredCell
 {
   int type;
   int points;
   Shape shape;
 };
 
-std::ostream& operator<<(std::ostream& os, const Kind& kind)
+std::ostream& operator<<(std::ostream& os, const StoredCell& kind)
 {
   return os << "type " << kind.type << " with " << kind.points << " points";
 }
 
-Vec3 Bend(const Vec3& x)
+Vec3 BendPoint(const Vec3& x)
 {
   return { x.x + 0.05 * std::sin(2 * x.y + x.z), x.y + 0.05 * std::cos(x.x - 2 * x.z),
     x.z + 0.05 * std::sin(x.x + x.y) };
 }
 
 /// Our reference coordinates of a node, from VTK's parametric ones.
-Vec3 ReferenceOf(const Kind& kind, const double* rst)
+Vec3 ReferenceOf(const StoredCell& kind, const double* rst)
 {
   const Vec3 c(2 * rst[0] - 1, 2 * rst[1] - 1, 2 * rst[2] - 1);
   switch (kind.shape)
@@ -55,13 +55,13 @@ Vec3 ReferenceOf(const Kind& kind, const double* rst)
   }
 }
 
-class RoundTrip : public ::testing::TestWithParam<Kind>
+class RoundTrip : public ::testing::TestWithParam<StoredCell>
 {
 };
 
 TEST_P(RoundTrip, FindsItsPoints)
 {
-  const Kind kind = GetParam();
+  const StoredCell kind = GetParam();
   auto grid = OneCell(kind.type, std::vector<double>(3 * kind.points, 0.0));
   const double* rst = grid->GetCell(0)->GetParametricCoords();
   ASSERT_NE(rst, nullptr);
@@ -69,7 +69,7 @@ TEST_P(RoundTrip, FindsItsPoints)
   std::vector<double> u;
   for (int i = 0; i < kind.points; ++i)
   {
-    const Vec3 x = Bend(ReferenceOf(kind, rst + 3 * i));
+    const Vec3 x = BendPoint(ReferenceOf(kind, rst + 3 * i));
     xyz.insert(xyz.end(), { x.x, x.y, x.z });
     u.push_back(std::cos(x.x) + x.y * x.z);
   }
@@ -113,7 +113,7 @@ TEST_P(RoundTrip, FindsItsPoints)
   }
 }
 
-const Kind kKinds[] = {
+const StoredCell kStoredCells[] = {
   { VTK_TETRA, 4, Shape::Tetrahedron },
   { VTK_QUADRATIC_TETRA, 10, Shape::Tetrahedron },
   { VTK_VOXEL, 8, Shape::Hexahedron },
@@ -133,6 +133,6 @@ const Kind kKinds[] = {
   { VTK_LAGRANGE_WEDGE, 75, Shape::Prism },
 };
 
-INSTANTIATE_TEST_SUITE_P(All, RoundTrip, ::testing::ValuesIn(kKinds),
+INSTANTIATE_TEST_SUITE_P(All, RoundTrip, ::testing::ValuesIn(kStoredCells),
   [](const auto& test) { return "Type" + std::to_string(test.param.type); });
 } // namespace

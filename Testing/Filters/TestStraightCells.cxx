@@ -20,21 +20,22 @@ namespace
 using namespace pixelexact;
 using namespace pixelexact::testing;
 
-struct Kind
+struct StraightCell
 {
   int type;
   Shape shape;
 };
-constexpr std::array kKinds{ Kind{ VTK_QUADRATIC_TETRA, Shape::Tetrahedron },
-  Kind{ VTK_QUADRATIC_HEXAHEDRON, Shape::Hexahedron },
-  Kind{ VTK_BIQUADRATIC_QUADRATIC_HEXAHEDRON, Shape::Hexahedron },
-  Kind{ VTK_TRIQUADRATIC_HEXAHEDRON, Shape::Hexahedron },
-  Kind{ VTK_QUADRATIC_LINEAR_WEDGE, Shape::Prism }, Kind{ VTK_QUADRATIC_WEDGE, Shape::Prism },
-  Kind{ VTK_BIQUADRATIC_QUADRATIC_WEDGE, Shape::Prism },
-  Kind{ VTK_QUADRATIC_PYRAMID, Shape::Pyramid } };
+constexpr std::array kStraightCells{ StraightCell{ VTK_QUADRATIC_TETRA, Shape::Tetrahedron },
+  StraightCell{ VTK_QUADRATIC_HEXAHEDRON, Shape::Hexahedron },
+  StraightCell{ VTK_BIQUADRATIC_QUADRATIC_HEXAHEDRON, Shape::Hexahedron },
+  StraightCell{ VTK_TRIQUADRATIC_HEXAHEDRON, Shape::Hexahedron },
+  StraightCell{ VTK_QUADRATIC_LINEAR_WEDGE, Shape::Prism },
+  StraightCell{ VTK_QUADRATIC_WEDGE, Shape::Prism },
+  StraightCell{ VTK_BIQUADRATIC_QUADRATIC_WEDGE, Shape::Prism },
+  StraightCell{ VTK_QUADRATIC_PYRAMID, Shape::Pyramid } };
 
 /// A straight cell: of xi in the reference shape, by its own kind of linear map.
-Vec3 Straight(Shape shape, const Vec3& xi)
+Vec3 MapStraight(Shape shape, const Vec3& xi)
 {
   const Vec3 x = (xi + 1.0) / 2.0;
   Vec3 image(0.7 + 1.1 * x.x - 0.3 * x.y + 0.2 * x.z, -0.4 + 0.2 * x.x + 0.9 * x.y,
@@ -68,7 +69,7 @@ Vec3 Reference(Shape shape, const double* rst)
 
 /// Nodes are rounded to the points' type. `bulge` moves the last one along y.
 vtkSmartPointer<vtkUnstructuredGrid> StraightGrid(
-  const Kind& kind, double offset, double bulge = 0.0, int pointType = VTK_DOUBLE)
+  const StraightCell& kind, double offset, double bulge = 0.0, int pointType = VTK_DOUBLE)
 {
   vtkNew<vtkGenericCell> cell;
   cell->SetCellType(kind.type);
@@ -80,7 +81,7 @@ vtkSmartPointer<vtkUnstructuredGrid> StraightGrid(
   for (vtkIdType i = 0; i < count; ++i)
   {
     const Vec3 x =
-      offset + Straight(kind.shape, Reference(kind.shape, cell->GetParametricCoords() + 3 * i));
+      offset + MapStraight(kind.shape, Reference(kind.shape, cell->GetParametricCoords() + 3 * i));
     points->InsertNextPoint(x.x, x.y + (i + 1 == count ? bulge : 0.0), x.z);
     field.push_back(static_cast<double>(i * i));
   }
@@ -100,7 +101,7 @@ TEST(StraightCells, AreOfOrderOneAndStayInPlace)
 {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> eta(-1.0, 1.0);
-  for (const Kind& kind : kKinds)
+  for (const StraightCell& kind : kStraightCells)
   {
     for (const double offset : { 0.0, 1e6 })
     {
@@ -119,7 +120,7 @@ TEST(StraightCells, AreOfOrderOneAndStayInPlace)
         const double xi[3] = { at.x, at.y, at.z };
         double x[3];
         ASSERT_TRUE(output->MapForward(0, xi, x));
-        const Vec3 expected = Straight(kind.shape, at);
+        const Vec3 expected = MapStraight(kind.shape, at);
         for (int d = 0; d < 3; ++d)
         {
           EXPECT_NEAR(x[d] - offset, expected[d], uncertainty + 1e-16 * (1.0 + offset))
@@ -133,7 +134,7 @@ TEST(StraightCells, AreOfOrderOneAndStayInPlace)
 
 TEST(StraightCells, ABulgeAboveRoundingIsKept)
 {
-  for (const Kind& kind : kKinds)
+  for (const StraightCell& kind : kStraightCells)
   {
     EXPECT_EQ(GeometryOrder(StraightGrid(kind, 0.0, 1e-13)), 2) << "type " << kind.type;
   }
@@ -141,7 +142,7 @@ TEST(StraightCells, ABulgeAboveRoundingIsKept)
 TEST(StraightCells, MeetCurvedNeighboursWhereTheyDid)
 {
   // Beside the straight hexahedron one whose far side bulges; both have the nodes of their face.
-  const Kind kind{ VTK_QUADRATIC_HEXAHEDRON, Shape::Hexahedron };
+  const StraightCell kind{ VTK_QUADRATIC_HEXAHEDRON, Shape::Hexahedron };
   const auto straight = StraightGrid(kind, 0.0);
   const auto curved = StraightGrid(kind, 0.0);
   vtkNew<vtkGenericCell> cell;
@@ -149,7 +150,7 @@ TEST(StraightCells, MeetCurvedNeighboursWhereTheyDid)
   for (vtkIdType i = 0; i < cell->GetNumberOfPoints(); ++i)
   {
     const double* rst = cell->GetParametricCoords() + 3 * i;
-    const Vec3 x = Straight(kind.shape, Reference(kind.shape, rst) + Vec3(2, 0, 0));
+    const Vec3 x = MapStraight(kind.shape, Reference(kind.shape, rst) + Vec3(2, 0, 0));
     curved->GetPoints()->SetPoint(i, x.x + 0.2 * rst[0] * rst[1] * (1 - rst[1]), x.y, x.z);
   }
   EXPECT_EQ(GeometryOrder(straight), 1);

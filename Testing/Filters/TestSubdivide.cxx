@@ -27,8 +27,6 @@ namespace
 {
 using namespace pixelexact::testing;
 
-const std::filesystem::path kData = PIXELEXACT_DATA_DIR;
-
 struct Subdividing
 {
   vtkNew<vtkHighOrderSubdivide> filter;
@@ -48,7 +46,7 @@ struct Subdividing
 };
 
 /// Of a cell, by its faces' triangles.
-double Volume(vtkCell* cell)
+double ComputeVolume(vtkCell* cell)
 {
   double volume = 0.0;
   const auto at = [](vtkCell* face, vtkIdType i)
@@ -72,12 +70,12 @@ double Volume(vtkCell* cell)
 }
 
 /// Of the cells, each of which must be positive.
-double Volume(vtkUnstructuredGrid* grid)
+double ComputeVolume(vtkUnstructuredGrid* grid)
 {
   double sum = 0.0;
   for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
   {
-    const double volume = Volume(grid->GetCell(i));
+    const double volume = ComputeVolume(grid->GetCell(i));
     EXPECT_GT(volume, 0.0) << i;
     sum += volume;
   }
@@ -129,7 +127,7 @@ TEST(Subdivide, CellsOfEachShapeFillItAndFit)
       const vtkIdType n = vtkIdType{ 1 } << level;
       vtkUnstructuredGrid* output = subdividing.At(level);
       ASSERT_EQ(output->GetNumberOfCells(), shape.cells(n)) << shape.type << " level " << level;
-      EXPECT_NEAR(Volume(output), shape.volume, 1e-12) << shape.type << " level " << level;
+      EXPECT_NEAR(ComputeVolume(output), shape.volume, 1e-12) << shape.type << " level " << level;
       // Where two cells do not fit, faces between them count as outer ones.
       EXPECT_EQ(FacesOutside(output), shape.faces(n)) << shape.type << " level " << level;
     }
@@ -182,7 +180,7 @@ TEST(Subdivide, CurvedVolumesConvergeAtSecondOrder)
     std::vector<double> volumes;
     for (int level = 1; level <= 4; ++level)
     {
-      volumes.push_back(Volume(subdividing.At(level)));
+      volumes.push_back(ComputeVolume(subdividing.At(level)));
     }
     for (std::size_t i = 0; i + 2 < volumes.size(); ++i)
     {

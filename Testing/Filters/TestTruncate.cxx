@@ -18,8 +18,6 @@ namespace
 using namespace pixelexact;
 using namespace pixelexact::testing;
 
-const std::filesystem::path kData = PIXELEXACT_DATA_DIR;
-
 vtkSmartPointer<vtkUnstructuredGrid> Truncated(vtkHighOrderTruncate* filter, vtkDataObject* grid)
 {
   filter->SetInputData(grid);
