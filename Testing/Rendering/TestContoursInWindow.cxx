@@ -14,6 +14,7 @@ namespace pixelexact
 {
 namespace
 {
+using testing::Contains;
 using testing::CutScene;
 using testing::FieldU;
 using testing::Rgb;
@@ -70,10 +71,6 @@ protected:
   vtkNew<testing::ErrorObserver> Errors;
 };
 
-bool Contains(const std::string& text, const char* part)
-{
-  return text.find(part) != std::string::npos;
-}
 } // namespace
 
 TEST_F(ContoursInWindow, GoWhereTheFieldHasTheirValues)

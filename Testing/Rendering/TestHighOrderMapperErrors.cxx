@@ -13,6 +13,7 @@ namespace pixelexact
 {
 namespace
 {
+using testing::Contains;
 using testing::CutScene;
 using testing::Window;
 
@@ -39,10 +40,6 @@ protected:
   vtkNew<testing::ErrorObserver> Errors;
 };
 
-bool Contains(const std::string& text, const char* part)
-{
-  return text.find(part) != std::string::npos;
-}
 } // namespace
 
 TEST_F(HighOrderMapperErrors, NoneInASoundScene)

@@ -18,7 +18,6 @@ using testing::CutScene;
 using testing::Rgb;
 using testing::Window;
 
-constexpr std::array<int, 4> kWhole{ 0, 0, Window::kWidth, Window::kHeight };
 } // namespace
 
 class HighOrderMapperPicture : public ::testing::TestWithParam<std::tuple<bool, int>>
@@ -36,7 +35,7 @@ TEST_P(HighOrderMapperPicture, GeometryHidesAndIsHidden)
     window.Renderer->AddActor(cutFirst ? scene.Sphere : scene.Cut);
     CutScene::Look(window.Renderer, parallel);
     window.Render();
-    CutScene::ExpectPicture(window, kWhole);
+    CutScene::ExpectPicture(window, Window::kWhole);
     EXPECT_EQ(scene.Mapper->GetNumberOfTraces(), 1);
   }
 }
@@ -85,7 +84,7 @@ TEST(HighOrderMapper, TranslucentGeometryInFront)
     CutScene::Look(window.Renderer, false);
     window.Render();
     CutScene::ExpectPicture(
-      window, kWhole,
+      window, Window::kWhole,
       [](const Rgb& behind)
       {
         Rgb color{};
@@ -222,11 +221,11 @@ TEST(HighOrderMapper, OneMapperInTwoWindows)
     for (Window* window : { &first, &second, &first })
     {
       window->Render();
-      CutScene::ExpectPicture(*window, kWhole);
+      CutScene::ExpectPicture(*window, Window::kWhole);
     }
     first.RenderWindow->Finalize();
     second.Render();
-    CutScene::ExpectPicture(second, kWhole);
+    CutScene::ExpectPicture(second, Window::kWhole);
     // Each window has its frame.
     EXPECT_EQ(scene.Mapper->GetNumberOfTraces(), 2 * (i + 1));
   }

@@ -25,8 +25,6 @@ namespace
 using testing::CutScene;
 using testing::Window;
 
-constexpr std::array<int, 4> kWhole{ 0, 0, Window::kWidth, Window::kHeight };
-
 vtkSmartPointer<vtkRenderPass> Chain(vtkRenderPass* ours)
 {
   vtkNew<vtkRenderPassCollection> passes;
@@ -74,7 +72,7 @@ TEST(HighOrderRayPass, DrawsWhatTheMapperDraws)
     ResetRange(asPass, pass);
     asPass.Render();
     EXPECT_EQ(pass->GetNumberOfRenderedProps(), 1);
-    CutScene::ExpectPicture(asPass, kWhole);
+    CutScene::ExpectPicture(asPass, Window::kWhole);
 
     // Two windows, two models, two ways: one set of bits.
     for (const char* name : { "Value", "Position", "Xi", "Depth" })
@@ -108,7 +106,7 @@ TEST(HighOrderRayPass, BesideTheOpaquePassOfTheDefaultSteps)
   CutScene::Look(window.Renderer, false);
   ResetRange(window, pass);
   window.Render();
-  CutScene::ExpectPicture(window, kWhole);
+  CutScene::ExpectPicture(window, Window::kWhole);
 }
 
 TEST(HighOrderRayPass, UnderSuperSampling)

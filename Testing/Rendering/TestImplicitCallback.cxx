@@ -19,6 +19,7 @@ namespace pixelexact
 {
 namespace
 {
+using testing::Contains;
 using testing::ErrorObserver;
 
 class Answer : public vtkCommand
@@ -71,10 +72,6 @@ protected:
   vtkNew<ErrorObserver> Errors;
 };
 
-bool Contains(const std::string& text, const char* part)
-{
-  return text.find(part) != std::string::npos;
-}
 } // namespace
 
 TEST_F(ImplicitCallback, AnswersAsAnyFunction)

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // VTK's Bezier quadrilaterals and plain control points, as patches: against VTK's own evaluation.
+#include "Window.h"
+
 #include "Surfaces/VtkPatches.h"
 
 #include "Core/Base/Error.h"
@@ -25,6 +27,8 @@ namespace pixelexact
 {
 namespace
 {
+using testing::Contains;
+
 /// The patch at (u, v), by de Casteljau's rule.
 std::array<long double, 3> Evaluate(const BezierPatch& patch, double u, double v)
 {
@@ -108,10 +112,6 @@ std::string Refusal(vtkPointSet* data)
   return "";
 }
 
-bool Contains(const std::string& text, const char* part)
-{
-  return text.find(part) != std::string::npos;
-}
 } // namespace
 
 TEST(VtkPatches, AreThePointsThatVtkEvaluates)

@@ -35,6 +35,7 @@ class Window
 public:
   static constexpr int kWidth = 320;
   static constexpr int kHeight = 240;
+  static constexpr std::array<int, 4> kWhole{ 0, 0, kWidth, kHeight }; ///< as a viewport
   static constexpr Rgb kBackground{ 0, 0, 51 };
 
   explicit Window(int multiSamples = 0)
@@ -154,4 +155,9 @@ public:
   int Count = 0;
   std::string Text;
 };
+
+inline bool Contains(const std::string& text, const char* part)
+{
+  return text.find(part) != std::string::npos;
+}
 } // namespace pixelexact::testing
