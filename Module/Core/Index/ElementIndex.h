@@ -39,22 +39,8 @@ public:
     return Boxes[static_cast<std::size_t>(element)];
   }
 
-  /// The elements whose boxes meet a box, best owner first (see SetPriority). No element that does
-  /// is left out.
+  /// The elements whose boxes meet a box, by ascending number. No element that does is left out.
   void FindNear(const Box3& region, std::vector<int>& elements) const;
-  /// The elements whose boxes some of the segments may meet, best owner first: all that do, and for
-  /// several segments some between them. Segments with an end that is not finite are left out: see
-  /// ClipRay.
-  void FindAlong(std::span<const Segment> segments, std::vector<int>& elements) const;
-  /// ClipRay by the mesh's box.
-  [[nodiscard]] std::optional<Segment> ClipRay(
-    const Vec3& origin, const Vec3& direction, double tNear, double tFar) const;
-
-  /// Which of several elements that hold a point owns it: the one of the lowest priority, then of
-  /// the lowest number. One entry per element, or none: all alike. Meant for the parts of a
-  /// distributed mesh, whose numbers are not the whole mesh's. Not to be called while others use
-  /// the index.
-  void SetPriority(std::span<const std::int64_t> priority);
 
   [[nodiscard]] const ElementBounds& BoundsOf(int element) const
   {
@@ -80,13 +66,11 @@ public:
 
 private:
   const ElementBounds& MakeBounds(int element) const;
-  void SortByPriority(std::vector<int>& elements) const;
 
   Mesh TheMesh;
   Box3 MeshBounds;
   std::vector<Box3> Boxes;
   std::unique_ptr<Bvh> Hierarchy;
-  std::vector<std::int64_t> Priority;
   std::unique_ptr<std::atomic<const ElementBounds*>[]> Made;
   mutable std::atomic<int> MadeCount{ 0 };
   /// Before the trees, which subtract from it when they go.

@@ -89,7 +89,7 @@ public:
   void LocateAll(std::span<const Vec3> points, PreimageSink& sink) const;
 
   [[nodiscard]] const ElementIndex& Index() const { return TheIndex; }
-  /// To set owners' priorities or the trees' limit.
+  /// To set the trees' limit.
   [[nodiscard]] ElementIndex& Index() { return TheIndex; }
   [[nodiscard]] const Mesh& GetMesh() const { return TheIndex.GetMesh(); }
   /// The box of the whole mesh, certified; lower > upper for an empty mesh.
