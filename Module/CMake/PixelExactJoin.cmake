@@ -16,6 +16,10 @@ function(pixelexact_get_folder source folder_variable is_kernel_variable)
   endif()
 endfunction()
 
+# A folder with more sources than this is compiled as several units, so that processors share it and
+# no compiler needs more than about 1.5 GB.
+set(PIXELEXACT_MAX_JOINED_SOURCES 28)
+
 # pixelexact_join(TARGET SOURCES...)
 #
 # Joins the target's sources, except kernels and sources with options of their own.
@@ -27,11 +31,26 @@ function(pixelexact_join name)
   # gcc spares types of the main source, which here is the one that CMake writes.
   target_compile_options(${name} PRIVATE
     $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+  set(folders)
   foreach(source IN LISTS ARGN)
     pixelexact_get_folder("${source}" folder is_kernel)
     if(NOT is_kernel)
-      set_source_files_properties("${source}" PROPERTIES UNITY_GROUP "${folder}")
+      list(APPEND folders ${folder})
+      list(APPEND sources_${folder} "${source}")
     endif()
+  endforeach()
+  list(REMOVE_DUPLICATES folders)
+  foreach(folder IN LISTS folders)
+    # Units of a folder have equal numbers of sources, up to one. The first has the folder's name.
+    list(LENGTH sources_${folder} count)
+    math(EXPR units "1 + (${count} - 1) / ${PIXELEXACT_MAX_JOINED_SOURCES}")
+    set(index 0)
+    foreach(source IN LISTS sources_${folder})
+      math(EXPR unit "${index} * ${units} / ${count}")
+      string(REGEX REPLACE "_0$" "" group "${folder}_${unit}")
+      set_source_files_properties("${source}" PROPERTIES UNITY_GROUP "${group}")
+      math(EXPR index "${index} + 1")
+    endforeach()
   endforeach()
 endfunction()
 

@@ -37,7 +37,11 @@ function(pixelexact_add_test name)
     PIXELEXACT_SHARED_DATA_DIR="${PIXELEXACT_SHARED_DATA_DIR}")
   target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}/Testing")
   target_link_libraries(${name} PRIVATE PixelExactWarnings ${arg_LINK} GTest::gtest_main)
-  pixelexact_precompile(${name} <gtest/gtest.h> ${arg_PRECOMPILE})
+  pixelexact_join(${name} ${arg_SOURCES})
+  # Units that join many sources are too few to gain what precompiling costs.
+  if(NOT PIXELEXACT_JOINED_BUILD)
+    pixelexact_precompile(${name} <gtest/gtest.h> ${arg_PRECOMPILE})
+  endif()
 
   set(launcher)
   if(arg_XVFB)
