@@ -38,10 +38,7 @@ function(pixelexact_add_test name)
   target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}/Testing")
   target_link_libraries(${name} PRIVATE PixelExactWarnings ${arg_LINK} GTest::gtest_main)
   pixelexact_join(${name} ${arg_SOURCES})
-  # Units that join many sources are too few to gain what precompiling costs.
-  if(NOT PIXELEXACT_JOINED_BUILD)
-    pixelexact_precompile(${name} <gtest/gtest.h> ${arg_PRECOMPILE})
-  endif()
+  pixelexact_precompile(${name} <gtest/gtest.h> ${arg_PRECOMPILE})
 
   set(launcher)
   if(arg_XVFB)
