@@ -16,6 +16,8 @@ NETCDF4 = DATA / "exodus_netcdf4.e"
 CGNS = DATA / "cgns_hexa27.cgns"
 CUBIC = DATA / "cgns_hexa64.cgns"
 ORDERS = DATA / "cgns_orders.cgns"
+PENTAHEDRA = DATA / "cgns_pentahedra.cgns"
+PYRAMID = DATA / "cgns_pyramid14.cgns"
 BOUNDARIES = DATA / "cgns_boundaries.cgns"
 
 
@@ -314,6 +316,32 @@ class Blocks(ToolTest):
         x, y, z = np.array(points).T
         values = x**3 - 2 * x * y * z + 0.5 * y * y * z - z * z + 0.25 * x
         np.testing.assert_allclose(found["value"], values, rtol=0, atol=5e-14)
+
+    @unittest.skipUnless(known(CGNS, "CGNS"), "VTK has no reader of CGNS")
+    def test_quadratic_pentahedra_of_cgns(self):
+        """PENTA_15 at x = 0 and PENTA_18 at x = 3, curved, their nodes as the format's document has them."""
+        stream = random.Random(6)
+        points, values = [], []
+        for begin in (0, 3):
+            for _ in range(25):
+                r, s = sorted((stream.random(), stream.random()))
+                s, t = 1 - s, stream.random()
+                points.append((begin + r + t * t / 8, s - r * t / 16, t + r * s / 8))
+                values.append(r * r - 2 * s * t + r / 2)
+        table = self.folder / "points.csv"
+        table.write_text("x,y,z\n" + "".join(",".join(map(repr, p)) + "\n" for p in points))
+        out = self.folder / "values.csv"
+        result = self.succeeds("probe", PENTAHEDRA, "--field", "u", "--points", table, "--output", out)
+        self.assertNotIn("warning", result.stderr)
+        found = columns(read_csv(out))
+        self.assertEqual(set(found["verdict"]), {"inside"})
+        np.testing.assert_allclose(found["value"], values, rtol=0, atol=1e-14)
+
+    @unittest.skipUnless(known(CGNS, "CGNS"), "VTK has no reader of CGNS")
+    def test_pyramids_of_14_nodes_are_refused_by_name(self):
+        """The format defines no functions on them, and VTK's reader takes them for cells of 13 nodes."""
+        result = self.fails(1, "info", PYRAMID, names=["PYRA_14", "PYRA_5"])
+        self.assertNotIn("damaged", result.stderr)
 
     @unittest.skipUnless(known(CGNS, "CGNS"), "VTK has no reader of CGNS")
     def test_boundary_conditions_of_cgns(self):

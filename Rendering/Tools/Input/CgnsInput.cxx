@@ -34,7 +34,8 @@ constexpr int kCubicPoints = 64;
 constexpr int kCubicTetrahedronPoints = 20;
 constexpr int kTenthEdge = 28; ///< of a cubic hexahedron, with two nodes as the next one
 constexpr int kCubicWedgePoints = 40;
-constexpr int kThirdSquare = 34; ///< of a cubic wedge, with four nodes
+constexpr int kThirdSquare = 34;   ///< of a cubic wedge, with four nodes
+constexpr int kPyramidPoints = 14; ///< of PYRA_14, which VTK's reader makes a cell of 13 nodes
 
 /// Exchanges `count` nodes with as many behind them, in all cells of a kind.
 void ExchangeNodes(vtkUnstructuredGrid& grid, int type, vtkIdType size, int first, int count)
@@ -67,12 +68,19 @@ void MendCubicCells(vtkUnstructuredGrid& grid)
   }
 }
 
-/// VTK's reader makes empty cells of elements that it does not know.
+/// VTK's reader makes empty cells of elements that it does not know, and invalid ones of PYRA_14.
 void RefuseUnknownElements(
   vtkUnstructuredGrid& grid, const std::vector<CgnsZone>& zones, const std::string& file)
 {
   for (vtkIdType cell = 0; cell < grid.GetNumberOfCells(); ++cell)
   {
+    if (grid.GetCellType(cell) == VTK_QUADRATIC_PYRAMID &&
+      grid.GetCells()->GetCellSize(cell) == kPyramidPoints)
+    {
+      CannotRead(file,
+        "it has elements PYRA_14, of which the format defines the nodes, but no functions; write "
+        "PYRA_5, or elements of other shapes, such as TETRA_10, PENTA_18 and HEXA_27");
+    }
     if (grid.GetCellType(cell) == VTK_EMPTY_CELL)
     {
       std::set<std::string> types;
