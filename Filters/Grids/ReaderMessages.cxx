@@ -9,14 +9,14 @@ namespace pixelexact
 {
 void ReaderMessages::Execute(vtkObject* /*caller*/, unsigned long event, void* data)
 {
-  const std::string message = data ? MessageEssence(static_cast<const char*>(data)) : std::string();
+  const std::string_view message = data ? static_cast<const char*>(data) : "";
   if (event == vtkCommand::WarningEvent)
   {
-    AddOnce(warnings, message);
+    AddWarning(warnings, message);
   }
   else if (error.empty())
   {
-    error = message;
+    error = MessageEssence(message);
   }
 }
 
@@ -55,6 +55,15 @@ std::string MessageEssence(std::string_view text)
     essence.pop_back();
   }
   return essence;
+}
+
+void AddWarning(std::vector<std::string>& lines, std::string_view text)
+{
+  const std::string essence = MessageEssence(text);
+  if (!essence.starts_with("Could not locate key vtkExodusIIReader::"))
+  {
+    AddOnce(lines, essence);
+  }
 }
 
 void AddOnce(std::vector<std::string>& lines, const std::string& line)

@@ -29,6 +29,10 @@ public:
 /// "ERROR: In x.cxx, line 7\nvtkReader (0x5581): Cannot read." becomes "Cannot read", on one line.
 PIXELEXACTFILTERS_EXPORT std::string MessageEssence(std::string_view text);
 
+/// Adds the essence of a warning, once. Left out are keys of vtkExodusIIReader, which ParaView
+/// saves with what it has read by it: they say nothing of mesh or fields.
+PIXELEXACTFILTERS_EXPORT void AddWarning(std::vector<std::string>& lines, std::string_view text);
+
 /// Adds a line that is not there yet.
 PIXELEXACTFILTERS_EXPORT void AddOnce(std::vector<std::string>& lines, const std::string& line);
 } // namespace pixelexact

@@ -215,9 +215,11 @@ class Warnings(FileTest):
         )
         text = unit_cube_grid([("u", np.arange(8.0)), ("v", np.arange(8.0))])
         head, points = text.split("</PointData>")
-        self.reads_with_a_warning(
-            self.write("exodus.vtu", head.replace("</DataArray>", key) + "</PointData>" + points)
-        )
+        text = head.replace("</DataArray>", key) + "</PointData>" + points
+        self.reads_with_a_warning(self.write("exodus.vtu", text))
+        # The one that many of ParaView's files have.
+        path = self.write("known.vtu", text.replace("vtkUnknownReader", "vtkExodusIIReader"))
+        self.assertNotIn("locate key", self.succeeds("info", path).stderr)
         head = "# vtk DataFile Version 5.1\nx\nASCII\nDATASET UNSTRUCTURED_GRID\n"
         points = "POINTS 4 double\n0 0 0 1 0 0 0 1 0 0 0 1\n"
         cells = (

@@ -23,7 +23,7 @@ public:
   void DisplayGenericWarningText(const char* text) override { Keep(FirstGenericWarning, text); }
   void DisplayWarningText(const char* text) override
   {
-    AddOnce(Warnings, MessageEssence(text != nullptr ? text : ""));
+    AddWarning(Warnings, text != nullptr ? text : "");
   }
 
   std::string FirstError;
