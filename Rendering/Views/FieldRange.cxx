@@ -85,10 +85,11 @@ std::optional<std::array<double, 2>> AttainedRange(
   {
     return std::array{ range.attained.lower, range.attained.upper };
   }
-  // A constant, up to rounding.
+  // A constant, up to rounding: 0 where it may be 0.
   if (range.outer.lower <= range.outer.upper)
   {
-    return std::array{ range.outer.lower, range.outer.upper };
+    return range.outer.Contains(0.0) ? std::array{ 0.0, 0.0 }
+                                     : std::array{ range.outer.lower, range.outer.upper };
   }
   return std::nullopt;
 }

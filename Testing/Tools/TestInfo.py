@@ -63,6 +63,21 @@ class Info(ToolTest):
         for words in ["values 0 to 1", "component 1 0 to 4", "values not finite"]:
             self.assertIn(words, text)
 
+    def test_the_component_across_a_plane_mesh_is_zero(self):
+        mesh, field = self.folder / "square.mesh", self.folder / "e.gf"
+        mesh.write_text(
+            "MFEM mesh v1.0\n\ndimension\n2\n\nelements\n1\n1 3 0 1 2 3\n\nboundary\n0\n\n"
+            "vertices\n4\n2\n0 0\n1 0\n1.25 1\n0 1\n",
+            encoding="utf-8",
+        )
+        field.write_text(
+            "FiniteElementSpace\nFiniteElementCollection: ND_2D_P1\nVDim: 1\nOrdering: 0\n\n1\n2\n-1\n0.5\n",
+            encoding="utf-8",
+        )
+        ranges = self.summary("info", mesh, field)["fields"][0]["ranges"]
+        self.assertGreater(ranges[0][1], ranges[0][0])
+        self.assertEqual(ranges[2], [0.0, 0.0])
+
     def test_ranges_hold_the_oracle(self):
         for name in CASES:
             field = next(f for f in self.summary("info", case(name))["fields"] if f["name"] == "u")
@@ -79,23 +94,28 @@ class Info(ToolTest):
         self.assertLess(high_x, 1.4)
         self.assertAlmostEqual(low_z, -0.4)
         self.assertAlmostEqual(high_z, 0.4)
+        self.assertEqual(summary["node_bounds_of"], "nodes")
+        bounds, nodes = np.array(summary["bounds"]), np.array(summary["node_bounds"])
+        np.testing.assert_allclose(bounds[[0, 4, 5]], [-1.4, -0.4, 0.4], rtol=0, atol=3e-3)
+        self.assertTrue((bounds[::2] < nodes[::2] + 3e-3).all() and (bounds[1::2] > nodes[1::2] - 3e-3).all())
 
-    def test_bounds_say_of_what(self):
-        """Cells beside a solver's coefficients are their corners: a side's bulge is in no bounds of these."""
+    def test_bounds_are_those_of_curved_sides(self):
+        """A side y = 0.24 s^2 - 0.32 s is lowest at s = 2 / 3, between its nodes and below the corners."""
         mesh = self.folder / "bulge.msh"
         mesh.write_text(
-            "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n6\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0.5 -0.1 0\n"
-            "5 0.5 0.5 0\n6 0 0.5 0\n$EndNodes\n$Elements\n1\n1 9 2 1 1 1 2 3 4 5 6\n$EndElements\n",
+            "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n6\n1 0 0 0\n2 1 -0.08 0\n3 0 1 0\n4 0.5 -0.1 0\n"
+            "5 0.5 0.46 0\n6 0 0.5 0\n$EndNodes\n$Elements\n1\n1 9 2 1 1 1 2 3 4 5 6\n$EndElements\n",
             encoding="utf-8",
         )
         rows = dict(row.split(maxsplit=1) for row in self.succeeds("info", mesh).stdout.splitlines())
-        self.assertNotIn("nodes", rows)
-        self.assertEqual(rows["corners"], "x 0 to 1, y 0 to 1")
+        self.assertTrue(rows["bounds"].startswith("x 0 to 1, y -0.10"), rows["bounds"])
         self.assertEqual(rows["elements"], "1: 1 triangle")
-        self.assertEqual(self.summary("info", mesh)["node_bounds_of"], "corners")
-        torus = case("toroid_hex_g3_p6")
-        self.assertIn("\nnodes ", self.succeeds("info", torus).stdout)
-        self.assertEqual(self.summary("info", torus)["node_bounds_of"], "nodes")
+        summary = self.summary("info", mesh)
+        low_x, high_x, low_y, high_y = summary["bounds"][:4]
+        self.assertAlmostEqual(low_y, -8.0 / 75.0, delta=1.2e-3)
+        np.testing.assert_allclose([low_x, high_x, high_y], [0.0, 1.0, 1.0], rtol=0, atol=1e-14)
+        self.assertEqual(summary["node_bounds_of"], "corners")
+        self.assertAlmostEqual(summary["node_bounds"][2], -0.08)
 
     def test_mixed_shapes_fields_and_skipped_cells(self):
         points = CUBE + [[0.5, 0.5, 2.0], [2.0, 0.5, 0.0], [2.0, 0.5, 1.0], [-1.0, 0.5, 0.5]]

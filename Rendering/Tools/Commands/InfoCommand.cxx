@@ -51,10 +51,10 @@ struct Facts
   OrderCounts storedOrders; ///< of the file's cells
   OrderCounts orders;       ///< of the geometry, without orders that hold nothing but rounding
   std::vector<FieldFacts> fields;
-  std::array<double, 6> bounds{}; ///< of the nodes or corners: x, y, z, lower and upper each
-  const char* boundsOf = "nodes";
-  std::optional<Slab> slab;         ///< of a plane mesh
-  std::size_t coefficientBytes = 0; ///< of the geometry and all fields
+  std::array<double, 6> bounds{};     ///< of the curved elements: x, y, z, lower and upper each
+  std::array<double, 6> nodeBounds{}; ///< of the nodes, or of a solver's corners
+  std::optional<Slab> slab;           ///< of a plane mesh
+  std::size_t coefficientBytes = 0;   ///< of the geometry and all fields
   SolverFacts solver;
   std::optional<CertifiedFacts> certified; ///< on request
 };
@@ -99,12 +99,14 @@ Facts Gather(const LoadedModel& input)
       FindRanges(mesh, fields[f]) });
     facts.coefficientBytes += fields[f].values.coefficients.size_bytes();
   }
-  input.grid->GetBounds(facts.bounds.data());
-  // The cells beside a solver's own coefficients are but their corners.
-  facts.boundsOf = input.converted ? "nodes" : "corners";
+  input.grid->GetBounds(facts.nodeBounds.data());
+  facts.bounds = mesh.Elements() > 0 ? FindBounds(mesh) : facts.nodeBounds;
   if (isPlane)
   {
-    facts.bounds[4] = facts.bounds[5] = facts.slab->middle;
+    for (auto* bounds : { &facts.bounds, &facts.nodeBounds })
+    {
+      (*bounds)[4] = (*bounds)[5] = facts.slab->middle;
+    }
   }
   facts.solver = GatherSolverFacts(*input.grid, *input.model);
   return facts;
@@ -140,7 +142,7 @@ const char* ContinuityName(const Continuity& continuity)
   return continuity.IsContinuous() ? "continuous" : "discontinuous";
 }
 
-/// Corners are computed from coefficients: roundings of the others stand where 0 is meant.
+/// Bounds are computed from coefficients: roundings of the others stand where 0 is meant.
 std::array<double, 6> WithoutRoundings(std::array<double, 6> bounds)
 {
   double largest = 0.0;
@@ -182,11 +184,11 @@ void PrintTable(const LoadedModel& input, const Facts& facts)
   {
     table.Row("plane", "2-D, at z = {}; shown as a slab {} thick", Short(facts.slab->middle),
       Short(facts.slab->thickness));
-    table.Row(facts.boundsOf, sides);
+    table.Row("bounds", sides);
   }
   else
   {
-    table.Row(facts.boundsOf, "{}, z {} to {}", sides, Short(b[4]), Short(b[5]));
+    table.Row("bounds", "{}, z {} to {}", sides, Short(b[4]), Short(b[5]));
   }
   AddTime(table, input);
   std::string name = "fields";
@@ -254,8 +256,10 @@ void PrintJson(const LoadedModel& input, const Facts& facts)
   nlohmann::ordered_json summary{ { "elements", input.model->GetMesh().Elements() },
     { "shapes", shapes }, { "skipped_cells", input.skippedCells },
     { "geometry_orders", ToJson(facts.orders) },
-    { "stored_geometry_orders", ToJson(facts.storedOrders) }, { "node_bounds", facts.bounds },
-    { "node_bounds_of", facts.boundsOf }, { "fields", fields } };
+    { "stored_geometry_orders", ToJson(facts.storedOrders) }, { "bounds", facts.bounds },
+    { "node_bounds", facts.nodeBounds },
+    // The cells beside a solver's own coefficients are but their corners.
+    { "node_bounds_of", input.converted ? "nodes" : "corners" }, { "fields", fields } };
   summary["dimension"] = facts.slab ? 2 : 3;
   if (facts.slab)
   {

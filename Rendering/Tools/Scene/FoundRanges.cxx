@@ -3,13 +3,16 @@
 
 #include "Base/Report.h"
 
+#include "Core/Bounds/ElementBounds.h"
 #include "Trace/Scene.h"
 #include "Views/FieldRange.h"
 
 #include <nlohmann/json.hpp>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace pixelexact
 {
@@ -26,6 +29,36 @@ std::string RangeText(const FoundRange& range)
   const double least = 1e-12 * std::max(std::fabs(lower), std::fabs(upper));
   const auto text = [least](double value) { return Short(std::fabs(value) < least ? 0.0 : value); };
   return text(lower) + " to " + text(upper);
+}
+
+/// The lowest x[d] of all elements, or the highest (sign = -1). The boxes contain the elements.
+double FindEnd(const Mesh& mesh, const std::vector<Box3>& boxes, int d, double sign)
+{
+  constexpr RangeEffort kEffort{ 1e-3, 200 };
+  const auto least = [&](int e) { return sign > 0.0 ? boxes[e].lower[d] : -boxes[e].upper[d]; };
+  const auto most = [&](int e) { return sign > 0.0 ? boxes[e].upper[d] : -boxes[e].lower[d]; };
+  std::vector<int> order(boxes.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::sort(order, {}, least);
+  double extent = 0.0;
+  for (const int e : order)
+  {
+    extent = std::max(extent, most(e) - least(order.front()));
+  }
+  const Field coordinates{ {}, mesh.map };
+  const RangeQuestion question{ Quantity::Component, &coordinates, d };
+  double end = INFINITY;
+  for (const int e : order)
+  {
+    if (least(e) >= end - kEffort.tolerance * extent)
+    {
+      break;
+    }
+    const Interval range = RangeOf(mesh, e, question, kEffort).attained;
+    end = std::min(end,
+      sign * (mesh.centre[3 * e + d] + mesh.size[e] * (sign > 0.0 ? range.lower : range.upper)));
+  }
+  return sign * end;
 }
 
 nlohmann::ordered_json RangeToJson(const FoundRange& range)
@@ -46,6 +79,19 @@ FoundRanges FindRanges(const Mesh& mesh, const Field& field)
     ranges.magnitude = AttainedRange(mesh, field, kMagnitude);
   }
   return ranges;
+}
+
+std::array<double, 6> FindBounds(const Mesh& mesh)
+{
+  std::vector<Box3> boxes(static_cast<std::size_t>(mesh.Elements()));
+  tbb::parallel_for(0, mesh.Elements(), [&](int e) { boxes[e] = MakeElementBox(mesh, e); });
+  std::array<double, 6> bounds{};
+  for (int d = 0; d < 3; ++d)
+  {
+    bounds[2 * d] = FindEnd(mesh, boxes, d, 1.0);
+    bounds[2 * d + 1] = FindEnd(mesh, boxes, d, -1.0);
+  }
+  return bounds;
 }
 
 void AddTo(Table& table, const FoundRanges& ranges)

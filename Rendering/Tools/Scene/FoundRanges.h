@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-// Between which values a field is, as info tells without proving it.
+// Between which values fields and coordinates are, as info tells without proving it.
 namespace pixelexact
 {
 class Table;
@@ -24,6 +24,10 @@ struct FoundRanges
 };
 
 FoundRanges FindRanges(const Mesh& mesh, const Field& field);
+
+/// Of the curved elements of a mesh that has some: x, y, z, lower and upper each. They are attained
+/// up to rounding, and left by a thousandth of the mesh's extent at most.
+std::array<double, 6> FindBounds(const Mesh& mesh);
 
 /// Below the field's row.
 void AddTo(Table& table, const FoundRanges& ranges);
