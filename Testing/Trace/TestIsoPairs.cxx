@@ -42,6 +42,7 @@ struct Count
   int hits = 0;
   int close = 0;     ///< rays that closed forms leave to rounding
   int undecided = 0; ///< of the others
+  int far = 0;       ///< of these, where no root is near
   int wrong = 0;
 };
 
@@ -62,7 +63,13 @@ void CompareRoots(const IsoPair& pair, const std::vector<Ray>& rays, Count& coun
       ++count.close;
       continue;
     }
-    count.undecided += open != hits[i].end() ? 1 : 0;
+    if (open != hits[i].end())
+    {
+      const bool isAtRoot =
+        certain < truth.roots.size() && std::fabs(open->t - truth.roots[certain]) <= 1e-6;
+      ++count.undecided;
+      count.far += isAtRoot ? 0 : 1;
+    }
     bool right =
       open != hits[i].end() ? certain <= truth.roots.size() : certain == truth.roots.size();
     for (std::size_t k = 0; right && k < certain; ++k)
@@ -108,7 +115,10 @@ TEST(IsoPairs, HitsAreTheRootsInClosedForm)
               << " left to rounding, " << count.undecided << " others undecided, " << most
               << " pieces at most" << std::endl;
     EXPECT_EQ(count.wrong, 0);
-    EXPECT_LE(count.undecided, count.rays / 100);
+    // A root may lie where two pieces meet. Next to a plateau, as far as rounding moves a root of
+    // order 3 or 4, every ray is decided.
+    EXPECT_EQ(count.far, 0);
+    EXPECT_LE(count.undecided, count.rays / 500);
     EXPECT_GT(count.hits, 0);
     EXPECT_LE(most, 40'000);
   }

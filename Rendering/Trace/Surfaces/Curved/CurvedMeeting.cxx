@@ -24,7 +24,8 @@ constexpr int kShared[3] = { 12, 14, 14 };
 /// Pieces are halved this often where rays are nearly tangent to them, then the referee decides: of
 /// faces, and of volumes. It knows no magnitudes, which are halved until they are small.
 constexpr int kDeepest[3] = { 16, 21, 30 };
-/// The same of plateaus. A field's are halved for a hit that is not far from the ray.
+/// Plateaus are halved this often, from the largest piece that is one: those of a field, so that
+/// they are undecided for rays alone that pass next to them.
 constexpr int kDeepestPlateau[3] = { 0, 12, 12 };
 /// Pieces that bend are halved this often for a bundle as a whole.
 constexpr int kTogether = 8;
@@ -218,7 +219,9 @@ private:
 
   [[nodiscard]] bool IsLast(const CurvedPiece& piece) const
   {
-    return IsBlurred || piece.halvings >= (piece.plateau ? kDeepestPlateau : kDeepest)[Kind];
+    return IsBlurred ||
+      (piece.plateau ? piece.halvings - piece.plateauFrom >= kDeepestPlateau[Kind]
+                     : piece.halvings >= kDeepest[Kind]);
   }
 
   void Deeper(PieceSolver& solver, const CurvedPiece& piece, const RaySet& rays)

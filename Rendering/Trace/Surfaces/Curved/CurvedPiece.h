@@ -43,11 +43,15 @@ struct alignas(64) CurvedPiece
   /// ask first.
   bool flat = false;
   /// f vanishes throughout, or all of a face's piece is one point, up to rounding: no halving
-  /// decides anything.
+  /// decides what f is.
   bool plateau = false;
   /// Second derivatives are known.
   bool curves = false;
 
+  /// Of a plateau: `halvings` of the largest piece about it that is one. A root of order n makes a
+  /// plateau of all that is nearer than the n-th root of rounding: thin, but as wide as the
+  /// element.
+  int plateauFrom = 0;
   EtaBox box;
   Vec3 centre{ 0.0 };    ///< in xi
   Vec3 half{ 0.0 };      ///< the box lies within centre +- half

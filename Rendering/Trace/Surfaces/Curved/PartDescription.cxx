@@ -233,7 +233,7 @@ double PartTree::MagnitudeVariation(const Polys& polys, int direction) const
 }
 
 /// Along which the slopes vary most, compared with the largest slope anywhere in the piece: the one
-/// at its centre may be zero.
+/// at its centre may be zero. Of a field's plateau, along which it is longest.
 int PartTree::DirectionOf(const CurvedPiece& piece, const Polys& polys) const
 {
   double largest[2] = { 0.0, 0.0 };
@@ -258,15 +258,16 @@ int PartTree::DirectionOf(const CurvedPiece& piece, const Polys& polys) const
     double sum = 1e-9 * width;
     const auto add = [&](double variation, double scale)
     { sum += scale > 0.0 ? variation / scale : 0.0; };
-    for (std::size_t k = 3; k < 12; ++k)
+    const bool isPlateau = piece.plateau && Field;
+    for (std::size_t k = isPlateau ? 0 : 3; k < (isPlateau ? 3U : 12U); ++k)
     {
       add(polys[k].Variation(d, 1), largest[0]);
     }
-    for (std::size_t k = 13; k < polys.size() && !isMagnitude; ++k)
+    for (std::size_t k = 13; k < polys.size() && !isMagnitude && !isPlateau; ++k)
     {
       add(polys[k].Variation(d, 1), largest[1]);
     }
-    if (isMagnitude)
+    if (isMagnitude && !isPlateau)
     {
       add(MagnitudeVariation(polys, d), largest[1]);
     }

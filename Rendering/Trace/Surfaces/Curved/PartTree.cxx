@@ -324,6 +324,7 @@ std::unique_ptr<const PartTree::Children> PartTree::Split(
     half.box = piece.box;
     (k == 0 ? half.box.upper : half.box.lower)[direction] = middle;
     half.halvings = piece.halvings + 1;
+    half.plateauFrom = piece.plateau ? piece.plateauFrom : half.halvings;
     Fill(half, std::move(k == 0 ? polys : upper), besides);
   }
   return halves;
