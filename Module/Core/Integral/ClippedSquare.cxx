@@ -15,9 +15,9 @@ namespace
 constexpr double kNarrowestStretch = 0x1p-40;
 /// Looked at; more than a few crossings take: the square is better halved.
 constexpr int kMostStretches = 2000;
-/// Of the error of a function: what it is at most where it counts as zero throughout.
-constexpr double kZeroInErrors = 4.0;
-
+/// Errors of a function that is zero throughout, up to rounding: its polynomial is within one error
+/// of zero, and its range adds another one.
+constexpr double kZeroInErrors = 2.0;
 } // namespace
 
 /// Looks for the strips along s.

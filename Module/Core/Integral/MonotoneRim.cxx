@@ -14,7 +14,10 @@ namespace
 {
 /// How far beyond [-1, 1] a rim's model may reach.
 constexpr double kBeyondSquare = 1e-3;
-/// Of the bound of a value's error at the ends: what counts as zero there, in each half of them.
+/// Errors of an end whose values count as zero. Every number is proven, because `strip` holds what
+/// such values leave open. Where the function is zero at the end, its coefficients there are within
+/// one error of zero and their hull adds another one; a factor of 2 remains for the roundings of
+/// subdivision, so that a rim that lies in the end is decided and not subdivided to the last level.
 constexpr double kZeroInEndErrors = 4.0;
 constexpr int kBisections = 50;
 constexpr int kEndSteps = 12;
