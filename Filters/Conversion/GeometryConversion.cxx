@@ -16,8 +16,6 @@ namespace pixelexact
 {
 namespace
 {
-constexpr double kCoordinateRoundings = 4.0;
-
 ElementUnits UnitsOf(const SourceMesh& mesh, int element)
 {
   Vec3 low(INFINITY);

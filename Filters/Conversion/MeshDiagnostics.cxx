@@ -2,6 +2,7 @@
 #include "Conversion/MeshDiagnostics.h"
 
 #include "Core/Basis/LineFunctions.h"
+#include "Core/Element/ElementUnits.h"
 #include "Core/Math/Vec.h"
 
 #include "vtkCellType.h"
@@ -25,8 +26,6 @@ constexpr double kMuchSmoother = 10.0;
 constexpr double kNear = 1e-5;
 /// Edges of so many nodes are alike in all placements.
 constexpr std::size_t kNodesAlike = 3;
-/// Half units in the last place of the coordinates by which nodes may be off.
-constexpr double kNodeRoundings = 4.0;
 
 std::string OutOf(int some, int all)
 {
@@ -223,7 +222,7 @@ std::optional<Placement> ClassifyEdge(
   {
     largest = std::max({ largest, std::fabs(x.x), std::fabs(x.y), std::fabs(x.z) });
   }
-  const double error = kNodeRoundings * roundoff * largest;
+  const double error = kCoordinateRoundings * roundoff * largest;
   const double least = kNear * glm::length(nodes.back() - nodes.front());
   std::array<std::vector<double>, kPlacements> tails;
   for (int p = 0; p < kPlacements; ++p)

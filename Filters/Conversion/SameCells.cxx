@@ -2,6 +2,7 @@
 #include "Conversion/SameCells.h"
 
 #include "Cells/CellBasis.h"
+#include "Core/Element/ElementUnits.h"
 #include "Core/Math/Vec.h"
 
 #include "vtkCell.h"
@@ -32,8 +33,6 @@ namespace pixelexact
 {
 namespace
 {
-/// Half units in the last place by which the same coordinate may differ between two parts.
-constexpr double kPartRoundings = 4.0;
 /// Width of a bin in tolerances: narrower ones put more cells into several bins, wider ones put
 /// more cells into each.
 constexpr double kBinWidth = 8.0;
@@ -94,7 +93,7 @@ public:
         }
       }
     }
-    Tolerance = kPartRoundings * roundoff * largest;
+    Tolerance = kCoordinateRoundings * roundoff * largest;
   }
 
   std::vector<std::vector<CellPlace>> Find()

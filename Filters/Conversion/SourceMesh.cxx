@@ -6,6 +6,7 @@
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 #include "Core/Basis/NoiseBound.h"
+#include "Formats/NamedText.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -157,18 +158,8 @@ void SourceMesh::AddCell(vtkUnstructuredGrid* grid, vtkIdType cell, int type)
   auto& basis = BasisOfKind[kind];
   if (!basis)
   {
-    try
-    {
-      basis = &Bases.emplace_back(MakeCellBasis(kind));
-    }
-    catch (const Unsupported& error)
-    {
-      throw Unsupported("cell " + std::to_string(cell) + ": " + error.what());
-    }
-    catch (const InvalidData& error)
-    {
-      throw InvalidData("cell " + std::to_string(cell) + ": " + error.what());
-    }
+    basis = NameErrors(
+      "cell " + std::to_string(cell), [&] { return &Bases.emplace_back(MakeCellBasis(kind)); });
   }
   if (kind.weights != 0)
   {

@@ -4,6 +4,8 @@
 #include "Core/Base/Error.h"
 #include "Core/Basis/ModeBound.h"
 #include "Core/Element/ElementUnits.h"
+#include "Core/Math/Rounding.h"
+#include "Formats/NamedText.h"
 
 #include <glm/common.hpp>
 #include <tbb/blocked_range.h>
@@ -18,10 +20,6 @@ namespace pixelexact
 {
 namespace
 {
-/// A coordinate in a file is off by half a unit in the last place from writing it and by a few from
-/// the solver's evaluation.
-constexpr double kRoundings = 4.0 * std::numeric_limits<double>::epsilon() / 2;
-
 using Bases = std::span<const ElementBasis* const>;
 using Describe = std::function<std::string(std::size_t)>;
 
@@ -179,7 +177,7 @@ void StoreUnits(const ElementUnits& units, double noise, std::size_t e, SolverMe
     mesh.centre[3 * e + c] = units.centre[c];
   }
   mesh.size[e] = std::ldexp(1.0, units.exponent);
-  mesh.uncertainty[e] = kRoundings * units.largest * noise;
+  mesh.uncertainty[e] = kCoordinateRoundings * kUnitRoundoff * units.largest * noise;
 }
 
 /// The box of all elements, by their source values.
@@ -247,10 +245,12 @@ void AssembleMap(Bases basis, const Gather& gather,
 }
 
 void AssemblePlaneMap(Bases basis, int components, const Gather& gather,
-  const std::function<std::string(std::size_t)>& describe, SolverMesh& mesh)
+  const std::function<std::string(std::size_t)>& describe, const std::string& file,
+  SolverMesh& mesh)
 {
   const Box all = BoxOfMesh(basis, components, gather, describe);
-  const Slab slab = MakeSlab(all.low, all.high, kRoundings);
+  const Slab slab = NameErrors(
+    file, [&] { return MakeSlab(all.low, all.high, kCoordinateRoundings * kUnitRoundoff); });
   mesh.slab = slab;
   Prepare(basis, &Lifted, mesh);
   const auto noise = NoiseOf(basis);

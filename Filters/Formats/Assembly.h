@@ -26,9 +26,10 @@ void AssembleMap(std::span<const ElementBasis* const> basis, const Gather& gathe
 
 /// The same of a plane mesh, whose bases are of order 0 across: `mesh` becomes the slab on it, and
 /// tells where that is. The source has two components, or three where the file has a z. Throws
-/// Unsupported where that z is not one and the same.
+/// Unsupported, naming the file, where that z is not one and the same.
 void AssemblePlaneMap(std::span<const ElementBasis* const> basis, int components,
-  const Gather& gather, const std::function<std::string(std::size_t)>& describe, SolverMesh& mesh);
+  const Gather& gather, const std::function<std::string(std::size_t)>& describe,
+  const std::string& file, SolverMesh& mesh);
 
 /// For fields of a slab, whose values are those of the plane: flux and density of a unit element
 /// count per thickness. Exact.

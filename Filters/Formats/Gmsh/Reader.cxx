@@ -79,16 +79,9 @@ void AddMesh(const MeshFile& mesh, BasisTable& bases, const std::string& file, S
 {
   std::vector<const ElementBasis*> basis;
   basis.reserve(mesh.elements.size());
-  try
+  for (const Solid& element : mesh.elements)
   {
-    for (const Solid& element : mesh.elements)
-    {
-      basis.push_back(&bases.Nodal(*element.type));
-    }
-  }
-  catch (const Unsupported& error)
-  {
-    throw Unsupported(file + ": " + error.what());
+    basis.push_back(NameErrors(file, [&] { return &bases.Nodal(*element.type); }));
   }
   const auto gather = [&](std::size_t e, std::span<double> source)
   {
@@ -111,11 +104,11 @@ void AddMesh(const MeshFile& mesh, BasisTable& bases, const std::string& file, S
   {
     try
     {
-      AssemblePlaneMap(basis, 3, gather, describe, model.mesh);
+      AssemblePlaneMap(basis, 3, gather, describe, file, model.mesh);
     }
     catch (const Unsupported& error)
     {
-      throw Unsupported(file + ": " + error.what() +
+      throw Unsupported(std::string(error.what()) +
         " Where the model has a volume, mesh it (gmsh -3), and where there are physical groups, "
         "put "
         "the volume in one or set Mesh.SaveAll = 1.");

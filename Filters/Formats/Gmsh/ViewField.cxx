@@ -4,6 +4,7 @@
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 #include "Formats/Assembly.h"
+#include "Formats/NamedText.h"
 
 #include <algorithm>
 #include <limits>
@@ -86,21 +87,9 @@ const ElementBasis& ViewElements::Choose(std::size_t e)
   const int tuples = TuplesOf(e);
   if (Part.scheme)
   {
-    const ElementBasis* basis = nullptr;
-    try
-    {
-      basis = Bases.Of(*Part.scheme, type);
-    }
-    catch (const InvalidData& error)
-    {
-      throw InvalidData(
-        Where + ", interpolation scheme '" + Part.schemeName + "': " + error.what());
-    }
-    catch (const Unsupported& error)
-    {
-      throw Unsupported(
-        Where + ", interpolation scheme '" + Part.schemeName + "': " + error.what());
-    }
+    const ElementBasis* basis =
+      NameErrors(Where + ", interpolation scheme '" + Part.schemeName + "'",
+        [&] { return Bases.Of(*Part.scheme, type); });
     if (basis != nullptr)
     {
       if (basis->sources != tuples)

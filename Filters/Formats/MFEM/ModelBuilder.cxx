@@ -6,6 +6,7 @@
 #include "Formats/Assembly.h"
 #include "Formats/MFEM/Elements/GeometryTable.h"
 #include "Formats/MFEM/FunctionSpace.h"
+#include "Formats/NamedText.h"
 
 #include <algorithm>
 #include <deque>
@@ -51,18 +52,7 @@ void RequireValues(const GridFunctionFile& file, const FunctionSpace& space,
 
 Collection ParseCollection(const std::string& name, int dimension, const std::string& where)
 {
-  try
-  {
-    return Collection::Parse(name, dimension);
-  }
-  catch (const Unsupported& error)
-  {
-    throw Unsupported(where + ": " + error.what());
-  }
-  catch (const InvalidData& error)
-  {
-    throw InvalidData(where + ": " + error.what());
-  }
+  return NameErrors(where, [&] { return Collection::Parse(name, dimension); });
 }
 
 /// Unused entries of cell.vertices are zero. `first`: of the piece's vertices.
@@ -221,16 +211,10 @@ ModelBuilder::Source::Source(ModelBuilder& builder, const std::vector<GridFuncti
     }
     RequireValues(files[p], spaces.back(), names[p], mesh);
   }
-  try
+  for (const auto& [piece, element] : builder.Places)
   {
-    for (const auto& [piece, element] : builder.Places)
-    {
-      bases.push_back(&collection.Basis(builder.Pieces[piece].file.elements[element].geometry));
-    }
-  }
-  catch (const Unsupported& error)
-  {
-    throw Unsupported(names[0] + ": " + error.what());
+    const Geometry geometry = builder.Pieces[piece].file.elements[element].geometry;
+    bases.push_back(NameErrors(names[0], [&] { return &collection.Basis(geometry); }));
   }
 }
 
@@ -282,14 +266,7 @@ void ModelBuilder::AddMap()
     AssembleMap(source.bases, gather, describe, Model.mesh);
     return;
   }
-  try
-  {
-    AssemblePlaneMap(source.bases, components, gather, describe, Model.mesh);
-  }
-  catch (const Unsupported& error)
-  {
-    throw Unsupported(Pieces[0].name + ": " + error.what());
-  }
+  AssemblePlaneMap(source.bases, components, gather, describe, Pieces[0].name, Model.mesh);
 }
 
 void ModelBuilder::AddGroups()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Base/Error.h"
 #include "Formats/Assembly.h"
+#include "Formats/NamedText.h"
 #include "Formats/Nektar/Fields/FieldBasis.h"
 #include "Formats/Nektar/Fields/FieldFile.h"
 #include "Formats/Nektar/Reader.h"
@@ -167,21 +168,14 @@ private:
 
   const ElementBasis* BasisOf(const Expansion3& expansion, const std::string& part)
   {
-    try
+    auto at = KnownBases.find(expansion);
+    if (at == KnownBases.end())
     {
-      auto at = KnownBases.find(expansion);
-      at = at != KnownBases.end() ? at
-                                  : KnownBases.emplace(expansion, MakeFieldBasis(expansion)).first;
-      return &at->second;
+      at =
+        KnownBases.emplace(expansion, NameErrors(part, [&] { return MakeFieldBasis(expansion); }))
+          .first;
     }
-    catch (const Unsupported& error)
-    {
-      throw Unsupported(part + ": " + error.what());
-    }
-    catch (const InvalidData& error)
-    {
-      throw InvalidData(part + ": " + error.what());
-    }
+    return &at->second;
   }
 
   void RequireAll() const

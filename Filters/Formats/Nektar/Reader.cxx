@@ -92,14 +92,8 @@ void ModelBuilder::FindElements()
     }
     for (std::size_t v = 0; v < table.meeting.size(); ++v)
     {
-      try
-      {
-        element.vertices[v] = CommonVertex(Source, solid, table.meeting[v]);
-      }
-      catch (const InvalidData& error)
-      {
-        throw InvalidData(Name + ": " + error.what());
-      }
+      element.vertices[v] =
+        NameErrors(Name, [&] { return CommonVertex(Source, solid, table.meeting[v]); });
     }
     Elements.push_back(element);
   }
@@ -146,15 +140,8 @@ void ModelBuilder::AddMap()
     const std::pair key(element.solid->shape, order);
     if (!known.contains(key))
     {
-      try
-      {
-        known[key] = MakeBoundaryBasis(element.solid->shape, order);
-      }
-      catch (const Unsupported& error)
-      {
-        throw Unsupported(
-          Name + ": element " + std::to_string(element.solid->id) + ": " + error.what());
-      }
+      known[key] = NameErrors(Name + ": element " + std::to_string(element.solid->id),
+        [&] { return MakeBoundaryBasis(element.solid->shape, order); });
     }
     boundaries.push_back(&known.at(key));
     bases.push_back(&known.at(key).basis);

@@ -6,10 +6,12 @@
 
 namespace pixelexact
 {
+/// Blanks and line ends, as XML has them.
+inline constexpr std::string_view kBlanks = " \t\r\n";
+
 /// Without the blanks and line ends around it.
 inline std::string_view WithoutBlanks(std::string_view text)
 {
-  constexpr const char* kBlanks = " \t\r\n";
   const auto first = text.find_first_not_of(kBlanks);
   return first == std::string_view::npos
     ? std::string_view()

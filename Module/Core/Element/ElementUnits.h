@@ -5,6 +5,10 @@
 
 namespace pixelexact
 {
+/// Unit roundoffs of its largest coordinate by which a coordinate in a file may be off: half a unit
+/// in the last place from writing it and a few from the solver's evaluation.
+inline constexpr double kCoordinateRoundings = 4.0;
+
 /// The units in which an element's map is stored (Mesh in Core/Element/Mesh.h).
 struct ElementUnits
 {

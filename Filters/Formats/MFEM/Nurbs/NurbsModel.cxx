@@ -6,6 +6,7 @@
 #include "Core/Basis/Space.h"
 #include "Formats/Assembly.h"
 #include "Formats/MFEM/Nurbs/ForParts.h"
+#include "Formats/NamedText.h"
 
 #include <algorithm>
 #include <cmath>
@@ -139,7 +140,7 @@ NurbsModel::Function NurbsModel::FunctionOf(
     return PiecedFunction{ std::move(space), std::move(values), {}, {}, true };
   };
   PiecedFunction data =
-    PieceOf.empty() ? WithFileName(names.front(), readWhole) : ReadPieces(Mesh, files, names);
+    PieceOf.empty() ? NameErrors(names.front(), readWhole) : ReadPieces(Mesh, files, names);
   if (!std::ranges::all_of(data.values, [](double v) { return std::isfinite(v); }))
   {
     throw InvalidData(names.front() +
@@ -240,12 +241,7 @@ void NurbsModel::AddMap(SolverModel& model)
   }
   else
   {
-    WithFileName(Name,
-      [&]
-      {
-        AssemblePlaneMap(bases.basis, function.components, gather, describe, model.mesh);
-        return 0;
-      });
+    AssemblePlaneMap(bases.basis, function.components, gather, describe, Name, model.mesh);
   }
   for (const int vector : TurnedByOthers(Mesh))
   {

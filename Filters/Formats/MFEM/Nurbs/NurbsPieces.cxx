@@ -4,6 +4,7 @@
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 #include "Formats/MFEM/Elements/GeometryTable.h"
+#include "Formats/NamedText.h"
 
 #include <algorithm>
 #include <numeric>
@@ -176,7 +177,7 @@ MeshFile JoinNurbs(std::span<MeshPiece> pieces)
     own.values.resize(own.values.size() + piece.file.nodes->values.size());
   }
   MeshFile whole = MakeNurbsMesh(*nurbs);
-  const NurbsSpace space = WithFileName(names.front(), [&] { return NurbsSpace(*nurbs, own); });
+  const NurbsSpace space = NameErrors(names.front(), [&] { return NurbsSpace(*nurbs, own); });
   std::vector<double> weights = JoinWeights(space, PointsOf(*nurbs, space), names,
     [pieces](std::size_t p) -> const std::vector<double>&
     { return pieces[p].file.nurbs->weights; });
@@ -218,7 +219,7 @@ PiecedFunction ReadPieces(const NurbsMesh& mesh, std::span<const GridFunctionFil
     }
   }
   header.values = std::move(values);
-  NurbsSpace space = WithFileName(names.front(), [&] { return NurbsSpace(mesh, header); });
+  NurbsSpace space = NameErrors(names.front(), [&] { return NurbsSpace(mesh, header); });
   PiecedFunction function{ std::move(space), std::move(header.values), {}, {}, true };
   function.points = PointsOf(mesh, function.space);
   std::vector<std::int64_t> rowOf(static_cast<std::size_t>(function.space.Size()), -1);
@@ -254,12 +255,7 @@ PiecedFunction ReadPieces(const NurbsMesh& mesh, std::span<const GridFunctionFil
       { return files[p].nurbs ? files[p].nurbs->weights : none; });
     if (!weights.empty())
     {
-      WithFileName(names.front(),
-        [&]
-        {
-          function.space.SetWeights(std::move(weights));
-          return 0;
-        });
+      NameErrors(names.front(), [&] { function.space.SetWeights(std::move(weights)); });
     }
   }
   return function;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Core/Base/Error.h"
 #include "Formats/MFEM/Nurbs/NurbsSpace.h"
 
 #include <span>
@@ -26,24 +25,6 @@ struct PiecedFunction
   std::vector<std::size_t> first;       ///< per piece: its first control point's row in `values`
   bool isOne = true;                    ///< pieces have the same values where they meet
 };
-
-/// The result of `make`; what it throws begins with the file's name.
-template <class Make>
-auto WithFileName(const std::string& where, Make&& make)
-{
-  try
-  {
-    return make();
-  }
-  catch (const Unsupported& error)
-  {
-    throw Unsupported(where + ": " + error.what());
-  }
-  catch (const InvalidData& error)
-  {
-    throw InvalidData(where + ": " + error.what());
-  }
-}
 
 /// Throws InvalidData and Unsupported, naming the piece.
 PiecedFunction ReadPieces(const NurbsMesh& mesh, std::span<const GridFunctionFile> files,

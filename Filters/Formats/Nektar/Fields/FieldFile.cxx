@@ -2,6 +2,7 @@
 #include "Formats/Nektar/Fields/FieldFile.h"
 
 #include "Core/Base/Error.h"
+#include "Core/Base/ParseWhole.h"
 #include "Core/Basis/Space.h"
 #include "Formats/Nektar/Geometry/ModifiedModes.h"
 #include "Formats/Nektar/Homogeneous/HomogeneousBlock.h"
@@ -121,7 +122,7 @@ public:
 private:
   void ReadOrders(const std::vector<std::int64_t>& ids)
   {
-    const std::string_view text = Trim(Node.attribute("NUMMODESPERDIR").value());
+    const std::string_view text = WithoutBlanks(Node.attribute("NUMMODESPERDIR").value());
     const auto colon = std::min(text.find(':'), text.size());
     const bool mixed = text.substr(0, colon) == "MIXORDER";
     if (!mixed && text.substr(0, colon) != "UNIORDER")

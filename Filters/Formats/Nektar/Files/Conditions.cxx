@@ -2,6 +2,7 @@
 #include "Formats/Nektar/Files/Conditions.h"
 
 #include "Core/Base/Error.h"
+#include "Core/Base/ParseWhole.h"
 #include "Formats/Nektar/Files/Expression.h"
 
 #include <algorithm>
@@ -40,8 +41,8 @@ Parameters::Parameters(std::span<const Document* const> session)
     {
       continue;
     }
-    const std::string_view name = Trim(std::string_view(text).substr(0, equals));
-    const std::string_view value = Trim(std::string_view(text).substr(equals + 1));
+    const std::string_view name = WithoutBlanks(std::string_view(text).substr(0, equals));
+    const std::string_view value = WithoutBlanks(std::string_view(text).substr(equals + 1));
     try
     {
       Values[std::string(name)] =

@@ -2,9 +2,9 @@
 #include "Formats/Nektar/Files/Document.h"
 
 #include "Core/Base/Error.h"
+#include "Core/Base/ParseWhole.h"
 #include "Formats/FileText.h"
 #include "Formats/Nektar/Files/LongBlocks.h"
-#include "Formats/Nektar/Files/RepairedXml.h"
 #include "Formats/Nektar/Files/XmlFile.h"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ constexpr std::size_t kExpansion = 1032;
 template <class T>
 bool Take(std::string_view& text, T& value)
 {
-  text.remove_prefix(std::min(text.find_first_not_of(kXmlBlanks), text.size()));
+  text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
   if (text.starts_with('+') && !text.starts_with("+-"))
   {
     text.remove_prefix(1);
@@ -40,7 +40,7 @@ template <class T>
 bool TakeWord(std::string_view& text, T& value)
 {
   std::string_view rest = text;
-  if (!Take(rest, value) || !(rest.empty() || kXmlBlanks.find(rest.front()) != kXmlBlanks.npos))
+  if (!Take(rest, value) || !(rest.empty() || kBlanks.find(rest.front()) != kBlanks.npos))
   {
     return false;
   }
@@ -54,14 +54,6 @@ bool SameLetters(std::string_view a, std::string_view b)
   return std::ranges::equal(a, b, {}, lower, lower);
 }
 } // namespace
-
-std::string_view Trim(std::string_view text)
-{
-  const auto begin = text.find_first_not_of(kXmlBlanks);
-  return begin == std::string_view::npos
-    ? std::string_view()
-    : text.substr(begin, text.find_last_not_of(kXmlBlanks) - begin + 1);
-}
 
 Document::Document(const NamedText& file)
   : FileName(file.name)
@@ -140,7 +132,7 @@ bool Document::IsCompressed(const pugi::xml_node& node) const
   {
     return false;
   }
-  if (!SameLetters(form, "B64Z-LittleEndian") || Trim(bits) != "64")
+  if (!SameLetters(form, "B64Z-LittleEndian") || WithoutBlanks(bits) != "64")
   {
     FailUnsupported(node,
       "data in the form '" + std::string(form.substr(0, 40)) + "' of " +
@@ -154,7 +146,7 @@ bool Document::IsCompressedField(const pugi::xml_node& node) const
 {
   // Nektar++ knows no other fields, and up to 4.0 wrote no attribute. Base64 of a zlib stream
   // begins with a letter, a number does not.
-  const std::string_view text = Trim(node.child_value());
+  const std::string_view text = WithoutBlanks(node.child_value());
   return IsCompressed(node) ||
     (!text.empty() && std::isalpha(static_cast<unsigned char>(text.front())) != 0);
 }
@@ -182,7 +174,7 @@ std::vector<std::int64_t> Document::Integers(const pugi::xml_node& node, std::si
   {
     numbers.push_back(value);
   }
-  if (numbers.size() != count || !Trim(text).empty())
+  if (numbers.size() != count || !WithoutBlanks(text).empty())
   {
     Fail(node, "there should be " + std::to_string(count) + " whole numbers and nothing else.");
   }
@@ -199,16 +191,16 @@ std::vector<double> Document::Numbers(const pugi::xml_node& node) const
   {
     numbers.push_back(value);
   }
-  if (!Trim(text).empty())
+  if (!WithoutBlanks(text).empty())
   {
-    Fail(node, "'" + std::string(Trim(text).substr(0, 20)) + "' is no number.");
+    Fail(node, "'" + std::string(WithoutBlanks(text).substr(0, 20)) + "' is no number.");
   }
   return numbers;
 }
 
 std::int64_t Document::Id(const pugi::xml_node& node, const char* attribute) const
 {
-  const std::string_view text = Trim(node.attribute(attribute).value());
+  const std::string_view text = WithoutBlanks(node.attribute(attribute).value());
   std::int64_t value = -1;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || value < 0)
@@ -224,18 +216,18 @@ std::vector<std::int64_t> Document::List(
   const pugi::xml_node& node, std::string_view text, std::size_t most) const
 {
   std::vector<std::int64_t> numbers;
-  text = Trim(text);
+  text = WithoutBlanks(text);
   while (!text.empty())
   {
     std::int64_t first = 0;
     bool sound = Take(text, first) && first >= 0;
     std::int64_t last = first;
-    text = Trim(text);
+    text = WithoutBlanks(text);
     if (sound && text.starts_with('-'))
     {
       text.remove_prefix(1);
       sound = Take(text, last) && last >= first;
-      text = Trim(text);
+      text = WithoutBlanks(text);
     }
     const bool more = text.starts_with(',');
     if (!sound || !(text.empty() || (more && text.size() > 1)))

@@ -111,7 +111,4 @@ private:
   std::vector<std::string_view> Blocks; ///< the long ones, which Xml has marks for
   std::size_t MostExpanded;
 };
-
-/// Without blanks at the ends.
-std::string_view Trim(std::string_view text);
 } // namespace pixelexact::nektar

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/Nektar/Files/RepairedXml.h"
 
+#include "Core/Base/ParseWhole.h"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -29,7 +31,7 @@ bool IsLetter(char c)
 
 bool IsBlank(char c)
 {
-  return kXmlBlanks.find(c) != kNone;
+  return kBlanks.find(c) != kNone;
 }
 
 class Repairer
@@ -132,7 +134,7 @@ private:
     const std::string_view tag = Text.substr(At, end + 1 - At);
     Copy(At + 2 + name.size());
     const std::string_view more = Text.substr(At, end - At);
-    if (more.find_first_not_of(kXmlBlanks) != kNone)
+    if (more.find_first_not_of(kBlanks) != kNone)
     {
       Note(tag, "has more than its name, which is passed over.");
       Result.text.append(static_cast<std::size_t>(std::ranges::count(more, '\n')), '\n');
@@ -200,16 +202,16 @@ private:
   {
     if (IsBlank(Text[At]))
     {
-      Copy(std::min(Text.find_first_not_of(kXmlBlanks, At), Text.size()));
+      Copy(std::min(Text.find_first_not_of(kBlanks, At), Text.size()));
       return true;
     }
     const std::size_t begin = At;
-    const std::size_t equals = Text.find_first_not_of(kXmlBlanks, At + NameAt(At).size());
+    const std::size_t equals = Text.find_first_not_of(kBlanks, At + NameAt(At).size());
     if (equals == kNone || Text[equals] != '=')
     {
       return false;
     }
-    const std::size_t value = Text.find_first_not_of(kXmlBlanks, equals + 1);
+    const std::size_t value = Text.find_first_not_of(kBlanks, equals + 1);
     if (value == kNone || Text[value] == '<' || Text[value] == '>' || Text[value] == '/')
     {
       return false;

@@ -8,9 +8,6 @@
 
 namespace pixelexact::nektar
 {
-/// What XML takes as white space.
-inline constexpr std::string_view kXmlBlanks = " \t\r\n";
-
 /// A text that breaks the rules of XML, as Nektar++'s own parser (TinyXML) and its users take it.
 struct RepairedXml
 {

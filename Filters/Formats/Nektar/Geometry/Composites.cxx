@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/Nektar/Geometry/Composites.h"
 
+#include "Core/Base/ParseWhole.h"
 #include <algorithm>
 #include <limits>
 #include <unordered_set>
@@ -47,9 +48,9 @@ void ReadComposites(const Document& document, const pugi::xml_node& composites, 
   for (const auto& node : composites.children("C"))
   {
     const std::string whole = Document::Text(node);
-    const std::string_view text = Trim(whole);
+    const std::string_view text = WithoutBlanks(whole);
     const auto open = text.find('[');
-    const std::string_view tag = Trim(text.substr(0, open));
+    const std::string_view tag = WithoutBlanks(text.substr(0, open));
     const bool isLine = geometry.dimension == 1;
     const bool isPlane = geometry.dimension == 2;
     const bool onPlane = std::ranges::find(kPlaneTags, tag, &SolidTag::tag) != std::end(kPlaneTags);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/Nektar/Geometry/Curves.h"
 
+#include "Core/Base/ParseWhole.h"
 #include "Formats/Nektar/Geometry/CurvePoints.h"
 
 #include <algorithm>
@@ -94,7 +95,7 @@ public:
       {
         std::copy_n(&numbers[3 * i], 3, points[i].begin());
       }
-      const std::string_view type = Trim(node.attribute("TYPE").value());
+      const std::string_view type = WithoutBlanks(node.attribute("TYPE").value());
       const auto* known = std::ranges::find(kPointTypes, type, &PointType::name);
       Add(node, face, File.Id(node, face ? "FACEID" : "EDGEID"),
         known == std::end(kPointTypes) ? nullptr : known, std::string(type), std::move(points));

@@ -128,30 +128,23 @@ void AddMap(const Geometry& source, const std::string& name, SolverMesh& mesh)
     nodal.push_back(&at->second);
     bases.push_back(&at->second.basis);
   }
-  try
-  {
-    AssemblePlaneMap(
-      bases, 3,
-      [&](std::size_t e, std::span<double> values)
+  AssemblePlaneMap(
+    bases, 3,
+    [&](std::size_t e, std::span<double> values)
+    {
+      const auto& nodes = nodal[e]->nodes;
+      const Face& face = FaceOf(source, source.solids[e]);
+      for (std::size_t i = 0; i < nodes.size(); ++i)
       {
-        const auto& nodes = nodal[e]->nodes;
-        const Face& face = FaceOf(source, source.solids[e]);
-        for (std::size_t i = 0; i < nodes.size(); ++i)
+        const LongVec3 x = maps.At(face, nodes[i]);
+        for (std::size_t c = 0; c < 3; ++c)
         {
-          const LongVec3 x = maps.At(face, nodes[i]);
-          for (std::size_t c = 0; c < 3; ++c)
-          {
-            values[c * nodes.size() + i] = static_cast<double>(x[c]);
-          }
+          values[c * nodes.size() + i] = static_cast<double>(x[c]);
         }
-      },
-      [&](std::size_t e) { return name + ": element " + std::to_string(source.solids[e].id); },
-      mesh);
-  }
-  catch (const Unsupported& error)
-  {
-    throw Unsupported(name + ": " + error.what());
-  }
+      }
+    },
+    [&](std::size_t e) { return name + ": element " + std::to_string(source.solids[e].id); }, name,
+    mesh);
 }
 } // namespace
 

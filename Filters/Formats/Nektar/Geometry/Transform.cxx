@@ -2,6 +2,7 @@
 #include "Formats/Nektar/Geometry/Transform.h"
 
 #include "Core/Base/Error.h"
+#include "Core/Base/ParseWhole.h"
 #include "Formats/Nektar/Files/Expression.h"
 
 #include <cmath>
@@ -21,7 +22,7 @@ double ReadExpression(const Document& document, const pugi::xml_node& node,
   try
   {
     return Evaluate(
-      Trim(text.value()), [&](std::string_view name) { return parameters.Find(name); });
+      WithoutBlanks(text.value()), [&](std::string_view name) { return parameters.Find(name); });
   }
   catch (const InvalidData& error)
   {

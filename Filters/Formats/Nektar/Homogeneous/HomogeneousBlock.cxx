@@ -220,7 +220,7 @@ std::vector<std::string> SplitAtCommas(std::string_view text)
   while (!text.empty())
   {
     const auto comma = std::min(text.find(','), text.size());
-    words.emplace_back(Trim(text.substr(0, comma)));
+    words.emplace_back(WithoutBlanks(text.substr(0, comma)));
     text.remove_prefix(std::min(comma + 1, text.size()));
   }
   return words;
