@@ -11,7 +11,7 @@ namespace pixelexact::testing
 {
 namespace
 {
-constexpr long double kPi = std::numbers::pi_v<long double>;
+constexpr long double kLongPi = std::numbers::pi_v<long double>;
 constexpr int kSpiralOrder = 20;
 
 LongVec3 Apply(const LongMat3& m, const LongVec3& x)
@@ -61,7 +61,7 @@ std::vector<double> LiftMap(const MeshBuilder& from, const Space& to)
   return modes;
 }
 
-std::vector<double> RandomModes(const Space& space, Random& random)
+std::vector<double> RandomMapModes(const Space& space, Random& random)
 {
   std::vector<double> modes;
   for (int c = 0; c < 3; ++c)
@@ -153,7 +153,7 @@ LongMat3 Rotation()
 
 LongMat3 Skew(double degrees)
 {
-  const long double angle = degrees * kPi / 180;
+  const long double angle = degrees * kLongPi / 180;
   return { { { 1, std::cos(angle), 0 }, { 0, std::sin(angle), 0 }, { 0, 0, 1 } } };
 }
 
@@ -185,7 +185,7 @@ void AddPerturbed(MeshBuilder& mesh, const Space& space, double reach)
   linear.Add(UniformSpace(space.shape, 1), [](const LongVec3& xi) { return xi; });
   auto modes = LiftMap(linear, space);
   Random random(100 + static_cast<std::uint64_t>(space.MaxOrder()));
-  const auto perturbation = RandomModes(space, random);
+  const auto perturbation = RandomMapModes(space, random);
   const double scale = 0.3 / LargestSlope(space, modes, perturbation, reach, random);
   for (std::size_t k = 0; k < modes.size(); ++k)
   {
@@ -227,8 +227,8 @@ std::array<long double, 2> SpiralMidline(double turns, long double a)
   for (std::size_t k = 0; k < points.size(); ++k)
   {
     const long double radius = std::pow(1.8L, turns * points[k] / 2);
-    x[0] += weight[k] * radius * std::cos(kPi * turns * points[k]);
-    x[1] += weight[k] * radius * std::sin(kPi * turns * points[k]);
+    x[0] += weight[k] * radius * std::cos(kLongPi * turns * points[k]);
+    x[1] += weight[k] * radius * std::sin(kLongPi * turns * points[k]);
   }
   return x;
 }
