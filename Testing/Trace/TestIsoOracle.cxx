@@ -8,7 +8,6 @@
 
 #include <glm/matrix.hpp>
 
-
 namespace pixelexact::testing
 {
 namespace
