@@ -118,9 +118,11 @@ TEST_F(NektarHdf5, FieldsAreThoseOfXml)
   }
 }
 
-TEST_F(NektarHdf5, TimesAreReadFromTheHead)
+TEST_F(NektarHdf5, TimesAndNamesAreReadFromTheHead)
 {
-  EXPECT_EQ(nektar::FieldTime(kHdf5 + "/nek_tet_varp.fld"), 0.5);
+  const std::string field = kHdf5 + "/nek_tet_varp.fld";
+  EXPECT_EQ(nektar::FieldTime(field), 0.5);
+  EXPECT_EQ(nektar::FieldNames(field), std::vector<std::string>{ "u" });
 }
 
 TEST_F(NektarHdf5, RefusesWithReasons)

@@ -33,7 +33,7 @@ case "${1:-}" in
 esac
 # Seconds of the processor, which depend less on a machine's other work than the clock does. The
 # network has none.
-declare -A budgets=([build]=1800 [test]=1200 [paraview]=900 [instructions]=300 [sanitize]=6000 [plain]=6000
+declare -A budgets=([build]=1800 [test]=2000 [paraview]=900 [instructions]=300 [sanitize]=6000 [plain]=6000
   [fuzz]=700 [format]=120 [tidy]=1500 [package]=900)
 deadline=${PIXELEXACT_DEADLINE:-4800}
 build=build

@@ -81,4 +81,29 @@ std::optional<double> FieldTime(const std::string& path)
   const auto time = NumberBehind(head, "<Time>");
   return time ? time : NumberBehind(head, "PARAM=\"Time\">"); // the latter in Nektar++ 3
 }
+
+std::vector<std::string> FieldNames(const std::string& path)
+{
+  constexpr std::string_view kAttribute = " FIELDS=\"";
+  std::vector<std::string> names;
+  for (const std::string& part : FileParts(path))
+  {
+    const std::string head = HeadOf(part);
+    const auto at = head.find(kAttribute);
+    const auto end = at == head.npos ? at : head.find('"', at + kAttribute.size());
+    if (end == head.npos)
+    {
+      continue; // a folder's Info.xml
+    }
+    std::string_view list(head.data() + at + kAttribute.size(), end - at - kAttribute.size());
+    while (!list.empty())
+    {
+      const auto comma = std::min(list.find(','), list.size());
+      names.emplace_back(WithoutBlanks(list.substr(0, comma)));
+      list.remove_prefix(std::min(comma + 1, list.size()));
+    }
+    break;
+  }
+  return names;
+}
 } // namespace pixelexact::nektar

@@ -14,4 +14,8 @@ std::vector<std::string> FileParts(const std::string& path);
 
 /// The simulation time in the metadata of a field file, read from its beginning only.
 std::optional<double> FieldTime(const std::string& path);
+
+/// The names of the fields in a field file, as its first block gives them; none where its beginning
+/// does not tell.
+std::vector<std::string> FieldNames(const std::string& path);
 } // namespace pixelexact::nektar
