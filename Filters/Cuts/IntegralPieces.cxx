@@ -33,6 +33,48 @@ std::optional<QuadricForm> FormOf(vtkImplicitFunction* function)
   return form != nullptr ? std::optional(*form) : std::nullopt;
 }
 
+/// The matrix of a quadric's terms of degree 2: its function is z Q z + g z + c.
+std::array<Vec3, 3> MatrixOf(const QuadricForm& form)
+{
+  const auto& q = form.q;
+  return { Vec3(q[0], q[3] / 2.0, q[5] / 2.0), Vec3(q[3] / 2.0, q[1], q[4] / 2.0),
+    Vec3(q[5] / 2.0, q[4] / 2.0, q[2]) };
+}
+
+/// The direction of the largest diagonal coefficient of Q.
+int LargestDiagonal(const std::array<Vec3, 3>& matrix)
+{
+  int largest = 0;
+  for (int d = 1; d < 3; ++d)
+  {
+    const auto at = [&matrix](int k) { return std::abs(matrix[static_cast<std::size_t>(k)][k]); };
+    largest = at(d) > at(largest) ? d : largest;
+  }
+  return largest;
+}
+
+/// The form times the power of two that brings the largest diagonal coefficient of Q into [1,2):
+/// products of its coefficients neither underflow nor overflow. Nothing where there is none.
+std::optional<QuadricForm> InUnits(const QuadricForm& form)
+{
+  const auto matrix = MatrixOf(form);
+  const int axis = LargestDiagonal(matrix);
+  const double a = matrix[static_cast<std::size_t>(axis)][axis];
+  if (a == 0.0 || !std::isfinite(a))
+  {
+    return std::nullopt;
+  }
+  QuadricForm scaled = form;
+  const auto scale = [exponent = -std::ilogb(a)](double& of) { of = std::ldexp(of, exponent); };
+  std::ranges::for_each(scaled.q, scale);
+  for (int d = 0; d < 3; ++d)
+  {
+    scale(scaled.g[d]);
+  }
+  scale(scaled.c);
+  return scaled;
+}
+
 /// Whether a b = c d, without rounding.
 bool AreProductsEqual(double a, double b, double c, double d)
 {
@@ -41,21 +83,13 @@ bool AreProductsEqual(double a, double b, double c, double d)
   return first == second && std::fma(a, b, -first) == std::fma(c, d, -second);
 }
 
-/// The vector n of a quadric whose function is (n z)^2 / a + (g_k / a) (n z) + c, with its largest
-/// diagonal coefficient a = n_k; nothing where the function depends on more than one direction.
+/// The vector n of a quadric, as InUnits returns it, whose function is
+/// (n z)^2 / a + (g_k / a) (n z) + c, with its largest diagonal coefficient a = n_k; nothing where
+/// the function depends on more than one direction.
 std::optional<std::pair<Vec3, int>> OnlyDirectionOf(const QuadricForm& form)
 {
-  const auto& q = form.q;
-  const std::array<Vec3, 3> rows{ Vec3(q[0], q[3] / 2.0, q[5] / 2.0),
-    Vec3(q[3] / 2.0, q[1], q[4] / 2.0), Vec3(q[5] / 2.0, q[4] / 2.0, q[2]) };
-  int axis = 0;
-  for (int d = 1; d < 3; ++d)
-  {
-    axis = std::abs(rows[static_cast<std::size_t>(d)][d]) >
-        std::abs(rows[static_cast<std::size_t>(axis)][axis])
-      ? d
-      : axis;
-  }
+  const auto rows = MatrixOf(form);
+  const int axis = LargestDiagonal(rows);
   const Vec3& n = rows[static_cast<std::size_t>(axis)];
   const double a = n[axis];
   for (int i = 0; i < 3; ++i)
@@ -72,15 +106,21 @@ std::optional<std::pair<Vec3, int>> OnlyDirectionOf(const QuadricForm& form)
       return std::nullopt;
     }
   }
-  return a != 0.0 ? std::optional(std::pair(n, axis)) : std::nullopt;
+  return std::pair(n, axis);
 }
 
 /// A quadric, or the parallel planes that it consists of where its function depends on one
 /// direction n alone: two, or one where they coincide, at the equation's roots rounded to doubles,
 /// with gradients of the quadric's sense; none where there is no root. The subdivision cannot
 /// separate two planes in boxes that are wider than their distance.
-std::vector<QuadricForm> PartsOf(const QuadricForm& form)
+std::vector<QuadricForm> PartsOf(const QuadricForm& given)
 {
+  const std::optional<QuadricForm> inUnits = InUnits(given);
+  if (!inUnits)
+  {
+    return { given };
+  }
+  const QuadricForm& form = *inUnits;
   const auto direction = OnlyDirectionOf(form);
   if (!direction)
   {

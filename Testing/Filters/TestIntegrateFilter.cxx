@@ -112,6 +112,21 @@ TEST(IntegrateFilter, AQuadricOfOneDirectionIsItsPlanes)
   }
 }
 
+TEST(IntegrateFilter, ASphereOfAnyCoefficientsIsNoPlane)
+{
+  for (const double scale : { 1e-200, 1.0, 1e150 })
+  {
+    vtkNew<vtkQuadric> quadric;
+    quadric->SetCoefficients(scale, scale, scale, 0, 0, 0, 0, 0, 0, -0.5625 * scale);
+    Integration integration(Boxes(1), quadric);
+    integration.filter->SetTolerance(1e-5);
+    EXPECT_NEAR(integration.Get("Area"), std::numbers::pi * 0.75 * 0.75 / 2.0,
+      integration.Get("Area", "ErrorBound"))
+      << scale;
+    EXPECT_LE(integration.Get("Area", "ErrorBound"), 1e-4) << scale;
+  }
+}
+
 TEST(IntegrateFilter, ASphereAndTheBoundary)
 {
   vtkNew<vtkSphere> sphere;
