@@ -195,7 +195,7 @@ public:
       tail[k] = tail[k + 1] + glm::length(mode);
     }
   }
-  /// What errors of 1 in each value can make of a tail.
+  /// The largest change of a tail when each value changes by at most 1.
   [[nodiscard]] double Noise(std::size_t k) const
   {
     return std::accumulate(Inverse.begin() + static_cast<std::ptrdiff_t>(k * Count), Inverse.end(),
@@ -288,7 +288,7 @@ std::string DescribePlacement(Placement found, Placement taken)
 /// evenly spread.
 std::vector<int> EdgeSamples(const SourceMesh& mesh)
 {
-  constexpr std::size_t kMost = 4096;
+  constexpr std::size_t kMaxSamples = 4096;
   std::vector<int> elements;
   for (int e = 0; e < mesh.Elements(); ++e)
   {
@@ -298,7 +298,7 @@ std::vector<int> EdgeSamples(const SourceMesh& mesh)
       elements.push_back(e);
     }
   }
-  const std::size_t step = elements.size() / kMost + 1;
+  const std::size_t step = elements.size() / kMaxSamples + 1;
   for (std::size_t i = 0; i * step < elements.size(); ++i)
   {
     elements[i] = elements[i * step];

@@ -24,8 +24,8 @@ namespace
 {
 /// Nodes are taken for another's where they are nearer to it by this factor, in the mean.
 constexpr double kMuchNearer = 3.0;
-/// Cells that are looked at, evenly spread over the mesh.
-constexpr int kMostLookedAt = 20000;
+/// The number of cells that are examined, evenly spread over the mesh.
+constexpr int kMaxExamined = 20000;
 /// Part of the cells of a kind below which their nodes are taken for badly placed.
 constexpr double kFewest = 0.1;
 
@@ -236,7 +236,7 @@ void DiagnoseNodeOrder(const SourceMesh& source, std::vector<std::string>& lines
   std::map<std::pair<const CellBasis*, Order>, Misplaced> found;
   const auto xyz = source.Coordinates();
   std::vector<Vec3> points;
-  const int step = source.Elements() / kMostLookedAt + 1;
+  const int step = source.Elements() / kMaxExamined + 1;
   for (int e = 0; e < source.Elements(); e += step)
   {
     const CellBasis& basis = source.Basis(e);

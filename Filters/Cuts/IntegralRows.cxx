@@ -73,7 +73,7 @@ std::vector<IntegralRow> RowsOf(const IntegralQuestion& question, const SurfaceI
       const Interval& sum = found.sums[static_cast<std::size_t>(c) + 1];
       rows.push_back({ std::string(mean ? "Mean" : "Integral") +
           (components > 1 ? " " + std::to_string(c) : std::string()),
-        // Of a field that is zero the mean is zero, exactly.
+        // A field that is zero has the mean zero, exactly.
         mean && sum.Magnitude() > 0.0 ? sum / area : sum });
     }
   }

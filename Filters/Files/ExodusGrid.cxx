@@ -431,7 +431,7 @@ private:
   std::map<std::string, int> Found;
   std::size_t NoSides = 0;
   std::int64_t NodeSets = 0; ///< of one part
-  // Of the part that is being added.
+  // These two belong to the part that Add reads.
   vtkIdType FirstPoint = 0;
   std::map<std::int64_t, vtkIdType> FirstCellOf; ///< of a block, by its first element
 };

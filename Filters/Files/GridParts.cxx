@@ -341,7 +341,7 @@ ReadGrid ReadParts(const std::vector<GridPart>& parts, const PieceOf& share)
   auto* processes = ProcessesOf(share);
   std::vector<ReadPart> read;
   std::string problem;
-  // What fails waits until all processes know of it.
+  // An error is thrown after all processes have received it.
   const auto attempt = [&problem](const auto& work)
   {
     try

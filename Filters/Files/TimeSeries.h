@@ -16,7 +16,7 @@ struct GridPart
 {
   std::string file;
   std::string list{}; ///< the file that names it; empty: the user did
-  /// What a collection calls the part (group, part and name); empty: nothing does.
+  /// The part's name in a collection (group, part and name); empty where no collection names it.
   std::string label{};
   /// Among what the collection lists at this time: pieces of one .pvtu file have the same number.
   int entry = 0;

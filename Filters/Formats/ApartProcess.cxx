@@ -72,7 +72,7 @@ void Write(int pipe, char letter, const char* text)
   }
 }
 
-/// What a library registers to be done at the program's end is not done in the copy.
+/// Ends the copied process without the functions that libraries registered for the program's end.
 void EndWithoutReport()
 {
   _exit(1);
@@ -113,7 +113,7 @@ void EndWithoutReport()
   _exit(0);
 }
 
-/// What the copy wrote until it ended; empty where it did not end in time.
+/// Returns what the copied process wrote; empty where it did not end within `seconds`.
 std::string ReadReport(int pipe, unsigned seconds)
 {
   using Clock = std::chrono::steady_clock;

@@ -1,7 +1,7 @@
 # What PIXELEXACT_JOINED_BUILD does: sources of a folder are compiled as one, so that what they include
 # is parsed once. Names in unnamed namespaces must therefore be unique within a folder.
 
-# The folder of a source, as an identifier; nothing of it where the source holds kernels.
+# The folder of a source, as an identifier, and whether the source holds kernels.
 function(pixelexact_get_folder source folder_variable is_kernel_variable)
   cmake_path(ABSOLUTE_PATH source OUTPUT_VARIABLE path)
   file(STRINGS "${path}" kernel REGEX "hwy/foreach_target.h" LIMIT_COUNT 1)

@@ -31,8 +31,8 @@ case "${1:-}" in
     exit 2
     ;;
 esac
-# Seconds of the processor, which depend less on a machine's other work than the clock does; twice what
-# a slow machine without a compiler's cache takes. The network has none.
+# Seconds of the processor, which depend less on a machine's other work than the clock does. The
+# network has none.
 declare -A budgets=([build]=3600 [test]=3000 [paraview]=2400 [instructions]=900 [sanitize]=9000 [plain]=9000
   [fuzz]=1200 [format]=120 [tidy]=2400 [package]=1500)
 deadline=${PIXELEXACT_DEADLINE:-4800}
@@ -249,7 +249,10 @@ stage_format() {
 # Reads sources alone, as the plain build compiles them.
 stage_tidy() {
   local builds=("$plain_build")
-  configure_plain >"$build/tidy.log" || builds=()
+  if ! configure_plain >"$build/tidy.log"; then
+    count 1 "$build/tidy.log"
+    return
+  fi
   if [[ -e $paraview_build/paraview/complete ]]; then
     cmake -S . -B "$paraview_build/plain" -G Ninja -D PIXELEXACT_BUILD_PARAVIEW=ON -D PIXELEXACT_JOINED_BUILD=OFF \
       -D CMAKE_PREFIX_PATH="$PWD/$paraview_build/paraview/usr" >>"$build/tidy.log"
