@@ -59,7 +59,7 @@ struct CellBasis
   /// For higher-order cells: positions in the cell of the nodes or control points, in the order in
   /// which ChangeOfBasis::Hexahedron, Prism and Tetrahedron take them. Empty otherwise.
   std::vector<int> control{};
-  /// NoiseBound of `change`, where somebody needs it; infinite: not known.
+  /// NoiseBound of `change`; infinite: not known.
   double noise = std::numeric_limits<double>::infinity();
 
   [[nodiscard]] const Space& GetSpace() const { return change.Target(); }

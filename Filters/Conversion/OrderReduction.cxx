@@ -21,9 +21,11 @@
 // nodes makes modes of 1e-10, a hundred thousand times larger than that of 7^3. Dropping them
 // brings the map nearer to the solver's. What is dropped is recorded: the map is uncertain by
 //
-//   sum over D of |c_k| B_k  +  4 u max|x| min(L, sum over the kept k of A_k B_k),
+//   sum over D of |c_k| B_k  +  min(4 u max|x| sum over the kept k of A_k B_k,
+//                                   4 u max|x| L + u sum over k of |c_k| B_k),
 //
-// L (NoiseBound) what noise in all nodes can move the whole map; it is some hundredth of the sum.
+// L (NoiseBound) what noise in all nodes can move the whole map; it is some hundredth of the sum
+// over k, which holds the rounding of the modes, too.
 // A straight cell with nodes halfway is found so: its orders above 1 are noise. A pyramid of order
 // 2 is in another form than the straight one; the modes of their difference are judged instead.
 namespace pixelexact
@@ -160,22 +162,23 @@ Space OrderReduction::Reduce() const
 double OrderReduction::Uncertainty(const Space& kept) const
 {
   std::array<double, 3> dropped{};
+  std::array<double, 3> own{};
   double noise = 0.0;
   const bool all = kept == Full;
   ForEachMode(Full,
     [&](int p, int q, int r, int mode)
     {
       const double bound = ModeBound(Full, p, q, r);
-      if (all || Has(kept, p, q, r))
-      {
-        noise += Roundings * Amplification[mode] * bound;
-        return;
-      }
+      const bool keeps = all || Has(kept, p, q, r);
+      noise += keeps ? Roundings * Amplification[mode] * bound : 0.0;
       for (int c = 0; c < 3; ++c)
       {
-        dropped[c] += std::fabs(At(c, mode)) * bound;
+        const double most = std::fabs(At(c, mode)) * bound;
+        own[c] += kOwnRounding * most;
+        dropped[c] += keeps ? 0.0 : most;
       }
     });
-  return *std::ranges::max_element(dropped) + std::min(noise, Noise * Roundings);
+  return *std::ranges::max_element(dropped) +
+    std::min(noise, Noise * Roundings + *std::ranges::max_element(own));
 }
 } // namespace pixelexact

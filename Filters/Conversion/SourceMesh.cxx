@@ -88,8 +88,7 @@ SourceMesh::SourceMesh(vtkUnstructuredGrid* grid, const NodeConvention& nodes)
     : std::numeric_limits<double>::epsilon() / 2;
   for (CellBasis& basis : Bases)
   {
-    // What rounding to doubles leaves is far less than would be seen.
-    if (Roundoff > std::numeric_limits<double>::epsilon() && basis.kind.weights == 0)
+    if (basis.kind.weights == 0)
     {
       basis.noise = NoiseBound(basis.change);
     }

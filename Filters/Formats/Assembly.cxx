@@ -2,7 +2,7 @@
 #include "Formats/Assembly.h"
 
 #include "Core/Base/Error.h"
-#include "Core/Basis/ModeBound.h"
+#include "Core/Basis/NoiseBound.h"
 #include "Core/Element/ElementUnits.h"
 #include "Core/Math/Rounding.h"
 #include "Formats/NamedText.h"
@@ -88,17 +88,6 @@ std::span<double> AllComponents(SolverExpansion& expansion, std::size_t e)
   return { first.data(), first.size() * static_cast<std::size_t>(expansion.components) };
 }
 
-/// sum over the modes of what one unit of noise in every source value can put into the function.
-double NoiseOf(const ChangeOfBasis& change)
-{
-  const auto amplification = change.Amplification();
-  double noise = 0.0;
-  ForEachMode(change.Target(),
-    [&](int p, int q, int r, int mode)
-    { noise += amplification[mode] * ModeBound(change.Target(), p, q, r); });
-  return noise;
-}
-
 struct Box
 {
   Vec3 low{ INFINITY };
@@ -149,15 +138,13 @@ std::span<const double> ShiftsOf(const ElementUnits& units, std::size_t componen
   return { &units.centre.x, components };
 }
 
-std::map<const ElementBasis*, double> NoiseOf(Bases basis)
+/// For each basis.
+std::map<const ElementBasis*, MapNoise> NoiseOf(Bases basis)
 {
-  std::map<const ElementBasis*, double> noise;
+  std::map<const ElementBasis*, MapNoise> noise;
   for (const auto* b : basis)
   {
-    if (!noise.contains(b))
-    {
-      noise[b] = NoiseOf(b->parts[0]);
-    }
+    noise.try_emplace(b, b->parts[0]);
   }
   return noise;
 }
@@ -170,14 +157,18 @@ void Prepare(Bases basis, Space (*spaceOf)(const Space&), SolverMesh& mesh)
   mesh.uncertainty.resize(basis.size());
 }
 
-void StoreUnits(const ElementUnits& units, double noise, std::size_t e, SolverMesh& mesh)
+/// `modes`: the map's, in its units.
+void StoreUnits(const ElementUnits& units, const MapNoise& noise, std::span<const double> modes,
+  std::size_t e, SolverMesh& mesh)
 {
   for (int c = 0; c < 3; ++c)
   {
     mesh.centre[3 * e + c] = units.centre[c];
   }
   mesh.size[e] = std::ldexp(1.0, units.exponent);
-  mesh.uncertainty[e] = kCoordinateRoundings * kUnitRoundoff * units.largest * noise;
+  const double roundings =
+    std::ldexp(kCoordinateRoundings * kUnitRoundoff * units.largest, -units.exponent);
+  mesh.uncertainty[e] = mesh.size[e] * noise.Of(roundings, modes);
 }
 
 /// The box of all elements, by their source values.
@@ -240,7 +231,7 @@ void AssembleMap(Bases basis, const Gather& gather,
       {
         value *= inUnits; // a power of two: exact
       }
-      StoreUnits(units, noise.at(basis[e]), e, mesh);
+      StoreUnits(units, noise.at(basis[e]), coefficients, e, mesh);
     });
 }
 
@@ -274,7 +265,7 @@ void AssemblePlaneMap(Bases basis, int components, const Gather& gather,
         static_cast<std::size_t>(3 * Lifted(change.Target()).Modes()));
       LiftMap(change.Target(), plane, inUnits(slab.middle - units.centre.z),
         inUnits(slab.thickness / 2), lifted);
-      StoreUnits(units, noise.at(basis[e]), e, mesh);
+      StoreUnits(units, noise.at(basis[e]), plane, e, mesh);
     });
 }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <vector>
@@ -110,8 +111,41 @@ TEST(NoiseBound, HoldsLebesguesConstantOfEquispacedNodes)
 
 TEST(NoiseBound, IsNotKnownWhereItWouldTakeLong)
 {
-  const Space space{ Shape::Hexahedron, Form::Collapsed, { 12, 12, 12 } };
-  EXPECT_TRUE(std::isinf(NoiseBound(
-    ChangeOfBasis::Hexahedron(space, Family::EquispacedLagrange, InOrder(13 * 13 * 13)))));
+  const Space space{ Shape::Tetrahedron, Form::Collapsed, { 8, 8, 8 } };
+  EXPECT_TRUE(std::isinf(
+    NoiseBound(ChangeOfBasis::Tetrahedron(space, Family::EquispacedLagrange, InOrder(165)))));
+}
+
+// The nodes of a straight and very flat tetrahedron far from the origin, of order 3.
+TEST(MapNoise, IsFarBelowTheThicknessOfFlatElements)
+{
+  constexpr int kNodes = 20;
+  const Space space{ Shape::Tetrahedron, Form::Collapsed, { 3, 3, 3 } };
+  const ChangeOfBasis change =
+    ChangeOfBasis::Tetrahedron(space, Family::EquispacedLagrange, InOrder(kNodes));
+  const double thickness = std::ldexp(1.0, -30);
+  std::vector<double> nodes(3 * kNodes);
+  int node = 0;
+  for (int i = 0; i <= 3; ++i)
+  {
+    for (int j = 0; i + j <= 3; ++j)
+    {
+      for (int k = 0; i + j + k <= 3; ++k, ++node)
+      {
+        nodes[node] = 1e4 + i / 3.0;
+        nodes[kNodes + node] = j / 3.0;
+        nodes[2 * kNodes + node] = thickness * k / 3.0;
+      }
+    }
+  }
+  std::vector<double> modes(3 * kNodes);
+  ChangeOfBasis::Scratch scratch;
+  change.Apply(nodes, std::array{ 1e4 + 0.5, 0.5, thickness / 2 }, modes, scratch);
+  const double roundings = 4.0 * 0x1p-53 * 1e4;
+  const MapNoise noise(change);
+  const double moved = LebesgueOfTetrahedron(3) * roundings;
+  EXPECT_GE(noise.Of(roundings, modes), moved);
+  EXPECT_LE(noise.Of(roundings, modes), 1.6 * moved + 100.0 * 0x1p-53); // the modes are below 1
+  EXPECT_LE(noise.Of(roundings, modes), 0.1 * thickness);
 }
 } // namespace pixelexact

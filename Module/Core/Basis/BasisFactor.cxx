@@ -139,6 +139,7 @@ BasisFactor LineFactor(int order, const LineFunctions& line)
     line.evaluate(z, &values[std::size_t(i) * line.count]);
   }
   BasisFactor factor = SolveFactor(n, line.count, modes, values);
+  factor.space = { Shape::Hexahedron, Form::Collapsed, { static_cast<std::uint8_t>(order), 0, 0 } };
   modes.erase(modes.begin(), modes.end() - n);
   values.erase(values.begin(), values.end() - line.count);
   int worst = 0;
@@ -163,6 +164,7 @@ BasisFactor SolidFactor(const Space& space, int count,
     functions(points[i], &values[std::size_t(i) * count]);
   }
   BasisFactor factor = SolveFactor(rows, count, modes, values);
+  factor.space = space;
   // Between the points.
   std::vector<long double> atPoint(rows);
   std::vector<long double> expected(count);

@@ -18,6 +18,9 @@ struct BasisFactor
   int rows = 0;
   int columns = 0;
   std::vector<long double> matrix; ///< row-major
+  /// Whose modes they are, in a ChangeOfBasis: of a line, the hexahedron's modes (p, 0, 0); of a
+  /// triangle, the prism's (p, 0, r).
+  Space space{};
 };
 
 /// Values of all canonical modes at xi, in order of storage; `out` holds space.Modes().

@@ -61,6 +61,8 @@ public:
     const std::function<void(const LongVec3&, long double*)>& functions);
 
   [[nodiscard]] const Space& Target() const { return TargetSpace; }
+  /// Whose product it is; of three lines, a triangle and a line, or all of the space's modes.
+  [[nodiscard]] std::span<const BasisFactor> GetFactors() const { return Factors; }
   [[nodiscard]] int SourceSize() const { return static_cast<int>(SourceOf.size()); }
 
   /// canonical[mode] = sum over s of M[mode][s] (values[s] - shift). Shifting is exact where the

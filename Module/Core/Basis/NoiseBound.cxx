@@ -1,24 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Basis/NoiseBound.h"
 
+#include "Core/Basis/ModeBound.h"
+#include "Core/Math/Rounding.h"
 #include "Core/Shape/Shape.h"
+
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numeric>
-#include <span>
-#include <vector>
 
 // Let p be the function that noise of one unit makes, of any signs: a polynomial of degree n in
 // each eta. On m > n of Chebyshev's points along a line it is, somewhere, at least cos(pi n / 2m)
 // times the largest that it is on the line (Ehlich and Zeller, Schwankung von Polynomen zwischen
-// Gitterpunkten, 1964); on their grid therefore the product of three such factors.
+// Gitterpunkten, 1964); on their grid therefore the product of three such factors. Where source
+// functions are products, so is the largest sum of their sizes.
 namespace pixelexact
 {
 namespace
 {
+using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
 /// Points along a line for each degree.
 constexpr int kDensity = 3;
 constexpr double kMostProducts = 2e8;
@@ -35,38 +39,28 @@ std::vector<double> PointsFor(int degree)
   }
   return points;
 }
-} // namespace
 
-double NoiseBound(const ChangeOfBasis& change)
+/// The largest sum of the sizes of a factor's source functions.
+double BoundOf(const BasisFactor& factor)
 {
-  const Space& space = change.Target();
-  const auto modes = static_cast<std::size_t>(space.Modes());
-  const auto sources = static_cast<std::size_t>(change.SourceSize());
+  const Space& space = factor.space;
   std::array<std::vector<double>, 3> lines;
-  double places = 1.0;
-  double factor = 1.0;
+  std::size_t places = 1;
+  double between = 1.0;
   for (std::size_t d = 0; d < 3; ++d)
   {
     const int degree = space.TensorDegree()[d];
     lines[d] = PointsFor(degree);
-    places *= static_cast<double>(lines[d].size());
-    factor /= degree > 0 ? std::cos(std::numbers::pi / (2.0 * kDensity)) : 1.0;
+    places *= lines[d].size();
+    between /= degree > 0 ? std::cos(std::numbers::pi / (2.0 * kDensity)) : 1.0;
   }
-  if (places * static_cast<double>(modes) * static_cast<double>(sources) > kMostProducts)
+  if (static_cast<double>(places) * factor.rows * factor.columns > kMostProducts)
   {
     return std::numeric_limits<double>::infinity();
   }
-  std::vector<double> columns(sources * modes);
-  std::vector<double> unit(sources, 0.0);
-  for (std::size_t s = 0; s < sources; ++s)
-  {
-    unit[s] = 1.0;
-    change.Apply(unit, 0.0, std::span(columns).subspan(s * modes, modes));
-    unit[s] = 0.0;
-  }
-  std::vector<long double> values(modes);
-  std::vector<double> rounded(modes);
-  double most = 0.0;
+  Matrix modes(places, factor.rows);
+  std::vector<long double> values(static_cast<std::size_t>(factor.rows));
+  Eigen::Index place = 0;
   for (const double x : lines[0])
   {
     for (const double y : lines[1])
@@ -75,18 +69,56 @@ double NoiseBound(const ChangeOfBasis& change)
       {
         const Vec3 xi = TensorToReference(space.shape, { x, y, z });
         EvaluateModes(space, { xi.x, xi.y, xi.z }, values.data());
-        std::ranges::transform(
-          values, rounded.begin(), [](long double v) { return static_cast<double>(v); });
-        double sum = 0.0;
-        for (std::size_t s = 0; s < sources; ++s)
+        for (int mode = 0; mode < factor.rows; ++mode)
         {
-          sum += std::fabs(std::inner_product(
-            rounded.begin(), rounded.end(), columns.begin() + std::ptrdiff_t(s * modes), 0.0));
+          modes(place, mode) = static_cast<double>(values[static_cast<std::size_t>(mode)]);
         }
-        most = std::max(most, sum);
+        ++place;
       }
     }
   }
-  return most * factor * kUp;
+  Matrix sources(factor.rows, factor.columns);
+  std::ranges::transform(factor.matrix, sources.data(),
+    [](long double element) { return static_cast<double>(element); });
+  return (modes * sources).cwiseAbs().rowwise().sum().maxCoeff() * between;
+}
+} // namespace
+
+double NoiseBound(const ChangeOfBasis& change)
+{
+  double bound = kUp;
+  for (const BasisFactor& factor : change.GetFactors())
+  {
+    bound *= BoundOf(factor);
+  }
+  return bound;
+}
+
+MapNoise::MapNoise(const ChangeOfBasis& change)
+  : OfMap(NoiseBound(change))
+{
+  const Space& space = change.Target();
+  Bounds.resize(static_cast<std::size_t>(space.Modes()));
+  ForEachMode(space,
+    [&](int p, int q, int r, int mode)
+    {
+      Bounds[static_cast<std::size_t>(mode)] = ModeBound(space, p, q, r);
+      OfModes += change.Amplification()[mode] * Bounds[static_cast<std::size_t>(mode)];
+    });
+}
+
+double MapNoise::Of(double roundings, std::span<const double> modes) const
+{
+  double largest = 0.0;
+  for (std::size_t first = 0; first < modes.size(); first += Bounds.size())
+  {
+    double sum = 0.0;
+    for (std::size_t mode = 0; mode < Bounds.size(); ++mode)
+    {
+      sum += std::fabs(modes[first + mode]) * Bounds[mode];
+    }
+    largest = std::max(largest, sum);
+  }
+  return std::min(roundings * OfModes, roundings * OfMap + kUnitRoundoff * largest);
 }
 } // namespace pixelexact

@@ -75,7 +75,9 @@ BasisFactor TriangleFactor(int order, Family family)
       }
     }
   }
-  return SolveFactor(count, count, modes, sources);
+  BasisFactor factor = SolveFactor(count, count, modes, sources);
+  factor.space = triangle;
+  return factor;
 }
 
 BasisFactor TetrahedronFactor(const Space& space, Family family)
@@ -124,6 +126,8 @@ BasisFactor TetrahedronFactor(const Space& space, Family family)
       }
     }
   }
-  return SolveFactor(count, count, modes, sources);
+  BasisFactor factor = SolveFactor(count, count, modes, sources);
+  factor.space = space;
+  return factor;
 }
 } // namespace pixelexact
