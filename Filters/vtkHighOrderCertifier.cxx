@@ -120,7 +120,7 @@ void vtkHighOrderCertifier::Certify(vtkUnstructuredGrid* grid, vtkUnstructuredGr
   const auto cells = CellsOf(grid, *model);
   const vtkIdType count = grid->GetNumberOfCells();
   const RangeEffort effort{ this->Tolerance, this->MaximumBoxes };
-  const Field* field = this->FieldName.empty() ? nullptr : &FieldNamed(*model, this->FieldName);
+  const Field* field = this->FieldName.empty() ? nullptr : &model->GetField(this->FieldName);
   // Parts of the work, of about the same length each.
   const double parts = 2.0 + (field ? field->values.components : 0);
   double done = 0.0;

@@ -34,7 +34,7 @@ const Field& FieldIn(const HighOrderModel& model, const std::string& name)
   {
     throw InvalidData("the grid carries no high-order field; there is nothing to contour.");
   }
-  return name.empty() ? model.Fields().front() : FieldNamed(model, name);
+  return name.empty() ? model.Fields().front() : model.GetField(name);
 }
 
 void RequireComponent(const Field& field, int component)

@@ -35,7 +35,7 @@ const Field* FieldOrNull(const HighOrderModel& model, const std::string& name)
 {
   if (!name.empty())
   {
-    return &FieldNamed(model, name);
+    return &model.GetField(name);
   }
   return model.Fields().empty() ? nullptr : &model.Fields().front();
 }

@@ -59,7 +59,10 @@ std::map<std::string, double> vtkHighOrderTruncate::Truncate(
   std::vector<Truncation> truncations;
   for (const Field* field : FieldsNamed(*model, this->Fields))
   {
-    truncations.emplace_back(*field, this->Order);
+    if (field->function == nullptr || !this->Fields.empty())
+    {
+      truncations.emplace_back(*field, this->Order);
+    }
   }
   auto* grid = vtkUnstructuredGrid::SafeDownCast(this->Source->GridOf(input));
   output->ShallowCopy(WithTruncated(grid, truncations));

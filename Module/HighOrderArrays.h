@@ -42,6 +42,9 @@ class vtkUnstructuredGrid;
 // where it is not Identity. CellData:
 // PixelExactElementId, int64: the element of each cell.
 //
+// FieldData, a string: PixelExact.Definition.<name> is an expression of fields that counts as a
+// field of that name (Core/Expression/Expression.h).
+//
 // FieldData survives what VTK does to a data set, even when cells are dropped or points are moved;
 // the fingerprints tell what still fits (HighOrderModel).
 namespace pixelexact
@@ -49,6 +52,7 @@ namespace pixelexact
 inline constexpr const char* kMeshPrefix = "PixelExact.Mesh.";
 inline constexpr const char* kBoundaryPrefix = "PixelExact.Mesh.Boundary.";
 inline constexpr const char* kFieldPrefix = "PixelExact.Field.";
+inline constexpr const char* kDefinitionPrefix = "PixelExact.Definition.";
 inline constexpr const char* kElementIds = "PixelExactElementId";
 
 /// Where coefficients come from.

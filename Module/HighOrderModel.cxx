@@ -5,6 +5,7 @@
 #include "CompositeParts.h"
 #include "ConversionLoss.h"
 #include "Core/Base/Error.h"
+#include "Core/Expression/Expression.h"
 #include "Fingerprint.h"
 #include "JoinedArrays.h"
 #include "MeshPart.h"
@@ -12,8 +13,12 @@
 
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
 #include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -55,6 +60,41 @@ std::vector<std::int64_t> SelectedCellsOf(vtkUnstructuredGrid* grid)
   return cells;
 }
 
+/// What expressions may name beside fields: of the grid's FieldData and its time.
+ExpressionScope NamesOf(vtkUnstructuredGrid* grid)
+{
+  ExpressionScope scope;
+  vtkFieldData* data = grid->GetFieldData();
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = data->GetAbstractArray(i);
+    const std::string name =
+      array != nullptr && array->GetName() != nullptr ? array->GetName() : "";
+    if (array == nullptr || array->GetNumberOfValues() != 1)
+    {
+      continue;
+    }
+    if (auto* text = vtkStringArray::SafeDownCast(array))
+    {
+      if (name.starts_with(kDefinitionPrefix))
+      {
+        scope.definitions[name.substr(std::string(kDefinitionPrefix).size())] = text->GetValue(0);
+      }
+    }
+    else if (auto* number = vtkDataArray::SafeDownCast(array);
+             number != nullptr && !name.starts_with("PixelExact"))
+    {
+      scope.parameters[name] = number->GetComponent(0, 0);
+    }
+  }
+  vtkInformation* information = grid->GetInformation();
+  if (information->Has(vtkDataObject::DATA_TIME_STEP()))
+  {
+    scope.time = information->Get(vtkDataObject::DATA_TIME_STEP());
+  }
+  return scope;
+}
+
 /// Models that somebody holds, by their data: a filter, a mapper and the grid itself share one.
 struct Registry
 {
@@ -79,6 +119,9 @@ struct HighOrderModel::Internals
   std::vector<std::uint8_t> inner;    ///< by element, kInnerFaces
   std::vector<std::int64_t> selected; ///< by element, kSelectedCells; empty: the source's
   DataState state;
+  ExpressionScope names; ///< without fields and numbers
+  std::mutex making;
+  std::map<std::string, Field> made; ///< of expressions, by their text
 
   void AddField(vtkUnstructuredGrid* source, const std::string& name)
   {
@@ -118,6 +161,7 @@ HighOrderModel::HighOrderModel(vtkUnstructuredGrid* given)
       (isLinear ? RemedyOf(given) : "; pass it through vtkUnstructuredGridToHighOrderGrid first."));
   }
   Data->state = StateOf(given);
+  Data->names = NamesOf(given);
   Data->ghosts = MarksOf(given, vtkDataSetAttributes::GhostArrayName());
   Data->inner = MarksOf(given, kInnerFaces);
   Data->selected = SelectedCellsOf(given);
@@ -166,6 +210,7 @@ HighOrderModel::HighOrderModel(vtkCompositeDataSet* data)
     }
   }
   Data->part = MeshPart::Join(std::move(parts));
+  Data->names = models.front()->Data->names;
   for (const Field& first : models.front()->Data->fields)
   {
     std::vector<const Expansion*> values;
@@ -247,10 +292,80 @@ std::span<const Field> HighOrderModel::Fields() const
   return Data->fields;
 }
 
-const Field* HighOrderModel::FindField(const std::string& name) const
+const Field& HighOrderModel::GetField(const std::string& text) const
 {
-  const auto found = std::ranges::find(Data->fields, name, &Field::name);
-  return found == Data->fields.end() ? nullptr : &*found;
+  if (const auto found = std::ranges::find(Data->fields, text, &Field::name);
+      found != Data->fields.end())
+  {
+    return *found;
+  }
+  const std::scoped_lock lock(Data->making);
+  Field& field = Data->made[text];
+  if (field.function != nullptr)
+  {
+    return field;
+  }
+  ExpressionScope scope = Data->names;
+  scope.fields = Data->fields;
+  scope.numbers = SourceCells();
+  const auto defined = scope.definitions.find(text);
+  try
+  {
+    field.function =
+      MakeExpression(defined == scope.definitions.end() ? text : defined->second, scope);
+  }
+  catch (const InvalidData&)
+  {
+    Data->made.erase(text);
+    if (IsMoreThanName(text) || defined != scope.definitions.end())
+    {
+      throw;
+    }
+    throw InvalidData("there is no field '" + text + "'; " + NamesOfFields());
+  }
+  catch (const Error&)
+  {
+    Data->made.erase(text);
+    throw;
+  }
+  field.name = text;
+  field.values.components = field.function->Components();
+  return field;
+}
+
+std::vector<std::string> HighOrderModel::DefinedNames() const
+{
+  std::vector<std::string> names;
+  for (const auto& [name, text] : Data->names.definitions)
+  {
+    names.push_back(name);
+  }
+  return names;
+}
+
+const Field* HighOrderModel::FindField(const std::string& text) const
+{
+  try
+  {
+    return &GetField(text);
+  }
+  catch (const Error&)
+  {
+    return nullptr;
+  }
+}
+
+std::string HighOrderModel::NamesOfFields() const
+{
+  std::string names;
+  const auto add = [&names](const std::string& name)
+  { names += (names.empty() ? "choose one of '" : ", '") + name + "'"; };
+  for (const Field& field : Fields())
+  {
+    add(field.name);
+  }
+  std::ranges::for_each(DefinedNames(), add);
+  return names.empty() ? "there are no fields" : names + ", or an expression of them";
 }
 
 const Locator& HighOrderModel::GetLocator() const

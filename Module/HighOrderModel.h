@@ -11,6 +11,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 class vtkCompositeDataSet;
 class vtkDataObject;
@@ -60,9 +61,17 @@ public:
   HighOrderModel& operator=(const HighOrderModel&) = delete;
 
   [[nodiscard]] const Mesh& GetMesh() const;
+  /// Of polynomials; what expressions make of them is not among them.
   [[nodiscard]] std::span<const Field> Fields() const;
-  /// Null where there is no field of that name.
-  [[nodiscard]] const Field* FindField(const std::string& name) const;
+  /// The field of that name, else what the name is defined as (kDefinitionPrefix), else the
+  /// expression that the text is (MakeExpression); with the grid's time, and FieldData of a single
+  /// number as parameters. Made once, and kept as long as the model. Throws InvalidData, naming
+  /// what there is, and Unsupported.
+  [[nodiscard]] const Field& GetField(const std::string& text) const;
+  /// Of expressions that count as fields, in alphabetical order.
+  [[nodiscard]] std::vector<std::string> DefinedNames() const;
+  /// As GetField, but null where there is none.
+  [[nodiscard]] const Field* FindField(const std::string& text) const;
 
   /// Built, in parallel, by the first call of all models that share it.
   [[nodiscard]] const Locator& GetLocator() const;
@@ -113,6 +122,9 @@ private:
   /// The one that is known, else a new one.
   template <class Source>
   static std::shared_ptr<HighOrderModel> Shared(vtkDataObject* key, Source* source);
+
+  /// For messages.
+  [[nodiscard]] std::string NamesOfFields() const;
 
   std::unique_ptr<Internals> Data;
 };

@@ -30,22 +30,6 @@ void OrderRange(const Expansion& expansion, int range[2])
   }
 }
 
-const Field& RequireField(const HighOrderModel& model, const std::string& name)
-{
-  const Field* field = model.FindField(name);
-  if (!field)
-  {
-    std::string known;
-    for (const auto& other : model.Fields())
-    {
-      known += (known.empty() ? "'" : ", '") + other.name + "'";
-    }
-    throw InvalidData("there is no high-order field '" + name + "'; choose one of " +
-      (known.empty() ? "none: convert the grid with its point data" : known) + ".");
-  }
-  return *field;
-}
-
 int RequireElement(const HighOrderModel& model, vtkIdType element)
 {
   if (element < 0 || element >= model.GetMesh().Elements())
@@ -141,7 +125,7 @@ int vtkHighOrderGrid::GetHighOrderFieldComponents(const std::string& name)
 {
   try
   {
-    return RequireField(*this->GetModel(), name).values.components;
+    return this->GetModel()->GetField(name).values.components;
   }
   catch (const Error& error)
   {
@@ -170,7 +154,7 @@ void vtkHighOrderGrid::GetFieldOrderRange(const std::string& name, int range[2])
   range[1] = -1;
   try
   {
-    OrderRange(RequireField(*this->GetModel(), name).values, range);
+    OrderRange(this->GetModel()->GetField(name).values, range);
   }
   catch (const Error& error)
   {
@@ -206,7 +190,7 @@ bool vtkHighOrderGrid::EvaluateField(
   try
   {
     const auto model = this->GetModel();
-    const Field& field = RequireField(*model, name);
+    const Field& field = model->GetField(name);
     const int e = RequireElement(*model, element);
     values->SetNumberOfComponents(field.values.components);
     values->SetNumberOfTuples(1);

@@ -11,10 +11,8 @@
 
 namespace pixelexact
 {
-/// Throws InvalidData where there is none of this name, with those that are.
-[[nodiscard]] const Field& FieldNamed(const HighOrderModel& model, const std::string& name);
-
-/// The fields of these names; none: all. Throws as FieldNamed.
+/// The fields of these names; none: all, those that are defined by expressions, too. Throws as
+/// HighOrderModel::GetField.
 [[nodiscard]] std::vector<const Field*> FieldsNamed(
   const HighOrderModel& model, const std::vector<std::string>& names);
 

@@ -68,7 +68,7 @@ class ParallelNumbers(unittest.TestCase):
         said = done.stdout + done.stderr
         self.assertEqual(done.returncode, 0, said)
         self.assertIn("Point1 and Point2 must be finite, and not the same", said)
-        self.assertIn("there is no high-order field 'w'", said)
+        self.assertIn("there is no field 'w'", said)
         self.assertIn("points in blocks are not probed in several processes", said)
         self.assertIn("came to the end: 0 points", said)
 

@@ -356,7 +356,7 @@ class Representation(unittest.TestCase):
         with scene.messages() as heard:
             rgb = scene.pixels(self.view)
         self.assertTrue(scene.is_background(rgb).all())
-        self.assertIn("no high-order field 'PixelExactElementId' (available: u", heard[0])
+        self.assertIn("there is no field 'PixelExactElementId'; choose one of 'u'", heard[0])
 
 
 if __name__ == "__main__":

@@ -11,6 +11,7 @@
 #include "Core/Faces/FaceTable.h"
 #include "Core/Shape/ShapeFace.h"
 #include "Trace/Surfaces/ElementFaces.h"
+#include "Trace/Surfaces/FieldSamples.h"
 #include "Trace/Surfaces/IsoSurface.h"
 #include "Trace/Surfaces/JumpWalls.h"
 
@@ -176,6 +177,10 @@ const Field& FieldFor(const HighOrderModel& model, const IsoChoice& choice)
   const FieldChoice chosen{ .name = choice.field };
   const Field& field = chosen.In(model);
   RequireComponent(field, choice.component);
+  if (field.function != nullptr)
+  {
+    return field; // of which no range is known
+  }
   RequireValue(model, field, choice.component, choice.value);
   return field;
 }
@@ -185,6 +190,15 @@ std::shared_ptr<const Surface> MakeIsoSurface(
   const std::shared_ptr<const HighOrderModel>& model, const IsoChoice& choice)
 {
   const Field& field = FieldFor(*model, choice);
+  if (field.function != nullptr)
+  {
+    auto samples = std::make_shared<const FieldSamples>(
+      model->GetLocator(), field, choice.component, choice.value);
+    const int count = samples->SamplesOfRay();
+    return KeepingAlive(model,
+      std::make_unique<const SearchedSurface>(
+        std::move(samples), model->GetLocator().Bounds(), count));
+  }
   return KeepingAlive(model,
     std::make_unique<const IsoSurface>(
       model->GetLocator().Index(), field, choice.component, choice.value, choice.mayBeEmpty));

@@ -6,37 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace pixelexact
 {
 namespace
 {
-double Magnitude(std::span<const double> values)
-{
-  constexpr double kSmall = 1e-280;
-  constexpr double kLarge = 1e280;
-  double squares = 0.0;
-  for (const double value : values)
-  {
-    squares += value * value;
-  }
-  if (squares >= kSmall && squares <= kLarge)
-  {
-    return std::sqrt(squares);
-  }
-  // hypot neither overflows nor underflows on the way, but takes much longer.
-  return std::accumulate(values.begin() + 1, values.end(), std::fabs(values.front()),
-    [](double sum, double v) { return std::hypot(sum, v); });
-}
-
-double Component(std::span<const double> values, int component)
-{
-  return component == kMagnitude && values.size() > 1
-    ? Magnitude(values)
-    : values[static_cast<std::size_t>(std::max(component, 0))];
-}
-
 Interval Component(std::span<const double> lower, std::span<const double> upper, int component)
 {
   if (component != kMagnitude || lower.size() == 1)
@@ -187,7 +161,7 @@ void HitValues::Reduce(const Layer& layer, HitResults& found)
     // Of later hits nothing has been overwritten yet.
     for (std::size_t i = 0; i < count && !Value.empty(); ++i)
     {
-      Value[i] = Component(Value.subspan(i * components, components), layer.component);
+      Value[i] = ComponentOf(Value.subspan(i * components, components), layer.component);
     }
   }
   for (std::size_t i = 0; i < count && !Lower.empty(); ++i)

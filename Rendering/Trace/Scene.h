@@ -7,6 +7,7 @@
 
 #include <array>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace pixelexact
@@ -14,6 +15,9 @@ namespace pixelexact
 /// Layer::component: the Euclidean norm of all components, which for a scalar field is the scalar
 /// itself, sign and all, as in VTK.
 inline constexpr int kMagnitude = -1;
+
+/// That of a field's value.
+[[nodiscard]] double ComponentOf(std::span<const double> values, int component);
 
 /// A surface and what is traced on it. How it is shown is told to the modules (LayerLook): other
 /// looks trace nothing.

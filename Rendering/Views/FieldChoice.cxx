@@ -26,16 +26,7 @@ const Field& FieldChoice::In(const HighOrderModel& model) const
   }
   if (!name.empty())
   {
-    if (const Field* field = model.FindField(name))
-    {
-      return *field;
-    }
-    std::string names;
-    for (const Field& field : fields)
-    {
-      names += (names.empty() ? "" : ", ") + field.name;
-    }
-    throw Error("no high-order field '" + name + "' (available: " + names + ")");
+    return model.GetField(name);
   }
   if (index >= static_cast<int>(fields.size()))
   {

@@ -129,7 +129,7 @@ inline std::vector<std::vector<Interval>> Enclose(const Mesh& mesh, const Field&
   }
   const int count = static_cast<int>(xi.size());
   EncloseValues(mesh, field, 0, { { array(0), array(1), array(2) }, count },
-    { { array(3), array(4), array(5) }, count }, lower.data(), upper.data(), options);
+    { { array(3), array(4), array(5) }, count }, { lower.data(), upper.data() }, options);
   std::vector<std::vector<Interval>> result(xi.size());
   for (std::size_t i = 0; i < xi.size(); ++i)
   {

@@ -165,8 +165,8 @@ TEST_P(FieldMapping, ManyPointsLikeOneAlone)
 TEST_P(FieldMapping, SecondDerivativesOfThePolynomial)
 {
   const Mesh mesh = Builder.View();
-  const auto H =
-    SecondDerivatives(mesh.map.SpaceOf(0), mesh.map.Coefficients(0), Random(3).Inside(GetParam()));
+  Hessian H;
+  SecondDerivatives(mesh.map.SpaceOf(0), mesh.map.Coefficients(0), Random(3).Inside(GetParam()), H);
   for (int c = 0; c < 3; ++c)
   {
     for (int j = 0; j < 3; ++j)

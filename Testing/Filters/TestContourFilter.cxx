@@ -420,7 +420,7 @@ TEST(ContourFilter, WrongUseIsAnError)
   const auto has = [](const std::string& text, const char* part)
   { return text.find(part) != std::string::npos; };
   EXPECT_TRUE(has(errorOf([](Filter f) { f->SetCutFunction(nullptr); }), "SetCutFunction"));
-  EXPECT_TRUE(has(errorOf([](Filter f) { f->SetFieldName("g"); }), "'g'; the grid has: f"));
+  EXPECT_TRUE(has(errorOf([](Filter f) { f->SetFieldName("g"); }), "'g'; choose one of 'f'"));
   EXPECT_TRUE(has(errorOf([](Filter f) { f->SetComponent(1); }), "component 1"));
   EXPECT_TRUE(has(errorOf([](Filter f) { f->SetTolerance(-1.0); }), "tolerance"));
   // Chords as short as that would take all memory.

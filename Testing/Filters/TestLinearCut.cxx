@@ -360,7 +360,7 @@ TEST(LinearCut, WrongUseIsNamed)
   vtkNew<vtkPlane> plane;
   Cutting field(grid, plane);
   field.filter->AddField("no such");
-  refused(field, 4, "no high-order field 'no such'; the grid has: f");
+  refused(field, 4, "no field 'no such'; choose one of 'f'");
 
   Cutting large(grid, plane);
   plane->SetOrigin(0.5, 0.5, 0.5);

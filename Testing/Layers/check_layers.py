@@ -21,6 +21,7 @@ LAYERS = {
         "Basis",
         "Bernstein",
         "Element",
+        "Expression",
         "Bounds",
         "Tree",
         "Index",

@@ -128,7 +128,7 @@ class Probe(unittest.TestCase):
         self.assertEqual(pixelexact.probe(self.grid, "u", points).verdicts.tolist(), [1, 0])
 
     def test_refused(self):
-        with self.assertRaisesRegex(pixelexact.Error, "no field 'w'; there are: u"):
+        with self.assertRaisesRegex(pixelexact.Error, "no field 'w'; choose one of 'u'"):
             pixelexact.probe(self.grid, "w", [[0, 0, 0]])
         with self.assertRaisesRegex(TypeError, "complex"):
             pixelexact.probe(self.grid, "u", np.array([[1.0 + 1j, 0.0, 0.0]]))

@@ -198,7 +198,7 @@ TEST_F(CompositeInput, FieldsAreThoseOfAllLeaves)
   EXPECT_EQ(ErrorsOf(halves), "");
   Scene.Mapper->SetFieldName("v");
   const std::string text = ErrorsOf(halves);
-  EXPECT_NE(text.find("'v' (available: u, nan)"), std::string::npos) << text;
+  EXPECT_NE(text.find("'v'; choose one of 'u', 'nan'"), std::string::npos) << text;
 }
 
 TEST_F(CompositeInput, WhatIsNoHighOrderGridIsNamed)

@@ -64,7 +64,7 @@ TEST_F(HighOrderMapperErrors, UnknownField)
   EXPECT_EQ(Render(), "");
   Scene.Mapper->SetFieldName("pressure");
   const std::string text = Render();
-  EXPECT_TRUE(Contains(text, "'pressure'") && Contains(text, "u, v, nan")) << text;
+  EXPECT_TRUE(Contains(text, "'pressure'") && Contains(text, "'u', 'v', 'nan'")) << text;
   EXPECT_EQ(Scene.Mapper->GetBuffers(), nullptr);
   Scene.Mapper->SetFieldName("u");
   EXPECT_EQ(Render(), "");

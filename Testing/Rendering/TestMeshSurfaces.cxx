@@ -79,7 +79,7 @@ TEST_F(MeshSurfaces, IsoSurfacesOfWhatIsNotThereAreRefused)
   vtkNew<vtkHighOrderIsoSurface> iso;
   Scene.Mapper->SetSurface(iso);
   iso->SetFieldName("w");
-  ExpectError("no high-order field 'w'");
+  ExpectError("no field 'w'");
   iso->SetFieldName("v");
   iso->SetComponent(3);
   ExpectError("component 3 is asked for");

@@ -171,7 +171,7 @@ class Difference(ToolTest):
         self.assertGreater(summary["pixels"]["both"], 1000)
         vector = self.cube("v.vtu", lambda x, y, z: [x, y, z], field="v")
         for arguments, name in [
-            (["--with", second, "--with-field", "x"], "'x'"),
+            (["--with", second, "--with-field", "q"], "'q'"),
             (["--with", vector], "3 components"),
         ]:
             self.fails(1, "compare", first, "--field", "u", "--plane", "z", *arguments, names=[name])

@@ -22,6 +22,7 @@ constexpr int kSampledDegree = 8;
 ScaledModes ModesOf(const ContourQuestion& question, int element)
 {
   const Field& field = *question.field;
+  RequirePolynomials(field, "contours as lines");
   if (field.mapping != Mapping::Identity)
   {
     throw Unsupported("contours of field '" + field.name +

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Core/Element/Kernels.h"
+#include "Core/Element/FieldFunction.h"
 #include "Core/Element/Mesh.h"
 
 namespace pixelexact
@@ -16,8 +16,9 @@ struct EnclosureOptions
 /// Intervals that hold a field's values at world points, the error of the inverse map included.
 ///
 /// `xi` are approximate preimages in `element` of the points `x` (a Locator's); arrays as for the
-/// kernels, of PaddedCount(xi.count). Writes `lower[c][i]` and `upper[c][i]` for component c of
-/// the world value (Mapping included) at point i, to arrays of PaddedCount(xi.count).
+/// kernels, of PaddedCount(xi.count). Writes `values.lower[c][i]` and `values.upper[c][i]` for
+/// component c of the world value (Mapping included) at point i, to arrays of
+/// PaddedCount(xi.count).
 ///
 /// What is proven: the stored map Phi, continued beyond the shape as the function that it is, has
 /// exactly one preimage of `x[i]` in a small box around `xi[i]`, and the stored field's exact
@@ -33,6 +34,12 @@ struct EnclosureOptions
 /// 19, 2010, section 13) with epsilon-inflation, then the mean value form. Assumes rounding to
 /// nearest. A point's interval depends on that point, its xi and the element alone.
 void EncloseValues(const Mesh& mesh, const Field& field, int element, const LanePoints& xi,
-  const LanePoints& x, double* const* lower, double* const* upper,
-  const EnclosureOptions& options = {});
+  const LanePoints& x, const BoundArrays& values, const EnclosureOptions& options = {});
+
+/// The same of values and of derivatives, `gradients[3 c + d]` of component c by x_d in world
+/// units, of a field that has coefficients. Derivatives are those of the stored field by the stored
+/// map, at the preimage of any point within the mesh's uncertainty of `x[i]`. Everything for mapped
+/// fields.
+void EncloseGradients(const Mesh& mesh, const Field& field, int element, const LanePoints& xi,
+  const LanePoints& x, const BoundArrays& values, const BoundArrays& gradients);
 } // namespace pixelexact

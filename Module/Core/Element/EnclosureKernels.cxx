@@ -108,14 +108,13 @@ private:
 };
 
 /// Some of the field's components over one pack's box: by the mean value form or directly,
-/// whichever is narrower.
+/// whichever is narrower; and their derivatives by xi.
 void EncloseField(const EnclosureTask& task, const BallKernels& kernels, const Point<Lanes>& xi,
-  const PreimageBox& box, int first, int count, Ball* value)
+  const PreimageBox& box, int first, int count, Ball* value, Ball* gradient)
 {
   const double* coefficients =
     task.coefficients + static_cast<std::ptrdiff_t>(first) * task.space.Modes();
   Ball direct[kComponentsAtOnce];
-  Ball gradient[3 * kComponentsAtOnce];
   const Lanes zero = Splat(0.0);
   kernels.values(task.space, coefficients, count, BoxAround(xi, { { zero, zero, zero } }), value);
   kernels.gradients(task.space, coefficients, count, BoxAround(xi, box.radius), direct, gradient);
@@ -132,7 +131,7 @@ void EncloseField(const EnclosureTask& task, const BallKernels& kernels, const P
 }
 
 void EnclosePacks(const EnclosureTask& task, const LanePoints& xi, const LanePoints& x,
-  double* const* middle, double* const* radius)
+  const BallArrays& values, const BallArrays& gradients)
 {
   const BallKernels mapKernels = BallKernelsFor(task.mapSpace);
   const BallKernels kernels = BallKernelsFor(task.space);
@@ -144,7 +143,7 @@ void EnclosePacks(const EnclosureTask& task, const LanePoints& xi, const LanePoi
     const PreimageBox box = KrawczykTest(task, mapKernels, at).Run(LoadPoint<Lanes>(x, i));
     const LaneMask proven = box.radius.x[0] < infinity;
     Ball jacobian[9];
-    if (task.mapping != Mapping::Identity)
+    if (task.mapping != Mapping::Identity || gradients.middle != nullptr)
     {
       Ball phi[3];
       mapKernels.gradients(
@@ -153,17 +152,30 @@ void EnclosePacks(const EnclosureTask& task, const LanePoints& xi, const LanePoi
     for (int first = 0; first < task.components; first += kComponentsAtOnce)
     {
       Ball value[kComponentsAtOnce];
+      Ball gradient[3 * kComponentsAtOnce];
       const int count = std::min(task.components - first, kComponentsAtOnce);
-      EncloseField(task, kernels, at, box, first, count, value);
+      EncloseField(task, kernels, at, box, first, count, value, gradient);
       if (task.mapping != Mapping::Identity)
       {
         MapBalls(task.mapping, jacobian, count, value);
       }
       for (int c = 0; c < count; ++c)
       {
-        Store(value[c].middle, middle[first + c] + i);
+        Store(value[c].middle, values.middle[first + c] + i);
         // A constant is known wherever it is taken, but not that there is a preimage.
-        Store(Select(proven, value[c].radius, infinity), radius[first + c] + i);
+        Store(Select(proven, value[c].radius, infinity), values.radius[first + c] + i);
+      }
+      for (int c = 0; gradients.middle != nullptr && c < count; ++c)
+      {
+        // du / dx = J^-T du / dxi, as of a covariant field.
+        Ball* const slope = gradient + 3 * c;
+        MapBalls(Mapping::Covariant, jacobian, 3, slope);
+        for (int d = 0; d < 3; ++d)
+        {
+          const int k = 3 * (first + c) + d;
+          Store(slope[d].middle, gradients.middle[k] + i);
+          Store(Select(proven, slope[d].radius, infinity), gradients.radius[k] + i);
+        }
       }
     }
   }
@@ -177,9 +189,9 @@ namespace pixelexact
 HWY_EXPORT(EnclosePacks);
 
 void EncloseInLanes(const EnclosureTask& task, const LanePoints& xi, const LanePoints& x,
-  double* const* middle, double* const* radius)
+  const BallArrays& values, const BallArrays& gradients)
 {
-  HWY_DYNAMIC_DISPATCH(EnclosePacks)(task, xi, x, middle, radius);
+  HWY_DYNAMIC_DISPATCH(EnclosePacks)(task, xi, x, values, gradients);
 }
 } // namespace pixelexact
 #endif

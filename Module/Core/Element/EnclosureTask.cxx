@@ -78,7 +78,7 @@ EnclosureProblem::EnclosureProblem(
   }
 }
 
-Interval EnclosureProblem::ToWorld(double middle, double radius) const
+Interval EnclosureProblem::ToWorld(double middle, double radius, bool isDerivative) const
 {
   if (!(std::fabs(middle) <= std::numeric_limits<double>::max()) ||
     !(radius <= std::numeric_limits<double>::max()))
@@ -95,7 +95,7 @@ Interval EnclosureProblem::ToWorld(double middle, double radius) const
     value *= Factor;
   }
   // One factor after the other: the cube of a size may overflow where the quotient does not.
-  for (int k = 0; k < PowersOfInverseSize(TheTask.mapping); ++k)
+  for (int k = isDerivative ? -1 : 0; k < PowersOfInverseSize(TheTask.mapping); ++k)
   {
     value = value / Size;
   }

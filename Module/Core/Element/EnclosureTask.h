@@ -23,10 +23,18 @@ struct EnclosureTask
   Mapping mapping;
 };
 
-/// Middle and radius of the field's values in the element's units: J and its inverse are those of
-/// Phi. Nothing is known where they are not both finite.
+/// Middles and radii, as arrays over the points.
+struct BallArrays
+{
+  double* const* middle = nullptr;
+  double* const* radius = nullptr;
+};
+
+/// Of the field's values in the element's units: J and its inverse are those of Phi. Nothing is
+/// known where they are not both finite. With arrays for them, of a field that is not mapped, also
+/// of its derivatives by the element's coordinates, [3 c + d].
 void EncloseInLanes(const EnclosureTask& task, const LanePoints& xi, const LanePoints& x,
-  double* const* middle, double* const* radius);
+  const BallArrays& values, const BallArrays& gradients = {});
 
 /// An element and a field as the lanes take them, and the way back to the world. The arrays of both
 /// must outlive it.
@@ -42,8 +50,8 @@ public:
   /// to 2^900. Else there is no task.
   [[nodiscard]] bool IsUsable() const { return Usable; }
   [[nodiscard]] const EnclosureTask& Task() const { return TheTask; }
-  /// A value that the lanes enclosed; everything where they knew nothing.
-  [[nodiscard]] Interval ToWorld(double middle, double radius) const;
+  /// A value, or a derivative, that the lanes enclosed; everything where they knew nothing.
+  [[nodiscard]] Interval ToWorld(double middle, double radius, bool isDerivative = false) const;
 
 private:
   EnclosureTask TheTask{};

@@ -24,22 +24,22 @@ namespace pixelexact
 namespace
 {
 template <template <class, class, bool> class Modes>
-Hessian HessianOf(const Space& space, const double* coefficients, const Vec3& xi)
+void HessianOf(const Space& space, const double* coefficients, const Vec3& xi,
+  std::span<Hessian::value_type> out)
 {
   using namespace HWY_NAMESPACE;
   const Modes<Dual, AnyOrder, true> modes(space,
     Point<Dual>{ { Dual::Variable(xi.x, 0), Dual::Variable(xi.y, 1), Dual::Variable(xi.z, 2) } });
-  Hessian hessian;
-  for (int c = 0; c < 3; ++c)
+  for (auto& component : out)
   {
-    const auto e = modes.Evaluate(coefficients + static_cast<std::ptrdiff_t>(c) * space.Modes());
-    for (int j = 0; j < 3; ++j)
+    const auto e = modes.Evaluate(coefficients);
+    coefficients += space.Modes();
+    for (std::size_t j = 0; j < 3; ++j)
     {
       const auto& row = e.gradient[j].derivative;
-      hessian[c][j] = { row[0], row[1], row[2] };
+      component[j] = { row[0], row[1], row[2] };
     }
   }
-  return hessian;
 }
 
 /// The map's derivatives at one point, in world units.
@@ -50,8 +50,8 @@ public:
     : J(jacobian * mesh.size[element])
     , Inverse(glm::inverse(jacobian) * (1.0 / mesh.size[element]))
     , InverseD(1.0 / glm::determinant(jacobian))
-    , H(SecondDerivatives(mesh.map.SpaceOf(element), mesh.map.Coefficients(element), xi))
   {
+    SecondDerivatives(mesh.map.SpaceOf(element), mesh.map.Coefficients(element), xi, H);
     // One factor after the other: the cube of a size may overflow where the quotient does not.
     for (int i = 0; i < 3; ++i)
     {
@@ -206,20 +206,24 @@ void ApplyMapping(const Mesh& mesh, int element, Mapping mapping, const LanePoin
   }
 }
 
-Hessian SecondDerivatives(const Space& space, const double* coefficients, const Vec3& xi)
+void SecondDerivatives(const Space& space, const double* coefficients, const Vec3& xi,
+  std::span<Hessian::value_type> out)
 {
   using namespace HWY_NAMESPACE;
   switch (space.shape)
   {
     case Shape::Hexahedron:
-      return HessianOf<HexahedronModes>(space, coefficients, xi);
+      HessianOf<HexahedronModes>(space, coefficients, xi, out);
+      return;
     case Shape::Prism:
-      return HessianOf<PrismModes>(space, coefficients, xi);
+      HessianOf<PrismModes>(space, coefficients, xi, out);
+      return;
     case Shape::Tetrahedron:
-      return HessianOf<TetrahedronModes>(space, coefficients, xi);
+      HessianOf<TetrahedronModes>(space, coefficients, xi, out);
+      return;
     default:
-      return space.form == Form::Tensor ? HessianOf<TensorPyramidModes>(space, coefficients, xi)
-                                        : HessianOf<PyramidModes>(space, coefficients, xi);
+      space.form == Form::Tensor ? HessianOf<TensorPyramidModes>(space, coefficients, xi, out)
+                                 : HessianOf<PyramidModes>(space, coefficients, xi, out);
   }
 }
 } // namespace pixelexact

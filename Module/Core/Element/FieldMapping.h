@@ -6,6 +6,7 @@
 #include "Core/Math/Vec.h"
 
 #include <array>
+#include <span>
 
 namespace pixelexact
 {
@@ -19,8 +20,10 @@ void ApplyMapping(const Mesh& mesh, int element, Mapping mapping, const LanePoin
 /// d^2 y_c / d xi_j d xi_k as [c][j][k].
 using Hessian = std::array<std::array<Vec3, 3>, 3>;
 
-/// Second derivatives of three components at one point, in the units of the coefficients. Serial
-/// and without lanes: for gradients of mapped fields, which are rare. At a pyramid's apex they do
-/// not exist; those that depend on the way there are taken as zero.
-Hessian SecondDerivatives(const Space& space, const double* coefficients, const Vec3& xi);
+/// Second derivatives by xi of as many components as `out` holds, at one point, in the units of the
+/// coefficients. Serial and without lanes: for gradients of mapped fields and expressions with
+/// second derivatives, which are rare. At a pyramid's apex they do not exist; those that depend on
+/// the way there are taken as zero.
+void SecondDerivatives(const Space& space, const double* coefficients, const Vec3& xi,
+  std::span<Hessian::value_type> out);
 } // namespace pixelexact

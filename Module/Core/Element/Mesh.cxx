@@ -137,4 +137,13 @@ void Validate(const Field& field, const Mesh& mesh)
     }
   }
 }
+
+void RequirePolynomials(const Field& field, const std::string& what)
+{
+  if (field.function != nullptr)
+  {
+    throw Unsupported(what + " are not available for expressions such as '" + field.name +
+      "', which are evaluated at points; choose a field of the data.");
+  }
+}
 } // namespace pixelexact

@@ -4,6 +4,7 @@
 #include "Core/Basis/Space.h"
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 
@@ -54,12 +55,21 @@ enum class Mapping : std::uint8_t
   Density = 3        ///< u = F / det J
 };
 
+class FieldFunction;
+
 struct Field
 {
   std::string name;
   Expansion values; ///< of F
   Mapping mapping = Mapping::Identity;
+  /// What the field is, if not null: a function without coefficients; of `values`, the components
+  /// alone are there.
+  std::shared_ptr<const FieldFunction> function{};
 };
+
+/// Throws Unsupported where the field is a function without coefficients: `what` is not available
+/// for it. "Contour lines as polylines", "integrals".
+void RequirePolynomials(const Field& field, const std::string& what);
 
 /// Checks that an expansion's arrays agree: spaces valid, indices and offsets within bounds,
 /// components >= 1. Throws InvalidData naming `what` and the element.

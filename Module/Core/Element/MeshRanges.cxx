@@ -206,6 +206,7 @@ MeshRange RangeOf(const Mesh& mesh, const RangeQuestion& question, const RangeEf
 {
   if (!IsAnswerable(question))
   {
+    RequirePolynomials(*question.field, "proven ranges");
     throw Unsupported("The gradient of field '" + question.field->name +
       "', an H(curl), H(div) or density field, cannot be certified.");
   }

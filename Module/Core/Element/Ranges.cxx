@@ -48,6 +48,10 @@ struct ElementRange::Internals
 
 bool IsAnswerable(const RangeQuestion& question)
 {
+  if (question.field != nullptr && question.field->function != nullptr)
+  {
+    return false;
+  }
   const bool gradient = question.quantity == Quantity::GradientComponent ||
     question.quantity == Quantity::GradientMagnitude;
   return !gradient || question.field->mapping == Mapping::Identity;
@@ -59,6 +63,7 @@ ElementRange::ElementRange(
 {
   if (!IsAnswerable(question))
   {
+    RequirePolynomials(*question.field, "proven ranges");
     throw Unsupported("The gradient of field '" + question.field->name +
       "', an H(curl), H(div) or density field, cannot be certified.");
   }

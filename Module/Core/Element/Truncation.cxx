@@ -43,6 +43,7 @@ Truncation::Truncation(const Field& field, int order)
   , Components(field.values.components)
   , TheOrder(order)
 {
+  RequirePolynomials(field, "truncations");
   const Expansion& values = field.values;
   High.spaces.assign(values.spaces.begin(), values.spaces.end());
   High.spaceOf.assign(values.spaceOf.begin(), values.spaceOf.end());

@@ -41,6 +41,7 @@ ElementFunctions::ElementFunctions(const IntegralQuestion& question, int element
   const Field* const ofCut = question.cut != nullptr ? question.cut->MadeOf() : nullptr;
   if (question.field != nullptr)
   {
+    RequirePolynomials(*question.field, "proven integrals");
     Modes = modesOf(question.field->values);
   }
   if (ofCut != nullptr)

@@ -47,6 +47,7 @@ IsoValueSurface::IsoValueSurface(const Field& field, int component, double value
   , Last(component == kOfMagnitude ? field.values.components - 1 : component)
   , Value(value)
 {
+  RequirePolynomials(field, "integrals over iso-surfaces");
   if (field.mapping != Mapping::Identity)
   {
     throw Unsupported("the field '" + field.name +

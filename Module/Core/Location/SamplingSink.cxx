@@ -4,6 +4,7 @@
 #include "Core/Base/Error.h"
 #include "Core/Base/StageClock.h"
 #include "Core/Element/Enclosure.h"
+#include "Core/Element/FieldFunction.h"
 #include "Core/Element/FieldMapping.h"
 
 #include <algorithm>
@@ -126,31 +127,18 @@ void SamplingSink::Unknown(int index, int element)
 
 void SamplingSink::EvaluateField(int element, std::span<const int> index, const LanePoints& xi)
 {
-  const auto& values = TheField->values;
-  const Space& space = values.SpaceOf(element);
-  const auto components = static_cast<std::size_t>(values.components);
+  const auto components = static_cast<std::size_t>(TheField->values.components);
   const auto stride = static_cast<std::size_t>(PaddedCount(xi.count));
   const bool gradient = !Target.gradient.empty();
   double* const* out = Arrays.Get(components * (gradient ? 4 : 1), stride);
-  const KernelSet kernels = KernelsFor(space);
-  if (gradient)
+  double* const* slopes = gradient ? out + components : nullptr;
+  if (TheField->function != nullptr)
   {
-    kernels.gradient(
-      space, values.Coefficients(element), values.components, xi, out, out + components);
-  }
-  else if (Target.precision == Precision::Float)
-  {
-    kernels.valueInFloats(space, values.Coefficients(element), values.components, xi, out);
+    TheField->function->Evaluate(TheMesh, element, xi, out, slopes);
   }
   else
   {
-    kernels.value(space, values.Coefficients(element), values.components, xi, out);
-  }
-  ApplyMapping(TheMesh, element, TheField->mapping, xi, values.components, out,
-    gradient ? out + components : nullptr);
-  if (Target.check && !gradient && Target.precision == Precision::Float)
-  {
-    CheckFloats(element, xi, out);
+    EvaluatePolynomials(element, xi, out, slopes);
   }
   if (gradient)
   {
@@ -159,6 +147,32 @@ void SamplingSink::EvaluateField(int element, std::span<const int> index, const 
   if (!Target.value.empty())
   {
     Scatter(index, out, components, Target.value);
+  }
+}
+
+void SamplingSink::EvaluatePolynomials(
+  int element, const LanePoints& xi, double* const* out, double* const* slopes)
+{
+  const Expansion& values = TheField->values;
+  const Space& space = values.SpaceOf(element);
+  const KernelSet kernels = KernelsFor(space);
+  const bool inFloats = slopes == nullptr && Target.precision == Precision::Float;
+  if (slopes != nullptr)
+  {
+    kernels.gradient(space, values.Coefficients(element), values.components, xi, out, slopes);
+  }
+  else if (inFloats)
+  {
+    kernels.valueInFloats(space, values.Coefficients(element), values.components, xi, out);
+  }
+  else
+  {
+    kernels.value(space, values.Coefficients(element), values.components, xi, out);
+  }
+  ApplyMapping(TheMesh, element, TheField->mapping, xi, values.components, out, slopes);
+  if (Target.check != nullptr && inFloats)
+  {
+    CheckFloats(element, xi, out);
   }
 }
 
@@ -203,7 +217,7 @@ void SamplingSink::EncloseField(int element, std::span<const int> index, const L
   double* const* lower = arrays + 3;
   double* const* upper = lower + components;
   EncloseValues(TheMesh, *TheField, element, xi, { { arrays[0], arrays[1], arrays[2] }, xi.count },
-    lower, upper);
+    { lower, upper });
   Scatter(index, lower, components, Target.valueLower);
   Scatter(index, upper, components, Target.valueUpper);
 }

@@ -31,6 +31,9 @@ public:
 
 private:
   void EvaluateField(int element, std::span<const int> index, const LanePoints& xi);
+  /// `slopes`: null, or where gradients go.
+  void EvaluatePolynomials(
+    int element, const LanePoints& xi, double* const* out, double* const* slopes);
   void CheckFloats(int element, const LanePoints& xi, const double* const* values);
   void EncloseField(int element, std::span<const int> index, const LanePoints& xi);
 

@@ -55,8 +55,14 @@ EdgeFunctions::EdgeFunctions(const Mesh& mesh, const ElementBounds& bounds, int 
 EdgeFunctions::Modes EdgeFunctions::ModesOf(
   const Mesh& mesh, int element, const Field& field, int component, double rounding)
 {
-  const Space& space = field.values.SpaceOf(element);
   const int count = component < 0 ? field.values.components : 1;
+  if (field.function != nullptr)
+  {
+    // Nothing is known; the modes of the map stand for those that there are not.
+    return { ScaledModes(mesh.map.SpaceOf(element), mesh.map.Coefficients(element), 1), count,
+      std::nullopt, false };
+  }
+  const Space& space = field.values.SpaceOf(element);
   // Of mapped vectors each component is made of all.
   const bool isMapped = field.mapping != Mapping::Identity;
   ScaledModes modes(space,

@@ -285,7 +285,7 @@ ElementPlateaus::ElementPlateaus(const Mesh& mesh, int element, const Field& fie
   , Element(element)
   , TheField(field)
   , Component(component)
-  , MayHold(field.mapping == Mapping::Identity && Modes().finite)
+  , MayHold(field.function == nullptr && field.mapping == Mapping::Identity && Modes().finite)
 {
 }
 

@@ -50,8 +50,8 @@ struct PlaneInElement
 class ElementPlateaus
 {
 public:
-  /// `component`: or -1: the Euclidean norm of all. Of mapped fields, and of fields that are not
-  /// finite there, nothing is held.
+  /// `component`: or -1: the Euclidean norm of all. Of mapped fields, of functions without
+  /// coefficients, and of fields that are not finite there, nothing is held.
   ElementPlateaus(const Mesh& mesh, int element, const Field& field, int component);
 
   [[nodiscard]] const Interval& InElement() const;

@@ -33,10 +33,14 @@ def _fields_of(source: Any) -> list[str]:
 
 
 def check_field(source: Any, field: Optional[str]) -> None:
-    """Raises Error where a grid lacks the field; of composite data the classes themselves tell."""
+    """Raises Error for what is neither a field of a grid nor an expression of its fields; of
+    composite data the classes themselves tell."""
     names = _fields_of(source)
     if field is not None and names and field not in names:
-        raise Error(f"there is no field '{field}'; there are: {', '.join(names)}")
+        with errors_of([source], "") as errors:
+            source.GetHighOrderFieldComponents(field)
+        if errors:
+            raise Error(errors[0])
 
 
 def _set_range(mapper: Any, clim: Limits) -> None:

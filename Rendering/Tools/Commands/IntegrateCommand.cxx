@@ -71,8 +71,8 @@ Answer Solve(const IntegralSurface& surface, const LoadedModel& input, const Fie
   {
     const IsoChoice iso = Resolve(*surface.iso, model);
     pieces.push_back(
-      { std::make_shared<IsoValueSurface>(FieldNamed(model, iso.field), iso.component, iso.value),
-        {}, std::nullopt });
+      { std::make_shared<IsoValueSurface>(model.GetField(iso.field), iso.component, iso.value), {},
+        std::nullopt });
   }
   if (surface.boundary)
   {

@@ -45,7 +45,7 @@ std::vector<const Field*> FieldsToProbe(const HighOrderModel& model, const Probe
     std::vector<const Field*> fields;
     for (const std::string& name : options.fields)
     {
-      fields.push_back(&FieldNamed(model, name));
+      fields.push_back(&model.GetField(name));
     }
     return fields;
   }

@@ -6,6 +6,7 @@
 #include "Scene/LayerOptions.h"
 #include "Scene/Model.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -63,16 +64,19 @@ IsoText ParseIso(const std::string& text)
 
 IsoChoice Resolve(const IsoText& text, const HighOrderModel& model)
 {
+  const auto isOfPolynomials = [&model](const std::string& name)
+  { return std::ranges::find(model.Fields(), name, &Field::name) != model.Fields().end(); };
   const auto dot = text.name.rfind('.');
-  if (model.FindField(text.name) == nullptr && dot != std::string::npos)
+  if (!isOfPolynomials(text.name) && dot != std::string::npos)
   {
+    // A component of a field is proven, which one of an expression is not.
     const std::string name = text.name.substr(0, dot);
     const std::optional<int> component = ParseComponent(text.name.substr(dot + 1));
-    if (component && model.FindField(name) != nullptr)
+    if (component && isOfPolynomials(name))
     {
       return { name, *component, text.value };
     }
   }
-  return { FieldNamed(model, text.name).name, kMagnitude, text.value };
+  return { model.GetField(text.name).name, kMagnitude, text.value };
 }
 } // namespace pixelexact

@@ -214,22 +214,11 @@ void WarnOfDiagnostics(const LoadedModel& input)
   }
 }
 
-const Field& FieldNamed(const HighOrderModel& model, const std::string& name)
-{
-  const Field* field = model.FindField(name);
-  if (field == nullptr)
-  {
-    throw Error("there is no field '" + name + "'; " +
-      (model.Fields().empty() ? "the input has no fields" : "there are " + FieldNames(model)));
-  }
-  return *field;
-}
-
 const Field& FieldOrFirst(const HighOrderModel& model, const std::string& name)
 {
   if (!name.empty())
   {
-    return FieldNamed(model, name);
+    return model.GetField(name);
   }
   const Field& first = model.Fields().front();
   Note("field '" + first.name + "'" +
@@ -263,8 +252,8 @@ std::string OrderText(const std::array<int, 2>& range)
 std::string FieldKind(const Field& field)
 {
   const int components = field.values.components;
-  return fmt::format(" ({}order {})",
+  return fmt::format(" ({}{})",
     components == 1 ? std::string() : fmt::format("{} components, ", components),
-    OrderText(OrderRange(field.values)));
+    field.function != nullptr ? "an expression" : "order " + OrderText(OrderRange(field.values)));
 }
 } // namespace pixelexact

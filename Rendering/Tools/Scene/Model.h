@@ -55,11 +55,8 @@ Box3 BoxOf(const HighOrderModel& model);
 /// Says on stderr what looks wrong in the file.
 void WarnOfDiagnostics(const LoadedModel& input);
 
-/// The field of that name; Error naming those that there are.
-const Field& FieldNamed(const HighOrderModel& model, const std::string& name);
-
-/// The field of that name, as FieldNamed; where that is empty the first one, of which stderr tells.
-/// The model has one.
+/// As HighOrderModel::GetField; where the name is empty the first one, of which stderr tells. The
+/// model has one.
 const Field& FieldOrFirst(const HighOrderModel& model, const std::string& name);
 
 /// Such as " (3 components, order 4 to 6)", to follow the field's name.

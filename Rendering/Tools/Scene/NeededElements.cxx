@@ -151,7 +151,7 @@ void ChooseNearSurface(const HighOrderModel& model, const Surface& surface, Chos
 /// Elements whose proven range holds the value, and those at the ends of all values.
 void ChooseOfIso(const HighOrderModel& model, const IsoChoice& iso, Chosen& chosen)
 {
-  const Field& field = FieldNamed(model, iso.field);
+  const Field& field = model.GetField(iso.field);
   const bool magnitude = iso.component == kMagnitude && field.values.components > 1;
   const RangeQuestion question{ magnitude ? Quantity::Magnitude : Quantity::Component, &field,
     std::max(0, iso.component) };

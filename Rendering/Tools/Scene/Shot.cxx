@@ -141,8 +141,8 @@ void AddLayers(const ShotOptions& options,
   for (std::size_t k = 0; k < surfaces.size(); ++k)
   {
     const LayerSettings& settings = shot.settings[k];
-    shot.scene.layers.push_back(MakeLayer(options, settings, surfaces[k],
-      settings.field ? FieldNamed(model, *settings.field) : *ofAll));
+    shot.scene.layers.push_back(MakeLayer(
+      options, settings, surfaces[k], settings.field ? model.GetField(*settings.field) : *ofAll));
   }
 }
 

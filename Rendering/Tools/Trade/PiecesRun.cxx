@@ -112,19 +112,8 @@ LinearSurface Valued(const Lattice& lattice, const HighOrderModel& model, const 
   target.value = values;
   target.verdict = verdicts;
   Sample(model.GetLocator(), &field, lattice.points, target);
-  const auto valueAt = [&](std::size_t point)
-  {
-    const double* const value = &values[point * components];
-    if (layer.component != kMagnitude || components == 1)
-    {
-      return value[std::max(layer.component, 0)];
-    }
-    double sum = 0.0;
-    for (std::size_t c = 0; c < components; ++c)
-    {
-      sum = std::hypot(sum, value[c]);
-    }
-    return sum;
+  const auto valueAt = [&](std::size_t point) {
+    return ComponentOf(std::span(values).subspan(point * components, components), layer.component);
   };
   std::vector<Triangles::Triangle> shown;
   std::vector<std::array<double, 3>> corners;

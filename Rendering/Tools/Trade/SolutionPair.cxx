@@ -29,7 +29,7 @@ const Field& FieldOf(const LoadedModel& input, const std::string& given, const s
   }
   try
   {
-    return FieldNamed(model, given.empty() ? usual : given);
+    return model.GetField(given.empty() ? usual : given);
   }
   catch (const Error& error)
   {

@@ -53,20 +53,6 @@ struct FaceLattice
   std::vector<Vec3> xi;
   std::vector<std::array<int, 3>> triangles;
 };
-
-double ComponentOf(std::span<const double> values, int component)
-{
-  if (component != kMagnitude || values.size() == 1)
-  {
-    return values[static_cast<std::size_t>(std::max(component, 0))];
-  }
-  double sum = 0.0;
-  for (const double value : values)
-  {
-    sum = std::hypot(sum, value);
-  }
-  return sum;
-}
 } // namespace
 
 std::size_t CountTriangles(const Mesh& mesh, std::span<const ElementFace> faces, int parts)

@@ -287,6 +287,11 @@ void ContourTile::Judge(const ContouredLayer& layer, EdgeWork& work)
 {
   LayerSight sight(Tile, layer.number);
   const Surface& surface = sight.GetSurface();
+  if (layer.bounds->IsOfFunction())
+  {
+    LeaveOpen(layer.number);
+    return;
+  }
   if (!surface.HasSagitta())
   {
     const Interval& range = layer.bounds->Values();

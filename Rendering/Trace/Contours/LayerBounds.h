@@ -24,6 +24,8 @@ class LayerBounds
 public:
   LayerBounds(const Locator& locator, const Layer& layer);
 
+  /// Whether the field is a function without coefficients, of which nothing is known but values.
+  [[nodiscard]] bool IsOfFunction() const { return TheField.function != nullptr; }
   [[nodiscard]] const EdgeBounds& Of(int element) const;
   [[nodiscard]] const ElementPlateaus& PlateausOf(int element) const;
   [[nodiscard]] const ElementIndex& Index() const { return TheIndex; }

@@ -12,6 +12,7 @@ namespace pixelexact
 {
 CurvedEquation IsoEquation(const Mesh& mesh, const Field& field, int component, double value)
 {
+  RequirePolynomials(field, "walls of iso-surfaces");
   if (field.mapping != Mapping::Identity)
   {
     throw Unsupported("An iso-surface of field '" + field.name +

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Element/Kernels.h"
+
+namespace pixelexact
+{
+struct Mesh;
+
+/// Lower and upper bounds, as arrays over points.
+struct BoundArrays
+{
+  double* const* lower = nullptr;
+  double* const* upper = nullptr;
+};
+
+/// A function on a mesh that is evaluated at points and is no polynomial of xi: values of an
+/// expression. Safe to use from several threads.
+class FieldFunction
+{
+public:
+  virtual ~FieldFunction() = default;
+
+  /// Components of a value.
+  [[nodiscard]] virtual int Components() const = 0;
+
+  /// Throws Unsupported, naming what is missing, where Evaluate has no gradient.
+  virtual void RequireGradient() const = 0;
+
+  /// At points of one element: `value[c]` and, unless it is null, `gradient[3 c + d]`, the
+  /// derivative of component c by x_d in world units, as arrays of PaddedCount(xi.count) numbers.
+  /// NaN and infinite where the function is. Throws as RequireGradient.
+  virtual void Evaluate(const Mesh& mesh, int element, const LanePoints& xi, double* const* value,
+    double* const* gradient) const = 0;
+
+  /// Intervals that hold the values at world points `x`, near whose preimages in the element `xi`
+  /// are (EncloseValues); everything where nothing is proven.
+  virtual void Enclose(const Mesh& mesh, int element, const LanePoints& xi, const LanePoints& x,
+    const BoundArrays& values) const = 0;
+};
+} // namespace pixelexact

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Expression/Expression.h"
+
+#include "Core/Base/Error.h"
+#include "Core/Expression/IntervalProgram.h"
+#include "Core/Expression/PointLeaves.h"
+#include "Core/Expression/Program.h"
+#include "Core/Expression/Translator.h"
+
+#include <tbb/collaborative_call_once.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace pixelexact
+{
+namespace
+{
+/// A program and the leaves that it needs.
+class Compiled
+{
+public:
+  Compiled(const Graph& graph, std::vector<int> outputs, std::span<const Field* const> fields,
+    std::span<const std::int64_t> numbers)
+    : TheProgram(graph, std::move(outputs))
+    , Leaves(TheProgram.Leaves(), fields, numbers)
+  {
+    for (const Graph::Node& leaf : TheProgram.Leaves())
+    {
+      if (leaf.operation == Operation::Curvature &&
+        fields[static_cast<std::size_t>(leaf.field)]->mapping != Mapping::Identity)
+      {
+        throw Unsupported("second derivatives of '" +
+          fields[static_cast<std::size_t>(leaf.field)]->name +
+          "' are not available: it is a field of H(curl), H(div) or a density");
+      }
+    }
+  }
+
+  /// `out`: of each output.
+  void Evaluate(
+    const Mesh& mesh, int element, const LanePoints& xi, std::span<double* const> out) const
+  {
+    thread_local PointLeaves::Scratch leaves;
+    thread_local std::vector<double> registers;
+    std::vector<double*> some(out.size());
+    for (int begin = 0; begin < xi.count; begin += PointLeaves::kTogether)
+    {
+      const LanePoints points{ { xi.x[0] + begin, xi.x[1] + begin, xi.x[2] + begin },
+        std::min(PointLeaves::kTogether, xi.count - begin) };
+      std::ranges::transform(out, some.begin(), [begin](double* array) { return array + begin; });
+      TheProgram.Run(
+        Leaves.Evaluate(mesh, element, points, leaves), points.count, some.data(), registers);
+    }
+  }
+
+private:
+  Program TheProgram;
+  PointLeaves Leaves;
+};
+
+class ExpressionFunction final : public FieldFunction
+{
+public:
+  ExpressionFunction(const std::string& text, const ExpressionScope& scope)
+    : Text(text)
+    , Numbers(scope.numbers)
+  {
+    std::ranges::transform(
+      scope.fields, std::back_inserter(Fields), [](const Field& field) { return &field; });
+    Outputs = Translator(TheGraph, scope).Translate(text).nodes;
+    Values.emplace(TheGraph, Outputs, Fields, Numbers);
+    Bounds.emplace(TheGraph, Outputs, Fields, Numbers);
+  }
+
+  [[nodiscard]] int Components() const override { return static_cast<int>(Outputs.size()); }
+
+  void RequireGradient() const override
+  {
+    tbb::collaborative_call_once(Differentiated, [this] { Differentiate(); });
+    if (!WithGradient)
+    {
+      throw Unsupported("'" + Text + "' has no gradient: " + Missing);
+    }
+  }
+
+  void Evaluate(const Mesh& mesh, int element, const LanePoints& xi, double* const* value,
+    double* const* gradient) const override
+  {
+    if (gradient == nullptr)
+    {
+      Values->Evaluate(mesh, element, xi, { value, Outputs.size() });
+      return;
+    }
+    RequireGradient();
+    std::vector<double*> out(value, value + Outputs.size());
+    out.insert(out.end(), gradient, gradient + 3 * Outputs.size());
+    WithGradient->Evaluate(mesh, element, xi, out);
+  }
+
+  void Enclose(const Mesh& mesh, int element, const LanePoints& xi, const LanePoints& x,
+    const BoundArrays& values) const override
+  {
+    Bounds->Enclose(mesh, element, xi, x, values);
+  }
+
+private:
+  void Differentiate() const
+  {
+    try
+    {
+      std::vector<int> outputs = Outputs;
+      for (const int node : Outputs)
+      {
+        for (int d = 0; d < 3; ++d)
+        {
+          outputs.push_back(TheGraph.Derivative(node, d));
+        }
+      }
+      WithGradient.emplace(TheGraph, std::move(outputs), Fields, Numbers);
+    }
+    catch (const Error& error)
+    {
+      Missing = error.what();
+    }
+  }
+
+  std::string Text;
+  std::vector<const Field*> Fields;
+  std::span<const std::int64_t> Numbers;
+  std::vector<int> Outputs;
+  std::optional<Compiled> Values;
+  std::optional<IntervalProgram> Bounds;
+  // Made when somebody first asks.
+  mutable tbb::collaborative_once_flag Differentiated;
+  mutable Graph TheGraph;
+  mutable std::optional<Compiled> WithGradient;
+  mutable std::string Missing;
+};
+} // namespace
+
+std::shared_ptr<const FieldFunction> MakeExpression(
+  const std::string& text, const ExpressionScope& scope)
+{
+  return std::make_shared<const ExpressionFunction>(text, scope);
+}
+
+bool IsMoreThanName(const std::string& text)
+{
+  return std::ranges::any_of(text,
+    [](char c)
+    { return std::string_view("()[]+-*/^<>=!&|,'\"").find(c) != std::string_view::npos; });
+}
+} // namespace pixelexact

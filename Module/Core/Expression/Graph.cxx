@@ -1,0 +1,439 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Expression/Graph.h"
+
+#include "Core/Base/Error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <utility>
+
+namespace pixelexact
+{
+namespace
+{
+/// Whether the operation on constants rounds nothing: others stay as they are, so that intervals
+/// hold what they are exactly.
+bool IsExact(Operation operation, double a, double b, double result)
+{
+  switch (operation)
+  {
+    case Operation::Add:
+    case Operation::Subtract:
+      return std::isfinite(result) && result - a == (operation == Operation::Add ? b : -b) &&
+        (operation == Operation::Add ? result - b : result + b) == a;
+    case Operation::Multiply:
+      return std::isfinite(result) && std::fma(a, b, -result) == 0.0;
+    case Operation::Divide:
+      return std::isfinite(result) && b != 0.0 && std::fma(result, b, -a) == 0.0;
+    case Operation::Power:
+    case Operation::Atan2:
+      return false;
+    default:
+      return true; // comparisons, logic, Min and Max
+  }
+}
+
+bool IsCommutative(Operation operation)
+{
+  return operation == Operation::Add || operation == Operation::Multiply ||
+    operation == Operation::Min || operation == Operation::Max || operation == Operation::Equal ||
+    operation == Operation::NotEqual || operation == Operation::And || operation == Operation::Or;
+}
+} // namespace
+
+double Apply(Operation operation, double a, double b, double c)
+{
+  const auto truth = [](bool is) { return is ? 1.0 : 0.0; };
+  switch (operation)
+  {
+    case Operation::Negate:
+      return -a;
+    case Operation::Not:
+      return truth(a == 0.0);
+    case Operation::Sqrt:
+      return std::sqrt(a);
+    case Operation::Exp:
+      return std::exp(a);
+    case Operation::Log:
+      return std::log(a);
+    case Operation::Sin:
+      return std::sin(a);
+    case Operation::Cos:
+      return std::cos(a);
+    case Operation::Tan:
+      return std::tan(a);
+    case Operation::Asin:
+      return std::asin(a);
+    case Operation::Acos:
+      return std::acos(a);
+    case Operation::Atan:
+      return std::atan(a);
+    case Operation::Sinh:
+      return std::sinh(a);
+    case Operation::Cosh:
+      return std::cosh(a);
+    case Operation::Tanh:
+      return std::tanh(a);
+    case Operation::Erf:
+      return std::erf(a);
+    case Operation::Abs:
+      return std::fabs(a);
+    case Operation::Sign:
+      return a > 0.0 ? 1.0 : a < 0.0 ? -1.0 : a;
+    case Operation::Floor:
+      return std::floor(a);
+    case Operation::Ceil:
+      return std::ceil(a);
+    case Operation::Add:
+      return a + b;
+    case Operation::Subtract:
+      return a - b;
+    case Operation::Multiply:
+      return a * b;
+    case Operation::Divide:
+      return a / b;
+    case Operation::Power:
+      // As a product, which is faster, and what squares and cubes are written for.
+      return b == 2.0 ? a * a : b == 3.0 ? a * a * a : std::pow(a, b);
+    case Operation::Atan2:
+      return std::atan2(a, b);
+    case Operation::Min:
+      return std::isnan(a) || a < b ? a : b;
+    case Operation::Max:
+      return std::isnan(a) || a > b ? a : b;
+    case Operation::Less:
+      return truth(a < b);
+    case Operation::AtMost:
+      return truth(a <= b);
+    case Operation::Equal:
+      return truth(a == b);
+    case Operation::NotEqual:
+      return truth(a != b);
+    case Operation::And:
+      return truth(a != 0.0 && b != 0.0);
+    case Operation::Or:
+      return truth(a != 0.0 || b != 0.0);
+    case Operation::Select:
+      return std::isnan(a) ? a : a != 0.0 ? b : c;
+    default:
+      return std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
+int Graph::Insert(const Node& node)
+{
+  const auto [known, isNew] = Known.try_emplace(node, Size());
+  if (isNew)
+  {
+    if (Nodes.size() == kMostNodes)
+    {
+      throw InvalidData("the expression consists of more than " + std::to_string(kMostNodes) +
+        " operations; write a simpler one");
+    }
+    Nodes.push_back(node);
+  }
+  return known->second;
+}
+
+int Graph::Constant(double value)
+{
+  // NaN is not equal to itself, and would be made again and again; there is one of each bits.
+  if (std::isnan(value))
+  {
+    for (int node = 0; node < Size(); ++node)
+    {
+      if (At(node).operation == Operation::Constant && std::isnan(At(node).constant))
+      {
+        return node;
+      }
+    }
+    Nodes.push_back({ .constant = value });
+    return Size() - 1;
+  }
+  return Insert({ .constant = value + 0.0 }); // no -0
+}
+
+int Graph::Leaf(const Node& node)
+{
+  return Insert(node);
+}
+
+int Graph::Of(Operation operation, int a)
+{
+  const Node& argument = At(a);
+  if (argument.operation == Operation::Constant && operation == Operation::Negate)
+  {
+    return Constant(-argument.constant);
+  }
+  if (operation == Operation::Negate && argument.operation == Operation::Negate)
+  {
+    return argument.arguments[0];
+  }
+  return Insert({ .operation = operation, .arguments = { a, -1, -1, -1, -1, -1 } });
+}
+
+int Graph::Of(Operation operation, int a, int b)
+{
+  if (At(a).operation == Operation::Constant && At(b).operation == Operation::Constant)
+  {
+    const double result = Apply(operation, At(a).constant, At(b).constant);
+    if (IsExact(operation, At(a).constant, At(b).constant, result))
+    {
+      return Constant(result);
+    }
+  }
+  switch (operation)
+  {
+    case Operation::Add:
+      if (IsConstant(a, 0.0) || IsConstant(b, 0.0))
+      {
+        return IsConstant(a, 0.0) ? b : a;
+      }
+      break;
+    case Operation::Subtract:
+      if (IsConstant(a, 0.0) || IsConstant(b, 0.0))
+      {
+        return IsConstant(b, 0.0) ? a : Of(Operation::Negate, b);
+      }
+      break;
+    case Operation::Multiply:
+      if (IsConstant(a, 1.0) || IsConstant(b, 1.0))
+      {
+        return IsConstant(a, 1.0) ? b : a;
+      }
+      break;
+    case Operation::Divide:
+    case Operation::Power:
+      if (IsConstant(b, 1.0))
+      {
+        return a;
+      }
+      break;
+    default:
+      break;
+  }
+  if (IsCommutative(operation) && b < a)
+  {
+    std::swap(a, b);
+  }
+  return Insert({ .operation = operation, .arguments = { a, b, -1, -1, -1, -1 } });
+}
+
+int Graph::Select(int condition, int yes, int no)
+{
+  if (yes == no && At(yes).operation == Operation::Constant)
+  {
+    return yes;
+  }
+  return Insert(
+    { .operation = Operation::Select, .arguments = { condition, yes, no, -1, -1, -1 } });
+}
+
+int Graph::Eigen(Operation operation, const std::array<int, 6>& matrix, int number, int component)
+{
+  return Insert({ .operation = operation, .arguments = matrix, .a = number, .b = component });
+}
+
+std::vector<int> Graph::NeededFor(std::span<const int> nodes) const
+{
+  std::vector<char> isNeeded(Nodes.size(), 0);
+  std::vector<int> open(nodes.begin(), nodes.end());
+  while (!open.empty())
+  {
+    const int node = open.back();
+    open.pop_back();
+    if (std::exchange(isNeeded[static_cast<std::size_t>(node)], 1) == 0)
+    {
+      std::ranges::copy_if(
+        At(node).arguments, std::back_inserter(open), [](int argument) { return argument >= 0; });
+    }
+  }
+  std::vector<int> needed;
+  for (int node = 0; node < Size(); ++node)
+  {
+    if (isNeeded[static_cast<std::size_t>(node)] != 0)
+    {
+      needed.push_back(node); // numbers ascend from arguments to what is computed from them
+    }
+  }
+  return needed;
+}
+
+int Graph::Product(int a, int b)
+{
+  // Of derivatives alone: where nothing changes, whatever it is multiplied with counts for nothing.
+  return IsConstant(a, 0.0) || IsConstant(b, 0.0) ? Constant(0.0) : Of(Operation::Multiply, a, b);
+}
+
+int Graph::Derivative(int node, int d)
+{
+  if (const auto known = Derivatives.find({ node, d }); known != Derivatives.end())
+  {
+    return known->second;
+  }
+  const int derivative = MakeDerivative(node, d);
+  Derivatives[{ node, d }] = derivative;
+  return derivative;
+}
+
+int Graph::MakeDerivative(int self, int d)
+{
+  const Node node = At(self); // a copy: nodes are added below
+  const auto& [a, b, c, e, f, g] = node.arguments;
+  switch (node.operation)
+  {
+    case Operation::Coordinate:
+      return Constant(node.a == d ? 1.0 : 0.0);
+    case Operation::Reference:
+      return Leaf({ .operation = Operation::InverseJacobian, .a = node.a, .b = d });
+    case Operation::InverseJacobian:
+    case Operation::Determinant:
+    case Operation::ScaledJacobian:
+      throw Unsupported("derivatives of the Jacobian are not available; second derivatives of xi "
+                        "and derivatives of detJ and scaledJacobian need them");
+    case Operation::Value:
+      return Leaf({ .operation = Operation::Slope,
+        .field = node.field,
+        .component = node.component,
+        .a = d });
+    case Operation::Slope:
+      return Leaf({ .operation = Operation::Curvature,
+        .field = node.field,
+        .component = node.component,
+        .a = std::min(node.a, d),
+        .b = std::max(node.a, d) });
+    case Operation::Curvature:
+      throw Unsupported("third derivatives of fields are not available");
+    case Operation::Negate:
+      return Of(Operation::Negate, Derivative(a, d));
+    case Operation::Add:
+    case Operation::Subtract:
+      return Of(node.operation, Derivative(a, d), Derivative(b, d));
+    case Operation::Multiply:
+      return Of(Operation::Add, Product(Derivative(a, d), b), Product(a, Derivative(b, d)));
+    case Operation::Divide:
+    {
+      const int da = Derivative(a, d);
+      const int db = Derivative(b, d);
+      const int top = Of(Operation::Subtract, da, Product(self, db));
+      return IsConstant(top, 0.0) ? top : Of(Operation::Divide, top, b);
+    }
+    case Operation::Power:
+    {
+      // b a^(b-1) a', and where the exponent changes a^b log(a) b'.
+      const int da = Derivative(a, d);
+      const int db = Derivative(b, d);
+      const int lower = Of(Operation::Power, a, Of(Operation::Subtract, b, Constant(1.0)));
+      const int byBase = Product(Product(b, lower), da);
+      return IsConstant(db, 0.0)
+        ? byBase
+        : Of(Operation::Add, byBase, Product(Product(self, Of(Operation::Log, a)), db));
+    }
+    case Operation::Atan2:
+    {
+      const int top =
+        Of(Operation::Subtract, Product(b, Derivative(a, d)), Product(a, Derivative(b, d)));
+      const int squares =
+        Of(Operation::Add, Of(Operation::Multiply, a, a), Of(Operation::Multiply, b, b));
+      return IsConstant(top, 0.0) ? top : Of(Operation::Divide, top, squares);
+    }
+    case Operation::Min:
+      return Select(Of(Operation::AtMost, a, b), Derivative(a, d), Derivative(b, d));
+    case Operation::Max:
+      return Select(Of(Operation::AtMost, b, a), Derivative(a, d), Derivative(b, d));
+    case Operation::Select:
+      return Select(a, Derivative(b, d), Derivative(c, d));
+    case Operation::Eigenvalue:
+      return OfEigenvalue(node, d);
+    case Operation::Eigenvector:
+      throw Unsupported("second derivatives of eigenvalues are not available");
+    case Operation::Constant:
+    case Operation::ElementNumber:
+    case Operation::Order:
+    case Operation::Not:
+    case Operation::Sign:
+    case Operation::Floor:
+    case Operation::Ceil:
+    case Operation::Less:
+    case Operation::AtMost:
+    case Operation::Equal:
+    case Operation::NotEqual:
+    case Operation::And:
+    case Operation::Or:
+      return Constant(0.0);
+    default:
+    {
+      const int da = Derivative(a, d);
+      return IsConstant(da, 0.0) ? da : Product(OfFunction(node, self), da);
+    }
+  }
+}
+
+/// The derivative of a function of one number by that number.
+int Graph::OfFunction(const Node& node, int self)
+{
+  const int a = node.arguments[0];
+  const int one = Constant(1.0);
+  const auto over = [&](int top, int bottom) { return Of(Operation::Divide, top, bottom); };
+  const auto square = [&](int of) { return Of(Operation::Multiply, of, of); };
+  const auto rootOfOneMinusSquare = [&]
+  { return Of(Operation::Sqrt, Of(Operation::Subtract, one, square(a))); };
+  switch (node.operation)
+  {
+    case Operation::Sqrt:
+      return over(Constant(0.5), self);
+    case Operation::Exp:
+      return self;
+    case Operation::Log:
+      return over(one, a);
+    case Operation::Sin:
+      return Of(Operation::Cos, a);
+    case Operation::Cos:
+      return Of(Operation::Negate, Of(Operation::Sin, a));
+    case Operation::Tan:
+      return Of(Operation::Add, one, square(self));
+    case Operation::Asin:
+      return over(one, rootOfOneMinusSquare());
+    case Operation::Acos:
+      return over(Constant(-1.0), rootOfOneMinusSquare());
+    case Operation::Atan:
+      return over(one, Of(Operation::Add, one, square(a)));
+    case Operation::Sinh:
+      return Of(Operation::Cosh, a);
+    case Operation::Cosh:
+      return Of(Operation::Sinh, a);
+    case Operation::Tanh:
+      return Of(Operation::Subtract, one, square(self));
+    case Operation::Erf:
+      return Of(Operation::Multiply, Constant(2.0 / std::sqrt(std::numbers::pi)),
+        Of(Operation::Exp, Of(Operation::Negate, square(a))));
+    default: // Abs
+      return Of(Operation::Sign, a);
+  }
+}
+
+/// v' A' v, v the unit eigenvector; of a multiple eigenvalue, that of one of its vectors.
+int Graph::OfEigenvalue(const Node& node, int d)
+{
+  std::array<int, 3> v{};
+  for (int i = 0; i < 3; ++i)
+  {
+    v[static_cast<std::size_t>(i)] = Eigen(Operation::Eigenvector, node.arguments, node.a, i);
+  }
+  constexpr std::array<std::array<std::size_t, 2>, 6> kEntries{ { { 0, 0 }, { 1, 1 }, { 2, 2 },
+    { 0, 1 }, { 1, 2 }, { 0, 2 } } };
+  int sum = Constant(0.0);
+  for (std::size_t k = 0; k < kEntries.size(); ++k)
+  {
+    const auto [i, j] = kEntries[k];
+    const int change = Derivative(node.arguments[k], d);
+    const int twice = i == j ? change : Product(Constant(2.0), change);
+    sum = Of(Operation::Add, sum, Product(Of(Operation::Multiply, v[i], v[j]), twice));
+  }
+  return sum;
+}
+} // namespace pixelexact

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <vector>
+
+namespace pixelexact
+{
+/// What a node of a Graph is. Those before Negate have no arguments.
+enum class Operation : std::uint8_t
+{
+  Constant,
+  Coordinate,      ///< x_a
+  Reference,       ///< xi_a
+  InverseJacobian, ///< d xi_a / d x_b
+  Determinant,     ///< det J, J = d Phi / d xi in world units
+  ScaledJacobian,  ///< det J over the product of the lengths of J's columns
+  ElementNumber,
+  Order,     ///< of field f in the element; f = -1: the highest of all fields
+  Value,     ///< component c of field f
+  Slope,     ///< its derivative by x_a
+  Curvature, ///< its second derivative by x_a and x_b, a <= b
+  Negate,
+  Not,
+  Sqrt,
+  Exp,
+  Log,
+  Sin,
+  Cos,
+  Tan,
+  Asin,
+  Acos,
+  Atan,
+  Sinh,
+  Cosh,
+  Tanh,
+  Erf,
+  Abs,
+  Sign, ///< -1, 0 or 1; NaN of NaN
+  Floor,
+  Ceil,
+  Add,
+  Subtract,
+  Multiply,
+  Divide,
+  Power,
+  Atan2,
+  Min, ///< NaN where one is
+  Max,
+  Less, ///< comparisons and logic: 1 or 0
+  AtMost,
+  Equal,
+  NotEqual,
+  And,
+  Or,
+  Select,      ///< of three: the second where the first is not 0, else the third; NaN of NaN
+  Eigenvalue,  ///< number a, 0 the largest, of the symmetric matrix xx, yy, zz, xy, yz, xz
+  Eigenvector, ///< component b of unit eigenvector number a of the same
+};
+
+/// Scalars at a point, and what they are computed from: without cycles, equal ones once. Numbers of
+/// nodes are indices; arguments precede what is computed from them.
+class Graph
+{
+public:
+  static constexpr int kMostArguments = 6;
+  /// More throw InvalidData.
+  static constexpr std::size_t kMostNodes = 20'000;
+
+  struct Node
+  {
+    Operation operation = Operation::Constant;
+    double constant = 0.0;
+    std::array<int, kMostArguments> arguments{ -1, -1, -1, -1, -1, -1 };
+    int field = -1;
+    int component = 0;
+    int a = 0;
+    int b = 0;
+
+    auto operator<=>(const Node&) const = default;
+  };
+
+  [[nodiscard]] const Node& At(int node) const { return Nodes[static_cast<std::size_t>(node)]; }
+  [[nodiscard]] int Size() const { return static_cast<int>(Nodes.size()); }
+
+  int Constant(double value);
+  /// Without arguments.
+  int Leaf(const Node& node);
+  /// Constants are folded where that is exact, factors of one and added zeros left out.
+  int Of(Operation operation, int a);
+  int Of(Operation operation, int a, int b);
+  int Select(int condition, int yes, int no);
+  int Eigen(Operation operation, const std::array<int, 6>& matrix, int number, int component = 0);
+
+  /// d node / d x_d, by the chain rule; of what has steps, beside them. Throws Unsupported for
+  /// third derivatives of fields and for derivatives of det J and of eigenvectors.
+  int Derivative(int node, int d);
+
+  /// Nodes that these are computed from, and these, each after its arguments.
+  [[nodiscard]] std::vector<int> NeededFor(std::span<const int> nodes) const;
+
+  [[nodiscard]] bool IsConstant(int node, double value) const
+  {
+    return At(node).operation == Operation::Constant && At(node).constant == value;
+  }
+
+private:
+  int Insert(const Node& node);
+  int Product(int a, int b);
+  int MakeDerivative(int node, int d);
+  int OfFunction(const Node& node, int self);
+  int OfEigenvalue(const Node& node, int d);
+
+  std::vector<Node> Nodes;
+  std::map<Node, int> Known;
+  std::map<std::array<int, 2>, int> Derivatives;
+};
+
+/// The operation on numbers, of as many arguments as it has; not of leaves, and not Eigenvalue or
+/// Eigenvector.
+[[nodiscard]] double Apply(Operation operation, double a, double b = 0.0, double c = 0.0);
+} // namespace pixelexact

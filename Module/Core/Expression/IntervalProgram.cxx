@@ -1,0 +1,359 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Expression/IntervalProgram.h"
+
+#include "Core/Element/Enclosure.h"
+#include "Core/Expression/SymmetricEigen.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace pixelexact
+{
+namespace
+{
+/// By which values of the C library are taken to be off, as a part of their size.
+constexpr double kOfLibrary = 0x1p-49;
+
+Interval Widened(double lower, double upper)
+{
+  if (std::isnan(lower) || std::isnan(upper))
+  {
+    return Interval::Everything();
+  }
+  return { rounding::Below(lower - kOfLibrary * std::fabs(lower)),
+    rounding::Above(upper + kOfLibrary * std::fabs(upper)) };
+}
+
+/// Of a function that grows.
+template <class Function>
+Interval Growing(const Interval& a, const Function& function)
+{
+  return a.IsFinite() ? Widened(function(a.lower), function(a.upper)) : Interval::Everything();
+}
+
+/// Of sin, shifted by so many quarters of a turn: -1 and 1 where they may be met.
+Interval Wave(const Interval& a, double quarters, double lower, double upper)
+{
+  // Beyond this the turns are not counted.
+  constexpr double kMostTurns = 0x1p20;
+  if (!a.IsFinite() || a.Magnitude() > kMostTurns)
+  {
+    return { -1.0, 1.0 };
+  }
+  constexpr double kSlack = 1e-9; // of a turn
+  const auto meets = [&](double at)
+  {
+    const double turn = 2.0 * std::numbers::pi;
+    const double first = (a.lower + quarters * std::numbers::pi / 2 - at) / turn;
+    const double last = (a.upper + quarters * std::numbers::pi / 2 - at) / turn;
+    return std::floor(last + kSlack) >= std::ceil(first - kSlack);
+  };
+  const Interval ends = Widened(std::min(lower, upper), std::max(lower, upper));
+  return { meets(-std::numbers::pi / 2) ? -1.0 : std::max(-1.0, ends.lower),
+    meets(std::numbers::pi / 2) ? 1.0 : std::min(1.0, ends.upper) };
+}
+
+bool IsWithin(const Interval& a, double lower, double upper)
+{
+  return a.lower >= lower && a.upper <= upper;
+}
+
+Interval PowerOf(const Interval& a, const Interval& b)
+{
+  if (b.lower == b.upper && b.lower == std::floor(b.lower) && std::fabs(b.lower) <= 64.0)
+  {
+    const int exponent = static_cast<int>(std::fabs(b.lower));
+    Interval result(1.0);
+    for (int k = 0; k < exponent / 2; ++k)
+    {
+      result *= Square(a);
+    }
+    result = exponent % 2 == 1 ? result * a : result;
+    return b.lower < 0.0 ? Interval(1.0) / result : result;
+  }
+  if (!(a.lower > 0.0) || !a.IsFinite() || !b.IsFinite())
+  {
+    return Interval::Everything();
+  }
+  const Interval logarithm = Growing(a, [](double v) { return std::log(v); });
+  return Growing(b * logarithm, [](double v) { return std::exp(v); });
+}
+
+/// 1, 0, or both.
+Interval Truth(bool surely, bool possibly)
+{
+  return { surely ? 1.0 : 0.0, possibly ? 1.0 : 0.0 };
+}
+
+Interval LogicOf(Operation operation, const Interval& a, const Interval& b)
+{
+  const bool isZeroA = a.lower == 0.0 && a.upper == 0.0;
+  const bool isZeroB = b.lower == 0.0 && b.upper == 0.0;
+  switch (operation)
+  {
+    case Operation::Less:
+      return Truth(a.upper < b.lower, a.lower < b.upper);
+    case Operation::AtMost:
+      return Truth(a.upper <= b.lower, a.lower <= b.upper);
+    case Operation::Equal:
+    case Operation::NotEqual:
+    {
+      const bool same = a.lower == a.upper && b.lower == b.upper && a.lower == b.lower;
+      const bool apart = a.upper < b.lower || b.upper < a.lower;
+      return operation == Operation::Equal ? Truth(same, !apart) : Truth(apart, !same);
+    }
+    case Operation::And:
+      return Truth(!a.Contains(0.0) && !b.Contains(0.0), !isZeroA && !isZeroB);
+    case Operation::Or:
+      return Truth(!a.Contains(0.0) || !b.Contains(0.0), !isZeroA || !isZeroB);
+    default: // Not
+      return Truth(isZeroA, a.Contains(0.0));
+  }
+}
+
+Interval FunctionOf(Operation operation, const Interval& a)
+{
+  switch (operation)
+  {
+    case Operation::Sqrt:
+      return a.lower >= 0.0 ? Sqrt(a) : Interval::Everything();
+    case Operation::Exp:
+      return Growing(a, [](double v) { return std::exp(v); });
+    case Operation::Log:
+      return a.lower > 0.0 ? Growing(a, [](double v) { return std::log(v); })
+                           : Interval::Everything();
+    case Operation::Sin:
+      return Wave(a, 0.0, std::sin(a.lower), std::sin(a.upper));
+    case Operation::Cos:
+      return Wave(a, 1.0, std::cos(a.lower), std::cos(a.upper));
+    case Operation::Asin:
+      return IsWithin(a, -1.0, 1.0) ? Growing(a, [](double v) { return std::asin(v); })
+                                    : Interval::Everything();
+    case Operation::Acos:
+      return IsWithin(a, -1.0, 1.0) ? Widened(std::acos(a.upper), std::acos(a.lower))
+                                    : Interval::Everything();
+    case Operation::Atan:
+      return Growing(a, [](double v) { return std::atan(v); });
+    case Operation::Sinh:
+      return Growing(a, [](double v) { return std::sinh(v); });
+    case Operation::Cosh:
+    {
+      const Interval size = Abs(a);
+      return size.IsFinite() ? Widened(std::cosh(size.lower), std::cosh(size.upper))
+                             : Interval::Everything();
+    }
+    case Operation::Tanh:
+      return Growing(a, [](double v) { return std::tanh(v); });
+    case Operation::Erf:
+      return Growing(a, [](double v) { return std::erf(v); });
+    case Operation::Abs:
+      return Abs(a);
+    case Operation::Sign:
+      return { a.lower > 0.0 ? 1.0
+          : a.lower == 0.0   ? 0.0
+                             : -1.0,
+        a.upper < 0.0      ? -1.0
+          : a.upper == 0.0 ? 0.0
+                           : 1.0 };
+    case Operation::Floor:
+      return { std::floor(a.lower), std::floor(a.upper) };
+    case Operation::Ceil:
+      return { std::ceil(a.lower), std::ceil(a.upper) };
+    default: // Tan
+      return Interval::Everything();
+  }
+}
+
+/// By Weyl's inequality: eigenvalues move by no more than the matrix.
+Interval EigenvalueOf(std::span<const Interval> entries, int number)
+{
+  std::array<double, 6> middle{};
+  double moved = 0.0;
+  double size = 0.0;
+  for (std::size_t k = 0; k < middle.size(); ++k)
+  {
+    if (!entries[k].IsFinite())
+    {
+      return Interval::Everything();
+    }
+    middle[k] = entries[k].Middle();
+    moved += (k < 3 ? 1.0 : 2.0) * entries[k].RadiusAround(middle[k]);
+    size += (k < 3 ? 1.0 : 2.0) * std::fabs(middle[k]);
+  }
+  // Some ten rotations, each off by a few roundings of the size.
+  constexpr double kOfRotations = 0x1p-44;
+  return Interval::Around(
+    SymmetricEigen(middle).Value(number), (moved + kOfRotations * size) * (1.0 + 0x1p-40));
+}
+
+Interval ValueOf(const Graph::Node& node, std::span<const Interval> a)
+{
+  switch (node.operation)
+  {
+    case Operation::Negate:
+      return -a[0];
+    case Operation::Add:
+      return a[0] + a[1];
+    case Operation::Subtract:
+      return a[0] - a[1];
+    case Operation::Multiply:
+      return node.arguments[0] == node.arguments[1] ? Square(a[0]) : a[0] * a[1];
+    case Operation::Divide:
+      return a[0] / a[1];
+    case Operation::Power:
+      return PowerOf(a[0], a[1]);
+    case Operation::Min:
+      return { std::min(a[0].lower, a[1].lower), std::min(a[0].upper, a[1].upper) };
+    case Operation::Max:
+      return { std::max(a[0].lower, a[1].lower), std::max(a[0].upper, a[1].upper) };
+    case Operation::Select:
+      return !a[0].Contains(0.0)                 ? a[1]
+        : a[0].lower == 0.0 && a[0].upper == 0.0 ? a[2]
+                                                 : Join(a[1], a[2]);
+    case Operation::Not:
+    case Operation::Less:
+    case Operation::AtMost:
+    case Operation::Equal:
+    case Operation::NotEqual:
+    case Operation::And:
+    case Operation::Or:
+      return LogicOf(node.operation, a[0], a[1]);
+    case Operation::Eigenvalue:
+      return EigenvalueOf(a, node.a);
+    case Operation::Eigenvector:
+      return { -1.0, 1.0 };
+    case Operation::Atan2:
+      return Interval::Everything();
+    default:
+      return FunctionOf(node.operation, a[0]);
+  }
+}
+} // namespace
+
+/// A field's values and slopes over the points of a call.
+struct IntervalProgram::FieldBounds
+{
+  std::vector<double> storage;
+  std::vector<double*> lower; ///< components, then three slopes of each
+  std::vector<double*> upper;
+
+  void Resize(std::size_t arrays, std::size_t stride)
+  {
+    storage.resize(2 * arrays * stride);
+    for (std::size_t k = 0; k < arrays; ++k)
+    {
+      lower.push_back(&storage[2 * k * stride]);
+      upper.push_back(&storage[(2 * k + 1) * stride]);
+    }
+  }
+};
+
+IntervalProgram::IntervalProgram(const Graph& graph, std::span<const int> outputs,
+  std::span<const Field* const> fields, std::span<const std::int64_t> numbers)
+  : Fields(fields.begin(), fields.end())
+  , Derivatives(fields.size(), -1)
+  , Numbers(numbers)
+{
+  std::map<int, int> placeOf;
+  for (const int number : graph.NeededFor(outputs))
+  {
+    placeOf[number] = static_cast<int>(Nodes.size());
+    Graph::Node& node = Nodes.emplace_back(graph.At(number));
+    for (int& argument : node.arguments)
+    {
+      argument = argument < 0 ? -1 : placeOf.at(argument);
+    }
+    if (node.operation == Operation::Value || node.operation == Operation::Slope)
+    {
+      int& derivative = Derivatives[static_cast<std::size_t>(node.field)];
+      derivative = std::max(derivative, node.operation == Operation::Slope ? 1 : 0);
+    }
+  }
+  std::ranges::transform(outputs, std::back_inserter(Outputs),
+    [&](int node) { return static_cast<std::size_t>(placeOf.at(node)); });
+}
+
+Interval IntervalProgram::LeafAt(const Graph::Node& leaf, int element, const LanePoints& x, int at,
+  std::span<const FieldBounds> bounds) const
+{
+  const auto of = [&](std::size_t array)
+  {
+    const FieldBounds& field = bounds[static_cast<std::size_t>(leaf.field)];
+    return Interval(field.lower[array][at], field.upper[array][at]);
+  };
+  const auto component = static_cast<std::size_t>(leaf.component);
+  switch (leaf.operation)
+  {
+    case Operation::Constant:
+      // The number pi is no double.
+      return leaf.constant == std::numbers::pi ? Interval::Around(leaf.constant, 2e-16)
+        : std::isnan(leaf.constant)            ? Interval::Everything()
+                                               : Interval(leaf.constant);
+    case Operation::Coordinate:
+      return x.x[leaf.a][at];
+    case Operation::ElementNumber:
+      return static_cast<double>(
+        Numbers.empty() ? element : Numbers[static_cast<std::size_t>(element)]);
+    case Operation::Value:
+      return of(component);
+    case Operation::Slope:
+    {
+      const auto components =
+        static_cast<std::size_t>(Fields[static_cast<std::size_t>(leaf.field)]->values.components);
+      return of(components + 3 * component + static_cast<std::size_t>(leaf.a));
+    }
+    default:
+      return Interval::Everything();
+  }
+}
+
+void IntervalProgram::Enclose(const Mesh& mesh, int element, const LanePoints& xi,
+  const LanePoints& x, const BoundArrays& out) const
+{
+  const auto stride = static_cast<std::size_t>(PaddedCount(xi.count));
+  std::vector<FieldBounds> bounds(Fields.size());
+  for (std::size_t f = 0; f < Fields.size(); ++f)
+  {
+    const auto components = static_cast<std::size_t>(Fields[f]->values.components);
+    if (Derivatives[f] < 0)
+    {
+      continue;
+    }
+    FieldBounds& of = bounds[f];
+    of.Resize(components * (Derivatives[f] > 0 ? 4 : 1), stride);
+    const BoundArrays values{ of.lower.data(), of.upper.data() };
+    if (Derivatives[f] > 0)
+    {
+      EncloseGradients(mesh, *Fields[f], element, xi, x, values,
+        { of.lower.data() + components, of.upper.data() + components });
+    }
+    else
+    {
+      EncloseValues(mesh, *Fields[f], element, xi, x, values);
+    }
+  }
+  std::vector<Interval> intervals(Nodes.size());
+  std::array<Interval, Graph::kMostArguments> arguments;
+  for (int i = 0; i < xi.count; ++i)
+  {
+    for (std::size_t k = 0; k < Nodes.size(); ++k)
+    {
+      const Graph::Node& node = Nodes[k];
+      for (std::size_t a = 0; a < arguments.size() && node.arguments[0] >= 0; ++a)
+      {
+        const int from = node.arguments[a] >= 0 ? node.arguments[a] : node.arguments[0];
+        arguments[a] = intervals[static_cast<std::size_t>(from)];
+      }
+      intervals[k] =
+        node.arguments[0] >= 0 ? ValueOf(node, arguments) : LeafAt(node, element, x, i, bounds);
+    }
+    for (std::size_t k = 0; k < Outputs.size(); ++k)
+    {
+      out.lower[k][i] = intervals[Outputs[k]].lower;
+      out.upper[k][i] = intervals[Outputs[k]].upper;
+    }
+  }
+}
+} // namespace pixelexact

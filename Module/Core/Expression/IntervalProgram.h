@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Element/FieldFunction.h"
+#include "Core/Element/Mesh.h"
+#include "Core/Expression/Graph.h"
+#include "Core/Math/Interval.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace pixelexact
+{
+/// Nodes of a graph in intervals: bounds that hold at a point, from those of the fields and of
+/// their first derivatives there (EncloseGradients). Exact functions of intervals have outward
+/// rounding; of those of the C library (sin, exp, pow, ...) it is assumed that they are off by 16
+/// units in the last place at most (glibc states 1 to 4). Everything where an operand has nothing,
+/// where a function is not defined on all of it, and for second derivatives and those of the map.
+class IntervalProgram
+{
+public:
+  IntervalProgram(const Graph& graph, std::span<const int> outputs,
+    std::span<const Field* const> fields, std::span<const std::int64_t> numbers);
+
+  /// As FieldFunction::Enclose, of the outputs.
+  void Enclose(const Mesh& mesh, int element, const LanePoints& xi, const LanePoints& x,
+    const BoundArrays& out) const;
+
+private:
+  struct FieldBounds;
+  [[nodiscard]] Interval LeafAt(const Graph::Node& leaf, int element, const LanePoints& x, int at,
+    std::span<const FieldBounds> bounds) const;
+
+  std::vector<Graph::Node> Nodes; ///< arguments are places in this list, and come first
+  std::vector<std::size_t> Outputs;
+  std::vector<const Field*> Fields;
+  std::vector<int> Derivatives; ///< of each field: the highest that is needed; -1: none
+  std::span<const std::int64_t> Numbers;
+};
+} // namespace pixelexact

@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Expression/Translator.h"
+
+#include "Core/Base/Error.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+
+namespace pixelexact
+{
+namespace
+{
+/// Names that mean something by themselves, and what else they are called.
+struct BuiltIn
+{
+  const char* name;
+  const char* alias;
+};
+constexpr std::array kBuiltIns{ BuiltIn{ "x", "coords.x" }, BuiltIn{ "y", "coords.y" },
+  BuiltIn{ "z", "coords.z" }, BuiltIn{ "coords", "" }, BuiltIn{ "t", "time" },
+  BuiltIn{ "time", "t" }, BuiltIn{ "xi", "" }, BuiltIn{ "n", "normal" }, BuiltIn{ "normal", "n" },
+  BuiltIn{ "pi", "" }, BuiltIn{ "detJ", "" }, BuiltIn{ "scaledJacobian", "" },
+  BuiltIn{ "order", "" }, BuiltIn{ "element", "" } };
+
+const BuiltIn* FindBuiltIn(const std::string& name)
+{
+  const auto* found = std::ranges::find_if(
+    kBuiltIns, [&name](const BuiltIn& builtIn) { return name == builtIn.name; });
+  return found == kBuiltIns.end() ? nullptr : found;
+}
+
+template <class Number>
+bool ReadNumber(const std::string& text, Number& value)
+{
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size();
+}
+} // namespace
+
+Translator::Translator(Graph& graph, const ExpressionScope& scope)
+  : TheGraph(graph)
+  , Algebra(graph)
+  , Scope(scope)
+{
+}
+
+/// With the term's place in what it throws.
+template <class Function>
+auto Translator::AtTerm(const Term& term, const Function& function)
+{
+  try
+  {
+    return function();
+  }
+  catch (const Unsupported& error)
+  {
+    throw Unsupported(AtPlace(error.what(), Texts.back(), term.at));
+  }
+  catch (const Error& error)
+  {
+    throw InvalidData(AtPlace(error.what(), Texts.back(), term.at));
+  }
+}
+
+Tensor Translator::Translate(const std::string& text)
+{
+  Texts.push_back(text);
+  Tensor tensor = Make(ParseExpression(text));
+  Texts.pop_back();
+  return tensor;
+}
+
+Tensor Translator::Make(const Term& term)
+{
+  switch (term.kind)
+  {
+    case Term::Kind::Number:
+      return AtTerm(term,
+        [&]
+        {
+          double value = 0.0;
+          if (!ReadNumber(term.text, value) || !std::isfinite(value))
+          {
+            throw InvalidData("'" + term.text + "' is too large or too small for a number");
+          }
+          return ScalarOf(TheGraph.Constant(value));
+        });
+    case Term::Kind::Name:
+    case Term::Kind::QuotedName:
+      return MakeName(term);
+    case Term::Kind::Call:
+      return MakeCall(term);
+    case Term::Kind::Component:
+    case Term::Kind::Index:
+      return MakeIndex(term);
+    case Term::Kind::Unary:
+    {
+      const Tensor operand = Make(term.children[0]);
+      return AtTerm(term, [&] { return Algebra.Operate(term.text, operand); });
+    }
+    default:
+    {
+      const Tensor left = Make(term.children[0]);
+      const Tensor right = Make(term.children[1]);
+      return AtTerm(term, [&] { return Algebra.Operate(term.text, left, right); });
+    }
+  }
+}
+
+Tensor Translator::MakeName(const Term& term)
+{
+  const std::string& name = term.text;
+  const std::size_t field = FindField(name);
+  const bool isField = field < Scope.fields.size();
+  const bool isDefined = Scope.definitions.contains(name);
+  const BuiltIn* builtIn = term.kind == Term::Kind::Name ? FindBuiltIn(name) : nullptr;
+  if (isDefined && builtIn == nullptr)
+  {
+    return AtTerm(term, [&] { return MakeDefinition(name); });
+  }
+  return AtTerm(term,
+    [&]
+    {
+      if (builtIn != nullptr && (isField || isDefined))
+      {
+        const std::string alias = builtIn->alias;
+        throw InvalidData("'" + name + "' is a field, and a name of expressions: write \"" + name +
+          "\" with its quotes for the field" +
+          (alias.empty() ? "" : ", " + alias + " for the other"));
+      }
+      if (builtIn != nullptr)
+      {
+        return MakeBuiltIn(name);
+      }
+      if (isField)
+      {
+        return MakeField(field);
+      }
+      if (const auto parameter = Scope.parameters.find(name); parameter != Scope.parameters.end())
+      {
+        return ScalarOf(TheGraph.Constant(parameter->second));
+      }
+      throw InvalidData("nothing is named '" + name + "'; there are " + KnownNames());
+    });
+}
+
+Tensor Translator::MakeDefinition(const std::string& name)
+{
+  if (std::ranges::find(Defined, name) != Defined.end())
+  {
+    throw InvalidData("'" + name + "' is defined by itself");
+  }
+  Defined.push_back(name);
+  Tensor tensor = Translate(Scope.definitions.at(name));
+  Defined.pop_back();
+  return tensor;
+}
+
+Tensor Translator::MakeBuiltIn(const std::string& name)
+{
+  const auto leaf = [this](Operation operation, int a)
+  { return TheGraph.Leaf({ .operation = operation, .a = a }); };
+  const auto vector = [&](Operation operation) {
+    return VectorOf({ leaf(operation, 0), leaf(operation, 1), leaf(operation, 2) });
+  };
+  if (name == "x" || name == "y" || name == "z")
+  {
+    return ScalarOf(leaf(Operation::Coordinate, name[0] - 'x'));
+  }
+  if (name == "coords")
+  {
+    return vector(Operation::Coordinate);
+  }
+  if (name == "xi")
+  {
+    return vector(Operation::Reference);
+  }
+  if (name == "pi")
+  {
+    return ScalarOf(TheGraph.Constant(std::numbers::pi));
+  }
+  if (name == "t" || name == "time")
+  {
+    if (!Scope.time)
+    {
+      throw InvalidData("the data have no time; write a number");
+    }
+    return ScalarOf(TheGraph.Constant(*Scope.time));
+  }
+  if (name == "detJ")
+  {
+    return ScalarOf(leaf(Operation::Determinant, 0));
+  }
+  if (name == "scaledJacobian")
+  {
+    return ScalarOf(leaf(Operation::ScaledJacobian, 0));
+  }
+  if (name == "order")
+  {
+    if (Scope.fields.empty())
+    {
+      throw InvalidData("there is no field of which the order could be told");
+    }
+    return ScalarOf(leaf(Operation::Order, 0));
+  }
+  if (name == "element")
+  {
+    return ScalarOf(leaf(Operation::ElementNumber, 0));
+  }
+  throw Unsupported("normals of surfaces are not available in expressions");
+}
+
+Tensor Translator::MakeField(std::size_t field)
+{
+  Tensor tensor;
+  const int components = Scope.fields[field].values.components;
+  tensor.rank = components > 1 ? 1 : 0;
+  tensor.rows = components;
+  for (int c = 0; c < components; ++c)
+  {
+    tensor.nodes.push_back(TheGraph.Leaf(
+      { .operation = Operation::Value, .field = static_cast<int>(field), .component = c }));
+  }
+  return tensor;
+}
+
+Tensor Translator::MakeCall(const Term& term)
+{
+  if (term.text == "order" && term.children.size() == 1)
+  {
+    const std::size_t field = FindField(term.children[0].text);
+    return AtTerm(term,
+      [&]
+      {
+        if (field >= Scope.fields.size())
+        {
+          throw InvalidData("order takes the name of a field; there are " + KnownNames());
+        }
+        return ScalarOf(
+          TheGraph.Leaf({ .operation = Operation::Order, .field = static_cast<int>(field) }));
+      });
+  }
+  std::vector<Tensor> arguments;
+  for (const Term& child : term.children)
+  {
+    arguments.push_back(Make(child));
+  }
+  return AtTerm(term, [&] { return Algebra.Call(term.text, arguments); });
+}
+
+Tensor Translator::MakeIndex(const Term& term)
+{
+  const Tensor of = Make(term.children[0]);
+  return AtTerm(term,
+    [&]
+    {
+      std::vector<int> index;
+      if (term.kind == Term::Kind::Component)
+      {
+        if (of.rank != 1)
+        {
+          throw InvalidData(NameOf(of) + " has no ." + term.text);
+        }
+        index.push_back(term.text[0] - 'x');
+      }
+      for (std::size_t k = 1; k < term.children.size(); ++k)
+      {
+        int number = 0;
+        if (!ReadNumber(term.children[k].text, number))
+        {
+          throw InvalidData("'" + term.children[k].text + "' is no number of a component");
+        }
+        index.push_back(number);
+      }
+      return Algebra.Index(of, index);
+    });
+}
+
+std::size_t Translator::FindField(const std::string& name) const
+{
+  return static_cast<std::size_t>(
+    std::ranges::find(Scope.fields, name, &Field::name) - Scope.fields.begin());
+}
+
+std::string Translator::KnownNames() const
+{
+  std::string names = "the fields";
+  for (const Field& field : Scope.fields)
+  {
+    names += " " + field.name;
+  }
+  for (const auto& [name, text] : Scope.definitions)
+  {
+    names += " " + name;
+  }
+  names = Scope.fields.empty() && Scope.definitions.empty() ? "no fields" : names;
+  for (const auto& [name, value] : Scope.parameters)
+  {
+    names += " " + name;
+  }
+  names += ", and";
+  for (const BuiltIn& builtIn : kBuiltIns)
+  {
+    names += std::string(" ") + builtIn.name;
+  }
+  return names;
+}
+} // namespace pixelexact

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Trace/Surfaces/FieldSamples.h"
+
+#include "Core/Element/FieldFunction.h"
+#include "Core/Location/Sample.h"
+#include "Trace/Scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace pixelexact
+{
+FieldSamples::FieldSamples(const Locator& locator, const Field& field, int component, double value)
+  : TheLocator(locator)
+  , TheField(field)
+  , Component(component)
+  , Value(value)
+{
+  if (field.function != nullptr)
+  {
+    field.function->RequireGradient();
+  }
+}
+
+void FieldSamples::Evaluate(std::span<const Vec3> x, std::span<double> values) const
+{
+  const auto components = static_cast<std::size_t>(TheField.values.components);
+  std::vector<double> all(components * x.size());
+  SampleTarget target;
+  target.value = all;
+  SampleTile(TheLocator, &TheField, x, target);
+  for (std::size_t i = 0; i < x.size(); ++i)
+  {
+    values[i] = ComponentOf(std::span(all).subspan(i * components, components), Component) - Value;
+  }
+}
+
+void FieldSamples::Gradients(std::span<const Vec3> x, std::span<Vec3> gradients) const
+{
+  const auto components = static_cast<std::size_t>(TheField.values.components);
+  std::vector<double> values(components * x.size());
+  std::vector<double> slopes(3 * values.size());
+  SampleTarget target;
+  target.value = values;
+  target.gradient = slopes;
+  SampleTile(TheLocator, &TheField, x, target);
+  for (std::size_t i = 0; i < x.size(); ++i)
+  {
+    const auto slopeOf = [&](std::size_t c)
+    {
+      const double* slope = &slopes[3 * (i * components + c)];
+      return Vec3(slope[0], slope[1], slope[2]);
+    };
+    if (Component != kMagnitude || components == 1)
+    {
+      gradients[i] = slopeOf(static_cast<std::size_t>(std::max(Component, 0)));
+      continue;
+    }
+    // Of half of the square: its direction is that of the magnitude's.
+    gradients[i] = Vec3(0.0);
+    for (std::size_t c = 0; c < components; ++c)
+    {
+      gradients[i] += values[i * components + c] * slopeOf(c);
+    }
+  }
+}
+
+int FieldSamples::SamplesOfRay() const
+{
+  constexpr double kOfElement = 8.0;
+  const double across = std::cbrt(static_cast<double>(TheLocator.GetMesh().Elements()));
+  return std::max(
+    SearchedSurface::kUsualSamples, static_cast<int>(std::min(1e5, kOfElement * across)));
+}
+} // namespace pixelexact

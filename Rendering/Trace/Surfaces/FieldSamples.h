@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Location/Locator.h"
+#include "Trace/Surfaces/SearchedSurface.h"
+
+namespace pixelexact
+{
+/// A component of a field less a value, at points of the mesh; NaN elsewhere. For fields of which
+/// nothing is known but values: where they have the value is a SearchedSurface.
+class FieldSamples final : public SampledFunction
+{
+public:
+  /// `component`: of the field, or kMagnitude. Locator and field must outlive it. Throws
+  /// Unsupported where the field has no gradient.
+  FieldSamples(const Locator& locator, const Field& field, int component, double value);
+
+  void Evaluate(std::span<const Vec3> x, std::span<double> values) const override;
+  void Gradients(std::span<const Vec3> x, std::span<Vec3> gradients) const override;
+
+  /// Samples of a ray: some for each element that it meets in a mesh of elements of one size.
+  [[nodiscard]] int SamplesOfRay() const;
+
+private:
+  const Locator& TheLocator;
+  const Field& TheField;
+  int Component;
+  double Value;
+};
+} // namespace pixelexact

@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Expressions wherever the tool takes a field's name, against closed forms and the solver."""
+
+import unittest
+
+import numpy as np
+
+from tool import DATA, ToolTest, columns, read_csv, run
+
+TORUS = DATA / "toroid_hex_g3_p6.vtu"
+ORACLE = DATA / "toroid_hex_g3_p6.oracle.csv"
+SIZE = ["--size", "80x60"]
+
+
+class Expressions(ToolTest):
+    def probe(self, expression, *arguments):
+        output = self.folder / "probed.csv"
+        self.succeeds("probe", TORUS, "--points", ORACLE, "--field", expression, "--output", output,
+                      *arguments)
+        return columns(read_csv(output))
+
+    def setUp(self):
+        super().setUp()
+        self.oracle = columns(read_csv(ORACLE))
+
+    def test_gradients_are_the_solvers(self):
+        found = self.probe("grad(u)")
+        inside = found["verdict"] == "inside"
+        self.assertGreater(inside.mean(), 0.95)
+        for component, name in enumerate(["dudx", "dudy", "dudz"]):
+            exact = self.oracle[name]
+            error = np.abs(found[f"value_{component}"] - exact)[inside].max()
+            self.assertLess(error, 1e-10 * np.abs(exact).max())
+
+    def test_errors_against_a_formula_are_enclosed(self):
+        found = self.probe("u - sin(x)*exp(y/3)", "--enclosures")
+        exact = self.oracle["u"] - np.sin(self.oracle["x"]) * np.exp(self.oracle["y"] / 3)
+        inside = found["verdict"] == "inside"
+        np.testing.assert_allclose(found["value"][inside], exact[inside], rtol=0, atol=1e-12)
+        width = found["value_upper"] - found["value_lower"]
+        self.assertLess(np.median(width[inside]), 1e-11)
+        self.assertTrue((found["value_lower"] <= found["value"])[inside].all())
+        self.assertTrue((found["value"] <= found["value_upper"])[inside].all())
+
+    def test_pictures(self):
+        buffers = self.folder / "out.vti"
+        found = self.summary("render", TORUS, "--field", "u^2 + 1", "--plane", "z", *SIZE,
+                             "--contours", "3", "--output", self.folder / "a.png",
+                             "--buffers", buffers)
+        self.assertGreater(found["pixels"]["exact"], 1000)
+        self.assertGreaterEqual(found["value_range"][0], 1.0)
+        # Nothing is proven of lines.
+        self.assertEqual(found["contours"]["pixels"]["in"], 0)
+        self.assertGreater(found["contours"]["pixels"]["undecided"], 1000)
+
+    def test_isosurfaces_are_numeric(self):
+        found = self.summary("render", TORUS, "--field", "u", "--isosurface", "u^2=0.09", *SIZE,
+                             "--output", self.folder / "a.png")
+        self.assertGreater(found["pixels"]["exact"], 100)
+        self.assertLess(abs(found["value_range"][1] - 0.3), 1e-9)
+        self.assertLess(abs(found["value_range"][0] + 0.3), 1e-9)
+        self.assertGreater(found["hits"]["numeric"], 100)
+
+    def test_proofs_are_refused(self):
+        base = ["integrate", TORUS, "--plane", "z", "--field"]
+        self.fails(1, *base, "u^2", names=["proven integrals", "'u^2'", "choose a field"])
+
+    def test_wrong_texts_have_their_place(self):
+        base = ["render", TORUS, *SIZE, "--output", self.folder / "a.png", "--field"]
+        for text, message in [
+            ("mag(grad(u)", "something is missing at the end\n  mag(grad(u)\n             ^"),
+            ("u + w", "nothing is named 'w'"),
+            ("curl(u)", "curl takes vectors"),
+        ]:
+            done = run(*base, text)
+            self.assertEqual(done.returncode, 1)
+            self.assertIn(message, done.stderr)
+        self.assertFalse((self.folder / "a.png").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()
