@@ -48,6 +48,18 @@ class Filters(unittest.TestCase):
             self.assertTrue(numpy.array_equal(found["u"][inside], theirs[inside, 0]))
         self.assertLess(numpy.abs(found["u"] - values)[inside].max(), 1e-9 * abs(values).max())
 
+    def test_calculator(self):
+        """The field is the expression itself, and not what is between its values at the points."""
+        slope = simple.PixelExactCalculator(
+            self.plain, ResultArrayName="slope", Function="mag(grad(u))")
+        slope.UpdatePipeline()
+        self.assertIn("slope", slope.PointData.keys())
+        found = scene.probe(slope, self.points)
+        inside = found["Verdict"] == 1
+        gradients = scene.numbers(self.table, "dudx", "dudy", "dudz")
+        expected = numpy.linalg.norm(gradients, axis=1)
+        self.assertLess(numpy.abs(found["slope"] - expected)[inside].max(), 1e-9 * expected.max())
+
     def test_probe_along_a_line(self):
         line = simple.Line(Point1=[-2, 0, 0], Point2=[2, 0, 0], Resolution=100)
         probe = simple.PixelExactProbe(Input=line, Source=self.plain)

@@ -17,6 +17,7 @@ CLASSES = [
     "vtkGLVisReader",
     "vtkGmshReader",
     "vtkHighOrderBoundarySurface",
+    "vtkHighOrderCalculator",
     "vtkHighOrderCertifier",
     "vtkHighOrderComparison",
     "vtkHighOrderContour",

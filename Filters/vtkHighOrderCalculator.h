@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHighOrderCalculator
+ * @brief   adds a field that is an expression of others, exact wherever it is evaluated
+ *
+ * The output is the input with the definition of a field, as text in its FieldData
+ * (`PixelExact.Definition.NAME`): mappers, probes, filters and expressions take its name as they
+ * take that of any field, and evaluate the expression from the polynomials where they need it. It
+ * goes with the grid through pipelines, files and to other processes. The language is described in
+ * Documentation/expressions.md: `mag(curl(vec(u,v,w)))`, `vonMises(displacement, 1.2, 0.8)`,
+ * `u - sin(pi*x)*cos(pi*y)`.
+ *
+ * What needs a proof beyond values (certified ranges, integrals, contours as polylines) refuses
+ * such fields; pixels with contours are undecided, and iso-surfaces are searched.
+ *
+ * The input is a grid that carries high-order coefficients, or a plain vtkUnstructuredGrid, which
+ * is converted. Composite data are taken block by block.
+ */
+
+#ifndef vtkHighOrderCalculator_h
+#define vtkHighOrderCalculator_h
+
+#include "PixelExactFiltersModule.h"
+#include "vtkPassInputTypeAlgorithm.h"
+
+#include <memory> // for the model
+#include <string> // for texts
+
+namespace pixelexact
+{
+class ModelSource;
+}
+
+class PIXELEXACTFILTERS_EXPORT vtkHighOrderCalculator : public vtkPassInputTypeAlgorithm
+{
+public:
+  static vtkHighOrderCalculator* New();
+  vtkTypeMacro(vtkHighOrderCalculator, vtkPassInputTypeAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The name of the new field, which no field of the grid may have; "result" by default. One that
+   * an earlier calculator gave means the new expression from here on.
+   */
+  vtkSetMacro(ResultArrayName, std::string);
+  vtkGetMacro(ResultArrayName, std::string);
+  ///@}
+
+  ///@{
+  /**
+   * The expression. What is none is an error, with the place in the text.
+   */
+  vtkSetMacro(Function, std::string);
+  vtkGetMacro(Function, std::string);
+  ///@}
+
+  ///@{
+  /**
+   * Whether point data of the field's name are added for filters that know no definitions: its
+   * values at the grid's points, of one of the cells that share a point; NaN where a point is in no
+   * element. On Lagrange cells that is the nodal interpolant of their order. On by default.
+   */
+  vtkSetMacro(PointValues, bool);
+  vtkGetMacro(PointValues, bool);
+  vtkBooleanMacro(PointValues, bool);
+  ///@}
+
+protected:
+  vtkHighOrderCalculator();
+  ~vtkHighOrderCalculator() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkHighOrderCalculator(const vtkHighOrderCalculator&) = delete;
+  void operator=(const vtkHighOrderCalculator&) = delete;
+
+  /// Throws Error.
+  void Define(vtkUnstructuredGrid* input, vtkUnstructuredGrid* output);
+
+  std::string ResultArrayName = "result";
+  std::string Function;
+  bool PointValues = true;
+  std::unique_ptr<pixelexact::ModelSource> Source;
+};
+
+#endif

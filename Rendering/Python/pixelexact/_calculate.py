@@ -1,0 +1,38 @@
+"""Fields that are expressions of others."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ._read import as_high_order
+from ._scene import source_of
+from ._work import Progress, run
+from .PixelExactDataModel import vtkHighOrderGrid
+from .PixelExactFilters import vtkHighOrderCalculator
+
+
+def calculate(
+    grid: Any, *, progress: Progress = None, point_values: bool = True, **fields: str
+) -> vtkHighOrderGrid:
+    """A grid with new fields that are expressions of its own: Q="Q(velocity)", e="u - sin(pi*x)".
+
+    Expressions are evaluated exactly wherever a value is asked for; they go with the grid as text.
+    One may name those before it. Wherever a field's name is taken, an expression itself is, too.
+
+    grid: as of cut; it stays as it is. point_values: whether the new fields are also arrays at the
+    points, for filters of VTK. Raises Error for what is no expression, with its place in the text.
+    """
+    if not fields:
+        raise TypeError('calculate: name a field, such as speed="mag(velocity)"')
+    source = source_of(grid, progress)
+    for name, expression in fields.items():
+        if not isinstance(expression, str):
+            raise TypeError(f"{name}: an expression as text, not {expression!r}")
+        calculator = vtkHighOrderCalculator()
+        calculator.SetInputData(source)
+        calculator.SetResultArrayName(name)
+        calculator.SetFunction(expression)
+        calculator.SetPointValues(point_values)
+        run(calculator, progress)
+        source = calculator.GetOutputDataObject(0)
+    return source if source.IsA("vtkCompositeDataSet") else as_high_order(source)
