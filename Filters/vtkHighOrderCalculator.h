@@ -10,8 +10,8 @@
  * Documentation/expressions.md: `mag(curl(vec(u,v,w)))`, `vonMises(displacement, 1.2, 0.8)`,
  * `u - sin(pi*x)*cos(pi*y)`.
  *
- * What needs a proof beyond values (certified ranges, integrals, contours as polylines) refuses
- * such fields; pixels with contours are undecided, and iso-surfaces are searched.
+ * What needs a proof beyond values (certified ranges, contours as polylines) refuses such fields;
+ * pixels with contours are undecided, iso-surfaces are searched, and integrals are numeric.
  *
  * The input is a grid that carries high-order coefficients, or a plain vtkUnstructuredGrid, which
  * is converted. Composite data are taken block by block.

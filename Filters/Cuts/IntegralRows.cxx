@@ -98,6 +98,11 @@ std::vector<std::string> DoubtsOf(const SurfaceIntegral& found, double tolerance
   {
     doubts.emplace_back("the surface meets no element of the mesh");
   }
+  if (found.isNumeric)
+  {
+    doubts.emplace_back(
+      "the field is an expression: its integrals are numeric, their errors estimates from samples");
+  }
   if (!found.met)
   {
     std::ostringstream text;

@@ -5,7 +5,7 @@ import unittest
 
 import numpy as np
 
-from tool import DATA, ToolTest, columns, read_csv, run
+from tool import CUBE, DATA, ToolTest, columns, read_csv, run, unit_cube_grid
 
 TORUS = DATA / "toroid_hex_g3_p6.vtu"
 ORACLE = DATA / "toroid_hex_g3_p6.oracle.csv"
@@ -61,9 +61,30 @@ class Expressions(ToolTest):
         self.assertLess(abs(found["value_range"][0] + 0.3), 1e-9)
         self.assertGreater(found["hits"]["numeric"], 100)
 
+    def test_integrals_are_numeric(self):
+        cube = self.folder / "cube.vtu"
+        cube.write_text(unit_cube_grid([("u", [p[0] for p in CUBE])]), encoding="utf-8")
+
+        def integral(*arguments):
+            found = self.summary("integrate", *arguments)["surfaces"][0]
+            return found, {row["quantity"]: row for row in found["rows"]}
+
+        found, rows = integral(cube, "--plane", "z=0.3", "--field", "exp(u)*y")
+        self.assertTrue(found["numeric"] and found["tolerance_met"])
+        self.assertIn("the field is an expression", found["notes"][0])
+        self.assertLess(abs(rows["Integral"]["value"] - (np.e - 1) / 2), 1e-9)
+        # Out of the cube, of a field with the divergence 2 x + 1.
+        _, rows = integral(cube, "--boundary", "--field", "vec(u^2, y, sin(u))")
+        self.assertLess(abs(rows["Flux"]["value"] - 2.0), 1e-8)
+        # Beside what is proven of the field itself.
+        proven, exact = integral(TORUS, "--plane", "z", "--field", "u")
+        self.assertFalse(proven["numeric"])
+        _, rows = integral(TORUS, "--plane", "z", "--field", "u + 0*x")
+        self.assertLess(abs(rows["Integral"]["value"] - exact["Integral"]["value"]), 1e-8)
+
     def test_proofs_are_refused(self):
-        base = ["integrate", TORUS, "--plane", "z", "--field"]
-        self.fails(1, *base, "u^2", names=["proven integrals", "'u^2'", "choose a field"])
+        self.fails(1, "integrate", TORUS, "--isosurface", "u^2=0.1", "--field", "u",
+                   names=["integrals over iso-surfaces", "'u^2'", "choose a field"])
 
     def test_wrong_texts_have_their_place(self):
         base = ["render", TORUS, *SIZE, "--output", self.folder / "a.png", "--field"]

@@ -32,8 +32,10 @@ BoxRanges::BoxRanges(ElementFunctions& functions, const PieceBox& box)
 
 Interval FieldRange(ElementFunctions& functions, const PieceBox& box, int component)
 {
-  const auto values = [&](int c) {
-    return functions.Values(box, c).Hull() * Interval(std::ldexp(1.0, functions.FieldExponent()));
+  const auto values = [&](int c)
+  {
+    return functions.Values(box, c, box).Hull() *
+      Interval(std::ldexp(1.0, functions.FieldExponent()));
   };
   const Mapping mapping = functions.Question().field->mapping;
   if (mapping == Mapping::Identity)

@@ -3,7 +3,12 @@
 
 #include "Core/Bernstein/TensorPolynomial.h"
 #include "Core/Contour/QuadricPolynomial.h"
+#include "Core/Contour/SampledPolynomial.h"
+#include "Core/Element/FieldFunction.h"
+#include "Core/Element/LaneBuffer.h"
 #include "Core/Integral/IntegralCut.h"
+#include "Core/Math/Rounding.h"
+#include "Core/Shape/Shape.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,8 +46,7 @@ ElementFunctions::ElementFunctions(const IntegralQuestion& question, int element
   const Field* const ofCut = question.cut != nullptr ? question.cut->MadeOf() : nullptr;
   if (question.field != nullptr)
   {
-    RequirePolynomials(*question.field, "proven integrals");
-    Modes = modesOf(question.field->values);
+    Modes = question.field->function != nullptr ? nullptr : modesOf(question.field->values);
   }
   if (ofCut != nullptr)
   {
@@ -57,7 +61,7 @@ ElementFunctions::ElementFunctions(const IntegralQuestion& question, int element
   std::vector<RangeIngredient> all{ { &Map, 0, Part::Value }, { &Map, 1, Part::Value },
     { &Map, 2, Part::Value } };
   AddDerivatives(Map, 0, 3, all);
-  for (int c = 0; c < question.Components(); ++c)
+  for (int c = 0; Modes != nullptr && c < question.Components(); ++c)
   {
     all.push_back({ Modes.get(), c, Part::Value });
   }
@@ -201,8 +205,75 @@ BoxPolynomial ElementFunctions::Slope(const PieceBox& box, int component, int xi
   return Restricted(Over(box.piece, kSlopes + static_cast<std::size_t>(3 * component + xi)), box);
 }
 
-BoxPolynomial ElementFunctions::Values(const PieceBox& box, int component)
+/// Of a function without coefficients: the polynomial that has its values at some points of the
+/// box, and an estimate of how far it is off, from others.
+BoxPolynomial ElementFunctions::SampledValues(const PieceBox& box, int component) const
 {
+  constexpr int kDegree = 6;
+  constexpr double kCaution =
+    4.0; // the largest difference is between the points that are looked at
+  const Field& field = *TheQuestion.field;
+  const auto components = static_cast<std::size_t>(field.values.components);
+  Box3 inEta;
+  for (int d = 0; d < 3; ++d)
+  {
+    const double middle = Middle(box, d).Middle();
+    const double half = HalfWidth(box, d).Middle();
+    inEta.lower[d] = middle - half;
+    inEta.upper[d] = middle + half;
+  }
+  const auto evaluate = [&](std::span<const Vec3> eta, std::span<double> values)
+  {
+    std::vector<Vec3> xi(eta.size());
+    std::ranges::transform(
+      eta, xi.begin(), [this](const Vec3& at) { return TensorToReference(GetShape(), at); });
+    const LaneBuffer lanes(xi);
+    const auto stride = static_cast<std::size_t>(PaddedCount(static_cast<int>(xi.size())));
+    std::vector<double> storage(components * stride);
+    std::vector<double*> arrays(components);
+    for (std::size_t c = 0; c < components; ++c)
+    {
+      arrays[c] = &storage[c * stride];
+    }
+    field.function->Evaluate(TheQuestion.mesh, TheElement, lanes.View(), arrays.data(), nullptr);
+    std::copy_n(arrays[static_cast<std::size_t>(component)], values.size(), values.begin());
+  };
+  BoxPolynomial polynomial = SamplePolynomial(kDegree, inEta, evaluate);
+  std::vector<std::array<double, 3>> between;
+  std::vector<Vec3> eta;
+  for (const double a : { -0.93, 0.08, 0.71 })
+  {
+    for (const double b : { -0.71, -0.08, 0.93 })
+    {
+      for (const double c : { -0.93, 0.21, 0.87 })
+      {
+        between.push_back({ a, b, c });
+        eta.push_back(inEta.lower + 0.5 * (Vec3(a, b, c) + 1.0) * (inEta.upper - inEta.lower));
+      }
+    }
+  }
+  std::vector<double> values(eta.size());
+  evaluate(eta, values);
+  for (std::size_t k = 0; k < eta.size(); ++k)
+  {
+    const double off = kCaution * std::fabs(polynomial.At(between[k]).Middle() - values[k]);
+    polynomial.error = off <= polynomial.error ? polynomial.error : off;
+  }
+  if (!std::isfinite(polynomial.error) || !polynomial.Hull().IsFinite())
+  {
+    polynomial = {};
+    polynomial.b = { 0.0 };
+    polynomial.error = kInfinity;
+  }
+  return polynomial;
+}
+
+BoxPolynomial ElementFunctions::Values(const PieceBox& box, int component, const PieceBox& places)
+{
+  if (Modes == nullptr)
+  {
+    return SampledValues(places, component);
+  }
   return Restricted(Over(box.piece, kValues + static_cast<std::size_t>(component)), box);
 }
 

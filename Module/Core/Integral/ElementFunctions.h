@@ -79,8 +79,9 @@ public:
   [[nodiscard]] double Radius() const { return TheRadius; }
   /// Its derivative by a xi.
   BoxPolynomial Slope(const PieceBox& box, int component, int xi);
-  /// A component of the field's own values, over 2^FieldExponent().
-  BoxPolynomial Values(const PieceBox& box, int component);
+  /// A component of the field's own values, over 2^FieldExponent(). A function without coefficients
+  /// is interpolated in `places`, the part of the box that counts: the error is an estimate.
+  BoxPolynomial Values(const PieceBox& box, int component, const PieceBox& places);
   [[nodiscard]] int FieldExponent() const;
 
   /// Of z = x - origin where y is zero.
@@ -101,6 +102,7 @@ public:
   [[nodiscard]] int Element() const { return TheElement; }
 
 private:
+  [[nodiscard]] BoxPolynomial SampledValues(const PieceBox& box, int component) const;
   /// Over a whole piece; made when first asked for, for one piece at a time.
   const BoxPolynomial& Over(const PieceForm::Piece& piece, std::size_t function);
 

@@ -84,7 +84,7 @@ public:
     {
       return part;
     }
-    const SurfaceModels models(Functions, thick, Axes, place);
+    const SurfaceModels models(Functions, thick, Axes, place, box);
     const auto eta = EtaModels(Functions, thick, Axes, b, c);
     std::array<ChebyshevModel, 3> normal;
     for (std::size_t i = 0; i < 3; ++i)

@@ -122,7 +122,7 @@ public:
       const std::size_t quantities = Functions.Question().Quantities();
       return GraphSums{ Sums(quantities), std::vector<double>(quantities), Graph.axes[0] };
     }
-    SurfaceModels models(Functions, Graph.box, axes, place);
+    SurfaceModels models(Functions, Graph.box, axes, place, Graph.box);
     const Interval slopes = slope.Range();
     const double sign = TakeMagnitude(models.determinant);
     if (!std::isfinite(models.determinant.error))

@@ -4,7 +4,7 @@
 namespace pixelexact
 {
 SurfaceModels::SurfaceModels(ElementFunctions& functions, const PieceBox& box,
-  const std::array<int, 3>& axes, const PointedModels& place)
+  const std::array<int, 3>& axes, const PointedModels& place, const PieceBox& places)
 {
   for (std::size_t i = 0; i < 3; ++i)
   {
@@ -17,7 +17,7 @@ SurfaceModels::SurfaceModels(ElementFunctions& functions, const PieceBox& box,
   determinant = Dot(jacobian[0], Cofactors(jacobian, 0));
   for (int c = 0; c < functions.Question().Components(); ++c)
   {
-    field.push_back(place.Of(BoxModel(functions.Values(box, c), axes, place.IsWideB())));
+    field.push_back(place.Of(BoxModel(functions.Values(box, c, places), axes, place.IsWideB())));
   }
 }
 

@@ -15,9 +15,10 @@ namespace pixelexact
 /// those of the modes: x = centre + radius y, u = 2^FieldExponent() times what is here.
 struct SurfaceModels
 {
-  /// `axes`: as PointedModels' a, b and c.
+  /// `axes`: as PointedModels' a, b and c. `places`: the part of the box where `place` is, in which
+  /// a function without coefficients is interpolated.
   SurfaceModels(ElementFunctions& functions, const PieceBox& box, const std::array<int, 3>& axes,
-    const PointedModels& place);
+    const PointedModels& place, const PieceBox& places);
 
   std::array<std::array<ChebyshevModel, 3>, 3> jacobian; ///< dy_i / dxi_j
   ChebyshevModel determinant;

@@ -68,6 +68,11 @@ void CheckSizes(const IntegralQuestion& question)
   }
 }
 
+bool IsNumeric(const IntegralQuestion& question)
+{
+  return question.field != nullptr && question.field->function != nullptr;
+}
+
 /// A face that lies in the surface and is this element's to integrate.
 bool IsOurs(const Mesh& mesh, const FaceOwner& owner, int element, int face)
 {
@@ -179,6 +184,7 @@ SurfaceIntegral IntegrateCut(const IntegralQuestion& question, const Locator& lo
     result.rounded += part->Rounded();
     result.unresolved += part->Unresolved();
   }
+  result.isNumeric = IsNumeric(question);
   return result;
 }
 
@@ -206,6 +212,7 @@ void AddTo(SurfaceIntegral& sum, const SurfaceIntegral& more)
   sum.notValid = std::max(sum.notValid, more.notValid);
   sum.covered += more.covered;
   sum.timeIsOver = sum.timeIsOver || more.timeIsOver;
+  sum.isNumeric = sum.isNumeric || more.isNumeric;
 }
 
 SurfaceIntegral IntegrateFaces(const IntegralQuestion& question, std::span<const ElementFace> faces,
@@ -217,6 +224,8 @@ SurfaceIntegral IntegrateFaces(const IntegralQuestion& question, std::span<const
   {
     seen.push_back({ face });
   }
-  return OverFaces(question, seen, effort, Deadline(effort.seconds));
+  SurfaceIntegral result = OverFaces(question, seen, effort, Deadline(effort.seconds));
+  result.isNumeric = IsNumeric(question);
+  return result;
 }
 } // namespace pixelexact

@@ -40,6 +40,8 @@ struct SurfaceIntegral
   std::int64_t notValid = 0;  ///< elements that meet, whose det J > 0 is not proven
   std::int64_t covered = 0;   ///< faces of a boundary with other elements behind a part of them
   bool timeIsOver = false;
+  /// The field is a function without coefficients: bounds of all but the area are estimates.
+  bool isNumeric = false;
 };
 
 /// Over where a cut-surface is in a mesh: see Documentation/integrals.md for the method and for

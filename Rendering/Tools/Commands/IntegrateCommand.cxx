@@ -146,10 +146,10 @@ nlohmann::ordered_json AnswerJson(const Answer& answer, const IntegralEffort& ef
 {
   const SurfaceIntegral& found = answer.found;
   nlohmann::ordered_json summary{ { "surface", answer.name }, { "tolerance_met", found.met },
-    { "elements", found.elements }, { "faces", found.faces }, { "boxes", found.boxes },
-    { "unresolved_area", found.unresolved }, { "not_finite", found.notFinite },
-    { "flat", found.flat }, { "not_valid", found.notValid }, { "partly_covered", found.covered },
-    { "notes", DoubtsOf(found, effort.tolerance) } };
+    { "numeric", found.isNumeric }, { "elements", found.elements }, { "faces", found.faces },
+    { "boxes", found.boxes }, { "unresolved_area", found.unresolved },
+    { "not_finite", found.notFinite }, { "flat", found.flat }, { "not_valid", found.notValid },
+    { "partly_covered", found.covered }, { "notes", DoubtsOf(found, effort.tolerance) } };
   for (const IntegralRow& row : answer.rows)
   {
     nlohmann::ordered_json entry{ { "quantity", row.quantity }, { "value", row.Middle() },

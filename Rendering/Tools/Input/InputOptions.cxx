@@ -25,7 +25,8 @@ int ParseStep(const std::string& text, bool mayBeAll)
 void AddField(CLI::App& command, std::string& field)
 {
   AddText(command, "--field", field, "NAME",
-    "Name of the field (default: the first one, which is named on stderr)");
+    "Name of the field, or an expression of fields, such as mag(curl(vec(u,v,w))) (default: the "
+    "first one, which is named on stderr)");
 }
 
 void InputRequest::AddTo(CLI::App& command, bool required)

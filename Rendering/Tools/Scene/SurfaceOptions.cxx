@@ -116,8 +116,8 @@ void SurfaceOptions::AddTo(CLI::App& command)
   AddedOption iso = AddRepeated(
     command, "--isosurface", [this](const std::string& text) { Isos.push_back(ParseIso(text)); },
     "FIELD=VALUE",
-    "Cut by the points where a field has a value; of a vector field its magnitude, or "
-    "FIELD.COMPONENT=VALUE, x, y, z or counted from 0");
+    "Cut by the points where a field, or an expression of fields, has a value; of a vector field "
+    "its magnitude, or FIELD.COMPONENT=VALUE, x, y, z or counted from 0");
   iso.Group(group);
   AddRepeated(
     command, "--boundary",
