@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trace/HitValues.h"
 
+#include "Core/Element/FieldFunction.h"
 #include "Core/Math/Interval.h"
 #include "Trace/Room.h"
 
@@ -82,6 +83,7 @@ void HitValues::Locate(
   target.valueUpper = Upper;
   target.precision = found.layer->precision;
   target.check = &check;
+  target.normals = NormalsFor(field, found);
   const auto count = static_cast<int>(TheVerdict.size());
   SampleTile(
     locator, field, { { found.position[0], found.position[1], found.position[2] }, count }, target);
@@ -108,6 +110,7 @@ void HitValues::EvaluateKnown(const Mesh& mesh, const Field* field, const HitRes
   {
     return;
   }
+  const std::span<const Vec3> normals = NormalsFor(field, found);
   ForEachKey(
     count, [&](std::size_t i) { return Element[i]; }, Runs,
     [&](std::int32_t element, std::span<const KeyRun> of)
@@ -135,7 +138,12 @@ void HitValues::EvaluateKnown(const Mesh& mesh, const Field* field, const HitRes
       if (components > 0)
       {
         ValuesOfElement.resize(components * XiOfElement.size());
-        EvaluateAt(mesh, *field, element, XiOfElement, ValuesOfElement, {});
+        NormalsOfElement.clear();
+        if (!normals.empty())
+        {
+          gather(normals, NormalsOfElement);
+        }
+        EvaluateAt(mesh, *field, element, XiOfElement, ValuesOfElement, {}, NormalsOfElement);
         scatter(ValuesOfElement, components, Value);
       }
       if (bounds > 0)
@@ -149,6 +157,22 @@ void HitValues::EvaluateKnown(const Mesh& mesh, const Field* field, const HitRes
         scatter(UppersOfElement, bounds, Upper);
       }
     });
+}
+
+std::span<const Vec3> HitValues::NormalsFor(const Field* field, const HitResults& found)
+{
+  if (field == nullptr || field->function == nullptr || !field->function->NeedsNormals())
+  {
+    return {};
+  }
+  Points.clear();
+  for (std::size_t i = 0; i < TheVerdict.size(); ++i)
+  {
+    Points.push_back(found.Point(i));
+  }
+  Normals.resize(Points.size());
+  found.layer->surface->Normals(Points, Normals);
+  return Normals;
 }
 
 /// To the component that is shown.

@@ -23,6 +23,8 @@ private:
     const Locator& locator, const Field* field, const HitResults& found, PrecisionCheck& check);
   void EvaluateKnown(const Mesh& mesh, const Field* field, const HitResults& found);
   void Reduce(const Layer& layer, HitResults& found);
+  /// Of the hits, where the field needs them; else none.
+  [[nodiscard]] std::span<const Vec3> NormalsFor(const Field* field, const HitResults& found);
 
   std::vector<std::int32_t> Elements;
   std::vector<Verdict> Verdicts;
@@ -31,10 +33,13 @@ private:
   std::vector<double> Lowers;
   std::vector<double> Uppers;
   std::vector<Vec3> Positions;
+  std::vector<Vec3> Normals;
+  std::vector<SurfacePoint> Points;
   // Of one element's hits.
   std::vector<KeyRun> Runs;
   std::vector<Vec3> XiOfElement;
   std::vector<Vec3> PositionsOfElement;
+  std::vector<Vec3> NormalsOfElement;
   std::vector<double> ValuesOfElement;
   std::vector<double> UppersOfElement;
   // Of these as many as are wanted; components for each hit.

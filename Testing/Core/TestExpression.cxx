@@ -430,6 +430,28 @@ TEST_P(Expression, KnowTheMap)
   }
 }
 
+TEST_P(Expression, TakeTheNormalOfASurface)
+{
+  const std::vector<Vec3> xi = SomePoints(200);
+  std::vector<Vec3> normals;
+  for (std::size_t k = 0; k < xi.size(); ++k)
+  {
+    normals.emplace_back(0.01 * static_cast<double>(k), 0.6, -0.8);
+  }
+  const Field field = Make("dot(grad(u), n) + normal.x");
+  ASSERT_TRUE(field.function->NeedsNormals());
+  std::vector<double> values(xi.size());
+  EvaluateAt(Builder.View(), field, 0, xi, values, {}, normals);
+  for (std::size_t k = 0; k < xi.size(); ++k)
+  {
+    const LongVec3 slope = ScalarGradientAt(Place(ToLong(xi[k])));
+    const LongVec3 n = ToLong(normals[k]);
+    EXPECT_NEAR(values[k],
+      static_cast<double>(slope[0] * n[0] + slope[1] * n[1] + slope[2] * n[2] + n[0]), 1e-11);
+  }
+  EXPECT_THROW(EvaluateAt(Builder.View(), field, 0, xi, values, {}), Unsupported);
+}
+
 TEST_P(Expression, GiveNothingWhereThereIsNone)
 {
   const Vec3 xi(-0.2);

@@ -5,7 +5,7 @@ import unittest
 
 import numpy as np
 
-from tool import CUBE, DATA, ToolTest, columns, read_csv, run, unit_cube_grid
+from tool import CUBE, DATA, ToolTest, columns, read_buffers, read_csv, run, unit_cube_grid
 
 TORUS = DATA / "toroid_hex_g3_p6.vtu"
 ORACLE = DATA / "toroid_hex_g3_p6.oracle.csv"
@@ -52,6 +52,30 @@ class Expressions(ToolTest):
         # Nothing is proven of lines.
         self.assertEqual(found["contours"]["pixels"]["in"], 0)
         self.assertGreater(found["contours"]["pixels"]["undecided"], 1000)
+
+    def test_normals_are_the_surfaces(self):
+        cube = self.folder / "cube.vtu"
+        cube.write_text(unit_cube_grid([("u", [p[0] for p in CUBE])]), encoding="utf-8")
+
+        def values(expression, *surface):
+            buffers = self.folder / "out.vti"
+            self.succeeds("render", cube, "--field", expression, *surface, *SIZE, "--output",
+                          self.folder / "a.png", "--buffers", buffers)
+            found = read_buffers(buffers)
+            seen = found["Verdict"] == 1
+            self.assertGreater(seen.sum(), 100)
+            return found["Value"][seen], found["Position"][seen]
+
+        flux, _ = values("dot(vec(1, 2, 3), n)", "--plane", "0.5,0.5,0.5,0,0,1")
+        self.assertEqual(set(flux), {3.0})
+        flux, at = values("dot(coords - 0.5*vec(1, 1, 1), n)", "--sphere", "0.5,0.5,0.5,0.4")
+        np.testing.assert_allclose(flux, 0.4, rtol=0, atol=1e-12)
+        flux, _ = values("dot(coords - 0.5*vec(1, 1, 1), n)", "--boundary", "--view", "iso")
+        np.testing.assert_allclose(flux, 0.5, rtol=0, atol=1e-12)
+        self.fails(1, "probe", cube, "--field", "n", "--line", "0,0,0,1,1,1,3",
+                   names=["needs the normal of a surface"])
+        self.fails(1, "integrate", cube, "--field", "n", "--plane", "z=0.5",
+                   names=["needs the normal of a surface"])
 
     def test_isosurfaces_are_numeric(self):
         found = self.summary("render", TORUS, "--field", "u", "--isosurface", "u^2=0.09", *SIZE,

@@ -27,11 +27,16 @@ public:
   /// Throws Unsupported, naming what is missing, where Evaluate has no gradient.
   virtual void RequireGradient() const = 0;
 
+  /// Whether values depend on the normal of a surface through the point.
+  [[nodiscard]] virtual bool NeedsNormals() const = 0;
+
   /// At points of one element: `value[c]` and, unless it is null, `gradient[3 c + d]`, the
   /// derivative of component c by x_d in world units, as arrays of PaddedCount(xi.count) numbers.
-  /// NaN and infinite where the function is. Throws as RequireGradient.
-  virtual void Evaluate(const Mesh& mesh, int element, const LanePoints& xi, double* const* value,
-    double* const* gradient) const = 0;
+  /// NaN and infinite where the function is. `normal`: coordinate by coordinate, of unit length;
+  /// null where there is no surface, which throws Unsupported if they are needed. Throws as
+  /// RequireGradient.
+  virtual void Evaluate(const Mesh& mesh, int element, const LanePoints& xi,
+    const double* const* normal, double* const* value, double* const* gradient) const = 0;
 
   /// Intervals that hold the values at world points `x`, near whose preimages in the element `xi`
   /// are (EncloseValues); everything where nothing is proven.

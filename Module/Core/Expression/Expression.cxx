@@ -10,6 +10,7 @@
 #include <tbb/collaborative_call_once.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace pixelexact
@@ -38,21 +39,28 @@ public:
   }
 
   /// `out`: of each output.
-  void Evaluate(
-    const Mesh& mesh, int element, const LanePoints& xi, std::span<double* const> out) const
+  void Evaluate(const Mesh& mesh, int element, const LanePoints& xi, const double* const* normal,
+    std::span<double* const> out) const
   {
     thread_local PointLeaves::Scratch leaves;
     thread_local std::vector<double> registers;
     std::vector<double*> some(out.size());
+    std::array<const double*, 3> normals{};
     for (int begin = 0; begin < xi.count; begin += PointLeaves::kTogether)
     {
       const LanePoints points{ { xi.x[0] + begin, xi.x[1] + begin, xi.x[2] + begin },
         std::min(PointLeaves::kTogether, xi.count - begin) };
       std::ranges::transform(out, some.begin(), [begin](double* array) { return array + begin; });
-      TheProgram.Run(
-        Leaves.Evaluate(mesh, element, points, leaves), points.count, some.data(), registers);
+      for (std::size_t d = 0; normal != nullptr && d < 3; ++d)
+      {
+        normals[d] = normal[d] + begin;
+      }
+      TheProgram.Run(Leaves.Evaluate(mesh, element, points, normals.data(), leaves), points.count,
+        some.data(), registers);
     }
   }
+
+  [[nodiscard]] bool NeedsNormals() const { return Leaves.NeedsNormals(); }
 
 private:
   Program TheProgram;
@@ -84,18 +92,25 @@ public:
     }
   }
 
-  void Evaluate(const Mesh& mesh, int element, const LanePoints& xi, double* const* value,
-    double* const* gradient) const override
+  [[nodiscard]] bool NeedsNormals() const override { return Values->NeedsNormals(); }
+
+  void Evaluate(const Mesh& mesh, int element, const LanePoints& xi, const double* const* normal,
+    double* const* value, double* const* gradient) const override
   {
+    if (normal == nullptr && NeedsNormals())
+    {
+      throw Unsupported("'" + Text +
+        "' needs the normal of a surface, which only pictures of surfaces have; leave out n");
+    }
     if (gradient == nullptr)
     {
-      Values->Evaluate(mesh, element, xi, { value, Outputs.size() });
+      Values->Evaluate(mesh, element, xi, normal, { value, Outputs.size() });
       return;
     }
     RequireGradient();
     std::vector<double*> out(value, value + Outputs.size());
     out.insert(out.end(), gradient, gradient + 3 * Outputs.size());
-    WithGradient->Evaluate(mesh, element, xi, out);
+    WithGradient->Evaluate(mesh, element, xi, normal, out);
   }
 
   void Enclose(const Mesh& mesh, int element, const LanePoints& xi, const LanePoints& x,

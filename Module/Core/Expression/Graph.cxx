@@ -306,6 +306,8 @@ int Graph::MakeDerivative(int self, int d)
         .component = node.component,
         .a = std::min(node.a, d),
         .b = std::max(node.a, d) });
+    case Operation::Normal:
+      throw Unsupported("derivatives of the normal are not available");
     case Operation::Curvature:
       throw Unsupported("third derivatives of fields are not available");
     case Operation::Negate:

@@ -20,6 +20,7 @@ enum class Operation : std::uint8_t
   Determinant,     ///< det J, J = d Phi / d xi in world units
   ScaledJacobian,  ///< det J over the product of the lengths of J's columns
   ElementNumber,
+  Normal,    ///< n_a, of the surface
   Order,     ///< of field f in the element; f = -1: the highest of all fields
   Value,     ///< component c of field f
   Slope,     ///< its derivative by x_a

@@ -130,6 +130,7 @@ PointLeaves::PointLeaves(std::span<const Graph::Node> leaves, std::span<const Fi
       NeedsInverse = NeedsInverse || (needed.derivatives > 0 && !isMapped);
     }
     NeedsInverse = NeedsInverse || leaf.operation == Operation::InverseJacobian;
+    OfNormals = OfNormals || leaf.operation == Operation::Normal;
     NeedsMap = NeedsMap || NeedsInverse || leaf.operation == Operation::Coordinate ||
       leaf.operation == Operation::Determinant || leaf.operation == Operation::ScaledJacobian;
   }
@@ -158,8 +159,8 @@ std::size_t PointLeaves::ArrayOf(const Graph::Node& leaf) const
   }
 }
 
-std::span<const double* const> PointLeaves::Evaluate(
-  const Mesh& mesh, int element, const LanePoints& xi, Scratch& scratch) const
+std::span<const double* const> PointLeaves::Evaluate(const Mesh& mesh, int element,
+  const LanePoints& xi, const double* const* normal, Scratch& scratch) const
 {
   scratch.storage.resize(std::max(scratch.storage.size(), Arrays * kTogether));
   scratch.arrays.resize(Arrays);
@@ -187,6 +188,10 @@ std::span<const double* const> PointLeaves::Evaluate(
     if (IsOfField(Wanted[k]))
     {
       scratch.leaves[k] = scratch.arrays[ArrayOf(Wanted[k])];
+    }
+    else if (Wanted[k].operation == Operation::Normal)
+    {
+      scratch.leaves[k] = normal[Wanted[k].a];
     }
     else
     {

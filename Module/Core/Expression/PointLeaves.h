@@ -33,8 +33,10 @@ public:
 
   /// An array for each leaf, in their order, of xi.count <= kTogether points; they lie in
   /// `scratch`.
-  [[nodiscard]] std::span<const double* const> Evaluate(
-    const Mesh& mesh, int element, const LanePoints& xi, Scratch& scratch) const;
+  [[nodiscard]] std::span<const double* const> Evaluate(const Mesh& mesh, int element,
+    const LanePoints& xi, const double* const* normal, Scratch& scratch) const;
+
+  [[nodiscard]] bool NeedsNormals() const { return OfNormals; }
 
 private:
   /// What is needed of a field, by the order of the derivative; its arrays follow one another.
@@ -60,6 +62,7 @@ private:
   std::span<const std::int64_t> Numbers;
   bool NeedsMap = false;     ///< Phi and J
   bool NeedsInverse = false; ///< J^-1
-  std::size_t Arrays = 0;    ///< in the scratch, those of single leaves included
+  bool OfNormals = false;
+  std::size_t Arrays = 0; ///< in the scratch, those of single leaves included
 };
 } // namespace pixelexact

@@ -210,7 +210,7 @@ Tensor Translator::MakeBuiltIn(const std::string& name)
   {
     return ScalarOf(leaf(Operation::ElementNumber, 0));
   }
-  throw Unsupported("normals of surfaces are not available in expressions");
+  return vector(Operation::Normal); // n, normal
 }
 
 Tensor Translator::MakeField(std::size_t field)

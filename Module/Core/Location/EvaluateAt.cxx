@@ -26,11 +26,12 @@ void TellInside(LocationSink& sink, int element, std::span<const Vec3> xi)
 } // namespace
 
 void EvaluateAt(const Mesh& mesh, const Field& field, int element, std::span<const Vec3> xi,
-  std::span<double> value, std::span<double> gradient)
+  std::span<double> value, std::span<double> gradient, std::span<const Vec3> normals)
 {
   SampleTarget target;
   target.value = value;
   target.gradient = gradient;
+  target.normals = normals;
   RequireSizes(&field, xi.size(), target);
   SamplingSink sink(mesh, &field, {}, target);
   TellInside(sink, element, xi);

@@ -44,6 +44,9 @@ struct SampleTarget
   /// Of `value`; gradients and enclosures are those of the values in double precision.
   Precision precision = Precision::Double;
   PrecisionCheck* check = nullptr; ///< added to, where values are computed in floats
+  /// Of the surface that the points are on, unit length, for fields that need them
+  /// (FieldFunction::NeedsNormals).
+  std::span<const Vec3> normals = {};
 
   /// element -1, verdict outside, everything else NaN.
   void Clear() const;
@@ -63,9 +66,9 @@ void Sample(const Locator& locator, const Field* field, std::span<const Vec3> po
   const SampleTarget& target);
 
 /// Values (and world gradients, where the span is not empty) of `field` at given xi of one
-/// element; no location.
+/// element; no location. `normals`: as in SampleTarget.
 void EvaluateAt(const Mesh& mesh, const Field& field, int element, std::span<const Vec3> xi,
-  std::span<double> value, std::span<double> gradient);
+  std::span<double> value, std::span<double> gradient, std::span<const Vec3> normals = {});
 
 /// Enclosures of the values of `field` at world points x, whose preimages in one element are near
 /// xi (see EncloseValues, with the mesh's uncertainty).

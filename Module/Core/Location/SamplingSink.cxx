@@ -134,7 +134,9 @@ void SamplingSink::EvaluateField(int element, std::span<const int> index, const 
   double* const* slopes = gradient ? out + components : nullptr;
   if (TheField->function != nullptr)
   {
-    TheField->function->Evaluate(TheMesh, element, xi, out, slopes);
+    const bool hasNormals = !Target.normals.empty() && TheField->function->NeedsNormals();
+    TheField->function->Evaluate(
+      TheMesh, element, xi, hasNormals ? GatherNormals(index, stride) : nullptr, out, slopes);
   }
   else
   {
@@ -148,6 +150,21 @@ void SamplingSink::EvaluateField(int element, std::span<const int> index, const 
   {
     Scatter(index, out, components, Target.value);
   }
+}
+
+const double* const* SamplingSink::GatherNormals(std::span<const int> index, std::size_t stride)
+{
+  double* const* arrays = Normals.Get(3, stride);
+  for (std::size_t k = 0; k < stride; ++k)
+  {
+    const Vec3& normal =
+      Target.normals[static_cast<std::size_t>(index[std::min(k, index.size() - 1)])];
+    for (int d = 0; d < 3; ++d)
+    {
+      arrays[d][k] = normal[d];
+    }
+  }
+  return arrays;
 }
 
 void SamplingSink::EvaluatePolynomials(

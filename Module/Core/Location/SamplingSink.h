@@ -31,6 +31,7 @@ public:
 
 private:
   void EvaluateField(int element, std::span<const int> index, const LanePoints& xi);
+  const double* const* GatherNormals(std::span<const int> index, std::size_t stride);
   /// `slopes`: null, or where gradients go.
   void EvaluatePolynomials(
     int element, const LanePoints& xi, double* const* out, double* const* slopes);
@@ -43,6 +44,7 @@ private:
   const SampleTarget& Target;
   OutputArrays Arrays;
   OutputArrays Checked;
+  OutputArrays Normals;
 };
 
 /// Throws Error unless the target's arrays are empty or fit the points and the field.
