@@ -162,6 +162,7 @@ int vtkHighOrderFileReader::RequestData(vtkInformation* /*request*/,
     {
       this->MeshGrid = vtkSmartPointer<vtkHighOrderGrid>::New();
       StoreSolverMesh(std::move(model.mesh), this->MeshGrid);
+      StoreParameters(model.parameters, this->MeshGrid);
       this->MeshTime.Modified();
       this->MeshStep = step;
       this->MeshPiece = part.piece;

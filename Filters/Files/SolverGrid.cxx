@@ -222,6 +222,21 @@ void StoreSolverMesh(SolverMesh&& mesh, vtkUnstructuredGrid* grid)
   }
 }
 
+void StoreParameters(const std::map<std::string, double>& parameters, vtkUnstructuredGrid* grid)
+{
+  for (const auto& [name, value] : parameters)
+  {
+    if (grid->GetFieldData()->HasArray(name.c_str()) != 0)
+    {
+      continue;
+    }
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(name.c_str());
+    array->InsertNextValue(value);
+    grid->GetFieldData()->AddArray(array);
+  }
+}
+
 void StoreSolverField(SolverField&& field, vtkUnstructuredGrid* grid)
 {
   const auto names = StoredFieldNames(grid);

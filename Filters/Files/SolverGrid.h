@@ -16,12 +16,16 @@ class vtkUnstructuredGrid;
 //              PixelExactLinearizedOrder  uint8, see ConversionLoss.h
 //   FieldData  PixelExact.Groups.Id, .Boundary, .Name   the file's groups
 //              PixelExact.Field.<name>.Basis            the source basis, for people
+//              <parameter>                              a number of the run, for expressions
 //   PointData  <field>, at the vertices, where the field is continuous by construction
 //   CellData   <field>, at the element's centre (eta = 0), otherwise
 namespace pixelexact
 {
 /// Makes `grid` a grid of the mesh, without fields. Coefficients are handed on, not copied.
 void StoreSolverMesh(SolverMesh&& mesh, vtkUnstructuredGrid* grid);
+
+/// Adds a run's numbers to the FieldData, where no array has the name.
+void StoreParameters(const std::map<std::string, double>& parameters, vtkUnstructuredGrid* grid);
 
 /// Adds a field. Throws InvalidData where the grid has one of that name.
 void StoreSolverField(SolverField&& field, vtkUnstructuredGrid* grid);

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -88,6 +89,8 @@ struct SolverModel
   SolverMesh mesh;
   std::vector<SolverField> fields;
   std::optional<double> time;
+  /// Numbers of the run by name, such as Nektar++'s parameters: expressions may use them.
+  std::map<std::string, double> parameters;
   /// What was noticed in the file that a user should know, one line each.
   std::vector<std::string> notes;
   /// Where some pieces of a run were read and others were not: those that were, in the order of the

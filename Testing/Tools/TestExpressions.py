@@ -85,6 +85,33 @@ class Expressions(ToolTest):
         self.assertLess(abs(found["value_range"][0] + 0.3), 1e-9)
         self.assertGreater(found["hits"]["numeric"], 100)
 
+    def test_parameters_of_the_session(self):
+        flow = DATA / "nek_plane_kovasznay_p7"
+        output = self.folder / "probed.csv"
+        self.succeeds("probe", flow / "nek_plane_kovasznay_p7.xml",
+                      flow / "nek_plane_kovasznay_p7.rst", "--field", "1/Kinvis + t + 0*u",
+                      "--line", "0,0,0.5,0.5,3", "--output", output)
+        np.testing.assert_allclose(columns(read_csv(output))["value"], 40.1, rtol=1e-15)
+
+    def test_kovasznay(self):
+        """Vorticity and divergence of the flow, against its formula."""
+        flow = DATA / "nek_plane_kovasznay_p7"
+        rate = 20 - np.sqrt(400 + 4 * np.pi**2)
+        output = self.folder / "probed.csv"
+        self.succeeds("probe", flow / "nek_plane_kovasznay_p7.xml",
+                      flow / "nek_plane_kovasznay_p7.rst", "--field", "vorticity(vec(u,v))",
+                      "--field", "div(vec(u,v))", "--field", "grad(p)", "--line",
+                      "-0.4,-0.4,0.9,1.4,50", "--output", output)
+        found = columns(read_csv(output))
+        x, y = found["x"], 2 * np.pi * found["y"]
+        exact = np.exp(rate * x) * np.sin(y) * (rate**2 / (2 * np.pi) - 2 * np.pi)
+        # As exact as the solution of order 7.
+        self.assertLess(np.abs(found["vorticity(vec(u,v))"] - exact).max(), 2e-4)
+        self.assertLess(np.abs(found["div(vec(u,v))"]).max(), 2e-4)
+        slope = -rate * np.exp(2 * rate * x)
+        self.assertLess(np.abs(found["grad(p)_0"] - slope).max(), 2e-2)
+        self.assertLess(np.abs(found["grad(p)_1"]).max(), 2e-2)
+
     def test_integrals_are_numeric(self):
         cube = self.folder / "cube.vtu"
         cube.write_text(unit_cube_grid([("u", [p[0] for p in CUBE])]), encoding="utf-8")

@@ -226,11 +226,13 @@ SessionMesh ReadMesh(const std::vector<NamedText>& sessions)
       ": no file has an element GEOMETRY; name the file that holds the mesh as well.");
   }
   const Geometry geometry = ReadGeometry(session);
-  const auto stripDistance = Parameters(session).Find("DistStrip");
+  const Parameters parameters(session);
+  const auto stripDistance = parameters.Find("DistStrip");
   documents.clear(); // all is in the geometry now
   SolverModel model = geometry.dimension == 2 ? MakePlaneModel(geometry, name)
                                               : std::move(ModelBuilder(geometry, name).Model);
   model.notes.insert(model.notes.end(), geometry.notes.begin(), geometry.notes.end());
+  model.parameters = parameters.All();
   return { std::move(model), name, geometry.isLine, stripDistance };
 }
 

@@ -23,10 +23,10 @@ class Compiled
 public:
   Compiled(const Graph& graph, std::vector<int> outputs, std::span<const Field* const> fields,
     std::span<const std::int64_t> numbers)
-    : TheProgram(graph, std::move(outputs))
-    , Leaves(TheProgram.Leaves(), fields, numbers)
+    : Code(graph, std::move(outputs))
+    , Leaves(Code.Leaves(), fields, numbers)
   {
-    for (const Graph::Node& leaf : TheProgram.Leaves())
+    for (const Graph::Node& leaf : Code.Leaves())
     {
       if (leaf.operation == Operation::Curvature &&
         fields[static_cast<std::size_t>(leaf.field)]->mapping != Mapping::Identity)
@@ -55,7 +55,7 @@ public:
       {
         normals[d] = normal[d] + begin;
       }
-      TheProgram.Run(Leaves.Evaluate(mesh, element, points, normals.data(), leaves), points.count,
+      Code.Run(Leaves.Evaluate(mesh, element, points, normals.data(), leaves), points.count,
         some.data(), registers);
     }
   }
@@ -63,7 +63,7 @@ public:
   [[nodiscard]] bool NeedsNormals() const { return Leaves.NeedsNormals(); }
 
 private:
-  Program TheProgram;
+  Program Code;
   PointLeaves Leaves;
 };
 
@@ -76,9 +76,9 @@ public:
   {
     std::ranges::transform(
       scope.fields, std::back_inserter(Fields), [](const Field& field) { return &field; });
-    Outputs = Translator(TheGraph, scope).Translate(text).nodes;
-    Values.emplace(TheGraph, Outputs, Fields, Numbers);
-    Bounds.emplace(TheGraph, Outputs, Fields, Numbers);
+    Outputs = Translator(Scalars, scope).Translate(text).nodes;
+    Values.emplace(Scalars, Outputs, Fields, Numbers);
+    Bounds.emplace(Scalars, Outputs, Fields, Numbers);
   }
 
   [[nodiscard]] int Components() const override { return static_cast<int>(Outputs.size()); }
@@ -129,10 +129,10 @@ private:
       {
         for (int d = 0; d < 3; ++d)
         {
-          outputs.push_back(TheGraph.Derivative(node, d));
+          outputs.push_back(Scalars.Derivative(node, d));
         }
       }
-      WithGradient.emplace(TheGraph, std::move(outputs), Fields, Numbers);
+      WithGradient.emplace(Scalars, std::move(outputs), Fields, Numbers);
     }
     catch (const Error& error)
     {
@@ -148,7 +148,7 @@ private:
   std::optional<IntervalProgram> Bounds;
   // Made when somebody first asks.
   mutable tbb::collaborative_once_flag Differentiated;
-  mutable Graph TheGraph;
+  mutable Graph Scalars;
   mutable std::optional<Compiled> WithGradient;
   mutable std::string Missing;
 };

@@ -13,7 +13,7 @@
 
 namespace pixelexact
 {
-/// What the names in an expression mean.
+/// Maps the names in an expression to fields, definitions and numbers.
 struct ExpressionScope
 {
   std::span<const Field> fields;
@@ -25,9 +25,10 @@ struct ExpressionScope
   std::span<const std::int64_t> numbers{};
 };
 
-/// The function that an expression of fields is (Documentation/expressions.md has the language):
-/// at each point it is computed from the fields' values and derivatives there, by the chain rule;
-/// nothing is sampled. Errors are those of the kernels and some roundings of each operation.
+/// Returns the function that an expression of fields defines (Documentation/expressions.md
+/// describes the language). At each point it is computed from the fields' values and derivatives
+/// there, by the chain rule; nothing is sampled. Errors are the rounding of the kernels and of each
+/// operation.
 ///
 /// `scope`'s fields and numbers must outlive it. Throws InvalidData for what is no expression, for
 /// names that mean nothing and for shapes that do not fit, with the place in the text; Unsupported
@@ -36,6 +37,6 @@ struct ExpressionScope
 [[nodiscard]] std::shared_ptr<const FieldFunction> MakeExpression(
   const std::string& text, const ExpressionScope& scope);
 
-/// Whether a text is more than a name: messages about names that do not exist are other ones.
+/// Whether a text contains operators, brackets or quotes, and so is not meant as a plain name.
 [[nodiscard]] bool IsMoreThanName(const std::string& text);
 } // namespace pixelexact

@@ -10,7 +10,7 @@
 
 namespace pixelexact
 {
-/// What a node of a Graph is. Those before Negate have no arguments.
+/// How a node of a Graph is computed. The operations before Negate have no arguments.
 enum class Operation : std::uint8_t
 {
   Constant,
@@ -63,20 +63,20 @@ enum class Operation : std::uint8_t
   Eigenvector, ///< component b of unit eigenvector number a of the same
 };
 
-/// Scalars at a point, and what they are computed from: without cycles, equal ones once. Numbers of
-/// nodes are indices; arguments precede what is computed from them.
+/// A directed acyclic graph of scalars at a point. Each node is computed from its arguments, and
+/// equal nodes exist once. Nodes are referred to by index; arguments have lower indices.
 class Graph
 {
 public:
-  static constexpr int kMostArguments = 6;
+  static constexpr int kMaxArguments = 6;
   /// More throw InvalidData.
-  static constexpr std::size_t kMostNodes = 20'000;
+  static constexpr std::size_t kMaxNodes = 20'000;
 
   struct Node
   {
     Operation operation = Operation::Constant;
     double constant = 0.0;
-    std::array<int, kMostArguments> arguments{ -1, -1, -1, -1, -1, -1 };
+    std::array<int, kMaxArguments> arguments{ -1, -1, -1, -1, -1, -1 };
     int field = -1;
     int component = 0;
     int a = 0;
@@ -89,7 +89,7 @@ public:
   [[nodiscard]] int Size() const { return static_cast<int>(Nodes.size()); }
 
   int Constant(double value);
-  /// Without arguments.
+  /// Adds a node that has no arguments.
   int Leaf(const Node& node);
   /// Constants are folded where that is exact, factors of one and added zeros left out.
   int Of(Operation operation, int a);
@@ -97,11 +97,12 @@ public:
   int Select(int condition, int yes, int no);
   int Eigen(Operation operation, const std::array<int, 6>& matrix, int number, int component = 0);
 
-  /// d node / d x_d, by the chain rule; of what has steps, beside them. Throws Unsupported for
-  /// third derivatives of fields and for derivatives of det J and of eigenvectors.
+  /// Returns d node / d x_d by the chain rule. Functions with steps (sign, floor, comparisons) are
+  /// differentiated beside the steps. Throws Unsupported for third derivatives of fields and for
+  /// derivatives of det J, of normals and of eigenvectors.
   int Derivative(int node, int d);
 
-  /// Nodes that these are computed from, and these, each after its arguments.
+  /// Returns `nodes` and all nodes that they are computed from, each after its arguments.
   [[nodiscard]] std::vector<int> NeededFor(std::span<const int> nodes) const;
 
   [[nodiscard]] bool IsConstant(int node, double value) const
@@ -121,7 +122,7 @@ private:
   std::map<std::array<int, 2>, int> Derivatives;
 };
 
-/// The operation on numbers, of as many arguments as it has; not of leaves, and not Eigenvalue or
-/// Eigenvector.
+/// Computes an operation on numbers; arguments that it does not have are ignored. Leaves,
+/// Eigenvalue and Eigenvector give NaN.
 [[nodiscard]] double Apply(Operation operation, double a, double b = 0.0, double c = 0.0);
 } // namespace pixelexact

@@ -37,8 +37,8 @@ Interval Growing(const Interval& a, const Function& function)
 Interval Wave(const Interval& a, double quarters, double lower, double upper)
 {
   // Beyond this the turns are not counted.
-  constexpr double kMostTurns = 0x1p20;
-  if (!a.IsFinite() || a.Magnitude() > kMostTurns)
+  constexpr double kMaxTurns = 0x1p20;
+  if (!a.IsFinite() || a.Magnitude() > kMaxTurns)
   {
     return { -1.0, 1.0 };
   }
@@ -335,7 +335,7 @@ void IntervalProgram::Enclose(const Mesh& mesh, int element, const LanePoints& x
     }
   }
   std::vector<Interval> intervals(Nodes.size());
-  std::array<Interval, Graph::kMostArguments> arguments;
+  std::array<Interval, Graph::kMaxArguments> arguments;
   for (int i = 0; i < xi.count; ++i)
   {
     for (std::size_t k = 0; k < Nodes.size(); ++k)

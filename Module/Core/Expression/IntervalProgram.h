@@ -12,11 +12,12 @@
 
 namespace pixelexact
 {
-/// Nodes of a graph in intervals: bounds that hold at a point, from those of the fields and of
-/// their first derivatives there (EncloseGradients). Exact functions of intervals have outward
-/// rounding; of those of the C library (sin, exp, pow, ...) it is assumed that they are off by 16
-/// units in the last place at most (glibc states 1 to 4). Everything where an operand has nothing,
-/// where a function is not defined on all of it, and for second derivatives and those of the map.
+/// Evaluates nodes of a graph in interval arithmetic: bounds that hold at a point, from the
+/// enclosures of the fields and of their first derivatives there (EncloseGradients). Arithmetic is
+/// rounded outwards. Functions of the C library (sin, exp, pow, ...) are assumed to be off by 16
+/// units in the last place at most (glibc states 1 to 4). The interval is everything, -inf to inf,
+/// for second derivatives and leaves of the map, and where a function is not defined on all of its
+/// argument.
 class IntervalProgram
 {
 public:

@@ -11,19 +11,21 @@
 
 namespace pixelexact
 {
-/// Values of a graph's leaves at points of an element: fields and their derivatives by x, as exact
-/// as the kernels are, and what is known of the map. Second derivatives are made point by point.
+/// Evaluates a graph's leaves at points of an element: fields and their derivatives by x, with the
+/// rounding of the kernels, and coordinates, xi, J^-1 and det J of the map. Second derivatives are
+/// computed point by point, not in lanes.
 class PointLeaves
 {
 public:
-  /// At most so many points at a time: what is known of them stays in cache.
+  /// The largest number of points of one call: their arrays stay in cache.
   static constexpr int kTogether = 128;
 
-  /// `fields` must outlive it; `numbers`: of elements, else they count from 0.
+  /// `fields` must outlive this. `numbers` are the elements' numbers; where it is empty, elements
+  /// count from 0.
   PointLeaves(std::span<const Graph::Node> leaves, std::span<const Field* const> fields,
     std::span<const std::int64_t> numbers);
 
-  /// What Evaluate works in: a thread's own, which keeps its memory.
+  /// Scratch memory of Evaluate. Each thread has its own and reuses it.
   struct Scratch
   {
     std::vector<double> storage;
@@ -31,8 +33,8 @@ public:
     std::vector<const double*> leaves;
   };
 
-  /// An array for each leaf, in their order, of xi.count <= kTogether points; they lie in
-  /// `scratch`.
+  /// Returns an array of xi.count <= kTogether values for each leaf, in the order of the leaves.
+  /// The arrays lie in `scratch`.
   [[nodiscard]] std::span<const double* const> Evaluate(const Mesh& mesh, int element,
     const LanePoints& xi, const double* const* normal, Scratch& scratch) const;
 

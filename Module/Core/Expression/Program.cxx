@@ -176,7 +176,7 @@ void Program::Run(std::span<const double* const> leaves, int count, double* cons
   };
   for (const Step& step : Steps)
   {
-    std::array<Operand, Graph::kMostArguments> arguments{};
+    std::array<Operand, Graph::kMaxArguments> arguments{};
     std::ranges::transform(step.arguments, arguments.begin(), operandOf);
     double* const result = &scratch[step.result * n];
     if (step.operation == Operation::Eigenvalue || step.operation == Operation::Eigenvector)

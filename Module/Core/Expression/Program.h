@@ -9,14 +9,14 @@
 
 namespace pixelexact
 {
-/// Nodes of a graph in an order in which they can be computed, those that some outputs need alone,
-/// each once. Works on arrays of points; what a point gets depends on that point alone.
+/// Evaluates some nodes of a graph on arrays of points. Each node that the outputs need is computed
+/// once. The result at a point depends on that point alone.
 class Program
 {
 public:
   Program(const Graph& graph, std::vector<int> outputs);
 
-  /// The leaves but constants: whoever runs the program has their values.
+  /// The leaves without the constants. The caller of Run provides their values.
   [[nodiscard]] std::span<const Graph::Node> Leaves() const { return LeafNodes; }
 
   /// `leaves[k]` holds the values of leaf k at `count` points, `out[k]` takes those of output k.
@@ -42,7 +42,7 @@ private:
     Operation operation = Operation::Constant;
     int a = 0; ///< Node::a and b
     int b = 0;
-    std::array<Place, Graph::kMostArguments> arguments{};
+    std::array<Place, Graph::kMaxArguments> arguments{};
     std::size_t result = 0; ///< a register
   };
 

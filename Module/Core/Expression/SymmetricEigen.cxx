@@ -18,8 +18,8 @@ SymmetricEigen::SymmetricEigen(const std::array<double, 6>& matrix)
     return;
   }
   // They converge quadratically: 5 or 6 rounds leave nothing.
-  constexpr int kMostRounds = 30;
-  for (int round = 0; round < kMostRounds; ++round)
+  constexpr int kMaxRounds = 30;
+  for (int round = 0; round < kMaxRounds; ++round)
   {
     bool isDiagonal = true;
     for (const auto& [p, q] : { std::pair(0, 1), std::pair(0, 2), std::pair(1, 2) })

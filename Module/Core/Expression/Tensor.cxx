@@ -89,7 +89,7 @@ Tensor TensorAlgebra::Add(const Tensor& a, const Tensor& b, Operation operation)
   }
   for (std::size_t k = 0; k < left.nodes.size(); ++k)
   {
-    left.nodes[k] = TheGraph.Of(operation, left.nodes[k], right.nodes[k]);
+    left.nodes[k] = Scalars.Of(operation, left.nodes[k], right.nodes[k]);
   }
   return left;
 }
@@ -99,7 +99,7 @@ Tensor TensorAlgebra::Scale(const Tensor& a, int factor)
   Tensor scaled = a;
   for (int& node : scaled.nodes)
   {
-    node = TheGraph.Of(Operation::Multiply, node, factor);
+    node = Scalars.Of(Operation::Multiply, node, factor);
   }
   return scaled;
 }
@@ -128,8 +128,8 @@ Tensor TensorAlgebra::Product(const Tensor& a, const Tensor& b)
       int sum = Number(0.0);
       for (int k = 0; k < a.columns; ++k)
       {
-        sum = TheGraph.Of(
-          Operation::Add, sum, TheGraph.Of(Operation::Multiply, a.At(i, k), right.At(k, j)));
+        sum = Scalars.Of(
+          Operation::Add, sum, Scalars.Of(Operation::Multiply, a.At(i, k), right.At(k, j)));
       }
       product.nodes.push_back(sum);
     }
@@ -166,8 +166,8 @@ int TensorAlgebra::Dot(const Tensor& a, const Tensor& b)
   int sum = Number(0.0);
   for (std::size_t k = 0; k < left.nodes.size(); ++k)
   {
-    sum = TheGraph.Of(
-      Operation::Add, sum, TheGraph.Of(Operation::Multiply, left.nodes[k], right.nodes[k]));
+    sum = Scalars.Of(
+      Operation::Add, sum, Scalars.Of(Operation::Multiply, left.nodes[k], right.nodes[k]));
   }
   return sum;
 }
@@ -178,7 +178,7 @@ int TensorAlgebra::Trace(const Tensor& a)
   int sum = Number(0.0);
   for (int i = 0; i < a.rows; ++i)
   {
-    sum = TheGraph.Of(Operation::Add, sum, a.At(i, i));
+    sum = Scalars.Of(Operation::Add, sum, a.At(i, i));
   }
   return sum;
 }
@@ -186,8 +186,8 @@ int TensorAlgebra::Trace(const Tensor& a)
 int TensorAlgebra::Determinant(const Tensor& a)
 {
   RequireSquare(a, "det");
-  const auto product = [this](int x, int y) { return TheGraph.Of(Operation::Multiply, x, y); };
-  const auto minus = [this](int x, int y) { return TheGraph.Of(Operation::Subtract, x, y); };
+  const auto product = [this](int x, int y) { return Scalars.Of(Operation::Multiply, x, y); };
+  const auto minus = [this](int x, int y) { return Scalars.Of(Operation::Subtract, x, y); };
   if (a.rows == 2)
   {
     return minus(product(a.At(0, 0), a.At(1, 1)), product(a.At(0, 1), a.At(1, 0)));
@@ -202,7 +202,7 @@ int TensorAlgebra::Determinant(const Tensor& a)
     const int k = (j + 1) % kDimensions;
     const int l = (j + 2) % kDimensions;
     const int minor = minus(product(a.At(1, k), a.At(2, l)), product(a.At(1, l), a.At(2, k)));
-    sum = TheGraph.Of(Operation::Add, sum, product(a.At(0, j), minor));
+    sum = Scalars.Of(Operation::Add, sum, product(a.At(0, j), minor));
   }
   return sum;
 }
@@ -219,8 +219,8 @@ Tensor TensorAlgebra::Cross(const Tensor& a, const Tensor& b)
     const int j = (i + 1) % kDimensions;
     const int k = (i + 2) % kDimensions;
     cross.nodes.push_back(
-      TheGraph.Of(Operation::Subtract, TheGraph.Of(Operation::Multiply, left.At(j), right.At(k)),
-        TheGraph.Of(Operation::Multiply, left.At(k), right.At(j))));
+      Scalars.Of(Operation::Subtract, Scalars.Of(Operation::Multiply, left.At(j), right.At(k)),
+        Scalars.Of(Operation::Multiply, left.At(k), right.At(j))));
   }
   return cross;
 }
@@ -240,7 +240,7 @@ Tensor TensorAlgebra::Gradient(const Tensor& a)
   {
     for (int d = 0; d < kDimensions; ++d)
     {
-      gradient.nodes.push_back(TheGraph.Derivative(node, d));
+      gradient.nodes.push_back(Scalars.Derivative(node, d));
     }
   }
   return gradient;
@@ -249,17 +249,17 @@ Tensor TensorAlgebra::Gradient(const Tensor& a)
 Tensor TensorAlgebra::Curl(const Tensor& a)
 {
   RequireVector(a, "curl");
-  const auto slope = [&](int i, int d) { return TheGraph.Derivative(a.At(i), d); };
+  const auto slope = [&](int i, int d) { return Scalars.Derivative(a.At(i), d); };
   if (a.rows == 2)
   {
-    return ScalarOf(TheGraph.Of(Operation::Subtract, slope(1, 0), slope(0, 1)));
+    return ScalarOf(Scalars.Of(Operation::Subtract, slope(1, 0), slope(0, 1)));
   }
   Tensor curl{ .rank = 1, .rows = kDimensions };
   for (int i = 0; i < kDimensions; ++i)
   {
     const int j = (i + 1) % kDimensions;
     const int k = (i + 2) % kDimensions;
-    curl.nodes.push_back(TheGraph.Of(Operation::Subtract, slope(k, j), slope(j, k)));
+    curl.nodes.push_back(Scalars.Of(Operation::Subtract, slope(k, j), slope(j, k)));
   }
   return curl;
 }
@@ -282,7 +282,7 @@ Tensor TensorAlgebra::Eigenvalues(const Tensor& a)
   Tensor values{ .rank = 1, .rows = kDimensions };
   for (int number = 0; number < kDimensions; ++number)
   {
-    values.nodes.push_back(TheGraph.Eigen(Operation::Eigenvalue, entries, number));
+    values.nodes.push_back(Scalars.Eigen(Operation::Eigenvalue, entries, number));
   }
   return values;
 }
@@ -303,7 +303,7 @@ Tensor TensorAlgebra::Operate(const std::string& sign, const Tensor& a, const Te
     Tensor quotient = a;
     for (int& node : quotient.nodes)
     {
-      node = TheGraph.Of(Operation::Divide, node, b.At(0));
+      node = Scalars.Of(Operation::Divide, node, b.At(0));
     }
     return quotient;
   }
@@ -322,7 +322,7 @@ Tensor TensorAlgebra::Operate(const std::string& sign, const Tensor& a, const Te
   };
   const auto [operation, isTurned] = kOperations.at(sign);
   return ScalarOf(
-    isTurned ? TheGraph.Of(operation, b.At(0), a.At(0)) : TheGraph.Of(operation, a.At(0), b.At(0)));
+    isTurned ? Scalars.Of(operation, b.At(0), a.At(0)) : Scalars.Of(operation, a.At(0), b.At(0)));
 }
 
 Tensor TensorAlgebra::Operate(const std::string& sign, const Tensor& a)
@@ -334,7 +334,7 @@ Tensor TensorAlgebra::Operate(const std::string& sign, const Tensor& a)
   }
   for (int& node : result.nodes)
   {
-    node = TheGraph.Of(sign == "!" ? Operation::Not : Operation::Negate, node);
+    node = Scalars.Of(sign == "!" ? Operation::Not : Operation::Negate, node);
   }
   return result;
 }

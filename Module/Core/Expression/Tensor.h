@@ -29,14 +29,14 @@ Tensor VectorOf(std::vector<int> nodes);
 /// "a scalar", "a vector of 3 components", "a matrix of 3 x 3".
 std::string NameOf(const Tensor& tensor);
 
-/// What expressions do with tensors. All throw InvalidData, in a few words, where shapes do not fit
-/// together. Where a vector of two components (a field of the plane) meets one of three, its third
-/// is 0.
+/// Builds the nodes of operations on tensors. All functions throw InvalidData where shapes do not
+/// fit together. A vector of two components (a field of the plane) gets a third one of 0 where it
+/// meets a vector of three.
 class TensorAlgebra
 {
 public:
   explicit TensorAlgebra(Graph& graph)
-    : TheGraph(graph)
+    : Scalars(graph)
   {
   }
 
@@ -66,12 +66,12 @@ public:
   Tensor Symmetric(const Tensor& a);
   Tensor Eigenvalues(const Tensor& a);
 
-  [[nodiscard]] Graph& GetGraph() { return TheGraph; }
+  [[nodiscard]] Graph& GetGraph() { return Scalars; }
 
 private:
-  int Number(double value) { return TheGraph.Constant(value); }
+  int Number(double value) { return Scalars.Constant(value); }
   Tensor Widened(const Tensor& a, int rows);
 
-  Graph& TheGraph;
+  Graph& Scalars;
 };
 } // namespace pixelexact

@@ -16,8 +16,8 @@ namespace
 namespace peg = tao::pegtl;
 
 /// Bounds of the parser's time and of its recursion.
-constexpr std::size_t kLongestText = 4096;
-constexpr int kDeepestTerm = 64;
+constexpr std::size_t kMaxLength = 4096;
+constexpr int kMaxDepth = 64;
 
 /// What has been read and is not yet part of another term.
 struct Terms
@@ -361,9 +361,9 @@ void RequireShallow(const std::string& text)
     {
       level = brackets.empty() ? 0 : brackets.back() + 1;
     }
-    if (level > kDeepestTerm)
+    if (level > kMaxDepth)
     {
-      throw InvalidData(AtPlace("more than " + std::to_string(kDeepestTerm) +
+      throw InvalidData(AtPlace("more than " + std::to_string(kMaxDepth) +
           " brackets, signs or powers within each other; write it with fewer",
         text, i));
     }
@@ -386,10 +386,10 @@ std::string AtPlace(const std::string& message, const std::string& text, std::si
 
 Term ParseExpression(const std::string& text)
 {
-  if (text.size() > kLongestText)
+  if (text.size() > kMaxLength)
   {
     throw InvalidData("the expression has " + std::to_string(text.size()) +
-      " characters, more than " + std::to_string(kLongestText) + "; write a shorter one");
+      " characters, more than " + std::to_string(kMaxLength) + "; write a shorter one");
   }
   RequireShallow(text);
   Terms terms;

@@ -41,7 +41,7 @@ bool ReadNumber(const std::string& text, Number& value)
 } // namespace
 
 Translator::Translator(Graph& graph, const ExpressionScope& scope)
-  : TheGraph(graph)
+  : Scalars(graph)
   , Algebra(graph)
   , Scope(scope)
 {
@@ -86,7 +86,7 @@ Tensor Translator::Make(const Term& term)
           {
             throw InvalidData("'" + term.text + "' is too large or too small for a number");
           }
-          return ScalarOf(TheGraph.Constant(value));
+          return ScalarOf(Scalars.Constant(value));
         });
     case Term::Kind::Name:
     case Term::Kind::QuotedName:
@@ -141,7 +141,7 @@ Tensor Translator::MakeName(const Term& term)
       }
       if (const auto parameter = Scope.parameters.find(name); parameter != Scope.parameters.end())
       {
-        return ScalarOf(TheGraph.Constant(parameter->second));
+        return ScalarOf(Scalars.Constant(parameter->second));
       }
       throw InvalidData("nothing is named '" + name + "'; there are " + KnownNames());
     });
@@ -162,7 +162,7 @@ Tensor Translator::MakeDefinition(const std::string& name)
 Tensor Translator::MakeBuiltIn(const std::string& name)
 {
   const auto leaf = [this](Operation operation, int a)
-  { return TheGraph.Leaf({ .operation = operation, .a = a }); };
+  { return Scalars.Leaf({ .operation = operation, .a = a }); };
   const auto vector = [&](Operation operation) {
     return VectorOf({ leaf(operation, 0), leaf(operation, 1), leaf(operation, 2) });
   };
@@ -180,7 +180,7 @@ Tensor Translator::MakeBuiltIn(const std::string& name)
   }
   if (name == "pi")
   {
-    return ScalarOf(TheGraph.Constant(std::numbers::pi));
+    return ScalarOf(Scalars.Constant(std::numbers::pi));
   }
   if (name == "t" || name == "time")
   {
@@ -188,7 +188,7 @@ Tensor Translator::MakeBuiltIn(const std::string& name)
     {
       throw InvalidData("the data have no time; write a number");
     }
-    return ScalarOf(TheGraph.Constant(*Scope.time));
+    return ScalarOf(Scalars.Constant(*Scope.time));
   }
   if (name == "detJ")
   {
@@ -221,7 +221,7 @@ Tensor Translator::MakeField(std::size_t field)
   tensor.rows = components;
   for (int c = 0; c < components; ++c)
   {
-    tensor.nodes.push_back(TheGraph.Leaf(
+    tensor.nodes.push_back(Scalars.Leaf(
       { .operation = Operation::Value, .field = static_cast<int>(field), .component = c }));
   }
   return tensor;
@@ -240,7 +240,7 @@ Tensor Translator::MakeCall(const Term& term)
           throw InvalidData("order takes the name of a field; there are " + KnownNames());
         }
         return ScalarOf(
-          TheGraph.Leaf({ .operation = Operation::Order, .field = static_cast<int>(field) }));
+          Scalars.Leaf({ .operation = Operation::Order, .field = static_cast<int>(field) }));
       });
   }
   std::vector<Tensor> arguments;

@@ -10,7 +10,7 @@
 
 namespace pixelexact
 {
-/// Makes nodes of a text's terms.
+/// Translates an expression's text into nodes of a graph.
 class Translator
 {
 public:
@@ -32,7 +32,7 @@ private:
   template <class Function>
   auto AtTerm(const Term& term, const Function& function);
 
-  Graph& TheGraph;
+  Graph& Scalars;
   TensorAlgebra Algebra;
   const ExpressionScope& Scope;
   std::vector<std::string> Texts;   ///< that are being translated, the innermost last

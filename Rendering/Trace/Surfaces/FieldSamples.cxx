@@ -12,8 +12,8 @@
 namespace pixelexact
 {
 FieldSamples::FieldSamples(const Locator& locator, const Field& field, int component, double value)
-  : TheLocator(locator)
-  , TheField(field)
+  : MeshLocator(locator)
+  , SampledField(field)
   , Component(component)
   , Value(value)
 {
@@ -25,11 +25,11 @@ FieldSamples::FieldSamples(const Locator& locator, const Field& field, int compo
 
 void FieldSamples::Evaluate(std::span<const Vec3> x, std::span<double> values) const
 {
-  const auto components = static_cast<std::size_t>(TheField.values.components);
+  const auto components = static_cast<std::size_t>(SampledField.values.components);
   std::vector<double> all(components * x.size());
   SampleTarget target;
   target.value = all;
-  SampleTile(TheLocator, &TheField, x, target);
+  SampleTile(MeshLocator, &SampledField, x, target);
   for (std::size_t i = 0; i < x.size(); ++i)
   {
     values[i] = ComponentOf(std::span(all).subspan(i * components, components), Component) - Value;
@@ -38,13 +38,13 @@ void FieldSamples::Evaluate(std::span<const Vec3> x, std::span<double> values) c
 
 void FieldSamples::Gradients(std::span<const Vec3> x, std::span<Vec3> gradients) const
 {
-  const auto components = static_cast<std::size_t>(TheField.values.components);
+  const auto components = static_cast<std::size_t>(SampledField.values.components);
   std::vector<double> values(components * x.size());
   std::vector<double> slopes(3 * values.size());
   SampleTarget target;
   target.value = values;
   target.gradient = slopes;
-  SampleTile(TheLocator, &TheField, x, target);
+  SampleTile(MeshLocator, &SampledField, x, target);
   for (std::size_t i = 0; i < x.size(); ++i)
   {
     const auto slopeOf = [&](std::size_t c)
@@ -69,7 +69,7 @@ void FieldSamples::Gradients(std::span<const Vec3> x, std::span<Vec3> gradients)
 int FieldSamples::SamplesOfRay() const
 {
   constexpr double kOfElement = 8.0;
-  const double across = std::cbrt(static_cast<double>(TheLocator.GetMesh().Elements()));
+  const double across = std::cbrt(static_cast<double>(MeshLocator.GetMesh().Elements()));
   return std::max(
     SearchedSurface::kUsualSamples, static_cast<int>(std::min(1e5, kOfElement * across)));
 }

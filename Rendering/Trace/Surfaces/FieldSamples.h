@@ -22,8 +22,8 @@ public:
   [[nodiscard]] int SamplesOfRay() const;
 
 private:
-  const Locator& TheLocator;
-  const Field& TheField;
+  const Locator& MeshLocator;
+  const Field& SampledField;
   int Component;
   double Value;
 };

@@ -18,6 +18,10 @@ public:
   explicit Parameters(std::span<const Document* const> session);
 
   [[nodiscard]] std::optional<double> Find(std::string_view name) const;
+  [[nodiscard]] std::map<std::string, double> All() const
+  {
+    return { Values.begin(), Values.end() };
+  }
 
 private:
   std::map<std::string, double, std::less<>> Values;
