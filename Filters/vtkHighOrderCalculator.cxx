@@ -76,7 +76,9 @@ void vtkHighOrderCalculator::Define(vtkUnstructuredGrid* input, vtkUnstructuredG
     throw InvalidData(name.empty() ? "the new field has no name; set ResultArrayName."
                                    : "there is no expression; set Function.");
   }
-  if (std::ranges::find(model->Fields(), name, &Field::name) != model->Fields().end())
+  const std::vector<std::string> defined = model->DefinedNames();
+  if (std::ranges::find(model->Fields(), name, &Field::name) != model->Fields().end() ||
+    std::ranges::find(defined, name) != defined.end())
   {
     throw InvalidData("the grid has a field '" + name + "'; choose another ResultArrayName.");
   }

@@ -40,8 +40,8 @@ public:
 
   ///@{
   /**
-   * The name of the new field, which no field of the grid may have; "result" by default. One that
-   * an earlier calculator gave means the new expression from here on.
+   * The name of the new field, which no field of the grid may have, nor one of an earlier
+   * calculator; "result" by default.
    */
   vtkSetMacro(ResultArrayName, std::string);
   vtkGetMacro(ResultArrayName, std::string);

@@ -294,10 +294,15 @@ std::span<const Field> HighOrderModel::Fields() const
 
 const Field& HighOrderModel::GetField(const std::string& text) const
 {
-  if (const auto found = std::ranges::find(Data->fields, text, &Field::name);
-      found != Data->fields.end())
+  const bool isQuoted =
+    text.size() > 2 && text.front() == text.back() && (text.front() == '"' || text.front() == '\'');
+  for (const std::string& name : { text, isQuoted ? text.substr(1, text.size() - 2) : text })
   {
-    return *found;
+    if (const auto found = std::ranges::find(Data->fields, name, &Field::name);
+        found != Data->fields.end())
+    {
+      return *found;
+    }
   }
   const std::scoped_lock lock(Data->making);
   Field& field = Data->made[text];
@@ -314,10 +319,12 @@ const Field& HighOrderModel::GetField(const std::string& text) const
     field.function =
       MakeExpression(defined == scope.definitions.end() ? text : defined->second, scope);
   }
-  catch (const InvalidData&)
+  catch (const InvalidData& error)
   {
     Data->made.erase(text);
-    if (IsMoreThanName(text) || defined != scope.definitions.end())
+    const bool isUnknown = std::string(error.what()).starts_with("nothing is named '" + text + "'");
+    const bool isName = isUnknown || text.find(' ') != std::string::npos;
+    if (IsMoreThanName(text) || defined != scope.definitions.end() || !isName)
     {
       throw;
     }

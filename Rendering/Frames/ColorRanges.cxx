@@ -40,10 +40,12 @@ ColorRanges::Range ColorRanges::OfFields(const FrameRequest& request, vtkScalars
     }
     const Field& field = layer.field.In(*request.model);
     const int component = ComponentOf(layer, field);
-    const auto [at, isNew] = Known.try_emplace({ &field, component });
-    if (isNew)
+    auto at = Known.find({ &field, component });
+    if (at == Known.end())
     {
-      at->second = FieldRange(request.model->GetMesh(), field, component);
+      // Nothing is kept where this throws, so that it throws the next time as well.
+      const Range range = FieldRange(request.model->GetMesh(), field, component);
+      at = Known.emplace(std::pair(&field, component), range).first;
     }
     Add(at->second, sum);
   }

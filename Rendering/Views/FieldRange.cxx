@@ -33,6 +33,13 @@ double LargestOf(const Field& field)
   return largest;
 }
 
+/// Of an expression, which has no coefficients, the largest value of the range.
+double LargestOf(const Field& field, const std::array<double, 2>& range)
+{
+  return field.function != nullptr ? std::max(std::fabs(range[0]), std::fabs(range[1]))
+                                   : LargestOf(field);
+}
+
 bool IsOneValue(const std::array<double, 2>& range, double largest)
 {
   return range[1] - range[0] <= kRounding * largest;
@@ -96,12 +103,12 @@ std::optional<std::array<double, 2>> AttainedRange(
 
 bool IsOneValue(const Field& field, const std::array<double, 2>& range)
 {
-  return IsOneValue(range, LargestOf(field));
+  return IsOneValue(range, LargestOf(field, range));
 }
 
 std::array<double, 2> BeyondRounding(const Field& field, const std::array<double, 2>& range)
 {
-  const double largest = LargestOf(field);
+  const double largest = LargestOf(field, range);
   if (!IsOneValue(range, largest))
   {
     return range;

@@ -405,6 +405,33 @@ TEST_P(Expression, AreEnclosedByIntervals)
   EXPECT_GT(open, 0);
 }
 
+// Constants are not folded where that rounds; places are those that were asked for.
+TEST_P(Expression, AreEnclosedWhereConstantsAreRounded)
+{
+  constexpr long double kLongPi = std::numbers::pi_v<long double>;
+  const std::vector<std::pair<std::string, long double>> cases{ { "-pi", -kLongPi },
+    { "2*pi", 2 * kLongPi }, { "pi-3", kLongPi - 3 }, { "abs(-pi)", kLongPi }, { "sin(-pi)", 0.0L },
+    { "pi == 3.141592653589793", 0.0L }, { "1e-300*1e-300", 1e-600L },
+    { "mag(vec(1e-200,0,0))", 1e-200L }, { "1/3", 1.0L / 3 }, { "exp(1000)", std::exp(1000.0L) } };
+  const Mesh mesh = Builder.View();
+  const std::vector<Vec3> xi = SomePoints(20);
+  std::vector<Vec3> x(xi.size());
+  MapForward(mesh, 0, xi, x);
+  std::vector<double> lower(xi.size());
+  std::vector<double> upper(xi.size());
+  for (const auto& [text, exact] : cases)
+  {
+    EncloseAt(mesh, Make(text), 0, xi, x, lower, upper);
+    EXPECT_LE(lower[0], exact) << text;
+    EXPECT_GE(upper[0], exact) << text;
+  }
+  EncloseAt(mesh, Make("x"), 0, xi, x, lower, upper);
+  for (std::size_t k = 0; k < x.size(); ++k)
+  {
+    EXPECT_EQ(lower[k], x[k].x);
+  }
+}
+
 TEST_P(Expression, KnowTheMap)
 {
   const std::vector<Vec3> xi = SomePoints(20);

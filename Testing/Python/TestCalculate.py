@@ -58,6 +58,10 @@ class Calculate(unittest.TestCase):
         ]:
             with self.assertRaisesRegex(pixelexact.Error, message):
                 pixelexact.calculate(self.grid, **{name: text})
+        with self.assertRaisesRegex(pixelexact.Error, "the grid has a field 'a'"):
+            pixelexact.calculate(pixelexact.calculate(self.grid, a="u"), a="2*u")
+        with self.assertRaisesRegex(pixelexact.Error, "proven ranges are not available"):
+            pixelexact.render(self.grid, "2*u", clim="field", size=(40, 30))
         with self.assertRaisesRegex(TypeError, "expression as text"):
             pixelexact.calculate(self.grid, e=3)
         with self.assertRaisesRegex(TypeError, "name a field"):

@@ -137,6 +137,23 @@ class Expressions(ToolTest):
         self.fails(1, "integrate", TORUS, "--isosurface", "u^2=0.1", "--field", "u",
                    names=["integrals over iso-surfaces", "'u^2'", "choose a field"])
 
+    def test_what_knows_polynomials_alone(self):
+        base = ["render", TORUS, *SIZE, "--plane", "0,0,0,0,0,1", "--output",
+                self.folder / "a.png", "--field", "2*u"]
+        for options, names in [
+            (["--certifier", "interval", "--contours", "3"], ["contours by intervals", "'2*u'"]),
+            (["--truncate-order", "2"], ["--truncate-order", "'2*u' is an expression"]),
+            (["--range", "field"], ["proven ranges", "'2*u'"]),
+        ]:
+            self.fails(1, *base, *options, names=names)
+
+    def test_places_are_those_asked_for(self):
+        found = self.probe("min(x, y)", "--enclosures")
+        inside = found["verdict"] == "inside"
+        exact = np.minimum(self.oracle["x"], self.oracle["y"])
+        for column in ["value", "value_lower", "value_upper"]:
+            np.testing.assert_array_equal(found[column][inside], exact[inside])
+
     def test_wrong_texts_have_their_place(self):
         base = ["render", TORUS, *SIZE, "--output", self.folder / "a.png", "--field"]
         for text, message in [

@@ -14,6 +14,17 @@ struct BoundArrays
   double* const* upper = nullptr;
 };
 
+/// Points of one element at which a function is evaluated; arrays of PaddedCount(xi.count) numbers,
+/// coordinate by coordinate.
+struct FunctionPoints
+{
+  LanePoints xi{};
+  /// The points in the world, near Phi(xi); null: Phi(xi).
+  const double* const* x = nullptr;
+  /// Unit normals of a surface through the points; null where there is no surface.
+  const double* const* normal = nullptr;
+};
+
 /// A function on a mesh that is evaluated at points and is no polynomial of xi: values of an
 /// expression. Safe to use from several threads.
 class FieldFunction
@@ -32,11 +43,10 @@ public:
 
   /// At points of one element: `value[c]` and, unless it is null, `gradient[3 c + d]`, the
   /// derivative of component c by x_d in world units, as arrays of PaddedCount(xi.count) numbers.
-  /// NaN and infinite where the function is. `normal`: coordinate by coordinate, of unit length;
-  /// null where there is no surface, which throws Unsupported if they are needed. Throws as
-  /// RequireGradient.
-  virtual void Evaluate(const Mesh& mesh, int element, const LanePoints& xi,
-    const double* const* normal, double* const* value, double* const* gradient) const = 0;
+  /// NaN and infinite where the function is. Throws as RequireGradient, and Unsupported where
+  /// normals are needed and not given.
+  virtual void Evaluate(const Mesh& mesh, int element, const FunctionPoints& points,
+    double* const* value, double* const* gradient) const = 0;
 
   /// Intervals that hold the values at world points `x`, near whose preimages in the element `xi`
   /// are (EncloseValues); everything where nothing is proven.

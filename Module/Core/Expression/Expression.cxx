@@ -39,24 +39,30 @@ public:
   }
 
   /// `out`: of each output.
-  void Evaluate(const Mesh& mesh, int element, const LanePoints& xi, const double* const* normal,
-    std::span<double* const> out) const
+  void Evaluate(
+    const Mesh& mesh, int element, const FunctionPoints& points, std::span<double* const> out) const
   {
     thread_local PointLeaves::Scratch leaves;
     thread_local std::vector<double> registers;
     std::vector<double*> some(out.size());
-    std::array<const double*, 3> normals{};
-    for (int begin = 0; begin < xi.count; begin += PointLeaves::kTogether)
+    std::array<const double*, 3> x{};
+    std::array<const double*, 3> normal{};
+    for (int begin = 0; begin < points.xi.count; begin += PointLeaves::kTogether)
     {
-      const LanePoints points{ { xi.x[0] + begin, xi.x[1] + begin, xi.x[2] + begin },
-        std::min(PointLeaves::kTogether, xi.count - begin) };
-      std::ranges::transform(out, some.begin(), [begin](double* array) { return array + begin; });
-      for (std::size_t d = 0; normal != nullptr && d < 3; ++d)
+      const auto from = [begin](const double* const* arrays, std::array<const double*, 3>& part)
       {
-        normals[d] = normal[d] + begin;
-      }
-      Code.Run(Leaves.Evaluate(mesh, element, points, normals.data(), leaves), points.count,
-        some.data(), registers);
+        for (std::size_t d = 0; arrays != nullptr && d < 3; ++d)
+        {
+          part[d] = arrays[d] + begin;
+        }
+        return arrays != nullptr ? part.data() : nullptr;
+      };
+      const double* const* xi = points.xi.x;
+      const FunctionPoints part{ { { xi[0] + begin, xi[1] + begin, xi[2] + begin },
+                                   std::min(PointLeaves::kTogether, points.xi.count - begin) },
+        from(points.x, x), from(points.normal, normal) };
+      std::ranges::transform(out, some.begin(), [begin](double* array) { return array + begin; });
+      Code.Run(Leaves.Evaluate(mesh, element, part, leaves), part.xi.count, some.data(), registers);
     }
   }
 
@@ -94,23 +100,23 @@ public:
 
   [[nodiscard]] bool NeedsNormals() const override { return Values->NeedsNormals(); }
 
-  void Evaluate(const Mesh& mesh, int element, const LanePoints& xi, const double* const* normal,
-    double* const* value, double* const* gradient) const override
+  void Evaluate(const Mesh& mesh, int element, const FunctionPoints& points, double* const* value,
+    double* const* gradient) const override
   {
-    if (normal == nullptr && NeedsNormals())
+    if (points.normal == nullptr && NeedsNormals())
     {
       throw Unsupported("'" + Text +
         "' needs the normal of a surface, which only pictures of surfaces have; leave out n");
     }
     if (gradient == nullptr)
     {
-      Values->Evaluate(mesh, element, xi, normal, { value, Outputs.size() });
+      Values->Evaluate(mesh, element, points, { value, Outputs.size() });
       return;
     }
     RequireGradient();
     std::vector<double*> out(value, value + Outputs.size());
     out.insert(out.end(), gradient, gradient + 3 * Outputs.size());
-    WithGradient->Evaluate(mesh, element, xi, normal, out);
+    WithGradient->Evaluate(mesh, element, points, out);
   }
 
   void Enclose(const Mesh& mesh, int element, const LanePoints& xi, const LanePoints& x,

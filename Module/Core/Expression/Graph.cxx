@@ -18,6 +18,7 @@ namespace
 /// hold what they are exactly.
 bool IsExact(Operation operation, double a, double b, double result)
 {
+  const auto isFarFromUnderflow = [](double v) { return std::fabs(v) > 1e-250; };
   switch (operation)
   {
     case Operation::Add:
@@ -25,9 +26,13 @@ bool IsExact(Operation operation, double a, double b, double result)
       return std::isfinite(result) && result - a == (operation == Operation::Add ? b : -b) &&
         (operation == Operation::Add ? result - b : result + b) == a;
     case Operation::Multiply:
-      return std::isfinite(result) && std::fma(a, b, -result) == 0.0;
+      return a == 0.0 || b == 0.0
+        ? std::isfinite(result)
+        : std::isfinite(result) && isFarFromUnderflow(result) && std::fma(a, b, -result) == 0.0;
     case Operation::Divide:
-      return std::isfinite(result) && b != 0.0 && std::fma(result, b, -a) == 0.0;
+      return std::isfinite(result) && b != 0.0 &&
+        (a == 0.0 || (isFarFromUnderflow(result) && isFarFromUnderflow(a))) &&
+        std::fma(result, b, -a) == 0.0;
     case Operation::Power:
     case Operation::Atan2:
       return false;

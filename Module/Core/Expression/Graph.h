@@ -14,6 +14,7 @@ namespace pixelexact
 enum class Operation : std::uint8_t
 {
   Constant,
+  Pi,
   Coordinate,      ///< x_a
   Reference,       ///< xi_a
   InverseJacobian, ///< d xi_a / d x_b

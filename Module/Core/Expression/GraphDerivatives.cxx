@@ -102,6 +102,7 @@ int Graph::MakeDerivative(int self, int d)
     case Operation::Eigenvector:
       throw Unsupported("second derivatives of eigenvalues are not available");
     case Operation::Constant:
+    case Operation::Pi:
     case Operation::ElementNumber:
     case Operation::Order:
     case Operation::Not:

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 
@@ -22,8 +23,15 @@ Interval Widened(double lower, double upper)
   {
     return Interval::Everything();
   }
-  return { rounding::Below(lower - kOfLibrary * std::fabs(lower)),
-    rounding::Above(upper + kOfLibrary * std::fabs(upper)) };
+  // An infinite value may have overflowed.
+  constexpr double kLargest = std::numeric_limits<double>::max();
+  const double below = std::clamp(lower, -kLargest, kLargest);
+  const double above = std::clamp(upper, -kLargest, kLargest);
+  return { std::isinf(lower) && lower < 0.0
+      ? lower
+      : rounding::Below(below - kOfLibrary * std::fabs(below)),
+    std::isinf(upper) && upper > 0.0 ? upper
+                                     : rounding::Above(above + kOfLibrary * std::fabs(above)) };
 }
 
 /// Of a function that grows.
@@ -287,10 +295,9 @@ Interval IntervalProgram::LeafAt(const Graph::Node& leaf, int element, const Lan
   switch (leaf.operation)
   {
     case Operation::Constant:
-      // The number pi is no double.
-      return leaf.constant == std::numbers::pi ? Interval::Around(leaf.constant, 2e-16)
-        : std::isnan(leaf.constant)            ? Interval::Everything()
-                                               : Interval(leaf.constant);
+      return std::isnan(leaf.constant) ? Interval::Everything() : Interval(leaf.constant);
+    case Operation::Pi:
+      return Interval::Around(std::numbers::pi, 2e-16);
     case Operation::Coordinate:
       return x.x[leaf.a][at];
     case Operation::ElementNumber:

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 // With K = J^-1, J = d Phi / d xi, and derivatives by xi as the kernels give them:
 //
@@ -159,9 +160,10 @@ std::size_t PointLeaves::ArrayOf(const Graph::Node& leaf) const
   }
 }
 
-std::span<const double* const> PointLeaves::Evaluate(const Mesh& mesh, int element,
-  const LanePoints& xi, const double* const* normal, Scratch& scratch) const
+std::span<const double* const> PointLeaves::Evaluate(
+  const Mesh& mesh, int element, const FunctionPoints& points, Scratch& scratch) const
 {
+  const LanePoints& xi = points.xi;
   scratch.storage.resize(std::max(scratch.storage.size(), Arrays * kTogether));
   scratch.arrays.resize(Arrays);
   for (std::size_t k = 0; k < Arrays; ++k)
@@ -191,7 +193,11 @@ std::span<const double* const> PointLeaves::Evaluate(const Mesh& mesh, int eleme
     }
     else if (Wanted[k].operation == Operation::Normal)
     {
-      scratch.leaves[k] = normal[Wanted[k].a];
+      scratch.leaves[k] = points.normal[Wanted[k].a];
+    }
+    else if (Wanted[k].operation == Operation::Coordinate && points.x != nullptr)
+    {
+      scratch.leaves[k] = points.x[Wanted[k].a];
     }
     else
     {
@@ -331,6 +337,9 @@ void PointLeaves::Fill(const Mesh& mesh, int element, const LanePoints& xi, cons
       each([&](int i) { return std::fma(size, map[kPhi + a][i], centre); });
       return;
     }
+    case Operation::Pi:
+      each([](int /*i*/) { return std::numbers::pi; });
+      return;
     case Operation::Reference:
       each([&](int i) { return xi.x[a][i]; });
       return;

@@ -33,10 +33,10 @@ public:
     std::vector<const double*> leaves;
   };
 
-  /// Returns an array of xi.count <= kTogether values for each leaf, in the order of the leaves.
-  /// The arrays lie in `scratch`.
-  [[nodiscard]] std::span<const double* const> Evaluate(const Mesh& mesh, int element,
-    const LanePoints& xi, const double* const* normal, Scratch& scratch) const;
+  /// Returns an array of points.xi.count <= kTogether values for each leaf, in the order of the
+  /// leaves. The arrays lie in `scratch`.
+  [[nodiscard]] std::span<const double* const> Evaluate(
+    const Mesh& mesh, int element, const FunctionPoints& points, Scratch& scratch) const;
 
   [[nodiscard]] bool NeedsNormals() const { return OfNormals; }
 

@@ -7,7 +7,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <numbers>
 
 namespace pixelexact
 {
@@ -153,9 +152,14 @@ Tensor Translator::MakeDefinition(const std::string& name)
   {
     throw InvalidData("'" + name + "' is defined by itself");
   }
+  if (const auto made = Made.find(name); made != Made.end())
+  {
+    return made->second;
+  }
   Defined.push_back(name);
   Tensor tensor = Translate(Scope.definitions.at(name));
   Defined.pop_back();
+  Made[name] = tensor;
   return tensor;
 }
 
@@ -180,7 +184,7 @@ Tensor Translator::MakeBuiltIn(const std::string& name)
   }
   if (name == "pi")
   {
-    return ScalarOf(Scalars.Constant(std::numbers::pi));
+    return ScalarOf(leaf(Operation::Pi, 0));
   }
   if (name == "t" || name == "time")
   {

@@ -5,6 +5,7 @@
 #include "Core/Expression/Tensor.h"
 #include "Core/Expression/Term.h"
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -35,7 +36,8 @@ private:
   Graph& Scalars;
   TensorAlgebra Algebra;
   const ExpressionScope& Scope;
-  std::vector<std::string> Texts;   ///< that are being translated, the innermost last
-  std::vector<std::string> Defined; ///< names of those behind the first
+  std::vector<std::string> Texts;     ///< that are being translated, the innermost last
+  std::vector<std::string> Defined;   ///< names of those behind the first
+  std::map<std::string, Tensor> Made; ///< of definitions
 };
 } // namespace pixelexact

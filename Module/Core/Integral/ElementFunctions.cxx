@@ -236,7 +236,7 @@ BoxPolynomial ElementFunctions::SampledValues(const PieceBox& box, int component
       arrays[c] = &storage[c * stride];
     }
     field.function->Evaluate(
-      TheQuestion.mesh, TheElement, lanes.View(), nullptr, arrays.data(), nullptr);
+      TheQuestion.mesh, TheElement, { lanes.View() }, arrays.data(), nullptr);
     std::copy_n(arrays[static_cast<std::size_t>(component)], values.size(), values.begin());
   };
   BoxPolynomial polynomial = SamplePolynomial(kDegree, inEta, evaluate);

@@ -73,6 +73,13 @@ bool IsNumeric(const IntegralQuestion& question)
   return question.field != nullptr && question.field->function != nullptr;
 }
 
+/// Functions without coefficients may be of any kind: where no time is given, they have a minute.
+double SecondsFor(const IntegralQuestion& question, const IntegralEffort& effort)
+{
+  constexpr double kOfFunctions = 60.0;
+  return IsNumeric(question) ? std::min(effort.seconds, kOfFunctions) : effort.seconds;
+}
+
 /// A face that lies in the surface and is this element's to integrate.
 bool IsOurs(const Mesh& mesh, const FaceOwner& owner, int element, int face)
 {
@@ -89,7 +96,7 @@ SurfaceIntegral IntegrateCut(const IntegralQuestion& question, const Locator& lo
 {
   Check(effort);
   CheckSizes(question);
-  const Deadline deadline(effort.seconds);
+  const Deadline deadline(SecondsFor(question, effort));
   std::vector<int> near(static_cast<std::size_t>(question.mesh.Elements()));
   std::iota(near.begin(), near.end(), 0);
   if (question.within)
@@ -224,7 +231,8 @@ SurfaceIntegral IntegrateFaces(const IntegralQuestion& question, std::span<const
   {
     seen.push_back({ face });
   }
-  SurfaceIntegral result = OverFaces(question, seen, effort, Deadline(effort.seconds));
+  SurfaceIntegral result =
+    OverFaces(question, seen, effort, Deadline(SecondsFor(question, effort)));
   result.isNumeric = IsNumeric(question);
   return result;
 }

@@ -58,6 +58,22 @@ void Scatter(
     }
   }
 }
+/// Of points of a batch, in the order of `index`, padded with the last.
+template <class ValueOf>
+const double* const* Gather(
+  std::span<const int> index, std::size_t stride, OutputArrays& to, const ValueOf& valueOf)
+{
+  double* const* arrays = to.Get(3, stride);
+  for (std::size_t k = 0; k < stride; ++k)
+  {
+    const int at = index[std::min(k, index.size() - 1)];
+    for (int d = 0; d < 3; ++d)
+    {
+      arrays[d][k] = valueOf(at, d);
+    }
+  }
+  return arrays;
+}
 } // namespace
 
 double* const* OutputArrays::Get(std::size_t arrays, std::size_t stride)
@@ -134,9 +150,17 @@ void SamplingSink::EvaluateField(int element, std::span<const int> index, const 
   double* const* slopes = gradient ? out + components : nullptr;
   if (TheField->function != nullptr)
   {
-    const bool hasNormals = !Target.normals.empty() && TheField->function->NeedsNormals();
-    TheField->function->Evaluate(
-      TheMesh, element, xi, hasNormals ? GatherNormals(index, stride) : nullptr, out, slopes);
+    FunctionPoints points{ xi };
+    if (Points.count > 0)
+    {
+      points.x = Gather(index, stride, Places, [this](int at, int d) { return Points.x[d][at]; });
+    }
+    if (!Target.normals.empty() && TheField->function->NeedsNormals())
+    {
+      points.normal = Gather(index, stride, Normals,
+        [this](int at, int d) { return Target.normals[static_cast<std::size_t>(at)][d]; });
+    }
+    TheField->function->Evaluate(TheMesh, element, points, out, slopes);
   }
   else
   {
@@ -150,21 +174,6 @@ void SamplingSink::EvaluateField(int element, std::span<const int> index, const 
   {
     Scatter(index, out, components, Target.value);
   }
-}
-
-const double* const* SamplingSink::GatherNormals(std::span<const int> index, std::size_t stride)
-{
-  double* const* arrays = Normals.Get(3, stride);
-  for (std::size_t k = 0; k < stride; ++k)
-  {
-    const Vec3& normal =
-      Target.normals[static_cast<std::size_t>(index[std::min(k, index.size() - 1)])];
-    for (int d = 0; d < 3; ++d)
-    {
-      arrays[d][k] = normal[d];
-    }
-  }
-  return arrays;
 }
 
 void SamplingSink::EvaluatePolynomials(

@@ -31,7 +31,6 @@ public:
 
 private:
   void EvaluateField(int element, std::span<const int> index, const LanePoints& xi);
-  const double* const* GatherNormals(std::span<const int> index, std::size_t stride);
   /// `slopes`: null, or where gradients go.
   void EvaluatePolynomials(
     int element, const LanePoints& xi, double* const* out, double* const* slopes);
@@ -44,6 +43,7 @@ private:
   const SampleTarget& Target;
   OutputArrays Arrays;
   OutputArrays Checked;
+  OutputArrays Places;
   OutputArrays Normals;
 };
 

@@ -74,6 +74,12 @@ std::vector<TruncatedField> TruncatedFields(const Shot& shot)
   {
     const auto known = layer.field != nullptr ? shot.input.truncations.find(layer.field->name)
                                               : shot.input.truncations.end();
+    if (layer.field != nullptr && layer.field->function != nullptr &&
+      !shot.input.truncations.empty())
+    {
+      throw Error("--truncate-order is for fields, and '" + layer.field->name +
+        "' is an expression of them; leave out one of both");
+    }
     if (known == shot.input.truncations.end())
     {
       continue;

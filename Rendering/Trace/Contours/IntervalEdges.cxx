@@ -247,6 +247,13 @@ void JudgeByIntervals(TileVisit& tile, std::span<const std::vector<double>> valu
     throw Error("contours by intervals: iso-values of " + std::to_string(values.size()) +
       " layers, but the scene has " + std::to_string(layers) + "; give a list for each layer.");
   }
+  for (const Layer& layer : tile.GetScene().layers)
+  {
+    if (layer.field != nullptr)
+    {
+      RequirePolynomials(*layer.field, "contours by intervals");
+    }
+  }
   TileJudge judge(tile, values);
   judge.Run(subdivisions, counters);
   judge.Write(verdicts);
