@@ -218,7 +218,8 @@ void AddProbeCommand(CLI::App& program, const CommonOptions& common, Action& act
       options->fields.push_back(name);
     },
     "NAME",
-    "Name of a field, or an expression of fields; of several each has columns of its name (default: the first one, which is "
+    "Name of a field, or an expression of fields; of several each has columns of its name "
+    "(default: the first one, which is "
     "named on stderr)");
   const AddedOption points = AddText(command, "--points", options->points, "FILE",
     "CSV file with a header line and the columns x, y and z (2-D meshes need no z), or Points:0 to "
