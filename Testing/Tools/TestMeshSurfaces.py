@@ -3,7 +3,7 @@
 
 import unittest
 
-from tool import CUBE, DATA, ToolTest, unit_cube_grid
+from tool import CUBE, DATA, ToolTest, run, unit_cube_grid
 
 class MeshSurfaces(ToolTest):
     def setUp(self):
@@ -24,11 +24,13 @@ class MeshSurfaces(ToolTest):
             self.assertIn("--isosurface", done.stderr)
         for text, names in {
             "w=0.5": ["no field 'w'", "'u'", "'v'"],
-            "v.w=0.5": ["no field 'v.w'"],
             "v.3=0.5": ["component 3", "'v' has 3 components"],
             "u.1=0.5": ["component 1", "'u' has 1 component"],
         }.items():
             self.fails(1, *self.base, "--isosurface", text, names=["--isosurface", *names])
+        done = run(*self.base, "--isosurface", "v.w=0.5")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("--isosurface: 'w' is not expected here\n  v.w\n    ^", done.stderr)
         self.assertFalse(self.image.exists())
 
     def test_values_beyond_the_range_name_it(self):

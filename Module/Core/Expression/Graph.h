@@ -114,7 +114,7 @@ public:
 private:
   int Insert(const Node& node);
   int Product(int a, int b);
-  int MakeDerivative(int node, int d);
+  int MakeDerivative(int self, int d);
   int OfFunction(const Node& node, int self);
   int OfEigenvalue(const Node& node, int d);
 

@@ -48,7 +48,8 @@ Tensor ScalarOf(int node)
 
 Tensor VectorOf(std::vector<int> nodes)
 {
-  return { .rank = 1, .rows = static_cast<int>(nodes.size()), .nodes = std::move(nodes) };
+  const auto rows = static_cast<int>(nodes.size());
+  return { .rank = 1, .rows = rows, .nodes = std::move(nodes) };
 }
 
 std::string NameOf(const Tensor& tensor)
@@ -365,6 +366,7 @@ Tensor TensorAlgebra::Index(const Tensor& tensor, std::span<const int> index)
     return ScalarOf(tensor.At(index[0], index[1]));
   }
   std::vector<int> row;
+  row.reserve(static_cast<std::size_t>(tensor.columns));
   for (int j = 0; j < tensor.columns; ++j)
   {
     row.push_back(tensor.At(index[0], j));

@@ -158,6 +158,7 @@ Tensor Divergence(TensorAlgebra& algebra, const Tensor& a)
   if (a.rank == 2 && a.columns <= 3)
   {
     std::vector<int> rows;
+    rows.reserve(static_cast<std::size_t>(a.rows));
     for (int i = 0; i < a.rows; ++i)
     {
       rows.push_back(row(i));
@@ -204,7 +205,7 @@ Tensor SquaresOfStrainAndSpin(TensorAlgebra& algebra, const Tensor& v)
   {
     for (int j = 0; j < i; ++j)
     {
-      sum.nodes[static_cast<std::size_t>(3 * i + j)] = sum.At(j, i);
+      sum.nodes[static_cast<std::size_t>(3 * i) + static_cast<std::size_t>(j)] = sum.At(j, i);
     }
   }
   return sum;
