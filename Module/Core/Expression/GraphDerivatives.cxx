@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <numbers>
 
 // The chain rule, node by node.
 namespace pixelexact
@@ -160,7 +158,8 @@ int Graph::OfFunction(const Node& node, int self)
     case Operation::Tanh:
       return Of(Operation::Subtract, one, square(self));
     case Operation::Erf:
-      return Of(Operation::Multiply, Constant(2.0 / std::sqrt(std::numbers::pi)),
+      return Of(Operation::Multiply,
+        over(Constant(2.0), Of(Operation::Sqrt, Leaf({ .operation = Operation::Pi }))),
         Of(Operation::Exp, Of(Operation::Negate, square(a))));
     default: // Abs
       return Of(Operation::Sign, a);

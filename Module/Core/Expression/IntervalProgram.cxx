@@ -16,6 +16,8 @@ namespace
 {
 /// By which values of the C library are taken to be off, as a part of their size.
 constexpr double kOfLibrary = 0x1p-49;
+/// And of values that underflow: 16 times the least number.
+constexpr double kOfUnderflow = 0x1p-1070;
 
 Interval Widened(double lower, double upper)
 {
@@ -29,9 +31,10 @@ Interval Widened(double lower, double upper)
   const double above = std::clamp(upper, -kLargest, kLargest);
   return { std::isinf(lower) && lower < 0.0
       ? lower
-      : rounding::Below(below - kOfLibrary * std::fabs(below)),
-    std::isinf(upper) && upper > 0.0 ? upper
-                                     : rounding::Above(above + kOfLibrary * std::fabs(above)) };
+      : rounding::Below(below - kOfLibrary * std::fabs(below) - kOfUnderflow),
+    std::isinf(upper) && upper > 0.0
+      ? upper
+      : rounding::Above(above + kOfLibrary * std::fabs(above) + kOfUnderflow) };
 }
 
 /// Of a function that grows.
@@ -45,8 +48,8 @@ Interval Growing(const Interval& a, const Function& function)
 Interval Wave(const Interval& a, double quarters, double lower, double upper)
 {
   // Beyond this the turns are not counted.
-  constexpr double kMaxTurns = 0x1p20;
-  if (!a.IsFinite() || a.Magnitude() > kMaxTurns)
+  constexpr double kMaxAngle = 0x1p20;
+  if (!a.IsFinite() || a.Magnitude() > kMaxAngle)
   {
     return { -1.0, 1.0 };
   }
@@ -190,8 +193,8 @@ Interval EigenvalueOf(std::span<const Interval> entries, int number)
     moved += (k < 3 ? 1.0 : 2.0) * entries[k].RadiusAround(middle[k]);
     size += (k < 3 ? 1.0 : 2.0) * std::fabs(middle[k]);
   }
-  // Some ten rotations, each off by a few roundings of the size.
-  constexpr double kOfRotations = 0x1p-44;
+  // SymmetricEigen makes 90 rotations at most, each off by less than 16 roundings of the size.
+  constexpr double kOfRotations = 0x1p-42;
   return Interval::Around(
     SymmetricEigen(middle).Value(number), (moved + kOfRotations * size) * (1.0 + 0x1p-40));
 }

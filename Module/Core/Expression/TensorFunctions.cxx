@@ -136,7 +136,7 @@ Tensor VonMises(TensorAlgebra& algebra, Arguments a)
       NameOf(a[0]));
   }
   Graph& graph = algebra.GetGraph();
-  const int third = graph.Of(Operation::Multiply, algebra.Trace(stress), graph.Constant(1.0 / 3));
+  const int third = graph.Of(Operation::Divide, algebra.Trace(stress), graph.Constant(3.0));
   const Tensor deviator =
     algebra.Add(stress, algebra.Scale(Identity(algebra), third), Operation::Subtract);
   return ScalarOf(graph.Of(Operation::Sqrt,
