@@ -236,6 +236,17 @@ TEST(GmshReader, OnePieceOfAPartitionedMeshIsNoted)
   EXPECT_EQ(model.mesh.attribute, (std::vector<std::int32_t>{ 4, 0 }));
 }
 
+TEST(GmshReader, NumbersWithoutAMagnitudeAreRefused)
+{
+  std::string text = kPair22;
+  const std::string element = "11 4 2 0 1 1 2 3 4";
+  text.replace(text.find(element), element.size(), "11 4 5 0 1 2 1 -2147483648 1 2 3 4");
+  ExpectParts(GmshMessage(text), { "-2147483648", "damaged" });
+  const std::string entities = "$Entities\n0 0 0 1\n1 0 0 0 1 1 1 1 -2147483648 0\n$EndEntities\n";
+  ExpectParts(GmshMessage(std::string(kFormat41) + entities + kNodes41 + kElements41),
+    { "-2147483648", "damaged" });
+}
+
 TEST(GmshReader, SparseNumbersAndOtherSections)
 {
   const SolverModel model =
@@ -257,7 +268,7 @@ TEST(GmshReader, RefusesWithReasons)
   ExpectParts(GmshMessage("$MeshFormat\n4.1 2 8\n$EndMeshFormat\n"), { "file type is 2" });
   ExpectParts(GmshMessage("$MeshFormat\n4.1 0 16\n$EndMeshFormat\n"), { "data size is 16" });
   ExpectParts(GmshMessage(kFormat41), { "no $Nodes" });
-  ExpectParts(GmshMessage(kFormat41 + kNodes41), { "no $Elements" });
+  ExpectParts(GmshMessage(std::string(kFormat41) + kNodes41), { "no $Elements" });
   ExpectParts(GmshMessage(kPair41 + kNodes41), { "two sections $Nodes" });
   ExpectParts(GmshMessage(kPair41 + "junk"), { "junk", "line" });
   ExpectParts(GmshMessage(kPair41.substr(0, kPair41.size() - 15)), { "$Elements has no end" });

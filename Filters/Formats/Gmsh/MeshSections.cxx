@@ -5,6 +5,7 @@
 #include "Formats/Gmsh/Sections.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <iterator>
 #include <limits>
 #include <set>
@@ -24,6 +25,17 @@ void RequireDimension(const Scanner& scanner, int dimension)
   {
     scanner.Fail("an entity has the dimension " + std::to_string(dimension) + ".");
   }
+}
+
+/// The number itself where a format marks something by its sign.
+int WithoutSign(const Scanner& scanner, int number)
+{
+  if (number == std::numeric_limits<int>::min())
+  {
+    scanner.Fail("the number " + std::to_string(number) +
+      " of a partition or a physical group is not possible; the file is damaged.");
+  }
+  return std::abs(number);
 }
 
 void AddNode(Scanner& scanner, MeshFile& mesh)
@@ -142,7 +154,8 @@ void ReadOldElements(Scanner& scanner, MeshFile& mesh)
         mesh.partitionsHere.insert(tags[3]);
         const std::size_t end = std::min(tags.size(), 3 + partitions);
         std::transform(tags.begin() + 3, tags.begin() + static_cast<std::ptrdiff_t>(end),
-          std::inserter(named, named.end()), [](int tag) { return tag < 0 ? -tag : tag; });
+          std::inserter(named, named.end()),
+          [&scanner](int tag) { return WithoutSign(scanner, tag); });
       }
       else if (!counts && tags.size() == 3 && tags[2] > 0)
       {
@@ -252,8 +265,7 @@ void ReadEntities(Scanner& scanner, bool partitioned, Entities& entities, MeshFi
       for (std::size_t k = 0; k < groups; ++k)
       {
         // A negative one has the entity reversed.
-        entity.physical.push_back(scanner.Int("a physical group"));
-        entity.physical.back() = std::abs(entity.physical.back());
+        entity.physical.push_back(WithoutSign(scanner, scanner.Int("a physical group")));
       }
       if (dimension > 0)
       {
