@@ -194,10 +194,10 @@ std::shared_ptr<const Surface> MakeIsoSurface(
   {
     auto samples = std::make_shared<const FieldSamples>(
       model->GetLocator(), field, choice.component, choice.value);
-    const int count = samples->SamplesOfRay();
+    constexpr int kEnds = 2; // and what FieldSamples asks for
     return KeepingAlive(model,
       std::make_unique<const SearchedSurface>(
-        std::move(samples), model->GetLocator().Bounds(), count));
+        std::move(samples), model->GetLocator().Bounds(), kEnds));
   }
   return KeepingAlive(model,
     std::make_unique<const IsoSurface>(

@@ -141,7 +141,25 @@ TEST(SearchedSurface, ZerosAtSamplesCountOnce)
   EXPECT_NEAR(at([](double x) { return x < M_PI ? -1.0 : 2.0; })[0], M_PI, 1e-14);
   EXPECT_EQ(at([](double x) { return std::log(x - 2.5); }).size(), 1U);
   EXPECT_EQ(at([](double) { return std::nan(""); }).size(), 0U);
-  EXPECT_EQ(at([](double x) { return x > 3.5 ? std::nan("") : x - 3.2; }).size(), 0U);
+}
+
+TEST(SearchedSurface, LooksUpToWhereTheFunctionEnds)
+{
+  const Box3 box{ Vec3(0.0), Vec3(8.0) };
+  const Ray ray{ Vec3(0.0, 4.0, 4.0), { 1.0, 0.0, 0.0 } };
+  const auto at = [&](double zero, double from, double to)
+  {
+    const SearchedSurface surface(
+      Make([=](const Vec3& x) { return x.x > from && x.x < to ? x.x - zero : std::nan(""); }), box,
+      9);
+    return HitsOf(surface, ray);
+  };
+  // Between the last sample and the end, on both sides.
+  ASSERT_EQ(at(3.2, 1.5, 3.2001).size(), 1U);
+  EXPECT_NEAR(at(3.2, 1.5, 3.2001)[0].t, 3.2, 1e-14);
+  ASSERT_EQ(at(3.2, 3.1999, 5.5).size(), 1U);
+  EXPECT_NEAR(at(3.2, 3.1999, 5.5)[0].t, 3.2, 1e-14);
+  EXPECT_EQ(at(3.2, 1.5, 3.1999).size(), 0U);
 }
 
 TEST(SearchedSurface, EndsOfTheIntervalAndOfTheBox)

@@ -54,6 +54,15 @@ void ElementIndex::FindNear(const Box3& region, std::vector<int>& elements) cons
   }
 }
 
+void ElementIndex::FindAlong(const Segment& segment, std::vector<int>& elements) const
+{
+  elements.clear();
+  if (Hierarchy)
+  {
+    Hierarchy->QueryAlong(segment, elements);
+  }
+}
+
 const ElementBounds& ElementIndex::MakeBounds(int element) const
 {
   const StageScope scope(Stage::Bounds);

@@ -41,6 +41,9 @@ public:
 
   /// The elements whose boxes meet a box, by ascending number. No element that does is left out.
   void FindNear(const Box3& region, std::vector<int>& elements) const;
+  /// The elements whose boxes a segment of a ray (ClipRay) meets, and some others near it, by
+  /// ascending number.
+  void FindAlong(const Segment& segment, std::vector<int>& elements) const;
 
   [[nodiscard]] const ElementBounds& BoundsOf(int element) const
   {

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trace/Surfaces/FieldSamples.h"
 
+#include "Core/Base/CheckedOut.h"
 #include "Core/Element/FieldFunction.h"
+#include "Core/Index/Segment.h"
 #include "Core/Location/Sample.h"
 #include "Trace/Scene.h"
+
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -66,11 +70,25 @@ void FieldSamples::Gradients(std::span<const Vec3> x, std::span<Vec3> gradients)
   }
 }
 
-int FieldSamples::SamplesOfRay() const
+void FieldSamples::AddPlaces(const Segment& segment, std::vector<double>& places) const
 {
-  constexpr double kOfElement = 8.0;
-  const double across = std::cbrt(static_cast<double>(MeshLocator.GetMesh().Elements()));
-  return std::max(
-    SearchedSurface::kUsualSamples, static_cast<int>(std::min(1e5, kOfElement * across)));
+  constexpr int kOfElement = 8;
+  const CheckedOut<std::vector<int>> scratch;
+  std::vector<int>& elements = *scratch;
+  const ElementIndex& index = MeshLocator.Index();
+  index.FindAlong(segment, elements);
+  const Vec3 way = segment.to - segment.from;
+  const auto number = static_cast<int>(elements.size());
+  const int steps = std::max(kOfElement, SearchedSurface::kUsualSamples / std::max(number, 1));
+  for (const int element : elements)
+  {
+    const auto part = ClipRay(index.ElementBox(element), segment.from, way, 0.0, 1.0);
+    for (int k = 0; part && k <= steps; ++k)
+    {
+      const Vec3 x = part->from + (1.0 * k / steps) * (part->to - part->from);
+      const double s = glm::dot(x - segment.from, way) / glm::dot(way, way);
+      places.push_back(std::clamp(s, 0.0, 1.0));
+    }
+  }
 }
 } // namespace pixelexact

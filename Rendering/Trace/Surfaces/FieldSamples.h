@@ -18,8 +18,10 @@ public:
   void Evaluate(std::span<const Vec3> x, std::span<double> values) const override;
   void Gradients(std::span<const Vec3> x, std::span<Vec3> gradients) const override;
 
-  /// Samples of a ray: some for each element that it meets in a mesh of elements of one size.
-  [[nodiscard]] int SamplesOfRay() const;
+  /// Between elements a field may jump: it has none of the values between.
+  [[nodiscard]] bool JumpsAreHits() const override { return false; }
+  /// Evenly within the box of each element that the segment meets.
+  void AddPlaces(const Segment& segment, std::vector<double>& places) const override;
 
 private:
   const Locator& MeshLocator;

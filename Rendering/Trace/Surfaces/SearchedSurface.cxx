@@ -19,14 +19,45 @@ namespace pixelexact
 namespace
 {
 constexpr int kMostSteps = 200;
+constexpr int kEdgeSteps = 30;
+constexpr double kTolerance = 4.0 * kUnitRoundoff;
+constexpr double kJump = 1e-9;
 
-/// A change of sign, in s: 0 and 1 are the ends of a ray's segment.
+/// Of a ray's segment, at which 0 and 1 are the ends.
+struct PlaceValue
+{
+  double s, f;
+};
+
+/// Between a place where f is finite and one where it is not.
+struct Edge
+{
+  int ray;
+  PlaceValue last; ///< where it is
+  double beyond;   ///< where it is not
+
+  [[nodiscard]] double Next() const { return last.s + 0.5 * (beyond - last.s); }
+  void Narrow(double f)
+  {
+    if (std::isfinite(f))
+    {
+      last = { Next(), f };
+    }
+    else
+    {
+      beyond = Next();
+    }
+  }
+};
+
+/// A change of sign, in s as PlaceValue.
 struct Bracket
 {
   int ray;
   double a, fa; ///< the latest point
   double b, fb; ///< across the change from it
   double c, fc; ///< the one before
+  double largest;
   double share = 0.5;
   bool done = false;
 
@@ -61,30 +92,189 @@ struct Bracket
   }
   [[nodiscard]] double Next() const { return a + share * (b - a); }
   [[nodiscard]] double Best() const { return std::fabs(fa) <= std::fabs(fb) ? a : b; }
+  [[nodiscard]] bool IsJump() const
+  {
+    return std::min(std::fabs(fa), std::fabs(fb)) > kJump * largest;
+  }
 };
 
 struct SearchScratch
 {
   std::vector<std::optional<Segment>> segments;
+  std::vector<std::vector<double>> places; ///< sampled, per ray
   std::vector<Vec3> points;
   std::vector<double> values;
+  std::vector<PlaceValue> samples; ///< of all rays, one after the other
+  std::vector<Edge> edges;         ///< by ray and place
   std::vector<Bracket> brackets;
   std::vector<int> slots; ///< used, per ray
+
+  [[nodiscard]] Vec3 At(int ray, double s) const
+  {
+    const Segment& segment = *segments[static_cast<std::size_t>(ray)];
+    return segment.from + s * (segment.to - segment.from);
+  }
 };
 
-Vec3 At(const Segment& segment, double s)
+/// The places of one ray: even ones and those that f asks for, ascending.
+void FindPlaces(
+  const SampledFunction& f, const Segment& segment, int samples, std::vector<double>& places)
 {
-  return segment.from + s * (segment.to - segment.from);
+  for (int k = 0; k < samples; ++k)
+  {
+    places.push_back(k / (samples - 1.0));
+  }
+  const std::size_t even = places.size();
+  f.AddPlaces(segment, places);
+  if (places.size() > even)
+  {
+    std::ranges::sort(places);
+    places.erase(std::unique(places.begin(), places.end()), places.end());
+  }
 }
 
-Bracket BetweenSamples(int ray, double a, double fa, double b, double fb)
+/// Evaluates f where all that are not done want it next, until they are.
+template <class Searches, class IsDone, class Narrow>
+void Search(const SampledFunction& f, SearchScratch& scratch, Searches& searches, int steps,
+  const IsDone& isDone, const Narrow& narrow)
 {
-  Bracket bracket{ ray, b, fb, a, fa, a, fa };
-  if (fa == 0.0 || fb == 0.0)
+  for (int step = 0; step < steps; ++step)
   {
-    bracket.done = true;
+    scratch.points.clear();
+    for (const auto& one : searches)
+    {
+      if (!isDone(one))
+      {
+        scratch.points.push_back(scratch.At(one.ray, one.Next()));
+      }
+    }
+    if (scratch.points.empty())
+    {
+      return;
+    }
+    scratch.values.resize(scratch.points.size());
+    f.Evaluate(scratch.points, scratch.values);
+    const double* value = scratch.values.data();
+    for (auto& one : searches)
+    {
+      if (!isDone(one))
+      {
+        narrow(one, *value++);
+      }
+    }
   }
-  return bracket;
+}
+
+/// Samples the rays.
+void TakeSamples(const SampledFunction& f, SearchScratch& scratch)
+{
+  scratch.points.clear();
+  for (std::size_t i = 0; i < scratch.places.size(); ++i)
+  {
+    for (const double s : scratch.places[i])
+    {
+      scratch.points.push_back(scratch.At(static_cast<int>(i), s));
+    }
+  }
+  scratch.values.resize(scratch.points.size());
+  f.Evaluate(scratch.points, scratch.values);
+  const double* value = scratch.values.data();
+  scratch.samples.clear();
+  for (const auto& places : scratch.places)
+  {
+    for (const double s : places)
+    {
+      scratch.samples.push_back({ s, *value++ });
+    }
+  }
+}
+
+/// Finds the last points where f is finite.
+void FindEdges(const SampledFunction& f, SearchScratch& scratch)
+{
+  scratch.edges.clear();
+  const PlaceValue* sample = scratch.samples.data();
+  for (std::size_t i = 0; i < scratch.places.size(); ++i)
+  {
+    for (std::size_t k = 1; k < scratch.places[i].size(); ++k)
+    {
+      const bool before = std::isfinite(sample[k - 1].f);
+      if (before != std::isfinite(sample[k].f))
+      {
+        scratch.edges.push_back(
+          { static_cast<int>(i), sample[before ? k - 1 : k], sample[before ? k : k - 1].s });
+      }
+    }
+    sample += scratch.places[i].size();
+  }
+  Search(
+    f, scratch, scratch.edges, kEdgeSteps, [](const Edge&) { return false; },
+    [](Edge& edge, double value) { edge.Narrow(value); });
+}
+
+/// The changes of sign on one ray, by the places where f is finite.
+class SignChanges
+{
+public:
+  SignChanges(int ray, std::vector<Bracket>& found)
+    : Ray(ray)
+    , Found(found)
+  {
+  }
+
+  void Add(const PlaceValue& here)
+  {
+    if (Places > 0 && here.s == Before.s)
+    {
+      return;
+    }
+    // A zero belongs to the interval that ends there, or begins the first one.
+    const bool zero = here.f == 0.0 || (Places == 1 && Before.f == 0.0);
+    const bool crossed = (Before.f < 0.0 && here.f > 0.0) || (Before.f > 0.0 && here.f < 0.0);
+    if (Places > 0 && (zero || crossed))
+    {
+      const double largest = std::max(std::fabs(Before.f), std::fabs(here.f));
+      Found.push_back(
+        { Ray, here.s, here.f, Before.s, Before.f, here.s, here.f, largest, 0.5, zero });
+    }
+    Before = here;
+    ++Places;
+  }
+  /// f is not finite behind the latest place.
+  void End() { Places = 0; }
+
+private:
+  int Ray;
+  std::vector<Bracket>& Found;
+  PlaceValue Before{};
+  int Places = 0;
+};
+
+void FindBrackets(SearchScratch& scratch)
+{
+  scratch.brackets.clear();
+  const PlaceValue* sample = scratch.samples.data();
+  auto edge = scratch.edges.begin();
+  for (std::size_t i = 0; i < scratch.places.size(); ++i)
+  {
+    SignChanges changes(static_cast<int>(i), scratch.brackets);
+    for (std::size_t k = 0; k < scratch.places[i].size(); ++k, ++sample)
+    {
+      const bool inside = std::isfinite(sample->f);
+      if (k > 0 && inside != std::isfinite(sample[-1].f))
+      {
+        changes.Add(edge++->last);
+      }
+      if (inside)
+      {
+        changes.Add(*sample);
+      }
+      else
+      {
+        changes.End();
+      }
+    }
+  }
 }
 } // namespace
 
@@ -112,79 +302,39 @@ SearchedSurface::SearchedSurface(
 
 void SearchedSurface::Meet(const RayLanes& rays, HitSlots& hits) const
 {
-  const CheckedOut<SearchScratch> scratch;
-  auto& [segments, points, values, brackets, slots] = *scratch;
-  segments.clear();
-  points.clear();
-  brackets.clear();
-  slots.assign(static_cast<std::size_t>(rays.count), 0);
+  const CheckedOut<SearchScratch> borrowed;
+  SearchScratch& scratch = *borrowed;
+  scratch.segments.clear();
+  scratch.places.resize(static_cast<std::size_t>(rays.count));
+  scratch.slots.assign(static_cast<std::size_t>(rays.count), 0);
   const auto vector = [](const double* const lanes[3], int i)
   { return Vec3(lanes[0][i], lanes[1][i], lanes[2][i]); };
-  const double last = Samples - 1.0;
   for (int i = 0; i < rays.count; ++i)
   {
-    segments.push_back(
+    scratch.segments.push_back(
       ClipRay(Box, vector(rays.origin, i), vector(rays.direction, i), rays.tNear[i], rays.tFar[i]));
-    for (int k = 0; segments.back() && k < Samples; ++k)
+    auto& places = scratch.places[static_cast<std::size_t>(i)];
+    places.clear();
+    if (scratch.segments.back())
     {
-      points.push_back(At(*segments.back(), k / last));
+      FindPlaces(*F, *scratch.segments.back(), Samples, places);
     }
   }
-  values.resize(points.size());
-  F->Evaluate(points, values);
-  const double* value = values.data();
-  for (int i = 0; i < rays.count; ++i)
+  TakeSamples(*F, scratch);
+  FindEdges(*F, scratch);
+  FindBrackets(scratch);
+  Search(
+    *F, scratch, scratch.brackets, kMostSteps, [](const Bracket& bracket) { return bracket.done; },
+    [](Bracket& bracket, double f) { bracket.Narrow(f, kTolerance); });
+
+  for (const Bracket& bracket : scratch.brackets)
   {
-    if (!segments[static_cast<std::size_t>(i)])
+    const int i = bracket.ray;
+    if (bracket.IsJump() && !F->JumpsAreHits())
     {
       continue;
     }
-    for (int k = 1; k < Samples; ++k)
-    {
-      const double fa = value[k - 1];
-      const double fb = value[k];
-      // A zero belongs to the interval that ends there, or begins the first one.
-      const bool zero = fb == 0.0 || (k == 1 && fa == 0.0);
-      if (std::isfinite(fa) && std::isfinite(fb) &&
-        (zero || (fa < 0.0 && fb > 0.0) || (fa > 0.0 && fb < 0.0)))
-      {
-        brackets.push_back(BetweenSamples(i, (k - 1) / last, fa, k / last, fb));
-      }
-    }
-    value += Samples;
-  }
-
-  const double tolerance = 4.0 * kUnitRoundoff;
-  for (int step = 0; step < kMostSteps; ++step)
-  {
-    points.clear();
-    for (const Bracket& bracket : brackets)
-    {
-      if (!bracket.done)
-      {
-        points.push_back(At(*segments[static_cast<std::size_t>(bracket.ray)], bracket.Next()));
-      }
-    }
-    if (points.empty())
-    {
-      break;
-    }
-    values.resize(points.size());
-    F->Evaluate(points, values);
-    value = values.data();
-    for (Bracket& bracket : brackets)
-    {
-      if (!bracket.done)
-      {
-        bracket.Narrow(*value++, tolerance);
-      }
-    }
-  }
-
-  for (const Bracket& bracket : brackets)
-  {
-    const int i = bracket.ray;
-    const Vec3 x = At(*segments[static_cast<std::size_t>(i)], bracket.Best());
+    const Vec3 x = scratch.At(i, bracket.Best());
     const Vec3 direction = vector(rays.direction, i);
     const double t =
       glm::dot(x - vector(rays.origin, i), direction) / glm::dot(direction, direction);
@@ -192,7 +342,7 @@ void SearchedSurface::Meet(const RayLanes& rays, HitSlots& hits) const
     {
       continue;
     }
-    const int k = slots[static_cast<std::size_t>(i)]++;
+    const int k = scratch.slots[static_cast<std::size_t>(i)]++;
     const HitLanes slot = hits.Slot(k);
     slot.t[i] = t;
     for (int d = 0; d < 3; ++d)
