@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Expressions in Python: as a field's name, and as fields of a grid."""
 
+import json
+import math
 import os
+import subprocess
 import tempfile
 import unittest
 from pathlib import Path
@@ -45,10 +48,56 @@ class Calculate(unittest.TestCase):
             for one in [grid, pixelexact.read(f"{folder}/saved.vtu")]:
                 found = pixelexact.probe(one, "twice", POINTS)
                 np.testing.assert_allclose(found.values, 2 * slope, rtol=1e-13)
+            told = subprocess.run(
+                [os.environ["PIXELEXACT_TOOL"], "info", f"{folder}/saved.vtu", "--json"],
+                capture_output=True, check=True, text=True)
+            self.assertEqual(
+                json.loads(told.stdout)["defined"], {"slope": "mag(grad(u))", "twice": "2*slope"})
         self.assertIsNotNone(grid.GetPointData().GetArray("twice"))
         self.assertIsNone(self.grid.GetPointData().GetArray("twice"))
         bare = pixelexact.calculate(self.grid, point_values=False, slope="mag(grad(u))")
         self.assertIsNone(bare.GetPointData().GetArray("slope"))
+
+    def test_functions_become_expressions(self):
+        def oracle(u, x, y, z):
+            inner = np.hypot(x, y) - np.where((u > 0.1) & (z < 0.2), u**2, -1e-3 / (2 + np.abs(u)))
+            return np.maximum(inner, np.arctan2(y, x)) + 2 * np.sin(np.pi * z) - (-u) / 3
+
+        values = oracle(self.u.values, *POINTS.T)
+        found = pixelexact.probe(self.grid, oracle, POINTS)
+        np.testing.assert_allclose(found.values, values, rtol=1e-14)
+        grid = pixelexact.calculate(
+            self.grid, twice=lambda u, factor=2.0: factor * u, point=lambda x, z: (x[0] - x, x[1], z),
+            g="grad(u)", steep=lambda g: np.linalg.norm(g) + 0 * np.dot(g, np.array([1, 2, 3.5])))
+        np.testing.assert_array_equal(
+            pixelexact.probe(grid, "twice", POINTS).values, 2 * self.u.values)
+        point = pixelexact.probe(grid, "point", POINTS).values
+        np.testing.assert_array_equal(point, POINTS * [0, 1, 1])
+        slope = np.linalg.norm(self.u.gradients, axis=1)
+        np.testing.assert_allclose(pixelexact.probe(grid, "steep", POINTS).values, slope, rtol=1e-13)
+        picture = pixelexact.render(self.grid, lambda u, x: u - x, normal="z", size=(60, 40))
+        text = pixelexact.render(self.grid, "u - x", normal="z", size=(60, 40))
+        np.testing.assert_array_equal(picture.values, text.values)
+
+    def test_functions_that_are_no_expressions(self):
+        for function, message in [
+            (lambda u: u if u > 0 else -u, "numpy.where"),
+            (lambda u: max(u, 0), "numpy.maximum"),
+            (lambda u: math.sin(u), "NumPy's functions"),
+            (lambda u: np.sinc(u) + np.mod(u, 2), "have no"),
+            (lambda u: np.add.reduce(u), "these options"),
+            (lambda u: "u", "neither a number"),
+            (lambda u: u + float("nan"), "no number"),
+            (lambda u: list(u), "one by one"),
+            (lambda *fields: fields[0], "name each argument"),
+            (3, "not 3"),
+        ]:
+            with self.assertRaisesRegex((TypeError, ValueError), message):
+                pixelexact.probe(self.grid, function, POINTS)
+        with self.assertRaisesRegex(pixelexact.Error, "nothing is named 'w'"):
+            pixelexact.calculate(self.grid, e=lambda w: 2 * w)
+        with self.assertRaisesRegex(pixelexact.Error, "4096"):
+            pixelexact.calculate(self.grid, e=lambda u: sum(u * k for k in range(1000)))
 
     def test_refused(self):
         for name, text, message in [
@@ -62,7 +111,7 @@ class Calculate(unittest.TestCase):
             pixelexact.calculate(pixelexact.calculate(self.grid, a="u"), a="2*u")
         with self.assertRaisesRegex(pixelexact.Error, "proven ranges are not available"):
             pixelexact.render(self.grid, "2*u", clim="field", size=(40, 30))
-        with self.assertRaisesRegex(TypeError, "expression as text"):
+        with self.assertRaisesRegex(TypeError, "not 3"):
             pixelexact.calculate(self.grid, e=3)
         with self.assertRaisesRegex(TypeError, "name a field"):
             pixelexact.calculate(self.grid)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from ._expressions import FieldName, expression_of
 from ._read import as_high_order
 from ._scene import source_of
 from ._work import Progress, run
@@ -12,12 +13,16 @@ from .PixelExactFilters import vtkHighOrderCalculator
 
 
 def calculate(
-    grid: Any, *, progress: Progress = None, point_values: bool = True, **fields: str
+    grid: Any, *, progress: Progress = None, point_values: bool = True, **fields: FieldName
 ) -> vtkHighOrderGrid:
     """A grid with new fields that are expressions of its own: Q="Q(velocity)", e="u - sin(pi*x)".
 
     Expressions are evaluated exactly wherever a value is asked for; they go with the grid as text.
     One may name those before it. Wherever a field's name is taken, an expression itself is, too.
+
+    A function in place of text is called once, with symbols for what its arguments are named after:
+    error=lambda u, x, y: u - numpy.sin(x) * numpy.cos(y). What it does to them, with operators and
+    NumPy's functions, is the expression; branches and other libraries' functions are refused.
 
     grid: as of cut; it stays as it is. point_values: whether the new fields are also arrays at the
     points, for filters of VTK. Raises Error for what is no expression, with its place in the text.
@@ -26,12 +31,13 @@ def calculate(
         raise TypeError('calculate: name a field, such as speed="mag(velocity)"')
     source = source_of(grid, progress)
     for name, expression in fields.items():
-        if not isinstance(expression, str):
-            raise TypeError(f"{name}: an expression as text, not {expression!r}")
+        text = expression_of(expression)
+        if text is None:
+            raise TypeError(f"{name}: an expression as text, or a function, not None")
         calculator = vtkHighOrderCalculator()
         calculator.SetInputData(source)
         calculator.SetResultArrayName(name)
-        calculator.SetFunction(expression)
+        calculator.SetFunction(text)
         calculator.SetPointValues(point_values)
         run(calculator, progress)
         source = calculator.GetOutputDataObject(0)

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Any, Optional, Sequence, Union
 
-from ._cut import Limits, check_field, cut
+from ._cut import Limits, cut, field_of
+from ._expressions import FieldName
 from ._picture import picture_of
 from ._scene import (
     Normal,
@@ -31,7 +32,7 @@ def _bounds_of(source: Any) -> Sequence[float]:
 
 def contours(
     grid: Any,
-    field: Optional[str] = None,
+    field: Optional[FieldName] = None,
     values: Optional[Sequence[float]] = None,
     *,
     count: Optional[int] = None,
@@ -59,19 +60,19 @@ def contours(
     chosen = [] if values is None else list_of(values, "values", "count")
     number = None if count is None else count_of(count, "count")
     source = source_of(grid, progress)
-    check_field(source, field)
+    name = field_of(source, field)
     shape = surface_of(surface, _bounds_of(source), normal, origin)
     if not shape.IsA("vtkImplicitFunction"):
         raise Error("contours: on functions' surfaces alone; cut draws them on the others")
     lines = vtkHighOrderContour()
     lines.SetInputData(source)
     lines.SetCutFunction(shape)
-    if field is not None:
-        lines.SetFieldName(field)
+    if name is not None:
+        lines.SetFieldName(name)
     lines.SetComponent(component_of(component))
     lines.SetTolerance(tolerance)
     if number is not None:
-        seen = cut(source, field, surface=shape, component=component, clim=clim)
+        seen = cut(source, name, surface=shape, component=component, clim=clim)
         low, high = picture_of(seen, buffers=False, progress=progress).range
         lines.GenerateRoundValues(number, low, high)
     for i, value in enumerate(chosen):

@@ -9,6 +9,7 @@ from vtkmodules.vtkCommonCore import vtkScalarsToColors
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkRenderingCore import vtkActor
 
+from ._expressions import FieldName, expression_of
 from ._picture import Cut
 from ._scene import (
     Normal,
@@ -32,15 +33,17 @@ def _fields_of(source: Any) -> list[str]:
     return [source.GetHighOrderFieldName(i) for i in range(source.GetNumberOfHighOrderFields())]
 
 
-def check_field(source: Any, field: Optional[str]) -> None:
-    """Raises Error for what is neither a field of a grid nor an expression of its fields; of
-    composite data the classes themselves tell."""
+def field_of(source: Any, field: Optional[FieldName]) -> Optional[str]:
+    """The field's name or expression. Raises Error for what is neither a field of a grid nor an
+    expression of its fields; of composite data the classes themselves tell."""
+    name = expression_of(field)
     names = _fields_of(source)
-    if field is not None and names and field not in names:
+    if name is not None and names and name not in names:
         with errors_of([source], "") as errors:
-            source.GetHighOrderFieldComponents(field)
+            source.GetHighOrderFieldComponents(name)
         if errors:
             raise Error(errors[0])
+    return name
 
 
 def _set_range(mapper: Any, clim: Limits) -> None:
@@ -86,7 +89,7 @@ def _bar_of(mapper: Any, title: str) -> Any:
 
 def cut(
     grid: Any,
-    field: Optional[str] = None,
+    field: Optional[FieldName] = None,
     *,
     normal: Normal = "z",
     origin: Union[float, Vector, None] = None,
@@ -102,7 +105,8 @@ def cut(
     """A cut through a field: an actor, every pixel of which is the field's own value, and its bar.
 
     grid: a vtkUnstructuredGrid, also a plain one or PyVista's, composite data of such, or a file's
-        name. field: None: the first one.
+        name. field: its name, or an expression of fields as text or as a function of what its
+        arguments are named after (lambda u, x: u - numpy.sin(x)); None: the first one.
     normal, origin: of the plane; "x", "y", "z", "-z" or three numbers; a point, a coordinate along
         the axis, or None: the middle of the box. surface instead: a vtkImplicitFunction, a
         vtkHighOrderSurface (boundary, iso-surface, patches), or a function that takes points (n, 3)
@@ -117,11 +121,11 @@ def cut(
     Raises Error, TypeError or ValueError, which name what is wrong.
     """
     source = source_of(grid, progress)
-    check_field(source, field)
+    name = field_of(source, field)
     mapper = vtkHighOrderMapper()
     mapper.SetInputData(source)
-    if field is not None:
-        mapper.SetFieldName(field)
+    if name is not None:
+        mapper.SetFieldName(name)
     mapper.SetComponent(component_of(component))
     _set_colors(mapper, cmap)
     shape = surface_of(surface, mapper.GetBounds(), normal, origin)
@@ -140,5 +144,5 @@ def cut(
     mapper.SetContourCount(count)
     for i, value in enumerate(values):
         mapper.SetContourValue(i, value)
-    bar = _bar_of(mapper, field or (_fields_of(source) or [""])[0])
+    bar = _bar_of(mapper, name or (_fields_of(source) or [""])[0])
     return Cut(actor, bar, mapper, shape)

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Optional, Sequence, Union
 
-from ._cut import check_field
+from ._cut import field_of
+from ._expressions import FieldName
 from ._scene import source_of
 from ._work import Progress, run
 from .PixelExactFilters import vtkHighOrderProbe
@@ -87,7 +88,7 @@ def _cloud(points: Any) -> Any:
 
 def probe(
     grid: Any,
-    field: Optional[str] = None,
+    field: Optional[FieldName] = None,
     points: Union[Array, Sequence[Sequence[float]], None] = None,
     *,
     gradients: bool = False,
@@ -106,18 +107,18 @@ def probe(
     if points is None:
         raise TypeError("probe: give points, an array of shape (n, 3)")
     source = source_of(grid, progress)
-    check_field(source, field)
-    if field is None and hasattr(source, "GetHighOrderFieldName"):
-        field = source.GetHighOrderFieldName(0)
-    if not field:
+    name = field_of(source, field)
+    if name is None and hasattr(source, "GetHighOrderFieldName"):
+        name = source.GetHighOrderFieldName(0)
+    if not name:
         raise ValueError("field: name it")
     prober = vtkHighOrderProbe()
     cloud = _cloud(points)
     prober.SetInputData(cloud)
     prober.SetSourceData(source)
-    prober.AddField(field)
+    prober.AddField(name)
     prober.SetComputeGradients(gradients)
     prober.SetEnclosures(enclosures)
     run(prober, progress)
     data = prober.GetOutputDataObject(0).GetPointData()
-    return Probed(field, data, data.GetArray(field).GetNumberOfComponents())
+    return Probed(name, data, data.GetArray(name).GetNumberOfComponents())

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any, Optional, Sequence, Union
 
 from ._cut import cut
+from ._expressions import FieldName
 from ._picture import Picture, picture_of
 from ._read import Path
 from ._scene import Vector
@@ -13,7 +14,7 @@ from ._work import Progress
 
 def render(
     grid: Any,
-    field: Optional[str] = None,
+    field: Optional[FieldName] = None,
     *,
     output: Optional[Path] = None,
     size: Sequence[int] = (1000, 1000),
