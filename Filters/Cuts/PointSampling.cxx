@@ -174,13 +174,15 @@ bool PointSampling::AddField(
       const auto first = static_cast<std::size_t>(Starts[run]);
       const auto count = static_cast<std::size_t>(Starts[run + 1]) - first;
       std::vector<Vec3> xi(count);
+      std::vector<Vec3> x(count);
       std::vector<double> value(count * components);
       std::vector<double> gradient(gradients ? 3 * value.size() : 0);
       for (std::size_t i = 0; i < count; ++i)
       {
         xi[i] = Xi[Order[first + i]];
+        x[i] = Points[Order[first + i]];
       }
-      EvaluateAt(Model.GetMesh(), field, Element[Order[first]], xi, value, gradient);
+      EvaluateAt(Model.GetMesh(), field, Element[Order[first]], xi, value, gradient, { .x = x });
       for (std::size_t i = 0; i < count; ++i)
       {
         const int point = Order[first + i];

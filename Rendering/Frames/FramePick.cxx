@@ -104,8 +104,8 @@ PickedSample Describe(
   if (field != nullptr)
   {
     picked.values.resize(static_cast<std::size_t>(field->values.components));
-    EvaluateAt(
-      model.GetMesh(), *field, static_cast<int>(element), { &picked.xi, 1 }, picked.values, {});
+    EvaluateAt(model.GetMesh(), *field, static_cast<int>(element), { &picked.xi, 1 }, picked.values,
+      {}, { { &picked.position, 1 }, { &picked.normal, 1 } });
   }
   return picked;
 }

@@ -94,7 +94,8 @@ void HitValues::EvaluateKnown(const Mesh& mesh, const Field* field, const HitRes
   const std::size_t count = TheVerdict.size();
   const std::size_t components = count > 0 ? Value.size() / count : 0;
   const std::size_t bounds = count > 0 ? Lower.size() / count : 0;
-  const auto positions = Room(Positions, Lower.empty() ? 0 : count);
+  const bool isFunction = field != nullptr && field->function != nullptr;
+  const auto positions = Room(Positions, Lower.empty() && !isFunction ? 0 : count);
   for (std::size_t i = 0; i < count; ++i)
   {
     const SurfacePoint point = found.slots->PointOf(found.SlotOf(i), found.RayOf(i));
@@ -135,6 +136,11 @@ void HitValues::EvaluateKnown(const Mesh& mesh, const Field* field, const HitRes
         }
       };
       gather(Xi, XiOfElement);
+      PositionsOfElement.clear();
+      if (!positions.empty())
+      {
+        gather(positions, PositionsOfElement);
+      }
       if (components > 0)
       {
         ValuesOfElement.resize(components * XiOfElement.size());
@@ -143,12 +149,12 @@ void HitValues::EvaluateKnown(const Mesh& mesh, const Field* field, const HitRes
         {
           gather(normals, NormalsOfElement);
         }
-        EvaluateAt(mesh, *field, element, XiOfElement, ValuesOfElement, {}, NormalsOfElement);
+        EvaluateAt(mesh, *field, element, XiOfElement, ValuesOfElement, {},
+          { PositionsOfElement, NormalsOfElement });
         scatter(ValuesOfElement, components, Value);
       }
       if (bounds > 0)
       {
-        gather(positions, PositionsOfElement);
         ValuesOfElement.resize(bounds * XiOfElement.size());
         UppersOfElement.resize(ValuesOfElement.size());
         EncloseAt(

@@ -468,7 +468,7 @@ TEST_P(Expression, TakeTheNormalOfASurface)
   const Field field = Make("dot(grad(u), n) + normal.x");
   ASSERT_TRUE(field.function->NeedsNormals());
   std::vector<double> values(xi.size());
-  EvaluateAt(Builder.View(), field, 0, xi, values, {}, normals);
+  EvaluateAt(Builder.View(), field, 0, xi, values, {}, { .x = {}, .normals = normals });
   for (std::size_t k = 0; k < xi.size(); ++k)
   {
     const LongVec3 slope = ScalarGradientAt(Place(ToLong(xi[k])));

@@ -26,14 +26,20 @@ void TellInside(LocationSink& sink, int element, std::span<const Vec3> xi)
 } // namespace
 
 void EvaluateAt(const Mesh& mesh, const Field& field, int element, std::span<const Vec3> xi,
-  std::span<double> value, std::span<double> gradient, std::span<const Vec3> normals)
+  std::span<double> value, std::span<double> gradient, const PlacesOfXi& places)
 {
   SampleTarget target;
   target.value = value;
   target.gradient = gradient;
-  target.normals = normals;
+  target.normals = places.normals;
   RequireSizes(&field, xi.size(), target);
-  SamplingSink sink(mesh, &field, {}, target);
+  if (!places.x.empty() && places.x.size() != xi.size())
+  {
+    throw Error("there are " + std::to_string(places.x.size()) + " world points for " +
+      std::to_string(xi.size()) + " reference points.");
+  }
+  const LaneBuffer lanes(field.function != nullptr ? places.x : std::span<const Vec3>());
+  SamplingSink sink(mesh, &field, lanes.View(), target);
   TellInside(sink, element, xi);
 }
 

@@ -65,10 +65,17 @@ void SampleTile(const Locator& locator, const Field* field, std::span<const Vec3
 void Sample(const Locator& locator, const Field* field, std::span<const Vec3> points,
   const SampleTarget& target);
 
+/// What functions (Field::function) may depend on beside xi.
+struct PlacesOfXi
+{
+  std::span<const Vec3> x{};       ///< in the world, near Phi(xi); empty: Phi(xi)
+  std::span<const Vec3> normals{}; ///< as in SampleTarget
+};
+
 /// Values (and world gradients, where the span is not empty) of `field` at given xi of one
-/// element; no location. `normals`: as in SampleTarget.
+/// element; no location.
 void EvaluateAt(const Mesh& mesh, const Field& field, int element, std::span<const Vec3> xi,
-  std::span<double> value, std::span<double> gradient, std::span<const Vec3> normals = {});
+  std::span<double> value, std::span<double> gradient, const PlacesOfXi& places = {});
 
 /// Enclosures of the values of `field` at world points x, whose preimages in one element are near
 /// xi (see EncloseValues, with the mesh's uncertainty).

@@ -120,8 +120,8 @@ void DifferencePixels::EvaluateKnown(PointValues& found) const
         const auto part = [&](std::vector<double>& all)
         { return std::span(all).subspan(begin * components, (end - begin) * components); };
         const auto element = static_cast<int>(elements[begin]);
-        EvaluateAt(
-          mesh, *solution.field, element, xi.subspan(begin, end - begin), part(found.value), {});
+        EvaluateAt(mesh, *solution.field, element, xi.subspan(begin, end - begin),
+          part(found.value), {}, { .x = points.subspan(begin, end - begin) });
         if (!found.lower.empty())
         {
           EncloseAt(mesh, *solution.field, element, xi.subspan(begin, end - begin),
