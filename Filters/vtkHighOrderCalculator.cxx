@@ -26,7 +26,7 @@ namespace
 {
 using namespace pixelexact;
 
-/// Of the field at the grid's points.
+/// The field's values at the grid's points.
 vtkSmartPointer<vtkDoubleArray> ValuesAtPoints(
   const HighOrderModel& model, const Field& field, vtkUnstructuredGrid* grid)
 {
@@ -76,9 +76,8 @@ void vtkHighOrderCalculator::Define(vtkUnstructuredGrid* input, vtkUnstructuredG
     throw InvalidData(name.empty() ? "the new field has no name; set ResultArrayName."
                                    : "there is no expression; set Function.");
   }
-  const std::vector<std::string> defined = model->DefinedNames();
   if (std::ranges::find(model->Fields(), name, &Field::name) != model->Fields().end() ||
-    std::ranges::find(defined, name) != defined.end())
+    model->Definitions().contains(name))
   {
     throw InvalidData("the grid has a field '" + name + "'; choose another ResultArrayName.");
   }

@@ -22,7 +22,6 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <map>
 #include <mutex>
 
 namespace pixelexact
@@ -340,14 +339,14 @@ const Field& HighOrderModel::GetField(const std::string& text) const
   return field;
 }
 
-std::vector<std::string> HighOrderModel::DefinedNames() const
+const std::map<std::string, std::string>& HighOrderModel::Definitions() const
 {
-  std::vector<std::string> names;
-  for (const auto& [name, text] : Data->names.definitions)
-  {
-    names.push_back(name);
-  }
-  return names;
+  return Data->names.definitions;
+}
+
+const std::map<std::string, double>& HighOrderModel::Parameters() const
+{
+  return Data->names.parameters;
 }
 
 const Field* HighOrderModel::FindField(const std::string& text) const
@@ -371,7 +370,10 @@ std::string HighOrderModel::NamesOfFields() const
   {
     add(field.name);
   }
-  std::ranges::for_each(DefinedNames(), add);
+  for (const auto& [name, text] : Definitions())
+  {
+    add(name);
+  }
   return names.empty() ? "there are no fields" : names + ", or an expression of them";
 }
 

@@ -8,6 +8,7 @@
 #include "Core/Faces/AttributedFace.h"
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -68,8 +69,10 @@ public:
   /// number as parameters. Made once, and kept as long as the model. Throws InvalidData, naming
   /// what there is, and Unsupported.
   [[nodiscard]] const Field& GetField(const std::string& text) const;
-  /// Of expressions that count as fields, in alphabetical order.
-  [[nodiscard]] std::vector<std::string> DefinedNames() const;
+  /// The texts of expressions that count as fields (kDefinitionPrefix), by their names.
+  [[nodiscard]] const std::map<std::string, std::string>& Definitions() const;
+  /// What expressions may name beside fields: arrays of FieldData that hold one number.
+  [[nodiscard]] const std::map<std::string, double>& Parameters() const;
   /// As GetField, but null where there is none.
   [[nodiscard]] const Field* FindField(const std::string& text) const;
 

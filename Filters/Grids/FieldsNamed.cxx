@@ -20,7 +20,7 @@ std::vector<const Field*> FieldsNamed(
     {
       fields.push_back(&field);
     }
-    for (const std::string& name : model.DefinedNames())
+    for (const auto& [name, text] : model.Definitions())
     {
       fields.push_back(&model.GetField(name));
     }

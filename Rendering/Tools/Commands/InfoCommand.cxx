@@ -217,6 +217,18 @@ void PrintTable(const LoadedModel& input, const Facts& facts)
   {
     table.Row(name, "none");
   }
+  name = "defined";
+  for (const auto& [defined, text] : input.model->Definitions())
+  {
+    table.Row(name, "{}: {}", defined, text);
+    name.clear();
+  }
+  name = "parameters";
+  for (const auto& [parameter, value] : input.model->Parameters())
+  {
+    table.Row(name, "{} = {}", parameter, Short(value));
+    name.clear();
+  }
   AddTo(table, facts.solver);
   if (facts.certified)
   {
@@ -259,7 +271,8 @@ void PrintJson(const LoadedModel& input, const Facts& facts)
     { "stored_geometry_orders", ToJson(facts.storedOrders) }, { "bounds", facts.bounds },
     { "node_bounds", facts.nodeBounds },
     // The cells beside a solver's own coefficients are but their corners.
-    { "node_bounds_of", input.converted ? "nodes" : "corners" }, { "fields", fields } };
+    { "node_bounds_of", input.converted ? "nodes" : "corners" }, { "fields", fields },
+    { "defined", input.model->Definitions() }, { "parameters", input.model->Parameters() } };
   summary["dimension"] = facts.slab ? 2 : 3;
   if (facts.slab)
   {
