@@ -72,10 +72,34 @@ class Expressions(ToolTest):
         np.testing.assert_allclose(flux, 0.4, rtol=0, atol=1e-12)
         flux, _ = values("dot(coords - 0.5*vec(1, 1, 1), n)", "--boundary", "--view", "iso")
         np.testing.assert_allclose(flux, 0.5, rtol=0, atol=1e-12)
+        for surface in [["--boundary", "--view", "iso"], ["--isosurface", "u=0.1"], ["--plane", "z=0.1"]]:
+            buffers = self.folder / "out.vti"
+            self.succeeds("render", TORUS, "--field", "x", *surface, *SIZE, "--output",
+                          self.folder / "a.png", "--buffers", buffers)
+            found = read_buffers(buffers)
+            seen = found["Verdict"] == 1
+            np.testing.assert_array_equal(found["Value"][seen], found["Position"][seen][:, 0])
         self.fails(1, "probe", cube, "--field", "n", "--line", "0,0,0,1,1,1,3",
                    names=["needs the normal of a surface"])
         self.fails(1, "integrate", cube, "--field", "n", "--plane", "z=0.5",
                    names=["needs the normal of a surface"])
+
+    def test_layers_have_expressions(self):
+        def values(*options):
+            buffers = self.folder / "out.vti"
+            self.succeeds("render", TORUS, "--plane", "z=0.1", *options, *SIZE, "--output",
+                          self.folder / "a.png", "--buffers", buffers)
+            return read_buffers(buffers)["Value"]
+
+        text = "where(x>0,max(u,0.1),vec(x,y)[1])"
+        np.testing.assert_array_equal(
+            values("--layer", f"1:field={text},range=0:1", "--field", "u"), values("--field", text))
+
+    def test_parameters_are_told(self):
+        flow = DATA / "nek_plane_kovasznay_p7" / "nek_plane_kovasznay_p7"
+        told = self.summary("info", f"{flow}.xml", f"{flow}.rst")
+        self.assertAlmostEqual(told["parameters"]["Kinvis"], 0.025)
+        self.assertEqual(told["defined"], {})
 
     def test_isosurfaces_are_numeric(self):
         found = self.summary("render", TORUS, "--field", "u", "--isosurface", "u^2=0.09", *SIZE,
@@ -84,6 +108,20 @@ class Expressions(ToolTest):
         self.assertLess(abs(found["value_range"][1] - 0.3), 1e-9)
         self.assertLess(abs(found["value_range"][0] + 0.3), 1e-9)
         self.assertGreater(found["hits"]["numeric"], 100)
+
+    def test_isosurfaces_end_where_the_mesh_does(self):
+        """Seen at all pixels but some at the silhouette; none where the expression jumps."""
+        def hits(isosurface):
+            buffers = self.folder / "out.vti"
+            self.succeeds("render", TORUS, "--field", "u", "--isosurface", isosurface, *SIZE, "--output",
+                          self.folder / "a.png", "--buffers", buffers)
+            return read_buffers(buffers)["Verdict"] == 1
+
+        proven, numeric = hits("u=0.05"), hits("u*1=0.05")
+        self.assertGreater(proven.sum(), 1000)
+        self.assertLess((proven != numeric).sum(), 0.002 * proven.sum())
+        self.assertEqual(hits("where(z > 0.1, 1, 0)=0.5").sum(), 0)
+        self.assertEqual(hits("1/(z - 0.1)=0").sum(), 0)
 
     def test_parameters_of_the_session(self):
         flow = DATA / "nek_plane_kovasznay_p7"

@@ -112,6 +112,30 @@ const std::map<std::string, Setter>& Setters()
   return kSetters;
 }
 
+/// At commas that are in no brackets and quotes, which expressions have.
+std::vector<std::string> SplitSettings(const std::string& text)
+{
+  std::vector<std::string> settings(1);
+  int depth = 0;
+  char quote = 0;
+  for (const char c : text)
+  {
+    if (quote != 0 || c == '"' || c == '\'')
+    {
+      quote = quote == 0 ? c : (quote == c ? 0 : quote);
+    }
+    depth += c == '(' || c == '[' ? 1 : 0;
+    depth -= c == ')' || c == ']' ? 1 : 0;
+    if (c == ',' && depth <= 0 && quote == 0)
+    {
+      settings.emplace_back();
+      continue;
+    }
+    settings.back() += c;
+  }
+  return settings;
+}
+
 /// Which surface was given what.
 using Given = std::set<std::pair<int, std::string>>;
 
@@ -129,7 +153,7 @@ void Read(const std::string& text, std::vector<LayerSettings>& layers, Given& gi
       "the number is of " + Counted(layers.size(), "surface") +
         ", counted from 1 in the order of " + "their kinds in the help");
   }
-  for (const std::string& setting : SplitAt(text.substr(colon + 1), ','))
+  for (const std::string& setting : SplitSettings(text.substr(colon + 1)))
   {
     const auto equal = setting.find('=');
     const auto setter = Setters().find(setting.substr(0, equal));
