@@ -3,6 +3,7 @@
 
 #include "Core/Base/Error.h"
 #include "Core/Expression/Expression.h"
+#include "Core/Expression/Program.h"
 #include "Core/Expression/SymmetricEigen.h"
 #include "Core/Location/Sample.h"
 
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <random>
@@ -477,6 +479,60 @@ TEST_P(Expression, TakeTheNormalOfASurface)
       static_cast<double>(slope[0] * n[0] + slope[1] * n[1] + slope[2] * n[2] + n[0]), 1e-11);
   }
   EXPECT_THROW(EvaluateAt(Builder.View(), field, 0, xi, values, {}), Unsupported);
+}
+
+// The leaves are values and derivatives in closed form instead of the kernels'.
+TEST_P(Expression, ComputeFromGivenDerivatives)
+{
+  using Kind = pixelexact::Operation;
+  const LongVec3 at = Place(ToLong(SomePoints(1).front()));
+  const auto leafAt = [&at](const Graph::Node& leaf)
+  {
+    const auto c = static_cast<std::size_t>(leaf.component);
+    const auto a = static_cast<std::size_t>(leaf.a);
+    switch (leaf.operation)
+    {
+      case Kind::Coordinate:
+        return static_cast<double>(at[a]);
+      case Kind::Pi:
+        return std::numbers::pi;
+      case Kind::Value:
+        return static_cast<double>(leaf.field == 0 ? ScalarAt(at) : VectorAt(at)[c]);
+      case Kind::Slope:
+        return static_cast<double>(
+          leaf.field == 0 ? ScalarGradientAt(at)[a] : VectorGradientAt(at)[c][a]);
+      default:
+        return std::numeric_limits<double>::quiet_NaN();
+    }
+  };
+  int computed = 0;
+  for (const Case& one : Cases())
+  {
+    const auto expression = MakeExpression(one.text, Scope);
+    ASSERT_EQ(expression->GetFields().size(), 2U);
+    EXPECT_EQ(expression->GetFields()[1]->name, "v");
+    const std::span<const Graph::Node> nodes = expression->GetProgram().Leaves();
+    std::vector<double> given(nodes.size());
+    std::ranges::transform(nodes, given.begin(), leafAt);
+    if (std::ranges::any_of(given, [](double value) { return std::isnan(value); }))
+    {
+      continue; // needs second derivatives or the element
+    }
+    ++computed;
+    std::vector<const double*> leaves(nodes.size());
+    std::ranges::transform(given, leaves.begin(), [](const double& value) { return &value; });
+    std::vector<double> values(static_cast<std::size_t>(expression->Components()));
+    std::vector<double*> out(values.size());
+    std::ranges::transform(values, out.begin(), [](double& value) { return &value; });
+    std::vector<double> scratch;
+    expression->GetProgram().Run(leaves, 1, out.data(), scratch);
+    const Reals exact = one.exact(at);
+    for (std::size_t c = 0; c < values.size(); ++c)
+    {
+      EXPECT_NEAR(values[c], static_cast<double>(exact[c]), 1e-11) << one.text << " " << c;
+    }
+  }
+  EXPECT_GT(computed, 25);
 }
 
 TEST_P(Expression, GiveNothingWhereThereIsNone)

@@ -67,13 +67,14 @@ public:
   }
 
   [[nodiscard]] bool NeedsNormals() const { return Leaves.NeedsNormals(); }
+  [[nodiscard]] const Program& GetProgram() const { return Code; }
 
 private:
   Program Code;
   PointLeaves Leaves;
 };
 
-class ExpressionFunction final : public FieldFunction
+class ExpressionFunction final : public FieldExpression
 {
 public:
   ExpressionFunction(const std::string& text, const ExpressionScope& scope)
@@ -99,6 +100,9 @@ public:
   }
 
   [[nodiscard]] bool NeedsNormals() const override { return Values->NeedsNormals(); }
+
+  [[nodiscard]] const Program& GetProgram() const override { return Values->GetProgram(); }
+  [[nodiscard]] std::span<const Field* const> GetFields() const override { return Fields; }
 
   void Evaluate(const Mesh& mesh, int element, const FunctionPoints& points, double* const* value,
     double* const* gradient) const override
@@ -160,7 +164,7 @@ private:
 };
 } // namespace
 
-std::shared_ptr<const FieldFunction> MakeExpression(
+std::shared_ptr<const FieldExpression> MakeExpression(
   const std::string& text, const ExpressionScope& scope)
 {
   return std::make_shared<const ExpressionFunction>(text, scope);

@@ -13,6 +13,8 @@
 
 namespace pixelexact
 {
+class Program;
+
 /// Maps the names in an expression to fields, definitions and numbers.
 struct ExpressionScope
 {
@@ -25,6 +27,17 @@ struct ExpressionScope
   std::span<const std::int64_t> numbers{};
 };
 
+/// The function of an expression, with the program that computes it: the same program takes the
+/// values and derivatives that another method gives at a point.
+class FieldExpression : public FieldFunction
+{
+public:
+  /// The outputs are the components.
+  [[nodiscard]] virtual const Program& GetProgram() const = 0;
+  /// Graph::Node::field of the program's leaves is an index into these.
+  [[nodiscard]] virtual std::span<const Field* const> GetFields() const = 0;
+};
+
 /// Returns the function that an expression of fields defines (Documentation/expressions.md
 /// describes the language). At each point it is computed from the fields' values and derivatives
 /// there, by the chain rule; nothing is sampled. Errors are the rounding of the kernels and of each
@@ -34,7 +47,7 @@ struct ExpressionScope
 /// names that mean nothing and for shapes that do not fit, with the place in the text; Unsupported
 /// for derivatives that are not available: third ones of fields, second ones of mapped fields
 /// (H(curl), H(div), densities), and those of det J.
-[[nodiscard]] std::shared_ptr<const FieldFunction> MakeExpression(
+[[nodiscard]] std::shared_ptr<const FieldExpression> MakeExpression(
   const std::string& text, const ExpressionScope& scope);
 
 /// Whether a text contains operators, brackets or quotes, and so is not meant as a plain name.
