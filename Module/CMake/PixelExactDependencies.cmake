@@ -54,7 +54,7 @@ set(PIXELEXACT_VTK_COMPONENTS
   RenderingCore
   RenderingFreeType
   RenderingOpenGL2)
-set(vtk_build_components FiltersParallel IOCore IOGeometry IOImage)
+set(vtk_build_components FiltersGeneral FiltersParallel IOCore IOGeometry IOImage)
 if(PIXELEXACT_BUILD_VIEW)
   list(APPEND vtk_build_components InteractionStyle InteractionWidgets RenderingAnnotation)
 endif()
@@ -64,7 +64,6 @@ endif()
 if(PIXELEXACT_BUILD_TESTING OR PIXELEXACT_BUILD_BENCHMARKS)
   list(APPEND vtk_build_components
     FiltersExtraction
-    FiltersGeneral
     FiltersGeometry
     FiltersSources
     InteractionStyle

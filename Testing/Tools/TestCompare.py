@@ -54,6 +54,111 @@ class Compare(ToolTest):
             self.assertTrue((folder / f"{name}.png").exists(), name)
             self.assertTrue((folder / f"{name}-error.png").exists(), name)
 
+    def test_derivatives_by_vtks_gradient_filter(self):
+        # The filter averages over elements at the file's points, and in parts of one element.
+        for name, bounds in [("toroid_hex_g3_p6", [0.05, 1e-5]), ("escher_tet_g3_p3", [0.5, 1e-3])]:
+            folder, summary, rows = self.compare(
+                *[case(name), "--field", "mag(grad(u))", "--plane", "z=0.1", "--share", "50"],
+                *["--resolutions", "64", "--grids", "none", "--levels", "1,2,3", "--repeat", "1"],
+                output=name,
+            )
+            means = [float(rows[f"gradient-{level}"]["mean_error"]) for level in (1, 2, 3)]
+            self.assertLess(means[1], 0.7 * means[0], name)
+            self.assertLess(means[2], 0.7 * means[1], name)
+            for level in (2, 3):
+                gradient = rows[f"gradient-{level}"]
+                exact_nodes = rows[f"subdivide-{level}"]
+                self.assertEqual(gradient["missing"], exact_nodes["missing"])
+                self.assertEqual(gradient["triangles"], exact_nodes["triangles"])
+                self.assertGreater(float(gradient["first_seconds"]), 0.0)
+                self.assertGreater(
+                    float(gradient["mean_error"]), float(exact_nodes["mean_error"]), name
+                )
+            cells = rows["gradient-cells"]
+            self.assertLess(float(cells["share_error"]), bounds[0])
+            self.assertGreater(float(cells["share_error"]), bounds[1])
+            self.assertEqual(cells["family"], "gradient-cells")
+            methods = {s["setting"]: s.get("method", "") for s in summary["settings"]}
+            self.assertIn("VTK's Gradient filter and Calculator", methods["gradient-cells"])
+            self.assertIn("VTK's Gradient filter and Calculator", methods["gradient-2"])
+            self.assertEqual(methods["subdivide-2"], "")
+            self.assertIn("gradient", summary["orders"])
+            page = (folder / "report.html").read_text(encoding="utf-8")
+            self.assertIn("Gradient filter and Calculator", page)
+            self.assertTrue((folder / "gradient-cells-error.png").exists())
+
+    def test_derivatives_of_linear_fields_lose_nothing(self):
+        # A hexahedron, a tetrahedron, a wedge and a pyramid.
+        shapes = [
+            (CUBE, 12),
+            ([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], 10),
+            ([CUBE[i] for i in (0, 3, 1, 4, 7, 5)], 13),
+            (CUBE[:4] + [[0.5, 0.5, 1.0]], 14),
+        ]
+        for points, kind in shapes:
+            path = self.folder / f"{kind}.vtu"
+            fields = [
+                ("f", [x + 2.0 * y + 3.0 * z for x, y, z in points]),
+                ("v", [[2.0 * y, z - x, 5.0 * x] for x, y, z in points]),
+            ]
+            grid = plain_grid(points, [(kind, list(range(len(points))))], fields)
+            path.write_text(grid, encoding="utf-8")
+            # vtkCutter's planes are floats. The derivatives are constant, the expression is linear.
+            text = "f*mag(grad(f)) + dot(curl(v), vec(x,y,z)) + Q(v)"
+            _, _, rows = self.compare(
+                *[path, "--field", text, "--plane", "z=0.25", "--levels", "0,1,2", "--repeat", "1"],
+                *["--resolutions", "none", "--grids", "none"],
+            )
+            for level in range(3):
+                row = rows[f"gradient-{level}"]
+                self.assertGreater(int(row["shown"]), 1000)
+                self.assertLess(float(row["largest_error"]), 1e-12, kind)
+
+    def test_second_derivatives_are_the_filters_of_its_first_ones(self):
+        path = self.folder / "cube.vtu"
+        field = ("f", [x * y * z for x, y, z in CUBE])
+        path.write_text(plain_grid(CUBE, [(12, list(range(8)))], [field]), encoding="utf-8")
+        _, _, rows = self.compare(
+            *[path, "--field", "hessian(f)[0,1] + 2*laplacian(f)", "--plane", "x=0.25"],
+            *["--levels", "0,1,2", "--resolutions", "none", "--grids", "none", "--repeat", "1"],
+        )
+        for level in range(3):
+            row = rows[f"gradient-{level}"]
+            self.assertGreater(int(row["shown"]), 1000)
+            self.assertLess(float(row["largest_error"]), 1e-12)
+
+    def test_what_vtks_filters_cannot_compute_has_a_row_that_says_so(self):
+        few = ["--levels", "1", "--resolutions", "none", "--grids", "none", "--repeat", "1"]
+        mesh = case("toroid_hex_g3_p6")
+        for text, name in [
+            ("mag(grad(u))*detJ", "'detJ'"),
+            ("mag(grad(u)) + element", "'element'"),
+            ("u*mag(grad(xi))", "'xi'"),
+        ]:
+            _, summary, rows = self.compare(mesh, "--field", text, *few)
+            self.assertIn(name, rows["gradient"]["refused"])
+            self.assertNotIn("gradient-1", rows)
+            self.assertNotIn("gradient-cells", rows)
+            refused = [s for s in summary["settings"] if s["setting"] == "gradient"]
+            self.assertIn(name, refused[0]["refused"])
+        _, _, rows = self.compare(
+            *[mesh, "--field", "mag(grad(u))", "--boundary", "--levels", "1", "--repeat", "1"]
+        )
+        self.assertIn("cuts", rows["gradient"]["refused"])
+        # Nodal values of these are exact, whoever computes them.
+        _, _, rows = self.compare(mesh, "--field", "u^2", *few)
+        self.assertFalse([name for name in rows if name.startswith("gradient")])
+
+    def test_iso_surfaces_of_derivatives_by_vtks_gradient_filter(self):
+        _, _, rows = self.compare(
+            *[case("toroid_hex_g3_p6"), "--field", "u", "--isosurface", "mag(grad(u))=2"],
+            *["--levels", "2,3", "--repeat", "1", "--truncate-orders", "none"],
+        )
+        for level in (2, 3):
+            self.assertEqual(rows[f"gradient-{level}"]["refused"], "")
+            self.assertGreater(int(rows[f"gradient-{level}"]["triangles"]), 100)
+        self.assertEqual(rows["gradient-cells"]["refused"], "")
+
     def test_the_page_needs_nobody(self):
         folder, _, rows = self.compare(case("toroid_hex_g3_p6"), *FEW)
         page = (folder / "report.html").read_text(encoding="utf-8")

@@ -142,10 +142,24 @@ std::vector<TradeSetting> SettingsOf(const CompareOptions& options, const TradeS
     add(TradeFamily::Cut, options.trade.Resolutions(isPlane), [](int n) { return 1.0 / n; });
     add(TradeFamily::Resample, options.trade.Grids(), [](int n) { return 1.0 / (n - 1); });
   }
-  add(TradeFamily::Subdivide, options.trade.Levels(), [](int l) { return 1.0 / (1 << l); });
-  if (!IsOfFaces(scene) && !IsOfPieces(scene) && HasHighOrderCells(scene))
+  const auto ofLevel = [](int level) { return 1.0 / (1 << level); };
+  const auto addCells = [&](TradeFamily family)
   {
-    settings.push_back({ "cells", TradeFamily::Cells, 0, 0.0 });
+    if (!IsOfFaces(scene) && !IsOfPieces(scene) && HasHighOrderCells(scene, family))
+    {
+      settings.push_back({ Name(family), family, 0, 0.0 });
+    }
+  };
+  add(TradeFamily::Subdivide, options.trade.Levels(), ofLevel);
+  addCells(TradeFamily::Cells);
+  if (HasDerivatives(scene) && !GradientObstacle(scene).empty())
+  {
+    settings.push_back({ Name(TradeFamily::Gradient), TradeFamily::Gradient, 0, 0.0 });
+  }
+  else if (HasDerivatives(scene))
+  {
+    add(TradeFamily::Gradient, options.trade.Levels(), ofLevel);
+    addCells(TradeFamily::GradientCells);
   }
   return settings;
 }
@@ -176,6 +190,10 @@ TradeFacts FactsOf(const CompareOptions& options, const TradeScene& scene, const
     { "threads",
       fmt::to_string(
         tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism)) } };
+  if (HasDerivatives(scene) && GradientObstacle(scene).empty())
+  {
+    facts.lines.emplace_back("gradient-...", kGradientMethod);
+  }
   return facts;
 }
 

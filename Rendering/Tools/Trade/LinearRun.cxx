@@ -5,9 +5,11 @@
 #include "Bench/FrameTime.h"
 #include "Scene/Shot.h"
 #include "Trade/LinearContours.h"
+#include "Trade/NodalExpression.h"
 #include "Trade/TradeRun.h"
 
 #include "Core/Base/Error.h"
+#include "Core/Expression/Expression.h"
 #include "HighOrderModel.h"
 #include "Surfaces/VtkLinearSurface.h"
 #include "Trace/Compare/TracedPicture.h"
@@ -17,6 +19,7 @@
 #include <vtkCell.h>
 #include <vtkContourFilter.h>
 #include <vtkCutter.h>
+#include <vtkDoubleArray.h>
 #include <vtkHighOrderLinearCut.h>
 #include <vtkHighOrderLinearResample.h>
 #include <vtkHighOrderSubdivide.h>
@@ -29,6 +32,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <set>
 
 namespace pixelexact
 {
@@ -85,6 +90,91 @@ vtkSmartPointer<vtkAlgorithm> NewCutter(const TradeScene& scene)
   return cutter;
 }
 
+/// The field, and that of an iso-surface.
+std::set<std::string> NamesOfArrays(const TradeScene& scene)
+{
+  std::set<std::string> names{ scene.shot->scene.layers.front().field->name };
+  if (!scene.isoField.empty())
+  {
+    names.insert(scene.isoField);
+  }
+  return names;
+}
+
+/// Those of NamesOfArrays that are expressions with derivatives.
+std::map<std::string, NodalExpression> ArraysWithDerivatives(const TradeScene& scene)
+{
+  std::map<std::string, NodalExpression> found;
+  for (const std::string& name : NamesOfArrays(scene))
+  {
+    const Field* const field = scene.shot->input.model->FindField(name);
+    if (field == nullptr)
+    {
+      continue;
+    }
+    const auto* expression = dynamic_cast<const FieldExpression*>(field->function.get());
+    if (expression != nullptr && NodalExpression(*expression).HasDerivatives())
+    {
+      found.emplace(name, *expression);
+    }
+  }
+  return found;
+}
+
+/// The point data that a family's filters begin with.
+std::set<std::string> NamesOfPointData(const TradeScene& scene, TradeFamily family)
+{
+  std::set<std::string> names = NamesOfArrays(scene);
+  if (IsOfGradientFilter(family))
+  {
+    for (const auto& [name, expression] : ArraysWithDerivatives(scene))
+    {
+      names.erase(name);
+      for (const std::string& field : expression.FieldNames())
+      {
+        names.insert(field);
+      }
+    }
+  }
+  return names;
+}
+
+vtkSmartPointer<vtkHighOrderSubdivide> NewSubdivide(
+  const TradeScene& scene, const TradeSetting& setting, vtkUnstructuredGrid* grid)
+{
+  auto subdivide = vtkSmartPointer<vtkHighOrderSubdivide>::New();
+  subdivide->SetInputData(grid);
+  subdivide->SetLevel(setting.number);
+  for (const std::string& name : NamesOfPointData(scene, setting.family))
+  {
+    subdivide->AddField(name);
+  }
+  return subdivide;
+}
+
+/// The cells of a grid with the arrays that are cut, derivatives by VTK's Gradient filter.
+vtkSmartPointer<vtkUnstructuredGrid> WithFilteredDerivatives(
+  const TradeScene& scene, vtkUnstructuredGrid* grid)
+{
+  const std::map<std::string, NodalExpression> expressions = ArraysWithDerivatives(scene);
+  auto output = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  output->CopyStructure(grid);
+  for (const std::string& name : NamesOfArrays(scene))
+  {
+    if (const auto found = expressions.find(name); found != expressions.end())
+    {
+      const auto values = found->second.Compute(grid);
+      values->SetName(name.c_str());
+      output->GetPointData()->AddArray(values);
+    }
+    else
+    {
+      output->GetPointData()->AddArray(grid->GetPointData()->GetArray(name.c_str()));
+    }
+  }
+  return output;
+}
+
 Pipes MakePipes(const TradeScene& scene, const TradeSetting& setting, vtkUnstructuredGrid* grid)
 {
   const std::string& field = scene.shot->scene.layers.front().field->name;
@@ -109,6 +199,20 @@ Pipes MakePipes(const TradeScene& scene, const TradeSetting& setting, vtkUnstruc
     first->SetInputDataObject(grid);
     return { cutter, nullptr };
   }
+  if (IsOfGradientFilter(setting.family))
+  {
+    vtkSmartPointer<vtkHighOrderSubdivide> subdivide;
+    if (setting.family == TradeFamily::Gradient)
+    {
+      subdivide = NewSubdivide(scene, setting, grid);
+      subdivide->Update();
+      grid = subdivide->GetOutput();
+    }
+    // Without points VTK's messages say why.
+    first->SetInputDataObject(
+      grid->GetNumberOfPoints() > 0 ? WithFilteredDerivatives(scene, grid).Get() : grid);
+    return { cutter, subdivide };
+  }
   vtkSmartPointer<vtkAlgorithm> volume;
   if (setting.family == TradeFamily::Resample)
   {
@@ -120,15 +224,7 @@ Pipes MakePipes(const TradeScene& scene, const TradeSetting& setting, vtkUnstruc
   }
   else
   {
-    auto subdivide = vtkSmartPointer<vtkHighOrderSubdivide>::New();
-    subdivide->SetInputData(grid);
-    subdivide->SetLevel(setting.number);
-    subdivide->AddField(field);
-    if (!scene.isoField.empty() && scene.isoField != field)
-    {
-      subdivide->AddField(scene.isoField);
-    }
-    volume = subdivide;
+    volume = NewSubdivide(scene, setting, grid);
   }
   first->SetInputConnection(volume->GetOutputPort());
   return { cutter, volume };
@@ -220,17 +316,41 @@ std::array<int, 3> NodesAlong(vtkUnstructuredGrid* grid, int number)
   return nodes;
 }
 
-bool HasHighOrderCells(const TradeScene& scene)
+bool HasDerivatives(const TradeScene& scene)
+{
+  return !ArraysWithDerivatives(scene).empty();
+}
+
+std::string GradientObstacle(const TradeScene& scene)
+{
+  if (IsOfFaces(scene) || IsOfPieces(scene))
+  {
+    return "VTK's Gradient filter is measured on cuts by functions and on iso-surfaces alone";
+  }
+  try
+  {
+    for (const auto& [name, expression] : ArraysWithDerivatives(scene))
+    {
+      expression.RequireNodal();
+    }
+  }
+  catch (const Unsupported& error)
+  {
+    return error.what();
+  }
+  return {};
+}
+
+bool HasHighOrderCells(const TradeScene& scene, TradeFamily family)
 {
   vtkUnstructuredGrid* grid = scene.shot->input.grid;
   for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
   {
     if (!grid->GetCell(i)->IsLinear())
     {
-      const auto has = [grid](const std::string& name)
-      { return grid->GetPointData()->HasArray(name.c_str()) != 0; };
-      return has(scene.shot->scene.layers.front().field->name) &&
-        (scene.isoField.empty() || has(scene.isoField));
+      return std::ranges::all_of(NamesOfPointData(scene, family),
+        [grid](const std::string& name)
+        { return grid->GetPointData()->HasArray(name.c_str()) != 0; });
     }
   }
   return false;

@@ -13,7 +13,7 @@ namespace pixelexact
 namespace
 {
 constexpr std::array kFamilies{ TradeFamily::Exact, TradeFamily::Cut, TradeFamily::Resample,
-  TradeFamily::Subdivide, TradeFamily::Cells };
+  TradeFamily::Subdivide, TradeFamily::Cells, TradeFamily::Gradient, TradeFamily::GradientCells };
 
 Rgba ColorOf(TradeFamily family)
 {
@@ -27,6 +27,10 @@ Rgba ColorOf(TradeFamily family)
       return { 200, 130, 0, 255 };
     case TradeFamily::Subdivide:
       return { 20, 140, 70, 255 };
+    case TradeFamily::Gradient:
+      return { 20, 20, 20, 255 };
+    case TradeFamily::GradientCells:
+      return { 130, 90, 50, 255 };
     default:
       return { 120, 60, 160, 255 };
   }

@@ -135,7 +135,7 @@ std::vector<TradeOrder> OrdersOf(
 {
   std::vector<TradeOrder> orders;
   for (const TradeFamily family :
-    { TradeFamily::Cut, TradeFamily::Resample, TradeFamily::Subdivide })
+    { TradeFamily::Cut, TradeFamily::Resample, TradeFamily::Subdivide, TradeFamily::Gradient })
   {
     std::vector<std::array<double, 2>> points;
     for (const TradeRow& row : rows)

@@ -3,6 +3,7 @@
 
 #include "Scene/Shot.h"
 
+#include "Core/Base/Error.h"
 #include "HighOrderModel.h"
 
 #include <vtkUnstructuredGrid.h>
@@ -21,9 +22,18 @@ const char* Name(TradeFamily family)
       return "subdivide";
     case TradeFamily::Cells:
       return "cells";
+    case TradeFamily::Gradient:
+      return "gradient";
+    case TradeFamily::GradientCells:
+      return "gradient-cells";
     default:
       return "exact";
   }
+}
+
+bool IsOfGradientFilter(TradeFamily family)
+{
+  return family == TradeFamily::Gradient || family == TradeFamily::GradientCells;
 }
 
 FreshModel::FreshModel(const Shot& shot)
@@ -39,6 +49,13 @@ std::unique_ptr<TradeRun> MakeRun(const TradeScene& scene, const TradeSetting& s
   if (setting.family == TradeFamily::Exact)
   {
     return MakeExactRun(scene, setting);
+  }
+  if (IsOfGradientFilter(setting.family))
+  {
+    if (const std::string obstacle = GradientObstacle(scene); !obstacle.empty())
+    {
+      throw Unsupported(obstacle);
+    }
   }
   if (IsOfPieces(scene))
   {

@@ -53,9 +53,18 @@ enum class TradeFamily
   Cut,       ///< vtkHighOrderLinearCut
   Resample,  ///< vtkHighOrderLinearResample and vtkCutter; not of iso-surfaces, as Cut
   Subdivide, ///< vtkHighOrderSubdivide and vtkCutter or vtkContourFilter
-  Cells      ///< these on the file's own high-order cells
+  Cells,     ///< these on the file's own high-order cells
+  // Of expressions with derivatives: what these have at their points, VTK's filters compute from
+  // the fields at the points (NodalExpression.h).
+  Gradient,     ///< as Subdivide
+  GradientCells ///< as Cells
 };
 [[nodiscard]] const char* Name(TradeFamily family);
+/// Whether a family's derivatives are vtkGradientFilter's.
+[[nodiscard]] bool IsOfGradientFilter(TradeFamily family);
+/// What such settings are, for tables.
+inline constexpr const char* kGradientMethod =
+  "VTK's Gradient filter and Calculator, from the fields at the nodes";
 
 /// One of them.
 struct TradeSetting
@@ -111,8 +120,13 @@ struct FreshModel
 [[nodiscard]] bool IsOfFaces(const TradeScene& scene);
 /// Whether it is made of triangles of a file, or of Bezier patches.
 [[nodiscard]] bool IsOfPieces(const TradeScene& scene);
-/// Whether VTK's filters would cut other cells than linear ones, with the fields at their points.
-[[nodiscard]] bool HasHighOrderCells(const TradeScene& scene);
+/// Whether VTK's filters would cut other cells than linear ones, with the fields at their points
+/// that the family, Cells or GradientCells, needs.
+[[nodiscard]] bool HasHighOrderCells(const TradeScene& scene, TradeFamily family);
+/// Whether the field, or that of the iso-surface, is an expression with derivatives.
+[[nodiscard]] bool HasDerivatives(const TradeScene& scene);
+/// Why no setting with VTK's Gradient filter can make these; empty: they can.
+[[nodiscard]] std::string GradientObstacle(const TradeScene& scene);
 
 /// Of a regular grid over the volume: as many nodes along the longest side, and about as far apart
 /// along the others.

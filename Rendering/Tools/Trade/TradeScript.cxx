@@ -132,8 +132,8 @@ std::string ScriptOf(
   const TradeScene& scene, const TradeSetting& setting, const std::vector<std::string>& files)
 {
   const std::string reader = ReaderOf(files);
-  if (setting.family == TradeFamily::Exact || reader.empty() || !scene.function ||
-    !scene.shot->input.times.empty())
+  if (setting.family == TradeFamily::Exact || IsOfGradientFilter(setting.family) ||
+    reader.empty() || !scene.function || !scene.shot->input.times.empty())
   {
     return {};
   }

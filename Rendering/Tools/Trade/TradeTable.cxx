@@ -7,11 +7,17 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 namespace pixelexact
 {
 nlohmann::ordered_json ToJson(const TradeRow& row, const std::array<double, 2>& range)
 {
   nlohmann::ordered_json object{ { "setting", row.setting.name } };
+  if (IsOfGradientFilter(row.setting.family))
+  {
+    object["method"] = kGradientMethod;
+  }
   if (!row.IsThere())
   {
     object["refused"] = row.refused;
@@ -56,6 +62,12 @@ void PrintRows(const std::vector<TradeRow>& rows, const TradeFacts& facts)
       Short(row.next.Ratio(), 3), row.bytes >= 0.0 ? Short(row.bytes * 1e-6, 3) : "-",
       error(row.errors.mean), error(row.errors.atShare), error(row.errors.largest),
       row.errors.missing, row.proven ? error(*row.proven) : "-");
+  }
+  if (std::ranges::any_of(rows,
+        [](const TradeRow& row)
+        { return row.IsThere() && IsOfGradientFilter(row.setting.family); }))
+  {
+    table.Row("gradient-...", kGradientMethod);
   }
   for (const TradeOrder& order : OrdersOf(rows, facts.range))
   {
