@@ -84,6 +84,20 @@ class Expressions(ToolTest):
         self.fails(1, "integrate", cube, "--field", "n", "--plane", "z=0.5",
                    names=["needs the normal of a surface"])
 
+    def test_stress_carries_the_load(self):
+        """Through each cross-section of the beam go the force at its end and its moment."""
+        beam = DATA / "mfem_beam_hex_elast_p4"
+        shear, moment = "(grad(displacement)[0,{0}] + grad(displacement)[{0},0])", "*z"
+        stress = "(tr(grad(displacement)) + 2*grad(displacement)[0,0])"
+        for at, lame in [(2.1, 50), (6.3, 1)]:
+            for text, load in [(shear.format(2), -0.01), (shear.format(1), -0.006), (stress, 0.0),
+                               (stress + moment, 0.01 * (8 - at))]:
+                found = self.summary("integrate", beam / "mfem_beam_hex_elast_p4.mesh",
+                                     beam / "displacement.gf", "--plane", f"x={at}", "--field",
+                                     f"{lame}*{text}")
+                through = {row["quantity"]: row["value"] for row in found["surfaces"][0]["rows"]}
+                self.assertAlmostEqual(through["Integral"], load, delta=1e-7)
+
     def test_layers_have_expressions(self):
         def values(*options):
             buffers = self.folder / "out.vti"
