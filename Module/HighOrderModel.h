@@ -62,7 +62,7 @@ public:
   HighOrderModel& operator=(const HighOrderModel&) = delete;
 
   [[nodiscard]] const Mesh& GetMesh() const;
-  /// Of polynomials; what expressions make of them is not among them.
+  /// Those that are polynomials; what expressions make of them is not among them.
   [[nodiscard]] std::span<const Field> Fields() const;
   /// The field of that name, else what the name is defined as (kDefinitionPrefix), else the
   /// expression that the text is (MakeExpression); with the grid's time, and FieldData of a single

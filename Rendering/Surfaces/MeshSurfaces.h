@@ -40,7 +40,7 @@ struct IsoChoice
   bool mayBeEmpty = false; ///< no element has to hold a value that the field as a whole may have
 };
 
-/// Of an expression, of which nothing is known but its values, it is a SearchedSurface.
+/// For an expression, of which nothing is known but its values, it is a SearchedSurface.
 /// Throws Error for a field or component that is not there, and for a value that the field is
 /// proven not to have, naming its range, or that is not finite; Unsupported for
 /// mapped fields.

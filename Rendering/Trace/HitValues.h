@@ -23,7 +23,7 @@ private:
     const Locator& locator, const Field* field, const HitResults& found, PrecisionCheck& check);
   void EvaluateKnown(const Mesh& mesh, const Field* field, const HitResults& found);
   void Reduce(const Layer& layer, HitResults& found);
-  /// Of the hits, where the field needs them; else none.
+  /// The hits' normals, where the field needs them; else none.
   [[nodiscard]] std::span<const Vec3> NormalsFor(const Field* field, const HitResults& found);
 
   std::vector<std::int32_t> Elements;

@@ -33,7 +33,7 @@ double LargestOf(const Field& field)
   return largest;
 }
 
-/// Of an expression, which has no coefficients, the largest value of the range.
+/// The largest coefficient; for an expression, which has none, the largest value of the range.
 double LargestOf(const Field& field, const std::array<double, 2>& range)
 {
   return field.function != nullptr ? std::max(std::fabs(range[0]), std::fabs(range[1]))

@@ -324,7 +324,7 @@ TEST_P(Expression, AreWhatClosedFormsAre)
   }
 }
 
-// Of gradients by the chain rule, against differences of values along each axis.
+// Gradients by the chain rule, against differences of values along each axis.
 TEST_P(Expression, HaveTheGradientsThatDifferencesGive)
 {
   const Mesh mesh = Builder.View();

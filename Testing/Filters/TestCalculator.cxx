@@ -50,7 +50,7 @@ std::string ErrorOf(vtkDataObject* grid, const std::string& name, const std::str
   return messages->errors;
 }
 
-/// Of a field at some points of each element.
+/// The values of a field at some points of each element.
 std::vector<double> ValuesOf(vtkDataObject* grid, const std::string& text)
 {
   const auto model = HighOrderModel::From(grid);

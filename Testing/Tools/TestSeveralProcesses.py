@@ -45,6 +45,10 @@ CASES = {
         *("--plane", "0,0,0,0.2,0.1,1", "--contours", "9", "--contour-labels", "--edges"),
     ),
     "iso-surface": (case("escher_tet_g3_p3"), "--isosurface", "u=0.2"),
+    "expression on an iso-surface of one": (
+        case("toroid_hex_g3_p6"),
+        *("--isosurface", "u*u=0.01", "--field", "mag(grad(u)) + element"),
+    ),
     "boundary": (case("escher_tet_g3_p3"), "--boundary", "--view", "iso"),
     "boundary of hexahedra": (case("fichera_hex_g3_p4"), "--boundary", "--view", "iso"),
     "boundary, some attributes": (FOLDED / "mfem_escher_tet_darcy_p3.mesh", FOLDED / "flux.gf")

@@ -30,9 +30,9 @@ struct BallArrays
   double* const* radius = nullptr;
 };
 
-/// Of the field's values in the element's units: J and its inverse are those of Phi. Nothing is
-/// known where they are not both finite. With arrays for them, of a field that is not mapped, also
-/// of its derivatives by the element's coordinates, [3 c + d].
+/// Encloses the field's values in the element's units: J and its inverse are those of Phi. Nothing
+/// is known where they are not both finite. With arrays for them, of a field that is not mapped,
+/// also of its derivatives by the element's coordinates, [3 c + d].
 void EncloseInLanes(const EnclosureTask& task, const LanePoints& xi, const LanePoints& x,
   const BallArrays& values, const BallArrays& gradients = {});
 

@@ -23,7 +23,7 @@ struct ExpressionScope
   std::map<std::string, std::string> definitions{};
   std::map<std::string, double> parameters{};
   std::optional<double> time{};
-  /// Of elements, for `element`; none: they count from 0.
+  /// The elements' numbers, for `element`; none: they count from 0.
   std::span<const std::int64_t> numbers{};
 };
 

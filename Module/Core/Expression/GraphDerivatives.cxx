@@ -11,7 +11,7 @@ namespace pixelexact
 {
 int Graph::Product(int a, int b)
 {
-  // Of derivatives alone: where nothing changes, whatever it is multiplied with counts for nothing.
+  // Right for derivatives alone: zero times a factor that may be infinite is zero here.
   return IsConstant(a, 0.0) || IsConstant(b, 0.0) ? Constant(0.0) : Of(Operation::Multiply, a, b);
 }
 

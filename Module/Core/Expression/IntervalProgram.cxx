@@ -37,14 +37,15 @@ Interval Widened(double lower, double upper)
       : rounding::Above(above + kOfLibrary * std::fabs(above) + kOfUnderflow) };
 }
 
-/// Of a function that grows.
+/// Encloses the values of a function that grows.
 template <class Function>
 Interval Growing(const Interval& a, const Function& function)
 {
   return a.IsFinite() ? Widened(function(a.lower), function(a.upper)) : Interval::Everything();
 }
 
-/// Of sin, shifted by so many quarters of a turn: -1 and 1 where they may be met.
+/// Encloses the values of sin, shifted by so many quarters of a turn: -1 and 1 where they may be
+/// met.
 Interval Wave(const Interval& a, double quarters, double lower, double upper)
 {
   // Beyond this the turns are not counted.

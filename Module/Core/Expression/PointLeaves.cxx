@@ -26,7 +26,7 @@ constexpr std::size_t kPhi = 0;
 constexpr std::size_t kJacobian = 3;
 constexpr std::size_t kInverse = 12;
 constexpr std::size_t kMapArrays = 21;
-/// Of a component: the value, three slopes, and xx, xy, xz, yy, yz, zz.
+/// The arrays of a component: the value, three slopes, and xx, xy, xz, yy, yz, zz.
 constexpr std::size_t kSlope = 1;
 constexpr std::size_t kCurvature = 4;
 constexpr std::size_t kOfComponent = 10;

@@ -135,7 +135,7 @@ Program::Program(const Graph& graph, std::vector<int> outputs)
     Step step{ .operation = node.operation, .a = node.a, .b = node.b };
     for (std::size_t k = 0; k < node.arguments.size(); ++k)
     {
-      // Of what takes fewer the first stands for the others.
+      // Where an operation takes fewer, the first argument stands for the others.
       const int argument = node.arguments[k] >= 0 ? node.arguments[k] : node.arguments[0];
       step.arguments[k] = places.at(argument);
       if (node.arguments[k] >= 0 && --uses[argument] == 0 &&

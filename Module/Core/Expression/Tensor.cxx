@@ -13,15 +13,6 @@ namespace
 {
 constexpr int kDimensions = 3;
 
-void RequireScalar(const Tensor& a, const std::string& what)
-{
-  if (!a.IsScalar())
-  {
-    throw InvalidData(what + " takes scalars, not " + NameOf(a) +
-      "; mag(...) is the length of a vector, and v.x, v[0] or m[0,1] is a component");
-  }
-}
-
 void RequireVector(const Tensor& a, const std::string& what)
 {
   if (a.rank != 1 || a.rows < 2 || a.rows > kDimensions)
@@ -50,6 +41,15 @@ Tensor VectorOf(std::vector<int> nodes)
 {
   const auto rows = static_cast<int>(nodes.size());
   return { .rank = 1, .rows = rows, .nodes = std::move(nodes) };
+}
+
+void RequireScalar(const Tensor& tensor, const std::string& what)
+{
+  if (!tensor.IsScalar())
+  {
+    throw InvalidData(what + " takes scalars, not " + NameOf(tensor) +
+      "; mag(...) is the length of a vector, and v.x, v[0] or m[0,1] is a component");
+  }
 }
 
 std::string NameOf(const Tensor& tensor)
@@ -232,7 +232,7 @@ Tensor TensorAlgebra::Gradient(const Tensor& a)
   {
     throw InvalidData("grad takes scalars and vectors, not " + NameOf(a));
   }
-  // Of a field of the plane the matrix is square as well.
+  // The matrix is square for fields of the plane, too.
   const Tensor of = a.rows == kDimensions - 1 ? Widened(a, kDimensions) : a;
   Tensor gradient{ .rank = a.rank + 1,
     .rows = a.rank == 0 ? kDimensions : of.rows,

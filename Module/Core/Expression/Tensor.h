@@ -26,6 +26,8 @@ struct Tensor
 
 Tensor ScalarOf(int node);
 Tensor VectorOf(std::vector<int> nodes);
+/// Throws InvalidData, naming `what`, for what is no scalar.
+void RequireScalar(const Tensor& tensor, const std::string& what);
 /// "a scalar", "a vector of 3 components", "a matrix of 3 x 3".
 std::string NameOf(const Tensor& tensor);
 
@@ -60,7 +62,7 @@ public:
   int Trace(const Tensor& a);
   int Determinant(const Tensor& a);
   Tensor Cross(const Tensor& a, const Tensor& b);
-  /// Of a scalar the vector, of a vector the matrix of d v_i / d x_j.
+  /// A vector for a scalar, and for a vector the matrix of d v_i / d x_j.
   Tensor Gradient(const Tensor& a);
   Tensor Curl(const Tensor& a);
   Tensor Symmetric(const Tensor& a);

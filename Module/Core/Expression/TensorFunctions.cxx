@@ -34,11 +34,7 @@ constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max();
 
 int Scalar(const Tensor& a, const std::string& function)
 {
-  if (!a.IsScalar())
-  {
-    throw InvalidData(function + " takes scalars, not " + NameOf(a) +
-      "; mag(...) is the length of a vector, and v.x, v[0] or m[0,1] is a component");
-  }
+  RequireScalar(a, function);
   return a.At(0);
 }
 
@@ -193,7 +189,7 @@ Tensor HessianMatrix(TensorAlgebra& algebra, const Tensor& a)
   return algebra.Gradient(algebra.Gradient(ScalarOf(Scalar(a, "hessian"))));
 }
 
-/// Of rows of the strain and the spin.
+/// The sum of the squares of the strain and the spin.
 Tensor SquaresOfStrainAndSpin(TensorAlgebra& algebra, const Tensor& v)
 {
   const Tensor gradient = GradientOfVector(algebra, v, "lambda2");

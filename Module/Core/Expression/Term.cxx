@@ -374,7 +374,7 @@ void RequireShallow(const std::string& text)
 
 std::string AtPlace(const std::string& message, const std::string& text, std::size_t at)
 {
-  // Of long texts what is near; blanks of all kinds are one column wide.
+  // A long text is shown near the place; blanks of all kinds are one column wide.
   constexpr std::size_t kAround = 60;
   const std::size_t first = at > kAround ? at - kAround : 0;
   std::string line = text.substr(first, 2 * kAround);

@@ -205,8 +205,8 @@ BoxPolynomial ElementFunctions::Slope(const PieceBox& box, int component, int xi
   return Restricted(Over(box.piece, kSlopes + static_cast<std::size_t>(3 * component + xi)), box);
 }
 
-/// Of a function without coefficients: the polynomial that has its values at some points of the
-/// box, and an estimate of how far it is off, from others.
+/// Interpolates a function without coefficients at some points of the box, and estimates from
+/// others how far the polynomial is off.
 BoxPolynomial ElementFunctions::SampledValues(const PieceBox& box, int component) const
 {
   constexpr int kDegree = 6;

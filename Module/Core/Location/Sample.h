@@ -44,7 +44,7 @@ struct SampleTarget
   /// Of `value`; gradients and enclosures are those of the values in double precision.
   Precision precision = Precision::Double;
   PrecisionCheck* check = nullptr; ///< added to, where values are computed in floats
-  /// Of the surface that the points are on, unit length, for fields that need them
+  /// The unit normals of the surface that the points are on, for fields that need them
   /// (FieldFunction::NeedsNormals).
   std::span<const Vec3> normals = {};
 

@@ -58,7 +58,7 @@ void Scatter(
     }
   }
 }
-/// Of points of a batch, in the order of `index`, padded with the last.
+/// Collects vectors of a batch's points, in the order of `index`, padded with the last.
 template <class ValueOf>
 const double* const* Gather(
   std::span<const int> index, std::size_t stride, OutputArrays& to, const ValueOf& valueOf)

@@ -148,10 +148,19 @@ void ChooseNearSurface(const HighOrderModel& model, const Surface& surface, Chos
   }
 }
 
-/// Elements whose proven range holds the value, and those at the ends of all values.
+/// Elements whose proven range holds the value, and those at the ends of all values; of functions,
+/// which have no proven ranges, all.
 void ChooseOfIso(const HighOrderModel& model, const IsoChoice& iso, Chosen& chosen)
 {
   const Field& field = model.GetField(iso.field);
+  if (field.function != nullptr)
+  {
+    for (int e = 0; e < model.GetMesh().Elements(); ++e)
+    {
+      chosen.insert(e);
+    }
+    return;
+  }
   const bool magnitude = iso.component == kMagnitude && field.values.components > 1;
   const RangeQuestion question{ magnitude ? Quantity::Magnitude : Quantity::Component, &field,
     std::max(0, iso.component) };

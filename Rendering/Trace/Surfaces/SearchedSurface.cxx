@@ -23,7 +23,7 @@ constexpr int kEdgeSteps = 30;
 constexpr double kTolerance = 4.0 * kUnitRoundoff;
 constexpr double kJump = 1e-9;
 
-/// Of a ray's segment, at which 0 and 1 are the ends.
+/// A place on a ray's segment, 0 and 1 are the ends, and the value there.
 struct PlaceValue
 {
   double s, f;
