@@ -4,10 +4,12 @@
 #include "Core/Base/Error.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <iterator>
 #include <limits>
 #include <string>
+#include <tuple>
 #include <utility>
 
 namespace pixelexact
@@ -48,6 +50,16 @@ bool IsCommutative(Operation operation)
     operation == Operation::NotEqual || operation == Operation::And || operation == Operation::Or;
 }
 } // namespace
+
+bool Graph::Node::operator<(const Node& other) const
+{
+  const auto key = [](const Node& node)
+  {
+    return std::tuple(node.operation, std::bit_cast<std::uint64_t>(node.constant), node.arguments,
+      node.field, node.component, node.a, node.b);
+  };
+  return key(*this) < key(other);
+}
 
 double Apply(Operation operation, double a, double b, double c)
 {
@@ -145,20 +157,7 @@ int Graph::Insert(const Node& node)
 
 int Graph::Constant(double value)
 {
-  // NaN is not equal to itself, and would be made again and again; there is one of each bits.
-  if (std::isnan(value))
-  {
-    for (int node = 0; node < Size(); ++node)
-    {
-      if (At(node).operation == Operation::Constant && std::isnan(At(node).constant))
-      {
-        return node;
-      }
-    }
-    Nodes.push_back({ .constant = value });
-    return Size() - 1;
-  }
-  return Insert({ .constant = value + 0.0 }); // no -0
+  return Insert({ .constant = value });
 }
 
 int Graph::Leaf(const Node& node)

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <compare>
 #include <cstdint>
 #include <map>
 #include <span>
@@ -83,7 +82,8 @@ public:
     int a = 0;
     int b = 0;
 
-    auto operator<=>(const Node&) const = default;
+    /// Nodes are equal where all bits are: -0 is not 0.
+    bool operator<(const Node& other) const;
   };
 
   [[nodiscard]] const Node& At(int node) const { return Nodes[static_cast<std::size_t>(node)]; }

@@ -200,6 +200,23 @@ Interval EigenvalueOf(std::span<const Interval> entries, int number)
     SymmetricEigen(middle).Value(number), (moved + kOfRotations * size) * (1.0 + 0x1p-40));
 }
 
+bool IsTruth(Operation operation)
+{
+  switch (operation)
+  {
+    case Operation::Not:
+    case Operation::Less:
+    case Operation::AtMost:
+    case Operation::Equal:
+    case Operation::NotEqual:
+    case Operation::And:
+    case Operation::Or:
+      return true;
+    default:
+      return false;
+  }
+}
+
 Interval ValueOf(const Graph::Node& node, std::span<const Interval> a)
 {
   switch (node.operation)
@@ -224,14 +241,6 @@ Interval ValueOf(const Graph::Node& node, std::span<const Interval> a)
       return !a[0].Contains(0.0)                 ? a[1]
         : a[0].lower == 0.0 && a[0].upper == 0.0 ? a[2]
                                                  : Join(a[1], a[2]);
-    case Operation::Not:
-    case Operation::Less:
-    case Operation::AtMost:
-    case Operation::Equal:
-    case Operation::NotEqual:
-    case Operation::And:
-    case Operation::Or:
-      return LogicOf(node.operation, a[0], a[1]);
     case Operation::Eigenvalue:
       return EigenvalueOf(a, node.a);
     case Operation::Eigenvector:
@@ -239,8 +248,41 @@ Interval ValueOf(const Graph::Node& node, std::span<const Interval> a)
     case Operation::Atan2:
       return Interval::Everything();
     default:
-      return FunctionOf(node.operation, a[0]);
+      return IsTruth(node.operation) ? LogicOf(node.operation, a[0], a[1])
+                                     : FunctionOf(node.operation, a[0]);
   }
+}
+
+/// What is known of a node's value: it is in an interval, or NaN.
+struct Known
+{
+  Interval value{ 0.0 };
+  /// Always where the interval is not finite: what is undefined is everything.
+  bool mayBeNaN = false;
+};
+
+Known KnownOf(const Graph::Node& node, std::span<const Known> arguments)
+{
+  std::array<Interval, Graph::kMaxArguments> values;
+  std::ranges::transform(arguments, values.begin(), &Known::value);
+  const bool anyNaN = std::ranges::any_of(arguments, &Known::mayBeNaN);
+  if (IsTruth(node.operation))
+  {
+    return { anyNaN ? Interval(0.0, 1.0) : ValueOf(node, values) };
+  }
+  if (node.operation == Operation::Select)
+  {
+    if (arguments[0].mayBeNaN)
+    {
+      return { Join(values[1], values[2]), true };
+    }
+    const bool mayBeSecond = values[0].lower != 0.0 || values[0].upper != 0.0;
+    return { ValueOf(node, values),
+      (mayBeSecond && arguments[1].mayBeNaN) ||
+        (values[0].Contains(0.0) && arguments[2].mayBeNaN) };
+  }
+  const Interval value = ValueOf(node, values);
+  return { value, anyNaN || !value.IsFinite() };
 }
 } // namespace
 
@@ -345,8 +387,8 @@ void IntervalProgram::Enclose(const Mesh& mesh, int element, const LanePoints& x
       EncloseValues(mesh, *Fields[f], element, xi, x, values);
     }
   }
-  std::vector<Interval> intervals(Nodes.size());
-  std::array<Interval, Graph::kMaxArguments> arguments;
+  std::vector<Known> known(Nodes.size());
+  std::array<Known, Graph::kMaxArguments> arguments;
   for (int i = 0; i < xi.count; ++i)
   {
     for (std::size_t k = 0; k < Nodes.size(); ++k)
@@ -355,15 +397,22 @@ void IntervalProgram::Enclose(const Mesh& mesh, int element, const LanePoints& x
       for (std::size_t a = 0; a < arguments.size() && node.arguments[0] >= 0; ++a)
       {
         const int from = node.arguments[a] >= 0 ? node.arguments[a] : node.arguments[0];
-        arguments[a] = intervals[static_cast<std::size_t>(from)];
+        arguments[a] = known[static_cast<std::size_t>(from)];
       }
-      intervals[k] =
-        node.arguments[0] >= 0 ? ValueOf(node, arguments) : LeafAt(node, element, x, i, bounds);
+      if (node.arguments[0] >= 0)
+      {
+        known[k] = KnownOf(node, arguments);
+        continue;
+      }
+      const Interval leaf = LeafAt(node, element, x, i, bounds);
+      known[k] = { leaf, !leaf.IsFinite() };
     }
     for (std::size_t k = 0; k < Outputs.size(); ++k)
     {
-      out.lower[k][i] = intervals[Outputs[k]].lower;
-      out.upper[k][i] = intervals[Outputs[k]].upper;
+      const Known& output = known[Outputs[k]];
+      const Interval value = output.mayBeNaN ? Interval::Everything() : output.value;
+      out.lower[k][i] = value.lower;
+      out.upper[k][i] = value.upper;
     }
   }
 }

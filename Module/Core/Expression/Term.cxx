@@ -59,8 +59,11 @@ struct DecimalNumber
       peg::opt<peg::one<'e', 'E'>, peg::opt<peg::one<'+', '-'>>, DigitRun>>
 {
 };
-struct PlainWord
-  : peg::seq<peg::sor<peg::alpha, peg::one<'_'>>, peg::star<peg::sor<peg::alnum, peg::one<'_'>>>>
+/// Letters beyond ASCII are bytes of UTF-8.
+struct WordBegin : peg::sor<peg::alpha, peg::one<'_'>, peg::not_range<'\x00', '\x7f'>>
+{
+};
+struct PlainWord : peg::seq<WordBegin, peg::star<peg::sor<WordBegin, peg::digit>>>
 {
 };
 struct PlainName : PlainWord
@@ -105,8 +108,8 @@ struct Primary : peg::sor<Lexeme<DecimalNumber>,
 struct ComponentName : peg::one<'x', 'y', 'z'>
 {
 };
-struct ComponentPart : peg::if_must<peg::one<'.'>, Lexeme<ComponentName>,
-                         peg::not_at<peg::sor<peg::alnum, peg::one<'_'>>>>
+struct ComponentPart
+  : peg::if_must<peg::one<'.'>, Lexeme<ComponentName>, peg::not_at<peg::sor<WordBegin, peg::digit>>>
 {
 };
 struct IndexBegin : peg::one<'['>
@@ -401,8 +404,13 @@ Term ParseExpression(const std::string& text)
   catch (const peg::parse_error& error)
   {
     const std::size_t at = error.positions().front().byte;
+    std::size_t end = at + 1; // of the character, which may have several bytes
+    while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U)
+    {
+      ++end;
+    }
     throw InvalidData(
-      AtPlace(at < text.size() ? std::string("'") + text[at] + "' is not expected here"
+      AtPlace(at < text.size() ? "'" + text.substr(at, end - at) + "' is not expected here"
                                : "something is missing at the end",
         text, at));
   }

@@ -301,6 +301,7 @@ std::string Translator::KnownNames() const
     names += " " + name;
   }
   names = Scope.fields.empty() && Scope.definitions.empty() ? "no fields" : names;
+  names += Scope.parameters.empty() ? "" : ", the parameters";
   for (const auto& [name, value] : Scope.parameters)
   {
     names += " " + name;
