@@ -20,6 +20,7 @@ namespace
 {
 constexpr int kMostSteps = 200;
 constexpr int kEdgeSteps = 30;
+constexpr int kMostRounds = 4; ///< of samples in gaps that the search met
 constexpr double kTolerance = 4.0 * kUnitRoundoff;
 constexpr double kJump = 1e-9;
 
@@ -57,14 +58,20 @@ struct Bracket
   double a, fa; ///< the latest point
   double b, fb; ///< across the change from it
   double c, fc; ///< the one before
-  double largest;
   double share = 0.5;
   bool done = false;
+  bool meetsGap = false; ///< f is not finite at a
 
   /// Takes the value at Next().
   void Narrow(double f, double tolerance)
   {
     const double s = Next();
+    if (!std::isfinite(f))
+    {
+      a = s;
+      meetsGap = done = true;
+      return;
+    }
     if ((f > 0.0) == (fa > 0.0))
     {
       c = std::exchange(a, s);
@@ -92,9 +99,23 @@ struct Bracket
   }
   [[nodiscard]] double Next() const { return a + share * (b - a); }
   [[nodiscard]] double Best() const { return std::fabs(fa) <= std::fabs(fb) ? a : b; }
-  [[nodiscard]] bool IsJump() const
+  [[nodiscard]] double Left() const { return std::min(std::fabs(fa), std::fabs(fb)); }
+};
+
+/// How large and how steep f is at the samples of a ray.
+struct Sizes
+{
+  double largest = 0.0;
+  double steepest = 0.0; ///< by s
+
+  void Add(const PlaceValue& before, const PlaceValue& here)
   {
-    return std::min(std::fabs(fa), std::fabs(fb)) > kJump * largest;
+    constexpr double kLeastStep = 1e-6; // below it differences may be rounding
+    largest = std::max({ largest, std::fabs(before.f), std::fabs(here.f) });
+    if (here.s - before.s > kLeastStep)
+    {
+      steepest = std::max(steepest, std::fabs((here.f - before.f) / (here.s - before.s)));
+    }
   }
 };
 
@@ -107,7 +128,8 @@ struct SearchScratch
   std::vector<PlaceValue> samples; ///< of all rays, one after the other
   std::vector<Edge> edges;         ///< by ray and place
   std::vector<Bracket> brackets;
-  std::vector<int> slots; ///< used, per ray
+  std::vector<Sizes> sizes; ///< per ray
+  std::vector<int> slots;   ///< used, per ray
 
   [[nodiscard]] Vec3 At(int ray, double s) const
   {
@@ -212,13 +234,14 @@ void FindEdges(const SampledFunction& f, SearchScratch& scratch)
     [](Edge& edge, double value) { edge.Narrow(value); });
 }
 
-/// The changes of sign on one ray, by the places where f is finite.
+/// The changes of sign on one ray, and the sizes, by the places where f is finite.
 class SignChanges
 {
 public:
-  SignChanges(int ray, std::vector<Bracket>& found)
+  SignChanges(int ray, std::vector<Bracket>& found, Sizes& sizes)
     : Ray(ray)
     , Found(found)
+    , SizesOfRay(sizes)
   {
   }
 
@@ -228,14 +251,16 @@ public:
     {
       return;
     }
+    if (Places > 0)
+    {
+      SizesOfRay.Add(Before, here);
+    }
     // A zero belongs to the interval that ends there, or begins the first one.
     const bool zero = here.f == 0.0 || (Places == 1 && Before.f == 0.0);
     const bool crossed = (Before.f < 0.0 && here.f > 0.0) || (Before.f > 0.0 && here.f < 0.0);
     if (Places > 0 && (zero || crossed))
     {
-      const double largest = std::max(std::fabs(Before.f), std::fabs(here.f));
-      Found.push_back(
-        { Ray, here.s, here.f, Before.s, Before.f, here.s, here.f, largest, 0.5, zero });
+      Found.push_back({ Ray, here.s, here.f, Before.s, Before.f, here.s, here.f, 0.5, zero });
     }
     Before = here;
     ++Places;
@@ -246,6 +271,7 @@ public:
 private:
   int Ray;
   std::vector<Bracket>& Found;
+  Sizes& SizesOfRay;
   PlaceValue Before{};
   int Places = 0;
 };
@@ -253,11 +279,12 @@ private:
 void FindBrackets(SearchScratch& scratch)
 {
   scratch.brackets.clear();
+  scratch.sizes.assign(scratch.places.size(), {});
   const PlaceValue* sample = scratch.samples.data();
   auto edge = scratch.edges.begin();
   for (std::size_t i = 0; i < scratch.places.size(); ++i)
   {
-    SignChanges changes(static_cast<int>(i), scratch.brackets);
+    SignChanges changes(static_cast<int>(i), scratch.brackets, scratch.sizes[i]);
     for (std::size_t k = 0; k < scratch.places[i].size(); ++k, ++sample)
     {
       const bool inside = std::isfinite(sample->f);
@@ -275,6 +302,33 @@ void FindBrackets(SearchScratch& scratch)
       }
     }
   }
+}
+/// Makes samples of the places where brackets met gaps; false where none did.
+bool SampleGaps(SearchScratch& scratch)
+{
+  bool any = false;
+  for (const Bracket& bracket : scratch.brackets)
+  {
+    if (bracket.meetsGap)
+    {
+      auto& places = scratch.places[static_cast<std::size_t>(bracket.ray)];
+      places.insert(std::ranges::upper_bound(places, bracket.a), bracket.a);
+      any = true;
+    }
+  }
+  return any;
+}
+
+/// Whether what is left of f where the search ended is more than rounding explains.
+bool IsJump(const Bracket& bracket, const SearchScratch& scratch)
+{
+  const auto ray = static_cast<std::size_t>(bracket.ray);
+  const Segment& segment = *scratch.segments[ray];
+  const Vec3 far = glm::max(glm::abs(segment.from), glm::abs(segment.to));
+  const double length = glm::distance(segment.from, segment.to);
+  const double rounding = 64.0 * kUnitRoundoff * (1.0 + std::max({ far.x, far.y, far.z }) / length);
+  const Sizes& sizes = scratch.sizes[ray];
+  return bracket.Left() > std::max(kJump * sizes.largest, rounding * sizes.steepest);
 }
 } // namespace
 
@@ -320,17 +374,21 @@ void SearchedSurface::Meet(const RayLanes& rays, HitSlots& hits) const
       FindPlaces(*F, *scratch.segments.back(), Samples, places);
     }
   }
-  TakeSamples(*F, scratch);
-  FindEdges(*F, scratch);
-  FindBrackets(scratch);
-  Search(
-    *F, scratch, scratch.brackets, kMostSteps, [](const Bracket& bracket) { return bracket.done; },
-    [](Bracket& bracket, double f) { bracket.Narrow(f, kTolerance); });
+  for (int round = 0; round == 0 || (round < kMostRounds && SampleGaps(scratch)); ++round)
+  {
+    TakeSamples(*F, scratch);
+    FindEdges(*F, scratch);
+    FindBrackets(scratch);
+    Search(
+      *F, scratch, scratch.brackets, kMostSteps,
+      [](const Bracket& bracket) { return bracket.done; },
+      [](Bracket& bracket, double f) { bracket.Narrow(f, kTolerance); });
+  }
 
   for (const Bracket& bracket : scratch.brackets)
   {
     const int i = bracket.ray;
-    if (bracket.IsJump() && !F->JumpsAreHits())
+    if (bracket.meetsGap || (!F->JumpsAreHits() && IsJump(bracket, scratch)))
     {
       continue;
     }

@@ -35,7 +35,8 @@ public:
 /// as a sample (found up to 1e-9 of their distance). So every hit is Numeric: sheets closer to each
 /// other than the samples may be overlooked in pairs, and so is a surface that f touches without
 /// changing its sign, but where a sample is exactly 0. Jumps are told from steep slopes by what is
-/// left of f where the search ends: more than 1e-9 of the larger of the two samples.
+/// left of f where the search ends: more than 1e-9 of the ray's largest sample, and more than 64
+/// roundings of the place explain by the steepest slope between its samples.
 class SearchedSurface final : public Surface
 {
 public:
