@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from ._cut import rank_in
 from ._expressions import FieldName, expression_of
 from ._read import as_high_order
 from ._scene import source_of
@@ -31,7 +32,7 @@ def calculate(
         raise TypeError('calculate: name a field, such as speed="mag(velocity)"')
     source = source_of(grid, progress)
     for name, expression in fields.items():
-        text = expression_of(expression)
+        text = expression_of(expression, lambda of, grid=source: rank_in(grid, of))
         if text is None:
             raise TypeError(f"{name}: an expression as text, or a function, not None")
         calculator = vtkHighOrderCalculator()
@@ -40,5 +41,6 @@ def calculate(
         calculator.SetFunction(text)
         calculator.SetPointValues(point_values)
         run(calculator, progress)
-        source = calculator.GetOutputDataObject(0)
-    return source if source.IsA("vtkCompositeDataSet") else as_high_order(source)
+        result = calculator.GetOutputDataObject(0)
+        source = result if result.IsA("vtkCompositeDataSet") else as_high_order(result)
+    return source

@@ -33,10 +33,21 @@ def _fields_of(source: Any) -> list[str]:
     return [source.GetHighOrderFieldName(i) for i in range(source.GetNumberOfHighOrderFields())]
 
 
+def rank_in(source: Any, name: str) -> Optional[int]:
+    """The number of indices of a field of a grid, defined ones too; None where there is none."""
+    if not hasattr(source, "GetHighOrderFieldComponents"):
+        return None
+    defined = source.GetFieldData().HasArray(f"PixelExact.Definition.{name}")
+    if not defined and name not in _fields_of(source):
+        return None
+    components = source.GetHighOrderFieldComponents(f'"{name}"')
+    return 2 if components == 9 else min(components - 1, 1)
+
+
 def field_of(source: Any, field: Optional[FieldName]) -> Optional[str]:
     """The field's name or expression. Raises Error for what is neither a field of a grid nor an
     expression of its fields; of composite data the classes themselves tell."""
-    name = expression_of(field)
+    name = expression_of(field, lambda of: rank_in(source, of))
     names = _fields_of(source)
     if name is not None and names and name not in names:
         with errors_of([source], "") as errors:
