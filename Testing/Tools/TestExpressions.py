@@ -98,6 +98,22 @@ class Expressions(ToolTest):
                 through = {row["quantity"]: row["value"] for row in found["surfaces"][0]["rows"]}
                 self.assertAlmostEqual(through["Integral"], load, delta=1e-7)
 
+    def test_enclosures_hold_what_follows_from_nan(self):
+        points = self.folder / "points.csv"
+        points.write_text("x,y,z\n-1,0.1,0.05\n")
+        output = self.folder / "probed.csv"
+        for condition in ["abs(sqrt(x))>=0", "sqrt(x)*sqrt(x)>=0", "min(2,sqrt(x))<3",
+                          "mag(vec(sqrt(x),1,2))>0", "abs(asin(5*x))>=0", "sin(1/(x-x))<2",
+                          "-1<abs(log(x))", "sqrt(x)==0 || u>9"]:
+            self.succeeds("probe", TORUS, "--field", f"where({condition},1,2)", "--points", points,
+                          "--enclosures", "--output", output)
+            found = columns(read_csv(output))
+            value = found[next(name for name in found if "value" in name and "_" not in name)]
+            lower, upper = (next(found[name] for name in found if end in name)
+                            for end in ("lower", "upper"))
+            self.assertEqual(value[0], 2)
+            self.assertTrue(lower[0] <= 2 <= upper[0], condition)
+
     def test_layers_have_expressions(self):
         def values(*options):
             buffers = self.folder / "out.vti"
@@ -134,8 +150,22 @@ class Expressions(ToolTest):
         proven, numeric = hits("u=0.05"), hits("u*1=0.05")
         self.assertGreater(proven.sum(), 1000)
         self.assertLess((proven != numeric).sum(), 0.002 * proven.sum())
+        # On faces between elements.
+        on_plane = hits("z+0*u=1e-9").sum()
+        for value in ["0", "1e-14"]:
+            self.assertLess(abs(hits(f"z=" + value).sum() - on_plane), 0.002 * on_plane)
         self.assertEqual(hits("where(z > 0.1, 1, 0)=0.5").sum(), 0)
         self.assertEqual(hits("1/(z - 0.1)=0").sum(), 0)
+
+    def test_hits_have_the_value(self):
+        buffers = self.folder / "out.vti"
+        self.succeeds("render", DATA / "escher_tet_g3_p3.vtu", "--field", "grad(u).z", "--isosurface",
+                      "grad(u).z=0.3", "--camera-position", "-4,2,-3", "--focal-point", "0,0,0", *SIZE,
+                      "--output", self.folder / "a.png", "--buffers", buffers)
+        found = read_buffers(buffers)
+        seen = found["Verdict"] == 1
+        self.assertGreater(seen.sum(), 1000)
+        np.testing.assert_allclose(found["Value"][seen], 0.3, rtol=0, atol=1e-6)
 
     def test_parameters_of_the_session(self):
         flow = DATA / "nek_plane_kovasznay_p7"

@@ -129,9 +129,11 @@ std::vector<std::string> SplitSettings(const std::string& text)
     if (c == ',' && depth <= 0 && quote == 0)
     {
       settings.emplace_back();
-      continue;
     }
-    settings.back() += c;
+    else if (c != ' ' || !settings.back().empty())
+    {
+      settings.back() += c;
+    }
   }
   return settings;
 }
