@@ -165,7 +165,7 @@ class Expressions(ToolTest):
         found = read_buffers(buffers)
         seen = found["Verdict"] == 1
         self.assertGreater(seen.sum(), 1000)
-        np.testing.assert_allclose(found["Value"][seen], 0.3, rtol=0, atol=1e-6)
+        np.testing.assert_allclose(found["Value"][seen], 0.3, rtol=0, atol=1e-12)
 
     def test_parameters_of_the_session(self):
         flow = DATA / "nek_plane_kovasznay_p7"

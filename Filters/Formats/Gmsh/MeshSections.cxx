@@ -27,7 +27,7 @@ void RequireDimension(const Scanner& scanner, int dimension)
   }
 }
 
-/// The number itself where a format marks something by its sign.
+/// Returns the magnitude of a number whose sign marks something else, such as a ghost.
 int WithoutSign(const Scanner& scanner, int number)
 {
   if (number == std::numeric_limits<int>::min())

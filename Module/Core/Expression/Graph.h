@@ -123,6 +123,13 @@ private:
   std::map<std::array<int, 2>, int> Derivatives;
 };
 
+/// Whether the operation's values are 1 and 0: comparisons and logic.
+[[nodiscard]] constexpr bool IsTruth(Operation operation)
+{
+  return operation == Operation::Not ||
+    (operation >= Operation::Less && operation <= Operation::Or);
+}
+
 /// Computes an operation on numbers; arguments that it does not have are ignored. Leaves,
 /// Eigenvalue and Eigenvector give NaN.
 [[nodiscard]] double Apply(Operation operation, double a, double b = 0.0, double c = 0.0);

@@ -103,19 +103,16 @@ int Graph::MakeDerivative(int self, int d)
     case Operation::Pi:
     case Operation::ElementNumber:
     case Operation::Order:
-    case Operation::Not:
     case Operation::Sign:
     case Operation::Floor:
     case Operation::Ceil:
-    case Operation::Less:
-    case Operation::AtMost:
-    case Operation::Equal:
-    case Operation::NotEqual:
-    case Operation::And:
-    case Operation::Or:
       return Constant(0.0);
     default:
     {
+      if (IsTruth(node.operation))
+      {
+        return Constant(0.0);
+      }
       const int da = Derivative(a, d);
       return IsConstant(da, 0.0) ? da : Product(OfFunction(node, self), da);
     }

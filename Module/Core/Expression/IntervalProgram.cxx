@@ -200,23 +200,6 @@ Interval EigenvalueOf(std::span<const Interval> entries, int number)
     SymmetricEigen(middle).Value(number), (moved + kOfRotations * size) * (1.0 + 0x1p-40));
 }
 
-bool IsTruth(Operation operation)
-{
-  switch (operation)
-  {
-    case Operation::Not:
-    case Operation::Less:
-    case Operation::AtMost:
-    case Operation::Equal:
-    case Operation::NotEqual:
-    case Operation::And:
-    case Operation::Or:
-      return true;
-    default:
-      return false;
-  }
-}
-
 Interval ValueOf(const Graph::Node& node, std::span<const Interval> a)
 {
   switch (node.operation)
@@ -253,7 +236,7 @@ Interval ValueOf(const Graph::Node& node, std::span<const Interval> a)
   }
 }
 
-/// What is known of a node's value: it is in an interval, or NaN.
+/// A node's value is in the interval, or NaN.
 struct Known
 {
   Interval value{ 0.0 };

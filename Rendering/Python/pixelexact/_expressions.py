@@ -13,9 +13,10 @@ FieldName = Union[str, Callable[..., Any]]
 # The number of indices of what a name stands for; None: it is not known.
 RankOf = Callable[[str], Optional[int]]
 
-_MOST_CHARACTERS = 4096
-# How strongly parts of a text hold together; of operators also what stands for them.
-_ATOM, _POWER, _PRODUCT, _SUM, _ALL = 4, 3, 2, 1, 0
+# As many as the parser of expressions takes.
+_MAX_CHARACTERS = 4096
+# The precedence of a text's outermost operator: a part of lower precedence gets brackets.
+_ATOM, _POWER, _PRODUCT, _SUM = 4, 3, 2, 1
 _SUMS = {"add": "+", "subtract": "-"}
 _PRODUCTS = {"multiply": "*", "divide": "/", "true_divide": "/"}
 _POWERS = {"power": "^", "float_power": "^"}
@@ -57,7 +58,7 @@ _ARGUMENTS |= {"outer": 2, "where": 3}
 # Ranks of what functions of the language give, by that of their first argument.
 _RANKS: dict[str, Callable[[int], int]] = {
     **dict.fromkeys("dot mag tr det Q lambda2 vonMises".split(), lambda _: 0),
-    **dict.fromkeys("cross curl vorticity eig vec".split(), lambda _: 1),
+    **dict.fromkeys("cross curl vorticity eig".split(), lambda _: 1),
     **dict.fromkeys("outer hessian strain sym tensor".split(), lambda _: 2),
     "grad": lambda rank: rank + 1,
     "div": lambda rank: max(rank - 1, 0),
@@ -108,7 +109,7 @@ def _refuse(what: str) -> None:
 
 
 def _operate(name: str, parts: list["_Symbol"]) -> "_Symbol":
-    """Of two; brackets keep the order of the operations that Python has."""
+    """An operation on two; brackets keep the order of operations that Python has."""
     a, b = parts
     rank = _highest(parts)
     if name in _SUMS:
@@ -174,9 +175,9 @@ class _Symbol:
     def __init__(
         self, text: str, level: int, rank: Optional[int] = None, is_truth: bool = False
     ) -> None:
-        if len(text) > _MOST_CHARACTERS:
+        if len(text) > _MAX_CHARACTERS:
             raise TypeError(
-                f"the expression is longer than {_MOST_CHARACTERS} characters: what a variable holds "
+                f"the expression is longer than {_MAX_CHARACTERS} characters: what a variable holds "
                 "is written out each time; name parts with pixelexact.calculate and use these"
             )
         self.text = text
@@ -186,7 +187,7 @@ class _Symbol:
         self.indexed = text
 
     def within(self, level: int) -> str:
-        """As a part of something that holds together as strongly as the level tells."""
+        """The text as an operand that needs at least this precedence."""
         return self.text if self.level >= level else f"({self.text})"
 
     def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **options: Any) -> Any:
@@ -249,9 +250,9 @@ def _add_operators() -> None:
     for short, name in binary.items():
         setattr(_Symbol, f"__{short}__", lambda a, b, name=name: _call(name, (a, b)))
         setattr(_Symbol, f"__r{short}__", lambda a, b, name=name: _call(name, (b, a)))
-    for short, name in {"lt": "less", "le": "less_equal", "gt": "greater", "ge": "greater_equal"}.items():
-        setattr(_Symbol, f"__{short}__", lambda a, b, name=name: _call(name, (a, b)))
-    for short, name in {"eq": "equal", "ne": "not_equal"}.items():
+    comparisons = {"lt": "less", "le": "less_equal", "gt": "greater", "ge": "greater_equal"}
+    comparisons |= {"eq": "equal", "ne": "not_equal"}
+    for short, name in comparisons.items():
         setattr(_Symbol, f"__{short}__", lambda a, b, name=name: _call(name, (a, b)))
     unary = {"neg": "negative", "pos": "positive", "abs": "absolute", "invert": "invert"}
     for short, name in unary.items():

@@ -112,7 +112,8 @@ const std::map<std::string, Setter>& Setters()
   return kSetters;
 }
 
-/// At commas that are in no brackets and quotes, which expressions have.
+/// Splits a text at the commas outside of brackets and quotes, which expressions have; blanks
+/// before a setting are left out.
 std::vector<std::string> SplitSettings(const std::string& text)
 {
   std::vector<std::string> settings(1);

@@ -4,6 +4,7 @@
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 #include "Core/Expression/Expression.h"
+#include "Core/Expression/PointLeaves.h"
 #include "Core/Expression/Program.h"
 #include "Grids/FreeMemory.h"
 
@@ -25,8 +26,7 @@ namespace pixelexact
 {
 namespace
 {
-/// Points that a program computes together.
-constexpr vtkIdType kPointsTogether = 128;
+constexpr vtkIdType kPointsTogether = PointLeaves::kTogether;
 
 bool IsDerivative(const Graph::Node& leaf)
 {

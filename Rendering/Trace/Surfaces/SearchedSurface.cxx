@@ -18,9 +18,9 @@ namespace pixelexact
 {
 namespace
 {
-constexpr int kMostSteps = 200;
+constexpr int kMaxSteps = 200;
 constexpr int kEdgeSteps = 30;
-constexpr int kMostRounds = 4; ///< of samples in gaps that the search met
+constexpr int kMaxRounds = 4; ///< of samples in gaps that the search met
 constexpr double kTolerance = 4.0 * kUnitRoundoff;
 constexpr double kJump = 1e-9;
 
@@ -110,9 +110,9 @@ struct Sizes
 
   void Add(const PlaceValue& before, const PlaceValue& here)
   {
-    constexpr double kLeastStep = 1e-6; // below it differences may be rounding
+    constexpr double kMinStep = 1e-6; // below it differences may be rounding
     largest = std::max({ largest, std::fabs(before.f), std::fabs(here.f) });
-    if (here.s - before.s > kLeastStep)
+    if (here.s - before.s > kMinStep)
     {
       steepest = std::max(steepest, std::fabs((here.f - before.f) / (here.s - before.s)));
     }
@@ -374,14 +374,13 @@ void SearchedSurface::Meet(const RayLanes& rays, HitSlots& hits) const
       FindPlaces(*F, *scratch.segments.back(), Samples, places);
     }
   }
-  for (int round = 0; round == 0 || (round < kMostRounds && SampleGaps(scratch)); ++round)
+  for (int round = 0; round == 0 || (round < kMaxRounds && SampleGaps(scratch)); ++round)
   {
     TakeSamples(*F, scratch);
     FindEdges(*F, scratch);
     FindBrackets(scratch);
     Search(
-      *F, scratch, scratch.brackets, kMostSteps,
-      [](const Bracket& bracket) { return bracket.done; },
+      *F, scratch, scratch.brackets, kMaxSteps, [](const Bracket& bracket) { return bracket.done; },
       [](Bracket& bracket, double f) { bracket.Narrow(f, kTolerance); });
   }
 
