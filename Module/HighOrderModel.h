@@ -71,7 +71,7 @@ public:
   [[nodiscard]] const Field& GetField(const std::string& text) const;
   /// The texts of expressions that count as fields (kDefinitionPrefix), by their names.
   [[nodiscard]] const std::map<std::string, std::string>& Definitions() const;
-  /// What expressions may name beside fields: arrays of FieldData that hold one number.
+  /// Numbers that expressions may name: arrays of FieldData that hold one.
   [[nodiscard]] const std::map<std::string, double>& Parameters() const;
   /// As GetField, but null where there is none.
   [[nodiscard]] const Field* FindField(const std::string& text) const;

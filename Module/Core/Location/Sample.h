@@ -65,7 +65,7 @@ void SampleTile(const Locator& locator, const Field* field, std::span<const Vec3
 void Sample(const Locator& locator, const Field* field, std::span<const Vec3> points,
   const SampleTarget& target);
 
-/// What functions (Field::function) may depend on beside xi.
+/// The world points of xi and normals there: functions (Field::function) may depend on them.
 struct PlacesOfXi
 {
   std::span<const Vec3> x{};       ///< in the world, near Phi(xi); empty: Phi(xi)

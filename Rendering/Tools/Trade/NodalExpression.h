@@ -48,7 +48,7 @@ private:
     int component = 0;
     bool operator==(const Column&) const = default;
   };
-  /// What derivatives are computed of.
+  /// Columns of a grid and their derivatives.
   struct Differentiated
   {
     std::vector<Column> columns{}; ///< of the grid

@@ -62,7 +62,7 @@ enum class TradeFamily
 [[nodiscard]] const char* Name(TradeFamily family);
 /// Whether a family's derivatives are vtkGradientFilter's.
 [[nodiscard]] bool IsOfGradientFilter(TradeFamily family);
-/// What such settings are, for tables.
+/// Describes these settings in tables.
 inline constexpr const char* kGradientMethod =
   "VTK's Gradient filter and Calculator, from the fields at the nodes";
 
