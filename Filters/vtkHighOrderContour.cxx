@@ -3,6 +3,7 @@
 
 #include "ContourList.h"
 #include "Conversion/ModelSource.h"
+#include "Core/Contour/RoundValues.h"
 #include "Cuts/ContourPolyData.h"
 #include "Cuts/VtkCutFunction.h"
 #include "Grids/FieldsNamed.h"

@@ -3,6 +3,7 @@
 #include "Support.h"
 
 #include "ContourList.h"
+#include "Core/Contour/RoundValues.h"
 #include "vtkHighOrderContour.h"
 #include "vtkHighOrderProbe.h"
 #include "vtkMFEMReader.h"
