@@ -2,7 +2,7 @@
 #include "vtkHighOrderContourMapper.h"
 
 #include "ContourList.h"
-#include "Frames/FrameContours.h"
+#include "Trace/Look/ViewLook.h"
 #include "Views/VtkColorMap.h"
 #include "Views/VtkLook.h"
 
@@ -145,9 +145,9 @@ void vtkHighOrderContourMapper::RemoveColorsOfContours()
 }
 
 //------------------------------------------------------------------------------
-pixelexact::LayerContours vtkHighOrderContourMapper::ContoursOfAll() const
+pixelexact::ContourRule vtkHighOrderContourMapper::ContoursOfAll() const
 {
-  pixelexact::LayerContours contours;
+  pixelexact::ContourRule contours;
   contours.count = this->ContourCount;
   contours.values = contours.count > 0 ? std::vector<double>{} : this->Contours->values.All();
   if (this->ContourScalarVisibility)
@@ -176,8 +176,16 @@ pixelexact::ContourLook vtkHighOrderContourMapper::LookOfContours() const
   {
     look.labels = this->ContourLabelSize;
   }
-  look.interior = this->ContourInterior;
-  look.effort = this->ContourEffort;
+  look.method.interior = this->ContourInterior;
+  look.method.SetEffort(this->ContourEffort);
+  if (this->ContourSubdivisions >= 0)
+  {
+    look.method.subdivisions = this->ContourSubdivisions;
+  }
+  if (this->ContoursOnly)
+  {
+    look.only = pixelexact::Rgba{ 255, 255, 255, 0 };
+  }
   look.style.width = this->ContourWidth;
   look.style.showUndecided = this->ShowUndecidedContours;
   look.style.undecided = pixelexact::ToRgba(this->UndecidedContourColor);
@@ -199,6 +207,8 @@ void vtkHighOrderContourMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetUndecidedContourColor(other->UndecidedContourColor);
     this->SetContourInterior(other->ContourInterior);
     this->SetContourEffort(other->ContourEffort);
+    this->SetContourSubdivisions(other->ContourSubdivisions);
+    this->SetContoursOnly(other->ContoursOnly);
     this->SetContourLabels(other->ContourLabels);
     this->SetContourLabelSize(other->ContourLabelSize);
     this->Modified();
@@ -221,6 +231,8 @@ void vtkHighOrderContourMapper::PrintSelf(ostream& os, vtkIndent indent)
      << this->UndecidedContourColor[1] << ", " << this->UndecidedContourColor[2] << "\n";
   os << indent << "ContourInterior: " << (this->ContourInterior ? "on" : "off") << "\n";
   os << indent << "ContourEffort: " << this->ContourEffort << "\n";
+  os << indent << "ContourSubdivisions: " << this->ContourSubdivisions << "\n";
+  os << indent << "ContoursOnly: " << (this->ContoursOnly ? "on" : "off") << "\n";
   os << indent << "ContourLabels: " << (this->ContourLabels ? "on" : "off") << "\n";
   os << indent << "ContourLabelSize: " << this->ContourLabelSize << "\n";
 }

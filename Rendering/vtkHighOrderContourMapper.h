@@ -21,7 +21,7 @@ namespace pixelexact
 {
 class ContourList;
 struct ContourLook;
-struct LayerContours;
+struct ContourRule;
 } // namespace pixelexact
 
 class vtkDataArray;
@@ -120,6 +120,26 @@ public:
 
   ///@{
   /**
+   * From 0 to 8: pixels are proven as in the paper, by interval arithmetic along their edges, which
+   * are halved so many times. -1, the default: by bounds of second derivatives, which decide more.
+   * Not with ContourInterior.
+   */
+  vtkSetClampMacro(ContourSubdivisions, int, -1, 8);
+  vtkGetMacro(ContourSubdivisions, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether contours are drawn without the colours of the surfaces, which are transparent then. The
+   * default is off.
+   */
+  vtkSetMacro(ContoursOnly, bool);
+  vtkGetMacro(ContoursOnly, bool);
+  vtkBooleanMacro(ContoursOnly, bool);
+  ///@}
+
+  ///@{
+  /**
    * Whether values are written along the contours, where these are straight and apart, in letters
    * ContourLabelSize pixels high, 6 to 72; the defaults are off, and 12. Not where a layer is seen
    * through: a warning says so.
@@ -141,7 +161,7 @@ protected:
   /**
    * On surfaces without values of their own.
    */
-  pixelexact::LayerContours ContoursOfAll() const;
+  pixelexact::ContourRule ContoursOfAll() const;
   pixelexact::ContourLook LookOfContours() const;
   /**
    * By layer, of the frame that was drawn: for those who ask for the values of ContourCount.
@@ -157,6 +177,8 @@ protected:
   double UndecidedContourColor[3] = { 0.0, 0.5, 0.5 };
   bool ContourInterior = false;
   double ContourEffort = 1.0;
+  int ContourSubdivisions = -1;
+  bool ContoursOnly = false;
   bool ContourLabels = false;
   int ContourLabelSize = 12;
 

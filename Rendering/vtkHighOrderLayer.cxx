@@ -162,6 +162,7 @@ void vtkHighOrderLayer::PrintSelf(ostream& os, vtkIndent indent)
      << "\n";
   os << indent << "ContourVisibility: " << (this->ContourVisibility ? "on" : "off") << "\n";
   os << indent << "Contours: " << this->GetNumberOfContours() << "\n";
+  os << indent << "ContourCount: " << this->ContourCount << "\n";
   os << indent << "Opacity: " << this->Opacity << "\n";
   os << indent << "SinglePrecision: " << (this->SinglePrecision ? "on" : "off") << "\n";
   os << indent << "Lighting: " << (this->Lighting ? "on" : "off") << "\n";

@@ -109,6 +109,15 @@ public:
 
   ///@{
   /**
+   * Above 0: instead of these values so many round ones, strictly inside the range of the layer's
+   * colours, as vtkHighOrderMapper::SetContourCount. 0, the default: the values above.
+   */
+  vtkSetClampMacro(ContourCount, int, 0, 10000);
+  vtkGetMacro(ContourCount, int);
+  ///@}
+
+  ///@{
+  /**
    * From 0 to 1 (the default), times the actor's.
    */
   vtkSetClampMacro(Opacity, double, 0.0, 1.0);
@@ -164,6 +173,7 @@ protected:
   bool ScalarVisibility = true;
   double Color[3] = { 1.0, 1.0, 1.0 };
   bool ContourVisibility = true;
+  int ContourCount = 0;
   double Opacity = 1.0;
   bool SinglePrecision = false;
   bool Lighting = true;

@@ -39,6 +39,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 vtkStandardNewMacro(vtkHighOrderMapper);
@@ -53,9 +54,13 @@ struct vtkHighOrderMapper::Internals
   std::int64_t BuffersVersion = -1; ///< of the frame that Buffers hold
   std::array<double, 2> SeenRange;
 
+  std::optional<std::size_t> TableLayer; ///< of the last request: one that reads the mapper's table
+
   pixelexact::FrameRequest Request(vtkHighOrderMapper* self, vtkActor* actor);
-  void ChooseRange(
-    vtkHighOrderMapper* self, pixelexact::FrameRequest& request, vtkScalarsToColors* table);
+  [[nodiscard]] pixelexact::RangeRule RuleOf(
+    vtkHighOrderMapper* self, vtkScalarsToColors* table) const;
+  /// That the mapper's table got.
+  [[nodiscard]] pixelexact::ValueRange RangeIn(const pixelexact::FrameSource& source) const;
   pixelexact::ContourCounters CountContours();
 };
 
@@ -66,20 +71,73 @@ pixelexact::FrameRequest vtkHighOrderMapper::Internals::Request(
   pixelexact::FrameRequest request;
   pixelexact::RequireFieldColors(self);
   request.model = Drawer.ModelOf(pixelexact::MapperExecutive::InputOf(self));
-  std::copy_n(self->UnknownColor, 4, request.unknownColor.begin());
-  request.contours = self->LookOfContours();
-  pixelexact::LayerRequest ofAll = pixelexact::LayerOf(self, actor->GetProperty());
-  ofAll.contours = self->ContoursOfAll();
-  self->GetScene().AddLayers(self, ofAll, Drawer.Surfaces(), request);
-  vtkScalarsToColors* const table = self->GetLookupTable();
-  if (self->ScalarVisibility ||
-    std::ranges::any_of(request.layers,
-      [table](const pixelexact::LayerRequest& layer)
-      { return pixelexact::TableOf(layer) == table; }))
+  request.ranges = Drawer.Ranges();
+  request.look.contours = self->LookOfContours();
+  request.look.edges = pixelexact::EdgesOf(actor->GetProperty());
+  if (request.look.edges && self->EdgesByKind)
   {
-    this->ChooseRange(self, request, table);
+    request.look.edges = pixelexact::EdgeStyle::ByKind(request.look.edges->width);
+    request.edgesByKind = true;
+  }
+  request.look.samples = self->Samples;
+  if (self->Outlines)
+  {
+    request.look.outlines = pixelexact::ToRgba(self->OutlineColor);
+  }
+  pixelexact::LayerRequest ofAll = pixelexact::LayerOf(self, actor->GetProperty());
+  ofAll.look.contours = self->ContoursOfAll();
+  std::copy_n(self->UnknownColor, 4, ofAll.look.unknown.begin());
+  self->GetScene().AddLayers(self, ofAll, Drawer.Surfaces(), request);
+  TableLayer.reset();
+  for (std::size_t k = 0; k < request.layers.size(); ++k)
+  {
+    pixelexact::LayerRequest& layer = request.layers[k];
+    vtkScalarsToColors* const table = pixelexact::TableOf(layer);
+    if (table == nullptr)
+    {
+      continue;
+    }
+    layer.look.range = this->RuleOf(self, table);
+    TableLayer = table == self->GetLookupTable() ? k : TableLayer;
   }
   return request;
+}
+
+//------------------------------------------------------------------------------
+pixelexact::RangeRule vtkHighOrderMapper::Internals::RuleOf(
+  vtkHighOrderMapper* self, vtkScalarsToColors* table) const
+{
+  using Of = pixelexact::RangeRule::Of;
+  if (self->UseLookupTableScalarRange || table != self->GetLookupTable())
+  {
+    return { Of::Ends, { table->GetRange()[0], table->GetRange()[1] } };
+  }
+  switch (self->RangeMode)
+  {
+    case RANGE_OF_CUT:
+      return { Of::Cut, {}, self->RangeSymmetric };
+    case RANGE_OF_FIELD:
+      return { Of::Field, {}, self->RangeSymmetric };
+    case RANGE_OF_PERCENTILES:
+    {
+      const auto [lower, upper] = self->RangePercentiles;
+      if (!(lower >= 0.0 && lower < upper && upper <= 100.0))
+      {
+        throw pixelexact::Error("RangePercentiles: two percentages from 0 to 100, ascending");
+      }
+      return { Of::Parts, { lower, upper }, self->RangeSymmetric };
+    }
+    default:
+      return { Of::Ends, { self->ScalarRange[0], self->ScalarRange[1] } };
+  }
+}
+
+//------------------------------------------------------------------------------
+pixelexact::ValueRange vtkHighOrderMapper::Internals::RangeIn(
+  const pixelexact::FrameSource& source) const
+{
+  const std::vector<pixelexact::ResolvedLayer>& layers = source.LastResolved().layers;
+  return TableLayer && *TableLayer < layers.size() ? layers[*TableLayer].range : std::nullopt;
 }
 
 //------------------------------------------------------------------------------
@@ -89,32 +147,6 @@ pixelexact::ContourCounters vtkHighOrderMapper::Internals::CountContours()
   const pixelexact::ContourCertifier* contours =
     source != nullptr ? source->LastContours() : nullptr;
   return contours != nullptr ? contours->Counters() : pixelexact::ContourCounters{};
-}
-
-//------------------------------------------------------------------------------
-void vtkHighOrderMapper::Internals::ChooseRange(
-  vtkHighOrderMapper* self, pixelexact::FrameRequest& request, vtkScalarsToColors* table)
-{
-  if (self->UseLookupTableScalarRange)
-  {
-    self->TakeRange({ table->GetRange()[0], table->GetRange()[1] });
-    return;
-  }
-  if (self->RangeMode == RANGE_OF_CUT)
-  {
-    request.fitted = table;
-    return;
-  }
-  if (self->RangeMode == RANGE_OF_FIELD)
-  {
-    if (const auto range = Drawer.RangeOfFields(request, table))
-    {
-      self->TakeRange(*range);
-    }
-  }
-  const std::array range{ self->ScalarRange[0], self->ScalarRange[1] };
-  pixelexact::RequireRange(range);
-  pixelexact::ColorRanges::Set(table, range);
 }
 
 //------------------------------------------------------------------------------
@@ -222,7 +254,7 @@ vtkIdType vtkHighOrderMapper::GetNumberOfUndecidedContourPixels()
 //------------------------------------------------------------------------------
 void vtkHighOrderMapper::SetRangeMode(int mode)
 {
-  mode = std::clamp<int>(mode, RANGE_AS_SET, RANGE_OF_CUT);
+  mode = std::clamp<int>(mode, RANGE_AS_SET, RANGE_OF_PERCENTILES);
   if (this->RangeMode != mode)
   {
     this->RangeMode = mode;
@@ -240,8 +272,14 @@ void vtkHighOrderMapper::SetScalarRange(double lower, double upper)
 //------------------------------------------------------------------------------
 double* vtkHighOrderMapper::GetSeenRange()
 {
-  const auto range = this->Data->Drawer.RangeSeen(this->GetLookupTable());
-  this->Data->SeenRange = range.value_or(std::array{ 1.0, -1.0 });
+  const pixelexact::FrameSource* source = this->Data->Drawer.LastSource();
+  const pixelexact::Frame* frame = source != nullptr ? source->LastFrame() : nullptr;
+  const std::optional<std::size_t> layer = this->Data->TableLayer;
+  const bool any = frame != nullptr && layer && *layer < source->LastLook().layers.size();
+  this->Data->SeenRange =
+    (any ? pixelexact::RangeSeen(source->LastLook(), source->LastScene(), *frame, *layer)
+         : std::nullopt)
+      .value_or(std::array{ 1.0, -1.0 });
   return this->Data->SeenRange.data();
 }
 
@@ -412,10 +450,8 @@ void vtkHighOrderMapper::RenderPart(int part, vtkRenderer* renderer, vtkActor* a
     // The opaque phase of the same picture has done that.
     request.refine = drawn != pixelexact::FramePart::Translucent || !this->HasOpaqueGeometry();
     request.seconds = this->SecondsToTrace(window);
-    if (const auto fitted = drawer.Draw(request, drawn, renderer, actor, this, progress))
-    {
-      this->TakeRange(*fitted);
-    }
+    drawer.Draw(request, drawn, renderer, actor, this, progress);
+    this->TakeRange(*drawer.LastSource());
     this->TakeContours(*drawer.LastSource());
     this->Warn(renderer, actor);
     if (this->GetNumberOfTraces() != traces)
@@ -450,10 +486,13 @@ double vtkHighOrderMapper::SecondsToTrace(vtkRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-void vtkHighOrderMapper::TakeRange(const std::array<double, 2>& range)
+void vtkHighOrderMapper::TakeRange(const pixelexact::FrameSource& source)
 {
   // Nothing is modified: the range follows from what was.
-  std::copy(range.begin(), range.end(), this->ScalarRange);
+  if (const pixelexact::ValueRange range = this->Data->RangeIn(source))
+  {
+    std::copy(range->begin(), range->end(), this->ScalarRange);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -468,14 +507,17 @@ void vtkHighOrderMapper::TakeContours(const pixelexact::FrameSource& source)
 std::vector<std::string> vtkHighOrderMapper::Complaints(
   const pixelexact::FrameSource& source, vtkActor* actor)
 {
-  const bool translucent =
-    actor->GetProperty()->GetOpacity() < 1.0 || this->HasTranslucentPolygonalGeometry();
+  // Windows draw what is seen through sheet by sheet.
+  const bool bySheets =
+    source.LastLook().bySheets && pixelexact::HasTranslucent(source.LastScene());
+  const bool translucent = source.LastLook().bySheets &&
+    (actor->GetProperty()->GetOpacity() < 1.0 || this->HasTranslucentPolygonalGeometry());
   const bool mapped =
     this->ScalarVisibility || (this->ContourScalarVisibility && source.LastContours() != nullptr);
   std::vector<std::string> texts =
     pixelexact::SettingsWithoutEffect(this, actor, translucent, mapped);
   // One plane that is not opaque has nothing behind it.
-  if (this->ContourLabels && pixelexact::HasTranslucent(source.LastScene()))
+  if (this->ContourLabels && bySheets)
   {
     texts.emplace_back("ContourLabels: they are not written where a layer is seen through");
   }
@@ -527,14 +569,10 @@ vtkSmartPointer<vtkImageData> vtkHighOrderMapper::TracePicture(pixelexact::Frame
       "nothing to cut with, or no layer is visible: call SetCutFunction, SetSurface or AddLayer");
   }
   pixelexact::CompleteRequest(sight, request);
-  const pixelexact::FramePicture picture =
-    pixelexact::TracePicture(source, request, allBuffers, progress);
-  if (picture.fitted)
-  {
-    this->TakeRange(*picture.fitted);
-  }
+  const auto picture = pixelexact::TracePicture(source, request, allBuffers, progress);
+  this->TakeRange(source);
   this->TakeContours(source);
-  return picture.image;
+  return picture;
 }
 
 //------------------------------------------------------------------------------
@@ -550,10 +588,14 @@ std::vector<std::array<double, 3>> vtkHighOrderMapper::SeenPoints(
       return points;
     }
     pixelexact::CompleteRequest(sight, request);
-    request.edges.reset();
+    // Where the surfaces are alone.
+    request.look = {};
+    request.edgesByKind = false;
     for (pixelexact::LayerRequest& layer : request.layers)
     {
-      layer.contours = {};
+      layer.table = nullptr;
+      layer.look = {};
+      layer.look.solid.emplace();
     }
     pixelexact::FrameSourceCounters counters;
     pixelexact::FrameSource source(counters);

@@ -149,9 +149,10 @@ public:
    */
   enum
   {
-    RANGE_AS_SET,   ///< ScalarRange
-    RANGE_OF_FIELD, ///< of the fields that it colours, over all of the mesh, proven
-    RANGE_OF_CUT    ///< of the values that are seen in the view that is drawn
+    RANGE_AS_SET,        ///< ScalarRange
+    RANGE_OF_FIELD,      ///< of the fields that it colours, over all of the mesh, proven
+    RANGE_OF_CUT,        ///< of the values that are seen in the view that is drawn
+    RANGE_OF_PERCENTILES ///< the RangePercentiles of these values, a pixel a value
   };
 
   ///@{
@@ -167,8 +168,28 @@ public:
   void SetRangeModeToAsSet() { this->SetRangeMode(RANGE_AS_SET); }
   void SetRangeModeToField() { this->SetRangeMode(RANGE_OF_FIELD); }
   void SetRangeModeToCut() { this->SetRangeMode(RANGE_OF_CUT); }
+  void SetRangeModeToPercentiles() { this->SetRangeMode(RANGE_OF_PERCENTILES); }
   using vtkMapper::SetScalarRange;
   void SetScalarRange(double lower, double upper) override;
+  ///@}
+
+  ///@{
+  /**
+   * The percentages of RANGE_OF_PERCENTILES, 0 to 100, ascending; another pair is an error when it
+   * is drawn. The default is 1 and 99.
+   */
+  vtkSetVector2Macro(RangePercentiles, double);
+  vtkGetVector2Macro(RangePercentiles, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether a range that is found (all modes but RANGE_AS_SET) is made as wide to both sides of 0.
+   * The default is off.
+   */
+  vtkSetMacro(RangeSymmetric, bool);
+  vtkGetMacro(RangeSymmetric, bool);
+  vtkBooleanMacro(RangeSymmetric, bool);
   ///@}
 
   /**
@@ -263,6 +284,8 @@ protected:
   bool Progressive = true;
   double StillSeconds = 0.0;
   int RangeMode = RANGE_OF_FIELD;
+  double RangePercentiles[2] = { 1.0, 99.0 };
+  bool RangeSymmetric = false;
 
 private:
   friend class vtkHighOrderPicker;
@@ -284,7 +307,7 @@ private:
   /**
    * The range that colours are made with.
    */
-  void TakeRange(const std::array<double, 2>& range);
+  void TakeRange(const pixelexact::FrameSource& source);
   /**
    * The contours of a frame.
    */

@@ -164,6 +164,10 @@ void vtkHighOrderSceneMapper::ShallowCopy(vtkAbstractMapper* mapper)
   {
     this->SetLightFlat(other->LightFlat);
     this->SetSearchSamples(other->SearchSamples);
+    this->SetSamples(other->Samples);
+    this->SetEdgesByKind(other->EdgesByKind);
+    this->SetOutlines(other->Outlines);
+    this->SetOutlineColor(other->OutlineColor);
     *this->Scene = *other->Scene;
     this->Modified();
   }
@@ -187,4 +191,9 @@ void vtkHighOrderSceneMapper::PrintSelf(ostream& os, vtkIndent indent)
   }
   os << indent << "LightFlat: " << (this->LightFlat ? "on" : "off") << "\n";
   os << indent << "SearchSamples: " << this->SearchSamples << "\n";
+  os << indent << "Samples: " << this->Samples << "\n";
+  os << indent << "EdgesByKind: " << (this->EdgesByKind ? "on" : "off") << "\n";
+  os << indent << "Outlines: " << (this->Outlines ? "on" : "off") << "\n";
+  os << indent << "OutlineColor: " << this->OutlineColor[0] << ", " << this->OutlineColor[1] << ", "
+     << this->OutlineColor[2] << "\n";
 }

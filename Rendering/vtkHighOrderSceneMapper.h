@@ -92,6 +92,37 @@ public:
   vtkBooleanMacro(LightFlat, bool);
   ///@}
 
+  ///@{
+  /**
+   * Samples in pixels that are not of one colour, for smooth edges, 1 to 1024. The default is 1.
+   */
+  vtkSetClampMacro(Samples, int, 1, 1024);
+  vtkGetMacro(Samples, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the lines between elements (the property's EdgeVisibility) are told apart by what lies
+   * behind the face: another element's face (black), nothing (blue), faces of other sizes (orange),
+   * elements behind a part of it (purple). The default is off: they have the EdgeColor.
+   */
+  vtkSetMacro(EdgesByKind, bool);
+  vtkGetMacro(EdgesByKind, bool);
+  vtkBooleanMacro(EdgesByKind, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the pixels in which elements, or surfaces, meet are painted, and their colour. The
+   * defaults are off, and black.
+   */
+  vtkSetMacro(Outlines, bool);
+  vtkGetMacro(Outlines, bool);
+  vtkBooleanMacro(Outlines, bool);
+  vtkSetVector3Macro(OutlineColor, double);
+  vtkGetVector3Macro(OutlineColor, double);
+  ///@}
+
   void ShallowCopy(vtkAbstractMapper* mapper) override;
 
   /**
@@ -121,6 +152,10 @@ protected:
 
   bool LightFlat = false;
   int SearchSamples = 128;
+  int Samples = 1;
+  bool EdgesByKind = false;
+  bool Outlines = false;
+  double OutlineColor[3] = { 0.0, 0.0, 0.0 };
 
 private:
   vtkHighOrderSceneMapper(const vtkHighOrderSceneMapper&) = delete;

@@ -3,7 +3,7 @@
 
 #include "CompositeParts.h"
 #include "HighOrderModel.h"
-#include "Views/FieldRange.h"
+#include "Trace/Look/FieldRange.h"
 #include "Views/VtkColorMap.h"
 
 #include "Core/Base/Error.h"

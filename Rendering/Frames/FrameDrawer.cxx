@@ -61,7 +61,6 @@ ViewFrame& FrameDrawer::Begin(
     view.source.DropFrame();
     throw;
   }
-  request.edges = EdgesOf(actor->GetProperty());
   view.hasGhosts = HasGhosts;
   if (HasGhosts)
   {
@@ -70,38 +69,15 @@ ViewFrame& FrameDrawer::Begin(
   return view;
 }
 
-ColorRanges::Range FrameDrawer::RangeSeen(vtkScalarsToColors* table)
-{
-  const FrameSource* source = LastSource();
-  const Frame* frame = source != nullptr ? source->LastFrame() : nullptr;
-  return frame != nullptr && source->Model() == Drawn.model.get()
-    ? ColorRanges::OfFrame(*frame, Drawn, table)
-    : std::nullopt;
-}
-
-ColorRanges::Range FrameDrawer::Draw(FrameRequest request, FramePart part, vtkRenderer* renderer,
-  vtkActor* actor, vtkMapper* mapper, const Progress& progress)
+void FrameDrawer::Draw(FrameRequest request, FramePart part, vtkRenderer* renderer, vtkActor* actor,
+  vtkMapper* mapper, const Progress& progress)
 {
   ViewFrame& view = Begin(request, renderer, actor, mapper);
   if (request.refine && !view.MayBeCoarse(renderer->GetActiveCamera()))
   {
     request.seconds = std::numeric_limits<double>::infinity();
   }
-  request.counts = request.fitted == nullptr;
   const Frame* frame = &view.source.Render(request, progress);
-  ColorRanges::Range fitted;
-  if (request.fitted != nullptr)
-  {
-    fitted = ColorRanges::OfFrame(*frame, request, request.fitted);
-    if (fitted)
-    {
-      (void)ColorRanges::Set(request.fitted, *fitted);
-    }
-    request.counts = true;
-    request.refine = false;
-    frame = &view.source.Render(request, progress);
-  }
-  Drawn = std::move(request);
   view.MakeDrawn(DepthRowsOf(renderer, actor->GetMatrix()));
   const auto draw = [&](const ViewFrame::Drawn& drawn, int sheet)
   {
@@ -129,7 +105,6 @@ ColorRanges::Range FrameDrawer::Draw(FrameRequest request, FramePart part, vtkRe
       draw(view.seenThrough[k - 1], static_cast<int>(k));
     }
   }
-  return fitted;
 }
 
 void FrameDrawer::Select(FrameRequest request, vtkRenderer* renderer, vtkActor* actor,
@@ -173,6 +148,7 @@ const std::shared_ptr<HighOrderModel>& FrameDrawer::ModelOf(vtkDataObject* grid)
     if (Model.Builds() != builds)
     {
       HasGhosts = pixelexact::HasGhosts(*model);
+      TheRanges = std::make_shared<FieldRanges>();
     }
     Views.DropOthers(model.get());
     TheSurfaces.DropOthers(model);
@@ -189,6 +165,5 @@ const std::shared_ptr<HighOrderModel>& FrameDrawer::ModelOf(vtkDataObject* grid)
 void FrameDrawer::DropFrame(vtkRenderer* renderer, vtkActor* actor)
 {
   Views.Of(renderer, actor).source.DropFrame();
-  Drawn = {};
 }
 } // namespace pixelexact

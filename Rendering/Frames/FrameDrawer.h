@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Frames/ColorRanges.h"
 #include "Frames/ViewFrames.h"
 #include "Surfaces/SurfaceCache.h"
 #include "Views/GridModel.h"
@@ -43,24 +42,18 @@ public:
   /// actor. The request's camera, half-spaces and lights are filled in here: viewport, camera and
   /// lights from the renderer, matrix from the actor, clipping planes and depth offset from the
   /// mapper. The actor's opacity is applied. A camera that the view is seen through for the first
-  /// time gets a complete frame, whatever the time. Returns the range of the values that
-  /// request.fitted colours, which it gets. Throws Error, after which the view has no frame.
-  ColorRanges::Range Draw(FrameRequest request, FramePart part, vtkRenderer* renderer,
-    vtkActor* actor, vtkMapper* mapper, const Progress& progress);
+  /// time gets a complete frame, whatever the time. Throws Error, after which the view has no
+  /// frame.
+  void Draw(FrameRequest request, FramePart part, vtkRenderer* renderer, vtkActor* actor,
+    vtkMapper* mapper, const Progress& progress);
 
   /// Draws what the present pass of the renderer's selector wants of the pixels that Draw shows
   /// (SelectionImage.h), complete in any case. Throws as Draw.
   void Select(FrameRequest request, vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper,
     const Progress& progress);
 
-  /// The range of a table over the fields that it colours (ColorRanges::OfFields).
-  ColorRanges::Range RangeOfFields(const FrameRequest& request, vtkScalarsToColors* table)
-  {
-    return Ranges.OfFields(request, table);
-  }
-
-  /// Of the values that the view drawn last shows in a table's colours (ColorRanges::OfFrame).
-  [[nodiscard]] ColorRanges::Range RangeSeen(vtkScalarsToColors* table);
+  /// The ranges of the model's fields, for requests.
+  [[nodiscard]] const std::shared_ptr<FieldRanges>& Ranges() const { return TheRanges; }
 
   /// There is nothing to be seen in this view.
   void DropFrame(vtkRenderer* renderer, vtkActor* actor);
@@ -86,8 +79,7 @@ private:
   GridModel Model;
   bool HasGhosts = false; ///< the model
   SurfaceCache TheSurfaces;
-  ColorRanges Ranges;
+  std::shared_ptr<FieldRanges> TheRanges = std::make_shared<FieldRanges>(); ///< of the model
   ViewFrames Views;
-  FrameRequest Drawn; ///< by Draw
 };
 } // namespace pixelexact

@@ -26,42 +26,9 @@ TraceKey TraceKeyOf(const FrameRequest& request)
     const bool alone =
       request.layers.size() == 1 && dynamic_cast<const Plane*>(layer.surface.get()) != nullptr;
     const bool seenThrough = !alone &&
-      (request.translucent || layer.opacity < 1.0 ||
+      (request.translucent || layer.look.opacity < 1.0 ||
         (layer.table != nullptr && layer.table->IsOpaque() == 0));
     key.layers.push_back({ layer.surface, layer.field, component, layer.precision, seenThrough });
-  }
-  return key;
-}
-
-ColorKey ColorKeyOf(const FrameRequest& request, const Scene& scene)
-{
-  ColorKey key;
-  key.unknown = request.unknownColor;
-  bool anyLit = false;
-  for (std::size_t k = 0; k < request.layers.size(); ++k)
-  {
-    const LayerRequest& layer = request.layers[k];
-    const bool lit = layer.material && (layer.litWhereFlat || !scene.layers[k].surface->IsFlat());
-    anyLit = anyLit || lit;
-    vtkScalarsToColors* const table = TableOf(layer);
-    std::uint64_t state = 0;
-    if (table != nullptr)
-    {
-      state = table->GetMTime();
-    }
-    key.layers.push_back({ table, state, layer.table == nullptr, layer.solidColor, layer.opacity,
-      lit ? layer.material : std::nullopt, layer.contours });
-  }
-  if (anyLit)
-  {
-    key.lights = request.lights;
-    key.lit = request.lit;
-  }
-  key.edges = request.edges;
-  if (std::ranges::any_of(
-        request.layers, [](const LayerRequest& layer) { return layer.contours.Any(); }))
-  {
-    key.contours = request.contours;
   }
   return key;
 }

@@ -33,33 +33,6 @@ struct TraceKey
 
   bool operator==(const TraceKey&) const = default;
 };
-struct ColoredLayer
-{
-  // Kept alive, so that no other table can have its address.
-  vtkSmartPointer<vtkScalarsToColors> table;
-  std::uint64_t state = 0;
-  bool isSolid = false; ///< the table is that of contours alone
-  Rgba solid{};
-  double opacity = 1.0;
-  std::optional<Material> material;
-  LayerContours contours;
-
-  bool operator==(const ColoredLayer&) const = default;
-};
-struct ColorKey
-{
-  std::vector<ColoredLayer> layers;
-  Rgba unknown{};
-  std::vector<Light> lights; ///< where a layer is lit
-  LitView lit;
-  std::optional<EdgeStyle> edges;
-  ContourLook contours;
-
-  bool operator==(const ColorKey&) const = default;
-};
-
 /// Of a request with a model. Throws Error where that lacks a field or a component.
 [[nodiscard]] TraceKey TraceKeyOf(const FrameRequest& request);
-/// `scene`: made of the same layers.
-[[nodiscard]] ColorKey ColorKeyOf(const FrameRequest& request, const Scene& scene);
 } // namespace pixelexact

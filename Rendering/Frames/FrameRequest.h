@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Frames/FrameContours.h"
-#include "Trace/Modules/ElementEdges.h"
-#include "Trace/Modules/Lighting.h"
+#include "Trace/Look/Resolve.h"
+#include "Trace/Look/ViewLook.h"
 #include "Views/FieldChoice.h"
 #include "Views/VtkCamera.h"
 
@@ -25,16 +24,15 @@ struct LayerRequest
   FieldChoice field;
   std::optional<int> component; ///< or kMagnitude; none: the table's choice
   Precision precision = Precision::Double;
-  /// Null: every exact pixel gets the solid colour.
+  /// Of the surface's colours; null: they are the look's solid one.
   vtkScalarsToColors* table = nullptr;
   /// That of contours on a surface of one colour: their component and, where they have none,
   /// colours.
   vtkScalarsToColors* contourTable = nullptr;
-  Rgba solidColor{ 255, 255, 255, 255 };
-  double opacity = 1.0;
-  std::optional<Material> material; ///< none: not lit
-  bool litWhereFlat = false;        ///< also a plane
-  LayerContours contours;
+  /// Its table and range group are filled in from these tables, and its material is left out of
+  /// flat surfaces but for `litWhereFlat` (LookOf).
+  LayerLook look;
+  bool litWhereFlat = false; ///< also a plane
 };
 
 /// The table that the layer is coloured by, or else its contours are; null: none.
@@ -55,16 +53,11 @@ struct FrameRequest
   std::vector<LayerRequest> layers;
   std::vector<KeptHalfSpace> kept; ///< clipping planes, and the near plane where it cuts the data
   CameraSetup camera;
-  Rgba unknownColor{ 255, 0, 255, 255 };
-  std::vector<Light> lights;
-  LitView lit;
   bool translucent = false; ///< all of it, for somebody who blends frames over what is there
-  /// A table whose range is to be that of the values shown; null: none.
-  vtkScalarsToColors* fitted = nullptr;
-  std::optional<EdgeStyle> edges; ///< of elements, where they are drawn
-  ContourLook contours;           ///< where layers have some
-  /// Whether contours of which the number is given are drawn: once the tables have their ranges.
-  bool counts = true;
+  ViewLook look;            ///< its layers are those of the requests (LookOf)
+  bool edgesByKind = false; ///< edges are told apart by what lies behind the face
+  /// Of the model's fields, kept for as long as it stays the same; null: found for each frame.
+  std::shared_ptr<FieldRanges> ranges;
   /// Beyond what drawing needs.
   Buffer buffers = Buffer::None;
   /// What tracing may take. Where the frame takes longer it is made coarse, and finer by each
@@ -75,4 +68,7 @@ struct FrameRequest
   /// Error with what is of each pixel: contours, edges.
   int stride = 1;
 };
+
+/// How the request's layers are shown, as those of `scene`, which is made of them.
+[[nodiscard]] ViewLook LookOf(const FrameRequest& request, const Scene& scene);
 } // namespace pixelexact

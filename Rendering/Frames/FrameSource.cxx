@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Frames/FrameSource.h"
 
+#include "Frames/ContourLabels.h"
 #include "HighOrderModel.h"
-#include "Views/VtkColorMap.h"
 
 #include "Core/Base/Error.h"
 #include "Trace/BufferTable.h"
+#include "Trace/Contours/LayerBounds.h"
 #include "Trace/StridedFrame.h"
 #include "Trace/TileVisit.h"
 #include "Trace/TimedPasses.h"
 #include "Trace/Tracer.h"
-
-#include "vtkScalarsToColors.h"
 
 #include <algorithm>
 #include <limits>
@@ -27,6 +26,16 @@ constexpr Buffer kDrawn = Buffer::Position | Buffer::Verdict;
 bool Includes(Buffer set, Buffer wanted)
 {
   return (set | wanted) == set;
+}
+
+void RequireNoModules(const Pipeline& pipeline)
+{
+  if (!pipeline.modules.empty())
+  {
+    throw Error(
+      "a stride leaves out pixels, and contours, edges and smooth edges are of each; leave "
+      "out one of them.");
+  }
 }
 } // namespace
 
@@ -46,7 +55,7 @@ void FrameSource::Forget()
   }
   Passes.reset();
   Traced.reset();
-  Colored.reset();
+  ThePainter.reset();
 }
 
 void FrameSource::DropFrame()
@@ -55,7 +64,7 @@ void FrameSource::DropFrame()
   Spare = {};
   TheScene = {};
   TheModel.reset();
-  Contours.Forget();
+  Bounds.reset();
 }
 
 void FrameSource::Count(bool traced)
@@ -79,91 +88,31 @@ void FrameSource::MakeScene(const FrameRequest& request)
   }
 }
 
-LayerContours FrameSource::CountedContours(const ColoredLayer& layer, std::size_t k) const
+void FrameSource::MakePainter(const Frame* frame)
 {
-  const Field* const field = TheScene.layers[k].field;
-  if (field == nullptr)
+  ThePainter.reset();
+  if (!Bounds)
   {
-    throw Error("contours: the data have no field; set the number of contours to 0");
+    Bounds = std::make_shared<ContourBounds>();
   }
-  LayerContours contours = layer.contours;
-  const double* range = layer.table->GetRange();
-  contours.values = ContourValuesOver(contours.count, { range[0], range[1] },
-    layer.table->UsingLogScale() != 0, field, ValuesSeen(*TheFrame, k));
-  if (contours.colors.size() > 1)
+  if (TheLook.HasContours() && TheLook.contours.labels)
   {
-    contours.colors.resize(contours.values.size());
+    RequireLabelSize(*TheLook.contours.labels);
   }
-  return contours;
+  Resolved = Resolve(TheLook, TheScene, frame, *Ranges);
+  ThePainter = std::make_unique<Painter>(TheLook, TheScene, Resolved, Bounds);
 }
 
-Buffer FrameSource::NeedsOfCounts() const
+Pipeline FrameSource::TracingPipeline()
 {
-  return Buffer::Value | Buffer::Verdict |
-    (TheScene.layers.size() > 1 ? Buffer::Layer : Buffer::None);
-}
-
-void FrameSource::MakeColors(const ColorKey& key, bool counts)
-{
-  CountsAreOpen = false;
-  std::vector<LayerColors> colors;
-  std::vector<std::optional<Material>> materials;
-  std::vector<LayerContours> contours;
-  std::vector<ColorMap> contourMaps;
-  for (const ColoredLayer& layer : key.layers)
-  {
-    const ColorMap map = layer.table != nullptr ? ToColorMap(layer.table) : SolidColor(layer.solid);
-    colors.push_back({ layer.isSolid ? SolidColor(layer.solid) : map, key.unknown, layer.opacity,
-      !layer.isSolid });
-    materials.push_back(layer.material);
-    contours.push_back(layer.contours);
-    if (layer.contours.count > 0 && counts)
-    {
-      contours.back() = CountedContours(layer, contours.size() - 1);
-    }
-    else if (layer.contours.count > 0)
-    {
-      contours.back() = {};
-      CountsAreOpen = true;
-    }
-    contourMaps.push_back(map);
-  }
-  const bool lit = std::ranges::any_of(
-    materials, [](const std::optional<Material>& material) { return material.has_value(); });
-  Contours.Make(TheScene, contours, contourMaps, key.contours);
-  Colors.emplace(std::move(colors));
-  Lights.reset();
-  if (lit)
-  {
-    Lights = std::make_unique<Lighting>(std::move(materials), key.lights, key.lit);
-  }
-  Edges.reset();
-  if (key.edges)
-  {
-    Edges = std::make_unique<ElementEdges>(*key.edges);
-  }
-  Colored = key;
-}
-
-Pipeline FrameSource::ThePipeline()
-{
-  Pipeline pipeline{ { &*Colors }, {} };
-  if (Lights)
-  {
-    pipeline.colors.push_back(Lights.get());
-  }
-  if (Edges)
-  {
-    pipeline.modules.push_back(Edges.get());
-  }
-  Contours.AddTo(pipeline);
-  return pipeline;
+  // What follows from values is not known before they are traced.
+  return TheLook.NeedsFrame() ? Pipeline{} : ThePainter->MakePipeline();
 }
 
 void FrameSource::BeginFrame(Buffer buffers)
 {
   TheBuffers = buffers;
-  const Pipeline pipeline = ThePipeline();
+  const Pipeline pipeline = TracingPipeline();
   // Corners are kept, so that other contours trace nothing.
   Passes.emplace(TheScene, Traced->camera.Make(), pipeline, buffers, pipeline.Needs().corners,
     std::exchange(Spare, {}));
@@ -180,7 +129,14 @@ void FrameSource::TraceFrame(double seconds, const Progress& progress)
     TheFrame = Passes->Take();
     Passes.reset();
     TheStep = 1;
-    Contours.Finish(*TheFrame, Traced->camera.Make());
+    if (TheLook.NeedsFrame())
+    {
+      Paint();
+    }
+    else
+    {
+      WriteLabels();
+    }
     Count(true);
   }
   else if (!Shown || *Shown != Passes->Step())
@@ -192,31 +148,59 @@ void FrameSource::TraceFrame(double seconds, const Progress& progress)
 
 void FrameSource::ShowPreview()
 {
+  if (TheLook.NeedsFrame())
+  {
+    const Frame values = Passes->Preview();
+    MakePainter(&values);
+    Pipeline pipeline = ThePainter->MakePipeline();
+    pipeline.modules.clear();
+    Passes->Recolor(std::move(pipeline));
+  }
   TheFrame = Passes->Preview();
   TheStep = std::max(1, Passes->Step());
   // Of a frame that was to be made at once and was ended, others will be there the next time.
   Shown = Passes->Step() == 0 ? std::nullopt : std::optional(Passes->Step());
 }
 
+void FrameSource::WriteLabels()
+{
+  if (ThePainter->Labels())
+  {
+    DrawContourLabels(*TheFrame, Traced->camera.Make(), *ThePainter->Contours(),
+      *ThePainter->Lines(), *ThePainter->Labels());
+  }
+}
+
+void FrameSource::Paint()
+{
+  if (!Complete)
+  {
+    ShowPreview();
+    return;
+  }
+  if (TheLook.NeedsFrame())
+  {
+    MakePainter(&*TheFrame);
+  }
+  const Pipeline pipeline = ThePainter->MakePipeline();
+  const Camera camera = Traced->camera.Make();
+  (void)KeepCorners(TheScene, camera, pipeline.Needs().corners, *TheFrame);
+  Repaint(TheScene, camera, pipeline, *TheFrame);
+  WriteLabels();
+}
+
 void FrameSource::TraceBlocks(Buffer buffers, const Progress& progress)
 {
-  const Pipeline pipeline = ThePipeline();
-  if (pipeline.Needs().corners != Buffer::None || Contours.Found() != nullptr || CountsAreOpen ||
-    Edges)
-  {
-    throw Error("a stride leaves out pixels, and contours and edges are of each; leave out one of "
-                "them.");
-  }
   bool aborted = false;
-  const Camera camera = Traced->camera.Make();
   TheBuffers = buffers;
-  TheFrame = TraceStrided(TheScene, camera, buffers, Traced->stride,
+  TheFrame = TraceStrided(TheScene, Traced->camera.Make(), buffers, Traced->stride,
     [&](double part)
     {
       aborted = aborted || (progress && !progress(part));
       return !aborted;
     });
-  Repaint(TheScene, camera, pipeline, *TheFrame);
+  Complete = true;
+  Paint();
   Complete = !aborted;
   Count(true);
 }
@@ -251,23 +235,18 @@ void FrameSource::Update(const FrameRequest& request, const Progress& progress)
     Traced = std::move(key);
     MakeScene(request);
   }
-  const ColorKey colors = ColorKeyOf(request, TheScene);
-  const bool sameColors = Colored == colors;
-  if (!sameColors)
+  ViewLook look = LookOf(request, TheScene);
+  const bool sameLook = ThePainter && TheLook == look;
+  Ranges = request.ranges ? request.ranges : std::make_shared<FieldRanges>();
+  if (!sameLook)
   {
-    MakeColors(
-      colors, request.counts && TheFrame && Complete && Includes(TheBuffers, NeedsOfCounts()));
+    TheLook = std::move(look);
+    MakePainter(nullptr);
   }
-  Buffer wanted =
-    kDrawn | request.buffers | ThePipeline().Needs().centres | Contours.NeedsOfLabels();
-  if (CountsAreOpen)
-  {
-    // Contours are made when the frame is there: its values are needed, and edges' ends welcome.
-    wanted = wanted | NeedsOfCounts() | ContourCertifier({}, {}).Needs().welcome |
-      (colors.contours.labels ? Buffer::Normal : Buffer::None);
-  }
+  const Buffer wanted = kDrawn | request.buffers | NeedsOf(TheLook, TheScene, TheLook.NeedsFrame());
   if (request.stride > 1)
   {
+    RequireNoModules(ThePainter->MakePipeline());
     if (!sameScene || !Complete || !Includes(TheBuffers, wanted))
     {
       TraceBlocks(wanted | AllBuffers(), progress);
@@ -278,42 +257,21 @@ void FrameSource::Update(const FrameRequest& request, const Progress& progress)
   {
     BeginFrame(wanted);
   }
-  else if (!Complete && !sameColors)
+  else if (!Complete && !sameLook)
   {
-    Passes->Recolor(ThePipeline(), ThePipeline().Needs().corners);
+    const Pipeline pipeline = TracingPipeline();
+    Passes->Recolor(pipeline, pipeline.Needs().corners);
     Shown.reset();
   }
   if (!Complete && (request.refine || !TheFrame))
   {
     TraceFrame(request.seconds, progress);
   }
-  else if (!sameColors)
+  else if (!sameLook)
   {
-    if (Complete)
-    {
-      PaintAgain();
-    }
-    else
-    {
-      ShowPreview();
-    }
+    Paint();
     Count(false);
   }
-  if (CountsAreOpen && Complete && request.counts)
-  {
-    MakeColors(colors, true);
-    PaintAgain();
-    Count(false);
-  }
-}
-
-void FrameSource::PaintAgain()
-{
-  const Pipeline pipeline = ThePipeline();
-  const Camera camera = Traced->camera.Make();
-  (void)KeepCorners(TheScene, camera, pipeline.Needs().corners, *TheFrame);
-  Repaint(TheScene, camera, pipeline, *TheFrame);
-  Contours.Finish(*TheFrame, camera);
 }
 
 SampleBuffers FrameSource::Sample(
@@ -323,8 +281,10 @@ SampleBuffers FrameSource::Sample(
   TheModel = request.model;
   Traced = TraceKeyOf(request);
   MakeScene(request);
-  MakeColors(ColorKeyOf(request, TheScene), false);
-  const Pipeline pipeline = ThePipeline();
+  Ranges = request.ranges ? request.ranges : std::make_shared<FieldRanges>();
+  TheLook = LookOf(request, TheScene);
+  MakePainter(nullptr);
+  const Pipeline pipeline = ThePainter->MakePipeline();
   const Camera camera = request.camera.Make();
   Frame none;
   TileVisit visit(&TheScene, &camera, pipeline, none, {});

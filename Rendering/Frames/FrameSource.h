@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Frames/FrameContours.h"
 #include "Frames/FrameKeys.h"
 #include "Frames/FrameRequest.h"
 #include "PixelExactRenderingModule.h"
 #include "Trace/FrameCost.h"
-#include "Trace/Modules/ColorMapping.h"
-#include "Trace/Modules/ElementEdges.h"
-#include "Trace/Modules/Lighting.h"
+#include "Trace/Look/Painter.h"
 #include "Trace/ProgressiveFrame.h"
 #include "Trace/TileSamples.h"
 
@@ -69,8 +66,11 @@ public:
   /// a coarse frame.
   [[nodiscard]] const ContourCertifier* LastContours() const
   {
-    return TheFrame && Complete ? Contours.Found() : nullptr;
+    return TheFrame && Complete ? ThePainter->Contours() : nullptr;
   }
+  /// How the last frame is shown, and its colours and contours in numbers.
+  [[nodiscard]] const ViewLook& LastLook() const { return TheLook; }
+  [[nodiscard]] const ResolvedLook& LastResolved() const { return Resolved; }
 
   /// The model of the last frame; null when there is none.
   [[nodiscard]] const HighOrderModel* Model() const { return TheModel.get(); }
@@ -89,32 +89,30 @@ public:
 private:
   void Update(const FrameRequest& request, const Progress& progress);
   void MakeScene(const FrameRequest& request);
-  /// `counts`: see FrameRequest::counts; their values need a complete frame.
-  void MakeColors(const ColorKey& key, bool counts);
-  [[nodiscard]] LayerContours CountedContours(const ColoredLayer& layer, std::size_t k) const;
-  /// Of the frame, by which they get their values.
-  [[nodiscard]] Buffer NeedsOfCounts() const;
-  void PaintAgain();
-  [[nodiscard]] Pipeline ThePipeline();
+  /// Ranges, iso-values and modules of TheLook. `frame`: of its values; null: there is none yet.
+  void MakePainter(const Frame* frame);
+  /// Of a frame that is being traced: without what follows from its values.
+  [[nodiscard]] Pipeline TracingPipeline();
+  /// What is there in the look's colours: the complete frame, or a coarse one.
+  void Paint();
   void BeginFrame(Buffer buffers);
   void TraceFrame(double seconds, const Progress& progress);
   void TraceBlocks(Buffer buffers, const Progress& progress);
   void ShowPreview();
+  void WriteLabels();
   void Count(bool traced);
   void Forget();
   [[nodiscard]] Buffer AllBuffers() const;
 
   std::shared_ptr<HighOrderModel> TheModel;
+  std::shared_ptr<FieldRanges> Ranges;
+  std::shared_ptr<ContourBounds> Bounds; ///< what contours know of the model's fields
   Scene TheScene;
   Buffer TheBuffers = Buffer::None; ///< that the frame was traced with
   std::optional<TraceKey> Traced;   ///< of TheScene; none: nothing to show
-  std::optional<ColorKey> Colored;  ///< what Colors and Lights were made of
-  bool CountsAreOpen = false;       ///< contours of which the number is given are not there yet
-  std::optional<ColorMapping> Colors;
-  // Not optional, of which g++ 14 believes that it is reset before it holds anything.
-  std::unique_ptr<Lighting> Lights;
-  std::unique_ptr<ElementEdges> Edges;
-  FrameContours Contours;
+  ViewLook TheLook;
+  ResolvedLook Resolved;
+  std::unique_ptr<Painter> ThePainter;    ///< of TheLook; null: of none
   std::optional<ProgressiveFrame> Passes; ///< of a frame that is not complete
   std::optional<int> Shown;               ///< the passes' step, of which TheFrame is the preview
   std::optional<Frame> TheFrame;

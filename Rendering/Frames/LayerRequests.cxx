@@ -15,8 +15,8 @@ LayerRequest LayerOf(vtkHighOrderMapper* mapper, vtkProperty* property)
   const char* field = mapper->GetFieldName();
   layer.field =
     field == nullptr || field[0] == '\0' ? FieldOf(mapper) : FieldChoice{ .name = field };
-  layer.solidColor = ColorOf(property);
-  layer.material = MaterialOf(property, !mapper->GetScalarVisibility());
+  layer.look.solid = ColorOf(property);
+  layer.look.material = MaterialOf(property, !mapper->GetScalarVisibility());
   layer.litWhereFlat = mapper->GetLightFlat();
   if (mapper->GetScalarVisibility())
   {
@@ -56,32 +56,37 @@ LayerRequest LayerOf(vtkHighOrderLayer* layer, LayerRequest ofAll)
   if (!layer->GetScalarVisibility())
   {
     request.table = nullptr;
-    request.solidColor = ToRgba(layer->GetColor());
+    request.look.solid = ToRgba(layer->GetColor());
   }
   if (!layer->GetContourVisibility())
   {
-    request.contours = {};
+    request.look.contours = {};
+  }
+  else if (layer->GetContourCount() > 0)
+  {
+    request.look.contours.count = layer->GetContourCount();
+    request.look.contours.values.clear();
   }
   else if (layer->GetNumberOfContours() > 0)
   {
-    request.contours.count = 0;
-    request.contours.values.clear();
+    request.look.contours.count = 0;
+    request.look.contours.values.clear();
     for (int i = 0; i < layer->GetNumberOfContours(); ++i)
     {
-      request.contours.values.push_back(layer->GetContourValue(i));
+      request.look.contours.values.push_back(layer->GetContourValue(i));
     }
   }
-  request.opacity = layer->GetOpacity();
+  request.look.opacity = layer->GetOpacity();
   request.precision = layer->GetSinglePrecision() ? Precision::Float : Precision::Double;
   request.litWhereFlat = layer->GetLightFlat();
   if (!layer->GetLighting())
   {
-    request.material.reset();
+    request.look.material.reset();
   }
-  else if (request.material)
+  else if (request.look.material)
   {
     // The actor's colour is not the layer's.
-    request.material->ambientColor.reset();
+    request.look.material->ambientColor.reset();
   }
   return request;
 }

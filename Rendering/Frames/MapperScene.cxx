@@ -90,10 +90,11 @@ void MapperScene::AddLayers(vtkHighOrderSceneMapper* mapper, const LayerRequest&
     if (layer->GetVisibility())
     {
       LayerRequest own = LayerOf(layer, ofAll);
-      if (layer->GetNumberOfContours() > 0 && !mapper->GetContourScalarVisibility())
+      const bool hasOwn = layer->GetContourCount() > 0 || layer->GetNumberOfContours() > 0;
+      if (hasOwn && !mapper->GetContourScalarVisibility())
       {
         // Colours of single contours are of the mapper's.
-        own.contours.colors = { ToRgba(mapper->GetContourColor()) };
+        own.look.contours.colors = { ToRgba(mapper->GetContourColor()) };
       }
       Add(mapper, sources.back(), std::move(own), surfaces, request);
     }

@@ -2,8 +2,8 @@
 #include "Surfaces/MeshSurfaces.h"
 
 #include "HighOrderModel.h"
+#include "Trace/Look/FieldRange.h"
 #include "Views/FieldChoice.h"
-#include "Views/FieldRange.h"
 
 #include "Core/Base/Error.h"
 #include "Core/Element/MeshRanges.h"

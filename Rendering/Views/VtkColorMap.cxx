@@ -8,6 +8,7 @@
 #include "vtkLookupTable.h"
 #include "vtkNew.h"
 #include "vtkScalarsToColors.h"
+#include "vtkSmartPointer.h"
 #include "vtkType.h"
 
 #include <algorithm>
@@ -97,7 +98,51 @@ bool IsEmpty(vtkScalarsToColors* table)
   }
   return table->GetNumberOfAvailableColors() == 0;
 }
+
+class VtkColorTable final : public ColorTable
+{
+public:
+  explicit VtkColorTable(vtkScalarsToColors* table)
+    : Table(table)
+    , State(table->GetMTime())
+  {
+  }
+
+  [[nodiscard]] ColorMap Over(const std::array<double, 2>& range) const override
+  {
+    RequireRange(range);
+    const double* own = Table->GetRange();
+    const bool differs = range[0] != own[0] || range[1] != own[1];
+    if (differs && (!IsLogarithmic() || range[0] > 0.0))
+    {
+      Table->SetRange(range.data());
+    }
+    ColorMap map = ToColorMap(Table);
+    State = Table->GetMTime();
+    return map;
+  }
+  [[nodiscard]] bool IsLogarithmic() const override { return Table->UsingLogScale() != 0; }
+  [[nodiscard]] std::array<double, 2> RangeOfNothing() const override
+  {
+    return { Table->GetRange()[0], Table->GetRange()[1] };
+  }
+  [[nodiscard]] bool IsSame(const ColorTable& other) const override
+  {
+    const auto* table = dynamic_cast<const VtkColorTable*>(&other);
+    return table != nullptr && table->Table == Table && table->State == State;
+  }
+
+private:
+  // Kept alive, so that no other table can have its address.
+  vtkSmartPointer<vtkScalarsToColors> Table;
+  mutable vtkMTimeType State;
+};
 } // namespace
+
+std::shared_ptr<const ColorTable> ColorTableOf(vtkScalarsToColors* table)
+{
+  return std::make_shared<VtkColorTable>(table);
+}
 
 void RequireRange(const std::array<double, 2>& range)
 {

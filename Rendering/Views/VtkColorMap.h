@@ -7,6 +7,7 @@
 #include "vtkSmartPointer.h"
 
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,12 @@ namespace pixelexact
 /// Throws Error for a null table, one without colours, and where RequireRange refuses its range;
 /// Unsupported for one that takes vectors for RGB colours.
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT ColorMap ToColorMap(vtkScalarsToColors* table);
+
+/// The same for any range, which the table gets: scalar bars show it. A logarithmic table refuses a
+/// range that is not above 0, and keeps its own. Two are the same while nobody else changes the
+/// table.
+[[nodiscard]] PIXELEXACTRENDERING_EXPORT std::shared_ptr<const ColorTable> ColorTableOf(
+  vtkScalarsToColors* table);
 
 /// Throws Error, with the remedy, for a range of colours that is not finite or runs backwards:
 /// tables would give all values one colour, or those of the range before.

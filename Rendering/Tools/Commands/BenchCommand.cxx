@@ -4,7 +4,6 @@
 #include "Bench/BenchFigures.h"
 #include "Bench/ContourTime.h"
 #include "Bench/FrameTime.h"
-#include "Picture/ContourDrawing.h"
 #include "Scene/ContourOptions.h"
 #include "Scene/Looks.h"
 #include "Scene/Shot.h"
@@ -63,22 +62,21 @@ Measured Measure(const Shot& shot, const BenchOptions& options)
 {
   const Camera camera = shot.MakeCamera();
   // Tells the range, which is no part of a frame.
-  const Frame first =
-    Trace(shot.scene, camera, {}, { .centres = NeedsOfLooks(shot) | options.contours.Needs() });
-  Looks looks(options.shot.colors, shot, first);
-  const Pipeline pipeline = looks.MakePipeline();
+  const ViewLook look = LookOf(options.shot.colors, &options.contours, shot);
+  const Frame first = Trace(shot.scene, camera, {}, { .centres = NeedsOf(look, shot.scene) });
+  Looks plain(options.shot.colors, nullptr, shot, first);
+  const Pipeline pipeline = plain.ThePainter().MakePipeline();
   ProgressLine line("measuring");
   Measured measured{ MeasureFrames(shot.scene, camera, pipeline, options.repeat,
                        [&line](double part) { line(part); }),
     first.counters, std::nullopt };
   if (options.contours.AreGiven())
   {
-    ContourDrawing drawing(
-      options.contours, options.shot.colors, shot, looks, first, std::make_shared<ContourBounds>());
-    Pipeline with = pipeline;
-    drawing.AddTo(with);
-    measured.contours = MeasureContours(
-      shot.scene, camera, pipeline, with, options.repeat, [&drawing] { return drawing.Pixels(); });
+    Looks looks(
+      options.shot.colors, &options.contours, shot, first, std::make_shared<ContourBounds>());
+    Painter& painter = looks.ThePainter();
+    measured.contours = MeasureContours(shot.scene, camera, pipeline, painter.MakePipeline(),
+      options.repeat, [&painter] { return painter.Contours()->Counters(); });
   }
   return measured;
 }

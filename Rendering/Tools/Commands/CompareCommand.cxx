@@ -5,7 +5,6 @@
 #include "Base/Report.h"
 #include "Commands/DifferenceCommand.h"
 #include "Input/PatchFile.h"
-#include "Picture/ContourDrawing.h"
 #include "Picture/RenderReport.h"
 #include "Scene/ContourOptions.h"
 #include "Scene/Looks.h"
@@ -111,14 +110,14 @@ TradeScene MakeScene(const CompareOptions& options, const Shot& shot)
     scene.patches = ReadPatches(file);
   }
   const Frame frame = Trace(shot.scene, shot.MakeCamera(), {},
-    { .centres = NeedsOfLooks(shot) | options.contours.Needs() | Buffer::Value });
-  const Looks looks(options.shot.colors, shot, frame);
+    { .centres = NeedsOf(LookOf(options.shot.colors, &options.contours, shot), shot.scene) |
+        Buffer::Value });
+  const Looks looks(options.shot.colors, &options.contours, shot, frame);
   scene.map = looks.Maps().front();
   scene.range = *looks.Ranges().front();
-  if (options.contours.AreGiven())
+  if (const ContourCertifier* contours = looks.ThePainter().Contours())
   {
-    const ContourDrawing drawing(options.contours, options.shot.colors, shot, looks, frame);
-    scene.isoValues = drawing.Found(frame).values.front();
+    scene.isoValues = contours->Values().front();
   }
   return scene;
 }

@@ -76,7 +76,7 @@ void CompareTwo(const ShotOptions& shot, const DifferenceOptions& difference,
   const Shot prepared = Prepare(asked, stopwatch);
   RequireField(prepared);
   const OtherSolution other = LoadOther(request, difference.FieldName(), prepared, stopwatch);
-  FieldDifference found = TraceDifferenceOf(prepared, other);
+  FieldDifference found = TraceDifferenceOf(asked.colors, prepared, other);
   stopwatch.Stage("compare");
 
   RepeatedCommand command{ common.words, prepared.chosen };
@@ -132,7 +132,7 @@ void CompareSeries(const ShotOptions& shot, const DifferenceOptions& difference,
   for (const InputRequest& request : requests)
   {
     const OtherSolution other = LoadOther(request, difference.FieldName(), prepared, stopwatch);
-    FieldDifference found = TraceDifferenceOf(prepared, other);
+    FieldDifference found = TraceDifferenceOf(asked.colors, prepared, other);
     const DifferenceNumbers numbers = NumbersOf(found);
     WarnOf(numbers, other.name);
     const DifferencePicture drawn(asked, prepared, other.field->name, found);
@@ -183,7 +183,7 @@ void CompareSolutions(ShotOptions shot, const DifferenceOptions& difference,
   }
   shot.size = AtDpi(shot.size, kUsualDpi);
   shot.CheckRangeOfOne();
-  if (shot.colors.Range().of == RangeChoice::Of::Field)
+  if (shot.colors.Range().of == RangeRule::Of::Field)
   {
     throw UsageError("--range field: a difference is no field of a mesh; choose symmetric, cut, "
                      "percentages or a,b");

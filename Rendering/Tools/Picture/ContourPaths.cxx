@@ -33,7 +33,7 @@ std::optional<std::vector<ContourPath>> PathsOfContours(
   const Shot& shot, const std::vector<double>& values)
 {
   const Layer& layer = shot.scene.layers.front();
-  if (shot.scene.layers.size() > 1 || layer.field == nullptr ||
+  if (shot.scene.layers.size() > 1 || !shot.scene.kept.empty() || layer.field == nullptr ||
     dynamic_cast<const Plane*>(layer.surface.get()) == nullptr ||
     layer.field->mapping != Mapping::Identity)
   {

@@ -2,16 +2,32 @@
 #include "Picture/ContourReport.h"
 
 #include "Base/Report.h"
+#include "Scene/Looks.h"
 
 #include "Core/Base/Counted.h"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
 namespace pixelexact
 {
+FoundContours FindContours(const Looks& looks, const Frame& frame, std::optional<int> labels)
+{
+  const ContourCertifier& told = *looks.ThePainter().Contours();
+  FoundContours found{ told.Values(), 0, told.Counters(), labels,
+    looks.Look().contours.method.interior, looks.Resolved().ofOneValue };
+  for (std::size_t k = 0; k < found.values.size(); ++k)
+  {
+    const ValueRange seen = ValuesSeen(frame, k);
+    found.outside += static_cast<std::size_t>(std::ranges::count_if(found.values[k],
+      [&seen](double value) { return !seen || value < (*seen)[0] || value > (*seen)[1]; }));
+  }
+  return found;
+}
+
 std::size_t CountOf(const FoundContours& contours)
 {
   std::size_t count = 0;

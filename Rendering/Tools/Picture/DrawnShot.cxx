@@ -3,6 +3,8 @@
 
 #include "Base/Processes.h"
 #include "Drawing/VectorCanvas.h"
+#include "Frames/ContourLabels.h"
+#include "Picture/ContourReport.h"
 #include "Picture/EdgePaths.h"
 #include "Picture/RenderOptions.h"
 #include "Picture/SharedTrace.h"
@@ -19,7 +21,9 @@ namespace pixelexact
 Frame TraceShot(const RenderOptions& options, const Shot& shot, const Progress& progress)
 {
   const bool hasField = shot.scene.layers.front().field != nullptr;
-  const Buffer wanted = NeedsOfLooks(shot) | options.debug.Needs() | options.contours.Needs() |
+  // The report tells which values are seen.
+  const Buffer wanted = NeedsOf(LookOf(options.shot.colors, &options.contours, shot), shot.scene) |
+    (hasField ? Buffer::Value : Buffer::None) | options.debug.Needs() |
     options.buffers.Needs(hasField) | options.outline.Needs();
   if (const int stride = options.knobs.Stride(); stride > 1)
   {
@@ -37,30 +41,27 @@ DrawnShot::DrawnShot(const RenderOptions& options, const Shot& shot, Frame trace
   , Told(options.debug)
 {
   // Colours after the rays, because the default range is that of the values found.
-  Colors.emplace(options.shot.colors, shot, Pixels);
+  Colors.emplace(options.shot.colors, &options.contours, shot, Pixels);
+  Painter& painter = Colors->ThePainter();
   std::optional<std::vector<std::vector<CanvasPoint>>> edges;
   if (paths && shot.edges)
   {
     edges = shot.edgesByKind ? std::nullopt : PathsOfEdges(shot, Pixels);
     TellWhatStays("element edges", edges.has_value());
   }
-  Pipeline pipeline = Colors->MakePipeline(!edges);
-  Told.AddTo(pipeline, shot, *Colors, Pixels);
+  const bool hasContours = painter.Contours() != nullptr;
   std::optional<std::vector<ContourPath>> contours;
-  if (options.contours.AreGiven())
+  // Undecided pixels are in the pixels.
+  if (paths && hasContours && !options.contours.Style().showUndecided)
   {
-    Lines.emplace(options.contours, options.shot.colors, shot, *Colors, Pixels);
-    // Undecided pixels are in the pixels.
-    if (paths && !options.contours.Style().showUndecided)
-    {
-      contours = PathsOfContours(shot, Lines->ValuesOf(0));
-    }
-    if (paths)
-    {
-      TellWhatStays("contours", contours.has_value());
-    }
-    Lines->AddTo(pipeline, !contours);
+    contours = PathsOfContours(shot, painter.Contours()->Values().front());
   }
+  if (paths && hasContours)
+  {
+    TellWhatStays("contours", contours.has_value());
+  }
+  Pipeline pipeline = painter.MakePipeline({ .edges = !edges, .contours = !contours });
+  Told.AddTo(pipeline, shot, *Colors, Pixels);
   Repaint(shot.scene, shot.MakeCamera(), pipeline, Pixels);
   Told.Count(Pixels);
   if (edges)
@@ -71,13 +72,14 @@ DrawnShot::DrawnShot(const RenderOptions& options, const Shot& shot, Frame trace
   {
     AddContours(*contours);
   }
-  else if (Lines)
+  else if (painter.Labels())
   {
-    Lines->DrawLabels(shot, options.font.Choice(), Pixels);
+    Labels = DrawContourLabels(Pixels, shot.MakeCamera(), *painter.Contours(), *painter.Lines(),
+      *painter.Labels(), options.font.Choice());
   }
-  if (Lines)
+  if (hasContours)
   {
-    TheFound.contours = Lines->Found(Pixels);
+    TheFound.contours = FindContours(*Colors, Pixels, Labels);
   }
   if (options.outline.IsAsked() && paths)
   {
@@ -89,7 +91,7 @@ DrawnShot::DrawnShot(const RenderOptions& options, const Shot& shot, Frame trace
     options.outline.Draw(shot, Pixels);
   }
   TheFound.knobs = { options.knobs.Stride(), shot.truncated };
-  TheFound.values = ValueRange(Pixels, -std::numeric_limits<double>::infinity());
+  TheFound.values = ValuesSeen(Pixels, -std::numeric_limits<double>::infinity());
   if (!Told.IsInPlace() && !options.contours.Only())
   {
     TheFound.beyond = CountBeyond(Pixels, Colors->Ranges(), options.shot.colors.Logarithm());
@@ -115,12 +117,18 @@ void DrawnShot::AddLines(
 
 void DrawnShot::AddContours(const std::vector<ContourPath>& contours)
 {
-  Over.labels = Lines->PlaceLabels(Of, Options.font.Choice(), Pixels);
-  Over.labelSize = Options.contours.Labels().value_or(0);
+  const Painter& painter = Colors->ThePainter();
+  if (painter.Labels())
+  {
+    Over.labels = PlaceContourLabels(Pixels, Of.MakeCamera(), *painter.Contours(), *painter.Lines(),
+      *painter.Labels(), Options.font.Choice());
+    Over.labelSize = *painter.Labels();
+    Labels = static_cast<int>(Over.labels.size());
+  }
   for (const ContourPath& path : contours)
   {
     AddLines(PartsBeside(Over.labels, path.points), Options.contours.Style().width,
-      Lines->ColorOf(0, path.value));
+      painter.Lines()->ColorOf(0, path.value));
   }
 }
 

@@ -4,7 +4,6 @@
 #include "Drawing/Image.h"
 #include "Drawing/ImageFile.h"
 #include "Drawing/VectorLines.h"
-#include "Picture/ContourDrawing.h"
 #include "Picture/ContourPaths.h"
 #include "Picture/RenderReport.h"
 #include "Scene/DebugOptions.h"
@@ -29,7 +28,7 @@ class DrawnShot
 {
 public:
   /// `traced`: of TraceShot. `paths`: contours, element edges and outlines are left out of the
-  /// pixels where they can be had as paths. Throws Error as Looks and ContourDrawing. The options
+  /// pixels where they can be had as paths. Throws Error as Looks. The options
   /// and the shot must outlive it.
   DrawnShot(const RenderOptions& options, const Shot& shot, Frame traced, bool paths = false);
   DrawnShot(const DrawnShot&) = delete;
@@ -38,7 +37,8 @@ public:
   [[nodiscard]] const Frame& GetFrame() const { return Pixels; }
   [[nodiscard]] const Looks& GetLooks() const { return *Colors; }
   [[nodiscard]] const DebugOptions& Debug() const { return Told; }
-  [[nodiscard]] const ContourDrawing* Contours() const { return Lines ? &*Lines : nullptr; }
+  /// Null where there are none.
+  [[nodiscard]] const ContourCertifier* Contours() const { return Colors->ThePainter().Contours(); }
   [[nodiscard]] const Found& WhatIsFound() const { return TheFound; }
 
   /// The picture alone, or with a figure around it.
@@ -62,7 +62,7 @@ private:
   Frame Pixels;
   DebugOptions Told;
   std::optional<Looks> Colors;
-  std::optional<ContourDrawing> Lines;
+  std::optional<int> Labels; ///< written, where they were asked for
   VectorLines Over;
   std::vector<std::string> Staying;
   Found TheFound;

@@ -139,7 +139,7 @@ std::optional<std::vector<std::vector<CanvasPoint>>> PathsOfEdges(
   const Shot& shot, const Frame& frame)
 {
   const auto* plane = dynamic_cast<const Plane*>(shot.scene.layers.front().surface.get());
-  if (shot.scene.layers.size() > 1 || plane == nullptr)
+  if (shot.scene.layers.size() > 1 || plane == nullptr || !shot.scene.kept.empty())
   {
     return std::nullopt;
   }

@@ -56,7 +56,7 @@ std::string EncodePicture(const RenderOptions& options, const DrawnShot& drawn,
 std::string EncodeBuffersOf(
   const RenderOptions& options, const Shot& shot, const DrawnShot& drawn, const std::string& file)
 {
-  const ContourDrawing* contours = drawn.Contours();
+  const ContourCertifier* contours = drawn.Contours();
   return EncodeBuffers(file, options.buffers.Arrays(), drawn.GetFrame(),
     shot.input.model->SourceCells(),
     contours != nullptr ? std::span(contours->Verdicts()) : std::span<const std::uint8_t>());

@@ -152,7 +152,7 @@ void Pictures::FindValues()
     Watch.Stage("values of all");
     for (std::size_t k = 0; k < found.size(); ++k)
     {
-      if (const auto here = ValueRange(traced, lowest, LayersAlike(shot, k)))
+      if (const auto here = ValuesSeen(traced, lowest, LayersAlike(shot, k)))
       {
         found[k] = found[k]
           ? Range{ std::min((*found[k])[0], (*here)[0]), std::max((*found[k])[1], (*here)[1]) }

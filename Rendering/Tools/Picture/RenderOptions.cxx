@@ -32,6 +32,10 @@ void RenderOptions::AddTo(CLI::App& command)
 {
   shot.input.mayBeAll = true;
   shot.AddTo(command);
+  AddRepeatedNumbers(command, "--clip", shot.clip, 6, "ox,oy,oz,nx,ny,nz",
+    "Cut away all that lies behind the plane through o with normal n; what n points to stays. Any "
+    "number of times")
+    .Group("Surfaces (any number of each)");
   contours.AddTo(command);
   debug.AddTo(command);
   AddText(command, "-o,--output", output, "IMAGE",
@@ -70,6 +74,10 @@ void RenderOptions::Check(const std::string& picture)
   if (!lines.file.empty() && !contours.AreGiven())
   {
     throw UsageError("--contours-output: there are no contours to write; give --contours");
+  }
+  if (!lines.file.empty() && !shot.clip.empty())
+  {
+    throw UsageError("--contours-output: lines are those of whole surfaces; leave out --clip");
   }
   if (shot.colors.BackgroundColor()[3] == 0 && !HasAlpha(format))
   {

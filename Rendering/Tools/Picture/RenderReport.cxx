@@ -162,7 +162,7 @@ void PrintJson(const Shot& shot, const Frame& frame, const Found& found, const L
   }
   if (shot.samples > 1)
   {
-    summary["refined_pixels"] = looks.Refined();
+    summary["refined_pixels"] = looks.ThePainter().Refined();
   }
   if (pixels.floatCheck.points > 0)
   {
@@ -225,7 +225,7 @@ void PrintTable(const Shot& shot, const Frame& frame, const Found& found, const 
   }
   if (shot.samples > 1)
   {
-    table.Row("smoothed", Counted(looks.Refined(), "pixel"));
+    table.Row("smoothed", Counted(looks.ThePainter().Refined(), "pixel"));
   }
   if (pixels.floatCheck.points > 0)
   {

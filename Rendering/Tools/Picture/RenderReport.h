@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Base/RepeatedCommand.h"
-#include "Picture/ContourDrawing.h"
+#include "Picture/ContourReport.h"
 #include "Scene/Knobs.h"
 #include "Scene/LayerRanges.h"
 

@@ -20,7 +20,7 @@ void RefuseSeveralProcesses(const std::string& what)
 
 void CheckForSeveralProcesses(const RenderOptions& options)
 {
-  const auto ofField = [](const RangeChoice& range) { return range.of == RangeChoice::Of::Field; };
+  const auto ofField = [](const RangeRule& range) { return range.of == RangeRule::Of::Field; };
   const auto layers = options.shot.MakeLayers();
   if (ofField(options.shot.colors.Range()) ||
     std::ranges::any_of(

@@ -115,14 +115,14 @@ void CheckColor(const char* option, const std::vector<double>& color)
   }
 }
 
-void CheckLogarithm(const char* option, const RangeChoice& range)
+void CheckLogarithm(const char* option, const RangeRule& range)
 {
   if (range.symmetric)
   {
     throw UsageError(
       std::string(option) + ": --log needs a range above 0, and a symmetric one is not");
   }
-  if (range.of == RangeChoice::Of::Ends && !(range.ends[0] > 0.0))
+  if (range.of == RangeRule::Of::Ends && !(range.ends[0] > 0.0))
   {
     throw UsageError(std::string(option) + ": --log needs a range above 0, and this begins at " +
       Short(range.ends[0]));

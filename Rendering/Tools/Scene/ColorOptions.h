@@ -28,7 +28,7 @@ public:
   void Check() const;
 
   /// Of all layers that do not say so themselves.
-  [[nodiscard]] const RangeChoice& Range() const { return TheRange; }
+  [[nodiscard]] const RangeRule& Range() const { return TheRange; }
   [[nodiscard]] bool Logarithm() const { return Log; }
   /// The colour in the place of the map's; none: by value.
   [[nodiscard]] std::optional<std::array<double, 3>> Solid() const;
@@ -50,7 +50,7 @@ public:
 
 private:
   std::string Map = "viridis";
-  RangeChoice TheRange;
+  RangeRule TheRange;
   std::vector<double> Color;
   bool Log = false;
   std::vector<double> NanColor;
@@ -66,5 +66,5 @@ void CheckMap(const char* option, const std::string& map);
 void CheckColor(const char* option, const std::vector<double>& color);
 
 /// Throws UsageError where a logarithm is asked for over a range that is not above 0.
-void CheckLogarithm(const char* option, const RangeChoice& range);
+void CheckLogarithm(const char* option, const RangeRule& range);
 } // namespace pixelexact

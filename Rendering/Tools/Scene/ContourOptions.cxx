@@ -54,9 +54,9 @@ std::string TooMany(const std::string& option)
 }
 } // namespace
 
-ContourChoice ReadContours(const std::string& option, const std::string& text, char separator)
+ContourRule ReadContours(const std::string& option, const std::string& text, char separator)
 {
-  ContourChoice choice;
+  ContourRule choice;
   const std::string_view number =
     std::string_view(text).substr(text.starts_with(kRound) ? std::string_view(kRound).size() : 0);
   const bool digits =
@@ -292,12 +292,8 @@ std::optional<int> ContourOptions::Labels() const
   return LabelHeight ? std::optional(static_cast<int>(*LabelHeight)) : std::nullopt;
 }
 
-Buffer ContourOptions::Needs() const
+ContourLook ContourOptions::Look(const Rgba& background) const
 {
-  // Labels keep away from where a surface hides a part of itself.
-  const Buffer ofLabels = LabelHeight ? Buffer::Position | Buffer::Normal : Buffer::None;
-  return AreGiven()
-    ? ContourCertifier({}, HowTold()).Needs().welcome | Buffer::Verdict | Buffer::Layer | ofLabels
-    : Buffer::None;
+  return { Style(), HowTold(), Labels(), TheOnly ? std::optional(background) : std::nullopt };
 }
 } // namespace pixelexact

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Trace/Modules/ContourLines.h"
+#include "Trace/Look/ViewLook.h"
 
 #include <optional>
 #include <string>
@@ -16,22 +16,10 @@ namespace pixelexact
 {
 struct LayerSettings;
 
-/// Which iso-values are drawn.
-struct ContourChoice
-{
-  int count = 0; ///< so many round ones inside the colour map's range (RoundValues); 0: those below
-  std::vector<double> values;
-
-  [[nodiscard]] std::size_t Count() const
-  {
-    return count > 0 ? static_cast<std::size_t>(count) : values.size();
-  }
-};
-
 /// A positive integer without separator or decimal point is a count ("round" before it changes
 /// nothing), everything else values; a separator behind a single number makes it a value. Throws
 /// UsageError.
-ContourChoice ReadContours(const std::string& option, const std::string& text, char separator);
+ContourRule ReadContours(const std::string& option, const std::string& text, char separator);
 
 /// Which contours render draws, and how.
 class ContourOptions
@@ -48,7 +36,7 @@ public:
   /// Whether there are any.
   [[nodiscard]] bool AreGiven() const { return Choice.has_value(); }
   /// Of all layers that do not say so themselves.
-  [[nodiscard]] const ContourChoice& OfAll() const { return *Choice; }
+  [[nodiscard]] const ContourRule& OfAll() const { return *Choice; }
   [[nodiscard]] ContourStyle Style() const;
   /// How pixels are told.
   [[nodiscard]] ContourMethod HowTold() const;
@@ -59,14 +47,14 @@ public:
   [[nodiscard]] bool Only() const { return TheOnly; }
   /// The height of labels in pixels; none: no labels.
   [[nodiscard]] std::optional<int> Labels() const;
-  /// The buffers of centres that drawing reads.
-  [[nodiscard]] Buffer Needs() const;
+  /// `background`: the colour in the place of the surface's, with Only.
+  [[nodiscard]] ContourLook Look(const Rgba& background) const;
 
 private:
   void ReadColors(const std::string& text);
 
   const CLI::App* Command = nullptr;
-  std::optional<ContourChoice> Choice;
+  std::optional<ContourRule> Choice;
   std::optional<double> Width;
   ContourMethod Method;
   std::optional<double> Effort;

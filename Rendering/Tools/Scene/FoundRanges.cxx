@@ -4,8 +4,8 @@
 #include "Base/Report.h"
 
 #include "Core/Bounds/ElementBounds.h"
+#include "Trace/Look/FieldRange.h"
 #include "Trace/Scene.h"
-#include "Views/FieldRange.h"
 
 #include <nlohmann/json.hpp>
 #include <tbb/parallel_for.h>

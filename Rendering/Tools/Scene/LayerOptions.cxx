@@ -103,7 +103,7 @@ const std::map<std::string, Setter>& Setters()
       [](LayerSettings& layer, const std::string& value)
       {
         layer.contours =
-          value == "off" ? ContourChoice{} : ReadContours("--layer: contours", value, ':');
+          value == "off" ? ContourRule{} : ReadContours("--layer: contours", value, ':');
       } },
     { "lights",
       [](LayerSettings& layer, const std::string& value)

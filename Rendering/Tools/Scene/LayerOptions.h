@@ -22,10 +22,10 @@ struct LayerSettings
   std::optional<Precision> precision;
   double opacity = 1.0;
   std::optional<std::string> colormap;
-  std::optional<RangeChoice> range;
+  std::optional<RangeRule> range;
   std::optional<std::array<double, 3>> color; ///< in the place of a colour map
   std::optional<bool> lights;
-  std::optional<ContourChoice> contours;
+  std::optional<ContourRule> contours;
 };
 
 /// Surfaces that are shown in a way of their own: --layer, any number of times.

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/Looks.h"
 
+#include "Base/Report.h"
 #include "Scene/ColorOptions.h"
+#include "Scene/ContourOptions.h"
 #include "Scene/Shot.h"
 
+#include "Core/Base/Error.h"
 #include "Core/Faces/FaceTable.h"
 #include "HighOrderModel.h"
 #include "Views/VtkLook.h"
 
-#include <algorithm>
+#include <optional>
+#include <string>
 #include <utility>
 
 namespace pixelexact
@@ -40,114 +44,135 @@ bool IsLit(const Shot& shot, std::size_t layer)
   return shot.settings[layer].lights.value_or(unasked || shot.lights == Lit::On);
 }
 
-bool AnyLit(const Shot& shot)
+/// The command line's colours over any range.
+class OptionTable final : public ColorTable
 {
-  for (std::size_t k = 0; k < shot.scene.layers.size(); ++k)
+public:
+  OptionTable(const ColorOptions& colors, std::optional<std::string> map)
+    : Colors(colors)
+    , Map(std::move(map))
   {
-    if (IsLit(shot, k))
+  }
+
+  [[nodiscard]] ColorMap Over(const std::array<double, 2>& range) const override
+  {
+    if (IsLogarithmic() && !(range[0] > 0.0))
     {
-      return true;
+      throw Error("--log needs values above 0, and the range found begins at " + Short(range[0]) +
+        "; choose --range cut or --range a,b");
+    }
+    return Colors.MapOver(range, Map);
+  }
+  [[nodiscard]] bool IsLogarithmic() const override { return Colors.Logarithm(); }
+  [[nodiscard]] std::array<double, 2> RangeOfNothing() const override
+  {
+    return IsLogarithmic() ? std::array{ 1.0, 10.0 } : std::array{ 0.0, 1.0 };
+  }
+  [[nodiscard]] bool IsSame(const ColorTable& other) const override
+  {
+    const auto* table = dynamic_cast<const OptionTable*>(&other);
+    return table != nullptr && &table->Colors == &Colors && table->Map == Map;
+  }
+
+private:
+  const ColorOptions& Colors;
+  std::optional<std::string> Map;
+};
+
+/// The first layer that shows the same values in a range that is found, too; its own number where
+/// the range is given.
+std::size_t GroupOf(const ViewLook& look, const Shot& shot, std::size_t layer)
+{
+  const std::vector<Layer>& layers = shot.scene.layers;
+  const auto isFound = [&look](std::size_t k)
+  { return look.layers[k].range.of != RangeRule::Of::Ends; };
+  for (std::size_t k = 0; k < layer && isFound(layer); ++k)
+  {
+    if (isFound(k) && layers[k].field == layers[layer].field &&
+      layers[k].component == layers[layer].component)
+    {
+      return k;
     }
   }
-  return false;
+  return layer;
 }
 
-/// A light at the eye, as a new vtkRenderer has.
-Lighting HeadlightOf(const Shot& shot)
+ContourRule ContoursOf(const ContourOptions* contours, const LayerSettings& settings)
 {
-  std::vector<std::optional<Material>> materials(shot.scene.layers.size());
-  for (std::size_t k = 0; k < materials.size(); ++k)
+  if (contours == nullptr || !contours->AreGiven())
   {
-    if (IsLit(shot, k))
-    {
-      materials[k].emplace();
-    }
+    return {};
   }
-  LitView view;
-  view.eye = shot.view.position;
-  view.direction = shot.MakeCamera().ViewDirection();
-  view.parallel = shot.view.parallel;
-  return { materials, { Light{ .headlight = true } }, view };
+  ContourRule rule = settings.contours.value_or(contours->OfAll());
+  rule.colors = contours->Colors();
+  return rule;
+}
+
+LayerLook LookOfLayer(
+  const ColorOptions& colors, const ContourOptions* contours, const Shot& shot, std::size_t layer)
+{
+  const LayerSettings& settings = shot.settings[layer];
+  LayerLook look;
+  if (shot.scene.layers[layer].field != nullptr)
+  {
+    look.table = std::make_shared<OptionTable>(colors, settings.colormap);
+  }
+  look.range = settings.range.value_or(colors.Range());
+  if (const auto solid = SolidOf(colors, shot.scene.layers[layer], settings))
+  {
+    look.solid = ToRgba(solid->data());
+  }
+  look.opacity = settings.opacity;
+  if (IsLit(shot, layer))
+  {
+    look.material.emplace();
+  }
+  look.contours = ContoursOf(contours, settings);
+  return look;
 }
 } // namespace
 
-Buffer NeedsOfLooks(const Shot& shot)
+ViewLook LookOf(const ColorOptions& colors, const ContourOptions* contours, const Shot& shot)
 {
-  return Buffer::Verdict |
-    (shot.scene.layers.front().field != nullptr ? Buffer::Value : Buffer::None) |
-    (shot.scene.layers.size() > 1 ? Buffer::Layer : Buffer::None) |
-    (AnyLit(shot) ? Buffer::Position | Buffer::Normal : Buffer::None) |
-    (shot.edges ? ElementEdges(*shot.edges).Needs().centres : Buffer::None) |
-    (shot.outlines ? ElementOutlines().Needs().centres : Buffer::None);
-}
-
-Looks::Looks(const ColorOptions& colors, const Shot& shot, const Frame& frame)
-{
-  const std::vector<Layer>& layers = shot.scene.layers;
-  std::vector<LayerColors> looks;
-  for (std::size_t k = 0; k < layers.size(); ++k)
+  ViewLook look;
+  for (std::size_t k = 0; k < shot.scene.layers.size(); ++k)
   {
-    const LayerSettings& settings = shot.settings[k];
-    if (const auto solid = SolidOf(colors, layers[k], settings))
-    {
-      TheRanges.emplace_back();
-      TheMaps.push_back(SolidColor(ToRgba(solid->data())));
-    }
-    else
-    {
-      TheRanges.emplace_back(
-        RangeOfLayer(settings.range.value_or(colors.Range()), shot, k, frame, colors.Logarithm()));
-      TheMaps.push_back(colors.MapOver(*TheRanges.back(), settings.colormap));
-    }
-    looks.push_back({ .map = TheMaps.back(),
-      .opacity = settings.opacity,
-      .readsValues = layers[k].field != nullptr });
+    look.layers.push_back(LookOfLayer(colors, contours, shot, k));
+    look.layers.back().rangeGroup = GroupOf(look, shot, k);
   }
-  Colors.emplace(std::move(looks));
-  if (AnyLit(shot))
-  {
-    Lights.emplace(HeadlightOf(shot));
-  }
-  if (shot.samples > 1)
-  {
-    Smooth.emplace(shot.samples);
-  }
-  if (shot.edges)
-  {
-    KindOfFace kinds;
-    if (shot.edgesByKind)
-    {
-      const FaceTable& faces = shot.input.model->Faces();
-      kinds = [&faces](int element, int face) { return faces.KindOf(element, face); };
-    }
-    Edges.emplace(*shot.edges, std::move(kinds));
-  }
+  // A light at the eye, as a new vtkRenderer has.
+  look.lights = { Light{ .headlight = true } };
+  look.lit.eye = shot.view.position;
+  look.lit.direction = shot.MakeCamera().ViewDirection();
+  look.lit.parallel = shot.view.parallel;
+  look.samples = shot.samples;
+  look.edges = shot.edges;
+  look.faces = shot.edges && shot.edgesByKind ? &shot.input.model->Faces() : nullptr;
   if (shot.outlines)
   {
-    Outlines.emplace(ToRgba(shot.outlines->data()));
+    look.outlines = ToRgba(shot.outlines->data());
   }
+  if (look.HasContours())
+  {
+    look.contours = contours->Look(colors.BackgroundColor());
+  }
+  return look;
 }
 
-Pipeline Looks::MakePipeline(bool edges)
+Looks::Looks(const ColorOptions& colors, const ContourOptions* contours, const Shot& shot,
+  const Frame& frame, std::shared_ptr<ContourBounds> bounds)
+  : TheLook(LookOf(colors, contours, shot))
 {
-  Pipeline pipeline{ { &*Colors }, {} };
-  if (Lights)
+  FieldRanges fields;
+  ProgressLine line("bounding");
+  TheResolved = Resolve(
+    TheLook, shot.scene, &frame, fields, shot.valuesOfAll, [&line](double part) { line(part); });
+  for (std::size_t k = 0; k < TheLook.layers.size(); ++k)
   {
-    pipeline.colors.push_back(&*Lights);
+    const ResolvedLayer& layer = TheResolved.layers[k];
+    TheRanges.push_back(TheLook.layers[k].solid ? std::nullopt : layer.range);
+    TheMaps.push_back(layer.map);
   }
-  if (Smooth)
-  {
-    pipeline.modules.push_back(&*Smooth);
-  }
-  // Last, so that nothing smooths them.
-  if (Edges && edges)
-  {
-    pipeline.modules.push_back(&*Edges);
-  }
-  if (Outlines)
-  {
-    pipeline.modules.push_back(&*Outlines);
-  }
-  return pipeline;
+  Paints = std::make_unique<Painter>(TheLook, shot.scene, TheResolved, std::move(bounds));
 }
 } // namespace pixelexact

@@ -1,52 +1,48 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Trace/Modules/Antialiasing.h"
-#include "Trace/Modules/ColorMapping.h"
-#include "Trace/Modules/ElementEdges.h"
-#include "Trace/Modules/ElementOutlines.h"
-#include "Trace/Modules/Lighting.h"
+#include "Trace/Look/Painter.h"
 
-#include <array>
-#include <optional>
+#include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace pixelexact
 {
 class ColorOptions;
+class ContourBounds;
+class ContourOptions;
 struct Shot;
 
-/// How the layers of a shot are shown: colour maps over their ranges, lights, anti-aliasing,
-/// edges, outlines.
+/// What the command line says of how a shot is shown. `contours`: null, or none given: none are.
+[[nodiscard]] ViewLook LookOf(
+  const ColorOptions& colors, const ContourOptions* contours, const Shot& shot);
+
+/// How the layers of a shot are shown, in numbers: their colour maps and ranges, and the painter.
 class Looks
 {
 public:
-  /// Throws Error as RangeOfLayer.
-  Looks(const ColorOptions& colors, const Shot& shot, const Frame& frame);
+  /// Of a frame that has the buffers of NeedsOf(LookOf(...)). `bounds`: as of Painter. The options
+  /// and the shot must outlive it. Throws Error as Resolve and Painter.
+  Looks(const ColorOptions& colors, const ContourOptions* contours, const Shot& shot,
+    const Frame& frame, std::shared_ptr<ContourBounds> bounds = nullptr);
   Looks(const Looks&) = delete;
   Looks& operator=(const Looks&) = delete;
 
-  /// Points to modules here. `edges`: whether element edges that were asked for are drawn.
-  [[nodiscard]] Pipeline MakePipeline(bool edges = true);
+  [[nodiscard]] const ViewLook& Look() const { return TheLook; }
+  [[nodiscard]] const ResolvedLook& Resolved() const { return TheResolved; }
+  [[nodiscard]] Painter& ThePainter() { return *Paints; }
+  [[nodiscard]] const Painter& ThePainter() const { return *Paints; }
 
-  /// By layer; none: it is painted in one colour.
-  [[nodiscard]] const std::vector<std::optional<std::array<double, 2>>>& Ranges() const
-  {
-    return TheRanges;
-  }
+  /// By layer, of the colours of its surface; none: it is painted in one colour.
+  [[nodiscard]] const std::vector<ValueRange>& Ranges() const { return TheRanges; }
   [[nodiscard]] const std::vector<ColorMap>& Maps() const { return TheMaps; }
-  [[nodiscard]] std::int64_t Refined() const { return Smooth ? Smooth->Refined() : 0; }
 
 private:
-  std::vector<std::optional<std::array<double, 2>>> TheRanges;
+  ViewLook TheLook;
+  ResolvedLook TheResolved;
+  std::vector<ValueRange> TheRanges;
   std::vector<ColorMap> TheMaps;
-  std::optional<ColorMapping> Colors;
-  std::optional<Lighting> Lights;
-  std::optional<Antialiasing> Smooth;
-  std::optional<ElementEdges> Edges;
-  std::optional<ElementOutlines> Outlines;
+  std::unique_ptr<Painter> Paints;
 };
-
-/// The buffers of centres that Looks of a shot read.
-[[nodiscard]] Buffer NeedsOfLooks(const Shot& shot);
 } // namespace pixelexact

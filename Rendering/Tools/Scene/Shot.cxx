@@ -183,10 +183,10 @@ constexpr std::array<double, 3> kWallColor{ 0.84, 0.37, 0.0 };
 bool ShotOptions::SpansAllPictures() const
 {
   const std::vector<LayerSettings> all = layers.Make(surfaces.Count());
-  return colors.Range().of == RangeChoice::Of::All ||
+  return colors.Range().of == RangeRule::Of::All ||
     std::ranges::any_of(all,
       [](const LayerSettings& layer)
-      { return layer.range && layer.range->of == RangeChoice::Of::All; });
+      { return layer.range && layer.range->of == RangeRule::Of::All; });
 }
 
 void ShotOptions::CheckRangeOfOne() const
@@ -194,7 +194,7 @@ void ShotOptions::CheckRangeOfOne() const
   if (SpansAllPictures())
   {
     throw UsageError(
-      std::string(colors.Range().of == RangeChoice::Of::All ? "--range" : "--layer: range") +
+      std::string(colors.Range().of == RangeRule::Of::All ? "--range" : "--layer: range") +
       " 'all': there is one picture; choose cut, or give --sweep, --turn or --time-step all");
   }
 }
@@ -221,6 +221,21 @@ std::vector<LayerSettings> ShotOptions::MakeLayers() const
 
 namespace
 {
+/// As vtkMapper::GetClippingPlaneInDataCoords makes them.
+std::vector<KeptHalfSpace> HalfSpacesOf(const std::vector<std::vector<double>>& planes)
+{
+  std::vector<KeptHalfSpace> kept;
+  for (const std::vector<double>& p : planes)
+  {
+    if (p[3] == 0.0 && p[4] == 0.0 && p[5] == 0.0)
+    {
+      throw UsageError("--clip: the normal is zero; give one that points to what stays");
+    }
+    kept.push_back({ p[3], p[4], p[5], -(p[3] * p[0] + p[4] * p[1] + p[5] * p[2]) });
+  }
+  return kept;
+}
+
 /// All but the view.
 Shot MakeShot(const ShotOptions& options, Stopwatch& stopwatch, vtkUnstructuredGrid* before)
 {
@@ -276,6 +291,7 @@ Shot MakeShot(const ShotOptions& options, Stopwatch& stopwatch, vtkUnstructuredG
     TellWhatWasChosen(options, shot);
   }
   shot.scene.locator = &model.GetLocator();
+  shot.scene.kept = HalfSpacesOf(options.clip);
   stopwatch.Stage("bounds+bvh");
   return shot;
 }

@@ -52,6 +52,8 @@ struct ShotOptions
   std::vector<double> edgeColor{ 0.0, 0.0, 0.0 };
   bool edgesByKind = false;
   bool outlines = false;
+  std::vector<std::vector<double>>
+    clip; ///< planes, of which the side that normals point to is kept
   std::vector<double> outlineColor{ 0.0, 0.0, 0.0 };
   /// Points that a camera which was not placed must see beside the cut, with the view so far;
   /// empty: none.
@@ -82,7 +84,7 @@ struct Shot
   std::optional<EdgeStyle> edges;                ///< none: none
   bool edgesByKind = false;                      ///< what lies behind faces is told apart
   std::optional<std::array<double, 3>> outlines; ///< the colour of elements' outlines; none: none
-  /// By layer, of the values that all pictures of an animation show (RangeChoice::Of::All).
+  /// By layer, of the values that all pictures of an animation show (RangeRule::Of::All).
   std::vector<std::optional<std::array<double, 2>>> valuesOfAll;
   std::vector<TruncatedField> truncated; ///< what is shown without its top modes
   std::vector<std::string> chosen; ///< words of a command line that were not given, and are so

@@ -49,7 +49,7 @@ struct ShownAs
     LayerSettings& settings = shown.settings.front();
     if (!norm && !IsGiven(*options.command, "--range"))
     {
-      settings.range = RangeChoice{ RangeChoice::Of::Cut, {}, true };
+      settings.range = RangeRule{ RangeRule::Of::Cut, {}, true };
     }
     if (!norm && !IsGiven(*options.command, "--colormap"))
     {
@@ -70,9 +70,9 @@ DifferencePicture::DifferencePicture(const ShotOptions& options, const Shot& sho
   , Other(field)
 {
   const ShownAs as(shot, options, Other);
-  Looks looks(options.colors, as.shown, difference.frame);
+  Looks looks(options.colors, nullptr, as.shown, difference.frame);
   TheRange = *looks.Ranges().front();
-  Repaint(looks.MakePipeline(), difference.frame);
+  Repaint(looks.ThePainter().MakePipeline(), difference.frame);
   PaintSides(difference);
 }
 
@@ -81,7 +81,7 @@ std::string DifferencePicture::Encode(const DifferenceOptions& difference, const
 {
   const ColorOptions& colors = Options.colors;
   const ShownAs as(Of, Options, Other);
-  const Looks looks(colors, as.shown, Shown.frame);
+  const Looks looks(colors, nullptr, as.shown, Shown.frame);
   const FigureOptions& figure = difference.Figure();
   FigureContent content{ as.shown, looks, Shown.frame, colors, true, {} };
   const auto mark = [&](DifferenceSide side, const Rgba& color, const char* text)

@@ -70,13 +70,15 @@ OtherSolution LoadOther(
   return other;
 }
 
-FieldDifference TraceDifferenceOf(const Shot& shot, const OtherSolution& other)
+FieldDifference TraceDifferenceOf(
+  const ColorOptions& colors, const Shot& shot, const OtherSolution& other)
 {
   const Layer& layer = shot.scene.layers.front();
   const DifferenceScene scene{ { shot.scene.locator, layer.field }, other.Of(), layer.surface,
     layer.component, shot.scene.kept };
   ProgressLine line("comparing");
-  return TraceDifference(scene, shot.MakeCamera(), NeedsOfLooks(shot), true, std::ref(line));
+  return TraceDifference(scene, shot.MakeCamera(),
+    NeedsOf(LookOf(colors, nullptr, shot), shot.scene), true, std::ref(line));
 }
 
 SolutionSize SizeOf(const LoadedModel& input, const Field& field)

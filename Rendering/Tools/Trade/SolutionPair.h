@@ -10,6 +10,7 @@
 
 namespace pixelexact
 {
+class ColorOptions;
 struct ShotOptions;
 struct Shot;
 
@@ -33,7 +34,8 @@ OtherSolution LoadOther(const InputRequest& request, const std::string& fieldNam
 
 /// The difference of the shot's only layer from another solution, with proven bounds, and the
 /// buffers that the shot's colours need. Shows how far it is.
-FieldDifference TraceDifferenceOf(const Shot& shot, const OtherSolution& other);
+FieldDifference TraceDifferenceOf(
+  const ColorOptions& colors, const Shot& shot, const OtherSolution& other);
 
 /// How fine a solution is.
 struct SolutionSize

@@ -8,9 +8,11 @@
 #include <vtkHighOrderMapper.h>
 #include <vtkLookupTable.h>
 #include <vtkObjectFactory.h>
+#include <vtkPlane.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
+#include <vector>
 
 namespace pixelexact
 {
@@ -49,7 +51,7 @@ void ViewScene::MakeTables(const Shot& shot)
   // Of what the view shows, as render's.
   Shot seen = shot;
   const Frame frame = TraceShot(Options, seen, {});
-  const Looks looks(Options.shot.colors, seen, frame);
+  const Looks looks(Options.shot.colors, nullptr, seen, frame);
   TheRanges = looks.Ranges();
   Tables.clear();
   for (std::size_t k = 0; k < TheRanges.size(); ++k)
@@ -96,6 +98,21 @@ void ViewScene::MakeLayers(const Shot& shot)
     TheMapper->AddLayer(layer);
   }
   TheMapper->SetUseLookupTableScalarRange(true);
+  TheMapper->SetSamples(shot.samples);
+  TheMapper->SetEdgesByKind(shot.edgesByKind);
+  TheMapper->SetOutlines(shot.outlines.has_value());
+  if (shot.outlines)
+  {
+    TheMapper->SetOutlineColor(shot.outlines->data());
+  }
+  TheMapper->RemoveAllClippingPlanes();
+  for (const std::vector<double>& p : Options.shot.clip)
+  {
+    vtkNew<vtkPlane> plane;
+    plane->SetOrigin(p[0], p[1], p[2]);
+    plane->SetNormal(p[3], p[4], p[5]);
+    TheMapper->AddClippingPlane(plane);
+  }
 }
 
 void ViewScene::ShowContours(bool on)
@@ -108,8 +125,8 @@ void ViewScene::ShowContours(bool on)
   {
     return;
   }
-  const ContourChoice choice =
-    Options.contours.AreGiven() ? Options.contours.OfAll() : ContourChoice{ kUsualContours, {} };
+  const ContourRule choice =
+    Options.contours.AreGiven() ? Options.contours.OfAll() : ContourRule{ .count = kUsualContours };
   TheMapper->SetContourCount(choice.count);
   for (std::size_t i = 0; i < choice.values.size(); ++i)
   {

@@ -18,6 +18,22 @@ using ColorMap = std::function<void(std::span<const double> values, std::uint8_t
 /// One colour for every value.
 [[nodiscard]] ColorMap SolidColor(const Rgba& color);
 
+/// The colours of values, for any range of them.
+class ColorTable
+{
+public:
+  virtual ~ColorTable() = default;
+
+  /// Throws Error for a range that the table cannot have.
+  [[nodiscard]] virtual ColorMap Over(const std::array<double, 2>& range) const = 0;
+  /// Whether colours are by the logarithm of values, which are above 0 then.
+  [[nodiscard]] virtual bool IsLogarithmic() const = 0;
+  /// The range where a rule is of values and none are seen.
+  [[nodiscard]] virtual std::array<double, 2> RangeOfNothing() const = 0;
+  /// Whether the other one gives the same colours.
+  [[nodiscard]] virtual bool IsSame(const ColorTable& other) const = 0;
+};
+
 /// How a layer is coloured.
 struct LayerColors
 {

@@ -68,6 +68,8 @@ struct ContourMethod
   /// Makes that so many times as much as usual, kLeastEffort to kMostEffort: a doubling halves and
   /// quarters once more.
   void SetEffort(double effort);
+
+  bool operator==(const ContourMethod&) const = default;
 };
 
 class ContourBounds;
