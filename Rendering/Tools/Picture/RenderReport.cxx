@@ -8,7 +8,6 @@
 #include "Scene/Shot.h"
 
 #include "Core/Base/Counted.h"
-#include "Core/Element/FieldFunction.h"
 #include "Core/Location/Locator.h"
 #include "Trace/Sheets.h"
 #include "Trace/Surfaces/JumpWalls.h"
@@ -119,12 +118,6 @@ void AddRanges(Table& table, const Looks& looks, const Found& found)
   {
     table.Row("", "{} below, {} above", Counted(found.beyond.below, "pixel"), found.beyond.above);
   }
-}
-
-bool HasJumps(const Layer& layer)
-{
-  return layer.field != nullptr && layer.field->function != nullptr &&
-    layer.field->function->NeedsNeighbours();
 }
 } // namespace
 
@@ -264,7 +257,7 @@ void WarnOf(const Shot& shot, const Frame& frame, const Found& found)
   {
     Warn("NaN or infinite at " + Counted(frame.counters.nonFinite, "pixel") +
       "; NaN is shown in the colour that --nan-color chooses");
-    if (std::ranges::any_of(shot.scene.layers, HasJumps))
+    if (HasJumps(shot.scene))
     {
       Warn("jump(...) has values only on faces between two elements (--boundary=element:NUMBER,... "
            "shows faces); --show jumps paints by how much a field jumps where a surface crosses "

@@ -17,8 +17,7 @@ struct Shot;
 class FoundJumps
 {
 public:
-  /// Fills the frame's buffer of jumps. Throws Error where the input has no field, and with several
-  /// processes, which hold parts of the mesh.
+  /// Fills the frame's buffer of jumps. Throws Error where the input has no field.
   FoundJumps(const Shot& shot, Frame& frame);
 
   /// 0 where no value jumps.
