@@ -5,7 +5,6 @@
 #include "Scene/Shot.h"
 
 #include "Core/Base/Counted.h"
-#include "Core/Base/Error.h"
 
 #include <nlohmann/json.hpp>
 
@@ -14,15 +13,10 @@
 namespace pixelexact
 {
 FoundJumps::FoundJumps(const Shot& shot, Frame& frame)
-  : Layers(shot.scene.layers.size())
+  : Jumps(FindCutJumps(shot.scene, frame.centres))
+  , Layers(shot.scene.layers.size())
   , SourceCells(shot.input.model->SourceCells())
 {
-  if (std::ranges::any_of(
-        shot.scene.layers, [](const Layer& layer) { return layer.field == nullptr; }))
-  {
-    throw Error("--show jumps: the input has no field that could jump; leave it out");
-  }
-  Jumps = FindCutJumps(shot.scene, frame.centres);
 }
 
 std::array<std::int64_t, 2> FoundJumps::Cells() const

@@ -17,7 +17,7 @@ struct Shot;
 class FoundJumps
 {
 public:
-  /// Fills the frame's buffer of jumps. Throws Error where the input has no field.
+  /// Fills the frame's buffer of jumps. All layers must have fields.
   FoundJumps(const Shot& shot, Frame& frame);
 
   /// 0 where no value jumps.
