@@ -312,6 +312,7 @@ const Field& HighOrderModel::GetField(const std::string& text) const
   ExpressionScope scope = Data->names;
   scope.fields = Data->fields;
   scope.numbers = SourceCells();
+  scope.locator = [part = Data->part.get()]() -> const Locator& { return part->GetLocator(); };
   const auto defined = scope.definitions.find(text);
   try
   {

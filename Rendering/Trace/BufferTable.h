@@ -73,6 +73,8 @@ inline constexpr std::tuple kBufferTable{
     [](const HitResults& hits, std::size_t i) { return hits.Point(i).parameters[0]; } },
   BufferRow{ Buffer::Piece, "Piece_v", &SampleBuffers::pieceV, 0.0, Written::Inside, false,
     [](const HitResults& hits, std::size_t i) { return hits.Point(i).parameters[1]; } },
+  BufferRow{
+    Buffer::Jump, "Jump", &SampleBuffers::jump, kNotANumber, Written::Apart, false, kWrittenApart },
 };
 
 /// visit(row) for each row of the table.

@@ -25,7 +25,8 @@ enum class Buffer : std::uint32_t
   Coverage = 1U << 8,  ///< Owners and Coverage together
   Enclosure = 1U << 9, ///< the value's lower and upper bound
   Layer = 1U << 10,
-  Piece = 1U << 11 ///< of a surface that is made of pieces: which one, and where on it
+  Piece = 1U << 11, ///< of a surface that is made of pieces: which one, and where on it
+  Jump = 1U << 12   ///< of the values, where the surface crosses between elements
 };
 constexpr Buffer operator|(Buffer a, Buffer b)
 {
@@ -85,6 +86,8 @@ struct SampleBuffers
   std::vector<std::int32_t> piece;
   std::vector<double> pieceU;
   std::vector<double> pieceV;
+  /// Written by FindCutJumps alone; NaN where there is none.
+  std::vector<double> jump;
   /// RGBA per sample, straight alpha, its layer's opacity included; made by the colours of a
   /// pipeline, 0 where nothing is drawn.
   std::vector<std::uint8_t> color;

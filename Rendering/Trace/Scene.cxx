@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trace/Scene.h"
 
+#include "Core/Element/FieldFunction.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -33,5 +35,15 @@ double ComponentOf(std::span<const double> values, int component)
   return component == kMagnitude && values.size() > 1
     ? Magnitude(values)
     : values[static_cast<std::size_t>(std::max(component, 0))];
+}
+
+bool HasJumps(const Scene& scene)
+{
+  return std::ranges::any_of(scene.layers,
+    [](const Layer& layer)
+    {
+      return layer.field != nullptr && layer.field->function != nullptr &&
+        layer.field->function->NeedsNeighbours();
+    });
 }
 } // namespace pixelexact

@@ -43,4 +43,7 @@ struct Scene
   std::vector<Layer> layers;
   std::vector<KeptHalfSpace> kept; ///< rays go on through what lies outside of any of them
 };
+
+/// Whether a layer's field depends on elements' neighbours (FieldFunction::NeedsNeighbours).
+[[nodiscard]] bool HasJumps(const Scene& scene);
 } // namespace pixelexact

@@ -98,6 +98,8 @@ class Calculate(unittest.TestCase):
             (lambda m: m[0, 1] - m[2][0], m[:, 0, 1] - m[:, 2, 0]),
             (lambda v: v.x - v[1] * v.z, v[:, 0] - v[:, 1] * v[:, 2]),
             (lambda u, grad: np.linalg.norm(grad(u)), np.linalg.norm(self.u.gradients, axis=1)),
+            # There are none inside of elements.
+            (lambda u, jump, grad: jump(u) + np.linalg.norm(jump(grad(u))), np.full(3, np.nan)),
             (lambda µ: µ / -0.0, -np.sign(u) * np.inf),
             (lambda u: np.arctan2(-0.0 * np.abs(u), -1), np.full(3, -np.pi)),
             (lambda u, x: 1 - (u - x) - u / (x / 2) / 3 * 2, 1 - (u - x) - u / (x / 2) / 3 * 2),

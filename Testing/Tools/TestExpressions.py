@@ -5,7 +5,17 @@ import unittest
 
 import numpy as np
 
-from tool import CUBE, DATA, ToolTest, columns, read_buffers, read_csv, run, unit_cube_grid
+from tool import (
+    CUBE,
+    DATA,
+    ToolTest,
+    columns,
+    plain_grid,
+    read_buffers,
+    read_csv,
+    run,
+    unit_cube_grid,
+)
 
 TORUS = DATA / "toroid_hex_g3_p6.vtu"
 ORACLE = DATA / "toroid_hex_g3_p6.oracle.csv"
@@ -52,6 +62,37 @@ class Expressions(ToolTest):
         # Nothing is proven of lines.
         self.assertEqual(found["contours"]["pixels"]["in"], 0)
         self.assertGreater(found["contours"]["pixels"]["undecided"], 1000)
+
+    def test_jumps_on_faces(self):
+        """Two cubes that share x = 1, with u = 1 + 2x + y in the first and x - 3y in the second."""
+        points, values = [], []
+        for k, u in enumerate([lambda p: 1 + 2 * p[0] + p[1], lambda p: p[0] - 3 * p[1]]):
+            moved = [[p[0] + k, p[1], p[2]] for p in CUBE]
+            points += moved
+            values += [float(u(p)) for p in moved]
+        source = self.folder / "two.vtu"
+        cells = [(12, list(range(8))), (12, list(range(8, 16)))]
+        source.write_text(plain_grid(points, cells, [("u", values)]), encoding="utf-8")
+        buffers = self.folder / "jumps.vti"
+        shot = ["--output", self.folder / "a.png", "--buffers", buffers, *SIZE]
+        for element, side, sign in [(0, "+x", 1), (1, "-x", -1)]:
+            for field, jump in [("jump(u)", lambda x, y: -1 - x - 4 * y),
+                                ("jump(grad(u).y)", lambda x, y: -4 + 0 * y),
+                                ("jump(grad(u))[0]", lambda x, y: -1 + 0 * y),
+                                ("jump(dot(grad(u), n))", lambda x, y: sign * (-1 + 0 * y))]:
+                self.summary("render", source, "--field", field,
+                             f"--boundary=element:{element}", "--view", side, *shot)
+                found = read_buffers(buffers)
+                on = found["Verdict"] == 1
+                x, y = found["Position"][on][:, 0], found["Position"][on][:, 1]
+                self.assertGreater(on.sum(), 1000)
+                np.testing.assert_allclose(found["Value"][on], sign * jump(x, y), rtol=0,
+                                           atol=1e-13)
+        done = self.succeeds("render", source, "--field", "jump(u)", "--plane", "z", *shot)
+        self.assertIn("--show jumps", done.stderr)
+        done = run("render", source, "--field", "grad(jump(u))", "--plane", "z", *shot)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("jump(grad(u))", done.stderr)
 
     def test_normals_are_the_surfaces(self):
         cube = self.folder / "cube.vtu"

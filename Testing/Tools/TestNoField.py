@@ -91,6 +91,7 @@ class NoField(NoFieldTest):
             ["--precision", "float"],
             ["--enclosures"],
             ["--show-undecided"],
+            ["--show", "jumps"],
         ]:
             self.fails(1, "render", *base, *option, names=["no field"])
         self.fails(1, "render", *base, "--layer", "1:range=0:1", names=["--layer", "no field"])

@@ -10,7 +10,7 @@ from tool import CASES, MIDDLE, View, case, plain_grid, unit, unit_cube_grid
 
 NONE, ONCE, SEVERAL, UNDECIDED, NOT_COVERED = 0, 1, 2, 3, 255
 GREY, BLUE, ORANGE, RED = [64, 64, 64], [168, 212, 240], [230, 159, 0], [213, 60, 0]
-DEBUG_BUFFERS = {"Owners", "Coverage", "Value_lower", "Value_upper"}
+DEBUG_BUFFERS = {"Owners", "Coverage", "Value_lower", "Value_upper", "Jump"}
 
 
 def extruded(*quads):
@@ -218,12 +218,137 @@ class Validity(RenderTest):
         self.assertTrue((image[buffers["Verdict"] == NOTHING] == 255).all())
 
 
+# By cell of `quarters`: the constant, d/dx, d/dy and d2/dxdy of u.
+DISCONTINUOUS = np.array([[1, 2, 3, 0], [1.5, -1, 2, 0.5], [0, 0.25, 3, 1], [7, 1, 1, -2]])
+CONTINUOUS = np.tile([0.1, 0.3, -0.7, 0.9], (4, 1))
+# Equal on x = 1, with other slopes beside it.
+BROKEN = np.array([[0, 1, 0, 0], [-1, 2, 0, 0]] * 2)
+
+
+def bilinear(coefficients, x, y):
+    a, b, c, d = np.moveaxis(coefficients, -1, 0)
+    return a + b * x + c * y + d * x * y
+
+
+def quarters(coefficients):
+    """Four cubes of [0,2] x [0,2] x [0,1], cell 2 j + i at x from i and y from j, each with points
+    and a polynomial of its own."""
+    points, values = [], []
+    for cell, polynomial in enumerate(coefficients):
+        i, j = cell % 2, cell // 2
+        for z in (0.0, 1.0):
+            for x, y in [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)]:
+                points.append([float(x), float(y), z])
+                values.append(float(bilinear(polynomial, x, y)))
+    return plain_grid(points, [(12, list(range(8 * k, 8 * k + 8))) for k in range(4)],
+                      [("u", values)])
+
+
+class Jumps(RenderTest):
+    VIEW = View([1, 1, 5], [1, 1, 0], [0, 1, 0], 71, 53, scale=1.1)
+    PLANE = [[0, 0, 0.5, 0.1, 0.2, 1]]
+
+    def show(self, coefficients, *options, field="u", plane=None):
+        source = self.write("quarters.vtu", quarters(coefficients))
+        return self.render(source, plane or self.PLANE, *self.VIEW.options(), "--show", "jumps",
+                           *options, field=field)
+
+    def expected(self, coefficients, buffers):
+        """The jump of each pixel in closed form; NaN where no face is beside it."""
+        jump = np.full(buffers["Verdict"].shape, np.nan)
+        x, y = buffers["Position"][..., 0], buffers["Position"][..., 1]
+        element = buffers["Element"]
+        self.assertGreater(np.nanmean(np.diff(y, axis=0)), 0)  # rows go upwards
+        for axis in (1, 0):
+            here, there = [slice(None)] * 2, [slice(None)] * 2
+            here[axis], there[axis] = slice(None, -1), slice(1, None)
+            here, there = tuple(here), tuple(there)
+            a, b = element[here], element[there]
+            crosses = (a >= 0) & (b >= 0) & (a != b)
+            # Where the way from hit to hit is at x = 1, or at y = 1.
+            along = (x if axis == 1 else y)
+            part = (1 - along[here]) / (along[there] - along[here])
+            at_x = x[here] + part * (x[there] - x[here])
+            at_y = y[here] + part * (y[there] - y[here])
+            size = np.abs(bilinear(coefficients[b], at_x, at_y)
+                          - bilinear(coefficients[a], at_x, at_y))
+            jump[here] = np.fmax(jump[here], np.where(crosses, size, np.nan))
+        return jump
+
+    def test_discontinuous_fields_in_closed_form(self):
+        summary, buffers, image = self.show(DISCONTINUOUS)
+        wanted = self.expected(DISCONTINUOUS, buffers)
+        found = buffers["Jump"]
+        self.assertGreater(np.isfinite(wanted).sum(), 80)
+        self.assertTrue((np.isnan(found) == np.isnan(wanted)).all())
+        low, high = summary["value_range"]
+        error = np.nanmax(np.abs(found - wanted))
+        self.assertLess(error, 1e-12 * (high - low))
+        self.assertTrue((image[np.isnan(found) & (buffers["Verdict"] == EXACT)] == 225).all())
+        self.assertTrue((image[found == np.nanmax(found)] == [75, 0, 80]).all())
+        jumps = summary["jumps"]
+        self.assertEqual((jumps["continuous"], jumps["not_finite"], jumps["not_found"]), (0, 0, 0))
+        self.assertGreaterEqual(jumps["jumping"], np.isfinite(found).sum())
+        largest = jumps["largest"]
+        self.assertEqual(largest["value"], np.nanmax(found))
+        a, b = largest["elements"]
+        x, y, _ = largest["position"]
+        self.assertLess(min(abs(x - 1), abs(y - 1)), 1e-12)
+        difference = bilinear(DISCONTINUOUS[b], x, y) - bilinear(DISCONTINUOUS[a], x, y)
+        self.assertAlmostEqual(abs(difference), largest["value"], delta=1e-12 * (high - low))
+
+    def test_continuous_fields_are_continuous(self):
+        summary, buffers, image = self.show(CONTINUOUS)
+        found = buffers["Jump"]
+        self.assertTrue((found[np.isfinite(found)] == 0).all())
+        self.assertTrue((image[found == 0] == BLUE).all())
+        self.assertGreater(summary["jumps"]["continuous"], 80)
+        self.assertEqual(summary["jumps"]["jumping"], 0)
+        self.assertIsNone(summary["jumps"]["largest"])
+
+    def test_slopes_of_a_continuous_field(self):
+        """u has no jump, and grad(u) has one of 1 at x = 1 alone."""
+        summary, _, _ = self.show(BROKEN)
+        self.assertEqual(summary["jumps"]["jumping"], 0)
+        summary, buffers, _ = self.show(BROKEN, field="mag(grad(u))")
+        found = buffers["Jump"]
+        np.testing.assert_allclose(found[found > 0], 1, rtol=0, atol=1e-12)
+        self.assertEqual(summary["jumps"]["jumping"], (found > 0).sum())
+        self.assertGreater((found == 0).sum(), 40)
+        self.assertGreater(summary["jumps"]["jumping"], 30)
+
+    def test_the_boundary_and_several_layers(self):
+        """The boundary's upper side is plane, so that it crosses faces where the plane does."""
+        source = self.write("quarters.vtu", quarters(DISCONTINUOUS))
+        summary, buffers, _ = self.render(source, [], "--boundary", *self.VIEW.options(),
+                                          "--show", "jumps")
+        wanted = self.expected(DISCONTINUOUS, buffers)
+        self.assertTrue((np.isnan(buffers["Jump"]) == np.isnan(wanted)).all())
+        self.assertLess(np.nanmax(np.abs(buffers["Jump"] - wanted)), 1e-11)
+        self.assertEqual(summary["jumps"]["not_found"], 0)
+        # Where one layer hides the other there is no face.
+        _, two, _ = self.render(source, [[0.5, 0, 0.5, 1, 0, 0.2]], "--plane", "0,0,0.5,0,0,1",
+                                *self.VIEW.options(), "--show", "jumps")
+        self.assertGreater(np.isfinite(two["Jump"]).sum(), 80)
+
+    def test_report_and_refusals(self):
+        source = self.write("quarters.vtu", quarters(DISCONTINUOUS))
+        base = ["render", source, "--field", "u", "--plane", "0,0,0.5,0,0,1", "--size", "30x30",
+                "--output", self.folder / "i.png"]
+        done = self.succeeds(*base, "--show", "jumps")
+        for word in ["jumps", "continuous", "largest", "between elements", "dark purple"]:
+            self.assertIn(word, done.stdout)
+        for options in [["--show", "jumps", "--owners"], ["--show", "jumps", "--samples", "4"],
+                        ["--buffers", self.folder / "b.vti", "--arrays", "Jump"]]:
+            self.fails(2, *base, *options)
+
+
 class OnRequest(RenderTest):
     def test_a_plain_render_has_nothing_of_it(self):
         summary, buffers, _ = self.render(case("escher_tet_g3_p3"), [[0, 0, 0, 0, 0, 1]],
                                           "--size", "20x20")
         self.assertFalse(DEBUG_BUFFERS & set(buffers))
-        for key in ["coverage", "validity", "enclosures", "color_undecided"]:
+        for key in ["coverage", "validity", "jumps", "enclosures", "color_undecided"]:
             self.assertNotIn(key, summary)
 
     def test_options_that_exclude_each_other(self):

@@ -259,4 +259,25 @@ TEST(DebugColors, ValidityOfTheElementSeen)
   EXPECT_EQ(ColorAt(samples.color, 0), kNone);
   EXPECT_EQ(ColorAt(samples.color, 1), kMagenta);
 }
+
+TEST(DebugColors, JumpsFromYellowToPurple)
+{
+  const JumpColors colors(4.0);
+  SampleBuffers samples;
+  samples.Allocate(colors.Needs(), 6, 1);
+  samples.jump = { std::nan(""), 0.0, 1e-9, 2.0, 4.0, 1.0 };
+  samples.verdict.assign(6, kExactPixel);
+  samples.verdict[5] = kUnknownPixel;
+  samples.color.assign(24, 9);
+  colors.Paint(samples, 0, 6);
+  const std::array wanted{ Rgba{ 225, 225, 225, 255 }, kOnce, Rgba{ 240, 228, 66, 255 }, kMore,
+    Rgba{ 75, 0, 80, 255 }, kMagenta };
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+  {
+    EXPECT_EQ(ColorAt(samples.color, i), wanted[i]) << i;
+  }
+  samples.verdict.assign(6, kNothingPixel);
+  colors.Paint(samples, 0, 6);
+  EXPECT_EQ(ColorAt(samples.color, 4), kNone);
+}
 } // namespace pixelexact::testing

@@ -41,6 +41,10 @@ public:
   /// Whether values depend on the normal of a surface through the point.
   [[nodiscard]] virtual bool NeedsNormals() const = 0;
 
+  /// Whether values at points of faces depend on the element on the other side (jumps): where there
+  /// is none, and inside of elements, they may be NaN.
+  [[nodiscard]] virtual bool NeedsNeighbours() const = 0;
+
   /// At points of one element: `value[c]` and, unless it is null, `gradient[3 c + d]`, the
   /// derivative of component c by x_d in world units, as arrays of PaddedCount(xi.count) numbers.
   /// NaN and infinite where the function is. Throws as RequireGradient, and Unsupported where

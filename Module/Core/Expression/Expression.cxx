@@ -2,89 +2,31 @@
 #include "Core/Expression/Expression.h"
 
 #include "Core/Base/Error.h"
+#include "Core/Expression/CompiledGraph.h"
 #include "Core/Expression/IntervalProgram.h"
-#include "Core/Expression/PointLeaves.h"
-#include "Core/Expression/Program.h"
 #include "Core/Expression/Translator.h"
 
 #include <tbb/collaborative_call_once.h>
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 namespace pixelexact
 {
 namespace
 {
-/// A program and the leaves that it needs.
-class Compiled
-{
-public:
-  Compiled(const Graph& graph, std::vector<int> outputs, std::span<const Field* const> fields,
-    std::span<const std::int64_t> numbers)
-    : Code(graph, std::move(outputs))
-    , Leaves(Code.Leaves(), fields, numbers)
-  {
-    for (const Graph::Node& leaf : Code.Leaves())
-    {
-      if (leaf.operation == Operation::Curvature &&
-        fields[static_cast<std::size_t>(leaf.field)]->mapping != Mapping::Identity)
-      {
-        throw Unsupported("second derivatives of '" +
-          fields[static_cast<std::size_t>(leaf.field)]->name +
-          "' are not available: it is a field of H(curl), H(div) or a density");
-      }
-    }
-  }
-
-  /// `out`: of each output.
-  void Evaluate(
-    const Mesh& mesh, int element, const FunctionPoints& points, std::span<double* const> out) const
-  {
-    thread_local PointLeaves::Scratch leaves;
-    thread_local std::vector<double> registers;
-    std::vector<double*> some(out.size());
-    std::array<const double*, 3> x{};
-    std::array<const double*, 3> normal{};
-    for (int begin = 0; begin < points.xi.count; begin += PointLeaves::kTogether)
-    {
-      const auto from = [begin](const double* const* arrays, std::array<const double*, 3>& part)
-      {
-        for (std::size_t d = 0; arrays != nullptr && d < 3; ++d)
-        {
-          part[d] = arrays[d] + begin;
-        }
-        return arrays != nullptr ? part.data() : nullptr;
-      };
-      const double* const* xi = points.xi.x;
-      const FunctionPoints part{ { { xi[0] + begin, xi[1] + begin, xi[2] + begin },
-                                   std::min(PointLeaves::kTogether, points.xi.count - begin) },
-        from(points.x, x), from(points.normal, normal) };
-      std::ranges::transform(out, some.begin(), [begin](double* array) { return array + begin; });
-      Code.Run(Leaves.Evaluate(mesh, element, part, leaves), part.xi.count, some.data(), registers);
-    }
-  }
-
-  [[nodiscard]] bool NeedsNormals() const { return Leaves.NeedsNormals(); }
-  [[nodiscard]] const Program& GetProgram() const { return Code; }
-
-private:
-  Program Code;
-  PointLeaves Leaves;
-};
-
 class ExpressionFunction final : public FieldExpression
 {
 public:
   ExpressionFunction(const std::string& text, const ExpressionScope& scope)
     : Text(text)
     , Numbers(scope.numbers)
+    , Places(scope.locator)
   {
     std::ranges::transform(
       scope.fields, std::back_inserter(Fields), [](const Field& field) { return &field; });
     Outputs = Translator(Scalars, scope).Translate(text).nodes;
-    Values.emplace(Scalars, Outputs, Fields, Numbers);
+    Values.emplace(Scalars, Outputs, Fields, Numbers, Places);
     Bounds.emplace(Scalars, Outputs, Fields, Numbers);
   }
 
@@ -100,6 +42,7 @@ public:
   }
 
   [[nodiscard]] bool NeedsNormals() const override { return Values->NeedsNormals(); }
+  [[nodiscard]] bool NeedsNeighbours() const override { return Values->NeedsNeighbours(); }
 
   [[nodiscard]] const Program& GetProgram() const override { return Values->GetProgram(); }
   [[nodiscard]] std::span<const Field* const> GetFields() const override { return Fields; }
@@ -142,7 +85,7 @@ private:
           outputs.push_back(Scalars.Derivative(node, d));
         }
       }
-      WithGradient.emplace(Scalars, std::move(outputs), Fields, Numbers);
+      WithGradient.emplace(Scalars, std::move(outputs), Fields, Numbers, Places);
     }
     catch (const Error& error)
     {
@@ -153,13 +96,14 @@ private:
   std::string Text;
   std::vector<const Field*> Fields;
   std::span<const std::int64_t> Numbers;
+  LocatorSource Places;
   std::vector<int> Outputs;
-  std::optional<Compiled> Values;
+  std::optional<CompiledGraph> Values;
   std::optional<IntervalProgram> Bounds;
   // Made when somebody first asks.
   mutable tbb::collaborative_once_flag Differentiated;
   mutable Graph Scalars;
-  mutable std::optional<Compiled> WithGradient;
+  mutable std::optional<CompiledGraph> WithGradient;
   mutable std::string Missing;
 };
 } // namespace

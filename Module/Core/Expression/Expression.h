@@ -5,6 +5,7 @@
 #include "Core/Element/Mesh.h"
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -13,6 +14,7 @@
 
 namespace pixelexact
 {
+class Locator;
 class Program;
 
 /// Maps the names in an expression to fields, definitions and numbers.
@@ -25,6 +27,9 @@ struct ExpressionScope
   std::optional<double> time{};
   /// The elements' numbers, for `element`; none: they count from 0.
   std::span<const std::int64_t> numbers{};
+  /// Returns the locator of the fields' mesh, for `jump`, which alone calls it; empty: there are no
+  /// jumps.
+  std::function<const Locator&()> locator{};
 };
 
 /// The function of an expression, with the program that computes it: the same program takes the
@@ -43,10 +48,10 @@ public:
 /// there, by the chain rule; nothing is sampled. Errors are the rounding of the kernels and of each
 /// operation.
 ///
-/// `scope`'s fields and numbers must outlive it. Throws InvalidData for what is no expression, for
-/// names that mean nothing and for shapes that do not fit, with the place in the text; Unsupported
-/// for derivatives that are not available: third ones of fields, second ones of mapped fields
-/// (H(curl), H(div), densities), and those of det J.
+/// `scope`'s fields, numbers and locator must outlive it. Throws InvalidData for what is no
+/// expression, for names that mean nothing and for shapes that do not fit, with the place in the
+/// text; Unsupported for derivatives that are not available: third ones of fields, second ones of
+/// mapped fields (H(curl), H(div), densities), and those of det J.
 [[nodiscard]] std::shared_ptr<const FieldExpression> MakeExpression(
   const std::string& text, const ExpressionScope& scope);
 

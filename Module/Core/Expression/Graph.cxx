@@ -241,6 +241,11 @@ int Graph::Eigen(Operation operation, const std::array<int, 6>& matrix, int numb
   return Insert({ .operation = operation, .arguments = matrix, .a = number, .b = component });
 }
 
+int Graph::Jump(int node)
+{
+  return Of(Operation::Subtract, Leaf({ .operation = Operation::Behind, .a = node }), node);
+}
+
 std::vector<int> Graph::NeededFor(std::span<const int> nodes) const
 {
   std::vector<char> isNeeded(Nodes.size(), 0);

@@ -25,6 +25,7 @@ enum class Operation : std::uint8_t
   Value,     ///< component c of field f
   Slope,     ///< its derivative by x_a
   Curvature, ///< its second derivative by x_a and x_b, a <= b
+  Behind, ///< node a in the element behind the face that the point is on; NaN where there is none
   Negate,
   Not,
   Sqrt,
@@ -97,10 +98,12 @@ public:
   int Of(Operation operation, int a, int b);
   int Select(int condition, int yes, int no);
   int Eigen(Operation operation, const std::array<int, 6>& matrix, int number, int component = 0);
+  /// Returns the difference of a node's values behind the point's face and at the point.
+  int Jump(int node);
 
   /// Returns d node / d x_d by the chain rule. Functions with steps (sign, floor, comparisons) are
   /// differentiated beside the steps. Throws Unsupported for third derivatives of fields and for
-  /// derivatives of det J, of normals and of eigenvectors.
+  /// derivatives of det J, of normals, of eigenvectors and of jumps.
   int Derivative(int node, int d);
 
   /// Returns `nodes` and all nodes that they are computed from, each after its arguments.

@@ -56,6 +56,9 @@ int Graph::MakeDerivative(int self, int d)
       throw Unsupported("derivatives of the normal are not available");
     case Operation::Curvature:
       throw Unsupported("third derivatives of fields are not available");
+    case Operation::Behind:
+      throw Unsupported("derivatives of jumps are not available; for the jump of a derivative "
+                        "write jump(grad(u))");
     case Operation::Negate:
       return Of(Operation::Negate, Derivative(a, d));
     case Operation::Add:

@@ -160,8 +160,8 @@ std::size_t PointLeaves::ArrayOf(const Graph::Node& leaf) const
   }
 }
 
-std::span<const double* const> PointLeaves::Evaluate(
-  const Mesh& mesh, int element, const FunctionPoints& points, Scratch& scratch) const
+std::span<const double* const> PointLeaves::Evaluate(const Mesh& mesh, int element,
+  const FunctionPoints& points, const double* const* behind, Scratch& scratch) const
 {
   const LanePoints& xi = points.xi;
   scratch.storage.resize(std::max(scratch.storage.size(), Arrays * kTogether));
@@ -190,6 +190,10 @@ std::span<const double* const> PointLeaves::Evaluate(
     if (IsOfField(Wanted[k]))
     {
       scratch.leaves[k] = scratch.arrays[ArrayOf(Wanted[k])];
+    }
+    else if (Wanted[k].operation == Operation::Behind)
+    {
+      scratch.leaves[k] = *behind++;
     }
     else if (Wanted[k].operation == Operation::Normal)
     {

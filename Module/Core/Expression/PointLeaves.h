@@ -34,9 +34,9 @@ public:
   };
 
   /// Returns an array of points.xi.count <= kTogether values for each leaf, in the order of the
-  /// leaves. The arrays lie in `scratch`.
-  [[nodiscard]] std::span<const double* const> Evaluate(
-    const Mesh& mesh, int element, const FunctionPoints& points, Scratch& scratch) const;
+  /// leaves. The arrays lie in `scratch`; those of Behind are `behind`, in the leaves' order.
+  [[nodiscard]] std::span<const double* const> Evaluate(const Mesh& mesh, int element,
+    const FunctionPoints& points, const double* const* behind, Scratch& scratch) const;
 
   [[nodiscard]] bool NeedsNormals() const { return OfNormals; }
 

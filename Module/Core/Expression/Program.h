@@ -18,6 +18,7 @@ public:
 
   /// The leaves without the constants. The caller of Run provides their values.
   [[nodiscard]] std::span<const Graph::Node> Leaves() const { return LeafNodes; }
+  [[nodiscard]] std::size_t OutputCount() const { return Outputs.size(); }
 
   /// `leaves[k]` holds the values of leaf k at `count` points, `out[k]` takes those of output k.
   /// `scratch` is a thread's own and keeps its memory.

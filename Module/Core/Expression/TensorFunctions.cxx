@@ -56,6 +56,14 @@ Tensor Magnitude(TensorAlgebra& algebra, const Tensor& a)
                                : graph.Of(Operation::Sqrt, Squares(algebra, a)));
 }
 
+Tensor Jump(TensorAlgebra& algebra, const Tensor& a)
+{
+  Tensor jump = a;
+  std::ranges::transform(
+    a.nodes, jump.nodes.begin(), [&](int node) { return algebra.GetGraph().Jump(node); });
+  return jump;
+}
+
 Tensor Spin(TensorAlgebra& algebra, const Tensor& a)
 {
   return algebra.Scale(
@@ -326,6 +334,7 @@ void AddTensorFunctions(FunctionTable& table)
     [](TensorAlgebra& algebra, Arguments a) { return Outer(algebra, a[0], a[1]); } };
   table["vonMises"] = { 1, 3, VonMises };
   of("mag", Magnitude);
+  of("jump", Jump);
   of("tensor", [](TensorAlgebra&, const Tensor& a) { return TensorOfComponents(a); });
   of("grad", [](TensorAlgebra& algebra, const Tensor& a) { return algebra.Gradient(a); });
   of("div", Divergence);

@@ -12,6 +12,7 @@
 #include <glm/matrix.hpp>
 #include <glm/vector_relational.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -21,6 +22,8 @@ namespace
 {
 /// Distance of xi up to which a point that lies on a face may lie on this one.
 constexpr double kOnFace = 1e-6;
+/// Distance of xi up to which a given point is on a face.
+constexpr double kIsOnFace = 1e-9;
 
 std::vector<Mat3> JacobiansAt(const Mesh& mesh, int element, std::span<const Vec3> xi)
 {
@@ -139,5 +142,33 @@ void FindBehind(const Locator& locator, const ElementFace& face, std::span<const
   }
   Sink sink(mesh, face.element, normals, behind);
   locator.LocateAll(points, sink);
+}
+
+void FindBehindPoints(const Locator& locator, int element, std::span<const Vec3> xi,
+  std::span<const Vec3> x, std::span<BehindFace> behind)
+{
+  std::ranges::fill(behind, BehindFace{});
+  const auto planes = FacePlanesOf(locator.GetMesh().ShapeOf(element));
+  for (std::size_t f = 0; f < planes.size(); ++f)
+  {
+    std::vector<std::size_t> on;
+    for (std::size_t i = 0; i < xi.size(); ++i)
+    {
+      if (behind[i].verdict != Verdict::Inside && std::fabs(planes[f].Distance(xi[i])) <= kIsOnFace)
+      {
+        on.push_back(i);
+      }
+    }
+    std::vector<Vec3> xiOn(on.size());
+    std::vector<Vec3> xOn(on.size());
+    std::vector<BehindFace> found(on.size());
+    std::ranges::transform(on, xiOn.begin(), [&](std::size_t i) { return xi[i]; });
+    std::ranges::transform(on, xOn.begin(), [&](std::size_t i) { return x[i]; });
+    FindBehind(locator, { element, static_cast<std::int32_t>(f) }, xiOn, xOn, found);
+    for (std::size_t k = 0; k < on.size(); ++k)
+    {
+      behind[on[k]] = found[k].verdict == Verdict::Outside ? behind[on[k]] : found[k];
+    }
+  }
 }
 } // namespace pixelexact

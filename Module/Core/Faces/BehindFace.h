@@ -29,4 +29,10 @@ struct BehindFace
 /// Serial; best called with neighbours. The answer for a point depends on that point alone.
 void FindBehind(const Locator& locator, const ElementFace& face, std::span<const Vec3> xi,
   std::span<const Vec3> x, std::span<BehindFace> behind);
+
+/// Of any points of an element: `xi`, and `x`, their images. A point is on a face where its
+/// distance in xi is at most 1e-9; on edges and vertices, the first face with an element behind it
+/// counts. Points on no face: Outside. Serial; the answer for a point depends on that point alone.
+void FindBehindPoints(const Locator& locator, int element, std::span<const Vec3> xi,
+  std::span<const Vec3> x, std::span<BehindFace> behind);
 } // namespace pixelexact

@@ -63,7 +63,7 @@ _RANKS: dict[str, Callable[[int], int]] = {
     "grad": lambda rank: rank + 1,
     "div": lambda rank: max(rank - 1, 0),
 }
-_CALLABLE = "grad div curl laplacian hessian sym eig tensor vorticity strain Q lambda2 vonMises".split()
+_CALLABLE = "grad div curl laplacian hessian sym eig tensor vorticity strain Q lambda2 vonMises jump".split()
 _NAMED_RANKS = {
     **dict.fromkeys("x y z t time pi element order detJ scaledJacobian".split(), 0),
     **dict.fromkeys("coords xi n normal".split(), 1),

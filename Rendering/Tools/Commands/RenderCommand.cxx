@@ -83,7 +83,7 @@ void Render(RenderOptions options, const CommonOptions& common)
   {
     Note("written to '" + picture + "'");
   }
-  WarnOf(drawn.GetFrame(), found);
+  WarnOf(shot, drawn.GetFrame(), found);
   if (common.json)
   {
     PrintJson(shot, drawn.GetFrame(), found, drawn.GetLooks(), drawn.Debug(), command, stopwatch);

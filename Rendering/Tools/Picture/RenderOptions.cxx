@@ -100,6 +100,10 @@ void RenderOptions::Check(const std::string& picture)
   font.Check();
   const std::vector<LayerSettings> layers = shot.MakeLayers();
   debug.Check(shot.samples, layers);
+  if (Has(buffers.Needs(true), Buffer::Jump) && !Has(debug.Needs(), Buffer::Jump))
+  {
+    throw UsageError("--arrays: 'Jump' needs --show jumps");
+  }
   contours.Check(layers);
   if (figure.IsAsked())
   {

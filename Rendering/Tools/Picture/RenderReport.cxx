@@ -242,7 +242,7 @@ void PrintTable(const Shot& shot, const Frame& frame, const Found& found, const 
   table.Print(onStderr);
 }
 
-void WarnOf(const Frame& frame, const Found& found)
+void WarnOf(const Shot& shot, const Frame& frame, const Found& found)
 {
   const PixelsBeyond& beyond = found.beyond;
   if (frame.counters.exact == 0 && frame.counters.unknown == 0)
@@ -257,6 +257,12 @@ void WarnOf(const Frame& frame, const Found& found)
   {
     Warn("NaN or infinite at " + Counted(frame.counters.nonFinite, "pixel") +
       "; NaN is shown in the colour that --nan-color chooses");
+    if (HasJumps(shot.scene))
+    {
+      Warn("jump(...) has values only on faces between two elements (--boundary=element:NUMBER,... "
+           "shows faces); --show jumps paints by how much a field jumps where a surface crosses "
+           "faces");
+    }
   }
   if (beyond.noLogarithm > 0)
   {

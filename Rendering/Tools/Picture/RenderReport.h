@@ -35,5 +35,5 @@ void PrintTable(const Shot& shot, const Frame& frame, const Found& found, const 
   bool onStderr);
 
 /// Says on stderr what the picture does not show as it is.
-void WarnOf(const Frame& frame, const Found& found);
+void WarnOf(const Shot& shot, const Frame& frame, const Found& found);
 } // namespace pixelexact

@@ -36,6 +36,10 @@ void CheckForSeveralProcesses(const RenderOptions& options)
   {
     RefuseSeveralProcesses("--mesh-outline, which draws all of the boundary,");
   }
+  if (Has(options.debug.Needs(), Buffer::Jump))
+  {
+    RefuseSeveralProcesses("--show jumps, which asks for all neighbours,");
+  }
   if (options.knobs.Stride() > 1)
   {
     RefuseSeveralProcesses("--stride");

@@ -2,6 +2,7 @@
 #include "Picture/SharedTrace.h"
 
 #include "Base/Processes.h"
+#include "Picture/SeveralProcesses.h"
 #include "Scene/Shot.h"
 
 #include "Trace/BufferTable.h"
@@ -143,6 +144,10 @@ void AddCounters(Frame& frame, vtkMultiProcessController& all)
 
 Frame TraceTogether(const Shot& shot, Buffer wanted, const Progress& progress)
 {
+  if (HasJumps(shot.scene))
+  {
+    RefuseSeveralProcesses("jump(...), which asks for all neighbours,");
+  }
   auto& all = *vtkMultiProcessController::GetGlobalController();
   const int processes = all.GetNumberOfProcesses();
   Frame frame = Trace(shot.scene, shot.MakeCamera(), {},

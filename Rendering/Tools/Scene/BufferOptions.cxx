@@ -45,7 +45,8 @@ void BufferOptions::AddTo(CLI::App& added)
   AddRead(
     added, "--arrays", [this](const std::string& text) { Names = SplitAt(text, ','); }, "NAME,...",
     "Of these only: " + Listed(ArrayNames()) +
-      " (Owners and Coverage with --owners, the bounds with --enclosures, Contour with --contours; "
+      " (Owners and Coverage with --owners, the bounds with --enclosures, Contour with --contours, "
+      "Jump with --show jumps; "
       "Piece, Piece_u and Piece_v: the triangle, patch, face or part that is met, from 0, and "
       "where on it; default: all there are but these three)")
     .Needs(file);

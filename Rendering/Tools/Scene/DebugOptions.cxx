@@ -70,10 +70,14 @@ void DebugOptions::AddTo(CLI::App& added)
       "); with --buffers also Owners and Coverage")
     .Group(group);
   AddChoice(
-    added, "--show", [this](const std::string& text) { Show = text; }, { "field", "validity" },
-    "What is painted: the field (default), or validity, the proven sign of the Jacobian "
+    added, "--show", [this](const std::string& text) { Show = text; },
+    { "field", "validity", "jumps" },
+    "What is painted: the field (default); validity, the proven sign of the Jacobian "
     "determinant of each pixel's element (" +
-      TextOf(ValidityColors::Legend()) + ")")
+      TextOf(ValidityColors::Legend()) +
+      "); or jumps, by how much the field differs between the elements of neighbouring pixels, "
+      "at the face between them (" +
+      TextOf(JumpColors::Legend()) + "; with --buffers also Jump)")
     .Group(group);
   AddFlag(added, "--enclosures", Enclosures,
     "Bound each pixel's value by an interval that is proven to hold it: Value_lower, Value_upper "
@@ -98,7 +102,7 @@ void DebugOptions::Check(int samples, const std::vector<LayerSettings>& layers) 
   }
   if (Owners && Show != "field")
   {
-    throw UsageError("--owners and --show validity paint the same pixels; choose one");
+    throw UsageError("--owners and --show " + Show + " paint the same pixels; choose one");
   }
   if (ShowUndecided && (Owners || Show != "field"))
   {
@@ -115,11 +119,11 @@ Buffer DebugOptions::Needs() const
 {
   return (Owners ? Buffer::Coverage : Buffer::None) |
     (Show == "validity" ? Buffer::Element : Buffer::None) |
+    (Show == "jumps" ? NeedsOfCutJumps() : Buffer::None) |
     (Enclosures || ShowUndecided ? Buffer::Enclosure : Buffer::None);
 }
 
-void DebugOptions::AddTo(
-  Pipeline& pipeline, const Shot& shot, const Looks& looks, const Frame& frame)
+void DebugOptions::AddTo(Pipeline& pipeline, const Shot& shot, const Looks& looks, Frame& frame)
 {
   if (Owners)
   {
@@ -129,6 +133,11 @@ void DebugOptions::AddTo(
   {
     Verdicts = VerdictsSeen(frame, shot.input.model->GetMesh());
     InPlace = std::make_shared<ValidityColors>(Verdicts);
+  }
+  else if (Show == "jumps")
+  {
+    Jumps.emplace(shot, frame);
+    InPlace = std::make_shared<JumpColors>(Jumps->Largest());
   }
   if (InPlace)
   {
@@ -224,6 +233,10 @@ void DebugOptions::AddTo(Table& table) const
   };
   row("coverage", Coverages, [](std::size_t i) { return Name(static_cast<Coverage>(i)); });
   row("validity", Validities, [](std::size_t i) { return Name(static_cast<Validity>(i)); });
+  if (Jumps)
+  {
+    Jumps->AddTo(table);
+  }
   if (Enclosures || ShowUndecided)
   {
     table.Row("enclosures", "widest {}, {} without bounds", Short(Widest), Unbounded);
@@ -245,6 +258,10 @@ void DebugOptions::AddTo(nlohmann::ordered_json& summary) const
   };
   add("coverage", Coverages, [](std::size_t i) { return Name(static_cast<Coverage>(i)); });
   add("validity", Validities, [](std::size_t i) { return Name(static_cast<Validity>(i)); });
+  if (Jumps)
+  {
+    Jumps->AddTo(summary);
+  }
   if (Enclosures || ShowUndecided)
   {
     summary["enclosures"] = { { "widest", Widest }, { "unbounded", Unbounded } };

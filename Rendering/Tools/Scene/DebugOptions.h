@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Base/Options.h"
+#include "Scene/FoundJumps.h"
 
 #include "Trace/Modules/ColorMapping.h"
 #include "Trace/Modules/DebugColors.h"
@@ -40,8 +41,9 @@ public:
   [[nodiscard]] Buffer Needs() const;
 
   /// Adds what was asked for to a pipeline that shows the field, or puts it in the field's place:
-  /// of a frame whose samples are there. What is pointed to lives here.
-  void AddTo(Pipeline& pipeline, const Shot& shot, const Looks& looks, const Frame& frame);
+  /// of a frame whose samples are there, and whose buffer of jumps it fills. What is pointed to
+  /// lives here.
+  void AddTo(Pipeline& pipeline, const Shot& shot, const Looks& looks, Frame& frame);
 
   /// The colour of undecided pixels, where the frame that was counted has some.
   [[nodiscard]] std::optional<Rgba> UndecidedMark() const;
@@ -70,6 +72,7 @@ private:
   std::shared_ptr<SampleColors> InPlace; ///< of the field's colours
   std::shared_ptr<UndecidedColors> OnTop;
   std::vector<Validity> Verdicts; ///< of elements
+  std::optional<FoundJumps> Jumps;
 
   Counts Coverages;  ///< by Coverage
   Counts Validities; ///< by Validity

@@ -156,6 +156,10 @@ void CheckEffectsWithoutField(const CLI::App& command, const Layers& layers)
   {
     idle = "--layer with a field or its colours";
   }
+  if (IsGiven(command, "--show") && command.get_option("--show")->as<std::string>() == "jumps")
+  {
+    idle = "--show jumps";
+  }
   if (!idle.empty())
   {
     throw Error(idle + ": the input has no field; leave it out, or name the file of a field");

@@ -51,6 +51,8 @@ std::string NameOfElementalLeaf(Operation operation)
       return "order";
     case Operation::Normal:
       return "n";
+    case Operation::Behind:
+      return "jump";
     default:
       return {};
   }

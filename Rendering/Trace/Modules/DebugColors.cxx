@@ -49,6 +49,20 @@ const Rgba& ColorOf(Coverage coverage, std::int32_t owners)
   }
 }
 
+enum JumpColor : std::uint8_t
+{
+  kNoFace,
+  kContinuous,
+  kSmallJump,
+  kLargestJump
+};
+constexpr ColorMeaning kJumps[] = {
+  { "no face between elements", "pale grey", { 225, 225, 225, 255 } },
+  { "continuous, up to rounding", "light blue", { 168, 212, 240, 255 } },
+  { "small jumps", "yellow", { 240, 228, 66, 255 } },
+  { "the largest jump", "dark purple", { 75, 0, 80, 255 } },
+};
+
 /// Asks `colorAt` for the colour of each sample; null leaves it transparent.
 template <class ColorAt>
 void PaintEach(SampleBuffers& samples, std::size_t begin, std::size_t end, const ColorAt& colorAt)
@@ -115,6 +129,51 @@ void ValidityColors::Paint(SampleBuffers& samples, std::size_t begin, std::size_
         default:
           return nullptr;
       }
+    });
+}
+
+std::span<const ColorMeaning> JumpColors::Legend()
+{
+  return kJumps;
+}
+
+Buffer JumpColors::Needs() const
+{
+  return Buffer::Jump | Buffer::Verdict;
+}
+
+Rgba JumpColors::ColorOf(double jump) const
+{
+  if (std::isnan(jump) || jump == 0.0)
+  {
+    return kJumps[std::isnan(jump) ? kNoFace : kContinuous].color;
+  }
+  // By way of vermilion, so that the middle of the range stands apart from both ends.
+  const std::array<Rgba, 3> ramp{ kJumps[kSmallJump].color, Rgba{ 213, 60, 0, 255 },
+    kJumps[kLargestJump].color };
+  const double part = 2.0 * std::min(jump / Largest, 1.0);
+  const std::size_t first = part < 1.0 ? 0 : 1;
+  Rgba color{};
+  for (std::size_t c = 0; c < color.size(); ++c)
+  {
+    color[c] = static_cast<std::uint8_t>(std::lround(
+      std::lerp(ramp[first][c], ramp[first + 1][c], part - static_cast<double>(first))));
+  }
+  return color;
+}
+
+void JumpColors::Paint(SampleBuffers& samples, std::size_t begin, std::size_t end) const
+{
+  Rgba color{};
+  PaintEach(samples, begin, end,
+    [&](std::size_t i) -> const Rgba*
+    {
+      if (samples.verdict[i] == kNothingPixel)
+      {
+        return nullptr;
+      }
+      color = samples.verdict[i] == kExactPixel ? ColorOf(samples.jump[i]) : kUnknown;
+      return &color;
     });
 }
 

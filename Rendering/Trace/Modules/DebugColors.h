@@ -44,6 +44,27 @@ private:
   std::vector<Validity> Verdicts;
 };
 
+/// Each sample by the jump between its element and the next ones (FindCutJumps): pale grey where
+/// there is no element's face, light blue where the values are continuous, else from yellow for
+/// small jumps to dark purple for the largest; Unknown ones as in ColorMapping.
+class JumpColors final : public SampleColors
+{
+public:
+  static std::span<const ColorMeaning> Legend();
+  /// `largest`: the jump with the last colour.
+  explicit JumpColors(double largest)
+    : Largest(largest)
+  {
+  }
+  [[nodiscard]] Buffer Needs() const override;
+  void Paint(SampleBuffers& samples, std::size_t begin, std::size_t end) const override;
+
+private:
+  [[nodiscard]] Rgba ColorOf(double jump) const;
+
+  double Largest;
+};
+
 /// Paints over samples that have their colours: exact ones whose enclosure does not decide their
 /// colour, that is, whose value and both ends the layer's map does not give one and the same. Maps
 /// must lead growing values through colours without coming back to one. Values that are no finite
