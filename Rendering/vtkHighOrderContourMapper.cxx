@@ -2,7 +2,7 @@
 #include "vtkHighOrderContourMapper.h"
 
 #include "ContourList.h"
-#include "Trace/Look/ViewLook.h"
+#include "Trace/Appearance/Appearance.h"
 #include "Views/VtkColorMap.h"
 #include "Views/VtkLook.h"
 
@@ -169,27 +169,27 @@ pixelexact::ContourRule vtkHighOrderContourMapper::ContoursOfAll() const
 }
 
 //------------------------------------------------------------------------------
-pixelexact::ContourLook vtkHighOrderContourMapper::LookOfContours() const
+pixelexact::ContourAppearance vtkHighOrderContourMapper::AppearanceOfContours() const
 {
-  pixelexact::ContourLook look;
+  pixelexact::ContourAppearance appearance;
   if (this->ContourLabels)
   {
-    look.labels = this->ContourLabelSize;
+    appearance.labels = this->ContourLabelSize;
   }
-  look.method.interior = this->ContourInterior;
-  look.method.SetEffort(this->ContourEffort);
+  appearance.method.interior = this->ContourInterior;
+  appearance.method.SetEffort(this->ContourEffort);
   if (this->ContourSubdivisions >= 0)
   {
-    look.method.subdivisions = this->ContourSubdivisions;
+    appearance.method.subdivisions = this->ContourSubdivisions;
   }
   if (this->ContoursOnly)
   {
-    look.only = pixelexact::Rgba{ 255, 255, 255, 0 };
+    appearance.only = pixelexact::Rgba{ 255, 255, 255, 0 };
   }
-  look.style.width = this->ContourWidth;
-  look.style.showUndecided = this->ShowUndecidedContours;
-  look.style.undecided = pixelexact::ToRgba(this->UndecidedContourColor);
-  return look;
+  appearance.style.width = this->ContourWidth;
+  appearance.style.showUndecided = this->ShowUndecidedContours;
+  appearance.style.undecided = pixelexact::ToRgba(this->UndecidedContourColor);
+  return appearance;
 }
 
 //------------------------------------------------------------------------------

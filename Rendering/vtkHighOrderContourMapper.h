@@ -20,7 +20,7 @@
 namespace pixelexact
 {
 class ContourList;
-struct ContourLook;
+struct ContourAppearance;
 struct ContourRule;
 } // namespace pixelexact
 
@@ -162,7 +162,7 @@ protected:
    * On surfaces without values of their own.
    */
   pixelexact::ContourRule ContoursOfAll() const;
-  pixelexact::ContourLook LookOfContours() const;
+  pixelexact::ContourAppearance AppearanceOfContours() const;
   /**
    * By layer, of the frame that was drawn: for those who ask for the values of ContourCount.
    */

@@ -72,21 +72,21 @@ pixelexact::FrameRequest vtkHighOrderMapper::Internals::Request(
   pixelexact::RequireFieldColors(self);
   request.model = Drawer.ModelOf(pixelexact::MapperExecutive::InputOf(self));
   request.ranges = Drawer.Ranges();
-  request.look.contours = self->LookOfContours();
-  request.look.edges = pixelexact::EdgesOf(actor->GetProperty());
-  if (request.look.edges && self->EdgesByKind)
+  request.appearance.contours = self->AppearanceOfContours();
+  request.appearance.edges = pixelexact::EdgesOf(actor->GetProperty());
+  if (request.appearance.edges && self->EdgesByKind)
   {
-    request.look.edges = pixelexact::EdgeStyle::ByKind(request.look.edges->width);
+    request.appearance.edges = pixelexact::EdgeStyle::ByKind(request.appearance.edges->width);
     request.edgesByKind = true;
   }
-  request.look.samples = self->Samples;
+  request.appearance.samples = self->Samples;
   if (self->Outlines)
   {
-    request.look.outlines = pixelexact::ToRgba(self->OutlineColor);
+    request.appearance.outlines = pixelexact::ToRgba(self->OutlineColor);
   }
   pixelexact::LayerRequest ofAll = pixelexact::LayerOf(self, actor->GetProperty());
-  ofAll.look.contours = self->ContoursOfAll();
-  std::copy_n(self->UnknownColor, 4, ofAll.look.unknown.begin());
+  ofAll.appearance.contours = self->ContoursOfAll();
+  std::copy_n(self->UnknownColor, 4, ofAll.appearance.unknown.begin());
   self->GetScene().AddLayers(self, ofAll, Drawer.Surfaces(), request);
   TableLayer.reset();
   for (std::size_t k = 0; k < request.layers.size(); ++k)
@@ -97,7 +97,7 @@ pixelexact::FrameRequest vtkHighOrderMapper::Internals::Request(
     {
       continue;
     }
-    layer.look.range = this->RuleOf(self, table);
+    layer.appearance.range = this->RuleOf(self, table);
     TableLayer = table == self->GetLookupTable() ? k : TableLayer;
   }
   return request;
@@ -275,9 +275,9 @@ double* vtkHighOrderMapper::GetSeenRange()
   const pixelexact::FrameSource* source = this->Data->Drawer.LastSource();
   const pixelexact::Frame* frame = source != nullptr ? source->LastFrame() : nullptr;
   const std::optional<std::size_t> layer = this->Data->TableLayer;
-  const bool any = frame != nullptr && layer && *layer < source->LastLook().layers.size();
+  const bool any = frame != nullptr && layer && *layer < source->LastAppearance().layers.size();
   this->Data->SeenRange =
-    (any ? pixelexact::RangeSeen(source->LastLook(), source->LastScene(), *frame, *layer)
+    (any ? pixelexact::RangeSeen(source->LastAppearance(), source->LastScene(), *frame, *layer)
          : std::nullopt)
       .value_or(std::array{ 1.0, -1.0 });
   return this->Data->SeenRange.data();
@@ -509,8 +509,8 @@ std::vector<std::string> vtkHighOrderMapper::Complaints(
 {
   // Windows draw what is seen through sheet by sheet.
   const bool bySheets =
-    source.LastLook().bySheets && pixelexact::HasTranslucent(source.LastScene());
-  const bool translucent = source.LastLook().bySheets &&
+    source.LastAppearance().bySheets && pixelexact::HasTranslucent(source.LastScene());
+  const bool translucent = source.LastAppearance().bySheets &&
     (actor->GetProperty()->GetOpacity() < 1.0 || this->HasTranslucentPolygonalGeometry());
   const bool mapped =
     this->ScalarVisibility || (this->ContourScalarVisibility && source.LastContours() != nullptr);
@@ -589,13 +589,13 @@ std::vector<std::array<double, 3>> vtkHighOrderMapper::SeenPoints(
     }
     pixelexact::CompleteRequest(sight, request);
     // Where the surfaces are alone.
-    request.look = {};
+    request.appearance = {};
     request.edgesByKind = false;
     for (pixelexact::LayerRequest& layer : request.layers)
     {
       layer.table = nullptr;
-      layer.look = {};
-      layer.look.solid.emplace();
+      layer.appearance = {};
+      layer.appearance.solid.emplace();
     }
     pixelexact::FrameSourceCounters counters;
     pixelexact::FrameSource source(counters);

@@ -3,7 +3,7 @@
 
 #include "CompositeParts.h"
 #include "HighOrderModel.h"
-#include "Trace/Look/FieldRange.h"
+#include "Trace/Appearance/FieldRange.h"
 #include "Views/VtkColorMap.h"
 
 #include "Core/Base/Error.h"

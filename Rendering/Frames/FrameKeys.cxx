@@ -26,7 +26,7 @@ TraceKey TraceKeyOf(const FrameRequest& request)
     const bool alone =
       request.layers.size() == 1 && dynamic_cast<const Plane*>(layer.surface.get()) != nullptr;
     const bool seenThrough = !alone &&
-      (request.translucent || layer.look.opacity < 1.0 ||
+      (request.translucent || layer.appearance.opacity < 1.0 ||
         (layer.table != nullptr && layer.table->IsOpaque() == 0));
     key.layers.push_back({ layer.surface, layer.field, component, layer.precision, seenThrough });
   }

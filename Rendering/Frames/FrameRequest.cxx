@@ -13,7 +13,7 @@ namespace pixelexact
 vtkScalarsToColors* TableOf(const LayerRequest& layer)
 {
   // By their colours, or by their values where these follow from the table's range.
-  const ContourRule& contours = layer.look.contours;
+  const ContourRule& contours = layer.appearance.contours;
   const bool byTable = contours.count > 0 || (contours.Any() && contours.colors.empty());
   return layer.table == nullptr && byTable ? layer.contourTable : layer.table;
 }
@@ -26,7 +26,7 @@ const Field* FieldOf(const LayerRequest& layer, const HighOrderModel& model)
 
 int ComponentOf(const LayerRequest& layer, const Field& field)
 {
-  const bool solid = layer.table == nullptr && layer.look.contours.Any();
+  const bool solid = layer.table == nullptr && layer.appearance.contours.Any();
   const int component = layer.component.value_or(
     ComponentOf(solid ? layer.contourTable : layer.table, field.values.components));
   RequireComponent(field, component);
@@ -34,16 +34,16 @@ int ComponentOf(const LayerRequest& layer, const Field& field)
   return component == kMagnitude && field.values.components == 1 ? 0 : component;
 }
 
-ViewLook LookOf(const FrameRequest& request, const Scene& scene)
+Appearance AppearanceOf(const FrameRequest& request, const Scene& scene)
 {
-  ViewLook look = request.look;
-  look.layers.clear();
+  Appearance appearance = request.appearance;
+  appearance.layers.clear();
   std::vector<vtkScalarsToColors*> tables;
   for (std::size_t k = 0; k < request.layers.size(); ++k)
   {
     const LayerRequest& layer = request.layers[k];
     vtkScalarsToColors* const table = TableOf(layer);
-    LayerLook own = layer.look;
+    LayerAppearance own = layer.appearance;
     own.table = table != nullptr ? ColorTableOf(table) : nullptr;
     // One table has one range.
     tables.push_back(table);
@@ -56,18 +56,18 @@ ViewLook LookOf(const FrameRequest& request, const Scene& scene)
     {
       own.material.reset();
     }
-    look.layers.push_back(std::move(own));
+    appearance.layers.push_back(std::move(own));
   }
-  if (!look.IsLit())
+  if (!appearance.IsLit())
   {
-    look.lights.clear();
-    look.lit = {};
+    appearance.lights.clear();
+    appearance.lit = {};
   }
-  if (!look.HasContours())
+  if (!appearance.HasContours())
   {
-    look.contours = {};
+    appearance.contours = {};
   }
-  look.faces = look.edges && request.edgesByKind ? &request.model->Faces() : nullptr;
-  return look;
+  appearance.faces = appearance.edges && request.edgesByKind ? &request.model->Faces() : nullptr;
+  return appearance;
 }
 } // namespace pixelexact

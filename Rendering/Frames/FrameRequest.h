@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Trace/Look/Resolve.h"
-#include "Trace/Look/ViewLook.h"
+#include "Trace/Appearance/Appearance.h"
+#include "Trace/Appearance/Resolve.h"
 #include "Views/FieldChoice.h"
 #include "Views/VtkCamera.h"
 
@@ -24,14 +24,14 @@ struct LayerRequest
   FieldChoice field;
   std::optional<int> component; ///< or kMagnitude; none: the table's choice
   Precision precision = Precision::Double;
-  /// Of the surface's colours; null: they are the look's solid one.
+  /// Of the surface's colours; null: they are the appearance's solid one.
   vtkScalarsToColors* table = nullptr;
   /// That of contours on a surface of one colour: their component and, where they have none,
   /// colours.
   vtkScalarsToColors* contourTable = nullptr;
   /// Its table and range group are filled in from these tables, and its material is left out of
-  /// flat surfaces but for `litWhereFlat` (LookOf).
-  LayerLook look;
+  /// flat surfaces but for `litWhereFlat` (AppearanceOf).
+  LayerAppearance appearance;
   bool litWhereFlat = false; ///< also a plane
 };
 
@@ -54,7 +54,7 @@ struct FrameRequest
   std::vector<KeptHalfSpace> kept; ///< clipping planes, and the near plane where it cuts the data
   CameraSetup camera;
   bool translucent = false; ///< all of it, for somebody who blends frames over what is there
-  ViewLook look;            ///< its layers are those of the requests (LookOf)
+  Appearance appearance;    ///< its layers are those of the requests (AppearanceOf)
   bool edgesByKind = false; ///< edges are told apart by what lies behind the face
   /// Of the model's fields, kept for as long as it stays the same; null: found for each frame.
   std::shared_ptr<FieldRanges> ranges;
@@ -70,5 +70,5 @@ struct FrameRequest
 };
 
 /// How the request's layers are shown, as those of `scene`, which is made of them.
-[[nodiscard]] ViewLook LookOf(const FrameRequest& request, const Scene& scene);
+[[nodiscard]] Appearance AppearanceOf(const FrameRequest& request, const Scene& scene);
 } // namespace pixelexact

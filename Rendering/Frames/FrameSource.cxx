@@ -95,18 +95,18 @@ void FrameSource::MakePainter(const Frame* frame)
   {
     Bounds = std::make_shared<ContourBounds>();
   }
-  if (TheLook.HasContours() && TheLook.contours.labels)
+  if (TheAppearance.HasContours() && TheAppearance.contours.labels)
   {
-    RequireLabelSize(*TheLook.contours.labels);
+    RequireLabelSize(*TheAppearance.contours.labels);
   }
-  Resolved = Resolve(TheLook, TheScene, frame, *Ranges);
-  ThePainter = std::make_unique<Painter>(TheLook, TheScene, Resolved, Bounds);
+  Resolved = Resolve(TheAppearance, TheScene, frame, *Ranges);
+  ThePainter = std::make_unique<Painter>(TheAppearance, TheScene, Resolved, Bounds);
 }
 
 Pipeline FrameSource::TracingPipeline()
 {
   // What follows from values is not known before they are traced.
-  return TheLook.NeedsFrame() ? Pipeline{} : ThePainter->MakePipeline();
+  return TheAppearance.NeedsFrame() ? Pipeline{} : ThePainter->MakePipeline();
 }
 
 void FrameSource::BeginFrame(Buffer buffers)
@@ -129,7 +129,7 @@ void FrameSource::TraceFrame(double seconds, const Progress& progress)
     TheFrame = Passes->Take();
     Passes.reset();
     TheStep = 1;
-    if (TheLook.NeedsFrame())
+    if (TheAppearance.NeedsFrame())
     {
       Paint();
     }
@@ -148,7 +148,7 @@ void FrameSource::TraceFrame(double seconds, const Progress& progress)
 
 void FrameSource::ShowPreview()
 {
-  if (TheLook.NeedsFrame())
+  if (TheAppearance.NeedsFrame())
   {
     const Frame values = Passes->Preview();
     MakePainter(&values);
@@ -178,7 +178,7 @@ void FrameSource::Paint()
     ShowPreview();
     return;
   }
-  if (TheLook.NeedsFrame())
+  if (TheAppearance.NeedsFrame())
   {
     MakePainter(&*TheFrame);
   }
@@ -213,7 +213,7 @@ const Frame& FrameSource::Render(const FrameRequest& request, const Progress& pr
   }
   catch (...)
   {
-    // A frame that is not the one asked for must not look like it.
+    // A frame that is not the one asked for must look like it.
     DropFrame();
     throw;
   }
@@ -235,15 +235,16 @@ void FrameSource::Update(const FrameRequest& request, const Progress& progress)
     Traced = std::move(key);
     MakeScene(request);
   }
-  ViewLook look = LookOf(request, TheScene);
-  const bool sameLook = ThePainter && TheLook == look;
+  Appearance appearance = AppearanceOf(request, TheScene);
+  const bool sameAppearance = ThePainter && TheAppearance == appearance;
   Ranges = request.ranges ? request.ranges : std::make_shared<FieldRanges>();
-  if (!sameLook)
+  if (!sameAppearance)
   {
-    TheLook = std::move(look);
+    TheAppearance = std::move(appearance);
     MakePainter(nullptr);
   }
-  const Buffer wanted = kDrawn | request.buffers | NeedsOf(TheLook, TheScene, TheLook.NeedsFrame());
+  const Buffer wanted =
+    kDrawn | request.buffers | NeedsOf(TheAppearance, TheScene, TheAppearance.NeedsFrame());
   if (request.stride > 1)
   {
     RequireNoModules(ThePainter->MakePipeline());
@@ -257,7 +258,7 @@ void FrameSource::Update(const FrameRequest& request, const Progress& progress)
   {
     BeginFrame(wanted);
   }
-  else if (!Complete && !sameLook)
+  else if (!Complete && !sameAppearance)
   {
     const Pipeline pipeline = TracingPipeline();
     Passes->Recolor(pipeline, pipeline.Needs().corners);
@@ -267,7 +268,7 @@ void FrameSource::Update(const FrameRequest& request, const Progress& progress)
   {
     TraceFrame(request.seconds, progress);
   }
-  else if (!sameLook)
+  else if (!sameAppearance)
   {
     Paint();
     Count(false);
@@ -282,7 +283,7 @@ SampleBuffers FrameSource::Sample(
   Traced = TraceKeyOf(request);
   MakeScene(request);
   Ranges = request.ranges ? request.ranges : std::make_shared<FieldRanges>();
-  TheLook = LookOf(request, TheScene);
+  TheAppearance = AppearanceOf(request, TheScene);
   MakePainter(nullptr);
   const Pipeline pipeline = ThePainter->MakePipeline();
   const Camera camera = request.camera.Make();

@@ -4,8 +4,8 @@
 #include "Frames/FrameKeys.h"
 #include "Frames/FrameRequest.h"
 #include "PixelExactRenderingModule.h"
+#include "Trace/Appearance/Painter.h"
 #include "Trace/FrameCost.h"
-#include "Trace/Look/Painter.h"
 #include "Trace/ProgressiveFrame.h"
 #include "Trace/TileSamples.h"
 
@@ -69,8 +69,8 @@ public:
     return TheFrame && Complete ? ThePainter->Contours() : nullptr;
   }
   /// How the last frame is shown, and its colours and contours in numbers.
-  [[nodiscard]] const ViewLook& LastLook() const { return TheLook; }
-  [[nodiscard]] const ResolvedLook& LastResolved() const { return Resolved; }
+  [[nodiscard]] const Appearance& LastAppearance() const { return TheAppearance; }
+  [[nodiscard]] const ResolvedAppearance& LastResolved() const { return Resolved; }
 
   /// The model of the last frame; null when there is none.
   [[nodiscard]] const HighOrderModel* Model() const { return TheModel.get(); }
@@ -89,11 +89,12 @@ public:
 private:
   void Update(const FrameRequest& request, const Progress& progress);
   void MakeScene(const FrameRequest& request);
-  /// Ranges, iso-values and modules of TheLook. `frame`: of its values; null: there is none yet.
+  /// Ranges, iso-values and modules of TheAppearance. `frame`: of its values; null: there is none
+  /// yet.
   void MakePainter(const Frame* frame);
   /// Of a frame that is being traced: without what follows from its values.
   [[nodiscard]] Pipeline TracingPipeline();
-  /// What is there in the look's colours: the complete frame, or a coarse one.
+  /// What is there in the appearance's colours: the complete frame, or a coarse one.
   void Paint();
   void BeginFrame(Buffer buffers);
   void TraceFrame(double seconds, const Progress& progress);
@@ -110,9 +111,9 @@ private:
   Scene TheScene;
   Buffer TheBuffers = Buffer::None; ///< that the frame was traced with
   std::optional<TraceKey> Traced;   ///< of TheScene; none: nothing to show
-  ViewLook TheLook;
-  ResolvedLook Resolved;
-  std::unique_ptr<Painter> ThePainter;    ///< of TheLook; null: of none
+  Appearance TheAppearance;
+  ResolvedAppearance Resolved;
+  std::unique_ptr<Painter> ThePainter;    ///< of TheAppearance; null: of none
   std::optional<ProgressiveFrame> Passes; ///< of a frame that is not complete
   std::optional<int> Shown;               ///< the passes' step, of which TheFrame is the preview
   std::optional<Frame> TheFrame;

@@ -15,8 +15,8 @@ LayerRequest LayerOf(vtkHighOrderMapper* mapper, vtkProperty* property)
   const char* field = mapper->GetFieldName();
   layer.field =
     field == nullptr || field[0] == '\0' ? FieldOf(mapper) : FieldChoice{ .name = field };
-  layer.look.solid = ColorOf(property);
-  layer.look.material = MaterialOf(property, !mapper->GetScalarVisibility());
+  layer.appearance.solid = ColorOf(property);
+  layer.appearance.material = MaterialOf(property, !mapper->GetScalarVisibility());
   layer.litWhereFlat = mapper->GetLightFlat();
   if (mapper->GetScalarVisibility())
   {
@@ -56,37 +56,37 @@ LayerRequest LayerOf(vtkHighOrderLayer* layer, LayerRequest ofAll)
   if (!layer->GetScalarVisibility())
   {
     request.table = nullptr;
-    request.look.solid = ToRgba(layer->GetColor());
+    request.appearance.solid = ToRgba(layer->GetColor());
   }
   if (!layer->GetContourVisibility())
   {
-    request.look.contours = {};
+    request.appearance.contours = {};
   }
   else if (layer->GetContourCount() > 0)
   {
-    request.look.contours.count = layer->GetContourCount();
-    request.look.contours.values.clear();
+    request.appearance.contours.count = layer->GetContourCount();
+    request.appearance.contours.values.clear();
   }
   else if (layer->GetNumberOfContours() > 0)
   {
-    request.look.contours.count = 0;
-    request.look.contours.values.clear();
+    request.appearance.contours.count = 0;
+    request.appearance.contours.values.clear();
     for (int i = 0; i < layer->GetNumberOfContours(); ++i)
     {
-      request.look.contours.values.push_back(layer->GetContourValue(i));
+      request.appearance.contours.values.push_back(layer->GetContourValue(i));
     }
   }
-  request.look.opacity = layer->GetOpacity();
+  request.appearance.opacity = layer->GetOpacity();
   request.precision = layer->GetSinglePrecision() ? Precision::Float : Precision::Double;
   request.litWhereFlat = layer->GetLightFlat();
   if (!layer->GetLighting())
   {
-    request.look.material.reset();
+    request.appearance.material.reset();
   }
-  else if (request.look.material)
+  else if (request.appearance.material)
   {
     // The actor's colour is not the layer's.
-    request.look.material->ambientColor.reset();
+    request.appearance.material->ambientColor.reset();
   }
   return request;
 }

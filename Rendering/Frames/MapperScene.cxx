@@ -94,7 +94,7 @@ void MapperScene::AddLayers(vtkHighOrderSceneMapper* mapper, const LayerRequest&
       if (hasOwn && !mapper->GetContourScalarVisibility())
       {
         // Colours of single contours are of the mapper's.
-        own.look.contours.colors = { ToRgba(mapper->GetContourColor()) };
+        own.appearance.contours.colors = { ToRgba(mapper->GetContourColor()) };
       }
       Add(mapper, sources.back(), std::move(own), surfaces, request);
     }

@@ -71,10 +71,10 @@ void CompleteRequest(const DataView& view, FrameRequest& request)
   vtkRenderer* renderer = view.renderer;
   request.camera = SetupOf(renderer->GetActiveCamera(), view.width, view.height,
     renderer->GetTiledAspectRatio(), view.dataToWorld);
-  request.look.lights = LightsOf(renderer);
-  request.look.lit = LitViewOf(renderer->GetActiveCamera(), view.dataToWorld);
+  request.appearance.lights = LightsOf(renderer);
+  request.appearance.lit = LitViewOf(renderer->GetActiveCamera(), view.dataToWorld);
   request.translucent = view.opacity < 1.0;
-  request.look.bySheets = true;
+  request.appearance.bySheets = true;
   request.kept = ClippingPlanesOf(view.mapper, view.dataToWorld);
   // What lies before the near plane shows what is behind it. VTK puts that plane before all that is
   // visible, so this is for users who move it into the data, and for cameras inside of it; all
@@ -90,14 +90,14 @@ void CompleteRequest(const CameraSight& sight, FrameRequest& request)
 {
   vtkMatrix4x4* const dataToWorld = sight.actor->GetMatrix();
   request.camera = SetupOf(sight.camera, sight.width, sight.height, 0.0, dataToWorld);
-  request.look.lights = { Light{ .headlight = true } };
-  request.look.lit = LitViewOf(sight.camera, dataToWorld);
+  request.appearance.lights = { Light{ .headlight = true } };
+  request.appearance.lit = LitViewOf(sight.camera, dataToWorld);
   request.kept = ClippingPlanesOf(sight.mapper, dataToWorld);
   request.stride = sight.stride;
   // No compositor applies it afterwards.
   for (LayerRequest& layer : request.layers)
   {
-    layer.look.opacity *= sight.actor->GetProperty()->GetOpacity();
+    layer.appearance.opacity *= sight.actor->GetProperty()->GetOpacity();
   }
 }
 } // namespace pixelexact

@@ -2,7 +2,7 @@
 #include "Surfaces/MeshSurfaces.h"
 
 #include "HighOrderModel.h"
-#include "Trace/Look/FieldRange.h"
+#include "Trace/Appearance/FieldRange.h"
 #include "Views/FieldChoice.h"
 
 #include "Core/Base/Error.h"

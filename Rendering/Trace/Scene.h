@@ -19,8 +19,8 @@ inline constexpr int kMagnitude = -1;
 /// That of a field's value.
 [[nodiscard]] double ComponentOf(std::span<const double> values, int component);
 
-/// A surface and what is traced on it. How it is shown is told to the modules (LayerLook): other
-/// looks trace nothing.
+/// A surface and what is traced on it. How it is shown is told to the Painter (LayerAppearance):
+/// other looks trace nothing.
 struct Layer
 {
   std::shared_ptr<const Surface> surface;

@@ -5,8 +5,8 @@
 #include "Bench/ContourTime.h"
 #include "Bench/FrameTime.h"
 #include "Scene/ContourOptions.h"
-#include "Scene/Looks.h"
 #include "Scene/Shot.h"
+#include "Scene/ShotAppearance.h"
 #include "Trade/PaperReport.h"
 
 #include "Core/Base/Error.h"
@@ -62,19 +62,19 @@ Measured Measure(const Shot& shot, const BenchOptions& options)
 {
   const Camera camera = shot.MakeCamera();
   // Tells the range, which is no part of a frame.
-  const ViewLook look = LookOf(options.shot.colors, &options.contours, shot);
-  const Frame first = Trace(shot.scene, camera, {}, { .centres = NeedsOf(look, shot.scene) });
-  Looks plain(options.shot.colors, nullptr, shot, first);
-  const Pipeline pipeline = plain.ThePainter().MakePipeline();
+  const Appearance appearance = AppearanceOf(options.shot.colors, &options.contours, shot);
+  const Frame first = Trace(shot.scene, camera, {}, { .centres = NeedsOf(appearance, shot.scene) });
+  ShotAppearance plain(options.shot.colors, nullptr, shot, first);
+  const Pipeline pipeline = plain.GetPainter().MakePipeline();
   ProgressLine line("measuring");
   Measured measured{ MeasureFrames(shot.scene, camera, pipeline, options.repeat,
                        [&line](double part) { line(part); }),
     first.counters, std::nullopt };
   if (options.contours.AreGiven())
   {
-    Looks looks(
+    ShotAppearance withContours(
       options.shot.colors, &options.contours, shot, first, std::make_shared<ContourBounds>());
-    Painter& painter = looks.ThePainter();
+    Painter& painter = withContours.GetPainter();
     measured.contours = MeasureContours(shot.scene, camera, pipeline, painter.MakePipeline(),
       options.repeat, [&painter] { return painter.Contours()->Counters(); });
   }

@@ -7,8 +7,8 @@
 #include "Input/PatchFile.h"
 #include "Picture/RenderReport.h"
 #include "Scene/ContourOptions.h"
-#include "Scene/Looks.h"
 #include "Scene/Shot.h"
+#include "Scene/ShotAppearance.h"
 #include "Trade/DifferenceOptions.h"
 #include "Trade/Recommendation.h"
 #include "Trade/TradeOptions.h"
@@ -110,12 +110,12 @@ TradeScene MakeScene(const CompareOptions& options, const Shot& shot)
     scene.patches = ReadPatches(file);
   }
   const Frame frame = Trace(shot.scene, shot.MakeCamera(), {},
-    { .centres = NeedsOf(LookOf(options.shot.colors, &options.contours, shot), shot.scene) |
+    { .centres = NeedsOf(AppearanceOf(options.shot.colors, &options.contours, shot), shot.scene) |
         Buffer::Value });
-  const Looks looks(options.shot.colors, &options.contours, shot, frame);
-  scene.map = looks.Maps().front();
-  scene.range = *looks.Ranges().front();
-  if (const ContourCertifier* contours = looks.ThePainter().Contours())
+  const ShotAppearance appearance(options.shot.colors, &options.contours, shot, frame);
+  scene.map = appearance.Maps().front();
+  scene.range = *appearance.Ranges().front();
+  if (const ContourCertifier* contours = appearance.GetPainter().Contours())
   {
     scene.isoValues = contours->Values().front();
   }

@@ -86,11 +86,11 @@ void Render(RenderOptions options, const CommonOptions& common)
   WarnOf(shot, drawn.GetFrame(), found);
   if (common.json)
   {
-    PrintJson(shot, drawn.GetFrame(), found, drawn.GetLooks(), drawn.Debug(), command, stopwatch);
+    PrintJson(shot, drawn.GetFrame(), found, drawn.GetAppearance(), drawn.Debug(), command, stopwatch);
   }
   else
   {
-    PrintTable(shot, drawn.GetFrame(), found, drawn.GetLooks(), drawn.Debug(), command, stopwatch,
+    PrintTable(shot, drawn.GetFrame(), found, drawn.GetAppearance(), drawn.Debug(), command, stopwatch,
       std::ranges::any_of(outputs, IsStandardStream));
   }
 }

@@ -52,7 +52,7 @@ void Count(const DrawnShot& drawn, Done& done)
   const std::int64_t unknown = drawn.GetFrame().counters.unknown;
   done.unknown += unknown;
   done.withUnknown += unknown > 0 ? 1 : 0;
-  if (const auto& range = drawn.GetLooks().Ranges().front())
+  if (const auto& range = drawn.GetAppearance().Ranges().front())
   {
     done.colors = done.colors
       ? Range{ std::min((*done.colors)[0], (*range)[0]), std::max((*done.colors)[1], (*range)[1]) }

@@ -2,7 +2,7 @@
 #include "Picture/ContourReport.h"
 
 #include "Base/Report.h"
-#include "Scene/Looks.h"
+#include "Scene/ShotAppearance.h"
 
 #include "Core/Base/Counted.h"
 
@@ -14,11 +14,12 @@
 
 namespace pixelexact
 {
-FoundContours FindContours(const Looks& looks, const Frame& frame, std::optional<int> labels)
+FoundContours FindContours(
+  const ShotAppearance& appearance, const Frame& frame, std::optional<int> labels)
 {
-  const ContourCertifier& told = *looks.ThePainter().Contours();
+  const ContourCertifier& told = *appearance.GetPainter().Contours();
   FoundContours found{ told.Values(), 0, told.Counters(), labels,
-    looks.Look().contours.method.interior, looks.Resolved().ofOneValue };
+    appearance.Look().contours.method.interior, appearance.Resolved().ofOneValue };
   for (std::size_t k = 0; k < found.values.size(); ++k)
   {
     const ValueRange seen = ValuesSeen(frame, k);

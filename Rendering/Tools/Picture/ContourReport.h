@@ -13,7 +13,7 @@
 // What reports tell of contours.
 namespace pixelexact
 {
-class Looks;
+class ShotAppearance;
 class Table;
 
 /// What there is to tell of contours.
@@ -31,7 +31,7 @@ struct FoundContours
 /// Of a frame that the painter's pipeline ran over. `labels`: how many were written, where they
 /// were asked for.
 [[nodiscard]] FoundContours FindContours(
-  const Looks& looks, const Frame& frame, std::optional<int> labels);
+  const ShotAppearance& appearance, const Frame& frame, std::optional<int> labels);
 
 /// Values, of all layers.
 [[nodiscard]] std::size_t CountOf(const FoundContours& contours);

@@ -22,7 +22,8 @@ Frame TraceShot(const RenderOptions& options, const Shot& shot, const Progress& 
 {
   const bool hasField = shot.scene.layers.front().field != nullptr;
   // The report tells which values are seen.
-  const Buffer wanted = NeedsOf(LookOf(options.shot.colors, &options.contours, shot), shot.scene) |
+  const Buffer wanted =
+    NeedsOf(AppearanceOf(options.shot.colors, &options.contours, shot), shot.scene) |
     (hasField ? Buffer::Value : Buffer::None) | options.debug.Needs() |
     options.buffers.Needs(hasField) | options.outline.Needs();
   if (const int stride = options.knobs.Stride(); stride > 1)
@@ -42,7 +43,7 @@ DrawnShot::DrawnShot(const RenderOptions& options, const Shot& shot, Frame trace
 {
   // Colours after the rays, because the default range is that of the values found.
   Colors.emplace(options.shot.colors, &options.contours, shot, Pixels);
-  Painter& painter = Colors->ThePainter();
+  Painter& painter = Colors->GetPainter();
   std::optional<std::vector<std::vector<CanvasPoint>>> edges;
   if (paths && shot.edges)
   {
@@ -117,7 +118,7 @@ void DrawnShot::AddLines(
 
 void DrawnShot::AddContours(const std::vector<ContourPath>& contours)
 {
-  const Painter& painter = Colors->ThePainter();
+  const Painter& painter = Colors->GetPainter();
   if (painter.Labels())
   {
     Over.labels = PlaceContourLabels(Pixels, Of.MakeCamera(), *painter.Contours(), *painter.Lines(),

@@ -7,7 +7,7 @@
 #include "Picture/ContourPaths.h"
 #include "Picture/RenderReport.h"
 #include "Scene/DebugOptions.h"
-#include "Scene/Looks.h"
+#include "Scene/ShotAppearance.h"
 
 #include "Trace/Tracer.h"
 
@@ -28,17 +28,17 @@ class DrawnShot
 {
 public:
   /// `traced`: of TraceShot. `paths`: contours, element edges and outlines are left out of the
-  /// pixels where they can be had as paths. Throws Error as Looks. The options
+  /// pixels where they can be had as paths. Throws Error as ShotAppearance. The options
   /// and the shot must outlive it.
   DrawnShot(const RenderOptions& options, const Shot& shot, Frame traced, bool paths = false);
   DrawnShot(const DrawnShot&) = delete;
   DrawnShot& operator=(const DrawnShot&) = delete;
 
   [[nodiscard]] const Frame& GetFrame() const { return Pixels; }
-  [[nodiscard]] const Looks& GetLooks() const { return *Colors; }
+  [[nodiscard]] const ShotAppearance& GetAppearance() const { return *Colors; }
   [[nodiscard]] const DebugOptions& Debug() const { return Told; }
   /// Null where there are none.
-  [[nodiscard]] const ContourCertifier* Contours() const { return Colors->ThePainter().Contours(); }
+  [[nodiscard]] const ContourCertifier* Contours() const { return Colors->GetPainter().Contours(); }
   [[nodiscard]] const Found& WhatIsFound() const { return TheFound; }
 
   /// The picture alone, or with a figure around it.
@@ -61,7 +61,7 @@ private:
   const Shot& Of;
   Frame Pixels;
   DebugOptions Told;
-  std::optional<Looks> Colors;
+  std::optional<ShotAppearance> Colors;
   std::optional<int> Labels; ///< written, where they were asked for
   VectorLines Over;
   std::vector<std::string> Staying;

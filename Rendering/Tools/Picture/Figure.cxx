@@ -7,8 +7,8 @@
 #include "Drawing/Canvas.h"
 #include "Picture/FigureColumn.h"
 #include "Scene/ColorOptions.h"
-#include "Scene/Looks.h"
 #include "Scene/Shot.h"
+#include "Scene/ShotAppearance.h"
 
 #include "Trace/Surfaces/Surface.h"
 
@@ -45,12 +45,12 @@ std::string NameOf(const Layer& layer)
 }
 
 /// One for layers that are alike.
-std::vector<FigureBar> BarsOf(const Shot& shot, const Looks& looks)
+std::vector<FigureBar> BarsOf(const Shot& shot, const ShotAppearance& appearance)
 {
   std::vector<FigureBar> bars;
   for (std::size_t k = 0; k < shot.scene.layers.size(); ++k)
   {
-    const auto& range = looks.Ranges()[k];
+    const auto& range = appearance.Ranges()[k];
     if (!range)
     {
       continue;
@@ -60,12 +60,12 @@ std::vector<FigureBar> BarsOf(const Shot& shot, const Looks& looks)
     bool isNew = true;
     for (std::size_t other = 0; other < k && isNew; ++other)
     {
-      isNew = looks.Ranges()[other] != range || shot.settings[other].colormap != colormap ||
+      isNew = appearance.Ranges()[other] != range || shot.settings[other].colormap != colormap ||
         NameOf(shot.scene.layers[other]) != name;
     }
     if (isNew)
     {
-      bars.push_back({ name, *range, &looks.Maps()[k] });
+      bars.push_back({ name, *range, &appearance.Maps()[k] });
     }
   }
   return bars;
@@ -169,7 +169,7 @@ void FigureOptions::Check(const ImageSize& size) const
 void FigureOptions::Draw(
   Canvas& canvas, const ImageSize& figure, const FigureContent& content) const
 {
-  const auto& [shot, looks, frame, colors, bars, marks] = content;
+  const auto& [shot, appearance, frame, colors, bars, marks] = content;
   const int font = FontOf(figure);
   const Rgba ink = InkOn(colors.BackgroundColor());
   if (!Title.empty())
@@ -198,7 +198,7 @@ void FigureOptions::Draw(
     column.DrawMark(mark.color, mark.text, y);
     y += 1.6 * font;
   }
-  const std::vector<FigureBar> all = bars ? BarsOf(shot, looks) : std::vector<FigureBar>();
+  const std::vector<FigureBar> all = bars ? BarsOf(shot, appearance) : std::vector<FigureBar>();
   if (pixels.nonFinite > 0 && !all.empty())
   {
     Rgba color{};

@@ -13,7 +13,7 @@ namespace pixelexact
 {
 class Canvas;
 class ColorOptions;
-class Looks;
+class ShotAppearance;
 struct Frame;
 struct Shot;
 
@@ -28,7 +28,7 @@ struct ColorMark
 struct FigureContent
 {
   const Shot& shot;
-  const Looks& looks;
+  const ShotAppearance& appearance;
   const Frame& frame;
   const ColorOptions& colors;
   bool bars = true;             ///< the map's colours are seen

@@ -4,8 +4,8 @@
 #include "Base/Report.h"
 #include "Picture/ContourReport.h"
 #include "Scene/DebugOptions.h"
-#include "Scene/Looks.h"
 #include "Scene/Shot.h"
+#include "Scene/ShotAppearance.h"
 
 #include "Core/Base/Counted.h"
 #include "Core/Location/Locator.h"
@@ -39,9 +39,9 @@ nlohmann::ordered_json ToJson(const CameraView& view)
 }
 
 /// Null where nothing is coloured by value.
-nlohmann::ordered_json RangeToJson(const Looks& looks, std::size_t layer)
+nlohmann::ordered_json RangeToJson(const ShotAppearance& appearance, std::size_t layer)
 {
-  const auto& range = looks.Ranges()[layer];
+  const auto& range = appearance.Ranges()[layer];
   return range ? nlohmann::ordered_json(*range) : nlohmann::ordered_json();
 }
 
@@ -58,14 +58,15 @@ nlohmann::ordered_json ComponentToJson(const Layer& layer)
                                 : nlohmann::ordered_json();
 }
 
-nlohmann::ordered_json LayersToJson(const Shot& shot, const Frame& frame, const Looks& looks)
+nlohmann::ordered_json LayersToJson(
+  const Shot& shot, const Frame& frame, const ShotAppearance& appearance)
 {
   nlohmann::ordered_json layers = nlohmann::ordered_json::array();
   for (std::size_t k = 0; k < shot.scene.layers.size(); ++k)
   {
     const Layer& layer = shot.scene.layers[k];
     layers.push_back({ { "field", FieldToJson(layer) }, { "component", ComponentToJson(layer) },
-      { "opacity", shot.settings[k].opacity }, { "color_range", RangeToJson(looks, k) },
+      { "opacity", shot.settings[k].opacity }, { "color_range", RangeToJson(appearance, k) },
       { "pixels", std::ranges::count(frame.centres.layer, k) } });
   }
   return layers;
@@ -101,10 +102,10 @@ std::string Described(const Layer& layer)
     (layer.field->values.components > 1 ? ", " + ComponentName(layer) : std::string());
 }
 
-void AddRanges(Table& table, const Looks& looks, const Found& found)
+void AddRanges(Table& table, const ShotAppearance& appearance, const Found& found)
 {
   std::string name = "range";
-  const auto& ranges = looks.Ranges();
+  const auto& ranges = appearance.Ranges();
   for (std::size_t k = 0; k < ranges.size(); ++k)
   {
     if (ranges[k])
@@ -121,8 +122,9 @@ void AddRanges(Table& table, const Looks& looks, const Found& found)
 }
 } // namespace
 
-void PrintJson(const Shot& shot, const Frame& frame, const Found& found, const Looks& looks,
-  const DebugOptions& debug, const RepeatedCommand& command, const Stopwatch& stopwatch)
+void PrintJson(const Shot& shot, const Frame& frame, const Found& found,
+  const ShotAppearance& appearance, const DebugOptions& debug, const RepeatedCommand& command,
+  const Stopwatch& stopwatch)
 {
   const Layer& first = shot.scene.layers.front();
   const FrameCounters& pixels = frame.counters;
@@ -135,7 +137,7 @@ void PrintJson(const Shot& shot, const Frame& frame, const Found& found, const L
     { "non_finite", pixels.nonFinite },
     { "value_range",
       found.values ? nlohmann::ordered_json(*found.values) : nlohmann::ordered_json() },
-    { "color_range", debug.IsInPlace() ? nlohmann::ordered_json() : RangeToJson(looks, 0) },
+    { "color_range", debug.IsInPlace() ? nlohmann::ordered_json() : RangeToJson(appearance, 0) },
     { "beyond_range", { { "below", found.beyond.below }, { "above", found.beyond.above } } },
     { "camera", ToJson(shot.view) } });
   if (found.beyond.noLogarithm > 0)
@@ -145,7 +147,7 @@ void PrintJson(const Shot& shot, const Frame& frame, const Found& found, const L
   }
   if (shot.scene.layers.size() > 1)
   {
-    summary["layers"] = LayersToJson(shot, frame, looks);
+    summary["layers"] = LayersToJson(shot, frame, appearance);
   }
   if (pixels.numericHits + pixels.undecidedHits + pixels.cutOff > 0)
   {
@@ -162,7 +164,7 @@ void PrintJson(const Shot& shot, const Frame& frame, const Found& found, const L
   }
   if (shot.samples > 1)
   {
-    summary["refined_pixels"] = looks.ThePainter().Refined();
+    summary["refined_pixels"] = appearance.GetPainter().Refined();
   }
   if (pixels.floatCheck.points > 0)
   {
@@ -180,9 +182,9 @@ void PrintJson(const Shot& shot, const Frame& frame, const Found& found, const L
   Print(summary);
 }
 
-void PrintTable(const Shot& shot, const Frame& frame, const Found& found, const Looks& looks,
-  const DebugOptions& debug, const RepeatedCommand& command, const Stopwatch& stopwatch,
-  bool onStderr)
+void PrintTable(const Shot& shot, const Frame& frame, const Found& found,
+  const ShotAppearance& appearance, const DebugOptions& debug, const RepeatedCommand& command,
+  const Stopwatch& stopwatch, bool onStderr)
 {
   Table table;
   table.Row("elements", "{}", shot.input.elements);
@@ -205,7 +207,7 @@ void PrintTable(const Shot& shot, const Frame& frame, const Found& found, const 
     found.values ? Short((*found.values)[0]) + " to " + Short((*found.values)[1]) : "none");
   if (!debug.IsInPlace())
   {
-    AddRanges(table, looks, found);
+    AddRanges(table, appearance, found);
   }
   if (pixels.numericHits + pixels.undecidedHits + pixels.cutOff > 0)
   {
@@ -225,7 +227,7 @@ void PrintTable(const Shot& shot, const Frame& frame, const Found& found, const 
   }
   if (shot.samples > 1)
   {
-    table.Row("smoothed", Counted(looks.ThePainter().Refined(), "pixel"));
+    table.Row("smoothed", Counted(appearance.GetPainter().Refined(), "pixel"));
   }
   if (pixels.floatCheck.points > 0)
   {

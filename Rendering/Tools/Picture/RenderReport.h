@@ -13,7 +13,7 @@
 namespace pixelexact
 {
 class DebugOptions;
-class Looks;
+class ShotAppearance;
 class Stopwatch;
 struct Shot;
 
@@ -27,12 +27,13 @@ struct Found
 };
 
 /// On stdout.
-void PrintJson(const Shot& shot, const Frame& frame, const Found& found, const Looks& looks,
-  const DebugOptions& debug, const RepeatedCommand& command, const Stopwatch& stopwatch);
+void PrintJson(const Shot& shot, const Frame& frame, const Found& found,
+  const ShotAppearance& appearance, const DebugOptions& debug, const RepeatedCommand& command,
+  const Stopwatch& stopwatch);
 /// On stdout, or on stderr, where stdout is a file's.
-void PrintTable(const Shot& shot, const Frame& frame, const Found& found, const Looks& looks,
-  const DebugOptions& debug, const RepeatedCommand& command, const Stopwatch& stopwatch,
-  bool onStderr);
+void PrintTable(const Shot& shot, const Frame& frame, const Found& found,
+  const ShotAppearance& appearance, const DebugOptions& debug, const RepeatedCommand& command,
+  const Stopwatch& stopwatch, bool onStderr);
 
 /// Says on stderr what the picture does not show as it is.
 void WarnOf(const Shot& shot, const Frame& frame, const Found& found);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Trace/Look/ViewLook.h"
+#include "Trace/Appearance/Appearance.h"
 
 #include <optional>
 #include <string>
@@ -48,7 +48,7 @@ public:
   /// The height of labels in pixels; none: no labels.
   [[nodiscard]] std::optional<int> Labels() const;
   /// `background`: the colour in the place of the surface's, with Only.
-  [[nodiscard]] ContourLook Look(const Rgba& background) const;
+  [[nodiscard]] ContourAppearance Look(const Rgba& background) const;
 
 private:
   void ReadColors(const std::string& text);

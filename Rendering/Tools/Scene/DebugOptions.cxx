@@ -7,8 +7,8 @@
 #include "Scene/ColorOptions.h"
 #include "Scene/Effects.h"
 #include "Scene/LayerOptions.h"
-#include "Scene/Looks.h"
 #include "Scene/Shot.h"
+#include "Scene/ShotAppearance.h"
 
 #include "Core/Location/Owners.h"
 #include "Views/VtkLook.h"
@@ -123,7 +123,8 @@ Buffer DebugOptions::Needs() const
     (Enclosures || ShowUndecided ? Buffer::Enclosure : Buffer::None);
 }
 
-void DebugOptions::AddTo(Pipeline& pipeline, const Shot& shot, const Looks& looks, Frame& frame)
+void DebugOptions::AddTo(
+  Pipeline& pipeline, const Shot& shot, const ShotAppearance& appearance, Frame& frame)
 {
   if (Owners)
   {
@@ -145,7 +146,7 @@ void DebugOptions::AddTo(Pipeline& pipeline, const Shot& shot, const Looks& look
   }
   if (ShowUndecided)
   {
-    OnTop = std::make_shared<UndecidedColors>(looks.Maps(), ToRgba(UndecidedColor.data()));
+    OnTop = std::make_shared<UndecidedColors>(appearance.Maps(), ToRgba(UndecidedColor.data()));
     pipeline.colors.push_back(OnTop.get());
   }
 }

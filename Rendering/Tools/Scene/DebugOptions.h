@@ -17,7 +17,7 @@
 
 namespace pixelexact
 {
-class Looks;
+class ShotAppearance;
 class Table;
 struct LayerSettings;
 struct Shot;
@@ -43,7 +43,7 @@ public:
   /// Adds what was asked for to a pipeline that shows the field, or puts it in the field's place:
   /// of a frame whose samples are there, and whose buffer of jumps it fills. What is pointed to
   /// lives here.
-  void AddTo(Pipeline& pipeline, const Shot& shot, const Looks& looks, Frame& frame);
+  void AddTo(Pipeline& pipeline, const Shot& shot, const ShotAppearance& appearance, Frame& frame);
 
   /// The colour of undecided pixels, where the frame that was counted has some.
   [[nodiscard]] std::optional<Rgba> UndecidedMark() const;

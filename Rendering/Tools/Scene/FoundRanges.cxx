@@ -4,7 +4,7 @@
 #include "Base/Report.h"
 
 #include "Core/Bounds/ElementBounds.h"
-#include "Trace/Look/FieldRange.h"
+#include "Trace/Appearance/FieldRange.h"
 #include "Trace/Scene.h"
 
 #include <nlohmann/json.hpp>

@@ -8,7 +8,7 @@
 #include "Scene/Shot.h"
 
 #include "Core/Base/Error.h"
-#include "Trace/Look/FieldRange.h"
+#include "Trace/Appearance/FieldRange.h"
 
 #include <fmt/format.h>
 

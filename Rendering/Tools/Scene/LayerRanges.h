@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Trace/Look/Resolve.h"
+#include "Trace/Appearance/Resolve.h"
 
 #include <array>
 #include <cstdint>

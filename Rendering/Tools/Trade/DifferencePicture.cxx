@@ -3,8 +3,8 @@
 
 #include "Drawing/Picture.h"
 #include "Drawing/VectorCanvas.h"
-#include "Scene/Looks.h"
 #include "Scene/Shot.h"
+#include "Scene/ShotAppearance.h"
 #include "Trade/DifferenceOptions.h"
 
 #include "Frames/DifferenceImage.h"
@@ -70,9 +70,9 @@ DifferencePicture::DifferencePicture(const ShotOptions& options, const Shot& sho
   , Other(field)
 {
   const ShownAs as(shot, options, Other);
-  Looks looks(options.colors, nullptr, as.shown, difference.frame);
-  TheRange = *looks.Ranges().front();
-  Repaint(looks.ThePainter().MakePipeline(), difference.frame);
+  ShotAppearance appearance(options.colors, nullptr, as.shown, difference.frame);
+  TheRange = *appearance.Ranges().front();
+  Repaint(appearance.GetPainter().MakePipeline(), difference.frame);
   PaintSides(difference);
 }
 
@@ -81,9 +81,9 @@ std::string DifferencePicture::Encode(const DifferenceOptions& difference, const
 {
   const ColorOptions& colors = Options.colors;
   const ShownAs as(Of, Options, Other);
-  const Looks looks(colors, nullptr, as.shown, Shown.frame);
+  const ShotAppearance appearance(colors, nullptr, as.shown, Shown.frame);
   const FigureOptions& figure = difference.Figure();
-  FigureContent content{ as.shown, looks, Shown.frame, colors, true, {} };
+  FigureContent content{ as.shown, appearance, Shown.frame, colors, true, {} };
   const auto mark = [&](DifferenceSide side, const Rgba& color, const char* text)
   {
     if (std::ranges::find(Shown.side, static_cast<std::uint8_t>(side)) != Shown.side.end())

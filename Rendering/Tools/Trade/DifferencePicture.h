@@ -23,7 +23,7 @@ class DifferencePicture
 {
 public:
   /// `size`: of the picture with its figure. `field`: the other one's name. Paints the frame.
-  /// Throws Error as Looks.
+  /// Throws Error as ShotAppearance.
   DifferencePicture(const ShotOptions& options, const Shot& shot, const std::string& field,
     FieldDifference& difference);
 

@@ -2,8 +2,8 @@
 #include "Trade/SolutionPair.h"
 
 #include "Base/Report.h"
-#include "Scene/Looks.h"
 #include "Scene/Shot.h"
+#include "Scene/ShotAppearance.h"
 
 #include "Core/Base/Error.h"
 #include "Grids/SlabArray.h"
@@ -78,7 +78,7 @@ FieldDifference TraceDifferenceOf(
     layer.component, shot.scene.kept };
   ProgressLine line("comparing");
   return TraceDifference(scene, shot.MakeCamera(),
-    NeedsOf(LookOf(colors, nullptr, shot), shot.scene), true, std::ref(line));
+    NeedsOf(AppearanceOf(colors, nullptr, shot), shot.scene), true, std::ref(line));
 }
 
 SolutionSize SizeOf(const LoadedModel& input, const Field& field)

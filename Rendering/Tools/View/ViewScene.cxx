@@ -51,8 +51,8 @@ void ViewScene::MakeTables(const Shot& shot)
   // Of what the view shows, as render's.
   Shot seen = shot;
   const Frame frame = TraceShot(Options, seen, {});
-  const Looks looks(Options.shot.colors, nullptr, seen, frame);
-  TheRanges = looks.Ranges();
+  const ShotAppearance appearance(Options.shot.colors, nullptr, seen, frame);
+  TheRanges = appearance.Ranges();
   Tables.clear();
   for (std::size_t k = 0; k < TheRanges.size(); ++k)
   {
@@ -61,7 +61,7 @@ void ViewScene::MakeTables(const Shot& shot)
         : nullptr);
   }
   Solids.clear();
-  for (const ColorMap& map : looks.Maps())
+  for (const ColorMap& map : appearance.Maps())
   {
     const double any = 0.0;
     Rgba color{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Trace/Look/FieldRange.h"
+#include "Trace/Appearance/FieldRange.h"
 
 #include "Core/Base/Error.h"
 #include "Core/Element/MeshRanges.h"

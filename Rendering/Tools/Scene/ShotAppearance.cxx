@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Scene/Looks.h"
+#include "Scene/ShotAppearance.h"
 
 #include "Base/Report.h"
 #include "Scene/ColorOptions.h"
@@ -81,11 +81,11 @@ private:
 
 /// The first layer that shows the same values in a range that is found, too; its own number where
 /// the range is given.
-std::size_t GroupOf(const ViewLook& look, const Shot& shot, std::size_t layer)
+std::size_t GroupOf(const Appearance& appearance, const Shot& shot, std::size_t layer)
 {
   const std::vector<Layer>& layers = shot.scene.layers;
-  const auto isFound = [&look](std::size_t k)
-  { return look.layers[k].range.of != RangeRule::Of::Ends; };
+  const auto isFound = [&appearance](std::size_t k)
+  { return appearance.layers[k].range.of != RangeRule::Of::Ends; };
   for (std::size_t k = 0; k < layer && isFound(layer); ++k)
   {
     if (isFound(k) && layers[k].field == layers[layer].field &&
@@ -108,71 +108,72 @@ ContourRule ContoursOf(const ContourOptions* contours, const LayerSettings& sett
   return rule;
 }
 
-LayerLook LookOfLayer(
+LayerAppearance AppearanceOfLayer(
   const ColorOptions& colors, const ContourOptions* contours, const Shot& shot, std::size_t layer)
 {
   const LayerSettings& settings = shot.settings[layer];
-  LayerLook look;
+  LayerAppearance appearance;
   if (shot.scene.layers[layer].field != nullptr)
   {
-    look.table = std::make_shared<OptionTable>(colors, settings.colormap);
+    appearance.table = std::make_shared<OptionTable>(colors, settings.colormap);
   }
-  look.range = settings.range.value_or(colors.Range());
+  appearance.range = settings.range.value_or(colors.Range());
   if (const auto solid = SolidOf(colors, shot.scene.layers[layer], settings))
   {
-    look.solid = ToRgba(solid->data());
+    appearance.solid = ToRgba(solid->data());
   }
-  look.opacity = settings.opacity;
+  appearance.opacity = settings.opacity;
   if (IsLit(shot, layer))
   {
-    look.material.emplace();
+    appearance.material.emplace();
   }
-  look.contours = ContoursOf(contours, settings);
-  return look;
+  appearance.contours = ContoursOf(contours, settings);
+  return appearance;
 }
 } // namespace
 
-ViewLook LookOf(const ColorOptions& colors, const ContourOptions* contours, const Shot& shot)
+Appearance AppearanceOf(
+  const ColorOptions& colors, const ContourOptions* contours, const Shot& shot)
 {
-  ViewLook look;
+  Appearance appearance;
   for (std::size_t k = 0; k < shot.scene.layers.size(); ++k)
   {
-    look.layers.push_back(LookOfLayer(colors, contours, shot, k));
-    look.layers.back().rangeGroup = GroupOf(look, shot, k);
+    appearance.layers.push_back(AppearanceOfLayer(colors, contours, shot, k));
+    appearance.layers.back().rangeGroup = GroupOf(appearance, shot, k);
   }
   // A light at the eye, as a new vtkRenderer has.
-  look.lights = { Light{ .headlight = true } };
-  look.lit.eye = shot.view.position;
-  look.lit.direction = shot.MakeCamera().ViewDirection();
-  look.lit.parallel = shot.view.parallel;
-  look.samples = shot.samples;
-  look.edges = shot.edges;
-  look.faces = shot.edges && shot.edgesByKind ? &shot.input.model->Faces() : nullptr;
+  appearance.lights = { Light{ .headlight = true } };
+  appearance.lit.eye = shot.view.position;
+  appearance.lit.direction = shot.MakeCamera().ViewDirection();
+  appearance.lit.parallel = shot.view.parallel;
+  appearance.samples = shot.samples;
+  appearance.edges = shot.edges;
+  appearance.faces = shot.edges && shot.edgesByKind ? &shot.input.model->Faces() : nullptr;
   if (shot.outlines)
   {
-    look.outlines = ToRgba(shot.outlines->data());
+    appearance.outlines = ToRgba(shot.outlines->data());
   }
-  if (look.HasContours())
+  if (appearance.HasContours())
   {
-    look.contours = contours->Look(colors.BackgroundColor());
+    appearance.contours = contours->Look(colors.BackgroundColor());
   }
-  return look;
+  return appearance;
 }
 
-Looks::Looks(const ColorOptions& colors, const ContourOptions* contours, const Shot& shot,
-  const Frame& frame, std::shared_ptr<ContourBounds> bounds)
-  : TheLook(LookOf(colors, contours, shot))
+ShotAppearance::ShotAppearance(const ColorOptions& colors, const ContourOptions* contours,
+  const Shot& shot, const Frame& frame, std::shared_ptr<ContourBounds> bounds)
+  : TheAppearance(AppearanceOf(colors, contours, shot))
 {
   FieldRanges fields;
   ProgressLine line("bounding");
-  TheResolved = Resolve(
-    TheLook, shot.scene, &frame, fields, shot.valuesOfAll, [&line](double part) { line(part); });
-  for (std::size_t k = 0; k < TheLook.layers.size(); ++k)
+  TheResolved = Resolve(TheAppearance, shot.scene, &frame, fields, shot.valuesOfAll,
+    [&line](double part) { line(part); });
+  for (std::size_t k = 0; k < TheAppearance.layers.size(); ++k)
   {
     const ResolvedLayer& layer = TheResolved.layers[k];
-    TheRanges.push_back(TheLook.layers[k].solid ? std::nullopt : layer.range);
+    TheRanges.push_back(TheAppearance.layers[k].solid ? std::nullopt : layer.range);
     TheMaps.push_back(layer.map);
   }
-  Paints = std::make_unique<Painter>(TheLook, shot.scene, TheResolved, std::move(bounds));
+  Paints = std::make_unique<Painter>(TheAppearance, shot.scene, TheResolved, std::move(bounds));
 }
 } // namespace pixelexact

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Trace/Look/Resolve.h"
+#include "Trace/Appearance/Resolve.h"
 
 #include "Core/Base/Error.h"
 #include "Core/Contour/RoundValues.h"
 #include "Core/Location/Locator.h"
-#include "Trace/Look/FieldRange.h"
+#include "Trace/Appearance/FieldRange.h"
 
 #include <algorithm>
 #include <cmath>
@@ -65,18 +65,18 @@ std::array<double, 2> Symmetric(const std::array<double, 2>& range)
   return { -most, most };
 }
 
-double LowestOf(const LayerLook& layer)
+double LowestOf(const LayerAppearance& layer)
 {
   return layer.table != nullptr && layer.table->IsLogarithmic() ? 0.0 : kAnyValue;
 }
 
 /// The layers of a group that read its table.
-std::vector<bool> GroupOf(const ViewLook& look, std::size_t layer)
+std::vector<bool> GroupOf(const Appearance& appearance, std::size_t layer)
 {
   std::vector<bool> group;
-  for (const LayerLook& other : look.layers)
+  for (const LayerAppearance& other : appearance.layers)
   {
-    group.push_back(other.ReadsTable() && other.rangeGroup == look.layers[layer].rangeGroup);
+    group.push_back(other.ReadsTable() && other.rangeGroup == appearance.layers[layer].rangeGroup);
   }
   return group;
 }
@@ -96,7 +96,7 @@ std::array<double, 2> Shown(
 /// What Resolve works with.
 struct Resolver
 {
-  const ViewLook& look;
+  const Appearance& appearance;
   const Scene& scene;
   const Frame* frame;
   FieldRanges& fields;
@@ -105,7 +105,7 @@ struct Resolver
 
   [[nodiscard]] ValueRange Seen(std::size_t layer, const std::vector<bool>& group) const
   {
-    const RangeRule& rule = look.layers[layer].range;
+    const RangeRule& rule = appearance.layers[layer].range;
     if (rule.of == RangeRule::Of::All && !ofAll.empty())
     {
       return ofAll[layer];
@@ -114,7 +114,7 @@ struct Resolver
     {
       return std::nullopt;
     }
-    const double lowest = LowestOf(look.layers[layer]);
+    const double lowest = LowestOf(appearance.layers[layer]);
     return rule.of == RangeRule::Of::Parts ? PercentileRange(*frame, lowest, group, rule.ends)
                                            : ValuesSeen(*frame, lowest, group);
   }
@@ -140,13 +140,13 @@ struct Resolver
 
   [[nodiscard]] std::array<double, 2> RangeOf(std::size_t layer) const
   {
-    const LayerLook& asked = look.layers[layer];
+    const LayerAppearance& asked = appearance.layers[layer];
     const RangeRule& rule = asked.range;
     if (rule.of == RangeRule::Of::Ends)
     {
       return rule.ends;
     }
-    const std::vector<bool> group = GroupOf(look, layer);
+    const std::vector<bool> group = GroupOf(appearance, layer);
     const bool ofField = rule.of == RangeRule::Of::Field;
     const ValueRange found = ofField ? RangeOfFields(group) : Seen(layer, group);
     if (!found)
@@ -165,7 +165,7 @@ struct Resolver
   [[nodiscard]] std::vector<double> RoundContours(
     std::size_t layer, const std::array<double, 2>& range) const
   {
-    const LayerLook& asked = look.layers[layer];
+    const LayerAppearance& asked = appearance.layers[layer];
     const Field& field = *scene.layers[layer].field;
     std::vector<double> values =
       RoundValues(asked.contours.count, range, asked.table->IsLogarithmic());
@@ -180,7 +180,7 @@ struct Resolver
 
   [[nodiscard]] ResolvedLayer Of(std::size_t layer) const
   {
-    const LayerLook& asked = look.layers[layer];
+    const LayerAppearance& asked = appearance.layers[layer];
     const ContourRule& contours = asked.contours;
     if (contours.Any() && scene.layers[layer].field == nullptr)
     {
@@ -226,24 +226,24 @@ ValueRange FieldRanges::Of(
   return at->second;
 }
 
-Buffer NeedsOfRules(const ViewLook& look, const Scene& scene)
+Buffer NeedsOfRules(const Appearance& appearance, const Scene& scene)
 {
-  return !look.NeedsFrame()
+  return !appearance.NeedsFrame()
     ? Buffer::None
     : Buffer::Value | Buffer::Verdict | (scene.layers.size() > 1 ? Buffer::Layer : Buffer::None);
 }
 
-ResolvedLook Resolve(const ViewLook& look, const Scene& scene, const Frame* frame,
+ResolvedAppearance Resolve(const Appearance& appearance, const Scene& scene, const Frame* frame,
   FieldRanges& fields, const std::vector<ValueRange>& ofAll,
   const std::function<void(double)>& progress)
 {
-  const Resolver resolver{ look, scene, frame, fields, ofAll, progress };
-  ResolvedLook resolved;
-  for (std::size_t k = 0; k < look.layers.size(); ++k)
+  const Resolver resolver{ appearance, scene, frame, fields, ofAll, progress };
+  ResolvedAppearance resolved;
+  for (std::size_t k = 0; k < appearance.layers.size(); ++k)
   {
     resolved.layers.push_back(resolver.Of(k));
-    const bool fewer =
-      frame != nullptr && resolved.layers.back().contours.size() < look.layers[k].contours.Count();
+    const bool fewer = frame != nullptr &&
+      resolved.layers.back().contours.size() < appearance.layers[k].contours.Count();
     resolved.ofOneValue = resolved.ofOneValue || fewer;
   }
   return resolved;
@@ -270,10 +270,10 @@ ValueRange ValuesSeen(const Frame& frame, std::size_t layer)
 }
 
 ValueRange RangeSeen(
-  const ViewLook& look, const Scene& scene, const Frame& frame, std::size_t layer)
+  const Appearance& appearance, const Scene& scene, const Frame& frame, std::size_t layer)
 {
-  const std::vector<bool> group = GroupOf(look, layer);
-  const ValueRange seen = ValuesSeen(frame, LowestOf(look.layers[layer]), group);
+  const std::vector<bool> group = GroupOf(appearance, layer);
+  const ValueRange seen = ValuesSeen(frame, LowestOf(appearance.layers[layer]), group);
   return seen ? ValueRange(Shown(scene, group, *seen)) : seen;
 }
 } // namespace pixelexact

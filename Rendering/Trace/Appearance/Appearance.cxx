@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Trace/Look/ViewLook.h"
+#include "Trace/Appearance/Appearance.h"
 
 #include <algorithm>
 
 namespace pixelexact
 {
-bool LayerLook::ReadsTable() const
+bool LayerAppearance::ReadsTable() const
 {
   return table != nullptr &&
     (!solid || contours.count > 0 || (contours.Any() && contours.colors.empty()));
 }
 
-bool LayerLook::operator==(const LayerLook& other) const
+bool LayerAppearance::operator==(const LayerAppearance& other) const
 {
   const bool sameTable = (table == nullptr) == (other.table == nullptr) &&
     (table == nullptr || table->IsSame(*other.table));
@@ -20,21 +20,22 @@ bool LayerLook::operator==(const LayerLook& other) const
     material == other.material && contours == other.contours;
 }
 
-bool ViewLook::HasContours() const
-{
-  return std::ranges::any_of(layers, [](const LayerLook& layer) { return layer.contours.Any(); });
-}
-
-bool ViewLook::IsLit() const
+bool Appearance::HasContours() const
 {
   return std::ranges::any_of(
-    layers, [](const LayerLook& layer) { return layer.material.has_value(); });
+    layers, [](const LayerAppearance& layer) { return layer.contours.Any(); });
 }
 
-bool ViewLook::NeedsFrame() const
+bool Appearance::IsLit() const
+{
+  return std::ranges::any_of(
+    layers, [](const LayerAppearance& layer) { return layer.material.has_value(); });
+}
+
+bool Appearance::NeedsFrame() const
 {
   return std::ranges::any_of(layers,
-    [](const LayerLook& layer)
+    [](const LayerAppearance& layer)
     { return (layer.ReadsTable() && layer.range.IsOfFrame()) || layer.contours.count > 0; });
 }
 } // namespace pixelexact

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Trace/Look/Resolve.h"
-#include "Trace/Look/ViewLook.h"
+#include "Trace/Appearance/Appearance.h"
+#include "Trace/Appearance/Resolve.h"
 #include "Trace/Modules/Antialiasing.h"
 #include "Trace/Modules/ContourCertifier.h"
 #include "Trace/Modules/ElementOutlines.h"
@@ -17,30 +17,30 @@ namespace pixelexact
 {
 class ContourBounds;
 
-/// What a pipeline draws of a look, beside colours.
+/// Which lines a pipeline draws beside colours.
 struct Drawn
 {
-  bool edges = true;    ///< of elements
-  bool contours = true; ///< their lines; pixels are told in any case
+  bool edges = true;    ///< between elements
+  bool contours = true; ///< pixels are classified in any case
 };
 
-/// The only one who makes a pipeline of a look: colours, lights, anti-aliasing, lines between
-/// elements, contours, in this order.
+/// Creates pipelines from an appearance: colours, lights, anti-aliasing, lines between elements,
+/// contours, in this order.
 class Painter
 {
 public:
-  /// Of the look's scene. `bounds`: what is known of the fields for contours, to be used again;
-  /// null: it is found out for each frame. Throws Error for values, widths and labels that cannot
-  /// be drawn.
-  Painter(const ViewLook& look, const Scene& scene, const ResolvedLook& resolved,
+  /// `scene`, `resolved`: those of the appearance. `bounds`: bounds of the fields that contours keep
+  /// between frames; null: they are computed for each frame. Throws Error for values and widths that
+  /// cannot be drawn.
+  Painter(const Appearance& appearance, const Scene& scene, const ResolvedAppearance& resolved,
     std::shared_ptr<ContourBounds> bounds = nullptr);
   Painter(const Painter&) = delete;
   Painter& operator=(const Painter&) = delete;
 
-  /// Points to modules here.
+  /// The pipeline points to members of this object.
   [[nodiscard]] Pipeline MakePipeline(const Drawn& drawn = {});
 
-  /// What is known of pixels and contours; null where there are none.
+  /// The classified pixels; null where there are no contours.
   [[nodiscard]] const ContourCertifier* Contours() const
   {
     return Certifier ? &*Certifier : nullptr;
@@ -52,8 +52,8 @@ public:
   [[nodiscard]] std::int64_t Refined() const { return Smooth ? Smooth->Refined() : 0; }
 
 private:
-  void MakeContours(const ViewLook& look, const Scene& scene, const ResolvedLook& resolved,
-    std::shared_ptr<ContourBounds> bounds);
+  void MakeContours(const Appearance& appearance, const Scene& scene,
+    const ResolvedAppearance& resolved, std::shared_ptr<ContourBounds> bounds);
 
   std::optional<ColorMapping> Colors;
   // Not optional, of which g++ 14 believes that it is reset before it holds anything.
@@ -66,8 +66,8 @@ private:
   std::optional<int> TheLabels;
 };
 
-/// The buffers of centres that Resolve, a Painter and labels read, told before there is a frame.
-/// `afterwards`: the frame is painted when it has been traced, and is to have what makes that
-/// faster.
-[[nodiscard]] Buffer NeedsOf(const ViewLook& look, const Scene& scene, bool afterwards = true);
+/// The buffers of centres that Resolve, a Painter and labels read. `afterwards`: the frame is painted
+/// in a second pass, and keeps the buffers that make this pass faster.
+[[nodiscard]] Buffer NeedsOf(
+  const Appearance& appearance, const Scene& scene, bool afterwards = true);
 } // namespace pixelexact

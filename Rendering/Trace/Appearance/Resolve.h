@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Trace/Appearance/Appearance.h"
 #include "Trace/Frame.h"
-#include "Trace/Look/ViewLook.h"
 #include "Trace/Scene.h"
 
 #include <array>
@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-// From the rules of a look to numbers: the ranges of colours, the values of contours.
+// From the rules of an appearance to numbers: the ranges of colours, the values of contours.
 namespace pixelexact
 {
 using ValueRange = std::optional<std::array<double, 2>>;
@@ -39,7 +39,7 @@ struct ResolvedLayer
   std::vector<Rgba> contourColors; ///< one for each, or one for all
 };
 
-struct ResolvedLook
+struct ResolvedAppearance
 {
   std::vector<ResolvedLayer> layers;
   /// Whether a number of contours was asked for where a surface shows one value, up to rounding, so
@@ -48,14 +48,14 @@ struct ResolvedLook
 };
 
 /// The buffers of centres that Resolve reads.
-[[nodiscard]] Buffer NeedsOfRules(const ViewLook& look, const Scene& scene);
+[[nodiscard]] Buffer NeedsOfRules(const Appearance& appearance, const Scene& scene);
 
 /// `frame`: where a rule follows from its values; null: such ranges are those of no values, and
 /// numbers of contours are left out. `ofAll`: by layer, the values of RangeRule::Of::All; empty:
 /// they are the frame's. Where there are no finite values the range is the table's RangeOfNothing.
 /// Throws Error as FieldRange and ColorTable::Over, and for contours of a layer without a field.
-[[nodiscard]] ResolvedLook Resolve(const ViewLook& look, const Scene& scene, const Frame* frame,
-  FieldRanges& fields, const std::vector<ValueRange>& ofAll = {},
+[[nodiscard]] ResolvedAppearance Resolve(const Appearance& appearance, const Scene& scene,
+  const Frame* frame, FieldRanges& fields, const std::vector<ValueRange>& ofAll = {},
   const std::function<void(double)>& progress = {});
 
 /// The range of the finite values at the centres of exact pixels above `lowest` on these layers
@@ -66,5 +66,5 @@ struct ResolvedLook
 
 /// The range that the values of a group of layers give, where there are any: as RangeRule::Of::Cut.
 [[nodiscard]] ValueRange RangeSeen(
-  const ViewLook& look, const Scene& scene, const Frame& frame, std::size_t layer);
+  const Appearance& appearance, const Scene& scene, const Frame& frame, std::size_t layer);
 } // namespace pixelexact

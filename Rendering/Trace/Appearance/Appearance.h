@@ -12,8 +12,8 @@
 #include <optional>
 #include <vector>
 
-// How a scene is shown, as it was asked for: rules, which Resolve turns into numbers and Painter
-// into pixels. All faces (tool, Python, mappers, ParaView) fill these in, and nothing else draws.
+// How a scene is drawn, as rules. Resolve turns the rules into numbers, and a Painter draws them. The
+// tool, Python, the mappers and ParaView fill in these structs.
 namespace pixelexact
 {
 class FaceTable;
@@ -58,8 +58,8 @@ struct ContourRule
   bool operator==(const ContourRule&) const = default;
 };
 
-/// How a layer of a scene is shown.
-struct LayerLook
+/// How one layer of a scene is drawn.
+struct LayerAppearance
 {
   /// Null: there is no field, or nothing asks for the colour of a value.
   std::shared_ptr<const ColorTable> table;
@@ -74,31 +74,31 @@ struct LayerLook
 
   /// Whether the table is read: by the surface's colours, the contours' or their values.
   [[nodiscard]] bool ReadsTable() const;
-  bool operator==(const LayerLook& other) const;
+  bool operator==(const LayerAppearance& other) const;
 };
 
-/// How contours of all layers are told and drawn.
-struct ContourLook
+/// How contours of all layers are classified and drawn.
+struct ContourAppearance
 {
   ContourStyle style; ///< `curved`, `keepBeneath` and `onSheet` are the Painter's
   ContourMethod method;
   std::optional<int> labels; ///< the height of labels in pixels; none: no labels
   std::optional<Rgba> only;  ///< surfaces have this one colour, the background's
 
-  bool operator==(const ContourLook&) const = default;
+  bool operator==(const ContourAppearance&) const = default;
 };
 
-/// How a scene is shown.
-struct ViewLook
+/// How a scene is drawn.
+struct Appearance
 {
-  std::vector<LayerLook> layers; ///< as many as the scene has
+  std::vector<LayerAppearance> layers; ///< as many as the scene has
   std::vector<Light> lights;
   LitView lit;
   int samples = 1;                  ///< in pixels that are not of one colour
   std::optional<EdgeStyle> edges;   ///< of elements; none: none
   const FaceTable* faces = nullptr; ///< where edges are told apart by what lies behind the face
   std::optional<Rgba> outlines;     ///< of elements and layers; none: none
-  ContourLook contours;             ///< where layers have some
+  ContourAppearance contours;       ///< where layers have some
   /// The sheets of translucent layers are drawn one by one, by a window: contours are on the
   /// nearest one, and labels are left out.
   bool bySheets = false;
@@ -107,6 +107,6 @@ struct ViewLook
   [[nodiscard]] bool IsLit() const;
   /// Whether ranges or iso-values follow from the values of a frame.
   [[nodiscard]] bool NeedsFrame() const;
-  bool operator==(const ViewLook&) const = default;
+  bool operator==(const Appearance&) const = default;
 };
 } // namespace pixelexact

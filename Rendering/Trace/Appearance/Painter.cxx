@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Trace/Appearance/Painter.h"
+
+#include "Core/Faces/FaceTable.h"
+#include "Trace/Contours/LayerBounds.h"
+#include "Trace/FrameTiles.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace pixelexact
+{
+namespace
+{
+KindOfFace KindsOf(const FaceTable* faces)
+{
+  return faces == nullptr ? KindOfFace()
+                          : [faces](int element, int face) { return faces->KindOf(element, face); };
+}
+
+bool HasLabels(const Appearance& appearance, const Scene& scene)
+{
+  return appearance.HasContours() && appearance.contours.labels &&
+    !(appearance.bySheets && HasTranslucent(scene));
+}
+
+std::vector<std::optional<Material>> MaterialsOf(const Appearance& appearance)
+{
+  std::vector<std::optional<Material>> materials;
+  for (const LayerAppearance& layer : appearance.layers)
+  {
+    materials.push_back(layer.material);
+  }
+  return materials;
+}
+} // namespace
+
+Painter::Painter(const Appearance& appearance, const Scene& scene,
+  const ResolvedAppearance& resolved, std::shared_ptr<ContourBounds> bounds)
+{
+  std::vector<LayerColors> colors;
+  for (std::size_t k = 0; k < appearance.layers.size(); ++k)
+  {
+    const LayerAppearance& layer = appearance.layers[k];
+    const bool inOne = appearance.contours.only && appearance.HasContours();
+    colors.push_back({ inOne ? SolidColor(*appearance.contours.only) : resolved.layers[k].map,
+      layer.unknown, inOne ? 1.0 : layer.opacity, !inOne && !layer.solid });
+  }
+  Colors.emplace(std::move(colors));
+  if (appearance.IsLit() && !appearance.contours.only)
+  {
+    Lights = std::make_unique<Lighting>(MaterialsOf(appearance), appearance.lights, appearance.lit);
+  }
+  if (appearance.samples > 1)
+  {
+    Smooth.emplace(appearance.samples);
+  }
+  if (appearance.edges)
+  {
+    Edges.emplace(*appearance.edges, KindsOf(appearance.faces));
+  }
+  if (appearance.outlines)
+  {
+    Outlines.emplace(*appearance.outlines);
+  }
+  if (appearance.HasContours())
+  {
+    MakeContours(appearance, scene, resolved, std::move(bounds));
+  }
+}
+
+void Painter::MakeContours(const Appearance& appearance, const Scene& scene,
+  const ResolvedAppearance& resolved, std::shared_ptr<ContourBounds> bounds)
+{
+  std::vector<std::vector<double>> values;
+  std::vector<std::vector<Rgba>> colors;
+  ContourStyle style = appearance.contours.style;
+  style.curved = false;
+  for (std::size_t k = 0; k < appearance.layers.size(); ++k)
+  {
+    values.push_back(resolved.layers[k].contours);
+    colors.push_back(resolved.layers[k].contourColors);
+    style.curved = style.curved || (!values.back().empty() && !scene.layers[k].surface->IsFlat());
+  }
+  TheLabels = HasLabels(appearance, scene) ? appearance.contours.labels : std::nullopt;
+  style.onSheet = appearance.bySheets && HasTranslucent(scene);
+  style.keepBeneath = TheLabels.has_value();
+  Certifier.emplace(std::move(values), appearance.contours.method, std::move(bounds));
+  TheLines.emplace(*Certifier, style, std::move(colors));
+}
+
+Pipeline Painter::MakePipeline(const Drawn& drawn)
+{
+  Pipeline pipeline{ { &*Colors }, {} };
+  if (Lights)
+  {
+    pipeline.colors.push_back(Lights.get());
+  }
+  if (Smooth)
+  {
+    pipeline.modules.push_back(&*Smooth);
+  }
+  // Behind anti-aliasing, so that nothing smooths them.
+  if (Edges && drawn.edges)
+  {
+    pipeline.modules.push_back(&*Edges);
+  }
+  if (Outlines)
+  {
+    pipeline.modules.push_back(&*Outlines);
+  }
+  // Last, so that nothing is drawn over them.
+  if (Certifier)
+  {
+    pipeline.modules.push_back(&*Certifier);
+  }
+  if (TheLines && drawn.contours)
+  {
+    pipeline.modules.push_back(&*TheLines);
+  }
+  return pipeline;
+}
+
+Buffer NeedsOf(const Appearance& appearance, const Scene& scene, bool afterwards)
+{
+  const bool byValue = std::ranges::any_of(
+    appearance.layers, [](const LayerAppearance& layer) { return !layer.solid; });
+  // Normals tell labels where a surface hides a part of itself.
+  const Buffer ofLabels =
+    HasLabels(appearance, scene) ? Buffer::Value | Buffer::Position | Buffer::Normal : Buffer::None;
+  const Buffer ofContours = afterwards && appearance.HasContours()
+    ? ContourCertifier({}, appearance.contours.method).Needs().welcome | Buffer::Layer
+    : Buffer::None;
+  return Buffer::Verdict | NeedsOfRules(appearance, scene) | ofContours | ofLabels |
+    (byValue ? Buffer::Value : Buffer::None) |
+    (scene.layers.size() > 1 ? Buffer::Layer : Buffer::None) |
+    (appearance.IsLit() ? Buffer::Position | Buffer::Normal : Buffer::None) |
+    (appearance.edges ? ElementEdges(*appearance.edges).Needs().centres : Buffer::None) |
+    (appearance.outlines ? ElementOutlines().Needs().centres : Buffer::None);
+}
+} // namespace pixelexact
