@@ -5,7 +5,7 @@
 #include "Core/Base/Error.h"
 #include "Formats/Assembly.h"
 #include "Formats/Gmsh/FileSet.h"
-#include "Formats/Gmsh/SurfaceFaces.h"
+#include "Formats/Gmsh/MeshFile.h"
 #include "Formats/Gmsh/ViewField.h"
 
 #include <algorithm>

@@ -4,7 +4,6 @@
 #include "Formats/Gmsh/Basis.h"
 #include "Formats/Gmsh/MeshFile.h"
 #include "Formats/Gmsh/Scanner.h"
-#include "Formats/Gmsh/Sections.h"
 
 #include <map>
 #include <memory>
