@@ -6,7 +6,6 @@
 #include "Files/SolverGrid.h"
 #include "Formats/FileText.h"
 #include "Formats/SolverModel.h"
-#include "Formats/SolverShare.h"
 #include "Grids/FreeMemory.h"
 #include "vtkHighOrderGrid.h"
 

@@ -6,7 +6,7 @@
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 #include "Core/Basis/NoiseBound.h"
-#include "Formats/NamedText.h"
+#include "Formats/FileText.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

@@ -9,7 +9,6 @@
 #include "Files/ExodusCells.h"
 #include "Files/SolverGroups.h"
 #include "Formats/Exodus/ExodusFile.h"
-#include "Formats/Exodus/ExodusVectors.h"
 
 #include "vtkCellData.h"
 #include "vtkCellType.h"

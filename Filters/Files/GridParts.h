@@ -5,7 +5,7 @@
 #include "Files/TimeSeries.h"
 #include "PixelExactFiltersModule.h"
 
-#include "Formats/SolverShare.h"
+#include "Formats/SolverModel.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkUnstructuredGrid.h"

@@ -2,7 +2,7 @@
 #ifndef PieceNumbers_h
 #define PieceNumbers_h
 
-#include "Formats/SolverShare.h"
+#include "Formats/SolverModel.h"
 
 #include <cstdint>
 #include <string>

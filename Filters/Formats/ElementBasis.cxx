@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Formats/CardinalFunctions.h"
+#include "Formats/ElementBasis.h"
 
 #include <numeric>
 #include <utility>

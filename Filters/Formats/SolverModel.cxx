@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Formats/SolverShare.h"
+#include "Formats/SolverModel.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace pixelexact
 {

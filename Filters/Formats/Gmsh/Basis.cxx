@@ -2,7 +2,7 @@
 #include "Formats/Gmsh/Basis.h"
 
 #include "Core/Base/Error.h"
-#include "Formats/CardinalFunctions.h"
+#include "Formats/ElementBasis.h"
 #include "Formats/Slab.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 #include "Formats/Assembly.h"
-#include "Formats/NamedText.h"
+#include "Formats/FileText.h"
 
 #include <algorithm>
 #include <limits>

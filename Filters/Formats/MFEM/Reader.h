@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Formats/NamedText.h"
+#include "Formats/FileText.h"
 #include "Formats/SolverModel.h"
-#include "Formats/SolverShare.h"
 
 namespace pixelexact::mfem
 {

@@ -2,9 +2,13 @@
 #pragma once
 
 #include <array>
+#include <map>
+#include <memory>
+#include <mutex>
 #include <vector>
 
 // Tensor grids in long double and the matrices that act along one of their directions.
+
 namespace pixelexact::rational
 {
 /// Row-major; from `columns` numbers along a line to `rows`.
@@ -39,4 +43,31 @@ std::size_t PointsOf(const GridSize& size);
 /// Replaces `grid`, of `size` points with the last direction fastest, by what the matrix makes of
 /// each of its lines along `direction`; `size` becomes the new one.
 void Sweep(std::vector<long double>& grid, GridSize& size, int direction, const LineMatrix& matrix);
+
+/// Matrices that many elements share, each made when it is first asked for. For several threads.
+class LineTables
+{
+public:
+  /// From Bernstein's coefficients to the nodes of an order.
+  const LineMatrix& BernsteinToNodes(int degree, int order);
+  /// From Bernstein's coefficients to `samples` zeros of a Chebyshev polynomial.
+  const LineMatrix& BernsteinToSamples(int degree, int samples);
+  /// From the nodes of an order to these.
+  const LineMatrix& NodesToSamples(int order, int samples);
+  /// From the nodes of an order to Legendre's coefficients.
+  const LineMatrix& NodesToLegendre(int order);
+
+private:
+  enum class Kind : std::uint8_t
+  {
+    BernsteinToNodes,
+    BernsteinToSamples,
+    NodesToSamples,
+    NodesToLegendre
+  };
+  const LineMatrix& Find(Kind kind, int from, int to);
+
+  std::mutex Access;
+  std::map<std::tuple<Kind, int, int>, std::unique_ptr<LineMatrix>> Known;
+};
 } // namespace pixelexact::rational

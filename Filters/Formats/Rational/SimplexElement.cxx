@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/Rational/SimplexElement.h"
 
-#include "Formats/CardinalFunctions.h"
+#include "Formats/ElementBasis.h"
 #include "Formats/Rational/CollapsedModes.h"
 
 #include <algorithm>
