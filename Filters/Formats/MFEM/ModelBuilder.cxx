@@ -5,8 +5,8 @@
 #include "Core/Base/Error.h"
 #include "Formats/Assembly.h"
 #include "Formats/FileText.h"
-#include "Formats/MFEM/Elements/GeometryTable.h"
 #include "Formats/MFEM/FunctionSpace.h"
+#include "Formats/MFEM/Meshes/MeshFile.h"
 
 #include <algorithm>
 #include <deque>

@@ -7,13 +7,12 @@
 
 // Nedelec's and Raviart and Thomas's elements in the plane, on the solids of a slab (planar.md).
 // Fluxes are those of a slab of the unit element's thickness.
+
 namespace pixelexact::mfem
 {
 ElementBasis TriangleVectorBasis(const CollectionName& name);
 ElementBasis SquareVectorBasis(const CollectionName& name);
 
-/// The component along x (axis 0) or y of the functions on the triangle that are dual to the
-/// unknowns; functions of (xi1, xi3).
-SolidFunctions InPlane(
-  Continuity kind, int order, const std::vector<VectorUnknown>& unknowns, int axis);
+/// The functions that are dual to the unknowns of a prism, as products of triangle and line.
+ElementBasis PrismVectors(const CollectionName& name, const std::vector<VectorUnknown>& unknowns);
 } // namespace pixelexact::mfem

@@ -4,7 +4,8 @@
 #include "Formats/ElementBasis.h"
 #include "Formats/MFEM/Elements/CollectionName.h"
 
-// H1 and L2 on tetrahedra, cubes and prisms, triangles and squares.
+// The bases of the spaces that MFEM's collections name, shape by shape.
+
 namespace pixelexact::mfem
 {
 /// The determinant of the map from MFEM's unit element to ours, the same on all shapes: densities
@@ -13,8 +14,15 @@ inline constexpr long double kUnitDensity = 0.125L;
 /// The same in the plane.
 inline constexpr long double kPlaneUnitDensity = 0.25L;
 
+/// H1 and L2 on tetrahedra, cubes and prisms, triangles and squares.
 ElementBasis ScalarBasis(const CollectionName& name, Geometry solid);
 
 /// One function of value one.
 ElementBasis ConstantBasis(const CollectionName& name, Shape shape);
+
+/// H1 and L2 on pyramids.
+ElementBasis PyramidBasis(const CollectionName& name);
+
+/// Nedelec's and Raviart and Thomas's elements.
+ElementBasis VectorBasis(const CollectionName& name, Geometry solid);
 } // namespace pixelexact::mfem

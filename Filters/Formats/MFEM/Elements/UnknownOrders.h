@@ -7,6 +7,7 @@
 #include <vector>
 
 // The unknowns that belong to an entity, and how elements of another orientation see them.
+
 namespace pixelexact::mfem
 {
 inline constexpr int kGeometries = 8;
@@ -24,4 +25,13 @@ std::vector<int> EntityOrder(const CollectionName& name, Geometry geometry, int 
 
 /// The mixing of pairs of tangential unknowns on a triangle, row-major.
 std::array<double, 4> TangentMixing(int orientation);
+
+// Where an element's unknowns stand in its lattice: MFEM's local order.
+
+/// Counts towards x = 1, y = 1, z = 1 in MFEM's unit element.
+using LatticePoint = std::array<int, 3>;
+
+/// Of unknown n. On pyramids the lattice narrows upwards, as that of Bergot's space; unknowns
+/// inside of Fuentes's pyramids are not in it. z of plane elements is 0.
+std::vector<LatticePoint> LocalOrder(const CollectionName& name, Geometry solid);
 } // namespace pixelexact::mfem
