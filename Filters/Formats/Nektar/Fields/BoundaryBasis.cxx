@@ -3,7 +3,7 @@
 
 #include "Core/Base/Error.h"
 #include "Formats/Nektar/Fields/FieldBasis.h"
-#include "Formats/Nektar/Geometry/ModifiedModes.h"
+#include "Formats/Nektar/Geometry/ReferenceShapes.h"
 #include "Formats/Nektar/Geometry/SolidTable.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include "Formats/Nektar/Fields/FieldBasis.h"
 
 #include "Core/Base/Error.h"
-#include "Formats/Nektar/Geometry/ModifiedModes.h"
+#include "Formats/Nektar/Geometry/ReferenceShapes.h"
 
 #include <algorithm>
 #include <cmath>

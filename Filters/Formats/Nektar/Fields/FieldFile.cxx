@@ -4,7 +4,7 @@
 #include "Core/Base/Error.h"
 #include "Core/Base/ParseWhole.h"
 #include "Core/Basis/Space.h"
-#include "Formats/Nektar/Geometry/ModifiedModes.h"
+#include "Formats/Nektar/Geometry/ReferenceShapes.h"
 #include "Formats/Nektar/Homogeneous/HomogeneousBlock.h"
 #include "Formats/Slab.h"
 

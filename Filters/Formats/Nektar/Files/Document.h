@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Formats/FileText.h"
-#include "Formats/Nektar/Files/Compressed.h"
+#include "Formats/Nektar/Files/XmlBlocks.h"
 
 #include <algorithm>
 #include <cstdint>

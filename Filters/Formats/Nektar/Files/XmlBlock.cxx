@@ -2,7 +2,7 @@
 #include "Formats/Nektar/Files/XmlBlock.h"
 
 #include "Core/Base/Error.h"
-#include "Formats/Nektar/Files/Compressed.h"
+#include "Formats/Nektar/Files/XmlBlocks.h"
 
 #include <zlib.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Formats/Nektar/Geometry/ModifiedModes.h"
+#include "Formats/Nektar/Geometry/ReferenceShapes.h"
 
 #include "Core/Base/Error.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Formats/Nektar/Files/Compressed.h"
+#include "Formats/Nektar/Files/XmlBlocks.h"
 
 #include "Core/Base/Error.h"
 
