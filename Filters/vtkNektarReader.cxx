@@ -3,7 +3,6 @@
 
 #include "Formats/FileText.h"
 #include "Formats/Nektar/Files/FileParts.h"
-#include "Formats/Nektar/Files/Hdf5Meshes.h"
 #include "Formats/Nektar/Reader.h"
 
 #include "vtkObjectFactory.h"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Formats/FileText.h"
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,4 +20,8 @@ std::optional<double> FieldTime(const std::string& path);
 /// The names of the fields in a field file, as its first block gives them; none where its beginning
 /// does not tell.
 std::vector<std::string> FieldNames(const std::string& path);
+
+/// The HDF5 files that sessions name as their GEOMETRY and that are not among them, where they lie
+/// beside the session. Those that do not are left to the parser's message.
+std::vector<std::string> MissingMeshes(const std::vector<NamedText>& sessions);
 } // namespace pixelexact::nektar

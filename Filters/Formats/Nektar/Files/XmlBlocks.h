@@ -3,12 +3,15 @@
 
 #include "Formats/FileText.h"
 
+#include <zlib.h>
+
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
-#include <zlib.h>
 
 namespace pixelexact::nektar
 {
@@ -48,4 +51,32 @@ private:
   unsigned Bits = 0; ///< decoded, and how many
   unsigned Count = 0;
 };
+
+/// XML with marks in place of long blocks of base64, as many lines as it had.
+struct ShortXml
+{
+  std::string text;
+  std::vector<std::string_view> blocks; ///< in the file's text
+};
+
+/// An XML parser goes through all of a text, which is in memory then: so the blocks, which are
+/// decoded piece by piece, are kept from it. None where they are not most of a mapped file.
+std::optional<ShortXml> WithoutLongBlocks(const FileText& file);
+
+/// Which block the text of an element is; none: it is none.
+std::optional<std::size_t> BlockAt(std::string_view text);
+
+// Numbers as elements of Nektar++'s compressed XML: base64 of a zlib stream.
+
+inline constexpr const char* kBlockAttributes = "COMPRESSED=\"B64Z-LittleEndian\" BITSIZE=\"64\"";
+
+/// Base64 of a zlib stream that holds the bytes as they are.
+std::string StoredBlock(std::span<const std::byte> bytes);
+
+/// An element that holds the numbers; empty without any.
+std::string Block(const std::string& tag, const std::vector<std::int64_t>& numbers);
+
+/// Points' records, each a number and three coordinates, as bits.
+std::vector<std::int64_t> PointRecords(
+  const std::vector<std::int64_t>& ids, const std::vector<double>& places);
 } // namespace pixelexact::nektar
