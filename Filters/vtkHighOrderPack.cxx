@@ -4,7 +4,7 @@
 #include "Conversion/ModelSource.h"
 #include "Conversion/WithCoefficients.h"
 #include "Core/Base/Error.h"
-#include "Grids/LeafGrids.h"
+#include "Grids/FilterInput.h"
 #include "PackedArrays.h"
 #include "Parts/CommonWidths.h"
 

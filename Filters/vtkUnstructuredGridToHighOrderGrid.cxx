@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkUnstructuredGridToHighOrderGrid.h"
 
+#include "Conversion/ConvertedGrid.h"
 #include "Conversion/GridConversion.h"
-#include "Conversion/KeptMesh.h"
 #include "Conversion/OutputGrid.h"
 #include "ConversionLoss.h"
 #include "Core/Base/Error.h"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Conversion/GridConversion.h"
 
-#include "Conversion/FieldSelection.h"
+#include "Conversion/ConvertedGrid.h"
 #include "Conversion/GeometryConversion.h"
-#include "Conversion/KeptMesh.h"
 #include "Conversion/MeshDiagnostics.h"
 #include "Conversion/OutputGrid.h"
+#include "Conversion/SourceArrays.h"
 #include "Conversion/SourceFaces.h"
 #include "ConversionLoss.h"
 #include "Core/Base/Counted.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Conversion/ModelSource.h"
 
+#include "Conversion/ConvertedGrid.h"
 #include "Conversion/GridConversion.h"
-#include "Conversion/KeptMesh.h"
 #include "Core/Base/Error.h"
 #include "HighOrderArrays.h"
 

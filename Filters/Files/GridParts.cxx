@@ -7,7 +7,7 @@
 #include "Files/GridFiles.h"
 #include "Files/PartOverlap.h"
 #include "Files/PieceNumbers.h"
-#include "Grids/ExtractedCells.h"
+#include "Grids/GridCopies.h"
 #include "Grids/ReaderMessages.h"
 #include "HighOrderArrays.h"
 #include "PackedArrays.h"

@@ -4,7 +4,7 @@
 #include "Conversion/OutputGrid.h"
 #include "Conversion/SameCells.h"
 #include "Core/Base/Counted.h"
-#include "Grids/ExtractedCells.h"
+#include "Grids/GridCopies.h"
 #include "Grids/ReaderMessages.h"
 #include "HighOrderArrays.h"
 #include "PackedArrays.h"

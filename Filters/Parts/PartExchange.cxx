@@ -2,7 +2,7 @@
 #include "Parts/PartExchange.h"
 
 #include "Core/Base/Error.h"
-#include "Grids/ExtractedCells.h"
+#include "Grids/GridCopies.h"
 #include "HighOrderArrays.h"
 #include "PackedArrays.h"
 #include "Parts/CommonWidths.h"

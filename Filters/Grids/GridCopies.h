@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef ExtractedCells_h
-#define ExtractedCells_h
+#ifndef GridCopies_h
+#define GridCopies_h
 
 #include "vtkSmartPointer.h"
 #include "vtkUnstructuredGrid.h"

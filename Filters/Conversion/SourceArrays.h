@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef FieldSelection_h
-#define FieldSelection_h
+#ifndef SourceArrays_h
+#define SourceArrays_h
 
 #include <string>
 #include <vector>

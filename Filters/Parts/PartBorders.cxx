@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Parts/NeighbourElements.h"
+#include "Parts/PartBorders.h"
 
 #include "Core/Base/Error.h"
-#include "Grids/ExtractedCells.h"
+#include "Grids/GridCopies.h"
 #include "HighOrderModel.h"
 #include "PackedArrays.h"
 #include "Parts/BareElements.h"

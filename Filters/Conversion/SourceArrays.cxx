@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Conversion/FieldSelection.h"
+#include "Conversion/SourceArrays.h"
 
 #include "Conversion/SourceMesh.h"
 #include "ConversionLoss.h"

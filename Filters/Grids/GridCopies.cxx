@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Grids/ExtractedCells.h"
+#include "Grids/GridCopies.h"
 
 #include "vtkAppendFilter.h"
 #include "vtkCellData.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef KeptMesh_h
-#define KeptMesh_h
+#ifndef ConvertedGrid_h
+#define ConvertedGrid_h
 
 #include "Conversion/SourceMesh.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Grids/LeafGrids.h"
+#include "Grids/FilterInput.h"
 
 #include "CompositeParts.h"
 #include "Core/Base/Error.h"

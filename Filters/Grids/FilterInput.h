@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef LeafGrids_h
-#define LeafGrids_h
+#ifndef FilterInput_h
+#define FilterInput_h
 
 #include "vtkSmartPointer.h"
 #include "vtkUnstructuredGrid.h"

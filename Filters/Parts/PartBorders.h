@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef NeighbourElements_h
-#define NeighbourElements_h
+#ifndef PartBorders_h
+#define PartBorders_h
 
 #include "PixelExactFiltersModule.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Conversion/KeptMesh.h"
+#include "Conversion/ConvertedGrid.h"
 
 #include "HighOrderArrays.h"
 
