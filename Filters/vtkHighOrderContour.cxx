@@ -5,7 +5,7 @@
 #include "Conversion/ModelSource.h"
 #include "Cuts/ContourPolyData.h"
 #include "Cuts/VtkCutFunction.h"
-#include "Grids/FieldsNamed.h"
+#include "Grids/FilterInput.h"
 #include "Parts/ParallelRun.h"
 #include "Parts/WholeMesh.h"
 

@@ -6,7 +6,7 @@
 #include "Files/SolverGrid.h"
 #include "Formats/FileText.h"
 #include "Formats/SolverModel.h"
-#include "Grids/FreeMemory.h"
+#include "Grids/FilterWork.h"
 #include "vtkHighOrderGrid.h"
 
 #include "vtkFieldData.h"

@@ -9,9 +9,8 @@
 #include "Cuts/CutTriangles.h"
 #include "Cuts/PointSampling.h"
 #include "Cuts/VtkCutFunction.h"
-#include "Grids/FieldsNamed.h"
+#include "Grids/FilterInput.h"
 #include "Grids/FilterWork.h"
-#include "Grids/PointBounds.h"
 #include "Parts/ParallelRun.h"
 #include "Parts/WholeMesh.h"
 

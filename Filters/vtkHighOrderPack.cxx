@@ -2,7 +2,6 @@
 #include "vtkHighOrderPack.h"
 
 #include "Conversion/ModelSource.h"
-#include "Conversion/WithCoefficients.h"
 #include "Core/Base/Error.h"
 #include "Grids/FilterInput.h"
 #include "PackedArrays.h"

@@ -3,7 +3,7 @@
 
 #include "Conversion/ModelSource.h"
 #include "Cuts/PointSampling.h"
-#include "Grids/FieldsNamed.h"
+#include "Grids/FilterInput.h"
 #include "Grids/FilterWork.h"
 #include "Parts/ParallelRun.h"
 #include "Parts/WholeMesh.h"

@@ -2,9 +2,9 @@
 #include "vtkHighOrderTruncate.h"
 
 #include "Conversion/ModelSource.h"
-#include "Grids/FieldsNamed.h"
+#include "Grids/FilterInput.h"
 #include "Grids/FilterWork.h"
-#include "Grids/GridTruncation.h"
+#include "Grids/GridCopies.h"
 #include "Parts/LargestOfAll.h"
 #include "Parts/ParallelRun.h"
 

@@ -3,11 +3,10 @@
 
 #include "Conversion/ConvertedGrid.h"
 #include "Conversion/GridConversion.h"
-#include "Conversion/OutputGrid.h"
 #include "ConversionLoss.h"
 #include "Core/Base/Error.h"
 #include "Files/PieceNumbers.h"
-#include "Grids/FieldsNamed.h"
+#include "Grids/FilterInput.h"
 #include "HighOrderArrays.h"
 #include "PackedArrays.h"
 #include "vtkHighOrderGrid.h"

@@ -4,13 +4,10 @@
 #include "Conversion/ConvertedGrid.h"
 #include "Conversion/GeometryConversion.h"
 #include "Conversion/MeshDiagnostics.h"
-#include "Conversion/OutputGrid.h"
 #include "Conversion/SourceArrays.h"
-#include "Conversion/SourceFaces.h"
 #include "ConversionLoss.h"
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
-#include "Grids/SlabArray.h"
 #include "HighOrderArrays.h"
 #include "HighOrderModel.h"
 

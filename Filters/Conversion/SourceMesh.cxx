@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Conversion/SourceMesh.h"
-#include "Cells/CellStorage.h"
 #include "Conversion/SourceCells.h"
 
 #include "Core/Base/Counted.h"

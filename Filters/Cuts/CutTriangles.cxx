@@ -4,7 +4,7 @@
 #include "Core/Base/Counted.h"
 #include "Core/Math/Rounding.h"
 #include "Cuts/MarchedCubes.h"
-#include "Grids/FreeMemory.h"
+#include "Grids/FilterWork.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -3,7 +3,7 @@
 #define CutTriangles_h
 
 #include "Core/Contour/CutFunction.h"
-#include "Grids/ParallelSteps.h"
+#include "Grids/FilterWork.h"
 
 #include <array>
 #include <cstdint>

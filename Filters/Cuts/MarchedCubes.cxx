@@ -2,7 +2,7 @@
 #include "Cuts/MarchedCubes.h"
 
 #include "Core/Base/Counted.h"
-#include "Grids/FreeMemory.h"
+#include "Grids/FilterWork.h"
 
 #include "vtkMarchingCubesTriangleCases.h"
 

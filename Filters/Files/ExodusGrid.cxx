@@ -3,7 +3,7 @@
 
 #include "Cells/CellBasis.h"
 #include "Cells/CellSides.h"
-#include "Conversion/SourceFaces.h"
+#include "Conversion/SourceArrays.h"
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 #include "Files/ExodusCells.h"

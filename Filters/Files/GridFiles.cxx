@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files/GridFiles.h"
 
-#include "Conversion/GridCheck.h"
+#include "Conversion/SourceCells.h"
 #include "Core/Base/Error.h"
 #include "Formats/FileText.h"
 #include "Grids/ReaderMessages.h"

@@ -2,7 +2,7 @@
 #include "Files/GridParts.h"
 
 #include "Cells/CellBasis.h"
-#include "Conversion/OutputGrid.h"
+#include "Conversion/ConvertedGrid.h"
 #include "Core/Base/Error.h"
 #include "Files/GridFiles.h"
 #include "Files/PartOverlap.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files/PartOverlap.h"
 
-#include "Conversion/OutputGrid.h"
+#include "Conversion/ConvertedGrid.h"
 #include "Conversion/SameCells.h"
 #include "Core/Base/Counted.h"
 #include "Grids/GridCopies.h"

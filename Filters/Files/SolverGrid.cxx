@@ -2,11 +2,11 @@
 #include "Files/SolverGrid.h"
 
 #include "Cells/LinearCell.h"
+#include "Conversion/ConvertedGrid.h"
 #include "ConversionLoss.h"
 #include "Core/Base/Error.h"
 #include "Core/Location/Sample.h"
 #include "Files/SolverGroups.h"
-#include "Grids/SlabArray.h"
 #include "HighOrderArrays.h"
 #include "HighOrderModel.h"
 

@@ -9,8 +9,55 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace pixelexact
 {
+std::vector<const Field*> FieldsNamed(
+  const HighOrderModel& model, const std::vector<std::string>& names)
+{
+  std::vector<const Field*> fields;
+  std::ranges::transform(names, std::back_inserter(fields),
+    [&model](const std::string& name) { return &model.GetField(name); });
+  if (names.empty())
+  {
+    for (const auto& field : model.Fields())
+    {
+      fields.push_back(&field);
+    }
+    for (const auto& [name, text] : model.Definitions())
+    {
+      fields.push_back(&model.GetField(name));
+    }
+  }
+  return fields;
+}
+
+void PrintFields(ostream& os, vtkIndent indent, const std::vector<std::string>& names)
+{
+  os << indent << "Fields:";
+  for (const auto& name : names)
+  {
+    os << " " << name;
+  }
+  os << (names.empty() ? " all\n" : "\n");
+}
+
+std::array<double, 6> BoundsOf(vtkDataObject* data)
+{
+  std::array<double, 6> bounds;
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    composite->GetBounds(bounds.data());
+  }
+  else
+  {
+    vtkUnstructuredGrid::SafeDownCast(data)->GetBounds(bounds.data());
+  }
+  return bounds;
+}
+
 void MakeOutputLikeInput(vtkInformationVector** input, vtkInformationVector* output)
 {
   vtkDataObject* given = vtkDataObject::GetData(input[0]);

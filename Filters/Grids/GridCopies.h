@@ -2,6 +2,9 @@
 #ifndef GridCopies_h
 #define GridCopies_h
 
+#include "Core/Element/Truncation.h"
+#include "PixelExactFiltersModule.h"
+
 #include "vtkSmartPointer.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -18,5 +21,11 @@ vtkSmartPointer<vtkUnstructuredGrid> ExtractedCells(
 /// Arrays that not all have alike are left out.
 vtkSmartPointer<vtkUnstructuredGrid> AppendedGrids(
   std::span<const vtkSmartPointer<vtkUnstructuredGrid>> grids);
+
+/// A shallow copy of a grid that carries coefficients, with what truncations keep in the place of
+/// the fields of their names. Point and cell arrays of these names, which are the whole fields',
+/// are left out.
+[[nodiscard]] PIXELEXACTFILTERS_EXPORT vtkSmartPointer<vtkUnstructuredGrid> WithTruncated(
+  vtkUnstructuredGrid* grid, std::span<const Truncation> truncations);
 } // namespace pixelexact
 #endif

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Parts/WholeMesh.h"
 
-#include "Conversion/WithCoefficients.h"
+#include "Conversion/ModelSource.h"
 #include "Core/Base/Error.h"
 #include "Grids/FilterWork.h"
 #include "PackedArrays.h"

@@ -2,7 +2,7 @@
 #include "Input/CgnsSides.h"
 
 #include "Cells/CellSides.h"
-#include "Conversion/SourceFaces.h"
+#include "Conversion/SourceArrays.h"
 #include "Core/Base/Counted.h"
 #include "Files/SolverGroups.h"
 

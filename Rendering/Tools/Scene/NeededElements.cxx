@@ -3,11 +3,11 @@
 
 #include "Scene/SurfaceOptions.h"
 
+#include "Conversion/ConvertedGrid.h"
 #include "Core/Base/Error.h"
 #include "Core/Element/MeshRanges.h"
 #include "Core/Location/Locator.h"
 #include "Core/Shape/ShapeFace.h"
-#include "Grids/SlabArray.h"
 #include "PackedArrays.h"
 #include "Parts/InnerFaces.h"
 #include "Parts/PartExchange.h"

@@ -5,8 +5,8 @@
 #include "Scene/Looks.h"
 #include "Scene/Shot.h"
 
+#include "Conversion/ConvertedGrid.h"
 #include "Core/Base/Error.h"
-#include "Grids/SlabArray.h"
 
 #include <fmt/format.h>
 #include <vtkUnstructuredGrid.h>
