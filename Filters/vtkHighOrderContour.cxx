@@ -7,7 +7,6 @@
 #include "Cuts/VtkCutFunction.h"
 #include "Grids/FilterInput.h"
 #include "Parts/ParallelRun.h"
-#include "Parts/WholeMesh.h"
 
 #include "Core/Base/Error.h"
 #include "Core/Location/Locator.h"

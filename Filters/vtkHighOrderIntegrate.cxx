@@ -7,7 +7,6 @@
 #include "Grids/FilterInput.h"
 #include "HighOrderModel.h"
 #include "Parts/ParallelRun.h"
-#include "Parts/WholeMesh.h"
 
 #include "Core/Base/Error.h"
 

@@ -8,7 +8,6 @@
 #include "Grids/FilterInput.h"
 #include "Grids/FilterWork.h"
 #include "Parts/ParallelRun.h"
-#include "Parts/WholeMesh.h"
 
 #include "vtkCellData.h"
 #include "vtkCharArray.h"

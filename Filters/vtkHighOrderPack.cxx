@@ -5,7 +5,7 @@
 #include "Core/Base/Error.h"
 #include "Grids/FilterInput.h"
 #include "PackedArrays.h"
-#include "Parts/CommonWidths.h"
+#include "Parts/PartExchange.h"
 
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"

@@ -9,7 +9,6 @@
 #include "Grids/FilterWork.h"
 #include "HighOrderModel.h"
 #include "Parts/ParallelRun.h"
-#include "Parts/WholeMesh.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"

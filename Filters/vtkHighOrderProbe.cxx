@@ -6,7 +6,6 @@
 #include "Grids/FilterInput.h"
 #include "Grids/FilterWork.h"
 #include "Parts/ParallelRun.h"
-#include "Parts/WholeMesh.h"
 
 #include "vtkDataSet.h"
 #include "vtkInformation.h"

@@ -5,8 +5,8 @@
 #include "Grids/FilterInput.h"
 #include "Grids/FilterWork.h"
 #include "Grids/GridCopies.h"
-#include "Parts/LargestOfAll.h"
 #include "Parts/ParallelRun.h"
+#include "Parts/PartExchange.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"

@@ -5,10 +5,10 @@
 #include "Conversion/GridConversion.h"
 #include "ConversionLoss.h"
 #include "Core/Base/Error.h"
-#include "Files/PieceNumbers.h"
 #include "Grids/FilterInput.h"
 #include "HighOrderArrays.h"
 #include "PackedArrays.h"
+#include "Parts/PartExchange.h"
 #include "vtkHighOrderGrid.h"
 
 #include "vtkInformation.h"

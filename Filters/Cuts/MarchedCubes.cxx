@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Cuts/MarchedCubes.h"
+#include "Cuts/CutTriangles.h"
 
 #include "Core/Base/Counted.h"
 #include "Grids/FilterWork.h"

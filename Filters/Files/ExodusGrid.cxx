@@ -2,12 +2,11 @@
 #include "Files/ExodusGrid.h"
 
 #include "Cells/CellBasis.h"
-#include "Cells/CellSides.h"
 #include "Conversion/SourceArrays.h"
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 #include "Files/ExodusCells.h"
-#include "Files/SolverGroups.h"
+#include "Files/SolverGrid.h"
 #include "Formats/Exodus/ExodusFile.h"
 
 #include "vtkCellData.h"

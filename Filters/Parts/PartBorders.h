@@ -18,5 +18,12 @@ namespace pixelexact
 /// without cells too, which get what they gave. Throws Error, and then on all of them.
 PIXELEXACTFILTERS_EXPORT vtkSmartPointer<vtkUnstructuredGrid> WithNeighbours(
   vtkUnstructuredGrid* grid, vtkMultiProcessController* processes);
+
+/// The grid with CellData kInnerFaces (HighOrderModel.h): which faces have something behind them in
+/// the mesh whose parts the processes hold, as FaceTable decides it of the whole. Elements with
+/// bare faces go, without their fields, to the processes whose boxes they may touch. All processes
+/// must call it, those without cells too. Throws Error, and then on all of them.
+PIXELEXACTFILTERS_EXPORT vtkSmartPointer<vtkUnstructuredGrid> WithInnerFaces(
+  vtkUnstructuredGrid* grid, vtkMultiProcessController* processes);
 } // namespace pixelexact
 #endif

@@ -4,7 +4,6 @@
 
 #include "Core/Base/Error.h"
 #include "HighOrderModel.h"
-#include "Parts/InnerFaces.h"
 #include "Parts/PartBorders.h"
 
 #include "vtkCompositeDataSet.h"

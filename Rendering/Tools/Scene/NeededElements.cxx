@@ -9,7 +9,7 @@
 #include "Core/Location/Locator.h"
 #include "Core/Shape/ShapeFace.h"
 #include "PackedArrays.h"
-#include "Parts/InnerFaces.h"
+#include "Parts/PartBorders.h"
 #include "Parts/PartExchange.h"
 #include "Trace/Scene.h"
 
