@@ -6,8 +6,6 @@
 
 #include "vtkCellType.h"
 
-#include <vtkCellType.h>
-
 #include <algorithm>
 
 namespace pixelexact

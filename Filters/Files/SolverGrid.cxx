@@ -5,6 +5,7 @@
 #include "Conversion/ConvertedGrid.h"
 #include "ConversionLoss.h"
 #include "Core/Base/Error.h"
+#include "Core/Faces/AttributedFace.h"
 #include "Core/Location/Sample.h"
 #include "HighOrderArrays.h"
 #include "HighOrderModel.h"

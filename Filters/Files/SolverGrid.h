@@ -2,7 +2,6 @@
 #ifndef SolverGrid_h
 #define SolverGrid_h
 
-#include "Core/Faces/AttributedFace.h"
 #include "Formats/SolverModel.h"
 
 class vtkUnstructuredGrid;
@@ -32,7 +31,7 @@ void StoreParameters(const std::map<std::string, double>& parameters, vtkUnstruc
 /// Adds a field. Throws InvalidData where the grid has one of that name.
 void StoreSolverField(SolverField&& field, vtkUnstructuredGrid* grid);
 
-/// The names of groups alone.
+/// Adds the names of groups alone, without attributes.
 void AddGroupNames(const std::vector<Group>& groups, vtkUnstructuredGrid* grid);
 } // namespace pixelexact
 #endif

@@ -43,8 +43,8 @@ bool ComesInBlocks(bool known, vtkInformationVector* input, vtkInformationVector
 /// all of them, and one that failed would not come. All processes must call it.
 PIXELEXACTFILTERS_EXPORT int AnswerOfAll(int answer, vtkInformationVector* output);
 
-// What filters whose result is of all of the mesh get in a parallel run (ParallelRun.h). All
-// processes must call what is here.
+// What filters whose result is of all of the mesh get in a parallel run. All processes must call
+// what follows.
 
 class PIXELEXACTFILTERS_EXPORT WholeMesh
 {

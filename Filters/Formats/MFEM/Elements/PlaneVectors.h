@@ -2,7 +2,6 @@
 #pragma once
 
 #include "Formats/ElementBasis.h"
-#include "Formats/MFEM/Elements/NodalFunctions.h"
 #include "Formats/MFEM/Elements/VectorUnknowns.h"
 
 // Nedelec's and Raviart and Thomas's elements in the plane, on the solids of a slab (planar.md).

@@ -5,8 +5,6 @@
 #include "Formats/ElementBasis.h"
 #include "Formats/Nektar/Fields/FieldFile.h"
 
-#include <functional>
-
 namespace pixelexact::nektar
 {
 /// The basis of an expansion. Throws Unsupported for families that are not read, InvalidData for
