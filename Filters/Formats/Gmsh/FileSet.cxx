@@ -3,7 +3,7 @@
 
 #include "Core/Base/Error.h"
 #include "Core/Base/Quote.h"
-#include "Formats/Gmsh/MeshSections.h"
+#include "Formats/Gmsh/MeshFile.h"
 #include "Formats/Gmsh/Scanner.h"
 
 #include <algorithm>

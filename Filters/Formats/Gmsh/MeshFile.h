@@ -131,4 +131,23 @@ private:
 /// The faces of elements that are elements of surfaces, too. `strangers`: how many of these are no
 /// face of an element.
 std::vector<BoundaryFace> FindFaces(const MeshFile& mesh, bool byEntity, std::size_t& strangers);
+
+// The sections of a mesh; the scanner stands behind their first line, and behind their end
+// afterwards.
+
+/// Physical groups and partitions of an entity (version 4.1).
+struct Entity
+{
+  std::vector<std::int32_t> physical;
+};
+using Entities = std::map<std::pair<int, int>, Entity>; ///< by dimension and tag
+
+/// $PhysicalNames
+void ReadPhysicalNames(Scanner& scanner, MeshFile& mesh);
+/// $Entities and $PartitionedEntities (4.1)
+void ReadEntities(Scanner& scanner, bool partitioned, Entities& entities, MeshFile& mesh);
+/// $Nodes, and $ParametricNodes of version 2.2
+void ReadNodes(Scanner& scanner, bool parametric, MeshFile& mesh);
+/// $Elements; entities of version 4.1
+void ReadElements(Scanner& scanner, const Entities& entities, MeshFile& mesh);
 } // namespace pixelexact::gmsh

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Formats/Gmsh/MeshSections.h"
-
 #include "Formats/Gmsh/MeshFile.h"
+
 #include "Formats/Gmsh/Scanner.h"
 
 #include <algorithm>

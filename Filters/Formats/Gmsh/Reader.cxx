@@ -6,7 +6,7 @@
 #include "Formats/Assembly.h"
 #include "Formats/Gmsh/FileSet.h"
 #include "Formats/Gmsh/MeshFile.h"
-#include "Formats/Gmsh/ViewField.h"
+#include "Formats/Gmsh/Views.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Formats/Gmsh/ViewField.h"
+#include "Formats/Gmsh/Views.h"
 
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"

@@ -2,7 +2,7 @@
 #include "Formats/Rational/SimplexElement.h"
 
 #include "Formats/ElementBasis.h"
-#include "Formats/Rational/CollapsedModes.h"
+#include "Formats/Rational/LineMatrix.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,6 +3,7 @@
 
 #include "Formats/ElementBasis.h"
 #include "Formats/MFEM/Elements/CollectionName.h"
+#include "Formats/MFEM/Elements/VectorUnknowns.h"
 
 // The bases of the spaces that MFEM's collections name, shape by shape.
 
@@ -25,4 +26,13 @@ ElementBasis PyramidBasis(const CollectionName& name);
 
 /// Nedelec's and Raviart and Thomas's elements.
 ElementBasis VectorBasis(const CollectionName& name, Geometry solid);
+
+// Nedelec's and Raviart and Thomas's elements in the plane, on the solids of a slab (planar.md).
+// Fluxes are those of a slab of the unit element's thickness.
+
+ElementBasis TriangleVectorBasis(const CollectionName& name);
+ElementBasis SquareVectorBasis(const CollectionName& name);
+
+/// The functions that are dual to the unknowns of a prism, as products of triangle and line.
+ElementBasis PrismVectors(const CollectionName& name, const std::vector<VectorUnknown>& unknowns);
 } // namespace pixelexact::mfem

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Formats/MFEM/Elements/PlaneVectors.h"
+#include "Formats/MFEM/Elements/ElementBases.h"
 
 #include "Formats/MFEM/Elements/NodalFunctions.h"
 #include "Formats/MFEM/Elements/VectorSpaces.h"

@@ -2,7 +2,6 @@
 #include "Formats/MFEM/Elements/ElementBases.h"
 
 #include "Formats/MFEM/Elements/NodalFunctions.h"
-#include "Formats/MFEM/Elements/PlaneVectors.h"
 #include "Formats/MFEM/Elements/VectorSpaces.h"
 #include "Formats/MFEM/Elements/VectorUnknowns.h"
 

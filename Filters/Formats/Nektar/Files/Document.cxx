@@ -5,7 +5,6 @@
 #include "Core/Base/ParseWhole.h"
 #include "Formats/FileText.h"
 #include "Formats/Nektar/Files/XmlBlocks.h"
-#include "Formats/Nektar/Files/XmlFile.h"
 
 #include <algorithm>
 #include <cctype>

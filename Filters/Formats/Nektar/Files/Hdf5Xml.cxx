@@ -3,7 +3,6 @@
 
 #include "Core/Base/Error.h"
 #include "Formats/Hdf5/Hdf5File.h"
-#include "Formats/Nektar/Files/Hdf5Fields.h"
 #include "Formats/Nektar/Files/XmlBlocks.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Formats/Nektar/Files/XmlFile.h"
+#include "Formats/Nektar/Files/Document.h"
 
 #include "Core/Base/Error.h"
 #include "Core/Base/ParseWhole.h"
