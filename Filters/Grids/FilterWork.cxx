@@ -26,6 +26,24 @@ std::string Gigabytes(double bytes)
   std::snprintf(text, sizeof(text), "%.3g GB", bytes * 1e-9);
   return text;
 }
+
+/// Bytes that can be had without taking them from others: Linux's MemAvailable, elsewhere all of
+/// the machine's; infinite where neither is known.
+[[nodiscard]] double FreeMemory()
+{
+  std::ifstream file("/proc/meminfo");
+  for (std::string name; file >> name; file.ignore(256, '\n'))
+  {
+    double kilobytes = 0.0;
+    if (name == "MemAvailable:" && file >> kilobytes)
+    {
+      return 1024.0 * kilobytes;
+    }
+  }
+  const auto pages = static_cast<double>(sysconf(_SC_PHYS_PAGES));
+  const auto size = static_cast<double>(sysconf(_SC_PAGESIZE));
+  return pages > 0.0 && size > 0.0 ? pages * size : std::numeric_limits<double>::infinity();
+}
 } // namespace
 
 int FillOutput(vtkAlgorithm* filter, vtkDataObject* output, const std::function<bool()>& fill)
@@ -53,22 +71,6 @@ StepProgress ProgressOf(vtkAlgorithm* filter, double from, double to)
     filter->UpdateProgress(from + (to - from) * part);
     return filter->GetAbortExecute() == 0;
   };
-}
-
-double FreeMemory()
-{
-  std::ifstream file("/proc/meminfo");
-  for (std::string name; file >> name; file.ignore(256, '\n'))
-  {
-    double kilobytes = 0.0;
-    if (name == "MemAvailable:" && file >> kilobytes)
-    {
-      return 1024.0 * kilobytes;
-    }
-  }
-  const auto pages = static_cast<double>(sysconf(_SC_PHYS_PAGES));
-  const auto size = static_cast<double>(sysconf(_SC_PAGESIZE));
-  return pages > 0.0 && size > 0.0 ? pages * size : std::numeric_limits<double>::infinity();
 }
 
 void RequireMemory(double bytes, const std::string& what, const std::string& remedy)

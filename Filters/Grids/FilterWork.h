@@ -77,10 +77,6 @@ int FillOutput(vtkAlgorithm* filter, vtkDataObject* output, const std::function<
 /// Tells of work that is the part from `from` to `to` of the filter's. False where it was aborted.
 [[nodiscard]] StepProgress ProgressOf(vtkAlgorithm* filter, double from, double to);
 
-/// Bytes that can be had without taking them from others: Linux's MemAvailable, elsewhere all of
-/// the machine's; infinite where neither is known.
-[[nodiscard]] double FreeMemory();
-
 /// Throws Error where so many bytes are not free: what needs them, how many, how many there are,
 /// and the remedy. `what` begins the message: "17 points"; `remedy` ends it: "lower the level".
 void RequireMemory(double bytes, const std::string& what, const std::string& remedy);
