@@ -3,7 +3,6 @@
 
 #include "Formats/FileText.h"
 #include "Formats/MFEM/Reader.h"
-#include "Formats/MFEM/Text/StreamCommands.h"
 
 #include "vtkObjectFactory.h"
 

@@ -5,7 +5,7 @@
 #include "Conversion/SourceMesh.h"
 #include "Core/Base/Error.h"
 #include "Core/Element/Validity.h"
-#include "Grids/FieldsNamed.h"
+#include "Grids/FilterInput.h"
 #include "Grids/FilterWork.h"
 #include "HighOrderArrays.h"
 #include "Parts/ParallelRun.h"

@@ -6,9 +6,8 @@
 #include "Core/Contour/RoundValues.h"
 #include "Cuts/ContourPolyData.h"
 #include "Cuts/VtkCutFunction.h"
-#include "Grids/FieldsNamed.h"
+#include "Grids/FilterInput.h"
 #include "Parts/ParallelRun.h"
-#include "Parts/WholeMesh.h"
 
 #include "Core/Base/Error.h"
 #include "Core/Location/Locator.h"

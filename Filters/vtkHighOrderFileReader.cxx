@@ -2,12 +2,11 @@
 #include "vtkHighOrderFileReader.h"
 
 #include "Core/Base/Error.h"
-#include "Files/PieceNumbers.h"
 #include "Files/SolverGrid.h"
 #include "Formats/FileText.h"
 #include "Formats/SolverModel.h"
-#include "Formats/SolverShare.h"
-#include "Grids/FreeMemory.h"
+#include "Grids/FilterWork.h"
+#include "Parts/PartExchange.h"
 #include "vtkHighOrderGrid.h"
 
 #include "vtkFieldData.h"

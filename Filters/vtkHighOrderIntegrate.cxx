@@ -4,10 +4,9 @@
 #include "Conversion/ModelSource.h"
 #include "Cuts/IntegralPieces.h"
 #include "Cuts/IntegralRows.h"
-#include "Grids/FieldsNamed.h"
+#include "Grids/FilterInput.h"
 #include "HighOrderModel.h"
 #include "Parts/ParallelRun.h"
-#include "Parts/WholeMesh.h"
 
 #include "Core/Base/Error.h"
 

@@ -5,12 +5,9 @@
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 #include "Cuts/PointSampling.h"
-#include "Grids/FieldsNamed.h"
+#include "Grids/FilterInput.h"
 #include "Grids/FilterWork.h"
-#include "Grids/FreeMemory.h"
-#include "Grids/PointBounds.h"
 #include "Parts/ParallelRun.h"
-#include "Parts/WholeMesh.h"
 
 #include "vtkCellData.h"
 #include "vtkCharArray.h"

@@ -2,11 +2,10 @@
 #include "vtkHighOrderPack.h"
 
 #include "Conversion/ModelSource.h"
-#include "Conversion/WithCoefficients.h"
 #include "Core/Base/Error.h"
-#include "Grids/LeafGrids.h"
+#include "Grids/FilterInput.h"
 #include "PackedArrays.h"
-#include "Parts/CommonWidths.h"
+#include "Parts/PartExchange.h"
 
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHighOrderPlotOverLine.h"
 
-#include "Cells/LineBreaks.h"
 #include "Conversion/ModelSource.h"
 #include "Core/Base/Error.h"
+#include "Core/Location/Sample.h"
 #include "Cuts/PointSampling.h"
-#include "Grids/FieldsNamed.h"
+#include "Grids/FilterInput.h"
 #include "Grids/FilterWork.h"
+#include "HighOrderModel.h"
 #include "Parts/ParallelRun.h"
-#include "Parts/WholeMesh.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
@@ -24,9 +24,101 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
+#include <vector>
 
 vtkStandardNewMacro(vtkHighOrderPlotOverLine);
+
+namespace
+{
+using namespace pixelexact;
+
+constexpr double kSpacing = 1e-15; ///< of t, beyond which halving brings nothing
+
+/// An end of a stretch.
+struct StretchEnd
+{
+  double t = 0.0;
+  std::int32_t element = -1;
+};
+struct Stretch
+{
+  StretchEnd from;
+  StretchEnd to;
+};
+
+std::vector<StretchEnd> Locate(const HighOrderModel& model, const Vec3& start, const Vec3& end,
+  const std::vector<double>& places)
+{
+  std::vector<Vec3> points(places.size());
+  std::ranges::transform(
+    places, points.begin(), [&](double t) { return start + t * (end - start); });
+  std::vector<std::int32_t> elements(places.size());
+  std::vector<Verdict> verdicts(places.size());
+  SampleTarget target;
+  target.element = elements;
+  target.verdict = verdicts;
+  Sample(model.GetLocator(), nullptr, points, target);
+  std::vector<StretchEnd> located(places.size());
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    located[i] = { places[i], verdicts[i] == Verdict::Inside ? elements[i] : -1 };
+  }
+  return located;
+}
+
+/// Where a segment passes from one element into another, or out of the mesh: pairs of parameters of
+/// start + t (end - start), ascending, between which the element changes, as near to each other as
+/// roundings of t let them be. The element at each of `places` (ascending, from 0 to 1) is found
+/// first; an element that lies between two places and holds neither may be passed over, and so may
+/// a gap.
+std::vector<double> LineBreaks(const HighOrderModel& model, const Vec3& start, const Vec3& end,
+  const std::vector<double>& places)
+{
+  std::vector<Stretch> open;
+  const auto add = [&open](const StretchEnd& from, const StretchEnd& to)
+  {
+    if (from.element != to.element)
+    {
+      open.push_back({ from, to });
+    }
+  };
+  const std::vector<StretchEnd> first = Locate(model, start, end, places);
+  for (std::size_t i = 1; i < first.size(); ++i)
+  {
+    add(first[i - 1], first[i]);
+  }
+  std::vector<double> breaks;
+  while (!open.empty())
+  {
+    std::vector<Stretch> halved;
+    std::vector<double> middles;
+    for (const Stretch& stretch : open)
+    {
+      const double middle = 0.5 * (stretch.from.t + stretch.to.t);
+      if (!(stretch.to.t - stretch.from.t > kSpacing) || !(middle > stretch.from.t) ||
+        !(middle < stretch.to.t))
+      {
+        breaks.push_back(stretch.from.t);
+        breaks.push_back(stretch.to.t);
+        continue;
+      }
+      halved.push_back(stretch);
+      middles.push_back(middle);
+    }
+    open.clear();
+    const std::vector<StretchEnd> located = Locate(model, start, end, middles);
+    for (std::size_t i = 0; i < halved.size(); ++i)
+    {
+      add(halved[i].from, located[i]);
+      add(located[i], halved[i].to);
+    }
+  }
+  std::ranges::sort(breaks);
+  return breaks;
+}
+} // namespace
 
 vtkHighOrderPlotOverLine::vtkHighOrderPlotOverLine()
   : Source(std::make_unique<pixelexact::ModelSource>())
@@ -95,7 +187,7 @@ bool vtkHighOrderPlotOverLine::Plot(vtkDataObject* grid, vtkPolyData* output)
   }
   if (this->ElementBoundaries)
   {
-    const std::vector<double> breaks = pixelexact::LineBreaks(*model, start, end, places);
+    const std::vector<double> breaks = LineBreaks(*model, start, end, places);
     std::vector<double> all;
     std::ranges::merge(places, breaks, std::back_inserter(all));
     all.erase(std::unique(all.begin(), all.end()), all.end());

@@ -3,10 +3,9 @@
 
 #include "Conversion/ModelSource.h"
 #include "Cuts/PointSampling.h"
-#include "Grids/FieldsNamed.h"
+#include "Grids/FilterInput.h"
 #include "Grids/FilterWork.h"
 #include "Parts/ParallelRun.h"
-#include "Parts/WholeMesh.h"
 
 #include "vtkDataSet.h"
 #include "vtkInformation.h"

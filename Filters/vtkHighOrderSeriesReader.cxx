@@ -3,9 +3,9 @@
 
 #include "Core/Base/Error.h"
 #include "Files/GridParts.h"
-#include "Files/PieceNumbers.h"
 #include "Files/TimeSeries.h"
 #include "Grids/FilterWork.h"
+#include "Parts/PartExchange.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"

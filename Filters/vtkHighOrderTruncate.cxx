@@ -2,11 +2,11 @@
 #include "vtkHighOrderTruncate.h"
 
 #include "Conversion/ModelSource.h"
-#include "Grids/FieldsNamed.h"
+#include "Grids/FilterInput.h"
 #include "Grids/FilterWork.h"
-#include "Grids/GridTruncation.h"
-#include "Parts/LargestOfAll.h"
+#include "Grids/GridCopies.h"
 #include "Parts/ParallelRun.h"
+#include "Parts/PartExchange.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"

@@ -2,8 +2,8 @@
 #include "vtkHighOrderUnpack.h"
 
 #include "Conversion/ModelSource.h"
+#include "Grids/FilterInput.h"
 #include "Grids/FilterWork.h"
-#include "Grids/LeafGrids.h"
 #include "HighOrderModel.h"
 #include "PackedArrays.h"
 

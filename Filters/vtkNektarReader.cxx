@@ -2,8 +2,7 @@
 #include "vtkNektarReader.h"
 
 #include "Formats/FileText.h"
-#include "Formats/Nektar/Files/FieldSeries.h"
-#include "Formats/Nektar/Files/Hdf5Meshes.h"
+#include "Formats/Nektar/Files/FileParts.h"
 #include "Formats/Nektar/Reader.h"
 
 #include "vtkObjectFactory.h"

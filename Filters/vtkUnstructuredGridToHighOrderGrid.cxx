@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkUnstructuredGridToHighOrderGrid.h"
 
+#include "Conversion/ConvertedGrid.h"
 #include "Conversion/GridConversion.h"
-#include "Conversion/KeptMesh.h"
-#include "Conversion/OutputGrid.h"
 #include "ConversionLoss.h"
 #include "Core/Base/Error.h"
-#include "Files/PieceNumbers.h"
-#include "Grids/FieldsNamed.h"
+#include "Grids/FilterInput.h"
 #include "HighOrderArrays.h"
 #include "PackedArrays.h"
+#include "Parts/PartExchange.h"
 #include "vtkHighOrderGrid.h"
 
 #include "vtkInformation.h"

@@ -76,24 +76,12 @@ int CellDimension(int type);
 /// name.
 CellBasis MakeCellBasis(const CellKind& kind);
 
-/// VTK's cells of fixed order: linear, quadratic and their relatives. False: not such a type.
-bool IsFixedCell(int type);
-CellBasis MakeFixedCellBasis(const CellKind& kind);
-
 /// VTK's Lagrange and Bezier cells of any order; Bezier as with equal rational weights.
 bool IsHigherOrderCell(int type);
 bool IsLagrangeCell(int type);
 bool IsHigherOrderPlaneCell(int type);
 CellBasis MakeHigherOrderCellBasis(const CellKind& kind);
 CellBasis MakeHigherOrderPlaneCellBasis(const CellKind& kind);
-
-// For those two.
-
-/// Of the kind's nodes or control points.
-Family FamilyOf(const CellKind& kind);
-/// Throws Unsupported where the places of nodes inside of triangles of that order are a matter of
-/// choice.
-void RequireKnownNodes(const CellKind& kind, int triangleOrder);
 
 /// The map of a Lagrange wedge whose nodes inside the quadrilateral r = 0 run the other way along s
 /// than `kind.nodes` says: MFEM writes them mirrored. The kind must be one of order >= 3 in the

@@ -2,7 +2,7 @@
 #ifndef Subdivision_h
 #define Subdivision_h
 
-#include "Grids/ParallelSteps.h"
+#include "Grids/FilterWork.h"
 #include "HighOrderModel.h"
 
 #include <cstdint>

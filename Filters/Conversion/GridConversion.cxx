@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Conversion/GridConversion.h"
 
-#include "Conversion/FieldSelection.h"
+#include "Conversion/ConvertedGrid.h"
 #include "Conversion/GeometryConversion.h"
-#include "Conversion/KeptMesh.h"
 #include "Conversion/MeshDiagnostics.h"
-#include "Conversion/OutputGrid.h"
-#include "Conversion/SourceFaces.h"
+#include "Conversion/SourceArrays.h"
 #include "ConversionLoss.h"
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
-#include "Grids/SlabArray.h"
 #include "HighOrderArrays.h"
 #include "HighOrderModel.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Conversion/ModelSource.h"
 
+#include "Conversion/ConvertedGrid.h"
 #include "Conversion/GridConversion.h"
-#include "Conversion/KeptMesh.h"
 #include "Core/Base/Error.h"
 #include "HighOrderArrays.h"
 
@@ -11,7 +11,6 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 
@@ -137,5 +136,21 @@ std::string ChosenName(vtkAlgorithm* filter, const std::string& given)
   return array != nullptr && array->Has(vtkDataObject::FIELD_NAME())
     ? array->Get(vtkDataObject::FIELD_NAME())
     : "";
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> WithCoefficients(
+  vtkUnstructuredGrid* grid, vtkAlgorithm* owner)
+{
+  if (HasHighOrderArrays(grid))
+  {
+    return grid;
+  }
+  auto converted = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  KeptMesh kept;
+  for (const auto& line : ConvertGrid(grid, {}, kept, converted).diagnostics)
+  {
+    vtkWarningWithObjectMacro(owner, << line);
+  }
+  return converted;
 }
 } // namespace pixelexact

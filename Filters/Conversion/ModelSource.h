@@ -7,6 +7,7 @@
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <memory>
 #include <vector>
@@ -15,7 +16,6 @@ class vtkAlgorithm;
 class vtkCompositeDataSet;
 class vtkDataObject;
 class vtkInformation;
-class vtkUnstructuredGrid;
 
 namespace pixelexact
 {
@@ -53,5 +53,10 @@ void TakeGrids(vtkInformation* port);
 /// The name that is given, else that of the first array that the filter is told to process; empty
 /// where there is neither.
 std::string ChosenName(vtkAlgorithm* filter, const std::string& given);
+
+/// The grid itself where it carries coefficients; else one that was converted. Diagnostics of the
+/// conversion become warnings of `owner`. Throws Error.
+vtkSmartPointer<vtkUnstructuredGrid> WithCoefficients(
+  vtkUnstructuredGrid* grid, vtkAlgorithm* owner);
 } // namespace pixelexact
 #endif

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Conversion/SourceMesh.h"
-#include "Cells/CellStorage.h"
 #include "Conversion/SourceCells.h"
 
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 #include "Core/Basis/NoiseBound.h"
-#include "Formats/NamedText.h"
+#include "Formats/FileText.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

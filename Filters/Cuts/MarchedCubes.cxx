@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Cuts/MarchedCubes.h"
+#include "Cuts/CutTriangles.h"
 
 #include "Core/Base/Counted.h"
-#include "Grids/FreeMemory.h"
+#include "Grids/FilterWork.h"
 
 #include "vtkMarchingCubesTriangleCases.h"
 

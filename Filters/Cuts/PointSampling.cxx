@@ -4,7 +4,7 @@
 #include "Core/Base/Error.h"
 #include "Core/Location/Owners.h"
 #include "Core/Location/Sample.h"
-#include "Grids/FieldsNamed.h"
+#include "Grids/FilterInput.h"
 
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"

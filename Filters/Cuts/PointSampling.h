@@ -2,7 +2,7 @@
 #ifndef PointSampling_h
 #define PointSampling_h
 
-#include "Grids/ParallelSteps.h"
+#include "Grids/FilterWork.h"
 #include "HighOrderModel.h"
 
 #include "Core/Base/Verdict.h"

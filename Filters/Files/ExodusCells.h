@@ -2,6 +2,7 @@
 #ifndef ExodusCells_h
 #define ExodusCells_h
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -22,5 +23,16 @@ std::optional<ExodusCell> ExodusCellOf(const std::string& type, int nodes);
 
 /// Whether the elements are solids, of any number of nodes.
 bool IsExodusSolid(const std::string& type);
+
+/// A side of a cell: the face of a solid, or the edge of a plane element.
+struct CellSide
+{
+  std::array<int, 4> corners; ///< places in the cell, which has its corners first
+  int count = 0;              ///< of them
+  int face = 0;               ///< as FacesOf(shape) counts
+};
+
+/// Those of a VTK cell, linear, quadratic or Lagrange, in Exodus' order; none of others.
+std::span<const CellSide> SidesOf(int cellType);
 } // namespace pixelexact
 #endif

@@ -2,14 +2,12 @@
 #include "Files/ExodusGrid.h"
 
 #include "Cells/CellBasis.h"
-#include "Cells/CellSides.h"
-#include "Conversion/SourceFaces.h"
+#include "Conversion/SourceArrays.h"
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 #include "Files/ExodusCells.h"
-#include "Files/SolverGroups.h"
+#include "Files/SolverGrid.h"
 #include "Formats/Exodus/ExodusFile.h"
-#include "Formats/Exodus/ExodusVectors.h"
 
 #include "vtkCellData.h"
 #include "vtkCellType.h"

@@ -17,7 +17,7 @@ std::vector<double> ExodusTimes(const std::string& file);
 /// counted from 0. Parts follow one another; within one, blocks share their nodes. Coordinates have
 /// the file's precision. Fields are those of all nodes and elements, NaN where a block or a part
 /// has no values of them; element blocks are the cell array "Attribute", and side sets attributes
-/// of faces (SourceFaces.h). Elements that are neither solids nor of a plane become cells of lower
+/// of faces (SourceArrays.h). Elements that are neither solids nor of a plane become cells of lower
 /// dimension, or are left out. What is left out, or has no values, is noted. Throws Error, naming
 /// the file.
 vtkSmartPointer<vtkUnstructuredGrid> ReadExodusGrid(

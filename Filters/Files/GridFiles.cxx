@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files/GridFiles.h"
 
-#include "Conversion/GridCheck.h"
+#include "Conversion/SourceCells.h"
 #include "Core/Base/Error.h"
 #include "Formats/FileText.h"
-#include "Grids/ReaderMessages.h"
 #include "HighOrderArrays.h"
 
 #include "vtkErrorCode.h"
@@ -14,6 +13,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGridReader.h"
 #include "vtkXMLDataElement.h"
+#include "vtkXMLReader.h"
 #include "vtkXMLUnstructuredGridReader.h"
 
 #include <algorithm>
@@ -21,7 +21,6 @@
 #include <fstream>
 #include <new>
 #include <sstream>
-#include <string_view>
 #include <tuple>
 
 namespace pixelexact
@@ -167,6 +166,73 @@ bool IsLegacy(const std::string& file)
   return begin == kMark;
 }
 } // namespace
+
+void ReaderMessages::Execute(vtkObject* /*caller*/, unsigned long event, void* data)
+{
+  const std::string_view message = data ? static_cast<const char*>(data) : "";
+  if (event == vtkCommand::WarningEvent)
+  {
+    AddWarning(warnings, message);
+  }
+  else if (error.empty())
+  {
+    error = MessageEssence(message);
+  }
+}
+
+void ReaderMessages::Watch(vtkXMLReader* reader)
+{
+  reader->SetReaderErrorObserver(this);
+  reader->SetParserErrorObserver(this);
+  reader->AddObserver(vtkCommand::WarningEvent, this);
+}
+
+std::string MessageEssence(std::string_view text)
+{
+  if (const auto line = text.find('\n'); line != std::string_view::npos)
+  {
+    text.remove_prefix(line + 1);
+  }
+  if (const auto object = text.find("): "); object != std::string_view::npos)
+  {
+    text.remove_prefix(object + 3);
+  }
+  std::string essence;
+  for (const char c : text)
+  {
+    const bool space = c == '\n' || c == '\r' || c == '\t' || c == ' ';
+    if (!space)
+    {
+      essence += c;
+    }
+    else if (!essence.empty() && essence.back() != ' ')
+    {
+      essence += ' ';
+    }
+  }
+  while (!essence.empty() && (essence.back() == ' ' || essence.back() == '.'))
+  {
+    essence.pop_back();
+  }
+  return essence;
+}
+
+void AddWarning(std::vector<std::string>& lines, std::string_view text)
+{
+  const std::string essence = MessageEssence(text);
+  if (!essence.starts_with("Could not locate key vtkExodusIIReader::"))
+  {
+    AddOnce(lines, essence);
+  }
+}
+
+void AddOnce(std::vector<std::string>& lines, const std::string& line)
+{
+  if (std::ranges::find(lines, line) == lines.end())
+  {
+    lines.push_back(line);
+  }
+}
 
 std::string CannotRead(const GridPart& part)
 {

@@ -5,7 +5,7 @@
 #include "Files/TimeSeries.h"
 #include "PixelExactFiltersModule.h"
 
-#include "Formats/SolverShare.h"
+#include "Formats/SolverModel.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkUnstructuredGrid.h"
@@ -32,7 +32,7 @@ struct ReadGrid
 ///
 /// For one process of several, `share`: of several files some that follow each other are read, a
 /// single one is read whole and cut. Cells then have the numbers of the
-/// whole in CellData kSourceCells (SourceMesh.h); see ElementsBefore (PieceNumbers.h), which is
+/// whole in CellData kSourceCells (SourceMesh.h); see ElementsBefore (PartExchange.h), which is
 /// called. A process without a file has an empty grid.
 PIXELEXACTFILTERS_EXPORT ReadGrid ReadParts(
   const std::vector<GridPart>& parts, const PieceOf& share = {});

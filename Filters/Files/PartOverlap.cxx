@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files/PartOverlap.h"
 
-#include "Conversion/OutputGrid.h"
+#include "Conversion/ConvertedGrid.h"
 #include "Conversion/SameCells.h"
 #include "Core/Base/Counted.h"
-#include "Grids/ExtractedCells.h"
-#include "Grids/ReaderMessages.h"
+#include "Files/GridFiles.h"
+#include "Grids/GridCopies.h"
 #include "HighOrderArrays.h"
 #include "PackedArrays.h"
 #include "Parts/PartExchange.h"

@@ -2,17 +2,19 @@
 #include "Files/SolverGrid.h"
 
 #include "Cells/LinearCell.h"
+#include "Conversion/ConvertedGrid.h"
 #include "ConversionLoss.h"
 #include "Core/Base/Error.h"
+#include "Core/Faces/AttributedFace.h"
 #include "Core/Location/Sample.h"
-#include "Files/SolverGroups.h"
-#include "Grids/SlabArray.h"
 #include "HighOrderArrays.h"
 #include "HighOrderModel.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -31,6 +33,57 @@ namespace pixelexact
 {
 namespace
 {
+constexpr int kFaces = 6;
+constexpr int kInside = -1;
+
+/// The file's faces with attributes; `view` is of the same mesh.
+std::vector<AttributedFace> AttributedFacesOf(const SolverMesh& mesh, const Mesh& view)
+{
+  std::vector<AttributedFace> faces;
+  for (const BoundaryFace& face : mesh.boundary)
+  {
+    const auto& faceOf = LinearCellOf(view.ShapeOf(face.element)).faceOf;
+    faces.push_back(
+      { { face.element, faceOf[static_cast<std::size_t>(face.face)] }, face.attribute });
+  }
+  return faces;
+}
+
+/// Adds the file's attributes and groups, for VTK's filters and for people (see SolverGrid.h).
+/// `view` is of the same mesh; `grid` has its cells.
+void AddGroups(const SolverMesh& mesh, const Mesh& view, vtkUnstructuredGrid* grid)
+{
+  const auto elements = static_cast<vtkIdType>(mesh.number.size());
+  if (!mesh.attribute.empty())
+  {
+    vtkNew<vtkIntArray> attribute;
+    attribute->SetName("Attribute");
+    attribute->SetNumberOfValues(elements);
+    std::ranges::copy(mesh.attribute, attribute->GetPointer(0));
+    grid->GetCellData()->AddArray(attribute);
+  }
+  if (!mesh.boundary.empty())
+  {
+    vtkNew<vtkIntArray> boundary;
+    boundary->SetName("BoundaryAttribute");
+    boundary->SetNumberOfComponents(kFaces);
+    boundary->SetNumberOfTuples(elements);
+    std::fill_n(boundary->GetPointer(0), kFaces * elements, kInside);
+    for (const auto& face : mesh.boundary)
+    {
+      const int own = IsMirrored(view, face.element)
+        ? MirroredFace(grid->GetCellType(face.element), face.face)
+        : face.face;
+      if (boundary->GetTypedComponent(face.element, own) == kInside)
+      {
+        boundary->SetTypedComponent(face.element, own, face.attribute);
+      }
+    }
+    grid->GetCellData()->AddArray(boundary);
+  }
+  AddGroupNames(mesh.groups, grid);
+}
+
 /// In element sizes: vertices of one number that are closer than this become one point. It only
 /// concerns the linear cells, not the elements.
 constexpr double kSamePoint = 1e-9;
@@ -199,6 +252,29 @@ void AddCentreValues(const Mesh& mesh, const Field& field, vtkUnstructuredGrid* 
   grid->GetCellData()->AddArray(array);
 }
 } // namespace
+
+void AddGroupNames(const std::vector<Group>& groups, vtkUnstructuredGrid* grid)
+{
+  if (groups.empty())
+  {
+    return;
+  }
+  vtkNew<vtkIntArray> ids;
+  vtkNew<vtkUnsignedCharArray> isBoundary;
+  vtkNew<vtkStringArray> names;
+  ids->SetName("PixelExact.Groups.Id");
+  isBoundary->SetName("PixelExact.Groups.Boundary");
+  names->SetName("PixelExact.Groups.Name");
+  for (const auto& group : groups)
+  {
+    ids->InsertNextValue(group.id);
+    isBoundary->InsertNextValue(group.boundary ? 1 : 0);
+    names->InsertNextValue(group.name);
+  }
+  grid->GetFieldData()->AddArray(ids);
+  grid->GetFieldData()->AddArray(isBoundary);
+  grid->GetFieldData()->AddArray(names);
+}
 
 void StoreSolverMesh(SolverMesh&& mesh, vtkUnstructuredGrid* grid)
 {

@@ -19,6 +19,7 @@ class vtkUnstructuredGrid;
 //              <parameter>                              a number of the run, for expressions
 //   PointData  <field>, at the vertices, where the field is continuous by construction
 //   CellData   <field>, at the element's centre (eta = 0), otherwise
+
 namespace pixelexact
 {
 /// Makes `grid` a grid of the mesh, without fields. Coefficients are handed on, not copied.
@@ -29,5 +30,8 @@ void StoreParameters(const std::map<std::string, double>& parameters, vtkUnstruc
 
 /// Adds a field. Throws InvalidData where the grid has one of that name.
 void StoreSolverField(SolverField&& field, vtkUnstructuredGrid* grid);
+
+/// Adds the names of groups alone, without attributes.
+void AddGroupNames(const std::vector<Group>& groups, vtkUnstructuredGrid* grid);
 } // namespace pixelexact
 #endif

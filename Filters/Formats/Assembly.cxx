@@ -5,7 +5,7 @@
 #include "Core/Basis/NoiseBound.h"
 #include "Core/Element/ElementUnits.h"
 #include "Core/Math/Rounding.h"
-#include "Formats/NamedText.h"
+#include "Formats/FileText.h"
 
 #include <glm/common.hpp>
 #include <tbb/blocked_range.h>

@@ -2,7 +2,6 @@
 #include "vtkPixelExactComparison.h"
 
 #include "Parts/ParallelRun.h"
-#include "Parts/WholeMesh.h"
 #include "ResultOfParts.h"
 
 #include "vtkDataObject.h"

@@ -5,7 +5,7 @@
 #include "vtkNektarReader.h"
 
 #include "Core/Base/Error.h"
-#include "Formats/Nektar/Files/FieldSeries.h"
+#include "Formats/Nektar/Files/FileParts.h"
 
 #include "vtkObjectFactory.h"
 

@@ -4,8 +4,7 @@
 
 #include "Core/Base/Error.h"
 #include "HighOrderModel.h"
-#include "Parts/InnerFaces.h"
-#include "Parts/NeighbourElements.h"
+#include "Parts/PartBorders.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkMultiProcessController.h"

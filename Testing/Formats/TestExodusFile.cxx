@@ -3,7 +3,6 @@
 #include "Core/Base/Error.h"
 #include "Formats/ApartProcess.h"
 #include "Formats/Exodus/ExodusFile.h"
-#include "Formats/Exodus/ExodusVectors.h"
 #include "Formats/FileText.h"
 
 #include <gtest/gtest.h>

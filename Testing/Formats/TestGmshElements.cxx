@@ -5,7 +5,7 @@
 
 #include "Formats/FileText.h"
 #include "Formats/Gmsh/Basis.h"
-#include "Formats/Gmsh/NodeOrder.h"
+#include "Formats/Gmsh/ElementType.h"
 
 #include <filesystem>
 #include <random>

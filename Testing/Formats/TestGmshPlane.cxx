@@ -3,8 +3,8 @@
 #include "SolverModelViews.h"
 
 #include "Formats/FileText.h"
+#include "Formats/Gmsh/ElementType.h"
 #include "Formats/Gmsh/MeshPieces.h"
-#include "Formats/Gmsh/NodeOrder.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include "MfemTexts.h"
 
 #include "Formats/MFEM/Elements/Collection.h"
-#include "Formats/MFEM/Meshes/HilbertCurve.h"
+#include "Formats/MFEM/Meshes/RefinementTree.h"
 #include "Formats/MFEM/Reader.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MfemTexts.h"
 
-#include "Formats/MFEM/Meshes/HilbertCurve.h"
+#include "Formats/MFEM/Meshes/RefinementTree.h"
 #include "Formats/MFEM/Reader.h"
 
 #include <gtest/gtest.h>

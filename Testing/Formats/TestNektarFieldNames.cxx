@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the beginning of a field file tells of its fields.
-#include "Formats/Nektar/Files/FieldSeries.h"
+#include "Formats/Nektar/Files/FileParts.h"
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,7 @@
 #include "Core/Base/Error.h"
 #include "Formats/FileText.h"
 #include "Formats/Hdf5/Hdf5File.h"
-#include "Formats/Nektar/Files/FieldSeries.h"
-#include "Formats/Nektar/Files/Hdf5Meshes.h"
+#include "Formats/Nektar/Files/FileParts.h"
 #include "Formats/Nektar/Reader.h"
 
 #include <gtest/gtest.h>

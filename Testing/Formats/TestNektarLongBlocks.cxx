@@ -3,7 +3,7 @@
 #include "NektarTexts.h"
 
 #include "Formats/FileText.h"
-#include "Formats/Nektar/Files/LongBlocks.h"
+#include "Formats/Nektar/Files/XmlBlocks.h"
 
 #include <filesystem>
 #include <fstream>

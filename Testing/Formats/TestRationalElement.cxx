@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The proven bound of what polynomials lose of rational functions.
-#include "Formats/Rational/CollapsedModes.h"
+#include "Formats/Rational/LineMatrix.h"
 #include "Formats/Rational/RationalElement.h"
 #include "Formats/Rational/SimplexElement.h"
 

@@ -7,6 +7,12 @@
 
 namespace pixelexact::gmsh
 {
+struct Section
+{
+  std::string name;      ///< "Nodes"
+  std::size_t begin = 0; ///< behind the line `$Nodes`
+};
+
 /// A file of a mesh, or several of its partitions, and more of views, by sections: heads of views
 /// are read, values not yet.
 class FileSet

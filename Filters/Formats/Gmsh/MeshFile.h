@@ -2,7 +2,8 @@
 #pragma once
 
 #include "Formats/Gmsh/ElementType.h"
-#include "Formats/Gmsh/TagIndex.h"
+#include "Formats/Gmsh/Scanner.h"
+#include "Formats/SolverModel.h"
 
 #include <array>
 #include <cstdint>
@@ -10,11 +11,47 @@
 #include <set>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 // The mesh of a Gmsh file, as plain structs.
+
 namespace pixelexact::gmsh
 {
+/// From the tags of nodes or elements, which may be sparse, to their places.
+class TagIndex
+{
+public:
+  void Reserve(std::size_t tags) { Pairs.reserve(tags); }
+  void Add(std::uint64_t tag, std::int32_t place) { Pairs.emplace_back(tag, place); }
+  /// To be called once, when all have been added. The first tag that was added twice, if any.
+  [[nodiscard]] const std::uint64_t* Finish();
+  /// function(tag, place) for each; after Finish.
+  template <class Function>
+  void ForEach(Function&& function) const
+  {
+    for (const auto& [tag, place] : Pairs)
+    {
+      function(tag, place);
+    }
+    for (std::size_t i = 0; i < Dense.size(); ++i)
+    {
+      if (Dense[i] >= 0)
+      {
+        function(First + i, Dense[i]);
+      }
+    }
+  }
+  /// -1 where there is no such tag.
+  [[nodiscard]] std::int32_t Find(std::uint64_t tag) const;
+
+private:
+  std::vector<std::pair<std::uint64_t, std::int32_t>> Pairs; ///< by tag
+  std::vector<std::int32_t> Dense; ///< by tag - First, where few are missing
+  std::uint64_t First = 0;
+  std::uint64_t Twice = 0;
+};
+
 /// An element of a volume or, where there is none, of a surface.
 struct Solid
 {
@@ -64,4 +101,53 @@ struct MeshFile
     return { &elementNodes[element.firstNode], static_cast<std::size_t>(element.type->nodes) };
   }
 };
+
+/// Where an element belongs.
+struct Membership
+{
+  const std::vector<std::int32_t>& physical;
+  std::int32_t entity;
+};
+
+/// Sorts a file's elements into those of volumes and of surfaces.
+class ElementList
+{
+public:
+  ElementList(MeshFile& mesh, std::size_t count);
+
+  /// Reads an element's nodes. `number` is the file's.
+  void Add(Scanner& scanner, int type, std::uint64_t number, const Membership& where);
+
+private:
+  void AddSolid(const ElementType& type, std::uint64_t number, const Membership& where);
+  void AddSurface(const ElementType& type, const Membership& where);
+  [[nodiscard]] bool RepeatsTheLast(const ElementType& type, const Membership& where) const;
+
+  MeshFile& Mesh;
+  std::vector<std::int32_t> Nodes; ///< of the element at hand
+  std::int32_t Repeated = -1;      ///< the last element known to be in several groups
+};
+
+/// The faces of elements that are elements of surfaces, too. `strangers`: how many of these are no
+/// face of an element.
+std::vector<BoundaryFace> FindFaces(const MeshFile& mesh, bool byEntity, std::size_t& strangers);
+
+// The sections of a mesh; the scanner stands behind their first line, and behind their end
+// afterwards.
+
+/// Physical groups and partitions of an entity (version 4.1).
+struct Entity
+{
+  std::vector<std::int32_t> physical;
+};
+using Entities = std::map<std::pair<int, int>, Entity>; ///< by dimension and tag
+
+/// $PhysicalNames
+void ReadPhysicalNames(Scanner& scanner, MeshFile& mesh);
+/// $Entities and $PartitionedEntities (4.1)
+void ReadEntities(Scanner& scanner, bool partitioned, Entities& entities, MeshFile& mesh);
+/// $Nodes, and $ParametricNodes of version 2.2
+void ReadNodes(Scanner& scanner, bool parametric, MeshFile& mesh);
+/// $Elements; entities of version 4.1
+void ReadElements(Scanner& scanner, const Entities& entities, MeshFile& mesh);
 } // namespace pixelexact::gmsh

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Formats/Gmsh/MeshSections.h"
+#include "Formats/Gmsh/MeshFile.h"
 
-#include "Formats/Gmsh/ElementList.h"
-#include "Formats/Gmsh/Sections.h"
+#include "Formats/Gmsh/Scanner.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -5,8 +5,8 @@
 #include "Core/Base/Error.h"
 #include "Formats/Assembly.h"
 #include "Formats/Gmsh/FileSet.h"
-#include "Formats/Gmsh/SurfaceFaces.h"
-#include "Formats/Gmsh/ViewField.h"
+#include "Formats/Gmsh/MeshFile.h"
+#include "Formats/Gmsh/Views.h"
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 #include "Core/Base/Error.h"
 #include "Core/Base/ParseWhole.h"
 #include "Core/Base/Quote.h"
-#include "Formats/ParseReal.h"
+#include "Formats/FileText.h"
 
 #include <algorithm>
 #include <cstring>

@@ -10,6 +10,9 @@
 
 namespace pixelexact::gmsh
 {
+/// The version of $MeshFormat whose sections have entities.
+inline constexpr double kNew = 4.1;
+
 /// How numbers lie in a file's data.
 struct Encoding
 {

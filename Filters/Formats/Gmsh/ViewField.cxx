@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Formats/Gmsh/ViewField.h"
+#include "Formats/Gmsh/Views.h"
 
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 #include "Formats/Assembly.h"
-#include "Formats/NamedText.h"
+#include "Formats/FileText.h"
 
 #include <algorithm>
 #include <limits>

@@ -12,7 +12,10 @@
 namespace pixelexact
 {
 /// Whether bytes begin as an HDF5 file.
-bool IsHdf5(std::string_view bytes);
+inline bool IsHdf5(std::string_view bytes)
+{
+  return bytes.starts_with("\x89HDF\r\n");
+}
 
 /// An HDF5 file as plain arrays. Paths are absolute. All throw InvalidData, with the file's name
 /// and the path, where something is not there, of another type, or damaged.

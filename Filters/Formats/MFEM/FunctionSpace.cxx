@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/MFEM/FunctionSpace.h"
 
-#include "Formats/MFEM/Elements/GeometryTable.h"
+#include "Formats/MFEM/Meshes/MeshFile.h"
 
 namespace pixelexact::mfem
 {

@@ -4,9 +4,9 @@
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 #include "Formats/Assembly.h"
-#include "Formats/MFEM/Elements/GeometryTable.h"
+#include "Formats/FileText.h"
 #include "Formats/MFEM/FunctionSpace.h"
-#include "Formats/NamedText.h"
+#include "Formats/MFEM/Meshes/MeshFile.h"
 
 #include <algorithm>
 #include <deque>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Formats/NamedText.h"
+#include "Formats/FileText.h"
 #include "Formats/SolverModel.h"
-#include "Formats/SolverShare.h"
 
 namespace pixelexact::mfem
 {
@@ -25,4 +24,7 @@ SolverModel ReadFiles(
 /// processes of a parallel run, each with "parallel n i" before it. Throws as Read, also where
 /// several streams follow each other.
 SolverModel ReadStream(const NamedText& saved);
+
+/// Whether a file that begins so is a stream, by its first word.
+bool IsStream(std::string_view head);
 } // namespace pixelexact::mfem

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Base/Error.h"
 #include "Formats/Assembly.h"
-#include "Formats/NamedText.h"
+#include "Formats/FileText.h"
 #include "Formats/Nektar/Fields/FieldBasis.h"
 #include "Formats/Nektar/Fields/FieldFile.h"
 #include "Formats/Nektar/Reader.h"

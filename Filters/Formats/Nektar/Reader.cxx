@@ -3,12 +3,12 @@
 
 #include "Core/Base/Error.h"
 #include "Formats/Assembly.h"
-#include "Formats/Nektar/Fields/BoundaryBasis.h"
+#include "Formats/Nektar/Fields/FieldBasis.h"
 #include "Formats/Nektar/Files/Conditions.h"
 #include "Formats/Nektar/Geometry/FaceMaps.h"
-#include "Formats/Nektar/Geometry/Groups.h"
+#include "Formats/Nektar/Geometry/Geometry.h"
 #include "Formats/Nektar/Geometry/PlaneModel.h"
-#include "Formats/Nektar/Geometry/SolidTable.h"
+#include "Formats/Nektar/Geometry/ReferenceShapes.h"
 
 #include <algorithm>
 #include <deque>

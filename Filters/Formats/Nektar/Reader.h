@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Formats/NamedText.h"
+#include "Formats/FileText.h"
 #include "Formats/SolverModel.h"
 
 namespace pixelexact::nektar

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Formats/Rational/LineTables.h"
+#include "Formats/Rational/LineMatrix.h"
 
 #include <limits>
 #include <optional>

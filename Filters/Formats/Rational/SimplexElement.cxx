@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/Rational/SimplexElement.h"
 
-#include "Formats/CardinalFunctions.h"
-#include "Formats/Rational/CollapsedModes.h"
+#include "Formats/ElementBasis.h"
+#include "Formats/Rational/LineMatrix.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Formats/SolverShare.h"
+#include "Formats/SolverModel.h"
 
 #include <memory>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/VtkMessages.h"
 
-#include "Grids/ReaderMessages.h"
+#include "Files/GridFiles.h"
 
 #include <vtkLogger.h>
 #include <vtkObjectFactory.h>

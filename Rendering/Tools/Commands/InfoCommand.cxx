@@ -11,9 +11,9 @@
 #include "Scene/FoundRanges.h"
 #include "Scene/Model.h"
 
+#include "Conversion/ConvertedGrid.h"
 #include "Core/Base/Counted.h"
 #include "Formats/Slab.h"
-#include "Grids/SlabArray.h"
 
 #include <nlohmann/json.hpp>
 #include <vtkUnstructuredGrid.h>

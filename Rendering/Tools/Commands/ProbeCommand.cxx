@@ -8,9 +8,9 @@
 #include "Input/Input.h"
 #include "Scene/Model.h"
 
+#include "Conversion/ConvertedGrid.h"
 #include "Core/Base/Error.h"
 #include "Files/TimeSeries.h"
-#include "Grids/SlabArray.h"
 
 #include <vtkUnstructuredGrid.h>
 

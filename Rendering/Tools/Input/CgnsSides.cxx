@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Input/CgnsSides.h"
 
-#include "Cells/CellSides.h"
-#include "Conversion/SourceFaces.h"
+#include "Conversion/SourceArrays.h"
 #include "Core/Base/Counted.h"
-#include "Files/SolverGroups.h"
+#include "Files/ExodusCells.h"
+#include "Files/SolverGrid.h"
 
 #include <vtkCellArray.h>
 #include <vtkCompositeDataIterator.h>

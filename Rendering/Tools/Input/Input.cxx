@@ -8,7 +8,7 @@
 #include "Input/NativeInput.h"
 #include "Input/VtkInput.h"
 
-#include "Conversion/GridCheck.h"
+#include "Conversion/SourceCells.h"
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
 #include "Files/TimeSeries.h"

@@ -6,7 +6,7 @@
 #include "Base/Report.h"
 #include "Scene/Shot.h"
 
-#include "Grids/GridTruncation.h"
+#include "Grids/GridCopies.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

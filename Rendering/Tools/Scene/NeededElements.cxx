@@ -3,13 +3,13 @@
 
 #include "Scene/SurfaceOptions.h"
 
+#include "Conversion/ConvertedGrid.h"
 #include "Core/Base/Error.h"
 #include "Core/Element/MeshRanges.h"
 #include "Core/Location/Locator.h"
 #include "Core/Shape/ShapeFace.h"
-#include "Grids/SlabArray.h"
 #include "PackedArrays.h"
-#include "Parts/InnerFaces.h"
+#include "Parts/PartBorders.h"
 #include "Parts/PartExchange.h"
 #include "Trace/Scene.h"
 

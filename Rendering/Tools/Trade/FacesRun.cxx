@@ -5,7 +5,7 @@
 #include "Trade/TrianglesRun.h"
 
 #include "Core/Base/Counted.h"
-#include "Grids/FreeMemory.h"
+#include "Grids/FilterWork.h"
 #include "HighOrderModel.h"
 #include "Trace/Compare/LinearFaces.h"
 #include "Trace/Surfaces/ElementFaces.h"

@@ -6,7 +6,7 @@
 #include "Core/Expression/Expression.h"
 #include "Core/Expression/PointLeaves.h"
 #include "Core/Expression/Program.h"
-#include "Grids/FreeMemory.h"
+#include "Grids/FilterWork.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>

@@ -6,7 +6,7 @@
 
 #include "Core/Base/Counted.h"
 #include "Core/Location/Sample.h"
-#include "Grids/FreeMemory.h"
+#include "Grids/FilterWork.h"
 #include "HighOrderModel.h"
 #include "Trace/Surfaces/BezierPatches.h"
 #include "Trace/Surfaces/Triangles.h"

@@ -5,8 +5,8 @@
 #include "Scene/Shot.h"
 #include "Scene/ShotAppearance.h"
 
+#include "Conversion/ConvertedGrid.h"
 #include "Core/Base/Error.h"
-#include "Grids/SlabArray.h"
 
 #include <fmt/format.h>
 #include <vtkUnstructuredGrid.h>

@@ -4,10 +4,8 @@
 #include "Core/Base/Error.h"
 #include "Core/Basis/Space.h"
 #include "Formats/MFEM/Elements/CollectionName.h"
-#include "Formats/MFEM/Elements/EntityOrder.h"
-#include "Formats/MFEM/Elements/PyramidElements.h"
-#include "Formats/MFEM/Elements/ScalarElements.h"
-#include "Formats/MFEM/Elements/VectorElements.h"
+#include "Formats/MFEM/Elements/ElementBases.h"
+#include "Formats/MFEM/Elements/UnknownOrders.h"
 
 #include <array>
 #include <mutex>

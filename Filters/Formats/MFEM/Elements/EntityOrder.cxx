@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Formats/MFEM/Elements/EntityOrder.h"
+#include "Formats/MFEM/Elements/UnknownOrders.h"
 
 namespace pixelexact::mfem
 {

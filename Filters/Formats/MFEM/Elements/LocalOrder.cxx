@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Formats/MFEM/Elements/LocalOrder.h"
+#include "Formats/MFEM/Elements/UnknownOrders.h"
 
 #include <utility>
 

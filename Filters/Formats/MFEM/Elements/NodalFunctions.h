@@ -4,7 +4,7 @@
 #include "Formats/MFEM/Elements/CollectionName.h"
 
 #include "Core/Basis/LineFunctions.h"
-#include "Formats/CardinalFunctions.h"
+#include "Formats/ElementBasis.h"
 
 #include <vector>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Formats/MFEM/Elements/ScalarElements.h"
+#include "Formats/MFEM/Elements/ElementBases.h"
 
-#include "Formats/MFEM/Elements/LocalOrder.h"
 #include "Formats/MFEM/Elements/NodalFunctions.h"
+#include "Formats/MFEM/Elements/UnknownOrders.h"
 
 #include <algorithm>
 #include <array>

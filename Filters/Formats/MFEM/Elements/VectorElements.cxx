@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Formats/MFEM/Elements/VectorElements.h"
+#include "Formats/MFEM/Elements/ElementBases.h"
 
-#include "Formats/MFEM/Elements/FuentesVectors.h"
 #include "Formats/MFEM/Elements/NodalFunctions.h"
-#include "Formats/MFEM/Elements/PlaneVectors.h"
-#include "Formats/MFEM/Elements/PrismVectors.h"
 #include "Formats/MFEM/Elements/VectorSpaces.h"
 #include "Formats/MFEM/Elements/VectorUnknowns.h"
 

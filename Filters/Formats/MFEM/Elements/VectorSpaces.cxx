@@ -107,4 +107,9 @@ PlaneSpace TriangleVectors(Continuity kind, int order)
       }
     } };
 }
+
+LongVec3 Cross(const LongVec3& a, const LongVec3& b)
+{
+  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+}
 } // namespace pixelexact::mfem

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Formats/MFEM/Meshes/ConformingMesh.h"
+#include "Formats/MFEM/Meshes/MeshFile.h"
 
-#include "Formats/MFEM/Elements/GeometryTable.h"
 #include "Formats/MFEM/Meshes/RefinementTree.h"
-#include "Formats/MFEM/Text/MeshFormat.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Formats/MFEM/Meshes/InlineMesh.h"
-
-#include "Formats/MFEM/Elements/GeometryTable.h"
+#include "Formats/MFEM/Meshes/MeshFile.h"
 
 #include <algorithm>
 #include <array>

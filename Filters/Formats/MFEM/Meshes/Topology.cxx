@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/MFEM/Meshes/Topology.h"
 
-#include "Formats/MFEM/Elements/GeometryTable.h"
+#include "Formats/MFEM/Meshes/MeshFile.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/MFEM/Nurbs/NurbsMesh.h"
 
-#include "Formats/MFEM/Text/MeshFormat.h"
+#include "Formats/MFEM/Meshes/MeshFile.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 #include "Core/Base/Error.h"
 #include "Core/Basis/Space.h"
 #include "Formats/Assembly.h"
+#include "Formats/FileText.h"
 #include "Formats/MFEM/Nurbs/ForParts.h"
-#include "Formats/NamedText.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 
 #include "Core/Base/Counted.h"
 #include "Core/Base/Error.h"
-#include "Formats/MFEM/Elements/GeometryTable.h"
-#include "Formats/NamedText.h"
+#include "Formats/FileText.h"
+#include "Formats/MFEM/Meshes/MeshFile.h"
 
 #include <algorithm>
 #include <numeric>

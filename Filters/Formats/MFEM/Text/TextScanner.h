@@ -2,7 +2,6 @@
 #pragma once
 
 #include "Formats/FileText.h"
-#include "Formats/NamedText.h"
 
 #include <string_view>
 #include <vector>

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Core/Basis/BasisFactor.h"
 #include "Formats/ElementBasis.h"
 #include "Formats/Nektar/Fields/FieldFile.h"
-
-#include <functional>
 
 namespace pixelexact::nektar
 {
@@ -12,8 +11,21 @@ namespace pixelexact::nektar
 /// orders that its shape does not allow.
 ElementBasis MakeFieldBasis(const Expansion3& expansion);
 
-/// Functions on a shape, in the smallest canonical space that holds them: orders `order`, on
-/// pyramids the collapsed form if it will do, otherwise the tensor form.
-ChangeOfBasis ChangeInto(Shape shape, const std::array<int, 3>& order, int functions,
-  const std::function<void(const LongVec3&, long double*)>& evaluate);
+/// The part of the modified basis that does not vanish on a solid's boundary, as functions of
+/// values on its faces. Nektar++ builds an element's map from its faces alone: one after the other,
+/// each sets the coefficients of the modes that it sees. Where neighbours differ by the rounding of
+/// the file, the last one has what they share; so every face has nodes of its own here.
+struct BoundaryBasis
+{
+  struct Node
+  {
+    int face = 0;                         ///< of the solid
+    std::array<long double, 4> weights{}; ///< of that face's vertices, in the solid's order
+  };
+  std::vector<Node> nodes;
+  ElementBasis basis;
+};
+
+/// Throws Unsupported above order 10.
+BoundaryBasis MakeBoundaryBasis(Shape shape, int order);
 } // namespace pixelexact::nektar

@@ -4,8 +4,7 @@
 #include "Core/Base/Error.h"
 #include "Core/Base/ParseWhole.h"
 #include "Formats/FileText.h"
-#include "Formats/Nektar/Files/LongBlocks.h"
-#include "Formats/Nektar/Files/XmlFile.h"
+#include "Formats/Nektar/Files/XmlBlocks.h"
 
 #include <algorithm>
 #include <cctype>

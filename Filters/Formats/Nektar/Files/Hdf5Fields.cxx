@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Formats/Nektar/Files/Hdf5Fields.h"
+#include "Formats/Nektar/Files/Hdf5Xml.h"
 
 #include "Core/Base/Error.h"
 #include "Formats/Hdf5/Hdf5File.h"
-#include "Formats/Nektar/Files/XmlBlock.h"
+#include "Formats/Nektar/Files/XmlBlocks.h"
 
 #include <algorithm>
 #include <array>

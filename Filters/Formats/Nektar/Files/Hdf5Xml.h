@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Formats/NamedText.h"
+#include "Formats/FileText.h"
+#include "Formats/Hdf5/Hdf5File.h"
+
+#include <string>
 
 namespace pixelexact::nektar
 {
@@ -11,4 +14,10 @@ std::string Hdf5AsXml(const NamedText& file);
 
 /// The XML of a field file's metadata alone, read from disk.
 std::string Hdf5Metadata(const std::string& path);
+
+/// A field file of version 1 as XML.
+std::string Hdf5Fields(const Hdf5File& file, const std::string& name);
+
+/// Its metadata and the names of its fields alone, likewise.
+std::string Hdf5FieldsHead(const Hdf5File& file, const std::string& name);
 } // namespace pixelexact::nektar

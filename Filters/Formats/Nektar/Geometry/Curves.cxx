@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Formats/Nektar/Geometry/Curves.h"
+#include "Formats/Nektar/Geometry/Geometry.h"
 
 #include "Core/Base/ParseWhole.h"
 #include "Formats/Nektar/Geometry/CurvePoints.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Formats/Nektar/Geometry/Entities.h"
+#include "Formats/Nektar/Geometry/Geometry.h"
 
 #include <algorithm>
 #include <functional>

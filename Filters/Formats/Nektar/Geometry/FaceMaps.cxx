@@ -2,7 +2,7 @@
 #include "Formats/Nektar/Geometry/FaceMaps.h"
 
 #include "Formats/Nektar/Geometry/CurvePoints.h"
-#include "Formats/Nektar/Geometry/ModifiedModes.h"
+#include "Formats/Nektar/Geometry/ReferenceShapes.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,19 +1,123 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/Nektar/Geometry/Geometry.h"
 
+#include "Core/Base/Error.h"
+#include "Core/Base/ParseWhole.h"
 #include "Formats/Nektar/Files/Conditions.h"
-#include "Formats/Nektar/Geometry/Composites.h"
-#include "Formats/Nektar/Geometry/Curves.h"
-#include "Formats/Nektar/Geometry/Entities.h"
-#include "Formats/Nektar/Geometry/LineGeometry.h"
+#include "Formats/Nektar/Files/Expression.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <set>
 
 namespace pixelexact::nektar
 {
 namespace
 {
+double ReadExpression(const Document& document, const pugi::xml_node& node,
+  const std::string& attribute, double usual, const Parameters& parameters)
+{
+  const pugi::xml_attribute text = node.attribute(attribute.c_str());
+  if (!text)
+  {
+    return usual;
+  }
+  try
+  {
+    return Evaluate(
+      WithoutBlanks(text.value()), [&](std::string_view name) { return parameters.Find(name); });
+  }
+  catch (const InvalidData& error)
+  {
+    document.Fail(node,
+      attribute + "=\"" + std::string(text.value()).substr(0, 60) +
+        "\" is no expression that has a value: " + error.what() + ".");
+  }
+}
+
+/// The attributes XSCALE, YSCALE, ZSCALE, XMOVE, YMOVE, ZMOVE and ZROT of a VERTEX element:
+/// expressions of the session's parameters. Throws InvalidData for what is none.
+Transform ReadTransform(
+  const Document& document, const pugi::xml_node& vertices, const Parameters& parameters)
+{
+  Transform transform;
+  for (int d = 0; d < 3; ++d)
+  {
+    const std::string axis(1, "XYZ"[d]);
+    transform.scale[d] = ReadExpression(document, vertices, axis + "SCALE", 1.0, parameters);
+    transform.move[d] = ReadExpression(document, vertices, axis + "MOVE", 0.0, parameters);
+  }
+  transform.angle = ReadExpression(document, vertices, "ZROT", 0.0, parameters);
+  return transform;
+}
+
+/// Makes a geometry of segments (its edges, along x) one of quadrilaterals with the segments'
+/// numbers, whose first direction is theirs. Vertices become the sides behind them, and so do those
+/// of composites. `name`: of the file, for messages. Throws InvalidData without segments,
+/// Unsupported for segments that do not lie along x.
+void MakeStrip(const std::string& name, Geometry& geometry)
+{
+  if (geometry.edges.size() == 0)
+  {
+    throw InvalidData(name + ": there are no segments.");
+  }
+  const Geometry lines = std::move(geometry);
+  geometry = Geometry();
+  geometry.dimension = 2;
+  geometry.isLine = true;
+  geometry.composites = lines.composites;
+  geometry.notes = lines.notes;
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  std::int64_t largest = 0;
+  const Point& first = lines.vertices.begin()->second;
+  for (const auto& [id, x] : lines.vertices)
+  {
+    if (x[1] != first[1] || x[2] != first[2])
+    {
+      throw Unsupported(name + ": vertex " + std::to_string(id) +
+        " does not lie on the line of the others along x; only such one-dimensional geometries are "
+        "read.");
+    }
+    low = std::min(low, x[0]);
+    high = std::max(high, x[0]);
+    largest = std::max(largest, id);
+  }
+  if (largest > std::numeric_limits<std::int64_t>::max() / 4)
+  {
+    throw Unsupported(
+      name + ": vertex " + std::to_string(largest) + " has too large a number to be read.");
+  }
+  const std::int64_t shift = largest + 1;
+  const double width = high > low ? high - low : 1.0;
+  for (const auto& [id, x] : lines.vertices)
+  {
+    geometry.vertices.try_emplace(id, Point{ x[0], 0.0, 0.0 });
+    geometry.vertices.try_emplace(id + shift, Point{ x[0], width, 0.0 });
+    geometry.edges.try_emplace(id, Edge{ { id, id + shift }, -1 });
+  }
+  std::int64_t next = shift;
+  for (const auto& [id, segment] : lines.edges)
+  {
+    const auto [a, b] = segment.vertices;
+    const std::int64_t below = next++;
+    const std::int64_t above = next++;
+    geometry.edges.try_emplace(below, Edge{ { a, b }, -1 });
+    geometry.edges.try_emplace(above, Edge{ { a + shift, b + shift }, -1 });
+    Face face;
+    face.corners = 4;
+    face.edges = { below, b, above, a };
+    face.vertices = { a, b, b + shift, a + shift };
+    geometry.faces.try_emplace(id, face);
+    geometry.solidOf.try_emplace(id, static_cast<int>(geometry.solids.size()));
+    Solid element;
+    element.id = id;
+    element.faces[0] = id;
+    geometry.solids.push_back(element);
+  }
+}
+
 /// Of its elements (DIM), or of the space that they are in (SPACE).
 std::int64_t DimensionOf(
   const Document& document, const pugi::xml_node& geometry, const char* name = "DIM")
@@ -90,6 +194,21 @@ void NoteMissingParts(const std::vector<Part>& parts, Geometry& geometry)
   }
 }
 } // namespace
+
+Point Transform::operator()(Point x) const
+{
+  for (int d = 0; d < 3; ++d)
+  {
+    x[d] = x[d] * scale[d] + move[d];
+  }
+  if (angle != 0.0)
+  {
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
+    x = { x[0] * c - x[1] * s, x[0] * s + x[1] * c, x[2] };
+  }
+  return x;
+}
 
 Geometry ReadGeometry(std::span<const Document* const> session)
 {

@@ -1,18 +1,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Core/Shape/Shape.h"
 #include "Formats/Nektar/Files/Document.h"
 #include "Formats/Nektar/Files/IdMap.h"
-#include "Formats/Nektar/Geometry/Transform.h"
-
-#include "Core/Shape/Shape.h"
 #include "Formats/SolverModel.h"
 
 #include <array>
 #include <span>
+#include <string>
+#include <unordered_map>
 
 namespace pixelexact::nektar
 {
+using Point = std::array<double, 3>;
+
+/// What is done to each point of a geometry, vertices' and curves': first scaled, then moved, then
+/// turned about the z axis.
+struct Transform
+{
+  Point scale{ 1.0, 1.0, 1.0 };
+  Point move{};
+  double angle = 0.0; ///< in radians
+
+  [[nodiscard]] Point operator()(Point x) const;
+  bool operator==(const Transform&) const = default;
+};
+
 /// How a curve's points are distributed.
 enum class Distribution : std::uint8_t
 {
@@ -104,4 +118,26 @@ struct Geometry
 /// runs write it): what several of them have must be the same in each. Throws InvalidData and
 /// Unsupported.
 Geometry ReadGeometry(std::span<const Document* const> session);
+
+/// Adds the vertices, edges, faces and solids of a GEOMETRY to those of other parts of the mesh;
+/// what is there already must be the same.
+void ReadEntities(const Document& document, const pugi::xml_node& geometry,
+  const Transform& transform, Geometry& target);
+
+/// Reads CURVED into the geometry's curves, their points moved as its vertices are, and puts their
+/// numbers into its edges and faces.
+void ReadCurves(const Document& document, const pugi::xml_node& curved, const Transform& transform,
+  Geometry& geometry);
+
+/// Adds the composites of solids and of faces to a geometry whose entities are complete. What
+/// another part of the mesh has of the same composite is joined with it.
+void ReadComposites(const Document& document, const pugi::xml_node& composites, Geometry& geometry);
+
+/// Elements' faces by the numbers that composites know them by; their attributes are still open.
+using FaceOwners = std::unordered_multimap<std::int64_t, BoundaryFace>;
+
+/// Turns a geometry's composites into groups and attributes of the model's elements, which are the
+/// geometry's in its order. `name`: of the mesh, for notes.
+void AddGroups(
+  const Geometry& source, const FaceOwners& owners, const std::string& name, SolverModel& model);
 } // namespace pixelexact::nektar

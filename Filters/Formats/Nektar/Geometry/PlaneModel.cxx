@@ -4,7 +4,7 @@
 #include "Core/Base/Error.h"
 #include "Formats/Assembly.h"
 #include "Formats/Nektar/Geometry/FaceMaps.h"
-#include "Formats/Nektar/Geometry/Groups.h"
+#include "Formats/Nektar/Geometry/Geometry.h"
 
 #include <algorithm>
 #include <array>

@@ -1,14 +1,141 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/Nektar/Homogeneous/FourierLayers.h"
 
+#include "Core/Basis/BasisFactor.h"
+#include "Core/Basis/ModeBound.h"
 #include "Core/Basis/Space.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <numeric>
 
 namespace pixelexact::nektar
 {
+namespace
+{
+/// A bound of |function| on all elements.
+double LargestOf(const SolverExpansion& plane)
+{
+  std::vector<std::vector<double>> bounds;
+  for (const Space& space : plane.spaces)
+  {
+    auto& own = bounds.emplace_back();
+    ForEachMode(
+      space, [&](int p, int q, int r, int /*mode*/) { own.push_back(ModeBound(space, p, q, r)); });
+  }
+  double largest = 0.0;
+  for (std::size_t e = 0; e < plane.spaceOf.size(); ++e)
+  {
+    const auto coefficients = CoefficientsOf(plane, e);
+    double sum = 0.0;
+    for (std::size_t m = 0; m < coefficients.size(); ++m)
+    {
+      sum += std::fabs(coefficients[m]) * bounds[static_cast<std::size_t>(plane.spaceOf[e])][m];
+    }
+    largest = std::max(largest, sum);
+  }
+  return largest;
+}
+
+/// Products of the functions, those of y fastest, at places along z and y, one place after the
+/// other.
+std::vector<double> WavesOf(const FourierLayers* y, const FourierLayers& z)
+{
+  constexpr int kPlaces = 64;
+  constexpr int kPlacesEach = 16;
+  const auto at = [](const FourierLayers& layers, std::size_t f, int k, int places)
+  { return layers.Value(f, layers.Length() * k / places); };
+  std::vector<double> waves;
+  const int placesZ = y != nullptr ? kPlacesEach : kPlaces;
+  for (int k = 0; k < placesZ; ++k)
+  {
+    for (int j = 0; j < (y != nullptr ? kPlacesEach : 1); ++j)
+    {
+      for (std::size_t f = 0; f < z.Functions(); ++f)
+      {
+        const double value = at(z, f, k, placesZ);
+        for (std::size_t g = 0; g < (y != nullptr ? y->Functions() : 1); ++g)
+        {
+          waves.push_back(y != nullptr ? value * at(*y, g, j, kPlacesEach) : value);
+        }
+      }
+    }
+  }
+  return waves;
+}
+
+/// A range of values that are attained in elements' middles; the true one is no smaller.
+double AttainedRange(const HomogeneousField& field, const FourierLayers* y, const FourierLayers& z)
+{
+  constexpr std::size_t kElements = 2000;
+  const std::vector<double> waves = WavesOf(y, z);
+  const std::size_t functions = z.Functions() * (y != nullptr ? y->Functions() : 1);
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  std::vector<double> middle(functions);
+  const SolverExpansion& first = field.planes.front();
+  const std::size_t elements = first.spaceOf.size();
+  for (std::size_t e = 0; e < elements; e += 1 + elements / kElements)
+  {
+    for (std::size_t begin = 0; begin < field.planes.size(); begin += functions)
+    {
+      for (std::size_t f = 0; f < functions; ++f)
+      {
+        const SolverExpansion& plane = field.planes[begin + f];
+        const Space& space = plane.spaces[static_cast<std::size_t>(plane.spaceOf[e])];
+        std::vector<long double> modes(static_cast<std::size_t>(space.Modes()));
+        EvaluateModes(space, { -0.4L, -0.4L, -0.4L }, modes.data());
+        middle[f] = static_cast<double>(
+          std::inner_product(modes.begin(), modes.end(), CoefficientsOf(plane, e).begin(), 0.0L));
+      }
+      for (auto at = waves.begin(); at != waves.end(); at += static_cast<std::ptrdiff_t>(functions))
+      {
+        const double value = std::inner_product(middle.begin(), middle.end(), at, 0.0);
+        low = std::min(low, value);
+        high = std::max(high, value);
+      }
+    }
+  }
+  return high > low ? high - low : 0.0;
+}
+
+/// What polynomials of these orders lose of a field at most, by what is lost along y and z.
+struct Losses
+{
+  double y = 0.0;
+  double z = 0.0;
+};
+
+/// A product f g of functions, none above 1, loses along z what g does, and along y what f does
+/// times the polynomial in place of g, which is at most 1 + g's loss. `largest`: per plane.
+Losses LossesOf(const std::vector<double>& largest, const FourierLayers* y, const FourierLayers& z,
+  const Accuracy& orders)
+{
+  const std::size_t along = y != nullptr ? y->Functions() : 1;
+  Losses worst;
+  double sum = -1.0;
+  for (std::size_t begin = 0; begin < largest.size(); begin += along * z.Functions())
+  {
+    Losses strip;
+    for (std::size_t f = 0; f < along * z.Functions(); ++f)
+    {
+      const double lossZ = z.Loss(f / along, orders.orderZ);
+      strip.z += largest[begin + f] * lossZ;
+      strip.y +=
+        y != nullptr ? largest[begin + f] * (1 + lossZ) * y->Loss(f % along, orders.orderY) : 0.0;
+    }
+    if (strip.y + strip.z > sum)
+    {
+      worst = strip;
+      sum = strip.y + strip.z;
+    }
+  }
+  return worst;
+}
+} // namespace
+
 FourierLayers::FourierLayers(const Periodic& along)
   : Along(along)
 {
@@ -65,5 +192,36 @@ double FourierLayers::Loss(std::size_t function, int order) const
     sum += n > order ? term : 0.0L;
   }
   return static_cast<double>(sum) * (1 + 1e-12);
+}
+
+std::span<const double> CoefficientsOf(const SolverExpansion& expansion, std::size_t e)
+{
+  const Space& space = expansion.spaces[static_cast<std::size_t>(expansion.spaceOf[e])];
+  return { &expansion.coefficients.data[static_cast<std::size_t>(expansion.offset[e])],
+    static_cast<std::size_t>(space.Modes() * expansion.components) };
+}
+
+Accuracy AccuracyOf(const HomogeneousField& field, const FourierLayers* y, const FourierLayers& z)
+{
+  std::vector<double> largest;
+  std::ranges::transform(field.planes, std::back_inserter(largest), &LargestOf);
+  Accuracy found;
+  found.range = AttainedRange(field, y, z);
+  for (;;)
+  {
+    const Losses losses = LossesOf(largest, y, z, found);
+    found.loss = losses.y + losses.z;
+    if (!(found.loss > kHomogeneousLoss * found.range))
+    {
+      return found;
+    }
+    // Where more is lost, more is gained.
+    const bool atY = found.orderZ == kMaxOrder || (losses.y > losses.z && found.orderY < kMaxOrder);
+    if ((atY ? found.orderY : found.orderZ) == kMaxOrder || (atY && y == nullptr))
+    {
+      return found;
+    }
+    ++(atY ? found.orderY : found.orderZ);
+  }
 }
 } // namespace pixelexact::nektar

@@ -3,8 +3,11 @@
 
 #include "Formats/Nektar/Homogeneous/Homogeneous.h"
 
+#include <span>
+
 // Fourier's functions as Legendre's polynomials, layer by layer, by Rayleigh's expansion:
 //   exp(i t x) = sum over n of (2 n + 1) i^n j_n(t) P_n(x),  |j_n(t)| <= t^n / (2 n + 1)!!
+
 namespace pixelexact::nektar
 {
 class FourierLayers
@@ -38,4 +41,20 @@ private:
   int Count = 1;
   std::vector<long double> Bessel; ///< j_n of each function's phase, n to kMaxOrder
 };
+
+/// An element's coefficients.
+std::span<const double> CoefficientsOf(const SolverExpansion& expansion, std::size_t e);
+
+/// How near polynomials come to a field.
+struct Accuracy
+{
+  int orderY = 0;
+  int orderZ = 0;
+  double loss = 0.0;  ///< at most
+  double range = 0.0; ///< at least
+};
+
+/// With orders that are proven to lose no more than kHomogeneousLoss of the range, each the least
+/// that will do, or the highest. `y` is null where the mesh is two-dimensional.
+Accuracy AccuracyOf(const HomogeneousField& field, const FourierLayers* y, const FourierLayers& z);
 } // namespace pixelexact::nektar

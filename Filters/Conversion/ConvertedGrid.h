@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ConvertedGrid_h
+#define ConvertedGrid_h
+
+#include "Conversion/SourceMesh.h"
+#include "Formats/Slab.h"
+#include "PixelExactFiltersModule.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+class vtkDataArray;
+class vtkFieldData;
+class vtkUnstructuredGrid;
+
+namespace pixelexact
+{
+/// Makes `output` a grid of the elements' cells alone, with all points and all data of the input
+/// but without coefficients of any earlier conversion. Arrays are shared where no cell is left out.
+void CopyElements(vtkUnstructuredGrid* input, const SourceMesh& mesh, vtkUnstructuredGrid* output);
+
+/// Whether the grid carries coefficients from a solver's own file, which a conversion from nodal
+/// values could only lose.
+bool HasSolverCoefficients(vtkUnstructuredGrid* grid);
+
+/// The mesh arrays of the last conversion, for the next time step: readers make new points and
+/// cells of the same values. With the arrays, models share the locator (HighOrderModel::From).
+class KeptMesh
+{
+public:
+  KeptMesh();
+  ~KeptMesh();
+
+  /// Adds the arrays to `grid`, whose cell e is element e of `mesh`, and says true if they are what
+  /// a conversion would make of it: the same cells, of the same points, by the fingerprints.
+  bool AddTo(const SourceMesh& mesh, vtkUnstructuredGrid* grid) const;
+
+  /// Keeps the arrays of a grid that was just converted.
+  void Keep(const SourceMesh& mesh, vtkUnstructuredGrid* grid);
+  void Forget();
+
+  /// Lines about the mesh; none: not looked for. Keep and Forget drop them.
+  std::optional<std::vector<std::string>> diagnostics;
+
+private:
+  std::vector<CellKind> Kinds; ///< per element
+  double Roundoff = 0.0;
+  vtkSmartPointer<vtkFieldData> Arrays;
+  vtkSmartPointer<vtkDataArray> Ids;
+  vtkMTimeType Time = 0; ///< of the arrays: nobody is to have changed them
+};
+
+// Where the slab of a plane mesh lies: FieldData PixelExact.Mesh.Slab, double x 2, middle and
+// thickness along z. Absent: the mesh is no plane one.
+
+/// To be called after StoreMesh, which drops what was there.
+void StoreSlab(const Slab& slab, vtkUnstructuredGrid* grid);
+
+/// None also where the array holds what no slab has.
+PIXELEXACTFILTERS_EXPORT std::optional<Slab> SlabOf(vtkUnstructuredGrid* grid);
+} // namespace pixelexact
+#endif

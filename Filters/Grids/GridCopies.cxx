@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Grids/GridCopies.h"
+
+#include "HighOrderArrays.h"
+
+#include "vtkAppendFilter.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace pixelexact
+{
+vtkSmartPointer<vtkUnstructuredGrid> ExtractedCells(
+  vtkUnstructuredGrid* grid, std::span<const vtkIdType> cells)
+{
+  auto extracted = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  const auto count = static_cast<vtkIdType>(cells.size());
+  extracted->AllocateEstimate(count, 8);
+  extracted->GetFieldData()->ShallowCopy(grid->GetFieldData());
+  vtkNew<vtkPoints> points;
+  points->SetDataType(grid->GetPoints()->GetDataType());
+  vtkPointData* pointData = extracted->GetPointData();
+  pointData->CopyAllOn();
+  pointData->CopyAllocate(grid->GetPointData());
+  vtkCellData* cellData = extracted->GetCellData();
+  cellData->CopyAllOn();
+  cellData->CopyAllocate(grid->GetCellData(), count);
+  std::vector<vtkIdType> newPoint(static_cast<std::size_t>(grid->GetNumberOfPoints()), -1);
+  vtkNew<vtkIdList> ids;
+  for (const vtkIdType cell : cells)
+  {
+    grid->GetCellPoints(cell, ids);
+    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+    {
+      const vtkIdType old = ids->GetId(i);
+      vtkIdType& point = newPoint[static_cast<std::size_t>(old)];
+      if (point < 0)
+      {
+        double x[3];
+        grid->GetPoint(old, x);
+        point = points->InsertNextPoint(x);
+        pointData->CopyData(grid->GetPointData(), old, point);
+      }
+      ids->SetId(i, point);
+    }
+    const vtkIdType made = extracted->InsertNextCell(grid->GetCellType(cell), ids);
+    cellData->CopyData(grid->GetCellData(), cell, made);
+  }
+  extracted->SetPoints(points);
+  extracted->Squeeze();
+  return extracted;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> AppendedGrids(
+  std::span<const vtkSmartPointer<vtkUnstructuredGrid>> grids)
+{
+  vtkNew<vtkAppendFilter> append;
+  append->MergePointsOff();
+  int precision = vtkAlgorithm::SINGLE_PRECISION;
+  for (const auto& grid : grids)
+  {
+    append->AddInputData(grid);
+    if (grid->GetPoints() != nullptr && grid->GetPoints()->GetDataType() != VTK_FLOAT)
+    {
+      precision = vtkAlgorithm::DOUBLE_PRECISION;
+    }
+  }
+  // VTK's default is the precision of the first grid.
+  append->SetOutputPointsPrecision(precision);
+  append->Update();
+  return append->GetOutput();
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> WithTruncated(
+  vtkUnstructuredGrid* grid, std::span<const Truncation> truncations)
+{
+  auto output = vtkSmartPointer<vtkUnstructuredGrid>::Take(grid->NewInstance());
+  output->ShallowCopy(grid);
+  for (const Truncation& truncation : truncations)
+  {
+    const Field kept = truncation.Kept();
+    std::vector<Space> spaces;
+    spaces.reserve(static_cast<std::size_t>(kept.values.Elements()));
+    for (int e = 0; e < kept.values.Elements(); ++e)
+    {
+      spaces.push_back(kept.values.SpaceOf(e));
+    }
+    ExpansionArrays arrays;
+    arrays.Allocate(spaces, kept.values.components);
+    arrays.mapping = kept.mapping;
+    // Both lie element by element, component by component.
+    std::ranges::copy(kept.values.coefficients, arrays.coefficients->GetPointer(0));
+    StoreField(output, kept.name, arrays, Origin::Coefficients);
+    output->GetPointData()->RemoveArray(kept.name.c_str());
+    output->GetCellData()->RemoveArray(kept.name.c_str());
+  }
+  return output;
+}
+} // namespace pixelexact
