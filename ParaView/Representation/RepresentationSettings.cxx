@@ -155,6 +155,30 @@ void vtkPixelExactRepresentation::SetContourLabelSize(int size)
 }
 
 //------------------------------------------------------------------------------
+void vtkPixelExactRepresentation::SetContoursOnly(bool only)
+{
+  this->Data->Mapper->SetContoursOnly(only);
+}
+
+//------------------------------------------------------------------------------
+void vtkPixelExactRepresentation::SetContourInterior(bool interior)
+{
+  this->Data->Mapper->SetContourInterior(interior);
+}
+
+//------------------------------------------------------------------------------
+void vtkPixelExactRepresentation::SetEdgesByKind(bool byKind)
+{
+  this->Data->Mapper->SetEdgesByKind(byKind);
+}
+
+//------------------------------------------------------------------------------
+void vtkPixelExactRepresentation::SetSamples(int samples)
+{
+  this->Data->Mapper->SetSamples(samples);
+}
+
+//------------------------------------------------------------------------------
 void vtkPixelExactRepresentation::AskOthersAgain(bool hadLines)
 {
   if (this->Data->HasLines() != hadLines && Internals::HasSeveralProcesses())

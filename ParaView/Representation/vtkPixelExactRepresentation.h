@@ -93,7 +93,7 @@ public:
 
   ///@{
   /**
-   * Contours and edges; see vtkHighOrderMapper.
+   * Contours, edges and samples; see vtkHighOrderMapper.
    */
   void SetContourValue(int i, double value);
   void SetNumberOfContours(int number);
@@ -103,7 +103,11 @@ public:
   void SetContourScalarVisibility(bool visible);
   void SetContourLabels(bool labels);
   void SetContourLabelSize(int size);
+  void SetContoursOnly(bool only);
+  void SetContourInterior(bool interior);
   void SetEdgeVisibility(bool visible);
+  void SetEdgesByKind(bool byKind);
+  void SetSamples(int samples);
   void SetLightFlat(bool light);
   ///@}
 

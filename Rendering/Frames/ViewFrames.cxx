@@ -32,6 +32,18 @@ bool ViewFrame::MayBeCoarse(vtkCamera* camera)
   return camera == Usual;
 }
 
+namespace
+{
+/// Pixels without a colour hide nothing.
+void HideClear(const std::vector<std::uint8_t>& rgba, std::vector<float>& depths)
+{
+  for (std::size_t i = 0; i < depths.size(); ++i)
+  {
+    depths[i] = rgba[4 * i + 3] == 0 ? kNoDepth : depths[i];
+  }
+}
+} // namespace
+
 void ViewFrame::MakeDrawn(const DepthRows& rows)
 {
   const bool moved = DrawnTrace != source.TraceVersion() || Rows != rows;
@@ -42,7 +54,8 @@ void ViewFrame::MakeDrawn(const DepthRows& rows)
   const Frame& frame = *source.LastFrame();
   const std::vector<Layer>& layers = source.LastScene().layers;
   const bool anyTranslucent = std::ranges::any_of(layers, &Layer::translucent);
-  depthsVersion += moved || anyTranslucent ? 1 : 0;
+  const bool linesAlone = source.LastAppearance().contours.only.has_value();
+  depthsVersion += moved || anyTranslucent || linesAlone || LinesAlone ? 1 : 0;
   Rows = rows;
   DrawnTrace = source.TraceVersion();
   drawnVersion = source.Version();
@@ -50,9 +63,14 @@ void ViewFrame::MakeDrawn(const DepthRows& rows)
   if (!anyTranslucent)
   {
     seenThrough.clear();
-    if (moved)
+    if (moved || linesAlone || LinesAlone)
     {
+      LinesAlone = linesAlone;
       WindowDepth(frame.centres, rows, opaque.depths);
+      if (linesAlone)
+      {
+        HideClear(frame.Image(), opaque.depths);
+      }
       if (hasGhosts)
       {
         HideGhosts(frame.centres, *source.Model(), opaque.depths);

@@ -56,6 +56,7 @@ private:
   vtkWeakPointer<vtkCamera> Latest; ///< seen through once; null once it is gone
   DepthRows Rows;
   std::int64_t DrawnTrace = -1;
+  bool LinesAlone = false; ///< the depths are those of contours alone
 };
 
 /// The frames of a mapper: one for each renderer, actor and eye that it is drawn for, so that none

@@ -14,8 +14,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 namespace pixelexact
@@ -99,6 +101,20 @@ bool IsEmpty(vtkScalarsToColors* table)
   return table->GetNumberOfAvailableColors() == 0;
 }
 
+/// Values that have no logarithm get the colour of NaN; VTK gives them that of the lower end.
+ColorMap OfPositive(ColorMap map)
+{
+  return [map = std::move(map)](std::span<const double> values, std::uint8_t* rgba)
+  {
+    std::vector<double> known(values.begin(), values.end());
+    for (double& value : known)
+    {
+      value = value > 0.0 ? value : std::numeric_limits<double>::quiet_NaN();
+    }
+    map(known, rgba);
+  };
+}
+
 class VtkColorTable final : public ColorTable
 {
 public:
@@ -174,13 +190,15 @@ ColorMap ToColorMap(vtkScalarsToColors* table)
   {
     throw Error("the lookup table has no colours");
   }
-  return [keep = vtkSmartPointer<vtkScalarsToColors>(table)](
-           std::span<const double> values, std::uint8_t* rgba)
+  ColorMap map = [keep = vtkSmartPointer<vtkScalarsToColors>(table)](
+                   std::span<const double> values, std::uint8_t* rgba)
   {
     // VTK takes a pointer to non-const but only reads.
     keep->MapScalarsThroughTable2(const_cast<double*>(values.data()), rgba, VTK_DOUBLE,
       static_cast<int>(values.size()), 1, VTK_RGBA);
   };
+  return table->UsingLogScale() != 0 && table->GetRange()[0] > 0.0 ? OfPositive(std::move(map))
+                                                                   : map;
 }
 
 int ComponentOf(vtkScalarsToColors* table, int fieldComponents)

@@ -17,11 +17,11 @@ class vtkScalarsToColors;
 
 namespace pixelexact
 {
-/// VTK's own mapping of every single value: range, log scale (and its treatment of values <= 0),
-/// NaN, below- and above-range colours are the table's. Builds the table; the result keeps it alive
-/// and may be called from several threads as long as nobody changes the table.
-/// Throws Error for a null table, one without colours, and where RequireRange refuses its range;
-/// Unsupported for one that takes vectors for RGB colours.
+/// VTK's own mapping of every single value: range, log scale, NaN, below- and above-range colours
+/// are the table's. With a log scale values that are not above 0 have the colour of NaN. Builds the
+/// table; the result keeps it alive and may be called from several threads as long as nobody
+/// changes the table. Throws Error for a null table, one without colours, and where RequireRange
+/// refuses its range; Unsupported for one that takes vectors for RGB colours.
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT ColorMap ToColorMap(vtkScalarsToColors* table);
 
 /// The same for any range, which the table gets: scalar bars show it. A logarithmic table refuses a

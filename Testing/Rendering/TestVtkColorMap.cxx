@@ -33,7 +33,8 @@ std::vector<double> Values()
   return values;
 }
 
-/// Ours, in chunks from several threads, is what VTK makes of the same values as an array.
+/// Ours, in chunks from several threads, is what VTK makes of the same values as an array; where
+/// scales are logarithmic, of NaN in the place of values that are not above 0.
 void ExpectVtksColors(vtkScalarsToColors* table)
 {
   const std::vector<double> values = Values();
@@ -50,7 +51,8 @@ void ExpectVtksColors(vtkScalarsToColors* table)
   vtkNew<vtkDoubleArray> array;
   for (const double value : values)
   {
-    array->InsertNextValue(value);
+    const bool hasColor = table->UsingLogScale() == 0 || value > 0.0;
+    array->InsertNextValue(hasColor ? value : std::numeric_limits<double>::quiet_NaN());
   }
   const auto vtk = vtkSmartPointer<vtkUnsignedCharArray>::Take(
     table->MapScalars(array, VTK_COLOR_MODE_MAP_SCALARS, 0));

@@ -2,13 +2,23 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any, Optional, Sequence, Union
 
 from vtkmodules.vtkCommonCore import vtkScalarsToColors
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkRenderingCore import vtkActor
 
+from ._appearance import (
+    Clip,
+    Color,
+    Limits,
+    set_clip,
+    set_colors,
+    set_contours,
+    set_edges,
+    set_lights,
+    set_range,
+)
 from ._expressions import FieldName, expression_of
 from ._picture import Cut
 from ._scene import (
@@ -16,15 +26,11 @@ from ._scene import (
     Surface,
     Vector,
     component_of,
-    count_or_values,
-    numbers_of,
     source_of,
     surface_of,
 )
 from ._work import Error, Progress, errors_of
 from .PixelExactRendering import vtkHighOrderMapper, vtkHighOrderSurface
-
-Limits = Union[None, str, Sequence[float]]
 
 
 def _fields_of(source: Any) -> list[str]:
@@ -57,32 +63,6 @@ def field_of(source: Any, field: Optional[FieldName]) -> Optional[str]:
     return name
 
 
-def _set_range(mapper: Any, clim: Limits) -> None:
-    word = clim if isinstance(clim, str) else None  # arrays compare number by number
-    if clim is None or word == "cut":
-        mapper.SetRangeModeToCut()
-    elif word == "field":
-        mapper.SetRangeModeToField()
-    elif (
-        word is not None
-        or len(numbers_of(clim, "clim: 'field', 'cut' or two")) != 2
-        or not -math.inf < float(clim[0]) <= float(clim[1]) < math.inf
-    ):
-        raise ValueError(f"clim: 'field', 'cut' or (lowest, highest), not {clim!r}")
-    else:
-        mapper.SetScalarRange(float(clim[0]), float(clim[1]))
-
-
-def _set_colors(mapper: Any, cmap: Union[str, vtkScalarsToColors]) -> None:
-    if isinstance(cmap, vtkScalarsToColors):
-        mapper.SetLookupTable(cmap)
-        return
-    with errors_of([mapper], "SetColorMap: ") as complaints:
-        mapper.SetColorMap(cmap)
-    if complaints:
-        raise ValueError(f"cmap: {complaints[0]}")
-
-
 def _bar_of(mapper: Any, title: str) -> Any:
     bar = vtkScalarBarActor()
     bar.SetLookupTable(mapper.GetLookupTable())
@@ -108,8 +88,21 @@ def cut(
     component: Union[int, str, None] = None,
     clim: Limits = None,
     cmap: Union[str, vtkScalarsToColors] = "viridis",
+    color: Optional[Color] = None,
+    log: bool = False,
+    lights: str = "curved",
+    samples: int = 1,
     contours: Union[int, Sequence[float], None] = None,
+    contour_width: float = 1.5,
+    contour_color: Union[str, Color] = (0.0, 0.0, 0.0),
+    contour_labels: Union[bool, int, None] = None,
+    contours_only: bool = False,
     edges: Union[bool, float] = False,
+    edge_color: Color = (0.0, 0.0, 0.0),
+    edges_by_kind: bool = False,
+    outlines: bool = False,
+    outline_color: Color = (0.0, 0.0, 0.0),
+    clip: Clip = None,
     opacity: float = 1.0,
     progress: Progress = None,
 ) -> Cut:
@@ -124,10 +117,21 @@ def cut(
         and is 0 on the surface.
     component: of vectors: None or "magnitude", "x", "y", "z", a number from 0.
     clim: "cut" (None): of what a view shows, found anew for each view; "field": proven to hold all
-        values of the field over the mesh, the same from wherever one looks; (low, high).
-    cmap: viridis, inferno, plasma, coolwarm, jet, rainbow, grayscale, or a vtkScalarsToColors.
+        values of the field over the mesh, the same from wherever one looks; "symmetric" and
+        "symmetric-field": as far to both sides of 0; "1%,99%": percentiles; (low, high).
+    cmap: viridis, inferno, plasma, coolwarm, jet, rainbow, grayscale, or a vtkScalarsToColors. log:
+        colours by the logarithm of the value. color: (r, g, b) from 0 to 1 in the place of the map's.
+    lights: "curved": a light from the eye shines on curved surfaces; "on": on all; "off": on none.
+        samples: samples in pixels that are not of one colour.
     contours: how many, so many round values strictly inside the range of the colours; or a list
-        of values ([1] is the value 1). edges: lines between elements, True or their width in pixels.
+        of values ([1] is the value 1). contour_width: pixels. contour_color: (r, g, b), or "map": the
+        value's. contour_labels: True or the height of letters in pixels. contours_only: without the
+        colours of the surface.
+    edges: lines between elements, True (1.5 pixels) or their width in pixels. edge_color: (r, g, b).
+        edges_by_kind: by what lies behind the face. outlines: paint the pixels in which elements meet,
+        in outline_color.
+    clip: planes, each six numbers (a point and a normal) or a vtkPlane; what the normals point to
+        stays.
 
     Raises Error, TypeError or ValueError, which name what is wrong.
     """
@@ -138,22 +142,24 @@ def cut(
     if name is not None:
         mapper.SetFieldName(name)
     mapper.SetComponent(component_of(component))
-    _set_colors(mapper, cmap)
     shape = surface_of(surface, mapper.GetBounds(), normal, origin)
     if isinstance(shape, vtkHighOrderSurface):
         mapper.SetSurface(shape)
     else:
         mapper.SetCutFunction(shape)
-    _set_range(mapper, clim)
     actor = vtkActor()
     actor.SetMapper(mapper)
     actor.GetProperty().SetOpacity(opacity)
-    if edges:
-        actor.GetProperty().EdgeVisibilityOn()
-        actor.GetProperty().SetLineWidth(1.0 if edges is True else numbers_of(edges, "edges")[0])
-    count, values = count_or_values(contours)
-    mapper.SetContourCount(count)
-    for i, value in enumerate(values):
-        mapper.SetContourValue(i, value)
+    set_colors(mapper, actor, cmap, color, log)
+    set_range(mapper, clim)
+    set_lights(mapper, actor, lights)
+    set_edges(mapper, actor, edges, edge_color, edges_by_kind, outlines, outline_color)
+    set_contours(
+        mapper, contours, contour_width, contour_color, contour_labels, contours_only
+    )
+    set_clip(mapper, clip)
+    if not 1 <= samples <= 1024:
+        raise ValueError(f"samples: from 1 to 1024, not {samples!r}")
+    mapper.SetSamples(samples)
     bar = _bar_of(mapper, name or (_fields_of(source) or [""])[0])
     return Cut(actor, bar, mapper, shape)
