@@ -73,7 +73,7 @@ class LinesAlone(unittest.TestCase):
         view = {"case": "toroid_hex_g3_p6", "field": "u", "size": [64, 48], "contours": 5,
                 "layers": [{"surface": ["plane", 0, 0, 0.1, 0, 0, 1]}], "camera": {"view": "+z"}}
         ball = vtkSphereSource()
-        ball.SetCenter(1, 0, -2)
+        ball.SetCenter(1.4, 0, -2)
         ball.SetRadius(0.2)
         mapper = vtkPolyDataMapper()
         mapper.SetInputConnection(ball.GetOutputPort())
@@ -88,7 +88,7 @@ class LinesAlone(unittest.TestCase):
             _, seen = faces.in_a_window(view, actor, camera, behind)
             red[alone] = int((seen[:, :3] == (255, 0, 0)).all(axis=1).sum())
         self.assertEqual(red[False], 0)
-        self.assertGreater(red[True], 8)
+        self.assertGreater(red[True], 5)
 
 
 def _differences(wanted, found):
