@@ -12,6 +12,7 @@ sys.path.insert(0, str(Path(__file__).parents[1] / "Tools"))
 
 import faces  # noqa: E402
 import views  # noqa: E402
+import options  # noqa: E402
 from tool import ToolTest, case, read_buffers  # noqa: E402
 
 NO_LAYER = 255
@@ -21,7 +22,7 @@ BUFFERS = ("Value", "Position", "Verdict", "Contour", "Layer", "Color")
 class Views(ToolTest):
     def by_tool(self, view):
         buffers = self.folder / "b.vti"
-        self.succeeds("render", case(view["case"]), *faces.words_of(view), "--buffers", buffers,
+        self.succeeds("render", case(view["case"]), *options.options_of(view), "--buffers", buffers,
                       "--output", self.folder / "i.png")
         return {name: array.reshape(-1, *array.shape[2:]) for name, array in read_buffers(buffers).items()}
 
