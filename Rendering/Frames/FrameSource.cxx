@@ -213,7 +213,7 @@ const Frame& FrameSource::Render(const FrameRequest& request, const Progress& pr
   }
   catch (...)
   {
-    // A frame that is not the one asked for must look like it.
+    // A frame that is not the one asked for must not look like it.
     DropFrame();
     throw;
   }

@@ -269,6 +269,8 @@ class Expressions(ToolTest):
             (["--range", "field"], ["proven ranges", "'2*u'"]),
         ]:
             self.fails(1, *base, *options, names=names)
+        for options in (["--precision", "float"], ["--layer", "1:precision=float"]):
+            self.fails(2, *base, *options, names=["'2*u'", "double precision", "leave it out"])
 
     def test_places_are_those_asked_for(self):
         found = self.probe("min(x, y)", "--enclosures")

@@ -117,6 +117,12 @@ Layer MakeLayer(const ShotOptions& options, const LayerSettings& settings,
       (components == 1 ? " component" : " components") + ", counted from 0");
   }
   layer.precision = settings.precision.value_or(options.precision);
+  if (layer.precision == Precision::Float && field.function != nullptr)
+  {
+    throw UsageError((settings.precision ? "--layer: precision=float" : "--precision float") +
+      std::string(": values of the expression '") + field.name +
+      "' are computed in double precision; leave it out");
+  }
   layer.translucent = settings.opacity < 1.0;
   return layer;
 }

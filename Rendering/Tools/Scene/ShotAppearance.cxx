@@ -48,9 +48,10 @@ bool IsLit(const Shot& shot, std::size_t layer)
 class OptionTable final : public ColorTable
 {
 public:
-  OptionTable(const ColorOptions& colors, std::optional<std::string> map)
+  OptionTable(const ColorOptions& colors, std::optional<std::string> map, std::string field)
     : Colors(colors)
     , Map(std::move(map))
+    , Field(std::move(field))
   {
   }
 
@@ -58,8 +59,8 @@ public:
   {
     if (IsLogarithmic() && !(range[0] > 0.0))
     {
-      throw Error("--log needs values above 0, and the range found begins at " + Short(range[0]) +
-        "; choose --range cut or --range a,b");
+      throw Error("--range field: field '" + Field + "' is only proven to be above " +
+        Short(range[0]) + ", and --log needs values above 0; choose --range cut or --range a,b");
     }
     return Colors.MapOver(range, Map);
   }
@@ -77,6 +78,7 @@ public:
 private:
   const ColorOptions& Colors;
   std::optional<std::string> Map;
+  std::string Field; ///< its name, for messages
 };
 
 /// The first layer that shows the same values in a range that is found, too; its own number where
@@ -113,9 +115,9 @@ LayerAppearance AppearanceOfLayer(
 {
   const LayerSettings& settings = shot.settings[layer];
   LayerAppearance appearance;
-  if (shot.scene.layers[layer].field != nullptr)
+  if (const Field* field = shot.scene.layers[layer].field)
   {
-    appearance.table = std::make_shared<OptionTable>(colors, settings.colormap);
+    appearance.table = std::make_shared<OptionTable>(colors, settings.colormap, field->name);
   }
   appearance.range = settings.range.value_or(colors.Range());
   if (const auto solid = SolidOf(colors, shot.scene.layers[layer], settings))
