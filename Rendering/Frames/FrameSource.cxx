@@ -112,9 +112,9 @@ Pipeline FrameSource::TracingPipeline()
 void FrameSource::BeginFrame(Buffer buffers)
 {
   TheBuffers = buffers;
-  const Pipeline pipeline = TracingPipeline();
   // Corners are kept, so that other contours trace nothing.
-  Passes.emplace(TheScene, Traced->camera.Make(), pipeline, buffers, pipeline.Needs().corners,
+  const Buffer corners = ThePainter->MakePipeline().Needs().corners;
+  Passes.emplace(TheScene, Traced->camera.Make(), TracingPipeline(), buffers, corners,
     std::exchange(Spare, {}));
   Shown.reset();
   Complete = false;

@@ -80,7 +80,9 @@ void Painter::MakeContours(const Appearance& appearance, const Scene& scene,
   {
     values.push_back(resolved.layers[k].contours);
     colors.push_back(resolved.layers[k].contourColors);
-    style.curved = style.curved || (!values.back().empty() && !scene.layers[k].surface->IsFlat());
+    // Also where the values are not known yet: what is traced for them is the same.
+    const bool any = appearance.layers[k].contours.Any();
+    style.curved = style.curved || (any && !scene.layers[k].surface->IsFlat());
   }
   TheLabels = HasLabels(appearance, scene) ? appearance.contours.labels : std::nullopt;
   style.onSheet = appearance.bySheets && HasTranslucent(scene);
