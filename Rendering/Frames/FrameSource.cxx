@@ -114,8 +114,8 @@ void FrameSource::BeginFrame(Buffer buffers)
   TheBuffers = buffers;
   // Corners are kept, so that other contours trace nothing.
   const Buffer corners = ThePainter->MakePipeline().Needs().corners;
-  Passes.emplace(TheScene, Traced->camera.Make(), TracingPipeline(), buffers, corners,
-    std::exchange(Spare, {}));
+  Passes.emplace(
+    TheScene, Traced->camera.Make(), TracingPipeline(), buffers, corners, std::exchange(Spare, {}));
   Shown.reset();
   Complete = false;
 }

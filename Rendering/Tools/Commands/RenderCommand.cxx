@@ -86,12 +86,13 @@ void Render(RenderOptions options, const CommonOptions& common)
   WarnOf(shot, drawn.GetFrame(), found);
   if (common.json)
   {
-    PrintJson(shot, drawn.GetFrame(), found, drawn.GetAppearance(), drawn.Debug(), command, stopwatch);
+    PrintJson(
+      shot, drawn.GetFrame(), found, drawn.GetAppearance(), drawn.Debug(), command, stopwatch);
   }
   else
   {
-    PrintTable(shot, drawn.GetFrame(), found, drawn.GetAppearance(), drawn.Debug(), command, stopwatch,
-      std::ranges::any_of(outputs, IsStandardStream));
+    PrintTable(shot, drawn.GetFrame(), found, drawn.GetAppearance(), drawn.Debug(), command,
+      stopwatch, std::ranges::any_of(outputs, IsStandardStream));
   }
 }
 } // namespace

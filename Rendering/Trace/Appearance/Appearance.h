@@ -12,8 +12,8 @@
 #include <optional>
 #include <vector>
 
-// How a scene is drawn, as rules. Resolve turns the rules into numbers, and a Painter draws them. The
-// tool, Python, the mappers and ParaView fill in these structs.
+// How a scene is drawn, as rules. Resolve turns the rules into numbers, and a Painter draws them.
+// The tool, Python, the mappers and ParaView fill in these structs.
 namespace pixelexact
 {
 class FaceTable;

@@ -29,9 +29,9 @@ struct Drawn
 class Painter
 {
 public:
-  /// `scene`, `resolved`: those of the appearance. `bounds`: bounds of the fields that contours keep
-  /// between frames; null: they are computed for each frame. Throws Error for values and widths that
-  /// cannot be drawn.
+  /// `scene`, `resolved`: those of the appearance. `bounds`: bounds of the fields that contours
+  /// keep between frames; null: they are computed for each frame. Throws Error for values and
+  /// widths that cannot be drawn.
   Painter(const Appearance& appearance, const Scene& scene, const ResolvedAppearance& resolved,
     std::shared_ptr<ContourBounds> bounds = nullptr);
   Painter(const Painter&) = delete;
@@ -66,8 +66,8 @@ private:
   std::optional<int> TheLabels;
 };
 
-/// The buffers of centres that Resolve, a Painter and labels read. `afterwards`: the frame is painted
-/// in a second pass, and keeps the buffers that make this pass faster.
+/// The buffers of centres that Resolve, a Painter and labels read. `afterwards`: the frame is
+/// painted in a second pass, and keeps the buffers that make this pass faster.
 [[nodiscard]] Buffer NeedsOf(
   const Appearance& appearance, const Scene& scene, bool afterwards = true);
 } // namespace pixelexact
