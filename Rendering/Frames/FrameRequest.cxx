@@ -2,7 +2,10 @@
 #include "Frames/FrameRequest.h"
 
 #include "HighOrderModel.h"
+#include "Trace/Surfaces/Plane.h"
 #include "Views/VtkColorMap.h"
+
+#include "vtkScalarsToColors.h"
 
 #include <algorithm>
 #include <utility>
@@ -32,6 +35,29 @@ int ComponentOf(const LayerRequest& layer, const Field& field)
   RequireComponent(field, component);
   // A scalar has no other.
   return component == kMagnitude && field.values.components == 1 ? 0 : component;
+}
+
+TraceKey TraceKeyOf(const FrameRequest& request)
+{
+  TraceKey key{ {}, request.kept, request.camera, request.stride };
+  for (const LayerRequest& layer : request.layers)
+  {
+    const Field* const field = FieldOf(layer, *request.model);
+    const int component = field != nullptr ? ComponentOf(layer, *field) : 0;
+    if (layer.table != nullptr)
+    {
+      // Before that it does not know whether its colours are opaque.
+      layer.table->Build();
+    }
+    // Nothing is behind a plane that is alone.
+    const bool alone =
+      request.layers.size() == 1 && dynamic_cast<const Plane*>(layer.surface.get()) != nullptr;
+    const bool seenThrough = !alone &&
+      (request.translucent || layer.appearance.opacity < 1.0 ||
+        (layer.table != nullptr && layer.table->IsOpaque() == 0));
+    key.layers.push_back({ layer.surface, layer.field, component, layer.precision, seenThrough });
+  }
+  return key;
 }
 
 Appearance AppearanceOf(const FrameRequest& request, const Scene& scene)

@@ -3,6 +3,7 @@
 
 #include "Trace/Appearance/Appearance.h"
 #include "Trace/Appearance/Resolve.h"
+#include "Trace/Scene.h"
 #include "Views/FieldChoice.h"
 #include "Views/VtkCamera.h"
 
@@ -68,6 +69,33 @@ struct FrameRequest
   /// Error with what is of each pixel: contours, edges.
   int stride = 1;
 };
+
+/// What of a layer rays depend on.
+struct TracedLayer
+{
+  // Kept alive, so that no other surface can have its address.
+  std::shared_ptr<const Surface> surface;
+  FieldChoice field;
+  int component = 0;
+  Precision precision = Precision::Double;
+  bool translucent = false;
+
+  bool operator==(const TracedLayer&) const = default;
+};
+
+/// What a frame's rays depend on: where it stays the same, nothing is traced.
+struct TraceKey
+{
+  std::vector<TracedLayer> layers;
+  std::vector<KeptHalfSpace> kept;
+  CameraSetup camera;
+  int stride = 1;
+
+  bool operator==(const TraceKey&) const = default;
+};
+
+/// Of a request with a model. Throws Error where that lacks a field or a component.
+[[nodiscard]] TraceKey TraceKeyOf(const FrameRequest& request);
 
 /// How the request's layers are shown, as those of `scene`, which is made of them.
 [[nodiscard]] Appearance AppearanceOf(const FrameRequest& request, const Scene& scene);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Frames/FrameKeys.h"
 #include "Frames/FrameRequest.h"
 #include "PixelExactRenderingModule.h"
 #include "Trace/Appearance/Painter.h"

@@ -137,6 +137,11 @@ TEST(Appearance, LogarithmsCountValuesAboveZero)
     layer.table = std::make_shared<GreyTable>(true);
   }
   EXPECT_EQ(made.RangeOf(0), (Ends{ 0.125, 2.0 }));
+  // A range that is not above 0: the table keeps its own.
+  made.appearance.layers[1].range = { RangeRule::Of::Ends, { -1.0, 2.0 } };
+  made.appearance.layers[1].contours.count = 1;
+  EXPECT_EQ(Resolve(made.appearance, made.scene, &made.frame, made.fields).layers[1].contours,
+    RoundValues(1, { 3.0, 4.0 }, true));
 }
 
 TEST(Appearance, WithoutValuesTheRangeIsThatOfTheTable)

@@ -292,7 +292,7 @@ std::optional<int> ContourOptions::Labels() const
   return LabelHeight ? std::optional(static_cast<int>(*LabelHeight)) : std::nullopt;
 }
 
-ContourAppearance ContourOptions::Look(const Rgba& background) const
+ContourAppearance ContourOptions::MakeAppearance(const Rgba& background) const
 {
   return { Style(), HowTold(), Labels(), TheOnly ? std::optional(background) : std::nullopt };
 }

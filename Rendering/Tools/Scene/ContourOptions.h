@@ -48,7 +48,7 @@ public:
   /// The height of labels in pixels; none: no labels.
   [[nodiscard]] std::optional<int> Labels() const;
   /// `background`: the colour in the place of the surface's, with Only.
-  [[nodiscard]] ContourAppearance Look(const Rgba& background) const;
+  [[nodiscard]] ContourAppearance MakeAppearance(const Rgba& background) const;
 
 private:
   void ReadColors(const std::string& text);

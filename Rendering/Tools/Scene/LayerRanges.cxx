@@ -5,16 +5,11 @@
 #include "Base/Numbers.h"
 #include "Base/Options.h"
 #include "Base/Report.h"
-#include "Scene/Shot.h"
-
-#include "Core/Base/Error.h"
-#include "Trace/Appearance/FieldRange.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 namespace pixelexact

@@ -52,8 +52,8 @@ struct ShotOptions
   std::vector<double> edgeColor{ 0.0, 0.0, 0.0 };
   bool edgesByKind = false;
   bool outlines = false;
-  std::vector<std::vector<double>>
-    clip; ///< planes, of which the side that normals point to is kept
+  /// Planes: a point and a normal, which points to the side that is kept.
+  std::vector<std::vector<double>> clip;
   std::vector<double> outlineColor{ 0.0, 0.0, 0.0 };
   /// Points that a camera which was not placed must see beside the cut, with the view so far;
   /// empty: none.

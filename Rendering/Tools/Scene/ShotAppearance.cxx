@@ -157,7 +157,7 @@ Appearance AppearanceOf(
   }
   if (appearance.HasContours())
   {
-    appearance.contours = contours->Look(colors.BackgroundColor());
+    appearance.contours = contours->MakeAppearance(colors.BackgroundColor());
   }
   return appearance;
 }

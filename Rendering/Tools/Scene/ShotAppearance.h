@@ -3,7 +3,6 @@
 
 #include "Trace/Appearance/Painter.h"
 
-#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -29,7 +28,7 @@ public:
   ShotAppearance(const ShotAppearance&) = delete;
   ShotAppearance& operator=(const ShotAppearance&) = delete;
 
-  [[nodiscard]] const Appearance& Look() const { return TheAppearance; }
+  [[nodiscard]] const Appearance& GetAppearance() const { return TheAppearance; }
   [[nodiscard]] const ResolvedAppearance& Resolved() const { return TheResolved; }
   [[nodiscard]] Painter& GetPainter() { return *Paints; }
   [[nodiscard]] const Painter& GetPainter() const { return *Paints; }

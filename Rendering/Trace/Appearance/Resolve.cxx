@@ -167,8 +167,11 @@ struct Resolver
   {
     const LayerAppearance& asked = appearance.layers[layer];
     const Field& field = *scene.layers[layer].field;
-    std::vector<double> values =
-      RoundValues(asked.contours.count, range, asked.table->IsLogarithmic());
+    const bool logarithmic = asked.table->IsLogarithmic();
+    // A table that cannot have the range keeps its own.
+    const bool refused = logarithmic && !(range[0] > 0.0);
+    std::vector<double> values = RoundValues(
+      asked.contours.count, refused ? asked.table->RangeOfNothing() : range, logarithmic);
     const ValueRange seen = ValuesSeen(*frame, layer);
     if (seen && IsOneValue(field, *seen))
     {
