@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHighOrderMapper.h"
 
+#include "Frames/ContourLabels.h"
 #include "Frames/FrameDrawer.h"
 #include "Frames/FramePick.h"
 #include "Frames/FramePicture.h"
@@ -48,59 +49,63 @@ struct vtkHighOrderMapper::Internals
 {
   pixelexact::FrameDrawer Drawer;
   pixelexact::RenderLater Later;
-  pixelexact::FrameSourceCounters PickCounters;
-  pixelexact::FrameSource Picks{ PickCounters }; ///< of pixels apart from frames
+  pixelexact::RenderCounters PickCounters;
+  pixelexact::Renderer Picks{ PickCounters }; ///< of pixels apart from frames
   vtkSmartPointer<vtkImageData> Buffers;
   std::int64_t BuffersVersion = -1; ///< of the frame that Buffers hold
   std::array<double, 2> SeenRange;
 
-  std::optional<std::size_t> TableLayer; ///< of the last request: one that reads the mapper's table
+  std::optional<std::size_t> TableLayer; ///< of the last view: one that reads the mapper's table
 
-  pixelexact::FrameRequest Request(vtkHighOrderMapper* self, vtkActor* actor);
+  /// All that mapper and actor determine of a view.
+  pixelexact::View ViewOf(vtkHighOrderMapper* self, vtkActor* actor);
   [[nodiscard]] pixelexact::RangeRule RuleOf(
     vtkHighOrderMapper* self, vtkScalarsToColors* table) const;
   /// That the mapper's table got.
-  [[nodiscard]] pixelexact::ValueRange RangeIn(const pixelexact::FrameSource& source) const;
+  [[nodiscard]] pixelexact::ValueRange RangeIn(const pixelexact::Renderer& frames) const;
   pixelexact::ContourCounters CountContours();
 };
 
 //------------------------------------------------------------------------------
-pixelexact::FrameRequest vtkHighOrderMapper::Internals::Request(
-  vtkHighOrderMapper* self, vtkActor* actor)
+pixelexact::View vtkHighOrderMapper::Internals::ViewOf(vtkHighOrderMapper* self, vtkActor* actor)
 {
-  pixelexact::FrameRequest request;
+  pixelexact::View view;
+  pixelexact::Appearance& appearance = view.appearance;
   pixelexact::RequireFieldColors(self);
-  request.model = Drawer.ModelOf(pixelexact::MapperExecutive::InputOf(self));
-  request.ranges = Drawer.Ranges();
-  request.appearance.contours = self->AppearanceOfContours();
-  request.appearance.edges = pixelexact::EdgesOf(actor->GetProperty());
-  if (request.appearance.edges && self->EdgesByKind)
+  const auto& model = Drawer.ModelOf(pixelexact::MapperExecutive::InputOf(self));
+  view.data = model;
+  view.scene.locator = &model->GetLocator();
+  appearance.contours = self->AppearanceOfContours();
+  appearance.edges = pixelexact::EdgesOf(actor->GetProperty());
+  if (appearance.edges && self->EdgesByKind)
   {
-    request.appearance.edges = pixelexact::EdgeStyle::ByKind(request.appearance.edges->width);
-    request.edgesByKind = true;
+    appearance.edges = pixelexact::EdgeStyle::ByKind(appearance.edges->width);
+    appearance.faces = &model->Faces();
   }
-  request.appearance.samples = self->Samples;
+  appearance.samples = self->Samples;
   if (self->Outlines)
   {
-    request.appearance.outlines = pixelexact::ToRgba(self->OutlineColor);
+    appearance.outlines = pixelexact::ToRgba(self->OutlineColor);
   }
   pixelexact::LayerRequest ofAll = pixelexact::LayerOf(self, actor->GetProperty());
   ofAll.appearance.contours = self->ContoursOfAll();
   std::copy_n(self->UnknownColor, 4, ofAll.appearance.unknown.begin());
-  self->GetScene().AddLayers(self, ofAll, Drawer.Surfaces(), request);
   TableLayer.reset();
-  for (std::size_t k = 0; k < request.layers.size(); ++k)
+  for (pixelexact::LayerRequest& layer :
+    self->GetScene().MakeLayers(self, ofAll, model, Drawer.Surfaces()))
   {
-    pixelexact::LayerRequest& layer = request.layers[k];
-    vtkScalarsToColors* const table = pixelexact::TableOf(layer);
-    if (table == nullptr)
+    if (vtkScalarsToColors* const table = pixelexact::TableOf(layer))
     {
-      continue;
+      layer.appearance.range = this->RuleOf(self, table);
+      TableLayer = table == self->GetLookupTable() ? view.scene.layers.size() : TableLayer;
     }
-    layer.appearance.range = this->RuleOf(self, table);
-    TableLayer = table == self->GetLookupTable() ? k : TableLayer;
+    pixelexact::AddLayer(layer, *model, view);
   }
-  return request;
+  if (appearance.HasContours() && appearance.contours.labels)
+  {
+    pixelexact::RequireLabelSize(*appearance.contours.labels);
+  }
+  return view;
 }
 
 //------------------------------------------------------------------------------
@@ -134,18 +139,18 @@ pixelexact::RangeRule vtkHighOrderMapper::Internals::RuleOf(
 
 //------------------------------------------------------------------------------
 pixelexact::ValueRange vtkHighOrderMapper::Internals::RangeIn(
-  const pixelexact::FrameSource& source) const
+  const pixelexact::Renderer& frames) const
 {
-  const std::vector<pixelexact::ResolvedLayer>& layers = source.LastResolved().layers;
+  const std::vector<pixelexact::ResolvedLayer>& layers = frames.LastResolved().layers;
   return TableLayer && *TableLayer < layers.size() ? layers[*TableLayer].range : std::nullopt;
 }
 
 //------------------------------------------------------------------------------
 pixelexact::ContourCounters vtkHighOrderMapper::Internals::CountContours()
 {
-  pixelexact::FrameSource* source = Drawer.LastSource();
+  pixelexact::Renderer* frames = Drawer.LastRenderer();
   const pixelexact::ContourCertifier* contours =
-    source != nullptr ? source->LastContours() : nullptr;
+    frames != nullptr ? frames->LastContours() : nullptr;
   return contours != nullptr ? contours->Counters() : pixelexact::ContourCounters{};
 }
 
@@ -207,23 +212,23 @@ void vtkHighOrderMapper::SetFieldName(const char* name)
 //------------------------------------------------------------------------------
 vtkIdType vtkHighOrderMapper::GetNumberOfNumericHits()
 {
-  pixelexact::FrameSource* source = this->Data->Drawer.LastSource();
-  const pixelexact::Frame* frame = source != nullptr ? source->LastFrame() : nullptr;
+  pixelexact::Renderer* frames = this->Data->Drawer.LastRenderer();
+  const pixelexact::Frame* frame = frames != nullptr ? frames->LastFrame() : nullptr;
   return frame != nullptr ? frame->counters.numericHits : 0;
 }
 
 //------------------------------------------------------------------------------
 bool vtkHighOrderMapper::IsFrameComplete()
 {
-  const pixelexact::FrameSource* source = this->Data->Drawer.LastSource();
-  return source != nullptr && source->IsComplete();
+  const pixelexact::Renderer* frames = this->Data->Drawer.LastRenderer();
+  return frames != nullptr && frames->IsComplete();
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkHighOrderMapper::GetNumberOfUnknownPixels()
 {
-  pixelexact::FrameSource* source = this->Data->Drawer.LastSource();
-  const pixelexact::Frame* frame = source != nullptr ? source->LastFrame() : nullptr;
+  pixelexact::Renderer* frames = this->Data->Drawer.LastRenderer();
+  const pixelexact::Frame* frame = frames != nullptr ? frames->LastFrame() : nullptr;
   return frame != nullptr ? frame->counters.unknown : 0;
 }
 
@@ -272,13 +277,13 @@ void vtkHighOrderMapper::SetScalarRange(double lower, double upper)
 //------------------------------------------------------------------------------
 double* vtkHighOrderMapper::GetSeenRange()
 {
-  const pixelexact::FrameSource* source = this->Data->Drawer.LastSource();
-  const pixelexact::Frame* frame = source != nullptr ? source->LastFrame() : nullptr;
+  const pixelexact::Renderer* frames = this->Data->Drawer.LastRenderer();
+  const pixelexact::Frame* frame = frames != nullptr ? frames->LastFrame() : nullptr;
   const std::optional<std::size_t> layer = this->Data->TableLayer;
-  const bool any = frame != nullptr && layer && *layer < source->LastAppearance().layers.size();
+  const bool any =
+    frame != nullptr && layer && *layer < frames->LastView().appearance.layers.size();
   this->Data->SeenRange =
-    (any ? pixelexact::RangeSeen(source->LastAppearance(), source->LastScene(), *frame, *layer)
-         : std::nullopt)
+    (any ? pixelexact::RangeSeen(frames->LastView(), *frame, *layer) : std::nullopt)
       .value_or(std::array{ 1.0, -1.0 });
   return this->Data->SeenRange.data();
 }
@@ -343,11 +348,11 @@ double* vtkHighOrderMapper::GetBounds()
 vtkImageData* vtkHighOrderMapper::GetBuffers()
 {
   Internals& data = *this->Data;
-  pixelexact::FrameSource* source = data.Drawer.LastSource();
+  pixelexact::Renderer* frames = data.Drawer.LastRenderer();
   const pixelexact::Frame* frame = nullptr;
   try
   {
-    frame = source != nullptr ? source->FrameWithAllBuffers() : nullptr;
+    frame = frames != nullptr ? frames->FrameWithAllBuffers() : nullptr;
   }
   catch (const pixelexact::Error& error)
   {
@@ -358,10 +363,10 @@ vtkImageData* vtkHighOrderMapper::GetBuffers()
     data.Buffers = nullptr;
     return nullptr;
   }
-  if (data.Buffers == nullptr || data.BuffersVersion != source->Version())
+  if (data.Buffers == nullptr || data.BuffersVersion != frames->Version())
   {
-    data.Buffers = pixelexact::ToImageData(*source, *frame);
-    data.BuffersVersion = source->Version();
+    data.Buffers = pixelexact::ToImageData(*frames, *data.Drawer.LastModel(), *frame);
+    data.BuffersVersion = frames->Version();
   }
   return data.Buffers;
 }
@@ -436,28 +441,29 @@ void vtkHighOrderMapper::RenderPart(int part, vtkRenderer* renderer, vtkActor* a
     {
       throw pixelexact::Error("nothing to cut with: call SetCutFunction, SetSurface or AddLayer");
     }
-    pixelexact::FrameRequest request = this->Data->Request(this, actor);
-    if (request.layers.empty())
+    const pixelexact::View view = this->Data->ViewOf(this, actor);
+    if (view.scene.layers.empty())
     {
       drawer.DropFrame(renderer, actor);
       return;
     }
+    pixelexact::RenderWork work{ .ranges = drawer.Ranges() };
     if (renderer->GetSelector() != nullptr)
     {
-      drawer.Select(request, renderer, actor, this, progress);
+      drawer.Select(view, work, renderer, actor, this, progress);
       return;
     }
     // The opaque phase of the same picture has done that.
-    request.refine = drawn != pixelexact::FramePart::Translucent || !this->HasOpaqueGeometry();
-    request.seconds = this->SecondsToTrace(window);
-    drawer.Draw(request, drawn, renderer, actor, this, progress);
-    this->TakeRange(*drawer.LastSource());
-    this->TakeContours(*drawer.LastSource());
+    work.refine = drawn != pixelexact::FramePart::Translucent || !this->HasOpaqueGeometry();
+    work.seconds = this->SecondsToTrace(window);
+    drawer.Draw(view, work, drawn, renderer, actor, this, progress);
+    this->TakeRange(*drawer.LastRenderer());
+    this->TakeContours(*drawer.LastRenderer());
     this->Warn(renderer, actor);
     if (this->GetNumberOfTraces() != traces)
     {
       this->UpdateProgress(1.0);
-      this->TimeToDraw = drawer.LastSource()->LastFrame()->counters.seconds;
+      this->TimeToDraw = drawer.LastRenderer()->LastFrame()->counters.seconds;
     }
     if (this->StillSeconds > 0.0 && window->GetDesiredUpdateRate() < 1.0 &&
       !this->IsFrameComplete())
@@ -486,34 +492,34 @@ double vtkHighOrderMapper::SecondsToTrace(vtkRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-void vtkHighOrderMapper::TakeRange(const pixelexact::FrameSource& source)
+void vtkHighOrderMapper::TakeRange(const pixelexact::Renderer& frames)
 {
   // Nothing is modified: the range follows from what was.
-  if (const pixelexact::ValueRange range = this->Data->RangeIn(source))
+  if (const pixelexact::ValueRange range = this->Data->RangeIn(frames))
   {
     std::copy(range->begin(), range->end(), this->ScalarRange);
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkHighOrderMapper::TakeContours(const pixelexact::FrameSource& source)
+void vtkHighOrderMapper::TakeContours(const pixelexact::Renderer& frames)
 {
-  const pixelexact::ContourCertifier* contours = source.LastContours();
+  const pixelexact::ContourCertifier* contours = frames.LastContours();
   this->Superclass::TakeContours(
     contours != nullptr ? contours->Values() : std::vector<std::vector<double>>{});
 }
 
 //------------------------------------------------------------------------------
 std::vector<std::string> vtkHighOrderMapper::Complaints(
-  const pixelexact::FrameSource& source, vtkActor* actor)
+  const pixelexact::Renderer& frames, vtkActor* actor)
 {
   // Windows draw what is seen through sheet by sheet.
   const bool bySheets =
-    source.LastAppearance().bySheets && pixelexact::HasTranslucent(source.LastScene());
-  const bool translucent = source.LastAppearance().bySheets &&
+    frames.LastView().appearance.bySheets && pixelexact::HasTranslucent(frames.LastView().scene);
+  const bool translucent = frames.LastView().appearance.bySheets &&
     (actor->GetProperty()->GetOpacity() < 1.0 || this->HasTranslucentPolygonalGeometry());
   const bool mapped =
-    this->ScalarVisibility || (this->ContourScalarVisibility && source.LastContours() != nullptr);
+    this->ScalarVisibility || (this->ContourScalarVisibility && frames.LastContours() != nullptr);
   std::vector<std::string> texts =
     pixelexact::SettingsWithoutEffect(this, actor, translucent, mapped);
   // One plane that is not opaque has nothing behind it.
@@ -521,7 +527,7 @@ std::vector<std::string> vtkHighOrderMapper::Complaints(
   {
     texts.emplace_back("ContourLabels: they are not written where a layer is seen through");
   }
-  if (source.LastFrame()->counters.cutOff > 0)
+  if (frames.LastFrame()->counters.cutOff > 0)
   {
     texts.push_back("at some pixels more than " + std::to_string(pixelexact::Sheets::kMost) +
       " translucent surfaces lie one behind the other, and what is behind these is not drawn: make "
@@ -535,7 +541,7 @@ void vtkHighOrderMapper::Warn(vtkRenderer* renderer, vtkActor* actor)
 {
   pixelexact::FrameDrawer& drawer = this->Data->Drawer;
   for (const std::string& text :
-    drawer.Complain(renderer, actor, this->Complaints(*drawer.LastSource(), actor)))
+    drawer.Complain(renderer, actor, this->Complaints(*drawer.LastRenderer(), actor)))
   {
     vtkWarningMacro(<< text);
   }
@@ -545,16 +551,16 @@ void vtkHighOrderMapper::Warn(vtkRenderer* renderer, vtkActor* actor)
 std::optional<pixelexact::PickedSample> vtkHighOrderMapper::PickSample(
   const pixelexact::PickRay& ray, vtkActor* actor)
 {
-  const pixelexact::FrameRequest request = this->Data->Request(this, actor);
-  if (request.layers.empty())
+  const pixelexact::View view = this->Data->ViewOf(this, actor);
+  if (view.scene.layers.empty())
   {
     return std::nullopt;
   }
-  return pixelexact::Pick(this->Data->Picks, request, ray, this);
+  return pixelexact::Pick(this->Data->Picks, view, *this->Data->Drawer.LatestModel(), ray, this);
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> vtkHighOrderMapper::TracePicture(pixelexact::FrameSource& source,
+vtkSmartPointer<vtkImageData> vtkHighOrderMapper::TracePicture(pixelexact::Renderer& frames,
   const pixelexact::CameraSight& sight, bool allBuffers,
   const std::function<bool(double)>& progress)
 {
@@ -562,16 +568,17 @@ vtkSmartPointer<vtkImageData> vtkHighOrderMapper::TracePicture(pixelexact::Frame
   {
     this->Update();
   }
-  pixelexact::FrameRequest request = this->Data->Request(this, sight.actor);
-  if (request.layers.empty())
+  pixelexact::View view = this->Data->ViewOf(this, sight.actor);
+  if (view.scene.layers.empty())
   {
     throw pixelexact::Error(
       "nothing to cut with, or no layer is visible: call SetCutFunction, SetSurface or AddLayer");
   }
-  pixelexact::CompleteRequest(sight, request);
-  const auto picture = pixelexact::TracePicture(source, request, allBuffers, progress);
-  this->TakeRange(source);
-  this->TakeContours(source);
+  pixelexact::Complete(sight, view);
+  const auto picture =
+    pixelexact::TracePicture(frames, view, *this->Data->Drawer.LatestModel(), allBuffers, progress);
+  this->TakeRange(frames);
+  this->TakeContours(frames);
   return picture;
 }
 
@@ -582,24 +589,19 @@ std::vector<std::array<double, 3>> vtkHighOrderMapper::SeenPoints(
   std::vector<std::array<double, 3>> points;
   try
   {
-    pixelexact::FrameRequest request = this->Data->Request(this, sight.actor);
-    if (request.layers.empty())
+    pixelexact::View view = this->Data->ViewOf(this, sight.actor);
+    if (view.scene.layers.empty())
     {
       return points;
     }
-    pixelexact::CompleteRequest(sight, request);
-    // Where the surfaces are alone.
-    request.appearance = {};
-    request.edgesByKind = false;
-    for (pixelexact::LayerRequest& layer : request.layers)
+    pixelexact::Complete(sight, view);
+    for (pixelexact::Layer& layer : view.scene.layers)
     {
-      layer.table = nullptr;
-      layer.appearance = {};
-      layer.appearance.solid.emplace();
+      layer.translucent = false;
     }
-    pixelexact::FrameSourceCounters counters;
-    pixelexact::FrameSource source(counters);
-    for (const pixelexact::Vec3& x : source.Render(request).centres.position)
+    for (const pixelexact::Vec3& x : pixelexact::Trace(
+           view.scene, view.camera.Make(), {}, { .centres = pixelexact::Buffer::Position })
+                                       .centres.position)
     {
       if (std::isfinite(x.x + x.y + x.z))
       {

@@ -65,7 +65,7 @@
 
 namespace pixelexact
 {
-class FrameSource;
+class Renderer;
 struct CameraSight;
 struct PickRay;
 struct PickedSample;
@@ -302,16 +302,16 @@ private:
   /**
    * Of a frame: what is set and has no effect, and what it lacks.
    */
-  std::vector<std::string> Complaints(const pixelexact::FrameSource& source, vtkActor* actor);
+  std::vector<std::string> Complaints(const pixelexact::Renderer& frames, vtkActor* actor);
   void Warn(vtkRenderer* renderer, vtkActor* actor);
   /**
    * The range that colours are made with.
    */
-  void TakeRange(const pixelexact::FrameSource& source);
+  void TakeRange(const pixelexact::Renderer& frames);
   /**
    * The contours of a frame.
    */
-  void TakeContours(const pixelexact::FrameSource& source);
+  void TakeContours(const pixelexact::Renderer& frames);
   /**
    * What a frame may take in this window; infinite: as long as it takes.
    */
@@ -327,7 +327,7 @@ private:
    * What is shown, through a camera and without a renderer; null where it was aborted. Throws
    * pixelexact::Error.
    */
-  vtkSmartPointer<vtkImageData> TracePicture(pixelexact::FrameSource& source,
+  vtkSmartPointer<vtkImageData> TracePicture(pixelexact::Renderer& frames,
     const pixelexact::CameraSight& sight, bool allBuffers,
     const std::function<bool(double)>& progress);
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHighOrderPicture.h"
 
-#include "Frames/FrameSource.h"
+#include "Frames/ContourLabels.h"
 #include "Frames/ViewRequest.h"
+#include "Trace/Renderer.h"
 #include "Views/FittedView.h"
 #include "Views/MapperExecutive.h"
 #include "Views/VtkCamera.h"
@@ -27,8 +28,8 @@ vtkStandardNewMacro(vtkHighOrderPicture);
 
 struct vtkHighOrderPicture::Internals
 {
-  pixelexact::FrameSourceCounters Counters;
-  pixelexact::FrameSource Source{ Counters };
+  pixelexact::RenderCounters Counters;
+  pixelexact::Renderer Frames{ Counters, &pixelexact::DrawLabelsOf };
 };
 
 namespace
@@ -198,7 +199,7 @@ int vtkHighOrderPicture::RequestData(vtkInformation* /*request*/,
       .width = this->Size[0],
       .height = this->Size[1],
       .stride = this->Stride };
-    const auto picture = mapper->TracePicture(this->Data->Source, sight, this->AllBuffers,
+    const auto picture = mapper->TracePicture(this->Data->Frames, sight, this->AllBuffers,
       [this](double done)
       {
         this->UpdateProgress(done);
@@ -208,7 +209,7 @@ int vtkHighOrderPicture::RequestData(vtkInformation* /*request*/,
     {
       output->ShallowCopy(picture);
       output->GetPointData()->SetActiveScalars("Color");
-      for (const std::string& text : mapper->Complaints(this->Data->Source, this->Actor))
+      for (const std::string& text : mapper->Complaints(this->Data->Frames, this->Actor))
       {
         vtkWarningMacro(<< text);
       }

@@ -4,6 +4,7 @@
 #include "Views/TextImages.h"
 
 #include "Core/Base/Error.h"
+#include "Trace/Appearance/Painter.h"
 #include "Trace/Modules/ContourPlaces.h"
 
 #include <glm/geometric.hpp>
@@ -136,5 +137,10 @@ int DrawContourLabels(Frame& frame, const Camera& camera, const ContourCertifier
     writer.Put(label.text, label.x, label.y, TextAnchor::Centre, label.color, label.angle, image);
   }
   return static_cast<int>(labels.size());
+}
+
+void DrawLabelsOf(Frame& frame, const Camera& camera, const Painter& painter)
+{
+  (void)DrawContourLabels(frame, camera, *painter.Contours(), *painter.Lines(), *painter.Labels());
 }
 } // namespace pixelexact

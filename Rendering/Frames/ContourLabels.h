@@ -12,6 +12,8 @@
 
 namespace pixelexact
 {
+class Painter;
+
 /// Height of labels' font in pixels.
 struct LabelFont
 {
@@ -52,4 +54,7 @@ struct ContourLabel
 PIXELEXACTRENDERING_EXPORT int DrawContourLabels(Frame& frame, const Camera& camera,
   const ContourCertifier& contours, const ContourLines& lines, int size,
   const FontChoice& font = {});
+
+/// The labels of a painter that has some, as a Renderer draws them.
+void DrawLabelsOf(Frame& frame, const Camera& camera, const Painter& painter);
 } // namespace pixelexact

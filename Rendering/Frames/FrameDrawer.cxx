@@ -42,81 +42,82 @@ DepthOffset OffsetOf(vtkMapper* mapper)
 } // namespace
 
 ViewFrame& FrameDrawer::Begin(
-  FrameRequest& request, vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper)
+  View& view, RenderWork& work, vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper)
 {
-  ViewFrame& view = Views.Of(renderer, actor);
+  ViewFrame& kept = Views.Of(renderer, actor);
   const std::array<int, 4> viewport = FrameCompositor::Viewport(renderer);
   try
   {
-    CompleteRequest({ .renderer = renderer,
-                      .mapper = mapper,
-                      .dataToWorld = actor->GetMatrix(),
-                      .opacity = actor->GetProperty()->GetOpacity(),
-                      .width = viewport[2],
-                      .height = viewport[3] },
-      request);
+    Complete({ .renderer = renderer,
+               .mapper = mapper,
+               .dataToWorld = actor->GetMatrix(),
+               .opacity = actor->GetProperty()->GetOpacity(),
+               .width = viewport[2],
+               .height = viewport[3] },
+      view);
   }
   catch (...)
   {
-    view.source.DropFrame();
+    kept.DropFrame();
     throw;
   }
-  view.hasGhosts = HasGhosts;
+  kept.model = Model.Last();
+  kept.hasGhosts = HasGhosts;
   if (HasGhosts)
   {
-    request.buffers = request.buffers | Buffer::Element;
+    work.buffers = work.buffers | Buffer::Element;
   }
-  return view;
+  return kept;
 }
 
-void FrameDrawer::Draw(FrameRequest request, FramePart part, vtkRenderer* renderer, vtkActor* actor,
-  vtkMapper* mapper, const Progress& progress)
+void FrameDrawer::Draw(View view, RenderWork work, FramePart part, vtkRenderer* renderer,
+  vtkActor* actor, vtkMapper* mapper, const Progress& progress)
 {
-  ViewFrame& view = Begin(request, renderer, actor, mapper);
-  if (request.refine && !view.MayBeCoarse(renderer->GetActiveCamera()))
+  ViewFrame& kept = Begin(view, work, renderer, actor, mapper);
+  if (work.refine && !kept.MayBeCoarse(renderer->GetActiveCamera()))
   {
-    request.seconds = std::numeric_limits<double>::infinity();
+    work.seconds = std::numeric_limits<double>::infinity();
   }
-  const Frame* frame = &view.source.Render(request, progress);
-  view.MakeDrawn(DepthRowsOf(renderer, actor->GetMatrix()));
+  const Frame* frame = &kept.frames.Render(view, work, progress);
+  kept.MakeDrawn(DepthRowsOf(renderer, actor->GetMatrix()));
   const auto draw = [&](const ViewFrame::Drawn& drawn, int sheet)
   {
-    view.compositor.Draw(renderer, actor, mapper,
+    kept.compositor.Draw(renderer, actor, mapper,
       { .rgba = drawn.rgba.empty() ? frame->Image() : drawn.rgba,
         .depths = drawn.depths,
         .sheet = sheet,
         .width = frame->width,
         .height = frame->height,
-        .step = view.source.LastStep(),
+        .step = kept.frames.LastStep(),
         .opacity = actor->GetProperty()->GetOpacity(),
         .offset = OffsetOf(mapper),
-        .colorsVersion = view.drawnVersion,
-        .depthsVersion = view.depthsVersion });
+        .colorsVersion = kept.drawnVersion,
+        .depthsVersion = kept.depthsVersion });
   };
-  if (part != FramePart::Translucent || view.seenThrough.empty())
+  if (part != FramePart::Translucent || kept.seenThrough.empty())
   {
-    draw(view.opaque, 0);
+    draw(kept.opaque, 0);
   }
   if (part != FramePart::Opaque)
   {
     // Back to front.
-    for (std::size_t k = view.seenThrough.size(); k > 0; --k)
+    for (std::size_t k = kept.seenThrough.size(); k > 0; --k)
     {
-      draw(view.seenThrough[k - 1], static_cast<int>(k));
+      draw(kept.seenThrough[k - 1], static_cast<int>(k));
     }
   }
 }
 
-void FrameDrawer::Select(FrameRequest request, vtkRenderer* renderer, vtkActor* actor,
+void FrameDrawer::Select(View view, RenderWork work, vtkRenderer* renderer, vtkActor* actor,
   vtkMapper* mapper, const Progress& progress)
 {
   if (!renderer->GetSelector()->GetActorPassOnly())
   {
-    request.buffers = request.buffers | Buffer::Element;
+    work.buffers = work.buffers | Buffer::Element;
   }
-  ViewFrame& view = Begin(request, renderer, actor, mapper);
-  const Frame& frame = view.source.Render(request, progress);
-  const HighOrderModel& model = *view.source.Model();
+  ViewFrame& kept = Begin(view, work, renderer, actor, mapper);
+  const Frame& frame = kept.frames.Render(view, work, progress);
+  const HighOrderModel& model = *kept.model;
   const SelectionPass pass = PassOf(renderer->GetSelector(), model);
   if (pass.shows == SelectionPass::Shows::Nothing)
   {
@@ -128,15 +129,15 @@ void FrameDrawer::Select(FrameRequest request, vtkRenderer* renderer, vtkActor* 
   {
     HideGhosts(frame.centres, model, image.depths);
   }
-  ++view.selected;
-  view.selection.Draw(renderer, actor, mapper,
+  ++kept.selected;
+  kept.selection.Draw(renderer, actor, mapper,
     { .rgba = image.rgba,
       .depths = image.depths,
       .width = frame.width,
       .height = frame.height,
       .offset = OffsetOf(mapper),
-      .colorsVersion = view.selected,
-      .depthsVersion = view.selected });
+      .colorsVersion = kept.selected,
+      .depthsVersion = kept.selected });
 }
 
 const std::shared_ptr<HighOrderModel>& FrameDrawer::ModelOf(vtkDataObject* grid)
@@ -164,6 +165,6 @@ const std::shared_ptr<HighOrderModel>& FrameDrawer::ModelOf(vtkDataObject* grid)
 
 void FrameDrawer::DropFrame(vtkRenderer* renderer, vtkActor* actor)
 {
-  Views.Of(renderer, actor).source.DropFrame();
+  Views.Of(renderer, actor).DropFrame();
 }
 } // namespace pixelexact

@@ -35,24 +35,23 @@ public:
   /// The model of a vtkUnstructuredGrid, or of composite data of such, as it is now. Throws Error.
   const std::shared_ptr<HighOrderModel>& ModelOf(vtkDataObject* grid);
 
-  /// The cut-surfaces, for requests for frames of that model.
+  /// The cut-surfaces, for views of that model.
   SurfaceCache& Surfaces() { return TheSurfaces; }
 
-  /// Draws a part of what `request` asks for, seen through the renderer's camera and placed by the
-  /// actor. The request's camera, half-spaces and lights are filled in here: viewport, camera and
-  /// lights from the renderer, matrix from the actor, clipping planes and depth offset from the
-  /// mapper. The actor's opacity is applied. A camera that the view is seen through for the first
-  /// time gets a complete frame, whatever the time. Throws Error, after which the view has no
-  /// frame.
-  void Draw(FrameRequest request, FramePart part, vtkRenderer* renderer, vtkActor* actor,
+  /// Draws a part of a view of the model, seen through the renderer's camera and placed by the
+  /// actor. This completes the view: viewport, camera and lights from the renderer, matrix from the
+  /// actor, clipping planes and depth offset from the mapper. The actor's opacity is applied. A
+  /// camera that the actor is seen through for the first time gets a complete frame, whatever the
+  /// time limit. Throws Error, after which there is no frame.
+  void Draw(View view, RenderWork work, FramePart part, vtkRenderer* renderer, vtkActor* actor,
     vtkMapper* mapper, const Progress& progress);
 
   /// Draws what the present pass of the renderer's selector wants of the pixels that Draw shows
   /// (SelectionImage.h), complete in any case. Throws as Draw.
-  void Select(FrameRequest request, vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper,
+  void Select(View view, RenderWork work, vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper,
     const Progress& progress);
 
-  /// The ranges of the model's fields, for requests.
+  /// The ranges of the model's fields.
   [[nodiscard]] const std::shared_ptr<FieldRanges>& Ranges() const { return TheRanges; }
 
   /// There is nothing to be seen in this view.
@@ -68,13 +67,17 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window) { Views.ReleaseGraphicsResources(window); }
 
   /// Of the view that was drawn last; null before the first one.
-  [[nodiscard]] FrameSource* LastSource() { return Views.Last(); }
+  [[nodiscard]] Renderer* LastRenderer() { return Views.Last(); }
+  /// The model that it shows; null before the first one.
+  [[nodiscard]] const HighOrderModel* LastModel() const { return Views.LastModel(); }
+  /// The model of the last call of ModelOf.
+  [[nodiscard]] const std::shared_ptr<HighOrderModel>& LatestModel() const { return Model.Last(); }
   [[nodiscard]] std::int64_t ModelBuilds() const { return Model.Builds(); }
-  [[nodiscard]] const FrameSourceCounters& Counters() const { return Views.Counters(); }
+  [[nodiscard]] const RenderCounters& Counters() const { return Views.Counters(); }
 
 private:
   ViewFrame& Begin(
-    FrameRequest& request, vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper);
+    View& view, RenderWork& work, vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper);
 
   GridModel Model;
   bool HasGhosts = false; ///< the model

@@ -36,14 +36,13 @@ CameraSetup CameraAlong(const Vec3& start, const Vec3& end)
   return { .rays = view, .width = 1, .height = 1 };
 }
 
-/// Completes the request for the ray and returns where its sample lies in the image.
-ImagePosition Aim(const PickRay& ray, vtkMapper* mapper, FrameRequest& request)
+/// Completes the view for the ray and returns where its sample lies in the image.
+ImagePosition Aim(const PickRay& ray, vtkMapper* mapper, View& view)
 {
   if (!ray.pixel)
   {
-    request.camera = CameraAlong(ray.start, ray.end);
-    request.translucent = ray.opacity < 1.0;
-    request.kept = ClippingPlanesOf(mapper, ray.dataToWorld);
+    CompleteAlong(CameraAlong(ray.start, ray.end), ray.opacity,
+      ClippingPlanesOf(mapper, ray.dataToWorld), view);
     return { 0.5, 0.5 };
   }
   int width = 0;
@@ -51,13 +50,13 @@ ImagePosition Aim(const PickRay& ray, vtkMapper* mapper, FrameRequest& request)
   int left = 0;
   int bottom = 0;
   ray.renderer->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
-  CompleteRequest({ .renderer = ray.renderer,
-                    .mapper = mapper,
-                    .dataToWorld = ray.dataToWorld,
-                    .opacity = ray.opacity,
-                    .width = width,
-                    .height = height },
-    request);
+  Complete({ .renderer = ray.renderer,
+             .mapper = mapper,
+             .dataToWorld = ray.dataToWorld,
+             .opacity = ray.opacity,
+             .width = width,
+             .height = height },
+    view);
   return { (*ray.pixel)[0] + 0.5, (*ray.pixel)[1] + 0.5 };
 }
 
@@ -112,17 +111,17 @@ PickedSample Describe(
 } // namespace
 
 std::optional<PickedSample> Pick(
-  FrameSource& source, FrameRequest request, const PickRay& ray, vtkMapper* mapper)
+  Renderer& frames, View view, const HighOrderModel& model, const PickRay& ray, vtkMapper* mapper)
 {
-  const ImagePosition position = Aim(ray, mapper, request);
-  const SampleBuffers samples = source.Sample(request, { &position, 1 });
+  const ImagePosition position = Aim(ray, mapper, view);
+  const SampleBuffers samples = frames.Sample(view, { &position, 1 });
   const auto describe = [&](const SampleBuffers& sheet) -> std::optional<PickedSample>
   {
     if (!(ray.opacity > 0.0) || sheet.color[3] == 0 || !Reaches(ray, sheet))
     {
       return std::nullopt;
     }
-    return Describe(sheet, source.LastScene().layers, *source.Model());
+    return Describe(sheet, view.scene.layers, model);
   };
   std::optional<PickedSample> picked = describe(samples);
   for (std::size_t k = 0; k < samples.behind.size() && !picked; ++k)

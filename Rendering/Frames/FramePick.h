@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Frames/FrameSource.h"
+#include "Trace/Renderer.h"
 
 #include <array>
 #include <cstdint>
@@ -16,6 +16,8 @@ class vtkRenderer;
 // What a single ray meets, by the same machinery as frames.
 namespace pixelexact
 {
+class HighOrderModel;
+
 /// Where to pick: a pixel of a renderer, or a ray.
 struct PickRay
 {
@@ -35,7 +37,7 @@ struct PickedSample
   Vec3 position;
   Vec3 normal; ///< of the cut-surface
   PixelVerdict verdict = PixelVerdict::Unknown;
-  int layer = 0;            ///< of the request
+  int layer = 0;            ///< of the view
   std::int64_t cell = -1;   ///< of the grid, or of the block
   std::int64_t source = -1; ///< the element's cell in the source
   std::int64_t block = -1;  ///< flat index, of composite data
@@ -48,7 +50,7 @@ struct PickedSample
 
 /// The first sample along the ray that is shown (its colour and the actor not wholly transparent),
 /// between near and far plane or start and end, inside of the mapper's clipping planes. Throws
-/// Error.
+/// Error. `view`: of the model, completed here.
 std::optional<PickedSample> Pick(
-  FrameSource& source, FrameRequest request, const PickRay& ray, vtkMapper* mapper);
+  Renderer& frames, View view, const HighOrderModel& model, const PickRay& ray, vtkMapper* mapper);
 } // namespace pixelexact

@@ -8,22 +8,23 @@
 
 namespace pixelexact
 {
-vtkSmartPointer<vtkImageData> ToImageData(const FrameSource& source, const Frame& frame)
+vtkSmartPointer<vtkImageData> ToImageData(
+  const Renderer& frames, const HighOrderModel& model, const Frame& frame)
 {
-  auto image = ToImageData(frame, source.Model()->SourceCells(), source.Model()->Blocks());
-  if (const ContourCertifier* contours = source.LastContours())
+  auto image = ToImageData(frame, model.SourceCells(), model.Blocks());
+  if (const ContourCertifier* contours = frames.LastContours())
   {
     AddContours(*image, contours->Verdicts());
   }
   return image;
 }
 
-vtkSmartPointer<vtkImageData> TracePicture(
-  FrameSource& source, const FrameRequest& request, bool allBuffers, const Progress& progress)
+vtkSmartPointer<vtkImageData> TracePicture(Renderer& frames, const View& view,
+  const HighOrderModel& model, bool allBuffers, const Progress& progress)
 {
-  const Frame* frame = &source.Render(request, progress);
-  return source.IsComplete()
-    ? ToImageData(source, allBuffers ? *source.FrameWithAllBuffers() : *frame)
+  const Frame* frame = &frames.Render(view, {}, progress);
+  return frames.IsComplete()
+    ? ToImageData(frames, model, allBuffers ? *frames.FrameWithAllBuffers() : *frame)
     : nullptr;
 }
 } // namespace pixelexact

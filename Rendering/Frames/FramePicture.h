@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Frames/FrameSource.h"
+#include "Trace/Renderer.h"
 
 #include "vtkSmartPointer.h"
 
@@ -9,12 +9,14 @@ class vtkImageData;
 
 namespace pixelexact
 {
-/// A frame of the source as ToImageData makes it, and the verdicts on its contours.
-[[nodiscard]] vtkSmartPointer<vtkImageData> ToImageData(
-  const FrameSource& source, const Frame& frame);
+class HighOrderModel;
 
-/// The complete frame that is asked for; `allBuffers`: with all that is known of pixels. Null where
-/// it was aborted. Throws Error.
-[[nodiscard]] vtkSmartPointer<vtkImageData> TracePicture(
-  FrameSource& source, const FrameRequest& request, bool allBuffers, const Progress& progress);
+/// A frame of the model as ToImageData makes it, and the verdicts on its contours.
+[[nodiscard]] vtkSmartPointer<vtkImageData> ToImageData(
+  const Renderer& frames, const HighOrderModel& model, const Frame& frame);
+
+/// The view's complete frame; `allBuffers`: with all buffers. Null where it was aborted. Throws
+/// Error.
+[[nodiscard]] vtkSmartPointer<vtkImageData> TracePicture(Renderer& frames, const View& view,
+  const HighOrderModel& model, bool allBuffers, const Progress& progress);
 } // namespace pixelexact

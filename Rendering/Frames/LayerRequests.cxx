@@ -1,14 +1,79 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Frames/LayerRequests.h"
 
+#include "HighOrderModel.h"
+#include "Views/VtkColorMap.h"
 #include "Views/VtkLook.h"
 #include "vtkHighOrderLayer.h"
 #include "vtkHighOrderMapper.h"
 
 #include "vtkScalarsToColors.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace pixelexact
 {
+namespace
+{
+/// Null where the model has no fields and the layer asks for none.
+const Field* FieldOf(const LayerRequest& layer, const HighOrderModel& model)
+{
+  const bool none = layer.table == nullptr && layer.field == FieldChoice{};
+  return none && model.Fields().empty() ? nullptr : &layer.field.In(model);
+}
+
+/// The component that the layer shows of its field: its own, else the table's choice.
+int ComponentOf(const LayerRequest& layer, const Field& field)
+{
+  const bool solid = layer.table == nullptr && layer.appearance.contours.Any();
+  const int component = layer.component.value_or(
+    pixelexact::ComponentOf(solid ? layer.contourTable : layer.table, field.values.components));
+  RequireComponent(field, component);
+  // A scalar has no other.
+  return component == kMagnitude && field.values.components == 1 ? 0 : component;
+}
+
+/// The first layer with the same table: one table has one range.
+std::size_t RangeGroupOf(const LayerAppearance& layer, const std::vector<LayerAppearance>& before)
+{
+  const auto isSame = [&layer](const LayerAppearance& other)
+  {
+    return layer.table == nullptr ? other.table == nullptr
+                                  : other.table != nullptr && layer.table->IsSame(*other.table);
+  };
+  return static_cast<std::size_t>(std::ranges::find_if(before, isSame) - before.begin());
+}
+} // namespace
+
+vtkScalarsToColors* TableOf(const LayerRequest& layer)
+{
+  // By their colours, or by their values where these follow from the table's range.
+  const ContourRule& contours = layer.appearance.contours;
+  const bool byTable = contours.count > 0 || (contours.Any() && contours.colors.empty());
+  return layer.table == nullptr && byTable ? layer.contourTable : layer.table;
+}
+
+void AddLayer(const LayerRequest& layer, const HighOrderModel& model, View& view)
+{
+  const Field* const field = FieldOf(layer, model);
+  view.scene.layers.push_back(
+    { layer.surface, field, field != nullptr ? ComponentOf(layer, *field) : 0, layer.precision });
+  LayerAppearance appearance = layer.appearance;
+  vtkScalarsToColors* const table = TableOf(layer);
+  appearance.table = table != nullptr ? ColorTableOf(table) : nullptr;
+  appearance.rangeGroup = RangeGroupOf(appearance, view.appearance.layers);
+  if (layer.table != nullptr)
+  {
+    appearance.solid.reset();
+  }
+  if (!layer.litWhereFlat && layer.surface->IsFlat())
+  {
+    appearance.material.reset();
+  }
+  view.appearance.layers.push_back(std::move(appearance));
+}
+
 LayerRequest LayerOf(vtkHighOrderMapper* mapper, vtkProperty* property)
 {
   LayerRequest layer;

@@ -22,15 +22,14 @@ CutSource SourceOf(vtkHighOrderLayer* layer)
   return { layer->GetCutFunction(), layer->GetSurface() };
 }
 
-void Add(vtkHighOrderSceneMapper* mapper, const CutSource& cut, LayerRequest layer,
-  SurfaceCache& surfaces, FrameRequest& request)
+std::shared_ptr<const Surface> SurfaceOf(vtkHighOrderSceneMapper* mapper, const CutSource& cut,
+  const std::shared_ptr<HighOrderModel>& model, SurfaceCache& surfaces)
 {
   if (cut.surface != nullptr && !mapper->GetStatic())
   {
     cut.surface->Update();
   }
-  layer.surface = surfaces.Of(cut, request.model, mapper->GetSearchSamples());
-  request.layers.push_back(std::move(layer));
+  return surfaces.Of(cut, model, mapper->GetSearchSamples());
 }
 } // namespace
 
@@ -76,13 +75,16 @@ std::vector<CutSource> MapperScene::Plain() const
   return plain;
 }
 
-void MapperScene::AddLayers(vtkHighOrderSceneMapper* mapper, const LayerRequest& ofAll,
-  SurfaceCache& surfaces, FrameRequest& request) const
+std::vector<LayerRequest> MapperScene::MakeLayers(vtkHighOrderSceneMapper* mapper,
+  const LayerRequest& ofAll, const std::shared_ptr<HighOrderModel>& model,
+  SurfaceCache& surfaces) const
 {
+  std::vector<LayerRequest> requests;
   std::vector<CutSource> sources = this->Plain();
   for (const CutSource& cut : sources)
   {
-    Add(mapper, cut, ofAll, surfaces, request);
+    requests.push_back(ofAll);
+    requests.back().surface = SurfaceOf(mapper, cut, model, surfaces);
   }
   for (const auto& layer : layers)
   {
@@ -96,9 +98,11 @@ void MapperScene::AddLayers(vtkHighOrderSceneMapper* mapper, const LayerRequest&
         // Colours of single contours are of the mapper's.
         own.appearance.contours.colors = { ToRgba(mapper->GetContourColor()) };
       }
-      Add(mapper, sources.back(), std::move(own), surfaces, request);
+      own.surface = SurfaceOf(mapper, sources.back(), model, surfaces);
+      requests.push_back(std::move(own));
     }
   }
   surfaces.KeepOnly(sources);
+  return requests;
 }
 } // namespace pixelexact

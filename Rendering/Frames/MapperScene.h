@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Frames/FrameSource.h"
+#include "Frames/LayerRequests.h"
 #include "Surfaces/SurfaceCache.h"
 
 #include "vtkSmartPointer.h"
@@ -30,10 +30,11 @@ struct MapperScene
   /// The last change of anything in it.
   [[nodiscard]] vtkMTimeType GetMTime() const;
 
-  /// Adds cut functions and surface, whose look is `ofAll`, and visible layers, which have looks of
-  /// their own, to a request that has its model. Throws Error.
-  void AddLayers(vtkHighOrderSceneMapper* mapper, const LayerRequest& ofAll, SurfaceCache& surfaces,
-    FrameRequest& request) const;
+  /// Cut functions and surface, which are drawn as `ofAll`, and visible layers, which have settings
+  /// of their own. Throws Error.
+  [[nodiscard]] std::vector<LayerRequest> MakeLayers(vtkHighOrderSceneMapper* mapper,
+    const LayerRequest& ofAll, const std::shared_ptr<HighOrderModel>& model,
+    SurfaceCache& surfaces) const;
 
 private:
   /// Cut functions and surface.

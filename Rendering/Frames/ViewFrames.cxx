@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Frames/ViewFrames.h"
 
+#include "Frames/ContourLabels.h"
 #include "Frames/GhostPixels.h"
+#include "HighOrderModel.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -21,6 +23,17 @@ int EyeOf(vtkCamera* camera)
   return !camera->GetStereo() ? 0 : camera->GetLeftEye() ? 1 : 2;
 }
 } // namespace
+
+ViewFrame::ViewFrame(RenderCounters& counters)
+  : frames(counters, &DrawLabelsOf)
+{
+}
+
+void ViewFrame::DropFrame()
+{
+  frames.DropFrame();
+  model.reset();
+}
 
 bool ViewFrame::MayBeCoarse(vtkCamera* camera)
 {
@@ -46,19 +59,19 @@ void HideClear(const std::vector<std::uint8_t>& rgba, std::vector<float>& depths
 
 void ViewFrame::MakeDrawn(const DepthRows& rows)
 {
-  const bool moved = DrawnTrace != source.TraceVersion() || Rows != rows;
-  if (!moved && drawnVersion == source.Version())
+  const bool moved = DrawnTrace != frames.TraceVersion() || Rows != rows;
+  if (!moved && drawnVersion == frames.Version())
   {
     return;
   }
-  const Frame& frame = *source.LastFrame();
-  const std::vector<Layer>& layers = source.LastScene().layers;
+  const Frame& frame = *frames.LastFrame();
+  const std::vector<Layer>& layers = frames.LastView().scene.layers;
   const bool anyTranslucent = std::ranges::any_of(layers, &Layer::translucent);
-  const bool linesAlone = source.LastAppearance().contours.only.has_value();
+  const bool linesAlone = frames.LastView().appearance.contours.only.has_value();
   depthsVersion += moved || anyTranslucent || linesAlone || LinesAlone ? 1 : 0;
   Rows = rows;
-  DrawnTrace = source.TraceVersion();
-  drawnVersion = source.Version();
+  DrawnTrace = frames.TraceVersion();
+  drawnVersion = frames.Version();
   opaque.rgba.clear();
   if (!anyTranslucent)
   {
@@ -73,7 +86,7 @@ void ViewFrame::MakeDrawn(const DepthRows& rows)
       }
       if (hasGhosts)
       {
-        HideGhosts(frame.centres, *source.Model(), opaque.depths);
+        HideGhosts(frame.centres, *model, opaque.depths);
       }
     }
     return;
@@ -91,7 +104,7 @@ void ViewFrame::MakeDrawn(const DepthRows& rows)
     WindowDepth(sheet, rows, drawn.depths);
     if (hasGhosts)
     {
-      HideGhosts(sheet, *source.Model(), drawn.depths);
+      HideGhosts(sheet, *model, drawn.depths);
     }
     for (std::size_t i = 0; i < pixels; ++i)
     {
@@ -147,9 +160,9 @@ void ViewFrames::DropOthers(const HighOrderModel* model)
 {
   for (View& view : Views)
   {
-    if (view.frame->source.Model() != model)
+    if (view.frame->model.get() != model)
     {
-      view.frame->source.DropFrame();
+      view.frame->DropFrame();
     }
   }
 }

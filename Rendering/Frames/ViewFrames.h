@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Frames/FrameCompositor.h"
-#include "Frames/FrameSource.h"
+#include "Trace/Renderer.h"
 
 #include "vtkWeakPointer.h"
 
@@ -23,10 +23,10 @@ namespace pixelexact
 /// The frame of one view, and what of it is drawn.
 struct ViewFrame
 {
-  explicit ViewFrame(FrameSourceCounters& counters)
-    : source(counters)
-  {
-  }
+  explicit ViewFrame(RenderCounters& counters);
+
+  /// Forgets model and frame.
+  void DropFrame();
 
   /// The pixels of one or more sheets, ready to be drawn.
   struct Drawn
@@ -37,8 +37,9 @@ struct ViewFrame
   /// Makes what is drawn of the source's last frame, if that is not what is there.
   void MakeDrawn(const DepthRows& rows);
 
-  FrameSource source;
-  bool hasGhosts = false; ///< its model, which are not drawn
+  Renderer frames;
+  std::shared_ptr<HighOrderModel> model; ///< of the last frame
+  bool hasGhosts = false;                ///< its model, which are not drawn
   FrameCompositor compositor;
   FrameCompositor selection;      ///< keeps the textures of selectors' passes
   std::int64_t selected = 0;      ///< passes drawn
@@ -71,11 +72,12 @@ public:
   ViewFrame& Of(vtkRenderer* renderer, vtkActor* actor);
 
   /// Of the view that was drawn last; null before the first one.
-  [[nodiscard]] FrameSource* Last()
+  [[nodiscard]] Renderer* Last() { return Views.empty() ? nullptr : &Views.front().frame->frames; }
+  [[nodiscard]] const HighOrderModel* LastModel() const
   {
-    return Views.empty() ? nullptr : &Views.front().frame->source;
+    return Views.empty() ? nullptr : Views.front().frame->model.get();
   }
-  [[nodiscard]] const FrameSourceCounters& Counters() const { return TheCounters; }
+  [[nodiscard]] const RenderCounters& Counters() const { return TheCounters; }
 
   /// Takes what there is to say of the view's picture now. Gives back what was not to be said of
   /// the picture before, nor of another view's: nobody wants to read a thing in every frame.
@@ -94,7 +96,7 @@ private:
     std::unique_ptr<ViewFrame> frame;
   };
 
-  FrameSourceCounters TheCounters;
+  RenderCounters TheCounters;
   std::list<View> Views; ///< drawn last, first
 };
 } // namespace pixelexact

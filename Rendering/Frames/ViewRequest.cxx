@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Frames/ViewRequest.h"
 
-#include "HighOrderModel.h"
+#include "Views/VtkCamera.h"
 #include "Views/VtkLook.h"
 
 #include "Core/Location/Locator.h"
@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 namespace pixelexact
 {
@@ -37,6 +38,20 @@ bool CutsInto(const KeptHalfSpace& half, const Box3& box)
     least += std::min(factor * box.lower[i], factor * box.upper[i]);
   }
   return !(least >= 0.0);
+}
+
+/// Views that differ only in what is not drawn are equal.
+void LeaveOutUnused(Appearance& appearance)
+{
+  if (!appearance.IsLit())
+  {
+    appearance.lights.clear();
+    appearance.lit = {};
+  }
+  if (!appearance.HasContours())
+  {
+    appearance.contours = {};
+  }
 }
 } // namespace
 
@@ -66,38 +81,50 @@ std::vector<KeptHalfSpace> ClippingPlanesOf(vtkMapper* mapper, vtkMatrix4x4* dat
   return planes;
 }
 
-void CompleteRequest(const DataView& view, FrameRequest& request)
+void Complete(const DataView& seen, View& view)
 {
-  vtkRenderer* renderer = view.renderer;
-  request.camera = SetupOf(renderer->GetActiveCamera(), view.width, view.height,
-    renderer->GetTiledAspectRatio(), view.dataToWorld);
-  request.appearance.lights = LightsOf(renderer);
-  request.appearance.lit = LitViewOf(renderer->GetActiveCamera(), view.dataToWorld);
-  request.translucent = view.opacity < 1.0;
-  request.appearance.bySheets = true;
-  request.kept = ClippingPlanesOf(view.mapper, view.dataToWorld);
+  vtkRenderer* renderer = seen.renderer;
+  view.camera = SetupOf(renderer->GetActiveCamera(), seen.width, seen.height,
+    renderer->GetTiledAspectRatio(), seen.dataToWorld);
+  view.appearance.lights = LightsOf(renderer);
+  view.appearance.lit = LitViewOf(renderer->GetActiveCamera(), seen.dataToWorld);
+  view.appearance.bySheets = true;
+  view.scene.kept = ClippingPlanesOf(seen.mapper, seen.dataToWorld);
   // What lies before the near plane shows what is behind it. VTK puts that plane before all that is
   // visible, so this is for users who move it into the data, and for cameras inside of it; all
   // others get rays that depend on the view alone.
-  const KeptHalfSpace beyondNear = BeyondNear(DepthRowsOf(renderer, view.dataToWorld));
-  if (CutsInto(beyondNear, request.model->GetLocator().Bounds()))
+  const KeptHalfSpace beyondNear = BeyondNear(DepthRowsOf(renderer, seen.dataToWorld));
+  if (CutsInto(beyondNear, view.scene.locator->Bounds()))
   {
-    request.kept.push_back(beyondNear);
+    view.scene.kept.push_back(beyondNear);
   }
+  SetTranslucency(view, seen.opacity < 1.0);
+  LeaveOutUnused(view.appearance);
 }
 
-void CompleteRequest(const CameraSight& sight, FrameRequest& request)
+void Complete(const CameraSight& seen, View& view)
 {
-  vtkMatrix4x4* const dataToWorld = sight.actor->GetMatrix();
-  request.camera = SetupOf(sight.camera, sight.width, sight.height, 0.0, dataToWorld);
-  request.appearance.lights = { Light{ .headlight = true } };
-  request.appearance.lit = LitViewOf(sight.camera, dataToWorld);
-  request.kept = ClippingPlanesOf(sight.mapper, dataToWorld);
-  request.stride = sight.stride;
+  vtkMatrix4x4* const dataToWorld = seen.actor->GetMatrix();
+  view.camera = SetupOf(seen.camera, seen.width, seen.height, 0.0, dataToWorld);
+  view.appearance.lights = { Light{ .headlight = true } };
+  view.appearance.lit = LitViewOf(seen.camera, dataToWorld);
+  view.scene.kept = ClippingPlanesOf(seen.mapper, dataToWorld);
+  view.stride = seen.stride;
   // No compositor applies it afterwards.
-  for (LayerRequest& layer : request.layers)
+  for (LayerAppearance& layer : view.appearance.layers)
   {
-    layer.appearance.opacity *= sight.actor->GetProperty()->GetOpacity();
+    layer.opacity *= seen.actor->GetProperty()->GetOpacity();
   }
+  SetTranslucency(view);
+  LeaveOutUnused(view.appearance);
+}
+
+void CompleteAlong(
+  const CameraSetup& ray, double opacity, std::vector<KeptHalfSpace> kept, View& view)
+{
+  view.camera = ray;
+  view.scene.kept = std::move(kept);
+  SetTranslucency(view, opacity < 1.0);
+  LeaveOutUnused(view.appearance);
 }
 } // namespace pixelexact

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Frames/FrameCompositor.h"
-#include "Frames/FrameSource.h"
+#include "Trace/View.h"
 
 #include <vector>
 
@@ -12,7 +12,7 @@ class vtkMapper;
 class vtkMatrix4x4;
 class vtkRenderer;
 
-// What a renderer's view of a mapper's data says of a request for frames.
+// From the camera and the lights of a renderer, and the place of an actor, to a view.
 namespace pixelexact
 {
 /// How a mapper's data are seen.
@@ -29,9 +29,9 @@ struct DataView
 /// The mapper's clipping planes, in the data's coordinates.
 std::vector<KeptHalfSpace> ClippingPlanesOf(vtkMapper* mapper, vtkMatrix4x4* dataToWorld);
 
-/// Fills in what a view says of a request: camera, half-spaces, lights. Throws Error where the
-/// matrix has no inverse.
-void CompleteRequest(const DataView& view, FrameRequest& request);
+/// Completes a view that has its data, layers, contours and edges: camera, half-spaces, lights,
+/// translucency. Throws Error where the matrix has no inverse.
+void Complete(const DataView& seen, View& view);
 
 /// How a camera sees a mapper's data, without a renderer.
 struct CameraSight
@@ -41,12 +41,16 @@ struct CameraSight
   vtkMapper* mapper = nullptr; ///< for its clipping planes
   int width = 0;               ///< pixels
   int height = 0;
-  int stride = 1; ///< FrameRequest::stride
+  int stride = 1; ///< View::stride
 };
 
 /// The same in the light of one headlight, with the actor's opacity and edges; the camera's
 /// clipping range does not count. Throws Error where the actor's matrix has no inverse.
-void CompleteRequest(const CameraSight& sight, FrameRequest& request);
+void Complete(const CameraSight& seen, View& view);
+
+/// Completes a view that is traced along one given ray.
+void CompleteAlong(
+  const CameraSetup& ray, double opacity, std::vector<KeptHalfSpace> kept, View& view);
 
 /// The projection of OpenGL's geometry, from data space.
 DepthRows DepthRowsOf(vtkRenderer* renderer, vtkMatrix4x4* dataToWorld);

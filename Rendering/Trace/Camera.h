@@ -4,6 +4,7 @@
 #include "Core/Math/Vec.h"
 
 #include <array>
+#include <variant>
 
 namespace pixelexact
 {
@@ -25,6 +26,8 @@ struct CameraView
   bool horizontalViewAngle = false;
   double parallelScale = 1.0; ///< half the height of the view in world units
   std::array<double, 2> windowCenter{ 0.0, 0.0 };
+
+  bool operator==(const CameraView&) const = default; // false where a number is NaN
 };
 
 /// Origin and direction of rays, linear in the normalised device coordinates (u, v) in [-1,1]^2;
@@ -73,5 +76,22 @@ private:
   CameraRays TheRays;
   int ImageWidth;
   int ImageHeight;
+};
+
+/// Determines the rays of an image.
+struct CameraSetup
+{
+  /// A view, or a row-major matrix from normalised device coordinates (z in [-1,1]) to the space
+  /// that rays are traced in.
+  std::variant<CameraView, std::array<double, 16>> rays;
+  int width = 0;  ///< pixels
+  int height = 0; ///< pixels
+
+  /// Throws Error as Camera's constructors do.
+  [[nodiscard]] Camera Make() const
+  {
+    return std::visit([this](const auto& form) { return Camera(form, width, height); }, rays);
+  }
+  bool operator==(const CameraSetup&) const = default; // equal setups give equal rays, bit for bit
 };
 } // namespace pixelexact

@@ -28,7 +28,9 @@ struct Layer
   int component = 0;            ///< of the field, or kMagnitude
   /// Of the values; see FrameCounters::floatCheck for what Float costs. Not with enclosures.
   Precision precision = Precision::Double;
-  bool translucent = false; ///< rays go on behind it
+  bool translucent = false; ///< rays go on behind it (SetTranslucency)
+
+  bool operator==(const Layer&) const = default;
 };
 
 /// The points (x, y, z) with a x + b y + c z + d >= 0.
@@ -42,6 +44,8 @@ struct Scene
   const Locator* locator = nullptr;
   std::vector<Layer> layers;
   std::vector<KeptHalfSpace> kept; ///< rays go on through what lies outside of any of them
+
+  bool operator==(const Scene&) const = default;
 };
 
 /// Whether a layer's field depends on elements' neighbours (FieldFunction::NeedsNeighbours).

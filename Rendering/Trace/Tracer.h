@@ -22,6 +22,14 @@ Frame Trace(const Scene& scene, const Camera& camera, const Pipeline& pipeline,
   const SampleNeeds& extra = {}, const Progress& progress = {}, StageTimes* stages = nullptr,
   Frame spare = {});
 
+/// A frame with one sample for each block of `stride` x `stride` pixels, `stride` at least 1: that
+/// of the block's middle pixel (of an even stride the one up and right of the middle), bit for bit
+/// as Trace finds it, in all pixels of the block. The middle of a block that the right or upper
+/// edge cuts off may lie outside the image. Counters: verdicts count pixels, rays samples. Throws
+/// Error as Trace; aborted tiles are Nothing.
+[[nodiscard]] Frame TraceStrided(const Scene& scene, const Camera& camera, Buffer centres,
+  int stride, const Progress& progress = {});
+
 /// Traces the frame's corners, where it does not hold them with these buffers, and keeps them:
 /// where a frame has corners, modules get these and no others are traced. False where `progress`
 /// aborted it: then it has none.

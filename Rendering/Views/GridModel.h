@@ -24,6 +24,9 @@ public:
   /// after which there is none.
   const std::shared_ptr<HighOrderModel>& Of(vtkDataObject* grid);
 
+  /// The model of the last call; null: there was none, or it failed.
+  [[nodiscard]] const std::shared_ptr<HighOrderModel>& Last() const { return Model; }
+
   /// How many were made.
   [[nodiscard]] std::int64_t Builds() const { return Count; }
 

@@ -19,14 +19,6 @@ namespace
 {
 constexpr double kRadiansPerDegree = 3.14159265358979323846 / 180.0;
 
-bool Same(const CameraView& a, const CameraView& b)
-{
-  return a.position == b.position && a.focalPoint == b.focalPoint && a.viewUp == b.viewUp &&
-    a.parallel == b.parallel && a.viewAngle == b.viewAngle &&
-    a.horizontalViewAngle == b.horizontalViewAngle && a.parallelScale == b.parallelScale &&
-    a.windowCenter == b.windowCenter;
-}
-
 bool IsIdentity(vtkMatrix4x4* matrix)
 {
   return matrix == nullptr || matrix->IsIdentity();
@@ -115,22 +107,6 @@ std::array<double, 16> InverseComposite(vtkCamera* camera, double aspect, vtkMat
   return elements;
 }
 } // namespace
-
-Camera CameraSetup::Make() const
-{
-  return std::visit([this](const auto& form) { return Camera(form, width, height); }, rays);
-}
-
-bool operator==(const CameraSetup& a, const CameraSetup& b)
-{
-  if (a.width != b.width || a.height != b.height || a.rays.index() != b.rays.index())
-  {
-    return false;
-  }
-  const auto* view = std::get_if<CameraView>(&a.rays);
-  return view != nullptr ? Same(*view, std::get<CameraView>(b.rays))
-                         : std::get<1>(a.rays) == std::get<1>(b.rays);
-}
 
 bool IsPlain(vtkCamera* camera)
 {

@@ -5,7 +5,6 @@
 #include "Trace/Camera.h"
 
 #include <array>
-#include <variant>
 
 class vtkCamera;
 class vtkMatrix4x4;
@@ -15,23 +14,6 @@ class vtkMatrix4x4;
 // bit, whatever clipping range VTK has chosen.
 namespace pixelexact
 {
-/// What determines the rays of an image.
-struct CameraSetup
-{
-  /// A view, or a row-major matrix from normalised device coordinates (z in [-1,1]) to the space in
-  /// which is traced.
-  std::variant<CameraView, std::array<double, 16>> rays;
-  int width = 0;
-  int height = 0;
-
-  /// Throws Error as Camera's constructors do.
-  [[nodiscard]] PIXELEXACTRENDERING_EXPORT Camera Make() const;
-};
-
-/// Bitwise the same rays; false when a number is NaN.
-[[nodiscard]] PIXELEXACTRENDERING_EXPORT bool operator==(
-  const CameraSetup& a, const CameraSetup& b);
-
 /// True when a CameraView says all there is to say about the camera: no user or model transforms,
 /// view shear, stereo, explicit projection or aspect ratio, nor off-axis projection.
 [[nodiscard]] PIXELEXACTRENDERING_EXPORT bool IsPlain(vtkCamera* camera);

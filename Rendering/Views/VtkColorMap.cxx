@@ -120,8 +120,9 @@ class VtkColorTable final : public ColorTable
 public:
   explicit VtkColorTable(vtkScalarsToColors* table)
     : Table(table)
-    , State(table->GetMTime())
   {
+    Table->Build(); // IsOpaque reads the colours that this computes
+    State = Table->GetMTime();
   }
 
   [[nodiscard]] ColorMap Over(const std::array<double, 2>& range) const override
@@ -138,6 +139,7 @@ public:
     return map;
   }
   [[nodiscard]] bool IsLogarithmic() const override { return Table->UsingLogScale() != 0; }
+  [[nodiscard]] bool IsOpaque() const override { return Table->IsOpaque() != 0; }
   [[nodiscard]] std::array<double, 2> RangeOfNothing() const override
   {
     return { Table->GetRange()[0], Table->GetRange()[1] };
@@ -151,7 +153,7 @@ public:
 private:
   // Kept alive, so that no other table can have its address.
   vtkSmartPointer<vtkScalarsToColors> Table;
-  mutable vtkMTimeType State;
+  mutable vtkMTimeType State = 0;
 };
 } // namespace
 

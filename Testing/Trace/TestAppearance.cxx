@@ -6,6 +6,7 @@
 #include "Trace/Appearance/Painter.h"
 #include "Trace/Appearance/Resolve.h"
 #include "Trace/Surfaces/Plane.h"
+#include "Trace/View.h"
 
 #include <gtest/gtest.h>
 
@@ -42,6 +43,7 @@ public:
     };
   }
   [[nodiscard]] bool IsLogarithmic() const override { return Logarithmic; }
+  [[nodiscard]] bool IsOpaque() const override { return true; }
   [[nodiscard]] Ends RangeOfNothing() const override { return { 3.0, 4.0 }; }
   [[nodiscard]] bool IsSame(const ColorTable& other) const override { return &other == this; }
 
@@ -53,8 +55,9 @@ private:
 struct AppearanceScene
 {
   Block block;
-  Scene scene{ block.TheScene.locator, {}, {} };
-  Appearance appearance;
+  View view{ nullptr, { block.TheScene.locator, {}, {} }, {}, {} };
+  Scene& scene = view.scene;
+  Appearance& appearance = view.appearance;
   Frame frame;
   FieldRanges fields;
 
@@ -86,7 +89,7 @@ struct AppearanceScene
 
   [[nodiscard]] Ends RangeOf(std::size_t layer)
   {
-    return *Resolve(appearance, scene, &frame, fields).layers[layer].range;
+    return *Resolve(view, &frame, fields).layers[layer].range;
   }
 };
 } // namespace
@@ -103,7 +106,7 @@ TEST(Appearance, GroupsHaveTheRangeOfTheValuesThatTheirLayersShow)
   EXPECT_EQ(made.RangeOf(2), (Ends{ 0.125, 0.5 }));
   made.appearance.layers[0].contours.count = 2;
   EXPECT_EQ(made.RangeOf(2), (Ends{ -0.5, 0.75 }));
-  EXPECT_EQ(Resolve(made.appearance, made.scene, &made.frame, made.fields).layers[0].contours,
+  EXPECT_EQ(Resolve(made.view, &made.frame, made.fields).layers[0].contours,
     RoundValues(2, { -0.5, 0.75 }));
 }
 
@@ -121,7 +124,7 @@ TEST(Appearance, RangesFollowTheirRules)
   EXPECT_EQ(made.RangeOf(0), (Ends{ 7.0, 8.0 }));
   rule = { RangeRule::Of::All };
   const std::vector<ValueRange> ofAll{ Ends{ -9.0, 9.0 }, std::nullopt, std::nullopt };
-  EXPECT_EQ(Resolve(made.appearance, made.scene, &made.frame, made.fields, ofAll).layers[0].range,
+  EXPECT_EQ(Resolve(made.view, &made.frame, made.fields, ofAll).layers[0].range,
     ValueRange(Ends{ -9.0, 9.0 }));
   rule = { RangeRule::Of::Field };
   const Ends proven = made.RangeOf(0);
@@ -140,7 +143,7 @@ TEST(Appearance, LogarithmsCountValuesAboveZero)
   // A range that is not above 0: the table keeps its own.
   made.appearance.layers[1].range = { RangeRule::Of::Ends, { -1.0, 2.0 } };
   made.appearance.layers[1].contours.count = 1;
-  EXPECT_EQ(Resolve(made.appearance, made.scene, &made.frame, made.fields).layers[1].contours,
+  EXPECT_EQ(Resolve(made.view, &made.frame, made.fields).layers[1].contours,
     RoundValues(1, { 3.0, 4.0 }, true));
 }
 
@@ -148,7 +151,7 @@ TEST(Appearance, WithoutValuesTheRangeIsThatOfTheTable)
 {
   AppearanceScene made;
   made.appearance.layers[0].contours.count = 4;
-  const ResolvedAppearance before = Resolve(made.appearance, made.scene, nullptr, made.fields);
+  const ResolvedAppearance before = Resolve(made.view, nullptr, made.fields);
   EXPECT_EQ(before.layers[0].range, ValueRange(Ends{ 3.0, 4.0 }));
   EXPECT_TRUE(before.layers[0].contours.empty());
   EXPECT_TRUE(made.appearance.NeedsFrame());
@@ -158,10 +161,10 @@ TEST(Appearance, WithoutValuesTheRangeIsThatOfTheTable)
   made.appearance.layers[0].contours = { .values = { 0.5 } };
   EXPECT_FALSE(made.appearance.NeedsFrame());
   // The table's colour of 0.5.
-  EXPECT_EQ(Resolve(made.appearance, made.scene, nullptr, made.fields).layers[0].contourColors,
+  EXPECT_EQ(Resolve(made.view, nullptr, made.fields).layers[0].contourColors,
     (std::vector<Rgba>{ { 127, 127, 127, 255 } }));
   made.scene.layers[0].field = nullptr;
-  EXPECT_THROW((void)Resolve(made.appearance, made.scene, nullptr, made.fields), Error);
+  EXPECT_THROW((void)Resolve(made.view, nullptr, made.fields), Error);
 }
 
 TEST(Appearance, PipelinesDrawWhatIsAskedForInOneOrder)
@@ -169,8 +172,7 @@ TEST(Appearance, PipelinesDrawWhatIsAskedForInOneOrder)
   AppearanceScene made;
   const auto modules = [&made](const Drawn& drawn = {})
   {
-    Painter painter(
-      made.appearance, made.scene, Resolve(made.appearance, made.scene, &made.frame, made.fields));
+    Painter painter(made.view, Resolve(made.view, &made.frame, made.fields));
     return painter.MakePipeline(drawn).modules.size();
   };
   EXPECT_EQ(modules(), 0U);
@@ -191,8 +193,7 @@ TEST(Appearance, LabelsAreLeftOutWhereSheetsAreDrawnOneByOne)
   made.appearance.contours.labels = 12;
   const auto labels = [&made]
   {
-    const Painter painter(
-      made.appearance, made.scene, Resolve(made.appearance, made.scene, &made.frame, made.fields));
+    const Painter painter(made.view, Resolve(made.view, &made.frame, made.fields));
     return painter.Labels();
   };
   EXPECT_EQ(labels(), 12);

@@ -3,7 +3,7 @@
 #include "Block.h"
 
 #include "Core/Base/Error.h"
-#include "Trace/StridedFrame.h"
+#include "Trace/Tracer.h"
 
 #include <gtest/gtest.h>
 

@@ -60,14 +60,14 @@ void CheckWithoutInput(const CLI::App& command)
 
 Measured Measure(const Shot& shot, const BenchOptions& options)
 {
-  const Camera camera = shot.MakeCamera();
   // Tells the range, which is no part of a frame.
-  const Appearance appearance = AppearanceOf(options.shot.colors, &options.contours, shot);
-  const Frame first = Trace(shot.scene, camera, {}, { .centres = NeedsOf(appearance, shot.scene) });
+  const Frame first = Trace(ViewOf(options.shot.colors, &options.contours, shot), Buffer::None);
   ShotAppearance plain(options.shot.colors, nullptr, shot, first);
   const Pipeline pipeline = plain.GetPainter().MakePipeline();
+  const Scene& scene = plain.GetView().scene;
+  const Camera camera = shot.MakeCamera();
   ProgressLine line("measuring");
-  Measured measured{ MeasureFrames(shot.scene, camera, pipeline, options.repeat,
+  Measured measured{ MeasureFrames(scene, camera, pipeline, options.repeat,
                        [&line](double part) { line(part); }),
     first.counters, std::nullopt };
   if (options.contours.AreGiven())
@@ -75,7 +75,7 @@ Measured Measure(const Shot& shot, const BenchOptions& options)
     ShotAppearance withContours(
       options.shot.colors, &options.contours, shot, first, std::make_shared<ContourBounds>());
     Painter& painter = withContours.GetPainter();
-    measured.contours = MeasureContours(shot.scene, camera, pipeline, painter.MakePipeline(),
+    measured.contours = MeasureContours(scene, camera, pipeline, painter.MakePipeline(),
       options.repeat, [&painter] { return painter.Contours()->Counters(); });
   }
   return measured;

@@ -109,10 +109,10 @@ TradeScene MakeScene(const CompareOptions& options, const Shot& shot)
   {
     scene.patches = ReadPatches(file);
   }
-  const Frame frame = Trace(shot.scene, shot.MakeCamera(), {},
-    { .centres = NeedsOf(AppearanceOf(options.shot.colors, &options.contours, shot), shot.scene) |
-        Buffer::Value });
+  const Frame frame = Trace(ViewOf(options.shot.colors, &options.contours, shot), Buffer::Value);
   const ShotAppearance appearance(options.shot.colors, &options.contours, shot, frame);
+  scene.view = appearance.GetView();
+  scene.resolved = appearance.Resolved();
   scene.map = appearance.Maps().front();
   scene.range = *appearance.Ranges().front();
   if (const ContourCertifier* contours = appearance.GetPainter().Contours())

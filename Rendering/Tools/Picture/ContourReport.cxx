@@ -19,7 +19,7 @@ FoundContours FindContours(
 {
   const ContourCertifier& told = *appearance.GetPainter().Contours();
   FoundContours found{ told.Values(), 0, told.Counters(), labels,
-    appearance.GetAppearance().contours.method.interior, appearance.Resolved().ofOneValue };
+    appearance.GetView().appearance.contours.method.interior, appearance.Resolved().ofOneValue };
   for (std::size_t k = 0; k < found.values.size(); ++k)
   {
     const ValueRange seen = ValuesSeen(frame, k);

@@ -9,8 +9,6 @@
 #include "Picture/RenderOptions.h"
 #include "Picture/SharedTrace.h"
 
-#include "Trace/StridedFrame.h"
-
 #include <fmt/format.h>
 
 #include <limits>
@@ -22,17 +20,12 @@ Frame TraceShot(const RenderOptions& options, const Shot& shot, const Progress& 
 {
   const bool hasField = shot.scene.layers.front().field != nullptr;
   // The report tells which values are seen.
-  const Buffer wanted =
-    NeedsOf(AppearanceOf(options.shot.colors, &options.contours, shot), shot.scene) |
-    (hasField ? Buffer::Value : Buffer::None) | options.debug.Needs() |
+  const Buffer others = (hasField ? Buffer::Value : Buffer::None) | options.debug.Needs() |
     options.buffers.Needs(hasField) | options.outline.Needs();
-  if (const int stride = options.knobs.Stride(); stride > 1)
-  {
-    return TraceStrided(shot.scene, shot.MakeCamera(), wanted, stride, progress);
-  }
-  return AreSeveralProcesses()
-    ? TraceTogether(shot, wanted, progress)
-    : Trace(shot.scene, shot.MakeCamera(), {}, { .centres = wanted }, progress);
+  View view = ViewOf(options.shot.colors, &options.contours, shot);
+  view.stride = options.knobs.Stride();
+  return AreSeveralProcesses() ? TraceTogether(view, others, progress)
+                               : Trace(view, others, progress);
 }
 
 DrawnShot::DrawnShot(const RenderOptions& options, const Shot& shot, Frame traced, bool paths)
@@ -63,7 +56,8 @@ DrawnShot::DrawnShot(const RenderOptions& options, const Shot& shot, Frame trace
   }
   Pipeline pipeline = painter.MakePipeline({ .edges = !edges, .contours = !contours });
   Told.AddTo(pipeline, shot, *Colors, Pixels);
-  Repaint(shot.scene, shot.MakeCamera(), pipeline, Pixels);
+  const View& view = Colors->GetView();
+  Repaint(view.scene, view.camera.Make(), pipeline, Pixels);
   Told.Count(Pixels);
   if (edges)
   {

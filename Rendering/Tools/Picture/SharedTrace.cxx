@@ -3,10 +3,11 @@
 
 #include "Base/Processes.h"
 #include "Picture/SeveralProcesses.h"
-#include "Scene/Shot.h"
 
+#include "Trace/Appearance/Painter.h"
 #include "Trace/BufferTable.h"
 #include "Trace/FrameTiles.h"
+#include "Trace/View.h"
 
 #include <vtkCommunicator.h>
 #include <vtkMultiProcessController.h>
@@ -142,15 +143,16 @@ void AddCounters(Frame& frame, vtkMultiProcessController& all)
 }
 } // namespace
 
-Frame TraceTogether(const Shot& shot, Buffer wanted, const Progress& progress)
+Frame TraceTogether(const View& view, Buffer centres, const Progress& progress)
 {
-  if (HasJumps(shot.scene))
+  if (HasJumps(view.scene))
   {
     RefuseSeveralProcesses("jump(...), which asks for all neighbours,");
   }
   auto& all = *vtkMultiProcessController::GetGlobalController();
   const int processes = all.GetNumberOfProcesses();
-  Frame frame = Trace(shot.scene, shot.MakeCamera(), {},
+  const Buffer wanted = centres | NeedsOf(view);
+  Frame frame = Trace(view.scene, view.camera.Make(), {},
     { .centres = wanted, .tiles = { all.GetLocalProcessId(), processes } }, progress);
   // All have as many sheets as the one with most.
   const int own = 1 + static_cast<int>(frame.centres.behind.size());

@@ -5,11 +5,11 @@
 
 namespace pixelexact
 {
-struct Shot;
+struct View;
 
-/// Trace by several processes, which hold the same scene and camera and all call it: tile by tile
-/// in turns. The first one's frame is then that which one process would have traced, bit for bit;
+/// Trace(View) by several processes, which hold the same view and all call it: tile by tile in
+/// turns. The first one's frame is then that which one process would have traced, bit for bit;
 /// those of the others lack the tiles that were not theirs. The scene's counters of location are of
 /// a process' own tiles.
-Frame TraceTogether(const Shot& shot, Buffer wanted, const Progress& progress);
+Frame TraceTogether(const View& view, Buffer centres, const Progress& progress);
 } // namespace pixelexact

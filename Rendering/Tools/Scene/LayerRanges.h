@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Trace/Appearance/Appearance.h"
 #include "Trace/Appearance/Resolve.h"
 
 #include <array>

@@ -123,7 +123,6 @@ Layer MakeLayer(const ShotOptions& options, const LayerSettings& settings,
       std::string(": values of the expression '") + field.name +
       "' are computed in double precision; leave it out");
   }
-  layer.translucent = settings.opacity < 1.0;
   return layer;
 }
 
@@ -137,7 +136,6 @@ void AddLayers(const ShotOptions& options,
     for (std::size_t k = 0; k < surfaces.size(); ++k)
     {
       shot.scene.layers.push_back({ surfaces[k] });
-      shot.scene.layers.back().translucent = shot.settings[k].opacity < 1.0;
     }
     return;
   }

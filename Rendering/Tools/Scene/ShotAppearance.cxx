@@ -65,6 +65,7 @@ public:
     return Colors.MapOver(range, Map);
   }
   [[nodiscard]] bool IsLogarithmic() const override { return Colors.Logarithm(); }
+  [[nodiscard]] bool IsOpaque() const override { return true; }
   [[nodiscard]] std::array<double, 2> RangeOfNothing() const override
   {
     return IsLogarithmic() ? std::array{ 1.0, 10.0 } : std::array{ 0.0, 1.0 };
@@ -134,10 +135,10 @@ LayerAppearance AppearanceOfLayer(
 }
 } // namespace
 
-Appearance AppearanceOf(
-  const ColorOptions& colors, const ContourOptions* contours, const Shot& shot)
+View ViewOf(const ColorOptions& colors, const ContourOptions* contours, const Shot& shot)
 {
-  Appearance appearance;
+  View view{ shot.input.model, shot.scene, { shot.view, shot.size.width, shot.size.height }, {} };
+  Appearance& appearance = view.appearance;
   for (std::size_t k = 0; k < shot.scene.layers.size(); ++k)
   {
     appearance.layers.push_back(AppearanceOfLayer(colors, contours, shot, k));
@@ -159,23 +160,23 @@ Appearance AppearanceOf(
   {
     appearance.contours = contours->MakeAppearance(colors.BackgroundColor());
   }
-  return appearance;
+  SetTranslucency(view);
+  return view;
 }
 
 ShotAppearance::ShotAppearance(const ColorOptions& colors, const ContourOptions* contours,
   const Shot& shot, const Frame& frame, std::shared_ptr<ContourBounds> bounds)
-  : TheAppearance(AppearanceOf(colors, contours, shot))
+  : Of(ViewOf(colors, contours, shot))
 {
   FieldRanges fields;
   ProgressLine line("bounding");
-  TheResolved = Resolve(TheAppearance, shot.scene, &frame, fields, shot.valuesOfAll,
-    [&line](double part) { line(part); });
-  for (std::size_t k = 0; k < TheAppearance.layers.size(); ++k)
+  TheResolved = Resolve(Of, &frame, fields, shot.valuesOfAll, [&line](double part) { line(part); });
+  for (std::size_t k = 0; k < Of.appearance.layers.size(); ++k)
   {
     const ResolvedLayer& layer = TheResolved.layers[k];
-    TheRanges.push_back(TheAppearance.layers[k].solid ? std::nullopt : layer.range);
+    TheRanges.push_back(Of.appearance.layers[k].solid ? std::nullopt : layer.range);
     TheMaps.push_back(layer.map);
   }
-  Paints = std::make_unique<Painter>(TheAppearance, shot.scene, TheResolved, std::move(bounds));
+  Paints = std::make_unique<Painter>(Of, TheResolved, std::move(bounds));
 }
 } // namespace pixelexact

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Trace/Appearance/Painter.h"
+#include "Trace/View.h"
 
 #include <memory>
 #include <vector>
@@ -13,22 +14,22 @@ class ContourBounds;
 class ContourOptions;
 struct Shot;
 
-/// What the command line says of how a shot is shown. `contours`: null, or none given: none are.
-[[nodiscard]] Appearance AppearanceOf(
+/// The view that the command line describes. `contours`: null, or none given: there are none.
+[[nodiscard]] View ViewOf(
   const ColorOptions& colors, const ContourOptions* contours, const Shot& shot);
 
 /// How the layers of a shot are shown, in numbers: their colour maps and ranges, and the painter.
 class ShotAppearance
 {
 public:
-  /// Of a frame that has the buffers of NeedsOf(AppearanceOf(...)). `bounds`: as of Painter. The
+  /// Of a frame that has the buffers of NeedsOf(ViewOf(...)). `bounds`: as of Painter. The
   /// options and the shot must outlive it. Throws Error as Resolve and Painter.
   ShotAppearance(const ColorOptions& colors, const ContourOptions* contours, const Shot& shot,
     const Frame& frame, std::shared_ptr<ContourBounds> bounds = nullptr);
   ShotAppearance(const ShotAppearance&) = delete;
   ShotAppearance& operator=(const ShotAppearance&) = delete;
 
-  [[nodiscard]] const Appearance& GetAppearance() const { return TheAppearance; }
+  [[nodiscard]] const View& GetView() const { return Of; }
   [[nodiscard]] const ResolvedAppearance& Resolved() const { return TheResolved; }
   [[nodiscard]] Painter& GetPainter() { return *Paints; }
   [[nodiscard]] const Painter& GetPainter() const { return *Paints; }
@@ -38,7 +39,7 @@ public:
   [[nodiscard]] const std::vector<ColorMap>& Maps() const { return TheMaps; }
 
 private:
-  Appearance TheAppearance;
+  View Of;
   ResolvedAppearance TheResolved;
   std::vector<ValueRange> TheRanges;
   std::vector<ColorMap> TheMaps;

@@ -6,10 +6,9 @@
 
 #include "Core/Element/Truncation.h"
 #include "HighOrderModel.h"
+#include "Trace/Appearance/Painter.h"
 #include "Trace/Contours/LayerBounds.h"
-#include "Trace/Modules/Antialiasing.h"
-#include "Trace/StridedFrame.h"
-#include "Trace/Tracer.h"
+#include "Trace/View.h"
 
 #include <fmt/format.h>
 
@@ -59,27 +58,16 @@ public:
     : TheScene(scene)
     , TheKnob(knob)
     , Order(order)
-    , Colors(scene.map)
   {
-    if (knob.samples > 1)
-    {
-      Smooth.emplace(knob.samples);
-    }
   }
 
   TradeTime Measure() override
   {
     const FreshModel fresh(*TheScene.shot);
-    Scene scene = TheScene.shot->scene;
-    Layer& layer = scene.layers.front();
-    layer.field = fresh.model->FindField(layer.field->name);
-    layer.precision = TheKnob.precision;
-    if (!TheScene.isoValues.empty() && TheKnob.stride == 1)
-    {
-      // Later frames of the same data know the elements' bounds.
-      Contours.emplace(std::vector<std::vector<double>>{ TheScene.isoValues },
-        TheKnob.contours.value_or(ContourMethod()), std::make_shared<ContourBounds>());
-    }
+    View view = ViewOf(fresh);
+    Layer& layer = view.scene.layers.front();
+    // Later frames of the same data know the elements' bounds.
+    Paints = std::make_unique<Painter>(view, TheScene.resolved, std::make_shared<ContourBounds>());
     TradeTime time;
     const PeakMemory memory;
     const Timer first;
@@ -90,12 +78,12 @@ public:
       kept = truncation.emplace(*layer.field, *Order).Kept();
       layer.field = &kept;
     }
-    scene.locator = &fresh.model->GetLocator();
+    view.scene.locator = &fresh.model->GetLocator();
     layer.surface = TheScene.surface(fresh.model);
-    TheFrame = MakeFrame(scene);
+    TheFrame = MakeFrame(view);
     time.first = first.Seconds();
     const Timer next;
-    TheFrame = MakeFrame(scene);
+    TheFrame = MakeFrame(view);
     time.next = next.Seconds();
     time.bytes = memory.Bytes().value_or(-1.0);
     return time;
@@ -114,27 +102,45 @@ public:
 
   Picture Show() override
   {
-    return PictureOf(TheFrame, Contours ? Contours->Verdicts() : std::vector<std::uint8_t>());
+    const ContourCertifier* contours = Paints->Contours();
+    return PictureOf(
+      TheFrame, contours != nullptr ? contours->Verdicts() : std::vector<std::uint8_t>());
   }
 
 private:
-  Frame MakeFrame(const Scene& scene)
+  /// The compared view of the fresh model with the knob's settings, and nothing but colours and the
+  /// verdicts of contours.
+  [[nodiscard]] View ViewOf(const FreshModel& fresh) const
   {
-    const Camera camera = TheScene.shot->MakeCamera();
-    Pipeline pipeline{ { &Colors }, {} };
-    if (Smooth)
+    View view = TheScene.view;
+    Layer& layer = view.scene.layers.front();
+    layer.field = fresh.model->FindField(layer.field->name);
+    layer.precision = TheKnob.precision;
+    Appearance& appearance = view.appearance;
+    appearance.layers.front().material.reset();
+    appearance.edges.reset();
+    appearance.outlines.reset();
+    appearance.samples = TheKnob.samples;
+    appearance.contours = {};
+    appearance.contours.method = TheKnob.contours.value_or(ContourMethod());
+    if (TheKnob.stride > 1)
     {
-      pipeline.modules.push_back(&*Smooth);
+      appearance.layers.front().contours = {};
     }
-    if (Contours)
+    view.stride = TheKnob.stride;
+    return view;
+  }
+
+  [[nodiscard]] Frame MakeFrame(const View& view)
+  {
+    const Camera camera = view.camera.Make();
+    const Pipeline pipeline = Paints->MakePipeline({ .edges = false, .contours = false });
+    constexpr Buffer kWanted = Buffer::Value | Buffer::Verdict;
+    if (view.stride == 1)
     {
-      pipeline.modules.push_back(&*Contours);
+      return Trace(view.scene, camera, pipeline, { .centres = kWanted });
     }
-    if (TheKnob.stride == 1)
-    {
-      return Trace(scene, camera, pipeline, { .centres = Buffer::Value | Buffer::Verdict });
-    }
-    Frame frame = TraceStrided(scene, camera, Buffer::Value | Buffer::Verdict, TheKnob.stride);
+    Frame frame = TraceStrided(view.scene, camera, kWanted, view.stride);
     Repaint(pipeline, frame);
     return frame;
   }
@@ -142,9 +148,7 @@ private:
   const TradeScene& TheScene;
   const Knob& TheKnob;
   std::optional<int> Order;
-  ColorMapping Colors;
-  std::optional<Antialiasing> Smooth;
-  std::optional<ContourCertifier> Contours;
+  std::unique_ptr<Painter> Paints;
   Frame TheFrame;
 };
 } // namespace

@@ -77,8 +77,8 @@ FieldDifference TraceDifferenceOf(
   const DifferenceScene scene{ { shot.scene.locator, layer.field }, other.Of(), layer.surface,
     layer.component, shot.scene.kept };
   ProgressLine line("comparing");
-  return TraceDifference(scene, shot.MakeCamera(),
-    NeedsOf(AppearanceOf(colors, nullptr, shot), shot.scene), true, std::ref(line));
+  return TraceDifference(
+    scene, shot.MakeCamera(), NeedsOf(ViewOf(colors, nullptr, shot)), true, std::ref(line));
 }
 
 SolutionSize SizeOf(const LoadedModel& input, const Field& field)

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Trace/Camera.h"
+#include "Trace/Appearance/Resolve.h"
 #include "Trace/Compare/PictureErrors.h"
-#include "Trace/Modules/ColorMapping.h"
-#include "Trace/Modules/ContourCertifier.h"
 #include "Trace/Surfaces/BezierPatch.h"
+#include "Trace/View.h"
 
 #include <vtkSmartPointer.h>
 
@@ -42,6 +41,8 @@ struct TradeScene
   double isoValue = 0.0;
   std::vector<BezierPatch> patches; ///< that the surface is made of
   std::vector<double> isoValues;    ///< of contours, ascending; none: no contours
+  View view;                        ///< of the shot
+  ResolvedAppearance resolved;      ///< of the view
   ColorMap map;
   std::array<double, 2> range{}; ///< of the colour map
 };

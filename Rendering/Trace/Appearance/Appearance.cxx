@@ -11,6 +11,11 @@ bool LayerAppearance::ReadsTable() const
     (!solid || contours.count > 0 || (contours.Any() && contours.colors.empty()));
 }
 
+bool LayerAppearance::IsOpaque() const
+{
+  return opacity >= 1.0 && (solid || table == nullptr || table->IsOpaque());
+}
+
 bool LayerAppearance::operator==(const LayerAppearance& other) const
 {
   const bool sameTable = (table == nullptr) == (other.table == nullptr) &&

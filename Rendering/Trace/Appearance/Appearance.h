@@ -74,6 +74,8 @@ struct LayerAppearance
 
   /// Whether the table is read: by the surface's colours, the contours' or their values.
   [[nodiscard]] bool ReadsTable() const;
+  /// Whether nothing behind the layer can be seen.
+  [[nodiscard]] bool IsOpaque() const;
   bool operator==(const LayerAppearance& other) const;
 };
 

@@ -4,6 +4,7 @@
 #include "Core/Faces/FaceTable.h"
 #include "Trace/Contours/LayerBounds.h"
 #include "Trace/FrameTiles.h"
+#include "Trace/View.h"
 
 #include <algorithm>
 #include <utility>
@@ -18,10 +19,11 @@ KindOfFace KindsOf(const FaceTable* faces)
                           : [faces](int element, int face) { return faces->KindOf(element, face); };
 }
 
-bool HasLabels(const Appearance& appearance, const Scene& scene)
+bool HasLabels(const View& view)
 {
+  const Appearance& appearance = view.appearance;
   return appearance.HasContours() && appearance.contours.labels &&
-    !(appearance.bySheets && HasTranslucent(scene));
+    !(appearance.bySheets && HasTranslucent(view.scene));
 }
 
 std::vector<std::optional<Material>> MaterialsOf(const Appearance& appearance)
@@ -35,9 +37,10 @@ std::vector<std::optional<Material>> MaterialsOf(const Appearance& appearance)
 }
 } // namespace
 
-Painter::Painter(const Appearance& appearance, const Scene& scene,
-  const ResolvedAppearance& resolved, std::shared_ptr<ContourBounds> bounds)
+Painter::Painter(
+  const View& view, const ResolvedAppearance& resolved, std::shared_ptr<ContourBounds> bounds)
 {
+  const Appearance& appearance = view.appearance;
   std::vector<LayerColors> colors;
   for (std::size_t k = 0; k < appearance.layers.size(); ++k)
   {
@@ -65,13 +68,15 @@ Painter::Painter(const Appearance& appearance, const Scene& scene,
   }
   if (appearance.HasContours())
   {
-    MakeContours(appearance, scene, resolved, std::move(bounds));
+    MakeContours(view, resolved, std::move(bounds));
   }
 }
 
-void Painter::MakeContours(const Appearance& appearance, const Scene& scene,
-  const ResolvedAppearance& resolved, std::shared_ptr<ContourBounds> bounds)
+void Painter::MakeContours(
+  const View& view, const ResolvedAppearance& resolved, std::shared_ptr<ContourBounds> bounds)
 {
+  const Appearance& appearance = view.appearance;
+  const Scene& scene = view.scene;
   std::vector<std::vector<double>> values;
   std::vector<std::vector<Rgba>> colors;
   ContourStyle style = appearance.contours.style;
@@ -84,7 +89,7 @@ void Painter::MakeContours(const Appearance& appearance, const Scene& scene,
     const bool any = appearance.layers[k].contours.Any();
     style.curved = style.curved || (any && !scene.layers[k].surface->IsFlat());
   }
-  TheLabels = HasLabels(appearance, scene) ? appearance.contours.labels : std::nullopt;
+  TheLabels = HasLabels(view) ? appearance.contours.labels : std::nullopt;
   style.onSheet = appearance.bySheets && HasTranslucent(scene);
   style.keepBeneath = TheLabels.has_value();
   Certifier.emplace(std::move(values), appearance.contours.method, std::move(bounds));
@@ -123,19 +128,20 @@ Pipeline Painter::MakePipeline(const Drawn& drawn)
   return pipeline;
 }
 
-Buffer NeedsOf(const Appearance& appearance, const Scene& scene, bool afterwards)
+Buffer NeedsOf(const View& view, bool afterwards)
 {
+  const Appearance& appearance = view.appearance;
   const bool byValue = std::ranges::any_of(
     appearance.layers, [](const LayerAppearance& layer) { return !layer.solid; });
   // Normals tell labels where a surface hides a part of itself.
   const Buffer ofLabels =
-    HasLabels(appearance, scene) ? Buffer::Value | Buffer::Position | Buffer::Normal : Buffer::None;
+    HasLabels(view) ? Buffer::Value | Buffer::Position | Buffer::Normal : Buffer::None;
   const Buffer ofContours = afterwards && appearance.HasContours()
     ? ContourCertifier({}, appearance.contours.method).Needs().welcome | Buffer::Layer
     : Buffer::None;
-  return Buffer::Verdict | NeedsOfRules(appearance, scene) | ofContours | ofLabels |
+  return Buffer::Verdict | NeedsOfRules(view) | ofContours | ofLabels |
     (byValue ? Buffer::Value : Buffer::None) |
-    (scene.layers.size() > 1 ? Buffer::Layer : Buffer::None) |
+    (view.scene.layers.size() > 1 ? Buffer::Layer : Buffer::None) |
     (appearance.IsLit() ? Buffer::Position | Buffer::Normal : Buffer::None) |
     (appearance.edges ? ElementEdges(*appearance.edges).Needs().centres : Buffer::None) |
     (appearance.outlines ? ElementOutlines().Needs().centres : Buffer::None);

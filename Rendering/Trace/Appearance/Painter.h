@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Trace/Appearance/Appearance.h"
 #include "Trace/Appearance/Resolve.h"
 #include "Trace/Modules/Antialiasing.h"
 #include "Trace/Modules/ContourCertifier.h"
+#include "Trace/Modules/ContourLines.h"
+#include "Trace/Modules/ElementEdges.h"
 #include "Trace/Modules/ElementOutlines.h"
+#include "Trace/Modules/Lighting.h"
 #include "Trace/Pipeline.h"
 
 #include <cstdint>
@@ -16,6 +18,7 @@
 namespace pixelexact
 {
 class ContourBounds;
+struct View;
 
 /// Which lines a pipeline draws beside colours.
 struct Drawn
@@ -24,15 +27,15 @@ struct Drawn
   bool contours = true; ///< pixels are classified in any case
 };
 
-/// Creates pipelines from an appearance: colours, lights, anti-aliasing, lines between elements,
-/// contours, in this order.
+/// Creates pipelines from the appearance of a view: colours, lights, anti-aliasing, lines between
+/// elements, contours, in this order.
 class Painter
 {
 public:
-  /// `scene`, `resolved`: those of the appearance. `bounds`: bounds of the fields that contours
+  /// `resolved`: of the view. `bounds`: bounds of the fields that contours
   /// keep between frames; null: they are computed for each frame. Throws Error for values and
   /// widths that cannot be drawn.
-  Painter(const Appearance& appearance, const Scene& scene, const ResolvedAppearance& resolved,
+  Painter(const View& view, const ResolvedAppearance& resolved,
     std::shared_ptr<ContourBounds> bounds = nullptr);
   Painter(const Painter&) = delete;
   Painter& operator=(const Painter&) = delete;
@@ -52,8 +55,8 @@ public:
   [[nodiscard]] std::int64_t Refined() const { return Smooth ? Smooth->Refined() : 0; }
 
 private:
-  void MakeContours(const Appearance& appearance, const Scene& scene,
-    const ResolvedAppearance& resolved, std::shared_ptr<ContourBounds> bounds);
+  void MakeContours(
+    const View& view, const ResolvedAppearance& resolved, std::shared_ptr<ContourBounds> bounds);
 
   std::optional<ColorMapping> Colors;
   // Not optional, of which g++ 14 believes that it is reset before it holds anything.
@@ -68,6 +71,5 @@ private:
 
 /// The buffers of centres that Resolve, a Painter and labels read. `afterwards`: the frame is
 /// painted in a second pass, and keeps the buffers that make this pass faster.
-[[nodiscard]] Buffer NeedsOf(
-  const Appearance& appearance, const Scene& scene, bool afterwards = true);
+[[nodiscard]] Buffer NeedsOf(const View& view, bool afterwards = true);
 } // namespace pixelexact

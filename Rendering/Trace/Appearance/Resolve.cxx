@@ -96,8 +96,8 @@ std::array<double, 2> Shown(
 /// What Resolve works with.
 struct Resolver
 {
-  const Appearance& appearance;
   const Scene& scene;
+  const Appearance& appearance;
   const Frame* frame;
   FieldRanges& fields;
   const std::vector<ValueRange>& ofAll;
@@ -229,18 +229,18 @@ ValueRange FieldRanges::Of(
   return at->second;
 }
 
-Buffer NeedsOfRules(const Appearance& appearance, const Scene& scene)
+Buffer NeedsOfRules(const View& view)
 {
-  return !appearance.NeedsFrame()
-    ? Buffer::None
-    : Buffer::Value | Buffer::Verdict | (scene.layers.size() > 1 ? Buffer::Layer : Buffer::None);
+  return !view.appearance.NeedsFrame() ? Buffer::None
+                                       : Buffer::Value | Buffer::Verdict |
+      (view.scene.layers.size() > 1 ? Buffer::Layer : Buffer::None);
 }
 
-ResolvedAppearance Resolve(const Appearance& appearance, const Scene& scene, const Frame* frame,
-  FieldRanges& fields, const std::vector<ValueRange>& ofAll,
-  const std::function<void(double)>& progress)
+ResolvedAppearance Resolve(const View& view, const Frame* frame, FieldRanges& fields,
+  const std::vector<ValueRange>& ofAll, const std::function<void(double)>& progress)
 {
-  const Resolver resolver{ appearance, scene, frame, fields, ofAll, progress };
+  const Appearance& appearance = view.appearance;
+  const Resolver resolver{ view.scene, appearance, frame, fields, ofAll, progress };
   ResolvedAppearance resolved;
   for (std::size_t k = 0; k < appearance.layers.size(); ++k)
   {
@@ -272,11 +272,10 @@ ValueRange ValuesSeen(const Frame& frame, std::size_t layer)
   return ValuesSeen(frame, kAnyValue, layers);
 }
 
-ValueRange RangeSeen(
-  const Appearance& appearance, const Scene& scene, const Frame& frame, std::size_t layer)
+ValueRange RangeSeen(const View& view, const Frame& frame, std::size_t layer)
 {
-  const std::vector<bool> group = GroupOf(appearance, layer);
-  const ValueRange seen = ValuesSeen(frame, LowestOf(appearance.layers[layer]), group);
-  return seen ? ValueRange(Shown(scene, group, *seen)) : seen;
+  const std::vector<bool> group = GroupOf(view.appearance, layer);
+  const ValueRange seen = ValuesSeen(frame, LowestOf(view.appearance.layers[layer]), group);
+  return seen ? ValueRange(Shown(view.scene, group, *seen)) : seen;
 }
 } // namespace pixelexact

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Trace/Appearance/Appearance.h"
+#include "Core/Element/Mesh.h"
 #include "Trace/Frame.h"
-#include "Trace/Scene.h"
+#include "Trace/Modules/ColorMapping.h"
 
 #include <array>
 #include <functional>
@@ -15,6 +15,8 @@
 // From the rules of an appearance to numbers: the ranges of colours, the values of contours.
 namespace pixelexact
 {
+struct View;
+
 using ValueRange = std::optional<std::array<double, 2>>;
 
 /// The proven ranges of fields of a mesh (FieldRange), each found once.
@@ -48,15 +50,14 @@ struct ResolvedAppearance
 };
 
 /// The buffers of centres that Resolve reads.
-[[nodiscard]] Buffer NeedsOfRules(const Appearance& appearance, const Scene& scene);
+[[nodiscard]] Buffer NeedsOfRules(const View& view);
 
 /// `frame`: where a rule follows from its values; null: such ranges are those of no values, and
 /// numbers of contours are left out. `ofAll`: by layer, the values of RangeRule::Of::All; empty:
 /// they are the frame's. Where there are no finite values the range is the table's RangeOfNothing.
 /// Throws Error as FieldRange and ColorTable::Over, and for contours of a layer without a field.
-[[nodiscard]] ResolvedAppearance Resolve(const Appearance& appearance, const Scene& scene,
-  const Frame* frame, FieldRanges& fields, const std::vector<ValueRange>& ofAll = {},
-  const std::function<void(double)>& progress = {});
+[[nodiscard]] ResolvedAppearance Resolve(const View& view, const Frame* frame, FieldRanges& fields,
+  const std::vector<ValueRange>& ofAll = {}, const std::function<void(double)>& progress = {});
 
 /// The range of the finite values at the centres of exact pixels above `lowest` on these layers
 /// (empty: all), sheets behind others included; none: there are none.
@@ -65,6 +66,5 @@ struct ResolvedAppearance
 [[nodiscard]] ValueRange ValuesSeen(const Frame& frame, std::size_t layer);
 
 /// The range that the values of a group of layers give, where there are any: as RangeRule::Of::Cut.
-[[nodiscard]] ValueRange RangeSeen(
-  const Appearance& appearance, const Scene& scene, const Frame& frame, std::size_t layer);
+[[nodiscard]] ValueRange RangeSeen(const View& view, const Frame& frame, std::size_t layer);
 } // namespace pixelexact

@@ -28,6 +28,8 @@ public:
   [[nodiscard]] virtual ColorMap Over(const std::array<double, 2>& range) const = 0;
   /// Whether colours are by the logarithm of values, which are above 0 then.
   [[nodiscard]] virtual bool IsLogarithmic() const = 0;
+  /// Whether all of its colours are opaque.
+  [[nodiscard]] virtual bool IsOpaque() const = 0;
   /// The range where a rule is of values and none are seen.
   [[nodiscard]] virtual std::array<double, 2> RangeOfNothing() const = 0;
   /// Whether the other one gives the same colours.
