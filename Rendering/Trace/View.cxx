@@ -4,7 +4,9 @@
 #include "Trace/Appearance/Painter.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <iterator>
 
 namespace pixelexact
 {
@@ -29,5 +31,19 @@ Frame Trace(const View& view, Buffer centres, const Progress& progress)
   return view.stride > 1
     ? TraceStrided(view.scene, view.camera.Make(), wanted, view.stride, progress)
     : Trace(view.scene, view.camera.Make(), {}, { .centres = wanted }, progress);
+}
+
+std::vector<Vec3> SeenPoints(const Scene& scene, const CameraSetup& camera)
+{
+  Scene opaque = scene;
+  for (Layer& layer : opaque.layers)
+  {
+    layer.translucent = false; // what lies behind is within the outline of what is in front
+  }
+  const Frame frame = Trace(opaque, camera.Make(), {}, { .centres = Buffer::Position });
+  std::vector<Vec3> points;
+  std::ranges::copy_if(frame.centres.position, std::back_inserter(points),
+    [](const Vec3& x) { return std::isfinite(x.x + x.y + x.z); });
+  return points;
 }
 } // namespace pixelexact

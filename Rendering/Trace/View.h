@@ -7,6 +7,7 @@
 #include "Trace/Tracer.h"
 
 #include <memory>
+#include <vector>
 
 // The description of one picture. Tool, Python, mappers, ParaView, compare and bench fill a View;
 // Trace, Resolve and a Painter turn it into pixels, and a Renderer keeps what stays the same from
@@ -40,4 +41,8 @@ void SetTranslucency(View& view, bool all = false);
 /// The samples of the view's pixels, without colours: `centres` and those that Resolve and a
 /// Painter read. Throws Error as Trace(Scene); aborted as it.
 [[nodiscard]] Frame Trace(const View& view, Buffer centres, const Progress& progress = {});
+
+/// Where the pixels of a scene lie, for a camera that is to show all of it; a small image is
+/// enough. Pieces of elements that this makes are kept for the picture. Throws Error as Trace.
+[[nodiscard]] std::vector<Vec3> SeenPoints(const Scene& scene, const CameraSetup& camera);
 } // namespace pixelexact

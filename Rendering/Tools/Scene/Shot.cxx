@@ -9,7 +9,7 @@
 
 #include "Core/Base/Error.h"
 #include "Core/Location/Locator.h"
-#include "Trace/Tracer.h"
+#include "Trace/View.h"
 
 #include "Views/FittedView.h"
 #include "Views/VtkLook.h"
@@ -171,11 +171,7 @@ void TellWhatWasChosen(const ShotOptions& options, Shot& shot)
 std::vector<Vec3> SeenPoints(const Scene& scene, const CameraView& view, const ImageSize& size)
 {
   const auto [width, height] = SmallSize(size.width, size.height);
-  const Frame frame = Trace(scene, { view, width, height }, {}, { .centres = Buffer::Position });
-  std::vector<Vec3> points;
-  std::ranges::copy_if(frame.centres.position, std::back_inserter(points),
-    [](const Vec3& x) { return std::isfinite(x.x + x.y + x.z); });
-  return points;
+  return SeenPoints(scene, { view, width, height });
 }
 
 namespace
