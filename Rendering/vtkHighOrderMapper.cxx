@@ -41,6 +41,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkHighOrderMapper);
@@ -55,6 +56,7 @@ struct vtkHighOrderMapper::Internals
   std::int64_t BuffersVersion = -1; ///< of the frame that Buffers hold
   std::array<double, 2> SeenRange;
 
+  std::shared_ptr<const pixelexact::Appearance> Given; ///< null: by the settings
   std::optional<std::size_t> TableLayer; ///< of the last view: one that reads the mapper's table
 
   /// All that mapper and actor determine of a view.
@@ -100,6 +102,15 @@ pixelexact::View vtkHighOrderMapper::Internals::ViewOf(vtkHighOrderMapper* self,
       TableLayer = table == self->GetLookupTable() ? view.scene.layers.size() : TableLayer;
     }
     pixelexact::AddLayer(layer, *model, view);
+  }
+  if (Given != nullptr)
+  {
+    if (Given->layers.size() != appearance.layers.size())
+    {
+      throw pixelexact::Error("the appearance is not of as many layers as there are");
+    }
+    appearance = *Given;
+    TableLayer.reset();
   }
   if (appearance.HasContours() && appearance.contours.labels)
   {
@@ -342,6 +353,13 @@ double* vtkHighOrderMapper::GetBounds()
     }
   }
   return this->Bounds;
+}
+
+//------------------------------------------------------------------------------
+void vtkHighOrderMapper::SetAppearance(std::shared_ptr<const pixelexact::Appearance> appearance)
+{
+  this->Data->Given = std::move(appearance);
+  this->Modified();
 }
 
 //------------------------------------------------------------------------------
@@ -595,21 +613,12 @@ std::vector<std::array<double, 3>> vtkHighOrderMapper::SeenPoints(
       return points;
     }
     pixelexact::Complete(sight, view);
-    for (pixelexact::Layer& layer : view.scene.layers)
+    for (const pixelexact::Vec3& x : pixelexact::SeenPoints(view.scene, view.camera))
     {
-      layer.translucent = false;
-    }
-    for (const pixelexact::Vec3& x : pixelexact::Trace(
-           view.scene, view.camera.Make(), {}, { .centres = pixelexact::Buffer::Position })
-                                       .centres.position)
-    {
-      if (std::isfinite(x.x + x.y + x.z))
-      {
-        const double local[4] = { x.x, x.y, x.z, 1.0 };
-        double world[4];
-        sight.actor->GetMatrix()->MultiplyPoint(local, world);
-        points.push_back({ world[0], world[1], world[2] });
-      }
+      const double local[4] = { x.x, x.y, x.z, 1.0 };
+      double world[4];
+      sight.actor->GetMatrix()->MultiplyPoint(local, world);
+      points.push_back({ world[0], world[1], world[2] });
     }
   }
   catch (const pixelexact::Error&)

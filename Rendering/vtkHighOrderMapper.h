@@ -58,7 +58,7 @@
 
 #include <array>      // for ranges
 #include <functional> // for progress
-#include <memory>     // for the implementation
+#include <memory>     // for the implementation and appearances
 #include <optional>   // for picks
 #include <string>     // for the field's name
 #include <vector>     // for warnings
@@ -66,6 +66,7 @@
 namespace pixelexact
 {
 class Renderer;
+struct Appearance;
 struct CameraSight;
 struct PickRay;
 struct PickedSample;
@@ -270,6 +271,15 @@ public:
   double* GetBounds() VTK_SIZEHINT(6) override;
   void GetBounds(double bounds[6]) override { this->vtkMapper::GetBounds(bounds); }
   ///@}
+
+#ifndef __VTK_WRAP__
+  /**
+   * For programs that have an appearance of their own, as `pixelexact view` has: the mapper's
+   * layers are drawn in it, whatever the settings of mapper, actor and layers are. Lights come from
+   * the renderer. Null: by the settings. Render reports an appearance of another number of layers.
+   */
+  void SetAppearance(std::shared_ptr<const pixelexact::Appearance> appearance);
+#endif
 
 protected:
   vtkHighOrderMapper();

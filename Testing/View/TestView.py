@@ -149,6 +149,33 @@ class View(ToolTest):
         self.assertLess(np.median(difference), 3)
         self.assertLess((difference > 40).mean(), 0.1)
 
+    def test_window_shows_what_render_draws(self):
+        styles = [
+            ["--edges", "5", "--edge-color", "1,0,0", "--lights", "off"],
+            ["--contours", "3", "--contour-width", "6", "--contour-color", "0,0,1", "--contour-labels"],
+            ["--contours", "4", "--contours-only", "--contour-color", "map", "--contour-width", "4"],
+            ["--bands", "4", "--range", "0.2,1.4", "--log", "--contours", "2"],
+            ["--color", "0.2,0.8,0.4", "--contours", "3"],
+        ]
+        for number, style in enumerate(styles):
+            with self.subTest(style=style):
+                words = [self.cube, "--field", "u", "--boundary", *style]
+                self.open(*words)
+                xdotool("mousemove", 1, 1)
+                shown = self.settled()
+                self.keep(f"as-render-{number}.png")
+                self.close()
+                picture = self.folder / f"style_{number}.png"
+                done = run("render", *words, "--size", "{}x{}".format(*SIZE), "--background", "1,1,1",
+                    "--output", picture, folder=self.folder)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                drawn = read_image(picture)[::-1].astype(int)
+                # Beside the colour bar and texts at the window's edges.
+                middle = slice(70, 330), slice(110, 390)
+                self.assertGreater((drawn[middle] != 255).any(axis=2).sum(), 1000)
+                difference = np.abs(shown[middle] - drawn[middle]).max(axis=2)
+                self.assertLessEqual((difference > 1).mean(), 0.002)
+
     def test_plane_is_dragged(self):
         self.open(self.cube, "--field", "u", "--plane", "z=0.5", "--view", "iso")
         xdotool("mousemove", 5, 5)

@@ -3,6 +3,8 @@
 
 #include "Picture/DrawnShot.h"
 
+#include "Trace/View.h"
+
 #include <vtkActor.h>
 #include <vtkHighOrderLayer.h>
 #include <vtkHighOrderMapper.h>
@@ -11,7 +13,7 @@
 #include <vtkPlane.h>
 #include <vtkUnstructuredGrid.h>
 
-#include <algorithm>
+#include <memory>
 #include <vector>
 
 namespace pixelexact
@@ -21,24 +23,25 @@ vtkStandardNewMacro(GivenSurfaceOfLayer);
 ViewScene::ViewScene(const RenderOptions& options)
   : Options(options)
 {
-  TheActor->SetMapper(TheMapper);
+  Drawn->SetMapper(DrawnBy);
 }
 
 ViewScene::~ViewScene() = default;
 
 vtkActor& ViewScene::Actor() const
 {
-  return *TheActor;
+  return *Drawn;
 }
 
 vtkHighOrderMapper& ViewScene::Mapper() const
 {
-  return *TheMapper;
+  return *DrawnBy;
 }
 
-vtkLookupTable* ViewScene::FirstTable() const
+vtkSmartPointer<vtkLookupTable> ViewScene::FirstTable(const Shot& shot) const
 {
-  return Tables.front();
+  const auto& range = FoundRanges.front();
+  return range ? Options.shot.colors.TableOver(*range, shot.settings.front().colormap) : nullptr;
 }
 
 void ViewScene::MoveFirst(const std::shared_ptr<const Surface>& surface)
@@ -46,92 +49,60 @@ void ViewScene::MoveFirst(const std::shared_ptr<const Surface>& surface)
   First->Set(surface);
 }
 
-void ViewScene::MakeTables(const Shot& shot)
+void ViewScene::FindRanges(const Shot& shot)
 {
-  // Of what the view shows, as render's.
-  Shot seen = shot;
-  const Frame frame = TraceShot(Options, seen, {});
-  const ShotAppearance appearance(Options.shot.colors, nullptr, seen, frame);
-  TheRanges = appearance.Ranges();
-  Tables.clear();
-  for (std::size_t k = 0; k < TheRanges.size(); ++k)
-  {
-    Tables.push_back(TheRanges[k]
-        ? Options.shot.colors.TableOver(*TheRanges[k], shot.settings[k].colormap)
-        : nullptr);
-  }
-  Solids.clear();
-  for (const ColorMap& map : appearance.Maps())
-  {
-    const double any = 0.0;
-    Rgba color{};
-    map({ &any, 1 }, color.data());
-    Solids.push_back({ color[0] / 255.0, color[1] / 255.0, color[2] / 255.0 });
-  }
+  const Frame frame = TraceShot(Options, shot, {});
+  FoundRanges = ShotAppearance(Options.shot.colors, nullptr, shot, frame).Ranges();
 }
 
-void ViewScene::MakeLayers(const Shot& shot)
+void ViewScene::Show(const Shot& shot, bool contours, bool edges)
 {
-  TheMapper->SetInputData(shot.input.grid);
-  TheMapper->RemoveAllLayers();
-  const std::vector<Layer>& layers = shot.scene.layers;
-  for (std::size_t k = 0; k < layers.size(); ++k)
+  DrawnBy->SetInputData(shot.input.grid);
+  DrawnBy->RemoveAllLayers();
+  View view = ViewOf(Options.shot.colors, contours ? &Options.contours : nullptr, shot);
+  for (std::size_t k = 0; k < view.scene.layers.size(); ++k)
   {
-    const LayerSettings& settings = shot.settings[k];
+    const Layer& from = view.scene.layers[k];
     vtkNew<vtkHighOrderLayer> layer;
     vtkNew<GivenSurfaceOfLayer> own;
     GivenSurfaceOfLayer* surface = k == 0 ? First.Get() : own.Get();
-    surface->Set(layers[k].surface);
+    surface->Set(from.surface);
     layer->SetSurface(surface);
-    if (layers[k].field != nullptr)
+    if (from.field != nullptr)
     {
-      layer->SetFieldName(layers[k].field->name.c_str());
-      layer->SetComponent(layers[k].component);
+      layer->SetFieldName(from.field->name.c_str());
+      layer->SetComponent(from.component);
     }
-    layer->SetScalarVisibility(Tables[k] != nullptr);
-    layer->SetLookupTable(Tables[k]);
-    layer->SetColor(Solids[k].data());
-    layer->SetOpacity(settings.opacity);
-    const bool lit = settings.lights.value_or(shot.lights != Lit::Off);
-    layer->SetLighting(lit);
-    layer->SetLightFlat(lit && (settings.lights || shot.lights == Lit::On));
-    TheMapper->AddLayer(layer);
+    layer->SetScalarVisibility(from.field != nullptr);
+    layer->SetSinglePrecision(from.precision == Precision::Float);
+    layer->SetOpacity(view.appearance.layers[k].opacity); // it is drawn with what is translucent
+    DrawnBy->AddLayer(layer);
+    LayerAppearance& drawn = view.appearance.layers[k];
+    if (FoundRanges[k])
+    {
+      drawn.range = { RangeRule::Of::Ends, *FoundRanges[k] };
+    }
+    if (contours && !Options.contours.AreGiven() && from.field != nullptr)
+    {
+      drawn.contours = { .count = kDefaultContours, .colors = { Rgba{ 0, 0, 0, 255 } } };
+    }
   }
-  TheMapper->SetUseLookupTableScalarRange(true);
-  TheMapper->SetSamples(shot.samples);
-  TheMapper->SetEdgesByKind(shot.edgesByKind);
-  TheMapper->SetOutlines(shot.outlines.has_value());
-  if (shot.outlines)
+  if (!edges)
   {
-    TheMapper->SetOutlineColor(shot.outlines->data());
+    view.appearance.edges.reset();
   }
-  TheMapper->RemoveAllClippingPlanes();
+  else if (!view.appearance.edges)
+  {
+    view.appearance.edges.emplace();
+  }
+  DrawnBy->SetAppearance(std::make_shared<const Appearance>(view.appearance));
+  DrawnBy->RemoveAllClippingPlanes();
   for (const std::vector<double>& p : Options.shot.clip)
   {
     vtkNew<vtkPlane> plane;
     plane->SetOrigin(p[0], p[1], p[2]);
     plane->SetNormal(p[3], p[4], p[5]);
-    TheMapper->AddClippingPlane(plane);
+    DrawnBy->AddClippingPlane(plane);
   }
-}
-
-void ViewScene::ShowContours(bool on)
-{
-  const auto first =
-    std::ranges::find_if(TheRanges, [](const auto& range) { return range.has_value(); });
-  TheMapper->SetNumberOfContours(0);
-  TheMapper->SetContourCount(0);
-  if (!on || first == TheRanges.end())
-  {
-    return;
-  }
-  const ContourRule choice =
-    Options.contours.AreGiven() ? Options.contours.OfAll() : ContourRule{ .count = kUsualContours };
-  TheMapper->SetContourCount(choice.count);
-  for (std::size_t i = 0; i < choice.values.size(); ++i)
-  {
-    TheMapper->SetContourValue(static_cast<int>(i), choice.values[i]);
-  }
-  TheMapper->SetContourWidth(Options.contours.Style().width);
 }
 } // namespace pixelexact

@@ -18,12 +18,12 @@ class vtkLookupTable;
 
 namespace pixelexact
 {
-/// What a window shows of a shot, as an actor: layers in render's colours, and contours.
+/// An actor that shows a shot as render draws it.
 class ViewScene
 {
 public:
   /// Contours where the command line asks for none.
-  static constexpr int kUsualContours = 10;
+  static constexpr int kDefaultContours = 10;
 
   /// The options must outlive this.
   explicit ViewScene(const RenderOptions& options);
@@ -34,29 +34,26 @@ public:
   [[nodiscard]] vtkActor& Actor() const;
   [[nodiscard]] vtkHighOrderMapper& Mapper() const;
 
-  /// Colours over the ranges of what the shot's view shows, as render's.
-  void MakeTables(const Shot& shot);
-  /// The shot's surfaces and fields, in these colours.
-  void MakeLayers(const Shot& shot);
-  /// Of values between the ends of the first range.
-  void ShowContours(bool on);
+  /// The ranges of colours that follow from the picture of the shot: they stay when the surface or
+  /// the camera moves.
+  void FindRanges(const Shot& shot);
+  /// Takes over the shot's surfaces, fields and appearance, with or without contours and edges.
+  void Show(const Shot& shot, bool contours, bool edges);
   void MoveFirst(const std::shared_ptr<const Surface>& surface);
 
   /// By layer; none: it has one colour.
   [[nodiscard]] const std::vector<std::optional<std::array<double, 2>>>& Ranges() const
   {
-    return TheRanges;
+    return FoundRanges;
   }
-  /// Of the first layer; null: it has one colour.
-  [[nodiscard]] vtkLookupTable* FirstTable() const;
+  /// Of the first layer, for a colour bar; null: it has one colour.
+  [[nodiscard]] vtkSmartPointer<vtkLookupTable> FirstTable(const Shot& shot) const;
 
 private:
   const RenderOptions& Options;
-  std::vector<vtkSmartPointer<vtkLookupTable>> Tables; ///< by layer; null: one colour
-  std::vector<std::optional<std::array<double, 2>>> TheRanges;
-  std::vector<std::array<double, 3>> Solids;
-  vtkNew<vtkHighOrderMapper> TheMapper;
-  vtkNew<vtkActor> TheActor;
+  std::vector<std::optional<std::array<double, 2>>> FoundRanges;
+  vtkNew<vtkHighOrderMapper> DrawnBy;
+  vtkNew<vtkActor> Drawn;
   vtkNew<GivenSurfaceOfLayer> First;
 };
 } // namespace pixelexact

@@ -112,10 +112,8 @@ ViewWindow::ViewWindow(RenderOptions options, std::vector<std::string> words)
   Shown.Mapper().SetStillSeconds(kSeconds);
   Interactor->SetDesiredUpdateRate(1.0 / kSeconds);
   Renderer->AddActor(&Shown.Actor());
-  Shown.MakeTables(*TheShot);
-  Shown.MakeLayers(*TheShot);
-  Shown.ShowContours(Contours);
-  Shown.Actor().GetProperty()->SetEdgeVisibility(Edges);
+  Shown.FindRanges(*TheShot);
+  ShowShot();
   ApplyView(TheShot->view, Renderer->GetActiveCamera());
   Renderer->ResetCameraClippingRange(TheShot->input.grid->GetBounds());
 }
@@ -144,6 +142,11 @@ void ViewWindow::MakeWidgets()
     Slider.AddTo(Interactor, steps, [this](int step) { GoToStep(step); });
     Slider.Set(TheShot->input.step);
   }
+}
+
+void ViewWindow::ShowShot()
+{
+  Shown.Show(*TheShot, Contours, Edges);
 }
 
 void ViewWindow::MoveSurface()
@@ -179,7 +182,7 @@ void ViewWindow::GoToStep(int step)
     {
       TheShot->scene.layers.front().surface = before.scene.layers.front().surface;
     }
-    Shown.MakeLayers(*TheShot);
+    ShowShot();
   }
   Slider.Set(step);
   Texts.Tell(fmt::format(
@@ -217,7 +220,7 @@ void ViewWindow::Save()
     now.output = NameOfFile(Options, ++Saved);
   }
   RepeatedCommand command{
-    WordsOf(now, Words, TheShot->chosen, std::to_string(ViewScene::kUsualContours)), {}
+    WordsOf(now, Words, TheShot->chosen, std::to_string(ViewScene::kDefaultContours)), {}
   };
   Texts.Tell("saving '" + now.output + "' ...");
   Window->Render();
@@ -269,20 +272,19 @@ bool ViewWindow::Press(const std::string& key)
   else if (key == "c")
   {
     Contours = !Contours;
-    Shown.ShowContours(Contours);
+    ShowShot();
   }
   else if (key == "e")
   {
     Edges = !Edges;
-    Shown.Actor().GetProperty()->SetEdgeVisibility(Edges);
+    ShowShot();
   }
   else if (key == "r")
   {
     TheShot->view = Now().view;
-    Shown.MakeTables(*TheShot);
-    Shown.MakeLayers(*TheShot);
-    Shown.ShowContours(Contours);
-    Texts.SetTable(Shown.FirstTable());
+    Shown.FindRanges(*TheShot);
+    ShowShot();
+    Texts.SetTable(Shown.FirstTable(*TheShot));
   }
   else if (key == "Left" || key == "Right")
   {
@@ -303,7 +305,8 @@ bool ViewWindow::Press(const std::string& key)
 void ViewWindow::Show()
 {
   const Layer& first = TheShot->scene.layers.front();
-  Texts.AddTo(*Renderer, Shown.FirstTable(), first.field != nullptr ? first.field->name : "");
+  Texts.AddTo(
+    *Renderer, Shown.FirstTable(*TheShot), first.field != nullptr ? first.field->name : "");
   Interactor->Initialize();
   MakeWidgets();
   Observe(Interactor, vtkCommand::MouseMoveEvent,

@@ -46,6 +46,8 @@ private:
   void GoToStep(int step);
   void Save();
   void TellWhatIsAt(int x, int y);
+  /// Draws the shot, with contours and edges where they are on.
+  void ShowShot();
   /// Takes the widget's place for the first surface.
   void MoveSurface();
   [[nodiscard]] ShownNow Now() const;
