@@ -18,8 +18,7 @@
 
 #include "Core/Base/Error.h"
 #include "Core/Location/Locator.h"
-#include "Trace/FrameTiles.h"
-#include "Trace/Sheets.h"
+#include "Trace/TraceTile.h"
 
 #include "vtkCommand.h"
 #include "vtkCompositeDataSet.h"
@@ -547,7 +546,7 @@ std::vector<std::string> vtkHighOrderMapper::Complaints(
   }
   if (frames.LastFrame()->counters.cutOff > 0)
   {
-    texts.push_back("at some pixels more than " + std::to_string(pixelexact::Sheets::kMost) +
+    texts.push_back("at some pixels more than " + std::to_string(pixelexact::Sheets::kMax) +
       " translucent surfaces lie one behind the other, and what is behind these is not drawn: make "
       "some opaque or invisible");
   }

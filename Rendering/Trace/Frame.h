@@ -61,7 +61,8 @@ inline constexpr std::uint8_t kNoLayer = 255;
 
 /// What is seen at some samples: the pixels' centres, their corners, or others. Those of a lattice
 /// lie lower-left first, row by row. Only the buffers asked for are allocated; the others are
-/// empty. A new buffer is a flag above, a member here and a row of BufferTable.h.
+/// empty. A new buffer is a flag above, a member here, a row of BufferTable.h
+/// and a line of TileHits::WriteSheet.
 struct SampleBuffers
 {
   int width = 0;

@@ -5,7 +5,7 @@
 #include "Core/Base/Error.h"
 #include "Trace/BufferTable.h"
 #include "Trace/TileLoop.h"
-#include "Trace/TileWalk.h"
+#include "Trace/TraceTile.h"
 
 #include <algorithm>
 
@@ -112,7 +112,7 @@ void TraceAlone(const Scene& scene, const Camera& camera, const TileArea& area,
       (*samples).BeginAlone(camera, area, lattice.offset);
     }
     Sheets alone(*own, all);
-    WalkTile(scene, camera, *samples, alone, counters);
+    TraceTile(scene, camera, *samples, alone, counters);
   }
   KeepRows(*own, area, sheets.At(0));
   work.after(area, &*own, counters);
@@ -127,7 +127,7 @@ void TraceInto(const Scene& scene, const Camera& camera, const TileArea& area,
       const StageScope scope(Stage::Rays);
       (*samples).Begin(camera, area, lattice, sheets.At(0).width);
     }
-    WalkTile(scene, camera, *samples, sheets, counters);
+    TraceTile(scene, camera, *samples, sheets, counters);
   }
   if (work.after)
   {
@@ -166,11 +166,6 @@ FrameCounters TraceLattice(const Scene& scene, const Camera& camera, const Sampl
     side);
   total.nothing = static_cast<std::int64_t>(columns) * rows - total.exact - total.unknown;
   return total;
-}
-
-bool HasTranslucent(const Scene& scene)
-{
-  return std::ranges::any_of(scene.layers, &Layer::translucent);
 }
 
 void AddSamples(const FrameCounters& counted, FrameCounters& total)

@@ -5,8 +5,7 @@
 #include "Trace/Pipeline.h"
 #include "Trace/Reporter.h"
 #include "Trace/Scene.h"
-#include "Trace/Sheets.h"
-#include "Trace/TileSamples.h"
+#include "Trace/TraceTile.h"
 #include "Trace/Tracer.h"
 
 #include <cstdint>
@@ -49,9 +48,6 @@ struct LatticeWork
 /// have; aborted tiles are left out. `stages` may be null.
 FrameCounters TraceLattice(const Scene& scene, const Camera& camera, const SampleLattice& lattice,
   Sheets& sheets, Reporter& reporter, StageTimes* stages, const LatticeWork& work = {});
-
-/// Whether rays of the scene go on behind something.
-bool HasTranslucent(const Scene& scene);
 
 /// Adds what was counted; seconds are left alone.
 void AddCounters(const FrameCounters& counted, FrameCounters& total);

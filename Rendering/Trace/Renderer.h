@@ -4,7 +4,7 @@
 #include "Trace/Appearance/Painter.h"
 #include "Trace/FrameCost.h"
 #include "Trace/ProgressiveFrame.h"
-#include "Trace/TileSamples.h"
+#include "Trace/TraceTile.h"
 #include "Trace/View.h"
 
 #include <cstdint>

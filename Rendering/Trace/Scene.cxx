@@ -37,6 +37,11 @@ double ComponentOf(std::span<const double> values, int component)
     : values[static_cast<std::size_t>(std::max(component, 0))];
 }
 
+bool HasTranslucent(const Scene& scene)
+{
+  return std::ranges::any_of(scene.layers, &Layer::translucent);
+}
+
 bool HasJumps(const Scene& scene)
 {
   return std::ranges::any_of(scene.layers,

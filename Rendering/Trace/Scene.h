@@ -48,6 +48,9 @@ struct Scene
   bool operator==(const Scene&) const = default;
 };
 
+/// Whether rays of the scene go on behind the hits of some layer.
+[[nodiscard]] bool HasTranslucent(const Scene& scene);
+
 /// Whether a layer's field depends on elements' neighbours (FieldFunction::NeedsNeighbours).
 [[nodiscard]] bool HasJumps(const Scene& scene);
 } // namespace pixelexact

@@ -5,7 +5,7 @@
 #include "Core/Base/Error.h"
 #include "Core/Base/StageClock.h"
 #include "Trace/BufferTable.h"
-#include "Trace/TileWalk.h"
+#include "Trace/TraceTile.h"
 
 #include <algorithm>
 #include <array>
@@ -158,7 +158,7 @@ SampleBuffers TileVisit::Trace(std::span<const ImagePosition> positions, Buffer 
   const CheckedOut<TileSamples> tile;
   (*tile).Begin(*TheCamera, positions);
   Sheets sheets(samples, wanted | Buffer::Verdict);
-  WalkTile(*TheScene, *TheCamera, *tile, sheets, Asked);
+  TraceTile(*TheScene, *TheCamera, *tile, sheets, Asked);
   return samples;
 }
 
@@ -214,7 +214,7 @@ SampleBuffers& TileVisit::Corners()
   Sheets sheets(AtCorners, wanted);
   const CheckedOut<TileSamples> tile;
   (*tile).BeginAlone(*TheCamera, lattice, 0.0);
-  WalkTile(*TheScene, *TheCamera, *tile, sheets, Asked);
+  TraceTile(*TheScene, *TheCamera, *tile, sheets, Asked);
   return AtCorners;
 }
 

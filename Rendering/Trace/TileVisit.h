@@ -3,7 +3,7 @@
 
 #include "Trace/Pipeline.h"
 #include "Trace/Scene.h"
-#include "Trace/TileSamples.h"
+#include "Trace/TraceTile.h"
 
 #include <cstdint>
 #include <optional>

@@ -8,8 +8,8 @@
 #include "Core/Location/Sample.h"
 #include "Trace/Modules/ColorMapping.h"
 #include "Trace/Surfaces/Plane.h"
-#include "Trace/TileSamples.h"
 #include "Trace/TileVisit.h"
+#include "Trace/TraceTile.h"
 #include "Trace/Tracer.h"
 
 #include "vtkDataArray.h"

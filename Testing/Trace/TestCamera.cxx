@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trace/Camera.h"
-#include "Trace/TileSamples.h"
+#include "Trace/TraceTile.h"
 
 #include "Core/Base/Error.h"
 

@@ -4,7 +4,7 @@
 #include "SheetCheck.h"
 
 #include "Core/Base/Error.h"
-#include "Trace/Sheets.h"
+#include "Trace/TraceTile.h"
 
 #include <tbb/global_control.h>
 
@@ -244,7 +244,7 @@ TEST(Layers, MoreSheetsThanAreKeptAreCounted)
     }
     return Trace(block.TheScene, ViewAlongZ(12, 10, 1.25), {}, { .centres = kAllWithLayer });
   };
-  constexpr int kMost = Sheets::kMost;
+  constexpr int kMost = Sheets::kMax;
   for (const int planes : { kMost - 1, kMost, kMost + 1, kMost + 20 })
   {
     SCOPED_TRACE(planes);

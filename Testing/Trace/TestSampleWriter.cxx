@@ -3,7 +3,7 @@
 #include "MeshBuilder.h"
 
 #include "Trace/Camera.h"
-#include "Trace/SampleWriter.h"
+#include "Trace/TileHits.h"
 
 #include <gtest/gtest.h>
 

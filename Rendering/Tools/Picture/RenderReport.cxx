@@ -9,8 +9,8 @@
 
 #include "Core/Base/Counted.h"
 #include "Core/Location/Locator.h"
-#include "Trace/Sheets.h"
 #include "Trace/Surfaces/JumpWalls.h"
+#include "Trace/TraceTile.h"
 
 #include <nlohmann/json.hpp>
 
@@ -289,7 +289,7 @@ void WarnOf(const Shot& shot, const Frame& frame, const Found& found)
   }
   if (frame.counters.cutOff > 0)
   {
-    Warn("more than " + std::to_string(Sheets::kMost) + " translucent surfaces on " +
+    Warn("more than " + std::to_string(Sheets::kMax) + " translucent surfaces on " +
       Counted(frame.counters.cutOff, "ray") + "; what is behind is not shown");
   }
 }

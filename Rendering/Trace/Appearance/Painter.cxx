@@ -3,7 +3,6 @@
 
 #include "Core/Faces/FaceTable.h"
 #include "Trace/Contours/LayerBounds.h"
-#include "Trace/FrameTiles.h"
 #include "Trace/View.h"
 
 #include <algorithm>

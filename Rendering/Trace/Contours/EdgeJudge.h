@@ -4,7 +4,7 @@
 #include "Trace/Contours/EdgeBeam.h"
 #include "Trace/Contours/LayerBounds.h"
 #include "Trace/Surfaces/Plane.h"
-#include "Trace/TileSamples.h"
+#include "Trace/TraceTile.h"
 
 #include <array>
 #include <map>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Trace/Frame.h"
-#include "Trace/TileSamples.h"
+#include "Trace/TraceTile.h"
 
 #include <cmath>
 #include <cstdint>

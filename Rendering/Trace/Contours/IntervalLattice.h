@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Trace/TileSamples.h"
+#include "Trace/TraceTile.h"
 
 #include <array>
 

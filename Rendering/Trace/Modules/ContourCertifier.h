@@ -3,7 +3,7 @@
 
 #include "Core/Questions/EdgeWork.h"
 #include "Trace/Pipeline.h"
-#include "Trace/TileSamples.h"
+#include "Trace/TraceTile.h"
 
 #include <array>
 #include <cstdint>

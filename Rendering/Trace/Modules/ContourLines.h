@@ -4,7 +4,7 @@
 #include "Trace/Modules/ColorMapping.h"
 #include "Trace/Modules/ContourCertifier.h"
 #include "Trace/Pipeline.h"
-#include "Trace/TileSamples.h"
+#include "Trace/TraceTile.h"
 
 #include <cstdint>
 #include <vector>

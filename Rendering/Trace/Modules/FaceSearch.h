@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Core/Math/Vec.h"
-#include "Trace/TileSamples.h"
+#include "Trace/TraceTile.h"
 
 #include <glm/vec2.hpp>
 

@@ -1,0 +1,395 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Trace/TraceTile.h"
+
+#include "Core/Base/CheckedOut.h"
+#include "Core/Base/StageClock.h"
+#include "Trace/RayKernels.h"
+#include "Trace/TileHits.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <numeric>
+
+// The life of a tile's rays, in this order: samples are placed, rays cast and intersected with the
+// surfaces, walked from hit to hit, and their hits evaluated (TileHits) and written.
+
+namespace pixelexact
+{
+namespace
+{
+struct Block
+{
+  int x;
+  int y;
+};
+
+/// Blocks of kRow x kRow samples along a Z-curve.
+constexpr auto MakeBlocks()
+{
+  // A power of two that holds a tile and the corners at its end.
+  constexpr int kAcross = 2 * kTileSize / TileSamples::kRow;
+  std::array<Block, static_cast<std::size_t>(kAcross) * kAcross> blocks{};
+  for (int code = 0; code < kAcross * kAcross; ++code)
+  {
+    Block& block = blocks[static_cast<std::size_t>(code)];
+    for (int bit = 0; (1 << bit) < kAcross; ++bit)
+    {
+      block.x |= (code >> (2 * bit) & 1) << bit;
+      block.y |= (code >> (2 * bit + 1) & 1) << bit;
+    }
+    block.x *= TileSamples::kRow;
+    block.y *= TileSamples::kRow;
+  }
+  return blocks;
+}
+constexpr auto kBlocks = MakeBlocks();
+
+/// By more than the rounding of positions on its faces.
+Box3 Widened(const Box3& box)
+{
+  const Vec3 largest = glm::max(glm::abs(box.lower), glm::abs(box.upper));
+  const Vec3 more = 1e-12 * (largest + (box.upper - box.lower));
+  return { box.lower - more, box.upper + more };
+}
+} // namespace
+
+void TileSamples::Fit(int count)
+{
+  Size = count;
+  const auto needed = static_cast<std::size_t>(PaddedCount(count)) + kRow;
+  if (U.size() < needed)
+  {
+    U.resize(needed);
+    V.resize(needed);
+    place.resize(needed);
+  }
+}
+
+void TileSamples::Begin(
+  const Camera& camera, const TileArea& area, const SampleLattice& lattice, int width)
+{
+  const int columns = area.Width();
+  const int rows = area.Height();
+  Fit(columns * rows);
+  std::array<double, kTileSize + kRow> u{};
+  std::array<double, kTileSize + kRow> v{};
+  std::array<std::size_t, kTileSize + kRow> placeOfColumn{};
+  std::array<std::size_t, kTileSize + kRow> placeOfRow{};
+  for (int i = 0; i < columns; ++i)
+  {
+    const auto at = static_cast<std::size_t>(i);
+    const int column = lattice.x0 + (area.x0 + i) * lattice.step;
+    u[at] = camera.U(column + lattice.offset);
+    placeOfColumn[at] = static_cast<std::size_t>(lattice.packed ? area.x0 + i : column);
+  }
+  for (int j = 0; j < rows; ++j)
+  {
+    const auto at = static_cast<std::size_t>(j);
+    const int row = lattice.y0 + (area.y0 + j) * lattice.step;
+    v[at] = camera.V(row + lattice.offset);
+    placeOfRow[at] = static_cast<std::size_t>(lattice.packed ? area.y0 + j : row) *
+      static_cast<std::size_t>(width);
+  }
+  std::size_t at = 0;
+  // The first quarter holds the tiles without the corners at their ends.
+  const bool whole = columns > kTileSize || rows > kTileSize;
+  for (const Block& block : std::span(kBlocks).first(kBlocks.size() / (whole ? 1 : 4)))
+  {
+    const int inRow = std::min(kRow, columns - block.x);
+    for (int y = block.y; inRow > 0 && y < std::min(block.y + kRow, rows); ++y)
+    {
+      // A whole row first, in arrays that nothing else points to; what is too much is overwritten.
+      std::array<double, kRow> across;
+      std::array<double, kRow> up;
+      std::array<std::size_t, kRow> places;
+      for (std::size_t k = 0; k < kRow; ++k)
+      {
+        across[k] = u[static_cast<std::size_t>(block.x) + k];
+        up[k] = v[static_cast<std::size_t>(y)];
+        places[k] = placeOfRow[static_cast<std::size_t>(y)] +
+          placeOfColumn[static_cast<std::size_t>(block.x) + k];
+      }
+      std::ranges::copy(across, &U[at]);
+      std::ranges::copy(up, &V[at]);
+      std::ranges::copy(places, &place[at]);
+      at += static_cast<std::size_t>(inRow);
+    }
+  }
+}
+
+void TileSamples::BeginAlone(const Camera& camera, const TileArea& area, double offset)
+{
+  Begin(camera, { 0, 0, area.Width(), area.Height() },
+    { .offset = offset, .x0 = area.x0, .y0 = area.y0, .packed = true }, area.Width());
+}
+
+void TileSamples::Begin(const Camera& camera, std::span<const ImagePosition> positions)
+{
+  Fit(static_cast<int>(positions.size()));
+  for (std::size_t i = 0; i < positions.size(); ++i)
+  {
+    U[i] = camera.U(positions[i][0]);
+    V[i] = camera.V(positions[i][1]);
+    place[i] = i;
+  }
+}
+
+void TileSamples::Clip(const std::vector<KeptHalfSpace>& kept, int count)
+{
+  for (const auto& [a, b, c, d] : kept)
+  {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
+    {
+      const double at = a * Origin[0][i] + b * Origin[1][i] + c * Origin[2][i] + d;
+      const double slope = a * Direction[0][i] + b * Direction[1][i] + c * Direction[2][i];
+      const double t = -at / slope;
+      if (slope > 0.0)
+      {
+        Near[i] = std::max(Near[i], t);
+      }
+      else if (slope < 0.0)
+      {
+        Far[i] = std::min(Far[i], t);
+      }
+      else if (!(at >= 0.0))
+      {
+        Near[i] = kNoHit;
+      }
+    }
+  }
+}
+
+void TileSamples::Meet(const Camera& camera, const Scene& scene, std::vector<HitSlots>& hits)
+{
+  hits.resize(std::max(hits.size(), scene.layers.size()));
+  for (std::size_t k = 0; k < scene.layers.size(); ++k)
+  {
+    hits[k].Begin(Size);
+  }
+  // What lies outside of the mesh's box need not be found. A plane is met as fast as that is known.
+  const bool isCurved = scene.locator != nullptr &&
+    !std::ranges::all_of(scene.layers, [](const Layer& layer) { return layer.surface->IsFlat(); });
+  const Box3 bounds = isCurved ? Widened(scene.locator->Bounds()) : Box3{};
+  const bool clips = isCurved || !scene.kept.empty();
+  double* const origin[3] = { Origin[0].data(), Origin[1].data(), Origin[2].data() };
+  double* const direction[3] = { Direction[0].data(), Direction[1].data(), Direction[2].data() };
+  const std::int64_t work = WorkOfRay(camera.Width(), camera.Height(), scene.layers.size());
+  for (int first = 0; first < Size; first += kCast)
+  {
+    const int count = std::min(kCast, Size - first);
+    const auto at = static_cast<std::size_t>(first);
+    GetRayKernels().cast(camera.Rays(), &U[at], &V[at], count, origin, direction);
+    if (first == 0 || clips)
+    {
+      Near.fill(kNearest);
+      Far.fill(kFarthest);
+      Clip(scene.kept, count);
+    }
+    if (isCurved)
+    {
+      GetRayKernels().clipToBox(bounds, origin, direction, count, Near.data(), Far.data());
+    }
+    for (std::size_t k = 0; k < scene.layers.size(); ++k)
+    {
+      const Layer& layer = scene.layers[k];
+      const RayLanes rays{ { origin[0], origin[1], origin[2] },
+        { direction[0], direction[1], direction[2] }, Near.data(), Far.data(), count,
+        layer.surface->IsOfMesh() && !layer.translucent, work };
+      hits[k].MoveTo(first);
+      layer.surface->Meet(rays, hits[k]);
+    }
+  }
+}
+
+//--- Walk, evaluate, write ---
+
+namespace
+{
+/// The arrays of a tile.
+struct TileArrays
+{
+  std::vector<HitSlots> hits;            ///< by layer
+  std::vector<int> alive;                ///< rays that have not ended, ascending
+  std::vector<int> next;                 ///< by layer and ray: slots that the ray has passed
+  std::vector<std::vector<int>> reached; ///< by layer: rays whose next hit is on it
+  std::vector<int> depth; ///< by ray: sheets that it has passed; empty where all layers are opaque
+  TileHits batch;
+};
+
+/// One call of TraceTile.
+class TileWalk
+{
+public:
+  TileWalk(const Scene& scene, TileSamples& samples, Sheets& sheets, FrameCounters& counters)
+    : Traced(scene)
+    , Samples(samples)
+    , ToSheets(sheets)
+    , Counters(counters)
+    , Rays(static_cast<std::size_t>(samples.Count()))
+    , Place(std::span(samples.place).first(Rays))
+    , Translucent(HasTranslucent(scene))
+    , Arrays(*Kept)
+  {
+  }
+
+  void Run(const Camera& camera)
+  {
+    {
+      const StageScope scope(Stage::Rays);
+      Samples.Meet(camera, Traced, Arrays.hits);
+    }
+    Counters.rays += Samples.Count();
+    const std::size_t layers = Traced.layers.size();
+    Arrays.depth.assign(Translucent ? Rays : 0, 0);
+    Arrays.reached.resize(std::max(Arrays.reached.size(), layers));
+    int rounds = 0;
+    for (std::size_t k = 0; k < layers; ++k)
+    {
+      rounds += Arrays.hits[k].Count();
+    }
+    if (rounds > 0)
+    {
+      rounds -= BeginWalk() ? 1 : 0;
+    }
+    for (; rounds > 0 && !Arrays.alive.empty(); --rounds)
+    {
+      StepToNextHits();
+    }
+  }
+
+private:
+  [[nodiscard]] TileHits::Source HitsWith(std::size_t layer) const
+  {
+    return { Traced.layers[layer], static_cast<std::uint8_t>(layer), Arrays.hits[layer] };
+  }
+
+  /// All rays begin. Where there is one layer and every ray meets it, their first hits are done,
+  /// without a copy; true then.
+  bool BeginWalk()
+  {
+    const HitSlots& first = Arrays.hits[0];
+    const bool all = Traced.layers.size() == 1 &&
+      GetRayKernels().countHits(first.T(0), Samples.Count()) == Samples.Count();
+    Arrays.alive.clear();
+    if (all)
+    {
+      Arrays.batch.TakeFirstSlot(HitsWith(0), Place);
+      EvaluateAndWrite();
+      if (first.Count() == 1)
+      {
+        return true;
+      }
+      KeepGoing();
+    }
+    else
+    {
+      Arrays.alive.resize(Rays);
+      std::iota(Arrays.alive.begin(), Arrays.alive.end(), 0);
+    }
+    Arrays.next.assign(Traced.layers.size() * Rays, all ? 1 : 0);
+    return all;
+  }
+
+  /// Takes each ray to its next hit; ends rays that have none and those that their hits end.
+  void StepToNextHits()
+  {
+    const std::size_t layers = Traced.layers.size();
+    for (std::size_t k = 0; k < layers; ++k)
+    {
+      Arrays.reached[k].clear();
+    }
+    for (const int ray : Arrays.alive)
+    {
+      Advance(ray);
+    }
+    Arrays.alive.clear();
+    for (std::size_t k = 0; k < layers; ++k)
+    {
+      if (!Arrays.reached[k].empty())
+      {
+        Arrays.batch.Gather(
+          HitsWith(k), Arrays.reached[k], std::span(Arrays.next).subspan(k * Rays, Rays), Place);
+        EvaluateAndWrite();
+        KeepGoing();
+      }
+    }
+    if (layers > 1)
+    {
+      // SampleWriter needs neighbours beside each other.
+      std::ranges::sort(Arrays.alive);
+    }
+  }
+
+  /// Notes which layer has the nearest of the ray's hits that it has not passed, and passes it.
+  void Advance(int ray)
+  {
+    const auto at = static_cast<std::size_t>(ray);
+    double nearest = kNoHit;
+    std::size_t layer = 0;
+    for (std::size_t k = 0; k < Traced.layers.size(); ++k)
+    {
+      const int slot = Arrays.next[k * Rays + at];
+      if (slot < Arrays.hits[k].Count() && Arrays.hits[k].T(slot)[ray] < nearest)
+      {
+        nearest = Arrays.hits[k].T(slot)[ray];
+        layer = k;
+      }
+    }
+    if (nearest < kNoHit)
+    {
+      Arrays.reached[layer].push_back(ray);
+      ++Arrays.next[layer * Rays + at];
+    }
+  }
+
+  /// Adds the batch's rays that do not end at their hits to those alive.
+  void KeepGoing()
+  {
+    const TileHits& batch = Arrays.batch;
+    const std::span<const Verdict> verdicts = batch.Verdicts();
+    for (std::size_t i = 0; i < batch.Size(); ++i)
+    {
+      const int ray = batch.RayOf(i);
+      const auto at = static_cast<std::size_t>(ray);
+      if (verdicts[i] == Verdict::Outside)
+      {
+        Arrays.alive.push_back(ray);
+      }
+      else if (Translucent && Arrays.depth[at] == Sheets::kMax)
+      {
+        ++Counters.cutOff;
+      }
+      else if (batch.GetLayer().translucent)
+      {
+        ++Arrays.depth[at];
+        Arrays.alive.push_back(ray);
+      }
+    }
+  }
+
+  void EvaluateAndWrite()
+  {
+    Counters.surfaceHits += static_cast<std::int64_t>(Arrays.batch.Size());
+    Arrays.batch.Evaluate(*Traced.locator, ToSheets.At(0), Counters.floatCheck);
+    Arrays.batch.Write(*Traced.locator, Arrays.depth, ToSheets, Counters);
+  }
+
+  const Scene& Traced;
+  TileSamples& Samples;
+  Sheets& ToSheets;
+  FrameCounters& Counters;
+  std::size_t Rays;
+  std::span<const std::size_t> Place;
+  bool Translucent;
+  CheckedOut<TileArrays> Kept;
+  TileArrays& Arrays;
+};
+} // namespace
+
+void TraceTile(const Scene& scene, const Camera& camera, TileSamples& samples, Sheets& sheets,
+  FrameCounters& counters)
+{
+  TileWalk(scene, samples, sheets, counters).Run(camera);
+}
+} // namespace pixelexact
