@@ -66,7 +66,7 @@ void ViewFrame::MakeDrawn(const DepthRows& rows)
   }
   const Frame& frame = *frames.LastFrame();
   const std::vector<Layer>& layers = frames.LastView().scene.layers;
-  const bool anyTranslucent = std::ranges::any_of(layers, &Layer::translucent);
+  const bool anyTranslucent = HasTranslucent(frames.LastView().scene);
   const bool linesAlone = frames.LastView().appearance.contours.only.has_value();
   depthsVersion += moved || anyTranslucent || linesAlone || LinesAlone ? 1 : 0;
   Rows = rows;

@@ -8,10 +8,13 @@
 #include "Trace/TraceTile.h"
 #include "Trace/Tracer.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
-// Loops over the tiles of a frame, in parallel.
+// Loops over the tiles of a frame, in parallel: they trace samples, and run a pipeline's colours
+// and modules.
 namespace pixelexact
 {
 /// Throws Error for a scene without locator or layers, a layer without surface or field, a
@@ -48,6 +51,30 @@ struct LatticeWork
 /// have; aborted tiles are left out. `stages` may be null.
 FrameCounters TraceLattice(const Scene& scene, const Camera& camera, const SampleLattice& lattice,
   Sheets& sheets, Reporter& reporter, StageTimes* stages, const LatticeWork& work = {});
+
+/// Before a pipeline runs over a frame whose sheets are there: its modules' own buffers, and room
+/// for colours.
+void BeginPipeline(const Pipeline& pipeline, Frame& frame);
+
+/// Gives a tile its colours, image and what `modules`, the first of Pipeline::Runs, make of it.
+/// Samples that they ask for are counted. `own`: TileVisit's.
+void BeginPipelineOn(const TileArea& area, const SampleBuffers* own, const Scene& scene,
+  const Camera& camera, const Pipeline& pipeline, std::span<FrameModule* const> modules,
+  Frame& frame, FrameCounters& counters);
+/// The runs of modules after that one, over all tiles until `reporter` has no time; returns what
+/// was counted.
+FrameCounters FinishPipeline(const Scene& scene, const Camera& camera, const Pipeline& pipeline,
+  Frame& frame, Reporter& reporter, StageTimes* stages);
+
+/// Runs the pipeline over all tiles of a frame whose samples are there; scene and camera may be
+/// null (TileVisit), and so may the reporter. Returns what was counted of samples that modules
+/// asked for.
+FrameCounters RunPipeline(const Scene* scene, const Camera* camera, const Pipeline& pipeline,
+  Frame& frame, Reporter* reporter = nullptr, StageTimes* stages = nullptr);
+
+/// One of Pipeline::Runs over the tiles that are not done; BeginPipeline comes before the first.
+FrameCounters RunPipelinePart(const Scene& scene, const Camera& camera, const Pipeline& pipeline,
+  std::size_t run, Frame& frame, Reporter& reporter, TilesDone& done);
 
 /// Adds what was counted; seconds are left alone.
 void AddCounters(const FrameCounters& counted, FrameCounters& total);

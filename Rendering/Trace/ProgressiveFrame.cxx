@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trace/ProgressiveFrame.h"
 
-#include "Trace/PipelineRuns.h"
-
 #include <algorithm>
 #include <chrono>
 #include <utility>

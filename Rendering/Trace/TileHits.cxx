@@ -69,39 +69,42 @@ void TileHits::TakeFirstSlot(const Source& from, std::span<const std::size_t> pl
   }
 }
 
-void TileHits::Gather(const Source& from, std::span<const int> rays, std::span<const int> next,
+void TileHits::Gather(const Source& from, std::span<const int> rays, std::span<const int> slots,
   std::span<const std::size_t> place)
 {
   const std::size_t count = rays.size();
   Begin(from, count);
   IsComplete = false;
+  std::ranges::copy(rays, Ray.View().begin());
+  std::ranges::copy(slots, Slot.View().begin());
   Places.Resize(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    Places[i] = place[static_cast<std::size_t>(rays[i])];
+  }
+  Place = Places.View();
   const auto stride = static_cast<std::size_t>(PaddedCount(static_cast<int>(count)));
   Lanes.Resize(4 * stride);
+  double* const lanes = Lanes.View().data();
+  int slot = -1;
+  std::array<const double*, 4> column{};
   for (std::size_t i = 0; i < stride; ++i)
   {
     // Padded with the last.
-    const int ray = rays[std::min(i, count - 1)];
-    const auto at = static_cast<std::size_t>(ray);
-    const int slot = next[at] - 1;
-    Lanes[i] = from.slots.T(slot)[ray];
-    for (int d = 0; d < 3; ++d)
+    const std::size_t k = std::min(i, count - 1);
+    if (slots[k] != slot)
     {
-      Lanes[static_cast<std::size_t>(1 + d) * stride + i] = from.slots.Position(slot, d)[ray];
+      slot = slots[k];
+      column = { from.slots.T(slot), from.slots.Position(slot, 0), from.slots.Position(slot, 1),
+        from.slots.Position(slot, 2) };
     }
-    if (i < count)
+    for (std::size_t c = 0; c < column.size(); ++c)
     {
-      Ray[i] = ray;
-      Slot[i] = slot;
-      Places[i] = place[at];
+      lanes[c * stride + i] = column[c][rays[k]];
     }
   }
-  Place = Places.View();
-  T = Lanes.View().data();
-  for (std::size_t d = 0; d < 3; ++d)
-  {
-    Position[d] = T + (1 + d) * stride;
-  }
+  T = lanes;
+  Position = { lanes + stride, lanes + 2 * stride, lanes + 3 * stride };
 }
 
 LanePoints TileHits::Positions() const

@@ -78,7 +78,7 @@ private:
   std::int64_t ExactCount = 0;
 };
 
-/// An array that keeps its memory when it is resized; entries are not initialised anew.
+/// An array that keeps its memory and its entries when it is resized.
 template <class T>
 class Column
 {
@@ -117,8 +117,9 @@ public:
   /// The hits of all rays in slot 0, which are read where they are: every ray must have one there.
   /// `place`: of each ray in the buffers.
   void TakeFirstSlot(const Source& from, std::span<const std::size_t> place);
-  /// One hit of each of some rays: the one in the slot before next[ray]. `place`: by ray.
-  void Gather(const Source& from, std::span<const int> rays, std::span<const int> next,
+  /// The hits of some rays, ascending, of each the one in its slot. `place`: of all rays of the
+  /// tile in the buffers.
+  void Gather(const Source& from, std::span<const int> rays, std::span<const int> slots,
     std::span<const std::size_t> place);
 
   /// Locates the hits and evaluates the layer's field, as far as the buffers `wanted` take it. Hits

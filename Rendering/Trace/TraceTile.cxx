@@ -9,6 +9,7 @@
 #include <glm/common.hpp>
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 
 // The life of a tile's rays, in this order: samples are placed, rays cast and intersected with the
@@ -206,13 +207,20 @@ void TileSamples::Meet(const Camera& camera, const Scene& scene, std::vector<Hit
 
 namespace
 {
+/// The hits that rays have come to, of one layer.
+struct ReachedHits
+{
+  std::vector<int> ray; ///< ascending
+  std::vector<int> slot;
+};
+
 /// The arrays of a tile.
 struct TileArrays
 {
-  std::vector<HitSlots> hits;            ///< by layer
-  std::vector<int> alive;                ///< rays that have not ended, ascending
-  std::vector<int> next;                 ///< by layer and ray: slots that the ray has passed
-  std::vector<std::vector<int>> reached; ///< by layer: rays whose next hit is on it
+  std::vector<HitSlots> hits;       ///< by layer
+  std::vector<int> alive;           ///< rays that have not ended, ascending
+  std::vector<int> passed;          ///< by layer and ray: slots; of several layers
+  std::vector<ReachedHits> reached; ///< by layer
   std::vector<int> depth; ///< by ray: sheets that it has passed; empty where all layers are opaque
   TileHits batch;
 };
@@ -240,88 +248,79 @@ public:
       Samples.Meet(camera, Traced, Arrays.hits);
     }
     Counters.rays += Samples.Count();
-    const std::size_t layers = Traced.layers.size();
     Arrays.depth.assign(Translucent ? Rays : 0, 0);
-    Arrays.reached.resize(std::max(Arrays.reached.size(), layers));
-    int rounds = 0;
-    for (std::size_t k = 0; k < layers; ++k)
+    Arrays.reached.resize(std::max(Arrays.reached.size(), Traced.layers.size()));
+    Arrays.alive.resize(Rays);
+    std::iota(Arrays.alive.begin(), Arrays.alive.end(), 0);
+    if (Traced.layers.size() == 1)
     {
-      rounds += Arrays.hits[k].Count();
+      WalkOneLayer();
     }
-    if (rounds > 0)
+    else
     {
-      rounds -= BeginWalk() ? 1 : 0;
-    }
-    for (; rounds > 0 && !Arrays.alive.empty(); --rounds)
-    {
-      StepToNextHits();
+      WalkLayers();
     }
   }
 
 private:
-  [[nodiscard]] TileHits::Source HitsWith(std::size_t layer) const
+  /// The k-th hits of all rays are those of slot k.
+  void WalkOneLayer()
   {
-    return { Traced.layers[layer], static_cast<std::uint8_t>(layer), Arrays.hits[layer] };
-  }
-
-  /// All rays begin. Where there is one layer and every ray meets it, their first hits are done,
-  /// without a copy; true then.
-  bool BeginWalk()
-  {
-    const HitSlots& first = Arrays.hits[0];
-    const bool all = Traced.layers.size() == 1 &&
-      GetRayKernels().countHits(first.T(0), Samples.Count()) == Samples.Count();
-    Arrays.alive.clear();
-    if (all)
+    const HitSlots& hits = Arrays.hits[0];
+    int slot = 0;
+    if (hits.Count() > 0 &&
+      GetRayKernels().countHits(hits.T(0), Samples.Count()) == Samples.Count())
     {
+      // Every ray meets the surface: nothing is gathered.
       Arrays.batch.TakeFirstSlot(HitsWith(0), Place);
       EvaluateAndWrite();
-      if (first.Count() == 1)
+      if (hits.Count() == 1)
       {
-        return true;
+        return;
       }
+      Arrays.alive.clear();
       KeepGoing();
+      slot = 1;
     }
-    else
+    ReachedHits& reached = Arrays.reached[0];
+    for (; slot < hits.Count() && !Arrays.alive.empty(); ++slot)
     {
-      Arrays.alive.resize(Rays);
-      std::iota(Arrays.alive.begin(), Arrays.alive.end(), 0);
+      reached.ray.clear();
+      const double* const t = hits.T(slot);
+      std::ranges::copy_if(
+        Arrays.alive, std::back_inserter(reached.ray), [t](int ray) { return t[ray] < kNoHit; });
+      reached.slot.assign(reached.ray.size(), slot);
+      Arrays.alive.clear();
+      FinishReached(0);
     }
-    Arrays.next.assign(Traced.layers.size() * Rays, all ? 1 : 0);
-    return all;
   }
 
-  /// Takes each ray to its next hit; ends rays that have none and those that their hits end.
-  void StepToNextHits()
+  void WalkLayers()
   {
     const std::size_t layers = Traced.layers.size();
-    for (std::size_t k = 0; k < layers; ++k)
+    Arrays.passed.assign(layers * Rays, 0);
+    while (!Arrays.alive.empty())
     {
-      Arrays.reached[k].clear();
-    }
-    for (const int ray : Arrays.alive)
-    {
-      Advance(ray);
-    }
-    Arrays.alive.clear();
-    for (std::size_t k = 0; k < layers; ++k)
-    {
-      if (!Arrays.reached[k].empty())
+      for (std::size_t k = 0; k < layers; ++k)
       {
-        Arrays.batch.Gather(
-          HitsWith(k), Arrays.reached[k], std::span(Arrays.next).subspan(k * Rays, Rays), Place);
-        EvaluateAndWrite();
-        KeepGoing();
+        Arrays.reached[k].ray.clear();
+        Arrays.reached[k].slot.clear();
       }
-    }
-    if (layers > 1)
-    {
+      for (const int ray : Arrays.alive)
+      {
+        Advance(ray);
+      }
+      Arrays.alive.clear();
+      for (std::size_t k = 0; k < layers; ++k)
+      {
+        FinishReached(k);
+      }
       // SampleWriter needs neighbours beside each other.
       std::ranges::sort(Arrays.alive);
     }
   }
 
-  /// Notes which layer has the nearest of the ray's hits that it has not passed, and passes it.
+  /// Takes a ray to the nearest of its hits that it has not passed; at equal t of the first layer.
   void Advance(int ray)
   {
     const auto at = static_cast<std::size_t>(ray);
@@ -329,7 +328,7 @@ private:
     std::size_t layer = 0;
     for (std::size_t k = 0; k < Traced.layers.size(); ++k)
     {
-      const int slot = Arrays.next[k * Rays + at];
+      const int slot = Arrays.passed[k * Rays + at];
       if (slot < Arrays.hits[k].Count() && Arrays.hits[k].T(slot)[ray] < nearest)
       {
         nearest = Arrays.hits[k].T(slot)[ray];
@@ -338,9 +337,33 @@ private:
     }
     if (nearest < kNoHit)
     {
-      Arrays.reached[layer].push_back(ray);
-      ++Arrays.next[layer * Rays + at];
+      Arrays.reached[layer].ray.push_back(ray);
+      Arrays.reached[layer].slot.push_back(Arrays.passed[layer * Rays + at]++);
     }
+  }
+
+  [[nodiscard]] TileHits::Source HitsWith(std::size_t layer) const
+  {
+    return { Traced.layers[layer], static_cast<std::uint8_t>(layer), Arrays.hits[layer] };
+  }
+
+  /// Evaluates and writes a layer's hits that rays have come to.
+  void FinishReached(std::size_t layer)
+  {
+    const ReachedHits& reached = Arrays.reached[layer];
+    if (!reached.ray.empty())
+    {
+      Arrays.batch.Gather(HitsWith(layer), reached.ray, reached.slot, Place);
+      EvaluateAndWrite();
+      KeepGoing();
+    }
+  }
+
+  void EvaluateAndWrite()
+  {
+    Counters.surfaceHits += static_cast<std::int64_t>(Arrays.batch.Size());
+    Arrays.batch.Evaluate(*Traced.locator, ToSheets.At(0), Counters.floatCheck);
+    Arrays.batch.Write(*Traced.locator, Arrays.depth, ToSheets, Counters);
   }
 
   /// Adds the batch's rays that do not end at their hits to those alive.
@@ -366,13 +389,6 @@ private:
         Arrays.alive.push_back(ray);
       }
     }
-  }
-
-  void EvaluateAndWrite()
-  {
-    Counters.surfaceHits += static_cast<std::int64_t>(Arrays.batch.Size());
-    Arrays.batch.Evaluate(*Traced.locator, ToSheets.At(0), Counters.floatCheck);
-    Arrays.batch.Write(*Traced.locator, Arrays.depth, ToSheets, Counters);
   }
 
   const Scene& Traced;

@@ -3,7 +3,6 @@
 
 #include "Trace/BufferTable.h"
 #include "Trace/FrameTiles.h"
-#include "Trace/PipelineRuns.h"
 
 #include <algorithm>
 #include <chrono>

@@ -4,7 +4,7 @@
 #include "CurvedCheck.h"
 
 #include "Trace/Contours/LayerBounds.h"
-#include "Trace/PipelineRuns.h"
+#include "Trace/FrameTiles.h"
 #include "Trace/ProgressiveFrame.h"
 #include "Trace/Surfaces/Quadric.h"
 #include "Trace/TileVisit.h"

@@ -5,7 +5,6 @@
 
 #include "Trace/FrameTiles.h"
 #include "Trace/Modules/ContourLines.h"
-#include "Trace/PipelineRuns.h"
 #include "Trace/ProgressiveFrame.h"
 #include "Trace/Surfaces/Combined.h"
 #include "Trace/TileVisit.h"

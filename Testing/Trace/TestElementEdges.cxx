@@ -4,7 +4,6 @@
 
 #include "Trace/FrameTiles.h"
 #include "Trace/Modules/ElementEdges.h"
-#include "Trace/PipelineRuns.h"
 #include "Trace/TileVisit.h"
 
 #include "Core/Base/Error.h"

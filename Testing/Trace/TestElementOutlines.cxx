@@ -5,7 +5,6 @@
 #include "Trace/FrameTiles.h"
 #include "Trace/Modules/Antialiasing.h"
 #include "Trace/Modules/ElementOutlines.h"
-#include "Trace/PipelineRuns.h"
 #include "Trace/TileVisit.h"
 
 #include "Core/Base/Error.h"
