@@ -46,21 +46,26 @@ Interval BoundsOf(std::span<const double> lower, std::span<const double> upper, 
 
 //--- Hits from slots ---
 
-void TileHits::Begin(const Source& from, std::size_t count)
+void TileHits::Begin(const Source& from, std::span<const int> rays, std::span<const int> slots)
 {
   Of = &from.layer;
   Number = from.number;
   Slots = &from.slots;
-  Ray.Resize(count);
-  Slot.Resize(count);
+  Ray = rays;
+  Slot = slots;
 }
 
 void TileHits::TakeFirstSlot(const Source& from, std::span<const std::size_t> place)
 {
-  Begin(from, place.size());
+  const std::size_t count = place.size();
+  if (AllRays.size() < count)
+  {
+    AllRays.resize(count);
+    std::iota(AllRays.begin(), AllRays.end(), 0);
+    FirstSlots.resize(count, 0);
+  }
+  Begin(from, std::span(AllRays).first(count), std::span(FirstSlots).first(count));
   IsComplete = true;
-  std::iota(Ray.View().begin(), Ray.View().end(), 0);
-  std::ranges::fill(Slot.View(), 0);
   Place = place;
   T = from.slots.T(0);
   for (int d = 0; d < 3; ++d)
@@ -73,10 +78,8 @@ void TileHits::Gather(const Source& from, std::span<const int> rays, std::span<c
   std::span<const std::size_t> place)
 {
   const std::size_t count = rays.size();
-  Begin(from, count);
+  Begin(from, rays, slots);
   IsComplete = false;
-  std::ranges::copy(rays, Ray.View().begin());
-  std::ranges::copy(slots, Slot.View().begin());
   Places.Resize(count);
   for (std::size_t i = 0; i < count; ++i)
   {

@@ -117,8 +117,8 @@ public:
   /// The hits of all rays in slot 0, which are read where they are: every ray must have one there.
   /// `place`: of each ray in the buffers.
   void TakeFirstSlot(const Source& from, std::span<const std::size_t> place);
-  /// The hits of some rays, ascending, of each the one in its slot. `place`: of all rays of the
-  /// tile in the buffers.
+  /// The hits of some rays, ascending, of each the one in its slot; both arrays must live as long
+  /// as the hits are used. `place`: of all rays of the tile in the buffers.
   void Gather(const Source& from, std::span<const int> rays, std::span<const int> slots,
     std::span<const std::size_t> place);
 
@@ -132,13 +132,13 @@ public:
   void Write(
     const Locator& locator, std::span<const int> depth, Sheets& sheets, FrameCounters& counters);
 
-  [[nodiscard]] std::size_t Size() const { return Ray.View().size(); }
+  [[nodiscard]] std::size_t Size() const { return Ray.size(); }
   [[nodiscard]] const Layer& GetLayer() const { return *Of; }
   [[nodiscard]] int RayOf(std::size_t i) const { return Ray[i]; }
   [[nodiscard]] std::span<const Verdict> Verdicts() const { return VerdictOf.View(); }
 
 private:
-  void Begin(const Source& from, std::size_t count);
+  void Begin(const Source& from, std::span<const int> rays, std::span<const int> slots);
   void EvaluateInElements(const Mesh& mesh, const Field* field, const SampleTarget& target);
   void FindNormals(bool ofAll);
   void Reduce(std::size_t components);
@@ -161,8 +161,8 @@ private:
   std::uint8_t Number = 0;
   const HitSlots* Slots = nullptr;
   bool IsComplete = false; ///< one hit of each ray of the tile
-  Column<int> Ray;
-  Column<int> Slot;
+  std::span<const int> Ray;
+  std::span<const int> Slot;
   Column<int> Sheet;                  ///< empty: all hits are on the nearest
   std::span<const std::size_t> Place; ///< in the buffers
   const double* T = nullptr;          ///< padded, as Position
@@ -176,6 +176,8 @@ private:
   Column<double> Upper;
   Column<Vec3> Normal;
   // Memory of columns that are read where they are if possible, and of single steps.
+  std::vector<int> AllRays;    ///< 0, 1, 2 ...
+  std::vector<int> FirstSlots; ///< zeros
   Column<std::size_t> Places;
   Column<double> Lanes;
   Column<double> XiLanes;

@@ -250,8 +250,6 @@ public:
     Counters.rays += Samples.Count();
     Arrays.depth.assign(Translucent ? Rays : 0, 0);
     Arrays.reached.resize(std::max(Arrays.reached.size(), Traced.layers.size()));
-    Arrays.alive.resize(Rays);
-    std::iota(Arrays.alive.begin(), Arrays.alive.end(), 0);
     if (Traced.layers.size() == 1)
     {
       WalkOneLayer();
@@ -282,6 +280,10 @@ private:
       KeepGoing();
       slot = 1;
     }
+    else
+    {
+      AllAreAlive();
+    }
     ReachedHits& reached = Arrays.reached[0];
     for (; slot < hits.Count() && !Arrays.alive.empty(); ++slot)
     {
@@ -298,6 +300,7 @@ private:
   void WalkLayers()
   {
     const std::size_t layers = Traced.layers.size();
+    AllAreAlive();
     Arrays.passed.assign(layers * Rays, 0);
     while (!Arrays.alive.empty())
     {
@@ -318,6 +321,12 @@ private:
       // SampleWriter needs neighbours beside each other.
       std::ranges::sort(Arrays.alive);
     }
+  }
+
+  void AllAreAlive()
+  {
+    Arrays.alive.resize(Rays);
+    std::iota(Arrays.alive.begin(), Arrays.alive.end(), 0);
   }
 
   /// Takes a ray to the nearest of its hits that it has not passed; at equal t of the first layer.
